@@ -1,14 +1,15 @@
 """A diagram's machine code: made once a process for all diagrams of one structure."""
 
 from contextlib import suppress
+from dataclasses import dataclass, field
 from functools import lru_cache
-from typing import NamedTuple
 
 from ..diagrams.wiring import Wiring
 from ..equations.arrays import Unread
 from ..equations.block import Block
 from ..errors import DiagramError, Uncompiled
 from .diagram_record import NAMED, SHORT, DiagramRecord
+from .formula import program_of_formulas
 from .jacobian import Jacobian, jacobian, reach_of, slopes_of
 from .layout import Layout
 from .machine import Machine, one_at_a_time
@@ -26,14 +27,20 @@ FORMS = {
 }
 
 
-class Structure(NamedTuple):
-    """All that machine code depends on, but for parameters, which it is given."""
+@dataclass(frozen=True)
+class Structure:
+    """All that machine code depends on, but for parameters, which it is given.
+
+    Wiring and layout are those of one diagram: code is made from them.
+    """
 
     blocks: tuple  # records of each block, and its shapes and sizes
     wires: tuple  # what feeds each block
     order: tuple  # of evaluation; of what time; which blocks pass inputs on at once, which sample
     pattern: str  # which parameter fields share a slot, and where
     ninputs: int  # of the diagram
+    wiring: Wiring = field(compare=False)
+    layout: Layout = field(compare=False)
 
 
 class Code:
@@ -95,28 +102,15 @@ def code_of(
     wires = tuple((node.states.start, node.outputs.start, node.wires) for node in wiring.nodes)
     own = ((node.system.feedthrough, node.system.kept) for node in wiring.nodes)
     order = (wiring.order, bool(wiring.dt), *own)
-    structure = Structure(tuple(blocks), wires, order, layout.pattern, wiring.ninputs)
-    return _code(structure, form, implicit, _Hidden(wiring, layout))
-
-
-class _Hidden:
-    """What code is made from; always equal, so it is no part of the cache's key."""
-
-    def __init__(self, wiring: Wiring, layout: Layout):
-        self.wiring, self.layout = wiring, layout
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Hidden)
-
-    def __hash__(self) -> int:
-        return 0
+    made = Structure(tuple(blocks), wires, order, layout.pattern, wiring.ninputs, wiring, layout)
+    return _code(made, form, implicit)
 
 
 @lru_cache(maxsize=64)
 @one_at_a_time  # threads that ask at once are given the same code
 @lru_cache(maxsize=64)
-def _code(structure: Structure, form: str | None, implicit: bool, hidden: _Hidden) -> Code:
-    wiring, layout = hidden.wiring, hidden.layout
+def _code(structure: Structure, form: str | None, implicit: bool) -> Code:
+    wiring, layout = structure.wiring, structure.layout
     record = DiagramRecord(wiring, layout, *FORMS[form])
     room = wiring.nodes[-1].outputs.stop, layout.inputs(wiring.ninputs)
     if not implicit:
@@ -135,8 +129,8 @@ def kernels(n: int, lanes: int, method: int) -> Machine:
     own = formulas(method, n)
 
     def printed() -> object:
-        from .printing import print_formulas
+        from .nests import print_program
 
-        return print_formulas(own, n, lanes)
+        return print_program(program_of_formulas(own, n), tuple(own), lanes)
 
     return Machine(own, f"formulas {n} {lanes} {method}", printed)

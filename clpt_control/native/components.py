@@ -17,19 +17,20 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ..equations.arrays import CONDITIONS
 from ..errors import Uncompiled
-from .diagram_record import DiagramRecord, Ref
+from .diagram_record import Ref
 
 MOST = 60_000  # components; more are left to Python
 BOUND = -1
-CONDITIONS = frozenset({"lt", "le", "gt", "ge", "eq", "ne", "and", "or", "not"})
-FUNCTIONS = (  # polynomials of our own (`transcendental`)
-    *("exp", "expm1", "log", "log1p", "log2", "log10", "hypot"),
-    *("sinh", "cosh", "tanh", "asinh", "acosh", "atanh"),
-    *("sin", "cos", "tan", "asin", "acos", "atan", "atan2"),
+APART = frozenset(  # of many instructions: printed once a module, and called
+    (
+        *("exp", "expm1", "log", "log1p", "log2", "log10", "hypot", "pow", "mod", "floordiv"),
+        *("sinh", "cosh", "tanh", "asinh", "acosh", "atanh"),
+        *("sin", "cos", "tan", "asin", "acos", "atan", "atan2"),
+    )
 )
-# computed once, not again
-LONG = frozenset({*FUNCTIONS, "pow", "mod", "floordiv", "div", "sqrt", "erf", "erfc", "lookup"})
+LONG = APART | {"div", "sqrt", "erf", "erfc", "lookup"}  # computed once, not again
 Symbol = tuple[int, int]
 Index = Any  # a whole number, or (symbol, start, step)
 Value = Any  # a constant, or (component, symbols)
@@ -67,7 +68,7 @@ def deep() -> Iterator[None]:
 class Components:
     """The elements of a diagram's record that its functions need, each once."""
 
-    def __init__(self, record: DiagramRecord, room: int, prepared: int):
+    def __init__(self, record: Any, room: int, prepared: int):
         self.record, self.entries = record, record.entries
         self.all: list[Component] = []
         self.steady: list[bool] = []  # depends on parameters alone
@@ -266,10 +267,6 @@ class Components:
             for m, own in zip(entry.at, _strides(source.shape), strict=True):
                 first += own * (m if isinstance(m, int) else m[1])
                 stride += 0 if isinstance(m, int) else own * m[2]
-        elif count < self.record.long:
-            return self.add(
-                "pick", whole, *[self.number(self.at(table, (k,))) for k in range(count)]
-            )
         else:
             (array, first, kept), stride = self._kept(table), 1
         at = self._place(

@@ -1,13 +1,19 @@
 """A formula of the method: an ordinary function of numbers, read in two ways.
 
-For machine code it is run on LLVM's numbers, eight states or eight runs at once (`kernels`); for
-equations in Python on NumPy's rows (`on_rows`).
+For machine code it is a program as a diagram's is, of eight states or eight runs at once: numbers
+of a lane are t, the rows of Z are X; in Python it is run on NumPy's rows (`on_rows`).
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from types import SimpleNamespace
 from typing import Any, NamedTuple
 
 import numpy as np
+
+from ..equations.arrays import Array, Tape, elementwise, operand
+from .components import Components, Value
+from .diagram_record import WIRE, Entry
+from .plan import Planner, Program
 
 Row = Callable[[int], Any]
 Rows = dict[int, Any]
@@ -16,33 +22,55 @@ Rows = dict[int, Any]
 class Formula(NamedTuple):
     """What is computed for each state, and then for each lane.
 
-    ``each(z, lane, tolerance)`` returns rows of Z, and `sums` numbers to sum over the states;
+    ``each(z, lane, tolerance)`` returns rows of Z, and numbers to sum over the states;
     ``after(lane, sums)`` returns rows of numbers.
     """
 
     each: Callable[[Row, Row, Row], tuple[Rows, Sequence[Any]]] | None = None
     after: Callable[[Row, Sequence[Any]], Rows] | None = None
-    sums: int = 0
 
 
-def _word(name: str, on_rows: Callable) -> Callable:
-    def word(*arguments: Any) -> Any:
-        kind = next((a.kind for a in arguments if hasattr(a, "kind")), None)
-        if kind is None:
-            return on_rows(*arguments)
-        from .elementary import OPERATIONS
-
-        return OPERATIONS[name](*(a if hasattr(a, "kind") else kind.number(a) for a in arguments))
-
-    word.__doc__ = f"Return {name} of LLVM's numbers, or of rows."
-    return word
+def joined(a: Any, b: Any, c: Any) -> Any:
+    """Return a b + c, in machine code rounded once where the processor can."""
+    if any(isinstance(one, Array) for one in (a, b, c)):
+        return elementwise("fmuladd", a, b, c)
+    return a * b + c
 
 
-joined = _word("fmuladd", lambda a, b, c: a * b + c)  # rounded once where the processor can
-where = _word("where", np.where)
-minimum, maximum = _word("minimum", np.minimum), _word("maximum", np.maximum)
-sqrt, power = _word("sqrt", np.sqrt), _word("pow", np.power)
-ceil = _word("ceil", np.ceil)
+class _AsWritten(Components):
+    """What a formula computes, in which nothing stands for a whole run."""
+
+    def is_steady(self, value: Value) -> bool:
+        return False
+
+
+def program_of_formulas(formulas: Mapping[str, Formula], n: int) -> Program:
+    """Return the program of formulas for n states."""
+    tape, found = Tape(), {}
+
+    def row(r: int) -> Array:
+        return tape.add("load", (), (n,), ("X", r * n))
+
+    def number(r: int, array: str = "t") -> Array:
+        return tape.add("load", (), (), (array, r))
+
+    for name, (each, after) in formulas.items():
+        rows, summed = each(row, number, lambda r: number(r, "T")) if each else ({}, ())
+        sums = [tape.add("sum", (operand(one),), (), (0, n, True)) for one in summed]
+        found[name] = rows, after(number, sums) if after else {}
+    made = _AsWritten(SimpleNamespace(entries=[Entry(*one, WIRE) for one in tape.operations]), 0, 0)
+    writes = {}
+    for name, (rows, numbers) in found.items():
+        own = [made.writes(operand(v), (n,), (True,), "X", r * n) for r, v in rows.items()]
+        own += [made.writes(operand(v), (), (), "t", r) for r, v in numbers.items()]
+        writes[name] = [write for each in own for write in each]
+    plan = Planner(made)
+    # loops come first: numbers of the lane are read in them, and written behind them
+    functions = {
+        name: tuple(sorted(plan.nests(own, True), key=lambda nest: not nest.lengths))
+        for name, own in writes.items()
+    }
+    return Program(tuple(made.all), functions, {}, (), 0, 0, 0, ())
 
 
 def on_rows(formula: Formula, n: int) -> Callable:

@@ -13,8 +13,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..equations.arrays import Array, Tape, operand
-from ..equations.derivative import CONDITIONS, JUMPS, Direction
+from ..equations.arrays import CONDITIONS, Array, Tape, operand
+from ..equations.derivative import JUMPS, Direction
 from ..equations.numbers import viewed
 from ..equations.record import Operation, reached
 from .diagram_record import WIRE, DiagramRecord, Entry, Port
@@ -63,9 +63,11 @@ def jacobian(reach: np.ndarray, exact: bool) -> Jacobian:
 
     `exact` if there is a function `slope`; matrices are yet to be made (`fresh`).
     """
+    from scipy.optimize._numdiff import group_columns
+
     n = len(reach)
     places, low, high = _ordered(reach[:, :n])
-    groups = _grouped(reach)
+    groups = group_columns(reach, np.arange(n + 1))
     rows, columns = np.nonzero(reach)
     order = np.argsort(groups[columns], kind="stable")
     rows, columns = rows[order], columns[order]
@@ -78,21 +80,6 @@ def jacobian(reach: np.ndarray, exact: bool) -> Jacobian:
 def fresh(made: Jacobian) -> Jacobian:
     """Return the same with matrices of its own, for one batch."""
     return made._replace(matrices=np.zeros(2 * len(made.places) ** 2))
-
-
-def _grouped(reach: np.ndarray) -> np.ndarray:
-    """Return the group of each column, -1 of one that is empty."""
-    count = reach.shape[1]
-    groups, some = np.full(count, -1), np.flatnonzero(reach.any(axis=0))
-    if reach.mean() > FULL:
-        groups[some] = np.arange(len(some))
-        return groups
-    taken = np.zeros((len(some), len(reach)), dtype=bool)
-    for j in some:
-        k = int(np.argmin((taken & reach[:, j]).any(axis=1)))
-        taken[k] |= reach[:, j]
-        groups[j] = k
-    return groups
 
 
 def _ordered(reach: np.ndarray) -> tuple[np.ndarray, int, int]:

@@ -36,8 +36,8 @@ LOCK = RLock()
 HERE = Path(__file__).parent
 TEXT = HERE / "solver.ll"
 PRINTED_BY = (
-    *("printing", "nests", "elementary", "vectors", "transcendental", "formula"),
-    *("method", "rosenbrock", "solver", "machine"),
+    *("printing", "nests", "elementary", "vectors", "components", "plan", "formula"),
+    *("method", "rosenbrock", "solver", "machine", "../equations/arrays"),
 )
 P = ParamSpec("P")
 R = TypeVar("R")

@@ -12,10 +12,11 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
+from numpy import ceil, maximum, minimum, power, sqrt, where
 
 from . import rosenbrock as rodas
 from . import solver as row
-from .formula import Formula, Row, Rows, ceil, joined, maximum, minimum, power, sqrt, where
+from .formula import Formula, Row, Rows, joined
 
 LAST_TERM = 1.23e-3  # of the interpolant: what is wrong within a step that stability keeps short
 TRUSTED = 100.0  # tolerances that a state between a step's ends may be wrong by
@@ -32,7 +33,7 @@ def _weighted(weights: Any, z: Row, begun: Any = None) -> Any:
     """What is `begun`, + a_0 K_0 + a_1 K_1 + ..., zeros left out."""
     used = weights.nonzero()[0]
     first = z(row.RATE + int(used[0]))
-    if not hasattr(first, "kind"):
+    if isinstance(first, np.ndarray):
         total = np.add.reduce(weights[used, None] * z(row.RATE + used))  # in the order of the rows
         return total if begun is None else begun + total
     for j in used.tolist():
@@ -136,7 +137,7 @@ def _judge(n: int) -> Formula:
         step = lane(row.TAKEN) * where(good, minimum(most, factor), bad)
         return _judged(lane, good, step)
 
-    return Formula(each, after, 2)
+    return Formula(each, after)
 
 
 def _sizes(n: int) -> Formula:
@@ -153,7 +154,7 @@ def _sizes(n: int) -> Formula:
         h = minimum(h, lane(row.END) - lane(row.TIME))
         return {row.TAKEN: h, row.AT: lane(row.TIME) + h, row.SIZE: d1, row.TROUBLE: sums[2]}
 
-    return Formula(each, after, 3)
+    return Formula(each, after)
 
 
 def _trial() -> Formula:
@@ -183,7 +184,7 @@ def _first(n: int) -> Formula:
         step = where(lane(row.OPENING) > 0.0, lane(row.OPENING), step)
         return {row.STEP: where(lane(row.FRESH) > 0.5, step, lane(row.STEP))}
 
-    return Formula(each, after, 1)
+    return Formula(each, after)
 
 
 def _accept() -> Formula:
@@ -217,7 +218,7 @@ def _dense() -> Formula:
         part = (LAST_TERM / TRUSTED) * terms[-1] / joined(tolerance(0), largest, tolerance(1))
         return {row.TERMS + k: term for k, term in enumerate(terms)}, (part * part,)
 
-    return Formula(each, lambda lane, sums: {row.WITHIN: sqrt(sums[0])}, 1)
+    return Formula(each, lambda lane, sums: {row.WITHIN: sqrt(sums[0])})
 
 
 def _stiffness() -> Formula:
@@ -244,7 +245,7 @@ def _stiffness() -> Formula:
             row.OTHER_STEPS: where(asked, where(stiff, 0.0, calm), lane(row.OTHER_STEPS)),
         }
 
-    return Formula(each, after, 2)
+    return Formula(each, after)
 
 
 # --- Runge and Kutta's method of order 4 ----------------------------------------------------
@@ -286,7 +287,7 @@ def _judge_fixed() -> Formula:
         rows |= {row.GOOD: where(good, 1.0, 0.0), row.LOOK: look}
         return rows | {row.AT: lane(row.TIME) + lane(row.TAKEN)}
 
-    return Formula(each, after, 1)
+    return Formula(each, after)
 
 
 def _accept_fixed() -> Formula:
@@ -360,7 +361,7 @@ def _judge_implicit(n: int) -> Formula:
         step = where(good, maximum(h * minimum(most, factor), cut), h * bad)
         return _judged(lane, good, step)
 
-    return Formula(each, after, 1)
+    return Formula(each, after)
 
 
 def _dense_implicit() -> Formula:

@@ -5,8 +5,8 @@ from typing import Any
 from llvmlite import ir
 
 from .plan import Nest, Program, Saved, Total, rows
-from .printing import Function, called, gathered, joined
-from .vectors import INT32, WORD, Abreast, Kind, Number, round_to_zero, select
+from .printing import Function, called
+from .vectors import WORD, apart, constant, gathered, joined, spread, width_of
 
 UNROLLED, UNROLLED_RUNS = (
     4,
@@ -34,7 +34,7 @@ class _Printer:
     def __init__(self, program: Program, function: Function, prepared: dict[int, int]):
         self.all, self.function, self.prepared = program.components, function, prepared
         self.saved: dict[int, int] = {}  # what lies in W by now
-        self.values: dict[Key, Any] = {}
+        self.values: dict[Key, list] = {}  # one, or of each turn that is worked on at once
 
     # --- nests ----------------------------------------------------------------------------
 
@@ -45,7 +45,6 @@ class _Printer:
         self.vector = nest.vector if nest.lengths and self.function.lanes == 1 else -1
         if self.vector >= 0:
             self.function.widen(nest.lengths[self.vector])
-        self.kind = self.function.wide if self.vector >= 0 else self.function.one
         self.totals = [item for item in nest.items if isinstance(item, Total)]
         self.needed: list[list[Key]] = [[] for _ in range(len(nest.lengths) + 1)]
         seen: set[Key] = set()
@@ -97,12 +96,10 @@ class _Printer:
             self.values[key] = self.value(key)
         if depth > self.inner:
             return self.items(sums)
-        masked = (
-            depth == self.vector and self.now.lengths[depth] < self.kind.width
-        )  # zeros are among them
-        zeros = [None if masked else self.kind.number(0.0) for _ in self.totals]
-        zeros = zeros if depth == self.inner else []
-        found = self.loop(depth, zeros)
+        # zeros are among what is masked
+        masked = depth == self.vector and self.now.lengths[depth] < self.function.wide
+        zero = None if masked else constant(0.0, self.width(self.vector >= 0))
+        found = self.loop(depth, [zero] * len(self.totals) if depth == self.inner else [])
         for total, value in zip(self.totals, found, strict=False):
             self.finish(total, value)
         return []
@@ -126,112 +123,100 @@ class _Printer:
         return self.function.loop(range(count), unrolled, turn, sums)
 
     def items(self, sums: list) -> list:
-        """Print what turns of all loops do; return the sums."""
-        together = self.places[-1] if self.places else None
-        if type(together) is not tuple:
-            return self.item(sums, None)
-        for k, self.places[-1] in enumerate(together):
-            sums = self.item(sums, k)
+        """Print what turns of all loops do, one after the other; return the sums."""
+        turns = tuple(range(self.inner + 1))
+        for k, place in enumerate(self.together(self.inner)):
+            found: list[Any] = []
+            for item in self.now.items:
+                own = self.argument(item.value, turns, self.vector >= 0)
+                value = own[k % len(own)]
+                if isinstance(item, Total):
+                    held = sums[len(found)]
+                    found.append(self.function.summed(held, value))
+                elif isinstance(item, Saved):
+                    strides = rows(self.all[item.component].lengths)
+                    self.store(value, "W", item.place, strides, place)
+                else:
+                    self.store(value, item.array, item.first, item.strides, place)
+            sums = found
         return sums
 
-    def item(self, sums: list, k: int | None) -> list:
-        """Print what one turn of all loops does, the k-th of those that are worked on at once."""
-        found: list[Any] = []
-        for item in self.now.items:
-            value = _part(self.argument(item.value, None, self.kind), k, self.kind)
-            if isinstance(item, Total):
-                if self.vector == self.inner and self.function.turns < self.kind.width:
-                    value = select(self.function.valid(), value, 0.0)
-                held = sums[len(found)]
-                found.append(value if held is None else held + value)
-            elif isinstance(item, Saved):
-                self.store(value, "W", item.place, rows(self.all[item.component].lengths))
-            else:
-                self.store(value, item.array, item.first, item.strides)
-        return found
-
-    def finish(self, total: Total, value: Number) -> None:
+    def finish(self, total: Total, value: Any) -> None:
         """Keep a sum."""
         if self.vector == self.inner:
-            value = joined(value, self.now.lengths[self.inner])
+            value = joined(self.function.builder, value, self.now.lengths[self.inner])
         if self.inner:
             self.store(value, "W", total.place, rows(self.all[total.component].lengths))
         else:
-            self.values[total.component, (), False] = value
+            self.values[total.component, (), False] = [value]
 
     # --- values ---------------------------------------------------------------------------
 
-    def value(self, key: Key) -> Any:
-        """Print a value, of several turns where they are worked on at once."""
-        c, turns, wide = key
-        kind = self.function.wide if wide else self.function.one
-        if wide and self.vector not in turns:
-            return kind.spread(self.values[c, turns, False])
-        together = self.places[-1] if self.inner in turns else None
-        if type(together) is not tuple:
-            return self.one(key, kind, None)
-        abreast = Kind(Abreast(self.function.builder), kind.width)
-        if self.read(c) is None and self.all[c].name != "lookup":
-            return self.one(key, abreast, None)
-        made = []
-        for k, self.places[-1] in enumerate(together):
-            made.append(self.one(key, kind, k).value)
-        self.places[-1] = together
-        return Number(abreast, tuple(made))
+    def width(self, wide: bool) -> int:
+        """Return how many numbers a value is."""
+        return self.function.wide if wide else self.function.lanes
 
-    def one(self, key: Key, kind: Kind, k: int | None) -> Any:
-        """Print a value of one turn, or eight, or of what is worked on at once."""
+    def together(self, *turns: int) -> tuple:
+        """Return the turns of the inner loop that are worked on at once; one of what is outside."""
+        place = self.places[-1] if self.inner in turns and self.places else None
+        return place if type(place) is tuple else (place,)
+
+    def value(self, key: Key) -> list:
+        """Print a value, of each turn that is worked on at once."""
         c, turns, wide = key
+        builder, width = self.function.builder, self.width(wide)
+        if wide and self.vector not in turns:
+            return [spread(builder, one, width) for one in self.values[c, turns, False]]
         read = self.read(c)
         if read is not None:
             array, first, strides = read
-            moves = [(self.places[turn], s) for turn, s in zip(turns, strides, strict=True)]
-            apart = self.stride(turns, strides) if wide else None
-            return self.function.load(array, first, moves, apart)
+            stride = self.stride(turns, strides) if wide else None
+            moves = [self.moves(turns, strides, place) for place in self.together(*turns)]
+            return [self.function.load(array, first, one, stride) for one in moves]
         name, arguments, _ = self.all[c]
         if name == "lookup":
-            index = _part(self.argument(arguments[0], turns, kind), k, kind)
-            return self.lookup(index, *self.all[arguments[1][0]].arguments[:4])
-        own = [_part(self.argument(a, turns, kind), k, kind) for a in arguments]
-        return called(name, kind, own)
+            table = self.all[arguments[1][0]].arguments[:4]
+            return [self.lookup(one, *table) for one in self.argument(arguments[0], turns, wide)]
+        return called(builder, name, width, [self.argument(a, turns, wide) for a in arguments])
 
-    def argument(self, a: Any, turns: tuple[int, ...] | None, kind: Kind) -> Any:
+    def argument(self, a: Any, turns: tuple[int, ...], wide: bool) -> list:
         """Return an argument: a constant, or what has been computed."""
         if type(a) is not tuple:
-            return kind.number(a)
-        axes = a[1] if turns is None else tuple([turns[k] for k in a[1]])
-        return self.values[a[0], axes, self.vector >= 0 and kind is self.function.wide]
+            return [constant(a, self.width(wide))]
+        return self.values[a[0], tuple([turns[k] for k in a[1]]), wide]
+
+    def moves(self, turns: Any, strides: tuple[int, ...], place: Any) -> list[tuple[Any, int]]:
+        """Return the turns of loops with how far each moves on; `place` is that of the inner."""
+        pairs = zip(turns, strides, strict=False)
+        return [(place if turn == self.inner else self.places[turn], s) for turn, s in pairs]
 
     def stride(self, turns: Any, strides: tuple[int, ...]) -> int:
         """Return by how much the loop that takes eight turns moves on."""
         return sum(s for turn, s in zip(turns, strides, strict=True) if turn == self.vector)
 
-    def store(self, value: Number, array: str, first: int, strides: tuple[int, ...]) -> None:
-        """Write what the outer loops have computed."""
-        moves = [(place, s) for place, s in zip(self.places, strides, strict=False)]
-        wide = value.kind is self.function.wide and self.vector >= 0
-        apart = self.stride(range(len(strides)), strides) if wide else None
-        self.function.store(value, array, first, moves, apart)
+    def store(
+        self, value: Any, array: str, first: int, strides: tuple[int, ...], place: Any = None
+    ) -> None:
+        """Write what has been computed, in a turn of the inner loop or behind it."""
+        turns = range(len(strides))
+        wide = self.vector >= 0 and width_of(value) > 1
+        stride = self.stride(turns, strides) if wide else None
+        self.function.store(value, array, first, self.moves(turns, strides, place), stride)
 
-    def lookup(self, index: Number, array: str, first: int, stride: int, count: int) -> Number:
+    def lookup(self, index: Any, array: str, first: int, stride: int, count: int) -> Any:
         """Read array[first + stride * whole], NaN where there is no such entry."""
-        kind, builder, function = index.kind, self.function.builder, self.function
-        whole = round_to_zero(index)
-        whole = select(whole < 0.0, whole + float(count), whole)
-        inside = (whole >= 0.0) & (whole < float(count))
-        safe = select(inside, whole, 0.0).value
+        builder, function, width = self.function.builder, self.function, width_of(index)
+
+        def ask(name: str, *own: Any) -> Any:
+            given = [a if type(a) is float else [a] for a in own]
+            return called(builder, name, width, given)[0]
+
+        place = ask("place", index, float(count))
+        inside = ask("ge", place, 0.0)
         ones = []
-        for k in range(kind.width):
-            lane = ir.Constant(INT32, k)
-            one = safe if kind.width == 1 else builder.extract_element(safe, lane)
+        for k, one in enumerate(apart(builder, ask("where", inside, place, 0.0))):
             address = function.address(array, first, [(builder.fptosi(one, WORD), stride)])
             if function.columns(array) > 1:
                 address = builder.gep(address, [ir.Constant(WORD, k)])
             ones.append(builder.load(address))
-        return select(inside, gathered(kind, ones), float("nan"))
-
-
-def _part(value: Any, k: int | None, kind: Kind) -> Any:
-    """Return the k-th of several values, or all of them, as values of a kind."""
-    of = value.value[k] if k is not None and type(value.value) is tuple else value.value
-    return type(value)(kind, of) if value.kind is not kind else value
+        return ask("where", inside, gathered(builder, ones), float("nan"))

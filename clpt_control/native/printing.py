@@ -1,4 +1,4 @@
-"""What all functions in machine code share: arrays, loops, sums and calls.
+"""What all functions in machine code share: arrays, loops and operations.
 
     void name(double *t, double *X, double *P, double *T, double *W, double *D)
 
@@ -7,20 +7,33 @@ one turn at a time.  For one run a loop takes eight turns at once, the last of t
 sum over it is gathered in eight parts and then joined, in the same order on every processor.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
+from functools import cache
 from typing import Any
 
 from llvmlite import ir
 
-from .components import FUNCTIONS
-from .elementary import OPERATIONS
-from .formula import Formula
+from ..equations.arrays import Tape, operand
+from ..equations.record import Operation
+from .components import APART
+from .elementary import FUNCTIONS
 from .machine import LANES
-from .vectors import BIT, DOUBLE, INT32, WORD, Abreast, Kind, Number, declared, select
+from .vectors import (
+    BIT,
+    DOUBLE,
+    INT32,
+    PRIMITIVES,
+    WORD,
+    apart,
+    constant,
+    declared,
+    gathered,
+    spread,
+    vector,
+)
 
 Moves = Sequence[tuple[Any, int]]  # turns of loops, and by how much each moves on
 ARRAYS = ("t", "X", "P", "T", "W", "D")
-APART = frozenset({*FUNCTIONS, "pow", "mod", "floordiv"})  # printed once a module, and called
 INLINE = frozenset({"exp", "sin", "cos"})  # always put in where they are called
 
 
@@ -39,8 +52,7 @@ class Function:
         if constants:
             self.arrays["K"] = _table(module, self.builder, constants)
         self.lanes = lanes
-        self.one, self.wide = Kind(self.builder, lanes), Kind(self.builder, LANES)
-        self.turns = LANES  # of a round, how many there are
+        self.wide = self.turns = LANES  # turns that are taken at once, and how many there are
 
     # --- arrays ---------------------------------------------------------------------------
 
@@ -65,65 +77,66 @@ class Function:
             place = builder.mul(place, ir.Constant(WORD, self.columns(array)))
         return builder.gep(self.arrays[array], [place])
 
-    def load(self, array: str, first: int, moves: Moves = (), apart: int | None = None) -> Number:
-        """Read a number, or one for each run; or those of eight turns, which lie so `apart`."""
-        builder, kind = self.builder, self.one if apart is None else self.wide
-        if apart not in (None, 1):
-            places = [first + k * apart for k in range(self.turns)]
+    def load(self, array: str, first: int, moves: Moves = (), stride: int | None = None) -> Any:
+        """Read a number, or one for each run; or those of eight turns, a `stride` apart."""
+        builder = self.builder
+        if stride not in (None, 1):
+            places = [first + k * stride for k in range(self.turns)]
             ones = [builder.load(self.address(array, place, moves)) for place in places]
-            return gathered(kind, ones + ones[:1] * (kind.width - self.turns))
-        address = self.address(array, first, moves)
-        if apart is None and self.columns(array) == 1:
-            return kind.number(builder.load(address))
-        many = builder.bitcast(address, kind.type().as_pointer())
-        if apart is None or self.turns == kind.width:
-            return Number(kind, builder.load(many, align=8))
-        given = [many, ir.Constant(INT32, 8), self.valid().value, kind.constant(1.0)]
-        return Number(kind, self._masked("load", kind.type(), given))
+            return gathered(builder, ones + ones[:1] * (self.wide - self.turns))
+        address, width = self.address(array, first, moves), self.wide if stride else self.lanes
+        if stride is None and self.columns(array) == 1:
+            return spread(builder, builder.load(address), width)
+        many = builder.bitcast(address, vector(width).as_pointer())
+        if stride is None or self.turns == width:
+            return builder.load(many, align=8)
+        given = [many, ir.Constant(INT32, 8), self.valid(), constant(1.0, width)]
+        return self._masked("load", vector(width), given)
 
     def store(
-        self, value: Number, array: str, first: int, moves: Moves = (), apart: int | None = None
+        self, value: Any, array: str, first: int, moves: Moves = (), stride: int | None = None
     ) -> None:
         """Write a number, or one for each run; or the numbers of eight turns."""
-        builder, kind = self.builder, self.one if apart is None else self.wide
-        if apart not in (None, 1):
-            for k in range(self.turns):
-                one = builder.extract_element(value.value, ir.Constant(INT32, k))
-                builder.store(one, self.address(array, first + k * apart, moves))
+        builder = self.builder
+        if stride not in (None, 1):
+            for k, one in enumerate(apart(builder, value)[: self.turns]):
+                builder.store(one, self.address(array, first + k * stride, moves))
             return
-        address = self.address(array, first, moves)
-        if apart == 1 or self.columns(array) > 1:
-            address = builder.bitcast(address, kind.type().as_pointer())
-        if apart is None or self.turns == kind.width:
-            builder.store(value.value, address, align=8)
+        address = builder.bitcast(self.address(array, first, moves), value.type.as_pointer())
+        if stride is None or self.turns == self.wide:
+            builder.store(value, address, align=8)
             return
-        given = [value.value, address, ir.Constant(INT32, 8), self.valid().value]
+        given = [value, address, ir.Constant(INT32, 8), self.valid()]
         self._masked("store", ir.VoidType(), given)
 
     def _masked(self, name: str, result: ir.Type, given: list[Any]) -> Any:
         """Read or write the turns that there are."""
-        width = self.wide.width
-        own = f"llvm.masked.{name}.v{width}f64.p0v{width}f64"
+        own = f"llvm.masked.{name}.v{self.wide}f64.p0v{self.wide}f64"
         types = [one.type for one in given]
         return self.builder.call(declared(self.builder.module, own, result, types), given)
 
-    def valid(self) -> Number:
+    def valid(self) -> ir.Constant:
         """Return which turns of a round there are."""
-        bits = [int(k < self.turns) for k in range(self.wide.width)]
-        return Number(self.wide, ir.Constant(self.wide.type(BIT), bits))
+        bits = [int(k < self.turns) for k in range(self.wide)]
+        return ir.Constant(vector(self.wide, BIT), bits)
+
+    def summed(self, held: Any, value: Any) -> Any:
+        """Return what a sum is with one more value, of the turns that there are."""
+        if self.turns < self.wide:
+            value = self.builder.select(self.valid(), value, constant(0.0, self.wide))
+        return value if held is None else self.builder.fadd(held, value)
 
     # --- loops ----------------------------------------------------------------------------
 
     def widen(self, count: int) -> None:
         """Take eight of so many turns at once, or four where there are no more."""
-        self.wide = Kind(self.builder, LANES if count > LANES // 2 else LANES // 2)
-        self.turns = self.wide.width
+        self.wide = self.turns = LANES if count > LANES // 2 else LANES // 2
 
     def rounds(
         self, count: int, unrolled: int, turn: Callable[[Any, list], list], sums: list
     ) -> list:
         """Print a loop of several turns at once; return what sums are after it."""
-        width = self.wide.width
+        width = self.wide
         whole = count // width * width
         sums = self.loop(range(0, whole, width), unrolled, turn, sums)
         if count > whole:
@@ -148,14 +161,13 @@ class Function:
         number.add_incoming(ir.Constant(WORD, which.start), before)
         held = []
         for first in sums:
-            phi = builder.phi(first.kind.type())
-            phi.add_incoming(first.value, before)
-            held.append(phi)
-        turned = turn(number, [Number(s.kind, p) for s, p in zip(sums, held, strict=True)])
+            held.append(builder.phi(first.type))
+            held[-1].add_incoming(first, before)
+        turned = turn(number, held)
         following = builder.add(number, ir.Constant(WORD, which.step))
         number.add_incoming(following, builder.block)
         for phi, value in zip(held, turned, strict=True):
-            phi.add_incoming(value.value, builder.block)
+            phi.add_incoming(value, builder.block)
         more = builder.icmp_signed("<", following, ir.Constant(WORD, which.stop))
         builder.cbranch(more, body, after)
         builder.position_at_end(after)
@@ -172,103 +184,53 @@ def _table(module: ir.Module, builder: ir.IRBuilder, values: Sequence[float]) ->
     return builder.gep(module.globals["K"], [zero, zero])
 
 
-def called(name: str, kind: Kind, arguments: list[Any]) -> Any:
-    """Calculate an operation; a long one is printed once a module."""
-    if name not in APART or (name in INLINE and type(kind.builder) is Abreast):
-        return OPERATIONS[name](*arguments)
-    module = kind.builder.module
-    own = f"{name}.{kind.width}"
-    if own not in module.globals:
-        signature = ir.FunctionType(kind.type(), [kind.type()] * len(arguments))
-        function = ir.Function(module, signature, own)
+# --- operations -----------------------------------------------------------------------------
+
+
+@cache
+def read(name: str, count: int) -> list[Operation]:
+    """Return what a function does with so many numbers, which are leaves; the last is its value."""
+    tape = Tape()
+    made = FUNCTIONS[name](*(tape.add("leaf", (), (), ("u", k)) for k in range(count)))
+    return tape.operations[: operand(made) + 1]
+
+
+def called(builder: ir.IRBuilder, name: str, width: int, own: Sequence[Any]) -> list[Any]:
+    """Calculate an operation; a long one is printed once a module.
+
+    Each argument is a constant, or values that wait for each other no more than need be: one, or
+    as many as the result.
+    """
+    many = max([len(a) for a in own if type(a) is not float], default=1)
+    given = [
+        [constant(a, width) if type(a) is float else a[k % len(a)] for a in own]
+        for k in range(many)
+    ]
+    if name in PRIMITIVES:
+        return [PRIMITIVES[name](builder, *one) for one in given]
+    if name not in APART or (name in INLINE and many > 1):
+        return evaluated(builder, read(name, len(own)), width, given)[-1]
+    own_name = f"{name}.{width}"
+    if own_name not in builder.module.globals:
+        signature = ir.FunctionType(vector(width), [vector(width)] * len(own))
+        function = ir.Function(builder.module, signature, own_name)
         function.linkage = "internal"
         if name in INLINE:
             function.attributes.add("alwaysinline")
-        inner = Kind(ir.IRBuilder(function.append_basic_block()), kind.width)
-        inner.builder.ret(OPERATIONS[name](*(Number(inner, a) for a in function.args)).value)
-    values = [a.value for a in arguments]
-    return Number(kind, kind.builder.call(module.globals[own], values))
+        inner = ir.IRBuilder(function.append_basic_block())
+        inner.ret(*evaluated(inner, read(name, len(own)), width, [function.args])[-1])
+    return [builder.call(builder.module.globals[own_name], one) for one in given]
 
 
-def gathered(kind: Kind, ones: list[Any]) -> Number:
-    """Return single numbers as one vector."""
-    if kind.width == 1:
-        return Number(kind, ones[0])
-    found: Any = ir.Constant(kind.type(), ir.Undefined)
-    for k, one in enumerate(ones):
-        found = kind.builder.insert_element(found, one, ir.Constant(INT32, k))
-    return Number(kind, found)
-
-
-def joined(part: Number, turns: int) -> Number:
-    """Add up the numbers of a vector, halves first; so many turns that there are at most."""
-    builder, value, width = part.kind.builder, part.value, part.kind.width
-    while width > 1:
-        width //= 2
-        low, high = (
-            builder.shuffle_vector(
-                value, value, ir.Constant(ir.VectorType(INT32, width), list(range(at, at + width)))
-            )
-            for at in (0, width)
-        )
-        value = builder.fadd(low, high) if turns > width else low
-    return Number(Kind(builder, 1), builder.extract_element(value, ir.Constant(INT32, 0)))
-
-
-# --- formulas of a method: numbers of a lane are t, Z is X ----------------------------------
-
-
-def print_formulas(formulas: Mapping[str, Formula], n: int, lanes: int) -> ir.Module:
-    """Return a module of LLVM with formulas for n states, of 1 run or `LANES` side by side."""
-    module = ir.Module()
-    for name, formula in formulas.items():
-        function = Function(module, name, lanes)
-        sums = _each(function, formula, n) if formula.each is not None else []
-        if formula.after is not None:
-            found = formula.after(_rows(function, "t", function.one), sums)
-            for r, value in found.items():
-                function.store(function.one.number(value), "t", r)
-        function.builder.ret_void()
-    return module
-
-
-def _rows(function: Function, array: str, kind: Kind) -> Any:
-    """Return what reads a number of an array, each once."""
-    found: dict[int, Number] = {}
-
-    def row(r: int) -> Number:
-        if r not in found:
-            found[r] = kind.spread(function.load(array, r))
-        return found[r]
-
-    return row
-
-
-def _each(function: Function, formula: Formula, n: int) -> list[Number]:
-    """Print what is computed for each state; return what is summed over them."""
-    wide = function.lanes == 1 and n > 2
-    function.widen(n)
-    kind = function.wide if wide else function.one
-
-    def turn(place: Any, sums: list[Number]) -> list[Number]:
-        found: dict[int, Number] = {}
-
-        def z(r: int) -> Number:
-            if r not in found:
-                moves = [(place, 1)]
-                found[r] = function.load("X", r * n, moves, 1 if wide else None)
-            return found[r]
-
-        assert formula.each is not None
-        own = _rows(function, "t", kind), _rows(function, "T", kind)
-        rows, summed = formula.each(z, *own)
-        for r, value in rows.items():
-            function.store(value, "X", r * n, [(place, 1)], 1 if wide else None)
-        if wide and function.turns < kind.width:
-            summed = [select(function.valid(), value, 0.0) for value in summed]
-        return [a + b for a, b in zip(sums, summed, strict=True)]
-
-    zeros = [kind.number(0.0) for _ in range(formula.sums)]
-    if not wide:
-        return function.loop(range(n), 2, turn, zeros)
-    return [joined(value, n) for value in function.rounds(n, 1, turn, zeros)]
+def evaluated(
+    builder: ir.IRBuilder, operations: Sequence[Operation], width: int, given: Sequence[Any]
+) -> list[list[Any]]:
+    """Calculate what is written down on a tape, for so many sets of what it is given."""
+    found: list[list[Any]] = []
+    for name, arguments, _, at in operations:
+        if name == "leaf":
+            found.append([one[at[1]] for one in given])
+        else:
+            own = [found[a] if type(a) is int else a for a in arguments]
+            found.append(called(builder, name, width, own))
+    return found
