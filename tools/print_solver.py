@@ -108,17 +108,17 @@ def arguments() -> dict[str, tuple]:
 
     shared = (
         (real(2), real(2), whole(1)),  # runs
-        (real(2), whole(1), whole(1), real(3), whole(2)),  # schedule
+        (whole(1), whole(1), real(1), real(2), whole(1)),  # schedule
         real(1),  # times
         (real(3), whole(1), whole(1), whole(2)),  # results
         (real(2), whole(2), whole(1)),  # lane
         (real(1),) * 5,  # arrays
     )
     linear = (real(1), whole(1))
-    code, shape = whole(1), (1, 1, 1, 1)
+    code, shape = whole(1), (1,) * 7
     states = (real(1), real(1), 1, whole(1), whole(1), real(2), *(real(1),) * 5, real(2))
     return {
-        "advance": (code, shape, real(1), *shared, linear, 1, 1, 0, 0, 0, 0),
+        "advance": (code, shape, real(1), *shared, linear, 1, 1),
         "ask": (code, 1, *states),
     }
 

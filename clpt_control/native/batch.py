@@ -14,7 +14,7 @@ import numpy as np
 from ..errors import SimulationError
 from ..progress.interrupt import check
 from . import solver
-from .jacobian import EXPLICIT, Jacobian
+from .jacobian import EXPLICIT, Jacobian, fresh
 from .machine import LANES
 from .schedule import Schedule
 
@@ -28,22 +28,27 @@ METHODS = {solver.DOP853: "DOP853", solver.RODAS5P: "Rodas5P", solver.RK4: "RK4"
 
 
 class Callee(NamedTuple):
-    """What the solver calls, and how much room its arrays need."""
+    """What the solver calls, and how much room its arrays need; `shape` is the solver's."""
 
     solver: Any  # the module as it stands, or compiled
     functions: Any  # in the solver's order: functions, or their addresses
     lanes: int  # runs that are taken at once
     nstates: int
     method: int  # as the solver numbers it
+    guarded: int  # 1 if guards are watched
+    jumping: int  # 1 if states jump
+    held: int  # first place in P of what is decided
+    decided: int  # how many numbers are
     size: int  # length of P
     room: int  # length of W
     tables: np.ndarray  # T, which is not empty
-    guarded: int  # 1 if guards are watched
-    jumping: int  # 1 if states jump
-    held: int = 0  # first place in P of what is decided
-    decided: int = 0  # how many numbers are
-    code: tuple = ()  # what must live for as long as addresses are used
     linear: Jacobian = EXPLICIT  # of Rodas5P
+    code: tuple = ()  # what must live for as long as addresses are used
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """The numbers that the solver is told: of lanes, of states, and so on to `decided`."""
+        return self[2:9]
 
     def ask(
         self,
@@ -105,35 +110,36 @@ class Batch:
         longest: float = np.inf,
         opening: float = 0.0,
     ):
+        if callee.method == solver.RODAS5P:  # whose matrices are a batch's own
+            callee = callee._replace(linear=fresh(callee.linear))
         self.callee, self.times = callee, np.ascontiguousarray(times)
         self.method = METHODS[callee.method]
         if callee.method == solver.RK4 and not longest > 0:
             raise SimulationError(f"step = {longest}: must be positive")
-        m, n = starts.shape
-        lanes, given = callee.lanes, parameters.shape[1]
-        size = max(callee.size, given, 1)
-        if given < size:
-            parameters = np.pad(parameters, ((0, 0), (0, size - given)))
-        self.shape = (lanes, n, size, callee.method)
+        (m, n), lanes = starts.shape, callee.lanes
         group = np.zeros(m, dtype=np.int64) if group is None else group
-        own = (starts, parameters, group)
-        self.runs = tuple(map(np.ascontiguousarray, own))
+        self.runs = tuple(map(np.ascontiguousarray, (starts, parameters, group)))
         self.pieces, self.schedule = schedules, _together(schedules)
         if callee.method == solver.RK4:
-            self.schedule[4][:] = False  # every piece begins anew
+            self.schedule[-1][:] = False  # every piece begins anew
         self.out = np.full((m, len(times), n), np.nan)
+        self.out[:, 0] = starts
         self.status, self.reached = (np.zeros(m, dtype=np.int64) for _ in range(2))
         self.counts = np.zeros((m, 4), dtype=np.int64)
         self.results = self.out, self.status, self.reached, self.counts
+        size = max(callee.size, parameters.shape[1], 1)
         rooms = (solver.NUMBERS, solver.ROWS * n, size, max(callee.room, 1))
-        sizes = [lanes * room for room in (*rooms, max(n, 2, 2 * callee.decided))]
-        row, self.Z, P, W, D = aligned(*sizes)
-        self.numbers = row.reshape(-1, lanes)
-        self._linear = callee.linear.given
+        row, self.Z, P, W, D = aligned(
+            *(lanes * room for room in (*rooms, max(n, 2, 2 * callee.decided)))
+        )
+        self.numbers, own = row.reshape(-1, lanes), P.reshape(-1, lanes)
+        # a lane without a run stays where the first begins
+        self.Z.reshape(-1, lanes)[:n], own[: parameters.shape[1]] = starts[:1].T, parameters[:1].T
+        own[self.schedule[1]] = self.schedule[3][:1].T
         self.numbers[solver.LONGEST], self.numbers[solver.OPENING] = longest, opening
         whole = np.full((5, lanes), -1, dtype=np.int64)
         self.lane = self.numbers, whole, np.array([0, m, 0], dtype=np.int64)
-        self.arrays = self.Z, P, callee.tables, W, D
+        self.arrays, self._linear = (self.Z, P, callee.tables, W, D), callee.linear.given
 
     @property
     def now(self) -> float:
@@ -146,18 +152,17 @@ class Batch:
         atol: float,
         watch: Callable[["Batch"], None] = lambda batch: None,
         most: int = MEMBER_STEPS,
-        tries: int | None = None,
         stiff: Callable[["Batch", int], bool] | None = None,
     ) -> None:
         """Run to the end with steps chosen by tolerance, a run for at most so many tries.
 
         Steps of one length are as many as they are.  `watch` is called between the solver's calls,
-        each of so many `tries`, or of about `PAUSE`.  `stiff` is asked of lanes whose steps look
-        so; the run of one that is ends as `STIFF`.
+        each of about `PAUSE`.  `stiff` is asked of lanes whose steps look so; the run of one that
+        is ends as `STIFF`.
         """
         self.numbers[solver.STIFF_STEPS] = -np.inf if stiff is None else 0.0
-        first = BEGIN // self.shape[1] if self.callee.solver is not solver else 0
-        active, budget = 1, tries or max(64, first)
+        first = 0 if self.callee.solver is solver else BEGIN // self.callee.nstates
+        active, budget = 1, max(64, first)
         most = ANY if self.callee.method == solver.RK4 else most
         if self.callee.decided:
             self.runs[1][:, self.callee.held - 1] = GRAIN * atol
@@ -169,9 +174,8 @@ class Batch:
             for k in looked:
                 self._look(int(k), stiff)
             budget = max(budget // 4, 1) if len(looked) else budget  # it was not used up
-            if tries is None:
-                share = PAUSE / max(time.perf_counter() - begin, 1e-6)
-                budget = int(np.clip(budget * share, budget / 2 + 1, 4 * budget))
+            share = PAUSE / max(time.perf_counter() - begin, 1e-6)
+            budget = int(np.clip(budget * share, budget / 2 + 1, 4 * budget))
             watch(self)
 
     def advance(self, rtol: float, atol: float, budget: int, most: int = MEMBER_STEPS) -> int:
@@ -180,7 +184,7 @@ class Batch:
         with np.errstate(all="ignore"):
             return self.callee.solver.advance(
                 self.callee.functions,
-                self.shape,
+                self.callee.shape,
                 tolerances,
                 self.runs,
                 self.schedule,
@@ -191,10 +195,6 @@ class Batch:
                 self._linear,
                 budget,
                 most,
-                self.callee.guarded,
-                self.callee.jumping,
-                self.callee.held,
-                self.callee.decided,
             )
 
     def _look(self, k: int, stiff: Any) -> None:
@@ -216,17 +216,11 @@ def aligned(*sizes: int) -> list[np.ndarray]:
 
 
 def _together(schedules: list[Schedule]) -> tuple[np.ndarray, ...]:
-    """Return ends of pieces, how many, places, values and smoothness of schedules of one kind."""
-    longest = max(len(one.edges) for one in schedules)
-    edges = np.full((len(schedules), longest), np.inf)
-    values = np.zeros((len(schedules), longest + 1, len(schedules[0].places)))
-    smooth = np.zeros((len(schedules), longest + 1), dtype=np.int64)
-    for g, one in enumerate(schedules):
-        edges[g, : len(one.edges)] = one.edges
-        values[g, : len(one.values)] = one.values
-        smooth[g, : len(one.smooth)] = one.smooth
-    ends = np.array([len(one.edges) for one in schedules])
-    return edges, ends, schedules[0].places, values, smooth
+    """Return where each schedule begins, places, and the rows of all: ends, values, smoothness."""
+    rows = [(np.append(one.edges, np.inf), one.values, one.smooth) for one in schedules]
+    edges, values, smooth = map(np.concatenate, zip(*rows, strict=True))
+    firsts = np.cumsum([0, *(len(one.edges) + 1 for one in schedules)])
+    return firsts, schedules[0].places, edges, values, smooth.astype(np.int64)
 
 
 def pace(most: int, begin: float, end: float) -> Callable[[Batch], None]:

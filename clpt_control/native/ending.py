@@ -78,43 +78,28 @@ def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None, rest: Batch | None)
     `rest` is its rest by another method, and `sweep` evaluates the diagram in Python, with the
     parameters that ran.
     """
-    found = _ended(sweep, rest or batch, inputs)
-    found.method = batch.method
+    last, status = rest or batch, Status(batch.status[0])  # type: ignore[call-arg]
+    found = Solution(batch.times, batch.out[0], method=batch.method)
     if rest is not None:
-        done = len(batch.times) - len(rest.times) + 1
-        found.t = np.append(batch.times[:done], found.t[1:])
-        found.x = np.vstack([batch.out[0][:done], found.x[1:]])
-        found.statistics = _statistics(batch)
         found.method += f", from t = {rest.times[0]:.9g} {rest.method}"
-    return found
-
-
-def _statistics(batch: Batch) -> dict[str, int]:
-    names = ("steps", "evaluations", "restarts")
-    return dict(zip(names, map(int, batch.counts[0]), strict=False))
-
-
-def _ended(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> Solution:
-    """Return the solution of a batch of one run, or raise what stopped it."""
-    status = Status(batch.status[0])  # type: ignore[call-arg]
-    done = int(batch.reached[0])
-    statistics = _statistics(batch)
-    times, states = batch.times, batch.out[0]
-    engine = "python" if batch.callee.solver is solver else "native"
+    counts = map(int, batch.counts[0])
+    found.statistics = dict(zip(("steps", "evaluations", "restarts"), counts, strict=False))
+    found.engine = "python" if batch.callee.solver is solver else "native"
     if status is Status.FINISHED:
-        return Solution(times, states, statistics=statistics, engine=engine)
+        return found
     if status is Status.LEFT:
-        t, x, policy, sentence = _crossing(sweep, batch, inputs)
+        t, x, policy, sentence = _crossing(sweep, last, inputs)
         if policy == "raise":
             raise SimulationError(sentence)
-        times, states = _until(batch, t, x, done)
-        return Solution(times, states, "stopped", f"stopped: {sentence}", statistics, engine)
+        found.status, found.message = "stopped", f"stopped: {sentence}"
+        found.t, found.x = _until(last, found, t, x, int(batch.reached[0]))
+        return found
     reason = status.sentence
     if status is Status.CHATTERS:
-        reason = f"{_switch(sweep, batch)} {reason}"
-    if found := _trouble(sweep, batch, inputs):
-        reason = f"{found}; check the parameters of that block, or loosen rtol and atol"
-    raise SimulationError(f"the integration stopped at t = {batch.now:.9g}: {reason}")
+        reason = f"{_switch(sweep, last)} {reason}"
+    if trouble := _trouble(sweep, last, inputs):
+        reason = f"{trouble}; check the parameters of that block, or loosen rtol and atol"
+    raise SimulationError(f"the integration stopped at t = {last.now:.9g}: {reason}")
 
 
 def _switch(sweep: Sweep, batch: Batch) -> str:
@@ -174,18 +159,17 @@ def _crossing(
     return (t + share * h, x, *seen(share, x)[1:])
 
 
-def _until(batch: Batch, t: float, x: np.ndarray, done: int) -> tuple[np.ndarray, np.ndarray]:
+def _until(
+    batch: Batch, found: Solution, t: float, x: np.ndarray, done: int
+) -> tuple[np.ndarray, np.ndarray]:
     """Return the samples up to the end of a run that a guard stopped, and that end."""
-    times, states = batch.times[:done], batch.out[0][:done]
     start, h = batch.now, float(batch.numbers[solver.TAKEN, 0])
-    for time in batch.times[done:]:
-        if time > t:
-            break
-        times = np.append(times, time)
-        states = np.vstack([states, _state(batch, (time - start) / h)])
+    within = found.t[done:][found.t[done:] <= t]
+    times = np.concatenate([found.t[:done], within])
+    states = [*found.x[:done], *(_state(batch, (time - start) / h) for time in within)]
     if times[-1] < t:
-        times, states = np.append(times, t), np.vstack([states, x])
-    return times.copy(), states.copy()
+        times, states = np.append(times, t), [*states, x]
+    return times, np.array(states)
 
 
 def _at(inputs: Inputs | None, t: float) -> np.ndarray | None:

@@ -139,7 +139,7 @@ def _asked(
     if n:
         found.append(ask(solver.DERIVATIVE)[: x.size].reshape(x.shape))
     if callee.jumping:
-        values, jumps = pieces.values.copy(), list(runner.layout.jumps.values())
+        values, jumps = pieces.values.copy(), list(runner.jumps.values())
         values[:, np.isin(pieces.places, jumps)] = JUMPS
         jumped = ask(solver.JUMP, pieces._replace(values=values))
         found.append(jumped[: x.size].reshape(x.shape))

@@ -32,14 +32,17 @@ def _table() -> Any:
 def _weighted(weights: Any, z: Row, begun: Any = None) -> Any:
     """What is `begun`, + a_0 K_0 + a_1 K_1 + ..., zeros left out."""
     used = weights.nonzero()[0]
-    first = z(row.RATE + int(used[0]))
-    if isinstance(first, np.ndarray):
+    if isinstance(z(row.RATE + int(used[0])), np.ndarray):
         total = np.add.reduce(weights[used, None] * z(row.RATE + used))  # in the order of the rows
         return total if begun is None else begun + total
-    for j in used.tolist():
-        a, rate = float(weights[j]), z(row.RATE + j)
-        begun = a * rate if begun is None else joined(a, rate, begun)
-    return begun
+    return _sum(weights, z, row.RATE, begun)
+
+
+def _sum(weights: Any, z: Row, first: int = row.SOLVED, total: Any = None) -> Any:
+    for j, a in enumerate(np.asarray(weights).tolist(), first):
+        if a != 0.0:
+            total = a * z(j) if total is None else joined(a, z(j), total)
+    return total
 
 
 def _stage(weights: Any, c: float, begun: Any = None) -> Formula:
@@ -97,12 +100,16 @@ def _attempt() -> Formula:
     return Formula(None, after)
 
 
-def _judged(lane: Row, good: Any, step: Any) -> Rows:
+def _judged(lane: Row, error: Any, factor: Any, largest: float, least: Any = None) -> Rows:
     """Whether a step is good, the next one, and whether the lane is looked at."""
+    good, most = error < 1.0, where(lane(row.REJECTED) > 0.5, 1.0, largest)
+    bad = where(error >= 1.0, maximum(0.2, factor), 0.2)  # not a number: 0.2
+    longer = lane(row.TAKEN) * minimum(most, factor)
+    longer = longer if least is None else maximum(longer, least)
     tried = lane(row.GOOD_ONES) + lane(row.BAD_ONES) + 1.0
     look = where(lane(row.NEW) >= lane(row.NEXT), 1.0, lane(row.FAILING))
     return {
-        row.STEP: step,
+        row.STEP: where(good, longer, lane(row.TAKEN) * bad),
         row.GOOD: where(good, 1.0, 0.0),
         row.REJECTED: where(good, 0.0, 1.0),
         row.AT: lane(row.TIME) + lane(row.TAKEN),
@@ -131,11 +138,7 @@ def _judge(n: int) -> Formula:
         whole = sqrt(where(none, 1.0, (fifth + 0.01 * third) * float(n)))
         error = where(none, 1e-30, lane(row.TAKEN) * fifth / whole)
         factor = 0.9 / sqrt(sqrt(sqrt(maximum(error, 1e-30))))  # error^(-1/8)
-        most = where(lane(row.REJECTED) > 0.5, 1.0, 10.0)
-        good = error < 1.0
-        bad = where(error >= 1.0, maximum(0.2, factor), 0.2)  # not a number: 0.2
-        step = lane(row.TAKEN) * where(good, minimum(most, factor), bad)
-        return _judged(lane, good, step)
+        return _judged(lane, error, factor, 10.0)
 
     return Formula(each, after)
 
@@ -152,18 +155,9 @@ def _sizes(n: int) -> Formula:
         d0, d1 = sqrt(sums[0] / float(n)), sqrt(sums[1] / float(n))
         h = where(minimum(d0, d1) < 1e-5, 1e-6, 0.01 * d0 / d1)
         h = minimum(h, lane(row.END) - lane(row.TIME))
-        return {row.TAKEN: h, row.AT: lane(row.TIME) + h, row.SIZE: d1, row.TROUBLE: sums[2]}
+        return {row.TAKEN: h, row.SIZE: d1, row.TROUBLE: sums[2]}
 
     return Formula(each, after)
-
-
-def _trial() -> Formula:
-    """argument = x + h f, f in row 2."""
-
-    def each(z: Row, lane: Row, tolerance: Row) -> tuple[Rows, Sequence[Any]]:
-        return {row.ARGUMENT: joined(lane(row.TAKEN), z(row.RATE + 1), z(row.STATE))}, ()
-
-    return Formula(each)
 
 
 def _first(n: int) -> Formula:
@@ -291,7 +285,7 @@ def _judge_fixed() -> Formula:
 
 
 def _accept_fixed() -> Formula:
-    """The new state of steps that are all good."""
+    """The new state; a run whose step is not good has ended."""
     return Formula(
         lambda z, lane, tolerance: ({row.STATE: z(row.ARGUMENT)}, ()),
         lambda lane, sums: {row.TIME: lane(row.NEW)},
@@ -304,13 +298,6 @@ def _straight() -> Formula:
 
 
 # --- Rodas5P --------------------------------------------------------------------------------
-
-
-def _sum(own: Sequence[float], z: Row) -> Any:
-    total = own[0] * z(row.SOLVED)
-    for j, a in enumerate(own[1:], 1):
-        total = joined(a, z(row.SOLVED + j), total)
-    return total
 
 
 def _attempt_implicit() -> Formula:
@@ -352,14 +339,9 @@ def _judge_implicit(n: int) -> Formula:
     def after(lane: Row, sums: Sequence[Any]) -> Rows:
         square = sums[0] / float(n)
         factor = 0.9 * power(maximum(square, 1e-30), -0.1)  # error^(-1/5)
-        h, most = lane(row.TAKEN), where(lane(row.REJECTED) > 0.5, 1.0, 6.0)
-        good = square < 1.0
-        bad = where(square >= 1.0, maximum(0.2, factor), 0.2)  # not a number: 0.2
-        cut = minimum(
-            h * factor, lane(row.STEP)
-        )  # short because of a sample, or the end of a piece
-        step = where(good, maximum(h * minimum(most, factor), cut), h * bad)
-        return _judged(lane, good, step)
+        # the step before may be short because of a sample, or the end of a piece
+        cut = minimum(lane(row.TAKEN) * factor, lane(row.STEP))
+        return _judged(lane, square, factor, 6.0, cut)
 
     return Formula(each, after)
 
@@ -381,19 +363,18 @@ def _dense_implicit() -> Formula:
 
 def formulas(method: int, n: int) -> dict[str, Formula]:
     """Return the formulas of a method, by the solver's number, for n states, in its order."""
-    begun = {"sizes": _sizes(n), "trial": _trial(), "first": _first(n)}
+    accept, begun = _accept(), (_sizes(n), _stage(np.array([0.0, 1.0]), 1.0), _first(n))
     if method == row.RODAS5P:
-        named = {"attempt": _attempt_implicit(), "judge": _judge_implicit(n), **begun}
-        named |= {"accept": _accept(), "dense": _dense_implicit()}
+        attempt, judge, dense = _attempt_implicit(), _judge_implicit(n), _dense_implicit()
         stages = [_stage_implicit(s) for s in range(row.RODAS5P - 1)]
     elif method == row.RK4:
-        named = {"attempt": _attempt_fixed(), "judge": _judge_fixed(), **begun}
-        named |= {"accept": _accept_fixed(), "dense": _straight()}
+        attempt, judge = _attempt_fixed(), _judge_fixed()
+        dense, accept = _straight(), _accept_fixed()
         halves = np.diag([0.5, 0.5, 1.0])
         stages = [_stage(halves[s, : s + 1], halves[s, s]) for s in range(3)]
     else:
-        named = {"attempt": _attempt(), "judge": _judge(n), **begun}
-        named |= {"accept": _accept(), "dense": _dense()}
-        stages = _stages_of_dop853()
+        attempt, judge, dense, stages = _attempt(), _judge(n), _dense(), _stages_of_dop853()
+    names = ("attempt", "judge", "sizes", "trial", "first", "accept", "dense")
+    named = dict(zip(names, (attempt, judge, *begun, accept, dense), strict=True))
     named |= {f"stage_{s}": one for s, one in enumerate(stages, 1)}
     return named | {"stiffness": _stiffness()} if method == row.DOP853 else named

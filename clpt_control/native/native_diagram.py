@@ -14,11 +14,11 @@ from ..errors import SimulationError
 from . import solver
 from .batch import Callee
 from .code import Code, code_of, kernels
-from .jacobian import EXPLICIT, fresh
+from .jacobian import EXPLICIT
 from .layout import lay_out
 from .machine import LANES, compiled_solver, fuses
 from .python_diagram import PythonDiagram
-from .schedule import Inputs, Schedule, make_schedule, with_inputs
+from .schedule import Inputs, Schedule, with_inputs
 
 ABREAST = 256  # states of runs that are taken side by side; more do not fit the first cache
 FUNCTIONS = ("derivative", "prepare", "margin", "signals", "jump", "decide", "slope")
@@ -71,6 +71,7 @@ class NativeDiagram(PythonDiagram):
         super().__init__(diagram, params)
         self.layout = lay_out(self.wiring, self.sweep.given)
         self._form, self.code = form, code_of(self.wiring, self.layout, form)
+        self.intervals, self.jumps = self.layout.intervals, self.layout.jumps
         self.ramp = len(self.layout.P)  # place in P of the diagram's inputs
         self.held = self.layout.inputs(self.wiring.ninputs) + 1  # and of what is decided
         self._callees: dict[tuple[int, int], Callee] = {}
@@ -84,22 +85,19 @@ class NativeDiagram(PythonDiagram):
         """Return the code for a method; in steps of one length decisions are not locked."""
         if method == solver.RK4 and self.code.program.decided:
             return code_of(self.wiring, self.layout, "free")
-        return self._implicit if method == solver.RODAS5P else self.code
-
-    @cached_property
-    def _implicit(self) -> Code:
-        return code_of(self.wiring, self.layout, self._form, True)
+        if method == solver.RODAS5P:
+            return code_of(self.wiring, self.layout, self._form, True)
+        return self.code
 
     def schedule(
         self, t0: float, t1: float, inputs: Inputs | None = None, breaks: Any = ()
     ) -> Schedule:
         """Return the pieces of a run: they end at bends and `breaks`."""
-        own = self.sweep, self.layout.intervals, self.layout.jumps
+        pieces = super().schedule(t0, t1, inputs, breaks)
         if inputs is None or not self.wiring.ninputs:
-            return make_schedule(*own, t0, t1, None, breaks)
+            return pieces
         if inputs.samples is None:
             raise SimulationError("inputs: machine code takes no function; give samples")
-        pieces = make_schedule(*own, t0, t1, inputs.kinks, breaks)
         return with_inputs(pieces, t0, inputs, self.ramp)
 
     def breaks(self, t0: float, t1: float) -> Any:
@@ -119,14 +117,12 @@ class NativeDiagram(PythonDiagram):
         self, lanes: int = 1, inputs: Inputs | None = None, method: int = solver.DOP853
     ) -> Callee:
         """Return what the solver calls, for one of its methods."""
-        if method == solver.RODAS5P:  # whose matrices are a batch's own
-            return self._callee(lanes, method)
         if (lanes, method) not in self._callees:
             self._callees[lanes, method] = self._callee(lanes, method)
         return self._callees[lanes, method]
 
     def _callee(self, lanes: int, method: int) -> Callee:
-        guarded, jumping, n = int(self.sweep.guarded), int(bool(self.layout.jumps)), self.nstates
+        guarded, jumping, n = int(self.sweep.guarded), int(bool(self.jumps)), self.nstates
         code = self._code(method)
         program = code.program
         unused = {"margin": not guarded, "jump": not jumping, "decide": not program.decided}
@@ -140,15 +136,15 @@ class NativeDiagram(PythonDiagram):
             lanes,
             n,
             method,
-            program.parameters,
-            program.room,
-            self.layout.T,
             guarded,
             jumping,
             self.held,
             program.decided,
+            program.parameters,
+            program.room,
+            self.layout.T,
+            code.linear or EXPLICIT,
             (code, formulas),
-            EXPLICIT if code.linear is None else fresh(code.linear),
         )
 
     def lanes(self, count: int) -> int:

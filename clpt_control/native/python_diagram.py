@@ -14,10 +14,10 @@ from ..diagrams.interconnection import changed_parameters
 from ..diagrams.wiring import Wiring, read_anew, wiring_of
 from ..errors import SimulationError
 from . import solver
-from .batch import Batch, Callee, pace
+from .batch import ANY, Batch, Callee, pace
 from .ending import Solution, ended
 from .formula import on_rows
-from .jacobian import EXPLICIT, fresh, jacobian
+from .jacobian import EXPLICIT, jacobian
 from .method import formulas
 from .schedule import (
     BEGINS,
@@ -54,20 +54,21 @@ class PythonDiagram:
         self.wiring = diagram if isinstance(diagram, Wiring) else wiring_of(diagram, params)
         self.sweep = Sweep(self.wiring, changed_parameters(self.wiring, params))
         self.nstates, self.nsignals = self.sweep.nstates, len(self.sweep.signals)
-        self._jumps = {k: place for place, k in enumerate(self.sweep.leaping)}  # places in P
+        self.intervals: dict[int, int] = {}  # places in P of each block's `interval`
+        self.jumps = {k: place for place, k in enumerate(self.sweep.leaping)}  # 1 where it jumps
 
     # --- what machine code does otherwise -------------------------------------------------
 
     def parameters(self) -> np.ndarray:
         """Return P, which the solver carries; in Python it says which blocks jump."""
-        return np.zeros(len(self._jumps))
+        return np.zeros(len(self.jumps))
 
     def schedule(
         self, t0: float, t1: float, inputs: Inputs | None = None, breaks: Any = ()
     ) -> Schedule:
         """Return the pieces of a run: they end at bends and `breaks`."""
         kinks = None if inputs is None else inputs.kinks
-        return make_schedule(self.sweep, {}, self._jumps, t0, t1, kinks)
+        return make_schedule(self.sweep, self.intervals, self.jumps, t0, t1, kinks, breaks)
 
     def callee(
         self, lanes: int = 1, inputs: Inputs | None = None, method: int = solver.DOP853
@@ -92,25 +93,28 @@ class PythonDiagram:
 
         def jump(t, X, first, P, T, W, D, to):
             jumping, beginning = (
-                [k for k, place in self._jumps.items() if P[place] == how]
-                for how in (JUMPS, BEGINS)
+                [k for k, place in self.jumps.items() if P[place] == how] for how in (JUMPS, BEGINS)
             )
             D[to : to + n] = sweep.leap(t[0], X[first : first + n], u(t), jumping, beginning)
 
         own = [on_rows(f, n) for f in formulas(method, n).values()] if n else []
-        every = np.ones((n, n + 1), dtype=bool)
+        linear = EXPLICIT
+        if method == solver.RODAS5P:
+            linear = jacobian(np.ones((n, n + 1), dtype=bool), False)
         return Callee(
             solver,
             [derivative, prepare, margin, signals, jump, None, None, *own],
             1,
             n,
             method,
-            len(self._jumps),
+            int(sweep.guarded),
+            int(bool(self.jumps)),
+            0,
+            0,
+            len(self.jumps),
             self.nsignals,
             np.zeros(1),
-            int(sweep.guarded),
-            int(bool(self._jumps)),
-            linear=fresh(jacobian(every, False)) if method == solver.RODAS5P else EXPLICIT,
+            linear,
         )
 
     def implicit(self, inputs: Inputs | None = None) -> Callee:
@@ -196,23 +200,23 @@ class PythonDiagram:
         callee, P = self.callee(1, inputs, by), self.parameters()
         start = begun(callee, start, t0, pieces, P)
         made = Batch(callee, start[None], P[None], times, [pieces], None, *limits)
-        keeps_pace = pace(self.most, t0, t1)
+        most = self.most if step is None else ANY
+        keeps_pace = pace(most, t0, t1)
 
         def watch(batch: Batch) -> None:
             if progress is not None:
                 progress(batch.now)
-            if step is None:
-                keeps_pace(batch)
+            keeps_pace(batch)
 
         auto = partial(self.implicit, inputs) if method == "auto" and step is None else None
-        rest = finish(made, tolerances, auto, watch, self.most)
+        rest = finish(made, tolerances, auto, watch, most)
         done = ended(self.sweep, made, inputs, rest.get(0))
         done.pieces = self, inputs, pieces
         return done
 
     def _loosely(self, start: np.ndarray, times: np.ndarray, *given: Any) -> Solution | None:
         """Run at loose tolerances in Python what neither jumps nor has a guard."""
-        if self.engine == "native" or self._jumps or self.sweep.guarded:
+        if self.engine == "native" or self.jumps or self.sweep.guarded:
             return None
         made = loosely(self.sweep, start, times, *given)
         return made and Solution(times, made[0], statistics=made[1], method="RK45")

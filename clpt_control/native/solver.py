@@ -9,11 +9,12 @@ All numbers are computed through `call`, by the diagram's functions and the form
 `method`.  Arguments that all functions share:
 
     code      functions or their addresses, in the order of the places below
-    shape     numbers of lanes, states, parameters, and of the method's stages
+    shape     numbers of lanes, of states and of the method's stages; 1 if guards are watched, 1
+              if states jump; where in P lies what is decided, and how many numbers that are
     runs      initial states (m, n), parameters (m, nP) and schedule of each run (m,)
-    schedule  ends of pieces of time (g, ne), how many there are (g,), the places in P
-              that a piece sets, their values (g, ne, np), and 1 for a piece that is entered
-              with the rates and the step that there are (g, ne)
+    schedule  the first piece of time of each (g,), the places in P that a piece sets; then of
+              each piece its end, inf behind the last, the values that it sets (pieces, places),
+              and 1 if it is entered with the rates and the step that there are
     times     when states are wanted; a run starts at the first
     results   of each run: states at `times`, how it ended, samples done, numbers of
               steps, evaluations, restarts and rejected steps
@@ -46,15 +47,16 @@ DOP853, RODAS5P, RK4 = 12, 9, 4
 SOLVED, KNOWN, OVER_TIME, ROOM = 2, 10, 11, 12
 TIME, STEP, END, FRESH, REJECTED, GOOD, TAKEN, NEW, AT, FAILING, SIZE, TROUBLE = range(12)
 KINK, LOW, HIGH, LAST = range(12, 16)  # of a decision that a step has passed (`decisions`)
-LONGEST, OPENING, STIFF_STEPS, OTHER_STEPS, DIAGONAL = range(16, 21)
+OTHER_STEPS, DIAGONAL = 16, 17
 # when a lane is looked at next, or after how many tries; whether it is; steps since, good and not
-NEXT, SPARE, LOOK, GOOD_ONES, BAD_ONES = range(21, 26)
-ASKED = 26  # whether a lane's own step is looked at for stiffness
+NEXT, SPARE, LOOK, GOOD_ONES, BAD_ONES = range(18, 23)
+ASKED = 23  # whether a lane's own step is looked at for stiffness
 # of steps of one length, of which the longest is given: where they began, how many of how many
-BEGAN, TURN, TURNS = range(27, 30)
+BEGAN, TURN, TURNS = range(24, 27)
 # how wrong states between a step's ends may be, above 1 no sample is taken there; where the step is
 # then to end
-WITHIN, WANTED = 30, 31
+WITHIN, WANTED = 27, 28
+STIFF_STEPS, LONGEST, OPENING = 29, 30, 31  # a run that begins in a lane keeps these as they are
 NUMBERS = 32  # rows of numbers
 MEMBER, EDGE, DONE, BURST, WHICH = range(5)  # rows of whole numbers
 STEPS, EVALUATIONS, RESTARTS, REJECTIONS = range(4)  # of the counts
@@ -93,23 +95,22 @@ def advance(
     linear,
     budget,
     most,
-    guarded,
-    jumping,
-    held,
-    decided,
 ):
     """Take at most `budget` steps in every lane; return how many lanes are at work.
 
-    A run that has taken `most` tries is given up; guards are watched if `guarded`, states jump
-    if `jumping`; so many numbers are `decided`, kept in P from the place `held` on.  Where a lane
-    is found to be stiff, no more are taken.
+    A run that has taken `most` tries is given up.  Where a lane is found to be stiff, no more are
+    taken.
     """
-    lanes, n, _, stages = shape
+    lanes, n, stages, guarded, jumping, held, decided = shape
     (_, status, reached, counts), (numbers, whole, queue) = results, lane
     Z, P, T, W, D = arrays
     span, now, at = n * lanes, numbers[TIME], numbers[AT]
     implicit, fixed, dense = stages == RODAS5P, stages == RK4, stages == DOP853
-    active, looked = start(shape, runs, schedule, times, results, lane, Z, P), True
+    looked, active = True, 0
+    for k in range(lanes):
+        if whole[MEMBER, k] < 0:
+            take(k, shape, runs, schedule, times, lane, Z, P)
+        active += 1 if whole[MEMBER, k] >= 0 else 0
     while active > 0 and budget > 0:
         budget -= 1
         anew = queue[2] == ANEW
@@ -146,7 +147,7 @@ def advance(
             good = good or numbers[GOOD, k] > 0.5
             looked = looked or numbers[LOOK, k] > 0.5
         if looked:
-            count(lanes, stages, counts, lane)
+            count(shape, counts, lane)
             for k in range(lanes):
                 m, done = whole[MEMBER, k], whole[DONE, k]
                 numbers[ASKED, k] = 0.0
@@ -177,45 +178,40 @@ def advance(
             if dense:
                 doubt(lanes, times, results, lane)
             if beyond:
-                cross(code, shape, decided, results, lane, arrays)
+                cross(code, shape, results, lane, arrays)
             if guarded:
                 watch(code, shape, 1 if fixed else LOOKS, results, lane, arrays)
         if wanted or within:
             sample(shape, times, results, lane, Z, 3 if within and dense else 0)
-        taken = 0
-        for k in range(lanes):
-            taken += 1 if numbers[GOOD, k] > 0.5 else 0
-        if not fixed or taken == lanes:
+        if lanes > 1 or numbers[GOOD, 0] > 0.5:
             call(code[ACCEPT], numbers, Z, 0, P, T, W, D, 0)
-        else:
-            accept(shape, numbers, Z)
         if beyond:
             decide_anew(shape, tolerances, times, status, lane, Z)
         if jumping and looked:
-            leap(code, shape, runs, schedule, times, results, lane, arrays, guarded)
+            leap(code, shape, schedule, times, results, lane, arrays)
         if looked:
+            active = 0
             for k in range(lanes):
                 m = whole[MEMBER, k]
                 if m < 0:
-                    rest(k, shape, runs, numbers, Z)
                     continue
                 spare = most - counts[m, STEPS] - counts[m, REJECTIONS]
                 if spare <= 0:
                     fail(status, whole, k, TOO_MANY)
                 if numbers[GOOD, k] > 0.5 and numbers[TIME, k] == numbers[END, k]:
-                    enter(k, lanes, runs, schedule, status, lane, P)
+                    enter(k, lanes, schedule, status, lane, P)
                 if status[m] != RUNNING:
-                    reached[m] = whole[DONE, k]
-                    whole[MEMBER, k] = -1
-                    active -= 1
-                    active += take(k, shape, runs, schedule, times, results, lane, Z, P)
+                    reached[m], whole[MEMBER, k] = whole[DONE, k], -1
+                    take(k, shape, runs, schedule, times, lane, Z, P)
                 elif numbers[STIFF_STEPS, k] >= MANY:
                     if times[len(times) - 1] - numbers[TIME, k] > AHEAD * numbers[STEP, k]:
                         budget = 0
                     else:
                         numbers[STIFF_STEPS, k] = 0.0
-                look_again(k, times, spare, counts, lane)
-    count(lanes, stages, counts, lane)
+                if whole[MEMBER, k] >= 0:
+                    active += 1
+                    look_again(k, times, spare, counts, lane)
+    count(shape, counts, lane)
     return active
 
 
@@ -254,10 +250,10 @@ def passes(lanes, decided, numbers, whole, D):
     return some
 
 
-def cross(code, shape, decided, results, lane, arrays):
+def cross(code, shape, results, lane, arrays):
     """Find where steps cross a kink; one that goes well beyond is tried again, up to there."""
-    lanes, n, _, _ = shape
-    counts, (numbers, whole, _), (Z, P, T, W, D) = results[3], lane, arrays
+    lanes, n, decided = shape[0], shape[1], shape[6]
+    counts, numbers, (Z, P, T, W, D) = results[3], lane[0], arrays
     for _ in range(HALVINGS):
         for k in range(lanes):
             share = 0.5 * (numbers[LOW, k] + numbers[HIGH, k])
@@ -275,21 +271,16 @@ def cross(code, shape, decided, results, lane, arrays):
     for k in range(lanes):
         numbers[AT, k] = numbers[NEW, k]
         if numbers[KINK, k] == PASSED:
-            m, least = whole[MEMBER, k], 2.0 * RESOLVED * abs(numbers[NEW, k])
-            if (1.0 - numbers[LOW, k]) * numbers[TAKEN, k] <= max(
-                RESOLVED * numbers[TAKEN, k], least
-            ):
+            h, least = numbers[TAKEN, k], 2.0 * RESOLVED * abs(numbers[NEW, k])
+            if (1.0 - numbers[LOW, k]) * h <= max(RESOLVED * h, least):
                 numbers[KINK, k] = CROSSED
             else:
-                numbers[GOOD, k], numbers[REJECTED, k] = 0.0, 0.0
-                numbers[STEP, k] = numbers[HIGH, k] * numbers[TAKEN, k]
-                counts[m, STEPS] -= 1
-                counts[m, REJECTIONS] += 1
+                again(k, numbers[HIGH, k] * h, counts, lane)
 
 
 def decide_anew(shape, tolerances, times, status, lane, Z):
     """Begin anew behind a kink; end a run that crosses them ever again without going on."""
-    lanes, n, _, _ = shape
+    lanes, n = shape[0], shape[1]
     numbers, whole, queue = lane
     for k in range(lanes):
         if numbers[KINK, k] == CROSSED and numbers[GOOD, k] > 0.5:
@@ -304,9 +295,9 @@ def decide_anew(shape, tolerances, times, status, lane, Z):
                 fail(status, whole, k, CHATTERS)
 
 
-def count(lanes, stages, counts, lane):
+def count(shape, counts, lane):
     """Count the steps of runs since they were looked at."""
-    numbers, whole, _ = lane
+    lanes, stages, (numbers, whole, _) = shape[0], shape[2], lane
     for k in range(lanes):
         m = whole[MEMBER, k]
         if m >= 0:
@@ -318,14 +309,20 @@ def count(lanes, stages, counts, lane):
             numbers[SPARE, k] -= good + bad
 
 
+def again(k, step, counts, lane):
+    """Take a step that was good again, of another length."""
+    numbers, whole, _ = lane
+    numbers[GOOD, k], numbers[REJECTED, k], numbers[STEP, k] = 0.0, 0.0, step
+    counts[whole[MEMBER, k], STEPS] -= 1
+    counts[whole[MEMBER, k], REJECTIONS] += 1
+
+
 def look_again(k, times, spare, counts, lane):
     """Note when a lane is looked at next: at an end, a sample, or for stiffness."""
     numbers, whole, _ = lane
-    m = whole[MEMBER, k]
-    if m >= 0:
-        tries = min(spare, OFTEN - counts[m, STEPS] % OFTEN)
-        numbers[SPARE, k] = 1.0 if numbers[STIFF_STEPS, k] > 0 else tries
-        look_ahead(k, times, lane)
+    tries = min(spare, OFTEN - counts[whole[MEMBER, k], STEPS] % OFTEN)
+    numbers[SPARE, k] = 1.0 if numbers[STIFF_STEPS, k] > 0 else tries
+    look_ahead(k, times, lane)
 
 
 def look_ahead(k, times, lane):
@@ -335,16 +332,6 @@ def look_ahead(k, times, lane):
     numbers[NEXT, k] = numbers[END, k]
     if done < len(times):
         numbers[NEXT, k] = min(times[done], numbers[END, k])
-
-
-def accept(shape, numbers, Z):
-    """Take the steps that are good: where all are, it is quicker not to ask of each."""
-    lanes, n, _, _ = shape
-    for k in range(lanes):
-        if numbers[GOOD, k] > 0.5:
-            numbers[TIME, k] = numbers[NEW, k]
-            for i in range(n):
-                Z[i * lanes + k] = Z[(ARGUMENT * n + i) * lanes + k]
 
 
 def fail(status, whole, k, why):
@@ -357,64 +344,34 @@ def fail(status, whole, k, why):
 # --- which run a lane works on --------------------------------------------------------------
 
 
-def start(shape, runs, schedule, times, results, lane, Z, P):
-    """Begin a run in every idle lane; return how many lanes are at work."""
-    active = 0
-    for k in range(shape[0]):
-        if lane[1][MEMBER, k] >= 0:
-            active += 1
-        else:
-            active += take(k, shape, runs, schedule, times, results, lane, Z, P)
-    return active
-
-
-def take(k, shape, runs, schedule, times, results, lane, Z, P):
-    """Begin the next run in a lane; return 0 where there is none."""
-    lanes, n, parameters, _ = shape
-    X0, Ps, group = runs
-    out, (numbers, whole, queue) = results[0], lane
-    m, more = queue[0], queue[0] < queue[1]
-    if more:
-        queue[0], queue[2] = m + 1, ANEW
-        whole[MEMBER, k], whole[EDGE, k], whole[DONE, k] = m, 0, 1
-        for i in range(n):
-            out[m, 0, i] = X0[m, i]
-    else:
-        m = 0
-    for j in range(parameters):
+def take(k, shape, runs, schedule, times, lane, Z, P):
+    """Begin the next run in a lane; where there is none it stays where it is, beside others."""
+    lanes, n = shape[0], shape[1]
+    (X0, Ps, group), (numbers, whole, queue) = runs, lane
+    m, numbers[FRESH, k] = queue[0], 0.0
+    if m == queue[1]:
+        return
+    queue[0], queue[2] = m + 1, ANEW
+    whole[MEMBER, k], whole[EDGE, k] = m, schedule[0][group[m]]
+    whole[DONE, k], whole[BURST, k] = 1, 0
+    for j in range(Ps.shape[1]):
         P[j * lanes + k] = Ps[m, j]
-    set_piece(k, lanes, schedule, group[m], 0, P)
-    if not more:
-        if lanes > 1:  # beside others; a run alone stays where it ended, to be looked at
-            rest(k, shape, runs, numbers, Z)
-        return 0
+    set_piece(k, lanes, schedule, whole[EDGE, k], P)
     for i in range(n):
         Z[i * lanes + k] = X0[m, i]
-    numbers[TIME, k], numbers[END, k], numbers[STEP, k] = times[0], schedule[0][group[m], 0], 0.0
-    numbers[FRESH, k], numbers[REJECTED, k] = 1.0, 0.0
-    numbers[LAST, k], whole[BURST, k], numbers[WANTED, k] = -math.inf, 0, math.inf
-    numbers[TURN, k], numbers[TURNS, k] = 0.0, 0.0
-    numbers[GOOD_ONES, k], numbers[BAD_ONES, k], numbers[OTHER_STEPS, k] = 0.0, 0.0, 0.0
+    for row in range(STIFF_STEPS):
+        numbers[row, k] = 0.0
+    numbers[TIME, k], numbers[END, k] = times[0], schedule[2][whole[EDGE, k]]
+    numbers[FRESH, k], numbers[LAST, k], numbers[WANTED, k] = 1.0, -math.inf, math.inf
     if numbers[STIFF_STEPS, k] > -math.inf:
         numbers[STIFF_STEPS, k] = 0.0
-    return 1
 
 
-def set_piece(k, lanes, schedule, g, piece, P):
+def set_piece(k, lanes, schedule, piece, P):
     """Set in P what a piece of time sets there."""
-    _, _, places, values, _ = schedule
+    _, places, _, values, _ = schedule
     for j in range(len(places)):
-        P[places[j] * lanes + k] = values[g, piece, j]
-
-
-def rest(k, shape, runs, numbers, Z):
-    """Make an idle lane take the same harmless step again."""
-    lanes, n, _, _ = shape
-    for i in range(n):
-        Z[i * lanes + k] = runs[0][0, i]
-    numbers[TIME, k], numbers[STEP, k], numbers[END, k] = 0.0, 0.5, 1.0
-    numbers[FRESH, k], numbers[REJECTED, k], numbers[NEXT, k] = 0.0, 0.0, 0.0
-    numbers[WANTED, k] = math.inf
+        P[places[j] * lanes + k] = values[piece, j]
 
 
 def begin(lanes, fixed, times, results, lane, D, guarded):
@@ -433,39 +390,38 @@ def begin(lanes, fixed, times, results, lane, D, guarded):
             look_ahead(k, times, lane)
 
 
-def enter(k, lanes, runs, schedule, status, lane, P):
+def enter(k, lanes, schedule, status, lane, P):
     """Enter the next piece of time, or end the run."""
-    edges, ends, _, _, smooth = schedule
+    _, _, edges, _, smooth = schedule
     numbers, whole, queue = lane
     m = whole[MEMBER, k]
-    g = runs[2][m]
     whole[EDGE, k] += 1
-    if whole[EDGE, k] == ends[g]:
+    piece = whole[EDGE, k]
+    if edges[piece] == math.inf:
         if status[m] == RUNNING:
             status[m] = FINISHED
         return
-    numbers[END, k] = edges[g, whole[EDGE, k]]
-    if smooth[g, whole[EDGE, k]] == 0:
+    numbers[END, k] = edges[piece]
+    if smooth[piece] == 0:
         numbers[FRESH, k], queue[2] = 1.0, ANEW
     elif queue[2] == 0:
         queue[2] = ON
-    set_piece(k, lanes, schedule, g, whole[EDGE, k], P)
+    set_piece(k, lanes, schedule, piece, P)
 
 
-def leap(code, shape, runs, schedule, times, results, lane, arrays, guarded):
+def leap(code, shape, schedule, times, results, lane, arrays):
     """Jump in lanes that are at the end of a piece; a sample there comes after.
 
     The next piece, which says what jumps, is set in P; after the last it is the time of the end.
     """
-    lanes, n, _, _ = shape
+    lanes, n = shape[0], shape[1]
     (out, status, _, _), (numbers, whole, _) = results, lane
     Z, P, T, W, D = arrays
     some = False
     for k in range(lanes):
         if at_end(k, status, numbers, whole):
             some = True
-            g, piece = runs[2][whole[MEMBER, k]], whole[EDGE, k] + 1
-            set_piece(k, lanes, schedule, g, piece, P)
+            set_piece(k, lanes, schedule, whole[EDGE, k] + 1, P)
     if not some:
         return
     call(code[PREPARE], numbers[TIME], Z, 0, P, T, W, D, 0)
@@ -482,7 +438,7 @@ def leap(code, shape, runs, schedule, times, results, lane, arrays, guarded):
                     out[m, done - 1, i] = new
             if trouble != 0.0:
                 fail(status, whole, k, NOT_FINITE)
-    if guarded:
+    if shape[3]:
         call(code[MARGIN], numbers[TIME], Z, 0, P, T, W, D, 0)
         for k in range(lanes):
             if at_end(k, status, numbers, whole) and D[k] < -OUTSIDE:
@@ -511,7 +467,7 @@ def between(Z, n, lanes, k, i, share):
 
 def sample(shape, times, results, lane, Z, more):
     """Write the states at times within the step; so many more evaluations were made for them."""
-    lanes, n, _, _ = shape
+    lanes, n = shape[0], shape[1]
     (out, status, _, counts), (numbers, whole, _) = results, lane
     for k in range(lanes):
         m, done = whole[MEMBER, k], whole[DONE, k]
@@ -538,10 +494,8 @@ def doubt(lanes, times, results, lane):
         if m < 0 or numbers[GOOD, k] < 0.5 or done >= len(times) or times[done] >= numbers[NEW, k]:
             continue
         if numbers[WITHIN, k] > 1.0:
-            numbers[GOOD, k], numbers[REJECTED, k], numbers[KINK, k] = 0.0, 0.0, 0.0
-            numbers[STEP, k], numbers[WANTED, k] = numbers[TAKEN, k], times[done]
-            counts[m, STEPS] -= 1
-            counts[m, REJECTIONS] += 1
+            again(k, numbers[TAKEN, k], counts, lane)
+            numbers[KINK, k], numbers[WANTED, k] = 0.0, times[done]
             counts[m, EVALUATIONS] += 3
 
 
@@ -554,7 +508,7 @@ def look_within(n, lanes, k, numbers, Z, share):
 
 def watch(code, shape, looks, results, lane, arrays):
     """End the run of a lane that leaves a guard within the step, which is not taken."""
-    lanes, n, _, _ = shape
+    lanes, n = shape[0], shape[1]
     status, (numbers, whole, _), (Z, P, T, W, D) = results[1], lane, arrays
     for look in range(1, looks + 1):
         for k in range(lanes):
@@ -606,10 +560,8 @@ def differentiate(code, n, tolerances, numbers, linear, arrays):
         if not found:
             by_differences(code, n, group, tolerances, numbers, groups, arrays)
         for e in range(begins[group], begins[group + 1]):
-            slope = Z[ROOM * n + rows[e]]
-            if not found:
-                slope /= Z[TERMS * n + columns[e]]
-                slope = slope if slope - slope == 0.0 else 0.0
+            slope = Z[ROOM * n + rows[e]] / Z[TERMS * n + columns[e]]
+            slope = slope if slope - slope == 0.0 else 0.0
             if columns[e] == n:
                 Z[OVER_TIME * n + rows[e]] = slope
             else:

@@ -6,7 +6,7 @@ call its output, go on; then call each update.  It also knows which block and
 signal first became non-finite.  The blocks themselves are left as they are.
 """
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from typing import Any
 
 import numpy as np
@@ -17,42 +17,36 @@ from ..diagrams.wiring import Node, Wiring
 class Sweep:
     """Evaluate a diagram's signals and state derivative.
 
-    `parameters` holds those of each block; of the blocks those in `only` are run, with all that
-    feed them.  After a pass `signals` holds all block outputs.
+    `parameters` holds those of each block.  After a pass `signals` holds all block outputs.
     """
 
-    def __init__(self, wiring: Wiring, parameters: Sequence[Any], only: set[int] | None = None):
-        self.wiring, self.nodes = wiring, wiring.nodes
-        self.nstates = self.nodes[-1].states.stop
-        self.signals = np.zeros(self.nodes[-1].outputs.stop)
-        self._inputs = np.zeros(self.nodes[-1].inputs.stop)
-        self._external = np.zeros(wiring.ninputs)
-        self._plan = [(k, self.nodes[k]) for k in wiring.order if only is None or k in only]
-        self._outputs = [self.signals[node.outputs] for _, node in self._plan]
-        self._fed = {k: self._views(node) for k, node in self._plan}
-        self._states = np.zeros(self.nstates)
-        self._x, self._u = {}, {}
-        for k, node in self._plan:
-            x, u = self._states[node.states], self._inputs[node.inputs]
-            self._x[k], self._u[k] = node.system._vectors(x, u)
-        wires = [w for node in self.nodes for w in node.wires if not w.external]
-        feeding = {w.source + j for w in wires for j in range(w.size)}
-        self._feeding = [
-            (k, out)
-            for (k, node), out in zip(self._plan, self._outputs, strict=True)
-            if feeding.intersection(range(node.outputs.start, node.outputs.stop))
+    def __init__(self, wiring: Wiring, parameters: Sequence[Any]):
+        self.wiring, self.nodes, self.given = wiring, wiring.nodes, list(parameters)
+        last = self.nodes[-1]
+        self.nstates = last.states.stop
+        self._states, self._inputs = np.zeros(self.nstates), np.zeros(last.inputs.stop)
+        self.signals, self._external = np.zeros(last.outputs.stop), np.zeros(wiring.ninputs)
+        self._fed = [self._views(node) for node in self.nodes]
+        vectors = [
+            node.system._vectors(self._states[node.states], self._inputs[node.inputs])
+            for node in self.nodes
         ]
-        self._moving = [(k, node.states) for k, node in self._plan if node.system.nstates]
-        self.given = list(parameters)
+        self._x, self._u = zip(*vectors, strict=True)
+        feeding = np.zeros(len(self.signals), dtype=bool)
+        for wire in (w for node in self.nodes for w in node.wires if not w.external):
+            feeding[wire.source : wire.source + wire.size] = True
+        self._all = [(k, self.signals[self.nodes[k].outputs]) for k in wiring.order]
+        self._feeding = [one for one in self._all if feeding[self.nodes[one[0]].outputs].any()]
+        self._moving = [k for k in wiring.order if self.nodes[k].system.nstates]
         self._parameters = list(parameters)
+        systems = [node.system for node in self.nodes]
         self._jumping = [
             k
-            for k, node in enumerate(self.nodes)
-            if node.system.breakpoints_function is not None and not self.given[k].interval >= 0.0
+            for k, (system, p) in enumerate(zip(systems, parameters, strict=True))
+            if system.breakpoints_function is not None and not p.interval >= 0.0
         ]
-        self.leaping = [
-            k for k, node in enumerate(self.nodes) if node.system.jump_function is not None
-        ]
+        self.leaping = [k for k, one in enumerate(systems) if one.jump_function is not None]
+        self.guarded = any(one.guard is not None for one in systems)
         self.enter(0.0)
 
     def _views(self, node: Node) -> tuple[np.ndarray, list[tuple[np.ndarray, np.ndarray, float]]]:
@@ -120,13 +114,15 @@ class Sweep:
         feeds them, before their outputs follow.
         """
         with np.errstate(all="ignore"):
-            self._pass(np.float64(t), x, u, sampling)
+            self._pass(np.float64(t), x, u, self._all, sampling)
         return self.signals
 
-    def _pass(self, t: Any, x: np.ndarray, u: Any, sampling: Collection[int] = ()) -> None:
+    def _pass(
+        self, t: Any, x: np.ndarray, u: Any, blocks: list, sampling: Collection[int] = ()
+    ) -> None:
         self._external[:] = 0.0 if u is None else u
         self._states[:] = x
-        for (k, _), out in zip(self._plan, self._outputs, strict=True):
+        for k, out in blocks:
             inputs = self._gather(k)
             if k in sampling:
                 self._hold(k)
@@ -139,23 +135,18 @@ class Sweep:
 
     def derivative(self, t: float, x: np.ndarray, u: np.ndarray | None = None) -> np.ndarray:
         """Return the state derivative; NaN where a system could not compute it."""
-        dx, t = np.zeros(self.nstates), np.float64(t)
         with np.errstate(all="ignore"):
-            self._pass(t, x, u)
-            # a block without feedthrough may come before its inputs are known
-            for k, states in self._moving:
-                self._call("update", k, t, self._x[k], self._gather(k), dx[states])
-        return dx
+            return self._rates(np.float64(t), x, u, self._all)
 
     def rates(self, t: float, x: np.ndarray, u: np.ndarray | None = None) -> np.ndarray:
         """Return the state derivative alone; of the outputs only what feeds a block is computed."""
-        self._external[:] = 0.0 if u is None else u
-        self._states[:], t = x, np.float64(t)
-        for k, out in self._feeding:
-            self._call("output", k, t, self._x[k], self._gather(k), out)
+        return self._rates(np.float64(t), x, u, self._feeding)
+
+    def _rates(self, t: Any, x: np.ndarray, u: Any, blocks: list) -> np.ndarray:
+        self._pass(t, x, u, blocks)
         dx = np.empty(self.nstates)
-        for k, states in self._moving:
-            self._call("update", k, t, self._x[k], self._gather(k), dx[states])
+        for k in self._moving:  # a block may come before its inputs are known
+            self._call("update", k, t, self._x[k], self._gather(k), dx[self.nodes[k].states])
         return dx
 
     def leap(
@@ -204,7 +195,7 @@ class Sweep:
         self.evaluate(t, x, u)
         least = (1.0, "", "")
         for k, node in enumerate(self.nodes):
-            guard = getattr(node.system, "guard", None)
+            guard = node.system.guard
             if guard is not None:
                 inputs, p = self._inputs[node.inputs], self._parameters[k]
                 found = node.system.values("guard", 1, t, x[node.states], inputs, p)
@@ -212,38 +203,29 @@ class Sweep:
                     least = (float(found[0]), guard.policy, guard.said(t, inputs, p))
         return least
 
-    @property
-    def guarded(self) -> bool:
-        """Whether a block has a guard."""
-        return any(getattr(node.system, "guard", None) is not None for node in self.nodes)
-
     def first_trouble(self, t: float, x: np.ndarray, u: np.ndarray | None = None) -> str | None:
         """Name the first block and signal not finite at (t, x, u)."""
-        with np.errstate(all="ignore"):
-            dx = self.derivative(t, x, u)
-        for node in self.nodes:
-            for state, label in zip(x[node.states], node.system.state_labels, strict=True):
-                if not np.isfinite(state):
-                    return f"state {label} of block {node.name}"
-        found = first_not_finite(self.wiring, self.signals)
-        if found is not None:
-            return found
-        for node in self.nodes:
-            for value, label in zip(dx[node.states], node.system.state_labels, strict=True):
-                if not np.isfinite(value):
-                    return f"derivative of {label} of block {node.name}"
-        return None
+        dx = self.derivative(t, x, u)
+        return (
+            _not_finite(self.nodes, "state", x, "state {} of block {}")
+            or first_not_finite(self.wiring, self.signals)
+            or _not_finite(self.nodes, "state", dx, "derivative of {} of block {}")
+        )
 
 
 def first_not_finite(wiring: Wiring, signals: np.ndarray) -> str | None:
     """Name the first signal that is not finite, as evaluated."""
-    if np.all(np.isfinite(signals)):
-        return None
-    for k in wiring.order:
-        node = wiring.nodes[k]
-        for value, label in zip(signals[node.outputs], node.system.output_labels, strict=True):
+    nodes = [wiring.nodes[k] for k in wiring.order]
+    return _not_finite(nodes, "output", signals, "signal {} of block {}")
+
+
+def _not_finite(nodes: Iterable[Node], kind: str, values: np.ndarray, said: str) -> str | None:
+    """Say which state, or output, of which block is the first that is not finite."""
+    for node in nodes:
+        labels = getattr(node.system, f"{kind}_labels")
+        for value, label in zip(values[getattr(node, f"{kind}s")], labels, strict=True):
             if not np.isfinite(value):
-                return f"signal {label} of block {node.name}"
+                return said.format(label, node.name)
     return None
 
 

@@ -63,7 +63,7 @@ def finish(
         h = float(batch.numbers[solver.STEP, k])
         return h * radius(one.callee.linear.slopes) > LARGE
 
-    batch.adaptive(*tolerances, watch, most, None, None if implicit is None else stiff)
+    batch.adaptive(*tolerances, watch, most, None if implicit is None else stiff)
     found = {int(m): rest[int(m)] for m in np.flatnonzero(batch.status == solver.STIFF)}
     for m, one in found.items():
         one.adaptive(*tolerances, watch, most)
@@ -76,7 +76,7 @@ def finish(
 
 def _rest(batch: Batch, k: int, callee: Callee) -> Batch:
     """Return the run of a lane from where it is."""
-    lanes, n, _, _ = batch.shape
+    lanes, n = batch.callee.lanes, batch.callee.nstates
     member, _, done, *_ = batch.lane[1][:, k].tolist()
     t, given = float(batch.numbers[solver.TIME, k]), batch.runs[1][member, : callee.size].copy()
     state = batch.Z[: n * lanes].reshape(n, lanes)[:, k].copy()

@@ -142,8 +142,8 @@ def slopes_of(runner, t, x):
     P = runner.parameters()
     batch = Batch(callee, x[None], P[None], np.array([t, end]), pieces)
     batch.advance(1e-3, 1e-3, 1)
-    places = callee.linear.places
-    slopes = callee.linear.slopes.T[np.ix_(places, places)]
+    places = batch.callee.linear.places
+    slopes = batch.callee.linear.slopes.T[np.ix_(places, places)]
     return slopes, batch.Z[solver.OVER_TIME * n : (solver.OVER_TIME + 1) * n].copy()
 
 
