@@ -14,7 +14,7 @@ from . import (
     simulation,
     theory,
 )
-from .diagrams import connect, draw
+from .diagrams import connect, draw, linearize
 from .ensemble import run_ensemble
 from .equations import Block
 from .errors import (
@@ -70,6 +70,7 @@ __all__ = [
     "estimation",
     "gliders",
     "initial_state",
+    "linearize",
     "load_run",
     "load_scenario",
     "load_team",

@@ -6,8 +6,11 @@ Each of them says by its attributes what it is.  Nothing is imported before it i
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from .. import ensemble, pages, replay, simulation, theory
+from ..arguments import check_holds
+from ..equations.declaration import ports_of
 from ..errors import DataError
 from ..html import facts, fragment
+from ..scenario.file import CHANGED, OWN_LAW, OWN_PARTS
 
 if TYPE_CHECKING:
     import xarray
@@ -71,6 +74,44 @@ class ClptAccessor:
         """Return the state of a run at a time, as `clpt_control.state_at`."""
         return simulation.state_at(self._data, t)
 
+    def linearize(
+        self, t: float, input: str | None = None, output: str | None = None, minimal: bool = False
+    ) -> Any:
+        """Linearize a run's diagram about where it is at a time, as `clpt_control.linearize`.
+
+        `input` names a port that comes from outside then, such as "zc", `output` one that is
+        looked at, such as "e"; without them there is no input, and every signal is an output.
+        """
+        from ..diagrams.linearization import linearize, minimal_of, state_space
+
+        at, attributes = self.state_at(t), self._data.attrs
+        own = [attributes[name] for name in (CHANGED, OWN_LAW, OWN_PARTS) if name in attributes]
+        if self.kind != "run" or own:
+            raise DataError(
+                f"a {self.kind}{f' with {own[0]}' if own else ''} does not hold its diagram; give "
+                "it, and the state of `run.clpt.state_at`, to clpt.linearize"
+            )
+        scenario: Any = self.scenario
+        whole = simulation.closed_loop(scenario)
+        system = simulation.closed_loop(scenario, external=input or ())
+        states = dict(zip(whole.state_labels, at, strict=True))
+        signals = dict(zip(whole.output_labels, whole.output(t, at, []), strict=True))
+        x = [states[label] for label in system.state_labels]
+        made = linearize(system, x, [signals[label] for label in system.input_labels], t)
+        if output is not None:
+            ports = ports_of(system.output_labels)
+            check_holds("output", ports, [output], f"it has {', '.join(ports)}")
+            rows = ports[output]
+            made = state_space(
+                *(made.A, made.B, made.C[rows], made.D[rows]),
+                0,
+                states=system.state_labels or None,
+                inputs=system.input_labels,
+                outputs=[system.output_labels[k] for k in rows],
+                name=made.name,
+            )
+        return minimal_of(made) if minimal else made
+
     def animate(self, path: Any = None, **options: Any) -> Any:
         """Make a film of a run, as `clpt_control.animate`."""
         return simulation.animate(self._data, path, **options)
@@ -100,6 +141,7 @@ def _can(data: "xarray.Dataset") -> list[str]:
         return ["nothing"]
     film = ["animate()"] if kind == "run" else []
     state = ["state_at(t)"] if "states" in data.variables else []
+    state += ["linearize(t)"] if kind == "run" else []
     page = ["report(FILE)"] if kind != "diagram" else []
     return ["plot()", *(f"plot.{name}()" for name in KINDS[kind].parts), *film, *state, *page]
 

@@ -117,3 +117,24 @@ def test_what_is_not_ours_is_one_sentence():
         with pytest.raises(clpt.ClptError) as caught:
             ask()
         assert "\n" not in str(caught.value)
+
+
+def test_a_run_is_linearized_at_one_of_its_times():
+    scenario = clpt.theory.started_true(SCENARIO)
+    run = clpt.simulate(scenario)
+    made = run.clpt.linearize(10.0, input="zc", output="x", minimal=True)
+    steered = clpt.closed_loop(scenario, external="zc")
+    state, desired = clpt.state_at(run, 10.0), run.reference.sel(time=10.0).values
+    whole = clpt.linearize(steered, state, desired, 10.0)
+    assert (made.nstates, made.input_labels) == (2, ["zc[0]", "zc[1]"])
+    np.testing.assert_allclose(
+        made(1j), whole(1j)[whole.output_labels.index("x[0]") :][:2], atol=1e-12
+    )
+    assert run.clpt.linearize(10.0).ninputs == 0
+    cut = run.clpt.linearize(10.0, input="x", output="alpha")
+    assert cut.state_labels[0] == "learning_model_z[0]"
+    with pytest.raises(clpt.ArgumentError, match="has no 'nothing'"):
+        run.clpt.linearize(10.0, output="nothing")
+    changed = clpt.simulate(scenario, params={"basis_x.widths": [1.0, 2.0, 3.0]})
+    with pytest.raises(clpt.DataError, match="does not hold its diagram"):
+        changed.clpt.linearize(10.0)

@@ -16,6 +16,7 @@ import numpy as np
 import sympy
 
 from ...diagrams.joined import joined
+from ...diagrams.on_symbols import TIME
 from ...diagrams.wiring import Node, Wiring, wiring_of
 from ...equations.arrays import Tape, operand
 from ...equations.block import Block
@@ -36,7 +37,6 @@ from .symbols import (
 )
 
 LONGEST, DEEPEST = 5_000, 30  # parts and levels of an expression
-TIME = sympy.Symbol("t", real=True)
 Known = Callable[[sympy.Expr, Index], Any]
 
 
@@ -101,12 +101,11 @@ class ArrayLoop:
 class _Names:
     """What each leaf of a loop is called, and its elements on symbols."""
 
-    def __init__(self, blocks: list[Block], loop: ArrayLoop, closed: bool, known: Known):
-        self.loop, self.closed, self.known = loop, closed, known
+    def __init__(self, blocks: list[Block], loop: ArrayLoop, known: Known):
+        self.loop, self.known = loop, known
         self.fields, self.states = parameter_names(blocks), state_names(blocks)
         self.values: dict[str, Any] = {}  # of parameters
         self.declared: dict[str, Shape] = {}
-        self.arguments: dict[str, list[Any]] = {}  # of undefined functions
         for block in blocks:
             for own, value in block.parameters._asdict().items():
                 self.values.setdefault(self.fields[block.name, own], value)
@@ -144,12 +143,7 @@ class _Names:
             return self.known(parameter_symbol(name, self.values[name], index), index)
         shown = ("d " if group == "d" else "") + name + ("'" if group.endswith("'") else "")
         called = element_name(shown, self.declared[name], index)
-        if group == "x" or not self.closed:
-            return sympy.Symbol(called, real=True)
-        arguments = (
-            e for own in self.arguments.get(name, ()) for e in np.ravel(self.loop.elements.of(own))
-        )
-        return sympy.Function(called, real=True)(TIME, *arguments)
+        return sympy.Symbol(called, real=True)
 
 
 def array_loop(
@@ -165,18 +159,15 @@ def array_loop(
     the caller then judges what V does there.  `known` gives what stands for a parameter's element.
     """
     wiring, hidden = wiring_of(diagram), set(opaque)
-    blocks = blocks_of(wiring)
-    refuse_samples(wiring, blocks)
-    if not jumps:
-        refuse_jumps(blocks)
+    refuse_unproved(wiring, jumps)
     loop = ArrayLoop()
-    names = _Names(blocks, loop, closed, known)
+    names = _Names(blocks_of(wiring), loop, known)
 
     def stand_in(node: Node, u: dict[str, Any], shapes: dict[str, Shape]) -> dict[str, Any] | None:
         if not (node.system.opaque or node.system.name in hidden):
             return None
         for port, shape in node.system.declared["outputs"].items():
-            names.declared[port], names.arguments[port] = shape, list(u.values())
+            names.declared[port] = shape
         return {
             port: loop.tape.add("leaf", (), shape, ("o", port)) for port, shape in shapes.items()
         }
@@ -184,11 +175,7 @@ def array_loop(
     found = joined(
         diagram, wiring, names.leaf, names.given, stand_in, tape=loop.tape, closed=closed
     )
-    for name, own in sorted(found.pinned):
-        raise DiagramError(
-            f"{name}: asks for the value of its parameter {own}, as an `if` does, so nothing would "
-            f"be proved of other values; write np.where, or give {own} as a whole number"
-        )
+    refuse_pinned(found.pinned)
     loop.inputs = found.inputs
     loop.signals = {port: value for (_, port), value in found.signals.items()}
     block_of = {node.name: node.system for node in wiring.nodes}
@@ -207,35 +194,45 @@ def array_loop(
         jumped[names.states[block_of[name].name, port]] = value
 
     def watch(place: int, name: str, arguments: tuple) -> None:
-        if place not in found.owners:
-            return
-        sizes = [extent(a) for a in arguments if isinstance(a, sympy.Basic)]
-        if any(parts > LONGEST or levels > DEEPEST for parts, levels in sizes):
-            raise DiagramError(
-                f"{found.owners[place]} has more than {LONGEST} parts or {DEEPEST} levels on "
-                "symbols, too long to prove anything of; make it simpler or its N smaller"
-            )
-        sentence = undefined(name, arguments)
-        if sentence is not None:
-            loop.seen_undefined.append(f"{found.owners[place]} {sentence}")
+        owner = found.owners.get(place)
+        sentence = owner and no_value(owner, name, arguments)
+        if sentence:
+            loop.seen_undefined.append(f"{owner} {sentence}")
 
     loop.elements = EveryN(loop.tape.operations, names.element, watch)
     return loop
 
 
-def refuse_samples(wiring: Wiring, blocks: Iterable[Block]) -> None:
-    """Refuse discrete time and blocks that sample, of which no proof speaks."""
+def no_value(owner: str, name: str, arguments: tuple) -> str | None:
+    """Return where an operation may have no value; refuse what is too long to be judged."""
+    sizes = [extent(a) for a in arguments if isinstance(a, sympy.Basic)]
+    if any(parts > LONGEST or levels > DEEPEST for parts, levels in sizes):
+        raise DiagramError(
+            f"{owner} has more than {LONGEST} parts or {DEEPEST} levels on "
+            "symbols, too long to prove anything of; make it simpler or its N smaller"
+        )
+    return undefined(name, arguments)
+
+
+def refuse_pinned(pinned: Iterable[tuple[str, str]]) -> None:
+    """Refuse parameters whose values were asked for."""
+    for name, own in sorted(pinned):
+        raise DiagramError(
+            f"{name}: asks for the value of its parameter {own}, as an `if` does, so nothing would "
+            f"be proved of other values; write np.where, or give {own} as a whole number"
+        )
+
+
+def refuse_unproved(wiring: Wiring, jumps: bool) -> None:
+    """Refuse what no proof speaks of: discrete time, blocks that sample, and jumps unless taken."""
+    blocks = blocks_of(wiring)
     name = next((block.name for block in blocks if block.kept is not None or wiring.dt), None)
     if name is not None:
         raise DiagramError(
             f"{name}: is of discrete time, and proofs speak of continuous time alone; prove the "
             "design that it was sampled from"
         )
-
-
-def refuse_jumps(blocks: Iterable[Block]) -> None:
-    """Refuse blocks whose states jump, where nobody judges what V does there."""
-    for block in blocks:
+    for block in blocks if not jumps else ():
         if block.jump_function is not None:
             raise DiagramError(
                 f"{block.name}: its states jump, and this proof speaks of no jumps; prove the "

@@ -4,10 +4,9 @@ The elements of its arrays are expressions each.  Random points and parameters h
 zeros and kinks; a parameter keeps its sign, and one that is zero stays zero.
 """
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache, cached_property
-from itertools import combinations
+from functools import cache
 from math import prod
 from typing import Any, NamedTuple
 
@@ -16,71 +15,50 @@ import numpy as np
 import sympy
 
 from ...diagrams.joined import open_sizes
-from ...diagrams.wiring import wiring_of
+from ...diagrams.on_symbols import TIME, Equations, Names, on_symbols
+from ...diagrams.wiring import Node, Wiring, wiring_of
 from ...equations.block import Block
-from ...equations.declaration import Parameters, parameters_of
 from ...equations.namespaces import BETWEEN, named, split
+from ...equations.record import Shape
 from ...equations.symbolic import NUMBERS
 from ...errors import DiagramError
-from .array_loop import TIME, array_loop
+from .array_loop import blocks_of, no_value, refuse_pinned, refuse_unproved
+from .symbols import element_name, parameter_names, parameter_symbol, state_names
 
 
 @dataclass
-class SymbolicLoop:
-    """A diagram's equations on symbols, ports as ndarrays of their shapes.
+class SymbolicLoop(Equations):
+    """A diagram's equations on the paper's symbols.
 
     A state that is no port of the diagram stands under ``"block:port"``.
     """
 
-    states: dict[str, np.ndarray]  # symbols
-    signals: dict[str, np.ndarray]  # expressions
-    rates: dict[str, np.ndarray]  # time derivatives of the states
-    jumps: dict[str, dict]  # block -> symbol: what it jumps to
-    inputs: dict[str, np.ndarray]  # functions of time
-    parameters: dict[str, Any]  # block -> arrays of symbols
-    N: int | None  # number of basis functions, where the blocks have one
-    undefined: list[str]  # where there may be no value, sentences
+    N: int | None = None  # number of basis functions, where the blocks have one
 
-    def derivative(self, expression: sympy.Expr) -> sympy.Expr:
-        """Differentiate an expression of the states along the equations.
 
-        Opaque functions and inputs are differentiated in time as well.
-        """
-        known: dict[Any, sympy.Expr] = {TIME: sympy.Integer(1), **self.motion}
+class PaperNames(Names):
+    """What the paper calls ports and parameters, as in the reading for every N."""
 
-        def along(e: sympy.Expr) -> sympy.Expr:
-            if e not in known:
-                known[e] = slope(e)
-            return known[e]
+    def __init__(self, wiring: Wiring, inputs: Iterable[str]):
+        blocks = blocks_of(wiring)
+        self.fields, self.states = parameter_names(blocks), state_names(blocks)
 
-        def slope(e: sympy.Expr) -> sympy.Expr:
-            if e.is_Atom:
-                return sympy.Integer(0)
-            if e.is_Add:
-                return sympy.Add(*map(along, e.args))
-            if e.is_Mul:
-                rest = (sympy.Mul(*e.args[:k], *e.args[k + 1 :]) for k in range(len(e.args)))
-                return sympy.Add(*(along(a) * b for a, b in zip(e.args, rest, strict=True)))
-            if e.is_Pow and e.exp.is_Number:
-                return e.exp * e.base ** (e.exp - 1) * along(e.base)
-            return sympy.Add(*(sympy.diff(e, s) * along(s) for s in e.free_symbols))
+    def port(self, node: Node, group: str, kind: str) -> str:
+        """Return what a port or a parameter is called."""
+        known = {"state": self.states, "parameter": self.fields}.get(kind, {})
+        return known.get((node.system.name, group), group)
 
-        return along(expression)
+    def block(self, node: Node) -> str:
+        """Return a block's own name."""
+        return node.system.name
 
-    @cached_property
-    def motion(self) -> dict[Any, sympy.Expr]:
-        """State's symbol -> its rate, in the diagram's order."""
-        return {
-            s: rate
-            for port, own in self.states.items()
-            for s, rate in zip(own.flat, self.rates[port].flat, strict=True)
-        }
+    def element(self, port: str, shape: Shape, declared: Shape, index: tuple) -> str:
+        """Return x_1, alpha_1[2]."""
+        return element_name(port, declared, index)
 
-    def jumps_at_once(self) -> Iterator[dict[Any, Any]]:
-        """Return state -> what it jumps to, for every set of blocks that may jump at once."""
-        for count in range(1, len(self.jumps) + 1):
-            for together in combinations(self.jumps.values(), count):
-                yield {s: new for one in together for s, new in one.items()}
+    def parameter(self, node: Node, own: str, value: np.ndarray, index: tuple) -> sympy.Expr:
+        """Return a symbol of the sign that all values have."""
+        return parameter_symbol(self.port(node, own, "parameter"), value, index)
 
 
 def symbolic_loop(
@@ -90,30 +68,11 @@ def symbolic_loop(
 
     States that jump are refused unless `jumps`: the caller then judges what V does there.
     """
-    loop = array_loop(diagram, opaque, jumps, closed=True)
-
-    def read(value: Any) -> Any:
-        if isinstance(value, dict):
-            return {name: read(own) for name, own in value.items()}
-        if isinstance(value, Parameters):
-            return parameters_of(read(value._asdict()))
-        return value if isinstance(value, int) else loop.elements.of(value)
-
-    states, rates = read(loop.states), read(loop.rates)
-    jumps_of = {
-        block: {s: new for p in own for s, new in zip(states[p].flat, own[p].flat, strict=True)}
-        for block, own in read(loop.jumps).items()
-    }
-    return SymbolicLoop(
-        states,
-        read(loop.signals),
-        rates,
-        jumps_of,
-        read(loop.inputs),
-        read(loop.parameters),
-        open_sizes(wiring_of(diagram)).get("N"),
-        loop.undefined,
-    )
+    wiring = wiring_of(diagram)
+    refuse_unproved(wiring, jumps)
+    loop = on_symbols(diagram, PaperNames, opaque, no_value)
+    refuse_pinned(loop.pinned)
+    return SymbolicLoop(**vars(loop), N=open_sizes(wiring).get("N"))
 
 
 LARGEST = 1e6  # of the kinks that are tried

@@ -1,0 +1,270 @@
+"""A diagram linearized about a point, exactly: its record differentiated along every direction.
+
+    dx' = A dx + B du,    dy = C dx + D du         about x and u at time t
+
+Where a function has a kink right there, |e| at e = 0, the slope is that of one side, and a warning
+names block and operation; where it jumps there is no slope, and that is refused.
+"""
+
+from collections.abc import Iterable, Mapping
+from math import prod
+from typing import Any
+
+import control
+import numpy as np
+from scipy.linalg import orth
+
+from ..arguments import numbers, public
+from ..equations.arrays import MOVED, Tape, Unread, lifted, operand
+from ..equations.declaration import ports_of
+from ..equations.derivative import CONDITIONS, JUMPS, Direction
+from ..equations.numbers import computed
+from ..equations.record import Shape, compact, reached
+from ..equations.sampled import Sampled
+from ..errors import ArgumentError, DiagramError
+from ..progress import warn
+from .interconnection import changed_parameters
+from .joined import joined
+from .wiring import Node, Wiring, read_anew, wiring_of
+
+CLOSE = 1e-12  # of their size: numbers that differ by less tie
+REACHED = 1e-9  # of the largest: what counts less is not reached
+
+
+class _About:
+    """A diagram's record about a point, with its derivative along each state and input."""
+
+    def __init__(self, diagram: Any, wiring: Wiring, given: list[Any], t: float, x: Any, u: Any):
+        self.tape, self.along = Tape(), dict[int, Any]()
+        self.point, self.every = np.concatenate([x, u]), np.eye(len(x) + len(u))
+        self.values: dict[Any, Any] = {("t", "t"): np.array([t])}
+        self.parameters = {node.name: p for node, p in zip(wiring.nodes, given, strict=True)}
+        self.inputs = {
+            port: slice(len(x) + places[0], len(x) + places[-1] + 1)
+            for port, places in ports_of(diagram.input_labels).items()
+        }
+        self.states = {}
+        for node in wiring.nodes:
+            at = node.states.start
+            for port, shape in node.system.state_shapes.items():
+                self.states[node.name, port] = slice(at, at := at + prod(shape))
+            p = self.parameters[node.name]
+            if node.system.breakpoints_function is not None and p.interval < 0:
+                k = node.system.interval_at(t, p)
+                self.parameters[node.name] = p._replace(interval=k)
+        self.found = joined(diagram, wiring, self.leaf, self.given, tape=self.tape, closed=True)
+        self.direction = Direction(self.tape, self.along)
+
+    def leaf(self, group: str, node: Node, name: str, shape: Shape) -> Any:
+        """Return a parameter, or a state, which moves."""
+        at = group, (node.name, name)
+        if group == "x":
+            return self.moving(at, shape, self.states[at[1]])
+        self.values[at] = np.asarray(getattr(self.parameters[node.name], name), float)[..., None]
+        return self.tape.add("leaf", (), shape, at)
+
+    def given(self, port: str, shape: Shape, declared: Shape) -> Any:
+        """Return an input, which moves."""
+        return self.moving(("u", port), shape, self.inputs[port])
+
+    def moving(self, at: tuple, shape: Shape, place: slice) -> Any:
+        """Return an array at its point, with its own directions."""
+        made = self.tape.add("leaf", (), shape, at)
+        self.along[operand(made)] = self.tape.add("leaf", (), shape, ("d", at))
+        self.values[at] = self.point[place].reshape(*shape, 1)
+        self.values["d", at] = self.every[place].reshape(*shape, len(self.every))
+        return made
+
+    def numbers(self, found: Iterable[Any], like: Iterable[Any] | None = None) -> list[np.ndarray]:
+        """Return values of the tape as numbers, the last axis for each direction."""
+        own = [lifted(self.tape, one) for one in found]
+        shapes = [getattr(one, "shape", ()) for one in (own if like is None else like)]
+        record = compact(self.tape.operations, [operand(one) for one in own], shapes)
+        made = computed(record, lambda *at: self.values[at], {})
+        return [np.broadcast_to(one, (*one.shape[:-1], len(self.every))) for one in made]
+
+    def slopes(self, values: list[Any]) -> np.ndarray:
+        """Return the derivatives of values, a row for each element."""
+        own = self.numbers([self.direction.of(value) for value in values], values)
+        flat = [one.reshape(-1, len(self.every)) for one in own]
+        return np.concatenate([np.zeros((0, len(self.every))), *flat])
+
+    def apart(self, a: Any, b: Any, *_: Any) -> tuple[np.ndarray, np.ndarray]:
+        """Return where two values tie, and where their slopes differ then."""
+        one, other, slope = self.numbers([a, b, self.direction.of(a - b)])
+        ties = np.abs(one - other) <= CLOSE * np.maximum(
+            1.0, np.maximum(np.abs(one), np.abs(other))
+        )
+        return ties[..., 0], np.any(slope != 0.0, axis=-1) & ties[..., 0]
+
+    def check(self, values: Iterable[Any]) -> None:
+        """Warn of each kink at the point; refuse a jump."""
+        lines = list(self.tape.operations)
+        undecided: dict[int, Any] = {}  # condition -> where it may be either
+        for k in sorted(reached(lines, [operand(value) for value in values])):
+            kind, arguments, _, _ = lines[k]
+            doubtful = [undecided[a] for a in arguments if a in undecided]
+            own, said = [self.direction.value(a) for a in arguments], ""
+            if kind in ("lt", "le", "gt", "ge", "eq", "ne"):
+                _, undecided[k] = self.apart(*own)
+            elif kind in CONDITIONS and doubtful:
+                undecided[k] = np.logical_or.reduce(np.broadcast_arrays(*doubtful))
+            elif (kind in MOVED or kind == "fill") and doubtful:
+                undecided[k] = np.any([np.any(one) for one in doubtful])
+            elif kind == "where" and arguments[0] in undecided:
+                ties, bends = self.apart(*own[1:])
+                said = "jumps" if np.any(undecided[arguments[0]] & ~ties) else ""
+                said = said or ("bends" if np.any(undecided[arguments[0]] & bends) else "")
+            elif any(np.any(one) for one in doubtful):
+                said = "jumps"
+            elif kind in ("minimum", "maximum", "fabs"):
+                said = "bends" if np.any(self.apart(*own, 0.0)[1]) else ""
+            elif kind in JUMPS or kind in ("mod", "pick"):
+                place = own[0] / own[1] if kind in ("mod", "floordiv") else own[-1]
+                near = 0.0 if kind == "sign" else np.round(self.numbers([place])[0][..., 0])
+                said = "jumps" if np.any(self.apart(place, near)[1]) else ""
+            self.said(self.found.owners.get(k, ""), kind, said)
+
+    def said(self, owner: str, kind: str, said: str) -> None:
+        """Warn of what was found, or refuse it."""
+        if said == "jumps":
+            raise DiagramError(
+                f"{owner}: `{kind}` jumps at this point, so nothing is linear there; linearize on "
+                "one side of it"
+            )
+        if said:
+            warn(f"{owner}: `{kind}` has a kink at this point; the slope is that of one side")
+
+
+@public
+def linearize(
+    system: control.NonlinearIOSystem,
+    x: Any = None,
+    u: Any = None,
+    t: float = 0.0,
+    params: Mapping[str, Any] | None = None,
+    minimal: bool = False,
+) -> control.StateSpace:
+    """Linearize a diagram about a point, exactly.
+
+    Parameters
+    ----------
+    system : control.NonlinearIOSystem
+        A diagram, a block or a system of python-control.
+    x, u : array_like, optional
+        States and inputs of the point; by default 0. An operating point of
+        ``control.find_operating_point`` has both.
+    t : float, optional
+        Time of the point.
+    params : mapping, optional
+        Call-time parameters, ``{"adaptation.gain": 2.0}``.
+    minimal : bool, optional
+        Whether states that no input reaches, or that reach no output, are left out.
+
+    Returns
+    -------
+    control.StateSpace
+        With the diagram's labels of states, inputs and outputs; where `minimal` mixes states they
+        are called x[k].
+
+    Raises
+    ------
+    DiagramError
+        If a function jumps at the point, has no finite slope there or cannot be read, or a part
+        samples its inputs.
+
+    Warns
+    -----
+    UserWarning
+        If a function has a kink at the point; block and operation are named.
+
+    Examples
+    --------
+    >>> import control
+    >>> import clpt_control as clpt
+    >>> def rate(t, x, u, params):
+    ...     return [x[1], -params["g"] * np.sin(x[0]) + u[0]]
+    >>> pendulum = control.nlsys(rate, inputs="u", states=["theta", "omega"], params={"g": 9.81})
+    >>> clpt.linearize(pendulum, [np.pi, 0.0]).A
+    array([[0.  , 1.  ],
+           [9.81, 0.  ]])
+    """
+    read_anew(system)
+    wiring = wiring_of(system, params)
+    name = next((n.name for n in wiring.nodes if isinstance(n.system, Sampled)), None)
+    if name is not None:
+        raise DiagramError(f"{name}: samples its inputs; give the design that it was sampled from")
+    x, u = getattr(x, "states", x), getattr(x, "inputs", u)
+    n, m = wiring.nodes[-1].states.stop, wiring.ninputs
+    x, u = (_numbers(*own) for own in (("x", x, n), ("u", u, m)))
+    try:
+        at = _About(system, wiring, changed_parameters(wiring, params), t, x, u)
+        ports = [(node, port) for node in wiring.nodes for port in node.system.declared["outputs"]]
+        signals = [at.found.signals[node.name, port] for node, port in ports]
+        rates = [at.found.rates[port] for port in at.states]
+        AB, Y = at.slopes(rates), at.slopes(signals)
+        at.check([*rates, *signals])
+    except Unread as error:
+        raise DiagramError(f"{error}") from None
+    CD = wiring.output_map @ np.vstack([Y, at.every[n:]])
+    labels = [*system.state_labels, *system.input_labels]
+    for rows, names in ((AB, system.state_labels), (CD, system.output_labels)):
+        for i, j in np.argwhere(~np.isfinite(rows))[:1]:
+            raise DiagramError(
+                f"{system.name}: what {names[i]} does along {labels[j]} has no finite slope at "
+                "this point"
+            )
+    made = state_space(
+        *(AB[:, :n], AB[:, n:], CD[:, :n], CD[:, n:]),
+        wiring.dt,
+        states=labels[:n] or None,
+        inputs=system.input_labels,
+        outputs=system.output_labels,
+        name=f"{system.name}$linearized",
+    )
+    return minimal_of(made) if minimal else made
+
+
+def state_space(A: Any, B: Any, C: Any, D: Any, dt: Any, **labels: Any) -> control.StateSpace:
+    """Return `control.StateSpace`, also of no inputs, which it refuses beside one state or output.
+
+    Its matrices of shape (1, 0) become (0, 0).
+    """
+    if labels["inputs"]:
+        return control.StateSpace(A, B, C, D, dt, **labels)
+    made = control.StateSpace(
+        A, np.zeros((len(A), 1)), C, np.zeros((len(C), 1)), dt, **labels | {"inputs": 1}
+    )
+    made.B, made.D = B, D
+    made.set_inputs(0)
+    return made
+
+
+def _numbers(name: str, given: Any, size: int) -> np.ndarray:
+    """Return the numbers of states or inputs."""
+    found = np.zeros(size) if given is None else np.atleast_1d(numbers(name, given))
+    if found.shape != (size,):
+        raise ArgumentError(f"{name} has shape {found.shape}; must be ({size},)")
+    return found
+
+
+def _reached(A: np.ndarray, B: np.ndarray) -> np.ndarray:
+    """Return a basis of the states that inputs reach; the states themselves where it can be."""
+    basis = orth(B, rcond=REACHED)
+    size = np.linalg.norm(A) or 1.0
+    while (more := orth(np.hstack([basis, A @ basis / size]), rcond=REACHED)).shape != basis.shape:
+        basis = more
+    own = np.flatnonzero(np.any(np.abs(basis) > REACHED, axis=1))
+    return np.eye(len(A))[:, own] if len(own) == basis.shape[1] else basis
+
+
+def minimal_of(system: control.StateSpace) -> control.StateSpace:
+    """Return the states that inputs reach and outputs see; mixed ones are called x[k]."""
+    (A, B, C), names = (system.A, system.B, system.C), system.state_labels
+    for turned in (False, True):
+        V = _reached(A.T, C.T) if turned else _reached(A, B)
+        A, B, C = V.T @ A @ V, V.T @ B, C @ V
+        plain = np.all((V == 0.0) | (V == 1.0))
+        names = [names[np.argmax(v)] if plain else f"x[{k}]" for k, v in enumerate(V.T)]
+    labels = {"states": names or None, "inputs": system.input_labels, "name": system.name}
+    return state_space(A, B, C, system.D, system.dt, outputs=system.output_labels, **labels)

@@ -1,0 +1,443 @@
+"""A diagram's equations on symbols, read off its record.
+
+    y' = -a y + b u            eq.rates["y"], eq["a"], eq.derivative(eq["y"] ** 2)
+
+A symbol is called what python-control calls it: "y", or "x[0]" of several, by the labels of states
+and inputs, and a parameter by its name; with its block before it, "plant.y", where two have one
+name.  `Names` says so, and a theory may call them otherwise.
+"""
+
+import re
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from itertools import combinations
+from math import prod
+from typing import Any
+
+import control
+import numpy as np
+import sympy
+from sympy.core.function import AppliedUndef
+
+from ..arguments import public
+from ..equations.arrays import Tape, Unread, operand
+from ..equations.declaration import parameters_of, ports_of
+from ..equations.linear import is_linear
+from ..equations.record import Shape
+from ..equations.sampled import Sampled
+from ..equations.symbolic import Symbols, exact
+from ..errors import DiagramError
+from .joined import joined
+from .wiring import Node, Wiring, read_anew, wiring_of
+
+TIME = sympy.Symbol("t", real=True)
+# gets block.role, an operation and its arguments on symbols; returns what to say of it
+Watch = Callable[[str, str, tuple], str | None]
+SHOWN = 40  # equations in one picture
+
+
+@dataclass
+class Equations:
+    """A diagram's equations on symbols, by port.
+
+    ``eq["y"]`` is the port y: an expression, or an array of them; ``eq["plant.gain"]`` a
+    parameter.  A notebook shows the equations typeset.
+
+    Attributes
+    ----------
+    states : dict of ndarray
+        Symbols, by port.
+    rates : dict of ndarray
+        Time derivatives of the states; of a diagram of discrete time, what they are next.
+    signals : dict of ndarray
+        What blocks put out, in states, inputs and parameters.
+    inputs : dict of ndarray
+        Functions of time.
+    jumps : dict of dict
+        Block -> state -> what it jumps to at a breakpoint.
+    parameters : dict of Parameters
+        Block -> its parameters.
+    fields : dict of ndarray
+        Parameters, each by the name of its symbols.
+    undefined : list of str
+        Where there may be no value, in sentences, as proofs ask.
+    pinned : list of tuple
+        Parameters, (block, name), whose value the functions asked for: they are numbers.
+    discrete : bool
+        Whether time is discrete.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> lag = clpt.Block("lag", update=lambda t, x, u, p: {"y": -p.k * x.y}, states={"y": 1},
+    ...                  parameters={"k": 2.0})
+    >>> clpt.equations(lag).derivative("y")
+    -k*y
+    """
+
+    name: str
+    states: dict[str, np.ndarray]
+    signals: dict[str, np.ndarray]
+    rates: dict[str, np.ndarray]
+    jumps: dict[str, dict]
+    inputs: dict[str, np.ndarray]
+    parameters: dict[str, Any]
+    fields: dict[str, np.ndarray]
+    undefined: list[str] = field(default_factory=list)
+    pinned: list[tuple[str, str]] = field(default_factory=list)
+    discrete: bool = False
+
+    def __getitem__(self, name: str) -> Any:
+        found = self.named.get(name)
+        if found is None:
+            known = ", ".join(self.named)
+            raise DiagramError(f"{self.name}: has no '{name}'; it has {known}")
+        return found.flat[0] if found.shape in ((), (1,)) else found
+
+    @cached_property
+    def named(self) -> dict[str, np.ndarray]:
+        """All that has a name: signals, inputs, states, parameters."""
+        return {**self.fields, **self.signals, **self.inputs, **self.states}
+
+    @cached_property
+    def motion(self) -> dict[Any, sympy.Expr]:
+        """State's symbol -> its rate, in the diagram's order."""
+        return {
+            s: rate
+            for port, own in self.states.items()
+            for s, rate in zip(own.flat, self.rates[port].flat, strict=True)
+        }
+
+    @public
+    def derivative(self, expression: sympy.Expr | str | float) -> sympy.Expr:
+        """Differentiate an expression along the equations.
+
+        It is of the states, or the name of a port of one signal.  Opaque functions and inputs are
+        differentiated in time as well.
+        """
+        if self.discrete:
+            raise DiagramError(f"{self.name}: is of discrete time, in which nothing has a rate")
+        known: dict[Any, sympy.Expr] = {TIME: sympy.Integer(1), **self.motion}
+
+        def along(e: sympy.Expr) -> sympy.Expr:
+            if e not in known:
+                known[e] = slope(e)
+            return known[e]
+
+        def slope(e: sympy.Expr) -> sympy.Expr:
+            if e.is_Atom:
+                return sympy.Integer(0)
+            if e.is_Add:
+                return sympy.Add(*map(along, e.args))
+            if e.is_Mul:
+                rest = (sympy.Mul(*e.args[:k], *e.args[k + 1 :]) for k in range(len(e.args)))
+                return sympy.Add(*(along(a) * b for a, b in zip(e.args, rest, strict=True)))
+            if e.is_Pow and e.exp.is_Number:
+                return e.exp * e.base ** (e.exp - 1) * along(e.base)
+            return sympy.Add(*(sympy.diff(e, s) * along(s) for s in e.free_symbols))
+
+        return along(sympy.sympify(self[expression] if isinstance(expression, str) else expression))
+
+    def jumps_at_once(self) -> Iterator[dict[Any, Any]]:
+        """Yield state -> what it jumps to, for each set of blocks."""
+        for count in range(1, len(self.jumps) + 1):
+            for together in combinations(self.jumps.values(), count):
+                yield {s: new for one in together for s, new in one.items()}
+
+    # --- how they are shown -----------------------------------------------------------------
+
+    def _lines(self, print_as: Callable[[Any], str], rate: str, jump: str) -> Iterator[str]:
+        """Yield an equation each: rates, signals that are no states, jumps."""
+        moved = jump if self.discrete else rate
+        own = [(moved, s, value) for s, value in self.motion.items()]
+        plain = {*self.motion, *(s for port in self.inputs.values() for s in port.flat)}
+        for port, values in self.signals.items():
+            for index, value in np.ndenumerate(values):
+                if value not in plain:
+                    own.append(("{}", sympy.Symbol(called(port, values.shape, index)), value))
+        own += [(jump, s, new) for one in self.jumps.values() for s, new in one.items() if new != s]
+        for form, s, value in own[:SHOWN]:
+            yield f"{form.format(print_as(s))} = {print_as(value)}"
+        if len(own) > SHOWN:
+            yield f"... {len(own) - SHOWN} more"
+
+    def __repr__(self) -> str:
+        return "\n".join(self._lines(str, "{}'", "{}+"))
+
+    def _repr_latex_(self) -> str:
+        lines = (
+            f"{left} &= {right}"
+            for left, right in (
+                line.split(" = ", 1) if " = " in line else (r"\dots", "")
+                for line in self._lines(typeset, r"\dot{{{}}}", "{}^{{+}}")
+            )
+        )
+        return "$\\displaystyle\\begin{aligned}" + r" \\ ".join(lines) + "\\end{aligned}$"
+
+
+def typeset(expression: Any) -> str:
+    """Return an expression as LaTeX, ``plant.x[0]`` as an x with its place and its block."""
+    expression = sympy.sympify(expression)
+    inputs = {
+        f: sympy.Symbol(str(f.func)) for f in expression.atoms(AppliedUndef) if f.args == (TIME,)
+    }
+    expression = expression.xreplace(inputs)
+    shown = {}
+    for symbol in expression.free_symbols:
+        (parts,) = re.findall(r"^(?:(.*)\.)?([^.\[]*)(?:\[(.*)\])?$", str(symbol))
+        space, name, place = parts
+        base = sympy.latex(sympy.Symbol(name))
+        base = rf"\mathrm{{{name}}}" if base == name and name[1:] else base
+        base = f"{{{base}}}" if "_" in base and place else base
+        base += f"_{{{place}}}" if place else ""
+        space = space.replace("_", r"\_")
+        shown[symbol] = base + (rf"^{{\mathrm{{{space}}}}}" if space else "")
+    return sympy.latex(expression, symbol_names=shown)
+
+
+def called(port: str, shape: Shape, index: tuple) -> str:
+    """Return the name of one element of a port: y, x[0], P[0,1]."""
+    return port if prod(shape) == 1 else f"{port}[{','.join(map(str, index))}]"
+
+
+Group = tuple[str, list[int], Shape]  # a name, its places among a block's signals, its shape
+
+
+def groups(system: Any, kind: str) -> list[Group]:
+    """Return the ports that a block's labels of states or outputs form."""
+    shapes = getattr(system, f"{kind}_shapes")
+    found = []
+    for port, places in ports_of(getattr(system, f"{kind}_labels")).items():
+        own = shapes.get(port, (len(places),))
+        found.append((port, places, own if prod(own) == len(places) else (len(places),)))
+    return found
+
+
+class Names:
+    """What ports and parameters of a diagram are called."""
+
+    def __init__(self, wiring: Wiring, inputs: Iterable[str]):
+        found = [*inputs]
+        for node in wiring.nodes:
+            made = [group for group, *_ in groups(node.system, "output")]
+            own = [group for group, *_ in groups(node.system, "state")]
+            same = node.system.states_are_outputs and made == own
+            found += [*made, *([] if same else own), *node.system.parameters._fields]
+        self.count = Counter(found)
+
+    def port(self, node: Node, group: str, kind: str) -> str:
+        """Return what a port of a block is called, of kind state or output, or a parameter."""
+        return group if self.count[group] == 1 else f"{node.name}.{group}"
+
+    def block(self, node: Node) -> str:
+        """Return what a block is called."""
+        return node.name
+
+    def element(self, port: str, shape: Shape, declared: Shape, index: tuple) -> str:
+        """Return what an element of a port is called."""
+        return called(port, shape, index)
+
+    def parameter(self, node: Node, own: str, value: np.ndarray, index: tuple) -> sympy.Expr:
+        """Return the symbol of a parameter's element, which has the sign of its value."""
+        number = float(value[index])
+        if is_linear(node.system) or not np.isfinite(number):
+            return exact(number)
+        sign = "positive" if number > 0 else "negative" if number < 0 else "real"
+        name = called(self.port(node, own, "parameter"), value.shape, index)
+        return sympy.Symbol(name, **{sign: True})
+
+
+class Numbers(Names):
+    """The same, with parameters as their numbers."""
+
+    def parameter(self, node: Node, own: str, value: np.ndarray, index: tuple) -> sympy.Expr:
+        """Return the number of a parameter's element."""
+        return exact(float(value[index]))
+
+
+class _Read:
+    """The leaves of a diagram's record, and what becomes of them on symbols."""
+
+    def __init__(self, diagram: Any, wiring: Wiring, names: Names, hidden: Iterable[str]):
+        self.diagram, self.wiring, self.names, self.hidden = diagram, wiring, names, set(hidden)
+        self.tape, self.table = Tape(), dict[Any, Any]()
+        self.made = Equations(diagram.name, {}, {}, {}, {}, {}, {}, {}, discrete=bool(wiring.dt))
+        self.arguments: dict[Any, list[Any]] = {}  # of what is undefined
+        self.symbols: dict[str, dict[str, np.ndarray]] = {}  # of states, by block and port
+
+    def states_of(self, node: Node) -> dict[str, np.ndarray]:
+        """Return the symbols of a block's states, by its own ports."""
+        if node.name not in self.symbols:
+            flat = np.empty(node.system.nstates, dtype=object)
+            for group, places, shape in groups(node.system, "state"):
+                port = self.names.port(node, group, "state")
+                declared = node.system.declared["states"].get(group, shape)
+                own = [
+                    sympy.Symbol(self.names.element(port, shape, declared, index), real=True)
+                    for index in np.ndindex(shape)
+                ]
+                flat[places] = own
+                self.made.states[port] = flat[places].reshape(shape)
+            ends = np.cumsum([prod(shape) for shape in node.system.state_shapes.values()])
+            parts = zip(node.system.state_shapes.items(), np.split(flat, ends[:-1]), strict=True)
+            self.symbols[node.name] = {port: own.reshape(n) for (port, n), own in parts}
+        return self.symbols[node.name]
+
+    def leaf(self, group: str, node: Node, name: str, shape: Shape) -> Any:
+        """Return a state or a parameter of a block as an array."""
+        held = self.states_of(node)[name] if group == "x" else self.held(node, name)
+        return self.kept((group, (node.name, name)), held)
+
+    def kept(self, at: tuple, symbols: np.ndarray) -> Any:
+        """Return an array of these symbols."""
+        self.table[at] = symbols
+        return self.tape.add("leaf", (), symbols.shape, at)
+
+    def held(self, node: Node, own: str) -> np.ndarray:
+        """Return the symbols of a parameter."""
+        value = np.asarray(getattr(node.system.parameters, own), dtype=float)
+        found = np.empty(value.shape, dtype=object)
+        for index in np.ndindex(value.shape):
+            found[index] = self.names.parameter(node, own, value, index)
+        return found
+
+    def given(self, port: str, shape: Shape, declared: Shape) -> Any:
+        """Return an input of the diagram as an array."""
+        self.made.inputs[port] = self.functions(port, shape, declared)
+        return self.kept(("u", port), self.made.inputs[port])
+
+    def functions(self, port: str, shape: Shape, declared: Shape, *of: Any) -> np.ndarray:
+        """Return undefined functions of time, and of more."""
+        found = np.empty(shape, dtype=object)
+        for index in np.ndindex(shape):
+            name = self.names.element(port, shape, declared, index)
+            found[index] = sympy.Function(name, real=True)(TIME, *of)
+        return found
+
+    def stand_in(self, node: Node, u: dict[str, Any], shapes: dict[str, Shape]) -> Any:
+        """Return what a block puts out that stays undefined."""
+        if not (node.system.opaque or node.system.name in self.hidden):
+            return None
+        found = {}
+        for port, shape in shapes.items():
+            at = "o", (node.name, port)
+            self.arguments[at] = [node, port, shape, list(u.values())]
+            found[port] = self.tape.add("leaf", (), shape, at)
+        return found
+
+    def element(self, at: tuple, shape: Shape, index: tuple) -> Any:
+        """Return the symbol of an element of a leaf."""
+        if at[0] == "t":
+            return TIME
+        if at not in self.table:
+            node, port, shape, fed = self.arguments[at]
+            declared = node.system.declared["outputs"][port]
+            of = [e for own in fed for e in self.elements.all_of(operand(own))]
+            name = self.names.port(node, port, "output")
+            self.table[at] = self.functions(name, shape, declared, *of)
+        return self.table[at][index]
+
+    def equations(self, watch: Watch) -> Equations:
+        """Put the diagram on symbols."""
+        made, names, wiring = self.made, self.names, self.wiring
+        found = joined(
+            self.diagram, wiring, self.leaf, self.given, self.stand_in, self.tape, closed=True
+        )
+
+        def watched(place: int, kind: str, arguments: tuple) -> None:
+            said = watch(found.owners[place], kind, arguments) if place in found.owners else None
+            if said:
+                made.undefined.append(f"{found.owners[place]} {said}")
+
+        self.elements = Symbols(self.tape.operations, self.element, watched)
+
+        def flat(values: Mapping[Any, Any], node: Node, ports: Iterable[str]) -> np.ndarray:
+            own = [self.elements.all_of(operand(values[node.name, port])) for port in ports]
+            one = [e for elements in own for e in elements]
+            return np.array([*one, None], dtype=object)[:-1]
+
+        for node in wiring.nodes:
+            system, block = node.system, names.block(node)
+            values = flat(found.signals, node, system.declared["outputs"])
+            for group, places, shape in groups(system, "output"):
+                made.signals[names.port(node, group, "output")] = values[places].reshape(shape)
+            if system.nstates:
+                symbols = np.concatenate([s.ravel() for s in self.states_of(node).values()])
+                rates = flat(found.rates, node, system.declared["states"])
+                for group, places, shape in groups(system, "state"):
+                    made.rates[names.port(node, group, "state")] = rates[places].reshape(shape)
+            if system.jump_function is not None:
+                after = flat(found.jumps, node, system.declared["states"])
+                made.jumps[block] = dict(zip(symbols, after, strict=True))
+            held = {
+                own: value if isinstance(value, int) else self.held(node, own)[()]
+                for own, value in system.parameters._asdict().items()
+            }
+            made.parameters[block] = parameters_of(held)
+            for own, value in held.items():
+                if own != "interval" and not is_linear(system):
+                    made.fields[names.port(node, own, "parameter")] = np.asarray(
+                        value, dtype=object
+                    )
+        made.pinned = sorted(found.pinned)
+        return made
+
+
+def on_symbols(
+    diagram: control.NonlinearIOSystem,
+    names: type[Names] = Names,
+    hidden: Iterable[str] = (),
+    watch: Watch = lambda owner, kind, arguments: None,
+) -> Equations:
+    """Read a diagram; blocks whose names are `hidden` stay undefined functions."""
+    wiring = wiring_of(diagram)
+    own = names(wiring, ports_of(diagram.input_labels))
+    return _Read(diagram, wiring, own, hidden).equations(watch)
+
+
+@public
+def equations(system: control.NonlinearIOSystem, numbers: bool = False) -> Equations:
+    """Return a diagram's equations: `clpt.equations(system)`.
+
+    Parameters
+    ----------
+    system : control.NonlinearIOSystem
+        A diagram, a block or a system of python-control: ``control.nlsys``, ``control.ss``.
+    numbers : bool, optional
+        Whether parameters are their numbers, as exact rationals; else they are symbols that have
+        the signs of their values. Matrices of linear systems are numbers.
+
+    Returns
+    -------
+    Equations
+        States, rates, signals, inputs and jumps; ``eq["y"]`` is a port, ``eq.derivative(V)`` the
+        derivative of an expression along the equations.
+
+    Raises
+    ------
+    DiagramError
+        If a part samples its inputs, or a function cannot be read.
+
+    Examples
+    --------
+    >>> import control
+    >>> import clpt_control as clpt
+    >>> def rate(t, x, u, params):
+    ...     return -params["a"] * x[0] + u[0]
+    >>> plant = control.nlsys(rate, inputs="u", outputs="y", states="y", params={"a": 2.0})
+    >>> eq = clpt.equations(plant)
+    >>> eq
+    y' = -a*y + u(t)
+    >>> eq.derivative(eq["y"] ** 2)
+    2*y*(-a*y + u(t))
+    """
+    read_anew(system)
+    name = next((n.name for n in wiring_of(system).nodes if isinstance(n.system, Sampled)), None)
+    if name is not None:
+        raise DiagramError(f"{name}: samples its inputs; give the design that it was sampled from")
+    try:
+        return on_symbols(system, Numbers if numbers else Names)
+    except Unread as error:
+        raise DiagramError(f"{error}") from None

@@ -1,0 +1,149 @@
+"""A diagram linearized: closed forms, python-control's differences, kinks and jumps."""
+
+import warnings
+
+import control
+import numpy as np
+import pytest
+
+import clpt_control as clpt
+
+
+def block(rate, **more):
+    return clpt.Block(
+        "b",
+        update=lambda t, x, u, p: {"y": rate(x.y, u.v)},
+        inputs={"v": 1},
+        states={"y": 1},
+        **more,
+    )
+
+
+def pendulum(t, x, u, params):
+    return [x[1], -params["g"] * np.sin(x[0]) - 0.1 * x[1] + u[0]]
+
+
+PENDULUM = control.nlsys(
+    pendulum, inputs="torque", outputs=2, states=["theta", "omega"], params={"g": 9.81}, name="rod"
+)
+
+
+@pytest.mark.parametrize("angle", [0.0, 0.3, np.pi, 2.5])
+def test_a_pendulum_has_its_closed_form(angle):
+    made = clpt.linearize(PENDULUM, [angle, 0.7], [0.2])
+    np.testing.assert_allclose(made.A, [[0, 1], [-9.81 * np.cos(angle), -0.1]], rtol=1e-15)
+    np.testing.assert_array_equal(made.B, [[0], [1]])
+    assert made.state_labels == ["theta", "omega"]
+    assert made.input_labels == ["torque"]
+    on_the_moon = clpt.linearize(PENDULUM, [angle, 0.7], [0.2], params={"g": 1.62})
+    assert on_the_moon.A[1, 0] == pytest.approx(-1.62 * np.cos(angle), rel=1e-15)
+
+
+SCENARIO = clpt.paper_scenario()
+
+
+@pytest.mark.parametrize("law", ["learned-flow", "least-squares", "projection", "composite-memory"])
+def test_as_python_control_by_differences(law):
+    scenario = SCENARIO.with_values({"learning.law": law})
+    loop = clpt.closed_loop(scenario, external="zc")
+    random = np.random.default_rng(1)
+    x, u = 0.3 * random.standard_normal(loop.nstates), random.standard_normal(2)
+    own, theirs = clpt.linearize(loop, x, u, 7.0), control.linearize(loop, x, u, t=7.0)
+    for name in "ABCD":
+        np.testing.assert_allclose(getattr(own, name), getattr(theirs, name), atol=2e-5)  # theirs
+    assert (own.input_labels, own.output_labels) == (loop.input_labels, loop.output_labels)
+
+
+def test_a_linear_system_is_itself_whatever_its_time():
+    for dt in (0, 0.1, True):
+        given = control.rss(4, 2, 3)
+        given.dt = dt
+        made = clpt.linearize(given, np.ones(4), np.ones(3))
+        assert made.dt == dt
+        for name in "ABCD":
+            np.testing.assert_allclose(getattr(made, name), getattr(given, name), atol=1e-15)
+
+
+def test_an_operating_point_is_taken():
+    point = control.find_operating_point(PENDULUM, [0.1, 0], [1.0])
+    made = clpt.linearize(PENDULUM, point)
+    assert made.A[1, 0] == -9.81 * np.cos(point.states[0])
+
+
+BENT = {
+    "fabs": (lambda y, v: v - abs(y), 0.0),
+    "maximum": (lambda y, v: v + np.clip(-y, -1, 1), 1.0),
+    "where": (lambda y, v: v + np.where(y > 0, y, 0.0), 0.0),
+    "where ": (lambda y, v: v + (y if y > 0 else 3 * y), 0.0),
+}
+TORN = {
+    "sign": (lambda y, v: v - np.sign(y), 0.0),
+    "floor": (lambda y, v: v - np.floor(y), 2.0),
+    "mod": (lambda y, v: v - y % 1.0, 3.0),
+    "where": (lambda y, v: v - np.where(y > 0, 1.0, -1.0), 0.0),
+    "where ": (lambda y, v: v - (y > 0) * 1.0, 0.0),
+}
+SMOOTH = {
+    "beside a kink": (lambda y, v: v - abs(y), 1e-9),
+    "beside a jump": (lambda y, v: v - np.sign(y), -1e-9),
+    "two ways of one slope": (lambda y, v: v + np.where(y > 0, y * y, -y * y), 0.0),
+    "what is not moved": (lambda y, v: v - y * np.sign(0.0 * v), 0.5),
+}
+
+
+@pytest.mark.parametrize("kind", BENT)
+def test_a_kink_is_said_with_its_block_and_operation(kind):
+    rate, at = BENT[kind]
+    with pytest.warns(UserWarning, match=rf"b\.update: `{kind.strip()}` has a kink") as said:
+        clpt.linearize(block(rate), [at])
+    assert said[0].filename == __file__
+
+
+@pytest.mark.parametrize("kind", TORN)
+def test_a_jump_is_refused_with_its_block_and_operation(kind):
+    rate, at = TORN[kind]
+    with pytest.raises(
+        clpt.DiagramError, match=rf"b\.update: `{kind.strip()}` jumps at this point"
+    ):
+        clpt.linearize(block(rate), [at])
+
+
+@pytest.mark.parametrize("kind", SMOOTH)
+def test_nothing_is_said_where_it_is_smooth(kind):
+    rate, at = SMOOTH[kind]
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        clpt.linearize(block(rate), [at])
+
+
+def test_a_slope_without_end_is_refused():
+    with pytest.raises(clpt.DiagramError, match=r"y\[0\] does along y\[0\] has no finite slope"):
+        clpt.linearize(block(lambda y, v: np.sqrt(y) + v), [0.0])
+
+
+def test_minimal_leaves_out_what_is_not_reached_or_not_seen():
+    apart = control.ss(np.diag([-1.0, -2.0, -3.0]), [[1], [0], [1]], [[1, 1, 0]], 0)
+    made = clpt.linearize(apart, minimal=True)
+    assert made.state_labels == ["x[0]"]
+    assert made.A.tolist() == [[-1.0]]
+    twice = control.ss(-np.eye(2), [[1], [1]], [[1, 1]], 0)
+    one = clpt.linearize(twice, minimal=True)
+    assert one.nstates == 1
+    assert one(2j) == pytest.approx(twice(2j))
+    assert clpt.linearize(control.ss(-1, 0, 1, 2), minimal=True).nstates == 0
+
+
+def test_shapes_are_checked():
+    with pytest.raises(clpt.ArgumentError, match=r"x has shape \(3,\); must be \(2,\)"):
+        clpt.linearize(PENDULUM, [0, 0, 0])
+
+
+def test_the_interval_is_that_of_the_time():
+    block = clpt.Block(
+        "steps",
+        update=lambda t, x, u, p: {"y": -p.interval * x.y},
+        states={"y": 1},
+        parameters={"interval": -1.0},
+        breakpoints=lambda p, t0, t1: np.arange(np.floor(t0) + 1, np.floor(t1) + 1),
+    )
+    assert clpt.linearize(block, [1.0], t=3.5).A == -3.0

@@ -1,0 +1,150 @@
+"""A diagram's equations on symbols: what python-control computes, under its own names."""
+
+import control
+import numpy as np
+import pytest
+import sympy
+
+import clpt_control as clpt
+
+
+def first_order(t, x, u, params):
+    return -params["a"] * x[0] + u[0]
+
+
+def with_gain(name, **more):
+    more = {"inputs": 1, "outputs": 1, "states": 1, **more}
+    rate = lambda t, x, u, params: -params["k"] * x[0] ** 3 + u[0]  # noqa: E731
+    return control.nlsys(rate, name=name, params={"k": 2.0}, **more)
+
+
+def swing(t, x, u, p):
+    return {"theta": x.omega, "omega": -(p.w[0] ** 2) * np.sin(x.theta) - p.w[1] * x.omega}
+
+
+PENDULUM = clpt.Block(
+    "pendulum", update=swing, states={"theta": 1, "omega": 1}, parameters={"w": [2.0, 0.1]}
+)
+
+
+def agrees(diagram, eq, seed=0):
+    """Whether rates and outputs are those of python-control at random points."""
+    random = np.random.default_rng(seed)
+    x, u = random.standard_normal(diagram.nstates), random.standard_normal(diagram.ninputs)
+    flat = [*eq.motion, *(s for own in eq.inputs.values() for s in own.flat)]
+    known = dict(zip(flat, map(sympy.Float, [*x, *u]), strict=True))
+    known[sympy.Symbol("t", real=True)] = sympy.Float(1.5)
+
+    def at(values):
+        return [float(sympy.sympify(e).xreplace(known).evalf(20)) for e in values]
+
+    np.testing.assert_allclose(at(eq.motion.values()), diagram.dynamics(1.5, x, u), rtol=1e-12)
+    made = [e for own in eq.signals.values() for e in own.flat]
+    np.testing.assert_allclose(at(made), diagram.output(1.5, x, u), rtol=1e-12)
+
+
+def test_a_function_of_python_control():
+    plant = control.nlsys(
+        first_order, inputs="u", outputs="y", states="y", params={"a": 2.0}, name="plant"
+    )
+    eq = clpt.equations(plant)
+    assert str(eq) == "y' = -a*y + u(t)"
+    assert str(eq.derivative(eq["y"] ** 2)) == "2*y*(-a*y + u(t))"
+    assert eq.derivative("y") == eq.rates["y"][0]
+    assert eq["a"].is_positive
+    assert str(clpt.equations(plant, numbers=True)) == "y' = -2*y + u(t)"
+    assert eq._repr_latex_() == (r"$\displaystyle\begin{aligned}\dot{y} &= - a y + u\end{aligned}$")
+
+
+def test_one_name_of_two_has_its_block_before_it():
+    a, b = with_gain("a"), with_gain("b")
+    links = [["a.u[0]", "b.y[0]"], ["b.u[0]", "-a.y[0]"]]
+    both = control.interconnect([a, b], links, inplist=["a.u[0]"], outlist=["b.y[0]"])
+    eq = clpt.equations(both)
+    assert [str(s) for s in eq.motion] == ["a.x", "b.x"]
+    assert str(eq["a.k"]) == "a.k"
+    assert r"x^{\mathrm{a}}" in eq._repr_latex_()
+    with pytest.raises(clpt.DiagramError, match=r"has no 'k'; it has .*a\.k"):
+        eq["k"]
+
+
+def test_arrays_have_their_places():
+    eq = clpt.equations(PENDULUM)
+    assert [str(s) for s in eq["w"]] == ["w[0]", "w[1]"]
+    assert str(eq["theta"]) == "theta"
+    assert r"\dot{\theta} &= \omega" in eq._repr_latex_()
+
+
+SYSTEMS = {
+    "the paper's loop with places given": lambda: clpt.closed_loop(
+        clpt.paper_scenario(), external="zc"
+    ),
+    "transfer functions": lambda: clpt.connect(
+        [
+            control.summing_junction(["r", "-y"], "e", name="error"),
+            control.tf([1, 3], [1, 2, 0], inputs="e", outputs="y", name="plant"),
+        ],
+        external="r",
+    ),
+    "a pendulum": lambda: control.interconnect([PENDULUM], outlist=["pendulum"]),
+}
+
+
+@pytest.mark.parametrize("name", SYSTEMS)
+def test_symbols_are_the_numbers_of_python_control(name):
+    diagram = SYSTEMS[name]()
+    eq = clpt.equations(diagram, numbers=True)
+    agrees(diagram, eq)
+
+
+def test_discrete_time_has_next_states_and_no_derivative():
+    eq = clpt.equations(control.ss([[0.5]], [[1.0]], [[1.0]], 0, dt=0.1))
+    assert str(eq).splitlines()[0] == "x[0]+ = x[0]/2 + u[0](t)".replace("[0]", "")
+    with pytest.raises(clpt.DiagramError, match="discrete time"):
+        eq.derivative(eq["x"])
+
+
+def test_jumps_are_shown():
+    block = clpt.Block(
+        "memory",
+        update=lambda t, x, u, p: {"m": -x.m},
+        jump=lambda t, x, u, p: {"m": x.m / 2},
+        states={"m": 1},
+        parameters={"interval": -1.0},
+        breakpoints=lambda p, t0, t1: np.arange(np.floor(t0) + 1, np.floor(t1) + 1),
+    )
+    assert str(clpt.equations(block)) == "m' = -m\nm+ = m/2"
+
+
+def test_what_samples_is_refused():
+    law = clpt.equations.Sampled(with_block(), 0.5)
+    with pytest.raises(clpt.DiagramError, match="held: samples its inputs"):
+        clpt.equations(clpt.connect([law], external="v"))
+    with pytest.raises(clpt.DiagramError, match="held: samples its inputs"):
+        clpt.linearize(clpt.connect([law], external="v"))
+
+
+def with_block():
+    return clpt.Block(
+        "held", update=lambda t, x, u, p: {"y": u.v - x.y}, inputs={"v": 1}, states={"y": 1}
+    )
+
+
+def test_what_cannot_be_read_is_said():
+    import random
+
+    block = clpt.Block(
+        "dice",
+        update=lambda t, x, u, p: {"y": x.y * random.random()},
+        states={"y": 1},
+    )
+    with pytest.raises(clpt.DiagramError, match="dice"):
+        clpt.equations(block)
+
+
+def test_the_room_is_still_a_module():
+    assert clpt.equations.Block is clpt.Block
+    assert "Blocks of equations" in clpt.equations.__doc__
+    from clpt_control.equations import lookup
+
+    assert lookup is clpt.equations.lookup
