@@ -8,11 +8,14 @@ unknown it is predicted with an estimate of theta, z' = theta phi(z, t) + v, or 
 track is bent evenly to the fix that it ends at.
 
 A run of a scenario is cut into segments by what its vehicle would know at fixes.
-Positions are those of the run's samples.  The velocity through the water is what the blocks of
-the vehicle make of them, Eq. (7), so the parameters of the true flow are not read.  Between the
-times at which the waypoint changes all is smooth and goes by cubic splines.  How exact the
-samples let int v dt be is judged by leaving out every second one: the difference over 15, as the
-error of a cubic spline falls with the fourth power of the step.
+Positions are those of the run's samples, with `localization.noise` as the vehicle reads them.  The
+velocity through the water is what the blocks of the vehicle make of them, Eq. (7), so the
+parameters of the true flow are not read.  Between the times at which the waypoint or the noise
+changes all is smooth and goes by cubic splines.  How exact the samples let int v dt be is judged
+by leaving out every second one: the difference over 15, as the error of a cubic spline falls with
+the fourth power of the step.
+
+Neighbouring segments share a fix, and with it its noise: y_s has n(end) - n(start).
 """
 
 from collections.abc import Sequence
@@ -24,8 +27,10 @@ from scipy.integrate import simpson
 from scipy.interpolate import CubicSpline
 
 from ..blocks import speed_limit, vehicle
+from ..blocks.laws.known import reach
 from ..equations.at_many import evaluate
 from ..equations.block import Block
+from ..equations.declaration import multiples
 from ..errors import DataError, ScenarioError
 from ..geodesy import displacement
 from ..scenario.experiment import Scenario
@@ -45,6 +50,8 @@ class Segments(NamedTuple):
     start: np.ndarray  # (n, 2), x(t1), length
     end: np.ndarray  # (n, 2), x(t2), length
     track: np.ndarray | None = None  # (n, m, 2), x(t), length; None where it is not known
+    alone: float = np.inf  # most that a miss has of its own, length; its fixes have what is beyond
+    held: float = 0.0  # how long the noise with which the track is read is held; 0: read without
 
     @property
     def miss(self) -> np.ndarray:
@@ -55,6 +62,44 @@ class Segments(NamedTuple):
     def duration(self) -> np.ndarray:
         """Time between the fixes, (n,)."""
         return self.time[:, -1] - self.time[:, 0]
+
+    @property
+    def renewed(self) -> np.ndarray:
+        """Whether the noise at the end is another than at the start, (n,)."""
+        if not self.held:
+            return np.ones(len(self.time), dtype=bool)
+        return np.ptp(self._noises(), axis=1) > 0
+
+    def _noises(self) -> np.ndarray:
+        """Return the number of the noise at each time, (n, m); one that begins last is not read."""
+        near = 1e-9 * self.held
+        return np.minimum(self.time + near, self.time[-1, -1] - near) // self.held
+
+    def blur(self, basis: Block) -> np.ndarray:
+        """Return B, (n, N, N): read with noise s, theta h has the variance s^2 theta B theta^T.
+
+        B = sum over axes i and noises of g g^T, g = int dphi/dx_i dt while one noise is held.
+        """
+        n, m = self.time.shape
+        if not self.held:
+            return np.zeros((n, *2 * [sum(basis.output_ports.values())]))
+        track, step = self.seen, 1e-4 * np.ptp(self.seen) * np.eye(2)
+        ahead, behind = (
+            [evaluate(basis, self.time.ravel(), (track + one).reshape(-1, 2)) for one in way]
+            for way in (step, -step)
+        )
+        slope = np.stack(ahead, axis=1) - np.stack(behind, axis=1)
+        slope *= np.repeat(self.duration / m, m)[:, None, None] / (2 * step[0, 0])
+        new = np.diff(self._noises(), axis=1, prepend=-1.0) != 0
+        g = np.add.reduceat(slope, np.flatnonzero(new), axis=0)
+        B = np.zeros((n, g.shape[-1], g.shape[-1]))
+        np.add.at(B, np.nonzero(new)[0], np.einsum("gik,gil->gkl", g, g))
+        return B
+
+    def shares(self, r: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return the shares of r^2 that a miss has alone, and that each of its fixes has, (n,)."""
+        own = np.minimum(1.0, self.alone / r) ** 2
+        return own, (1 - own) / 2
 
     @property
     def seen(self) -> np.ndarray:
@@ -107,7 +152,7 @@ def dive_segments(dives: Sequence[Dive], origin: tuple[float, float]) -> Segment
     return Segments(np.array(time), np.array(water), np.array(start), np.array(start) + moved)
 
 
-LEAST = 5  # samples between two changes of the waypoint
+LEAST = 5  # samples between two changes of the waypoint, or of the noise
 MOST_FIXES = 100_000  # of a run
 COARSE = 0.05  # of the way through the water between fixes, in the mean; more is refused
 
@@ -120,45 +165,61 @@ class Way:
         self.scenario, self.basis = scenario, scenario.basis_block()
         self.places, self.water = [], []  # splines, one a piece
         self.doubt = 0.0  # of the displacement over a piece, length
-        dwell, last = scenario.reference.dwell, self.time[-1]
-        jumps = dwell * np.arange(np.floor(self.time[0] / dwell) + 1, np.ceil(last / dwell))
-        self.edges = np.array([self.time[0], *jumps[jumps < last * (1 - 1e-12)], last])
-        at = np.searchsorted(self.time, self.edges - 1e-9 * dwell).clip(0, len(self.time) - 1)
-        if np.any(np.abs(self.time[at] - self.edges) > 1e-6 * dwell):
+        self.held = {"waypoint": scenario.reference.dwell}  # how long, by what
+        read = places
+        if scenario.localization is not None:
+            self.held["noise"] = float(scenario.localization.noise_period or 0)
+            read = run.measured_position.values
+        self.near = 1e-9 * min(self.held.values())
+        first, last = self.time[0], self.time[-1]
+        inner = np.concatenate([multiples(span, first, last) for span in self.held.values()])
+        inner = np.sort(inner[(inner > first + self.near) & (inner < last - self.near)])
+        apart = np.diff(inner, prepend=first) > self.near
+        self.edges = np.array([first, *inner[apart], last])
+        at = np.searchsorted(self.time, self.edges - self.near).clip(0, len(self.time) - 1)
+        if np.any(np.abs(self.time[at] - self.edges) > 1e3 * self.near):
+            unit = scenario.units.time
+            spans = " and ".join(f"the {w} each {span:g} {unit}" for w, span in self.held.items())
             raise ScenarioError(
-                f"run.output_step: the waypoint changes each {dwell:g} {scenario.units.time}, "
-                "between two samples of the run; run it with a step that divides reference.dwell"
+                f"run.output_step: there change {spans}, between two samples of the run; run it "
+                "with a step that divides that"
             )
+        fewest = np.diff(at).min() + 1
+        if fewest < LEAST:
+            raise ScenarioError(
+                f"run.output_step: {fewest} samples between two changes of the "
+                f"{' or the '.join(self.held)}; at least {LEAST} are needed, run it with a "
+                "smaller step"
+            )
+        every = np.concatenate([np.arange(a, b + 1) for a, b in pairwise(at)])
+        began = np.repeat(at[:-1], np.diff(at) + 1)  # a piece ends with the noise it began with
+        x = places[every] + (read - places)[began]
+        way = self._velocity(self.time[every], x, run.reference.values[began])
         gone = np.zeros(2)
-        for a, b in pairwise(at):
-            if b - a + 1 < LEAST:
-                raise ScenarioError(
-                    f"run.output_step: {b - a + 1} samples between two changes of the waypoint; "
-                    f"at least {LEAST} are needed, run it with a smaller step"
-                )
-            t, x = self.time[a : b + 1], places[a : b + 1]
-            v = self._velocity(t, x, run.reference.values[a])
+        for rows in np.split(np.arange(len(every)), np.flatnonzero(np.diff(began)) + 1):
+            t, v = self.time[every[rows]], way[rows]
             whole, half = CubicSpline(t, v), CubicSpline(t[::2], v[::2])
             apart = whole.integrate(t[0], t[::2][-1]) - half.integrate(t[0], t[::2][-1])
             self.doubt = max(self.doubt, float(np.abs(apart).max()) / 15)
-            self.places.append(CubicSpline(t, x))
+            self.places.append(CubicSpline(t, x[rows]))
             self.water.append((whole.antiderivative(), gone))
             gone = gone + whole.integrate(t[0], t[-1])
 
     def _velocity(self, t: np.ndarray, x: np.ndarray, zc: np.ndarray) -> np.ndarray:
-        """Return the velocity through the water at samples with one waypoint, (n, 2)."""
+        """Return the velocity through the water at samples, (n, 2)."""
         car = self.scenario.vehicle
         alpha_M = self.scenario.model_parameters
         controller = vehicle.vehicle_controller(alpha_M, car.feedback, car.feedforward)
         phi = evaluate(self.basis, t, x)
-        v = evaluate(controller, t, np.hstack([x, 0 * x + zc, phi]))
+        v = evaluate(controller, t, np.hstack([x, zc, phi]))
         if car.max_speed is None:
             return v
         return evaluate(speed_limit.speed_limit(car.max_speed), t, v)
 
     def at(self, times: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return position and displacement since the run's start, (..., 2) each."""
-        piece = np.clip(np.searchsorted(self.edges, times, "right") - 1, 0, len(self.places) - 1)
+        """Return the position as read and the displacement since the start, (..., 2) each."""
+        piece = np.searchsorted(self.edges, times + self.near, "right") - 1
+        piece = np.clip(piece, 0, len(self.places) - 1)
         x, d = np.zeros((*times.shape, 2)), np.zeros((*times.shape, 2))
         for k in np.unique(piece):
             here = piece == k
@@ -169,12 +230,12 @@ class Way:
 
 def run_segments(
     run: "xarray.Dataset", scenario: Scenario, every: float | None
-) -> tuple[Segments, Block, float]:
-    """Return the segments of a run, the scenario's basis, and the doubt of a miss, length."""
-    if scenario.localization is not None:
+) -> tuple[Segments, Block]:
+    """Return the segments of a run, and the scenario's basis."""
+    if scenario.localization is not None and scenario.localization.fixes is not None:
         raise ScenarioError(
-            "localization: the vehicle of this run does not steer by its true position, so its "
-            "velocity is not known from the samples; estimate from a run without the table"
+            "localization.interval: the vehicle of this run steers on its prediction between "
+            "fixes, so its velocity is not known; estimate from a run with interval = 0"
         )
     way, fix = Way(run, scenario), scenario.reference.dwell / 10 if every is None else every
     length = float(way.time[-1] - way.time[0])
@@ -191,14 +252,16 @@ def run_segments(
     fixes = way.time[0] + fix * np.arange(int(np.floor(length / fix * (1 + 1e-12))) + 1)
     fine = fixes[:-1, None] + fix * np.linspace(0.0, 1.0, 2 * SAMPLES - 1)
     x, d = way.at(np.minimum(fine, way.time[-1]))
-    segments = Segments(fine[:, ::2], d - d[:, :1], x[:, 0], x[:, -1], x[:, ::2])
+    floor = max(1e-4 * reach(scenario.known_to_law), way.doubt)
+    held = way.held.get("noise", 0.0)
+    segments = Segments(fine[:, ::2], d - d[:, :1], x[:, 0], x[:, -1], x[:, ::2], floor, held)
     moved = np.sqrt(np.mean(np.sum((d[:, -1] - d[:, 0]) ** 2, axis=1)))
     if way.doubt > COARSE * moved:
         raise DataError(
             f"the run's samples let the way through the water be known to {way.doubt:.2g} "
             f"{scenario.units.length} only; run it with a smaller run.output_step"
         )
-    return segments, way.basis, way.doubt
+    return segments, way.basis
 
 
 def run_scenario(run: "xarray.Dataset") -> Scenario:
@@ -219,7 +282,8 @@ def run_scenario(run: "xarray.Dataset") -> Scenario:
     scenario = scenario_of_run(run)
     if run.sizes.get("time", 0) < 2:
         raise DataError("the run has fewer than two samples; run it with a smaller output_step")
-    for name in ("time", "position", "reference"):
+    names, seen = ["time", "position", "reference"], scenario.localization
+    for name in names if seen is None or seen.fixes else [*names, "measured_position"]:
         if name not in run or not np.all(np.isfinite(run[name].values)):
             raise DataError(f"the run has no whole {name}; clpt.simulate gives runs that do")
     return scenario

@@ -12,7 +12,15 @@ tomography      the track is not known: h along the track that theta predicts, l
                 theta, and again until it settles.  Then y is what the predicted track misses by
 
 P is N x N and serves both axes.  Without a walk w the filter ends at least squares.
-Sources: R. E. Kalman, "A new approach to linear filtering and prediction problems", 1960; D.
+
+Neighbouring misses of a run share a fix: n_s = r_s (own_s + m_s - m_{s-1}), where m_s of the fix at
+the end of s has the variance (1 - own_s^2)/2.  The n_s are a moving average of order 1; with
+own = 0 their covariance is r^2, and -r^2/2 beside the diagonal.  A filter whose only state is the
+last fix's noise makes white innovations of them, of y and of h (`whitened`): generalised least
+squares; the filter of theta holds that noise as one more state.  Where the track itself is read
+with noise, theta h is as wrong as that noise makes phi (`Segments.blur`).
+Sources: R. E. Kalman, "A new approach to linear filtering and prediction problems", 1960; P. J.
+Brockwell, R. A. Davis, "Time Series: Theory and Methods", 1991, section 5.3 (innovations); D.
 Chang, W. Wu, C. R. Edwards, F. Zhang, "Motion tomography: mapping flow fields using autonomous
 underwater vehicles", International Journal of Robotics Research 36, 320-336, 2017.
 """
@@ -24,7 +32,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..arguments import public
-from ..blocks.laws.known import PRIOR, reach
+from ..blocks.laws.known import PRIOR
 from ..equations.block import Block
 from ..errors import DataError, ScenarioError
 from ..progress.interrupt import check
@@ -41,44 +49,76 @@ MOST = 100  # turns of the tomography
 SETTLED = 1e-9  # of the prior
 
 
-def fitted(h, y, theta, sd, r) -> tuple[np.ndarray, np.ndarray]:
-    """Return theta and P of regularised least squares: h (n, N), y (n, 2)."""
-    if not np.all(np.isfinite(h)):
-        raise DataError(
-            "phi along the tracks is not finite; where they are predicted, give fixes more often "
-            "or a smaller prior"
-        )
-    weighed = h * sd / r[:, None]  # in units of the prior
+def fitted(h, y, theta, sd) -> tuple[np.ndarray, np.ndarray]:
+    """Return theta and P of regularised least squares: h (n, N), y (n, 2), of unit noise."""
+    weighed = h * sd  # in units of the prior
     if not np.all(np.isfinite(weighed)):
         raise DataError("the prior is too large for the noise; give a smaller prior or more noise")
     U, s, Vt = np.linalg.svd(weighed, full_matrices=len(h) < len(sd))
-    left = (y - h @ theta.T) / r[:, None]
-    moved = Vt[: len(s)].T @ ((s / (1 + s**2))[:, None] * (U.T @ left))
+    moved = Vt[: len(s)].T @ ((s / (1 + s**2))[:, None] * (U.T @ (y - h @ theta.T)))
     share = np.ones(len(sd))  # of the prior that is left along each row of Vt
     share[: len(s)] = 1 / (1 + s**2)
     return theta + (sd[:, None] * moved).T, sd[:, None] * ((Vt.T * share) @ Vt) * sd
 
 
+def whitened(segments, columns, r, blurred=0.0):
+    """Return columns (n, c) as innovations over their standard deviation: white, of size 1."""
+    own, fix = segments.shares(r)
+    own = own + fix * blurred
+    white, last, p = columns / r[:, None], np.zeros(columns.shape[1]), fix[0]
+    for k, new in enumerate(segments.renewed):
+        S = new * (p + fix[k]) + own[k]
+        innovation = white[k] + new * last  # one noise read twice leaves no trace
+        white[k] = innovation / np.sqrt(S)
+        if new:
+            last, p = fix[k] / S * innovation, fix[k] - fix[k] ** 2 / S
+    return white
+
+
+def blurred(theta, B):
+    """Return theta B theta^T of the axis where it is larger."""
+    return np.einsum("...kl,ak,al->...a", B, theta, theta).max(axis=-1)
+
+
+def weighed(segments, h, theta, sd, r, spread=0.0) -> tuple[np.ndarray, np.ndarray]:
+    """Return theta and P of generalised least squares along a track."""
+    if not np.all(np.isfinite(h)):
+        raise DataError(
+            "phi along the tracks is not finite; where they are predicted, give fixes more often "
+            "or a smaller prior"
+        )
+    white = whitened(segments, np.hstack([h, segments.miss]), r, spread)
+    return fitted(white[:, :-2], white[:, -2:], theta, sd)
+
+
 def least_squares(segments, basis, theta, sd, r, w):
     """Return theta, P, the steps and h of batch least squares."""
-    h = segments.integrals(basis, segments.seen)
-    theta, P = fitted(h, segments.miss, theta, sd, r)
+    h, B, first = segments.integrals(basis, segments.seen), segments.blur(basis), theta
+    for _ in range(3 if segments.held else 1):
+        theta, P = weighed(segments, h, first, sd, r, blurred(theta, B))
     return theta, P, theta[None], h
 
 
 def kalman(segments, basis, theta, sd, r, w):
     """Return theta, P, the steps and h of the filter, causal: each segment after its end."""
-    h, y = segments.integrals(basis, segments.seen), segments.miss
-    P, steps, before = np.diag(sd**2), [], segments.time[0, -1]
-    for k in range(len(y)):
-        P = P + np.diag(w**2 * max(segments.time[k, -1] - before, 0.0))
+    h, B, N = segments.integrals(basis, segments.seen), segments.blur(basis), len(sd)
+    alone, fix = segments.shares(r)
+    x, P = np.pad(theta, ((0, 0), (0, 2))), np.diag([*sd**2, fix[0], 0.0])
+    steps, before = [], segments.time[0, -1]
+    for k, new in enumerate(segments.renewed):
+        P[:N, :N] += np.diag(w**2 * max(segments.time[k, -1] - before, 0.0))
         before = segments.time[k, -1]
-        gain = P @ h[k] / (r[k] ** 2 + h[k] @ P @ h[k])
-        theta = theta + np.outer(y[k] - theta @ h[k], gain)
-        rest = np.eye(len(sd)) - np.outer(gain, h[k])
-        P = rest @ P @ rest.T + r[k] ** 2 * np.outer(gain, gain)
-        steps.append(theta)
-    return theta, P, np.array(steps), h
+        own = alone[k] + fix[k] * blurred(x[:, :N], B[k])
+        P[N + 1, N + 1] = fix[k]  # the states: theta, and of r the fixes' noise at start and end
+        row = np.append(h[k] / r[k], [-1.0, 1.0] if new else [0.0, 0.0])
+        gain = P @ row / (own + row @ P @ row)
+        x = x + np.outer(segments.miss[k] / r[k] - x @ row, gain)
+        rest = np.eye(N + 2) - np.outer(gain, row)
+        P = rest @ P @ rest.T + own * np.outer(gain, gain)
+        steps.append(x[:, :N])
+        kept = [*range(N), N + 1 if new else N]  # the end is the next one's start
+        x, P = np.pad(x[:, kept], ((0, 0), (0, 1))), np.pad(P[np.ix_(kept, kept)], (0, 1))
+    return steps[-1], P[:N, :N], np.array(steps), h
 
 
 def tomography(segments, basis, theta, sd, r, w):
@@ -87,7 +127,7 @@ def tomography(segments, basis, theta, sd, r, w):
     for _ in range(MOST):
         check()
         h = segments.integrals(basis, segments.predicted(basis, theta))
-        before, (theta, P) = theta, fitted(h, segments.miss, first, sd, r)
+        before, (theta, P) = theta, weighed(segments, h, first, sd, r)
         steps.append(theta)
         if np.max(np.abs(theta - before) / sd) < SETTLED:
             return theta, P, np.array(steps), h
@@ -182,11 +222,7 @@ def flow_estimate(
         Time between fixes of a run; by default a tenth of ``reference.dwell``.
     prior : float or array_like, shape (N,), optional
         Standard deviation of each theta before any fix; by default the law's of a run, 0.3 k R
-        with the mean k of KD and the track's reach R, and 0.3 m/s of dives.
-    noise : float or array_like, shape (n,), optional
-        Standard deviation of a miss, length: by default 1e-4 R of a run, or what its samples leave
-        open where that is more; of dives 30 m and 0.04 m/s over their time (`Priors`).
-    walk : float or array_like, shape (N,), optional
+    XX    walk : float or array_like, shape (N,), optional
         Of each theta, for the filter alone: speed per square root of time; by default 0 of a run,
         and of dives 0.13 of the prior in six hours (`Priors`).
     start : array_like, shape (2, N), optional
@@ -203,7 +239,7 @@ def flow_estimate(
         If there is no segment, a number is not finite, the run's samples are too coarse, or the
         tomography does not settle.
     ScenarioError
-        If an argument is not allowed, or the scenario's vehicle reads noisy positions.
+        If an argument is not allowed, or the scenario's vehicle steers on fixes.
 
     Examples
     --------
@@ -216,7 +252,7 @@ def flow_estimate(
     """
     if method not in METHODS:
         raise ScenarioError(f"method {method!r}: must be one of {', '.join(METHODS)}")
-    origin, doubt, own_prior, usual_start = None, 0.0, Priors().current, None
+    origin, own_prior, usual_start = None, Priors().current, None
     if isinstance(data, Sequence):
         if not data:
             raise DataError("no dives are given; give one at least")
@@ -226,10 +262,11 @@ def flow_estimate(
         segments, usual_noise = dive_segments(data, origin), dive_noise(data)
     else:
         scenario = run_scenario(data)
-        segments, own, doubt = run_segments(data, scenario, every)
+        segments, own = run_segments(data, scenario, every)
         basis, known = own if basis is None else basis, scenario.known_to_law
         own_prior = PRIOR.usual(known)
-        usual_noise = np.full(len(segments.start), max(1e-4 * reach(known), doubt))
+        fix = 0.0 if scenario.localization is None else scenario.localization.noise
+        usual_noise = np.full(len(segments.start), np.hypot(segments.alone, np.sqrt(2) * fix))
         usual_start = known.alpha_M if basis is own else None
     n, N = len(segments.start), _functions(basis)
     sd = _numbers("prior", own_prior if prior is None else prior, (N,))
@@ -254,7 +291,7 @@ def _found(
     outcome: Any, segments: Segments, basis: Block, r: np.ndarray, origin: Any
 ) -> FlowEstimate:
     theta, P, steps, h = outcome
-    scaled = h / r[:, None]
+    scaled = whitened(segments, h, r)
     if not all(np.all(np.isfinite(part)) for part in (theta, P, scaled)):
         raise DataError("the estimate is not finite; give a smaller prior or more noise")
     s = np.linalg.svd(scaled, compute_uv=False)
