@@ -14,7 +14,7 @@ import numpy as np
 from ..errors import SimulationError
 from ..progress.interrupt import check
 from . import solver
-from .jacobian import EXPLICIT, Jacobian, fresh
+from .jacobian import EXPLICIT, Jacobian
 from .machine import LANES
 from .schedule import Schedule
 
@@ -110,8 +110,6 @@ class Batch:
         longest: float = np.inf,
         opening: float = 0.0,
     ):
-        if callee.method == solver.RODAS5P:  # whose matrices are a batch's own
-            callee = callee._replace(linear=fresh(callee.linear))
         self.callee, self.times = callee, np.ascontiguousarray(times)
         self.method = METHODS[callee.method]
         if callee.method == solver.RK4 and not longest > 0:
@@ -139,7 +137,7 @@ class Batch:
         self.numbers[solver.LONGEST], self.numbers[solver.OPENING] = longest, opening
         whole = np.full((5, lanes), -1, dtype=np.int64)
         self.lane = self.numbers, whole, np.array([0, m, 0], dtype=np.int64)
-        self.arrays, self._linear = (self.Z, P, callee.tables, W, D), callee.linear.given
+        self.arrays, self.linear = (self.Z, P, callee.tables, W, D), callee.linear.given
 
     @property
     def now(self) -> float:
@@ -192,7 +190,7 @@ class Batch:
                 self.results,
                 self.lane,
                 self.arrays,
-                self._linear,
+                self.linear,
                 budget,
                 most,
             )

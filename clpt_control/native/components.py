@@ -147,7 +147,7 @@ class Components:
     def _element(self, ref: int, index: tuple[Index, ...]) -> Value:
         kind, arguments, shape, at, _ = self.entries[ref]
         if kind == "load":
-            return self.load(at[0], at[1], list(zip(index, _strides(shape), strict=True)))
+            return self.load(at[0], at[1], list(zip(index, rows(shape), strict=True)))
         if kind == "constant":
             numbers = np.frombuffer(at).reshape(shape)
             if all(type(i) is int for i in index):
@@ -176,7 +176,7 @@ class Components:
             return arguments[0], ()
         if kind == "part" and all(type(i) is int for i in index):
             outer = self.entries[arguments[0]].shape
-            flat = at + sum([s * i for s, i in zip(_strides(shape), index, strict=True)])
+            flat = at + sum([s * i for s, i in zip(rows(shape), index, strict=True)])
             return arguments[0], tuple(map(int, np.unravel_index(flat, outer))) if outer else ()
         if kind not in ("stack", "join") or type(index[0]) is not int:
             return None
@@ -195,7 +195,7 @@ class Components:
             lead = np.unravel_index(first // prod(shape), outer[:inner]) if inner else ()
             return self.at(whole, (*map(int, lead), *index))
         array, start, kept = self._kept(whole)
-        return self.load(array, start + first, list(zip(index, _strides(shape), strict=True)), kept)
+        return self.load(array, start + first, list(zip(index, rows(shape), strict=True)), kept)
 
     def _summed(self, ref: Ref, index: tuple, axis: int, count: int, long: bool) -> Value:
         def one(i: Index) -> Value:
@@ -258,15 +258,11 @@ class Components:
     def _picked(self, table: Ref, place: Ref, index: tuple) -> Value:
         whole = self.at(place, index)
         count = self.record.shape_of(table)[0]
-        entry = self.entries[table]
-        if entry.kind == "load":
-            (array, first), kept, stride = entry.at, -1, 1
-        elif entry.kind == "view" and self.entries[entry.arguments[0]].kind == "load":
-            source = self.entries[entry.arguments[0]]
-            (array, first), kept, stride = source.at, -1, 0
-            for m, own in zip(entry.at, _strides(source.shape), strict=True):
-                first += own * (m if isinstance(m, int) else m[1])
-                stride += 0 if isinstance(m, int) else own * m[2]
+        value = self.at(table, (((count, 0), 0, 1),))
+        name, arguments, _ = self.all[value[0]] if type(value) is tuple else ("", (), ())
+        if name == "load":
+            array, first, strides, kept = arguments
+            stride = sum(strides)
         else:
             (array, first, kept), stride = self._kept(table), 1
         at = self._place(
@@ -315,7 +311,7 @@ class Components:
     def _read(self, ref: int, index: tuple[Index, ...]) -> Value:
         """Return an element of a value that is kept in an array."""
         array, first, kept = self._kept(ref)
-        strides = _strides(self.entries[ref].shape)
+        strides = rows(self.entries[ref].shape)
         return self.load(array, first, list(zip(index, strides, strict=True)), kept)
 
     def _kept(self, ref: int) -> tuple[str, int, int]:
@@ -368,7 +364,7 @@ class Components:
             return found
         loops = [k for k, turns in enumerate(long) if turns]
         symbols = {k: (shape[k], number) for number, k in enumerate(loops)}
-        strides = _strides(shape)
+        strides = rows(shape)
         own = tuple([strides[k] for k in loops])
         lengths = tuple([shape[k] for k in loops])
         found = []
@@ -385,9 +381,9 @@ class Components:
         return found
 
 
-def _strides(shape: tuple[int, ...]) -> list[int]:
-    """Return by how much each axis moves on, row by row."""
-    return [prod(shape[k + 1 :]) for k in range(len(shape))]
+def rows(lengths: tuple[int, ...]) -> tuple[int, ...]:
+    """Return strides of an array that lies row by row."""
+    return tuple([prod(lengths[k + 1 :]) for k in range(len(lengths))])
 
 
 def _moved(index: Index, start: int, step: int) -> Index:

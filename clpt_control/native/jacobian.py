@@ -24,9 +24,8 @@ FULL = 0.3  # share of a matrix from which on it is taken as full
 
 
 class Jacobian(NamedTuple):
-    """What the solver is given as `linear`, which says what each is."""
+    """The lists that the solver is given in `linear`, which says what each is."""
 
-    matrices: np.ndarray  # df/dx, and the factors
     places: np.ndarray
     groups: np.ndarray
     begins: np.ndarray
@@ -36,18 +35,16 @@ class Jacobian(NamedTuple):
     band: np.ndarray
 
     @property
-    def slopes(self) -> np.ndarray:
-        """df/dx as the solver has it, transposed."""
-        n = len(self.places)
-        return self.matrices[: n * n].reshape(n, n)
-
-    @property
     def given(self) -> tuple[np.ndarray, np.ndarray]:
-        """The two arrays of the solver: matrices, and all lists with their lengths before them."""
-        if not len(self.matrices):
-            return self.matrices, self.places
-        sizes, pivots = (len(self.begins), len(self.rows)), np.zeros_like(self.places)
-        return self.matrices, np.concatenate([self.band, sizes, pivots, *self[1:-1]])
+        """What the solver is given: room for df/dx and its factors, and all lists.
+
+        Lengths and room for pivots stand before the lists.
+        """
+        n = len(self.places)
+        if not n:
+            return np.zeros(0), self.places
+        sizes, pivots = (len(self.begins), len(self.rows)), np.zeros(n, dtype=int)
+        return np.zeros(2 * n * n), np.concatenate([self.band, sizes, pivots, *self[:-1]])
 
 
 def whole(*values: Any) -> list[np.ndarray]:
@@ -55,13 +52,13 @@ def whole(*values: Any) -> list[np.ndarray]:
     return [np.ascontiguousarray(value, dtype=np.int64) for value in values]
 
 
-EXPLICIT = Jacobian(np.zeros(0), *whole(*[np.zeros(0)] * 7))
+EXPLICIT = Jacobian(*whole(*[()] * 7))
 
 
 def jacobian(reach: np.ndarray, exact: bool) -> Jacobian:
-    """Return the arrays for rates that these reach: (n, n + 1), the states and then time.
+    """Return the lists for rates that these reach: (n, n + 1), the states and then time.
 
-    `exact` if there is a function `slope`; matrices are yet to be made (`fresh`).
+    `exact` if there is a function `slope`.
     """
     from scipy.optimize._numdiff import group_columns
 
@@ -74,12 +71,7 @@ def jacobian(reach: np.ndarray, exact: bool) -> Jacobian:
     begins = np.searchsorted(groups[columns], np.arange(groups.max(initial=-1) + 2))
     to = np.append(places, 0)[columns] * n + places[rows]
     band = low, high, int(exact)
-    return Jacobian(np.zeros(0), *whole(places, groups, begins, rows, columns, to, band))
-
-
-def fresh(made: Jacobian) -> Jacobian:
-    """Return the same with matrices of its own, for one batch."""
-    return made._replace(matrices=np.zeros(2 * len(made.places) ** 2))
+    return Jacobian(*whole(places, groups, begins, rows, columns, to, band))
 
 
 def _ordered(reach: np.ndarray) -> tuple[np.ndarray, int, int]:

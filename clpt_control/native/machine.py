@@ -14,18 +14,19 @@ import hashlib
 import os
 from collections.abc import Callable, Iterable
 from contextlib import suppress
-from ctypes import CFUNCTYPE, addressof, byref, c_char, c_double, c_int32, c_int64, c_void_p
+from ctypes import CFUNCTYPE, addressof, byref, c_char, c_int32, c_int64, c_void_p
 from functools import cache, wraps
 from importlib.metadata import version
 from pathlib import Path
 from threading import RLock
+from types import SimpleNamespace
 from typing import Any, ParamSpec, TypeVar
 
 import llvmlite.binding as llvm
 import numpy as np
 
 from ..files import user_cache
-from ..files.user_cache import cache_folder, trusted
+from ..files.user_cache import cache_folder
 from ..progress import note
 
 VARIABLE = "CLPT_CONTROL_PROCESSOR"
@@ -35,10 +36,6 @@ HASH = hashlib.sha256().digest_size
 LOCK = RLock()
 HERE = Path(__file__).parent
 TEXT = HERE / "solver.ll"
-PRINTED_BY = (
-    *("printing", "nests", "elementary", "vectors", "components", "plan", "formula"),
-    *("method", "rosenbrock", "solver", "machine", "../equations/arrays"),
-)
 P = ParamSpec("P")
 R = TypeVar("R")
 
@@ -100,7 +97,7 @@ def name_of(*made_of: str) -> str:
 
 def kept(name: str) -> bytes | None:
     """Return code from the cache, if it is whole and nobody else could have put it there."""
-    folder = _folder()
+    folder = cache_folder()
     if folder is None:
         return None
     path = folder / f"{name}.o"
@@ -114,7 +111,7 @@ def kept(name: str) -> bytes | None:
 
 def keep(name: str, code: bytes) -> None:
     """Put code into the cache, where there is one; diagrams do not push out the solver."""
-    folder = _folder()
+    folder = cache_folder()
     if folder is None:
         return
     user_cache.keep(folder / f"{name}.o", hashlib.sha256(code).digest() + code)
@@ -124,17 +121,6 @@ def keep(name: str, code: bytes) -> None:
         files.sort(key=lambda one: one.stat().st_mtime, reverse=True)
         for one in files[KEPT:]:
             one.unlink(missing_ok=True)
-
-
-def _folder() -> Path | None:
-    above = cache_folder()
-    if above is None:
-        return None
-    with suppress(OSError):
-        folder = above / "code"
-        folder.mkdir(exist_ok=True, mode=0o700)
-        return folder if trusted(folder.stat()) else None
-    return None
 
 
 # --- code -----------------------------------------------------------------------------------
@@ -169,35 +155,34 @@ class Machine:
 
     @one_at_a_time
     def __init__(self, names: Iterable[str], made_of: str, printed: Callable[[], Any]):
-        self._engine = _loaded(name_of(made_of, *_printed_by()), lambda: str(printed()))
+        self._engine = _loaded(name_of(made_of, _printed_by()), lambda: str(printed()))
         self.addresses = {name: self._engine.get_function_address(name) for name in names}
 
 
 @cache
-def _printed_by() -> list[str]:
-    """Return what LLVM's text of a program depends on beside the program."""
-    texts = [(HERE / f"{name}.py").read_text("utf-8") for name in PRINTED_BY]
-    return [*texts, version("numpy")]
+def _printed_by() -> str:
+    """Return a hash of what LLVM's text of a program depends on beside the program."""
+    files = [*sorted(HERE.glob("*.py")), HERE.parent / "equations" / "arrays.py"]
+    texts = b"".join(one.read_bytes() for one in files)
+    return hashlib.sha256(texts).hexdigest() + version("numpy")
 
 
 # --- the solver -----------------------------------------------------------------------------
 
 
 class Entry:
-    """A function of the solver as machine code, to be called with numbers and arrays."""
+    """A function of the solver as machine code, to be called with whole numbers and arrays."""
 
     def __init__(self, engine: Any, name: str):
-        self.name = name
-        self._address = engine.get_function_address(name)
+        self.name, self._engine = name, engine
         self._function: Any = None
 
     def __call__(self, *arguments: Any) -> int:
         """Call it; arrays are contiguous, of float64 or int64."""
         given = numbers(arguments)
         if self._function is None:
-            types = [c_double if type(one) is float else c_int64 for one in given]
-            made = CFUNCTYPE(c_int32, c_void_p, c_void_p, *types)
-            self._function = made(self._address)
+            made = CFUNCTYPE(c_int32, c_void_p, c_void_p, *[c_int64] * len(given))
+            self._function = made(self._engine.get_function_address(self.name))
         result, error = c_int64(), c_void_p()
         status = self._function(byref(result), byref(error), *given)
         if status:
@@ -224,24 +209,17 @@ def numbers(arguments: tuple) -> list[Any]:
     return found
 
 
-class CompiledSolver:
-    """The functions of `solver` that are called from Python, as machine code."""
-
-    def __init__(self) -> None:
-        text = TEXT.read_text("utf-8")
-
-        def told() -> str:
-            once = "once" if cache_folder() else "each time: there is no folder to keep it in"
-            note(f"making the solver's machine code for this processor, a few seconds, {once}")
-            return text
-
-        self._engine = engine = _loaded(f"solver-{name_of(text)}", told)
-        self.advance, self.ask = Entry(engine, "advance"), Entry(engine, "ask")
-
-
 @cache
 @one_at_a_time
 @cache
-def compiled_solver() -> CompiledSolver:
-    """Return the solver as machine code, found in the cache or made."""
-    return CompiledSolver()
+def compiled_solver() -> SimpleNamespace:
+    """Return the functions of `solver` as machine code, found in the cache or made."""
+    text = TEXT.read_text("utf-8")
+
+    def told() -> str:
+        once = "once" if cache_folder() else "each time: there is no folder to keep it in"
+        note(f"making the solver's machine code for this processor, a few seconds, {once}")
+        return text
+
+    engine = _loaded(f"solver-{name_of(text)}", told)
+    return SimpleNamespace(advance=Entry(engine, "advance"), ask=Entry(engine, "ask"))

@@ -4,7 +4,8 @@ from typing import Any
 
 from llvmlite import ir
 
-from .plan import Nest, Program, Saved, Total, rows
+from .components import rows
+from .plan import Nest, Program, Saved, Total
 from .printing import Function, called
 from .vectors import WORD, apart, constant, gathered, joined, spread, width_of
 

@@ -11,7 +11,8 @@ from itertools import groupby
 from math import prod
 from typing import Any, NamedTuple
 
-from .components import BOUND, CONDITIONS, LONG, Component, Components, Write, deep
+from ..equations.arrays import CONDITIONS
+from .components import BOUND, LONG, Component, Components, Write, deep, rows
 from .decisions import Decisions
 from .diagram_record import DiagramRecord, Port
 from .joined_sums import JoinedSums
@@ -262,11 +263,6 @@ class Planner:
             elif name != "sum":
                 stack += [(a, tuple(turns[k] for k in axes)) for a, axes in self.arguments(c)]
         return min(reversed(range(len(lengths))), key=apart.__getitem__)
-
-
-def rows(lengths: tuple[int, ...]) -> tuple[int, ...]:
-    """Return strides of an array that lies row by row."""
-    return tuple(prod(lengths[k + 1 :]) for k in range(len(lengths)))
 
 
 def program_of(

@@ -61,7 +61,8 @@ def finish(
         one = rest[int(batch.lane[1][solver.MEMBER, k])] = _rest(batch, k, implicit())
         one.advance(*tolerances, 1)
         h = float(batch.numbers[solver.STEP, k])
-        return h * radius(one.callee.linear.slopes) > LARGE
+        n = one.callee.nstates
+        return h * radius(one.linear[0][: n * n].reshape(n, n)) > LARGE
 
     batch.adaptive(*tolerances, watch, most, None if implicit is None else stiff)
     found = {int(m): rest[int(m)] for m in np.flatnonzero(batch.status == solver.STIFF)}

@@ -74,7 +74,7 @@ def test_code_comes_back_whole_or_not_at_all(folder):
     keep("some", b"0123456789")
     assert kept("some") == b"0123456789"
     assert kept("other") is None
-    path = folder / "code" / "some.o"
+    path = folder / "some.o"
     whole = path.read_bytes()
     for damaged in (whole[:-4], b"", whole[:20], b"9" + whole[1:]):  # as after a full disk
         path.write_bytes(damaged)
@@ -94,7 +94,7 @@ def test_what_is_kept_is_the_users_own_whatever_the_umask(folder):
     before = os.umask(0o002)
     try:
         keep("some", b"0123456789")
-        path = folder / "code" / "some.o"
+        path = folder / "some.o"
         assert (path.stat().st_mode & 0o777, kept("some")) == (0o600, b"0123456789")
         path.chmod(0o666)
         assert kept("some") is None
@@ -111,10 +111,10 @@ def test_few_files_stay(folder, monkeypatch):
     monkeypatch.setattr(machine, "KEPT", 3)
     for k in range(5):
         keep(f"code-{k}", b"")
-        os.utime(folder / "code" / f"code-{k}.o", (1000 + k, 1000 + k))
+        os.utime(folder / f"code-{k}.o", (1000 + k, 1000 + k))
         keep(f"{k}", b"")
         assert kept("code-0") == b""  # used, so it stays
-    stay = {one.stem for one in (folder / "code").iterdir()}
+    stay = {one.stem for one in folder.iterdir()}
     assert stay == {"code-0", "code-3", "code-4", "2", "3", "4"}  # of each family
 
 
@@ -187,8 +187,8 @@ def test_two_processes_fill_it_at_once(folder):
         finally:
             one.kill()
             other.kill()
-    files = set((folder / "code").iterdir())
+    files = set(folder.iterdir())
     assert len(files) >= 3  # the solver, the formulas, the diagram
     again = subprocess.run([sys.executable, "-c", RUN], capture_output=True, text=True)
     assert (again.returncode, again.stdout, again.stderr) == (0, "finished\n", "")
-    assert set((folder / "code").iterdir()) == files
+    assert set(folder.iterdir()) == files

@@ -143,7 +143,7 @@ def slopes_of(runner, t, x):
     batch = Batch(callee, x[None], P[None], np.array([t, end]), pieces)
     batch.advance(1e-3, 1e-3, 1)
     places = batch.callee.linear.places
-    slopes = batch.callee.linear.slopes.T[np.ix_(places, places)]
+    slopes = batch.linear[0][: n * n].reshape(n, n).T[np.ix_(places, places)]
     return slopes, batch.Z[solver.OVER_TIME * n : (solver.OVER_TIME + 1) * n].copy()
 
 
