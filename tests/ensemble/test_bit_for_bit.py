@@ -21,7 +21,7 @@ from clpt_control.ensemble.worker import Worker
 from clpt_control.errors import ClptError, DataError, ScenarioError
 
 
-@pytest.mark.parametrize(("threads", "chunk"), [(1, 7), (2, 1), (2, 16), (3, 1000)])
+@pytest.mark.parametrize(("threads", "chunk"), [(1, 7), (2, 1), (3, 1000)])
 def test_threads_and_chunks_do_not_matter(scenario, whole, tmp_path, threads, chunk):
     data = run_ensemble(
         scenario,

@@ -10,7 +10,7 @@ import clpt_control as clpt
 from clpt_control.diagrams.wiring import wiring_of
 from clpt_control.errors import DiagramError
 
-T = np.linspace(0.0, 4.0, 41)
+T = np.linspace(0.0, 2.0, 21)
 TIGHT = {"method": "DOP853", "rtol": 1e-10, "atol": 1e-12}
 
 

@@ -76,7 +76,7 @@ def agrees_with_python_control(end):
 
 
 def test_python_control_gives_the_same_run():
-    agrees_with_python_control(100.0)
+    agrees_with_python_control(40.0)
 
 
 @pytest.mark.slow

@@ -42,11 +42,10 @@ def test_every_law_runs_and_keeps_its_V(name, tmp_path):
 
 
 @pytest.mark.parametrize("name", [name for name, law in LAWS.items() if not law.at_fixes])
-@pytest.mark.parametrize("engine", ["native", "python"])
-def test_gains_that_are_held_stay(name, engine):
+def test_gains_that_are_held_stay(name):
     values = {"learning.adapt_gains": False, "run.duration": 20}
     start = {"learning.feedback": [0.7, 1.1], "learning.feedforward": [0.9, 1.2]}
-    run = clpt.simulate(with_law(name, **values, **start), engine=engine)
+    run = clpt.simulate(with_law(name, **values, **start))
     np.testing.assert_array_equal(run.feedback_gain, np.tile([0.7, 1.1], (21, 1)))
     np.testing.assert_array_equal(run.feedforward_gain, np.tile([0.9, 1.2], (21, 1)))
 
