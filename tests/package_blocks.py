@@ -111,7 +111,7 @@ def package_blocks():
 
 
 BLOCKS = dict(package_blocks())
-SIZE_OF_WAY = {"one": 3, "each": 1, "held": 2}  # a law's gains -> functions asked by `make test`
+SIZE_OF_WAY = {"one": 3, "each": 1, "held": None}  # a law's gains -> functions of `make test`
 
 
 def often(case):
@@ -121,7 +121,7 @@ def often(case):
         return True
     way = kind.rpartition("-")[2]
     if way in SIZE_OF_WAY:
-        return int(N) == SIZE_OF_WAY[way]
+        return SIZE_OF_WAY[way] == int(N)
     return int(N) == 3 or (int(N) == 1 and not kind.startswith(("V-", "basis_")))
 
 

@@ -67,15 +67,6 @@ def test_run_prints_a_table_and_leaves_figures(clpt, tmp_path):
     assert len(list((tmp_path / "f").glob("figure?.png"))) == 4
 
 
-def test_a_run_repeats_itself_from_its_file(clpt, tmp_path):
-    scenario = clpt_control.paper_scenario().with_values({"run.duration": 30})
-    clpt_control.save_scenario(scenario, tmp_path / "short.toml")
-    clpt("run", tmp_path / "short.toml", "--out", tmp_path / "a.nc")
-    assert clpt("run", tmp_path / "a.nc", "--out", tmp_path / "b.nc").status == 0
-    first, again = (clpt_control.load_run(tmp_path / f"{n}.nc") for n in "ab")
-    assert first.equals(again)
-
-
 def test_init_writes_a_scenario_and_never_over_one(clpt, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     assert clpt("init").status == 0

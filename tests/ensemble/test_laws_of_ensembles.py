@@ -18,12 +18,11 @@ EACH = {"parameters": 0.8, "feedback": 0.3, "feedforward": 0.5}
 HELD = {"learning.adapt_gains": False, "learning.feedback": [1, 1], "learning.feedforward": [1, 1]}
 
 
-def assert_members_are_runs(data, scenario, key, law=None):
+def assert_members_are_runs(data, scenario, *keys):
     """Each member's last errors are those of its own run."""
     theta = np.array(scenario.flow.parameters)
     for member in data.member.values:
-        value = data[key].values[member]
-        run = clpt.simulate(clpt.closed_loop(scenario.with_values({key: value}), law=law))
+        run = clpt.simulate(scenario.with_values({k: data[k].values[member] for k in keys}))
         error = np.abs(run.flow_parameters_estimate.values[-1] - theta).max()
         assert float(data.flow_parameter_error[member, -1]) == pytest.approx(error, rel=1e-6)
         if "gain_error" not in data:
@@ -50,33 +49,23 @@ def test_gains_vary_one_by_one(quick, values, key):
 
 
 @pytest.mark.parametrize("name", LAWS)
-def test_every_law_makes_ensembles(quick, name):
-    given = LAWS[name].given_estimate
+def test_every_law_makes_ensembles_and_its_settings_vary(quick, name):
+    law = LAWS[name]
     values = {
         "learning.law": name,
-        "learning.theta_estimate": [[0.9, 0.5, 0.7]] * 2 if given else None,
+        "learning.theta_estimate": [[0.9, 0.5, 0.7]] * 2 if law.given_estimate else None,
         "learning.parameters": None,
-        "learning.gain": 0.8,
-        **(AT_FIXES if LAWS[name].at_fixes else {}),
+        **(AT_FIXES if law.at_fixes else {"learning.gain": 0.8}),
     }
+    varied = {"localization.interval" if law.at_fixes else "learning.gain": "0.2:2.0"}
+    for setting in [key for key, one in law.settings.items() if one.allowed == "positive"][:1]:
+        key, usual = f"learning.{law.table}.{setting}", law.settings[setting].default
+        if usual is None:  # made of the scenario's other keys; a plain default need not be named
+            usual = values[key] = 0.5
+        varied[key] = f"[{usual}, {2 * usual}]"
     scenario = quick.with_values(values)
-    key = "localization.interval" if LAWS[name].at_fixes else "learning.gain"
-    data = run_ensemble(scenario, f"{key}=0.2:2.0", 3, samples=20)
-    assert_members_are_runs(data, scenario, key)
-
-
-@pytest.mark.parametrize("name", [name for name, law in LAWS.items() if law.settings])
-def test_settings_vary(quick, name):
-    law = LAWS[name]
-    setting = next(key for key, one in law.settings.items() if one.allowed == "positive")
-    key, usual = f"learning.{law.table}.{setting}", law.settings[setting].default
-    values = {"learning.law": name, "learning.parameters": None}
-    values |= AT_FIXES if law.at_fixes else {}
-    if usual is None:  # made of the scenario's other keys
-        usual = values[key] = 0.5
-    scenario = quick.with_values(values)  # a plain default need not be named
-    data = run_ensemble(scenario, f"{key}=[{usual}, {2 * usual}]", 2, design="grid", samples=20)
-    assert_members_are_runs(data, scenario, key)
+    data = run_ensemble(scenario, [f"{k}={v}" for k, v in varied.items()], 3, samples=20)
+    assert_members_are_runs(data, scenario, *varied)
 
 
 @pytest.mark.parametrize(

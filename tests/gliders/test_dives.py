@@ -14,7 +14,6 @@ from hypothesis import strategies as st
 from clpt_control.gliders.dive_files import read_dive_file, read_dives
 from clpt_control.gliders.dive_table import OPTIONAL, sample_dives, write_dive_table
 from clpt_control.gliders.dives import make_dive
-from clpt_control.gliders.usable_dives import usable
 
 TABLE = [field.name for field in fields(make_dive(1, (0, 0, 0), (1, 0, 0), (0, 0)))]
 TABLE = [name for name in TABLE if name not in ("track", "notes", "vehicle")]
@@ -97,25 +96,6 @@ def test_the_current_of_the_file_to_the_digit_as_its_maker_computes_it(dives, fo
         assert current == pytest.approx((dive.dac_east, dive.dac_north), abs=1e-6)
 
 
-def test_clpe_without_flow_and_with_the_previous_current(facts):
-    used, skipped = usable(read_dives(facts / "glider" / "sg542_2016_dives.csv")[0])
-    assert len(used) == 14
-    assert not skipped
-    miss = np.array([(dive.miss_east, dive.miss_north) for dive in used])
-    duration = np.array([[dive.duration] for dive in used])
-    previous = miss - np.vstack([[0, 0], (miss / duration)[:-1]]) * duration
-
-    def rms(error):
-        return np.sqrt(np.mean(np.sum(error**2, 1)))
-
-    assert rms(miss) == pytest.approx(1950, abs=1)
-    assert rms(previous) == pytest.approx(1407, abs=1)  # the first dive with no flow
-    # over the 13 dives that have a previous one: the figures of the data's description
-    assert rms(miss[1:]) == pytest.approx(1853, abs=1)
-    assert rms(previous[1:]) == pytest.approx(1213, abs=1)
-    assert rms(previous[3:]) == pytest.approx(1167, abs=1)
-
-
 def test_tracks_run_from_fix_to_fix(dives):
     for dive in dives:
         time, east, north = dive.track
@@ -129,10 +109,12 @@ def test_the_shipped_table_is_that_of_the_files(dives):
     same_table(sample_dives()[:6], dives, 1e-11)  # the sums of the drawn files, to rounding
 
 
+@pytest.mark.slow
 def test_the_shipped_table_is_that_of_the_whole_files(shared):
     same_table(sample_dives(), read_dives(shared / "glider" / "basestation")[0], 0)
 
 
+@pytest.mark.slow
 def test_the_facts_are_those_of_the_whole_files(facts, shared):
     for vehicle, count in (("basestation", 14), ("sg171", 10)):
         drawn, whole = (read_dives(root / "glider" / vehicle)[0] for root in (facts, shared))

@@ -141,6 +141,7 @@ def test_the_variation_of_the_command_line_turns_magnetic_headings(clpt, facts, 
     assert (status, "no dive here has its dead reckoning from a magnetic" in err) == (2, True)
 
 
+@pytest.mark.slow
 def test_a_whole_early_mission_has_32_good_long_dives(clpt, shared):
     path = shared / "glider" / "og1" / OG1
     assert len(usable(read_dives(path)[0])[0]) == 35

@@ -51,9 +51,7 @@ def scenario_of(N, law, disturbed):
     ("N", "law", "disturbed"),
     [
         (1, "learned-flow", True),
-        (2, "known-flow", False),
-        (3, "known-flow", True),
-        (9, "learned-flow", False),
+        (3, "known-flow", False),
         (30, "learned-flow", True),
     ],
 )
@@ -85,14 +83,8 @@ def test_kernels_and_disturbances_run_natively(kernel, kind):
     runs = [clpt.simulate(scenario, engine=engine) for engine in ("native", "python")]
     for name in ("position", "clpe", "alpha", "true_flow", "lyapunov"):
         np.testing.assert_allclose(runs[0][name], runs[1][name], rtol=1e-8, atol=1e-9)
-    assert runs[0].attrs["solver_restarts"] == runs[1].attrs["solver_restarts"]
-
-
-def test_the_same_steps_in_python():
-    scenario = clpt.paper_scenario().with_values({"run.duration": 200})
-    native, python = (clpt.simulate(scenario, engine=e).attrs for e in ("native", "python"))
     for name in ("solver_steps", "solver_restarts"):
-        assert native[name] == python[name]
+        assert runs[0].attrs[name] == runs[1].attrs[name]
 
 
 def test_order_of_convergence():

@@ -110,7 +110,8 @@ def test_texts_of_a_figure_stay_texts(page):
     assert "gain (1/s)" in texts
 
 
-def test_nothing_of_a_run_is_markup(run):
+def test_nothing_of_a_run_is_markup(run, monkeypatch):
+    monkeypatch.setattr("clpt_control.pages.page.inline_svg", lambda *_: "")
     scenario = run.attrs["scenario"].replace("Two waypoints", EVIL.replace('"', '\\"'))
     bad = run.assign_attrs(title=EVIL, message=EVIL, status=EVIL, software=EVIL, scenario=scenario)
     read = checked(page_html(page_of(bad)))

@@ -10,8 +10,9 @@ from types import SimpleNamespace
 import pytest
 from processes import CLPT, GUARD, await_line, started, without_progress
 from synthetic_vehicle import one_file_each
+from typer.testing import CliRunner
 
-from clpt_control.cli import replay_report
+from clpt_control.cli import application, replay_report
 from clpt_control.gliders.dive_table import sample_dives
 
 RESULTS = (
@@ -75,8 +76,8 @@ main()
 def sizes(tmp_path_factory):
     """How large the results are on this machine."""
     folder = tmp_path_factory.mktemp("whole")
-    words = ("replay", "--sample", "--json", "--out", folder)
-    subprocess.run([*CLPT, *words], check=True, capture_output=True)
+    words = ["replay", "--sample", "--json", "--out", str(folder)]
+    assert CliRunner().invoke(application(), words).exit_code == 0
     return {name: (folder / name).stat().st_size for name in RESULTS}
 
 

@@ -85,13 +85,6 @@ def test_one_by_one_is_all_at_once(estimator):
     assert replay_dataset(single).identical(at_once)
 
 
-def test_asking_for_a_forecast_changes_nothing():
-    dives = vehicle(6, 5)
-    replay = replay_dives(dives[:4])
-    before = replay.forecast(dives[4])
-    assert all(map(np.array_equal, before, replay.forecast(dives[4])))
-
-
 def test_mistakes_are_sentences():
     with pytest.raises(ScenarioError, match="must begin with steady"):
         FixModel(("M2",))

@@ -190,15 +190,6 @@ def test_members_of_an_ensemble_are_runs(lanes):
         np.testing.assert_allclose(alpha, run.alpha, rtol=0, atol=1e-9)
 
 
-def test_a_run_with_fixes_repeats_from_its_file(tmp_path):
-    scenario = PAPER.with_values({"run.duration": 30.0, "localization.dropouts": 0.2})
-    run = clpt.simulate(scenario)
-    clpt.save_run(run, tmp_path / "run.nc")
-    again = clpt.load_scenario(tmp_path / "run.nc")
-    assert again == scenario
-    np.testing.assert_array_equal(clpt.simulate(again).alpha, run.alpha)
-
-
 REFUSED = {
     "localization.interval": ({"learning.law": "learned-flow", "learning.gain": 0.8}, "fix-reg"),
     "learning.law": ({"localization": None}, "learns at fixes; give localization.interval"),

@@ -1,7 +1,7 @@
-"""Six scenarios against an independent simulation at a tolerance of 1e-12.
+"""python-control's own solver gives the same run; `cli/test_cli` asks the independent numbers.
 
-`reference/paper.json` was made once by another program; its states are ordered
-x, z, alpha row by row, K, Gamma.
+`reference/paper.json` was made once by another program at a tolerance of 1e-12; its states are
+ordered x, z, alpha row by row, K, Gamma.
 """
 
 import json
@@ -23,17 +23,6 @@ ORDER = ("position", "predicted_position", "alpha", "feedback_gain", "feedforwar
 def states_of(run):
     """The reference's order; alpha is recorded under either law."""
     return np.hstack([run[name].values.reshape(run.sizes["time"], -1) for name in ORDER])
-
-
-@pytest.mark.parametrize("name", NAMES)
-def test_states_of_the_reference(name):
-    expected = REFERENCE[name]["states"]
-    times = [0.0, *map(float, expected)]
-    assert times[1:] == [10, 20, 100, 200, 500, 1000, 2000]
-    run = clpt.simulate(clpt.load_scenario(FOLDER / f"{name}.toml"), times)
-    ours = states_of(run)[1:]
-    for state, (time, reference) in zip(ours, expected.items(), strict=True):
-        np.testing.assert_allclose(state, reference, rtol=0, atol=1e-6, err_msg=f"t = {time}")
 
 
 def test_every_scenario_has_its_reference():

@@ -119,7 +119,15 @@ def test_a_law_that_reads_the_velocity_reads_the_flown_one(law):
     assert np.abs(error).max() < 5e-3
 
 
-@pytest.mark.parametrize("name", [name for name, law in LAWS.items() if not law.at_fixes])
+OFTEN = ("learned-flow", "composite-memory", "kalman-flow")
+EACH = [
+    pytest.param(name, marks=() if name in OFTEN else pytest.mark.slow)
+    for name, law in LAWS.items()
+    if not law.at_fixes
+]
+
+
+@pytest.mark.parametrize("name", EACH)
 def test_every_law_runs_with_a_limit_and_its_clpe_is_hedged(name):
     values = {"learning.law": name, "vehicle.max_speed": 1.5, "run.duration": 200}
     if LAWS[name].keeps_alpha:
