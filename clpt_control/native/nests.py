@@ -1,10 +1,11 @@
 """Print the nests of a program as LLVM's code."""
 
+from collections.abc import Callable
 from typing import Any
 
 from llvmlite import ir
 
-from .components import rows
+from .components import deep, rows
 from .plan import Nest, Program, Saved, Total
 from .printing import Function, called
 from .vectors import WORD, apart, constant, gathered, joined, spread, width_of
@@ -23,19 +24,23 @@ def print_program(program: Program, names: tuple[str, ...], lanes: int) -> ir.Mo
     for name in names:
         made = Function(module, name, lanes, program.constants)
         printer = _Printer(program, made, {} if name == "prepare" else program.prepared)
-        for nest in program.functions[name]:
-            printer.nest(nest)
+        with deep():
+            for nest in program.functions[name]:
+                printer.nest(nest)
         made.builder.ret_void()
     return module
 
 
 class _Printer:
-    """Prints the nests of a function, one after the other."""
+    """Prints the nests of a function, one after the other.
+
+    A value is printed when it is first asked for, where the innermost of its loops begins a turn.
+    """
 
     def __init__(self, program: Program, function: Function, prepared: dict[int, int]):
         self.all, self.function, self.prepared = program.components, function, prepared
         self.saved: dict[int, int] = {}  # what lies in W by now
-        self.values: dict[Key, list] = {}  # one, or of each turn that is worked on at once
+        self.numbers: dict[Key, list] = {}  # what is outside all loops
 
     # --- nests ----------------------------------------------------------------------------
 
@@ -43,44 +48,17 @@ class _Printer:
         """Print a nest of loops, or what is outside all of them."""
         self.now, self.inner = nest, len(nest.lengths) - 1
         self.places: list[Any] = [None] * len(nest.lengths)  # the turn of each loop
+        # of each loop: where a turn begins, and its values, of each turn that is worked on at once
+        self.begins: list[Any] = [None] * (len(nest.lengths) + 1)
+        self.values: list[dict[Key, list]] = [{} for _ in self.begins]
         self.vector = nest.vector if nest.lengths and self.function.lanes == 1 else -1
         if self.vector >= 0:
             self.function.widen(nest.lengths[self.vector])
         self.totals = [item for item in nest.items if isinstance(item, Total)]
-        self.needed: list[list[Key]] = [[] for _ in range(len(nest.lengths) + 1)]
-        seen: set[Key] = set()
-        for item in nest.items:
-            self.need(item.value, seen)
         self.within(0, [])
-        for key in [key for key in self.values if key[1] or key[2]]:
-            del self.values[key]
         for item in nest.items:
             if isinstance(item, Saved) or (isinstance(item, Total) and item.place >= 0):
                 self.saved[item.component] = item.place
-
-    def need(self, value: Any, seen: set[Key]) -> None:
-        """Note what a value needs, in the order of computing, each within its own loops."""
-        if type(value) is not tuple:
-            return
-        stack: list[tuple[Key, bool]] = [((*value, self.vector >= 0), False)]
-        while stack:
-            key, ready = stack.pop()
-            if ready:
-                self.needed[max(key[1], default=-1) + 1].append(key)
-            elif key not in seen and key not in self.values:
-                seen.add(key)
-                stack += [(key, True), *((k, False) for k in reversed(self.made_of(key)))]
-
-    def made_of(self, key: Key) -> list[Key]:
-        """Return the values that one is made of."""
-        c, turns, wide = key
-        if wide and self.vector not in turns:
-            return [(c, turns, False)]
-        if self.read(c) is not None:
-            return []
-        arguments = [a for a in self.all[c].arguments if type(a) is tuple]
-        own = [(a, tuple([turns[k] for k in axes]), wide) for a, axes in arguments]
-        return [key for key in own if self.all[key[0]].name != "table"]
 
     def read(self, c: int) -> tuple[str, int, tuple[int, ...]] | None:
         """Return array, first place and strides of a component that is read."""
@@ -93,8 +71,7 @@ class _Printer:
 
     def within(self, depth: int, sums: list) -> list:
         """Print what is within so many loops; return the sums over the last."""
-        for key in self.needed[depth]:
-            self.values[key] = self.value(key)
+        self.begins[depth], self.values[depth] = self.function.builder.block, {}
         if depth > self.inner:
             return self.items(sums)
         # zeros are among what is masked
@@ -125,15 +102,14 @@ class _Printer:
 
     def items(self, sums: list) -> list:
         """Print what turns of all loops do, one after the other; return the sums."""
-        turns = tuple(range(self.inner + 1))
+        turns, wide = tuple(range(self.inner + 1)), self.vector >= 0
+        values = [self.argument(item.value, turns, wide) for item in self.now.items]
         for k, place in enumerate(self.together(self.inner)):
             found: list[Any] = []
-            for item in self.now.items:
-                own = self.argument(item.value, turns, self.vector >= 0)
+            for item, own in zip(self.now.items, values, strict=True):
                 value = own[k % len(own)]
                 if isinstance(item, Total):
-                    held = sums[len(found)]
-                    found.append(self.function.summed(held, value))
+                    found.append(self.function.summed(sums[len(found)], value))
                 elif isinstance(item, Saved):
                     strides = rows(self.all[item.component].lengths)
                     self.store(value, "W", item.place, strides, place)
@@ -149,7 +125,7 @@ class _Printer:
         if self.inner:
             self.store(value, "W", total.place, rows(self.all[total.component].lengths))
         else:
-            self.values[total.component, (), False] = [value]
+            self.numbers[total.component, (), False] = [value]
 
     # --- values ---------------------------------------------------------------------------
 
@@ -163,28 +139,40 @@ class _Printer:
         return place if type(place) is tuple else (place,)
 
     def value(self, key: Key) -> list:
-        """Print a value, of each turn that is worked on at once."""
-        c, turns, wide = key
+        """Return a value, of each turn that is worked on at once."""
+        _, turns, wide = key
+        depth = max(turns, default=-1) + 1
+        known = self.values[depth] if depth or wide else self.numbers
+        if key not in known:
+            printed = self.printed(*key)
+            with self.function.builder.goto_block(self.begins[depth]):
+                known[key] = printed()
+        return known[key]
+
+    def printed(self, c: int, turns: tuple[int, ...], wide: bool) -> Callable[[], list]:
+        """Return what prints a value; what that is made of has been printed."""
         builder, width = self.function.builder, self.width(wide)
         if wide and self.vector not in turns:
-            return [spread(builder, one, width) for one in self.values[c, turns, False]]
+            own = self.value((c, turns, False))
+            return lambda: [spread(builder, one, width) for one in own]
         read = self.read(c)
         if read is not None:
             array, first, strides = read
             stride = self.stride(turns, strides) if wide else None
             moves = [self.moves(turns, strides, place) for place in self.together(*turns)]
-            return [self.function.load(array, first, one, stride) for one in moves]
+            return lambda: [self.function.load(array, first, one, stride) for one in moves]
         name, arguments, _ = self.all[c]
         if name == "lookup":
-            table = self.all[arguments[1][0]].arguments[:4]
-            return [self.lookup(one, *table) for one in self.argument(arguments[0], turns, wide)]
-        return called(builder, name, width, [self.argument(a, turns, wide) for a in arguments])
+            table, index = self.all[arguments[1][0]], self.argument(arguments[0], turns, wide)
+            return lambda: [self.lookup(one, *table.arguments[:4]) for one in index]
+        given = [self.argument(a, turns, wide) for a in arguments]
+        return lambda: called(builder, name, width, given)
 
     def argument(self, a: Any, turns: tuple[int, ...], wide: bool) -> list:
-        """Return an argument: a constant, or what has been computed."""
+        """Return an argument: a constant, or what is computed."""
         if type(a) is not tuple:
             return [constant(a, self.width(wide))]
-        return self.values[a[0], tuple([turns[k] for k in a[1]]), wide]
+        return self.value((a[0], tuple([turns[k] for k in a[1]]), wide))
 
     def moves(self, turns: Any, strides: tuple[int, ...], place: Any) -> list[tuple[Any, int]]:
         """Return the turns of loops with how far each moves on; `place` is that of the inner."""
