@@ -172,6 +172,7 @@ def right(tmp_path_factory):
         "Replay.forecast": {"self": replay},
         "Replay.step": {"self": clpt.replay.replay_dives(DIVES[:3]), "dive": DIVES[5]},
         "Scenario": tomllib.loads((folder / "s.toml").read_text()),
+        "Scenario.basis_block": {"self": SCENARIO},
         "Scenario.with_values": {"self": SCENARIO},
         "Team": {"coupling": 0.5, "edges": [("a", "b")], "members": {"a": SCENARIO, "b": SCENARIO}},
         "Team.neighbours": {"self": TEAM},

@@ -11,7 +11,6 @@ import sys
 import uuid
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from itertools import islice
 from multiprocessing import resource_tracker
 from pathlib import Path
 from typing import Any
@@ -101,25 +100,19 @@ def run_on_cluster(
     with connected(address, workers) as client:
         from distributed import KilledWorker, as_completed
 
-        token, waiting = uuid.uuid4().hex[:12], iter(missing)
-
-        def submitted(index: int) -> Any:
-            return client.submit(
-                run_chunk,
-                worker.recipe,
-                worker.code,
-                str(store.path),
-                index,
-                pure=False,
-                retries=RETRIES,
-                key=f"clpt-ensemble-{token}-{index}",
-            )
-
-        slots = 2 * max(workers, sum(client.nthreads().values())) + 2
-        given = {submitted(index): index for index in islice(waiting, slots)}
-        running = as_completed(list(given))
+        futures = client.map(
+            run_chunk,
+            missing,
+            recipe=worker.recipe,
+            code=worker.code,
+            path=str(store.path),
+            pure=False,
+            retries=RETRIES,
+            key=[f"clpt-ensemble-{uuid.uuid4().hex[:12]}-{index}" for index in missing],
+        )
+        given = dict(zip(futures, missing, strict=True))
         try:
-            for future in running:
+            for future in as_completed(futures):
                 check()
                 if future.status == "error":
                     raise future.exception(timeout=PATIENCE)
@@ -129,10 +122,6 @@ def run_on_cluster(
                     raise SimulationError(f"dask: chunk {index} did not reach {store.path}")
                 done += store.range(index)[1] - store.range(index)[0]
                 report(done)
-                for following in islice(waiting, 1):
-                    future = submitted(following)
-                    given[future] = following
-                    running.add(future)
         except KilledWorker:
             raise SimulationError(
                 "dask: a chunk was lost with its worker again and again (out of memory?); "
@@ -144,7 +133,7 @@ def run_on_cluster(
             raise
 
 
-def run_chunk(recipe: Recipe, code: str, path: str, index: int) -> int:
+def run_chunk(index: int, recipe: Recipe, code: str, path: str) -> int:
     """Run one chunk on a worker and write it; `code` must be that of the one who asks."""
     worker = worker_of(recipe)
     if worker.code != code:

@@ -32,18 +32,17 @@ def draw_members(
     """Draw the members' values: key -> array, shape (members,) + the key's shape."""
     if design not in DESIGNS:
         raise ScenarioError(f"design = '{design}': must be one of {', '.join(DESIGNS)}")
-    for name, value, least in (("members", members, 1), ("seed", seed, 0)):
-        if not isinstance(value, int | np.integer) or isinstance(value, bool) or value < least:
-            raise ScenarioError(f"{name} = {value}: must be a whole number, at least {least}")
+    if members < 1:
+        raise ScenarioError(f"members = {members}: must be a whole number, at least 1")
     base = variable_values(scenario)
-    count = int(members) * sum(1 if one.kind == "levels" else base[one.key].size for one in varies)
+    count = members * sum(1 if one.kind == "levels" else base[one.key].size for one in varies)
     if count > MOST_NUMBERS:
         raise ScenarioError(
             f"members = {members}: would draw {Decimal(count).normalize():.3g} numbers; at most "
             f"{MOST_NUMBERS:.0e} are allowed"
         )
     if design == "grid":
-        shares = iter(_grid_shares(varies, base, int(members)))
+        shares = iter(_grid_shares(varies, base, members))
     else:
         shares = (_shares(one, base[one.key].size, members, design, seed) for one in varies)
     values = {one.key: _values(one, base[one.key], next(shares)) for one in varies}

@@ -118,7 +118,7 @@ def run_ensemble(
     >>> data["gain_error"].dims, data["status"].values
     (('member', 'mark'), array([1, 1, 1], dtype=int8))
     """
-    if threads is not None and (not isinstance(threads, int) or threads < 1):
+    if threads is not None and threads < 1:
         raise ScenarioError(f"threads = {threads}: must be a whole number, at least 1")
     if dask is not None and out is None:
         raise ScenarioError("dask: needs out, a folder that all workers can reach")
@@ -140,20 +140,20 @@ def run_ensemble(
         tuple(values),
         per_cycle,
         marks,
-        bool(trajectories),
+        trajectories,
         b"" if changes == UNCHANGED else pickled(changes, dask is not None),
     )
     worker = Worker(recipe)
-    arrays = kept_arrays(worker.scenario, worker.times, int(members), recipe.trajectories)
+    arrays = kept_arrays(worker.scenario, worker.times, members, trajectories)
     asked = {
         "scenario": scenario_to_text(scenario, None if path is None else path.parent),
         "vary": [one.text for one in varies],
         "keys": [one.key for one in varies],
-        "members": int(members),
+        "members": members,
         "design": design,
-        "seed": int(seed),
-        "chunk": min(_chunk(chunk, arrays), int(members)),
-        "trajectories": recipe.trajectories,
+        "seed": seed,
+        "chunk": min(_chunk(chunk, arrays), members),
+        "trajectories": trajectories,
         "samples": per_cycle,
         "times": list(marks),
         "law": named(changes),
@@ -234,7 +234,7 @@ def _chunk(chunk: int | None, arrays: Mapping[str, Array]) -> int:
     if chunk is None:
         own = sum(8 * int(np.prod(v.shape[1:])) for v in arrays.values() if "time" in v.dims)
         chunk = max(1, min(CHUNK, CHUNK_BYTES // own)) if own else CHUNK
-    if not isinstance(chunk, int) or isinstance(chunk, bool) or chunk < 1:
+    if chunk < 1:
         raise ScenarioError(f"chunk = {chunk}: must be a whole number, at least 1")
     return chunk
 

@@ -50,7 +50,7 @@ def samples_per_cycle(scenario: Scenario, samples: int | None = None) -> int:
     if samples is None:
         cycles = scenario.run.duration / scenario.cycle
         return min(SAMPLES_PER_CYCLE, max(200, int(MOST_SAMPLES / max(cycles, 1))))
-    if not isinstance(samples, int) or isinstance(samples, bool) or samples < FEWEST:
+    if samples < FEWEST:
         raise ScenarioError(f"samples = {samples}: must be a whole number, at least {FEWEST}")
     if samples * max(1.0, scenario.run.duration / scenario.cycle) > MOST_TIMES:
         raise ScenarioError(f"samples = {samples}: more than {MOST_TIMES:.0e} in a run; take fewer")

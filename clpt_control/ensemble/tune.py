@@ -121,7 +121,7 @@ def tune_law(
         if name not in LAWS:
             raise ScenarioError(f"laws: '{name}' is no law; `clpt laws` lists them")
     for word, value, least, most in (("members", members, 3, 10**5), ("seed", seed, 0, 2**31)):
-        if not isinstance(value, int) or not least <= value <= most:
+        if not least <= value <= most:
             raise ScenarioError(f"{word} = {value}: must be a whole number, {least} to {most}")
     needed("zarr")
     unknown = unknown_of(scenario, prior, unmodelled, members)

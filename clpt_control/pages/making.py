@@ -124,10 +124,6 @@ def page_of(data: "xarray.Dataset", title: str | None = None) -> "Page":
     """Return the page of a run, of a team's run or of an ensemble."""
     from ..scenario.team import system_of_run
 
-    if not hasattr(data, "attrs") or not hasattr(data, "dims"):
-        raise DataError(
-            f"{data!r:.60}: must be a run, an ensemble or a replay; clpt.load_run reads a run"
-        )
     if is_ensemble(data):
         from .ensemble_page import ensemble_page
 

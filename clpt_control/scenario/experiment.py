@@ -205,8 +205,26 @@ class Scenario(Table):
             self.vehicle.max_speed is not None,
         )
 
+    @public
     def basis_block(self, position: str = "x") -> Block:
-        """Return phi(x, t), Eq. (5), which reads a position."""
+        """Return the block phi(x, t) of Eq. (5).
+
+        Parameters
+        ----------
+        position : str, optional
+            The port that it reads.
+
+        Returns
+        -------
+        Block
+            A static block with the output ``phi_x``, or of another position.
+
+        Examples
+        --------
+        >>> import clpt_control as clpt
+        >>> clpt.paper_scenario().basis_block("z").output_ports
+        {'phi_z': 3}
+        """
         own = self.basis
         functions = (own.centers, own.widths, self.frequencies, self.phases)
         return flow_basis(f"basis_{position}", position, own.kernel, *functions)

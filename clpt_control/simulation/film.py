@@ -126,7 +126,7 @@ def check_options(path: str | Path | None, seconds: float, fps: float, width: in
         ("fps", fps, 1, 50),
         ("width", width, NARROW, WIDE),
     ):
-        if not isinstance(value, int | float) or not low <= value <= high:
+        if not low <= value <= high:
             raise ClptError(f"{name} = {value!r:.60}: must be a number from {low:g} to {high:g}")
     if seconds * fps > MOST:
         raise ClptError(f"seconds x fps = {seconds * fps:.0f} frames; at most {MOST} are made")

@@ -97,7 +97,7 @@ def track_plot(run: "xarray.Dataset", *, ax: "Axes | None" = None) -> "Axes":
 def square_chart(
     ax: Any, scenario: Scenario, path: np.ndarray, count: int
 ) -> tuple[np.ndarray, float]:
-    """Let axes be a square about waypoints and track; return places on it, and half its side."""
+    """Make axes a square about waypoints and track; return places on it, and half its side."""
     seen, unit = np.concatenate([scenario.waypoints, path]), scenario.units.length
     low, high = seen.min(0), seen.max(0)
     middle, half = (low + high) / 2, 0.62 * (max(high - low) or 1.0)
@@ -313,8 +313,7 @@ def response_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
     >>> run = clpt.simulate(loop, [0.0, 1.0, 2.0])
     >>> x, e = clpt.simulation.response_plot(run[["position", "clpe"]])
     """
-    signals = getattr(run, "data_vars", {}).items()
-    ports = [str(n) for n, one in signals if "time" in one.dims and n != STATES]
+    ports = [str(n) for n, one in run.data_vars.items() if "time" in one.dims and n != STATES]
     if not 0 < len(ports) <= PORTS:
         raise DataError(
             f"the run has {len(ports)} signals along time; one picture shows 1 to {PORTS}: choose "

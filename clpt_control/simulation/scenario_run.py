@@ -114,8 +114,6 @@ def _into_keys(
     scenario: Scenario, params: Mapping[str, Any] | None, x0: Any
 ) -> tuple[Scenario, dict[str, Any]]:
     """Put call-time values into the scenario where keys hold them; return it and what is left."""
-    if params is not None and not isinstance(params, Mapping):
-        raise BlockError(f"params = {params!r}: must be a dict, such as {{'adaptation.gain': 2.0}}")
     left = dict(params or {})
     if x0 is None and not left:
         return scenario, left

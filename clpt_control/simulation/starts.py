@@ -14,7 +14,6 @@ from ..diagrams.parts import output_ports
 from ..equations.block import Block
 from ..equations.linear import is_linear
 from ..errors import DataError, DiagramError
-from ..native.schedule import numbers
 from ..scenario.experiment import Scenario
 from ..scenario.quantities import STARTS
 from .loops import paper_blocks
@@ -153,14 +152,11 @@ def state_at(run: "xarray.Dataset", t: float) -> np.ndarray:
     >>> clpt.state_at(clpt.simulate(scenario), 20).shape
     (14,)
     """
-    if "states" not in getattr(run, "variables", ()):
+    if "states" not in run.variables:
         raise DataError(f"{run!r:.60}: carries no states; a run that clpt.simulate gives does")
-    times, wanted = run.time.values, numbers("t", t)
-    if wanted.ndim:
-        raise DataError(f"t: must be one number; it has shape {wanted.shape}")
-    at = float(wanted)
-    k = int(np.abs(times - at).argmin()) if len(times) and np.isfinite(at) else -1
-    if k < 0 or abs(times[k] - at) > 1e-12 * max(1.0, abs(at)):
+    times = run.time.values
+    k = int(np.abs(times - t).argmin()) if len(times) and np.isfinite(t) else -1
+    if k < 0 or abs(times[k] - t) > 1e-12 * max(1.0, abs(t)):
         near = f"; the nearest of its times is {times[k]:.9g}" if k >= 0 else ""
         raise DataError(
             f"t = {t}: the run has no sample there{near}; simulate it with timepts that hold t"
