@@ -79,7 +79,15 @@ def wrong_values():
 
 
 CALLED = ("progress", "inputs")  # what a function of the user's own raises is its own error
-LONG = ("audit", "design_track", "disturbance_counterexample", "prove", "run_ensemble", "tune_law")
+LONG = (
+    "animate",
+    "audit",
+    "design_track",
+    "disturbance_counterexample",
+    "prove",
+    "run_ensemble",
+    "tune_law",
+)
 LISTS = ("conformance",)  # a sentence for each failure
 OF_THE_ENGINE = (  # called at each step, and checked by no one
     *("Block.values", "Block.array_record", "Block.parameters_at", "Block.interval_at"),

@@ -11,7 +11,8 @@ QUICK = ("--generations", "1", "--window", "60", "--start", "60")
 
 
 @pytest.fixture
-def paper(tmp_path):
+def paper(tmp_path, monkeypatch):
+    monkeypatch.setattr("clpt_control.theory.designing.search.CLIMBS", 5)
     file = tmp_path / "paper.toml"
     scenario = clpt_control.paper_scenario().with_values({"run.duration": 200})
     clpt_control.save_scenario(scenario, file)

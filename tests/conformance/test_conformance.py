@@ -19,7 +19,7 @@ from clpt_control.native import printing, vectors
 
 @pytest.mark.parametrize("case", EACH)
 def test_package_block_conforms(case):
-    conformance(BLOCKS[case])
+    conformance(BLOCKS[case], samples=8)
 
 
 def test_docstrings_name_the_equation():
