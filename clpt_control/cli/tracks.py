@@ -65,6 +65,13 @@ def design(
     window: Window = None,
     start: Start = None,
     level: float | None = opt("ERROR", "Error that ends the learning time; default: a tenth."),
+    goal: str = opt(
+        "GOAL",
+        "law: the scenario's own learns soonest; kappa: the largest smallest eigenvalue.",
+        "--for",
+        default="law",
+        words=("law", "kappa"),
+    ),
     seed: int = opt("NUMBER", "Seed of the search.", default=0),
     generations: int = opt("COUNT", "Generations of the search.", default=60),
     figure: Path | None = opt("FILE", ".png, .pdf or .svg: old and new track."),
@@ -92,6 +99,7 @@ def design(
             window=window,
             start=start,
             level=level,
+            goal=goal,
             seed=seed,
             generations=generations,
             progress=report,
@@ -119,6 +127,7 @@ def _rows(report: dict[str, Any]) -> list[list[str]]:
     length, time = report["units"]["length"], report["units"]["time"]
     names = [
         ("smallest_eigenvalue", "smallest eigenvalue"),
+        ("ceiling", "its ceiling where the vehicle moves so"),
         ("of_the_run", f"of the run with {report['law']} (clpt excitation)"),
         ("closed_length", f"closed length ({length})"),
         ("largest_speed", f"largest speed through the water ({length}/{time})"),
@@ -131,7 +140,7 @@ def _rows(report: dict[str, Any]) -> list[list[str]]:
     ]
     rows = []
     for key, name in names:
-        if key in report["after"]:
+        if key in report["after"] and (key != "ceiling" or report["after"][key] is not None):
             cells = [_cell(key, report[track][key]) for track in ("before", "after")]
             rows.append([name, *cells])
     return rows
@@ -150,25 +159,28 @@ def _cell(key: str, value: Any) -> str:
 def _sentences(report: dict[str, Any]) -> list[str]:
     before, after, ratio = report["before"], report["after"], report["ratio"]
     times = "" if ratio is None else f", {ratio:.3g} times"
+    law = report["law"] if report["goal"] == "law" else None
     said = [
-        f"the smallest eigenvalue rose from {before['smallest_eigenvalue']:.4g} to "
-        f"{after['smallest_eigenvalue']:.4g}{times}, the best of {report['tracks_tried']} tracks"
+        f"the smallest eigenvalue {'is' if law else 'rose from'} "
+        f"{before['smallest_eigenvalue']:.4g} {'before and' if law else 'to'} "
+        f"{after['smallest_eigenvalue']:.4g}{' after' if law else times}, the best "
+        f"{f'for {law} ' if law else ''}of {report['tracks_tried']} tracks"
     ]
-    if ratio is not None and ratio <= 1:
+    if report["own_track_kept"] or (law is None and ratio is not None and ratio <= 1):
+        better = f"on which {law} learns sooner" if law else "better"
         said = [
-            "no better track was found within these limits; give more generations, or allow "
-            "more length, speed or area"
+            f"no track {better} was found within these limits, so it stays as it is; give more "
+            "generations, or allow more length, speed or area"
         ]
     if after["of_the_run"] < before["of_the_run"]:
         said.append(
             f"along the run with {report['law']} it fell: there the learner's own errors excite"
         )
     if "level" in after:
-        if slower(before["learning_time"], after["learning_time"]):
+        if law is None and slower(before["learning_time"], after["learning_time"]):
             said.append(
-                f"{report['law']} is no faster there: the eigenvalue says what the track shows, "
-                "and a law that keeps what it was shown, or K and Gamma held, makes use of it; "
-                "`clpt tune` compares laws"
+                f"{report['law']} is no faster there: the eigenvalue says what the track shows; "
+                "--for law asks what this law makes of it"
             )
         said.append(
             f"the learning time ends where every flow parameter stays within "

@@ -67,6 +67,8 @@ def excitation_result(report: dict[str, Any]) -> Result:
         if len(shown) > MOST:
             shown = [*shown[:6], "...", *shown[-3:], f"({len(values)} in all)"]
         rows.append([f"{axis}: eigenvalues", ", ".join(shown)])
+        if axis in report["ceilings"]:
+            rows.append([f"{axis}: ceiling of the smallest", f"{report['ceilings'][axis]:.4g}"])
         parts = sorted(report["least_excited"][axis].items(), key=lambda part: -abs(part[1]))[:8]
         listed = ", ".join(f"{name} {share:+.2f}" for name, share in parts)
         rows.append([f"{axis}: least excited direction", listed])
@@ -82,7 +84,13 @@ def excitation_result(report: dict[str, Any]) -> Result:
         ]
     if "accuracy" in report:
         rows.append(["accuracy of the eigenvalues", f"{report['accuracy']:.2g} relative"])
-    return Result(title, ["", ""], rows, report["not_learnable"])
+    said = list(report["not_learnable"])
+    if report["ceilings"]:
+        said.append(
+            "the ceiling of an axis is int (x' + KD e)^2 dt / (|theta - alpha_M|^2 + KD^2 + "
+            "GammaD^2): a vehicle that waits teaches nothing"
+        )
+    return Result(title, ["", ""], rows, said)
 
 
 def _of_a_team(report: dict[str, Any]) -> tuple[list[list[str]], list[str]]:

@@ -7,7 +7,7 @@ from pictures import inked
 
 import clpt_control
 
-QUICK = ("--generations", "1", "--window", "60", "--start", "60")
+QUICK = ("--generations", "1", "--window", "60", "--start", "60", "--for", "kappa")
 
 
 @pytest.fixture

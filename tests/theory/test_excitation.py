@@ -314,3 +314,63 @@ def test_of_many_eigenvalues_the_command_shows_some(clpt, tmp_path, paper):
     clpt_package.save_scenario(scenario, tmp_path / "many.toml")
     outcome = clpt("excitation", tmp_path / "many.toml", "--window", "20")
     assert outcome.out.count(", ..., ") == 2
+
+
+def test_the_eigenvalue_has_a_ceiling_that_is_how_far_the_vehicle_moves():
+    """int x'^2 dt by differences of positions, and 5.48 and 5.19 of the review."""
+    paper = clpt_package.paper_scenario().with_values({"run.duration": 400})
+    found = gramian(started_true(paper), 200.0, 200.0)
+    times = np.linspace(200.0, 400.0, 200 * 500 + 1)
+    x = clpt_package.simulate(started_true(paper), times).position.values
+    moved = np.sum(np.diff(x, axis=0) ** 2, axis=0) / (times[1] - times[0])
+    car, theta = paper.vehicle, np.array(paper.flow.parameters)
+    size = np.sum(theta**2, axis=1) + np.square(car.feedback) + np.square(car.feedforward)
+    ceilings = np.array(list(found.ceilings.values()))
+    np.testing.assert_allclose(ceilings, moved / size, rtol=1e-4)
+    np.testing.assert_allclose(ceilings, [5.48, 5.19], atol=0.005)
+    assert all(found.eigenvalues[a][0] <= found.ceilings[a] for a in found.ceilings)
+
+
+def test_the_ceiling_is_an_identity_of_the_blocks():
+    """w^T c = x' + KD e, at random states of the running diagram."""
+    run = clpt_package.paper_scenario().with_values(
+        {"model.parameters": [[0.3, 0.1, 0.2], [0.2, 0.7, 0.4]], "vehicle.feedback": [1.5, 0.7]}
+    )
+    truth, loop = gramian(started_true(run), 20.0, 100.0).truth, clpt_package.closed_loop(run)
+    rng = np.random.default_rng(2)
+    for t in rng.uniform(0, 100, 20):
+        state = rng.normal(size=loop.nstates)
+        rate = dict(zip(loop.state_labels, loop.dynamics(t, state, []), strict=True))
+        seen = dict(zip(loop.output_labels, loop.output(t, state, []), strict=True))
+        for i, c in enumerate(truth.values()):
+            w = [seen[f"phi_x[{k}]"] for k in range(3)] + [seen[f"z[{i}]"], seen[f"zc[{i}]"]]
+            moved = next(
+                rate[name] for name in rate if name.endswith(f"x[{i}]") and "vehicle" in name
+            )
+            assert w @ c == pytest.approx(moved + run.vehicle.feedback[i] * seen[f"e[{i}]"])
+
+
+def test_a_vehicle_that_waits_teaches_nothing():
+    still = {
+        "flow.parameters": [[0, 0, 0], [0, 0, 0]],
+        "reference": {"kind": "waypoints", "points": [[3, 1]], "dwell": 20},
+        "vehicle.position": [3, 1],
+        "run.duration": 40,
+    }
+    scenario = started_true(clpt_package.paper_scenario().with_values(still))
+    report = excitation_report(scenario, 20.0, 10.0)
+    assert max(report["ceilings"].values()) < 1e-15
+    assert max(values[0] for values in report["eigenvalues"].values()) < 1e-12
+
+
+@pytest.mark.parametrize(
+    "values",
+    [
+        {"vehicle.max_speed": 1.0},
+        {"flow.disturbance": {"kind": "constant", "amplitude": [0.1, 0.0]}},
+    ],
+    ids=str,
+)
+def test_where_something_else_moves_the_vehicle_there_is_no_ceiling(values):
+    scenario = clpt_package.paper_scenario().with_values({"run.duration": 60, **values})
+    assert gramian(scenario, 20.0, 20.0).ceilings == {}

@@ -1,9 +1,12 @@
 """A design: the scenario with better waypoints, and both tracks side by side.
 
-Waypoints maximise kappa_1, the smallest eigenvalue over both axes of the joint Gramian of
-Definition 3.1 where e = 0 (`tracks`), within limits (`limits`) that are kept over the whole run
-(`search`).  What is reported of both tracks beside kappa_1 comes from `gramian` and `simulate` of
-the two scenarios with their own law.
+Waypoints are for the scenario's own law, or maximise kappa_1, the smallest eigenvalue over both
+axes of the joint Gramian of Definition 3.1 where e = 0 (`tracks`), within limits (`limits`) that
+are kept over the whole run (`search`).  For the paper's two laws, which are linear in e and eta,
+the search maximises what V falls by over the window; for another law kappa_1.  Its best tracks and
+the scenario's own are then run with the law, and the one that it learns soonest on is taken.  What
+is reported of both tracks beside kappa_1 comes from `gramian` and `simulate` of the two scenarios
+with their own law.
 
 What the scenario's own law learns on a track: how soon, or how much of a measured current.
 
@@ -22,7 +25,7 @@ from ...html import facts, fragment
 from ...scenario.experiment import Scenario
 from ...simulation.flows import explained_variance
 from ...simulation.integrate import sample_times, simulate
-from ..excitation.gramian import gramian
+from ..excitation.gramian import gramian, started_true
 from ..excitation.regressor import checked_window
 from .limits import (
     Box,
@@ -36,7 +39,7 @@ from .limits import (
     own_area,
 )
 from .search import CLOSE, best_waypoints
-from .tracks import Tracks
+from .tracks import Tracks, vehicle_alone
 
 if TYPE_CHECKING:
     import xarray
@@ -52,6 +55,15 @@ class Learned(NamedTuple):
     run: "xarray.Dataset"
     error: np.ndarray | None
     summary: dict[str, Any]
+
+    @property
+    def cost(self) -> tuple[float, ...]:
+        """Less is better: learning time, error at the end, CLPE; of a field what is not told."""
+        rms = self.summary["clpe_rms_last_quarter"]
+        if self.error is None:
+            return -self.summary["explained_variance"]["box"], rms
+        time = self.summary["learning_time"]
+        return np.inf if time is None else time, self.summary["error_at_end"], rms
 
 
 def learned(scenario: Scenario, level: float | None) -> Learned:
@@ -85,6 +97,7 @@ def time_below(times: np.ndarray, values: np.ndarray, level: float) -> float | N
     return float(times[above[-1] + 1 if len(above) else 0])
 
 
+GOALS = ("law", "kappa")
 MOST_GENERATIONS = 100_000
 TRAJECTORY = "the vehicle alone in the scenario's flow, without CLPE (e = 0, z = x) and disturbance"
 
@@ -123,6 +136,7 @@ def design_track(
     max_speed: float | None = None,
     area: Box | None = None,
     box: tuple[float, float, float, float] | None = None,
+    goal: str = "law",
     count: int | None = None,
     dwell: float | None = None,
     window: float | None = None,
@@ -134,9 +148,9 @@ def design_track(
 ) -> Design:
     """Find waypoints from which most can be learned, within limits.
 
-    They maximise the smallest eigenvalue of the joint Gramian over a window, along the vehicle
-    in the scenario's flow without CLPE: where every law that works ends. The vehicle may wait:
-    waypoints may coincide.
+    For the scenario's own law, or for the smallest eigenvalue of the joint Gramian over a window,
+    along the vehicle in the scenario's flow without CLPE: where every law that works ends. The
+    vehicle may wait: waypoints may coincide.
 
     Parameters
     ----------
@@ -151,6 +165,9 @@ def design_track(
         what the scenario's own track fills.
     box : tuple of float, optional
         In place of area LAT0 LAT1 LON0 LON1, degrees, for a scenario with a field.
+    goal : str
+        ``"law"``: the scenario's own law learns soonest; its track is kept where none is better.
+        ``"kappa"``: the smallest eigenvalue, whatever the law makes of it.
     count : int, optional
         Number of waypoints; that of the scenario.
     dwell : float, optional
@@ -184,6 +201,8 @@ def design_track(
     >>> found.report["ratio"] >= 1, len(found.scenario.waypoints)
     (True, 3)
     """
+    if goal not in GOALS:
+        raise ScenarioError(f"goal {goal!r}: must be one of {', '.join(GOALS)}")
     check_numbers(scenario, length, max_speed, count, dwell, level)
     for name, value, least in (("seed", seed, 0), ("generations", generations, 1)):
         if not isinstance(value, int) or not least <= value <= MOST_GENERATIONS:
@@ -214,15 +233,23 @@ def design_track(
     )
     report = progress or (lambda share: None)
     planned = with_waypoints(scenario, around(own, count or len(own)), dwell)
-    points, runs = best_waypoints(planned, limits, span, seed, generations, report)
-    made = with_waypoints(scenario, points, dwell)
-    after = _look(made, span)
-    ran = learned(scenario, level), learned(made, level)
+    gains = linear_gains(scenario) if goal == "law" else None
+    best, runs = best_waypoints(planned, limits, span, seed, generations, report, gains)
+    tracks = [with_waypoints(scenario, one, dwell) for one in best[: None if goal == "law" else 1]]
+    ran = (
+        learned(scenario, level),
+        min((learned(one, level) for one in tracks), key=lambda one: one.cost),
+    )
+    made = ran[1].scenario
+    points, after = made.waypoints, _look(made, span)
     report(1.0)
     found: dict[str, Any] = {
         "title": scenario.title,
         "units": scenario.units.model_dump(),
         "law": scenario.learning.law,
+        "goal": goal,
+        "own_track_kept": made.reference.dwell == scenario.reference.dwell
+        and np.array_equal(points, own),
         "window": span[0],
         "start": span[1],
         "trajectory": TRAJECTORY,
@@ -236,6 +263,17 @@ def design_track(
         first, last = found["before"][key], found["after"][key]
         found[name] = last / first if first > 0 else None
     return Design(made, found, ran)
+
+
+def linear_gains(scenario: Scenario) -> np.ndarray | None:
+    """Return the N + 2 gains of one of the paper's laws, Eq. (28); None of another."""
+    learning, N = scenario.learning, scenario.basis.N
+    if learning.law not in ("learned-flow", "known-flow") or learning.sample is not None:
+        return None
+    gains = learning.used_gains
+    flow = 0.0 if learning.row.given_estimate else gains.parameters
+    found = np.array([*[flow] * N, gains.feedback, gains.feedforward])
+    return found if found.any() else None
 
 
 @dataclass(frozen=True)
@@ -259,6 +297,14 @@ def with_waypoints(scenario: Scenario, points: np.ndarray, dwell: float | None) 
     return scenario.with_values({"reference": reference})
 
 
+def _ceiling(scenario: Scenario, span: tuple[float, float]) -> float | None:
+    """Return what kappa_1 cannot pass where the vehicle moves so; None where that is not known."""
+    if scenario.flow.parameters is None or scenario.vehicle.max_speed is not None:
+        return None
+    alone = gramian(started_true(vehicle_alone(scenario)), *span)
+    return min(alone.ceilings.values(), default=None)
+
+
 def _reported(
     scenario: Scenario, looked: _Looked, span: tuple[float, float], ran: Learned
 ) -> dict[str, Any]:
@@ -266,6 +312,7 @@ def _reported(
     return {
         "smallest_eigenvalue": looked.least,
         "of_the_run": min(float(values[0]) for values in found.eigenvalues.values()),
+        "ceiling": _ceiling(scenario, span),
         "closed_length": float(closed_length(scenario.waypoints)),
         "largest_speed": float(looked.extremes.speed.max()),
         "positions": [

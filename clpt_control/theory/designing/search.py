@@ -155,15 +155,19 @@ def best_waypoints(
     seed: int,
     generations: int,
     report: Callable[[float], None],
-) -> tuple[np.ndarray, int]:
-    """Return the best waypoints that keep to the limits, and how many tracks were tried."""
+    gains: np.ndarray | None = None,
+) -> tuple[list[np.ndarray], int]:
+    """Return waypoints that keep to the limits, the best first, and how many tracks were tried.
+
+    The best have the largest kappa_1, or drop of V where the `gains` of a linear law are given.
+    """
     speeds, runs, free = limits.max_speed is not None, 0, MARGIN
     end, whole = span[0] + span[1], scenario.run.duration
-    close = Tracks(scenario, span, whole, *CLOSE, speeds=speeds)
+    close = Tracks(scenario, span, whole, *CLOSE, speeds, gains)
     points = shortened(scenario.waypoints, limits.length)
     kept = [_judged(close, limits, points)]  # the track to begin with competes
     for turn in range(ROUNDS):
-        tracks = Tracks(scenario, span, whole if turn else end, *COARSE, speeds=speeds)
+        tracks = Tracks(scenario, span, whole if turn else end, *COARSE, speeds, gains)
         search = Search(tracks, limits.tighter(free), len(points))
         again = turn == ROUNDS - 1 and not any(one.least >= 0 for one in kept)
         if turn == 0 or again:
@@ -173,22 +177,23 @@ def best_waypoints(
                 report(base + 0.4 * done / (generations + 1))
 
             starts = search.evolve(first, generations, seed, shown)
-            kept.append(_judged(close, limits, search.points(starts[:1])[0]))
+            kept += [_judged(close, limits, one) for one in search.points(starts)]
         else:
             starts = search.unknowns(points)[None]
         ends = np.array([search.climb(u) for u in starts])
-        points = search.points(ends)[np.argmin(search.cost(ends))]
-        kept.append(_judged(close, limits, points))
+        order = np.argsort(search.cost(ends), kind="stable")
+        points = search.points(ends)[order[0]]
+        kept += [_judged(close, limits, one) for one in search.points(ends)[order[::-1]]]
         runs += tracks.runs
         report(0.4 + 0.5 * (turn + 1) / ROUNDS)
         if kept[-1].least >= 0 and (turn or end == whole or kept[-1].least >= kept[0].least):
             break
         if turn:
             free = min(0.3, free + max(MARGIN, 1.1 * kept[-1].beyond))
-    best = max(kept, key=lambda one: one.least)
-    if best.least < 0:
+    kept.sort(key=lambda one: -one.least)
+    if kept[0].least < 0:
         raise ScenarioError(_none(scenario, limits, min(one.beyond for one in kept)))
-    return best.points, runs
+    return [one.points for one in kept if one.least >= 0], runs
 
 
 class _Judged(NamedTuple):

@@ -3,6 +3,10 @@
     x' = F_R(x, t) + v                                              Eqs. (1), (7)
     w  = [phi(x), x_i, zc_i],    kappa_1 = min_i lambda_min(int w w^T dt)
 
+or, in place of kappa_1, what V of Eq. (24) falls by at worst over the window with the gains of a
+linear law, 1 - |Phi|^2 in the units of V: with a gain gamma_j each, w_j is taken times the root of
+gamma_j and the error of parameter j over it, so that one gain of 1 remains (`certificates`).
+
 W of Eq. (31) holds z, which depends on the law.  Every law that works ends at e = 0, where W
 depends on the vehicle alone; so the vehicle's own blocks are run, without the learner, and
 without disturbance and noise of the position, which nobody knows beforehand.  Tracks are members
@@ -24,8 +28,9 @@ from ...native.native_diagram import NativeDiagram
 from ...scenario.experiment import Scenario
 from ...simulation.loops import paper_blocks
 from ...simulation.starts import state_of
+from ..excitation.certificates import TURN
 from ..excitation.regressor import quadrature
-from ..excitation.transition import regressors
+from ..excitation.transition import propagate, regressors
 
 ANY = next(law for law in LAWS.values() if not (law.at_fixes or law.given_estimate))
 ATOL = 1e-2  # absolute tolerance over the relative one
@@ -45,7 +50,8 @@ class Tracks:
     """The vehicle of a scenario on tracks of as many waypoints, each held as long as its own.
 
     It is watched from 0 to `end`, at `looks` times in each piece, its speed where `speeds` asks;
-    `window` is length and start of the Gramian's.
+    `window` is length and start of the Gramian's; `gains` are the N + 2 of a linear law whose
+    contraction takes the place of kappa_1.
     """
 
     def __init__(
@@ -56,6 +62,7 @@ class Tracks:
         looks: int,
         rtol: float,
         speeds: bool = True,
+        gains: np.ndarray | None = None,
     ):
         self.scenario = vehicle_alone(scenario)
         self.end, self.rtol, self.speeds, self.runs = end, rtol, speeds, 0
@@ -64,7 +71,11 @@ class Tracks:
         self.callee = self.native.callee(self.native.lanes(LANES))
         self.schedule = self.native.schedule(0.0, end)
         self.start = state_of(self.scenario, self.blocks)
-        cuts, self.nodes, self.weights = quadrature(self.scenario, window[1], sum(window))
+        self.gains, edges = gains, None
+        if gains is not None:  # pieces within which e and eta do not turn too often
+            largest = self.scenario.basis.N + 2 * np.max(self.scenario.waypoints**2)
+            edges = np.arange(window[1], sum(window), TURN / np.sqrt(gains.max() * largest))
+        cuts, self.nodes, self.weights = quadrature(self.scenario, window[1], sum(window), edges)
         edges, _, _ = quadrature(self.scenario, 0.0, end)
         self.looks = edges[:-1, None] + np.diff(edges)[:, None] * np.linspace(0.0, 1.0, looks)
         times = np.concatenate([[0.0], self.nodes.ravel(), self.looks.ravel(), [end]])
@@ -77,7 +88,7 @@ class Tracks:
         return np.floor(times / dwell).astype(int) % count
 
     def __call__(self, points: np.ndarray) -> tuple[np.ndarray, Extremes]:
-        """Return kappa_1, (2, m), axis first, and the extremes of tracks (m, n, 2)."""
+        """Return kappa_1 or the drop of V, (2, m), and the extremes of tracks (m, n, 2)."""
         size = 16 * self.nodes.size * (self.scenario.basis.N + 2) + 16 * len(self.times)
         together = max(8, BYTES // size)
         parts = [self._together(points[k : k + together]) for k in range(0, len(points), together)]
@@ -117,16 +128,22 @@ class Tracks:
         return P
 
     def _least(self, x: np.ndarray, points: np.ndarray) -> np.ndarray:
-        """Return the smallest eigenvalue of each axis, 0 where the run failed."""
+        """Return the smallest eigenvalue of each axis or the drop of V, 0 where the run failed."""
         basis = next(block for block in self.blocks if "phi_x" in block.output_ports)
         times = np.broadcast_to(self.nodes, x.shape[:-1])
         phi = evaluate(basis, times.ravel(), x.reshape(-1, 2)).reshape(*x.shape[:-1], -1)
         zc = np.broadcast_to(points[:, self.held[0], None], x.shape)
-        w = np.sqrt(self.weights)[..., None] * regressors(phi, x, zc)
-        rows = np.nan_to_num(w).reshape(2, len(points), -1, w.shape[-1])
+        w, factor = np.nan_to_num(regressors(phi, x, zc)), np.ones((2, 1))
+        if self.gains is not None:
+            k = np.array(self.scenario.vehicle.feedback)[:, None]
+            own = self.gains > 0
+            w, factor = np.sqrt(self.gains[own]) * w[..., own], 2 * k
+            w, _ = propagate(w, k, 1.0, self.weights.sum(axis=1))
+        w = np.sqrt(self.weights)[..., None] * w
+        rows = w.reshape(2, len(points), -1, w.shape[-1])
         if rows.shape[-2] < rows.shape[-1]:
             return np.zeros(rows.shape[:2])
-        sizes = np.linalg.svd(np.linalg.qr(rows, mode="r"), compute_uv=False)[..., -1] ** 2
+        sizes = np.linalg.svd(np.linalg.qr(rows, mode="r"), compute_uv=False)[..., -1] ** 2 * factor
         return np.where(np.isfinite(x).all(axis=(1, 2, 3)), sizes, 0.0)
 
     def _extremes(self, x: np.ndarray, points: np.ndarray, share: np.ndarray) -> Extremes:

@@ -12,11 +12,17 @@ sqrt(weight) w^T.  Factors of pieces stack and factor again to that of the whole
 window adds pieces and never subtracts, and an eigenvalue of 1e-21 keeps its digits beside one
 of 1e3.
 
+There is a ceiling.  With c_i = (theta_i - alpha_M_i, -KD_i, GammaD_i) Eqs. (1), (3), (7) say
+
+    w^T c_i = x_i' + KD_i e_i,    so    kappa_1 <= int (x_i' + KD_i e_i)^2 dt / |c_i|^2
+
+which where e = 0 is how far the vehicle moves: one that waits teaches nothing.
+
 Persistent excitation asks for kappa_1 > 0 for all t; `sliding_excitation` takes a window along a
 run, and where the smallest eigenvalue falls to zero, the track stops teaching.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
@@ -42,6 +48,7 @@ class Excitation:
     names: dict[str, list[str]]  # axis -> names of its N + 2 parameters
     factors: dict[str, np.ndarray]  # axis -> R, shape (N + 2, N + 2)
     tolerance: float = NOT_LEARNABLE  # eigenvalues up to this share of the largest: not excited
+    truth: dict[str, np.ndarray] = field(default_factory=dict)  # axis -> c; none with a field
 
     def __repr__(self) -> str:
         learned = ", ".join(
@@ -90,6 +97,14 @@ class Excitation:
     def dimension(self) -> dict[str, int]:
         """Dimension of the identifiable subspace of each axis."""
         return {axis: basis.shape[1] for axis, basis in self.identifiable.items()}
+
+    @property
+    def ceilings(self) -> dict[str, float]:
+        """What no smallest eigenvalue passes where the vehicle moves so, by axis."""
+        return {
+            axis: float(np.sum((self.factors[axis] @ c) ** 2) / np.sum(c**2))
+            for axis, c in self.truth.items()
+        }
 
     @property
     def not_learnable(self) -> list[str]:
@@ -252,8 +267,19 @@ def gramian(
     names = parameter_names(along.scenario.basis.N)
     factors = dict(zip(names, map(joined, piece_factors(along)), strict=True))
     first, last = float(along.cuts[0]), float(along.cuts[-1])
-    unit = along.scenario.units.time
-    return Excitation(first, last - first, along.trajectory, unit, names, factors, tolerance)
+    unit, truth = along.scenario.units.time, _truth(along.scenario)
+    return Excitation(first, last - first, along.trajectory, unit, names, factors, tolerance, truth)
+
+
+def _truth(scenario: Scenario) -> dict[str, np.ndarray]:
+    """Return c of each axis, w^T c = x' + KD e; none where something else moves the vehicle."""
+    car, theta = scenario.vehicle, scenario.flow.parameters
+    else_moved = car.max_speed, scenario.flow.disturbance, scenario.localization
+    if theta is None or any(one is not None for one in else_moved):
+        return {}
+    flow = np.array(theta) - np.array(scenario.model_parameters)
+    c = np.column_stack([flow, -np.array(car.feedback), np.array(car.feedforward)])
+    return {axis: row for axis, row in zip(("x1", "x2"), c, strict=True) if row.any()}
 
 
 @dataclass(frozen=True)

@@ -21,7 +21,8 @@ def excitation_report(
     """Return what a scenario's run or a recorded run can teach over one window.
 
     ``window``, ``start``, ``time_unit``, ``trajectory``; by axis ``eigenvalues`` (ascending),
-    ``least_excited`` and ``dimension`` (of what can be learned); ``not_learnable`` (sentences);
+    ``ceilings`` (of the smallest eigenvalue), ``least_excited`` and ``dimension`` (of what can be
+    learned); ``not_learnable`` (sentences);
     ``rho`` (V falls by at least this share), ``contraction`` (exact V(t+T)/V(t) at worst),
     ``drop`` (1 less that, with all its digits) and ``time_to_tenth`` (of windows like this one,
     until sqrt(V) is a tenth; None: never), which are None where the window cannot be certified
@@ -36,6 +37,7 @@ def excitation_report(
         "time_unit": found.time_unit,
         "trajectory": found.trajectory,
         "eigenvalues": {axis: values.tolist() for axis, values in found.eigenvalues.items()},
+        "ceilings": found.ceilings,
         "least_excited": found.least_excited,
         "dimension": found.dimension,
         "not_learnable": found.not_learnable,
