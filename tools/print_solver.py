@@ -116,10 +116,10 @@ def arguments() -> dict[str, tuple]:
     )
     linear = (real(1), whole(1))
     code, shape = whole(1), (1,) * 7
-    states = (real(1), real(1), 1, whole(1), whole(1), real(2), *(real(1),) * 5, real(2))
+    asked = (real(1), whole(1), real(1), real(1)), (whole(1), real(2)), (real(1),) * 4
     return {
-        "advance": (code, shape, real(1), *shared, linear, 1, 1),
-        "ask": (code, 1, *states),
+        "advance": (code, shape, real(1), shared, linear, 1, 1),
+        "ask": (code, 1, 1, *asked, real(2)),
     }
 
 

@@ -168,10 +168,8 @@ class Ensemble:
     ) -> list[np.ndarray]:
         """Return some ports of one member at the times of its states that it reached."""
         reached, pieces = int(run.reached[m]), members.schedules[members.group[m]]
-        x, count = run.states[m, :reached].ravel(), self.native.nsignals
-        found = self.native.callee().ask(
-            solver.SIGNALS, times[:reached], x, pieces, members.P[m], count
-        )
+        x, found = run.states[m, :reached], np.empty((reached, self.native.nsignals))
+        self.native.callee().ask(solver.SIGNALS, times[:reached], x, pieces, members.P[m], found)
         made = [(label, k) for k, label in enumerate(self._labels)]
         columns = [[k for label, k in made if label.partition("[")[0] == port] for port in ports]
         return [found[:, own] for own in columns]

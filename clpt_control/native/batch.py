@@ -51,41 +51,19 @@ class Callee(NamedTuple):
         return self[2:9]
 
     def ask(
-        self,
-        role: int,
-        times: np.ndarray,
-        states: np.ndarray,
-        pieces: Schedule,
-        own: np.ndarray,
-        signals: int = 0,
-        into: np.ndarray | None = None,
+        self, role: int, times: Any, x: np.ndarray, pieces: Schedule, own: np.ndarray, out: Any
     ) -> np.ndarray:
-        """Call a function at times; return so many signals of each, (nt, signals).
+        """Call a function at times and states x (nt, n); return what it makes of each, in `out`.
 
-        `states` holds the state for each, one after the other; what the function makes of it is
-        written behind it, or there `into` another array.  `own` is P, or the beginning of it.
+        `own` is P, or the beginning of it.  `out` has a row for each, as long as is asked for.
         """
-        P, W = np.zeros(max(self.size, len(own), 1)), np.zeros(max(self.room, 1))
-        P[: len(own)] = own
-        number = np.searchsorted(pieces.edges, times, side="right")
-        out = np.empty((len(times), signals))
+        P, W, D = map(np.zeros, (max(self.size, len(own), 1), self.room + 1, out.shape[1] + 1))
+        P[: len(own)], times = own, np.ascontiguousarray(times)
+        which = np.searchsorted(pieces.edges, times, side="right")
+        given, each = (times, which, np.zeros(1), x.ravel()), (pieces.places, pieces.values)
+        arrays = P, self.tables, W, D
         with np.errstate(all="ignore"):
-            self.solver.ask(
-                self.functions,
-                role,
-                np.ascontiguousarray(times),
-                states,
-                self.nstates,
-                number,
-                pieces.places,
-                pieces.values,
-                np.zeros(1),
-                P,
-                self.tables,
-                W,
-                states if into is None else into,
-                out,
-            )
+            self.solver.ask(self.functions, role, self.nstates, given, each, arrays, out)
         return out
 
 
@@ -178,22 +156,11 @@ class Batch:
 
     def advance(self, rtol: float, atol: float, budget: int, most: int = MEMBER_STEPS) -> int:
         """Take some steps in each lane; return how many lanes are at work."""
-        tolerances = np.array([max(rtol, 2.3e-14), atol])
+        tolerances, made = np.array([max(rtol, 2.3e-14), atol]), self.callee
+        batch = self.runs, self.schedule, self.times, self.results, self.lane, self.arrays
+        given = made.functions, made.shape, tolerances, batch, self.linear, budget, most
         with np.errstate(all="ignore"):
-            return self.callee.solver.advance(
-                self.callee.functions,
-                self.callee.shape,
-                tolerances,
-                self.runs,
-                self.schedule,
-                self.times,
-                self.results,
-                self.lane,
-                self.arrays,
-                self.linear,
-                budget,
-                most,
-            )
+            return made.solver.advance(*given)
 
     def _look(self, k: int, stiff: Any) -> None:
         """End the run of a lane if it is stiff."""

@@ -126,23 +126,21 @@ def _asked(
     runner: NativeDiagram, callee: Callee, pieces: Schedule, times: Any, x: np.ndarray
 ) -> list[np.ndarray]:
     """Return signals, rates and what every jump leaves, by machine code; for decisions of one."""
-    own, at, (count, n) = runner.parameters(), np.array(times), x.shape
+    own, n = runner.parameters(), runner.nstates
 
-    def ask(role: int, pieces: Schedule = pieces) -> np.ndarray:
-        into = np.zeros((count + 1) * n + 2 * callee.decided)
-        callee.ask(role, at, np.append(x, 0.0), pieces, own, 0, into)
-        return into[n:]
+    def ask(role: int, count: int, pieces: Schedule = pieces) -> np.ndarray:
+        return callee.ask(role, times, x, pieces, own, np.empty((len(times), count)))
 
-    found = [callee.ask(solver.SIGNALS, at, np.append(x, 0.0), pieces, own, runner.nsignals)]
+    found = [ask(solver.SIGNALS, runner.nsignals)]
     if callee.decided:
-        own[callee.held :][: callee.decided] = ask(solver.DECIDE)[: callee.decided]
+        (decided,) = ask(solver.DECIDE, 2 * callee.decided)
+        own[callee.held :][: callee.decided] = decided[: callee.decided]
     if n:
-        found.append(ask(solver.DERIVATIVE)[: x.size].reshape(x.shape))
+        found.append(ask(solver.DERIVATIVE, n))
     if callee.jumping:
         values, jumps = pieces.values.copy(), list(runner.jumps.values())
         values[:, np.isin(pieces.places, jumps)] = JUMPS
-        jumped = ask(solver.JUMP, pieces._replace(values=values))
-        found.append(jumped[: x.size].reshape(x.shape))
+        found.append(ask(solver.JUMP, n, pieces._replace(values=values)))
     return found
 
 

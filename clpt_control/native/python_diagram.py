@@ -286,8 +286,8 @@ class PythonDiagram:
             return np.zeros((0, self.nsignals))
         inputs = self._inputs(inputs, times)
         callee, pieces = self.callee(1, inputs), self.pieces_of(solution, inputs)
-        P = self.parameters()
-        out = callee.ask(solver.SIGNALS, times, solution.x.ravel(), pieces, P, self.nsignals)
+        P, out = self.parameters(), np.empty((len(times), self.nsignals))
+        callee.ask(solver.SIGNALS, times, solution.x, pieces, P, out)
         bad = np.flatnonzero(~np.all(np.isfinite(out), axis=1))
         if len(bad):
             raise SimulationError(

@@ -82,26 +82,14 @@ def call(function, t, X, first, P, T, W, D, to):
     function(t, X, first, P, T, W, D, to)
 
 
-def advance(
-    code,
-    shape,
-    tolerances,
-    runs,
-    schedule,
-    times,
-    results,
-    lane,
-    arrays,
-    linear,
-    budget,
-    most,
-):
+def advance(code, shape, tolerances, batch, linear, budget, most):
     """Take at most `budget` steps in every lane; return how many lanes are at work.
 
     A run that has taken `most` tries is given up.  Where a lane is found to be stiff, no more are
     taken.
     """
     lanes, n, stages, guarded, jumping, held, decided = shape
+    runs, schedule, times, results, lane, arrays = batch
     (_, status, reached, counts), (numbers, whole, queue) = results, lane
     Z, P, T, W, D = arrays
     span, now, at = n * lanes, numbers[TIME], numbers[AT]
@@ -610,20 +598,21 @@ def solve_stage(n, s, linear, Z):
 # --- at given states ------------------------------------------------------------------------
 
 
-def ask(code, role, times, states, n, pieces, places, values, t, P, T, W, D, out):
-    """Call a function at times; what it writes into W is put into the rows of `out`.
+def ask(code, role, n, given, pieces, arrays, out):
+    """Call a function at times; what it writes, signals into W, is put into the rows of `out`.
 
-    `states` holds n numbers for each time, `t` is room for one; D may be `states`, which then hold
-    what the function makes of those before them.
+    `given` are the times, the piece of each, room for one, and n numbers of each for the states;
+    `pieces` places in P, and values.  `out` may be the states behind the first.
     """
+    (times, which, t, states), (places, values), (P, T, W, D) = given, pieces, arrays
     piece = -1
     for k in range(len(times)):
         t[0] = times[k]
-        if pieces[k] != piece:
-            piece = pieces[k]
+        if which[k] != piece:
+            piece = which[k]
             for j in range(len(places)):
                 P[places[j]] = values[piece, j]
             call(code[PREPARE], t, states, k * n, P, T, W, W, 0)
-        call(code[role], t, states, k * n, P, T, W, D, (k + 1) * n)
+        call(code[role], t, states, k * n, P, T, W, D, 0)
         for j in range(out.shape[1]):
-            out[k, j] = W[j]
+            out[k, j] = W[j] if role == SIGNALS else D[j]

@@ -128,13 +128,14 @@ def iterated(
     check_spacing(times, runner.wiring.dt)
     pieces = runner.schedule(float(times[0]), float(times[-1]), inputs)
     callee, P = runner.callee(1, inputs), runner.parameters()
-    n, x = len(start), np.zeros((len(times), len(start)))
+    x = np.zeros((len(times), len(start)))
     x[0] = start
     for first in range(0, len(times) - 1, TOGETHER):
         check()
         last = min(first + TOGETHER, len(times) - 1)
-        callee.ask(solver.DERIVATIVE, times[first:last], x.ravel()[first * n :], pieces, P)
-        bad = np.flatnonzero(~np.all(np.isfinite(x[first + 1 : last + 1]), axis=1))
+        after = x[first + 1 : last + 1]
+        callee.ask(solver.DERIVATIVE, times[first:last], x[first:last], pieces, P, after)
+        bad = np.flatnonzero(~np.all(np.isfinite(after), axis=1))
         if len(bad):
             k = first + int(bad[0])
             t, u = float(times[k]), None if inputs is None else inputs.at(float(times[k]))
@@ -155,9 +156,7 @@ def begun(callee: Callee, start: np.ndarray, t: float, pieces: Schedule, P: Any)
     """Return the state with which a run begins: blocks that sample there hold what feeds them."""
     if not pieces.begins:
         return start
-    states = np.append(start, np.zeros(len(start)))
-    callee.ask(solver.JUMP, np.array([t]), states, pieces, P)
-    return states[len(start) :]
+    return callee.ask(solver.JUMP, [t], start, pieces, P, np.empty((1, len(start))))[0]
 
 
 # --- loose, in Python -------------------------------------------------------------------------
