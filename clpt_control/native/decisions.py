@@ -14,7 +14,6 @@ The gridded current, which is smooth, stays as it is.  Discontinuity locking: Ce
 Kofman, Continuous System Simulation, 2006, chapter 9.
 """
 
-from collections.abc import Sequence
 from math import prod
 from typing import Any, NamedTuple
 
@@ -22,77 +21,81 @@ from ..equations.record import reached
 
 COMPARED = {"lt": -1.0, "le": -1.0, "gt": 1.0, "ge": 1.0}  # the sign of a - b where they hold
 WHOLE = ("floor", "ceil", "trunc", "floordiv")
-LOCKED = frozenset({*COMPARED, *WHOLE, "minimum", "maximum", "fabs", "sign", "mod", "pick"})
+# what other operations decide: comparisons, the second number 0 where there is one, whole numbers
+QUESTIONS = {
+    **{"minimum": ("lt",), "maximum": ("gt",), "sign": ("gt", "lt"), "fabs": ("ge",)},
+    **{"mod": ("floordiv",), "pick": ("trunc",)},
+}
+LOCKED = frozenset({*COMPARED, *WHOLE, *QUESTIONS})
 ROUNDING = 1e-12  # of what is compared
 Ref = Any
 
 
-class Decision(NamedTuple):
-    """A decision: its first place, its axes and which of them loop, its value; whose it is."""
+class Port(NamedTuple):
+    """A value that is stored: its first place, lengths of its axes, and which of them loop."""
 
     first: int
     shape: tuple[int, ...]
     long: tuple[bool, ...]
     ref: Ref
-    of: tuple[int, str, str]  # number of the block, its function, the operation
 
 
-def questions(kind: str, own: Sequence[Ref]) -> list[tuple[str, Ref, Ref]]:
-    """Return what an operation decides: comparisons and whole numbers."""
-    if kind in COMPARED or kind == "floordiv":
-        return [(kind, own[0], own[1])]
-    if kind in ("minimum", "maximum"):
-        return [("lt" if kind == "minimum" else "gt", own[0], own[1])]
-    if kind == "sign":
-        return [("gt", own[0], 0.0), ("lt", own[0], 0.0)]
-    if kind == "fabs":
-        return [("ge", own[0], 0.0)]
-    if kind == "mod":
-        return [("floordiv", own[0], own[1])]
-    return [("trunc", own[1], 0.0)] if kind == "pick" else [(kind, own[0], 0.0)]
+def _given(name: str, own: tuple[Ref, ...]) -> tuple[Ref, ...]:
+    """Return what a question is asked of."""
+    if name in COMPARED:
+        return own[0], own[1] if len(own) > 1 else 0.0
+    return own if name == "floordiv" else own[-1:]
 
 
 class Decisions:
-    """The decisions of a diagram's rates, asked as they are and then locked."""
+    """The decisions of a diagram's rates, as they are and as they were when a step began."""
 
-    def __init__(self, record: Any, first: int):
-        self.record, self.grain = record, first  # place in P of the least difference that counts
-        self.first = first + 1
-        self.locking = False
-        self.now: list[Decision] = []
-        self.passed: list[Decision] = []
-        self._next = 0
+    def __init__(self, record: Any, grain: int):
+        self.record, self.grain = record, grain  # place in P of the least difference that counts
+        self.now: list[Port] = []
+        self.passed: list[Port] = []
+        self.of: list[tuple] = []  # first place of each, and whose it is
+        self.count = 0  # numbers that are decided
 
-    def lock(self) -> bool:
-        """Begin to write the rates down again, locked; return whether there is anything to lock."""
-        self.locking, self.count, self._next = True, self._next, 0
-        return self.count > 0
+    def lock(self, rates: list[Port]) -> list[Port]:
+        """Write rates down again, locked; return them."""
+        record, locked = self.record, dict[int, Ref]()
+        moving: set[Ref] = set()  # what changes along a run
 
-    def read(self, kind: str, own: list[Ref], axes: tuple, owner: int, role: str) -> Ref | None:
-        """Note what an operation decides; return its locked value, or None."""
-        if kind not in LOCKED or not any(map(self.record.is_moving, own)):
-            return None
-        (shape, long), held = axes, []
+        def stands(ref: Ref) -> Ref:
+            return locked.get(ref, ref) if type(ref) is int else ref
+
+        for k in sorted(reached(record.entries, [port.ref for port in rates])):
+            kind, exact, shape, at, owner = record.entries[k]
+            places = [a for a in exact if type(a) is int]
+            if moving.intersection(places) or (kind == "load" and at[0] in "Xt"):
+                moving.add(k)
+            own = tuple(map(stands, exact))
+            if k in record.decided_by and moving.intersection(places):
+                locked[k] = self._locked(k, own)
+            elif not locked.keys().isdisjoint(places):
+                locked[k] = record.add(kind, own, shape, at, owner)
+        return [p._replace(ref=stands(p.ref)) for p in rates]
+
+    def _locked(self, k: int, own: tuple[Ref, ...]) -> Ref:
+        """Note what an operation decides; return its locked value, of what is locked itself."""
+        kind, exact, shape, _, owner = self.record.entries[k]
+        (long, of), held = self.record.decided_by[k], list[Ref]()
 
         def add(kind: str, *given: Ref) -> Ref:
             return self.record.add(kind, given, shape, None, owner)
 
-        for name, a, b in questions(kind, own):
-            place = self._next
-            self._next += prod(shape)
-            given = (a, b) if name in COMPARED or name == "floordiv" else (a,)
-            if not self.locking:
-                found = add(name, *given)
-                if name in COMPARED:
-                    found = add("where", found, 1.0, -1.0)
-                self.now.append(Decision(place, shape, long, found, (owner, role, kind)))
-                continue
-            H = self.record.load("P", self.first + place, shape)
-            beyond = self._passed(name, given, H, shape)
-            self.passed.append(Decision(place, shape, long, beyond, (owner, role, kind)))
+        for name in QUESTIONS.get(kind, (kind,)):
+            found = add(name, *_given(name, exact))
+            if name in COMPARED:
+                found = add("where", found, 1.0, -1.0)
+            H = self.record.load("P", self.grain + 1 + self.count, shape)
+            beyond = self._passed(name, _given(name, own), H, shape)
+            self.now.append(Port(self.count, shape, long, found))
+            self.passed.append(Port(self.count, shape, long, beyond))
+            self.of.append((self.count, of))
+            self.count += prod(shape)
             held.append(add("gt", H, 0.0) if name in COMPARED else H)
-        if not self.locking:
-            return None
         if kind in COMPARED or kind in WHOLE:
             return held[0]
         if kind == "sign":
@@ -111,43 +114,15 @@ class Decisions:
         def add(kind: str, *arguments: Ref) -> Ref:
             return self.record.add(kind, arguments, shape)
 
-        grain = self.record.load("P", self.grain, ())
         size = add("fabs", given[0])
+        if name in COMPARED and given[1] != 0.0:
+            size = add("add", size, add("fabs", given[1]))
+        least = add("add", add("mul", size, ROUNDING), self.record.load("P", self.grain, ()))
         if name in COMPARED:
             apart = add("sub", *given)
-            if given[1] != 0.0:
-                size = add("add", size, add("fabs", given[1]))
             beyond = add("neg", apart) if COMPARED[name] < 0 else apart
-            least = add("add", add("mul", size, ROUNDING), grain)
             found = add("lt", add("mul", beyond, H), add("neg", least))
         else:
-            least = add("add", add("mul", size, ROUNDING), grain)
-            found = add(
-                "and",
-                *(
-                    add("ne", add(name, add(side, given[0], least), *given[1:]), H)
-                    for side in ("add", "sub")
-                ),
-            )
+            sides = (add(side, given[0], least) for side in ("add", "sub"))
+            found = add("and", *(add("ne", add(name, one, *given[1:]), H) for one in sides))
         return add("where", found, 1.0, 0.0)
-
-    def kept(self, rates: Sequence[Ref]) -> int:
-        """Keep the decisions that rates depend on; return how many places they and others take."""
-        own = {d.first: d for d in self.passed}
-        entries = self.record.entries
-        loads = {
-            entry.at[1] - self.first: k
-            for k, entry in enumerate(entries)
-            if entry.kind == "load" and entry.at[0] == "P" and entry.at[1] >= self.first
-        }
-        used = reached(entries, rates)
-        while True:
-            found = [first for first in own if loads.get(first) in used]
-            more = used | reached(entries, [own[first].ref for first in found])
-            if more == used:
-                break
-            used = more
-        dropped = own.keys() - set(found)
-        self.now = [d._replace(ref=1.0) if d.first in dropped else d for d in self.now]
-        self.passed = [d._replace(ref=0.0) if d.first in dropped else d for d in self.passed]
-        return self.count if found else 0

@@ -15,7 +15,7 @@ from ..diagrams.joined import Joining
 from ..diagrams.wiring import Node, Wiring
 from ..equations.block import Block
 from ..equations.record import Operation, Record, reached
-from .decisions import Decisions
+from .decisions import LOCKED, Decisions, Port
 from .layout import Layout
 
 SHORT, NAMED = 16, 3  # an axis up to SHORT is unrolled, but from NAMED on where it has a name
@@ -36,15 +36,6 @@ class Entry(NamedTuple):
     shape: tuple[int, ...]
     at: Any
     owner: int
-
-
-class Port(NamedTuple):
-    """A value that is stored: its first place, lengths of its axes, and which of them loop."""
-
-    first: int
-    shape: tuple[int, ...]
-    long: tuple[bool, ...]
-    ref: Ref
 
 
 def _places(node: Node) -> range:
@@ -68,25 +59,18 @@ class DiagramRecord(Joining):
         super().__init__(wiring, {0: wiring.ninputs})
         self.layout, self.long, self.named = layout, long, named
         self.entries: list[Entry] = []
-        self.moving: list[bool] = []  # of each entry: whether it changes along a run
+        self.decided_by: dict[int, tuple] = {}  # entries that may decide: long axes, whose they are
         self.rates: list[Port] = []
         self.signals: list[Port] = []
         self.margins: list[Ref] = []
         self._known: dict[Entry, int] = {}
-        self.decisions = Decisions(self, layout.inputs(wiring.ninputs))
         self._jumped: dict[int, dict[str, Ref]] = {}  # states of a block after jumps, once known
         self.given[0] = self._inputs()
         self._rates()
-        exact, ports, rates = self.signals, self.made, self.rates
         self.margins = [m for k in range(len(wiring.nodes)) for m in self._margins(k)]
-        self.decided = 0  # numbers that are decided, of rates that are locked
-        if locking and not wiring.dt and self.decisions.lock():
-            self.made, self.signals, self.rates = {}, [], []
-            self._rates()
-            self.decided = self.decisions.kept([port.ref for port in self.rates])
-            self.made, self.signals = ports, exact
-        if not self.decided:
-            self.rates = rates
+        self.decisions = Decisions(self, layout.inputs(wiring.ninputs))
+        if locking and not wiring.dt:
+            self.rates = self.decisions.lock(self.rates)
         self._jumped = {k: self._leap(k) for k in range(len(wiring.nodes))}
         self._sample()
         self.leaps = [
@@ -102,13 +86,7 @@ class DiagramRecord(Joining):
     ) -> int:
         """Add an entry; return its place."""
         self.entries.append(Entry(kind, tuple(arguments), shape, at, owner))
-        own = kind == "load" and (at[0] in "Xt" or (at[0] == "P" and at[1] > self.decisions.grain))
-        self.moving.append(own or any(map(self.is_moving, arguments)))
         return len(self.entries) - 1
-
-    def is_moving(self, ref: Ref) -> bool:
-        """Whether a value changes along a run."""
-        return type(ref) is int and self.moving[ref]
 
     def shape_of(self, ref: Ref) -> tuple[int, ...]:
         """Return the shape of a value."""
@@ -189,21 +167,18 @@ class DiagramRecord(Joining):
         return self._axes(block, shape)[0]
 
     def put(self, k: int, role: str, record: Record, operation: Operation, own: list[Ref]) -> Ref:
-        """Write down an operation of a block, or what of it is locked."""
+        """Write down an operation of a block."""
         block, (kind, arguments, shape, at) = self.wiring.nodes[k].system, operation
         if kind == "opaque":
             return own[0]
-        axes = self._axes(block, shape)
-        deciding = role in ("output", "update") and not self._jumped
-        smooth = block.opaque and block.of_package
-        if deciding and not smooth and block.kept is None:  # what is sampled stays for a step
-            locked = self.decisions.read(kind, own, axes, k, role)
-            if locked is not None:
-                return locked
         if kind == "sum":
             length, long = self._axes(block, record.operations[arguments[0]].shape)
             at = at, length[at], long[at]
-        return self.add(kind, own, axes[0], at, k)
+        lengths, long = self._axes(block, shape)
+        made, smooth = self.add(kind, own, lengths, at, k), block.opaque and block.of_package
+        if kind in LOCKED and not smooth and block.kept is None:  # what is sampled stays for a step
+            self.decided_by[made] = long, (k, role, kind)
+        return made
 
     def leaf(self, k: int, group: str, name: str, shape: tuple) -> Ref:
         """Return time, a parameter, or a state, after jumps where these are known."""

@@ -13,7 +13,6 @@ from typing import Any, NamedTuple
 
 from ..equations.arrays import CONDITIONS
 from .components import BOUND, LONG, Component, Components, Write, deep, rows
-from .decisions import Decisions
 from .diagram_record import DiagramRecord, Port
 from .joined_sums import JoinedSums
 
@@ -272,31 +271,25 @@ def program_of(
 
     With `slopes`, of the rates along a direction, it has the function `slope`, which writes them.
     """
-    made = Components(record, room, prepared + (1 + record.decided if record.decided else 0))
+    decisions, count = record.decisions, record.decisions.count
+    made = Components(record, room, prepared + (1 + count if count else 0))
+    passed = [port._replace(first=port.first + count) for port in decisions.passed]
     with deep():
         writes = {
             "derivative": _written(made, record.rates, "D", JoinedSums(made).element),
             "signals": _written(made, record.signals, "W"),
             "margin": [_least(made)],
             "jump": _written(made, record.leaps, "D") if record.layout.jumps else [],
-            "decide": _decided(made, record.decisions, record.decided),
+            "decide": _written(made, [*decisions.now, *passed], "D"),
         }
         if slopes is not None:
             writes["slope"] = _written(made, slopes, "D")
-    deciding = tuple((d.first, d.of) for d in record.decisions.now if record.decided)
-    return Planner(made).program(writes, record.decided, deciding)
+    return Planner(made).program(writes, count, tuple(decisions.of))
 
 
 def _written(made: Components, ports: list, array: str, element: Any = None) -> list[Write]:
     own = [made.writes(p.ref, p.shape, p.long, array, p.first, element) for p in ports]
     return [w for writes in own for w in writes]
-
-
-def _decided(made: Components, decisions: Decisions, count: int) -> list[Write]:
-    if not count:
-        return []
-    passed = [d._replace(first=d.first + count) for d in decisions.passed]
-    return _written(made, [*decisions.now, *passed], "D")
 
 
 def _least(made: Components) -> Write:
