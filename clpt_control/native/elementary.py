@@ -23,8 +23,8 @@ from typing import Any
 import numpy as np
 
 from ..equations.arrays import elementwise, where
-from .vectors import MAGIC
 
+MAGIC = 6755399441055744.0  # 1.5 * 2^52: added to a whole number, it stands in the low bits
 LN2, LN2_LOW = 0.6931471805599453, 2.3190468138462996e-17
 LOG2_E, LOG2_E_LOW = 1.4426950408889634, 2.0355273740931033e-17
 LOG10_E, LOG10_E_LOW = 0.4342944819032518, 1.098319650216765e-17

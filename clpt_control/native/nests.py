@@ -7,8 +7,8 @@ from llvmlite import ir
 
 from .components import deep, rows
 from .plan import Nest, Program, Saved, Total
-from .printing import Function, called
-from .vectors import WORD, apart, constant, gathered, joined, spread, width_of
+from .printing import Function
+from .vectors import WORD, apart, called, constant, gathered, joined, spread, width_of
 
 UNROLLED, UNROLLED_RUNS = (
     4,

@@ -1,18 +1,24 @@
-"""What a processor does with a double, or with several at once in a SIMD register.
+"""Operations on a double, or on several at once in a SIMD register, as LLVM's code.
 
-Every operation is IEEE's own, number by number: nothing is reassociated or contracted, so that a
+Some thirty are primitives; the others are functions in NumPy (`elementary`), read on a tape.  Every
+primitive is IEEE's own, number by number: nothing is reassociated or contracted, so that a
 result depends on no neighbour and on no processor.
 """
 
-from collections.abc import Callable
-from functools import lru_cache
+from collections.abc import Callable, Sequence
+from functools import cache, lru_cache
 from math import copysign
 from typing import Any
 
 from llvmlite import ir
 
+from ..equations.arrays import Tape, operand
+from ..equations.record import Operation
+from .components import APART
+from .elementary import FUNCTIONS
+
 DOUBLE, BIT, WORD, INT32 = ir.DoubleType(), ir.IntType(1), ir.IntType(64), ir.IntType(32)
-MAGIC = 6755399441055744.0  # 1.5 * 2^52: added to a whole number, it stands in the low bits
+INLINE = frozenset({"exp", "sin", "cos"})  # always put in where they are called
 
 
 def vector(width: int, entry: ir.Type = DOUBLE) -> ir.Type:
@@ -187,3 +193,55 @@ PRIMITIVES: dict[str, Primitive] = {
     "exponent": _exponent,
     "fraction": _fraction,
 }
+
+
+# --- operations -----------------------------------------------------------------------------
+
+
+@cache
+def read(name: str, count: int) -> list[Operation]:
+    """Return what a function does with so many numbers, which are leaves; the last is its value."""
+    tape = Tape()
+    made = FUNCTIONS[name](*(tape.add("leaf", (), (), ("u", k)) for k in range(count)))
+    return tape.operations[: operand(made) + 1]
+
+
+def called(builder: ir.IRBuilder, name: str, width: int, own: Sequence[Any]) -> list[Any]:
+    """Calculate an operation; a long one is printed once a module.
+
+    Each argument is a constant, or values that wait for each other no more than need be: one, or
+    as many as the result.
+    """
+    many = max([len(a) for a in own if type(a) is not float], default=1)
+    given = [
+        [constant(a, width) if type(a) is float else a[k % len(a)] for a in own]
+        for k in range(many)
+    ]
+    if name in PRIMITIVES:
+        return [PRIMITIVES[name](builder, *one) for one in given]
+    if name not in APART or (name in INLINE and many > 1):
+        return evaluated(builder, read(name, len(own)), width, given)[-1]
+    own_name = f"{name}.{width}"
+    if own_name not in builder.module.globals:
+        signature = ir.FunctionType(vector(width), [vector(width)] * len(own))
+        function = ir.Function(builder.module, signature, own_name)
+        function.linkage = "internal"
+        if name in INLINE:
+            function.attributes.add("alwaysinline")
+        inner = ir.IRBuilder(function.append_basic_block())
+        inner.ret(*evaluated(inner, read(name, len(own)), width, [function.args])[-1])
+    return [builder.call(builder.module.globals[own_name], one) for one in given]
+
+
+def evaluated(
+    builder: ir.IRBuilder, operations: Sequence[Operation], width: int, given: Sequence[Any]
+) -> list[list[Any]]:
+    """Calculate what is written down on a tape, for so many sets of what it is given."""
+    found: list[list[Any]] = []
+    for name, arguments, _, at in operations:
+        if name == "leaf":
+            found.append([one[at[1]] for one in given])
+        else:
+            own = [found[a] if type(a) is int else a for a in arguments]
+            found.append(called(builder, name, width, own))
+    return found

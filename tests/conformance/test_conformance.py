@@ -14,7 +14,7 @@ from clpt_control.conformance import ConformanceReport, check_block, conformance
 from clpt_control.conformance.equations import roles
 from clpt_control.equations import Block
 from clpt_control.errors import ArgumentError, BlockError
-from clpt_control.native import printing, vectors
+from clpt_control.native import vectors
 
 
 @pytest.mark.parametrize("case", EACH)
@@ -216,7 +216,7 @@ def asked_once(t, x, u, p):
 
 def test_readings_that_disagree_are_told(monkeypatch):
     wrong = {**vectors.PRIMITIVES, "mul": vectors.PRIMITIVES["add"]}
-    monkeypatch.setattr(printing, "PRIMITIVES", wrong)
+    monkeypatch.setattr(vectors, "PRIMITIVES", wrong)
     sentences = failures(siso(asked_once, Gain(2.0)))
     assert "the reading 'scalar'" in sentences
     assert "the reading 'lanes'" in sentences

@@ -20,8 +20,8 @@ from clpt_control.native.elementary import FUNCTIONS
 from clpt_control.native.machine import Machine
 from clpt_control.native.native_diagram import NativeDiagram
 from clpt_control.native.nests import print_program
-from clpt_control.native.printing import Function, called
-from clpt_control.native.vectors import PRIMITIVES, width_of
+from clpt_control.native.printing import Function
+from clpt_control.native.vectors import PRIMITIVES, called, width_of
 
 mpmath.mp.dps = 40
 COLUMNS = 8
