@@ -152,12 +152,12 @@ class Components:
             numbers = np.frombuffer(at).reshape(shape)
             if all(type(i) is int for i in index):
                 return float(numbers[index])
-            return self._read(ref, index)
+            return self._read(ref, shape, index)
         moved = self.moved(ref, index)
         if moved is not None:
             return self.at(*moved)
         if kind in ("stack", "join"):
-            return self._read(ref, index)
+            return self._read(ref, shape, index)
         if kind == "part":
             return self._part(ref, arguments[0], at, shape, index)
         if kind == "sum":
@@ -194,8 +194,7 @@ class Components:
         if inner >= 0 and outer[inner:] == shape and first % prod(shape) == 0:
             lead = np.unravel_index(first // prod(shape), outer[:inner]) if inner else ()
             return self.at(whole, (*map(int, lead), *index))
-        array, start, kept = self._kept(whole)
-        return self.load(array, start + first, list(zip(index, rows(shape), strict=True)), kept)
+        return self._read(whole, shape, index, first)
 
     def _summed(self, ref: Ref, index: tuple, axis: int, count: int, long: bool) -> Value:
         def one(i: Index) -> Value:
@@ -308,11 +307,10 @@ class Components:
 
     # --- arrays that are written first ----------------------------------------------------
 
-    def _read(self, ref: int, index: tuple[Index, ...]) -> Value:
-        """Return an element of a value that is kept in an array."""
+    def _read(self, ref: int, shape: tuple, index: tuple[Index, ...], after: int = 0) -> Value:
+        """Return an element, in a shape, of a value that is kept in an array, `after` so many."""
         array, first, kept = self._kept(ref)
-        strides = rows(self.entries[ref].shape)
-        return self.load(array, first, list(zip(index, strides, strict=True)), kept)
+        return self.load(array, first + after, list(zip(index, rows(shape), strict=True)), kept)
 
     def _kept(self, ref: int) -> tuple[str, int, int]:
         """Return array, first place and number of a value that is written before it is read."""

@@ -47,13 +47,6 @@ def power_of_two(k):
 # --- powers and logarithms --------------------------------------------------------------------
 
 
-def _reduced(a):
-    """Return (k, r) with a = k ln 2 + r, k within what doubles can hold."""
-    a = where(a > 710.0, 710.0, where(a < -746.0, -746.0, a))
-    k = (a * LOG2_E + MAGIC) - MAGIC  # the nearest whole number
-    return k, fma(-k, LN2_LOW, fma(-k, LN2, a))
-
-
 def _exp_less_one(r):
     """Return exp(r) - 1 for |r| <= ln(2)/2; pairs of powers side by side."""
     z = r * r
@@ -78,7 +71,9 @@ def exp(a):
 
 def expm1(a):
     """Return e^a - 1, accurate near 0."""
-    k, r = _reduced(a)
+    inside = where(a > 710.0, 710.0, where(a < -746.0, -746.0, a))
+    k = (inside * LOG2_E + MAGIC) - MAGIC  # the nearest whole number
+    r = fma(-k, LN2_LOW, fma(-k, LN2, inside))
     k = where(k > 1023.0, 1023.0, where(k < -60.0, -60.0, k))
     scale = power_of_two(k)
     value = fma(scale, _exp_less_one(r), scale - 1.0)

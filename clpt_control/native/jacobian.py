@@ -8,6 +8,7 @@ The record of a diagram is a record as any other, so its rates are differentiate
 and all, along a direction (v, s) that lies behind the states: X = x, v, s.
 """
 
+from functools import reduce
 from math import prod
 from typing import Any, NamedTuple
 
@@ -139,17 +140,12 @@ def _reached(record: DiagramRecord, k: int, found: dict[int, Any], n: int) -> An
     if kind == "part":
         return own[0].reshape(-1, n + 1)[at : at + prod(shape)].reshape(size)
     if kind in ("stack", "join"):
-        nothing = np.zeros(n + 1, dtype=bool)
-        shapes = [record.shape_of(a) if kind == "join" else shape[1:] for a in arguments]
         parts = [
-            np.broadcast_to(nothing if one is None else one, (*own_shape, n + 1))
-            for one, own_shape in zip(own, shapes, strict=True)
+            np.broadcast_to(False if one is None else one, (*record.shape_of(a), n + 1))
+            for a, one in zip(arguments, own, strict=True)
         ]
         return np.concatenate(parts) if kind == "join" else np.stack(parts)
-    reached = some[0]
-    for one in some[1:]:
-        reached = reached | one
-    return np.broadcast_to(reached, size)
+    return np.broadcast_to(reduce(np.logical_or, some), size)
 
 
 # --- the derivative along a direction ---------------------------------------------------------
@@ -164,16 +160,12 @@ def slopes_of(record: DiagramRecord, n: int) -> list[Port]:
     roots = [port.ref for port in record.rates]
     loads = [k for k in sorted(reached(record.entries, roots)) if record.entries[k].kind == "load"]
     for k in loads:
-        array, first = record.entries[k].at
+        (array, first), shape = record.entries[k].at, record.entries[k].shape
         moved = {"X": n + first, "t": 2 * n}.get(array)
-        along[k] = None if moved is None else record.load("X", moved, record.entries[k].shape)
+        along[k] = None if moved is None else Array(tape, record.load("X", moved, shape), shape)
     for entry in record.entries:
         tape.append(Operation(*entry[:4]))
-    known = {
-        k: None if ref is None else Array(tape, ref, record.entries[ref].shape)
-        for k, ref in along.items()
-    }
-    direction = Direction(tape, known)
+    direction = Direction(tape, along)
     found = []
     for port in record.rates:
         whole = port.ref if type(port.ref) is float else Array(tape, port.ref, port.shape)

@@ -22,7 +22,6 @@ class JoinedSums:
 
     def __init__(self, made: Components):
         self.made = made
-        self._costs: dict[int, int] = {}
 
     def element(self, ref: Ref, index: tuple) -> Value:
         """Return an element of a value, with its sums joined where that leaves less to do."""
@@ -77,7 +76,7 @@ class JoinedSums:
         for plus, owner, value in sums:
             factors: list[Value] = []
             plus = self.split(plus, value, factors)
-            heavy = max(factors, key=self.cost)
+            heavy = max(factors, key=self.work)
             factors.remove(heavy)
             coefficient = self.made.product(factors) if factors else 1.0
             groups.setdefault(heavy, []).append((plus, owner, coefficient))
@@ -94,7 +93,7 @@ class JoinedSums:
         """Collect the factors of a product, of which costly products stay one; return its sign."""
         name, arguments, _ = self.made.all[value[0]] if type(value) is tuple else ("", (), ())
         own = [self.made.named(a, value[1]) for a in arguments] if name in ("mul", "neg") else []
-        if name == "neg" or (own and min(map(self.cost, own)) < HEAVY):
+        if name == "neg" or (own and min(map(self.work, own)) < 8 * HEAVY):
             for one in own:
                 plus = self.split(plus, one, factors)
             return plus != (name == "neg")
@@ -137,19 +136,6 @@ class JoinedSums:
             else:
                 total = self.made.add("add" if plus else "sub", total, value)
         return 0.0 if total is None else total
-
-    def cost(self, value: Value) -> int:
-        """Return what a value costs to compute along an axis."""
-        if type(value) is not tuple or not value[1]:
-            return 0
-        c = value[0]
-        if c not in self._costs:
-            name, arguments, _ = self.made.all[c]
-            own = [] if name in ("load", "sum", "table") else arguments
-            own = [self.made.named(a, value[1]) for a in own]
-            once = 0 if name == "load" else HEAVY if name in LONG else 1
-            self._costs[c] = once + sum(map(self.cost, own))
-        return self._costs[c]
 
     def work(self, value: Value) -> int:
         """Return what all that a value is made of costs, each once."""
