@@ -169,3 +169,12 @@ def test_equations_are_found_by_their_numbers():
         if f"Eq. ({n})" not in text
     ]
     assert missing == []
+
+
+def test_every_file_of_the_engine_is_on_its_page():
+    page = REFERENCE.parent / "engine.md"
+    links = {page.parent / name for name in re.findall(r"\]\((\S+?)\)", page.read_text())}
+    assert all(link.exists() for link in links)
+    files = {path.resolve() for path in links}
+    engine = (REFERENCE.parents[1] / "clpt_control/native").glob("*.py")
+    assert {path for path in engine if path.stem != "__init__"} <= files

@@ -6,6 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from scipy import stats
+from source_checks import CHECKS
 
 import clpt_control as clpt
 from clpt_control.blocks import (
@@ -25,6 +26,12 @@ from clpt_control.currents.field_file import GriddedField
 from clpt_control.equations import evaluate
 from clpt_control.equations.declaration import multiples
 from clpt_control.errors import ScenarioError
+
+
+@pytest.mark.parametrize("check", CHECKS, ids=lambda check: check.__name__)
+def test_sources_are_what_the_theorems_take_them_for(check):
+    check()
+
 
 # --- basis functions, Eq. (5) -----------------------------------------------------------------
 

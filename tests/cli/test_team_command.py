@@ -1,14 +1,18 @@
-"""A team on the command line: run, run again, excitation; what takes no team says so."""
+"""Teams, laws, designs and estimates on the command line."""
 
 import json
 import re
 
+import numpy as np
 import pytest
+from pictures import inked
 from strait import FILE, team, vehicle
 
 import clpt_control
+from clpt_control.blocks.laws.table import LAWS
 from clpt_control.files import write_text
 from clpt_control.scenario.team import team_to_text
+from clpt_control.theory.proving.theorem_loop import AT_FIXES
 
 
 @pytest.fixture
@@ -71,3 +75,225 @@ def test_the_example_draws_what_it_says(tmp_path, capsys):
     assert "west alone: smallest eigenvalue" in said
     assert "the team: smallest eigenvalue" in said
     assert (tmp_path / "team.png").stat().st_size > 10_000
+
+
+def test_laws_are_listed(clpt):
+    outcome = clpt("laws")
+    assert outcome.status == 0
+    assert all(name in outcome.out for name in LAWS)
+    listed = json.loads(clpt("laws", "--json").out)["laws"]
+    assert list(listed) == list(LAWS)
+    for name, law in LAWS.items():
+        assert listed[name]["promise"] == law.promise
+        assert list(listed[name]["settings"]) == list(law.settings)
+
+
+@pytest.mark.parametrize("name", ["known-flow", "least-squares", "fix-regression"])
+def test_a_law_runs_and_runs_again(clpt, tmp_path, name):
+    given = LAWS[name].given_estimate
+    values = {
+        "run.duration": 40,
+        "learning.law": name,
+        "learning.parameters": None,
+        "learning.theta_estimate": [[1.0, 0.4, 0.8]] * 2 if given else None,
+        **(AT_FIXES if LAWS[name].at_fixes else {}),
+    }
+    scenario = clpt_control.paper_scenario().with_values(values)
+    clpt_control.save_scenario(scenario, tmp_path / "mine.toml")
+    outcome = clpt("run", tmp_path / "mine.toml", "--out", tmp_path / "run.nc", "--json")
+    assert outcome.status == 0, outcome.err
+    again = clpt("run", tmp_path / "run.nc", "--out", tmp_path / "again.nc", "--json")
+    assert json.loads(again.out) == json.loads(outcome.out)
+
+
+def test_a_law_given_in_python_is_not_run_again(clpt, tmp_path):
+    from law_blocks import papers_law
+
+    scenario = clpt_control.paper_scenario().with_values({"run.duration": 20})
+    clpt_control.save_run(
+        clpt_control.simulate(clpt_control.closed_loop(scenario, law=papers_law())),
+        tmp_path / "run.nc",
+    )
+    outcome = clpt("run", tmp_path / "run.nc", "--out", tmp_path / "again.nc")
+    assert outcome.status == 2
+    assert "was run with a law given in Python, mine" in outcome.err
+    assert outcome.err.count("\n") == 1
+
+
+QUICK = ("--generations", "1", "--window", "60", "--start", "60", "--for", "kappa")
+
+
+@pytest.fixture
+def paper(tmp_path, monkeypatch):
+    monkeypatch.setattr("clpt_control.theory.designing.search.CLIMBS", 5)
+    file = tmp_path / "paper.toml"
+    scenario = clpt_control.paper_scenario().with_values({"run.duration": 200})
+    clpt_control.save_scenario(scenario, file)
+    return file
+
+
+def test_excitation_finds_the_eigenvalue_of_the_design(clpt, paper, tmp_path):
+    new, picture = tmp_path / "new.toml", tmp_path / "new.png"
+    outcome = clpt("design", paper, "--out", new, "--figure", picture, "--json", *QUICK)
+    assert outcome.status == 0, outcome.err
+    report = json.loads(outcome.out)
+    assert inked(picture) > 0.01
+    made = clpt_control.load_scenario(new)
+    assert made.reference.kind == "waypoints"
+    assert made.waypoints.tolist() == report["after"]["waypoints"]
+    for file, key in ((paper, "before"), (new, "after")):
+        found = clpt("excitation", file, "--window", "60", "--start", "60", "--json")
+        values = json.loads(found.out)["eigenvalues"].values()
+        assert min(v[0] for v in values) == pytest.approx(report[key]["of_the_run"], rel=1e-9)
+
+
+@pytest.mark.slow
+def test_the_table_says_what_was_reached(clpt, paper, tmp_path):
+    outcome = clpt("design", paper, "--out", tmp_path / "new.toml", *QUICK)
+    assert outcome.status == 0, outcome.err
+    for part in ("before", "after", "smallest eigenvalue", "learning time", "closed length"):
+        assert part in outcome.out
+    assert outcome.err == ""
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("--length", "-1"), "length = -1: must be a positive number of m"),
+        (("--area", "1", "2", "1", "2"), "the vehicle starts outside of it"),
+        (("--figure", "new.gif"), "must end in .png, .pdf or .svg"),
+        (("--out", "new.nc"), "must end in .toml"),
+    ],
+    ids=str,
+)
+def test_a_mistake_is_one_sentence(clpt, paper, tmp_path, words, said, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    out = () if "--out" in words else ("--out", tmp_path / "new.toml")
+    outcome = clpt("design", paper, *out, *words)
+    assert outcome.status == 2
+    assert said in outcome.err
+    assert outcome.err.count("\n") == 1
+    assert not (tmp_path / "new.toml").exists()
+
+
+PAPER = clpt_control.paper_scenario()
+THETA = np.array(PAPER.flow.parameters)
+
+
+@pytest.fixture(scope="module")
+def run(tmp_path_factory):
+    file = tmp_path_factory.mktemp("run") / "run.nc"
+    values = {"run.duration": 240, "run.output_step": 0.5}
+    clpt_control.save_run(clpt_control.simulate(PAPER.with_values(values)), file)
+    return file
+
+
+@pytest.mark.parametrize("method", ["least-squares", "kalman", "tomography"])
+def test_a_run_gives_a_scenario_with_the_flow_known(clpt, run, tmp_path, method):
+    options = ("--method", method, "--until", 200, "--out", tmp_path / "known.toml", "--json")
+    outcome = clpt("estimate", run, *options)
+    assert outcome.status == 0, outcome.err
+    found = json.loads(outcome.out)
+    assert found["fixes"] == 101
+    np.testing.assert_allclose(found["theta"], THETA, rtol=0.05)
+    error = np.abs(np.array(found["theta"]) - THETA).max()
+    assert found["largest_error"] == pytest.approx(error)
+    fed = clpt_control.load_scenario(tmp_path / "known.toml")
+    assert fed.learning.law == "known-flow"
+    np.testing.assert_array_equal(fed.learning.theta_estimate, found["theta"])
+    again = clpt("run", tmp_path / "known.toml", "--out", tmp_path / "again.nc")
+    assert again.status == 0, again.err
+
+
+def test_the_table_is_printed(clpt, run):
+    outcome = clpt("estimate", run, "--every", 20)
+    assert outcome.status == 0
+    assert "13 fixes" in " ".join(outcome.out.split())
+    assert "condition number: " in outcome.out
+
+
+def test_mistakes_are_one_sentence(clpt, run, tmp_path):
+    clpt_control.save_scenario(PAPER, tmp_path / "paper.toml")
+    for arguments, said in (
+        ((run, "--method", "guess"), "--method guess: must be one of least-squares"),
+        ((run, "--every", 0), "every = 0: must be positive"),
+        ((run, "--until", 900), "--until 900: must lie within the run"),
+        ((run, "--prior", -1), "prior: must be a positive number"),
+        ((tmp_path / "paper.toml",), "is no run; `clpt run"),
+        ((tmp_path / "none.nc",), "none.nc"),
+    ):
+        outcome = clpt("estimate", *arguments, "--out", tmp_path / "out.toml")
+        assert outcome.status == 2, outcome
+        assert said in outcome.err
+        assert outcome.err.count("\n") == 1
+        assert not (tmp_path / "out.toml").exists()
+
+
+@pytest.mark.parametrize("method", ["least-squares", "kalman", "tomography"])
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("--every", "1e-300"), "every = 1e-300: more than 100,000 fixes in the run"),
+        (("--noise", "1e-320"), "give a smaller prior or more noise"),
+    ],
+    ids=str,
+)
+def test_numbers_that_no_estimate_can_have_are_one_sentence(clpt, run, method, words, said):
+    outcome = clpt("estimate", run, "--method", method, "--json", *words)
+    assert outcome.status == 2, outcome
+    assert said in outcome.err
+    assert outcome.err.count("\n") == 1
+
+
+@pytest.mark.parametrize("words", [("--prior", "1e150"), ("--noise", "1e-150")], ids=str)
+def test_a_prior_that_says_nothing_leaves_what_the_fixes_say(clpt, run, words):
+    found = json.loads(clpt("estimate", run, "--json", *words).out)
+    np.testing.assert_allclose(found["theta"], THETA, rtol=0.05)
+    assert all(0 <= sd < 1 for sd in found["standard_deviation"])
+
+
+def reversed_in_time(run):
+    return run.isel(time=slice(None, None, -1))
+
+
+def without_waypoints(run):
+    return run.drop_vars("reference")
+
+
+def with_a_gap_in_the_waypoints(run):
+    return run.assign(reference=run.reference.where(run.time > 3))
+
+
+def twice_at_one_time(run):
+    return run.isel(time=[0, 0, 1, 2])
+
+
+def of_one_sample(run):
+    return run.isel(time=[0])
+
+
+def of_another_scenario(run):
+    return run.assign_attrs(scenario=3.0)
+
+
+@pytest.mark.parametrize(
+    ("damage", "said"),
+    [
+        (of_one_sample, "the run has fewer than two samples"),
+        (of_another_scenario, "the run carries no scenario"),
+        (reversed_in_time, "its times do not increase"),
+        (twice_at_one_time, "its times do not increase"),
+        (without_waypoints, "the run has no whole reference"),
+        (with_a_gap_in_the_waypoints, "the run has no whole reference"),
+    ],
+    ids=lambda value: getattr(value, "__name__", ""),
+)
+def test_a_damaged_run_is_one_sentence(clpt, run, tmp_path, damage, said):
+    import xarray
+
+    with xarray.open_dataset(run) as data:
+        damage(data.load()).to_netcdf(tmp_path / "bad.nc")
+    outcome = clpt("estimate", tmp_path / "bad.nc", "--json")
+    assert outcome.status == 2, outcome
+    assert said in outcome.err
+    assert outcome.err.count("\n") == 1

@@ -1,19 +1,20 @@
-"""Laws judged with their own V: gains of their own, gains held, wrong laws and unread ones."""
+"""Laws judged with their own V: each relation is needed, and kept by jumps and by runs."""
 
+import numpy as np
 import pytest
 import sympy
+from responses import response
 
+import clpt_control as clpt
+from clpt_control.blocks.laws import covariance
+from clpt_control.blocks.laws.concurrent import LAW, next_window
+from clpt_control.blocks.laws.known import Truth
 from clpt_control.blocks.laws.table import LAWS
-from clpt_control.theory.proving import judgement
+from clpt_control.theory.proving import judgement, kept_loop
 from clpt_control.theory.proving.judgement import judged_law
 from clpt_control.theory.proving.own_law import prove
 
 POINTS = 200
-
-
-@pytest.fixture(autouse=True)
-def few_points(monkeypatch):
-    monkeypatch.setattr(judgement, "POINTS", POINTS)
 
 
 def gains(parameters, feedback, feedforward):
@@ -51,3 +52,158 @@ def test_equations_that_cannot_be_read_leave_a_law_open():
     found = judged_law(LAWS["learned-flow"]._replace(rates=unread))
     assert (found.status, found.holds) == ("open", False)
     assert "no such equation" in found.claim
+
+
+KEEPING = [law for law in LAWS.values() if law.keeps is not None]
+NEEDED = {
+    "normalised-gradient": ("q", "b_v"),
+    "least-squares": ("alpha", "P"),
+    "composite-least-squares": ("alpha", "q", "Q_1"),
+    "composite-memory": ("b", "q"),
+    "concurrent": ("B", "origin"),
+    "drem": ("alpha", "q"),
+    "kalman-flow": ("P", "q"),
+}
+START = [[0.3, -0.2, 0.1], [0.0, 0.4, 0.2]]
+FALLING = [law for law in KEEPING if not law.shrinking]
+SHRINKING = [law for law in KEEPING if law.shrinking]
+DROPPED = [(law, port) for law in KEEPING for port in NEEDED[law.name]]
+
+
+@pytest.fixture(autouse=True)
+def few_points(monkeypatch):
+    monkeypatch.setattr(judgement, "POINTS", 100)
+    monkeypatch.setattr(kept_loop, "SIZES", (1, 2))
+
+
+@pytest.mark.parametrize(("law", "port"), DROPPED, ids=lambda one: getattr(one, "name", one))
+def test_without_a_relation_nothing_is_proved(law, port):
+    def fewer(s, p, truth):
+        return {key: value for key, value in law.keeps(s, p, truth).items() if key != port}
+
+    assert judgement.judged_law(law._replace(keeps=fewer)).status == "open"
+
+
+@pytest.mark.parametrize("law", SHRINKING, ids=lambda law: law.name)
+def test_a_law_is_bounded_only_where_every_error_shrinks(law):
+    def fewer(s, p, truth):
+        kept = law.keeps(s, p, truth)
+        first = np.ravel(kept["alpha"])
+        return {**kept, "alpha": [first[0], *s["alpha"][1:]]}
+
+    assert judgement.judged_law(law).status == "bounded"
+    assert judgement.judged_law(law._replace(keeps=fewer)).status == "open"
+    assert judgement.judged_law(law._replace(shrinking="q")).status == "open"
+    assert judgement.judged_law(law._replace(readout="b")).status == "open"
+
+
+@pytest.mark.parametrize("law", FALLING, ids=lambda law: law.name)
+def test_a_wrong_rate_of_V_is_not_proved(law):
+    def twice(s, p, truth):
+        first, *others = law.losses(s, p, truth)
+        return [(2, *first), *others]
+
+    def twice_gained(s, p, truth):
+        return 2 * law.gains(s, p, truth)
+
+    wrong = {"gains": twice_gained} if law.makes_estimate else {"losses": twice}
+    found = judgement.judged_law(law._replace(**wrong))
+    assert found.status == "open"
+    assert "left over" in found.claim
+
+
+@pytest.mark.parametrize("law", KEEPING, ids=lambda law: law.name)
+def test_a_run_starts_and_stays_where_the_relations_hold(law):
+    more = {
+        "vehicle.position": [0.7, -1.1],
+        "learning.parameters": None,
+        f"learning.{'theta_estimate' if law.keeps_alpha else 'parameters'}": START,
+    }
+    scenario = clpt.paper_scenario().with_values({"learning.law": law.name, **more})
+    truth = Truth(*map(np.array, (scenario.flow.parameters, *vehicle_gains(scenario))))
+    block = law.block(scenario.known_to_law)
+    p, shapes = block.parameters, {**block.state_shapes, **block.output_shapes}
+    loop, times = clpt.closed_loop(scenario), np.array([0.0, 5.0, 30.0])
+    run = response(loop, times, None, clpt.initial_state(scenario), rtol=1e-11, atol=1e-13)
+    ports = [label.split("[")[0] for label in loop.output_labels]
+    for k in range(len(times)):
+        flat = {port: run.outputs[[one == port for one in ports], k] for port in set(ports)}
+        s = {port: value.reshape(shapes.get(port, -1)) for port, value in flat.items()}
+        for port, value in law.keeps(s, p, truth).items():
+            np.testing.assert_allclose(s[port], value, atol=1e-9)
+        assert all(np.linalg.eigvalsh(s[port]).min() > -1e-10 for port in law.cones)
+        assert all(np.prod(product) > -1e-10 for product in law.losses(s, p, truth))
+
+
+def vehicle_gains(scenario):
+    return scenario.vehicle.feedback, scenario.vehicle.feedforward
+
+
+WITH_P = [law for law in KEEPING if law.over is not None]
+
+
+@pytest.mark.parametrize("law", WITH_P, ids=lambda law: law.name)
+def test_the_bounds_of_the_covariance_are_steps_of_the_proof(law):
+    said = [step.claim for step in judgement.judged_law(law).steps if step.holds]
+    for bound in (
+        "tr P <= k_0 is kept",
+        "P^-1 >= rho P(0)^-1",
+        "P^-1 <= P(0)^-1",
+        "eta is bounded",
+    ):
+        assert any(bound in claim for claim in said)
+
+
+@pytest.mark.parametrize("law", WITH_P, ids=lambda law: law.name)
+def test_a_covariance_that_may_pass_its_bound_is_not_proved(law, monkeypatch):
+    def unbounded(x, p):
+        return p.forgetting
+
+    monkeypatch.setattr(covariance.forgetting, "__code__", unbounded.__code__)
+    found = judgement.judged_law(law)
+    assert found.status == "open"
+    assert any("tr P <= k_0" in step.claim and not step.holds for step in found.steps)
+
+
+def forgets_where_it_was(t, x, u, p):
+    """As Eqs. (21)-(23) have it, but the window begins where the last one began."""
+    return next_window(t, x, u, p) | {"origin": x.origin}
+
+
+def takes_away(t, x, u, p):
+    """S and B of Eqs. (21)-(23) with the other sign: B = theta S still holds."""
+    return next_window(t, x, u, p) | {"S": -x.S, "B": -x.B}
+
+
+def starts_again(t, x, u, p):
+    """alpha of Eq. (21) set back to 0, which may be farther from the truth."""
+    return next_window(t, x, u, p) | {"alpha": 0.0}
+
+
+def the_same(t, x, u, p):
+    """K of Eq. (22) and all else as it is."""
+    return next_window(t, x, u, p)
+
+
+@pytest.mark.parametrize(
+    ("jump", "said"),
+    [
+        (forgets_where_it_was, "and is kept where they jump"),
+        (takes_away, "Q_1, Q_2, S >= 0 is not left where they jump"),
+        (starts_again, "V does not rise where they jump"),
+    ],
+)
+def test_a_jump_that_breaks_the_proof_leaves_the_law_open(jump, said):
+    found = judgement.judged_law(LAW._replace(jump=jump))
+    assert found.status == "open"
+    assert found.claim.startswith(said)
+
+
+def test_the_same_jump_is_proved():
+    assert judgement.judged_law(LAW._replace(jump=the_same)).status == "proved"
+
+
+def test_of_a_law_of_which_errors_shrink_jumps_are_not_judged():
+    found = judgement.judged_law(LAW._replace(shrinking="S", says=""))
+    assert found.status == "open"
+    assert any("its states jump" in step.detail for step in found.steps)
