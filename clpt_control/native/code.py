@@ -29,16 +29,14 @@ FORMS = {
 
 @dataclass(frozen=True)
 class Structure:
-    """All that machine code depends on, but for parameters, which it is given.
+    """All that machine code depends on, but for parameters, and one diagram to make it from.
 
-    Wiring and layout are those of one diagram: code is made from them.
+    `key` holds records, shapes and sizes of the blocks; what feeds each; the order of evaluation,
+    the kind of time, which blocks pass inputs on at once and which sample; where parameters lie;
+    how many inputs the diagram has.
     """
 
-    blocks: tuple  # records of each block, and its shapes and sizes
-    wires: tuple  # what feeds each block
-    order: tuple  # of evaluation; of what time; which blocks pass inputs on at once, which sample
-    pattern: str  # which parameter fields share a slot, and where
-    ninputs: int  # of the diagram
+    key: tuple
     wiring: Wiring = field(compare=False)
     layout: Layout = field(compare=False)
 
@@ -102,8 +100,8 @@ def code_of(
     wires = tuple((node.states.start, node.outputs.start, node.wires) for node in wiring.nodes)
     own = ((node.system.feedthrough, node.system.kept) for node in wiring.nodes)
     order = (wiring.order, bool(wiring.dt), *own)
-    made = Structure(tuple(blocks), wires, order, layout.pattern, wiring.ninputs, wiring, layout)
-    return _code(made, form, implicit)
+    key = tuple(blocks), wires, order, layout.pattern, wiring.ninputs
+    return _code(Structure(key, wiring, layout), form, implicit)
 
 
 @lru_cache(maxsize=64)

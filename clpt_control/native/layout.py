@@ -36,7 +36,11 @@ class Layout:
     jumps: dict[int, int] = field(default_factory=dict)  # block -> place in P: 1 where it jumps
     P: np.ndarray = field(default_factory=lambda: np.zeros(0))
     T: np.ndarray = field(default_factory=lambda: np.zeros(1))  # never empty
-    pattern: str = ""  # which fields share a slot: part of the key of compiled code
+
+    @property
+    def pattern(self) -> tuple:
+        """Where all lies, and so which fields share a slot: part of the key of compiled code."""
+        return *self.slots.items(), *self.jumps.items(), len(self.P)
 
     def inputs(self, count: int) -> int:
         """Return the length of P with so many inputs of the diagram."""
@@ -63,7 +67,6 @@ def lay_out(wiring: Wiring, parameters: Sequence[Any]) -> Layout:
     own: list[np.ndarray] = []
     tables: list[np.ndarray] = []
     known: dict[tuple[str, tuple[int, ...], bytes], Slot] = {}
-    names = []
     for k, (node, p) in enumerate(zip(wiring.nodes, parameters, strict=True)):
         if not isinstance(node.system, Block):
             continue
@@ -81,14 +84,11 @@ def lay_out(wiring: Wiring, parameters: Sequence[Any]) -> Layout:
                 stack.append(array.ravel())
                 known[key] = Slot("T" if large else "P", offset)
             slot = layout.slots[k, name] = known[key]
-            names.append(f"{k}.{name}:{slot.array}{slot.offset}{array.shape}")
             if name == "interval" and node.system.breakpoints_function is not None:
                 layout.intervals[k] = slot.offset
         if node.system.jump_function is not None:
             layout.jumps[k] = sum(part.size for part in own)
             own.append(np.zeros(1))
-            names.append(f"{k} jumps:P{layout.jumps[k]}")
     layout.P = np.concatenate([np.zeros(0), *own])
     layout.T = np.concatenate([*tables, np.zeros(1)])
-    layout.pattern = " ".join(names)
     return layout
