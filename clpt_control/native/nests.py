@@ -1,19 +1,17 @@
 """Print the nests of a program as LLVM's code."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 from llvmlite import ir
 
 from .components import deep, rows
+from .machine import LANES
 from .plan import Nest, Program, Saved, Total
 from .printing import Function
 from .vectors import WORD, apart, called, constant, gathered, joined, spread, width_of
 
-UNROLLED, UNROLLED_RUNS = (
-    4,
-    8,
-)  # turns of a loop that are printed one by one: of most, of inner ones
+UNROLLED, UNROLLED_RUNS = 4, 8  # turns that are printed one by one: of most loops, of inner ones
 ABREAST = 4  # of those, how many are worked on at once
 Key = tuple[int, tuple[int, ...], bool]  # component, loops that its axes are, for eight turns
 
@@ -21,26 +19,26 @@ Key = tuple[int, tuple[int, ...], bool]  # component, loops that its axes are, f
 def print_program(program: Program, names: tuple[str, ...], lanes: int) -> ir.Module:
     """Return a module of LLVM with some of a program's functions."""
     module = ir.Module()
-    for name in names:
-        made = Function(module, name, lanes, program.constants)
-        printer = _Printer(program, made, {} if name == "prepare" else program.prepared)
-        with deep():
-            for nest in program.functions[name]:
-                printer.nest(nest)
-        made.builder.ret_void()
+    with deep():
+        for name in names:
+            _Nests(module, name, lanes, program)
     return module
 
 
-class _Printer:
-    """Prints the nests of a function, one after the other.
+class _Nests(Function):
+    """A function's nests, printed one after the other.
 
     A value is printed when it is first asked for, where the innermost of its loops begins a turn.
     """
 
-    def __init__(self, program: Program, function: Function, prepared: dict[int, int]):
-        self.all, self.function, self.prepared = program.components, function, prepared
+    def __init__(self, module: ir.Module, name: str, lanes: int, program: Program):
+        super().__init__(module, name, lanes, program.constants)
+        self.all, self.prepared = program.components, {} if name == "prepare" else program.prepared
         self.saved: dict[int, int] = {}  # what lies in W by now
         self.numbers: dict[Key, list] = {}  # what is outside all loops
+        for nest in program.functions[name]:
+            self.nest(nest)
+        self.builder.ret_void()
 
     # --- nests ----------------------------------------------------------------------------
 
@@ -51,9 +49,10 @@ class _Printer:
         # of each loop: where a turn begins, and its values, of each turn that is worked on at once
         self.begins: list[Any] = [None] * (len(nest.lengths) + 1)
         self.values: list[dict[Key, list]] = [{} for _ in self.begins]
-        self.vector = nest.vector if nest.lengths and self.function.lanes == 1 else -1
+        self.vector = nest.vector if nest.lengths and self.lanes == 1 else -1
         if self.vector >= 0:
-            self.function.widen(nest.lengths[self.vector])
+            few = nest.lengths[self.vector] <= LANES // 2
+            self.wide = self.turns = LANES // 2 if few else LANES
         self.totals = [item for item in nest.items if isinstance(item, Total)]
         self.within(0, [])
         for item in nest.items:
@@ -71,18 +70,18 @@ class _Printer:
 
     def within(self, depth: int, sums: list) -> list:
         """Print what is within so many loops; return the sums over the last."""
-        self.begins[depth], self.values[depth] = self.function.builder.block, {}
+        self.begins[depth], self.values[depth] = self.builder.block, {}
         if depth > self.inner:
             return self.items(sums)
         # zeros are among what is masked
-        masked = depth == self.vector and self.now.lengths[depth] < self.function.wide
+        masked = depth == self.vector and self.now.lengths[depth] < self.wide
         zero = None if masked else constant(0.0, self.width(self.vector >= 0))
-        found = self.loop(depth, [zero] * len(self.totals) if depth == self.inner else [])
+        found = self.turned(depth, [zero] * len(self.totals) if depth == self.inner else [])
         for total, value in zip(self.totals, found, strict=False):
             self.finish(total, value)
         return []
 
-    def loop(self, number: int, sums: list) -> list:
+    def turned(self, number: int, sums: list) -> list:
         """Print a loop; return the sums."""
 
         def turn(place: Any, held: list) -> list:
@@ -90,15 +89,15 @@ class _Printer:
             return self.within(number + 1, held)
 
         count = self.now.lengths[number]
-        if self.function.lanes > 1 and number == self.inner and count <= UNROLLED_RUNS:
+        if self.lanes > 1 and number == self.inner and count <= UNROLLED_RUNS:
             for first in range(0, count, ABREAST):
                 sums = turn(tuple(range(first, min(count, first + ABREAST))), sums)
             return sums
         if number == self.vector:
             most = UNROLLED_RUNS if number else 1
-            return self.function.rounds(count, most, turn, sums)
-        unrolled = UNROLLED if self.function.lanes == 1 else UNROLLED_RUNS
-        return self.function.loop(range(count), unrolled, turn, sums)
+            return self.rounds(count, most, turn, sums)
+        unrolled = UNROLLED if self.lanes == 1 else UNROLLED_RUNS
+        return self.loop(range(count), unrolled, turn, sums)
 
     def items(self, sums: list) -> list:
         """Print what turns of all loops do, one after the other; return the sums."""
@@ -109,21 +108,21 @@ class _Printer:
             for item, own in zip(self.now.items, values, strict=True):
                 value = own[k % len(own)]
                 if isinstance(item, Total):
-                    found.append(self.function.summed(sums[len(found)], value))
+                    found.append(self.summed(sums[len(found)], value))
                 elif isinstance(item, Saved):
                     strides = rows(self.all[item.component].lengths)
-                    self.store(value, "W", item.place, strides, place)
+                    self.write(value, "W", item.place, strides, place)
                 else:
-                    self.store(value, item.array, item.first, item.strides, place)
+                    self.write(value, item.array, item.first, item.strides, place)
             sums = found
         return sums
 
     def finish(self, total: Total, value: Any) -> None:
         """Keep a sum."""
         if self.vector == self.inner:
-            value = joined(self.function.builder, value, self.now.lengths[self.inner])
+            value = joined(self.builder, value, self.now.lengths[self.inner])
         if self.inner:
-            self.store(value, "W", total.place, rows(self.all[total.component].lengths))
+            self.write(value, "W", total.place, rows(self.all[total.component].lengths))
         else:
             self.numbers[total.component, (), False] = [value]
 
@@ -131,7 +130,7 @@ class _Printer:
 
     def width(self, wide: bool) -> int:
         """Return how many numbers a value is."""
-        return self.function.wide if wide else self.function.lanes
+        return self.wide if wide else self.lanes
 
     def together(self, *turns: int) -> tuple:
         """Return the turns of the inner loop that are worked on at once; one of what is outside."""
@@ -145,22 +144,21 @@ class _Printer:
         known = self.values[depth] if depth or wide else self.numbers
         if key not in known:
             printed = self.printed(*key)
-            with self.function.builder.goto_block(self.begins[depth]):
+            with self.builder.goto_block(self.begins[depth]):
                 known[key] = printed()
         return known[key]
 
     def printed(self, c: int, turns: tuple[int, ...], wide: bool) -> Callable[[], list]:
         """Return what prints a value; what that is made of has been printed."""
-        builder, width = self.function.builder, self.width(wide)
+        builder, width = self.builder, self.width(wide)
         if wide and self.vector not in turns:
             own = self.value((c, turns, False))
             return lambda: [spread(builder, one, width) for one in own]
         read = self.read(c)
         if read is not None:
             array, first, strides = read
-            stride = self.stride(turns, strides) if wide else None
-            moves = [self.moves(turns, strides, place) for place in self.together(*turns)]
-            return lambda: [self.function.load(array, first, one, stride) for one in moves]
+            ways = [self.way(turns, strides, wide, place) for place in self.together(*turns)]
+            return lambda: [self.load(array, first, *way) for way in ways]
         name, arguments, _ = self.all[c]
         if name == "lookup":
             table, index = self.all[arguments[1][0]], self.argument(arguments[0], turns, wide)
@@ -174,27 +172,29 @@ class _Printer:
             return [constant(a, self.width(wide))]
         return self.value((a[0], tuple([turns[k] for k in a[1]]), wide))
 
-    def moves(self, turns: Any, strides: tuple[int, ...], place: Any) -> list[tuple[Any, int]]:
-        """Return the turns of loops with how far each moves on; `place` is that of the inner."""
-        pairs = zip(turns, strides, strict=False)
-        return [(place if turn == self.inner else self.places[turn], s) for turn, s in pairs]
+    def way(
+        self, turns: Sequence[int], strides: tuple[int, ...], wide: bool, place: Any
+    ) -> tuple[list[tuple[Any, int]], int | None]:
+        """Return how far each loop moves on, and the eight turns that are taken at once.
 
-    def stride(self, turns: Any, strides: tuple[int, ...]) -> int:
-        """Return by how much the loop that takes eight turns moves on."""
-        return sum(s for turn, s in zip(turns, strides, strict=True) if turn == self.vector)
+        `place` is the turn of the inner loop.
+        """
+        pairs = list(zip(turns, strides, strict=True))
+        stride = sum(s for turn, s in pairs if turn == self.vector) if wide else None
+        return [
+            (place if turn == self.inner else self.places[turn], s) for turn, s in pairs
+        ], stride
 
-    def store(
+    def write(
         self, value: Any, array: str, first: int, strides: tuple[int, ...], place: Any = None
     ) -> None:
         """Write what has been computed, in a turn of the inner loop or behind it."""
-        turns = range(len(strides))
         wide = self.vector >= 0 and width_of(value) > 1
-        stride = self.stride(turns, strides) if wide else None
-        self.function.store(value, array, first, self.moves(turns, strides, place), stride)
+        self.store(value, array, first, *self.way(range(len(strides)), strides, wide, place))
 
     def lookup(self, index: Any, array: str, first: int, stride: int, count: int) -> Any:
         """Read array[first + stride * whole], NaN where there is no such entry."""
-        builder, function, width = self.function.builder, self.function, width_of(index)
+        builder, width = self.builder, width_of(index)
 
         def ask(name: str, *own: Any) -> Any:
             given = [a if type(a) is float else [a] for a in own]
@@ -204,8 +204,8 @@ class _Printer:
         inside = ask("ge", place, 0.0)
         ones = []
         for k, one in enumerate(apart(builder, ask("where", inside, place, 0.0))):
-            address = function.address(array, first, [(builder.fptosi(one, WORD), stride)])
-            if function.columns(array) > 1:
+            address = self.address(array, first, [(builder.fptosi(one, WORD), stride)])
+            if self.columns(array) > 1:
                 address = builder.gep(address, [ir.Constant(WORD, k)])
             ones.append(builder.load(address))
         return ask("where", inside, gathered(builder, ones), float("nan"))

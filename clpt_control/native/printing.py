@@ -110,10 +110,6 @@ class Function:
 
     # --- loops ----------------------------------------------------------------------------
 
-    def widen(self, count: int) -> None:
-        """Take eight of so many turns at once, or four where there are no more."""
-        self.wide = self.turns = LANES if count > LANES // 2 else LANES // 2
-
     def rounds(
         self, count: int, unrolled: int, turn: Callable[[Any, list], list], sums: list
     ) -> list:
