@@ -9,6 +9,7 @@ import tomllib
 import numpy as np
 import pytest
 import xarray
+from made_fields import uniform_field
 
 from clpt_control.blocks.disturbance import disturbance
 from clpt_control.diagrams import interconnection
@@ -330,26 +331,18 @@ def test_words_that_are_no_command(clpt, tmp_path):
 
 
 def test_field_files_that_cannot_be_used(clpt, tmp_path):
-    axis = np.arange(4.0)
-    good = xarray.Dataset(
-        {name: (("time", "y", "x"), np.zeros((4, 4, 4)), {"units": "m s-1"}) for name in "uv"},
-        {
-            "time": ("time", 1e4 * axis, {"units": "s"}),
-            "y": ("y", 10 * axis - 15, {"units": "m"}),
-            "x": ("x", 10 * axis - 15, {"units": "m"}),
-        },
-    )
+    good = uniform_field(tmp_path / "field.nc", 0.0, 0.0, half=20.0, end=4e4)
     gap = good.copy(deep=True)
     gap.u[1, 1, 1] = np.nan
     unit = good.copy(deep=True)
     unit.u.attrs["units"] = "furlong"
-    uneven = good.assign_coords(x=("x", [-15.0, -5.0, 4.0, 15.0], {"units": "m"}))
+    uneven = good.assign_coords(x=("x", [-20.0, -10.0, 0.0, 9.0, 20.0], {"units": "m"}))
     for data, words in [
         (good.drop_vars("v"), ["'v'"]),
         (gap, ["u has gaps"]),
         (unit, ["furlong", "speed"]),
         (uneven, ["x must be evenly spaced"]),
-        (good.assign_coords(y=("y", axis)), ["y has units"]),
+        (good.assign_coords(y=("y", np.arange(5.0))), ["y has units"]),
     ]:
         data.to_netcdf(tmp_path / "field.nc")
         write(tmp_path / "s.toml", {f"flow.{key}": value for key, value in FIELD.items()})
@@ -358,15 +351,7 @@ def test_field_files_that_cannot_be_used(clpt, tmp_path):
 
 
 def test_a_run_that_fails_has_status_one(clpt, tmp_path):
-    axis = np.arange(4.0)
-    xarray.Dataset(
-        {name: (("time", "y", "x"), np.ones((4, 4, 4)), {"units": "m s-1"}) for name in "uv"},
-        {
-            "time": ("time", 1e4 * axis, {"units": "s"}),
-            "y": ("y", axis - 1, {"units": "m"}),
-            "x": ("x", axis - 1, {"units": "m"}),
-        },
-    ).to_netcdf(tmp_path / "field.nc")
+    uniform_field(tmp_path / "field.nc", 1.0, 1.0, half=1.5, end=4e4)
     write(tmp_path / "s.toml", {f"flow.{key}": value for key, value in FIELD.items()})
     outcome = clpt("run", tmp_path / "s.toml", "--out", tmp_path / "run.nc")
     assert outcome.status == 1

@@ -10,6 +10,7 @@ from typing import NamedTuple
 import control
 import numpy as np
 import pytest
+from numpy.polynomial.legendre import legval
 
 import clpt_control as clpt
 from clpt_control.conformance import readings
@@ -47,13 +48,6 @@ def legendre(t, x, u, p):
     return [b, *u]
 
 
-def test_a_recurrence_beside_a_wide_port():
-    from numpy.polynomial.legendre import legval
-
-    u = np.linspace(0.3, 1.0, 20)
-    alike(static(legendre, 20, 21), u=u, outputs=[legval(0.3, [0] * 7 + [1]), *u])
-
-
 def differences(t, x, u, p):
     s, total = 0.0, 0.0
     for _ in range(70):
@@ -61,10 +55,6 @@ def differences(t, x, u, p):
         s = s + u[0]
         total += s - old
     return total
-
-
-def test_what_a_turn_keeps_of_itself():
-    alike(static(differences, 1), u=[0.9], outputs=[63.0])
 
 
 def summed(t, x, u, p):
@@ -144,10 +134,6 @@ def one_behind(t, x, u, p):
     return s
 
 
-def test_a_loop_that_starts_at_one():
-    alike(static(one_behind, 20), u=np.arange(1, 21), outputs=[210.0])
-
-
 def spread(t, x, u, p):
     dx = -x
     dx += u[0]
@@ -215,29 +201,6 @@ def looks_from_the_end(t, x, u, p):
     ]
 
 
-def test_an_early_return():
-    alike(static(returns_early, 1), u=[4.0], outputs=[8.0])
-    alike(static(returns_early, 1), u=[2.0], outputs=[17.0])
-
-
-def test_a_slice_backwards():
-    alike(static(backwards, 3, 3), u=[1.0, 2.0, 5.0], outputs=[4.0, 1.0, 0.0])
-
-
-def test_a_running_maximum():
-    u = [1.0, -2.0, 3.0, 2.0, 7.0, 7.0, -9.0, 8.0]
-    alike(static(running_maximum, 8, 8), u=u, outputs=[1, 1, 3, 3, 7, 7, 7, 8])
-
-
-def test_powers_of_a_counter():
-    alike(static(large_powers, 1, 2), u=[0.75], outputs=[1.5, 0.75 * 2.0**69])
-
-
-def test_a_table_from_its_end():
-    p = Matrix(np.zeros((1, 1)), np.array([3.0, 5.0, 7.0]))
-    alike(static(looks_from_the_end, 1, 3, p), u=[0.3], outputs=[7.0, 5.0, 5.0])
-
-
 # --- what nobody writes twice ------------------------------------------------------------------
 
 
@@ -292,35 +255,16 @@ def called_like_a_function(t, x, u, p):
     return [p.gain * u[0], (p.count + 1 - p.count) * u[0]]
 
 
-def test_a_field_may_be_called_as_a_function_of_the_module_is():
-    alike(static(called_like_a_function, 1, 2, Gain(3.0, 2**70)), u=[2.0], outputs=[6.0, 2.0])
-
-
 def products(t, x, u, p):
     return [u @ u, np.sqrt(u @ u) + (2.0 * (p.m @ u))[1]]
-
-
-def test_products_of_arrays():
-    p = Matrix(np.arange(4.0).reshape(2, 2), np.zeros(2))
-    alike(static(products, 2, 2, p), u=[3.0, 4.0], outputs=[25.0, 5.0 + 36.0])
 
 
 def from_a_long_table(t, x, u, p):
     return [lookup(p.table, u[0]), lookup(p.table[::-3], u[0])]
 
 
-def test_a_long_table_is_asked_in_every_reading():
-    p = Matrix(np.zeros((1, 1)), np.arange(200_000.0))
-    alike(static(from_a_long_table, 1, 2, p), u=[150.5], outputs=[150.0, 199_999.0 - 450])
-
-
 def by_a_small_number(t, x, u, p):
     return [math.atan2(0.0 * u[0], -1.0), np.where(1.0 / (0.0 * u[0]) > 0, 1.0, -1.0)]
-
-
-@pytest.mark.parametrize("u", [2.0, -2.0])
-def test_a_zero_keeps_its_sign(u):
-    alike(static(by_a_small_number, 1, 2), u=[u], outputs=[math.copysign(math.pi, u), np.sign(u)])
 
 
 def of_small_numbers(t, x, u, p):
@@ -332,9 +276,38 @@ def of_small_numbers(t, x, u, p):
     ]
 
 
-def test_functions_keep_the_digits_and_the_range_that_they_are_made_for():
-    root = 2.0 * math.sqrt(2.0)
-    alike(static(of_small_numbers, 1, 4), u=[2.0], outputs=[2.0 - 2e-12, 2.0 + 2e-12, root, root])
+PLAIN = Matrix(np.arange(4.0).reshape(2, 2), np.array([3.0, 5.0, 7.0]))
+LONG = Matrix(np.zeros((1, 1)), np.arange(200_000.0))
+WIDE, ROOT = np.linspace(0.3, 1.0, 20), 2.0 * math.sqrt(2.0)
+MANY = [1.0, -2.0, 3.0, 2.0, 7.0, 7.0, -9.0, 8.0]
+STATIC = {  # -> function, inputs, outputs, parameters
+    "a recurrence beside a wide port": (legendre, WIDE, [legval(0.3, [0] * 7 + [1]), *WIDE]),
+    "what a turn keeps of itself": (differences, [0.9], [63.0]),
+    "a loop that starts at one": (one_behind, np.arange(1, 21), [210.0]),
+    "an early return": (returns_early, [4.0], [8.0]),
+    "a late return": (returns_early, [2.0], [17.0]),
+    "a slice backwards": (backwards, [1.0, 2.0, 5.0], [4.0, 1.0, 0.0]),
+    "a running maximum": (running_maximum, MANY, [1, 1, 3, 3, 7, 7, 7, 8]),
+    "powers of a counter": (large_powers, [0.75], [1.5, 0.75 * 2.0**69]),
+    "a table from its end": (looks_from_the_end, [0.3], [7.0, 5.0, 5.0], PLAIN),
+    "a field called as a function": (
+        called_like_a_function,
+        [2.0],
+        [6.0, 2.0],
+        Gain(3.0, 2**70),
+    ),
+    "products of arrays": (products, [3.0, 4.0], [25.0, 5.0 + 36.0], PLAIN),
+    "a long table": (from_a_long_table, [150.5], [150.0, 199_999.0 - 450], LONG),
+    "a zero's sign": (by_a_small_number, [2.0], [math.pi, 1.0]),
+    "the sign of -0": (by_a_small_number, [-2.0], [-math.pi, -1.0]),
+    "digits and range": (of_small_numbers, [2.0], [2.0 - 2e-12, 2.0 + 2e-12, ROOT, ROOT]),
+}
+
+
+@pytest.mark.parametrize("case", STATIC)
+def test_every_reading_gives_what_is_worked_out_by_hand(case):
+    function, u, outputs, *parameters = STATIC[case]
+    alike(static(function, len(u), len(outputs), *parameters), u=u, outputs=outputs)
 
 
 def of_endless_angles(t, x, u, p):

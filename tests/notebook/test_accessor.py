@@ -7,6 +7,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 import xarray
+from made_fields import uniform_field
 
 import clpt_control as clpt
 
@@ -48,13 +49,7 @@ def test_a_run_and_its_file_as_xarray_opens_it(tmp_path):
 
 def test_a_field_is_found_from_the_file_alone(tmp_path):
     """The scenario's field is relative to its file, also for xarray's own opening."""
-    grid, ones = np.linspace(-10, 10, 5), np.ones((2, 5, 5))
-    velocity = (("time", "y", "x"), 0.1 * ones, {"units": "m s-1"})
-    axes = {name: (name, grid, {"units": "m"}) for name in ("x", "y")}
-    field = xarray.Dataset(
-        {"u": velocity, "v": velocity}, {"time": ("time", [0.0, 50.0], {"units": "s"}), **axes}
-    )
-    field.to_netcdf(tmp_path / "field.nc")
+    uniform_field(tmp_path / "field.nc")
     scenario = SCENARIO.with_values({"flow": {"field": str(tmp_path / "field.nc")}})
     clpt.save_scenario(scenario, tmp_path / "s.toml")
     run = clpt.simulate(clpt.load_scenario(tmp_path / "s.toml"))

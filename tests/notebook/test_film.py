@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from made_fields import uniform_field
 from matplotlib.colors import to_rgb
 from PIL import Image
 
@@ -56,15 +57,7 @@ def test_what_is_shown_is_the_runs_own(run):
 
 
 def test_arrows_stand_within_a_field(tmp_path):
-    import xarray
-
-    grid, ones = np.linspace(-3.5, 3.5, 5), np.ones((2, 5, 5))
-    velocity = (("time", "y", "x"), 0.1 * ones, {"units": "m s-1"})
-    axes = {name: (name, grid, {"units": "m"}) for name in ("x", "y")}
-    time = ("time", [0.0, 50.0], {"units": "s"})
-    xarray.Dataset({"u": velocity, "v": velocity}, {"time": time, **axes}).to_netcdf(
-        tmp_path / "field.nc"
-    )
+    uniform_field(tmp_path / "field.nc", half=3.5)
     flow = {"field": str(tmp_path / "field.nc"), "outside": "clip"}
     run = clpt.simulate(SCENARIO.with_values({"flow": flow}))
     film = film_of(run, np.array([0.0, 10.0]))

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-import xarray
+from made_fields import uniform_field
 
 import clpt_control as clpt
 from clpt_control.simulation import pieces as in_pieces
@@ -55,12 +55,7 @@ def test_mean_squares_are_over_every_sample(case, pieces, monkeypatch):
 @pytest.mark.parametrize("end", [730.05, 600.0])
 def test_a_run_that_stops_is_kept_to_where_it_stops(end, pieces, monkeypatch, tmp_path):
     """The field ends in the fourth cycle, or with the third: the run's last sample is there."""
-    grid, ones = np.linspace(-10, 10, 5), np.ones((2, 5, 5))
-    velocity = (("time", "y", "x"), 0.1 * ones, {"units": "m s-1"})
-    axes = {name: (name, grid, {"units": "m"}) for name in ("x", "y")}
-    times = ("time", [0.0, end], {"units": "s"})
-    field = xarray.Dataset({"u": velocity, "v": velocity}, {"time": times, **axes})
-    field.to_netcdf(tmp_path / "field.nc")
+    uniform_field(tmp_path / "field.nc", end=end)
     flow = {"field": str(tmp_path / "field.nc"), "outside": "stop"}
     scenario = PAPER.with_values({"flow": flow, "run.duration": 1000.0})
     if pieces == "many":

@@ -4,6 +4,7 @@ import json
 
 import numpy as np
 import pytest
+from made_fields import uniform_field
 from pictures import inked
 
 import clpt_control as clpt_package
@@ -150,33 +151,10 @@ def test_the_known_flow_law_has_a_certificate_of_its_gains(paper):
     assert 0 < report["rho"] < report["drop"] < 1
 
 
-def test_a_gridded_field_needs_no_theta(tmp_path, paper):
-    import xarray
-
-    grid = np.linspace(-10, 10, 5)
-    hours = np.array([0.0, 400.0])
-    ones = np.ones((2, 5, 5))
-    units = {"units": "m s-1"}
-    xarray.Dataset(
-        {
-            "u": (("time", "y", "x"), 0.1 * ones, units),
-            "v": (("time", "y", "x"), 0.2 * ones, units),
-        },
-        {
-            "time": ("time", hours, {"units": "s"}),
-            "x": ("x", grid, {"units": "m"}),
-            "y": ("y", grid, {"units": "m"}),
-        },
-    ).to_netcdf(tmp_path / "field.nc")
-    text = clpt_package.paper_scenario()
-    clpt_package.save_scenario(text, tmp_path / "paper.toml")
-    toml = (tmp_path / "paper.toml").read_text()
-    start = toml.index("[flow]")
-    end = toml.index("[", start + 20 + toml[start + 20 :].index("]\n\n"))
-    (tmp_path / "field.toml").write_text(
-        toml[:start] + '[flow]\nfield = "field.nc"\n\n' + toml[end:]
-    )
-    scenario = clpt_package.load_scenario(tmp_path / "field.toml")
+def test_a_gridded_field_needs_no_theta(tmp_path):
+    uniform_field(tmp_path / "field.nc", v=0.2, end=400.0)
+    flow = {"field": str(tmp_path / "field.nc")}
+    scenario = clpt_package.paper_scenario().with_values({"flow": flow})
     report = excitation_report(scenario.with_values({"run.duration": 100}), 50.0, 20.0)
     assert len(report["eigenvalues"]["x1"]) == 5
     with pytest.raises(ScenarioError, match="gridded"):

@@ -1,19 +1,16 @@
 """One sign altered anywhere in a block's equations: is it seen?
 
 The mutants come from the syntax tree of every function that a block runs; none is listed
-by hand.  The code object is exchanged in place, so that every table and helper sees the
-altered equation.  Equations of the paper are the theorems' to defend, those of a law its own
-row's, those of a team its proof's, sources of time and tables those of `source_checks`.
+by hand.  Equations of the paper are the theorems' to defend, those of a law its own row's,
+those of a team its proof's, sources of time and tables those of `source_checks`.
 """
 
-import ast
-import inspect
 import random
-import textwrap
 from functools import cache
 from types import FunctionType
 
 import pytest
+from altered import alterations, altered, exchanged
 from package_blocks import BLOCKS
 from source_checks import CHECKS
 
@@ -69,44 +66,10 @@ def functions():
 PAGES = sorted({key.rpartition(".")[0] for key in functions() if key.startswith("laws.")})
 
 
-def is_sign(node):
-    binary = isinstance(node, ast.BinOp | ast.AugAssign) and isinstance(node.op, ast.Add | ast.Sub)
-    return binary or (isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub))
-
-
-class Flip(ast.NodeTransformer):
-    """Alter the sign numbered `which`."""
-
-    def __init__(self, which):
-        self.left = which
-
-    def visit(self, node):
-        node = self.generic_visit(node)
-        if not is_sign(node):
-            return node
-        self.left -= 1
-        if self.left != -1:
-            return node
-        if isinstance(node, ast.UnaryOp):
-            return node.operand
-        node.op = ast.Sub() if isinstance(node.op, ast.Add) else ast.Add()
-        return node
-
-
 def mutants():
     for key, function in functions().items():
-        tree = ast.parse(textwrap.dedent(inspect.getsource(function)))
-        for which in range(sum(is_sign(node) for node in ast.walk(tree))):
+        for which, _ in enumerate(alterations(function)):
             yield key, which
-
-
-def altered(function, which):
-    lines, first = inspect.getsourcelines(function)
-    tree = Flip(which).visit(ast.parse(textwrap.dedent("".join(lines))))
-    tree = ast.increment_lineno(ast.fix_missing_locations(tree), first - 1)
-    space = {}
-    exec(compile(tree, function.__code__.co_filename, "exec"), dict(function.__globals__), space)
-    return space[function.__name__].__code__
 
 
 @cache
@@ -128,10 +91,8 @@ said_unaltered = cache(said)
 
 def caught_by(function, which, first):
     """Name the step that fails on the altered function; None if none does."""
-    own = function.__code__
     unaltered = {law: said_unaltered(law) for law in laws_of(function)}  # before it is altered
-    function.__code__ = altered(function, which)
-    try:
+    with exchanged(function, altered(function, which)):
         for check in CHECKS if function.__module__.endswith(SOURCES) else ():
             try:
                 check()
@@ -155,8 +116,6 @@ def caught_by(function, which, first):
         for name, proof in limited_speed.LIMITS.items():
             for step in judged("failed", proof).failed:
                 return f"{name}: {step.claim}"
-    finally:
-        function.__code__ = own
     return None
 
 
