@@ -41,6 +41,7 @@ from .simulation import (
     state_at,
     team_loop,
 )
+from .theory import refute
 
 __version__: str
 
@@ -78,6 +79,7 @@ __all__ = [
     "pages",
     "paper_blocks",
     "paper_scenario",
+    "refute",
     "replay",
     "report",
     "run_ensemble",

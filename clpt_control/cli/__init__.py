@@ -58,7 +58,7 @@ def application() -> "typer.Typer":
     import typer
 
     from .help_pages import Command, Page, clpt
-    from .laws_and_proofs import laws, prove
+    from .laws_and_proofs import laws, prove, refute
     from .many_runs import ensemble, tune
     from .measurements import estimate, fit, tides
     from .one_scenario import diagram, init, paper, run
@@ -78,7 +78,7 @@ def application() -> "typer.Typer":
     groups = {  # in the order of a user's day
         "One experiment": (paper, init, run, diagram),
         "Many runs": (ensemble, tune),
-        "Theory": (laws, prove, excitation, design),
+        "Theory": (laws, prove, refute, excitation, design),
         "Measurements": (fit, tides, estimate, replay),
         "To show": (report, animate),
     }

@@ -1,13 +1,16 @@
-"""`clpt laws`: their table; `clpt prove`: theorems and laws, on the equations that run."""
+"""`clpt laws`: their table; `clpt prove`: theorems and laws; `clpt refute`: a law's promise."""
 
 from dataclasses import asdict
+from pathlib import Path
 from typing import Any
+
+import typer
 
 from ..errors import SimulationError
 from ..html import Result
 from ..progress import progress_bar
-from .help_pages import flag, opt
-from .printing import Json, finish
+from .help_pages import flag, names_of_laws, opt
+from .printing import Json, check_scenario, finish, shown
 
 OF_THEOREM = "status for_every_N printed assumptions steps conclusion corrected cited not_proved"
 OF_LAW = "law status claim for_every_N steps"
@@ -131,6 +134,42 @@ def prove(
     if wrong:
         more = f" (and {len(wrong) - 1} more)" if len(wrong) > 1 else ""
         raise SimulationError(f"the proof fails: {wrong[0]}{more}")
+
+
+def refute(
+    law: str = typer.Argument(..., metavar="LAW", help="Its name.", autocompletion=names_of_laws),
+    budget: float = opt("SECONDS", "How long to search.", default=60.0),
+    seed: int = opt("NUMBER", "Seed of the search.", default=0),
+    out: Path | None = opt("FILE", "Scenario that breaks the promise, to write."),
+    as_json: Json = False,
+) -> None:
+    """Search for a run that breaks what a law promises.
+
+    Not to find one is no proof.
+
+    Example:
+        clpt refute concurrent --budget 20 --out broken.toml
+    """
+    from ..files import write_text
+    from ..scenario.file import scenario_to_text
+    from ..theory.refuting import refute as search
+    from ..theory.refuting import words_of
+
+    check_scenario(out)
+    with progress_bar(f"searching {law}", 1.0) as report:
+        found = search(law, budget=budget, seed=seed, progress=report)
+    text = None if found.scenario is None else scenario_to_text(found.scenario)
+    if out is not None and text is not None:
+        write_text(out, text)
+    rows = [
+        [words, "never asked" if what not in found.closest else shown(found.closest[what])]
+        for what, words in words_of(law).items()
+    ]
+    title = f"{law}: {found.status} by {found.runs} runs in {found.seconds:.0f} s"
+    result = Result(title, ["promise", "came to, above 1 is broken"], rows)
+    finish([result], {**vars(found), "scenario": text}, as_json, out if text else None)
+    if found.broken:
+        raise SimulationError(f"{law} breaks its promise: {found.broken}")
 
 
 def _said(found: Any, room: str, name: str) -> dict[str, Any]:

@@ -11,8 +11,10 @@ from .proving.misprints import misprints
 from .proving.own_law import prove
 from .proving.theorems import audit
 from .proving.verdict import Verdict
+from .refuting import Search, refute
 
 __all__ = [
+    "Search",
     "Verdict",
     "audit",
     "certificate",
@@ -25,6 +27,7 @@ __all__ = [
     "misprints",
     "printed_bound",
     "prove",
+    "refute",
     "started_true",
     "team_gramian",
     "ultimate_bound",

@@ -133,7 +133,7 @@ def completed(tmp_path, *words):
 @pytest.mark.parametrize(
     ("words", "offered"),
     [
-        (["re"], ["replay", "report"]),
+        (["re"], ["refute", "replay", "report"]),
         (["run", "--fi"], ["--figures"]),
         (["replay", "--estimator", ""], ["kalman", "gradient"]),
         (["fit", "a.nc", "--constituents", "steady,K"], ["steady,K2", "steady,K1"]),

@@ -25,7 +25,7 @@ import numpy as np
 from .commanded_gains import COMMANDED_GAINS, gain_rates
 from .covariance import covariance, covariance_rates, forgetting, level_over_P
 from .known import Setting, Truth, scaled
-from .law import HELD, Law, State
+from .law import HELD, Law, State, promised
 from .regressions import FILTERED_FLOW, filter_rates, unexplained
 
 
@@ -57,6 +57,7 @@ LAW = Law(
     "composite-least-squares",
     promise="CLPE goes to zero, and alpha to -theta faster the more the track has shown",
     rates=composite_least_squares,
+    promises=promised("true spanned exact", "falls", "settles"),
     parameters={
         **HELD,
         "weight": Setting("w, of CLPE beside the regression, 1/time; 100 k", scaled(100)),

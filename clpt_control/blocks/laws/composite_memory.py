@@ -25,7 +25,7 @@ import numpy as np
 
 from .commanded_gains import COMMANDED_GAINS, gain_rates
 from .known import MEMORY, Setting, scaled
-from .law import GAINS, Law
+from .law import GAINS, Law, promised
 from .regressions import FILTERED_FLOW, filter_rates, filtered_flow, memory, pulled, remembered
 
 
@@ -52,6 +52,7 @@ LAW = Law(
     promise="CLPE goes to zero, and alpha to -theta exponentially once the track has excited, even "
     "if it never does again",
     rates=composite_memory,
+    promises=promised("true spanned exact", "falls", "settles", "exponential"),
     parameters={
         **GAINS,
         "memory_gain": Setting("gamma_c, 1/time^2; 0.8 k^2 (k mean KD)", scaled(0.8, k=2)),

@@ -35,7 +35,7 @@ import numpy as np
 from ...equations.declaration import Each
 from .commanded_gains import COMMANDED_GAINS, gain_rates
 from .known import Setting, scaled
-from .law import GAINS, Law, Part, State
+from .law import GAINS, Law, Part, State, promised
 from .regressions import memory, pulled, remembered
 
 
@@ -80,6 +80,7 @@ LAW = Law(
     promise="CLPE goes to zero, and alpha to -theta exponentially once the track has excited, even "
     "if it never does again",
     rates=concurrent,
+    promises=promised("true spanned exact", "falls", "settles", "exponential"),
     parameters={
         **GAINS,
         "memory_gain": Setting("gamma_c, 1/time; 5 k (k mean KD)", scaled(5)),

@@ -20,7 +20,7 @@ import numpy as np
 
 from .. import lyapunov
 from .known import Setting
-from .law import GAINS, Law
+from .law import GAINS, Law, promised
 from .learned_flow import driven_by
 
 
@@ -54,4 +54,5 @@ LAW = Law(
         ),
     },
     candidate=candidate,
+    promises=promised("true small exact", "falls", "zone"),
 )

@@ -34,7 +34,7 @@ import numpy as np
 from ...errors import ScenarioError
 from .composite_memory import memory_rates
 from .known import MEMORY, Known, Setting, mean_feedback
-from .law import HELD, Law, State, adapt_gains
+from .law import HELD, Law, State, adapt_gains, promised
 from .regressions import FILTERED_FLOW, filter_rates, memory
 
 MOST = 6  # functions
@@ -89,6 +89,10 @@ LAW = Law(
     "the flow's error over the least of KD; a readout of theta in finite time",
     needs=f"the commanded velocity, at most {MOST} functions",
     rates=drem,
+    promises=(
+        *promised("spanned exact", "shrinks", "readout"),
+        *promised("true spanned exact", "mean square"),
+    ),
     parameters={
         "rate": Setting("g, 1/time, of each parameter once excited; k", mean_feedback),
         "excitation": Setting("c, the determinant from which on the rate is g", 0.05, "at most 1"),

@@ -32,7 +32,7 @@ import numpy as np
 
 from ...equations.declaration import multiples
 from .known import PRIOR, Setting, prior, reach
-from .law import Law, State
+from .law import Law, State, promised
 
 
 def predict(t, x, u, p):
@@ -112,6 +112,7 @@ LAW = Law(
     promise="V does not rise at exact fixes, as far as phi at the prediction is phi at the vehicle",
     needs="fixes, localization.interval; steers on the prediction in between",
     rates=predict,
+    promises=promised("spanned exact uniform", "falls"),
     parameters={
         "noise": Setting("r of the regression, length; ((0.1 R)^2 + 2 noise^2)^0.5", usual_noise),
         "KD": lambda known: known.KD,

@@ -26,7 +26,7 @@ import numpy as np
 
 from .known import NOISE, PRIOR, Setting, Truth, mean_feedback, prior
 from .known_flow import known_flow_output
-from .law import HELD, Law, State, adapt_gains
+from .law import HELD, Law, State, adapt_gains, promised
 from .regressions import FILTERED_FLOW, filter_rates, filtered_flow
 
 
@@ -73,6 +73,10 @@ LAW = Law(
     output=known_flow_output,
     makes={"alpha": (2, "N")},
     gains=gains,
+    promises=(
+        *promised("true exact", "mean square"),
+        *promised("spanned exact", "estimate"),
+    ),
     cones=("P",),
     says="(d P^-1 d^T)' <= -|d phi_f|^2/r^2, d = theta_hat - theta",
 ).with_parts(FILTERED_FLOW)

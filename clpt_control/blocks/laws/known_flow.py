@@ -13,7 +13,7 @@ Ports: e[2] (length), phi_x[N], z[2], zc[2] (length) -> K[2], Gamma[2] (per time
 and alpha[2N] (length per time), constant.
 """
 
-from .law import HELD, Law, State, adapt_gains
+from .law import HELD, Law, State, adapt_gains, promised
 
 
 def known_flow(t, x, u, p):
@@ -34,6 +34,7 @@ LAW = Law(
     rates=known_flow,
     parameters={**HELD, "alpha_M": "alpha_M"},
     one_gain=True,
+    promises=promised("true exact", "mean square"),
     states={"K": State(2), "Gamma": State(2)},
     output=known_flow_output,
     makes={"alpha": (2, "N")},

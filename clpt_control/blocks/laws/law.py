@@ -53,6 +53,18 @@ class Made:
         return {**self.beside(t, x, u, p), **{name: getattr(x, name) for name in self.states}}
 
 
+class Promise(NamedTuple):
+    """A part of a promise, which `theory.promises` asks along runs."""
+
+    what: str  # a predicate
+    where: tuple[str, ...]  # its conditions
+
+
+def promised(where: str, *what: str) -> tuple[Promise, ...]:
+    """Return promises of the same conditions."""
+    return tuple(Promise(one, tuple(where.split())) for one in what)
+
+
 class Law(NamedTuple):
     """A row of the table of laws."""
 
@@ -88,7 +100,9 @@ class Law(NamedTuple):
     shrinking: str = ""  # a state w: every parameter's error is w times its first, and w' <= 0
     readout: str = ""  # an output that is theta once w has shrunk
     says: str = ""  # V' in words
+    promises: tuple[Promise, ...] = ()
     doubt: Callable[[Any, Truth], str] = lambda p, truth: ""  # why it need not keep its promise
+    level: Callable[[Any, Truth, float], float] | None = None  # of V, of the largest disturbance
 
     @property
     def table(self) -> str:

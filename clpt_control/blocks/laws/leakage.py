@@ -32,7 +32,7 @@ from typing import Any
 import numpy as np
 
 from .known import Known, Setting, Truth
-from .law import GAINS, Law
+from .law import GAINS, Law, promised
 from .learned_flow import learned_flow
 
 
@@ -98,6 +98,35 @@ def beyond_limits(p: Any, truth: Truth) -> str:
     return f"{', '.join(outside)}: CLPE need not go to zero" if outside else ""
 
 
+def of_what_adapts(p: Any, truth: Truth) -> tuple[float, float]:
+    """Return the least gain of what adapts, and the sum of |a*|^2 over it."""
+    gains = [gain for gain in (p.gain, p.gain_K, p.gain_Gamma) if gain > 0]
+    adapts = (truth.theta, truth.KD * (p.gain_K > 0), truth.GammaD * (p.gain_Gamma > 0))
+    return min(gains), float(sum(np.sum(a * a) for a in adapts))
+
+
+def level_of_sigma(p: Any, truth: Truth, delta: float) -> float:
+    """Return what V comes down to: V' <= -min(k, gamma s) V + Delta^2/(2 k) + s sum |a*|^2/2."""
+    (gain, size), k = of_what_adapts(p, truth), truth.KD.min()
+    return float((delta**2 / (2 * k) + p.leak * size / 2) / min(k, gain * p.leak))
+
+
+def level_of_switching(p: Any, truth: Truth, delta: float) -> float:
+    """Return the level of sigma and what the leak lacks below 2 M: (s - s_j) d^T a <= s |d| |a|."""
+    (gain, _), k = of_what_adapts(p, truth), truth.KD.min()
+    limits = (getattr(p, key) for key in LIMITS)
+    lacks = sum(2 * M * (2 * M + np.linalg.norm(a)) for M, a in zip(limits, truth, strict=True))
+    own = level_of_sigma(p, truth, delta)
+    return own + float(p.leak * lacks / min(k, gain * p.leak))
+
+
+def level_of_e_modification(p: Any, truth: Truth, delta: float) -> float:
+    """Return the largest V where k |e| + s sum |d|^2/2 <= c = Delta + s sum |a*|^2/2."""
+    (gain, size), k = of_what_adapts(p, truth), truth.KD.min()
+    c = delta + p.leak * size / 2
+    return float(max(c**2 / (2 * k**2), c / (p.leak * gain)))
+
+
 LEAK = Setting(
     "its gain times leak is what is forgotten per time, of alpha all within a cycle", forgetting
 )
@@ -106,6 +135,8 @@ SIGMA = Law(
     promise="CLPE and all that is learned stay bounded under any bounded disturbance",
     needs="nothing but a gain; what is learned is pulled to zero",
     rates=sigma,
+    promises=promised("true bounded exact", "level"),
+    level=level_of_sigma,
     parameters={**GAINS, "leak": LEAK},
 )
 SWITCHING_SIGMA = Law(
@@ -113,6 +144,11 @@ SWITCHING_SIGMA = Law(
     promise="as sigma, and CLPE goes to zero without disturbance where the limits hold",
     needs="limits of the flow parameters and gains",
     rates=switching_sigma,
+    promises=(
+        *promised("true bounded exact", "level"),
+        *promised("true within spanned exact", "falls", "settles"),
+    ),
+    level=level_of_switching,
     parameters={**GAINS, "leak": LEAK, **LIMITS},
     doubt=beyond_limits,
 )
@@ -122,6 +158,8 @@ E_MODIFICATION = Law(
     "CLPE is small",
     needs="nothing but a gain",
     rates=e_modification,
+    promises=promised("true bounded exact", "level"),
+    level=level_of_e_modification,
     parameters={
         **GAINS,
         "leak": Setting(

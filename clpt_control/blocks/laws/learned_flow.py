@@ -13,7 +13,7 @@ Gamma[2] (per time), the states.  gamma is one number in the paper, or one each.
 
 import numpy as np
 
-from .law import Law, adapt_gains
+from .law import Law, adapt_gains, promised
 
 
 def learned_flow(t, x, u, p):
@@ -32,4 +32,8 @@ LAW = Law(
     needs="nothing but a gain",
     rates=learned_flow,
     one_gain=True,
+    promises=(
+        *promised("true spanned exact", "falls", "settles"),
+        *promised("true exact", "mean square"),
+    ),
 )

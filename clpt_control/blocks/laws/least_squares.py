@@ -26,7 +26,7 @@ import numpy as np
 from .commanded_gains import COMMANDED_GAINS, gain_rates
 from .covariance import covariance, covariance_rates, level_over_P
 from .known import Setting, Truth, scaled
-from .law import HELD, Law
+from .law import HELD, Law, promised
 from .regressions import FILTERED_FLOW, filter_rates, unexplained
 
 
@@ -57,6 +57,10 @@ LAW = Law(
     promise="alpha goes to -theta where the track excites, whatever K, Gamma and CLPE do; CLPE is "
     "as small in the mean as the flow is well learned",
     rates=least_squares,
+    promises=(
+        *promised("spanned exact", "estimate"),
+        *promised("true spanned exact", "mean square"),
+    ),
     parameters={
         **HELD,
         "forgetting": Setting("lambda_0 of P, 1/time; 0.02 k", scaled(0.02), "not negative"),

@@ -20,7 +20,7 @@ import numpy as np
 
 from .commanded_gains import COMMANDED_GAINS, gain_rates
 from .known import Setting, Truth, scaled
-from .law import GAINS, Law
+from .law import GAINS, Law, promised
 from .regressions import FILTERED_FLOW, filter_rates, unexplained, unexplained_square
 
 
@@ -41,6 +41,7 @@ LAW = Law(
     "normalised-gradient",
     promise="CLPE goes to zero, and alpha to -theta as fast as the track of now shows it",
     rates=normalised_gradient,
+    promises=promised("true spanned exact", "falls", "settles"),
     parameters={
         **GAINS,
         "regression_gain": Setting("gamma_n, 1/time; 4 k (k mean KD)", scaled(4)),

@@ -20,7 +20,7 @@ Gamma[2] (per time), the states.
 import numpy as np
 
 from .known import Setting
-from .law import GAINS, Law
+from .law import GAINS, Law, promised
 from .leakage import LIMITS, beyond_limits
 from .learned_flow import learned_flow
 
@@ -48,6 +48,11 @@ LAW = Law(
     "to zero where the truth lies within",
     needs="limits of the flow parameters and gains, and a start within them",
     rates=projection,
+    promises=(
+        *promised("", "balls"),
+        *promised("true within spanned exact", "falls", "settles"),
+        *promised("true within exact", "mean square"),
+    ),
     parameters={
         **GAINS,
         **LIMITS,

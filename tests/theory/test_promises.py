@@ -1,0 +1,168 @@
+"""Promises of laws are asked along runs: right laws keep them, wrong ones are found out."""
+
+import json
+
+import numpy as np
+import pytest
+
+import clpt_control as clpt_package
+from clpt_control.blocks.laws.commanded_gains import gain_rates
+from clpt_control.blocks.laws.concurrent import KEPT
+from clpt_control.blocks.laws.law import Promise
+from clpt_control.blocks.laws.learned_flow import learned_flow
+from clpt_control.blocks.laws.table import LAWS
+from clpt_control.errors import ScenarioError
+from clpt_control.theory.promises import CHECKS, CONDITIONS, UNIFORM, kept, rise
+from clpt_control.theory.refuting import BROKEN, NUMBERS, TIGHT, drawn, refute, words_of
+
+LONG = 300.0  # seconds; what is wrong is found long before
+PAPER = clpt_package.paper_scenario()
+
+
+def with_law(name):
+    """The paper's scenario with a law, its functions the same everywhere where fixes ask it."""
+    row = LAWS[name]
+    values = {"learning.law": name, "run.duration": 60, "run.output_step": 0.02}
+    values |= {"learning.theta_estimate": [[0.9, 0.5, 0.7]] * 2} if row.given_estimate else {}
+    values |= {"learning.parameters": None} if row.keeps_alpha else {}
+    if row.at_fixes:
+        dropped = ("gain", "feedback", "feedforward")
+        values |= dict.fromkeys([f"learning.{key}" for key in dropped])
+        values |= {"localization.interval": 5.0, "basis.widths": [2 * UNIFORM] * 3}
+    return PAPER.with_values(values)
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_a_law_keeps_its_promises_on_the_papers_scenario(name):
+    found = kept(with_law(name))
+    assert set(found) == {promise.what for promise in LAWS[name].promises}
+    assert max(found.values()) <= BROKEN
+    assert all(words_of(name).values())
+
+
+def test_each_promise_has_a_predicate_and_conditions():
+    promises = [promise for law in LAWS.values() for promise in law.promises]
+    assert all(law.promises for law in LAWS.values())
+    assert {promise.what for promise in promises} == set(CHECKS)
+    assert {name for promise in promises for name in promise.where} == set(CONDITIONS)
+
+
+def test_a_promise_is_asked_only_where_its_conditions_hold():
+    noisy = with_law("drem").with_values({"localization": {"noise": 0.02, "noise_period": 1.0}})
+    assert kept(noisy) == {}
+    outside = with_law("projection").with_values({"learning.projection.largest_feedforward": 1.0})
+    assert set(kept(outside)) == {"balls"}
+
+
+def test_a_rise_is_seen_whatever_came_between():
+    assert rise(np.array([2.0, 1.0, 0.5, 0.75])) == pytest.approx(1.5, rel=1e-6)
+    assert rise(np.array([2.0, 1.0, 1.0])) == 1.0
+    assert rise(np.array([[1.0, 1.0], [0.5, 3.0]])) == pytest.approx(3.0, rel=1e-6)
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_every_point_is_a_scenario(name):
+    random = np.random.default_rng(1)
+    for _ in range(20):
+        assert drawn(name, random.random(NUMBERS)).learning.law == name
+    for point in (np.zeros(NUMBERS), np.full(NUMBERS, 1 - 1e-12)):
+        assert drawn(name, point).learning.law == name
+
+
+# --- laws that break a promise -------------------------------------------------------------------
+
+
+def other_sign(t, x, u, p):
+    """Gamma' of Eq. (23) with the other sign."""
+    rates = learned_flow(t, x, u, p)
+    return {**rates, "Gamma": -rates["Gamma"]}
+
+
+def mean_of_windows(t, x, u, p):
+    """Eq. (21) with the mean of all windows, divided by all that they have shown."""
+    missed = x.B + x.alpha @ x.S.T
+    return {
+        **dict.fromkeys((*KEPT, "shown", "carried"), 0.0),
+        "alpha": -p.gain * np.outer(u.e, u.phi_x) - p.memory_gain * missed,
+        **gain_rates(x, u, p),
+        "Phi": u.phi_x,
+        "origin": u.v_x,
+    }
+
+
+def taken_into_the_mean(t, x, u, p):
+    """S and B of Eq. (21) after a window; shown[0] is the square of what all have shown."""
+    before = p.window**2 + x.shown[0]
+    after = before + x.Phi @ x.Phi
+    Y = u.x - x.origin
+    return {
+        **{name: getattr(x, name) for name in KEPT},
+        "S": (before * x.S + np.outer(x.Phi, x.Phi)) / after,
+        "B": (before * x.B + np.outer(Y, x.Phi)) / after,
+        "shown": x.shown + x.Phi @ x.Phi,
+        "carried": x.carried,
+        "Phi": 0.0,
+        "origin": u.x,
+    }
+
+
+FORGETS = LAWS["composite-memory"].rates
+
+
+def forgets_all(t, x, u, p):
+    """alpha' of Eq. (21) with a memory, which forgets all by and by."""
+    rates = FORGETS(t, x, u, p)
+    return {**rates, "Q": rates["Q"] - 0.02 * x.Q, "b": rates["b"] - 0.02 * x.b}
+
+
+ANYWHERE = (Promise("shrinks", ("exact",)),)
+WRONG = {
+    "learned-flow": ({"rates": other_sign}, {"falls", "settles", "mean square"}),
+    "concurrent": ({"rates": mean_of_windows, "jump": taken_into_the_mean}, {"exponential"}),
+    "composite-memory": ({"rates": forgets_all}, {"exponential"}),
+    "drem": ({"promises": ANYWHERE}, {"shrinks"}),  # beside a flow outside the basis too
+}
+
+
+@pytest.mark.parametrize("name", WRONG)
+def test_a_law_that_breaks_its_promise_is_found_out(name, monkeypatch):
+    changes, breaks = WRONG[name]
+    monkeypatch.setitem(LAWS, name, LAWS[name]._replace(**changes))
+    found = refute(name, budget=LONG)
+    assert found.status == "refuted"
+    assert found.runs <= 100
+    again = kept(found.scenario, **TIGHT)
+    assert {what for what, value in again.items() if value > BROKEN} <= breaks
+    assert max(again.values()) > BROKEN
+    assert found.broken in words_of(name).values()
+
+
+def test_the_same_seed_finds_the_same(monkeypatch):
+    monkeypatch.setitem(LAWS, "drem", LAWS["drem"]._replace(promises=ANYWHERE))
+    one, two = (refute("drem", budget=LONG, seed=3) for _ in range(2))
+    assert (one.runs, one.scenario) == (two.runs, two.scenario)
+
+
+@pytest.mark.parametrize(("law", "budget"), [("no-law", 1.0), ("sigma", 0.0), ("sigma", np.inf)])
+def test_what_cannot_be_searched_is_refused(law, budget):
+    with pytest.raises(ScenarioError, match=r"law: 'no-law'|budget"):
+        refute(law, budget=budget)
+
+
+def test_the_command_writes_a_scenario_that_repeats_it(clpt, tmp_path, monkeypatch):
+    monkeypatch.setitem(LAWS, "drem", LAWS["drem"]._replace(promises=ANYWHERE))
+    file = tmp_path / "broken.toml"
+    outcome = clpt("refute", "drem", "--budget", LONG, "--out", file, "--json")
+    assert outcome.status == 1
+    report = json.loads(outcome.out)
+    assert report["status"] == "refuted"
+    assert report["closest"]["shrinks"] > BROKEN
+    assert "drem breaks its promise: each parameter's error only shrinks" in outcome.err
+    assert kept(clpt_package.load_scenario(file), **TIGHT)["shrinks"] > BROKEN
+
+
+def test_the_command_says_that_nothing_was_found(clpt, tmp_path):
+    outcome = clpt("refute", "known-flow", "--budget", 1, "--out", tmp_path / "none.toml")
+    assert outcome.status == 0
+    assert "known-flow: not refuted by" in outcome.out
+    assert not (tmp_path / "none.toml").exists()
