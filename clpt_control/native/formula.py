@@ -67,7 +67,7 @@ def program_of_formulas(formulas: Mapping[str, Formula], n: int) -> Program:
     plan = Planner(made)
     # loops come first: numbers of the lane are read in them, and written behind them
     functions = {
-        name: tuple(sorted(plan.nests(own, True), key=lambda nest: not nest.lengths))
+        name: tuple(sorted(plan.nests(own), key=lambda nest: not nest.lengths))
         for name, own in writes.items()
     }
     return Program(tuple(made.all), functions, {}, (), 0, 0, 0, ())

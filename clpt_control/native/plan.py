@@ -6,7 +6,6 @@ What depends on parameters alone is computed once a piece of time (`prepare`) an
 of P; what a nest reads at every turn, and what is long and read by later levels, is saved in W.
 """
 
-from collections.abc import Iterable
 from itertools import groupby
 from math import prod
 from typing import Any, NamedTuple
@@ -64,18 +63,22 @@ class Program(NamedTuple):
 
 
 class Planner:
-    """Makes the program of components."""
+    """Makes the program of components.
+
+    While it is `early` functions compute all by themselves, as what is prepared is.
+    """
 
     def __init__(self, made: Components):
-        self.made, self.all = made, made.all
+        self.made, self.all, self.early = made, made.all, True
         self.prepared: dict[int, int] = {}
-        self.loads: dict[int, int] = {}  # of kept arrays: component -> which
+        self.before: list[Write] = []  # what writes into P what is prepared
         self.rank = [len(c.lengths) for c in made.all]
 
     def arguments(self, c: int) -> list[Argument]:
-        """Return the components that one is made of."""
+        """Return the components that a function makes one of."""
         name, arguments, _ = self.all[c]
-        return [] if name in ("load", "table") else [a for a in arguments if type(a) is tuple]
+        none = name in ("load", "table") or self.left(c)
+        return [] if none else [a for a in arguments if type(a) is tuple]
 
     def kept(self, c: int) -> int:
         """Return which kept array a component reads, or -1."""
@@ -86,94 +89,99 @@ class Planner:
         self, writes: dict[str, list[Write]], decided: int, deciding: tuple[tuple, ...]
     ) -> Program:
         """Return the program whose functions write these."""
-        early: list[Write] = []
-        for own in writes.values():
-            early += self.prepare(own)
-        functions = {name: self.nests(own, False) for name, own in writes.items()}
-        functions["prepare"] = self.nests(early, True)
-        made = self.made
-        return Program(
-            tuple(self.all),
-            functions,
-            self.prepared,
-            tuple(made.constants),
-            made.prepared,
-            made.room,
-            decided,
-            deciding,
-        )
+        self.early, made = False, self.made
+        functions = {name: self.nests(own) for name, own in writes.items()}
+        self.early = True
+        functions["prepare"] = self.nests(self.before)
+        constants, sizes = tuple(made.constants), (made.prepared, made.room, decided)
+        return Program(tuple(self.all), functions, self.prepared, constants, *sizes, deciding)
 
     # --- what is prepared -----------------------------------------------------------------
 
-    def prepare(self, writes: Iterable[Write]) -> list[Write]:
-        """Choose what is prepared of what is written; return what writes it into P."""
-        found: list[Write] = []
-        seen: set[int] = set()
-        stack = [w.value[0] for w in writes if type(w.value) is tuple]
-        while stack:
-            c = stack.pop()
-            if c in seen:
-                continue
-            seen.add(c)
-            if (number := self.kept(c)) >= 0:
-                own = self.made.kept[number]
-                if own and own[0].array == "P":
-                    found += own
-                else:
-                    stack += [w.value[0] for w in own if type(w.value) is tuple]
-            if self.made.steady[c] and self.pays(c):
-                if c not in self.prepared:
-                    lengths = self.all[c].lengths
-                    place = self.prepared[c] = self.made.prepared
-                    self.made.prepared += prod(lengths)
-                    value = c, tuple(range(len(lengths)))
-                    found.append(Write("P", place, rows(lengths), lengths, value))
-            else:
-                stack += [a for a, _ in self.arguments(c)]
-        return found
-
-    def pays(self, c: int) -> bool:
-        """Whether a component of parameters is worth a place in P."""
+    def left(self, c: int) -> bool:
+        """Whether a function reads a component from P: of parameters alone, and worth a place."""
+        if self.early or not self.made.steady[c]:
+            return False
         name, arguments, lengths = self.all[c]
         if name == "load":
             return len(lengths) == 1 and arguments[2][0] != 1
         return name not in CONDITIONS and name != "table" and prod(lengths) <= LARGEST
 
+    def prepare(self, c: int) -> None:
+        """Give a component a place in P."""
+        if c not in self.prepared:
+            lengths = self.all[c].lengths
+            place = self.prepared[c] = self.made.prepared
+            self.made.prepared += prod(lengths)
+            self.before.append(Write("P", place, rows(lengths), lengths, _whole(c, lengths)))
+
+    def own(self, number: int) -> bool:
+        """Whether a function itself writes a kept array."""
+        writes = self.made.kept[number]
+        return self.early or not writes or writes[0].array == "W"
+
+    def live(self, writes: list[Write]) -> tuple[set[int], list[Write]]:
+        """Return the components that are computed or read, and all that is written."""
+        live: set[int] = set()
+        found: list[Write] = []
+        stack: list[int] = []
+        done: set[int] = set()
+
+        def write(own: list[Write]) -> None:
+            found.extend(own)
+            stack.extend(w.value[0] for w in own if type(w.value) is tuple)
+
+        write(writes)
+        while stack:
+            c = stack.pop()
+            if c in live:
+                continue
+            live.add(c)
+            number = self.kept(c)
+            if number >= 0 and number not in done:
+                done.add(number)
+                own = self.made.kept[number]
+                if self.own(number):
+                    write(own)
+                else:
+                    self.before += own
+            if self.left(c):
+                self.prepare(c)
+            stack += [a for a, _ in self.arguments(c)]
+        return live, found
+
     # --- levels ---------------------------------------------------------------------------
 
-    def nests(self, writes: list[Write], early: bool) -> tuple[Nest, ...]:
+    def nests(self, writes: list[Write]) -> tuple[Nest, ...]:
         """Return the loops of a function that writes these."""
-        live, writes = self.live(writes, early)
+        live, writes = self.live(writes)
         level: dict[int, int] = {}
 
         def ready(value: Any) -> int:
             if type(value) is not tuple:
                 return 0
             c = value[0]
-            return level[c] + (self.all[c].name == "sum" and not self.left(c, early))
+            return level[c] + (self.all[c].name == "sum" and not self.left(c))
 
         for c in sorted(live):
-            own = [ready(a) for a in ([] if self.left(c, early) else self.arguments(c))]
-            if (number := self.kept(c)) >= 0 and self.own(number, early):
+            own = [ready(a) for a in self.arguments(c)]
+            if (number := self.kept(c)) >= 0 and self.own(number):
                 own += [1 + ready(w.value) for w in self.made.kept[number]]
             level[c] = max(own, default=0)
         items: list[tuple] = [(ready(w.value), w.lengths, w) for w in dict.fromkeys(writes)]
-        for c in self.saved(live, level, early):
-            lengths, place = self.all[c].lengths, self.made.room
-            self.made.room += prod(lengths)
-            if self.all[c].name != "sum":
-                value = c, tuple(range(len(lengths)))
-                items.append((level[c], lengths, Saved(c, value, place)))
+        for c in self.saved(live, level):
+            name, arguments, lengths = self.all[c]
+            place = self.made.room if lengths else -1
+            self.made.room += prod(lengths) if lengths else 0
+            if name != "sum":
+                items.append((level[c], lengths, Saved(c, _whole(c, lengths), place)))
                 continue
-            items.append((level[c], *self.total(c, place)))
-        items += [
-            (level[c], *self.total(c, -1))
-            for c in sorted(live)
-            if self.all[c].name == "sum" and not self.rank[c] and not self.left(c, early)
-        ]
+            value, count = arguments  # the summed axis is the innermost
+            turns = tuple(len(lengths) if k == BOUND else k for k in value[1])
+            items.append((level[c], (*lengths, count), Total(c, (value[0], turns), place)))
 
         def key(item: tuple) -> tuple:
-            return item[0], len(item[1]), item[1], self.vector(item[1], item[2], early)
+            return item[0], len(item[1]), item[1], self.vector(item[1], item[2])
 
         items.sort(key=key)
         return tuple(
@@ -181,54 +189,19 @@ class Planner:
             for (_, _, lengths, vector), own in groupby(items, key)
         )
 
-    def total(self, c: int, place: int) -> tuple[tuple[int, ...], Total]:
-        """Return the loops of a sum, the summed axis innermost, and what they compute."""
-        _, (value, count), lengths = self.all[c]
-        turns = tuple(len(lengths) if k == BOUND else k for k in value[1])
-        return (*lengths, count), Total(c, (value[0], turns), place)
-
-    def left(self, c: int, early: bool) -> bool:
-        """Whether a function reads a component from P."""
-        return not early and c in self.prepared
-
-    def own(self, number: int, early: bool) -> bool:
-        """Whether a function itself writes a kept array."""
-        writes = self.made.kept[number]
-        return early or not writes or writes[0].array == "W"
-
-    def live(self, writes: list[Write], early: bool) -> tuple[set[int], list[Write]]:
-        """Return the components that are computed or read, and all that is written."""
-        live: set[int] = set()
-        found, done = list(writes), set()
-        stack = [w.value[0] for w in writes if type(w.value) is tuple]
-        while stack:
-            c = stack.pop()
-            if c in live:
-                continue
-            live.add(c)
-            number = self.kept(c)
-            if number >= 0 and number not in done and self.own(number, early):
-                done.add(number)
-                found += self.made.kept[number]
-                stack += [w.value[0] for w in self.made.kept[number] if type(w.value) is tuple]
-            if not self.left(c, early):
-                stack += [a for a, _ in self.arguments(c)]
-        return live, found
-
-    def saved(self, live: set[int], level: dict[int, int], early: bool) -> list[int]:
-        """Return the components with axes that are saved in W, in their order."""
+    def saved(self, live: set[int], level: dict[int, int]) -> list[int]:
+        """Return sums, and the components with axes that are saved in W, in their order."""
         found: set[int] = set()
         heavy: dict[int, bool] = {}
         for c in sorted(live):
-            name = self.all[c].name
-            own = [] if self.left(c, early) else self.arguments(c)
-            simple = name in ("load", "table") or self.left(c, early)
+            name, own = self.all[c].name, self.arguments(c)
+            simple = name in ("load", "table") or self.left(c)
             heavy[c] = not simple and (name in LONG or any(heavy[a] for a, _ in own))
-            if name == "sum" and self.rank[c] and not simple:
+            if name == "sum" and not simple:
                 found.add(c)
             inner = self.rank[c] + (name == "sum")
             for a, _ in own:
-                plain = self.all[a].name in ("load", *CONDITIONS) or self.left(a, early)
+                plain = self.all[a].name in ("load", *CONDITIONS) or self.left(a)
                 if plain or not self.rank[a]:
                     continue
                 if inner > self.rank[a] or (level[c] > level[a] and heavy[a]):
@@ -237,7 +210,7 @@ class Planner:
 
     # --- which loop takes eight turns at once ---------------------------------------------
 
-    def vector(self, lengths: tuple[int, ...], item: Write | Total | Saved, early: bool) -> int:
+    def vector(self, lengths: tuple[int, ...], item: Write | Total | Saved) -> int:
         """Return the loop along which most of what is read and written lies in turn."""
         if len(lengths) < 2:
             return 0
@@ -252,8 +225,8 @@ class Planner:
                 continue
             seen.add(argument)
             name, arguments, own = self.all[c]
-            if name == "load" or self.left(c, early):
-                moves = arguments[2] if name == "load" and not self.left(c, early) else rows(own)
+            if name == "load" or self.left(c):
+                moves = arguments[2] if name == "load" and not self.left(c) else rows(own)
                 along: dict[int, int] = {}
                 for turn, stride in zip(turns, moves, strict=True):
                     along[turn] = along.get(turn, 0) + stride
@@ -262,6 +235,10 @@ class Planner:
             elif name != "sum":
                 stack += [(a, tuple(turns[k] for k in axes)) for a, axes in self.arguments(c)]
         return min(reversed(range(len(lengths))), key=apart.__getitem__)
+
+
+def _whole(c: int, lengths: tuple[int, ...]) -> Argument:
+    return c, tuple(range(len(lengths)))
 
 
 def program_of(
