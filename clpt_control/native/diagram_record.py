@@ -12,8 +12,9 @@ from math import prod
 from typing import Any, NamedTuple
 
 from ..diagrams.joined import Joining
-from ..diagrams.wiring import Node, Wiring
+from ..diagrams.wiring import Wiring
 from ..equations.block import Block
+from ..equations.ports import places
 from ..equations.record import Operation, Record, reached
 from .decisions import LOCKED, Decisions, Port
 from .layout import Layout
@@ -38,10 +39,6 @@ class Entry(NamedTuple):
     owner: int
 
 
-def _places(node: Node) -> range:
-    return range(node.outputs.start, node.outputs.stop)
-
-
 class DiagramRecord(Joining):
     """All entries of a diagram, and what its functions store.
 
@@ -61,25 +58,20 @@ class DiagramRecord(Joining):
         self.entries: list[Entry] = []
         self.decided_by: dict[int, tuple] = {}  # entries that may decide: long axes, whose they are
         self.rates: list[Port] = []
-        self.signals: list[Port] = []
-        self.margins: list[Ref] = []
         self._known: dict[Entry, int] = {}
         self._jumped: dict[int, dict[str, Ref]] = {}  # states of a block after jumps, once known
         self.given[0] = self._inputs()
-        self._rates()
-        self.margins = [m for k in range(len(wiring.nodes)) for m in self._margins(k)]
+        self.signals = self._rates()
+        guarded = [k for k, node in enumerate(wiring.nodes) if node.system.guard is not None]
+        self.margins = [m for k in guarded for m in self.run(k, "guard", self.fed(k))]
         self.decisions = Decisions(self, layout.inputs(wiring.ninputs))
         if locking and not wiring.dt:
             self.rates = self.decisions.lock(self.rates)
         self._jumped = {k: self._leap(k) for k in range(len(wiring.nodes))}
         self._sample()
-        self.leaps = [
-            port
-            for k, node in enumerate(wiring.nodes)
-            for port in self._stored(
-                node.system, "states", node.states.start, [*self._jumped[k].values()]
-            )
-        ]
+        self.leaps: list[Port] = []
+        for k, states in self._jumped.items():
+            self.leaps += self._stored(k, "states", [*states.values()])
 
     def add(
         self, kind: str, arguments: Sequence[Ref], shape: tuple, at: Any = None, owner: int = WIRE
@@ -97,24 +89,19 @@ class DiagramRecord(Joining):
     def _output(self, k: int) -> list[Port]:
         node = self.wiring.nodes[k]
         values = self.run(k, "output", self.fed(k) if node.system.feedthrough else {})
-        ports = self._stored(node.system, "outputs", node.outputs.start, values)
-        self.made.update({port.first: port.ref for port in ports if prod(port.shape)})
+        ports = [port for port in self._stored(k, "outputs", values) if prod(port.shape)]
+        self.made.update({port.first: port.ref for port in ports})
         return ports
 
-    def _rates(self) -> None:
-        """Write down what the rates of all states are."""
+    def _rates(self) -> list[Port]:
+        """Write down what the rates of all states are; return all signals."""
+        signals: dict[int, Port] = {}  # of a block that is run twice the later
         for k in self.wiring.order:
-            own = _places(self.wiring.nodes[k])
-            before = [port for port in self.signals if port.first not in own]
-            self.signals = before + self._output(k)
+            signals |= {port.first: port for port in self._output(k)}
         for k, node in enumerate(self.wiring.nodes):
             if node.system.update_function is not None:
-                values = self.run(k, "update", self.fed(k))
-                self.rates += self._stored(node.system, "states", node.states.start, values)
-
-    def _margins(self, k: int) -> list[Ref]:
-        node = self.wiring.nodes[k]
-        return self.run(k, "guard", self.fed(k)) if node.system.guard is not None else []
+                self.rates += self._stored(k, "states", self.run(k, "update", self.fed(k)))
+        return [*signals.values()]
 
     def _leap(self, k: int) -> dict[str, Ref]:
         """Return the states of a block after the jumps that P asks for."""
@@ -123,10 +110,14 @@ class DiagramRecord(Joining):
         states = {name: self.leaf(k, "x", name, shape) for name, shape in shapes.items()}
         if place is not None:
             asked = self.add("gt", (self.load("P", place, ()), 0.5), ())
-            new = self.run(k, "jump", self.fed(k))
-            for (name, shape), value in zip(shapes.items(), new, strict=True):
-                states[name] = self.add("where", (asked, value, states[name]), shape)
+            self._change(k, states, asked, self.run(k, "jump", self.fed(k)))
         return states
+
+    def _change(self, k: int, states: dict[str, Ref], asked: Ref, values: list[Ref]) -> None:
+        """Change the last states of a block where that is asked for."""
+        shapes = self.wiring.nodes[k].system.state_shapes
+        for name, value in zip([*states][-len(values) :], values, strict=True):
+            states[name] = self.add("where", (asked, value, states[name]), shapes[name])
 
     def _sample(self) -> None:
         """Hold what feeds the blocks that sample, signals being those of the states jumped to."""
@@ -140,17 +131,14 @@ class DiagramRecord(Joining):
             self._hold(k)
 
     def _hold(self, k: int) -> None:
-        node, P = self.wiring.nodes[k], self.load("P", self.layout.jumps[k], ())
-        sampled = self.add("ne", (P, 0.0), ())
-        fed, states = self.fed(k).values(), self._jumped[k]
-        for name, value in zip([*states][-len(fed) :], fed, strict=True):
-            shape = node.system.state_shapes[name]
-            states[name] = self.add("where", (sampled, value, states[name]), shape)
+        sampled = self.add("ne", (self.load("P", self.layout.jumps[k], ()), 0.0), ())
+        self._change(k, self._jumped[k], sampled, [*self.fed(k).values()])
 
-    def _stored(self, block: Block, kind: str, first: int, values: list[Ref]) -> list[Port]:
-        ports = []
-        for shape, ref in zip(block.declared[kind].values(), values, strict=True):
-            ports.append(Port(first, *self._axes(block, shape), ref))
+    def _stored(self, k: int, kind: str, values: list[Ref]) -> list[Port]:
+        node, ports = self.wiring.nodes[k], list[Port]()
+        first = getattr(node, kind).start
+        for shape, ref in zip(node.system.declared[kind].values(), values, strict=True):
+            ports.append(Port(first, *self._axes(node.system, shape), ref))
             first += prod(ports[-1].shape)
         return ports
 
@@ -188,9 +176,8 @@ class DiagramRecord(Joining):
         elif group == "x" and name in self._jumped.get(k, {}):
             return self._jumped[k][name]
         elif group == "x":
-            before = list(block.state_shapes)
-            sizes = [prod(block.state_shapes[port]) for port in before[: before.index(name)]]
-            array, first = "X", self.wiring.nodes[k].states.start + sum(sizes)
+            own, _ = places(block.state_shapes)[name]
+            array, first = "X", self.wiring.nodes[k].states.start + own.start
         return self.load(array, first, self.shape(block, shape))
 
     def load(self, array: str, first: int, shape: tuple) -> int:

@@ -51,18 +51,12 @@ def chosen(
         raise SimulationError(
             "inputs: machine code takes no function; give samples at timepts, or leave engine out"
         )
-    if asked == "python" or by_function:
-        return PythonDiagram(wiring, params)
-    return compiled(wiring, params, name)
-
-
-def compiled(wiring: Wiring, params: Mapping[str, Any] | None, name: str) -> PythonDiagram:
-    """Return a diagram as machine code; in Python, with a warning, what cannot be compiled."""
-    try:
-        return NativeDiagram(wiring, params)
-    except Uncompiled as error:
-        in_python(name, str(error))
-        return PythonDiagram(wiring, params)
+    if asked == "native" and not by_function:
+        try:
+            return NativeDiagram(wiring, params)
+        except Uncompiled as error:
+            in_python(name, str(error))
+    return PythonDiagram(wiring, params)
 
 
 def run_as_read(

@@ -130,22 +130,11 @@ class NativeDiagram(PythonDiagram):
         own = [0 if unused.get(name) else code.address(name, lanes) for name in FUNCTIONS]
         formulas = kernels(n, lanes, method) if n else None
         more = formulas.addresses.values() if formulas else ()
-        return Callee(
-            compiled_solver(),
-            np.array([*own, *more], dtype=np.int64),
-            lanes,
-            n,
-            method,
-            guarded,
-            jumping,
-            self.held,
-            program.decided,
-            program.parameters,
-            program.room,
-            self.layout.T,
-            code.linear or EXPLICIT,
-            (code, formulas),
-        )
+        functions = np.array([*own, *more], dtype=np.int64)
+        shape = lanes, n, method, guarded, jumping, self.held, program.decided
+        sizes = program.parameters, program.room, self.layout.T
+        linear, alive = code.linear or EXPLICIT, (code, formulas)
+        return Callee(compiled_solver(), functions, *shape, *sizes, linear, alive)
 
     def lanes(self, count: int) -> int:
         """Return how many runs are taken at once: eight where it pays."""

@@ -97,25 +97,13 @@ class PythonDiagram:
             )
             D[to : to + n] = sweep.leap(t[0], X[first : first + n], u(t), jumping, beginning)
 
-        own = [on_rows(f, n) for f in formulas(method, n).values()] if n else []
-        linear = EXPLICIT
+        functions = [derivative, prepare, margin, signals, jump, None, None]
+        functions += [on_rows(f, n) for f in formulas(method, n).values()] if n else []
+        shape = 1, n, method, int(sweep.guarded), int(bool(self.jumps)), 0, 0
+        sizes, linear = (len(self.jumps), self.nsignals, np.zeros(1)), EXPLICIT
         if method == solver.RODAS5P:
             linear = jacobian(np.ones((n, n + 1), dtype=bool), False)
-        return Callee(
-            solver,
-            [derivative, prepare, margin, signals, jump, None, None, *own],
-            1,
-            n,
-            method,
-            int(sweep.guarded),
-            int(bool(self.jumps)),
-            0,
-            0,
-            len(self.jumps),
-            self.nsignals,
-            np.zeros(1),
-            linear,
-        )
+        return Callee(solver, functions, *shape, *sizes, linear)
 
     def implicit(self, inputs: Inputs | None = None) -> Callee:
         """Return what the solver calls of its implicit method."""
