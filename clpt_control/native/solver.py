@@ -43,7 +43,7 @@ STATE, RATE, ARGUMENT, TERMS, ROWS = 0, 1, 17, 18, 25
 # more are for what lies within a step
 DOP853, RODAS5P, RK4 = 12, 9, 4
 # of Rodas5P: its stages begin at SOLVED, then what each is solved for has beside its rate, df/dt,
-# and room
+# and room, two rows
 SOLVED, KNOWN, OVER_TIME, ROOM = 2, 10, 11, 12
 TIME, STEP, END, FRESH, REJECTED, GOOD, TAKEN, NEW, AT, FAILING, SIZE, TROUBLE = range(12)
 KINK, LOW, HIGH, LAST = range(12, 16)  # of a decision that a step has passed (`decisions`)
@@ -88,7 +88,7 @@ def advance(code, shape, tolerances, batch, linear, budget, most):
     A run that has taken `most` tries is given up.  Where a lane is found to be stiff, no more are
     taken.
     """
-    lanes, n, stages, guarded, jumping, held, decided = shape
+    lanes, n, stages, guarded, jumping, _, decided = shape
     runs, schedule, times, results, lane, arrays = batch
     (_, status, reached, counts), (numbers, whole, queue) = results, lane
     Z, P, T, W, D = arrays
@@ -107,7 +107,7 @@ def advance(code, shape, tolerances, batch, linear, budget, most):
             call(code[PREPARE], now, Z, 0, P, T, W, D, 0)
         if anew:
             if decided > 0:
-                decide(code, lanes, numbers, now, 0, held, decided, arrays)
+                decide(code, shape, numbers, arrays)
             if guarded:
                 call(code[MARGIN], now, Z, 0, P, T, W, D, 0)
             if not fixed:
@@ -129,7 +129,7 @@ def advance(code, shape, tolerances, batch, linear, budget, most):
             if implicit:
                 solve_stage(n, s, linear, Z)
         call(code[JUDGE], numbers, Z, 0, P, tolerances, W, D, 0)
-        good, wanted, within, doubted = False, False, False, False
+        good, within, doubted = False, False, False
         looked = anew or implicit or guarded > 0 or decided > 0
         for k in range(lanes):
             good = good or numbers[GOOD, k] > 0.5
@@ -145,9 +145,8 @@ def advance(code, shape, tolerances, batch, linear, budget, most):
                     within = within or guarded > 0
                     if counts[m, STEPS] % OFTEN == 0 or numbers[STIFF_STEPS, k] > 0:
                         numbers[ASKED, k], doubted = 1.0, True
-                    if done < len(times) and times[done] <= numbers[NEW, k]:
-                        wanted = True
-                        within = within or times[done] < numbers[NEW, k]
+                    if done < len(times) and times[done] < numbers[NEW, k]:
+                        within = True
         if good and not fixed:
             call(code[DERIVATIVE], at, Z, ARGUMENT * span, P, T, W, Z, (RATE + DOP853) * span)
         if doubted and dense:
@@ -169,7 +168,7 @@ def advance(code, shape, tolerances, batch, linear, budget, most):
                 cross(code, shape, results, lane, arrays)
             if guarded:
                 watch(code, shape, 1 if fixed else LOOKS, results, lane, arrays)
-        if wanted or within:
+        if looked and good:
             sample(shape, times, results, lane, Z, 3 if within and dense else 0)
         if lanes > 1 or numbers[GOOD, 0] > 0.5:
             call(code[ACCEPT], numbers, Z, 0, P, T, W, D, 0)
@@ -198,7 +197,9 @@ def advance(code, shape, tolerances, batch, linear, budget, most):
                         numbers[STIFF_STEPS, k] = 0.0
                 if whole[MEMBER, k] >= 0:
                     active += 1
-                    look_again(k, times, spare, counts, lane)
+                    tries = min(spare, OFTEN - counts[whole[MEMBER, k], STEPS] % OFTEN)
+                    numbers[SPARE, k] = 1.0 if numbers[STIFF_STEPS, k] > 0 else tries
+                    look_ahead(k, times, lane)
     count(shape, counts, lane)
     return active
 
@@ -206,15 +207,15 @@ def advance(code, shape, tolerances, batch, linear, budget, most):
 # --- decisions ------------------------------------------------------------------------------
 
 
-def decide(code, lanes, numbers, t, first, held, decided, arrays):
-    """Keep in P what is decided now, at states from a place in Z, in lanes that begin."""
-    Z, P, T, W, D = arrays
-    call(code[DECIDE], t, Z, first, P, T, W, D, 0)
+def decide(code, shape, numbers, arrays):
+    """Keep in P what is decided now, in lanes that begin."""
+    lanes, held, decided, (Z, P, T, W, D) = shape[0], shape[5], shape[6], arrays
+    call(code[DECIDE], numbers[TIME], Z, 0, P, T, W, D, 0)
     for k in range(lanes):
         if numbers[FRESH, k] > 0.5:
             for j in range(decided):
                 P[(held + j) * lanes + k] = D[j * lanes + k]
-    call(code[PREPARE], t, Z, 0, P, T, W, D, 0)
+    call(code[PREPARE], numbers[TIME], Z, 0, P, T, W, D, 0)
 
 
 def passed(k, lanes, decided, D):
@@ -303,14 +304,6 @@ def again(k, step, counts, lane):
     numbers[GOOD, k], numbers[REJECTED, k], numbers[STEP, k] = 0.0, 0.0, step
     counts[whole[MEMBER, k], STEPS] -= 1
     counts[whole[MEMBER, k], REJECTIONS] += 1
-
-
-def look_again(k, times, spare, counts, lane):
-    """Note when a lane is looked at next: at an end, a sample, or for stiffness."""
-    numbers, whole, _ = lane
-    tries = min(spare, OFTEN - counts[whole[MEMBER, k], STEPS] % OFTEN)
-    numbers[SPARE, k] = 1.0 if numbers[STIFF_STEPS, k] > 0 else tries
-    look_ahead(k, times, lane)
 
 
 def look_ahead(k, times, lane):
@@ -414,6 +407,8 @@ def leap(code, shape, schedule, times, results, lane, arrays):
         return
     call(code[PREPARE], numbers[TIME], Z, 0, P, T, W, D, 0)
     call(code[JUMP], numbers[TIME], Z, 0, P, T, W, Z, ARGUMENT * n * lanes)
+    if shape[3]:
+        call(code[MARGIN], numbers[TIME], Z, ARGUMENT * n * lanes, P, T, W, D, 0)
     for k in range(lanes):
         if at_end(k, status, numbers, whole):
             m, done, trouble = whole[MEMBER, k], whole[DONE, k], 0.0
@@ -426,10 +421,7 @@ def leap(code, shape, schedule, times, results, lane, arrays):
                     out[m, done - 1, i] = new
             if trouble != 0.0:
                 fail(status, whole, k, NOT_FINITE)
-    if shape[3]:
-        call(code[MARGIN], numbers[TIME], Z, 0, P, T, W, D, 0)
-        for k in range(lanes):
-            if at_end(k, status, numbers, whole) and D[k] < -OUTSIDE:
+            if shape[3] and D[k] < -OUTSIDE:
                 fail(status, whole, k, LEFT)
 
 
@@ -558,26 +550,22 @@ def differentiate(code, n, tolerances, numbers, linear, arrays):
 
 def by_differences(code, n, group, tolerances, numbers, groups, arrays):
     """Write into ROOM by how much rates change over a group's own changes, those into TERMS."""
-    Z, P, T, W, D = arrays
+    Z, P, T, W, _ = arrays
     least = tolerances[1] / tolerances[0]  # a smaller state is as good as zero
     for j in range(n):
         size = max(abs(Z[j]), least)
-        Z[TERMS * n + j] = 2.0 * APART * (size if size > 0.0 else 1.0)
-    Z[TERMS * n + n] = 1e-3 * numbers[TAKEN, 0]
+        change = 2.0 * APART * (size if size > 0.0 else 1.0)
+        Z[TERMS * n + j] = change if groups[j] == group else 0.0
+    Z[TERMS * n + n] = 1e-3 * numbers[TAKEN, 0] if groups[n] == group else 0.0
     for side in range(2):
         half = 0.5 - side
         for j in range(n):
-            moved = half * Z[TERMS * n + j] if groups[j] == group else 0.0
-            Z[ARGUMENT * n + j] = Z[j] + moved
-        moved = half * Z[TERMS * n + n] if groups[n] == group else 0.0
-        numbers[AT, 0] = numbers[TIME, 0] + moved
-        if side == 0:
-            call(code[DERIVATIVE], numbers[AT], Z, ARGUMENT * n, P, T, W, Z, ROOM * n)
-        else:
-            call(code[DERIVATIVE], numbers[AT], Z, ARGUMENT * n, P, T, W, D, 0)
+            Z[ARGUMENT * n + j] = Z[j] + half * Z[TERMS * n + j]
+        numbers[AT, 0] = numbers[TIME, 0] + half * Z[TERMS * n + n]
+        call(code[DERIVATIVE], numbers[AT], Z, ARGUMENT * n, P, T, W, Z, (ROOM + side) * n)
     for i in range(n):
         Z[ARGUMENT * n + i] = Z[i]
-        ahead, behind, here = Z[ROOM * n + i], D[i], Z[RATE * n + i]
+        ahead, behind, here = Z[ROOM * n + i], Z[(ROOM + 1) * n + i], Z[RATE * n + i]
         if behind - behind == 0.0:
             Z[ROOM * n + i] = ahead - behind
         else:  # beyond an edge, as that of a root
