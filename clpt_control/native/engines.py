@@ -6,7 +6,8 @@ signals and jumps; points chosen by chance do not reach every way through a func
 """
 
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
+from contextlib import suppress
 from typing import Any
 
 import control
@@ -15,7 +16,6 @@ import numpy as np
 from ..diagrams.wiring import Wiring, wiring_of
 from ..equations.arrays import Unread
 from ..equations.at_many import leaf_values
-from ..equations.block import Block
 from ..errors import SimulationError, Uncompiled
 from ..progress import warn
 from . import solver
@@ -90,7 +90,6 @@ def in_python(name: str, why: str) -> None:
 
 # --- whether what was read does what the functions do -----------------------------------------
 
-SAMPLES = 4
 CLOSE = 1e-7  # relative: rounding of terms that cancel, not another way through a function
 APART = 1e-6, -1e-6  # where a sample lies on a kink, rounding decides; beside it nothing does
 
@@ -150,9 +149,7 @@ def _differs(
     if all(map(_same, asked, machine)):
         return None
     sweep.derivative(t, x, u)
-    for node, role, sentence in _blocks(runner, t, x):
-        return f"{node}.{role}{sentence}"
-    return f"at t = {t:.6g} its rates are not those of its functions"
+    return _block(runner, t, x) or f"at t = {t:.6g} its rates are not those of its functions"
 
 
 def _same(a: np.ndarray, b: np.ndarray) -> bool:
@@ -164,25 +161,18 @@ def _same(a: np.ndarray, b: np.ndarray) -> bool:
     return bool(np.all(near | (a == b) | (np.isnan(a) & np.isnan(b))))
 
 
-def _blocks(runner: NativeDiagram, t: float, x: np.ndarray) -> Iterator[tuple[str, str, str]]:
-    """Yield the blocks whose records differ from their functions, on the last pass's inputs."""
+def _block(runner: NativeDiagram, t: float, x: np.ndarray) -> str | None:
+    """Name the block whose record differs from its functions, on the last pass's inputs."""
     sweep = runner.sweep
     for k, node in enumerate(runner.wiring.nodes):
-        block, p = node.system, sweep.given[k]
+        block, states, u, p = node.system, x[node.states], sweep.fed(k), sweep.given[k]
         for role in ("output", "update", "jump"):
             if getattr(block, f"{role}_function") is None:
                 continue
-            states, u = x[node.states], sweep.fed(k)
-            try:
-                values = _of_record(block, role, t, states, u, p)
-            except Unread:
-                continue
-            asked = block.values(role, len(values), t, states, u, p)
-            if not _same(asked, values):
-                yield node.name, role, " was read otherwise than Python runs it"
-
-
-def _of_record(block: Block, role: str, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
-    """Return what a block's record gives."""
-    found = block.array_record(role).values(leaf_values(block, t, x, u, p), block.sizes)
-    return np.concatenate([np.zeros(0), *(one.ravel() for one in found)])
+            with suppress(Unread):
+                leaves = leaf_values(block, t, states, u, p)
+                found = block.array_record(role).values(leaves, block.sizes)
+                values = np.concatenate([np.zeros(0), *(one.ravel() for one in found)])
+                if not _same(block.values(role, len(values), t, states, u, p), values):
+                    return f"{node.name}.{role} was read otherwise than Python runs it"
+    return None

@@ -67,7 +67,7 @@ class PythonDiagram:
         self, t0: float, t1: float, inputs: Inputs | None = None, breaks: Any = ()
     ) -> Schedule:
         """Return the pieces of a run: they end at bends and `breaks`."""
-        kinks = None if inputs is None else inputs.kinks
+        kinks = () if inputs is None else inputs.kinks
         return make_schedule(self.sweep, self.intervals, self.jumps, t0, t1, kinks, breaks)
 
     def callee(

@@ -55,11 +55,12 @@ class Inputs:
         return (u[:, 1:] - u[:, :-1]) / (at[1:] - at[:-1]) if len(at) > 1 else np.zeros_like(u)
 
     @cached_property
-    def kinks(self) -> np.ndarray | None:
+    def kinks(self) -> np.ndarray:
         """Times at which the inputs bend: samples on one straight line are one piece."""
-        if self.samples is None or len(self.samples[0]) < 3:
-            return None if self.samples is None else self.samples[0]
-        (at, u), slopes = self.samples, self.slopes
+        at, u = self.samples or (np.zeros(0), np.zeros((0, 0)))
+        if len(at) < 3:
+            return at
+        slopes = self.slopes
         size = STRAIGHT * np.abs(u).max(axis=1, initial=1e-300, keepdims=True)
         steps = at[1:] - at[:-1]
         bend = (np.abs(slopes[:, 1:] - slopes[:, :-1]) * steps[1:] > size).any(axis=0)
@@ -213,7 +214,7 @@ def make_schedule(
     jumps: dict[int, int],
     t0: float,
     t1: float,
-    kinks: np.ndarray | None = None,
+    kinks: np.ndarray | tuple[()] = (),
     breaks: np.ndarray | tuple[()] = (),
 ) -> Schedule:
     """Return the pieces of a run from t0 to t1, which also stop at `kinks` and at `breaks`.
@@ -224,7 +225,7 @@ def make_schedule(
     where a piece begins with a jump of the block's states.
     """
     jumping = edges = _united(sweep.breakpoints(t0, t1), breaks)
-    edges = _united(edges, () if kinks is None else kinks)
+    edges = _united(edges, kinks)
     edges = np.concatenate([edges[(edges > t0) & (edges < t1)], [t1]])
     starts = np.concatenate([[t0], edges])
     smooth = np.ones(len(starts), dtype=bool)
