@@ -41,7 +41,7 @@ from .simulation import (
     state_at,
     team_loop,
 )
-from .theory import refute
+from .theory import certify, refute
 
 __version__: str
 
@@ -59,6 +59,7 @@ __all__ = [
     "Uncompiled",
     "animate",
     "blocks",
+    "certify",
     "closed_loop",
     "conformance",
     "connect",

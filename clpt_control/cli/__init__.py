@@ -65,7 +65,7 @@ def application() -> "typer.Typer":
     from .replay import replay
     from .replay_report import WithPlaces
     from .to_show import animate, report
-    from .tracks import design, excitation
+    from .tracks import certify, design, excitation
 
     app = typer.Typer(
         name="clpt",
@@ -78,7 +78,7 @@ def application() -> "typer.Typer":
     groups = {  # in the order of a user's day
         "One experiment": (paper, init, run, diagram),
         "Many runs": (ensemble, tune),
-        "Theory": (laws, prove, refute, excitation, design),
+        "Theory": (laws, prove, refute, excitation, certify, design),
         "Measurements": (fit, tides, estimate, replay),
         "To show": (report, animate),
     }

@@ -1,4 +1,4 @@
-"""What a track teaches: `clpt excitation` measures it, `clpt design` finds a better track."""
+"""What a track teaches: `clpt excitation`, `clpt certify`, and `clpt design` for a better one."""
 
 from pathlib import Path
 from typing import Any
@@ -49,6 +49,37 @@ def excitation(
     report = excitation_of(source, window, start)
     draw_figure(figure, clpt.theory.excitation_plot, source, report["window"], report["start"])
     finish([excitation_result(report)], report, as_json, figure)
+
+
+def certify(
+    scenario: ScenarioFile,
+    radius: float | None = opt("R", "Largest V(0); default: that of the scenario's own start."),
+    error: float | None = opt("LENGTH", "CLPE to come to; default: a hundredth of what R allows."),
+    window: Window = None,
+    as_json: Json = False,
+) -> None:
+    """Bound CLPE and errors for every start of the learner.
+
+    Example:
+        clpt certify mine.toml --radius 0.1 --error 0.01
+    """
+    experiment = clpt.load_scenario(scenario)
+    found = clpt.certify(experiment, radius, error=error, window=window)
+    length, time = found.units["length"], found.units["time"]
+    columns = [f"from ({time})", "V at most", f"CLPE at most ({length})"]
+    columns.append(f"error of a flow parameter at most ({length}/{time})")
+    numbers = zip(found.time, found.V, found.clpe, found.flow_error, strict=True)
+    rows = [[f"{one:.6g}" for one in row] for row in numbers]
+    title = f"For every start with V(0) <= {found.radius:.6g}, windows of {found.window:g} {time}"
+    said = [found.said, f"CLPE is never above {found.largest_clpe:.4g} {length}"]
+    if found.disturbance > 0:
+        end = "is not shown to end below a bound"
+        if found.ultimate is not None:
+            end = f"ends at most at {found.ultimate:.4g} {length}"
+        weakest = "if later windows excite like the run's weakest"
+        said.append(f"with |Delta| <= {found.disturbance:.4g} {length}/{time} it {end}, {weakest}")
+    said.append(f"a window of small errors leaves {1 - found.drops.min():.4g} of V at worst")
+    finish([Result(title, columns, rows, said)], found.report(), as_json)
 
 
 def design(

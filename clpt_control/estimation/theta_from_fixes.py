@@ -222,7 +222,13 @@ def flow_estimate(
         Time between fixes of a run; by default a tenth of ``reference.dwell``.
     prior : float or array_like, shape (N,), optional
         Standard deviation of each theta before any fix; by default the law's of a run, 0.3 k R
-    XX    walk : float or array_like, shape (N,), optional
+        with the mean k of KD and the track's reach R, and 0.3 m/s of dives.
+    noise : float or array_like, shape (n,), optional
+        Standard deviation of a miss, length: by default of dives 30 m and 0.04 m/s over their time
+        (`Priors`), of a run 1e-4 R, or what its samples leave open where that is more, and
+        2^(1/2) ``localization.noise``. What a run's miss has beyond 1e-4 R is of its two fixes,
+        half of the variance each; its neighbours share them.
+    walk : float or array_like, shape (N,), optional
         Of each theta, for the filter alone: speed per square root of time; by default 0 of a run,
         and of dives 0.13 of the prior in six hours (`Priors`).
     start : array_like, shape (2, N), optional

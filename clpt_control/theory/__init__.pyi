@@ -3,6 +3,7 @@ from .counterexamples.printed_bounds import printed_bound
 from .designing.design import design_track
 from .designing.plot import design_plot
 from .excitation.certificates import certificate, ultimate_bound
+from .excitation.certify import certify
 from .excitation.gramian import gramian, started_true
 from .excitation.plot import excitation_plot
 from .excitation.pooled import team_gramian
@@ -18,6 +19,7 @@ __all__ = [
     "Verdict",
     "audit",
     "certificate",
+    "certify",
     "design_plot",
     "design_track",
     "disturbance_counterexample",

@@ -28,7 +28,7 @@ from ...native.native_diagram import NativeDiagram
 from ...scenario.experiment import Scenario
 from ...simulation.loops import paper_blocks
 from ...simulation.starts import state_of
-from ..excitation.certificates import TURN
+from ..excitation.certificates import TURN, least
 from ..excitation.regressor import quadrature
 from ..excitation.transition import propagate, regressors
 
@@ -139,11 +139,7 @@ class Tracks:
             own = self.gains > 0
             w, factor = np.sqrt(self.gains[own]) * w[..., own], 2 * k
             w, _ = propagate(w, k, 1.0, self.weights.sum(axis=1))
-        w = np.sqrt(self.weights)[..., None] * w
-        rows = w.reshape(2, len(points), -1, w.shape[-1])
-        if rows.shape[-2] < rows.shape[-1]:
-            return np.zeros(rows.shape[:2])
-        sizes = np.linalg.svd(np.linalg.qr(rows, mode="r"), compute_uv=False)[..., -1] ** 2 * factor
+        sizes = least(w, self.weights) * factor
         return np.where(np.isfinite(x).all(axis=(1, 2, 3)), sizes, 0.0)
 
     def _extremes(self, x: np.ndarray, points: np.ndarray, share: np.ndarray) -> Extremes:

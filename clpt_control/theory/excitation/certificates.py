@@ -31,6 +31,7 @@ import numpy as np
 from ...arguments import public
 from ...errors import ScenarioError
 from ...html import facts, fragment
+from ...scenario.experiment import Scenario
 from .regressor import Regressor, Source, joint_regressor
 from .transition import propagate, regressors
 
@@ -82,6 +83,15 @@ class Certificate:
         return min(self.rhos.values())
 
 
+def least(rows: np.ndarray, weights: np.ndarray) -> np.ndarray:
+    """Return the smallest eigenvalue of the Gramian of rows, 0 where they are too few."""
+    flat = np.sqrt(weights)[..., None] * rows
+    flat = flat.reshape(*rows.shape[:-3], -1, rows.shape[-1])
+    if flat.shape[-2] < flat.shape[-1]:
+        return np.zeros(flat.shape[:-2])
+    return np.linalg.svd(flat, compute_uv=False)[..., -1] ** 2
+
+
 def window_drops(
     phi: np.ndarray,
     z: np.ndarray,
@@ -96,29 +106,41 @@ def window_drops(
     phi (..., pieces, nodes, N), z and zc (..., pieces, nodes, 2) stand at Gauss-Legendre nodes
     with weights (pieces, nodes); `adapted` are those of the N + 2 parameters that adapt.
     """
-    lengths, root = weights.sum(1), np.sqrt(weights)[..., None]
+    lengths = weights.sum(1)
     w = regressors(phi, z, zc)[..., adapted]
     k = np.asarray(KD, dtype=float).reshape(2, *[1] * (w.ndim - 4))
     scale = np.concatenate([[1.0], np.full(w.shape[-1], gain**-0.5)])  # the diagonal of S
     inside, transition = propagate(w, k, gain, lengths)
     filtered, _ = propagate(w, k, 0.0, lengths)
 
-    def least(rows: np.ndarray) -> np.ndarray:
-        """Return the smallest eigenvalue of the Gramian of rows, 0 where they are too few."""
-        flat = (root * rows).reshape(*rows.shape[:-3], -1, rows.shape[-1])
-        if flat.shape[-2] < flat.shape[-1]:
-            return np.zeros(flat.shape[:-2])
-        return np.linalg.svd(flat, compute_uv=False)[..., -1] ** 2
-
     size = np.sum(w**2, axis=-1)
     q = gain * size.max((-1, -2)) * lengths.sum() / k
     norm = np.linalg.norm(transition * (scale[:, None] / scale), 2, axis=(-2, -1))
     return {
         "contraction": np.minimum(norm**2, 1.0),  # V never grows: V' = -k e^2
-        "drop": 2 * k * least(inside / scale),
-        "rho": k * min(1.0, gain) * least(filtered) / (1 + q**2),
+        "drop": 2 * k * least(inside / scale, weights),
+        "rho": k * min(1.0, gain) * least(filtered, weights) / (1 + q**2),
         "transition": transition,
     }
+
+
+def refuse_unproved(scenario: Scenario) -> None:
+    """Refuse what adds to V' beside the theorems' own terms."""
+    if scenario.localization is not None and scenario.localization.noise > 0:
+        raise ScenarioError(
+            "no certificate: localization.noise is read with the position and adds to V'; without "
+            "it V falls as certified"
+        )
+    if scenario.learning.sample is not None:
+        raise ScenarioError(
+            "no certificate: learning.sample makes the law run at samples, between which V' is "
+            "not what the theorems say; without it V falls as certified"
+        )
+    if scenario.vehicle.max_speed is not None and not scenario.hedged:
+        raise ScenarioError(
+            "no certificate: learning.hedging = false, so what the vehicle cannot fly adds to V'; "
+            "with hedging V falls as certified"
+        )
 
 
 @public
@@ -167,21 +189,7 @@ def certificate(
             "no certificate: it is of the paper's two laws with one gain for all, the run has "
             f"{along.own_law or f'the law {law}'}" + ("" if gains.one else " with a gain each")
         )
-    if scenario.localization is not None and scenario.localization.noise > 0:
-        raise ScenarioError(
-            "no certificate: localization.noise is read with the position and adds to V'; without "
-            "it V falls as certified"
-        )
-    if scenario.learning.sample is not None:
-        raise ScenarioError(
-            "no certificate: learning.sample makes the law run at samples, between which V' is "
-            "not what the theorems say; without it V falls as certified"
-        )
-    if scenario.vehicle.max_speed is not None and not scenario.hedged:
-        raise ScenarioError(
-            "no certificate: learning.hedging = false, so what the vehicle cannot fly adds to V'; "
-            "with hedging V falls as certified"
-        )
+    refuse_unproved(scenario)
     gain = gains.parameters
     turn = np.sqrt(gain * np.max(np.sum(along.w**2, -1)))
     if np.max(np.diff(along.cuts)) * turn > TURN:

@@ -1,0 +1,186 @@
+"""Bounds for every start: each step of the proof, 200 starts within R, and closed forms."""
+
+import json
+
+import numpy as np
+import pytest
+import sympy
+
+import clpt_control as clpt
+from clpt_control.theory.excitation.certify import after_window, certify, least_error, settled
+from clpt_control.theory.excitation.transition import error_matrices
+
+PAPER = clpt.paper_scenario()
+
+
+def test_the_regressor_s_rest_is_what_step_2_says():
+    """d = gamma_K^(1/2) e (-Y_K, e), symbol by symbol, and V' does not see it."""
+    k, e, x, zc, g, gK, gG = sympy.symbols("k e x zc gamma gamma_K gamma_G", positive=True)
+    phi, Y, YK, YG = sympy.symbols("phi Y Y_K Y_G")
+    roots = sympy.Matrix([sympy.sqrt(g), sympy.sqrt(gK), sympy.sqrt(gG)])
+
+    def rates(place):
+        w = sympy.Matrix([phi, place, zc]).multiply_elementwise(roots)
+        return sympy.Matrix([-k * e + (w.T * sympy.Matrix([Y, YK, YG]))[0], *(-w * e)])
+
+    y = sympy.Matrix([e, Y, YK, YG])
+    d = sympy.sqrt(gK) * e * sympy.Matrix([-YK, 0, e, 0])
+    assert sympy.simplify(rates(x - e) - rates(x) - d) == sympy.zeros(4, 1)
+    assert sympy.expand((y.T * d)[0]) == 0
+    assert sympy.expand((y.T * rates(x))[0]) == -k * e**2  # step 3
+    assert sympy.expand(d.dot(d)) == sympy.expand(gK * e**2 * (YK**2 + e**2))
+
+
+def test_step_2_is_true_of_the_running_blocks():
+    rng, gain = np.random.default_rng(1), 0.7
+    phi, x, zc, KD = rng.normal(size=3), rng.normal(size=2), rng.normal(size=2), [1.3, 0.6]
+    S = np.diag([1.0, *[gain**-0.5] * 5])
+    for axis in range(2):
+        y = rng.normal(size=6)
+        place = x.copy()
+        place[axis] -= y[0]
+        rates = [
+            S @ error_matrices(phi, z, zc, KD, gain)[axis] @ np.linalg.inv(S) @ y
+            for z in (place, x)
+        ]
+        d = np.sqrt(gain) * y[0] * np.array([-y[4], 0, 0, 0, y[0], 0])
+        np.testing.assert_allclose(rates[0] - rates[1], d, atol=1e-12)
+
+
+@pytest.mark.parametrize("D", [0.0, 0.03])
+def test_the_least_error_is_the_root_and_the_bound_rises(D):
+    """Steps 5 to 7, at 300 values of V."""
+    c, k, gain = 0.3, 0.8, 0.6
+    V = np.geomspace(1e-6, 1e3, 300)
+    a = np.array([least_error(one, c, k, gain, D) for one in V])
+    B = 1 + np.sqrt(gain * (2 * V + D**2 / (2 * k))) / k
+    left = np.sqrt(V * c) - D / k - B * a - np.sqrt(gain / (2 * k)) * a**2
+    np.testing.assert_allclose(np.where(a > 0, left, np.minimum(left, 0) * 0), 0, atol=1e-12)
+    after = np.array([after_window(one, c, k, gain, D) for one in V])
+    assert np.all(np.diff(a) >= 0)
+    assert np.all(np.diff(after) > 0)
+    end = settled(c, k, gain, D)
+    assert after_window(end, c, k, gain, D) == pytest.approx(end)
+    later = 10.0
+    for _ in range(3000):
+        later = after_window(later, c, k, gain, D)
+    assert later == pytest.approx(end, abs=1e-9)
+    assert settled(0.0, k, gain, D) == np.inf
+    assert settled(c, k, gain, 10.0) == np.inf
+
+
+def test_of_small_errors_the_bound_is_the_linear_contraction():
+    """And that is the certificate of a learner that was started true."""
+    scenario = PAPER.with_values({"run.duration": 400})
+    found = certify(scenario, 1e-16)
+    exact = clpt.theory.certificate(clpt.theory.started_true(scenario), 200.0, 200.0)
+    assert found.V[2] / found.V[1] == pytest.approx(exact.contraction, rel=1e-6)
+    assert found.drops[1] == pytest.approx(exact.drop, rel=1e-6)
+
+
+def start_within(scenario, R, rng):
+    """A learner that begins with V(0) = R times a uniform number, in any direction."""
+    car, gain = scenario.vehicle, scenario.learning.gain
+    y = rng.normal(size=12)
+    y *= np.sqrt(2 * R * rng.uniform()) / np.linalg.norm(y)
+    eta = np.sqrt(gain) * y[2:]
+    return scenario.with_values(
+        {
+            "learning.position": np.array(car.position) - y[:2],
+            "learning.parameters": eta[:6].reshape(2, 3) - np.array(scenario.flow.parameters),
+            "learning.feedback": np.array(car.feedback) + eta[6:8],
+            "learning.feedforward": np.array(car.feedforward) - eta[8:],
+        }
+    )
+
+
+DISTURBED = {"flow.disturbance": {"kind": "square", "amplitude": [0.004, 0.003], "period": 1.8}}
+
+
+@pytest.mark.parametrize(
+    ("values", "R", "starts"),
+    [
+        ({}, 0.05, 6),
+        (DISTURBED, 0.05, 6),
+        pytest.param({}, 4.63125, 200, marks=pytest.mark.slow),
+        pytest.param({}, 0.05, 200, marks=pytest.mark.slow),
+        pytest.param(DISTURBED, 0.5, 200, marks=pytest.mark.slow),
+    ],
+)
+def test_no_start_within_r_leaves_the_bounds(values, R, starts):
+    """V, CLPE and errors at every sample of three cycles; the closest comes near."""
+    scenario = PAPER.with_values({"run.duration": 600, "run.output_step": 0.5, **values})
+    found, rng = certify(scenario, R), np.random.default_rng(3)
+    closest = 0.0
+    for _ in range(starts):
+        run = clpt.simulate(start_within(scenario, R, rng))
+        V, t = run.lyapunov.values, run.time.values
+        window = np.minimum((t / found.window + 1e-9).astype(int), len(found.V) - 1)
+        assert V[0] <= R * (1 + 1e-9)
+        more = found.disturbance**2 * found.window / 4
+        assert np.all((found.V[window] + more) * (1 + 1e-7) >= V)
+        assert np.all(np.hypot(*run.clpe.values.T) <= found.clpe[window])
+        wrong = np.abs(run.flow_parameters_estimate.values - np.array(PAPER.flow.parameters))
+        assert np.all(wrong.max(axis=(1, 2)) <= found.flow_error[window])
+        for j in range(3):  # a window begun at its own V
+            began, ended = V[400 * j], V[400 * (j + 1)]
+            D = found.disturbance * np.sqrt(found.window)
+            bound = after_window(began, found.drops[j], 1.0, 0.8, D)
+            assert ended <= bound * (1 + 1e-6)
+            closest = max(closest, ended / bound)
+    print(f"R = {R:g}: V after a window at most {closest:.3f} of its bound")
+    assert closest > 0.15
+
+
+def test_under_a_disturbance_it_ends_at_a_bound_and_says_so():
+    found = certify(PAPER.with_values({"run.duration": 400, **DISTURBED}), 0.05)
+    assert found.disturbance == pytest.approx(0.005)
+    assert 0 < found.ultimate < np.inf
+    wild = {"flow.disturbance": {"kind": "constant", "amplitude": [0.5, 0.0]}}
+    lost = certify(PAPER.with_values({"run.duration": 400, **wild}), 0.05)
+    assert lost.ultimate is None
+    assert lost.time_to_error is None
+    assert "not shown" in lost.said
+
+
+def test_the_time_is_the_first_from_which_the_bound_holds():
+    found = certify(PAPER.with_values({"run.duration": 1000}), 0.05, error=0.2)
+    j = round(found.time_to_error / 200)
+    assert found.within_run
+    assert found.clpe[j] <= 0.2 < found.clpe[j - 1]
+    later = certify(PAPER.with_values({"run.duration": 400}), 0.05, error=0.01)
+    assert not later.within_run
+    assert "if later windows" in later.said
+    V = later.V[-1]
+    for _ in range(round(later.time_to_error / 200) - 2):
+        V = after_window(V, later.drops.min(), 1.0, 0.8, 0.0)
+    assert V <= 0.01**2 / 2
+
+
+@pytest.mark.parametrize(
+    ("values", "said"),
+    [
+        ({"learning.law": "sigma"}, "of the learned-flow law in a flow with parameters"),
+        ({"localization": {"noise": 0.1, "noise_period": 1.0}}, "localization.noise"),
+        ({"learning.sample": 0.5}, "learning.sample"),
+        ({"vehicle.max_speed": 1.0, "learning.hedging": False}, "hedging"),
+        ({"learning.adapt_gains": False}, "learning.feedback is held and is not"),
+        ({"flow.disturbance": {"kind": "noise", "amplitude": [1, 1], "period": 1}}, "has no bound"),
+    ],
+    ids=str,
+)
+def test_what_is_not_certified_is_said(values, said):
+    with pytest.raises(clpt.ScenarioError, match=said):
+        certify(PAPER.with_values({"run.duration": 400, **values}))
+
+
+def test_numbers_that_are_none_are_refused():
+    for radius, error in ((-1.0, None), (0.0, None), (1.0, 0.0), (np.inf, None)):
+        with pytest.raises(clpt.ScenarioError, match="must be a positive number"):
+            certify(PAPER.with_values({"run.duration": 400}), radius, error=error)
+
+
+def test_the_bounds_are_ready_for_json_and_a_notebook():
+    found = certify(PAPER.with_values({"run.duration": 400}), 0.05)
+    assert json.loads(json.dumps(found.report(), allow_nan=False))["V"] == found.V.tolist()
+    assert "200" in found._repr_html_()
