@@ -46,6 +46,11 @@ def styled(axes: Any) -> Any:
     return axes
 
 
+def line_style(k: int) -> dict[str, Any]:
+    """Return colour and style of the line k of several."""
+    return {"color": COLOURS[k % 6], "linestyle": STYLES[k % 6]}
+
+
 def axes_for(ax: Any, width: float, height: float, mosaic: Any = None, **subplots: Any) -> Any:
     """Return the axes that a plot draws on: those given, or of a new figure (inches).
 

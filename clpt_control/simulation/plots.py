@@ -9,7 +9,7 @@ import numpy as np
 
 from ..arguments import public
 from ..errors import ClptError, DataError
-from ..figures import BLUE, COLOURS, GREY, RED, STYLES, axes_for, legend_below
+from ..figures import BLUE, GREY, RED, axes_for, legend_below, line_style
 from ..scenario.experiment import Scenario
 from ..scenario.file import scenario_of_run
 
@@ -144,12 +144,7 @@ def clpe_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
     interval, e = run.time.values / dwell, run.clpe.values
     early = interval <= 2 * count
     for i in range(2):
-        line: dict[str, Any] = {
-            "color": COLOURS[i],
-            "linestyle": STYLES[i],
-            "label": f"$e_{i + 1}$",
-        }
-        top.plot(interval[early], e[early, i], linewidth=1.1, **line)
+        top.plot(interval[early], e[early, i], label=f"$e_{i + 1}$", linewidth=1.1, **line_style(i))
     top.axvline(count, color=GREY, linewidth=0.8, linestyle=":")
     place = {"xytext": (3, -9), "textcoords": "offset points"}
     top.annotate("one cycle", (count, top.get_ylim()[1]), fontsize=8, color=GREY, **place)
@@ -164,7 +159,7 @@ def clpe_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
     rms = np.sqrt(np.bincount(number, size**2) / np.where(counts > 0, counts, np.nan))
     few = len(size) < MANY * len(counts)  # the pictures of a long run have fewer samples
     label = "rms per interval" + (", of the samples shown" if few else "")
-    line = {"color": "black", "linewidth": 1.2, "label": label}
+    line: dict[str, Any] = {"color": "black", "linewidth": 1.2, "label": label}
     bottom.step(np.arange(len(counts)), np.maximum(rms, 1e-12), where="post", **line)
     bottom.set(xlabel="interval", ylabel=f"|CLPE| ({unit})", xlim=(0, interval[-1]))
     if size.max() > 0:
@@ -214,12 +209,13 @@ def learning_plot(run: "xarray.Dataset", axis: int = 1, *, ax: Any = None) -> An
     estimate = run.flow_parameters_estimate.values[:, i]
     N = estimate.shape[1]
     for k in range(N):
-        colour, style = COLOURS[k % 6], STYLES[k % 6]
+        line = line_style(k)
         name = rf"$\hat\theta_{axis}^{{{k + 1}}}$" if N <= 6 else None
         width = 1.2 if N <= 6 else 0.6
-        top.plot(time, estimate[:, k], color=colour, linestyle=style, linewidth=width, label=name)
+        top.plot(time, estimate[:, k], linewidth=width, label=name, **line)
         if scenario.flow.parameters is not None:
-            top.axhline(scenario.flow.parameters[i][k], color=colour, linewidth=0.7, alpha=0.7)
+            true = scenario.flow.parameters[i][k]
+            top.axhline(true, color=line["color"], linewidth=0.7, alpha=0.7)
     direction = "horizontal" if axis == 1 else "vertical"
     truth = ", true values thin" if scenario.flow.parameters is not None else ""
     row, estimated = scenario.learning.row, "estimate = $-\\alpha$"
@@ -231,10 +227,11 @@ def learning_plot(run: "xarray.Dataset", axis: int = 1, *, ax: Any = None) -> An
         ("feedback_gain", "K", scenario.vehicle.feedback),
         ("feedforward_gain", r"\Gamma", scenario.vehicle.feedforward),
     )
-    for k, (name, symbol, true) in enumerate(gains):
-        line = {"color": COLOURS[k], "linestyle": STYLES[k], "label": f"${symbol}_{axis}$"}
-        bottom.plot(time, run[name].values[:, i], linewidth=1.2, **line)
-        bottom.axhline(true[i], color=COLOURS[k], linewidth=0.7, alpha=0.7)
+    for k, (gain, symbol, known) in enumerate(gains):
+        line = line_style(k)
+        values = run[gain].values[:, i]
+        bottom.plot(time, values, label=f"${symbol}_{axis}$", linewidth=1.2, **line)
+        bottom.axhline(known[i], color=line["color"], linewidth=0.7, alpha=0.7)
     bottom.set_title("Gains, true values thin", **TITLE)
     bottom.set(xlabel=f"time ({units.time})", ylabel=f"gain (1/{units.time})")
     for one in axes:
@@ -320,16 +317,14 @@ def response_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
             "some, as run[['x', 'e']]"
         )
     axes = axes_for(ax, 6.4, 1.2 + 1.3 * len(ports), nrows=len(ports), sharex=True)
-    for one, port in zip([axes] if len(ports) == 1 else axes, ports, strict=True):
+    for one, port in zip(np.ravel(axes), ports, strict=True):
         values = run[port].values.reshape(run.sizes["time"], -1)
         for k, column in enumerate(values.T):
-            line: Any = {"color": COLOURS[k % 6], "linestyle": STYLES[k % 6], "linewidth": 1.1}
-            one.plot(run.time.values, column, label=f"{k + 1}", **line)
+            one.plot(run.time.values, column, label=f"{k + 1}", linewidth=1.1, **line_style(k))
         one.set_ylabel(_named(port, run[port].attrs.get("units")))
         if 1 < values.shape[1] <= 6:
             one.legend(frameon=False, fontsize=8, ncols=6, loc="upper right")
-    last = axes if len(ports) == 1 else axes[-1]
-    last.set_xlabel(_named("time", run.time.attrs.get("units")))
+    one.set_xlabel(_named("time", run.time.attrs.get("units")))
     return axes
 
 

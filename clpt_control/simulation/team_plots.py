@@ -8,7 +8,7 @@ import numpy as np
 
 from ..arguments import public
 from ..errors import DataError
-from ..figures import COLOURS, GREY, STYLES, axes_for, figure_of, legend_below
+from ..figures import GREY, axes_for, figure_of, legend_below, line_style
 from ..files import write_together
 from ..scenario.file import TEAM
 from ..scenario.team import Team, team_of_run
@@ -57,10 +57,7 @@ def team_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
         raise DataError(f"the dataset has not the vehicles of its team, {', '.join(team.members)}")
     axes = axes_for(ax, 6.4, 8.4, nrows=3, height_ratios=[1.3, 1, 1.2])
     chart, top, bottom = axes
-    lines = {
-        name: {"color": COLOURS[k % 6], "linestyle": STYLES[k % 6], "linewidth": 1.1}
-        for k, name in enumerate(team.members)
-    }
+    lines = {name: {**line_style(k), "linewidth": 1.1} for k, name in enumerate(team.members)}
     _tracks(chart, run, team, lines)
     units, time = team.first.units, run.time.values
     apart = (run.alpha.max("vehicle") - run.alpha.min("vehicle")).max(("axis", "basis")).values
