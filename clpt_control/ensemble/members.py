@@ -8,7 +8,6 @@ computed from values, such as frequencies from periods, is made member by member
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 
@@ -108,15 +107,16 @@ class Ensemble:
         group = np.zeros(count, dtype=np.int64)
         schedules = [self.native.schedule(0.0, duration)]
         if self.computed:
-            known: dict[tuple, int] = {}
+            layout, known = self.native.layout, dict[tuple, int]()
             for m in range(count):
                 own = {key: values[key][m] for key in self.computed}
                 made = self.scenario.with_values(own)
                 blocks = changed_blocks(made, self.changes)
                 parameters = [block.parameters for block in blocks]
-                packed = self.native.layout.packed(parameters)
+                packed = layout.packed(parameters)
                 P[m, : len(packed)], x0[m] = packed, state_of(made, blocks, self.changes.law)
-                one = self._schedule(parameters, duration)
+                sweep = Sweep(self.native.wiring, parameters)
+                one = make_schedule(sweep, layout.intervals, layout.jumps, 0.0, duration)
                 name = (one.edges.tobytes(), one.values.tobytes())
                 if name not in known:
                     known[name] = len(schedules)
@@ -132,11 +132,6 @@ class Ensemble:
             for m, g in enumerate(group):
                 x0[m] = begun(callee, x0[m], 0.0, schedules[g], P[m])
         return Members(P, x0, group, schedules)
-
-    def _schedule(self, parameters: list[Any], duration: float) -> Schedule:
-        sweep = Sweep(self.native.wiring, parameters)
-        layout = self.native.layout
-        return make_schedule(sweep, layout.intervals, layout.jumps, 0.0, duration)
 
     def run(
         self,

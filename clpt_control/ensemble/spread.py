@@ -89,7 +89,7 @@ def ensemble_summary(data: "xarray.Dataset") -> dict[str, Any]:
     summary: dict[str, Any] = {
         "title": data.attrs["title"],
         "members": len(status),
-        "ended": {_status(k): int(np.sum(status == k)) for k in np.unique(status)},
+        "ended": {STATUS[k]: int(np.sum(status == k)) for k in np.unique(status)},
         "first_failed": int(failed[0]) if len(failed) else None,
         "percents": list(PERCENTS),
         "clpe_rms_per_cycle": [_listed(column) for column in percentiles(data, "clpe_rms").T],
@@ -112,10 +112,6 @@ def ensemble_summary(data: "xarray.Dataset") -> dict[str, Any]:
 
 def _listed(column: np.ndarray) -> list[float] | None:
     return column.tolist() if np.isfinite(column).all() else None
-
-
-def _status(number: int) -> str:
-    return STATUS[number] if number < len(STATUS) else f"status_{number}"
 
 
 @public

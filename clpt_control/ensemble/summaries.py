@@ -29,7 +29,10 @@ MOST_TIMES = 10**8  # samples of a run
 MOST_SAMPLES = 20_000  # a member, unless asked for; at least 200 a cycle
 MARKS = 41  # times at which errors are kept, unless asked for
 TRAJECTORIES = ("position", "predicted_position", "alpha", "feedback_gain", "feedforward_gain")
-STATUS = ("not_run", "finished", "step_too_small", "not_finite", "left_the_field", "too_many_steps")
+STATUS = (  # as the solver numbers them
+    *("not_run", "finished", "step_too_small", "not_finite"),
+    *("left_the_field", "too_many_steps", "chatters"),
+)
 
 
 class SampleTimes(NamedTuple):
@@ -181,11 +184,6 @@ def summarise_members(
 
     `values` is what varies, key -> array with a row for each member.
     """
-    with np.errstate(all="ignore"):  # a member that failed may hold anything
-        return _summaries(scenario, times, values, run, trajectories)
-
-
-def _summaries(scenario, times, values, run, trajectories) -> dict[str, np.ndarray]:
     y, N = run.states, scenario.basis.N
     row = scenario.learning.row
     m = len(y)

@@ -135,9 +135,9 @@ class Worker:
             if self.scenario.vehicle.max_speed is not None:
                 self.ensemble.native.callee(1)
         states = self.ensemble.run(members, times, run.rtol, run.atol)
-        kept = summarise_members(
-            self.scenario, self.times, values, states, self.recipe.trajectories
-        )
+        own = self.scenario, self.times, values, states, self.recipe.trajectories
+        with np.errstate(all="ignore"):  # a member that failed may hold anything
+            kept = summarise_members(*own)
         if self.scenario.vehicle.max_speed is not None:
             kept |= speeds_of_members(self.ensemble, members, states, times, values)
         return kept

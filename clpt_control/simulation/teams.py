@@ -72,11 +72,6 @@ def team_blocks(team: Team) -> list[Block]:
     return blocks
 
 
-def team_state(team: Team) -> np.ndarray:
-    """Return the state of a team at t = 0, vehicle by vehicle."""
-    return np.concatenate([state_of(one, paper_blocks(one)) for one in team.members.values()])
-
-
 class TeamRun(ScenarioRun):
     """A team's closed loop, ready to run: integrate, ask its signals, make a Dataset."""
 
@@ -89,7 +84,9 @@ class TeamRun(ScenarioRun):
         members = {name: with_solver(one, solver) for name, one in team.members.items()}
         self.scenario: Any = Team(members=members, edges=team.edges, coupling=team.coupling)
         self.parts = team_blocks(team)
-        self.wiring, self.start = wiring_of_blocks(self.parts), team_state(team)
+        self.wiring = wiring_of_blocks(self.parts)
+        starts = [state_of(one, paper_blocks(one)) for one in team.members.values()]
+        self.start = np.concatenate(starts)
         self.runner = chosen(self.wiring, engine=engine, name="the team")
 
     def vehicles(self) -> dict[str, Columns]:

@@ -8,6 +8,8 @@ import pytest
 import clpt_control as clpt
 from clpt_control.ensemble.members import Ensemble
 from clpt_control.ensemble.spread import ensemble_summary
+from clpt_control.ensemble.summaries import STATUS
+from clpt_control.native import solver
 from clpt_control.native.batch import Batch
 from clpt_control.native.ending import Status
 from clpt_control.simulation.report import run_and_report
@@ -146,3 +148,12 @@ def test_the_command_says_it(clpt, tmp_path):
     printed = json.loads(outcome.out)["faster_flow"]
     assert printed["members"] == 1
     assert np.isfinite(printed["longest"])
+
+
+def test_every_way_in_which_a_member_ends_has_a_name():
+    ends = [solver.RUNNING, solver.FINISHED, solver.TOO_SMALL, solver.NOT_FINITE]
+    assert [*ends, solver.LEFT, solver.TOO_MANY, solver.CHATTERS] == list(range(len(STATUS)))
+    data = clpt.run_ensemble(PAPER.with_values({"run.duration": 20}), "learning.gain=1:2", 2)
+    assert len(data.status.flag_values) == len(data.status.flag_meanings.split()) == len(STATUS)
+    data.status[1] = solver.CHATTERS
+    assert ensemble_summary(data)["ended"] == {"finished": 1, "chatters": 1}
