@@ -21,7 +21,8 @@ from ..scenario.quantities import QUANTITIES
 from ..simulation.dataset import VARIABLES
 from ..simulation.integrate import sample_times
 from ..simulation.pieces import SAMPLES_PER_CYCLE, nearest
-from .members import SPEEDS, States
+from ..simulation.scenario_run import SpeedWatch
+from .members import Ensemble, Members, States
 from .varied_keys import variable_values
 
 FEWEST = 20  # samples a cycle that may be asked for
@@ -33,6 +34,12 @@ STATUS = (  # as the solver numbers them
     *("not_run", "finished", "step_too_small", "not_finite"),
     *("left_the_field", "too_many_steps", "chatters"),
 )
+
+SPEEDS = {  # name -> (long name, whether it is a time)
+    "share_at_speed_limit": ("share of time at the speed limit", False),
+    "share_in_faster_flow": ("share of time in a flow faster than the vehicle", False),
+    "longest_in_faster_flow": ("longest stretch in a flow faster than the vehicle", True),
+}
 
 
 class SampleTimes(NamedTuple):
@@ -174,16 +181,18 @@ def dims_of(key: str, ndim: int) -> tuple[str, ...]:
 
 
 def summarise_members(
-    scenario: Scenario,
+    ensemble: Ensemble,
+    members: Members,
     times: SampleTimes,
     values: Mapping[str, np.ndarray],
     run: States,
-    trajectories: bool = False,
+    trajectories: bool,
 ) -> dict[str, np.ndarray]:
     """Return what is kept of members; NaN after the end of one that failed.
 
     `values` is what varies, key -> array with a row for each member.
     """
+    scenario = ensemble.scenario
     y, N = run.states, scenario.basis.N
     row = scenario.learning.row
     m = len(y)
@@ -219,6 +228,8 @@ def summarise_members(
             for port, key in (("K", "feedback"), ("Gamma", "feedforward"))
         ]
         kept["gain_error"] = np.maximum(*errors)
+    if scenario.vehicle.max_speed is not None:
+        kept |= _speeds(ensemble, members, run, times.all, values)
     kept["status"] = run.status.astype("int8")
     kept["end"] = times.all[np.clip(run.reached - 1, 0, None)]
     if trajectories:
@@ -227,3 +238,27 @@ def summarise_members(
         if not row.keeps_alpha:
             kept["alpha"] = kept["alpha"].reshape(m, -1, 2, N)
     return {name: np.ascontiguousarray(array) for name, array in kept.items()}
+
+
+def _speeds(
+    ensemble: Ensemble,
+    members: Members,
+    run: States,
+    times: np.ndarray,
+    values: Mapping[str, np.ndarray],
+) -> dict[str, np.ndarray]:
+    """Return `SPEEDS` of members, at the samples that each reached, as `SpeedWatch` has them."""
+    found = np.full((len(run.states), len(SPEEDS)), np.nan)
+    limits = values.get("vehicle.max_speed")
+    for m, row in enumerate(found):
+        reached = int(run.reached[m])
+        if reached < 2:
+            continue
+        own = ensemble.scenario.vehicle.max_speed if limits is None else limits[m]
+        watch = SpeedWatch(float(own))  # type: ignore[arg-type]
+        commanded, flow = ensemble.signals(members, run, m, times, ("v_c", "flow_x"))
+        watch.add(times[:reached], commanded, flow)
+        figures = watch.figures()
+        faster = figures["faster_flow"] or {"share": 0.0, "longest": 0.0}
+        row[:] = figures["share_at_limit"], faster["share"], faster["longest"]
+    return dict(zip(SPEEDS, found.T.copy(), strict=True))

@@ -25,7 +25,7 @@ from ..scenario.experiment import Scenario
 from ..scenario.file import scenario_from_text
 from ..simulation.loops import changed_blocks
 from ..simulation.starts import state_columns
-from .members import Ensemble, speeds_of_members
+from .members import Ensemble
 from .summaries import sample_times_of, summarise_members
 
 BATCH_BYTES = 64_000_000  # states in flight, a thread
@@ -128,19 +128,16 @@ class Worker:
 
     def summaries(self, values: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
         """Run members together, at most a batch, and return what is kept of them."""
-        times, run = self.times.all, self.scenario.run
+        ensemble, run, times = self.ensemble, self.scenario.run, self.times
         with self._lock:  # one evaluator makes all members; compile once
-            members = self.ensemble.members(values, float(times[-1]))
-            self.ensemble.native.callee(self.ensemble.lanes)
+            members = ensemble.members(values, float(times.all[-1]))
+            ensemble.native.callee(ensemble.lanes)
             if self.scenario.vehicle.max_speed is not None:
-                self.ensemble.native.callee(1)
-        states = self.ensemble.run(members, times, run.rtol, run.atol)
-        own = self.scenario, self.times, values, states, self.recipe.trajectories
+                ensemble.native.callee(1)
+        states = ensemble.run(members, times.all, run.rtol, run.atol)
+        trajectories = self.recipe.trajectories
         with np.errstate(all="ignore"):  # a member that failed may hold anything
-            kept = summarise_members(*own)
-        if self.scenario.vehicle.max_speed is not None:
-            kept |= speeds_of_members(self.ensemble, members, states, times, values)
-        return kept
+            return summarise_members(ensemble, members, times, values, states, trajectories)
 
     def chunk(self, values: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
         """Run any number of members, batch by batch, and return what is kept of them."""

@@ -8,6 +8,8 @@ import numpy as np
 from ..arguments import public
 from ..errors import DataError
 from ..files import open_netcdf, write_netcdf
+from ..scenario.file import FORM, LATEST, TEAM, check_form, scenario_to_text
+from ..scenario.team import Team, system_of_run, team_to_text
 
 if TYPE_CHECKING:
     import xarray
@@ -39,9 +41,6 @@ def save_run(run: "xarray.Dataset", path: str | Path) -> None:
     >>> clpt.load_scenario(file) == scenario
     True
     """
-    from ..scenario.file import FORM, LATEST, TEAM, scenario_to_text
-    from ..scenario.team import Team, system_of_run, team_to_text
-
     if "clpe" not in run.variables:
         raise DataError(
             f"{path}: {run.attrs.get('title', 'the dataset')} has no variable clpe, without which "
@@ -86,8 +85,6 @@ def load_run(path: str | Path) -> "xarray.Dataset":
     >>> clpt.load_run(file).sizes["time"]
     6
     """
-    from ..scenario.file import FORM, check_form
-
     with open_netcdf(Path(path)) as data:
         check_form(data.attrs, path)
         if "clpe" not in data.variables:
