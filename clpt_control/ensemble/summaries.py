@@ -4,7 +4,7 @@
     clpe_rms_whole          the same over the whole run
     flow_parameter_error    max |estimate - theta| at the marks
     gain_error              max |gain - true gain| at the marks, where gains adapt
-    share_at_speed_limit    and two more of a vehicle whose speed is limited (`members`)
+    share_at_speed_limit    and two more of a vehicle whose speed is limited
     status, end             how the run ended and the last time it reached
 
 All members of a chunk at once, from their states.

@@ -42,8 +42,8 @@ class Score(NamedTuple):
     candidate: Candidate
     error: float  # median of the largest flow-parameter error at the end, length per time
     error_95: float  # 95 % of the members are below
-    clpe: float  # median CLPE rms over the last cycle, length
-    time: float  # median learning time; inf: not within the run
+    clpe_rms: float  # median CLPE rms over the last cycle, length
+    learning_time: float  # median learning time; inf: not within the run
     score: float
     failed: int  # members that did not reach the end
 
@@ -195,7 +195,8 @@ def ranked(scores: list[Score]) -> list[Score]:
 
     def place(one: Score) -> tuple[Any, ...]:
         near = one.score <= enough
-        return not near, one.time if near else 0.0, one.score, one.error * one.clpe
+        time = one.learning_time if near else 0.0
+        return not near, time, one.score, one.error * one.clpe_rms
 
     return sorted(whole, key=place)
 
@@ -269,17 +270,10 @@ def seen(scenario: Scenario) -> dict[str, Any]:
 
 def listed(one: Score) -> dict[str, Any]:
     """Return a score ready for JSON; None for what is infinite."""
-    made = one.candidate
-    values = {"error": one.error, "error_95": one.error_95, "clpe_rms": one.clpe}
-    values |= {"learning_time": one.time, "score": one.score}
-    return {
-        "law": made.law,
-        "gain": made.gain,
-        "held": made.held,
-        "filter": made.filter,
-        **{key: value if np.isfinite(value) else None for key, value in values.items()},
-        "failed": one.failed,
-    }
+    told = one.candidate._asdict() | one._asdict()
+    del told["values"], told["candidate"]
+    infinite = [key for key, v in told.items() if isinstance(v, float) and not np.isfinite(v)]
+    return told | dict.fromkeys(infinite)
 
 
 def because(report: dict[str, Any]) -> str:
