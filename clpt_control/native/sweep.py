@@ -220,7 +220,7 @@ def first_not_finite(wiring: Wiring, signals: np.ndarray) -> str | None:
 
 
 def _not_finite(nodes: Iterable[Node], kind: str, values: np.ndarray, said: str) -> str | None:
-    """Say which state, or output, of which block is the first that is not finite."""
+    """Return which state, or output, of which block is the first that is not finite."""
     for node in nodes:
         labels = getattr(node.system, f"{kind}_labels")
         for value, label in zip(values[getattr(node, f"{kind}s")], labels, strict=True):
