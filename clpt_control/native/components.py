@@ -9,9 +9,10 @@ one is, `BOUND` the one that a sum is over.  While components are made, an axis 
 """
 
 import sys
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
-from itertools import product
+from functools import partial, reduce
+from itertools import count, product
 from math import copysign, prod
 from typing import Any, NamedTuple
 
@@ -19,6 +20,7 @@ import numpy as np
 
 from ..equations.arrays import CONDITIONS
 from ..errors import Uncompiled
+from .decisions import Port
 from .diagram_record import Ref
 
 MOST = 60_000  # components; more are left to Python
@@ -34,6 +36,7 @@ LONG = APART | {"div", "sqrt", "erf", "erfc", "lookup"}  # computed once, not ag
 Symbol = tuple[int, int]
 Index = Any  # a whole number, or (symbol, start, step)
 Value = Any  # a constant, or (component, symbols)
+Element = Callable[[Ref, tuple], Value]
 
 
 class Component(NamedTuple):
@@ -112,17 +115,10 @@ class Components:
         return self._places[key]
 
     def load(
-        self, array: str, first: int, places: Sequence[tuple[Index, int]], kept: int = -1
+        self, array: str, first: int, places: Iterable[tuple[Index, int]], kept: int = -1
     ) -> Value:
         """Return array[first + sum of stride * index]; `kept` says when it has been written."""
-        strides: dict[Symbol, int] = {}
-        for index, stride in places:
-            if type(index) is tuple:
-                symbol, start, step = index
-                first += stride * start
-                strides[symbol] = strides.get(symbol, 0) + stride * step
-            else:
-                first += stride * index
+        first, strides = _along(first, places)
         lengths = tuple([s[0] for s in strides])
         own = (array, first, tuple(strides.values()), kept)
         return self._place(Component("load", own, lengths), array in "PTK"), tuple(strides)
@@ -147,7 +143,7 @@ class Components:
     def _element(self, ref: int, index: tuple[Index, ...]) -> Value:
         kind, arguments, shape, at, _ = self.entries[ref]
         if kind == "load":
-            return self.load(at[0], at[1], list(zip(index, rows(shape), strict=True)))
+            return self.load(at[0], at[1], zip(index, rows(shape), strict=True))
         if kind == "constant":
             numbers = np.frombuffer(at).reshape(shape)
             if all(type(i) is int for i in index):
@@ -158,8 +154,8 @@ class Components:
             return self.at(*moved)
         if kind in ("stack", "join"):
             return self._read(ref, shape, index)
-        if kind == "part":
-            return self._part(ref, arguments[0], at, shape, index)
+        if kind == "part":  # elements row by row, in another shape
+            return self._read(arguments[0], shape, index, at)
         if kind == "sum":
             return self._summed(arguments[0], index, *at)
         if kind == "pick":
@@ -174,10 +170,16 @@ class Components:
             return arguments[0], tuple(moved)
         if kind == "fill":
             return arguments[0], ()
-        if kind == "part" and all(type(i) is int for i in index):
+        if kind == "part":
             outer = self.entries[arguments[0]].shape
-            flat = at + sum([s * i for s, i in zip(rows(shape), index, strict=True)])
-            return arguments[0], tuple(map(int, np.unravel_index(flat, outer))) if outer else ()
+            lead, size = len(outer) - len(shape), prod(shape)
+            if all(type(i) is int for i in index):
+                at += sum([s * i for s, i in zip(rows(shape), index, strict=True)])
+                lead, size, index = len(outer), 1, ()
+            elif lead < 0 or outer[lead:] != shape or at % size:
+                return None
+            before = np.unravel_index(at // size, outer[:lead]) if lead else ()
+            return arguments[0], (*map(int, before), *index)
         if kind not in ("stack", "join") or type(index[0]) is not int:
             return None
         if kind == "stack":
@@ -186,15 +188,6 @@ class Components:
         while k >= (n := self.record.shape_of(arguments[part])[0]):
             k, part = k - n, part + 1
         return arguments[part], (k, *index[1:])
-
-    def _part(self, ref: int, whole: int, first: int, shape: tuple, index: tuple) -> Value:
-        """Return an element of a value's elements row by row, in another shape."""
-        outer = self.entries[whole].shape
-        inner = len(outer) - len(shape)
-        if inner >= 0 and outer[inner:] == shape and first % prod(shape) == 0:
-            lead = np.unravel_index(first // prod(shape), outer[:inner]) if inner else ()
-            return self.at(whole, (*map(int, lead), *index))
-        return self._read(whole, shape, index, first)
 
     def _summed(self, ref: Ref, index: tuple, axis: int, count: int, long: bool) -> Value:
         def one(i: Index) -> Value:
@@ -228,10 +221,7 @@ class Components:
         if outer:
             own = [f for f in factors if f not in outer]
             value = self.product(own)
-        found = self.add("sum", value, bound=symbol)
-        for factor in outer:
-            found = self.add("mul", found, factor)
-        return found
+        return self.product([self.add("sum", value, bound=symbol), *outer])
 
     def factors(self, value: Value) -> list[Value]:
         """Return what a product is made of; only of values with axes."""
@@ -243,10 +233,7 @@ class Components:
 
     def product(self, factors: list[Value]) -> Value:
         """Return a product, from the left."""
-        found = factors[0]
-        for factor in factors[1:]:
-            found = self.add("mul", found, factor)
-        return found
+        return reduce(partial(self.add, "mul"), factors)
 
     def named(self, argument: Any, symbols: tuple, bound: Symbol | None = None) -> Value:
         """Return a component's argument as a value of its own symbols."""
@@ -272,21 +259,15 @@ class Components:
     def _calculated(self, kind: str, a: list[Value], at: Any) -> Value:
         logical = len(a) if kind in ("and", "or", "not") else kind == "where"
         a = [self.answer(v) if k < logical else self.number(v) for k, v in enumerate(a)]
-        if kind == "pow" and type(a[1]) is float:
-            if a[1] in (2.0, 3.0, 4.0):
-                square = self.add("mul", a[0], a[0])
-                return (
-                    square
-                    if a[1] == 2.0
-                    else self.add("mul", square, a[0] if a[1] == 3.0 else square)
-                )
-            if a[1] == 0.5:
-                return self.add("sqrt", a[0])
+        if kind == "pow" and a[1] in (2.0, 3.0):
+            return self.product([a[0]] * int(a[1]))
+        if kind == "pow" and a[1] == 4.0:
+            return self.product([self.product([a[0]] * 2)] * 2)
+        if kind == "pow" and a[1] == 0.5:
+            return self.add("sqrt", a[0])
         if kind == "div" and self.is_steady(a[1]) and not self.is_steady(a[0]):
             known = type(a[1]) is float and a[1] != 0.0
             return self.add("mul", a[0], 1.0 / a[1] if known else self.add("div", 1.0, a[1]))
-        if kind == "sign":
-            return self.add("add", self.add("sign", *a), 0.0)
         return self.add(kind, *a)
 
     def number(self, value: Value) -> Value:
@@ -310,7 +291,7 @@ class Components:
     def _read(self, ref: int, shape: tuple, index: tuple[Index, ...], after: int = 0) -> Value:
         """Return an element, in a shape, of a value that is kept in an array, `after` so many."""
         array, first, kept = self._kept(ref)
-        return self.load(array, first + after, list(zip(index, rows(shape), strict=True)), kept)
+        return self.load(array, first + after, zip(index, rows(shape), strict=True), kept)
 
     def _kept(self, ref: int) -> tuple[str, int, int]:
         """Return array, first place and number of a value that is written before it is read."""
@@ -327,7 +308,7 @@ class Components:
         array, first = "W", self.room
         self.kept[number] = []
         self.room += size
-        writes = self.writes(ref, entry.shape, long, array, first)
+        writes = self.writes([Port(first, entry.shape, long, ref)], array)
         if all(self.is_steady(w.value) for w in writes):
             array, moved = "P", self.prepared - first
             writes = [w._replace(array=array, first=w.first + moved) for w in writes]
@@ -337,46 +318,50 @@ class Components:
         return self._arrays[key]
 
     def writes(
-        self,
-        ref: Ref,
-        shape: tuple,
-        long: tuple,
-        array: str,
-        first: int,
-        element: Callable[[Ref, tuple], Value] | None = None,
+        self, ports: Iterable[Port], array: str, element: Element | None = None
     ) -> list[Write]:
-        """Return what writes a value into an array, row by row; long axes loop.
+        """Return what writes values into an array, row by row; long axes loop.
 
         `element` makes the elements; `at` does by itself.
         """
+        return [write for p in ports for write in self._written(p, array, element or self.at)]
+
+    def _written(self, port: Port, array: str, element: Element) -> Iterator[Write]:
+        first, shape, long, ref = port
         entry = self.entries[ref] if type(ref) is int else None
         if entry is not None and entry.kind in ("stack", "join") and entry.shape == shape:
-            found, size = [], prod(shape[1:])
             for part in entry.arguments:
-                if entry.kind == "stack":
-                    own, axes = shape[1:], long[1:]
-                else:
-                    own, axes = (self.record.shape_of(part)[0], *shape[1:]), long
-                found += self.writes(part, own, axes, array, first, element)
-                first += size * (own[0] if entry.kind == "join" else 1)
-            return found
-        loops = [k for k, turns in enumerate(long) if turns]
-        symbols = {k: (shape[k], number) for number, k in enumerate(loops)}
-        strides = rows(shape)
-        own = tuple([strides[k] for k in loops])
-        lengths = tuple([shape[k] for k in loops])
-        found = []
-        for place in product(*[[None] if k in symbols else range(n) for k, n in enumerate(shape)]):
-            index = tuple([(symbols[k], 0, 1) if i is None else i for k, i in enumerate(place)])
-            start = first + sum(
-                [s * i for s, i in zip(strides, place, strict=True) if i is not None]
-            )
-            value = self.number((element or self.at)(ref, index))
+                own, axes = shape[1:], long[1:]
+                if entry.kind == "join":
+                    own, axes = (self.record.shape_of(part)[0], *own), long
+                yield from self._written(Port(first, own, axes, part), array, element)
+                first += prod(own)
+            return
+        loops = count()
+        places = [
+            [((n, next(loops)), 0, 1)] if turns else range(n)
+            for n, turns in zip(shape, long, strict=True)
+        ]
+        for index in product(*places):
+            start, strides = _along(first, zip(index, rows(shape), strict=True))
+            value = self.number(element(ref, index))
             if type(value) is tuple:  # its axes are the turns of the loops, outermost first
-                turn = {symbols[k]: number for number, k in enumerate(loops)}
-                value = value[0], tuple([turn[s] for s in value[1]])
-            found.append(Write(array, start, own, lengths, value))
-        return found
+                value = value[0], tuple([[*strides].index(s) for s in value[1]])
+            lengths = tuple([s[0] for s in strides])
+            yield Write(array, start, tuple(strides.values()), lengths, value)
+
+
+def _along(first: int, places: Iterable[tuple[Index, int]]) -> tuple[int, dict[Symbol, int]]:
+    """Return first + sum of stride * index: the number, and the stride of each symbol."""
+    strides: dict[Symbol, int] = {}
+    for index, stride in places:
+        if type(index) is tuple:
+            symbol, start, step = index
+            first += stride * start
+            strides[symbol] = strides.get(symbol, 0) + stride * step
+        else:
+            first += stride * index
+    return first, strides
 
 
 def rows(lengths: tuple[int, ...]) -> tuple[int, ...]:

@@ -355,7 +355,7 @@ def maximum(a, b):
 
 def sign(a):
     """Return -1, 0 or 1."""
-    return where(a > 0.0, 1.0, where(a < 0.0, -1.0, 0.0 * a))
+    return where(a > 0.0, 1.0, where(a < 0.0, -1.0, 0.0 * a)) + 0.0
 
 
 def place(index, count):

@@ -12,6 +12,7 @@ import numpy as np
 
 from ..equations.arrays import Array, Tape, elementwise, operand
 from .components import Components, Value
+from .decisions import Port
 from .diagram_record import WIRE, Entry
 from .plan import Planner, Program
 
@@ -46,7 +47,7 @@ class _AsWritten(Components):
 
 def program_of_formulas(formulas: Mapping[str, Formula], n: int) -> Program:
     """Return the program of formulas for n states."""
-    tape, found = Tape(), {}
+    tape, ports = Tape(), {}
 
     def row(r: int) -> Array:
         return tape.add("load", (), (n,), ("X", r * n))
@@ -57,13 +58,13 @@ def program_of_formulas(formulas: Mapping[str, Formula], n: int) -> Program:
     for name, (each, after) in formulas.items():
         rows, summed = each(row, number, lambda r: number(r, "T")) if each else ({}, ())
         sums = [tape.add("sum", (operand(one),), (), (0, n, True)) for one in summed]
-        found[name] = rows, after(number, sums) if after else {}
+        numbers = after(number, sums) if after else {}
+        ports[name] = (
+            [Port(r * n, (n,), (True,), operand(value)) for r, value in rows.items()],
+            [Port(r, (), (), operand(value)) for r, value in numbers.items()],
+        )
     made = _AsWritten(SimpleNamespace(entries=[Entry(*one, WIRE) for one in tape.operations]), 0, 0)
-    writes = {}
-    for name, (rows, numbers) in found.items():
-        own = [made.writes(operand(v), (n,), (True,), "X", r * n) for r, v in rows.items()]
-        own += [made.writes(operand(v), (), (), "t", r) for r, v in numbers.items()]
-        writes[name] = [write for each in own for write in each]
+    writes = {name: made.writes(x, "X") + made.writes(t, "t") for name, (x, t) in ports.items()}
     plan = Planner(made)
     # loops come first: numbers of the lane are read in them, and written behind them
     functions = {

@@ -181,9 +181,8 @@ class _Nests(Function):
         """
         pairs = list(zip(turns, strides, strict=True))
         stride = sum(s for turn, s in pairs if turn == self.vector) if wide else None
-        return [
-            (place if turn == self.inner else self.places[turn], s) for turn, s in pairs
-        ], stride
+        moves = [(place if turn == self.inner else self.places[turn], s) for turn, s in pairs]
+        return moves, stride
 
     def write(
         self, value: Any, array: str, first: int, strides: tuple[int, ...], place: Any = None

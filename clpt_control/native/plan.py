@@ -253,20 +253,15 @@ def program_of(
     passed = [port._replace(first=port.first + count) for port in decisions.passed]
     with deep():
         writes = {
-            "derivative": _written(made, record.rates, "D", JoinedSums(made).element),
-            "signals": _written(made, record.signals, "W"),
+            "derivative": made.writes(record.rates, "D", JoinedSums(made).element),
+            "signals": made.writes(record.signals, "W"),
             "margin": [_least(made)],
-            "jump": _written(made, record.leaps, "D") if record.layout.jumps else [],
-            "decide": _written(made, [*decisions.now, *passed], "D"),
+            "jump": made.writes(record.leaps, "D") if record.layout.jumps else [],
+            "decide": made.writes([*decisions.now, *passed], "D"),
         }
         if slopes is not None:
-            writes["slope"] = _written(made, slopes, "D")
+            writes["slope"] = made.writes(slopes, "D")
     return Planner(made).program(writes, count, tuple(decisions.of))
-
-
-def _written(made: Components, ports: list, array: str, element: Any = None) -> list[Write]:
-    own = [made.writes(p.ref, p.shape, p.long, array, p.first, element) for p in ports]
-    return [w for writes in own for w in writes]
 
 
 def _least(made: Components) -> Write:
