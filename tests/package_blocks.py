@@ -122,7 +122,7 @@ def often(case):
     way = kind.rpartition("-")[2]
     if way in SIZE_OF_WAY:
         return SIZE_OF_WAY[way] == int(N)
-    return int(N) == 3 or (int(N) == 1 and not kind.startswith(("V-", "basis_")))
+    return int(N) == 3
 
 
 EACH = [pytest.param(name, marks=() if often(name) else pytest.mark.slow) for name in BLOCKS]

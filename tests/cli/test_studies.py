@@ -20,6 +20,7 @@ def run(*arguments):
     )
 
 
+@pytest.mark.slow
 def test_step_response_agrees_with_theory(tmp_path):
     run("-m", "analysis.step_response", "--out", tmp_path)
     text = (tmp_path / "step_response.md").read_text()

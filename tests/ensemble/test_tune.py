@@ -118,6 +118,7 @@ def test_the_fast_law_is_taken_where_nothing_disturbs(paper):
     assert float(error) < 1e-3
 
 
+@pytest.mark.slow
 def test_a_robust_law_is_taken_where_unmodelled_flow_is_ten_times_the_prior(paper):
     longer = paper.with_values({"run.duration": 400})
     tuned = tune_law(longer, members=6, laws=ROBUST, prior=0.05, unmodelled=0.5)

@@ -157,6 +157,7 @@ def test_two_samples_of_a_vehicle_at_rest_in_still_water_are_drawn():
     checked(page_html(page_of(run.isel(time=[0, -1]))))
 
 
+@pytest.mark.slow
 def test_fifty_functions_and_many_samples_stay_small():
     run = clpt.simulate(many(50))
     long = run.interp(time=np.linspace(0, 60, 60_001)).assign(flow_parameters=run.flow_parameters)

