@@ -6,7 +6,7 @@ from typing import Any
 
 import typer
 
-from ..errors import SimulationError
+from ..errors import ClptError, SimulationError
 from ..html import Result
 from ..progress import progress_bar
 from .help_pages import flag, names_of_laws, opt
@@ -22,28 +22,38 @@ FIELDS = {  # of each room's proofs, in JSON
 }
 
 
-def laws(as_json: Json = False) -> None:
-    """List the adaptive laws: promises, needs and settings.
+def laws(
+    name: str | None = typer.Argument(
+        None, metavar="LAW", help="Its page; default: the table.", autocompletion=names_of_laws
+    ),
+    as_json: Json = False,
+) -> None:
+    """List the adaptive laws; of one, print its page.
 
     Example:
-        clpt laws
+        clpt laws concurrent
     """
     from ..blocks.laws.table import LAWS
+    from ..theory.promises import words_of
 
-    listed = {}
-    for law in LAWS.values():
+    if name is not None and name not in LAWS:
+        raise ClptError(f"{name}: is no law; `clpt laws` lists them")
+    wanted = list(LAWS.values()) if name is None else [LAWS[name]]
+    listed: dict[str, Any] = {}
+    for law in wanted:
         settings = {
             key: {"default": one.default, "allowed": one.allowed, "meaning": one.meaning}
             for key, one in law.settings.items()
         }
         listed[law.name] = {
             "promise": law.promise,
+            "promises": list(words_of(law).values()),
             "needs": law.needs,
             "default_gain": law.gain,
             "table": f"learning.{law.table}" if settings else None,
             "settings": settings,
         }
-    rows = [[law.name, law.promise, law.needs] for law in LAWS.values()]
+    rows = [[law.name, law.promise, law.needs] for law in wanted]
     keys = [
         [
             f"learning.{law.table}.{key}",
@@ -51,14 +61,18 @@ def laws(as_json: Json = False) -> None:
             "of the scenario" if one.default is None else f"{one.default:g}",
             one.meaning,
         ]
-        for law in LAWS.values()
+        for law in wanted
         for key, one in law.settings.items()
     ]
     found = [
         Result("Laws (learning.law)", ["law", "promise", "needs"], rows, [""]),
         Result("Settings", ["key", "allowed", "default", "what it is"], keys),
     ]
-    finish(found, {"laws": listed}, as_json)
+    if name is not None:
+        asked = [f"- {words}" for words in listed[name]["promises"]]
+        found[0] = found[0]._replace(sentences=[wanted[0].page, "Asked along runs:", *asked, ""])
+        listed[name]["page"] = wanted[0].page
+    finish(found[: 1 + bool(keys)], {"laws": listed}, as_json)
 
 
 def prove(
@@ -150,10 +164,11 @@ def refute(
     Example:
         clpt refute concurrent --budget 20 --out broken.toml
     """
+    from ..blocks.laws.table import LAWS
     from ..files import write_text
     from ..scenario.file import scenario_to_text
+    from ..theory.promises import words_of
     from ..theory.refuting import refute as search
-    from ..theory.refuting import words_of
 
     check_scenario(out)
     with progress_bar(f"searching {law}", 1.0) as report:
@@ -163,7 +178,7 @@ def refute(
         write_text(out, text)
     rows = [
         [words, "never asked" if what not in found.closest else shown(found.closest[what])]
-        for what, words in words_of(law).items()
+        for what, words in words_of(LAWS[law]).items()
     ]
     title = f"{law}: {found.status} by {found.runs} runs in {found.seconds:.0f} s"
     result = Result(title, ["promise", "came to, above 1 is broken"], rows)

@@ -23,6 +23,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from ..blocks.laws.known import Truth
+from ..blocks.laws.law import Law
 from ..scenario.experiment import Scenario
 from ..simulation.flows import flow_velocity
 from ..simulation.integrate import simulate
@@ -244,6 +245,16 @@ CONDITIONS = {
         lambda scenario: min(scenario.basis.widths) >= UNIFORM,
     ),
 }
+
+
+def words_of(row: Law) -> dict[str, str]:
+    """Return each promise of a law in words, with its conditions."""
+    return {
+        promise.what: CHECKS[promise.what].words
+        + (", where: " if promise.where else "")
+        + "; ".join(CONDITIONS[name].words for name in promise.where)
+        for promise in row.promises
+    }
 
 
 def truth_of(scenario: Scenario) -> Truth:

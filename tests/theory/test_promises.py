@@ -12,8 +12,8 @@ from clpt_control.blocks.laws.law import Promise
 from clpt_control.blocks.laws.learned_flow import learned_flow
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.errors import ScenarioError
-from clpt_control.theory.promises import CHECKS, CONDITIONS, UNIFORM, kept, rise
-from clpt_control.theory.refuting import BROKEN, NUMBERS, TIGHT, drawn, refute, words_of
+from clpt_control.theory.promises import CHECKS, CONDITIONS, UNIFORM, kept, rise, words_of
+from clpt_control.theory.refuting import BROKEN, NUMBERS, TIGHT, drawn, refute
 
 LONG = 300.0  # seconds; what is wrong is found long before
 PAPER = clpt_package.paper_scenario()
@@ -37,7 +37,7 @@ def test_a_law_keeps_its_promises_on_the_papers_scenario(name):
     found = kept(with_law(name))
     assert set(found) == {promise.what for promise in LAWS[name].promises}
     assert max(found.values()) <= BROKEN
-    assert all(words_of(name).values())
+    assert all(words_of(LAWS[name]).values())
 
 
 def test_each_promise_has_a_predicate_and_conditions():
@@ -134,7 +134,7 @@ def test_a_law_that_breaks_its_promise_is_found_out(name, monkeypatch):
     again = kept(found.scenario, **TIGHT)
     assert {what for what, value in again.items() if value > BROKEN} <= breaks
     assert max(again.values()) > BROKEN
-    assert found.broken in words_of(name).values()
+    assert found.broken in words_of(LAWS[name]).values()
 
 
 def test_the_same_seed_finds_the_same(monkeypatch):

@@ -10,6 +10,8 @@ A row declares parameters, states, what the law takes, its rates and V; the bloc
 parameters, V's block and starts follow from it.
 """
 
+import inspect
+import sys
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from operator import attrgetter
@@ -108,6 +110,11 @@ class Law(NamedTuple):
     def table(self) -> str:
         """The name of its own table within [learning]."""
         return self.name.replace("-", "_")
+
+    @property
+    def page(self) -> str:
+        """Its page: equations, V, V' and source."""
+        return inspect.cleandoc(str(sys.modules[self.rates.__module__].__doc__))
 
     @property
     def settings(self) -> dict[str, Setting]:

@@ -1,0 +1,52 @@
+"""docs/laws.md has a section for each law, as its page and its row have it."""
+
+import json
+import re
+import runpy
+from pathlib import Path
+
+import pytest
+
+from clpt_control.blocks.laws.table import LAWS
+from clpt_control.theory.promises import words_of
+
+ROOT = Path(__file__).parents[1]
+TOOL = ROOT / "tools" / "print_laws.py"
+PAGE = ROOT / "docs" / "laws.md"
+
+pytestmark = pytest.mark.skipif(not TOOL.exists(), reason="installed without tools")
+
+
+def test_the_sections_are_those_of_the_laws():
+    tool = runpy.run_path(str(TOOL))
+    text = PAGE.read_text("utf-8")
+    assert tool["page_with_sections"](text) == text, "run python tools/print_laws.py"
+    for law in LAWS.values():
+        assert re.search(rf"^### .*`{law.name}`", text, re.M)
+
+
+def test_equations_become_formulas():
+    tool = runpy.run_path(str(TOOL))
+    assert tool["formula"]("theta_hat' = gamma phi_f e^T/r^2") == (
+        r"\hat{\theta}' = \gamma \phi_{f} e^{\top} / r^2"
+    )
+    assert tool["formula"]("KD_i <= GammaD") == r"K_{D,i} \le \Gamma_D"
+    assert tool["formula"]("Q = M (1 + m M)^-1") == "Q = M ( 1 + m M )^{-1}"
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_the_command_prints_a_laws_page(clpt, name):
+    outcome = clpt("laws", name)
+    assert outcome.status == 0
+    listed = json.loads(clpt("laws", name, "--json").out)["laws"]
+    assert list(listed) == [name]
+    assert listed[name]["page"] == LAWS[name].page
+    assert listed[name]["promises"] == list(words_of(LAWS[name]).values())
+    for line in (LAWS[name].page.splitlines()[0], *listed[name]["promises"]):
+        assert line in outcome.out
+
+
+def test_an_unknown_law_is_refused(clpt):
+    outcome = clpt("laws", "no-law")
+    assert (outcome.status, outcome.out) == (2, "")
+    assert outcome.err == "clpt: no-law: is no law; `clpt laws` lists them\n"
