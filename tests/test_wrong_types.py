@@ -173,6 +173,8 @@ def right(tmp_path_factory):
         "Block.breakpoints": {"self": clpe(), "t0": 0.0, "t1": 1.0},
         "Block.with_values": {"self": clpe()},
         "Equations.derivative": {"self": clpt.equations(loop)},
+        "lyapunov": {"system": clpt.error_loop(SCENARIO), "V": "e"},
+        "Lyapunov": dict.fromkeys(("status", "claim"), "") | {"V": None, "rate": None},
         "Guard": {"distance": line, "policy": "stop", "sentence": line},
         "Vary": {"key": "learning.gain", "kind": "uniform", "numbers": (1.0, 2.0)},
         "FlowEstimate.miss": {"self": clpt.estimation.flow_estimate(run, every=5.0)},

@@ -28,6 +28,7 @@ from ..equations.linear import is_linear
 from ..equations.record import Shape
 from ..equations.sampled import Sampled
 from ..equations.symbolic import Symbols, exact
+from ..equations.system import System
 from ..errors import DiagramError
 from .joined import joined
 from .wiring import Node, Wiring, read_anew, wiring_of
@@ -61,6 +62,8 @@ class Equations:
         Block -> its parameters.
     fields : dict of ndarray
         Parameters, each by the name of its symbols.
+    values : dict
+        Symbol of a parameter -> its number, an exact rational.
     undefined : list of str
         Where there may be no value, in sentences, as proofs ask.
     pinned : list of tuple
@@ -85,6 +88,7 @@ class Equations:
     inputs: dict[str, np.ndarray]
     parameters: dict[str, Any]
     fields: dict[str, np.ndarray]
+    values: dict[Any, Any] = field(default_factory=dict)
     undefined: list[str] = field(default_factory=list)
     pinned: list[tuple[str, str]] = field(default_factory=list)
     discrete: bool = False
@@ -215,16 +219,31 @@ def groups(system: Any, kind: str) -> list[Group]:
     return found
 
 
+def fields_of(system: Any) -> list[str]:
+    """Return a block's parameters; of python-control's params those that its functions read."""
+    if not isinstance(system, System):
+        return list(system.parameters._fields)
+    records = [system.array_record(role) for role in {*system._roles, "output"}]
+    return sorted({name for record in records for name in record.leaves("p")})
+
+
 class Names:
     """What ports and parameters of a diagram are called."""
 
     def __init__(self, wiring: Wiring, inputs: Iterable[str]):
-        found = [*inputs]
+        found, shared = [*inputs], dict[str, list[Any]]()
         for node in wiring.nodes:
             made = [group for group, *_ in groups(node.system, "output")]
             own = [group for group, *_ in groups(node.system, "state")]
             same = node.system.states_are_outputs and made == own
-            found += [*made, *([] if same else own), *node.system.parameters._fields]
+            found += [*made, *([] if same else own)]
+            for name in fields_of(node.system):
+                shared.setdefault(name, []).append(node.system)
+        for name, systems in shared.items():  # python-control hands one value down to all
+            values = [getattr(system.parameters, name) for system in systems]
+            one = all(isinstance(system, System) for system in systems)
+            one = one and all(np.array_equal(value, values[0]) for value in values)
+            found += [name] * (1 if one else len(systems))
         self.count = Counter(found)
 
     def port(self, node: Node, group: str, kind: str) -> str:
@@ -301,6 +320,8 @@ class _Read:
         found = np.empty(value.shape, dtype=object)
         for index in np.ndindex(value.shape):
             found[index] = self.names.parameter(node, own, value, index)
+            if isinstance(found[index], sympy.Symbol) and own != "interval":
+                self.made.values[found[index]] = exact(float(value[index]))
         return found
 
     def given(self, port: str, shape: Shape, declared: Shape) -> Any:
@@ -373,7 +394,8 @@ class _Read:
                 made.jumps[block] = dict(zip(symbols, after, strict=True))
             held = {
                 own: value if isinstance(value, int) else self.held(node, own)[()]
-                for own, value in system.parameters._asdict().items()
+                for own in fields_of(system)
+                for value in [getattr(system.parameters, own)]
             }
             made.parameters[block] = parameters_of(held)
             for own, value in held.items():
@@ -433,11 +455,16 @@ def equations(system: control.NonlinearIOSystem, numbers: bool = False) -> Equat
     >>> eq.derivative(eq["y"] ** 2)
     2*y*(-a*y + u(t))
     """
+    return readable_equations(system, Numbers if numbers else Names)
+
+
+def readable_equations(system: Any, names: type[Names] = Names, **how: Any) -> Equations:
+    """Read a diagram as it is now; what samples or cannot be read is refused."""
     read_anew(system)
     name = next((n.name for n in wiring_of(system).nodes if isinstance(n.system, Sampled)), None)
     if name is not None:
         raise DiagramError(f"{name}: samples its inputs; give the design that it was sampled from")
     try:
-        return on_symbols(system, Numbers if numbers else Names)
+        return on_symbols(system, names, **how)
     except Unread as error:
         raise DiagramError(f"{error}") from None

@@ -113,7 +113,7 @@ def functions_of(law: control.NonlinearIOSystem) -> int:
     if N < 1 or {"alpha": 2 * N, "K": 2, "Gamma": 2}.items() - made.items():
         raise DiagramError(
             f"{law.name}: a law makes alpha[2N], K[2] and Gamma[2]; it makes "
-            f"{sizes(output_ports(law))}"
+            f"{sizes(output_ports(law))}; clpt.theory.lyapunov judges a V on any diagram"
         )
     taken = len(input_ports(law).get("phi_x", range(N)))
     if taken != N:

@@ -8,6 +8,7 @@ from .excitation.gramian import gramian, started_true
 from .excitation.plot import excitation_plot
 from .excitation.pooled import team_gramian
 from .excitation.transition import error_matrices
+from .lyapunov import Lyapunov, lyapunov
 from .proving.misprints import misprints
 from .proving.own_law import prove
 from .proving.theorems import audit
@@ -15,6 +16,7 @@ from .proving.verdict import Verdict
 from .refuting import Search, refute
 
 __all__ = [
+    "Lyapunov",
     "Search",
     "Verdict",
     "audit",
@@ -26,6 +28,7 @@ __all__ = [
     "error_matrices",
     "excitation_plot",
     "gramian",
+    "lyapunov",
     "misprints",
     "printed_bound",
     "prove",

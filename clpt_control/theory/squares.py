@@ -1,0 +1,151 @@
+"""An expression as a sum of terms that are not negative: what a V holds.
+
+    V = c + sum_k a_k f_k^2 + sum_i g_i(s_i)        a_k > 0,  g_i convex or rising away from 0
+
+    s h(s) >= 0        h odd and rising: h(s) = p s with p > 0
+
+Forms f are taken as the user wrote them, or squares are completed, symbol by symbol.  V holds every
+form: where V does not rise, no f leaves a bound, but one of the kind sin(s/2), of 1 - cos(s).
+"""
+
+from typing import NamedTuple
+
+import sympy
+from sympy.core.function import AppliedUndef
+
+from .proving.signs import vanishes
+
+MOST = 24  # squares that are completed, in all orders that are tried
+ODD = (sympy.tanh, sympy.atan, sympy.sinh, sympy.asinh, sympy.erf)  # and rising
+
+
+class Squares(NamedTuple):
+    """Terms that are not negative, and what each is zero with."""
+
+    constant: sympy.Expr
+    terms: list[sympy.Expr]
+    forms: list[sympy.Expr]
+
+
+def sector(expression: sympy.Expr) -> sympy.Expr:
+    """Return an expression with p s, p > 0, for each odd rising function of s."""
+    found = [f for f in expression.atoms(sympy.Function) if isinstance(f, ODD) or _is_sign(f)]
+    for f in sorted(found, key=lambda f: (-len(str(f)), str(f))):  # outer before inner
+        expression = expression.xreplace({f: f.args[0] * sympy.Dummy("p", positive=True)})
+    return expression
+
+
+def _is_sign(f: sympy.Expr) -> bool:
+    return isinstance(f, AppliedUndef) and str(f.func) == "sign"
+
+
+def squares(V: sympy.Expr, fixed: set) -> Squares | None:
+    """Return an expression as such a sum; None where it is not known to be one."""
+    words = {f: sympy.Dummy(str(f.func), real=True) for f in V.atoms(AppliedUndef)}
+    back = {dummy: f for f, dummy in words.items()}
+    V = V.xreplace(words)
+    moving = sorted(V.free_symbols - fixed, key=str)
+    if not moving:
+        return Squares(V.xreplace(back), [], [])
+    terms, forms, low, others = [], [], [], dict[frozenset, list]()
+    parts = [sympy.expand_mul(one, deep=False) for one in sympy.Add.make_args(V)]
+    for term in sympy.Add.make_args(sympy.Add(*parts)):
+        factor, rest = term.as_independent(*moving, as_Add=False)
+        base, power = rest.as_base_exp()
+        if _positive(factor) and power.is_Integer and power.is_even and power.is_positive:
+            terms.append(term)
+            forms.append(base)
+        elif rest.is_polynomial(*moving):
+            low.append(term)
+        else:
+            others.setdefault(frozenset(rest.free_symbols & set(moving)), []).append(term)
+    for symbols, own in others.items():
+        if len(symbols) != 1:
+            return None
+        (s,) = symbols
+        found = _alone(sympy.Add(*own), s)
+        if found is None:  # with all that s is in alone
+            same = [term for term in low if term.free_symbols & set(moving) == {s}]
+            own, low = own + same, [term for term in low if term not in same]
+            found = _alone(sympy.Add(*own), s)
+        if found is None:
+            return None
+        low.append(found[0])
+        terms.append(sympy.Add(*own) - found[0])
+        forms.append(found[1])
+    if any(term.free_symbols & set(moving) for term in low):  # squares are completed with them
+        plain = [k for k, term in enumerate(terms) if term.is_polynomial(*moving)]
+        low += [terms[k] for k in plain]
+        terms, forms = (
+            [one for k, one in enumerate(own) if k not in plain] for own in (terms, forms)
+        )
+    whole = _completed(sympy.expand(sympy.Add(*low)), moving, [MOST])
+    if whole is None:
+        return None
+    terms, forms = terms + whole.terms, forms + whole.forms
+    back_again = ([one.xreplace(back) for one in own] for own in (terms, forms))
+    return Squares(whole.constant, *back_again)
+
+
+def _completed(p: sympy.Expr, moving: list, left: list[int]) -> Squares | None:
+    """Complete the squares of a polynomial, in one order of its symbols or another."""
+    own = [s for s in moving if p.has(s)]
+    if not own:
+        return Squares(p, [], [])
+    poly = sympy.Poly(p, *own)
+    if all(
+        all(n % 2 == 0 for n in powers) and _positive(c)
+        for powers, c in poly.terms()
+        if any(powers)
+    ):
+        terms = [
+            (c, sympy.Mul(*(s ** (n // 2) for s, n in zip(own, powers, strict=True))))
+            for powers, c in poly.terms()
+            if any(powers)
+        ]
+        forms = [base.as_base_exp()[0] for _, base in terms]
+        return Squares(poly.coeff_monomial(1), [c * base**2 for c, base in terms], forms)
+    for s in own:
+        a, b, c = (p.coeff(s, n) for n in (2, 1, 0))
+        if poly.degree(s) != 2 or a.has(*own) or not _positive(a) or left[0] <= 0:
+            continue
+        left[0] -= 1
+        form = s + sympy.expand(b / (2 * a))
+        rest = _completed(sympy.expand(sympy.cancel(c - b**2 / (4 * a))), moving, left)
+        if rest is not None:
+            return Squares(rest.constant, [a * form**2, *rest.terms], [form, *rest.forms])
+    if len(own) == 1 and (poly.domain.is_QQ or poly.domain.is_ZZ):
+        return _of_one(poly, own[0])
+    return None
+
+
+def _of_one(poly: sympy.Poly, s: sympy.Symbol) -> Squares | None:
+    """Return a polynomial of one symbol with numbers, which has no real root of odd order."""
+    _, factors = poly.sqf_list()
+    real = [(f, n) for f, n in factors if f.count_roots()]
+    if poly.LC() < 0 or poly.degree() % 2 or any(n % 2 for _, n in real):
+        return None
+    apart = all(f.monic() == sympy.Poly(s, s) for f, _ in real)
+    return Squares(sympy.Integer(0), [poly.as_expr()], [s if real and apart else poly.as_expr()])
+
+
+def _positive(a: sympy.Expr) -> bool:
+    return bool(a.is_positive or sympy.factor(a).is_positive)
+
+
+def _alone(g: sympy.Expr, s: sympy.Symbol) -> tuple[sympy.Expr, sympy.Expr] | None:
+    """Return g(0) and what g - g(0) >= 0 is zero with, of a function of one symbol."""
+    least = g.subs(s, 0)
+    k, m = sympy.Wild("k", exclude=[s, 0]), sympy.Wild("m", exclude=[s, 0])
+    turn = g.match(-k * sympy.cos(m * s))
+    if turn is not None and turn[k].is_positive:
+        return least, sympy.sin(turn[m] * s / 2)
+    slope = sympy.diff(g, s)
+    bend = sympy.factor(sympy.diff(slope, s))
+    if not least.is_finite or not vanishes(slope.subs(s, 0)) or bend == 0:
+        return None
+    if bend.is_nonnegative:  # so g rises without bound
+        return least, s
+    if sympy.factor(s * sector(slope)).is_nonnegative and sympy.limit(g, s, sympy.oo) == sympy.oo:
+        return (least, s) if sympy.limit(g, s, -sympy.oo) == sympy.oo else None
+    return None

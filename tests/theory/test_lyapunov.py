@@ -1,0 +1,197 @@
+"""A Lyapunov function of one's own: right ones are proved, wrong ones never are."""
+
+import control
+import numpy as np
+import pytest
+import sympy
+from lyapunov_cases import (
+    RIGHT,
+    WRONG,
+    energy,
+    half,
+    mrac,
+    of,
+    pendulum,
+    textbook,
+    van_der_pol,
+)
+
+import clpt_control as clpt
+from clpt_control.blocks.laws.table import LAWS
+from clpt_control.theory import lyapunov
+from clpt_control.theory.proving.theorem_loop import theorem_loop
+from clpt_control.theory.squares import squares
+
+OPEN = {  # of the wrong ones: no point shows it, or none is looked for
+    "V that fades",
+    "V of nothing",
+    "wrong in a smaller region",
+    "no value at a point",
+    "no value at the rest",
+}
+BESIDE = {  # V' <= 0 is right, and V does not hold every state: said
+    "V that misses a state": "proved but for y",
+    "V that misses a state that ends": "proved as long as y exist",
+    "V of the sum alone": "proved as long as x exist",
+}
+
+
+@pytest.mark.parametrize("name", RIGHT)
+def test_a_right_one_is_proved(name):
+    system, V, more = RIGHT[name]
+    found = lyapunov(system, V, **more)
+    assert found.status == "proved", found.claim
+    assert all(step.holds for step in found.steps)
+    assert found.point is None
+
+
+@pytest.mark.parametrize("name", WRONG)
+def test_a_wrong_one_is_not_proved(name):
+    system, V, more = WRONG[name]
+    if V == "fading":
+        t, x = sympy.Symbol("t", real=True), clpt.equations(system)["x"]
+        V = sympy.exp(-2 * t) * x**2
+    found = lyapunov(system, V, **more)
+    if name in BESIDE:
+        assert found.status == BESIDE[name]
+    elif name in OPEN:
+        assert found.status == "open"
+    else:
+        assert found.status.startswith("refuted"), found.claim
+        assert found.value is not None
+
+
+EXACT = {  # V' in the user's own signals
+    "MRAC": "-am*(y - ym)**2",
+    "backstepping": "-c*x1**2 - c*(c*x1 + h*x1**2 + x2)**2",
+    "observer": "-(plant.x[0] - watch.x[0])**2 - (plant.x[1] - watch.x[1])**2",
+    "pendulum": "-omega**2/10",
+    "a spinning body": "-(x**2 + y**2 + z**2)/5",
+}
+
+
+@pytest.mark.parametrize("name", EXACT)
+def test_the_rate_is_exact_and_in_ones_own_signals(name):
+    system, V, more = RIGHT[name]
+    assert str(lyapunov(system, V, **more).rate) == EXACT[name]
+
+
+def test_a_point_of_refutation_is_one_of_the_running_blocks():
+    system = mrac(1.0, -1.0)
+    found = lyapunov(system, textbook)
+    eq = clpt.equations(system, numbers=True)
+    V = (eq["y"] - eq["ym"]) ** 2 / 2 + sympy.Rational(3, 4) * (
+        (eq["kr"] - sympy.Rational(4, 3)) ** 2 + (eq["ky"] - sympy.Rational(5, 3)) ** 2
+    )
+    at = dict(zip(eq.motion, found.point.x, strict=True))
+    slopes = [float(sympy.diff(V, s).subs(at)) for s in eq.motion]
+    t, x, u, params = found.point
+    assert slopes @ system.dynamics(t, x, u, params) == pytest.approx(found.value, rel=1e-6)
+    assert found.value > 0
+
+
+def test_van_der_pol_says_where():
+    found = lyapunov(van_der_pol(), lambda s: (s.x**2 + s.y**2) / 2)
+    assert (found.status, found.where) == ("refuted", "-(x - 1)*(x + 1) >= 0")
+    assert str(found.rate) == "eps*y**2*(x - 1)*(x + 1)"
+    assert abs(found.point.x[0]) > 1
+
+
+def test_V_is_a_name_a_function_or_an_expression():
+    plant = of(lambda o: -2 * o["x"])
+    x = clpt.equations(plant)["x"]
+    for V in (half, x**2 / 2, sympy.Symbol("x") ** 2 / 2):
+        assert str(lyapunov(plant, V).rate) == "-2*x**2"
+    meter = clpt.Block(
+        "meter", output=lambda t, x, u, p: {"V": u.q**2 / 2}, inputs={"q": 1}, outputs={"V": 1}
+    )
+    lag = control.tf(1, [1, 2], inputs="w", outputs="q", name="lag")
+    found = lyapunov(clpt.connect([lag, meter], external="w"), "V")
+    assert found.inputs == ("w",)
+    assert found.status == "proved where w = 0"
+
+
+def test_an_input_that_the_rate_depends_on_is_named():
+    found = lyapunov(of(lambda o: -o["x"] + o["d"], inputs=["d"]), half)
+    assert (found.status, found.inputs) == ("proved where d = 0", ("d",))
+    assert "d = 0" in found.claim
+
+
+def test_a_claim_is_compared_exactly():
+    plant = of(lambda o: -3 * o["x"])
+    assert lyapunov(plant, half, claim=lambda s: -3 * s.x**2).status == "proved"
+    wrong = lyapunov(plant, half, claim=lambda s: -3.0001 * s.x**2)
+    assert (wrong.status, wrong.rate) == ("refuted", -3 * sympy.Symbol("x", real=True) ** 2)
+    assert "not as claimed" in wrong.claim
+
+
+def test_what_is_only_not_found_does_not_fail():
+    """A V of coupled powers, which is positive definite, and of which that is not shown."""
+    plant = of(lambda o: -o["x"] + o["y"], lambda o: -o["x"] - o["y"])
+    V = lambda s: s.x**4 - 2 * s.x**3 * s.y + 3 * s.x**2 * s.y**2 + s.y**4  # noqa: E731
+    found = lyapunov(plant, V)
+    assert found.status in ("open", "refuted")
+    (step,) = [one for one in found.steps if one.claim.startswith("V is positive definite")]
+    assert step.detail == "not shown"
+
+
+SUMS = {
+    "x**2 + x*y + y**2": True,
+    "x**2 + 3*x*y + y**2": False,
+    "(y + x**3)**2 + x**2": True,
+    "x**4 - 2*x**3 + 2*x**2": True,
+    "x**4 - 2*x**3 + x**2": True,
+    "x**4 - 2*x**3 + 0.999*x**2": False,
+    "k*(1 - cos(x)) + y**2": True,
+    "x**2*exp(-y)": False,
+    "exp(x) - x - 1": True,
+    "x**3": False,
+    "x*atan(x) - log(1 + x**2)/2": True,
+    "x**2*y**2 - x*y": False,
+}
+
+
+@pytest.mark.parametrize("text", SUMS)
+def test_sums_of_squares(text):
+    names = {s: sympy.Symbol(s, real=True) for s in "xy"} | {"k": sympy.Symbol("k", positive=True)}
+    V = sympy.nsimplify(sympy.sympify(text, locals=names), rational=True)
+    found = squares(V, {names["k"]})
+    assert (found is not None) == SUMS[text]
+    if found is not None:
+        assert sympy.simplify(sympy.Add(*found.terms) + found.constant - V) == 0
+        random = np.random.default_rng(0)
+        at = [dict(zip(names.values(), abs(random.normal(size=3)), strict=True)) for _ in range(50)]
+        terms = [float(term.subs(one)) for one in at for term in found.terms]
+        assert min(terms) > -1e-9
+
+
+def test_the_papers_law_is_proved_as_by_prove():
+    loop = theorem_loop(2, "learned-flow")
+    found = lyapunov(loop, "V")
+    assert (found.status, found.inputs) == ("proved", ())
+    KD = next(part for part in loop.syslist if part.name == "vehicle_controller").parameters.KD
+    e = [sympy.Symbol(f"e[{k}]", real=True) for k in range(2)]
+    wanted = -sum(sympy.nsimplify(k, rational=True) * one**2 for k, one in zip(KD, e, strict=True))
+    assert sympy.expand(found.rate - wanted) == 0
+    law = LAWS["learned-flow"].of(2, gain=0.5)
+    assert clpt.theory.prove(law, points=200).status == "proved"
+    wrong = theorem_loop(2, "learned-flow", law_block=LAWS["learned-flow"].of(2, gain=-0.5))
+    assert lyapunov(wrong, "V").status == "refuted"
+
+
+def test_mistakes_are_one_sentence():
+    plant = of(lambda o: -o["x"])
+    with pytest.raises(clpt.DiagramError, match="has no q; it has"):
+        lyapunov(plant, sympy.Symbol("q") ** 2)
+    with pytest.raises(clpt.DiagramError, match="has no 'W'"):
+        lyapunov(plant, "W")
+    with pytest.raises(clpt.BlockError, match="no port 'q'"):
+        lyapunov(plant, lambda s: s.q**2)
+    with pytest.raises(clpt.DiagramError, match="discrete time"):
+        lyapunov(control.ss(0.5, 1, 1, 0, dt=True), sympy.Symbol("x[0]"))
+
+
+def test_a_result_says_itself():
+    found = lyapunov(pendulum(), energy)
+    assert repr(found).startswith("<Lyapunov proved: V' = -omega**2/10 <= 0; V is positive")
+    assert "sampled" in found._repr_html_()
