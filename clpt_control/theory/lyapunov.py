@@ -36,6 +36,7 @@ from .squares import sector, squares
 LARGE = ("exp", "expm1", "sinh", "cosh")  # have a value wherever it is a number
 BETWEEN = (sympy.sin, sympy.cos, sympy.tanh, sympy.erf)  # -1 and 1
 SEARCHES, PER_SEARCH, ROUNDS, BEST = 20, 500, 15, 5
+MOST_FACTORED = 40  # terms
 SURE = 1e-7  # of the size of its terms: a sign that is no rounding
 CLOSE = 1e-9
 
@@ -223,12 +224,29 @@ class _Case:
 
     def never_positive(self, expression: sympy.Expr) -> bool:
         """Return whether an expression is known never to be positive, for t >= 0."""
-        expression = tidied(expression).xreplace({TIME: sympy.Dummy("t", nonnegative=True)})
+        expression, later = tidied(expression), {TIME: sympy.Dummy("t", nonnegative=True)}
         for at in ({}, self.eq.values):
-            if self.below_zero(tidied(expression.xreplace(at))):
+            one = tidied(expression.xreplace(at))
+            if not self.positive_somewhere(one) and self.below_zero(one.xreplace(later)):
                 self.valued |= bool(at)
                 return True
         return False
+
+    def positive_somewhere(self, expression: sympy.Expr) -> bool:
+        """Return whether an expression is positive at a random point: no proof is tried then."""
+        try:
+            function, symbols = numeric(expression)
+        except DiagramError:
+            return False
+        drawn = self.random.standard_normal((len(symbols), PER_SEARCH))
+        drawn *= 10.0 ** self.random.uniform(-1, 1, (1, PER_SEARCH))
+        for own, s in zip(drawn, symbols, strict=True):
+            if s.is_nonnegative or s.is_nonpositive or s == TIME:
+                own[:] = np.abs(own) * (-1 if s.is_nonpositive else 1)
+        with np.errstate(all="ignore"):
+            found = np.broadcast_to(function(*drawn), PER_SEARCH)
+        found = found[np.isfinite(found)]
+        return bool(found.size and found.max() > SURE * np.abs(found).max())
 
     def below_zero(self, expression: sympy.Expr) -> bool:
         """Return whether an expression is known never to be positive, as it stands."""
@@ -253,13 +271,15 @@ class _Case:
         """Return V' factored, or as a sum of squares, whichever is shorter, in signals."""
         rate = tidied(self.rate.xreplace(self.eq.values if self.valued else {}))
         own = squares(-rate, self.fixed)
-        ways = [rate, sympy.factor(rate)]
+        ways = [rate, factored(rate)]
         if own and not own.constant.free_symbols - self.fixed:
             ways.append(sympy.Add(*(-sympy.factor(term) for term in own.terms)) - own.constant)
         return min(self.shown(ways), key=sympy.count_ops)
 
     def where(self) -> str:
         """Return the one condition under which V' <= 0, or nothing."""
+        if len(sympy.Add.make_args(tidied(self.rate))) > MOST_FACTORED:
+            return ""
         try:
             parts = sympy.fraction(sympy.together(-tidied(self.rate)))
             factors = [one for part in parts for one in sympy.factor_list(part)[1]]
@@ -532,6 +552,12 @@ class _Case:
                 value = float(self.numeric(rise)(*columns(point))[0])
                 return exact(f"V rises by {value:.3g} at a jump", False), (point, value)
         return exact(claim, True), None
+
+
+def factored(expression: sympy.Expr) -> sympy.Expr:
+    """Return an expression factored, or as it is where that takes long."""
+    long = len(sympy.Add.make_args(expression)) > MOST_FACTORED
+    return expression if long else sympy.factor(expression)
 
 
 def columns(point: Point) -> tuple:

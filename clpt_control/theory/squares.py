@@ -93,6 +93,8 @@ def _completed(p: sympy.Expr, moving: list, left: list[int]) -> Squares | None:
     if not own:
         return Squares(p, [], [])
     poly = sympy.Poly(p, *own)
+    if any(poly.degree(s) % 2 for s in own):  # which has no least value
+        return None
     if all(
         all(n % 2 == 0 for n in powers) and _positive(c)
         for powers, c in poly.terms()
