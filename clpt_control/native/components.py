@@ -208,8 +208,8 @@ class Components:
         """Whether a value is a square or a size, to which 0.0 adds nothing."""
         if type(value) is float:
             return copysign(1.0, value) > 0
-        name, arguments, _ = self.all[value[0]]
-        return name == "fabs" or (name == "mul" and arguments[0] == arguments[1])
+        name, own = self.made_of(value)
+        return name == "fabs" or (name == "mul" and own[0] == own[1])
 
     def total(self, value: Value, symbol: Symbol) -> Value:
         """Return the sum over a symbol; a factor with axes that the others lack leaves it."""
@@ -225,9 +225,8 @@ class Components:
 
     def factors(self, value: Value) -> list[Value]:
         """Return what a product is made of; only of values with axes."""
-        name, arguments, _ = self.all[value[0]]
-        own = [self.named(a, value[1]) for a in arguments] if name == "mul" else []
-        if not own or any(type(a) is float for a in own):
+        name, own = self.made_of(value)
+        if name != "mul" or any(type(a) is float for a in own):
             return [value]
         return [f for a in own for f in self.factors(a)]
 
@@ -235,19 +234,22 @@ class Components:
         """Return a product, from the left."""
         return reduce(partial(self.add, "mul"), factors)
 
-    def named(self, argument: Any, symbols: tuple, bound: Symbol | None = None) -> Value:
-        """Return a component's argument as a value of its own symbols."""
-        if type(argument) is not tuple:
-            return argument
-        return argument[0], tuple([bound if k == BOUND else symbols[k] for k in argument[1]])
+    def made_of(self, value: Value) -> tuple[str, list[Value]]:
+        """Return the name of what made a value, and its arguments as values."""
+        name, arguments, _ = self.all[value[0]] if type(value) is tuple else ("", (), ())
+        if name in ("load", "table", "sum"):
+            return name, []
+        own = [
+            (a[0], tuple([value[1][k] for k in a[1]])) if type(a) is tuple else a for a in arguments
+        ]
+        return name, own
 
     def _picked(self, table: Ref, place: Ref, index: tuple) -> Value:
         whole = self.at(place, index)
         count = self.record.shape_of(table)[0]
         value = self.at(table, (((count, 0), 0, 1),))
-        name, arguments, _ = self.all[value[0]] if type(value) is tuple else ("", (), ())
-        if name == "load":
-            array, first, strides, kept = arguments
+        if self.made_of(value)[0] == "load":
+            array, first, strides, kept = self.all[value[0]].arguments
             stride = sum(strides)
         else:
             (array, first, kept), stride = self._kept(table), 1

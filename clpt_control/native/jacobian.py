@@ -42,18 +42,12 @@ class Jacobian(NamedTuple):
         Lengths and room for pivots stand before the lists.
         """
         n = len(self.places)
-        if not n:
-            return np.zeros(0), self.places
-        sizes, pivots = (len(self.begins), len(self.rows)), np.zeros(n, dtype=int)
-        return np.zeros(2 * n * n), np.concatenate([self.band, sizes, pivots, *self[:-1]])
+        sizes, pivots = (len(self.begins), len(self.rows)), np.zeros(n)
+        lists = np.concatenate([self.band, sizes, pivots, *self[:-1]])
+        return np.zeros(2 * n * n), lists.astype(np.int64)
 
 
-def whole(*values: Any) -> list[np.ndarray]:
-    """Return arrays of whole numbers."""
-    return [np.ascontiguousarray(value, dtype=np.int64) for value in values]
-
-
-EXPLICIT = Jacobian(*whole(*[()] * 7))
+EXPLICIT = Jacobian(*[np.zeros(0, dtype=int)] * 7)
 
 
 def jacobian(reach: np.ndarray, exact: bool) -> Jacobian:
@@ -72,7 +66,7 @@ def jacobian(reach: np.ndarray, exact: bool) -> Jacobian:
     begins = np.searchsorted(groups[columns], np.arange(groups.max(initial=-1) + 2))
     to = np.append(places, 0)[columns] * n + places[rows]
     band = low, high, int(exact)
-    return Jacobian(*whole(places, groups, begins, rows, columns, to, band))
+    return Jacobian(places, groups, begins, rows, columns, to, np.array(band))
 
 
 def _ordered(reach: np.ndarray) -> tuple[np.ndarray, int, int]:

@@ -91,9 +91,8 @@ class JoinedSums:
 
     def split(self, plus: bool, value: Value, factors: list[Value]) -> bool:
         """Collect the factors of a product, of which costly products stay one; return its sign."""
-        name, arguments, _ = self.made.all[value[0]] if type(value) is tuple else ("", (), ())
-        own = [self.made.named(a, value[1]) for a in arguments] if name in ("mul", "neg") else []
-        if name == "neg" or (own and min(map(self.work, own)) < 8 * HEAVY):
+        name, own = self.made.made_of(value)
+        if name == "neg" or (name == "mul" and min(map(self.work, own)) < 8 * HEAVY):
             for one in own:
                 plus = self.split(plus, one, factors)
             return plus != (name == "neg")
@@ -119,10 +118,9 @@ class JoinedSums:
 
     def parts(self, plus: bool, owner: int, value: Value) -> list[Signed]:
         """Return the terms of a coefficient."""
-        name, arguments, _ = self.made.all[value[0]] if type(value) is tuple else ("", (), ())
+        name, own = self.made.made_of(value)
         if name not in ("add", "sub", "neg"):
             return [(plus, owner, value)]
-        own = [self.made.named(a, value[1]) for a in arguments]
         if name == "neg":
             return self.parts(not plus, owner, own[0])
         return self.parts(plus, owner, own[0]) + self.parts(plus == (name == "add"), owner, own[1])

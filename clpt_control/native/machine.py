@@ -13,14 +13,14 @@ it does not own, count, size of an item, address, shape and strides.
 import hashlib
 import os
 from collections.abc import Callable, Iterable
-from contextlib import suppress
+from contextlib import ContextDecorator, suppress
 from ctypes import CFUNCTYPE, addressof, byref, c_char, c_int32, c_int64, c_void_p
-from functools import cache, wraps
+from functools import cache
 from importlib.metadata import version
 from pathlib import Path
 from threading import RLock
 from types import SimpleNamespace
-from typing import Any, ParamSpec, TypeVar
+from typing import Any
 
 import llvmlite.binding as llvm
 import numpy as np
@@ -36,19 +36,19 @@ HASH = hashlib.sha256().digest_size
 LOCK = RLock()
 HERE = Path(__file__).parent
 TEXT = HERE / "solver.ll"
-P = ParamSpec("P")
-R = TypeVar("R")
 
 
-def one_at_a_time(function: Callable[P, R]) -> Callable[P, R]:
-    """Return a function that one thread at a time may run."""
+class _OneAtATime(ContextDecorator):
+    """What one thread at a time may run."""
 
-    @wraps(function)
-    def locked(*arguments: P.args, **named: P.kwargs) -> R:
-        with LOCK:
-            return function(*arguments, **named)
+    def __enter__(self) -> None:
+        LOCK.acquire()
 
-    return locked
+    def __exit__(self, *error: object) -> None:
+        LOCK.release()
+
+
+one_at_a_time = _OneAtATime()
 
 
 # --- the processor --------------------------------------------------------------------------
