@@ -184,7 +184,7 @@ def tune_law(
         "candidates": [listed(one) for one in (*best, *failed)],
         "skipped": skipped,
     }
-    found["because"] = because(found)
+    found["because"] = because(found, chosen.candidate.text)
     return Tuned(scenario.with_values(chosen.candidate.values), found)
 
 
@@ -276,11 +276,10 @@ def listed(one: Score) -> dict[str, Any]:
     return told | dict.fromkeys(infinite)
 
 
-def because(report: dict[str, Any]) -> str:
+def because(report: dict[str, Any], named: str) -> str:
     """Return in a sentence why the choice was made, with its numbers."""
     unit, time = report["units"]["length"], report["units"]["time"]
     speed, chosen, own = f"{unit}/{time}", report["chosen"], report["own"]
-    named = Candidate(chosen["law"], chosen["gain"], chosen["held"], chosen["filter"], {}).text
     least = report["smallest_eigenvalue"]
     share = (least / report["window"]) ** 0.5
     shows = "shows every parameter" if share > HIDDEN else "hides some parameters"

@@ -36,11 +36,14 @@ KINDS = {
 }
 
 
+def _kind(data: "xarray.Dataset") -> str:
+    return next((name for name, kind in KINDS.items() if kind.attribute in data.attrs), "")
+
+
 def kind_of(data: "xarray.Dataset") -> str:
     """Return what a dataset of clpt is, one of `KINDS`."""
-    for name, kind in KINDS.items():
-        if kind.attribute in data.attrs:
-            return name
+    if kind := _kind(data):
+        return kind
     raise DataError(
         "the dataset is none of clpt's: its attributes say neither run, ensemble nor replay; "
         "clpt.load_run reads a run"
@@ -128,16 +131,12 @@ class ClptAccessor:
 
 
 def _said(data: "xarray.Dataset") -> str:
-    try:
-        return f"{kind_of(data)} {data.attrs.get('title', '')}".strip()
-    except DataError:
-        return "none of clpt's"
+    kind = _kind(data)
+    return f"{kind} {data.attrs.get('title', '')}".strip() if kind else "none of clpt's"
 
 
 def _can(data: "xarray.Dataset") -> list[str]:
-    try:
-        kind = kind_of(data)
-    except DataError:
+    if not (kind := _kind(data)):
         return ["nothing"]
     film = ["animate()"] if kind == "run" else []
     state = ["state_at(t)"] if "states" in data.variables else []
