@@ -1,6 +1,7 @@
 """Where states are: at t = 0 by what a scenario's keys say, and at a time of a run."""
 
 from collections.abc import Iterable, Iterator
+from operator import attrgetter
 from typing import TYPE_CHECKING
 
 import control
@@ -24,15 +25,9 @@ if TYPE_CHECKING:
 
 def starting_values(scenario: Scenario) -> dict[str, np.ndarray]:
     """Return what the scenario's keys say of states at t = 0, by key."""
-    learning = scenario.learning
-    values = {
-        "vehicle.position": scenario.vehicle.position,
-        "learning.position": learning.position,
-        "learning.parameters": scenario.learning_parameters,
-        "learning.feedback": learning.feedback,
-        "learning.feedforward": learning.feedforward,
-    }
-    if learning.row.keeps_alpha:  # alpha is no state
+    values = {key: attrgetter(key)(scenario) for key in STARTS}
+    values["learning.parameters"] = scenario.learning_parameters
+    if scenario.learning.row.keeps_alpha:  # alpha is no state
         del values["learning.parameters"]
     return {key: np.asarray(value, dtype=float) for key, value in values.items()}
 
