@@ -18,18 +18,16 @@ predicate gives is above 1 where a run breaks the promise.  They are what is lef
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
+from ..blocks.laws.dead_zone import beyond
 from ..blocks.laws.known import Truth
 from ..blocks.laws.law import Law
 from ..scenario.experiment import Scenario
 from ..simulation.flows import flow_velocity
 from ..simulation.integrate import simulate
-
-if TYPE_CHECKING:
-    import xarray
 
 FLOOR = 1e-9  # of what a value started at: what the solver leaves
 QUADRATURE = 1.02  # what sums over samples may be beside integrals
@@ -43,7 +41,7 @@ class Asked:
     """A run of a scenario, to be asked for promises."""
 
     scenario: Scenario
-    run: "xarray.Dataset"
+    run: Any = None
 
     @cached_property
     def p(self) -> Any:
@@ -76,6 +74,10 @@ class Asked:
         n = int(np.sqrt(np.count_nonzero(at)))
         return self.run.states.values[:, at].reshape(-1, n, n)
 
+    def share(self, e: np.ndarray, allowed: float) -> float:
+        """The integral of e^T KD e over what is allowed."""
+        return self.integral(e, self.KD) / (QUADRATURE * allowed + FLOOR)
+
     def integral(self, values: np.ndarray, weights: np.ndarray) -> float:
         """The integral of sum weights values^2."""
         return float(np.trapezoid(np.sum(weights * values**2, axis=1), self.run.time.values))
@@ -88,28 +90,12 @@ def rise(values: np.ndarray) -> float:
     return float(np.max((values + floor) / (np.minimum.accumulate(values) + floor)))
 
 
-def settles(asked: Asked) -> float:
-    """Return int e^T KD e over V(0)."""
-    taken = asked.integral(asked.run.clpe.values, asked.KD)
-    return taken / (QUADRATURE * asked.V[0] + FLOOR)
-
-
 def mean_square(asked: Asked) -> float:
     """Return int e^T KD e over 2 V(0) + int d^T KD^-1 d."""
-    run = asked.run
-    theta_hat = run.flow_parameters_estimate.values
+    run, theta_hat = asked.run, asked.run.flow_parameters_estimate.values
     known = flow_velocity(asked.scenario, run.position.values, run.time.values, theta_hat)
     unknown = asked.integral(run.true_flow.values - known, 1 / asked.KD)
-    return asked.integral(run.clpe.values, asked.KD) / (
-        QUADRATURE * (2 * asked.V[0] + unknown) + FLOOR
-    )
-
-
-def zone(asked: Asked) -> float:
-    """Return int D^T KD D over V(0)."""
-    e = asked.run.clpe.values
-    beyond = e - np.clip(e, -asked.p.zone, asked.p.zone)
-    return asked.integral(beyond, asked.KD) / (QUADRATURE * asked.V[0] + FLOOR)
+    return asked.share(run.clpe.values, 2 * asked.V[0] + unknown)
 
 
 def pace(asked: Asked) -> np.ndarray:
@@ -165,82 +151,75 @@ def readout(asked: Asked) -> float:
     return float(np.max(off, initial=0.0) / (EXACT * np.max(np.abs([theta, asked.off[0]]))))
 
 
-class Check(NamedTuple):
-    """A predicate."""
-
-    words: str
-    of: Callable[[Asked], float]  # above 1 where it is broken
-
-
-CHECKS = {
-    "falls": Check("V never rises", lambda asked: rise(asked.V)),
-    "settles": Check("CLPE goes to zero, its weighed square integral at most V(0)", settles),
-    "mean square": Check(
-        "in the mean CLPE is at most the flow that the law does not know, over KD", mean_square
+CHECKS: dict[str, tuple[str, Callable[[Asked], float]]] = {  # words; above 1 where it is broken
+    "falls": ("V never rises", lambda asked: rise(asked.V)),
+    "settles": (
+        "CLPE goes to zero, its weighed square integral at most V(0)",
+        lambda asked: asked.share(asked.run.clpe.values, asked.V[0]),
     ),
-    "zone": Check("CLPE comes to the zone", zone),
-    "exponential": Check(
-        "V falls exponentially, at the rate that the memories have reached, for good", exponential
+    "mean square": (
+        "in the mean CLPE is at most the flow that the law does not know, over KD",
+        mean_square,
     ),
-    "level": Check("V never rises above a level", level),
-    "balls": Check("what is learned stays within the limits", balls),
-    "shrinks": Check("each parameter's error only shrinks", lambda asked: rise(abs(asked.off))),
-    "estimate": Check("the error of the estimate, over its covariance, never rises", estimate),
-    "readout": Check("the readout is theta", readout),
+    "zone": (
+        "CLPE comes to the zone",
+        lambda asked: asked.share(beyond(asked.run.clpe.values, asked.p.zone), asked.V[0]),
+    ),
+    "exponential": (
+        "V falls exponentially, at the rate that the memories have reached, for good",
+        exponential,
+    ),
+    "level": ("V never rises above a level", level),
+    "balls": ("what is learned stays within the limits", balls),
+    "shrinks": ("each parameter's error only shrinks", lambda asked: rise(abs(asked.off))),
+    "estimate": ("the error of the estimate, over its covariance, never rises", estimate),
+    "readout": ("the readout is theta", readout),
 }
 
 
-def _within(scenario: Scenario) -> bool:
-    p = scenario.learning.row.parameters_of(scenario.known_to_law)
-    return not scenario.learning.row.doubt(p, truth_of(scenario))
+def true_or_adapted(scenario: Scenario) -> bool:
+    """Return whether K and Gamma adapt, or are the vehicle's own."""
+    own, car = scenario.learning, scenario.vehicle
+    held = (own.feedback, own.feedforward) == (car.feedback, car.feedforward)
+    return own.adapt_gains or own.row.at_fixes or held
 
 
-def _small(scenario: Scenario) -> bool:
-    p, delta = scenario.learning.row.parameters_of(scenario.known_to_law), scenario.flow.disturbance
-    largest = np.zeros(2) if delta is None else np.abs(delta.amplitude)
-    return bool(np.all(largest <= np.array(scenario.vehicle.feedback) * p.zone))
+def exact(scenario: Scenario) -> bool:
+    """Return whether positions are exact, and z(0) where it counts as a fix."""
+    seen, own = scenario.localization, scenario.learning
+    begins = own.position == scenario.vehicle.position or not own.row.at_fixes
+    return begins and (seen is None or seen.noise == 0)
 
 
-def _exact(scenario: Scenario) -> bool:
-    seen, row = scenario.localization, scenario.learning.row
-    begins = scenario.learning.position == scenario.vehicle.position
-    return (seen is None or seen.noise == 0) and (begins or not row.at_fixes)
+def within(scenario: Scenario) -> bool:
+    """Return whether the truth lies within the limits."""
+    return not Asked(scenario).row.doubt(Asked(scenario).p, truth_of(scenario))
 
 
-class Condition(NamedTuple):
-    """What a scenario must be for a promise."""
+def small(scenario: Scenario) -> bool:
+    """Return whether the disturbance is at most KD times the zone."""
+    asked, delta = Asked(scenario), scenario.flow.disturbance
+    least = delta is None or np.all(np.abs(delta.amplitude) <= asked.KD * asked.p.zone)
+    return bool(bounded(scenario) and least)
 
-    words: str
-    of: Callable[[Scenario], bool]
+
+def bounded(scenario: Scenario) -> bool:
+    """Return whether the disturbance has a bound."""
+    delta = scenario.flow.disturbance
+    return scenario.flow.field is None and (delta is None or delta.kind != "noise")
 
 
-CONDITIONS = {
-    "spanned": Condition(
+CONDITIONS: dict[str, tuple[str, Callable[[Scenario], bool]]] = {
+    "spanned": (
         "the functions span the flow",
-        lambda scenario: scenario.flow.field is None and scenario.flow.disturbance is None,
+        lambda scenario: bounded(scenario) and scenario.flow.disturbance is None,
     ),
-    "exact": Condition("positions are exact (at fixes z(0) too)", _exact),
-    "true": Condition(
-        "K and Gamma adapt, or are held at the vehicle's own",
-        lambda scenario: (
-            scenario.learning.adapt_gains
-            or scenario.learning.row.at_fixes
-            or np.array_equal(
-                (scenario.learning.feedback, scenario.learning.feedforward),
-                (scenario.vehicle.feedback, scenario.vehicle.feedforward),
-            )
-        ),
-    ),
-    "within": Condition("the truth lies within the limits", _within),
-    "small": Condition("the disturbance is at most KD times the zone", _small),
-    "bounded": Condition(
-        "the disturbance is bounded",
-        lambda scenario: (
-            scenario.flow.field is None
-            and (scenario.flow.disturbance is None or scenario.flow.disturbance.kind != "noise")
-        ),
-    ),
-    "uniform": Condition(
+    "exact": ("positions are exact (at fixes z(0) too)", exact),
+    "true": ("K and Gamma adapt, or are held at the vehicle's own", true_or_adapted),
+    "within": ("the truth lies within the limits", within),
+    "small": ("the disturbance is at most KD times the zone", small),
+    "bounded": ("the disturbance is bounded", bounded),
+    "uniform": (
         "phi at the prediction is phi at the vehicle",
         lambda scenario: min(scenario.basis.widths) >= UNIFORM,
     ),
@@ -250,9 +229,9 @@ CONDITIONS = {
 def words_of(row: Law) -> dict[str, str]:
     """Return each promise of a law in words, with its conditions."""
     return {
-        promise.what: CHECKS[promise.what].words
+        promise.what: CHECKS[promise.what][0]
         + (", where: " if promise.where else "")
-        + "; ".join(CONDITIONS[name].words for name in promise.where)
+        + "; ".join(CONDITIONS[name][0] for name in promise.where)
         for promise in row.promises
     }
 
@@ -268,9 +247,9 @@ def kept(scenario: Scenario, **solver: Any) -> dict[str, float]:
     wanted = [
         promise.what
         for promise in scenario.learning.row.promises
-        if all(CONDITIONS[name].of(scenario) for name in promise.where)
+        if all(CONDITIONS[name][1](scenario) for name in promise.where)
     ]
     if not wanted:
         return {}
     asked = Asked(scenario, simulate(scenario, **solver))
-    return {what: CHECKS[what].of(asked) for what in wanted}
+    return {what: CHECKS[what][1](asked) for what in wanted}

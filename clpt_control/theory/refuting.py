@@ -110,11 +110,12 @@ def refute(
             _, near = best[str(random.choice(sorted(best)))]
             moved = random.normal(0, NEAR, NUMBERS) * (random.random(NUMBERS) < SHARE)
             point = np.clip(near + moved, 0.0, 1 - 1e-12)
-        scenario, came = _run(drawn(law, point), TOLERANCES)
+        scenario = drawn(law, point)
+        came = _run(scenario, TOLERANCES)
         runs += bool(came)
         for what, value in came.items():
             if value > BROKEN and found is None:
-                again = _run(scenario, TIGHT)[1].get(what, 0.0)
+                again = _run(scenario, TIGHT).get(what, 0.0)
                 value = min(value, again)
                 if again > BROKEN:
                     found, broken = scenario, words_of(LAWS[law])[what]
@@ -125,23 +126,19 @@ def refute(
     return Search(law, status, broken, found, closest, runs, time.monotonic() - began)
 
 
-def _run(scenario: Scenario, tolerances: dict[str, float]) -> tuple[Scenario, dict[str, float]]:
-    """Return a scenario and what its run came to; one that cannot go on is run for less long."""
-    for _ in range(2):
-        asked: list[float] = []  # when, in seconds of the processor
+def _run(scenario: Scenario, tolerances: dict[str, float]) -> dict[str, float]:
+    """Return what a run came to; nothing of one that cannot go on or takes too long."""
+    asked: list[float] = []  # when, in seconds of the processor
 
-        def patience(t: float, asked: list[float] = asked) -> None:
-            asked.append(time.process_time())
-            if asked[-1] - asked[0] > LONGEST:
-                raise SimulationError("this takes too long")
+    def patience(t: float) -> None:
+        asked.append(time.process_time())
+        if asked[-1] - asked[0] > LONGEST:
+            raise SimulationError("this takes too long")
 
-        try:
-            return scenario, kept(scenario, progress=patience, **tolerances)
-        except SimulationError:
-            duration = scenario.run.duration / 10
-            less = {"run.duration": duration, "run.output_step": duration / SAMPLES}
-            scenario = scenario.with_values(less)
-    return scenario, {}
+    try:
+        return kept(scenario, progress=patience, **tolerances)
+    except SimulationError:
+        return {}
 
 
 class Draw:

@@ -54,6 +54,12 @@ def test_a_promise_is_asked_only_where_its_conditions_hold():
     assert set(kept(outside)) == {"balls"}
 
 
+def test_noise_has_no_bound():
+    for kind, asked in (("sine", {"falls", "zone"}), ("noise", set())):
+        delta = {"kind": kind, "amplitude": [1e-3, 1e-3], "period": 5.0}
+        assert set(kept(with_law("dead-zone").with_values({"flow.disturbance": delta}))) == asked
+
+
 def test_a_rise_is_seen_whatever_came_between():
     assert rise(np.array([2.0, 1.0, 0.5, 0.75])) == pytest.approx(1.5, rel=1e-6)
     assert rise(np.array([2.0, 1.0, 1.0])) == 1.0
