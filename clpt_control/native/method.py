@@ -251,7 +251,8 @@ def _attempt_fixed() -> Formula:
     def after(lane: Row, sums: Sequence[Any]) -> Rows:
         t, anew = lane(row.TIME), lane(row.TURN) >= lane(row.TURNS)
         ahead = lane(row.NEXT) - t
-        turns = maximum(1.0, ceil(ahead / lane(row.LONGEST) * (1.0 - 1e-12)))
+        rounded = ahead * (1.0 - 1e-12) - 1e-15 * abs(lane(row.NEXT))  # times are, too
+        turns = maximum(1.0, ceil(rounded / lane(row.LONGEST)))
         return {
             row.BEGAN: where(anew, t, lane(row.BEGAN)),
             row.TURN: where(anew, 0.0, lane(row.TURN)),

@@ -60,6 +60,15 @@ def test_steps_and_dense_output_are_scipys(engine, tolerance):
     np.testing.assert_allclose(found.x, theirs.sol(TIMES).T, rtol=0, atol=1e-10)
 
 
+@pytest.mark.parametrize("engine", [NativeDiagram, PythonDiagram])
+def test_rounding_of_times_adds_no_fixed_step(engine):
+    """Samples 0.1 apart are two steps of 0.05 apart, also where times are known to 2e-13 alone."""
+    block = Block("hunted", update=hunted, states={"s": 2})
+    times = 1500.0 + 0.1 * np.arange(101)
+    found = engine(block).run(START, times, step=0.05)
+    assert found.statistics["steps"] == 200
+
+
 def fading(t, x, u, p):
     """One state fades, one follows it at once: the step is kept short by the second alone."""
     return [-x[0], 30.0 * (x[0] - x[1])]
