@@ -188,12 +188,16 @@ def _together(schedules: list[Schedule]) -> tuple[np.ndarray, ...]:
     return firsts, schedules[0].places, edges, values, smooth.astype(np.int64)
 
 
-def pace(most: int, begin: float, end: float) -> Callable[[Batch], None]:
-    """Return a watch that gives up a run whose end is out of reach."""
+def pace(
+    most: int, begin: float, end: float, progress: Callable[[float], None] | None
+) -> Callable[[Batch], None]:
+    """Return a watch that tells how far a run is, and gives up one whose end is out of reach."""
     looked, span = [0, begin], end - begin
 
     def watch(batch: Batch) -> None:
         tries, now = int(batch.counts[0, 0] + batch.counts[0, 3]), batch.now
+        if progress is not None:
+            progress(now)
         if tries < looked[0]:  # the rest of a run, by another method
             looked[:] = [0, now]
         if tries - looked[0] < most // 500:

@@ -179,35 +179,23 @@ class PythonDiagram:
                     "has none; leave them out"
                 )
             return iterated(self, start, times, inputs, progress)
-        if method == "auto" and limits == FREE and step is None and tolerances[0] >= LOOSE:
-            loose = self._loosely(start, times, tolerances, inputs, progress)
+        free = method == "auto" and limits == FREE and step is None
+        smooth = self.engine == "python" and not self.jumps and not self.sweep.guarded
+        if free and smooth and tolerances[0] >= LOOSE:
+            loose = loosely(self.sweep, start, times, tolerances, inputs, progress)
             if loose is not None:
-                return loose
+                return Solution(times, loose[0], statistics=loose[1], method="RK45")
         by = METHODS[method] if step is None else solver.RK4
         pieces = self.schedule(t0, t1, inputs, self.breaks(t0, t1))
         callee, P = self.callee(1, inputs, by), self.parameters()
         start = begun(callee, start, t0, pieces, P)
         made = Batch(callee, start[None], P[None], times, [pieces], None, *limits)
         most = self.most if step is None else ANY
-        keeps_pace = pace(most, t0, t1)
-
-        def watch(batch: Batch) -> None:
-            if progress is not None:
-                progress(batch.now)
-            keeps_pace(batch)
-
         auto = partial(self.implicit, inputs) if method == "auto" and step is None else None
-        rest = finish(made, tolerances, auto, watch, most)
+        rest = finish(made, tolerances, auto, pace(most, t0, t1, progress), most)
         done = ended(self.sweep, made, inputs, rest.get(0))
         done.pieces = self, inputs, pieces
         return done
-
-    def _loosely(self, start: np.ndarray, times: np.ndarray, *given: Any) -> Solution | None:
-        """Run at loose tolerances in Python what neither jumps nor has a guard."""
-        if self.engine == "native" or self.jumps or self.sweep.guarded:
-            return None
-        made = loosely(self.sweep, start, times, *given)
-        return made and Solution(times, made[0], statistics=made[1], method="RK45")
 
     def pieces_of(self, solution: Solution, inputs: Inputs | None) -> Schedule:
         """Return the pieces of time of a solution, of another's made again."""
