@@ -118,7 +118,7 @@ def _trouble(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> str | None:
     sweep.enter(t)
     for h in (0.0, *(ahead * np.geomspace(1e-12, 1.0, 13))):
         near = x + h * rate if h else x  # the rate itself may be what is not finite
-        found = sweep.first_trouble(t + h, near, _at(inputs, t + h))
+        found = sweep.first_trouble(t + h, near, inputs and inputs.at(t + h))
         if found is not None:
             return f"{found} is not finite"
     return None
@@ -140,7 +140,7 @@ def _crossing(
     sweep.enter(t)
 
     def seen(share: float, x: np.ndarray) -> tuple[float, str, str]:
-        return sweep.margin(t + share * h, x, _at(inputs, t + share * h))
+        return sweep.margin(t + share * h, x, inputs and inputs.at(t + share * h))
 
     def margin(share: float) -> float:
         return seen(share, _state(batch, share))[0]
@@ -170,7 +170,3 @@ def _until(
     if times[-1] < t:
         times, states = np.append(times, t), [*states, x]
     return times, np.array(states)
-
-
-def _at(inputs: Inputs | None, t: float) -> np.ndarray | None:
-    return None if inputs is None else inputs.at(t)

@@ -84,18 +84,23 @@ def _stages_of_dop853() -> list[Formula]:
     return found
 
 
-def _attempt() -> Formula:
-    """The step to try, not below what time can tell: up to the end of the piece, or a sample."""
+def _attempt(implicit: bool = False) -> Formula:
+    """The step to try, not below what time can tell: up to the end of the piece, or a sample.
+
+    An implicit one does not go beyond a sample, and has what stands on its matrix's diagonal.
+    """
 
     def after(lane: Row, sums: Sequence[Any]) -> Rows:
         t, h = lane(row.TIME), minimum(lane(row.STEP), lane(row.LONGEST))
         smallest = 2.3e-15 * abs(t) + 1e-300
         enough = h >= smallest
         end = minimum(lane(row.END), lane(row.WANTED))
+        end = minimum(end, lane(row.NEXT)) if implicit else end
         new = minimum(t + where(enough, h, smallest), end)
         failing = where(enough, 0.0, where(h < smallest, lane(row.REJECTED), 1.0))
         failing = float(row.TOO_SMALL) * failing
-        return {row.NEW: new, row.TAKEN: new - t, row.FAILING: failing}
+        rows = {row.NEW: new, row.TAKEN: new - t, row.FAILING: failing}
+        return rows | ({row.DIAGONAL: 1.0 / (rodas.GAMMA * (new - t))} if implicit else {})
 
     return Formula(None, after)
 
@@ -301,20 +306,6 @@ def _straight() -> Formula:
 # --- Rodas5P --------------------------------------------------------------------------------
 
 
-def _attempt_implicit() -> Formula:
-    """The step to try, not beyond a sample, and what stands on the matrix's diagonal."""
-    plain = _attempt()
-
-    def after(lane: Row, sums: Sequence[Any]) -> Rows:
-        assert plain.after is not None
-        rows = plain.after(lane, sums)
-        new = minimum(rows[row.NEW], lane(row.NEXT))
-        h = new - lane(row.TIME)
-        return {**rows, row.NEW: new, row.TAKEN: h, row.DIAGONAL: 1.0 / (rodas.GAMMA * h)}
-
-    return Formula(None, after)
-
-
 def _stage_implicit(s: int) -> Formula:
     """The argument of a stage, counted from 0, and what the right-hand side has beside its rate."""
 
@@ -366,7 +357,7 @@ def formulas(method: int, n: int) -> dict[str, Formula]:
     """Return the formulas of a method, by the solver's number, for n states, in its order."""
     accept, begun = _accept(), (_sizes(n), _stage(np.array([0.0, 1.0]), 1.0), _first(n))
     if method == row.RODAS5P:
-        attempt, judge, dense = _attempt_implicit(), _judge_implicit(n), _dense_implicit()
+        attempt, judge, dense = _attempt(True), _judge_implicit(n), _dense_implicit()
         stages = [_stage_implicit(s) for s in range(row.RODAS5P - 1)]
     elif method == row.RK4:
         attempt, judge = _attempt_fixed(), _judge_fixed()
