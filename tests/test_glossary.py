@@ -1,11 +1,22 @@
-"""The glossary's joined table is true: its ports, keys and variables are those of what runs."""
+"""Words, names and units: each has one meaning, and every variable has its unit."""
 
+import inspect
 import re
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 
+import clpt_control
 import clpt_control as clpt
+from clpt_control.errors import DataError
+from clpt_control.units import (
+    length_in_metres,
+    seconds_since_1970,
+    speed_in_metres_per_second,
+    time_in_seconds,
+)
 
 PAGE = Path(__file__).parent.parent / "docs" / "glossary.md"
 SHORT = {"run.duration": 2.0, "run.output_step": 1.0}
@@ -66,3 +77,109 @@ def test_every_variable_is_one_of_a_run(scenarios):
     named = {name for row in rows() for name in row["variable"]}
     assert len(named) > 10
     assert named <= {str(name) for run in runs for name in run.variables}
+
+
+PACKAGE = Path(clpt_control.__file__).parent
+ROOMS = [name for name in clpt_control.__all__ if inspect.ismodule(getattr(clpt_control, name))]
+FOUND = (  # by clpt.<tab>
+    "theory.prove",
+    "theory.audit",
+    "ensemble.run_ensemble",
+    "conformance.conformance",
+    "draw",
+    "connect",
+    "simulation.explained_variance",
+    *(name for name, value in vars(clpt_control.errors).items() if inspect.isclass(value)),
+)
+
+
+@pytest.mark.parametrize("name", FOUND)
+def test_the_face_finds(name):
+    value = clpt_control
+    for part in name.split("."):
+        assert part in dir(value)
+        value = getattr(value, part)
+
+
+@pytest.mark.parametrize("room", ["", *ROOMS])
+def test_every_name_of_a_room_is_there(room):
+    module = getattr(clpt_control, room) if room else clpt_control
+    assert module.__doc__
+    for name in module.__all__:
+        assert getattr(module, name) is not None
+        assert name in dir(module)
+    with pytest.raises(AttributeError):
+        _ = module.no_such_name
+
+
+@pytest.mark.parametrize("room", ROOMS)
+def test_no_name_is_a_file_too(room):
+    """Importing a file puts it on its room, in place of a function of the same name."""
+    module = getattr(clpt_control, room)
+    files = {path.stem for path in (PACKAGE / room).iterdir()}
+    both = {n for n in module.__all__ if n in files and not inspect.ismodule(getattr(module, n))}
+    assert both == set()
+
+
+def test_importing_the_package_is_light():
+    heavy = ("control", "sympy", "matplotlib", "xarray", "pandas", "scipy", "pydantic")
+    code = f"import clpt_control, sys; print([m for m in {heavy} if m in sys.modules])"
+    ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert ran.stdout.strip() == "[]"
+
+
+@pytest.mark.parametrize(
+    ("unit", "size"),
+    [
+        *((text, 1.0) for text in ("m/s", "m s-1", "m.s-1", "m s^-1", "m s**-1", "metres per sec")),
+        *((text, 0.01) for text in ("cm/s", "cm s-1", "cm/sec", " cm / second ")),
+        *((text, 1 / 3.6) for text in ("km/h", "km h-1", "km/hr", "kilometers per hour")),
+        *((text, 1852 / 3600) for text in ("knot", "Knots", "kt", "kts")),
+        ("m/day", 1 / 86400),
+    ],
+)
+def test_speeds(unit, size):
+    assert speed_in_metres_per_second(unit, "u") == pytest.approx(size, rel=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("unit", "size"),
+    [
+        *((text, 1.0) for text in ("s", "sec", "secs", "second", "Seconds")),
+        *((text, 60.0) for text in ("min", "mins", "minute", "minutes")),
+        *((text, 3600.0) for text in ("h", "hr", "hrs", "hour", "hours since 2019-01-01")),
+        *((text, 86400.0) for text in ("d", "day", "days")),
+        ("milliseconds", 1e-3),
+        ("nanoseconds since 2010-07-29 13:31:04", 1e-9),
+    ],
+)
+def test_times(unit, size):
+    assert time_in_seconds(unit, "time") == size
+
+
+def test_lengths_and_dates():
+    assert [length_in_metres(unit, "x") for unit in ("km", "m", "Metres", "cm")] == [
+        1e3,
+        1,
+        1,
+        0.01,
+    ]
+    day = 86400.0
+    assert seconds_since_1970("1970-01-02") == day
+    assert seconds_since_1970("1970-01-02T00:00:00+02:00") == day - 7200
+    with pytest.raises(ValueError, match="in the calendar"):
+        seconds_since_1970("1970-01-02T00:00:00 in the calendar 360_day")
+
+
+@pytest.mark.parametrize(
+    "unit", ["", "kelvin", "m", "s", "m s", "m-1 s", "s-1 m", "ms-1", "m/fortnight", "m/s/s", "1"]
+)
+def test_what_is_no_unit_is_refused(unit):
+    with pytest.raises(DataError, match=r"u: units = .* is no speed; must be such as 'm/s'"):
+        speed_in_metres_per_second(unit, "u")
+    if unit != "m":
+        with pytest.raises(DataError, match=r"x has units .*; must be such as 'm', 'km' or"):
+            length_in_metres(unit, "x")
+    if unit != "s":
+        with pytest.raises(DataError, match=r"t has units .*; must be such as 's', 'min', 'h'"):
+            time_in_seconds(unit, "t")
