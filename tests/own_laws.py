@@ -219,14 +219,6 @@ def e_and_its_cube(t, x, u, p):
     return filled(u, p.gain, u.e + u.e**3)
 
 
-def a_matrix_of_gains(t, x, u, p):
-    """K and Gamma adapted by each other's signals, section III."""
-    rates = filled(u, p.gain, u.e)
-    rates["K"] += p.c * u.zc * u.e
-    rates["Gamma"] -= p.c * u.z * u.e
-    return rates
-
-
 def memory(t, x, u, p):
     """With a remembered prediction error, never negative, section III."""
     rates, phi = filled(u, p.gain, u.e), u.phi_x[0]
@@ -359,7 +351,6 @@ NOT_REFUTED = {  # right, or right with another V
     "projection": lambda: law(projection, two(2.0)),
     "tanh(e)": lambda: law(tanh_of_e, GAIN),
     "e + e^3": lambda: law(e_and_its_cube, GAIN),
-    "a matrix of gains": lambda: law(a_matrix_of_gains, two(0.1)),
     "a memory": lambda: law(memory, two(0.3), FLOW, states={**LEARNED, "M": (2, 2)}),
 }
 TOO_MUCH = {  # -> what is said

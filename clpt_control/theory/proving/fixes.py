@@ -10,7 +10,6 @@ is shown alike, with what was integrated in between.  Not shown: phi(x) = phi(z)
 better the nearer the prediction is.
 """
 
-from operator import ge, gt, le, lt
 from typing import Any
 
 import numpy as np
@@ -24,6 +23,7 @@ from .proof import Step, checked
 from .signs import vanishes
 from .symbolic_loop import SymbolicLoop, symbolic_loop
 from .theorem_loop import law_and_V, theorem_scenario
+from .words import decided
 
 SIZES = (1, 2)  # numbers of functions; 3 takes half a minute, in a slow test
 SEND, ARRIVE = 1, 2  # intervals that begin with a fix, and with its arrival
@@ -34,14 +34,6 @@ OUTSIDE: dict[str, tuple[str, ...]] = {  # blocks that are left out, and what th
     "fixes": ("fix", "taken"),
 }
 MOVING = ("x", "z", "m")  # states that change between fixes
-DECIDED: dict[str, Any] = {  # words that are carried out where their arguments are known
-    "mod": lambda a, b: a % b,
-    **{
-        name: lambda a, b, ask=ask: sympy.Integer(bool(ask(a, b)))
-        for name, ask in {"gt": gt, "ge": ge, "lt": lt, "le": le}.items()
-    },
-    "where": lambda condition, a, b: a if condition == 1 else b,
-}
 States = dict[str, np.ndarray]
 
 
@@ -93,7 +85,7 @@ class AtAFix:
 
     def put(self, values: Any) -> np.ndarray:
         """Return expressions of what is known right before the fix, every choice decided."""
-        return np.vectorize(lambda e: _decided(e.xreplace(self.known)), otypes=[object])(values)
+        return np.vectorize(lambda e: decided(e.xreplace(self.known)), otypes=[object])(values)
 
     def jump(self, interval: int, taken: int = 1) -> States:
         """Return the states after the jump with which an interval begins."""
@@ -168,13 +160,6 @@ class AtAFix:
         ends = (SEND, ARRIVE) if self.late else (ARRIVE,)
         kept = ("alpha", "P", "information", "z", "m")
         return all(self.same(self.jump(interval, taken=0), *kept) for interval in ends)
-
-
-def _decided(expression: sympy.Expr) -> sympy.Expr:
-    """Return an expression where comparisons and remainders of what is known are carried out."""
-    return expression.replace(
-        lambda e: e.func.__name__ in DECIDED, lambda e: DECIDED[e.func.__name__](*e.args)
-    )
 
 
 def _running(law: Law, N: int, points: int) -> tuple[bool, str]:

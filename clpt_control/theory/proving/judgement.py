@@ -92,7 +92,8 @@ def _of_law(law: Law) -> Proof:
     if law.given_estimate:
         steps = identity_steps(GIVEN, law.name, decay_and_known_error, POINTS)
         return where_all_hold("bounded", MEAN, steps)
-    verdict = prove(*law_and_V(law, N), points=POINTS)
+    made, _ = law_and_V(law, N)
+    verdict = prove(made, lambda truth, p: law.V(p, truth), points=POINTS)
     sign = "=" if verdict.residual == 0 else "<="
     claim = verdict.reached or f"V' {sign} -e^T KD e, so CLPE goes to zero"
     if verdict.status not in ("proved", "bounded"):

@@ -15,13 +15,20 @@ import sympy
 from sympy.core.function import AppliedUndef
 
 from ...blocks.laws.law import Law, Truth
-from ...equations.block import Block
 from .array_loop import TIME
 from .proof import Step, checked, short
 from .signs import left_over, nonpositive, positive_maximum, vanishes
-from .symbolic_loop import SymbolicLoop, symbolic_loop
+from .symbolic_loop import SymbolicLoop, own_values, symbolic_loop
 from .symbols import extent
-from .theorem_loop import Claim, Hedging, law_and_V, law_loop, theorem_scenario
+from .theorem_loop import (
+    Claim,
+    Hedging,
+    law_and_V,
+    law_loop,
+    theorem_scenario,
+    tied,
+    truth_of,
+)
 
 SIZES = (1, 2, 3)  # numbers of functions
 
@@ -29,9 +36,15 @@ SIZES = (1, 2, 3)  # numbers of functions
 class Kept:
     """A law's closed loop on symbols for one N, with the relations that its row states."""
 
-    def __init__(self, law: Law, N: int, speed: Hedging = "no limit"):
+    def __init__(self, law: Law, N: int, speed: Hedging = "no limit", blocks: tuple | None = None):
+        """Read the loop of a law's row, or of `blocks`: a law and what makes its V of the truth."""
         self.law, self.N = law, N
-        made, V = law_and_V(law, N, speed)
+        true = truth_of(theorem_scenario(N, law.name if blocks is None else "learned-flow"))
+        if blocks is None:
+            made, V = law_and_V(law, N, speed)
+        else:
+            made, make = blocks
+            V = make(true)
         self.diagram = law_loop(law, made, V, speed)
         self.loop: SymbolicLoop = symbolic_loop(self.diagram, jumps=True)
         self.words: dict[Any, sympy.Symbol] = {}
@@ -60,7 +73,15 @@ class Kept:
         self.more = push - sum(map(math.prod, self.losses))  # that V' has
         self.cones = {port: self.states[port] for port in law.cones}
         self.slopes = {port: self.rates[port] for port in law.cones}
-        self.tied = _tied(self.loop, made, V)
+        if blocks is None:
+            self.tied = tied(self.loop, V, law.V, (made.parameters, p), (true, truth))
+        else:
+            self.tied = own_values(self.loop, [made, V]) | tied(self.loop, V, make, (true, truth))
+            self.more = sympy.sympify(self.more).xreplace(self.tied)
+            self.losses = [
+                tuple(sympy.sympify(factor).xreplace(self.tied) for factor in product)
+                for product in self.losses
+            ]
         self.V = self.loop.signals["V"][0].xreplace(self.tied)
         known = (*np.ravel(truth.theta), *truth.KD, *truth.GammaD)
         self.held = law.over(self.states, p, truth) if law.over else None
@@ -244,19 +265,6 @@ def _alone(values: np.ndarray) -> dict[Any, Any]:
         fresh = sympy.Symbol(f"over_{k + 1}", real=True)
         found[symbol] = (fresh - value.subs(symbol, 0)) / sympy.diff(value, symbol)
     return found
-
-
-def _tied(loop: SymbolicLoop, law: Block, V: Block) -> dict[Any, Any]:
-    """Return V's symbols -> the law's, for fields of one name and value."""
-    tied: dict[Any, Any] = {}
-    for field in set(V.parameters._fields) & set(law.parameters._fields):
-        mine, own = (np.asarray(getattr(b.parameters, field)) for b in (V, law))
-        if np.array_equal(mine, np.broadcast_to(own, mine.shape)):
-            symbols = np.asarray(getattr(loop.parameters[V.name], field), dtype=object)
-            theirs = np.asarray(getattr(loop.parameters[law.name], field), dtype=object)
-            theirs = np.broadcast_to(theirs, symbols.shape)
-            tied.update(zip(symbols.ravel(), theirs.ravel(), strict=True))
-    return tied
 
 
 def cases_of(law: Law) -> list[Kept]:

@@ -41,6 +41,7 @@ With lambda_0 = 0 rho is 1 at all times, and the second is P^-1 >= P(0)^-1.
 """
 
 from collections.abc import Callable
+from functools import partial
 from itertools import combinations
 from typing import Any
 
@@ -64,20 +65,22 @@ WHERE = sympy.Function(UNEXPANDED["where"], real=True)
 Claims = dict[str, Callable[[Kept], bool | str]]
 
 
-def kept_steps(law: Law, points: int) -> list[Step]:
-    """Check a law whose row states what its states keep, for N = 1, 2, 3."""
-    cases = cases_of(law)
-    claims: Claims = {
+def kept_steps(law: Law, points: int, own: list[Kept] | None = None) -> list[Step]:
+    """Check a law whose row states what its states keep, for N = 1, 2, 3; or a law of your own."""
+    cases = own or cases_of(law)
+    kept: Claims = {
         "what the law's states keep is kept": lambda case: case.left() or case.apart_at_the_start
     }
+    claims = {"what the law's states keep is kept where it begins so": Kept.left} if own else kept
     if law.shrinking:
         claims |= shrinking_claims(law)
     else:
         claims |= jump_claims(law) if cases[0].loop.jumps else {}
-        claims |= estimate_claims(law) if law.makes_estimate else falling_claims(law)
+        falls = partial(falling_claims, sizes=f"N = {own[0].N}" if own else "N = 1, 2, 3")
+        claims |= estimate_claims(law) if law.makes_estimate else falls(law)
     steps = [exact_step(cases, claim, check) for claim, check in claims.items()]
     steps += [young_step()] if law.shrinking else []
-    two = cases[1]
+    two = cases[len(cases) // 2]
     return [*steps, running_step(lambda: (two.diagram, two.loop, two.untied), points)]
 
 
@@ -99,12 +102,12 @@ def cone_claims(law: Law) -> Claims:
     }
 
 
-def falling_claims(law: Law) -> Claims:
+def falling_claims(law: Law, sizes: str) -> Claims:
     """Return what is to be shown of V' of a law without an estimate."""
     names = ", ".join(law.cones)
     return {
         **cone_claims(law),
-        f"V' as claimed, N = 1, 2, 3: {law.says}": lambda case: case.left_over(decay, case.more),
+        f"V' as claimed, {sizes}: {law.says}": lambda case: case.left_over(decay, case.more),
         **(covariance_claims(law.push is None) if law.over else {}),
         f"with {names} >= 0 V and what V' loses are not negative": (
             lambda case: case.not_negative(case.V) and case.loses()

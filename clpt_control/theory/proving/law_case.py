@@ -16,19 +16,31 @@ from ...equations.elements import Index
 from ...equations.every_n import base_and_term, renamed
 from ...errors import DiagramError
 from .array_loop import TIME, array_loop
-from .leaks import Bound, DeadZones, Leaking, delta_bounds, leaks_of, pull_bound
+from .leaks import Bound, Leaking, delta_bounds, leaks_of, listed, pull_bound
 from .proof import Step, checked, exact, short
-from .running_rate import running_step
-from .signs import faster_than_linear, nonpositive, pulled, tidied
-from .symbolic_loop import SymbolicLoop, numeric, own_values, refuse_no_value, symbolic_loop
+from .running_rate import numbers, running_step
+from .signs import dead_zone, nonpositive, positive_definite, pulled, tidied, vanishes
+from .symbolic_loop import (
+    SymbolicLoop,
+    degree_of,
+    numeric,
+    own_values,
+    refuse_no_value,
+    symbolic_loop,
+)
 from .theorem_loop import decay, rate_of_V, theorem_loop
+from .words import along, faster_than_linear
 
 TRIED = 100  # points at which a sign is looked at before it is proved
+EXACT = 4  # the degree of a V of which V' is taken without a rounding
 SMALL = 1e-6  # of the largest value there; less may be rounding
 
 
 class Case:
-    """A law with its V, on symbols and running; V's gains are those of the law, if any."""
+    """A law with its V, on symbols and running.
+
+    `weights` says which of V's symbols are made of the law's or of the truth's.
+    """
 
     def __init__(
         self,
@@ -36,21 +48,18 @@ class Case:
         loop: SymbolicLoop,
         V: Block,
         law: Block,
-        gains: list[sympy.Expr],
+        weights: dict[Any, sympy.Expr],
         fitted: bool,
         points: int,
         seed: int,
     ):
         self.diagram, self.loop, self.V, self.law = diagram, loop, V, law
+        self.given: tuple[sympy.Expr, ...] = ()
         refuse_no_value(loop, V.name)
         self.fitted, self.points, self.seed = fitted, points, seed
         self.blocks = [node for node in diagram.syslist if isinstance(node, Block)]
-        self.weights: dict[sympy.Expr, sympy.Expr] = {}
-        if gains:
-            p = loop.parameters[V.name]
-            own = [s for field in (p.gain, p.gain_K, p.gain_Gamma) for s in np.ravel(field)]
-            self.weights = dict(zip(own, gains, strict=True))
-        self.tied = {s: gain for s, gain in self.weights.items() if s != gain}
+        self.weights = weights
+        self.tied = {s: own for s, own in weights.items() if s != own}
         hidden = {
             s
             for b in self.blocks
@@ -60,24 +69,84 @@ class Case:
         self.values = {s: v for s, v in own_values(loop, self.blocks).items() if s not in hidden}
         self.moving = {TIME, *loop.motion}
         self.kept: tuple[str, ...] = ()
-        self.Vs = loop.signals["V"][0].xreplace(self.weights)
-        self.zones = DeadZones(loop, self.Vs, self.values)
-        self.rate = tidied(loop.derivative(loop.signals["V"][0]).xreplace(self.weights))
-        self.rest = tidied(self.rate - decay(loop))
+        V = loop.signals["V"][0].xreplace(weights)
+        if V.free_symbols & set(flat(loop.parameters[self.V.name])):  # numbers of its own
+            self.keep()
+        self.Vs = V.xreplace(self.weights)
+        self.e = sympy.symbols("e_1:3", real=True)
+        x, z = loop.states["x"], loop.states["z"]
+        self.apart = {a: e + b for a, e, b in zip(x, self.e, z, strict=True)}  # x = e + z
+        self.together = {e: a - b for a, e, b in zip(x, self.e, z, strict=True)}
+        self.zones, V = [], self.Vs.xreplace(self.apart)
+        for e in self.e:
+            zone, V = dead_zone(V, e)
+            self.zones.append(zone)
+        self.V_of_D = V
+        rate = loop.derivative(loop.signals["V"][0])  # V's own symbols, then those of the law
+        self.rate = tidied(rate.xreplace(weights).xreplace(self.weights))
+        self.rest = _or_zero(self.rate - self.fall)
+
+    @cached_property
+    def rest_at_values(self) -> sympy.Expr:
+        """Return what V' has beyond its fall, at the blocks' own values."""
+        return _or_zero(self.rest.xreplace(self.values))
+
+    def keep(self) -> None:
+        """Judge the law and V with their own values; of V what is of the truth stays so."""
+        self.kept = (self.law.name, self.V.name)
+        made = {s: e.xreplace(self.values) for s, e in self.weights.items()}
+        self.weights = self.values | made
+        self.tied = {s: e for s, e in self.tied.items() if e.free_symbols - self.values.keys()}
+
+    @cached_property
+    def fall(self) -> sympy.Expr:
+        """-sum KD_i e_i dV/de_i, which is -e^T KD e where V holds |e|^2/2."""
+        KD, V = self.loop.parameters["vehicle_controller"].KD, self.Vs.xreplace(self.apart)
+        falls = (k * e * along(V, {e: sympy.S.One}) for k, e in zip(KD, self.e, strict=True))
+        return -tidied(sympy.Add(*falls)).xreplace(self.together)
+
+    @cached_property
+    def errors(self) -> dict[Any, sympy.Expr]:
+        """Return what is learned, element by element -> its error, where e = 0."""
+        p, ports = self.loop.parameters, self.loop.signals
+        x, z, car = self.loop.states["x"], self.loop.states["z"], p["vehicle_controller"]
+        true = {"alpha": -p["true_flow"].theta.ravel(), "K": car.KD, "Gamma": car.GammaD}
+        return {
+            (port, k): sympy.expand(made.xreplace(dict(zip(x, z, strict=True))) - true[port][k])
+            for port in true
+            for k, made in enumerate(ports[port].flat)
+        }
 
     def truth(self) -> dict[Any, sympy.Expr]:
-        """Return where each error is zero."""
-        p, states = self.loop.parameters, self.loop.states
-        true = dict(zip(states["x"], states["z"], strict=True))
-        known = (
-            ("alpha", -p["true_flow"].theta.ravel()),
-            ("K", p["vehicle_controller"].KD),
-            ("Gamma", p["vehicle_controller"].GammaD),
-        )
-        for port, where in known:
-            if port in states:
-                true |= dict(zip(states[port].flat, where, strict=True))
+        """Return where each error is zero, of states that make what is learned linearly."""
+        states = self.loop.states
+        true, own = dict(zip(states["x"], states["z"], strict=True)), set(self.loop.motion)
+        for error in self.errors.values():
+            of = sorted(error.free_symbols & own, key=str)
+            if len(of) == 1 and sympy.diff(error, of[0]).is_nonzero and not error.diff(of[0], 2):
+                s = of[0]
+                true[s] = sympy.expand(s - error / sympy.diff(error, s))
         return true
+
+    def definite(self) -> Step:
+        """Return the step that V is positive definite, or so beyond dead zones."""
+        truth, own = self.truth(), set(self.loop.motion)
+        there = dict.fromkeys(self.e, sympy.S.Zero) | dict(list(truth.items())[2:])
+        of = [sorted(error.free_symbols & own, key=str) for error in self.errors.values()]
+        learned = list(dict.fromkeys(s for symbols in of for s in symbols))
+        mapped = {
+            s[0]: error
+            for s, error in zip(of, self.errors.values(), strict=True)
+            if len(s) == 1 and s[0] not in truth
+        }
+        named = "e" if not any(self.zones) else "D = e - clip(e, -d, d)"
+
+        def holds() -> bool:
+            V, states = self.V_of_D, [*self.e, *learned]
+            return positive_definite(V, states, there, self.values, mapped)
+
+        claim = f"V is positive definite in {named} and the parameter errors"
+        return checked(f"{claim}, at the blocks' own values", "exact", holds, False)
 
     @cached_property
     def disturbed(self) -> SymbolicLoop:
@@ -90,12 +159,14 @@ class Case:
 
     def valued(self) -> Step:
         """Return the step that the equations have a value everywhere."""
-        said = "".join(self.loop.undefined[:1])
+        mine = f"{self.V.name}."  # a V that leaves the range of numbers is a V
+        none = (s for s in self.loop.undefined if not (s.startswith(mine) and s.endswith("large")))
+        said = next(none, "")
         return exact("the equations have a value everywhere", not said, said)
 
-    def bound(self, truth: dict) -> Bound | None:
+    def bound(self) -> Bound | None:
         """Return what V comes to where V' pulls back, or where leaks do."""
-        at, p = self.values, self.loop.parameters
+        at, p, truth = self.values, self.loop.parameters, self.truth()
         KD, disturbed = list(p["vehicle_controller"].KD), self.takes_delta()
         pull = None
         if self.keeps_decay():
@@ -108,12 +179,27 @@ class Case:
         leaking = Leaking(rate, leaks, V, truth, self.moving, rates, KD, disturbed)
         return leaking.bound() if leaks else None
 
+    def comes_to_zones(self) -> Bound:
+        """Return what e comes to where V' falls but for dead zones."""
+        zones = [f"{float(zone.xreplace(self.values)):.4g}" for zone in self.zones]
+        each = list(
+            zip(("e_1", "e_2"), ("Delta_1", "Delta_2"), ("KD_1", "KD_2"), zones, strict=True)
+        )
+        if len(set(zones)) == 1:
+            each = [("e_i", "Delta_i", "KD_i", zones[0])]
+        below = listed([f"|{d}| <= {zone} {k}" for _, d, k, zone in each])
+        where = f"V' <= -D^T KD D where {below}" if self.takes_delta() else "V' <= -D^T KD e"
+        return Bound(
+            f"{where}: V never rises, {listed([f'|{e}| comes to {z}' for e, *_, z in each])}"
+        )
+
     def takes_delta(self) -> bool:
-        """Return whether a disturbance adds e^T Delta to V' and nothing else."""
+        """Return whether a disturbance adds (dV/de)^T Delta to V' and nothing else."""
         loop = self.disturbed
         rate = loop.derivative(loop.signals["V"][0]).xreplace(self.weights)
-        delta = zip(loop.signals["e"], loop.inputs["delta"], strict=True)
-        return tidied(rate - self.rate - sum(e * d for e, d in delta)) == 0
+        V, delta = self.Vs.xreplace(self.apart), zip(self.e, loop.inputs["delta"], strict=True)
+        pushed = sympy.Add(*(along(V, {e: sympy.S.One}) * d for e, d in delta)).xreplace(self.together)
+        return tidied(rate - self.rate - pushed) == 0
 
     def keeps_decay(self) -> bool:
         """Return whether V' has -e^T KD e, or more of it."""
@@ -124,11 +210,16 @@ class Case:
         return all(sympy.diff(rest, s, 2).is_nonpositive for s in x)
 
     def falls(self, rest: sympy.Expr) -> bool:
-        """Return whether what V' has beyond -e^T KD e is known not to be positive."""
+        """Return whether what V' has beyond its fall is known not to be positive."""
+        rest = rest.xreplace(self.apart)
         apart = self.moving - {TIME} | rest.free_symbols - set(self.values) - {TIME}
         if rest == 0:
             return True
-        return not self.positive_somewhere(rest) and nonpositive(rest, apart, self.values)
+        if not self.given and self.positive_somewhere(rest):
+            return False
+        e = set(self.e)
+        ways = apart - set(self.loop.states["z"]) - e, e, apart
+        return any(nonpositive(rest, apart, self.values, self.given, by) for by in ways)
 
     def positive_somewhere(self, rest: sympy.Expr) -> bool:
         """Return whether an expression is positive at a point: then no proof is tried."""
@@ -184,15 +275,24 @@ class Case:
         claim = f"{', '.join(self.others)}: not in V, may grow, and exist for all t"
         return exact(claim, not detail, detail)
 
+    @property
+    def fall_in_words(self) -> str:
+        """Return the fall of V in words."""
+        if tidied(self.fall - decay(self.loop)) == 0:
+            return "-e^T KD e"
+        return "-D^T KD e" if all(self.zones) else "-sum KD_i e_i dV/de_i"
+
     def running(self) -> Step:
-        """Return the step that the running blocks have the same V'."""
-
-        def read() -> tuple:
-            square = sum(e**2 for e in self.loop.signals["e"])  # multiplied out it loses digits
-            rest = self.rest.xreplace({sympy.expand(square): square})
-            return self.diagram, self.loop, decay(self.loop) + rest
-
-        return running_step(read, self.points, seed=self.seed, tied=self.tied, kept=self.kept)
+        """Return the step that the running blocks have the same V', or V and rates."""
+        known: dict[str, Any] = {"seed": self.seed, "tied": self.tied, "kept": self.kept}
+        V = self.loop.signals["V"][0]
+        if degree_of(self.loop) <= EXACT and not V.has(TIME):
+            fall = self.fall + self.rest
+            return running_step(lambda: (self.diagram, self.loop, fall), self.points, **known)
+        wanted = [V, *self.loop.motion.values()]
+        return running_step(
+            lambda: (self.diagram, self.loop, wanted), self.points, gauge=numbers, **known
+        )
 
     def every(self) -> Step:
         """Return the step that the same holds for every N."""
@@ -221,12 +321,21 @@ class Case:
         found = self.weights.get(symbol, symbol)
         if found == symbol and len(generic) == 1:
             names = [{generic[0]: str(k + 1)} for k in range(self.loop.N or 0)]
-            theirs = [self.weights.get(renamed(symbol, name), symbol) for name in names]
+            mine = [renamed(symbol, name) for name in names]
+            theirs = [self.weights.get(s, s) for s in mine]
+            if self.kept:
+                theirs = [own.xreplace(self.values) for own in theirs]
             each = [_of_function(gain, generic[0]) for gain in theirs[:1]]
             for gain in (*each, *theirs[:1]):  # a gain each, or one for all
                 if all(renamed(gain, name) == own for name, own in zip(names, theirs, strict=True)):
                     found = gain
         return found.xreplace(self.values) if self.kept else found
+
+
+def _or_zero(expression: sympy.Expr) -> sympy.Expr:
+    """Return an expression multiplied out, zero where its divisions cancel."""
+    found = tidied(expression)
+    return sympy.S.Zero if found.atoms(sympy.Pow) and vanishes(found) else found
 
 
 def flat(parameters: Any) -> list[Any]:

@@ -9,12 +9,18 @@ the terms with e cancel; gains are read off the law's equations,
 What V' along the closed loop says is judged in `verdict`.
 """
 
+from collections.abc import Callable, Sequence
+from inspect import signature
+from typing import Any, NamedTuple
+
 import control
 import numpy as np
 import sympy
 from sympy.core.function import AppliedUndef
 
 from ...arguments import Seed, public
+from ...blocks.laws.known import Truth
+from ...blocks.laws.law import LEARNED, Law
 from ...diagrams.interconnection import Diagram, connect
 from ...diagrams.parts import functions_of
 from ...diagrams.wiring import read_anew
@@ -22,12 +28,25 @@ from ...equations.block import Block
 from ...errors import ClptError, DiagramError
 from ...simulation.loops import loop_of
 from .array_loop import TIME
+from .kept_loop import Kept
+from .kept_relations import kept_steps
 from .law_case import Case, flat
+from .proof import first_failure
 from .signs import tidied
 from .symbolic_loop import SymbolicLoop, own_values, refuse_no_value, symbolic_loop
 from .symbols import paper_name
-from .theorem_loop import theorem_candidate, theorem_loop, theorem_scenario
+from .theorem_loop import (
+    mixed_candidate,
+    theorem_candidate,
+    theorem_loop,
+    theorem_scenario,
+    tied,
+    truth_of,
+)
 from .verdict import Verdict, judge
+from .words import WHERE
+
+Candidate = Block | Callable[..., Block]  # V, or what makes it of the truth, and of parameters
 
 
 def law_alone(law: Block) -> SymbolicLoop:
@@ -35,13 +54,22 @@ def law_alone(law: Block) -> SymbolicLoop:
     return symbolic_loop(connect([law], external=list(law.input_ports)), jumps=True)
 
 
-def law_gains(law: Block, N: int) -> tuple[list[sympy.Expr], bool]:
-    """Return the gains with which a law adapts alpha, K and Gamma, and whether V fits it.
+class Fitted(NamedTuple):
+    """V of Eq. (24), fitted to a law."""
 
-    For alpha, row by row, K and Gamma they are the factors of -e phi, -e z and e zc in the rates,
-    without their sign, in the symbols of the law's parameters; 1 where there is none.  V fits
-    where each that is not held has one, and a V of squares can judge what is beside it; else V
-    is no more than a guess, and refutes nothing.
+    gains: list[sympy.Expr]  # of alpha, row by row, K and Gamma, in the law's parameters
+    judges: bool  # whether a V of squares can judge what the law has beside them
+    inverse: sympy.Matrix | None = None  # of a matrix of gains, in numbers
+
+
+def fitted_V(law: Block, N: int) -> Fitted:
+    """Return the gains with which a law adapts alpha, K and Gamma.
+
+    They are the factors of -e phi, -e z and e zc in the rates of what it makes, in the symbols of
+    the law's parameters, without their sign; 1 where there is none.  V judges the law where each
+    that is not held has one, and a V of squares can judge what is beside it; else it is a guess,
+    and refutes nothing.  Where these products drive each other's rates, by a matrix that is
+    symmetric and positive definite, V weighs the errors by its inverse.
     """
     loop = law_alone(law)
     values = own_values(loop, [law])
@@ -50,28 +78,29 @@ def law_gains(law: Block, N: int) -> tuple[list[sympy.Expr], bool]:
     e, apart = np.array([sympy.Function(f"e_{i}", real=True)(TIME) for i in (1, 2)]), {}
     if {"x", "z"} <= set(loop.inputs):  # e may be written x - z
         apart = dict(zip(loop.inputs["x"], e + loop.inputs["z"], strict=True))
-    gains: list[sympy.Expr] = []
-    rests: dict[sympy.Expr, sympy.Expr] = {}
-    fitted = True
-    for port, signal, size in (("alpha", "phi_x", N), ("K", "z", 1), ("Gamma", "zc", 1)):
-        with_ = loop.inputs.get(signal, nothing)
-        states = np.ravel(loop.states.get(port, nothing[: 2 * size]))
-        for j, state in enumerate(states):
-            i, k = (divmod(j, N)) if port == "alpha" else (j, j)
-            product, rate = e[i] * with_[k], sympy.Integer(0)
-            if state != 0:
-                rate = tidied(loop.motion[state].xreplace(apart))
-            factor = _factor(rate, product, set(values)) if product != 0 else product
-            number = sympy.sympify(factor).xreplace(values)
-            positive, negative = number.is_positive, number.is_negative
-            fitted &= bool(positive or negative or rate == 0)
-            gains.append(factor if positive else -factor if negative else sympy.Integer(1))
-            rests[state] = sympy.expand(rate - factor * product) / gains[-1]
-    rests.pop(sympy.Integer(0), None)
+    with_phi, with_z, with_zc = (loop.inputs.get(u, nothing) for u in ("phi_x", "z", "zc"))
+    products = [*np.ravel(np.outer(e, with_phi[:N])), *(e * with_z[:2]), *(-e * with_zc[:2])]
+    made = [m for port in LEARNED for m in np.ravel(loop.signals.get(port, nothing))]
+    rates = [tidied(loop.derivative(sympy.sympify(m)).xreplace(apart)) for m in made]
+    gains, rests, judges = [], {}, True
+    for state, rate, product in zip(made, rates, products, strict=True):
+        factor = -_factor(rate, product, set(values))
+        number = factor.xreplace(values)
+        judges &= bool(number.is_nonzero or rate == 0)
+        gains.append(factor if number.is_positive else -factor if number else sympy.S.One)
+        rests[state] = sympy.expand(rate + factor * product) / gains[-1]
+    inverse = None
+    if any(rest.has(*e) for rest in rests.values()):
+        M = sympy.Matrix([[-_factor(rate, p, set(values)) for p in products] for rate in rates])
+        M = M.xreplace(values)
+        if M.is_symmetric() and not M.is_diagonal() and M.is_positive_definite:
+            inverse = M.inv()
     given = [s for port, symbols in loop.inputs.items() if port != "e" for s in symbols.flat]
     held = {s: sympy.Dummy(real=True) for s in given}
-    rests = {s: rest.xreplace(held) for s, rest in rests.items()}
-    return gains, fitted and _judged_by_squares(rests, {*values, *held.values()})
+    rests = {s: rest.xreplace(held) for s, rest in rests.items() if s.is_Symbol}
+    judges = judges and len(rests) == len(made) and not inverse
+    judges = judges and _judged_by_squares(rests, {*values, *held.values()})
+    return Fitted(gains, judges, inverse)
 
 
 def _judged_by_squares(rests: dict, known: set) -> bool:
@@ -87,15 +116,26 @@ def _judged_by_squares(rests: dict, known: set) -> bool:
 
 
 def _factor(rate: sympy.Expr, product: sympy.Expr, parameters: set) -> sympy.Expr:
+    """Return the factor of a product in a rate, or in what it is in one of two cases."""
     terms = (term / product for term in sympy.Add.make_args(rate))
-    return sympy.Add(
+    found = sympy.Add(
         *(q for q in terms if not q.atoms(AppliedUndef) and q.free_symbols <= parameters)
     )
+    cases = (one for word in rate.atoms(WHERE) for one in word.args[1:])
+    inner = (_factor(tidied(one), product, parameters) for one in cases if found == 0)
+    return next(filter(None, inner), found)
 
 
 @public
 def prove(
-    law_block: Block | Diagram, V: Block | None = None, points: int = 10_000, seed: Seed = 0
+    law_block: Block | Diagram,
+    V: Candidate | None = None,
+    points: int = 10_000,
+    seed: Seed = 0,
+    given: Callable[..., list] | None = None,
+    keeps: Callable[..., dict] | None = None,
+    cones: Sequence[str] = (),
+    losses: Callable[..., list[tuple]] | None = None,
 ) -> Verdict:
     """Judge an adaptive law by V' along the closed loop.
 
@@ -135,8 +175,6 @@ def prove(
     >>> clpt.theory.prove(LAWS["learned-flow"].of(2, gain=0.5), points=200).status
     'proved'
     """
-    if V is not None and V.output_ports != {"V": 1}:
-        raise DiagramError(f"{V.name}: a candidate makes V[1] and nothing else")
     if isinstance(law_block, Diagram) and law_block.made_of is not None:
         made = loop_of(law_block)
         if made.changes.in_words:
@@ -156,12 +194,20 @@ def prove(
                 f"{law_block.name}: its parameter {field} would be taken for what the paper's "
                 "block of this name holds, which no law knows; give the law another name"
             )
-    for block in filter(None, (law_block, V)):
-        read_anew(block)
+    read_anew(law_block)
     N = functions_of(law_block)
-    diagram = theorem_loop(N, "learned-flow", law_block=law_block, candidate=V)
+    theorem_loop(N, "learned-flow", law_block=law_block)  # refuses what is no law
     try:
-        return _judged(diagram, law_block, V, N, points, seed)
+        if keeps is None:
+            return _judged(law_block, V, given, N, points, seed)
+        if V is None:
+            raise DiagramError(f"{law_block.name}: a law whose states keep relations needs its V")
+        part = {"keeps": keeps, "cones": cones, "losses": losses}
+        row = Law(law_block.name, "", rates=law_block.values, says="-e^T KD e - losses")
+        case = Kept(row := row.with_parts(part), N, blocks=(law_block, _maker(V)))
+        steps = tuple(kept_steps(row, points, [case]))
+        status = "open" if first_failure(steps) else "proved"
+        return Verdict(status, -case.more, steps, case.diagram)
     except ClptError:
         raise
     except Exception as error:  # whatever SymPy says of these equations
@@ -170,21 +216,73 @@ def prove(
 
 
 def _judged(
-    diagram: Diagram, law: Block, V: Block | None, N: int, points: int, seed: int
+    law: Block,
+    V: Candidate | None,
+    given: Callable[..., list] | None,
+    N: int,
+    points: int,
+    seed: int,
 ) -> Verdict:
-    candidate, fitted = V, False  # one V that does not fall refutes no law
-    gains: list[sympy.Expr] = []
-    if candidate is None:
+    scenario, judges = theorem_scenario(N, "learned-flow"), False
+    if V is None:
         alone = law_alone(law)
         own = own_values(alone, [law])
-        gains, fitted = law_gains(law, N)
+        gains, judges, inverse = fitted_V(law, N)
         numbers = [float(gain.subs(own)) for gain in gains]
         alpha, (K, Gamma) = np.reshape(numbers[:-4], (2, N)), np.reshape(numbers[-4:], (2, 2))
-        scenario = theorem_scenario(N, "learned-flow")
-        candidate = theorem_candidate(scenario, gain=alpha, gain_K=K, gain_Gamma=Gamma)
-        diagram = theorem_loop(N, "learned-flow", law_block=law, candidate=candidate)
+        made = theorem_candidate(scenario, gain=alpha, gain_K=K, gain_Gamma=Gamma)
+        if inverse is not None:
+            made = mixed_candidate(np.array(inverse, dtype=float), truth_of(scenario))
+    else:  # one V that does not fall refutes no law
+        make = _maker(V)
+        sources = [truth_of(scenario), law.parameters][: _taken(V)]
+        made = make(*sources)
+    diagram = theorem_loop(N, "learned-flow", law_block=law, candidate=made)
     loop = symbolic_loop(diagram, jumps=True)
-    if gains:  # in the names of the whole diagram
+    car = loop.parameters["vehicle_controller"]
+    truth = Truth(loop.parameters["true_flow"].theta, car.KD, car.GammaD)
+    if V is not None:
+        symbols = (truth, loop.parameters[law.name])
+        weights = tied(loop, made, make, *zip(sources, symbols, strict=False))
+    else:  # in the names of the whole diagram
         here, there = (flat(one.parameters[law.name]) for one in (alone, loop))
-        gains = [gain.subs(dict(zip(here, there, strict=True))) for gain in gains]
-    return judge(Case(diagram, loop, candidate, law, gains, fitted, points, seed))
+        names, p = dict(zip(here, there, strict=True)), loop.parameters[made.name]
+        fields = (p.gain, p.gain_K, p.gain_Gamma) if inverse is None else (p.inverse,)
+        theirs = [s for field in fields for s in np.ravel(field)]
+        weights = {s: w.subs(names) for s, w in zip(theirs, inverse or gains, strict=True)}
+    case = Case(diagram, loop, made, law, weights, judges, points, seed)
+    if given is not None:
+        facts = given({**loop.inputs, **loop.states}, loop.parameters[law.name], truth)
+        case.given = tuple(sympy.expand(sympy.sympify(fact).xreplace(case.apart)) for fact in facts)
+        case.fitted = False  # a point that refutes may be one where they do not hold
+    return judge(case)
+
+
+def _taken(V: Candidate) -> int:
+    """Return how many arguments a candidate is made of: the truth, and the law's parameters."""
+    return 1 if isinstance(V, Block) else len(signature(V).parameters)
+
+
+def _maker(V: Candidate) -> Callable[..., Block]:
+    """Return what makes a candidate; it has no name that the paper's V has."""
+
+    def make(truth: Truth, *parameters: Any) -> Block:
+        made = _with_truth(V, truth) if isinstance(V, Block) else V(truth, *parameters)
+        if not isinstance(made, Block) or made.output_ports != {"V": 1}:
+            raise DiagramError(f"{made}: a candidate makes V[1] and nothing else")
+        read_anew(made)
+        return made.copy("candidate")
+
+    return make
+
+
+def _with_truth(V: Block, truth: Truth) -> Block:
+    """Return a candidate whose fields theta, KD and GammaD, where it has any, hold the truth."""
+    own = {
+        name: value
+        for name, value in truth._asdict().items()
+        if np.shape(V.parameters.get(name)) == np.shape(value)
+    }
+    made = V.copy()
+    made.parameters = V.parameters._replace(**own)
+    return made

@@ -147,6 +147,14 @@ def _at_times(block: Block, p: Any, t: np.ndarray) -> Any:
     return p._replace(interval=np.array([block.interval_at(one, p) for one in t]))
 
 
+def numbers(
+    asked: Reading, t: np.ndarray, x: np.ndarray, u: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return V and all rates at points, (1 + nx, n), and the square of how far the points lie."""
+    far = np.max(np.abs(np.column_stack([x, u])), axis=1)
+    return np.vstack([asked.values(t, x, u), asked.rates(t, x, u).T]), np.maximum(far, 1.0) ** 2
+
+
 PER_DRAW = 100  # points for each draw of the parameters
 # what a reading gives at points (t, x, u), n or (m, n) numbers, and the size of what is compared
 Gauge = Callable[..., tuple[np.ndarray, np.ndarray]]

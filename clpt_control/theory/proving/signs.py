@@ -11,24 +11,35 @@ that does not:
 
     -a s^2 + b s <= -(a/2) s^2 + b^2/(2 a)
 
-A state s that V does not hold, with |s'| <= a (1 + |s|) where a is bounded on bounded times, exists
-for all t (Gronwall's lemma); s' = 1 + s^2 ends at t = pi/2, and with it the run.  How fast an
-expression grows with such states is its degree: 0 is bounded, 1 is linear.
+With words in it an expression is judged in the words' sectors, else piece by piece (`words`), each
+with what is known not to be negative there: a fact that is linear in a symbol s takes s out, any
+other one its leading monomial.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from functools import lru_cache
-from math import comb, inf, prod
+from itertools import combinations_with_replacement
+from math import comb, prod
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
-import numpy as np
 import sympy
 from sympy.core.function import AppliedUndef
 from sympy.polys.rings import PolyElement, ring
 
-from ...equations.every_n import SUM
 from ...errors import DiagramError
 from .proof import short
+from .words import (
+    CLIP,
+    INSIDE,
+    along,
+    decided,
+    interval,
+    meets_smoothly,
+    pieces_of,
+    sector_of,
+    words_of,
+)
 
 
 def vanishes(expression: Any) -> bool:
@@ -103,6 +114,9 @@ MOST_TERMS = 20_000  # more are not multiplied out
 MOST_JUDGED = 400  # of more no sign is known
 HIGHEST = 4  # higher powers are not factored
 FEW = 12  # terms; more with words in them are not factored
+MOST_WORDS, MOST_FACTS = 8, 16  # that are judged together
+
+Facts = tuple[sympy.Expr, ...]  # what is not negative
 
 
 class Pull(NamedTuple):
@@ -116,6 +130,14 @@ def tidied(expression: sympy.Expr) -> sympy.Expr:
     """Return an expression multiplied out, cos^2 as 1 - sin^2."""
     if _terms(expression) > MOST_TERMS:
         raise DiagramError(f"V' has more than {MOST_TERMS} terms; make the law or its N smaller")
+    masked = {e: sympy.Dummy(str(e), positive=True) for e in expression.atoms(sympy.exp)}
+    if masked and not any(e.args[0].atoms(sympy.exp) for e in masked):  # else in its denominators
+        own = tidied(expression.xreplace(masked))
+        return sympy.expand(own.xreplace({d: e for e, d in masked.items()}), deep=False)
+    over = {p.base.args[0] for p in expression.atoms(sympy.Pow) if isinstance(p.base, sympy.cosh)}
+    if over:  # sinh/cosh, as of log(cosh)
+        tanh = {sympy.sinh(a): sympy.tanh(a) * sympy.cosh(a) for a in over}
+        expression = sympy.expand(expression.xreplace(tanh))
     pairs = ((sympy.cos, sympy.sin, -1), (sympy.cosh, sympy.sinh, 1))
     known = {
         f(a): sympy.expand_trig(f(a))
@@ -124,6 +146,10 @@ def tidied(expression: sympy.Expr) -> sympy.Expr:
         for a in {one.args[0] for one in expression.atoms(f)}
     }
     expression = sympy.expand(expression.xreplace(known))
+    for within in expression.atoms(INSIDE):  # where clip(s, a, b) is s
+        ends = {at: expression.xreplace({within: sympy.Integer(at)}) for at in (0, 1)}
+        inside = (ends[1] - ends[0]).xreplace({CLIP(*within.args): within.args[0]})
+        expression = sympy.expand(ends[0] + within * inside)
     for even, odd, sign in pairs:
         for one in expression.atoms(even):
             square = 1 + sign * odd(one.args[0]) ** 2
@@ -145,27 +171,105 @@ def _terms(expression: sympy.Expr) -> int:
 
 
 def positive_definite(
-    V: sympy.Expr, states: Sequence[sympy.Symbol], truth: dict, values: dict
+    V: sympy.Expr,
+    states: Sequence[sympy.Symbol],
+    truth: dict,
+    values: dict,
+    mapped: Mapping[Any, sympy.Expr] = MappingProxyType({}),
 ) -> bool:
-    """Return whether V is known to be positive definite in the errors of the states.
+    """Return whether V is known to be positive definite in the errors of the states, without end.
 
-    Its Hessian at the parameters' values must be constant and positive definite, V and its
-    slopes zero at the truth (state -> where its error is zero).
+    `truth` says where the error of a state is zero, `mapped` what the error is of one that makes
+    what is learned, alpha = s + s^3: with dV/ds a share of it that rises with s, V has its least
+    value where it is zero.  Terms that share no state are judged apart: V may be quadratic, with a
+    Hessian that is positive definite; or s dV/ds is a sum of even powers and products s h(s), h
+    odd and rising.
     """
-    H = sympy.hessian(V, list(states)).xreplace(values)
-    if H.free_symbols or H.atoms(AppliedUndef):
+    V = V.xreplace(values)
+    if words_of(V) and not meets_smoothly(V.xreplace({s: s + truth.get(s, 0) for s in states})):
         return False
-    at_truth = [V, *(sympy.diff(V, s) for s in states)]
-    zero = all(tidied(v.xreplace(truth)) == 0 for v in at_truth)
-    return zero and bool(H.is_positive_definite)
+    shifted = {s: s + truth[s].xreplace(values) for s in states if s in truth}
+    V = tidied(V.xreplace(shifted))
+    rest, covered = sympy.S.Zero, set[Any]()
+    for group in _groups(V, set(states)):
+        own = sorted(group.free_symbols & set(states), key=str)
+        if len(own) == 1 and own[0] in mapped:
+            error = mapped[own[0]].xreplace(values)
+            share = sympy.cancel(sympy.diff(group, own[0]) / error)
+            rises = interval(sympy.diff(error, own[0]))[0]
+            if not (share.is_number and share.is_positive and rises.is_positive):
+                return False
+        elif own and not _least_at_zero(group, own):
+            return False
+        rest, covered = rest + (0 if own else group), covered | set(own)
+    return rest == 0 and covered == set(states)
 
 
-def nonpositive(expression: sympy.Expr, apart: set, values: dict) -> bool:
-    """Return whether an expression is known never to be positive.
+def _least_at_zero(V: sympy.Expr, own: list) -> bool:
+    """Return whether V is positive definite in its states, zero at zero, and without end."""
+    zero = dict.fromkeys(own, sympy.S.Zero)
+    if V.is_polynomial(*own):
+        H = sympy.hessian(V, own)
+        slopes = [V, *(sympy.diff(V, s) for s in own)]
+        if not H.free_symbols and not H.atoms(sympy.Function):
+            return all(tidied(v.xreplace(zero)) == 0 for v in slopes) and bool(
+                H.is_positive_definite
+            )
+    if tidied(decided(V.xreplace(zero))) != 0:
+        return False
+    return set(own) == rising_in(tidied(sum(s * along(V, {s: sympy.S.One}) for s in own)), own)
 
-    Terms that share no symbol of `apart`, the states and truths, are judged apart.
+
+def dead_zone(V: sympy.Expr, e: sympy.Symbol) -> tuple[sympy.Expr, sympy.Expr]:
+    """Return d where V holds e as e - clip(e, -d, d) alone, and V with e in its place; else 0."""
+    clips = [w for w in words_of(V) if w.func == CLIP and w.args[0] == e]
+    if len(clips) == 1 and clips[0].args[1] == -clips[0].args[2]:
+        D = sympy.Dummy(real=True)
+        inner = sympy.expand(
+            V.xreplace({e: D + clips[0]}).xreplace(
+                {CLIP(D + clips[0], *clips[0].args[1:]): clips[0]}
+            )
+        )
+        if not inner.has(clips[0]) and clips[0].args[2].is_positive:
+            return clips[0].args[2], inner.xreplace({D: e})
+    return sympy.S.Zero, V
+
+
+def rising_in(E: sympy.Expr, own: list) -> set:
+    """Return the states s in which s dV/ds is positive but at s = 0; none where it may be below 0.
+
+    Each term is an even power of each state, times s h(s), and what is not negative.
     """
-    return all(_negative(group, apart, values) for group in _groups(expression, apart))
+    found = set()
+    for term in sympy.Add.make_args(sympy.expand(E)):
+        rest, strict, powers = sympy.S.One, True, dict.fromkeys(own, 0)
+        for factor in sympy.Mul.make_args(term):
+            base, power = factor.as_base_exp()
+            sector = sector_of(factor) if words_of(factor) and power == 1 else None
+            if base in powers and power.is_Integer and power > 0:
+                powers[base] += int(power)
+            elif sector is not None and sector.factor in powers and sector.low >= 0:
+                powers[sector.factor] += 1
+                strict &= sector.rises
+            else:
+                rest *= factor
+        low = interval(rest)[0]
+        if low.is_negative or any(power % 2 for power in powers.values()):
+            return set()
+        if strict and low.is_positive:
+            found |= {s for s in own if powers[s] and all(o == s or not powers[o] for o in own)}
+    return found
+
+
+def nonpositive(
+    expression: sympy.Expr, apart: set, values: dict, facts: Facts = (), by: set | None = None
+) -> bool:
+    """Return whether an expression is known never to be positive where no fact is negative.
+
+    Terms that share no symbol of `apart`, the states and truths, or of `by`, are judged apart.
+    """
+    groups = _groups(expression, apart if by is None else by)
+    return all(_negative(group, apart, values, facts) for group in groups)
 
 
 def _groups(expression: sympy.Expr, apart: set) -> list[sympy.Expr]:
@@ -185,18 +289,45 @@ def _groups(expression: sympy.Expr, apart: set) -> list[sympy.Expr]:
 
 
 @lru_cache(maxsize=10_000)
-def _factors_below_zero(group: sympy.Expr) -> bool:
-    return bool(sympy.factor(group).is_nonpositive)
+def _without_squares(group: sympy.Expr) -> sympy.Expr:
+    """Return an expression without its factors that are not negative where they have a value."""
+    factors = sympy.Mul.make_args(sympy.factor(group))
+    rest = (f for f in factors if not (f.is_nonnegative or f.as_base_exp()[1].is_even))
+    return sympy.expand(sympy.Mul(*rest))
 
 
-def _negative(group: sympy.Expr, apart: set, values: dict) -> bool:
+def _negative(group: sympy.Expr, apart: set, values: dict, facts: Facts) -> bool:
     if len(sympy.Add.make_args(group)) > MOST_JUDGED:
         return False
+    if group == 0:
+        return True
     powers = [power.exp for power in group.atoms(sympy.Pow)]
     low = all(exponent.is_Integer and exponent <= HIGHEST for exponent in powers)
-    simple = not group.atoms(AppliedUndef) or len(sympy.Add.make_args(group)) <= FEW
-    if low and simple and _factors_below_zero(group):
+    words = words_of(group)
+    simple = not words or len(sympy.Add.make_args(group)) <= FEW
+    if low and simple:
+        left = _without_squares(group)
+        if left.is_nonpositive or (left != group and nonpositive(left, apart, values, facts)):
+            return True
+    if _is_minus_a_square(group, apart, values):
         return True
+    own = sorted(group.free_symbols & apart, key=str)
+    if not words and group.is_polynomial(*own):
+        degrees: dict[int, sympy.Expr] = {}
+        for monomial, share in sympy.Poly(group, *own).terms() if own else ():
+            term = share * sympy.prod(s**n for s, n in zip(own, monomial, strict=True))
+            degrees[sum(monomial)] = degrees.get(sum(monomial), sympy.S.Zero) + term
+        if len(degrees) > 1 and all(_negative(d, apart, values, ()) for d in degrees.values()):
+            return True
+    if not words:
+        return bool(facts) and _below(group, apart, values, facts)
+    return _in_sectors(group, words, apart, values, facts) or _in_pieces(
+        group, words, apart, values, facts
+    )
+
+
+def _is_minus_a_square(group: sympy.Expr, apart: set, values: dict) -> bool:
+    """Return whether an expression is -s^T M s, M >= 0, in the symbols s of `apart`."""
     own = sorted(group.free_symbols & apart, key=str)
     if not own or not group.is_polynomial(*own):
         return False
@@ -211,6 +342,84 @@ def _negative(group: sympy.Expr, apart: set, values: dict) -> bool:
     )
 
 
+def _in_sectors(group: sympy.Expr, words: set, apart: set, values: dict, facts: Facts) -> bool:
+    """Return whether an expression is not positive wherever its words lie in their sectors."""
+    inner = {one for word in words for a in word.args for one in words_of(a)}
+    outer = sorted(words - inner, key=str)
+    sectors = [own for word in outer if (own := sector_of(word.xreplace(values))) is not None]
+    if len(outer) > MOST_WORDS or len(sectors) < len(outer):
+        return False
+    q = sympy.symbols(f"q_:{len(outer)}", real=True)
+    known = zip(outer, sectors, q, strict=True)
+    found = sympy.expand(group.xreplace({w: own.factor * one for w, own, one in known}))
+    if not found.is_polynomial(*q) or any(sympy.Poly(found, *q).degree(one) > 1 for one in q):
+        return False
+    ends = [found]
+    for one, own in zip(q, sectors, strict=True):
+        last = [sympy.diff(f, one) for f in ends] if own.high == sympy.oo else None
+        more = last or [f.xreplace({one: own.high}) for f in ends]
+        ends = [f.xreplace({one: own.low}) for f in ends] + more
+    return all(nonpositive(sympy.expand(f), apart, values, facts) for f in set(ends))
+
+
+def _in_pieces(group: sympy.Expr, words: set, apart: set, values: dict, facts: Facts) -> bool:
+    """Return whether an expression is not positive in any piece of its words."""
+    if len(facts) > MOST_FACTS:
+        return False
+    for word in sorted(words, key=str):
+        pieces = [] if any(map(words_of, word.args)) else pieces_of(word.xreplace(values))
+        if not pieces:
+            continue
+        if word not in pieces[0][1]:
+            group = group.xreplace({w: w.xreplace(values) for w in words})
+        return all(
+            _vacuous([*facts, *here])
+            or nonpositive(decided(group.xreplace(known)), apart, values, (*facts, *here))
+            for here, known in pieces
+        )
+    return False
+
+
+def _vacuous(facts: list[sympy.Expr]) -> bool:
+    """Return whether two facts exclude each other."""
+    return any(sympy.expand(a + b).is_negative for a, b in combinations_with_replacement(facts, 2))
+
+
+def _below(group: sympy.Expr, apart: set, values: dict, facts: Facts) -> bool:
+    """Return whether an expression is not positive where facts are not negative."""
+    given = {f: sympy.Dummy(real=True) for f in group.atoms(AppliedUndef)}  # inputs
+    group, *left = (sympy.expand(e.xreplace(values).xreplace(given)) for e in (group, *facts))
+    return _less_facts(group, left, apart | set(given.values()), frozenset())
+
+
+def _less_facts(group: sympy.Expr, left: list, own: set, fresh: frozenset) -> bool:
+    """Return the same, each fact taken out in turn: it is a symbol that is not negative."""
+    if any(fact.is_negative for fact in left):
+        return True
+    none = {-fact: sympy.S.Zero for fact in left if -fact in fresh}  # f >= 0 and -f >= 0
+    if none:
+        group, left = group.xreplace(none), [f.xreplace(none) for f in left if -f not in none]
+    left = [f for f in left if f.free_symbols & own - fresh and f.is_polynomial(*own)]
+    if not left or group == 0:
+        terms = sympy.Add.make_args(group)
+        return all(term.is_nonpositive for term in terms) or nonpositive(group, own | fresh, {})
+    more = sympy.Dummy("more", nonnegative=True)
+    alone = [(f, s) for f in left for s in f.free_symbols & own if sympy.diff(f, s).is_number]
+    for fact, s in [pair for pair in alone if pair[1] == min(alone, key=str)[1]]:
+        out = {s: (more - fact.xreplace({s: sympy.S.Zero})) / sympy.diff(fact, s)}
+        new, *others = (sympy.expand(f.xreplace(out)) for f in (group, *left))
+        if _less_facts(new, others, own, fresh | {more}):
+            return True
+    if alone:
+        return False
+    fact = left[0]
+    gens = [s for known in (fact.free_symbols & own, fresh) for s in sorted(known, key=str)]
+    if not all(f.is_polynomial(*gens) for f in (group, *left)):
+        return _less_facts(group, left[1:], own, fresh)
+    new, *others = (sympy.expand(sympy.reduced(f, [fact - more], *gens)[1]) for f in (group, *left))
+    return _less_facts(new, others[1:], own, fresh | {more})
+
+
 def positive_maximum(f: sympy.Expr) -> bool:
     """Return whether an expression is maximum(a, b) with a positive one."""
     own = isinstance(f, AppliedUndef) and str(f.func) == "maximum"
@@ -222,83 +431,59 @@ def pulled(
 ) -> Pull | None:
     """Bound V' by what pulls back and a constant, state by state.
 
-    None where V' is not a sum of a term -a s^2 + b s for each error s; what depends on `moving`,
-    all states and time, is no constant.
+    None where V' is not a sum of a term -a s^2 + b s, or a leak, for each error s; what depends on
+    `moving`, all states and time, is no constant.
     """
     states, moves = list(truth), {*truth, *(moving or ())}
     shifted = {s: s + truth[s] for s in states}
-    if not rate.is_polynomial(*states) or sympy.Poly(rate, *states).total_degree() > 2:
-        return None
     rate, V = (sympy.expand(one.xreplace(shifted)) for one in (rate, V))
-    H, slopes = sympy.hessian(rate, states), {s: sympy.diff(rate, s) for s in states}
     weights = sympy.hessian(V, states)
-    zero = dict.fromkeys(states, sympy.Integer(0))
-    if not H.is_diagonal() or not weights.is_diagonal() or rate.xreplace(zero) != 0:
+    groups = {tuple(g.free_symbols & set(states)): g for g in _groups(rate, set(states))}
+    if not weights.is_diagonal() or any(len(own) != 1 for own in groups):
         return None
     push, rates = sympy.Integer(0), []
     for k, s in enumerate(states):
-        a, b = (-H[k, k] / 2).xreplace(values), slopes[s].xreplace(zero).xreplace(values)
-        if not a.is_nonnegative or _moves(a, moves) or _moves(b, moves) or (a == 0 and b != 0):
+        part = groups.get((s,), sympy.S.Zero).xreplace(values)
+        bounded = _pull_of(part, s, moves) or _leak_of(part, s, truth[s])
+        if bounded is None:
             return None
-        push += b**2 / (2 * a) if b != 0 else 0
-        rates.append(a / weights[k, k].xreplace(values))
+        push += bounded.push
+        rates.append(bounded.rate / weights[k, k].xreplace(values))
     return None if push == 0 else Pull(sympy.Min(*rates), push)
+
+
+def _pull_of(part: sympy.Expr, s: sympy.Symbol, moves: set) -> Pull | None:
+    """Return a and b^2/(2 a) of -a s^2 + b s."""
+    a, b = -part.coeff(s, 2), part.coeff(s, 1)
+    if sympy.expand(part + a * s**2 - b * s) != 0:
+        return None
+    if not a.is_nonnegative or _moves(a, moves) or _moves(b, moves) or (a == 0 and b != 0):
+        return None
+    return Pull(a, b**2 / (2 * a) if b != 0 else sympy.S.Zero)
+
+
+def _leak_of(part: sympy.Expr, s: sympy.Symbol, true: sympy.Expr) -> Pull | None:
+    """Return how -f a^2k a (a - a*) pulls, a = a* + s, for f between two numbers.
+
+    It is not positive but where |a| < |a*|, and there at most f |a*|^(2k + 2)/4; where f keeps away
+    from zero and k is 0 it is -f s^2/2 and at most f |a*|^2/2.
+    """
+    a = sympy.Dummy(real=True)
+    of_a = sympy.expand(part.xreplace({s: a - true}))
+    if not of_a.is_polynomial(a):
+        return None
+    share, rest = sympy.div(of_a, sympy.expand(-a * (a - true)), a)
+    found, slowest = sympy.S.Zero, sympy.S.Zero
+    for (power,), f in sympy.Poly(share, a).terms() if rest == 0 else ():
+        low, high = interval(f)
+        if power % 2 or low.is_negative or not high.is_finite:
+            return None
+        if power == 0 and low.is_positive:
+            slowest, found = low, found + high * true**2 / 2
+        else:
+            found += high * true ** (power + 2) / 4
+    return Pull(slowest, found) if found != 0 else None
 
 
 def _moves(expression: sympy.Expr, moving: set) -> bool:
     return bool(expression.free_symbols & moving or expression.atoms(sympy.Function))
-
-
-BOUNDED = (sympy.sin, sympy.cos, sympy.tanh, sympy.atan, sympy.atan2, sympy.erf)
-YES_OR_NO = ("sign", "lt", "le", "gt", "ge", "and_", "or_", "not_")
-AS_ITS_PARTS = ("Abs", "minimum", "maximum", "floor", "trunc", "ceil", "asinh")
-AS_ITS_OTHERS = ("where", "pick", "clip", "mod")  # whatever the first argument is
-
-
-def faster_than_linear(moves: Mapping[str, Any], states: Mapping[str, Any]) -> str:
-    """Return which state may move faster than linearly in the states, and how; or ""."""
-    names = {str(s).split("[")[0] for own in states.values() for s in np.ravel(own)}
-
-    def own(symbol: sympy.Symbol) -> bool:
-        return str(symbol).split("[")[0] in names  # m[k] is one of m[j]
-
-    for what, move in moves.items():
-        for one in np.ravel(move):
-            if degree(sympy.sympify(one), own) > 1:
-                return f"{what} = {short(one)} may grow faster than linearly"
-    return ""
-
-
-def degree(expression: sympy.Expr, own: Callable[[sympy.Symbol], bool]) -> float:
-    """Return at most which power of its own states an expression grows with; inf if not known."""
-    if not any(map(own, expression.free_symbols)):
-        return 0.0
-    if expression.is_Symbol:
-        return 1.0
-    of, name = [degree(one, own) for one in expression.args], str(expression.func)
-    if isinstance(expression, BOUNDED) or name in YES_OR_NO:
-        return 0.0
-    if expression.is_Mul:
-        return sum(of)
-    if expression.is_Add or name in AS_ITS_PARTS:
-        return max(of)
-    if name in AS_ITS_OTHERS:
-        return max(of[1:])
-    if isinstance(expression, SUM):
-        return of[0]
-    if isinstance(expression, sympy.exp):
-        return 0.0 if expression.args[0].is_nonpositive else inf
-    if expression.is_Pow and expression.exp.is_number:
-        if expression.exp.is_positive:
-            return float(expression.exp) * of[0]
-        return 0.0 if _above_zero(expression.base) else inf
-    return inf
-
-
-def _above_zero(expression: sympy.Expr) -> bool:
-    """Return whether an expression stays away from zero: a positive number and squares."""
-    parts = sympy.Add.make_args(expression)
-    if str(expression.func) == "maximum":
-        return any(one.is_number and one.is_positive for one in expression.args)
-    squares = all(one.is_nonnegative for one in parts)
-    return squares and any(one.is_number and one.is_positive for one in parts)

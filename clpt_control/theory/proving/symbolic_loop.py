@@ -20,10 +20,10 @@ from ...diagrams.wiring import Node, Wiring, wiring_of
 from ...equations.block import Block
 from ...equations.namespaces import BETWEEN, named, split
 from ...equations.record import Shape
-from ...equations.symbolic import NUMBERS
 from ...errors import DiagramError
 from .array_loop import blocks_of, no_value, refuse_pinned, refuse_unproved
 from .symbols import element_name, parameter_names, parameter_symbol, state_names
+from .words import NUMBERS_OF, along
 
 
 @dataclass
@@ -34,6 +34,10 @@ class SymbolicLoop(Equations):
     """
 
     N: int | None = None  # number of basis functions, where the blocks have one
+
+    def derivative(self, expression: Any) -> sympy.Expr:
+        """Differentiate an expression along the equations, words with kinks as well."""
+        return along(sympy.sympify(expression), {TIME: sympy.Integer(1), **self.motion})
 
 
 class PaperNames(Names):
@@ -201,8 +205,8 @@ def numeric(expression: sympy.Expr) -> tuple[Any, list[Any]]:
     words = {str(f.func) for f in expression.atoms(sympy.core.function.AppliedUndef)} - {
         str(f.func) for f in inputs
     }
-    if expression.has(sympy.Derivative) or words - set(NUMBERS):
-        unknown = ", ".join(sorted(words - set(NUMBERS))) or "a derivative of an input"
+    if expression.has(sympy.Derivative) or words - set(NUMBERS_OF):
+        unknown = ", ".join(sorted(words - set(NUMBERS_OF))) or "a derivative of an input"
         raise DiagramError(f"{unknown} has no numbers, so V' cannot be compared")
     symbols = sorted(expression.free_symbols - {TIME}, key=str) + sorted(inputs, key=str)
     if expression.has(TIME):
@@ -236,7 +240,7 @@ def _applied(e: sympy.Expr, numbers: list[Any]) -> Any:
 def _function(word: Any, count: int) -> Callable[..., Any]:
     """Return a word of SymPy's, or of the records', as a function of arrays."""
     own = sympy.symbols(f"a_:{count}", real=True)
-    return sympy.lambdify(own, word(*own), [NUMBERS, "scipy", "numpy"])
+    return sympy.lambdify(own, word(*own), [NUMBERS_OF, "scipy", "numpy"])
 
 
 def degree_of(loop: SymbolicLoop) -> float:

@@ -23,6 +23,7 @@ from ...equations.namespaces import named, split
 from ...equations.record import Shape
 from ...scenario.quantities import QUANTITIES
 from .signs import positive_maximum
+from .words import interval
 
 # fields that stand for one thing, by its name in the paper
 ONE = {one.symbol: one.held.split() for one in QUANTITIES.values() if one.symbol}
@@ -127,12 +128,13 @@ def _parameters(expression: sympy.Expr) -> bool:
 
 def _nonzero(b: sympy.Expr) -> bool:
     """Return whether a divisor is known not to be zero; maximum(a, b) is not where b > 0."""
-    return bool(b.is_nonzero) or positive_maximum(b)
+    factors = sympy.Mul.make_args(b)
+    return positive_maximum(b) or all(f.is_nonzero or interval(f)[0].is_positive for f in factors)
 
 
 def _not_huge(a: sympy.Expr) -> bool:
     """Return whether exp(a) stays a number; parameters are what their block makes of them."""
-    return bool(a.is_nonpositive) or _parameters(a)
+    return interval(a)[1] != sympy.oo or _parameters(a)
 
 
 def _power(base: sympy.Expr, exponent: sympy.Expr) -> bool:

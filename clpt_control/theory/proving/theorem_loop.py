@@ -137,6 +137,50 @@ def theorem_candidate(scenario: Scenario, **gains: Any) -> Block:
     return lyapunov_candidate(scenario.learning.law, p._replace(**gains))
 
 
+def mixed_level(t, x, u, p):
+    """V of Eq. (24) with the inverse of a matrix of gains between all that is learned."""
+    eta = np.concatenate([np.ravel(p.theta + u.alpha), u.K - p.KD, u.Gamma - p.GammaD])
+    return {"V": (u.e @ u.e + eta @ (p.inverse @ eta)) / 2}
+
+
+def mixed_candidate(inverse: np.ndarray, truth: Truth) -> Block:
+    """Return V of the errors weighed by a matrix, of alpha row by row, K and Gamma."""
+    return Block(
+        "lyapunov",
+        output=mixed_level,
+        inputs={"e": 2, "alpha": (2, "N"), "K": 2, "Gamma": 2},
+        outputs={"V": 1},
+        parameters={"inverse": inverse, **truth._asdict()},
+        shapes={"theta": (2, "N")},
+    )
+
+
+def tied(loop: SymbolicLoop, V: Block, make: Callable[..., Block], *sources: tuple) -> dict:
+    """Return V's symbols -> those of what V is made of.
+
+    A source is a tuple of numbers with names, as parameters and the truth are, and their symbols.
+    V is made anew of numbers that stand nowhere else: where V holds one, it was given that one.
+    """
+    random, marks, given = np.random.default_rng(0), dict[float, Any](), []
+    for numbers, symbols in sources:
+        changed = {}
+        for field, value in numbers._asdict().items():
+            if not isinstance(value, int) and field != "interval":
+                own = np.asarray(value, dtype=float)
+                changed[field] = own = own * random.uniform(1.01, 1.1, own.shape)
+                theirs = np.broadcast_to(np.asarray(getattr(symbols, field), object), own.shape)
+                marks |= zip(own.ravel().tolist(), theirs.ravel(), strict=True)
+        given.append(numbers._replace(**changed))
+    made, mine = make(*given).parameters, loop.parameters[V.name]
+    found: dict[Any, Any] = {}
+    for field in made._fields:
+        own = np.asarray(getattr(mine, field), dtype=object)
+        theirs = np.broadcast_to(np.asarray(getattr(made, field), dtype=float), own.shape)
+        pairs = zip(own.ravel(), theirs.ravel().tolist(), strict=True)
+        found |= {s: marks[a] for s, a in pairs if a in marks and getattr(s, "is_Symbol", False)}
+    return found
+
+
 Loop = ArrayLoop | SymbolicLoop
 Claim = Callable[[Any], Any]  # what V' should be: loop -> a number of its kind
 WIRED = 3  # functions that a loop has which is read for every N
