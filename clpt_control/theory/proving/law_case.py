@@ -19,7 +19,16 @@ from .array_loop import TIME, array_loop
 from .leaks import Bound, Leaking, delta_bounds, leaks_of, listed, pull_bound
 from .proof import Step, checked, exact, short
 from .running_rate import numbers, running_step
-from .signs import dead_zone, nonpositive, positive_definite, pulled, tidied, vanishes
+from .signs import (
+    MOST_TERMS,
+    dead_zone,
+    nonpositive,
+    positive_definite,
+    pulled,
+    terms_of,
+    tidied,
+    vanishes,
+)
 from .symbolic_loop import (
     SymbolicLoop,
     degree_of,
@@ -128,12 +137,18 @@ class Case:
                 true[s] = sympy.expand(s - error / sympy.diff(error, s))
         return true
 
+    @property
+    def learned(self) -> list[Any]:
+        """The states that make what is learned, which V has to hold."""
+        own, of = set(self.loop.motion), (error.free_symbols for error in self.errors.values())
+        return list(dict.fromkeys(s for one in of for s in sorted(one & own, key=str)))
+
     def definite(self) -> Step:
         """Return the step that V is positive definite, or so beyond dead zones."""
         truth, own = self.truth(), set(self.loop.motion)
         there = dict.fromkeys(self.e, sympy.S.Zero) | dict(list(truth.items())[2:])
         of = [sorted(error.free_symbols & own, key=str) for error in self.errors.values()]
-        learned = list(dict.fromkeys(s for symbols in of for s in symbols))
+        learned = self.learned
         mapped = {
             s[0]: error
             for s, error in zip(of, self.errors.values(), strict=True)
@@ -143,6 +158,8 @@ class Case:
 
         def holds() -> bool:
             V, states = self.V_of_D, [*self.e, *learned]
+            if any(s.name.endswith(".interval") for s in V.free_symbols):
+                return False  # V itself may jump
             return positive_definite(V, states, there, self.values, mapped)
 
         claim = f"V is positive definite in {named} and the parameter errors"
@@ -212,6 +229,8 @@ class Case:
     def falls(self, rest: sympy.Expr) -> bool:
         """Return whether what V' has beyond its fall is known not to be positive."""
         rest = rest.xreplace(self.apart)
+        if terms_of(rest) > MOST_TERMS:
+            return False
         apart = self.moving - {TIME} | rest.free_symbols - set(self.values) - {TIME}
         if rest == 0:
             return True
@@ -258,7 +277,8 @@ class Case:
     @property
     def others(self) -> list[str]:
         """The states that V need not hold: all but e's and what is learned."""
-        return [port for port in self.loop.states if port not in ("x", "z", "alpha", "K", "Gamma")]
+        held, states = {*self.learned, *self.loop.states["z"]}, self.loop.states
+        return [port for port in states if port != "x" and not held & {*states[port].flat}]
 
     def existing(self) -> Step:
         """Return the step that the other states exist for all times."""

@@ -128,7 +128,7 @@ class Pull(NamedTuple):
 
 def tidied(expression: sympy.Expr) -> sympy.Expr:
     """Return an expression multiplied out, cos^2 as 1 - sin^2."""
-    if _terms(expression) > MOST_TERMS:
+    if terms_of(expression) > MOST_TERMS:
         raise DiagramError(f"V' has more than {MOST_TERMS} terms; make the law or its N smaller")
     masked = {e: sympy.Dummy(str(e), positive=True) for e in expression.atoms(sympy.exp)}
     if masked and not any(e.args[0].atoms(sympy.exp) for e in masked):  # else in its denominators
@@ -158,14 +158,14 @@ def tidied(expression: sympy.Expr) -> sympy.Expr:
     return sympy.expand(expression)
 
 
-def _terms(expression: sympy.Expr) -> int:
+def terms_of(expression: sympy.Expr) -> int:
     """Return how many terms there are at most, multiplied out."""
     if expression.is_Add:
-        return sum(map(_terms, expression.args))
+        return sum(map(terms_of, expression.args))
     if expression.is_Mul:
-        return prod(map(_terms, expression.args))
+        return prod(map(terms_of, expression.args))
     if expression.is_Pow and expression.exp.is_Integer and expression.base.is_Add:
-        n, m = _terms(expression.base), abs(int(expression.exp))
+        n, m = terms_of(expression.base), abs(int(expression.exp))
         return comb(n + m - 1, m)
     return 1
 

@@ -21,7 +21,7 @@ from ...errors import DiagramError
 from ...html import facts, fragment
 from ...progress.interrupt import check
 from .law_case import Case
-from .proof import Step, exact, short
+from .proof import Step, cited, exact, short
 from .running_rate import Functions, RunningBlocks, rate_along
 from .symbolic_loop import Draw, Point, SymbolicLoop, degree_of, numbers_at, numeric
 
@@ -233,6 +233,9 @@ def judge(case: Case) -> Verdict:
     claim = f"V' {'=' if case.rest == 0 else '<='} {says}, N = {case.loop.N}{at}"
     left = "" if case.rest == 0 else f"left over: {short(case.rest)}"
     steps = [definite, total, exact(claim, falls, left)]
+    if case.given:
+        said = ", ".join(f"{short(fact, 40)} >= 0" for fact in case.given)
+        steps.append(cited(f"given: {short(said)}", "the one who asks"))
     bound = None
     if definite.holds and not (falls or zones):
         bound = case.bound()

@@ -63,7 +63,7 @@ def decided(expression: sympy.Expr) -> sympy.Expr:
     def done(e: Any) -> Any:
         name = e.func.__name__
         if name == "where" and e.args[0].is_number:
-            return e.args[1] if e.args[0] == 1 else e.args[2]
+            return e.args[1] if e.args[0] != 0 else e.args[2]
         if name in DECIDED and all(a.is_number for a in e.args):
             return DECIDED[name](*e.args)
         if name in YES_OR_NO and any(a.is_number for a in e.args) and all(map(_is_0_or_1, e.args)):

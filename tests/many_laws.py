@@ -1,0 +1,424 @@
+"""A hundred wrong laws and sixty right ones, made of families; a name says what is done.
+
+Each is a law and what else `prove` is given.  A wrong one is wrong for some flow, track or start.
+"""
+
+import numpy as np
+import textbook_laws as book
+from own_laws import GAIN, LEARNED, N, filled, law, leaked, two
+
+from clpt_control.equations import Block
+
+FLOW = {"flow_x": 2}
+TICKS = {"breakpoints": lambda p, t0, t1: np.arange(np.floor(t0) + 1.0, np.floor(t1) + 1.0)}
+SIGNS = {"alpha": (2, N), "K": (2,), "Gamma": (2,)}
+
+
+def changed(change, parameters=GAIN, **ports):
+    """Make the paper's law with its rates changed."""
+
+    def update(t, x, u, p):
+        """Eqs. (21)-(23), changed, section III."""
+        return change(t, x, u, p, filled(u, p.gain, u.e))
+
+    return lambda: law(update, parameters, **ports)
+
+
+def driven(error, **ports):
+    """Make the paper's law with another error than e."""
+    return changed(lambda t, x, u, p, rates: filled(u, p.gain, error(t, x, u, p)), **ports)
+
+
+def scaled(factor, port=None):
+    """Make the paper's law with rates times a factor, of one port or all."""
+
+    def change(t, x, u, p, rates):
+        by = factor(t, x, u)
+        return {name: by * r if port in (None, name) else r for name, r in rates.items()}
+
+    return changed(change)
+
+
+def seen(function):
+    """Make a law with a function of the flow's own prediction error."""
+
+    def change(t, x, u, p, rates):
+        eps = function(u.flow_x + x.alpha @ u.phi_x)
+        return rates | {"alpha": rates["alpha"] - 0.3 * np.outer(eps, u.phi_x)}
+
+    return changed(change, more=FLOW)
+
+
+def leak(share, ports=LEARNED):
+    """Make a law with a leak."""
+    return changed(lambda t, x, u, p, r: leaked(x, r, share(t, x, u), ports))
+
+
+def by_matrix(M):
+    """Make a law with a matrix over the functions."""
+    return changed(
+        lambda t, x, u, p, r: r | {"alpha": -np.outer(u.e, np.array(M) @ u.phi_x)},
+    )
+
+
+def mapped(function):
+    """Make a law whose alpha is made of a state."""
+    more = book.through(lambda x, u, p: function(x.s, u))
+    return lambda: law(book.behind, GAIN, **more)
+
+
+def jumping(jump):
+    """Make the paper's law with a jump at every whole time."""
+
+    def at(t, x, u, p):
+        """What is learned, changed, section III."""
+        return {port: getattr(x, port) for port in LEARNED} | jump(t, x, u)
+
+    return changed(lambda t, x, u, p, r: r, GAIN | {"interval": -1.0}, jump=at, **TICKS)
+
+
+def with_state(rate, alpha=lambda x, r: r, size=1):
+    """Make the paper's law with a state of its own."""
+
+    def change(t, x, u, p, rates):
+        return alpha(x, rates) | {"s": rate(x, u)}
+
+    return changed(change, states={**LEARNED, "s": size})
+
+
+def flip(port, index):
+    """Make the paper's law with one sign turned."""
+    turned = np.ones(SIGNS[port])
+    turned[index] = -1.0
+    return changed(lambda t, x, u, p, r: r | {port: turned * r[port]})
+
+
+def V_of(level, **parameters):
+    """Make V of a level of u and the truth."""
+
+    def make(truth):
+        return Block(
+            "level",
+            output=lambda t, x, u, p: {"V": level(t, u, p)},
+            inputs={"e": 2, **LEARNED},
+            outputs={"V": 1},
+            parameters={**GAIN, **truth._asdict(), **parameters},
+            shapes={"theta": (2, "N")},
+        )
+
+    return {"V": make}
+
+
+def off(u, p):
+    """The squares of all errors of what is learned."""
+    flow = np.sum((p.theta + u.alpha) ** 2)
+    return flow + np.sum((u.K - p.KD) ** 2) + np.sum((u.Gamma - p.GammaD) ** 2)
+
+
+turned = changed(lambda t, x, u, p, r: {port: -own for port, own in r.items()})
+EYE = np.eye(2)
+WRONG = {  # name -> (law, what else is given)
+    **{
+        f"sign of {port} at {index}": (flip(port, index), {})
+        for port, shape in SIGNS.items()
+        for index in np.ndindex(shape)
+    },
+    "axes swapped in all": (driven(lambda t, x, u, p: u.e[::-1]), {}),
+    **{
+        f"axes swapped in {port}": (
+            changed(lambda t, x, u, p, r, port=port: r | {port: r[port][::-1]}),
+            {},
+        )
+        for port in LEARNED
+    },
+    "the mean of e": (driven(lambda t, x, u, p: 0 * u.e + np.sum(u.e) / 2), {}),
+    "the difference of e": (driven(lambda t, x, u, p: u.e - u.e[::-1] * 2), {}),
+    **{
+        f"{name} in place of e": (driven(lambda t, x, u, p, f=f: f(u.e)), {})
+        for name, f in {
+            "-tanh(e)": lambda e: -np.tanh(e),
+            "sin(e)": np.sin,
+            "e - e^3": lambda e: e - e**3,
+            "|e|": np.abs,
+            "e^2": lambda e: e**2,
+            "max(e, 0)": lambda e: np.maximum(e, 0),
+            "clip(e, 0.1, 1)": lambda e: np.clip(e, 0.1, 1),
+            "e + 0.1": lambda e: e + 0.1,
+            "e exp(-e^2)": lambda e: -e * np.exp(-(e**2)),
+        }.items()
+    },
+    **{
+        f"a gain times {name}": (scaled(f), {})
+        for name, f in {
+            "cos t": lambda t, x, u: np.cos(t),
+            "1 - t/50": lambda t, x, u: 1 - t / 50,
+            "exp(-t)": lambda t, x, u: np.exp(-t),
+            "1/(1 + t)": lambda t, x, u: 1 / (1 + t),
+            "0.5 + sin t": lambda t, x, u: 0.5 + np.sin(t),
+            "sign of z": lambda t, x, u: np.sign(u.z[0]),
+            "sign of alpha": lambda t, x, u: np.sign(x.alpha[0, 0]),
+            "1 - |e|^2": lambda t, x, u: 1 - u.e @ u.e,
+            "-1 where |e| > 5": lambda t, x, u: np.where(u.e @ u.e > 25, -1.0, 1.0),
+            "-1 where |alpha| > 10": lambda t, x, u: np.where(
+                np.abs(x.alpha[0, 0]) > 10, -1.0, 1.0
+            ),
+            "-1 where zc > 4": lambda t, x, u: np.where(u.zc[0] > 4, -1.0, 1.0),
+            "-1 where phi < 0.1": lambda t, x, u: np.where(u.phi_x[0] < 0.1, -1.0, 1.0),
+            "-1 after 100": lambda t, x, u: np.where(t > 100, -1.0, 1.0),
+            "-1 after 1e4": lambda t, x, u: np.where(t > 1e4, -1.0, 1.0),
+            "-1 in a ring": lambda t, x, u: np.where((u.e[0] > 2) & (u.e[0] < 3), -1.0, 1.0),
+            "0 where e > 0": lambda t, x, u: np.where(u.e[0] > 0, 0.0, 1.0),
+            "alpha": lambda t, x, u: x.alpha[0, 0],
+            "tanh(K)": lambda t, x, u: np.tanh(x.K[0]),
+            "clip(alpha, -1, 1)": lambda t, x, u: np.clip(x.alpha[0, 0], -1, 1),
+        }.items()
+    },
+    **{
+        f"{port} learned backwards where e is large": (
+            scaled(lambda t, x, u: np.where(np.abs(u.e) > 1, -1.0, 1.0), port),
+            {},
+        )
+        for port in ("K", "Gamma")
+    },
+    **{
+        f"{name} of eps": (seen(f), {})
+        for name, f in {
+            "-tanh": lambda s: -np.tanh(s),
+            "sin": np.sin,
+            "cos": np.cos,
+            "|eps|": np.abs,
+            "eps - eps^3": lambda s: s - s**3,
+            "clip(0.1, 1)": lambda s: np.clip(s, 0.1, 1),
+            "-sign beyond 1": lambda s: np.where(np.abs(s) > 1, -s, s),
+            "eps swapped": lambda s: s[::-1],
+            "max(eps, -eps)": lambda s: np.maximum(s, -s),
+            "a step": lambda s: np.where(s > 0, 1.0, 0.5),
+        }.items()
+    },
+    **{
+        f"a leak {name}": (leak(f), {})
+        for name, f in {
+            "-0.1": lambda t, x, u: -0.1,
+            "0.05 + 0.1 sin t turned": lambda t, x, u: -0.05 - 0.1 * np.sin(t),
+            "of |alpha| - 3, turned": lambda t, x, u: 0.1 * (3 - np.sum(x.alpha**2)),
+            "alpha, any sign": lambda t, x, u: 0.1 * x.alpha[0, 0],
+            "-|e|": lambda t, x, u: -0.1 * np.hypot(u.e[0], u.e[1]),
+            "-|e|^2": lambda t, x, u: -0.1 * u.e @ u.e,
+            "where e > 0, turned": lambda t, x, u: np.where(u.e[0] > 0, -0.1, 0.1),
+        }.items()
+    },
+    "pushed": (changed(lambda t, x, u, p, r: r | {"K": r["K"] + 0.01}), {}),
+    "pushed by time": (changed(lambda t, x, u, p, r: r | {"K": r["K"] + np.sin(t)}), {}),
+    "pushed by z": (changed(lambda t, x, u, p, r: r | {"Gamma": r["Gamma"] + 0.1 * u.z}), {}),
+    "K by the other z": (
+        changed(lambda t, x, u, p, r: r | {"K": -p.gain * u.z[::-1] * u.e}),
+        {},
+    ),
+    "Gamma by z": (changed(lambda t, x, u, p, r: r | {"Gamma": p.gain * u.z * u.e}), {}),
+    "alpha by phi^2": (
+        changed(lambda t, x, u, p, r: r | {"alpha": -p.gain * np.outer(u.e, u.phi_x**2)}),
+        {},
+    ),
+    "alpha by phi turned round": (
+        changed(lambda t, x, u, p, r: r | {"alpha": -p.gain * np.outer(u.e, u.phi_x[::-1])}),
+        {},
+    ),
+    "alpha by phi(z)": (
+        changed(
+            lambda t, x, u, p, r: r | {"alpha": -p.gain * np.outer(u.e, u.phi_z)},
+            more={"phi_z": "N"},
+        ),
+        {},
+    ),
+    **{
+        f"a matrix {name}": (by_matrix(M), {})
+        for name, M in {
+            "indefinite": [[1.0, 2.0], [2.0, 1.0]],
+            "turned": [[-1.0, 0.0], [0.0, 1.0]],
+            "of a rotation": [[0.0, 1.0], [-1.0, 0.0]],
+            "singular": [[1.0, 1.0], [1.0, 1.0]],
+            "not symmetric": [[1.0, 3.0], [0.0, 1.0]],
+        }.items()
+    },
+    **{
+        f"alpha = {name}": (mapped(f), {})
+        for name, f in {
+            "-2 s": lambda s, u: -2 * s,
+            "s^2": lambda s, u: s**2,
+            "sin s": lambda s, u: np.sin(s),
+            "-s - s^3": lambda s, u: -s - s**3,
+            "s + e phi": lambda s, u: s + np.outer(u.e, u.phi_x),
+        }.items()
+    },
+    "alpha = tanh s": (
+        mapped(lambda s, u: np.tanh(s)),
+        {"V": book.of_state(lambda s, p: p.theta * s + np.log(np.cosh(s)))},
+    ),
+    **{
+        f"jumps: {name}": (jumping(f), {})
+        for name, f in {
+            "all turned": lambda t, x, u: {port: -getattr(x, port) for port in LEARNED},
+            "twice": lambda t, x, u: {"alpha": 2 * x.alpha},
+            "one more": lambda t, x, u: {"K": x.K + 1},
+            "axes swapped": lambda t, x, u: {"K": x.K[::-1]},
+            "by e": lambda t, x, u: {"Gamma": x.Gamma + u.e},
+            "turned where large": lambda t, x, u: {"K": np.where(x.K > 3, -x.K, x.K)},
+            "forgotten": lambda t, x, u: {"alpha": 0.0 * x.alpha},
+        }.items()
+    },
+    **{
+        f"a state {name}": (with_state(f, size=size), {})
+        for name, size, f in (
+            ("s' = s^2 + e", 1, lambda x, u: x.s**2 + u.e[0]),
+            ("s' = s |s|", 1, lambda x, u: x.s * np.abs(x.s)),
+            ("s' = exp(s)", 1, lambda x, u: np.exp(np.clip(x.s, -9, 9)) * x.s**2),
+            ("s' = s_2^2, s_2' = s_1", 2, lambda x, u: np.array([x.s[1] ** 2, x.s[0]])),
+            ("s' = s_1 s_2", 2, lambda x, u: x.s[0] * x.s[1] * np.ones(2)),
+            ("s' = K s", 1, lambda x, u: x.s * x.s * np.tanh(x.K[0])),
+        )
+    },
+    "alpha is driven by a state": (
+        with_state(lambda x, u: x.s, lambda x, r: r | {"K": r["K"] + x.s}),
+        {},
+    ),
+    "alpha is driven by a filter": (
+        with_state(lambda x, u: u.e[0] - x.s, lambda x, r: r | {"K": r["K"] + x.s}),
+        {},
+    ),
+    "a tiny gain of e, then a large one": (
+        driven(lambda t, x, u, p: (u.e * 1e-200) * 1e-200),
+        {},
+    ),
+    "e to the 41st, turned": (driven(lambda t, x, u, p: -(u.e**41)), {}),
+    "wrong from N = 8 on": (
+        lambda: law(
+            lambda t, x, u, p: {
+                port: own * (np.where(np.arange(len(u.phi_x)) == 7, -1.0, 1.0) if k == 0 else 1.0)
+                for k, (port, own) in enumerate(filled(u, p.gain, u.e).items())
+            },
+            GAIN,
+            n=8,
+        ),
+        {},
+    ),
+    "turned, V turned": (turned, V_of(lambda t, u, p: u.e @ u.e / 2 - off(u, p))),
+    "turned, V without an end": (turned, V_of(lambda t, u, p: u.e @ u.e / (1 + u.e @ u.e))),
+    "turned, V of e alone": (turned, V_of(lambda t, u, p: u.e @ u.e / 2)),
+    "turned, V = 0": (turned, V_of(lambda t, u, p: 0.0 * u.e[0])),
+    "turned, V = -V": (turned, V_of(lambda t, u, p: -u.e @ u.e / 2 - off(u, p))),
+    "turned, V fades": (turned, V_of(lambda t, u, p: np.exp(-t) * (u.e @ u.e + off(u, p)))),
+    "e alone, V of e to 1": (
+        scaled(lambda t, x, u: 0.0),
+        V_of(lambda t, u, p: np.minimum(u.e @ u.e, 1.0)),
+    ),
+    "nothing learned, V without K": (
+        scaled(lambda t, x, u: 0.0, "K"),
+        V_of(lambda t, u, p: u.e @ u.e / 2 + np.sum((p.theta + u.alpha) ** 2)),
+    ),
+    "sign(e), V = |e|": (
+        driven(lambda t, x, u, p: -np.sign(u.e)),
+        V_of(lambda t, u, p: np.sum(np.abs(u.e)) + off(u, p)),
+    ),
+    "a box left outward": (
+        changed(
+            lambda t, x, u, p, r: (
+                r | {"alpha": np.where((x.alpha >= 2) & (r["alpha"] < 0), 0.0, r["alpha"])}
+            )
+        ),
+        {"given": lambda s, p, truth: [*np.ravel(2 - truth.theta), *np.ravel(2 + truth.theta)]},
+    ),
+    "a box too small": (
+        lambda: law(book.in_a_box, two(2.0)),
+        {"given": lambda s, p, truth: [*np.ravel(3 - truth.theta), *np.ravel(3 + truth.theta)]},
+    ),
+    "a falling gain, V with it": (
+        scaled(lambda t, x, u: 1 + np.exp(-t)),
+        V_of(lambda t, u, p: u.e @ u.e / 2 + off(u, p) / (1 + np.exp(-t))),
+    ),
+}
+
+
+def each(t, x, u, p):
+    """A gain each, section III."""
+    rates = filled(u, 1.0, u.e)
+    return {port: p.gains[k] * rates[port] for k, port in enumerate(LEARNED)}
+
+
+SMOOTH = {
+    "arctan": np.arctan,
+    "arcsinh": np.arcsinh,
+    "a dead zone": lambda s: s - np.clip(s, -0.3, 0.3),
+    "max(s, 0) + min(s, 0)/2": lambda s: np.maximum(s, 0) + np.minimum(s, 0) / 2,
+    "s |s|": lambda s: s * np.abs(s),
+    "s^5": lambda s: s**5,
+    "where": lambda s: np.where(s > 1, 2 * s, s),
+    "clip in tanh": lambda s: np.tanh(np.clip(s, -1, 1)),
+    "s/(1 + s^2)": lambda s: s / (1 + s**2),
+    "s exp(-s^2)": lambda s: s * np.exp(-(s**2)),
+}
+RIGHT = {
+    **{name: (make, more) for name, (make, more, _) in book.LAWS.items()},
+    **{f"{name} of eps": (seen(f), {}) for name, f in SMOOTH.items()},
+    **{
+        f"a leak {name}": (leak(f), {})
+        for name, f in {
+            "2 + sin t": lambda t, x, u: 0.1 * (2 + np.sin(t)),
+            "1 + exp(-t)": lambda t, x, u: 0.1 * (1 + np.exp(-t)),
+            "clip of |alpha|": lambda t, x, u: 0.1 * np.clip(np.linalg.norm(x.alpha) - 1, 0, 1),
+            "of |e|": lambda t, x, u: 0.1 * np.hypot(u.e[0], u.e[1]),
+            "0": lambda t, x, u: 0.0,
+            "1/(1 + t)": lambda t, x, u: 0.1 / (1 + t),
+        }.items()
+    },
+    **{
+        f"gains {gains}": (lambda gains=gains: law(each, {"gains": np.array(gains)}), {})
+        for gains in ([0.1, 2.0, 0.3], [1e-3, 1.0, 1e3], [5.0, 5.0, 5.0])
+    },
+    **{
+        f"a matrix {M}": (by_matrix(M), {})
+        for M in ([[1.0, 0.5], [0.5, 1.0]], [[3.0, -1.0], [-1.0, 1.0]], [[0.1, 0.0], [0.0, 9.0]])
+    },
+    **{
+        f"alpha = {name}": (mapped(f), {})
+        for name, f in {
+            "0.1 s": lambda s, u: 0.1 * s,
+            "s + 1": lambda s, u: s + 1,
+            "s of two sizes": lambda s, u: np.array([[1.0, 2.0], [3.0, 4.0]]) * s,
+        }.items()
+    },
+    **{
+        f"jumps: {name}": (jumping(f), {})
+        for name, f in {
+            "nothing": lambda t, x, u: {},
+            "half": lambda t, x, u: {"alpha": 0.5 * x.alpha},
+            "into a box": lambda t, x, u: {"alpha": np.clip(x.alpha, -9, 9)},
+        }.items()
+    },
+    **{
+        f"a state {name}": (with_state(f), {})
+        for name, f in {
+            "s' = -s + e": lambda x, u: u.e[0] - x.s,
+            "s' = sin s": lambda x, u: np.sin(x.s),
+            "s' = s": lambda x, u: x.s,
+            "s' = -s^3": lambda x, u: -(x.s**3),
+        }.items()
+    },
+    "V twice": (lambda: law(book.matrix_gain, {**GAIN, "M": EYE}), {}),
+    "e + 2 e": (driven(lambda t, x, u, p: 3 * u.e), {}),
+    "sinh of e": (
+        driven(lambda t, x, u, p: np.sinh(np.clip(u.e, -5, 5))),
+        {},
+    ),
+    "a sum of all gains": (
+        changed(lambda t, x, u, p, r: {port: (1 + 0.1 * 5) * own for port, own in r.items()}),
+        {},
+    ),
+    "V of Eq. (24)": (
+        changed(lambda t, x, u, p, r: r),
+        V_of(lambda t, u, p: u.e @ u.e / 2 + off(u, p) / (2 * p.gain)),
+    ),
+    "V three times": (
+        changed(lambda t, x, u, p, r: r),
+        V_of(lambda t, u, p: 3 * (u.e @ u.e / 2 + off(u, p) / (2 * p.gain))),
+    ),
+}
