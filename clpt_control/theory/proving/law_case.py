@@ -79,7 +79,8 @@ class Case:
         self.moving = {TIME, *loop.motion}
         self.kept: tuple[str, ...] = ()
         V = loop.signals["V"][0].xreplace(weights)
-        if V.free_symbols & set(flat(loop.parameters[self.V.name])):  # numbers of its own
+        alone = set(flat(loop.parameters[self.V.name])) - set(flat(loop.parameters[law.name]))
+        if V.free_symbols & alone & self.values.keys():  # V has numbers of its own
             self.keep()
         self.Vs = V.xreplace(self.weights)
         self.e = sympy.symbols("e_1:3", real=True)
@@ -307,7 +308,8 @@ class Case:
         known: dict[str, Any] = {"seed": self.seed, "tied": self.tied, "kept": self.kept}
         V = self.loop.signals["V"][0]
         if degree_of(self.loop) <= EXACT and not V.has(TIME):
-            fall = self.fall + self.rest
+            square = sum(e**2 for e in self.loop.signals["e"])  # multiplied out it loses digits
+            fall = self.fall + self.rest.xreplace({sympy.expand(square): square})
             return running_step(lambda: (self.diagram, self.loop, fall), self.points, **known)
         wanted = [V, *self.loop.motion.values()]
         return running_step(

@@ -34,14 +34,11 @@ CLIP = sympy.Function("clip", real=True)
 GT = sympy.Function("gt", real=True)
 SIGN = sympy.Function("sign", real=True)
 WHERE = sympy.Function("where", real=True)
-COMPARED: dict[str, Callable[..., bool]] = {"gt": gt, "ge": ge, "lt": lt, "le": le}
-DECIDED: dict[str, Callable[..., Any]] = {  # carried out where their arguments are known
+COMPARED: dict[str, Callable[..., Any]] = {"gt": gt, "ge": ge, "lt": lt, "le": le}
+DECIDED: dict[str, Callable[..., Any]] = {  # carried out where their arguments are numbers
     "mod": lambda a, b: a % b,
     "clip": lambda a, low, high: sympy.Min(sympy.Max(a, low), high),
     **{"maximum": sympy.Max, "minimum": sympy.Min, "sign": sympy.sign},
-    **{
-        name: lambda a, b, ask=ask: sympy.Integer(bool(ask(a, b))) for name, ask in COMPARED.items()
-    },
 }
 YES_OR_NO: dict[str, Callable[..., Any]] = {
     "and_": lambda a, b: a * b,
@@ -64,6 +61,8 @@ def decided(expression: sympy.Expr) -> sympy.Expr:
         name = e.func.__name__
         if name == "where" and e.args[0].is_number:
             return e.args[1] if e.args[0] != 0 else e.args[2]
+        if name in COMPARED and COMPARED[name](*e.args) in (True, False):
+            return sympy.Integer(bool(COMPARED[name](*e.args)))
         if name in DECIDED and all(a.is_number for a in e.args):
             return DECIDED[name](*e.args)
         if name in YES_OR_NO and any(a.is_number for a in e.args) and all(map(_is_0_or_1, e.args)):
