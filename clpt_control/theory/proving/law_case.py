@@ -216,7 +216,9 @@ class Case:
         loop = self.disturbed
         rate = loop.derivative(loop.signals["V"][0]).xreplace(self.weights)
         V, delta = self.Vs.xreplace(self.apart), zip(self.e, loop.inputs["delta"], strict=True)
-        pushed = sympy.Add(*(along(V, {e: sympy.S.One}) * d for e, d in delta)).xreplace(self.together)
+        pushed = sympy.Add(*(along(V, {e: sympy.S.One}) * d for e, d in delta)).xreplace(
+            self.together
+        )
         return tidied(rate - self.rate - pushed) == 0
 
     def keeps_decay(self) -> bool:
