@@ -145,20 +145,34 @@ def prove(
         With outputs alpha[2N], K[2], Gamma[2] and inputs among the diagram's ports, such
         as e[2], phi_x[N], z[2], zc[2]; or a `closed_loop` with such a law, and nothing else of
         your own.
-    V : Block, optional
-        A candidate with the output V[1]; by default Eq. (24), each error weighed by the
-        gain with which the law adapts it.
+    V : Block or callable, optional
+        A candidate with the output V[1], or ``V(truth)`` or ``V(truth, parameters)`` that makes
+        one of the truth, theta, KD and GammaD, and of the law's parameters; what it holds of
+        them is their symbol. By default Eq. (24), each error weighed by the gain with which the
+        law adapts it, or by the inverse of a matrix of gains.
     points : int, optional
         Random points at which the running blocks are called.
     seed : int, optional
         Of the random points.
+    given : callable, optional
+        ``given(states, parameters, truth)``, a list of what is not negative: the verdict holds
+        where that is so.
+    keeps : callable, optional
+        ``keeps(states, parameters, truth)``, state -> what it is in the others, where they begin
+        so; V' is then -e^T KD e less `losses`, and V has to be given.
+    cones : sequence of str, optional
+        States that are matrices, symmetric and not negative.
+    losses : callable, optional
+        ``losses(states, parameters, truth)``, what V' loses: products, tuples of factors that are
+        not negative.
 
     Returns
     -------
     Verdict
         `status`: ``"proved"``, ``"bounded"``, ``"refuted"`` or ``"open"``; `residual`, what V'
-        has beyond -e^T KD e; `point`, where V' > 0; and the `steps` that were tried. A law whose
-        states jump is only ``"proved between jumps"`` where V may rise at a jump.
+        has beyond its fall; `point`, where V' > 0; and the `steps` that were tried. A law whose
+        states jump is ``"refuted at a jump"`` where V rises there, however far off, and only
+        ``"proved between jumps"`` where nothing is known of V there.
 
     Raises
     ------

@@ -149,14 +149,15 @@ class Verdict:
     Attributes
     ----------
     status : str
-        ``"proved"``: V' <= -e^T KD e; ``"bounded"``: V' <= -e^T KD e + a bounded term;
-        ``"refuted"``: the running blocks give V' > 0 at `point`, however far from the
+        ``"proved"``: V' <= -e^T KD e, or -sum KD_i e_i dV/de_i, or half of it; ``"bounded"``:
+        the same and a bounded term, or e comes to dead zones of V; ``"refuted"``: the running
+        blocks give V' > 0 at `point`, however far from the
         truth; ``"open"``: none of these is known. ``"proved between jumps"`` and ``"bounded
         between jumps"`` where states jump, and V is not known not to rise there; ``"refuted at a
         jump"`` where the running blocks' V rises from `point`, right before it, to `after`;
         ``"proved as long as s exist"`` where a state that V does not hold may grow without end.
     residual : sympy.Expr
-        V' + e^T KD e, multiplied out.
+        V' less its fall, V' + e^T KD e, multiplied out.
     steps : tuple of Step
         What was tried.
     diagram : Diagram
