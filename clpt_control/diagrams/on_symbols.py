@@ -264,6 +264,7 @@ class Names:
         if is_linear(node.system) or not np.isfinite(number):
             return exact(number)
         sign = "positive" if number > 0 else "negative" if number < 0 else "real"
+        sign = "real" if own == "interval" else sign  # its own value, -1, says that it is counted
         name = called(self.port(node, own, "parameter"), value.shape, index)
         return sympy.Symbol(name, **{sign: True})
 

@@ -7,7 +7,7 @@ negative (`squares`), V' <= 0 by the signs of `proving`.  What is not shown is o
 is refuted by a point, at which python-control itself gives the rates.
 """
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property, partial
@@ -19,7 +19,7 @@ import numpy as np
 import sympy
 from sympy.core.function import AppliedUndef
 
-from ..arguments import Seed, public
+from ..arguments import Seed, check_holds, numbers, public
 from ..diagrams.on_symbols import TIME, Equations, called, readable_equations
 from ..equations.block import Block
 from ..equations.symbolic import expressions
@@ -165,17 +165,16 @@ class _Case:
             found = found.subs(s, known[s.name])
         return found
 
-    def place(self, at: Any) -> dict[sympy.Symbol, sympy.Expr]:
-        """Return each state's value at a rest: of a mapping by name, or of all in order."""
+    def place(self, at: Mapping[str, float] | Sequence[float]) -> dict[Any, sympy.Expr]:
+        """Return each state's value at a rest, pi where a number is that."""
         if not isinstance(at, Mapping):
-            at = dict(zip(map(str, self.states), np.ravel(at), strict=True))
-        found = {s: sympy.Integer(0) for s in self.states}
+            own = numbers("at", at, len(self.states))
+            at = dict(zip(map(str, self.states), own, strict=True))
+        found = dict.fromkeys(self.states, sympy.Integer(0))
+        names = {str(s): s for s in self.states}
+        check_holds("at", names, at, f"states are {', '.join(names)}")
         for name, value in at.items():
-            own = np.ravel(self.eq[name])
-            numbers = np.broadcast_to(np.asarray(value, dtype=object), own.shape)
-            for s, number in zip(own, numbers, strict=True):
-                exact_pi = isinstance(number, float) and not float(number).is_integer()
-                found[s] = sympy.nsimplify(number, [sympy.pi] if exact_pi else [])
+            found[names[name]] = sympy.nsimplify(float(value), [sympy.pi])
         return found
 
     # --- V --------------------------------------------------------------------------------
@@ -341,13 +340,15 @@ class _Case:
     def held_by(self, form: sympy.Expr, left: list[Any]) -> dict[Any, sympy.Expr] | None:
         """Return the one state of these that a form holds, as an expression of the others."""
         own = [s for s in left if form.has(s)]
-        if len(own) != 1:
+        if len(own) != 1 or not form.is_polynomial(*own):
             return None
-        (s,) = own
-        a = sympy.diff(form, s)
+        (s,), held = own, sympy.Dummy("held", real=True)
+        a, *rest = sympy.Poly(form, s).all_coeffs()
         if vanishes(a) or a.free_symbols - self.fixed:
             return None
-        return {s: (sympy.Dummy("held", real=True) - form.xreplace({s: sympy.Integer(0)})) / a}
+        if len(rest) > 1:  # of higher degree it holds s where nothing else in it moves freely
+            return None if form.free_symbols & {*self.states} - {s} else {s: held}
+        return {s: (held - rest[0]) / a}
 
     # --- points ---------------------------------------------------------------------------
 
@@ -583,9 +584,9 @@ def missing(V: sympy.Expr) -> list[str]:
 @public
 def lyapunov(
     system: control.NonlinearIOSystem,
-    V: Any,
-    claim: Any = None,
-    at: Any = None,
+    V: str | Callable | sympy.Expr,
+    claim: str | Callable | sympy.Expr | float | None = None,
+    at: Mapping[str, float] | Sequence[float] | None = None,
     points: int = 200,
     seed: Seed = 0,
 ) -> Lyapunov:
@@ -601,8 +602,8 @@ def lyapunov(
     claim : str, callable or sympy.Expr, optional
         What V' is said to be, ``lambda s: -s.am * s.e**2``; that V' <= 0 is judged in any case.
     at : mapping or array_like, optional
-        The rest state, ``{"theta": np.pi}``: where V is to be least. By default V may be least
-        anywhere.
+        The rest state, ``{"theta": np.pi}``, other states 0: where V is to be least. By default V
+        may be least anywhere.
     points : int, optional
         Random points at which the running blocks are asked.
     seed : int, optional

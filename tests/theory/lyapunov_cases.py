@@ -172,6 +172,17 @@ def memory(factor):
     )
 
 
+def counting(rate):
+    """A gain that depends on which interval between breakpoints it is."""
+    return clpt.Block(
+        "counting",
+        update=lambda t, x, u, p: {"x": rate(p.interval) * x.x},
+        states={"x": 1},
+        parameters={"interval": -1.0},
+        breakpoints=lambda p, t0, t1: np.arange(np.floor(t0) + 1, np.floor(t1) + 1),
+    )
+
+
 def half(s):
     return s.x**2 / 2
 
@@ -242,6 +253,11 @@ RIGHT = {  # name -> system, V, more
     "a rest elsewhere": (of(lambda o: 3.0 - o["x"]), lambda s: (s.x - 3) ** 2, {"at": {"x": 3.0}}),
     "a jump that halves": (memory(0.5), lambda s: s.m**2, {}),
     "a jump that turns": (memory(-1.0), lambda s: s.m**2, {}),
+    "two wells": (
+        of(lambda o: o["y"], lambda o: o["x"] - o["x"] ** 3 - o["y"]),
+        lambda s: s.y**2 / 2 + (s.x**2 - 1) ** 2 / 4,
+        {},
+    ),
     "no force": (of(lambda o: o["y"], lambda o: -o["x"]), halves, {}),
 }
 WRONG = {
@@ -312,6 +328,7 @@ WRONG = {
     "a gain that turns a little": (of(lambda o: -(1 + 1.01 * np.sin(o["t"])) * o["x"]), half, {}),
     "a gain that turns at 5": (of(lambda o: -(5 - o["t"]) * o["x"]), half, {}),
     "a gain that turns at 900": (of(lambda o: -(900 - o["t"]) * o["x"]), half, {}),
+    "a gain that turns at the fifth breakpoint": (counting(lambda k: k - 5), half, {}),
     "wrong in a small region": (
         of(lambda o: -o["x"] * ((o["x"] - 1) ** 2 - 1e-3)),
         half,
