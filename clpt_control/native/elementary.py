@@ -16,7 +16,7 @@ it an angle means nothing and gives NaN, in every reading.
 """
 
 from collections.abc import Callable
-from functools import partial
+from functools import partial, reduce
 from math import inf, nan
 from typing import Any
 
@@ -30,6 +30,17 @@ LOG2_E, LOG2_E_LOW = 1.4426950408889634, 2.0355273740931033e-17
 LOG10_E, LOG10_E_LOW = 0.4342944819032518, 1.098319650216765e-17
 TINY = 2.2250738585072014e-308
 
+# coefficients of the highest power first
+LOG = (
+    *(0.14616721179861816, 0.15331699633543858, 0.18182889786191042, 0.2222221112572281),
+    *(0.28571428626031065, 0.3999999999989938, 0.666666666666667),
+)
+ATAN = (
+    *(0.016282993238924487, -0.034568068014968874, 0.0455149623749493, -0.052304330074828924),
+    *(0.05878926110528101, -0.06666424634599337, 0.07692296361048218, -0.09090908753017178),
+    *(0.11111111105145725, -0.14285714285659729, 0.19999999999999804, -0.3333333333333333),
+)
+
 # --- primitives -----------------------------------------------------------------------------
 
 fma, copysign = partial(elementwise, "fma"), partial(elementwise, "copysign")
@@ -37,6 +48,10 @@ round_down = partial(elementwise, "round_down")  # to the largest whole number n
 round_to_zero = partial(elementwise, "round_to_zero")
 times_power_of_two = partial(elementwise, "times_power_of_two")
 turned_where_odd = partial(elementwise, "turned_where_odd")
+
+
+def _polynomial(z, coefficients):
+    return reduce(lambda q, c: fma(z, q, c), coefficients)
 
 
 def power_of_two(k):
@@ -81,18 +96,15 @@ def expm1(a):
 
 
 def _split_log(a):
-    """Return (k, log m) of a normal a > 0."""
-    k = elementwise("exponent", a) - float(2**52 + 1023)
+    """Return (k, log m), the latter in two parts, of a > 0."""
+    small = a < TINY
+    a = where(small, a * 18014398509481984.0, a)  # into the normal numbers
+    k = elementwise("exponent", a) - float(2**52 + 1023) + where(small, -54.0, 0.0)
     m = elementwise("fraction", a)
     f = m - 1.0
     s = f / (2.0 + f)
     z = s * s
-    q = fma(z, 0.14616721179861816, 0.15331699633543858)
-    q = fma(z, q, 0.18182889786191042)
-    q = fma(z, q, 0.2222221112572281)
-    q = fma(z, q, 0.28571428626031065)
-    q = fma(z, q, 0.3999999999989938)
-    q = fma(z, q, 0.666666666666667)
+    q = _polynomial(z, LOG)
     # log m = f - (f^2/2 - s (f^2/2 + z q)): only small terms are rounded
     half = 0.5 * f * f
     return k, f, half - s * fma(z, q, half)
@@ -105,26 +117,17 @@ def _where_log_is(a, value):
     return where(a >= 0.0, value, nan)
 
 
-def _normal(a):
-    """Return (a, shift), multiplied into the normal numbers by 2^-shift."""
-    small = a < TINY
-    return where(small, a * 18014398509481984.0, a), where(small, -54.0, 0.0)
-
-
 def log(a):
     """Return the natural logarithm."""
-    scaled, shift = _normal(a)
-    k, f, less = _split_log(scaled)
-    k = k + shift
+    k, f, less = _split_log(a)
     return _where_log_is(a, fma(k, LN2, f - fma(-k, LN2_LOW, less)))
 
 
 def log2(a):
     """Return the logarithm to base 2, exact for powers of two."""
-    scaled, shift = _normal(a)
-    k, f, less = _split_log(scaled)
+    k, f, less = _split_log(a)
     m = f - less
-    return _where_log_is(a, k + shift + fma(m, LOG2_E, m * LOG2_E_LOW))
+    return _where_log_is(a, k + fma(m, LOG2_E, m * LOG2_E_LOW))
 
 
 def log10(a):
@@ -141,10 +144,8 @@ def log1p(a):
 
 
 def _precise_log(a):
-    """Return (log a, what its rounding left out) of a normal a > 0."""
-    scaled, shift = _normal(a)
-    k, f, less = _split_log(scaled)
-    k = k + shift
+    """Return (log a, what its rounding left out)."""
+    k, f, less = _split_log(a)
     whole = k * LN2
     high = whole + f
     dropped = where(k == 0.0, 0.0, f - (high - whole)) + fma(k, LN2, -whole)
@@ -282,17 +283,7 @@ def atan2(b, a):
     ratio = where(corner | ((up == 0.0) & (right == 0.0)), 0.0, ratio)
     base = where(corner, 0.5 * HALF_PI, base)
     z = ratio * ratio
-    q = fma(z, 0.016282993238924487, -0.034568068014968874)
-    q = fma(z, q, 0.0455149623749493)
-    q = fma(z, q, -0.052304330074828924)
-    q = fma(z, q, 0.05878926110528101)
-    q = fma(z, q, -0.06666424634599337)
-    q = fma(z, q, 0.07692296361048218)
-    q = fma(z, q, -0.09090908753017178)
-    q = fma(z, q, 0.11111111105145725)
-    q = fma(z, q, -0.14285714285659729)
-    q = fma(z, q, 0.19999999999999804)
-    q = fma(z, q, -0.3333333333333333)
+    q = _polynomial(z, ATAN)
     left = copysign(1.0, a) < 0.0  # of -0.0 too
     # pi - angle, with the parts of pi that double precision cuts off
     base = where(left, 2.0 * HALF_PI - base, base)

@@ -84,9 +84,7 @@ def _ordered(reach: np.ndarray) -> tuple[np.ndarray, int, int]:
     found = []
     for places in (own, moved):
         below = places[rows] - places[columns]
-        found.append(
-            (places, int(max(below.max(initial=0), 0)), int(max(-below.min(initial=0), 0)))
-        )
+        found.append((places, int(below.max(initial=0)), int(-below.min(initial=0))))
     return min(found, key=lambda one: one[1] * (one[1] + one[2]))
 
 

@@ -64,8 +64,7 @@ class Layout:
 def lay_out(wiring: Wiring, parameters: Sequence[Any]) -> Layout:
     """Return slots for the parameters of a diagram's blocks; None is a system that is none."""
     layout = Layout()
-    own: list[np.ndarray] = []
-    tables: list[np.ndarray] = []
+    own: dict[str, list[np.ndarray]] = {"P": [], "T": []}
     known: dict[tuple[str, tuple[int, ...], bytes], Slot] = {}
     for k, (node, p) in enumerate(zip(wiring.nodes, parameters, strict=True)):
         if not isinstance(node.system, Block):
@@ -78,17 +77,15 @@ def lay_out(wiring: Wiring, parameters: Sequence[Any]) -> Layout:
             if name == "interval":
                 key = (f"{name} {k}", (), b"")
             if key not in known:
-                large = array.size > LARGE
-                stack = tables if large else own
-                offset = sum(part.size for part in stack)
-                stack.append(array.ravel())
-                known[key] = Slot("T" if large else "P", offset)
+                place = "T" if array.size > LARGE else "P"
+                known[key] = Slot(place, sum(part.size for part in own[place]))
+                own[place].append(array.ravel())
             slot = layout.slots[k, name] = known[key]
             if name == "interval" and node.system.breakpoints_function is not None:
                 layout.intervals[k] = slot.offset
         if node.system.jump_function is not None:
-            layout.jumps[k] = sum(part.size for part in own)
-            own.append(np.zeros(1))
-    layout.P = np.concatenate([np.zeros(0), *own])
-    layout.T = np.concatenate([*tables, np.zeros(1)])
+            layout.jumps[k] = sum(part.size for part in own["P"])
+            own["P"].append(np.zeros(1))
+    layout.P = np.concatenate([np.zeros(0), *own["P"]])
+    layout.T = np.concatenate([*own["T"], np.zeros(1)])
     return layout

@@ -32,7 +32,13 @@ class Function:
             self.arrays[array] = argument
         self.builder = ir.IRBuilder(function.append_basic_block())
         if constants:
-            self.arrays["K"] = _table(module, self.builder, constants)
+            kind = ir.ArrayType(DOUBLE, len(constants))
+            if "K" not in module.globals:
+                table = ir.GlobalVariable(module, kind, "K")
+                table.linkage, table.global_constant = "internal", True
+                table.initializer = ir.Constant(kind, list(constants))
+            zero = ir.Constant(INT32, 0)
+            self.arrays["K"] = self.builder.gep(module.globals["K"], [zero, zero])
         self.lanes = lanes
         self.wide = self.turns = LANES  # turns that are taken at once, and how many there are
 
@@ -150,13 +156,3 @@ class Function:
         builder.cbranch(more, body, after)
         builder.position_at_end(after)
         return turned
-
-
-def _table(module: ir.Module, builder: ir.IRBuilder, values: Sequence[float]) -> Any:
-    kind = ir.ArrayType(DOUBLE, len(values))
-    if "K" not in module.globals:
-        table = ir.GlobalVariable(module, kind, "K")
-        table.linkage, table.global_constant = "internal", True
-        table.initializer = ir.Constant(kind, list(values))
-    zero = ir.Constant(INT32, 0)
-    return builder.gep(module.globals["K"], [zero, zero])
