@@ -28,9 +28,10 @@ from ..html import facts, fragment
 from ..progress.interrupt import check
 from .proving.array_loop import no_value
 from .proving.proof import Step, checked, exact, first_failure, short
-from .proving.signs import degree, nonpositive, tidied, vanishes
+from .proving.signs import nonpositive, tidied, vanishes
 from .proving.symbolic_loop import Point, numeric
 from .proving.symbols import undefined
+from .proving.words import degree
 from .squares import sector, squares
 
 LARGE = ("exp", "expm1", "sinh", "cosh")  # have a value wherever it is a number
