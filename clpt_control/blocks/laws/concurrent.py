@@ -83,7 +83,7 @@ LAW = Law(
     promises=promised("true spanned exact", "falls", "settles", "exponential"),
     parameters={
         **GAINS,
-        "memory_gain": Setting("gamma_c, 1/time; 5 k (k mean KD)", scaled(5)),
+        "memory_gain": Setting("gamma_c, 1/time; k, the mean of KD", scaled(1)),
         "window": Setting("T over which flow and basis are summed, time; 1/k", scaled(1, k=-1)),
     },
     jump=next_window,
