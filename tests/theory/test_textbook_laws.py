@@ -4,10 +4,11 @@ import numpy as np
 import own_laws
 import pytest
 from own_laws import GAIN, law
-from textbook_laws import LAWS
+from textbook_laws import LAWS, of_e
 
 import clpt_control as clpt
 from clpt_control.blocks.lyapunov import lyapunov_candidate, one_gain
+from clpt_control.errors import DiagramError
 from clpt_control.theory.proving.own_law import prove
 
 POINTS = 200
@@ -41,3 +42,48 @@ def test_a_V_of_other_numbers_is_not_the_truths():
     assert found.status == "open"
     assert "not shown" in found._repr_html_()
     assert "does not hold" not in found._repr_html_()
+
+
+def test_a_state_beside_those_that_make_alpha_is_asked_for():
+    """Of s[3, N] two rows are alpha; the third leaves in finite time."""
+
+    def update(t, x, u, p):
+        """Eqs. (21)-(23) in two rows of a state, section III."""
+        rates = own_laws.filled(u, p.gain, u.e)
+        s = np.stack([*rates.pop("alpha"), x.s[2] ** 2 + 1])
+        return rates | {"s": s}
+
+    def output(t, x, u, p):
+        return {"alpha": x.s[:2], "K": x.K, "Gamma": x.Gamma}
+
+    states = {"s": (3, "N"), "K": 2, "Gamma": 2}
+    own = law(update, GAIN, states=states, output=output, outputs=own_laws.LEARNED)
+    assert prove(own, points=POINTS).status == "proved as long as own:s exist"
+
+
+def test_what_is_given_must_not_exclude_itself():
+    own = law(own_laws.flipped, GAIN)
+    for facts in ([-1.0], [1.0, 2.0, -3.0]):
+        with pytest.raises(DiagramError, match="excludes itself"):
+            prove(own, points=POINTS, given=lambda s, p, truth, facts=facts: facts)
+    with pytest.raises(DiagramError, match="excludes itself"):
+        prove(own, points=POINTS, given=lambda s, p, truth: [truth.KD[0] - 3, 2 - truth.KD[0]])
+
+
+def test_no_law_is_told_the_truth_by_what_it_keeps():
+    """A law that learns nothing keeps alpha = -theta only if it begins so, which none does."""
+
+    def still(t, x, u, p):
+        """Nothing of Eqs. (21)-(23), section III."""
+        return {"alpha": 0.0, "K": 0.0, "Gamma": 0.0}
+
+    def keeps(s, p, truth):
+        return {"alpha": -truth.theta, "K": truth.KD, "Gamma": truth.GammaD}
+
+    V = LAWS["tanh of e"][1]["V"]
+    found = prove(law(still, GAIN), V, points=POINTS, keeps=keeps)
+    assert found.status == "open"
+    squares = of_e(lambda e, p: e**2 / 2)
+    found = prove(law(still, GAIN), squares, points=POINTS, keeps=keeps)
+    assert found.status == "open"
+    assert "alpha_1[1] at the start" in found.steps[0].detail

@@ -14,7 +14,7 @@ import numpy as np
 import sympy
 from sympy.core.function import AppliedUndef
 
-from ...blocks.laws.law import Law, Truth
+from ...blocks.laws.law import LEARNED, Law, Truth
 from .array_loop import TIME
 from .proof import Step, checked, short
 from .signs import left_over, nonpositive, positive_maximum, vanishes
@@ -84,6 +84,7 @@ class Kept:
             ]
         self.V = self.loop.signals["V"][0].xreplace(self.tied)
         known = (*np.ravel(truth.theta), *truth.KD, *truth.GammaD)
+        self.truths = set(known)
         self.held = law.over(self.states, p, truth) if law.over else None
         self.over = {} if self.held is None else _alone(self.held)
         fresh = [value.free_symbols for value in self.over.values()]
@@ -108,6 +109,22 @@ class Kept:
         kept = self.law.keeps(states, self.law.parameters_of(known), truth)
         off = (name for name, value in kept.items() if not np.allclose(value, states[name]))
         return ", ".join(f"{name} at the start" for name in off)
+
+    def apart_at_zero(self) -> str:
+        """Name the states that are not what the truth makes them where all of a law's own are 0.
+
+        No start of alpha, K and Gamma, nor of the vehicle, is known to be true.
+        """
+        any_start = {
+            s for port in ("x", "z", *LEARNED) for s in self.states.get(port, np.array([])).flat
+        }
+        zero = dict.fromkeys(self.loop.motion.keys() - any_start, sympy.S.Zero)
+        off = (
+            f"{symbol} at the start"
+            for symbol, value in self.relations.items()
+            if value.free_symbols & self.truths and not vanishes((symbol - value).xreplace(zero))
+        )
+        return next(off, "")
 
     @cached_property
     def untied(self) -> sympy.Expr:

@@ -71,7 +71,7 @@ def kept_steps(law: Law, points: int, own: list[Kept] | None = None) -> list[Ste
     kept: Claims = {
         "what the law's states keep is kept": lambda case: case.left() or case.apart_at_the_start
     }
-    claims = {"what the law's states keep is kept where it begins so": Kept.left} if own else kept
+    claims = {"what the law's states keep is kept where it begins so": own_start} if own else kept
     if law.shrinking:
         claims |= shrinking_claims(law)
     else:
@@ -82,6 +82,11 @@ def kept_steps(law: Law, points: int, own: list[Kept] | None = None) -> list[Ste
     steps += [young_step()] if law.shrinking else []
     two = cases[len(cases) // 2]
     return [*steps, running_step(lambda: (two.diagram, two.loop, two.untied), points)]
+
+
+def own_start(case: Kept) -> str:
+    """Return what is not kept, or does not begin so though the truth is in it."""
+    return case.left() or case.apart_at_zero()
 
 
 def jump_claims(law: Law) -> Claims:

@@ -281,7 +281,7 @@ class Case:
     def others(self) -> list[str]:
         """The states that V need not hold: all but e's and what is learned."""
         held, states = {*self.learned, *self.loop.states["z"]}, self.loop.states
-        return [port for port in states if port != "x" and not held & {*states[port].flat}]
+        return [port for port in states if port != "x" and {*states[port].flat} - held]
 
     def existing(self) -> Step:
         """Return the step that the other states exist for all times."""

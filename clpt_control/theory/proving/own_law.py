@@ -32,7 +32,7 @@ from .kept_loop import Kept
 from .kept_relations import kept_steps
 from .law_case import Case, flat
 from .proof import first_failure
-from .signs import tidied
+from .signs import tidied, vacuous
 from .symbolic_loop import SymbolicLoop, own_values, refuse_no_value, symbolic_loop
 from .symbols import paper_name
 from .theorem_loop import (
@@ -268,6 +268,10 @@ def _judged(
     if given is not None:
         facts = given({**loop.inputs, **loop.states}, loop.parameters[law.name], truth)
         case.given = tuple(sympy.expand(sympy.sympify(fact).xreplace(case.apart)) for fact in facts)
+        if vacuous(case.given):
+            raise DiagramError(
+                f"{law.name}: what is given excludes itself, so nothing follows of it"
+            )
         case.fitted = False  # a point that refutes may be one where they do not hold
     return judge(case)
 

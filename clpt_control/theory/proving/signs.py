@@ -373,14 +373,14 @@ def _in_pieces(group: sympy.Expr, words: set, apart: set, values: dict, facts: F
         if word not in pieces[0][1]:
             group = group.xreplace({w: w.xreplace(values) for w in words})
         return all(
-            _vacuous([*facts, *here])
+            vacuous((*facts, *here))
             or nonpositive(decided(group.xreplace(known)), apart, values, (*facts, *here))
             for here, known in pieces
         )
     return False
 
 
-def _vacuous(facts: list[sympy.Expr]) -> bool:
+def vacuous(facts: Facts) -> bool:
     """Return whether two facts exclude each other."""
     return any(sympy.expand(a + b).is_negative for a, b in combinations_with_replacement(facts, 2))
 
