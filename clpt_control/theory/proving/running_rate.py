@@ -82,7 +82,8 @@ class Functions:
         if self.counts:
             self.diagram._update_params(self.params)  # anew, for the interval
         try:
-            return self.diagram._rhs(t, x, u)
+            with np.errstate(all="ignore"):
+                return self.diagram._rhs(t, x, u)
         except RuntimeError:  # python-control's word for a NaN on its way
             return np.full(len(x), np.nan)
 
