@@ -31,11 +31,10 @@ from .proving.proof import Step, checked, exact, first_failure, short
 from .proving.signs import nonpositive, tidied, vanishes
 from .proving.symbolic_loop import Point, numeric
 from .proving.symbols import undefined
-from .proving.words import degree
-from .squares import sector, squares
+from .proving.words import along, degree, interval, is_input, meets_smoothly
+from .squares import squares
 
 LARGE = ("exp", "expm1", "sinh", "cosh")  # have a value wherever it is a number
-BETWEEN = (sympy.sin, sympy.cos, sympy.tanh, sympy.erf)  # -1 and 1
 SEARCHES, PER_SEARCH, ROUNDS, BEST = 20, 500, 15, 5
 MOST_FACTORED = 40  # terms
 SURE = 1e-7  # of the size of its terms: a sign that is no rounding
@@ -134,7 +133,7 @@ class _Case:
         )
         self.name = next((one for one in system.output_labels if one in labels), "")
         self.claim = None if claim is None else snapped(self.expression(claim))
-        self.rate = self.eq.derivative(self.V)
+        self.rate = along(self.V, {TIME: sympy.Integer(1), **self.eq.motion})
         self.rest = None if at is None else self.place(at)
         self.valued = False  # whether the parameters' own values are used
 
@@ -182,6 +181,9 @@ class _Case:
 
     def held(self) -> tuple[Step, list[sympy.Expr]]:
         """Return the step that V is positive definite, and the forms that it holds."""
+        words = [f for f in self.V.atoms(AppliedUndef) if not is_input(f)]
+        if self.V.has(sympy.atan2) or (words and not meets_smoothly(self.V)):
+            return exact("V is positive definite", False, "V may jump or bend"), []
         moved = {s: s + v for s, v in (self.rest or {}).items()}
         back = {s: s - v for s, v in (self.rest or {}).items()}
         for at in ({}, self.eq.values):
@@ -250,22 +252,12 @@ class _Case:
 
     def below_zero(self, expression: sympy.Expr) -> bool:
         """Return whether an expression is known never to be positive, as it stands."""
-        one = sector(expression)
-        own = squares(-one, self.fixed)
-        if (
-            vanishes(one)
-            or (own and own.constant.is_nonnegative)
-            or sympy.factor(one).is_nonpositive
-        ):
+        own = squares(-expression, self.fixed)
+        if vanishes(expression) or (own and own.constant.is_nonnegative):
             return True
-        if nonpositive(one, one.free_symbols - self.fixed, {}):
+        if interval(factored(expression))[1].is_nonpositive:
             return True
-        for f in sorted(expression.atoms(*BETWEEN), key=str)[:1]:  # of -1 to 1
-            c = sympy.Dummy("c", real=True)
-            line = expression.xreplace({f: c})
-            if vanishes(sympy.diff(line, c, 2)):
-                return all(self.below_zero(line.xreplace({c: sympy.Integer(k)})) for k in (-1, 1))
-        return False
+        return nonpositive(expression, expression.free_symbols - self.fixed, {})
 
     def readable_rate(self) -> sympy.Expr:
         """Return V' factored, or as a sum of squares, whichever is shorter, in signals."""

@@ -2,8 +2,6 @@
 
     V = c + sum_k a_k f_k^2 + sum_i g_i(s_i)        a_k > 0,  g_i convex or rising away from 0
 
-    s h(s) >= 0        h odd and rising: h(s) = p s with p > 0
-
 Forms f are taken as the user wrote them, or squares are completed, symbol by symbol.  V holds every
 form: where V does not rise, no f leaves a bound, but one of the kind sin(s/2), of 1 - cos(s).
 """
@@ -13,10 +11,9 @@ from typing import NamedTuple
 import sympy
 from sympy.core.function import AppliedUndef
 
-from .proving.signs import vanishes
+from .proving.signs import nonpositive, vanishes
 
 MOST = 24  # squares that are completed, in all orders that are tried
-ODD = (sympy.tanh, sympy.atan, sympy.sinh, sympy.asinh, sympy.erf)  # and rising
 
 
 class Squares(NamedTuple):
@@ -25,18 +22,6 @@ class Squares(NamedTuple):
     constant: sympy.Expr
     terms: list[sympy.Expr]
     forms: list[sympy.Expr]
-
-
-def sector(expression: sympy.Expr) -> sympy.Expr:
-    """Return an expression with p s, p > 0, for each odd rising function of s."""
-    found = [f for f in expression.atoms(sympy.Function) if isinstance(f, ODD) or _is_sign(f)]
-    for f in sorted(found, key=lambda f: (-len(str(f)), str(f))):  # outer before inner
-        expression = expression.xreplace({f: f.args[0] * sympy.Dummy("p", positive=True)})
-    return expression
-
-
-def _is_sign(f: sympy.Expr) -> bool:
-    return isinstance(f, AppliedUndef) and str(f.func) == "sign"
 
 
 def squares(V: sympy.Expr, fixed: set) -> Squares | None:
@@ -148,6 +133,7 @@ def _alone(g: sympy.Expr, s: sympy.Symbol) -> tuple[sympy.Expr, sympy.Expr] | No
         return None
     if bend.is_nonnegative:  # so g rises without bound
         return least, s
-    if sympy.factor(s * sector(slope)).is_nonnegative and sympy.limit(g, s, sympy.oo) == sympy.oo:
+    rises = nonpositive(-s * slope, {s}, {})
+    if rises and sympy.limit(g, s, sympy.oo) == sympy.oo:
         return (least, s) if sympy.limit(g, s, -sympy.oo) == sympy.oo else None
     return None

@@ -258,6 +258,12 @@ RIGHT = {  # name -> system, V, more
         lambda s: s.y**2 / 2 + (s.x**2 - 1) ** 2 / 4,
         {},
     ),
+    "a pull that is limited": (of(lambda o: -np.clip(o["x"], -1, 1)), half, {}),
+    "a pull of two strengths": (
+        of(lambda o: np.where(o["x"] > 0, -o["x"], -2 * o["x"])),
+        half,
+        {},
+    ),
     "no force": (of(lambda o: o["y"], lambda o: -o["x"]), halves, {}),
 }
 WRONG = {
@@ -312,6 +318,16 @@ WRONG = {
     "V that falls without end": (of(lambda o: 1.0 + 0 * o["x"]), lambda s: -s.x, {}),
     "V of a third power": (of(lambda o: -(o["x"] ** 2)), lambda s: s.x**3, {}),
     "V of nothing": (of(lambda o: o["x"]), lambda s: 0 * s.x, {}),
+    "V that jumps": (
+        of(lambda o: -o["x"]),
+        lambda s: np.where(s.x > 1, s.x, 2 * s.x) ** 2,
+        {},
+    ),
+    "V of an angle": (
+        of(lambda o: o["y"], lambda o: -o["x"]),
+        lambda s: (np.arctan2(s.y, s.x) + 4) ** 2 + s.x**2 + s.y**2,
+        {},
+    ),
     "V that fades": (of(lambda o: o["x"] / 2), "fading", {}),
     "V that misses a state": (of(lambda o: -o["x"], lambda o: o["y"]), half, {}),
     "V that misses a state that ends": (

@@ -25,6 +25,8 @@ from clpt_control.theory.squares import squares
 OPEN = {  # of the wrong ones: no point shows it, or none is looked for
     "V that fades",
     "V of nothing",
+    "V that jumps",
+    "V of an angle",
     "a gain that turns at the fifth breakpoint",
     "wrong in a smaller region",
     "no value at a point",
