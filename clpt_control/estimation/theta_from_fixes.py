@@ -75,9 +75,10 @@ def whitened(segments, columns, r, blurred=0.0):
     return white
 
 
-def blurred(theta, B):
-    """Return theta B theta^T of the axis where it is larger."""
-    return np.einsum("...kl,ak,al->...a", B, theta, theta).max(axis=-1)
+def blurred(theta, P, B):
+    """Return what is expected of theta B theta^T, of the axis where it is larger."""
+    known = np.einsum("...kl,ak,al->...a", B, theta, theta).max(axis=-1)
+    return known + np.einsum("...kl,kl->...", B, P)
 
 
 def weighed(segments, h, theta, sd, r, spread=0.0) -> tuple[np.ndarray, np.ndarray]:
@@ -93,9 +94,10 @@ def weighed(segments, h, theta, sd, r, spread=0.0) -> tuple[np.ndarray, np.ndarr
 
 def least_squares(segments, basis, theta, sd, r, w):
     """Return theta, P, the steps and h of batch least squares."""
-    h, B, first = segments.integrals(basis, segments.seen), segments.blur(basis), theta
+    h, B = segments.integrals(basis, segments.seen), segments.blur(basis)
+    first, P = theta, np.diag(sd**2)
     for _ in range(3 if segments.held else 1):
-        theta, P = weighed(segments, h, first, sd, r, blurred(theta, B))
+        theta, P = weighed(segments, h, first, sd, r, blurred(theta, P, B))
     return theta, P, theta[None], h
 
 
@@ -108,7 +110,7 @@ def kalman(segments, basis, theta, sd, r, w):
     for k, new in enumerate(segments.renewed):
         P[:N, :N] += np.diag(w**2 * max(segments.time[k, -1] - before, 0.0))
         before = segments.time[k, -1]
-        own = alone[k] + fix[k] * blurred(x[:, :N], B[k])
+        own = alone[k] + fix[k] * blurred(x[:, :N], P[:N, :N], B[k])
         P[N + 1, N + 1] = fix[k]  # the states: theta, and of r the fixes' noise at start and end
         row = np.append(h[k] / r[k], [-1.0, 1.0] if new else [0.0, 0.0])
         gain = P @ row / (own + row @ P @ row)
