@@ -123,26 +123,9 @@ class Equations:
         """
         if self.discrete:
             raise DiagramError(f"{self.name}: is of discrete time, in which nothing has a rate")
-        known: dict[Any, sympy.Expr] = {TIME: sympy.Integer(1), **self.motion}
-
-        def along(e: sympy.Expr) -> sympy.Expr:
-            if e not in known:
-                known[e] = slope(e)
-            return known[e]
-
-        def slope(e: sympy.Expr) -> sympy.Expr:
-            if e.is_Atom:
-                return sympy.Integer(0)
-            if e.is_Add:
-                return sympy.Add(*map(along, e.args))
-            if e.is_Mul:
-                rest = (sympy.Mul(*e.args[:k], *e.args[k + 1 :]) for k in range(len(e.args)))
-                return sympy.Add(*(along(a) * b for a, b in zip(e.args, rest, strict=True)))
-            if e.is_Pow and e.exp.is_Number:
-                return e.exp * e.base ** (e.exp - 1) * along(e.base)
-            return sympy.Add(*(sympy.diff(e, s) * along(s) for s in e.free_symbols))
-
-        return along(sympy.sympify(self[expression] if isinstance(expression, str) else expression))
+        found = sympy.sympify(self[expression] if isinstance(expression, str) else expression)
+        moving = {TIME: sympy.Integer(1), **self.motion}
+        return sympy.Add(*(sympy.diff(found, s) * rate for s, rate in moving.items()))
 
     def jumps_at_once(self) -> Iterator[dict[Any, Any]]:
         """Yield state -> what it jumps to, for each set of blocks."""
