@@ -87,3 +87,20 @@ def test_no_law_is_told_the_truth_by_what_it_keeps():
     found = prove(law(still, GAIN), squares, points=POINTS, keeps=keeps)
     assert found.status == "open"
     assert "alpha_1[1] at the start" in found.steps[0].detail
+
+
+def test_exp_of_a_large_bound_has_no_value():
+    """e^(clip(e)) is a number for bounds of 5, not of 1000."""
+
+    def unity(bound):
+        def update(t, x, u, p):
+            """Eqs. (21)-(23) times one, section III."""
+            s = np.exp(np.clip(u.e[0], -bound, bound))
+            return {port: (s / s) * own for port, own in own_laws.filled(u, p.gain, u.e).items()}
+
+        return update
+
+    for bound, large in ((5.0, False), (1000.0, True)):
+        found = prove(law(unity(bound), GAIN), points=POINTS)
+        said = next(step for step in found.steps if "value everywhere" in step.claim)
+        assert ("too large" in said.detail) == large

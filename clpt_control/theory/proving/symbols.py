@@ -112,6 +112,7 @@ def _same(name: str, values: list) -> bool:
     return all(np.array_equal(value, values[0]) for value in values)
 
 
+MOST_EXP = 700  # of which exp is a number
 DEEPEST = 12  # levels of operations; deeper ones would take SymPy too long
 
 
@@ -134,7 +135,7 @@ def _nonzero(b: sympy.Expr) -> bool:
 
 def _not_huge(a: sympy.Expr) -> bool:
     """Return whether exp(a) stays a number; parameters are what their block makes of them."""
-    return interval(a)[1] != sympy.oo or _parameters(a)
+    return bool(interval(a)[1] <= MOST_EXP) or _parameters(a)
 
 
 def _power(base: sympy.Expr, exponent: sympy.Expr) -> bool:
