@@ -118,7 +118,8 @@ def _trouble(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> str | None:
     sweep.enter(t)
     for h in (0.0, *(ahead * np.geomspace(1e-12, 1.0, 13))):
         near = x + h * rate if h else x  # the rate itself may be what is not finite
-        found = sweep.first_trouble(t + h, near, inputs and inputs.at(t + h))
+        u = None if inputs is None else inputs.at(t + h)
+        found = sweep.first_trouble(t + h, near, u)
         if found is not None:
             return f"{found} is not finite"
     return None
@@ -140,7 +141,8 @@ def _crossing(
     sweep.enter(t)
 
     def seen(share: float, x: np.ndarray) -> tuple[float, str, str]:
-        return sweep.margin(t + share * h, x, inputs and inputs.at(t + share * h))
+        u = None if inputs is None else inputs.at(t + share * h)
+        return sweep.margin(t + share * h, x, u)
 
     def margin(share: float) -> float:
         return seen(share, _state(batch, share))[0]
