@@ -154,7 +154,8 @@ def _crossing(
     for look in range(1, solver.LOOKS + 1):
         share = look / solver.LOOKS
         if margin(share) < -solver.OUTSIDE:
-            share = brentq(margin, inside, share, xtol=1e-15, rtol=1e-14)
+            within = margin(inside) > 0.0  # else the edge itself was looked at
+            share = brentq(margin, inside, share, xtol=1e-15, rtol=1e-14) if within else inside
             break
         inside = share
     x = _state(batch, share)

@@ -45,6 +45,21 @@ def falling(**guard):
 
 
 @pytest.mark.parametrize("engine", ENGINES)
+def test_a_look_that_meets_the_edge_itself_finds_the_crossing(engine):
+    def on_the_edge(t, x, u, p):  # by less than counts as outside, then far beyond it
+        return np.where(x[0] < 0.25, 1.0, np.where(x[0] < 0.6, -5e-10, -1.0))
+
+    stone = Block(
+        "stone",
+        update=lambda t, x, u, p: 1.0,
+        states={"h": 1},
+        guard=Guard(on_the_edge, "stop", landed),
+    )
+    found = ENGINES[engine](stone).run([0.0], [0.0, 2.0], max_step=1.0)
+    assert 0.25 <= found.t[-1] <= 0.6
+
+
+@pytest.mark.parametrize("engine", ENGINES)
 @pytest.mark.parametrize("step", [None, 0.25], ids=["DOP853", "RK4"])
 @pytest.mark.parametrize(
     ("advice", "said"),
