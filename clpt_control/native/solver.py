@@ -69,6 +69,7 @@ OUTSIDE = 1e-9  # grid steps beyond the edge that count as outside
 LOOKS = 16  # places within a step at which guards are looked at
 PASSED, CROSSED = 1.0, 2.0  # a step goes beyond a kink; it ends right behind it
 HALVINGS, RESOLVED = 50, 1e-12  # of a step; how close to a kink one ends, of the step or the time
+SHORTEST = 1e-13  # step up to a kink, of a run: in a shorter one states move by rounding alone
 MOST_KINKS, NEAR = 1000, 1e-7  # one upon the other, within that share of a run
 UNFELT = 5e-6  # or within this one, where states hardly move from one to the next
 # steps from one look for stiffness to the next, of those that show it, and ahead for it to matter
@@ -165,7 +166,7 @@ def advance(code, shape, tolerances, batch, linear, budget, most):
             if dense:
                 doubt(lanes, times, results, lane)
             if beyond:
-                cross(code, shape, results, lane, arrays)
+                cross(code, shape, times, results, lane, arrays)
             if guarded:
                 watch(code, shape, 1 if fixed else LOOKS, results, lane, arrays)
         if looked and good:
@@ -239,9 +240,10 @@ def passes(lanes, decided, numbers, whole, D):
     return some
 
 
-def cross(code, shape, results, lane, arrays):
+def cross(code, shape, times, results, lane, arrays):
     """Find where steps cross a kink; one that goes well beyond is tried again, up to there."""
     lanes, n, decided = shape[0], shape[1], shape[6]
+    shortest = SHORTEST * (times[-1] - times[0])
     counts, numbers, (Z, P, T, W, D) = results[3], lane[0], arrays
     for _ in range(HALVINGS):
         for k in range(lanes):
@@ -261,10 +263,10 @@ def cross(code, shape, results, lane, arrays):
         numbers[AT, k] = numbers[NEW, k]
         if numbers[KINK, k] == PASSED:
             h, least = numbers[TAKEN, k], 2.0 * RESOLVED * abs(numbers[NEW, k])
-            if (1.0 - numbers[LOW, k]) * h <= max(RESOLVED * h, least):
+            if (1.0 - numbers[LOW, k]) * h <= max(RESOLVED * h, least) or h <= 2.0 * shortest:
                 numbers[KINK, k] = CROSSED
             else:
-                again(k, numbers[HIGH, k] * h, counts, lane)
+                again(k, max(numbers[HIGH, k] * h, shortest), counts, lane)
 
 
 def decide_anew(shape, tolerances, times, status, lane, Z):

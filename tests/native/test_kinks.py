@@ -56,6 +56,20 @@ def rectified(t, x, u, p):
     return [abs(np.sin(t))]
 
 
+@pytest.mark.parametrize(("speed", "gain"), [(12.0, 3.6), (1.0, 1.0), (1e3, 1e3)])
+def test_a_run_that_begins_on_a_kink_leaves_it(speed, gain):
+    """x - z is 0 where the run begins, and rounded to 4e-16 as it leaves."""
+
+    def apart(t, x, u, p):
+        e = x[0] - x[1]
+        return [speed, -speed, np.maximum(gain * e, 0.0), np.minimum(gain * e * x[2], 0.0)]
+
+    found = clpt.simulate(system(apart, 4), [0.0, 10.0], None, [2.0, 2.0, 0.0, 0.0])
+    assert found.attrs["solver_steps"] < 100
+    last = found.states.values[-1]
+    np.testing.assert_allclose(last[2:], [100 * gain * speed, 0.0], rtol=1e-9, atol=1e-12)
+
+
 def bang_bang(t, x, u, p):
     return [x[1], -1.0 if x[0] > 0 else 1.0]
 
