@@ -108,7 +108,7 @@ class Planner:
         return name not in CONDITIONS and name != "table" and prod(lengths) <= LARGEST
 
     def prepare(self, c: int) -> None:
-        """Give a component a place in P."""
+        """Find a place in P for a component."""
         if c not in self.prepared:
             lengths = self.all[c].lengths
             place = self.prepared[c] = self.made.prepared

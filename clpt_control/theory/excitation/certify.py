@@ -163,7 +163,7 @@ def certify(
     >>> paper = clpt.paper_scenario().with_values({"run.duration": 400})
     >>> found = clpt.certify(paper, 0.01)
     >>> found.V.round(4).tolist(), found.drops.round(2).tolist()
-    ([0.01, 0.0078, 0.0062], [0.4, 0.32])
+    ([0.01, 0.007, 0.0053], [0.4, 0.32])
     """
     if scenario.learning.law != "learned-flow" or scenario.flow.parameters is None:
         raise ScenarioError(
