@@ -10,7 +10,7 @@ from types import FunctionType
 import numpy as np
 import sympy
 
-from clpt_control.blocks import basis, disturbance, field, reference
+from clpt_control.blocks import basis, disturbance, field, localization, reference
 from clpt_control.currents.field_file import GriddedField
 from clpt_control.equations.declaration import parameters_of
 
@@ -120,6 +120,17 @@ def noise_is_hashed_on_whole_numbers_below_two_to_53():
     assert all(low >= 0 and high < 2**53 for low, high in ends)
 
 
+def positions_are_read_with_numbers_of_their_own():
+    """x_m - x = s n(j, axis), with the axes 2 and 3 of the hash; the disturbance has 0 and 1."""
+    x, s, seed = np.array([3.0, -1.0]), 0.25, 7.0
+    for j in (1, 2, 5):
+        noise = [s * disturbance.normal(seed, float(j), axis) for axis in (2, 3)]
+        read = localization.measurement(s, 0.5, seed).output(0.5 * j + 0.1, [], x)
+        fixed = localization.fixes(s, 0.5, 0.0, seed).output(0.5 * j + 0.1, [], x)
+        assert np.allclose(read - x, noise, rtol=0.0, atol=1e-14)
+        assert np.allclose(fixed, [*(x + noise), 1.0], rtol=0.0, atol=1e-14)
+
+
 def gridded_flows_reproduce_linear_ones():
     """A spline whose coefficients are linear is that line; beyond the edges it is held."""
     shape, start, step = (3, 4, 5), (1.0, -2.0, 3.0), (2.0, 1.0, 3.0)
@@ -163,6 +174,7 @@ CHECKS = [
     disturbances_start_as_they_say,
     noise_is_normal,
     noise_is_hashed_on_whole_numbers_below_two_to_53,
+    positions_are_read_with_numbers_of_their_own,
     guards_know_the_edge,
     gridded_flows_reproduce_linear_ones,
 ]

@@ -28,7 +28,7 @@ from clpt_control.theory.proving.theorems import THEOREMS, audit
 
 FIRST = {"error_system": "3.3"}  # where to look first; every theorem is tried before giving up
 ALL_SIZES = kept_loop.SIZES
-SOURCES = ("basis", "reference", "disturbance", "field")
+SOURCES = ("basis", "reference", "disturbance", "field", "localization")
 
 
 def run_by(block):
