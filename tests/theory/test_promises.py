@@ -13,7 +13,7 @@ from clpt_control.blocks.laws.learned_flow import learned_flow
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.errors import ScenarioError
 from clpt_control.theory.promises import CHECKS, CONDITIONS, UNIFORM, kept, rise, words_of
-from clpt_control.theory.refuting import BROKEN, NUMBERS, TIGHT, drawn, refute
+from clpt_control.theory.refuting import BROKEN, NUMBERS, TIGHT, drawn, lasts, refute
 
 LONG = 300.0  # seconds; what is wrong is found long before
 PAPER = clpt_package.paper_scenario()
@@ -172,3 +172,11 @@ def test_the_command_says_that_nothing_was_found(clpt, tmp_path):
     assert outcome.status == 0
     assert "known-flow: not refuted by" in outcome.out
     assert not (tmp_path / "none.toml").exists()
+
+
+def test_what_the_solver_leaves_breaks_no_promise():
+    """An error of 2e-12, read beside 1e-9 of what it was, is 1.003 times as large as before."""
+    assert not lasts(1.053, 1.0032)
+    assert not lasts(2.0, 1.0005)
+    assert lasts(2.0, 1.99)
+    assert lasts(np.inf, np.inf)
