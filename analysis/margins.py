@@ -98,8 +98,9 @@ def main(out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/margins"
                 except clpt.DiagramError:  # a law with jumps of its own cannot be sampled
                     found[law.name].append(np.nan)
                 report(sum(map(len, found.values())))
+    words = {"inf": "-", "nan": "not sampled"}
     cells = [
-        f"| `{name}` | " + " | ".join(f"{m:.3f}" if np.isfinite(m) else "-" for m in row) + " |"
+        f"| `{name}` | " + " | ".join(words.get(m, m) for m in map("{:.3f}".format, row)) + " |"
         for name, row in found.items()
     ]
     head = ["| law | lag (s) | delay (s) | sampling interval (s) |", "|---|---|---|---|"]
