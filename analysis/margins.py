@@ -28,7 +28,7 @@ import typer
 
 import clpt_control as clpt
 from clpt_control.blocks.laws.table import LAWS
-from clpt_control.figures import new_figure
+from clpt_control.figures import COLOURS, GREY, new_figure
 from clpt_control.files import make_folder, write_figure, write_text
 from clpt_control.progress import progress_bar
 
@@ -106,11 +106,15 @@ def main(out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/margins"
     head = ["| law | lag (s) | delay (s) | sampling interval (s) |", "|---|---|---|---|"]
     write_text(folder / "margins.md", "\n".join([*head, *cells]) + "\n")
     figure, axes = new_figure(7, 4)
-    for kind, column in zip(KINDS, np.transpose(list(found.values())), strict=True):
-        axes.semilogy(np.minimum(column, MOST), "o", label=kind)
+    for k, column in enumerate(np.transpose(list(found.values()))):
+        at = np.arange(len(found)) + (k - 1) / 5
+        mark = "os^"[k]
+        axes.semilogy(at, np.minimum(column, MOST), mark, color=COLOURS[k], label=KINDS[k])
+    axes.axhline(MOST, color=GREY, linewidth=0.8)
+    axes.text(0, 1.1 * MOST, "all looked at is borne", va="bottom", color=GREY)
     axes.set_xticks(range(len(found)), found, rotation=60, ha="right")
-    axes.set_ylabel("borne (s)")
-    axes.legend()
+    axes.set(ylabel="largest borne (s)", ylim=(LEAST, 2 * MOST))
+    axes.legend(loc="lower left")
     write_figure(figure, folder / "margins.png")
 
 
