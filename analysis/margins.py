@@ -114,7 +114,7 @@ def main(out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/margins"
     axes.text(0, 1.1 * MOST, "all looked at is borne", va="bottom", color=GREY)
     axes.set_xticks(range(len(found)), found, rotation=60, ha="right")
     axes.set(ylabel="largest borne (s)", ylim=(LEAST, 2 * MOST))
-    axes.legend(loc="lower left")
+    axes.legend(loc="upper left", bbox_to_anchor=(1, 1))
     write_figure(figure, folder / "margins.png")
 
 
