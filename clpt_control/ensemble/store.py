@@ -18,6 +18,7 @@ import numpy as np
 
 from ..errors import DataError, needed
 from ..files import beside
+from ..files.reading import check_folder
 from .summaries import Array
 
 if TYPE_CHECKING:
@@ -194,6 +195,7 @@ def open_store(path: Path, mode: Literal["r", "r+"] = "r+") -> Store:
         raise DataError(f"{path}: is a file; must be a folder such as ensemble.zarr")
     if not (path / "zarr.json").is_file():
         raise DataError(f"{path}: is a folder without an ensemble; give another name")
+    check_folder(path)
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # of what is no array: `check_store` names it

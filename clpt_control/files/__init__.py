@@ -15,12 +15,13 @@ from collections.abc import Iterator, Mapping
 from contextlib import ExitStack, contextmanager
 from fnmatch import fnmatch
 from importlib.util import find_spec
+from math import inf
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, BinaryIO, Literal
 
 from ..errors import ClptError, DataError, needed
 from ..progress.interrupt import check, remove, unfinished
-from .reading import kind_of
+from .reading import kind_of, opened
 
 if TYPE_CHECKING:
     import xarray
@@ -40,11 +41,10 @@ def open_netcdf(path: str | Path) -> "Iterator[xarray.Dataset]":
     import xarray
 
     try:
-        if not Path(path).exists():
-            raise DataError(f"{path}: no such file; must be a NetCDF file")
-        if not Path(path).is_file():
-            raise DataError(f"{path}: is not a file; must be a NetCDF file")
-        _check_classic(Path(path))
+        with opened(path, inf, "must be a NetCDF file") as file:
+            if not file.seekable():
+                raise DataError(f"{path}: is NetCDF through a pipe; save it as a file and give it")
+            _check_classic(file, path)
         data = xarray.open_dataset(path, decode_times=False, engine=netcdf_engine())
     except ClptError:
         raise
@@ -70,30 +70,29 @@ def _reason(error: Exception) -> str:
     return words.splitlines()[0][:120]
 
 
-def _check_classic(path: Path) -> None:
+def _check_classic(file: BinaryIO, path: str | Path) -> None:
     """Refuse a classic file that was cut, which the NetCDF library fills with zeros."""
-    with path.open("rb") as file:
-        start = file.read(4)
-        if start == b"CDF\x05":
-            raise DataError(
-                f"{path}: is classic NetCDF of 64-bit data, of which a part could be missing "
-                "unseen; `nccopy -k nc4 FILE NEW` writes it as NetCDF-4"
-            )
-        if start[:3] != b"CDF":
-            needed("netCDF4")
-            return
-        from scipy.io import netcdf_file
+    start = file.read(4)
+    if start == b"CDF\x05":
+        raise DataError(
+            f"{path}: is classic NetCDF of 64-bit data, of which a part could be missing "
+            "unseen; `nccopy -k nc4 FILE NEW` writes it as NetCDF-4"
+        )
+    if start[:3] != b"CDF":
+        needed("netCDF4")
+        return
+    from scipy.io import netcdf_file
 
-        file.seek(0)
-        try:
-            with warnings.catch_warnings():
-                warnings.simplefilter("ignore")  # of memory that is still mapped
-                netcdf_file(file, mmap=True).close()
-        except Exception:  # whatever a damaged header makes of itself
-            raise DataError(
-                f"{path}: damaged or cut short: it holds less than its NetCDF header says; "
-                "fetch it again"
-            ) from None
+    file.seek(0)
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of memory that is still mapped
+            netcdf_file(file, mmap=True).close()
+    except Exception:  # whatever a damaged header makes of itself
+        raise DataError(
+            f"{path}: damaged or cut short: it holds less than its NetCDF header says; "
+            "fetch it again"
+        ) from None
 
 
 @contextmanager

@@ -1,20 +1,27 @@
-"""Files of text: read whole, once, in bounded time and memory.
+"""The one way in: how every file is opened to be read, and read whole where it is text.
+
+A file is opened once, without waiting, and asked through what was opened: it is a regular file of
+bounded size, or a pipe that is already open (`/dev/stdin`, or a shell's `<(command)`).  All else is
+refused in a sentence.  Libraries that open by name (NetCDF, Zarr) get names that were asked before.
 
 Text is UTF-8, with or without a byte order mark; a few stray bytes are let
 through, for they stand in comments and notes.
-
-A file is read once, so that a pipe that is already open (`/dev/stdin`, or a shell's
-`<(command)`) is text too; other things that are no files are refused.
 """
 
+import os
 import stat
+from collections.abc import Iterator
+from contextlib import contextmanager
+from math import inf
 from pathlib import Path
+from typing import BinaryIO
 
 from ..errors import DataError
 
 STRAY = 0.05  # largest share of characters that are no UTF-8 text
-LARGEST = 2 * 10**8  # bytes of a table
+LARGEST = 2 * 10**8  # bytes of a file that is read whole
 OPEN = ("/dev/stdin", "/dev/fd/", "/proc/self/fd/")  # a pipe with another name may wait forever
+NETCDF = (b"CDF\x01", b"CDF\x02", b"CDF\x05", b"\x89HDF")  # first bytes
 UTF_16 = (b"\xff\xfe", b"\xfe\xff")  # its byte order marks
 NO_FILES = {
     stat.S_ISDIR: "a folder",
@@ -22,31 +29,64 @@ NO_FILES = {
     stat.S_ISCHR: "a device",
     stat.S_ISBLK: "a device",
     stat.S_ISSOCK: "a socket",
+    stat.S_ISLNK: "a link",
 }
 
 
-def read_bytes(path: str | Path, other: tuple[bytes, ...] = ()) -> bytes:
+@contextmanager
+def opened(
+    path: str | Path, most: float = LARGEST, hint: str = "give the name of a file"
+) -> Iterator[BinaryIO]:
+    """Open a file of at most so many bytes; `hint` ends the sentence where there is none."""
+    at_once = getattr(os, "O_NONBLOCK", 0)  # a pipe would wait for who writes
+    try:
+        with open(path, "rb", opener=lambda name, flags: os.open(name, flags | at_once)) as file:
+            found = os.fstat(file.fileno())
+            if stat.S_ISFIFO(found.st_mode) and str(path).startswith(OPEN):
+                os.set_blocking(file.fileno(), True)
+            elif not stat.S_ISREG(found.st_mode):
+                raise DataError(f"{path}: is {kind_of(found.st_mode)}; give a file")
+            if found.st_size > most:
+                raise DataError(_too_large(path, most))
+            yield file
+    except FileNotFoundError:
+        raise DataError(f"{path}: no such file; {hint}") from None
+    except IsADirectoryError:
+        raise DataError(f"{path}: is a folder; give a file") from None
+    except OSError as error:
+        raise DataError(f"{path}: cannot be read: {error.strerror or error}") from None
+
+
+def _too_large(path: str | Path, most: float) -> str:
+    return f"{path}: is larger than {most / 1e6:.0f} MB, the most that is read; split it"
+
+
+def read_bytes(
+    path: str | Path, other: tuple[bytes, ...] = (), hint: str = "give the name of a file"
+) -> bytes:
     """Read a file or an open pipe, such as ``/dev/stdin``, once.
 
     Of a file that begins with one of `other`, 4 bytes each, these are all that is read.
     """
-    path = Path(path)
-    try:
-        mode = path.stat().st_mode
-        open_pipe = stat.S_ISFIFO(mode) and str(path).startswith(OPEN)
-        if not (stat.S_ISREG(mode) or open_pipe):
-            raise DataError(f"{path}: is {kind_of(mode)}; give a file")
-        with path.open("rb") as file:
-            raw = file.read(4)
-            if raw not in other:
-                raw += file.read(LARGEST)
-    except OSError as error:
-        raise DataError(f"{path}: cannot be read: {error.strerror}") from None
+    with opened(path, inf if other else LARGEST, hint) as file:
+        raw = file.read(4)
+        if raw not in other:
+            raw += file.read(LARGEST)
     if len(raw) > LARGEST:
-        raise DataError(
-            f"{path}: is larger than {LARGEST // 10**6} MB, the most that text may be; split it"
-        )
+        raise DataError(_too_large(path, LARGEST))
     return raw
+
+
+def check_folder(folder: Path) -> None:
+    """Refuse a folder with anything in it, at any depth, that is neither a file nor a folder.
+
+    A library that reads the folder would wait for it, or follow it elsewhere.
+    """
+    for place, folders, files in os.walk(folder):
+        for name in (*folders, *files):
+            mode = os.lstat(path := Path(place, name)).st_mode
+            if not (stat.S_ISREG(mode) or stat.S_ISDIR(mode)):
+                raise DataError(f"{path}: is {kind_of(mode)}; must be a file of {folder}")
 
 
 def kind_of(mode: int) -> str:

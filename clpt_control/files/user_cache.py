@@ -8,6 +8,7 @@ from pathlib import Path
 
 from ..errors import DataError
 from . import beside
+from .reading import opened
 
 FOLDER = "CLPT_CONTROL_CACHE"  # environment variable that names another folder
 
@@ -47,12 +48,10 @@ def kept(path: Path) -> bytes | None:
 
     The file that is asked is the one that is read, whatever its name means by then.
     """
-    at_once = getattr(os, "O_NONBLOCK", 0)  # a pipe would wait for who writes
     try:
-        with open(path, "rb", opener=lambda name, flags: os.open(name, flags | at_once)) as file:
-            found = os.fstat(file.fileno())
-            return file.read() if stat.S_ISREG(found.st_mode) and trusted(found) else None
-    except OSError:
+        with opened(path) as file:
+            return file.read() if trusted(os.fstat(file.fileno())) else None
+    except DataError:
         return None
 
 

@@ -16,7 +16,7 @@ from stat import S_ISDIR
 from ..arguments import public
 from ..errors import DataError
 from ..files import open_netcdf
-from ..files.reading import read_bytes, text_of
+from ..files.reading import NETCDF, read_bytes, text_of
 from ..progress.interrupt import check
 from . import dive_table, og1, seaexplorer, seaglider, slocum
 from .dives import Dive, Skipped, is_segment, name_in, name_of_file, named
@@ -28,7 +28,6 @@ KINDS = (
     "a CSV table of dives"
 )
 SUFFIXES = (".nc", ".csv", *slocum.SUFFIXES)
-NETCDF = (b"CDF\x01", b"CDF\x02", b"CDF\x05", b"\x89HDF")
 
 
 def may_hold_dives(path: Path) -> bool:
@@ -77,8 +76,6 @@ def read_dive_file(path: str | Path) -> tuple[list[Dive], list[Skipped]]:
             text = text_of(raw, path, f"is neither NetCDF nor text; must be one of {KINDS}")
             dives, skipped = next(one for one in OF_TEXT if one.is_known(text)).dives_of(text, path)
         return named(dives, name_of_file(path.name)), skipped
-    if not path.is_file():
-        raise DataError(f"{path}: is NetCDF through a pipe; save it as a file and give that")
     with open_netcdf(path) as data:
         for dialect in OF_NETCDF:
             if dialect.is_known(data):

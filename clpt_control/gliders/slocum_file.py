@@ -20,6 +20,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..errors import DataError
+from ..files.reading import read_bytes
 from .dives import NotYet
 
 SUFFIXES = (".sbd", ".mbd", ".dbd")
@@ -29,7 +30,6 @@ KNOWN = 16  # bytes: b"sa", 4660 in 2, 123.456 in 4, 123456789.12345 in 8
 ORDERS = {b"sa\x34\x12": "<", b"sa\x12\x34": ">"}  # as `KNOWN` has it: how bytes are ordered
 KINDS = {1: "b", 2: "h", 4: "f", 8: "d"}  # of a value, by its bytes
 TIME = "m_present_time"
-LARGEST = 2 * 10**8  # bytes
 WHOLE = ("num_ascii_tags", "total_num_sensors", "state_bytes_per_cycle", "sensor_list_factored")
 Series = tuple[np.ndarray, np.ndarray]  # s since 1970 UTC, values
 
@@ -45,13 +45,7 @@ class Segment(NamedTuple):
 
 def read_segment(path: Path, names: tuple[str, ...]) -> Segment:
     """Read the sensors among `names` that a file has."""
-    try:
-        with path.open("rb") as file:
-            raw = file.read(LARGEST + 1)
-    except OSError as error:
-        raise DataError(f"{path}: cannot be read: {error.strerror}") from None
-    if len(raw) > LARGEST:
-        raise DataError(f"{path}: is larger than {LARGEST // 10**6} MB; give its .sbd")
+    raw = read_bytes(path)
     tags, at = _header(raw, path)
     sensors, at = _sensors(raw, at, tags, path)
     number = _number(tags.get("the8x3_filename", ""), path)
@@ -117,10 +111,13 @@ def _list_of(path: Path, check_sum: str) -> tuple[Path, bytes]:
     for folder in folders:
         try:
             inside = {file.name.lower(): file for file in folder.iterdir()}
-            if name in inside:
-                return inside[name], inside[name].read_bytes()
         except OSError:
             continue
+        if name in inside:
+            try:
+                return inside[name], read_bytes(inside[name])
+            except DataError as error:
+                raise NotYet(str(error)) from None
     raise NotYet(
         f"{path}: its list of sensors {name} was not found beside it or in a folder 'cac' there; "
         "get it from the glider's or dockserver's 'cache' and put it there, or name its folder in "

@@ -15,7 +15,7 @@ from ..arguments import public
 from ..errors import ClptError, DataError
 from ..figures import checked_formats
 from ..files import check_writable, make_folder, open_netcdf, write_together
-from ..files.reading import read_text
+from ..files.reading import NETCDF, read_bytes, text_of
 
 if TYPE_CHECKING:
     import xarray
@@ -25,7 +25,6 @@ if TYPE_CHECKING:
 
 ENDINGS = (".html", ".htm")
 KNOWN = "give run.nc, the folder of an ensemble, or a replay's replay.nc or JSON"
-NETCDF = (b"CDF", b"\x89HDF")
 NEEDED = {  # variable of a run -> its dimensions, after those of a team
     "position": ("time", "axis"),
     "predicted_position": ("time", "axis"),
@@ -156,14 +155,10 @@ def read(path: Path) -> Any:
     """Return what lies there: a run or an ensemble as a Dataset, a replay as its JSON."""
     if os.path.isdir(path):  # noqa: PTH112 - never raises
         return _folder(path)
-    if not os.path.exists(path):  # noqa: PTH110 - never raises
-        raise DataError(f"{str(path)[:200]}: no such file; {KNOWN}")
-    if path.is_file():
-        with path.open("rb") as file:
-            start = file.read(4)
-        if start.startswith(NETCDF):
-            return _netcdf(path)
-    text = read_text(path, f"is nothing that clpt writes; {KNOWN}")
+    raw = read_bytes(path, NETCDF, KNOWN)
+    if raw in NETCDF:
+        return _netcdf(path)
+    text = text_of(raw, path, f"is nothing that clpt writes; {KNOWN}")
     if not text.lstrip().startswith("{"):
         hint = (
             "is a scenario, or text; `clpt run` runs a scenario; " if path.suffix == ".toml" else ""

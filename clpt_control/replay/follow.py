@@ -23,6 +23,7 @@ import pydantic
 
 from ..errors import DataError, needed
 from ..files import make_folder, remove_left, write_text
+from ..files.reading import read_bytes
 from ..gliders.dive_files import may_hold_dives, read_dive_file
 from ..gliders.dives import Dive, NotYet, Skipped, files_before, is_segment
 from ..progress.interrupt import check
@@ -74,8 +75,8 @@ class Follower:
         """Return a record of the state, or refuse the state."""
         away = f"move the folder {self.state} away to read all files again"
         try:
-            record = Record.model_validate_json(path.read_bytes())
-        except (OSError, pydantic.ValidationError):
+            record = Record.model_validate_json(read_bytes(path))
+        except (DataError, pydantic.ValidationError):
             raise DataError(
                 f"{path}: is no state of this version's clpt replay --follow; {away}"
             ) from None

@@ -5,7 +5,6 @@ is allowed.  The scenario of section IV ships as a commented file, the one that
 `clpt init` writes.
 """
 
-import errno
 import json
 import os
 import re
@@ -65,14 +64,11 @@ def load_scenario(path: str | Path) -> Scenario:
 def read_text(path: Path) -> str:
     """Return the text of a scenario's file."""
     try:
-        return read_bytes(path).decode("utf-8-sig")
+        raw = read_bytes(path, hint="`clpt init` writes a scenario to start from")
+        return raw.decode("utf-8-sig")
     except UnicodeDecodeError:
         raise ScenarioError(f"{path}: is not text; a scenario is a TOML file in UTF-8") from None
     except DataError as error:
-        if str(error).endswith(os.strerror(errno.ENOENT)):
-            raise ScenarioError(
-                f"{path}: no such file; `clpt init` writes a scenario to start from"
-            ) from None
         raise ScenarioError(str(error)) from None
 
 

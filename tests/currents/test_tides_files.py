@@ -128,8 +128,8 @@ def test_each_bad_file_is_one_sentence(clpt, tmp_path):
     net = tmp_path / "x.nc"
     for path, sentence in (
         (tmp_path / "none.nc", "no such file"),
-        (tmp_path / "none.csv", "cannot be read"),
-        (tmp_path, "is not a file"),
+        (tmp_path / "none.csv", "no such file"),
+        (tmp_path, "is a folder; give a file"),
         (tmp_path / "text.nc", "cannot be read as NetCDF"),
         (tmp_path / "bytes.csv", "is no text"),
         (tmp_path / "wide.csv", "is text in UTF-16; must be in UTF-8"),

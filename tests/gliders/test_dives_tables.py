@@ -184,17 +184,16 @@ def test_a_table_comes_through_an_open_pipe(table, tmp_path):
 
 def test_a_table_is_not_larger_than_can_be_held(table, monkeypatch):
     monkeypatch.setattr(reading, "LARGEST", 10**3)
-    with pytest.raises(
-        DataError, match=r"dives.csv: is larger than 0 MB, the most that text may be"
-    ):
+    with pytest.raises(DataError, match=r"dives.csv: is larger than 0 MB, the most that is read"):
         read_dives(table)
 
 
 def test_folders_that_may_not_be_entered(tmp_path, monkeypatch):
-    def closed(path, **_):
+    def closed(path, *_, **__):
         raise PermissionError(13, "Permission denied", str(path))
 
     monkeypatch.setattr(Path, "stat", closed)
+    monkeypatch.setattr(reading.os, "open", closed)
     for read in (lambda path: dive_paths([path]), read_dive_file):
         with pytest.raises(DataError, match=r"a.csv: cannot be read: Permission denied"):
             read(tmp_path / "closed" / "a.csv")

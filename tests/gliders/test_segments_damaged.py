@@ -1,6 +1,7 @@
 """Missions and segments as they come: each damage is named, and the good dives are used."""
 
 import gzip
+import os
 import re
 import shutil
 
@@ -97,6 +98,14 @@ def test_a_damaged_list_is_named(facts, tmp_path, content):
     (tmp_path / "cac" / "6b016a2e.cac").write_bytes(content)
     with pytest.raises(Exception, match=r"6b016a2e\.cac|state bytes|none of 11 files|damaged"):
         read_dives(tmp_path / "sbd")
+
+
+def test_a_list_that_is_a_pipe_is_not_waited_for(facts, tmp_path):
+    shutil.copytree(facts / "glider/slocum_rosie", tmp_path, dirs_exist_ok=True)
+    (tmp_path / "cac" / "6b016a2e.cac").unlink()
+    os.mkfifo(tmp_path / "cac" / "6b016a2e.cac")
+    with pytest.raises(DataError, match=r"6b016a2e\.cac: is a pipe with a name; give a file"):
+        read_dives(tmp_path / "sbd" / DAMAGED)
 
 
 T0 = 1.7126e9

@@ -3,6 +3,7 @@
 import copy
 import json
 import math
+import os
 from dataclasses import replace
 
 import numpy as np
@@ -73,6 +74,12 @@ def test_damage_is_seen(tmp_path, whole, place, value):
     path, record = whole
     path.write_text(json.dumps(put(record, place, value) if place else value))
     with pytest.raises(DataError, match="is no state of this version's clpt replay --follow"):
+        Follower(tmp_path / "in", tmp_path / "state")
+
+
+def test_a_pipe_in_the_state_is_not_waited_for(tmp_path, whole):
+    os.mkfifo(tmp_path / "state" / "dive2.csv.json")
+    with pytest.raises(DataError, match=r"dive2.csv.json: is no state"):
         Follower(tmp_path / "in", tmp_path / "state")
 
 
