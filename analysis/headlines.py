@@ -1,0 +1,120 @@
+"""Does the headline of a replay, "next surfacing, 90 % within", hold 90 % of what comes?
+
+Each record is fed dive by dive.  After each dive the headline is what `clpt replay` prints
+then; the fix at the end of the next used dive says whether it held.  Where dives between the
+two are missing from the record, that fix is not the next surfacing: such a pair is left out.
+The size of an ellipse is the geometric mean of its half axes; that of a time is what is printed
+behind its +-.
+
+    python -m analysis.headlines [FILES and FOLDERS, a vehicle each...] [--out FOLDER]
+"""
+
+from math import hypot, nan
+from pathlib import Path
+from typing import Annotated, NamedTuple
+
+import numpy as np
+import typer
+
+from clpt_control.errors import DataError
+from clpt_control.files import make_folder, write_text
+from clpt_control.geodesy import displacement
+from clpt_control.gliders import Dive, read_dives, sample_dives, usable
+from clpt_control.progress import progress_bar
+from clpt_control.replay import Replay, next_dive
+
+COLUMNS = (
+    "vehicle",
+    "surfacings",
+    "place held",
+    "median size (m)",
+    "median miss (m)",
+    "time held",
+    "median +- (min)",
+    "median error (min)",
+    "90th percentile (min)",
+)
+
+
+class Headline(NamedTuple):
+    """One headline and what came: m and min; `away` is 1 on the edge of the ellipse."""
+
+    away: float
+    size: float
+    miss: float
+    late: float
+    doubt: float
+
+
+def headline(replay: Replay, dive: Dive) -> Headline:
+    """Return the headline of a replay, judged by the dive that came."""
+    said = next_dive(replay).as_dict()
+    east, north = displacement(said["latitude"], said["longitude"], dive.lat_gpse, dive.lon_gpse)
+    turn = np.radians(said["ellipse_90_bearing"])
+    long, short = said["ellipse_90_long"], said["ellipse_90_short"]
+    along = east * np.sin(turn) + north * np.cos(turn)
+    across = east * np.cos(turn) - north * np.sin(turn)
+    time = next_dive(replay).plan.t_gpse
+    return Headline(
+        float(hypot(along / long, across / short)),
+        float(np.sqrt(long * short)),
+        hypot(east, north),
+        (dive.t_gpse - time) / 60,
+        said.get("time_90", nan) / 60,
+    )
+
+
+def record(dives: list[Dive]) -> np.ndarray:
+    """Return the headlines after each dive of a record but the last, a row each."""
+    replay, found = Replay(), []
+    with progress_bar("headlines", len(dives)) as report:
+        for k, dive in enumerate(dives):
+            if k and not any("missing after dive" in note for note in dive.notes):
+                found.append(headline(replay, dive))
+            replay.step(dive)
+            report(k + 1)
+    return np.array(found).reshape(-1, len(Headline._fields))
+
+
+def line(name: str, found: np.ndarray) -> str:
+    """Return a row of the table."""
+    away, size, miss, late, doubt = found.T
+    late = np.abs(late)
+    timed = np.isfinite(doubt).any()
+    cells = [
+        name,
+        f"{len(found)}",
+        f"{100 * np.mean(away <= 1):.0f} %",
+        f"{np.median(size):.0f}",
+        f"{np.median(miss):.0f}",
+        f"{100 * np.mean(late <= doubt):.0f} %" if timed else "-",
+        f"{np.median(doubt):.0f}" if timed else "-",
+        f"{np.median(late):.0f}",
+        f"{np.quantile(late, 0.9):.0f}",
+    ]
+    return f"| {' | '.join(cells)} |"
+
+
+def main(
+    files: Annotated[list[Path] | None, typer.Argument(help="Records, one each.")] = None,
+    out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/headlines"),
+) -> None:
+    """Leave headlines.md."""
+    folder = make_folder(out)
+    records = {} if files else {"SG542": usable(sample_dives())[0]}
+    for path in files or []:
+        dives = usable(read_dives([path])[0])[0]
+        if len(dives) < 2:
+            raise DataError(f"{path}: has {len(dives)} usable dives; two are needed")
+        records[dives[-1].vehicle or path.stem] = dives
+    found = {name: record(dives) for name, dives in records.items()}
+    if len(found) > 1:
+        found["all"] = np.concatenate(list(found.values()))
+    lines = [f"| {' | '.join(COLUMNS)} |", "|---" * len(COLUMNS) + "|"]
+    lines += [line(name, rows) for name, rows in found.items()]
+    write_text(folder / "headlines.md", "\n".join(lines) + "\n")
+    typer.echo("\n".join(lines))
+
+
+if __name__ == "__main__":
+    typer.run(main)
