@@ -13,8 +13,13 @@ def cac(names):
     return "".join(f"s: T {k} {k} 8 {name} X\n" for k, name in enumerate(names)).encode()
 
 
-def segment(rows, names, short="00070001", full="unit-2024-100-7-1", factored=1):
-    """Return a file whose cycles are dicts of new values, NaN where one says nothing."""
+def segment(
+    rows, names, short="00070001", full="unit-2024-100-7-1", factored=1, first=None, end=b"X"
+):
+    """Return a file whose cycles are dicts of new values, NaN where one says nothing.
+
+    The first cycle is `first`, as far as it goes.
+    """
     head = [
         "dbd_label:    DBD(dinkum_binary_data)file",
         "encoding_ver:    5",
@@ -32,14 +37,14 @@ def segment(rows, names, short="00070001", full="unit-2024-100-7-1", factored=1)
         f"sensor_list_factored:    {factored}",
     ]
     out = ("\n".join(head) + "\n").encode() + (b"" if factored else cac(names)) + KNOWN
-    for row in [dict.fromkeys(names, np.nan), *rows]:
+    for row in [dict.fromkeys(names, np.nan) | (first or {}), *rows]:
         codes = [2 if name in row else 0 for name in names] + [0] * (-len(names) % 4)
         states = [
             sum(codes[k + j] << (6 - 2 * j) for j in range(4)) for k in range(0, len(codes), 4)
         ]
         values = b"".join(struct.pack("<d", row[name]) for name in names if name in row)
         out += b"d" + bytes(states) + values
-    return out + b"X"
+    return out + end
 
 
 def ddmm(degrees):

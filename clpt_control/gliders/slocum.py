@@ -17,19 +17,21 @@ D is the variation, degrees east: -m_gps_mag_var, which is positive west, else I
 The places of m_lat, m_lon are relative to the fix before the dive, to which the glider had set
 them; those of m_x_lmc, m_y_lmc to theirs when it dived.
 
-The glider's own current w (m_water_vx, m_water_vy at the end of the dive, on magnetic
-axes) is its miss over the time under water.  A glider may add w0, of the dive before, to
-its dead reckoning (u_use_current_correction); whether it did is seen in w: without it
+The glider's own current w (m_water_vx, m_water_vy after the dive, on magnetic axes) is its
+miss over the time under water.  A glider may add w0, of the dive before, to its dead
+reckoning (u_use_current_correction); whether it did is seen in w: without it
 
-    (displacement between the fixes - dr)/duration = w,   with it w - w0,
+    miss = (displacement between the fixes - dr)/duration = w,   with it w - w0,
 
-and then w0 times the time under water is taken off dr.
+and then w0 times the time under water is taken off dr.  Dead reckoning that still contradicts
+w is not used: dr is the displacement between the fixes less w times the duration.
 """
 
-from math import hypot, nan
+from math import nan
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ..geodesy import displacement
 from .dives import LEAST_DEPTH, Dive, Fix, Skipped, Three, dive_between, is_fix, joined_dives
@@ -77,32 +79,34 @@ def between(series: Series, start: float, end: float) -> Series:
     return series[0][rows], series[1][rows]
 
 
-def turned(water: tuple[float, float], east_of_north: float) -> tuple[float, float]:
-    """Turn a vector from axes along magnetic north to true ones.
+def turned(vectors: tuple[ArrayLike, ArrayLike], east_of_north: float) -> np.ndarray:
+    """Turn vectors from axes along magnetic north to true ones.
 
-    >>> east, north = turned((0.0, 1.0), 90.0)
-    >>> round(east), round(north)
-    (1, 0)
+    >>> turned((0.0, 1.0), 90.0).round(9)
+    array([1., 0.])
     """
     sine, cosine = np.sin(np.radians(east_of_north)), np.cos(np.radians(east_of_north))
-    x, y = water
-    return float(x * cosine + y * sine), float(-x * sine + y * cosine)
+    return np.array([[cosine, sine], [-sine, cosine]]) @ np.asarray(vectors)
 
 
-def water_between(of: Of, start: float, end: float, first: bool) -> tuple[float, float]:
-    """Return the first or the last own current between two times, NaN where there is none."""
-    time, x = between(of["m_water_vx"], start, end)
-    also, y = between(of["m_water_vy"], start, end)
-    _, at, other = np.intersect1d(time, also, return_indices=True)
-    if not at.size:
-        return nan, nan
-    k = 0 if first else -1
-    return float(x[at[k]]), float(y[other[k]])
+def own_currents(of: Of, dived: float, end: float, east_of_north: float) -> np.ndarray:
+    """Return the own current of the dive before and of that to a fix, (2, 2), NaN if not known.
+
+    A file repeats the former in its first cycle until the latter is worked out.
+    """
+    time, at, other = np.intersect1d(of["m_water_vx"][0], of["m_water_vy"][0], return_indices=True)
+    water = turned((of["m_water_vx"][1][at], of["m_water_vy"][1][other]), east_of_north)
+    each = np.column_stack([[nan, nan], water])
+    last = each[:, np.searchsorted(time, end - SHORT, "right")]
+    after = each[:, 1:][:, (time > end - SHORT) & (time <= end + OWN_CURRENT)]
+    new = after[:, (after != last[:, None]).any(axis=0)]
+    now = new[:, 0] if new.size else np.full(2, nan)
+    return np.array([each[:, np.searchsorted(time, dived, "right")], now])
 
 
 def dead_reckoning(
     of: Of, start: Fix, wet: np.ndarray, east_of_north: float
-) -> tuple[tuple[np.ndarray, np.ndarray, np.ndarray] | None, str]:
+) -> tuple[np.ndarray | None, str]:
     """Return time since the fix (s), metres east and north of it to the end under water; or why."""
     time, east, north = _places(of, start, wet, east_of_north)
     if time.size < 2:
@@ -122,7 +126,7 @@ def dead_reckoning(
         since = np.append(since, later - start[0])
         east = np.append(east, east[-1] + np.cumsum(step * np.sin(h)))
         north = np.append(north, north[-1] + np.cumsum(step * np.cos(h)))
-    return (since, east, north), ""
+    return np.array([since, east, north]), ""
 
 
 def _places(
@@ -148,32 +152,60 @@ def _places(
         np.interp(start[0], times, c) - np.diff(c)[0] / np.diff(times)[0] * later for c in (x, y)
     ]
     rows = times > start[0]
-    moved = [
-        turned(one, east_of_north)
-        for one in zip(x[rows] - origin[0], y[rows] - origin[1], strict=True)
-    ]
-    east, north = np.array(moved).reshape(-1, 2).T
+    east, north = turned((x[rows] - origin[0], y[rows] - origin[1]), east_of_north)
     return times[rows], east, north
 
 
-def was_added(
-    of: Of,
-    gps: tuple[float, float],
-    track: tuple[np.ndarray, np.ndarray, np.ndarray],
+def was_added(miss: np.ndarray, before: np.ndarray, now: np.ndarray, used: float) -> bool:
+    """Whether a dead reckoning with a miss, m/s, holds the current of the dive before.
+
+    The own current `now` decides where it can tell, else what the glider says of itself.
+
+    >>> before, now = np.array([0.08, 0.06]), np.array([-0.05, 0.10])
+    >>> was_added(now - before, before, now, 0.0), was_added(now - before, before, now + nan, 0.0)
+    (True, False)
+    """
+    without, with_it = np.hypot(*(miss - now)), np.hypot(*(miss + before - now))
+    size, better = np.hypot(*before), min(without, with_it)
+    if np.isfinite(size + better) and (size > CLEAR or size > 4 * better):
+        return bool(with_it < without)
+    return used == 1
+
+
+def reconciled(
+    path: np.ndarray,
+    dived: float,
+    gps: np.ndarray,
     duration: float,
-    current: tuple[float, float],
-    added: tuple[float, float],
-) -> bool:
-    """Whether the current of the dive before is in the dead reckoning."""
-    if not np.isfinite(added).all():
-        return False
-    miss = [(gps[k] - track[k + 1][-1]) / duration for k in (0, 1)]
-    without = hypot(miss[0] - current[0], miss[1] - current[1])
-    with_it = hypot(miss[0] + added[0] - current[0], miss[1] + added[1] - current[1])
-    if hypot(*added) > CLEAR and np.isfinite(without):
-        return with_it < without
-    used = of["u_use_current_correction"][1]
-    return bool(used.size and used[-1] == 1)
+    before: np.ndarray,
+    now: np.ndarray,
+    used: float,
+) -> tuple[np.ndarray | None, np.ndarray, str]:
+    """Return a path through the water that agrees with the own current, its end, and a note.
+
+    A path (time since the fix, east, north; the vehicle dived at `dived`) that holds the current
+    of the dive before loses it; one that still contradicts `now`, or may hold a current that is
+    not known, is None.
+    """
+    said, known = "", bool(np.isfinite(now).all())
+    size = float(np.hypot(*before))
+    if was_added((gps - path[1:, -1]) / duration, before, now, used):
+        said = "the glider's dead reckoning holds the current of the dive before, "
+        if np.isfinite(size):
+            under = np.clip(path[0] - dived, 0.0, None)
+            path = np.vstack([path[:1], path[1:] - np.outer(before, under)])
+            said += f"{size:.3f} m/s: taken off"
+        elif not known:
+            return None, np.full(2, nan), said + "which no file says: not used"
+    elif np.isnan(used) and not known:
+        said = "no file says whether the glider's dead reckoning holds a current of its own"
+        if size > CLEAR:
+            return None, np.full(2, nan), f"{said}, {size:.3f} m/s: not used"
+    off = float(np.hypot(*((gps - path[1:, -1]) / duration - now)))
+    if off > CLEAR:
+        said = f"dead reckoning contradicts the glider's own current by {1e3 * off:.0f} mm/s"
+        return None, gps - now * duration, f"{said}: not used, that current is"
+    return path, path[1:, -1], said
 
 
 def dives_of(path: Path) -> tuple[list[Dive], list[Skipped]]:
@@ -221,38 +253,31 @@ def _dive(of: Of, own: Segment, fixes: Three) -> Dive:
     time, depth = between(of["m_depth"], start[0], end[0])
     wet = time[depth > LEAST_DEPTH]
     duration = end[0] - start[0]
-    track, why = dead_reckoning(of, start, wet, east_of_north)
+    path, why = dead_reckoning(of, start, wet, east_of_north)
     hole = hole_under_water(time - start[0], depth, duration)
     if why or hole:
+        path = None
         notes.append(why or hole)
-    gps = displacement(*start[1:], *end[1:])
-    current = turned(water_between(of, end[0] - SHORT, end[0] + OWN_CURRENT, True), east_of_north)
-    if track is not None and not hole:
-        added = turned(water_between(of, -np.inf, wet[0], False), east_of_north)
-        if was_added(of, gps, track, duration, current, added):
-            under = np.clip(track[0] - (wet[0] - start[0]), 0.0, None)
-            track = track[0], track[1] - added[0] * under, track[2] - added[1] * under
-            notes.append(
-                f"the glider's dead reckoning holds the current of the dive before, "
-                f"{hypot(*added):.3f} m/s: taken off"
-            )
-        since, east, north = track
-        track = (
-            np.append(since, duration),
-            np.append(east, east[-1]),
-            np.append(north, north[-1]),
+    before, now = own_currents(of, wet[0], end[0], east_of_north)
+    total = np.full(2, nan)
+    if path is not None:
+        gps = np.array(displacement(*start[1:], *end[1:]))
+        used = between(of["u_use_current_correction"], -np.inf, end[0])[1]
+        path, total, said = reconciled(
+            path, wet[0] - start[0], gps, duration, before, now, used[-1] if used.size else nan
         )
-    else:
-        track = None
+        notes += [said] if said else []
     return dive_between(
         own.number,
         fixes,
-        (nan, nan) if track is None else (float(track[1][-1]), float(track[2][-1])),
-        dac_east=None if np.isnan(current[0]) else current[0],
-        dac_north=None if np.isnan(current[1]) else current[1],
+        (float(total[0]), float(total[1])),
+        dac_east=None if np.isnan(now[0]) else float(now[0]),
+        dac_north=None if np.isnan(now[1]) else float(now[1]),
         magvar=east_of_north,
         depth_max=deepest(depth),
-        track=track,
+        track=None
+        if path is None
+        else (np.append(path[0], duration), *path[1:, [*range(path.shape[1]), -1]]),
         notes=tuple(notes),
     )
 

@@ -3,10 +3,10 @@
 Its bytes are a header of ASCII lines; the list of all sensors, or where that is `factored`
 the check sum that names the `.cac` file with it; known bytes; then cycles of b"d", two
 bits for each sensor (0 no value, 1 as before, 2 a new one) and the new values; b"X" ends it.
-The first cycle has what was known before the segment, and is left out.  Whole cycles of a
-file that is cut short are read.  A list of sensors is looked for beside the file, in `cac` and
-`cache` there and one folder up, and in the folder that the environment variable `CLPT_CAC`
-names.
+The first cycle has what each sensor said last, which for the GPS is an older fix: that is left
+out.  Whole cycles of a file that is cut short are read; newer gliders write no b"X".  A list
+of sensors is looked for beside the file, in `cac` and `cache` there and one folder up, and in
+the folder that the environment variable `CLPT_CAC` names.
 """
 
 import os
@@ -30,6 +30,8 @@ KNOWN = 16  # bytes: b"sa", 4660 in 2, 123.456 in 4, 123456789.12345 in 8
 ORDERS = {b"sa\x34\x12": "<", b"sa\x12\x34": ">"}  # as `KNOWN` has it: how bytes are ordered
 KINDS = {1: "b", 2: "h", 4: "f", 8: "d"}  # of a value, by its bytes
 TIME = "m_present_time"
+FIX = ("m_gps_lat", "m_gps_lon", "m_gps_status")
+MOST = 10**6  # cycles: 46 days of 4 s each
 WHOLE = ("num_ascii_tags", "total_num_sensors", "state_bytes_per_cycle", "sensor_list_factored")
 Series = tuple[np.ndarray, np.ndarray]  # s since 1970 UTC, values
 
@@ -170,9 +172,9 @@ def _cycles(
         raise DataError(f"{path}: the Slocum file has no {TIME}, the times of its cycles")
     sizes = np.array([size for _, size in sensors])
     codes = (np.arange(256)[:, None] >> np.array([6, 4, 2, 0])) & 3
-    last, rows = dict.fromkeys(wanted, nan), []
+    last, rows = dict.fromkeys(wanted, nan), list[list[float]]()
     at += KNOWN
-    while raw[at : at + 1] == b"d" and at + 1 + states <= len(raw):
+    while raw[at : at + 1] == b"d" and at + 1 + states <= len(raw) and len(rows) < MOST:
         code = codes[np.frombuffer(raw, np.uint8, states, at + 1)].ravel()[: len(sizes)]
         ends = at + 1 + states + np.cumsum(np.where(code == 2, sizes, 0))
         if np.any(code == 3) or ends[-1] > len(raw):
@@ -182,12 +184,23 @@ def _cycles(
                 (last[name],) = unpack_from(f"{order}{KINDS[sizes[k]]}", raw, ends[k] - sizes[k])
         rows.append([last[name] if code[k] else nan for name, k in wanted.items()])
         at = int(ends[-1])
-    columns = dict(zip(wanted, np.array(rows[1:], float).reshape(-1, len(wanted)).T, strict=True))
-    said = {name: np.isfinite(columns[name]) for name in names if name in columns}
-    of = {name: (columns[TIME][rows], columns[name][rows]) for name, rows in said.items()}
-    if raw[at : at + 1] == b"X":
+    columns = dict(zip(wanted, np.array(rows, float).reshape(-1, len(wanted)).T, strict=True))
+    of = _said(columns, names)
+    if raw[at : at + 1] in (b"X", b""):
         return of, ""
     return of, f"{path.name} is cut short or damaged at byte {at} of {len(raw)}: read up to there"
+
+
+def _said(columns: dict[str, np.ndarray], names: tuple[str, ...]) -> dict[str, Series]:
+    """Return when each sensor said something, and what."""
+    of = {}
+    for name in names:
+        if name in columns:
+            rows = np.isfinite(columns[name])
+            if name in FIX:
+                rows[:1] = False
+            of[name] = columns[TIME][rows], columns[name][rows]
+    return of
 
 
 def _number(short: str, path: Path) -> int:

@@ -52,7 +52,12 @@ SLOCUM = {
     "known bytes only": (lambda raw: raw[: raw.index(b"sa\x12\x34") + 16], None),
     "cut at 30 %": (cut(0.3), None),
     "cut at 99 %": (cut(0.99), "cut short or damaged at byte"),
-    "no end mark": (lambda raw: raw[:-1], "cut short or damaged at byte"),
+    "half an end": (lambda raw: raw[:-2], "cut short or damaged at byte"),
+    "no end mark, as newer gliders write it": (lambda raw: raw[:-1], None),
+    "count of cycles' sensors": (
+        swapped(b"sensors_per_cycle:    ", b"sensors_per_cycle:   -"),
+        None,
+    ),
     "zeros in the header": (zeros(100, 60), "damaged or cut short"),
     "zeros in the middle": (zeros(5000, 300), None),
     "all zeros": (lambda raw: bytes(len(raw)), "neither"),
