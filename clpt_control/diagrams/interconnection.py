@@ -5,6 +5,7 @@ feeds, and passes over a mistyped parameter; here all three are errors that
 name the block and the port.
 """
 
+import difflib
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
@@ -13,7 +14,6 @@ import control
 from ..arguments import public
 from ..equations.block import Block
 from ..equations.declaration import check_names, labels, whole_labels
-from ..equations.linear import is_linear
 from ..equations.system import System
 from ..errors import BlockError, DiagramError
 from ..scenario.quantities import call_time_name_of
@@ -76,10 +76,12 @@ def changed_parameters(wiring: Wiring, params: Mapping[str, Any] | None) -> list
     known: set[str] = set()
     names: set[str] = set()
     found: list[Any] = []
+    asking: list[tuple[System, list[str]]] = []  # with the paths to it
     for node in wiring.nodes:
         system, path = node.system, node.name.split(".")
         if isinstance(system, System):
             found.append(system.with_params(params))
+            asking.append((system, [".".join([*path[:k], ""]) for k in range(1, len(path))]))
             continue
         fields = system.parameters._fields
         spaces = [".".join([*path[k:], ""]) for k in range(len(path) - 1, -1, -1)]
@@ -88,16 +90,18 @@ def changed_parameters(wiring: Wiring, params: Mapping[str, Any] | None) -> list
         found.append(system.with_values(changes))
         known |= set(keys)
         names |= {f"{node.name}.{field}" for field in fields}
-    owners = {name.rpartition(".")[0] for name in known}
-    any_key = all(is_linear(node.system) for node in wiring.nodes) or any(
-        isinstance(node.system, System) for node in wiring.nodes
-    )  # which python-control passes on
     for key in params:
-        if key not in known and not (any_key and key.rpartition(".")[0] not in owners - {""}):
-            if other := call_time_name_of(key, known):
-                raise BlockError(other)
-            known_here = ", ".join(sorted(names)) or "none"
-            raise BlockError(f"unknown parameter '{key}': this diagram knows {known_here}")
+        own = [(system, key.removeprefix(at)) for system, to in asking for at in ("", *to)]
+        if key in known or any(system.reads(name) for system, name in own):
+            continue
+        if other := call_time_name_of(key, known):
+            raise BlockError(other)
+        names = names.union(*(system.names for system, _ in asking))
+        known_here = ", ".join(sorted(names)) or "none"
+        last = key.rpartition(".")[2]
+        close = [last] if last in names else difflib.get_close_matches(key, names, n=1)
+        hint = f"; did you mean {close[0]}? This" if close else ": this"
+        raise BlockError(f"unknown parameter '{key}'{hint} diagram knows {known_here}")
     return found
 
 

@@ -16,6 +16,7 @@ import numpy as np
 
 from ..equations.arrays import Unread
 from ..equations.block import Block
+from ..equations.declaration import Parameters
 from ..equations.elements import InputsOf
 from ..equations.linear import linear
 from ..equations.ports import places as inputs_of
@@ -246,10 +247,10 @@ def wiring_of(
     flat = _flatten(diagram, getattr(diagram, "name", repr(diagram)))
     if not flat.leaves:
         raise DiagramError(f"{diagram.name}: has no blocks; give at least one")
-    handed = _handed_down(diagram, params or {})
+    handed, declared = _handed_down(diagram, params or {}), _handed_down(diagram, {})
     systems = [
-        (name, _as_block(system, own, sizes))
-        for (name, system), own in zip(flat.leaves, handed, strict=True)
+        (name, _as_block(system, own, sizes, _own(known)))
+        for (name, system), own, known in zip(flat.leaves, handed, declared, strict=True)
     ]
     if None in (diagram.nstates, diagram.ninputs, diagram.noutputs):  # which its block knows
         ((name, block),) = systems
@@ -269,12 +270,15 @@ def read_anew(system: Any) -> None:
             part.read_anew()
 
 
-def _as_block(system: Any, params: Any, sizes: tuple[int | None, int | None]) -> Block:
+def _as_block(system: Any, *given: Any) -> Block:
     if isinstance(system, Block):
         return system
-    return (
-        linear(system) if isinstance(system, control.StateSpace) else System(system, params, sizes)
-    )
+    return linear(system) if isinstance(system, control.StateSpace) else System(system, *given)
+
+
+def _own(params: Mapping[str, Any]) -> set[str]:
+    """Return the names of params, without the blocks that python-control merges with them."""
+    return {name for name, value in params.items() if not isinstance(value, Parameters)}
 
 
 def _handed_down(

@@ -4,7 +4,7 @@ Each way through a function is a row of answers; what depends on parameters alon
 """
 
 import sys
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from math import prod
 from types import FrameType
 from typing import Any
@@ -30,6 +30,35 @@ class Borrowed(Exception):
 
 class Outside(Exception):
     """A way that no run takes: a place that no row has."""
+
+
+EVERY = object()  # stands for all names
+ONE = ("__getitem__", "__contains__", "get", "pop", "setdefault")
+ALL = (
+    *("__iter__", "__reversed__", "__eq__", "__or__", "__ror__"),
+    *("keys", "values", "items", "copy", "popitem"),
+)
+
+
+def _noted(method: str) -> Callable:
+    """Return a method of dict that notes for which name it asks, or that it asks for all."""
+    real = getattr(dict, method)
+
+    def asked(self: "Params", *given: Any) -> Any:
+        self.names.add(given[0] if method in ONE else EVERY)
+        return real(self, *given)
+
+    return asked
+
+
+class Params(dict):
+    """The params of python-control, which note for which names a function asks."""
+
+    def __init__(self, given: Mapping[str, Any], names: set[Any]) -> None:
+        super().__init__(given)
+        self.names = names
+
+    vars().update({method: _noted(method) for method in (*ONE, *ALL)})
 
 
 class Reading(Tape):

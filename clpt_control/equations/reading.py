@@ -44,6 +44,7 @@ class Read(NamedTuple):
     record: Record
     pinned: frozenset[str]  # parameters with whose values it was made
     raised: tuple[str, ...] = ()  # what ways that are NaN raised
+    names: frozenset[Any] = frozenset()  # for which python-control's params were asked
 
 
 class Asked(NamedTuple):

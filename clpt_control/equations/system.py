@@ -7,7 +7,7 @@ else stays as it is.  Sizes that the system leaves open follow from the inputs a
 run, as python-control finds them.
 """
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from typing import Any
 
 import control
@@ -17,10 +17,11 @@ from ..errors import BlockError
 from .arrays import Unread
 from .block import Block
 from .declaration import Parameters, parameters_of
+from .given import EVERY, Params
 from .ports import sizes_of
 from .reading import Read, read, record_of_states
 from .record import Record
-from .unchanged import Keys, Unkeyed
+from .unchanged import Keys, Unkeyed, texts_of
 
 MOST_NUMBERS = 20_000  # of an array that is a parameter
 MOST_READ = 256  # functions whose records are kept
@@ -35,11 +36,14 @@ class System(Block):
         system: control.NonlinearIOSystem,
         params: Mapping[str, Any] | None = None,
         sizes: tuple[int | None, int | None] = (None, None),
+        declared: Collection[str] = (),
     ):
         n = _size(system, "states", system.nstates, sizes[0])
         m = _size(system, "inputs", system.ninputs, sizes[1])
         self.name = system.name
         self.given = dict(system.params if params is None else params)
+        self.known = {*system.params, *declared}  # names that may be given anew
+        self._asks: dict[str, frozenset[Any]] = {}  # of a role, as it was read
         self._update, self._output = _functions(system)
         q = system.noutputs if system.noutputs is not None else self._count(n, m)
         first = self._output is None and q < n  # of the states, as python-control takes them
@@ -95,6 +99,28 @@ class System(Block):
         }
         return self._parameters._replace(**known) if known else self._parameters
 
+    def reads(self, name: str) -> bool:
+        """Return whether the functions may ask their params for a name."""
+        return name in self.known or any(
+            name in asked or EVERY in asked or name in texts_of(function)
+            for function, asked in self._asked_names()
+        )
+
+    @property
+    def names(self) -> set[str]:
+        """Return the params that it declares, or is seen to ask for."""
+        return self.known.union(*(asked for _, asked in self._asked_names())) - {EVERY}
+
+    def _asked_names(self) -> Iterator[tuple[Callable, frozenset[Any]]]:
+        """Yield each function and the names that it asks for; what is not read may ask for any."""
+        for role, (function, _) in self._roles.items():
+            try:
+                self.array_record(role)
+            except Unread:
+                yield function, frozenset([EVERY])
+            else:
+                yield function, self._asks[role]
+
     def with_values(self, changes: Mapping[str, Any]) -> Any:
         """Return the parameters with some fields changed."""
         return self._parameters._replace(**{k: _leaf(v) for k, v in changes.items()})
@@ -123,6 +149,7 @@ class System(Block):
             found = read_once(function, role, *ports, self.given, shapes, out)
         except (Unread, BlockError) as error:
             return Unread(f"{self.name}.{role}: {error}")
+        self._asks[role] = found.names
         return found.record.renamed({("p", key): ("p", own) for key, own in self._names.items()})
 
     def _tried(self) -> None:
@@ -148,17 +175,23 @@ def read_once(
     """Return the record of a function; where all is as at another reading, that one's."""
     asked, keys = (states, inputs, given, shapes, out), Keys(alike=True)
     others = {name: value for name, value in given.items() if name not in shapes}
+
+    def read_now() -> Read:
+        names: set[Any] = set()
+        found = read(function, role, *asked, lambda fields: Params(fields, names))
+        return found._replace(names=frozenset(names))
+
     try:
         key = keys.of(function), role, *map(keys.named, (states, inputs, shapes, out, others))
     except Unkeyed:
-        return read(function, role, *asked, dict)
+        return read_now()
     if len(_READ) > MOST_READ:
         _READ.clear()
     known = _READ.setdefault(key, [])
     for values, _, found in known:
         if values == _values(given, found.pinned):
             return found
-    found = read(function, role, *asked, dict)
+    found = read_now()
     known[MOST_VALUES:] = [(_values(given, found.pinned), keys.held, found)]
     return found
 
@@ -175,11 +208,13 @@ def _functions(system: control.NonlinearIOSystem) -> tuple[Callable, Callable | 
     if kind._rhs is not plain._rhs:
 
         def update(t, x, u, params):
+            params.keys()  # any may be a param of the object
             return system._rhs(t, x, u)
 
     if kind._out is not plain._out:
 
         def output(t, x, u, params):
+            params.keys()
             return system._out(t, x, u)
 
     return update, output

@@ -8,7 +8,7 @@ import pytest
 
 import clpt_control as clpt
 from clpt_control.diagrams.wiring import wiring_of
-from clpt_control.errors import DiagramError
+from clpt_control.errors import BlockError, DiagramError
 
 T = np.linspace(0.0, 2.0, 21)
 TIGHT = {"method": "DOP853", "rtol": 1e-10, "atol": 1e-12}
@@ -44,8 +44,97 @@ def pendulum(**more):
 
 
 def test_params_are_python_controls():
-    for params in (None, {"m": 1000}, {"m": 3, "unknown": 1.0}):
+    for params in (None, {"m": 1000}, {"m": 3, "why": "another word"}):
         against_control(pendulum(name="a"), np.sin(T), [0.3, 0.0], params)
+
+
+class Spring:
+    """Reads `slack` in one of its ways alone, through a method."""
+
+    def force(self, x, params):
+        return params["slack"] * x[0]
+
+    def rate(self, t, x, u, params):
+        if params.get("mode", "firm") == "soft":
+            return [x[1], -self.force(x, params)]
+        return [x[1], -params["c"] * x[0]]
+
+
+def by_number(t, x, u, params):
+    return [x[1], -sum(params.get(f"k{i}", 1.0) * x[0] ** i for i in range(1, 3))]
+
+
+def all_at_once(t, x, u, params):
+    own = {"k": 1.0, **params}
+    return [x[1], -own["k"] * x[0]]
+
+
+def is_text(t, x, u, params):
+    return [x[1], -float(f"{x[0]}") * params.get("k", 1.0)]
+
+
+NAMES = {  # what may be given, and what no function reads
+    rate: ([{"m": 2.0}, {"c": 0.1}], ["M", "mm", "typo", "rod.m"]),
+    Spring().rate: ([{"slack": 1.0}, {"mode": "soft", "slack": 2.0}], ["slak", "x"]),
+    by_number: ([{"k2": 2.0}], ["k3", "l2"]),
+    all_at_once: ([{"k": 2.0}, {"any": 1.0}], []),
+    is_text: ([{"k": 2.0}, {"any": 1.0}], []),
+}
+
+
+def as_it_is(update):
+    return control.nlsys(update, None, inputs=1, outputs=2, states=2, params={"c": 1.0}, name="rod")
+
+
+def in_a_loop(update):
+    back = control.ss([], [], [], [[-1.0, 0.0]], inputs=2, outputs="u[0]", name="back")
+    back.set_inputs(["x[0]", "x[1]"])
+    rod = as_it_is(update)
+    rod.set_outputs(["x[0]", "x[1]"])
+    rod.set_inputs(["u[0]"])
+    return clpt.connect([rod, back], name="loop")
+
+
+@pytest.mark.parametrize("made", [as_it_is, in_a_loop])
+@pytest.mark.parametrize("update", NAMES, ids=lambda f: f.__name__)
+@pytest.mark.filterwarnings("ignore:.*runs in Python")
+def test_names_that_functions_read_are_known_and_no_others(update, made):
+    known, unknown = NAMES[update]
+    system = made(update)
+    calls = [
+        lambda p: clpt.simulate(system, [0.0, 0.2], 0.0, [0.3, 0.1], params=p),
+        lambda p: clpt.linearize(system, [0.3, 0.1], params=p),
+    ]
+    if made is in_a_loop:
+        calls.append(
+            lambda p: control.input_output_response(system, [0.0, 0.2], 0.0, [0.3, 0.1], params=p)
+        )
+    for call in calls:
+        for params in known if update is not is_text else ():
+            call(params)
+        for name in unknown:
+            with pytest.raises(BlockError, match=rf"unknown parameter '{name}'.* knows .*c"):
+                call({"c": 2.0, name: 1.0})
+    for params in known:
+        calls[0](params)
+
+
+def test_an_unknown_name_is_told_from_its_like():
+    for name in ("mm", "rod.m"):
+        with pytest.raises(BlockError, match=r"did you mean m\? This diagram knows c, m"):
+            clpt.simulate(as_it_is(rate), [0.0, 1.0], 0.0, 0.0, params={name: 1.0})
+    with pytest.raises(BlockError, match=r"did you mean back\.D\?"):
+        clpt.simulate(in_a_loop(rate), [0.0, 1.0], 0.0, 0.0, params={"bak.D": [[1.0, 0.0]]})
+
+
+def test_names_of_nested_diagrams():
+    parts = [in_a_loop(rate).copy(name=name) for name in "ab"]
+    outer = control.interconnect(parts, outlist=["a.x[0]"], check_unused=False)
+    for name in ("m", "a.m", "b.c"):
+        clpt.simulate(outer, [0.0, 0.2], 0.0, [0.3, 0.1, 0.2, 0.0], params={name: 2.0})
+    for name in ("typo", "a.typo", "c.m", "back"):
+        with pytest.raises(BlockError, match=f"unknown parameter '{name}'"):
+            clpt.simulate(outer, [0.0, 0.2], 0.0, [0.3, 0.1, 0.2, 0.0], params={name: 2.0})
 
 
 def test_params_reach_nested_diagrams_as_python_control_hands_them_down():
