@@ -13,21 +13,26 @@ import logging
 import os
 import sys
 import warnings
-from contextlib import suppress
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..errors import ClptError, SimulationError
-from ..progress import interrupt
+from ..progress import interrupt, let_go, tell
 
 if TYPE_CHECKING:
     import typer
 
+OUTPUT = {  # what can be wrong with standard output
+    errno.ENOSPC: "no space left; give it a place with more",
+    errno.EBADF: "is closed; give it a file or a terminal",
+}
 COMPLETES = "_CLPT_COMPLETE"  # set by a shell that asks how a word may go on
 LONGEST = 1200  # letters of a sentence; longer ones lose their middle
 
 
 def main() -> None:
     """Run the command line; a failure is a sentence and a status."""
+    _stand_in()
     interrupt.listen()
     gc.set_threshold(200_000, 50, 50)  # imports make many objects that stay
     warnings.showwarning = lambda *_: None  # commands print sentences, no warnings
@@ -46,7 +51,20 @@ def main() -> None:
     sys.exit(status)
 
 
+def _stand_in() -> None:
+    """Open nothing in place of standard streams that are closed: no file may get their number."""
+    for number in range(3):
+        try:
+            os.fstat(number)
+        except OSError:
+            os.open(os.devnull, os.O_RDWR)  # gets the lowest number
+    if sys.stderr is None:
+        sys.stderr = Path(os.devnull).open("w")  # noqa: SIM115
+
+
 def _run() -> int:
+    if sys.stdout is None:
+        raise OSError(errno.EBADF, "standard output")
     logging.getLogger("matplotlib").setLevel(logging.ERROR)  # it warns without a home folder
     words = sys.argv[1:] or ["--help"]  # who types `clpt` alone wants its page
     status = application()(args=words, standalone_mode=False, prog_name="clpt")
@@ -99,14 +117,15 @@ def _answer(error: BaseException) -> int:
         return _complain(str(error), 2)
     if isinstance(error, SystemExit) and COMPLETES in os.environ:  # fish reads the status
         return error.code if isinstance(error.code, int) else 0
-    if isinstance(error, BrokenPipeError | SystemExit):  # the reader went away
-        _let_go()
+    if isinstance(error, BrokenPipeError | SystemExit):  # the reader of a page of help went away
+        let_go(sys.stdout)
         return 0
     if isinstance(error, MemoryError):
         return _complain("out of memory; take fewer samples, members, files or places at once", 1)
-    if isinstance(error, OSError) and error.errno == errno.ENOSPC and error.filename is None:
-        _let_go()
-        return _complain("standard output: no space left; give it a place with more", 2)
+    if isinstance(error, OSError) and error.errno in OUTPUT and error.filename is None:
+        if sys.stdout is not None:
+            let_go(sys.stdout)
+        return _complain(f"standard output: {OUTPUT[error.errno]}", 2)
     import typer
 
     if isinstance(error, typer.Abort):
@@ -138,15 +157,9 @@ def _interrupted(error: BaseException | None) -> bool:
     return False
 
 
-def _let_go() -> None:
-    """Drop what is left for standard output."""
-    with suppress(OSError, ValueError):
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-
-
 def _complain(sentence: str, status: int) -> int:
     line = " ".join(sentence.split()).encode(errors="backslashreplace").decode()
     if len(line) > LONGEST:
         line = f"{line[: LONGEST // 2]} ... {line[-LONGEST // 2 :]}"
-    print("clpt:", line, file=sys.stderr)
+    tell(f"clpt: {line}")
     return status

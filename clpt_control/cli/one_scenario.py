@@ -3,15 +3,13 @@
 from importlib import resources
 from pathlib import Path
 
-import typer
-
 import clpt_control as clpt
 
 from ..errors import ClptError
 from ..files import beside, check_name, check_writable, make_folder
 from ..progress import progress_bar
 from .help_pages import arg, opt
-from .printing import Formats, Json, ScenarioFile, finish
+from .printing import Formats, Json, ScenarioFile, finish, say
 
 RUN = "run it with `clpt run {} --out run.nc`"
 FIT = "fit it with `clpt fit {} --out mine.toml`"
@@ -46,7 +44,7 @@ def init(
         raise ClptError(f"{file}: exists already; name another file, or move this one away")
     with beside(file) as made:
         made.write_bytes((resources.files("clpt_control.data") / source).read_bytes())
-    typer.echo(f"{file}: written; {then.format(file)}")
+    say(f"{file}: written; {then.format(file)}")
 
 
 def paper(
@@ -117,7 +115,7 @@ def diagram(
     """
     wired = clpt.closed_loop(clpt.load_scenario(scenario), external or ())
     if out is None:
-        typer.echo(clpt.diagrams.mermaid(wired))
+        say(clpt.diagrams.mermaid(wired))
         return
     clpt.draw(wired, out)
-    typer.echo(f"{out}: written")
+    say(f"{out}: written")

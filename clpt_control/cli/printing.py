@@ -2,15 +2,15 @@
 
 import json
 import os
+import sys
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import Annotated, Any
 
-import typer
-
 from ..errors import ClptError, SimulationError
 from ..files import check_writable, write_figure
 from ..html import Result
+from ..progress import let_go, plain
 from .help_pages import arg, flag, opt
 
 ScenarioFile = Annotated[Path, arg("SCENARIO", "A scenario's TOML file, or a run's NetCDF.")]
@@ -70,7 +70,21 @@ def print_json(value: dict[str, Any]) -> None:
         raise SimulationError(
             "--json: a figure is not finite, which JSON cannot hold; leave --json out to see which"
         ) from None
-    typer.echo(text)
+    say(text.replace("\x7f", "\\u007f"))
+
+
+def say(text: str) -> None:
+    """Print text on standard output, as it may be shown."""
+    _print(f"{plain(text)}\n")
+
+
+def _print(text: str) -> None:
+    """Print; where the reader went away, the command comes to its end without."""
+    try:
+        sys.stdout.write(text)
+        sys.stdout.flush()
+    except BrokenPipeError:
+        let_go(sys.stdout)
 
 
 def finish(
@@ -84,10 +98,10 @@ def finish(
         if one.columns:
             print_table(one.title, one.columns, one.rows)
         for sentence in one.sentences:
-            typer.echo(sentence)
+            say(sentence)
     for path in written:
         if path is not None:
-            typer.echo(f"{path}: written")
+            say(f"{path}: written")
 
 
 def terminal_width() -> int:
@@ -108,7 +122,8 @@ def print_table(title: str, columns: Sequence[str], rows: Sequence[Sequence[str]
     from rich.table import Table
     from rich.text import Text
 
-    table = Table(title=Text(title), title_justify="left")
+    table = Table(title=Text(plain(title)), title_justify="left")
+    columns, rows = [plain(one) for one in columns], [[plain(one) for one in row] for row in rows]
     least = 1
     for k, column in enumerate(columns):
         cells = [column, *(row[k] for row in rows)]
@@ -119,7 +134,10 @@ def print_table(title: str, columns: Sequence[str], rows: Sequence[Sequence[str]
         least += 3 + max(min(len(part), LONG) for part in parts)
     for row in rows:
         table.add_row(*map(Text, row))
-    Console(width=max(terminal_width(), least)).print(table)
+    console = Console(width=max(terminal_width(), least))
+    with console.capture() as printed:
+        console.print(table)
+    _print(printed.get())
 
 
 def shown(value: Any) -> str:

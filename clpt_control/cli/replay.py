@@ -10,7 +10,7 @@ import clpt_control as clpt
 
 from ..errors import DataError, ScenarioError
 from ..files import make_folder
-from ..progress import progress_bar
+from ..progress import progress_bar, tell
 from .help_pages import arg, flag, opt
 from .printing import Formats, Json, finish
 from .replay_report import Ahead, check_pace, results, summary_with_next, watch, waypoint, write
@@ -135,7 +135,7 @@ def replay(
             if follow is None:
                 raise
             if not told:
-                typer.echo(f"so far, {error}", err=True)
+                tell(f"so far, {error}")
             told.append(str(error))
         with progress_bar("replaying dives", max(len(used), 1)) as report:
             return feed(Replay(estimator, model, forecast), used, report), skipped

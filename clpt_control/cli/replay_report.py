@@ -20,7 +20,7 @@ import clpt_control as clpt
 from ..errors import ScenarioError
 from ..files import remove_left, write_together
 from ..html import Result
-from ..progress import interrupt
+from ..progress import interrupt, tell
 from .help_pages import Command
 from .printing import terminal_width
 
@@ -128,7 +128,7 @@ class Ahead:
         except ScenarioError as error:
             if not self.follows:
                 raise
-            typer.echo(f"so far, {error}", err=True)
+            tell(f"so far, {error}")
             return []
 
 
@@ -256,7 +256,7 @@ def watch(
                     learned = take(*follower.dives())
                     line = said_of(*learned, len(arrived), out, ahead, kinds)
                     found = learned  # from where the line is seen, an interrupt has its results
-                    typer.echo(line, err=True)
+                    tell(line)
                     if arrived:
                         since = time.monotonic()
                 left = since + patience - time.monotonic()

@@ -2,13 +2,11 @@
 
 from pathlib import Path
 
-import typer
-
 import clpt_control as clpt
 
 from ..html import Result
 from .help_pages import arg, opt
-from .printing import Formats, Json, finish
+from .printing import Formats, Json, finish, say
 
 
 def report(
@@ -56,4 +54,4 @@ def animate(
     check_options(out, seconds, fps, width)
     data = clpt.load_run(run)
     clpt.animate(data, out, start=start, end=end, seconds=seconds, fps=fps, width=width)
-    typer.echo(f"{out}: written")
+    say(f"{out}: written")

@@ -1,17 +1,24 @@
 """How far work that lasts over two seconds has come, on standard error.
 
 A bar on a terminal, a plain line now and then elsewhere; a note on what happens once.
+What is told goes on where nobody hears it, and steers no terminal.
 """
 
+import os
+import re
 import sys
 import time
 import warnings
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from traceback import walk_stack
+from typing import TextIO
 
 PATIENCE = 2.0  # seconds before the bar appears
 LOG_EVERY = 10.0  # seconds between lines where there is no terminal
+STEERS = re.compile(  # a terminal: controls but tab and newline, marks that turn text around
+    r"[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069]"
+)
 
 
 @contextmanager
@@ -43,17 +50,17 @@ def progress_bar(what: str, total: float, counted: str = "") -> Iterator[Callabl
             state += f", {rate:.4g} a second" if counted else ""
             state += f", {clock((total - done) / rate)} left"
         if not terminal:
-            print(f"{what}: {state}", file=sys.stderr, flush=True)
+            tell(f"{what}: {state}")
             return
         if bar is None:
             from rich.console import Console
             from rich.progress import BarColumn, Progress, TextColumn
 
-            plain = TextColumn("{task.fields[what]}", markup=False)
-            columns = (plain, BarColumn(), TextColumn("{task.description}", markup=False))
+            name = TextColumn("{task.fields[what]}", markup=False)
+            columns = (name, BarColumn(), TextColumn("{task.description}", markup=False))
             bar = Progress(*columns, console=Console(stderr=True), transient=True)
             bar.start()
-            task = bar.add_task(state, total=total, what=what)
+            task = bar.add_task(state, total=total, what=plain(what))
         bar.update(task, completed=done, description=state)
 
     try:
@@ -65,7 +72,30 @@ def progress_bar(what: str, total: float, counted: str = "") -> Iterator[Callabl
 
 def note(sentence: str) -> None:
     """Print a line on standard error: why what follows takes longer than usual."""
-    print(f"clpt: {sentence}", file=sys.stderr, flush=True)
+    tell(f"clpt: {sentence}")
+
+
+def tell(line: str) -> None:
+    """Print a line on standard error; where that cannot be, go on without."""
+    try:
+        print(plain(line), file=sys.stderr, flush=True)
+    except (OSError, ValueError):
+        let_go(sys.stderr)
+
+
+def plain(text: str) -> str:
+    r"""Return text whose controls a terminal shows, and does not obey.
+
+    >>> plain("a title\x1b[2J") == r"a title\x1b[2J"
+    True
+    """
+    return STEERS.sub(lambda found: ascii(found[0])[1:-1], text)
+
+
+def let_go(stream: TextIO) -> None:
+    """Drop what is left for a standard stream that takes no more."""
+    with suppress(OSError, ValueError):
+        os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
 
 
 def warn(sentence: str) -> None:

@@ -2,13 +2,15 @@
 
 import json
 import os
+import shlex
 import subprocess
 import sys
+import unicodedata
 from pathlib import Path
 
 import numpy as np
 import pytest
-from processes import CLPT, GUARD, await_line, interrupt, started, without_progress
+from processes import CLPT, CODE, GUARD, await_line, interrupt, started, without_progress
 
 import clpt_control
 
@@ -127,29 +129,100 @@ def test_interrupt_ends_cleanly(tmp_path):
     assert [path.name for path in tmp_path.iterdir()] == ["long.toml"]
 
 
+STREAMS = {  # what a shell does with streams -> status, what is said on standard error
+    ">&-": (2, "clpt: standard output: is closed; give it a file or a terminal\n"),
+    ">/dev/full": (2, "clpt: standard output: no space left; give it a place with more\n"),
+    "2>&-": (0, ""),
+    "2>/dev/full": (0, ""),
+    "<&-": (0, ""),
+    ">&- 2>&- <&-": (2, ""),
+    "| head -1": (0, ""),
+    "2>&1 >/dev/null | true": (0, ""),  # nobody reads what is told
+}
+COMMANDS = {  # with what they write
+    ("--help",): (),
+    ("laws", "--json"): (),
+    ("run", "s.toml", "--out", "run.nc"): ("run.nc",),
+    ("report", "r.nc", "-o", "r.html"): ("r.html",),
+    ("prove", "--theorem", "3.2"): (),
+    ("replay", "--sample", "--out", "out"): ("out/replay.nc",),
+}
+
+
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="no /dev/full")
+@pytest.mark.parametrize("stream", STREAMS)
 @pytest.mark.parametrize(
-    "words", [("--help",), pytest.param(("replay", "--sample"), marks=pytest.mark.processes)]
+    "words",
+    [c if c == ("--help",) else pytest.param(c, marks=pytest.mark.processes) for c in COMMANDS],
 )
-def test_a_full_standard_output_is_one_sentence(words):
-    with Path("/dev/full").open("w") as full:
-        done = subprocess.run(
-            [sys.executable, "-m", "clpt_control", *words],
-            stdout=full,
-            stderr=subprocess.PIPE,
-            text=True,
-        )
-    assert done.returncode == 2
-    said = without_progress(done.stderr)
-    assert said == "clpt: standard output: no space left; give it a place with more\n"
+def test_streams_that_are_closed_full_or_not_read(tmp_path, words, stream):
+    scenario = clpt_control.paper_scenario().with_values({"run.duration": 20})
+    clpt_control.save_scenario(scenario, tmp_path / "s.toml")
+    clpt_control.save_run(clpt_control.simulate(scenario), tmp_path / "r.nc")
+    before = {path.name for path in tmp_path.iterdir()}
+    hear = CODE.replace("; main()", "; import clpt_control.progress as p; p.PATIENCE = 0.0; main()")
+    line = f'"$0" -c "$1" {shlex.join(words)} {stream}; exit ${{PIPESTATUS[0]}}'
+    done = subprocess.run(
+        ["bash", "-c", line, sys.executable, hear], cwd=tmp_path, capture_output=True, text=True
+    )
+    status, said = STREAMS[stream]
+    assert (done.returncode, without_progress(done.stderr)) == (status, said)
+    whole = () if stream.startswith(">&-") else COMMANDS[words]
+    new = {path.name for path in tmp_path.iterdir()} - before
+    assert new == {name.split("/")[0] for name in whole}
+    assert all((tmp_path / name).stat().st_size for name in whole)
 
 
-@pytest.mark.processes
-def test_a_reader_that_goes_away_is_no_fault():
-    with started([*CLPT, "replay", "--sample"]) as process:
-        process.stdout.close()
-        assert without_progress(process.stderr.read()) == ""
-        assert process.wait() == 0
+HOSTILE = "\x1b]0;owned\x07\x1b[2J\r\x9b31m\u202e\u2066\x7f\b"
+
+
+def steers(text):
+    """Letters that steer a terminal."""
+    return {one for one in text if unicodedata.category(one) in ("Cc", "Cf")} - {"\n", "\t"}
+
+
+def test_nothing_that_is_printed_steers_the_terminal(clpt, tmp_path, monkeypatch):
+    monkeypatch.setattr("clpt_control.progress.LOG_EVERY", 0.0)
+    values = {"run.duration": 20, "title": f"title {HOSTILE}"}
+    scenario = clpt_control.paper_scenario().with_values(values)
+    file, run = tmp_path / f"s {HOSTILE}.toml", tmp_path / f"r {HOSTILE}.nc"
+    clpt_control.save_scenario(scenario, file)
+    key = json.dumps(f"key {HOSTILE}")
+    (tmp_path / "k.toml").write_text(file.read_text() + f"\n[run.{key}]\n{key} = {key}\n")
+    vary = ("--members", "2", "--vary", "learning.gain=1:2", "--out", tmp_path / f"e {HOSTILE}")
+    for words in (
+        ("run", file, "--out", run),
+        ("run", run, "--out", tmp_path / f"{HOSTILE}", "--figures", tmp_path / f"f {HOSTILE}"),
+        ("report", run, "-o", tmp_path / f"p {HOSTILE}.html"),
+        ("estimate", run),
+        ("excitation", file),
+        ("diagram", file),
+        ("ensemble", file, *vary),
+        ("ensemble", file, *vary, "--seed", "1"),
+        ("report", tmp_path / f"e {HOSTILE}", "-o", tmp_path / "e.html"),
+    ):
+        outcome = clpt(*words)
+        assert outcome.status == 0 or "give another --out" in outcome.err, outcome
+        assert not steers(outcome.out + outcome.err), words
+    for words in (
+        ("run", tmp_path / "k.toml", "--out", run),
+        ("run", file, "--out", tmp_path / HOSTILE / "run.nc"),
+        (f"run{HOSTILE}",),
+        ("run", f"{HOSTILE}.toml", "--out", run),
+        ("laws", HOSTILE),
+        ("ensemble", file, "--members", "2", "--vary", f"{HOSTILE}=1:2", "--out", tmp_path / "e"),
+        ("diagram", file, "--external", HOSTILE),
+        ("replay", f"{HOSTILE}.nc"),
+        ("tides", f"{HOSTILE}.csv", "--constituents", "M2"),
+        ("fit", f"{HOSTILE}.nc", "--out", "x.toml"),
+    ):
+        outcome = clpt(*words)
+        assert (outcome.status, outcome.out, outcome.err.count("\n")) == (2, "", 1), outcome
+        assert not steers(outcome.err), words
+        assert r"\x1b" in outcome.err, words
+    as_json = clpt("run", file, "--out", run, "--json").out
+    assert not steers(as_json)
+    assert json.loads(as_json)["title"] == values["title"]
 
 
 @pytest.mark.processes
