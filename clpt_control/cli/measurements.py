@@ -20,7 +20,9 @@ def fit(
     ),
     rows: int = opt("COUNT", "Places of functions, south to north.", default=3),
     columns: int = opt("COUNT", "Places of functions, west to east.", default=3),
-    width_km: float = opt("KM", "Width of the Gaussians, km.", default=15.0),
+    width_km: float | None = opt(
+        "KM", "Width of the Gaussians, km; default: 0.6 of the distance between places."
+    ),
     constituents: str = opt(
         "NAMES",
         "steady and named tides, such as steady,M2.",
@@ -36,6 +38,8 @@ def fit(
     Example:
         clpt fit currents.nc --box 40.9 41.55 -69.9 -69.0 --out mine.toml
     """
+    from ..theory.excitation.gramian import not_learned
+
     fitted = clpt.currents.fit_scenario(
         currents,
         box,
@@ -46,7 +50,7 @@ def fit(
         start_from_fit=start_from_fit,
         units=units,
     )
-    clpt.currents.save_fit(fitted, out)
+    scenario = clpt.currents.save_fit(fitted, out)
     lines = [
         [key.replace("_", " "), shown(value)]
         for key, value in fitted.report.items()
@@ -55,8 +59,10 @@ def fit(
     for name, tide in (fitted.report["nodal"] or {}).items():
         f, u, V = (shown(tide[key]) for key in "fuV")
         lines.append([f"{name} at the middle", f"f {f}, u {u} degrees, V {V} degrees"])
-    found = Result(f"{out}: written, with the field beside it", ["", ""], lines)
-    finish([found], fitted.report, as_json)
+    missing = not_learned(scenario)
+    said = [missing] if missing else []
+    found = Result(f"{out}: written, with the field beside it", ["", ""], lines, said)
+    finish([found], fitted.report | {"not_learnable": missing}, as_json)
 
 
 def tides(

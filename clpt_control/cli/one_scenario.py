@@ -88,6 +88,7 @@ def run(
     from ..pages.run_words import run_result
     from ..scenario.team import load_either
     from ..simulation.team_plots import save_figures
+    from ..theory.excitation.gramian import not_learned
 
     kinds = checked_formats(formats or ["png"])
     experiment = load_either(scenario)
@@ -98,7 +99,10 @@ def run(
     clpt.save_run(result, out)
     if folder is not None:
         save_figures(fine, folder, kinds)
-    finish([run_result(summary, summary["title"] or str(scenario))], summary, as_json, out)
+    found = run_result(summary, summary["title"] or str(scenario))
+    if missing := not_learned(result):
+        found, summary["not_learnable"] = found._replace(sentences=[missing]), missing
+    finish([found], summary, as_json, out)
 
 
 def diagram(

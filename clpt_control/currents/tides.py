@@ -110,18 +110,29 @@ def fit_tides(
         _constituent(name, k, both, east, north, noise_ratio(residual, hours, cycles, k))
         for k, name in enumerate(names)
     )
-    power = float(np.mean(np.abs(residual) ** 2))
     return TidalFit(
         constituents=tides,
         mean=(float(mean.real), float(mean.imag)),
-        explained_variance=1.0 - power / float(np.mean(np.abs(flow - flow.mean()) ** 2)),
-        residual_rms=power**0.5,
+        explained_variance=share_explained(flow, residual),
+        residual_rms=float(np.sqrt(np.mean(np.abs(residual) ** 2))),
         start=times[0],
         end=times[-1],
         samples=len(times),
         latitude=float(latitude),
         coefficients=both,
     )
+
+
+def share_explained(flow: np.ndarray, residual: np.ndarray) -> float:
+    """Return the share of the variance about the mean, u + iv, that a residual leaves explained.
+
+    It is 0 where the flow never changes: there is nothing to explain.
+
+    >>> share_explained(np.array([1.0, 3.0]), np.array([0.5, 0.5]))
+    0.75
+    """
+    variance = np.var(flow)
+    return float(1.0 - np.mean(np.abs(residual) ** 2) / variance) if variance > 0 else 0.0
 
 
 @public

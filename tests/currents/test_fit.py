@@ -81,6 +81,39 @@ def test_known_theta_is_recovered(known):
     assert fit.report["samples"] == (~gap).sum()
 
 
+def test_width_and_radius_follow_the_box(known, tmp_path):
+    """The kernels are as wide as their places are apart, times 0.6; the track follows the field."""
+    small = fit_scenario(known[0], BOX)
+    assert (small.report["width"], small.report["track_radius"]) == (15.0, 12.0)
+    assert small.report["functions_felt_on_the_track"] == 27
+    half = fit_scenario(known[0], (41.05, 41.4, -69.7, -69.2))
+    assert half.report["width"] == pytest.approx(15 * np.sqrt(0.35 * 0.5 / (0.65 * 0.9)), rel=0.03)
+    assert half.report["track_radius"] < 0.6 * small.report["track_radius"]
+    narrow = fit_scenario(known[0], BOX, width_km=6.0, radius_km=1.0)
+    assert narrow.report["functions_felt_on_the_track"] == 3
+    assert "a circle of 1 km, feels 3." in fit_text(narrow, tmp_path)
+
+
+def fit_text(fit, folder):
+    save_fit(fit, folder / "fit.toml")
+    return (folder / "fit.toml").read_text()
+
+
+def test_the_share_explained_is_about_the_mean(known, tmp_path):
+    """A steady flow of 5 m/s more changes nothing that varies; about zero the share goes to 1."""
+    path, _, _ = known
+    with netCDF4.Dataset(path) as file:
+        u, v = file["u"][:].filled(np.nan), file["v"][:].filled(np.nan)
+    shares = [
+        fit_scenario(
+            write(tmp_path / "more.nc", u + more, v), BOX, rows=1, columns=1, width_km=3000.0
+        ).report["explained_variance"]
+        for more in (0.0, 5.0)
+    ]
+    assert shares[0] == pytest.approx(shares[1], abs=0.02)
+    assert shares[0] < 0.6
+
+
 def test_centimetres_per_second_give_the_same_theta(known, tmp_path):
     path, _, _ = known
     with netCDF4.Dataset(path) as file:
@@ -134,7 +167,7 @@ def test_saved_scenario_and_field_belong_together(known, tmp_path):
     assert scenario.flow.field == "north_field.nc"
     assert scenario.learning.parameters is None
     assert scenario.learning.gain == 5.0
-    assert scenario.vehicle.position == scenario.learning.position == (10.0, 0.0)
+    assert scenario.vehicle.position == scenario.learning.position == (12.0, 0.0)
     assert scenario.run.duration == 24.0
     moved = tmp_path / "elsewhere"
     moved.mkdir()
@@ -196,7 +229,7 @@ def test_places_that_cannot_be_written_to(known, tmp_path, name, sentence):
         ({"radius_km": 60.0}, DataError, "circle of 60 km .* leaves the field"),
         ({"radius_km": -1.0}, DataError, "radius = -1.0 km: must be positive"),
         ({"gain": 0.0}, DataError, "gain = 0.0: must be positive"),
-        ({"box": (40.9, 41.1, -69.9, -69.0)}, DataError, "circle of 10 km"),
+        ({"box": (40.9, 41.1, -69.9, -69.0), "radius_km": 10.0}, DataError, "circle of 10 km"),
     ],
 )
 def test_each_mistake_is_one_sentence(known, options, error, sentence):
@@ -218,6 +251,24 @@ def test_options_that_cannot_be_are_refused(clpt, known, tmp_path, words, senten
     assert (status, out, err.count("\n")) == (2, "", 1)
     assert re.search(sentence, err)
     assert list(tmp_path.iterdir()) == []
+
+
+def test_fit_and_run_say_what_the_track_does_not_teach(clpt, known, tmp_path):
+    """Of what `clpt excitation` names, in one sentence; nothing where all can be learned."""
+    scenario = tmp_path / "s.toml"
+    words = (known[0], "--out", scenario, "--width-km", "6")
+    _, out, _ = clpt("fit", *words, "--json")
+    assert json.loads(out)["not_learnable"].startswith("of the combinations of parameters this")
+    _, out, _ = clpt("fit", *words)
+    assert "not learnable one by one: theta_1[1]" in out
+    _, out, _ = clpt("run", scenario, "--out", tmp_path / "run.nc", "--json")
+    of_run = json.loads(out)["not_learnable"]
+    _, out, _ = clpt("excitation", tmp_path / "run.nc", "--json")
+    learned = json.loads(out)["dimension"]
+    assert all(f"{n} of 29 along {axis}" in of_run for axis, n in learned.items())
+    assert min(learned.values()) < 29
+    _, out, _ = clpt("fit", *words[:3], "--constituents", "steady", "--json")
+    assert json.loads(out)["not_learnable"] == ""
 
 
 def test_shares_of_a_learner_that_knows_theta_and_of_one_that_knows_none(known, tmp_path):

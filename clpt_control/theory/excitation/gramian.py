@@ -22,18 +22,21 @@ Persistent excitation asks for kappa_1 > 0 for all t; `sliding_excitation` takes
 run, and where the smallest eigenvalue falls to zero, the track stops teaching.
 """
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
 
 from ...arguments import public
-from ...errors import ScenarioError
+from ...errors import ClptError, ScenarioError
 from ...html import facts, fragment, paragraphs
 from ...scenario.experiment import Scenario
 from .regressor import Regressor, Source, checked_window, joint_regressor, scenario_of, span_of
 
 NOT_LEARNABLE = 1e-9  # eigenvalues below this share of the largest say: not learnable
+NAMED = 4  # parameters in one sentence
+MOST = 100  # functions of a basis whose track is judged beside other work
 INVOLVED = 0.05  # a parameter belongs to a subspace if its unit vector has this length in it
 
 
@@ -114,18 +117,36 @@ class Excitation:
         that appear only in combinations are named together.
         """
         sentences = []
-        for axis, idle in self._idle().items():
-            lean = np.linalg.norm(self.directions[axis][:, idle], axis=1)
-            mixed = []
-            for name, share in zip(self.names[axis], lean, strict=True):
-                if share > np.sqrt(1 - INVOLVED**2):
-                    sentences.append(f"{name} is not learnable on this track")
-                elif share > INVOLVED:
-                    mixed.append(name)
+        for alone, mixed in self._not_learned():
+            sentences += [f"{name} is not learnable on this track" for name in alone]
             if mixed:
                 listed = ", ".join(mixed[:-1]) + f" and {mixed[-1]}" if mixed[1:] else mixed[0]
                 sentences.append(f"{listed} are not learnable one by one on this track")
         return sentences
+
+    @property
+    def in_one_sentence(self) -> str:
+        """What cannot be learned on this track, empty where all can."""
+        names = [name for each in self._not_learned() for kind in each for name in kind]
+        if not names:
+            return ""
+        counts = [
+            f"{n} of {len(self.names[axis])} along {axis}" for axis, n in self.dimension.items()
+        ]
+        more = f" and {len(names) - NAMED} more" if len(names) > NAMED else ""
+        return (
+            f"of the combinations of parameters this track teaches {', '.join(counts)}; not "
+            f"learnable one by one: {', '.join(names[:NAMED])}{more} (`clpt excitation` names all)"
+        )
+
+    def _not_learned(self) -> Iterator[tuple[list[str], list[str]]]:
+        """Yield the names of each axis that are not excited, and those in combinations alone."""
+        for axis, idle in self._idle().items():
+            lean = np.linalg.norm(self.directions[axis][:, idle], axis=1)
+            alone = lean > np.sqrt(1 - INVOLVED**2)
+            mixed = (lean > INVOLVED) & ~alone
+            names = np.array(self.names[axis])
+            yield names[alone].tolist(), names[mixed].tolist()
 
     @cached_property
     def _spectra(self) -> dict[str, tuple[np.ndarray, np.ndarray]]:
@@ -269,6 +290,21 @@ def gramian(
     first, last = float(along.cuts[0]), float(along.cuts[-1])
     unit, truth = along.scenario.units.time, _truth(along.scenario)
     return Excitation(first, last - first, along.trajectory, unit, names, factors, tolerance, truth)
+
+
+def not_learned(source: Source) -> str:
+    """Return in one sentence what a round of the track cannot teach, empty where it teaches all.
+
+    It is empty too where that is not known: of a recorded run with fixes, of a learner that leaves
+    its field, and of more than 100 functions, whose Gramian would take longer than the run.
+    """
+    try:
+        scenario, (first, last) = scenario_of(source), span_of(source)
+        if scenario.basis.N > MOST:
+            return ""
+        return gramian(source, min(scenario.cycle, last - first)).in_one_sentence
+    except ClptError:
+        return ""
 
 
 def _truth(scenario: Scenario) -> dict[str, np.ndarray]:
