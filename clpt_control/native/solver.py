@@ -47,17 +47,18 @@ DOP853, RODAS5P, RK4 = 12, 9, 4
 SOLVED, KNOWN, OVER_TIME, ROOM = 2, 10, 11, 12
 TIME, STEP, END, FRESH, REJECTED, GOOD, TAKEN, NEW, AT, FAILING, SIZE, TROUBLE = range(12)
 KINK, LOW, HIGH, LAST = range(12, 16)  # of a decision that a step has passed (`decisions`)
-OTHER_STEPS, DIAGONAL = 16, 17
+CUTS = 16  # steps in turn that were cut at a kink
+OTHER_STEPS, DIAGONAL = 17, 18
 # when a lane is looked at next, or after how many tries; whether it is; steps since, good and not
-NEXT, SPARE, LOOK, GOOD_ONES, BAD_ONES = range(18, 23)
-ASKED = 23  # whether a lane's own step is looked at for stiffness
+NEXT, SPARE, LOOK, GOOD_ONES, BAD_ONES = range(19, 24)
+ASKED = 24  # whether a lane's own step is looked at for stiffness
 # of steps of one length, of which the longest is given: where they began, how many of how many
-BEGAN, TURN, TURNS = range(24, 27)
+BEGAN, TURN, TURNS = range(25, 28)
 # how wrong states between a step's ends may be, above 1 no sample is taken there; where the step is
 # then to end
-WITHIN, WANTED = 27, 28
-STIFF_STEPS, LONGEST, OPENING = 29, 30, 31  # a run that begins in a lane keeps these as they are
-NUMBERS = 32  # rows of numbers
+WITHIN, WANTED = 28, 29
+STIFF_STEPS, LONGEST, OPENING = 30, 31, 32  # a run that begins in a lane keeps these as they are
+NUMBERS = 33  # rows of numbers
 MEMBER, EDGE, DONE, BURST, WHICH = range(5)  # rows of whole numbers
 STEPS, EVALUATIONS, RESTARTS, REJECTIONS = range(4)  # of the counts
 # places of `code`: the diagram's functions, then the method's; stage s stands at STAGE + s
@@ -67,9 +68,10 @@ STAGE, STIFFNESS = 13, 29
 ANEW, ON = 1, 2  # a piece begins with rates and a step of its own, or goes on with those there are
 OUTSIDE = 1e-9  # grid steps beyond the edge that count as outside
 LOOKS = 16  # places within a step at which guards are looked at
-PASSED, CROSSED = 1.0, 2.0  # a step goes beyond a kink; it ends right behind it
+PASSED, CROSSED, CUT = 1.0, 2.0, 3.0  # a step goes beyond a kink, ends right behind it, is cut
 HALVINGS, RESOLVED = 50, 1e-12  # of a step; how close to a kink one ends, of the step or the time
 SHORTEST = 1e-13  # step up to a kink, of a run: in a shorter one states move by rounding alone
+MOST_CUTS, UNMOVED = 8, 1.0  # in turn; of what is asked for: rounding decides where they end
 MOST_KINKS, NEAR = 1000, 1e-7  # one upon the other, within that share of a run
 UNFELT = 5e-6  # or within this one, where states hardly move from one to the next
 # steps from one look for stiffness to the next, of those that show it, and ahead for it to matter
@@ -166,7 +168,7 @@ def advance(code, shape, tolerances, batch, linear, budget, most):
             if dense:
                 doubt(lanes, times, results, lane)
             if beyond:
-                cross(code, shape, times, results, lane, arrays)
+                cross(code, shape, tolerances, times, results, lane, arrays)
             if guarded:
                 watch(code, shape, 1 if fixed else LOOKS, results, lane, arrays)
         if looked and good:
@@ -231,16 +233,19 @@ def passes(lanes, decided, numbers, whole, D):
     """Note which lanes' steps go beyond a kink; return whether any does."""
     some = False
     for k in range(lanes):
-        numbers[KINK, k] = 0.0
         if whole[MEMBER, k] >= 0 and numbers[GOOD, k] > 0.5:
             which = passed(k, lanes, decided, D)
             if which >= 0:
+                numbers[CUTS, k] += 1.0
                 numbers[KINK, k], numbers[LOW, k], numbers[HIGH, k] = PASSED, 0.0, 1.0
                 whole[WHICH, k], some = which, True
+            else:  # one that was cut ends before the kink
+                numbers[CUTS, k] = numbers[CUTS, k] if numbers[KINK, k] == CUT else 0.0
+                numbers[KINK, k] = 0.0
     return some
 
 
-def cross(code, shape, times, results, lane, arrays):
+def cross(code, shape, tolerances, times, results, lane, arrays):
     """Find where steps cross a kink; one that goes well beyond is tried again, up to there."""
     lanes, n, decided = shape[0], shape[1], shape[6]
     shortest = SHORTEST * (times[-1] - times[0])
@@ -263,10 +268,24 @@ def cross(code, shape, times, results, lane, arrays):
         numbers[AT, k] = numbers[NEW, k]
         if numbers[KINK, k] == PASSED:
             h, least = numbers[TAKEN, k], 2.0 * RESOLVED * abs(numbers[NEW, k])
-            if (1.0 - numbers[LOW, k]) * h <= max(RESOLVED * h, least) or h <= 2.0 * shortest:
-                numbers[KINK, k] = CROSSED
+            met = (1.0 - numbers[LOW, k]) * h <= max(RESOLVED * h, least)
+            if numbers[CUTS, k] > MOST_CUTS:
+                met = met or unmoved(k, lanes, n, tolerances, Z)
+            if met or h <= 2.0 * shortest:
+                numbers[KINK, k], numbers[CUTS, k] = CROSSED, 0.0
             else:
+                numbers[KINK, k] = CUT
                 again(k, max(numbers[HIGH, k] * h, shortest), counts, lane)
+
+
+def unmoved(k, lanes, n, tolerances, Z):
+    """Whether no state of a lane moves in its step by what is asked for."""
+    for i in range(n):
+        x, new = Z[i * lanes + k], Z[(ARGUMENT * n + i) * lanes + k]
+        least = UNMOVED * (tolerances[1] + tolerances[0] * abs(x))
+        if abs(new - x) > least + 1e-14 * abs(x):
+            return False
+    return True
 
 
 def decide_anew(shape, tolerances, times, status, lane, Z):

@@ -1,13 +1,17 @@
 """Runs over kinks and switches, against closed forms."""
 
+import itertools
 import time
 
 import control
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
 import clpt_control as clpt
 from clpt_control.errors import SimulationError
+from clpt_control.native.python_diagram import PythonDiagram
+from clpt_control.theory import refuting
 
 RTOL, ATOL = 1e-10, 1e-12
 T = np.linspace(0.0, 10.0, 101)
@@ -256,3 +260,23 @@ def test_rounding_is_no_kink():
     found = run(at_rest, [0.0, 1.0, 0.0])
     np.testing.assert_allclose(found.states.values[:, 0], 1.0 - np.exp(-T), atol=1e-9)
     assert found.attrs["solver_restarts"] < 5
+
+
+@pytest.mark.parametrize(("seed", "which", "tight"), [(1, 3, 1.0), (2, 30, 1e-4)])
+def test_a_kink_that_is_met_at_a_tangent_is_crossed(seed, which, tight):
+    """Rates of the projection law turn along a ball: a step cut at the kink ends before it."""
+    points = np.random.default_rng(seed).random((which + 1, refuting.NUMBERS))
+    scenario = refuting.drawn("projection", points[which])
+    loop, end = clpt.closed_loop(scenario), scenario.run.duration
+    x = start = clpt.initial_state(scenario)
+    runner = clpt.native.compile(loop)
+    found = runner.run(start, [0.0, end], rtol=1e-8 * tight, atol=1e-10 * tight)
+    assert found.statistics["steps"] < 5_000
+    sweep = PythonDiagram(loop).sweep
+    edges = [0.0, *(t for t in sweep.breakpoints(0.0, end) if t < end), end]
+    for begin, until in itertools.pairwise(edges):
+        sweep.enter(begin)
+        x = solve_ivp(
+            lambda t, x: sweep.rates(t, x), (begin, until), x, "DOP853", rtol=1e-12, atol=1e-14
+        ).y[:, -1]
+    np.testing.assert_allclose(found.x[-1], x, rtol=1e-7, atol=1e-7)
