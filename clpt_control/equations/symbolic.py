@@ -6,6 +6,7 @@ arguments.
 """
 
 from collections.abc import Callable, Mapping, Sequence
+from fractions import Fraction
 from functools import lru_cache
 from typing import Any
 
@@ -17,13 +18,21 @@ from .block import Block
 from .elements import Elements, Index
 from .record import Operation, Shape
 
+ROUNDED = Fraction(1, 2**50)  # of a number: what a few roundings change
 Leaf = Callable[[tuple[str, str], Shape, Index], Any]  # (group, name), its shape, a place -> symbol
 
 
 @lru_cache(maxsize=10_000)
 def exact(number: float) -> sympy.Expr:
-    """Return a constant as a rational: 0.1 is 1/10."""
-    return sympy.nsimplify(number, rational=True)
+    """Return a constant as a rational: 0.1 is 1/10, 0.333... is 1/3, 1 + 1e-12 is not 1.
+
+    It is a simple fraction that a few roundings give, else the decimal number that is printed.
+    """
+    if not np.isfinite(number):
+        return sympy.sympify(float(number))
+    own = Fraction(repr(float(number)))
+    simple = own.limit_denominator(10_000)
+    return sympy.Rational(simple if abs(simple - own) <= abs(own) * ROUNDED else own)
 
 
 # what SymPy leaves as it stands, by the name it has there

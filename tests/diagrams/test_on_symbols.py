@@ -6,6 +6,7 @@ import pytest
 import sympy
 
 import clpt_control as clpt
+from clpt_control.equations.symbolic import exact
 
 
 def first_order(t, x, u, params):
@@ -95,6 +96,16 @@ def test_symbols_are_the_numbers_of_python_control(name):
     diagram = SYSTEMS[name]()
     eq = clpt.equations(diagram, numbers=True)
     agrees(diagram, eq)
+
+
+CONSTANTS = {0.1: "1/10", 1 / 3: "1/3", 0.1 + 0.2: "3/10", 1 + 1e-9: "1000000001/1000000000"}
+CONSTANTS |= {2**0.5: "14142135623730951/10000000000000000", -100 / 7: "-100/7", np.inf: "oo"}
+
+
+@pytest.mark.parametrize("number", CONSTANTS)
+def test_a_constant_is_what_it_is_but_for_a_few_roundings(number):
+    assert str(exact(number)) == CONSTANTS[number]
+    assert float(exact(number)) == pytest.approx(number, rel=2**-50)
 
 
 def test_discrete_time_has_next_states_and_no_derivative():

@@ -46,6 +46,7 @@ from .theorem_loop import (
 from .verdict import Verdict, judge
 from .words import WHERE
 
+ANY = "clpt.theory.lyapunov(diagram, V) judges a V of your own on any diagram"
 Candidate = Block | Callable[..., Block]  # V, or what makes it of the truth, and of parameters
 
 
@@ -194,13 +195,15 @@ def prove(
         if made.changes.in_words:
             raise DiagramError(
                 f"{law_block.name}: has parts of your own, {made.changes.in_words}; a law is "
-                "judged in the paper's own diagram, with no other part replaced or inserted"
+                "judged in the paper's own diagram, with no other part replaced or inserted; "
+                f"{ANY}"
             )
         law_block = made.changes.law or made.scenario.law_block
     if isinstance(law_block, control.InputOutputSystem) and not isinstance(law_block, Block):
         raise DiagramError(
             f"{law_block.name}: is a {type(law_block).__name__}; a law is judged in the paper's "
-            "own diagram, give it as a Block; other parts, replaced or inserted, are not judged"
+            "own diagram, give it as a Block; other parts, replaced or inserted, are not judged; "
+            f"{ANY}"
         )
     for field in law_block.parameters._fields:
         if paper_name(law_block.name, field) not in (None, "gamma"):

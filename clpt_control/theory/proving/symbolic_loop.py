@@ -20,6 +20,7 @@ from ...diagrams.wiring import Node, Wiring, wiring_of
 from ...equations.block import Block
 from ...equations.namespaces import BETWEEN, named, split
 from ...equations.record import Shape
+from ...equations.symbolic import exact
 from ...errors import DiagramError
 from .array_loop import blocks_of, no_value, refuse_pinned, refuse_unproved
 from .symbols import element_name, parameter_names, parameter_symbol, state_names
@@ -178,7 +179,7 @@ def equate_x_and_z(loop: SymbolicLoop, x: np.ndarray, random: np.random.Generato
 def own_values(loop: SymbolicLoop, blocks: list[Block]) -> dict[Any, sympy.Rational]:
     """Return parameter -> the number it has, of the blocks of a loop."""
     return {
-        symbol: sympy.nsimplify(value, rational=True)
+        symbol: exact(value)
         for block in blocks
         for symbol, value in own_numbers(loop, block).items()
     }

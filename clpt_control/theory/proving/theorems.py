@@ -18,7 +18,7 @@ from ..counterexamples.paper_system import (
     known_flow_counterexample,
     unlearned_counterexample,
 )
-from ..counterexamples.printed_bounds import square_wave_counterexample
+from ..counterexamples.printed_bounds import burst_counterexample, square_wave_counterexample
 from .lemmas import (
     circle_step,
     convergence_steps,
@@ -174,6 +174,10 @@ def theorem_3_4() -> Proof:
         found = square_wave_counterexample()
         return abs(found.peak * np.pi / 4 - 1) < 1e-2, f"limsup|e| = {found.peak:.4f}"
 
+    def drift_then_burst() -> tuple[bool, str]:
+        found = burst_counterexample()
+        return found.ratio > 2.0, f"|e| peaks at {found.peak:.3f} in each cycle"
+
     steps = [
         *identity_steps(text, "learned-flow", decay_and_disturbance, FEWER, disturbed=True),
         definite_step("learned-flow"),
@@ -189,6 +193,12 @@ def theorem_3_4() -> Proof:
             "phi = 1, k = 1, gamma = 100, a unit square wave at sqrt(gamma): limsup|e| = 4/pi",
             "counterexample",
             scalar,
+        ),
+        checked(
+            "k = gamma = Delta = 1, phi = 0.2 for a time of 250, then 1 for 20, again and again: "
+            "phi is exciting, and |e| > 2 Delta/k comes back",
+            "counterexample",
+            drift_then_burst,
         ),
     ]
     return theorem(

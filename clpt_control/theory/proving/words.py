@@ -77,8 +77,9 @@ def _is_0_or_1(e: sympy.Expr) -> bool:
 
 
 def words_of(expression: sympy.Expr) -> set[Any]:
-    """Return the words of an expression; functions of time alone, its inputs, are none."""
-    return {w for w in expression.atoms(sympy.Function) if not (is_input(w) or w.func == SUM)}
+    """Return the words of an expression; functions of time alone, and numbers, are none."""
+    found = expression.atoms(sympy.Function)
+    return {w for w in found if not (is_input(w) or w.func == SUM or w.is_number)}
 
 
 def is_input(word: Any) -> bool:
