@@ -25,9 +25,10 @@ from ..progress.interrupt import SLICE, check
 from ..scenario.experiment import Scenario
 from ..scenario.file import scenario_to_text
 from ..simulation.loops import loop_of
+from .checked_store import check_store
 from .drawn_values import draw_members
-from .store import CODE, Store, check_store, create_store, open_store, remove_empty
-from .summaries import Array, fixed_arrays, kept_arrays, marks_of, samples_per_cycle
+from .store import CODE, REPEATED, Store, create_store, open_store, remove_empty, software
+from .summaries import Array, arrays_of, marks_of, samples_per_cycle
 from .varied_keys import Vary, read_varies
 from .worker import Recipe, Worker, checked, joined, named, pickled, rows
 
@@ -144,7 +145,7 @@ def run_ensemble(
         b"" if changes == UNCHANGED else pickled(changes, dask is not None),
     )
     worker = Worker(recipe)
-    arrays = kept_arrays(worker.scenario, worker.times, members, trajectories)
+    arrays = arrays_of(worker.scenario, worker.times, values, trajectories)
     asked = {
         "scenario": scenario_to_text(scenario, None if path is None else path.parent),
         "vary": [one.text for one in varies],
@@ -158,8 +159,6 @@ def run_ensemble(
         "times": list(marks),
         "law": named(changes),
     }
-    used = {dim for array in arrays.values() for dim in array.dims}
-    arrays |= fixed_arrays(worker.scenario, worker.times, values, used)
     store = _store(path, worker, asked, arrays)
     report = progress or (lambda done: None)
     count = threads or available_threads()
@@ -248,8 +247,8 @@ def _store(
         return create_store(path, asked, arrays, attrs)
     store = open_store(path)
     check_same(store, asked)
-    check_store(store, asked, arrays)
-    if store.group.attrs[CODE] != worker.code and store.missing():
+    older = check_store(store, arrays)
+    if (older or store.group.attrs[CODE] != worker.code) and store.missing():
         raise DataError(
             f"{path}: was begun by other versions of the code ({store.group.attrs['software']})"
             ", whose numbers may differ in the last bit; give another --out"
@@ -258,13 +257,12 @@ def _store(
 
 
 def _attributes(scenario: Scenario, arguments: dict[str, Any]) -> dict[str, Any]:
-    software = ("clpt-control", "llvmlite", "numpy", "scipy", "zarr")
     return {
         "Conventions": "CF-1.11",
         "title": scenario.title,
         "source": f"clpt-control {version('clpt-control')}",
-        "software": ", ".join(f"{name} {version(name)}" for name in software),
-        **{name: arguments[name] for name in ("scenario", "vary", "design", "seed", "samples")},
+        "software": software(),
+        **{name: arguments[name] for name in REPEATED},
     }
 
 

@@ -11,6 +11,7 @@ import shutil
 import warnings
 import zlib
 from collections.abc import Iterable, Mapping
+from importlib.metadata import version
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -25,6 +26,8 @@ if TYPE_CHECKING:
     import xarray
 
 ARGUMENTS, CODE, DONE = "ensemble", "code", "done"
+REPEATED = ("scenario", "vary", "design", "seed", "samples")  # arguments that are attributes too
+SOFTWARE = ("clpt-control", "llvmlite", "numpy", "scipy", "zarr")
 
 
 class Store:
@@ -34,9 +37,11 @@ class Store:
         self.group, self.path = group, path
         self.arguments: dict[str, Any] = json.loads(group.attrs[ARGUMENTS])
         self.members, self.chunk = self.arguments["members"], self.arguments["chunk"]
-        self.kept = sorted(
-            name for name, array in group.arrays() if array.attrs.get("kept") == "per member"
-        )
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of what is no array: `check_store` names it
+            self.names = {name for name, _ in group.members()}
+            arrays = dict(group.arrays())
+        self.kept = sorted(n for n, one in arrays.items() if one.attrs.get("kept") == "per member")
 
     def range(self, index: int) -> tuple[int, int]:
         """Return the first and the last member + 1 of a chunk."""
@@ -54,12 +59,12 @@ class Store:
             for name in self.kept:
                 if arrays[name].size:
                     self.group[name][first:last] = arrays[name]
-            self.group[DONE][index] = self._checksum(arrays)
+            self.group[DONE][index] = self.checksum(arrays)
         except OSError as error:
             reason = error.strerror or error
             raise DataError(f"{self.path}: cannot be written: {reason}") from None
 
-    def _checksum(self, arrays: Mapping[str, np.ndarray]) -> int:
+    def checksum(self, arrays: Mapping[str, np.ndarray]) -> int:
         """Return a checksum of the summaries, above zero."""
         check = 0
         for name in self.kept:
@@ -89,7 +94,7 @@ class Store:
             read = {name: self.group[name][first:last] for name in self.kept}
         except Exception:  # a damaged file can raise anything
             return False
-        fits = self._checksum(read) == checksum
+        fits = self.checksum(read) == checksum
         return fits and all(self._there(name, index) for name in self.kept)
 
     def _there(self, name: str, index: int) -> bool:
@@ -125,6 +130,11 @@ class Store:
         if self.path is not None:
             data.encoding["folder"] = str(self.path.absolute().parent)
         return data if self.path is not None else data.load()
+
+
+def software() -> str:
+    """Return the versions that make an ensemble."""
+    return ", ".join(f"{name} {version(name)}" for name in SOFTWARE)
 
 
 def layout_of(
@@ -197,39 +207,10 @@ def open_store(path: Path, mode: Literal["r", "r+"] = "r+") -> Store:
         raise DataError(f"{path}: is a folder without an ensemble; give another name")
     check_folder(path)
     try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # of what is no array: `check_store` names it
-            store = Store(zarr.open_group(path, mode=mode), path)
+        store = Store(zarr.open_group(path, mode=mode), path)
         whole = DONE in store.group and "status" in store.kept
     except Exception:  # a damaged file can raise anything
         whole = False
     if not whole:
         raise DataError(f"{path}: is no ensemble or is damaged; give another name or remove it")
     return store
-
-
-def check_store(store: Store, arguments: Mapping[str, Any], arrays: Mapping[str, Array]) -> None:
-    """Refuse a store that is not as `create_store` makes it."""
-    for name, made in layout_of(arguments, arrays).items():
-        wrong = ""
-        try:
-            array = store.group[name]
-            found = {
-                "shape": array.shape,
-                "dtype": array.dtype,
-                "chunks": array.chunks,
-                "attributes": dict(array.attrs),
-                "dimension_names": array.metadata.dimension_names,
-            }
-            wanted = {**made, "attributes": json.loads(json.dumps(made["attributes"]))}
-            wrong = next((what for what in made if found[what] != wanted[what]), "")
-            values = arrays[name].values if name in arrays else None
-            if not wrong and values is not None and not np.array_equal(array[:], values):
-                wrong = "values"
-        except Exception:  # a damaged file can raise anything
-            wrong = "files"
-        if wrong:
-            raise DataError(
-                f"{store.path}: is damaged: {name} has lost its {wrong.replace('_', ' ')}; move it "
-                "away and run the ensemble again"
-            )

@@ -145,7 +145,17 @@ def kept_arrays(
     return found
 
 
-def fixed_arrays(
+def arrays_of(
+    scenario: Scenario, times: SampleTimes, values: Mapping[str, np.ndarray], trajectories: bool
+) -> dict[str, Array]:
+    """Return all arrays of an ensemble: what is kept, the members' values, and coordinates."""
+    members = len(next(iter(values.values())))
+    found = kept_arrays(scenario, times, members, trajectories)
+    used = {dim for array in found.values() for dim in array.dims}
+    return found | _fixed_arrays(scenario, times, values, used)
+
+
+def _fixed_arrays(
     scenario: Scenario, times: SampleTimes, values: Mapping[str, np.ndarray], used: set[str]
 ) -> dict[str, Array]:
     """Return the members' values, and the coordinates of the dimensions that are used."""

@@ -176,20 +176,10 @@ def _no_number(name: str) -> None:
 
 
 def _folder(path: Path) -> "xarray.Dataset":
-    from ..ensemble.store import open_store
-
     if (path / "zarr.json").is_file():
-        store = open_store(path, mode="r")
-        try:
-            data = store.dataset()
-            for array in data.variables.values():
-                if "time" not in array.dims:  # a page shows no trajectory
-                    array.load()
-        except Exception:  # a damaged file can raise anything
-            raise DataError(
-                f"{path}: is damaged: a part of it cannot be read; run the ensemble again"
-            ) from None
-        return data
+        from ..ensemble.checked_store import open_ensemble
+
+        return open_ensemble(path)
     inside = [path / name for name in ("run.nc", "replay.nc") if (path / name).is_file()]
     raise DataError(
         f"{path}: is a folder without an ensemble; " + (f"give {inside[0]}" if inside else KNOWN)

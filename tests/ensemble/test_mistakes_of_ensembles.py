@@ -161,6 +161,58 @@ def test_numbers_of_other_versions_are_not_mixed(quick, tmp_path):
         run_ensemble(quick, VARY, 20, out=out, chunk=10)
 
 
+def lacking(quick, out):
+    """Write an ensemble of two chunks, of which the second is to be run again."""
+    run_ensemble(quick, VARY, 20, out=out, chunk=10)
+    store = open_store(out)
+    store.group["done"][1] = 0
+    return store.group
+
+
+def test_a_foreign_array_is_refused_before_a_chunk_is_written(quick, tmp_path):
+    out = tmp_path / "e.zarr"
+    lacking(quick, out).create_array("mine", shape=(3,), dtype="f8", dimension_names=["member"])
+    before = files(out)
+    for go_on in (
+        lambda: run_ensemble(quick, VARY, 20, out=out, chunk=10),
+        lambda: clpt_control.report(out, tmp_path / "e.html"),
+    ):
+        with pytest.raises(DataError, match=r"e.zarr: holds mine, which is no part of it"):
+            go_on()
+    assert files(out) == before
+    assert not (tmp_path / "e.html").exists()
+
+
+def test_an_ensemble_of_an_older_version_is_not_called_damaged(quick, tmp_path):
+    out, older = tmp_path / "e.zarr", "not_run finished step_too_small"
+    group = lacking(quick, out)
+    group["status"].attrs.update({"flag_meanings": older, "flag_values": [0, 1, 2]})
+    clpt_control.report(out, tmp_path / "e.html")
+    with pytest.raises(DataError, match="begun by other versions"):
+        run_ensemble(quick, VARY, 20, out=out, chunk=10)
+    group.attrs["software"] = "clpt-control 0.0.1"
+    group["gain_error"].attrs["long_name"] = "another"
+    with pytest.raises(DataError, match=r"gain_error has other attributes .* by clpt-control 0\.0"):
+        clpt_control.report(out, tmp_path / "e.html")
+
+
+@pytest.mark.parametrize("name", ["members", "chunk", "keys", "scenario", "samples"])
+def test_arguments_that_do_not_fit_are_told(quick, tmp_path, name):
+    out = tmp_path / "e.zarr"
+    group = lacking(quick, out)
+    for value in (None, 10**12, [], "x", -1, 0):
+        group.attrs["ensemble"] = json.dumps({**json.loads(group.attrs["ensemble"]), name: value})
+        with pytest.raises(DataError, match=r"is damaged"):
+            clpt_control.report(out, tmp_path / "e.html")
+
+
+def test_numbers_that_are_not_those_of_a_chunk_are_told(quick, tmp_path):
+    out = tmp_path / "e.zarr"
+    lacking(quick, out)["clpe_rms_whole"][3] = 0.5
+    with pytest.raises(DataError, match="chunk 0 is not as it was written"):
+        clpt_control.report(out, tmp_path / "e.html")
+
+
 def test_vary_reads_back():
     for text in ("a.b=0.2:2.0", "a.b~normal:0.1", "a.b=[0.5, 1, [2, 3]]"):
         assert read_vary(read_vary(text).text) == read_vary(text) or "[" in text
