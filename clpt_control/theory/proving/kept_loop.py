@@ -154,6 +154,11 @@ class Kept:
         rest = self.put(self.untied.xreplace(self.tied) - claim(self.loop) - more)
         return left_over(rest) or "".join(self.loop.undefined[:1])
 
+    def moves_as(self, values: Any, rates: Any) -> bool:
+        """Return whether values have these rates where the relations hold."""
+        pairs = zip(np.ravel(values), np.ravel(rates), strict=True)
+        return all(vanishes(self.put(self.loop.derivative(a) - rate)) for a, rate in pairs)
+
     def left(self) -> str:
         """Return which relation is left, or nothing."""
         return self.leaving(self.loop.derivative)

@@ -208,60 +208,36 @@ def _is_readout(case: Kept, found: Any, alpha: Any, theta: Any, w: Any) -> bool:
 
 def covariance_claims(driven: bool) -> Claims:
     """Return the bounds of P and eta; `driven` is whether CLPE drives alpha."""
-    claims: Claims = {
+    moves = {
         "tr(eta P^-1 eta^T)' = -|eta phi_f|^2/r^2 - lambda tr(eta P^-1 eta^T): it never "
-        "rises": _falls,
-        "(k_0 - tr P)' >= 0 where tr P = k_0: tr P <= k_0 is kept": _top,
-        "(rho P)' = -rho (P phi_f) (P phi_f)^T/r^2: P^-1 >= rho P(0)^-1 at all times": _above,
-        "P' + P phi_f phi_f^T P/r^2 = lambda P: P^-1 <= P(0)^-1 + int phi_f phi_f^T/r^2": _below,
-        "|eta|^2 <= tr P tr(eta P^-1 eta^T) <= k_0 tr(eta P^-1 eta^T): eta is bounded by "
-        "V": _cauchy,
+        "rises": "size",
+        "(k_0 - tr P)' >= 0 where tr P = k_0: tr P <= k_0 is kept": "room",
+        "(rho P)' = -rho (P phi_f) (P phi_f)^T/r^2: P^-1 >= rho P(0)^-1 at all times": "rho P",
+        "P' + P phi_f phi_f^T P/r^2 = lambda P: P^-1 <= P(0)^-1 + int phi_f phi_f^T/r^2": "P",
     }
+    claims: Claims = {claim: partial(_moves, of=of) for claim, of in moves.items()}
+    claims["|eta|^2 <= tr P tr(eta P^-1 eta^T) <= k_0 tr(eta P^-1 eta^T): eta is bounded by V"] = (
+        _cauchy
+    )
     return dict(list(claims.items())[driven:])
 
 
-def _parts(case: Kept) -> tuple[Any, Any, Any]:
-    """Return P, P' and (P phi_f) (P phi_f)^T/r^2, symmetric."""
-    P = case.symmetric["P"]
-    slope = np.vectorize(case.put, otypes=[object])(case.slopes["P"])
-    seen = P @ case.states["phi_f"]
-    return P, slope, np.outer(seen, seen) / case.parameters.noise**2
+def _moves(case: Kept, of: str) -> bool:
+    forgets = case.parameters.forgetting.is_nonnegative
+    return bool(forgets) and case.moves_as(*covariance_rates(case)[of])
 
 
-def _top(case: Kept) -> bool:
-    """Return whether the slope of k_0 - tr P, where that is 0, is a sum of squares."""
-    P, slope, _ = _parts(case)
-    first = P[0, 0]
-    touching = {first: case.parameters.largest - sum(P.diagonal()[1:])}
-    seen = (P @ case.states["phi_f"]) / case.parameters.noise
-    rest = -np.trace(slope) - sum(seen**2)
-    return vanishes(rest.subs(touching))
-
-
-def _above(case: Kept) -> bool:
-    """Return whether rho P comes down by a square and nothing else."""
-    P, slope, seen = _parts(case)
-    rho, rate = case.states["rho"][0], case.put(case.rates["rho"][0])
-    rest = rate * P + rho * slope + rho * seen
-    return all(map(vanishes, rest.ravel()))
-
-
-def _below(case: Kept) -> bool:
-    """Return whether P' is lambda P, lambda >= 0, beside what is learned."""
-    P, slope, seen = _parts(case)
-    share = 1 - np.trace(P) / case.parameters.largest
-    rest = slope + seen - case.parameters.forgetting * share * P
-    given = case.parameters.forgetting
-    return bool(given.is_nonnegative) and all(map(vanishes, rest.ravel()))
-
-
-def _falls(case: Kept) -> bool:
-    """Return whether tr(eta P^-1 eta^T) falls by what is seen and what is forgotten."""
-    P, p = case.symmetric["P"], case.parameters
-    size = np.sum((case.held @ P) * case.held)
-    share = p.forgetting * (1 - np.trace(P) / p.largest)
-    seen = sum((case.held @ P @ case.states["phi_f"]) ** 2) / p.noise**2
-    return vanishes(case.put(case.loop.derivative(size)) + seen + share * size)
+def covariance_rates(case: Kept) -> dict[str, tuple[Any, Any]]:
+    """Return what is made of P and eta, and its rate; lambda is 0 where tr P = k_0."""
+    P, p, rho, over = case.states["P"], case.parameters, case.states["rho"], case.held
+    forgetting = p.forgetting * (1 - np.trace(P) / p.largest)
+    seen, size = P @ case.states["phi_f"] / p.noise, np.sum((over @ P) * over)
+    return {
+        "size": (size, -sum((over @ seen) ** 2) - forgetting * size),
+        "room": (p.largest - np.trace(P), sum(seen**2) - forgetting * np.trace(P)),
+        "rho P": (rho * P, -rho * np.outer(seen, seen)),
+        "P": (P, forgetting * P - np.outer(seen, seen)),
+    }
 
 
 def _cauchy(case: Kept) -> bool:

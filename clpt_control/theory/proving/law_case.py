@@ -16,7 +16,7 @@ from ...equations.elements import Index
 from ...equations.every_n import base_and_term, renamed
 from ...errors import DiagramError
 from .array_loop import TIME, array_loop
-from .leaks import Bound, Leaking, delta_bounds, leaks_of, listed, pull_bound
+from .leaks import Bound, Bounding, listed
 from .proof import Step, checked, exact, short
 from .running_rate import numbers, running_step
 from .signs import (
@@ -24,7 +24,6 @@ from .signs import (
     dead_zone,
     nonpositive,
     positive_definite,
-    pulled,
     terms_of,
     tidied,
     vanishes,
@@ -184,18 +183,7 @@ class Case:
 
     def bound(self) -> Bound | None:
         """Return what V comes to where V' pulls back, or where leaks do."""
-        at, p, truth = self.values, self.loop.parameters, self.truth()
-        KD, disturbed = list(p["vehicle_controller"].KD), self.takes_delta()
-        pull = None
-        if self.keeps_decay():
-            pull = pulled(self.rate, self.Vs, truth, at, self.moving)
-        if pull is not None:
-            return pull_bound(pull, KD, delta_bounds(disturbed))
-        rate, rest, V = (one.xreplace(at) for one in (self.rate, self.rest, self.Vs))
-        leaks = leaks_of(rest, truth, self.moving)
-        rates = {s: own.xreplace(at) for s, own in self.loop.motion.items()}
-        leaking = Leaking(rate, leaks, V, truth, self.moving, rates, KD, disturbed)
-        return leaking.bound() if leaks else None
+        return Bounding(self).bound()
 
     def comes_to_zones(self) -> Bound:
         """Return what e comes to where V' falls but for dead zones."""

@@ -1,4 +1,8 @@
-"""What bounds V where V' does not fall by itself: leaks, and a dead zone in V.
+"""What bounds V where V' does not fall by itself: what pulls back, and leaks.
+
+A term that pulls back bounds one that does not:
+
+    -a s^2 + b s <= -(a/2) s^2 + b^2/(2 a)
 
 Leaks are what a law has beyond the paper's, where a factor f >= 0 pulls states to zero.
 
@@ -20,13 +24,27 @@ Delta is the disturbance of Eq. (32), which adds e^T Delta to V'.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import sympy
 from sympy.core.function import AppliedUndef
 
-from .signs import Pull, positive_maximum, pulled
+from .signs import groups_of, positive_maximum
+from .words import interval
+
+
+class Pull(NamedTuple):
+    """V' <= -rate V + push, or -e^T KD e/2 + push where rate is zero."""
+
+    rate: sympy.Expr  # in what the law does not know: theta, KD and GammaD
+    push: sympy.Expr
+
+
+class Bound(NamedTuple):
+    """What V comes to, and a sentence about it."""
+
+    says: str
+    level: sympy.Expr | None = None  # in theta, KD, GammaD and the bounds Delta_1, Delta_2
 
 
 class Leak(NamedTuple):
@@ -40,13 +58,6 @@ class Leak(NamedTuple):
     def square(self) -> sympy.Expr:
         """|s|^2."""
         return sympy.Add(*(s**2 for s in self.states))
-
-
-class Bound(NamedTuple):
-    """What V comes to, and a sentence about it."""
-
-    says: str
-    level: sympy.Expr | None = None  # in theta, KD, GammaD and the bounds Delta_1, Delta_2
 
 
 class Radial(NamedTuple):
@@ -79,21 +90,14 @@ def leaks_of(rest: sympy.Expr, truth: dict, moving: set) -> list[Leak]:
 
 
 def _is_factor(f: sympy.Expr, moving: set) -> bool:
-    base = f.base if isinstance(f, sympy.Pow) else f
-    if isinstance(f, sympy.Pow) and f.exp == sympy.Rational(1, 2):
-        return bool(base.free_symbols & moving)
-    return isinstance(base, AppliedUndef) and str(base.func) in ("clip", "maximum")
+    base, power = f.as_base_exp()
+    root = power == sympy.S.Half and base.free_symbols & moving
+    return bool(root) or str(base.func) in ("clip", "maximum")
 
 
 def _not_negative(f: sympy.Expr) -> bool:
-    """Return whether a factor is known not to be negative."""
-    if isinstance(f, sympy.Pow) and f.exp == -1:
-        return positive_maximum(f.base)
-    if isinstance(f, AppliedUndef) and str(f.func) == "clip":
-        return bool(f.args[1].is_nonnegative and f.args[2].is_nonnegative)
-    if isinstance(f, AppliedUndef):
-        return any(a.is_nonnegative for a in f.args)
-    return bool(f.is_nonnegative) or (isinstance(f, sympy.Pow) and f.exp == sympy.Rational(1, 2))
+    """Return whether a factor is known not to be negative; a root is not, where it is a number."""
+    return f.as_base_exp()[1] == sympy.S.Half or bool(interval(f)[0].is_nonnegative)
 
 
 def _radial(leak: Leak) -> Radial | None:
@@ -113,32 +117,108 @@ def _radial(leak: Leak) -> Radial | None:
     return None
 
 
-@dataclass
-class Leaking:
-    """V' of a law with leaks, at the numbers of its parameters."""
+def pulled(rate: sympy.Expr, V: sympy.Expr, truth: dict, moving: set) -> Pull | None:
+    """Bound V' by what pulls back and a constant, state by state.
 
-    rate: sympy.Expr
-    leaks: list[Leak]
-    V: sympy.Expr
-    truth: dict
-    moving: set
-    rates: dict
-    KD: list[sympy.Expr]
-    disturbed: bool
+    None where V' is not a sum of a term -a s^2 + b s, or a leak, for each error s; what depends on
+    `moving`, all states and time, is no constant.
+    """
+    states, moves = list(truth), {*truth, *moving}
+    shifted = {s: s + truth[s] for s in states}
+    rate, V = (sympy.expand(one.xreplace(shifted)) for one in (rate, V))
+    weights = sympy.hessian(V, states)
+    groups = {tuple(g.free_symbols & set(states)): g for g in groups_of(rate, set(states))}
+    if not weights.is_diagonal() or any(len(own) != 1 for own in groups):
+        return None
+    push, rates = sympy.Integer(0), []
+    for k, s in enumerate(states):
+        part = groups.get((s,), sympy.S.Zero)
+        bounded = _pull_of(part, s, moves) or _leak_of(part, s, truth[s])
+        if bounded is None:
+            return None
+        push += bounded.push
+        rates.append(bounded.rate / weights[k, k])
+    return None if push == 0 else Pull(sympy.Min(*rates), push)
 
-    def __post_init__(self) -> None:
-        H, truth, self.k = sympy.hessian(self.V, list(self.truth)), self.truth, sympy.Min(*self.KD)
-        self.weights = {s: H[j, j] for j, s in enumerate(truth)}
-        self.errors = list(truth)[:2]  # x, whose truth is z
+
+def _pull_of(part: sympy.Expr, s: sympy.Symbol, moves: set) -> Pull | None:
+    """Return a and b^2/(2 a) of -a s^2 + b s."""
+    a, b = -part.coeff(s, 2), part.coeff(s, 1)
+    if sympy.expand(part + a * s**2 - b * s) != 0:
+        return None
+    if not a.is_nonnegative or _moves(a, moves) or _moves(b, moves) or (a == 0 and b != 0):
+        return None
+    return Pull(a, b**2 / (2 * a) if b != 0 else sympy.S.Zero)
+
+
+def _leak_of(part: sympy.Expr, s: sympy.Symbol, true: sympy.Expr) -> Pull | None:
+    """Return how -f a^2k a (a - a*) pulls, a = a* + s, for f between two numbers.
+
+    It is not positive but where |a| < |a*|, and there at most f |a*|^(2k + 2)/4; where f keeps away
+    from zero and k is 0 it is -f s^2/2 and at most f |a*|^2/2.
+    """
+    a = sympy.Dummy(real=True)
+    of_a = sympy.expand(part.xreplace({s: a - true}))
+    if not of_a.is_polynomial(a):
+        return None
+    share, rest = sympy.div(of_a, sympy.expand(-a * (a - true)), a)
+    found, slowest = sympy.S.Zero, sympy.S.Zero
+    for (power,), f in sympy.Poly(share, a).terms() if rest == 0 else ():
+        low, high = interval(f)
+        if power % 2 or low.is_negative or not high.is_finite:
+            return None
+        if power == 0 and low.is_positive:
+            slowest, found = low, found + high * true**2 / 2
+        else:
+            found += high * true ** (power + 2) / 4
+    return Pull(slowest, found) if found != 0 else None
+
+
+def _moves(expression: sympy.Expr, moving: set) -> bool:
+    return bool(expression.free_symbols & moving or expression.atoms(sympy.Function))
+
+
+class Bounding:
+    """V' of a case, at the numbers of its parameters, and what it says of V."""
+
+    def __init__(self, case: Any):
+        """Read what a `law_case.Case` has."""
+        at = case.values
+        self.rate, self.rest, self.V = (e.xreplace(at) for e in (case.rate, case.rest, case.Vs))
+        self.truth = {s: true.xreplace(at) for s, true in case.truth().items()}
+        self.moving, self.decays = case.moving, case.keeps_decay()
+        self.rates = {s: own.xreplace(at) for s, own in case.loop.motion.items()}
+        self.KD = list(case.loop.parameters["vehicle_controller"].KD)
+        self.leaks = leaks_of(self.rest, self.truth, self.moving)
+        H, self.k = sympy.hessian(self.V, list(self.truth)), sympy.Min(*self.KD)
+        self.weights = {s: H[j, j] for j, s in enumerate(self.truth)}
+        self.errors, learned = list(self.truth)[:2], list(self.truth)[2:]  # x, whose truth is z
         square = all(self.weights[s] == 1 for s in self.errors) and H.is_diagonal()
         one_each = [s for leak in self.leaks for s in leak.states]
-        self.all_leak = square and sorted(one_each, key=str) == sorted(list(truth)[2:], key=str)
-        self.delta = delta_bounds(self.disturbed)
+        self.all_leak = square and sorted(one_each, key=str) == sorted(learned, key=str)
+        deltas = sympy.symbols("Delta_1:3", positive=True)  # the bounds of |Delta_i|
+        self.delta = deltas if case.takes_delta() else (sympy.S.Zero, sympy.S.Zero)
         self.push = sympy.sqrt(sympy.Add(*(d**2 for d in self.delta)))
 
     def bound(self) -> Bound | None:
         """Return what is known of V, or None."""
-        return self.rising() or self.by_error() or self.kept_within()
+        pull = None
+        if self.decays:
+            pull = pulled(self.rate, self.V, self.truth, self.moving)
+        if pull is not None:
+            return self.pulled_to(pull)
+        return self.rising() or self.by_error() or self.kept_within() if self.leaks else None
+
+    def pulled_to(self, pull: Pull) -> Bound:
+        """Return what V or e comes to, with Delta: e Delta <= KD e^2/2 + Delta^2/(2 KD)."""
+        push = pull.push + sum(d**2 / (2 * k) for d, k in zip(self.delta, self.KD, strict=True))
+        shown, rate = push.n(4), pull.rate.n(4)
+        if rate == 0:
+            return Bound(
+                f"V' <= -e^T KD e/2 + {shown}: in the mean e^T KD e is at most {2 * shown}"
+            )
+        said = f"V' <= -{rate} V + {shown}: V comes down to {shown / rate}"
+        return Bound(said, push / pull.rate)
 
     def size(self, leak: Leak) -> sympy.Expr:
         """Return |s*|."""
@@ -154,10 +234,10 @@ class Leaking:
             full = full.subs(own.word, own.top)
             more += own.top * leak.weight * (own.R**2 + self.size(leak) * own.R)
             within.append(f"{self.size(leak)} <= {float(own.M):.4g}")
-        pull = pulled(sympy.expand(full), self.V, self.truth, {}, self.moving)
+        pull = pulled(sympy.expand(full), self.V, self.truth, self.moving)
         if pull is None:
             return None
-        bound = pull_bound(Pull(pull.rate, pull.push + more), self.KD, self.delta)
+        bound = self.pulled_to(Pull(pull.rate, pull.push + more))
         said = f"; where {listed(within)}, V' <= -e^T KD e without Delta"
         return Bound(bound.says + said, bound.level)
 
@@ -217,22 +297,3 @@ class Leaking:
 def listed(parts: Sequence[str]) -> str:
     """Return "a, b and c"."""
     return " and ".join(part for part in (", ".join(parts[:-1]), parts[-1]) if part)
-
-
-def delta_bounds(disturbed: bool) -> tuple[sympy.Expr, sympy.Expr]:
-    """Return the bounds of |Delta_1| and |Delta_2|; zero without a disturbance."""
-    if not disturbed:
-        return sympy.Integer(0), sympy.Integer(0)
-    first, second = sympy.symbols("Delta_1 Delta_2", positive=True)
-    return first, second
-
-
-def pull_bound(pull: Pull, KD: list[sympy.Expr], delta: tuple) -> Bound:
-    """Return what V or e comes to, with Delta: e Delta <= KD e^2/2 + Delta^2/(2 KD)."""
-    push = pull.push + sum(d**2 / (2 * k) for d, k in zip(delta, KD, strict=True))
-    shown, rate = push.n(4), pull.rate.n(4)
-    if rate == 0:
-        said = f"V' <= -e^T KD e/2 + {shown}: in the mean e^T KD e is at most {2 * shown}"
-        return Bound(said)
-    said = f"V' <= -{rate} V + {shown}: V comes down to {shown / rate}"
-    return Bound(said, push / pull.rate)

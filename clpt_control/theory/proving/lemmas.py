@@ -29,8 +29,8 @@ Waypoints on a circle, section IV:
 
     int zc zc^T dt = (n tau r^2 / 2) I            n >= 3 waypoints, one cycle
 
-The sums go through roots of unity: cos^2 a = (1 + cos 2a)/2, and the sum of
-exp(4 pi i j / n) over j vanishes exactly where its ratio is not 1, n >= 3.
+A turn R by 2 pi/n takes each waypoint to the next, so M = sum zc zc^T is R M R^T.  M R = R M with
+sin(2 pi/n) > 0, n >= 3, leaves M = m I, and 2 m = tr M = n r^2.
 """
 
 from typing import Any
@@ -46,6 +46,7 @@ from .array_loop import ArrayLoop, array_loop
 from .proof import Step, checked, cited
 from .theorem_loop import (
     WIRED,
+    Loop,
     decay,
     known_positive,
     rate_of_V,
@@ -63,7 +64,7 @@ def learned() -> Diagram:
     return theorem_loop(WIRED, "learned-flow")
 
 
-def errors(loop: ArrayLoop) -> Errors:
+def errors(loop: Loop) -> Errors:
     """Return e and eta: theta + alpha, K - KD and GammaD - Gamma."""
     p, s, car = loop.parameters, loop.states, loop.parameters["vehicle_controller"]
     found = {"e": s["x"] - s["z"], "eta_3": s["K"] - car.KD, "eta_4": car.GammaD - s["Gamma"]}
@@ -124,10 +125,10 @@ def error_rates(own: Errors, KD: Any, gamma: Any, phi: Any, z: Any, zc: Any) -> 
     }
 
 
-def wanted_rates(loop: ArrayLoop) -> Errors:
-    """Return the rates of the closed loop's errors as the paper has them."""
+def wanted_rates(loop: Loop, before_eta_3: str = "z") -> Errors:
+    """Return the rates of the closed loop's errors as the paper has them, z eta_3 in e'."""
     p, inputs = loop.parameters, loop.inputs
-    given = inputs["phi_x"], loop.states["z"], inputs["zc"]
+    given = inputs["phi_x"], loop.states[before_eta_3], inputs["zc"]
     return error_rates(errors(loop), p["vehicle_controller"].KD, p["adaptation"].gain, *given)
 
 
@@ -252,47 +253,31 @@ def observability_steps() -> list[Step]:
     ]
 
 
-def _zero(expression: sympy.Expr) -> bool:
-    """Return whether trigonometric terms cancel, as sums of exponentials."""
-    return sympy.simplify(sympy.expand(sympy.expand(expression).rewrite(sympy.exp))) == 0
-
-
-def telescopes() -> bool:
-    """Return whether sum_{j<n} q^j = (1 - q^n)/(1 - q), by induction."""
-    n, q = sympy.Symbol("n", integer=True, positive=True), sympy.Symbol("q")
-
-    def partial(count: sympy.Expr) -> sympy.Expr:
-        return (1 - q**count) / (1 - q)
-
-    step = partial(n + 1) - partial(n) - q**n
-    return _zero(partial(sympy.Integer(1)) - 1) and sympy.simplify(step) == 0
-
-
-def root_of_unity() -> bool:
-    """Return whether q = exp(4 pi i/n) is a root of 1, not 1, n > 2."""
-    n = sympy.Symbol("n", integer=True, positive=True)
-    m = sympy.Symbol("m", integer=True, nonnegative=True)
-    q = sympy.exp(4 * sympy.pi * sympy.I / n)
-    angle = 2 * sympy.pi / (m + 3)  # n = m + 3: between 0 and pi, where the sine is not zero
-    below_pi = sympy.factor(sympy.together(sympy.pi - angle))
-    distance = sympy.expand((1 - sympy.cos(2 * angle)) ** 2 + sympy.sin(2 * angle) ** 2)
-    return (
-        sympy.powsimp(q**n, force=True).equals(1) is True
-        and bool(angle.is_positive and below_pi.is_positive)
-        and _zero(distance - 4 * sympy.sin(angle) ** 2)
-        and q.subs(n, 2) == 1
+def turned(angle: sympy.Expr) -> sympy.Matrix:
+    """Return the turn of a plane by an angle."""
+    return sympy.Matrix(
+        [[sympy.cos(angle), -sympy.sin(angle)], [sympy.sin(angle), sympy.cos(angle)]]
     )
 
 
-def entries() -> bool:
-    """Return whether cos^2, sin^2, cos sin are parts of exp(2 i a)."""
-    a = sympy.Symbol("a", real=True)
-    re, im = sympy.re(sympy.exp(2 * sympy.I * a)), sympy.im(sympy.exp(2 * sympy.I * a))
-    cosine, sine = sympy.cos(a), sympy.sin(a)
-    return (
-        _zero(cosine**2 - (1 + re) / 2)
-        and _zero(sine**2 - (1 - re) / 2)
-        and _zero(cosine * sine - im / 2)
+def points_turn() -> bool:
+    """Return whether a turn by 2 pi/n takes each point to the next, the last to the first."""
+    n = sympy.Symbol("n", positive=True)
+    a, b = sympy.symbols("a b", real=True)
+    both = turned(a + b).applyfunc(sympy.expand_trig)
+    return turned(a) * turned(b) == both and turned(n * (2 * sympy.pi / n)) == sympy.eye(2)
+
+
+def turns_with_multiples_of_one() -> bool:
+    """Return whether M = [[a, b], [b, d]] that turns with all is a multiple of I, n > 2."""
+    a, b, d, angle = sympy.symbols("a b d angle", real=True)
+    M, R = sympy.Matrix([[a, b], [b, d]]), turned(angle)
+    moved = sympy.sin(angle) * sympy.Matrix([[-2 * b, a - d], [a - d, 2 * b]])
+    m = sympy.Symbol("m", integer=True, nonnegative=True)
+    own = 2 * sympy.pi / (m + 3)  # n = m + 3: between 0 and pi, where the sine is not zero
+    below_pi = sympy.factor(sympy.together(sympy.pi - own))
+    return sympy.expand(R * M - M * R - moved) == sympy.zeros(2) and bool(
+        own.is_positive and below_pi.is_positive
     )
 
 
@@ -302,7 +287,8 @@ def circle_step() -> Step:
         "n >= 3 waypoints on a circle excite: int zc zc^T dt = (n tau r^2/2) I over a cycle",
         "exact",
         lambda: (
-            telescopes() and root_of_unity() and entries(),
-            "cos^2 a = (1 + Re q^j)/2 and so on, a = 2 pi j/n; q^n = 1 and q != 1, so sum q^j = 0",
+            points_turn() and turns_with_multiples_of_one(),
+            "M = sum zc zc^T is the same turned by 2 pi/n, whose sine is not 0: M = m I; tr M = "
+            "n r^2",
         ),
     )

@@ -15,7 +15,8 @@ import sympy
 from ...blocks import basis
 from ...equations.symbolic import expressions
 from ...simulation.loops import error_loop
-from .symbolic_loop import symbolic_loop
+from .lemmas import errors, wanted_rates
+from .symbolic_loop import SymbolicLoop, symbolic_loop
 from .theorem_loop import theorem_loop, theorem_scenario
 
 Check = Callable[[bool], bool]
@@ -59,7 +60,7 @@ def misprints() -> tuple[Misprint, ...]:
     >>> found.equation, found.holds(True), found.holds(False)
     ('(18)', False, True)
     """
-    for read in (_without_injection, _error_dynamics):
+    for read in (any_gains, paper_loop, _error_dynamics):
         read.cache_clear()  # the blocks may have been changed
     return tuple(MISPRINTS)
 
@@ -74,53 +75,22 @@ def misprint(equation: str, printed: str, corrected: str, check: str) -> Callabl
     return listed
 
 
-class PaperLoop:
-    """The paper's symbols of the closed loop, as arrays of SymPy's expressions."""
-
-    def __init__(self, law: str, disturbed: bool = False, opaque: tuple[str, ...] = ()):
-        self.loop = loop = symbolic_loop(theorem_loop(2, law, disturbed), opaque)
-        controller = loop.parameters["vehicle_controller"]
-        self.KD, self.GammaD, self.alpha_M = controller.KD, controller.GammaD, controller.alpha_M
-        self.theta = loop.parameters["true_flow"].theta
-        self.gamma = loop.parameters["adaptation"].gain
-        self.x, self.z, self.K, self.Gamma = (loop.states[s] for s in ("x", "z", "K", "Gamma"))
-        self.phi, self.phi_z, self.zc = (loop.inputs[u] for u in ("phi_x", "phi_z", "zc"))
-        self.delta = loop.inputs.get("delta", sympy.Integer(0))
-        self.e, self.psi, self.V = loop.signals["e"], loop.signals["psi"], loop.signals["V"][0]
-        self.alpha = loop.signals["alpha"]
-        self.free: dict[str, np.ndarray] = {  # rates of what adapts, before a law is chosen
-            port: np.vectorize(lambda s: sympy.Symbol(f"{s}'", real=True))(loop.states[port])
-            for port in ("alpha", "K", "Gamma")
-            if port in loop.states
-        }
-
-    def free_rate(self) -> sympy.Expr:
-        """Return V' with free rates of alpha, K and Gamma."""
-        return replace(self.loop, rates=self.loop.rates | self.free).derivative(self.V)
-
-    def gain_terms(self, before_K: sympy.Expr) -> sympy.Expr:
-        """Return (K - KD)^T (before K' + z e) + (GammaD - Gamma)^T (zc e - Gamma'/gamma)."""
-        K, Gamma = self.free["K"], self.free["Gamma"]
-        feedback = (self.K - self.KD) @ (before_K * K + self.z * self.e)
-        return feedback + (self.GammaD - self.Gamma) @ (self.zc * self.e - Gamma / self.gamma)
-
-    def left_of_injection(self) -> np.ndarray:
-        """Return -(alpha_M + alpha) phi(x) - (alpha_M - alpha) phi(z), as in Eq. (19)."""
-        return -(self.alpha_M + self.alpha) @ self.phi - (self.alpha_M - self.alpha) @ self.phi_z
-
-    def error_rate(self, before_eta_3: np.ndarray) -> np.ndarray:
-        """Return e' of Eq. (27), -KD e + [phi_1, phi_2, ..., zc]^T eta."""
-        flow = (self.theta + self.alpha) @ self.phi - self.KD * self.e
-        return flow + before_eta_3 * (self.K - self.KD) + self.zc * (self.GammaD - self.Gamma)
-
-    def rate_of_e(self) -> np.ndarray:
-        """Return e' as the blocks have it."""
-        return np.array([self.loop.derivative(e) for e in self.e])
+@cache
+def any_gains(law: str, disturbed: bool = False) -> SymbolicLoop:
+    """Return a loop with any injection, before a law is chosen: what adapts has any rate."""
+    loop = symbolic_loop(theorem_loop(2, law, disturbed), ("injection",))
+    free = {
+        port: np.vectorize(lambda s: sympy.Symbol(f"{s}'", real=True))(loop.states[port])
+        for port in ("alpha", "K", "Gamma")
+        if port in loop.states
+    }
+    return replace(loop, rates=loop.rates | free)
 
 
 @cache
-def _without_injection(law: str, disturbed: bool = False) -> PaperLoop:
-    return PaperLoop(law, disturbed, ("injection",))
+def paper_loop(law: str) -> SymbolicLoop:
+    """Return the closed loop of a law of the paper."""
+    return symbolic_loop(theorem_loop(2, law))
 
 
 @cache
@@ -139,6 +109,29 @@ def _zero(values: Any) -> bool:
     return all(sympy.expand(value) == 0 for value in np.ravel(values))
 
 
+def _rate_of_V(loop: SymbolicLoop) -> sympy.Expr:
+    return loop.derivative(loop.signals["V"][0])
+
+
+def brackets(loop: SymbolicLoop, before_K: Any, before_alpha: Any, flow: Any) -> sympy.Expr:
+    """Return e^T (flow - KD e - psi) + the errors, each times what a law makes zero."""
+    own, s, rates, phi = errors(loop), loop.states, loop.rates, loop.inputs["phi_x"]
+    e, gamma, zc = own["e"], loop.parameters["adaptation"].gain, loop.inputs["zc"]
+    form = e @ (flow - loop.parameters["vehicle_controller"].KD * e - loop.signals["psi"])
+    form += own["eta_3"] @ (before_K * rates["K"] + s["z"] * e)
+    form += own["eta_4"] @ (zc * e - rates["Gamma"] / gamma)
+    if "eta" in own:
+        form += np.sum(own["eta"] * (before_alpha * rates["alpha"] + np.outer(e, phi)))
+    return form
+
+
+def left_of_injection(loop: SymbolicLoop, printed: bool = False) -> np.ndarray:
+    """Return -(alpha_M + alpha) phi(x) - (alpha_M - alpha) phi(z), Eq. (19), or as (25) has it."""
+    alpha_M, alpha = loop.parameters["vehicle_controller"].alpha_M, loop.states["alpha"]
+    phi, phi_z = loop.inputs["phi_x"], loop.inputs["phi_z"]
+    return -2 * alpha_M @ phi if printed else -(alpha_M + alpha) @ phi - (alpha_M - alpha) @ phi_z
+
+
 @misprint(
     "(18)",
     "(K - KD)^T (K' + z e)",
@@ -147,17 +140,19 @@ def _zero(values: Any) -> bool:
 )
 def equation_18(printed: bool) -> bool:
     """Check V' of Eq. (18)."""
-    o = _without_injection("known-flow")
-    form = o.gain_terms(sympy.Integer(1) if printed else 1 / o.gamma)
-    form += o.e @ (-o.KD * o.e + (o.theta - o.alpha_M) @ o.phi - o.psi)
-    return _zero(o.free_rate() - form)
+    loop = any_gains("known-flow")
+    p, gamma = loop.parameters, loop.parameters["adaptation"].gain
+    flow = (p["true_flow"].theta - p["vehicle_controller"].alpha_M) @ loop.inputs["phi_x"]
+    return _zero(_rate_of_V(loop) - brackets(loop, 1 if printed else 1 / gamma, 0, flow))
 
 
-def _learned(o: PaperLoop, before_K: Any, before_alpha: Any, rest: np.ndarray) -> bool:
-    """Compare V' with e^T (-KD e + Delta - psi + rest) + the law's brackets."""
-    form = o.gain_terms(before_K) + o.e @ (-o.KD * o.e + o.delta - o.psi + rest)
-    bracket = before_alpha * o.free["alpha"] + np.outer(o.e, o.phi)
-    return _zero(o.free_rate() - form - np.sum((o.theta + o.alpha) * bracket))
+def _learned(printed_K: bool, printed_alpha: bool, printed_flow: bool, disturbed: bool) -> bool:
+    """Compare V' of the learned-flow law with Eq. (25) or (34), parts of it as printed."""
+    loop = any_gains("learned-flow", disturbed)
+    inverse = 1 / loop.parameters["adaptation"].gain
+    flow = left_of_injection(loop, printed_flow) + loop.inputs.get("delta", 0)
+    K, alpha = (1 if printed else inverse for printed in (printed_K, printed_alpha))
+    return _zero(_rate_of_V(loop) - brackets(loop, K, alpha, flow))
 
 
 @misprint(
@@ -168,9 +163,7 @@ def _learned(o: PaperLoop, before_K: Any, before_alpha: Any, rest: np.ndarray) -
 )
 def equation_25_gains(printed: bool) -> bool:
     """Check the factors 1/gamma of Eq. (25)."""
-    o = _without_injection("learned-flow")
-    inverse = sympy.Integer(1) if printed else 1 / o.gamma
-    return _learned(o, inverse, inverse, o.left_of_injection())
+    return _learned(printed, printed, False, disturbed=False)
 
 
 @misprint(
@@ -181,9 +174,7 @@ def equation_25_gains(printed: bool) -> bool:
 )
 def equation_25_flow(printed: bool) -> bool:
     """Check the flow terms of Eq. (25)."""
-    o = _without_injection("learned-flow")
-    rest = -2 * o.alpha_M @ o.phi if printed else o.left_of_injection()
-    return _learned(o, 1 / o.gamma, 1 / o.gamma, rest)
+    return _learned(False, False, printed, disturbed=False)
 
 
 @misprint(
@@ -194,9 +185,9 @@ def equation_25_flow(printed: bool) -> bool:
 )
 def second_derivative(printed: bool) -> bool:
     """Check e' as V'' after Eq. (26) has it."""
-    o = _without_injection("learned-flow")
-    rest = -2 * o.alpha_M @ o.phi if printed else o.left_of_injection()
-    return _zero(o.rate_of_e() - (o.error_rate(o.z) - o.psi + rest))
+    loop = any_gains("learned-flow")
+    beside = left_of_injection(loop, printed) - loop.signals["psi"]
+    return _zero(_rate_of_e(loop) - wanted_rates(loop)["e"] - beside)
 
 
 @misprint(
@@ -207,16 +198,18 @@ def second_derivative(printed: bool) -> bool:
 )
 def equation_34(printed: bool) -> bool:
     """Check the factor 1/gamma of Eq. (34)."""
-    o = _without_injection("learned-flow", True)
-    before = sympy.Integer(1) if printed else 1 / o.gamma
-    return _learned(o, before, 1 / o.gamma, o.left_of_injection())
+    return _learned(printed, False, False, disturbed=True)
+
+
+def _rate_of_e(loop: SymbolicLoop) -> np.ndarray:
+    return np.array([loop.derivative(e) for e in loop.signals["e"]])
 
 
 @misprint("(27)", "x eta_3", "z eta_3, as in (28) and (31)", "e' of the loop")
 def equation_27(printed: bool) -> bool:
     """Check e' of Eq. (27)."""
-    o = PaperLoop("learned-flow")
-    return _zero(o.rate_of_e() - o.error_rate(o.x if printed else o.z))
+    loop = paper_loop("learned-flow")
+    return _zero(_rate_of_e(loop) - wanted_rates(loop, "x" if printed else "z")["e"])
 
 
 @misprint(
@@ -272,9 +265,11 @@ def output_injection(printed: bool) -> bool:
 )
 def hats(printed: bool) -> bool:
     """Check which theta Eqs. (12)-(16) mean."""
-    o = PaperLoop("known-flow")
-    known = o.theta if printed else o.loop.parameters["injection"].theta_hat
-    return _zero(o.loop.derivative(o.V) - o.e @ ((o.theta - known) @ o.phi - o.KD * o.e))
+    loop = paper_loop("known-flow")
+    p, e = loop.parameters, loop.signals["e"]
+    known = p["true_flow"].theta if printed else p["injection"].theta_hat
+    missed = (p["true_flow"].theta - known) @ loop.inputs["phi_x"]
+    return _zero(_rate_of_V(loop) - e @ (missed - p["vehicle_controller"].KD * e))
 
 
 @misprint(
@@ -302,9 +297,10 @@ def gaussian(printed: bool) -> bool:
 )
 def converges_to(printed: bool) -> bool:
     """Check where V of Eq. (24) has its minimum."""
-    o = PaperLoop("learned-flow")
-    place = dict(zip(np.ravel(o.alpha), np.ravel(o.theta if printed else -o.theta), strict=True))
-    return _zero([sympy.diff(o.V, a).subs(place, simultaneous=True) for a in place])
+    loop = paper_loop("learned-flow")
+    alpha, theta = (np.ravel(a) for a in (loop.states["alpha"], loop.parameters["true_flow"].theta))
+    place = dict(zip(alpha, theta if printed else -theta, strict=True))
+    return _zero([sympy.diff(loop.signals["V"][0], a).xreplace(place) for a in place])
 
 
 @misprint(
@@ -315,9 +311,10 @@ def converges_to(printed: bool) -> bool:
 )
 def bounded_z(printed: bool) -> bool:
     """Check the argument for bounded z, proof of Theorem 3.2."""
-    o = PaperLoop("learned-flow")
+    loop = paper_loop("learned-flow")
+    own = loop.states
     if not printed:
-        return _zero(o.z - (o.x - o.e))
-    adapting = {s for port in ("alpha", "K", "Gamma") for s in o.loop.states[port].flat}
-    slopes = [sympy.diff(o.loop.rates["z"][i], o.z[i]) for i in range(2)]
+        return _zero(own["z"] - (own["x"] - loop.signals["e"]))
+    adapting = {s for port in ("alpha", "K", "Gamma") for s in own[port].flat}
+    slopes = (sympy.diff(rate, z) for rate, z in zip(loop.rates["z"], own["z"], strict=True))
     return not any(slope.free_symbols & adapting for slope in slopes)

@@ -264,7 +264,10 @@ def compared(
         while done < count:
             check()
             values = draw.parameters(kept if done else [block.name for block in running.blocks])
-            values |= {s: float(e.subs(values)) for s, e in (tied or {}).items()}
+            values |= {
+                s: values[e] if e in values else float(e.subs(values))
+                for s, e in (tied or {}).items()
+            }
             params = draw.params(values)
             running.set(params)
             size = min(PER_DRAW, count - done)

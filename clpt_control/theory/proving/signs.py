@@ -6,10 +6,7 @@ of (symbols, words and 1/b for each b that it divides by, d the highest power of
     sum_k p_k (1/b)^k = 0    where    sum_k p_k b^(d-k) = 0
 
 Roots and numbers with a rounding are left to SymPy's own rules.  A residual is never positive where
-it factors into squares with a minus, or is -s^T M s with M >= 0.  A term that pulls back bounds one
-that does not:
-
-    -a s^2 + b s <= -(a/2) s^2 + b^2/(2 a)
+it factors into squares with a minus, or is -s^T M s with M >= 0.
 
 With words in it an expression is judged in the words' sectors, else piece by piece (`words`), each
 with what is known not to be negative there: a fact that is linear in a symbol s takes s out, any
@@ -21,7 +18,7 @@ from functools import lru_cache
 from itertools import combinations_with_replacement
 from math import comb, prod
 from types import MappingProxyType
-from typing import Any, NamedTuple
+from typing import Any
 
 import sympy
 from sympy.core.function import AppliedUndef
@@ -119,13 +116,6 @@ MOST_WORDS, MOST_FACTS = 8, 16  # that are judged together
 Facts = tuple[sympy.Expr, ...]  # what is not negative
 
 
-class Pull(NamedTuple):
-    """V' <= -rate V + push, or -e^T KD e/2 + push where rate is zero."""
-
-    rate: sympy.Expr  # in what the law does not know: theta, KD and GammaD
-    push: sympy.Expr
-
-
 def tidied(expression: sympy.Expr) -> sympy.Expr:
     """Return an expression multiplied out, cos^2 as 1 - sin^2."""
     if terms_of(expression) > MOST_TERMS:
@@ -191,7 +181,7 @@ def positive_definite(
     shifted = {s: s + truth[s].xreplace(values) for s in states if s in truth}
     V = tidied(V.xreplace(shifted))
     rest, covered = sympy.S.Zero, set[Any]()
-    for group in _groups(V, set(states)):
+    for group in groups_of(V, set(states)):
         own = sorted(group.free_symbols & set(states), key=str)
         if len(own) == 1 and own[0] in mapped:
             error = mapped[own[0]].xreplace(values)
@@ -268,11 +258,12 @@ def nonpositive(
 
     Terms that share no symbol of `apart`, the states and truths, or of `by`, are judged apart.
     """
-    groups = _groups(expression, apart if by is None else by)
+    groups = groups_of(expression, apart if by is None else by)
     return all(_negative(group, apart, values, facts) for group in groups)
 
 
-def _groups(expression: sympy.Expr, apart: set) -> list[sympy.Expr]:
+def groups_of(expression: sympy.Expr, apart: set) -> list[sympy.Expr]:
+    """Return an expression as a sum of expressions that share no symbol of `apart`."""
     groups: list[tuple[set, list]] = []
     for term in sympy.Add.make_args(sympy.expand(expression)):
         own = term.free_symbols & apart
@@ -424,66 +415,3 @@ def positive_maximum(f: sympy.Expr) -> bool:
     """Return whether an expression is maximum(a, b) with a positive one."""
     own = isinstance(f, AppliedUndef) and str(f.func) == "maximum"
     return own and any(bool(a.is_positive) for a in f.args)
-
-
-def pulled(
-    rate: sympy.Expr, V: sympy.Expr, truth: dict, values: dict, moving: set | None = None
-) -> Pull | None:
-    """Bound V' by what pulls back and a constant, state by state.
-
-    None where V' is not a sum of a term -a s^2 + b s, or a leak, for each error s; what depends on
-    `moving`, all states and time, is no constant.
-    """
-    states, moves = list(truth), {*truth, *(moving or ())}
-    shifted = {s: s + truth[s] for s in states}
-    rate, V = (sympy.expand(one.xreplace(shifted)) for one in (rate, V))
-    weights = sympy.hessian(V, states)
-    groups = {tuple(g.free_symbols & set(states)): g for g in _groups(rate, set(states))}
-    if not weights.is_diagonal() or any(len(own) != 1 for own in groups):
-        return None
-    push, rates = sympy.Integer(0), []
-    for k, s in enumerate(states):
-        part = groups.get((s,), sympy.S.Zero).xreplace(values)
-        bounded = _pull_of(part, s, moves) or _leak_of(part, s, truth[s])
-        if bounded is None:
-            return None
-        push += bounded.push
-        rates.append(bounded.rate / weights[k, k].xreplace(values))
-    return None if push == 0 else Pull(sympy.Min(*rates), push)
-
-
-def _pull_of(part: sympy.Expr, s: sympy.Symbol, moves: set) -> Pull | None:
-    """Return a and b^2/(2 a) of -a s^2 + b s."""
-    a, b = -part.coeff(s, 2), part.coeff(s, 1)
-    if sympy.expand(part + a * s**2 - b * s) != 0:
-        return None
-    if not a.is_nonnegative or _moves(a, moves) or _moves(b, moves) or (a == 0 and b != 0):
-        return None
-    return Pull(a, b**2 / (2 * a) if b != 0 else sympy.S.Zero)
-
-
-def _leak_of(part: sympy.Expr, s: sympy.Symbol, true: sympy.Expr) -> Pull | None:
-    """Return how -f a^2k a (a - a*) pulls, a = a* + s, for f between two numbers.
-
-    It is not positive but where |a| < |a*|, and there at most f |a*|^(2k + 2)/4; where f keeps away
-    from zero and k is 0 it is -f s^2/2 and at most f |a*|^2/2.
-    """
-    a = sympy.Dummy(real=True)
-    of_a = sympy.expand(part.xreplace({s: a - true}))
-    if not of_a.is_polynomial(a):
-        return None
-    share, rest = sympy.div(of_a, sympy.expand(-a * (a - true)), a)
-    found, slowest = sympy.S.Zero, sympy.S.Zero
-    for (power,), f in sympy.Poly(share, a).terms() if rest == 0 else ():
-        low, high = interval(f)
-        if power % 2 or low.is_negative or not high.is_finite:
-            return None
-        if power == 0 and low.is_positive:
-            slowest, found = low, found + high * true**2 / 2
-        else:
-            found += high * true ** (power + 2) / 4
-    return Pull(slowest, found) if found != 0 else None
-
-
-def _moves(expression: sympy.Expr, moving: set) -> bool:
-    return bool(expression.free_symbols & moving or expression.atoms(sympy.Function))
