@@ -55,10 +55,12 @@ def test_aiming_off_more_than_halves_the_distance_to_the_waypoint(tmp_path):
     rows = {cells[1].strip(): cells for cells in (r.split("|") for r in text.splitlines()[2:])}
     assert set(rows) == {"SG542", "sea035m10_dives", "all"}
     for cells in rows.values():
-        steered, aimed, ratio = map(float, cells[3:6])
+        steered, before, aimed, ratio, to_before = map(float, cells[3:8])
         assert aimed < 0.5 * steered
+        assert aimed < 0.8 * before < 0.8 * steered
         assert ratio == pytest.approx(aimed / steered, abs=0.01)
-        assert float(cells[7]) < 0.5 * float(cells[6])  # off a long line
+        assert to_before == pytest.approx(aimed / before, abs=0.01)
+        assert float(cells[10]) < 0.5 * float(cells[8])  # off a long line
     assert inked(tmp_path / "aiming.png") > 0.01
 
 
