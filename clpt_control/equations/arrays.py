@@ -5,6 +5,7 @@ function does with it: ``np.exp(a)``, ``a @ b``, ``np.outer(a, b)``.  What is wr
 (``y[0] = ...``) is kept element by element, and views share what is written, as NumPy's do.
 """
 
+import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import partial
@@ -21,7 +22,11 @@ from .record import Operation, Record, Ref, Shape, key_of
 MOST_OPERATIONS = 200_000  # a longer record is given up
 LOGICAL = frozenset({"and", "or", "not"})  # of conditions
 CONDITIONS = LOGICAL | {"lt", "le", "gt", "ge", "eq", "ne"}
+TRUTH = np.dtype(bool)
+KEPT_TRUTHS = CONDITIONS | {"where"}  # take truth values alone
 MOVED = frozenset({"view", "stack", "join"})  # hold what their arguments hold
+OF_TRUTHS = {"mul": "and", "minimum": "and", "maximum": "or"}  # what NumPy makes of truth values
+RAISING = frozenset({"div", "floordiv", "mod", "pow"})  # where Python's floats raise
 
 # what an array is asked for, by the files that know it: each puts in its own
 PARTS: dict[str, Any] = {}
@@ -65,6 +70,7 @@ class Tape:
     def __init__(self) -> None:
         self.operations: list[Operation] = []
         self.stopped: Exception | None = None  # what ends the reading
+        self.has_floats = False  # whether some signals are Python's floats, not NumPy's
         self.free: list[bool] = []  # of each: whether it depends on time, states or inputs
         self.truth: list[bool] = []  # of each: whether it holds truth values
         self._known: dict[Any, int] = {}
@@ -108,6 +114,10 @@ class Tape:
 
     numbers = whole = question
 
+    def given(self, ref: int) -> Any:
+        """Return what the user gave for a parameter, whose value counts from now on."""
+        return None
+
 
 def broadcast(*shapes: Shape) -> Shape:
     """Return the shape to which shapes are broadcast."""
@@ -135,9 +145,9 @@ class Masked(NDArrayOperatorsMixin):
         own = [one.full if isinstance(one, Masked) else one for one in inputs]
         return Masked(ufunc(*own, **more), self.mask)
 
-    def sum(self) -> Any:
+    def sum(self, axis: Any = None, dtype: Any = None, out: Any = None) -> Any:
         """Return the sum of the elements."""
-        return np.sum(where(self.mask, self.full, 0.0))
+        return np.sum(where(self.mask, self.full, 0.0), dtype=dtype)
 
 
 class Array(NDArrayOperatorsMixin):
@@ -227,13 +237,18 @@ class Array(NDArrayOperatorsMixin):
         root = self
         while root._parent is not None:
             root = root._parent
-        if root._fixed:
-            raise Unread("writes into its states, inputs or parameters; write into a copy")
+        if root._fixed or root._is_condition:
+            what = "truth values" if root._is_condition else "its states, inputs or parameters"
+            raise Unread(f"writes into {what}; write into a copy")
         if root._store is None:
             root._store = root._elements()
         store = self._written()
         assert store is not None
-        value = lifted(self._tape, value.full if isinstance(value, Masked) else value)
+        if isinstance(value, Masked):
+            if getattr(index, "_ref", None) != value.mask._ref:
+                raise Unread("puts elements taken by one condition where another holds")
+            value = value.full
+        value = lifted(self._tape, value)
         if isinstance(index, Array) and index._is_condition:
             index, value = ..., where(index, value, self)
         index, new = whole(index), objects(value)
@@ -307,12 +322,24 @@ class Array(NDArrayOperatorsMixin):
         return self._tape.whole(self)
 
     def __format__(self, spec: str) -> str:
-        return repr(self)
+        ref = self._ref
+        given = ref if type(ref) is float else self._tape.given(ref)
+        return repr(self) if given is None else format(given, spec)
+
+    def __str__(self) -> str:
+        return format(self, "")
 
     def __hash__(self) -> int:
-        return id(self)
+        if self.shape:
+            raise TypeError("unhashable type: 'numpy.ndarray'")
+        ref = self._ref
+        if type(ref) is int and self._tape.free[ref]:
+            raise Unread("looks a signal up in a dict or set; write `if`, or lookup of a row")
+        return hash(self._tape.numbers(ref).item())
 
     def __round__(self, digits: Any = None) -> Any:
+        if digits and self._tape.has_floats:
+            raise Unread("rounds to digits, which Python does otherwise than np.round")
         return np.round(self, digits or 0)
 
     def __repr__(self) -> str:
@@ -399,6 +426,8 @@ def stacked(tape: Tape, parts: Sequence[Any]) -> Any:
         raise ValueError(
             f"all input arrays must have the same shape, not {sorted(map(str, shapes))}"
         )
+    if not all(map(is_truth, parts)):
+        parts = [as_number(part) for part in parts]
     refs = [operand(part) for part in parts]
     if all(type(ref) is float for ref in refs):
         return constant(tape, np.array(refs))
@@ -410,6 +439,15 @@ def elementwise(name: str, *arguments: Any) -> Any:
     """Return an elementwise operation of arrays and numbers."""
     tape = next(a._tape for a in arguments if isinstance(a, Array))
     refs, shapes = [], set()
+    if name not in KEPT_TRUTHS and all(map(is_truth, arguments)):
+        if name not in OF_TRUTHS:
+            raise Unread(
+                "calculates with truth values alone, of which NumPy and Python make different "
+                "things; write float(...), or np.logical_or"
+            )
+        name = OF_TRUTHS[name]
+    if name in RAISING and tape.has_floats:
+        refuse_in_a_try(tape, arguments[-1])
     for k, one in enumerate(arguments):
         made = as_condition if name in LOGICAL or (name == "where" and not k) else as_number
         one = one if type(one) is float else made(lifted(tape, one))
@@ -418,6 +456,27 @@ def elementwise(name: str, *arguments: Any) -> Any:
         refs.append(operand(one))
     shape = shapes.pop() if len(shapes) == 1 else broadcast(*shapes)
     return tape.add(name, refs, shape)
+
+
+def refuse_in_a_try(tape: Tape, *arguments: Any) -> None:
+    """Refuse what may raise with signals, where a function that is read may catch it."""
+    refs = [one._ref for one in arguments if isinstance(one, Array)]
+    if any(type(ref) is int and tape.free[ref] for ref in refs) and in_a_try():
+        raise Unread("may raise in a `try`; ask by `if` before")
+
+
+READ = "__read__"  # among the built-in names of a copy that is read
+
+
+def in_a_try() -> bool:
+    """Return whether a function that is read may catch what is raised now."""
+    frame = sys._getframe(1)
+    while frame is not None and frame.f_globals.get("__name__") != f"{__package__}.reading":
+        names = frame.f_globals.get("__builtins__")
+        if isinstance(names, dict) and READ in names and frame.f_code.co_exceptiontable:
+            return True
+        frame = frame.f_back  # type: ignore[assignment]
+    return False
 
 
 def as_number(value: Any) -> Any:
@@ -434,11 +493,30 @@ def as_condition(value: Any) -> Any:
     return value
 
 
+def is_truth(value: Any) -> bool:
+    """Return whether a value is a truth value, or an array of them."""
+    if isinstance(value, Array):
+        return value._is_condition
+    return isinstance(value, bool | np.bool_) or getattr(value, "dtype", None) == TRUTH
+
+
 def where(condition: Any, a: Any, b: Any) -> Any:
     """Return a where a condition holds, else b."""
     if not isinstance(condition, Array) and not np.ndim(condition):
         return a if condition else b
+    if is_truth(a) and is_truth(b):
+        condition = as_condition(condition)
+        parts = [_both(condition, a), _both(elementwise("not", condition), b)]
+        found = [part for part in parts if part is not None]
+        return elementwise("or", *found) if len(found) > 1 else found[0] if found else False
     return elementwise("where", condition, a, b)
+
+
+def _both(condition: Array, truth: Any) -> Array | None:
+    """Return whether both hold; None for never."""
+    if isinstance(truth, Array) or np.ndim(truth):
+        return elementwise("and", condition, truth)
+    return condition if truth else None
 
 
 def total(array: Array, axis: int) -> Any:

@@ -12,6 +12,7 @@ second (a leaf of its own): a record that depends on it is no function of time, 
 
 import functools
 import threading
+from collections import deque
 from collections.abc import Iterator
 from contextlib import contextmanager
 from operator import is_
@@ -28,6 +29,7 @@ from .unchanged import names_in
 LIBRARIES = ("numpy", "scipy", "matplotlib")  # run as they are
 _LOCK = threading.RLock()
 _NONE = object()
+OF_WARNINGS = "__warningregistry__"  # which Python puts into the module that it warns of
 DEEP = 3  # objects within objects
 MOST = 200  # objects that are remembered
 PLAIN = (int, float, str, bytes, tuple, type, ModuleType, FunctionType, MethodType)
@@ -96,6 +98,8 @@ class Copies:
         made = FunctionType(function.__code__, space, function.__name__, None, cells or None)
         made.__module__, made.__qualname__ = function.__module__, function.__qualname__
         self._known[id(function)] = made
+        vars(made).update({name: self.of(value) for name, value in vars(function).items()})
+        self._spaces[id(made)] = vars(made), dict(vars(made))
         made.__defaults__ = function.__defaults__ and tuple(map(self.of, function.__defaults__))
         if function.__kwdefaults__:
             made.__kwdefaults__ = {k: self.of(v) for k, v in function.__kwdefaults__.items()}
@@ -123,7 +127,7 @@ class Copies:
             if len(space) == len(first) and all(map(is_, space.values(), first.values())):
                 continue
             for name, value in space.items():
-                if value is not first.get(name, _NONE):
+                if value is not first.get(name, _NONE) and name != OF_WARNINGS:
                     raise Unread(f"changes the global {name!r}; make it a state, or a parameter")
         for cell, first, name in self._cells:
             if cell.cell_contents is not first:
@@ -173,6 +177,9 @@ class Kept:
             now = _inside(value)
             if isinstance(now, list):
                 now[:] = before
+            elif isinstance(now, deque):
+                now.clear()
+                now.extend(before)
             elif (
                 isinstance(now, dict)
                 and (now.keys() != before.keys() or any(now[k] is not before[k] for k in before))
@@ -183,7 +190,7 @@ class Kept:
 
 def _inside(value: Any) -> Any:
     """Return the container that holds what an object keeps, or None."""
-    if type(value) in (list, dict, set):
+    if isinstance(value, list | dict | set | deque):
         return value
     own = getattr(value, "__dict__", None)
     return own if type(own) is dict else None
@@ -191,7 +198,7 @@ def _inside(value: Any) -> Any:
 
 def _entries(inside: Any) -> dict:
     """Return what a container holds in places that have keys."""
-    if isinstance(inside, list):
+    if isinstance(inside, list | deque):
         return dict(enumerate(inside))
     return inside if isinstance(inside, dict) else {}
 

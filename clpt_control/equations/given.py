@@ -116,6 +116,14 @@ class Reading(Tape):
         record = compact(self.operations, [ref])
         return record.values(lambda group, name: self.parameters[name], {})[0]
 
+    def given(self, ref: int) -> Any:
+        """Return what the user gave for a parameter, whose value is then pinned."""
+        kind, _, _, at = self.operations[ref]
+        if kind != "leaf" or self.free[ref]:
+            return None
+        self.pinned.add(at[1])
+        return self.parameters[at[1]]
+
     def whole(self, number: Array) -> int:
         """Return the whole number that Python counts with; a signal is asked which one it is."""
         ref = number._ref

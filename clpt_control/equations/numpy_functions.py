@@ -10,9 +10,23 @@ from typing import Any
 import numpy as np
 
 from . import tables, views
-from .arrays import PARTS, Array, Tape, Unread, elementwise, filled, lifted, objects, stacked, where
+from .arrays import (
+    PARTS,
+    Array,
+    Tape,
+    Unread,
+    active,
+    elementwise,
+    filled,
+    is_truth,
+    lifted,
+    objects,
+    refuse_in_a_try,
+    stacked,
+    where,
+)
 from .opened import depends, exploded, into, of_numbers, tape_of, unread
-from .ufuncs import accumulated, matmul, reduced, rounded
+from .ufuncs import accumulated, exact, matmul, reduced, rounded
 from .views import tape_viewed
 
 FUNCTIONS: dict[Any, Callable] = {}  # NumPy's: what writes them down
@@ -76,6 +90,7 @@ def norm(a: Any, ord: Any = None, axis: Any = None, keepdims: Any = False) -> An
 @reads(np.mean)
 def mean(a: Any, axis: Any = None, dtype: Any = None, **more: Any) -> Any:
     """Return the mean."""
+    exact(dtype)
     found = np.sum(a, axis, **more)
     return found / (a.size // found.size)
 
@@ -83,6 +98,7 @@ def mean(a: Any, axis: Any = None, dtype: Any = None, **more: Any) -> Any:
 @reads(np.var)
 def variance(a: Any, axis: Any = None, dtype: Any = None, ddof: float = 0, **more: Any) -> Any:
     """Return the mean square of what differs from the mean."""
+    exact(dtype)
     apart = a - mean(a, axis, keepdims=axis is not None)
     found = np.sum(apart * apart, axis, **more)
     return found / (a.size // found.size - ddof)
@@ -111,17 +127,18 @@ def _rows(matrix: Any) -> list[Any]:
     return [matrix[k] for k in range(len(matrix))]
 
 
-def _eliminated(rows: list[Any]) -> Any:
+def _eliminated(rows: list[Any], pivot: Callable = lambda a: a) -> Any:
     """Make rows triangular, in place; return whether they changed places an odd number of times."""
     sign: Any = 1.0
     n = len(rows)
+    refuse_in_a_try(rows[0]._tape, *rows)  # where they have no solution
     for k in range(n):
         for i in range(k + 1, n):
             larger = np.greater(np.fabs(rows[i][k]), np.fabs(rows[k][k]))
             rows[k], rows[i] = where(larger, rows[i], rows[k]), where(larger, rows[k], rows[i])
             sign = where(larger, -sign, sign)
         for i in range(k + 1, n):
-            rows[i] = rows[i] - rows[k] * (rows[i][k] / rows[k][k])
+            rows[i] = rows[i] - rows[k] * (rows[i][k] / pivot(rows[k][k]))
     return sign
 
 
@@ -150,7 +167,7 @@ def solve(A: Any, b: Any) -> Any:
 def determinant(A: Any) -> Any:
     """Return the determinant: the product of the pivots."""
     rows = _rows(A)
-    sign = _eliminated(rows)
+    sign = _eliminated(rows, lambda a: where(a == 0.0, 1.0, a))  # below it all are 0
     return reduce(lambda v, w: v * w, (rows[k][k] for k in range(len(rows)))) * sign
 
 
@@ -172,7 +189,7 @@ def chosen(condition: Any, *values: Any) -> Any:
     if not values:
         return unread("np.where without values, which counts,")
     tape = tape_of((condition, *values))
-    return where(*(lifted(tape, v) for v in (condition, *values)))
+    return where(lifted(tape, condition), *values)
 
 
 @reads(np.select, arrays=0)
@@ -240,7 +257,31 @@ def in_rows(a: Any, axis: int = -1, **more: Any) -> Any:
 
 def joins(ufunc: Any, *functions: Any) -> None:
     """Write down functions that join the elements of an array by a ufunc."""
-    reads(*functions)(lambda a, axis=None, *, dtype=None, **more: reduced(ufunc, a, axis, **more))
+
+    def joined(a: Any, axis: Any = None, *, dtype: Any = None, **more: Any) -> Any:
+        if not is_truth(a):
+            exact(dtype)
+        return reduced(ufunc, a, axis, **more)
+
+    reads(*functions)(joined)
+
+
+def accumulates(ufunc: Any, function: Any) -> None:
+    """Write down what such a function gives on the way."""
+
+    def joined(a: Any, axis: Any = None, dtype: Any = None) -> Any:
+        exact(dtype)
+        return accumulated(ufunc, a, axis)
+
+    reads(function)(joined)
+
+
+def alike(a: Array, value: float, dtype: Any = None, **more: Any) -> Any:
+    """Return a number everywhere in an array of the shape and kind of another."""
+    if a._is_condition and dtype is None:
+        return unread("an array like one of truth values")
+    exact(dtype)
+    return filled(a._tape, value, a.shape)
 
 
 joins(np.add, np.sum)
@@ -252,8 +293,8 @@ joins(np.logical_and, np.all)
 reads(np.std)(lambda a, *more, **named: np.sqrt(np.var(a, *more, **named)))
 reads(np.trace)(lambda a, *more, **named: np.sum(diagonal(a, *more, **named)))
 reads(np.linalg.inv)(lambda A: solve(A, np.eye(A.shape[0])))
-reads(np.cumsum)(lambda a, axis=None, **more: accumulated(np.add, a, axis))
-reads(np.cumprod)(lambda a, axis=None, **more: accumulated(np.multiply, a, axis))
+accumulates(np.add, np.cumsum)
+accumulates(np.multiply, np.cumprod)
 reads(np.allclose, arrays=2)(lambda *given, **more: np.all(close(*given, **more)))
 reads(np.interp)(tables.interpolated)
 reads(np.searchsorted, arrays=0)(tables.searched)
@@ -265,9 +306,9 @@ reads(np.concatenate, arrays=0)(views.join)
 reads(np.round, np.around)(rounded)
 reads(np.fix)(np.trunc)
 reads(np.copy)(views.copied)
-reads(np.zeros_like, np.empty_like)(lambda a, *more, **named: filled(a._tape, 0.0, a.shape))
-reads(np.ones_like)(lambda a, *more, **named: filled(a._tape, 1.0, a.shape))
-reads(np.full_like)(lambda a, value, **more: filled(a._tape, 0.0, a.shape) + value)
+reads(np.zeros_like, np.empty_like)(lambda a, *more, **named: alike(a, 0.0, *more, **named))
+reads(np.ones_like)(lambda a, *more, **named: alike(a, 1.0, *more, **named))
+reads(np.full_like)(lambda a, value, *more, **named: alike(a, 0.0, *more, **named) + value)
 reads(np.shape)(lambda a: a._counted())
 reads(np.size)(lambda a, axis=None: a.size if axis is None else a._counted()[axis])
 
@@ -293,6 +334,14 @@ SHARES.update({function: function._implementation for function in OWN})
 for real, made in SHARES.items():
     reads(real)(made)
 
+
+def floats(value: Any) -> Any:
+    """Return a number, or numbers in lists, that Python has as its own floats."""
+    if (tape := active()) is not None:
+        tape.has_floats = True
+    return value
+
+
 METHODS: dict[str, Callable] = {  # that are not NumPy's functions
     "reshape": views.reshaped,
     "transpose": views.transposed,
@@ -300,8 +349,8 @@ METHODS: dict[str, Callable] = {  # that are not NumPy's functions
     "__copy__": views.copied,
     "__deepcopy__": views.copied,
     "astype": views.converted,
-    "item": lambda a, *at: a[at] if at else (objects(a).ravel()[0] if a.shape else a),
-    "tolist": lambda a: objects(a).tolist(),
+    "item": lambda a, *at: floats(a[at] if at else objects(a).ravel()[0] if a.shape else a),
+    "tolist": lambda a: floats(objects(a).tolist()),
     "fill": lambda a, value: a.__setitem__(..., value),
     "sort": lambda a, *more: a.__setitem__(..., np.sort(a, *more)),
     "is_integer": lambda a: np.floor(a) == a,

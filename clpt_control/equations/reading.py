@@ -108,6 +108,7 @@ class _Ways:
         self.copies = Copies(self.tape)
         self.ways: list[tuple[dict[int, bool], list[Any]]] = []
         self.raised: dict[str, None] = {}
+        self.written: set[str] = set()  # params that the function changed
 
     def read(self) -> Read:
         """Run the function on each of its ways, and join what they return."""
@@ -122,9 +123,14 @@ class _Ways:
             tape.answers, tape.asked = {}, None
             if self.before is not None:
                 self.before.copies.kept.hide(lambda k: tape.add("leaf", (), (), ("t", f"kept {k}")))
+                for name in self.before.written:
+                    fields[name] = tape.add("leaf", (), (), ("t", f"kept {name}"))
             x, u = Ports(tape, "x", asked.states, named), Ports(tape, "u", asked.inputs, named)
-            found = self._way(lambda: copied(t, x, u, asked.given_as(dict(fields))))  # noqa: B023
+            given = asked.given_as(dict(fields))
+            found = self._way(lambda: copied(t, x, u, given))  # noqa: B023
             self.ways.append((tape.answers, found))
+            if isinstance(given, dict):
+                self.written |= {k for k, v in dict.items(given) if v is not fields.get(k, self)}
             if len(self.ways) > MOST_WAYS:
                 raise Unread(f"{asked.name} has more than {MOST_WAYS} ways through it")
             way = list(tape.answers.values())
@@ -202,7 +208,7 @@ def _by_port(tape: Tape, role: str, given: Any, out: Mapping[str, Shape]) -> lis
             raise BlockError(f"{role}: returns {list(given)}; must return {list(out)}")
         return [_shaped(tape, role, port, given[port], shape) for port, shape in out.items()]
     if len(out) == 1 and getattr(given, "shape", None) == next(iter(out.values())):
-        return [as_number(given)]
+        return [as_number(lifted(tape, given))]
     parts = given if isinstance(given, list | tuple) else [given]
     numbers = [one for part in parts for one in objects(part).ravel()]
     size = sum(map(prod, out.values()))

@@ -9,23 +9,34 @@ nothing is read, or where no signal is among their arguments.
 import builtins
 import functools
 import math
-import numbers
-import sys
 from collections.abc import Callable
 from types import GeneratorType, ModuleType
 from typing import Any
 
 import numpy as np
 
-from .arrays import Array, Tape, active, elementwise, lifted, objects, single, where
+from .arrays import (
+    READ,
+    Array,
+    Tape,
+    Unread,
+    active,
+    elementwise,
+    in_a_try,
+    lifted,
+    objects,
+    refuse_in_a_try,
+    single,
+    where,
+    whole,
+)
 from .numpy_functions import applied, in_order
 from .opened import fresh, tape_of
 from .tables import function_of
 from .ufuncs import called
-from .views import converted
+from .views import converted, copied
 
 ITERATORS = (GeneratorType, map, zip, filter)
-NUMBERS = (float, np.float64, np.floating, np.inexact, np.number, np.generic)
 
 
 class StandIn:
@@ -96,17 +107,54 @@ def is_a(value: Any, kinds: Any) -> bool:
     if isinstance(kinds, tuple):
         return any(is_a(value, kind) for kind in kinds)
     kind = real_of(kinds)
-    if not isinstance(value, Array):
+    if not isinstance(value, Array) or kind is Array:
         return isinstance(value, kind)
+    if (
+        issubclass(int, kind)
+        and not value.shape
+        and value._tape.operations[value._node].kind == "trunc"
+    ):
+        raise Unread("asks whether a signal is a whole number of Python or of NumPy")
+    return issubclass(type(_like(value)), kind)
+
+
+def _like(value: Array) -> Any:
+    """Return one of NumPy's of the same kind."""
     if value.shape:
-        return kind in (np.ndarray, object, Array)
-    return kind in (*NUMBERS, object, Array, numbers.Number, numbers.Real, numbers.Complex)
+        return np.zeros(0)
+    return np.bool_(False) if value._is_condition else np.float64(0.0)
+
+
+def has(value: Any, name: str) -> bool:
+    """Return hasattr(value, name)."""
+    if not isinstance(value, Array):
+        return hasattr(value, name)
+    return hasattr(_like(value), name) or name in getattr(value, "_ports", ())
+
+
+class TypeOf(type):
+    """What stands for `type`."""
+
+    def __call__(cls, *given: Any, **more: Any) -> Any:
+        """Return the type of a value, or a new one."""
+        if len(given) > 1 or not isinstance(given[0], Array):
+            return type(*given, **more)
+        if given[0].shape:
+            return np.ndarray
+        raise Unread("asks for the type of a signal; ask isinstance(..., float)")
+
+    def __instancecheck__(cls, value: Any) -> bool:
+        return isinstance(value, type)
+
+    def __subclasscheck__(cls, kind: type) -> bool:
+        return issubclass(kind, type)
 
 
 def as_float(value: Array) -> Any:
     """Return float(value)."""
     if value.shape:
         raise TypeError("only 0-dimensional arrays can be converted to Python scalars")
+    value._tape.has_floats = True
     return elementwise("where", value, 1.0, 0.0) if value._is_condition else value
 
 
@@ -124,7 +172,6 @@ TYPES = {  # of numbers: what stands for them
 # --- `math` and built-in functions --------------------------------------------------
 
 MOST_SORTED = 16
-READ = "__read__"  # among the built-in names of a copy that is read
 
 
 def about(a: Any, b: Any, *, rel_tol: float = 1e-9, abs_tol: float = 0.0) -> Any:
@@ -145,17 +192,6 @@ DOMAINS: dict[str, Callable] = {  # outside, `math` raises
 }
 
 
-def in_a_try() -> bool:
-    """Return whether a function that is read may catch what is raised now."""
-    frame = sys._getframe(1)
-    while frame is not None and frame.f_globals.get("__name__") != f"{__package__}.reading":
-        names = frame.f_globals.get("__builtins__")
-        if isinstance(names, dict) and READ in names and frame.f_code.co_exceptiontable:
-            return True
-        frame = frame.f_back  # type: ignore[assignment]
-    return False
-
-
 MATH: dict[str, Callable] = {
     **{name: f for name in vars(math) if isinstance(f := getattr(np, name, None), np.ufunc)},
     **{name: functools.partial(elementwise, name) for name in ("erf", "erfc")},
@@ -168,11 +204,18 @@ MATH: dict[str, Callable] = {
     "prod": lambda a, start=1: functools.reduce(lambda v, w: v * w, a, start),
     "ldexp": lambda a, k: a * 2.0**k,
 }
+RAISING = frozenset(  # beyond what DOMAINS asks
+    {"exp", "exp2", "expm1", "sinh", "cosh", "pow", "fmod", "remainder", "log1p", "ldexp", "acosh"}
+    | {"atanh"}
+)
 
 
 def of_math(name: str, tape: Tape, *given: Any, **more: Any) -> Any:
     """Write down a function of `math`."""
     own = tuple(map(single, given))
+    tape.has_floats = True
+    if name in RAISING:
+        refuse_in_a_try(tape, *own)
     if name in DOMAINS and in_a_try() and DOMAINS[name](*own):
         raise ValueError("math domain error")
     return MATH[name](*own, **more)
@@ -211,6 +254,8 @@ SHADOWS: dict[str, Any] = {  # built-in names that have stand-ins
     "all": of_values(all, functools.partial(functools.reduce, np.logical_and)),
     "sorted": of_values(sorted, ordered),
     "isinstance": is_a,
+    "hasattr": has,
+    "type": TypeOf("type", (type,), {}),
 }
 
 
@@ -229,15 +274,24 @@ def of_numpy(real: Any) -> StandIn:
 def array(tape: Any, value: Any, dtype: Any = None, *, ndmin: int = 0, **more: Any) -> Any:
     """Return np.array of what holds signals."""
     made = lifted(tape, value)
-    made = converted(made, dtype or float) if dtype is not None or more.get("copy", True) else made
+    if dtype is not None:
+        made = converted(made, dtype)
+    elif more.get("copy", True):
+        made = copied(made)
     return made[(None,) * (ndmin - made.ndim)] if ndmin > made.ndim else made
 
 
 def same_array(tape: Any, value: Any, dtype: Any = None, **more: Any) -> Any:
     """Return np.asarray of what holds signals."""
-    if isinstance(value, Array) and (dtype is None or np.dtype(dtype).kind == "f"):
+    if isinstance(value, Array) and (dtype is None or np.dtype(dtype) == float):
         return value
     return array(tape, value, dtype)
+
+
+def full(tape: Tape, shape: Any, value: Any, dtype: Any) -> Any:
+    """Return np.full of a signal."""
+    made = lifted(tape, np.zeros(whole(shape))) + lifted(tape, value)
+    return made if dtype is None else converted(made, dtype)
 
 
 MAKERS: dict[Any, Callable] = {
@@ -245,7 +299,11 @@ MAKERS: dict[Any, Callable] = {
     np.asarray: same_array,
     np.asanyarray: same_array,
     np.ascontiguousarray: same_array,
-    np.full: lambda tape, *a, **more: lifted(tape, np.zeros(a[0])) + lifted(tape, a[1]),
+    np.full: lambda tape, shape, value, dtype=None, **more: full(tape, shape, value, dtype),
+    **{
+        make: lambda tape, *counts, make=make, **more: fresh(tape, make(*whole(counts), **more))
+        for make in (np.zeros, np.ones, np.empty, np.eye, np.identity)
+    },
     np.isscalar: lambda tape, a: isinstance(a, Array) and not a.shape,
 }
 
@@ -258,6 +316,9 @@ def vectorized(real: np.vectorize) -> StandIn:
         found = np.empty(own[0].size, dtype=object)
         for k, values in enumerate(zip(*(one.ravel() for one in own), strict=True)):
             found[k] = real.pyfunc(*values, **more)
+        kinds = {isinstance(one, int | np.integer | np.bool_) for one in found}
+        if real.otypes is None and len(kinds) > 1:
+            raise Unread("np.vectorize makes all like the first, an int; write 1.0 for 1")
         return lifted(tape, found).reshape(own[0].shape)
 
     return StandIn(real, function)
@@ -295,7 +356,15 @@ class Module(ModuleType):
         return found
 
 
+def errstate(**given: Any) -> Any:
+    """Return np.errstate; refuse to raise, which nothing does while it is read."""
+    if active() is not None and {"raise", "call", "log"} & {*given.values()}:
+        raise Unread("np.errstate that raises; ask by `if` before")
+    return np.errstate(**given)
+
+
 _KNOWN: dict[int, Any] = {
+    id(np.errstate): errstate,
     id(math): Module(math),
     id(np): Module(np),
     id(np.vectorize): lambda *given, **more: vectorized(np.vectorize(*given, **more)),

@@ -245,13 +245,15 @@ def _names(given: Mapping[str, Any]) -> dict[str, str]:
 
 
 def _is_number(value: Any) -> bool:
-    if isinstance(value, bool | np.bool_ | str):
-        return False
-    if isinstance(value, int | float | np.integer | np.floating):
+    """Return whether a value is a number, or an array of doubles, which signals may take part in.
+
+    Other arrays stay as they are: NumPy cuts what is written into whole numbers.
+    """
+    if type(value) in (int, float, np.int64, np.float64):
         return not np.isnan(value)
     return (
         type(value) is np.ndarray
-        and value.dtype.kind in "fiu"
+        and value.dtype == float
         and 0 < value.size <= MOST_NUMBERS
         and not np.any(np.isnan(value))
     )

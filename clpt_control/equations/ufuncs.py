@@ -7,7 +7,19 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import PARTS, UFUNCS, Array, Tape, elementwise, lifted, objects, total, where
+from .arrays import (
+    PARTS,
+    UFUNCS,
+    Array,
+    Tape,
+    as_number,
+    elementwise,
+    is_truth,
+    lifted,
+    objects,
+    total,
+    where,
+)
 from .opened import depends, into, of_numbers, repacked, tape_of, unread
 
 
@@ -16,13 +28,22 @@ def called(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any:
     out = more.pop("out", None)
     if isinstance(out, tuple):
         (out,) = out
+    if method == "__call__" and len(inputs) > ufunc.nin:
+        *inputs, out = inputs
     condition = more.pop("where", True) if method == "__call__" else True
-    for unused in ("casting", "dtype", "subok", "order"):
+    exact(more.pop("dtype", None))
+    for unused in ("casting", "subok", "order"):
         more.pop(unused, None)
     found = _called(tape, ufunc, method, inputs, more)
     if condition is not True:
         found = np.where(condition, found, 0.0 if out is None else out)
     return into(out, found)
+
+
+def exact(dtype: Any) -> None:
+    """Refuse numbers other than NumPy's own doubles."""
+    if dtype is not None and np.dtype(dtype) != float:
+        unread(f"numbers of {np.dtype(dtype)}")
 
 
 def _called(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any:
@@ -34,6 +55,8 @@ def _called(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any
         return accumulated(ufunc, *inputs, **more)
     if method == "__call__" and not more and ufunc in UFUNCS:
         return elementwise(UFUNCS[ufunc], *inputs)
+    if ufunc in BITWISE and method == "__call__":
+        return BITWISE[ufunc](*inputs) if all(map(is_truth, inputs)) else unread("bits")
     own = [lifted(tape, one) for one in inputs]
     if method == "outer":
         a, b = own
@@ -77,7 +100,7 @@ def _along(a: Array, axis: int) -> list[Any]:
 
 def accumulated(ufunc: Any, a: Any, axis: Any = 0) -> Any:
     """Return what joining the elements along an axis gives on the way, as np.cumsum does."""
-    a = lifted(tape_of([a]), a)
+    a = as_number(lifted(tape_of([a]), a))
     if axis is None:
         a, axis = np.ravel(a), 0
     return np.stack(list(accumulate(_along(a, axis % a.ndim), ufunc)), axis)
@@ -87,6 +110,8 @@ def matmul(a: Any, b: Any) -> Any:
     """Return a @ b."""
     if not np.ndim(a) or not np.ndim(b):
         raise ValueError("matmul: an operand is a scalar")
+    if is_truth(a) and is_truth(b):
+        return unread("a product of matrices of truth values")
     inner = b.shape[-2] if b.ndim > 1 else b.shape[0]
     if a.shape[-1] != inner:
         raise ValueError(f"matmul: shapes {a.shape} and {b.shape} do not fit")
@@ -135,6 +160,12 @@ def spread_out(a: Any, b: Any) -> Any:
     return np.maximum(a, b) + np.log1p(np.exp(-np.fabs(a - b)))
 
 
+BITWISE: dict[Any, Callable] = {  # of truth values
+    np.bitwise_and: partial(elementwise, "and"),
+    np.bitwise_or: partial(elementwise, "or"),
+    np.bitwise_xor: partial(elementwise, "ne"),
+    np.invert: partial(elementwise, "not"),
+}
 COMPOSED: dict[str, Callable] = {  # by the ufunc's name; those of scipy.special too
     "vecdot": lambda a, b: total(a * b, a.ndim - 1),
     **dict.fromkeys(("matmul", "matvec"), matmul),

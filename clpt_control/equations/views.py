@@ -13,6 +13,7 @@ import numpy as np
 
 from .arrays import (
     PARTS,
+    TRUTH,
     Array,
     Masked,
     Tape,
@@ -244,12 +245,15 @@ def copied(a: Any, *arguments: Any, **more: Any) -> Any:
 
 def converted(a: Any, dtype: Any = float, *more: Any, **named: Any) -> Any:
     """Return a copy of numbers of another kind."""
-    kind = np.dtype(dtype).kind
-    if kind in "iu":
-        return np.trunc(as_number(a))
-    if kind == "b":
+    kind = np.dtype(dtype)
+    if kind == np.int64:
+        found = np.trunc(as_number(a))
+        if isinstance(found, Array):
+            found._fixed = True  # what is written would be cut
+        return found
+    if kind == TRUTH:
         return a if a._is_condition else a != 0
-    return unread(f"numbers of {np.dtype(dtype)}") if kind == "c" else copied(as_number(a))
+    return copied(as_number(a)) if kind == np.float64 else unread(f"numbers of {kind}")
 
 
 PARTS.update(item=item, tape_view=tape_view)

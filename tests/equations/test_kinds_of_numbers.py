@@ -1,0 +1,322 @@
+"""Truth values, whole numbers, short floats and what keeps them: as Python has them, or refused.
+
+Each of these once gave another number than Python does, or an exception of the reader's own.
+"""
+
+import math
+from collections import deque
+from collections.abc import Iterable, Sized
+
+import control
+import numpy as np
+import pytest
+
+import clpt_control as clpt
+from clpt_control.diagrams.wiring import wiring_of
+from clpt_control.equations.arrays import Unread
+from clpt_control.equations.at_many import leaf_values
+
+POINTS = [
+    (t, x, u)
+    for t, x in zip(
+        [0.0, 2.5, 3.0, 7.0, 1.0],
+        [[0.3, -0.7, 2.0], [-1.2, 0.4, -0.1], [1.0, 1.0, 1.0], [0.0, 0.0, 0.0], [2.5, 1.5, -3.0]],
+        strict=True,
+    )
+    for u in ([0.5, -0.25], [0.0, 2.0], [-1.0, 0.15])
+]
+SEEN = deque([0.0, 0.0], maxlen=2)
+RATIOS = {0: 4.0, 1: 2.0}
+
+
+def block_of(function, params):
+    """Return a block of the function's outputs, as python-control would have them."""
+    size = np.size(function(*map(np.array, POINTS[0]), dict(params)))
+    system = control.nlsys(
+        lambda t, x, u, p: 0.0 * x, function, inputs=2, outputs=size, states=3, params=params
+    )
+    return wiring_of(system).nodes[0].system
+
+
+def reads_as_python_runs(function, params):
+    block = block_of(function, params)
+    record = block.array_record("output")
+    for t, x, u in POINTS:
+        x, u = np.array(x), np.array(u)
+        found = record.values(leaf_values(block, t, x, u, block.parameters), block.sizes)
+        with np.errstate(all="ignore"):
+            wanted = np.ravel(np.asarray(function(t, x.copy(), u.copy(), dict(params)), float))
+        np.testing.assert_allclose(np.ravel(found), wanted, rtol=1e-13, atol=1e-13)
+
+
+# --- truth values --------------------------------------------------------------------------------
+
+
+def is_truth_times_truth(t, x, u, p):
+    return [(x[0] > 0) * (x[1] > 0) * u[0], 1.0 * np.maximum(x[0] > 0, x[1] > 0)]
+
+
+def is_where_of_truths(t, x, u, p):
+    low = np.where(x > 0.5, u[0] > 0, True)
+    return [np.sum(low), np.sum(np.where(x > 0, True, False)), np.sum(np.where(x > 0, False, low))]
+
+
+def is_bits_of_truths(t, x, u, p):
+    return np.where((x > 0) ^ (x < 1) | ~(x > -1) & (u[0] > 0), 1.0, 0.0)
+
+
+def is_counted(t, x, u, p):
+    return [*np.cumsum(x > 0), np.sum(x > 0), sum([x[0] > 0, x[1] > 0]), np.prod(x > 0)]
+
+
+def is_an_array_of_truths(t, x, u, p):
+    return np.array([x[0] > 0, x[1] > 0])
+
+
+def adds_truths(t, x, u, p):
+    return [(x[0] > 0) + (x[1] > 0)]
+
+
+def adds_arrays_of_truths(t, x, u, p):
+    return (x > 0) + (x > 1)
+
+
+def adds_stacked_truths(t, x, u, p):
+    return np.array([x[0] > 0, x[1] > 0]) + np.array([True, False])
+
+
+def adds_chosen_truths(t, x, u, p):
+    return [np.where(x[0] > 0, x[1] > 0, True) + np.where(x[1] > 0, True, False)]
+
+
+def multiplies_matrices_of_truths(t, x, u, p):
+    return [np.dot(x > 0, x > -1)]
+
+
+def writes_into_truths(t, x, u, p):
+    y = np.array([x[0] > 0, x[1] > 0])
+    y[0] = 2.5
+    return 1.0 * y
+
+
+def takes_the_root_of_a_truth(t, x, u, p):
+    return [np.exp(x[0] > 0)]
+
+
+# --- whole numbers and short floats ------------------------------------------------------------
+
+
+def is_made_by_a_parameter(t, x, u, p):
+    y = np.zeros(p["n"])
+    y[1] = x[0]
+    return [*y, len(np.ones((p["n"], 2))), p.get(f"k{p['n']}", 0.0)]
+
+
+def is_whole_numbers(t, x, u, p):
+    return [*(p["A"] // 2 * x[1]), p["n"] // 2 * x[0], p["n"] ** -1]
+
+
+def is_sorted_places(t, x, u, p):
+    return np.argsort(x)
+
+
+def is_a_constant_of_whole_numbers(t, x, u, p):
+    return np.array([1, 2])
+
+
+def is_short(t, x, u, p):
+    return [*(p["short"] + p["short"]), p["f"] * 3, p["f"] * x[0]]
+
+
+def shortens(t, x, u, p):
+    return x.astype(np.float32)
+
+
+def shortens_a_copy(t, x, u, p):
+    return np.array(x, dtype="f4") / 3
+
+
+def shortens_as_it_is(t, x, u, p):
+    return np.asarray(x, dtype=np.float32)
+
+
+def sums_short(t, x, u, p):
+    return [x.sum(dtype=np.float32), np.mean(x, dtype=np.float16)]
+
+
+def wraps_around(t, x, u, p):
+    return (100 * x).astype(np.int8)
+
+
+def cuts_what_it_writes(t, x, u, p):
+    y = np.zeros_like(x, dtype=int)
+    y[0] = x[0]
+    return y
+
+
+def cuts_what_is_written_into_a_parameter(t, x, u, p):
+    y = p["A"].copy()
+    y[0] = 1.5 * x[0]
+    return y
+
+
+def cuts_what_a_place_holds(t, x, u, p):
+    y = x.astype(int)
+    y[0] = u[0]
+    return y
+
+
+def is_filled_and_cut(t, x, u, p):
+    return np.full(3, x[0], int)
+
+
+def takes_bits(t, x, u, p):
+    return [int(x[0]) & 1]
+
+
+def takes_bits_of_a_parameter(t, x, u, p):
+    return [x[0] * (p["n"] & 1)]
+
+
+def makes_all_like_the_first(t, x, u, p):
+    return np.vectorize(lambda v: 1 if v > 0 else 0.5 * v)(x)
+
+
+def rounds_as_python(t, x, u, p):
+    return [round(float(u[1]), 1)]
+
+
+# --- what Python asks ----------------------------------------------------------------------------
+
+
+def is_asked_what_it_is(t, x, u, p):
+    return [
+        hasattr(x, "__len__"),
+        hasattr(x[0], "__len__"),
+        type(x) is np.ndarray,
+        isinstance(x, Iterable | Sized),
+        isinstance(x[0], Sized),
+        isinstance(x[0], float),
+        isinstance(x[0], int | list),
+        isinstance(float, type),
+    ]
+
+
+def is_put_into_another(t, x, u, p):
+    y = np.empty(3)
+    np.multiply(x, 2.0, y)
+    return y
+
+
+def is_without_rank(t, x, u, p):
+    return [np.linalg.det(np.outer(x, x)), np.linalg.det(np.array([[0.0, x[0]], [0.0, u[0]]]))]
+
+
+def is_summed_where(t, x, u, p):
+    return [np.sum(x[x > 0]), x[x < 0].sum()]
+
+
+def looks_up(t, x, u, p):
+    return [RATIOS.get(int(x[0]), 9.0)]
+
+
+def seeks_in_a_set(t, x, u, p):
+    return [1.0 if int(x[0]) in {0, 1} else 0.0]
+
+
+def counts_others(t, x, u, p):
+    return [len(set(x))]
+
+
+def catches_a_division(t, x, u, p):
+    try:
+        return [1.0 / float(x[0])]
+    except ZeroDivisionError:
+        return [99.0]
+
+
+def catches_an_overflow(t, x, u, p):
+    try:
+        return [math.exp(1000.0 * x[0])]
+    except OverflowError:
+        return [-1.0]
+
+
+def catches_what_numpy_raises(t, x, u, p):
+    with np.errstate(all="raise"):
+        try:
+            return [np.float64(1.0) / x[0]]
+        except FloatingPointError:
+            return [7.0]
+
+
+def catches_a_singular_matrix(t, x, u, p):
+    try:
+        return np.linalg.solve(np.outer(u, u), u)
+    except np.linalg.LinAlgError:
+        return u
+
+
+def puts_another_mask(t, x, u, p):
+    y = np.zeros(3)
+    y[x > -9] = x[x < 9]
+    return y
+
+
+# --- what is kept --------------------------------------------------------------------------------
+
+
+def is_a_function_with_a_number(t, x, u, p):
+    return [getattr(is_a_function_with_a_number, "gain", 1.0) * x[0]]
+
+
+is_a_function_with_a_number.gain = 3.0
+
+
+def counts_on_itself(t, x, u, p):
+    counts_on_itself.n = getattr(counts_on_itself, "n", 0) + 1
+    return [x[0] * counts_on_itself.n]
+
+
+def keeps_a_queue(t, x, u, p):
+    SEEN.append(x[0])
+    return [SEEN[0]]
+
+
+def keeps_in_params(t, x, u, p):
+    last = p.get("last", 0.0)
+    p["last"] = x[0]
+    return [x[0] - last]
+
+
+PARAMS = {"n": 3, "A": np.array([3, -3]), "f": np.float32(0.1), "short": np.uint8([200, 3])}
+FUNCTIONS = {name: f for name, f in dict(globals()).items() if hasattr(f, "__code__")}
+READ = [f for name, f in FUNCTIONS.items() if name.startswith("is_")]
+REFUSED = [
+    f
+    for name, f in FUNCTIONS.items()
+    if not name.startswith("is_") and next(iter(f.__code__.co_varnames), "") == "t"
+]
+
+
+@pytest.mark.parametrize("function", READ, ids=lambda f: f.__name__)
+def test_numbers_of_every_kind_are_as_python_has_them(function):
+    reads_as_python_runs(function, PARAMS)
+
+
+@pytest.mark.parametrize("function", REFUSED, ids=lambda f: f.__name__)
+def test_what_would_be_another_number_is_refused(function):
+    with pytest.raises(Unread, match=r"output: "):
+        block_of(function, PARAMS).array_record("output")
+    assert not any(type(one).__name__ == "Array" for one in SEEN)
+
+
+@pytest.mark.filterwarnings("ignore:.*runs in Python")
+@pytest.mark.parametrize("function", [adds_truths, shortens, looks_up, keeps_in_params])
+def test_what_is_refused_runs_as_python_control_runs_it(function):
+    def rate(t, x, u, p):
+        return -x + np.sum(function(t, x, u, p))
+
+    system = control.nlsys(rate, None, inputs=2, outputs=3, states=3, name="kept")
+    found = clpt.simulate(system, [0.0, 0.5], 0.0, [0.3, 0.2, 0.1])
+    assert found.attrs["engine"] == "python"
