@@ -4,7 +4,8 @@ import re
 import signal
 import subprocess
 import sys
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
+from pathlib import Path
 
 GUARD = 600  # seconds after which a test that hangs is given up, on any machine
 CODE = (
@@ -45,3 +46,19 @@ def interrupt(process):
 def without_progress(text):
     """Leave out the lines that tell how far a command has come."""
     return "".join(line for line in text.splitlines(True) if not PROGRESS.fullmatch(line.strip()))
+
+
+def listening(pids):
+    """Give the local addresses, as Linux writes them, at which processes take connections."""
+    held = set()
+    for pid in pids:
+        for number in Path(f"/proc/{pid}/fd").iterdir():
+            with suppress(OSError):
+                held.add(str(number.readlink()))
+    rows = [
+        row.split()
+        for kind in ("tcp", "tcp6", "udp", "udp6")
+        for row in Path(f"/proc/self/net/{kind}").read_text().splitlines()[1:]
+    ]
+    states = ("0A", "07")  # of TCP: listens; of UDP: has no peer
+    return [row[1] for row in rows if row[3] in states and f"socket:[{row[9]}]" in held]

@@ -65,7 +65,7 @@ def _stand_in() -> None:
 def _run() -> int:
     if sys.stdout is None:
         raise OSError(errno.EBADF, "standard output")
-    logging.getLogger("matplotlib").setLevel(logging.ERROR)  # it warns without a home folder
+    logging.disable()  # commands print sentences, no logs
     words = sys.argv[1:] or ["--help"]  # who types `clpt` alone wants its page
     status = application()(args=words, standalone_mode=False, prog_name="clpt")
     return status if isinstance(status, int) else 0

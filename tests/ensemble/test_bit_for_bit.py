@@ -2,23 +2,27 @@
 
 import importlib.util
 import json
+import multiprocessing
 import os
 import re
 import shutil
 import signal
+import socket
+import subprocess
 import sys
+import time
 from pathlib import Path
 
 import numpy as np
 import pytest
 from ensemble_stores import VARY, assert_identical, files
-from processes import await_line, started
+from processes import CLPT, GUARD, await_line, listening, started, without_progress
 
 import clpt_control
 from clpt_control.ensemble.run import run_ensemble
 from clpt_control.ensemble.store import open_store
 from clpt_control.ensemble.worker import Worker
-from clpt_control.errors import ClptError, DataError, ScenarioError
+from clpt_control.errors import ClptError, DataError, ScenarioError, SimulationError
 
 
 @pytest.mark.parametrize(("threads", "chunk"), [(1, 7), (2, 1), (3, 1000)])
@@ -211,8 +215,11 @@ def test_a_store_that_memory_does_not_suffice_for_is_removed(quick, tmp_path, mo
     assert not list(tmp_path.iterdir())
 
 
+DASK = pytest.mark.skipif(not importlib.util.find_spec("distributed"), reason="no Dask")
+
+
 @pytest.mark.processes
-@pytest.mark.skipif(not importlib.util.find_spec("distributed"), reason="Dask is not installed")
+@DASK
 def test_a_dask_worker_is_killed(scenario, tmp_path):
     from distributed import Client, LocalCluster
 
@@ -242,6 +249,82 @@ def test_a_dask_worker_is_killed(scenario, tmp_path):
         )
     assert killed
     assert_identical(data, run_ensemble(scenario, VARY, members, seed=1, chunk=10))
+
+
+LINUX = pytest.mark.skipif(not Path("/proc/self/net/tcp").exists(), reason="no /proc/net")
+
+
+@LINUX
+@DASK
+def test_processes_of_this_machine_take_no_connections(quick, tmp_path):
+    found = []
+
+    def look(done):
+        others = [one.pid for one in multiprocessing.active_children()]
+        found.append((len(others), listening([os.getpid(), *others])))
+
+    with socket.create_server(("127.0.0.1", 0)) as known:
+        [address] = listening([os.getpid()])  # the test sees what is there
+        assert int(address.split(":")[1], 16) == known.getsockname()[1]
+    run_ensemble(
+        quick, VARY, 8, out=tmp_path / "e.zarr", chunk=4, threads=1, dask="local", progress=look
+    )
+    assert found == [(0, []), (1, []), (1, [])]
+    for one in multiprocessing.active_children():
+        one.join(GUARD)
+    assert multiprocessing.active_children() == []
+
+
+@pytest.mark.processes
+@DASK
+def test_a_process_of_this_machine_is_killed(quick, tmp_path):
+    out, killed = tmp_path / "e.zarr", []
+
+    def kill_one(done):
+        if done and not killed:
+            killed.append(done)
+            os.kill(multiprocessing.active_children()[0].pid, signal.SIGKILL)
+
+    given = {"seed": 1, "chunk": 4, "threads": 2, "dask": "local"}
+    with pytest.raises(SimulationError, match=r"a worker was lost .* goes on from there"):
+        run_ensemble(quick, VARY, 80, out=out, progress=kill_one, **given)
+    assert 0 < len(open_store(out).missing()) < 20
+    data = run_ensemble(quick, VARY, 80, out=out, **given)
+    assert_identical(data, run_ensemble(quick, VARY, 80, seed=1, chunk=4))
+
+
+@pytest.mark.processes
+@DASK
+def test_a_lost_scheduler_is_one_sentence(scenario, tmp_path):
+    clpt_control.save_scenario(scenario, tmp_path / "s.toml")
+    known, out = tmp_path / "scheduler.json", tmp_path / "e.zarr"
+    words = ("ensemble", tmp_path / "s.toml", "--vary", VARY[0], "--members", "400", "--out", out)
+    words = (*CLPT, *words, "--chunk", "4")
+    dask = (sys.executable, "-m", "distributed.cli.dask_{}", "--scheduler-file", known)
+    here = ("--host", "127.0.0.1", "--no-dashboard")
+    quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
+
+    def service(name, *more):
+        return started((*dask[:2], dask[2].format(name), *dask[3:], *here, *more), **quiet)
+
+    with service("scheduler", "--port", "0") as scheduler, service("worker", "--nthreads", "1"):
+        while not known.exists() or not known.read_text().endswith("}"):
+            assert scheduler.poll() is None
+            time.sleep(0.05)
+        address = json.loads(known.read_text())["address"]
+        with started((*words, "--dask", address)) as process:
+            while not (out / "done").exists() or len(open_store(out, "r").missing()) > 95:
+                assert process.poll() is None
+                time.sleep(0.05)
+            scheduler.kill()
+            said, err = process.communicate(timeout=GUARD)
+    lost = f"clpt: dask: the scheduler {address} was lost; what is done is kept, and the same "
+    assert (process.returncode, said) == (1, "")
+    assert without_progress(err) == f"{lost}command goes on from there\n"
+    left = len(open_store(out, "r").missing())
+    assert 0 < left <= 95
+    data = run_ensemble(scenario, VARY[0], 400, out=out, chunk=4)
+    assert_identical(data, run_ensemble(scenario, VARY[0], 400, chunk=4))
 
 
 def test_dask_that_is_not_installed(quick, tmp_path, monkeypatch):

@@ -1,58 +1,34 @@
 """Parts judged by two processes: this one, and another that is asked part by part.
 
 The other answers only where it judges by the same: its digest may differ from ours, as for
-equations that were changed in memory.  It ends where this process does.  This process takes parts
+equations that were changed in memory.  This process takes parts
 from the front, the other from behind, so that not both compile what the first ones run.
 """
 
-import gc
 import os
-import signal
-import threading
 from collections import deque
 from collections.abc import Callable, Iterator
-from concurrent.futures import Future, ProcessPoolExecutor
+from concurrent.futures import Future
 from contextlib import contextmanager, suppress
 from functools import cache
-from multiprocessing import active_children, get_context, parent_process
 from typing import TYPE_CHECKING
 
 from ...files.user_cache import cache_folder
 from ...progress import interrupt
+from ...progress.processes import Pool, processes
 
 if TYPE_CHECKING:  # the other process starts before all this is imported
     from .judgement import Part, Verdict, Verdicts
 
 
 @contextmanager
-def second_process() -> Iterator[ProcessPoolExecutor | None]:
+def second_process() -> Iterator[Pool | None]:
     """Yield a pool of one process, where there is a core for it."""
     if (os.cpu_count() or 1) < 2:
         yield None
         return
-    pool = ProcessPoolExecutor(1, get_context("spawn"), begin)
-    before = active_children()
-    try:
+    with processes(1) as pool:
         yield pool
-    finally:
-        for one in set(active_children()) - set(before):
-            one.kill()
-        pool.shutdown(wait=False, cancel_futures=True)
-
-
-def begin() -> None:
-    """Make ready the other process: it is silent, and ends with the one that asks."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the one that asks is told
-    gc.set_threshold(200_000, 50, 50)  # as in `clpt`: expressions are many objects
-    os.dup2(os.open(os.devnull, os.O_WRONLY), 2)
-    threading.Thread(target=_end, daemon=True).start()
-
-
-def _end() -> None:
-    asking = parent_process()
-    if asking is not None:
-        asking.join()
-    os._exit(0)  # also amid a part
 
 
 @cache
@@ -78,7 +54,7 @@ def judge(
     parts: "list[Part]",
     digest: str,
     report: Callable[[float], None] = lambda done: None,
-    pool: ProcessPoolExecutor | None = None,
+    pool: Pool | None = None,
 ) -> "Verdicts":
     """Judge parts, some of them in a pool; `report` is called with the number done."""
     left, asked, found = deque(parts), dict["Part", Future](), dict["Part", "Verdict"]()

@@ -1,0 +1,57 @@
+"""Other processes of this one: asked and heard through pipes alone, silent, and ended with it.
+
+No socket is opened, so that nobody else can reach them.
+"""
+
+import gc
+import os
+import signal
+import threading
+from collections.abc import Iterator
+from concurrent.futures import Future, ProcessPoolExecutor
+from contextlib import contextmanager
+from multiprocessing import active_children, get_context, parent_process, resource_tracker
+from typing import Any
+
+
+class Pool(ProcessPoolExecutor):
+    """Processes that do not hear Ctrl-C: the one that asks is told, and ends them."""
+
+    def submit(self, *work: Any, **given: Any) -> Future:
+        """Ask for a piece of work; a process that is started for it inherits what is blocked."""
+        if not hasattr(signal, "pthread_sigmask"):
+            return super().submit(*work, **given)
+        resource_tracker.ensure_running()  # else it would unblock the signal
+        before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+        try:
+            return super().submit(*work, **given)
+        finally:
+            signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
+@contextmanager
+def processes(count: int) -> Iterator[Pool]:
+    """Yield a pool of so many processes, which are killed at the end."""
+    pool = Pool(count, get_context("spawn"), _begin)
+    before = active_children()
+    try:
+        yield pool
+    finally:
+        for one in set(active_children()) - set(before):
+            one.kill()
+        pool.shutdown(wait=False, cancel_futures=True)
+
+
+def _begin() -> None:
+    """Make ready another process."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # where it cannot be blocked
+    gc.set_threshold(200_000, 50, 50)  # as in `clpt`: expressions are many objects
+    os.dup2(os.open(os.devnull, os.O_WRONLY), 2)
+    threading.Thread(target=_end, daemon=True).start()
+
+
+def _end() -> None:
+    asking = parent_process()
+    if asking is not None:
+        asking.join()
+    os._exit(0)  # also amid a piece of work
