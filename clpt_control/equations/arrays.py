@@ -340,7 +340,7 @@ class Array(NDArrayOperatorsMixin):
     def __round__(self, digits: Any = None) -> Any:
         if digits and self._tape.has_floats:
             raise Unread("rounds to digits, which Python does otherwise than np.round")
-        return np.round(self, digits or 0)
+        return np.round(self, digits) if digits else np.round(self) + 0.0  # as a whole number
 
     def __repr__(self) -> str:
         return f"<v{self._node} {self.shape}>"
@@ -392,6 +392,8 @@ def lifted(tape: Tape, value: Any) -> Any:
         return value
     if isinstance(value, bool | int | float | np.bool_ | np.integer | np.floating):
         return float(value)
+    if isinstance(value, np.ndarray) and type(value) is not np.ndarray:
+        raise Unread(f"calculating with a {type(value).__name__}; write np.asarray of it")
     try:
         if isinstance(value, np.ndarray) and value.dtype != object:
             return constant(tape, value)

@@ -13,7 +13,7 @@ second (a leaf of its own): a record that depends on it is no function of time, 
 import functools
 import threading
 from collections import deque
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, MutableMapping, Sequence
 from contextlib import contextmanager
 from operator import is_
 from types import BuiltinFunctionType, CellType, FunctionType, MethodType, ModuleType
@@ -138,8 +138,8 @@ class Kept:
     """The state of objects as it was before a reading."""
 
     def __init__(self) -> None:
-        self._objects: dict[int, tuple[Any, Any]] = {}
-        self._changed: list[tuple[Any, Any]] = []  # container and key
+        self._objects: dict[int, tuple[Any, Any, Any]] = {}  # object, what holds its state, before
+        self._changed: dict[tuple[int, Any], Any] = {}  # by object and key: what holds it
 
     def add(self, value: Any, deep: int = DEEP) -> None:
         """Remember an object, and those within it."""
@@ -150,42 +150,61 @@ class Kept:
         inside = _inside(value)
         if inside is None:
             return
-        self._objects[id(value)] = value, inside.copy()
+        self._objects[id(value)] = value, inside, inside.copy()
         if deep:
-            within = inside.values() if isinstance(inside, dict) else inside
+            within = inside.values() if isinstance(inside, Mapping) else inside
             for one in list(within)[:MOST]:
                 self.add(one, deep - 1)
 
-    def look(self) -> bool:
-        """Note what changed since; return whether anything did."""
-        for value, before in self._objects.values():
-            now, first = _inside(value), _entries(before)
-            for key, one in _entries(now).items():
+    def look(self) -> None:
+        """Note what changed since."""
+        for place, (_, inside, before) in self._objects.items():
+            first = _entries(before)
+            for key, one in _entries(inside).items():
                 if one is not first.get(key, _NONE):
-                    self._changed.append((now, key))
-        return bool(self._changed)
+                    self._changed[place, key] = inside
 
     def hide(self, leaf: Any) -> None:
         """Put unknown numbers in the places that changed; what was appended stays."""
-        for k, (inside, key) in enumerate(self._changed):
-            if isinstance(inside, dict) or key < len(inside):
+        for k, ((_, key), inside) in enumerate(self._changed.items()):
+            if isinstance(inside, Mapping) or key < len(inside):
                 inside[key] = leaf(k)
 
     def put_back(self) -> None:
         """Make all as it was."""
-        for value, before in self._objects.values():
-            now = _inside(value)
-            if isinstance(now, list):
-                now[:] = before
-            elif isinstance(now, deque):
-                now.clear()
-                now.extend(before)
-            elif (
-                isinstance(now, dict)
-                and (now.keys() != before.keys() or any(now[k] is not before[k] for k in before))
-            ) or isinstance(now, set):
-                now.clear()
-                now.update(before)
+        for _, inside, before in self._objects.values():
+            now, first = _entries(inside), _entries(before)
+            same = not isinstance(inside, set) and len(inside) == len(before)
+            if not same or any(now.get(key, _NONE) is not one for key, one in first.items()):
+                inside.clear()
+                fill = inside.extend if isinstance(inside, list | deque) else inside.update
+                fill(before)
+
+
+class Slots(MutableMapping):
+    """What an object keeps in `__slots__`."""
+
+    def __init__(self, value: Any, names: Sequence[str]) -> None:
+        self.value, self.names = value, names
+
+    def __getitem__(self, name: str) -> Any:
+        return getattr(self.value, name)
+
+    def __setitem__(self, name: str, value: Any) -> None:
+        object.__setattr__(self.value, name, value)
+
+    def __delitem__(self, name: str) -> None:
+        object.__delattr__(self.value, name)
+
+    def __iter__(self) -> Iterator[str]:
+        return (name for name in self.names if hasattr(self.value, name))
+
+    def __len__(self) -> int:
+        return sum(1 for _ in self)
+
+    def copy(self) -> dict[str, Any]:
+        """Return what is kept now."""
+        return dict(self)
 
 
 def _inside(value: Any) -> Any:
@@ -193,14 +212,18 @@ def _inside(value: Any) -> Any:
     if isinstance(value, list | dict | set | deque):
         return value
     own = getattr(value, "__dict__", None)
-    return own if type(own) is dict else None
+    if type(own) is dict:
+        return own
+    slots = [vars(kind).get("__slots__", ()) for kind in type(value).__mro__]
+    names = [name for one in slots for name in ([one] if isinstance(one, str) else one)]
+    return Slots(value, names) if names else None
 
 
 def _entries(inside: Any) -> dict:
     """Return what a container holds in places that have keys."""
     if isinstance(inside, list | deque):
         return dict(enumerate(inside))
-    return inside if isinstance(inside, dict) else {}
+    return dict(inside) if isinstance(inside, Mapping) else {}
 
 
 @contextmanager

@@ -236,13 +236,18 @@ def whole_numbers(
     return where(a == -np.inf, -most if neginf is None else neginf, a)
 
 
-def in_order(values: list[Any]) -> list[Any]:
+def after(a: Any, b: Any) -> Any:
+    """Return whether b comes before a, as NumPy sorts: what is no number comes last."""
+    return np.less(b, a) | (np.not_equal(a, a) & np.equal(b, b))
+
+
+def in_order(values: list[Any], swaps: Callable = np.greater) -> list[Any]:
     """Return numbers sorted: neighbours change places where they must, until none does."""
     found = list(values)
     for end in range(len(found) - 1, 0, -1):
         for k in range(end):
             a, b = found[k], found[k + 1]
-            swap = b < a
+            swap = swaps(a, b)
             found[k], found[k + 1] = where(swap, b, a), where(swap, a, b)
     return found
 
@@ -252,7 +257,7 @@ def in_rows(a: Any, axis: int = -1, **more: Any) -> Any:
     """Return np.sort(a) of a vector."""
     if a.ndim != 1 or a.size > 16:
         return unread("sorting more than 16 numbers, or rows,")
-    return stacked(a._tape, in_order(list(a._elements())))
+    return stacked(a._tape, in_order(list(a._elements()), after))
 
 
 def joins(ufunc: Any, *functions: Any) -> None:
@@ -316,7 +321,7 @@ reads(np.size)(lambda a, axis=None: a.size if axis is None else a._counted()[axi
 
 SHARES: dict[Any, Callable] = {
     np.reshape: views.reshaped,
-    np.ravel: lambda a, order="C": views.reshaped(a, -1),
+    np.ravel: lambda a, order="C": views.reshaped(a, -1, order=order),
     np.squeeze: views.squeezed,
     np.transpose: views.transposed,
     np.swapaxes: views.swapped,
@@ -345,7 +350,7 @@ def floats(value: Any) -> Any:
 METHODS: dict[str, Callable] = {  # that are not NumPy's functions
     "reshape": views.reshaped,
     "transpose": views.transposed,
-    "flatten": lambda a, *more: views.copied(views.reshaped(a, -1)),
+    "flatten": lambda a, order="C": views.copied(views.reshaped(a, -1, order=order)),
     "__copy__": views.copied,
     "__deepcopy__": views.copied,
     "astype": views.converted,

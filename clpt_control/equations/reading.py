@@ -87,10 +87,10 @@ def read(*given: Any) -> Read:
                 ways.copies.kept.put_back()
                 continue
             before = before or ways
-            ways.copies.kept.look()
     finally:
         (before or ways).copies.kept.put_back()
-    if found[0].record != found[1].record:
+    first, again = (one.record for one in found)
+    if first != again and str(first) != str(again):  # NaN differs from itself
         raise Unread(
             f"{asked.name} keeps what its next call reads, or draws by chance; make it a state"
         )
@@ -129,6 +129,10 @@ class _Ways:
             given = asked.given_as(dict(fields))
             found = self._way(lambda: copied(t, x, u, given))  # noqa: B023
             self.ways.append((tape.answers, found))
+            self.copies.check()
+            kept = (self.before or self).copies.kept
+            kept.look()
+            kept.put_back()
             if isinstance(given, dict):
                 self.written |= {k for k, v in dict.items(given) if v is not fields.get(k, self)}
             if len(self.ways) > MOST_WAYS:
@@ -139,7 +143,6 @@ class _Ways:
             if not way:
                 break
             tape.way = [*way[:-1], False]
-        self.copies.check()
         outputs = [operand(one) for one in _joined(tape, self.ways, 0)]
         record = compact(tape.operations, outputs, asked.out.values())
         return Read(record, frozenset(tape.pinned), tuple(self.raised))

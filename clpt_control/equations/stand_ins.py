@@ -185,6 +185,18 @@ def total_of(values: Any, start: Any = 0) -> Any:
     return functools.reduce(lambda v, w: v + w, values, start)
 
 
+def exact_total(values: Any) -> Any:
+    """Return math.fsum: a sum, and what rounding took from it."""
+    total: Any = 0.0
+    lost: Any = 0.0
+    for value in values:
+        new = total + value
+        first = np.fabs(total) >= np.fabs(value)
+        lost = lost + where(first, (total - new) + value, (value - new) + total)
+        total = new
+    return total + lost
+
+
 DOMAINS: dict[str, Callable] = {  # outside, `math` raises
     "sqrt": lambda a: a < 0,
     **dict.fromkeys(("log", "log2", "log10"), lambda a, *base: a <= 0),
@@ -197,10 +209,10 @@ MATH: dict[str, Callable] = {
     **{name: functools.partial(elementwise, name) for name in ("erf", "erfc")},
     "log": lambda a, base=None: np.log(a) if base is None else np.log(a) / np.log(base),
     "remainder": lambda a, b: a - b * np.rint(a / b),
-    "hypot": lambda *a: np.hypot(*a) if len(a) == 2 else np.sqrt(total_of(v * v for v in a)),
-    "dist": lambda a, b: np.sqrt(total_of((v - w) ** 2 for v, w in zip(a, b, strict=True))),
+    "hypot": lambda *a: np.hypot(*a) if len(a) == 2 else functools.reduce(np.hypot, a, 0.0),
+    "dist": lambda a, b: functools.reduce(np.hypot, map(np.subtract, a, b), 0.0),
     "isclose": about,
-    "fsum": total_of,
+    "fsum": exact_total,
     "prod": lambda a, start=1: functools.reduce(lambda v, w: v * w, a, start),
     "ldexp": lambda a, k: a * 2.0**k,
 }

@@ -4,7 +4,7 @@ A place in a table is how many of its inner points are not above x; `pick` takes
 """
 
 from collections.abc import Callable
-from functools import reduce
+from functools import cache, reduce
 from operator import add, and_
 from typing import Any
 
@@ -42,6 +42,8 @@ def searched(points: Any, x: Any, side: str = "left", **more: Any) -> Any:
 def interpolated(x: Any, xp: Any, fp: Any, left: Any = None, right: Any = None) -> Any:
     """Return np.interp(x, xp, fp)."""
     xp = np.asarray(xp, dtype=float)
+    if np.any(np.diff(xp) < 0.0):
+        raise Unread("np.interp of points that do not increase")
     if isinstance(fp, Array) and numbers_of(fp) is None:
         units = np.eye(len(xp))
         found = sum(fp[k] * np.interp(x, xp, unit) for k, unit in enumerate(units))
@@ -171,5 +173,7 @@ def is_table(value: Any) -> bool:
 
 def function_of(value: Any) -> Callable | None:
     """Return an interpolator as a function of signals; None for what is none."""
-    name = f"{type(value).__module__}.{type(value).__name__}"
-    return TABLES[name](value) if name in TABLES else None
+    if not is_table(value):
+        return None
+    own = cache(TABLES[f"{type(value).__module__}.{type(value).__name__}"])
+    return lambda tape, *given: own(value)(tape, *given)

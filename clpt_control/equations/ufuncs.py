@@ -130,7 +130,7 @@ def rounded(a: Array, decimals: Any = None) -> Any:
         return rounded(a * scale) / scale if decimals > 0 else rounded(a / scale) * scale
     low = np.floor(a)
     rest, odd = a - low, np.remainder(low, 2.0)
-    return where((rest > 0.5) | ((rest == 0.5) & (odd > 0.5)), low + 1.0, low)
+    return where((rest > 0.5) | ((rest == 0.5) & (odd > 0.5)), np.ceil(a), low)
 
 
 def negative(a: Any) -> Any:
@@ -142,6 +142,11 @@ def copied_sign(a: Any, b: Any) -> Any:
     """Return |a| with the sign of b."""
     size = np.fabs(a)
     return where(negative(b), -size, size) if isinstance(b, Array) else np.copysign(1.0, b) * size
+
+
+def known(name: str, a: Any, b: Any) -> Any:
+    """Return the one that is a number, or the smaller or larger of two."""
+    return where(np.not_equal(a, a), b, where(np.not_equal(b, b), a, elementwise(name, a, b)))
 
 
 def fmod(a: Any, b: Any) -> Any:
@@ -173,8 +178,8 @@ COMPOSED: dict[str, Callable] = {  # by the ufunc's name; those of scipy.special
     "square": lambda a: elementwise("mul", a, a),
     "reciprocal": lambda a: elementwise("div", 1.0, a),
     **dict.fromkeys(("positive", "conjugate"), lambda a: a),
-    "fmin": lambda a, b: elementwise("minimum", a, b),
-    "fmax": lambda a, b: elementwise("maximum", a, b),
+    "fmin": lambda a, b: known("minimum", a, b),
+    "fmax": lambda a, b: known("maximum", a, b),
     **dict.fromkeys(("deg2rad", "radians"), lambda a: elementwise("mul", a, np.pi / 180)),
     **dict.fromkeys(("rad2deg", "degrees"), lambda a: elementwise("mul", a, 180 / np.pi)),
     "exp2": lambda a: elementwise("pow", 2.0, a),

@@ -191,6 +191,8 @@ def join(parts: Any, axis: Any = 0, **more: Any) -> Any:
 
 def reshaped(a: Array, *shape: Any, **more: Any) -> Any:
     """Return the same elements in another shape."""
+    if more.get("order", "C") != "C":
+        return unread("elements in another order than row by row")
     new = more.get("shape", shape[0] if len(shape) == 1 else shape)
     new = tuple(new) if isinstance(new, tuple | list) else (new,)
     if a.ndim < 2 and tuple(n for n in new if n != 1) in ((-1,), a.shape):  # new axes alone
