@@ -19,7 +19,7 @@ from ..files import open_netcdf
 from ..files.reading import NETCDF, read_bytes, text_of
 from ..progress.interrupt import check
 from . import dive_table, og1, seaexplorer, seaglider, slocum
-from .dives import Dive, Skipped, is_segment, name_in, name_of_file, named
+from .dives import SLOCUM_FILES, Dive, Skipped, is_segment, name_in, name_of_file, named
 
 OF_NETCDF = (seaglider, og1)
 OF_TEXT = (seaexplorer, dive_table)  # which takes any text, so it is the last
@@ -27,7 +27,8 @@ KINDS = (
     "Seaglider or OG1 NetCDF files, .sbd, .mbd or .dbd of a Slocum, .gli of a SeaExplorer, "
     "a CSV table of dives"
 )
-SUFFIXES = (".nc", ".csv", *slocum.SUFFIXES)
+SUFFIXES = (".nc", ".csv", *SLOCUM_FILES)
+FROM_GLIDER = "from-glider"  # where a dockserver keeps what a glider sent
 
 
 def may_hold_dives(path: Path) -> bool:
@@ -37,7 +38,10 @@ def may_hold_dives(path: Path) -> bool:
 
 
 def dive_paths(paths: Iterable[str | Path]) -> list[Path]:
-    """Return the files that paths name; those of a folder by name, hidden ones left out."""
+    """Return the files that paths name; those of a folder by name, hidden ones left out.
+
+    Of a glider's folder on a dockserver they are those in ``from-glider``.
+    """
     files: list[Path] = []
     for path in map(Path, paths):
         try:
@@ -50,6 +54,8 @@ def dive_paths(paths: Iterable[str | Path]) -> list[Path]:
             files.append(path)
             continue
         dives = [file for file in inside if may_hold_dives(file)]
+        if not dives and (sent := [file for file in inside if file.name.lower() == FROM_GLIDER]):
+            dives = dive_paths(sent)
         if not dives:
             raise DataError(f"{path}: the folder has no {', '.join(SUFFIXES)} or .gli file")
         files += sorted(dives)
@@ -65,7 +71,7 @@ def read_dive_file(path: str | Path) -> tuple[list[Dive], list[Skipped]]:
     raw = read_bytes(path, (*NETCDF, slocum.MAGIC))
     if not raw:
         raise DataError(f"{path}: is empty; must be one of {KINDS}")
-    if raw == slocum.MAGIC:
+    if raw == slocum.MAGIC or slocum.MAGIC in raw[3:9]:  # the first letters of a compressed block
         dives, skipped = slocum.dives_of(path)
         return named(dives, name_of_file(path.name)), skipped
     if raw not in NETCDF:
@@ -123,17 +129,23 @@ def read_dives(paths: str | Path | Iterable[str | Path]) -> tuple[list[Dive], li
     files = dive_paths([paths] if isinstance(paths, str | Path) else paths)
     dives: list[Dive] = []
     skipped: list[Skipped] = []
+    alike: dict[tuple[int | None, str], list[str]] = {}  # reasons but for the file's name
     for file in files:
         check()
         try:
             found, bad = read_dive_file(file)
         except DataError as error:
-            found, bad = [], [Skipped(seaglider.number_in_name(file), str(error))]
+            key = seaglider.number_in_name(file), str(error).removeprefix(str(file))
+            alike.setdefault(key, []).append(str(error))
+            continue
         dives += found
         skipped += bad
+    for (dive, _), whys in alike.items():
+        more = f" (one of {len(whys)} files)" if len(whys) > 1 else ""
+        skipped.append(Skipped(dive, whys[0] + more))
     if dives:
         return dives, skipped
-    if len(skipped) == 1:
+    if len(skipped) == 1 and not skipped[0].why.endswith(" files)"):
         raise DataError(skipped[0].why)
     if skipped and len(files) == 1:
         raise DataError(f"{files[0]}: no line holds a dive; the first: {skipped[0].why}")

@@ -50,7 +50,8 @@ Part = TypeVar("Part")
 Joined = TypeVar("Joined")
 LEAST_GAP = 300.0  # s between two fixes with a dive between them
 BACK = 6  # files before one that are joined to it at most
-SLOCUM = re.compile(r"(?P<who>.*?)-?(?P<order>\d+-\d+-\d+-\d+|\d{8})(?P<kind>\.[smd]bd)", re.I)
+SLOCUM_FILES = (".sbd", ".mbd", ".dbd", ".scd", ".mcd", ".dcd", ".sba", ".mba", ".dba", ".asc")
+SLOCUM = re.compile(r"(?P<who>.*?)-?(?P<order>\d+-\d+-\d+-\d+|\d{8})(?P<kind>\.\w+)", re.I)
 SEAEXPLORER = re.compile(r"(?P<who>.*)(?P<kind>\.gli\.(?:sub|raw))\.(?P<order>\d+)(?:\.gz)?", re.I)
 
 
@@ -200,7 +201,7 @@ def is_segment(path: Path) -> bool:
     >>> [is_segment(Path(name)) for name in ("00970156.SBD", "sea035.10.gli.sub.3.gz", "p1.nc")]
     [True, True, False]
     """
-    return path.suffix.lower() in (".sbd", ".mbd", ".dbd") or bool(SEAEXPLORER.fullmatch(path.name))
+    return path.suffix.lower() in SLOCUM_FILES or bool(SEAEXPLORER.fullmatch(path.name))
 
 
 def files_before(path: Path) -> list[Path]:

@@ -42,6 +42,14 @@ def values(data: "xarray.Dataset", name: str) -> np.ndarray:
     return numbers
 
 
+def number(cell: str) -> float:
+    """Return the number in a cell of text, NaN where there is none."""
+    try:
+        return float(cell)
+    except ValueError:
+        return nan
+
+
 def scalar(data: "xarray.Dataset", name: str) -> float | None:
     """Return a single finite number, or None."""
     if name not in data.variables:

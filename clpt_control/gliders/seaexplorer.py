@@ -24,7 +24,7 @@ import numpy as np
 from ..errors import DataError
 from ..files.reading import LARGEST, read_bytes, text_of
 from .dives import LEAST_DEPTH, Dive, Fix, Skipped, Three, dive_between, is_fix, joined_dives
-from .samples import deepest, hole_under_water, track_of
+from .samples import deepest, hole_under_water, number, track_of
 from .slocum import degrees
 
 GZIP = b"\x1f\x8b"
@@ -62,10 +62,12 @@ def dives_of(text: str, path: Path) -> tuple[list[Dive], list[Skipped]]:
         return _rows(known, before)
 
     rows, found = joined_dives(path, own, read, _joined, _seen)
+    if not _seen(rows)[0]:
+        raise DataError(f"{path}: no row with a fix (NavState {AT_SURFACE})")
     digits = [part for part in path.name.split(".") if part.isdecimal()]
-    number = int(digits[-1]) if digits else 0
+    which = int(digits[-1]) if digits else 0
     return [
-        _dive(rows[(rows[:, 0] >= three[1][0]) & (rows[:, 0] <= three[2][0])], three, number)
+        _dive(rows[(rows[:, 0] >= three[1][0]) & (rows[:, 0] <= three[2][0])], three, which)
         for three in found
         if three[2][0] >= own[:, 0].min()
     ], []
@@ -89,21 +91,14 @@ def _rows(text: str, path: Path) -> Rows:
             when = datetime.strptime(cells[0].strip(), "%d/%m/%Y %H:%M:%S").replace(tzinfo=UTC)
         except ValueError:
             continue
-        numbers = [_number(cells[k]) if k < len(cells) else nan for k in places]
-        guess = _number(cells[estimated]) if estimated is not None and estimated < len(cells) else 0
+        numbers = [number(cells[k]) if k < len(cells) else nan for k in places]
+        guess = number(cells[estimated]) if estimated is not None and estimated < len(cells) else 0
         rows.append([when.timestamp(), *numbers, guess])
     if not rows:
         raise DataError(
             f"{path}: no line has a Timestamp such as 13/06/2019 18:21:39 in the SeaExplorer file"
         )
     return np.array(rows)
-
-
-def _number(cell: str) -> float:
-    try:
-        return float(cell)
-    except ValueError:
-        return nan
 
 
 def _joined(parts: list[Rows]) -> Rows:
@@ -125,7 +120,7 @@ def _seen(rows: Rows) -> tuple[list[Fix], np.ndarray]:
     return fixes, rows[rows[:, 5] > LEAST_DEPTH, 0]
 
 
-def _dive(rows: Rows, fixes: Three, number: int) -> Dive:
+def _dive(rows: Rows, fixes: Three, which: int) -> Dive:
     _, start, end = fixes
     duration, notes = end[0] - start[0], []
     good = np.isfinite(rows[:, [2, 3, 4, 5]]).all(axis=1)
@@ -145,7 +140,7 @@ def _dive(rows: Rows, fixes: Three, number: int) -> Dive:
         total = float(east.sum()), float(north.sum())
         track = track_of(time - start[0], east, north, duration)
     return dive_between(
-        number,
+        which,
         fixes,
         total,
         magvar=float(np.median(declination)) if declination.size else None,

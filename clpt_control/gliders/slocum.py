@@ -27,6 +27,7 @@ and then w0 times the time under water is taken off dr.  Dead reckoning that sti
 w is not used: dr is the displacement between the fixes less w times the duration.
 """
 
+from dataclasses import replace
 from math import nan
 from pathlib import Path
 
@@ -38,7 +39,6 @@ from .dives import LEAST_DEPTH, Dive, Fix, Skipped, Three, dive_between, is_fix,
 from .magnetic import variation
 from .samples import deepest, hole_under_water
 from .slocum_file import MAGIC as MAGIC
-from .slocum_file import SUFFIXES as SUFFIXES
 from .slocum_file import Segment, Series, read_segment
 
 SHORT = 60.0  # s of a dive's end without a place that are left alone
@@ -213,7 +213,11 @@ def dives_of(path: Path) -> tuple[list[Dive], list[Skipped]]:
     own = read_segment(path, NAMES)
     of, found = joined_dives(path, own, lambda one: read_segment(one, NAMES), _joined, _seen)
     own_fixes = set(own.of["m_gps_lat"][0].tolist()) if "m_gps_lat" in own.of else set()
-    return [_dive(of, own, three) for three in found if three[2][0] in own_fixes], []
+    dives = [_dive(of, own, three) for three in found if three[2][0] in own_fixes]
+    if len(dives) > 1:
+        which = [f"dive {k} of {len(dives)} in {path.name}" for k in range(1, len(dives) + 1)]
+        dives = [replace(d, notes=(w, *d.notes)) for d, w in zip(dives, which, strict=True)]
+    return dives, []
 
 
 def _joined(parts: list[Segment]) -> Of:

@@ -1,12 +1,16 @@
 """One file of a Slocum's flight computer: .dbd, or .mbd or .sbd, which hold a part of it.
 
-Its bytes are a header of ASCII lines; the list of all sensors, or where that is `factored`
+.dcd, .mcd and .scd are these compressed: blocks of LZ4, each behind its size in two bytes,
+the larger first.  A text that dbd2asc wrote has the same header, then lines with the names
+of the sensors, their units and bytes, then a line of numbers for each cycle.
+
+The bytes are a header of ASCII lines; the list of all sensors, or where that is `factored`
 the check sum that names the `.cac` file with it; known bytes; then cycles of b"d", two
 bits for each sensor (0 no value, 1 as before, 2 a new one) and the new values; b"X" ends it.
 The first cycle has what each sensor said last, which for the GPS is an older fix: that is left
 out.  Whole cycles of a file that is cut short are read; newer gliders write no b"X".  A list
-of sensors is looked for beside the file, in `cac` and `cache` there and one folder up, and in
-the folder that the environment variable `CLPT_CAC` names.
+of sensors, .cac or compressed .ccc, is looked for beside the file, in `cac` and `cache` there
+and up to four folders up, and in the folder that the environment variable `CLPT_CAC` names.
 """
 
 import os
@@ -22,9 +26,12 @@ import numpy as np
 from ..errors import DataError
 from ..files.reading import read_bytes
 from .dives import NotYet
+from .samples import number
 
-SUFFIXES = (".sbd", ".mbd", ".dbd")
 MAGIC = b"dbd_"  # first bytes of `dbd_label:`
+TEXT = "DBD_ASC"  # first letters of its value in a text
+BLOCK = 2**16  # bytes of a block at most
+MOST_PACKED = 2 * 10**7  # bytes of a compressed file
 FOLDERS = ("cac", "cache")
 KNOWN = 16  # bytes: b"sa", 4660 in 2, 123.456 in 4, 123456789.12345 in 8
 ORDERS = {b"sa\x34\x12": "<", b"sa\x12\x34": ">"}  # as `KNOWN` has it: how bytes are ordered
@@ -32,14 +39,14 @@ KINDS = {1: "b", 2: "h", 4: "f", 8: "d"}  # of a value, by its bytes
 TIME = "m_present_time"
 FIX = ("m_gps_lat", "m_gps_lon", "m_gps_status")
 MOST = 10**6  # cycles: 46 days of 4 s each
-WHOLE = ("num_ascii_tags", "total_num_sensors", "state_bytes_per_cycle", "sensor_list_factored")
+WHOLE = ("total_num_sensors", "state_bytes_per_cycle", "sensor_list_factored")
+OF_TEXT = ("sensors_per_cycle", "num_label_lines")
 Series = tuple[np.ndarray, np.ndarray]  # s since 1970 UTC, values
 
 
 class Segment(NamedTuple):
-    """What a file holds: its name and number, sensors, and what is wrong with it."""
+    """What a file holds: its number, sensors, and what is wrong with it."""
 
-    name: str
     number: int
     of: dict[str, Series]
     notes: tuple[str, ...]
@@ -47,12 +54,67 @@ class Segment(NamedTuple):
 
 def read_segment(path: Path, names: tuple[str, ...]) -> Segment:
     """Read the sensors among `names` that a file has."""
-    raw = read_bytes(path)
+    raw, whole = read_bytes(path), True
+    if not raw.startswith(MAGIC):
+        raw, whole = uncompressed(raw)
     tags, at = _header(raw, path)
-    sensors, at = _sensors(raw, at, tags, path)
+    if tags["dbd_label"].startswith(TEXT):
+        columns, at = _table(raw, at, int(tags["num_label_lines"]), names, path)
+    else:
+        sensors, at = _sensors(raw, at, tags, path)
+        states = int(tags["state_bytes_per_cycle"])
+        columns, at = _cycles(raw, at, sensors, states, names, path)
+    notes: tuple[str, ...] = ()
+    if not whole or raw[at : at + 1] not in (b"X", b""):
+        where = f"at byte {at} of {len(raw)}"
+        notes = (f"{path.name} is cut short or damaged {where}: read up to there",)
     number = _number(tags.get("the8x3_filename", ""), path)
-    of, why = _cycles(raw, at, sensors, int(tags["state_bytes_per_cycle"]), names, path)
-    return Segment(tags.get("full_filename", path.stem), number, of, (why,) if why else ())
+    return Segment(number, _said(columns, names), notes)
+
+
+def uncompressed(raw: bytes) -> tuple[bytes, bool]:
+    r"""Return the bytes of compressed ones, as far as these are sound, and whether all are.
+
+    >>> uncompressed(b"\x00\x08" b"\x12a\x01\x00" b"\x30bcd")
+    (b'aaaaaaabcd', True)
+    """
+    out, at = bytearray(), 0
+    while at < min(len(raw), MOST_PACKED):
+        size = int.from_bytes(raw[at : at + 2])
+        try:
+            out += _block(raw[at + 2 : at + 2 + size])
+        except IndexError:
+            return bytes(out), False
+        at += 2 + size
+    return bytes(out), at == len(raw)
+
+
+def _block(packed: bytes) -> bytes:
+    """Return the bytes of an LZ4 block: runs of new bytes, each and a copy of what came before."""
+    out, at = bytearray(), 0
+    while True:
+        token = packed[at]
+        new, at = _length(packed, at + 1, token >> 4)
+        out += packed[at : at + new]
+        at += new
+        if at == len(packed):
+            return bytes(out)
+        back = packed[at] | packed[at + 1] << 8
+        count, at = _length(packed, at + 2, token & 15)
+        count += 4
+        start = len(out) - back
+        if start < 0 or back == 0 or len(out) + count > BLOCK:
+            raise IndexError(back)
+        out += (out[start : start + count] * (count // back + 1))[:count]
+
+
+def _length(packed: bytes, at: int, length: int) -> tuple[int, int]:
+    """Return a length whose first four bits are known, and where it ends."""
+    more = 255 if length == 15 else 0
+    while more == 255:
+        more = packed[at]
+        length, at = length + more, at + 1
+    return length, at
 
 
 def _header(raw: bytes, path: Path) -> tuple[dict[str, str], int]:
@@ -69,17 +131,20 @@ def _header(raw: bytes, path: Path) -> tuple[dict[str, str], int]:
         at = end + 1
         if tags.get("num_ascii_tags") == str(len(tags)):
             break
-    if not raw.startswith(MAGIC) or not raw[:at].isascii():
+    if "dbd_label" not in tags or not raw[:at].isascii():
         raise DataError(damaged)
-    numbers = [tags.get(name, "") for name in WHOLE]
-    if not all(number.isdecimal() for number in numbers) or int(numbers[0]) != len(tags):
-        lacking = [name for name, text in zip(WHOLE, numbers, strict=True) if not text.isdecimal()]
+    is_text = tags["dbd_label"].startswith(TEXT)
+    counts = {name: tags.get(name, "") for name in (OF_TEXT if is_text else WHOLE)}
+    lacking = [name for name, count in counts.items() if not count.isdecimal()]
+    if lacking or tags.get("num_ascii_tags") != str(len(tags)):
         raise DataError(f"{damaged}: {', '.join(lacking) or 'too few lines'}")
-    if not (0 < int(numbers[1]) < 10**5 and 0 < int(numbers[2]) < 10**5):
-        raise DataError(f"{damaged}: it counts {numbers[1]} sensors, {numbers[2]} state bytes")
-    if tags.get("encoding_ver") != "5":
+    for name in [*counts][:2]:
+        if not 0 < int(counts[name]) < 10**5:
+            raise DataError(f"{damaged}: {name} is {counts[name]}")
+    if tags.get("encoding_ver") != ("2" if is_text else "5"):
         raise DataError(
-            f"{path}: is a Slocum file of encoding {tags.get('encoding_ver')!r}; must be 5"
+            f"{path}: is a Slocum file of encoding {tags.get('encoding_ver')!r}; must be 5, "
+            "of a text 2"
         )
     return tags, at
 
@@ -105,9 +170,10 @@ def _sensors(
 
 def _list_of(path: Path, check_sum: str) -> tuple[Path, bytes]:
     """Return the .cac file of a check sum and its bytes."""
-    name = f"{check_sum}.cac"
+    name, packed = f"{check_sum}.cac", f"{check_sum}.ccc"
     beside = Path(os.path.realpath(path)).parent
-    folders = [beside, *(here / sub for here in (beside, beside.parent) for sub in FOLDERS)]
+    above = (beside, *beside.parents[:4])
+    folders = [beside, *(here / sub for here in above for sub in FOLDERS)]
     if given := os.environ.get("CLPT_CAC"):
         folders.insert(0, Path(given))
     for folder in folders:
@@ -115,9 +181,10 @@ def _list_of(path: Path, check_sum: str) -> tuple[Path, bytes]:
             inside = {file.name.lower(): file for file in folder.iterdir()}
         except OSError:
             continue
-        if name in inside:
+        if found := inside.get(name) or inside.get(packed):
             try:
-                return inside[name], read_bytes(inside[name])
+                listed = read_bytes(found)
+                return found, uncompressed(listed)[0] if found is inside.get(packed) else listed
             except DataError as error:
                 raise NotYet(str(error)) from None
     raise NotYet(
@@ -157,8 +224,8 @@ def _cycles(
     states: int,
     names: tuple[str, ...],
     path: Path,
-) -> tuple[dict[str, Series], str]:
-    """Return what sensors said in whole cycles, and what is wrong behind these."""
+) -> tuple[dict[str, np.ndarray], int]:
+    """Return what sensors said in whole cycles, and where these end."""
     order = ORDERS.get(raw[at : at + 4])
     if len(raw) < at + KNOWN or order is None:
         raise DataError(f"{path}: the Slocum file has no cycles behind its header, or is damaged")
@@ -184,11 +251,24 @@ def _cycles(
                 (last[name],) = unpack_from(f"{order}{KINDS[sizes[k]]}", raw, ends[k] - sizes[k])
         rows.append([last[name] if code[k] else nan for name, k in wanted.items()])
         at = int(ends[-1])
-    columns = dict(zip(wanted, np.array(rows, float).reshape(-1, len(wanted)).T, strict=True))
-    of = _said(columns, names)
-    if raw[at : at + 1] in (b"X", b""):
-        return of, ""
-    return of, f"{path.name} is cut short or damaged at byte {at} of {len(raw)}: read up to there"
+    table = np.array(rows, float).reshape(-1, len(wanted))
+    return dict(zip(wanted, table.T, strict=True)), at
+
+
+def _table(
+    raw: bytes, at: int, labels: int, names: tuple[str, ...], path: Path
+) -> tuple[dict[str, np.ndarray], int]:
+    """Return what sensors said in the whole lines of a text, and where these end."""
+    end = raw.rfind(b"\n") + 1
+    lines = raw[at:end].decode("ascii", "replace").splitlines()
+    sensors = lines[0].split() if lines else []
+    if TIME not in sensors:
+        raise DataError(f"{path}: the Slocum file has no {TIME}, the times of its cycles")
+    wanted = [name for name in (TIME, *names) if name in sensors]
+    places = [sensors.index(name) for name in wanted]
+    cells = [line.split() for line in lines[labels:]]
+    rows = [[number(row[k]) for k in places] for row in cells if len(row) == len(sensors)]
+    return dict(zip(wanted, np.array(rows, float).reshape(-1, len(wanted)).T, strict=True)), end
 
 
 def _said(columns: dict[str, np.ndarray], names: tuple[str, ...]) -> dict[str, Series]:

@@ -227,6 +227,13 @@ def test_a_v_of_constant_slope_is_depth_over_tangent(tmp_path, heading, declinat
     assert dive.duration == 2020.0
 
 
+def test_a_file_without_a_fix_says_so(facts, tmp_path):
+    text = (facts / "glider/sea035/SEA035.10.gli.sub.003").read_text()
+    (tmp_path / "sea035.10.gli.sub.003").write_text(text.replace(";116;", ";117;"))
+    with pytest.raises(DataError, match=r"no row with a fix \(NavState 116\)"):
+        read_dives(tmp_path)
+
+
 def test_a_dive_of_two_files_comes_with_the_second(facts, tmp_path):
     names = ["SEA035.10.gli.sub.002", "SEA035.10.gli.sub.003"]
     source = facts / "glider/sea035"
