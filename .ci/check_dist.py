@@ -1,7 +1,8 @@
 """What lies in dist/: the files of the repository, nothing less and nothing more.
 
-`make dist` runs it.  The wheel has each file of the package and its metadata; the sdist
-each file of the repository but what only the repository needs; the conda recipe renders.
+`make dist` runs it.  The wheel has each file of the package, the first lines of its command and
+its metadata; the sdist each file of the repository but what only the repository needs; the conda
+recipe renders.
 """
 
 import subprocess
@@ -12,6 +13,7 @@ from pathlib import Path
 
 from rattler_build import Stage0Recipe
 
+OURS = ("clpt_control/", "clpt_start.py")
 MADE = {"PKG-INFO", "setup.cfg"}
 ONLY_HERE = (".ci/", ".github/", ".gitignore", ".readthedocs.yaml")
 
@@ -35,7 +37,7 @@ def main():
         inside = (member.name for member in opened if member.isfile())
         source = {name.split("/", 1)[1] for name in inside}
     source = {name for name in source - MADE if ".egg-info/" not in name}
-    wrong = differ("the wheel", packed, {n for n in files if n.startswith("clpt_control/")})
+    wrong = differ("the wheel", packed, {n for n in files if n.startswith(OURS)})
     wrong |= differ("the sdist", source, {n for n in files if not n.startswith(ONLY_HERE)})
     [made] = Stage0Recipe.from_file("conda-recipe/recipe.yaml").render()
     recipe = made.recipe.to_dict()["package"]

@@ -1,6 +1,7 @@
 """Files and folders are written beside their place: whole, or not at all."""
 
 import os
+import re
 import subprocess
 import sys
 
@@ -9,7 +10,7 @@ import xarray
 
 from clpt_control.errors import DataError
 from clpt_control.figures import new_figure
-from clpt_control.files import beside, remove_left, write_together
+from clpt_control.files import beside, make_folder, write_together
 from clpt_control.progress import interrupt
 
 
@@ -74,17 +75,44 @@ def test_files_that_belong_together_are_all_written_or_none(tmp_path):
     assert len(list(tmp_path.iterdir())) == 3
 
 
-def test_what_a_killed_process_left_is_known_by_its_name(tmp_path):
+POSIX = pytest.mark.skipif(os.name != "posix", reason="no such modes and processes")
+
+
+@POSIX
+def test_what_a_killed_process_left_goes_when_its_place_is_written_again(tmp_path):
     with beside(tmp_path / "replay.nc") as made:
-        left = made.name
-    others = {".replay.nc.part", ".replay.nc.mine", left.replace("replay", "other"), "replay.nc"}
-    for name in {left, *others}:
-        (tmp_path / name).write_text("")
-    remove_left(tmp_path, "replay.nc", "*.png")
-    assert {path.name for path in tmp_path.iterdir()} == others
+        here = made.name
+    ended = subprocess.Popen([sys.executable, "-c", ""])
+    ended.wait()
+    dead = re.sub(r"-\d+-", f"-{ended.pid}-", here)
+    elsewhere = re.sub(r"\.[0-9a-f]{8}-", ".00000000-", dead)
+    other = dead.replace("replay", "other")
+    kept = {here, elsewhere, other, ".replay.nc.part", ".replay.nc.mine", f"{dead}2"}
+    for name in {dead, *kept}:
+        (tmp_path / name).write_text("half")
+    (tmp_path / dead.replace(".nc", ".zarr")).mkdir()
+    with beside(tmp_path / "replay.zarr", folder=True):
+        pass
+    write_together({tmp_path / "replay.nc": "whole"})
+    assert {path.name for path in tmp_path.iterdir()} == {*kept, "replay.nc", "replay.zarr"}
 
 
-POSIX = pytest.mark.skipif(os.name != "posix", reason="no umask on this system")
+def test_folders_that_stay_empty_go_with_the_command(clpt, tmp_path, monkeypatch):
+    from clpt_control import cli, files
+
+    def work(fails):
+        made = make_folder(tmp_path / "out" / "inner")
+        make_folder(tmp_path / "used")
+        (tmp_path / "used" / "file").write_text("")
+        assert made.is_dir()
+        if fails:
+            files.write_text(made / ("x" * 300), "")
+        return 0
+
+    for fails, status in ((True, 2), (False, 0)):
+        monkeypatch.setattr(cli, "_run", lambda fails=fails: work(fails))
+        assert clpt().status == status
+        assert [path.name for path in tmp_path.iterdir()] == ["used"]
 
 
 @POSIX

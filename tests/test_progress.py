@@ -34,7 +34,8 @@ def test_what_was_done_before_is_no_rate(ticking, capsys):
     with progress.progress_bar("running", 100, "members") as report:
         report(90)
         report(92)
-    first, last = capsys.readouterr().err.splitlines()
+    there, first, last = capsys.readouterr().err.splitlines()
+    assert there == "clpt: running: 90 of 100 members were there already"
     assert first == "running: 90 of 100 members"
     assert last == "running: 92 of 100 members, 1 a second, 0:08 left"
 

@@ -11,6 +11,7 @@ import gc
 import io
 import logging
 import os
+import signal
 import sys
 import warnings
 from pathlib import Path
@@ -30,10 +31,13 @@ COMPLETES = "_CLPT_COMPLETE"  # set by a shell that asks how a word may go on
 LONGEST = 1200  # letters of a sentence; longer ones lose their middle
 
 
-def main() -> None:
-    """Run the command line; a failure is a sentence and a status."""
+def main(before: Any = signal.default_int_handler) -> None:
+    """Run the command line; a failure is a sentence and a status.
+
+    Interrupts are taken from the handler `before`.
+    """
     _stand_in()
-    interrupt.listen()
+    interrupt.listen(before)
     gc.set_threshold(200_000, 50, 50)  # imports make many objects that stay
     warnings.showwarning = lambda *_: None  # commands print sentences, no warnings
     if isinstance(sys.stdout, io.TextIOWrapper):
@@ -158,6 +162,8 @@ def _interrupted(error: BaseException | None) -> bool:
 
 
 def _complain(sentence: str, status: int) -> int:
+    if interrupt.kept:
+        sentence = f"{sentence}; {interrupt.kept}"
     line = " ".join(sentence.split()).encode(errors="backslashreplace").decode()
     if len(line) > LONGEST:
         line = f"{line[: LONGEST // 2]} ... {line[-LONGEST // 2 :]}"

@@ -6,7 +6,7 @@ from pathlib import Path
 import clpt_control as clpt
 
 from ..errors import ClptError
-from ..files import beside, check_name, check_writable, make_folder
+from ..files import beside, check_name, check_writable, make_folder, write_together
 from ..progress import progress_bar
 from .help_pages import arg, opt
 from .printing import Formats, Json, ScenarioFile, finish, say
@@ -59,16 +59,18 @@ def paper(
     """
     from ..figures import checked_formats
     from ..pages.run_words import claims_result
-    from ..simulation.team_plots import save_figures
+    from ..simulation.run_file import as_written
+    from ..simulation.team_plots import run_figures
 
     kinds = checked_formats(formats or ["png"])
     scenario, folder = clpt.paper_scenario(), make_folder(out)
     with progress_bar("section IV", scenario.run.duration) as report:
         run, fine, summary = clpt.simulation.run_and_report(scenario, report)
-    clpt.save_run(run, folder / "run.nc")
-    drawn = save_figures(fine, folder, kinds)
+    drawn, file = run_figures(fine, folder, kinds), folder / "run.nc"
+    write_together({file: as_written(run, file), **drawn})
     summary["claims"] = clpt.simulation.claims(summary)
-    said = [f"{folder}: {drawn[0].name} to {drawn[-1].name}, run.nc"]
+    first, *_, last = drawn
+    said = [f"{folder}: {first.name} to {last.name}, run.nc"]
     finish([claims_result(summary["claims"])._replace(sentences=said)], summary, as_json)
 
 
@@ -87,7 +89,8 @@ def run(
     from ..figures import checked_formats
     from ..pages.run_words import run_result
     from ..scenario.team import load_either
-    from ..simulation.team_plots import save_figures
+    from ..simulation.run_file import as_written
+    from ..simulation.team_plots import run_figures
     from ..theory.excitation.gramian import not_learned
 
     kinds = checked_formats(formats or ["png"])
@@ -96,9 +99,8 @@ def run(
     folder = None if figures is None else make_folder(figures)
     with progress_bar(f"running {scenario.name}", experiment.run.duration) as report:
         result, fine, summary = clpt.simulation.run_and_report(experiment, report)
-    clpt.save_run(result, out)
-    if folder is not None:
-        save_figures(fine, folder, kinds)
+    drawn = {} if folder is None else run_figures(fine, folder, kinds)
+    write_together({out: as_written(result, out), **drawn})
     found = run_result(summary, summary["title"] or str(scenario))
     if missing := not_learned(result):
         found, summary["not_learnable"] = found._replace(sentences=[missing]), missing

@@ -18,7 +18,7 @@ import typer
 import clpt_control as clpt
 
 from ..errors import ScenarioError
-from ..files import remove_left, write_together
+from ..files import write_together
 from ..html import Result
 from ..progress import interrupt, tell
 from .help_pages import Command
@@ -38,7 +38,6 @@ NAMES = {
     "adaptive": "adaptive",
     "flow_model": "model",
 }
-RESULTS = ("replay.nc", "replay.html", "next.geojson", "track.kml", "map.*", "clpe.*", "current.*")
 LONGEST = 86400.0  # s between looks
 Take = Callable[[Any, Any], tuple[Any, list]]  # dives and what was unread -> replay, skipped
 
@@ -244,7 +243,6 @@ def watch(
     from ..replay.follow import following
 
     with interrupt.terminated(), following(folder, out) as follower:
-        remove_left(out, *RESULTS)
         found: tuple[Any, list] | None = None  # None while results are not those of all files
         since = time.monotonic()
         try:

@@ -18,7 +18,7 @@ from .worker import Recipe, Worker, worker_of
 
 PATIENCE = 30  # seconds to wait for a scheduler and its first worker
 RETRIES = 3  # times a chunk is given to a worker again
-KEPT = "what is done is kept, and the same command goes on from there"
+KEPT = "what is done is kept"
 
 
 @contextmanager

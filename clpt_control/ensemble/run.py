@@ -21,7 +21,7 @@ from ..diagrams.changes import UNCHANGED
 from ..diagrams.interconnection import Diagram
 from ..errors import DataError, ScenarioError, needed
 from ..files import check_name, check_writable
-from ..progress.interrupt import SLICE, check
+from ..progress.interrupt import SLICE, check, keep
 from ..scenario.experiment import Scenario
 from ..scenario.file import scenario_to_text
 from ..simulation.loops import loop_of
@@ -160,18 +160,25 @@ def run_ensemble(
         "law": named(changes),
     }
     store = _store(path, worker, asked, arrays)
-    report = progress or (lambda done: None)
     count = threads or available_threads()
-    if dask is not None:
-        from .cluster import run_on_cluster
 
-        run_on_cluster(worker, store, dask, count, report)
-    else:
-        try:
+    def report(done: int) -> None:
+        if done and out is not None:
+            keep(f"{out} holds {done} of {members} members; the same command goes on from there")
+        if progress is not None:
+            progress(done)
+
+    try:
+        if dask is None:
             _run_here(worker, store, count, report)
-        except Exception:
+        else:
+            from .cluster import run_on_cluster
+
+            run_on_cluster(worker, store, dask, count, report)
+    except BaseException:
+        if dask in (None, "local"):  # far workers may still write
             remove_empty(store)
-            raise
+        raise
     store.finish()
     data = store.dataset()
     data.encoding.setdefault("folder", str(scenario._folder.absolute()))  # of its field

@@ -191,7 +191,7 @@ def _filled(group: Any, arguments: Any, arrays: Mapping[str, Array], attrs: Any)
 
 
 def remove_empty(store: Store) -> None:
-    """Remove a store without any chunk: memory did not suffice."""
+    """Remove a store without any chunk, as where memory did not suffice."""
     if store.path is not None and not np.any(store.group[DONE][:]):
         shutil.rmtree(store.path, ignore_errors=True)
 

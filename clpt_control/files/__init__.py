@@ -4,23 +4,25 @@ What is written goes beside its place first and is renamed there, so that an
 interrupt leaves the old file or none.
 """
 
+import glob
 import os
+import platform
 import re
 import secrets
 import shutil
 import stat
 import sys
 import warnings
+import zlib
 from collections.abc import Iterator, Mapping
 from contextlib import ExitStack, contextmanager
-from fnmatch import fnmatch
 from importlib.util import find_spec
 from math import inf
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO, Literal
 
 from ..errors import ClptError, DataError, needed
-from ..progress.interrupt import check, remove, unfinished
+from ..progress.interrupt import check, folders, remove, unfinished
 from .reading import kind_of, opened
 
 if TYPE_CHECKING:
@@ -28,7 +30,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 LONGEST_NAME, LONGEST_PATH = 200, 3000  # bytes, with room for what is written beside
-PART = re.compile(r"\.(.+)\.[a-z0-9_]{8}\.part")  # what `beside` writes to
+HERE = f"{zlib.crc32(platform.node().encode()):08x}"  # this machine
+PART = re.compile(rf"\..+\.{HERE}-(\d{{1,7}})-[0-9a-f]{{8}}\.part")  # of a process here
 
 
 @contextmanager
@@ -99,12 +102,17 @@ def _check_classic(file: BinaryIO, path: str | Path) -> None:
 def beside(path: str | Path, folder: bool = False) -> Iterator[Path]:
     """Make a hidden empty file, or folder, beside a place, and rename it there at the end.
 
-    It is ``.NAME.``, eight letters and ``.part``; it is gone where the work fails.  It has the
-    mode of the file that it replaces, or a new file's by the umask; a link is followed.
+    It is ``.NAME.MACHINE-PROCESS-CHANCE.part``; it is gone where the work fails, and what a killed
+    process of this machine left goes with the next one.  It has the mode of the file that it
+    replaces, or a new file's by the umask; a link is followed.
     """
     place, mode = _place(path)
-    made = place.parent / f".{place.name}.{secrets.token_hex(4)}.part"
+    made = place.parent / f".{place.name}.{HERE}-{os.getpid()}-{secrets.token_hex(4)}.part"
     try:
+        for left in place.parent.glob(f".{glob.escape(place.name)}.{HERE}-*.part"):
+            found = PART.fullmatch(left.name)
+            if found and _is_dead(int(found[1])):
+                remove(left)
         unfinished.add(made)
         if folder:
             made.mkdir()
@@ -144,15 +152,15 @@ def _place(path: str | Path) -> tuple[Path, int | None]:
     return place, stat.S_IMODE(mode)
 
 
-def remove_left(folder: str | Path, *names: str) -> None:
-    """Remove what `beside` left of files, named as ``"*.json"``, where it was killed.
-
-    Nobody else may write these files in the folder now.
-    """
-    for path in Path(folder).glob(".*.part"):
-        found = PART.fullmatch(path.name)
-        if found and path.is_file() and any(fnmatch(found[1], name) for name in names):
-            path.unlink(missing_ok=True)
+def _is_dead(process: int) -> bool:
+    """Whether a process of this machine has ended; on Windows it may not be asked."""
+    if os.name != "posix":
+        return False
+    try:
+        os.kill(process, 0)
+    except OSError as error:
+        return isinstance(error, ProcessLookupError)
+    return False
 
 
 def write_together(results: "Mapping[Path, str | xarray.Dataset | Figure]") -> None:
@@ -242,9 +250,11 @@ def check_name(path: str | Path) -> None:
 
 
 def make_folder(path: str | Path) -> Path:
-    """Make a folder for results, or say in one sentence why not."""
+    """Make a folder for results, which a command removes if it stays empty; or say why not."""
     path = Path(path)
     check_name(path)
+    new = [folder for folder in (path, *path.parents) if not os.path.lexists(folder)]
+    folders.extend(reversed(new))
     try:
         path.mkdir(parents=True, exist_ok=True)
     except FileExistsError:

@@ -41,6 +41,8 @@ def progress_bar(what: str, total: float, counted: str = "") -> Iterator[Callabl
         now = time.monotonic()
         if before is None:
             before = done
+            if counted and done:
+                note(f"{what}: {done} of {total} {counted} were there already")
         if now - start < PATIENCE or now - shown < (0.1 if terminal else LOG_EVERY):
             return
         shown = now

@@ -21,13 +21,17 @@ from pathlib import Path
 from types import FrameType
 from typing import Any, NoReturn
 
-SENTENCE = "clpt: interrupted; nothing half-written was left\n"
+from . import plain, tell
+
+NOTHING = "nothing half-written was left"  # said of an interrupt, unless something was kept
 PATIENCE = 3.0  # seconds that an interrupted process may take to end by itself
 SLICE = 0.5  # seconds of a wait between two looks at the flag
 SIGNALS = (signal.SIGINT, signal.SIGTERM)  # those that may interrupt
 ANSWERED = b"\0"  # to the thread: the interrupt was dealt with
 
 unfinished: set[Path] = set()  # files being written, removed where the process is ended
+folders: list[Path] = []  # made for results, the outermost first; removed where they stay empty
+kept = ""  # what a part of the work left, and how to go on, for the sentence that ends it
 
 _asked = False  # whether an interrupt waits for its answer
 _over = False  # whether the command has ended: an interrupt changes nothing any more
@@ -35,22 +39,23 @@ _said = False  # whether the sentence was printed
 _before: list[Any] = []  # the handler, hooks and descriptors to put back
 
 
-def listen() -> None:
-    """Take interrupts from here on; only a process's main thread can.
+def listen(before: Any = signal.default_int_handler) -> None:
+    """Take interrupts from here on, from the handler `before`; only the main thread can.
 
     A process that was started with interrupts ignored goes on ignoring them.
     """
     global _asked, _over, _said
     _asked = _over = _said = False
+    keep("")
     if _before or threading.current_thread() is not threading.main_thread():
         return
     handler = signal.getsignal(signal.SIGINT)
-    if handler is not signal.default_int_handler:
+    if handler is not before:
         return
     _before[:] = [handler, sys.excepthook, sys.unraisablehook, -1, -1]
     atexit.register(_last)
-    signal.signal(signal.SIGINT, _on_signal)
     sys.excepthook, sys.unraisablehook = _uncaught, _dropped
+    signal.signal(signal.SIGINT, _on_signal)
     if os.name == "posix":
         reader, writer = os.pipe()
         os.set_blocking(writer, False)
@@ -100,10 +105,17 @@ def answer() -> None:
         os.write(_before[3], ANSWERED)
 
 
+def keep(sentence: str) -> None:
+    """Take a sentence on what is kept where the work ends here."""
+    global kept
+    kept = sentence
+
+
 def end() -> None:
     """End the command: an interrupt that comes now changes nothing any more."""
     global _over
     _over = True
+    _tidy()
 
 
 def say() -> None:
@@ -111,9 +123,21 @@ def say() -> None:
     global _said
     if not _said:
         _said = True
-        with suppress(OSError, ValueError):
-            sys.stderr.write(SENTENCE)
-            sys.stderr.flush()
+        tell(_sentence())
+
+
+def _sentence() -> str:
+    return plain(f"clpt: interrupted; {kept or NOTHING}")
+
+
+def _tidy() -> None:
+    """Remove what is half-written, and folders in which nothing is."""
+    for path in list(unfinished):
+        with suppress(OSError):
+            remove(path)
+    while folders:
+        with suppress(OSError):
+            folders.pop().rmdir()
 
 
 def remove(path: Path) -> None:
@@ -127,15 +151,13 @@ def remove(path: Path) -> None:
 def leave() -> NoReturn:
     """End the process here and now, without half-written files."""
     global _said
-    for path in list(unfinished):
-        with suppress(OSError):
-            remove(path)
+    _tidy()
     with suppress(OSError):
         if os.isatty(2):
             os.write(2, b"\r\x1b[?25h")  # the cursor, which a bar hides
         if not _said:
             _said = True
-            os.write(2, SENTENCE.encode())
+            os.write(2, f"{_sentence()}\n".encode(errors="backslashreplace"))
     os._exit(130)
 
 

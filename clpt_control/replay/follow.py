@@ -22,7 +22,7 @@ import numpy as np
 import pydantic
 
 from ..errors import DataError, needed
-from ..files import make_folder, remove_left, write_text
+from ..files import make_folder, write_text
 from ..files.reading import read_bytes
 from ..gliders.dive_files import may_hold_dives, read_dive_file
 from ..gliders.dives import Dive, NotYet, Skipped, files_before, is_segment
@@ -216,5 +216,4 @@ def following(folder: Path, out: Path) -> Iterator[Follower]:
             raise DataError(other) from None
         except OSError as error:
             raise DataError(f"{state}: cannot be written to: {error.strerror or error}") from None
-        remove_left(state, "*.json")
         yield Follower(folder, state)

@@ -46,14 +46,18 @@ def save_run(run: "xarray.Dataset", path: str | Path) -> None:
             f"{path}: {run.attrs.get('title', 'the dataset')} has no variable clpe, without which "
             "load_run reads nothing; write it by run.to_netcdf, read it by xarray.load_dataset"
         )
-    path = Path(path)
+    write_netcdf(as_written(run, Path(path)), path)
+
+
+def as_written(run: "xarray.Dataset", path: Path) -> "xarray.Dataset":
+    """Return a run as its file holds it: with its scenario, whose paths begin at the file's."""
     if {"scenario", TEAM} & run.attrs.keys():
         system = system_of_run(run)
         if isinstance(system, Team):
             run = run.assign_attrs({TEAM: team_to_text(system, path.parent)})
         else:
             run = run.assign_attrs(scenario=scenario_to_text(system, path.parent))
-    write_netcdf(run.assign_attrs({FORM: LATEST}), path)
+    return run.assign_attrs({FORM: LATEST})
 
 
 @public

@@ -9,7 +9,6 @@ import numpy as np
 from ..arguments import public
 from ..errors import DataError
 from ..figures import GREY, axes_for, figure_of, legend_below, line_style
-from ..files import write_together
 from ..scenario.file import TEAM
 from ..scenario.team import Team, team_of_run
 from .plots import TITLE, clpe_plot, learning_plot, track_plot
@@ -113,10 +112,10 @@ def _tracks(ax: Any, run: "xarray.Dataset", team: Team, lines: dict[str, dict[st
     legend_below(ax, 4)
 
 
-def save_figures(
+def run_figures(
     run: "xarray.Dataset", folder: Path, kinds: Sequence[str] = ("png",)
-) -> list[Path]:
-    """Write figure1.png to figure4.png: track, CLPE, both axes' learning; of a team team.png."""
+) -> dict[Path, Any]:
+    """Return figure1.png to figure4.png, by file: track, CLPE, learning; a team's team.png."""
     plots: dict[str, Any] = {
         "figure1": (track_plot,),
         "figure2": (clpe_plot,),
@@ -126,6 +125,5 @@ def save_figures(
     results: dict[Path, Any] = {}
     for name, (plot, *axis) in ({"team": (team_plot,)} if TEAM in run.attrs else plots).items():
         figure = figure_of(plot, run, *axis)
-        results |= {Path(folder) / f"{name}.{kind}": figure for kind in kinds}
-    write_together(results)
-    return list(results)
+        results |= {folder / f"{name}.{kind}": figure for kind in kinds}
+    return results
