@@ -6,7 +6,9 @@ two are missing from the record, that fix is not the next surfacing: such a pair
 The size of an ellipse is the geometric mean of its half axes; that of a time is what is printed
 behind its +-.
 
-    python -m analysis.headlines [FILES and FOLDERS, a vehicle each...] [--out FOLDER]
+    python -m analysis.headlines [FILES and FOLDERS, a vehicle each...] [--seas 3] [--out FOLDER]
+
+`--seas N` adds a row of the made seas of `analysis.glider_forecasts`, N vehicles in each.
 """
 
 from math import hypot, nan
@@ -18,10 +20,13 @@ import typer
 
 from clpt_control.errors import DataError
 from clpt_control.files import make_folder, write_text
-from clpt_control.geodesy import displacement
-from clpt_control.gliders import Dive, read_dives, sample_dives, usable
+from clpt_control.geodesy import displacement, place_from
+from clpt_control.gliders import Dive, make_dive, read_dives, sample_dives, usable
 from clpt_control.progress import progress_bar
 from clpt_control.replay import Replay, next_dive
+
+from .glider_forecasts import SEAS
+from .made_seas import made_dives
 
 COLUMNS = (
     "vehicle",
@@ -76,6 +81,17 @@ def record(dives: list[Dive]) -> np.ndarray:
     return np.array(found).reshape(-1, len(Headline._fields))
 
 
+def afloat(dives: list[Dive]) -> list[Dive]:
+    """Return made dives with fixes where they end, each begun where the last one ended."""
+    found, place = [], (dives[0].lat_gps2, dives[0].lon_gps2)
+    for dive in dives:
+        end = place_from(*place, dive.gps_east, dive.gps_north)
+        start, after = (dive.t_gps2, *place), (dive.t_gpse, *end)
+        found.append(make_dive(dive.number, start, after, (dive.dr_east, dive.dr_north)))
+        place = end
+    return found
+
+
 def line(name: str, found: np.ndarray) -> str:
     """Return a row of the table."""
     away, size, miss, late, doubt = found.T
@@ -97,6 +113,7 @@ def line(name: str, found: np.ndarray) -> str:
 
 def main(
     files: Annotated[list[Path] | None, typer.Argument(help="Records, one each.")] = None,
+    seas: Annotated[int, typer.Option(help="Made vehicles in each sea.")] = 0,
     out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/headlines"),
 ) -> None:
     """Leave headlines.md."""
@@ -110,6 +127,9 @@ def main(
     found = {name: record(dives) for name, dives in records.items()}
     if len(found) > 1:
         found["all"] = np.concatenate(list(found.values()))
+    if seas:
+        made = [made_dives(sea, 1000 + k) for sea in SEAS.values() for k in range(seas)]
+        found["made seas"] = np.concatenate([record(afloat(dives)) for dives in made])
     lines = [f"| {' | '.join(COLUMNS)} |", "|---" * len(COLUMNS) + "|"]
     lines += [line(name, rows) for name, rows in found.items()]
     write_text(folder / "headlines.md", "\n".join(lines) + "\n")

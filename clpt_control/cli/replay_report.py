@@ -108,8 +108,9 @@ class Ahead:
         check_speed(1.0 if self.speed is None else self.speed, 3600 * hours)
 
     def next_dive(self, replay: Any) -> Any:
-        """Return the `NextDive` of a replay."""
-        return clpt.replay.next_dive(replay, *self.plan)
+        """Return the `NextDive` of a replay: as given, as aimed, else as guessed."""
+        legs = [] if self.plan else self.aims(replay)
+        return legs[0].ahead if legs else clpt.replay.next_dive(replay, *self.plan)
 
     def aims(self, replay: Any) -> list[Any]:
         """Return an `Aim` for each waypoint ahead; those that were come close to are dropped."""

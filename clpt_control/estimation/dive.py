@@ -59,6 +59,8 @@ class Dive:
         Standard error of the displacement between fixes that disagree with a neighbour's, m.
     model_east, model_north : float or None
         Displacement that a chosen flow model gives the vehicle, m (`flow_models`).
+    next_course : float or None
+        Course of the next dive by the plan in this one's file, degrees clockwise from true north.
     vehicle : str or None
         Its name, as the file has it.
     track : tuple of ndarray or None
@@ -96,6 +98,7 @@ class Dive:
     doubt: OrNaN = 0.0
     model_east: OrNaN | None = None
     model_north: OrNaN | None = None
+    next_course: OrNaN | None = None
     vehicle: str | None = field(default=None, compare=False)
     track: Track | None = field(default=None, compare=False, repr=False)
     notes: tuple[str, ...] = field(default=(), compare=False)

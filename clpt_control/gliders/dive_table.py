@@ -8,7 +8,8 @@ One row per dive under a header.  Required columns: `dive`, `t_gps2`, `lat_gps2`
     dr = (displacement between the fixes) - c (t_gpse - t_gps2).
 
 Optional: `t_gps1`, `lat_gps1`, `lon_gps1`, `dac_east`, `dac_north`, `dac_qc`,
-`magvar` (degrees), `depth_max` (m), `vehicle` (its name).  Lines that begin with `#` are
+`magvar` (degrees), `depth_max` (m), `next_course` (plan of the next dive, degrees from true north),
+`vehicle` (its name).  Lines that begin with `#` are
 comments, other columns are left alone, and the displacement between the fixes is computed,
 never read.
 """
@@ -44,6 +45,7 @@ OPTIONAL = (
     "dac_qc",
     "magvar",
     "depth_max",
+    "next_course",
 )
 
 

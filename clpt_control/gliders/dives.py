@@ -24,7 +24,7 @@ from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from math import hypot, isfinite
+from math import atan2, degrees, hypot, isfinite, nan
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -34,7 +34,7 @@ from ..errors import DataError
 from ..estimation.dive import Dive as Dive
 from ..estimation.dive import Fix as Fix
 from ..estimation.dive import make_dive as make_dive
-from ..geodesy import is_place
+from ..geodesy import displacement, is_place
 
 MENTIONED = 0.01  # m/s
 LEAST_DEPTH = 5.0  # m that a dive reaches
@@ -102,6 +102,27 @@ def cut_dives(fixes: Sequence[Fix], wet: np.ndarray | None, least_gap: float) ->
             found.append((fixes[surfaced] if k > surfaced else None, start, end))
             surfaced = k + 1
     return found
+
+
+def planned_course(
+    fix: Fix, target: tuple[float, float], reached: float = 0.0, heading: float = nan
+) -> float | None:
+    """Return the course of the next dive, degrees: a commanded heading, else towards a target.
+
+    None where neither is known, or the fix after the dive is within `reached`, m, of the target.
+
+    >>> fix = (0.0, -43.0, 8.0)
+    >>> planned_course(fix, (-42.0, 8.0)), planned_course(fix, (-43.001, 8.0), 1000.0)
+    (0.0, None)
+    >>> planned_course(fix, (-42.0, 8.0), heading=270.0), planned_course(fix, (nan, nan))
+    (270.0, None)
+    """
+    if isfinite(heading):
+        return heading % 360.0
+    if not (is_place(*target) and is_fix(*fix[1:])):
+        return None
+    east, north = displacement(*fix[1:], *target)
+    return None if hypot(east, north) <= reached else degrees(atan2(east, north)) % 360.0
 
 
 def dive_between(

@@ -28,6 +28,16 @@ DEEPEST = 12000.0  # m: no sea is deeper
 NOT_A_TIME = -(2.0**63)  # smallest integer of 64 bits: how a missing time is stored
 
 
+def degrees(ddmm: np.ndarray) -> np.ndarray:
+    """Return degrees of ddmm.mmm, NaN where it has 60 minutes or more.
+
+    >>> degrees(np.array([5138.0368, -12818.26, 69696969.0])).round(5)
+    array([  51.63395, -128.30433,          nan])
+    """
+    whole, minutes = np.divmod(np.abs(ddmm), 100.0)
+    return np.where((minutes < 60.0) & (whole < 400.0), np.sign(ddmm) * (whole + minutes / 60), nan)
+
+
 def values(data: "xarray.Dataset", name: str) -> np.ndarray:
     """Return a variable as floats, NaN where it is no number."""
     raw = np.atleast_1d(data[name].values)

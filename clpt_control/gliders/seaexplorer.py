@@ -12,6 +12,8 @@ file after that in which it began (`dives`).  The vehicle flies along its nose,
 with dz/dt of second order in time.  Where the nose is within 10 degrees of the horizon, or u is
 below 0 or above 1.5 m/s, as at a turn, u is 0.  The glider knows no angle of attack: its true
 speed is another one, which the replay's speed factor learns.
+
+The plan of the next dive is the last DesiredH (degrees), taken from true north.
 """
 
 import zlib
@@ -23,18 +25,30 @@ import numpy as np
 
 from ..errors import DataError
 from ..files.reading import LARGEST, read_bytes, text_of
-from .dives import LEAST_DEPTH, Dive, Fix, Skipped, Three, dive_between, is_fix, joined_dives
-from .samples import deepest, hole_under_water, number, track_of
-from .slocum import degrees
+from .dives import (
+    LEAST_DEPTH,
+    Dive,
+    Fix,
+    Skipped,
+    Three,
+    dive_between,
+    is_fix,
+    joined_dives,
+    planned_course,
+)
+from .samples import deepest, degrees, hole_under_water, number, track_of
 
 GZIP = b"\x1f\x8b"
 FIRST = "Timestamp;"
 NEEDED = ("NavState", "Heading", "Declination", "Pitch", "Depth", "Lat", "Lon")
-ESTIMATED = "DeadReckoning"  # in some files: 1 where Lat, Lon are no fix
+OPTIONAL = (
+    "DeadReckoning",  # 1 where Lat, Lon are no fix
+    "DesiredH",  # heading that is steered, degrees
+)
 AT_SURFACE = 116
 LEAST_PITCH = 10.0  # degrees
 FASTEST = 1.5  # m/s
-Rows = np.ndarray  # a row each: time, NEEDED, whether Lat, Lon are estimated
+Rows = np.ndarray  # a row each: time, NEEDED, OPTIONAL
 
 
 def is_known(text: str) -> bool:
@@ -82,8 +96,7 @@ def _rows(text: str, path: Path) -> Rows:
     missing = [name for name in NEEDED if name not in header]
     if missing:
         raise DataError(f"{path}: no column {', '.join(missing)} in the SeaExplorer file")
-    places = [header.index(name) for name in NEEDED]
-    estimated = header.index(ESTIMATED) if ESTIMATED in header else None
+    places = [header.index(name) if name in header else -1 for name in (*NEEDED, *OPTIONAL)]
     rows = []
     for line in lines[1:]:
         cells = line.split(";")
@@ -91,9 +104,9 @@ def _rows(text: str, path: Path) -> Rows:
             when = datetime.strptime(cells[0].strip(), "%d/%m/%Y %H:%M:%S").replace(tzinfo=UTC)
         except ValueError:
             continue
-        numbers = [number(cells[k]) if k < len(cells) else nan for k in places]
-        guess = number(cells[estimated]) if estimated is not None and estimated < len(cells) else 0
-        rows.append([when.timestamp(), *numbers, guess])
+        rows.append(
+            [when.timestamp(), *(number(cells[k]) if 0 <= k < len(cells) else nan for k in places)]
+        )
     if not rows:
         raise DataError(
             f"{path}: no line has a Timestamp such as 13/06/2019 18:21:39 in the SeaExplorer file"
@@ -123,6 +136,7 @@ def _seen(rows: Rows) -> tuple[list[Fix], np.ndarray]:
 def _dive(rows: Rows, fixes: Three, which: int) -> Dive:
     _, start, end = fixes
     duration, notes = end[0] - start[0], []
+    steered = rows[np.isfinite(rows[:, 9]), 9]
     good = np.isfinite(rows[:, [2, 3, 4, 5]]).all(axis=1)
     rows = rows[good]
     time, heading, declination, pitch, depth = rows[:, [0, 2, 3, 4, 5]].T
@@ -146,5 +160,6 @@ def _dive(rows: Rows, fixes: Three, which: int) -> Dive:
         magvar=float(np.median(declination)) if declination.size else None,
         depth_max=deepest(depth),
         track=track,
+        next_course=planned_course(end, (nan, nan), heading=steered[-1]) if steered.size else None,
         notes=tuple(notes),
     )

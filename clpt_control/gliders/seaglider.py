@@ -15,6 +15,10 @@ GPS1 (first fix of the surfacing before the dive), GPS2 (last fix before it) and
 (first after it).  A receiver that times out is logged at 0 N 0 E with a horizontal dilution of
 precision (hdop) of 99.  The fix before the dive is the later of GPS1 and GPS2:
 where GPS2 failed, an older one may stand in its place.
+
+The plan is that of the dive which was flown, and the next one's as far as it goes on: `log_HEADING`
+(degrees, below 0 where none is commanded), else the way to `log_TGT_LATLONG` (ddmm.mmm,dddmm.mmm)
+until it is within `log_TGT_RADIUS` (m).
 """
 
 import re
@@ -26,8 +30,28 @@ import numpy as np
 
 from ..errors import DataError
 from ..estimation.dive import Track
-from .dives import NUMBERS, Dive, Fix, Skipped, Three, dive_between, is_fix, whole_number
-from .samples import deepest, fill, hole_under_water, metres, scalar, seconds, track_of, values
+from .dives import (
+    NUMBERS,
+    Dive,
+    Fix,
+    Skipped,
+    Three,
+    dive_between,
+    is_fix,
+    planned_course,
+    whole_number,
+)
+from .samples import (
+    deepest,
+    degrees,
+    fill,
+    hole_under_water,
+    metres,
+    scalar,
+    seconds,
+    track_of,
+    values,
+)
 
 if TYPE_CHECKING:
     import xarray
@@ -120,6 +144,7 @@ def dives_of(data: "xarray.Dataset", path: Path) -> tuple[list[Dive], list[Skipp
         magvar=_variation(data),
         depth_max=next((depth for depth in depths if depth is not None), None),
         track=track,
+        next_course=_next_course(data, fixes[2]),
         notes=(*notes, *([why_not] if why_not else []), *doubts, *misnumbered),
     )
     return [dive], []
@@ -157,6 +182,23 @@ def _variation(data: "xarray.Dataset") -> float | None:
         return found
     each = values(data, "log_gps_magvar")
     return float(each[1]) if each.shape == (3,) and np.isfinite(each[1]) else None
+
+
+def _next_course(data: "xarray.Dataset", end: Fix) -> float | None:
+    """Return the course of the next dive by the plan of this one, None where there is none."""
+    heading = scalar(data, "log_HEADING")
+    if heading is not None and heading >= 0:
+        return planned_course(end, NOT_KNOWN, heading=heading)
+    said = data["log_TGT_LATLONG"].values if "log_TGT_LATLONG" in data else np.array("")
+    words = said.astype(str).item().split(",") if said.size == 1 else []
+    try:
+        target = np.array(words, float)
+    except ValueError:
+        return None
+    if target.shape != (2,) or not np.isfinite(target).all():
+        return None
+    lat, lon = degrees(target).tolist()
+    return planned_course(end, (lat, lon), scalar(data, "log_TGT_RADIUS") or 0.0)
 
 
 def _displacement(data: "xarray.Dataset") -> tuple[str, str] | None:

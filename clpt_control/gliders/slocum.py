@@ -25,6 +25,9 @@ reckoning (u_use_current_correction); whether it did is seen in w: without it
 
 and then w0 times the time under water is taken off dr.  Dead reckoning that still contradicts
 w is not used: dr is the displacement between the fixes less w times the duration.
+
+The plan of the next dive is the way to the waypoint c_wpt_lat, c_wpt_lon (ddmm.mmm), else
+c_heading (rad from magnetic north), as last logged.
 """
 
 from dataclasses import replace
@@ -35,9 +38,19 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..geodesy import displacement
-from .dives import LEAST_DEPTH, Dive, Fix, Skipped, Three, dive_between, is_fix, joined_dives
+from .dives import (
+    LEAST_DEPTH,
+    Dive,
+    Fix,
+    Skipped,
+    Three,
+    dive_between,
+    is_fix,
+    joined_dives,
+    planned_course,
+)
 from .magnetic import variation
-from .samples import deepest, hole_under_water
+from .samples import deepest, degrees, hole_under_water
 from .slocum_file import MAGIC as MAGIC
 from .slocum_file import Segment, Series, read_segment
 
@@ -60,17 +73,10 @@ NAMES = (
     "m_depth",
     "m_heading",
     "u_use_current_correction",
+    "c_wpt_lat",
+    "c_wpt_lon",
+    "c_heading",
 )
-
-
-def degrees(ddmm: np.ndarray) -> np.ndarray:
-    """Return degrees of ddmm.mmm, NaN where it has 60 minutes or more.
-
-    >>> degrees(np.array([5138.0368, -12818.26, 69696969.0])).round(5)
-    array([  51.63395, -128.30433,          nan])
-    """
-    whole, minutes = np.divmod(np.abs(ddmm), 100.0)
-    return np.where((minutes < 60.0) & (whole < 400.0), np.sign(ddmm) * (whole + minutes / 60), nan)
 
 
 def between(series: Series, start: float, end: float) -> Series:
@@ -282,8 +288,24 @@ def _dive(of: Of, own: Segment, fixes: Three) -> Dive:
         track=None
         if path is None
         else (np.append(path[0], duration), *path[1:, [*range(path.shape[1]), -1]]),
+        next_course=_next_course(of, end, east_of_north),
         notes=tuple(notes),
     )
+
+
+def _next_course(of: Of, end: Fix, east_of_north: float) -> float | None:
+    """Return the course of the next dive, degrees: to the last waypoint, else as last commanded."""
+    lat, lon, heading = (
+        of[name][1][of[name][0] <= end[0] + OWN_CURRENT][-1:]
+        for name in ("c_wpt_lat", "c_wpt_lon", "c_heading")
+    )
+    if lat.size and lon.size:
+        return planned_course(end, (float(degrees(lat)[0]), float(degrees(lon)[0])))
+    if heading.size and 0.0 <= heading[0] < 2 * np.pi:
+        return planned_course(
+            end, (nan, nan), heading=float(np.degrees(heading[0])) + east_of_north
+        )
+    return None
 
 
 def _variation(of: Of, fix: Fix) -> float:

@@ -201,7 +201,7 @@ def checked_replay(found: Any, name: str) -> dict[str, Any]:
     """Return the JSON of a replay or of its dataset; refuse other JSON, and one without a dive."""
     from ..replay.dataset import carried
     from ..replay.outcome import summary
-    from ..replay.surfacing import next_dive
+    from ..replay.replay import next_dive
 
     if "dive" in getattr(found, "dims", ()):
         found = carried(found, name)

@@ -4,8 +4,7 @@ from .flow_model_file import read_flow_model
 from .flow_models import carried
 from .outcome import clpe_rms, summary
 from .plots import current_plot, dive_clpe_plot, map_plot, replay_plot, save_replay_figures
-from .replay import Replay, replay_dives
-from .surfacing import next_dive
+from .replay import Replay, next_dive, replay_dives
 
 __all__ = [
     "Replay",

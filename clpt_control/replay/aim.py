@@ -33,8 +33,8 @@ from ..geodesy import displacement, is_place
 from ..gliders.dives import Dive, Fix
 from ..gliders.magnetic import variation as igrf
 from ..gliders.usable_dives import FASTEST
-from .replay import ELLIPSE, Replay, ellipse
-from .surfacing import LONGEST, NextDive, forecast_dive, next_start
+from .replay import Replay
+from .surfacing import ELLIPSE, LONGEST, NextDive, ellipse
 from .wording import direction, in_minutes, utc
 
 YEAR = 365 * 86400.0  # s
@@ -231,7 +231,7 @@ def aims(
     V = last_speed(dives) if speed is None else speed
     T = float(median(d.duration for d in dives[-DIVES:])) if duration is None else duration
     check_speed(V, T)
-    start = next_start(replay)
+    start = replay.start()
     pause = start[0] - dives[-1].t_gpse
     found: list[Aim] = []
     for target in targets:
@@ -273,7 +273,7 @@ def aim(replay: Replay, start: Fix, target: Place, V: float, T: float, shorten: 
     d = full * g / max(hypot(*g), 1e-9)
     c = np.full(2, np.inf)
     for _ in range(TURNS):
-        ahead = forecast_dive(replay, start, T, (float(d[0]), float(d[1])))
+        ahead = replay.surfacing(replay.given((float(d[0]), float(d[1])), T), start)
         before, c = c, ahead.forecast + d - own @ d
         w, state, tau = triangle(g, c, s)
         if hypot(*(c - before)) < CLOSE:

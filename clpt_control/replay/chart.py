@@ -219,7 +219,8 @@ def words_of_next(ahead: dict[str, Any]) -> str:
     """Return what a popup says of the next surfacing."""
     half = f"{ahead['ellipse_90_long']:.0f} x {ahead['ellipse_90_short']:.0f} m"
     bearing = compass(ahead["ellipse_90_bearing"])
-    return f"{ahead['time']}, {ahead['place']}; 90 % within {half}, the long axis to {bearing}"
+    when = f"{ahead['time']} +- {ahead['time_90'] / 60:.0f} min"
+    return f"{when}, {ahead['place']}; 90 % within {half}, the long axis to {bearing}"
 
 
 def words_of_dive(row: dict[str, Any]) -> str:

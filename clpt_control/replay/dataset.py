@@ -18,8 +18,8 @@ import numpy as np
 from ..arguments import public
 from ..errors import DataError
 from .outcome import facts, known
-from .replay import ELLIPSE, FLOW_MODEL, MODELS, Replay, ellipse
-from .surfacing import NextDive
+from .replay import FLOW_MODEL, MODELS, Replay
+from .surfacing import ELLIPSE, NextDive, ellipse
 from .wording import utc
 
 if TYPE_CHECKING:

@@ -7,13 +7,6 @@ dead reckoning, and it stands in `clpe_rms_all` only.  A given flow model is
 judged on the dives that it covers.  In rows lengths are in m, times ISO 8601 UTC, currents
 in m/s, angles in degrees clockwise from north; what is not known is None.
 
-Fixes alone say how a vehicle drifts at the surface, and its way over ground,
-
-    drift before a dive = start of the dive - end of the dive before,
-
-where the numbers of the two follow one another; where they do not, or the dive is the first
-known, from the first fix of the surfacing (GPS1), if the file has it.  Ways are geodesics.
-
 What was learned is said as a pilot reads it:
 
     0.21 m/s to 184 over the last dive; M2 0.03 m/s (odds 1:9); speed 1.48 +- 0.11: ...
@@ -26,80 +19,30 @@ should be is said in words.
 
 from collections.abc import Mapping, Sequence
 from math import hypot, isfinite
-from statistics import median
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
 from ..arguments import public
 from ..estimation.dive import miss
-from ..geodesy import displacement, place_from
-from ..gliders.dives import Dive, Skipped
+from ..geodesy import place_from
+from ..gliders.dives import Skipped
 from .flow_models import NOTE, why_uncovered
-from .replay import ELLIPSE, FLOW_MODEL, Replay, Step, ellipse
+from .habits import Way
+from .replay import FLOW_MODEL, Replay, Step
+from .surfacing import ELLIPSE, NextDive, ellipse
 from .wording import direction, utc, velocity
 
-SHORTEST = 60.0  # s; a fix of 4 m makes more than 0.1 m/s of less
-LONGEST = 86400.0  # s; who is longer at the surface does not only wait for a fix
 SPEED = ("speed_factor", "speed_factor_error", "compass", "compass_error")
 FAR = 3.0  # standard errors
 SURE = 99  # odds beyond which more digits say nothing
 
 
-class Way(NamedTuple):
-    """A way over ground: m east and north, and the time it took, s."""
-
-    east: float
-    north: float
-    seconds: float
-
-    def as_dict(self) -> dict[str, float | None]:
-        """Return length (m), speed (m/s), direction (degrees) and time (s), None if unknown."""
-        length = hypot(self.east, self.north)
-        long = self.seconds >= SHORTEST
-        return {
-            "distance": length,
-            "duration": self.seconds,
-            "speed": length / self.seconds if long else None,
-            "direction": direction(self.east, self.north),
-        }
-
-
-def drift(dive: Dive, before: Dive | None) -> Way | None:
-    """Return the drift at the surface before a dive; None where it is not known."""
-    fix: tuple[Any, Any, Any] = dive.t_gps1, dive.lat_gps1, dive.lon_gps1
-    if before is not None and dive.number == before.number + 1:
-        fix = before.t_gpse, before.lat_gpse, before.lon_gpse
-    if any(value is None or not isfinite(value) for value in fix):
-        return None
-    seconds = dive.t_gps2 - fix[0]
-    way = displacement(*fix[1:], dive.lat_gps2, dive.lon_gps2)
-    known = 0.0 <= seconds <= LONGEST and isfinite(way[0])
-    return Way(*way, seconds) if known else None
-
-
-def over_ground(dive: Dive) -> Way:
-    """Return a dive's way from fix to fix."""
-    return Way(dive.gps_east, dive.gps_north, dive.duration)
-
-
-def drifts(dives: Sequence[Dive]) -> list[Way | None]:
-    """Return the drift before each dive."""
-    return [drift(d, dives[k - 1] if k else None) for k, d in enumerate(dives)]
-
-
-def at_the_surface(dives: Sequence[Dive]) -> float:
-    """Return how long the vehicle stays up between dives, s: the median; zero if not known."""
-    return float(median([way.seconds for way in drifts(dives) if way is not None] or [0.0]))
-
-
 def rows(replay: Replay) -> list[dict[str, Any]]:
     """Return a row for each dive of a replay."""
-    ways = drifts([step.dive for step in replay.steps])
     found = []
-    for step, way in zip(replay.steps, ways, strict=True):
+    for step in replay.steps:
         row = _row(step, replay.models)
-        row["drift"] = None if way is None else way.as_dict()
         if not replay.model.learn_speed:
             row |= dict.fromkeys(SPEED)
         found.append({key: known(value) for key, value in row.items()})
@@ -169,11 +112,21 @@ def _row(step: Step, models: tuple[str, ...]) -> dict[str, Any]:
         "speed_factor_error": step.speed_error,
         "compass": step.compass,
         "compass_error": step.compass_error,
-        "over_ground": over_ground(dive).as_dict(),
+        "drift": None if step.drift is None else step.drift.as_dict(),
+        "over_ground": Way(dive.gps_east, dive.gps_north, dive.duration).as_dict(),
+        "headline": None if step.said is None else _headline(step.said, step.as_said),
         "anomaly": None if step.anomaly is None else step.anomaly.as_dict(),
         "depth_max": dive.depth_max,
         "notes": list(dive.notes),
     }
+
+
+def _headline(said: NextDive, held: tuple[bool, bool] | None) -> dict[str, Any]:
+    """Return what had been said of a surfacing, and whether its place and time held."""
+    found = said.as_dict()
+    keys = ("time", "time_90", "latitude", "longitude", *ELLIPSE, "basis")
+    place, time = held or (None, None)
+    return {**{key: found[key] for key in keys}, "place_held": place, "time_held": time}
 
 
 def odds(p: float) -> str:
@@ -328,6 +281,7 @@ def summary(replay: Replay, skipped: Sequence[Skipped] = ()) -> dict[str, Any]:
         for d in (step.dive for step in steps)
         if d.dac_east is not None and d.dac_north is not None
     ]
+    judged = [step.as_said for step in steps if step.as_said]
     last = steps[-1] if steps else None
     factor = last is not None and replay.model.learn_speed
     given = {} if replay.flow_model is None else {"flow_model": _of_flow_model(replay)}
@@ -340,6 +294,11 @@ def summary(replay: Replay, skipped: Sequence[Skipped] = ()) -> dict[str, Any]:
         "clpe_rms_after_3": clpe_rms(replay, 3),
         **given,
         "dac_identity_median": float(np.median(own)) if own else None,
+        "headlines": {
+            "judged": len(judged),
+            "place_held": sum(place for place, _ in judged),
+            "time_held": sum(time for _, time in judged),
+        },
         "inside_90": float(np.mean([step.inside for step in steps])) if steps else None,
         "speed_factor": {
             "value": last.speed if last and factor else None,

@@ -13,7 +13,7 @@ from ..figures.svg import inline_svg
 from ..html import document, paragraphs, safe
 from .page_map import replay_map
 from .plots import current_plot, dive_clpe_plot
-from .sentences import RANKS, aimed, cells, next_surfacing, remarks
+from .sentences import RANKS, aimed, cells, next_surfacing, record, remarks, within
 from .wording import clock, compass, in_degrees, velocity
 
 ALARM = ' class="alarm"'
@@ -66,13 +66,15 @@ def _cards(found: dict[str, Any]) -> list[str]:
         since += f"; written {safe(ahead['now'][11:16])} UTC"
     else:
         since = f"{ahead['hours_from_now']:.1f} h after the {safe(ahead['now_is'])}"
+    since = f"{safe(within(ahead))}, {since}"
     half = f"{ahead['ellipse_90_long']:.0f} x {ahead['ellipse_90_short']:.0f} m"
     cards = [
         _card("Next surfacing", time, since, "first"),
         _card(
             "Where",
             ahead["place"],
-            f"{safe(in_degrees(ahead['latitude'], ahead['longitude']))}; 90 % within {half}",
+            f"{safe(in_degrees(ahead['latitude'], ahead['longitude']))}; 90 % within {half}; "
+            f"{safe(record(found['headlines']))}",
             "first",
         ),
         *(_aim(leg) for leg in (found.get("aim") or [])[:1]),

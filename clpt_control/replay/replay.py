@@ -27,7 +27,8 @@ sqrt(2 ln 10 l), l the eigenvalues of P.
 
 import copy
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from math import hypot, nan
 from typing import Any
 
 import numpy as np
@@ -39,16 +40,17 @@ from ..estimation.dive import miss
 from ..estimation.estimators import Estimator, make_estimator
 from ..estimation.fix_model import OTHERS, FixModel
 from ..estimation.kalman import KalmanBank
-from ..gliders.dives import Dive
+from ..geodesy import place_from
+from ..gliders.dives import Dive, Fix
 from ..html import facts, fragment, paragraphs
 from ..progress.interrupt import check
 from .doubts import Anomaly, SpeedWatch, weighed
 from .flow_models import FlowModel, carried
+from .habits import CHI_SQUARED, GIVEN, NORMAL, Guess, Habits, Way, drift, follows
+from .surfacing import NextDive, check_plan
 
 MODELS = ("no_flow", "previous_dive", "adaptive")
 FLOW_MODEL = "flow_model"  # a forecast or a fit that was given
-CHI_SQUARED = 4.605170185988092  # of two components, 90 %: 2 ln 10
-ELLIPSE = ("ellipse_90_long", "ellipse_90_short", "ellipse_90_bearing")  # as `ellipse` has them
 LEARNED = 0.87  # share of a prior's standard error; a parameter with more is held
 SHOWN = 10  # dives
 
@@ -62,7 +64,9 @@ class Step:
     vehicle surfaced in their 90 % ellipse. `current` (2,) is the learned flow over the dive, m/s,
     `speed` the factor, `compass` the error in degrees clockwise, each with its standard error.
     `parts` has the probability that each part of the flow is present, `left` the share of the
-    prior's standard error that the dives so far leave of each parameter.
+    prior's standard error that the dives so far leave of each parameter. `said` is what was
+    forecast of this surfacing before the dive, `as_said` whether its place and its time held: None
+    for the first dive, and where dives between may be missing. `drift` is that before the dive.
     """
 
     dive: Dive
@@ -75,6 +79,9 @@ class Step:
     current_error: np.ndarray
     parts: dict[str, float]
     left: dict[str, float]
+    drift: Way | None = None
+    said: NextDive | None = None
+    as_said: tuple[bool, bool] | None = None
     speed: float = 1.0
     speed_error: float = 0.0
     compass: float = 0.0
@@ -89,17 +96,6 @@ class Step:
     def held(self) -> tuple[str, ...]:
         """Parameters that are hardly better known than before any dive."""
         return tuple(name for name, left in self.left.items() if left >= LEARNED)
-
-
-def ellipse(covariance: np.ndarray) -> tuple[float, float, float]:
-    """Return half axes of the 90 % ellipse (m) and the bearing of the long one (degrees).
-
-    The covariance (2, 2) is east and north, m^2; the bearing clockwise from north, 0 to 180.
-    """
-    size, axes = np.linalg.eigh(covariance)
-    short, long = np.sqrt(CHI_SQUARED * size)
-    bearing = np.degrees(np.arctan2(axes[0, 1], axes[1, 1])) % 180.0
-    return float(long), float(short), float(bearing)
 
 
 def estimates(learner: Estimator, dive: Dive) -> dict[str, Any]:
@@ -169,7 +165,8 @@ class Replay:
         self._learner = make_estimator(self.estimator, self.model)
         bank = self._learner if isinstance(self._learner, KalmanBank) else None
         self._watch = SpeedWatch(self.model, bank) if self.model.learn_speed else None
-        self._before = self._learner, self._watch  # the last dive
+        self._habits = Habits()
+        self._before = self._learner, self._watch, self._habits  # the last dive
 
     def __repr__(self) -> str:
         return f"<Replay of {_in_words(self)}>"
@@ -221,11 +218,55 @@ class Replay:
         A dive that is not finite, or ends before the last one, is a `DataError`.
         """
         _check(dive, self.steps[-1].dive if self.steps else None)
+        said = self.surfacing() if self.steps else None
         again, dive = self._weighed(dive)
         if again is not None:
             self._learn_again(again)
-        self._take(dive, *self._ahead(dive))
+        self._take(dive, *self._ahead(dive), said)
         return self.steps[-1]
+
+    def start(self) -> Fix:
+        """Return when and where the next dive should begin, as a fix."""
+        last = self.steps[-1].dive
+        return (
+            last.t_gpse + self._habits.stay()[0],
+            *place_from(last.lat_gpse, last.lon_gpse, *self._habits.drift()[0]),
+        )
+
+    def surfacing(self, given: Guess | None = None, start: Fix | None = None) -> NextDive:
+        """Forecast the end of the next dive, as it is guessed or given.
+
+        It begins at `start`, by default as the vehicle should be when it dives.
+        """
+        last, habits = self.steps[-1], self._habits
+        guess = habits.guess() if given is None else given
+        begin = self.start() if start is None else start
+        plan = _plan(last.dive, begin, guess)
+        covers = None
+        if self.flow_model is not None:
+            plan = carried(plan, self.flow_model)
+            covers = plan.model_east is not None
+        mean, covariance = self.forecast(plan)
+        place = place_from(*begin[1:], *(guess.way + mean))
+        f, psi = last.speed, np.radians(last.compass)
+        own = np.array([[f, psi], [-psi, f]])  # I + M
+        covariance = covariance + own @ guess.scatter[:2, :2] @ own.T + habits.drift()[1]
+        late = np.hypot(guess.duration * np.sqrt(guess.scatter[2, 2]), habits.stay()[1])
+        wide, long = (max(w, 1.0) if guess.basis == GIVEN else w for w in habits.width)
+        return NextDive(
+            replace(plan, track=None),
+            mean,
+            covariance * guess.tails * wide**2,
+            *place,
+            covers,
+            (last.dive.t_gpse, last.dive.lat_gpse, last.dive.lon_gpse),
+            float(NORMAL * late * np.sqrt(guess.tails) * long),
+            guess.basis,
+        )
+
+    def given(self, way: tuple[float, float], duration: float) -> Guess:
+        """Return a dive of a way (m) and a duration (s), with its spread."""
+        return self._habits.given(way, duration)
 
     def _ahead(self, dive: Dive) -> tuple[np.ndarray, np.ndarray]:
         """Forecast a dive's miss by what is known: mean (2,), covariance (2, 2)."""
@@ -243,14 +284,21 @@ class Replay:
     def _learn_again(self, dive: Dive) -> None:
         """Learn the last dive again, as it is now known, its forecast as it was."""
         was = self.steps.pop()
-        self._learner, self._watch = self._before
-        self._take(dive, was.forecast, was.covariance)
+        self._learner, self._watch, self._habits = self._before
+        self._take(dive, was.forecast, was.covariance, was.said)
 
-    def _take(self, dive: Dive, mean: np.ndarray, covariance: np.ndarray) -> None:
-        """Judge a forecast of a dive by its end, and learn from it."""
-        self._before = copy.deepcopy((self._learner, self._watch))
+    def _take(
+        self, dive: Dive, mean: np.ndarray, covariance: np.ndarray, said: NextDive | None
+    ) -> None:
+        """Judge a forecast of a dive, and what was said of it, by its end, and learn from it."""
+        self._before = copy.deepcopy((self._learner, self._watch, self._habits))
         y = miss(dive)
         last = self.steps[-1].dive if self.steps else None
+        way = drift(dive, last)
+        held = None
+        if said is not None and last is not None and follows(dive, last):
+            held = said.held(dive)
+        self._habits.learn(dive, way, held or ())
         previous = np.zeros(2) if last is None else miss(last) * (dive.duration / last.duration)
         away = y - mean
         modelled = None
@@ -273,9 +321,70 @@ class Replay:
                 covariance,
                 bool(away @ np.linalg.solve(covariance, away) <= CHI_SQUARED),
                 anomaly,
+                drift=way,
+                said=said,
+                as_said=held,
                 **estimates(self._learner, dive),
             )
         )
+
+
+def _plan(last: Dive, start: Fix, guess: Guess) -> Dive:
+    """Return a dive without an end, its track that of the last one, turned and stretched."""
+    east, north = map(float, guess.way)
+    track = None
+    if last.track is not None and hypot(last.dr_east, last.dr_north) > 0:
+        time, *through_water = last.track
+        turn = complex(east, north) / complex(last.dr_east, last.dr_north)
+        way = turn * (through_water[0] + 1j * through_water[1])
+        track = time * (guess.duration / last.duration), way.real, way.imag
+    end = start[0] + guess.duration
+    no = (nan, nan, nan, nan)
+    return Dive(
+        last.number + 1, *start, end, *no, east, north, depth_max=last.depth_max, track=track
+    )
+
+
+@public
+def next_dive(
+    replay: Replay, duration: float | None = None, through_water: tuple[float, float] | None = None
+) -> NextDive:
+    """Forecast the surfacing of the next dive.
+
+    Parameters
+    ----------
+    replay : Replay
+        With one dive at least.
+    duration : float, optional
+        Of the next dive, s; by default guessed by the last dives.
+    through_water : tuple of float, optional
+        Planned displacement, east and north, m; by default guessed by the last
+        dives and the plan in their files.
+
+    Returns
+    -------
+    NextDive
+
+    Raises
+    ------
+    ScenarioError
+        If a plan is given that no dive can follow.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
+    >>> found = clpt.replay.next_dive(replay, 18000.0, (0.0, 3000.0))
+    >>> -42.93 < found.latitude < -42.89
+    True
+    """
+    if duration is None and through_water is None:
+        return replay.surfacing()
+    guess = replay.surfacing().plan
+    T = guess.duration if duration is None else duration
+    way = (guess.dr_east, guess.dr_north) if through_water is None else through_water
+    check_plan(T, way)
+    return replay.surfacing(replay.given(way, T))
 
 
 def _check(dive: Dive, last: Dive | None) -> None:

@@ -10,6 +10,11 @@ from .aim import AGAINST, REACHED
 from .doubts import Anomaly
 from .wording import clock, compass, from_now, place, velocity
 
+BASES = {  # what the next dive is guessed by
+    "planned": "as the last dives went along the plan in the files",
+    "repeated": "as the last dives went, with their spread",
+    "given": "as given or aimed, with the spread of the last dives",
+}
 RANKS = {  # title of a column: its rank
     "dive": 0,
     "ended (UTC)": 1,
@@ -98,20 +103,39 @@ def next_surfacing(ahead: dict[str, Any]) -> str:
     return (
         f"next surfacing {when(ahead)}, "
         f"after {ahead['duration'] / 3600:.2f} h and {ahead['dr_east']:+.0f} m "
-        f"east, {ahead['dr_north']:+.0f} m north through the water: "
+        f"east, {ahead['dr_north']:+.0f} m north through the water ({BASES[ahead['basis']]}): "
         f"{place(ahead['latitude'], ahead['longitude'])}, 90 % within "
         f"{ahead['ellipse_90_long']:.0f} x {ahead['ellipse_90_short']:.0f} m"
         + (f"; the flow model does not cover it: {ahead['why_uncovered']}" if uncovered else "")
     )
 
 
+def within(ahead: dict[str, Any]) -> str:
+    """Return how far off the time may be, 90 %."""
+    return f"+- {ahead['time_90'] / 60:.0f} min"
+
+
+def record(headlines: dict[str, Any]) -> str:
+    """Return how many of the headlines so far held.
+
+    >>> record({"judged": 13, "place_held": 12, "time_held": 13})
+    'headlines so far: 12 of 13 held the place, 13 the time'
+    """
+    judged = headlines["judged"]
+    if not judged:
+        return "no headline before this one: its widths are those of vehicles at large"
+    held = f"{headlines['place_held']} of {judged} held the place"
+    return f"headlines so far: {held}, {headlines['time_held']} the time"
+
+
 def when(ahead: dict[str, Any]) -> str:
     """Return when the next surfacing is, of `NextDive.as_dict`.
 
-    >>> when({"time": "2016-02-03T14:19:59Z", "hours_from_now": 4.5, "now_is": "clock"})
-    '2016-02-03 14:19 UTC, in 4.5 h'
+    >>> when({"time": "2016-02-03T14:19:59Z", "time_90": 1800.0, "hours_from_now": 4.5,
+    ...       "now_is": "clock"})
+    '2016-02-03 14:19 UTC +- 30 min, in 4.5 h'
     """
-    said = f"{clock(ahead['time'])}, {from_now(ahead['hours_from_now'])}"
+    said = f"{clock(ahead['time'])} {within(ahead)}, {from_now(ahead['hours_from_now'])}"
     return said if ahead["now_is"] == "clock" else f"{said} from the {ahead['now_is']}"
 
 
@@ -164,6 +188,7 @@ def remarks(summary: dict[str, Any]) -> list[str]:
             f"{1000 * summary['dac_identity_median']:.2g} mm/s (median)"
         )
     if summary["each_dive"]:
+        lines.append(record(summary["headlines"]))
         lines.append(f"surfaced in the 90 % ellipse: {100 * summary['inside_90']:.0f} %")
         if summary["parts"]:
             chances = ", ".join(f"{name} {p:.2f}" for name, p in summary["parts"].items())

@@ -1,45 +1,56 @@
 """Where a vehicle will surface next: the forecast of a dive not yet flown.
 
-    z(T) = last fix + d + forecast of the miss
+    z(T) = last fix + drift at the surface + d + forecast of the miss
 
-d is the planned displacement through the water and T its duration; by default both are
-those of the last dive.  The vehicle starts where it surfaced last: its drift at
-the surface is not known yet.  It stays up as long as it did between earlier dives,
-by the median.
+d is the displacement through the water and T the duration of the dive that `habits` guesses, or
+that was given.  The ellipse and the time are for 90 %: of the miss, of the drift, of what d and T
+scatter by (d as the learned speed and compass turn it), as wide as their own record asks.
 
 Hours are counted from now: from the clock where it is at most `RECENT` after the end of the
 last dive, else from that end, as for a record of years ago.
 """
 
 import time
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from math import hypot, isfinite, nan
 from typing import Any
 
 import numpy as np
 
-from ..arguments import public
 from ..errors import ScenarioError
-from ..geodesy import place_from
+from ..geodesy import displacement
 from ..gliders.dives import Dive, Fix
 from ..gliders.usable_dives import FASTEST
-from .flow_models import carried, why_uncovered
-from .outcome import at_the_surface
-from .replay import ELLIPSE, Replay, ellipse
+from .flow_models import why_uncovered
+from .habits import CHI_SQUARED, REPEATED
 from .wording import in_minutes, utc
 
 LONGEST = 30 * 86400.0  # s, of a plan
 RECENT = 30 * 86400.0  # s; who heard nothing for longer looks at an old record
 CLOCK, LAST_END = "clock", "end of the last dive"
+ELLIPSE = ("ellipse_90_long", "ellipse_90_short", "ellipse_90_bearing")  # as `ellipse` has them
+
+
+def ellipse(covariance: np.ndarray) -> tuple[float, float, float]:
+    """Return half axes of the 90 % ellipse (m) and the bearing of the long one (degrees).
+
+    The covariance (2, 2) is east and north, m^2; the bearing clockwise from north, 0 to 180.
+    """
+    size, axes = np.linalg.eigh(covariance)
+    short, long = np.sqrt(CHI_SQUARED * size)
+    bearing = np.degrees(np.arctan2(axes[0, 1], axes[1, 1])) % 180.0
+    return float(long), float(short), float(bearing)
 
 
 @dataclass(frozen=True)
 class NextDive:
     """A forecast surfacing: latitude and longitude in degrees.
 
-    `plan` is a dive from the last fix without an end; `forecast` (2,), m, and `covariance` (2, 2),
-    m^2, are of its fix less dead reckoning; `flow_model_covers` is None where none is given;
-    `up` is when the vehicle surfaced last, s since 1970.
+    `plan` is a dive from where it should begin, without an end; `forecast` (2,), m, is of its fix
+    less dead reckoning; `covariance` (2, 2), m^2, of the place, whose 90 % ellipse is as wide as
+    the record asks; the time holds 90 % within `time_90`, s; `flow_model_covers` is None where
+    none is given; `fix` is where and when the vehicle surfaced last; `basis` is what the dive is
+    guessed by.
     """
 
     plan: Dive
@@ -48,23 +59,35 @@ class NextDive:
     latitude: float
     longitude: float
     flow_model_covers: bool | None = None
-    up: float = nan
+    fix: Fix = (nan, nan, nan)
+    time_90: float = nan
+    basis: str = REPEATED
 
     def now(self) -> tuple[float, str]:
         """Return the time that hours are counted from, s since 1970, and which it is."""
-        return now_after(self.up)
+        return now_after(self.fix[0])
+
+    def held(self, dive: Dive) -> tuple[bool, bool]:
+        """Whether the end of the dive that came lies in the ellipse, and in the time."""
+        away = np.array(displacement(self.latitude, self.longitude, dive.lat_gpse, dive.lon_gpse))
+        inside = away @ np.linalg.solve(self.covariance, away) <= CHI_SQUARED
+        return bool(inside), abs(dive.t_gpse - self.plan.t_gpse) <= self.time_90
 
     def as_dict(self) -> dict[str, Any]:
         """Return the forecast by name, for JSON: degrees, m and s."""
         now, which = self.now()
         return {
             "time": utc(self.plan.t_gpse),
+            "time_90": self.time_90,
             "now": utc(now),
             "now_is": which,
             "hours_from_now": (self.plan.t_gpse - now) / 3600,
-            "surface_time": self.plan.t_gps2 - self.up,
-            "from_latitude": self.plan.lat_gps2,
-            "from_longitude": self.plan.lon_gps2,
+            "surface_time": self.plan.t_gps2 - self.fix[0],
+            "from_latitude": self.fix[1],
+            "from_longitude": self.fix[2],
+            "start_latitude": self.plan.lat_gps2,
+            "start_longitude": self.plan.lon_gps2,
+            "basis": self.basis,
             "duration": self.plan.duration,
             "dr_east": self.plan.dr_east,
             "dr_north": self.plan.dr_north,
@@ -100,84 +123,3 @@ def check_plan(duration: float, through_water: tuple[float, float]) -> None:
             f"{given}: is {size / duration:.4g} m/s through the water; at most {FASTEST:g} m/s can "
             "be; give hours and m"
         )
-
-
-@public
-def next_dive(
-    replay: Replay, duration: float | None = None, through_water: tuple[float, float] | None = None
-) -> NextDive:
-    """Forecast the surfacing of the next dive.
-
-    Parameters
-    ----------
-    replay : Replay
-        With one dive at least.
-    duration : float, optional
-        Of the next dive, s; by default that of the last.
-    through_water : tuple of float, optional
-        Planned displacement, east and north, m; by default that of the last
-        dive.
-
-    Returns
-    -------
-    NextDive
-
-    Raises
-    ------
-    ScenarioError
-        If a plan is given that no dive can follow.
-
-    Examples
-    --------
-    >>> import clpt_control as clpt
-    >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
-    >>> found = clpt.replay.next_dive(replay, 18000.0, (0.0, 3000.0))
-    >>> -42.93 < found.latitude < -42.89
-    True
-    """
-    last = replay.steps[-1].dive
-    T = last.duration if duration is None else duration
-    east, north = (last.dr_east, last.dr_north) if through_water is None else through_water
-    if duration is not None or through_water is not None:
-        check_plan(T, (east, north))
-    track = _like(last, T, east, north) if through_water is None else None
-    return forecast_dive(replay, next_start(replay), T, (east, north), track)
-
-
-def next_start(replay: Replay) -> Fix:
-    """Return when and where the next dive begins: s since 1970, degrees."""
-    last = replay.steps[-1].dive
-    surface = at_the_surface([step.dive for step in replay.steps])
-    return last.t_gpse + surface, last.lat_gpse, last.lon_gpse
-
-
-def forecast_dive(
-    replay: Replay, start: Fix, T: float, through_water: tuple[float, float], track: Any = None
-) -> NextDive:
-    """Forecast the end of a dive of T s and a displacement through the water, m, from a start."""
-    last = replay.steps[-1].dive
-    plan = Dive(
-        last.number + 1,
-        *start,
-        start[0] + T,
-        *(nan, nan, nan, nan),
-        *through_water,
-        depth_max=last.depth_max,
-        track=track,
-    )
-    covers = None
-    if replay.flow_model is not None:
-        plan = carried(plan, replay.flow_model)
-        covers = plan.model_east is not None
-    mean, covariance = replay.forecast(plan)
-    way = through_water[0] + mean[0], through_water[1] + mean[1]
-    place = place_from(*start[1:], *way)
-    return NextDive(replace(plan, track=None), mean, covariance, *place, covers, last.t_gpse)
-
-
-def _like(last: Dive, T: float, east: float, north: float) -> tuple | None:
-    """Return the last dive's track, stretched in time to the next one."""
-    if last.track is None:
-        return None
-    time, *through_water = last.track
-    return (time * (T / last.duration), *through_water)

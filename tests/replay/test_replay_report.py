@@ -72,7 +72,7 @@ def test_the_table_keeps_what_matters(width, sg542, capsys, monkeypatch):
 
 def test_the_next_dive_has_a_row(command):
     titles, rows = rows_of(command("--sample").stdout)
-    assert rows[-1][:2] == ["next", "02-03 14:19"]
+    assert rows[-1][:2] == ["next", "02-03 14:03"]
     assert len(rows) == 15
     assert " x " in rows[-1][titles.index("90 % ellipse (m, deg)")]
     assert rows[-1][titles.index("adaptive")] == ""

@@ -1,0 +1,198 @@
+"""The next surfacing as it is said: its spread, the plan in files, its own record."""
+
+import json
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from glider_dialects import basestation3
+
+import clpt_control as clpt
+from clpt_control.geodesy import displacement, place_from
+from clpt_control.gliders import make_dive, read_dives, sample_dives, usable, write_dive_table
+from clpt_control.gliders.dives import planned_course
+from clpt_control.replay.exchange import next_geojson, track_kml
+from clpt_control.replay.habits import PLANNED, REPEATED, Habits, drift
+from clpt_control.replay.page import replay_page
+from clpt_control.replay.replay import replay_dives
+from clpt_control.replay.surfacing import ellipse
+
+DIVES = usable(sample_dives())[0]
+
+
+def flown(courses, planned=False, hours=4.0, stay=900.0, away=(150.0, 0.0)):
+    """Dives of 3 km on courses (degrees), with a drift at the surface, in still water."""
+    found, time, place = [], 1.6e9, (40.0, 8.0)
+    courses = list(courses)
+    for k, course in enumerate(courses):
+        turn = math.radians(course)
+        way = 3000.0 * math.sin(turn), 3000.0 * math.cos(turn)
+        end = place_from(*place, *way)
+        after = time + 3600 * hours, *end
+        dive = make_dive(k, (time, *place), after, way)
+        if planned and k + 1 < len(courses):
+            dive = replace(dive, next_course=courses[k + 1])
+        found.append(dive)
+        time, place = after[0] + stay, place_from(*end, *away)
+    return found
+
+
+def half(replay):
+    """The geometric mean of the half axes, m."""
+    return math.sqrt(np.prod(ellipse(replay.surfacing().covariance)[:2]))
+
+
+def test_who_dives_alike_is_foretold_well_and_the_drift_is_in_it():
+    dives = flown([90.0] * 31)
+    replay = replay_dives(dives[:30])
+    said, last = replay.surfacing(), dives[30]
+    off = displacement(said.latitude, said.longitude, last.lat_gpse, last.lon_gpse)
+    assert math.hypot(*off) < 60
+    assert abs(said.plan.t_gpse - last.t_gpse) < 60
+    start = displacement(dives[29].lat_gpse, dives[29].lon_gpse, *replay.start()[1:])
+    assert start == pytest.approx((150.0, 0.0), abs=25)
+    assert half(replay) < 0.5 * half(replay_dives(dives[:2]))
+    assert said.time_90 < 0.5 * replay_dives(dives[:2]).surfacing().time_90
+
+
+def test_a_plan_tells_the_course():
+    rng = np.random.default_rng(3)
+    courses = [*rng.uniform(0, 360, 24), 77.0]
+    with_plan = replay_dives(flown(courses, planned=True)[:24])
+    without = replay_dives(flown(courses)[:24])
+    said = with_plan.surfacing()
+    assert (said.basis, without.surfacing().basis) == (PLANNED, REPEATED)
+    assert math.degrees(math.atan2(said.plan.dr_east, said.plan.dr_north)) == pytest.approx(
+        77, abs=5
+    )
+    assert half(with_plan) < 0.4 * half(without)
+
+
+@pytest.mark.parametrize("wild", [False, True])
+def test_in_the_long_run_nine_of_ten_hold(wild):
+    """Whatever a vehicle does, the width follows its record."""
+    rng = np.random.default_rng(5)
+    turns = rng.normal(0, 60, 300) if wild else rng.standard_t(2, 300) * 10
+    habits, before, held = Habits(), None, []
+    for dive in flown(np.cumsum(turns), hours=4.0):
+        dive = replace(dive, t_gpse=dive.t_gps2 + dive.duration * rng.uniform(0.6, 1.4))
+        if before is not None:
+            guess = habits.guess()
+            off = np.array([dive.dr_east, dive.dr_north]) - guess.way
+            wide = guess.scatter[:2, :2] * guess.tails * habits.width[0] ** 2
+            late = 1.645 * math.sqrt(guess.scatter[2, 2] * guess.tails) * habits.width[1]
+            held.append(
+                (
+                    off @ np.linalg.solve(wide, off) <= 4.605,
+                    abs(math.log(dive.duration / guess.duration)) <= late,
+                )
+            )
+        habits.learn(dive, None, held[-1] if held else ())
+        before = dive
+    assert np.mean(held, axis=0) == pytest.approx([0.9, 0.9], abs=0.03)
+
+
+def test_the_record_is_of_what_was_said_before_each_dive():
+    replay = replay_dives(DIVES)
+    assert (replay.steps[0].said, replay.steps[0].as_said) == (None, None)
+    for k in (3, 9):
+        said = replay_dives(DIVES[:k]).surfacing()
+        own = replay.steps[k].said
+        assert own.latitude == said.latitude
+        assert np.array_equal(own.covariance, said.covariance)
+        assert replay.steps[k].as_said == said.held(DIVES[k])
+    found = clpt.replay.summary(replay)
+    assert found["headlines"]["judged"] == 13
+    rows = [row["headline"] for row in found["each_dive"][1:]]
+    assert found["headlines"]["place_held"] == sum(row["place_held"] for row in rows)
+    assert found["headlines"]["time_held"] == sum(row["time_held"] for row in rows)
+    holed = usable([*DIVES[:5], *DIVES[6:]])[0]
+    assert [step.as_said is None for step in replay_dives(holed).steps[4:7]] == [False, True, False]
+
+
+def test_a_wrong_fix_is_judged_again_when_it_is_known():
+    dives = flown([90.0] * 12)
+    away = place_from(dives[8].lat_gpse, dives[8].lon_gpse, 0.0, 8000.0)
+    dives[8] = make_dive(
+        8,
+        (dives[8].t_gps2, dives[8].lat_gps2, dives[8].lon_gps2),
+        (dives[8].t_gpse, *away),
+        (dives[8].dr_east, dives[8].dr_north),
+    )
+    assert replay_dives(dives[:9]).steps[8].as_said == (False, True)
+    assert replay_dives(dives[:10]).steps[8].as_said == (True, True)
+
+
+def test_terminal_page_and_files_say_the_same(clpt, tmp_path):
+    outcome = clpt("replay", "--sample", "--json")
+    found = json.loads(outcome.out)
+    ahead = found["next_dive"]
+    within = f"+- {ahead['time_90'] / 60:.0f} min"
+    half = f"{ahead['ellipse_90_long']:.0f} x {ahead['ellipse_90_short']:.0f} m"
+    terminal = clpt("replay", "--sample").out.replace("\n", " ")
+    page, kml = replay_page(found), track_kml(found, "SG542")
+    for text in (terminal, page, kml):
+        assert within in text
+        assert half in text
+    record = "headlines so far: 11 of 13 held the place, 13 the time"
+    assert record in terminal
+    assert record in page
+    said = [one["properties"] for one in json.loads(next_geojson(found))["features"]]
+    spot = next(one for one in said if one["name"] == "next surfacing")
+    assert (spot["time_90"], spot["ellipse_90_long"]) == (
+        ahead["time_90"],
+        ahead["ellipse_90_long"],
+    )
+
+
+def test_the_headline_is_the_dive_that_is_aimed(clpt):
+    found = json.loads(clpt("replay", "--sample", "--aim", "-43.4", "8.4", "--json").out)
+    ahead, leg = found["next_dive"], found["aim"][0]
+    assert ahead["basis"] == "given"
+    assert (ahead["time"], ahead["latitude"], ahead["longitude"]) == (
+        leg["end"],
+        leg["end_latitude"],
+        leg["end_longitude"],
+    )
+    assert ahead["ellipse_90_long"] == leg["ellipse_90_long"]
+    assert math.hypot(ahead["dr_east"], ahead["dr_north"]) == pytest.approx(leg["through_water"])
+
+
+def test_a_drift_that_is_not_known_and_a_way_of_nothing():
+    still = [
+        make_dive(k, (9e3 * k, 0.0, 8.0), (9e3 * k + 7200, 0.0, 8.0), (0.0, 0.0)) for k in range(9)
+    ]
+    assert drift(still[0], None) is None
+    said = replay_dives(still).surfacing()
+    assert np.linalg.eigvalsh(said.covariance).min() > 0
+    assert math.isfinite(said.time_90)
+
+
+def seaglider(path, target=b"-4200.000,900.000", heading=-1.0, radius=1000.0):
+    """The dive of a file with a plan."""
+    letters = np.frombuffer(target.ljust(20, b"\0"), "S1")
+    plans = {
+        "log_TGT_LATLONG": (("letters",), letters, {}),
+        "log_HEADING": ((), heading, {}),
+        "log_TGT_RADIUS": ((), radius, {}),
+    }
+    basestation3(path, sizes={"letters": 20}, **plans)
+    return read_dives(path)[0][0]
+
+
+def test_the_plan_of_a_seaglider(tmp_path):
+    path = tmp_path / "p5420007.nc"
+    dive = seaglider(path)
+    end = dive.t_gpse, dive.lat_gpse, dive.lon_gpse
+    assert dive.next_course == planned_course(end, (-42.0, 9.0))
+    assert seaglider(path, heading=270.0).next_course == 270.0
+    assert seaglider(path, radius=1e7).next_course is None
+    for odd in (b"nonsense", b"", b"1e400,8", b"-4260.0,900.0", b"1,2,3"):
+        assert seaglider(path, odd).next_course is None
+
+
+def test_a_table_keeps_the_plan(tmp_path):
+    dives = [replace(DIVES[0], next_course=123.25), DIVES[1]]
+    write_dive_table(dives, tmp_path / "a.csv")
+    assert [dive.next_course for dive in read_dives(tmp_path / "a.csv")[0]] == [123.25, None]
