@@ -4,17 +4,14 @@ import numpy as np
 import pytest
 
 from clpt_control.blocks import (
-    basis,
     clpe,
     disturbance,
-    error_system,
     field,
     flow,
     learner,
     localization,
     lyapunov,
     reference,
-    speed_limit,
     team,
     vehicle,
 )
@@ -51,8 +48,8 @@ def package_blocks():
     yield "vehicle", vehicle.vehicle()
     yield "learning_model", learner.learning_model()
     yield "learning_model-hedged", learner.learning_model(hedged=True)
-    yield "speed_limit", speed_limit.speed_limit(1.5)
-    yield "hedging", speed_limit.hedging()
+    yield "speed_limit", vehicle.speed_limit(1.5)
+    yield "hedging", vehicle.hedging()
     for count in (1, 2, 7):
         points = rng.uniform(-3, 3, (count, 2))
         yield f"reference-{count}", reference.reference(points, dwell=1.7)
@@ -72,11 +69,11 @@ def package_blocks():
     for N in SIZES:
         a, b, theta = rng.uniform(-1, 1, (3, 2, N))
         KD, GammaD = rng.uniform(0.5, 2, (2, 2))
-        for kernel in basis.KERNELS:
+        for kernel in flow.KERNELS:
             for name, position in (("basis_x", "x"), ("basis_z", "z")):
                 yield (
                     f"{name}-{kernel}-{N}",
-                    basis.flow_basis(name, position, kernel, *basis_parameters(rng, N)),
+                    flow.flow_basis(name, position, kernel, *basis_parameters(rng, N)),
                 )
         for disturbed in (False, True):
             yield f"true_flow-{disturbed}-{N}", flow.true_flow(theta, disturbed)
@@ -98,8 +95,8 @@ def package_blocks():
                     yield f"law-{name}-late-{way}-{N}", law.block(late.known_to_law)
                 if way == "one":
                     yield f"V-{name}-{N}", law.V(block.parameters, Truth(theta, KD, GammaD))
-        yield f"error_system-{N}", error_system.error_system(N, KD)
-        yield f"parameter_system-{N}", error_system.parameter_system(N, 0.7)
+        yield f"error_system-{N}", clpe.error_system(N, KD)
+        yield f"parameter_system-{N}", clpe.parameter_system(N, 0.7)
         for neighbours in ([], ["b"], ["b", "c"]):
             block = team.consensus_block("a", neighbours, N, 0.4)
             yield f"consensus-{len(neighbours)}-{N}", block

@@ -10,17 +10,17 @@ from types import FunctionType
 import numpy as np
 import sympy
 
-from clpt_control.blocks import basis, disturbance, field, localization, reference
+from clpt_control.blocks import disturbance, field, flow, localization, reference
 from clpt_control.currents.field_file import GriddedField
 from clpt_control.equations.declaration import parameters_of
 
 POINTS = np.array([[3.0, 1.0], [-2.0, 5.0], [7.0, -4.0]])
-KERNELS = list(basis.KERNELS)
+KERNELS = list(flow.KERNELS)
 
 
 def phi(kernel, position, t=0.7, omega=1.3, phase=0.4, width=2.0):
     """One function around (1, -2)."""
-    block = basis.flow_basis("basis_x", "x", kernel, [[1.0, -2.0]], [width], [omega], [phase])
+    block = flow.flow_basis("basis_x", "x", kernel, [[1.0, -2.0]], [width], [omega], [phase])
     return float(block.output(t, [], np.array([1.0, -2.0]) + position)[0])
 
 

@@ -1,18 +1,28 @@
-"""The vehicle, Eq. (1), and its controller, Eq. (7).
+"""The vehicle, Eq. (1), its controller, Eq. (7), and the limit of its speed.
 
     dx/dt = F_R(x, t) + v                                   Eq. (1)
     v = -alpha_M phi(x, t) - KD x + GammaD zc               Eq. (7)
 
 x is the true position (length), F_R the true flow and v the through-water
 velocity (length per time).  KD and GammaD are diagonal.  Where the speed is limited, Eq. (7) gives
-v_c, and `speed_limit` makes v of it.
+v_c, the commanded velocity, and
+
+    v   = v_c v_max / max(|v_c|, v_max)       flown: as commanded, or v_max in its direction
+    d   = v_c - v                             not flown; 0 up to v_max
+
+The learning model takes d off its own velocity (hedging), z' = F_M + v_z - d, and so e' of
+Eq. (10) does not know of the limit.
+Source: Johnson and Calise 2003, Journal of Guidance, Control, and Dynamics 26(6), hedging.
 
 Ports: flow_x[2], v_x[2] (length per time) -> x[2] (length), a state, or x_true[2] where the
 vehicle does not read it as it is (`localization`);
 x[2] or z[2], zc[2] (length), phi_x[N] or phi_z[N] -> v_x[2], or v_c[2] where the speed is limited.
+v_c[2] -> v_x[2]; v_c[2], v_x[2] -> unflown[2], d.
 """
 
 from typing import Any
+
+import numpy as np
 
 from ..equations.block import Block
 from .flow import at_position
@@ -58,3 +68,29 @@ def vehicle_controller(
         shapes={"alpha_M": (2, "N")},
     )
     return at_position(block, position)
+
+
+def limited(t, x, u, p):
+    """v = v_c v_max / max(|v_c|, v_max), for Eq. (1)."""
+    return p.max_speed / np.maximum(np.sqrt(u.v_c @ u.v_c), p.max_speed) * u.v_c
+
+
+def difference(t, x, u, p):
+    """d = v_c - v, for Eq. (2)."""
+    return u.v_c - u.v_x
+
+
+def speed_limit(max_speed: float) -> Block:
+    """Make the limit of the vehicle's speed, length per time."""
+    return Block(
+        "speed_limit",
+        output=limited,
+        inputs={"v_c": 2},
+        outputs={"v_x": 2},
+        parameters={"max_speed": float(max_speed)},
+    )
+
+
+def hedging() -> Block:
+    """Make the block that tells the learner what could not be flown."""
+    return Block("hedging", output=difference, inputs={"v_c": 2, "v_x": 2}, outputs={"unflown": 2})

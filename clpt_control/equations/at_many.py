@@ -93,7 +93,7 @@ def evaluate(block: Block, times: ArrayLike, inputs: ArrayLike) -> np.ndarray:
 
     Examples
     --------
-    >>> from clpt_control.blocks.basis import flow_basis
+    >>> from clpt_control.blocks.flow import flow_basis
     >>> p = np.zeros((1, 2)), np.ones(1), np.zeros(1), np.zeros(1)
     >>> evaluate(flow_basis("basis_x", "x", "gaussian", *p), [0, 5], [[0, 0], [1, 1]]).round(3)
     array([[1.   ],

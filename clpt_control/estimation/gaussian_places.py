@@ -27,7 +27,7 @@ import numpy as np
 from scipy.integrate import trapezoid
 
 from ..arguments import public
-from ..blocks.basis import flow_basis
+from ..blocks.flow import flow_basis
 from ..equations.at_many import evaluate
 from ..equations.block import Block
 from ..errors import DataError, ScenarioError

@@ -26,7 +26,7 @@ import numpy as np
 from scipy.integrate import simpson
 from scipy.interpolate import CubicSpline
 
-from ..blocks import speed_limit, vehicle
+from ..blocks import vehicle
 from ..blocks.laws.known import reach
 from ..equations.at_many import evaluate
 from ..equations.block import Block
@@ -214,7 +214,7 @@ class Way:
         v = evaluate(controller, t, np.hstack([x, zc, phi]))
         if car.max_speed is None:
             return v
-        return evaluate(speed_limit.speed_limit(car.max_speed), t, v)
+        return evaluate(vehicle.speed_limit(car.max_speed), t, v)
 
     def at(self, times: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return the position as read and the displacement since the start, (..., 2) each."""

@@ -14,7 +14,7 @@ import numpy as np
 from pydantic import Field, PrivateAttr, ValidationInfo, model_validator
 
 from ..arguments import public
-from ..blocks.basis import flow_basis
+from ..blocks.flow import flow_basis
 from ..blocks.laws.known import Known
 from ..blocks.laws.table import LAWS
 from ..equations.block import Block

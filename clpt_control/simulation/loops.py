@@ -13,18 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..arguments import public
-from ..blocks import (
-    clpe,
-    disturbance,
-    error_system,
-    field,
-    flow,
-    learner,
-    localization,
-    reference,
-    speed_limit,
-    vehicle,
-)
+from ..blocks import clpe, disturbance, field, flow, learner, localization, reference, vehicle
 from ..blocks.laws.table import LAWS
 from ..blocks.localization import TRUE
 from ..diagrams.changes import UNCHANGED, Changes, Part, changes_of, inserted, replaced
@@ -84,9 +73,9 @@ def changed_blocks(
         injection = learner.learned_flow_injection(alpha_M)
     limits = []
     if car.max_speed is not None:
-        limits.append(speed_limit.speed_limit(car.max_speed))
+        limits.append(vehicle.speed_limit(car.max_speed))
     if scenario.hedged:
-        limits.append(speed_limit.hedging())
+        limits.append(vehicle.hedging())
     delta, disturbances = scenario.flow.disturbance, []
     if delta is not None:
         own = (delta.kind, delta.amplitude, delta.period or 1.0, float(delta.seed or 0))
@@ -308,8 +297,8 @@ def error_loop(scenario: Scenario) -> Diagram:
         )
     return connect(
         [
-            error_system.error_system(N, KD),
-            error_system.parameter_system(N, gains.parameters),
+            clpe.error_system(N, KD),
+            clpe.parameter_system(N, gains.parameters),
         ],
         external=("phi_x", "z", "zc"),
         name="error_loop",

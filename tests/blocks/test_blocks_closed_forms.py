@@ -10,10 +10,8 @@ from source_checks import CHECKS
 
 import clpt_control as clpt
 from clpt_control.blocks import (
-    basis,
     clpe,
     disturbance,
-    error_system,
     field,
     flow,
     learner,
@@ -46,7 +44,7 @@ def test_sources_are_what_the_theorems_take_them_for(check):
 )
 def test_a_block_is_asked_at_many_places_and_times(kernel, formula):
     one = [[1.0, -2.0]], [3.0], [0.7], [-math.pi / 2]
-    block = basis.flow_basis("basis_x", "x", kernel, *one)
+    block = flow.flow_basis("basis_x", "x", kernel, *one)
     rng = np.random.default_rng(4)
     t, x = rng.uniform(0, 20, 50), rng.uniform(-5, 5, (50, 2))
     shape = formula(np.hypot(x[:, 0] - 1.0, x[:, 1] + 2.0))
@@ -57,7 +55,7 @@ def test_a_block_is_asked_at_many_places_and_times(kernel, formula):
 
 def test_basis_keeps_the_order_of_its_functions():
     p = np.array([[0.0, 0], [1, 0], [2, 0]]), np.ones(3), np.zeros(3), np.zeros(3)
-    block = basis.flow_basis("basis_z", "z", "exponential", *p)
+    block = flow.flow_basis("basis_z", "z", "exponential", *p)
     assert block.output_labels == ["phi_z[0]", "phi_z[1]", "phi_z[2]"]
     for k in range(3):
         assert int(np.argmax(block.output(0.0, [], [float(k), 0.0]))) == k
@@ -211,7 +209,7 @@ def test_adaptation_is_proportional_to_its_gain():
 
 
 def test_error_decays_alone():
-    block = error_system.error_system(2, [1.0, 3.0])
+    block = clpe.error_system(2, [1.0, 3.0])
     np.testing.assert_array_equal(block.dynamics(0, [2, 2], np.zeros(14)), [-2, -6])
 
 
@@ -220,15 +218,15 @@ def test_regressor_and_its_transpose_match():
     rng = np.random.default_rng(4)
     for N in (1, 2, 3, 5):
         signals, e, eta = rng.normal(size=N + 4), rng.normal(size=2), rng.normal(size=2 * N + 4)
-        system = error_system.error_system(N, np.zeros(2))
-        law = error_system.parameter_system(N, 1.0)
+        system = clpe.error_system(N, np.zeros(2))
+        law = clpe.parameter_system(N, 1.0)
         forward = system.dynamics(0, np.zeros(2), [*signals, *eta])
         backward = law.dynamics(0, eta, [*e, *signals])
         assert e @ forward == pytest.approx(-eta @ backward, rel=1e-12)
 
 
 def test_error_system_has_z_where_the_print_has_x():
-    block = error_system.error_system(1, np.zeros(2))
+    block = clpe.error_system(1, np.zeros(2))
     eta = np.array([0, 0, 1, 1, 0, 0], dtype=float)  # K - KD alone
     rate = block.dynamics(0, [50, 50], [0, 2, 3, 7, 7, *eta])
     np.testing.assert_array_equal(rate, [2, 3])

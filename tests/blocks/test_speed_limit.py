@@ -9,7 +9,7 @@ from hypothesis import given, seed, settings
 from hypothesis import strategies as st
 
 import clpt_control as clpt
-from clpt_control.blocks import speed_limit
+from clpt_control.blocks import vehicle
 from clpt_control.conformance import readings
 from clpt_control.errors import ScenarioError
 
@@ -19,7 +19,7 @@ velocity = st.floats(-1e6, 1e6).filter(lambda v: v == 0 or abs(v) > 1e-100)
 
 
 def flown(v, limit):
-    block = speed_limit.speed_limit(limit)
+    block = vehicle.speed_limit(limit)
     return np.asarray(block.output(0.0, [], v))
 
 
@@ -34,7 +34,7 @@ def test_at_most_the_limit_in_the_same_direction_and_as_commanded_below(v, limit
     if speed > limit * (1 + 1e-15):
         assert math.hypot(*found) == pytest.approx(limit, rel=1e-14)
         assert math.atan2(found[1], found[0]) == pytest.approx(math.atan2(v[1], v[0]), abs=1e-14)
-    missing = speed_limit.hedging().output(0.0, [], [*v, *found])
+    missing = vehicle.hedging().output(0.0, [], [*v, *found])
     np.testing.assert_allclose(found + missing, v, rtol=1e-15)
 
 

@@ -6,8 +6,8 @@ import pytest
 from responses import response
 
 import clpt_control as clpt
-from clpt_control.blocks import basis, flow, lyapunov, reference, vehicle
 from clpt_control.blocks import clpe as clpe_block
+from clpt_control.blocks import flow, lyapunov, reference, vehicle
 from clpt_control.diagrams import wiring
 from clpt_control.diagrams.interconnection import Diagram, connect
 from clpt_control.equations import Block
@@ -155,7 +155,7 @@ def test_mistyped_port():
 
 def test_sizes_that_differ():
     p = np.zeros((2, 2)), np.ones(2), np.zeros(2), np.zeros(2)
-    two = basis.flow_basis("basis_z", "z", "gaussian", *p)
+    two = flow.flow_basis("basis_z", "z", "gaussian", *p)
     three = flow.modeled_flow(np.zeros((2, 3)))
     with pytest.raises(DiagramError, match=r"'phi_z' has 2 signals, but modeled_flow takes 3"):
         connect([two, three], external=["z"])

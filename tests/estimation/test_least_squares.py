@@ -8,7 +8,7 @@ from scipy.linalg import expm
 from scipy.stats import multivariate_normal, multivariate_t
 from synthetic_vehicle import vehicle
 
-from clpt_control.blocks.basis import flow_basis
+from clpt_control.blocks.flow import flow_basis
 from clpt_control.equations import evaluate
 from clpt_control.errors import DataError
 from clpt_control.estimation import kalman

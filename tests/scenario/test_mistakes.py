@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import clpt_control as clpt
-from clpt_control.blocks import basis, disturbance
+from clpt_control.blocks import disturbance, flow
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.errors import BlockError, ScenarioError
 from clpt_control.scenario.file import scenario_to_text
@@ -244,7 +244,7 @@ def test_a_setting_whose_square_is_no_number_is_refused(key, value):
 @pytest.mark.parametrize(
     ("allowed", "made"),
     [
-        (get_args(Kernel), basis.KERNELS),
+        (get_args(Kernel), flow.KERNELS),
         (get_args(Disturbance.model_fields["kind"].annotation), disturbance.KINDS),
     ],
 )

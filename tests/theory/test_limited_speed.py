@@ -5,7 +5,7 @@ import pytest
 from responses import response
 
 import clpt_control as clpt
-from clpt_control.blocks import learner, speed_limit
+from clpt_control.blocks import learner, vehicle
 from clpt_control.blocks.laws.known import Truth
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.diagrams.interconnection import connect
@@ -96,8 +96,8 @@ def too_fast(t, x, u, p):
     ("module", "name", "wrong", "claim"),
     [
         (learner, "hedged_model", added, "V' = -e^T KD e"),
-        (speed_limit, "limited", too_fast, "up to |v_c| = v_max"),
-        (speed_limit, "difference", too_fast, "V' = -e^T KD e"),
+        (vehicle, "limited", too_fast, "up to |v_c| = v_max"),
+        (vehicle, "difference", too_fast, "V' = -e^T KD e"),
     ],
 )
 def test_a_wrong_equation_is_not_proved(module, name, wrong, claim, monkeypatch):

@@ -15,7 +15,7 @@ from responses import response
 from scipy.integrate import solve_ivp
 
 import clpt_control as clpt
-from clpt_control.blocks import error_system
+from clpt_control.blocks import clpe
 from clpt_control.blocks.laws import dead_zone, leakage, projection
 from clpt_control.blocks.laws.known import Gains, Truth
 from clpt_control.blocks.laws.table import LAWS as TABLE
@@ -82,7 +82,7 @@ def test_a_robust_law_is_bounded(name, N):
 
 def burst(law, faint, quiet, cycles=2, theta=0.5):
     """The largest |e| in the second half of the cycles, Delta = 1, k = 1, phi faint, then 1."""
-    plant = error_system.error_system(1, np.ones(2))
+    plant = clpe.error_system(1, np.ones(2))
     state = np.array([0.0, 0.0, -theta, *np.zeros(5)])
     peak = 0.0
 

@@ -4,7 +4,7 @@ V' < 0 outside a ball in e is no bound on e, since V also holds parameter errors
 disturbance drives into them comes back through the regressor.
 
 A vehicle of limited speed does not fly what Eq. (7) commands: Theorem 3.2 is lost where the learner
-is not told (`blocks.speed_limit`).
+is not told (`blocks.vehicle`).
 
 Theorem 3.3 asks that the desired position zc is exciting, Assumption 3.1.  The joint regressor
 w = [phi, z, zc] of Eq. (31) must be: a basis function of Eq. (5) that vanishes on the track

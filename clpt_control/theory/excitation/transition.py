@@ -21,7 +21,7 @@ from functools import cache
 import numpy as np
 
 from ...arguments import numbers, public
-from ...blocks.error_system import error_system, parameter_system
+from ...blocks.clpe import error_system, parameter_system
 from ...equations.at_many import on_arrays
 from ...errors import ArgumentError
 

@@ -20,7 +20,7 @@ import sympy
 
 from ...blocks.laws.law import Law
 from ...blocks.laws.table import LAWS
-from ...blocks.speed_limit import speed_limit
+from ...blocks.vehicle import speed_limit
 from ...diagrams.interconnection import Diagram, connect
 from ...equations.arrays import Unread
 from ..counterexamples.paper_system import limited_speed_counterexample

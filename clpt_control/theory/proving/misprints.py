@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 import sympy
 
-from ...blocks import basis
+from ...blocks import flow
 from ...equations.symbolic import expressions
 from ...simulation.loops import error_loop
 from .lemmas import errors, wanted_rates
@@ -282,7 +282,7 @@ def gaussian(printed: bool) -> bool:
     """Check whether log phi of Eq. (5) is quadratic in distance."""
     d, width = sympy.symbols("d sigma", positive=True)
     kernel, one = "exponential" if printed else "gaussian", (np.zeros((1, 2)), np.ones(1))
-    block = basis.flow_basis("basis_x", "x", kernel, *one, np.zeros(1), np.zeros(1))
+    block = flow.flow_basis("basis_x", "x", kernel, *one, np.zeros(1), np.zeros(1))
     known = {("u", "x", (0,)): d, ("p", "widths", (0,)): width}  # all else is zero
     phi = expressions(block, "output", lambda at, shape, k: known.get((*at, k), 0))[0]
     bend = sympy.simplify(sympy.diff(sympy.expand_log(sympy.log(phi), force=True), d, 2))
