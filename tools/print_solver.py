@@ -119,7 +119,7 @@ def arguments() -> dict[str, tuple]:
     asked = (real(1), whole(1), real(1), real(1)), (whole(1), real(2)), (real(1),) * 4
     return {
         "advance": (code, shape, real(1), shared, linear, 1, 1),
-        "ask": (code, 1, 1, *asked, real(2)),
+        "ask": (code, 1, 1, (1, 1), *asked, real(2)),
     }
 
 

@@ -57,13 +57,14 @@ class Callee(NamedTuple):
 
         `own` is P, or the beginning of it.  `out` has a row for each, as long as is asked for.
         """
-        P, W, D = map(np.zeros, (max(self.size, len(own), 1), self.room + 1, out.shape[1] + 1))
+        sizes = max(self.size, len(own)), self.room, max(out.shape[1], 2 * self.decided)
+        P, W, D = (np.zeros(size + 1) for size in sizes)
         P[: len(own)], times = own, np.ascontiguousarray(times)
         which = np.searchsorted(pieces.edges, times, side="right")
         given, each = (times, which, np.zeros(1), x.ravel()), (pieces.places, pieces.values)
-        arrays = P, self.tables, W, D
+        more, arrays = (self.nstates, (self.held, self.decided)), (P, self.tables, W, D)
         with np.errstate(all="ignore"):
-            self.solver.ask(self.functions, role, self.nstates, given, each, arrays, out)
+            self.solver.ask(self.functions, role, *more, given, each, arrays, out)
         return out
 
 

@@ -101,33 +101,29 @@ def difference(runner: NativeDiagram, solution: Solution, inputs: Inputs | None)
     n = len(solution.t)
     at = sorted({0, n // 3, 2 * n // 3, n - 1}) if n else []
     callee, pieces = runner.callee(1, inputs), runner.pieces_of(solution, inputs)
-    for group in [[k] for k in at] if callee.decided else [at]:
-        machine = _asked(runner, callee, pieces, solution.t[group], solution.x[group])
-        for k, *own in zip(group, *machine, strict=True):
-            t, x = float(solution.t[k]), solution.x[k]
-            found = _differs(runner, own, t, x, inputs)
-            for apart in APART if found else ():
-                moved = x + apart * (1.0 + np.abs(x))
-                own = [one[0] for one in _asked(runner, callee, pieces, [t], moved[None])]
-                found = found and _differs(runner, own, t, moved, inputs)
-            if found:
-                return found
+    machine = _asked(runner, callee, pieces, solution.t[at], solution.x[at])
+    for k, *own in zip(at, *machine, strict=True):
+        t, x = float(solution.t[k]), solution.x[k]
+        found = _differs(runner, own, t, x, inputs)
+        for apart in APART if found else ():
+            moved = x + apart * (1.0 + np.abs(x))
+            own = [one[0] for one in _asked(runner, callee, pieces, [t], moved[None])]
+            found = found and _differs(runner, own, t, moved, inputs)
+        if found:
+            return found
     return None
 
 
 def _asked(
     runner: NativeDiagram, callee: Callee, pieces: Schedule, times: Any, x: np.ndarray
 ) -> list[np.ndarray]:
-    """Return signals, rates and what every jump leaves, by machine code; for decisions of one."""
+    """Return signals, rates and what every jump leaves, by machine code."""
     own, n = runner.parameters(), runner.nstates
 
     def ask(role: int, count: int, pieces: Schedule = pieces) -> np.ndarray:
         return callee.ask(role, times, x, pieces, own, np.empty((len(times), count)))
 
     found = [ask(solver.SIGNALS, runner.nsignals)]
-    if callee.decided:
-        (decided,) = ask(solver.DECIDE, 2 * callee.decided)
-        own[callee.held :][: callee.decided] = decided[: callee.decided]
     if n:
         found.append(ask(solver.DERIVATIVE, n))
     if callee.jumping:

@@ -1,4 +1,4 @@
-; sha256 4201ce9dcc7d6f5833a52e07118e385c1f0923d09a0095021298753359db0424
+; sha256 dfb009208939f4c0f15264649b376c7c26c5f225f16671e79ca8d7a95cea39c5
 
 define dso_local noundef i32 @advance(ptr noalias %retptr, ptr noalias readnone %excinfo, ptr readnone %arg.code.0, ptr readnone %arg.code.1, i64 %arg.code.2, i64 %arg.code.3, ptr readonly %arg.code.4, i64 %arg.code.5.0, i64 %arg.code.6.0, i64 %arg.shape.0, i64 %arg.shape.1, i64 %arg.shape.2, i64 %arg.shape.3, i64 %arg.shape.4, i64 %arg.shape.5, i64 %arg.shape.6, ptr readnone %arg.tolerances.0, ptr readnone %arg.tolerances.1, i64 %arg.tolerances.2, i64 %arg.tolerances.3, ptr %arg.tolerances.4, i64 %arg.tolerances.5.0, i64 %arg.tolerances.6.0, ptr readnone %arg.batch.0.0.0, ptr readnone %arg.batch.0.0.1, i64 %arg.batch.0.0.2, i64 %arg.batch.0.0.3, ptr readonly %arg.batch.0.0.4, i64 %arg.batch.0.0.5.0, i64 %arg.batch.0.0.5.1, i64 %arg.batch.0.0.6.0, i64 %arg.batch.0.0.6.1, ptr readnone %arg.batch.0.1.0, ptr readnone %arg.batch.0.1.1, i64 %arg.batch.0.1.2, i64 %arg.batch.0.1.3, ptr readonly %arg.batch.0.1.4, i64 %arg.batch.0.1.5.0, i64 %arg.batch.0.1.5.1, i64 %arg.batch.0.1.6.0, i64 %arg.batch.0.1.6.1, ptr readnone %arg.batch.0.2.0, ptr readnone %arg.batch.0.2.1, i64 %arg.batch.0.2.2, i64 %arg.batch.0.2.3, ptr readonly %arg.batch.0.2.4, i64 %arg.batch.0.2.5.0, i64 %arg.batch.0.2.6.0, ptr readnone %arg.batch.1.0.0, ptr readnone %arg.batch.1.0.1, i64 %arg.batch.1.0.2, i64 %arg.batch.1.0.3, ptr readonly %arg.batch.1.0.4, i64 %arg.batch.1.0.5.0, i64 %arg.batch.1.0.6.0, ptr readnone %arg.batch.1.1.0, ptr readnone %arg.batch.1.1.1, i64 %arg.batch.1.1.2, i64 %arg.batch.1.1.3, ptr readonly %arg.batch.1.1.4, i64 %arg.batch.1.1.5.0, i64 %arg.batch.1.1.6.0, ptr readnone %arg.batch.1.2.0, ptr readnone %arg.batch.1.2.1, i64 %arg.batch.1.2.2, i64 %arg.batch.1.2.3, ptr readonly %arg.batch.1.2.4, i64 %arg.batch.1.2.5.0, i64 %arg.batch.1.2.6.0, ptr readnone %arg.batch.1.3.0, ptr readnone %arg.batch.1.3.1, i64 %arg.batch.1.3.2, i64 %arg.batch.1.3.3, ptr readonly %arg.batch.1.3.4, i64 %arg.batch.1.3.5.0, i64 %arg.batch.1.3.5.1, i64 %arg.batch.1.3.6.0, i64 %arg.batch.1.3.6.1, ptr readnone %arg.batch.1.4.0, ptr readnone %arg.batch.1.4.1, i64 %arg.batch.1.4.2, i64 %arg.batch.1.4.3, ptr readonly %arg.batch.1.4.4, i64 %arg.batch.1.4.5.0, i64 %arg.batch.1.4.6.0, ptr readnone %arg.batch.2.0, ptr readnone %arg.batch.2.1, i64 %arg.batch.2.2, i64 %arg.batch.2.3, ptr readonly %arg.batch.2.4, i64 %arg.batch.2.5.0, i64 %arg.batch.2.6.0, ptr readnone %arg.batch.3.0.0, ptr readnone %arg.batch.3.0.1, i64 %arg.batch.3.0.2, i64 %arg.batch.3.0.3, ptr %arg.batch.3.0.4, i64 %arg.batch.3.0.5.0, i64 %arg.batch.3.0.5.1, i64 %arg.batch.3.0.5.2, i64 %arg.batch.3.0.6.0, i64 %arg.batch.3.0.6.1, i64 %arg.batch.3.0.6.2, ptr readnone %arg.batch.3.1.0, ptr readnone %arg.batch.3.1.1, i64 %arg.batch.3.1.2, i64 %arg.batch.3.1.3, ptr %arg.batch.3.1.4, i64 %arg.batch.3.1.5.0, i64 %arg.batch.3.1.6.0, ptr readnone %arg.batch.3.2.0, ptr readnone %arg.batch.3.2.1, i64 %arg.batch.3.2.2, i64 %arg.batch.3.2.3, ptr %arg.batch.3.2.4, i64 %arg.batch.3.2.5.0, i64 %arg.batch.3.2.6.0, ptr readnone %arg.batch.3.3.0, ptr readnone %arg.batch.3.3.1, i64 %arg.batch.3.3.2, i64 %arg.batch.3.3.3, ptr %arg.batch.3.3.4, i64 %arg.batch.3.3.5.0, i64 %arg.batch.3.3.5.1, i64 %arg.batch.3.3.6.0, i64 %arg.batch.3.3.6.1, ptr readnone %arg.batch.4.0.0, ptr readnone %arg.batch.4.0.1, i64 %arg.batch.4.0.2, i64 %arg.batch.4.0.3, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.0, i64 %arg.batch.4.0.5.1, i64 %arg.batch.4.0.6.0, i64 %arg.batch.4.0.6.1, ptr readnone %arg.batch.4.1.0, ptr readnone %arg.batch.4.1.1, i64 %arg.batch.4.1.2, i64 %arg.batch.4.1.3, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.0, i64 %arg.batch.4.1.5.1, i64 %arg.batch.4.1.6.0, i64 %arg.batch.4.1.6.1, ptr readnone %arg.batch.4.2.0, ptr readnone %arg.batch.4.2.1, i64 %arg.batch.4.2.2, i64 %arg.batch.4.2.3, ptr %arg.batch.4.2.4, i64 %arg.batch.4.2.5.0, i64 %arg.batch.4.2.6.0, ptr readnone %arg.batch.5.0.0, ptr readnone %arg.batch.5.0.1, i64 %arg.batch.5.0.2, i64 %arg.batch.5.0.3, ptr %arg.batch.5.0.4, i64 %arg.batch.5.0.5.0, i64 %arg.batch.5.0.6.0, ptr readnone %arg.batch.5.1.0, ptr readnone %arg.batch.5.1.1, i64 %arg.batch.5.1.2, i64 %arg.batch.5.1.3, ptr %arg.batch.5.1.4, i64 %arg.batch.5.1.5.0, i64 %arg.batch.5.1.6.0, ptr readnone %arg.batch.5.2.0, ptr readnone %arg.batch.5.2.1, i64 %arg.batch.5.2.2, i64 %arg.batch.5.2.3, ptr %arg.batch.5.2.4, i64 %arg.batch.5.2.5.0, i64 %arg.batch.5.2.6.0, ptr readnone %arg.batch.5.3.0, ptr readnone %arg.batch.5.3.1, i64 %arg.batch.5.3.2, i64 %arg.batch.5.3.3, ptr %arg.batch.5.3.4, i64 %arg.batch.5.3.5.0, i64 %arg.batch.5.3.6.0, ptr readnone %arg.batch.5.4.0, ptr readnone %arg.batch.5.4.1, i64 %arg.batch.5.4.2, i64 %arg.batch.5.4.3, ptr %arg.batch.5.4.4, i64 %arg.batch.5.4.5.0, i64 %arg.batch.5.4.6.0, ptr readnone %arg.linear.0.0, ptr readnone %arg.linear.0.1, i64 %arg.linear.0.2, i64 %arg.linear.0.3, ptr %arg.linear.0.4, i64 %arg.linear.0.5.0, i64 %arg.linear.0.6.0, ptr readnone %arg.linear.1.0, ptr readnone %arg.linear.1.1, i64 %arg.linear.1.2, i64 %arg.linear.1.3, ptr %arg.linear.1.4, i64 %arg.linear.1.5.0, i64 %arg.linear.1.6.0, i64 %arg.budget, i64 %arg.most) local_unnamed_addr {
 entry:
@@ -3702,100 +3702,136 @@ declare i64 @llvm.smin.i64(i64, i64)
 ; Function Attrs: nocallback nofree nosync nounwind speculatable willreturn memory(none)
 declare i64 @llvm.smax.i64(i64, i64)
 
-define dso_local noundef i32 @ask(ptr noalias %retptr, ptr noalias readnone %excinfo, ptr readnone %arg.code.0, ptr readnone %arg.code.1, i64 %arg.code.2, i64 %arg.code.3, ptr readonly %arg.code.4, i64 %arg.code.5.0, i64 %arg.code.6.0, i64 %arg.role, i64 %arg.n, ptr readnone %arg.given.0.0, ptr readnone %arg.given.0.1, i64 %arg.given.0.2, i64 %arg.given.0.3, ptr readonly %arg.given.0.4, i64 %arg.given.0.5.0, i64 %arg.given.0.6.0, ptr readnone %arg.given.1.0, ptr readnone %arg.given.1.1, i64 %arg.given.1.2, i64 %arg.given.1.3, ptr readonly %arg.given.1.4, i64 %arg.given.1.5.0, i64 %arg.given.1.6.0, ptr readnone %arg.given.2.0, ptr readnone %arg.given.2.1, i64 %arg.given.2.2, i64 %arg.given.2.3, ptr %arg.given.2.4, i64 %arg.given.2.5.0, i64 %arg.given.2.6.0, ptr readnone %arg.given.3.0, ptr readnone %arg.given.3.1, i64 %arg.given.3.2, i64 %arg.given.3.3, ptr %arg.given.3.4, i64 %arg.given.3.5.0, i64 %arg.given.3.6.0, ptr readnone %arg.pieces.0.0, ptr readnone %arg.pieces.0.1, i64 %arg.pieces.0.2, i64 %arg.pieces.0.3, ptr readonly %arg.pieces.0.4, i64 %arg.pieces.0.5.0, i64 %arg.pieces.0.6.0, ptr readnone %arg.pieces.1.0, ptr readnone %arg.pieces.1.1, i64 %arg.pieces.1.2, i64 %arg.pieces.1.3, ptr readonly %arg.pieces.1.4, i64 %arg.pieces.1.5.0, i64 %arg.pieces.1.5.1, i64 %arg.pieces.1.6.0, i64 %arg.pieces.1.6.1, ptr readnone %arg.arrays.0.0, ptr readnone %arg.arrays.0.1, i64 %arg.arrays.0.2, i64 %arg.arrays.0.3, ptr %arg.arrays.0.4, i64 %arg.arrays.0.5.0, i64 %arg.arrays.0.6.0, ptr readnone %arg.arrays.1.0, ptr readnone %arg.arrays.1.1, i64 %arg.arrays.1.2, i64 %arg.arrays.1.3, ptr %arg.arrays.1.4, i64 %arg.arrays.1.5.0, i64 %arg.arrays.1.6.0, ptr readnone %arg.arrays.2.0, ptr readnone %arg.arrays.2.1, i64 %arg.arrays.2.2, i64 %arg.arrays.2.3, ptr %arg.arrays.2.4, i64 %arg.arrays.2.5.0, i64 %arg.arrays.2.6.0, ptr readnone %arg.arrays.3.0, ptr readnone %arg.arrays.3.1, i64 %arg.arrays.3.2, i64 %arg.arrays.3.3, ptr %arg.arrays.3.4, i64 %arg.arrays.3.5.0, i64 %arg.arrays.3.6.0, ptr readnone %arg.out.0, ptr readnone %arg.out.1, i64 %arg.out.2, i64 %arg.out.3, ptr %arg.out.4, i64 %arg.out.5.0, i64 %arg.out.5.1, i64 %arg.out.6.0, i64 %arg.out.6.1) local_unnamed_addr {
+define dso_local noundef i32 @ask(ptr noalias %retptr, ptr noalias readnone %excinfo, ptr readnone %arg.code.0, ptr readnone %arg.code.1, i64 %arg.code.2, i64 %arg.code.3, ptr readonly %arg.code.4, i64 %arg.code.5.0, i64 %arg.code.6.0, i64 %arg.role, i64 %arg.n, i64 %arg.locked.0, i64 %arg.locked.1, ptr readnone %arg.given.0.0, ptr readnone %arg.given.0.1, i64 %arg.given.0.2, i64 %arg.given.0.3, ptr readonly %arg.given.0.4, i64 %arg.given.0.5.0, i64 %arg.given.0.6.0, ptr readnone %arg.given.1.0, ptr readnone %arg.given.1.1, i64 %arg.given.1.2, i64 %arg.given.1.3, ptr readonly %arg.given.1.4, i64 %arg.given.1.5.0, i64 %arg.given.1.6.0, ptr readnone %arg.given.2.0, ptr readnone %arg.given.2.1, i64 %arg.given.2.2, i64 %arg.given.2.3, ptr %arg.given.2.4, i64 %arg.given.2.5.0, i64 %arg.given.2.6.0, ptr readnone %arg.given.3.0, ptr readnone %arg.given.3.1, i64 %arg.given.3.2, i64 %arg.given.3.3, ptr %arg.given.3.4, i64 %arg.given.3.5.0, i64 %arg.given.3.6.0, ptr readnone %arg.pieces.0.0, ptr readnone %arg.pieces.0.1, i64 %arg.pieces.0.2, i64 %arg.pieces.0.3, ptr readonly %arg.pieces.0.4, i64 %arg.pieces.0.5.0, i64 %arg.pieces.0.6.0, ptr readnone %arg.pieces.1.0, ptr readnone %arg.pieces.1.1, i64 %arg.pieces.1.2, i64 %arg.pieces.1.3, ptr readonly %arg.pieces.1.4, i64 %arg.pieces.1.5.0, i64 %arg.pieces.1.5.1, i64 %arg.pieces.1.6.0, i64 %arg.pieces.1.6.1, ptr readnone %arg.arrays.0.0, ptr readnone %arg.arrays.0.1, i64 %arg.arrays.0.2, i64 %arg.arrays.0.3, ptr %arg.arrays.0.4, i64 %arg.arrays.0.5.0, i64 %arg.arrays.0.6.0, ptr readnone %arg.arrays.1.0, ptr readnone %arg.arrays.1.1, i64 %arg.arrays.1.2, i64 %arg.arrays.1.3, ptr %arg.arrays.1.4, i64 %arg.arrays.1.5.0, i64 %arg.arrays.1.6.0, ptr readnone %arg.arrays.2.0, ptr readnone %arg.arrays.2.1, i64 %arg.arrays.2.2, i64 %arg.arrays.2.3, ptr %arg.arrays.2.4, i64 %arg.arrays.2.5.0, i64 %arg.arrays.2.6.0, ptr readnone %arg.arrays.3.0, ptr readnone %arg.arrays.3.1, i64 %arg.arrays.3.2, i64 %arg.arrays.3.3, ptr %arg.arrays.3.4, i64 %arg.arrays.3.5.0, i64 %arg.arrays.3.6.0, ptr readnone %arg.out.0, ptr readnone %arg.out.1, i64 %arg.out.2, i64 %arg.out.3, ptr %arg.out.4, i64 %arg.out.5.0, i64 %arg.out.5.1, i64 %arg.out.6.0, i64 %arg.out.6.1) local_unnamed_addr {
 entry:
-  %.268604.not = icmp slt i64 %arg.given.0.5.0, 1
-  br i1 %.268604.not, label %B532, label %B104.if.lr.ph
+  %.281834.not = icmp slt i64 %arg.given.0.5.0, 1
+  br i1 %.281834.not, label %B794, label %B118.if.lr.ph
 
-B104.if.lr.ph:                                    ; preds = %entry
-  %.535598.not = icmp slt i64 %arg.pieces.0.5.0, 1
-  %.722 = getelementptr i8, ptr %arg.code.4, i64 8
-  %.788 = icmp slt i64 %arg.role, 0
-  %.789 = select i1 %.788, i64 %arg.code.5.0, i64 0
+B118.if.lr.ph:                                    ; preds = %entry
+  %.548826.not = icmp slt i64 %arg.pieces.0.5.0, 1
+  %.735 = getelementptr i8, ptr %arg.code.4, i64 8
+  %.788 = icmp eq i64 %arg.role, 0
+  %.791 = icmp sgt i64 %arg.locked.1, 0
+  %or.cond = select i1 %.788, i1 %.791, i1 false
+  %.821 = getelementptr i8, ptr %arg.code.4, i64 40
+  %.1085 = getelementptr i8, ptr %arg.code.4, i64 8
+  %.1151 = icmp slt i64 %arg.role, 0
+  %.1152 = select i1 %.1151, i64 %arg.code.5.0, i64 0
   %0 = getelementptr i64, ptr %arg.code.4, i64 %arg.role
-  %.803 = getelementptr i64, ptr %0, i64 %.789
-  %.946601.not = icmp slt i64 %arg.out.5.1, 1
-  %.988 = icmp eq i64 %arg.role, 3
-  %"$phi516.2.2.2.in.v" = select i1 %.988, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4
-  br label %B104.if
+  %.1166 = getelementptr i64, ptr %0, i64 %.1152
+  %.1309831.not = icmp slt i64 %arg.out.5.1, 1
+  %.1351 = icmp eq i64 %arg.role, 3
+  %"$phi776.2.2.2.in.v" = select i1 %.1351, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4
+  br label %B118.if
 
-B104.loopexit:                                    ; preds = %B460.if, %B344
-  %exitcond609.not = icmp eq i64 %.281, %arg.given.0.5.0
-  br i1 %exitcond609.not, label %B532, label %B104.if
+B116.loopexit:                                    ; preds = %B720.if, %B604
+  %exitcond840.not = icmp eq i64 %.294, %arg.given.0.5.0
+  br i1 %exitcond840.not, label %B794, label %B118.if
 
-B154:                                             ; preds = %B104.if
-  br i1 %.535598.not, label %B270, label %B226.if.lr.ph
+B168:                                             ; preds = %B118.if
+  br i1 %.548826.not, label %B284, label %B240.if.lr.ph
 
-B226.if.lr.ph:                                    ; preds = %B154
-  %.596 = icmp slt i64 %.404, 0
-  %.597 = select i1 %.596, i64 %arg.pieces.1.5.0, i64 0
-  %.598 = add i64 %.597, %.404
-  %.618 = mul i64 %.598, %arg.pieces.1.5.1
-  %1 = getelementptr double, ptr %arg.pieces.1.4, i64 %.618
-  br label %B226.if
+B240.if.lr.ph:                                    ; preds = %B168
+  %.609 = icmp slt i64 %.417, 0
+  %.610 = select i1 %.609, i64 %arg.pieces.1.5.0, i64 0
+  %.611 = add i64 %.610, %.417
+  %.631 = mul i64 %.611, %arg.pieces.1.5.1
+  %1 = getelementptr double, ptr %arg.pieces.1.4, i64 %.631
+  br label %B240.if
 
-B270:                                             ; preds = %B226.if, %B154
-  %.723 = load i64, ptr %.722, align 8
-  %.726 = mul nsw i64 %.210.0605, %arg.n
-  %.745 = getelementptr double, ptr %arg.given.3.4, i64 %.726
-  %.771 = inttoptr i64 %.723 to ptr
-  tail call void %.771(ptr nonnull %arg.given.2.4, ptr %.745, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.2.4)
-  br label %B344
+B284:                                             ; preds = %B240.if, %B168
+  %.736 = load i64, ptr %.735, align 8
+  %.739 = mul nsw i64 %.222.0835, %arg.n
+  %.758 = getelementptr double, ptr %arg.given.3.4, i64 %.739
+  %.784 = inttoptr i64 %.736 to ptr
+  tail call void %.784(ptr nonnull %arg.given.2.4, ptr %.758, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.2.4)
+  br label %B358
 
-B344:                                             ; preds = %B270, %B104.if
-  %piece.3.1 = phi i64 [ %.404, %B270 ], [ %piece.2.0607, %B104.if ]
-  %.804 = load i64, ptr %.803, align 8
-  %.807 = mul nsw i64 %.210.0605, %arg.n
-  %.826 = getelementptr double, ptr %arg.given.3.4, i64 %.807
-  %.852 = inttoptr i64 %.804 to ptr
-  tail call void %.852(ptr nonnull %arg.given.2.4, ptr %.826, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4)
-  br i1 %.946601.not, label %B104.loopexit, label %B460.if.lr.ph
+B358:                                             ; preds = %B284, %B118.if
+  %piece.3.1 = phi i64 [ %.417, %B284 ], [ %piece.2.0837, %B118.if ]
+  br i1 %or.cond, label %B392, label %B604
 
-B460.if.lr.ph:                                    ; preds = %B344
-  %.1108 = mul i64 %.210.0605, %arg.out.5.1
-  %2 = getelementptr double, ptr %arg.out.4, i64 %.1108
-  br label %B460.if
+B392:                                             ; preds = %B358
+  %.822 = load i64, ptr %.821, align 8
+  %.825 = mul nsw i64 %.222.0835, %arg.n
+  %.844 = getelementptr double, ptr %arg.given.3.4, i64 %.825
+  %.870 = inttoptr i64 %.822 to ptr
+  tail call void %.870(ptr nonnull %arg.given.2.4, ptr %.844, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4)
+  br label %B496.if
 
-B532:                                             ; preds = %B104.loopexit, %entry
+B530:                                             ; preds = %B496.if
+  %.1086 = load i64, ptr %.1085, align 8
+  %.1134 = inttoptr i64 %.1086 to ptr
+  tail call void %.1134(ptr nonnull %arg.given.2.4, ptr %.844, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.2.4)
+  br label %B604
+
+B604:                                             ; preds = %B530, %B358
+  %.1167 = load i64, ptr %.1166, align 8
+  %.1170 = mul nsw i64 %.222.0835, %arg.n
+  %.1189 = getelementptr double, ptr %arg.given.3.4, i64 %.1170
+  %.1215 = inttoptr i64 %.1167 to ptr
+  tail call void %.1215(ptr nonnull %arg.given.2.4, ptr %.1189, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4)
+  br i1 %.1309831.not, label %B116.loopexit, label %B720.if.lr.ph
+
+B720.if.lr.ph:                                    ; preds = %B604
+  %.1471 = mul i64 %.222.0835, %arg.out.5.1
+  %2 = getelementptr double, ptr %arg.out.4, i64 %.1471
+  br label %B720.if
+
+B794:                                             ; preds = %B116.loopexit, %entry
   store ptr null, ptr %retptr, align 8
   ret i32 0
 
-B104.if:                                          ; preds = %B104.if.lr.ph, %B104.loopexit
-  %piece.2.0607 = phi i64 [ -1, %B104.if.lr.ph ], [ %piece.3.1, %B104.loopexit ]
-  %.210.0605 = phi i64 [ 0, %B104.if.lr.ph ], [ %.281, %B104.loopexit ]
-  %.281 = add nsw i64 %.210.0605, 1
-  %3 = getelementptr double, ptr %arg.given.0.4, i64 %.210.0605
-  %.343 = load double, ptr %3, align 8
-  store double %.343, ptr %arg.given.2.4, align 8
-  %4 = getelementptr i64, ptr %arg.given.1.4, i64 %.210.0605
-  %.404 = load i64, ptr %4, align 8
-  %.406.not = icmp eq i64 %.404, %piece.2.0607
-  br i1 %.406.not, label %B344, label %B154
+B118.if:                                          ; preds = %B118.if.lr.ph, %B116.loopexit
+  %piece.2.0837 = phi i64 [ -1, %B118.if.lr.ph ], [ %piece.3.1, %B116.loopexit ]
+  %.222.0835 = phi i64 [ 0, %B118.if.lr.ph ], [ %.294, %B116.loopexit ]
+  %.294 = add nsw i64 %.222.0835, 1
+  %3 = getelementptr double, ptr %arg.given.0.4, i64 %.222.0835
+  %.356 = load double, ptr %3, align 8
+  store double %.356, ptr %arg.given.2.4, align 8
+  %4 = getelementptr i64, ptr %arg.given.1.4, i64 %.222.0835
+  %.417 = load i64, ptr %4, align 8
+  %.419.not = icmp eq i64 %.417, %piece.2.0837
+  br i1 %.419.not, label %B358, label %B168
 
-B226.if:                                          ; preds = %B226.if.lr.ph, %B226.if
-  %.479.0599 = phi i64 [ 0, %B226.if.lr.ph ], [ %.548, %B226.if ]
-  %.548 = add nsw i64 %.479.0599, 1
-  %5 = getelementptr double, ptr %1, i64 %.479.0599
-  %.623 = load double, ptr %5, align 8
-  %6 = getelementptr i64, ptr %arg.pieces.0.4, i64 %.479.0599
-  %.653 = load i64, ptr %6, align 8
-  %.667 = icmp slt i64 %.653, 0
-  %.668 = select i1 %.667, i64 %arg.arrays.0.5.0, i64 0
-  %7 = getelementptr double, ptr %arg.arrays.0.4, i64 %.653
-  %.682 = getelementptr double, ptr %7, i64 %.668
-  store double %.623, ptr %.682, align 8
-  %exitcond.not = icmp eq i64 %arg.pieces.0.5.0, %.548
-  br i1 %exitcond.not, label %B270, label %B226.if
+B240.if:                                          ; preds = %B240.if.lr.ph, %B240.if
+  %.492.0827 = phi i64 [ 0, %B240.if.lr.ph ], [ %.561, %B240.if ]
+  %.561 = add nsw i64 %.492.0827, 1
+  %5 = getelementptr double, ptr %1, i64 %.492.0827
+  %.636 = load double, ptr %5, align 8
+  %6 = getelementptr i64, ptr %arg.pieces.0.4, i64 %.492.0827
+  %.666 = load i64, ptr %6, align 8
+  %.680 = icmp slt i64 %.666, 0
+  %.681 = select i1 %.680, i64 %arg.arrays.0.5.0, i64 0
+  %7 = getelementptr double, ptr %arg.arrays.0.4, i64 %.666
+  %.695 = getelementptr double, ptr %7, i64 %.681
+  store double %.636, ptr %.695, align 8
+  %exitcond.not = icmp eq i64 %arg.pieces.0.5.0, %.561
+  br i1 %exitcond.not, label %B284, label %B240.if
 
-B460.if:                                          ; preds = %B460.if.lr.ph, %B460.if
-  %.890.0602 = phi i64 [ 0, %B460.if.lr.ph ], [ %.959, %B460.if ]
-  %.959 = add nsw i64 %.890.0602, 1
-  %"$phi516.2.2.2.in" = getelementptr double, ptr %"$phi516.2.2.2.in.v", i64 %.890.0602
-  %"$phi516.2.2.2" = load double, ptr %"$phi516.2.2.2.in", align 8
-  %8 = getelementptr double, ptr %2, i64 %.890.0602
-  store double %"$phi516.2.2.2", ptr %8, align 8
-  %exitcond608.not = icmp eq i64 %arg.out.5.1, %.959
-  br i1 %exitcond608.not, label %B104.loopexit, label %B460.if
+B496.if:                                          ; preds = %B392, %B496.if
+  %.896.0829 = phi i64 [ 0, %B392 ], [ %.965, %B496.if ]
+  %.965 = add nsw i64 %.896.0829, 1
+  %8 = getelementptr double, ptr %arg.arrays.3.4, i64 %.896.0829
+  %.1019 = load double, ptr %8, align 8
+  %.1021 = add nsw i64 %.896.0829, %arg.locked.0
+  %.1035 = icmp slt i64 %.1021, 0
+  %.1036 = select i1 %.1035, i64 %arg.arrays.0.5.0, i64 0
+  %9 = getelementptr double, ptr %arg.arrays.0.4, i64 %.1021
+  %.1050 = getelementptr double, ptr %9, i64 %.1036
+  store double %.1019, ptr %.1050, align 8
+  %exitcond838.not = icmp eq i64 %.965, %arg.locked.1
+  br i1 %exitcond838.not, label %B530, label %B496.if
+
+B720.if:                                          ; preds = %B720.if.lr.ph, %B720.if
+  %.1253.0832 = phi i64 [ 0, %B720.if.lr.ph ], [ %.1322, %B720.if ]
+  %.1322 = add nsw i64 %.1253.0832, 1
+  %"$phi776.2.2.2.in" = getelementptr double, ptr %"$phi776.2.2.2.in.v", i64 %.1253.0832
+  %"$phi776.2.2.2" = load double, ptr %"$phi776.2.2.2.in", align 8
+  %10 = getelementptr double, ptr %2, i64 %.1253.0832
+  store double %"$phi776.2.2.2", ptr %10, align 8
+  %exitcond839.not = icmp eq i64 %arg.out.5.1, %.1322
+  br i1 %exitcond839.not, label %B116.loopexit, label %B720.if
 }
 
 

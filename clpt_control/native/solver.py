@@ -607,20 +607,26 @@ def solve_stage(n, s, linear, Z):
 # --- at given states ------------------------------------------------------------------------
 
 
-def ask(code, role, n, given, pieces, arrays, out):
+def ask(code, role, n, locked, given, pieces, arrays, out):
     """Call a function at times; what it writes, signals into W, is put into the rows of `out`.
 
-    `given` are the times, the piece of each, room for one, and n numbers of each for the states;
-    `pieces` places in P, and values.  `out` may be the states behind the first.
+    `locked` says where in P lies what is decided, which rates are asked with, and how many numbers
+    that are; `given` are the times, the piece of each, room for one, and n numbers of each for the
+    states; `pieces` places in P, and values.  `out` may be the states behind the first.
     """
     (times, which, t, states), (places, values), (P, T, W, D) = given, pieces, arrays
-    piece = -1
+    (held, decided), piece = locked, -1
     for k in range(len(times)):
         t[0] = times[k]
         if which[k] != piece:
             piece = which[k]
             for j in range(len(places)):
                 P[places[j]] = values[piece, j]
+            call(code[PREPARE], t, states, k * n, P, T, W, W, 0)
+        if role == DERIVATIVE and decided > 0:
+            call(code[DECIDE], t, states, k * n, P, T, W, D, 0)
+            for j in range(decided):
+                P[held + j] = D[j]
             call(code[PREPARE], t, states, k * n, P, T, W, W, 0)
         call(code[role], t, states, k * n, P, T, W, D, 0)
         for j in range(out.shape[1]):
