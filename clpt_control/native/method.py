@@ -200,6 +200,19 @@ def _accept() -> Formula:
     return Formula(each, after)
 
 
+def _sketch() -> Formula:
+    """The terms of the cubic that has states and rates of both ends."""
+
+    def each(z: Row, lane: Row, tolerance: Row) -> tuple[Rows, Sequence[Any]]:
+        h, delta = lane(row.TAKEN), z(row.ARGUMENT) - z(row.STATE)
+        ends = z(row.RATE + row.DOP853) + z(row.RATE)
+        terms = [delta, h * z(row.RATE) - delta, 2.0 * delta - h * ends]
+        none = 0.0 * z(row.STATE)
+        return {row.TERMS + k: (terms[k] if k < len(terms) else none) for k in range(7)}, ()
+
+    return Formula(each)
+
+
 def _dense() -> Formula:
     """The terms of the interpolant of order 7, and how wrong it may be.
 
@@ -366,7 +379,7 @@ def formulas(method: int, n: int) -> dict[str, Formula]:
         stages = [_stage(halves[s, : s + 1], halves[s, s]) for s in range(3)]
     else:
         attempt, judge, dense, stages = _attempt(), _judge(n), _dense(), _stages_of_dop853()
-    names = ("attempt", "judge", "sizes", "trial", "first", "accept", "dense")
-    named = dict(zip(names, (attempt, judge, *begun, accept, dense), strict=True))
+    names = ("attempt", "judge", "sizes", "trial", "first", "accept", "dense", "sketch")
+    named = dict(zip(names, (attempt, judge, *begun, accept, dense, _sketch()), strict=True))
     named |= {f"stage_{s}": one for s, one in enumerate(stages, 1)}
     return named | {"stiffness": _stiffness()} if method == row.DOP853 else named

@@ -37,8 +37,9 @@ from .linear_equations import factor, solve
 
 # how a run ended; STIFF: left to an implicit method, from where it is
 RUNNING, FINISHED, TOO_SMALL, NOT_FINITE, LEFT, TOO_MANY, CHATTERS, STIFF = range(8)
-# rows of Z: the state, rates of stages 0 to 15, argument of a stage, terms between samples
-STATE, RATE, ARGUMENT, TERMS, ROWS = 0, 1, 17, 18, 25
+# rows of Z: the state, rates of stages 0 to 15, argument of a stage, terms between samples; a
+# state within the step, which is looked at, in place of the last rate
+STATE, RATE, ARGUMENT, TERMS, ROWS, LOOKED = 0, 1, 17, 18, 25, 16
 # the methods, each known by the number of its stages, the new state's among them; of DOP853 three
 # more are for what lies within a step
 DOP853, RODAS5P, RK4 = 12, 9, 4
@@ -63,12 +64,12 @@ MEMBER, EDGE, DONE, BURST, WHICH = range(5)  # rows of whole numbers
 STEPS, EVALUATIONS, RESTARTS, REJECTIONS = range(4)  # of the counts
 # places of `code`: the diagram's functions, then the method's; stage s stands at STAGE + s
 DERIVATIVE, PREPARE, MARGIN, SIGNALS, JUMP, DECIDE, SLOPE = range(7)
-ATTEMPT, JUDGE, SIZES, TRIAL, FIRST, ACCEPT, DENSE = range(7, 14)
-STAGE, STIFFNESS = 13, 29
+ATTEMPT, JUDGE, SIZES, TRIAL, FIRST, ACCEPT, DENSE, SKETCH = range(7, 15)
+STAGE, STIFFNESS = 14, 30
 ANEW, ON = 1, 2  # a piece begins with rates and a step of its own, or goes on with those there are
 OUTSIDE = 1e-9  # grid steps beyond the edge that count as outside
-LOOKS = 16  # places within a step at which guards are looked at
-PASSED, CROSSED, CUT = 1.0, 2.0, 3.0  # a step goes beyond a kink, ends right behind it, is cut
+LOOKS, GLANCES = 16, 8  # places within a step at which guards are looked at, and decisions
+CROSSED, CUT = 1.0, 2.0  # a step ends right behind a kink, or is to end there
 HALVINGS, RESOLVED = 50, 1e-12  # of a step; how close to a kink one ends, of the step or the time
 SHORTEST = 1e-13  # step up to a kink, of a run: in a shorter one states move by rounding alone
 MOST_CUTS, UNMOVED = 8, 1.0  # in turn; of what is asked for: rounding decides where they end
@@ -156,8 +157,8 @@ def advance(code, shape, tolerances, batch, linear, budget, most):
             call(code[STIFFNESS], numbers, Z, 0, P, T, W, D, 0)
         beyond = False
         if decided > 0 and good:
-            call(code[DECIDE], at, Z, ARGUMENT * span, P, T, W, D, 0)
-            beyond = passes(lanes, decided, numbers, whole, D)
+            call(code[SKETCH], numbers, Z, 0, P, T, W, D, 0)
+            beyond = passes(code, shape, numbers, whole, arrays)
         if within or beyond:
             if dense:
                 for s in range(stages + 1, stages + 4):
@@ -167,7 +168,7 @@ def advance(code, shape, tolerances, batch, linear, budget, most):
             call(code[DENSE], numbers, Z, 0, P, tolerances, W, D, 0)
             if dense:
                 doubt(lanes, times, results, lane)
-            if beyond:
+            if beyond and passes(code, shape, numbers, whole, arrays):
                 cross(code, shape, tolerances, times, results, lane, arrays)
             if guarded:
                 watch(code, shape, 1 if fixed else LOOKS, results, lane, arrays)
@@ -175,7 +176,7 @@ def advance(code, shape, tolerances, batch, linear, budget, most):
             sample(shape, times, results, lane, Z, 3 if within and dense else 0)
         if lanes > 1 or numbers[GOOD, 0] > 0.5:
             call(code[ACCEPT], numbers, Z, 0, P, T, W, D, 0)
-        if beyond:
+        if decided > 0 and good:
             decide_anew(shape, tolerances, times, status, lane, Z)
         if jumping and looked:
             leap(code, shape, schedule, times, results, lane, arrays)
@@ -229,19 +230,27 @@ def passed(k, lanes, decided, D):
     return -1
 
 
-def passes(lanes, decided, numbers, whole, D):
-    """Note which lanes' steps go beyond a kink; return whether any does."""
-    some = False
+def passes(code, shape, numbers, whole, arrays):
+    """Note which decision a lane's step passes first, and between which looks; whether any does.
+
+    States within the step are looked at by what its terms are, and its end.
+    """
+    lanes, n, decided, some = shape[0], shape[1], shape[6], False
+    Z, P, T, W, D = arrays
     for k in range(lanes):
-        if whole[MEMBER, k] >= 0 and numbers[GOOD, k] > 0.5:
-            which = passed(k, lanes, decided, D)
-            if which >= 0:
-                numbers[CUTS, k] += 1.0
-                numbers[KINK, k], numbers[LOW, k], numbers[HIGH, k] = PASSED, 0.0, 1.0
-                whole[WHICH, k], some = which, True
-            else:  # one that was cut ends before the kink
-                numbers[CUTS, k] = numbers[CUTS, k] if numbers[KINK, k] == CUT else 0.0
-                numbers[KINK, k] = 0.0
+        whole[WHICH, k] = -1
+    for look in range(1, GLANCES + 1):
+        for k in range(lanes):
+            look_within(n, lanes, k, numbers, Z, look / GLANCES)
+        first = LOOKED if look < GLANCES else ARGUMENT
+        call(code[DECIDE], numbers[AT], Z, first * n * lanes, P, T, W, D, 0)
+        for k in range(lanes):
+            if whole[MEMBER, k] >= 0 and numbers[GOOD, k] > 0.5 and whole[WHICH, k] < 0:
+                whole[WHICH, k] = passed(k, lanes, decided, D)
+                numbers[LOW, k], numbers[HIGH, k] = (look - 1) / GLANCES, look / GLANCES
+                some = some or whole[WHICH, k] >= 0
+    for k in range(lanes):
+        numbers[AT, k] = numbers[NEW, k]
     return some
 
 
@@ -249,16 +258,14 @@ def cross(code, shape, tolerances, times, results, lane, arrays):
     """Find where steps cross a kink; one that goes well beyond is tried again, up to there."""
     lanes, n, decided = shape[0], shape[1], shape[6]
     shortest = SHORTEST * (times[-1] - times[0])
-    counts, numbers, (Z, P, T, W, D) = results[3], lane[0], arrays
+    counts, (numbers, whole, _), (Z, P, T, W, D) = results[3], lane, arrays
     for _ in range(HALVINGS):
         for k in range(lanes):
             share = 0.5 * (numbers[LOW, k] + numbers[HIGH, k])
-            if numbers[KINK, k] != PASSED:
-                share = 1.0
             look_within(n, lanes, k, numbers, Z, share)
-        call(code[DECIDE], numbers[AT], Z, (RATE + 1) * n * lanes, P, T, W, D, 0)
+        call(code[DECIDE], numbers[AT], Z, LOOKED * n * lanes, P, T, W, D, 0)
         for k in range(lanes):
-            if numbers[KINK, k] == PASSED:
+            if whole[WHICH, k] >= 0:
                 share = 0.5 * (numbers[LOW, k] + numbers[HIGH, k])
                 if passed(k, lanes, decided, D) >= 0:
                     numbers[HIGH, k] = share
@@ -266,15 +273,15 @@ def cross(code, shape, tolerances, times, results, lane, arrays):
                     numbers[LOW, k] = share
     for k in range(lanes):
         numbers[AT, k] = numbers[NEW, k]
-        if numbers[KINK, k] == PASSED:
+        if whole[WHICH, k] >= 0:
             h, least = numbers[TAKEN, k], 2.0 * RESOLVED * abs(numbers[NEW, k])
             met = (1.0 - numbers[LOW, k]) * h <= max(RESOLVED * h, least)
-            if numbers[CUTS, k] > MOST_CUTS:
+            if numbers[CUTS, k] >= MOST_CUTS:
                 met = met or unmoved(k, lanes, n, tolerances, Z)
             if met or h <= 2.0 * shortest:
-                numbers[KINK, k], numbers[CUTS, k] = CROSSED, 0.0
+                numbers[KINK, k] = CROSSED
             else:
-                numbers[KINK, k] = CUT
+                numbers[KINK, k], numbers[CUTS, k] = CUT, numbers[CUTS, k] + 1.0
                 again(k, max(numbers[HIGH, k] * h, shortest), counts, lane)
 
 
@@ -293,7 +300,9 @@ def decide_anew(shape, tolerances, times, status, lane, Z):
     lanes, n = shape[0], shape[1]
     numbers, whole, queue = lane
     for k in range(lanes):
-        if numbers[KINK, k] == CROSSED and numbers[GOOD, k] > 0.5:
+        if numbers[GOOD, k] < 0.5:
+            continue
+        if numbers[KINK, k] == CROSSED:
             passed, fastest = numbers[TIME, k] - numbers[LAST, k], 0.0
             for i in range(n):
                 fastest = max(fastest, abs(Z[(RATE * n + i) * lanes + k]))
@@ -303,6 +312,9 @@ def decide_anew(shape, tolerances, times, status, lane, Z):
             numbers[LAST, k], numbers[FRESH, k], queue[2] = numbers[TIME, k], 1.0, ANEW
             if whole[BURST, k] > MOST_KINKS:
                 fail(status, whole, k, CHATTERS)
+        # a step that was cut may end before the kink
+        numbers[CUTS, k] = numbers[CUTS, k] if numbers[KINK, k] == CUT else 0.0
+        numbers[KINK, k] = 0.0
 
 
 def count(shape, counts, lane):
@@ -496,7 +508,7 @@ def doubt(lanes, times, results, lane):
             continue
         if numbers[WITHIN, k] > 1.0:
             again(k, numbers[TAKEN, k], counts, lane)
-            numbers[KINK, k], numbers[WANTED, k] = 0.0, times[done]
+            numbers[WANTED, k] = times[done]
             counts[m, EVALUATIONS] += 3
 
 
@@ -504,7 +516,7 @@ def look_within(n, lanes, k, numbers, Z, share):
     """Put time and state of a lane at a share of the step where functions are asked."""
     numbers[AT, k] = numbers[TIME, k] + share * numbers[TAKEN, k]
     for i in range(n):
-        Z[((RATE + 1) * n + i) * lanes + k] = between(Z, n, lanes, k, i, share)
+        Z[(LOOKED * n + i) * lanes + k] = between(Z, n, lanes, k, i, share)
 
 
 def watch(code, shape, looks, results, lane, arrays):
@@ -514,7 +526,7 @@ def watch(code, shape, looks, results, lane, arrays):
     for look in range(1, looks + 1):
         for k in range(lanes):
             look_within(n, lanes, k, numbers, Z, look / looks)
-        call(code[MARGIN], numbers[AT], Z, (RATE + 1) * n * lanes, P, T, W, D, 0)
+        call(code[MARGIN], numbers[AT], Z, LOOKED * n * lanes, P, T, W, D, 0)
         for k in range(lanes):
             if numbers[GOOD, k] > 0.5 and D[k] < -OUTSIDE:
                 fail(status, whole, k, LEFT)

@@ -171,6 +171,22 @@ def test_runs_over_kinks_are_as_their_closed_forms(case):
     np.testing.assert_allclose(found, wanted(T), rtol=1e-9, atol=1e-9)
 
 
+@pytest.mark.parametrize("rtol", [1e-6, 1e-8, 1e-10])
+@pytest.mark.parametrize("edge", [0.9, 0.97, 0.99])
+def test_what_goes_beyond_a_kink_and_back_within_a_step_is_seen(edge, rtol):
+    """x = sin t is beyond the edge for less than a step, once in each of ten turns."""
+
+    def beyond(t, x, u, p):
+        return [x[1], -x[0], np.maximum(x[0] - edge, 0.0)]
+
+    end = [0.0, 20.0 * np.pi]
+    found = clpt.simulate(system(beyond, 3), end, None, [0.0, 1.0, 0.0], rtol=rtol, atol=rtol / 100)
+    wide = np.arccos(edge)
+    wanted = 20.0 * (np.sin(wide) - edge * wide)
+    np.testing.assert_allclose(found.states[-1, 2], wanted, atol=10 * rtol)
+    assert found.attrs["solver_restarts"] == 21
+
+
 @pytest.mark.parametrize("case", ["saturation", "bang-bang", "maximum", "floor"])
 def test_samples_do_not_change_what_a_run_over_kinks_gives(case):
     f, x0, *_ = FORMS[case]
