@@ -13,7 +13,7 @@ from .printing import Formats, Json, finish, shown
 
 
 def fit(
-    currents: Path = arg("FILE", "NetCDF file of a gridded current."),
+    currents: Path = arg("FILE", "NetCDF file of a gridded current, Zarr, or a folder of files."),
     out: Path = opt("SCENARIO", "Scenario file to write; the field lies beside it.", default=...),
     box: tuple[float, float, float, float] | None = opt(
         "LAT0 LAT1 LON0 LON1", "Degrees; default: the whole grid."

@@ -148,7 +148,7 @@ def decoded(numbers: np.ndarray, unit: str, calendar: str = "standard") -> np.nd
         return None
 
 
-def dates_of(when: "xarray.DataArray", path: Path, real: bool = True) -> np.ndarray:
+def dates_of(when: "xarray.DataArray", path: Path, real: bool = True, least: int = 2) -> np.ndarray:
     """Return the times of a file as `decoded` has them, in ns where dates must be `real`.
 
     A dive and a tide need real dates, a current alone does not.
@@ -156,9 +156,10 @@ def dates_of(when: "xarray.DataArray", path: Path, real: bool = True) -> np.ndar
     where = f"{path}: {when.name}"
     unit = str(when.attrs.get("units", ""))
     calendar = str(when.attrs.get("calendar", "standard"))
-    if len(when) < 2:
+    if len(when) < least:
         raise DataError(
-            f"{where} has {len(when)} step{'s' if len(when) != 1 else ''}; at least 2 are needed"
+            f"{where} has {len(when)} step{'s' if len(when) != 1 else ''}; at least {least} are "
+            "needed"
         )
     numbers = numbers_of(when, where)
     if calendar.lower() not in (REAL if real else CALENDARS):
@@ -234,10 +235,25 @@ def velocity_values(
             f"{path}: {name} has the dimensions ({', '.join(map(str, values.dims))}); must have "
             f"({', '.join(map(str, index))})"
         )
-    chosen = values.isel(index).transpose(*index)
+    chosen = _in_blocks(values, index).transpose(*index)
     numbers = numbers_of(chosen, f"{path}: {name}")
     _check_packing(chosen, numbers, f"{path}: {name}")
     return numbers * size
+
+
+def _in_blocks(values: "xarray.DataArray", index: dict[Any, np.ndarray]) -> "xarray.DataArray":
+    """Return values at the `index` of each dimension, read as blocks of neighbours.
+
+    A library reads places one by one, and unpacks the whole part of a file for each of them.
+    """
+    import xarray
+
+    for dim, places in index.items():
+        kept = np.unique(places)
+        runs = np.split(kept, np.flatnonzero(np.diff(kept) > 1) + 1)
+        blocks = [values.isel({dim: slice(run[0], run[-1] + 1)}) for run in runs]
+        values = blocks[0] if len(blocks) == 1 else xarray.concat(blocks, dim)
+    return values.load().isel({d: np.searchsorted(np.unique(p), p) for d, p in index.items()})
 
 
 def _check_packing(packed: "xarray.DataArray", numbers: np.ndarray, where: str) -> None:

@@ -79,7 +79,7 @@ def fit_scenario(
     Parameters
     ----------
     path : str or Path
-        NetCDF file that `read_currents` reads.
+        What `read_currents` reads: a NetCDF file, a Zarr folder, a folder of files.
     box : tuple of float, optional
         lat0, lat1, lon0, lon1, degrees; the whole file by default.
     rows, columns : int, optional
@@ -209,6 +209,7 @@ def fit_scenario(
         "filled": filled.filled,
         "cells": filled.cells,
         "cells_never_measured": filled.never,
+        "cells_of_zeros_taken_as_land": currents.land,
         "rms_speed": float(np.sqrt(np.mean(u[measured] ** 2 + v[measured] ** 2))),
         "explained_variance": share_explained(
             u[measured] + 1j * v[measured], fit.residuals @ [1, 1j]

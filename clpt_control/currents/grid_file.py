@@ -3,9 +3,16 @@
 The answer is always the same: latitudes and longitudes increasing, hours since the
 first step, u (east) and v (north) in m/s, NaN where either was not measured.  A
 drifter needs the level nearest the surface, a glider samples the water column.
+
+A current is a NetCDF file, a Zarr folder, or a folder of NetCDF files, each with other
+steps on the same grid; of a step that two files have, the later by name counts.  Where u
+and v are exactly 0 at all steps, and not everywhere, there is land, which is no water at
+rest: it is a gap.
 """
 
-from dataclasses import dataclass
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
 from importlib import resources
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -13,9 +20,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..arguments import public
-from ..errors import DataError
+from ..errors import ClptError, DataError, needed
 from ..files import open_netcdf
-from ..units import length_in_metres
+from ..files.reading import check_folder
+from ..units import length_in_metres, seconds_since_1970
 from . import cf
 
 if TYPE_CHECKING:
@@ -25,6 +33,8 @@ NAME = "maracoos_hfr_2019-01-01.nc"
 DEEPEST = 1000.0  # m; no level of a column further down is read, except the next
 AROUND = 1.5  # times the median step: no longer step is missing in a grid around the Earth
 MOST = 10**8  # values of one component: 0.8 GB
+SUFFIXES = (".nc", ".nc4", ".cdf", ".netcdf")
+ZARR = ("zarr.json", ".zgroup", ".zmetadata")  # one is in each folder of Zarr
 
 
 def sample_currents() -> Path:
@@ -57,7 +67,8 @@ class Currents:
     u: np.ndarray  # to the east, m/s, NaN in gaps, shape (nt, ny, nx), or (nt, nz, ny, nx)
     v: np.ndarray  # to the north
     box: tuple[float, float, float, float]  # lat0, lat1, lon0, lon1 asked for, degrees
-    source: str  # name of the file
+    source: str  # name of the file or folder
+    land: int = 0  # cells, of all levels, whose zeros were taken as land
 
     @property
     def measured(self) -> np.ndarray:
@@ -73,13 +84,13 @@ def read_currents(
     column: bool = False,
     units: str | None = None,
 ) -> Currents:
-    """Read a gridded current from a NetCDF file.
+    """Read a gridded current from a NetCDF file, a Zarr folder or a folder of NetCDF files.
 
     Parameters
     ----------
     path : str or Path
-        A NetCDF file with dims time, latitude, longitude in any order, and
-        perhaps a depth.
+        With dims time, latitude, longitude in any order, and perhaps a depth.
+        Files of one folder have the same grid and other steps.
     box : tuple of float, optional
         lat0, lat1, lon0, lon1 in degrees; cells whose centre is inside are
         kept. Without it, the whole file.
@@ -117,7 +128,77 @@ def read_currents(
     ('2019-01-01T00:00:00', array([0., 1.]), 0.25)
     """
     path = Path(path)
-    with open_netcdf(path) as data:
+    if not path.is_dir() or any((path / name).exists() for name in ZARR):
+        found = _read(path, box, column, units, 2)
+    else:
+        files = sorted(f for f in path.iterdir() if f.suffix.lower() in SUFFIXES)
+        if not files:
+            raise DataError(f"{path}: holds neither Zarr nor a NetCDF file ({', '.join(SUFFIXES)})")
+        found = _joined(path, [_read(file, box, column, units, 1) for file in files])
+    still = ~((found.u != 0.0) | (found.v != 0.0)).any(axis=0)
+    if still.all() or not still.any():
+        return found
+    found.u[:, still] = found.v[:, still] = np.nan
+    return replace(found, land=int(still.sum()))
+
+
+@contextmanager
+def _opened(path: Path) -> "Iterator[xarray.Dataset]":
+    """Open a NetCDF file or a Zarr folder, whose values are read when used."""
+    if not path.is_dir():
+        with open_netcdf(path) as data:
+            yield data
+        return
+    import xarray
+
+    needed("zarr")
+    check_folder(path)
+    try:
+        with xarray.open_zarr(path, chunks=None, consolidated=False, decode_times=False) as data:
+            yield data
+    except ClptError:
+        raise
+    except Exception as error:  # whatever a damaged folder makes of itself
+        reason = str(error).partition("\n")[0][:120] or type(error).__name__
+        raise DataError(f"{path}: cannot be read as Zarr: {reason}") from None
+
+
+def _joined(path: Path, parts: list[Currents]) -> Currents:
+    """Return one current of several on one grid, each with steps of its own."""
+    first, times = parts[0], []
+    for part in parts:
+        for name in ("lat", "lon", "depth"):
+            if not np.array_equal(getattr(part, name), getattr(first, name)):
+                raise DataError(f"{path}: {part.source} has another {name} than {first.source}")
+        try:
+            times.append(seconds_since_1970(part.start) / 3600.0 + part.time)
+        except ValueError:
+            raise DataError(
+                f"{path}: {part.source} starts at {part.start}; must be a real date, by which "
+                "files can be joined"
+            ) from None
+    hours = np.concatenate(times)
+    u, v = (np.concatenate([getattr(part, name) for part in parts]) for name in "uv")
+    if u.size > MOST:
+        raise DataError(f"{path}: has {u.size:.3g} values; at most {MOST:.0g} can be held")
+    hours, last = np.unique(hours[::-1], return_index=True)
+    if len(hours) < 2:
+        raise DataError(f"{path}: has 1 step in all; at least 2 are needed")
+    kept = len(u) - 1 - last
+    start = min(parts, key=lambda part: seconds_since_1970(part.start)).start
+    own = {"time": hours - hours[0], "start": start, "u": u[kept], "v": v[kept]}
+    return replace(first, **own, source=path.name)
+
+
+def _read(
+    path: Path,
+    box: tuple[float, float, float, float] | None,
+    column: bool,
+    units: str | None,
+    least: int,
+) -> Currents:
+    """Read one file, or Zarr folder, of so many steps at least."""
+    with _opened(path) as data:
         if "fit_report" in data.attrs:
             raise DataError(
                 f"{path}: is the field of a `clpt fit`; give the .toml file beside it as a flow "
@@ -130,7 +211,7 @@ def read_currents(
             cf.find_axis(data, names[0], what, path) for what in ("latitude", "longitude", "time")
         )
         cf.check_places(lat, lon, path)
-        hours, start = _since_first(cf.dates_of(when, path, real=column))
+        hours, start = _since_first(cf.dates_of(when, path, column, least))
         latitudes, longitudes = lat.values.astype(float), lon.values.astype(float)
         span = None if box is None else _checked_box(box)
         longitudes = _unwrapped(longitudes, span)

@@ -35,7 +35,7 @@ from pathlib import Path
 import numpy as np
 
 from ..arguments import public
-from ..currents.grid_file import DEEPEST, Currents, read_currents
+from ..currents.grid_file import DEEPEST, SUFFIXES, Currents, read_currents
 from ..currents.plane import LocalPlane
 from ..equations.block import Block
 from ..errors import DataError
@@ -48,7 +48,6 @@ from .flow_models import Flow, FlowModel, Uncovered
 
 DEGREE = 110500.0  # m; no degree of latitude is shorter
 GAP = 2.5  # times the intervals around one: beyond, steps are missing
-NETCDF = (".nc", ".nc4", ".cdf", ".netcdf")
 
 
 def depth_mean(depth: np.ndarray, values: np.ndarray, deepest: float) -> np.ndarray:
@@ -197,6 +196,8 @@ def read_forecast(path: str | Path, units: str | None = None) -> Forecast:
     if len(column.depth) == 1:
         where = "surface" if column.depth[0] < 1 else f"{column.depth[0]:g} m deep"
         about = f"gridded, one level only ({where}), not what a glider feels over its depths"
+    if column.land:
+        about += f"; {column.land} cells of nothing but zeros are taken as land"
     return Forecast(column, column.source, about)
 
 
@@ -287,7 +288,8 @@ def read_flow_model(path: str | Path, units: str | None = None) -> FlowModel:
     Parameters
     ----------
     path : str or Path
-        NetCDF of a current on time, latitude, longitude and perhaps depth; or
+        NetCDF of a current on time, latitude, longitude and perhaps depth, Zarr, or
+        a folder of such files; or
         the TOML file that `clpt fit` wrote, its field beside it.
     units : str, optional
         Of u and v of a NetCDF file, such as ``"m/s"``, where it has none.
@@ -311,7 +313,7 @@ def read_flow_model(path: str | Path, units: str | None = None) -> FlowModel:
     """
     path = Path(path)
     kind = path.suffix.lower()
-    if kind not in (".toml", *NETCDF):
+    if kind not in (".toml", *SUFFIXES) and not path.is_dir():
         raise DataError(
             f"{path}: is no flow model; must be a NetCDF file (.nc) of a current on time, latitude "
             "and longitude, or the .toml file of a `clpt fit`"

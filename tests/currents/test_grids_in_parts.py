@@ -1,0 +1,132 @@
+"""A gridded current as Zarr, in several files, in blocks, with land as zeros."""
+
+import time
+
+import numpy as np
+import pytest
+import xarray
+
+from clpt_control.currents.fit import fit_scenario
+from clpt_control.currents.grid_file import read_currents
+from clpt_control.errors import DataError
+from clpt_control.replay.flow_model_file import read_flow_model
+
+HOURS = np.arange(26.0)
+LAT, LON = np.linspace(40.9, 41.5, 7), np.linspace(-69.9, -69.0, 8)
+
+
+def current(land=False):
+    """Return a tide that differs from place to place; no water in a corner where there is land."""
+    tide = np.cos(2 * np.pi * HOURS / 12.42)[:, None, None]
+    u = 0.3 * tide * np.linspace(0.8, 1.2, 7)[:, None] + 0.1 * np.linspace(0, 1, 8)
+    v = 0.2 * tide + 0.05 + 0 * u
+    if land:
+        u[:, :2, :3] = v[:, :2, :3] = 0.0
+    axes = {
+        "time": ("time", HOURS, {"units": "hours since 2024-01-01"}),
+        "lat": ("lat", LAT, {"units": "degrees_north"}),
+        "lon": ("lon", LON, {"units": "degrees_east"}),
+    }
+    flow = {n: (("time", "lat", "lon"), w, {"units": "m/s"}) for n, w in (("u", u), ("v", v))}
+    return xarray.Dataset(flow, axes)
+
+
+def same(a, b):
+    assert a.start == b.start
+    for name in ("lat", "lon", "depth", "time", "u", "v"):
+        np.testing.assert_allclose(getattr(a, name), getattr(b, name), atol=1e-12)
+
+
+def test_land_as_zeros_is_a_gap_and_is_said(tmp_path):
+    current(land=True).to_netcdf(tmp_path / "c.nc")
+    current().to_netcdf(tmp_path / "sea.nc")
+    found = read_currents(tmp_path / "c.nc")
+    assert found.land == 6
+    assert (~found.measured).sum() == 6 * 26
+    assert not found.measured[:, :2, :3].any()
+    assert read_currents(tmp_path / "sea.nc").land == 0
+    report = fit_scenario(tmp_path / "c.nc", rows=2, columns=2).report
+    assert report["cells_of_zeros_taken_as_land"] == 6
+    assert report["cells_never_measured"] == 6
+    assert "6 cells of nothing but zeros" in read_flow_model(tmp_path / "c.nc").about
+    assert "zeros" not in read_flow_model(tmp_path / "sea.nc").about
+    still = 0 * current()
+    for name in "uv":
+        still[name].attrs = {"units": "m/s"}
+    still.assign_coords(time=current().time).to_netcdf(tmp_path / "still.nc")
+    assert read_currents(tmp_path / "still.nc").measured.all()  # water at rest everywhere
+
+
+@pytest.mark.parametrize("form", [2, 3])
+def test_zarr_is_read_as_the_file_is(tmp_path, form):
+    pytest.importorskip("zarr")
+    current().to_netcdf(tmp_path / "c.nc")
+    current().to_zarr(tmp_path / "c.zarr", zarr_format=form, consolidated=form == 2)
+    plain = read_currents(tmp_path / "c.nc")
+    same(read_currents(tmp_path / "c.zarr"), plain)
+    box = (41.0, 41.3, -69.8, -69.2)
+    same(read_currents(tmp_path / "c.zarr", box), read_currents(tmp_path / "c.nc", box))
+    assert fit_scenario(tmp_path / "c.zarr", rows=2, columns=2).report["samples"] == plain.u.size
+    assert read_flow_model(tmp_path / "c.zarr").source == "c.zarr"
+    metadata = tmp_path / "c.zarr" / ("zarr.json" if form == 3 else ".zgroup")
+    metadata.write_text("{")
+    with pytest.raises(DataError, match=r"c\.zarr: cannot be read as Zarr") as caught:
+        read_currents(tmp_path / "c.zarr")
+    assert "\n" not in str(caught.value)
+
+
+def test_files_of_one_current_are_joined(tmp_path):
+    whole = current()
+    whole.to_netcdf(tmp_path / "c.nc")
+    plain = read_currents(tmp_path / "c.nc")
+    folder = tmp_path / "days"
+    folder.mkdir()
+    (folder / "readme.txt").write_text("x")
+    for k, steps in enumerate((slice(0, 1), slice(1, 14), slice(12, 26))):
+        part = whole.isel(time=steps)
+        if k == 1:  # the step that the third file has too, and an epoch of its own
+            part = part.copy(deep=True)
+            part["u"][11:] = 9.0
+            part["time"] = ("time", part.time.values - 1, {"units": "hours since 2024-01-01 01:00"})
+        part.to_netcdf(folder / f"day{k}.nc")
+    same(read_currents(folder), plain)
+    same(read_currents(folder, column=True), read_currents(tmp_path / "c.nc", column=True))
+    assert fit_scenario(folder, rows=2, columns=2).report["source"] == "days"
+    assert read_flow_model(folder).source == "days"
+    whole.isel(lat=slice(1, None)).to_netcdf(folder / "other.nc")
+    with pytest.raises(DataError, match=r"other\.nc has another lat than day0\.nc"):
+        read_currents(folder)
+
+
+@pytest.mark.parametrize(
+    ("steps", "said"), [((), "holds neither Zarr nor a NetCDF file"), ((3,), "has 1 step in all")]
+)
+def test_a_folder_without_a_current_is_one_sentence(tmp_path, steps, said):
+    for k in steps:
+        current().isel(time=[k]).to_netcdf(tmp_path / f"{k}.nc")
+    with pytest.raises(DataError, match=said):
+        read_currents(tmp_path)
+
+
+def test_a_box_across_180_degrees_is_read_in_two_blocks(tmp_path):
+    """It took as often longer as it has columns: each unpacked the whole step."""
+    lat, lon = np.linspace(-80, 80, 700), np.arange(-180.0, 180.0, 0.25)
+    one = np.random.default_rng(1).integers(-900, 900, (3, 700, 1440)) / 1000.0
+    flow = (("time", "lat", "lon"), one, {"units": "m/s"})
+    axes = {
+        "time": ("time", HOURS[:3], {"units": "hours since 2024-01-01"}),
+        "lat": lat,
+        "lon": lon,
+    }
+    whole = {"zlib": True, "complevel": 1, "chunksizes": (1, 700, 1440)}
+    data = xarray.Dataset({"u": flow, "v": flow}, axes)
+    data.to_netcdf(tmp_path / "c.nc", encoding={"u": whole, "v": whole})
+    taken = []
+    for box in ((10, 12, 10, 15), (10, 12, 177.5, -177.5)):
+        since = time.process_time()
+        found = read_currents(tmp_path / "c.nc", box)
+        taken.append(time.process_time() - since)
+    rows = np.flatnonzero((lat >= 10) & (lat <= 12))
+    columns = [*range(1430, 1440), *range(11)]
+    np.testing.assert_allclose(found.u, one[:, rows][:, :, columns])
+    assert taken[1] < 5 * taken[0]
