@@ -173,6 +173,47 @@ def test_streams_that_are_closed_full_or_not_read(tmp_path, words, stream):
     assert all((tmp_path / name).stat().st_size for name in whole)
 
 
+WATCHED = """
+import sys
+asked = ("socket.connect", "socket.bind", "socket.getaddrinfo", "pickle.find_class")
+own = ("_operator", "dask.delayed")  # Dask names its operators by pickling them itself
+seen = []
+
+def hear(event, given):
+    if event in asked and given[0] not in own:
+        seen.append(event)
+
+sys.addaudithook(hear)
+from clpt_control.cli import main
+for line in sys.argv[1:]:
+    sys.argv = ["clpt", *line.split()]
+    try:
+        main()
+    except SystemExit as ended:
+        assert not ended.code, line
+assert seen == []
+import pickle, socket
+pickle.loads(pickle.dumps(main))
+socket.create_server(("127.0.0.1", 0)).close()
+assert seen == ["pickle.find_class", "socket.bind"]  # they are heard
+"""
+
+
+def test_no_connection_is_opened_and_nothing_is_unpickled(tmp_path):
+    scenario = clpt_control.paper_scenario().with_values({"run.duration": 20})
+    clpt_control.save_scenario(scenario, tmp_path / "s.toml")
+    lines = (
+        "run s.toml --out r.nc",
+        "ensemble s.toml --members 4 --vary learning.gain=1:2 --out e.zarr",
+        "report e.zarr",
+        "replay --sample --json",
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", WATCHED, *lines], cwd=tmp_path, capture_output=True, text=True
+    )
+    assert (done.returncode, without_progress(done.stderr)) == (0, "")
+
+
 HOSTILE = "\x1b]0;owned\x07\x1b[2J\r\x9b31m\u202e\u2066\x7f\b"
 
 

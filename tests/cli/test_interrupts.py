@@ -1,7 +1,16 @@
 """Interrupts: none is lost, whenever it comes, and each is answered in one line."""
 
+import fnmatch
+import os
+import random
+import re
+import shutil
 import signal
 import sys
+import time
+from contextlib import suppress
+from importlib import resources
+from pathlib import Path
 
 import pytest
 from processes import CLPT, GUARD, await_line, interrupt, started, without_progress
@@ -166,3 +175,91 @@ def test_a_cluster_ends_with_the_command(files):
         await_line(process, process.stderr, "20 of 3000 members")
         assert interrupt(process) == ("", LINE)
     assert process.returncode == 130
+
+
+START = """
+import signal, sys
+signal.signal(signal.SIGINT, signal.default_int_handler)
+sys.path.insert(0, sys.argv[1])
+import clpt_start
+sys.argv[:2] = ["clpt"]
+sys.stdout.write(".")
+sys.stdout.flush()
+clpt_start.main()
+"""
+ROOT = Path(__file__).parents[2]
+HELD = r"clpt: interrupted; e\.zarr holds \d+ of 64 members; the same command goes on from there\n"
+COMMANDS = {  # -> what it writes: all of it, or nothing; None: a part may be there
+    ("--help",): (),
+    ("init", "mine.toml"): ("mine.toml",),
+    ("run", "s.toml", "--out", "run.nc", "--figures", "out"): ("run.nc", "figure?.png"),
+    ("diagram", "s.toml", "-o", "d.svg"): ("d.svg",),
+    (*ENSEMBLE, "64", "--chunk", "8"): None,
+    ("laws", "concurrent", "--json"): (),
+    ("report", "r.nc", "-o", "r.html"): ("r.html",),
+    ("replay", "in", "--out", "out"): ("replay.*", "*.png", "*.kml", "next.geojson"),
+    (*ENSEMBLE, "64", "--chunk", "8", "--dask", "local", "--threads", "1"): None,
+    ("paper", "--out", "out"): ("run.nc", "figure?.png"),
+    ("tune", "s.toml", "--members", "2", "--law", "learned-flow", "--out", "t.toml"): ("t.toml",),
+    ("prove", "--again"): (),
+    ("refute", "sigma", "--budget", "3", "--out", "broken.toml"): ("broken.toml",),
+    ("excitation", "s.toml", "--figure", "x.png"): ("x.png",),
+    ("certify", "s.toml"): (),
+    ("design", "s.toml", "--out", "b.toml", "--figure", "b.png"): ("b.toml", "b.png"),
+    ("fit", "c.nc", "--out", "f.toml"): ("f.toml", "f_field.nc"),
+    TIDES: ("tides.nc", "tides.png"),
+    ("estimate", "r.nc", "--out", "known.toml"): ("known.toml",),
+    FOLLOW: None,
+    ("animate", "r.nc", "-o", "r.gif", "--seconds", "1"): ("r.gif",),
+}
+TRIED = 20  # interrupts of one test; all fifteen are 300
+
+
+@pytest.fixture
+def all_files(files):
+    """What each command is given; they begin with nothing else."""
+    scenario = clpt_control.load_scenario(files / "s.toml").with_values({"run.duration": 40})
+    clpt_control.save_scenario(scenario, files / "s.toml")
+    clpt_control.save_run(clpt_control.simulate(scenario), files / "r.nc")
+    grid = resources.files("clpt_control.data") / "maracoos_hfr_2019-01-01.nc"
+    (files / "c.nc").write_bytes(grid.read_bytes())
+    return files
+
+
+def interrupted_after(seconds, words, folder):
+    """Interrupt a command and its own processes, as a terminal does; what it says, its status."""
+    start = [sys.executable, "-c", START, ROOT, *words]
+    with started(start, cwd=folder, start_new_session=True) as process:
+        assert process.stdout.read(1) == "."
+        time.sleep(seconds)
+        with suppress(ProcessLookupError):
+            os.killpg(process.pid, signal.SIGINT)
+        _, err = process.communicate(timeout=GUARD)
+    return process.returncode, without_progress(err)
+
+
+@pytest.mark.skipif(not hasattr(os, "killpg"), reason="no groups of processes")
+@pytest.mark.parametrize(
+    "part", [0, *(pytest.param(k, marks=pytest.mark.processes) for k in range(1, 15))]
+)
+def test_interrupts_at_random_from_the_first_import_on(all_files, part):
+    chance = random.Random(part)
+    before = {path: path.stat().st_mtime_ns for path in all_files.rglob("*") if path.is_file()}
+    for k in range(TRIED * part, TRIED * (part + 1)):
+        words = [*COMMANDS][k % len(COMMANDS)]
+        seconds = chance.uniform(0.0, 1.0 if k % 2 == 0 or part == 0 else 6.0)
+        status, err = interrupted_after(seconds, words, all_files)
+        told = (seconds, words, status, err)
+        assert (status, err == LINE or bool(re.fullmatch(HELD, err))) == (130, True) or (
+            (status, err) == (0, "")
+        ), told
+        new = [path for path in all_files.rglob("*") if path not in before and path.is_file()]
+        whole = COMMANDS[words]
+        assert not [one.name for one in new if one.name.endswith((".part", ".partial"))], told
+        if whole is not None:
+            assert not new or all(fnmatch.filter([p.name for p in new], one) for one in whole), told
+        for name in ("out", "e.zarr"):
+            shutil.rmtree(all_files / name, ignore_errors=True)
+        for path in new:
+            path.unlink(missing_ok=True)
+    assert {path: path.stat().st_mtime_ns for path in before} == before

@@ -1,0 +1,87 @@
+"""The same command gives the same bytes: with a cold and a warm cache, 1 and 4 threads, any hashes.
+
+What is printed and each file that is written are compared, byte by byte.
+"""
+
+import os
+import subprocess
+from importlib import resources
+
+import pytest
+from processes import CLPT, without_progress
+from synthetic_vehicle import one_file_each
+from tidal_records import times, waves, write_table
+
+import clpt_control
+from clpt_control.gliders.dive_table import sample_dives
+
+VARY = ("--members", "24", "--chunk", "8", "--vary", "learning.gain=1:2", "--out", "out")
+THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
+COMMANDS = [
+    ("replay", "in", "--out", "out", "--aim", "-43.1", "8.5", "--json"),
+    ("run", "s.toml", "--out", "run.nc", "--figures", "out", "--format", "svg"),
+    ("run", "team.toml", "--out", "run.nc", "--figures", "out"),
+    ("diagram", "s.toml", "-o", "d.svg"),
+    ("ensemble", "s.toml", *VARY, "--trajectories", "--figure", "e.png"),
+    ("report", "r.nc", "-o", "r.html"),
+    ("tune", "s.toml", "--members", "4", "--law", "sigma", "--out", "t.toml", "--json"),
+    ("laws", "--json"),
+    ("prove", "--theorem", "3.2", "--again"),
+    ("excitation", "s.toml", "--json", "--figure", "x.svg"),
+    ("certify", "s.toml", "--json"),
+    ("design", "s.toml", "--out", "b.toml", "--generations", "3", "--json"),
+    ("fit", "c.nc", "--out", "f.toml", "--json"),
+    ("tides", "r.csv", "--constituents", "M2,S2", "--out", "out", "--json"),
+    ("estimate", "r.nc", "--method", "kalman", "--out", "k.toml", "--json"),
+    ("animate", "r.nc", "-o", "r.gif", "--seconds", "1"),
+]
+
+
+def put(folder):
+    """Write what the commands are given."""
+    folder.mkdir()
+    scenario = clpt_control.paper_scenario().with_values({"run.duration": 420})
+    clpt_control.save_scenario(scenario, folder / "s.toml")
+    clpt_control.save_run(clpt_control.simulate(scenario), folder / "r.nc")
+    for name, file in (("team.toml", "team.toml"), ("c.nc", "maracoos_hfr_2019-01-01.nc")):
+        (folder / name).write_bytes((resources.files("clpt_control.data") / file).read_bytes())
+    write_table(folder / "r.csv", times(20), waves(times(20)))
+    (folder / "in").mkdir()
+    one_file_each(folder / "in", sample_dives()[:4])
+
+
+def held(folder):
+    files = (path for path in sorted(folder.rglob("*")) if path.is_file())
+    return {str(path.relative_to(folder)): path.read_bytes() for path in files}
+
+
+@pytest.fixture(scope="module")
+def given(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("same") / "given"
+    put(folder)
+    return held(folder)
+
+
+@pytest.mark.parametrize(
+    "words", [COMMANDS[0], *(pytest.param(c, marks=pytest.mark.processes) for c in COMMANDS[1:])]
+)
+def test_the_same_command_gives_the_same_bytes(given, tmp_path, words):
+    found = []
+    for seed, threads in (("1", "1"), ("2", "4")):
+        work = tmp_path / "work"  # the same name: it is part of what is printed
+        for name, content in given.items():
+            (work / name).parent.mkdir(parents=True, exist_ok=True)
+            (work / name).write_bytes(content)
+        env = {**os.environ, **dict.fromkeys(THREADS, threads), "PYTHONHASHSEED": seed}
+        env["CLPT_CONTROL_CACHE"] = str(tmp_path / "cache")  # cold, then warm
+        more = ("--threads", threads) if words[0] == "ensemble" else ()
+        done = subprocess.run(
+            [*CLPT, *words, *more], cwd=work, env=env, capture_output=True, text=True
+        )
+        assert (done.returncode, without_progress(done.stderr)) == (0, "")
+        found.append((done.stdout, held(work)))
+        work.rename(tmp_path / f"work{threads}")
+    (said, files), (again, others) = found
+    assert said == again
+    assert files.keys() == others.keys()
+    assert [name for name in files if files[name] != others[name]] == []
