@@ -18,7 +18,7 @@ class Pool(ProcessPoolExecutor):
     """Processes that do not hear Ctrl-C: the one that asks is told, and ends them."""
 
     def submit(self, *work: Any, **given: Any) -> Future:
-        """Ask for a piece of work; a process that is started for it inherits what is blocked."""
+        """Submit a piece of work; a process that is started for it inherits what is blocked."""
         if not hasattr(signal, "pthread_sigmask"):
             return super().submit(*work, **given)
         resource_tracker.ensure_running()  # else it would unblock the signal
