@@ -34,6 +34,7 @@ from ..equations.declaration import multiples
 from ..errors import DataError, ScenarioError
 from ..geodesy import displacement
 from ..scenario.experiment import Scenario
+from ..scenario.recorded_run import check_run
 from .dive import Dive, reckoned
 
 if TYPE_CHECKING:
@@ -283,7 +284,5 @@ def run_scenario(run: "xarray.Dataset") -> Scenario:
     if run.sizes.get("time", 0) < 2:
         raise DataError("the run has fewer than two samples; run it with a smaller output_step")
     names, seen = ["time", "position", "reference"], scenario.localization
-    for name in names if seen is None or seen.fixes else [*names, "measured_position"]:
-        if name not in run or not np.all(np.isfinite(run[name].values)):
-            raise DataError(f"the run has no whole {name}; clpt.simulate gives runs that do")
+    check_run(run, scenario, *names, *([] if seen is None or seen.fixes else ["measured_position"]))
     return scenario

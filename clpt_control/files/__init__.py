@@ -51,7 +51,7 @@ def open_netcdf(path: str | Path) -> "Iterator[xarray.Dataset]":
         data = xarray.open_dataset(path, decode_times=False, engine=netcdf_engine())
     except ClptError:
         raise
-    except (OSError, ValueError, TypeError, RuntimeError) as error:
+    except Exception as error:  # a damaged file can raise anything
         raise DataError(f"{path}: cannot be read as NetCDF: {_reason(error)}") from None
     with data:
         try:

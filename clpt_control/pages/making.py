@@ -9,8 +9,6 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Union
 
-import numpy as np
-
 from ..arguments import public
 from ..errors import ClptError, DataError
 from ..figures import checked_formats
@@ -25,14 +23,10 @@ if TYPE_CHECKING:
 
 ENDINGS = (".html", ".htm")
 KNOWN = "give run.nc, the folder of an ensemble, or a replay's replay.nc or JSON"
-NEEDED = {  # variable of a run -> its dimensions, after those of a team
-    "position": ("time", "axis"),
-    "predicted_position": ("time", "axis"),
-    "clpe": ("time", "axis"),
-    "feedback_gain": ("time", "axis"),
-    "feedforward_gain": ("time", "axis"),
-    "flow_parameters_estimate": ("time", "axis", "basis"),
-}
+NEEDED = (  # variables of a run
+    *("time", "position", "predicted_position", "clpe", "feedback_gain", "feedforward_gain"),
+    "flow_parameters_estimate",
+)
 
 
 @public
@@ -121,16 +115,18 @@ def check_page(file: str | Path) -> Path:
 
 def page_of(data: "xarray.Dataset", title: str | None = None) -> "Page":
     """Return the page of a run, of a team's run or of an ensemble."""
+    from ..scenario.recorded_run import check_run
     from ..scenario.team import system_of_run
 
     if is_ensemble(data):
         from .ensemble_page import ensemble_page
 
         return ensemble_page(data, title)
-    checked_run(data)
+    system = system_of_run(data)
+    check_run(data, system, *NEEDED)
     from .run_page import run_page
 
-    return run_page(data, system_of_run(data), title)
+    return run_page(data, system, title)
 
 
 def _replay(found: dict[str, Any], title: str | None) -> tuple[str, list[str]]:
@@ -213,25 +209,6 @@ def checked_replay(found: Any, name: str) -> dict[str, Any]:
     if not found["each_dive"] or found["next_dive"] is None:
         raise DataError(f"{name}: is a replay without a dive; there is nothing to show yet")
     return {"vehicle": "glider", "aim": [], **found}
-
-
-def checked_run(run: "xarray.Dataset") -> None:
-    """Refuse a dataset that is no whole run, or whose numbers are not finite."""
-    for name, dims in {"time": ("time",), **NEEDED}.items():
-        if name not in run.variables or run[name].dims[-len(dims) :] != dims:
-            raise DataError(
-                f"the run has no {name} over {', '.join(dims)}; clpt.simulate(scenario) makes runs"
-            )
-        values = run[name].values
-        if not values.size:
-            raise DataError("the run has no sample; there is nothing to show")
-        if values.dtype.kind not in "iuf" or not np.all(np.isfinite(values)):
-            raise DataError(f"the run's {name} holds what is no finite number; run it again")
-    if not {"scenario", "team"} & run.attrs.keys():
-        raise DataError(
-            "the run carries no scenario, so that nobody could say what was asked; `clpt run` and "
-            "clpt.simulate(scenario) make runs that do"
-        )
 
 
 def is_ensemble(data: "xarray.Dataset") -> bool:

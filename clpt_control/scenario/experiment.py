@@ -296,8 +296,11 @@ class Scenario(Table):
         return checked_scenario(tables, "scenario", self._folder)
 
 
-def checked_scenario(tables: dict[str, Any], name: str, folder: Path = Path()) -> Scenario:
-    """Make a scenario of nested dicts; `name` begins each error, `folder` holds its files."""
+def checked_scenario(tables: dict[str, Any], name: str, folder: Path | None = Path()) -> Scenario:
+    """Make a scenario of nested dicts; `name` begins each error.
+
+    Its files are looked for in the `folder`, or not at all.
+    """
     return Scenario.model_validate(tables, context={"name": name, "folder": folder})
 
 

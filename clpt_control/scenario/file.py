@@ -72,8 +72,8 @@ def read_text(path: Path) -> str:
         raise ScenarioError(str(error)) from None
 
 
-def scenario_from_text(text: str, name: str, folder: Path) -> Scenario:
-    """Read a scenario of TOML text; `name` begins each error, `folder` holds its files."""
+def scenario_from_text(text: str, name: str, folder: Path | None) -> Scenario:
+    """Read a scenario of TOML text; `name` begins each error, `folder` holds its files, if any."""
     tables = tables_of(text, name)
     if "team" in tables:
         raise ScenarioError(
@@ -101,8 +101,11 @@ def folder_of(run: Any) -> Path:
     return Path(known.get("folder") or Path(str(known.get("source", ""))).parent)
 
 
-def scenario_of_run(run: Any) -> Scenario:
-    """Return the scenario that a run, or an ensemble, carries in its attributes."""
+def scenario_of_run(run: Any, files: bool = True) -> Scenario:
+    """Return the scenario that a run, or an ensemble, carries in its attributes.
+
+    `files` is whether its field must be there.
+    """
     if not hasattr(run, "attrs"):
         raise DataError(
             f"{run!r:.60}: must be a run, as clpt.simulate gives it; clpt.load_run reads one"
@@ -111,7 +114,7 @@ def scenario_of_run(run: Any) -> Scenario:
         raise DataError("the run is a team's; clpt.simulation.team_plot draws a team")
     if not isinstance(text := run.attrs.get("scenario"), str):
         raise DataError("the run carries no scenario in its attributes; clpt.simulate writes one")
-    return scenario_from_text(text, "the run", folder_of(run))
+    return scenario_from_text(text, "the run", folder_of(run) if files else None)
 
 
 def scenario_to_text(scenario: Scenario, folder: Path | None = None) -> str:

@@ -219,13 +219,12 @@ def load_either(path: str | Path) -> Scenario | Team:
     """Read a scenario or a team from a TOML file or a run's NetCDF file."""
     path = Path(path)
     text = run_text(path) if path.suffix == ".nc" else read_text(path)
-    if "team" in tables_of(text, str(path)):
-        return team_from_text(text, str(path), path.parent)
-    return scenario_from_text(text, str(path), path.parent)
+    read = team_from_text if "team" in tables_of(text, str(path)) else scenario_from_text
+    return read(text, str(path), path.parent)
 
 
-def team_from_text(text: str, name: str, folder: Path) -> Team:
-    """Read a team of TOML text; `name` begins each error, `folder` holds its files."""
+def team_from_text(text: str, name: str, folder: Path | None) -> Team:
+    """Read a team of TOML text; `name` begins each error, `folder` holds its files, if any."""
     common = tables_of(text, name)
     team = _table(common.pop("team", None), f"{name}: team")
     given = _table(team.pop("members", None), f"{name}: team.members")
@@ -293,17 +292,20 @@ def _table(value: Any, where: str) -> dict[str, Any]:
     return value
 
 
-def team_of_run(run: Any) -> Team:
-    """Return the team that a run carries in its attributes."""
+def team_of_run(run: Any, files: bool = True) -> Team:
+    """Return the team that a run carries; `files` is whether its field must be there."""
     text = getattr(run, "attrs", {}).get(TEAM)
-    if text is None:
+    if not isinstance(text, str):
         raise DataError(
             f"{shown(run)}: must be a Team or a team's run; clpt.load_team and clpt.load_run read "
             "them"
         )
-    return team_from_text(str(text), "the run", folder_of(run))
+    return team_from_text(text, "the run", folder_of(run) if files else None)
 
 
-def system_of_run(run: Any) -> Scenario | Team:
-    """Return the scenario or the team that a run carries in its attributes."""
-    return team_of_run(run) if TEAM in getattr(run, "attrs", {}) else scenario_of_run(run)
+def system_of_run(run: Any, files: bool = True) -> Scenario | Team:
+    """Return the scenario or the team that a run carries; `files` is whether its field must be."""
+    attributes = getattr(run, "attrs", {})
+    if TEAM in attributes and "scenario" in attributes:
+        raise DataError("the run carries a scenario and a team; must be of one of the two")
+    return (team_of_run if TEAM in attributes else scenario_of_run)(run, files)

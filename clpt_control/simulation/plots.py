@@ -12,6 +12,7 @@ from ..errors import ClptError, DataError
 from ..figures import BLUE, GREY, RED, axes_for, legend_below, line_style
 from ..scenario.experiment import Scenario
 from ..scenario.file import scenario_of_run
+from ..scenario.recorded_run import check_run
 
 TITLE: dict[str, Any] = {"loc": "left", "fontsize": 10}
 MANY = 100  # samples an interval, for its mean square
@@ -33,9 +34,7 @@ OVERVIEW = [
 def scenario_with(run: "xarray.Dataset", *names: str) -> Scenario:
     """Return the scenario of a run that has some variables along its time."""
     scenario = scenario_of_run(run)
-    missing = [name for name in names if "time" not in getattr(run.get(name), "dims", ())]
-    if missing:
-        raise DataError(f"the dataset is no run: it has no {missing[0]} along time")
+    check_run(run, scenario, "time", *names)
     return scenario
 
 
@@ -148,7 +147,7 @@ def clpe_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
     top.axvline(count, color=GREY, linewidth=0.8, linestyle=":")
     place = {"xytext": (3, -9), "textcoords": "offset points"}
     top.annotate("one cycle", (count, top.get_ylim()[1]), fontsize=8, color=GREY, **place)
-    top.set(ylabel=f"CLPE ({unit})", xlim=(0, max(interval[early])))
+    top.set(ylabel=f"CLPE ({unit})", xlim=(0, max(interval[early], default=2 * count)))
     top.legend(frameon=False, fontsize=8)
     top.set_title(f"CLPE; each interval is one waypoint, {dwell:g} {scenario.units.time}", **TITLE)
     size = np.hypot(*e.T)

@@ -143,12 +143,14 @@ def _clpe(scenario: Scenario, squares: Squares, dense: "xarray.Dataset") -> dict
 def clpe_of_samples(scenario: Scenario, run: "xarray.Dataset") -> dict[str, Any]:
     """Return mean squares over the samples of a vehicle's run."""
     squares = ((run.position - run.predicted_position).values ** 2).sum(-1)
-    times, cycle, first, end = run.time.values, scenario.cycle, run.time.values[0], run.time[-1]
-    count = int(np.floor(float(end) / cycle * (1 + 1e-12)))
-    rounds = [squares[(times >= k * cycle) & (times < (k + 1) * cycle)] for k in range(count)]
-    late = squares[times >= first + 0.75 * (float(end) - first)]
+    times, first, end = run.time.values, float(run.time[0]), float(run.time[-1])
+    slack = 1e-9 * max(1.0, end)
+    number = np.floor((times + slack) / scenario.cycle)  # of the round
+    starts = np.flatnonzero(np.diff(number, prepend=-1.0))
+    rounds = np.split(squares, starts[1:])[:-1]  # the last one has just begun
+    late = squares[times >= first + 0.75 * (end - first)]
     return {
-        "clpe_rms_per_cycle": [_root_mean(one) for one in rounds if len(one)],
+        "clpe_rms_per_cycle": [_root_mean(one) for one in rounds],
         "clpe_rms": _root_mean(squares),
         "clpe_rms_last_quarter": _root_mean(late),
     }

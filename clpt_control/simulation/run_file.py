@@ -3,12 +3,11 @@
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from ..arguments import public
-from ..errors import DataError
+from ..errors import ClptError, DataError
 from ..files import open_netcdf, write_netcdf
 from ..scenario.file import FORM, LATEST, TEAM, check_form, scenario_to_text
+from ..scenario.recorded_run import check_run
 from ..scenario.team import Team, system_of_run, team_to_text
 
 if TYPE_CHECKING:
@@ -94,15 +93,11 @@ def load_run(path: str | Path) -> "xarray.Dataset":
         if "clpe" not in data.variables:
             raise DataError(f"{path}: is no run: it has no variable 'clpe'; `clpt run` writes one")
         run = data.load()
-    for name in ("time", "position", "predicted_position", "clpe"):
-        values = run[name].values if name in run.variables else np.zeros(0)
-        if values.dtype.kind not in "iuf" or not np.all(np.isfinite(values)):
-            raise DataError(
-                f"{path}: is no whole run: {name} holds what is no finite number; `clpt "
-                "run` writes one"
-            )
-    if run.time.ndim != 1 or not np.all(np.diff(run.time.values) > 0):
-        raise DataError(f"{path}: is no whole run: its times do not increase")
+    try:
+        system = system_of_run(run, files=False)
+        check_run(run, system, "time", "position", "predicted_position", "clpe")
+    except ClptError as error:
+        raise DataError(f"{path}: {error}") from None
     run.attrs.pop(FORM, None)  # of the file, not of the run
     run.encoding["folder"] = str(Path(path).parent)
     return run

@@ -292,7 +292,41 @@ def test_a_run_with_gaps_is_no_run(clpt, tmp_path):
         gaps[name][:] = value
         save_run(gaps, tmp_path / "run.nc")
         outcome = clpt("excitation", tmp_path / "run.nc")
-        assert_refused(outcome, tmp_path, ["run.nc"], ["run.nc: is no whole run", name])
+        assert_refused(
+            outcome,
+            tmp_path,
+            ["run.nc"],
+            ["run.nc: the run's", f"{name} holds what is no finite number"],
+        )
+
+
+RUN_DAMAGES = {
+    "no time": (lambda run: run.drop_vars("time"), "has no time over time"),
+    "a number": (lambda run: run.assign(predicted_position=0.0), "has no predicted_position over"),
+    "other axes": (lambda run: run.isel(axis=[0]), "axis 1"),
+    "other functions": (lambda run: run.isel(basis=[0, 1]), "basis 2"),
+    "turned": (lambda run: run.transpose("axis", ...), "has no position over time, axis"),
+    "far times": (lambda run: run.assign_coords(time=run.time + 1e15), "must lie in 0 to"),
+    "early times": (lambda run: run.assign_coords(time=run.time - 9), "must lie in 0 to"),
+    "a huge place": (lambda run: run.assign(position=run.position + 1e308), "no finite number"),
+    "a team": (lambda run: run.assign_attrs(team="[team]"), "a scenario and a team"),
+    "no scenario": (lambda run: run.drop_attrs(), "carries no scenario"),
+    "words": (lambda run: run.assign(clpe=run.clpe.astype(str)), "no finite number"),
+}
+
+
+@pytest.mark.parametrize("name", RUN_DAMAGES)
+def test_a_damaged_run_is_refused_by_all_that_open_runs(clpt, tmp_path, name):
+    damage, said = RUN_DAMAGES[name]
+    run = simulate(paper_scenario().with_values({"run.duration": 400, "run.output_step": 20}))
+    damage(run).to_netcdf(tmp_path / "run.nc")
+    for command, *out in (
+        ("report", "-o", tmp_path / "out.html"),
+        ("animate", "-o", tmp_path / "out.gif"),
+        ("estimate",),
+        ("excitation",),
+    ):
+        assert_refused(clpt(command, tmp_path / "run.nc", *out), tmp_path, ["run.nc"], [said])
 
 
 def test_warnings_of_libraries_are_no_words_of_a_command():

@@ -283,8 +283,8 @@ def of_another_scenario(run):
         (of_another_scenario, "the run carries no scenario"),
         (reversed_in_time, "its times do not increase"),
         (twice_at_one_time, "its times do not increase"),
-        (without_waypoints, "the run has no whole reference"),
-        (with_a_gap_in_the_waypoints, "the run has no whole reference"),
+        (without_waypoints, "the run has no reference over time, axis"),
+        (with_a_gap_in_the_waypoints, "the run's reference holds what is no finite number"),
     ],
     ids=lambda value: getattr(value, "__name__", ""),
 )

@@ -253,7 +253,7 @@ def test_a_run_that_is_read_with_noise_says_how_well_it_tells():
     )
     with pytest.raises(clpt.ScenarioError, match=r"the noise each 0\.25 s, between two samples"):
         estimate(beside)
-    with pytest.raises(clpt.DataError, match="the run has no whole measured_position"):
+    with pytest.raises(clpt.DataError, match="the run has no measured_position over time, axis"):
         estimate(noisy[0.01].drop_vars("measured_position"))
 
 

@@ -157,8 +157,8 @@ def test_what_is_no_run_is_one_sentence(made):
         (made["replay"], "must be an xarray.Dataset"),
         (made["team"], "team's; clpt.simulation.team_plot"),
         (made["run"].drop_attrs(), "carries no scenario"),
-        (made["run"].drop_vars("position"), "has no position along time"),
-        (made["run"].isel(time=-1), "has no position along time"),
+        (made["run"].drop_vars("position"), "has no position over time, axis"),
+        (made["run"].isel(time=-1), "has no time over time of its scenario, but a number"),
     ):
         with pytest.raises(clpt.ClptError, match=said):
             clpt.simulation.track_plot(given)

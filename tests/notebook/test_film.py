@@ -79,7 +79,7 @@ def test_refusals(run, tmp_path, monkeypatch):
         (run, {"seconds": 100, "fps": 20, "width": 1000}, "would take 2.0 GB of memory"),
         (run, {"start": 30, "end": 20}, "must lie one after the other within the run"),
         (run, {"end": 50}, "within the run, 0 to 40 s"),
-        (run.drop_vars("reference"), {}, "it has no reference along time"),
+        (run.drop_vars("reference"), {}, "the run has no reference over time, axis"),
         (clpt.simulate(team), {}, "the run is a team's"),
         (SCENARIO, {}, "must be an xarray.Dataset"),
     ):

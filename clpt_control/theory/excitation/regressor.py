@@ -23,6 +23,7 @@ from ...equations.declaration import multiples
 from ...errors import DataError, ScenarioError
 from ...scenario.experiment import Scenario
 from ...scenario.file import OWN_LAW, OWN_PARTS
+from ...scenario.recorded_run import check_run
 from ...scenario.team import Team
 from ...simulation.integrate import simulate
 from .transition import regressors
@@ -42,7 +43,9 @@ def scenario_of(source: Source) -> Scenario:
         return source
     if TEAM in source.attrs:
         raise DataError("the run is a team's; clpt.theory.team_gramian measures a team")
-    return scenario_of_run(source)
+    scenario = scenario_of_run(source)
+    check_run(source, scenario, "time")
+    return scenario
 
 
 def span_of(source: Source) -> tuple[float, float]:
@@ -71,8 +74,7 @@ def positions_between(
     """
     from scipy.interpolate import make_interp_spline
 
-    if name not in run:
-        raise DataError(f"the dataset is no run: it needs '{name}'")
+    check_run(run, scenario, name)
     if scenario.localization is not None and scenario.localization.interval > 0:
         raise DataError(
             "localization.interval: z of a recorded run jumps at fixes, and is not known between "

@@ -1,0 +1,92 @@
+"""A recorded run, checked once: what is reported, filmed, estimated and measured.
+
+A run comes from a file, which may be damaged, or from a user's hands, which may have changed it.
+"""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..errors import DataError
+from .experiment import Scenario
+from .team import Team
+
+if TYPE_CHECKING:
+    import xarray
+
+PLANE, BY_FUNCTION = ("time", "axis"), ("time", "axis", "basis")
+DIMS = {  # variable of a run -> its dimensions, after those of a team
+    "time": ("time",),
+    "position": PLANE,
+    "predicted_position": PLANE,
+    "measured_position": PLANE,
+    "clpe": PLANE,
+    "reference": PLANE,
+    "feedback_gain": PLANE,
+    "feedforward_gain": PLANE,
+    "true_flow": PLANE,
+    "velocity": PLANE,
+    "commanded_velocity": PLANE,
+    "alpha": BY_FUNCTION,
+    "flow_parameters_estimate": BY_FUNCTION,
+    "flow_parameters_readout": BY_FUNCTION,
+    "flow_parameters": ("axis", "basis"),
+    "lyapunov": ("time",),
+}
+SHARED = ("time", "flow_parameters", "lyapunov")  # by the vehicles of a team
+TEXTS = ("title", "source", "software", "status", "message", "engine", "method")  # attributes
+LARGEST = 1e75  # a number whose fourth power can be held
+MOST_WAYPOINTS = 1e6  # to which a run goes, unless its scenario says more
+
+
+def check_run(run: "xarray.Dataset", system: Scenario | Team, *names: str) -> None:
+    """Refuse a dataset that is no whole run of a system, or whose `names` have no finite numbers.
+
+    All variables of `DIMS` have their dimensions, times increase, and there is a sample.
+    """
+    team = isinstance(system, Team)
+    first = system.first if isinstance(system, Team) else system
+    sizes = {"axis": 2, "basis": first.basis.N}
+    if isinstance(system, Team):
+        sizes["vehicle"] = len(system.members)
+        if "vehicle" not in run or list(run.vehicle.values) != list(system.members):
+            raise DataError(f"the run's vehicles are not {', '.join(system.members)}, its team's")
+    for name in TEXTS:
+        if not isinstance(run.attrs.get(name, ""), str):
+            raise DataError(
+                f"the run's attribute {name} is {run.attrs[name]!s:.40}; must be a text"
+            )
+    for name, own in DIMS.items():
+        dims = ("vehicle", *own) if team and name not in SHARED else own
+        if name in names and name not in run.variables:
+            raise DataError(
+                f"the run has no {name} over {', '.join(dims)}; clpt.simulate(scenario) makes runs"
+            )
+        if name not in run.variables:
+            continue
+        one = run[name]
+        if one.dims != dims or any(one.sizes[k] != n for k, n in sizes.items() if k in dims):
+            shape = ", ".join(f"{dim} {size}" for dim, size in one.sizes.items()) or "a number"
+            raise DataError(
+                f"the run has no {name} over {', '.join(dims)} of its scenario, but {shape}; "
+                "clpt.simulate(scenario) makes runs"
+            )
+        if not one.size:
+            raise DataError("the run has no sample; there is nothing to show")
+        if name in names and not _is_finite(one.values):
+            raise DataError(
+                f"the run's {name} holds what is no finite number, or one beyond {LARGEST:g}; run "
+                "it again"
+            )
+    times, last = run.time.values, max(first.run.duration, MOST_WAYPOINTS * first.reference.dwell)
+    if not np.all(np.diff(times) > 0):
+        raise DataError("the run is not whole: its times do not increase")
+    if not 0 <= times[0] <= times[-1] <= last:
+        raise DataError(
+            f"the run's times go from {times[0]:g} to {times[-1]:g}; must lie in 0 to {last:g} "
+            f"{first.units.time}"
+        )
+
+
+def _is_finite(values: np.ndarray) -> bool:
+    return values.dtype.kind in "iuf" and bool(np.all(np.abs(values) <= LARGEST))
