@@ -83,7 +83,7 @@ def replay(
     from ..figures import checked_formats
     from ..gliders.magnetic import turned
     from ..gliders.usable_dives import LEAST_DURATION
-    from ..replay.replay import Replay, check_tides, feed
+    from ..replay.replay import Growing, check_tides
 
     if bool(files) + sample + (follow is not None) != 1:
         raise ScenarioError(
@@ -113,6 +113,7 @@ def replay(
         follow is not None,
     )
     ahead.check()
+    growing = Growing(estimator, model, forecast)
     told: list[str] = []  # each complaint once: the record grows
 
     def take(dives: Any, unread: Any) -> tuple[Any, list]:
@@ -138,7 +139,7 @@ def replay(
                 tell(f"so far, {error}")
             told.append(str(error))
         with progress_bar("replaying dives", max(len(used), 1)) as report:
-            return feed(Replay(estimator, model, forecast), used, report), skipped
+            return growing.feed(used, report), skipped
 
     written: list[Path] = []
     if follow is not None:

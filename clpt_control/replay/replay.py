@@ -431,6 +431,37 @@ def feed(
     return replay
 
 
+class Growing:
+    """A replay of a record that grows: where all it was fed comes first again, it goes on."""
+
+    def __init__(self, estimator: str, model: FixModel, flow_model: FlowModel | None) -> None:
+        self.asked = estimator, model, flow_model
+        self.fed: list[Dive] = []
+        self.replay = Replay(*self.asked)
+
+    def feed(
+        self, dives: Sequence[Dive], report: Callable[[int], None] = lambda done: None
+    ) -> Replay:
+        """Return the replay of all dives, as if they were fed to a new one."""
+        if len(dives) < len(self.fed) or not all(map(_same, self.fed, dives)):
+            self.fed, self.replay = [], Replay(*self.asked)
+        for dive in dives[len(self.fed) :]:
+            feed(self.replay, [dive])
+            self.fed.append(dive)
+            report(len(self.fed))
+        return self.replay
+
+
+def _same(one: Dive, other: Dive) -> bool:
+    """Whether two dives are the same, tracks, names and notes with them."""
+    if (one, one.vehicle, one.notes) != (other, other.vehicle, other.notes):
+        return False
+    tracks = one.track or (), other.track or ()
+    return one.track is other.track or (
+        len(tracks[0]) == len(tracks[1]) and all(map(np.array_equal, *tracks))
+    )
+
+
 @public
 def replay_dives(
     dives: Iterable[Dive],

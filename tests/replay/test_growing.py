@@ -1,0 +1,88 @@
+"""A record that grows: what was learned is not learned again, and nothing else changes."""
+
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from synthetic_vehicle import vehicle
+
+from clpt_control.estimation.fix_model import FixModel
+from clpt_control.gliders import sample_dives, usable
+from clpt_control.replay import replay_dives, summary
+from clpt_control.replay.replay import Growing, Replay
+
+DIVES = usable(sample_dives())[0]
+
+
+def said(replay):
+    """All that is said of a replay, as text."""
+    ahead = {**replay.surfacing().as_dict(), "now": None}
+    return json.dumps([summary(replay), ahead])
+
+
+def tracked(dive):
+    """A dive with a straight track, made anew."""
+    line = np.linspace(0.0, 1.0, 5)
+    track = line * dive.duration, line * dive.dr_east, line * dive.dr_north
+    return replace(dive, track=track, dac_east=float("nan"))
+
+
+@pytest.fixture
+def steps(monkeypatch):
+    """The numbers of the dives that are learned."""
+    numbers, step = [], Replay.step
+
+    def counted(self, dive):
+        numbers.append(dive.number)
+        return step(self, dive)
+
+    monkeypatch.setattr(Replay, "step", counted)
+    return numbers
+
+
+def test_dive_by_dive_is_all_at_once(steps):
+    growing = Growing("kalman", FixModel(), None)
+    for count in (1, 2, 5, 5, 9, 14):
+        grown = growing.feed(DIVES[:count])
+        assert said(grown) == said(replay_dives(DIVES[:count]))
+    steps.clear()
+    growing = Growing("kalman", FixModel(), None)
+    for count in range(1, 15):
+        growing.feed([tracked(dive) for dive in DIVES[:count]][:])
+    assert steps != [dive.number for dive in DIVES]  # NaN is not itself: never taken as the same
+    steps.clear()
+    growing = Growing("kalman", FixModel(), None)
+    for count in range(1, 15):
+        growing.feed([replace(tracked(dive), dac_east=0.1) for dive in DIVES[:count]])
+    assert steps == [dive.number for dive in DIVES]
+
+
+def test_what_changed_is_learned_anew(steps):
+    dives = vehicle(2, 8)
+    for changed in (
+        [*dives[:3], replace(dives[3], notes=("read again",)), *dives[4:]],
+        [*dives[:3], tracked(dives[3]), *dives[4:]],
+        [*dives[:3], replace(dives[3], lat_gpse=dives[3].lat_gpse + 1e-9), *dives[4:]],
+        [*dives[:3], *dives[4:]],
+        dives[:4],
+    ):
+        growing = Growing("kalman", FixModel(), None)
+        growing.feed(dives)
+        steps.clear()
+        grown = growing.feed(changed)
+        assert len(steps) == len(changed)
+        assert said(grown) == said(replay_dives(changed))
+
+
+def test_an_interrupt_leaves_what_was_learned(steps, monkeypatch):
+    growing = Growing("kalman", FixModel(), None)
+
+    def cut(done):
+        if done == 6:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        growing.feed(DIVES, cut)
+    assert said(growing.feed(DIVES)) == said(replay_dives(DIVES))
+    assert steps[:14] == [dive.number for dive in DIVES]
