@@ -104,6 +104,22 @@ def test_a_full_disk_leaves_the_results_as_they_were(tmp_path, sizes, name):
     )
 
 
+def test_a_folder_in_the_place_of_a_result_leaves_all_others_as_they_were(clpt, tmp_path):
+    inbox, out = tmp_path / "in", tmp_path / "out"
+    inbox.mkdir()
+    one_file_each(inbox, sample_dives()[:2])
+    (out / "replay.html").mkdir(parents=True)
+    others = [name for name in RESULTS if name != "replay.html"]
+    for name in others:
+        (out / name).write_text("old")
+    for words in (("--follow", inbox, "--patience", "0"), (inbox,)):
+        outcome = clpt("replay", *words, "--out", out)
+        assert (outcome.status, outcome.out) == (2, "")
+        assert "replay.html: is a folder" in outcome.err
+        assert [(out / name).read_text() for name in others] == ["old"] * len(others)
+        assert not list(out.glob(".*.part"))
+
+
 def test_mistakes_of_following(clpt, tmp_path):
     inbox = tmp_path / "in"
     inbox.mkdir()
