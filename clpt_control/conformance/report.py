@@ -13,8 +13,15 @@ from ..equations.block import Block
 from ..errors import BlockError
 from ..html import facts, fragment, unfolding
 from .diagrams import _copies, _interconnects, _jumps, _linearizes, _parameters, _pickles
-from .equations import Sample, _in_range, _readings, _repeats, _zero, random_samples
-from .scaling import keeps_units
+from .equations import (
+    Sample,
+    _in_range,
+    _readings,
+    _repeats,
+    _zero,
+    keeps_units,
+    random_samples,
+)
 
 Check = Callable[[Block, list[Sample]], Iterator[str]]
 CHECKS: tuple[Check, ...] = (

@@ -132,22 +132,13 @@ def has(value: Any, name: str) -> bool:
     return hasattr(_like(value), name) or name in getattr(value, "_ports", ())
 
 
-class TypeOf(type):
-    """What stands for `type`."""
-
-    def __call__(cls, *given: Any, **more: Any) -> Any:
-        """Return the type of a value, or a new one."""
-        if len(given) > 1 or not isinstance(given[0], Array):
-            return type(*given, **more)
-        if given[0].shape:
-            return np.ndarray
-        raise Unread("asks for the type of a signal; ask isinstance(..., float)")
-
-    def __instancecheck__(cls, value: Any) -> bool:
-        return isinstance(value, type)
-
-    def __subclasscheck__(cls, kind: type) -> bool:
-        return issubclass(kind, type)
+def type_of(*given: Any, **more: Any) -> Any:
+    """Return type(value), or a new type."""
+    if len(given) > 1 or not isinstance(given[0], Array):
+        return type(*given, **more)
+    if given[0].shape:
+        return np.ndarray
+    raise Unread("asks for the type of a signal; ask isinstance(..., float)")
 
 
 def as_float(value: Array) -> Any:
@@ -178,11 +169,6 @@ def about(a: Any, b: Any, *, rel_tol: float = 1e-9, abs_tol: float = 0.0) -> Any
     """Return math.isclose(a, b)."""
     size = np.maximum(np.fabs(a), np.fabs(b))
     return (np.fabs(a - b) <= rel_tol * size) | (np.fabs(a - b) <= abs_tol)
-
-
-def total_of(values: Any, start: Any = 0) -> Any:
-    """Return the sum of numbers, one after the other."""
-    return functools.reduce(lambda v, w: v + w, values, start)
 
 
 def exact_total(values: Any) -> Any:
@@ -267,7 +253,7 @@ SHADOWS: dict[str, Any] = {  # built-in names that have stand-ins
     "sorted": of_values(sorted, ordered),
     "isinstance": is_a,
     "hasattr": has,
-    "type": TypeOf("type", (type,), {}),
+    "type": type_of,
 }
 
 

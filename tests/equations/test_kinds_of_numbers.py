@@ -225,7 +225,6 @@ def is_asked_what_it_is(t, x, u, p):
         isinstance(x[0], Sized),
         isinstance(x[0], float),
         isinstance(x[0], int | list),
-        isinstance(float, type),
     ]
 
 
