@@ -11,7 +11,7 @@ given.  Gaps are kept as NaN.
 A profiler's NetCDF, as dolfyn writes it, has `vel` on dir, range and time.  `dir` names the
 components, E, N and up where `coord_sys` is earth; they lie from true north once a
 `declination` is set.  The current is the mean over the ranges that hold a number at half of
-the times or more.
+the times or more; so it is of a table that has a line for each range, as many at each time.
 """
 
 from dataclasses import dataclass
@@ -91,6 +91,12 @@ def read_record(
         if at is not None:
             raise DataError(f"{path}: is a table of one place; --at is for gridded NetCDF files")
         times, u, v, own = read_table(path, units)
+        lines = int(np.argmax(times != times[0]))  # of one ping
+        if lines > 1 and len(times) % lines == 0:
+            each = times.reshape(-1, lines)
+            if (each == each[:, :1]).all():
+                times = each[:, 0]
+                u, v = (_over_ranges(w.reshape(each.shape)) for w in (u, v))
         place: tuple[float | None, float | None] = (own, None)
     else:
         with open_netcdf(path) as data:
@@ -184,6 +190,14 @@ def _number(value: Any) -> float | None:
     return number if np.isfinite(number) else None
 
 
+def _over_ranges(values: np.ndarray) -> np.ndarray:
+    """Return the mean over those ranges, (times, ranges), that hold a number often enough."""
+    held = values[:, np.isfinite(values).mean(axis=0) >= SHARE]
+    found = np.isfinite(held)
+    with np.errstate(invalid="ignore"):
+        return np.where(found, held, 0.0).sum(axis=1) / found.sum(axis=1)
+
+
 def of_profiler(data: "xarray.Dataset", path: Path) -> "xarray.Dataset":
     """Return u and v of a profiler's file; another file as it is."""
     if "vel" not in data.variables or "dir" not in data.variables or "dir" not in data["vel"].dims:
@@ -203,13 +217,10 @@ def of_profiler(data: "xarray.Dataset", path: Path) -> "xarray.Dataset":
     parts = {}
     for name, direction in (("u", "E"), ("v", "N")):
         part = data["vel"].isel(dir=names.index(direction), drop=True)
-        others = [str(dim) for dim in part.dims if dim != "time"]
-        if "time" not in part.dims or len(others) > 1:
+        if "time" not in part.dims or part.ndim > 2:
             raise DataError(f"{path}: vel is on {', '.join(map(str, data['vel'].dims))}")
-        if others:
-            held = part.notnull().mean("time") >= SHARE
-            part = part.where(held).mean(others[0], skipna=True)
+        mean = _over_ranges(part.transpose("time", ...).values.reshape(part.sizes["time"], -1))
         said = {key: value for key, value in data["vel"].attrs.items() if key == "units"}
-        parts[name] = part.assign_attrs(said)
+        parts[name] = ("time", mean, said)
     rest = data.drop_vars([n for n in data.variables if n != "time" and data[n].ndim])
     return rest.assign(parts)

@@ -8,6 +8,7 @@ import xarray
 
 from clpt_control.currents.fit import fit_scenario
 from clpt_control.currents.grid_file import read_currents
+from clpt_control.currents.record import read_record
 from clpt_control.errors import DataError
 from clpt_control.replay.flow_model_file import read_flow_model
 
@@ -130,3 +131,22 @@ def test_a_box_across_180_degrees_is_read_in_two_blocks(tmp_path):
     columns = [*range(1430, 1440), *range(11)]
     np.testing.assert_allclose(found.u, one[:, rows][:, :, columns])
     assert taken[1] < 5 * taken[0]
+
+
+def test_a_table_with_a_line_for_each_depth_is_averaged(tmp_path):
+    """Three lines a ping: the last depth holds nothing at most times, and is left out."""
+    lines = ["# latitude: 41.2", "time,depth,u (m/s),v (m/s)"]
+    for k in range(10):
+        east = 0.1 * k
+        far = "9,9" if k == 0 else ","
+        when = f"2024-01-01T{k:02d}:00:00Z"
+        lines += [f"{when},5,{east},0.2", f"{when},10,{east + 0.02},0.4", f"{when},15,{far}"]
+    path = tmp_path / "adcp.csv"
+    path.write_text("\n".join(lines))
+    record = read_record(path)
+    np.testing.assert_allclose(record.u, 0.1 * np.arange(10) + 0.01)
+    np.testing.assert_allclose(record.v, 0.3)
+    assert len(record.time) == 10
+    path.write_text("\n".join(lines[:-1]))  # the last ping is not whole
+    with pytest.raises(DataError, match="keep each time once"):
+        read_record(path)
