@@ -20,7 +20,8 @@ same vehicle in the same folder, are joined to it.
 """
 
 import re
-from collections.abc import Callable, Sequence
+from bisect import bisect_left
+from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import pairwise
@@ -227,13 +228,27 @@ def is_segment(path: Path) -> bool:
 
 def files_before(path: Path) -> list[Path]:
     """Return the files before one of the same vehicle in its folder, the nearest last."""
-    vehicle, place = _order(path)
     try:
-        inside = [(file, _order(file)) for file in path.parent.iterdir() if file.name[:1] != "."]
+        inside = [file for file in path.parent.iterdir() if file.name[:1] != "."]
     except OSError:
         return []
-    known = sorted((order[1], file) for file, order in inside if order[0] == vehicle)
-    return [file for order, file in known if order < place][-BACK:]
+    return before_each(dict.fromkeys([*inside, path]))[path]
+
+
+def before_each(files: Iterable[Path]) -> dict[Path, list[Path]]:
+    """Return for each file of a folder those before it of the same vehicle, the nearest last."""
+    vehicles: dict[str, list[tuple[list[int], Path]]] = {}
+    for file in files:
+        vehicle, place = _order(file)
+        vehicles.setdefault(vehicle, []).append((place, file))
+    found = {}
+    for known in vehicles.values():
+        known.sort()
+        places = [place for place, _ in known]
+        for place, file in known:
+            k = bisect_left(places, place)
+            found[file] = [other for _, other in known[max(k - BACK, 0) : k]]
+    return found
 
 
 def joined_dives(

@@ -25,7 +25,7 @@ from ..errors import DataError, needed
 from ..files import make_folder, write_text
 from ..files.reading import read_bytes
 from ..gliders.dive_files import may_hold_dives, read_dive_file
-from ..gliders.dives import Dive, NotYet, Skipped, files_before, is_segment
+from ..gliders.dives import Dive, NotYet, Skipped, before_each, is_segment
 from ..progress.interrupt import check
 
 LOCK = ".clpt-lock"
@@ -91,12 +91,11 @@ class Follower:
         """Read new and changed files; return the names of those with new contents."""
         new, here = [], set()
         lost = f"cannot be looked into; what was read is kept in {self.state}"
-        for path in _inside(self.folder, lost):
+        before = before_each(filter(may_hold_dives, _inside(self.folder, lost)))
+        for path in sorted(before):
             check()
             name = path.name
-            if not may_hold_dives(path):
-                continue
-            known, record = self.files.get(name), self._read(path)
+            known, record = self.files.get(name), self._read(path, before[path])
             if record is None:
                 continue
             here.add(name)
@@ -110,8 +109,8 @@ class Follower:
         self.here = here
         return new
 
-    def _read(self, path: Path) -> Record | None:
-        """Return the record of a file as it is now; None if it is no file."""
+    def _read(self, path: Path, before: list[Path]) -> Record | None:
+        """Return the record of a file, behind those before it, as it is now; None if it is none."""
         known = self.files.get(path.name)
         try:
             status = path.stat()
@@ -119,7 +118,7 @@ class Follower:
                 return None
             stamp = (status.st_size, status.st_mtime_ns, status.st_ctime_ns)
             if is_segment(path):
-                stamp = _with_those_before(path, stamp)
+                stamp = _with_those_before(stamp, before)
             if known is not None and known.stamp is not None and _is_as(known.stamp, stamp):
                 return known
             with path.open("rb") as file:
@@ -164,12 +163,12 @@ def _is_as(known: tuple[int, int, int], stamp: tuple[int, int, int]) -> bool:
     return known == stamp or (known[0] == stamp[0] and max(stamp[1:]) < max(known[1:]))
 
 
-def _with_those_before(path: Path, stamp: tuple[int, int, int]) -> tuple[int, int, int]:
+def _with_those_before(stamp: tuple[int, int, int], before: list[Path]) -> tuple[int, int, int]:
     """Return the stamp of a segment, as new as the newest of those that may be joined to it."""
     size, *times = stamp
-    for before in files_before(path):
+    for file in before:
         try:
-            status = before.stat()
+            status = file.stat()
         except OSError:
             continue
         times = [max(times[0], status.st_mtime_ns), max(times[1], status.st_ctime_ns)]
