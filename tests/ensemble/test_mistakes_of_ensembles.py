@@ -11,7 +11,7 @@ from pictures import inked
 import clpt_control
 from clpt_control.ensemble.run import run_ensemble
 from clpt_control.ensemble.spread import ensemble_plot
-from clpt_control.ensemble.store import open_store
+from clpt_control.ensemble.store import Store, open_store
 from clpt_control.ensemble.varied_keys import read_vary
 from clpt_control.errors import ClptError, DataError, ScenarioError
 
@@ -251,3 +251,29 @@ def test_the_command(ensemble, quick, tmp_path):
     named = ensemble(file, *many, "--figure", tmp_path / "e.gif")
     assert named.status == 2
     assert ".png, .pdf or .svg" in named.err
+
+
+def test_what_ends_an_ensemble_says_what_is_kept(clpt, quick, tmp_path, monkeypatch):
+    clpt_control.save_scenario(quick, tmp_path / "s.toml")
+    out = tmp_path / "e.zarr"
+    words = ("ensemble", tmp_path / "s.toml", "--members", "4", "--vary", "learning.gain=1:2")
+    words = (*words, "--out", out, "--chunk", "2", "--threads", "1")
+    whole = Store.write
+
+    def full(store, index, arrays):
+        if index >= fails:
+            raise DataError("e.zarr: cannot be written: No space left on device")
+        whole(store, index, arrays)
+
+    monkeypatch.setattr(Store, "write", full)
+    said = "clpt: e.zarr: cannot be written: No space left on device"
+    fails = 0
+    assert clpt(*words) == (2, "", f"{said}\n")
+    assert not out.exists()
+    fails = 1
+    kept = f"{out} holds 2 of 4 members; the same command goes on from there"
+    assert clpt(*words) == (2, "", f"{said}; {kept}\n")
+    fails = 2
+    outcome = clpt(*words)
+    there = "clpt: running s.toml: 2 of 4 members were there already\n"
+    assert (outcome.status, outcome.err) == (0, there)
