@@ -153,12 +153,13 @@ class Masked(NDArrayOperatorsMixin):
 class Array(NDArrayOperatorsMixin):
     """A value of a tape, of a known shape, used as NumPy's arrays are."""
 
-    __slots__ = ("_fixed", "_node", "_parent", "_store", "_taken", "_tape", "shape")
+    __slots__ = ("_fixed", "_node", "_parent", "_store", "_taken", "_tape", "_whole", "shape")
     __array_priority__ = 1000
 
     def __init__(self, tape: Tape, node: int, shape: Shape, parent: Any = None, taken: Any = None):
         self._tape, self._node, self.shape = tape, node, shape
         self._fixed = False  # whether nothing may be written into it
+        self._whole = False  # whether what is written into it is cut to a whole number
         self._parent: Array | None = parent
         self._taken = taken  # what takes this part of the parent's elements
         self._store: np.ndarray | None = None  # its elements, once one was written
@@ -249,6 +250,8 @@ class Array(NDArrayOperatorsMixin):
                 raise Unread("puts elements taken by one condition where another holds")
             value = value.full
         value = lifted(self._tape, value)
+        if root._whole:
+            value = np.trunc(value)
         if isinstance(index, Array) and index._is_condition:
             index, value = ..., where(index, value, self)
         index, new = whole(index), objects(value)
@@ -392,7 +395,7 @@ def lifted(tape: Tape, value: Any) -> Any:
         return value
     if isinstance(value, bool | int | float | np.bool_ | np.integer | np.floating):
         return float(value)
-    if isinstance(value, np.ndarray) and type(value) is not np.ndarray:
+    if isinstance(value, np.ndarray) and type(value) not in (np.ndarray, np.memmap):
         raise Unread(f"calculating with a {type(value).__name__}; write np.asarray of it")
     try:
         if isinstance(value, np.ndarray) and value.dtype != object:

@@ -242,7 +242,11 @@ def copied(a: Any, *arguments: Any, **more: Any) -> Any:
     if not a.shape:
         return a
     ref = a._ref
-    return Array(a._tape, ref, a.shape) if type(ref) is int else ref
+    if type(ref) is float:
+        return ref
+    made = Array(a._tape, ref, a.shape)
+    made._whole = a._whole
+    return made
 
 
 def converted(a: Any, dtype: Any = float, *more: Any, **named: Any) -> Any:
@@ -251,7 +255,7 @@ def converted(a: Any, dtype: Any = float, *more: Any, **named: Any) -> Any:
     if kind == np.int64:
         found = np.trunc(as_number(a))
         if isinstance(found, Array):
-            found._fixed = True  # what is written would be cut
+            found._whole = True
         return found
     if kind == TRUTH:
         return a if a._is_condition else a != 0

@@ -187,10 +187,13 @@ def cuts_what_is_written_into_a_parameter(t, x, u, p):
     return y
 
 
-def cuts_what_a_place_holds(t, x, u, p):
+def is_cut_in_its_place(t, x, u, p):
     y = x.astype(int)
     y[0] = u[0]
-    return y
+    z = y.copy()
+    z[1] = 3.7 * u[1]
+    z += 1
+    return [*y, *z]
 
 
 def is_filled_and_cut(t, x, u, p):
