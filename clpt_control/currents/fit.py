@@ -48,6 +48,7 @@ SPEED = "km h-1"
 KM_PER_HOUR = 3.6  # one m/s
 WIDTH = 0.61  # of a kernel, in the distance between places
 RADIUS = 0.32  # of the track, in the distance to the nearest edge of the field
+MOST = 100  # rows, and columns
 FELT = 0.1  # of its height: what a kernel has somewhere on a track that feels it
 
 
@@ -226,8 +227,10 @@ def fit_scenario(
 
 def _check(rows: int, columns: int, constituents: tuple[str, ...]) -> None:
     for what, count in (("rows", rows), ("columns", columns)):
-        if not (isinstance(count, int) and count >= 1):
-            raise DataError(f"{what} = {count}: must be a whole number, at least 1")
+        if not (isinstance(count, int) and 1 <= count <= MOST):
+            raise DataError(
+                f"{what} = {count!s:.20}: must be a whole number, at least 1 and at most {MOST}"
+            )
     if not constituents or len(set(constituents)) != len(constituents):
         raise DataError(
             f"constituents = {','.join(constituents)}: must be at least one name, each once, "

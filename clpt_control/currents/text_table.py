@@ -38,7 +38,7 @@ from .nodal import checked_times
 if TYPE_CHECKING:
     import pandas
 
-COMMENT = re.compile(r"#\s*(\w+)\s*[:=]\s*(.+?)\s*")
+COMMENT = re.compile(r"#\s*(\w+)\s*[:=](.*)")
 OPENS = re.compile(r'(^|,)\s*"')  # a quoted cell
 OTHER_MARKS = {";": "semicolons", "\t": "tabs", "|": "bars"}
 NAMES = {
@@ -52,7 +52,7 @@ POLAR = {
     "direction": ("direction", "current_direction", "dir", "heading"),
 }
 SUFFIXES = (".csv", ".txt", ".dat")
-HEADER = re.compile(r"\s*([^([]*?)\s*(?:[(\[]\s*([^)\]]*?)\s*[)\]])?\s*")
+HEADER = re.compile(r"([^([]*)(?:[(\[]([^)\]]*)[)\]])?")  # without spaces: they would be tried
 
 
 class TextTable(NamedTuple):
@@ -78,8 +78,9 @@ def table_of(text: str, name: str | Path, must_be: str) -> TextTable:
     lines, said = text.splitlines(), {}
     for k, line in enumerate(lines):
         if line.lstrip().startswith("#"):
-            if found := COMMENT.fullmatch(line.strip()):
-                said[found[1].lower()] = found[2]
+            found = COMMENT.fullmatch(line.strip())
+            if found and found[2].strip():
+                said[found[1].lower()] = found[2].strip()
             lines[k] = ""
         elif line.count('"') % 2 and OPENS.search(line):  # it would join the next: one cell
             lines[k] = '"' + line.replace('"', "'") + '"'
@@ -171,16 +172,23 @@ def read_table(
 
 def _is_polar(header: list[str]) -> bool:
     """Whether a table has a speed and a direction, and no u."""
-    names = [cell[1].lower() for cell in map(HEADER.fullmatch, header) if cell]
-    return any(name in POLAR["speed"] for name in names) and not set(names) & set(NAMES["u"])
+    names = {_named(cell)[0] for cell in header}
+    return bool(names & set(POLAR["speed"])) and not names & set(NAMES["u"])
+
+
+def _named(cell: str) -> tuple[str, str | None]:
+    """Return the name in small letters and the unit of a cell of the header."""
+    found = HEADER.fullmatch(cell)
+    if found is None:
+        return "", None
+    return found[1].strip().lower(), found[2] and found[2].strip()
 
 
 def _header(
     header: list[str], units: str | None, path: Path, wanted: dict[str, tuple[str, ...]]
 ) -> tuple[list[int], list[float]]:
     """Return the columns of time and flow, and what one unit of each is in m/s or degrees."""
-    cells = [HEADER.fullmatch(cell) for cell in header]
-    names = [cell[1].lower() if cell else "" for cell in cells]
+    names, own = zip(*map(_named, header), strict=True)
     columns, sizes = [], []
     for what, allowed in wanted.items():
         found = [k for k, name in enumerate(names) if name in allowed]
@@ -198,8 +206,7 @@ def _header(
         if what == "direction":
             sizes.append(1.0)
             continue
-        cell = cells[found[0]]
-        unit = (cell[2] if cell else None) or units
+        unit = own[found[0]] or units
         if unit is None:
             raise DataError(
                 f"{path}: {what} has no units; write them behind the name, such as 'u (m/s)', or "

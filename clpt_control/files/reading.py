@@ -62,18 +62,22 @@ def _too_large(path: str | Path, most: float) -> str:
 
 
 def read_bytes(
-    path: str | Path, other: tuple[bytes, ...] = (), hint: str = "give the name of a file"
+    path: str | Path,
+    other: tuple[bytes, ...] = (),
+    hint: str = "give the name of a file",
+    most: int | None = None,
 ) -> bytes:
-    """Read a file or an open pipe, such as ``/dev/stdin``, once.
+    """Read a file or an open pipe, such as ``/dev/stdin``, once; `LARGEST` bytes where no `most`.
 
     Of a file that begins with one of `other`, 4 bytes each, these are all that is read.
     """
-    with opened(path, inf if other else LARGEST, hint) as file:
+    most = most or LARGEST
+    with opened(path, inf if other else most, hint) as file:
         raw = file.read(4)
         if raw not in other:
-            raw += file.read(LARGEST)
-    if len(raw) > LARGEST:
-        raise DataError(_too_large(path, LARGEST))
+            raw += file.read(most)
+    if len(raw) > most:
+        raise DataError(_too_large(path, most))
     return raw
 
 

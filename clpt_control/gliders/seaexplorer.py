@@ -89,7 +89,7 @@ def dives_of(text: str, path: Path) -> tuple[list[Dive], list[Skipped]]:
 
 def _rows(text: str, path: Path) -> Rows:
     """Return the rows of a file that have a time, NaN where a number is missing."""
-    lines = text.splitlines()
+    lines = text.splitlines() or [""]
     if not text.endswith("\n") and len(lines) > 1:
         lines.pop()  # cut short, so its last number may be another
     header = [name.strip() for name in lines[0].split(";")]

@@ -37,6 +37,7 @@ from .replay import Replay
 from .surfacing import ELLIPSE, LONGEST, NextDive, ellipse
 from .wording import direction, in_minutes, utc
 
+SHORTEST = 1.0  # s, of a dive that is aimed
 YEAR = 365 * 86400.0  # s
 DIVES = 5  # the last ones, of which speed and duration are learned
 TURNS, CLOSE = 20, 1.0  # of finding c, and m by which the last may change it
@@ -257,9 +258,10 @@ def check_speed(V: float, T: float) -> None:
     """Refuse a speed (m/s) or a duration (s) that no vehicle can have."""
     if not (isfinite(V) and 0.0 < V <= FASTEST):
         raise ScenarioError(f"--speed {V:g} m/s: must be above 0 and at most {FASTEST:g} m/s")
-    if not (isfinite(T) and 0.0 < T <= LONGEST):
+    if not (isfinite(T) and SHORTEST <= T <= LONGEST):
         raise ScenarioError(
-            f"--hours {T / 3600:g}: must be above 0 and at most {LONGEST / 3600:g} hours (30 days)"
+            f"--hours {T / 3600:g}: must be above 0, {SHORTEST:g} s at least, and at most "
+            f"{LONGEST / 3600:g} hours (30 days)"
         )
 
 

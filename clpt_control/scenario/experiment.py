@@ -38,6 +38,9 @@ from .tables import (
 from .tides import period
 
 MOST_JUMPS = 10**7  # of one block in a run
+MOST_BYTES = 4 * 10**9  # of memory that a run may take
+FINE = 2000  # samples that a run holds beside its own
+NUMBERS = 110, 24  # that it holds for each, and more for each function: measured, twice at most
 AT_FIXES = " or ".join(law.name for law in LAWS.values() if law.at_fixes)
 
 
@@ -115,6 +118,15 @@ class Scenario(Table):
                 )
         if seen is not None:
             spans |= seen.spans
+        N, samples = self.basis.N, self.run.duration / self.run.output_step
+        size = 8 * (NUMBERS[0] + NUMBERS[1] * N) * (samples + FINE)
+        if size > MOST_BYTES:
+            yield (
+                f"run.output_step = {self.run.output_step}: {samples:.3g} samples of {N} basis "
+                f"functions would take {size / 1e9:.3g} GB of memory; at most "
+                f"{MOST_BYTES / 1e9:g} are allowed: take a longer step, a shorter run or fewer "
+                "functions"
+            )
         least = self.run.duration / MOST_JUMPS
         for key, span in spans.items():
             if span < least:

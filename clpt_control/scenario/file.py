@@ -25,6 +25,7 @@ TEAM = "team"  # attribute of a team's run, in place of its scenario: the team a
 OWN_LAW = "own_law"  # attribute of a run: the name of a law given in Python
 OWN_PARTS = "own_parts"  # attribute of a run: what else of its diagram was given in Python
 FORM = "run_format"  # attribute of a run's file: the form in which it is written; none is 1
+LARGEST = 2 * 10**7  # bytes of a scenario; TOML takes some seconds to read them
 LATEST = 1  # form that is written; all up to it are read
 
 
@@ -64,7 +65,7 @@ def load_scenario(path: str | Path) -> Scenario:
 def read_text(path: Path) -> str:
     """Return the text of a scenario's file."""
     try:
-        raw = read_bytes(path, hint="`clpt init` writes a scenario to start from")
+        raw = read_bytes(path, hint="`clpt init` writes a scenario to start from", most=LARGEST)
         return raw.decode("utf-8-sig")
     except UnicodeDecodeError:
         raise ScenarioError(f"{path}: is not text; a scenario is a TOML file in UTF-8") from None

@@ -138,7 +138,7 @@ class Waypoints(Table):
     """Any list of waypoints."""
 
     kind: Literal["waypoints"]
-    points: Annotated[tuple[Pair, ...], Field(min_length=1)]
+    points: Annotated[tuple[Pair, ...], Field(min_length=1, max_length=10**6)]
     dwell: Positive
 
 

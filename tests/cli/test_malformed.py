@@ -2,8 +2,10 @@
 
 import math
 import os
+import shutil
 import subprocess
 import sys
+import time
 import tomllib
 
 import numpy as np
@@ -11,6 +13,7 @@ import pytest
 import xarray
 from made_fields import uniform_field
 
+import clpt_control
 from clpt_control.blocks.disturbance import disturbance
 from clpt_control.diagrams import interconnection
 from clpt_control.equations.declaration import multiples
@@ -391,3 +394,44 @@ def test_a_run_that_fails_has_status_one(clpt, tmp_path):
     assert outcome.status == 1
     assert "left the field at position" in outcome.err
     assert not (tmp_path / "run.nc").exists()
+
+
+def test_sizes_that_no_machine_holds_are_refused_before_work(clpt, tmp_path):
+    many = 200_000
+    write(
+        tmp_path / "s.toml",
+        {
+            "basis.centers": [[1.0, 1.0]] * many,
+            "basis.widths": [1.0] * many,
+            "basis.periods": [1.0] * many,
+            "basis.phases": None,
+            "flow.parameters": [[0.1] * many] * 2,
+            "model.parameters": None,
+            "learning.parameters": None,
+        },
+    )
+    outcome = clpt("run", tmp_path / "s.toml", "--out", tmp_path / "run.nc")
+    words = ["2e+03 samples of 200000 basis functions would take 154 GB of memory; at most 4 are"]
+    assert_refused(outcome, tmp_path, ["s.toml"], words)
+    write(tmp_path / "s.toml", {"run.output_step": 1e-4})
+    outcome = clpt("run", tmp_path / "s.toml", "--out", tmp_path / "run.nc")
+    assert_refused(outcome, tmp_path, ["s.toml"], ["2e+07 samples of 3 basis functions", "GB"])
+    shutil.copy(clpt_control.currents.sample_currents(), tmp_path / "g.nc")
+    for rows in ("99999999999999999999", "9" * 400, "101"):
+        outcome = clpt("fit", tmp_path / "g.nc", "--rows", rows, "--out", tmp_path / "f.toml")
+        assert_refused(outcome, tmp_path, ["g.nc", "s.toml"], ["rows = ", "at most 100"])
+    outcome = clpt("replay", "--sample", "--aim", "-43", "8", "--hours=1e-300")
+    assert_refused(outcome, tmp_path, ["g.nc", "s.toml"], ["--hours 1e-300: must be above 0, 1 s"])
+
+
+def test_long_headers_and_comments_are_read_in_no_time(clpt, tmp_path):
+    spaces, start = " " * 4000, time.process_time()
+    for text, said in (
+        (f"time,u{spaces}(m/s,v (m/s)\n1,2,3\n", "no column u"),
+        (f"{spaces}x{spaces}(\n1\n", "no column time"),
+        (f"# a{' ' * 10**5}b\n# {'a' * 10**5}\n# x: {' ' * 10**5}y\ntime\n", "no column u"),
+    ):
+        (tmp_path / "r.csv").write_text(text)
+        outcome = clpt("tides", tmp_path / "r.csv", "--constituents", "M2")
+        assert_refused(outcome, tmp_path, ["r.csv"], [said])
+    assert time.process_time() - start < 5

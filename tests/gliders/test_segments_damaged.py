@@ -317,3 +317,12 @@ def judge(path, sentence, used):
     assert any(re.search(sentence, why) for why in told) or not sentence
     assert [dive.number for dive in found] == used
     assert all(np.isfinite(step.clpe["adaptive"]) for step in replay_dives(found).steps)
+
+
+def test_a_file_before_that_is_empty_is_left_out(facts, tmp_path):
+    shutil.copytree(facts / "glider/sea035", tmp_path, dirs_exist_ok=True)
+    (tmp_path / "SEA035.10.gli.sub.002").write_bytes(b"")
+    with pytest.raises(DataError, match=r"002: is empty"):
+        read_dives(tmp_path)
+    with pytest.raises(DataError, match="no dives"):
+        read_dives(tmp_path / "SEA035.10.gli.sub.003")
