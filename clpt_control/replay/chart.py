@@ -233,10 +233,11 @@ def words_of_dive(row: dict[str, Any]) -> str:
     )
 
 
-def dive_layers(rows: Sequence[dict[str, Any]]) -> list[list[Layer]]:
-    """Return what is drawn of each dive; the first has no forecast."""
+def dive_layers(rows: Sequence[dict[str, Any]], rings: int | None = None) -> list[list[Layer]]:
+    """Return what is drawn of each dive, `rings` of the last ones; the first has no forecast."""
     found, before = [], None
-    for row in rows:
+    first = 0 if rings is None else len(rows) - rings
+    for k, row in enumerate(rows):
         start, end, reckoned, forecast = (
             place_in(row, which) for which in ("start_", "end_", "reckoned_", "forecast_")
         )
@@ -248,7 +249,8 @@ def dive_layers(rows: Sequence[dict[str, Any]]) -> list[list[Layer]]:
         ]
         if before is not None:
             each.insert(0, Layer("drift", "LineString", [before, start], row))
-            each.insert(0, Layer("ring", "Polygon", ring_of(row), row))
+            if k >= first:
+                each.insert(0, Layer("ring", "Polygon", ring_of(row), row))
             each.insert(-1, Layer("forecast", "Point", [forecast], row))
         found.append(each)
         before = end

@@ -40,13 +40,13 @@ SURE = 99  # odds beyond which more digits say nothing
 
 def rows(replay: Replay) -> list[dict[str, Any]]:
     """Return a row for each dive of a replay."""
-    found = []
     for step in replay.steps:
-        row = _row(step, replay.models)
-        if not replay.model.learn_speed:
-            row |= dict.fromkeys(SPEED)
-        found.append({key: known(value) for key, value in row.items()})
-    return found
+        if not step.row:
+            row = _row(step, replay.models)
+            if not replay.model.learn_speed:
+                row |= dict.fromkeys(SPEED)
+            step.row.update({key: known(value) for key, value in row.items()})
+    return [dict(step.row) for step in replay.steps]
 
 
 def facts(replay: Replay) -> list[dict[str, Any]]:

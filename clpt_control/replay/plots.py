@@ -93,14 +93,14 @@ def map_plot(
     vehicle, _, _, found = plotted(replay)
     rest = layers_ahead(None if ahead is None else ahead.as_dict(), legs[:1])
     of: dict[str, list[list[Place]]] = defaultdict(list)
-    for layer in (*chain(*dive_layers(found)), *rest):
+    for layer in (*chain(*dive_layers(found, LAST)), *rest):
         of[layer.kind].append(layer.places)
-    rings = of.pop("ring", [])[-LAST:]
+    rings = of.pop("ring", [])
     far = [*of["track"], *of["miss"], *rings, *of["ring next"], *of["ring aimed"]]
     chart = Chart([place for places in far for place in places])
     wide, high = chart.east - chart.west, chart.north - chart.south
     inch = SIZE / max(wide, high)
-    ax = axes_for(ax, max(wide * inch, 4.2) + 0.9, high * inch + 1.7)
+    ax = axes_for(ax, max(wide * inch, 4.6) + 0.9, high * inch + 1.7)
 
     def at(several: Sequence[Sequence[Place]]) -> np.ndarray:
         """Return lines as one, broken by NaN, m, shape (2, n)."""
