@@ -206,6 +206,8 @@ def checked_replay(found: Any, name: str) -> dict[str, Any]:
         found = {**summary(found), "next_dive": ahead}
     if not (isinstance(found, dict) and "each_dive" in found and "next_dive" in found):
         raise DataError(f"{name}: is JSON, but not what `clpt replay --json` prints; {KNOWN}")
+    if found["each_dive"] and "headlines" not in found:
+        raise DataError(f"{name}: is a replay of an earlier version; run `clpt replay` again")
     if not found["each_dive"] or found["next_dive"] is None:
         raise DataError(f"{name}: is a replay without a dive; there is nothing to show yet")
     return {"vehicle": "glider", "aim": [], **found}

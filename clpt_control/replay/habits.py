@@ -174,21 +174,22 @@ class Habits:
         return found
 
     def _guesses(self, last: Dive) -> tuple[np.ndarray, ...]:
-        """Return names, means (m, 3), covariances (m, 3, 3) and weights (m,) of the guesses."""
+        """Return names, means (m, 3), covariances (m, 3, 3) and log weights (m,)."""
         frames = self._frames(last)
         means, scatters = [], []
         for name, (B, log_time) in frames.items():
             m, S = self.told[name].moments(name)
             means.append(B @ m + (0.0, 0.0, log_time))
             scatters.append(B @ S @ B.T)
-        weights = np.exp([self.told[name].odds for name in frames])
-        names = np.array(list(frames))
-        return names, np.array(means), np.array(scatters), weights / weights.sum()
+        odds = np.array([self.told[name].odds for name in frames])
+        weights = odds - np.logaddexp.reduce(odds)
+        return np.array(list(frames)), np.array(means), np.array(scatters), weights
 
     def guess(self) -> Guess:
         """Return the next dive, of one dive at least."""
         assert self.last is not None
         names, means, scatters, weights = self._guesses(self.last)
+        weights = np.exp(weights)
         basis = max((PLANNED, REPEATED), key=lambda name: weights[names == name].sum())
         way = means[names == basis][0, :2]
         mean, scatter = mixed(means, scatters, weights)
@@ -252,7 +253,7 @@ class Habits:
             far = (came - mean) @ np.linalg.solve(scatter, came - mean)
             spread = np.linalg.slogdet(scatter)[1]
             densities.append(-0.5 * (spread + (TAILS + 3.0) * np.log1p(far / (TAILS - 2.0))))
-        usual = np.logaddexp.reduce(np.log(weights) + densities)  # of those that were asked
+        usual = np.logaddexp.reduce(weights + densities)  # of those that were asked
         for name, density in zip(names, densities, strict=True):
             odds = found[name].odds + float(density - usual)
             found[name] = found[name]._replace(odds=odds)

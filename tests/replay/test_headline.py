@@ -9,9 +9,11 @@ import pytest
 from glider_dialects import basestation3
 
 import clpt_control as clpt
+from clpt_control.errors import DataError
 from clpt_control.geodesy import displacement, place_from
 from clpt_control.gliders import make_dive, read_dives, sample_dives, usable, write_dive_table
 from clpt_control.gliders.dives import planned_course
+from clpt_control.pages.making import checked_replay
 from clpt_control.replay.exchange import next_geojson, track_kml
 from clpt_control.replay.habits import PLANNED, REPEATED, Habits, drift
 from clpt_control.replay.page import replay_page
@@ -179,6 +181,24 @@ def seaglider(path, target=b"-4200.000,900.000", heading=-1.0, radius=1000.0):
     }
     basestation3(path, sizes={"letters": 20}, **plans)
     return read_dives(path)[0][0]
+
+
+def test_a_hopeless_plan_and_a_page_of_an_earlier_version():
+    """A plan that is always wrong by far loses its odds, whatever the length of the record."""
+    habits = Habits()
+    for k, dive in enumerate(flown([90.0] * 400)):
+        way = 3000.0 * (1.0 + 1e-4 * (k % 3)), 1e-3
+        habits.learn(
+            replace(dive, dr_east=way[0], dr_north=way[1], next_course=(137.0 * k) % 360), None
+        )
+    guess = habits.guess()
+    assert guess.basis == REPEATED
+    assert habits.told[PLANNED].odds < -50
+    assert guess.way == pytest.approx([3000.0, 0.0], abs=1.0)
+    found = {**clpt.replay.summary(replay_dives(DIVES[:3])), "next_dive": {}}
+    del found["headlines"]
+    with pytest.raises(DataError, match="of an earlier version"):
+        checked_replay(found, "old.json")
 
 
 def test_the_plan_of_a_seaglider(tmp_path):
