@@ -27,6 +27,7 @@ from .stand_ins import BUILTINS, SHADOWS, stand_in, table_of, vectorized
 from .unchanged import names_in
 
 LIBRARIES = ("numpy", "scipy", "matplotlib")  # run as they are
+OWN = tuple(f"{__package__}.{name}" for name in ("arrays", "numbers", "views"))  # that read
 _LOCK = threading.RLock()
 _NONE = object()
 OF_WARNINGS = "__warningregistry__"  # which Python puts into the module that it warns of
@@ -93,12 +94,15 @@ class Copies:
     def _function(self, function: FunctionType) -> Any:
         if (function.__module__ or "").partition(".")[0] in LIBRARIES:
             return stand_in(function)
+        if function.__module__ in OWN:
+            return function
         space, first = self._space(function.__globals__)
         cells = tuple(CellType() for _ in function.__closure__ or ())
         made = FunctionType(function.__code__, space, function.__name__, None, cells or None)
         made.__module__, made.__qualname__ = function.__module__, function.__qualname__
         self._known[id(function)] = made
-        vars(made).update({name: self.of(value) for name, value in vars(function).items()})
+        own = {name: v for name, v in vars(function).items() if not name.startswith("__")}
+        vars(made).update({name: self.of(value) for name, value in own.items()})
         self._spaces[id(made)] = vars(made), dict(vars(made))
         made.__defaults__ = function.__defaults__ and tuple(map(self.of, function.__defaults__))
         if function.__kwdefaults__:
@@ -156,14 +160,6 @@ class Kept:
             for one in list(within)[:MOST]:
                 self.add(one, deep - 1)
 
-    def look(self) -> None:
-        """Note what changed since."""
-        for place, (_, inside, before) in self._objects.items():
-            first = _entries(before)
-            for key, one in _entries(inside).items():
-                if one is not first.get(key, _NONE):
-                    self._changed[place, key] = inside
-
     def hide(self, leaf: Any) -> None:
         """Put unknown numbers in the places that changed; what was appended stays."""
         for k, ((_, key), inside) in enumerate(self._changed.items()):
@@ -171,11 +167,12 @@ class Kept:
                 inside[key] = leaf(k)
 
     def put_back(self) -> None:
-        """Make all as it was."""
-        for _, inside, before in self._objects.values():
+        """Make all as it was; note what had changed."""
+        for place, (_, inside, before) in self._objects.items():
             now, first = _entries(inside), _entries(before)
-            same = not isinstance(inside, set) and len(inside) == len(before)
-            if not same or any(now.get(key, _NONE) is not one for key, one in first.items()):
+            changed = [k for k, one in now.items() if one is not first.get(k, _NONE)]
+            if changed or len(now) != len(first) or isinstance(inside, set):
+                self._changed.update({(place, key): inside for key in changed})
                 inside.clear()
                 fill = inside.extend if isinstance(inside, list | deque) else inside.update
                 fill(before)

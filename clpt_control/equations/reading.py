@@ -130,9 +130,7 @@ class _Ways:
             found = self._way(lambda: copied(t, x, u, given))  # noqa: B023
             self.ways.append((tape.answers, found))
             self.copies.check()
-            kept = (self.before or self).copies.kept
-            kept.look()
-            kept.put_back()
+            (self.before or self).copies.kept.put_back()
             if isinstance(given, dict):
                 self.written |= {k for k, v in dict.items(given) if v is not fields.get(k, self)}
             if len(self.ways) > MOST_WAYS:
