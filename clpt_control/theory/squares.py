@@ -6,18 +6,23 @@ Forms f are taken as the user wrote them, or squares are completed, symbol by sy
 form: where V does not rise, no f leaves a bound, but one of the kind sin(s/2), of 1 - cos(s).
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
+import numpy as np
 import sympy
 from sympy.core.function import AppliedUndef
 
-from .proving.signs import nonpositive, vanishes
+from ..diagrams.on_symbols import TIME, Equations
+from .proving.proof import Step, exact
+from .proving.signs import factored, nonpositive, vanishes
+from .proving.words import degree
 
+TURNS = (sympy.sin, sympy.cos)
 MOST = 24  # squares that are completed, in all orders that are tried
 
 
 class Squares(NamedTuple):
-    """Terms that are not negative, and what each is zero with."""
+    """Terms that are not negative, and forms that are bounded where they are."""
 
     constant: sympy.Expr
     terms: list[sympy.Expr]
@@ -32,7 +37,8 @@ def squares(V: sympy.Expr, fixed: set) -> Squares | None:
     moving = sorted(V.free_symbols - fixed, key=str)
     if not moving:
         return Squares(V.xreplace(back), [], [])
-    terms, forms, low, others = [], [], [], dict[frozenset, list]()
+    terms, forms, low, more = [], [], [], list[sympy.Expr]()
+    others = dict[frozenset, list]()
     parts = [sympy.expand_mul(one, deep=False) for one in sympy.Add.make_args(V)]
     for term in sympy.Add.make_args(sympy.Add(*parts)):
         factor, rest = term.as_independent(*moving, as_Add=False)
@@ -42,6 +48,8 @@ def squares(V: sympy.Expr, fixed: set) -> Squares | None:
             forms.append(base)
         elif rest.is_polynomial(*moving):
             low.append(term)
+        elif term.is_nonnegative and len(rest.free_symbols & set(moving)) > 1:  # it holds no form
+            more.append(term)
         else:
             others.setdefault(frozenset(rest.free_symbols & set(moving)), []).append(term)
     for symbols, own in others.items():
@@ -67,7 +75,7 @@ def squares(V: sympy.Expr, fixed: set) -> Squares | None:
     whole = _completed(sympy.expand(sympy.Add(*low)), moving, [MOST])
     if whole is None:
         return None
-    terms, forms = terms + whole.terms, forms + whole.forms
+    terms, forms = terms + more + whole.terms, forms + whole.forms
     back_again = ([one.xreplace(back) for one in own] for own in (terms, forms))
     return Squares(whole.constant, *back_again)
 
@@ -117,7 +125,7 @@ def _of_one(poly: sympy.Poly, s: sympy.Symbol) -> Squares | None:
 
 
 def _positive(a: sympy.Expr) -> bool:
-    return bool(a.is_positive or sympy.factor(a).is_positive)
+    return bool(a.is_positive or factored(a).is_positive)
 
 
 def _alone(g: sympy.Expr, s: sympy.Symbol) -> tuple[sympy.Expr, sympy.Expr] | None:
@@ -128,7 +136,7 @@ def _alone(g: sympy.Expr, s: sympy.Symbol) -> tuple[sympy.Expr, sympy.Expr] | No
     if turn is not None and turn[k].is_positive:
         return least, sympy.sin(turn[m] * s / 2)
     slope = sympy.diff(g, s)
-    bend = sympy.factor(sympy.diff(slope, s))
+    bend = factored(sympy.diff(slope, s))
     if not least.is_finite or not vanishes(slope.subs(s, 0)) or bend == 0:
         return None
     if bend.is_nonnegative:  # so g rises without bound
@@ -137,3 +145,75 @@ def _alone(g: sympy.Expr, s: sympy.Symbol) -> tuple[sympy.Expr, sympy.Expr] | No
     if rises and sympy.limit(g, s, sympy.oo) == sympy.oo:
         return (least, s) if sympy.limit(g, s, -sympy.oo) == sympy.oo else None
     return None
+
+
+# --- states that V does not hold ----------------------------------------------------------------
+
+
+def beside(forms: list[sympy.Expr], eq: Equations) -> tuple[str, Step]:
+    """Return what is to be said of states that V does not hold, and the step.
+
+    A form in one state holds it; where each has several, the one that moves most simply is not
+    held, and the forms hold the others beside it.  Inputs are bounded; a form that grows with time
+    holds nothing.
+    """
+    still = {f: sympy.Dummy(real=True) for own in eq.inputs.values() for f in own.flat}
+    motion = {s: rate.xreplace(still) for s, rate in eq.motion.items()}
+    turning = {w: sympy.Dummy(real=True) for r in motion.values() for w in r.atoms(*TURNS)}
+    fixed = set(eq.values)
+    forms = [form.xreplace(still) for form in forms]
+    for k, form in enumerate(one.as_coeff_Mul()[1] for one in forms):
+        if isinstance(form, sympy.sin):  # its angle up to whole turns, which is all that moves it
+            forms[k] = form.args[0]
+            if any(r.xreplace(turning).has(*form.free_symbols - fixed) for r in motion.values()):
+                forms[k] = sympy.S.Zero
+    forms = [form for form in forms if degree(form, lambda s: s == TIME) == 0]
+    inner = filter(None, (squares(form, fixed) for form in forms))
+    forms += [form for found in inner for form in found.forms]
+    left, at, free = list(motion), dict[Any, Any](), list[Any]()
+    while left:
+        one = next(filter(None, (_held(f.xreplace(at), left, fixed) for f in forms)), None)
+        if one is not None:
+            at |= one
+            left = [s for s in left if s not in one]
+        else:
+            known = left + free
+            free.append(min(left, key=lambda s: _moves(s, motion[s], known, fixed)))
+            left.remove(free[-1])
+    names = ", ".join(map(str, free))
+    if not free:
+        return "", exact("V holds every state", True)
+    rates = sympy.Matrix([sympy.expand(motion[s].xreplace(at)) for s in free])
+    after = [(s, new.xreplace(at)) for own in eq.jumps.values() for s, new in own.items()]
+    jumps = [new for s, new in after if s in free and new != s]
+    J = rates.jacobian(free)
+    rest, own = rates - J * sympy.Matrix(free), J.xreplace(eq.values)
+    if not (jumps or own.free_symbols or rest.has(TIME, *free)):
+        poles = np.linalg.eigvals(np.array(own, dtype=float))
+        if np.all(poles.real < 0):
+            return "", exact(f"{names}: linear and stable, driven by what V holds", True)
+    if all(degree(rate, free.__contains__) <= 1 for rate in (*rates, *jumps)):
+        said = exact(f"{names}: not held by V, may grow, and exist for all t", True)
+        return f"but for {names}", said
+    faster = exact(f"{names}: not held by V, exist for all t", False, "not shown")
+    return f"as long as {names} exist", faster
+
+
+def _moves(s: Any, rate: sympy.Expr, among: list, fixed: set) -> tuple[bool, float]:
+    """Return how a state moves: whether its slope in itself varies, and its degree."""
+    return bool(sympy.diff(rate, s).free_symbols - fixed), degree(rate, among.__contains__)
+
+
+def _held(form: sympy.Expr, left: list, fixed: set) -> dict[Any, sympy.Expr] | None:
+    """Return the one state of these that a form holds, as an expression of the others."""
+    own = [s for s in left if form.has(s)]
+    if len(own) != 1 or not form.is_polynomial(*own):
+        return None
+    (s,), held = own, sympy.Dummy("held", real=True)
+    a, *rest = sympy.Poly(form, s).all_coeffs()
+    if vanishes(a) or a.free_symbols - fixed:
+        return None
+    if len(rest) > 1:  # of higher degree it holds s where nothing else in it moves freely
+        alone = all(isinstance(one, sympy.Dummy) for one in form.free_symbols - fixed - {s})
+        return {s: held} if alone else None
+    return {s: (held - rest[0]) / a}

@@ -2,8 +2,11 @@
 
 import control
 import numpy as np
+import sympy
 
 import clpt_control as clpt
+
+t, x = sympy.symbols("t x", real=True)
 
 
 def system(rates, states, params=None, inputs=()):
@@ -161,12 +164,12 @@ def van_der_pol(damped=1.0):
     )
 
 
-def memory(factor):
+def memory(factor, beside=1.0):
     return clpt.Block(
         "memory",
-        update=lambda t, x, u, p: {"m": -x.m},
-        jump=lambda t, x, u, p: {"m": factor * x.m},
-        states={"m": 1},
+        update=lambda t, x, u, p: {"m": -x.m, "n": -x.n},
+        jump=lambda t, x, u, p: {"m": factor * x.m, "n": beside * x.n},
+        states={"m": 1, "n": 1},
         parameters={"interval": -1.0},
         breakpoints=lambda p, t0, t1: np.arange(np.floor(t0) + 1, np.floor(t1) + 1),
     )
@@ -189,6 +192,33 @@ def half(s):
 
 def halves(s):
     return (s.x**2 + s.y**2) / 2
+
+
+def turning(*rates):
+    """A pendulum that turns by these rates of (th, w), and a state y beside it."""
+
+    def update(t, x, u, p):
+        return [rate(*x) for rate in rates]
+
+    return control.nlsys(update, inputs=0, states=["th", "w", "y"][: len(rates)], name="plant")
+
+
+def turned(s):
+    return s.w**2 / 2 + 1 - np.cos(s.th)
+
+
+def sourced(source):
+    """A state that a source of time drives."""
+    made = clpt.Block(
+        "source", output=lambda t, x, u, p: {"w": source(t)}, outputs={"w": 1}, opaque=True
+    )
+    plant = clpt.Block(
+        "plant",
+        update=lambda t, x, u, p: {"x": -x.x, "y": -x.y + u.w},
+        states={"x": 1, "y": 1},
+        inputs={"w": 1},
+    )
+    return clpt.connect([made, plant])
 
 
 def spinning(damping=0.2):
@@ -251,8 +281,8 @@ RIGHT = {  # name -> system, V, more
         {},
     ),
     "a rest elsewhere": (of(lambda o: 3.0 - o["x"]), lambda s: (s.x - 3) ** 2, {"at": {"x": 3.0}}),
-    "a jump that halves": (memory(0.5), lambda s: s.m**2, {}),
-    "a jump that turns": (memory(-1.0), lambda s: s.m**2, {}),
+    "a jump that halves": (memory(0.5), lambda s: s.m**2 + s.n**2, {}),
+    "a jump that turns": (memory(-1.0), lambda s: s.m**2 + s.n**2, {}),
     "two wells": (
         of(lambda o: o["y"], lambda o: o["x"] - o["x"] ** 3 - o["y"]),
         lambda s: s.y**2 / 2 + (s.x**2 - 1) ** 2 / 4,
@@ -265,6 +295,30 @@ RIGHT = {  # name -> system, V, more
         {},
     ),
     "no force": (of(lambda o: o["y"], lambda o: -o["x"]), halves, {}),
+    "a pull with a dent": (
+        of(lambda o: -o["x"] + o["x"] * np.exp(-((o["x"] - 2) ** 2))),
+        half,
+        {},
+    ),
+    "a circle": (
+        of(
+            lambda o: o["x"] * (1 - o["x"] ** 2 - o["y"] ** 2) - o["y"],
+            lambda o: o["y"] * (1 - o["x"] ** 2 - o["y"] ** 2) + o["x"],
+        ),
+        lambda s: (s.x**2 + s.y**2 - 1) ** 2,
+        {},
+    ),
+    "a pendulum a turn further": (
+        turning(lambda th, w: w, lambda th, w: -np.sin(th) - w),
+        turned,
+        {"at": {"th": 2 * np.pi}},
+    ),
+    "V with what fades": (of(lambda o: -o["x"]), (1 + sympy.exp(-t)) * x**2, {}),
+    "V of what follows a wave": (
+        of(lambda o: np.cos(o["t"]) + np.sin(o["t"]) - o["x"]),
+        (x - sympy.sin(t)) ** 2,
+        {},
+    ),
 }
 WRONG = {
     "MRAC, sign of both": (mrac(1.0, -1.0), textbook, {}),
@@ -328,7 +382,68 @@ WRONG = {
         lambda s: (np.arctan2(s.y, s.x) + 4) ** 2 + s.x**2 + s.y**2,
         {},
     ),
-    "V that fades": (of(lambda o: o["x"] / 2), "fading", {}),
+    "V that fades": (of(lambda o: o["x"] / 2), sympy.exp(-2 * t) * x**2, {}),
+    "V that sinks with time": (of(lambda o: 0 * o["x"]), x**2 - t, {}),
+    "V of what runs with time": (of(lambda o: 1 + 0 * o["x"]), (x - t) ** 2, {}),
+    "V that is bounded": (of(lambda o: -o["x"]), lambda s: np.tanh(s.x**2), {}),
+    "V that lets go far off": (
+        of(
+            lambda o: -6 * o["x"] / (1 + o["x"] ** 2) ** 2 + 2 * o["y"],
+            lambda o: -2 * (o["x"] + o["y"]) / (1 + o["x"] ** 2) ** 2,
+        ),
+        lambda s: s.x**2 / (1 + s.x**2) + s.y**2,
+        {},
+    ),
+    "V of the larger": (
+        of(lambda o: o["y"] - 0.1 * o["x"], lambda o: -o["x"] - 0.1 * o["y"]),
+        lambda s: np.maximum(np.abs(s.x), np.abs(s.y)),
+        {},
+    ),
+    "V whose least is far away": (
+        of(lambda o: 5e3 - o["x"]),
+        lambda s: 1e3 * np.log(np.cosh(s.x / 1e3 - 5)) - 5e3,
+        {},
+    ),
+    "an angle that ends": (
+        turning(lambda th, w: w * (1 + th**2), lambda th, w: -np.sin(th) * (1 + th**2)),
+        turned,
+        {},
+    ),
+    "an angle that drives": (
+        turning(lambda th, w, y: w, lambda th, w, y: -np.sin(th), lambda th, w, y: th - y),
+        turned,
+        {},
+    ),
+    "a source that drives": (sourced(lambda t: np.array([t**2])), half, {}),
+    "a jump of what V misses": (memory(0.5, 3.0), lambda s: s.m**2, {}),
+    "a jump by a little": (memory(1 + 1e-9), lambda s: s.m**2 + s.n**2, {}),
+    "a jump that rises at no breakpoint": (
+        clpt.Block(
+            "memory",
+            update=lambda t, x, u, p: {"m": -x.m},
+            jump=lambda t, x, u, p: {"m": (1 + np.sin(np.pi * t) ** 2) * x.m},
+            states={"m": 1},
+            parameters={"interval": -1.0},
+            breakpoints=lambda p, t0, t1: np.arange(np.floor(t0) + 1, np.floor(t1) + 1),
+        ),
+        lambda s: s.m**2,
+        {},
+    ),
+    "two gains 1e-12 apart": (
+        of(lambda o: 3.0 * o["y"], lambda o: -(3.0 + 1e-12) * o["x"]),
+        halves,
+        {},
+    ),
+    "a needle": (
+        of(lambda o: -o["x"] + 2 * o["x"] * np.exp(-1e8 * (o["x"] - 1) ** 2)),
+        half,
+        {},
+    ),
+    "a force below all numbers": (
+        of(lambda o: o["x"] * np.exp(-1000 - o["x"] ** 2)),
+        half,
+        {},
+    ),
     "V that misses a state": (of(lambda o: -o["x"], lambda o: o["y"]), half, {}),
     "V that misses a state that ends": (
         of(lambda o: -o["x"], lambda o: 1 + o["y"] ** 2),

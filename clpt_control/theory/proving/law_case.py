@@ -14,7 +14,6 @@ from ...diagrams.interconnection import Diagram
 from ...equations.block import Block
 from ...equations.elements import Index
 from ...equations.every_n import base_and_term, renamed
-from ...errors import DiagramError
 from .array_loop import TIME, array_loop
 from .leaks import Bound, Bounding, listed
 from .proof import Step, checked, exact, short
@@ -31,17 +30,15 @@ from .signs import (
 from .symbolic_loop import (
     SymbolicLoop,
     degree_of,
-    numeric,
     own_values,
+    positive_somewhere,
     refuse_no_value,
     symbolic_loop,
 )
 from .theorem_loop import decay, rate_of_V, theorem_loop
 from .words import along, faster_than_linear
 
-TRIED = 100  # points at which a sign is looked at before it is proved
 EXACT = 4  # the degree of a V of which V' is taken without a rounding
-SMALL = 1e-6  # of the largest value there; less may be rounding
 
 
 class Case:
@@ -225,27 +222,11 @@ class Case:
         apart = self.moving - {TIME} | rest.free_symbols - set(self.values) - {TIME}
         if rest == 0:
             return True
-        if not self.given and self.positive_somewhere(rest):
+        if not self.given and positive_somewhere(rest.xreplace(self.values), self.seed):
             return False
         e = set(self.e)
         ways = apart - set(self.loop.states["z"]) - e, e, apart
         return any(nonpositive(rest, apart, self.values, self.given, by) for by in ways)
-
-    def positive_somewhere(self, rest: sympy.Expr) -> bool:
-        """Return whether an expression is positive at a point: then no proof is tried."""
-        try:
-            function, symbols = numeric(rest.xreplace(self.values))
-        except DiagramError:
-            return False
-        random = np.random.default_rng(self.seed)
-        drawn = random.standard_normal((len(symbols), TRIED)) * 10 ** random.uniform(-1, 1, TRIED)
-        for k, symbol in enumerate(symbols):
-            sign = 1 if symbol.is_positive else -1 if symbol.is_negative else 0
-            drawn[k] = sign * np.abs(drawn[k]) if sign else drawn[k]
-        with np.errstate(all="ignore"):
-            found = np.broadcast_to(function(*drawn), TRIED)
-        found = found[np.isfinite(found)]
-        return bool(found.size and found.max() > SMALL * np.abs(found).max())
 
     def across_jumps(self) -> Step:
         """Return the step that V does not rise where states jump, whichever jump at once."""

@@ -25,13 +25,13 @@ from ...diagrams.interconnection import Diagram, connect
 from ...diagrams.parts import functions_of
 from ...diagrams.wiring import read_anew
 from ...equations.block import Block
-from ...errors import ClptError, DiagramError
+from ...errors import DiagramError
 from ...simulation.loops import loop_of
 from .array_loop import TIME
 from .kept_loop import Kept
 from .kept_relations import kept_steps
 from .law_case import Case, flat
-from .proof import first_failure
+from .proof import first_failure, worked_out
 from .signs import tidied, vacuous
 from .symbolic_loop import SymbolicLoop, own_values, refuse_no_value, symbolic_loop
 from .symbols import paper_name
@@ -214,7 +214,7 @@ def prove(
     read_anew(law_block)
     N = functions_of(law_block)
     theorem_loop(N, "learned-flow", law_block=law_block)  # refuses what is no law
-    try:
+    with worked_out(law_block.name):
         if keeps is None:
             return _judged(law_block, V, given, N, points, seed)
         if V is None:
@@ -225,11 +225,6 @@ def prove(
         steps = tuple(kept_steps(row, points, [case]))
         status = "open" if first_failure(steps) else "proved"
         return Verdict(status, -case.more, steps, case.diagram)
-    except ClptError:
-        raise
-    except Exception as error:  # whatever SymPy says of these equations
-        kind = type(error).__name__
-        raise DiagramError(f"{law_block.name}: V' cannot be worked out: {kind}: {error}") from None
 
 
 def _judged(

@@ -5,9 +5,12 @@ printed in the paper, a law or a team; where the print is false it carries the c
 and it always says what was not proved and what is cited.
 """
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
+
+from ...errors import ClptError, DiagramError
 
 HOWS = ("exact", "counterexample", "sampled", "cited")
 
@@ -105,6 +108,18 @@ def judged(status: str, proof: Callable[[], Proof]) -> Proof:
     except Exception as error:  # an equation so changed that it cannot be traced
         step = Step("the equations can be read", False, "exact", f"{error}")
         return Proof(status, f"{error}", False, (step,))
+
+
+@contextmanager
+def worked_out(name: str) -> Iterator[None]:
+    """Say in a sentence whatever SymPy says of equations that it cannot work with."""
+    try:
+        yield
+    except ClptError:
+        raise
+    except Exception as error:
+        kind = type(error).__name__
+        raise DiagramError(f"{name}: V' cannot be worked out: {kind}: {error}") from None
 
 
 def checked(claim: str, how: str, check: Callable[[], Any], every_N: bool = True) -> Step:

@@ -111,6 +111,7 @@ MOST_TERMS = 20_000  # more are not multiplied out
 MOST_JUDGED = 400  # of more no sign is known
 HIGHEST = 4  # higher powers are not factored
 FEW = 12  # terms; more with words in them are not factored
+MOST_FACTORED, LARGEST = 40, 100  # terms; numbers in an exponent of e
 MOST_WORDS, MOST_FACTS = 8, 16  # that are judged together
 
 Facts = tuple[sympy.Expr, ...]  # what is not negative
@@ -146,6 +147,22 @@ def tidied(expression: sympy.Expr) -> sympy.Expr:
             for n in range(4, 1, -1):  # higher powers stay
                 expression = expression.subs(one**n, square ** (n // 2) * one ** (n % 2))
     return sympy.expand(expression)
+
+
+def factored(expression: sympy.Expr, most: int = MOST_FACTORED) -> sympy.Expr:
+    """Return an expression factored, or as it is where it has many terms or operations.
+
+    exp(1000 x) stays whole, which SymPy takes for the thousandth power of exp(x).
+    """
+    if len(sympy.Add.make_args(expression)) > most or expression.count_ops() > 5 * most:
+        return expression
+    whole = {
+        e: sympy.Dummy(str(e), positive=True)
+        for e in expression.atoms(sympy.exp)
+        if any(max(abs(n.p), n.q) > LARGEST for n in e.args[0].atoms(sympy.Rational))
+    }
+    found = sympy.factor(expression.xreplace(whole))
+    return found.xreplace({dummy: e for e, dummy in whole.items()})
 
 
 def terms_of(expression: sympy.Expr) -> int:
@@ -282,7 +299,7 @@ def groups_of(expression: sympy.Expr, apart: set) -> list[sympy.Expr]:
 @lru_cache(maxsize=10_000)
 def _without_squares(group: sympy.Expr) -> sympy.Expr:
     """Return an expression without its factors that are not negative where they have a value."""
-    factors = sympy.Mul.make_args(sympy.factor(group))
+    factors = sympy.Mul.make_args(factored(group, MOST_JUDGED))
     rest = (f for f in factors if not (f.is_nonnegative or f.as_base_exp()[1].is_even))
     return sympy.expand(sympy.Mul(*rest))
 

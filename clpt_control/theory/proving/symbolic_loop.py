@@ -26,6 +26,10 @@ from .array_loop import blocks_of, no_value, refuse_pinned, refuse_unproved
 from .symbols import element_name, parameter_names, parameter_symbol, state_names
 from .words import NUMBERS_OF, along
 
+TRIED = 500  # points at which a sign is looked at before it is proved
+SMALL = 1e-6  # of the largest value there; less may be rounding
+NO_VALUE = (sympy.zoo, sympy.nan, sympy.oo, -sympy.oo, sympy.I)
+
 
 @dataclass
 class SymbolicLoop(Equations):
@@ -187,9 +191,8 @@ def own_values(loop: SymbolicLoop, blocks: list[Block]) -> dict[Any, sympy.Ratio
 
 def refuse_no_value(loop: SymbolicLoop, name: str) -> None:
     """Refuse equations that have no value whatever the states are."""
-    none = (sympy.zoo, sympy.nan, sympy.oo, -sympy.oo, sympy.I)
     if any(
-        one.has(*none)
+        one.has(*NO_VALUE)
         for ports in (loop.rates, loop.signals)
         for port in ports.values()
         for one in port.flat
@@ -242,6 +245,24 @@ def _function(word: Any, count: int) -> Callable[..., Any]:
     """Return a word of SymPy's, or of the records', as a function of arrays."""
     own = sympy.symbols(f"a_:{count}", real=True)
     return sympy.lambdify(own, word(*own), [NUMBERS_OF, "scipy", "numpy"])
+
+
+def positive_somewhere(expression: sympy.Expr, seed: int = 0) -> bool:
+    """Return whether an expression is positive at a random point: no proof is tried then."""
+    try:
+        function, symbols = numeric(expression)
+    except DiagramError:
+        return False
+    random = np.random.default_rng(seed)
+    drawn = random.standard_normal((len(symbols), TRIED))
+    drawn *= 10.0 ** random.uniform(-1, 1, (1, TRIED))
+    for own, s in zip(drawn, symbols, strict=True):
+        if s.is_nonnegative or s.is_nonpositive or s == TIME:
+            own[:] = np.abs(own) * (-1 if s.is_nonpositive else 1)
+    with np.errstate(all="ignore"):
+        found = np.broadcast_to(function(*drawn), TRIED)
+    found = found[np.isfinite(found)]
+    return bool(found.size and found.max() > SMALL * np.abs(found).max())
 
 
 def degree_of(loop: SymbolicLoop) -> float:

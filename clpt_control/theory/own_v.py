@@ -1,0 +1,224 @@
+"""A V of one's own on a diagram's symbols: V, V' and what is known of their signs.
+
+    V' = dV/dt + sum_i (dV/dx_i) f_i(t, x, u)
+
+What is read is what runs; parameters are symbols of the signs that they have, and their own values
+where that shows more.
+"""
+
+from collections.abc import Mapping, Sequence
+from math import pi
+from typing import Any
+
+import numpy as np
+import sympy
+from sympy.core.function import AppliedUndef
+
+from ..arguments import check_holds, numbers
+from ..diagrams.on_symbols import TIME, Equations, called, readable_equations
+from ..equations.arrays import Unread
+from ..equations.block import Block
+from ..equations.symbolic import exact as number_of
+from ..equations.symbolic import expressions
+from ..errors import DiagramError
+from .proving.array_loop import no_value
+from .proving.proof import Step, exact, short
+from .proving.signs import MOST_FACTORED, factored, nonpositive, tidied, vanishes
+from .proving.symbolic_loop import NO_VALUE, positive_somewhere
+from .proving.symbols import undefined
+from .proving.words import along, interval, is_input, meets_smoothly
+from .squares import squares
+
+MOST_TURNS = 360  # pi/360 is a share of pi
+LARGE = ("exp", "expm1", "sinh", "cosh")  # have a value wherever it is a number
+
+
+def _watched(owner: str, kind: str, arguments: tuple) -> str | None:
+    """Return where an operation has no value; a number that is too large has one."""
+    said = no_value(owner, kind, arguments)
+    return None if kind in LARGE else said
+
+
+class OwnV:
+    """A diagram with its V."""
+
+    def __init__(self, system: Any, V: Any, claim: Any, at: Any):
+        self.system = system
+        self.eq: Equations = readable_equations(system, watch=_watched)
+        if self.eq.discrete:
+            raise DiagramError(f"{system.name}: is of discrete time, in which nothing has a rate")
+        if not self.eq.motion:
+            raise DiagramError(f"{system.name}: has no states, so V' says nothing")
+        if TIME in self.eq.motion:
+            raise DiagramError(f"{system.name}: has a state t, as time is called; rename it")
+        for s, rate in self.eq.motion.items():
+            if rate.xreplace(self.eq.values).has(*NO_VALUE):
+                said = f"with the parameters as they are {s}' has no value"
+                raise DiagramError(f"{system.name}: {said}")
+        self.states, self.fixed = [*self.eq.motion], set(self.eq.values)
+        self.inputs = [s for own in self.eq.inputs.values() for s in own.flat]
+        self.V, labels = self.expression(V), {V, f"{V}[0]"} if isinstance(V, str) else set()
+        self.name = next((one for one in system.output_labels if one in labels), "")
+        self.claim = None if claim is None else self.expression(claim)
+        self.rate = along(self.V, {TIME: sympy.Integer(1), **self.eq.motion})
+        self.rest = None if at is None else self.place(at)
+        self.valued = False  # whether the parameters' own values are used
+
+    def expression(self, given: Any) -> sympy.Expr:
+        """Return a name, a function of signals or an expression in states and inputs."""
+        if callable(given) and not isinstance(given, sympy.Basic):
+            named = {name.replace(".", "_"): own for name, own in self.eq.named.items()}
+            named = {
+                name: own
+                for name, own in named.items()
+                if name.isidentifier() and not hasattr(np.ndarray, name)
+            }
+            ports = {name: own.shape for name, own in named.items()}
+            made = Block(
+                "V", output=lambda t, x, u, p: {"V": given(u)}, inputs=ports, outputs={"V": 1}
+            )
+            try:
+                (found,) = expressions(made, "output", lambda at, shape, place: named[at[1]][place])
+            except Unread as error:
+                raise DiagramError(f"{error}") from None
+        else:
+            found = sympy.sympify(self.eq[given] if isinstance(given, str) else given)
+        if not isinstance(found, sympy.Expr):
+            raise DiagramError(f"{self.system.name}: {short(given, 60)} is no single number")
+        found = found.xreplace({q: number_of(float(q)) for q in found.atoms(sympy.Float)})
+        known = {s.name: s for s in (TIME, *self.states, *self.fixed)}
+        known |= {str(f.func): f for f in self.inputs}
+        for s in found.free_symbols - {TIME, *self.states, *self.fixed}:
+            if s.name not in known:
+                raise DiagramError(
+                    f"{self.system.name}: has no {s}; it has {', '.join(map(str, known))}"
+                )
+            found = found.subs(s, known[s.name])
+        return found
+
+    def place(self, at: Mapping[str, float] | Sequence[float]) -> dict[Any, sympy.Expr]:
+        """Return each state's value at a rest, a share of pi where a number is that."""
+        if not isinstance(at, Mapping):
+            own = numbers("at", at, len(self.states))
+            at = dict(zip(map(str, self.states), own, strict=True))
+        found = dict.fromkeys(self.states, sympy.Integer(0))
+        names = {str(s): s for s in self.states}
+        check_holds("at", names, at, f"states are {', '.join(names)}")
+        for name, value in at.items():
+            if not np.isfinite(float(value)):
+                raise DiagramError(f"at: {name} = {value}: must be finite")
+            turns = number_of(float(value) / pi)
+            found[names[name]] = (
+                number_of(float(value)) if turns.q > MOST_TURNS else turns * sympy.pi
+            )
+        return found
+
+    # --- signs ----------------------------------------------------------------------------
+
+    def definite(self) -> tuple[Step, list[sympy.Expr] | None]:
+        """Return the step that V is positive definite, and the forms that it holds.
+
+        They are None where it is so near the rest alone.
+        """
+        words = [f for f in self.V.atoms(AppliedUndef) if not is_input(f)]
+        if self.V.has(sympy.atan2) or (words and not meets_smoothly(self.V)):
+            return exact("V is positive definite", False, "V may jump or bend"), []
+        moved = {s: s + v for s, v in (self.rest or {}).items()}
+        back = {s: s - v for s, v in (self.rest or {}).items()}
+        zero = dict.fromkeys(self.states, 0)
+        for at in ({}, self.eq.values):
+            V = self.V.xreplace(at).xreplace({s: v.xreplace(at) for s, v in moved.items()})
+            found = squares(V, self.fixed)
+            if found and self.rest is not None:
+                found = found if all(vanishes(f.subs(zero)) for f in found.forms) else None
+            if found and found.forms:
+                forms = [f.xreplace(back) for f in found.forms]
+                said = ", ".join(dict.fromkeys(map(str, self.shown(forms))))
+                self.valued |= bool(at)
+                return exact(f"V is positive definite in {said}", True), forms
+            if not set(self.states) <= V.free_symbols <= {*self.states, *self.fixed}:
+                continue
+            H = sympy.hessian(V, self.states).subs(zero)
+            slopes = [sympy.diff(V, s).subs(zero) for s in self.states]
+            finite = not any(one.has(sympy.zoo, sympy.nan, sympy.oo) for one in (H, *slopes))
+            still = finite and all(map(vanishes, slopes)) and not H.free_symbols - self.fixed
+            if still and H.is_positive_definite:
+                return exact("V is positive definite near the rest", True), None
+        return exact("V is positive definite", False, "not shown"), []
+
+    def never_positive(self, expression: sympy.Expr) -> bool:
+        """Return whether an expression is known never to be positive, for t >= 0."""
+        expression, later = tidied(expression), {TIME: sympy.Dummy("t", nonnegative=True)}
+        for at in ({}, self.eq.values):
+            one = tidied(expression.xreplace(at))
+            if not positive_somewhere(one) and self.below_zero(one.xreplace(later)):
+                self.valued |= bool(at)
+                return True
+        return False
+
+    def below_zero(self, expression: sympy.Expr) -> bool:
+        """Return whether an expression is known never to be positive, as it stands."""
+        own = squares(-expression, self.fixed)
+        if vanishes(expression) or (own and own.constant.is_nonnegative):
+            return True
+        ways = factored(expression), sympy.factor_terms(expression)
+        if any(interval(one)[1].is_nonpositive for one in ways):
+            return True
+        return nonpositive(expression, expression.free_symbols - self.fixed, {})
+
+    # --- how it is said -------------------------------------------------------------------
+
+    def shown(self, found: list[sympy.Expr]) -> list[sympy.Expr]:
+        """Return expressions in the diagram's own signals, with squares completed or factored."""
+        names: dict[sympy.Expr, sympy.Expr] = {}
+        for port, own in self.eq.signals.items():
+            for index, value in np.ndenumerate(own):
+                value = sympy.expand(value)
+                if value.is_Add:
+                    symbol = sympy.Symbol(called(port, own.shape, index), real=True)
+                    names |= {value: symbol, sympy.expand(-value): -symbol}
+
+        def named(e: sympy.Expr) -> sympy.Expr:
+            return e.replace(lambda one: one.is_Add, lambda one: names.get(sympy.expand(one), one))
+
+        return [named(e) for e in found]
+
+    def readable_rate(self) -> sympy.Expr:
+        """Return V' factored, or as a sum of squares, whichever is shorter, in signals."""
+        rate = tidied(self.rate.xreplace(self.eq.values if self.valued else {}))
+        own = squares(-rate, self.fixed)
+        ways = [rate, factored(rate)]
+        if own and not own.constant.free_symbols - self.fixed:
+            ways.append(sympy.Add(*(-factored(term) for term in own.terms)) - own.constant)
+        return min(self.shown(ways), key=sympy.count_ops)
+
+    def where(self) -> str:
+        """Return the one condition under which V' <= 0, or nothing."""
+        rate = tidied(self.rate)
+        if len(sympy.Add.make_args(rate)) > MOST_FACTORED:
+            return ""
+        parts = sympy.fraction(factored(sympy.together(-rate)))
+        powers = [one.as_base_exp() for part in parts for one in sympy.Mul.make_args(part)]
+        odd = (f for f, n in powers if not (n.is_even or f.is_nonnegative or f.is_number))
+        unknown = sympy.Mul(*odd)
+        sign = factored(-rate / unknown)
+        unknown, sign = (-unknown, -sign) if sign.is_nonpositive else (unknown, sign)
+        known = sign.is_nonnegative and unknown.free_symbols - self.fixed
+        return f"{self.shown([unknown])[0]} >= 0" if known else ""
+
+    def depends_on(self) -> list[str]:
+        """Return the inputs that V' depends on."""
+        rate = tidied(self.rate.xreplace(self.eq.values if self.valued else {}))
+        return [str(f.func) for f in self.inputs if rate.has(f)]
+
+
+def missing(V: sympy.Expr) -> list[str]:
+    """Return where V may have no value, in sentences."""
+    found = []
+    for one in sympy.preorder_traversal(V):
+        if one.is_Pow and not (one.exp.is_Integer and one.exp.is_nonnegative):
+            below = one.exp.is_Integer or one.exp.could_extract_minus_sign()
+            found += [undefined("div", (1, one.base)) if below else undefined("pow", one.args)]
+        elif isinstance(one, sympy.log | sympy.tan | sympy.asin | sympy.acos | sympy.atanh):
+            found.append(undefined(type(one).__name__, one.args))
+    return [f"V {one}" for one in found if one]
