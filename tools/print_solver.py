@@ -114,7 +114,7 @@ def arguments() -> dict[str, tuple]:
         (real(2), whole(2), whole(1)),  # lane
         (real(1),) * 5,  # arrays
     )
-    linear = (real(1), whole(1))
+    linear = (real(1), real(1), whole(1), (1, 1, 1), *(whole(1),) * 6)
     code, shape = whole(1), (1,) * 7
     asked = (real(1), whole(1), real(1), real(1)), (whole(1), real(2)), (real(1),) * 4
     return {

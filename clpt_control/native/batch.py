@@ -14,7 +14,7 @@ import numpy as np
 from ..errors import SimulationError
 from ..progress.interrupt import check
 from . import solver
-from .jacobian import EXPLICIT, Jacobian
+from .jacobian import Jacobian
 from .machine import LANES
 from .schedule import Schedule
 
@@ -42,7 +42,7 @@ class Callee(NamedTuple):
     size: int  # length of P
     room: int  # length of W
     tables: np.ndarray  # T, which is not empty
-    linear: Jacobian = EXPLICIT  # of Rodas5P
+    linear: Jacobian = Jacobian()  # of Rodas5P
     code: tuple = ()  # what must live for as long as addresses are used
 
     @property

@@ -48,7 +48,7 @@ class Code:
     """
 
     def __init__(self, program: Program, linear: Jacobian | None = None):
-        self.program, self.linear = program, linear
+        self.program, self.linear = program, linear or Jacobian()
         self._machines: dict[tuple[str, int], Machine] = {}
 
     def address(self, name: str, lanes: int) -> int:

@@ -212,23 +212,10 @@ class Components:
         return name == "fabs" or (name == "mul" and own[0] == own[1])
 
     def total(self, value: Value, symbol: Symbol) -> Value:
-        """Return the sum over a symbol; a factor with axes that the others lack leaves it."""
+        """Return the sum over a symbol."""
         if type(value) is float or symbol not in value[1]:
             return self.add("mul", float(symbol[0]), value)
-        factors = self.factors(value)
-        inner = {s for f in factors if symbol in f[1] for s in f[1]}
-        outer = [f for f in factors if set(f[1]) - inner]
-        if outer:
-            own = [f for f in factors if f not in outer]
-            value = self.product(own)
-        return self.product([self.add("sum", value, bound=symbol), *outer])
-
-    def factors(self, value: Value) -> list[Value]:
-        """Return what a product is made of; only of values with axes."""
-        name, own = self.made_of(value)
-        if name != "mul" or any(type(a) is float for a in own):
-            return [value]
-        return [f for a in own for f in self.factors(a)]
+        return self.add("sum", value, bound=symbol)
 
     def product(self, factors: list[Value]) -> Value:
         """Return a product, from the left."""

@@ -20,34 +20,27 @@ from ..equations.numbers import viewed
 from ..equations.record import Operation, reached
 from .diagram_record import WIRE, DiagramRecord, Entry, Port
 
+NONE = np.zeros(0, np.int64)
 LARGEST = 20_000_000  # numbers; of a larger value all elements are taken to be reached by the same
 FULL = 0.3  # share of a matrix from which on it is taken as full
 
 
 class Jacobian(NamedTuple):
-    """The lists that the solver is given in `linear`, which says what each is."""
+    """What the solver is given in `linear`, which says what each is, but for room."""
 
-    places: np.ndarray
-    groups: np.ndarray
-    begins: np.ndarray
-    rows: np.ndarray
-    columns: np.ndarray
-    to: np.ndarray
-    band: np.ndarray
+    band: tuple[int, int, int] = 0, 0, 0
+    places: np.ndarray = NONE
+    groups: np.ndarray = NONE
+    begins: np.ndarray = NONE
+    rows: np.ndarray = NONE
+    columns: np.ndarray = NONE
+    to: np.ndarray = NONE
 
     @property
-    def given(self) -> tuple[np.ndarray, np.ndarray]:
-        """What the solver is given: room for df/dx and its factors, and all lists.
-
-        Lengths and room for pivots stand before the lists.
-        """
+    def given(self) -> tuple[Any, ...]:
+        """What the solver is given."""
         n = len(self.places)
-        sizes, pivots = (len(self.begins), len(self.rows)), np.zeros(n)
-        lists = np.concatenate([self.band, sizes, pivots, *self[:-1]])
-        return np.zeros(2 * n * n), lists.astype(np.int64)
-
-
-EXPLICIT = Jacobian(*[np.zeros(0, dtype=int)] * 7)
+        return np.zeros(n * n), np.zeros(n * n), np.zeros(n, np.int64), *self
 
 
 def jacobian(reach: np.ndarray, exact: bool) -> Jacobian:
@@ -65,8 +58,8 @@ def jacobian(reach: np.ndarray, exact: bool) -> Jacobian:
     rows, columns = rows[order], columns[order]
     begins = np.searchsorted(groups[columns], np.arange(groups.max(initial=-1) + 2))
     to = np.append(places, 0)[columns] * n + places[rows]
-    band = low, high, int(exact)
-    return Jacobian(places, groups, begins, rows, columns, to, np.array(band))
+    lists = (own.astype(np.int64) for own in (places, groups, begins, rows, columns, to))
+    return Jacobian((low, high, int(exact)), *lists)
 
 
 def _ordered(reach: np.ndarray) -> tuple[np.ndarray, int, int]:

@@ -267,22 +267,17 @@ def _attempt_fixed() -> Formula:
     """Equal steps, so many as end at a sample, or the end of the piece."""
 
     def after(lane: Row, sums: Sequence[Any]) -> Rows:
-        t, anew = lane(row.TIME), lane(row.TURN) >= lane(row.TURNS)
-        ahead = lane(row.NEXT) - t
+        ahead = lane(row.NEXT) - lane(row.TIME)
         rounded = ahead * (1.0 - 1e-12) - 1e-15 * abs(lane(row.NEXT))  # times are, too
         turns = maximum(1.0, ceil(rounded / lane(row.LONGEST)))
-        return {
-            row.BEGAN: where(anew, t, lane(row.BEGAN)),
-            row.TURN: where(anew, 0.0, lane(row.TURN)),
-            row.TURNS: where(anew, turns, lane(row.TURNS)),
-            row.TAKEN: where(anew, ahead / turns, lane(row.TAKEN)),
-        }
+        new = where(turns > 1.0, lane(row.TIME) + ahead / turns, lane(row.NEXT))
+        return {row.NEW: new, row.TAKEN: ahead / turns}
 
     return Formula(None, after)
 
 
 def _judge_fixed() -> Formula:
-    """The new state, whether it is finite, and the end of one of so many equal steps."""
+    """The new state, and whether it is finite."""
 
     def each(z: Row, lane: Row, tolerance: Row) -> tuple[Rows, Sequence[Any]]:
         outer, inner = z(row.RATE) + z(row.RATE + 3), z(row.RATE + 1) + z(row.RATE + 2)
@@ -292,13 +287,10 @@ def _judge_fixed() -> Formula:
     def after(lane: Row, sums: Sequence[Any]) -> Rows:
         good = sums[0] <= 0.0
         failing = where(good, 0.0, float(row.NOT_FINITE))
-        turn, tried = lane(row.TURN) + 1.0, lane(row.GOOD_ONES) + 1.0
-        equal = lane(row.BEGAN) + turn * lane(row.TAKEN)
-        new = where(turn >= lane(row.TURNS), lane(row.NEXT), equal)
+        new, tried = lane(row.NEW), lane(row.GOOD_ONES) + 1.0
         look = where((new >= lane(row.NEXT)) | (tried >= lane(row.SPARE)), 1.0, failing)
-        rows = {row.NEW: new, row.TURN: turn, row.GOOD_ONES: tried, row.FAILING: failing}
-        rows |= {row.GOOD: where(good, 1.0, 0.0), row.LOOK: look}
-        return rows | {row.AT: lane(row.TIME) + lane(row.TAKEN)}
+        rows = {row.GOOD: where(good, 1.0, 0.0), row.LOOK: look, row.AT: new}
+        return rows | {row.GOOD_ONES: tried, row.FAILING: failing}
 
     return Formula(each, after)
 

@@ -14,7 +14,6 @@ from ..errors import SimulationError
 from . import solver
 from .batch import Callee
 from .code import Code, code_of, kernels
-from .jacobian import EXPLICIT
 from .layout import lay_out
 from .machine import LANES, compiled_solver, fuses
 from .python_diagram import PythonDiagram
@@ -133,8 +132,8 @@ class NativeDiagram(PythonDiagram):
         functions = np.array([*own, *more], dtype=np.int64)
         shape = lanes, n, method, guarded, jumping, self.held, program.decided
         sizes = program.parameters, program.room, self.layout.T
-        linear, alive = code.linear or EXPLICIT, (code, formulas)
-        return Callee(compiled_solver(), functions, *shape, *sizes, linear, alive)
+        alive = code, formulas
+        return Callee(compiled_solver(), functions, *shape, *sizes, code.linear, alive)
 
     def lanes(self, count: int) -> int:
         """Return how many runs are taken at once: eight where it pays."""

@@ -17,7 +17,7 @@ from . import solver
 from .batch import ANY, Batch, Callee, pace
 from .ending import Solution, ended
 from .formula import on_rows
-from .jacobian import EXPLICIT, jacobian
+from .jacobian import Jacobian, jacobian
 from .method import formulas
 from .schedule import (
     BEGINS,
@@ -100,7 +100,7 @@ class PythonDiagram:
         functions = [derivative, prepare, margin, signals, jump, None, None]
         functions += [on_rows(f, n) for f in formulas(method, n).values()] if n else []
         shape = 1, n, method, int(sweep.guarded), int(bool(self.jumps)), 0, 0
-        sizes, linear = (len(self.jumps), self.nsignals, np.zeros(1)), EXPLICIT
+        sizes, linear = (len(self.jumps), self.nsignals, np.zeros(1)), Jacobian()
         if method == solver.RODAS5P:
             linear = jacobian(np.ones((n, n + 1), dtype=bool), False)
         return Callee(solver, functions, *shape, *sizes, linear)

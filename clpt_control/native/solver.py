@@ -21,12 +21,11 @@ All numbers are computed through `call`, by the diagram's functions and the form
     lane      of each lane: numbers (rows TIME ...), whole numbers (rows MEMBER ...);
               then the queue: next run, the one behind the last, ANEW or ON if a lane begins a piece
     arrays    Z (states and stages), P, T, W and D, as the functions take them
-    linear    of Rodas5P, which takes one run at a time (empty without): df/dx and then
-              the factors of I/(h g) - df/dx, column by column; and whole numbers: how many
-              diagonals lie below and above, whether there is `slope`, how many lists `begins` and
-              `rows` hold; pivots; the place of each state in the matrix; the group of each state,
-              then of time, or -1; where the elements of each group begin; of each element its
-              row, its column and its place in df/dx
+    linear    of Rodas5P, which takes one run at a time (empty without): df/dx, the factors of
+              I/(h g) - df/dx, column by column, and pivots; how many diagonals lie below and above,
+              and whether there is `slope`; the place of each state in the matrix; the group of each
+              state, then of time, or -1; where the elements of each group begin; of each element
+              its row, its column and its place in df/dx
 
 Number i of row r of Z in lane k lies at (r n + i) lanes + k.
 """
@@ -53,13 +52,11 @@ OTHER_STEPS, DIAGONAL = 17, 18
 # when a lane is looked at next, or after how many tries; whether it is; steps since, good and not
 NEXT, SPARE, LOOK, GOOD_ONES, BAD_ONES = range(19, 24)
 ASKED = 24  # whether a lane's own step is looked at for stiffness
-# of steps of one length, of which the longest is given: where they began, how many of how many
-BEGAN, TURN, TURNS = range(25, 28)
 # how wrong states between a step's ends may be, above 1 no sample is taken there; where the step is
 # then to end
-WITHIN, WANTED = 28, 29
-STIFF_STEPS, LONGEST, OPENING = 30, 31, 32  # a run that begins in a lane keeps these as they are
-NUMBERS = 33  # rows of numbers
+WITHIN, WANTED = 25, 26
+STIFF_STEPS, LONGEST, OPENING = 27, 28, 29  # a run that begins in a lane keeps these as they are
+NUMBERS = 30  # rows of numbers
 MEMBER, EDGE, DONE, BURST, WHICH = range(5)  # rows of whole numbers
 STEPS, EVALUATIONS, RESTARTS, REJECTIONS = range(4)  # of the counts
 # places of `code`: the diagram's functions, then the method's; stage s stands at STAGE + s
@@ -77,7 +74,6 @@ MOST_KINKS, NEAR = 1000, 1e-7  # one upon the other, within that share of a run
 UNFELT = 5e-6  # or within this one, where states hardly move from one to the next
 # steps from one look for stiffness to the next, of those that show it, and ahead for it to matter
 OFTEN, MANY, AHEAD = 128, 15, 5_000
-LISTS = 5  # where the lists of `linear` begin
 APART = 6e-6  # of the size of a state, for differences of rates: the third root of a rounding
 
 
@@ -98,7 +94,7 @@ def advance(code, shape, tolerances, batch, linear, budget, most):
     Z, P, T, W, D = arrays
     span, now, at = n * lanes, numbers[TIME], numbers[AT]
     implicit, fixed, dense = stages == RODAS5P, stages == RK4, stages == DOP853
-    looked, active = True, 0
+    active = 0
     for k in range(lanes):
         if whole[MEMBER, k] < 0:
             take(k, shape, runs, schedule, times, lane, Z, P)
@@ -121,8 +117,7 @@ def advance(code, shape, tolerances, batch, linear, budget, most):
                 call(code[DERIVATIVE], at, Z, ARGUMENT * span, P, T, W, Z, (RATE + 2) * span)
                 call(code[FIRST], numbers, Z, 0, P, tolerances, W, D, 0)
             begin(lanes, fixed, times, results, lane, D, guarded)
-        if looked or not fixed:  # equal steps begin where a lane is looked at
-            call(code[ATTEMPT], numbers, Z, 0, P, T, W, D, 0)
+        call(code[ATTEMPT], numbers, Z, 0, P, T, W, D, 0)
         if fixed:
             call(code[DERIVATIVE], now, Z, 0, P, T, W, Z, RATE * span)
         if implicit:
@@ -538,11 +533,9 @@ def watch(code, shape, looks, results, lane, arrays):
 
 def linearise(code, n, tolerances, numbers, linear, arrays):
     """Factor I/(h g) - df/dx for the step to try; df/dx stays as it is after a rejected step."""
-    slopes, whole = linear
-    M, pivots = slopes[n * n :], whole[LISTS : LISTS + n]
+    slopes, M, pivots, (low, high, _), _, _, _, _, _, _ = linear
     if numbers[REJECTED, 0] < 0.5:
         differentiate(code, n, tolerances, numbers, linear, arrays)
-    low, high = whole[0], whole[1]
     for j in range(n):
         for i in range(max(0, j - low - high), min(n, j + low + 1)):
             M[j * n + i] = -slopes[j * n + i]
@@ -552,18 +545,13 @@ def linearise(code, n, tolerances, numbers, linear, arrays):
 
 def differentiate(code, n, tolerances, numbers, linear, arrays):
     """Bring df/dx and df/dt up to date: states whose rates have nothing in common go together."""
-    slopes, whole = linear
-    at, count, size = LISTS + 2 * n, whole[3], whole[4]
-    groups, begins = whole[at : at + n + 1], whole[at + n + 1 : at + n + 1 + count]
-    at += n + 1 + count
-    rows, columns = whole[at : at + size], whole[at + size : at + 2 * size]
-    to = whole[at + 2 * size : at + 3 * size]
+    slopes, _, _, (_, _, exact), _, groups, begins, rows, columns, to = linear
     Z, P, T, W, _ = arrays
     for i in range(n):
         Z[ARGUMENT * n + i] = Z[i]
         Z[OVER_TIME * n + i] = 0.0
     for group in range(len(begins) - 1):
-        found = whole[2] > 0
+        found = exact > 0
         if found:
             for j in range(n + 1):
                 Z[TERMS * n + j] = 1.0 if groups[j] == group else 0.0
@@ -607,11 +595,10 @@ def by_differences(code, n, group, tolerances, numbers, groups, arrays):
 
 def solve_stage(n, s, linear, Z):
     """Put the solution of a stage in the place of its rate."""
-    M, whole = linear[0][n * n :], linear[1]
-    pivots, places = whole[LISTS : LISTS + n], whole[LISTS + n : LISTS + 2 * n]
+    _, M, pivots, (low, high, _), places, _, _, _, _, _ = linear
     for i in range(n):
         Z[ARGUMENT * n + places[i]] = Z[(RATE + s) * n + i] + Z[KNOWN * n + i]
-    solve(n, whole[0], whole[1], M, pivots, Z, ARGUMENT * n)
+    solve(n, low, high, M, pivots, Z, ARGUMENT * n)
     for i in range(n):
         Z[(RATE + s) * n + i] = Z[ARGUMENT * n + places[i]]
 

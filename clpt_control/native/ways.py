@@ -62,7 +62,7 @@ def finish(
         one.advance(*tolerances, 1)
         h = float(batch.numbers[solver.STEP, k])
         n = one.callee.nstates
-        return h * radius(one.linear[0][: n * n].reshape(n, n)) > LARGE
+        return h * radius(one.linear[0].reshape(n, n)) > LARGE
 
     batch.adaptive(*tolerances, watch, most, None if implicit is None else stiff)
     found = {int(m): rest[int(m)] for m in np.flatnonzero(batch.status == solver.STIFF)}
