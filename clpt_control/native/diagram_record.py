@@ -1,15 +1,24 @@
-"""One record of a diagram (`diagrams.joined`), with all that its program stores.
+"""One record of a diagram (`diagrams.joined`), with all that its program stores, and where it lies.
 
     v0 = load X[0:2]            v1 = add(v0, v7)            v2 = sum(v1 over 0)
+    x[i] of a block -> X        p.field[k] -> P, or T where runs share it
 
 An axis is long, and loops, where a size has a name or the number is beyond `SHORT`.  Every entry
 knows the block it comes from, so that terms of different blocks can be told apart (`joined_sums`);
 wires belong to none.
+
+Fields that hold the same values share a slot: a basis at the vehicle and at its
+prediction then share widths and tides, and the compiler sees that their cosines are one.
+An input of the diagram is a straight line in time, of which P holds, behind the fields, the
+beginning, then all values there and all slopes; what is prepared comes last.
 """
 
 from collections.abc import Sequence
+from dataclasses import dataclass, field
 from math import prod
 from typing import Any, NamedTuple
+
+import numpy as np
 
 from ..diagrams.joined import Joining
 from ..diagrams.wiring import Wiring
@@ -17,12 +26,89 @@ from ..equations.block import Block
 from ..equations.ports import places
 from ..equations.record import Operation, Record, reached
 from .decisions import LOCKED, Decisions, Port
-from .layout import Layout
 
 SHORT, NAMED = 16, 3  # an axis up to SHORT is unrolled, but from NAMED on where it has a name
 SIGNED = frozenset({"atan2", "pow", "floordiv", "mod"})  # tell -0.0 from 0.0, as divisors do
 WIRE = -1  # the owner of what wires do
+LARGE = 512  # numbers: a larger array is a table that runs share
 Ref = Any  # the place of an entry (int), or a constant (float)
+
+
+# --- where each number lies ------------------------------------------------------------------
+
+
+class Slot(NamedTuple):
+    """Where a parameter field lies: in P, own to a run, or in T; its first number."""
+
+    array: str
+    offset: int
+
+
+@dataclass
+class Layout:
+    """The slots of all parameters of a diagram, and the diagram's own values of P and T."""
+
+    slots: dict[tuple[int, str], Slot] = field(default_factory=dict)  # of (block, field)
+    intervals: dict[int, int] = field(default_factory=dict)  # block -> its `interval` in P
+    jumps: dict[int, int] = field(default_factory=dict)  # block -> place in P: 1 where it jumps
+    P: np.ndarray = field(default_factory=lambda: np.zeros(0))
+    T: np.ndarray = field(default_factory=lambda: np.zeros(1))  # never empty
+
+    @property
+    def pattern(self) -> tuple:
+        """Where all lies, and so which fields share a slot: part of the key of compiled code."""
+        return *self.slots.items(), *self.jumps.items(), len(self.P)
+
+    def inputs(self, count: int) -> int:
+        """Return the length of P with so many inputs of the diagram."""
+        return len(self.P) + 1 + 2 * count
+
+    def packed(self, parameters: Sequence[Any]) -> np.ndarray:
+        """Return P for other parameters of the same blocks; fields that share stay equal."""
+        P = self.P.copy()
+        seen: dict[int, Any] = {}
+        for (k, name), slot in self.slots.items():
+            value = np.asarray(getattr(parameters[k], name), dtype=float).ravel()
+            if slot.array == "T":
+                continue
+            if slot.offset in seen and not np.array_equal(seen[slot.offset], value):
+                raise ValueError(f"{name} of block {k} no longer equals the field it stands with")
+            seen[slot.offset] = value
+            P[slot.offset : slot.offset + len(value)] = value
+        return P
+
+
+def lay_out(wiring: Wiring, parameters: Sequence[Any]) -> Layout:
+    """Return slots for the parameters of a diagram's blocks; None is a system that is none."""
+    layout = Layout()
+    own: dict[str, list[np.ndarray]] = {"P": [], "T": []}
+    known: dict[tuple[str, tuple[int, ...], bytes], Slot] = {}
+    for k, (node, p) in enumerate(zip(wiring.nodes, parameters, strict=True)):
+        if not isinstance(node.system, Block):
+            continue
+        for name, value in zip(p._fields, p, strict=True):
+            if isinstance(value, int):
+                continue
+            array = np.asarray(value, dtype=float)
+            key = (name, array.shape, array.tobytes())
+            if name == "interval":
+                key = (f"{name} {k}", (), b"")
+            if key not in known:
+                place = "T" if array.size > LARGE else "P"
+                known[key] = Slot(place, sum(part.size for part in own[place]))
+                own[place].append(array.ravel())
+            slot = layout.slots[k, name] = known[key]
+            if name == "interval" and node.system.breakpoints_function is not None:
+                layout.intervals[k] = slot.offset
+        if node.system.jump_function is not None:
+            layout.jumps[k] = sum(part.size for part in own["P"])
+            own["P"].append(np.zeros(1))
+    layout.P = np.concatenate([np.zeros(0), *own["P"]])
+    layout.T = np.concatenate([*own["T"], np.zeros(1)])
+    return layout
+
+
+# --- the record ------------------------------------------------------------------------------
 
 
 class Entry(NamedTuple):
