@@ -61,26 +61,27 @@ def chosen(
 
 def run_as_read(
     runner: PythonDiagram, name: str, start: Any, times: Any, params: Any, **given: Any
-) -> tuple[Solution, PythonDiagram]:
+) -> tuple[Solution, np.ndarray]:
     """Run a diagram; in Python what was read otherwise than Python runs it.
 
-    Returns the solution and what ran.
+    Returns the solution and all signals along it.
     """
-    if not isinstance(runner, NativeDiagram):
-        return runner.run(start, times, **given), runner
-    try:
-        solution = runner.run(start, times, **given)
-    except SimulationError as error:
-        if Status.NOT_FINITE.sentence not in str(error):  # Python's blocks find nothing there
-            raise
-        found = "what was read gives a number that is not finite, where Python gives one"
-    else:
-        found = difference(runner, solution, given.get("inputs")) or ""
-        if not found:
-            return solution, runner
-    in_python(name, found)
-    again = PythonDiagram(runner.wiring, params)
-    return again.run(start, times, **given), again
+    if isinstance(runner, NativeDiagram):
+        try:
+            solution = runner.run(start, times, **given)
+        except SimulationError as error:
+            if Status.NOT_FINITE.sentence not in str(error):  # Python's blocks find nothing there
+                raise
+            found = "what was read gives a number that is not finite, where Python gives one"
+        else:
+            signals = runner.signals(solution, given["inputs"], check=False)
+            found = difference(runner, solution, signals, given["inputs"]) or ""
+            if not found:
+                return solution, runner.finite(solution, signals)
+        in_python(name, found)
+        runner = PythonDiagram(runner.wiring, params)
+    solution = runner.run(start, times, **given)
+    return solution, runner.signals(solution, given["inputs"])
 
 
 def in_python(name: str, why: str) -> None:
@@ -94,36 +95,45 @@ CLOSE = 1e-7  # relative: rounding of terms that cancel, not another way through
 APART = 1e-6, -1e-6  # where a sample lies on a kink, rounding decides; beside it nothing does
 
 
-def difference(runner: NativeDiagram, solution: Solution, inputs: Inputs | None) -> str | None:
+def difference(
+    runner: NativeDiagram, solution: Solution, signals: np.ndarray, inputs: Inputs | None
+) -> str | None:
     """Return what was read otherwise than Python runs it, in words; None where all agrees."""
-    if all(node.system.of_package for node in runner.wiring.nodes):
-        return None
     n = len(solution.t)
-    at = sorted({0, n // 3, 2 * n // 3, n - 1}) if n else []
+    if not n or all(node.system.of_package for node in runner.wiring.nodes):
+        return None
+    at = sorted({0, n // 3, 2 * n // 3, n - 1})
     callee, pieces = runner.callee(1, inputs), runner.pieces_of(solution, inputs)
-    machine = _asked(runner, callee, pieces, solution.t[at], solution.x[at])
-    for k, *own in zip(at, *machine, strict=True):
-        t, x = float(solution.t[k]), solution.x[k]
-        found = _differs(runner, own, t, x, inputs)
-        for apart in APART if found else ():
-            moved = x + apart * (1.0 + np.abs(x))
-            own = [one[0] for one in _asked(runner, callee, pieces, [t], moved[None])]
-            found = found and _differs(runner, own, t, moved, inputs)
-        if found:
-            return found
+    machine = _asked(runner, callee, pieces, solution.t[at], solution.x[at], signals[at])
+    same = _alike(runner, machine, solution.t[at], solution.x[at], inputs)
+    for k in np.array(at)[~same]:
+        t, x = solution.t[k : k + 1], solution.x[k]
+        for moved in (x + apart * (1.0 + np.abs(x)) for apart in APART):
+            asked = _asked(runner, callee, pieces, t, moved[None])
+            if _alike(runner, asked, t, moved[None], inputs)[0]:
+                break
+        else:
+            runner.sweep.derivative(t[0], moved, None if inputs is None else inputs.at(t[0]))
+            found = _block(runner, float(t[0]), moved)
+            return found or f"at t = {t[0]:.6g} its rates are not those of its functions"
     return None
 
 
 def _asked(
-    runner: NativeDiagram, callee: Callee, pieces: Schedule, times: Any, x: np.ndarray
+    runner: NativeDiagram,
+    callee: Callee,
+    pieces: Schedule,
+    times: Any,
+    x: np.ndarray,
+    signals: np.ndarray | None = None,
 ) -> list[np.ndarray]:
-    """Return signals, rates and what every jump leaves, by machine code."""
+    """Return signals, unless they are known, rates and what every jump leaves, by machine code."""
     own, n = runner.parameters(), runner.nstates
 
     def ask(role: int, count: int, pieces: Schedule = pieces) -> np.ndarray:
         return callee.ask(role, times, x, pieces, own, np.empty((len(times), count)))
 
-    found = [ask(solver.SIGNALS, runner.nsignals)]
+    found = [ask(solver.SIGNALS, runner.nsignals) if signals is None else signals]
     if n:
         found.append(ask(solver.DERIVATIVE, n))
     if callee.jumping:
@@ -133,28 +143,30 @@ def _asked(
     return found
 
 
-def _differs(
-    runner: NativeDiagram, machine: list[np.ndarray], t: float, x: np.ndarray, inputs: Any
-) -> str | None:
-    sweep, u = runner.sweep, None if inputs is None else inputs.at(t)
-    sweep.enter(t)
-    rates = sweep.derivative(t, x, u)
-    asked = [sweep.signals.copy(), rates][: len(machine)]
-    if sweep.leaping:
-        asked.append(sweep.leap(t, x, u, sweep.leaping))
-    if all(map(_same, asked, machine)):
-        return None
-    sweep.derivative(t, x, u)
-    return _block(runner, t, x) or f"at t = {t:.6g} its rates are not those of its functions"
+def _alike(
+    runner: NativeDiagram, machine: list[np.ndarray], times: Any, x: np.ndarray, inputs: Any
+) -> np.ndarray:
+    """Return whether Python says the same, at each time."""
+    sweep, asked = runner.sweep, []
+    for t, state in zip(times.tolist(), x, strict=True):
+        u = None if inputs is None else inputs.at(t)
+        sweep.enter(t)
+        rates = sweep.derivative(t, state, u)
+        own = [sweep.signals.copy(), rates][: len(machine)]
+        asked.append([*own, sweep.leap(t, state, u, sweep.leaping)] if sweep.leaping else own)
+    found = np.ones(len(asked), dtype=bool)
+    for ours, others in zip(zip(*asked, strict=True), machine, strict=True):
+        found &= _same(np.array(ours), others)
+    return found
 
 
-def _same(a: np.ndarray, b: np.ndarray) -> bool:
-    if not len(a) or np.array_equal(a, b):
-        return True
-    size = np.abs(a)
-    largest = size[size < np.inf].max(initial=1e-300)
-    near = np.abs(a - b) <= CLOSE * (size + 1e-3 * largest)
-    return bool(np.all(near | (a == b) | (np.isnan(a) & np.isnan(b))))
+def _same(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """Return which rows are the same but for rounding."""
+    with np.errstate(invalid="ignore"):
+        size = np.abs(a)
+        largest = size.max(axis=-1, initial=1e-300, where=size < np.inf, keepdims=True)
+        near = np.abs(a - b) <= CLOSE * (size + 1e-3 * largest)
+    return np.all(near | (a == b) | (np.isnan(a) & np.isnan(b)), axis=-1)
 
 
 def _block(runner: NativeDiagram, t: float, x: np.ndarray) -> str | None:
@@ -169,6 +181,6 @@ def _block(runner: NativeDiagram, t: float, x: np.ndarray) -> str | None:
                 leaves = leaf_values(block, t, states, u, p)
                 found = block.array_record(role).values(leaves, block.sizes)
                 values = np.concatenate([np.zeros(0), *(one.ravel() for one in found)])
-                if not _same(block.values(role, len(values), t, states, u, p), values):
+                if not _same(block.values(role, len(values), t, states, u, p), values).all():
                     return f"{node.name}.{role} was read otherwise than Python runs it"
     return None

@@ -197,13 +197,14 @@ def numbers(arguments: tuple) -> list[Any]:
         if type(one) is tuple:
             found += numbers(one)
         elif type(one) is np.ndarray:
-            if not one.flags.c_contiguous or one.dtype.char not in "dl":
+            flags, size, address = one.flags, one.size, 0
+            if not flags.c_contiguous or one.dtype.char not in "dl":
                 raise TypeError(f"the solver takes no array of {one.dtype}, {one.strides}")
-            if one.flags.writeable and one.size:
+            if size and flags.writeable:
                 address = addressof(c_char.from_buffer(one.data))
-            else:
+            elif size:
                 address = one.__array_interface__["data"][0]
-            found += (0, 0, one.size, one.itemsize, address, *one.shape, *one.strides)
+            found += (0, 0, size, one.itemsize, address, *one.shape, *one.strides)
         else:
             found.append(one)
     return found

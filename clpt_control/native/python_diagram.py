@@ -252,10 +252,10 @@ class PythonDiagram:
         read = inputs is None or isinstance(inputs, Inputs)
         return inputs if read else read_inputs(inputs, times, self.wiring.ninputs)
 
-    def signals(self, solution: Solution, inputs: Any = None) -> np.ndarray:
+    def signals(self, solution: Solution, inputs: Any = None, check: bool = True) -> np.ndarray:
         """Return all block outputs (nt, nsignals) at a solution's times, in the wiring's order.
 
-        Values at a jump are right limits; one that is not finite is an error.
+        Values at a jump are right limits; with `check` one that is not finite is an error.
         """
         times = solution.t
         if not len(times):  # stopped before the first
@@ -264,14 +264,18 @@ class PythonDiagram:
         callee, pieces = self.callee(1, inputs), self.pieces_of(solution, inputs)
         P, out = self.parameters(), np.empty((len(times), self.nsignals))
         callee.ask(solver.SIGNALS, times, solution.x, pieces, P, out)
-        bad = np.flatnonzero(~np.all(np.isfinite(out), axis=1))
+        return self.finite(solution, out) if check else out
+
+    def finite(self, solution: Solution, signals: np.ndarray) -> np.ndarray:
+        """Return a solution's signals; refuse what is not finite."""
+        bad = np.flatnonzero(~np.all(np.isfinite(signals), axis=1))
         if len(bad):
             raise SimulationError(
-                f"{first_not_finite(self.wiring, out[bad[0]])} is not finite at "
-                f"t = {times[bad[0]]:.9g}; check the parameters of that block, or keep its "
+                f"{first_not_finite(self.wiring, signals[bad[0]])} is not finite at "
+                f"t = {solution.t[bad[0]]:.9g}; check the parameters of that block, or keep its "
                 "arguments in range"
             )
-        return out
+        return signals
 
 
 BESIDE = {  # what a fixed step is told beside

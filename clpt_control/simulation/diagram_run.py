@@ -66,8 +66,9 @@ class DiagramRun:
         u = read_inputs(inputs, times, self.wiring.ninputs)
         state = stacked_state("initial_state", 0.0 if x0 is None else x0, self.runner.nstates)
         name = self.diagram.name
-        found, ran = run_as_read(self.runner, name, state, times, self.params, inputs=u, **given)
-        every = np.concatenate([ran.signals(found, u).T, u.along(found.t)])
+        given["inputs"] = u
+        found, signals = run_as_read(self.runner, name, state, times, self.params, **given)
+        every = np.concatenate([signals.T, u.along(found.t)])
         return self.frame.filled(found, (self._shown @ every).T)
 
     @cached_property
