@@ -30,6 +30,7 @@ The plan of the next dive is the way to the waypoint c_wpt_lat, c_wpt_lon (ddmm.
 c_heading (rad from magnetic north), as last logged.
 """
 
+from collections.abc import Sequence
 from dataclasses import replace
 from math import nan
 from pathlib import Path
@@ -52,31 +53,13 @@ from .dives import (
 from .magnetic import variation
 from .samples import deepest, degrees, hole_under_water
 from .slocum_file import MAGIC as MAGIC
-from .slocum_file import Segment, Series, read_segment
+from .slocum_file import NAMES, Segment, Series, read_segment
 
 SHORT = 60.0  # s of a dive's end without a place that are left alone
 CLEAR = 0.03  # m/s: from here on it is seen whether a current was added
 Of = dict[str, Series]
 OWN_CURRENT = 1800.0  # s after the fix in which the glider has worked its current out
 YEARS = (0.0, 7.3e9)  # s since 1970: to 2200
-NAMES = (
-    "m_gps_lat",
-    "m_gps_lon",
-    "m_gps_status",
-    "m_gps_mag_var",
-    "m_lat",
-    "m_lon",
-    "m_x_lmc",
-    "m_y_lmc",
-    "m_water_vx",
-    "m_water_vy",
-    "m_depth",
-    "m_heading",
-    "u_use_current_correction",
-    "c_wpt_lat",
-    "c_wpt_lon",
-    "c_heading",
-)
 
 
 def between(series: Series, start: float, end: float) -> Series:
@@ -85,7 +68,7 @@ def between(series: Series, start: float, end: float) -> Series:
     return series[0][rows], series[1][rows]
 
 
-def turned(vectors: tuple[ArrayLike, ArrayLike], east_of_north: float) -> np.ndarray:
+def turned(vectors: Sequence[ArrayLike], east_of_north: float) -> np.ndarray:
     """Turn vectors from axes along magnetic north to true ones.
 
     >>> turned((0.0, 1.0), 90.0).round(9)
@@ -95,14 +78,19 @@ def turned(vectors: tuple[ArrayLike, ArrayLike], east_of_north: float) -> np.nda
     return np.array([[cosine, sine], [-sine, cosine]]) @ np.asarray(vectors)
 
 
+def paired(first: Series, second: Series) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return the times at which two sensors said something, and what each said."""
+    time, at, other = np.intersect1d(first[0], second[0], return_indices=True)
+    return time, first[1][at], second[1][other]
+
+
 def own_currents(of: Of, dived: float, end: float, east_of_north: float) -> np.ndarray:
     """Return the own current of the dive before and of that to a fix, (2, 2), NaN if not known.
 
     A file repeats the former in its first cycle until the latter is worked out.
     """
-    time, at, other = np.intersect1d(of["m_water_vx"][0], of["m_water_vy"][0], return_indices=True)
-    water = turned((of["m_water_vx"][1][at], of["m_water_vy"][1][other]), east_of_north)
-    each = np.column_stack([[nan, nan], water])
+    time, *water = paired(of["m_water_vx"], of["m_water_vy"])
+    each = np.column_stack([[nan, nan], turned(water, east_of_north)])
     last = each[:, np.searchsorted(time, end - SHORT, "right")]
     after = each[:, 1:][:, (time > end - SHORT) & (time <= end + OWN_CURRENT)]
     new = after[:, (after != last[:, None]).any(axis=0)]
@@ -139,12 +127,10 @@ def _places(
     of: Of, start: Fix, wet: np.ndarray, east_of_north: float
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return times of the dead reckoning and its places east and north of the fix, m."""
-    pairs = []
-    for names in (("m_lat", "m_lon"), ("m_x_lmc", "m_y_lmc")):
-        first, second = (between(of[name], start[0] - SHORT, wet[-1]) for name in names)
-        time, at, other = np.intersect1d(first[0], second[0], return_indices=True)
-        pairs.append((time, first[1][at], second[1][other]))
-    (time, lat, lon), (times, x, y) = pairs
+    (time, lat, lon), (times, x, y) = (
+        paired(*(between(of[name], start[0] - SHORT, wet[-1]) for name in names))
+        for names in (("m_lat", "m_lon"), ("m_x_lmc", "m_y_lmc"))
+    )
     lat, lon = degrees(lat), degrees(lon)
     good = np.isfinite(lat) & np.isfinite(lon) & (time > start[0])
     if good.sum() >= 2:
@@ -216,8 +202,8 @@ def reconciled(
 
 def dives_of(path: Path) -> tuple[list[Dive], list[Skipped]]:
     """Return the dives that end in a file."""
-    own = read_segment(path, NAMES)
-    of, found = joined_dives(path, own, lambda one: read_segment(one, NAMES), _joined, _seen)
+    own = read_segment(path)
+    of, found = joined_dives(path, own, read_segment, _joined, _seen)
     own_fixes = set(own.of["m_gps_lat"][0].tolist()) if "m_gps_lat" in own.of else set()
     dives = [_dive(of, own, three) for three in found if three[2][0] in own_fixes]
     if len(dives) > 1:
@@ -243,14 +229,10 @@ def _joined(parts: list[Segment]) -> Of:
 
 def _seen(of: Of) -> tuple[list[Fix], np.ndarray]:
     """Return the valid fixes and the times under water."""
-    time, at, other = np.intersect1d(of["m_gps_lat"][0], of["m_gps_lon"][0], return_indices=True)
-    lat, lon = degrees(of["m_gps_lat"][1][at]), degrees(of["m_gps_lon"][1][other])
-    failed = set(of["m_gps_status"][0][of["m_gps_status"][1] != 0].tolist())
-    fixes = [
-        (t, a, b)
-        for t, a, b in zip(time.tolist(), lat.tolist(), lon.tolist(), strict=True)
-        if is_fix(a, b) and t not in failed
-    ]
+    time, lat, lon = paired(of["m_gps_lat"], of["m_gps_lon"])
+    failed = np.isin(time, of["m_gps_status"][0][of["m_gps_status"][1] != 0])
+    each = np.column_stack([time, degrees(lat), degrees(lon)])[~failed].tolist()
+    fixes = [(t, a, b) for t, a, b in each if is_fix(a, b)]
     when, depth = of["m_depth"]
     return fixes, when[depth > LEAST_DEPTH]
 

@@ -37,6 +37,24 @@ KNOWN = 16  # bytes: b"sa", 4660 in 2, 123.456 in 4, 123456789.12345 in 8
 ORDERS = {b"sa\x34\x12": "<", b"sa\x12\x34": ">"}  # as `KNOWN` has it: how bytes are ordered
 KINDS = {1: "b", 2: "h", 4: "f", 8: "d"}  # of a value, by its bytes
 TIME = "m_present_time"
+NAMES = (
+    "m_gps_lat",
+    "m_gps_lon",
+    "m_gps_status",
+    "m_gps_mag_var",
+    "m_lat",
+    "m_lon",
+    "m_x_lmc",
+    "m_y_lmc",
+    "m_water_vx",
+    "m_water_vy",
+    "m_depth",
+    "m_heading",
+    "u_use_current_correction",
+    "c_wpt_lat",
+    "c_wpt_lon",
+    "c_heading",
+)
 FIX = ("m_gps_lat", "m_gps_lon", "m_gps_status")
 MOST = 10**6  # cycles: 46 days of 4 s each
 WHOLE = ("total_num_sensors", "state_bytes_per_cycle", "sensor_list_factored")
@@ -52,24 +70,24 @@ class Segment(NamedTuple):
     notes: tuple[str, ...]
 
 
-def read_segment(path: Path, names: tuple[str, ...]) -> Segment:
-    """Read the sensors among `names` that a file has."""
+def read_segment(path: Path) -> Segment:
+    """Read those of `NAMES` that a file has."""
     raw, whole = read_bytes(path), True
     if not raw.startswith(MAGIC):
         raw, whole = uncompressed(raw)
     tags, at = _header(raw, path)
     if tags["dbd_label"].startswith(TEXT):
-        columns, at = _table(raw, at, int(tags["num_label_lines"]), names, path)
+        columns, at = _table(raw, at, int(tags["num_label_lines"]), path)
     else:
         sensors, at = _sensors(raw, at, tags, path)
         states = int(tags["state_bytes_per_cycle"])
-        columns, at = _cycles(raw, at, sensors, states, names, path)
+        columns, at = _cycles(raw, at, sensors, states, path)
     notes: tuple[str, ...] = ()
     if not whole or raw[at : at + 1] not in (b"X", b""):
         where = f"at byte {at} of {len(raw)}"
         notes = (f"{path.name} is cut short or damaged {where}: read up to there",)
     number = _number(tags.get("the8x3_filename", ""), path)
-    return Segment(number, _said(columns, names), notes)
+    return Segment(number, _said(columns), notes)
 
 
 def uncompressed(raw: bytes) -> tuple[bytes, bool]:
@@ -222,7 +240,6 @@ def _cycles(
     at: int,
     sensors: list[tuple[str, int]],
     states: int,
-    names: tuple[str, ...],
     path: Path,
 ) -> tuple[dict[str, np.ndarray], int]:
     """Return what sensors said in whole cycles, and where these end."""
@@ -234,7 +251,7 @@ def _cycles(
             f"{path}: has {states} state bytes in a cycle, its list of sensors {len(sensors)} "
             "sensors: the list is of another file; get the right one from the glider"
         )
-    wanted = {name: k for k, (name, _) in enumerate(sensors) if name in (TIME, *names)}
+    wanted = {name: k for k, (name, _) in enumerate(sensors) if name in (TIME, *NAMES)}
     if TIME not in wanted:
         raise DataError(f"{path}: the Slocum file has no {TIME}, the times of its cycles")
     sizes = np.array([size for _, size in sensors])
@@ -255,26 +272,24 @@ def _cycles(
     return dict(zip(wanted, table.T, strict=True)), at
 
 
-def _table(
-    raw: bytes, at: int, labels: int, names: tuple[str, ...], path: Path
-) -> tuple[dict[str, np.ndarray], int]:
+def _table(raw: bytes, at: int, labels: int, path: Path) -> tuple[dict[str, np.ndarray], int]:
     """Return what sensors said in the whole lines of a text, and where these end."""
     end = raw.rfind(b"\n") + 1
     lines = raw[at:end].decode("ascii", "replace").splitlines()
     sensors = lines[0].split() if lines else []
     if TIME not in sensors:
         raise DataError(f"{path}: the Slocum file has no {TIME}, the times of its cycles")
-    wanted = [name for name in (TIME, *names) if name in sensors]
+    wanted = [name for name in (TIME, *NAMES) if name in sensors]
     places = [sensors.index(name) for name in wanted]
     cells = [line.split() for line in lines[labels:]]
     rows = [[number(row[k]) for k in places] for row in cells if len(row) == len(sensors)]
     return dict(zip(wanted, np.array(rows, float).reshape(-1, len(wanted)).T, strict=True)), end
 
 
-def _said(columns: dict[str, np.ndarray], names: tuple[str, ...]) -> dict[str, Series]:
+def _said(columns: dict[str, np.ndarray]) -> dict[str, Series]:
     """Return when each sensor said something, and what."""
     of = {}
-    for name in names:
+    for name in NAMES:
         if name in columns:
             rows = np.isfinite(columns[name])
             if name in FIX:

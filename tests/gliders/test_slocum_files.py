@@ -10,7 +10,6 @@ import pytest
 from clpt_control.errors import DataError
 from clpt_control.gliders import read_dives
 from clpt_control.gliders.dives import files_before
-from clpt_control.gliders.slocum import NAMES
 from clpt_control.gliders.slocum_file import read_segment, uncompressed
 
 TIME = "m_present_time"
@@ -25,7 +24,7 @@ def compressed(raw):
 
 def as_text(path, name, ext):
     """Return a segment as dbd2asc writes it."""
-    of = read_segment(path, NAMES).of
+    of = read_segment(path).of
     sensors = [TIME, *of]
     times = np.unique(np.concatenate([series[0] for series in of.values()]))
     tags = {
@@ -110,7 +109,7 @@ def test_text_of_dbd2asc_gives_the_same_dives(rosie):
         for key in ("t_gps2", "t_gpse", "dr_east", "dr_north", "dac_east", "dac_north"):
             assert getattr(dive, key) == pytest.approx(getattr(plain[0], key), abs=1e-4)
         path.write_text(text[: len(text) // 2])
-        assert read_segment(path, NAMES).of["m_depth"][0].size > 50
+        assert read_segment(path).of["m_depth"][0].size > 50
         path.unlink()
 
 
