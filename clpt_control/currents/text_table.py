@@ -1,4 +1,4 @@
-"""CSV tables: cells under a header with comments, by pandas, and a current at one place.
+"""CSV tables: cells under a header with comments, and a current at one place.
 
     # latitude: 41.2
     time,u (m/s),v (m/s)
@@ -23,7 +23,7 @@ Lines that begin with `#` are comments; `# latitude: DEG` is read.
 """
 
 import re
-from io import StringIO
+from csv import Error, reader
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -39,7 +39,7 @@ if TYPE_CHECKING:
     import pandas
 
 COMMENT = re.compile(r"#\s*(\w+)\s*[:=](.*)")
-OPENS = re.compile(r'(^|,)\s*"')  # a quoted cell
+MOST = 10**8  # cells
 OTHER_MARKS = {";": "semicolons", "\t": "tabs", "|": "bars"}
 NAMES = {
     "time": ("time", "date", "datetime"),
@@ -72,42 +72,27 @@ def table_of(text: str, name: str | Path, must_be: str) -> TextTable:
     >>> said, list(cells.columns), list(cells.index), cells.values.tolist()
     ({'latitude': '41.2'}, ['time', 'u'], [4, 5], [['0', '1'], ['3', '']])
     """
-    from pandas import read_csv
-    from pandas.errors import ParserError
+    import pandas
 
-    lines, said = text.splitlines(), {}
-    for k, line in enumerate(lines):
-        if line.lstrip().startswith("#"):
-            found = COMMENT.fullmatch(line.strip())
-            if found and found[2].strip():
-                said[found[1].lower()] = found[2].strip()
-            lines[k] = ""
-        elif line.count('"') % 2 and OPENS.search(line):  # it would join the next: one cell
-            lines[k] = '"' + line.replace('"', "'") + '"'
-    filled = [k for k, line in enumerate(lines, 1) if line.strip()]
-    if not filled:
+    said: dict[str, str] = {}
+    rows: dict[int, list[str]] = {}
+    for k, line in enumerate(map(str.strip, text.splitlines()), 1):
+        found = COMMENT.fullmatch(line)
+        if found and found[2].strip():
+            said[found[1].lower()] = found[2].strip()
+        elif line and not line.startswith("#"):
+            try:
+                cells = next(reader([line], skipinitialspace=True, strict=True))
+            except Error:  # a quotation mark that is not closed: one cell, of this line alone
+                cells = [line]
+            rows[k] = [cell.strip() for cell in cells]
+    if not rows:
         raise DataError(f"{name}: is empty; must be {must_be}")
-    commas = lines[filled[0] - 1].count(",")
-    width = range(commas + 1)
-    lines.append("-" + "," * commas)  # one line at least is as wide as the header
-    try:
-        cells = read_csv(
-            StringIO("\n".join(lines)),
-            header=None,
-            names=width,
-            usecols=width,
-            dtype=str,
-            na_filter=False,
-            skip_blank_lines=False,
-            skipinitialspace=True,
-        )
-    except ParserError as error:
-        raise DataError(f"{name}: cannot be read as CSV: {error}") from None
-    if len(cells) != len(lines):
-        raise DataError(f"{name}: a quotation mark joins two lines; take it out")
-    cells.index += 1
-    cells = cells.loc[filled].apply(lambda column: column.str.strip())
-    return TextTable(cells.iloc[1:].set_axis(list(cells.iloc[0]), axis=1), said)
+    (_, *lines), (header, *rest) = rows, rows.values()
+    if len(header) * len(rest) > MOST:
+        raise DataError(f"{name}: has {len(rest)} lines of {len(header)} cells; split it")
+    wide = [(row + [""] * len(header))[: len(header)] for row in rest]
+    return TextTable(pandas.DataFrame(wide, lines, header, dtype=str), said)
 
 
 def other_marks(header: str, name: str) -> str:
