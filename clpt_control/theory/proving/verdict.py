@@ -9,6 +9,7 @@ the truth; one that is wrong has it however far off.  So a point counts where V'
 hundred times as far from the truth, and V' grows with V.
 """
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -42,33 +43,23 @@ def refuting_point(
     `rate` is V' on symbols, by which points are chosen where it has numbers; the blocks in
     `kept` keep their own parameters.
     """
-    running, degree = RunningBlocks(diagram), degree_of(loop)
-    draw = Draw(running.blocks, loop, seed)
+    degree = degree_of(loop)
     try:
         function, symbols = numeric(rate)
     except DiagramError:
         function, symbols = None, []
-    try:
-        for _ in range(DRAWS if function is not None else 4):
-            check()
-            values = draw.parameters(kept, largest=0.0)
-            params = draw.params(values)
-            x, far, u = _around_the_truth(draw, values)
-            order = list(range(PER_DRAW))
-            if function is not None:
-                known = draw.at(values, np.zeros(PER_DRAW), x, u)
-                with np.errstate(all="ignore"):
-                    rates = np.broadcast_to(function(*(known[s] for s in symbols)), PER_DRAW)
-                steepest = np.argsort(-rates / np.sum(far**2, axis=1))
-                order = [int(k) for k in steepest if rates[k] > 0][:TRIED]
-            if len(order):
-                running.set(params)
-            for k in order:
-                found = _persists(running.functions, x[k] - far[k], far[k], u[k], degree)
-                if found is not None:
-                    return Point(0.0, x[k], u[k], params), found
-    finally:
-        diagram._update_params({})
+    draws = _draws(diagram, loop, kept, seed, DRAWS if function is not None else 4)
+    for functions, params, known, x, far, u in draws:
+        order = list(range(PER_DRAW))
+        if function is not None:
+            with np.errstate(all="ignore"):
+                rates = np.broadcast_to(function(*(known[s] for s in symbols)), PER_DRAW)
+            steepest = np.argsort(-rates / np.sum(far**2, axis=1))
+            order = [int(k) for k in steepest if rates[k] > 0][:TRIED]
+        for k in order:
+            found = _persists(functions, x[k] - far[k], far[k], u[k], degree)
+            if found is not None:
+                return Point(0.0, x[k], u[k], params), found
     return None, None
 
 
@@ -93,31 +84,40 @@ def rising_jump(
     V rises there at all distances, farther off the more; so it does not at jumps that forget a
     share of all, by which errors stay bounded.
     """
+    for functions, params, _, x, far, u in _draws(diagram, loop, kept, seed, JUMPS):
+        sweep = functions.sweep
+        times = sweep.breakpoints(0.0, UNTIL)[: len(FARTHER)]
+        for k in range(PER_DRAW if len(times) else 0):
+            t = float(times[k % len(times)])
+            sweep.enter(t)
+            before = np.array([x[k] + (off - 1) * far[k] for off in FARTHER])
+            after = np.array([sweep.leap(t, own, u[k], sweep.leaping) for own in before])
+            at = np.full(len(FARTHER), t), np.tile(u[k], (len(FARTHER), 1))
+            V = [functions.values(at[0], s, at[1]) for s in (before, after)]
+            rise = V[1] - V[0]
+            if np.all(rise > 1e-6 * np.abs(V[0])) and rise[-1] >= 10 * rise[0]:
+                points = [Point(t, s[0], u[k], params) for s in (before, after)]
+                return points[0], points[1], float(rise[0])
+    return None
+
+
+def _draws(diagram: Any, loop: SymbolicLoop, kept: tuple, seed: int, count: int) -> Iterator[tuple]:
+    """Yield the running blocks, their parameters, symbol -> number, states, their errors, inputs.
+
+    The diagram's parameters are its own again at the end.
+    """
     running = RunningBlocks(diagram)
     draw = Draw(running.blocks, loop, seed)
     try:
-        for _ in range(JUMPS):
+        for _ in range(count):
             check()
             values = draw.parameters(kept, largest=0.0)
-            params = draw.params(values)
-            running.set(params)
-            sweep = running.functions.sweep
-            times = sweep.breakpoints(0.0, UNTIL)[: len(FARTHER)]
+            running.set(params := draw.params(values))
             x, far, u = _around_the_truth(draw, values)
-            for k in range(PER_DRAW if len(times) else 0):
-                t = float(times[k % len(times)])
-                sweep.enter(t)
-                before = np.array([x[k] + (off - 1) * far[k] for off in FARTHER])
-                after = np.array([sweep.leap(t, one, u[k], sweep.leaping) for one in before])
-                at = np.full(len(FARTHER), t), np.tile(u[k], (len(FARTHER), 1))
-                V = [running.functions.values(at[0], s, at[1]) for s in (before, after)]
-                rise = V[1] - V[0]
-                if np.all(rise > 1e-6 * np.abs(V[0])) and rise[-1] >= 10 * rise[0]:
-                    points = [Point(t, s[0], u[k], params) for s in (before, after)]
-                    return points[0], points[1], float(rise[0])
+            known = draw.at(values, np.zeros(PER_DRAW), x, u)
+            yield running.functions, params, known, x, far, u
     finally:
         diagram._update_params({})
-    return None
 
 
 def _around_the_truth(draw: Draw, values: dict) -> tuple:
