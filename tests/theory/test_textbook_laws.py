@@ -89,6 +89,12 @@ def test_no_law_is_told_the_truth_by_what_it_keeps():
     assert "alpha_1[1] at the start" in found.steps[0].detail
 
 
+def test_a_V_with_what_states_keep_may_be_made_of_parameters_too():
+    make, more, status = LAWS["least squares"]
+    own = more | {"V": lambda truth, p: more["V"](truth)}
+    assert prove(make(), points=POINTS, **own).status == status
+
+
 def test_exp_of_a_large_bound_has_no_value():
     """e^(clip(e)) is a number for bounds of 5, not of 1000."""
 

@@ -8,6 +8,7 @@ what is asked of them for one N; `kept_relations` puts the answers together.
 import math
 from collections.abc import Callable, Iterable, Set
 from functools import cached_property
+from itertools import combinations_with_replacement
 from typing import Any
 
 import numpy as np
@@ -238,19 +239,20 @@ class Kept:
             return True
         if all(term.is_nonnegative for term in sympy.Add.make_args(expression)):
             return True
-        found, parts = self.here(expression), []
-        found = sympy.expand(found.xreplace(self.over))
-        own = self.symmetric
+        found = sympy.expand(self.here(expression).xreplace(self.over))
+        own, parts = self.symmetric, []
         symbols = sorted({s for M in own.values() for s in M.ravel()}, key=str)
-        if not found.is_polynomial(*symbols) or sympy.Poly(found, *symbols).total_degree() > 1:
+        if not found.is_polynomial(*symbols):
             return False
+        shares = sympy.Poly(found, *symbols).as_dict() if symbols else {(): found}
+        if any(sum(powers) > 1 for powers in shares):
+            return False
+        of = {s: shares.get(tuple(int(s == one) for one in symbols), 0) for s in symbols}
         for M in own.values():
-            c, form = sympy.symbols(f"c_1:{len(M) + 1}", real=True), sympy.Integer(0)
-            for j in range(len(M)):
-                for k in range(j, len(M)):  # M_jk stands for M_kj as well
-                    form += c[j] * c[k] * sympy.diff(found, M[j, k])
-            parts.append(sympy.expand(form))
-        parts.append(found.xreplace(dict.fromkeys(symbols, sympy.Integer(0))))
+            c = sympy.symbols(f"c_1:{len(M) + 1}", real=True)
+            pairs = combinations_with_replacement(range(len(M)), 2)  # M_jk stands for M_kj too
+            parts.append(sympy.Add(*(sympy.expand(c[j] * c[k] * of[M[j, k]]) for j, k in pairs)))
+        parts.append(shares.get((0,) * len(symbols), sympy.S.Zero))
         return all(nonpositive(-part, self.apart | more, {}) for part in parts)
 
     def within(self, expression: sympy.Expr) -> bool:

@@ -221,7 +221,9 @@ def prove(
             raise DiagramError(f"{law_block.name}: a law whose states keep relations needs its V")
         part = {"keeps": keeps, "cones": cones, "losses": losses}
         row = Law(law_block.name, "", rates=law_block.values, says="-e^T KD e - losses")
-        case = Kept(row := row.with_parts(part), N, blocks=(law_block, _maker(V)))
+        make, own = _maker(V), (law_block.parameters,)[: _taken(V) - 1]
+        blocks = law_block, lambda truth: make(truth, *own)
+        case = Kept(row := row.with_parts(part), N, blocks=blocks)
         steps = tuple(kept_steps(row, points, [case]))
         status = "open" if first_failure(steps) else "proved"
         return Verdict(status, -case.more, steps, case.diagram)

@@ -230,13 +230,6 @@ class Comparison(NamedTuple):
     worst: float  # largest difference, of the size of V over the time between
     where: Point | None  # the first at which they differ
 
-    @property
-    def outcome(self) -> tuple[bool, str]:
-        """Whether they agree, and what was seen."""
-        if self.where is not None:
-            return False, f"differs by {self.worst:.1e} of V at {self.where}"
-        return True, f"{self.points} points, largest difference {self.worst:.0e} of V"
-
 
 def compared(
     diagram: control.NonlinearIOSystem,
@@ -303,11 +296,16 @@ def _apart(right: np.ndarray, found: np.ndarray, scale: np.ndarray) -> np.ndarra
         return np.where(silent, 0.0, np.max(off, axis=0))
 
 
-def running_step(read: Callable[[], tuple], points: int, which: str = "", **known: Any) -> Step:
+def running_step(
+    read: Callable[[], tuple], points: int, which: str = "", of: str = "", **known: Any
+) -> Step:
     """Check that running blocks give the V' wanted; `read` returns diagram, loop and that V'."""
 
     def same() -> tuple[bool, str]:
         diagram, loop, wanted = read()
-        return compared(diagram, loop, wanted, points, **known).outcome
+        found = compared(diagram, loop, wanted, points, **known)
+        if found.where is not None:
+            return False, f"differs by {found.worst:.1e} of V at {found.where}"
+        return True, f"{found.points} points, {of}largest difference {found.worst:.0e} of V"
 
     return checked(f"the running blocks give the same V'{which}", "sampled", same, False)
