@@ -1,10 +1,7 @@
 """What is known of an expression: whether it is zero, negative, and how fast it grows.
 
-An expression is zero if, multiplied out as a polynomial over the rationals in all that it is made
-of (symbols, words and 1/b for each b that it divides by, d the highest power of 1/b),
-
-    sum_k p_k (1/b)^k = 0    where    sum_k p_k b^(d-k) = 0
-
+An expression is zero if as one fraction p/q, of polynomials over the rationals in all that it is
+made of (symbols and words), p = 0 and q is not.
 Roots and numbers with a rounding are left to SymPy's own rules.  A residual is never positive where
 it factors into squares with a minus, or is -s^T M s with M >= 0.
 
@@ -22,7 +19,7 @@ from typing import Any
 
 import sympy
 from sympy.core.function import AppliedUndef
-from sympy.polys.rings import PolyElement, ring
+from sympy.polys.rings import PolyElement, PolyRing, ring
 
 from ...errors import DiagramError
 from .proof import short
@@ -42,30 +39,15 @@ from .words import (
 def vanishes(expression: Any) -> bool:
     """Return whether an expression is zero; one that divides by zero is not."""
     expression = sympy.sympify(expression)
-    inverses: dict[sympy.Expr, sympy.Dummy] = {}  # inner before outer
-    expression = _without_division(expression, inverses)
-    back = {inverse: 1 / b for b, inverse in inverses.items()}
-
-    def as_given(found: sympy.Expr) -> sympy.Expr:
-        for inverse in reversed(back):
-            found = found.xreplace({inverse: back[inverse]})
-        return found
-
-    if any(not b.is_Symbol and vanishes(as_given(b)) for b in inverses):
-        return False
-    parts = set(inverses.values()).union(*map(_parts, (expression, *inverses)))
+    parts = _parts(expression)
     if not parts:
         return expression == 0
     own, *_ = ring(sorted(parts, key=str), sympy.QQ)
-    left = own.from_expr(expression)
-    for b, inverse in reversed(inverses.items()):
-        left = _times(left, own.from_expr(b), own.index(own.from_expr(inverse)))
-    if left == 0:
-        return True
-    if all(isinstance(part, sympy.Symbol | AppliedUndef) for part in parts):
-        return False
-    numerator, _ = sympy.fraction(sympy.together(as_given(expression)))
-    return sympy.expand(numerator) == 0
+    p, q = _fraction(expression, own)
+    if p == 0 or q == 0 or all(isinstance(part, sympy.Symbol | AppliedUndef) for part in parts):
+        return p == 0 and q != 0
+    p, q = map(sympy.expand, sympy.fraction(sympy.together(expression)))
+    return p == 0 and q != 0
 
 
 def left_over(rest: Any) -> str:
@@ -73,20 +55,8 @@ def left_over(rest: Any) -> str:
     return "" if vanishes(rest) else f"left over: {short(sympy.expand(rest))}"
 
 
-def _without_division(expression: sympy.Expr, inverses: dict) -> sympy.Expr:
-    """Return an expression with a symbol for 1/b; `inverses` gets b -> symbol."""
-    if expression.is_Add or expression.is_Mul:
-        return expression.func(*(_without_division(one, inverses) for one in expression.args))
-    if not expression.is_Pow or not expression.exp.is_Integer:
-        return expression
-    b, power = _without_division(expression.base, inverses), int(expression.exp)
-    if power < 0:
-        b = inverses.setdefault(b, sympy.Dummy("inverse"))
-    return b ** abs(power)
-
-
 def _parts(expression: sympy.Expr) -> set[sympy.Expr]:
-    """Return what an expression without division is a polynomial in."""
+    """Return what an expression is a fraction of polynomials in."""
     if expression.is_Add or expression.is_Mul:
         return set().union(*map(_parts, expression.args))
     if expression.is_Pow and expression.exp.is_Integer:
@@ -94,17 +64,23 @@ def _parts(expression: sympy.Expr) -> set[sympy.Expr]:
     return set() if expression.is_Rational else {expression}
 
 
-def _times(left: PolyElement, b: PolyElement, place: int) -> PolyElement:
-    """Return a polynomial times b^d, where the generator at a place is 1/b, to the d at most."""
-    powers: dict[int, dict] = {}
-    for monomial, coefficient in left.terms():
-        rest = (*monomial[:place], 0, *monomial[place + 1 :])
-        powers.setdefault(monomial[place], {})[rest] = coefficient
-    highest = max(powers, default=0)
-    found = left.ring.zero
-    for power, terms in powers.items():
-        found += left.ring.from_dict(terms) * b ** (highest - power)
-    return found
+def _fraction(e: sympy.Expr, own: PolyRing) -> tuple[PolyElement, PolyElement]:
+    """Return p and q of an expression p/q."""
+    if e.is_Add:
+        over: dict[PolyElement, PolyElement] = {}
+        for p, q in (_fraction(one, own) for one in e.args):
+            over[q] = over.get(q, own.zero) + p
+        p, q = own.zero, own.one
+        for other, share in over.items():
+            p, q = p * other + share * q, q * other
+        return p, q
+    if e.is_Mul:
+        tops, bottoms = zip(*(_fraction(one, own) for one in e.args), strict=True)
+        return prod(tops, start=own.one), prod(bottoms, start=own.one)
+    if e.is_Pow and e.exp.is_Integer:
+        p, q = _fraction(e.base, own)[:: 1 if e.exp > 0 else -1]
+        return p ** abs(int(e.exp)), q ** abs(int(e.exp))
+    return own.from_expr(e), own.one
 
 
 MOST_TERMS = 20_000  # more are not multiplied out
