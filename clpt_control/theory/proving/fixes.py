@@ -48,14 +48,9 @@ def loop_of(law: Law, N: int, late: bool) -> SymbolicLoop:
     return symbolic_loop(connect([*inner, block, V], external, name="between"), jumps=True)
 
 
-def is_zero(expressions: Any) -> bool:
-    """Return whether every expression is zero for all symbols."""
-    return all(vanishes(e) for e in np.ravel(expressions))
-
-
 def changed(rows: dict[str, Any]) -> str:
-    """Return the names of what is not zero."""
-    wrong = [name for name, rest in rows.items() if not is_zero(rest)]
+    """Return the names of what is not zero for all symbols."""
+    wrong = [name for name, rest in rows.items() if not all(map(vanishes, np.ravel(rest)))]
     return f"{', '.join(wrong)} differs" if wrong else ""
 
 
@@ -142,24 +137,25 @@ class AtAFix:
             }
         )
 
-    def same(self, after: States, *ports: str) -> bool:
-        """Return whether the states of these ports are as before."""
-        return is_zero([e for port in ports for e in (after[port] - self.before[port]).flat])
+    def moved(self, after: States, *ports: str) -> States:
+        """Return by how much the states of these ports change."""
+        return {port: after[port] - self.before[port] for port in ports}
 
-    def sends(self) -> bool:
-        """Return whether a fix on its way changes nothing but m, and keeps what it is of."""
+    def sends(self) -> str:
+        """Return what a fix on its way changes beside m, or does not keep of what it is of."""
         if not self.late:
-            return True
+            return ""
         after = self.jump(SEND)
         apart = after["sent"] - after["z_sent"] - self.eta(after) @ after["m_sent"]
-        kept = self.same(after, "alpha", "P", "information", "z")
-        return kept and is_zero([*apart, *after["m"], *(after["waiting"] - 1)])
+        kept = self.moved(after, "alpha", "P", "information", "z")
+        under_way = {"waiting": after["waiting"] - 1, "m": after["m"]}
+        return changed({"x - z - eta m": apart, **under_way, **kept})
 
-    def misses(self) -> bool:
-        """Return whether a fix that is missing changes nothing."""
-        ends = (SEND, ARRIVE) if self.late else (ARRIVE,)
-        kept = ("alpha", "P", "information", "z", "m")
-        return all(self.same(self.jump(interval, taken=0), *kept) for interval in ends)
+    def misses(self) -> str:
+        """Return what a fix that is missing changes, or nothing."""
+        ends = [self.jump(one, taken=0) for one in ((SEND, ARRIVE) if self.late else (ARRIVE,))]
+        moved = [self.moved(one, "alpha", "P", "information", "z", "m") for one in ends]
+        return ", ".join(filter(None, map(changed, moved)))
 
 
 def _running(law: Law, N: int, points: int) -> tuple[bool, str]:

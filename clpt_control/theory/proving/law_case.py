@@ -112,49 +112,42 @@ class Case:
         return -tidied(sympy.Add(*falls)).xreplace(self.together)
 
     @cached_property
-    def errors(self) -> dict[Any, sympy.Expr]:
-        """Return what is learned, element by element -> its error, where e = 0."""
-        p, ports = self.loop.parameters, self.loop.signals
+    def errors(self) -> list[tuple[list[Any], sympy.Expr]]:
+        """Of each thing that is learned the states that make it, and its error, where e = 0."""
+        p, ports, own = self.loop.parameters, self.loop.signals, set(self.loop.motion)
         x, z, car = self.loop.states["x"], self.loop.states["z"], p["vehicle_controller"]
         true = {"alpha": -p["true_flow"].theta.ravel(), "K": car.KD, "Gamma": car.GammaD}
-        return {
-            (port, k): sympy.expand(made.xreplace(dict(zip(x, z, strict=True))) - true[port][k])
+        found = [
+            sympy.expand(made.xreplace(dict(zip(x, z, strict=True))) - true[port][k])
             for port in true
             for k, made in enumerate(ports[port].flat)
-        }
+        ]
+        return [(sorted(error.free_symbols & own, key=str), error) for error in found]
 
+    @cached_property
     def truth(self) -> dict[Any, sympy.Expr]:
-        """Return where each error is zero, of states that make what is learned linearly."""
-        states = self.loop.states
-        true, own = dict(zip(states["x"], states["z"], strict=True)), set(self.loop.motion)
-        for error in self.errors.values():
-            of = sorted(error.free_symbols & own, key=str)
-            if len(of) == 1 and sympy.diff(error, of[0]).is_nonzero and not error.diff(of[0], 2):
-                s = of[0]
-                true[s] = sympy.expand(s - error / sympy.diff(error, s))
+        """Where each error is zero, of states that make what is learned linearly."""
+        true = dict(zip(self.loop.states["x"], self.loop.states["z"], strict=True))
+        for of, error in self.errors:
+            if len(of) == 1 and sympy.diff(error, *of).is_nonzero and not error.diff(of[0], 2):
+                true[of[0]] = sympy.expand(of[0] - error / sympy.diff(error, *of))
         return true
 
     @property
     def learned(self) -> list[Any]:
         """The states that make what is learned, which V has to hold."""
-        own, of = set(self.loop.motion), (error.free_symbols for error in self.errors.values())
-        return list(dict.fromkeys(s for one in of for s in sorted(one & own, key=str)))
+        return list(dict.fromkeys(s for of, _ in self.errors for s in of))
 
     def definite(self) -> Step:
         """Return the step that V is positive definite, or so beyond dead zones."""
-        truth, own = self.truth(), set(self.loop.motion)
-        there = dict.fromkeys(self.e, sympy.S.Zero) | dict(list(truth.items())[2:])
-        of = [sorted(error.free_symbols & own, key=str) for error in self.errors.values()]
-        learned = self.learned
+        there = dict.fromkeys(self.e, sympy.S.Zero) | dict(list(self.truth.items())[2:])
         mapped = {
-            s[0]: error
-            for s, error in zip(of, self.errors.values(), strict=True)
-            if len(s) == 1 and s[0] not in truth
+            of[0]: error for of, error in self.errors if len(of) == 1 and of[0] not in self.truth
         }
         named = "e" if not any(self.zones) else "D = e - clip(e, -d, d)"
 
         def holds() -> bool:
-            V, states = self.V_of_D, [*self.e, *learned]
+            V, states = self.V_of_D, [*self.e, *self.learned]
             if any(s.name.endswith(".interval") for s in V.free_symbols):
                 return False  # V itself may jump
             return positive_definite(V, states, there, self.values, mapped)

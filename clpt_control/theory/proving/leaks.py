@@ -185,7 +185,7 @@ class Bounding:
         """Read what a `law_case.Case` has."""
         at = case.values
         self.rate, self.rest, self.V = (e.xreplace(at) for e in (case.rate, case.rest, case.Vs))
-        self.truth = {s: true.xreplace(at) for s, true in case.truth().items()}
+        self.truth = {s: true.xreplace(at) for s, true in case.truth.items()}
         self.moving, self.decays = case.moving, case.keeps_decay()
         self.rates = {s: own.xreplace(at) for s, own in case.loop.motion.items()}
         self.KD = list(case.loop.parameters["vehicle_controller"].KD)

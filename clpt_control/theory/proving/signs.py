@@ -293,37 +293,29 @@ def _negative(group: sympy.Expr, apart: set, values: dict, facts: Facts) -> bool
         left = _without_squares(group)
         if left.is_nonpositive or (left != group and nonpositive(left, apart, values, facts)):
             return True
-    if _is_minus_a_square(group, apart, values):
-        return True
-    own = sorted(group.free_symbols & apart, key=str)
-    if not words and group.is_polynomial(*own):
-        degrees: dict[int, sympy.Expr] = {}
-        for monomial, share in sympy.Poly(group, *own).terms() if own else ():
-            term = share * sympy.prod(s**n for s, n in zip(own, monomial, strict=True))
-            degrees[sum(monomial)] = degrees.get(sum(monomial), sympy.S.Zero) + term
-        if len(degrees) > 1 and all(_negative(d, apart, values, ()) for d in degrees.values()):
-            return True
     if not words:
+        if _in_forms(group, apart, values):
+            return True
         return bool(facts) and _below(group, apart, values, facts)
     return _in_sectors(group, words, apart, values, facts) or _in_pieces(
         group, words, apart, values, facts
     )
 
 
-def _is_minus_a_square(group: sympy.Expr, apart: set, values: dict) -> bool:
-    """Return whether an expression is -s^T M s, M >= 0, in the symbols s of `apart`."""
+def _in_forms(group: sympy.Expr, apart: set, values: dict) -> bool:
+    """Return whether no part of a degree is positive; of degree 2 it is -s^T M s with M >= 0."""
     own = sorted(group.free_symbols & apart, key=str)
     if not own or not group.is_polynomial(*own):
         return False
-    H = sympy.hessian(group, own)
-    at_zero = dict.fromkeys(own, sympy.Integer(0))
-    rest = [group.xreplace(at_zero), *(sympy.diff(group, s).xreplace(at_zero) for s in own)]
-    if any(sympy.expand(value) != 0 for value in rest):
-        return False
-    H = H.xreplace(values)
-    return (
-        not H.free_symbols and not H.atoms(sympy.Function) and bool((-H).is_positive_semidefinite)
-    )
+    degrees: dict[int, sympy.Expr] = {}
+    for monomial, share in sympy.Poly(group, *own).terms():
+        term = share * sympy.prod(s**n for s, n in zip(own, monomial, strict=True))
+        degrees[sum(monomial)] = degrees.get(sum(monomial), sympy.S.Zero) + term
+    if len(degrees) > 1:
+        return all(_negative(d, apart, values, ()) for d in degrees.values())
+    H = sympy.hessian(group, own).xreplace(values)
+    known = not H.free_symbols and not H.atoms(sympy.Function)
+    return 2 in degrees and known and bool((-H).is_positive_semidefinite)
 
 
 def _in_sectors(group: sympy.Expr, words: set, apart: set, values: dict, facts: Facts) -> bool:
