@@ -15,7 +15,7 @@ from ...equations.block import Block
 from ...equations.elements import Index
 from ...equations.every_n import base_and_term, renamed
 from .array_loop import TIME, array_loop
-from .leaks import Bound, Bounding, listed
+from .leaks import Bound, listed
 from .proof import Step, checked, exact, short
 from .running_rate import numbers, running_step
 from .signs import (
@@ -170,10 +170,6 @@ class Case:
         none = (s for s in self.loop.undefined if not (s.startswith(mine) and s.endswith("large")))
         said = next(none, "")
         return exact("the equations have a value everywhere", not said, said)
-
-    def bound(self) -> Bound | None:
-        """Return what V comes to where V' pulls back, or where leaks do."""
-        return Bounding(self).bound()
 
     def comes_to_zones(self) -> Bound:
         """Return what e comes to where V' falls but for dead zones."""

@@ -67,16 +67,16 @@ def _parts(expression: sympy.Expr) -> set[sympy.Expr]:
 def _fraction(e: sympy.Expr, own: PolyRing) -> tuple[PolyElement, PolyElement]:
     """Return p and q of an expression p/q."""
     if e.is_Add:
-        over: dict[PolyElement, PolyElement] = {}
+        over: dict[PolyElement, list[PolyElement]] = {}
         for p, q in (_fraction(one, own) for one in e.args):
-            over[q] = over.get(q, own.zero) + p
+            over.setdefault(q, []).append(p)
         p, q = own.zero, own.one
-        for other, share in over.items():
-            p, q = p * other + share * q, q * other
+        for other, shares in over.items():
+            p, q = p * other + own.add(*shares) * q, q * other
         return p, q
     if e.is_Mul:
         tops, bottoms = zip(*(_fraction(one, own) for one in e.args), strict=True)
-        return prod(tops, start=own.one), prod(bottoms, start=own.one)
+        return own.mul(*tops), own.mul(*bottoms)
     if e.is_Pow and e.exp.is_Integer:
         p, q = _fraction(e.base, own)[:: 1 if e.exp > 0 else -1]
         return p ** abs(int(e.exp)), q ** abs(int(e.exp))

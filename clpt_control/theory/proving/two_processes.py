@@ -24,6 +24,7 @@ if TYPE_CHECKING:  # the other process starts before all this is imported
 @contextmanager
 def second_process() -> Iterator[Pool | None]:
     """Yield a pool of one process, where there is a core for it."""
+    os.environ.setdefault("SYMPY_CACHE_SIZE", "100000")  # 1,000 by default; asked by its import
     if (os.cpu_count() or 1) < 2:
         yield None
         return

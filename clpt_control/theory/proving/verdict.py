@@ -22,6 +22,7 @@ from ...errors import DiagramError
 from ...html import facts, fragment
 from ...progress.interrupt import check
 from .law_case import Case
+from .leaks import Bounding
 from .proof import Step, cited, exact, short
 from .running_rate import Functions, RunningBlocks, rate_along
 from .symbolic_loop import Draw, Point, SymbolicLoop, degree_of, numbers_at, numeric
@@ -239,7 +240,7 @@ def judge(case: Case) -> Verdict:
         steps.append(cited(f"given: {short(said)}", "the one who asks"))
     bound = None
     if definite.holds and not (falls or zones):
-        bound = case.bound()
+        bound = Bounding(case).bound()
     elif falls and zones:
         bound = case.comes_to_zones()
     if definite.holds and total.holds and (falls or bound is not None):
