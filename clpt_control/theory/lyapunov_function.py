@@ -13,10 +13,10 @@ import sympy
 
 from ..arguments import Seed, public
 from ..diagrams.on_symbols import TIME
-from ..html import facts, fragment
+from ..html import fragment
 from .own_v import OwnV, missing
 from .points import Found, Points
-from .proving.proof import Step, exact, first_failure, short, worked_out
+from .proving.proof import Step, as_html, exact, first_failure, short, worked_out
 from .proving.signs import tidied, vanishes
 from .proving.symbolic_loop import Point
 from .squares import beside
@@ -74,12 +74,7 @@ class Lyapunov:
         return f"<Lyapunov {self.status}: {self.claim}>"
 
     def _repr_html_(self) -> str:
-        rows = [
-            (one.claim, "holds" if one.holds else "not shown", one.how, one.detail)
-            for one in self.steps
-        ]
-        head = ("claim", "", "how", "detail")
-        return fragment("Lyapunov", f"{self.status}: {self.claim}", facts(rows, head))
+        return fragment("Lyapunov", f"{self.status}: {self.claim}", as_html(self.steps))
 
 
 def _judged(own: OwnV, seen: Points, count: int) -> Lyapunov:

@@ -4,8 +4,7 @@
     w  = [phi(x), x_i, zc_i],    kappa_1 = min_i lambda_min(int w w^T dt)
 
 or, in place of kappa_1, what V of Eq. (24) falls by at worst over the window with the gains of a
-linear law, 1 - |Phi|^2 in the units of V: with a gain gamma_j each, w_j is taken times the root of
-gamma_j and the error of parameter j over it, so that one gain of 1 remains (`certificates`).
+linear law, 1 - |Phi|^2 in the units of V (`certificates`).
 
 W of Eq. (31) holds z, which depends on the law.  Every law that works ends at e = 0, where W
 depends on the vehicle alone; so the vehicle's own blocks are run, without the learner, and
@@ -28,9 +27,9 @@ from ...native.native_diagram import NativeDiagram
 from ...scenario.experiment import Scenario
 from ...simulation.loops import paper_blocks
 from ...simulation.starts import state_of
-from ..excitation.certificates import TURN, least
+from ..excitation.certificates import TURN, falls, least
 from ..excitation.regressor import quadrature
-from ..excitation.transition import propagate, regressors
+from ..excitation.transition import regressors
 
 ANY = next(law for law in LAWS.values() if not (law.at_fixes or law.given_estimate))
 ATOL = 1e-2  # absolute tolerance over the relative one
@@ -133,13 +132,11 @@ class Tracks:
         times = np.broadcast_to(self.nodes, x.shape[:-1])
         phi = evaluate(basis, times.ravel(), x.reshape(-1, 2)).reshape(*x.shape[:-1], -1)
         zc = np.broadcast_to(points[:, self.held[0], None], x.shape)
-        w, factor = np.nan_to_num(regressors(phi, x, zc)), np.ones((2, 1))
-        if self.gains is not None:
-            k = np.array(self.scenario.vehicle.feedback)[:, None]
-            own = self.gains > 0
-            w, factor = np.sqrt(self.gains[own]) * w[..., own], 2 * k
-            w, _ = propagate(w, k, 1.0, self.weights.sum(axis=1))
-        sizes = least(w, self.weights) * factor
+        w, k = np.nan_to_num(regressors(phi, x, zc)), np.array(self.scenario.vehicle.feedback)
+        if self.gains is None:
+            sizes = least(w, self.weights)
+        else:
+            sizes = falls(w, k[:, None], self.gains, self.weights)
         return np.where(np.isfinite(x).all(axis=(1, 2, 3)), sizes, 0.0)
 
     def _extremes(self, x: np.ndarray, points: np.ndarray, share: np.ndarray) -> Extremes:

@@ -92,6 +92,17 @@ def least(rows: np.ndarray, weights: np.ndarray) -> np.ndarray:
     return np.linalg.svd(flat, compute_uv=False)[..., -1] ** 2
 
 
+def falls(w: np.ndarray, k: np.ndarray, gains: np.ndarray, weights: np.ndarray) -> np.ndarray:
+    """Return the drop of V over a window by a linear law with a gain for each of w (..., n).
+
+    With w_j times the root of gamma_j, and the error of parameter j over it, one gain of 1 remains;
+    what has no gain does not adapt.
+    """
+    own = gains > 0
+    rows, _ = propagate(np.sqrt(gains[own]) * w[..., own], k, 1.0, weights.sum(axis=1))
+    return 2 * k * least(rows, weights)
+
+
 def window_drops(
     phi: np.ndarray,
     z: np.ndarray,

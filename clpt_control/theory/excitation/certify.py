@@ -42,9 +42,9 @@ from ...arguments import public
 from ...errors import ScenarioError
 from ...html import facts, fragment
 from ...scenario.experiment import Scenario
-from .certificates import TURN, least, refuse_unproved
+from .certificates import TURN, falls, refuse_unproved
 from .regressor import basis_along, checked_window, finished_run, quadrature
-from .transition import propagate, regressors
+from .transition import regressors
 
 MOST_WINDOWS = 1_000_000
 LARGEST = 1e12  # V
@@ -230,13 +230,9 @@ def _drops(scenario: Scenario, window: float, gains: np.ndarray) -> tuple[np.nda
         run[name].values[1:].reshape(*nodes.times.shape, 2) for name in ("position", "reference")
     )
     w = regressors(basis_along(scenario, nodes.times, x), x, zc)
-    w = np.sqrt(gains[gains > 0]) * w[..., gains > 0]
-    k, drops = np.array(scenario.vehicle.feedback), []
+    k = np.array(scenario.vehicle.feedback)
     cuts = np.searchsorted(nodes.cuts, ends - 1e-9 * window)
-    for a, b in pairwise(cuts):
-        weights = nodes.weights[a:b]
-        rows, _ = propagate(w[:, a:b], k, 1.0, weights.sum(axis=1))
-        drops.append(2 * k * least(rows, weights))
+    drops = [falls(w[:, a:b], k, gains, nodes.weights[a:b]) for a, b in pairwise(cuts)]
     return np.array(drops), float(run.lyapunov.values[0])
 
 

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from ...errors import ClptError, DiagramError
+from ...html import facts
 
 HOWS = ("exact", "counterexample", "sampled", "cited")
 
@@ -120,6 +121,14 @@ def worked_out(name: str) -> Iterator[None]:
     except Exception as error:
         kind = type(error).__name__
         raise DiagramError(f"{name}: V' cannot be worked out: {kind}: {error}") from None
+
+
+def as_html(steps: Iterable[Step]) -> str:
+    """Return steps as a table of HTML."""
+    rows = [
+        (one.claim, "holds" if one.holds else "not shown", one.how, one.detail) for one in steps
+    ]
+    return facts(rows, ("claim", "", "how", "detail"))
 
 
 def checked(claim: str, how: str, check: Callable[[], Any], every_N: bool = True) -> Step:

@@ -23,7 +23,7 @@ from ...html import facts, fragment
 from ...progress.interrupt import check
 from .law_case import Case
 from .leaks import Bounding
-from .proof import Step, cited, exact, short
+from .proof import Step, as_html, cited, exact, short
 from .running_rate import Functions, RunningBlocks, rate_along
 from .symbolic_loop import Draw, Point, SymbolicLoop, degree_of, numbers_at, numeric
 
@@ -202,15 +202,10 @@ class Verdict:
         return f"<Verdict {self.status}{self._detail()}>"
 
     def _repr_html_(self) -> str:
-        rows = [
-            (step.claim, "holds" if step.holds else "not shown", step.how, step.detail)
-            for step in self.steps
-        ]
         known = {"reached": self.reached, "V there": self.level, "left over": self.residual}
         more = [(name, short(value)) for name, value in known.items() if value not in (None, "", 0)]
-        head = ("claim", "", "how", "detail")
         name = f"{self.status}{self._detail()}"
-        return fragment("Verdict", name, facts(rows, head), facts(more))
+        return fragment("Verdict", name, as_html(self.steps), facts(more))
 
     def _detail(self) -> str:
         if self.rate is not None:
