@@ -5,12 +5,15 @@ import re
 import subprocess
 import sys
 
+import netCDF4
 import pytest
 import xarray
 
+import clpt_control
 from clpt_control.errors import DataError
 from clpt_control.figures import new_figure
 from clpt_control.files import beside, make_folder, write_together
+from clpt_control.gliders.dive_files import read_dive_file
 from clpt_control.progress import interrupt
 
 
@@ -174,3 +177,16 @@ def test_saving_imports_no_cluster(tmp_path):
     command = [sys.executable, "-c", SAVED, str(tmp_path / "a.nc")]
     done = subprocess.run(command, capture_output=True, text=True)
     assert (done.stdout, done.returncode) == ("[0.0, 0.0, 0.0]\n", 0), done.stderr
+
+
+def test_a_small_file_that_says_it_holds_much_is_refused(tmp_path):
+    with netCDF4.Dataset(tmp_path / "r.nc", "w") as data:
+        for name in ("time", "axis"):
+            data.createDimension(name, 10**6)
+        shape = {"chunksizes": (10**3, 10**3), "zlib": True}
+        data.createVariable("clpe", float, ("time", "axis"), **shape)
+        data.createVariable("log_gps_time", float, ("time", "axis"), **shape)
+    assert (tmp_path / "r.nc").stat().st_size < 10**5
+    for read in (clpt_control.load_run, read_dive_file):
+        with pytest.raises(DataError, match=r"r.nc: holds 1.6e\+04 GB of numbers; at most 4 are"):
+            read(tmp_path / "r.nc")

@@ -35,11 +35,12 @@ PART = re.compile(rf"\..+\.{HERE}-(\d{{1,7}})-[0-9a-f]{{8}}\.part")  # of a proc
 
 
 @contextmanager
-def open_netcdf(path: str | Path) -> "Iterator[xarray.Dataset]":
+def open_netcdf(path: str | Path, most: float = inf) -> "Iterator[xarray.Dataset]":
     """Open a NetCDF file with xarray, or say in one sentence why not.
 
     Times are left as numbers, and values are read when used: a damaged variable is a
-    `DataError` also there.
+    `DataError` also there.  A small file may say that it holds much: of one that is read whole
+    all variables together are at most so many bytes.
     """
     import xarray
 
@@ -54,6 +55,11 @@ def open_netcdf(path: str | Path) -> "Iterator[xarray.Dataset]":
     except Exception as error:  # a damaged file can raise anything
         raise DataError(f"{path}: cannot be read as NetCDF: {_reason(error)}") from None
     with data:
+        if data.nbytes > most:
+            raise DataError(
+                f"{path}: holds {data.nbytes / 1e9:.3g} GB of numbers; at most {most / 1e9:g} are "
+                "read at once"
+            )
         try:
             yield data
         except ClptError:

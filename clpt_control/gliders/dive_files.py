@@ -21,6 +21,7 @@ from ..progress.interrupt import check
 from . import dive_table, og1, seaexplorer, seaglider, slocum
 from .dives import SLOCUM_FILES, Dive, Skipped, is_segment, name_in, name_of_file, named
 
+MOST_BYTES = 4 * 10**9  # of memory that the dives of a file may take
 OF_NETCDF = (seaglider, og1)
 OF_TEXT = (seaexplorer, dive_table)  # which takes any text, so it is the last
 KINDS = (
@@ -82,7 +83,7 @@ def read_dive_file(path: str | Path) -> tuple[list[Dive], list[Skipped]]:
             text = text_of(raw, path, f"is neither NetCDF nor text; must be one of {KINDS}")
             dives, skipped = next(one for one in OF_TEXT if one.is_known(text)).dives_of(text, path)
         return named(dives, name_of_file(path.name)), skipped
-    with open_netcdf(path) as data:
+    with open_netcdf(path, MOST_BYTES) as data:
         for dialect in OF_NETCDF:
             if dialect.is_known(data):
                 dives, skipped = dialect.dives_of(data, path)

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 from ..arguments import public
 from ..errors import ClptError, DataError
 from ..files import open_netcdf, write_netcdf
+from ..scenario.experiment import MOST_BYTES
 from ..scenario.file import FORM, LATEST, TEAM, check_form, scenario_to_text
 from ..scenario.recorded_run import check_run
 from ..scenario.team import Team, system_of_run, team_to_text
@@ -88,7 +89,7 @@ def load_run(path: str | Path) -> "xarray.Dataset":
     >>> clpt.load_run(file).sizes["time"]
     6
     """
-    with open_netcdf(Path(path)) as data:
+    with open_netcdf(Path(path), MOST_BYTES) as data:
         check_form(data.attrs, path)
         if "clpe" not in data.variables:
             raise DataError(f"{path}: is no run: it has no variable 'clpe'; `clpt run` writes one")
