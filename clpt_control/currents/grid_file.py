@@ -84,12 +84,13 @@ def read_currents(
     column: bool = False,
     units: str | None = None,
 ) -> Currents:
-    """Read a gridded current from a NetCDF file, a Zarr folder or a folder of NetCDF files.
+    """Read a gridded current: NetCDF, Zarr or a folder of files.
 
     Parameters
     ----------
     path : str or Path
-        With dims time, latitude, longitude in any order, and perhaps a depth.
+        A NetCDF file, a Zarr folder or a folder of NetCDF files, with dims time,
+        latitude, longitude in any order, and perhaps a depth.
         Files of one folder have the same grid and other steps.
     box : tuple of float, optional
         lat0, lat1, lon0, lon1 in degrees; cells whose centre is inside are
