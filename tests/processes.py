@@ -14,7 +14,7 @@ CODE = (
 )
 CLPT = [sys.executable, "-c", CODE]
 PROGRESS = re.compile(
-    r".*: \d+ %.*|.*: \d+ of \d+ members.*|clpt: making the solver.*"
+    r".*: \d+ %.*|.*: \d+ of \d+ (members|frames).*|clpt: making the solver.*"
 )  # lines that only a slow machine shows
 
 
