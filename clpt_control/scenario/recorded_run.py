@@ -42,7 +42,8 @@ MOST_WAYPOINTS = 1e6  # to which a run goes, unless its scenario says more
 def check_run(run: "xarray.Dataset", system: Scenario | Team, *names: str) -> None:
     """Refuse a dataset that is no whole run of a system, or whose `names` have no finite numbers.
 
-    All variables of `DIMS` have their dimensions, times increase, and there is a sample.
+    All variables of `DIMS` hold numbers over their dimensions, times increase, and there is a
+    sample.
     """
     team = isinstance(system, Team)
     first = system.first if isinstance(system, Team) else system
@@ -73,7 +74,8 @@ def check_run(run: "xarray.Dataset", system: Scenario | Team, *names: str) -> No
             )
         if not one.size:
             raise DataError("the run has no sample; there is nothing to show")
-        if name in names and not _is_finite(one.values):
+        numbers = one.dtype.kind in "iuf"
+        if not numbers or (name in names and not np.all(np.abs(one.values) <= LARGEST)):
             raise DataError(
                 f"the run's {name} holds what is no finite number, or one beyond {LARGEST:g}; run "
                 "it again"
@@ -86,7 +88,3 @@ def check_run(run: "xarray.Dataset", system: Scenario | Team, *names: str) -> No
             f"the run's times go from {times[0]:g} to {times[-1]:g}; must lie in 0 to {last:g} "
             f"{first.units.time}"
         )
-
-
-def _is_finite(values: np.ndarray) -> bool:
-    return values.dtype.kind in "iuf" and bool(np.all(np.abs(values) <= LARGEST))

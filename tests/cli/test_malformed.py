@@ -314,6 +314,10 @@ RUN_DAMAGES = {
     "a huge place": (lambda run: run.assign(position=run.position + 1e308), "no finite number"),
     "a team": (lambda run: run.assign_attrs(team="[team]"), "a scenario and a team"),
     "no scenario": (lambda run: run.drop_attrs(), "carries no scenario"),
+    "words of the flow": (
+        lambda run: run.assign(flow_parameters=run.flow_parameters.astype(str)),
+        "no finite number",
+    ),
     "words": (lambda run: run.assign(clpe=run.clpe.astype(str)), "no finite number"),
 }
 
