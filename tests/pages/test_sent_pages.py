@@ -246,6 +246,7 @@ def test_an_ensemble_under_way_says_how_far_it_is(tmp_path, monkeypatch, done):
         write(self, index, arrays)
 
     monkeypatch.setattr(Store, "write", stops)
+    # a process that is killed removes nothing
     monkeypatch.setattr(
         "clpt_control.ensemble.run.remove_empty", lambda store: None
     )  # as if killed
