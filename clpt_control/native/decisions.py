@@ -5,7 +5,7 @@
 A step of the solver over a kink is worth little.  So while it is taken the rates keep every
 decision as it was where the step began: they are smooth, also a little beyond the kink.  Where a
 step has gone beyond one, at its end or at one of seven places before it, `solver` finds the
-crossing and begins anew there, decided again.
+crossing, where states feel it, and begins anew there, decided again.
 
     H    what was decided: 1 or -1, the whole number of a floor, the place in a row; kept in P
     D    what is decided now, of all decisions, and then for each whether the step has passed it:

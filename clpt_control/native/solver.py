@@ -36,9 +36,10 @@ from .linear_equations import factor, solve
 
 # how a run ended; STIFF: left to an implicit method, from where it is
 RUNNING, FINISHED, TOO_SMALL, NOT_FINITE, LEFT, TOO_MANY, CHATTERS, STIFF = range(8)
-# rows of Z: the state, rates of stages 0 to 15, argument of a stage, terms between samples; a
-# state within the step, which is looked at, in place of the last rate
-STATE, RATE, ARGUMENT, TERMS, ROWS, LOOKED = 0, 1, 17, 18, 25, 16
+# rows of Z: the state, rates of stages 0 to 15, argument of a stage, terms between samples; in
+# place of the last rates a state within the step, which is looked at, and rates there, with what
+# is held and with what is decided there
+STATE, RATE, ARGUMENT, TERMS, ROWS, LOOKED, LOCKED, FREE = 0, 1, 17, 18, 25, 16, 14, 15
 # the methods, each known by the number of its stages, the new state's among them; of DOP853 three
 # more are for what lies within a step
 DOP853, RODAS5P, RK4 = 12, 9, 4
@@ -47,7 +48,7 @@ DOP853, RODAS5P, RK4 = 12, 9, 4
 SOLVED, KNOWN, OVER_TIME, ROOM = 2, 10, 11, 12
 TIME, STEP, END, FRESH, REJECTED, GOOD, TAKEN, NEW, AT, FAILING, SIZE, TROUBLE = range(12)
 KINK, LOW, HIGH, LAST = range(12, 16)  # of a decision that a step has passed (`decisions`)
-CUTS = 16  # steps in turn that were cut at a kink
+EFFECT = 16  # of another decision on a step, of what is asked for
 OTHER_STEPS, DIAGONAL = 17, 18
 # when a lane is looked at next, or after how many tries; whether it is; steps since, good and not
 NEXT, SPARE, LOOK, GOOD_ONES, BAD_ONES = range(19, 24)
@@ -66,10 +67,10 @@ STAGE, STIFFNESS = 14, 30
 ANEW, ON = 1, 2  # a piece begins with rates and a step of its own, or goes on with those there are
 OUTSIDE = 1e-9  # grid steps beyond the edge that count as outside
 LOOKS, GLANCES = 16, 8  # places within a step at which guards are looked at, and decisions
-CROSSED, CUT = 1.0, 2.0  # a step ends right behind a kink, or is to end there
+CROSSED = 1.0  # a step ends behind a kink
 HALVINGS, RESOLVED = 50, 1e-12  # of a step; how close to a kink one ends, of the step or the time
 SHORTEST = 1e-13  # step up to a kink, of a run: in a shorter one states move by rounding alone
-MOST_CUTS, UNMOVED = 8, 1.0  # in turn; of what is asked for: rounding decides where they end
+FELT = 0.1  # effect up to which a kink is crossed by the step as it is
 MOST_KINKS, NEAR = 1000, 1e-7  # one upon the other, within that share of a run
 UNFELT = 5e-6  # or within this one, where states hardly move from one to the next
 # steps from one look for stiffness to the next, of those that show it, and ahead for it to matter
@@ -250,17 +251,27 @@ def passes(code, shape, numbers, whole, arrays):
 
 
 def cross(code, shape, tolerances, times, results, lane, arrays):
-    """Find where steps cross a kink; one that goes well beyond is tried again, up to there."""
+    """Find where steps cross a kink that is felt; one well beyond is tried again, up to it.
+
+    Elsewhere rounding might decide where a step ends: as at a tangent, or where errors are small.
+    """
     lanes, n, decided = shape[0], shape[1], shape[6]
     shortest = SHORTEST * (times[-1] - times[0])
     counts, (numbers, whole, _), (Z, P, T, W, D) = results[3], lane, arrays
-    for _ in range(HALVINGS):
+    weigh(code, shape, tolerances, numbers, arrays)
+    halvings = 0
+    for k in range(lanes):
+        if whole[WHICH, k] >= 0 and numbers[EFFECT, k] > FELT:
+            halvings = HALVINGS
+        elif whole[WHICH, k] >= 0:
+            numbers[KINK, k] = CROSSED if passed(k, lanes, decided, D) >= 0 else 0.0
+    for _ in range(halvings):
         for k in range(lanes):
             share = 0.5 * (numbers[LOW, k] + numbers[HIGH, k])
             look_within(n, lanes, k, numbers, Z, share)
         call(code[DECIDE], numbers[AT], Z, LOOKED * n * lanes, P, T, W, D, 0)
         for k in range(lanes):
-            if whole[WHICH, k] >= 0:
+            if whole[WHICH, k] >= 0 and numbers[EFFECT, k] > FELT:
                 share = 0.5 * (numbers[LOW, k] + numbers[HIGH, k])
                 if passed(k, lanes, decided, D) >= 0:
                     numbers[HIGH, k] = share
@@ -268,26 +279,49 @@ def cross(code, shape, tolerances, times, results, lane, arrays):
                     numbers[LOW, k] = share
     for k in range(lanes):
         numbers[AT, k] = numbers[NEW, k]
-        if whole[WHICH, k] >= 0:
+        if whole[WHICH, k] >= 0 and numbers[EFFECT, k] > FELT:
             h, least = numbers[TAKEN, k], 2.0 * RESOLVED * abs(numbers[NEW, k])
             met = (1.0 - numbers[LOW, k]) * h <= max(RESOLVED * h, least)
-            if numbers[CUTS, k] >= MOST_CUTS:
-                met = met or unmoved(k, lanes, n, tolerances, Z)
             if met or h <= 2.0 * shortest:
                 numbers[KINK, k] = CROSSED
             else:
-                numbers[KINK, k], numbers[CUTS, k] = CUT, numbers[CUTS, k] + 1.0
                 again(k, max(numbers[HIGH, k] * h, shortest), counts, lane)
 
 
-def unmoved(k, lanes, n, tolerances, Z):
-    """Whether no state of a lane moves in its step by what is asked for."""
-    for i in range(n):
-        x, new = Z[i * lanes + k], Z[(ARGUMENT * n + i) * lanes + k]
-        least = UNMOVED * (tolerances[1] + tolerances[0] * abs(x))
-        if abs(new - x) > least + 1e-14 * abs(x):
-            return False
-    return True
+def weigh(code, shape, tolerances, numbers, arrays):
+    """Write by how much a step may be wrong, since decisions are held: h |f - f held|, at most.
+
+    At the end D is left as it is there.
+    """
+    lanes, n, _, _, _, held, decided = shape
+    Z, P, T, W, D = arrays
+    for k in range(lanes):
+        numbers[EFFECT, k] = 0.0
+    for look in range(1, GLANCES + 1):
+        for k in range(lanes):
+            look_within(n, lanes, k, numbers, Z, look / GLANCES)
+        first = (LOOKED if look < GLANCES else ARGUMENT) * n * lanes
+        call(code[DECIDE], numbers[AT], Z, first, P, T, W, D, 0)
+        call(code[DERIVATIVE], numbers[AT], Z, first, P, T, W, Z, LOCKED * n * lanes)
+        exchange(held * lanes, decided * lanes, P, D)
+        call(code[PREPARE], numbers[AT], Z, first, P, T, W, D, 0)
+        call(code[DERIVATIVE], numbers[AT], Z, first, P, T, W, Z, FREE * n * lanes)
+        exchange(held * lanes, decided * lanes, P, D)
+        call(code[PREPARE], numbers[AT], Z, first, P, T, W, D, 0)
+        for k in range(lanes):
+            for i in range(n):
+                x, at = Z[i * lanes + k], i * lanes + k
+                apart = abs(Z[FREE * n * lanes + at] - Z[LOCKED * n * lanes + at])
+                least = tolerances[1] + tolerances[0] * abs(x)
+                effect = numbers[TAKEN, k] * apart / least
+                effect = effect if effect - effect == 0.0 else math.inf
+                numbers[EFFECT, k] = max(numbers[EFFECT, k], effect)
+
+
+def exchange(first, count, P, D):
+    """Exchange what is held in P, from there on, and what D begins with."""
+    for j in range(count):
+        P[first + j], D[j] = D[j], P[first + j]
 
 
 def decide_anew(shape, tolerances, times, status, lane, Z):
@@ -295,9 +329,7 @@ def decide_anew(shape, tolerances, times, status, lane, Z):
     lanes, n = shape[0], shape[1]
     numbers, whole, queue = lane
     for k in range(lanes):
-        if numbers[GOOD, k] < 0.5:
-            continue
-        if numbers[KINK, k] == CROSSED:
+        if numbers[KINK, k] == CROSSED and numbers[GOOD, k] > 0.5:
             passed, fastest = numbers[TIME, k] - numbers[LAST, k], 0.0
             for i in range(n):
                 fastest = max(fastest, abs(Z[(RATE * n + i) * lanes + k]))
@@ -307,8 +339,6 @@ def decide_anew(shape, tolerances, times, status, lane, Z):
             numbers[LAST, k], numbers[FRESH, k], queue[2] = numbers[TIME, k], 1.0, ANEW
             if whole[BURST, k] > MOST_KINKS:
                 fail(status, whole, k, CHATTERS)
-        # a step that was cut may end before the kink
-        numbers[CUTS, k] = numbers[CUTS, k] if numbers[KINK, k] == CUT else 0.0
         numbers[KINK, k] = 0.0
 
 

@@ -296,3 +296,17 @@ def test_a_kink_that_is_met_at_a_tangent_is_crossed(seed, which, tight):
             lambda t, x: sweep.rates(t, x), (begin, until), x, "DOP853", rtol=1e-12, atol=1e-14
         ).y[:, -1]
     np.testing.assert_allclose(found.x[-1], x, rtol=1e-7, atol=1e-7)
+
+
+def test_a_kink_that_no_state_feels_is_not_looked_for():
+    """As CLPE fades, rounding decides when the part that points outward changes its sign."""
+    paper = clpt.paper_scenario()
+    held = {"adapt_gains": False, "feedback": paper.vehicle.feedback, "feedforward": (1.0, 1.0)}
+    flow = np.array([[1.6364560402879789, 1.0247647578068995, -0.06970075676595029],
+                     [-0.5937390761332392, 0.6756090018185217, 0.5399735459926727]])  # fmt: skip
+    keys = {f"learning.{key}": value for key, value in held.items()}
+    run = clpt.simulate(
+        paper.with_values({"flow.parameters": flow, "learning.law": "projection", **keys})
+    )
+    assert run.attrs["solver_steps"] < 10_000
+    np.testing.assert_allclose(run.flow_parameters_estimate.values[-1], flow, atol=1e-7)
