@@ -113,7 +113,7 @@ def judged(status: str, proof: Callable[[], Proof]) -> Proof:
 
 @contextmanager
 def worked_out(name: str) -> Iterator[None]:
-    """Say in a sentence whatever SymPy says of equations that it cannot work with."""
+    """Turn into a sentence whatever SymPy says of equations that it cannot work with."""
     try:
         yield
     except ClptError:
