@@ -235,7 +235,10 @@ def velocity_values(
             f"{path}: {name} has the dimensions ({', '.join(map(str, values.dims))}); must have "
             f"({', '.join(map(str, index))})"
         )
-    chosen = _in_blocks(values, index).transpose(*index)
+    try:
+        chosen = _in_blocks(values, index).transpose(*index)
+    except (ValueError, TypeError):  # of letters that are to be scaled
+        raise DataError(f"{path}: {name} holds what is no number; must hold numbers") from None
     numbers = numbers_of(chosen, f"{path}: {name}")
     _check_packing(chosen, numbers, f"{path}: {name}")
     return numbers * size

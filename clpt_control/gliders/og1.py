@@ -238,7 +238,7 @@ def _dive(
     found = through_water(columns, rows, start, end, current)
     greatest = of_dive("depth_max")
     return dive_between(
-        otherwise if number is None else int(number),
+        otherwise if number is None or not isfinite(number) else int(number),
         fixes,
         found.total,
         dac_east=current[0],

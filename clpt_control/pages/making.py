@@ -136,7 +136,7 @@ def _replay(found: dict[str, Any], title: str | None) -> tuple[str, list[str]]:
 
     try:
         return replay_page(found, title=title), [next_surfacing(found["next_dive"])]
-    except (KeyError, TypeError, ValueError, IndexError, AttributeError) as error:
+    except (LookupError, ArithmeticError, TypeError, ValueError, AttributeError) as error:
         what = f"{type(error).__name__}: {error}"
         raise DataError(
             f"the replay's JSON is damaged or of another version, {what[:80]}; run `clpt replay` "
