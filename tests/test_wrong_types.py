@@ -97,6 +97,7 @@ OF_THE_ENGINE = (  # called at each step, and checked by no one
     *("NativeDiagram.schedule", "NativeDiagram.callee", "NativeDiagram.lanes"),
     *("NativeDiagram.parameters", "NativeDiagram.breaks"),
     *("Sampled.samples_at", "Sampled.values"),
+    *("Replay.surfacing", "Replay.given"),
 )
 RESULTS = ("Verdict", "ConformanceReport", "FlowEstimate", "Diagram")  # which nobody makes by hand
 

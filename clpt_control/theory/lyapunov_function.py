@@ -194,6 +194,7 @@ def lyapunov(
 
     Examples
     --------
+    >>> import numpy as np
     >>> import clpt_control as clpt
     >>> def swing(t, x, u, p):
     ...     return {"theta": x.omega, "omega": -p.g * np.sin(x.theta) - p.b * x.omega}
