@@ -33,6 +33,12 @@ def boxed(values: Any) -> np.ndarray:
     return array
 
 
+def held(value: Any) -> Any:
+    """Return a value as what is asked for its elements; another library's number has but one."""
+    known = isinstance(value, (float, int, list, tuple, np.ndarray, np.generic))
+    return np.asarray(value, dtype=object) if known else {(): value}
+
+
 class Traced(Elements):
     """The elements of a record in another algebra."""
 
@@ -93,11 +99,7 @@ def rates(
         traced = Traced(record.operations, node.system.sizes)
         traced.functions = {**ARITHMETIC, **functions}
         traced.given = lambda group, name: (
-            np.asarray(t, dtype=object)
-            if group == "t"
-            else np.asarray(own[name], dtype=object)
-            if group == "p"
-            else leaf(group, name)
+            leaf(group, name) if group in "xu" else held(t if group == "t" else own[name])
         )
         return traced.outputs(record)
 
