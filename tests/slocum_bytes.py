@@ -6,6 +6,29 @@ import numpy as np
 
 KNOWN = b"sa" + struct.pack("<hfd", 4660, 123.456, 123456789.12345)
 CRC = "0badcafe"
+SENSORS = (
+    "m_present_time",
+    "m_gps_lat",
+    "m_gps_lon",
+    "m_gps_status",
+    "m_gps_mag_var",
+    "m_lat",
+    "m_lon",
+    "m_x_lmc",
+    "m_y_lmc",
+    "m_water_vx",
+    "m_water_vy",
+    "m_depth",
+    "m_heading",
+    "u_use_current_correction",
+)
+VARIATION = 17.0  # degrees east
+
+
+def magnetic(vector):
+    """Return a vector on axes along magnetic north and east of it."""
+    c, s = np.cos(np.radians(VARIATION)), np.sin(np.radians(VARIATION))
+    return np.array([c * vector[0] - s * vector[1], s * vector[0] + c * vector[1]])
 
 
 def cac(names):

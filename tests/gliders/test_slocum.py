@@ -8,7 +8,7 @@ from itertools import permutations
 import numpy as np
 import pytest
 from pyproj import Geod
-from slocum_bytes import CRC, cac, ddmm, segment
+from slocum_bytes import CRC, SENSORS, VARIATION, cac, ddmm, magnetic, segment
 
 from clpt_control.errors import DataError
 from clpt_control.gliders import read_dives, usable
@@ -17,24 +17,7 @@ from clpt_control.gliders.slocum import dives_of
 from clpt_control.replay.follow import Follower
 
 WGS84 = Geod(ellps="WGS84")
-SENSORS = (
-    "m_present_time",
-    "m_gps_lat",
-    "m_gps_lon",
-    "m_gps_status",
-    "m_gps_mag_var",
-    "m_lat",
-    "m_lon",
-    "m_x_lmc",
-    "m_y_lmc",
-    "m_water_vx",
-    "m_water_vy",
-    "m_depth",
-    "m_heading",
-    "u_use_current_correction",
-)
 T0, LAT0, LON0 = 1.7126e9, 51.6, -128.3
-VARIATION = np.radians(17.0)  # east
 SWIM, SEA, BEFORE = np.array([0.30, -0.12]), np.array([-0.05, 0.10]), np.array([0.08, 0.06])
 LASTS = 6000.0  # s
 
@@ -45,17 +28,6 @@ def place(east, north):
     return lat, lon
 
 
-def magnetic(vector):
-    """Return a vector on axes along magnetic north and east of it."""
-    east, north = vector
-    return np.array(
-        [
-            east * np.cos(VARIATION) - north * np.sin(VARIATION),
-            east * np.sin(VARIATION) + north * np.cos(VARIATION),
-        ]
-    )
-
-
 def rows(names, added=0.0, every=60, used=None):
     """Return cycles of a dive at steps of 60 s in a sea, dead reckoning in `names` every so often.
 
@@ -63,7 +35,7 @@ def rows(names, added=0.0, every=60, used=None):
     """
     out = []
     wx, wy = magnetic(BEFORE)
-    first = {"m_water_vx": wx, "m_water_vy": wy, "m_gps_mag_var": -VARIATION}
+    first = {"m_water_vx": wx, "m_water_vy": wy, "m_gps_mag_var": -np.radians(VARIATION)}
     if used is not None:
         first["u_use_current_correction"] = used
     for since in np.arange(0.0, LASTS + 180.0, 60.0):

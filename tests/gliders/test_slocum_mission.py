@@ -3,29 +3,12 @@
 import numpy as np
 import pytest
 from pyproj import Geod
-from slocum_bytes import CRC, cac, ddmm, segment
+from slocum_bytes import CRC, SENSORS, VARIATION, cac, ddmm, magnetic, segment
 
 from clpt_control.gliders import read_dives, usable
 
 WGS84 = Geod(ellps="WGS84")
-SENSORS = (
-    "m_present_time",
-    "m_gps_lat",
-    "m_gps_lon",
-    "m_gps_status",
-    "m_gps_mag_var",
-    "m_lat",
-    "m_lon",
-    "m_x_lmc",
-    "m_y_lmc",
-    "m_water_vx",
-    "m_water_vy",
-    "m_depth",
-    "m_heading",
-    "u_use_current_correction",
-)
 T0, HOME = 1.7126e9, (51.6, -128.3)
-VARIATION = 17.0  # degrees east
 STEP, LASTS, AFLOAT = 20.0, 7200.0, 600.0  # s
 DIVES = 8
 SEAS = np.array([[0.12 * np.cos(k), 0.12 * np.sin(1.3 * k)] for k in range(DIVES + 1)])
@@ -35,12 +18,6 @@ def place(start, moved):
     """Return the place at a displacement, m, from another."""
     lon, lat, _ = WGS84.fwd(*start[::-1], np.degrees(np.arctan2(*moved)), np.hypot(*moved))
     return lat, lon
-
-
-def magnetic(vector):
-    """Return a vector on axes along magnetic north and east of it."""
-    c, s = np.cos(np.radians(VARIATION)), np.sin(np.radians(VARIATION))
-    return np.array([c * vector[0] - s * vector[1], s * vector[0] + c * vector[1]])
 
 
 class Mission:
