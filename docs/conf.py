@@ -24,6 +24,7 @@ extensions = [
     "sphinx_design",
     "commands",
     "mathml",
+    "notebook_downloads",
     "public_names",
     "repository_links",
     "thumbnails",

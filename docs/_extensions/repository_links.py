@@ -3,6 +3,7 @@
 PAGES = {
     "../CONTRIBUTING.md": "contributing.md",
     "../CHANGELOG.md": "changelog.md",
+    "../CODE_OF_CONDUCT.md": "conduct.md",
     "../SECURITY.md": "security.md",
 }
 
