@@ -25,7 +25,6 @@ from .help_pages import Command
 from .printing import terminal_width
 
 PAIR = re.compile(r"\s*[-+.\d]+\s+[-+.\d]+\s*")  # both numbers quoted as one word
-CLOSE = 1000.0  # m; who is so close to a waypoint goes on to the next one
 EDGES, EDGE = 3, 1  # letters around a cell, and of the table's own edge
 ROWS = {
     "clpe_rms": "after the first dive",
@@ -115,10 +114,11 @@ class Ahead:
     def aims(self, replay: Any) -> list[Any]:
         """Return an `Aim` for each waypoint ahead; those that were come close to are dropped."""
         from ..geodesy import displacement
+        from ..replay.aim import ARRIVED
 
         last = replay.steps[-1].dive
         fix = last.lat_gpse, last.lon_gpse
-        while len(self.targets) > 1 and hypot(*displacement(*fix, *self.targets[0])) < CLOSE:
+        while len(self.targets) > 1 and hypot(*displacement(*fix, *self.targets[0])) < ARRIVED:
             self.targets.pop(0)
         duration = None if self.hours is None else 3600 * self.hours
         if not self.targets:
@@ -152,6 +152,8 @@ def results(summary: dict[str, Any]) -> list[Result]:
     if summary["next_dive"]:
         said.append(next_surfacing(summary["next_dive"]))
     said += [aimed(leg) for leg in summary["aim"]]
+    if summary.get("paste"):
+        said += [f"to paste, {summary['paste']['file']}:", summary["paste"]["text"].rstrip()]
     if not each:
         return [Result("", [], [], ["no dives yet", *said])]
     dives = [cells(row) for row in each]
@@ -198,6 +200,8 @@ def write(
         "next.geojson": next_geojson(found),
         "track.kml": track_kml(found, found["vehicle"]),
     }
+    if found["paste"]:
+        results[found["paste"]["file"]] = found["paste"]["text"]
     for name, figure in replay_figures(result, goal, found["aim"]).items():
         results |= {f"{name}.{kind}": figure for kind in kinds}
     placed = {folder / name: one for name, one in results.items()}
@@ -206,15 +210,15 @@ def write(
 
 
 def summary_with_next(result: Any, skipped: list, ahead: Ahead) -> dict[str, Any]:
-    """Return what `--json` prints: the summary, the next surfacing, where to aim."""
-    found = clpt.replay.summary(result, skipped)
-    if not result.steps:
-        return {**found, "next_dive": None, "aim": []}
-    return {
-        **found,
-        "next_dive": ahead.next_dive(result).as_dict(),
-        "aim": [leg.as_dict() for leg in ahead.aims(result)],
-    }
+    """Return what `--json` prints: the summary, the next surfacing, where to aim, what to paste."""
+    from ..replay.paste import paste
+
+    found = clpt.replay.summary(result, skipped) | {"next_dive": None, "aim": [], "paste": None}
+    if result.steps:
+        found["next_dive"] = ahead.next_dive(result).as_dict()
+        found["aim"] = [leg.as_dict() for leg in ahead.aims(result)]
+        found["paste"] = paste(found)
+    return found
 
 
 def check_pace(every: float, patience: float) -> None:

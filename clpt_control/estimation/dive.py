@@ -63,6 +63,8 @@ class Dive:
         Course of the next dive by the plan in this one's file, degrees clockwise from true north.
     vehicle : str or None
         Its name, as the file has it.
+    kind : str or None
+        Seaglider, Slocum or SeaExplorer, where its files say so.
     track : tuple of ndarray or None
         Time since `t_gps2` (s), displacement east and north through the water (m).
     notes : tuple of str
@@ -100,6 +102,7 @@ class Dive:
     model_north: OrNaN | None = None
     next_course: OrNaN | None = None
     vehicle: str | None = field(default=None, compare=False)
+    kind: str | None = field(default=None, compare=False)
     track: Track | None = field(default=None, compare=False, repr=False)
     notes: tuple[str, ...] = field(default=(), compare=False)
 

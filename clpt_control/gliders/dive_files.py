@@ -24,6 +24,7 @@ from .dives import SLOCUM_FILES, Dive, Skipped, is_segment, name_in, name_of_fil
 MOST_BYTES = 4 * 10**9  # of memory that the dives of a file may take
 OF_NETCDF = (seaglider, og1)
 OF_TEXT = (seaexplorer, dive_table)  # which takes any text, so it is the last
+VEHICLES = {seaglider: "Seaglider", slocum: "Slocum", seaexplorer: "SeaExplorer"}  # known by these
 KINDS = (
     "Seaglider or OG1 NetCDF files, .sbd, .mbd or .dbd of a Slocum, .gli of a SeaExplorer, "
     "a CSV table of dives"
@@ -74,24 +75,24 @@ def read_dive_file(path: str | Path) -> tuple[list[Dive], list[Skipped]]:
         raise DataError(f"{path}: is empty; must be one of {KINDS}")
     if raw == slocum.MAGIC or slocum.MAGIC in raw[3:9]:  # the first letters of a compressed block
         dives, skipped = slocum.dives_of(path)
-        return named(dives, name_of_file(path.name)), skipped
+        return named(dives, name_of_file(path.name), VEHICLES[slocum]), skipped
     if raw not in NETCDF:
         if raw.startswith(seaexplorer.GZIP):
-            text = seaexplorer.unzipped(raw, path)
-            dives, skipped = seaexplorer.dives_of(text, path)
+            text, known = seaexplorer.unzipped(raw, path), seaexplorer
         else:
             text = text_of(raw, path, f"is neither NetCDF nor text; must be one of {KINDS}")
-            dives, skipped = next(one for one in OF_TEXT if one.is_known(text)).dives_of(text, path)
-        return named(dives, name_of_file(path.name)), skipped
+            known = next(one for one in OF_TEXT if one.is_known(text))
+        dives, skipped = known.dives_of(text, path)
+        return named(dives, name_of_file(path.name), VEHICLES.get(known)), skipped
     with open_netcdf(path, MOST_BYTES) as data:
         for dialect in OF_NETCDF:
             if dialect.is_known(data):
                 dives, skipped = dialect.dives_of(data, path)
-                return named(dives, name_in(data)), skipped
-        known = ", ".join(map(str, list(data.variables)[:8])) or "no variables"
+                return named(dives, name_in(data), VEHICLES.get(dialect)), skipped
+        names = ", ".join(map(str, list(data.variables)[:8])) or "no variables"
     raise DataError(
         f"{path}: neither a Seaglider file (with log_gps_time) nor OG1 (with LATITUDE_GPS): it has "
-        f"{known}, not the fixes and the displacement through the water that a dive needs; a CSV "
+        f"{names}, not the fixes and the displacement through the water that a dive needs; a CSV "
         "table of dives can give both"
     )
 

@@ -234,4 +234,4 @@ def sample_dives() -> list[Dive]:
     (14, 304, 1371)
     """
     text = (resources.files("clpt_control.data") / "sg542_dives.csv").read_text("utf-8")
-    return named(dives_of(text, "sg542_dives.csv")[0], "SG542")
+    return named(dives_of(text, "sg542_dives.csv")[0], "SG542", "Seaglider")

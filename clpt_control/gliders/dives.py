@@ -160,9 +160,9 @@ def compared(dive: Dive) -> Dive:
     return replace(dive, notes=(*dive.notes, note))
 
 
-def named(dives: list[Dive], name: str | None) -> list[Dive]:
-    """Return dives that bear the name of their vehicle, unless they have one."""
-    return [dive if dive.vehicle else replace(dive, vehicle=name) for dive in dives]
+def named(dives: list[Dive], name: str | None, kind: str | None) -> list[Dive]:
+    """Return dives that bear the name of their vehicle, unless they have one, and its kind."""
+    return [replace(dive, vehicle=dive.vehicle or name, kind=kind) for dive in dives]
 
 
 def changes_noted(dives: list[Dive]) -> list[Dive]:

@@ -56,6 +56,7 @@ from .slocum_file import MAGIC as MAGIC
 from .slocum_file import NAMES, Segment, Series, read_segment
 
 SHORT = 60.0  # s of a dive's end without a place that are left alone
+HOLDS = "the glider's dead reckoning holds the current of the dive before"
 CLEAR = 0.03  # m/s: from here on it is seen whether a current was added
 Of = dict[str, Series]
 OWN_CURRENT = 1800.0  # s after the fix in which the glider has worked its current out
@@ -182,7 +183,7 @@ def reconciled(
     said, known = "", bool(np.isfinite(now).all())
     size = float(np.hypot(*before))
     if was_added((gps - path[1:, -1]) / duration, before, now, used):
-        said = "the glider's dead reckoning holds the current of the dive before, "
+        said = f"{HOLDS}, "
         if np.isfinite(size):
             under = np.clip(path[0] - dived, 0.0, None)
             path = np.vstack([path[:1], path[1:] - np.outer(before, under)])

@@ -52,7 +52,7 @@ class Record(pydantic.BaseModel):
     """
 
     model_config = STRICT
-    format: Literal[4]
+    format: Literal[5]
     folder: str
     stamp: tuple[int, int, int] | None
     dives: list[StoredDive]
@@ -139,7 +139,7 @@ class Follower:
 
     def _record(self, stamp: Any, dives: Iterable[Dive], skipped: list[Skipped]) -> Record:
         where = self._where
-        return Record(format=4, folder=where, stamp=stamp, dives=list(dives), skipped=skipped)
+        return Record(format=5, folder=where, stamp=stamp, dives=list(dives), skipped=skipped)
 
     def dives(self) -> tuple[list[Dive], list[Skipped]]:
         """Return all dives so far, by the name of their file, and what was left out."""

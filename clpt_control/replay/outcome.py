@@ -287,6 +287,7 @@ def summary(replay: Replay, skipped: Sequence[Skipped] = ()) -> dict[str, Any]:
     given = {} if replay.flow_model is None else {"flow_model": _of_flow_model(replay)}
     return {
         "vehicle": (last.dive.vehicle if last else "") or "glider",
+        "kind": last.dive.kind if last else None,
         "dives": len(steps) + len(skipped),
         "used": len(steps),
         "clpe_rms": clpe_rms(replay, 1),

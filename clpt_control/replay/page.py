@@ -10,7 +10,7 @@ from typing import Any
 
 from ..figures import figure_of
 from ..figures.svg import inline_svg
-from ..html import document, paragraphs, safe
+from ..html import document, listing, paragraphs, safe
 from .page_map import replay_map
 from .plots import current_plot, dive_clpe_plot
 from .sentences import RANKS, aimed, cells, next_surfacing, record, remarks, within
@@ -42,6 +42,7 @@ def replay_page(found: dict[str, Any], again: bool = False, title: str | None = 
             f'<div class="buttons"></div></div>{_keys(found)}',
             '<p id="said" class="soft"></p></div>',
             f"<div>{_charts(found)}</div></div>",
+            *_paste(found),
             *_table(found),
             *_remarks(remarks(found)),
         ]
@@ -103,6 +104,12 @@ def _aim(leg: dict[str, Any]) -> str:
         value += f" (mag {compass(magnetic)})"
     below = f"to {safe(leg['place'])}; {leg['made_good']:.0f} m made good, {safe(leg['state'])}"
     return _card("Aim", value, below, "first")
+
+
+def _paste(found: dict[str, Any]) -> list[str]:
+    """Return what goes onto the vehicle."""
+    one = found.get("paste")
+    return [f"<h2>To paste: {safe(one['file'])}</h2>", listing(one["text"])] if one else []
 
 
 def _charts(found: dict[str, Any]) -> str:

@@ -91,6 +91,16 @@ def in_minutes(lat: float, lon: float) -> str:
     return " ".join(words)
 
 
+def minutes(angle: float) -> str:
+    """Return an angle as gliders take it: degrees and minutes in one number, ddmm.mmmm.
+
+    >>> minutes(-42.8), minutes(8.4), minutes(-0.99999999)
+    ('-4248.0000', '824.0000', '-100.0000')
+    """
+    whole, rest = divmod(round(600_000 * abs(angle)), 600_000)
+    return f"{'-' if angle < 0 else ''}{whole}{rest // 10_000:02d}.{rest % 10_000:04d}"
+
+
 def place(lat: float, lon: float) -> str:
     """Return a place both ways.
 

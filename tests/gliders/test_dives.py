@@ -16,7 +16,7 @@ from clpt_control.gliders.dive_table import OPTIONAL, sample_dives, write_dive_t
 from clpt_control.gliders.dives import make_dive
 
 TABLE = [field.name for field in fields(make_dive(1, (0, 0, 0), (1, 0, 0), (0, 0)))]
-TABLE = [name for name in TABLE if name not in ("track", "notes", "vehicle")]
+TABLE = [name for name in TABLE if name not in ("track", "notes", "vehicle", "kind")]
 SETTINGS = settings(
     max_examples=50, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
 )

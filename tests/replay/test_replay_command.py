@@ -75,9 +75,10 @@ def test_the_command_follows(command, tmp_path):
     for part in (sample_dives()[:5], sample_dives()[5:]):
         one_file_each(tmp_path / "in", part)
         followed = json.loads(command(*words).stdout)
-    assert followed.pop("vehicle") == "glider"  # the table of dives names none
+    for key, none in (("vehicle", "glider"), ("kind", None)):
+        assert followed.pop(key) == none  # the table of dives names none
     sample = json.loads(command("--sample", "--json").stdout)
-    assert sample.pop("vehicle") == "SG542"
+    assert (sample.pop("vehicle"), sample.pop("kind")) == ("SG542", "Seaglider")
     assert followed == sample
     assert (tmp_path / "out" / "replay.nc").exists()
 
