@@ -44,6 +44,7 @@ class System(Block):
         self.given = dict(system.params if params is None else params)
         self.known = {*system.params, *declared}  # names that may be given anew
         self._asks: dict[str, frozenset[Any]] = {}  # of a role, as it was read
+        self.pinned: dict[str, frozenset[str]] = {}  # parameters with whose values it was read
         self._update, self._output = _functions(system)
         q = system.noutputs if system.noutputs is not None else self._count(n, m)
         first = self._output is None and q < n  # of the states, as python-control takes them
@@ -60,9 +61,9 @@ class System(Block):
             "outputs": states if self._output is None else {"y": (q,)} if q else {},
             "states": states,
         }
-        self._names = _names(self.given)
+        self.number_names = _names(self.given)
         self.parameters = parameters_of(
-            {self._names[key]: _leaf(self.given[key]) for key in self._names}
+            {self.number_names[key]: _leaf(self.given[key]) for key in self.number_names}
         )
         self.nstates, self.ninputs, self.noutputs, self.dt = n, m, q, system.dt or 0
         for kind, count, letter in (("input", m, "u"), ("output", q, "y"), ("state", n, "x")):
@@ -93,9 +94,9 @@ class System(Block):
     def with_params(self, params: Mapping[str, Any] | None) -> Any:
         """Return the parameters with some changed; python-control passes unknown ones on."""
         known = {
-            self._names[key]: _leaf(value)
+            self.number_names[key]: _leaf(value)
             for key, value in (params or {}).items()
-            if key in self._names and value is not self.given[key]
+            if key in self.number_names and value is not self.given[key]
         }
         return self._parameters._replace(**known) if known else self._parameters
 
@@ -129,7 +130,7 @@ class System(Block):
         """Return the params that python-control would hand to the functions."""
         if p is self._parameters:
             return self.given
-        return {**self.given, **{key: getattr(p, name) for key, name in self._names.items()}}
+        return {**self.given, **{key: getattr(p, name) for key, name in self.number_names.items()}}
 
     # --- ports ------------------------------------------------------------------------------
 
@@ -143,14 +144,16 @@ class System(Block):
         if role == "output" and self._output is None:
             return record_of_states(self.declared["outputs"])
         function, out = self._roles[role]
-        shapes = {key: np.shape(self.given[key]) for key in self._names}
+        shapes = {key: np.shape(self.given[key]) for key in self.number_names}
         ports = self.declared["states"], self.declared["inputs"]
         try:
             found = read_once(function, role, *ports, self.given, shapes, out)
         except (Unread, BlockError) as error:
             return Unread(f"{self.name}.{role}: {error}")
         self._asks[role] = found.names
-        return found.record.renamed({("p", key): ("p", own) for key, own in self._names.items()})
+        self.pinned[role] = frozenset(self.number_names[key] for key in found.pinned)
+        names = self.number_names.items()
+        return found.record.renamed({("p", key): ("p", own) for key, own in names})
 
     def _tried(self) -> None:
         """Leave it to the run, as python-control does."""

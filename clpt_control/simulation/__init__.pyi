@@ -5,6 +5,7 @@ from .loops import closed_loop, error_loop, paper_blocks
 from .plots import clpe_plot, learning_plot, response_plot, run_plot, track_plot
 from .report import claims, run_and_report
 from .run_file import load_run, save_run
+from .sensitivity import sensitivity
 from .starts import initial_state, state_at
 from .team_plots import team_plot
 from .teams import team_loop
@@ -26,6 +27,7 @@ __all__ = [
     "run_plot",
     "sample_times",
     "save_run",
+    "sensitivity",
     "simulate",
     "state_at",
     "team_loop",

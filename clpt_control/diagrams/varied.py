@@ -1,0 +1,255 @@
+"""A diagram beside how it varies along directions: parameters and states of its start.
+
+    x' = f(t, x, u, p),     S' = df/dx S + df/du V + df/dp,     y = h(...),  W = dh/dx S + ...
+
+Each block becomes one that has, behind its own ports, how they vary: ``d_x`` of shape (directions,
+2) beside x.  So wires, breakpoints, jumps, samples and guards stay what they are, and every engine
+and method runs the whole; what is compared with Python's functions is still compared.  A jump in
+time carries S over as the derivative of what it does; a jump where a state crosses something would
+need one more term, which is not there: `may_jump` says where that may be.
+"""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from math import prod
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ..equations.arrays import Array, Tape, elementwise, filled, lifted, operand, stacked
+from ..equations.at_many import STEPS, leaf_values
+from ..equations.block import Block
+from ..equations.derivative import Direction
+from ..equations.reading import record_of_states
+from ..equations.record import Record, Shape, compact
+from ..equations.sampled import Sampled, asked_inside
+from ..equations.system import System
+from .wiring import Node, Wiring, joined_wires
+
+ALONG = "d_"  # with the name of a port: how it varies, a row for each direction
+KINDS = "states", "inputs", "outputs"
+JUMPING = STEPS | {"mod", "pick"}
+Seeds = Mapping[str, np.ndarray]  # field of a block -> how it varies, a row for each direction
+
+
+class VariedBlock(Block):
+    """A block beside how it varies; `seeds` says how its parameters do."""
+
+    def __init__(self, inner: Block, parameters: Any, seeds: Seeds, count: int):
+        self.inner, self.seeds, self.count = inner, seeds, count
+        groups = {
+            "inputs": [inner.input_shapes],
+            "outputs": [inner.output_shapes],
+            "states": _groups(inner),
+        }
+        ports = {kind: dict(self._beside(*own)) for kind, own in groups.items()}
+        # the places of signals: a row for their own, then one for each direction
+        self.places = {kind: _places(own, count) for kind, own in groups.items()}
+        super().__init__(
+            inner.name,
+            update=asked_inside if inner.update_function else None,
+            output=asked_inside if inner.output_function else None,
+            inputs=ports["inputs"],
+            outputs=ports["outputs"] if inner.output_function else None,
+            states=ports["states"],
+            parameters=parameters,
+            breakpoints=inner.breakpoints_function,
+            jump=asked_inside if inner.jump_function else None,
+            guard=inner.guard and inner.guard._replace(sentence=self._sentence),
+        )
+        self.raised, self.dt = inner.raised, inner.dt
+        self.kept = None if inner.kept is None else inner.kept * (1 + count)
+
+    def _beside(self, *groups: Mapping[str, Shape]) -> Iterator[tuple[str, Shape]]:
+        for shapes in groups:
+            yield from shapes.items()
+            yield from ((ALONG + port, (self.count, *shape)) for port, shape in shapes.items())
+
+    def _sentence(self, t: float, u: np.ndarray, p: Any) -> str:
+        assert self.inner.guard is not None
+        return self.inner.guard.sentence(t, u[: self.inner.ninputs], p)
+
+    def _tried(self) -> None:
+        """Leave it to the inner block, which was tried."""
+
+    @property
+    def of_package(self) -> bool:
+        """Whether the functions are the package's own."""
+        return self.inner.of_package
+
+    def samples_at(self, t: float) -> bool:
+        """Whether a time is one at which inputs are sampled."""
+        return self.inner.samples_at(t)
+
+    def values(self, role: str, size: int, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
+        """Return what the inner block's functions give, and how that varies."""
+        inner_x = np.asarray(x)[self.places["states"][0]]
+        inner_u = np.asarray(u)[self.places["inputs"][0]]
+        if role == "guard":
+            return self.inner.values(role, size, t, inner_x, inner_u, p)
+        at = self.places["outputs" if role == "output" else "states"][0]
+        leaf = leaf_values(self, t, np.asarray(x), np.asarray(u), p)
+        parts = self.array_record(role).values(leaf, self.sizes)
+        found = np.concatenate([np.zeros(0), *(part.ravel() for part in parts)])
+        found[at] = self.inner.values(role, len(at), t, inner_x, inner_u, p)
+        return found
+
+    def _read(self, role: str) -> Record:
+        if role == "output" and self.output_function is None:
+            return record_of_states(self.declared["outputs"])
+        record = self.inner.array_record(role)
+        if role == "guard":
+            return record
+        tape, along = Tape(), [dict[int, Any]() for _ in range(self.count)]
+        sizes = self.inner.sizes
+
+        def leaf(group: str, name: str, shape: Shape) -> Array:
+            made = tape.add("leaf", (), shape, (group, name))
+            if group in ("x", "u"):
+                rows = tape.add("leaf", (), (self.count, *shape), (group, ALONG + name))
+                for k, own in enumerate(along):
+                    own[operand(made)] = rows[k]
+            elif group == "p" and name in self.seeds:
+                for own, seed in zip(along, self.seeds[name], strict=True):
+                    own[operand(made)] = lifted(tape, seed) if np.any(seed) else None
+            return made
+
+        def bound(shape: Shape) -> Shape:
+            return tuple(n if isinstance(n, int) else sizes[n] for n in shape)
+
+        closed = [o._replace(shape=bound(o.shape)) for o in record.operations]
+        values = tape.replayed(replace(record, operations=tuple(closed)), leaf)
+        ways = [_Along(tape, own) for own in along]
+        groups = [self.inner.output_shapes] if role == "output" else _groups(self.inner)
+        found: list[Any] = []
+        for shapes in groups:
+            own = [values.pop(0) for _ in shapes]
+            found += own
+            for value, shape in zip(own, shapes.values(), strict=True):
+                slopes = [_whole(tape, way.of(value), shape) for way in ways]
+                found.append(stacked(tape, slopes))
+        ports = self.output_shapes if role == "output" else self.state_shapes
+        return compact(tape.operations, [operand(one) for one in found], ports.values())
+
+
+class _Along(Direction):
+    """A direction along which |x| at x = 0, a root of squares, has the slope 0 and not 0/0."""
+
+    def _along(self, k: int) -> Any:
+        found, kind = super()._along(k), self.tape.operations[k].kind
+        if found is None or kind not in ("sqrt", "hypot"):
+            return found
+        nothing = (self.value(k) == 0.0) & (found != found)
+        return elementwise("where", nothing, 0.0, found)
+
+
+def _groups(block: Block) -> list[dict[str, Shape]]:
+    """Return the states of a block; of one that samples those that it holds apart."""
+    shapes = block.state_shapes
+    if not isinstance(block, Sampled) or block.kept is None:
+        return [shapes]
+    count = len(block.inner.state_shapes)
+    own = list(shapes.items())
+    return [dict(own[:count]), dict(own[count:])]
+
+
+def _places(groups: Sequence[Mapping[str, Shape]], count: int) -> np.ndarray:
+    found, first = [np.zeros((1 + count, 0), dtype=int)], 0
+    for shapes in groups:
+        n, at = sum(map(prod, shapes.values())), 0
+        for size in map(prod, shapes.values()):
+            along = first + n + count * at + np.arange(count * size).reshape(count, size)
+            found.append(np.vstack([first + at + np.arange(size), along]))
+            at += size
+        first += n * (1 + count)
+    return np.hstack(found)
+
+
+def _whole(tape: Tape, slope: Any, shape: Shape) -> Any:
+    """Return a slope in all of a port's shape."""
+    own = getattr(slope, "shape", ())
+    if own == shape:
+        return slope
+    whole = filled(tape, slope if own == () else 0.0, shape)
+    return whole if own == () else elementwise("add", whole, slope)
+
+
+# --- the diagram ------------------------------------------------------------------------------
+
+
+class Varied(NamedTuple):
+    """A wiring beside how it varies, and where its states and signals stand.
+
+    Places have a row for their own, then one for each direction.
+    """
+
+    wiring: Wiring
+    states: np.ndarray
+    signals: np.ndarray
+
+
+def varied(wiring: Wiring, given: Sequence[Any], seeds: Sequence[Seeds], count: int) -> Varied:
+    """Return a diagram beside how it varies along so many directions.
+
+    `given` are the parameters of its blocks, `seeds` how they vary.
+    """
+    nodes: list[Node] = []
+    ends = dict.fromkeys(KINDS, 0)
+    for node, p, own in zip(wiring.nodes, given, seeds, strict=True):
+        block = VariedBlock(node.system, p, own, count)
+        begins, ends = ends, {kind: at + block.places[kind].size for kind, at in ends.items()}
+        x, u, y = (slice(begins[kind], ends[kind]) for kind in KINDS)
+        nodes.append(Node(block, node.name, x, u, y, ()))
+    states, signals = (
+        np.hstack([n.system.places[kind] + getattr(n, kind).start for n in nodes])
+        for kind in ("states", "outputs")
+    )
+    for k, (node, old) in enumerate(zip(nodes, wiring.nodes, strict=True)):
+        rows: dict[int, list[tuple[int, float]]] = {}
+        for wire in old.wires:
+            for j in range(0 if wire.external else wire.size):
+                fed = node.system.places["inputs"][:, wire.to + j]
+                for to, source in zip(fed, signals[:, wire.source + j], strict=True):
+                    rows.setdefault(int(to), []).append((int(source), wire.gain))
+        inner = joined_wires(rows, 0, node.inputs.stop - node.inputs.start, False)
+        outer = [wire for wire in old.wires if wire.external]
+        nodes[k] = replace(node, wires=(*inner, *outer))
+    return Varied(replace(wiring, nodes=tuple(nodes)), states, signals)
+
+
+# --- what may be varied -----------------------------------------------------------------------
+
+
+def fields_by_name(wiring: Wiring) -> dict[str, list[tuple[int, str]]]:
+    """Return the blocks' parameters by the names that a call gives them: (block, field)."""
+    found: dict[str, list[tuple[int, str]]] = {}
+    for k, node in enumerate(wiring.nodes):
+        block, path = node.system, node.name.split(".")
+        own: Mapping[str, str] = {name: name for name in block.parameters._fields}
+        spaces = [".".join([*path[j:], ""]) for j in range(len(path))]
+        if isinstance(block, System):
+            own = block.number_names
+            spaces = ["", *(".".join([*path[:j], ""]) for j in range(1, len(path)))]
+        for space in spaces:
+            for name, field in own.items():
+                if field != "interval" and not isinstance(getattr(block.parameters, field), int):
+                    found.setdefault(space + name, []).append((k, field))
+    return found
+
+
+def read_as_number(block: Block, field: str) -> str | None:
+    """Return the function that was read with a parameter's value, in which none is left of it."""
+    inner: Block = block.inner if isinstance(block, Sampled) else block
+    for role in inner.records:
+        pinned, _ = inner.read_with.get(role, ((), ""))
+        if field in pinned or field in getattr(inner, "pinned", {}).get(role, ()):
+            return role
+    return None
+
+
+def may_jump(block: Block) -> bool:
+    """Return whether a block's functions may jump where a state or time crosses something."""
+    if block.opaque and block.of_package:
+        return False
+    records = [block.array_record(role) for role in block.records if role != "guard"]
+    return any(one.kind in JUMPING for record in records for one in record.operations)

@@ -1,0 +1,252 @@
+"""Sensitivities along a run: closed forms, and differences of runs on models of many kinds."""
+
+import control
+import numpy as np
+import pytest
+from scipy.linalg import expm
+
+import clpt_control as clpt
+from clpt_control.equations.declaration import Each
+
+EXACT = {"rtol": 1e-12, "atol": 1e-13}
+
+
+def decay():
+    def update(t, x, u, p):
+        return [-p["k"] * x[0]]
+
+    return control.nlsys(
+        update, None, name="decay", inputs=0, states=["y"], outputs=["y"], params={"k": 2.0}
+    )
+
+
+def pendulum():
+    def update(t, x, u, p):
+        pull = -p["g"] / p["l"] * np.sin(x[0])
+        return [x[1], pull - p["c"] * x[1] * abs(x[1]) + u[0]]
+
+    return control.nlsys(
+        update,
+        lambda t, x, u, p: [p["l"] * np.sin(x[0])],
+        name="pendulum",
+        states=["theta", "omega"],
+        inputs=["torque"],
+        outputs=["place"],
+        params={"g": 9.81, "l": 1.2, "c": 0.3},
+    )
+
+
+def mrac():
+    """Model reference adaptive control of x' = a x + b u."""
+    plant = control.nlsys(
+        lambda t, x, u, p: [p["a"] * x[0] + p["b"] * u[0]],
+        name="plant", states=["x"], inputs=["u"], outputs=["y"], params={"a": 1.0, "b": 3.0},
+    )  # fmt: skip
+
+    def update(t, x, u, p):
+        (ym, *_), (y, r) = x, u
+        e = y - ym
+        return [-4.0 * ym + 4.0 * r, -p["gain"] * e * y, -p["gain"] * e * r]
+
+    law = control.nlsys(
+        update, lambda t, x, u, p: [x[1] * u[0] + x[2] * u[1], u[0] - x[0]], name="law",
+        states=["ym", "kx", "kr"], inputs=["y", "r"], outputs=["u", "e"], params={"gain": 2.0},
+    )  # fmt: skip
+    return control.interconnect(
+        [plant, law], inputs=["r"], outputs=["y", "e"], name="mrac", check_unused=False
+    )
+
+
+def discrete():
+    controller = control.ss([[1.0]], [[0.1]], [[0.8]], [[2.0]], True, name="pi", inputs="e",
+                            outputs="u")  # fmt: skip
+
+    def update(t, x, u, p):
+        return [x[0] + p["h"] * (-p["k"] * x[0] ** 3 + u[0])]
+
+    plant = control.nlsys(update, None, name="plant", states=["x"], inputs=["u"], outputs=["y"],
+                          params={"h": 0.1, "k": 0.7}, dt=True)  # fmt: skip
+    error = control.summing_junction(["r", "-y"], "e", name="error")
+    error.dt = True
+    return control.interconnect(
+        [controller, plant, error], inputs=["r"], outputs=["y", "u"], name="discrete", dt=True
+    )
+
+
+def van_der_pol():
+    def update(t, x, u, p):
+        return [x[1], p["mu"] * (1.0 - x[0] ** 2) * x[1] - x[0]]
+
+    return control.nlsys(
+        update, None, name="vdp", states=["x", "v"], inputs=0, outputs=["x", "v"],
+        params={"mu": 500.0},
+    )  # fmt: skip
+
+
+def sampled_tank():
+    """A PI controller at samples of 0.5 s, a tank with a valve that saturates."""
+
+    def level(t, x, u, p):
+        inflow = min(max(u.q[0], 0.0), 3.0)
+        return [(inflow - p.c * np.sqrt(x.h[0] + 0.01)) / p.area]
+
+    tank = clpt.Block("tank", update=level, inputs={"q": 1}, states={"h": 1},
+                      parameters={"c": 1.0, "area": 2.0})  # fmt: skip
+    pi = clpt.Block(
+        "pi", update=lambda t, x, u, p: [p.target - u.h[0]],
+        output=lambda t, x, u, p: [p.kp * (p.target - u.h[0]) + p.ki * x.integral[0]],
+        inputs={"h": 1}, outputs={"q": 1}, states={"integral": 1},
+        parameters={"kp": 2.0, "ki": 0.7, "target": 1.5},
+    )  # fmt: skip
+    return clpt.connect([tank, clpt.equations.Sampled(pi, 0.5)], name="level")
+
+
+def by_differences(system, times, name, value, h, start=None, state=None, **given):
+    """Return outputs and states differentiated by one number, by central differences."""
+    found = []
+    for step in (h, -h):
+        if state is None:
+            moved = {"params": {name: value + step}, "initial_state": start}
+        else:
+            moved = {"initial_state": start + step * np.eye(len(start))[state]}
+        run = clpt.simulate(system, times, **moved, **given)
+        found.append(run.states.values)
+    return (found[0] - found[1]) / (2.0 * h)
+
+
+MODELS = {
+    "pendulum": (pendulum(), 5.0, ["g", "l", "c"], [1.0, 0.0], EXACT, [0.7]),
+    "mrac": (mrac(), 5.0, ["a", "b", "gain"], [0.0, 0.0, 0.0, 0.0], EXACT, [1.0]),
+    "discrete": (discrete(), 40.0, ["k"], [0.2, 1.0], {}, [1.0]),
+    "tank": (sampled_tank(), 7.3, ["tank.c", "pi.kp", "pi.target"], [0.1, 0.0, 0.0], EXACT, 0.0),
+}
+
+
+@pytest.mark.parametrize("name", MODELS)
+def test_differences_agree(name):
+    system, end, params, start, solver, u = MODELS[name]
+    start, h = np.array(start), 1e-5 if name != "tank" else 1e-6
+    times = np.arange(0.0, end + 1) if name == "discrete" else np.linspace(0.0, end, 12)
+    given = {"inputs": u, **solver} if u else solver
+    labels = system.state_labels
+    found = clpt.sensitivity(
+        system, times, to=[*params, *labels[: len(start)]], initial_state=start, **given
+    )
+    values = {"g": 9.81, "l": 1.2, "c": 0.3, "a": 1.0, "b": 3.0, "gain": 2.0, "k": 0.7,
+              "tank.c": 1.0, "pi.kp": 2.0, "pi.target": 1.5}  # fmt: skip
+    for param in params:
+        own = by_differences(system, times, param, values[param], h, start, **given)
+        ours = found.states.sel(parameter=param).values
+        assert np.abs(own - ours).max() < 1e-6 * max(1.0, np.abs(own).max()), param
+    for k, label in enumerate(labels[:2]):
+        own = by_differences(system, times, "", 0.0, h, start, k, **given)
+        ours = found.states.sel(parameter=f"x0.{label}").values
+        assert np.abs(own - ours).max() < 1e-6 * max(1.0, np.abs(own).max()), label
+
+
+def test_the_papers_loop_varies_with_its_gain_and_start():
+    scenario = clpt.paper_scenario().with_values({"run.duration": 100})
+    loop, times = clpt.closed_loop(scenario), np.linspace(0.0, 100.0, 11)
+    found = clpt.sensitivity(loop, times, of=["e", "alpha"], to=["adaptation.gain", "x0"], **EXACT)
+    assert found.e.dims == ("time", "index_2", "parameter")
+    assert found.sizes["parameter"] == 15
+    start = clpt.initial_state(loop)
+    own = by_differences(loop, times, "adaptation.gain", 0.8, 1e-4, start, **EXACT)
+    alpha = found.alpha.sel(parameter="adaptation.gain").values
+    assert np.abs(alpha - own[:, 4:10]).max() < 1e-6 * np.abs(alpha).max()
+    own = by_differences(loop, times, "", 0.0, 1e-4, start, 2, **EXACT)
+    label = f"x0.{loop.state_labels[2]}"
+    alpha = found.alpha.sel(parameter=label).values
+    assert np.abs(alpha - own[:, 4:10]).max() < 1e-6 * np.abs(alpha).max()
+
+
+def test_a_stiff_run_varies_with_its_parameter():
+    system, times, start = van_der_pol(), np.array([0.0, 100.0, 300.0]), np.array([2.0, 0.0])
+    found = clpt.sensitivity(system, times, "x", ["mu", "x"], initial_state=start,
+                             rtol=1e-10, atol=1e-12)  # fmt: skip
+    assert "Rodas5P" in found.attrs["method"]
+    given = {"rtol": 1e-11, "atol": 1e-13, "method": "rodas5p"}
+    own = by_differences(system, times, "mu", 500.0, 0.05, start, **given)[:, 0]
+    assert found.x.sel(parameter="mu").values == pytest.approx(own, rel=1e-6, abs=1e-9)
+
+
+def test_closed_forms():
+    times = np.linspace(0.0, 2.0, 9)
+    found = clpt.sensitivity(decay(), times, "y", ["k", "x0"], initial_state=[3.0], **EXACT)
+    assert found.y.sel(parameter="k").values == pytest.approx(-times * 3 * np.exp(-2 * times))
+    assert found.y.sel(parameter="x0.y").values == pytest.approx(np.exp(-2 * times))
+    plant = control.ss([[0.0, 1.0], [-2.0, -0.3]], [[0.0], [1.0]], np.eye(2), 0, name="plant")
+    found = clpt.sensitivity(plant, times, to=["plant.A[1,0]", "x0"], initial_state=[1.0, 0.0],
+                             **EXACT)  # fmt: skip
+    big = np.kron(np.eye(2), plant.A) + np.kron([[0, 0], [1, 0]], [[0, 0], [1, 0]])
+    for k, t in enumerate(times):  # Van Loan: the exponential of a matrix and of its slope
+        whole = expm(t * big)
+        assert found.states[k, :, 1:].values == pytest.approx(expm(t * plant.A), abs=1e-9)
+        assert found.states[k, :, 0].values == pytest.approx(whole[2:, 0], abs=1e-9)
+
+
+def test_outputs_are_chosen_and_named():
+    times = [0.0, 1.0]
+    found = clpt.sensitivity(mrac(), times, of=["e", "states"], to="gain", inputs=1.0)
+    assert list(found) == ["e", "states"]
+    assert list(found.parameter.values) == ["gain"]
+    scenario = clpt.paper_scenario()
+    found = clpt.sensitivity(scenario, times, of=["e[1]"], to="adaptation.gain")
+    assert found["e[1]"].dims == ("time", "parameter")
+
+
+def stepping():
+    def update(t, x, u, p):
+        return [1.0 if x[0] < p["edge"] else 3.0]
+
+    return control.nlsys(
+        update, None, name="relay", states=["x"], inputs=0, outputs=["x"], params={"edge": 1.0}
+    )
+
+
+def test_a_jump_that_is_crossed_is_refused():
+    with pytest.raises(clpt.SimulationError, match=r"do not confirm its derivative.*relay"):
+        clpt.sensitivity(stepping(), np.linspace(0.0, 3.0, 31), to="edge")
+    before = clpt.sensitivity(stepping(), np.linspace(0.0, 0.5, 6), to="edge")
+    assert not before.x.values.any()
+
+
+def test_a_time_that_is_varied_is_refused():
+    def update(t, x, u, p):
+        return [1.0 if t < p["until"] else 0.0]
+
+    pulse = control.nlsys(
+        update, None, name="pulse", states=["x"], inputs=0, outputs=["x"], params={"until": 1.0}
+    )
+    with pytest.raises(clpt.SimulationError, match="do not confirm"):
+        clpt.sensitivity(pulse, np.linspace(0.0, 3.0, 31), to="until")
+    teeth = clpt.Block(
+        "teeth", update=lambda t, x, u, p: [p.slope], states={"x": 1},
+        jump=lambda t, x, u, p: [0.5 * x[0]], breakpoints=Each("period"),
+        parameters={"slope": 1.0, "period": 1.0, "interval": -1.0},
+    )  # fmt: skip
+    times = np.linspace(0.0, 3.5, 36)
+    with pytest.raises(clpt.SimulationError, match="do not confirm"):
+        clpt.sensitivity(clpt.connect([teeth]), times, to="teeth.period")
+    found = clpt.sensitivity(clpt.connect([teeth]), times, "x", ["teeth.slope", "x0"])
+    assert found.x[-1].values == pytest.approx([0.5 + 0.875, 0.125])  # S halves at each jump
+
+
+def test_what_is_not_known_is_said():
+    def update(t, x, u, p):
+        return [-p["k"] * x[0] if p["n"] > 2 else -x[0]]
+
+    asking = control.nlsys(
+        update, None, states=["x"], inputs=0, outputs=["x"], params={"k": 1.0, "n": 3.0}
+    )
+    with pytest.raises(clpt.SimulationError, match=r"n: .*asks for its value"):
+        clpt.sensitivity(asking, [0.0, 1.0], to="n")
+    with pytest.raises(clpt.SimulationError, match="must be among k, n, x, x0"):
+        clpt.sensitivity(asking, [0.0, 1.0], to="q")
+    with pytest.raises(clpt.SimulationError, match="must be among x, states"):
+        clpt.sensitivity(asking, [0.0, 1.0], of="q", to="k")
+    with pytest.raises(clpt.SimulationError, match="shape"):
+        clpt.sensitivity(control.ss([[1.0]], [[1.0]], [[1.0]], 0, name="p"), [0.0, 1.0],
+                         to="p.A[1,0]")  # fmt: skip
+    with pytest.raises(clpt.SimulationError, match="takes no function"):
+        clpt.sensitivity(mrac(), [0.0, 1.0], to="gain", inputs=lambda t: [t])
