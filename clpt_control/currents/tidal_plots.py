@@ -26,7 +26,7 @@ DAY = np.timedelta64(1, "D")
 
 
 @public
-def tides_plot(fit: TidalFit, record: CurrentRecord, *, ax: Any = None) -> Any:
+def tides_plot(fit: TidalFit, record: CurrentRecord, *, ax: Any = None) -> np.ndarray:
     """Draw tidal ellipses, and a record against its fit, m/s.
 
     Parameters

@@ -115,7 +115,7 @@ def _listed(column: np.ndarray) -> list[float] | None:
 
 
 @public
-def ensemble_plot(data: "xarray.Dataset", *, ax: Any = None) -> Any:
+def ensemble_plot(data: "xarray.Dataset", *, ax: Any = None) -> np.ndarray:
     """Draw percentiles of CLPE and of the parameter error.
 
     Parameters

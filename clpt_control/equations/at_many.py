@@ -74,14 +74,14 @@ def rows(record: Record, leaf: Callable, sizes: Mapping[str, int], count: int) -
 
 
 @public
-def evaluate(block: Block, times: ArrayLike, inputs: ArrayLike) -> np.ndarray:
+def evaluate(block: Block, timepts: ArrayLike, inputs: ArrayLike) -> np.ndarray:
     """Compute a static block's outputs at many times and inputs.
 
     Parameters
     ----------
     block : Block
         Without states, such as ``basis_x``, Eq. (5), or ``true_flow`` of a gridded field.
-    times : array_like, shape (n,) or a number
+    timepts : array_like, shape (n,) or a number
         In the block's unit.
     inputs : array_like, shape (n, ninputs)
         Such as places, in the block's unit.
@@ -100,11 +100,11 @@ def evaluate(block: Block, times: ArrayLike, inputs: ArrayLike) -> np.ndarray:
            [0.368]])
     """
     given = np.atleast_2d(numbers("inputs", inputs, block.ninputs))
-    at = numbers("times", times)
+    at = numbers("timepts", timepts)
     if given.ndim > 2 or at.shape not in ((), (1,), given.shape[:1]):
         raise ArgumentError(
-            f"evaluate: times has shape {at.shape}, inputs {given.shape}; must be a time, or n of "
-            f"them, and (n, {block.ninputs})"
+            f"evaluate: timepts has shape {at.shape}, inputs {given.shape}; must be a time, or n "
+            f"of them, and (n, {block.ninputs})"
         )
     at = np.broadcast_to(at, len(given))
     return on_arrays(block, "output", at, np.zeros((0, len(at))), given.T).T

@@ -225,7 +225,7 @@ def dive_clpe_plot(replay: Source, *, dates: bool = False, ax: "Axes | None" = N
 
 
 @public
-def current_plot(replay: Source, *, dates: bool = False, ax: Any = None) -> Any:
+def current_plot(replay: Source, *, dates: bool = False, ax: Any = None) -> np.ndarray:
     """Draw the learned current of each dive, and the speed factor.
 
     Parameters
@@ -279,7 +279,7 @@ def current_plot(replay: Source, *, dates: bool = False, ax: Any = None) -> Any:
 
 
 @public
-def replay_plot(replay: Source, *, ax: Any = None) -> Any:
+def replay_plot(replay: Source, *, ax: Any = None) -> np.ndarray:
     """Draw a replay's map, CLPE and learned current in one figure.
 
     Parameters

@@ -41,7 +41,7 @@ if TYPE_CHECKING:
 def flow_velocity(
     scenario: Scenario,
     points: ArrayLike,
-    times: ArrayLike,
+    timepts: ArrayLike,
     parameters: np.ndarray | None = None,
 ) -> np.ndarray:
     """Return the flow at places and times, true or learned.
@@ -54,7 +54,7 @@ def flow_velocity(
         The experiment.
     points : array_like, shape (n, 2)
         Places, units.length.
-    times : array_like, shape (n,) or a number
+    timepts : array_like, shape (n,) or a number
         Times, units.time.
     parameters : array_like, shape (2, N) or (n, 2, N), optional
         Flow parameters theta_hat to use in place of the truth.
@@ -74,10 +74,10 @@ def flow_velocity(
     if parameters is None and scenario.flow.parameters is None:
         calm = scenario.with_values({"flow.disturbance": None})
         block = next(b for b in paper_blocks(calm) if b.name == "true_flow")
-        return evaluate(block, times, points)
+        return evaluate(block, timepts, points)
     given = scenario.flow.parameters if parameters is None else parameters
     theta = numbers("parameters", given, 2, scenario.basis.N)
-    phi = evaluate(scenario.basis_block(), times, points)
+    phi = evaluate(scenario.basis_block(), timepts, points)
     return np.einsum("...ik,...k->...i", theta, phi)
 
 

@@ -70,6 +70,7 @@ def test_an_indefinite_V_proves_nothing():
     assert verdict.residual == 0
     assert verdict.status == "open"
     assert "positive definite" in next(s.claim for s in verdict.steps if not s.holds)
+    assert repr(verdict).startswith("<Verdict open: not shown: V is positive definite")
 
 
 def test_a_V_that_does_not_fit_refutes_no_law():

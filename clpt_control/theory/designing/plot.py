@@ -16,7 +16,7 @@ LOWEST = 1e-16  # errors below are drawn there
 
 
 @public
-def design_plot(design: Design, *, ax: Any = None) -> Any:
+def design_plot(design: Design, *, ax: Any = None) -> np.ndarray:
     """Draw the old and the new track, and what is learned on both.
 
     Parameters

@@ -26,7 +26,7 @@ LOWEST = 1e-30  # eigenvalues below this share of the largest are drawn there
 @public
 def excitation_plot(
     source: Source, window: float | None = None, start: float | None = None, *, ax: Any = None
-) -> Any:
+) -> np.ndarray:
     """Draw what can be learned along time, and what least.
 
     Parameters

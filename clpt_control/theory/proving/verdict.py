@@ -210,6 +210,11 @@ class Verdict:
     def _detail(self) -> str:
         if self.rate is not None:
             return f": V' = {self.rate:.3g} at `point`"
+        left = next((step for step in self.steps if not step.holds), None)
+        if self.status == "open" and left is not None:
+            return f": not shown: {left.claim}"
+        if self.reached:
+            return f": {self.reached}"
         return ", for every number of basis functions" if self.for_every_N else ""
 
 
