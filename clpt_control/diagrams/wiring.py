@@ -174,6 +174,21 @@ def entries(matrix: Any) -> Rows:
     return rows
 
 
+def units_of(wiring: Wiring) -> tuple[list[str], list[str]]:
+    """Return the units of all block outputs, and of the diagram's inputs; "" where none is said.
+
+    An input of the diagram has the unit of what takes it.
+    """
+    made = [unit for node in wiring.nodes for unit in node.system.units_of("output")]
+    given = [""] * wiring.ninputs
+    for node in wiring.nodes:
+        taken = node.system.units_of("input")
+        for wire in (one for one in node.wires if one.external and one.gain == 1.0):
+            for k in range(wire.size):
+                given[wire.source + k] = given[wire.source + k] or taken[wire.to + k]
+    return made, given
+
+
 def joined_wires(rows: Rows, first: int, last: int, external: bool) -> list[Wire]:
     """Join the signals that feed inputs first to last - 1 where they are consecutive."""
     following: dict[tuple, int] = {}  # what would continue a wire -> its place

@@ -28,6 +28,7 @@ from .declaration import (
     Guard,
     check_guard,
     check_names,
+    check_units,
     checked_parameters,
     labels,
     ports_of,
@@ -90,6 +91,8 @@ class Block(control.NonlinearIOSystem):
         it, python-control does not.
     guard : Guard, optional
         Where the block may be used.
+    units : mapping, optional
+        Port -> unit, ``{"e": "m"}``, which runs, plots and drawings show.
 
     Attributes
     ----------
@@ -116,6 +119,7 @@ class Block(control.NonlinearIOSystem):
     """
 
     kept: int | None = None  # of a sampled block: how many states stand before what it holds
+    units: Mapping[str, str] = MappingProxyType({})  # of ports, where they are said
 
     def __init__(
         self,
@@ -133,6 +137,7 @@ class Block(control.NonlinearIOSystem):
         breakpoints: Callable[[Any, float, float], np.ndarray] | None = None,
         jump: Equations | None = None,
         guard: Guard | None = None,
+        units: Mapping[str, str] | None = None,
     ):
         declared = {
             "inputs": shapes_of(inputs),
@@ -158,12 +163,13 @@ class Block(control.NonlinearIOSystem):
                 "and `states` with it, or leave `jump` out"
             )
         check_guard(name, guard)
+        check_units(name, units or {}, *declared.values())
         for role, function in (("update", update), ("output", output), ("jump", jump)):
             if function is not None and not callable(function):
                 raise BlockError(f"{name}.{role}: {shown(function)} must be a function")
         self.update_function, self.output_function, self.jump_function = update, output, jump
         self.opaque, self.breakpoints_function, self.guard = opaque, breakpoints, guard
-        self.name = name
+        self.name, self.units = name, dict(units or {})
         self.declared, self.parameter_shapes = declared, shapes_of(shapes)
         self.raised: dict[str, str] = {}  # what a role last raised, where it gave NaN
         self._inner: dict[str, dict[str, str]] = {}  # a port's name -> what its equations call it
@@ -260,6 +266,12 @@ class Block(control.NonlinearIOSystem):
         """Return the state ports and their numbers of signals."""
         return sizes_of(self.state_shapes)
 
+    def units_of(self, kind: str) -> list[str]:
+        """Return the unit of each "input" or "output", "" if not said."""
+        return [
+            self.units.get(label.partition("[")[0], "") for label in getattr(self, f"{kind}_labels")
+        ]
+
     def _called(self, kind: str, shapes: Mapping[str, Any]) -> dict[str, Any]:
         """Return ports by the names that the equations use."""
         names = self._inner.get(kind, {})
@@ -271,6 +283,8 @@ class Block(control.NonlinearIOSystem):
             own, ports = self._inner.get(kind, {}), self.declared[kind]
             self._inner[kind] = {moved.get(p, p): own.get(p, p) for p in ports}
             self.declared[kind] = {moved.get(p, p): shape for p, shape in ports.items()}
+            own_units = {moved[p]: unit for p, unit in self.units.items() if p in moved}
+            self.units = {**self.units, **own_units}
         self.parameters = self.parameters
         for kind, rename in (("input", self.set_inputs), ("output", self.set_outputs)):
             moved = names.get(f"{kind}s", {})

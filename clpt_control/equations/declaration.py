@@ -82,6 +82,18 @@ def check_names(name: str, *ports: Mapping[str, Any]) -> None:
                 )
 
 
+def check_units(name: str, units: Mapping[str, str], *ports: Mapping[str, Any]) -> None:
+    """Refuse units of what is no port, and what is no text of one line."""
+    for port, unit in units.items():
+        if not any(port in own for own in ports):
+            known = ", ".join(dict.fromkeys(port for own in ports for port in own))
+            raise BlockError(f"{name}: units names {port!r}, which is no port; it has {known}")
+        if not isinstance(unit, str) or not unit.strip() or not unit.isprintable():
+            raise BlockError(
+                f"{name}: units = {{{port!r}: {shown(unit)}}}: must be a text, such as 'm/s'"
+            )
+
+
 def multiples(period: float, t0: float, t1: float) -> np.ndarray:
     """Return the multiples k * period, k >= 1, in (t0, t1]: sorted, each rounded once."""
     count = abs(t1 - t0) / period if period > 0 else math.inf

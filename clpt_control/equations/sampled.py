@@ -83,6 +83,7 @@ class Sampled(Block):
             sizes=inner.sizes,
             breakpoints=Each(self.period),
             jump=asked_inside if states else None,
+            units=inner.units,
         )
         self.kept, self.raised = inner.nstates if inner.ninputs else None, inner.raised
         self._given = self.parameters  # those that the inner block has itself

@@ -146,29 +146,32 @@ def _can(data: "xarray.Dataset") -> list[str]:
 
 
 class Plots:
-    """Pictures of a dataset, each on given axes or on a new figure; the Axes are returned."""
+    """Pictures of a dataset, each on given axes or on a new figure; the Axes are returned.
+
+    Those of a run take a `label` and a `color` too, as `clpt_control.compare` gives them.
+    """
 
     def __init__(self, data: "xarray.Dataset"):
         self._data = data
 
-    def __call__(self, *, ax: Any = None) -> Any:
+    def __call__(self, *, ax: Any = None, **told: Any) -> Any:
         """Draw a run's track, CLPE and learning; a team; a diagram's ports; percentiles; dives."""
         kind = KINDS[kind_of(self._data)]
-        return getattr(kind.room, kind.whole)(self._data, ax=ax)
+        return getattr(kind.room, kind.whole)(self._data, ax=ax, **told)
 
-    def track(self, *, ax: Any = None) -> Any:
+    def track(self, *, ax: Any = None, **told: Any) -> Any:
         """Draw a run's waypoints, track and flow."""
-        return simulation.track_plot(self._data, ax=ax)
+        return simulation.track_plot(self._data, ax=ax, **told)
 
-    def clpe(self, *, ax: Any = None) -> Any:
+    def clpe(self, *, ax: Any = None, **told: Any) -> Any:
         """Draw the CLPE of a run, or of a replay's dives."""
         if kind_of(self._data) == "replay":
             return replay.dive_clpe_plot(self._data, ax=ax)
-        return simulation.clpe_plot(self._data, ax=ax)
+        return simulation.clpe_plot(self._data, ax=ax, **told)
 
-    def learning(self, axis: int = 1, *, ax: Any = None) -> Any:
+    def learning(self, axis: int = 1, *, ax: Any = None, **told: Any) -> Any:
         """Draw a run's flow parameters and gains of one axis."""
-        return simulation.learning_plot(self._data, axis, ax=ax)
+        return simulation.learning_plot(self._data, axis, ax=ax, **told)
 
     def excitation(
         self, window: float | None = None, start: float | None = None, *, ax: Any = None

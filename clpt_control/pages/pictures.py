@@ -9,6 +9,7 @@ from ..figures import BLUE, GREY, RED, figure_of, new_figure
 from ..html import folded, paragraphs, table
 from ..scenario.experiment import Scenario
 from ..scenario.file import OWN_LAW
+from ..scenario.recorded_run import waypoints_of
 from ..scenario.team import Team
 from ..simulation.flows import flow_velocity
 from ..simulation.loops import closed_loop
@@ -80,7 +81,7 @@ def figure_sections(
         Drawn(
             "track",
             narrow(figure_of(track_plot, few), 4.9),
-            "Waypoints in their order, the track, and the true flow at the start." + thin,
+            "Where it was to be, the track, and the true flow at the start." + thin,
         ),
         Drawn(
             "flows",
@@ -90,12 +91,13 @@ def figure_sections(
         ),
     ]
     unit = scenario.units
-    clpe = Drawn(
-        "clpe",
-        narrow(figure_of(clpe_plot, few), 4.9),
+    said = (
         f"The prediction error by waypoint intervals of {scenario.reference.dwell:g} {unit.time}; "
-        "below, its size and its root mean square in each interval, logarithmic." + thin,
+        "below, its size and its root mean square in each interval, logarithmic."
     )
+    if not len(waypoints_of(run, scenario)):
+        said = "The prediction error over time; below, its size, logarithmic."
+    clpe = Drawn("clpe", narrow(figure_of(clpe_plot, few), 4.9), said + thin)
     rms = numbers["clpe_rms_per_cycle"]
     rows = [[str(k + 1), number(value)] for k, value in enumerate(rms)]
     listed = table(f"CLPE, root mean square in each round ({unit.length})", ["round", "rms"], rows)
@@ -168,7 +170,9 @@ def flows_figure(run: "xarray.Dataset", scenario: Scenario) -> "Figure":
     """Draw the true flow and the learned one at the end of a run, at the same places."""
     figure, ax = new_figure(4.8, 4.8)
     time, path = float(run.time[-1]), run.position.values
-    grid, half = square_chart(ax, scenario, path, PLACES)
+    grid, half = square_chart(
+        ax, scenario, np.concatenate([waypoints_of(run, scenario), path]), PLACES
+    )
     learned = flow_velocity(scenario, grid, time, run.flow_parameters_estimate.values[-1])
     true = flow_velocity(scenario, grid, time)
     most = np.nanmax(np.hypot(*np.concatenate([true, learned]).T)) or 1.0

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 from ..html import folded, listing, paragraphs, safe, table
 from ..scenario.experiment import Scenario
 from ..scenario.file import CHANGED, OWN_LAW, OWN_PARTS, TEAM, paper_scenario
+from ..scenario.recorded_run import waypoints_of
 from ..scenario.team import Team
 from ..simulation.report import claims
 from .excitation_section import excitation_section
@@ -45,8 +46,11 @@ def run_page(run: "xarray.Dataset", system: Scenario | Team, title: str | None =
     else:
         kind, scenario, alone = KINDS[parts is not None], system, numbers
         law = f"{own}, given in Python," if own else scenario.learning.law
+        count = len(waypoints_of(run, system))
+        if not count:  # there are no rounds
+            numbers = alone = {**numbers, "clpe_rms_per_cycle": []}
         begin = "Asked, as far as the scenario says" if parts else "Asked"
-        said = [asked(scenario, law, begin), found_of_clpe(numbers, scenario.units.length)]
+        said = [asked(scenario, law, count, begin), found_of_clpe(numbers, scenario.units.length)]
         cards, sections = [], figure_sections(run, scenario, numbers)
     claimed = []
     if paper and not numbers["of_samples"]:  # else the run does not carry its figures
@@ -99,8 +103,8 @@ def _warnings(run: "xarray.Dataset", scenario: Scenario, numbers: dict[str, Any]
         )
     if parts:
         said.append(
-            f"The run is of a diagram with parts given in Python, {parts}: waypoints, true flow "
-            "and law may be others than the scenario says."
+            f"The run is of a diagram with parts given in Python, {parts}: what it followed, the "
+            "true flow and the law may be others than the scenario says."
         )
     if "measured_position" in run:
         said.append(

@@ -70,15 +70,19 @@ def at_end(by_time: dict[str, float]) -> float:
     return list(by_time.values())[-1]
 
 
-def asked(scenario: Scenario, law: str, begin: str = "Asked") -> str:
-    """Return what was asked of a scenario's run."""
+def asked(scenario: Scenario, law: str, count: int, begin: str = "Asked") -> str:
+    """Return what was asked of a scenario's run with so many waypoints."""
     run, unit = scenario.run, scenario.units
-    count = len(scenario.waypoints)
     rounds = run.duration / scenario.cycle
+    way = (
+        f"visits {count} waypoint{'s'[: count != 1]} in turn, {scenario.reference.dwell:g} "
+        f"{unit.time} at each, for {run.duration:g} {unit.time} "
+        f"({rounds:.3g} round{'s'[: rounds != 1]})"
+    )
+    if not count:
+        way = "follows a desired position given in Python"
     return (
-        f"{begin}: a vehicle visits {count} waypoint{'s'[: count != 1]} in turn, "
-        f"{scenario.reference.dwell:g} {unit.time} at each, for {run.duration:g} {unit.time} "
-        f"({rounds:.3g} round{'s'[: rounds != 1]}) in {_water(scenario)}; it predicts where it "
+        f"{begin}: a vehicle {way} in {_water(scenario)}; it predicts where it "
         f"will be, and from the error of that prediction (CLPE) the law {law} "
         + ("is to adapt its gains." if scenario.learning.row.given_estimate else "is to learn it.")
     )

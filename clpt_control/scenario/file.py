@@ -24,6 +24,7 @@ CHANGED = "parameters_changed"  # attribute of a run: parameters that no key hol
 TEAM = "team"  # attribute of a team's run, in place of its scenario: the team as TOML text
 OWN_LAW = "own_law"  # attribute of a run: the name of a law given in Python
 OWN_PARTS = "own_parts"  # attribute of a run: what else of its diagram was given in Python
+REFERENCE = "reference"  # the part, in these words, that makes the waypoints
 FORM = "run_format"  # attribute of a run's file: the form in which it is written; none is 1
 LARGEST = 2 * 10**7  # bytes of a scenario; TOML takes some seconds to read them
 LATEST = 1  # form that is written; all up to it are read

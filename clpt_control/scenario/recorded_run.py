@@ -9,6 +9,7 @@ import numpy as np
 
 from ..errors import DataError
 from .experiment import Scenario
+from .file import OWN_PARTS, REFERENCE
 from .team import Team
 
 if TYPE_CHECKING:
@@ -37,6 +38,12 @@ SHARED = ("time", "flow_parameters", "lyapunov")  # by the vehicles of a team
 TEXTS = ("title", "source", "software", "status", "message", "engine", "method")  # attributes
 LARGEST = 1e75  # a number whose fourth power can be held
 MOST_WAYPOINTS = 1e6  # to which a run goes, unless its scenario says more
+
+
+def waypoints_of(run: "xarray.Dataset", scenario: Scenario) -> np.ndarray:
+    """Return the waypoints of a run; none where its desired position is not its scenario's."""
+    own = {part.partition(":")[0] for part in str(run.attrs.get(OWN_PARTS, "")).split(", ")}
+    return np.zeros((0, 2)) if REFERENCE in own else scenario.waypoints
 
 
 def check_run(run: "xarray.Dataset", system: Scenario | Team, *names: str) -> None:

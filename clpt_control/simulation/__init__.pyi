@@ -2,7 +2,7 @@ from .film import animate
 from .flows import explained_variance, flow_velocity
 from .integrate import sample_times, simulate
 from .loops import closed_loop, error_loop, paper_blocks
-from .plots import clpe_plot, learning_plot, response_plot, run_plot, track_plot
+from .plots import clpe_plot, compare, learning_plot, response_plot, run_plot, track_plot
 from .report import claims, run_and_report
 from .run_file import load_run, save_run
 from .sensitivity import sensitivity
@@ -15,6 +15,7 @@ __all__ = [
     "claims",
     "closed_loop",
     "clpe_plot",
+    "compare",
     "error_loop",
     "explained_variance",
     "flow_velocity",

@@ -27,6 +27,7 @@ from ..scenario.file import CHANGED, OWN_LAW, OWN_PARTS, scenario_to_text
 if TYPE_CHECKING:
     import xarray
 
+INDEX = "index"  # ends the name of a port's dimension
 STATE = {"long_name": "state of the diagram"}
 STATES = {"long_name": "states of the diagram, each in its own unit"}
 VARIABLES = {  # name -> (port, long name, unit of length or none, powers of 1/time)
@@ -132,18 +133,30 @@ def _index(name: str, values: Any, attributes: Any) -> tuple[Any, Any]:
 
 
 def ports_shown(
-    ports: Mapping[str, Sequence[int]], dims: Mapping[int, str], taken: Any
-) -> dict[str, Part]:
-    """Return the variables of ports, each with the places of its signals.
+    ports: Mapping[str, Sequence[int]],
+    dims: Mapping[int, str],
+    taken: Any,
+    units: Mapping[str, str] = {},
+) -> tuple[dict[str, Part], dict[str, tuple[Any, Mapping[str, str]]]]:
+    """Return the variables of ports, each with the places of its signals, and their axes.
 
-    `dims` names dimensions by size; a name that is taken gets a _.
+    `dims` names dimensions by size; others are named after their port, and count from 0.  A name
+    that is taken gets a _.
     """
     parts: dict[str, Part] = {}
+    axes: dict[str, tuple[Any, Mapping[str, str]]] = {}
     for port, places in ports.items():
         size = len(places)
-        more = () if size == 1 else (dims.get(size, f"index_{size}"),)
-        parts[f"{port}_" if port in taken else port] = Part(("time", *more), columns(places, *more))
-    return parts
+        more: tuple[str, ...] = ()
+        if size > 1:
+            dim = dims.get(size, f"{port}_{INDEX}")
+            more = (dim if dim not in ports else f"{dim}_",)
+        if size > 1 and size not in dims:
+            axes[more[0]] = np.arange(size), {"long_name": f"signal of {port}, counted from 0"}
+        said = {"units": units[port]} if units.get(port) else {}
+        name = f"{port}_" if port in taken else port
+        parts[name] = Part(("time", *more), columns(places, *more), said)
+    return parts, axes
 
 
 def columns(places: Sequence[int], *shape: Any) -> Callable[[np.ndarray], np.ndarray]:
@@ -247,8 +260,12 @@ def run_frame(
         parts["lyapunov"] = Part(("time",), _lyapunov(row.V(p, truth), column), candidate)
     shown = {port for port, *_ in wanted.values()}
     others = {k: at for k, at in ports_of(column).items() if k in more and k not in shown}
-    parts |= ports_shown(others, {2: "axis", **({} if N == 2 else {N: "basis"})}, parts)
+    more_parts, more_axes = ports_shown(
+        others, {2: "axis", **({} if N == 2 else {N: "basis"})}, parts
+    )
+    parts |= more_parts
     axes = {
+        **more_axes,
         "axis": ([1, 2], {"long_name": "axis of the plane, x1 and x2"}),
         "basis": (np.arange(1, N + 1), {"long_name": "flow basis function"}),
     }
@@ -300,13 +317,17 @@ def _estimate(scenario: Scenario, found: Columns, own: Any) -> Any:
 
 
 @lru_cache(maxsize=64)
-def diagram_frame(name: str, labels: tuple[str, ...], states: tuple[str, ...]) -> Frame:
+def diagram_frame(
+    name: str, labels: tuple[str, ...], units: tuple[str, ...], states: tuple[str, ...]
+) -> Frame:
     """Return the Dataset of any diagram: a variable for each port, named as it is, and its states.
 
-    `labels` are those of the signals with which it is filled.
+    `labels` and `units` are those of the signals with which it is filled.
     """
-    parts = ports_shown(ports_of(labels), {}, ("time", "state", "states"))
-    return Frame(parts, {}, {"title": f"Response of {name}"}, states=states)
+    ports = ports_of(labels)
+    said = {port: units[places[0]] for port, places in ports.items()}
+    parts, axes = ports_shown(ports, {}, ("time", "state", "states"), said)
+    return Frame(parts, axes, {"title": f"Response of {name}"}, states=states)
 
 
 def with_states(

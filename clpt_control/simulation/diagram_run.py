@@ -14,12 +14,12 @@ import numpy as np
 
 from ..diagrams.stopping import with_stop
 from ..diagrams.unchanged import key_of
-from ..diagrams.wiring import read_anew, wiring_of
+from ..diagrams.wiring import entries, read_anew, units_of, wiring_of
 from ..equations.declaration import ports_of, whole_labels
 from ..equations.linear import linear
 from ..native.engines import VARIABLE, chosen, run_as_read
 from ..native.schedule import open_sizes, read_inputs, stacked_state
-from ..scenario.file import OWN_PARTS
+from ..scenario.file import OWN_PARTS, REFERENCE
 from .dataset import Frame, columns_of, diagram_frame, run_frame
 from .loops import LoopOf
 from .scenario_run import limit_of, note_speeds, speeds_of
@@ -81,12 +81,21 @@ class DiagramRun:
 
         return vstack([made, eye_array(n, made.shape[1], k=made.shape[1] - n)], format="csr")
 
+    def _units(self) -> list[str]:
+        """Return the unit of each signal that is shown; of a sum of several none is known."""
+        made, given = units_of(self.wiring)
+        every, rows = made + given, entries(self.wiring.output_map)
+        found = [rows.get(k, []) for k in range(self.wiring.output_map.shape[0])]
+        alone = [row[0][0] if len(row) == 1 and row[0][1] == 1.0 else None for row in found]
+        return ["" if at is None else every[at] for at in alone] + given
+
     @cached_property
     def frame(self) -> Frame:
         """The Dataset of its runs; of `closed_loop` it is its scenario's."""
         diagram = self.diagram
         if self.made_of is None:
-            return diagram_frame(diagram.name, tuple(self.labels), tuple(self.states))
+            own = tuple(self.labels), tuple(self._units()), tuple(self.states)
+            return diagram_frame(diagram.name, *own)
         found = columns_of(self.labels, self.wiring, self.runner.sweep.given)
         every, params = ports_of(self.labels), self.params or {}
         scenario, changes, _ = self.made_of
@@ -144,7 +153,8 @@ def simulate_diagram(
         if loop is None:
             return found
         if not (alone and run.as_made):
-            said = [loop.changes.in_words, f"{diagram.name}: run as a diagram"]
+            outside = f"{REFERENCE}: from outside" if "zc" in loop.external else ""
+            said = [loop.changes.in_words, outside, f"{diagram.name}: run as a diagram"]
             found.attrs[OWN_PARTS] = ", ".join(filter(None, said))
         limit = limit_of(run.wiring, run.runner.sweep.given)
     if limit is not None and {"commanded_velocity", "true_flow"} <= set(found):

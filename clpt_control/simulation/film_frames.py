@@ -11,6 +11,7 @@ import numpy as np
 
 from ..figures import BLUE, GREEN, GREY, ORANGE, RED, legend_below, new_figure
 from ..scenario.experiment import Scenario
+from ..scenario.recorded_run import waypoints_of
 from .plots import TITLE, scenario_with
 
 if TYPE_CHECKING:
@@ -65,7 +66,7 @@ def film_of(run: "xarray.Dataset", times: np.ndarray) -> Film:
 
 def _grid(scenario: Scenario, run: "xarray.Dataset") -> np.ndarray:
     """Return the places of the arrows: over waypoints and track, within the true flow's field."""
-    seen = np.vstack([run.position.values, scenario.waypoints])
+    seen = np.vstack([run.position.values, waypoints_of(run, scenario)])
     low, high = seen.min(0), seen.max(0)
     rim = 0.12 * max(*(high - low), 1e-9)
     low, high = low - rim, high + rim
@@ -104,7 +105,7 @@ def draw_frames(film: Film, width: int) -> "tuple[Figure, Iterator[int]]":
 def _chart(ax: Any, film: Film, step: float) -> dict[str, Any]:
     """Draw the chart at the first time; return what moves."""
     units = film.scenario.units
-    points = film.scenario.waypoints
+    points = waypoints_of(film.run, film.scenario)
     ax.plot(*points.T, "o", color="black", ms=5, mfc="none")
     arrows: dict[str, Any] = {"angles": "xy", "scale_units": "xy", "scale": 1, "minlength": 0}
     arrows |= {"headwidth": 3.2, "headlength": 3.6, "headaxislength": 3.2}
@@ -114,7 +115,9 @@ def _chart(ax: Any, film: Film, step: float) -> dict[str, Any]:
         "true": ax.quiver(*film.grid.T, *nothing, color=FAINT, width=0.008, **arrows),
         "learned": ax.quiver(*film.grid.T, *nothing, color=ORANGE, width=0.0042, **arrows),
         "track": ax.plot([], [], **line)[0],
-        "zc": ax.plot([], [], "o", color="black", ms=5, label="waypoint, now")[0],
+        "zc": ax.plot(
+            [], [], "o", color="black", ms=5, label="waypoint, now" if len(points) else "desired"
+        )[0],
         "x": ax.plot([], [], "o", color=BLUE, ms=8, label="vehicle")[0],
         "z": ax.plot([], [], "D", color=GREEN, ms=8, mfc="none", mew=1.8, label="prediction")[0],
         "e": ax.plot([], [], color=RED, lw=1.6, label="CLPE")[0],

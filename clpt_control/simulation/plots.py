@@ -3,16 +3,18 @@
 Nothing here integrates.
 """
 
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ..arguments import public
 from ..errors import ClptError, DataError
-from ..figures import BLUE, GREY, RED, axes_for, legend_below, line_style
+from ..figures import BLUE, COLOURS, GREY, RED, axes_for, legend_below, line_style
 from ..scenario.experiment import Scenario
 from ..scenario.file import scenario_of_run
-from ..scenario.recorded_run import check_run
+from ..scenario.recorded_run import check_run, waypoints_of
+from .dataset import INDEX
 
 TITLE: dict[str, Any] = {"loc": "left", "fontsize": 10}
 MANY = 100  # samples an interval, for its mean square
@@ -39,7 +41,13 @@ def scenario_with(run: "xarray.Dataset", *names: str) -> Scenario:
 
 
 @public
-def track_plot(run: "xarray.Dataset", *, ax: "Axes | None" = None) -> "Axes":
+def track_plot(
+    run: "xarray.Dataset",
+    *,
+    ax: "Axes | None" = None,
+    label: str | None = None,
+    color: str | None = None,
+) -> "Axes":
     """Draw waypoints, track and the flow at the start (figure 1).
 
     Parameters
@@ -48,6 +56,9 @@ def track_plot(run: "xarray.Dataset", *, ax: "Axes | None" = None) -> "Axes":
         As `simulate` gives it, or `load_run`.
     ax : Axes, optional
         Where to draw; by default a new figure of pyplot's.
+    label, color : optional
+        Of a run among several on the same Axes: its name in the legend and one colour for all of
+        its lines, whose styles tell its signals apart; `compare` gives them.
 
     Returns
     -------
@@ -67,37 +78,61 @@ def track_plot(run: "xarray.Dataset", *, ax: "Axes | None" = None) -> "Axes":
     >>> scenario = clpt.paper_scenario().with_values({"run.duration": 20})
     >>> ax = track_plot(clpt.simulate(scenario))
     """
+    scenario = scenario_with(run, "position")
+    points, path = waypoints_of(run, scenario), run.position.values
+    if label is not None:
+        return _track_among(axes_for(ax, 5.6, 5.2), scenario, points, path, label, color)
     from .flows import flow_velocity
 
-    scenario = scenario_with(run, "position")
     ax = axes_for(ax, 5.6, 5.2)
-    points, path, unit = scenario.waypoints, run.position.values, scenario.units.length
-    grid, _ = square_chart(ax, scenario, path, 13)
+    unit = scenario.units.length
+    grid, _ = square_chart(ax, scenario, np.concatenate([points, path]), 13)
     flow = flow_velocity(scenario, grid, 0.0)
     size = float(f"{np.hypot(*flow.T).max():.1g}")
     if size > 0:  # where all is at rest there are no arrows
         arrows = ax.quiver(*grid.T, *flow.T, color=GREY, alpha=0.6, width=0.0035)
         key = f"{size:g} {unit}/{scenario.units.time}"
         ax.quiverkey(arrows, 0.88, 1.02, size, key, labelpos="E")
-    first = run.time.values <= scenario.cycle
-    ax.plot(*path[first].T, color=BLUE, linewidth=1.4, label="track, first cycle")
+    first = run.time.values <= (scenario.cycle if len(points) else np.inf)
+    known: dict[str, Any] = {"color": color or BLUE}
+    said = "track, first cycle" if len(points) else "track"
+    ax.plot(*path[first].T, linewidth=1.4, label=said, **known)
     if (~first).any():
-        ax.plot(*path[~first].T, color=BLUE, linewidth=0.5, alpha=0.4, label="later cycles")
-    ax.plot(*points.T, "o", color=RED, markersize=6, label="waypoints")
+        ax.plot(*path[~first].T, linewidth=0.5, alpha=0.4, label="later cycles", **known)
+    if len(points):
+        ax.plot(*points.T, "o", color=RED, markersize=6, label="waypoints")
+    elif "reference" in run:
+        desired: dict[str, Any] = {"color": RED, "linewidth": 0.9, "linestyle": "--"}
+        ax.plot(*run.reference.values.T, label="desired position", **desired)
     if len(points) <= 40:
         for k, point in enumerate(points, 1):
             ax.annotate(str(k), point, xytext=(5, 5), textcoords="offset points", fontsize=8)
     ax.plot(*path[0], "s", color="black", markersize=5, label="start")
-    ax.set_title("Waypoints, track, and flow at t = 0", **TITLE)
+    named = "Waypoints, track, and flow" if len(points) else "Track, and flow"
+    ax.set_title(f"{named} at t = 0", **TITLE)
+    legend_below(ax, 4)
+    return ax
+
+
+def _track_among(
+    ax: Any, scenario: Scenario, points: np.ndarray, path: np.ndarray, label: str, color: Any
+) -> Any:
+    """Draw a track and its waypoints beside those of other runs."""
+    seen = [points, path, *(line.get_xydata() for line in ax.lines)]
+    square_chart(ax, scenario, np.concatenate(seen), 2)
+    (line,) = ax.plot(*path.T, color=color, linewidth=1.1, label=label)
+    own = {"color": line.get_color(), "markersize": 6 + 3 * (len(ax.lines) // 2)}
+    ax.plot(*points.T, "o", markerfacecolor="none", **own)
+    ax.set_title("Tracks, and waypoints as rings" if len(points) else "Tracks", **TITLE)
     legend_below(ax, 4)
     return ax
 
 
 def square_chart(
-    ax: Any, scenario: Scenario, path: np.ndarray, count: int
+    ax: Any, scenario: Scenario, seen: np.ndarray, count: int
 ) -> tuple[np.ndarray, float]:
-    """Make axes a square about waypoints and track; return places on it, and half its side."""
-    seen, unit = np.concatenate([scenario.waypoints, path]), scenario.units.length
+    """Make axes a square about places; return places on it, and half its side."""
+    unit = scenario.units.length
     low, high = seen.min(0), seen.max(0)
     middle, half = (low + high) / 2, 0.62 * (max(high - low) or 1.0)
     ax.set(xlabel=f"$x_1$ ({unit})", ylabel=f"$x_2$ ({unit})", aspect="equal")
@@ -107,7 +142,9 @@ def square_chart(
 
 
 @public
-def clpe_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
+def clpe_plot(
+    run: "xarray.Dataset", *, ax: Any = None, label: str | None = None, color: str | None = None
+) -> Any:
     """Draw CLPE against waypoint intervals (figure 2).
 
     Parameters
@@ -116,6 +153,9 @@ def clpe_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
         As `simulate` gives it, or `load_run`.
     ax : array of 2 Axes, optional
         Where to draw; by default a new figure of pyplot's.
+    label, color : optional
+        Of a run among several on the same Axes: its name in the legend and one colour for all of
+        its lines, whose styles tell its signals apart; `compare` gives them.
 
     Returns
     -------
@@ -138,37 +178,79 @@ def clpe_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
     scenario = scenario_with(run, "clpe")
     axes = axes_for(ax, 6.4, 5.4, nrows=2)
     top, bottom = axes
-    dwell, unit = scenario.reference.dwell, scenario.units.length
-    count = len(scenario.waypoints)
+    units, count = scenario.units, len(waypoints_of(run, scenario))
+    dwell = scenario.reference.dwell if count else 1.0  # without waypoints there are no intervals
     interval, e = run.time.values / dwell, run.clpe.values
-    early = interval <= 2 * count
+    early = interval <= (2 * count if count else np.inf)
+    of_run: dict[str, Any] = {} if color is None else {"color": color}
     for i in range(2):
-        top.plot(interval[early], e[early, i], label=f"$e_{i + 1}$", linewidth=1.1, **line_style(i))
-    top.axvline(count, color=GREY, linewidth=0.8, linestyle=":")
-    place = {"xytext": (3, -9), "textcoords": "offset points"}
-    top.annotate("one cycle", (count, top.get_ylim()[1]), fontsize=8, color=GREY, **place)
-    top.set(ylabel=f"CLPE ({unit})", xlim=(0, max(interval[early], default=2 * count)))
-    top.legend(frameon=False, fontsize=8)
-    top.set_title(f"CLPE; each interval is one waypoint, {dwell:g} {scenario.units.time}", **TITLE)
-    size = np.hypot(*e.T)
+        line = {**line_style(i), **of_run}
+        top.plot(interval[early], e[early, i], label=_among(label, f"$e_{i + 1}$"), lw=1.1, **line)
+    if count:
+        top.axvline(count, color=color or GREY, linewidth=0.8, linestyle=":")
+    if count and label is None:
+        place = {"xytext": (3, -9), "textcoords": "offset points"}
+        top.annotate("one cycle", (count, top.get_ylim()[1]), fontsize=8, color=GREY, **place)
+    last = max(interval[early], default=2 * count)
+    top.set(ylabel=f"CLPE ({units.length})", xlim=(0, _wider(top, last, label)))
+    top.legend(**_legend(label), fontsize=8)
+    each = f"; each interval is one waypoint, {dwell:g} {units.time}"
+    each = each if label is None else " by waypoint intervals, dotted: one cycle"
+    top.set_title(f"CLPE{each if count else ''}", **TITLE)
+    size, before = np.hypot(*e.T), bottom.get_ylim()[0] if bottom.lines else np.inf
     drawn = np.maximum(size, 1e-12)
-    bottom.semilogy(interval, drawn, color=BLUE, linewidth=0.5, alpha=0.5, label="|e|")
-    number = np.floor(interval + 1e-9).astype(int)
-    counts = np.bincount(number)
-    rms = np.sqrt(np.bincount(number, size**2) / np.where(counts > 0, counts, np.nan))
-    few = len(size) < MANY * len(counts)  # the pictures of a long run have fewer samples
-    label = "rms per interval" + (", of the samples shown" if few else "")
-    line: dict[str, Any] = {"color": "black", "linewidth": 1.2, "label": label}
-    bottom.step(np.arange(len(counts)), np.maximum(rms, 1e-12), where="post", **line)
-    bottom.set(xlabel="interval", ylabel=f"|CLPE| ({unit})", xlim=(0, interval[-1]))
+    shade: dict[str, Any] = {
+        "color": color or BLUE,
+        "linewidth": 0.5,
+        "alpha": 0.5 if label is None else 0.25,
+    }
+    said = "|e|" if label is None else label if not count else None
+    shade |= {} if count else {"alpha": 1}
+    bottom.semilogy(interval, drawn, label=said, **shade)
+    if count:
+        number = np.floor(interval + 1e-9).astype(int)
+        counts = np.bincount(number)
+        rms = np.sqrt(np.bincount(number, size**2) / np.where(counts > 0, counts, np.nan))
+        few = len(size) < MANY * len(counts)  # the pictures of a long run have fewer samples
+        said = "rms per interval" + (", of the samples shown" if few else "")
+        shade = {"color": color or "black", "linewidth": 1.2, "label": _among(label, said)}
+        bottom.step(np.arange(len(counts)), np.maximum(rms, 1e-12), where="post", **shade)
+    over = "interval" if count else f"time ({units.time})"
+    bottom.set(xlabel=over, ylabel=f"|CLPE| ({units.length})")
+    bottom.set_xlim(0, _wider(bottom, interval[-1], label))
     if size.max() > 0:
-        bottom.set_ylim(bottom=max(1e-12, np.nanmin(np.where(size > 0, size, np.nan)) / 2))
-    bottom.legend(frameon=False, fontsize=8)
+        least = max(1e-12, np.nanmin(np.where(size > 0, size, np.nan)) / 2)
+        bottom.set_ylim(bottom=least if label is None else min(least, before))
+    bottom.legend(**_legend(label), fontsize=8)
     return axes
 
 
+def _among(label: str | None, signal: str) -> str:
+    """Return what a line is called: its signal, behind the label of its run where there is one."""
+    return signal if label is None else f"{label}: {signal}"
+
+
+def _legend(label: str | None) -> dict[str, Any]:
+    """Return how a legend stands: among the lines of several runs on white."""
+    return {"frameon": label is not None, "framealpha": 0.85, "edgecolor": "none"}
+
+
+def _wider(ax: Any, last: float, label: str | None) -> float:
+    """Return where axes end: with this run, or with the longest of those on them."""
+    drawn = [line.get_xdata() for line in ax.lines if line.get_label()[0] != "_"]
+    ends = [max(one) for one in drawn if label is not None and len(one)]
+    return max([float(last), *ends])
+
+
 @public
-def learning_plot(run: "xarray.Dataset", axis: int = 1, *, ax: Any = None) -> Any:
+def learning_plot(
+    run: "xarray.Dataset",
+    axis: int = 1,
+    *,
+    ax: Any = None,
+    label: str | None = None,
+    color: str | None = None,
+) -> Any:
     """Draw flow parameters and gains of one axis (figures 3, 4).
 
     Parameters
@@ -179,6 +261,9 @@ def learning_plot(run: "xarray.Dataset", axis: int = 1, *, ax: Any = None) -> An
         1, horizontal, or 2, vertical.
     ax : array of 2 Axes, optional
         Where to draw; by default a new figure of pyplot's.
+    label, color : optional
+        Of a run among several on the same Axes: its name in the legend and one colour for all of
+        its lines, whose styles tell its signals apart; `compare` gives them.
 
     Returns
     -------
@@ -207,9 +292,11 @@ def learning_plot(run: "xarray.Dataset", axis: int = 1, *, ax: Any = None) -> An
     time, i, units = run.time.values, axis - 1, scenario.units
     estimate = run.flow_parameters_estimate.values[:, i]
     N = estimate.shape[1]
+    of_run: dict[str, Any] = {} if color is None else {"color": color}
     for k in range(N):
-        line = line_style(k)
-        name = rf"$\hat\theta_{axis}^{{{k + 1}}}$" if N <= 6 else None
+        line = {**line_style(k), **of_run}
+        name = _among(label, rf"$\hat\theta_{axis}^{{{k + 1}}}$") if N <= 6 else None
+        name = label if k == 0 and N > 6 else name
         width = 1.2 if N <= 6 else 0.6
         top.plot(time, estimate[:, k], linewidth=width, label=name, **line)
         if scenario.flow.parameters is not None:
@@ -227,22 +314,24 @@ def learning_plot(run: "xarray.Dataset", axis: int = 1, *, ax: Any = None) -> An
         ("feedforward_gain", r"\Gamma", scenario.vehicle.feedforward),
     )
     for k, (gain, symbol, known) in enumerate(gains):
-        line = line_style(k)
-        values = run[gain].values[:, i]
-        bottom.plot(time, values, label=f"${symbol}_{axis}$", linewidth=1.2, **line)
+        line = {**line_style(k), **of_run}
+        values, name = run[gain].values[:, i], _among(label, f"${symbol}_{axis}$")
+        bottom.plot(time, values, label=name, linewidth=1.2, **line)
         bottom.axhline(known[i], color=line["color"], linewidth=0.7, alpha=0.7)
     bottom.set_title("Gains, true values thin", **TITLE)
     bottom.set(xlabel=f"time ({units.time})", ylabel=f"gain (1/{units.time})")
     for one in axes:
-        one.set_xlim(time[0], time[-1])
-    if N <= 6:
-        top.legend(frameon=False, fontsize=9, ncols=3)
-    bottom.legend(frameon=False, fontsize=9, ncols=2)
+        one.set_xlim(time[0], _wider(one, time[-1], label))
+    if N <= 6 or label is not None:
+        top.legend(**_legend(label), fontsize=9, ncols=3)
+    bottom.legend(**_legend(label), fontsize=9, ncols=2)
     return axes
 
 
 @public
-def run_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
+def run_plot(
+    run: "xarray.Dataset", *, ax: Any = None, label: str | None = None, color: str | None = None
+) -> Any:
     """Draw track, CLPE and learning of both axes in one figure.
 
     Parameters
@@ -251,6 +340,9 @@ def run_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
         As `simulate` gives it, or `load_run`.
     ax : array of 7 Axes, optional
         Where to draw; by default a new figure of pyplot's.
+    label, color : optional
+        Of a run among several on the same Axes: its name in the legend and one colour for all of
+        its lines, whose styles tell its signals apart; `compare` gives them.
 
     Returns
     -------
@@ -272,15 +364,18 @@ def run_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
     """
     scenario_with(run, "position", "clpe", "flow_parameters_estimate")
     axes = axes_for(ax, 11.0, 10.0, mosaic=OVERVIEW)
-    track_plot(run, ax=axes[0])
-    clpe_plot(run, ax=axes[1:3])
+    told: dict[str, Any] = {"label": label, "color": color}
+    track_plot(run, ax=axes[0], **told)
+    clpe_plot(run, ax=axes[1:3], **told)
     for axis in (1, 2):
-        learning_plot(run, axis, ax=axes[[2 + axis, 4 + axis]])
+        learning_plot(run, axis, ax=axes[[2 + axis, 4 + axis]], **told)
     return axes
 
 
 @public
-def response_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
+def response_plot(
+    run: "xarray.Dataset", *, ax: Any = None, label: str | None = None, color: str | None = None
+) -> Any:
     """Draw each port of a diagram's run over time.
 
     Parameters
@@ -289,6 +384,9 @@ def response_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
         As `simulate` gives it for a diagram.
     ax : array of Axes, optional
         Where to draw, one for each port; by default a new figure of pyplot's.
+    label, color : optional
+        Of a run among several on the same Axes: its name in the legend and one colour for all of
+        its lines, whose styles tell its signals apart; `compare` gives them.
 
     Returns
     -------
@@ -309,23 +407,130 @@ def response_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
     >>> run = clpt.simulate(loop, [0.0, 1.0, 2.0])
     >>> x, e = clpt.simulation.response_plot(run[["position", "clpe"]])
     """
-    ports = [str(n) for n, one in run.data_vars.items() if "time" in one.dims and n != STATES]
+    ports = _ports(run)
+    if "time" not in run.dims:
+        raise DataError("the run is of one time, over which nothing is drawn; cut it by a slice")
     if not 0 < len(ports) <= PORTS:
         raise DataError(
             f"the run has {len(ports)} signals along time; one picture shows 1 to {PORTS}: choose "
             "some, as run[['x', 'e']]"
         )
     axes = axes_for(ax, 6.4, 1.2 + 1.3 * len(ports), nrows=len(ports), sharex=True)
+    of_run: dict[str, Any] = {} if color is None else {"color": color}
     for one, port in zip(np.ravel(axes), ports, strict=True):
-        values = run[port].values.reshape(run.sizes["time"], -1)
-        for k, column in enumerate(values.T):
-            one.plot(run.time.values, column, label=f"{k + 1}", linewidth=1.1, **line_style(k))
-        one.set_ylabel(_named(port, run[port].attrs.get("units")))
-        if 1 < values.shape[1] <= 6:
-            one.legend(frameon=False, fontsize=8, ncols=6, loc="upper right")
-    one.set_xlabel(_named("time", run.time.attrs.get("units")))
+        signals = signals_of(run[port])
+        for k, (name, column) in enumerate(signals.items()):
+            line = {**line_style(k), **of_run}
+            one.plot(run.time.values, column, label=_among(label, name), linewidth=1.1, **line)
+        one.set_ylabel(named(port, run[port].attrs.get("units")))
+        if (len(signals) > 1 or label is not None) and len(signals) <= 6:
+            beside: dict[str, Any] = {"loc": "upper left", "bbox_to_anchor": (1.0, 1.05)}
+            place = {"loc": "upper right", "ncols": 6} if label is None else beside
+            one.legend(frameon=False, fontsize=8, **place)
+    one.set_xlabel(named("time", run.time.attrs.get("units")))
     return axes
 
 
-def _named(name: str, units: str | None) -> str:
+@public
+def compare(
+    runs: Mapping[str, "xarray.Dataset"], plot: str | None = None, *, ax: Any = None, **options: Any
+) -> Any:
+    """Draw several runs in one figure, told apart by colour.
+
+    Parameters
+    ----------
+    runs : mapping
+        Name -> run, ``{"0.8": a, "2": b}``: of scenarios, or of diagrams. The names stand in the
+        legend.
+    plot : str, optional
+        ``"track"``, ``"clpe"``, ``"learning"`` or ``"run"``, all three, of the runs of scenarios;
+        ``"response"``, each port over time, of any. By default ``"run"``, or ``"response"``.
+    ax : Axes or array of Axes, optional
+        Where to draw, as that plot takes them; by default a new figure of pyplot's.
+    **options
+        Of that plot, as ``axis=2`` of ``"learning"``.
+
+    Returns
+    -------
+    Axes or ndarray of Axes
+        As that plot returns them.
+
+    Raises
+    ------
+    DataError
+        If there are no runs or more than 6, or they have not the same signals.
+    ClptError
+        If there is no such plot.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> scenario = clpt.paper_scenario().with_values({"run.duration": 20})
+    >>> slow = clpt.simulate(scenario.with_values({"learning.gain": 0.2}))
+    >>> top, bottom = clpt.compare({"0.8": clpt.simulate(scenario), "0.2": slow}, "clpe")
+    >>> [line.get_label() for line in top.lines if line.get_label()[0] != "_"]
+    ['0.8: $e_1$', '0.8: $e_2$', '0.2: $e_1$', '0.2: $e_2$']
+    """
+    given = dict(pairs_of_runs(runs))
+    if plot is None:
+        of_scenarios = all("scenario" in run.attrs for run in given.values())
+        plot = "run" if of_scenarios else "response"
+    if plot not in COMPARED:
+        raise ClptError(f"plot = {plot!r:.40}: must be one of {', '.join(COMPARED)}")
+    if plot == "response":
+        first, *others = ({*_ports(run)} for run in given.values())
+        if any(ports != first for ports in others):
+            every = ", ".join(sorted(first.union(*others) - first.intersection(*others)))
+            raise DataError(f"not all runs have the signals {every}; choose some: run[['x', 'e']]")
+    for colour, (name, run) in zip(COLOURS, given.items(), strict=False):
+        ax = COMPARED[plot](run, ax=ax, label=str(name), color=colour, **options)
+    return ax
+
+
+def pairs_of_runs(runs: Any) -> list[tuple[Any, Any]]:
+    """Return the runs of a mapping by name; refuse what is none, and more than colours tell."""
+    if not isinstance(runs, Mapping) or not 0 < len(runs) <= len(COLOURS):
+        what = f"{len(runs)} runs" if isinstance(runs, Mapping) else f"a {type(runs).__name__}"
+        raise DataError(
+            f"compare: {what}; must be 1 to {len(COLOURS)} runs by name, {{'0.8': a, '2': b}}"
+        )
+    for name, run in runs.items():
+        if not hasattr(run, "data_vars"):
+            raise DataError(f"compare: {name!s:.40} is a {type(run).__name__}; must be a run")
+    return [*runs.items()]
+
+
+COMPARED: dict[str, Callable[..., Any]] = {
+    "run": run_plot,
+    "track": track_plot,
+    "clpe": clpe_plot,
+    "learning": learning_plot,
+    "response": response_plot,
+}
+
+
+def _ports(run: "xarray.Dataset") -> list[str]:
+    """Return the names of the signals along time."""
+    return [str(n) for n, one in run.data_vars.items() if "time" in one.dims and n != STATES]
+
+
+def signals_of(port: "xarray.DataArray") -> dict[str, np.ndarray]:
+    """Return the signals of a port along time, by name: ``e``, ``e[0]``, ``position axis 1``."""
+    name = str(port.name)
+    own = f"{name.rstrip('_')}_{INDEX}"
+    dims = sorted((str(d) for d in port.dims if d != "time"), key=lambda d: d.rstrip("_") != own)
+    whole = port.transpose("time", *dims).values.reshape(port.sizes["time"], -1)
+    found = {}
+    for k, at in enumerate(np.ndindex(*(port.sizes[dim] for dim in dims))):
+        where = [port[dim].values[i] for dim, i in zip(dims, at, strict=True)]
+        told = [
+            f"[{value}]" if dim.rstrip("_") == own else f" {dim} {value}"
+            for dim, value in zip(dims, where, strict=True)
+        ]
+        found[name + "".join(told)] = whole[:, k]
+    return found
+
+
+def named(name: str, units: str | None) -> str:
+    """Return a name with its unit, where there is one."""
     return f"{name} ({units})" if units else name

@@ -28,9 +28,14 @@ class Arrow(NamedTuple):
         return self.port if self.gain == 1 else f"{self.gain:g} {self.port}"
 
 
+def port_of(label: str) -> str:
+    """Return the port of a signal's label."""
+    return label.partition("[")[0]
+
+
 def ports(labels: list[str]) -> list[str]:
     """Return the ports of signal labels, each once, in order."""
-    return list(dict.fromkeys(label.partition("[")[0] for label in labels))
+    return list(dict.fromkeys(map(port_of, labels)))
 
 
 def arrows(diagram: control.NonlinearIOSystem, wiring: Wiring | None = None) -> list[Arrow]:

@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 import control
 
-from ..wiring import Wiring
-from .arrows import arrows, ports
+from ..wiring import Wiring, units_of
+from .arrows import arrows, port_of, ports
 
 
 @dataclass
@@ -68,11 +68,18 @@ def gather(diagram: control.NonlinearIOSystem, wiring: Wiring) -> list[Net]:
         targets[arrow.target] = (
             f"{targets[arrow.target]}, {gain}" if arrow.target in targets else gain
         )
-    partly = {(source, port.partition("[")[0]) for source, port in reached if "[" in port}
+    made, given = (iter(one) for one in units_of(wiring))
+    units = {
+        (n.name, p): next(made) for n in wiring.nodes for p in map(port_of, n.system.output_labels)
+    }
+    units |= {(f"in:{p}", p): next(given) for p in map(port_of, diagram.input_labels)}
+    partly = {(source, port_of(port)) for source, port in reached if "[" in port}
     together: dict[tuple[str, tuple[tuple[str, str], ...]], list[str]] = {}
     for (source, port), targets in reached.items():
         if targets or (source, port) not in partly:
-            together.setdefault((source, tuple(targets.items())), []).append(port)
+            unit = units.get((source, port_of(port)))
+            name = f"{port} ({unit})" if unit else port
+            together.setdefault((source, tuple(targets.items())), []).append(name)
     return [
         Net(source, ", ".join(names), {t: ", ".join(gain + n for n in names) for t, gain in ends})
         for (source, ends), names in together.items()

@@ -1,0 +1,240 @@
+"""Several runs in one figure, units of ports, and dimensions named after them."""
+
+import control
+import matplotlib.pyplot as plt
+import numpy as np
+import pytest
+import xarray
+
+import clpt_control as clpt
+from clpt_control.figures import COLOURS
+
+TIMES = np.linspace(0.0, 4.0, 41)
+SCENARIO = clpt.paper_scenario().with_values({"run.duration": 60.0, "run.output_step": 0.5})
+
+
+@pytest.fixture(autouse=True)
+def _closed():
+    yield
+    plt.close("all")
+
+
+def tank(units=None):
+    return clpt.Block(
+        "tank",
+        update=lambda t, x, u, p: {"h": [u.q[0] - p.a * x.h[0], x.h[0] - x.h[1]]},
+        inputs={"q": 1},
+        states={"h": 2},
+        parameters={"a": 0.5},
+        units={"h": "m", "q": "m3/s"} if units is None else units,
+    )
+
+
+def gauge(**more):
+    return clpt.Block(
+        "gauge",
+        output=lambda t, x, u, p: {"v": 2.0 * u.h, "mean": (u.h[0] + u.h[1]) / 2},
+        inputs={"h": 2},
+        outputs={"v": 2, "mean": 1},
+        units={"v": "V"},
+        **more,
+    )
+
+
+def loop():
+    return clpt.connect([tank(), gauge()], external="q", name="loop")
+
+
+def lemniscate():
+    return clpt.Block(
+        "lemniscate",
+        output=lambda t, x, u, p: {"zc": [2 * np.cos(t / 20), np.sin(t / 10)]},
+        outputs={"zc": 2},
+    )
+
+
+def legends(axes):
+    return [one.get_text() for ax in np.ravel(axes) for one in ax.get_legend().get_texts()]
+
+
+def test_dimensions_are_named_after_ports_and_count_from_0():
+    run = clpt.simulate(loop(), TIMES, 1.0)
+    assert run.h.dims == ("time", "h_index")
+    assert run.v.dims == ("time", "v_index")
+    assert run["mean"].dims == run.q.dims == ("time",)
+    assert run.h_index.values.tolist() == [0, 1]
+    assert run.h_index.attrs["long_name"] == "signal of h, counted from 0"
+    theirs = control.input_output_response(
+        loop(), TIMES, np.ones(41), solve_ivp_kwargs={"rtol": 1e-10, "atol": 1e-12}
+    )
+    at = loop().output_labels.index("h[1]")
+    np.testing.assert_allclose(run.h.sel(h_index=1), theirs.outputs[at], atol=1e-6)
+
+
+def test_a_port_of_the_name_of_a_dimension():
+    one = clpt.Block(
+        "a",
+        output=lambda t, x, u, p: {"h": [t, t], "h_index": t},
+        outputs={"h": 2, "h_index": 1},
+    )
+    run = clpt.simulate(clpt.connect([one]), [0.0, 1.0])
+    assert run.h.dims == ("time", "h_index_")
+    assert run.h_index.dims == ("time",)
+    axes = clpt.simulation.response_plot(run)
+    assert [line.get_label() for line in axes[0].lines] == ["h[0]", "h[1]"]
+
+
+def test_units_of_ports_are_those_of_the_run():
+    run = clpt.simulate(loop(), TIMES, 1.0)
+    assert {n: run[n].attrs.get("units") for n in ("h", "v", "mean", "q")} == {
+        "h": "m",
+        "v": "V",
+        "mean": None,
+        "q": "m3/s",
+    }
+    axes = clpt.simulation.response_plot(run)
+    assert [ax.get_ylabel() for ax in axes] == ["h (m)", "v (V)", "mean", "q (m3/s)"]
+    assert "h (m)" in clpt.draw(loop()).svg
+    assert "q (m3/s)" in clpt.draw(loop()).svg
+    assert "mean (" not in clpt.draw(loop()).svg
+
+
+def test_units_go_along_with_a_copy_a_new_name_and_samples():
+    moved = clpt.equations.Sampled(gauge(), 0.5)
+    run = clpt.simulate(clpt.connect([tank(), moved], external="q"), TIMES, 1.0)
+    assert run.v.attrs["units"] == "V"
+    scenario, lag = SCENARIO, tank({}).copy()
+    assert dict(lag.units) == {}
+    slow = clpt.Block(
+        "slow",
+        update=lambda t, x, u, p: {"w": u.s - x.w},
+        inputs={"s": 2},
+        states={"w": 2},
+        units={"s": "km/h", "w": "km/h"},
+    )
+    made = clpt.closed_loop(scenario, insert={("v_x", "vehicle"): slow})
+    (part,) = (one for one in made.syslist if one.name == "slow")
+    assert part.units_of("input") == part.units_of("output") == ["km/h"] * 2
+
+
+def test_a_sum_of_units_has_none():
+    a, b = tank().copy(name="a"), tank().copy(name="b")
+    names = {
+        "inplist": ["a.q[0]"],
+        "inputs": ["q"],
+        "outlist": [["a.h[0]", "b.h[0]"], "a.h[1]", "b.h[1]"],
+    }
+    made = control.interconnect(
+        [a, b],
+        connections=[["b.q[0]", "a.h[0]"]],
+        outputs=["sum", "one", "rest"],
+        name="two",
+        **names,
+    )
+    run = clpt.simulate(made, TIMES, 1.0)
+    assert "units" not in run["sum"].attrs
+    assert run["one"].attrs["units"] == "m"
+
+
+@pytest.mark.parametrize("units", [{"g": "m"}, {"h": ""}, {"h": 3}, {"h": "m\n"}])
+def test_units_that_are_none_are_refused(units):
+    with pytest.raises(clpt.ClptError, match="units") as caught:
+        tank(units)
+    assert "\n" not in str(caught.value)
+
+
+def test_runs_of_a_diagram_are_told_apart():
+    runs = {"0.5": clpt.simulate(loop(), TIMES, 1.0)}
+    runs["1"] = clpt.simulate(loop(), TIMES, 1.0, params={"tank.a": 1.0})
+    axes = clpt.compare(runs)
+    assert legends(axes[0]) == ["0.5: h[0]", "0.5: h[1]", "1: h[0]", "1: h[1]"]
+    lines = axes[0].lines
+    assert [line.get_color() for line in lines] == [COLOURS[0]] * 2 + [COLOURS[1]] * 2
+    assert lines[0].get_linestyle() != lines[1].get_linestyle()
+    for line, (name, k) in zip(lines, [("0.5", 0), ("0.5", 1), ("1", 0), ("1", 1)], strict=True):
+        np.testing.assert_array_equal(line.get_ydata(), runs[name].h.sel(h_index=k))
+
+
+@pytest.mark.parametrize(("plot", "count"), [(None, 7), ("track", 1), ("clpe", 2), ("learning", 2)])
+def test_runs_of_scenarios_are_told_apart(plot, count):
+    other = SCENARIO.with_values({"learning.gain": 2.0, "run.duration": 80.0})
+    runs = {"0.8": clpt.simulate(SCENARIO), "2": clpt.simulate(other)}
+    axes = clpt.compare(runs, plot)
+    assert np.size(axes) == count
+    for ax in np.ravel(axes):
+        colours = {line.get_color() for line in ax.lines}
+        assert {COLOURS[0], COLOURS[1]} <= colours
+        told = [text.get_text() for text in ax.get_legend().get_texts()]
+        assert {text.partition(":")[0] for text in told} == {"0.8", "2"}
+    if plot == "learning":
+        assert axes[0].get_xlim()[1] == 80.0
+    if plot == "track":
+        np.testing.assert_array_equal(axes.lines[0].get_xydata(), runs["0.8"].position)
+        reach = max(abs(one.position).max() for one in runs.values())
+        assert axes.get_xlim()[1] > reach
+
+
+def test_a_plot_of_a_run_takes_label_and_color():
+    run = clpt.simulate(SCENARIO)
+    ax = run.clpt.plot.track(label="mine", color="black")
+    assert ax.lines[0].get_color() == "black"
+    assert legends(ax) == ["mine"]
+    assert run.clpt.plot.track().lines[0].get_color() == COLOURS[0]
+
+
+def test_runs_that_are_cut_or_joined():
+    a = clpt.simulate(loop(), TIMES, 1.0)
+    b = clpt.simulate(loop(), TIMES, 1.0, params={"tank.a": 1.0})
+    cut = a.isel(time=slice(3, 20))
+    assert len(clpt.simulation.response_plot(cut)[0].lines[0].get_xdata()) == 17
+    (one,) = (a.isel(h_index=0)[["h"]].clpt.plot(),)
+    np.testing.assert_array_equal(one.lines[0].get_ydata(), a.h[:, 0])
+    both = clpt.simulation.response_plot(xarray.concat([a, b], "run", data_vars="all"))
+    assert legends(both[0])[:2] == ["h[0] run 0", "h[0] run 1"]
+    np.testing.assert_array_equal(both[0].lines[1].get_ydata(), b.h[:, 0])
+    paper = clpt.simulate(SCENARIO)
+    for plot, run in {
+        clpt.simulation.response_plot: a.isel(time=3),
+        clpt.simulation.track_plot: paper.isel(time=3),
+        clpt.simulation.clpe_plot: xarray.concat([paper, paper], "run", data_vars="all"),
+        clpt.simulation.learning_plot: xarray.concat([paper, paper], "time", data_vars="minimal"),
+    }.items():
+        with pytest.raises(clpt.DataError) as caught:
+            plot(run)
+        assert "\n" not in str(caught.value)
+
+
+def test_what_cannot_be_compared_is_one_sentence():
+    a = clpt.simulate(loop(), TIMES, 1.0)
+    for runs, more in (
+        ({}, {}),
+        ([a, a], {}),
+        ({"a": 3}, {}),
+        ({str(k): a for k in range(7)}, {}),
+        ({"a": a, "b": a[["h"]]}, {}),
+        ({"a": a}, {"plot": "map"}),
+        ({"a": a}, {"plot": "track"}),
+    ):
+        with pytest.raises(clpt.ClptError) as caught:
+            clpt.compare(runs, **more)
+        assert "\n" not in str(caught.value)
+
+
+def test_no_waypoint_is_told_of_a_reference_of_ones_own(tmp_path):
+    made = clpt.closed_loop(SCENARIO, replace={"reference": lemniscate()})
+    outside = clpt.closed_loop(SCENARIO, external="zc")
+    times = np.linspace(0.0, 60.0, 121)
+    zc = np.array([2 * np.cos(times / 20), np.sin(times / 10)])
+    for run in (clpt.simulate(made, times), clpt.simulate(outside, times, zc)):
+        ax = run.clpt.plot.track()
+        assert legends(ax) == ["track", "desired position", "start"]
+        np.testing.assert_allclose(ax.lines[1].get_xydata(), zc.T, atol=1e-12)
+        words = [*legends(ax), ax.get_title(loc="left")]
+        for one in run.clpt.plot.clpe():
+            words += [*legends(one), one.get_title(loc="left"), one.get_xlabel()]
+        assert not [word for word in words if "waypoint" in word or "interval" in word]
+        run.clpt.report(tmp_path / "page.html")
+        text = (tmp_path / "page.html").read_text().partition('<h2 id="scenario"')[0]
+        text = text.partition('id="excitation"')[0]
+        assert "waypoint" not in text.lower()
+    assert "waypoints" in legends(clpt.simulate(SCENARIO).clpt.plot.track())
