@@ -1,8 +1,10 @@
 """Every kind of block of the package, for several numbers of functions, by name."""
 
+import control
 import numpy as np
 import pytest
 
+from clpt_control import parts
 from clpt_control.blocks import (
     clpe,
     disturbance,
@@ -107,7 +109,35 @@ def package_blocks():
             yield f"lyapunov-{law}-{N}", lyapunov.lyapunov_candidate(law, p)
 
 
-BLOCKS = dict(package_blocks())
+def shelf():
+    """Each part, continuous and sampled, of one signal and of two."""
+    yield "saturation", parts.saturation(-1, [0.5, 1.0], signals=2)
+    yield "dead_zone", parts.dead_zone(-0.3, 0.2, signals=2)
+    yield "lookup_table", parts.lookup_table([-1, 0, 3], [0, 10, 20], signals=2)
+    yield "lag", parts.lag(2.0, 3.0, signals=2, u="v_c", y="v_x")
+    yield "delay-pade", parts.delay(0.7, 3, signals=2)
+    yield "delay-sampled", parts.delay(0.75, dt=0.25, signals=2)
+    yield "hold", parts.hold(0.5, signals=2)
+    for way, given in (("lag", {"lag": 0.1}), ("sampled", {"dt": 0.1})):
+        yield f"rate_limit-{way}", parts.rate_limit(0.5, 0.7, signals=2, **given)
+        yield f"backlash-{way}", parts.backlash(0.4, signals=2, **given)
+        yield f"relay-{way}", parts.relay(0.3, -0.2, **given)
+    for way, dt in (("continuous", None), ("sampled", 0.1)):
+        yield f"pid-{way}", parts.pid(2.0, 0.5, 0.3, -1, 2, weight=0.7, dt=dt, signals=2)
+        plant = control.ss(
+            [[0.5, 0.2], [-0.3, 0.4]], [[0], [1]], [[1, 0], [1, 2]], [[0.1], [0]], dt or 0
+        )
+        yield f"observer-{way}", parts.observer(plant, [[0.4, 0], [0.1, 0.2]])
+        covariances = [[1, 0.2], [0.2, 0.5]], [[0.1, 0.01], [0.01, 0.3]]
+        yield f"kalman_filter-{way}", parts.kalman_filter(plant, *covariances, P0=np.eye(2))
+    yield "noise", parts.noise(0.3, 1.3, signals=3, seed=5)
+    yield "point_vehicle", parts.point_vehicle([60, 90], 30, 20)
+    M, Q = [[60, 0, 0], [0, 90, 5], [0, 5, 20]], np.diag([20.0, 40, 10])
+    yield "planar_vehicle", parts.planar_vehicle(M, np.diag([30, 60, 20]), Q)
+    yield "thrusters", parts.thrusters([(-0.8, -0.2), (-0.8, 0.2)], [0.1, 0], -10, 20, 0.3)
+
+
+BLOCKS = dict(package_blocks()) | {f"parts.{name}": block for name, block in shelf()}
 SIZE_OF_WAY = {"one": 3, "each": 1, "held": None}  # a law's gains -> functions of `make test`
 
 

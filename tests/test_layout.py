@@ -17,6 +17,7 @@ ROWS = [
     ("gliders", "simulation"),
     ("currents", "native", "estimation"),
     ("scenario", "diagrams"),
+    ("parts",),
     ("blocks",),
     ("equations",),
     ("arguments", "errors", "files", "progress", "geodesy", "figures", "html", "units"),

@@ -78,6 +78,22 @@ def wrong_values():
     }
 
 
+PLANT = control.ss(-1, 1, 1, 0)
+PARTS = {
+    **{name: {"low": -1, "high": 1} for name in ("saturation", "dead_zone")},
+    "lookup_table": {"at": [0.0, 1.0], "values": [0.0, 2.0]},
+    "rate_limit": {"rise": 1.0, "lag": 0.1},
+    "backlash": {"width": 1.0, "lag": 0.1},
+    "relay": {"on": 1.0, "off": -1.0, "lag": 0.1},
+    **{"lag": {"lag": 1.0}, "delay": {"delay": 1.0}, "hold": {"dt": 1.0}, "pid": {"kp": 1.0}},
+    "observer": {"system": PLANT, "L": [[1.0]]},
+    "kalman_filter": {"system": PLANT, "Q": [[1.0]], "R": [[1.0]]},
+    "noise": {"std": 1.0, "period": 1.0},
+    "point_vehicle": {"mass": 1.0, "damping": 1.0},
+    "planar_vehicle": {"M": np.eye(3), "D": np.eye(3)},
+    "thrusters": {"places": [(0.0, 1.0)], "angles": [0.0], "low": -1, "high": 1, "lag": 1.0},
+}
+
 CALLED = ("progress", "inputs")  # what a function of the user's own raises is its own error
 LONG = (
     "animate",
@@ -187,6 +203,7 @@ def right(tmp_path_factory):
         "Scenario.with_values": {"self": SCENARIO},
         "Team": {"coupling": 0.5, "edges": [("a", "b")], "members": {"a": SCENARIO, "b": SCENARIO}},
         "Team.neighbours": {"self": TEAM},
+        **PARTS,
         "Dive": dict(zip(dive, [1, 0.0, 40.0, -70.0, 9e3, 40.0, -70.0, *[0.0] * 4], strict=True)),
     }
     return named, own

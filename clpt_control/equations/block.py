@@ -93,6 +93,9 @@ class Block(control.NonlinearIOSystem):
         Where the block may be used.
     units : mapping, optional
         Port -> unit, ``{"e": "m"}``, which runs, plots and drawings show.
+    dt : float, optional
+        Of a block of discrete time, as python-control's: `update` then returns the next states.
+        Beside blocks of continuous time it samples its inputs and holds its outputs.
 
     Attributes
     ----------
@@ -138,6 +141,7 @@ class Block(control.NonlinearIOSystem):
         jump: Equations | None = None,
         guard: Guard | None = None,
         units: Mapping[str, str] | None = None,
+        dt: float = 0,
     ):
         declared = {
             "inputs": shapes_of(inputs),
@@ -161,6 +165,12 @@ class Block(control.NonlinearIOSystem):
             raise BlockError(
                 f"{name}: a jump sets states at the block's own breakpoints; give `breakpoints` "
                 "and `states` with it, or leave `jump` out"
+            )
+        if not 0 <= dt < np.inf:
+            raise BlockError(f"{name}: dt = {dt}: must be a time, or 0 in continuous time")
+        if dt and (breakpoints is not None or guard is not None):
+            raise BlockError(
+                f"{name}: a block of discrete time has no breakpoints and no guard; leave them out"
             )
         check_guard(name, guard)
         check_units(name, units or {}, *declared.values())
@@ -186,7 +196,7 @@ class Block(control.NonlinearIOSystem):
             outputs=labels(self.output_ports),
             states=labels(self.state_ports) or 0,
             name=name,
-            dt=0,
+            dt=dt,
         )
         self._tried()
 

@@ -1,0 +1,25 @@
+from .controllers import pid
+from .estimators import kalman_filter, noise, observer
+from .hysteresis import backlash, relay
+from .lags import delay, hold, lag
+from .limits import dead_zone, lookup_table, rate_limit, saturation
+from .vehicles import planar_vehicle, point_vehicle, thrusters
+
+__all__ = [
+    "backlash",
+    "dead_zone",
+    "delay",
+    "hold",
+    "kalman_filter",
+    "lag",
+    "lookup_table",
+    "noise",
+    "observer",
+    "pid",
+    "planar_vehicle",
+    "point_vehicle",
+    "rate_limit",
+    "relay",
+    "saturation",
+    "thrusters",
+]

@@ -1,0 +1,143 @@
+"""The PID controller, limited, with anti-windup: continuous and sampled.
+
+    v = Kp (b r - y) + I + D,          u = min(max(v, low), high)
+    I' = Ki (r - y) + (u - v)/Tt       D = -Kd (y - yf)/Tf,   Tf yf' = y - yf
+    sampled, h = dt                    D_k = (Tf D_{k-1} - Kd (y_k - y_{k-1}))/(Tf + h)
+    I_{k+1} = I_k + h (Ki (r_k - y_k) + (u_k - v_k)/Tt)
+
+The derivative is of y alone, filtered with the time Tf; b weighs the set point; where u is limited
+the integral follows with the time Tt (back-calculation), and does not wind up.
+
+Ports: r, y (of one unit) -> u, each of `signals` signals; Kp is u by y, Ki that per time, Kd that
+times time.
+Source: Astrom and Murray 2008, Feedback Systems, sections 10.4 and 10.5.
+"""
+
+import numpy as np
+
+from ..arguments import public
+from ..equations.block import Block
+from .part import part, positive, rising
+
+
+def unlimited(x, u, p, derivative):
+    """Return v = Kp (b r - y) + I + D."""
+    return p.kp * (p.weight * u.r - u.y) + x.integral + derivative
+
+
+def integral_rate(v, u, p):
+    """Return I' = Ki (r - y) + (u - v)/Tt."""
+    return p.ki * (u.r - u.y) + (np.clip(v, p.low, p.high) - v) / p.tracking
+
+
+def filtered(x, u, p):
+    """Return D = -Kd (y - yf)/Tf."""
+    return -p.kd * (u.y - x.filtered) / p.filter
+
+
+def rates(t, x, u, p):
+    """I' = Ki (r - y) + (u - v)/Tt, Tf yf' = y - yf (Astrom and Murray 2008, section 10.4)."""
+    v = unlimited(x, u, p, filtered(x, u, p))
+    return {"integral": integral_rate(v, u, p), "filtered": (u.y - x.filtered) / p.filter}
+
+
+def command(t, x, u, p):
+    """u = min(max(v, low), high) (Astrom and Murray 2008, section 10.4)."""
+    return np.clip(unlimited(x, u, p, filtered(x, u, p)), p.low, p.high)
+
+
+def difference(x, u, p):
+    """Return D_k = (Tf D_{k-1} - Kd (y_k - y_{k-1}))/(Tf + h)."""
+    return (p.filter * x.derivative - p.kd * (u.y - x.last)) / (p.filter + p.dt)
+
+
+def next_states(t, x, u, p):
+    """I_{k+1} = I_k + h I', D_k, y_k (Astrom and Murray 2008, section 10.5)."""
+    D = difference(x, u, p)
+    moved = x.integral + p.dt * integral_rate(unlimited(x, u, p, D), u, p)
+    return {"integral": moved, "derivative": D, "last": u.y}
+
+
+def sampled_command(t, x, u, p):
+    """u_k = min(max(v_k, low), high) (Astrom and Murray 2008, section 10.5)."""
+    return np.clip(unlimited(x, u, p, difference(x, u, p)), p.low, p.high)
+
+
+@public
+def pid(
+    kp: float,
+    ki: float = 0.0,
+    kd: float = 0.0,
+    low: float = -np.inf,
+    high: float = np.inf,
+    *,
+    filter: float | None = None,
+    tracking: float | None = None,
+    weight: float = 1.0,
+    dt: float | None = None,
+    signals: int = 1,
+    name: str = "pid",
+    **ports: str,
+) -> Block:
+    """Make a PID controller with limits and anti-windup.
+
+    Parameters
+    ----------
+    kp, ki, kd : float
+        Gains of the error, its integral and its derivative.
+    low, high : float, optional
+        Limits of u.
+    filter : float, optional
+        The time Tf of the derivative's filter; kd / (10 kp) by default, and 1 without kd.
+    tracking : float, optional
+        The time Tt in which the integral follows a limited u; sqrt(kd / ki) by default, kp / ki
+        without kd.
+    weight : float, optional
+        The weight b of the set point in the proportional part.
+    dt : float, optional
+        Sampled at each multiple of dt; without, of continuous time.
+    signals : int, optional
+        Number of signals.
+    name : str, optional
+        Name of the block.
+    **ports : str
+        A port under another name, ``r="wanted", y="level", u="valve"``.
+
+    Returns
+    -------
+    Block
+        With ports r and y, and u.
+
+    Raises
+    ------
+    BlockError
+        If the limits or times are none.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> tank = clpt.parts.lag(10.0, gain=4.0)
+    >>> loop = clpt.connect([clpt.parts.pid(1, 0.1, low=0, high=0.5), tank], external="r")
+    >>> clpt.simulate(loop, [0, 5, 100], 1.0).y.values.round(3).tolist()
+    [0.0, 0.772, 1.0]
+    """
+    if filter is None:
+        filter = kd / (10 * kp) if kp and kd else 1.0
+    if tracking is None:
+        tracking = np.inf if not ki else np.sqrt(kd / ki) if kd else kp / ki if kp else 1.0
+    positive(name, filter=filter, tracking=tracking, **({} if dt is None else {"dt": dt}))
+    rising(name, low=low, high=high)
+    gains = {"kp": kp, "ki": ki, "kd": kd, "low": low, "high": high}
+    given = {**gains, "filter": filter, "tracking": tracking, "weight": weight}
+    states = ["integral", "filtered"] if dt is None else ["integral", "derivative", "last"]
+    return part(
+        name,
+        ports,
+        given if dt is None else {**given, "dt": dt},
+        update=rates if dt is None else next_states,
+        output=command if dt is None else sampled_command,
+        inputs={"r": signals, "y": signals},
+        outputs={"u": signals},
+        states=dict.fromkeys(states, signals),
+        dt=dt or 0,
+    )

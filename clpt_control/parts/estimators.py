@@ -1,0 +1,254 @@
+"""Observer, Kalman filter, and the noise that they are for.
+
+    observer            X' = A X + B u + L (y - C X - D u)
+    Kalman-Bucy filter  the same with L = P C^T R^-1,  P' = A P + P A^T + Q - L R L^T
+    Kalman filter       x_hat = X + K (y - C X - D u),  K = P C^T (C P C^T + R)^-1
+                        X_{k+1} = A x_hat + B u,  P_{k+1} = A (I - K C) P A^T + Q
+    noise               n = s n_j,  j T <= t < (j + 1) T,  n_j standard normal
+
+X is an estimate of the states of x' = A x + B u + w, y = C x + D u + n; Q and R are the intensities
+of w and n, in discrete time their covariances; P is the covariance of the error.  The noise is a
+hash of (seed, j, signal): the same in every reading and at every call, without a state.  Held for
+T it is white up to some 1/(2 T), with the intensity s^2 T.
+
+Ports: u, y -> x_hat, P; none -> n.
+Sources: Luenberger 1971, An introduction to observers; Kalman and Bucy 1961, New results in linear
+filtering and prediction theory; Kalman 1960, A new approach to linear filtering and prediction.
+"""
+
+from typing import Any
+
+import control
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..arguments import Seed, numbers, public
+from ..blocks.disturbance import normal
+from ..equations.block import Block
+from ..equations.declaration import Each
+from ..errors import BlockError
+from .part import each, part, positive
+
+INNER = {"A": ("n", "n"), "B": ("n", "m"), "C": ("q", "n"), "D": ("q", "m")}
+
+
+def innovation(X, u, p):
+    """Return y - C X - D u."""
+    return u.y - p.C @ X - p.D @ u.u
+
+
+def observed(t, x, u, p):
+    """X' = A X + B u + L (y - C X - D u) (Luenberger 1971, section II)."""
+    return p.A @ x.x_hat + p.B @ u.u + p.L @ innovation(x.x_hat, u, p)
+
+
+def estimate(t, x, u, p):
+    """x_hat = X (Luenberger 1971, section II)."""
+    return x.x_hat
+
+
+@public
+def observer(
+    system: control.StateSpace, L: ArrayLike, name: str = "observer", **ports: str
+) -> Block:
+    """Make a Luenberger observer of a linear system.
+
+    Parameters
+    ----------
+    system : control.StateSpace
+        A, B, C, D and dt of the plant; of discrete time it is sampled.
+    L : array_like, shape (n, outputs)
+        The gain, such as ``control.place(A.T, C.T, poles).T``.
+    name : str, optional
+        Name of the block.
+    **ports : str
+        A port under another name, ``u="force", y="angle"``.
+
+    Returns
+    -------
+    Block
+        With ports u and y, and x_hat.
+
+    Examples
+    --------
+    >>> import control
+    >>> import clpt_control as clpt
+    >>> plant = control.ss([[0, 1], [0, 0]], [[0], [1]], [[1, 0]], 0)
+    >>> L = control.place(plant.A.T, plant.C.T, [-2, -3]).T
+    >>> clpt.parts.observer(plant, L).linearize([0, 0], [0, 0]).poles().real.round(6).tolist()
+    [-3.0, -2.0]
+    """
+    given = {**_matrices(name, system), "L": numbers(f"{name}: L", L)}
+    return part(
+        name,
+        ports,
+        given,
+        update=observed,
+        output=estimate,
+        inputs={"u": "m", "y": "q"},
+        outputs={"x_hat": "n"},
+        states={"x_hat": "n"},
+        shapes={**INNER, "L": ("n", "q")},
+        dt=system.dt or 0,
+    )
+
+
+def bucy(t, x, u, p):
+    """X' = A X + B u + L (y - C X - D u), P' of Riccati (Kalman and Bucy 1961, section 7)."""
+    P = p.P0 + x.moved
+    L = np.linalg.solve(p.R, p.C @ P).T
+    rate = p.A @ x.x_hat + p.B @ u.u + L @ innovation(x.x_hat, u, p)
+    return {"x_hat": rate, "moved": p.A @ P + P @ p.A.T + p.Q - L @ p.R @ L.T}
+
+
+def bucy_estimate(t, x, u, p):
+    """x_hat = X, and P (Kalman and Bucy 1961, section 7)."""
+    return {"x_hat": x.x_hat, "P": p.P0 + x.moved}
+
+
+def corrected(x, u, p):
+    """Return x_hat and P after the measurement."""
+    P = p.P0 + x.moved
+    K = np.linalg.solve(p.C @ P @ p.C.T + p.R, p.C @ P).T
+    return x.predicted + K @ innovation(x.predicted, u, p), P - K @ p.C @ P
+
+
+def kalman_step(t, x, u, p):
+    """X = A x_hat + B u, P = A P A^T + Q of what was corrected (Kalman 1960, section "optimal")."""
+    x_hat, P = corrected(x, u, p)
+    return {"predicted": p.A @ x_hat + p.B @ u.u, "moved": p.A @ P @ p.A.T + p.Q - p.P0}
+
+
+def kalman_estimate(t, x, u, p):
+    """x_hat = X + K (y - C X - D u), P = (I - K C) P (Kalman 1960, section "optimal")."""
+    x_hat, P = corrected(x, u, p)
+    return {"x_hat": x_hat, "P": P}
+
+
+@public
+def kalman_filter(
+    system: control.StateSpace,
+    Q: ArrayLike,
+    R: ArrayLike,
+    P0: Any = None,
+    name: str = "kalman_filter",
+    **ports: str,
+) -> Block:
+    """Make a Kalman filter of a linear system.
+
+    Parameters
+    ----------
+    system : control.StateSpace
+        A, B, C, D and dt of the plant; of discrete time the filter is sampled.
+    Q : array_like, shape (n, n)
+        Intensity of the noise of the states; in discrete time its covariance.
+    R : array_like, shape (outputs, outputs)
+        The same of the measurement, positive definite.
+    P0 : array_like, shape (n, n), optional
+        Covariance of the estimate at the start; 0 by default.
+    name : str, optional
+        Name of the block.
+    **ports : str
+        A port under another name, ``u="force", y="angle"``.
+
+    Returns
+    -------
+    Block
+        With ports u and y, and x_hat and P, the covariance of its error; x_hat starts at 0. In
+        discrete time both are those after the measurement.
+
+    Examples
+    --------
+    >>> import control
+    >>> import clpt_control as clpt
+    >>> plant = control.ss(-1, 1, 1, 0)
+    >>> run = clpt.simulate(clpt.parts.kalman_filter(plant, [[3]], [[1]]), [0, 9], [[0, 0], [0, 0]])
+    >>> run.P.values.round(6).tolist()  # 2 P = 3 - P^2
+    [0.0, 1.0]
+    """
+    given = _matrices(name, system)
+    n, q = len(given["A"]), len(given["C"])
+    P0 = np.zeros((n, n)) if P0 is None else P0
+    for key, value, size in (("Q", Q, n), ("R", R, q), ("P0", P0, n)):
+        given[key] = numbers(f"{name}: {key}", value)
+        if given[key].shape != (size, size):
+            raise BlockError(f"{name}: {key}: must have the shape {(size, size)}")
+        if not np.allclose(given[key], given[key].T, atol=0):
+            raise BlockError(f"{name}: {key}: must be symmetric")
+    if np.any(np.linalg.eigvalsh(given["R"]) <= 0):
+        raise BlockError(f"{name}: R: must be positive definite")
+    sampled = bool(system.dt)
+    return part(
+        name,
+        ports,
+        given,
+        update=kalman_step if sampled else bucy,
+        output=kalman_estimate if sampled else bucy_estimate,
+        inputs={"u": "m", "y": "q"},
+        outputs={"x_hat": "n", "P": ("n", "n")},
+        states={"predicted" if sampled else "x_hat": "n", "moved": ("n", "n")},
+        shapes={**INNER, "Q": ("n", "n"), "R": ("q", "q"), "P0": ("n", "n")},
+        dt=system.dt or 0,
+    )
+
+
+def _matrices(name: str, system: control.StateSpace) -> dict[str, Any]:
+    if not system.ninputs or not system.noutputs or not system.nstates:
+        raise BlockError(f"{name}: the system must have inputs, outputs and states")
+    return {"A": system.A, "B": system.B, "C": system.C, "D": system.D}
+
+
+def held_noise(t, x, u, p):
+    """n = s n_j, section "noise", the hash of Eq. (32)'s disturbance."""
+    return p.std * normal(p.seed, p.interval, p.signal)
+
+
+@public
+def noise(
+    std: ArrayLike,
+    period: float,
+    signals: int = 1,
+    seed: Seed = 0,
+    name: str = "noise",
+    **ports: str,
+) -> Block:
+    """Make band-limited normal noise: white, held for a period.
+
+    Parameters
+    ----------
+    std : float or array_like
+        Standard deviation; of white noise of an intensity q it is ``sqrt(q / period)``.
+    period : float
+        How long each number is held.
+    signals : int, optional
+        Number of signals, independent of each other.
+    seed : int, optional
+        A whole number; the same seed is the same noise in every engine.
+    name : str, optional
+        Name of the block.
+    **ports : str
+        A port under another name, ``n="gust"``.
+
+    Returns
+    -------
+    Block
+        With the port n.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> gusts = clpt.parts.noise(2.0, period=0.1, seed=3)
+    >>> round(float(clpt.simulate(gusts, range(1000)).n.std()), 1)
+    1.9
+    """
+    positive(name, period=period)
+    given = {**each(name, signals, std=std), "period": period, "seed": seed}
+    return part(
+        name,
+        ports,
+        {**given, "signal": np.arange(float(signals)), "interval": -1.0},
+        output=held_noise,
+        outputs={"n": signals},
+        opaque=True,
+        breakpoints=Each("period"),
+    )
