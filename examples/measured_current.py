@@ -6,7 +6,7 @@ CURRENTS.nc is a gridded current such as the HF-radar file of 1 January 2019
 (MARACOOS, 6 km, hourly).  The box is on Nantucket Shoals, where a rotary M2
 tide of 0.6 m/s runs.  The field itself is the true flow; the learner has 27
 basis functions and starts without theta.  It is run with the paper's learning
-and with the gain 1e-12, that is without; FOLDER (default: out) gets the
+and with the gain 0, that is without; FOLDER (default: out) gets the
 scenario, its field and one picture.
 """
 
@@ -73,7 +73,7 @@ def draw(scenario, runs, path):
     plane.legend(loc="center", fontsize=8, frameon=False)
 
     for run, colour, style, label in (
-        (without, GREY, "--", "without learning (gain 1e-12)"),
+        (without, GREY, "--", "without learning (gain 0)"),
         (learning, ORANGE, "-", f"learning (gain {scenario.learning.gain:g})"),
     ):
         size = np.hypot(*run.clpe.values.T)
@@ -117,7 +117,7 @@ def main(currents, folder="out"):
     print(f"{report['missing_fraction']:.1%} of the samples were missing and are filled")
     runs = [
         clpt.simulate(scenario.with_values({"learning.gain": gain, "run.output_step": 0.1}))
-        for gain in (scenario.learning.gain, 1e-12)
+        for gain in (scenario.learning.gain, 0.0)
     ]
     rms = [late_rms(run) for run in runs]
     print(

@@ -70,7 +70,7 @@ class Learning(OwnTables):
     """The adaptive law, its gains, its own table and its initial values."""
 
     law: Annotated[str, AfterValidator(_law)]
-    gain: Positive | None = None
+    gain: NotNegative | None = None  # 0 learns nothing
     gains: LearningGains | None = None
     adapt_gains: Annotated[bool, Strict()] = True
     hedging: Annotated[bool, Strict()] | None = None
@@ -98,7 +98,7 @@ class Learning(OwnTables):
     @property
     def used_gains(self) -> Gains:
         """The gains with which alpha, K and Gamma adapt; 0 where they are held."""
-        one = self.gain or self.row.gain or 0.0
+        one = (self.row.gain or 0.0) if self.gain is None else self.gain
         alpha, K, Gamma = (
             getattr(self.gains, key, one) or 0.0 for key in LearningGains.model_fields
         )
@@ -138,6 +138,11 @@ class Learning(OwnTables):
             return
         needed = ["parameters"] if self.row.alpha_by_gain else []
         needed += ["feedback", "feedforward"] if self.adapt_gains else []
+        if self.gain == 0 and self.row.settings:
+            yield (
+                "learning.gain: 0 learns nothing with the paper's laws, learned-flow and "
+                f"known-flow; {own} learns by its own table too; give a positive number"
+            )
         if self.gain is not None and self.gains is not None:
             yield "learning.gains: give either gain or gains, one of the two"
         if self.gains is None:

@@ -163,3 +163,29 @@ def test_no_certificate_for_a_law_that_it_is_not_of():
     with pytest.raises(ScenarioError, match=r"no certificate: .* the run has the law mine"):
         clpt.theory.certificate(run, 20.0, 0.0)
     assert clpt.theory.gramian(run, 20.0, 0.0).eigenvalues["x1"][0] > 0
+
+
+@pytest.mark.parametrize("name", ["learned-flow", "known-flow"])
+def test_a_gain_of_zero_is_without_learning(name, tmp_path):
+    scenario = with_law(name, **{"learning.gain": 0})
+    run = clpt.simulate(scenario)
+    for made in ("alpha", "feedback_gain", "feedforward_gain"):
+        assert np.ptp(run[made].values, axis=0).max() == 0
+    np.testing.assert_array_equal(run.lyapunov, (run.clpe.values**2).sum(-1) / 2)
+    nearly = clpt.simulate(with_law(name, **{"learning.gain": 1e-12}))
+    np.testing.assert_allclose(run.clpe, nearly.clpe, atol=1e-6)
+    clpt.save_run(run, tmp_path / "run.nc")
+    assert clpt.load_scenario(tmp_path / "run.nc") == scenario
+    varied = clpt.run_ensemble(scenario, "learning.gain=[0, 0.8]", 2)
+    own = varied.clpe_rms_whole.values[varied["learning.gain"].values == 0]
+    rms = float(np.sqrt((nearly.clpe**2).sum("axis").mean()))
+    np.testing.assert_allclose(own, rms, rtol=0.05)
+    if name == "learned-flow":
+        with pytest.raises(ScenarioError, match="learning.gain = 0 learns nothing"):
+            clpt.certify(scenario)
+
+
+@pytest.mark.parametrize("name", [name for name, law in LAWS.items() if law.settings])
+def test_a_law_that_learns_by_its_own_table_refuses_a_gain_of_zero(name):
+    with pytest.raises(ScenarioError, match=r"learning\.gain: "):
+        with_law(name, **{"learning.gain": 0})

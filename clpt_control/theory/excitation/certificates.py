@@ -142,6 +142,8 @@ def refuse_unproved(scenario: Scenario) -> None:
             "no certificate: localization.noise is read with the position and adds to V'; without "
             "it V falls as certified"
         )
+    if scenario.learning.gain == 0:
+        raise ScenarioError("no certificate: learning.gain = 0 learns nothing, so V need not fall")
     if scenario.learning.sample is not None:
         raise ScenarioError(
             "no certificate: learning.sample makes the law run at samples, between which V' is "
