@@ -9,6 +9,7 @@ through, for they stand in comments and notes.
 """
 
 import os
+import re
 import stat
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -20,7 +21,7 @@ from ..errors import DataError
 
 STRAY = 0.05  # largest share of characters that are no UTF-8 text
 LARGEST = 2 * 10**8  # bytes of a file that is read whole
-OPEN = ("/dev/stdin", "/dev/fd/", "/proc/self/fd/")  # a pipe with another name may wait forever
+OPEN = re.compile(r"/dev/stdin|(/dev|/proc/self)/fd/\d+")  # any other pipe may wait for ever
 NETCDF = (b"CDF\x01", b"CDF\x02", b"CDF\x05", b"\x89HDF")  # first bytes
 UTF_16 = (b"\xff\xfe", b"\xfe\xff")  # its byte order marks
 NO_FILES = {
@@ -42,7 +43,7 @@ def opened(
     try:
         with open(path, "rb", opener=lambda name, flags: os.open(name, flags | at_once)) as file:
             found = os.fstat(file.fileno())
-            if stat.S_ISFIFO(found.st_mode) and str(path).startswith(OPEN):
+            if stat.S_ISFIFO(found.st_mode) and OPEN.fullmatch(str(path)):
                 os.set_blocking(file.fileno(), True)
             elif not stat.S_ISREG(found.st_mode):
                 raise DataError(f"{path}: is {kind_of(found.st_mode)}; give a file")

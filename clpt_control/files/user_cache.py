@@ -3,7 +3,8 @@
 import os
 import stat
 import sys
-from contextlib import suppress
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from ..errors import DataError
@@ -11,6 +12,7 @@ from . import beside
 from .reading import opened
 
 FOLDER = "CLPT_CONTROL_CACHE"  # environment variable that names another folder
+OPENED = "/proc/self/fd"  # what this process has opened, by number
 
 
 def cache_folder() -> Path | None:
@@ -43,22 +45,36 @@ def trusted(found: os.stat_result) -> bool:
     return found.st_uid in (os.getuid(), 0) and not others
 
 
-def kept(path: Path) -> bytes | None:
-    """Return what a file of the cache holds; None where it is not there, or not the user's own.
+@contextmanager
+def _own(path: Path) -> Iterator[Path]:
+    """Yield the way to a file of the cache through its folder, which is opened and asked.
 
-    The file that is asked is the one that is read, whatever its name means by then.
+    Its parents may be renamed by others meanwhile: the folder that is asked is the one that is
+    used.  Where a system has no ``/proc``, the folder is asked and used by name.
     """
+    folder = os.open(path.parent, os.O_RDONLY) if os.path.isdir(OPENED) else None  # noqa: PTH112
     try:
-        with opened(path) as file:
+        if not trusted(path.parent.stat() if folder is None else os.fstat(folder)):
+            raise DataError(f"{path.parent}: others may write to it")
+        yield path if folder is None else Path(OPENED, str(folder), path.name)
+    finally:
+        if folder is not None:
+            os.close(folder)
+
+
+def kept(path: Path) -> bytes | None:
+    """Return what a file of the cache holds; None where it is not there, or not the user's own."""
+    try:
+        with _own(path) as own, opened(own) as file:
             return file.read() if trusted(os.fstat(file.fileno())) else None
-    except DataError:
+    except (DataError, OSError):
         return None
 
 
 def keep(path: Path, data: bytes) -> None:
     """Write a file of the cache for the user alone; where that cannot be, go on without."""
-    with suppress(DataError, OSError):
-        path.unlink(missing_ok=True)  # whose mode may be another
-        with beside(path) as made:
+    with suppress(DataError, OSError), _own(path) as own:
+        own.unlink(missing_ok=True)  # whose mode may be another
+        with beside(own) as made:
             made.chmod(0o600)
             made.write_bytes(data)

@@ -5,6 +5,8 @@ import os
 import re
 import subprocess
 import sys
+import threading
+from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -240,3 +242,43 @@ def test_each_thread_runs_a_shared_block_with_its_own_params():
     with ThreadPoolExecutor(8) as pool:
         found = np.array(list(pool.map(run, rates)))
     np.testing.assert_allclose(found, np.exp(-np.outer(rates, times)), atol=1e-5)
+
+
+@pytest.mark.skipif(not Path("/proc/self/fd").is_dir(), reason="folders are asked by name there")
+def test_a_folder_renamed_by_others_meanwhile_is_not_read_or_written(folder):
+    """A thread puts a folder that others may write to in the cache's place, again and again.
+
+    It holds a file that is the user's own by a link, as whoever may rename in the parent folder
+    can make it: the file alone does not tell.
+    """
+    own, theirs, link = (folder.with_name(name) for name in ("own", "theirs", "link"))
+    folder.symlink_to(own)
+    own.mkdir(mode=0o700)
+    keep("some", b"own")
+    theirs.mkdir()
+    (theirs / "some.o").symlink_to(folder.with_name("foreign.o"))
+    foreign = hashlib.sha256(b"foreign").digest() + b"foreign"
+    folder.with_name("foreign.o").write_bytes(foreign)
+    theirs.chmod(0o777)
+    swaps, ended = [0], threading.Event()
+
+    def swap():
+        while not ended.is_set():
+            for place in (theirs, own):
+                link.symlink_to(place)
+                link.replace(folder)
+            swaps[0] += 1
+
+    other = threading.Thread(target=swap)
+    other.start()
+    try:
+        found = Counter(kept("some") for _ in range(20_000))
+        for _ in range(2_000):
+            keep("new", b"new")
+    finally:
+        ended.set()
+        other.join()
+    assert swaps[0] > 100
+    assert set(found) <= {b"own", None}
+    assert found[b"own"] > 100
+    assert [one.name for one in theirs.iterdir()] == ["some.o"]

@@ -7,6 +7,7 @@ import clpt_control as clpt
 from clpt_control.errors import ClptError
 from clpt_control.theory.excitation import certificates
 from clpt_control.theory.excitation.certificates import (
+    _refined,
     certificate,
     time_to_error,
     ultimate_bound,
@@ -107,6 +108,17 @@ def test_collocation_agrees_with_scipy():
 
     truth = solve_ivp(rate, (0, 3), np.eye(4).ravel(), method="DOP853", rtol=1e-12, atol=1e-13)
     np.testing.assert_allclose(end[1], truth.y[:, -1].reshape(4, 4), atol=1e-9)
+
+
+def test_pieces_that_are_cut_shorter_hold_the_same_polynomials_each_time():
+    scenario = clpt.paper_scenario()
+    along = joint_regressor(scenario, 20.0, 0.0)
+    finer = [_refined(along, 0.4) for _ in range(3)]
+    assert len({one.phi.tobytes() + one.z.tobytes() for one in finer}) == 1
+    inside = (finer[0].times > along.cuts[0]) & (finer[0].times < along.cuts[1])
+    t, z = finer[0].times[inside], finer[0].z[inside]
+    own = np.polynomial.Polynomial.fit(along.times[0], along.z[0, :, 0], along.times.shape[1] - 1)
+    np.testing.assert_allclose(z[:, 0], own(t), atol=1e-10)
 
 
 def collocated(A, length):

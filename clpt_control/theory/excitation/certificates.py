@@ -33,7 +33,7 @@ from ...errors import ScenarioError
 from ...html import facts, fragment
 from ...scenario.experiment import Scenario
 from .regressor import Regressor, Source, joint_regressor
-from .transition import propagate, regressors
+from .transition import coefficients_of, propagate, regressors
 
 TURN = 10.0  # radians that e and eta may turn within a piece
 MOST = 20000  # pieces
@@ -238,8 +238,6 @@ def certificate(
 
 def _refined(along: Regressor, longest: float) -> Regressor:
     """Cut the pieces shorter; w between nodes is the polynomial through them."""
-    from scipy.interpolate import BarycentricInterpolator
-
     nodes = along.times.shape[1]
     node, weight = np.polynomial.legendre.leggauss(nodes)
     cuts = [along.cuts[:1]]
@@ -251,9 +249,9 @@ def _refined(along: Regressor, longest: float) -> Regressor:
         times = edges[:-1, None] + half * (1 + node)
         parts[0].append(times)
         parts[1].append(half * weight)
-        inside = 2 * (times - a) / (b - a) - 1
+        P = np.polynomial.legendre.legvander(2 * (times - a) / (b - a) - 1, nodes - 1)
         for part, values in zip(parts[2:], (along.phi, along.z, along.zc), strict=True):
-            part.append(BarycentricInterpolator(node, values[k])(inside))
+            part.append(P @ (coefficients_of(nodes) @ values[k]))
     times, weights, phi, z, zc = (np.concatenate(part) for part in parts)
     return Regressor(
         along.scenario, along.trajectory, np.concatenate(cuts), times, weights, phi, z, zc

@@ -123,8 +123,15 @@ def collocation(nodes: int) -> tuple[np.ndarray, np.ndarray]:
     integrals[:, 0] = c + 1
     for j in range(1, nodes):
         integrals[:, j] = (P[:, j + 1] - P[:, j - 1]) / (2 * j + 1)
-    coefficients = (np.arange(nodes)[:, None] + 0.5) * P[:, :nodes].T * weight
-    return integrals @ coefficients / 2, weight / 2
+    return integrals @ coefficients_of(nodes) / 2, weight / 2
+
+
+@cache
+def coefficients_of(nodes: int) -> np.ndarray:
+    """Return what makes Legendre coefficients of a polynomial's values at the Gauss nodes."""
+    c, weight = np.polynomial.legendre.leggauss(nodes)
+    P = np.polynomial.legendre.legvander(c, nodes - 1)
+    return (np.arange(nodes)[:, None] + 0.5) * P.T * weight
 
 
 def propagate(
