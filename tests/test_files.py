@@ -2,8 +2,10 @@
 
 import os
 import re
+import struct
 import subprocess
 import sys
+from pathlib import Path
 
 import netCDF4
 import pytest
@@ -12,7 +14,7 @@ import xarray
 import clpt_control
 from clpt_control.errors import DataError
 from clpt_control.figures import new_figure
-from clpt_control.files import beside, make_folder, write_together
+from clpt_control.files import beside, make_folder, open_netcdf, write_together
 from clpt_control.gliders.dive_files import read_dive_file
 from clpt_control.progress import interrupt
 
@@ -190,3 +192,35 @@ def test_a_small_file_that_says_it_holds_much_is_refused(tmp_path):
     for read in (clpt_control.load_run, read_dive_file):
         with pytest.raises(DataError, match=r"r.nc: holds 1.6e\+04 GB of numbers; at most 4 are"):
             read(tmp_path / "r.nc")
+
+
+def test_a_global_heap_that_does_not_end_is_refused(tmp_path):
+    """HDF5 walks its objects for ever where one without a number has no size."""
+    path = tmp_path / "a.nc"
+    xarray.Dataset({"a": ("x", [1.0, 2.0]), "x": [0, 1]}).to_netcdf(path)
+    raw = bytearray(path.read_bytes())
+    heap = raw.index(b"GCOL")
+    size = heap + 24  # of its first object
+    assert struct.unpack_from("<HHIQ", raw, heap + 16)[0] == 1
+    for longer in (2048, 2048 + 64):  # to where there are zeros
+        raw[size : size + 8] = longer.to_bytes(8, "little")
+        path.write_bytes(raw)
+        with pytest.raises(DataError, match=r"a.nc: damaged: a heap of its HDF5 does not end"):
+            clpt_control.load_run(path)
+
+
+@pytest.mark.skipif(not Path("/proc/self/fd").is_dir(), reason="opened by name there")
+def test_what_was_asked_is_what_the_library_opens(tmp_path, monkeypatch):
+    path, library = tmp_path / "a.nc", xarray.open_dataset
+    for engine in ("netcdf4", "scipy"):
+        xarray.Dataset({"a": ("x", [1.0, 2.0])}).to_netcdf(path, engine=engine)
+
+        def replaced(name, **how):
+            path.rename(tmp_path / "moved.nc")
+            os.mkfifo(path)
+            return library(name, **how)
+
+        monkeypatch.setattr(xarray, "open_dataset", replaced)
+        with open_netcdf(path) as data:
+            assert data.a.values.tolist() == [1.0, 2.0]
+        path.unlink()

@@ -5,12 +5,14 @@ interrupt leaves the old file or none.
 """
 
 import glob
+import mmap
 import os
 import platform
 import re
 import secrets
 import shutil
 import stat
+import struct
 import sys
 import warnings
 import zlib
@@ -23,7 +25,7 @@ from typing import TYPE_CHECKING, Any, BinaryIO, Literal
 
 from ..errors import ClptError, DataError, needed
 from ..progress.interrupt import check, folders, remove, unfinished
-from .reading import kind_of, opened
+from .reading import LARGEST, kind_of, opened, opened_name
 
 if TYPE_CHECKING:
     import xarray
@@ -44,29 +46,28 @@ def open_netcdf(path: str | Path, most: float = inf) -> "Iterator[xarray.Dataset
     """
     import xarray
 
-    try:
-        with opened(path, inf, "must be a NetCDF file") as file:
-            if not file.seekable():
-                raise DataError(f"{path}: is NetCDF through a pipe; save it as a file and give it")
-            _check_classic(file, path)
-        data = xarray.open_dataset(path, decode_times=False, engine=netcdf_engine())
-    except ClptError:
-        raise
-    except Exception as error:  # a damaged file can raise anything
-        raise DataError(f"{path}: cannot be read as NetCDF: {_reason(error)}") from None
-    with data:
-        if data.nbytes > most:
-            raise DataError(
-                f"{path}: holds {data.nbytes / 1e9:.3g} GB of numbers; at most {most / 1e9:g} are "
-                "read at once"
-            )
+    with opened(path, inf, "must be a NetCDF file") as file:
+        if not file.seekable():
+            raise DataError(f"{path}: is NetCDF through a pipe; save it as a file and give it")
+        _check_header(file, path)
+        name, engine = opened_name(file.fileno(), path), netcdf_engine()
         try:
-            yield data
-        except ClptError:
-            raise
-        except (OSError, RuntimeError) as error:
-            reason = _reason(error)
-            raise DataError(f"{path}: damaged: a variable cannot be read: {reason}") from None
+            data = xarray.open_dataset(name, decode_times=False, engine=engine)
+        except Exception as error:  # a damaged file can raise anything
+            raise DataError(f"{path}: cannot be read as NetCDF: {_reason(error)}") from None
+        with data:
+            if data.nbytes > most:
+                raise DataError(
+                    f"{path}: holds {data.nbytes / 1e9:.3g} GB of numbers; at most "
+                    f"{most / 1e9:g} are read at once"
+                )
+            try:
+                yield data
+            except ClptError:
+                raise
+            except (OSError, RuntimeError) as error:
+                reason = _reason(error)
+                raise DataError(f"{path}: damaged: a variable cannot be read: {reason}") from None
 
 
 def netcdf_engine() -> Literal["netcdf4", "scipy"]:
@@ -79,8 +80,12 @@ def _reason(error: Exception) -> str:
     return words.splitlines()[0][:120]
 
 
-def _check_classic(file: BinaryIO, path: str | Path) -> None:
-    """Refuse a classic file that was cut, which the NetCDF library fills with zeros."""
+def _check_header(file: BinaryIO, path: str | Path) -> None:
+    """Refuse what the libraries take for whole, or never end with.
+
+    A classic file that was cut is filled with zeros.  A global heap of HDF5 is walked object by
+    object, for ever where a free one (number 0) has no size; larger files are not looked through.
+    """
     start = file.read(4)
     if start == b"CDF\x05":
         raise DataError(
@@ -89,19 +94,32 @@ def _check_classic(file: BinaryIO, path: str | Path) -> None:
         )
     if start[:3] != b"CDF":
         needed("netCDF4")
+        if 0 < file.seek(0, os.SEEK_END) <= LARGEST:
+            with mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as held:
+                for heap in re.finditer(rb"GCOL\x01\0{3}", held):
+                    _check_heap(held, heap.end(), path)
         return
     from scipy.io import netcdf_file
 
-    file.seek(0)
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # of memory that is still mapped
-            netcdf_file(file, mmap=True).close()
+            netcdf_file(opened_name(file.fileno(), path), mmap=True).close()
     except Exception:  # whatever a damaged header makes of itself
         raise DataError(
             f"{path}: damaged or cut short: it holds less than its NetCDF header says; "
             "fetch it again"
         ) from None
+
+
+def _check_heap(held: mmap.mmap, at: int, path: str | Path) -> None:
+    """Refuse a global heap, from its size on, whose objects do not lead to its end."""
+    end, at = at - 8 + int.from_bytes(held[at : at + 8], "little"), at + 8
+    while at + 16 <= min(end, len(held)):
+        number, size = struct.unpack_from("<H6xQ", held, at)
+        if not (number or size):
+            raise DataError(f"{path}: damaged: a heap of its HDF5 does not end; fetch it again")
+        at += 16 + -(-size // 8) * 8 if number else size
 
 
 @contextmanager

@@ -2,7 +2,8 @@
 
 A file is opened once, without waiting, and asked through what was opened: it is a regular file of
 bounded size, or a pipe that is already open (`/dev/stdin`, or a shell's `<(command)`).  All else is
-refused in a sentence.  Libraries that open by name (NetCDF, Zarr) get names that were asked before.
+refused in a sentence.  A library that opens by name (NetCDF) gets a name of what was opened, where
+the system has one.  Only Zarr's, which lists a folder itself, gets names that were asked before.
 
 Text is UTF-8, with or without a byte order mark; a few stray bytes are let
 through, for they stand in comments and notes.
@@ -22,6 +23,7 @@ from ..errors import DataError
 STRAY = 0.05  # largest share of characters that are no UTF-8 text
 LARGEST = 2 * 10**8  # bytes of a file that is read whole
 OPEN = re.compile(r"/dev/stdin|(/dev|/proc/self)/fd/\d+")  # any other pipe may wait for ever
+OPENED = "/proc/self/fd"  # where what a process has opened has names again
 NETCDF = (b"CDF\x01", b"CDF\x02", b"CDF\x05", b"\x89HDF")  # first bytes
 UTF_16 = (b"\xff\xfe", b"\xfe\xff")  # its byte order marks
 NO_FILES = {
@@ -39,9 +41,8 @@ def opened(
     path: str | Path, most: float = LARGEST, hint: str = "give the name of a file"
 ) -> Iterator[BinaryIO]:
     """Open a file of at most so many bytes; `hint` ends the sentence where there is none."""
-    at_once = getattr(os, "O_NONBLOCK", 0)  # a pipe would wait for who writes
     try:
-        with open(path, "rb", opener=lambda name, flags: os.open(name, flags | at_once)) as file:
+        with open(path, "rb", opener=at_once) as file:
             found = os.fstat(file.fileno())
             if stat.S_ISFIFO(found.st_mode) and OPEN.fullmatch(str(path)):
                 os.set_blocking(file.fileno(), True)
@@ -56,6 +57,16 @@ def opened(
         raise DataError(f"{path}: is a folder; give a file") from None
     except OSError as error:
         raise DataError(f"{path}: cannot be read: {error.strerror or error}") from None
+
+
+def at_once(name: str, flags: int) -> int:
+    """Open as `open` asks, but do not wait for who writes into a pipe."""
+    return os.open(name, flags | getattr(os, "O_NONBLOCK", 0))
+
+
+def opened_name(number: int, path: str | Path) -> str:
+    """Return a name of what was opened, whatever its own means by now; its own elsewhere."""
+    return f"{OPENED}/{number}" if os.path.isdir(OPENED) else str(path)  # noqa: PTH112
 
 
 def _too_large(path: str | Path, most: float) -> str:

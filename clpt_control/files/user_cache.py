@@ -9,10 +9,9 @@ from pathlib import Path
 
 from ..errors import DataError
 from . import beside
-from .reading import opened
+from .reading import OPENED, opened, opened_name
 
 FOLDER = "CLPT_CONTROL_CACHE"  # environment variable that names another folder
-OPENED = "/proc/self/fd"  # what this process has opened, by number
 
 
 def cache_folder() -> Path | None:
@@ -50,16 +49,18 @@ def _own(path: Path) -> Iterator[Path]:
     """Yield the way to a file of the cache through its folder, which is opened and asked.
 
     Its parents may be renamed by others meanwhile: the folder that is asked is the one that is
-    used.  Where a system has no ``/proc``, the folder is asked and used by name.
+    used.  Where a system has no ``/proc``, `cache_folder` asked it by its name.
     """
-    folder = os.open(path.parent, os.O_RDONLY) if os.path.isdir(OPENED) else None  # noqa: PTH112
+    if not os.path.isdir(OPENED):  # noqa: PTH112
+        yield path
+        return
+    folder = os.open(path.parent, os.O_RDONLY)
     try:
-        if not trusted(path.parent.stat() if folder is None else os.fstat(folder)):
+        if not trusted(os.fstat(folder)):
             raise DataError(f"{path.parent}: others may write to it")
-        yield path if folder is None else Path(OPENED, str(folder), path.name)
+        yield Path(opened_name(folder, path.parent), path.name)
     finally:
-        if folder is not None:
-            os.close(folder)
+        os.close(folder)
 
 
 def kept(path: Path) -> bytes | None:

@@ -23,7 +23,7 @@ import pydantic
 
 from ..errors import DataError, needed
 from ..files import make_folder, write_text
-from ..files.reading import read_bytes
+from ..files.reading import at_once, read_bytes
 from ..gliders.dive_files import may_hold_dives, read_dive_file
 from ..gliders.dives import Dive, NotYet, Skipped, before_each, is_segment
 from ..progress.interrupt import check
@@ -121,18 +121,17 @@ class Follower:
                 stamp = _with_those_before(stamp, before)
             if known is not None and known.stamp is not None and _is_as(known.stamp, stamp):
                 return known
-            with path.open("rb") as file:
+            with open(path, "rb", opener=at_once) as file:
                 file.read(1)
+            dives, skipped = read_dive_file(path)
         except FileNotFoundError:
             return None
-        except OSError as error:
-            why = f"{path}: cannot be read: {error.strerror or error}; is tried at each look"
-            return self._record(None, known.dives if known else [], [Skipped(None, why)])
-        try:
-            dives, skipped = read_dive_file(path)
-        except NotYet as error:
-            why = f"{error}; is tried at each look"
-            return self._record(None, known.dives if known else [], [Skipped(None, why)])
+        except (OSError, NotYet) as error:
+            why = str(error)
+            if isinstance(error, OSError):
+                why = f"{path}: cannot be read: {error.strerror or error}"
+            later = Skipped(None, f"{why}; is tried at each look")
+            return self._record(None, known.dives if known else [], [later])
         except DataError as error:
             dives, skipped = [], [Skipped(None, str(error))]
         return self._record(stamp, map(_stored_dive, dives), skipped)
