@@ -44,7 +44,7 @@ ONE_KEY = [  # key, value, words that the line must hold beside the key
     ("basis.widths", [5.0, -5.0, 5.0], "[1]", "greater than 0"),
     ("basis.periods", [0.0, 1.0, 1.0], "[0]", "positive"),
     ("vehicle.feedback", [1.0, 0.0], "[1]", "greater than 0"),
-    ("learning.gain", -0.8, "-0.8", "greater than 0"),
+    ("learning.gain", -0.8, "-0.8", "greater than or equal to 0"),
     ("learning.gain", "0.8", "'0.8'", "number"),
     ("learning.gain", True, "number"),
     ("learning.gain", 10**400, "number"),

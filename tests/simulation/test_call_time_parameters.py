@@ -69,8 +69,7 @@ def test_what_no_key_holds_is_refused_when_run_again(params, tmp_path):
 @pytest.mark.parametrize(
     ("name", "value", "sentence"),
     [
-        ("adaptation.gain", -1, r"learning\.gain = -1: must be greater than 0"),
-        ("adaptation.gain", 0.0, r"learning\.gain = 0\.0: must be greater than 0"),
+        ("adaptation.gain", -1, r"learning\.gain = -1: must be greater than or equal to 0"),
         ("adaptation.gain", np.nan, r"learning\.gain = nan: must be a finite number"),
         ("adaptation.gain", None, r"adaptation\.gain = None: must be a number"),
         ("vehicle_controller.KD", [-1.0, 1.0], r"vehicle\.feedback\[0\] = -1\.0: must be greater"),
@@ -81,6 +80,13 @@ def test_what_no_key_holds_is_refused_when_run_again(params, tmp_path):
 def test_what_no_scenario_may_have_is_refused(name, value, sentence):
     with pytest.raises(BlockError, match=rf"params: .*{sentence}"):
         clpt.simulate(PAPER, params={name: value})
+
+
+def test_a_gain_of_zero_at_call_time_is_the_scenarios():
+    run = clpt.simulate(PAPER, params={"adaptation.gain": 0.0})
+    own = clpt.simulate(PAPER.with_values({"learning.gain": 0}))
+    np.testing.assert_array_equal(run.alpha, own.alpha)
+    np.testing.assert_allclose(run.lyapunov, own.lyapunov, rtol=1e-14)
 
 
 def test_a_gain_each_is_asked_of_the_one_key_unless_it_holds():
