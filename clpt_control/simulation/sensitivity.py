@@ -291,7 +291,8 @@ def dataset_of(
     """Return the derivatives of ports, signals and states as a Dataset."""
     import xarray
 
-    frame = diagram_frame(ready.name, tuple(ready.labels), tuple(ready.states))
+    none = ("",) * len(ready.labels)  # the units of derivatives are not said
+    frame = diagram_frame(ready.name, tuple(ready.labels), none, tuple(ready.states))
     each = [
         frame.filled(replace(found.solution, x=found.states[..., j]), found.along[..., j])
         for j in range(len(ready.ways))

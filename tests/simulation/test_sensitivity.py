@@ -148,7 +148,7 @@ def test_the_papers_loop_varies_with_its_gain_and_start():
     scenario = clpt.paper_scenario().with_values({"run.duration": 100})
     loop, times = clpt.closed_loop(scenario), np.linspace(0.0, 100.0, 11)
     found = clpt.sensitivity(loop, times, of=["e", "alpha"], to=["adaptation.gain", "x0"], **EXACT)
-    assert found.e.dims == ("time", "index_2", "parameter")
+    assert found.e.dims == ("time", "e_index", "parameter")
     assert found.sizes["parameter"] == 15
     start = clpt.initial_state(loop)
     own = by_differences(loop, times, "adaptation.gain", 0.8, 1e-4, start, **EXACT)
