@@ -11,6 +11,8 @@ import clpt_control as clpt
 from ..errors import DataError, ScenarioError
 from ..files import make_folder
 from ..progress import progress_bar, tell
+from .alerts import checked_command
+from .fleet import fleet_results, look_at
 from .help_pages import arg, flag, opt
 from .printing import Formats, Json, finish
 from .replay_report import Ahead, check_pace, results, summary_with_next, watch, waypoint, write
@@ -64,6 +66,16 @@ def replay(
         "Folder to watch for new files; --out is FOLDER/replay by default.",
         parser=folder_named,
     ),
+    fleet: Path | None = opt(
+        "FOLDER",
+        "Look once at each vehicle of a folder tree; --out is FOLDER/replay by default.",
+        parser=folder_named,
+    ),
+    alert: str | None = opt(
+        "CMD",
+        "Run this when a vehicle is OUT twice running, changes its speed or is overdue, once "
+        "each; {} is the sentence, which is on its standard input too.",
+    ),
     every: float = opt("SECONDS", "Time between looks at that folder.", default=10.0),
     patience: float = opt(
         "SECONDS",
@@ -85,11 +97,17 @@ def replay(
     from ..gliders.usable_dives import LEAST_DURATION
     from ..replay.replay import Growing, check_tides
 
-    if bool(files) + sample + (follow is not None) != 1:
+    if bool(files) + sample + (follow is not None) + (fleet is not None) != 1:
         raise ScenarioError(
-            "give files of dives, --sample for those that come with clpt, or --follow FOLDER"
+            "give files of dives, --sample for those that come with clpt, --follow FOLDER or "
+            "--fleet FOLDER"
         )
-    kinds = checked_formats(formats or ["png"])
+    if fleet is not None and (aim or plan):
+        raise ScenarioError("--aim and --next are of one vehicle; leave --fleet out")
+    if alert is not None and follow is None and fleet is None:
+        raise ScenarioError("--alert is for --follow FOLDER or --fleet FOLDER")
+    command = [] if alert is None else checked_command(alert)
+    kinds = checked_formats(formats or ([] if fleet else ["png"]))
     check_pace(every, patience)
     if estimator not in ESTIMATORS:
         raise ScenarioError(f"--estimator {estimator}: must be one of {', '.join(ESTIMATORS)}")
@@ -141,17 +159,21 @@ def replay(
         with progress_bar("replaying dives", max(len(used), 1)) as report:
             return growing.feed(used, report), skipped
 
+    if fleet is not None:
+        rows, page = look_at(take, fleet, out or fleet / "replay", kinds, command)
+        finish(fleet_results(rows), rows, as_json, page)
+        return
     written: list[Path] = []
     if follow is not None:
         place = follow / "replay" if out is None else out
-        result, skipped = watch(take, follow, place, ahead, kinds, every, patience)
+        summary = watch(take, follow, place, ahead, kinds, every, patience, command)
     else:
         gliders = clpt.gliders
         dives = (gliders.sample_dives(), []) if sample else gliders.read_dives(files or [])
         result, skipped = take(*dives)
+        summary, goal = summary_with_next(result, skipped, ahead)
         if out is not None:
-            written = write(result, skipped, make_folder(out), ahead, kinds)
-    summary = summary_with_next(result, skipped, ahead)
+            written = write(result, summary, make_folder(out), goal, kinds)
     finish(results(summary), summary, as_json, *written)
 
 

@@ -21,8 +21,9 @@ from ..errors import ScenarioError
 from ..files import write_together
 from ..html import Result
 from ..progress import interrupt, tell
+from .alerts import Alerts
 from .help_pages import Command
-from .printing import terminal_width
+from .printing import LONG, terminal_width
 
 PAIR = re.compile(r"\s*[-+.\d]+\s+[-+.\d]+\s*")  # both numbers quoted as one word
 EDGES, EDGE = 3, 1  # letters around a cell, and of the table's own edge
@@ -106,10 +107,11 @@ class Ahead:
         hours = 1.0 if self.hours is None else self.hours
         check_speed(1.0 if self.speed is None else self.speed, 3600 * hours)
 
-    def next_dive(self, replay: Any) -> Any:
-        """Return the `NextDive` of a replay: as given, as aimed, else as guessed."""
-        legs = [] if self.plan else self.aims(replay)
-        return legs[0].ahead if legs else clpt.replay.next_dive(replay, *self.plan)
+    def seen(self, replay: Any) -> tuple[Any, list[Any]]:
+        """Return the `NextDive` of a replay, as given, as aimed, else as guessed, and its aims."""
+        legs = self.aims(replay)
+        aimed = legs and not self.plan
+        return legs[0].ahead if aimed else clpt.replay.next_dive(replay, *self.plan), legs
 
     def aims(self, replay: Any) -> list[Any]:
         """Return an `Aim` for each waypoint ahead; those that were come close to are dropped."""
@@ -132,21 +134,30 @@ class Ahead:
             return []
 
 
-def fitting(rows: list[dict[str, str]], width: int) -> list[str]:
+def fitting(rows: list[dict[str, str]], width: int, ranks: dict[str, int]) -> list[str]:
     """Return the titles of the columns that fit into a width, in letters."""
-    from ..replay.sentences import RANKS
-
-    size = {title: EDGES + max(len(title), *(len(row[title]) for row in rows)) for title in rows[0]}
+    size = {
+        title: EDGES + max(len(title), *(min(len(row[title]), LONG) for row in rows))
+        for title in rows[0]
+    }
     chosen: list[str] = []
-    for title in sorted(size, key=lambda title: RANKS[title]):
-        if RANKS[title] == 0 or EDGE + size[title] + sum(size[one] for one in chosen) <= width:
+    for title in sorted(size, key=lambda title: ranks[title]):
+        if ranks[title] == 0 or EDGE + size[title] + sum(size[one] for one in chosen) <= width:
             chosen.append(title)
     return [title for title in size if title in chosen]
 
 
 def results(summary: dict[str, Any]) -> list[Result]:
     """Return what `summary_with_next` says of a replay: dives, misses, what was learned."""
-    from ..replay.sentences import aimed, cells, cells_ahead, metres, next_surfacing, remarks
+    from ..replay.sentences import (
+        RANKS,
+        aimed,
+        cells,
+        cells_ahead,
+        metres,
+        next_surfacing,
+        remarks,
+    )
 
     each, said = summary["each_dive"], list(remarks(summary))
     if summary["next_dive"]:
@@ -159,7 +170,7 @@ def results(summary: dict[str, Any]) -> list[Result]:
     dives = [cells(row) for row in each]
     if summary["next_dive"]:
         dives.append(cells_ahead(summary["next_dive"]))
-    titles = fitting(dives, terminal_width())
+    titles = fitting(dives, terminal_width(), RANKS)
     lines = [[row[title] for title in titles] for row in dives]
     means = {name: summary[key] for key, name in ROWS.items()}
     if "flow_model" in summary and 0 < summary["flow_model"]["covered"] < summary["used"]:
@@ -174,27 +185,26 @@ def results(summary: dict[str, Any]) -> list[Result]:
 
 def write(
     result: Any,
-    skipped: list,
+    found: dict[str, Any],
     folder: Path,
-    ahead: Ahead,
+    ahead: Any,
     kinds: Sequence[str],
     again: bool = False,
 ) -> list[Path]:
-    """Write a replay's NetCDF, page, places and figures into a folder, all or none.
+    """Write a replay, and what `summary_with_next` says of it, into a folder, all or none.
 
-    The files are returned.  ``replay.nc`` is the first and is put in place last: where it is
-    new, the others are.  The page loads itself `again` where it will be written anew.
+    The files, NetCDF, page, places and figures, are returned.  ``replay.nc`` is the first and is
+    put in place last: where it is new, the others are.  The page loads itself `again` where it
+    will be written anew.
     """
     from ..replay.dataset import carrying
     from ..replay.exchange import next_geojson, track_kml
     from ..replay.page import replay_page
     from ..replay.plots import replay_figures
 
-    goal = ahead.next_dive(result)
-    found = summary_with_next(result, skipped, ahead)
     results: dict[str, Any] = {
         "replay.nc": carrying(
-            clpt.replay.replay_dataset(result, found["vehicle"], ahead=goal), found
+            clpt.replay.replay_dataset(result, found["vehicle"], ahead=ahead), found
         ),
         "replay.html": replay_page(found, again),
         "next.geojson": next_geojson(found),
@@ -202,23 +212,24 @@ def write(
     }
     if found["paste"]:
         results[found["paste"]["file"]] = found["paste"]["text"]
-    for name, figure in replay_figures(result, goal, found["aim"]).items():
+    figures = replay_figures(result, ahead, found["aim"]) if kinds else {}
+    for name, figure in figures.items():
         results |= {f"{name}.{kind}": figure for kind in kinds}
     placed = {folder / name: one for name, one in results.items()}
     write_together(placed)
     return list(placed)
 
 
-def summary_with_next(result: Any, skipped: list, ahead: Ahead) -> dict[str, Any]:
-    """Return what `--json` prints: the summary, the next surfacing, where to aim, what to paste."""
+def summary_with_next(result: Any, skipped: list, ahead: Ahead) -> tuple[dict[str, Any], Any]:
+    """Return what `--json` prints, and the next dive: the summary, where it ends, aim and paste."""
     from ..replay.paste import paste
 
     found = clpt.replay.summary(result, skipped) | {"next_dive": None, "aim": [], "paste": None}
-    if result.steps:
-        found["next_dive"] = ahead.next_dive(result).as_dict()
-        found["aim"] = [leg.as_dict() for leg in ahead.aims(result)]
-        found["paste"] = paste(found)
-    return found
+    if not result.steps:
+        return found, None
+    goal, legs = ahead.seen(result)
+    found |= {"next_dive": goal.as_dict(), "aim": [leg.as_dict() for leg in legs]}
+    return found | {"paste": paste(found)}, goal
 
 
 def check_pace(every: float, patience: float) -> None:
@@ -239,8 +250,9 @@ def watch(
     kinds: Sequence[str],
     every: float,
     patience: float,
-) -> tuple[Any, list]:
-    """Replay all dives of a folder whenever a file arrives; return the last replay.
+    alert: Sequence[str] = (),
+) -> dict[str, Any]:
+    """Replay all dives of a folder whenever a file arrives; return what the last replay found.
 
     Times are in s.  Ctrl-C or SIGTERM ends it: while it waits, with the last replay; while
     it learns, by a `KeyboardInterrupt`, as no replay has all dives yet.
@@ -248,7 +260,8 @@ def watch(
     from ..replay.follow import following
 
     with interrupt.terminated(), following(folder, out) as follower:
-        found: tuple[Any, list] | None = None  # None while results are not those of all files
+        found: dict[str, Any] | None = None  # None while results are not those of all files
+        alerts = Alerts(alert, out)
         since = time.monotonic()
         try:
             while True:
@@ -256,12 +269,12 @@ def watch(
                 arrived = follower.look()
                 if arrived or follower.here != before or found is None:
                     found = None
-                    learned = take(*follower.dives())
-                    line = said_of(*learned, len(arrived), out, ahead, kinds)
+                    learned, line = learn(take, follower.dives(), len(arrived), out, ahead, kinds)
                     found = learned  # from where the line is seen, an interrupt has its results
                     tell(line)
                     if arrived:
                         since = time.monotonic()
+                alerts.tell(found)
                 left = since + patience - time.monotonic()
                 if left <= 0:
                     return found
@@ -273,23 +286,25 @@ def watch(
             return found
 
 
-def said_of(
-    replay: Any, skipped: list, files: int, out: Path, ahead: Ahead, kinds: Sequence[str]
-) -> str:
-    """Write a replay's results; return a line on the new files and the last dive."""
+def learn(
+    take: Take, dives: tuple[Any, Any], files: int, out: Path, ahead: Ahead, kinds: Sequence[str]
+) -> tuple[dict[str, Any], str]:
+    """Replay dives and write the results; return them with a line on the new files."""
     from ..replay.sentences import aimed, when
     from ..replay.wording import place
 
+    replay, skipped = take(*dives)
+    found, goal = summary_with_next(replay, skipped, ahead)
     used = len(replay.steps)
     line = f"{files} new file{'s'[: files != 1]}, {used} dive{'s'[: used != 1]} used"
     if not used:
-        return line
-    write(replay, skipped, out, ahead, kinds, again=True)
-    step, goal = replay.steps[-1], ahead.next_dive(replay).as_dict()
-    legs = ahead.aims(replay)
-    return (
+        return found, line
+    write(replay, found, out, goal, kinds, again=True)
+    step, to_come = replay.steps[-1], found["next_dive"]
+    near = place(to_come["latitude"], to_come["longitude"])
+    return found, (
         f"{line}; dive {step.dive.number}: miss {step.clpe['adaptive']:.0f} m"
         + (f"; speed anomaly: {step.anomaly}" if step.anomaly else "")
-        + f"; next surfacing {when(goal)}, near {place(goal['latitude'], goal['longitude'])}"
-        + (f"; {aimed(legs[0].as_dict())}" if legs else "")
+        + f"; next surfacing {when(to_come)}, near {near}"
+        + (f"; {aimed(found['aim'][0])}" if found["aim"] else "")
     )

@@ -17,6 +17,7 @@ from .sentences import RANKS, aimed, cells, next_surfacing, record, remarks, wit
 from .wording import clock, compass, in_degrees, velocity
 
 ALARM = ' class="alarm"'
+LOUD = ("OUT", "SPEED", "overdue", "cannot be read")  # how cells begin that are seen first
 AGAIN = 60  # s, until a page of a folder that is followed is loaded again
 NARROW = 5.8  # inches of a chart, whose letters a telephone shows
 PHONE, PAPER = 2, 6  # greatest rank of a column that a telephone shows, and a printed page
@@ -143,20 +144,40 @@ def _keys(found: dict[str, Any]) -> str:
 
 
 def _table(found: dict[str, Any]) -> list[str]:
-    """Return the table, the last dive first, columns of rank 0 before others."""
-    titles = sorted(cells(found["each_dive"][0]), key=lambda title: RANKS[title] > 0)
-    styles = {title: _style(RANKS[title]) for title in titles}
+    """Return the table, the last dive first."""
+    title = "Dives, the last one first: miss (CLPE, m) one dive ahead, currents in m/s"
+    rows = [cells(row) for row in found["each_dive"][::-1]]
+    return cell_table(title, rows, RANKS, [f' data-dive="{safe(row["dive"])}"' for row in rows])
+
+
+def cell_table(
+    title: str,
+    rows: Sequence[dict[str, str]],
+    ranks: dict[str, int],
+    marks: Sequence[str] = (),
+    links: Sequence[str | None] = (),
+) -> list[str]:
+    """Return a table of cells by title, columns of rank 0 before others.
+
+    A row may have attributes, its first cell a link.
+    """
+    titles = sorted(rows[0], key=lambda title: ranks[title] > 0)
+    styles = {title: _style(ranks[title]) for title in titles}
     names = [f"<th{styles[title]}>{safe(title)}</th>" for title in titles]
     lines = [
-        "<h2>Dives, the last one first: miss (CLPE, m) one dive ahead, currents in m/s</h2>",
+        f"<h2>{safe(title)}</h2>",
         f'<div class="table"><table><thead><tr>{"".join(names)}</tr></thead><tbody>',
     ]
-    for row in found["each_dive"][::-1]:
-        made, own = [], cells(row)
+    none = [""] * len(rows)
+    for row, mark, link in zip(rows, marks or none, links or none, strict=True):
+        made = []
         for title in titles:
-            loud = own[title] == "OUT" or own[title].startswith("SPEED")
-            made.append(f"<td{ALARM if loud else styles[title]}>{safe(own[title])}</td>")
-        lines.append(f'<tr data-dive="{safe(row["dive"])}">{"".join(made)}</tr>')
+            style = ALARM if row[title].startswith(LOUD) else styles[title]
+            made.append([style, safe(row[title])])
+        if link:
+            made[0][1] = f'<a href="{safe(link)}">{made[0][1]}</a>'
+        each = "".join(f"<td{style}>{text}</td>" for style, text in made)
+        lines.append(f"<tr{mark}>{each}</tr>")
     return [*lines, "</tbody></table></div>"]
 
 

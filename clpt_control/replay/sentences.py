@@ -43,7 +43,7 @@ def cells(row: dict[str, Any]) -> dict[str, str]:
     ]
     found = {
         "dive": str(row["dive"]),
-        "ended (UTC)": _date(row["end"]),
+        "ended (UTC)": date(row["end"]),
         "no flow": metres(clpe["no_flow"]),
         "previous": metres(clpe["previous_dive"]),
         "adaptive": metres(clpe["adaptive"]),
@@ -72,7 +72,7 @@ def cells(row: dict[str, Any]) -> dict[str, str]:
 
 def cells_ahead(ahead: dict[str, Any]) -> dict[str, str]:
     """Return what is known of the next dive: when and how near it ends."""
-    known = {"dive": "next", "ended (UTC)": _date(ahead["time"])}
+    known = {"dive": "next", "ended (UTC)": date(ahead["time"])}
     return {**dict.fromkeys(RANKS, ""), **known, "90 % ellipse (m, deg)": _ellipse(ahead)}
 
 
@@ -92,7 +92,7 @@ def _ellipse(row: dict[str, Any]) -> str:
     return f"{half}, {row['ellipse_90_bearing']:.0f}"
 
 
-def _date(time: str) -> str:
+def date(time: str) -> str:
     """Return month, day, hour and minute of an ISO time."""
     return time[5:16].replace("T", " ")
 

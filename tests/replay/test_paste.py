@@ -20,7 +20,7 @@ NUMBER = re.compile(r"-?\d+\d\d\.\d{4}")
 def found_of(kind, note="", targets=TARGETS):
     *dives, last = sample_dives()
     replay = replay_dives([*dives, replace(last, kind=kind, notes=(note,))])
-    return summary_with_next(replay, [], Ahead(targets=list(targets)))
+    return summary_with_next(replay, [], Ahead(targets=list(targets)))[0]
 
 
 def degrees_of(word):
@@ -111,8 +111,9 @@ def test_without_a_known_vehicle_or_a_waypoint_there_is_nothing_to_paste(kind, t
 
 
 def test_the_file_lies_beside_the_page_which_shows_it(tmp_path):
-    ahead = Ahead(targets=TARGETS[:1])
-    written = write(replay_dives(sample_dives()), [], tmp_path, ahead, ())
+    replay = replay_dives(sample_dives())
+    found, ahead = summary_with_next(replay, [], Ahead(targets=TARGETS[:1]))
+    written = write(replay, found, tmp_path, ahead, ())
     assert tmp_path / "targets" in written
     text = (tmp_path / "targets").read_text()
     assert text in (tmp_path / "replay.html").read_text()

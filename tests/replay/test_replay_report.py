@@ -90,10 +90,10 @@ def test_following_goes_on_where_it_cannot_aim(command, tmp_path):
 
 def test_wider_is_more(sg542):
     from clpt_control.cli.replay_report import fitting
-    from clpt_control.replay.sentences import cells
+    from clpt_control.replay.sentences import RANKS, cells
 
     rows = [cells(row) for row in sg542["each_dive"]]
-    counts = [len(fitting(rows, width)) for width in range(40, 260)]
+    counts = [len(fitting(rows, width, RANKS)) for width in range(40, 260)]
     assert counts[0] == 5
     assert counts[-1] == len(rows[0])
     assert counts[20] < counts[60] < counts[120] < counts[-1]

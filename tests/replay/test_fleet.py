@@ -1,0 +1,290 @@
+"""A fleet: one row each, what asks for a pilot first, a command for it, on a folder tree."""
+
+import json
+import shlex
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from dataclasses import replace
+
+import pytest
+from html_reader import Reader
+from processes import CLPT, GUARD, await_line, started
+from synthetic_vehicle import fixes_of, one_file_each, vehicle
+from typer.testing import CliRunner
+
+from clpt_control.cli import alerts, application
+from clpt_control.cli.replay_report import Ahead, summary_with_next
+from clpt_control.geodesy import place_from
+from clpt_control.gliders.dives import make_dive
+from clpt_control.replay.fleet import events, standing, unread
+from clpt_control.replay.replay import replay_dives
+
+HOUR = 3600.0
+TELL = "import sys; open(sys.argv[1], 'a').write(sys.stdin.read())"
+
+
+@pytest.fixture
+def command():
+    return lambda *words: CliRunner().invoke(application(), ["replay", *map(str, words)])
+
+
+def recent(count, hours, name=None, seed=1):
+    """Dives of which the last one ended some hours ago."""
+    dives = fixes_of(count, seed=seed)
+    late = time.time() - hours * HOUR - dives[-1].t_gpse
+    return [
+        replace(dive, t_gps2=dive.t_gps2 + late, t_gpse=dive.t_gpse + late, vehicle=name)
+        for dive in dives
+    ]
+
+
+def strayed(dives, last=2):
+    """Dives of which the last ones came up 20 km to the north of where they did, as the sea may."""
+    found = list(dives[:-last])
+    for dive in dives[-last:]:
+        start = found[-1].lat_gpse, found[-1].lon_gpse
+        way = place_from(*start, dive.gps_east, dive.gps_north + (-1) ** len(found) * 20000)
+        through = dive.dr_east, dive.dr_north
+        found.append(make_dive(dive.number, (dive.t_gps2, *start), (dive.t_gpse, *way), through))
+    return found
+
+
+def summed(dives):
+    return summary_with_next(replay_dives(dives), [], Ahead())[0]
+
+
+def test_what_asks_for_a_pilot():
+    dives = recent(12, 1.0)
+    calm, end = summed(dives), dives[-1].t_gpse
+    assert events(calm, end) == []
+    due = end + summary_hours(calm) * HOUR + calm["next_dive"]["time_90"]
+    assert events(calm, due - 60) == []
+    (event,) = events(calm, due + 60)
+    assert (event.name, event.dive) == ("overdue", 12)
+    assert events(calm, end + 40 * 24 * HOUR) == []  # an old record
+    for last, asks in ((1, []), (2, ["OUT"])):
+        wild = summed(strayed(dives, last))
+        assert [row["inside_90"] for row in wild["each_dive"][-last:]] == [False] * last
+        row = standing(wild, "page", end)
+        assert (row["asks"], row["out_running"]) == (asks, last)
+    assert events(wild, end)[0].dive == 11  # the first of those that run: one event
+    slower = summed(vehicle(3, 30, fault=24, lost=0.4))
+    (event,) = events(slower, 0.0)
+    *_, anomaly = (row["anomaly"] for row in slower["each_dive"] if row["anomaly"])
+    assert (event.name, event.dive) == ("SPEED", anomaly["dive"])
+    assert events(summed(vehicle(3, 45, fault=24, lost=0.4)), 0.0) == []  # long ago
+
+
+def summary_hours(found):
+    """Hours from the end of the last dive to the headline."""
+    ahead, last = found["next_dive"], found["each_dive"][-1]["end"]
+    return (np_time(ahead["time"]) - np_time(last)) / HOUR
+
+
+def np_time(text):
+    return time.mktime(time.strptime(text, "%Y-%m-%dT%H:%M:%SZ")) - time.timezone
+
+
+@pytest.fixture
+def tree(tmp_path, facts):
+    """A vehicle that is well, one overdue, one OUT, one of two in a folder, one damaged."""
+    top = tmp_path / "top"
+    for name, dives in (
+        ("well", recent(6, 1.0)),
+        ("late", recent(6, 30.0, seed=2)),
+        ("a <b> & 'c'", strayed(recent(6, 0.5))),
+        ("station/from-glider", recent(4, 1.0)),
+    ):
+        (top / name).mkdir(parents=True)
+        one_file_each(top / name, dives)
+    (top / "two").mkdir()
+    for file in ("sg171/p1710100.nc", "basestation/p5420304.nc"):
+        shutil.copy(facts / "glider" / file, top / "two")
+    (top / "hurt").mkdir()
+    (top / "hurt" / "p1.nc").write_bytes(b"CDF\x01 and no more")
+    (top / "none").mkdir()
+    return top
+
+
+def test_a_row_each_what_asks_for_a_pilot_first(tree, command, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "80")
+    done = command("--fleet", tree)
+    assert done.exit_code == 0, done.output
+    table = [line for line in done.stdout.splitlines() if line.startswith("│")]
+    names = [line.split("│")[1].strip() for line in table]
+    assert names[:3] == ["late", "a <b> & 'c'", "hurt"]
+    assert set(names[3:5]) == {"well", "station"}
+    assert names[5:] == ["SG542", "SG171"]  # old records
+    assert max(map(len, table)) <= 80
+    assert "OUT x2" in table[1]
+    assert "7 vehicles, 3 asking for a pilot" in done.stdout
+    assert "hurt: cannot be read: " in done.stdout
+    found = json.loads(command("--fleet", tree, "--json").stdout)
+    rows = {row["vehicle"]: row for row in found["vehicles"]}
+    assert [row["vehicle"] for row in found["vehicles"]][:3] == names[:3]
+    assert rows["late"]["asks"] == ["overdue"]
+    assert rows["late"]["age_hours"] == pytest.approx(30.0, abs=0.1)
+    assert "p1.nc" in rows["hurt"]["said"][0]
+    out = tree / "replay"
+    page = Reader((out / "fleet.html").read_text("utf-8"))
+    links = [names["href"] for tag, names in page.tags if tag == "a"]
+    assert len(links) == 6
+    assert all((out / link).is_file() for link in links)
+    assert "a <b> & 'c'" in page.texts  # as a text, no markup
+
+
+def test_a_second_look_reads_no_file_again(tmp_path, command, monkeypatch):
+    from clpt_control.replay import follow
+
+    dives = recent(5, 0.1)
+    (tmp_path / "well").mkdir()
+    one_file_each(tmp_path / "well", dives[:4])
+    assert command("--fleet", tmp_path).exit_code == 0
+
+    def read(path):
+        read_again.append(path.name)
+        return real(path)
+
+    real, read_again = follow.read_dive_file, []
+    monkeypatch.setattr(follow, "read_dive_file", read)
+    one_file_each(tmp_path / "well", dives[4:])
+    (row,) = json.loads(command("--fleet", tmp_path, "--json").stdout)["vehicles"]
+    assert (read_again, row["dive"]) == (["dive5.csv"], 5)
+
+
+def test_no_vehicle_and_wrong_words(tmp_path, command):
+    for words, says in (
+        (("--fleet", tmp_path), "no folder below it has files of dives"),
+        (("--fleet", tmp_path / "no"), "no such folder"),
+        (("--fleet", tmp_path, "--aim", "1", "2"), "are of one vehicle"),
+        (("--sample", "--alert", "true"), "is for --follow FOLDER or --fleet FOLDER"),
+        (("--fleet", tmp_path, "--alert", "no-such-command-here"), "no such command"),
+        (("--fleet", tmp_path, "--alert", "echo 'a"), "no closing quotation"),
+    ):
+        assert says in str(command(*words).exception)
+    assert unread("SG1", "gone")["asks"] == ["cannot be read"]
+
+
+def teller(path):
+    return shlex.join([sys.executable, "-c", TELL, str(path)])
+
+
+def told_in(path):
+    """What the command was told: sentences, each with its object."""
+    lines = path.read_text("utf-8").splitlines() if path.exists() else []
+    told = [(one, json.loads(two)) for one, two in zip(lines[::2], lines[1::2], strict=True)]
+    assert all(said == data["sentence"] for said, data in told)
+    return [(data["vehicle"], data["event"], data["dive"]) for _, data in told]
+
+
+def test_a_command_is_run_once_for_each_event(tree, tmp_path, command):
+    told = tmp_path / "told"
+    for _ in range(2):
+        assert command("--fleet", tree, "--alert", teller(told)).exit_code == 0
+    assert sorted(told_in(told)) == [("a <b> & 'c'", "OUT", 5), ("late", "overdue", 6)]
+    words = shlex.join([sys.executable, "-c", "import sys; print(sys.argv[1:])", "{}"])
+    found = summed(strayed(recent(6, 1.0)))
+    seen = alerts.Alerts(alerts.checked_command(words), tmp_path)
+    (tmp_path / "state").mkdir()
+    seen.tell(found)
+    assert seen.told == ["glider OUT 5"]
+
+
+@pytest.mark.parametrize(
+    ("code", "says"),
+    [
+        ("import sys; sys.exit('no mail today')", "ended with status 1: no mail today"),
+        ("import time; time.sleep(60)", "takes longer than 0.5 s"),
+    ],
+)
+def test_a_command_that_fails_is_one_sentence_and_is_run_again(
+    code, says, tmp_path, capsys, monkeypatch
+):
+    monkeypatch.setattr(alerts, "LONGEST", 0.5)
+    found = summed(strayed(recent(6, 1.0)))
+    seen = alerts.Alerts([sys.executable, "-c", code], tmp_path)
+    (tmp_path / "state").mkdir()
+    seen.tell(found)
+    seen.tell(found)
+    said = capsys.readouterr().err
+    assert said.count(says) == 1
+    assert said.count("\n") == 1
+    told = tmp_path / "told"
+    alerts.Alerts(shlex.split(teller(told)), tmp_path).tell(found)
+    assert told_in(told) == [("glider", "OUT", 5)]
+
+
+def kill_while_it_writes(process, out, part):
+    while not list(out.rglob(part)):
+        assert process.poll() is None
+    process.send_signal(signal.SIGKILL)
+    process.wait(GUARD)
+
+
+@pytest.mark.processes
+def test_a_fleet_killed_twice_is_as_an_unbroken_one(tmp_path):
+    top = tmp_path / "top"
+    for k in range(3):
+        (top / f"v{k}").mkdir(parents=True)
+        one_file_each(top / f"v{k}", strayed(fixes_of(8, seed=k)) if k else fixes_of(8))
+    told = {name: tmp_path / f"told {name}" for name in ("broken", "whole")}
+    words = {
+        name: [*CLPT, "replay", "--fleet", top, "--out", name, "--json", "--alert", teller(path)]
+        for name, path in told.items()
+    }
+    for part in (".replay.html.*.part", "v1/.track.kml.*.part"):
+        with started(words["broken"], stdout=subprocess.DEVNULL, cwd=tmp_path) as process:
+            kill_while_it_writes(process, tmp_path / "broken", part)
+    found = {}
+    for name, own in words.items():
+        done = subprocess.run(
+            list(map(str, own)), capture_output=True, text=True, cwd=tmp_path, check=True
+        )
+        found[name] = json.loads(done.stdout)
+        for row in found[name]["vehicles"]:
+            row.pop("age_hours")
+        found[name].pop("now")
+    assert found["broken"] == found["whole"]
+    for path in (tmp_path / "whole").rglob("*"):
+        same = tmp_path / "broken" / path.relative_to(tmp_path / "whole")
+        assert same.exists()
+        if path.name in ("replay.html", "next.geojson", "track.kml"):
+            assert same.read_bytes() == path.read_bytes()
+    assert sorted(told_in(told["broken"])) == sorted(told_in(told["whole"]))
+    assert {event for _, event, _ in told_in(told["whole"])} == {"OUT"}
+    assert not list((tmp_path / "broken").rglob("*.part"))
+
+
+@pytest.mark.processes
+def test_a_watch_killed_twice_tells_each_event_once(tmp_path):
+    inbox, out, told = tmp_path / "in", tmp_path / "out", tmp_path / "told"
+    inbox.mkdir()
+    dives = strayed(fixes_of(8))
+    words = [*CLPT, "replay", "--follow", inbox, "--out", out, "--every", "0.05"]
+    words += ["--alert", teller(told)]
+    arrived = 0
+    for until in (5, 8, 8):
+        with started(words, stdout=subprocess.DEVNULL) as process:
+            await_line(process, process.stderr, " used")
+            while arrived < until:
+                one_file_each(inbox, [dives[arrived]])
+                arrived += 1
+                await_line(process, process.stderr, f", {arrived} dive")
+            while until == 8 and not (told.exists() and told.read_text().count("\n") == 2):
+                assert process.poll() is None
+            time.sleep(0.3)  # it looks some times more
+            process.send_signal(signal.SIGKILL)
+            process.wait(GUARD)
+    assert told_in(told) == [("glider", "OUT", 7)]
+
+
+def test_the_results_of_a_replay_are_no_vehicle(tmp_path, command):
+    (tmp_path / "well").mkdir()
+    one_file_each(tmp_path / "well", recent(4, 1.0))
+    assert command(tmp_path / "well", "--out", tmp_path / "well" / "results").exit_code == 0
+    for _ in range(2):  # its own results neither
+        found = json.loads(command("--fleet", tmp_path, "--json").stdout)
+        assert [row["vehicle"] for row in found["vehicles"]] == ["well"]
