@@ -13,7 +13,6 @@ from typing import Any
 
 from ..errors import ClptError, DataError
 from ..files import make_folder, write_text
-from ..gliders.dive_files import FROM_GLIDER, may_hold_dives
 from ..html import Result
 from .alerts import Alerts
 from .printing import terminal_width
@@ -24,6 +23,8 @@ RESULTS = "replay.nc"  # in a folder of results
 
 def folders(top: Path, out: Path) -> Iterator[tuple[Path, str]]:
     """Return each folder of dives below one, and why it cannot be looked into, if so."""
+    from ..gliders.dive_files import may_hold_dives
+
     faults: list[OSError] = []
     for where, inner, names in os.walk(top, onerror=faults.append):
         here = Path(where)
@@ -42,6 +43,7 @@ def look_at(
     take: Take, top: Path, out: Path, kinds: Sequence[str], alert: Sequence[str]
 ) -> tuple[dict[str, Any], Path]:
     """Replay each vehicle below a folder and write the fleet's page; return what is found."""
+    from ..gliders.dive_files import FROM_GLIDER
     from ..replay.fleet import fleet_page, ordered, standing, unread
     from ..replay.follow import following
     from ..replay.wording import utc
