@@ -1,0 +1,48 @@
+"""Examples print their table and save their figure; what they say is so."""
+
+import pytest
+from pictures import inked
+
+from examples import auv, mrac, pendulum, tank
+
+
+def rows(said):
+    """The rows of the table that was printed, by their first cell."""
+    lines = [line for line in said.splitlines() if line.startswith("| ")]
+    cells = [[cell.strip() for cell in line.strip("|").split("|")] for line in lines]
+    return {row[0]: row[1:] for row in cells[1:]}
+
+
+def run(example, tmp_path, capsys):
+    path = tmp_path / "figure.png"
+    example.main(path)
+    assert inked(path) > 0.005
+    return capsys.readouterr().out
+
+
+def test_mrac_is_proved_and_learns(tmp_path, capsys):
+    said = run(mrac, tmp_path, capsys)
+    assert "V' = -2*e**2: proved" in said
+    table = rows(said)
+    assert float(table["5"][1]) < 0.2 * float(table["0.2"][1])
+    assert float(table["5"][2]) == pytest.approx(4, abs=0.4)
+
+
+def test_the_pendulum_is_caught_from_near_angles_alone(tmp_path, capsys):
+    table = rows(run(pendulum, tmp_path, capsys))
+    assert [row[0] for row in table.values()] == ["yes", "yes", "yes", "no"]
+    assert all(float(row[1]) <= 20 for row in table.values())
+
+
+def test_the_tank_does_not_overflow_with_anti_windup(tmp_path, capsys):
+    table = rows(run(tank, tmp_path, capsys))
+    assert float(table["with anti-windup"][0]) < 0.01 < 0.1 < float(table["without"][0])
+    assert float(table["with anti-windup"][2]) < float(table["without"][2])
+    assert float(table["gains of a shorter pipe"][2]) > float(table["with anti-windup"][2])
+
+
+def test_a_late_thruster_overshoots(tmp_path, capsys):
+    table = rows(run(auv, tmp_path, capsys))
+    over = [float(row[0]) for row in table.values()]
+    assert over == sorted(over)
+    assert float(table["0.1"][2]) == pytest.approx(0.8, abs=1e-3)
