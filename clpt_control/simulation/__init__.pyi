@@ -1,4 +1,5 @@
 from .film import animate
+from .fitting import Fit, fit_parameters
 from .flows import explained_variance, flow_velocity
 from .integrate import sample_times, simulate
 from .loops import closed_loop, error_loop, paper_blocks
@@ -11,6 +12,7 @@ from .team_plots import team_plot
 from .teams import team_loop
 
 __all__ = [
+    "Fit",
     "animate",
     "claims",
     "closed_loop",
@@ -18,6 +20,7 @@ __all__ = [
     "compare",
     "error_loop",
     "explained_variance",
+    "fit_parameters",
     "flow_velocity",
     "initial_state",
     "learning_plot",

@@ -64,10 +64,13 @@ def ways_of(names: str | Iterable[str], wiring: Wiring, states: Sequence[str]) -
     found: list[Way] = []
     for name in [names] if isinstance(names, str) else names:
         if name in known and name in states:
-            raise SimulationError(f"{name}: is a parameter and a state; rename one of them")
+            raise SimulationError(
+                f"{name}: is a parameter and a state; {START}.{name} is the state"
+            )
         bare, _, element = name.partition("[")
-        if name in states or (name == START and name not in known):
-            own = states if name == START else [name]
+        state = name.removeprefix(f"{START}.")
+        if state in states or (name == START and name not in known):
+            own = states if name == START else [state]
             found += [Way(f"{START}.{one}", (), state=states.index(one)) for one in own]
         elif bare in known:
             (k, field), *_ = fields = known[bare]

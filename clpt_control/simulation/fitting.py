@@ -1,0 +1,330 @@
+"""Fit parameters of a diagram to measured outputs: least squares with exact sensitivities.
+
+    minimize  sum over samples of ((y(t; p) - measured) / noise)^2
+
+SciPy's `least_squares` takes the steps, `sensitivity` is its Jacobian J.  The covariance of what is
+found is s^2 (J' J)^-1; a direction of parameters that J does not feel has none, and is told.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import control
+import numpy as np
+
+from ..arguments import numbers, public
+from ..equations.declaration import ports_of
+from ..errors import ArgumentError, SimulationError
+from ..native.schedule import checked_times
+from ..scenario.experiment import Scenario
+from .sensitivity import Sensitive, Varying, ways_of
+
+UNFELT = 1e-6  # of the strongest direction of relative changes: a weaker one is not identified
+TAKES_PART = 1e-2  # share of a direction from which on a parameter is named
+ROUNDS, SETTLED = 6, 1e-3  # in which the noise of several outputs is estimated, until it moves less
+CLOSE = 1e-10  # of steps and sums, where least squares ends
+
+
+@dataclass
+class Fit:
+    """What `fit_parameters` found.
+
+    Attributes
+    ----------
+    values, errors : dict
+        By name: the estimate, and its standard error; inf where the data do not tell it, NaN where
+        it lies on a bound.
+    intervals : dict
+        By name: from where to where it lies with 95 %, if noise is normal and the model right.
+    covariance : ndarray
+        Of the estimates, in the order of `values`.
+    noise : dict
+        Standard deviation of each output's noise, estimated or as given.
+    unidentified : tuple of str
+        A sentence for each direction of parameters that the data do not tell, and for each bound
+        that is met.
+    params, initial_state
+        To hand to `simulate`.
+    samples : int
+        Numbers that were fitted.
+    runs : int
+        Runs that it took.
+
+    Examples
+    --------
+    >>> found = Fit({"k": 2.0}, {"k": 0.1}, {"k": (1.8, 2.2)}, np.array([[0.01]]), {"y": 0.05})
+    >>> found
+    k = 2 +- 0.1    (1.8 to 2.2)
+    noise of y: 0.05
+    """
+
+    values: dict[str, float]
+    errors: dict[str, float]
+    intervals: dict[str, tuple[float, float]]
+    covariance: np.ndarray
+    noise: dict[str, float]
+    unidentified: tuple[str, ...] = ()
+    params: dict[str, Any] = field(default_factory=dict)
+    initial_state: Any = None
+    samples: int = 0
+    runs: int = 0
+
+    def __repr__(self) -> str:
+        lines = [
+            f"{name} = {value:.6g} +- {self.errors[name]:.2g}    "
+            f"({self.intervals[name][0]:.6g} to {self.intervals[name][1]:.6g})"
+            for name, value in self.values.items()
+        ]
+        said = ", ".join(f"{name}: {size:.3g}" for name, size in self.noise.items())
+        return "\n".join([*lines, f"noise of {said}", *self.unidentified])
+
+
+@public
+def fit_parameters(
+    system: Scenario | control.InputOutputSystem,
+    data: Any,
+    parameters: Mapping[str, Any],
+    timepts: Sequence[float] | np.ndarray | None = None,
+    inputs: Any = None,
+    initial_state: Any = None,
+    params: Mapping[str, Any] | None = None,
+    *,
+    noise: float | Mapping[str, float] | None = None,
+    rtol: float | None = None,
+    atol: float | None = None,
+    method: str | None = None,
+) -> Fit:
+    """Fit parameters and states of the start to measured outputs.
+
+    Parameters
+    ----------
+    system : Scenario or control.InputOutputSystem
+        As `sensitivity` takes it.
+    data : xarray.Dataset, control.TimeResponseData or mapping
+        Measured outputs: variables over ``time``, a response with its inputs, or arrays by port or
+        signal, samples first, at `timepts`. NaN is no measurement.
+    parameters : mapping
+        By name, as `sensitivity` takes them in `to`: where to begin, ``{"m": 1.0}``, or that and
+        bounds, ``{"m": (1.0, 0.1, 10.0)}``.
+    timepts : array_like, optional
+        Times of arrays.
+    inputs, initial_state, params, rtol, atol, method
+        As `simulate` takes them, at the times of the data.
+    noise : float or mapping, optional
+        Standard deviation of the noise of the outputs, or of each by name. Without, that of each
+        output is estimated from what the fit leaves.
+
+    Returns
+    -------
+    Fit
+        Estimates with standard errors and intervals, and what the data do not tell.
+
+    Raises
+    ------
+    SimulationError
+        If a name is unknown, a derivative is not known, or a run cannot go on.
+
+    Examples
+    --------
+    >>> import control
+    >>> import clpt_control as clpt
+    >>> decay = control.nlsys(lambda t, x, u, p: [-p["k"] * x[0]], name="decay",
+    ...                       inputs=0, states=["y"], outputs=["y"], params={"k": 1.0})
+    >>> times = np.linspace(0.0, 2.0, 21)
+    >>> measured = 3.0 * np.exp(-1.7 * times) + 0.01 * np.cos(40.0 * times)
+    >>> found = clpt.fit_parameters(decay, {"y": measured}, {"k": 1.0, "x0.y": 2.0}, times)
+    >>> {name: round(value, 2) for name, value in found.values.items()}
+    {'k': 1.7, 'x0.y': 3.0}
+    """
+    times, measured, inputs = _read(data, timepts, inputs)
+    solver = {"rtol": rtol, "atol": atol, "method": method}
+    ready = Sensitive(system, times, list(parameters), inputs, initial_state, params, **solver)
+    if not ready.ways:
+        raise ArgumentError("parameters: name at least one")
+    return _Fitting(ready, measured, parameters, noise).fit()
+
+
+def _read(data: Any, times: Any, inputs: Any) -> tuple[np.ndarray, dict[str, np.ndarray], Any]:
+    """Return times, measured arrays by name, samples first, and inputs."""
+    if isinstance(data, control.TimeResponseData):
+        if data.ntraces > 1:
+            raise ArgumentError("data: a response of several traces; give one of them")
+        times, y = data.time, np.asarray(data.y).reshape(data.noutputs, -1)
+        if inputs is None and data.ninputs:
+            inputs = np.asarray(data.u).reshape(data.ninputs, -1)
+        return times, dict(zip(data.output_labels, y, strict=True)), inputs
+    if hasattr(data, "data_vars"):
+        if "time" not in data.dims:
+            raise ArgumentError("data: has no dimension `time`")
+        found = {str(name): one for name, one in data.data_vars.items() if "time" in one.dims}
+        own = {name: one.transpose("time", ...).values for name, one in found.items()}
+        return checked_times("data.time", data.time.values), own, inputs
+    if not isinstance(data, Mapping):
+        raise ArgumentError(
+            "data: must be an xarray.Dataset, a control.TimeResponseData, or arrays by name"
+        )
+    if times is None:
+        raise ArgumentError("timepts: is required with arrays")
+    return (
+        checked_times("timepts", times),
+        {k: np.asarray(v, float) for k, v in data.items()},
+        inputs,
+    )
+
+
+class _Fitting:
+    """A diagram, what was measured of it, and where a fit begins."""
+
+    def __init__(self, ready: Sensitive, measured: Mapping[str, Any], begin: Any, noise: Any):
+        self.ready, self.names = ready, [way.name for way in ready.ways]
+        ports = ports_of(ready.labels) | {one: [k] for k, one in enumerate(ready.labels)}
+        n, places, columns = len(ready.times) - ready.skipped, list[int](), list[np.ndarray]()
+        self.outputs: list[str] = []
+        for name, values in measured.items():
+            if name not in ports:
+                continue
+            if values.size != n * len(ports[name]) or values.shape[0] != n:
+                raise ArgumentError(
+                    f"data: {name} has the shape {values.shape}; must be {n} samples of "
+                    f"{len(ports[name])} signals"
+                )
+            places += ports[name]
+            columns += list(values.reshape(n, -1).T)
+            self.outputs += [ready.labels[k] if len(ports[name]) > 1 else name for k in ports[name]]
+        if not places:
+            raise ArgumentError(
+                f"data: has none of the outputs {', '.join(ports_of(ready.labels))}; it has "
+                f"{', '.join(measured)}"
+            )
+        self.places, self.measured = places, np.array(columns).T
+        self.there = np.isfinite(self.measured)
+        if self.there.sum() <= len(self.names):
+            raise ArgumentError(f"data: {self.there.sum()} numbers for {len(self.names)} unknowns")
+        self.begin, self.low, self.high = self._bounds(begin)
+        self.noise = noise
+        self.runs = 0
+        self.last: tuple[np.ndarray, Varying] | None = None
+
+    def _bounds(self, given: Mapping[str, Any]) -> list[np.ndarray]:
+        """Return where each number begins, and its bounds."""
+        rows, at = [], 0
+        for name, one in given.items():
+            begin, *bounds = one if isinstance(one, tuple) else (one,)
+            if len(bounds) not in (0, 2):
+                raise ArgumentError(f"parameters: {name} must be a start, or (start, low, high)")
+            count = len(ways_of(name, self.ready.wiring, self.ready.states))
+            own = [np.broadcast_to(np.ravel(numbers(name, v)), count)
+                   for v in (begin, *(bounds or (-np.inf, np.inf)))]  # fmt: skip
+            rows.append(np.array(own))
+            at += count
+            if not np.all((own[1] <= own[0]) & (own[0] <= own[2]) & (own[1] < own[2])):
+                raise ArgumentError(f"parameters: {name} begins outside of its bounds {bounds}")
+        return list(np.hstack(rows))
+
+    def run(self, values: np.ndarray) -> Varying:
+        """Return the run at these values, of the last ones again."""
+        if self.last is None or not np.array_equal(values, self.last[0]):
+            self.runs += 1
+            try:
+                found = self.ready.run(values)
+            except SimulationError as error:
+                said = ", ".join(f"{n} = {v:.6g}" for n, v in zip(self.names, values, strict=True))
+                raise SimulationError(f"at {said}: {error}; begin closer, or give bounds") from None
+            if len(found.outputs) < len(self.measured):
+                raise SimulationError(f"the run ends before the data: {found.solution.message}")
+            self.last = values.copy(), found
+        return self.last[1]
+
+    def residuals(self, values: np.ndarray, noise: np.ndarray) -> np.ndarray:
+        """Return what is left, in units of the noise."""
+        left = self.run(values).outputs[:, self.places] - self.measured
+        return (left / noise)[self.there]
+
+    def jacobian(self, values: np.ndarray, noise: np.ndarray) -> np.ndarray:
+        """Return the derivatives of what is left."""
+        return (self.run(values).along[:, self.places] / noise[:, None])[self.there]
+
+    def fit(self) -> Fit:
+        """Take steps until nothing gets better, and the noise of several outputs settles."""
+        from scipy.optimize import least_squares
+
+        count, unknowns = self.there.sum(axis=0), len(self.names)
+        size = np.nanstd(np.where(self.there, self.measured, np.nan), axis=0)
+        noise = self._given_noise() if self.noise is not None else np.where(size > 0, size, 1.0)
+        values, least = self.begin, 1e-9 * noise
+        for _ in range(ROUNDS):
+            found = least_squares(
+                self.residuals, values, self.jacobian, (self.low, self.high), x_scale="jac",
+                ftol=CLOSE, xtol=CLOSE, gtol=CLOSE, args=(noise,),
+            )  # fmt: skip
+            values = found.x
+            if self.noise is not None:
+                break
+            left = np.where(self.there, self.run(values).outputs[:, self.places] - self.measured, 0)
+            freedom = count * (1.0 - unknowns / count.sum())
+            before, noise = noise, np.maximum(np.sqrt((left**2).sum(axis=0) / freedom), least)
+            if len(noise) == 1 or np.all(np.abs(noise / before - 1.0) < SETTLED):
+                break
+        self.ready.check(values, self.run(values))
+        return self._found(values, noise, found.active_mask == 0)
+
+    def _given_noise(self) -> np.ndarray:
+        if not isinstance(self.noise, Mapping):
+            return np.full(len(self.outputs), float(self.noise))
+        missing = {n for n in self.outputs if not {n, n.partition("[")[0]} & set(self.noise)}
+        if missing:
+            raise ArgumentError(f"noise: does not say that of {', '.join(sorted(missing))}")
+        return np.array([float(self.noise.get(n, self.noise.get(n.partition("[")[0])))
+                         for n in self.outputs])  # fmt: skip
+
+    def _found(self, values: np.ndarray, noise: np.ndarray, free: np.ndarray) -> Fit:
+        """Return the estimates with what the Jacobian says of them."""
+        from scipy.stats import norm, t
+
+        left, J = self.residuals(values, noise), self.jacobian(values, noise)
+        freedom, given = len(left) - int(free.sum()), self.noise is not None
+        variance = 1.0 if given else float(left @ left) / freedom
+        scale = np.where(values == 0.0, 1.0, np.abs(values))[free]
+        _, strength, turned = np.linalg.svd(J[:, free] * scale, full_matrices=False)
+        felt = strength > UNFELT * strength.max(initial=0.0)
+        half = turned[felt].T / strength[felt] * scale[:, None]
+        inner = variance * half @ half.T
+        lost = np.any(np.abs(turned[~felt]) > TAKES_PART, axis=0)
+        inner[lost, :] = inner[:, lost] = np.nan
+        covariance = np.full((len(values), len(values)), np.nan)
+        covariance[np.ix_(free, free)] = inner
+        errors = np.sqrt(np.diag(covariance))
+        errors[np.flatnonzero(free)[lost]] = np.inf
+        times = norm.ppf(0.975) if given else t.ppf(0.975, freedom)
+        free_names = [name for name, one in zip(self.names, free, strict=True) if one]
+        state, params = self.ready.start.copy(), dict[str, Any]()
+        for way, value in zip(self.ready.ways, values, strict=True):
+            if way.state >= 0:
+                state[way.state] = value
+                continue
+            (k, own), *_ = way.fields
+            name = way.name.partition("[")[0]
+            params.setdefault(name, np.array(getattr(self.ready.given[k], own)))[way.at] = value
+        return Fit(
+            dict(zip(self.names, map(float, values), strict=True)),
+            dict(zip(self.names, map(float, errors), strict=True)),
+            {name: (float(v - times * e), float(v + times * e))
+             for name, v, e in zip(self.names, values, errors, strict=True)},
+            covariance,
+            dict(zip(self.outputs, map(float, noise), strict=True)),
+            (*(_sentence(free_names, one) for one in turned[~felt]),
+             *(f"{name} lies on a bound" for name in self.names if name not in free_names)),
+            {name: one if one.ndim else float(one) for name, one in params.items()},
+            state, len(left), self.runs,
+        )  # fmt: skip
+
+
+def _sentence(names: Sequence[str], direction: np.ndarray) -> str:
+    """Return of which change together the data know nothing."""
+    parts = [(name, v) for name, v in zip(names, direction, strict=True) if abs(v) > TAKES_PART]
+    if len(parts) == 1:
+        return f"the data do not tell {parts[0][0]}"
+    largest = max(abs(v) for _, v in parts)
+    moves = ", ".join(f"{name} by {v / largest:+.2g} %" for name, v in parts)
+    return f"the data do not tell {' and '.join(n for n, _ in parts)} apart: {moves} is not felt"

@@ -1,0 +1,154 @@
+"""Fits: what is recovered, how sure it is, and what the data do not tell."""
+
+import control
+import numpy as np
+import pytest
+from scipy.optimize import curve_fit
+
+import clpt_control as clpt
+
+TIMES = np.linspace(0.0, 10.0, 101)
+FORCE = np.sin(1.3 * TIMES)[None]
+TRUTH = {"m": 2.0, "c": 0.7, "k": 5.0}
+
+
+def mass(**params):
+    """A mass on a spring with a damper, pushed."""
+
+    def update(t, x, u, p):
+        return [x[1], (u[0] - p["c"] * x[1] - p["k"] * x[0]) / p["m"]]
+
+    return control.nlsys(
+        update, None, name="mass", states=["place", "speed"], inputs=["force"],
+        outputs=["place", "speed"], params={"m": 1.0, "c": 1.0, "k": 1.0, **params},
+    )  # fmt: skip
+
+
+def measured(seed, noise=0.01, outputs=("place",)):
+    run = clpt.simulate(mass(**TRUTH), TIMES, FORCE, [0.3, 0.0])
+    random = np.random.default_rng(seed)
+    return {name: run[name].values + noise * random.standard_normal(len(TIMES)) for name in outputs}
+
+
+def fitted(seed, **more):
+    begin = {"m": (1.5, 0.1, 10.0), "c": 0.5, "k": 4.0}
+    return clpt.fit_parameters(mass(), measured(seed), begin, TIMES, FORCE, [0.3, 0.0], **more)
+
+
+def covered(seeds):
+    found = [fitted(seed).intervals for seed in seeds]
+    return np.mean([own[n][0] <= TRUTH[n] <= own[n][1] for own in found for n in TRUTH])
+
+
+def test_three_parameters_are_recovered_from_noisy_data():
+    found = fitted(1)
+    for name, value in TRUTH.items():
+        assert abs(found.values[name] - value) < 4 * found.errors[name] < 0.1 * value
+    assert found.noise["place"] == pytest.approx(0.01, rel=0.2)
+    again = clpt.simulate(mass(), TIMES, FORCE, found.initial_state, found.params)
+    left = again.place.values - measured(1)["place"]
+    assert np.std(left) == pytest.approx(0.01, rel=0.2)
+    assert "m = " in repr(found)
+    assert covered(range(10)) > 0.8
+
+
+@pytest.mark.slow
+def test_intervals_of_95_percent_hold_the_truth_as_often():
+    assert 0.92 <= covered(range(100)) <= 0.98
+
+
+def test_errors_are_those_of_curve_fit():
+    """SciPy's own fit of the closed form, with differences."""
+    decay = control.nlsys(lambda t, x, u, p: [-p["k"] * x[0]], None, inputs=0, states=["y"],
+                          outputs=["y"], params={"k": 1.0}, name="decay")  # fmt: skip
+    times = np.linspace(0.0, 2.0, 41)
+    noisy = 3.0 * np.exp(-1.7 * times) + 0.02 * np.random.default_rng(3).standard_normal(41)
+    own, covariance = curve_fit(lambda t, k, a: a * np.exp(-k * t), times, noisy, [1.0, 1.0])
+    found = clpt.fit_parameters(decay, {"y": noisy}, {"k": 1.0, "x0.y": 1.0}, times)
+    assert [*found.values.values()] == pytest.approx(own, rel=1e-6)
+    assert found.covariance == pytest.approx(covariance, rel=1e-4)
+    known = clpt.fit_parameters(decay, {"y": noisy}, {"k": 1.0, "y": 1.0}, times, noise=0.05)
+    _, covariance = curve_fit(
+        lambda t, k, a: a * np.exp(-k * t), times, noisy, [1.0, 1.0], np.full(41, 0.05),
+        absolute_sigma=True,
+    )  # fmt: skip
+    assert known.covariance == pytest.approx(covariance, rel=1e-4)
+
+
+def test_data_come_in_three_forms():
+    truth, begin, start = mass(**TRUTH), {"m": 1.5, "c": 0.5, "k": 4.0}, [0.3, 0.0]
+    run = clpt.simulate(truth, TIMES, FORCE, start)
+    response = control.input_output_response(
+        truth, TIMES, FORCE, start, solve_ivp_kwargs={"rtol": 1e-10, "atol": 1e-12}
+    )
+    gaps = {"place": np.where(np.arange(101) % 3, run.place.values, np.nan)}
+    for data, inputs, times in ((run, FORCE, None), (response, None, None), (gaps, FORCE, TIMES)):
+        found = clpt.fit_parameters(mass(), data, begin, times, inputs, start)
+        assert [*found.values.values()] == pytest.approx([*TRUTH.values()], rel=1e-5)
+    assert found.samples == 67
+
+
+def test_outputs_of_unlike_noise_count_by_it():
+    run = clpt.simulate(mass(**TRUTH), TIMES, FORCE, [0.3, 0.0])
+    random = np.random.default_rng(5)
+    data = {"place": run.place.values + 0.001 * random.standard_normal(101),
+            "speed": run.speed.values + 0.1 * random.standard_normal(101)}  # fmt: skip
+    begin = {"m": 1.5, "c": 0.5, "k": 4.0}
+    both = clpt.fit_parameters(mass(), data, begin, TIMES, FORCE, [0.3, 0.0])
+    assert both.noise["place"] == pytest.approx(0.001, rel=0.2)
+    assert both.noise["speed"] == pytest.approx(0.1, rel=0.2)
+    one = clpt.fit_parameters(mass(), {"place": data["place"]}, begin, TIMES, FORCE, [0.3, 0.0])
+    assert both.errors["k"] <= 1.05 * one.errors["k"]
+    given = clpt.fit_parameters(mass(), data, begin, TIMES, FORCE, [0.3, 0.0],
+                                noise={"place": 0.001, "speed": 0.1})  # fmt: skip
+    assert given.values["k"] == pytest.approx(both.values["k"], abs=both.errors["k"])
+
+
+def test_what_the_data_do_not_tell_is_said():
+    free = clpt.simulate(mass(**TRUTH), TIMES, 0.0, [0.3, 0.0])
+    noisy = {"place": free.place.values + 0.001 * np.random.default_rng(0).standard_normal(101)}
+    found = clpt.fit_parameters(mass(), noisy, {"m": 1.5, "c": 0.5, "k": 4.0}, TIMES, 0.0,
+                                [0.3, 0.0])  # fmt: skip
+    (said,) = found.unidentified  # without a force all three grow alike
+    assert said.startswith("the data do not tell m and c and k apart")
+    assert said.count("1 %") == 3
+    assert np.isinf([*found.errors.values()]).all()
+    assert said in repr(found)
+    ratio = found.values["k"] / found.values["m"]
+    assert ratio == pytest.approx(2.5, rel=1e-2)
+
+
+def test_a_bound_that_is_met_has_no_error():
+    found = clpt.fit_parameters(mass(), measured(0), {"m": (1.0, 0.1, 1.8), "c": 0.5, "k": 4.0},
+                                TIMES, FORCE, [0.3, 0.0])  # fmt: skip
+    assert found.values["m"] == pytest.approx(1.8)
+    assert np.isnan(found.errors["m"])
+    assert np.isfinite(found.errors["k"])
+    assert found.unidentified == ("m lies on a bound",)
+
+
+def test_the_papers_gain_is_found_from_its_run():
+    scenario = clpt.paper_scenario().with_values({"run.duration": 60})
+    loop = clpt.closed_loop(scenario)
+    run = clpt.simulate(loop, np.linspace(0.0, 60.0, 31))
+    found = clpt.fit_parameters(loop, {"e": run.clpe.values}, {"adaptation.gain": 0.5}, run.time)
+    assert found.values["adaptation.gain"] == pytest.approx(0.8, rel=1e-6)
+
+
+def test_mistakes_are_told():
+    def fit(data=None, begin=None, times=TIMES, **more):
+        return clpt.fit_parameters(mass(), data or measured(0), begin or {"m": 1.0}, times, FORCE,
+                                   [0.3, 0.0], **more)  # fmt: skip
+
+    for given, said in (
+        ({"data": {"q": TIMES}}, "none of the outputs place, speed"),
+        ({"data": {"place": TIMES[:5]}}, "101 samples"),
+        ({"data": [1.0]}, "must be an xarray"),
+        ({"times": None}, "timepts: is required"),
+        ({"begin": {"q": 1.0}}, "must be among"),
+        ({"begin": {"m": (1.0, 2.0, 3.0)}}, "outside of its bounds"),
+        ({"begin": {"m": (1.0, 2.0)}}, "a start, or"),
+        ({"noise": {"speed": 1.0}}, "does not say that of place"),
+    ):
+        with pytest.raises(clpt.ClptError, match=said):
+            fit(**given)
