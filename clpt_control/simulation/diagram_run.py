@@ -81,7 +81,7 @@ class DiagramRun:
 
         return vstack([made, eye_array(n, made.shape[1], k=made.shape[1] - n)], format="csr")
 
-    def _units(self) -> list[str]:
+    def units(self) -> list[str]:
         """Return the unit of each signal that is shown; of a sum of several none is known."""
         made, given = units_of(self.wiring)
         every, rows = made + given, entries(self.wiring.output_map)
@@ -94,7 +94,7 @@ class DiagramRun:
         """The Dataset of its runs; of `closed_loop` it is its scenario's."""
         diagram = self.diagram
         if self.made_of is None:
-            own = tuple(self.labels), tuple(self._units()), tuple(self.states)
+            own = tuple(self.labels), tuple(self.units()), tuple(self.states)
             return diagram_frame(diagram.name, *own)
         found = columns_of(self.labels, self.wiring, self.runner.sweep.given)
         every, params = ports_of(self.labels), self.params or {}

@@ -128,7 +128,8 @@ class Sensitive:
         sizes = open_sizes(system, inputs, initial_state, times)
         run = DiagramRun(system, params, sizes, False, "native")
         self.wiring, self.given, self.states = run.wiring, run.runner.sweep.given, run.states
-        self.labels = run.labels[: self.wiring.output_map.shape[0]]
+        outputs = slice(self.wiring.output_map.shape[0])
+        self.labels, self.units = run.labels[outputs], run.units()[outputs]
         self.inputs = read_inputs(inputs, times, self.wiring.ninputs)
         state = 0.0 if initial_state is None else initial_state
         self.start = stacked_state("initial_state", state, run.runner.nstates)
@@ -294,8 +295,7 @@ def dataset_of(
     """Return the derivatives of ports, signals and states as a Dataset."""
     import xarray
 
-    none = ("",) * len(ready.labels)  # the units of derivatives are not said
-    frame = diagram_frame(ready.name, tuple(ready.labels), none, tuple(ready.states))
+    frame = diagram_frame(ready.name, *map(tuple, (ready.labels, ready.units, ready.states)))
     each = [
         frame.filled(replace(found.solution, x=found.states[..., j]), found.along[..., j])
         for j in range(len(ready.ways))
@@ -303,6 +303,10 @@ def dataset_of(
     names = xarray.Variable("parameter", [way.name for way in ready.ways])
     every = xarray.concat(each, names, combine_attrs="override").transpose(..., "parameter")
     every.attrs["title"] = f"Sensitivities of {ready.name}"
+    for name, one in every.data_vars.items():
+        one.attrs["long_name"] = f"derivative of {name} by each parameter"
+        if unit := one.attrs.get("units"):
+            one.attrs["units"] = f"{unit} per unit of the parameter"
     if of is None:
         return every
     chosen = {}

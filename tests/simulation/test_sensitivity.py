@@ -190,6 +190,10 @@ def test_outputs_are_chosen_and_named():
     found = clpt.sensitivity(mrac(), times, of=["e", "states"], to="gain", inputs=1.0)
     assert list(found) == ["e", "states"]
     assert list(found.parameter.values) == ["gain"]
+    scaled = clpt.Block("a", update=lambda t, x, u, p: -p.k * x, states={"x": 2},
+                        parameters={"k": 1.0}, units={"x": "m"})  # fmt: skip
+    units = clpt.sensitivity(clpt.connect([scaled]), times, "x", "a.k").x.attrs["units"]
+    assert units == "m per unit of the parameter"
     scenario = clpt.paper_scenario()
     found = clpt.sensitivity(scenario, times, of=["e[1]"], to="adaptation.gain")
     assert found["e[1]"].dims == ("time", "parameter")
