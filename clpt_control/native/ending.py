@@ -20,36 +20,26 @@ from .sweep import Sweep
 class Status(IntEnum):
     """How a run ended; `sentence` says what it means, and what to try."""
 
-    sentence: str
+    RUNNING, FINISHED, TOO_SMALL, NOT_FINITE, LEFT, TOO_MANY, CHATTERS, STIFF = range(8)
 
-    def __new__(cls, value: int, sentence: str) -> "Status":
-        """Make a member with its sentence."""
-        member = int.__new__(cls, value)
-        member._value_, member.sentence = value, sentence
-        return member
+    @property
+    def sentence(self) -> str:
+        """What it means."""
+        return SENTENCES[self]
 
-    RUNNING = solver.RUNNING, "under way"
-    FINISHED = solver.FINISHED, "finished: the end of the span was reached"
-    TOO_SMALL = (
-        solver.TOO_SMALL,
-        "the step became too small; loosen rtol and atol, or look for a singularity",
-    )
-    NOT_FINITE = (
-        solver.NOT_FINITE,
-        "a number is not finite; check parameters and the initial state",
-    )
-    LEFT = solver.LEFT, "a guard was left"
-    TOO_MANY = (
-        solver.TOO_MANY,
-        "too many steps: rates change much faster than the run is long; lower the gains, or loosen "
-        "rtol and atol",
-    )
-    CHATTERS = (
-        solver.CHATTERS,
-        "switches to and fro without going on; give the switch a hysteresis, a boundary layer "
-        "(np.clip in place of np.sign), or sample it",
-    )
-    STIFF = solver.STIFF, "left to an implicit method"
+
+SENTENCES = (  # of each status
+    "under way",
+    "finished: the end of the span was reached",
+    "the step became too small; loosen rtol and atol, or look for a singularity",
+    "a number is not finite; check parameters and the initial state",
+    "a guard was left",
+    "too many steps: rates change much faster than the run is long; lower the gains, or loosen "
+    "rtol and atol",
+    "switches to and fro without going on; give the switch a hysteresis, a boundary layer (np.clip "
+    "in place of np.sign), or sample it",
+    "left to an implicit method",
+)
 
 
 @dataclass
@@ -78,7 +68,7 @@ def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None, rest: Batch | None)
     `rest` is its rest by another method, and `sweep` evaluates the diagram in Python, with the
     parameters that ran.
     """
-    last, status = rest or batch, Status(batch.status[0])  # type: ignore[call-arg]
+    last, status = rest or batch, Status(batch.status[0])
     found = Solution(batch.times, batch.out[0], method=batch.method)
     if rest is not None:
         found.method += f", from t = {rest.times[0]:.9g} {rest.method}"

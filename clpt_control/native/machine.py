@@ -12,10 +12,10 @@ it does not own, count, size of an item, address, shape and strides.
 
 import hashlib
 import os
-from collections.abc import Callable, Iterable
-from contextlib import ContextDecorator, suppress
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager, suppress
 from ctypes import CFUNCTYPE, addressof, byref, c_char, c_int32, c_int64, c_void_p
-from functools import cache
+from functools import cache, lru_cache
 from importlib.metadata import version
 from pathlib import Path
 from threading import RLock
@@ -38,17 +38,19 @@ HERE = Path(__file__).parent
 TEXT = HERE / "solver.ll"
 
 
-class _OneAtATime(ContextDecorator):
-    """What one thread at a time may run."""
-
-    def __enter__(self) -> None:
-        LOCK.acquire()
-
-    def __exit__(self, *error: object) -> None:
-        LOCK.release()
+@contextmanager
+def _alone() -> Iterator[None]:
+    with LOCK:
+        yield
 
 
-one_at_a_time = _OneAtATime()
+one_at_a_time = _alone()  # as a decorator: one thread at a time may run it
+
+
+def once(most: int | None = None) -> Callable:
+    """Keep what a function returned; threads that ask at once are given the same."""
+    kept = lru_cache(most)
+    return lambda function: kept(one_at_a_time(kept(function)))
 
 
 # --- the processor --------------------------------------------------------------------------
@@ -210,9 +212,7 @@ def numbers(arguments: tuple) -> list[Any]:
     return found
 
 
-@cache
-@one_at_a_time
-@cache
+@once()
 def compiled_solver() -> SimpleNamespace:
     """Return the functions of `solver` as machine code, found in the cache or made."""
     text = TEXT.read_text("utf-8")

@@ -20,7 +20,6 @@ from .formula import Formula, Row, Rows, joined
 
 LAST_TERM = 1.23e-3  # of the interpolant: what is wrong within a step that stability keeps short
 TRUSTED = 100.0  # tolerances that a state between a step's ends may be wrong by
-BEGUN = range(9, 12)  # stages whose sums are begun before, in the rows of terms
 
 
 def _table() -> Any:
@@ -29,59 +28,25 @@ def _table() -> Any:
     return dop853_coefficients
 
 
-def _weighted(weights: Any, z: Row, begun: Any = None) -> Any:
-    """What is `begun`, + a_0 K_0 + a_1 K_1 + ..., zeros left out."""
-    used = weights.nonzero()[0]
-    if isinstance(z(row.RATE + int(used[0])), np.ndarray):
-        total = np.add.reduce(weights[used, None] * z(row.RATE + used))  # in the order of the rows
-        return total if begun is None else begun + total
-    return _sum(weights, z, row.RATE, begun)
-
-
-def _sum(weights: Any, z: Row, first: int = row.SOLVED, total: Any = None) -> Any:
+def _sum(weights: Any, z: Row, first: int = row.RATE, total: Any = None) -> Any:
+    """What is begun, + a_0 K_0 + a_1 K_1 + ..., from a row on, zeros left out."""
     for j, a in enumerate(np.asarray(weights).tolist(), first):
         if a != 0.0:
             total = a * z(j) if total is None else joined(a, z(j), total)
     return total
 
 
-def _stage(weights: Any, c: float, begun: Any = None) -> Formula:
-    """argument = x + h sum_j a_j K_j, at t + c h; some sums are `begun` in the rows of terms."""
+def _stage(weights: Any, c: float) -> Formula:
+    """argument = x + h sum_j a_j K_j, at t + c h."""
 
     def ahead(z: Row, lane: Row, tolerance: Row) -> tuple[Rows, Sequence[Any]]:
-        total = _weighted(weights, z, None if begun is None else z(begun))
-        return {row.ARGUMENT: joined(lane(row.TAKEN), total, z(row.STATE))}, ()
+        return {row.ARGUMENT: joined(lane(row.TAKEN), _sum(weights, z), z(row.STATE))}, ()
 
     return Formula(ahead, _at(c))
 
 
 def _at(c: float) -> Any:
     return lambda lane, sums: {row.AT: lane(row.TIME) + c * lane(row.TAKEN)}
-
-
-def _stages_of_dop853() -> list[Formula]:
-    """Stages 1 to 15, counted from 0; stage 12 is the new state.
-
-    Stage 8 begins the sums of those behind it, as its own reads what they read.
-    """
-    table, last = _table(), BEGUN[0] - 1
-    begun = {r: row.TERMS + r - BEGUN[0] for r in BEGUN}
-    found = []
-    for s in range(1, row.DOP853 + 4):
-        weights = table.B if s == row.DOP853 else table.A[s, :s]
-        c = 1.0 if s == row.DOP853 else float(table.C[s])
-        if s in BEGUN:
-            weights = np.where(np.arange(s) < last, 0.0, weights)
-        found.append(_stage(weights, c, begun.get(s)))
-    plain = found[last - 1].each
-    assert plain is not None
-
-    def ahead(z: Row, lane: Row, tolerance: Row) -> tuple[Rows, Sequence[Any]]:
-        sums = {place: _weighted(table.A[r, :last], z) for r, place in begun.items()}
-        return {**plain(z, lane, tolerance)[0], **sums}, ()
-
-    found[last - 1] = found[last - 1]._replace(each=ahead)
-    return found
 
 
 def _attempt(implicit: bool = False) -> Formula:
@@ -130,11 +95,11 @@ def _judge(n: int) -> Formula:
     beyond = table.E3[: row.DOP853] - table.B  # most of E3 is B
 
     def each(z: Row, lane: Row, tolerance: Row) -> tuple[Rows, Sequence[Any]]:
-        rate = _weighted(table.B, z)
+        rate = _sum(table.B, z)
         state = joined(lane(row.TAKEN), rate, z(row.STATE))
         largest = maximum(abs(z(row.STATE)), abs(state))
         part = 1.0 / joined(tolerance(0), largest, tolerance(1))
-        fifth, third = _weighted(table.E5, z) * part, _weighted(beyond, z, rate) * part
+        fifth, third = _sum(table.E5, z) * part, _sum(beyond, z, total=rate) * part
         return {row.ARGUMENT: state}, (fifth * fifth, third * third)
 
     def after(lane: Row, sums: Sequence[Any]) -> Rows:
@@ -225,7 +190,7 @@ def _dense() -> Formula:
         h, delta = lane(row.TAKEN), z(row.ARGUMENT) - z(row.STATE)
         ends = z(row.RATE + row.DOP853) + z(row.RATE)
         terms = [delta, h * z(row.RATE) - delta, 2.0 * delta - h * ends]
-        terms += [h * _weighted(weights, z) for weights in table.D]
+        terms += [h * _sum(weights, z) for weights in table.D]
         largest = maximum(abs(z(row.STATE)), abs(z(row.ARGUMENT)))
         part = (LAST_TERM / TRUSTED) * terms[-1] / joined(tolerance(0), largest, tolerance(1))
         return {row.TERMS + k: term for k, term in enumerate(terms)}, (part * part,)
@@ -243,7 +208,7 @@ def _stiffness() -> Formula:
 
     def each(z: Row, lane: Row, tolerance: Row) -> tuple[Rows, Sequence[Any]]:
         rates = z(row.RATE + row.DOP853) - z(row.RATE + row.DOP853 - 1)
-        states = z(row.ARGUMENT) - joined(lane(row.TAKEN), _weighted(last, z), z(row.STATE))
+        states = z(row.ARGUMENT) - joined(lane(row.TAKEN), _sum(last, z), z(row.STATE))
         return {}, (rates * rates, states * states)
 
     def after(lane: Row, sums: Sequence[Any]) -> Rows:
@@ -314,21 +279,22 @@ def _straight() -> Formula:
 def _stage_implicit(s: int) -> Formula:
     """The argument of a stage, counted from 0, and what the right-hand side has beside its rate."""
 
-    def ahead(z: Row, lane: Row, tolerance: Row) -> tuple[Rows, Sequence[Any]]:
+    def each(z: Row, lane: Row, tolerance: Row) -> tuple[Rows, Sequence[Any]]:
         known = (rodas.OF_TIME[s] * lane(row.TAKEN)) * z(row.OVER_TIME)
         if not s:
             return {row.ARGUMENT: z(row.STATE), row.KNOWN: known}, ()
-        known = joined(1.0 / lane(row.TAKEN), _sum(rodas.C[s], z), known)
-        return {row.ARGUMENT: z(row.STATE) + _sum(rodas.weights(s), z), row.KNOWN: known}, ()
+        known = joined(1.0 / lane(row.TAKEN), _sum(rodas.C[s], z, row.SOLVED), known)
+        ahead = z(row.STATE) + _sum(rodas.weights(s), z, row.SOLVED)
+        return {row.ARGUMENT: ahead, row.KNOWN: known}, ()
 
-    return Formula(ahead, _at(rodas.TIMES[s]))
+    return Formula(each, _at(rodas.TIMES[s]))
 
 
 def _judge_implicit(n: int) -> Formula:
     """The new state, the estimate of its error, whether the step is good, and the next one."""
 
     def each(z: Row, lane: Row, tolerance: Row) -> tuple[Rows, Sequence[Any]]:
-        new = z(row.STATE) + _sum(rodas.weights(len(rodas.C)), z)
+        new = z(row.STATE) + _sum(rodas.weights(len(rodas.C)), z, row.SOLVED)
         largest = maximum(abs(z(row.STATE)), abs(new))
         part = z(row.SOLVED + len(rodas.C) - 1) / joined(tolerance(0), largest, tolerance(1))
         return {row.ARGUMENT: new}, (part * part,)
@@ -347,7 +313,7 @@ def _dense_implicit() -> Formula:
     """The terms of the interpolant, in the form in which `solver.between` sums them."""
 
     def each(z: Row, lane: Row, tolerance: Row) -> tuple[Rows, Sequence[Any]]:
-        k1, k2, k3 = (_sum(own, z) for own in rodas.BETWEEN)
+        k1, k2, k3 = (_sum(own, z, row.SOLVED) for own in rodas.BETWEEN)
         terms = [z(row.ARGUMENT) - z(row.STATE), k1, k2 + k3, -k3]
         none = 0.0 * z(row.STATE)
         return {row.TERMS + k: (terms[k] if k < len(terms) else none) for k in range(7)}, ()
@@ -370,7 +336,8 @@ def formulas(method: int, n: int) -> dict[str, Formula]:
         halves = np.diag([0.5, 0.5, 1.0])
         stages = [_stage(halves[s, : s + 1], halves[s, s]) for s in range(3)]
     else:
-        attempt, judge, dense, stages = _attempt(), _judge(n), _dense(), _stages_of_dop853()
+        attempt, judge, dense, table = _attempt(), _judge(n), _dense(), _table()
+        stages = [_stage(table.A[s, :s], float(table.C[s])) for s in range(1, row.DOP853 + 4)]
     names = ("attempt", "judge", "sizes", "trial", "first", "accept", "dense", "sketch")
     named = dict(zip(names, (attempt, judge, *begun, accept, dense, _sketch()), strict=True))
     named |= {f"stage_{s}": one for s, one in enumerate(stages, 1)}

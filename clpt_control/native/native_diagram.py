@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field
-from functools import cached_property, lru_cache
+from functools import cached_property
 from typing import Any
 
 import control
@@ -20,7 +20,7 @@ from .batch import Callee
 from .diagram_record import NAMED, SHORT, DiagramRecord, Layout, lay_out
 from .formula import program_of_formulas
 from .jacobian import Jacobian, jacobian, reach_of, slopes_of
-from .machine import LANES, Machine, compiled_solver, fuses, one_at_a_time
+from .machine import LANES, Machine, compiled_solver, fuses, once, one_at_a_time
 from .method import formulas
 from .plan import Program, program_of
 from .python_diagram import PythonDiagram
@@ -116,9 +116,7 @@ def code_of(
     return _code(Structure(key, wiring, layout), form, implicit)
 
 
-@lru_cache(maxsize=64)
-@one_at_a_time  # threads that ask at once are given the same code
-@lru_cache(maxsize=64)
+@once(64)
 def _code(structure: Structure, form: str | None, implicit: bool) -> Code:
     wiring, layout = structure.wiring, structure.layout
     record = DiagramRecord(wiring, layout, *FORMS[form])
@@ -131,9 +129,7 @@ def _code(structure: Structure, form: str | None, implicit: bool) -> Code:
     return Code(program_of(record, *room), jacobian(reach, False))
 
 
-@lru_cache(maxsize=16)
-@one_at_a_time
-@lru_cache(maxsize=16)
+@once(16)
 def kernels(n: int, lanes: int, method: int) -> Machine:
     """Return the formulas of a method for n states as machine code."""
     own = formulas(method, n)
