@@ -13,7 +13,7 @@ from ..scenario.recorded_run import waypoints_of
 from ..scenario.team import Team
 from ..simulation.flows import flow_velocity
 from ..simulation.loops import closed_loop
-from ..simulation.plots import TITLE, clpe_plot, learning_plot, square_chart, track_plot
+from ..simulation.plots import DIRECTIONS, TITLE, clpe_plot, learning_plot, square_chart, track_plot
 from ..simulation.team_plots import team_plot
 from ..simulation.teams import team_loop
 from .page import Beside, Drawn, Section, narrow
@@ -92,8 +92,9 @@ def figure_sections(
     ]
     unit = scenario.units
     said = (
-        f"The prediction error by waypoint intervals of {scenario.reference.dwell:g} {unit.time}; "
-        "below, its size and its root mean square in each interval, logarithmic."
+        "The prediction error over the first two rounds; below, its size over the whole run, and "
+        f"its root mean square at each waypoint ({scenario.reference.dwell:g} {unit.time}), "
+        "logarithmic."
     )
     if not len(waypoints_of(run, scenario)):
         said = "The prediction error over time; below, its size, logarithmic."
@@ -109,7 +110,8 @@ def figure_sections(
         Drawn(
             f"learning-{axis}",
             narrow(figure_of(learning_plot, few, axis), 4.9),
-            f"What was learned of the flow along x{axis}, and the gains of that axis." + thin,
+            f"What was learned of the flow to the {DIRECTIONS[axis - 1]}, and the gains of that "
+            "axis." + thin,
         )
         for axis in (1, 2)
     ]

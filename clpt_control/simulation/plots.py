@@ -16,6 +16,7 @@ from ..scenario.file import scenario_of_run
 from ..scenario.recorded_run import check_run, waypoints_of
 from .dataset import INDEX
 
+DIRECTIONS = "east", "north"  # of x1 and x2
 TITLE: dict[str, Any] = {"loc": "left", "fontsize": 10}
 MANY = 100  # samples an interval, for its mean square
 PORTS = 16  # of a picture of any diagram
@@ -28,7 +29,7 @@ if TYPE_CHECKING:
 OVERVIEW = [
     ["track", "clpe"],
     ["track", "size"],
-    ["horizontal", "vertical"],
+    ["east", "north"],
     ["gains 1", "gains 2"],
 ]
 
@@ -135,7 +136,7 @@ def square_chart(
     unit = scenario.units.length
     low, high = seen.min(0), seen.max(0)
     middle, half = (low + high) / 2, 0.62 * (max(high - low) or 1.0)
-    ax.set(xlabel=f"$x_1$ ({unit})", ylabel=f"$x_2$ ({unit})", aspect="equal")
+    ax.set(xlabel=f"$x_1$, east ({unit})", ylabel=f"$x_2$, north ({unit})", aspect="equal")
     ax.set(xlim=(middle[0] - half, middle[0] + half), ylim=(middle[1] - half, middle[1] + half))
     grid = np.stack(np.meshgrid(*(np.linspace(m - half, m + half, count) for m in middle)), -1)
     return grid.reshape(-1, 2), half
@@ -145,7 +146,7 @@ def square_chart(
 def clpe_plot(
     run: "xarray.Dataset", *, ax: Any = None, label: str | None = None, color: str | None = None
 ) -> Any:
-    """Draw CLPE against waypoint intervals (figure 2).
+    """Draw CLPE over time, with cycles above (figure 2).
 
     Parameters
     ----------
@@ -179,24 +180,17 @@ def clpe_plot(
     axes = axes_for(ax, 6.4, 5.4, nrows=2)
     top, bottom = axes
     units, count = scenario.units, len(waypoints_of(run, scenario))
-    dwell = scenario.reference.dwell if count else 1.0  # without waypoints there are no intervals
-    interval, e = run.time.values / dwell, run.clpe.values
-    early = interval <= (2 * count if count else np.inf)
+    dwell, cycle = scenario.reference.dwell, scenario.cycle
+    time, e = run.time.values, run.clpe.values
+    early = time <= (2 * cycle if count else np.inf)
     of_run: dict[str, Any] = {} if color is None else {"color": color}
     for i in range(2):
         line = {**line_style(i), **of_run}
-        top.plot(interval[early], e[early, i], label=_among(label, f"$e_{i + 1}$"), lw=1.1, **line)
-    if count:
-        top.axvline(count, color=color or GREY, linewidth=0.8, linestyle=":")
-    if count and label is None:
-        place = {"xytext": (3, -9), "textcoords": "offset points"}
-        top.annotate("one cycle", (count, top.get_ylim()[1]), fontsize=8, color=GREY, **place)
-    last = max(interval[early], default=2 * count)
+        top.plot(time[early], e[early, i], label=_among(label, f"$e_{i + 1}$"), lw=1.1, **line)
+    last = max(time[early], default=2 * cycle)
     top.set(ylabel=f"CLPE ({units.length})", xlim=(0, _wider(top, last, label)))
     top.legend(**_legend(label), fontsize=8)
-    each = f"; each interval is one waypoint, {dwell:g} {units.time}"
-    each = each if label is None else " by waypoint intervals, dotted: one cycle"
-    top.set_title(f"CLPE{each if count else ''}", **TITLE)
+    top.set_title("CLPE", **TITLE)
     size, before = np.hypot(*e.T), bottom.get_ylim()[0] if bottom.lines else np.inf
     drawn = np.maximum(size, 1e-12)
     shade: dict[str, Any] = {
@@ -206,22 +200,29 @@ def clpe_plot(
     }
     said = "|e|" if label is None else label if not count else None
     shade |= {} if count else {"alpha": 1}
-    bottom.semilogy(interval, drawn, label=said, **shade)
+    bottom.semilogy(time, drawn, label=said, **shade)
     if count:
-        number = np.floor(interval + 1e-9).astype(int)
+        number = np.floor(time / dwell + 1e-9).astype(int)
         counts = np.bincount(number)
         rms = np.sqrt(np.bincount(number, size**2) / np.where(counts > 0, counts, np.nan))
         few = len(size) < MANY * len(counts)  # the pictures of a long run have fewer samples
-        said = "rms per interval" + (", of the samples shown" if few else "")
+        said = f"rms of each {dwell:g} {units.time}, a waypoint" + (
+            ", of the samples shown" if few else ""
+        )
         shade = {"color": color or "black", "linewidth": 1.2, "label": _among(label, said)}
-        bottom.step(np.arange(len(counts)), np.maximum(rms, 1e-12), where="post", **shade)
-    over = "interval" if count else f"time ({units.time})"
-    bottom.set(xlabel=over, ylabel=f"|CLPE| ({units.length})")
-    bottom.set_xlim(0, _wider(bottom, interval[-1], label))
+        bottom.step(dwell * np.arange(len(counts)), np.maximum(rms, 1e-12), where="post", **shade)
+    bottom.set(xlabel=f"time ({units.time})", ylabel=f"|CLPE| ({units.length})")
+    bottom.set_xlim(0, _wider(bottom, time[-1], label))
     if size.max() > 0:
         least = max(1e-12, np.nanmin(np.where(size > 0, size, np.nan)) / 2)
         bottom.set_ylim(bottom=least if label is None else min(least, before))
     bottom.legend(**_legend(label), fontsize=8)
+    if count and not (top.child_axes or bottom.child_axes):
+        for one in axes:
+            above = one.secondary_xaxis("top", functions=(lambda t: t / cycle, lambda n: n * cycle))
+            above.locator_params(axis="x", integer=True)
+            above.tick_params(labelsize=7, colors=GREY)
+        top.child_axes[0].set_xlabel("cycles", fontsize=7, color=GREY, loc="right")
     return axes
 
 
@@ -258,7 +259,7 @@ def learning_plot(
     run : xarray.Dataset
         As `simulate` gives it, or `load_run`.
     axis : int, optional
-        1, horizontal, or 2, vertical.
+        1, east, or 2, north.
     ax : array of 2 Axes, optional
         Where to draw; by default a new figure of pyplot's.
     label, color : optional
@@ -284,7 +285,7 @@ def learning_plot(
     >>> parameters, gains = learning_plot(clpt.simulate(scenario), 2)
     """
     if axis not in (1, 2):
-        raise ClptError(f"axis = {axis!r:.60}: must be 1, horizontal, or 2, vertical")
+        raise ClptError(f"axis = {axis!r:.60}: must be 1, east, or 2, north")
     names = "flow_parameters_estimate", "feedback_gain", "feedforward_gain"
     scenario = scenario_with(run, *names)
     axes = axes_for(ax, 6.4, 5.4, nrows=2, sharex=True)
@@ -302,12 +303,11 @@ def learning_plot(
         if scenario.flow.parameters is not None:
             true = scenario.flow.parameters[i][k]
             top.axhline(true, color=line["color"], linewidth=0.7, alpha=0.7)
-    direction = "horizontal" if axis == 1 else "vertical"
     truth = ", true values thin" if scenario.flow.parameters is not None else ""
     row, estimated = scenario.learning.row, "estimate = $-\\alpha$"
     if row.keeps_alpha:
         estimated = "given estimate" if row.given_estimate else "estimate of the filter"
-    top.set_title(f"Parameters of the {direction} flow, {estimated}{truth}", **TITLE)
+    top.set_title(f"Flow to the {DIRECTIONS[i]}, {estimated}{truth}", **TITLE)
     top.set_ylabel(f"flow parameter ({units.length}/{units.time})")
     gains = (
         ("feedback_gain", "K", scenario.vehicle.feedback),
@@ -320,8 +320,15 @@ def learning_plot(
         bottom.axhline(known[i], color=line["color"], linewidth=0.7, alpha=0.7)
     bottom.set_title("Gains, true values thin", **TITLE)
     bottom.set(xlabel=f"time ({units.time})", ylabel=f"gain (1/{units.time})")
+    cycle = scenario.cycle if len(waypoints_of(run, scenario)) else np.inf
     for one in axes:
-        one.set_xlim(time[0], _wider(one, time[-1], label))
+        one.set_xlim(time[0], end := _wider(one, time[-1], label))
+        if end > 2 * cycle:
+            one.set_xscale("symlog", linthresh=cycle)
+            ticks = [cycle * k / 4 for k in range(4)] + [cycle * 2**k for k in range(5)]
+            one.set_xticks([t for t in ticks if t <= end], [f"{t:g}" for t in ticks if t <= end])
+            one.minorticks_off()
+            bottom.set_xlabel(f"time ({units.time}), logarithmic after one cycle")
     if N <= 6 or label is not None:
         top.legend(**_legend(label), fontsize=9, ncols=3)
     bottom.legend(**_legend(label), fontsize=9, ncols=2)
