@@ -31,7 +31,16 @@ from .schedule import (
     read_inputs,
 )
 from .sweep import Sweep, first_not_finite
-from .ways import LOOSE, METHODS, begun, checked_method, finish, iterated, loosely
+from .ways import (
+    LOOSE,
+    METHODS,
+    begun,
+    check_spacing,
+    checked_method,
+    finish,
+    iterated,
+    loosely,
+)
 
 FREE = (np.inf, 0.0)  # no longest step, nor a first one
 
@@ -170,14 +179,16 @@ class PythonDiagram:
         times = self.sweep.at_jumps(times)
         t0, t1 = float(times[0]), float(times[-1])
         inputs = self._inputs(inputs, times)
-        if not self.nstates:
-            return Solution(times, np.zeros((len(times), 0)), engine=self.engine)
         if self.wiring.dt:
             if (step, rtol, atol) != (None, None, None) or limits != FREE or method != "auto":
                 raise SimulationError(
                     "step, max_step, first_step, method, rtol and atol: a diagram of discrete time "
                     "has none; leave them out"
                 )
+            check_spacing(times, self.wiring.dt)
+        if not self.nstates:
+            return Solution(times, np.zeros((len(times), 0)), engine=self.engine)
+        if self.wiring.dt:
             return iterated(self, start, times, inputs, progress)
         free = method == "auto" and limits == FREE and step is None
         smooth = self.engine == "python" and not self.jumps and not self.sweep.guarded

@@ -3,6 +3,8 @@
 import pytest
 from pictures import inked
 
+import clpt_control as clpt
+from analysis import shelf
 from examples import auv, mrac, pendulum, tank
 
 
@@ -46,3 +48,13 @@ def test_a_late_thruster_overshoots(tmp_path, capsys):
     over = [float(row[0]) for row in table.values()]
     assert over == sorted(over)
     assert float(table["0.1"][2]) == pytest.approx(0.8, abs=1e-3)
+
+
+def test_the_shelf_has_a_panel_for_each_part(tmp_path):
+    shelf.main(tmp_path)
+    lines = (tmp_path / "parts.md").read_text("utf-8").splitlines()[2:]
+    cells = [[cell.strip(" `") for cell in line.strip("|").split("|")] for line in lines]
+    assert sorted(row[0] for row in cells) == sorted(clpt.parts.__all__)
+    assert all(float(row[2]) < 1e-8 for row in cells if row[2])
+    assert sum(bool(row[2]) for row in cells) >= 12
+    assert inked(tmp_path / "parts.png") > 0.01

@@ -278,6 +278,14 @@ def test_what_does_not_fit_is_refused(times, given, said):
         assert "\n" not in str(caught.value)
 
 
+@every_engine
+def test_a_part_without_states_takes_its_own_times_too(engine):
+    gain = control.tf([2], [1], 0.5, name="gain")
+    assert clpt.simulate(gain, [0, 0.5], 1.0, engine=engine).y.values.tolist() == [2, 2]
+    with pytest.raises(SimulationError, match=r"takes times that are 0\.5 apart"):
+        clpt.simulate(gain, [0, 0.1], 1.0, engine=engine)
+
+
 def test_uneven_times_are_refused_where_any_step_is_taken():
     with pytest.raises(SimulationError, match="evenly spaced"):
         clpt.simulate(any_step(), [0.0, 1.0, 3.0], 1.0)
