@@ -96,9 +96,9 @@ def _draw_arrows(axes: Any, routed: Routed, nets: list[Any]) -> None:
         axes.add_patch(Polygon(head, closed=True, fc="black", ec="none", zorder=3))
         style = {"size": PORT, "va": "baseline", "style": "italic"}
         if target:
-            axes.text(x1 - 8, y1 - 2, net.targets[target], ha="right", **style)
+            axes.text(x1 - 8, y1 - 3.5, net.targets[target], ha="right", **style)
         if net.named_at_source and target == next(iter(net.targets), ""):
-            axes.text(x0 + 3, y0 - 2, net.text, **style)
+            axes.text(x0 + 3, y0 - 3.5, net.text, **style)
     for x, y in routed.dots:
         axes.add_patch(Circle((x, y), 1.7, fc="black", ec="none", zorder=3))
 
