@@ -5,7 +5,6 @@ interrupt leaves the old file or none.
 """
 
 import glob
-import mmap
 import os
 import platform
 import re
@@ -94,10 +93,9 @@ def _check_header(file: BinaryIO, path: str | Path) -> None:
         )
     if start[:3] != b"CDF":
         needed("netCDF4")
-        if 0 < file.seek(0, os.SEEK_END) <= LARGEST:
-            with mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as held:
-                for heap in re.finditer(rb"GCOL\x01\0{3}", held):
-                    _check_heap(held, heap.end(), path)
+        raw = start + file.read() if os.fstat(file.fileno()).st_size <= LARGEST else b""
+        for heap in re.finditer(rb"GCOL\x01\0{3}", raw):
+            _check_heap(raw, heap.end(), path)
         return
     from scipy.io import netcdf_file
 
@@ -112,11 +110,11 @@ def _check_header(file: BinaryIO, path: str | Path) -> None:
         ) from None
 
 
-def _check_heap(held: mmap.mmap, at: int, path: str | Path) -> None:
+def _check_heap(raw: bytes, at: int, path: str | Path) -> None:
     """Refuse a global heap, from its size on, whose objects do not lead to its end."""
-    end, at = at - 8 + int.from_bytes(held[at : at + 8], "little"), at + 8
-    while at + 16 <= min(end, len(held)):
-        number, size = struct.unpack_from("<H6xQ", held, at)
+    end, at = at - 8 + int.from_bytes(raw[at : at + 8], "little"), at + 8
+    while at + 16 <= min(end, len(raw)):
+        number, size = struct.unpack_from("<H6xQ", raw, at)
         if not (number or size):
             raise DataError(f"{path}: damaged: a heap of its HDF5 does not end; fetch it again")
         at += 16 + -(-size // 8) * 8 if number else size

@@ -18,6 +18,7 @@ that no chart is cut at 180 degrees.
 """
 
 from collections.abc import Sequence
+from functools import lru_cache
 from itertools import pairwise
 from math import ceil, cos, floor, pi, radians, sin
 from typing import Any, NamedTuple
@@ -46,15 +47,20 @@ def place_in(row: dict[str, Any], which: str) -> Place:
 def ring_of(row: dict[str, Any], kind: tuple[str, str] = DIVE) -> list[Place]:
     """Return the closed ring of the 90 % ellipse of a dive, of the next one or of an aimed one."""
     begin, end = (place_in(row, which) for which in kind)
-    east, north = displacement(*begin, *end)
     long, short = row["ellipse_90_long"], row["ellipse_90_short"]
-    turn = radians(row["ellipse_90_bearing"])
+    return [*_ring(begin, end, long, short, row["ellipse_90_bearing"])]
+
+
+@lru_cache(10_000)  # a watch draws the rings of all its dives again with each new one
+def _ring(begin: Place, end: Place, long: float, short: float, bearing: float) -> tuple[Place, ...]:
+    east, north = displacement(*begin, *end)
+    turn = radians(bearing)
     places = []
     for k in range(CORNERS):
         along, across = long * cos(2 * pi * k / CORNERS), short * sin(2 * pi * k / CORNERS)
         away = along * sin(turn) - across * cos(turn), along * cos(turn) + across * sin(turn)
         places.append(place_from(*begin, east + away[0], north + away[1]))
-    return [*places, places[0]]
+    return (*places, places[0])
 
 
 def near(lon: float, other: float) -> float:
@@ -130,6 +136,7 @@ class Chart:
         self.middle = (min(lats) + max(lats)) / 2
         self.first = places[0][1]
         self._proj = needed("pyproj").Proj(proj="merc", ellps="WGS84", lat_ts=self.middle)
+        self._degree = self._proj(1.0, 0.0)[0]  # m along the middle
         self._zero = self._proj(0.0, self.middle)[1]
         points = [self.xy(*place) for place in places]
         spans = [(min(values), max(values)) for values in zip(*points, strict=True)]
@@ -146,13 +153,13 @@ class Chart:
 
     def xy(self, lat: float, lon: float) -> tuple[float, float]:
         """Return where a place (degrees) lies, m."""
-        x = self._proj(1.0, 0.0)[0] * (near(lon, self.first) - self.first)
+        x = self._degree * (near(lon, self.first) - self.first)
         return x, self._proj(0.0, _below_the_poles(lat))[1] - self._zero
 
     def place(self, x: float, y: float) -> Place:
         """Return what place lies there; longitude as counted from the first place."""
         lat = self._proj(0.0, y + self._zero, inverse=True)[1]
-        return lat, self.first + x / self._proj(1.0, 0.0)[0]
+        return lat, self.first + x / self._degree
 
     def grid(self, lines: int) -> tuple[float, list[float], float, list[float]]:
         """Return steps (minutes) and places (degrees) of parallels, then of meridians."""
