@@ -42,11 +42,11 @@ def simulate(case: Case):
 
 def members(scenario):
     """Prepare an ensemble: eight members at once where the processor allows it."""
-    from clpt_control.ensemble.members import Ensemble
+    from clpt_control.ensemble.members import ScenarioEnsemble
 
     N, run = scenario.basis.N, scenario.run
     keys = ("flow.parameters", "learning.gain", "vehicle.position", "learning.position")
-    ensemble = Ensemble(scenario, keys)
+    ensemble = ScenarioEnsemble(scenario, keys)
     times = np.array([0.0, run.duration])
 
     def all_of_them(parameters, states) -> np.ndarray:

@@ -229,11 +229,16 @@ def fields_by_name(wiring: Wiring) -> dict[str, list[tuple[int, str]]]:
         spaces = [".".join([*path[j:], ""]) for j in range(len(path))]
         if isinstance(block, System):
             own = block.number_names
-            spaces = ["", *(".".join([*path[:j], ""]) for j in range(1, len(path)))]
-        for space in spaces:
-            for name, field in own.items():
-                if field != "interval" and not isinstance(getattr(block.parameters, field), int):
-                    found.setdefault(space + name, []).append((k, field))
+            above = ["", *(".".join([*path[:j], ""]) for j in range(1, len(path)))]
+            many = len(wiring.nodes) > 1  # a name alone reaches all
+            asked = {name: f for name, f in own.items() if many and block.asks(name)}
+        else:
+            above, asked = [], dict(own)
+        names = {space + name: field for name, field in own.items() for space in above}
+        names |= {space + name: field for name, field in asked.items() for space in spaces}
+        for name, field in names.items():
+            if field != "interval" and not isinstance(getattr(block.parameters, field), int):
+                found.setdefault(name, []).append((k, field))
     return found
 
 

@@ -16,7 +16,7 @@ from ..scenario.experiment import Scenario
 from ..scenario.file import tables_of
 from .store import DONE, REPEATED, Store, layout_of, open_store, software
 from .summaries import STATUS, Array, arrays_of, marks_of, sample_times_of, samples_per_cycle
-from .varied_keys import read_varies, variable_values
+from .varied_keys import VariedScenario, check_varies, parsed
 
 if TYPE_CHECKING:
     import xarray
@@ -74,6 +74,8 @@ def _fewer(found: Mapping[str, Any], wanted: Mapping[str, Any]) -> bool:
 def open_ensemble(path: Path) -> "xarray.Dataset":
     """Return the ensemble of a folder, whole or begun, checked; trajectories are read when used."""
     store = open_store(path, mode="r")
+    if "diagram" in store.arguments:
+        raise DataError(f"{path}: is an ensemble of a diagram, not of a scenario, and has no page")
     try:
         arrays = _arrays_asked(store)
     except Exception:  # a damaged file can raise anything
@@ -106,11 +108,14 @@ def _arrays_asked(store: Store) -> dict[str, Array]:
     """Return the arrays that a store's arguments make; raises anything where they do not fit."""
     asked, held = store.arguments, store.group
     scenario = Scenario.model_validate(tables_of(asked["scenario"], ""), context={"name": ""})
-    keys, base = asked["keys"], variable_values(scenario)
+    keys, varied, varies = asked["keys"], VariedScenario(scenario), parsed(asked["vary"])
+    check_varies(varied, varies)
     values = {key: held[key] for key in keys}
-    fits = [one.key for one in read_varies(scenario, asked["vary"])] == keys
+    fits = [one.key for one in varies] == keys
     fits &= all(held.attrs[name] == asked[name] for name in REPEATED)
-    fits &= all(one.shape == (store.members, *base[key].shape) for key, one in values.items())
+    fits &= all(
+        one.shape == (store.members, *varied.values[key].shape) for key, one in values.items()
+    )
     fits &= held[DONE].shape == (-(-store.members // store.chunk),)
     if not fits:
         raise ClptError

@@ -13,28 +13,35 @@ else varies.
 
 from collections.abc import Sequence
 from decimal import Decimal
+from math import prod
 from typing import Any
 
 import numpy as np
 
 from ..errors import ScenarioError
-from ..scenario.experiment import Scenario
-from .varied_keys import Vary, variable_values
+from .varied_keys import Varied, Vary, distribution
 
 DESIGNS = ("lhs", "grid", "random")
 MOST_NUMBERS = 2 * 10**8  # 1.6 GB
 EDGE = 2.0**-53  # shares stay away from 0 and 1, where the normal quantile is infinite
 
 
+def grid_count(varies: Sequence[Vary]) -> int:
+    """Return how many combinations there are of what is listed."""
+    if not all(one.kind == "levels" for one in varies):
+        raise ScenarioError("members: is required where values are drawn; lists alone make a grid")
+    return prod(len(one.numbers) for one in varies)
+
+
 def draw_members(
-    scenario: Scenario, varies: Sequence[Vary], members: int, design: str = "lhs", seed: int = 0
+    varied: Varied, varies: Sequence[Vary], members: int, design: str = "lhs", seed: int = 0
 ) -> dict[str, np.ndarray]:
     """Draw the members' values: key -> array, shape (members,) + the key's shape."""
     if design not in DESIGNS:
         raise ScenarioError(f"design = '{design}': must be one of {', '.join(DESIGNS)}")
     if members < 1:
         raise ScenarioError(f"members = {members}: must be a whole number, at least 1")
-    base = variable_values(scenario)
+    base = varied.values
     count = members * sum(1 if one.kind == "levels" else base[one.key].size for one in varies)
     if count > MOST_NUMBERS:
         raise ScenarioError(
@@ -46,7 +53,7 @@ def draw_members(
     else:
         shares = (_shares(one, base[one.key].size, members, design, seed) for one in varies)
     values = {one.key: _values(one, base[one.key], next(shares)) for one in varies}
-    check_members(scenario, varies, values)
+    check_members(varied, varies, values)
     return values
 
 
@@ -98,6 +105,8 @@ def _values(one: Vary, base: np.ndarray, shares: np.ndarray) -> np.ndarray:
         low, high = one.numbers
         shares *= high - low
         shares += low
+    elif one.kind == "drawn":
+        shares = np.asarray(distribution(one.numbers[0]).ppf(shares), dtype=float)
     else:
         from scipy.special import ndtri
 
@@ -107,36 +116,34 @@ def _values(one: Vary, base: np.ndarray, shares: np.ndarray) -> np.ndarray:
     return shares.reshape(len(shares), *base.shape)
 
 
-def check_members(
-    scenario: Scenario, varies: Sequence[Vary], values: dict[str, np.ndarray]
-) -> None:
-    """Refuse members with values that the scenario does not allow.
+def check_members(varied: Varied, varies: Sequence[Vary], values: dict[str, np.ndarray]) -> None:
+    """Refuse members with values that are not allowed.
 
-    A scenario allows intervals: where the least and the largest of all members
+    What is allowed are intervals: where the least and the largest of all members
     are allowed, so is what lies between.
     """
     for one in varies:
         own = values[one.key]
-        if _allowed(scenario, one.key, own):
+        if _allowed(varied, one.key, own):
             continue
         first, last = 0, len(own) - 1  # the first member refused lies in [first, last]
         while first < last:
             middle = (first + last) // 2
-            if _allowed(scenario, one.key, own[: middle + 1]):
+            if _allowed(varied, one.key, own[: middle + 1]):
                 first = middle + 1
             else:
                 last = middle
         try:
-            scenario.with_values({one.key: own[first]})
+            varied.check(one.key, own[first])
         except ScenarioError as error:
             sentence = str(error).removeprefix("scenario: ")
             raise ScenarioError(f"member {first}: {sentence}; narrow {one.text}") from None
 
 
-def _allowed(scenario: Scenario, key: str, values: np.ndarray) -> bool:
+def _allowed(varied: Varied, key: str, values: np.ndarray) -> bool:
     try:
         for extreme in (values.min(axis=0), values.max(axis=0)):
-            scenario.with_values({key: extreme})
+            varied.check(key, extreme)
     except ScenarioError:
         return False
     return True

@@ -1,5 +1,7 @@
 """Run an ensemble on the threads of one machine, or hand it to a cluster.
 
+What is run many times is a scenario, or any diagram (`of_diagrams`).
+
 All arguments are checked, and the store is made or opened, before a member runs.  Compiled
 members need no interpreter, so threads run side by side.  A chunk is
 cut into batches, each a task; batches differ with threads and memory, results do
@@ -14,23 +16,23 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import control
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ..arguments import Seed, public
-from ..diagrams.changes import UNCHANGED
-from ..diagrams.interconnection import Diagram
 from ..errors import DataError, ScenarioError, needed
 from ..files import check_name, check_writable
+from ..progress import warn
 from ..progress.interrupt import SLICE, check, keep
 from ..scenario.experiment import Scenario
-from ..scenario.file import scenario_to_text
-from ..simulation.loops import loop_of
 from .checked_store import check_store
-from .drawn_values import draw_members
+from .drawn_values import draw_members, grid_count
+from .of_diagrams import VariedDiagram
 from .store import CODE, REPEATED, Store, create_store, open_store, remove_empty, software
-from .summaries import Array, arrays_of, marks_of, samples_per_cycle
-from .varied_keys import Vary, read_varies
-from .worker import Recipe, Worker, checked, joined, named, pickled, rows
+from .summaries import STATUS, Array
+from .varied_keys import Vary, check_varies, parsed
+from .worker import LoopToRun, Worker, joined, rows
 
 if TYPE_CHECKING:
     import xarray
@@ -41,13 +43,20 @@ CHUNK_BYTES = 64_000_000  # trajectories of a chunk
 
 @public
 def run_ensemble(
-    system: Scenario | Diagram,
-    vary: "str | Vary | Iterable[str | Vary]",
-    members: int,
-    design: str = "lhs",
+    system: Scenario | control.InputOutputSystem,
+    vary: str | Vary | Iterable[str | Vary] | Mapping[str, Any],
+    members: int | None = None,
+    design: str | None = None,
     seed: Seed = 0,
     out: str | Path | None = None,
     *,
+    timepts: ArrayLike | None = None,
+    inputs: Any = None,
+    initial_state: Any = None,
+    params: Mapping[str, Any] | None = None,
+    rtol: float | None = None,
+    atol: float | None = None,
+    method: str | None = None,
     threads: int | None = None,
     trajectories: bool = False,
     chunk: int | None = None,
@@ -56,7 +65,7 @@ def run_ensemble(
     progress: Callable[[int], None] | None = None,
     dask: str | None = None,
 ) -> "xarray.Dataset":
-    """Run many members of one scenario.
+    """Run many members of one scenario, or of any diagram.
 
     The result does not depend, to the last bit, on threads, cluster, chunks
     or interruptions. Where `out` holds the same ensemble, only the chunks
@@ -64,31 +73,37 @@ def run_ensemble(
 
     Parameters
     ----------
-    system : Scenario or Diagram
+    system : Scenario or control.InputOutputSystem
         The base: a scenario, or its `closed_loop` with blocks and linear systems of your own, which
-        workers get pickled.
-    vary : str, Vary or several
-        ``"learning.gain=0.2:2.0"``, ``"flow.parameters~normal:0.1"``,
-        ``"learning.gain=[0.5, 1, 2]"``.
-    members : int
-        How many; for a grid the number of combinations.
+        workers get pickled; with `timepts` any diagram that `simulate` takes.
+    vary : dict, str, Vary or several
+        ``{"plant.m": np.linspace(1, 2, 5), "c.k": "0.2:2.0", "d": scipy.stats.norm(0, 1)}``:
+        a list of values, a range, a distribution; or ``"learning.gain=0.2:2.0"``,
+        ``"flow.parameters~normal:0.1"``, ``"learning.gain=[0.5, 1, 2]"``. Of a scenario its keys;
+        of a diagram parameters as `params` calls them, one of a block, ``"plant.m"``, an element,
+        ``"c.K[0]"``, an initial state by its label, an input, which is held at its value.
+    members : int, optional
+        How many; where `vary` has lists alone, every combination of them without.
     design : str, optional
-        ``"lhs"``, ``"grid"`` or ``"random"``.
+        ``"lhs"``, ``"grid"`` or ``"random"``; a grid where `vary` is a dict of lists or `members`
+        is not given, else lhs.
     seed : int, optional
         Of the design.
     out : str or Path, optional
         Folder of a Zarr store; in memory without.
+    timepts, inputs, initial_state, params, rtol, atol, method : optional
+        Of a diagram, as `simulate` takes them.
     threads : int, optional
         At most so many at once; all processors without.
     trajectories : bool, optional
-        Keep the states at the scenario's own samples too.
+        Keep the states at the scenario's own samples too; of a diagram its outputs at `timepts`.
     chunk : int, optional
         Members written at once; memory grows with it, not with `members`.
     samples : int, optional
-        Samples a cycle for mean squares; 2000, as `clpt run`, up to ten
+        Of a scenario: samples a cycle for mean squares; 2000, as `clpt run`, up to ten
         cycles, and at least 200 in longer runs.
     times : sequence of float, optional
-        When errors are kept; 41 evenly spaced times without.
+        Of a scenario: when errors are kept; 41 evenly spaced times without.
     progress : callable, optional
         Called with the number of members done.
     dask : str, optional
@@ -97,8 +112,9 @@ def run_ensemble(
     Returns
     -------
     xarray.Dataset
-        Summaries, values and, if asked for, trajectories; read from `out`
-        when used.
+        Summaries and, if asked for, trajectories; what varies are coordinates, of a grid of
+        numbers its index, so that `unstack` makes them dimensions. Read from `out` when used. Of
+        each output y of a diagram ``y_final``, ``y_rms`` and ``y_max``, at `timepts`.
 
     Raises
     ------
@@ -118,6 +134,12 @@ def run_ensemble(
     >>> data = run_ensemble(scenario, "learning.gain=0.2:2.0", 3, seed=1)
     >>> data["gain_error"].dims, data["status"].values
     (('member', 'mark'), array([1, 1, 1], dtype=int8))
+    >>> import control
+    >>> lag = control.nlsys(lambda t, x, u, p: (u - x) / p["tau"], None, inputs=1, states=1,
+    ...                     outputs=1, params={"tau": 1.0}, name="lag")
+    >>> data = run_ensemble(lag, {"tau": [0.5, 1, 2]}, timepts=[0.0, 1.0], inputs=1.0)
+    >>> data.unstack()["y_final"].values.round(3)
+    array([0.865, 0.632, 0.393])
     """
     if threads is not None and threads < 1:
         raise ScenarioError(f"threads = {threads}: must be a whole number, at least 1")
@@ -125,29 +147,40 @@ def run_ensemble(
         raise ScenarioError("dask: needs out, a folder that all workers can reach")
     for module in ("zarr", *(["distributed"] if dask is not None else [])):
         needed(module)
-    loop = loop_of(system)
-    scenario, changes = loop.scenario, checked(loop.changes, loop.scenario)
-    varies = read_varies(scenario, vary)
-    marks, per_cycle = marks_of(scenario, times), samples_per_cycle(scenario, samples)
+    varies = parsed(vary)
     path = None if out is None else Path(out).absolute()
     if path is not None:
         check_name(path)
         if not path.exists():
             check_writable(path)
-    values = draw_members(scenario, varies, members, design, seed)
-    recipe = Recipe(
-        scenario_to_text(scenario),
-        str(scenario._folder.absolute()),
-        tuple(values),
-        per_cycle,
-        marks,
-        trajectories,
-        b"" if changes == UNCHANGED else pickled(changes, dask is not None),
-    )
-    worker = Worker(recipe)
-    arrays = arrays_of(worker.scenario, worker.times, values, trajectories)
+    of_diagram = {
+        "inputs": inputs,
+        "initial_state": initial_state,
+        "params": params,
+        "rtol": rtol,
+        "atol": atol,
+        "method": method,
+    }
+    if timepts is None or isinstance(system, Scenario):
+        _left_out("is for a diagram, with timepts", timepts=timepts, **of_diagram)
+        loop = getattr(system, "made_of", None)
+        if not isinstance(system, Scenario) and (loop is None or loop.external):
+            raise ScenarioError("timepts: is required to run a diagram many times")
+        varied: Any = LoopToRun(system, samples, times)
+    else:
+        _left_out("is for a scenario; a diagram has timepts", samples=samples, times=times)
+        varied = VariedDiagram(system, varies, timepts, *of_diagram.values())
+    check_varies(varied, varies)
+    if design is None:
+        listed = all(one.kind == "levels" for one in varies)
+        design = "grid" if members is None or (listed and isinstance(vary, Mapping)) else "lhs"
+    members = grid_count(varies) if members is None else members
+    values = draw_members(varied, varies, members, design, seed)
+    told = varied.asked(path)
+    worker: Worker = varied.worker(values, trajectories, dask is not None)
+    arrays = worker.arrays(values)
     asked = {
-        "scenario": scenario_to_text(scenario, None if path is None else path.parent),
+        **told,
         "vary": [one.text for one in varies],
         "keys": [one.key for one in varies],
         "members": members,
@@ -155,9 +188,6 @@ def run_ensemble(
         "seed": seed,
         "chunk": min(_chunk(chunk, arrays), members),
         "trajectories": trajectories,
-        "samples": per_cycle,
-        "times": list(marks),
-        "law": named(changes),
     }
     store = _store(path, worker, asked, arrays)
     count = threads or available_threads()
@@ -181,8 +211,21 @@ def run_ensemble(
         raise
     store.finish()
     data = store.dataset()
-    data.encoding.setdefault("folder", str(scenario._folder.absolute()))  # of its field
+    data.encoding = {**worker.encoding, **data.encoding}
+    failed = np.flatnonzero(data["status"].values != 1)
+    if len(failed) and isinstance(varied, VariedDiagram):
+        warn(
+            f"{len(failed)} of {members} members did not finish; the first is member {failed[0]}: "
+            f"{STATUS[int(data['status'][failed[0]])].replace('_', ' ')}"
+        )
     return data
+
+
+def _left_out(why: str, **given: Any) -> None:
+    """Refuse arguments that are of no use here."""
+    for name, value in given.items():
+        if value is not None:
+            raise ScenarioError(f"{name}: {why}; leave it out")
 
 
 def available_threads() -> int:
@@ -250,7 +293,7 @@ def _store(
 ) -> Store:
     """Make the store, or open one that holds a part of the same ensemble."""
     if path is None or not path.exists() or (path.is_dir() and not any(path.iterdir())):
-        attrs = {**_attributes(worker.scenario, asked), CODE: worker.code}
+        attrs = {**_attributes(worker.title, asked), CODE: worker.code}
         return create_store(path, asked, arrays, attrs)
     store = open_store(path)
     check_same(store, asked)
@@ -263,13 +306,13 @@ def _store(
     return store
 
 
-def _attributes(scenario: Scenario, arguments: dict[str, Any]) -> dict[str, Any]:
+def _attributes(title: str, arguments: dict[str, Any]) -> dict[str, Any]:
     return {
         "Conventions": "CF-1.11",
-        "title": scenario.title,
+        "title": title,
         "source": f"clpt-control {version('clpt-control')}",
         "software": software(),
-        **{name: arguments[name] for name in REPEATED},
+        **{name: arguments[name] for name in REPEATED if name in arguments},
     }
 
 
@@ -279,8 +322,9 @@ def check_same(store: Store, arguments: Mapping[str, Any]) -> None:
         held = store.arguments.get(name)
         if held == value:
             continue
-        what = "another scenario" if name == "scenario" else f"{name} = {_shown(held)}"
-        wanted = "" if name == "scenario" else f", not {_shown(value)}"
+        whole = name in ("scenario", "diagram")
+        what = f"another {name}" if whole else f"{name} = {_shown(held)}"
+        wanted = "" if whole else f", not {_shown(value)}"
         raise DataError(f"{store.path}: holds an ensemble of {what}{wanted}; give another --out")
 
 

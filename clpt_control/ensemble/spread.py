@@ -5,8 +5,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..arguments import check_holds, public
-from ..errors import ArgumentError
+from ..errors import ArgumentError, DataError
 from ..figures import BLUE, GREY, RED, axes_for
+from .store import ARGUMENTS
 from .summaries import STATUS
 
 if TYPE_CHECKING:
@@ -83,6 +84,7 @@ def ensemble_summary(data: "xarray.Dataset") -> dict[str, Any]:
     >>> ensemble_summary(data)["ended"]
     {'finished': 3}
     """
+    refuse_diagram("ensemble_summary", data)
     check_holds("ensemble_summary: data", data, ["status", "clpe_rms"], ENSEMBLE)
     status = data["status"].values
     failed = np.flatnonzero(status != 1)
@@ -108,6 +110,15 @@ def ensemble_summary(data: "xarray.Dataset") -> dict[str, Any]:
             "longest": float(np.nanmax(longest, initial=0.0)),
         }
     return summary
+
+
+def refuse_diagram(function: str, data: "xarray.Dataset") -> None:
+    """Refuse an ensemble of a diagram, which has no summaries of the paper's loop."""
+    if ARGUMENTS in data.attrs and "scenario" not in data.attrs:
+        raise DataError(
+            f"{function}: data is an ensemble of a diagram, which xarray draws: of a grid of two "
+            "names data.unstack()['y_rms'].plot.contourf()"
+        )
 
 
 def _listed(column: np.ndarray) -> list[float] | None:
@@ -145,6 +156,7 @@ def ensemble_plot(data: "xarray.Dataset", *, ax: Any = None) -> np.ndarray:
     >>> data = clpt.ensemble.run_ensemble(scenario, "learning.gain=0.2:2.0", 3)
     >>> clpe, error = ensemble_plot(data)
     """
+    refuse_diagram("ensemble_plot", data)
     check_holds("ensemble_plot: data", data, ["clpe_rms"], ENSEMBLE)
     axes = axes_for(ax, 6.4, 6.0, nrows=2)
     top, bottom = axes

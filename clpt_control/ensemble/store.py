@@ -124,12 +124,28 @@ class Store:
             decode_times=False,
             decode_timedelta=False,
         )
-        data = data.drop_vars(DONE)
+        data = data.drop_vars(DONE).set_coords(self.arguments["keys"])
         for array in data.variables.values():
             array.attrs.pop("kept", None)
         if self.path is not None:
             data.encoding["folder"] = str(self.path.absolute().parent)
-        return data if self.path is not None else data.load()
+        data = data if self.path is not None else data.load()
+        return self._on_a_grid(data) if self.arguments["design"] == "grid" else data
+
+    def _on_a_grid(self, data: "xarray.Dataset") -> "xarray.Dataset":
+        """Return the members of a grid of numbers with these as their index."""
+        from pandas import MultiIndex
+        from xarray import Coordinates
+
+        keys = self.arguments["keys"]
+        if any(data[key].ndim > 1 for key in keys):
+            return data
+        named = {key: data[key].attrs for key in keys}
+        index = MultiIndex.from_arrays([data[key].values for key in keys], names=keys)
+        data = data.assign_coords(Coordinates.from_pandas_multiindex(index, "member"))
+        for key, attrs in named.items():
+            data[key].attrs.update(attrs)
+        return data
 
 
 def software() -> str:

@@ -10,7 +10,7 @@
 All members of a chunk at once, from their states.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -22,7 +22,7 @@ from ..simulation.dataset import VARIABLES
 from ..simulation.integrate import sample_times
 from ..simulation.pieces import SAMPLES_PER_CYCLE, nearest
 from ..simulation.scenario_run import SpeedWatch
-from .members import Ensemble, Members, States
+from .members import Members, ScenarioEnsemble, States
 from .varied_keys import variable_values
 
 FEWEST = 20  # samples a cycle that may be asked for
@@ -107,21 +107,46 @@ class Array(NamedTuple):
     values: np.ndarray | None = None
 
 
-def kept_arrays(
-    scenario: Scenario, times: SampleTimes, members: int, trajectories: bool
-) -> dict[str, Array]:
+class Arrays(dict[str, Array]):
+    """The arrays of a store, by name: what is kept of members, and what is fixed."""
+
+    def __init__(self, members: int, sizes: Mapping[str, int]):
+        self.members, self.sizes = members, sizes
+
+    def keep(
+        self, name: str, dims: Iterable[str], long_name: str, dtype: str = "float64", **attrs: Any
+    ) -> None:
+        """Add an array that summaries fill, the first dimension the member."""
+        dims = tuple(dims)
+        shape = (self.members, *(self.sizes[dim] for dim in dims))
+        own = {"long_name": long_name, **attrs, "kept": "per member"}
+        self[name] = Array(("member", *dims), shape, dtype, own)
+
+    def keep_ends(self, **of_time: str) -> None:
+        """Add how members ended, and when."""
+        flags = {"flag_values": list(range(len(STATUS))), "flag_meanings": " ".join(STATUS)}
+        self.keep("status", "", "how the run ended", "int8", **flags)
+        self.keep("end", "", "last sample reached", **of_time)
+
+    def fix(self, name: str, dims: tuple[str, ...], numbers: np.ndarray, **attrs: Any) -> None:
+        """Add an array with its values."""
+        self[name] = Array(dims, numbers.shape, numbers.dtype, attrs, numbers)
+
+    def fix_members(self) -> None:
+        """Add the number of each member."""
+        self.fix("member", ("member",), np.arange(self.members), long_name="member of the ensemble")
+
+
+def kept_arrays(scenario: Scenario, times: SampleTimes, members: int, trajectories: bool) -> Arrays:
     """Return the arrays that a summary fills: name -> Array, the first dimension the member."""
     length, rate = scenario.units.length, f"{scenario.units.time}-1"
     speed, N = f"{length} {rate}", scenario.basis.N
     cycles, marks = len(times.starts) - 1, len(times.marks)
     sizes = {"cycle": cycles, "mark": marks, "time": len(times.own), "axis": 2, "basis": N}
-    found: dict[str, Array] = {}
+    found = Arrays(members, sizes)
 
-    def keep(name: str, over: str, long_name: str, dtype: str = "float64", **attrs: Any) -> None:
-        dims = over.split()
-        shape = (members, *(sizes[dim] for dim in dims))
-        own = {"long_name": long_name, **attrs, "kept": "per member"}
-        found[name] = Array(("member", *dims), shape, dtype, own)
+    def keep(name: str, over: str, long_name: str, **attrs: Any) -> None:
+        found.keep(name, over.split(), long_name, **attrs)
 
     keep("clpe_rms", "cycle", "rms of the CLPE over a cycle", units=length)
     keep("clpe_rms_whole", "", "rms of the CLPE over the whole run", units=length)
@@ -130,12 +155,10 @@ def kept_arrays(
     adapted = not scenario.learning.row.at_fixes  # K and Gamma
     if adapted:
         keep("gain_error", "mark", "largest error of a gain", units=rate)
-    flags = {"flag_values": list(range(len(STATUS))), "flag_meanings": " ".join(STATUS)}
     if scenario.vehicle.max_speed is not None:
         for name, (long_name, power) in SPEEDS.items():
             keep(name, "", long_name, units=scenario.units.time if power else "1")
-    keep("status", "", "how the run ended", "int8", **flags)
-    keep("end", "", "last sample reached", units=scenario.units.time)
+    found.keep_ends(units=scenario.units.time)
     for name in TRAJECTORIES if trajectories else ():
         port, long_name, lengths, rates = VARIABLES[name]
         idle = port in ("K", "Gamma") and not adapted
@@ -151,30 +174,17 @@ def arrays_of(
     """Return all arrays of an ensemble: what is kept, the members' values, and coordinates."""
     members = len(next(iter(values.values())))
     found = kept_arrays(scenario, times, members, trajectories)
-    used = {dim for array in found.values() for dim in array.dims}
-    return found | _fixed_arrays(scenario, times, values, used)
-
-
-def _fixed_arrays(
-    scenario: Scenario, times: SampleTimes, values: Mapping[str, np.ndarray], used: set[str]
-) -> dict[str, Array]:
-    """Return the members' values, and the coordinates of the dimensions that are used."""
-    found: dict[str, Array] = {}
-
-    def fix(name: str, dims: tuple[str, ...], numbers: np.ndarray, **attrs: Any) -> None:
-        found[name] = Array(dims, numbers.shape, numbers.dtype, attrs, numbers)
-
     for key, array in values.items():
         dims = ("member", *dims_of(key, array.ndim - 1))
-        used = used.union(dims)
-        fix(key, dims, array, long_name=f"{key}, which varies")
+        found.fix(key, dims, array, long_name=f"{key}, which varies")
+    used = {dim for array in found.values() for dim in array.dims}
 
     def along(name: str, numbers: np.ndarray, **attrs: Any) -> None:
         if name in used and numbers.size:
-            fix(name, (name,), numbers, **attrs)
+            found.fix(name, (name,), numbers, **attrs)
 
     unit, rounds = scenario.units.time, np.arange(1, len(times.starts))
-    along("member", np.arange(len(array)), long_name="member of the ensemble")
+    found.fix_members()
     along("cycle", rounds, long_name="round of the waypoints", length=scenario.cycle)
     along("mark", times.all[times.marks], long_name="time of an error", units=unit)
     along("time", times.all[times.own], long_name="time since the start of the run", units=unit)
@@ -191,7 +201,7 @@ def dims_of(key: str, ndim: int) -> tuple[str, ...]:
 
 
 def summarise_members(
-    ensemble: Ensemble,
+    ensemble: ScenarioEnsemble,
     members: Members,
     times: SampleTimes,
     values: Mapping[str, np.ndarray],
@@ -240,8 +250,7 @@ def summarise_members(
         kept["gain_error"] = np.maximum(*errors)
     if scenario.vehicle.max_speed is not None:
         kept |= _speeds(ensemble, members, run, times.all, values)
-    kept["status"] = run.status.astype("int8")
-    kept["end"] = times.all[np.clip(run.reached - 1, 0, None)]
+    kept |= ends_of(run, times.all)
     if trajectories:
         for name in kept_arrays(scenario, times, m, True).keys() & set(TRAJECTORIES):
             kept[name] = at[VARIABLES[name][0]][:, times.own]
@@ -250,8 +259,14 @@ def summarise_members(
     return {name: np.ascontiguousarray(array) for name, array in kept.items()}
 
 
+def ends_of(run: States, times: np.ndarray) -> dict[str, np.ndarray]:
+    """Return how members ended, and when."""
+    end = times[np.clip(run.reached - 1, 0, None)]
+    return {"status": run.status.astype("int8"), "end": end}
+
+
 def _speeds(
-    ensemble: Ensemble,
+    ensemble: ScenarioEnsemble,
     members: Members,
     run: States,
     times: np.ndarray,
@@ -266,7 +281,7 @@ def _speeds(
             continue
         own = ensemble.scenario.vehicle.max_speed if limits is None else limits[m]
         watch = SpeedWatch(float(own))  # type: ignore[arg-type]
-        commanded, flow = ensemble.signals(members, run, m, times, ("v_c", "flow_x"))
+        commanded, flow = ensemble.ports(members, run, m, times, ("v_c", "flow_x"))
         watch.add(times[:reached], commanded, flow)
         figures = watch.figures()
         faster = figures["faster_flow"] or {"share": 0.0, "longest": 0.0}

@@ -1,43 +1,60 @@
 """What varies in an ensemble, as a user writes it.
 
     learning.gain=0.2:2.0         uniform between two numbers
-    flow.parameters~normal:0.1    normal about the scenario's value, with an
+    flow.parameters~normal:0.1    normal about the value that is there, with an
                                   absolute standard deviation
+    learning.gain~gamma(2, 0, 1)  a distribution of scipy.stats
     learning.gain=[0.5, 1, 2]     one of these values
 
-Shapes never change; an array varies element by element, a list gives whole values.
+In Python a dict says the same, ``{"learning.gain": stats.gamma(2, 0, 1)}``.  Shapes never change;
+an array varies element by element, a list gives whole values.
 """
 
+import ast
 import difflib
 import json
 import math
 import re
-from collections.abc import Iterable, Sequence
-from typing import Any, NamedTuple
+from collections.abc import Iterable, Mapping, Sequence
+from functools import lru_cache
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 
-from ..arguments import public
+from ..arguments import public, shown
 from ..errors import ScenarioError
 from ..scenario.experiment import Scenario
 from ..scenario.mistakes import Table
 from ..scenario.quantities import key_of
 
 FORMS = "KEY=LOW:HIGH, KEY~normal:DEVIATION or KEY=[VALUE, ...]"
+IN_A_DICT = "a list of values, a range '0.2:2.0', or a distribution, such as scipy.stats.norm(1, 2)"
+
+
+class Varied(Protocol):
+    """What is run many times, as far as it says what may vary in it."""
+
+    values: dict[str, np.ndarray]  # what may vary, as it is
+
+    def why_not(self, key: str) -> str:
+        """Return why a key cannot vary."""
+
+    def check(self, key: str, value: np.ndarray) -> None:
+        """Refuse a value that is not allowed."""
 
 
 @public
 class Vary(NamedTuple):
-    """One key of a scenario and how it varies.
+    """One key of a scenario, or name of a diagram's, and how it varies.
 
     Attributes
     ----------
     key : str
         Dotted key, ``"learning.gain"``.
     kind : str
-        ``"uniform"``, ``"normal"`` or ``"levels"``.
+        ``"uniform"``, ``"normal"``, ``"drawn"`` or ``"levels"``.
     numbers : tuple
-        Low and high; the standard deviation; or the levels.
+        Low and high; the standard deviation; a distribution, ``"gamma(2, 0, 1)"``; or the levels.
 
     Examples
     --------
@@ -56,17 +73,22 @@ class Vary(NamedTuple):
             return f"{self.key}={self.numbers[0]!r}:{self.numbers[1]!r}"
         if self.kind == "normal":
             return f"{self.key}~normal:{self.numbers[0]!r}"
+        if self.kind == "drawn":
+            return f"{self.key}~{self.numbers[0]}"
         return f"{self.key}={json.dumps(list(self.numbers))}"
 
 
 def read_vary(text: str) -> Vary:
-    """Read how a key varies, in one of the three forms above."""
-    match = re.fullmatch(r"\s*([\w.]+)\s*([=~])\s*(.+?)\s*", text, re.DOTALL)
+    """Read how a key varies, in one of the forms above."""
+    match = re.fullmatch(r"\s*([\w.]+(?:\[[\d, ]+\])?)\s*([=~])\s*(.+?)\s*", text, re.DOTALL)
     if match is None:
         raise ScenarioError(f"vary = '{text}': must be {FORMS}, such as learning.gain=0.2:2.0")
     key, sign, rest = match.groups()
     if sign == "~":
         kind, _, deviation = rest.partition(":")
+        if rest.endswith(")"):
+            distribution(rest)
+            return Vary(key, "drawn", (rest,))
         if kind.strip() != "normal":
             raise ScenarioError(f"vary = '{text}': after ~ must stand normal:DEVIATION")
         size = _number(deviation, text)
@@ -102,24 +124,70 @@ def _number(word: str, text: str) -> float:
     return value
 
 
-def read_varies(scenario: Scenario, vary: "str | Vary | Iterable[str | Vary]") -> tuple[Vary, ...]:
-    """Read what varies and compare it with a scenario."""
-    given: Iterable[str | Vary] = [vary] if isinstance(vary, str | Vary) else vary
+@lru_cache(maxsize=64)
+def distribution(text: str) -> Any:
+    """Return the distribution of scipy.stats that a text says, ``"gamma(2, scale=0.5)"``."""
+    from scipy import stats
+
+    try:
+        call: Any = ast.parse(text.strip(), mode="eval").body
+        given = [float(ast.literal_eval(one)) for one in call.args]
+        named = {str(one.arg): float(ast.literal_eval(one.value)) for one in call.keywords}
+        found = getattr(stats, call.func.id)(*given, **named)
+        if not np.isfinite(found.ppf(0.5)):
+            raise ValueError
+    except Exception:  # whatever a text may be
+        raise ScenarioError(
+            f"vary: {text:.60} is no distribution of scipy.stats with numbers, such as "
+            "uniform(0.5, 1) or gamma(2, scale=0.5)"
+        ) from None
+    return found
+
+
+def _of_item(key: str, given: Any) -> Vary:
+    """Return how a key of a dict varies."""
+    if isinstance(given, str):
+        return read_vary(key + (given if given.lstrip()[:1] in ("~", "=") else f"={given}"))
+    try:
+        if hasattr(given, "ppf"):
+            named = [f"{name}={float(value)!r}" for name, value in given.kwds.items()]
+            numbers = ", ".join([*(repr(float(one)) for one in given.args), *named])
+            text = f"{given.dist.name}({numbers})"
+            if distribution(text).ppf(0.3) == given.ppf(0.3):
+                return Vary(key, "drawn", (text,))
+        elif np.ndim(given) and len(given):
+            return Vary(key, "levels", tuple(np.asarray(given, dtype=float).tolist()))
+    except (TypeError, ValueError, AttributeError):
+        pass
+    raise ScenarioError(f"vary: {key} = {shown(given)}: must be {IN_A_DICT}")
+
+
+def parsed(
+    vary: str | Vary | Iterable[str | Vary] | Mapping[str, Any],
+) -> tuple[Vary, ...]:
+    """Read what varies, in any of its forms."""
+    if isinstance(vary, Mapping):
+        given: Iterable[str | Vary] = [_of_item(key, value) for key, value in vary.items()]
+    else:
+        given = [vary] if isinstance(vary, str | Vary) else vary
     varies = tuple(read_vary(one) if isinstance(one, str) else one for one in given)
     if not varies:
         raise ScenarioError("vary: name at least one key, such as learning.gain=0.2:2.0")
-    values = variable_values(scenario)
-    keys = [one.key for one in varies]
+    return varies
+
+
+def check_varies(varied: Varied, varies: Sequence[Vary]) -> None:
+    """Refuse what cannot vary in a scenario or a diagram."""
+    values, keys = varied.values, [one.key for one in varies]
     for one in varies:
         if one.key not in values:
-            raise ScenarioError(_why_not(scenario, one.key, list(values)))
+            raise ScenarioError(varied.why_not(one.key))
         if keys.count(one.key) > 1:
             raise ScenarioError(f"vary: {one.key} is named {keys.count(one.key)} times, not once")
         if one.kind == "levels":
             _check_levels(one, values[one.key].shape)
         elif one.key.endswith(".seed"):
             raise ScenarioError(f"vary = '{one.text}': a seed is a whole number; list the values")
-    return varies
 
 
 def _check_levels(one: Vary, shape: tuple[int, ...]) -> None:
@@ -135,6 +203,21 @@ def _check_levels(one: Vary, shape: tuple[int, ...]) -> None:
             shown = json.dumps(level)
             shown = shown if len(shown) <= 40 else shown[:37] + "..."
             raise ScenarioError(f"vary: {one.key} = {shown}: each value must be {allowed}")
+
+
+class VariedScenario:
+    """What may vary in a scenario."""
+
+    def __init__(self, scenario: Scenario):
+        self.scenario, self.values = scenario, variable_values(scenario)
+
+    def why_not(self, key: str) -> str:
+        """Return why a key cannot vary."""
+        return _why_not(self.scenario, key, list(self.values))
+
+    def check(self, key: str, value: np.ndarray) -> None:
+        """Refuse a value that the scenario does not allow."""
+        self.scenario.with_values({key: value})
 
 
 def variable_values(scenario: Scenario) -> dict[str, np.ndarray]:

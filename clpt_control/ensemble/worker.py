@@ -9,11 +9,11 @@ import hashlib
 import json
 import pickle
 import threading
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cached_property, lru_cache
 from importlib.metadata import version
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -22,18 +22,26 @@ from ..diagrams.parts import functions_of
 from ..equations.block import Block
 from ..errors import DiagramError
 from ..scenario.experiment import Scenario
-from ..scenario.file import scenario_from_text
-from ..simulation.loops import changed_blocks
+from ..scenario.file import scenario_from_text, scenario_to_text
+from ..simulation.loops import changed_blocks, loop_of
 from ..simulation.starts import state_columns
-from .members import Ensemble
-from .summaries import sample_times_of, summarise_members
+from .members import Ensemble, Members, ScenarioEnsemble, States
+from .summaries import (
+    Array,
+    arrays_of,
+    marks_of,
+    sample_times_of,
+    samples_per_cycle,
+    summarise_members,
+)
+from .varied_keys import VariedScenario
 
 BATCH_BYTES = 64_000_000  # states in flight, a thread
 MOST_MEMBERS = 512  # a batch
 
 
 class Recipe(NamedTuple):
-    """All that a worker needs to know."""
+    """All that a worker of a scenario needs to know."""
 
     text: str  # the scenario as TOML
     folder: str  # where a relative flow.field starts from
@@ -43,19 +51,23 @@ class Recipe(NamedTuple):
     trajectories: bool  # whether states are kept too
     changes: bytes = b""  # parts of the user's own, pickled
 
+    def worker(self) -> "Worker":
+        """Return the worker that members are run by."""
+        return ScenarioWorker(self)
 
-def pickled(changes: Changes, cluster: bool) -> bytes:
+
+def pickled(made: Any, name: str, cluster: bool) -> bytes:
     """Return parts of the user's own as workers take them; a cluster's get their equations too."""
     try:
         if cluster:  # equations of a script or a notebook go along
             from distributed.protocol.pickle import dumps
 
-            return bytes(dumps(changes))
-        return pickle.dumps(changes)
+            return bytes(dumps(made))
+        return pickle.dumps(made)
     except (pickle.PicklingError, AttributeError, TypeError):
         raise DiagramError(
-            f"{', '.join(changes.names)}: cannot be sent to workers; define equations and "
-            "parameters at the top of a module"
+            f"{name}: cannot be sent to workers; define equations and parameters at the top of a "
+            "module"
         ) from None
 
 
@@ -92,52 +104,99 @@ def checked(changes: Changes, scenario: Scenario) -> Changes:
     return changes
 
 
+class LoopToRun(VariedScenario):
+    """A scenario's loop that is run many times."""
+
+    def __init__(
+        self,
+        system: Any,
+        samples: int | None = None,
+        times: Sequence[float] | None = None,
+    ):
+        loop = loop_of(system)
+        super().__init__(loop.scenario)
+        self.changes = checked(loop.changes, loop.scenario)
+        self.marks = marks_of(self.scenario, times)
+        self.samples = samples_per_cycle(self.scenario, samples)
+
+    def asked(self, path: Path | None) -> dict[str, Any]:
+        """Return what it is, for a store that lies there."""
+        return {
+            "scenario": scenario_to_text(self.scenario, None if path is None else path.parent),
+            "samples": self.samples,
+            "times": list(self.marks),
+            "law": named(self.changes),
+        }
+
+    def worker(
+        self, values: Mapping[str, np.ndarray], trajectories: bool, cluster: bool
+    ) -> "ScenarioWorker":
+        """Return the worker of members with such values."""
+        recipe = Recipe(
+            scenario_to_text(self.scenario),
+            str(self.scenario._folder.absolute()),
+            tuple(values),
+            self.samples,
+            self.marks,
+            trajectories,
+            b""
+            if self.changes == UNCHANGED
+            else pickled(self.changes, ", ".join(self.changes.names), cluster),
+        )
+        return ScenarioWorker(recipe)
+
+
 class Worker:
     """Members of one recipe, run and summarised."""
 
-    def __init__(self, recipe: Recipe):
-        self.recipe = recipe
-        self.scenario = scenario_from_text(recipe.text, "scenario", Path(recipe.folder))
-        self.times = sample_times_of(
-            self.scenario, recipe.samples, recipe.marks, recipe.trajectories
-        )
+    recipe: Any  # what another process makes the same worker of
+    title: str
+    encoding: Mapping[str, Any] = {}  # of the dataset
+    every: np.ndarray  # the times of members' states
+    ensemble: Ensemble  # what is ready to run
+    how: Mapping[str, Any]  # tolerances and method
+    alone: bool  # whether members are asked for signals too, one by one
+
+    def __init__(self) -> None:
         self._lock = threading.Lock()
 
-    @cached_property
-    def ensemble(self) -> Ensemble:
-        """The compiled diagram."""
-        changes = pickle.loads(self.recipe.changes) if self.recipe.changes else UNCHANGED
-        return Ensemble(self.scenario, self.recipe.keys, changes=changes)
+    def arrays(self, values: Mapping[str, np.ndarray]) -> dict[str, Array]:
+        """Return all arrays of the store, for the values of all members."""
+        raise NotImplementedError
+
+    def kept(
+        self, members: Members, values: Mapping[str, np.ndarray], states: States
+    ) -> dict[str, np.ndarray]:
+        """Return what is kept of members."""
+        raise NotImplementedError
 
     @cached_property
     def code(self) -> str:
         """A short name of the code and the versions that make the numbers."""
         from ..native.machine import processor
 
-        native = self.ensemble.native
+        program = getattr(self.ensemble.native, "code", None)
         made_of = [version(name) for name in ("clpt-control", "llvmlite", "numpy")]
-        made_of += [repr(native.code.program), repr(processor())]
+        made_of += [repr(program and program.program), repr(processor())]
         return hashlib.sha256("\n".join(made_of).encode()).hexdigest()[:16]
 
     @property
     def batch(self) -> int:
         """How many members' states fit into the memory of a thread."""
-        states = self.ensemble.native.nstates
-        fit = BATCH_BYTES // (8 * states * len(self.times.all))
+        states = max(self.ensemble.native.nstates, 1)
+        fit = BATCH_BYTES // (8 * states * len(self.every))
         return max(8, min(MOST_MEMBERS, fit // 8 * 8))
 
     def summaries(self, values: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
         """Run members together, at most a batch, and return what is kept of them."""
-        ensemble, run, times = self.ensemble, self.scenario.run, self.times
+        ensemble = self.ensemble
         with self._lock:  # one evaluator makes all members; compile once
-            members = ensemble.members(values, float(times.all[-1]))
-            ensemble.native.callee(ensemble.lanes)
-            if self.scenario.vehicle.max_speed is not None:
-                ensemble.native.callee(1)
-        states = ensemble.run(members, times.all, run.rtol, run.atol)
-        trajectories = self.recipe.trajectories
+            members = ensemble.members(values, float(self.every[-1]))
+            for lanes in {ensemble.lanes, 1 if self.alone else ensemble.lanes}:
+                ensemble.native.callee(lanes)
+        states = ensemble.run(members, self.every, **self.how)
         with np.errstate(all="ignore"):  # a member that failed may hold anything
-            return summarise_members(ensemble, members, times, values, states, trajectories)
+            return self.kept(members, values, states)
 
     def chunk(self, values: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
         """Run any number of members, batch by batch, and return what is kept of them."""
@@ -162,6 +221,39 @@ def joined(parts: list[dict[str, np.ndarray]]) -> dict[str, np.ndarray]:
 
 
 @lru_cache(maxsize=4)
-def worker_of(recipe: Recipe) -> Worker:
+def worker_of(recipe: Any) -> Worker:
     """Return the worker of a recipe, made once in a process."""
-    return Worker(recipe)
+    return recipe.worker()
+
+
+class ScenarioWorker(Worker):
+    """Members of a scenario."""
+
+    def __init__(self, recipe: Recipe):
+        super().__init__()
+        self.recipe = recipe
+        self.scenario = scenario_from_text(recipe.text, "scenario", Path(recipe.folder))
+        self.title, run = self.scenario.title, self.scenario.run
+        self.encoding = {"folder": recipe.folder}  # of its field
+        self.alone = self.scenario.vehicle.max_speed is not None
+        self.times = sample_times_of(
+            self.scenario, recipe.samples, recipe.marks, recipe.trajectories
+        )
+        self.every, self.how = self.times.all, {"rtol": run.rtol, "atol": run.atol}
+
+    @cached_property
+    def ensemble(self) -> ScenarioEnsemble:  # type: ignore[override]
+        """The compiled diagram."""
+        changes = pickle.loads(self.recipe.changes) if self.recipe.changes else UNCHANGED
+        return ScenarioEnsemble(self.scenario, self.recipe.keys, changes=changes)
+
+    def arrays(self, values: Mapping[str, np.ndarray]) -> dict[str, Array]:
+        """Return all arrays of the store, for the values of all members."""
+        return arrays_of(self.scenario, self.times, values, self.recipe.trajectories)
+
+    def kept(
+        self, members: Members, values: Mapping[str, np.ndarray], states: States
+    ) -> dict[str, np.ndarray]:
+        """Return what is kept of members."""
+        trajectories = self.recipe.trajectories
+        return summarise_members(self.ensemble, members, self.times, values, states, trajectories)

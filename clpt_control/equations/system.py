@@ -107,6 +107,10 @@ class System(Block):
             for function, asked in self._asked_names()
         )
 
+    def asks(self, name: str) -> bool:
+        """Return whether the functions ask, or may ask, for a name while they run."""
+        return any(name in asked or EVERY in asked for _, asked in self._asked_names())
+
     @property
     def names(self) -> set[str]:
         """Return the params that it declares, or is seen to ask for."""

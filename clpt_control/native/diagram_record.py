@@ -13,7 +13,7 @@ An input of the diagram is a straight line in time, of which P holds, behind the
 beginning, then all values there and all slopes; what is prepared comes last.
 """
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field
 from math import prod
 from typing import Any, NamedTuple
@@ -78,8 +78,13 @@ class Layout:
         return P
 
 
-def lay_out(wiring: Wiring, parameters: Sequence[Any]) -> Layout:
-    """Return slots for the parameters of a diagram's blocks; None is a system that is none."""
+def lay_out(
+    wiring: Wiring, parameters: Sequence[Any], apart: Collection[tuple[int, str]] = ()
+) -> Layout:
+    """Return slots for the parameters of a diagram's blocks; None is a system that is none.
+
+    Fields that stand `apart`, (block, field), are each run's own, and share a slot with none.
+    """
     layout = Layout()
     own: dict[str, list[np.ndarray]] = {"P": [], "T": []}
     known: dict[tuple[str, tuple[int, ...], bytes], Slot] = {}
@@ -91,10 +96,11 @@ def lay_out(wiring: Wiring, parameters: Sequence[Any]) -> Layout:
                 continue
             array = np.asarray(value, dtype=float)
             key = (name, array.shape, array.tobytes())
-            if name == "interval":
+            own_slot = (k, name) in apart
+            if name == "interval" or own_slot:
                 key = (f"{name} {k}", (), b"")
             if key not in known:
-                place = "T" if array.size > LARGE else "P"
+                place = "T" if array.size > LARGE and not own_slot else "P"
                 known[key] = Slot(place, sum(part.size for part in own[place]))
                 own[place].append(array.ravel())
             slot = layout.slots[k, name] = known[key]

@@ -6,7 +6,7 @@ signals and jumps; points chosen by chance do not reach every way through a func
 """
 
 import os
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from contextlib import suppress
 from typing import Any
 
@@ -35,8 +35,9 @@ def chosen(
     by_function: bool = False,
     engine: str | None = None,
     name: str = "the diagram",
+    apart: Collection[tuple[int, str]] = (),
 ) -> PythonDiagram:
-    """Return a diagram ready to run, compiled where that can be.
+    """Return a diagram ready to run, compiled where that can be; `apart` as `lay_out` takes it.
 
     What cannot be compiled runs in Python, with a warning that calls it by `name`; so does a
     diagram whose inputs come `by_function`, unless machine code is asked for: an error.
@@ -53,7 +54,7 @@ def chosen(
         )
     if asked == "native" and not by_function:
         try:
-            return NativeDiagram(wiring, params)
+            return NativeDiagram(wiring, params, apart=apart)
         except Uncompiled as error:
             in_python(name, str(error))
     return PythonDiagram(wiring, params)
@@ -67,21 +68,26 @@ def run_as_read(
     Returns the solution and all signals along it.
     """
     if isinstance(runner, NativeDiagram):
-        try:
-            solution = runner.run(start, times, **given)
-        except SimulationError as error:
-            if Status.NOT_FINITE.sentence not in str(error):  # Python's blocks find nothing there
-                raise
-            found = "what was read gives a number that is not finite, where Python gives one"
-        else:
-            signals = runner.signals(solution, given["inputs"], check=False)
-            found = difference(runner, solution, signals, given["inputs"]) or ""
-            if not found:
-                return solution, runner.finite(solution, signals)
+        solution, signals, found = compared(runner, start, times, **given)
+        if not found:
+            return solution, runner.finite(solution, signals)
         in_python(name, found)
         runner = PythonDiagram(runner.wiring, params)
     solution = runner.run(start, times, **given)
     return solution, runner.signals(solution, given["inputs"])
+
+
+def compared(runner: NativeDiagram, start: Any, times: Any, **given: Any) -> tuple[Any, Any, str]:
+    """Run a diagram; return solution, signals and, in words, what was read otherwise."""
+    try:
+        solution = runner.run(start, times, **given)
+    except SimulationError as error:
+        if Status.NOT_FINITE.sentence not in str(error):  # Python's blocks find nothing there
+            raise
+        why = "what was read gives a number that is not finite, where Python gives one"
+        return None, None, why
+    signals = runner.signals(solution, given["inputs"], check=False)
+    return solution, signals, difference(runner, solution, signals, given["inputs"]) or ""
 
 
 def in_python(name: str, why: str) -> None:

@@ -1,10 +1,10 @@
 """A diagram as machine code, which is made once a process for all diagrams of one structure."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Any
+from typing import Any, Self
 
 import control
 import numpy as np
@@ -158,6 +158,8 @@ class NativeDiagram(PythonDiagram):
     form : str, optional
         ``"unrolled"`` or ``"looped"``: all axes; short ones are unrolled without.  ``"free"``:
         decisions are not locked for a step.
+    apart : collection of (int, str), optional
+        Blocks' fields that differ from run to run.
 
     Attributes
     ----------
@@ -188,9 +190,10 @@ class NativeDiagram(PythonDiagram):
         diagram: control.NonlinearIOSystem | Wiring,
         params: Mapping[str, Any] | None = None,
         form: str | None = None,
+        apart: Collection[tuple[int, str]] = (),
     ):
         super().__init__(diagram, params)
-        self.layout = lay_out(self.wiring, self.sweep.given)
+        self.layout = lay_out(self.wiring, self.sweep.given, apart)
         self._form, self.code = form, code_of(self.wiring, self.layout, form)
         self.intervals, self.jumps = self.layout.intervals, self.layout.jumps
         self.ramp = len(self.layout.P)  # place in P of the diagram's inputs
@@ -201,6 +204,12 @@ class NativeDiagram(PythonDiagram):
         """Return P, with room for inputs and for what is prepared."""
         P = self.layout.P
         return np.append(P, np.zeros(self.code.program.parameters - len(P)))
+
+    def with_parameters(self, parameters: Sequence[Any]) -> Self:
+        """Return the diagram with other parameters of its blocks; what is compiled is shared."""
+        made = super().with_parameters(parameters)
+        made.layout = replace(self.layout, P=self.layout.packed(parameters))
+        return made
 
     def _code(self, method: int) -> Code:
         """Return the code for a method; in steps of one length decisions are not locked."""

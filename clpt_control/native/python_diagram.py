@@ -4,8 +4,9 @@ The solver is the one that machine code runs with.
 """
 
 from collections.abc import Callable, Mapping, Sequence
+from copy import copy
 from functools import partial
-from typing import Any
+from typing import Any, Self
 
 import control
 import numpy as np
@@ -65,6 +66,12 @@ class PythonDiagram:
         self.nstates, self.nsignals = self.sweep.nstates, len(self.sweep.signals)
         self.intervals: dict[int, int] = {}  # places in P of each block's `interval`
         self.jumps = {k: place for place, k in enumerate(self.sweep.leaping)}  # 1 where it jumps
+
+    def with_parameters(self, parameters: Sequence[Any]) -> Self:
+        """Return the diagram with other parameters of its blocks."""
+        made = copy(self)
+        made.sweep = Sweep(self.wiring, parameters)
+        return made
 
     # --- what machine code does otherwise -------------------------------------------------
 
@@ -170,7 +177,7 @@ class PythonDiagram:
             step becomes too small, the end is out of reach, or a guard with
             the policy ``"raise"`` is crossed.
         """
-        found = _checked(
+        found = checked_steps(
             step, rtol=rtol, atol=atol, max_step=None if max_step == np.inf else max_step,
             first_step=first_step, method=method, progress=progress,
         )  # fmt: skip
@@ -242,7 +249,7 @@ class PythonDiagram:
         ndarray, shape (m, n, nstates)
             NaN from where a run could not go on.
         """
-        rtol, atol, longest, _ = _checked(step, rtol=rtol, atol=atol)
+        rtol, atol, longest, _ = checked_steps(step, rtol=rtol, atol=atol)
         times = checked_times("times", times)
         starts = checked_state("starts", starts, (len(starts), self.nstates))
         if self.wiring.dt:
@@ -296,7 +303,7 @@ BESIDE = {  # what a fixed step is told beside
 }
 
 
-def _checked(step: float | None, **given: Any) -> tuple[float, ...]:
+def checked_steps(step: float | None, **given: Any) -> tuple[float, ...]:
     """Return rtol and atol, the longest step, and the first or 0.
 
     What is none is refused, and what is given beside a fixed step.

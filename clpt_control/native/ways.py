@@ -15,7 +15,7 @@ sine, are smooth to the tolerance.
 """
 
 from bisect import bisect_right
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
@@ -117,6 +117,25 @@ def check_spacing(times: np.ndarray, dt: Any) -> None:
         )
 
 
+def steps(
+    callee: Callee, x: np.ndarray, times: np.ndarray, pieces: Schedule, P: Any
+) -> Iterator[tuple[int, bool]]:
+    """Fill the rows of x behind the first.
+
+    Yield the number of the last row that is done, and whether the next is not finite.
+    """
+    for first in range(0, len(times) - 1, TOGETHER):
+        check()
+        last = min(first + TOGETHER, len(times) - 1)
+        after = x[first + 1 : last + 1]
+        callee.ask(solver.DERIVATIVE, times[first:last], x[first:last], pieces, P, after)
+        bad = np.flatnonzero(~np.all(np.isfinite(after), axis=1))
+        if len(bad):
+            yield first + int(bad[0]), True
+            return
+        yield last, False
+
+
 def iterated(
     runner: Any,
     start: np.ndarray,
@@ -129,14 +148,8 @@ def iterated(
     callee, P = runner.callee(1, inputs), runner.parameters()
     x = np.zeros((len(times), len(start)))
     x[0] = start
-    for first in range(0, len(times) - 1, TOGETHER):
-        check()
-        last = min(first + TOGETHER, len(times) - 1)
-        after = x[first + 1 : last + 1]
-        callee.ask(solver.DERIVATIVE, times[first:last], x[first:last], pieces, P, after)
-        bad = np.flatnonzero(~np.all(np.isfinite(after), axis=1))
-        if len(bad):
-            k = first + int(bad[0])
+    for k, bad in steps(callee, x, times, pieces, P):
+        if bad:
             t, u = float(times[k]), None if inputs is None else inputs.at(float(times[k]))
             found = runner.sweep.first_trouble(t, x[k], u) or "a state"
             raise SimulationError(
@@ -144,7 +157,7 @@ def iterated(
                 "that block"
             )
         if progress is not None:
-            progress(float(times[last]))
+            progress(float(times[k]))
     statistics = {"steps": len(times) - 1, "evaluations": len(times) - 1, "restarts": 0}
     made = Solution(times, x, statistics=statistics, engine=runner.engine)
     made.pieces = runner, inputs, pieces

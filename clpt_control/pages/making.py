@@ -217,6 +217,9 @@ def is_ensemble(data: "xarray.Dataset") -> bool:
     """Return whether a dataset is an ensemble; refuse one that has lost what it varied."""
     if "member" not in data.dims:
         return False
+    from ..ensemble.spread import refuse_diagram
+
+    refuse_diagram("report", data)
     missing = {"clpe_rms_whole", "status"} - set(data.variables)
     missing |= {"scenario", "ensemble"} - set(data.attrs)
     if missing:

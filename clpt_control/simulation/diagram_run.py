@@ -14,7 +14,7 @@ import numpy as np
 
 from ..diagrams.stopping import with_stop
 from ..diagrams.unchanged import key_of
-from ..diagrams.wiring import entries, read_anew, units_of, wiring_of
+from ..diagrams.wiring import Wiring, entries, read_anew, units_of, wiring_of
 from ..equations.declaration import ports_of, whole_labels
 from ..equations.linear import linear
 from ..native.engines import VARIABLE, chosen, run_as_read
@@ -51,15 +51,13 @@ class DiagramRun:
         if stop is not None:
             self.wiring = with_stop(self.wiring, stop)
         self.runner = chosen(self.wiring, params, by_function, engine, diagram.name)
-        first = self.wiring.nodes[0].system
-        named = first if None in (diagram.ninputs, diagram.noutputs) else diagram
-        made, given = map(whole_labels, (named.output_labels, named.input_labels))
+        made, given, self.states = labels_of(diagram, self.wiring)
+        made, given = map(whole_labels, (made, given))
         taken = ports_of(made)  # an input of the name of an output is told apart, all its signals
         parts = [one.partition("[") for one in given]
         self.labels = made + [
             "".join((f"{port}_input" if port in taken else port, *rest)) for port, *rest in parts
         ]
-        self.states = (first if diagram.nstates is None else diagram).state_labels
 
     def run(self, times: np.ndarray, inputs: Any, x0: Any, **given: Any) -> "xarray.Dataset":
         """Run from a state at the first time to the last."""
@@ -81,20 +79,12 @@ class DiagramRun:
 
         return vstack([made, eye_array(n, made.shape[1], k=made.shape[1] - n)], format="csr")
 
-    def units(self) -> list[str]:
-        """Return the unit of each signal that is shown; of a sum of several none is known."""
-        made, given = units_of(self.wiring)
-        every, rows = made + given, entries(self.wiring.output_map)
-        found = [rows.get(k, []) for k in range(self.wiring.output_map.shape[0])]
-        alone = [row[0][0] if len(row) == 1 and row[0][1] == 1.0 else None for row in found]
-        return ["" if at is None else every[at] for at in alone] + given
-
     @cached_property
     def frame(self) -> Frame:
         """The Dataset of its runs; of `closed_loop` it is its scenario's."""
         diagram = self.diagram
         if self.made_of is None:
-            own = tuple(self.labels), tuple(self.units()), tuple(self.states)
+            own = tuple(self.labels), tuple(units_shown(self.wiring)), tuple(self.states)
             return diagram_frame(diagram.name, *own)
         found = columns_of(self.labels, self.wiring, self.runner.sweep.given)
         every, params = ports_of(self.labels), self.params or {}
@@ -106,6 +96,23 @@ class DiagramRun:
         """Whether a closed loop of a scenario is as it was made, with nothing from outside."""
         made = self.made_of
         return made is not None and not made.external and made.is_still(self.wiring)
+
+
+def labels_of(diagram: Any, wiring: Wiring) -> tuple[list[str], list[str], list[str]]:
+    """Return the labels of outputs, inputs and states, also where the system leaves them open."""
+    first = wiring.nodes[0].system
+    named = first if None in (diagram.ninputs, diagram.noutputs) else diagram
+    states = first if diagram.nstates is None else diagram
+    return named.output_labels, named.input_labels, states.state_labels
+
+
+def units_shown(wiring: Wiring) -> list[str]:
+    """Return the units of outputs, then of inputs; of a sum of several none is known."""
+    made, given = units_of(wiring)
+    every, rows = made + given, entries(wiring.output_map)
+    found = [rows.get(k, []) for k in range(wiring.output_map.shape[0])]
+    alone = [row[0][0] if len(row) == 1 and row[0][1] == 1.0 else None for row in found]
+    return ["" if at is None else every[at] for at in alone] + given
 
 
 @contextmanager

@@ -27,7 +27,7 @@ from ..native.native_diagram import NativeDiagram
 from ..native.schedule import checked_times, open_sizes, read_inputs, stacked_state
 from ..scenario.experiment import Scenario
 from .dataset import diagram_frame
-from .diagram_run import DiagramRun
+from .diagram_run import DiagramRun, units_shown
 from .loops import closed_loop
 from .starts import initial_state as start_of
 
@@ -129,7 +129,7 @@ class Sensitive:
         run = DiagramRun(system, params, sizes, False, "native")
         self.wiring, self.given, self.states = run.wiring, run.runner.sweep.given, run.states
         outputs = slice(self.wiring.output_map.shape[0])
-        self.labels, self.units = run.labels[outputs], run.units()[outputs]
+        self.labels, self.units = run.labels[outputs], units_shown(run.wiring)[outputs]
         self.inputs = read_inputs(inputs, times, self.wiring.ninputs)
         state = 0.0 if initial_state is None else initial_state
         self.start = stacked_state("initial_state", state, run.runner.nstates)

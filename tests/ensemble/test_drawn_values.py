@@ -11,14 +11,14 @@ import clpt_control
 from clpt_control.ensemble.drawn_values import draw_members
 from clpt_control.ensemble.run import run_ensemble
 from clpt_control.ensemble.spread import ensemble_summary
-from clpt_control.ensemble.varied_keys import read_varies, variable_values
+from clpt_control.ensemble.varied_keys import VariedScenario, parsed, variable_values
 from clpt_control.simulation.report import run_and_report
 
 HERE = Path(__file__).parents[1]
 
 
 def draw(scenario, vary, members, design="lhs", seed=0):
-    return draw_members(scenario, read_varies(scenario, vary), members, design, seed)
+    return draw_members(VariedScenario(scenario), parsed(vary), members, design, seed)
 
 
 def test_a_latin_hypercube_draws_once_from_each_part(scenario):

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import clpt_control as clpt
-from clpt_control.ensemble.members import Ensemble
+from clpt_control.ensemble.members import ScenarioEnsemble
 from clpt_control.ensemble.spread import ensemble_summary
 from clpt_control.ensemble.summaries import STATUS
 from clpt_control.native import solver
@@ -28,7 +28,7 @@ def members_of(count):
 
 def ensemble_of(values, lanes):
     scenario = clpt.paper_scenario().with_values({"run.duration": 60})
-    return Ensemble(scenario, values, lanes=lanes)
+    return ScenarioEnsemble(scenario, values, lanes=lanes)
 
 
 TIMES = np.array([0.0, 3.3, 3.4, 17.0, 42.0, 60.0])
@@ -72,7 +72,7 @@ def test_a_member_has_the_same_bits_in_any_company(lanes):
 def test_a_member_that_fails_leaves_the_others_alone(lanes):
     values = {"learning.position": np.zeros((9, 2)), "learning.gain": np.full(9, 0.8)}
     scenario = clpt.paper_scenario().with_values({"run.duration": 20})
-    ensemble = Ensemble(scenario, ["learning.position", "learning.gain"], lanes=lanes)
+    ensemble = ScenarioEnsemble(scenario, ["learning.position", "learning.gain"], lanes=lanes)
     members = ensemble.members(values, 20.0)
     healthy = ensemble.run(members, np.array([0.0, 20.0]))
     members.x0[4, 2] = np.nan
@@ -87,7 +87,7 @@ def test_a_member_that_fails_leaves_the_others_alone(lanes):
 @pytest.mark.parametrize("lanes", [False, True])
 def test_a_stiff_member_does_not_hold_up_the_rest(lanes):
     scenario = clpt.paper_scenario().with_values({"run.duration": 5})
-    ensemble = Ensemble(scenario, ["learning.gain"], lanes=lanes)
+    ensemble = ScenarioEnsemble(scenario, ["learning.gain"], lanes=lanes)
     members = ensemble.members({"learning.gain": np.array([0.01, 1e9, 0.01])}, 5.0)
     runs = Batch(
         ensemble.native.callee(ensemble.lanes),

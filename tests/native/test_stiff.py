@@ -10,7 +10,7 @@ from random_diagrams import random_diagram
 
 import clpt_control as clpt
 from clpt_control.diagrams.wiring import wiring_of
-from clpt_control.ensemble.members import Ensemble
+from clpt_control.ensemble.members import ScenarioEnsemble
 from clpt_control.equations import Block, Guard
 from clpt_control.errors import SimulationError
 from clpt_control.native import batch, solver
@@ -340,7 +340,7 @@ def test_what_no_method_takes_is_refused(given, sentence):
 @pytest.mark.parametrize("lanes", [False, True])
 def test_stiff_members_are_run_one_by_one_and_change_no_other(lanes):
     scenario = clpt.paper_scenario().with_values({"run.duration": 20})
-    ensemble = Ensemble(scenario, ["learning.gain"], lanes=lanes)
+    ensemble = ScenarioEnsemble(scenario, ["learning.gain"], lanes=lanes)
     gains = np.array([0.01, 1e6, 0.02, 3e5])
     members = ensemble.members({"learning.gain": gains}, 20.0)
     found = ensemble.run(members, np.array([0.0, 10.0, 20.0]), 1e-6, 1e-8)
