@@ -54,6 +54,11 @@ def replay(
         "Waypoint to aim at, degrees: the heading that the current carries there. Give "
         "it again for those that follow.",
     ),
+    route: Path | None = opt(
+        "FILE",
+        "Waypoints to aim at in their order, GeoJSON or lines LAT LON: when each is made. Its "
+        "polygons are areas to stay out of: how likely they are entered.",
+    ),
     speed: float | None = opt("M/S", "Speed through water for --aim; else that of the last dives."),
     hours: float | None = opt("HOURS", "Length of a dive for --aim; else that of the last dives."),
     least_duration: float | None = opt("SECONDS", "Dives must last longer than this."),
@@ -96,14 +101,17 @@ def replay(
     from ..gliders.magnetic import turned
     from ..gliders.usable_dives import LEAST_DURATION
     from ..replay.replay import Growing, check_tides
+    from ..replay.route import read_route
 
     if bool(files) + sample + (follow is not None) + (fleet is not None) != 1:
         raise ScenarioError(
             "give files of dives, --sample for those that come with clpt, --follow FOLDER or "
             "--fleet FOLDER"
         )
-    if fleet is not None and (aim or plan):
-        raise ScenarioError("--aim and --next are of one vehicle; leave --fleet out")
+    if fleet is not None and (aim or plan or route):
+        raise ScenarioError("--aim, --route and --next are of one vehicle; leave --fleet out")
+    if route is not None and aim:
+        raise ScenarioError("--route FILE has the waypoints; leave --aim out")
     if alert is not None and follow is None and fleet is None:
         raise ScenarioError("--alert is for --follow FOLDER or --fleet FOLDER")
     command = [] if alert is None else checked_command(alert)
@@ -122,13 +130,15 @@ def replay(
     if units is not None and flow_model is None:
         raise ScenarioError(f"--units {units}: is for --flow-model FILE; give one, or leave it out")
     forecast = None if flow_model is None else clpt.replay.read_flow_model(flow_model, units)
+    way = None if route is None else read_route(route)
     ahead = Ahead(
         () if plan is None else (3600 * plan[0], plan[1:]),
-        [waypoint(text) for text in aim or ()],
+        [waypoint(text) for text in aim or ()] if way is None else way.targets,
         speed,
         hours,
         variation,
         follow is not None,
+        None if way is None else way.areas,
     )
     ahead.check()
     growing = Growing(estimator, model, forecast)

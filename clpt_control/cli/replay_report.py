@@ -20,7 +20,7 @@ import clpt_control as clpt
 from ..errors import ScenarioError
 from ..files import write_together
 from ..html import Result
-from ..progress import interrupt, tell
+from ..progress import interrupt, progress_bar, tell
 from .alerts import Alerts
 from .help_pages import Command
 from .printing import LONG, terminal_width
@@ -82,7 +82,8 @@ def waypoint(text: str) -> tuple[float, float]:
 class Ahead:
     """Plan of the next dive (s; m east, m north), and waypoints to aim at, in their order.
 
-    Speed (m/s), hours and variation (degrees east) are for aiming. `follows`: what the dives so
+    Speed (m/s), hours and variation (degrees east) are for aiming. The way is drawn (`route`) where
+    areas to stay out of are given, if only none. `follows`: what the dives so
     far do not allow is said, and work goes on.
     """
 
@@ -92,6 +93,7 @@ class Ahead:
     hours: float | None = None
     variation: float | None = None
     follows: bool = False
+    areas: list[Any] | None = None
 
     def check(self) -> None:
         """Refuse what cannot be, before work begins."""
@@ -106,6 +108,18 @@ class Ahead:
             checked_target(*target)
         hours = 1.0 if self.hours is None else self.hours
         check_speed(1.0 if self.speed is None else self.speed, 3600 * hours)
+
+    @property
+    def duration(self) -> float | None:
+        """Duration of a dive that is aimed, s."""
+        return None if self.hours is None else 3600 * self.hours
+
+    def drawn(self, replay: Any, report: Callable[[float], None]) -> dict[str, Any]:
+        """Return when a replay's vehicle is at the waypoints, by drawing its way."""
+        from ..replay.route import Route, arrivals
+
+        route = Route(self.targets, self.areas or [])
+        return arrivals(replay, route, self.speed, self.duration, report)
 
     def seen(self, replay: Any) -> tuple[Any, list[Any]]:
         """Return the `NextDive` of a replay, as given, as aimed, else as guessed, and its aims."""
@@ -122,11 +136,10 @@ class Ahead:
         fix = last.lat_gpse, last.lon_gpse
         while len(self.targets) > 1 and hypot(*displacement(*fix, *self.targets[0])) < ARRIVED:
             self.targets.pop(0)
-        duration = None if self.hours is None else 3600 * self.hours
         if not self.targets:
             return []
         try:
-            return clpt.replay.aims(replay, self.targets, self.speed, duration, self.variation)
+            return clpt.replay.aims(replay, self.targets, self.speed, self.duration, self.variation)
         except ScenarioError as error:
             if not self.follows:
                 raise
@@ -157,12 +170,14 @@ def results(summary: dict[str, Any]) -> list[Result]:
         metres,
         next_surfacing,
         remarks,
+        routed,
     )
 
     each, said = summary["each_dive"], list(remarks(summary))
     if summary["next_dive"]:
         said.append(next_surfacing(summary["next_dive"]))
     said += [aimed(leg) for leg in summary["aim"]]
+    said += routed(summary["route"]) if "route" in summary else []
     if summary.get("paste"):
         said += [f"to paste, {summary['paste']['file']}:", summary["paste"]["text"].rstrip()]
     if not each:
@@ -223,12 +238,16 @@ def write(
 def summary_with_next(result: Any, skipped: list, ahead: Ahead) -> tuple[dict[str, Any], Any]:
     """Return what `--json` prints, and the next dive: the summary, where it ends, aim and paste."""
     from ..replay.paste import paste
+    from ..replay.route import DRAWS
 
     found = clpt.replay.summary(result, skipped) | {"next_dive": None, "aim": [], "paste": None}
     if not result.steps:
         return found, None
     goal, legs = ahead.seen(result)
     found |= {"next_dive": goal.as_dict(), "aim": [leg.as_dict() for leg in legs]}
+    if ahead.areas is not None and legs:
+        with progress_bar("drawing the way", DRAWS) as report:
+            found["route"] = ahead.drawn(result, report)
     return found | {"paste": paste(found)}, goal
 
 

@@ -229,21 +229,27 @@ def aims(
     ('under way', True)
     """
     targets = [checked_target(*place) for place in targets]
-    dives = [step.dive for step in replay.steps]
-    V = last_speed(dives) if speed is None else speed
-    T = float(median(d.duration for d in dives[-DIVES:])) if duration is None else duration
-    check_speed(V, T)
-    start = replay.start()
-    pause = start[0] - dives[-1].t_gpse
+    V, T = usual(replay, speed, duration)
+    last, start = replay.steps[-1].dive, replay.start()
+    pause = start[0] - last.t_gpse
     found: list[Aim] = []
     for target in targets:
         leg = aim(replay, start, target, V, T)
-        found.append(replace(leg, variation=_variation(dives[-1], start, variation)))
+        found.append(replace(leg, variation=_variation(last, start, variation)))
         plan = leg.ahead.plan
         if leg.dives is None or leg.dives * plan.duration > YEAR:
             break
         start = (start[0] + max(leg.dives, 1.0) * plan.duration + pause, *target)
     return found
+
+
+def usual(replay: Replay, speed: float | None, duration: float | None) -> tuple[float, float]:
+    """Return the speed, m/s, and the duration, s, of a dive: as given, else as of the last ones."""
+    dives = [step.dive for step in replay.steps[-DIVES:]]
+    V = last_speed(dives) if speed is None else speed
+    T = float(median(dive.duration for dive in dives)) if duration is None else duration
+    check_speed(V, T)
+    return V, T
 
 
 def _variation(last: Dive, start: Fix, given: float | None) -> float | None:

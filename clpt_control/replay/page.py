@@ -13,7 +13,7 @@ from ..figures.svg import inline_svg
 from ..html import document, listing, paragraphs, safe
 from .page_map import replay_map
 from .plots import current_plot, dive_clpe_plot
-from .sentences import RANKS, aimed, cells, next_surfacing, record, remarks, within
+from .sentences import RANKS, aimed, cells, next_surfacing, record, remarks, routed, within
 from .wording import clock, compass, in_degrees, velocity
 
 ALARM = ' class="alarm"'
@@ -34,6 +34,7 @@ def replay_page(found: dict[str, Any], again: bool = False, title: str | None = 
         head = f'<noscript><meta http-equiv="refresh" content="{AGAIN}"></noscript>\n'
         mark = f' data-again="{AGAIN}"'
     lines = [next_surfacing(found["next_dive"]), *map(aimed, found["aim"])]
+    lines += routed(found["route"]) if "route" in found else []
     body = "\n".join(
         [
             f"<h1>{safe(title or f'{vehicle}: where it comes up next')}</h1>",

@@ -227,13 +227,26 @@ class Replay:
         self._take(dive, *self._ahead(dive), said)
         return self.steps[-1]
 
-    def start(self) -> Fix:
-        """Return when and where the next dive should begin, as a fix."""
+    def start(self, rng: np.random.Generator | None = None) -> Fix:
+        """Return when and where the next dive should begin, as a fix; one that is drawn, by rng."""
         last = self.steps[-1].dive
-        return (
-            last.t_gpse + self._habits.stay()[0],
-            *place_from(last.lat_gpse, last.lon_gpse, *self._habits.drift()[0]),
-        )
+        stay, late = self._habits.stay()
+        drift, spread = self._habits.drift()
+        if rng is not None:
+            stay = max(rng.normal(stay, late), 0.0)
+            drift = rng.multivariate_normal(drift, spread)
+        return (last.t_gpse + stay, *place_from(last.lat_gpse, last.lon_gpse, *drift))
+
+    def imagined(self) -> "Replay":
+        """Return a replay that knows what this one does, for dives that are drawn."""
+        other = copy.copy(self)
+        other.steps, other._learner = self.steps[-1:], copy.deepcopy(self._learner)
+        return other
+
+    def imagine(self, dive: Dive) -> None:
+        """Learn the flow from a dive that was drawn; habits and the watch learn nothing of it."""
+        self._learner.update(dive)
+        self.steps = [replace(self.steps[-1], dive=dive, **estimates(self._learner, dive))]
 
     def surfacing(self, given: Guess | None = None, start: Fix | None = None) -> NextDive:
         """Forecast the end of the next dive, as it is guessed or given.

@@ -176,6 +176,23 @@ def aimed(leg: dict[str, Any]) -> str:
     )
 
 
+def routed(route: dict[str, Any]) -> list[str]:
+    """Return a sentence for each waypoint of a route, and for each area."""
+    lines = []
+    for one in route["waypoints"]:
+        times = [clock(one[key]) if one[key] else "" for key in ("not_before", "time", "by")]
+        early, middle, late = times
+        said = f"there {middle}" if middle else "not there"
+        said += f"; cannot be made before {early} (90 %)" if early else ""
+        said += f", made by {late} (90 %)" if late else ""
+        if one["made"] < 1:
+            within = f"within {route['dives']} dives"
+            said += f"; made {within} in {100 * one['made']:.0f} % of {route['draws']} draws"
+        lines.append(f"route to {one['place']}: {said}")
+    entered = ((area["name"], 100 * area["entered"]) for area in route["areas"])
+    return lines + [f"{name}: entered in {share:.0f} % of the draws" for name, share in entered]
+
+
 def remarks(summary: dict[str, Any]) -> list[str]:
     """Return lines on what was learned, noted and skipped, of what `--json` prints."""
     lines: list[str] = []

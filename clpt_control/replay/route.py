@@ -1,0 +1,185 @@
+"""When a vehicle is at waypoints that are days away, and whether it enters what it should not.
+
+The coming dives are drawn, `DRAWS` times.  Each dive is aimed at the next waypoint (`aim`), by what
+is known when it begins; its way through the water, its duration and the drift before it are drawn
+by what they scatter by (`habits`), its miss by the forecast's own mean and covariance.  What was
+drawn is learned before the next dive is aimed: drawn one after the other, each given those before
+it, the misses are drawn from their joint distribution, with what lasts from dive to dive in them.
+A waypoint is made by the dive that is to end there, or ends within `ARRIVED` of it.
+
+Of the draws' times of arrival, the one before which a tenth of them are, the middle and the one
+before which nine tenths are; a draw that does not arrive within `DIVES` dives counts as later than
+all.  An area is entered where the straight way of a dive meets its outer ring, on the plane of
+longitude and latitude.
+
+A file of a route is GeoJSON (RFC 7946): points and lines are waypoints in their order, polygons
+areas to stay out of, with their property `name`; or a text with a latitude and a longitude a line.
+"""
+
+import json
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from math import exp, inf, isfinite
+from pathlib import Path as File
+from typing import Any
+
+import numpy as np
+
+from ..errors import DataError
+from ..files.reading import read_text
+from ..geodesy import displacement, is_place, place_from
+from ..gliders.dives import Fix, make_dive
+from ..progress.interrupt import check
+from .aim import ARRIVED, REACHED, Place, aim, usual
+from .replay import Replay
+from .wording import in_minutes, utc
+
+DRAWS, DIVES, SEED = 100, 100, 1
+SHARES = {"not_before": 0.1, "time": 0.5, "by": 0.9}
+Shape = tuple[str | None, list[Place]]  # places of an area, by its name, or of waypoints
+
+
+@dataclass(frozen=True)
+class Route:
+    """Waypoints in their order, and areas to stay out of: a name and a ring of places each."""
+
+    targets: list[Place]
+    areas: list[tuple[str, list[Place]]]
+
+
+def read_route(path: File) -> Route:
+    """Return the route in a file."""
+    text = read_text(path, "is no text; must be GeoJSON or lines of places")
+    try:
+        found = list(_shapes(json.loads(text)) if text.lstrip().startswith("{") else _lines(text))
+    except (ValueError, KeyError, TypeError, AttributeError, IndexError, RecursionError) as error:
+        raise DataError(
+            f"{path}: is neither GeoJSON nor a latitude and a longitude a line: {error}"
+        ) from None
+    for lat, lon in (place for _, places in found for place in places):
+        if not is_place(lat, lon):
+            raise DataError(f"{path}: latitude {lat:g}, longitude {lon:g} is no place")
+    targets = [place for name, places in found if name is None for place in places]
+    if not targets:
+        raise DataError(f"{path}: has no waypoint; give points, or a line of them")
+    return Route(targets, [(name, places) for name, places in found if name is not None])
+
+
+def _lines(text: str) -> Iterator[Shape]:
+    for line in text.splitlines():
+        if words := line.partition("#")[0].replace(",", " ").split():
+            lat, lon = map(float, words)
+            yield None, [(lat, lon)]
+
+
+def _shapes(data: dict[str, Any], name: str = "area") -> Iterator[Shape]:
+    match data["type"]:
+        case "FeatureCollection":
+            for one in data["features"]:
+                yield from _shapes(one)
+        case "GeometryCollection":
+            for one in data["geometries"]:
+                yield from _shapes(one, name)
+        case "Feature":
+            called = (data.get("properties") or {}).get("name") or name
+            yield from _shapes(data["geometry"], str(called))
+        case "Point":
+            yield None, _places([data["coordinates"]])
+        case "MultiPoint" | "LineString":
+            yield None, _places(data["coordinates"])
+        case "Polygon":
+            yield name, _places(data["coordinates"][0])
+        case "MultiPolygon":
+            for one in data["coordinates"]:
+                yield name, _places(one[0])
+        case other:
+            raise ValueError(f"{other} is not read")
+
+
+def _places(pairs: list[list[float]]) -> list[Place]:
+    return [(float(lat), float(lon)) for lon, lat, *_ in pairs]
+
+
+def arrivals(
+    replay: Replay,
+    route: Route,
+    speed: float | None = None,
+    duration: float | None = None,
+    report: Callable[[float], None] = lambda done: None,
+) -> dict[str, Any]:
+    """Return when a replay's vehicle is at each waypoint, and how often areas are entered."""
+    V, T = usual(replay, speed, duration)
+    rng = np.random.default_rng(SEED)
+    times = np.full((DRAWS, len(route.targets)), inf)
+    entered = np.zeros((DRAWS, len(route.areas)), bool)
+    for draw in range(DRAWS):
+        check()
+        _draw(replay, route, V, T, rng, times[draw], entered[draw])
+        report(draw + 1)
+    waypoints = []
+    for place, each in zip(route.targets, times.T, strict=True):
+        quantiles = np.quantile(each, list(SHARES.values()), method="inverted_cdf").tolist()
+        said = [utc(time) if isfinite(time) else None for time in quantiles]
+        waypoints.append(
+            {"latitude": place[0], "longitude": place[1], "place": in_minutes(*place)}
+            | {"made": float(np.isfinite(each).mean()), **dict(zip(SHARES, said, strict=True))}
+        )
+    shares = entered.mean(0).tolist()
+    areas = [{"name": name, "entered": p} for (name, _), p in zip(route.areas, shares, strict=True)]
+    return {"draws": DRAWS, "dives": DIVES, "waypoints": waypoints, "areas": areas}
+
+
+def _draw(
+    replay: Replay,
+    route: Route,
+    V: float,
+    T: float,
+    rng: np.random.Generator,
+    times: np.ndarray,
+    entered: np.ndarray,
+) -> None:
+    """Draw the dives to come once: write times of arrival, s since 1970, and areas entered."""
+    learned = replay.imagined()
+    start = learned.start(rng)
+    to_come = list(enumerate(route.targets))
+    for _ in range(DIVES):
+        k, target = to_come[0]
+        leg = aim(learned, start, target, V, T)
+        plan = leg.ahead.plan
+        guess = learned.given((plan.dr_east, plan.dr_north), plan.duration)
+        east, north, late = rng.multivariate_normal(np.zeros(3), guess.scatter)
+        flown = replace(
+            plan,
+            t_gpse=start[0] + plan.duration * exp(late),
+            dr_east=plan.dr_east + east,
+            dr_north=plan.dr_north + north,
+        )
+        miss = rng.multivariate_normal(*learned.forecast(flown))
+        through = flown.dr_east, flown.dr_north
+        end: Fix = (flown.t_gpse, *place_from(*start[1:], *(through + miss)))
+        entered |= np.array([_meets(start[1:], end[1:], ring) for _, ring in route.areas], bool)
+        if leg.state == REACHED or np.hypot(*displacement(*end[1:], *target)) < ARRIVED:
+            times[k] = end[0]
+            to_come.pop(0)
+            if not to_come:
+                return
+        learned.imagine(make_dive(plan.number, start, end, through))
+        start = learned.start(rng)
+
+
+def _meets(one: Place, other: Place, ring: list[Place]) -> bool:
+    """Whether a straight way meets an area.
+
+    >>> square = [(0.0, 179.0), (1.0, 179.0), (1.0, -179.0), (0.0, -179.0)]
+    >>> [_meets((-1.0, x), (2.0, x), square) for x in (179.5, -179.5, 178.0)]
+    [True, True, False]
+    >>> _meets((0.4, 180.0), (0.5, -180.0), square)  # within
+    True
+    """
+    from matplotlib.path import Path
+
+    def near(place: Place) -> Place:
+        return place[0], (place[1] - one[1] + 180.0) % 360.0 - 180.0
+
+    area = Path([near(place) for place in (*ring, ring[0])])
+    return bool(area.intersects_path(Path([near(one), near(other)]), filled=True))

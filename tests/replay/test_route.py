@@ -1,0 +1,149 @@
+"""Waypoints over days: when they are made, and areas that are entered, by drawing the dives."""
+
+import json
+import math
+from datetime import datetime
+
+import pytest
+from synthetic_vehicle import STEADY, vehicle
+from typer.testing import CliRunner
+
+from clpt_control.cli import application
+from clpt_control.errors import DataError
+from clpt_control.geodesy import place_from
+from clpt_control.replay import route
+from clpt_control.replay.replay import replay_dives
+from clpt_control.replay.sentences import routed
+
+STAY, V = 600.0, 0.25  # s, m/s of the made vehicle
+
+
+@pytest.fixture(autouse=True)
+def few_draws(monkeypatch):
+    monkeypatch.setattr(route, "DRAWS", 30)
+
+
+@pytest.fixture(scope="module")
+def known():
+    """A vehicle in a steady current that it knows; it lies where it was at each fix."""
+    return replay_dives(vehicle(1, 40, flow="steady"))
+
+
+def seconds(time):
+    return datetime.fromisoformat(time).timestamp()
+
+
+def box(lat, lon, size=0.02):
+    corners = (-size, -size), (-size, size), (size, size), (size, -size)
+    return [(lat + a, lon + b) for a, b in corners]
+
+
+def test_a_known_current_carries_it_there_when_the_triangle_says(known):
+    """Across the line the nose makes up for the current; along it the rest of both goes on."""
+    far = 40_000.0
+    target = place_from(40.0, 8.0, far, 0.0)
+    across = box(40.0, 8.0 + (target[1] - 8.0) / 2, 0.05)
+    areas = [("across", across), ("beside", box(40.3, 8.2))]
+    found = route.arrivals(known, route.Route([target], areas), V, 14400.0)
+    (one,) = found["waypoints"]
+    east = STEADY[0] + math.sqrt(V**2 - STEADY[1] ** 2)
+    dives = far / east / 14400
+    due = far / east + math.ceil(dives) * STAY
+    took = {key: seconds(one[key]) - known.steps[-1].dive.t_gpse for key in route.SHARES}
+    assert took["time"] == pytest.approx(due, rel=0.04)
+    assert 0.85 * due < took["not_before"] < took["time"] < took["by"] < 1.15 * due
+    assert one["made"] == 1
+    assert [area["entered"] for area in found["areas"]] == [1, 0]
+    assert "cannot be made before" in routed(found)[0]
+    assert routed(found)[1:] == [
+        "across: entered in 100 % of the draws",
+        "beside: entered in 0 % of the draws",
+    ]
+
+
+def test_who_knows_less_arrives_less_surely(known):
+    target = place_from(40.0, 8.0, 40_000.0, 0.0)
+    width = []
+    for replay in (known, replay_dives(vehicle(1, 1, flow="steady"))):
+        (one,) = route.arrivals(replay, route.Route([target], []), V, 14400.0)["waypoints"]
+        width.append(seconds(one["by"] or one["time"]) - seconds(one["not_before"]))
+    assert width[1] > 2 * width[0]
+
+
+def test_a_waypoint_against_the_current_is_not_made(known, monkeypatch):
+    monkeypatch.setattr(route, "DIVES", 5)
+    monkeypatch.setattr(route, "DRAWS", 3)
+    target = place_from(40.0, 8.0, -30_000.0, 15_000.0)
+    found = route.arrivals(known, route.Route([target], []), 0.05, 14400.0)
+    (one,) = found["waypoints"]
+    assert (one["made"], one["time"], one["not_before"]) == (0, None, None)
+    assert routed(found)[0].endswith("not there; made within 5 dives in 0 % of 3 draws")
+
+
+def test_the_same_draws_say_the_same(known):
+    target = place_from(40.0, 8.0, 5_000.0, 3_000.0)
+    asked = known, route.Route([target], [("here", box(40.0, 8.0))])
+    first = route.arrivals(*asked)
+    assert first == route.arrivals(*asked)
+    assert first["areas"][0]["entered"] == 1  # it begins within
+    assert len(known.steps) == 40  # it learned nothing of what was drawn
+
+
+SQUARE = [[8.0, 40.0], [8.1, 40.0], [8.1, 40.1], [8.0, 40.0]]
+
+
+def test_routes_are_read(tmp_path):
+    path = tmp_path / "route"
+    path.write_text("# two\n-42.8 8.4\n\n-42.7, 8.3  # the second\n")
+    assert route.read_route(path) == route.Route([(-42.8, 8.4), (-42.7, 8.3)], [])
+    shapes = [
+        {"type": "Point", "coordinates": [8.4, -42.8, 0.0]},
+        {"type": "Polygon", "coordinates": [SQUARE, SQUARE]},
+        {"type": "LineString", "coordinates": [[8.3, -42.7], [8.2, -42.6]]},
+        {"type": "GeometryCollection", "geometries": [
+            {"type": "MultiPolygon", "coordinates": [[SQUARE], [SQUARE]]}
+        ]},
+    ]  # fmt: skip
+    names = [{"name": "P"}, {"name": "ground"}, None, {}]
+    features = [
+        {"type": "Feature", "geometry": shape, "properties": name}
+        for shape, name in zip(shapes, names, strict=True)
+    ]
+    path.write_text(json.dumps({"type": "FeatureCollection", "features": features}))
+    read = route.read_route(path)
+    assert read.targets == [(-42.8, 8.4), (-42.7, 8.3), (-42.6, 8.2)]
+    assert [name for name, _ in read.areas] == ["ground", "area", "area"]
+    assert read.areas[0][1] == [(lat, lon) for lon, lat in SQUARE]
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ("", "has no waypoint"),
+        ("-42.8 8.4 7\n", "is neither GeoJSON nor a latitude"),
+        ("north south\n", "is neither GeoJSON nor a latitude"),
+        ("8.4 -942.8\n", "latitude 8.4, longitude -942.8 is no place"),
+        ("nan 8\n", "is no place"),
+        ("{", "is neither GeoJSON nor a latitude"),
+        ('{"type": "Circle"}', "Circle is not read"),
+        ('{"type": "Point", "coordinates": 7}', "is neither GeoJSON"),
+        (json.dumps({"type": "Polygon", "coordinates": [SQUARE]}), "has no waypoint"),
+        ("{" * 10**5, "is neither GeoJSON"),
+    ],
+)
+def test_what_is_no_route_is_one_sentence(text, says, tmp_path):
+    (tmp_path / "route").write_text(text)
+    with pytest.raises(DataError, match="route: ") as caught:
+        route.read_route(tmp_path / "route")
+    assert says in str(caught.value)
+
+
+def test_the_command_draws_the_way(tmp_path):
+    (tmp_path / "route.txt").write_text("-42.93 8.47\n")
+    words = ["replay", "--sample", "--route", str(tmp_path / "route.txt"), "--json"]
+    done = CliRunner().invoke(application(), [*words, "--out", str(tmp_path / "out")])
+    found = json.loads(done.stdout)
+    assert found["aim"][0]["latitude"] == -42.93
+    assert found["route"]["waypoints"][0]["made"] > 0.5
+    assert "route to 42 55.80 S" in (tmp_path / "out" / "replay.html").read_text("utf-8")
+    assert found["paste"]["file"] == "targets"
