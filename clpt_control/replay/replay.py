@@ -228,7 +228,10 @@ class Replay:
         return self.steps[-1]
 
     def start(self, rng: np.random.Generator | None = None) -> Fix:
-        """Return when and where the next dive should begin, as a fix; one that is drawn, by rng."""
+        """Return when and where the next dive begins, as a fix.
+
+        As it should; where `rng` is given, as it is drawn.
+        """
         last = self.steps[-1].dive
         stay, late = self._habits.stay()
         drift, spread = self._habits.drift()
@@ -238,13 +241,16 @@ class Replay:
         return (last.t_gpse + stay, *place_from(last.lat_gpse, last.lon_gpse, *drift))
 
     def imagined(self) -> "Replay":
-        """Return a replay that knows what this one does, for dives that are drawn."""
+        """Return one that knows the same, for dives that are drawn."""
         other = copy.copy(self)
         other.steps, other._learner = self.steps[-1:], copy.deepcopy(self._learner)
         return other
 
     def imagine(self, dive: Dive) -> None:
-        """Learn the flow from a dive that was drawn; habits and the watch learn nothing of it."""
+        """Learn the flow from a dive that was drawn.
+
+        Habits and the watch learn nothing of it.
+        """
         self._learner.update(dive)
         self.steps = [replace(self.steps[-1], dive=dive, **estimates(self._learner, dive))]
 
