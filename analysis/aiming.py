@@ -19,14 +19,19 @@ from typing import TYPE_CHECKING, Annotated
 import numpy as np
 import typer
 
-from clpt_control.estimation.dive import miss
-from clpt_control.figures import BLUE, ORANGE, new_figure
-from clpt_control.files import make_folder, write_figure, write_text
-from clpt_control.geodesy import place_from
 from clpt_control.gliders import Dive, read_dives, sample_dives, usable
-from clpt_control.progress import progress_bar
-from clpt_control.replay import Replay, replay_dives
-from clpt_control.replay.aim import aim
+from clpt_control.replay import Replay, aims, replay_dives
+
+from .study import (
+    BLUE,
+    ORANGE,
+    make_folder,
+    new_figure,
+    place_from,
+    progress_bar,
+    write_figure,
+    write_text,
+)
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -73,7 +78,9 @@ def aimed_off(away: np.ndarray, drift: np.ndarray, full: float) -> np.ndarray:
 
 def current_of(dive: Dive, own: np.ndarray) -> np.ndarray:
     """Return what the water did in a dive, m, with the errors I + M of its own."""
-    return np.asarray(miss(dive) - (own - np.eye(2)) @ [dive.dr_east, dive.dr_north])
+    return np.array([dive.miss_east, dive.miss_north]) - (
+        (own - np.eye(2)) @ [dive.dr_east, dive.dr_north]
+    )
 
 
 def _flown(replay: Replay, before: Dive, dive: Dive, true: np.ndarray, angle: float) -> list[float]:
@@ -89,13 +96,9 @@ def _flown(replay: Replay, before: Dive, dive: Dive, true: np.ndarray, angle: fl
     far: list[np.ndarray] = []
     crab = 0.0
     for away, ends in ((full / 2, near), (FAR, far)):
-        leg = aim(
-            replay,
-            start,
-            place_from(*start[1:], *(away * line)),
-            full / dive.duration,
-            dive.duration,
-        )
+        target = place_from(*start[1:], *(away * line))
+        speed = full / dive.duration
+        (leg,) = aims(replay, [target], speed, dive.duration, variation=0.0, start=start)
         plan, crab = leg.ahead.plan, leg.crab or 0.0
         real = aimed_off(away * line, drift, full * np.sqrt(np.linalg.det(known)))
         ways = min(away, full) * line, np.linalg.solve(known, real)

@@ -25,11 +25,20 @@ import numpy as np
 import typer
 
 import clpt_control as clpt
-from clpt_control.figures import BLUE, COLOURS, GREEN, ORANGE, RED, new_figure
-from clpt_control.files import make_folder, write_figure, write_text
-from clpt_control.progress import progress_bar
 
 from .mean_square import mean_square_bound
+from .study import (
+    BLUE,
+    COLOURS,
+    GREEN,
+    ORANGE,
+    RED,
+    make_folder,
+    new_figure,
+    progress_bar,
+    write_figure,
+    write_text,
+)
 from .worst_disturbance import worst_disturbance
 
 RESONANT = 3.5  # rad/s: near sqrt(gamma |w|^2) of the paper's x1 axis at its far waypoints

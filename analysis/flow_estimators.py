@@ -16,9 +16,8 @@ import numpy as np
 import typer
 
 import clpt_control as clpt
-from clpt_control.figures import BLUE, GREEN, RED, new_figure
-from clpt_control.files import make_folder, write_figure, write_text
-from clpt_control.progress import progress_bar
+
+from .study import BLUE, GREEN, RED, make_folder, new_figure, progress_bar, write_figure, write_text
 
 FUNCTIONS = {"steady": None, "steady and gaussians of 20 km": 20e3}
 METHODS = ("least-squares", "kalman", "tomography")

@@ -16,15 +16,11 @@ from typing import Annotated, Any
 import numpy as np
 import typer
 
-from clpt_control.estimation.estimators import ESTIMATORS
-from clpt_control.figures import BLUE, GREEN, new_figure
-from clpt_control.files import make_folder, write_figure, write_text
 from clpt_control.gliders import sample_dives, usable
-from clpt_control.progress import progress_bar
 from clpt_control.replay import Replay, clpe_rms, replay_dives, summary
-from clpt_control.replay.doubts import SETTLED
 
 from .made_seas import DAY, QUARTER_DAY, Sea, made_dives
+from .study import BLUE, GREEN, make_folder, new_figure, progress_bar, write_figure, write_text
 
 WAVES = (0.03, QUARTER_DAY, 1)  # internal waves, forgotten in six hours
 SWING, STORM = (0.05, 2 * DAY), (0.12, 2 * DAY)  # inertial oscillations
@@ -80,6 +76,7 @@ SEAS = {
         dives=14,
     ),
 }
+SETTLED = 10  # dives before the watch speaks
 MARKS = {"kalman": (BLUE, "o"), "gradient": (GREEN, "s")}
 
 
@@ -94,7 +91,7 @@ def judged(name: str, seed: int) -> dict[str, Any]:
     sea = SEAS[name]
     dives = made_dives(sea, seed)
     found: dict[str, Any] = {"sea": name}
-    for estimator in ESTIMATORS:
+    for estimator in ("kalman", "gradient"):
         replay = replay_dives(dives, estimator)
         found[estimator] = ratio(replay)
         if estimator == "kalman":

@@ -18,15 +18,13 @@ from typing import Annotated, NamedTuple
 import numpy as np
 import typer
 
-from clpt_control.errors import DataError
-from clpt_control.files import make_folder, write_text
-from clpt_control.geodesy import displacement, place_from
+from clpt_control import DataError
 from clpt_control.gliders import Dive, make_dive, read_dives, sample_dives, usable
-from clpt_control.progress import progress_bar
 from clpt_control.replay import Replay, next_dive
 
 from .glider_forecasts import SEAS
 from .made_seas import made_dives
+from .study import displacement, make_folder, place_from, progress_bar, write_text
 
 COLUMNS = (
     "vehicle",

@@ -17,12 +17,19 @@ import numpy as np
 import typer
 
 import clpt_control as clpt
-from clpt_control.blocks.laws.table import LAWS
 from clpt_control.currents import fit_scenario, save_fit
-from clpt_control.figures import BLUE, GREY, ORANGE, new_figure
-from clpt_control.files import make_folder, write_figure, write_text
-from clpt_control.progress import progress_bar
 from clpt_control.simulation import explained_variance
+
+from .study import (
+    BLUE,
+    GREY,
+    ORANGE,
+    make_folder,
+    new_figure,
+    progress_bar,
+    write_figure,
+    write_text,
+)
 
 BOX = (40.9, 41.55, -69.9, -69.0)  # Nantucket Shoals: 27 functions span 0.80 of its variance
 LATE = (18.0, 23.0)  # h
@@ -64,7 +71,7 @@ def candidates(scenario: clpt.Scenario, adapted: bool = False) -> dict[str, dict
         "learning.feedback": car.feedback,
         "learning.feedforward": car.feedforward,
     }
-    for law in LAWS.values():
+    for law in clpt.blocks.table_of_laws().values():
         if law.given_estimate:
             continue  # is told the flow
         needed = law.gain is None and law.alpha_by_gain

@@ -14,9 +14,8 @@ import numpy as np
 import typer
 
 import clpt_control as clpt
-from clpt_control.figures import BLUE, GREY, RED, new_figure
-from clpt_control.files import make_folder, write_figure, write_text
-from clpt_control.progress import progress_bar
+
+from .study import BLUE, GREY, RED, make_folder, new_figure, progress_bar, write_figure, write_text
 
 SPEEDS = (1.0, 1.25, 1.5, 2.0, 3.0)  # m/s
 SHOWN = 1.5  # m/s, in the upper picture

@@ -16,12 +16,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from clpt_control.estimation.fix_model import inertial_frequency
 from clpt_control.gliders import Dive
 from clpt_control.scenario import period
 
 DAY, QUARTER_DAY, TICK = 86400.0, 21600.0, 600.0  # s
 LATITUDE, LONGITUDE = 40.0, 8.0  # degrees, of all dives
+ROTATION = 7.292115e-5  # rad/s, of the Earth
 SURFACE = 900.0  # s between dives
 SPEED, FIX = 0.25, 20.0  # m/s through the water; m, error of a displacement
 
@@ -96,7 +96,7 @@ def background(sea: Sea, rng: np.random.Generator, end: float) -> np.ndarray:
         u += size * np.stack([np.cos(turn), rng.uniform(-0.7, 0.7) * np.sin(turn)], axis=1)
     if sea.inertial:  # what turns clockwise and is forgotten: a complex OU current
         slow = remembered(rng, *sea.inertial, 1, n)
-        turn = inertial_frequency(LATITUDE) * time
+        turn = 2 * ROTATION * np.sin(np.radians(LATITUDE)) * time
         turning = (slow[:, 0] + 1j * slow[:, 1]) * np.exp(-1j * turn)
         u += np.stack([turning.real, turning.imag], axis=1)
     return u

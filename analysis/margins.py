@@ -27,10 +27,8 @@ import numpy as np
 import typer
 
 import clpt_control as clpt
-from clpt_control.blocks.laws.table import LAWS
-from clpt_control.figures import COLOURS, GREY, new_figure
-from clpt_control.files import make_folder, write_figure, write_text
-from clpt_control.progress import progress_bar
+
+from .study import COLOURS, GREY, make_folder, new_figure, progress_bar, write_figure, write_text
 
 KINDS = ("lag", "delay", "sampler")
 LEAST, MOST = 2.0**-7, 8.0  # looked at
@@ -86,7 +84,9 @@ def main(out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/margins"
     """Leave margins.md and margins.png."""
     folder = make_folder(out)
     paper = clpt.paper_scenario().with_values({"run.duration": 200, "run.output_step": 0.25})
-    laws = [law for law in LAWS.values() if not (law.at_fixes or law.keeps_alpha)]
+    laws = [
+        law for law in clpt.blocks.table_of_laws().values() if not (law.at_fixes or law.keeps_alpha)
+    ]
     found: dict[str, list[float]] = {}
     with progress_bar("margins", len(laws) * len(KINDS)) as report:
         for law in laws:

@@ -15,18 +15,17 @@ import numpy as np
 import typer
 
 from clpt_control.estimation import FixModel, Priors
-from clpt_control.estimation.priors import Kind
-from clpt_control.figures import BLUE, GREY, new_figure
-from clpt_control.files import make_folder, write_figure, write_text
 from clpt_control.gliders import Dive, read_dives, sample_dives, usable
-from clpt_control.progress import progress_bar
 from clpt_control.replay import clpe_rms, replay_dives
 
+from .study import BLUE, GREY, make_folder, new_figure, progress_bar, write_figure, write_text
+
+RESTLESS = type(Priors().kinds[0])._fields  # walk, trend, eddy, scatter
 PRIORS = (
     *("fix", "current", "tide", "inertial", "speed", "compass", "shelf"),
     *("inertial_fading", "tide_fading", "speed_walk", "compass_walk"),
     *("trend_fading", "eddy_memory", "degrees_of_freedom", "weight_memory"),
-    *Kind._fields,  # of all kinds of restlessness at once
+    *RESTLESS,  # of all kinds of restlessness at once
 )
 FACTORS = (0.5, 2.0)
 
@@ -34,7 +33,7 @@ FACTORS = (0.5, 2.0)
 def changed(name: str, factor: float) -> Priors:
     """Return the priors with one number multiplied."""
     priors = Priors()
-    if name not in Kind._fields:
+    if name not in RESTLESS:
         return priors._replace(**{name: factor * getattr(priors, name)})
     kinds = (k._replace(**{name: factor * getattr(k, name)}) for k in priors.kinds)
     return priors._replace(kinds=tuple(kinds))

@@ -15,10 +15,9 @@ from typing import Annotated, Any
 import typer
 
 import clpt_control as clpt
-from clpt_control.figures import BLUE, GREEN, RED, new_figure
-from clpt_control.files import make_folder, write_figure, write_text
-from clpt_control.progress import progress_bar
 from clpt_control.simulation import claims, run_and_report
+
+from .study import BLUE, GREEN, RED, make_folder, new_figure, progress_bar, write_figure, write_text
 
 KERNELS = ("exponential", "gaussian", "gaussian-sigma")
 UNITS = {"periods in s": 1.0, "periods in h": 3600.0}

@@ -178,11 +178,12 @@ PANELS: tuple[Any, ...] = (
 )
 
 
+@plt.style.context("clpt_control.data.house")
 def main(out="shelf"):
     """Draw a panel for each part, and write the differences."""
     folder = Path(out)
     folder.mkdir(parents=True, exist_ok=True)
-    figure, axes = plt.subplots(4, 4, figsize=(9, 8), layout="constrained")
+    figure, axes = plt.subplots(4, 4, figsize=(9, 8))
     rows = ["| part | drawn | largest difference from its closed form |", "|---|---|---|"]
     for panel, ax in zip(PANELS, axes.flat, strict=True):
         lines, off = panel()
@@ -190,8 +191,6 @@ def main(out="shelf"):
             ax.plot(x, y, style, lw=1.2, ms=3)
         ax.set_title(panel.__name__, fontsize=9)
         ax.tick_params(labelsize=7)
-        ax.grid(lw=0.4, alpha=0.5)
-        ax.spines[["top", "right"]].set_visible(False)
         told = "" if off is None else f"{off:.1e}"
         rows.append(f"| `{panel.__name__}` | {panel.__doc__} | {told} |")
     (folder / "parts.md").write_text("\n".join(rows) + "\n", "utf-8")

@@ -17,8 +17,8 @@ import numpy as np
 import typer
 
 import clpt_control as clpt
-from clpt_control.figures import BLUE, RED, new_figure
-from clpt_control.files import make_folder, write_figure, write_text
+
+from .study import BLUE, RED, make_folder, new_figure, write_figure, write_text
 
 TIME = 100.0  # frozen time, s
 WRONG_BY = 0.1  # 1/s: how far the second learner's feedforward gain is off

@@ -14,9 +14,8 @@ import numpy as np
 import typer
 
 import clpt_control as clpt
-from clpt_control.figures import BLUE, RED, new_figure
-from clpt_control.files import make_folder, write_figure, write_text
-from clpt_control.progress import progress_bar
+
+from .study import BLUE, RED, make_folder, new_figure, progress_bar, write_figure, write_text
 
 
 def page(proofs: Mapping[str, Any], listed: Sequence[Any]) -> str:

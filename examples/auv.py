@@ -55,9 +55,10 @@ def loop(lag):
     )
 
 
+@plt.style.context("clpt_control.data.house")
 def main(path="auv.png"):
     """Run for each lag, print, draw."""
-    figure, (track, heading) = plt.subplots(1, 2, layout="constrained", figsize=(7.2, 3.6))
+    figure, (track, heading) = plt.subplots(1, 2, figsize=(7.2, 3.6))
     print("| lag (s) | overshoot (degrees) | within 2 degrees after (s) | surge at the end (m/s) |")
     print("|---|---|---|---|")
     for lag in LAGS:
@@ -76,7 +77,7 @@ def main(path="auv.png"):
     track.set(xlabel="x (m)", ylabel="y (m)", aspect="equal", title="first 25 s")
     heading.set(xlabel="time (s)", ylabel="heading (degrees)")
     heading.legend(frameon=False, fontsize=8, title="lag of thrust", ncols=2, loc="lower right")
-    figure.savefig(Path(path), dpi=150)
+    figure.savefig(Path(path))
     plt.close(figure)
     print(f"{path}: written")
 

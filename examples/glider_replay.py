@@ -11,7 +11,6 @@ import sys
 from pathlib import Path
 
 import clpt_control as clpt
-from clpt_control.files import write_netcdf
 
 
 def main(folder="out", *files):
@@ -33,7 +32,7 @@ def main(folder="out", *files):
     last = replay.steps[-1]
     print(f"speed factor {last.speed:.3f} +- {last.speed_error:.3f}")
     print(f"learned {', '.join(last.learned)}; held {', '.join(last.held) or 'nothing'}")
-    write_netcdf(clpt.replay.replay_dataset(replay), folder / "replay.nc")
+    clpt.replay.replay_dataset(replay).to_netcdf(folder / "replay.nc")
     for path in (folder / "replay.nc", *clpt.replay.save_replay_figures(replay, folder)):
         print(f"{path}: written")
 

@@ -62,6 +62,7 @@ def loop(gain=1.0):
     )
 
 
+@plt.style.context("clpt_control.data.house")
 def main(path="mrac.png"):
     """Prove, run for each gain, print, draw."""
     equations = clpt.diagrams.equations(loop())
@@ -81,7 +82,7 @@ def main(path="mrac.png"):
         )
         k_r, k_y = float(run.k_r[-1]), float(run.k_y[-1])
         print(f"| {gain:g} | {first:.3f} | {last:.4f} | {k_r:.2f} | {k_y:.2f} |")
-    figure, (top, bottom) = plt.subplots(2, sharex=True, layout="constrained", figsize=(6.4, 5))
+    figure, (top, bottom) = plt.subplots(2, sharex=True, figsize=(6.4, 5))
     top.plot(TIMES, next(iter(runs.values())).ym, "k--", lw=1, label="model")
     for gain, run in runs.items():
         top.plot(TIMES, run.y, lw=1, label=f"gain {gain:g}")
@@ -90,7 +91,7 @@ def main(path="mrac.png"):
     top.set(ylabel="y")
     bottom.set(ylabel="k_r (right: 4)", xlabel="time (s)")
     top.legend(frameon=False, ncols=4, fontsize=8, loc="lower center", bbox_to_anchor=(0.5, 1.0))
-    figure.savefig(Path(path), dpi=150)
+    figure.savefig(Path(path))
     plt.close(figure)
     print(f"{path}: written")
 

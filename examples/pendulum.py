@@ -81,6 +81,7 @@ def loop(limit=20.0):
     )
 
 
+@plt.style.context("clpt_control.data.house")
 def main(path="pendulum.png"):
     """Run from several angles, print, draw."""
     system = loop()
@@ -88,7 +89,7 @@ def main(path="pendulum.png"):
     print(f"slowest pole of the linear loop {max(poles.real):.2f}/s")
     print("| starts at (degrees) | caught | largest force (N) | cart goes (m) |")
     print("|---|---|---|---|")
-    figure, (angles, places) = plt.subplots(2, sharex=True, layout="constrained", figsize=(6.4, 5))
+    figure, (angles, places) = plt.subplots(2, sharex=True, figsize=(6.4, 5))
     for angle in ANGLES:
         start = [0, np.radians(angle), 0, 0, 0, np.radians(angle), 0, 0]
         run = clpt.simulate(system, TIMES, initial_state=start)
@@ -104,7 +105,7 @@ def main(path="pendulum.png"):
     angles.set(ylabel="angle (degrees)", ylim=(-45, 60))
     places.set(ylabel="cart (m)", xlabel="time (s)", ylim=(-2, 3))
     angles.legend(frameon=False, fontsize=8, title="starts at")
-    figure.savefig(Path(path), dpi=150)
+    figure.savefig(Path(path))
     plt.close(figure)
     print(f"{path}: written")
 

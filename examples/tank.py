@@ -53,9 +53,10 @@ CASES = {
 }
 
 
+@plt.style.context("clpt_control.data.house")
 def main(path="tank.png"):
     """Run each controller, print, draw."""
-    figure, (levels, valves) = plt.subplots(2, sharex=True, layout="constrained", figsize=(6.4, 5))
+    figure, (levels, valves) = plt.subplots(2, sharex=True, figsize=(6.4, 5))
     levels.plot(TIMES, WANTED, "k--", lw=1, label="wanted")
     print("| controller | overshoot (m) | within 0.02 m after (s) | mean error (m) |")
     print("|---|---|---|---|")
@@ -73,7 +74,7 @@ def main(path="tank.png"):
     levels.set(ylabel="level (m)")
     valves.set(ylabel="valve", xlabel="time (s)")
     levels.legend(frameon=False, fontsize=8)
-    figure.savefig(Path(path), dpi=150)
+    figure.savefig(Path(path))
     plt.close(figure)
     print(f"{path}: written")
 

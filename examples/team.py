@@ -9,13 +9,12 @@ team.png) shows where they swim and what they learn.
 import sys
 from pathlib import Path
 
+import matplotlib.pyplot as plt
 import numpy as np
 
 import clpt_control as clpt
-from clpt_control.figures import BLUE, GREY, RED, new_figure
-from clpt_control.files import write_figure
 
-COLOURS = {"west": BLUE, "east": RED}
+COLOURS, GREY = {"west": "C0", "east": "C1"}, "#666666"
 STYLES = {"west": "--", "east": "-."}
 
 
@@ -24,6 +23,7 @@ def largest_error(run):
     return abs(run.flow_parameters_estimate - run.flow_parameters).max(("axis", "basis"))
 
 
+@plt.style.context("clpt_control.data.house")
 def main(path="team.png"):
     """Run, compare, draw."""
     team = clpt.load_team(Path(clpt.__file__).parent / "data" / "team.toml")
@@ -38,13 +38,15 @@ def main(path="team.png"):
         )
     together = float(largest_error(run)[:, -1].max())
     print(f"the team: smallest eigenvalue {smallest['team']:.3g}, largest error {together:.1e}")
-    write_figure(figure(team, run, alone), Path(path))
+    drawn = figure(team, run, alone)
+    drawn.savefig(Path(path))
+    plt.close(drawn)
     print(f"{path}: written")
 
 
 def figure(team, run, alone):
     """Draw where the vehicles swim, and their largest errors alone and together."""
-    drawn, (chart, errors) = new_figure(6.4, 5.6, nrows=2)
+    drawn, (chart, errors) = plt.subplots(2, figsize=(6.4, 5.6))
     basis, units, turn = team.first.basis, team.first.units, np.linspace(0, 2 * np.pi, 100)
     for center, width in sorted(set(zip(basis.centers, basis.widths, strict=True))):
         ring = np.array(center)[:, None] + 2 * width * np.array([np.cos(turn), np.sin(turn)])

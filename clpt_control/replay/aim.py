@@ -191,6 +191,7 @@ def aims(
     speed: float | None = None,
     duration: float | None = None,
     variation: float | None = None,
+    start: tuple[float, float, float] | None = None,
 ) -> list[Aim]:
     """Aim at waypoints in their order, leg by leg.
 
@@ -207,6 +208,9 @@ def aims(
         Of a dive, s; by default the median of the last five.
     variation : float, optional
         Magnetic, degrees east; by default the last dive's own, else IGRF's.
+    start : tuple of float, optional
+        Time (s since 1970), latitude and longitude where the dive begins; by default where
+        the replay expects it.
 
     Returns
     -------
@@ -230,16 +234,18 @@ def aims(
     """
     targets = [checked_target(*place) for place in targets]
     V, T = usual(replay, speed, duration)
-    last, start = replay.steps[-1].dive, replay.start()
-    pause = start[0] - last.t_gpse
+    last, at = replay.steps[-1].dive, replay.start()
+    pause = at[0] - last.t_gpse
+    if start is not None:
+        at = (start[0], *checked_target(*start[1:]))
     found: list[Aim] = []
     for target in targets:
-        leg = aim(replay, start, target, V, T)
-        found.append(replace(leg, variation=_variation(last, start, variation)))
+        leg = aim(replay, at, target, V, T)
+        found.append(replace(leg, variation=_variation(last, at, variation)))
         plan = leg.ahead.plan
         if leg.dives is None or leg.dives * plan.duration > YEAR:
             break
-        start = (start[0] + max(leg.dives, 1.0) * plan.duration + pause, *target)
+        at = (at[0] + max(leg.dives, 1.0) * plan.duration + pause, *target)
     return found
 
 

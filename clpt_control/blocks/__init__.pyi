@@ -1,0 +1,3 @@
+from .laws.table import table_of_laws
+
+__all__ = ["table_of_laws"]
