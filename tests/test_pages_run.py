@@ -2,7 +2,8 @@
 
 A page begins in an empty folder, and its blocks run in their order: `python` in one space, `sh`
 in a shell that finds `clpt` first.  A block whose first line is `# NAME.py` or `# NAME.toml` is
-that file.  `text` right after `python` is what it prints; a `console` shows commands after `$`
+that file.  `c` is compiled and run, where there is a compiler.  `text` right after `python` or `c`
+is what it prints; a `console` shows commands after `$`
 and what they print, `...` standing for lines left out.  What cannot run says why, visibly, in
 its first line: `# not run by the tests: REASON`.  Notebooks are run by `make docs`.
 """
@@ -31,7 +32,7 @@ FENCE = re.compile(r"^(`{3,})([^\n`]*)\n(.*?)^\1[ ]*$", re.M | re.S)
 FILE = re.compile(r"# ([\w.-]+\.(?:py|toml|csv))\n")
 LEFT_OUT = re.compile(r"# not run by the tests: \S.*\n")
 NUMBER = re.compile(r"-?\d+\.\d+(?=[\],])")
-LANGUAGES = {"python", "sh", "console", "toml", "text", "csv", "mermaid"}
+LANGUAGES = {"python", "sh", "console", "toml", "text", "csv", "mermaid", "c"}
 
 
 class Block(NamedTuple):
@@ -112,6 +113,11 @@ def run(block, space, where):
         assert status == 0, f"{where}: status {status}: {out}"
     elif block.language == "console":
         check_console(block.text, where)
+    elif block.language == "c" and shutil.which("cc"):
+        Path("main.c").write_text(block.text, "utf-8")
+        status, out = shell("cc -std=c99 -Wall -Wextra -pedantic main.c -o main -lm; ./main")
+        assert status == 0, f"{where}: status {status}: {out}"
+        return out
     return ""
 
 

@@ -83,7 +83,7 @@ def application() -> "typer.Typer":
     from .laws_and_proofs import laws, prove, refute
     from .many_runs import ensemble, tune
     from .measurements import estimate, fit, tides
-    from .one_scenario import diagram, init, paper, run
+    from .one_scenario import diagram, export, init, paper, run
     from .replay import replay
     from .replay_report import WithPlaces
     from .to_show import animate, report
@@ -98,7 +98,7 @@ def application() -> "typer.Typer":
     )
     app.callback()(clpt)
     groups = {  # in the order of a user's day
-        "One experiment": (paper, init, run, diagram),
+        "One experiment": (paper, init, run, diagram, export),
         "Many runs": (ensemble, tune),
         "Theory": (laws, prove, refute, excitation, certify, design),
         "Measurements": (fit, tides, estimate, replay),

@@ -1,4 +1,4 @@
-"""`clpt init`, `clpt paper`, `clpt run`, `clpt diagram`: one scenario."""
+"""`clpt init`, `clpt paper`, `clpt run`, `clpt diagram`, `clpt export`: one scenario."""
 
 from importlib import resources
 from pathlib import Path
@@ -124,4 +124,17 @@ def diagram(
         say(clpt.diagrams.mermaid(wired))
         return
     clpt.draw(wired, out)
+    say(f"{out}: written")
+
+
+def export(
+    scenario: ScenarioFile,
+    out: Path = opt("FILE", "The file of C.", "-o", "--out", default=...),
+) -> None:
+    """Write a scenario's closed loop as one file of C99.
+
+    Example:
+        clpt export mine.toml -o loop.c
+    """
+    clpt.export_c(clpt.load_scenario(scenario), out)
     say(f"{out}: written")

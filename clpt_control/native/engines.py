@@ -120,7 +120,7 @@ def difference(
                 break
         else:
             runner.sweep.derivative(t[0], moved, None if inputs is None else inputs.at(t[0]))
-            found = _block(runner, float(t[0]), moved)
+            found = read_otherwise(runner, float(t[0]), moved)
             return found or f"at t = {t[0]:.6g} its rates are not those of its functions"
     return None
 
@@ -175,7 +175,7 @@ def _same(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     return np.all(near | (a == b) | (np.isnan(a) & np.isnan(b)), axis=-1)
 
 
-def _block(runner: NativeDiagram, t: float, x: np.ndarray) -> str | None:
+def read_otherwise(runner: PythonDiagram, t: float, x: np.ndarray) -> str | None:
     """Name the block whose record differs from its functions, on the last pass's inputs."""
     sweep = runner.sweep
     for k, node in enumerate(runner.wiring.nodes):

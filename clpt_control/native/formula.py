@@ -38,10 +38,11 @@ def joined(a: Any, b: Any, c: Any) -> Any:
     return a * b + c
 
 
-class _AsWritten(Components):
+class AsWritten(Components):
     """What a formula computes, in which nothing stands for a whole run."""
 
     def is_steady(self, value: Value) -> bool:
+        """Whether a value is prepared once: none is."""
         return False
 
 
@@ -63,7 +64,7 @@ def program_of_formulas(formulas: Mapping[str, Formula], n: int) -> Program:
             [Port(r * n, (n,), (True,), operand(value)) for r, value in rows.items()],
             [Port(r, (), (), operand(value)) for r, value in numbers.items()],
         )
-    made = _AsWritten(SimpleNamespace(entries=[Entry(*one, WIRE) for one in tape.operations]), 0, 0)
+    made = AsWritten(SimpleNamespace(entries=[Entry(*one, WIRE) for one in tape.operations]), 0, 0)
     writes = {name: made.writes(x, "X") + made.writes(t, "t") for name, (x, t) in ports.items()}
     plan = Planner(made)
     # loops come first: numbers of the lane are read in them, and written behind them

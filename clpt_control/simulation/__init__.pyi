@@ -1,3 +1,4 @@
+from .export import export_c
 from .film import animate
 from .fitting import Fit, fit_parameters
 from .flows import explained_variance, flow_velocity
@@ -20,6 +21,7 @@ __all__ = [
     "compare",
     "error_loop",
     "explained_variance",
+    "export_c",
     "fit_parameters",
     "flow_velocity",
     "initial_state",

@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
+from warnings import catch_warnings, simplefilter
 
 import control
 import numpy as np
@@ -18,6 +19,7 @@ from ..diagrams.wiring import Wiring, entries, read_anew, units_of, wiring_of
 from ..equations.declaration import ports_of, whole_labels
 from ..equations.linear import linear
 from ..native.engines import VARIABLE, chosen, run_as_read
+from ..native.native_diagram import NativeDiagram
 from ..native.schedule import open_sizes, read_inputs, stacked_state
 from ..scenario.file import OWN_PARTS, REFERENCE
 from .dataset import Frame, columns_of, diagram_frame, run_frame
@@ -113,6 +115,20 @@ def units_shown(wiring: Wiring) -> list[str]:
     found = [rows.get(k, []) for k in range(wiring.output_map.shape[0])]
     alone = [row[0][0] if len(row) == 1 and row[0][1] == 1.0 else None for row in found]
     return ["" if at is None else every[at] for at in alone] + given
+
+
+def compiled(
+    diagram: control.NonlinearIOSystem,
+    params: Mapping[str, Any] | None,
+    sizes: tuple[int | None, int | None] = (None, None),
+) -> DiagramRun:
+    """Return a diagram that runs as machine code; what cannot be that is `Uncompiled`."""
+    with catch_warnings():
+        simplefilter("ignore")  # that it runs in Python
+        run = DiagramRun(diagram, params, sizes, False, "native")
+    if run.runner.engine != "native":
+        NativeDiagram(run.wiring, params)
+    return run
 
 
 @contextmanager

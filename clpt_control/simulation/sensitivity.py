@@ -20,14 +20,14 @@ from ..diagrams.wiring import Wiring
 from ..equations.arrays import Unread
 from ..equations.declaration import ports_of
 from ..equations.linear import linear
-from ..errors import SimulationError
+from ..errors import SimulationError, Uncompiled
 from ..native.ending import Solution
 from ..native.engines import difference
 from ..native.native_diagram import NativeDiagram
 from ..native.schedule import checked_times, open_sizes, read_inputs, stacked_state
 from ..scenario.experiment import Scenario
 from .dataset import diagram_frame
-from .diagram_run import DiagramRun, units_shown
+from .diagram_run import compiled, units_shown
 from .loops import closed_loop
 from .starts import initial_state as start_of
 
@@ -126,7 +126,10 @@ class Sensitive:
         if callable(inputs):
             raise SimulationError("inputs: a sensitivity takes no function; give samples")
         sizes = open_sizes(system, inputs, initial_state, times)
-        run = DiagramRun(system, params, sizes, False, "native")
+        try:
+            run = compiled(system, params, sizes)
+        except Uncompiled as error:
+            raise SimulationError(f"{self.name}: has no known derivative: {error}") from None
         self.wiring, self.given, self.states = run.wiring, run.runner.sweep.given, run.states
         outputs = slice(self.wiring.output_map.shape[0])
         self.labels, self.units = run.labels[outputs], units_shown(run.wiring)[outputs]

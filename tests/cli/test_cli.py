@@ -103,6 +103,13 @@ def test_diagram_prints_mermaid_and_writes_svg(clpt, tmp_path):
     assert ".svg" in outcome.err
 
 
+def test_export_writes_c(clpt, tmp_path):
+    clpt("init", tmp_path / "p.toml")
+    outcome = clpt("export", tmp_path / "p.toml", "-o", tmp_path / "p.c")
+    assert outcome.out == f"{tmp_path / 'p.c'}: written\n"
+    assert "void closed_loop_step(" in (tmp_path / "p.c").read_text()
+
+
 def test_help_imports_nothing_heavy():
     code = (
         "import sys; sys.argv = ['clpt', '--help']\n"

@@ -254,3 +254,10 @@ def test_what_is_not_known_is_said():
                          to="p.A[1,0]")  # fmt: skip
     with pytest.raises(clpt.SimulationError, match="takes no function"):
         clpt.sensitivity(mrac(), [0.0, 1.0], to="gain", inputs=lambda t: [t])
+
+    def unread(t, x, u, p):
+        return [float(str(x[0]))]
+
+    odd = control.nlsys(unread, None, name="odd", states=["x"], inputs=0, outputs=["x"])
+    with pytest.raises(clpt.SimulationError, match=r"odd: has no known derivative.*unread"):
+        clpt.sensitivity(odd, [0.0, 1.0])

@@ -1,0 +1,311 @@
+"""A diagram as one file of C99, for a board or another simulator.
+
+What runs here as machine code is printed as C (`native.c_text`): outputs, rates or the next state,
+a step of Runge and Kutta's method of order 4 or of the diagram's own time, and what sampled parts
+do between two steps.  Nothing is allocated, and of the C library only math.h is used.
+"""
+
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import control
+import numpy as np
+
+from ..arguments import public
+from ..diagrams.varied import read_as_number
+from ..diagrams.wiring import entries
+from ..equations.declaration import Each, ports_of
+from ..equations.linear import linear
+from ..errors import DiagramError, Uncompiled
+from ..files import beside
+from ..native.c_text import Program, Record, number
+from ..native.diagram_record import LARGE, lay_out
+from ..native.engines import read_otherwise
+from ..native.schedule import stacked_state
+from ..scenario.experiment import Scenario
+from .diagram_run import DiagramRun, compiled
+from .loops import closed_loop
+from .starts import initial_state as start_of
+
+FIXED = " fixed"
+ROUNDING = "1e-9"  # of a period, by which a time may be off a sample
+
+
+@public
+def export_c(
+    system: Scenario | control.InputOutputSystem,
+    path: str | Path | None = None,
+    initial_state: Any = None,
+    params: Mapping[str, Any] | None = None,
+) -> str:
+    """Write a diagram as one self-contained file of C99.
+
+    Parameters
+    ----------
+    system : Scenario or control.InputOutputSystem
+        A scenario, a diagram, a block or a system of python-control.
+    path : str or Path, optional
+        The file; without it nothing is written.
+    initial_state : array_like, optional
+        The state that the file has as its start; a scenario's own without.
+    params : mapping, optional
+        Call-time parameters that the file has as its own.
+
+    Returns
+    -------
+    str
+        The text, which says in its head how it is called. Names of states, inputs, outputs and
+        parameters are enums; parameters are an array that the caller may change.
+
+    Raises
+    ------
+    DiagramError
+        If a function is not read, or a block jumps at times that only a function of Python knows.
+
+    Examples
+    --------
+    >>> import control
+    >>> import clpt_control as clpt
+    >>> text = clpt.export_c(control.tf(1, [0.5, 1], name="lag"))
+    >>> [line for line in text.splitlines() if line.startswith("void lag_step")]
+    ['void lag_step(double t, double dt, double *x, const double *u, const double *p) {']
+    """
+    if isinstance(system, Scenario):
+        system = closed_loop(system)
+    if isinstance(system, control.TransferFunction):
+        system = linear(system)
+    if initial_state is None and getattr(system, "made_of", None) is not None:
+        initial_state = start_of(system)
+    own = 0.0 if initial_state is None else initial_state
+    try:
+        run = compiled(system, params)
+        start = stacked_state("initial_state", own, run.runner.nstates)
+        text = "".join(_File(run, start).parts())
+    except Uncompiled as error:
+        raise DiagramError(f"{system.name}: has no C: {error}") from None
+    if path is not None:
+        with beside(Path(path)) as made:
+            made.write_text(text, "utf-8")
+    return text
+
+
+class _File:
+    """The parts of a file."""
+
+    def __init__(self, run: DiagramRun, start: np.ndarray):
+        self.run, self.wiring, self.start = run, run.wiring, start
+        sweep = run.runner.sweep
+        sweep.enter(0.0)
+        sweep.derivative(0.0, start)
+        if found := read_otherwise(run.runner, 0.0, start):
+            raise Uncompiled(found)
+        self.given = sweep.given
+        apart = {  # of equal ones too; long arrays are tables
+            (k, field)
+            for k, p in enumerate(self.given)
+            for field, value in p._asdict().items()
+            if np.size(value) <= LARGE
+        }
+        self.layout = lay_out(self.wiring, self.given, apart)
+        self.record = Record(self.wiring, self.layout)
+        self.program = Program(self.record, run.runner.nsignals)
+        self.name = _word(run.diagram.name)
+        outputs = self.wiring.output_map.shape[0]
+        self.labels = {
+            "x": _labels(run.states),
+            "u": _labels(run.labels[outputs:]),
+            "y": _labels(run.labels[:outputs]),
+        }
+
+    def parts(self) -> Iterator[str]:
+        """Yield the text."""
+        discrete, kept = bool(self.wiring.dt), self.record.kept
+        named, values = self.parameters()
+        yield self.head(discrete)
+        for letter, labels in {**self.labels, "p": named}.items():
+            yield self.enum(letter, labels, len(values) if letter == "p" else len(labels))
+        for name, own in (("p0", values), ("x0", self.start)):
+            yield f"const double {self.name}_{name}[] = {{{_numbers(own)}}};\n"
+        yield "\n"
+        yield from self.program.shared(self.layout.T)
+        for name in self.program.functions:
+            yield "\n" + self.program.function(name)
+        yield "\n" + self.intervals()
+        made = f"    double kept[{max(1, len(kept))}];\n    kept_(t, p, kept);\n"
+        n, room = max(1, len(self.start)), self.program.made.room
+        public = "double t, const double *x, const double *u, const double *p"
+        yield f"\nvoid {self.name}_outputs({public}, double *y) {{\n{made}"
+        yield f"    double w[{max(1, room)}];\n    signals_(t, x, u, p, kept, w);\n"
+        yield "".join(f"    {line}\n" for line in self.outputs()) + "}\n"
+        yield f"\nvoid {self.name}_rates({public}, double *dx) {{\n{made}"
+        yield "    rates_(t, x, u, p, kept, dx);\n}\n"
+        yield f"\nvoid {self.name}_step(double t, double dt, double *x, const double *u, "
+        yield f"const double *p) {{\n{made}"
+        yield (DISCRETE if discrete else RUNGE_KUTTA).format(n=n, count=len(self.start))
+        if self.layout.jumps:
+            yield self.jumping()
+        yield "}\n"
+
+    def parameters(self) -> tuple[list[str], np.ndarray]:
+        """Return the names of parameters by place, and their values."""
+        named = {}
+        for (k, field), (array, first) in self.layout.slots.items():
+            if array == "P" and first not in self.record.kept:
+                label = f"{self.wiring.nodes[k].name}.{field}"
+                if read_as_number(self.wiring.nodes[k].system, field):
+                    label += FIXED
+                at = self.record.place(first)
+                shape = np.shape(getattr(self.given[k], field))
+                for j, place in enumerate(np.ndindex(shape)):
+                    named[at + j] = f"{label}[{','.join(map(str, place))}]" if place else label
+        values = np.delete(self.layout.P, self.record.kept)
+        return [named[at] for at in sorted(named)], values
+
+    def enum(self, letter: str, labels: list[str], count: int) -> str:
+        """Return an enum of names, with their number."""
+        words: list[str] = []
+        for label in labels:
+            word = own = f"{self.name}_{letter}_{_word(label)}"
+            while word in words:
+                word = f"{own}_{len(words)}"
+            words.append(word)
+        lines = [f"    {w},  /* {label} */\n" for w, label in zip(words, labels, strict=True)]
+        return f"enum {{\n{''.join(lines)}    {self.name}_n{letter} = {count}\n}};\n"
+
+    def outputs(self) -> Iterator[str]:
+        """Yield what outputs are of signals and inputs."""
+        signals, rows = self.run.runner.nsignals, entries(self.wiring.output_map)
+        for k in range(self.wiring.output_map.shape[0]):
+            terms = [
+                (f"w[{at}]" if at < signals else f"u[{at - signals}]", gain)
+                for at, gain in rows.get(k, [])
+            ]
+            parts = [one if gain == 1.0 else f"{number(gain)} * {one}" for one, gain in terms]
+            yield f"y[{k}] = {' + '.join(parts) or '0.0'};"
+        yield "(void)u; (void)y;"
+
+    def intervals(self) -> str:
+        """Return the function that says in which interval each block is."""
+        lines = []
+        for j, k in enumerate(self.layout.intervals):
+            node, fixed = self.wiring.nodes[k], float(self.given[k].interval)
+            each = node.system.breakpoints_function
+            if fixed >= 0.0:
+                lines.append(f"kept[{j}] = {number(fixed)};")
+                continue
+            if not isinstance(each, Each):
+                raise Uncompiled(
+                    f"{node.name} jumps at times that a function of Python says; C knows "
+                    "multiples of a period, clpt.equations.Sampled or Each"
+                )
+            period = each.period
+            if isinstance(period, str):
+                period = f"p[{self.record.place(self.layout.slots[k, period].offset)}]"
+            else:
+                period = number(float(period))
+            part = "" if each.part == 1.0 else f"{number(each.part)} * "
+            lines.append(f"kept[{j}] = floor(t / ({part}{period}) + {ROUNDING});")
+        lines += [f"kept[{self.place(k)}] = 0.0;" for k in self.layout.jumps]
+        body = "".join(f"    {line}\n" for line in [*lines, "(void)t; (void)p; (void)kept;"])
+        return f"static void kept_(double t, const double *p, double *kept) {{\n{body}}}\n"
+
+    def place(self, k: int) -> int:
+        """Return where it stands whether a block jumps."""
+        return len(self.layout.intervals) + list(self.layout.jumps).index(k)
+
+    def jumping(self) -> str:
+        """Return the end of a step, at which blocks jump, and the beginning of a run."""
+        at = {k: j for j, k in enumerate(self.layout.intervals)}
+        count, n = len(self.record.kept), max(1, len(self.start))
+        asked = [f"after[{self.place(k)}] = after[{at[k]}] != kept[{at[k]}];"
+                 for k in self.layout.jumps]  # fmt: skip
+        some = " + ".join(f"after[{self.place(k)}]" for k in self.layout.jumps)
+        step = "".join(f"    {line}\n" for line in asked)
+        begin = [
+            f"kept[{self.place(k)}] = fabs(t / {number(self.wiring.nodes[k].system.period)} - "
+            f"floor(t / {number(self.wiring.nodes[k].system.period)} + 0.5)) < {ROUNDING} ? -1.0 "
+            ": 0.0;"
+            for k in self.layout.jumps if self.wiring.nodes[k].system.kept is not None
+        ]  # fmt: skip
+        return JUMP.format(
+            count=count, n=n, asked=step, some=some, name=self.name, states=len(self.start),
+            begin="".join(f"    {line}\n" for line in begin),
+        )  # fmt: skip
+
+    def head(self, discrete: bool) -> str:
+        """Return what the file says of itself."""
+        own = self.name
+        step = "one step of the diagram's own time; dt is not used" if discrete else (
+            "one step of Runge and Kutta's method of order 4, inputs held"
+        )  # fmt: skip
+        lines = [
+            f"{self.run.diagram.name}: made by clpt-control (export_c). C99, math.h alone.",
+            "",
+            f"double x[{own}_nx];  copy {own}_x0 into it; p: {own}_p0, or your own copy.",
+            f"{own}_outputs(t, x, u, p, y): all outputs.",
+            f"{own}_rates(t, x, u, p, dx): {'the next state' if discrete else 'dx/dt'}.",
+            f"{own}_step(t, dt, x, u, p): {step}.",
+        ]
+        if self.layout.jumps:
+            lines.append(f"{own}_begin(t, x, u, p): call it once before the first step.")
+        if self.layout.intervals:
+            lines.append("dt must divide the periods at which blocks sample or jump.")
+        if any(FIXED in label for label in self.parameters()[0]):
+            lines.append("A parameter that is fixed was asked for its value: it is in the code.")
+        lines.append("Where there are none of these, pass any array. Guards are not in this file.")
+        body = "".join(f" * {line}".rstrip() + "\n" for line in lines)
+        return f"/*\n{body} */\n#include <math.h>\n\n"
+
+
+RUNGE_KUTTA = """\
+    double k[4][{n}], z[{n}];
+    rates_(t, x, u, p, kept, k[0]);
+    for (int i = 0; i < {count}; i++) z[i] = x[i] + 0.5 * dt * k[0][i];
+    rates_(t + 0.5 * dt, z, u, p, kept, k[1]);
+    for (int i = 0; i < {count}; i++) z[i] = x[i] + 0.5 * dt * k[1][i];
+    rates_(t + 0.5 * dt, z, u, p, kept, k[2]);
+    for (int i = 0; i < {count}; i++) z[i] = x[i] + dt * k[2][i];
+    rates_(t + dt, z, u, p, kept, k[3]);
+    for (int i = 0; i < {count}; i++)
+        x[i] += dt / 6.0 * (k[0][i] + 2.0 * k[1][i] + 2.0 * k[2][i] + k[3][i]);
+"""
+DISCRETE = """\
+    double z[{n}];
+    (void)dt;
+    rates_(t, x, u, p, kept, z);
+    for (int i = 0; i < {count}; i++) x[i] = z[i];
+"""
+JUMP = """\
+    double after[{count}];
+    kept_(t + dt, p, after);
+{asked}    if ({some} > 0.0) {{
+        jump_(t + dt, x, u, p, after, z);
+        for (int i = 0; i < {states}; i++) x[i] = z[i];
+    }}
+}}
+
+void {name}_begin(double t, double *x, const double *u, const double *p) {{
+    double kept[{count}], z[{n}];
+    kept_(t, p, kept);
+{begin}    jump_(t, x, u, p, kept, z);
+    for (int i = 0; i < {states}; i++) x[i] = z[i];
+"""
+
+
+def _word(text: str) -> str:
+    """Return a name as C takes it."""
+    word = re.sub(r"\W+", "_", text, flags=re.ASCII).strip("_")
+    return word if word[:1].isalpha() else f"n{word}"
+
+
+def _labels(given: Sequence[str]) -> list[str]:
+    """Return labels, of a port of one signal its name."""
+    ports = ports_of(given)
+    alone = {f"{port}[0]": port for port, places in ports.items() if len(places) == 1}
+    return [alone.get(label, label) for label in given]
+
+
+def _numbers(values: Iterable[float]) -> str:
+    return ", ".join(map(number, values)) or "0.0"

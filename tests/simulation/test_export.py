@@ -1,0 +1,208 @@
+"""C that is exported: compiled without a warning, and the numbers of the blocks that run."""
+
+import ctypes
+import re
+import shutil
+import subprocess
+
+import control
+import numpy as np
+import pytest
+from test_sensitivity import discrete, mrac, pendulum, sampled_tank, stepping
+
+import clpt_control as clpt
+from clpt_control.blocks.field import gridded_flow
+from clpt_control.blocks.vehicle import vehicle
+from clpt_control.currents.field_file import GriddedField
+from clpt_control.equations.declaration import Each
+
+COMPILER = shutil.which("cc")
+needs_cc = pytest.mark.skipif(COMPILER is None, reason="no C compiler on this machine")
+FLAGS = ["-std=c99", "-Wall", "-Wextra", "-pedantic", "-Werror", "-O2", "-shared", "-fPIC"]
+
+
+class InC:
+    """A diagram's C, compiled."""
+
+    def __init__(self, system, folder, **given):
+        file = folder / "made.c"
+        self.text = clpt.export_c(system, file, **given)
+        assert file.read_text() == self.text
+        assert re.findall(r"#include.*", self.text) == ["#include <math.h>"]
+        assert not re.search(r"\b(malloc|calloc|free|printf)\b", self.text)
+        made = folder / "made.so"
+        subprocess.run([COMPILER, *FLAGS, "-o", made, file, "-lm"], check=True)
+        self.library = ctypes.CDLL(str(made))
+        self.name = re.search(r"(\w+)_nx = ", self.text).group(1)
+        counts = {
+            letter: int(re.search(rf"{self.name}_n{letter} = (\d+)", self.text).group(1))
+            for letter in "xuyp"
+        }
+        self.counts = counts
+        self.p, self.x0 = self.array("p0", counts["p"]), self.array("x0", counts["x"])
+
+    def array(self, name, count):
+        if not count:
+            return np.zeros(1)
+        return np.array((ctypes.c_double * count).in_dll(self.library, f"{self.name}_{name}"))
+
+    def call(self, name, times, *arrays):
+        pointers = [a.ctypes.data_as(ctypes.POINTER(ctypes.c_double)) for a in arrays]
+        getattr(self.library, f"{self.name}_{name}")(*map(ctypes.c_double, times), *pointers)
+
+    def outputs(self, t, x, u):
+        y = np.zeros(max(1, self.counts["y"]))
+        self.call("outputs", [t], x, u, self.p, y)
+        return y[: self.counts["y"]]
+
+    def rates(self, t, x, u):
+        dx = np.zeros(max(1, self.counts["x"]))
+        self.call("rates", [t], x, u, self.p, dx)
+        return dx[: self.counts["x"]]
+
+    def run(self, x, u, h, steps, begin=False):
+        """Return states after each step, from the first."""
+        x = np.array(x)
+        if begin:
+            self.call("begin", [0.0], x, u, self.p)
+        found = [x.copy()]
+        for k in range(steps):
+            self.call("step", [k * h, h], x, u, self.p)
+            found.append(x.copy())
+        return np.array(found)
+
+
+def with_a_table():
+    """A plant whose gain is a table, and whose output is in wholes of it."""
+    at, gains = np.linspace(-2.0, 2.0, 9), np.array([3.0, 2, 1.5, 1, 1, 1.2, 1.7, 2.5, 4])
+
+    def update(t, x, u, p):
+        return [u[0] - p["k"] * np.interp(x[0], at, gains) * x[0] + 0.1 * np.hypot(x[0], 1.0)]
+
+    def output(t, x, u, p):
+        row = np.array([1.0, 2.0, 5.0])
+        place = np.clip(np.floor(x[0] + 1.0), 0, 2)
+        return [clpt.equations.lookup(row, place), x[0] // 0.3, x[0] % -0.3, np.sign(x[0]),
+                max(x[0], u[0]), min(x[0], 0.2), abs(x[0]), np.exp(x[0]) ** 0.5]  # fmt: skip
+
+    return control.nlsys(update, output, name="table", states=["x"], inputs=["u"],
+                         outputs=list("abcdefgh"), params={"k": 0.8})  # fmt: skip
+
+
+def teeth():
+    return clpt.Block(
+        "teeth", update=lambda t, x, u, p: {"x": -p.slope * x.x + p.interval, "y": x.x[0] * u.v},
+        states={"x": 3, "y": 1}, inputs={"v": 1},
+        jump=lambda t, x, u, p: {"x": 0.5 * x.x + p.interval, "y": x.y + u.v},
+        breakpoints=Each("period"), parameters={"slope": 1.0, "period": 0.5, "interval": -1.0},
+    )  # fmt: skip
+
+
+def wide():
+    """A ring of 40 states, which stays a loop."""
+
+    def update(t, x, u, p):
+        return {"x": np.tanh(p.W @ x.x) - p.leak * x.x + np.sum(x.x) / 40}
+
+    W = np.random.default_rng(0).standard_normal((40, 40)) / 8
+    return clpt.Block("ring", update=update, states={"x": 40}, parameters={"W": W, "leak": 1.0})
+
+
+LOOP = clpt.closed_loop(clpt.paper_scenario())
+MODELS = {
+    "papers-loop": (LOOP, clpt.initial_state(LOOP), [], 0.05),
+    "pendulum": (pendulum(), [1.0, 0.0], [0.7], 0.01),
+    "if": (stepping(), [0.0], [], 0.01),
+    "ss": (control.ss([[0.0, 1.0], [-2.0, -0.3]], [[0.0], [1.0]], np.eye(2), [[0.0], [0.5]],
+                      name="plant"), [1.0, 0.0], [0.3], 0.01),
+    "mrac": (mrac(), [0.0] * 4, [1.0], 0.01),
+    "sampled-tank": (sampled_tank(), [0.1, 0.0, 0.0], [], 0.125),
+    "table": (with_a_table(), [0.3], [0.9], 0.01),
+    "teeth": (clpt.connect([teeth()], external="v"), [1.0, 0.5, 0.0, 0.0], [0.4], 0.125),
+    "ring": (clpt.connect([wide()]), np.linspace(-1.0, 1.0, 40), [], 0.01),
+    "discrete": (discrete(), [0.2, 1.0], [1.0], 1.0),
+}  # fmt: skip
+
+
+@needs_cc
+@pytest.mark.parametrize("name", MODELS)
+def test_the_numbers_are_those_of_the_blocks(name, tmp_path):
+    system, start, u, h = MODELS[name]
+    made = InC(system, tmp_path, initial_state=start)
+    runner, u = clpt.native.NativeDiagram(system), np.array([*u, 0.0])
+    start, m = np.array(start, float), runner.wiring.ninputs
+    assert made.x0 == pytest.approx(start)
+    random = np.random.default_rng(1)
+    for t in (0.0, 0.7, 3.1):
+        x = start + 0.3 * np.abs(random.standard_normal(len(start)))
+        runner.sweep.enter(t)
+        rates = runner.sweep.derivative(t, x, u[:m])
+        assert made.rates(t, x, u) == pytest.approx(rates, rel=1e-12, abs=1e-12)
+        assert made.outputs(t, x, u) == pytest.approx(runner.sweep.outputs(), rel=1e-12, abs=1e-12)
+    times = h * np.arange(1001)
+    step = {} if name == "discrete" else {"step": h}
+    ours = runner.run(start, times, inputs=u[:m] if m else None, **step).x
+    theirs = made.run(start, u, h, 1000, begin="_begin(" in made.text)
+    assert np.abs(theirs - ours).max() <= 1e-12 * max(1.0, np.abs(ours).max())
+
+
+@needs_cc
+def test_parameters_may_be_changed(tmp_path):
+    made = InC(pendulum(), tmp_path, params={"l": 2.0})
+    assert made.p == pytest.approx([9.81, 2.0, 0.3])
+    names = re.findall(r"(pendulum_p_\w+),", made.text)
+    assert names == ["pendulum_p_pendulum_g", "pendulum_p_pendulum_l", "pendulum_p_pendulum_c"]
+    made.p[0] = 1.6
+    rates = made.rates(0.0, np.array([0.5, 0.0]), np.zeros(1))
+    assert rates == pytest.approx([0.0, -0.8 * np.sin(0.5)])
+
+
+def test_a_parameter_that_was_asked_for_is_fixed():
+    def update(t, x, u, p):
+        return [-p["k"] * x[0] if p["n"] > 2 else -x[0]]
+
+    system = control.nlsys(update, None, name="a", states=["x"], inputs=0, outputs=["x"],
+                           params={"k": 1.0, "n": 3.0})  # fmt: skip
+    text = clpt.export_c(system)
+    assert "a_p_a_k,  /* a.k */" in text
+    assert "a_p_a_n_fixed,  /* a.n fixed */" in text
+    assert "it is in the code" in text
+
+
+@needs_cc
+def test_equal_parameters_of_two_blocks_are_two(tmp_path):
+    lags = [control.ss(-2.0, 1.0, 1.0, 0.0, name=name, inputs=i, outputs=o)
+            for name, i, o in (("one", "u", "v"), ("two", "v", "y"))]  # fmt: skip
+    made = InC(clpt.connect(lags, external="u"), tmp_path)
+    assert made.counts["p"] == 6
+
+
+@needs_cc
+def test_a_gridded_field_is_a_table(tmp_path):
+    random = np.random.default_rng(5)
+    axes = np.linspace(0, 6, 7), np.linspace(-20, 20, 6), np.linspace(-30, 30, 18)
+    field = GriddedField(*axes, *random.normal(size=(2, 7, 6, 18)))
+    loop = clpt.connect([gridded_flow(field), vehicle()], external="v_x")
+    made, runner = InC(loop, tmp_path), clpt.native.NativeDiagram(loop)
+    assert "static const double T_[]" in made.text
+    for t, *x in ((0.0, 1.0, 2.0), (3.3, -25.0, 11.0), (5.9, 3.0, -19.0)):
+        rates = runner.sweep.derivative(t, np.array(x), np.array([0.1, 0.2]))
+        found = made.rates(t, np.array(x), np.array([0.1, 0.2]))
+        assert found == pytest.approx(rates, rel=1e-12, abs=1e-12)
+
+
+def test_what_has_no_c_is_said():
+    def at_times(p, t0, t1):
+        return np.array([t for t in (1.0, 2.5) if t0 < t <= t1])
+
+    block = clpt.Block("odd", update=lambda t, x, u, p: [p.interval], states={"x": 1},
+                       breakpoints=at_times, parameters={"interval": -1.0})  # fmt: skip
+    with pytest.raises(clpt.DiagramError, match="odd jumps at times that a function"):
+        clpt.export_c(clpt.connect([block]))
+
+    def unread(t, x, u, p):
+        return [float(str(x[0]))]
+
+    odd = control.nlsys(unread, None, name="odd", states=["x"], inputs=0, outputs=["x"])
+    with pytest.raises(clpt.ClptError, match="odd"):
+        clpt.export_c(odd)
