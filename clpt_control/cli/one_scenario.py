@@ -1,12 +1,13 @@
 """`clpt init`, `clpt paper`, `clpt run`, `clpt diagram`, `clpt export`: one scenario."""
 
+import os
 from importlib import resources
 from pathlib import Path
 
 import clpt_control as clpt
 
 from ..errors import ClptError
-from ..files import beside, check_name, check_writable, make_folder, write_together
+from ..files import beside, check_writable, make_folder, write_together
 from ..progress import progress_bar
 from .help_pages import arg, opt
 from .printing import Formats, Json, ScenarioFile, finish, say
@@ -39,8 +40,7 @@ def init(
         raise ClptError(f"--example {example}: must be one of {', '.join(EXAMPLES)}")
     name, source, then = EXAMPLES[example]
     file = file or Path(name)
-    check_name(file)
-    if file.exists():
+    if os.path.lexists(file):
         raise ClptError(f"{file}: exists already; name another file, or move this one away")
     with beside(file) as made:
         made.write_bytes((resources.files("clpt_control.data") / source).read_bytes())

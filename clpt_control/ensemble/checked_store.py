@@ -5,7 +5,8 @@ others, or more, is refused before anything in it is written.
 """
 
 import json
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -71,29 +72,28 @@ def _fewer(found: Mapping[str, Any], wanted: Mapping[str, Any]) -> bool:
     return meanings == first and found != wanted and found == {**wanted, **known}
 
 
+@contextmanager
+def _damaged(path: Path, what: str) -> Iterator[None]:
+    try:
+        yield
+    except Exception:  # a damaged file can raise anything
+        raise DataError(f"{path}: is damaged: {what}; run the ensemble again") from None
+
+
 def open_ensemble(path: Path) -> "xarray.Dataset":
     """Return the ensemble of a folder, whole or begun, checked; trajectories are read when used."""
     store = open_store(path, mode="r")
     if "diagram" in store.arguments:
         raise DataError(f"{path}: is an ensemble of a diagram, not of a scenario, and has no page")
-    try:
+    with _damaged(path, "what was asked of it does not fit what it holds"):
         arrays = _arrays_asked(store)
-    except Exception:  # a damaged file can raise anything
-        raise DataError(
-            f"{path}: is damaged: what was asked of it does not fit what it holds; run the "
-            "ensemble again"
-        ) from None
     check_store(store, arrays)
-    try:
+    with _damaged(path, "a part of it cannot be read"):
         data = store.dataset()
         for array in data.variables.values():
             if "time" not in array.dims:
                 array.load()
         done = store.group[DONE][:]
-    except Exception:  # a damaged file can raise anything
-        raise DataError(
-            f"{path}: is damaged: a part of it cannot be read; run the ensemble again"
-        ) from None
     for chunk in np.flatnonzero(done).tolist():
         kept = {name: data[name].values for name in store.kept if "time" not in data[name].dims}
         first, last = store.range(chunk)

@@ -62,8 +62,6 @@ def open_netcdf(path: str | Path, most: float = inf) -> "Iterator[xarray.Dataset
                 )
             try:
                 yield data
-            except ClptError:
-                raise
             except (OSError, RuntimeError) as error:
                 reason = _reason(error)
                 raise DataError(f"{path}: damaged: a variable cannot be read: {reason}") from None

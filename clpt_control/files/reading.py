@@ -26,13 +26,9 @@ OPEN = re.compile(r"/dev/stdin|(/dev|/proc/self)/fd/\d+")  # any other pipe may 
 OPENED = "/proc/self/fd"  # where what a process has opened has names again
 NETCDF = (b"CDF\x01", b"CDF\x02", b"CDF\x05", b"\x89HDF")  # first bytes
 UTF_16 = (b"\xff\xfe", b"\xfe\xff")  # its byte order marks
-NO_FILES = {
-    stat.S_ISDIR: "a folder",
-    stat.S_ISFIFO: "a pipe with a name",
-    stat.S_ISCHR: "a device",
-    stat.S_ISBLK: "a device",
-    stat.S_ISSOCK: "a socket",
-    stat.S_ISLNK: "a link",
+NO_FILES = {  # what is none, by the first letter that `ls -l` shows
+    **{"d": "a folder", "p": "a pipe with a name", "l": "a link", "s": "a socket"},
+    **dict.fromkeys("cb", "a device"),
 }
 
 
@@ -107,7 +103,7 @@ def check_folder(folder: Path) -> None:
 
 def kind_of(mode: int) -> str:
     """Return in words what a mode is that is no file's."""
-    return next((kind for test, kind in NO_FILES.items() if test(mode)), "no file")
+    return NO_FILES.get(stat.filemode(mode)[0], "no file")
 
 
 def read_text(path: str | Path, no_text: str) -> str:

@@ -65,11 +65,10 @@ def _own(path: Path) -> Iterator[Path]:
 
 def kept(path: Path) -> bytes | None:
     """Return what a file of the cache holds; None where it is not there, or not the user's own."""
-    try:
-        with _own(path) as own, opened(own) as file:
-            return file.read() if trusted(os.fstat(file.fileno())) else None
-    except (DataError, OSError):
-        return None
+    with suppress(DataError, OSError), _own(path) as own, opened(own) as file:
+        if trusted(os.fstat(file.fileno())):
+            return file.read()
+    return None
 
 
 def keep(path: Path, data: bytes) -> None:

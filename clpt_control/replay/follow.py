@@ -14,7 +14,7 @@ the file was renamed.
 import os
 import stat
 from collections.abc import Iterable, Iterator
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 from typing import Annotated, Any, Literal, get_type_hints
 
@@ -116,9 +116,7 @@ class Follower:
             status = path.stat()
             if not stat.S_ISREG(status.st_mode):
                 return None
-            stamp = (status.st_size, status.st_mtime_ns, status.st_ctime_ns)
-            if is_segment(path):
-                stamp = _with_those_before(stamp, before)
+            stamp = _stamp(status, before if is_segment(path) else [])
             if known is not None and known.stamp is not None and _is_as(known.stamp, stamp):
                 return known
             with open(path, "rb", opener=at_once) as file:
@@ -162,16 +160,14 @@ def _is_as(known: tuple[int, int, int], stamp: tuple[int, int, int]) -> bool:
     return known == stamp or (known[0] == stamp[0] and max(stamp[1:]) < max(known[1:]))
 
 
-def _with_those_before(stamp: tuple[int, int, int], before: list[Path]) -> tuple[int, int, int]:
-    """Return the stamp of a segment, as new as the newest of those that may be joined to it."""
-    size, *times = stamp
+def _stamp(status: os.stat_result, before: list[Path]) -> tuple[int, int, int]:
+    """Return a file's size and times, as new as the newest of those that may be joined to it."""
+    every = [status]
     for file in before:
-        try:
-            status = file.stat()
-        except OSError:
-            continue
-        times = [max(times[0], status.st_mtime_ns), max(times[1], status.st_ctime_ns)]
-    return size, times[0], times[1]
+        with suppress(OSError):
+            every.append(file.stat())
+    changed, moved = (max(getattr(one, f"st_{t}time_ns") for one in every) for t in "mc")
+    return status.st_size, changed, moved
 
 
 def _stored_dive(dive: Dive) -> Any:
