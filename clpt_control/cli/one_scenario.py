@@ -1,6 +1,7 @@
 """`clpt init`, `clpt paper`, `clpt run`, `clpt diagram`, `clpt export`: one scenario."""
 
 import os
+from collections.abc import Sequence
 from importlib import resources
 from pathlib import Path
 
@@ -83,17 +84,23 @@ def run(
 ) -> None:
     """Run a scenario, or a team: a scenario with a table [team].
 
+    The file of a diagram's run is run again, from the equations that it holds.
+
     Example:
         clpt run mine.toml --out run.nc --figures figures
     """
     from ..figures import checked_formats
     from ..pages.run_words import run_result
     from ..scenario.team import load_either
+    from ..simulation.repeating import repeats_by_equations
     from ..simulation.run_file import as_written
     from ..simulation.team_plots import run_figures
     from ..theory.excitation.gramian import not_learned
 
     kinds = checked_formats(formats or ["png"])
+    if scenario.suffix == ".nc" and repeats_by_equations(scenario):
+        _run_again(scenario, out, figures, kinds, as_json)
+        return
     experiment = load_either(scenario)
     check_writable(out)
     folder = None if figures is None else make_folder(figures)
@@ -105,6 +112,27 @@ def run(
     if missing := not_learned(result):
         found, summary["not_learnable"] = found._replace(sentences=[missing]), missing
     finish([found], summary, as_json, out)
+
+
+def _run_again(
+    file: Path, out: Path, figures: Path | None, kinds: Sequence[str], as_json: bool
+) -> None:
+    """Run a diagram again from its run's file."""
+    from ..figures import figure_of
+    from ..pages.diagram_page import extent_of, response_result
+    from ..simulation.run_file import as_written
+
+    diagram = clpt.load_diagram(file)
+    check_writable(out)
+    folder = None if figures is None else make_folder(figures)
+    result = clpt.simulate(diagram)
+    drawn = {}
+    if folder is not None:
+        figure = figure_of(clpt.simulation.response_plot, result)
+        drawn = {folder / f"response.{kind}": figure for kind in kinds}
+    write_together({out: as_written(result, out), **drawn})
+    told = {name: result.attrs[name] for name in ("title", "status", "message")}
+    finish([response_result(result)], {**told, "signals": extent_of(result)}, as_json, out)
 
 
 def diagram(

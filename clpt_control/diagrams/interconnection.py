@@ -41,6 +41,7 @@ class Diagram(control.InterconnectedSystem):
     """
 
     made_of: Any = None
+    recorded: Any = None  # how it ran, of a diagram that a run's file holds
 
     def __repr__(self) -> str:
         from .drawing.drawn import diagram_line

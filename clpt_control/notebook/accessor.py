@@ -32,7 +32,7 @@ KINDS = {
     "ensemble": Kind("ensemble", ensemble, "ensemble_plot"),
     "run": Kind("scenario", simulation, "run_plot", ("track", "clpe", "learning", "excitation")),
     "replay": Kind("estimator", replay, "replay_plot", ("map", "clpe", "current")),
-    "diagram": Kind("solver_steps", simulation, "response_plot"),
+    "diagram": Kind("engine", simulation, "response_plot"),
 }
 
 
@@ -141,8 +141,8 @@ def _can(data: "xarray.Dataset") -> list[str]:
     film = ["animate()"] if kind == "run" else []
     state = ["state_at(t)"] if "states" in data.variables else []
     state += ["linearize(t)"] if kind == "run" else []
-    page = ["report(FILE)"] if kind != "diagram" else []
-    return ["plot()", *(f"plot.{name}()" for name in KINDS[kind].parts), *film, *state, *page]
+    parts = (f"plot.{name}()" for name in KINDS[kind].parts)
+    return ["plot()", *parts, *film, *state, "report(FILE)"]
 
 
 class Plots:

@@ -44,7 +44,7 @@ def report(
     Parameters
     ----------
     run : xarray.Dataset, Replay, str or Path
-        A run, a team's run, an ensemble or a replay; or the file or folder of one.
+        A run, a team's run, a diagram's, an ensemble or a replay; or the file or folder of one.
     file : str or Path
         The page, such as ``report.html``.
     title : str, optional
@@ -114,10 +114,15 @@ def check_page(file: str | Path) -> Path:
 
 
 def page_of(data: "xarray.Dataset", title: str | None = None) -> "Page":
-    """Return the page of a run, of a team's run or of an ensemble."""
-    from ..scenario.recorded_run import check_run
+    """Return the page of a run, of a team's run, of a diagram's or of an ensemble."""
+    from ..scenario.recorded_run import check_response, check_run, is_response
     from ..scenario.team import system_of_run
 
+    if is_response(data):
+        from .diagram_page import diagram_page
+
+        check_response(data)
+        return diagram_page(data, title)
     if is_ensemble(data):
         from .ensemble_page import ensemble_page
 
@@ -183,12 +188,13 @@ def _folder(path: Path) -> "xarray.Dataset":
 
 
 def _netcdf(path: Path) -> Any:
+    from ..scenario.recorded_run import is_response
     from ..simulation.run_file import load_run
 
     with open_netcdf(path) as data:
         if "dive" in data.dims:
             return checked_replay(data, str(path))
-        if "clpe" not in data.variables:
+        if "clpe" not in data.variables and not is_response(data):
             raise DataError(f"{path}: is NetCDF, but no run and no replay; {KNOWN}")
     return load_run(path)
 

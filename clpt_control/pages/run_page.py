@@ -7,6 +7,7 @@ from ..scenario.experiment import Scenario
 from ..scenario.file import CHANGED, OWN_LAW, OWN_PARTS, TEAM, paper_scenario
 from ..scenario.recorded_run import waypoints_of
 from ..scenario.team import Team
+from ..simulation.repeating import text_of
 from ..simulation.report import claims
 from .excitation_section import excitation_section
 from .page import Card, Page, Section, again_section, solver_facts
@@ -157,7 +158,10 @@ def _again(run: "xarray.Dataset", scenario: Scenario, paper: bool) -> Section:
         said = "The scenario comes with clpt-control; type:"
         commands = ["clpt paper --out paper", "clpt report paper/run.nc -o report.html"]
     given = [what for name, what in GIVEN.items() if name in run.attrs]
-    if given:
+    if given and text_of(run)[0]:
+        said = "The file holds the equations that ran, with inputs, start and method. Type:"
+        commands = ["clpt run run.nc --out again.nc", "clpt report again.nc -o report.html"]
+    elif given:
         said = f"The run cannot be made again from its file alone: its {' and '.join(given)}"
         said, commands = f"{said} were given in Python.", []
     return again_section(

@@ -25,6 +25,8 @@ TEAM = "team"  # attribute of a team's run, in place of its scenario: the team a
 OWN_LAW = "own_law"  # attribute of a run: the name of a law given in Python
 OWN_PARTS = "own_parts"  # attribute of a run: what else of its diagram was given in Python
 REFERENCE = "reference"  # the part, in these words, that makes the waypoints
+EQUATIONS = "equations"  # attribute of a diagram's run: what repeats it, as JSON
+NOT_REPEATED = "not_repeated"  # and why it has none
 FORM = "run_format"  # attribute of a run's file: the form in which it is written; none is 1
 LARGEST = 2 * 10**7  # bytes of a scenario; TOML takes some seconds to read them
 LATEST = 1  # form that is written; all up to it are read
@@ -195,19 +197,23 @@ def run_text(path: str | Path) -> str:
     with open_netcdf(Path(path)) as data:
         check_form(data.attrs, path)
         if "scenario" not in data.attrs and TEAM not in data.attrs:
-            raise DataError(f"{path}: carries no scenario; `clpt run` writes runs that do")
+            why = (
+                f", nor equations: {data.attrs[NOT_REPEATED]}" if NOT_REPEATED in data.attrs else ""
+            )
+            raise DataError(f"{path}: carries no scenario{why}; `clpt run` writes runs that do")
+        other = "; clpt.load_diagram repeats it" if EQUATIONS in data.attrs else ""
         if CHANGED in data.attrs:
             raise DataError(
                 f"{path}: was run with parameters that no key of a scenario holds, "
                 f"{data.attrs[CHANGED]}, so it cannot be repeated; give the scenario itself, and "
-                "the parameters to simulate(params=...)"
+                f"the parameters to simulate(params=...){other}"
             )
         for name, what in ((OWN_LAW, "a law"), (OWN_PARTS, "parts")):
             if name in data.attrs:
                 raise DataError(
                     f"{path}: was run with {what} given in Python, {data.attrs[name]}, which no "
                     "file holds, so it cannot be repeated; give the scenario itself, and the rest "
-                    "to closed_loop(replace=..., insert=...)"
+                    f"to closed_loop(replace=..., insert=...){other}"
                 )
         return str(data.attrs.get(TEAM, data.attrs.get("scenario")))
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..errors import DataError
 from .experiment import Scenario
-from .file import OWN_PARTS, REFERENCE
+from .file import OWN_PARTS, REFERENCE, TEAM
 from .team import Team
 
 if TYPE_CHECKING:
@@ -46,6 +46,42 @@ def waypoints_of(run: "xarray.Dataset", scenario: Scenario) -> np.ndarray:
     return np.zeros((0, 2)) if REFERENCE in own else scenario.waypoints
 
 
+def is_response(run: "xarray.Dataset") -> bool:
+    """Return whether a dataset is the run of a diagram that has no scenario."""
+    return (
+        "engine" in run.attrs and not {"scenario", TEAM, "ensemble", "estimator"} & run.attrs.keys()
+    )
+
+
+def check_response(run: "xarray.Dataset") -> None:
+    """Refuse a dataset that is no whole run of a diagram: finite numbers along times."""
+    check_texts(run)
+    times = run.variables.get("time")
+    if times is None or times.dims != ("time",) or not times.size:
+        raise DataError("the run has no sample along time; clpt.simulate makes runs")
+    for name, one in run.variables.items():
+        told = name == "state" or (one.dtype.kind in "iuf" and np.isfinite(one.values).all())
+        if not told or (name in run.data_vars and "time" not in one.dims):
+            raise DataError(
+                f"the run's {name!s:.40} holds no finite numbers along time; run it again"
+            )
+        if not isinstance(one.attrs.get("units", ""), str):
+            raise DataError(f"the units of the run's {name!s:.40} are no text")
+    if not np.all(np.diff(times.values) > 0):
+        raise DataError("the run is not whole: its times do not increase")
+    if not set(run.data_vars) - {"states"}:
+        raise DataError("the run has no signal; clpt.simulate makes runs")
+
+
+def check_texts(run: "xarray.Dataset") -> None:
+    """Refuse attributes that are no text."""
+    for name in TEXTS:
+        if not isinstance(run.attrs.get(name, ""), str):
+            raise DataError(
+                f"the run's attribute {name} is {run.attrs[name]!s:.40}; must be a text"
+            )
+
+
 def check_run(run: "xarray.Dataset", system: Scenario | Team, *names: str) -> None:
     """Refuse a dataset that is no whole run of a system, or whose `names` have no finite numbers.
 
@@ -59,11 +95,7 @@ def check_run(run: "xarray.Dataset", system: Scenario | Team, *names: str) -> No
         sizes["vehicle"] = len(system.members)
         if "vehicle" not in run or list(run.vehicle.values) != list(system.members):
             raise DataError(f"the run's vehicles are not {', '.join(system.members)}, its team's")
-    for name in TEXTS:
-        if not isinstance(run.attrs.get(name, ""), str):
-            raise DataError(
-                f"the run's attribute {name} is {run.attrs[name]!s:.40}; must be a text"
-            )
+    check_texts(run)
     for name, own in DIMS.items():
         dims = ("vehicle", *own) if team and name not in SHARED else own
         if name in names and name not in run.variables:

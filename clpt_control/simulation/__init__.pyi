@@ -5,6 +5,7 @@ from .flows import explained_variance, flow_velocity
 from .integrate import sample_times, simulate
 from .loops import closed_loop, error_loop, paper_blocks
 from .plots import clpe_plot, compare, learning_plot, response_plot, run_plot, track_plot
+from .repeating import load_diagram
 from .report import claims, run_and_report
 from .run_file import load_run, save_run
 from .sensitivity import sensitivity
@@ -26,6 +27,7 @@ __all__ = [
     "flow_velocity",
     "initial_state",
     "learning_plot",
+    "load_diagram",
     "load_run",
     "paper_blocks",
     "response_plot",

@@ -20,10 +20,11 @@ from ..equations.declaration import ports_of, whole_labels
 from ..equations.linear import linear
 from ..native.engines import VARIABLE, chosen, run_as_read
 from ..native.native_diagram import NativeDiagram
-from ..native.schedule import open_sizes, read_inputs, stacked_state
-from ..scenario.file import OWN_PARTS, REFERENCE
+from ..native.schedule import Inputs, open_sizes, read_inputs, stacked_state
+from ..scenario.file import EQUATIONS, OWN_PARTS, REFERENCE
 from .dataset import Frame, columns_of, diagram_frame, run_frame
 from .loops import LoopOf
+from .repeating import CONDITIONS, Ran
 from .scenario_run import limit_of, note_speeds, speeds_of
 from .starts import initial_state
 
@@ -54,22 +55,35 @@ class DiagramRun:
             self.wiring = with_stop(self.wiring, stop)
         self.runner = chosen(self.wiring, params, by_function, engine, diagram.name)
         made, given, self.states = labels_of(diagram, self.wiring)
+        self.called = {"name": diagram.name, "inputs": given, "outputs": made}
         made, given = map(whole_labels, (made, given))
         taken = ports_of(made)  # an input of the name of an output is told apart, all its signals
         parts = [one.partition("[") for one in given]
         self.labels = made + [
             "".join((f"{port}_input" if port in taken else port, *rest)) for port, *rest in parts
         ]
+        if len(self.states) != self.runner.nstates:  # python-control keeps one of equal labels
+            self.states = [
+                f"{node.name.replace('.', '_')}_{label}"
+                for node in self.wiring.nodes
+                for label in node.system.state_labels
+            ]
+        self.called["states"] = self.states
 
     def run(self, times: np.ndarray, inputs: Any, x0: Any, **given: Any) -> "xarray.Dataset":
         """Run from a state at the first time to the last."""
-        u = read_inputs(inputs, times, self.wiring.ninputs)
+        read = isinstance(inputs, Inputs)
+        u = inputs if read else read_inputs(inputs, times, self.wiring.ninputs)
         state = stacked_state("initial_state", 0.0 if x0 is None else x0, self.runner.nstates)
         name = self.diagram.name
         given["inputs"] = u
         found, signals = run_as_read(self.runner, name, state, times, self.params, **given)
         every = np.concatenate([signals.T, u.along(found.t)])
-        return self.frame.filled(found, (self._shown @ every).T)
+        made = self.frame.filled(found, (self._shown @ every).T)
+        own = {"timepts": times.copy(), "initial_state": state}
+        conditions = {name: value for name, value in given.items() if name in CONDITIONS}
+        made.encoding[EQUATIONS] = Ran(self, found.engine, u, {**conditions, **own})
+        return made
 
     @cached_property
     def _shown(self) -> Any:

@@ -14,6 +14,7 @@ from ..files import beside, check_writable
 from ..html import fragment
 from ..progress import progress_bar
 from ..progress.interrupt import check
+from ..scenario.recorded_run import is_response
 from .film_frames import INKS, SIGNALS, draw_frames, film_of
 from .plots import scenario_with
 
@@ -146,6 +147,10 @@ def _times(
     suffix: str,
 ) -> tuple[np.ndarray, float]:
     """Return the times of the frames, and how long each is shown, s."""
+    if is_response(run):
+        raise DataError(
+            "the run is of a diagram, which has no track to film; run.clpt.plot() draws its signals"
+        )
     scenario = scenario_with(run, *SIGNALS)
     first, last = float(run.time[0]), float(run.time[-1])
     begin, over = first if start is None else start, last if end is None else end

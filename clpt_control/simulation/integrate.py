@@ -107,6 +107,15 @@ def simulate(
     >>> float(run.clpe[-1, 0].round(3)), run.attrs["status"]
     (0.027, 'finished')
     """
+    if recorded := getattr(system, "recorded", None):  # what is not given is as it was
+        timepts = recorded["timepts"] if timepts is None else timepts
+        inputs = recorded["inputs"] if inputs is None else inputs
+        initial_state = recorded["initial_state"] if initial_state is None else initial_state
+        rtol = recorded["rtol"] if rtol is None else rtol
+        atol = recorded["atol"] if atol is None else atol
+        method = method or recorded["method"]
+        max_step = recorded["max_step"] if max_step == np.inf else max_step
+        first_step = recorded["first_step"] if first_step is None else first_step
     limits: dict[str, Any] = {"max_step": max_step, "first_step": first_step}
     solver = {"rtol": rtol, "atol": atol, "method": method and checked_method(method)}
     loop = getattr(system, "made_of", None)

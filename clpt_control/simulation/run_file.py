@@ -1,4 +1,4 @@
-"""A run as a file: NetCDF with CF attributes and its own scenario."""
+"""A run as a file: NetCDF with CF attributes and what repeats it: its scenario, its equations."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -7,17 +7,33 @@ from ..arguments import public
 from ..errors import ClptError, DataError
 from ..files import open_netcdf, write_netcdf
 from ..scenario.experiment import MOST_BYTES
-from ..scenario.file import FORM, LATEST, TEAM, check_form, scenario_to_text
-from ..scenario.recorded_run import check_run
+from ..scenario.file import (
+    EQUATIONS,
+    FORM,
+    LATEST,
+    NOT_REPEATED,
+    TEAM,
+    check_form,
+    scenario_to_text,
+)
+from ..scenario.recorded_run import check_response, check_run, is_response
 from ..scenario.team import Team, system_of_run, team_to_text
+from .repeating import diagram_from, text_of
 
 if TYPE_CHECKING:
     import xarray
 
+NO_RUN = "is no run: it has no variable 'clpe', nor the signals of a diagram"
+LOST = "it was saved without them, by another way than clpt.save_run"
+
 
 @public
 def save_run(run: "xarray.Dataset", path: str | Path) -> None:
-    """Write a run to NetCDF; its scenario goes along.
+    """Write a run to NetCDF, with what repeats it.
+
+    That is the scenario; of a diagram's run the records of its equations, its inputs, its start
+    and its method, as plain data: `load_diagram` reads them. What cannot be recorded, such as a
+    function that only Python can run, is left out, and the attribute ``not_repeated`` says why.
 
     Parameters
     ----------
@@ -29,7 +45,7 @@ def save_run(run: "xarray.Dataset", path: str | Path) -> None:
     Raises
     ------
     DataError
-        If the file cannot be written, or the run is that of a diagram without CLPE.
+        If the file cannot be written, or the dataset is no run.
 
     Examples
     --------
@@ -41,22 +57,27 @@ def save_run(run: "xarray.Dataset", path: str | Path) -> None:
     >>> clpt.load_scenario(file) == scenario
     True
     """
-    if "clpe" not in run.variables:
-        raise DataError(
-            f"{path}: {run.attrs.get('title', 'the dataset')} has no variable clpe, without which "
-            "load_run reads nothing; write it by run.to_netcdf, read it by xarray.load_dataset"
-        )
+    if "clpe" not in run.variables and not is_response(run):
+        raise DataError(f"{path}: {NO_RUN}; clpt.simulate gives runs")
     write_netcdf(as_written(run, Path(path)), path)
 
 
 def as_written(run: "xarray.Dataset", path: Path) -> "xarray.Dataset":
-    """Return a run as its file holds it: with its scenario, whose paths begin at the file's."""
+    """Return a run as its file holds it: with what repeats it, where there is such.
+
+    That is its scenario, whose paths begin at the file's, or the equations of its diagram.
+    """
     if {"scenario", TEAM} & run.attrs.keys():
         system = system_of_run(run)
         if isinstance(system, Team):
             run = run.assign_attrs({TEAM: team_to_text(system, path.parent)})
         else:
             run = run.assign_attrs(scenario=scenario_to_text(system, path.parent))
+    text, why = text_of(run)
+    if text:
+        run = run.assign_attrs({EQUATIONS: text})
+    elif is_response(run):
+        run = run.assign_attrs({NOT_REPEATED: why or run.attrs.get(NOT_REPEATED, LOST)})
     return run.assign_attrs({FORM: LATEST})
 
 
@@ -91,12 +112,18 @@ def load_run(path: str | Path) -> "xarray.Dataset":
     """
     with open_netcdf(Path(path), MOST_BYTES) as data:
         check_form(data.attrs, path)
-        if "clpe" not in data.variables:
-            raise DataError(f"{path}: is no run: it has no variable 'clpe'; `clpt run` writes one")
+        if "clpe" not in data.variables and not is_response(data):
+            raise DataError(f"{path}: {NO_RUN}; `clpt run` writes one")
         run = data.load()
     try:
-        system = system_of_run(run, files=False)
-        check_run(run, system, "time", "position", "predicted_position", "clpe")
+        if is_response(run):
+            check_response(run)
+        else:
+            system = system_of_run(run, files=False)
+            check_run(run, system, "time", "position", "predicted_position", "clpe")
+        if text := str(run.attrs.pop(EQUATIONS, "")):
+            diagram_from(text)
+            run.encoding[EQUATIONS] = text
     except ClptError as error:
         raise DataError(f"{path}: {error}") from None
     run.attrs.pop(FORM, None)  # of the file, not of the run

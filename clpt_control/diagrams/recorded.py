@@ -1,0 +1,109 @@
+"""A diagram as plain data: the records of its blocks and what is wired to what; and back.
+
+What comes back is a diagram like any other: python-control runs it, it is drawn, linearized, varied
+and proved.  It is flat, the blocks of nested diagrams are called ``outer_inner``.
+"""
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import control
+import numpy as np
+
+from ..equations.recorded import Unrecorded, block_of, plain_block
+from ..errors import DiagramError
+from .interconnection import MOST_BYTES, Diagram
+from .wiring import Wiring, entries
+
+Entry = tuple[int, int, float]  # row, column, gain
+
+
+def plain_diagram(
+    wiring: Wiring,
+    given: Sequence[Any],
+    called: Mapping[str, Any],
+    begin: float,
+    end: float,
+) -> dict[str, Any]:
+    """Return a diagram as plain data, its blocks with these parameters, for runs between times.
+
+    `called` are its name, and the labels of its inputs, outputs and states.
+    """
+    wires: dict[bool, list[Entry]] = {
+        external: [
+            (node.inputs.start + wire.to + k, wire.source + k, wire.gain)
+            for node in wiring.nodes
+            for wire in node.wires
+            if wire.external is external
+            for k in range(wire.size)
+        ]
+        for external in (False, True)
+    }
+    names: list[str] = []
+    for node in wiring.nodes:
+        name = node.name.replace(".", "_")
+        names.append(name + "_" * sum(name == one.rstrip("_") for one in names))
+    blocks = [
+        plain_block(node.system, name, p, begin, end)
+        for name, node, p in zip(names, wiring.nodes, given, strict=True)
+    ]
+    return {
+        "dt": wiring.dt,
+        **called,
+        "blocks": blocks,
+        "connections": wires[False],
+        "feeds": wires[True],
+        "shown": _shown(wiring, wires),
+    }
+
+
+def _shown(wiring: Wiring, wires: Mapping[bool, list[Entry]]) -> list[Entry]:
+    """Return the diagram's outputs, of block outputs and, behind them, block inputs.
+
+    So python-control has it; an input of the diagram is taken where it comes to a block alone.
+    """
+    count = wiring.nodes[-1].outputs.stop
+    fed = Counter(to for own in wires.values() for to, _, _ in own)
+    alone = {source: to for to, source, gain in wires[True] if gain == 1.0 and fed[to] == 1}
+    found = []
+    for row, own in entries(wiring.output_map).items():
+        for column, gain in own:
+            at = column if column < count else alone.get(column - count, -1)
+            if at < 0:
+                raise Unrecorded(
+                    "an input of the diagram is an output, and comes to no block alone"
+                )
+            found.append((row, at if column < count else count + at, gain))
+    return found
+
+
+def diagram_of(plain: Mapping[str, Any]) -> Diagram:
+    """Return the diagram that plain data hold."""
+    blocks = [block_of(one) for one in plain["blocks"]]
+    fed, made = (sum(n) for n in zip(*((b.ninputs, b.noutputs) for b in blocks), strict=True))
+    taken, shown = len(plain["inputs"]), len(plain["outputs"])
+    if 8 * (fed * (made + taken) + shown * (made + fed)) > MOST_BYTES:
+        raise DiagramError(f"{plain['name']}: is larger than python-control's matrices may be")
+    diagram = control.InterconnectedSystem(
+        blocks,
+        inputs=plain["inputs"],
+        outputs=plain["outputs"],
+        states=plain["states"],
+        name=plain["name"],
+        dt=plain["dt"],
+    )
+    diagram.set_connect_map(_matrix(plain["connections"], (fed, made)))
+    diagram.set_input_map(_matrix(plain["feeds"], (fed, taken)))
+    diagram.set_output_map(_matrix(plain["shown"], (shown, made + fed)))
+    diagram.__class__ = Diagram
+    return diagram
+
+
+def _matrix(found: Sequence[Entry], shape: tuple[int, int]) -> np.ndarray:
+    matrix = np.zeros(shape)
+    for row, column, gain in found:
+        if not (0 <= row < shape[0] and 0 <= column < shape[1]):
+            raise DiagramError(f"a wire leads to the signal {row} from {column}, of {shape}")
+        matrix[row, column] = gain
+    return matrix

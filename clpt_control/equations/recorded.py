@@ -1,0 +1,360 @@
+"""A block as plain data, and a block made of such data: records in place of functions.
+
+Plain data are dicts, lists, texts, numbers and truths, as JSON has them: nothing in them is code.
+What comes from a file is checked line by line, since machine code trusts a record: a view beside
+its array would read what lies there.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+from math import prod
+from typing import Any
+
+import numpy as np
+
+from ..errors import BlockError, ClptError
+from .arrays import Unread
+from .block import Block
+from .declaration import Each, Guard, parameters_of
+from .numbers import OPERATIONS
+from .record import Operation, Record, Shape
+from .sampled import Sampled
+
+KINDS = ("input", "output", "state")
+ROLES = ("update", "output", "guard", "jump")
+LARGEST = 10**7  # numbers of one value of a record
+
+
+class Unrecorded(ClptError):
+    """A block that no plain data hold; the sentence says why."""
+
+
+class AsRecorded:
+    """What a record does, as a block's function."""
+
+    def __init__(self, record: Record, sizes: dict[str, int]):
+        self.record, self.sizes = record, sizes
+
+    def __call__(self, t: float, x: Any, u: Any, p: Any) -> list[np.ndarray]:
+        """Return what each port is."""
+        groups = {"x": x, "u": u, "p": p}
+        return self.record.values(
+            lambda group, name: t if group == "t" else getattr(groups[group], name), self.sizes
+        )
+
+
+@dataclass(frozen=True)
+class Listed:
+    """Breakpoints that a function gave, up to a time."""
+
+    times: tuple[float, ...]
+    until: float
+
+    def __call__(self, p: Any, t0: float, t1: float) -> np.ndarray:
+        """Return the breakpoints in (t0, t1]."""
+        if t1 > self.until:
+            raise BlockError(
+                f"jumps are recorded up to t = {self.until:g}; t = {t1:g} is asked for"
+            )
+        times = np.array(self.times)
+        return times[(times > t0) & (times <= t1)]
+
+
+class RecordedBlock(Block):
+    """A block whose functions are records."""
+
+    def __init__(self, name: str, records: dict[str, Record], fixed: Sequence[str], **given: Any):
+        self.kept_records, self.fixed = records, frozenset(fixed)
+        self.package = given.pop("package")
+        made = {role: AsRecorded(record, given["sizes"]) for role, record in records.items()}
+        policy = given.pop("guard")
+        guard = policy and Guard(made["guard"], policy, partial(_left, name))
+        functions: dict[str, Any] = {role: made.get(role) for role in ROLES if role != "guard"}
+        super().__init__(name, guard=guard, **given, **functions)
+
+    def _tried(self) -> None:
+        """Leave it to the checks of the record."""
+
+    def _read(self, role: str) -> Record | Unread:
+        return self.kept_records[role] if role in self.kept_records else super()._read(role)
+
+    @property
+    def of_package(self) -> bool:
+        """Whether the functions were the package's own."""
+        return self.package
+
+    def with_values(self, changes: Mapping[str, Any]) -> Any:
+        """Return the parameters with some changed, but those whose values the record holds."""
+        for field in self.fixed.intersection(changes):
+            if not np.array_equal(changes[field], getattr(self.parameters, field)):
+                raise BlockError(
+                    f"{self.name}.{field}: the record was made with its value, "
+                    f"{getattr(self.parameters, field)}, and holds for no other"
+                )
+        return super().with_values(changes)
+
+
+def _left(name: str, t: float, u: Any, p: Any) -> str:
+    return f"{name} reached the edge of where it may be used at t = {t:.9g}"
+
+
+# --- a block as plain data ------------------------------------------------------------------------
+
+
+def plain_block(block: Block, name: str, p: Any, begin: float, end: float) -> dict[str, Any]:
+    """Return a block with these parameters as plain data, for runs between two times."""
+    labels = {kind: list(getattr(block, f"{kind}_labels")) for kind in KINDS}
+    if isinstance(block, Sampled):
+        inner = parameters_of({name: getattr(p, name) for name in block.inner.parameters._fields})
+        return {
+            "sampled": block.period,
+            "inner": plain_block(block.inner, name, inner, begin, end),
+            "called": block._inner,
+            "labels": labels,
+        }
+    try:
+        roles = [role for role in block._roles if role != "guard" or block.guard]
+        records = {role: _plain_record(block.array_record(role)) for role in roles}
+    except Unread as error:
+        raise Unrecorded(str(error)) from None
+    pinned = {name for found, _ in block.read_with.values() for name in found}
+    pinned |= {name for found in getattr(block, "pinned", {}).values() for name in found}
+    jumps, listed = block.breakpoints_function, None
+    if isinstance(jumps, Each):
+        listed = {"period": jumps.period, "part": jumps.part}
+    elif jumps is not None:
+        until = max(2 * abs(end), abs(end) + 1.0)  # to which a block asks at once
+        times = np.concatenate(
+            [block.breakpoints(min(begin, 0.0), 0.0, p), block.breakpoints(0.0, until, p)]
+        )
+        listed = {"times": np.unique(times).tolist(), "until": until}
+        pinned = set(p._fields)
+    return {
+        "name": name,
+        **{kind: _plain_shapes(shapes) for kind, shapes in block.declared.items()},
+        "sizes": block.sizes,
+        "parameters": {name: _plain_value(value) for name, value in p._asdict().items()},
+        "shapes": _plain_shapes(block.parameter_shapes),
+        "records": records,
+        "fixed": sorted(pinned),
+        "jumps": listed,
+        "guard": block.guard and block.guard.policy,
+        "opaque": block.opaque,
+        "package": block.of_package,
+        "units": dict(block.units),
+        "dt": block.dt,
+        "labels": labels,
+    }
+
+
+def _plain_shapes(shapes: Mapping[str, Shape]) -> dict[str, list[Any]]:
+    return {name: list(shape) for name, shape in shapes.items()}
+
+
+def _plain_value(value: Any) -> Any:
+    if np.ndim(value):
+        return {"shape": list(np.shape(value)), "numbers": np.ravel(value).tolist()}
+    return value if isinstance(value, int) else float(value)
+
+
+def _plain_record(record: Record) -> dict[str, Any]:
+    lines = [
+        [kind, arguments, shape, np.frombuffer(at).tolist() if kind == "constant" else at]
+        for kind, arguments, shape, at in record.operations
+    ]
+    return {"operations": lines, "outputs": record.outputs, "shapes": record.shapes}
+
+
+# --- a block of plain data ------------------------------------------------------------------------
+
+
+def block_of(plain: Mapping[str, Any]) -> Block:
+    """Return the block that plain data hold; what they are not is a `BlockError`, or Python's."""
+    made = _sampled(plain) if "sampled" in plain else _recorded(plain)
+    for kind, rename in zip(
+        KINDS, (made.set_inputs, made.set_outputs, made.set_states), strict=True
+    ):
+        labels = plain["labels"][kind]
+        if len(labels) != getattr(made, f"n{kind}s") or not all(isinstance(n, str) for n in labels):
+            raise BlockError(f"{made.name}: the labels of its {kind}s are none")
+        rename(list(labels))
+    return made
+
+
+def _sampled(plain: Mapping[str, Any]) -> Block:
+    made = Sampled(block_of(plain["inner"]), plain["sampled"])
+    made._name_ports(
+        {kind: {old: new for new, old in own.items()} for kind, own in plain["called"].items()}
+    )
+    return made
+
+
+def _recorded(plain: Mapping[str, Any]) -> Block:
+    ports = ("inputs", "outputs", "states")
+    shapes: dict[str, Any] = {kind: _shapes(plain[kind]) for kind in ports}
+    sizes = {str(name): _size(size) for name, size in plain["sizes"].items()}
+    values = {name: _value(value) for name, value in plain["parameters"].items()}
+    records = {role: _record(lines) for role, lines in plain["records"].items()}
+    jumps = plain["jumps"]
+    if jumps is not None:
+        jumps = (
+            Each(**jumps)
+            if "period" in jumps
+            else Listed(tuple(map(float, jumps["times"])), float(jumps["until"]))
+        )
+    if "output" not in records:
+        shapes["outputs"] = None
+    block = RecordedBlock(
+        plain["name"],
+        records,
+        plain["fixed"],
+        **shapes,
+        sizes=sizes,
+        parameters=values,
+        shapes=_shapes(plain["shapes"]),
+        opaque=plain["opaque"],
+        package=plain["package"],
+        breakpoints=jumps,
+        guard=plain["guard"],
+        units=plain["units"],
+    )
+    block.dt = plain["dt"]
+    block.breakpoints(0.0, 0.0)  # so that it is told here what cannot be asked
+    leaves = {
+        "t": {"t": ()},
+        "x": block.state_shapes,
+        "u": block.input_shapes,
+        "p": {
+            name: np.shape(value)
+            for name, value in block.parameters._asdict().items()
+            if not isinstance(value, int)  # which is structure
+        },
+    }
+    out = {"output": block.output_shapes, "guard": {"distance": ()}}
+    for role, record in records.items():
+        check_record(record, leaves, block.sizes, out.get(role, block.state_shapes))
+    return block
+
+
+def _size(value: Any) -> int:
+    if type(value) is not int or not 0 <= value <= LARGEST:
+        raise BlockError(f"a size is {value!r:.40}; must be a whole number up to {LARGEST:g}")
+    return value
+
+
+def _shapes(plain: Mapping[str, Any]) -> dict[str, Shape]:
+    return {str(name): _shape(shape) for name, shape in plain.items()}
+
+
+def _shape(plain: Any) -> Shape:
+    return tuple(n if isinstance(n, str) else _size(n) for n in plain)
+
+
+def _value(plain: Any) -> Any:
+    if isinstance(plain, dict):
+        return np.array(plain["numbers"], dtype=float).reshape(_shape(plain["shape"]))
+    return plain if type(plain) is int else float(plain)
+
+
+def _record(plain: Mapping[str, Any]) -> Record:
+    lines = []
+    for kind, arguments, shape, at in plain["operations"]:
+        own = np.array(at, dtype=float).tobytes() if kind == "constant" else _fixed(at)
+        lines.append(Operation(kind, tuple(arguments), _shape(shape), own))
+    return Record(tuple(lines), tuple(plain["outputs"]), tuple(map(_shape, plain["shapes"])))
+
+
+def _fixed(value: Any) -> Any:
+    return tuple(map(_fixed, value)) if isinstance(value, list) else value
+
+
+# --- whether a record is one ----------------------------------------------------------------------
+
+
+def check_record(
+    record: Record,
+    leaves: Mapping[str, Mapping[str, Shape]],
+    sizes: Mapping[str, int],
+    out: Mapping[str, Shape],
+) -> None:
+    """Refuse what is no record of these leaves and outputs: machine code would run it as it is."""
+    shapes: list[tuple[int, ...]] = []
+    for k, operation in enumerate(record.operations):
+        shape = _bound(operation.shape, sizes)
+        given = [_shape_of(a, shapes) for a in operation.arguments]
+        if prod(shape) > LARGEST or not _fits(operation, shape, given, leaves):
+            raise BlockError(f"line {k} of a record, {operation.kind!s:.20}, is none")
+        shapes.append(shape)
+    for made in (record.outputs, record.shapes):
+        if len(made) != len(out):
+            raise BlockError(f"a record has {len(made)} outputs; must have {len(out)}")
+    for ref, own, wanted in zip(record.outputs, record.shapes, out.values(), strict=True):
+        if _bound(own, sizes) != wanted or not _spreads(_shape_of(ref, shapes), wanted):
+            raise BlockError("an output of a record has another shape than its port")
+
+
+def _bound(shape: Shape, sizes: Mapping[str, int]) -> tuple[int, ...]:
+    return tuple(sizes[n] if isinstance(n, str) else n for n in shape)
+
+
+def _shape_of(ref: Any, shapes: Sequence[tuple[int, ...]]) -> tuple[int, ...]:
+    if type(ref) is float:
+        return ()
+    if type(ref) is not int or not 0 <= ref < len(shapes):
+        raise BlockError(f"a record speaks of its value {ref!r:.20}, which is not there yet")
+    return shapes[ref]
+
+
+def _spreads(given: tuple[int, ...], shape: tuple[int, ...]) -> bool:
+    """Return whether NumPy broadcasts one shape to another."""
+    own = zip(given[::-1], shape[::-1], strict=False)
+    return len(given) <= len(shape) and all(n in (1, m) for n, m in own)
+
+
+def _fits(
+    line: Operation,
+    shape: tuple[int, ...],
+    given: list[tuple[int, ...]],
+    leaves: Mapping[str, Mapping[str, Shape]],
+) -> bool:
+    """Return whether a line has the arguments and the shape of its kind."""
+    kind, at = line.kind, line.at
+    if kind == "leaf":
+        group, name = at
+        return not given and leaves[group][name] == shape
+    if kind == "constant":
+        return not given and len(at) == 8 * prod(shape)
+    if kind == "sum":
+        (own,) = given
+        return type(at) is int and 0 <= at < len(own) and own[:at] + own[at + 1 :] == shape
+    if kind == "view":
+        (own,) = given
+        return len(at) == len(own) and all(map(_within, at, own, [shape] * len(own)))
+    if kind == "opaque":
+        return bool(given) and given[0] == shape and isinstance(hash(at), int)
+    if at is not None:
+        return False
+    if kind == "fill":
+        return given == [()]
+    if kind == "stack":
+        return len(given) == shape[0] and all(_spreads(own, shape[1:]) for own in given)
+    if kind == "join":
+        behind = [own[1:] == shape[1:] for own in given]
+        return all(behind) and sum(own[0] for own in given) == shape[0]
+    if kind == "pick":
+        row, place = given
+        return len(row) == 1 and place == shape
+    count = {"where": 3}.get(kind, getattr(OPERATIONS[kind], "nin", 1))
+    return len(given) == count and all(_spreads(own, shape) for own in given)
+
+
+def _within(mapped: Any, length: int, shape: tuple[int, ...]) -> bool:
+    """Return whether what a view takes of an axis lies in it."""
+    if type(mapped) is int:
+        return 0 <= mapped < length
+    axis, start, step = mapped
+    if not all(type(n) is int for n in mapped) or not 0 <= axis < len(shape):
+        return False
+    ends = (start, start + step * (shape[axis] - 1))
+    return not shape[axis] or all(0 <= end < length for end in ends)

@@ -1,0 +1,423 @@
+"""A diagram's run in a file: what it holds repeats it, to the same bytes, without its code."""
+
+import copy
+import json
+import pickle
+import random
+import subprocess
+import sys
+import warnings
+
+import control
+import numpy as np
+import pytest
+import xarray
+from random_diagrams import random_diagram
+
+import clpt_control as clpt
+from clpt_control.simulation.repeating import diagram_from, text_of
+
+TIMES = np.linspace(0.0, 4.0, 21)
+SCENARIO = clpt.paper_scenario().with_values({"run.duration": 20.0})
+
+
+def tank():
+    return clpt.Block(
+        "tank",
+        update=lambda t, x, u, p: {"h": [u.q[0] - p.a * x.h[0], x.h[0] - x.h[1]]},
+        inputs={"q": 1},
+        states={"h": 2},
+        parameters={"a": 0.5},
+        units={"h": "m", "q": "m3/s"},
+    )
+
+
+def gauge():
+    return clpt.Block(
+        "gauge",
+        output=lambda t, x, u, p: {"v": p.k * u.h},
+        inputs={"h": 2},
+        outputs={"v": 2},
+        parameters={"k": np.array([2.0, 3.0])},
+    )
+
+
+def loop():
+    return clpt.connect([tank(), gauge()], external="q", name="loop")
+
+
+def parts():
+    error = control.summing_junction(["r", "-y"], "e", name="error")
+    pi = control.tf([0.8, -0.6], [1, -1], 0.5, inputs="e", outputs="v", name="pi")
+    lag = control.ss(0.9, 0.1, 1, 0, 0.5, inputs="v", outputs="y", name="lag")
+    plant = control.ss(-0.2, 1, 1, 0, inputs="v", outputs="y", name="plant")
+    return error, pi, lag, plant
+
+
+def by_params(t, x, u, params):
+    return [-params["k"] * x[0] + np.sin(u[0])]
+
+
+def kicked(times):
+    return clpt.Block(
+        "kicked",
+        update=lambda t, x, u, p: {"a": -x.a},
+        states={"a": 1},
+        parameters={"interval": -1.0, "by": 1.0},
+        breakpoints=times,
+        jump=lambda t, x, u, p: {"a": x.a + p.by},
+    )
+
+
+def at_odd_times(p, t0, t1):
+    return np.array([t for t in (1.0, 2.5, 3.3) if t0 < t <= t1])
+
+
+def nested():
+    error, *_ = parts()
+    c = control.ss(-1, 1, 1, 0, inputs="e", outputs="w", name="c")
+    inner = clpt.connect([error, c], external=["r", "y"], name="inner")
+    plant = control.ss(-0.3, 1, 1, 0, inputs="w", outputs="y", name="plant")
+    return clpt.connect([inner, plant], external="r", name="outer")
+
+
+def lag_of(name):
+    return control.ss(-1, 1, 1, 0, inputs=f"{name}_in", outputs=name, name="lag")
+
+
+def two_of_one_name():
+    made = [clpt.connect([lag_of(name)], external=f"{name}_in", name=name) for name in "ab"]
+    one = control.ss(-1, [[1, 1]], 1, 0, inputs=["a", "b"], outputs="y", name="last")
+    return clpt.connect([*made, one], external=["a_in", "b_in"])
+
+
+def lemniscate():
+    return clpt.Block(
+        "lemniscate",
+        output=lambda t, x, u, p: {"zc": [2 * np.cos(t / 20), np.sin(t / 10)]},
+        outputs={"zc": 2},
+    )
+
+
+def oscillator():
+    return control.ss([[0, 1], [-4, -0.4]], [[0], [1]], np.eye(2), 0, inputs=["f"], name="spring")
+
+
+RUNS = {
+    "samples": lambda: clpt.simulate(loop(), TIMES, np.sin(TIMES)),
+    "start": lambda: clpt.simulate(loop(), TIMES, 1.0, initial_state=[1.0, -2.0]),
+    "parameters": lambda: clpt.simulate(loop(), TIMES, 1.0, params={"tank.a": 1.5}),
+    "method": lambda: clpt.simulate(
+        loop(), TIMES, 1.0, rtol=1e-5, atol=1e-7, method="rodas5p", max_step=0.5, first_step=0.01
+    ),
+    "stop": lambda: clpt.simulate(loop(), TIMES, 1.0, stop=lambda t, y, u: 1.0 - y[0]),
+    "ss": lambda: clpt.simulate(oscillator(), TIMES, 1.0),
+    "tf": lambda: clpt.simulate(control.tf([1], [1, 2, 1], name="t"), TIMES, 1.0),
+    "nlsys": lambda: clpt.simulate(
+        control.nlsys(
+            by_params, None, states=1, inputs=1, outputs=1, name="n", params={"k": 2.0, "n": 3}
+        ),
+        TIMES,
+        1.0,
+    ),
+    "sampled": lambda: clpt.simulate(
+        clpt.connect([*parts()[:2], parts()[3]], external="r"), TIMES, 1.0
+    ),
+    "discrete": lambda: clpt.simulate(
+        clpt.connect(parts()[:3], external="r"), 0.5 * np.arange(9), 1.0
+    ),
+    "nested": lambda: clpt.simulate(nested(), TIMES, np.cos(TIMES)),
+    "names": lambda: clpt.simulate(two_of_one_name(), TIMES, [1.0, TIMES]),
+    "periods": lambda: clpt.simulate(kicked(clpt.equations.declaration.Each(0.7)), TIMES),
+    "times": lambda: clpt.simulate(kicked(at_odd_times), TIMES),
+    "static": lambda: clpt.simulate(gauge(), TIMES, [TIMES, 1.0]),
+    "late": lambda: clpt.simulate(kicked(at_odd_times), TIMES + 0.5),
+}
+
+
+def same(run, again):
+    """Return whether two runs have the same bytes, names and attributes."""
+    assert run.identical(again), "attributes differ, or values"
+    return all(run[n].values.tobytes() == again[n].values.tobytes() for n in run.variables)
+
+
+@pytest.mark.parametrize("name", RUNS)
+def test_a_file_repeats_its_run_to_the_same_bytes(tmp_path, name):
+    run = RUNS[name]()
+    clpt.save_run(run, tmp_path / "run.nc")
+    loaded = clpt.load_run(tmp_path / "run.nc")
+    assert loaded.equals(run)
+    assert "not_repeated" not in loaded.attrs
+    again = clpt.simulate(clpt.load_diagram(tmp_path / "run.nc"))
+    if name == "stop":  # its sentence was a function's
+        assert run.attrs["status"] == again.attrs["status"] == "stopped"
+        again.attrs["message"] = run.attrs["message"]
+    assert same(run, again)
+    for one in (loaded, again):
+        clpt.save_run(one, tmp_path / "second.nc")
+        assert clpt.simulate(clpt.load_diagram(tmp_path / "second.nc")).equals(run)
+
+
+def test_what_a_file_repeats_is_what_python_control_runs(tmp_path):
+    """The loaded diagram and the first one, by python-control's own integration."""
+    clpt.save_run(clpt.simulate(nested(), TIMES, np.cos(TIMES)), tmp_path / "run.nc")
+    diagram = clpt.load_diagram(tmp_path / "run.nc")
+    exact = {"solve_ivp_kwargs": {"rtol": 1e-10, "atol": 1e-12}}
+    theirs, ours = (
+        control.input_output_response(one, TIMES, np.cos(TIMES), **exact)
+        for one in (nested(), diagram)
+    )
+    np.testing.assert_allclose(ours.outputs, theirs.outputs, rtol=1e-9, atol=1e-10)
+    run = clpt.load_run(tmp_path / "run.nc")
+    np.testing.assert_allclose(run.y, theirs.outputs[-1], atol=1e-6)
+    for made in (nested(), diagram):
+        linear = control.linearize(made, 0, 0)
+        poles = np.sort_complex(linear.poles())
+        np.testing.assert_allclose(poles, [-0.65 - 0.9367497j, -0.65 + 0.9367497j], atol=1e-5)
+
+
+def test_a_spring_is_the_closed_form(tmp_path):
+    start = [1.0, 0.0]
+    clpt.save_run(clpt.simulate(oscillator(), TIMES, 0.0, start), tmp_path / "run.nc")
+    again = clpt.simulate(clpt.load_diagram(tmp_path / "run.nc"))
+    w = np.sqrt(4 - 0.04)
+    exact = np.exp(-0.2 * TIMES) * (np.cos(w * TIMES) + 0.2 / w * np.sin(w * TIMES))
+    np.testing.assert_allclose(again["y"][:, 0], exact, atol=2e-8)
+
+
+def test_what_is_given_takes_the_place_of_what_was(tmp_path):
+    clpt.save_run(clpt.simulate(loop(), TIMES, 1.0, initial_state=[1.0, 2.0]), tmp_path / "run.nc")
+    diagram, times = clpt.load_diagram(tmp_path / "run.nc"), np.linspace(0.0, 2.0, 5)
+    for given in (
+        {"timepts": times},
+        {"inputs": 2.0},
+        {"initial_state": [0.5, 0.0]},
+        {"params": {"tank.a": 2.0}},
+        {"rtol": 1e-4, "method": "rodas5p"},
+    ):
+        usual = {"timepts": TIMES, "inputs": 1.0, "initial_state": [1.0, 2.0]}
+        assert clpt.simulate(diagram, **given).equals(clpt.simulate(loop(), **(usual | given)))
+
+
+def test_a_closed_loop_of_ones_own_is_repeated(tmp_path):
+    made = clpt.closed_loop(SCENARIO, replace={"reference": lemniscate()})
+    run = clpt.simulate(made, TIMES)
+    clpt.save_run(run, tmp_path / "run.nc")
+    assert clpt.load_run(tmp_path / "run.nc").equals(run)
+    again = clpt.simulate(clpt.load_diagram(tmp_path / "run.nc"))
+    assert again.states.values.tobytes() == run.states.values.tobytes()
+    assert again.e.values.tobytes() == run.clpe.values.tobytes()
+    with pytest.raises(clpt.DataError, match="load_diagram"):
+        clpt.load_scenario(tmp_path / "run.nc")
+    clpt.save_run(clpt.simulate(SCENARIO), tmp_path / "of_a_scenario.nc")
+    assert clpt.load_diagram(tmp_path / "of_a_scenario.nc").made_of.scenario == SCENARIO
+
+
+def test_random_diagrams_are_repeated(tmp_path):
+    repeated = 0
+    for seed in range(12):
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            diagram = random_diagram(random.Random(seed))
+            numbers = np.random.default_rng(seed)
+            u = 0.1 * numbers.normal(size=(diagram.ninputs or 0, 5))
+            x0 = 0.1 * numbers.normal(size=diagram.nstates or 0)
+            times = np.linspace(0.0, 0.2, 5)
+            try:
+                run = clpt.simulate(diagram, times, u, x0)
+            except clpt.ClptError:
+                continue
+            clpt.save_run(run, tmp_path / "run.nc")
+            loaded = clpt.load_run(tmp_path / "run.nc")
+            if run.attrs["engine"] == "native":
+                assert "not_repeated" not in loaded.attrs
+                assert same(run, clpt.simulate(clpt.load_diagram(tmp_path / "run.nc")))
+                repeated += 1
+    assert repeated >= 5
+
+
+def test_no_code_is_kept_and_none_is_run(tmp_path):
+    """A file made by functions of one process is repeated by another that has none of them."""
+    run = RUNS["parameters"]()
+    clpt.save_run(run, tmp_path / "run.nc")
+    plain = json.loads(xarray.open_dataset(tmp_path / "run.nc").attrs["equations"])
+    kinds = {type(one) for one in leaves(plain)}
+    assert kinds <= {str, int, float, bool, type(None)}
+    code = (
+        "import clpt_control as clpt, sys; run = clpt.simulate(clpt.load_diagram(sys.argv[1])); "
+        "print(run.h.values.tobytes().hex())"
+    )
+    found = subprocess.run(
+        [sys.executable, "-c", code, tmp_path / "run.nc"],
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert found.stdout.strip() == run.h.values.tobytes().hex()
+
+
+def leaves(plain):
+    if isinstance(plain, dict | list):
+        for one in plain.values() if isinstance(plain, dict) else plain:
+            yield from leaves(one)
+    else:
+        yield plain
+
+
+def unread(t, x, u, p):
+    return {"y": float(repr(float(u.q[0])))}
+
+
+def test_what_cannot_be_recorded_says_so(tmp_path):
+    by_python = clpt.Block("odd", output=unread, inputs={"q": 1}, outputs={"y": 1})
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        odd = clpt.simulate(by_python, TIMES, 1.0)
+    runs = {
+        "by functions that no file holds": odd,
+        "inputs come by a function": clpt.simulate(loop(), TIMES, lambda t: [1.0]),
+        "another way than": xarray.Dataset(odd.variables, attrs=odd.attrs),
+    }
+    for why, run in runs.items():
+        clpt.save_run(run, tmp_path / "run.nc")
+        loaded = clpt.load_run(tmp_path / "run.nc")
+        assert loaded.equals(run)
+        assert why in loaded.attrs["not_repeated"]
+        with pytest.raises(clpt.DataError, match=why):
+            clpt.load_diagram(tmp_path / "run.nc")
+
+
+def test_a_block_that_changed_since_is_seen(tmp_path):
+    def update(t, x, u, p):
+        return {"y": -x.y * (2.0 if p.mode > 0 else 3.0)}
+
+    block = clpt.Block("b", update=update, states={"y": 1}, parameters={"mode": 1.0, "k": 2.0})
+    run = clpt.simulate(block, TIMES, initial_state=[1.0])
+    block.parameters = {"mode": -1.0, "k": 2.0}
+    clpt.save_run(run, tmp_path / "run.nc")
+    with pytest.raises(clpt.DataError, match="changed since it ran"):
+        clpt.load_diagram(tmp_path / "run.nc")
+
+
+def test_a_parameter_that_the_record_holds_stays(tmp_path):
+    def update(t, x, u, p):
+        return {"y": -x.y * sum(1.0 for _ in range(int(p.count)))}
+
+    block = clpt.Block("b", update=update, states={"y": 1}, parameters={"count": 2.0})
+    clpt.save_run(clpt.simulate(block, TIMES, initial_state=[1.0]), tmp_path / "run.nc")
+    diagram = clpt.load_diagram(tmp_path / "run.nc")
+    np.testing.assert_allclose(clpt.simulate(diagram).y, np.exp(-2 * TIMES), atol=1e-7)
+    with pytest.raises(clpt.BlockError, match="holds for no other"):
+        clpt.simulate(diagram, params={"b.count": 3.0})
+    listed = clpt.simulate(kicked(at_odd_times), TIMES)
+    clpt.save_run(listed, tmp_path / "run.nc")
+    with pytest.raises(clpt.ClptError, match="recorded up to"):
+        clpt.simulate(clpt.load_diagram(tmp_path / "run.nc"), [0.0, 50.0])
+
+
+def test_runs_that_are_copied_cut_or_pickled_keep_what_repeats_them(tmp_path):
+    run = RUNS["samples"]()
+    text = text_of(run)[0]
+    for one in (
+        copy.deepcopy(run),
+        run.copy(deep=True),
+        pickle.loads(pickle.dumps(run)),
+        run.isel(time=slice(2, 9)),
+        run[["h"]],
+    ):
+        assert text_of(one)[0] == text
+    run.to_netcdf(tmp_path / "theirs.nc")  # xarray's own way holds the data alone
+    assert clpt.load_run(tmp_path / "theirs.nc").equals(run)
+
+
+def change(rng, plain):
+    """Change one place in plain data."""
+    values = (None, 0, -1, 10**9, 1.5, "", "x", [], {}, [1], True, float("nan"), 2, [0, 0, 1])
+    places = []
+
+    def walk(node):
+        for key in node if isinstance(node, dict) else range(len(node)):
+            places.append((node, key))
+            if isinstance(node[key], dict | list):
+                walk(node[key])
+
+    walk(plain)
+    node, key = places[rng.randrange(len(places))]
+    if rng.random() < 0.1:
+        del node[key]
+    elif type(node[key]) is int and rng.random() < 0.6:
+        node[key] += rng.choice([-1, 1, 3])
+    else:
+        node[key] = rng.choice(values)
+
+
+def test_changed_equations_are_one_sentence_or_a_diagram():
+    texts = [text_of(RUNS[name]())[0] for name in ("parameters", "sampled", "times")]
+    rng, refused = random.Random(3), 0
+    for _ in range(150):
+        plain = json.loads(rng.choice(texts))
+        change(rng, plain)
+        said = ""
+        try:
+            diagram_from(json.dumps(plain))
+        except clpt.DataError as error:
+            said = str(error)
+        assert "\n" not in said
+        assert not said or said.startswith("its equations are damaged: ")
+        refused += bool(said)
+    assert refused > 75
+
+
+@pytest.mark.parametrize(
+    ("line", "at"),
+    [
+        (["view", [0], [2], [[0, 1, 1]]], 0),  # beside its array
+        (["view", [0], [1], [[0, -1, 1]]], 0),
+        (["view", [0], [], [7]], 0),
+        (["sum", [0], [2], 0], 0),
+        (["mul", [0, 9], [2], None], 0),
+        (["mul", [0], [2], None], 0),
+        (["exp", [0], [3], None], 0),
+        (["leaf", [], [5], ["x", "h"]], 0),
+        (["leaf", [], [2], ["x", "secret"]], 0),
+        (["import os", [0], [2], None], 0),
+        (["fill", [0], [2], None], 0),
+        (["constant", [], [2], [1.0]], 0),
+        (["join", [0, 0], [3], None], 0),
+        (["stack", [0], [2, 2], None], 0),
+        (["pick", [0, 0], [], None], 0),
+    ],
+)
+def test_a_line_of_a_record_that_is_none_is_refused(line, at):
+    """What machine code would believe: each is told, none is run."""
+    plain = json.loads(text_of(RUNS["samples"]())[0])
+    record = plain["diagram"]["blocks"][1]["records"]["output"]
+    assert record["operations"][at][:3] == ["leaf", [], [2]]
+    record["operations"].append(line)
+    with pytest.raises(clpt.DataError, match=r"damaged: .*(record|KeyError)"):
+        diagram_from(json.dumps(plain))
+
+
+def test_damaged_numbers_of_a_run_are_one_sentence(tmp_path):
+    run = RUNS["samples"]()
+    clpt.save_run(run, tmp_path / "run.nc")
+    whole = xarray.load_dataset(tmp_path / "run.nc")
+    damaged = {
+        "nan": whole.assign(h=whole.h * np.nan),
+        "words": whole.assign(h=("time", ["a"] * 21)),
+        "times": whole.assign_coords(time=whole.time.values[::-1]),
+        "no sample": whole.isel(time=slice(0, 0)),
+        "one time": whole.isel(time=0),
+        "no signal": whole[["states"]],
+        "another": whole.assign(n=1.0),
+        "title": whole.assign_attrs(title=3.5),
+        "equations": whole.assign_attrs(equations="{" * 5000),
+        "number": whole.assign_attrs(equations=3.5),
+        "units": whole.assign(h=whole.h.assign_attrs(units=3.5)),
+    }
+    for how, data in damaged.items():
+        data.drop_encoding().to_netcdf(tmp_path / "damaged.nc")
+        with pytest.raises(clpt.DataError) as caught:
+            clpt.load_run(tmp_path / "damaged.nc")
+        assert "\n" not in str(caught.value), how
+        assert str(tmp_path) in str(caught.value), how
