@@ -33,8 +33,6 @@ from .loops import closed_loop
 if TYPE_CHECKING:
     import xarray
 
-    from .diagram_run import DiagramRun
-
 CONDITIONS = (
     "timepts",
     "initial_state",
@@ -50,8 +48,8 @@ CONDITIONS = (
 class Ran:
     """How a diagram ran: `text` is JSON, or an `Unrecorded` says why there is none."""
 
-    def __init__(self, made: "DiagramRun", engine: str, inputs: Inputs, conditions: dict[str, Any]):
-        self.made, self.engine = made, engine
+    def __init__(self, made: Any, engine: str, inputs: Inputs, conditions: dict[str, Any]):
+        self.made, self.engine = made, engine  # a `DiagramRun`, and what ran it
         self.conditions = conditions
         self.inputs = inputs.samples and tuple(map(np.array, inputs.samples))  # own ones
 
@@ -128,7 +126,7 @@ def repeats_by_equations(path: Path) -> bool:
 
 @public
 def load_diagram(path: str | Path) -> Diagram:
-    """Read the diagram of a run that `save_run` wrote, without its code.
+    """Read the diagram of a run that `save_run` wrote, no code.
 
     Parameters
     ----------
