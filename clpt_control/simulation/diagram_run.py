@@ -56,19 +56,13 @@ class DiagramRun:
         self.runner = chosen(self.wiring, params, by_function, engine, diagram.name)
         made, given, self.states = labels_of(diagram, self.wiring)
         self.called = {"name": diagram.name, "inputs": given, "outputs": made}
+        self.called["states"] = self.states
         made, given = map(whole_labels, (made, given))
         taken = ports_of(made)  # an input of the name of an output is told apart, all its signals
         parts = [one.partition("[") for one in given]
         self.labels = made + [
             "".join((f"{port}_input" if port in taken else port, *rest)) for port, *rest in parts
         ]
-        if len(self.states) != self.runner.nstates:  # python-control keeps one of equal labels
-            self.states = [
-                f"{node.name.replace('.', '_')}_{label}"
-                for node in self.wiring.nodes
-                for label in node.system.state_labels
-            ]
-        self.called["states"] = self.states
 
     def run(self, times: np.ndarray, inputs: Any, x0: Any, **given: Any) -> "xarray.Dataset":
         """Run from a state at the first time to the last."""
@@ -118,8 +112,14 @@ def labels_of(diagram: Any, wiring: Wiring) -> tuple[list[str], list[str], list[
     """Return the labels of outputs, inputs and states, also where the system leaves them open."""
     first = wiring.nodes[0].system
     named = first if None in (diagram.ninputs, diagram.noutputs) else diagram
-    states = first if diagram.nstates is None else diagram
-    return named.output_labels, named.input_labels, states.state_labels
+    states = (first if diagram.nstates is None else diagram).state_labels
+    if len(states) != wiring.nodes[-1].states.stop:  # python-control keeps one of equal labels
+        states = [
+            f"{node.name.replace('.', '_')}_{label}"
+            for node in wiring.nodes
+            for label in node.system.state_labels
+        ]
+    return named.output_labels, named.input_labels, states
 
 
 def units_shown(wiring: Wiring) -> list[str]:
