@@ -196,6 +196,8 @@ def linearize(
         raise DiagramError(f"{name}: samples its inputs; give the design that it was sampled from")
     x, u = getattr(x, "states", x), getattr(x, "inputs", u)
     n, m = wiring.nodes[-1].states.stop, wiring.ninputs
+    if not n + m:
+        raise DiagramError(f"{system.name}: has no states and no inputs to linearize along")
     x, u = (_numbers(*own) for own in (("x", x, n), ("u", u, m)))
     try:
         at = _About(system, wiring, changed_parameters(wiring, params), t, x, u)

@@ -78,12 +78,15 @@ def point_vehicle(
 def planar_rates(t, x, u, p):
     """M nu' + C(nu) nu + D nu + Q |nu| nu = tau, eta' = R nu + c (Fossen 2011, section 7.1)."""
     surge, sway, yaw = x.nu
-    ahead, aside, _ = p.M @ x.nu  # momentum
-    coriolis = np.stack([-aside * yaw, ahead * yaw, aside * surge - ahead * sway])
-    force = u.tau - coriolis - p.D @ x.nu - p.Q @ (np.abs(x.nu) * x.nu)
+    m11, m22, m23, m33 = p.M[0, 0], p.M[1, 1], p.M[1, 2], p.M[2, 2]
+    ahead, aside = m11 * surge, m22 * sway + m23 * yaw  # momentum
+    X, Y, N = u.tau - p.D @ x.nu - p.Q @ (np.abs(x.nu) * x.nu)
+    X, Y, N = X + aside * yaw, Y - ahead * yaw, N - aside * surge + ahead * sway
+    both = m22 * m33 - m23**2
+    rates = [X / m11, (m33 * Y - m23 * N) / both, (m22 * N - m23 * Y) / both]
     c, s = np.cos(x.eta[2]), np.sin(x.eta[2])
     over_ground = [c * surge - s * sway + u.flow[0], s * surge + c * sway + u.flow[1], yaw]
-    return {"eta": over_ground, "nu": np.linalg.solve(p.M, force)}
+    return {"eta": over_ground, "nu": rates}
 
 
 @public

@@ -3,6 +3,7 @@
 import control
 import numpy as np
 import pytest
+from package_blocks import BLOCKS
 from scipy.integrate import solve_ivp
 from scipy.linalg import expm
 
@@ -385,6 +386,16 @@ def test_coriolis_is_fossens_matrix():
         np.testing.assert_allclose(block.dynamics(0, x, u)[3:], rate, atol=1e-12)
 
 
+def test_the_formulas_of_a_vehicle_are_short():
+    nothing = np.zeros((3, 3))
+    made = clpt.diagrams.equations(
+        clpt.connect([parts.planar_vehicle(M, nothing)], ["tau", "flow"])
+    )
+    (rate,) = (line for line in str(made).splitlines() if line.startswith("nu[1]'"))
+    assert len(rate) < 700
+    assert "where" not in str(made)
+
+
 def test_thrusters_push_and_turn():
     places, angles = [(-0.8, -0.2), (-0.8, 0.2), (1.0, 0.0)], [0.0, 0.0, np.pi / 2]
     block = parts.thrusters(places, angles, -10, 20, lag=0.5)
@@ -396,6 +407,22 @@ def test_thrusters_push_and_turn():
         0.2 * (force[:, 0] - force[:, 1]) + force[:, 2],
     ]
     np.testing.assert_allclose(found.tau, np.transpose(exact), atol=1e-8)
+
+
+@pytest.mark.parametrize("name", [n for n in BLOCKS if n.startswith("parts.") and "noise" not in n])
+def test_exact_derivatives_are_those_of_differences(name):
+    block = BLOCKS[name]
+    rng = np.random.default_rng(4)
+    x, u = 0.05 + 0.1 * rng.random(block.nstates or 0), 0.01 + 0.1 * rng.random(block.ninputs or 0)
+    exact, rough = clpt.linearize(block, x, u, t=0.3), block.linearize(x, u, t=0.3)
+    for matrix in "ABCD":
+        off = np.abs(np.asarray(getattr(exact, matrix)) - np.asarray(getattr(rough, matrix)))
+        assert off.max(initial=0.0) < 1e-4
+
+
+def test_a_source_has_nothing_to_linearize_along():
+    with pytest.raises(clpt.DiagramError, match="noise: has no states and no inputs"):
+        clpt.linearize(parts.noise(1.0, 0.1), [], [], t=0.0)
 
 
 # --- mistakes, names ----------------------------------------------------------------------------
