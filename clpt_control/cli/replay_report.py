@@ -114,13 +114,6 @@ class Ahead:
         """Duration of a dive that is aimed, s."""
         return None if self.hours is None else 3600 * self.hours
 
-    def drawn(self, replay: Any, report: Callable[[float], None]) -> dict[str, Any]:
-        """Return when a replay's vehicle is at the waypoints, by drawing its way."""
-        from ..replay.route import Route, arrivals
-
-        route = Route(self.targets, self.areas or [])
-        return arrivals(replay, route, self.speed, self.duration, report)
-
     def seen(self, replay: Any) -> tuple[Any, list[Any]]:
         """Return the `NextDive` of a replay, as given, as aimed, else as guessed, and its aims."""
         legs = self.aims(replay)
@@ -238,7 +231,7 @@ def write(
 def summary_with_next(result: Any, skipped: list, ahead: Ahead) -> tuple[dict[str, Any], Any]:
     """Return what `--json` prints, and the next dive: the summary, where it ends, aim and paste."""
     from ..replay.paste import paste
-    from ..replay.route import DRAWS
+    from ..replay.route import DRAWS, Route, arrivals
 
     found = clpt.replay.summary(result, skipped) | {"next_dive": None, "aim": [], "paste": None}
     if not result.steps:
@@ -247,7 +240,8 @@ def summary_with_next(result: Any, skipped: list, ahead: Ahead) -> tuple[dict[st
     found |= {"next_dive": goal.as_dict(), "aim": [leg.as_dict() for leg in legs]}
     if ahead.areas is not None and legs:
         with progress_bar("drawing the way", DRAWS) as report:
-            found["route"] = ahead.drawn(result, report)
+            way = Route(ahead.targets, ahead.areas)
+            found["route"] = arrivals(result, way, ahead.speed, ahead.duration, report)
     return found | {"paste": paste(found)}, goal
 
 

@@ -97,6 +97,22 @@ def read_dive_file(path: str | Path) -> tuple[list[Dive], list[Skipped]]:
     )
 
 
+def alike(faults: Iterable[tuple[Path, Skipped]]) -> list[Skipped]:
+    """Return what was skipped of files; reasons that are the same but for the file once.
+
+    >>> faults = [(Path(name), Skipped(None, f"{name}: is empty")) for name in "ab"]
+    >>> alike(faults)
+    [Skipped(dive=None, why='a: is empty (one of 2 files)')]
+    """
+    same: dict[tuple[int | None, str], list[str]] = {}
+    for file, one in faults:
+        same.setdefault((one.dive, one.why.removeprefix(str(file))), []).append(one.why)
+    return [
+        Skipped(dive, whys[0] + (f" (one of {len(whys)} files)" if len(whys) > 1 else ""))
+        for (dive, _), whys in same.items()
+    ]
+
+
 @public
 def read_dives(paths: str | Path | Iterable[str | Path]) -> tuple[list[Dive], list[Skipped]]:
     """Read all dives of files and folders.
@@ -131,20 +147,17 @@ def read_dives(paths: str | Path | Iterable[str | Path]) -> tuple[list[Dive], li
     files = dive_paths([paths] if isinstance(paths, str | Path) else paths)
     dives: list[Dive] = []
     skipped: list[Skipped] = []
-    alike: dict[tuple[int | None, str], list[str]] = {}  # reasons but for the file's name
+    faults: list[tuple[Path, Skipped]] = []
     for file in files:
         check()
         try:
             found, bad = read_dive_file(file)
         except DataError as error:
-            key = seaglider.number_in_name(file), str(error).removeprefix(str(file))
-            alike.setdefault(key, []).append(str(error))
+            faults.append((file, Skipped(seaglider.number_in_name(file), str(error))))
             continue
         dives += found
         skipped += bad
-    for (dive, _), whys in alike.items():
-        more = f" (one of {len(whys)} files)" if len(whys) > 1 else ""
-        skipped.append(Skipped(dive, whys[0] + more))
+    skipped += alike(faults)
     if dives:
         return dives, skipped
     if len(skipped) == 1 and not skipped[0].why.endswith(" files)"):

@@ -24,7 +24,7 @@ import pydantic
 from ..errors import DataError, needed
 from ..files import make_folder, write_text
 from ..files.reading import at_once, read_bytes
-from ..gliders.dive_files import may_hold_dives, read_dive_file
+from ..gliders.dive_files import alike, may_hold_dives, read_dive_file
 from ..gliders.dives import Dive, NotYet, Skipped, before_each, is_segment
 from ..progress.interrupt import check
 
@@ -142,7 +142,7 @@ class Follower:
         """Return all dives so far, by the name of their file, and what was left out."""
         seen = {_fixes(dive) for name in self.here for dive in self.files[name].dives}
         dives: list[Dive] = []
-        skipped: list[Skipped] = []
+        skipped: list[tuple[Path, Skipped]] = []
         for name, record in sorted(self.files.items()):
             own = record.dives
             if name not in self.here:
@@ -151,8 +151,8 @@ class Follower:
                 if not own:
                     continue  # nothing is lost with it
             dives += [Dive(**dict(dive)) for dive in own]
-            skipped += record.skipped
-        return dives, skipped
+            skipped += [(self.folder / name, one) for one in record.skipped]
+        return dives, alike(skipped)
 
 
 def _is_as(known: tuple[int, int, int], stamp: tuple[int, int, int]) -> bool:

@@ -73,31 +73,21 @@ def _lines(text: str) -> Iterator[Shape]:
 
 
 def _shapes(data: dict[str, Any], name: str = "area") -> Iterator[Shape]:
-    match data["type"]:
-        case "FeatureCollection":
-            for one in data["features"]:
-                yield from _shapes(one)
-        case "GeometryCollection":
-            for one in data["geometries"]:
-                yield from _shapes(one, name)
-        case "Feature":
-            called = (data.get("properties") or {}).get("name") or name
-            yield from _shapes(data["geometry"], str(called))
-        case "Point":
-            yield None, _places([data["coordinates"]])
-        case "MultiPoint" | "LineString":
-            yield None, _places(data["coordinates"])
-        case "Polygon":
-            yield name, _places(data["coordinates"][0])
-        case "MultiPolygon":
-            for one in data["coordinates"]:
-                yield name, _places(one[0])
-        case other:
-            raise ValueError(f"{other} is not read")
+    name = str((data.get("properties") or {}).get("name") or name)
+    inner = *data.get("features", ()), *data.get("geometries", ()), data.get("geometry")
+    for one in filter(None, inner):
+        yield from _shapes(one, name)
+    if data["type"].endswith("Polygon"):
+        several = data["type"].startswith("Multi")
+        for outer, *_ in data["coordinates"] if several else [data["coordinates"]]:
+            yield name, _places(outer)
+    elif "coordinates" in data:
+        yield None, _places(data["coordinates"])
 
 
-def _places(pairs: list[list[float]]) -> list[Place]:
-    return [(float(lat), float(lon)) for lon, lat, *_ in pairs]
+def _places(pairs: list[Any]) -> list[Place]:
+    """Return places of a pair longitude, latitude, or of a list of them; heights are left out."""
+    return [(lat, lon) for lon, lat in np.atleast_2d(np.array(pairs, float))[:, :2].tolist()]
 
 
 def arrivals(

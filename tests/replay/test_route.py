@@ -125,7 +125,7 @@ def test_routes_are_read(tmp_path):
         ("8.4 -942.8\n", "latitude 8.4, longitude -942.8 is no place"),
         ("nan 8\n", "is no place"),
         ("{", "is neither GeoJSON nor a latitude"),
-        ('{"type": "Circle"}', "Circle is not read"),
+        ('{"type": "Circle"}', "has no waypoint"),
         ('{"type": "Point", "coordinates": 7}', "is neither GeoJSON"),
         (json.dumps({"type": "Polygon", "coordinates": [SQUARE]}), "has no waypoint"),
         ("{" * 10**5, "is neither GeoJSON"),
