@@ -11,6 +11,7 @@ from ..equations.declaration import ports_of
 from ..errors import DataError
 from ..html import facts, fragment
 from ..scenario.file import CHANGED, OWN_LAW, OWN_PARTS
+from .signal_table import SignalTable
 
 if TYPE_CHECKING:
     import xarray
@@ -123,6 +124,13 @@ class ClptAccessor:
         """Write a page to send, as `clpt_control.report`."""
         return pages.report(self._data, file, **options)
 
+    def table(self, path: Any = None) -> SignalTable:
+        """Return a run as a table, one column a signal; with a path it is written, .csv or .mat."""
+        found = SignalTable(self._data)
+        if path is not None:
+            found.write(path)
+        return found
+
     def __repr__(self) -> str:
         return f"<clpt of a dataset: {_said(self._data)}>"
 
@@ -142,7 +150,8 @@ def _can(data: "xarray.Dataset") -> list[str]:
     state = ["state_at(t)"] if "states" in data.variables else []
     state += ["linearize(t)"] if kind == "run" else []
     parts = (f"plot.{name}()" for name in KINDS[kind].parts)
-    return ["plot()", *parts, *film, *state, "report(FILE)"]
+    table = ["table()"] if kind in ("run", "team", "diagram") else []
+    return ["plot()", *parts, *film, *state, *table, "report(FILE)"]
 
 
 class Plots:

@@ -1,0 +1,113 @@
+"""`run.clpt.table()`: read back by csv and by scipy.io.loadmat, it is the run."""
+
+import csv
+
+import numpy as np
+import pytest
+from scipy.io import loadmat
+
+import clpt_control as clpt
+from clpt_control.notebook.signal_table import WORDS
+
+SCENARIO = clpt.paper_scenario().with_values({"run.duration": 20.0})
+TIMES = np.linspace(0.0, 2.0, 11)
+
+
+def run_of_a_diagram(ports=("h", "q"), units=None):
+    state, u = ports
+    block = clpt.Block(
+        "tank",
+        update=lambda t, x, u_, p: [u_[0] - x[0], x[0] - x[1]],
+        inputs={u: 1},
+        states={state: 2},
+        units=units,
+    )
+    return clpt.simulate(block, TIMES, np.sin(TIMES))
+
+
+def test_a_csv_file_is_the_run_to_the_last_digit(tmp_path):
+    run = run_of_a_diagram(units={"h": "m", "q": "m3/s"})
+    table = run.clpt.table(tmp_path / "run.csv")
+    with (tmp_path / "run.csv").open(newline="") as file:
+        head, *rows = csv.reader(file)
+    assert head == table.columns == ["time", "h[0] (m)", "h[1] (m)", "q (m3/s)"]
+    read = np.array(rows, dtype=float)
+    assert read.tobytes() == table.values.tobytes()
+    own = [run.time, run.h.sel(h_index=0), run.h.sel(h_index=1), run.q]
+    np.testing.assert_array_equal(read.T, own)
+
+
+def test_a_mat_file_has_a_matrix_for_each_port(tmp_path):
+    run = run_of_a_diagram(units={"h": "m"})
+    run.clpt.table().to_mat(tmp_path / "run.mat")
+    read = loadmat(tmp_path / "run.mat", simplify_cells=True)
+    assert {name for name in read if name[0] != "_"} == {
+        *("time", "h", "q", "units", "signals", "title")
+    }
+    np.testing.assert_array_equal(read["time"], TIMES)
+    np.testing.assert_array_equal(read["h"], run.h)
+    np.testing.assert_array_equal(read["q"], run.q)
+    assert read["title"] == "Response of tank"
+    assert read["units"]["h"] == "m"
+    assert not len(read["units"]["q"])
+    assert read["signals"]["h"].tolist() == ["h[0]", "h[1]"]
+    shapes = loadmat(tmp_path / "run.mat")
+    assert shapes["time"].shape == (11, 1)
+    assert shapes["h"].shape == (11, 2)
+    assert shapes["q"].shape == (11, 1)
+
+
+def test_a_run_of_a_scenario_and_of_a_team(tmp_path):
+    run = clpt.simulate(SCENARIO)
+    table = run.clpt.table(tmp_path / "run.mat")
+    read = loadmat(tmp_path / "run.mat", simplify_cells=True)
+    np.testing.assert_array_equal(read["alpha"], run.alpha.values.reshape(len(run.time), -1))
+    assert read["signals"]["alpha"][4] == "alpha axis 2 basis 2"
+    assert table.columns[:3] == ["time (s)", "position axis 1 (m)", "position axis 2 (m)"]
+    assert "flow_parameters" not in read  # which are no signals
+    team = clpt.Team(members={"a": SCENARIO, "b": SCENARIO}, coupling=0.5)
+    both = clpt.simulate(team)
+    columns = both.clpt.table().columns
+    at = columns.index("position vehicle b axis 1 (m)")
+    own = both.position.sel(vehicle="b", axis=1)
+    np.testing.assert_array_equal(both.clpt.table().values[:, at], own)
+
+
+@pytest.mark.parametrize("name", ["end", "_e", "x" * 80, "ü", "time"])
+def test_names_are_those_that_matlab_allows(tmp_path, name):
+    run = run_of_a_diagram().rename(h=name, time="t") if name == "time" else None
+    run = run_of_a_diagram().rename(h=name) if run is None else run
+    if name == "time":
+        with pytest.raises(clpt.DataError, match="no signal along time"):
+            run.clpt.table()
+        return
+    run.clpt.table(tmp_path / "run.mat")
+    (found,) = {n for n in loadmat(tmp_path / "run.mat") if n[:2] != "__"} - {
+        *("time", "q", "units", "signals", "title")
+    }
+    assert found[0].isalpha()
+    assert found.isascii()
+    assert found.isidentifier()
+    assert len(found) <= 63
+    assert found not in WORDS
+
+
+def test_ports_that_would_have_one_name_have_two(tmp_path):
+    run = run_of_a_diagram().rename(h="a b", q="a_b")
+    run.clpt.table(tmp_path / "run.mat")
+    read = loadmat(tmp_path / "run.mat")
+    np.testing.assert_array_equal(read["a_b"], run["a b"])
+    np.testing.assert_array_equal(read["a_b_2"][:, 0], run["a_b"])
+
+
+def test_it_shows_itself_and_refuses_in_a_sentence(tmp_path):
+    run = run_of_a_diagram()
+    assert "11 times and 4 columns: time, h[0]" in repr(run.clpt.table())
+    assert "... 6 more" in run.clpt.table()._repr_html_()
+    for path in (tmp_path / "run.xls", tmp_path / "nowhere/run.csv", tmp_path / "nowhere/run.mat"):
+        with pytest.raises(clpt.DataError) as caught:
+            run.clpt.table(path)
+        assert "\n" not in str(caught.value)
+    with pytest.raises(clpt.DataError, match="no signal along time"):
+        run.isel(time=3).clpt.table()
+    assert list(tmp_path.iterdir()) == []
