@@ -289,6 +289,14 @@ class DiagramEnsemble(Ensemble):
         return given, start, inputs
 
 
+def weights_of(times: np.ndarray, discrete: bool) -> np.ndarray:
+    """Return what each sample counts in a mean over time: all alike, or by trapezoids."""
+    if discrete:
+        return np.full(len(times), 1.0 / len(times))
+    spans = np.diff(times)
+    return (np.append(spans, 0.0) + np.append(0.0, spans)) / (2.0 * (times[-1] - times[0]))
+
+
 class DiagramRecipe(NamedTuple):
     """All that a worker of a diagram needs to know."""
 
@@ -312,7 +320,9 @@ class DiagramWorker(Worker):
         self.title, self.how = f"Ensemble of {varied.name}", varied.how
         self.ensemble = DiagramEnsemble(varied, engine)
         self.every = self.ensemble.native.sweep.at_jumps(varied.times)
-        self.rows = entries(varied.wiring.output_map)
+        rows = entries(varied.wiring.output_map)
+        self.rows = [(k, rows.get(k, ())) for k in range(len(varied.outputs))]
+        self.weights = weights_of(self.every, bool(varied.wiring.dt))
         taken, ports = ("time", "member", "status", "end", *varied.values), ports_of(varied.outputs)
         units = units_shown(varied.wiring)
         said = {port: units[places[0]] for port, places in ports.items()}
@@ -367,35 +377,27 @@ class DiagramWorker(Worker):
         self, members: Members, values: Mapping[str, np.ndarray], states: States
     ) -> dict[str, np.ndarray]:
         """Return what is kept of members."""
-        runs = [self._outputs(members, states, m) for m in range(len(states.status))]
-        found: dict[str, list[np.ndarray]] = {}
-        for y in runs:
-            for port, part in self.ports.items():
-                along = part.of(y)
-                figures = along[-1], self._rms(along), np.abs(along).max(axis=0)
-                for what, figure in zip(KEPT, figures, strict=True):
-                    found.setdefault(f"{port}_{what}", []).append(figure)
-                if self.trajectories:
-                    found.setdefault(port, []).append(along)
-        return {name: np.array(rows) for name, rows in found.items()} | ends_of(states, self.every)
+        y = np.full((len(states.status), len(self.varied.outputs), len(self.every)), np.nan)
+        for m, own in enumerate(y):
+            self._fill(own, members, states, m)
+        # each row is summed by itself: others beside it change no bit
+        figures = y[..., -1], np.sqrt(np.sum(self.weights * y**2, axis=-1)), np.abs(y).max(axis=-1)
+        found = {
+            f"{port}_{what}": part.of(figure)
+            for port, part in self.ports.items()
+            for what, figure in zip(KEPT, figures, strict=True)
+        }
+        for port, part in self.ports.items() if self.trajectories else ():
+            along = part.of(y)
+            found[port] = np.moveaxis(along, 1, -1) if along.ndim > 2 else along
+        return found | ends_of(states, self.every)
 
-    def _outputs(self, members: Members, states: States, m: int) -> np.ndarray:
-        """Return the outputs of one member at all times, NaN where it did not come."""
+    def _fill(self, y: np.ndarray, members: Members, states: States, m: int) -> None:
+        """Set the outputs of one member, a row for each, up to where it came."""
         signals = self.ensemble.signals(members, states, m, self.every)
         reached, (_, inputs) = len(signals), self.ensemble.alone(members, m)
-        every = np.hstack([signals, inputs.along(self.every[:reached]).T])
-        y = np.zeros((len(self.every), len(self.varied.outputs)))
-        y[reached:] = np.nan
-        for row, sources in self.rows.items():  # one after the other: any number of them rounds so
-            for source, gain in sources:
-                y[:reached, row] += gain * every[:, source]
-        return y
-
-    def _rms(self, along: np.ndarray) -> np.ndarray:
-        """Return the root mean square over time."""
-        squares = along**2
-        if self.varied.wiring.dt:
-            return np.sqrt(np.mean(squares, axis=0))
-        spans = np.diff(self.every).reshape(-1, *[1] * (along.ndim - 1))
-        areas = spans * (squares[1:] + squares[:-1]) / 2
-        return np.sqrt(np.sum(areas, axis=0) / (self.every[-1] - self.every[0]))
+        every = [*signals.T, *inputs.along(self.every[:reached])]
+        for own, sources in self.rows:
+            y[own, :reached] = 0.0
+            for source, gain in sources:  # one after the other: any number of them rounds so
+                y[own, :reached] += gain * every[source]

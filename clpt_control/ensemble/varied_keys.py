@@ -45,7 +45,7 @@ class Varied(Protocol):
 
 @public
 class Vary(NamedTuple):
-    """One key of a scenario, or name of a diagram's, and how it varies.
+    """One name of a scenario or a diagram, and how it varies.
 
     Attributes
     ----------

@@ -206,7 +206,7 @@ class NativeDiagram(PythonDiagram):
         return np.append(P, np.zeros(self.code.program.parameters - len(P)))
 
     def with_parameters(self, parameters: Sequence[Any]) -> Self:
-        """Return the diagram with other parameters of its blocks; what is compiled is shared."""
+        """Return the same code with other parameters of its blocks."""
         made = super().with_parameters(parameters)
         made.layout = replace(self.layout, P=self.layout.packed(parameters))
         return made
