@@ -182,7 +182,7 @@ class _Fitting:
         n, places, columns = len(ready.times) - ready.skipped, list[int](), list[np.ndarray]()
         self.outputs: list[str] = []
         for name, values in measured.items():
-            if name not in ports:
+            if name not in ports or not np.isfinite(values).any():
                 continue
             if values.size != n * len(ports[name]) or values.shape[0] != n:
                 raise ArgumentError(
@@ -208,7 +208,7 @@ class _Fitting:
 
     def _bounds(self, given: Mapping[str, Any]) -> list[np.ndarray]:
         """Return where each number begins, and its bounds."""
-        rows, at = [], 0
+        rows = []
         for name, one in given.items():
             begin, *bounds = one if isinstance(one, tuple) else (one,)
             if len(bounds) not in (0, 2):
@@ -217,7 +217,6 @@ class _Fitting:
             own = [np.broadcast_to(np.ravel(numbers(name, v)), count)
                    for v in (begin, *(bounds or (-np.inf, np.inf)))]  # fmt: skip
             rows.append(np.array(own))
-            at += count
             if not np.all((own[1] <= own[0]) & (own[0] <= own[2]) & (own[1] < own[2])):
                 raise ArgumentError(f"parameters: {name} begins outside of its bounds {bounds}")
         return list(np.hstack(rows))
@@ -238,12 +237,12 @@ class _Fitting:
 
     def residuals(self, values: np.ndarray, noise: np.ndarray) -> np.ndarray:
         """Return what is left, in units of the noise."""
-        left = self.run(values).outputs[:, self.places] - self.measured
+        left = self.run(values).outputs[:, self.places, 0] - self.measured
         return (left / noise)[self.there]
 
     def jacobian(self, values: np.ndarray, noise: np.ndarray) -> np.ndarray:
         """Return the derivatives of what is left."""
-        return (self.run(values).along[:, self.places] / noise[:, None])[self.there]
+        return (self.run(values).outputs[:, self.places, 1:] / noise[:, None])[self.there]
 
     def fit(self) -> Fit:
         """Take steps until nothing gets better, and the noise of several outputs settles."""
@@ -261,7 +260,8 @@ class _Fitting:
             values = found.x
             if self.noise is not None:
                 break
-            left = np.where(self.there, self.run(values).outputs[:, self.places] - self.measured, 0)
+            left = np.zeros(self.there.shape)
+            left[self.there] = self.residuals(values, np.ones(len(noise)))
             freedom = count * (1.0 - unknowns / count.sum())
             before, noise = noise, np.maximum(np.sqrt((left**2).sum(axis=0) / freedom), least)
             if len(noise) == 1 or np.all(np.abs(noise / before - 1.0) < SETTLED):
@@ -270,13 +270,12 @@ class _Fitting:
         return self._found(values, noise, found.active_mask == 0)
 
     def _given_noise(self) -> np.ndarray:
-        if not isinstance(self.noise, Mapping):
-            return np.full(len(self.outputs), float(self.noise))
-        missing = {n for n in self.outputs if not {n, n.partition("[")[0]} & set(self.noise)}
-        if missing:
-            raise ArgumentError(f"noise: does not say that of {', '.join(sorted(missing))}")
-        return np.array([float(self.noise.get(n, self.noise.get(n.partition("[")[0])))
-                         for n in self.outputs])  # fmt: skip
+        one = self.noise
+        given = one if isinstance(one, Mapping) else dict.fromkeys(self.outputs, one)
+        found = {name: given.get(name, given.get(name.partition("[")[0])) for name in self.outputs}
+        if missing := [name for name, size in found.items() if not size]:
+            raise ArgumentError(f"noise: does not say that of {', '.join(missing)}; above 0")
+        return np.array([*found.values()], dtype=float)
 
     def _found(self, values: np.ndarray, noise: np.ndarray, free: np.ndarray) -> Fit:
         """Return the estimates with what the Jacobian says of them."""
@@ -298,14 +297,12 @@ class _Fitting:
         errors[np.flatnonzero(free)[lost]] = np.inf
         times = norm.ppf(0.975) if given else t.ppf(0.975, freedom)
         free_names = [name for name, one in zip(self.names, free, strict=True) if one]
-        state, params = self.ready.start.copy(), dict[str, Any]()
-        for way, value in zip(self.ready.ways, values, strict=True):
-            if way.state >= 0:
-                state[way.state] = value
-                continue
-            (k, own), *_ = way.fields
-            name = way.name.partition("[")[0]
-            params.setdefault(name, np.array(getattr(self.ready.given[k], own)))[way.at] = value
+        start, blocks = self.ready.moved(values)
+        params = {
+            way.name.partition("[")[0]: getattr(blocks[way.fields[0][0]], way.fields[0][1])
+            for way in self.ready.ways
+            if way.fields
+        }
         return Fit(
             dict(zip(self.names, map(float, values), strict=True)),
             dict(zip(self.names, map(float, errors), strict=True)),
@@ -316,7 +313,7 @@ class _Fitting:
             (*(_sentence(free_names, one) for one in turned[~felt]),
              *(f"{name} lies on a bound" for name in self.names if name not in free_names)),
             {name: one if one.ndim else float(one) for name, one in params.items()},
-            state, len(left), self.runs,
+            start, len(left), self.runs,
         )  # fmt: skip
 
 

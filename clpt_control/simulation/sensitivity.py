@@ -15,14 +15,14 @@ import control
 import numpy as np
 
 from ..arguments import public
-from ..diagrams.varied import fields_by_name, may_jump, read_as_number, varied
+from ..diagrams.varied import Varied, fields_by_name, may_jump, read_as_number, varied
 from ..diagrams.wiring import Wiring
 from ..equations.arrays import Unread
 from ..equations.declaration import ports_of
 from ..equations.linear import linear
 from ..errors import SimulationError, Uncompiled
 from ..native.ending import Solution
-from ..native.engines import difference
+from ..native.engines import compared
 from ..native.native_diagram import NativeDiagram
 from ..native.schedule import checked_times, open_sizes, read_inputs, stacked_state
 from ..scenario.experiment import Scenario
@@ -44,47 +44,51 @@ class Way(NamedTuple):
     """One number that is varied: an element of fields of blocks, or a state of the start."""
 
     name: str
-    fields: tuple[tuple[int, str], ...]
+    fields: tuple[tuple[int, str], ...] = ()
     at: tuple[int, ...] = ()
     state: int = -1
 
 
 class Varying(NamedTuple):
-    """Outputs (nt, ny) of a run, and how they and the states vary: (nt, ny, ways)."""
+    """Outputs and states of a run, and then how they vary: of shape (nt, count, 1 + ways)."""
 
     solution: Solution
     outputs: np.ndarray
-    along: np.ndarray
     states: np.ndarray
+
+    @property
+    def every(self) -> np.ndarray:
+        """Outputs, then states."""
+        return np.concatenate([self.outputs, self.states], axis=1)
 
 
 def ways_of(names: str | Iterable[str], wiring: Wiring, states: Sequence[str]) -> list[Way]:
     """Return what is varied by these names: parameters, their elements, states of the start."""
-    known = fields_by_name(wiring)
+    known: dict[str, list[Way]] = {}
+    fields = fields_by_name(wiring)
+    for name, places in fields.items():
+        k, field = places[0]
+        every = [
+            Way(f"{name}[{','.join(map(str, at))}]" if at else name, tuple(places), at)
+            for at in np.ndindex(np.shape(getattr(wiring.nodes[k].system.parameters, field)))
+        ]
+        known |= {way.name: [way] for way in every} | {name: every}
+    labels = (
+        {START: range(len(states))} | ports_of(states) | {one: [k] for k, one in enumerate(states)}
+    )
+    for name, own in labels.items():
+        known[f"{START}.{name}"] = [Way(f"{START}.{states[k]}", state=k) for k in own]
+        known.setdefault(name, known[f"{START}.{name}"])
     found: list[Way] = []
     for name in [names] if isinstance(names, str) else names:
-        if name in known and name in states:
+        if name in fields and name in states:
             raise SimulationError(
                 f"{name}: is a parameter and a state; {START}.{name} is the state"
             )
-        bare, _, element = name.partition("[")
-        state = name.removeprefix(f"{START}.")
-        if state in states or (name == START and name not in known):
-            own = states if name == START else [state]
-            found += [Way(f"{START}.{one}", (), state=states.index(one)) for one in own]
-        elif bare in known:
-            (k, field), *_ = fields = known[bare]
-            shape = np.shape(getattr(wiring.nodes[k].system.parameters, field))
-            places = {f"{bare}[{','.join(map(str, at))}]" if at else bare: at
-                      for at in np.ndindex(shape)}  # fmt: skip
-            if element and name.replace(" ", "") not in places:
-                raise SimulationError(f"{name}: {bare} has the shape {shape}, counted from 0")
-            for label, at in places.items():
-                if not element or label == name.replace(" ", ""):
-                    found.append(Way(label, tuple(fields), at))
-        else:
-            several = sorted({*known, *states, START})
-            raise SimulationError(f"{name}: must be among {', '.join(several)}")
+        if name.replace(", ", ",") not in known:
+            several = ", ".join(sorted({*fields, *states, START}))
+            raise SimulationError(f"{name}: must be among {several}, or an element, counted from 0")
+        found += known[name.replace(", ", ",")]
     for way in found:
         for k, field in way.fields:
             if role := read_as_number(wiring.nodes[k].system, field):
@@ -117,10 +121,10 @@ class Sensitive:
         if loop is not None:
             own = loop.scenario.run.solver
             solver = {name: own.get(name) if v is None else v for name, v in solver.items()}
-            if initial_state is None:
-                initial_state = start_of(system)
+            if initial_state is inputs is None:
                 self.skipped = int(times[0] != 0)
                 times = np.concatenate([np.zeros(self.skipped), times])
+            initial_state = start_of(system) if initial_state is None else initial_state
         self.times, self.name = times, system.name
         self.solver = {name: value for name, value in solver.items() if value is not None}
         if callable(inputs):
@@ -128,77 +132,74 @@ class Sensitive:
         sizes = open_sizes(system, inputs, initial_state, times)
         try:
             run = compiled(system, params, sizes)
-        except Uncompiled as error:
+            self.wiring, self.given, self.states = run.wiring, run.runner.sweep.given, run.states
+            self.ways = ways_of(to, self.wiring, self.states)
+            self.made, self.runner = self._made()
+        except (Uncompiled, Unread) as error:
             raise SimulationError(f"{self.name}: has no known derivative: {error}") from None
-        self.wiring, self.given, self.states = run.wiring, run.runner.sweep.given, run.states
         outputs = slice(self.wiring.output_map.shape[0])
         self.labels, self.units = run.labels[outputs], units_shown(run.wiring)[outputs]
         self.inputs = read_inputs(inputs, times, self.wiring.ninputs)
         state = 0.0 if initial_state is None else initial_state
         self.start = stacked_state("initial_state", state, run.runner.nstates)
-        self.ways = ways_of(to, self.wiring, self.states)
+
+    def _made(self) -> tuple[Varied, NativeDiagram]:
+        """Return the diagram beside how it varies, and ready to run."""
         seeds: list[dict[str, np.ndarray]] = [{} for _ in self.wiring.nodes]
         for j, way in enumerate(self.ways):
             for k, field in way.fields:
                 shape = np.shape(getattr(self.given[k], field))
                 seed = seeds[k].setdefault(field, np.zeros((len(self.ways), *shape)))
                 seed[(j, *way.at)] = 1.0
-        try:
-            self.made = varied(self.wiring, self.given, seeds, len(self.ways))
-            NativeDiagram(self.made.wiring)
-        except Unread as error:
-            raise SimulationError(f"{self.name}: has no known derivative: {error}") from None
-        blocks = [node.system for node in self.wiring.nodes]
         self.doubtful = [  # blocks in which something may jump
-            block.name
-            for block, seed in zip(blocks, seeds, strict=True)
-            if may_jump(block) or (seed and block.breakpoints_function is not None)
+            node.name
+            for node, seed in zip(self.wiring.nodes, seeds, strict=True)
+            if may_jump(node.system) or (seed and node.system.breakpoints_function is not None)
         ]
+        made = varied(self.wiring, self.given, seeds, len(self.ways))
+        apart = {place for way in self.ways for place in way.fields}
+        return made, NativeDiagram(made.wiring, apart=apart)
 
     @property
     def values(self) -> np.ndarray:
         """What is varied, as it was given."""
-        return np.array([
-            self.start[way.state] if way.state >= 0
-            else getattr(self.given[way.fields[0][0]], way.fields[0][1])[way.at]
-            for way in self.ways
-        ])  # fmt: skip
+        found = []
+        for _, fields, at, state in self.ways:
+            k, field = fields[0] if fields else (0, "")
+            found.append(getattr(self.given[k], field)[at] if fields else self.start[state])
+        return np.array(found)
+
+    def moved(self, values: np.ndarray) -> tuple[np.ndarray, list[Any]]:
+        """Return the start, and parameters of blocks, with other values of what is varied."""
+        start, given = self.start.copy(), list(self.given)
+        for (_, fields, at, state), value in zip(self.ways, values, strict=True):
+            if not fields:
+                start[state] = value
+            for k, field in fields:
+                own = np.array(getattr(given[k], field))
+                own[at] = value
+                given[k] = given[k]._replace(**{field: own})
+        return start, given
 
     def run(self, values: np.ndarray, **solver: Any) -> Varying:
         """Run with other values of what is varied."""
-        start, changed = self.start.copy(), dict[tuple[int, str], Any]()
-        for way, value in zip(self.ways, values, strict=True):
-            if way.state >= 0:
-                start[way.state] = value
-            for place in way.fields:
-                k, field = place
-                own = changed.setdefault(place, np.array(getattr(self.given[k], field)))
-                own[way.at] = value
-        nodes, varied_fields = self.made.wiring.nodes, {field for _, field in changed}
-        params = {  # of all blocks that have such a field: a short name would reach several
-            f"{node.name}.{field}": changed.get((k, field), getattr(self.given[k], field))
-            for k, node in enumerate(nodes)
-            for field in varied_fields.intersection(node.system.parameters._fields)
-        }
-        runner = NativeDiagram(self.made.wiring, params)
+        start, given = self.moved(values)
         x = np.zeros(self.made.states.size)
         x[self.made.states[0]] = start
-        for j, way in enumerate(self.ways):
-            if way.state >= 0:
-                x[self.made.states[1 + j, way.state]] = 1.0
-        solution = runner.run(x, self.times, inputs=self.inputs, **{**self.solver, **solver})
-        signals = runner.signals(solution, self.inputs)
-        if found := difference(runner, solution, signals, self.inputs):
-            raise SimulationError(f"{self.name}: its derivative is not known: {found}")
-        every = signals[:, self.made.signals]  # (nt, 1 + ways, signals)
-        u = np.zeros((len(solution.t), every.shape[1], self.wiring.ninputs))
-        u[:, 0] = self.inputs.along(solution.t).T
-        made = np.concatenate([every, u], axis=2).transpose(2, 1, 0)
-        outputs = np.array([self.wiring.output_map @ made[:, j] for j in range(made.shape[1])])
-        outputs = outputs.transpose(2, 1, 0)[self.skipped :]
-        states = solution.x[:, self.made.states].transpose(0, 2, 1)[self.skipped :]
-        solution = replace(solution, t=solution.t[self.skipped :], x=states[..., 0])
-        return Varying(solution, outputs[..., 0], outputs[..., 1:], states[..., 1:])
+        starts = [(1 + j, way.state) for j, way in enumerate(self.ways) if not way.fields]
+        x[self.made.states[tuple(np.array(starts, dtype=int).reshape(-1, 2).T)]] = 1.0
+        runner, solver = self.runner.with_parameters(given), {**self.solver, **solver}
+        solution, signals, why = compared(runner, x, self.times, inputs=self.inputs, **solver)
+        if why:
+            raise SimulationError(f"{self.name}: its derivative is not known: {why}")
+        every = runner.finite(solution, signals)[:, self.made.signals].transpose(0, 2, 1)
+        u = np.zeros((len(every), self.wiring.ninputs, every.shape[2]))
+        u[..., 0] = self.inputs.along(solution.t).T
+        rows = np.concatenate([every, u], axis=1)[self.skipped :]
+        outputs = np.array([self.wiring.output_map @ row for row in rows])
+        states = solution.x[self.skipped :, self.made.states].transpose(0, 2, 1)
+        done = replace(solution, t=solution.t[self.skipped :], x=states[..., 0])
+        return Varying(done, outputs, states)
 
     def check(self, values: np.ndarray, found: Varying) -> None:
         """Refuse what differences do not confirm, where a function may jump."""
@@ -207,21 +208,19 @@ class Sensitive:
         solver = {} if self.wiring.dt else EXACT
         size = np.where(values == 0.0, 1.0, np.abs(values))
         size *= np.random.default_rng(0).choice([-1.0, 1.0], len(size))
-        along = np.concatenate([found.along, found.states], axis=1) @ size
-        largest = np.abs(along).max(axis=0)
-        wrong = []
+        along = found.every[..., 1:] @ size
+        wrong = np.ones(along.shape[1], dtype=bool)
         for h in STEPS:
-            (more, x_more), (less, x_less) = (
-                (run.outputs, run.solution.x)
-                for run in (self.run(values + step * size, **solver) for step in (h, -h))
+            more, less = (
+                self.run(values + step * size, **solver).every[..., 0] for step in (h, -h)
             )
             n = min(len(more), len(less), len(along))
-            moved = np.concatenate([more[:n] - less[:n], x_more[:n] - x_less[:n]], axis=1)
-            level = 10 * EXACT["rtol"] / h * np.abs(np.concatenate([more, x_more], axis=1)).max(0)
-            off = np.abs(moved / (2.0 * h) - along[:n]) > CLOSE * largest + level
-            wrong.append(off.sum(axis=0) > max(1, SHARE * n))
-        if np.any(np.logical_and(*wrong)):
-            worst = [*self.labels, *self.states][int(np.argmax(np.logical_and(*wrong)))]
+            rounding = 10 * EXACT["rtol"] / h * np.abs(more).max(axis=0)
+            off = np.abs((more[:n] - less[:n]) / (2.0 * h) - along[:n])
+            far = off > CLOSE * np.abs(along).max(axis=0) + rounding
+            wrong &= far.sum(axis=0) > max(1, SHARE * n)
+        if wrong.any():
+            worst = [*self.labels, *self.states][int(np.argmax(wrong))]
             raise SimulationError(
                 f"{worst}: differences of runs do not confirm its derivative, for a function jumps "
                 f"where the run crosses something that moves with what is varied (look in "
@@ -300,8 +299,8 @@ def dataset_of(
 
     frame = diagram_frame(ready.name, *map(tuple, (ready.labels, ready.units, ready.states)))
     each = [
-        frame.filled(replace(found.solution, x=found.states[..., j]), found.along[..., j])
-        for j in range(len(ready.ways))
+        frame.filled(replace(found.solution, x=found.states[..., j]), found.outputs[..., j])
+        for j in range(1, 1 + len(ready.ways))
     ]
     names = xarray.Variable("parameter", [way.name for way in ready.ways])
     every = xarray.concat(each, names, combine_attrs="override").transpose(..., "parameter")

@@ -149,6 +149,7 @@ def test_mistakes_are_told():
         ({"begin": {"m": (1.0, 2.0, 3.0)}}, "outside of its bounds"),
         ({"begin": {"m": (1.0, 2.0)}}, "a start, or"),
         ({"noise": {"speed": 1.0}}, "does not say that of place"),
+        ({"noise": 0.0}, "above 0"),
     ):
         with pytest.raises(clpt.ClptError, match=said):
             fit(**given)

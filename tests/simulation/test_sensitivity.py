@@ -195,7 +195,8 @@ def test_outputs_are_chosen_and_named():
     units = clpt.sensitivity(clpt.connect([scaled]), times, "x", "a.k").x.attrs["units"]
     assert units == "m per unit of the parameter"
     scenario = clpt.paper_scenario()
-    found = clpt.sensitivity(scenario, times, of=["e[1]"], to="adaptation.gain")
+    found = clpt.sensitivity(scenario, times, of=["e[1]"], to=["adaptation.gain", "vehicle_x"])
+    assert [*found.parameter.values[1:]] == ["x0.vehicle_x[0]", "x0.vehicle_x[1]"]
     assert found["e[1]"].dims == ("time", "parameter")
 
 
@@ -249,7 +250,7 @@ def test_what_is_not_known_is_said():
         clpt.sensitivity(asking, [0.0, 1.0], to="q")
     with pytest.raises(clpt.SimulationError, match="must be among x, states"):
         clpt.sensitivity(asking, [0.0, 1.0], of="q", to="k")
-    with pytest.raises(clpt.SimulationError, match="shape"):
+    with pytest.raises(clpt.SimulationError, match="or an element, counted from 0"):
         clpt.sensitivity(control.ss([[1.0]], [[1.0]], [[1.0]], 0, name="p"), [0.0, 1.0],
                          to="p.A[1,0]")  # fmt: skip
     with pytest.raises(clpt.SimulationError, match="takes no function"):
