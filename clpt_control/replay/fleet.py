@@ -54,15 +54,14 @@ def events(found: dict[str, Any], now: float) -> list[Event]:
     happened = []
     last, late = each[-1]["dive"], now - _seconds(ahead["time"])
     if late > ahead["time_90"] and now - _seconds(each[-1]["end"]) <= RECENT:
-        said = f"should have come up at {clock(ahead['time'])} {within(ahead)}"
-        happened.append(Event(OVERDUE, last, f"{OVERDUE} after dive {last}: {said}"))
+        said = f"after dive {last}: should have come up at {clock(ahead['time'])} {within(ahead)}"
+        happened.append(Event(OVERDUE, last, f"{OVERDUE} {said}"))
     if (running := _running(each)) > 1:
         since = each[-running]["dive"]
-        said = f"{running} dives running, since dive {since}, outside their 90 % ellipses"
-        happened.append(Event(OUT, since, f"{OUT}: {said}"))
+        said = f"{OUT}: {running} dives running, since dive {since}, outside their 90 % ellipses"
+        happened.append(Event(OUT, since, said))
     if anomaly := _anomaly(each):
-        said = f"{SPEED}: speed anomaly: {Anomaly(**anomaly)}"
-        happened.append(Event(SPEED, anomaly["dive"], said))
+        happened.append(Event(SPEED, anomaly["dive"], f"{SPEED}: {Anomaly(**anomaly)}"))
     return happened
 
 

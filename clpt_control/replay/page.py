@@ -137,6 +137,7 @@ def _keys(found: dict[str, Any]) -> str:
         if found.get("aim")
         else []
     )
+    keys += [("area", "to stay out of")] if "route" in found else []
     return (
         '<p class="keys">'
         + " ".join(f'<span class="key {style}">{safe(name)}</span>' for style, name in keys)

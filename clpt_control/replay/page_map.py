@@ -73,7 +73,9 @@ def replay_map(found: dict[str, Any]) -> str:
     near += [layer for layer in ahead if layer.of is found["next_dive"]]
     places = [place for layer in near for place in layer.places]
     drawing = Drawing([*places, *_in_reach(places, [layer.places[0] for layer in targets])])
-    drawn = [*_grid(drawing), '<g id="dives">']
+    areas = found["route"]["areas"] if "route" in found else []
+    drawn = [drawing.line(area["ring"], "area", closed=True) for area in areas]
+    drawn += [*_grid(drawing), '<g id="dives">']
     for k, each in enumerate(dives):
         number, recent = safe(rows[k]["dive"]), k >= len(rows) - LAST
         title = f"<title>dive {number}: {safe(each[-1].words)}</title>"

@@ -114,8 +114,10 @@ def arrivals(
             {"latitude": place[0], "longitude": place[1], "place": in_minutes(*place)}
             | {"made": float(np.isfinite(each).mean()), **dict(zip(SHARES, said, strict=True))}
         )
-    shares = entered.mean(0).tolist()
-    areas = [{"name": name, "entered": p} for (name, _), p in zip(route.areas, shares, strict=True)]
+    areas = [
+        {"name": name, "entered": share, "ring": ring}
+        for (name, ring), share in zip(route.areas, entered.mean(0).tolist(), strict=True)
+    ]
     return {"draws": DRAWS, "dives": DIVES, "waypoints": waypoints, "areas": areas}
 
 

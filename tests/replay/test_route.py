@@ -5,6 +5,7 @@ import math
 from datetime import datetime
 
 import pytest
+from html_reader import Reader
 from synthetic_vehicle import STEADY, vehicle
 from typer.testing import CliRunner
 
@@ -139,11 +140,22 @@ def test_what_is_no_route_is_one_sentence(text, says, tmp_path):
 
 
 def test_the_command_draws_the_way(tmp_path):
-    (tmp_path / "route.txt").write_text("-42.93 8.47\n")
-    words = ["replay", "--sample", "--route", str(tmp_path / "route.txt"), "--json"]
+    line = {"type": "LineString", "coordinates": [[8.47, -42.93], [8.47, -42.92]]}
+    ring = [[8.46, -42.94], [8.48, -42.94], [8.48, -42.92], [8.46, -42.94]]
+    both = {
+        "type": "GeometryCollection",
+        "geometries": [line, {"type": "Polygon", "coordinates": [ring]}],
+    }
+    (tmp_path / "route.json").write_text(json.dumps(both))
+    words = ["replay", "--sample", "--route", str(tmp_path / "route.json"), "--json"]
     done = CliRunner().invoke(application(), [*words, "--out", str(tmp_path / "out")])
     found = json.loads(done.stdout)
     assert found["aim"][0]["latitude"] == -42.93
     assert found["route"]["waypoints"][0]["made"] > 0.5
-    assert "route to 42 55.80 S" in (tmp_path / "out" / "replay.html").read_text("utf-8")
+    page = (tmp_path / "out" / "replay.html").read_text("utf-8")
+    assert "route to 42 55.80 S" in page
+    tags = Reader(page).tags
+    (area,) = (names["d"] for tag, names in tags if (tag, names.get("class")) == ("path", "area"))
+    assert area.count("L") == 3
+    assert area.endswith("Z")
     assert found["paste"]["file"] == "targets"
