@@ -4,7 +4,8 @@
 
 The textbook's loop: y' = -a y + b v with a and b unknown shall follow ym' = -2 ym + 2 r.  The
 table says how the adaptation gain trades the first error against the last; FIGURE (default:
-mrac.png) shows the responses.  Source: Astrom and Wittenmark 1995, Adaptive Control, chapter 5.
+mrac.png) shows the responses, and the error over adaptation gain and b.
+Source: Astrom and Wittenmark 1995, Adaptive Control, chapter 5.
 """
 
 import sys
@@ -82,15 +83,23 @@ def main(path="mrac.png"):
         )
         k_r, k_y = float(run.k_r[-1]), float(run.k_y[-1])
         print(f"| {gain:g} | {first:.3f} | {last:.4f} | {k_r:.2f} | {k_y:.2f} |")
-    figure, (top, bottom) = plt.subplots(2, sharex=True, figsize=(6.4, 5))
+    over = {"adaptation.gain": np.geomspace(0.2, 5, 9), "plant.b": np.linspace(0.25, 1, 7)}
+    swept = clpt.run_ensemble(loop(), over, timepts=TIMES, inputs=r).unstack()
+    figure, axes = plt.subplot_mosaic([["y", "sweep"], ["k", "sweep"]], figsize=(8.4, 4.6))
+    top, bottom = axes["y"], axes["k"]
+    swept.e_rms.plot.contourf(x="adaptation.gain", ax=axes["sweep"], xscale="log", cmap="viridis")
     top.plot(TIMES, next(iter(runs.values())).ym, "k--", lw=1, label="model")
     for gain, run in runs.items():
         top.plot(TIMES, run.y, lw=1, label=f"gain {gain:g}")
         bottom.plot(TIMES, run.k_r, lw=1, label=f"gain {gain:g}")
     bottom.axhline(4, color="k", ls=":", lw=1)
     top.set(ylabel="y")
+    top.sharex(bottom)
+    axes["sweep"].set(xlabel="adaptation gain", ylabel="b of the plant")
+    axes["sweep"].set_xticks(GAINS, [f"{gain:g}" for gain in GAINS])
+    axes["sweep"].minorticks_off()
     bottom.set(ylabel="k_r (right: 4)", xlabel="time (s)")
-    top.legend(frameon=False, ncols=4, fontsize=8, loc="lower center", bbox_to_anchor=(0.5, 1.0))
+    top.legend(frameon=False, ncols=4, fontsize=7, loc="lower center", bbox_to_anchor=(0.5, 1.0))
     figure.savefig(Path(path))
     plt.close(figure)
     print(f"{path}: written")
