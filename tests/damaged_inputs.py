@@ -34,7 +34,9 @@ NUMBERS = (
     *("99999999999999999999", "9" * 400, "-2147483649", "true", '"word"', "[]", "[[1]]", "{}", ""),
 )
 VALUES = (np.nan, np.inf, -np.inf, 1e308, -1e308, 1e-300, 1e15, -1.0, 0.0, 9.97e36, 1e9)
-OF_NETCDF = "drop rename type value values shape scalar units attribute attributes time dims team"
+OF_NETCDF = (
+    "drop rename type value values shape scalar units attribute attributes time dims team equations"
+)
 WORDS = (
     "",
     "x",
@@ -71,6 +73,14 @@ def make_valid(folder):
     clpt.save_run(clpt.simulation.run_and_report(short).run, folder / "run.nc")
     team = clpt.Team(members={"a": short, "b": short}, coupling=0.5)
     clpt.save_run(clpt.simulate(team), folder / "team.nc")
+    step = clpt.Block(
+        "tank",
+        update=lambda t, x, u, p: {"h": [p.a @ (u.q[0] - x.h), np.interp(x.h[0], [0, 1], p.a)]},
+        inputs={"q": 1},
+        states={"h": 2},
+        parameters={"a": np.array([0.5, 0.2])},
+    )
+    clpt.save_run(clpt.simulate(step, np.arange(6.0), 1.0), folder / "diagram.nc")
     (folder / "team.toml").write_text(clpt.load_run(folder / "team.nc").attrs["team"])
     uniform_field(folder / "field.nc", half=40.0, end=500.0)
     text = (folder / "s.toml").read_text()
@@ -140,6 +150,8 @@ USES = (  # words, the file to damage (a part of what is copied), all that is co
     ("animate run.nc -o out.gif " + FILM, "run.nc", "run.nc", 3),
     ("report run.nc -o out.html --json", "run.nc", "run.nc", 5),
     ("report team.nc -o out.html --json", "team.nc", "team.nc", 2),
+    ("report diagram.nc -o out.html --json", "diagram.nc", "diagram.nc", 3),
+    ("run diagram.nc --out out.nc --json", "diagram.nc", "diagram.nc", 4),
     ("report e.zarr -o out.html --json", "e.zarr", "e.zarr", 6),
     ("report replay.nc -o out.html --json", "replay.nc", "replay.nc", 4),
     ("report replay.json -o out.html --json", "replay.json", "replay.json", 4),
@@ -355,6 +367,10 @@ def netcdf_changed(rng, path):
         said = f"attribute {key} is {str(value)[:30]!r}"
     elif kind == "attributes":
         data.attrs = {}
+    elif kind == "equations" and kind in data.attrs:
+        plain = json.loads(data.attrs[kind])
+        said = f"equations: {json_changed(rng, plain)}"
+        data.attrs[kind] = json.dumps(plain)
     return said if _rewritten(data, path) else "of other variables"
 
 
@@ -399,6 +415,13 @@ def zarr_changed(rng, path):
         return f"{where} is gone"
     one = listed[rng.integers(len(listed))]
     made = json.loads(one.read_text())
+    said = json_changed(rng, made)
+    one.write_text(json.dumps(made))
+    return f"{one.relative_to(path)}: {said}"
+
+
+def json_changed(rng, made):
+    """Change one place of what JSON says."""
     at, key = made, None
     while isinstance(at, dict | list) and at and (key is None or rng.random() < 0.8):
         inner, key = (
@@ -419,8 +442,7 @@ def zarr_changed(rng, path):
         value = "gone"
     else:
         inner[key] = value
-    one.write_text(json.dumps(made))
-    return f"{one.relative_to(path)}: {key} is {str(value)[-30:]}"
+    return f"{key} is {str(value)[-30:]}"
 
 
 def damaged(rng, path):

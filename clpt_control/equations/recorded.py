@@ -18,6 +18,7 @@ from .arrays import Unread
 from .block import Block
 from .declaration import Each, Guard, parameters_of
 from .numbers import OPERATIONS
+from .ports import bound, sizes_of
 from .record import Operation, Record, Shape
 from .sampled import Sampled
 
@@ -196,6 +197,10 @@ def _recorded(plain: Mapping[str, Any]) -> Block:
     sizes = {str(name): _size(size) for name, size in plain["sizes"].items()}
     values = {name: _value(value) for name, value in plain["parameters"].items()}
     records = {role: _record(lines) for role, lines in plain["records"].items()}
+    for kind in KINDS:  # before anything of that size is made
+        own = bound(plain["name"], shapes[f"{kind}s"], sizes)
+        if sum(sizes_of(own).values()) != len(plain["labels"][kind]):
+            raise BlockError(f"{plain['name']}: its {kind}s are not as many as their labels")
     jumps = plain["jumps"]
     if jumps is not None:
         jumps = (

@@ -158,12 +158,12 @@ def load_diagram(path: str | Path) -> Diagram:
     """
     with open_netcdf(Path(path)) as data:
         check_form(data.attrs, path)
-        text, why = data.attrs.get(EQUATIONS, ""), data.attrs.get(NOT_REPEATED, "")
+        text, why = (str(data.attrs.get(name, "")) for name in (EQUATIONS, NOT_REPEATED))
     if not text and "scenario" in data.attrs:
         return closed_loop(load_scenario(path))
     if not text:
         raise DataError(f"{path}: holds no equations{f': {why}' if why else ''}")
     try:
-        return diagram_from(str(text))
+        return diagram_from(text)
     except ClptError as error:
         raise DataError(f"{path}: {error}") from None
