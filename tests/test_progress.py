@@ -1,6 +1,9 @@
 """How far work has come: a rate and the time left, on standard error."""
 
 import io
+import os
+import subprocess
+import sys
 from itertools import count
 from types import SimpleNamespace
 
@@ -48,3 +51,23 @@ def test_a_bar_shows_any_name_as_it_is(ticking, monkeypatch):
         report(0)
         report(1)
     assert "running [red]{x}.toml" in screen.getvalue()
+
+
+ENDED = """
+import os
+from clpt_control.progress.processes import processes
+
+if __name__ == "__main__":
+    with processes(1) as pool:
+        print(pool.submit(abs, -1).result(), flush=True)
+        os._exit(130)
+"""
+
+
+@pytest.mark.skipif(os.name != "posix", reason="semaphores are tidied by another process there")
+def test_a_command_that_ends_with_its_processes_at_work_says_nothing_of_semaphores(tmp_path):
+    (tmp_path / "ended.py").write_text(ENDED)
+    done = subprocess.run(
+        [sys.executable, "ended.py"], cwd=tmp_path, capture_output=True, text=True
+    )
+    assert (done.returncode, done.stdout, done.stderr) == (130, "1\n", "")

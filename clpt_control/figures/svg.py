@@ -11,7 +11,7 @@ from io import BytesIO
 from typing import TYPE_CHECKING
 from xml.etree import ElementTree
 
-from ..html import safe
+from ..html import plain, safe
 from . import BLUE, COLOURS, GREEN, GREY, ORANGE, PURPLE, RED, save_figure
 
 if TYPE_CHECKING:
@@ -45,7 +45,7 @@ def inline_svg(figure: "Figure", name: str, said: str) -> str:
     """Return a figure as an element of a page; `name` is its own, `said` is read aloud."""
     made = BytesIO()
     save_figure(figure, made, "svg", transparent=True)
-    root = ElementTree.fromstring(made.getvalue())
+    root = ElementTree.fromstring(plain(made.getvalue().decode()))
     for parent in root.iter():
         for child in list(parent):
             if child.tag.rpartition("}")[2] in ("metadata", "style"):

@@ -6,12 +6,15 @@ No socket is opened, so that nobody else can reach them.
 import gc
 import os
 import signal
+import sys
 import threading
 from collections.abc import Iterator
 from concurrent.futures import Future, ProcessPoolExecutor
 from contextlib import contextmanager
 from multiprocessing import active_children, get_context, parent_process, resource_tracker
 from typing import Any
+
+LEFT = "ignore:resource_tracker"  # what an interrupt ends leaves to multiprocessing, which tidies
 
 
 class Pool(ProcessPoolExecutor):
@@ -32,6 +35,8 @@ class Pool(ProcessPoolExecutor):
 @contextmanager
 def processes(count: int) -> Iterator[Pool]:
     """Yield a pool of so many processes, which are killed at the end."""
+    if LEFT not in sys.warnoptions:
+        sys.warnoptions.append(LEFT)
     pool = Pool(count, get_context("spawn"), _begin)
     before = active_children()
     try:

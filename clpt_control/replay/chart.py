@@ -23,6 +23,8 @@ from itertools import pairwise
 from math import ceil, cos, floor, pi, radians, sin
 from typing import Any, NamedTuple
 
+import numpy as np
+
 from ..errors import needed
 from ..geodesy import displacement, place_from
 from .wording import compass, east_of, velocity
@@ -132,14 +134,14 @@ class Chart:
     """
 
     def __init__(self, places: Sequence[Place]) -> None:
-        lats = [_below_the_poles(lat) for lat, _ in places]
-        self.middle = (min(lats) + max(lats)) / 2
+        lats, lons = np.transpose(places)
+        ends = _below_the_poles(np.array([lats.min(), lats.max()]))
+        self.middle = ends.sum().item() / 2
         self.first = places[0][1]
         self._proj = needed("pyproj").Proj(proj="merc", ellps="WGS84", lat_ts=self.middle)
         self._degree = self._proj(1.0, 0.0)[0]  # m along the middle
         self._zero = self._proj(0.0, self.middle)[1]
-        points = [self.xy(*place) for place in places]
-        spans = [(min(values), max(values)) for values in zip(*points, strict=True)]
+        spans = [(one.min().item(), one.max().item()) for one in self.xy(lats, lons)]
         (west, east), (south, north) = spans
         size = max(east - west, north - south, LEAST)
         wide, high = (max(b - a, NARROWEST * size) + 2 * MARGIN * size for a, b in spans)
@@ -151,10 +153,10 @@ class Chart:
             y + high / 2,
         )
 
-    def xy(self, lat: float, lon: float) -> tuple[float, float]:
-        """Return where a place (degrees) lies, m."""
+    def xy(self, lat: Any, lon: Any) -> tuple[Any, Any]:
+        """Return where a place (degrees) lies, m, or where many do."""
         x = self._degree * (near(lon, self.first) - self.first)
-        return x, self._proj(0.0, _below_the_poles(lat))[1] - self._zero
+        return x, self._proj(0.0 * lat, _below_the_poles(lat))[1] - self._zero
 
     def place(self, x: float, y: float) -> Place:
         """Return what place lies there; longitude as counted from the first place."""
@@ -169,8 +171,8 @@ class Chart:
         return up, _marks(south, north, up), along, _marks(west, east, along)
 
 
-def _below_the_poles(lat: float) -> float:
-    return min(max(lat, -MOST), MOST)
+def _below_the_poles(lat: Any) -> Any:
+    return np.clip(lat, -MOST, MOST)
 
 
 def step_of(minutes: float) -> float:

@@ -9,6 +9,8 @@ from collections.abc import Sequence
 from math import atan2, degrees, hypot
 from typing import Any
 
+import numpy as np
+
 from ..geodesy import displacement
 from ..html import safe
 from .chart import Chart, Layer, Place, dive_layers, layers_ahead, length_of, mark, place_in
@@ -44,14 +46,14 @@ class Drawing:
         self.metres = (self.chart.east - self.chart.west) / WIDTH  # per unit
         self.height = (self.chart.north - self.chart.south) / self.metres
 
-    def at(self, place: Place) -> tuple[float, float]:
-        """Return where a place is drawn."""
+    def at(self, place: Any) -> tuple[Any, Any]:
+        """Return where a place is drawn, or where many are: their latitudes, their longitudes."""
         x, y = self.chart.xy(*place)
         return (x - self.chart.west) / self.metres, (self.chart.north - y) / self.metres
 
     def line(self, places: Sequence[Place], style: str, closed: bool = False) -> str:
         """Return a line through places."""
-        points = "L".join(_numbers(*self.at(place)) for place in places)
+        points = "L".join(map(_numbers, *self.at(np.transpose(places))))
         return f'<path class="{style}" d="M{points}{"Z" if closed else ""}"/>'
 
     def group(self, place: Place, style: str, inner: str) -> str:
@@ -150,18 +152,14 @@ def _beyond(drawing: Drawing, number: int, aim: list[Place]) -> str:
 def _numbered(drawing: Drawing, rows: list[dict[str, Any]]) -> list[str]:
     """Return the numbers of dives, each with the least zoom at which it has room."""
     ends = [place_in(row, "end_") for row in rows]
-    points = [drawing.at(end) for end in ends]
+    points = np.transpose(drawing.at(np.transpose(ends)))
     free = list(range(len(rows) - 1, -1, -1))  # the last dive first
     drawn: list[str] = []
     placed: list[int] = []
     for level in range(LEVELS + 1):
         scale = PHONE * 2**level
         for k in list(free):
-            clear = all(
-                abs(points[k][0] - points[j][0]) * scale > ROOM[0]
-                or abs(points[k][1] - points[j][1]) * scale > ROOM[1]
-                for j in placed
-            )
+            clear = (np.abs(points[placed] - points[k]) * scale > ROOM).any(1).all()
             if clear or level == LEVELS:
                 placed.append(k)
                 free.remove(k)

@@ -2,6 +2,7 @@
 
 import json
 import re
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
@@ -13,6 +14,8 @@ import clpt_control as clpt
 from clpt_control.cli import application
 from clpt_control.ensemble.store import Store, open_store
 from clpt_control.errors import ClptError, DataError
+from clpt_control.figures import new_figure
+from clpt_control.figures.svg import inline_svg
 from clpt_control.pages.making import page_of
 from clpt_control.pages.page import page_html
 from clpt_control.simulation.report import run_and_report
@@ -340,3 +343,12 @@ def test_what_cannot_be_read_is_one_sentence(run, command, tmp_path):
     for target in ("r.txt", "no/r.html", "folder"):
         with pytest.raises(ClptError):
             raise command(tmp_path / "run.nc", "-o", tmp_path / target).exception
+
+
+@pytest.mark.filterwarnings("ignore:Glyph")
+def test_a_text_that_no_page_may_hold_is_drawn_without_its_controls():
+    figure, ax = new_figure(2, 1)
+    ax.set_ylabel("lyapunov (\x1b[31m)")
+    drawn = inline_svg(figure, "own", "said")
+    assert "lyapunov (\ufffd[31m)" in drawn
+    ElementTree.fromstring(drawn)
