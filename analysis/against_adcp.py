@@ -7,7 +7,7 @@ reads.  Its speed factor is the f that makes dead reckoning d what the vehicle s
 
 and the learned current is compared with c dive by dive.
 
-    python -m analysis.against_adcp FILES --adcp FILE
+    python -m analysis.against_adcp FILES --adcp FILE [--out FOLDER]
 
 FILES are dives as for `clpt replay`; the ADCP's CSV has the columns dive, u_east, v_north (m/s).
 """
@@ -21,6 +21,8 @@ import numpy as np
 import typer
 
 import clpt_control as clpt
+
+from .study import make_folder, new_figure, write_figure, write_text
 
 SETTLED = 5  # dives before the current is compared
 
@@ -64,10 +66,31 @@ def compared(dives: Sequence[clpt.gliders.Dive], adcp: dict[int, np.ndarray]) ->
 def main(
     files: Annotated[list[Path], typer.Argument(help="As for clpt replay.")],
     adcp: Annotated[Path, typer.Option(help="CSV: dive, u_east, v_north (m/s).")],
+    out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/against_adcp"),
 ) -> None:
-    """Print the comparison."""
+    """Leave against_adcp.md and against_adcp.png."""
     dives, _ = clpt.gliders.usable(clpt.gliders.read_dives(files)[0])
-    found = compared(dives, read_adcp(adcp))
+    measured = read_adcp(adcp)
+    found, folder = compared(dives, measured), make_folder(out)
+    figure, axes = new_figure(nrows=2, sharex=True)
+    steps = clpt.replay.replay_dives(dives).steps
+    number = [step.dive.number for step in steps]
+    for ax, side, k in zip(axes, ("east", "north"), (0, 1), strict=True):
+        ax.plot(number, [step.current[k] for step in steps], label="learned")
+        ax.plot(number, [measured[n][k] for n in number], "k.", label="ADCP")
+        ax.set(ylabel=f"current {side} (m/s)")
+    axes[1].set(xlabel="dive")
+    axes[0].legend(frameon=False, fontsize=8)
+    lines = [
+        "| | learned from fixes | ADCP | the files' own |",
+        "|---|---|---|---|",
+        f"| speed factor | {found.learned:.2f} +- {found.standard_error:.2f} | "
+        f"{found.measured:.2f} | 1 |",
+        "| current from the sixth dive on, rms off the ADCP's, a component | "
+        f"{100 * found.current:.1f} cm/s | 0 | {100 * found.in_file:.1f} cm/s |",
+    ]
+    write_text(folder / "against_adcp.md", "\n".join(lines) + "\n")
+    write_figure(figure, folder / "against_adcp.png")
     typer.echo(
         f"speed factor learned {found.learned:.2f} +- {found.standard_error:.2f}, ADCP "
         f"{found.measured:.2f}"

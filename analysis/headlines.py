@@ -24,7 +24,16 @@ from clpt_control.replay import Replay, next_dive
 
 from .glider_forecasts import SEAS
 from .made_seas import made_dives
-from .study import displacement, make_folder, place_from, progress_bar, write_text
+from .study import (
+    GREY,
+    displacement,
+    make_folder,
+    new_figure,
+    place_from,
+    progress_bar,
+    write_figure,
+    write_text,
+)
 
 COLUMNS = (
     "vehicle",
@@ -114,7 +123,7 @@ def main(
     seas: Annotated[int, typer.Option(help="Made vehicles in each sea.")] = 0,
     out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/headlines"),
 ) -> None:
-    """Leave headlines.md."""
+    """Leave headlines.md and headlines.png."""
     folder = make_folder(out)
     records = {} if files else {"SG542": usable(sample_dives())[0]}
     for path in files or []:
@@ -131,6 +140,14 @@ def main(
     lines = [f"| {' | '.join(COLUMNS)} |", "|---" * len(COLUMNS) + "|"]
     lines += [line(name, rows) for name, rows in found.items()]
     write_text(folder / "headlines.md", "\n".join(lines) + "\n")
+    figure, ax = new_figure()
+    for name, rows in found.items():
+        share = 100 * (np.arange(len(rows)) + 1) / len(rows)
+        ax.step(np.sort(rows[:, 0]), share, where="post", label=name)
+    ax.plot([0, 1, 1], [90, 90, 0], color=GREY, linestyle="--", label="said")
+    ax.set(xlabel="miss, of the 90 % ellipse", ylabel="surfacings within (%)", ylim=(0, 100))
+    ax.legend(frameon=False, fontsize=8)
+    write_figure(figure, folder / "headlines.png")
     typer.echo("\n".join(lines))
 
 

@@ -6,15 +6,25 @@ It follows from V' = -e^T KD e + e^T Delta, Eqs. (34)-(35), by completing the sq
 e^T Delta <= k |e|^2/2 + |Delta|^2/(2 k), and needs no excitation.  So rms(e) <= rms(Delta)/k in
 the long run.  With the known-flow law the residual (theta - theta_hat) phi(x, t) of Eq. (16)
 is part of Delta.
+
+    python -m analysis.mean_square [--out FOLDER]
+
+asks how near the two sides come on the paper's scenario under square waves.
 """
 
-from typing import NamedTuple
+from pathlib import Path
+from typing import Annotated, NamedTuple
 
 import numpy as np
+import typer
 import xarray
 from scipy.integrate import cumulative_trapezoid
 
 import clpt_control as clpt
+
+from .study import make_folder, new_figure, write_figure, write_text
+
+AMPLITUDE, PERIODS = 0.1, (2.0, 20.0, 200.0)  # m/s; s
 
 
 class MeanSquare(NamedTuple):
@@ -51,3 +61,28 @@ def mean_square_bound(run: xarray.Dataset, scenario: clpt.Scenario) -> MeanSquar
     found = clpt.theory.printed_bound(scenario, run, 0.0)
     e, delta = found.size[:, None], found.drive[:, None]
     return mean_square_sides(found.times, e, delta, float(run.lyapunov[0]), found.k)
+
+
+def main(out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/mean_square")) -> None:
+    """Leave mean_square.md and mean_square.png."""
+    folder, (figure, ax) = make_folder(out), new_figure()
+    lines = ["| period (s) | rms(e) k / rms(Delta) | sides, at most | holds |", "|---|---|---|---|"]
+    for period in PERIODS:
+        wave = {"kind": "square", "amplitude": [AMPLITUDE, 0.0], "period": period}
+        values = {"flow.disturbance": wave, "run.duration": 400, "run.output_step": 0.02}
+        scenario = clpt.theory.started_true(clpt.paper_scenario()).with_values(values)
+        run = clpt.simulate(scenario)
+        found = mean_square_bound(run, scenario)
+        share = float(np.sqrt(found.left[-1] / found.right[-1]))
+        lines.append(f"| {period:g} | {share:.3f} | {found.tightness:.3f} | {found.holds} |")
+        ax.plot(run.time, found.left, label=f"left side, period {period:g} s")
+    ax.plot(run.time, found.right, "k--", label="right side")
+    ax.set(xlabel="time (s)", ylabel="from 0 to then (m² s)", yscale="log", ylim=(1e-4, None))
+    ax.legend(frameon=False, fontsize=8)
+    write_text(folder / "mean_square.md", "\n".join(lines) + "\n")
+    write_figure(figure, folder / "mean_square.png")
+    typer.echo("\n".join(lines))
+
+
+if __name__ == "__main__":
+    typer.run(main)

@@ -6,14 +6,24 @@ over all |Delta_i| <= Dmax, started true; b and c pick e_i in (e_i, eta_i), Phi 
 matrix of Eq. (28), and Delta_i(s) = Dmax sign(c Phi(t, s) b) attains it.  It is exact for this w;
 the w of a disturbed run differs somewhat, since it holds z.  Eq. (33) would have it below Dmax/k;
 the corrected bound of Theorem 3.4 is far above it.
+
+    python -m analysis.worst_disturbance [--out FOLDER]
+
+asks it of the paper's scenario.
 """
 
-from typing import NamedTuple
+from pathlib import Path
+from typing import Annotated, NamedTuple
 
 import numpy as np
+import typer
 from scipy.linalg import expm
 
 import clpt_control as clpt
+
+from .study import GREY, make_folder, new_figure, write_figure, write_text
+
+END = 400.0  # s
 
 
 class WorstDisturbance(NamedTuple):
@@ -81,3 +91,29 @@ def worst_disturbance(
     return WorstDisturbance(
         targets * step, np.stack([peak_gains(A[i], step, targets) for i in range(2)])
     )
+
+
+def main(
+    out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/worst_disturbance"),
+    end: Annotated[float, typer.Option(help="Until then, s.")] = END,
+) -> None:
+    """Leave worst_disturbance.md and worst_disturbance.png."""
+    folder, paper = make_folder(out), clpt.paper_scenario()
+    found = worst_disturbance(paper, 0.0, end)
+    claimed = 1 / np.array(paper.vehicle.feedback)  # s, Eq. (33)
+    lines = ["| axis | worst abs(e)/Dmax (s) | claimed, Eq. (33) (s) |", "|---|---|---|"]
+    rows = zip(found.peaks, claimed, strict=True)
+    lines += [f"| x{k} | {peak:.3f} | {one:g} |" for k, (peak, one) in enumerate(rows, 1)]
+    figure, ax = new_figure()
+    for k, gains in enumerate(found.gains, 1):
+        ax.plot(found.times, gains, label=f"x{k}")
+    ax.axhline(claimed.max(), color=GREY, linestyle="--", label="claimed, Eq. (33)")
+    ax.set(xlabel="time (s)", ylabel="worst |e|/Dmax (s)")
+    ax.legend(frameon=False)
+    write_text(folder / "worst_disturbance.md", "\n".join(lines) + "\n")
+    write_figure(figure, folder / "worst_disturbance.png")
+    typer.echo("\n".join(lines))
+
+
+if __name__ == "__main__":
+    typer.run(main)

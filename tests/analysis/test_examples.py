@@ -1,5 +1,7 @@
 """Examples print their table and save their figure; what they say is so."""
 
+from pathlib import Path
+
 import pytest
 from pictures import inked
 
@@ -58,3 +60,18 @@ def test_the_shelf_has_a_panel_for_each_part(tmp_path):
     assert all(float(row[2]) < 1e-8 for row in cells if row[2])
     assert sum(bool(row[2]) for row in cells) >= 12
     assert inked(tmp_path / "parts.png") > 0.01
+
+
+def test_each_study_leaves_a_table_and_a_figure(tmp_path):
+    from analysis import against_adcp, mean_square, worst_disturbance
+
+    mean_square.main(tmp_path)
+    worst_disturbance.main(tmp_path, end=30.0)
+    glider = Path(__file__).parents[1] / "data" / "glider"
+    against_adcp.main([glider / "sg171_dives.csv"], glider / "sg171_adcp.csv", tmp_path)
+    for name in ("mean_square", "worst_disturbance", "against_adcp"):
+        lines = (tmp_path / f"{name}.md").read_text("utf-8").splitlines()
+        assert len(lines) >= 4
+        assert all(line.startswith("| ") for line in (lines[0], *lines[2:]))
+        assert inked(tmp_path / f"{name}.png") > 0.005
+    assert "False" not in (tmp_path / "mean_square.md").read_text("utf-8")

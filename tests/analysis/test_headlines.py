@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from pictures import inked
 
 from analysis.headlines import headline, main, record
 from clpt_control.geodesy import place_from
@@ -40,3 +41,4 @@ def test_the_table_has_a_row_for_each_vehicle(tmp_path, capsys):
     lines = (tmp_path / "headlines.md").read_text().splitlines()
     assert capsys.readouterr().out.splitlines() == lines
     assert [line.split(" | ")[:2] for line in lines[2:]] == [["| SG542", "13"]]
+    assert inked(tmp_path / "headlines.png") > 0.005
