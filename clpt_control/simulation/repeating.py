@@ -79,7 +79,8 @@ class Ran:
         text = json.dumps(plain, default=lambda value: value.tolist())
         made = NativeDiagram(diagram_from(text))
         same = made.code.program == own.code.program
-        if not (same and np.array_equal(made.layout.P, own.layout.P)):
+        same &= all(np.array_equal(getattr(made.layout, a), getattr(own.layout, a)) for a in "PT")
+        if not same:
             raise Unrecorded("its blocks have changed since it ran")
         return text
 

@@ -421,3 +421,19 @@ def test_damaged_numbers_of_a_run_are_one_sentence(tmp_path):
             clpt.load_run(tmp_path / "damaged.nc")
         assert "\n" not in str(caught.value), how
         assert str(tmp_path) in str(caught.value), how
+
+
+@pytest.mark.parametrize(
+    "values",
+    [
+        {"learning.law": "projection"},
+        {"learning.sample": 0.05},
+        {"vehicle.max_speed": 1.0},
+        {"flow.disturbance": {"kind": "square", "amplitude": [0.1, 0.0], "period": 3.0}},
+    ],
+)
+def test_loops_of_the_paper_are_repeated(values):
+    """Blocks of the package: sampled, with periods, jumps and a disturbance by a function."""
+    run = clpt.simulate(clpt.closed_loop(SCENARIO.with_values(values)), TIMES)
+    again = clpt.simulate(diagram_from(text_of(run)[0]))
+    assert again.states.values.tobytes() == run.states.values.tobytes()
