@@ -91,7 +91,7 @@ def _check_header(file: BinaryIO, path: str | Path) -> None:
         )
     if start[:3] != b"CDF":
         needed("netCDF4")
-        raw = start + file.read() if os.fstat(file.fileno()).st_size <= LARGEST else b""
+        raw = file.read() if os.fstat(file.fileno()).st_size <= LARGEST else b""
         for heap in re.finditer(rb"GCOL\x01\0{3}", raw):
             _check_heap(raw, heap.end(), path)
         return
