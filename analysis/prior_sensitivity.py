@@ -20,12 +20,12 @@ from clpt_control.replay import clpe_rms, replay_dives
 
 from .study import BLUE, GREY, make_folder, new_figure, progress_bar, write_figure, write_text
 
-RESTLESS = type(Priors().kinds[0])._fields  # walk, trend, eddy, scatter
+RESTLESS = ("size", "memory", "scatter")  # of a kind of sea
 PRIORS = (
     *("fix", "current", "tide", "inertial", "speed", "compass", "shelf"),
-    *("inertial_fading", "tide_fading", "speed_walk", "compass_walk"),
-    *("trend_fading", "eddy_memory", "degrees_of_freedom", "weight_memory"),
-    *RESTLESS,  # of all kinds of restlessness at once
+    *("inertial_fading", "tide_fading", "speed_fading", "compass_fading"),
+    *("degrees_of_freedom", "weight_memory"),
+    *RESTLESS,  # of all kinds of sea at once
 )
 FACTORS = (0.5, 2.0)
 

@@ -108,7 +108,7 @@ LISTS = ("conformance",)  # a sentence for each failure
 OF_THE_ENGINE = (  # called at each step, and checked by no one
     *("Block.values", "Block.array_record", "Block.parameters_at", "Block.interval_at"),
     "Block.with_params",
-    *("FixModel.regressor", "FixModel.noise", "FixModel.turning", "FixModel.faded"),
+    *("FixModel.regressor", "FixModel.noise", "FixModel.transition"),
     *("FixModel.reached", "FixModel.matched"),
     *("NativeDiagram.schedule", "NativeDiagram.callee", "NativeDiagram.lanes"),
     *("NativeDiagram.parameters", "NativeDiagram.breaks"),

@@ -30,44 +30,30 @@ from ..arguments import public
 from ..errors import ScenarioError
 from .dive import Dive, mid_time, miss
 from .fix_model import FAR, FixModel
-from .kalman import KalmanBank
-from .priors import QUARTER_DAY
+from .kalman import HIDDEN, Bank, KalmanBank, with_hidden
 
 
-class Gradient:
-    """The paper's gradient law in integral form."""
+class Gradient(Bank):
+    """The paper's gradient law in integral form, in one sea that has all parts."""
 
     def __init__(self, model: FixModel) -> None:
-        self.model, self.priors = model, model.priors
-        self.mean, self.covariance = np.zeros(len(model.names)), np.diag(model.prior_sd**2)
-        self.time: float | None = None
+        super().__init__(model, (model.priors.gradient,), np.ones((1, len(model.optional)), bool))
         self.variance = self.priors.miss**2  # of a miss over its time
         self.count = self.priors.miss_weight
 
-    def ahead(self, dive: Dive) -> tuple[FixModel, np.ndarray, np.ndarray]:
-        """Return model, parameters and covariance at a dive, before its end."""
-        model = self.model.reached(dive)
-        old, new = model.matched(self.model)
-        prior = model.prior_sd**2
-        p, P = np.zeros(len(prior)), np.diag(prior)
-        p[new], P[np.ix_(new, new)] = self.mean[old], self.covariance[np.ix_(old, old)]
-        dt = 0.0 if self.time is None else max(0.0, mid_time(dive) - self.time)
-        fade = model.faded(dt)
-        F = model.turning(dt, dive.lat_gps2) * fade
-        P = F @ P @ F.T + np.diag((1 - fade**2) * prior)
-        walked = self.priors.gradient_walk**2 * dt / QUARTER_DAY
-        P[[0, 1], [0, 1]] += np.clip(prior[:2] - P[[0, 1], [0, 1]], 0.0, walked)
-        return model, F @ p, P
+    def transition(self, model: FixModel, dt: float, latitude: float) -> np.ndarray:
+        """Return F over `dt` s, (1, n, n): the steady current is forgotten, too."""
+        F = super().transition(model, dt, latitude)
+        F[:, HIDDEN : HIDDEN + 2] *= np.exp(-dt / self.priors.gradient.memory)
+        return F
 
     def predict(self, dive: Dive) -> tuple[np.ndarray, np.ndarray]:
         """Forecast fix less dead reckoning of a dive: mean (2,), covariance (2, 2), m.
 
         The variance is that of earlier misses, or of the law's own errors if that is larger.
         """
-        model, p, P = self.ahead(dive)
-        H = model.regressor(dive)
-        own = np.trace(H @ P @ H.T) / 2 + model.noise(dive, self.priors.gradient_scatter)
-        return H @ p, max(self.variance * dive.duration**2, own) * np.eye(2)
+        mean, S = super().predict(dive)
+        return mean, max(self.variance * dive.duration**2, np.trace(S) / 2) * np.eye(2)
 
     def update(self, dive: Dive) -> None:
         """Learn from a dive that has ended."""
@@ -77,31 +63,19 @@ class Gradient:
         seen = 0.5 * min(far, FAR) * S[0, 0] / dive.duration**2
         self.variance = (self.count * self.variance + trust * seen) / (self.count + trust)
         self.count = min(self.count + 1, self.priors.miss_memory)
-        self.model, p, P = self.ahead(dive)
-        H = self.model.regressor(dive, ended=True)
-        r = self.model.noise(dive, self.priors.gradient_scatter)
-        weight = self.model.prior_sd[:, None] ** 2 * H.T
+        self.model, _, p, P = self.ahead(dive)
+        H, R = with_hidden(self.model.regressor(dive, ended=True)), self.noise(dive)
+        weight = self.prior_sd(self.model)[0][:, None] ** 2 * H.T
         mu = trust * self.priors.gain * FAR / max(far, FAR)
-        gain = mu * weight @ np.linalg.inv(H @ weight + r * np.eye(2))
-        self.mean = p + gain @ (miss(dive) - H @ p)
-        rest = np.eye(len(p)) - gain @ H
-        self.covariance = rest @ P @ rest.T + r * gain @ gain.T
+        gain = mu * weight @ np.linalg.inv(H @ weight + R)
+        self.mean = p + (miss(dive) - p @ H.T) @ gain.transpose(0, 2, 1)[0]
+        rest = np.eye(P.shape[1]) - gain @ H
+        self.covariance = rest @ P @ rest.transpose(0, 2, 1) + gain @ R @ gain.transpose(0, 2, 1)
         self.time = mid_time(dive)
-
-    def estimate(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Return mean (n,), covariance (n, n) and how much of the prior's error is left (n,)."""
-        left = np.sqrt(np.diag(self.covariance)) / self.model.prior_sd
-        return self.mean, self.covariance, left
 
     def parts(self) -> dict[str, float]:
         """Return nothing: the law does not ask which parts are present."""
         return {}
-
-    def forget_speed(self) -> None:
-        """Make the speed factor uncertain again, after a fault."""
-        if self.model.learn_speed:
-            k = self.model.names.index("speed")
-            self.covariance[k, k] += self.priors.speed**2
 
 
 class Estimator(Protocol):

@@ -24,9 +24,10 @@ section 8.3).
 """
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
-from itertools import product
-from typing import Any
+from functools import partial
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -51,6 +52,55 @@ def swing(dive: Dive, w: float) -> float:
     """Return T s(w), s: how far an oscillation of unit size at mid-dive carries; w in rad/s."""
     T = dive.duration
     return T * float(np.sinc(w * T / (2 * math.pi)))
+
+
+class Part(NamedTuple):
+    """What moves a vehicle: its parameters, their size before any dive, and how long they last.
+
+    `columns` of H, (2, k), are of a dive, and whether its end may be read.
+    """
+
+    name: str
+    parameters: tuple[str, ...]
+    sd: float
+    fading: float  # s
+    columns: Callable[[Dive, bool], np.ndarray]
+
+
+def _axes(name: str) -> tuple[str, str]:
+    return f"{name}_east", f"{name}_north"
+
+
+def steady(dive: Dive, ended: bool) -> np.ndarray:
+    """Return the columns of a current that stays."""
+    return dive.duration * np.eye(2)
+
+
+def inertial(dive: Dive, ended: bool) -> np.ndarray:
+    """Return the columns of the inertial current at mid-dive."""
+    return swing(dive, inertial_frequency(dive.lat_gps2)) * np.eye(2)
+
+
+def modelled(dive: Dive, ended: bool) -> np.ndarray:
+    """Return the column of a flow model; zero where it does not cover the dive."""
+    return np.array([[dive.model_east or 0.0], [dive.model_north or 0.0]])
+
+
+def tide(name: str, dive: Dive, ended: bool) -> np.ndarray:
+    """Return the columns of a tide by its name."""
+    w = 2 * math.pi / period(name, "s")
+    turn = w * mid_time(dive)
+    return swing(dive, w) * np.kron([math.cos(turn), math.sin(turn)], np.eye(2))
+
+
+def ahead(dive: Dive, ended: bool) -> np.ndarray:
+    """Return the column of the speed."""
+    return np.array([[dive.dr_east], [dive.dr_north]])
+
+
+def aside(dive: Dive, ended: bool) -> np.ndarray:
+    """Return the column of the compass."""
+    return np.array([[dive.dr_north], [-dive.dr_east]])
 
 
 @public
@@ -106,53 +156,47 @@ class FixModel:
             )
 
     @property
-    def table(self) -> tuple[tuple[str, str, float], ...]:
-        """Name, part and prior standard deviation of each parameter."""
-        axes, p = ("east", "north"), self.priors
-        rows = [(f"current_{axis}", "current", p.current) for axis in axes]
-        for part in self.flow[1:]:
-            if part == "model":
-                rows.append((part, part, p.model))
-            elif part == "inertial":
-                rows += [(f"{part}_{axis}", part, p.inertial) for axis in axes]
-            elif part != "gaussians":
-                pairs = product(("cos", "sin"), axes)
-                rows += [(f"{part}_{wave}_{axis}", "tides", p.tide) for wave, axis in pairs]
+    def table(self) -> tuple[Part, ...]:
+        """The parts, in the order of the parameters."""
+        p = self.priors
+        found = [Part("current", _axes("current"), p.current, math.inf, steady)]
+        for name in self.flow[1:]:
+            if name == "inertial":
+                found.append(Part(name, _axes(name), p.inertial, p.inertial_fading, inertial))
+            elif name == "model":
+                found.append(Part(name, (name,), p.model, math.inf, modelled))
+            elif name != "gaussians":
+                pair = _axes(f"{name}_cos") + _axes(f"{name}_sin")
+                found.append(Part("tides", pair, p.tide, p.tide_fading, partial(tide, name)))
         if self.learn_speed:
-            rows += [("speed", "speed", p.speed), ("compass", "compass", p.compass)]
-        for i, j in self.places.cells if self.places else ():
-            rows += [(f"gaussian[{i},{j}]_{axis}", "gaussians", p.gaussian) for axis in axes]
-        return tuple(rows)
+            found.append(Part("speed", ("speed",), p.speed, p.speed_fading, ahead))
+            found.append(Part("compass", ("compass",), p.compass, p.compass_fading, aside))
+        if self.places:
+            cells = [f"gaussian[{i},{j}]" for i, j in self.places.cells]
+            names = tuple(name for cell in cells for name in _axes(cell))
+            columns = partial(places_columns, self.places)
+            found.append(Part("gaussians", names, p.gaussian, math.inf, columns))
+        return tuple(found)
 
     @property
     def names(self) -> tuple[str, ...]:
         """Names of the n parameters, in their order."""
-        return tuple(name for name, _, _ in self.table)
+        return tuple(name for part in self.table for name in part.parameters)
 
     @property
     def parts(self) -> tuple[str, ...]:
         """Part of each of the n parameters; all tides are one part."""
-        return tuple(part for _, part, _ in self.table)
+        return tuple(part.name for part in self.table for _ in part.parameters)
 
     @property
     def prior_sd(self) -> np.ndarray:
         """Standard deviations before any dive, (n,), m/s, 1 and rad."""
-        return np.array([sd for _, _, sd in self.table])
-
-    @property
-    def moving(self) -> int:
-        """Number of parameters before those of the gaussians."""
-        return sum(part != "gaussians" for part in self.parts)
+        return np.array([part.sd for part in self.table for _ in part.parameters])
 
     @property
     def optional(self) -> tuple[str, ...]:
         """Parts that a sea may lack; all tides come or go together."""
         return tuple(dict.fromkeys(p if p in OTHERS else "tides" for p in self.flow[1:]))
-
-    def choices(self) -> np.ndarray:
-        """Return all choices of the k optional parts, (2^k, k)."""
-        k = len(self.optional)
-        return np.array(list(product((False, True), repeat=k)), bool).reshape(2**k, k)
 
     def reached(self, dive: Dive) -> "FixModel":
         """Return the model with the places that a dive comes near.
@@ -178,42 +222,18 @@ class FixModel:
         Its columns are in s for currents, in m for the others. A dive's end is read
         only where it has `ended`: for gaussians along the bent track.
         """
-        one = np.eye(2)
-        columns = [dive.duration * one]
-        for part in self.flow[1:]:
-            if part == "inertial":
-                columns.append(swing(dive, inertial_frequency(dive.lat_gps2)) * one)
-            elif part == "model":  # zero where it does not cover the dive
-                columns.append(np.array([[dive.model_east or 0.0], [dive.model_north or 0.0]]))
-            elif part != "gaussians":
-                w = 2 * math.pi / period(part, "s")
-                turn = w * mid_time(dive)
-                waves = [math.cos(turn) * one, math.sin(turn) * one]
-                columns.append(swing(dive, w) * np.hstack(waves))
-        if self.learn_speed:
-            d = dive.dr_east, dive.dr_north
-            columns.append(np.array([d, (d[1], -d[0])]))
-        if self.places:
-            columns.append(places_columns(self.places, dive, ended))
-        return np.hstack(columns)
+        return np.hstack([part.columns(dive, ended) for part in self.table])
 
     def noise(self, dive: Dive, scatter: Any) -> Any:
         """Return FIX^2 + doubt^2 + (s T)^2, the variance of y, m^2."""
         return self.priors.fix**2 + dive.doubt**2 + (scatter * dive.duration) ** 2
 
-    def turning(self, dt: float, latitude: float) -> np.ndarray:
-        """Return the turn of the inertial current over `dt` s, (n, n)."""
-        F = np.eye(len(self.names))
+    def transition(self, dt: float, latitude: float) -> np.ndarray:
+        """Return F, what is left of the parameters after `dt` s, (n, n): inertial currents turn."""
+        fading = [part.fading for part in self.table for _ in part.parameters]
+        F = np.diag(np.exp(-dt / np.array(fading)))
         if "inertial" in self.flow:
             k, angle = self.names.index("inertial_east"), inertial_frequency(latitude) * dt
             c, s = math.cos(angle), math.sin(angle)
-            F[k : k + 2, k : k + 2] = [[c, s], [-s, c]]
+            F[k : k + 2, k : k + 2] = F[k, k] * np.array([[c, s], [-s, c]])
         return F
-
-    def faded(self, dt: float) -> np.ndarray:
-        """Return what is left of each parameter after `dt` s, (n,)."""
-        left = {
-            "inertial": math.exp(-dt / self.priors.inertial_fading),
-            "tides": math.exp(-dt / self.priors.tide_fading),
-        }
-        return np.array([left.get(part, 1.0) for part in self.parts])

@@ -34,7 +34,7 @@ from ..errors import DataError, ScenarioError
 from ..geodesy import displacement
 from ..scenario.tides import period
 from .dive import Dive, miss, reckoned
-from .priors import QUARTER_DAY, Priors
+from .priors import Priors
 
 WIDTH = 20e3  # m, of a gaussian
 SPACING = 1.5  # widths
@@ -187,10 +187,10 @@ def dive_noise(dives: Sequence[Dive]) -> np.ndarray:
     """Return the standard deviation of each dive's miss, (n,), m: fixes, and what is unknown."""
     priors = Priors()
     time = np.array([dive.duration for dive in dives])
-    return np.hypot(priors.fix, priors.gradient_scatter * time)
+    return np.hypot(priors.fix, priors.gradient.scatter * time)
 
 
 def dive_walk(prior: np.ndarray) -> np.ndarray:
     """Return the walk of each parameter, m/s per square root of s: that of a current, scaled."""
     priors = Priors()
-    return prior * priors.gradient_walk / (priors.current * np.sqrt(QUARTER_DAY))
+    return prior * np.sqrt(2 / priors.gradient.memory)

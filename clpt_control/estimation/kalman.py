@@ -1,11 +1,29 @@
 """Kalman filters between fixes, weighed by how well each has forecast.
 
-    p_k = F p_{k-1} + w,  y_k = H_k p_k + n,  n ~ (FIX^2 + (s T)^2) I
+Of one kind of sea the flow is a Gaussian process, each part with its own covariance: over a time t
 
-(R. E. Kalman, "A new approach to linear filtering and prediction problems",
-1960; H is that of `fix_model`, w below).  How restless a sea is, and
-which parts of the flow there are, differ from sea to sea.  A bank holds a filter
-for each combination (D. T. Magill, "Optimal adaptive estimation of sampled
+    steady current                 sd^2
+    tides, speed, compass          sd^2 exp(-t/fading)
+    inertial current               the same, turned by -c t
+    slow current, rough            S^2 exp(-t/tau)
+    slow current, smooth           S^2 (1 + g t) exp(-g t),  g = sqrt(3)/tau
+
+The last two are Matern's of order 1/2 and 3/2 (C. E. Rasmussen, C. K. I. Williams, "Gaussian
+Processes for Machine Learning", 2006, section 4.2.1).  All but the steady current are forgotten.
+A Kalman filter solves it dive by dive (R. E. Kalman, "A new approach to linear filtering and
+prediction problems", 1960),
+
+    y_k = H_k p_k + n,  n ~ (FIX^2 + (s T)^2) I,
+    p <- F p,  P <- P_0 + F (P - P_0) F^T
+
+with H of `fix_model` and P_0 the prior, to which a covariance returns.  The state p of one filter
+is (v_east, v_north, s_east, s_north), the slow current v and, where it is smooth, its slope
+s = dv/dt, continued by the parameters of `fix_model`:
+
+    v <- exp(-g t) ((1 + g t) v + t s),  s <- exp(-g t) ((1 - g t) s - g^2 t v)
+
+How a sea changes, and which parts of the flow there are, differ from sea to sea.  A bank holds a
+filter for each combination (D. T. Magill, "Optimal adaptive estimation of sampled
 stochastic processes", 1965), weighed by the density of the fixes that it has
 forecast, with r the innovation and S its covariance before the fix is used:
 
@@ -15,66 +33,25 @@ Student's t of nu degrees of freedom and covariance S, which forgives a strange 
 (K. L. Lange, R. J. A. Little, J. M. G. Taylor, "Robust statistical modeling using
 the t distribution", J. Am. Stat. Assoc. 84, 881-896, 1989).  What was likely weeks ago is
 forgotten.  A fix beyond a filter's 99.9 % ellipse is taken for a front: that
-filter's current walks until the fix lies about there.
+filter's steady current is uncertain by as much as puts the fix about there.
 
-A part is present with the weight of the filters that have it.  Speed and compass
+A part is present with the weight of the filters that have it: a trend is a smooth current that
+changes by more than 5 cm/s in a day, eddies are what is forgotten in four.  Speed and compass
 are in all: they are absent, f = 1 or psi = 0, with the ratio of the density there
 after and before the dives (J. M. Dickey, "The weighted likelihood ratio, linear
 hypotheses on normal location parameters", Annals of Statistics 42, 204-223, 1971).
-
-A current wanders between dives by a walk, a trend and an eddying part:
-
-    du = a dt + q dw,  da = -a/F dt + s dw,  s^2 = 2 A^2 / F
-    dv = -v/tau dt + sqrt(2/tau) S dw,       flow = u + v
-
-q alone is a random walk.  A trend a fades in F: a manoeuvring target (R. A.
-Singer, "Estimating optimal tracking filter performance for manned maneuvering
-targets", IEEE Trans. Aerospace and Electronic Systems 6, 473-483, 1970), as a
-vehicle sees it that crosses an eddy or a jet.  An eddying part v of size S is
-forgotten in tau and returns to the steady current.  Over a time t, with x = t/F,
-r = exp(-x) and b = exp(-t/tau),
-
-    a <- r a,  u <- u + F (1 - r) a,  v <- b v
-    var a  += A^2 (1 - r^2)
-    cov ua += A^2 F (1 - r)^2
-    var u  += A^2 F^2 (2x - 3 + 4r - r^2) + q^2 t
-    var v  += S^2 (1 - b^2)
-
-The state of one filter is (a_east, a_north, v_east, v_north, u_east, u_north), continued by
-the other parameters.
 """
 
-import math
+from itertools import product
 from typing import NamedTuple
 
 import numpy as np
 
 from .dive import Dive, mid_time, miss
 from .fix_model import FAR, FixModel
-from .priors import QUARTER_DAY, Kind, Priors
+from .priors import DAY, Kind
 
-
-def wander(dt: float, kinds: Kind, priors: Priors) -> tuple[np.ndarray, np.ndarray]:
-    """Return F and Q of (a, v, u) over `dt` s, (m, 6, 6) each, for m kinds."""
-    fading = priors.trend_fading
-    x, r = dt / fading, math.exp(-dt / fading)
-    b = math.exp(-dt / priors.eddy_memory)
-    A2 = (kinds.trend / QUARTER_DAY) ** 2
-    m = len(kinds.walk)
-    F, Q = np.tile(np.eye(6), (m, 1, 1)), np.zeros((m, 6, 6))
-    for a, v, u in ((0, 2, 4), (1, 3, 5)):
-        F[:, a, a], F[:, v, v] = r, b
-        F[:, u, a] = fading * (1 - r)
-        Q[:, a, a] = A2 * (1 - r**2)
-        Q[:, a, u] = Q[:, u, a] = A2 * fading * (1 - r) ** 2
-        Q[:, u, u] = (
-            A2 * fading**2 * max(0.0, 2 * x - 3 + 4 * r - r**2) + kinds.walk**2 * dt / QUARTER_DAY
-        )
-        Q[:, v, v] = kinds.eddy**2 * (1 - b**2)
-    return F, Q
-
-
-HIDDEN = 4  # states before the parameters: trend and eddies
+HIDDEN = 4  # states before the parameters: the slow current and its slope
 
 
 class Seen(NamedTuple):
@@ -96,32 +73,32 @@ class Seen(NamedTuple):
     mean: np.ndarray
 
 
-class KalmanBank:
-    """m Kalman filters: each restlessness with each choice of parts.
+class Bank:
+    """What m filters know: each a kind of sea, with its choice of the optional parts.
 
     `mean` (m, n) and `covariance` (m, n, n) are those at the middle of the last dive.
     """
 
-    def __init__(self, model: FixModel) -> None:
+    def __init__(self, model: FixModel, kinds: tuple[Kind, ...], present: np.ndarray) -> None:
         self.model, self.priors = model, model.priors
-        grid, choices = np.array(self.priors.kinds), model.choices()
-        kind, choice = (a.ravel() for a in np.indices((len(grid), len(choices))))
-        self.kinds, self.present = Kind(*grid[kind].T), choices[choice]
-        chance = np.array(
-            [self.priors.shelf if p == "tides" else self.priors.present for p in model.optional]
-        )
-        self.log_prior = np.log(np.where(self.present, chance, 1 - chance)).sum(axis=1)
-        self.log_weight = self.log_prior
+        self.kinds, self.present = Kind(*np.array(kinds).T), present
         sd = self.prior_sd(model)
         self.mean, self.covariance = np.zeros(sd.shape), sd[:, :, None] ** 2 * np.eye(sd.shape[1])
+        self.log_prior = self.log_weight = np.zeros(len(sd))
         self.time: float | None = None
-        self.seen: Seen | None = None
 
     @property
     def weights(self) -> np.ndarray:
         """Probabilities of the m filters."""
         w = np.exp(self.log_weight - self.log_weight.max())
         return w / w.sum()
+
+    @property
+    def rates(self) -> tuple[np.ndarray, np.ndarray]:
+        """How fast the slow current is forgotten, and g: 0 where it is rough, (m,), 1/s."""
+        _, memory, smooth, _ = self.kinds
+        g = smooth * np.sqrt(3) / memory
+        return g + (1 - smooth) / memory, g
 
     def has(self, model: FixModel) -> np.ndarray:
         """Return which filters have which parameters, (m, n less `HIDDEN`)."""
@@ -131,38 +108,39 @@ class KalmanBank:
 
     def prior_sd(self, model: FixModel) -> np.ndarray:
         """Return the standard deviations before any dive, (m, n); what is absent has zero."""
-        hidden = np.stack([self.kinds.trend / QUARTER_DAY, self.kinds.eddy], axis=1)
-        return np.hstack([np.repeat(hidden, 2, axis=1), model.prior_sd * self.has(model)])
+        slow = np.stack([self.kinds.size, self.rates[1] * self.kinds.size], axis=1)
+        return np.hstack([np.repeat(slow, 2, axis=1), model.prior_sd * self.has(model)])
+
+    def transition(self, model: FixModel, dt: float, latitude: float) -> np.ndarray:
+        """Return F over `dt` s, (m, n, n)."""
+        inner = model.transition(dt, latitude)
+        n = HIDDEN + len(inner)
+        F = np.zeros((len(self.present), n, n))
+        F[:, HIDDEN:, HIDDEN:] = inner
+        rate, g = self.rates
+        left = np.exp(-rate * dt)
+        for v, s in ((0, 2), (1, 3)):
+            F[:, v, v], F[:, v, s] = left * (1 + g * dt), left * dt
+            F[:, s, v], F[:, s, s] = -left * g**2 * dt, left * (1 - g * dt)
+        return F
+
+    def ahead(self, dive: Dive) -> tuple[FixModel, np.ndarray, np.ndarray, np.ndarray]:
+        """Return model, F, mean and covariance at a dive, before its end."""
+        model = self.model.reached(dive)
+        F = self.transition(model, self.since(dive), dive.lat_gps2)
+        old, new = with_hidden_matched(*model.matched(self.model))
+        known, was = self.prior_sd(model) ** 2, self.prior_sd(self.model) ** 2
+        prior = known[:, :, None] * np.eye(known.shape[1])
+        mean, gained = np.zeros(known.shape), np.zeros(prior.shape)
+        mean[:, new] = self.mean[:, old]
+        more = self.covariance - was[:, :, None] * np.eye(was.shape[1])
+        gained[:, new[:, None], new] = more[:, old[:, None], old]
+        mean = np.einsum("mij,mj->mi", F, mean)
+        return model, F, mean, prior + F @ gained @ F.transpose(0, 2, 1)
 
     def since(self, dive: Dive) -> float:
         """Return the time from the middle of the last dive to that of this one, s."""
         return 0.0 if self.time is None else max(0.0, mid_time(dive) - self.time)
-
-    def ahead(self, dive: Dive) -> tuple[FixModel, np.ndarray, np.ndarray, np.ndarray]:
-        """Return model, F, mean and covariance at a dive, before its end."""
-        model, priors, dt = self.model.reached(dive), self.priors, self.since(dive)
-        sd = self.prior_sd(model)
-        n = len(sd[0])
-        mean, P = np.zeros(sd.shape), sd[:, :, None] ** 2 * np.eye(n)
-        old, new = with_hidden_matched(*model.matched(self.model))
-        mean[:, new] = self.mean[:, old]
-        P[np.ix_(np.arange(len(P)), new, new)] = self.covariance[:, old[:, None], old]
-        fade = model.faded(dt)
-        F = np.tile(np.eye(n), (len(sd), 1, 1))
-        F[:, HIDDEN:, HIDDEN:] = model.turning(dt, dive.lat_gps2)
-        F[:, :6, :6], Q = wander(dt, self.kinds, priors)
-        F[:, HIDDEN:, HIDDEN:] *= fade
-        k = HIDDEN + model.moving  # gaussians stand behind and do not move
-        mean[:, :k] = np.einsum("mij,mj->mi", F[:, :k, :k], mean[:, :k])
-        P[:, :k, :] = F[:, :k, :k] @ P[:, :k, :]
-        P[:, :, :k] = P[:, :, :k] @ F[:, :k, :k].transpose(0, 2, 1)
-        P[:, :6, :6] += Q
-        states = np.arange(HIDDEN, n)
-        P[:, states, states] += sd[:, HIDDEN:] ** 2 * (1 - fade**2)
-        if model.learn_speed:
-            P[:, k - 2, k - 2] += priors.speed_walk**2 * dt / QUARTER_DAY
-            P[:, k - 1, k - 1] += priors.compass_walk**2 * dt / QUARTER_DAY
-        return model, F, mean, P
 
     def noise(self, dive: Dive) -> np.ndarray:
         """Return the m covariances of n for a dive, m^2."""
@@ -173,6 +151,43 @@ class KalmanBank:
         model, _, mean, P = self.ahead(dive)
         H = with_hidden(model.regressor(dive))
         return mixed(mean @ H.T, H @ P @ H.T + self.noise(dive), self.weights)
+
+    def estimate(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Return mean (n,), covariance (n, n) and how much of the prior's error is left (n,).
+
+        What is left is judged by the filters that have the parameter.
+        """
+        add = with_hidden(np.eye(len(self.model.names)))  # current: steady and slow
+        means, P = self.mean @ add.T, add @ self.covariance @ add.T
+        within = self.weights[:, None] * self.has(self.model)
+        within /= np.maximum(within.sum(axis=0), 1e-300)
+        variance = np.diagonal(P, axis1=1, axis2=2) + (means - (within * means).sum(axis=0)) ** 2
+        left = np.sqrt((within * variance).sum(axis=0)) / self.model.prior_sd
+        mean, covariance = mixed(means, P, self.weights)
+        return mean, covariance, left
+
+    def forget_speed(self) -> None:
+        """Make the speed factor uncertain by half its prior variance."""
+        if self.model.learn_speed:
+            k = HIDDEN + self.model.names.index("speed")
+            self.covariance[:, k, k] += 0.5 * self.priors.speed**2
+
+
+class KalmanBank(Bank):
+    """A Kalman filter for each kind of sea with each choice of parts, and their probabilities."""
+
+    def __init__(self, model: FixModel) -> None:
+        chances = [
+            model.priors.shelf if part == "tides" else model.priors.present
+            for part in model.optional
+        ]
+        choices = list(product((False, True), repeat=len(chances)))
+        present = np.array(choices * len(model.priors.kinds), bool)
+        kinds = [kind for kind in model.priors.kinds for _ in choices]
+        super().__init__(model, tuple(kinds), present)
+        chance = np.where(present, chances, 1 - np.array(chances))
+        self.log_prior = self.log_weight = np.log(chance).sum(axis=1)
+        self.seen: Seen | None = None
 
     def update(self, dive: Dive) -> None:
         """Learn from a dive that has ended."""
@@ -190,7 +205,8 @@ class KalmanBank:
         self.log_weight = self.log_prior + remembered + density
         self.log_weight -= self.log_weight.max()
         jump = np.maximum(far / FAR - 1.0, 0.0) * np.trace(S, axis1=1, axis2=2) / 2
-        P[:, [4, 5], [4, 5]] += (jump / dive.duration**2)[:, None]
+        steady = np.arange(HIDDEN, HIDDEN + 2)
+        P[:, steady, steady] += (jump / dive.duration**2)[:, None]
         inverse = np.linalg.inv(H @ P @ H.T + R)
         gain = P @ H.T @ inverse
         self.mean = mean + np.einsum("mni,mi->mn", gain, innovation)
@@ -200,25 +216,12 @@ class KalmanBank:
         self.time = mid_time(dive)
         self.seen = Seen(matched, F, H, innovation, inverse, rest, weights, before)
 
-    def estimate(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Return mean (n,), covariance (n, n) and how much of the prior's error is left (n,).
-
-        What is left is judged by the filters that have the parameter.
-        """
-        add = with_hidden(np.eye(len(self.model.names)))  # current: steady and eddying
-        means, P = self.mean @ add.T, add @ self.covariance @ add.T
-        within = self.weights[:, None] * self.has(self.model)
-        within /= np.maximum(within.sum(axis=0), 1e-300)
-        variance = np.diagonal(P, axis1=1, axis2=2) + (means - (within * means).sum(axis=0)) ** 2
-        left = np.sqrt((within * variance).sum(axis=0)) / self.model.prior_sd
-        mean, covariance = mixed(means, P, self.weights)
-        return mean, covariance, left
-
     def parts(self) -> dict[str, float]:
         """Return the probability that each part is present."""
-        w = self.weights
+        w, kinds = self.weights, self.kinds
         has = dict(zip(self.model.optional, self.present.T, strict=True))
-        has |= {"trend": self.kinds.trend > 0, "eddies": self.kinds.eddy > 0}
+        has["trend"] = kinds.smooth * kinds.size / kinds.memory > 0.05 / DAY
+        has["eddies"] = kinds.memory <= 4 * DAY
         found = {name: min(float(w @ on), 1.0) for name, on in has.items()}
         for name in ("speed", "compass") if self.model.learn_speed else ():
             k = self.model.names.index(name)
@@ -226,12 +229,6 @@ class KalmanBank:
             after = np.exp(-0.5 * self.mean[:, HIDDEN + k] ** 2 / variance) / np.sqrt(variance)
             found[name] = float(1 / (1 + w @ after * self.model.prior_sd[k]))
         return found
-
-    def forget_speed(self) -> None:
-        """Make the speed factor uncertain by half its prior variance."""
-        if self.model.learn_speed:
-            k = HIDDEN + self.model.names.index("speed")
-            self.covariance[:, k, k] += 0.5 * self.priors.speed**2
 
 
 def mixed(
@@ -248,8 +245,8 @@ def mixed(
 
 
 def with_hidden(H: np.ndarray) -> np.ndarray:
-    """Return the regressor of the state: eddies act as the current."""
-    return np.hstack([np.zeros((len(H), 2)), H[:, :2], H])
+    """Return the regressor of the state: the slow current acts as the steady one."""
+    return np.hstack([H[:, :2], np.zeros((len(H), 2)), H])
 
 
 def with_hidden_matched(old: np.ndarray, new: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

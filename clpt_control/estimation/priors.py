@@ -9,15 +9,14 @@ from typing import Any, NamedTuple
 from ..arguments import public
 
 DAY = 86400.0  # s
-QUARTER_DAY = 21600.0  # s, the time that walks and trends are given for
 
 
 class Kind(NamedTuple):
-    """How restless a sea is, as `kalman` has it: floats, or arrays (m,) for m filters."""
+    """How a sea changes, as `kalman` has it: numbers, or arrays (m,) for m filters."""
 
-    walk: Any = 0.01  # q, m/s per sqrt(6 h)
-    trend: Any = 0.0  # A, m/s per 6 h
-    eddy: Any = 0.0  # S, m/s
+    size: Any  # S, m/s, of the slow current
+    memory: Any  # tau, s
+    smooth: Any = 1.0  # 1: it turns slowly, 0: it may turn at once
     scatter: Any = 0.005  # s, m/s, what no parameter explains and no dive remembers
 
 
@@ -62,29 +61,24 @@ class Priors(NamedTuple):
     # neaps come after 7 days, other places after weeks: judgement
     tide_fading: float = 60 * DAY
     # judgement: what grows on a hull changes the speed by 4 % in 100 days
-    speed_walk: float = 0.002  # per sqrt(6 h)
+    speed_fading: float = 2800 * DAY
     # judgement: a degree in 100 days
-    compass_walk: float = 0.001  # rad per sqrt(6 h)
+    compass_fading: float = 450 * DAY
 
-    # judgement: from currents that hardly change to a jet's edge; as fine as the watch on the
-    # speed needs in the made seas of `analysis`
+    # from currents that hardly change to a jet's edge: chosen on the made seas of `analysis` and
+    # the real vehicles of `docs/gliders_method.md`, the fewest that forecast as well, and see a
+    # lost speed as often, as forty filters with other covariances did
     kinds: tuple[Kind, ...] = (
-        Kind(walk=0.003, scatter=0.003),
-        Kind(walk=0.01, scatter=0.01),
-        Kind(walk=0.02),
-        Kind(walk=0.04),
-        Kind(walk=0.1),
-        Kind(walk=0.003, scatter=0.025),
-        Kind(scatter=0.05),
-        Kind(trend=0.03),
-        Kind(trend=0.1),
-        Kind(eddy=0.1),
+        Kind(0.05, 8 * DAY),
+        Kind(0.05, 8 * DAY, scatter=0.01),
+        Kind(0.1, DAY / 2),
+        Kind(0.35, 2 * DAY),
+        Kind(0.35, 4 * DAY, scatter=0.02),
+        Kind(0.1, 8 * DAY, scatter=0.05),
+        Kind(0.08, 8 * DAY, smooth=0.0),
+        Kind(0.16, 8 * DAY, smooth=0.0),
+        Kind(0.35, 8 * DAY, smooth=0.0),
     )
-    # judgement: an eddy of 10 km is crossed in half a day at 0.25 m/s
-    trend_fading: float = DAY / 2
-    # drifters of GLOBEC have 1.8 and 2.9 days (Limeburner); a glider crosses what they follow:
-    # judgement
-    eddy_memory: float = DAY
 
     # judgement: a missed front counts little (Lange, Little, Taylor, J. Am. Stat. Assoc. 84, 1989)
     degrees_of_freedom: float = 8.0  # of the density that weighs filters
@@ -93,9 +87,8 @@ class Priors(NamedTuple):
 
     # the gradient's.  With 1 the parameters explain the last dive (Goodwin, Sin 1984, projection)
     gain: float = 1.0  # mu, between 0 and 2 for stability
-    # judgement
-    gradient_walk: float = 0.04  # m/s per sqrt(6 h)
-    gradient_scatter: float = 0.04  # m/s, what nothing explains
+    # judgement: the gradient's one sea; a current that it forgets walks 0.04 m/s in six hours
+    gradient: Kind = Kind(0.0, 28.125 * DAY, scatter=0.04)
     miss: float = 0.1  # m/s, a miss over its time, before dives have told
     miss_weight: float = 4.0  # dives that this guess weighs
     miss_memory: float = 20.0  # dives that are remembered of it

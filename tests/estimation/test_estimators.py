@@ -12,6 +12,7 @@ from synthetic_vehicle import STEADY, vehicle
 from clpt_control.estimation.dive import make_dive, mid_time
 from clpt_control.estimation.estimators import ESTIMATORS
 from clpt_control.estimation.fix_model import FixModel, inertial_frequency
+from clpt_control.estimation.priors import Priors
 from clpt_control.replay.flow_model_file import read_flow_model
 from clpt_control.replay.flow_models import Uncovered, carried_by
 from clpt_control.replay.outcome import clpe_rms, summary
@@ -79,9 +80,10 @@ def test_what_is_not_excited_is_held():
 
 
 def test_the_coriolis_turn_is_right():
-    model, dive = FixModel(("steady", "inertial"), False), vehicle(1, 1)[0]
+    stays = Priors(inertial_fading=math.inf)
+    model, dive = FixModel(("steady", "inertial"), False, priors=stays), vehicle(1, 1)[0]
     dt, w = 7200.0, inertial_frequency(dive.lat_gps2)
-    east, north = model.turning(dt, dive.lat_gps2)[2:, 2:] @ [1.0, 0.0]
+    east, north = model.transition(dt, dive.lat_gps2)[2:, 2:] @ [1.0, 0.0]
     assert (east, north) == pytest.approx((math.cos(w * dt), -math.sin(w * dt)))  # clockwise
     assert 2 * math.pi / inertial_frequency(30.0) / 3600 == pytest.approx(23.93, abs=0.005)
     t = np.linspace(-dive.duration / 2, dive.duration / 2, 10001)

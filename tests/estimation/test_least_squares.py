@@ -11,12 +11,11 @@ from synthetic_vehicle import vehicle
 from clpt_control.blocks.flow import flow_basis
 from clpt_control.equations import evaluate
 from clpt_control.errors import DataError
-from clpt_control.estimation import kalman
 from clpt_control.estimation.dive import mid_time, miss
 from clpt_control.estimation.fix_model import FixModel
-from clpt_control.estimation.kalman import KalmanBank, mixed, wander, with_hidden
+from clpt_control.estimation.kalman import KalmanBank, mixed, with_hidden
 from clpt_control.estimation.least_squares import explained_share, least_squares
-from clpt_control.estimation.priors import QUARTER_DAY, Kind, Priors
+from clpt_control.estimation.priors import DAY, Kind, Priors
 from clpt_control.replay.replay import replay_dives
 
 M2 = 2 * np.pi / 12.4206
@@ -114,73 +113,73 @@ def test_share_is_zero_for_no_flow_and_negative_for_worse():
         explained_share(flow, flow * np.nan)
 
 
-PRIORS = Priors()
-KINDS = Kind(*np.array(PRIORS.kinds).T)
+KINDS = Priors().kinds
 
 
-@pytest.mark.parametrize("dt", [0.0, 600.0, 14400.0, 6e4])
+def slow(kind, t):
+    """The covariance of a slow current over a time, by the closed forms of Matern's."""
+    g = np.sqrt(3) * abs(t) / kind.memory
+    shape = (1 + g) * np.exp(-g) if kind.smooth else np.exp(-abs(t) / kind.memory)
+    return kind.size**2 * shape
+
+
+@pytest.mark.parametrize("dt", [0.0, 600.0, 14400.0, 6e4, 1e7])
 def test_a_step_is_the_stochastic_equation_integrated(dt):
-    """F and Q by the matrix exponential of the continuous equation (C. F. Van Loan, 1978)."""
-    grid = KINDS
-    F, Q = wander(dt, grid, PRIORS)
-    for k in range(len(grid.walk)):
-        A, noise = np.zeros((3, 3)), np.zeros((3, 3))  # (a, v, u) of one axis
-        A[0, 0], A[1, 1], A[2, 0] = -1 / PRIORS.trend_fading, -1 / PRIORS.eddy_memory, 1
-        noise[0, 0] = 2 * (grid.trend[k] / QUARTER_DAY) ** 2 / PRIORS.trend_fading
-        noise[1, 1] = 2 * grid.eddy[k] ** 2 / PRIORS.eddy_memory
-        noise[2, 2] = grid.walk[k] ** 2 / QUARTER_DAY
-        whole = expm(dt * np.block([[-A, noise], [np.zeros((3, 3)), A.T]]))
-        step = whole[3:, 3:].T
+    """F by the matrix exponential of the continuous equation of each slow current."""
+    model = FixModel(("steady",))
+    bank = KalmanBank(model)
+    F = bank.transition(model, dt, 40.0)
+    for k, kind in enumerate(KINDS):
+        g = np.sqrt(3) / kind.memory
+        A = np.array([[0.0, 1.0], [-(g**2), -2 * g]])
         for axis in (0, 1):
-            one = np.ix_([k], [axis, axis + 2, axis + 4], [axis, axis + 2, axis + 4])
-            assert F[one][0] == pytest.approx(step, rel=1e-9, abs=1e-12)
-            scale = np.sqrt(np.outer(np.diag(Q[one][0]), np.diag(Q[one][0]))) + 1e-18
-            assert (Q[one][0] - step @ whole[:3, 3:]) / scale == pytest.approx(0, abs=2e-4)
+            one = np.ix_([k], [axis, axis + 2], [axis, axis + 2])
+            if kind.smooth:
+                assert F[one][0] == pytest.approx(expm(dt * A), rel=1e-9, abs=1e-12)
+            else:
+                assert F[k, axis, axis] * kind.size**2 == pytest.approx(slow(kind, dt), rel=1e-12)
 
 
-def test_covariances_are_covariances():
-    for dt in (1.0, 3600.0, 1e5, 1e7):
-        assert np.linalg.eigvalsh(wander(dt, KINDS, PRIORS)[1]).min() > -1e-15
+@pytest.mark.parametrize("dt", [1.0, 3600.0, 1e5, 1e7])
+def test_what_is_forgotten_is_a_covariance(dt):
+    model = FixModel()
+    bank = KalmanBank(model)
+    F, P = bank.transition(model, dt, 40.0), bank.covariance
+    assert np.linalg.eigvalsh(P - F @ P @ F.transpose(0, 2, 1)).min() > -1e-15
 
 
-@pytest.mark.parametrize("kind", ["walk", "trend", "eddy"])
-def test_a_filter_is_the_regression_on_all_dives(kind):
-    """The same Gaussian problem, solved at once with its whole covariance."""
-    q, A, S, s = 0.02, 0.03 * (kind == "trend"), 0.1 * (kind == "eddy"), 0.01
-    priors = Priors(kinds=(Kind(q, A, S, s),), eddy_memory=3e4)
-    model = FixModel(("steady",), priors=priors)
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_filter_is_the_gaussian_process_of_all_dives(kind):
+    """The same problem, solved at once with the covariance of each pair of dives."""
+    priors = Priors(kinds=(kind,), speed_fading=3e6)
+    model = FixModel(("steady", "M2"), priors=priors)
     dives = vehicle(3, 8, walk=0.02)
-    bank = kalman.KalmanBank(model)
-    for dive in dives:
+    left = {"tides": priors.tide_fading, "speed": 3e6, "compass": priors.compass_fading}
+    H, t = [model.regressor(dive) for dive in dives], np.array([mid_time(d) for d in dives])
+    fading, y = [left.get(p, np.inf) for p in model.parts], np.concatenate([miss(d) for d in dives])
+
+    def among(one, other):
+        k, j = H[one], H[other]
+        away = abs(t[one] - t[other])
+        own = k @ np.diag(model.prior_sd**2 * np.exp(-away / np.array(fading))) @ j.T
+        return own + slow(kind, away) * k[:, :2] @ j[:, :2].T
+
+    K = np.block([[among(i, j) for j in range(8)] for i in range(8)])
+    noise = np.repeat([model.noise(dive, kind.scatter) for dive in dives], 2)
+    known = np.linalg.inv(K[:14, :14] + np.diag(noise[:14]))
+    mean, covariance = K[14:, :14] @ known @ y[:14], K[14:, 14:] - K[14:, :14] @ known @ K[:14, 14:]
+    bank = KalmanBank(model)
+    for dive in dives[:-1]:
         bank.update(dive)
-    # prior covariance of all states (a, v, u, speed, compass) at all dives, step by step
-    n, K = 8, len(dives)
-    P = np.diag(np.r_[[A / QUARTER_DAY] * 2, [S] * 2, model.prior_sd]) ** 2
-    blocks = {(0, 0): P}
-    for k in range(1, K):
-        dt = mid_time(dives[k]) - mid_time(dives[k - 1])
-        F, Q = np.eye(n), np.zeros((n, n))
-        F[:6, :6], Q[:6, :6] = (a[0] for a in wander(dt, bank.kinds, priors))
-        Q[6, 6] = priors.speed_walk**2 * dt / QUARTER_DAY
-        Q[7, 7] = priors.compass_walk**2 * dt / QUARTER_DAY
-        for j in range(k):
-            blocks[k, j] = F @ blocks[k - 1, j]
-            blocks[j, k] = blocks[k, j].T
-        blocks[k, k] = F @ blocks[k - 1, k - 1] @ F.T + Q
-    prior = np.block([[blocks[i, j] for j in range(K)] for i in range(K)])
-    H = np.zeros((2 * K, n * K))
-    for k, dive in enumerate(dives):
-        H[2 * k : 2 * k + 2, n * k : n * k + n] = kalman.with_hidden(model.regressor(dive))
-    noise = np.repeat([priors.fix**2 + (s * d.duration) ** 2 for d in dives], 2)
-    y = np.concatenate([miss(d) for d in dives])
-    gain = prior @ H.T @ np.linalg.inv(H @ prior @ H.T + np.diag(noise))
-    assert bank.mean[0] == pytest.approx((gain @ y)[-n:], rel=1e-6, abs=1e-9)
-    after = (prior - gain @ H @ prior)[-n:, -n:]
-    assert bank.covariance[0] == pytest.approx(after, rel=1e-5, abs=1e-10)
+    with_it = np.flatnonzero(bank.present[:, 0])[0]
+    _, _, found, P = bank.ahead(dives[-1])
+    row = with_hidden(H[-1])
+    assert found[with_it] @ row.T == pytest.approx(mean, rel=1e-6, abs=1e-6)
+    assert row @ P[with_it] @ row.T == pytest.approx(covariance, rel=1e-6)
 
 
 def test_covariances_stay_whole_over_a_thousand_dives():
-    bank = kalman.KalmanBank(FixModel())
+    bank = KalmanBank(FixModel())
     for dive in vehicle(1, 1000, walk=0.03, noise=0.01):
         bank.update(dive)
     size = np.sqrt(np.diagonal(bank.covariance, axis1=1, axis2=2)) + 1e-12
@@ -226,7 +225,8 @@ def test_weights_are_those_of_the_density_before_the_fix():
 @pytest.mark.parametrize("factor", [1.0, 1.06])
 def test_the_probability_of_a_speed_factor_is_that_of_its_evidence(factor):
     """All dives at once, with a factor and without: the ratio of two normal densities."""
-    priors = Priors(kinds=(Kind(walk=0.0, scatter=0.01),), speed_walk=0.0, compass_walk=0.0)
+    still = Kind(0.0, DAY, scatter=0.01)
+    priors = Priors(kinds=(still,), speed_fading=np.inf, compass_fading=np.inf)
     model = FixModel(("steady",), priors=priors)
     dives = vehicle(4, 10, factor=factor, noise=0.01, fix=30.0)
     bank = KalmanBank(model)
