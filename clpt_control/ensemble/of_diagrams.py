@@ -23,7 +23,7 @@ import numpy as np
 
 from ..diagrams.interconnection import changed_parameters
 from ..diagrams.varied import fields_by_name, read_as_number
-from ..diagrams.wiring import entries, read_anew, wiring_of
+from ..diagrams.wiring import entries, read_anew, units_of, wiring_of
 from ..equations.arrays import Unread
 from ..equations.at_many import decided_by_time
 from ..equations.declaration import ports_of
@@ -113,10 +113,14 @@ class VariedDiagram:
             for system in systems:
                 if key in system.given:
                     value = system.given[key]
-                    if key not in system.number_names and isinstance(
-                        value, list | tuple | np.ndarray
-                    ):
-                        found[key] = np.asarray(value, dtype=float)
+                    listed = isinstance(value, list | tuple | np.ndarray)
+                    if listed and key not in system.number_names:
+                        number = np.asarray(value, dtype=float)
+                        if not np.array_equal(found.setdefault(key, number), number):
+                            raise ScenarioError(
+                                f"vary: {key} is a list in several systems, not the same; give "
+                                "arrays of floats, and name one of a block"
+                            )
                 elif key == one.key and system.reads(key):
                     first = one.numbers[0] if one.kind == "levels" else 1.0
                     found[key] = np.asarray(first, dtype=float) if np.ndim(first) else float(first)
@@ -124,8 +128,11 @@ class VariedDiagram:
 
     def _names(self, inputs: Sequence[str], states: Sequence[str]) -> dict[str, list[Place]]:
         """Return every name that may vary, with its place; what has two places is ambiguous."""
-        fields = fields_by_name(self.wiring)
-        found = {name: [Place(tuple(places))] for name, places in fields.items()}
+        found: dict[str, list[Place]] = {}
+        for name, fields in fields_by_name(self.wiring).items():
+            shapes = [np.shape(getattr(self.given[k], field)) for k, field in fields]
+            alike = fields if len(set(shapes)) == 1 else []
+            found[name] = [Place(tuple(alike))] if alike else [Place((one,)) for one in fields]
         for kind, labels in (("states", states), ("inputs", inputs)):
             named = {label: [k] for k, label in enumerate(labels)} | ports_of(labels)
             for name, places in named.items():
@@ -162,7 +169,10 @@ class VariedDiagram:
         """Return why a name cannot vary."""
         block, _, name = key.rpartition(".")
         if len(self.names.get(key, ())) > 1:
-            return f"vary: {key} names more than one of a parameter, a state and an input"
+            return (
+                f"vary: {key} is more than one of a parameter, an initial state and an input, or "
+                "parameters of several shapes; rename one, or name one of a block"
+            )
         whole = key.partition("[")[0]
         if whole in self.names:
             shape = np.shape(self._value(self.names[whole][0]))
@@ -181,6 +191,19 @@ class VariedDiagram:
         """Refuse a value that is not finite."""
         if not np.isfinite(value).all():
             raise ScenarioError(f"{key} = {value}: must be finite")
+
+    def units(self, key: str) -> dict[str, str]:
+        """Return the unit of an input or a state, as an attribute, where it is known."""
+        _, states, inputs, _ = self.places[key]
+        given = units_of(self.wiring)[1]
+        found = {given[k] for k in inputs}
+        for node in self.wiring.nodes:
+            block, first = node.system, node.states.start
+            for port, size in block.state_ports.items():
+                own = set(range(first, first := first + size)) & set(states)
+                found |= {block.units.get(port, "")} if own else set()
+        unit = found.pop() if len(found) == 1 else ""
+        return {"units": unit} if unit else {}
 
     def check_apart(self) -> None:
         """Refuse names that say one number twice."""
@@ -365,7 +388,8 @@ class DiagramWorker(Worker):
         found.keep_ends()
         for key, array in values.items():
             more = [f"{key} {k}" for k in range(array.ndim - 1)]
-            found.fix(key, ("member", *more), array, long_name=key)
+            units = self.varied.units(key)
+            found.fix(key, ("member", *more), array, long_name=key, **units)
         found.fix_members()
         for dim, (numbers, attributes) in self.axes.items():
             found.fix(dim, (dim,), numbers, **attributes)

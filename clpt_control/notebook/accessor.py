@@ -146,6 +146,8 @@ def _said(data: "xarray.Dataset") -> str:
 def _can(data: "xarray.Dataset") -> list[str]:
     if not (kind := _kind(data)):
         return ["nothing"]
+    if kind == "ensemble" and "scenario" not in data.attrs:
+        return ["what xarray can, such as unstack() and plot"]
     film = ["animate()"] if kind == "run" else []
     state = ["state_at(t)"] if "states" in data.variables else []
     state += ["linearize(t)"] if kind == "run" else []

@@ -68,6 +68,8 @@ def _varies(vary: Vary) -> str:
         return f"{vary.key} varies from {vary.numbers[0]:g} to {vary.numbers[1]:g}"
     if vary.kind == "normal":
         return f"{vary.key} varies normally with a deviation of {vary.numbers[0]:g}"
+    if vary.kind == "drawn":
+        return f"{vary.key} is drawn from {vary.numbers[0]}"
     return f"{vary.key} has one of {len(vary.numbers)} values"
 
 

@@ -508,8 +508,41 @@ def test_more_mistakes():
         clpt.run_ensemble(clpt.paper_scenario(), "learning.gain=1:2", 2, timepts=TIMES)
     system = control.nlsys(lambda t, x, u, p: -p["x"] * x, None, inputs=0, outputs=1, states=["x"],
                            params={"x": 1.0}, name="same")  # fmt: skip
-    with pytest.raises(ClptError, match="x names more than one of a parameter, a state and an"):
+    with pytest.raises(ClptError, match="x is more than one of a parameter, an initial state and"):
         clpt.run_ensemble(system, {"x": [1.0]}, timepts=TIMES)
+
+
+@pytest.mark.parametrize("two", [np.array([1.0, 2.0]), [1, 2]])
+def test_one_name_for_two_shapes_has_the_shape_that_python_control_hands_down(two):
+    given = {"inputs": 0, "outputs": 1, "states": 1}
+    systems = [
+        control.nlsys(lambda t, x, u, p: -x, None, params={"K": 1.0}, name="a", **given),
+        control.nlsys(
+            lambda t, x, u, p: -p["K"][1] * x, None, params={"K": two}, name="b", **given
+        ),
+    ]
+    loop = control.interconnect(systems, connections=False, outlist=["b.y[0]"], outputs=["y"])
+    with pytest.raises(ClptError, match=r"K = 1\.0: each value must be an array of shape \(2,\)"):
+        clpt.run_ensemble(loop, {"K": [1.0, 2.0]}, timepts=TIMES)
+    data = clpt.run_ensemble(loop, {"K[1]": [1.0, 2.0]}, timepts=TIMES, initial_state=1.0)
+    np.testing.assert_allclose(data.y_final, np.exp([-5, -10]), atol=1e-9)
+
+
+def test_states_and_inputs_bring_their_units():
+    sail = clpt.Block(
+        "sail",
+        update=lambda t, x, u, p: u.v - x.s,
+        inputs={"v": 1},
+        states={"s": 1},
+        units={"v": "m/s", "s": "m"},
+    )
+    loop = clpt.connect([sail], external="v", name="sailing")
+    data = clpt.run_ensemble(loop, {"v": [1.0, 2.0], "sail_s[0]": [0.0, 1.0]}, timepts=TIMES)
+    assert data.v.attrs["units"] == "m/s"
+    assert data["sail_s[0]"].attrs["units"] == "m"
+    assert data.s_rms.attrs["units"] == "m"
+    axes = data.unstack().s_rms.plot.contourf().axes
+    assert axes.get_xlabel() == "sail_s[0] [m]"
 
 
 def test_the_accessor_says_what_it_is():
