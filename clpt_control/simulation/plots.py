@@ -428,13 +428,14 @@ def response_plot(
         signals = signals_of(run[port])
         for k, (name, column) in enumerate(signals.items()):
             line = {**line_style(k), **of_run}
-            one.plot(run.time.values, column, label=_among(label, name), linewidth=1.1, **line)
-        one.set_ylabel(named(port, run[port].attrs.get("units")))
+            said = _among(label, name).replace("$", r"\$")  # a name is no formula
+            one.plot(run.time.values, column, label=said, linewidth=1.1, **line)
+        one.set_ylabel(named(port, run[port].attrs.get("units")).replace("$", r"\$"))
         if (len(signals) > 1 or label is not None) and len(signals) <= 6:
             beside: dict[str, Any] = {"loc": "upper left", "bbox_to_anchor": (1.0, 1.05)}
             place = {"loc": "upper right", "ncols": 6} if label is None else beside
             one.legend(frameon=False, fontsize=8, **place)
-    one.set_xlabel(named("time", run.time.attrs.get("units")))
+    one.set_xlabel(named("time", run.time.attrs.get("units")).replace("$", r"\$"))
     return axes
 
 

@@ -437,3 +437,19 @@ def test_loops_of_the_paper_are_repeated(values):
     run = clpt.simulate(clpt.closed_loop(SCENARIO.with_values(values)), TIMES)
     again = clpt.simulate(diagram_from(text_of(run)[0]))
     assert again.states.values.tobytes() == run.states.values.tobytes()
+
+
+def test_names_of_a_file_are_neither_markup_nor_formulas(tmp_path):
+    """Ports, blocks and units of a stranger's file, on its page."""
+    plain = json.loads(text_of(RUNS["samples"]())[0])
+    text = json.dumps(plain).replace('"gauge"', '"<b>$x_$"').replace('"v"', '"v$_{<i>"')
+    text = text.replace('"v[', '"v$_{<i>[')
+    text = text.replace('"m3/s"', '"$\\\\frac{<u>"')
+    diagram = diagram_from(text)
+    run = clpt.simulate(diagram)
+    clpt.save_run(run, tmp_path / "run.nc")
+    clpt.report(clpt.load_run(tmp_path / "run.nc"), tmp_path / "page.html")
+    page = (tmp_path / "page.html").read_text()
+    assert not [tag for tag in ("<b>$", "<i>", "<u>") if tag in page]
+    assert "&lt;i&gt;" in page
+    assert "&lt;u&gt;" in page

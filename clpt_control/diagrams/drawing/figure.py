@@ -185,4 +185,5 @@ def width(text: str, size: float, weight: str = "normal") -> float:
     from matplotlib.textpath import TextPath
 
     font = FontProperties(family="DejaVu Sans", weight=weight)
-    return float(TextPath((0, 0), text, size=size, prop=font).get_extents().width) if text else 0.0
+    plain = text.replace("$", r"\$")  # a name is no formula
+    return float(TextPath((0, 0), plain, size=size, prop=font).get_extents().width) if text else 0.0
