@@ -1,4 +1,4 @@
-"""The hook of examples, run as basestation3 runs `.post_dive`: by a shell, with 120 s to end."""
+"""The hook of examples, run as basestation3 runs `.post_dive`: by a shell."""
 
 import os
 import shutil
@@ -7,10 +7,9 @@ import sys
 from pathlib import Path
 
 import pytest
-from processes import CODE
+from processes import CODE, GUARD
 
 HOOK = Path(__file__).parents[2] / "examples" / "basestation3_post_dive.sh"
-TIMEOUT = 120  # s, basestation3's own
 
 
 @pytest.fixture
@@ -42,7 +41,7 @@ def run(tmp_path):
             stdout=subprocess.PIPE,
             stderr=out,
             text=True,
-            timeout=TIMEOUT,
+            timeout=GUARD,
             cwd="/",
             env={**os.environ, "PATH": path},
         )
