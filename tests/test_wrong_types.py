@@ -112,7 +112,7 @@ OF_THE_ENGINE = (  # called at each step, and checked by no one
     *("FixModel.reached", "FixModel.matched"),
     *("NativeDiagram.schedule", "NativeDiagram.callee", "NativeDiagram.lanes"),
     *("NativeDiagram.parameters", "NativeDiagram.breaks"),
-    *("Sampled.samples_at", "Sampled.values"),
+    *("Sampled.samples_at", "Sampled.values", "Block.units_of"),
     *("Replay.surfacing", "Replay.given"),
 )
 RESULTS = ("Verdict", "ConformanceReport", "FlowEstimate", "Diagram")  # which nobody makes by hand

@@ -8,8 +8,8 @@ from .plots import clpe_plot, compare, learning_plot, response_plot, run_plot, t
 from .repeating import load_diagram
 from .report import claims, run_and_report
 from .run_file import load_run, save_run
-from .sensitivity import sensitivity
 from .starts import initial_state, state_at
+from .tangents import sensitivity
 from .team_plots import team_plot
 from .teams import team_loop
 

@@ -18,7 +18,7 @@ from ..equations.declaration import ports_of
 from ..errors import ArgumentError, SimulationError
 from ..native.schedule import checked_times
 from ..scenario.experiment import Scenario
-from .sensitivity import Sensitive, Varying, ways_of
+from .tangents import Sensitive, Varying, ways_of
 
 UNFELT = 1e-6  # of the strongest direction of relative changes: a weaker one is not identified
 TAKES_PART = 1e-2  # share of a direction from which on a parameter is named
