@@ -52,7 +52,14 @@ def read_route(path: File) -> Route:
     text = read_text(path, "is no text; must be GeoJSON or lines of places")
     try:
         found = list(_shapes(json.loads(text)) if text.lstrip().startswith("{") else _lines(text))
-    except (ValueError, KeyError, TypeError, AttributeError, IndexError, RecursionError) as error:
+    except (
+        ArithmeticError,
+        AttributeError,
+        LookupError,
+        RecursionError,
+        TypeError,
+        ValueError,
+    ) as error:
         raise DataError(
             f"{path}: is neither GeoJSON nor a latitude and a longitude a line: {error}"
         ) from None
@@ -87,7 +94,10 @@ def _shapes(data: dict[str, Any], name: str = "area") -> Iterator[Shape]:
 
 def _places(pairs: list[Any]) -> list[Place]:
     """Return places of a pair longitude, latitude, or of a list of them; heights are left out."""
-    return [(lat, lon) for lon, lat in np.atleast_2d(np.array(pairs, float))[:, :2].tolist()]
+    points = np.atleast_2d(np.array(pairs, float))
+    if points.ndim > 2:
+        raise ValueError("places are pairs of longitude and latitude")
+    return [(lat, lon) for lon, lat in points[:, :2].tolist()]
 
 
 def arrivals(

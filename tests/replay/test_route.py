@@ -130,6 +130,8 @@ def test_routes_are_read(tmp_path):
         ('{"type": "Point", "coordinates": 7}', "is neither GeoJSON"),
         (json.dumps({"type": "Polygon", "coordinates": [SQUARE]}), "has no waypoint"),
         ("{" * 10**5, "is neither GeoJSON"),
+        ('{"type": "LineString", "coordinates": [[[8.0, 40.0]]]}', "places are pairs"),
+        (f'{{"type": "Point", "coordinates": [{10**400}, 1]}}', "is neither GeoJSON"),
     ],
 )
 def test_what_is_no_route_is_one_sentence(text, says, tmp_path):
