@@ -35,8 +35,8 @@ def replay(
     ),
     flow: str | None = opt(
         "PARTS",
-        "steady, then any of tides, inertial, gaussians, model, such as steady,M2,K1.",
-        words=("steady", "tides", "M2", "inertial", "gaussians", "model"),
+        "steady, then any of tides, inertial, shear, gaussians, model, such as steady,M2,K1.",
+        words=("steady", "tides", "M2", "inertial", "shear", "gaussians", "model"),
     ),
     width_km: float | None = opt("KM", "Width of the gaussians."),
     learn_speed: bool = flag("Learn a factor on speed and a compass error.", default=True),

@@ -13,6 +13,7 @@ The columns of H, what one unit of a parameter does:
     steady current      T                             two parameters, m/s
     tide, speed w       T s(w) cos(w tm), T s(w) sin(w tm)    four, m/s
     inertial current    T s(c)                        two, m/s, at mid-dive
+    shear               T log(depth / 100 m)          two, m/s, each e times as deep
     flow model          its displacement (east, north)    one, a factor
     speed               (d_east, d_north)             f - 1
     compass             (d_north, -d_east)            psi, rad, clockwise
@@ -39,8 +40,9 @@ from .gaussian_places import WIDTH, Places, near, places_columns
 from .priors import Priors
 
 FAR = 13.82  # chi-squared of two components, 99.9 %: what lies beyond is strange
+SHALLOW = 100.0  # m, where shear is zero
 ROTATION = 7.292115e-5  # rad/s, of the Earth
-OTHERS = ("inertial", "gaussians", "model")  # parts that are no tide
+OTHERS = ("inertial", "shear", "gaussians", "model")  # parts that are no tide
 
 
 def inertial_frequency(latitude: float) -> float:
@@ -81,6 +83,13 @@ def inertial(dive: Dive, ended: bool) -> np.ndarray:
     return swing(dive, inertial_frequency(dive.lat_gps2)) * np.eye(2)
 
 
+def shear(dive: Dive, ended: bool) -> np.ndarray:
+    """Return the columns of the current's change with depth; zero where that is not known."""
+    deep = dive.depth_max or 0.0
+    folds = math.log(max(deep / SHALLOW, 0.1)) if deep > 0 else 0.0
+    return dive.duration * folds * np.eye(2)
+
+
 def modelled(dive: Dive, ended: bool) -> np.ndarray:
     """Return the column of a flow model; zero where it does not cover the dive."""
     return np.array([[dive.model_east or 0.0], [dive.model_north or 0.0]])
@@ -111,7 +120,7 @@ class FixModel:
     Attributes
     ----------
     flow : tuple of str
-        ``"steady"``, then any of ``"inertial"``, ``"gaussians"``, ``"model"`` (a
+        ``"steady"``, then any of ``"inertial"``, ``"shear"``, ``"gaussians"``, ``"model"`` (a
         factor on the dives' flow model) and constituents such as ``"M2"``.
     learn_speed : bool
         Whether a factor on speed and a compass error are parameters too.
@@ -163,6 +172,8 @@ class FixModel:
         for name in self.flow[1:]:
             if name == "inertial":
                 found.append(Part(name, _axes(name), p.inertial, p.inertial_fading, inertial))
+            elif name == "shear":
+                found.append(Part(name, _axes(name), p.shear, math.inf, shear))
             elif name == "model":
                 found.append(Part(name, (name,), p.model, math.inf, modelled))
             elif name != "gaussians":

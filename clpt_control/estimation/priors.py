@@ -43,6 +43,8 @@ class Priors(NamedTuple):
     # trajectories of mixed layer drifters", J. Marine Research 48, 1990), a dive's mean has less;
     # with 0.05 the 90 % ellipses after a made storm held 83 % of the surfacings
     inertial: float = 0.1  # m/s
+    # judgement: eddies of 0.3 m/s have half of it at 200 m, or at 1000
+    shear: float = 0.1  # m/s, of a dive e times as deep
     # judgement: half a current
     gaussian: float = 0.15  # m/s, of a place's coefficient
     # judgement: a forecast may be nothing, right, or half as strong again

@@ -25,6 +25,7 @@ import numpy as np
 
 from ..arguments import public
 from ..estimation.dive import miss
+from ..estimation.fix_model import OTHERS
 from ..geodesy import place_from
 from ..gliders.dives import Skipped
 from .flow_models import NOTE, why_uncovered
@@ -151,8 +152,8 @@ def strengths(replay: Replay) -> dict[str, float]:
     for part in replay.model.flow[1:]:
         if part == "model":
             found[part] = known[part]
-        elif part == "inertial":
-            found[part] = hypot(known["inertial_east"], known["inertial_north"])
+        elif part in ("inertial", "shear"):
+            found[part] = hypot(known[f"{part}_east"], known[f"{part}_north"])
         elif part != "gaussians":
             waves = [
                 [known[f"{part}_{wave}_{axis}"] for wave in ("cos", "sin")]
@@ -203,7 +204,7 @@ def compass_words(step: Step) -> str:
 
 def _of(part: str) -> str:
     """Return the name of the part whose presence is asked; all tides are one."""
-    return part if part in ("inertial", "gaussians", "model") else "tides"
+    return part if part in OTHERS else "tides"
 
 
 @public

@@ -129,6 +129,40 @@ def test_inertial_currents_turn_with_the_hemisphere(latitude):
     assert ratio(dives) < 0.3 < ratio(wrong)
 
 
+def in_shear(seed, size):
+    """Dives to 100 to 1000 m in a current that is `size` more, m/s, where e times as deep."""
+    rng = np.random.default_rng(seed)
+    deep = np.exp(rng.uniform(math.log(100), math.log(1000), 30))
+    return [
+        replace(d, depth_max=D, gps_east=d.gps_east + size * math.log(D / 100) * d.duration)
+        for d, D in zip(vehicle(seed, noise=0.01), deep, strict=True)
+    ]
+
+
+def test_shear_is_learned_where_dives_change_their_depth():
+    model, gains = FixModel(("steady", "shear")), []
+    for seed in range(4):
+        dives = in_shear(seed, -0.08)
+        replay = replay_dives(dives, model=model)
+        assert replay.known()["shear_east"] == pytest.approx(-0.08, abs=0.02)
+        assert replay.steps[-1].parts["shear"] > 0.9
+        gains.append(ratio(dives, model=model) / ratio(dives, model=FixModel(("steady",))))
+        still = replay_dives(in_shear(seed, 0.0), model=model).steps[-1]
+        assert still.parts["shear"] < 0.5
+    assert np.max(gains) < 0.6
+
+
+@pytest.mark.parametrize("depth", [None, math.nan])
+def test_shear_says_nothing_where_depth_is_unknown(depth):
+    dives = [replace(d, depth_max=depth) for d in vehicle(3, 8, noise=0.01)]
+    with_it, without = (
+        replay_dives(dives, model=FixModel(flow)).steps[-1]
+        for flow in (("steady", "shear"), ("steady",))
+    )
+    assert with_it.forecast == pytest.approx(without.forecast, rel=1e-9)
+    assert with_it.parts["shear"] == pytest.approx(0.5)
+
+
 def test_a_front_is_followed_at_once():
     dives = vehicle(5, 30, noise=0.003)
     beyond = [replace(d, gps_north=d.gps_north + 0.5 * d.duration) for d in dives[20:]]
