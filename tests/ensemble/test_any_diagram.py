@@ -12,8 +12,9 @@ from random_diagrams import random_diagram
 from scipy import stats
 
 import clpt_control as clpt
-from clpt_control.ensemble.of_diagrams import VariedDiagram
-from clpt_control.ensemble.varied_keys import distribution, read_vary
+from clpt_control.ensemble.of_diagrams import DiagramEnsemble, VariedDiagram
+from clpt_control.ensemble.varied_keys import distribution, parsed, read_vary
+from clpt_control.equations.declaration import ports_of
 from clpt_control.errors import ClptError, DataError, DiagramError
 
 TIMES = np.linspace(0.0, 5.0, 51)
@@ -379,6 +380,31 @@ def test_threads_and_chunks_do_not_matter_to_any_diagram(first):
         assert_identical(whole, cut)
         compared += 1
     assert compared >= 4
+
+
+@pytest.mark.parametrize("seed", [13, 15, 34, 42, 44])
+def test_members_are_what_python_runs_block_by_block(seed):
+    draw = random.Random(seed)
+    diagram = random_diagram(draw)
+    first = VariedDiagram(diagram, (), TIMES[:5], 0.1, 0.2)
+    names = [name for name in sorted(first.names) if first._place(name)]
+    vary = dict.fromkeys(draw.sample(names, min(4, len(names))), "0.4:0.9")
+    varied = VariedDiagram(diagram, parsed(vary), TIMES[:5], 0.1, 0.2)
+    given = {"timepts": TIMES[:5], "inputs": 0.1, "initial_state": 0.2, "trajectories": True}
+    data = clpt.run_ensemble(diagram, vary, 5, **given)
+    python = DiagramEnsemble(varied, "python")
+    for m in range(5):
+        own = {key: data[key].values[m] for key in vary}
+        parameters, start, inputs = python.made(own)
+        alone = python.native.with_parameters(parameters)
+        solution = alone.run(start, TIMES[:5], inputs=inputs, method="dop853")
+        signals = alone.signals(solution, inputs)
+        every = np.vstack([signals.T, inputs.along(solution.t)])
+        wanted = (varied.wiring.output_map @ every).T
+        for port, places in ports_of(varied.outputs).items():
+            found = data[port if port in data else f"{port}_"].values[m].reshape(5, -1)
+            size = 1 + np.abs(wanted[:, places]).max()
+            np.testing.assert_allclose(found, wanted[:, places], rtol=0, atol=1e-6 * size)
 
 
 def test_a_folder_goes_on_and_refuses_another_diagram(tmp_path):
