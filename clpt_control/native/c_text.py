@@ -16,7 +16,7 @@ from ..errors import Uncompiled
 from .components import deep, rows
 from .diagram_record import DiagramRecord, Layout
 from .formula import AsWritten
-from .plan import Nest, Planner, Saved, Total
+from .plan import Nest, Planner
 
 GIVEN = "double t, const double *x, const double *u, const double *p, const double *kept"
 ARRAYS = {"X": "x", "U": "u", "P": "p", "I": "kept", "T": "T_", "K": "K_", "W": "w", "D": "out"}
@@ -137,16 +137,13 @@ class _Function:
         own: list[str] = []
         for item in nest.items:
             value = self.argument(item.value, turns)
-            if isinstance(item, Total):
-                c = item.component
+            if item.summed:
+                c = item.saves
                 sums[c] = f"s{c}"
                 own.append(f"s{c} += {value};")
-                if item.place >= 0:
-                    lengths = self.all[c].lengths
-                    after.append(f"{self.at('W', item.place, turns[:-1], rows(lengths))} = s{c};")
-            elif isinstance(item, Saved):
-                strides = rows(self.all[item.component].lengths)
-                own.append(f"{self.at('W', item.place, turns, strides)} = {value};")
+                if item.strides:
+                    place = self.at(item.array, item.first, turns[:-1], item.strides)
+                    after.append(f"{place} = s{c};")
             else:
                 own.append(f"{self.at(item.array, item.first, turns, item.strides)} = {value};")
         before = [f"double {name} = 0.0;" for name in sums.values()]
@@ -159,8 +156,8 @@ class _Function:
         for d in reversed(range(depth)):
             yield from self.indented(d, ["}", *(after if d == depth - 1 else ())])
         for item in nest.items:
-            if isinstance(item, Saved) or (isinstance(item, Total) and item.place >= 0):
-                self.saved[item.component] = item.place
+            if item.saves >= 0 and item.strides:
+                self.saved[item.saves] = item.first
         self.numbers |= {(c, ()): name for c, name in sums.items() if not self.all[c].lengths}
 
     def indented(self, depth: int, lines: list[str]) -> Iterator[str]:

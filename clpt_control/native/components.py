@@ -32,7 +32,7 @@ APART = frozenset(  # of many instructions: printed once a module, and called
         *("sin", "cos", "tan", "asin", "acos", "atan", "atan2"),
     )
 )
-LONG = APART | {"div", "sqrt", "erf", "erfc", "lookup"}  # computed once, not again
+LONG = APART | {"div", "sqrt", "erf", "erfc", "lookup"}  # costly
 Symbol = tuple[int, int]
 Index = Any  # a whole number, or (symbol, start, step)
 Value = Any  # a constant, or (component, symbols)
@@ -48,13 +48,15 @@ class Component(NamedTuple):
 
 
 class Write(NamedTuple):
-    """array[first + strides * axes] = value."""
+    """array[first + strides * turns] = value, or the sum of values over the innermost loop."""
 
     array: str
     first: int
     strides: tuple[int, ...]
-    lengths: tuple[int, ...]
+    lengths: tuple[int, ...]  # of the loops
     value: Value
+    saves: int = -1  # the component that is read from there, once it is written
+    summed: bool = False
 
 
 @contextmanager
@@ -141,7 +143,7 @@ class Components:
         return tuple([0 if n == 1 else i for i, n in zip(index, shape, strict=True)])
 
     def _element(self, ref: int, index: tuple[Index, ...]) -> Value:
-        kind, arguments, shape, at, _ = self.entries[ref]
+        kind, arguments, shape, at = self.entries[ref]
         if kind == "load":
             return self.load(at[0], at[1], zip(index, rows(shape), strict=True))
         if kind == "constant":
@@ -164,7 +166,7 @@ class Components:
 
     def moved(self, ref: int, index: tuple[Index, ...]) -> tuple[Ref, tuple] | None:
         """Return which element of another value an element is; None where it is computed."""
-        kind, arguments, shape, at, _ = self.entries[ref]
+        kind, arguments, shape, at = self.entries[ref]
         if kind == "view":
             moved = [m if isinstance(m, int) else _moved(index[m[0]], m[1], m[2]) for m in at]
             return arguments[0], tuple(moved)
@@ -199,17 +201,8 @@ class Components:
             return self.total(one((symbol, 0, 1)), symbol)
         total: Value = 0.0
         for k in range(count):
-            term = one(k)
-            plain = k == 0 and self.never_negative(term)
-            total = term if plain else self.add("add", total, term)
+            total = self.add("add", total, one(k))
         return total
-
-    def never_negative(self, value: Value) -> bool:
-        """Whether a value is a square or a size, to which 0.0 adds nothing."""
-        if type(value) is float:
-            return copysign(1.0, value) > 0
-        name, own = self.made_of(value)
-        return name == "fabs" or (name == "mul" and own[0] == own[1])
 
     def total(self, value: Value, symbol: Symbol) -> Value:
         """Return the sum over a symbol."""

@@ -67,7 +67,7 @@ class Decisions:
             return locked.get(ref, ref) if type(ref) is int else ref
 
         for k in sorted(reached(record.entries, [port.ref for port in rates])):
-            kind, exact, shape, at, owner = record.entries[k]
+            kind, exact, shape, at = record.entries[k]
             places = [a for a in exact if type(a) is int]
             if moving.intersection(places) or (kind == "load" and at[0] in "Xt"):
                 moving.add(k)
@@ -75,12 +75,12 @@ class Decisions:
             if k in record.decided_by and moving.intersection(places):
                 locked[k] = self._locked(k, own)
             elif not locked.keys().isdisjoint(places):
-                locked[k] = record.add(kind, own, shape, at, owner)
+                locked[k] = record.add(kind, own, shape, at, record.owners[k])
         return [p._replace(ref=stands(p.ref)) for p in rates]
 
     def _locked(self, k: int, own: tuple[Ref, ...]) -> Ref:
         """Note what an operation decides; return its locked value, of what is locked itself."""
-        kind, exact, shape, _, owner = self.record.entries[k]
+        (kind, exact, shape, _), owner = self.record.entries[k], self.record.owners[k]
         (long, of), held = self.record.decided_by[k], list[Ref]()
 
         def add(kind: str, *given: Ref) -> Ref:

@@ -3,9 +3,9 @@
     v0 = load X[0:2]            v1 = add(v0, v7)            v2 = sum(v1 over 0)
     x[i] of a block -> X        p.field[k] -> P, or T where runs share it
 
-An axis is long, and loops, where a size has a name or the number is beyond `SHORT`.  Every entry
-knows the block it comes from, so that terms of different blocks can be told apart (`joined_sums`);
-wires belong to none.
+An axis is long, and loops, where a size has a name or the number is beyond `SHORT`.  Of every entry
+it is known which block it comes from, so that terms of different blocks can be told apart
+(`joined_sums`); wires belong to none.
 
 Fields that hold the same values share a slot: a basis at the vehicle and at its
 prediction then share widths and tides, and the compiler sees that their cosines are one.
@@ -22,9 +22,10 @@ import numpy as np
 
 from ..diagrams.joined import Joining
 from ..diagrams.wiring import Wiring
+from ..equations.arrays import Tape
 from ..equations.block import Block
 from ..equations.ports import places
-from ..equations.record import Operation, Record, reached
+from ..equations.record import Operation, Record
 from .decisions import LOCKED, Decisions, Port
 
 SHORT, NAMED = 16, 3  # an axis up to SHORT is unrolled, but from NAMED on where it has a name
@@ -117,24 +118,13 @@ def lay_out(
 # --- the record ------------------------------------------------------------------------------
 
 
-class Entry(NamedTuple):
-    """One line of the record; kinds as in `equations.record`, with loads in place of leaves.
-
-    `at` of a load is (array, first place); of a sum (axis, length, whether it loops); of a part
-    the first place among all elements of its argument, row by row.
-    """
-
-    kind: str
-    arguments: tuple[Ref, ...]
-    shape: tuple[int, ...]
-    at: Any
-    owner: int
-
-
 class DiagramRecord(Joining):
-    """All entries of a diagram, and what its functions store.
+    """All operations of a diagram, and what its functions store.
 
-    Axes loop from the length `long` on, where they have a name from `named` on.
+    Kinds are those of `equations.record`, with loads in place of leaves: `at` of a load is (array,
+    first place); of a sum (axis, length, whether it loops); of a part the first place among all
+    elements of its argument, row by row.  Axes loop from the length `long` on, where they have a
+    name from `named` on.
     """
 
     def __init__(
@@ -147,10 +137,11 @@ class DiagramRecord(Joining):
     ):
         super().__init__(wiring, {0: wiring.ninputs})
         self.layout, self.long, self.named = layout, long, named
-        self.entries: list[Entry] = []
+        self.tape = Tape()
+        self.entries = self.tape.operations
+        self.owners: dict[int, int] = {}  # the blocks that entries come from
         self.decided_by: dict[int, tuple] = {}  # entries that may decide: long axes, whose they are
         self.rates: list[Port] = []
-        self._known: dict[Entry, int] = {}
         self._jumped: dict[int, dict[str, Ref]] = {}  # states of a block after jumps, once known
         self.given[0] = self._inputs()
         self.signals = self._rates()
@@ -169,7 +160,8 @@ class DiagramRecord(Joining):
         self, kind: str, arguments: Sequence[Ref], shape: tuple, at: Any = None, owner: int = WIRE
     ) -> int:
         """Add an entry; return its place."""
-        self.entries.append(Entry(kind, tuple(arguments), shape, at, owner))
+        self.tape.append(Operation(kind, tuple(arguments), shape, at))
+        self.owners[len(self.entries) - 1] = owner
         return len(self.entries) - 1
 
     def shape_of(self, ref: Ref) -> tuple[int, ...]:
@@ -274,10 +266,7 @@ class DiagramRecord(Joining):
 
     def load(self, array: str, first: int, shape: tuple) -> int:
         """Return the numbers of an array from a place, row by row; the same once."""
-        entry = Entry("load", (), shape, (array, first), WIRE)
-        if entry not in self._known:
-            self._known[entry] = self.add(*entry[:4])
-        return self._known[entry]
+        return self.tape.add("load", (), shape, (array, first))._node
 
     # --- wires ----------------------------------------------------------------------------
 
@@ -300,13 +289,11 @@ class DiagramRecord(Joining):
 
     def _signed(self, block: Block) -> bool:
         """Return whether a block tells -0.0 from 0.0."""
-        roles = [*block._roles] if block.output_function else [*block._roles, "output"]
-        for lines in (block.array_record(role).operations for role in roles):
-            for kind, arguments, _, _ in lines:
-                divisor = [a for a in arguments[1:] if kind == "div" and type(a) is int]
-                if kind in SIGNED or any(_moves(lines, a) for a in divisor):
-                    return True
-        return False
+        return any(
+            one.kind in SIGNED or (one.kind == "div" and type(one.arguments[1]) is int)
+            for record in block.records.values()
+            for one in record.operations
+        )
 
     def part(self, ref: int, first: int, shape: tuple) -> int:
         """Return elements of a value from a place on, row by row, in a shape."""
@@ -317,8 +304,3 @@ class DiagramRecord(Joining):
             array, start = entry.at
             return self.load(array, start + first, shape)
         return self.add("part", (ref,), shape, first)
-
-
-def _moves(lines: Sequence[Any], ref: int) -> bool:
-    """Return whether a value depends on more than parameters."""
-    return any(lines[k].kind == "leaf" and lines[k].at[0] != "p" for k in reached(lines, [ref]))

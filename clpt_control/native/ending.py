@@ -130,26 +130,19 @@ def _crossing(
     t, h = batch.now, float(batch.numbers[solver.TAKEN, 0])
     sweep.enter(t)
 
-    def seen(share: float, x: np.ndarray) -> tuple[float, str, str]:
+    def seen(share: float) -> tuple[float, str, str]:
         u = None if inputs is None else inputs.at(t + share * h)
-        return sweep.margin(t + share * h, x, u)
+        return sweep.margin(t + share * h, _state(batch, share), u)
 
     def margin(share: float) -> float:
-        return seen(share, _state(batch, share))[0]
+        return seen(share)[0]
 
+    share, beyond = (float(batch.numbers[row, 0]) for row in (solver.LOW, solver.HIGH))
     if margin(0.0) <= 0.0:
-        here = batch.Z[: sweep.nstates].copy()
-        return (t, here, *seen(0.0, here)[1:])
-    inside = 0.0
-    for look in range(1, solver.LOOKS + 1):
-        share = look / solver.LOOKS
-        if margin(share) < -solver.OUTSIDE:
-            within = margin(inside) > 0.0  # else the edge itself was looked at
-            share = brentq(margin, inside, share, xtol=1e-15, rtol=1e-14) if within else inside
-            break
-        inside = share
-    x = _state(batch, share)
-    return (t + share * h, x, *seen(share, x)[1:])
+        share = 0.0
+    elif margin(share) > 0.0 > margin(beyond):  # else the edge itself was looked at
+        share = brentq(margin, share, beyond, xtol=1e-15, rtol=1e-14)
+    return (t + share * h, _state(batch, share), *seen(share)[1:])
 
 
 def _until(

@@ -13,7 +13,6 @@ import numpy as np
 from ..equations.arrays import Array, Tape, elementwise, operand
 from .components import Components, Value
 from .decisions import Port
-from .diagram_record import WIRE, Entry
 from .plan import Planner, Program
 
 Row = Callable[[int], Any]
@@ -27,8 +26,11 @@ class Formula(NamedTuple):
     ``after(lane, sums)`` returns rows of numbers.
     """
 
-    each: Callable[[Row, Row, Row], tuple[Rows, Sequence[Any]]] | None = None
-    after: Callable[[Row, Sequence[Any]], Rows] | None = None
+    each: Callable[[Row, Row, Row], tuple[Rows, Sequence[Any]]] = lambda z, lane, tolerance: (
+        {},
+        (),
+    )
+    after: Callable[[Row, Sequence[Any]], Rows] = lambda lane, sums: {}
 
 
 def joined(a: Any, b: Any, c: Any) -> Any:
@@ -57,14 +59,14 @@ def program_of_formulas(formulas: Mapping[str, Formula], n: int) -> Program:
         return tape.add("load", (), (), (array, r))
 
     for name, (each, after) in formulas.items():
-        rows, summed = each(row, number, lambda r: number(r, "T")) if each else ({}, ())
+        rows, summed = each(row, number, lambda r: number(r, "T"))
         sums = [tape.add("sum", (operand(one),), (), (0, n, True)) for one in summed]
-        numbers = after(number, sums) if after else {}
+        numbers = after(number, sums)
         ports[name] = (
             [Port(r * n, (n,), (True,), operand(value)) for r, value in rows.items()],
             [Port(r, (), (), operand(value)) for r, value in numbers.items()],
         )
-    made = AsWritten(SimpleNamespace(entries=[Entry(*one, WIRE) for one in tape.operations]), 0, 0)
+    made = AsWritten(SimpleNamespace(entries=tape.operations), 0, 0)
     writes = {name: made.writes(x, "X") + made.writes(t, "t") for name, (x, t) in ports.items()}
     plan = Planner(made)
     # loops come first: numbers of the lane are read in them, and written behind them
@@ -81,18 +83,13 @@ def on_rows(formula: Formula, n: int) -> Callable:
     def apply(
         numbers: Any, Z: np.ndarray, at: int, P: Any, T: Any, W: Any, D: Any, to: int
     ) -> None:
-        numbers, rows_of_Z = numbers.reshape(-1), Z.reshape(-1, n)
-        summed: Sequence[Any] = ()
+        own, rows_of_Z = numbers.reshape(-1), Z.reshape(-1, n)
         with np.errstate(all="ignore"):
-            if formula.each is not None:
-                rows, summed = formula.each(
-                    rows_of_Z.__getitem__, numbers.__getitem__, T.__getitem__
-                )
-                for r, value in rows.items():
-                    rows_of_Z[r] = value
-            if formula.after is not None:
-                found = formula.after(numbers.__getitem__, [np.sum(s) for s in summed])
-                for r, value in found.items():
-                    numbers[r] = value
+            rows, summed = formula.each(rows_of_Z.__getitem__, own.__getitem__, T.__getitem__)
+            for r, value in rows.items():
+                rows_of_Z[r] = value
+            found = formula.after(own.__getitem__, [np.sum(s) for s in summed])
+            for r, value in found.items():
+                own[r] = value
 
     return apply

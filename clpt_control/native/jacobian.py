@@ -10,18 +10,20 @@ and all, along a direction (v, s) that lies behind the states: X = x, v, s.
 
 from functools import reduce
 from math import prod
+from operator import or_
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..equations.arrays import CONDITIONS, Array, Tape, operand
+from ..equations.arrays import CONDITIONS, Unread, operand
 from ..equations.derivative import JUMPS, Direction
-from ..equations.numbers import viewed
-from ..equations.record import Operation, reached
-from .diagram_record import WIRE, DiagramRecord, Entry, Port
+from ..equations.elements import Elements, Index
+from ..equations.record import reached
+from .components import deep
+from .decisions import Port
+from .diagram_record import DiagramRecord
 
 NONE = np.zeros(0, np.int64)
-LARGEST = 20_000_000  # numbers; of a larger value all elements are taken to be reached by the same
 FULL = 0.3  # share of a matrix from which on it is taken as full
 
 
@@ -84,53 +86,49 @@ def _ordered(reach: np.ndarray) -> tuple[np.ndarray, int, int]:
 # --- which states reach which rates -----------------------------------------------------------
 
 
+class _Reached(Elements):
+    """The states that reach each element, and time behind them: bits of a whole number."""
+
+    def __init__(self, record: DiagramRecord, n: int):
+        super().__init__(record.entries)
+        self.n = n
+
+    def number(self, value: float) -> int:
+        """Return nothing."""
+        return 0
+
+    def apply(self, ref: int, kind: str, arguments: tuple) -> int:
+        """Return all that reaches the arguments; what decides has no slope."""
+        if kind in CONDITIONS or kind in JUMPS:
+            return 0
+        return reduce(or_, arguments[kind in ("where", "pick") :], 0)
+
+    def _element(self, ref: int, index: Index) -> int:
+        kind, arguments, shape, at = self.operations[ref]
+        if kind == "sum":
+            return self._sum(ref, arguments[0], at[0], index)
+        if kind not in ("load", "part"):
+            return super()._element(ref, index)
+        place = sum(i * prod(shape[k + 1 :]) for k, i in enumerate(index))
+        if kind == "load":
+            array, first = at
+            return 1 << (first + place if array == "X" else self.n) if array in "Xt" else 0
+        found = np.unravel_index(at + place, self.operations[arguments[0]].shape)
+        return self.at(arguments[0], tuple(map(int, found)))
+
+
 def reach_of(record: DiagramRecord, n: int) -> np.ndarray:
     """Return which of n states, and whether time, reach which rates: truth values (n, n + 1)."""
-    found: dict[int, Any] = {}
-    for k in sorted(reached(record.entries, [port.ref for port in record.rates])):
-        found[k] = _reached(record, k, found, n)
-    whole = np.zeros((n, n + 1), dtype=bool)
-    for port in record.rates:
-        one = found.get(port.ref) if type(port.ref) is int else None
-        if one is not None:
-            size = prod(port.shape)
-            value = np.broadcast_to(one, (*port.shape, n + 1))
-            whole[port.first : port.first + size] = value.reshape(size, n + 1)
+    found, whole = _Reached(record, n), np.zeros((n, n + 1), dtype=bool)
+    try:
+        with deep():
+            for port in record.rates:
+                for place, index in enumerate(np.ndindex(port.shape), port.first):
+                    bits = found.at(port.ref, index)
+                    whole[place] = [bits >> j & 1 for j in range(n + 1)]
+    except Unread:  # too many elements
+        whole[:] = True
     return whole
-
-
-def _reached(record: DiagramRecord, k: int, found: dict[int, Any], n: int) -> Any:
-    """Return what reaches each element of a value, along a last axis; None for nothing."""
-    kind, arguments, shape, at, _ = record.entries[k]
-    if kind == "load":
-        if at[0] not in ("X", "t"):
-            return None
-        first = at[1] if at[0] == "X" else n
-        return (first + np.arange(prod(shape)).reshape(*shape, 1)) == np.arange(n + 1)
-    own: list[Any] = [found[a] if type(a) is int else None for a in arguments]
-    if kind in CONDITIONS or kind in JUMPS:
-        return None
-    own = own[1:] if kind == "where" else own[:1] if kind == "pick" else own
-    some = [one for one in own if one is not None]
-    if not some:
-        return None
-    size = (*shape, n + 1)
-    if kind == "pick" or prod(size) > LARGEST:
-        every = [one.any(axis=tuple(range(one.ndim - 1))) for one in some]
-        return np.broadcast_to(np.any(every, axis=0), size)
-    if kind == "sum":
-        return own[0].any(axis=at[0])
-    if kind == "view":
-        return viewed(own[0], (*at, (len(shape), 0, 1)), size)
-    if kind == "part":
-        return own[0].reshape(-1, n + 1)[at : at + prod(shape)].reshape(size)
-    if kind in ("stack", "join"):
-        parts = [
-            np.broadcast_to(False if one is None else one, (*record.shape_of(a), n + 1))
-            for a, one in zip(arguments, own, strict=True)
-        ]
-        return np.concatenate(parts) if kind == "join" else np.stack(parts)
-    return np.broadcast_to(reduce(np.logical_or, some), size)
 
 
 # --- the derivative along a direction ---------------------------------------------------------
@@ -141,20 +139,13 @@ def slopes_of(record: DiagramRecord, n: int) -> list[Port]:
 
     Where a function has no derivative, as the derivative reading knows it, it is `Unread`.
     """
-    tape, along = Tape(), dict[int, Any]()
+    direction = Direction(record.tape, {})
     roots = [port.ref for port in record.rates]
     loads = [k for k in sorted(reached(record.entries, roots)) if record.entries[k].kind == "load"]
     for k in loads:
         (array, first), shape = record.entries[k].at, record.entries[k].shape
         moved = {"X": n + first, "t": 2 * n}.get(array)
-        along[k] = None if moved is None else Array(tape, record.load("X", moved, shape), shape)
-    for entry in record.entries:
-        tape.append(Operation(*entry[:4]))
-    direction = Direction(tape, along)
-    found = []
-    for port in record.rates:
-        whole = port.ref if type(port.ref) is float else Array(tape, port.ref, port.shape)
-        slope = direction.of(whole)
-        found.append(port._replace(ref=operand(slope)))
-    record.entries += [Entry(*one, WIRE) for one in tape.operations[len(record.entries) :]]
-    return found
+        own = None if moved is None else direction.value(record.load("X", moved, shape))
+        direction.known[k] = own
+    slopes = [direction.of(direction.value(ref)) for ref in roots]
+    return [port._replace(ref=operand(own)) for port, own in zip(record.rates, slopes, strict=True)]

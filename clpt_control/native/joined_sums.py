@@ -10,7 +10,7 @@ a coefficient in which nothing cancels is left as it is.
 from typing import Any
 
 from .components import LONG, Components, Value
-from .diagram_record import Ref
+from .diagram_record import WIRE, Ref
 
 HEAVY = 10  # cost of a function, beside an addition
 MOST = 64  # terms of one sum; more are left as they are
@@ -57,7 +57,7 @@ class JoinedSums:
         if moved is not None:
             self.terms(plus, *moved, rest, sums)
             return
-        kind, arguments, _, at, owner = made.entries[ref]
+        (kind, arguments, _, at), owner = made.entries[ref], made.record.owners.get(ref, WIRE)
         if kind in ("add", "sub"):
             self.terms(plus, arguments[0], own, rest, sums)
             self.terms(plus == (kind == "add"), arguments[1], own, rest, sums)

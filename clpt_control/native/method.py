@@ -67,7 +67,7 @@ def _attempt(implicit: bool = False) -> Formula:
         rows = {row.NEW: new, row.TAKEN: new - t, row.FAILING: failing}
         return rows | ({row.DIAGONAL: 1.0 / (rodas.GAMMA * (new - t))} if implicit else {})
 
-    return Formula(None, after)
+    return Formula(after=after)
 
 
 def _judged(lane: Row, error: Any, factor: Any, largest: float, least: Any = None) -> Rows:
@@ -238,7 +238,7 @@ def _attempt_fixed() -> Formula:
         new = where(turns > 1.0, lane(row.TIME) + ahead / turns, lane(row.NEXT))
         return {row.NEW: new, row.TAKEN: ahead / turns}
 
-    return Formula(None, after)
+    return Formula(after=after)
 
 
 def _judge_fixed() -> Formula:

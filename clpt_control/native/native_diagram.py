@@ -28,7 +28,6 @@ from .schedule import Inputs, Schedule, with_inputs
 
 ABREAST = 256  # states of runs that are taken side by side; more do not fit the first cache
 FUNCTIONS = ("derivative", "prepare", "margin", "signals", "jump", "decide", "slope")
-ROLES = ("update", "output", "guard", "jump")
 # how long an axis without and with a name is that loops; the others are there to be compared
 # and whether decisions are locked for a step
 FORMS = {
@@ -63,16 +62,9 @@ class Code:
         self.program, self.linear = program, linear or Jacobian()
         self._machines: dict[tuple[str, int], Machine] = {}
 
+    @one_at_a_time
     def address(self, name: str, lanes: int) -> int:
         """Return where a function lies, compiled when first asked for."""
-        if (name, lanes) not in self._machines:
-            self._make(name, lanes)
-        return self._machines[name, lanes].addresses[name]
-
-    @one_at_a_time
-    def _make(self, name: str, lanes: int) -> None:
-        if (name, lanes) in self._machines:  # another thread may have been first
-            return
         apart = name in ("margin", "jump", "decide", "slope")  # only some diagrams need them
         together = (name,) if apart else ("derivative", "prepare", "signals")
 
@@ -81,8 +73,10 @@ class Code:
 
             return print_program(self.program, together, lanes)
 
-        made = Machine(together, repr((self.program, together, lanes)), printed)
-        self._machines.update({(one, lanes): made for one in together})
+        if (name, lanes) not in self._machines:
+            made = Machine(together, repr((self.program, together, lanes)), printed)
+            self._machines.update({(one, lanes): made for one in together})
+        return self._machines[name, lanes].addresses[name]
 
 
 def code_of(
@@ -101,10 +95,8 @@ def code_of(
         block = node.system
         if not isinstance(block, Block):
             raise Uncompiled(f"{node.name} is no block and cannot be compiled")
-        has = {"update": block.update_function, "output": True, "guard": block.guard}
-        has["jump"] = block.jump_function
         try:
-            records = tuple(block.array_record(role) for role in ROLES if has[role])
+            records = block.records.items()
         except Unread as error:
             raise Uncompiled(str(error)) from None
         shapes: list[dict] = [*block.declared.values(), block.sizes]

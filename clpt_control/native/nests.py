@@ -5,9 +5,9 @@ from typing import Any
 
 from llvmlite import ir
 
-from .components import deep, rows
+from .components import Write, deep, rows
 from .machine import LANES
-from .plan import Nest, Program, Saved, Total
+from .plan import Nest, Program
 from .printing import Function
 from .vectors import WORD, apart, called, constant, gathered, joined, spread, width_of
 
@@ -53,11 +53,11 @@ class _Nests(Function):
         if self.vector >= 0:
             few = nest.lengths[self.vector] <= LANES // 2
             self.wide = self.turns = LANES // 2 if few else LANES
-        self.totals = [item for item in nest.items if isinstance(item, Total)]
+        self.totals = [item for item in nest.items if item.summed]
         self.within(0, [])
         for item in nest.items:
-            if isinstance(item, Saved) or (isinstance(item, Total) and item.place >= 0):
-                self.saved[item.component] = item.place
+            if item.saves >= 0 and item.strides:
+                self.saved[item.saves] = item.first
 
     def read(self, c: int) -> tuple[str, int, tuple[int, ...]] | None:
         """Return array, first place and strides of a component that is read."""
@@ -107,24 +107,21 @@ class _Nests(Function):
             found: list[Any] = []
             for item, own in zip(self.now.items, values, strict=True):
                 value = own[k % len(own)]
-                if isinstance(item, Total):
+                if item.summed:
                     found.append(self.summed(sums[len(found)], value))
-                elif isinstance(item, Saved):
-                    strides = rows(self.all[item.component].lengths)
-                    self.write(value, "W", item.place, strides, place)
                 else:
-                    self.write(value, item.array, item.first, item.strides, place)
+                    self.write(value, item, place)
             sums = found
         return sums
 
-    def finish(self, total: Total, value: Any) -> None:
+    def finish(self, total: Write, value: Any) -> None:
         """Keep a sum."""
         if self.vector == self.inner:
             value = joined(self.builder, value, self.now.lengths[self.inner])
         if self.inner:
-            self.write(value, "W", total.place, rows(self.all[total.component].lengths))
+            self.write(value, total)
         else:
-            self.numbers[total.component, (), False] = [value]
+            self.numbers[total.saves, (), False] = [value]
 
     # --- values ---------------------------------------------------------------------------
 
@@ -184,10 +181,9 @@ class _Nests(Function):
         moves = [(place if turn == self.inner else self.places[turn], s) for turn, s in pairs]
         return moves, stride
 
-    def write(
-        self, value: Any, array: str, first: int, strides: tuple[int, ...], place: Any = None
-    ) -> None:
+    def write(self, value: Any, item: Write, place: Any = None) -> None:
         """Write what has been computed, in a turn of the inner loop or behind it."""
+        array, first, strides, *_ = item
         wide = self.vector >= 0 and width_of(value) > 1
         self.store(value, array, first, *self.way(range(len(strides)), strides, wide, place))
 

@@ -3,7 +3,7 @@
 A component's level is the number of sums before it, one inside the other.  Of each level, what
 loops over axes of one length is one loop, across blocks; then come nests of two axes, and so on.
 What depends on parameters alone is computed once a piece of time (`prepare`) and kept at the end
-of P; what a nest reads at every turn, and what is long and read by later levels, is saved in W.
+of P; what a nest reads at every turn, and what later levels read, is saved in W.
 """
 
 from itertools import groupby
@@ -11,7 +11,7 @@ from math import prod
 from typing import Any, NamedTuple
 
 from ..equations.arrays import CONDITIONS
-from .components import BOUND, LONG, Component, Components, Write, deep, rows
+from .components import BOUND, Component, Components, Write, deep, rows
 from .diagram_record import DiagramRecord, Port
 from .joined_sums import JoinedSums
 
@@ -19,28 +19,12 @@ LARGEST = 4096  # numbers of an array that is prepared
 Argument = tuple[int, tuple[int, ...]]  # component, and the loop that each of its axes is
 
 
-class Total(NamedTuple):
-    """The sum of an argument over the innermost loop, saved in W unless it is one number."""
-
-    component: int
-    value: Argument
-    place: int
-
-
-class Saved(NamedTuple):
-    """A component written into W."""
-
-    component: int
-    value: Argument
-    place: int
-
-
 class Nest(NamedTuple):
     """Loops, the outermost first, of which one takes eight turns at once; none at all: numbers."""
 
     lengths: tuple[int, ...]
     vector: int
-    items: tuple[Write | Total | Saved, ...]
+    items: tuple[Write, ...]
 
 
 class Program(NamedTuple):
@@ -168,56 +152,50 @@ class Planner:
             if (number := self.kept(c)) >= 0 and self.own(number):
                 own += [1 + ready(w.value) for w in self.made.kept[number]]
             level[c] = max(own, default=0)
-        items: list[tuple] = [(ready(w.value), w.lengths, w) for w in dict.fromkeys(writes)]
+        items = [(ready(w.value), w) for w in dict.fromkeys(writes)]
         for c in self.saved(live, level):
             name, arguments, lengths = self.all[c]
-            place = self.made.room if lengths else -1
-            self.made.room += prod(lengths) if lengths else 0
-            if name != "sum":
-                items.append((level[c], lengths, Saved(c, _whole(c, lengths), place)))
-                continue
-            value, count = arguments  # the summed axis is the innermost
-            turns = tuple(len(lengths) if k == BOUND else k for k in value[1])
-            items.append((level[c], (*lengths, count), Total(c, (value[0], turns), place)))
+            item = Write("W", self.made.room, rows(lengths), lengths, _whole(c, lengths), c)
+            if name == "sum":
+                (value, axes), count = arguments  # the summed axis is the innermost
+                turns = tuple(len(lengths) if k == BOUND else k for k in axes)
+                item = item._replace(lengths=(*lengths, count), value=(value, turns), summed=True)
+            items.append((level[c], item))
+            self.made.room += prod(lengths) if lengths else 0  # one number is not written
 
-        def key(item: tuple) -> tuple:
-            return item[0], len(item[1]), item[1], self.vector(item[1], item[2])
+        def key(item: tuple[int, Write]) -> tuple:
+            return item[0], len(item[1].lengths), item[1].lengths, self.vector(item[1])
 
         items.sort(key=key)
         return tuple(
-            Nest(lengths, vector, tuple(item[2] for item in own))
+            Nest(lengths, vector, tuple(item[1] for item in own))
             for (_, _, lengths, vector), own in groupby(items, key)
         )
 
     def saved(self, live: set[int], level: dict[int, int]) -> list[int]:
         """Return sums, and the components with axes that are saved in W, in their order."""
         found: set[int] = set()
-        heavy: dict[int, bool] = {}
-        for c in sorted(live):
+        for c in live:
             name, own = self.all[c].name, self.arguments(c)
-            simple = name in ("load", "table") or self.left(c)
-            heavy[c] = not simple and (name in LONG or any(heavy[a] for a, _ in own))
-            if name == "sum" and not simple:
+            if name == "sum" and not self.left(c):
                 found.add(c)
             inner = self.rank[c] + (name == "sum")
             for a, _ in own:
                 plain = self.all[a].name in ("load", *CONDITIONS) or self.left(a)
-                if plain or not self.rank[a]:
-                    continue
-                if inner > self.rank[a] or (level[c] > level[a] and heavy[a]):
+                later = inner > self.rank[a] or level[c] > level[a]
+                if self.rank[a] and later and not plain:
                     found.add(a)
         return sorted(found)
 
     # --- which loop takes eight turns at once ---------------------------------------------
 
-    def vector(self, lengths: tuple[int, ...], item: Write | Total | Saved) -> int:
-        """Return the loop along which most of what is read and written lies in turn."""
-        if len(lengths) < 2:
+    def vector(self, item: Write) -> int:
+        """Return the loop along which most of what is read and stored lies in turn."""
+        if len(item.lengths) < 2:
             return 0
-        apart = [0] * len(lengths)
-        if isinstance(item, Write):
-            strides = dict(enumerate(item.strides))
-            apart = [strides[k] not in (0, 1) for k in strides]
+        apart = [0] * len(item.lengths)
+        if item.saves < 0:
+            apart = [stride not in (0, 1) for stride in item.strides]
         seen, stack = set(), [item.value] if type(item.value) is tuple else []
         while stack:
             c, turns = argument = stack.pop()
@@ -234,7 +212,7 @@ class Planner:
                     apart[turn] += stride not in (0, 1)
             elif name != "sum":
                 stack += [(a, tuple(turns[k] for k in axes)) for a, axes in self.arguments(c)]
-        return min(reversed(range(len(lengths))), key=apart.__getitem__)
+        return min(reversed(range(len(apart))), key=apart.__getitem__)
 
 
 def _whole(c: int, lengths: tuple[int, ...]) -> Argument:

@@ -64,8 +64,6 @@ class Inputs:
         size = STRAIGHT * np.abs(u).max(axis=1, initial=1e-300, keepdims=True)
         steps = at[1:] - at[:-1]
         bend = (np.abs(slopes[:, 1:] - slopes[:, :-1]) * steps[1:] > size).any(axis=0)
-        if bend.all():
-            return at
         kept = np.flatnonzero(np.concatenate([[True], bend, [True]]))
         ends = np.repeat(kept[:-1], np.diff(kept))  # the beginning of each sample's piece
         line = u[:, ends] + slopes[:, ends] * (at[:-1] - at[ends])
@@ -228,9 +226,7 @@ def make_schedule(
     edges = np.union1d(jumping, kinks)
     edges = np.concatenate([edges[(edges > t0) & (edges < t1)], [t1]])
     starts = np.concatenate([[t0], edges])
-    smooth = np.ones(len(starts), dtype=bool)
-    if len(jumping):
-        smooth = ~np.isin(starts, jumping)
+    smooth = ~np.isin(starts, jumping)
     smooth[0] = False
     places = np.array([*intervals.values(), *jumps.values()], dtype=np.int64)
     values = np.zeros((len(starts), len(places)))

@@ -47,7 +47,8 @@ DOP853, RODAS5P, RK4 = 12, 9, 4
 # and room, two rows
 SOLVED, KNOWN, OVER_TIME, ROOM = 2, 10, 11, 12
 TIME, STEP, END, FRESH, REJECTED, GOOD, TAKEN, NEW, AT, FAILING, SIZE, TROUBLE = range(12)
-KINK, LOW, HIGH, LAST = range(12, 16)  # of a decision that a step has passed (`decisions`)
+# of a decision that a step has passed (`decisions`), or where it leaves a guard
+KINK, LOW, HIGH, LAST = range(12, 16)
 EFFECT = 16  # of another decision on a step, of what is asked for
 OTHER_STEPS, DIAGONAL = 17, 18
 # when a lane is looked at next, or after how many tries; whether it is; steps since, good and not
@@ -556,6 +557,7 @@ def watch(code, shape, looks, results, lane, arrays):
             if numbers[GOOD, k] > 0.5 and D[k] < -OUTSIDE:
                 fail(status, whole, k, LEFT)
                 numbers[GOOD, k] = 0.0
+                numbers[LOW, k], numbers[HIGH, k] = (look - 1) / looks, look / looks
 
 
 # --- what an implicit method solves ---------------------------------------------------------

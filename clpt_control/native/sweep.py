@@ -76,11 +76,8 @@ class Sweep:
             for node, p in zip(self.nodes, self.given, strict=True)
             if node.system.breakpoints_function is not None
         ]
-        if not jumps:
-            return np.zeros(0)
-        times = np.unique(np.concatenate(jumps))
-        apart = np.append(np.diff(times) > _rounding(times[1:]), True)
-        return times[apart[-len(times) :]] if len(times) else times
+        times = np.unique(np.concatenate([np.zeros(0), *jumps]))
+        return times[np.diff(times, append=np.inf) > _rounding(times)]
 
     def at_jumps(self, times: np.ndarray) -> np.ndarray:
         """Return increasing times; one that is before a jump by rounding alone is the jump's.
@@ -89,8 +86,6 @@ class Sweep:
         """
         first, last = float(times[0]), float(times[-1] + _rounding(times[-1]))
         jumps = np.append(self.breakpoints(first, last), np.inf)
-        if len(jumps) == 1:
-            return times.copy()
         following = jumps[np.searchsorted(jumps, times)]
         found = np.where(following - times <= _rounding(times), following, times)
         return found if np.all(np.diff(found) > 0) else times
@@ -136,14 +131,14 @@ class Sweep:
     def derivative(self, t: float, x: np.ndarray, u: np.ndarray | None = None) -> np.ndarray:
         """Return the state derivative; NaN where a system could not compute it."""
         with np.errstate(all="ignore"):
-            return self._rates(np.float64(t), x, u, self._all)
+            return self.rates(t, x, u, self._all)
 
-    def rates(self, t: float, x: np.ndarray, u: np.ndarray | None = None) -> np.ndarray:
+    def rates(
+        self, t: float, x: np.ndarray, u: np.ndarray | None = None, blocks: Any = None
+    ) -> np.ndarray:
         """Return the state derivative alone; of the outputs only what feeds a block is computed."""
-        return self._rates(np.float64(t), x, u, self._feeding)
-
-    def _rates(self, t: Any, x: np.ndarray, u: Any, blocks: list) -> np.ndarray:
-        self._pass(t, x, u, blocks)
+        t = np.float64(t)
+        self._pass(t, x, u, blocks or self._feeding)
         dx = np.empty(self.nstates)
         for k in self._moving:  # a block may come before its inputs are known
             self._call("update", k, t, self._x[k], self._gather(k), dx[self.nodes[k].states])

@@ -129,7 +129,7 @@ def meeting(one):
 def sums(native):
     """Return how many sums the rates of the model take."""
     items = [item for nest in native.code.program.functions["derivative"] for item in nest.items]
-    return sum(type(item).__name__ == "Total" for item in items)
+    return sum(item.summed for item in items)
 
 
 def test_terms_of_different_blocks_cancel_and_those_of_one_do_not():
