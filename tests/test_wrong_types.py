@@ -111,9 +111,9 @@ OF_THE_ENGINE = (  # called at each step, and checked by no one
     *("FixModel.regressor", "FixModel.noise", "FixModel.transition"),
     *("FixModel.reached", "FixModel.matched"),
     *("NativeDiagram.schedule", "NativeDiagram.callee", "NativeDiagram.lanes"),
-    *("NativeDiagram.parameters", "NativeDiagram.breaks"),
+    *("NativeDiagram.parameters", "NativeDiagram.breaks", "NativeDiagram.with_parameters"),
     *("Sampled.samples_at", "Sampled.values", "Block.units_of"),
-    *("Replay.surfacing", "Replay.given"),
+    *("Replay.surfacing", "Replay.given", "Replay.start", "Replay.imagine"),
 )
 RESULTS = ("Verdict", "ConformanceReport", "FlowEstimate", "Diagram")  # which nobody makes by hand
 
@@ -159,7 +159,7 @@ def right(tmp_path_factory):
     own = {
         "simulate": {"system": loop, "timepts": [0.0, 1.0], "inputs": [3.0, 0.0]},
         "connect": {"blocks": [clpe()], "external": ["x", "z"]},
-        "evaluate": {"times": [0.0, 1.0], "inputs": np.zeros((2, 4))},
+        "evaluate": {"timepts": [0.0, 1.0], "inputs": np.zeros((2, 4))},
         "opaque": {"function": line},
         "lookup": {"table": [1.0, 2.0], "index": 1.0},
         "fit_tides": tides,
@@ -174,7 +174,7 @@ def right(tmp_path_factory):
         "aims": {"targets": [(40.0, -70.0)]},
         "period": {"constituent": "M2"},
         "claims": {"summary": run_and_report(LAP)[2]},
-        "flow_velocity": {"points": np.zeros((2, 2)), "times": 0.0},
+        "flow_velocity": {"points": np.zeros((2, 2)), "timepts": 0.0},
         "learning_plot": {"axis": 1},
         "sample_times": {"duration": 1.0, "step": 0.5},
         "team_plot": {"run": clpt.simulate(TEAM, [0.0, 1.0])},

@@ -240,7 +240,10 @@ class FixModel:
         return self.priors.fix**2 + dive.doubt**2 + (scatter * dive.duration) ** 2
 
     def transition(self, dt: float, latitude: float) -> np.ndarray:
-        """Return F, what is left of the parameters after `dt` s, (n, n): inertial currents turn."""
+        """Return F, what is left of the parameters after a time.
+
+        (n, n), `dt` in s; inertial currents turn.
+        """
         fading = [part.fading for part in self.table for _ in part.parameters]
         F = np.diag(np.exp(-dt / np.array(fading)))
         if "inertial" in self.flow:

@@ -54,7 +54,7 @@ def chosen(
         )
     if asked == "native" and not by_function:
         try:
-            return NativeDiagram(wiring, params, apart=apart)
+            return NativeDiagram(wiring, params, apart=tuple(apart))
         except Uncompiled as error:
             in_python(name, str(error))
     return PythonDiagram(wiring, params)

@@ -1,6 +1,6 @@
 """A diagram as machine code, which is made once a process for all diagrams of one structure."""
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -150,7 +150,7 @@ class NativeDiagram(PythonDiagram):
     form : str, optional
         ``"unrolled"`` or ``"looped"``: all axes; short ones are unrolled without.  ``"free"``:
         decisions are not locked for a step.
-    apart : collection of (int, str), optional
+    apart : sequence of (int, str), optional
         Blocks' fields that differ from run to run.
 
     Attributes
@@ -182,7 +182,7 @@ class NativeDiagram(PythonDiagram):
         diagram: control.NonlinearIOSystem | Wiring,
         params: Mapping[str, Any] | None = None,
         form: str | None = None,
-        apart: Collection[tuple[int, str]] = (),
+        apart: Sequence[tuple[int, str]] = (),
     ):
         super().__init__(diagram, params)
         self.layout = lay_out(self.wiring, self.sweep.given, apart)

@@ -81,7 +81,8 @@ def track_plot(
     """
     scenario = scenario_with(run, "position")
     points, path = waypoints_of(run, scenario), run.position.values
-    if label is not None:
+    known = {"color": BLUE, **_coloured(color)}
+    if label:
         return _track_among(axes_for(ax, 5.6, 5.2), scenario, points, path, label, color)
     from .flows import flow_velocity
 
@@ -95,7 +96,6 @@ def track_plot(
         key = f"{size:g} {unit}/{scenario.units.time}"
         ax.quiverkey(arrows, 0.88, 1.02, size, key, labelpos="E")
     first = run.time.values <= (scenario.cycle if len(points) else np.inf)
-    known: dict[str, Any] = {"color": color or BLUE}
     said = "track, first cycle" if len(points) else "track"
     ax.plot(*path[first].T, linewidth=1.4, label=said, **known)
     if (~first).any():
@@ -183,7 +183,7 @@ def clpe_plot(
     dwell, cycle = scenario.reference.dwell, scenario.cycle
     time, e = run.time.values, run.clpe.values
     early = time <= (2 * cycle if count else np.inf)
-    of_run: dict[str, Any] = {} if color is None else {"color": color}
+    of_run = _coloured(color)
     for i in range(2):
         line = {**line_style(i), **of_run}
         top.plot(time[early], e[early, i], label=_among(label, f"$e_{i + 1}$"), lw=1.1, **line)
@@ -224,6 +224,15 @@ def clpe_plot(
             above.tick_params(labelsize=7, colors=GREY)
         top.child_axes[0].set_xlabel("cycles", fontsize=7, color=GREY, loc="right")
     return axes
+
+
+def _coloured(color: str | None) -> dict[str, Any]:
+    """Return the colour of a run's lines, where it has one of its own."""
+    from matplotlib.colors import is_color_like
+
+    if color is not None and not is_color_like(color):
+        raise ClptError(f"color = {color!r:.60}: must be a colour of matplotlib, 'C1' or '#0072b2'")
+    return {} if color is None else {"color": color}
 
 
 def _among(label: str | None, signal: str) -> str:
@@ -293,7 +302,7 @@ def learning_plot(
     time, i, units = run.time.values, axis - 1, scenario.units
     estimate = run.flow_parameters_estimate.values[:, i]
     N = estimate.shape[1]
-    of_run: dict[str, Any] = {} if color is None else {"color": color}
+    of_run = _coloured(color)
     for k in range(N):
         line = {**line_style(k), **of_run}
         name = _among(label, rf"$\hat\theta_{axis}^{{{k + 1}}}$") if N <= 6 else None
@@ -423,7 +432,7 @@ def response_plot(
             "some, as run[['x', 'e']]"
         )
     axes = axes_for(ax, 6.4, 1.2 + 1.3 * len(ports), nrows=len(ports), sharex=True)
-    of_run: dict[str, Any] = {} if color is None else {"color": color}
+    of_run = _coloured(color)
     for one, port in zip(np.ravel(axes), ports, strict=True):
         signals = signals_of(run[port])
         for k, (name, column) in enumerate(signals.items()):

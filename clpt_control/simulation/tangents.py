@@ -157,7 +157,7 @@ class Sensitive:
             if may_jump(node.system) or (seed and node.system.breakpoints_function is not None)
         ]
         made = varied(self.wiring, self.given, seeds, len(self.ways))
-        apart = {place for way in self.ways for place in way.fields}
+        apart = list({place for way in self.ways for place in way.fields})
         return made, NativeDiagram(made.wiring, apart=apart)
 
     @property
