@@ -222,11 +222,13 @@ def make_schedule(
     `intervals` holds the place in P of each block's `interval`, `jumps` the place that is `JUMPS`
     where a piece begins with a jump of the block's states.
     """
-    jumping = np.union1d(sweep.breakpoints(t0, t1), breaks)
-    edges = np.union1d(jumping, kinks)
+    jumping = edges = _united(sweep.breakpoints(t0, t1), breaks)
+    edges = _united(edges, kinks)
     edges = np.concatenate([edges[(edges > t0) & (edges < t1)], [t1]])
     starts = np.concatenate([[t0], edges])
-    smooth = ~np.isin(starts, jumping)
+    smooth = np.ones(len(starts), dtype=bool)
+    if len(jumping):
+        smooth = ~np.isin(starts, jumping)
     smooth[0] = False
     places = np.array([*intervals.values(), *jumps.values()], dtype=np.int64)
     values = np.zeros((len(starts), len(places)))
@@ -245,6 +247,13 @@ def make_schedule(
         if block.kept is not None and block.samples_at(t0):
             values[0, j] = BEGINS
     return Schedule(edges, places, values, smooth, bool(np.any(values[0, len(intervals) :])))
+
+
+def _united(times: np.ndarray, more: Any) -> np.ndarray:
+    """Return increasing times of both."""
+    if len(times) and len(more):
+        return np.union1d(times, more)
+    return np.asarray(more if len(more) else times, dtype=float)
 
 
 def with_inputs(pieces: Schedule, t0: float, inputs: Inputs, ramp: int) -> Schedule:

@@ -76,7 +76,9 @@ class Sweep:
             for node, p in zip(self.nodes, self.given, strict=True)
             if node.system.breakpoints_function is not None
         ]
-        times = np.unique(np.concatenate([np.zeros(0), *jumps]))
+        if not jumps:
+            return np.zeros(0)
+        times = np.unique(np.concatenate(jumps))
         return times[np.diff(times, append=np.inf) > _rounding(times)]
 
     def at_jumps(self, times: np.ndarray) -> np.ndarray:
@@ -86,6 +88,8 @@ class Sweep:
         """
         first, last = float(times[0]), float(times[-1] + _rounding(times[-1]))
         jumps = np.append(self.breakpoints(first, last), np.inf)
+        if len(jumps) == 1:
+            return times.copy()
         following = jumps[np.searchsorted(jumps, times)]
         found = np.where(following - times <= _rounding(times), following, times)
         return found if np.all(np.diff(found) > 0) else times
