@@ -120,9 +120,9 @@ class ClptAccessor:
         """Make a film of a run, as `clpt_control.animate`."""
         return simulation.animate(self._data, path, **options)
 
-    def report(self, file: Any, **options: Any) -> dict[str, Any]:
+    def report(self, path: Any, **options: Any) -> dict[str, Any]:
         """Write a page to send, as `clpt_control.report`."""
-        return pages.report(self._data, file, **options)
+        return pages.report(self._data, path, **options)
 
     def table(self, path: Any = None) -> SignalTable:
         """Return a run as a table, one column a signal; with a path it is written, .csv or .mat."""

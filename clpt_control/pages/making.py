@@ -32,7 +32,7 @@ NEEDED = (  # variables of a run
 @public
 def report(
     run: Union["xarray.Dataset", "Replay", str, Path],
-    file: str | Path,
+    path: str | Path,
     title: str | None = None,
     figures: str | Path | None = None,
     formats: Sequence[str] = ("svg", "pdf"),
@@ -45,7 +45,7 @@ def report(
     ----------
     run : xarray.Dataset, Replay, str or Path
         A run, a team's run, a diagram's, an ensemble or a replay; or the file or folder of one.
-    file : str or Path
+    path : str or Path
         The page, such as ``report.html``.
     title : str, optional
         In place of the scenario's.
@@ -77,7 +77,7 @@ def report(
     """
     from .page import page_html
 
-    path, kinds = check_page(file), checked_formats(formats)
+    path, kinds = check_page(path), checked_formats(formats)
     found: Any = read(Path(run)) if isinstance(run, str | Path) else run
     results: dict[Path, Any] = {}
     if hasattr(found, "steps") or isinstance(found, dict) or "dive" in getattr(found, "dims", ()):

@@ -185,7 +185,8 @@ def test_what_cannot_be_repeated_is_not_said_to_be(run):
     times, start = np.linspace(0, 40, 41), clpt.initial_state(SHORT)
     steps = words(clpt.simulate(steered, times, inputs=[3, 0], initial_state=start))
     assert "may be others than the scenario says" in steps
-    assert "cannot be made again" in steps
+    assert "The file holds the equations that ran, with inputs" in steps
+    assert "clpt run scenario.toml" not in steps
     assert "Eigenvalues" not in steps
     assert "parameters that its scenario does not hold" in changed
 
