@@ -20,6 +20,7 @@ from .formula import Formula, Row, Rows, joined
 
 LAST_TERM = 1.23e-3  # of the interpolant: what is wrong within a step that stability keeps short
 TRUSTED = 100.0  # tolerances that a state between a step's ends may be wrong by
+BEGUN = range(9, 12)  # stages whose sums stage 8 begins, as its own reads what they read
 
 
 def _table() -> Any:
@@ -36,13 +37,24 @@ def _sum(weights: Any, z: Row, first: int = row.RATE, total: Any = None) -> Any:
     return total
 
 
-def _stage(weights: Any, c: float) -> Formula:
-    """argument = x + h sum_j a_j K_j, at t + c h."""
+def _stage(weights: Any, c: float, begun: int | None = None, begins: Any = ()) -> Formula:
+    """argument = x + h sum_j a_j K_j, at t + c h; some sums are `begun` in the rows of terms."""
 
     def ahead(z: Row, lane: Row, tolerance: Row) -> tuple[Rows, Sequence[Any]]:
-        return {row.ARGUMENT: joined(lane(row.TAKEN), _sum(weights, z), z(row.STATE))}, ()
+        total = _sum(weights, z, total=None if begun is None else z(begun))
+        sums = {row.TERMS + k: _sum(other, z) for k, other in enumerate(begins)}
+        return {row.ARGUMENT: joined(lane(row.TAKEN), total, z(row.STATE)), **sums}, ()
 
     return Formula(ahead, _at(c))
+
+
+def _stage_of_dop853(s: int) -> Formula:
+    """Stage 1 to 15, counted from 0; stage 12 is the new state."""
+    table, last = _table(), BEGUN[0] - 1
+    weights, c = table.A[s, :s], float(table.C[s])
+    if s in BEGUN:
+        return _stage(np.where(np.arange(s) < last, 0.0, weights), c, row.TERMS + s - BEGUN[0])
+    return _stage(weights, c, begins=table.A[BEGUN, :last] if s == last else ())
 
 
 def _at(c: float) -> Any:
@@ -336,8 +348,8 @@ def formulas(method: int, n: int) -> dict[str, Formula]:
         halves = np.diag([0.5, 0.5, 1.0])
         stages = [_stage(halves[s, : s + 1], halves[s, s]) for s in range(3)]
     else:
-        attempt, judge, dense, table = _attempt(), _judge(n), _dense(), _table()
-        stages = [_stage(table.A[s, :s], float(table.C[s])) for s in range(1, row.DOP853 + 4)]
+        attempt, judge, dense = _attempt(), _judge(n), _dense()
+        stages = [_stage_of_dop853(s) for s in range(1, row.DOP853 + 4)]
     names = ("attempt", "judge", "sizes", "trial", "first", "accept", "dense", "sketch")
     named = dict(zip(names, (attempt, judge, *begun, accept, dense, _sketch()), strict=True))
     named |= {f"stage_{s}": one for s, one in enumerate(stages, 1)}
