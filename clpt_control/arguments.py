@@ -6,6 +6,7 @@ what to try.  Beside that a few values are made plain: an array of no dimension 
 what can be read only once is a list, an array or a tuple where one is asked for is one.
 """
 
+import difflib
 import os
 import re
 import reprlib
@@ -27,6 +28,7 @@ Public = TypeVar("Public", bound=Callable)
 Kinds = tuple[Any, ...]  # an argument may be of any of them
 OrNaN = Annotated[float, "NaN where it is not known"]
 Seed = Annotated[int, "0 or more"]
+Count = Annotated[int, "1 or more"]
 LISTS = (Sequence, Iterable, list)
 PLAIN = (str, bytes, bool, int, float, complex, list, tuple, set, dict)
 SIMPLE = {float, int, str, bool, NoneType}
@@ -185,8 +187,9 @@ def _is(value: Any, kind: Any) -> bool:
     own, inner = _parts(kind)
     if own is Any:
         return True
-    if kind == Seed:
-        return isinstance(value, Integral) and not isinstance(value, bool) and int(value) >= 0
+    if kind in (Seed, Count):
+        least = 0 if kind == Seed else 1
+        return isinstance(value, Integral) and not isinstance(value, bool) and int(value) >= least
     if own in (float, int):
         return isinstance(value, Real if own is float else Integral) and not isinstance(value, bool)
     if own is np.ndarray:
@@ -245,8 +248,8 @@ def words(kinds: Kinds) -> str:
 
 
 def _noun(kind: Any) -> str:
-    if kind == Seed:
-        return "a whole number, 0 or more"
+    if kind in (Seed, Count):
+        return f"a whole number, {get_args(kind)[1]}"
     own, inner = _parts(kind)
     if own in LISTS or (own is tuple and inner[-1] is Ellipsis):
         return "a list" if inner[0] is Any else f"a list of {_many(inner[0])}"
@@ -317,3 +320,11 @@ def check_holds(argument: str, given: Any, names: Iterable[str], cure: str) -> N
     for name in names:
         if name not in given:
             raise ArgumentError(f"{argument} = {shown(given)}: has no '{name}'; {cure}")
+
+
+def nearest(name: str, known: Iterable[str]) -> str:
+    """Return the known name that was meant, without the block before it too, or ""."""
+    own, last = [*known], name.rpartition(".")[2]
+    if last in own:
+        return last
+    return next(iter(difflib.get_close_matches(name, own, n=1)), "")

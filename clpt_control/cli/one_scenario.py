@@ -159,10 +159,13 @@ def export(
     scenario: ScenarioFile,
     out: Path = opt("FILE", "The file of C.", "-o", "--out", default=...),
 ) -> None:
-    """Write a scenario's closed loop as one file of C99.
+    """Write a scenario's closed loop as one file of C99, or the diagram of a diagram's run.
 
     Example:
         clpt export mine.toml -o loop.c
     """
-    clpt.export_c(clpt.load_scenario(scenario), out)
+    from ..simulation.repeating import repeats_by_equations
+
+    again = scenario.suffix == ".nc" and repeats_by_equations(scenario)
+    clpt.export_c(clpt.load_diagram(scenario) if again else clpt.load_scenario(scenario), out)
     say(f"{out}: written")

@@ -5,15 +5,15 @@ feeds, and passes over a mistyped parameter; here all three are errors that
 name the block and the port.
 """
 
-import difflib
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import control
 
-from ..arguments import public
+from ..arguments import nearest, public
 from ..equations.block import Block
 from ..equations.declaration import check_names, labels, whole_labels
+from ..equations.linear import is_linear
 from ..equations.system import System
 from ..errors import BlockError, DiagramError
 from ..scenario.quantities import call_time_name_of
@@ -99,9 +99,8 @@ def changed_parameters(wiring: Wiring, params: Mapping[str, Any] | None) -> list
             raise BlockError(other)
         names = names.union(*(system.names for system, _ in asking))
         known_here = ", ".join(sorted(names)) or "none"
-        last = key.rpartition(".")[2]
-        close = [last] if last in names else difflib.get_close_matches(key, names, n=1)
-        hint = f"; did you mean {close[0]}? This" if close else ": this"
+        close = nearest(key, names)
+        hint = f"; did you mean {close}? This" if close else ": this"
         raise BlockError(f"unknown parameter '{key}'{hint} diagram knows {known_here}")
     return found
 
@@ -144,17 +143,29 @@ def match_ports(
                 whole = ""
                 if port.partition("[")[0] in makers:
                     whole = "; a part takes whole ports, label its inputs from [0] on"
+                if external:
+                    taken = {one for part in blocks for one in input_ports(part)}
+                    unused = [one for one in external if one not in taken]
+                    whole += f"; from outside come {', '.join(sorted(external))}"
+                    whole += f", but no block takes {', '.join(unused)}" if unused else ""
+                close = nearest(port, [*makers, *external])
+                if not close:
+                    whole += f"; connect(..., external='{port}') takes it from outside"
                 raise DiagramError(
-                    f"'{port}', an input of {block.name}, is made by no block; blocks make "
+                    f"'{port}', an input of {block.name}, is made by no block"
+                    f"{f'; did you mean {close}? Blocks' if close else '; blocks'} make "
                     f"{', '.join(sorted(makers))}{whole}"
                 )
             size = len(places)
             wanted = len(makers[port][1]) if port in makers else sizes.setdefault(port, size)
             if wanted != size:
                 every = ", ".join(f"'{label}'" for label in labels({port: wanted}))
+                cure = "; both must have one size"
+                if size == 1 and (is_linear(block) or not isinstance(block, Block)):
+                    cure = f"; label its inputs {every}, or give control.append of several"
                 raise DiagramError(
-                    f"'{port}' has {wanted} signals, but {block.name} takes {size}; label its "
-                    f"inputs {every}" + ("" if size > 1 else ", or give control.append of several")
+                    f"'{port}' has {wanted} signal{'s' if wanted != 1 else ''}, but {block.name} "
+                    f"takes {size}{cure}"
                 )
             users.setdefault(port, []).append((k, places))
     for port in external:

@@ -9,7 +9,6 @@ Of each output are kept its final value, its root mean square over time (trapezo
 samples; of discrete time the samples' mean) and its largest magnitude.
 """
 
-import difflib
 import hashlib
 import pickle
 import re
@@ -21,6 +20,7 @@ from typing import Any, NamedTuple
 import control
 import numpy as np
 
+from ..arguments import nearest
 from ..diagrams.interconnection import changed_parameters
 from ..diagrams.varied import fields_by_name, read_as_number
 from ..diagrams.wiring import entries, read_anew, units_of, wiring_of
@@ -183,8 +183,8 @@ class VariedDiagram:
                     f"vary: {key} = {getattr(given, name)} cannot vary: a whole number is fixed "
                     "when its block is made; declare it as a float, or make a diagram of each"
                 )
-        close = difflib.get_close_matches(key, self.names, n=1)
-        hint = f"did you mean {close[0]}? May vary: " if close else "may vary: "
+        close = nearest(key, self.names)
+        hint = f"did you mean {close}? May vary: " if close else "may vary: "
         return f"vary: unknown name {key}; {hint}{', '.join(self.names)}"
 
     def check(self, key: str, value: np.ndarray) -> None:

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from ..arguments import numbers, shown
+from ..arguments import nearest, numbers, shown
 from ..equations.block import Block
 from ..equations.namespaces import renamed
 from ..errors import BlockError
@@ -20,7 +20,11 @@ def part(
     known = {*made.input_ports, *made.output_ports}
     for port, called in ports.items():
         if port not in known:
-            raise BlockError(f"{name}: has no port '{port}'; it has {', '.join(sorted(known))}")
+            close = nearest(port, [*known, *own, "dt", "signals", "name"])
+            raise BlockError(
+                f"{name}: has no port '{port}'; it has {', '.join(sorted(known))}"
+                + (f"; did you mean {close}?" if close else "")
+            )
         if not isinstance(called, str):
             raise BlockError(f"{name}: {port} = {called!r}: must be a name, a text")
     return renamed(made, name, ports, ports) if ports else made

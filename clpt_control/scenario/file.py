@@ -200,21 +200,31 @@ def run_text(path: str | Path) -> str:
             why = (
                 f", nor equations: {data.attrs[NOT_REPEATED]}" if NOT_REPEATED in data.attrs else ""
             )
-            raise DataError(f"{path}: carries no scenario{why}; `clpt run` writes runs that do")
-        other = "; clpt.load_diagram repeats it" if EQUATIONS in data.attrs else ""
-        if CHANGED in data.attrs:
-            raise DataError(
-                f"{path}: was run with parameters that no key of a scenario holds, "
-                f"{data.attrs[CHANGED]}, so it cannot be repeated; give the scenario itself, and "
-                f"the parameters to simulate(params=...){other}"
-            )
-        for name, what in ((OWN_LAW, "a law"), (OWN_PARTS, "parts")):
-            if name in data.attrs:
+            if EQUATIONS in data.attrs:
                 raise DataError(
-                    f"{path}: was run with {what} given in Python, {data.attrs[name]}, which no "
-                    "file holds, so it cannot be repeated; give the scenario itself, and the rest "
-                    f"to closed_loop(replace=..., insert=...){other}"
+                    f"{path}: carries no scenario, it is a diagram's run; clpt.load_diagram reads "
+                    "the diagram"
                 )
+            raise DataError(f"{path}: carries no scenario{why}; `clpt run` writes runs that do")
+        rest = "the rest to closed_loop(replace=..., insert=...)"
+        for name, what, cure in (
+            (
+                CHANGED,
+                "parameters that no key of a scenario holds",
+                "the parameters to simulate(params=...)",
+            ),
+            (OWN_LAW, "a law given in Python", rest),
+            (OWN_PARTS, "parts given in Python", rest),
+        ):
+            if name not in data.attrs:
+                continue
+            said = f"{path}: was run with {what}, {data.attrs[name]}, so "
+            if EQUATIONS in data.attrs:
+                raise DataError(
+                    f"{said}its scenario alone does not repeat it; clpt.load_diagram reads the "
+                    "whole loop, which does"
+                )
+            raise DataError(f"{said}it cannot be repeated; give the scenario itself, and {cure}")
         return str(data.attrs.get(TEAM, data.attrs.get("scenario")))
 
 

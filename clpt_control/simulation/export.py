@@ -49,7 +49,8 @@ def export_c(
     path : str or Path, optional
         The file; without it nothing is written.
     initial_state : array_like, optional
-        The state that the file has as its start; a scenario's own without.
+        The state that the file has as its start; without, a scenario's own, or that of the run
+        that `load_diagram` read.
     params : mapping, optional
         Call-time parameters that the file has as its own.
 
@@ -78,10 +79,18 @@ def export_c(
         system = linear(system)
     if initial_state is None and getattr(system, "made_of", None) is not None:
         initial_state = start_of(system)
+    if initial_state is None and getattr(system, "recorded", None):
+        initial_state = system.recorded["initial_state"]
     own = 0.0 if initial_state is None else initial_state
     try:
         run = compiled(system, params)
+        for name, value in (params or {}).items():
+            _check_finite(f"params: {name}", value)
+        for node, given in zip(run.wiring.nodes, run.runner.sweep.given, strict=True):
+            for name, value in given._asdict().items():  # which may have no limit, an infinite one
+                _check_finite(f"{node.name}.{name}", np.where(np.isinf(value), 0.0, value))
         start = stacked_state("initial_state", own, run.runner.nstates)
+        _check_finite("initial_state", start)
         text = "".join(_File(run, start).parts())
     except Uncompiled as error:
         raise DiagramError(f"{system.name}: has no C: {error}") from None
@@ -89,6 +98,13 @@ def export_c(
         with beside(Path(path)) as made:
             made.write_text(text, "utf-8")
     return text
+
+
+def _check_finite(name: str, value: Any) -> None:
+    """Refuse what no C is to hold."""
+    own = np.asarray(value)
+    if own.dtype.kind == "f" and not np.isfinite(own).all():
+        raise DiagramError(f"{name} = {value}: must be finite, to be written as C")
 
 
 class _File:

@@ -192,6 +192,8 @@ class _Fitting:
             places += ports[name]
             columns += list(values.reshape(n, -1).T)
             self.outputs += [ready.labels[k] if len(ports[name]) > 1 else name for k in ports[name]]
+        if not places and (known := [name for name in measured if name in ports]):
+            raise ArgumentError(f"data: all measurements of {', '.join(known)} are NaN or infinite")
         if not places:
             raise ArgumentError(
                 f"data: has none of the outputs {', '.join(ports_of(ready.labels))}; it has "

@@ -429,7 +429,7 @@ def response_plot(
     if not 0 < len(ports) <= PORTS:
         raise DataError(
             f"the run has {len(ports)} signals along time; one picture shows 1 to {PORTS}: choose "
-            "some, as run[['x', 'e']]"
+            f"some, as run[{ports[:2]}]"
         )
     axes = axes_for(ax, 6.4, 1.2 + 1.3 * len(ports), nrows=len(ports), sharex=True)
     of_run = _coloured(color)
@@ -497,8 +497,12 @@ def compare(
     if plot == "response":
         first, *others = ({*_ports(run)} for run in given.values())
         if any(ports != first for ports in others):
-            every = ", ".join(sorted(first.union(*others) - first.intersection(*others)))
-            raise DataError(f"not all runs have the signals {every}; choose some: run[['x', 'e']]")
+            every = ", ".join(
+                sorted(first.union(*others) - (common := first.intersection(*others)))
+            )
+            some = [name for name in _ports(next(iter(given.values()))) if name in common][:2]
+            cure = f"choose some: run[{some}]" if some else "there is none that all have"
+            raise DataError(f"not all runs have the signals {every}; {cure}")
     for colour, (name, run) in zip(COLOURS, given.items(), strict=False):
         ax = COMPARED[plot](run, ax=ax, label=str(name), color=colour, **options)
     return ax

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import control
 import numpy as np
 
-from ..arguments import public
+from ..arguments import nearest, public
 from ..diagrams.varied import Varied, fields_by_name, may_jump, read_as_number, varied
 from ..diagrams.wiring import Wiring
 from ..equations.arrays import Unread
@@ -86,8 +86,12 @@ def ways_of(names: str | Iterable[str], wiring: Wiring, states: Sequence[str]) -
                 f"{name}: is a parameter and a state; {START}.{name} is the state"
             )
         if name.replace(", ", ",") not in known:
-            several = ", ".join(sorted({*fields, *states, START}))
-            raise SimulationError(f"{name}: must be among {several}, or an element, counted from 0")
+            several = sorted({*fields, *states, START})
+            close = nearest(name, several)
+            raise SimulationError(
+                f"{name}: must be among {', '.join(several)}, or an element, counted from 0"
+                + (f"; did you mean {close}?" if close else "")
+            )
         found += known[name.replace(", ", ",")]
     for way in found:
         for k, field in way.fields:

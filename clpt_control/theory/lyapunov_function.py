@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import control
 import sympy
 
-from ..arguments import Seed, public
+from ..arguments import Count, Seed, public
 from ..diagrams.on_symbols import TIME
 from ..html import fragment
 from .own_v import OwnV, missing
@@ -159,7 +159,7 @@ def lyapunov(
     V: str | Callable | sympy.Expr,
     claim: str | Callable | sympy.Expr | float | None = None,
     at: Mapping[str, float] | Sequence[float] | None = None,
-    points: int = 200,
+    points: Count = 200,
     seed: Seed = 0,
 ) -> Lyapunov:
     """Judge a Lyapunov function of your own on any diagram.

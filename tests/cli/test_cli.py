@@ -8,6 +8,7 @@ import sys
 import unicodedata
 from pathlib import Path
 
+import control
 import numpy as np
 import pytest
 from processes import CLPT, CODE, GUARD, await_line, interrupt, started, without_progress
@@ -108,6 +109,14 @@ def test_export_writes_c(clpt, tmp_path):
     outcome = clpt("export", tmp_path / "p.toml", "-o", tmp_path / "p.c")
     assert outcome.out == f"{tmp_path / 'p.c'}: written\n"
     assert "void closed_loop_step(" in (tmp_path / "p.c").read_text()
+
+
+def test_export_of_a_diagrams_run_has_its_start(clpt, tmp_path):
+    lag = control.tf(1, [1, 1], inputs="u", outputs="y", name="lag")
+    loop = clpt_control.connect([lag], external="u")
+    clpt_control.save_run(clpt_control.simulate(loop, [0, 1], 0.0, [3.0]), tmp_path / "run.nc")
+    clpt("export", tmp_path / "run.nc", "-o", tmp_path / "run.c")
+    assert "diagram_x0[] = {3.0};" in (tmp_path / "run.c").read_text()
 
 
 def test_help_imports_nothing_heavy():

@@ -130,6 +130,17 @@ def test_a_system_by_functions_runs_or_says_why_in_python(update):
     np.testing.assert_allclose(run.y, np.exp(-2 * TIMES), atol=1e-6)
 
 
+def test_what_does_not_fit_is_said_with_a_cure():
+    tank = clpt.parts.lag(1.0, y="h")
+    for own, external, said in (
+        ({}, (), r"'r'.*blocks make h, u; connect\(\.\.\., external='r'\) takes it from outside"),
+        ({}, "rr", "did you mean rr.*from outside come rr, but no block takes rr"),
+        ({"signals": 2}, "r", "'u' has 2 signals, but lag takes 1; both must have one size"),
+    ):
+        with pytest.raises(DiagramError, match=said):
+            clpt.connect([tank, clpt.parts.pid(1, 0.1, y="h", **own)], external)
+
+
 @pytest.mark.parametrize(
     ("part", "said"),
     [

@@ -526,6 +526,8 @@ def test_more_mistakes():
         clpt.run_ensemble(mrac(), {"a": [1], "plant.a": [1]}, timepts=TIMES)
     with pytest.raises(ClptError, match=r"unknown name plant\.aa; did you mean plant\.a\?"):
         clpt.run_ensemble(mrac(), {"plant.aa": [1]}, timepts=TIMES)
+    with pytest.raises(ClptError, match=r"unknown name lag\.tau; did you mean tau\?"):
+        clpt.run_ensemble(lag(), {"lag.tau": [1]}, timepts=TIMES)
     with pytest.raises(ClptError, match=r"one\.turns = 3 cannot vary: a whole number is fixed"):
         clpt.run_ensemble(springs(), {"one.turns": [1.0]}, timepts=TIMES)
     with pytest.raises(ClptError, match=r"one\.K\[2\] is no element: one\.K has shape \(2,\)"):

@@ -442,6 +442,7 @@ def test_a_source_has_nothing_to_linearize_along():
             "must be one number, or 3",
         ),
         (lambda: parts.saturation(-1, 1, v="x"), "has no port 'v'; it has u, y"),
+        (lambda: parts.pid(1, 0.1, hgih=1), "has no port 'hgih'; .* did you mean high"),
         (lambda: parts.lookup_table([0, 0], [1, 2]), "two or more increasing numbers"),
         (lambda: parts.planar_vehicle(np.ones((3, 3)), np.eye(3)), "m12 = m13 = 0"),
         (lambda: parts.kalman_filter(control.ss(-1, 1, 1, 0), [[1]], [[0]]), "positive definite"),

@@ -218,6 +218,10 @@ def test_what_cannot_be_compared_is_one_sentence():
         with pytest.raises(clpt.ClptError) as caught:
             clpt.compare(runs, **more)
         assert "\n" not in str(caught.value)
+    with pytest.raises(clpt.DataError, match=r"choose some: run\[\['h'\]\]"):
+        clpt.compare({"a": a, "b": a[["h"]]})
+    with pytest.raises(clpt.DataError, match="there is none that all have"):
+        clpt.compare({"a": a[["q"]], "b": a[["h"]]})
 
 
 def test_no_waypoint_is_told_of_a_reference_of_ones_own(tmp_path):

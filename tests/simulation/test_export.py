@@ -197,6 +197,18 @@ def test_what_has_no_c_is_said():
 
     block = clpt.Block("odd", update=lambda t, x, u, p: [p.interval], states={"x": 1},
                        breakpoints=at_times, parameters={"interval": -1.0})  # fmt: skip
+    held = clpt.Block("held", update=lambda t, x, u, p: {"y": -p.a * x.y}, states={"y": 1},
+                      parameters={"a": 1.0})  # fmt: skip
+    plant = control.nlsys(lambda t, x, u, p: -p["a"] * x, states=["y"], inputs=0,
+                          params={"a": 1.0}, name="plant")  # fmt: skip
+    for value in (np.nan, np.inf):
+        with pytest.raises(clpt.ClptError, match=r"a = (nan|inf)"):
+            clpt.export_c(held, params={"held.a": value})
+        with pytest.raises(clpt.DiagramError, match=r"params: a = (nan|inf): must be finite"):
+            clpt.export_c(plant, params={"a": value})
+        with pytest.raises(clpt.DiagramError, match=r"initial_state = .*: must be finite"):
+            clpt.export_c(plant, initial_state=[value])
+    assert "INFINITY" in clpt.export_c(clpt.parts.pid(1, 0.1))  # no limit of its own
     with pytest.raises(clpt.DiagramError, match="odd jumps at times that a function"):
         clpt.export_c(clpt.connect([block]))
 

@@ -142,6 +142,7 @@ def test_mistakes_are_told():
 
     for given, said in (
         ({"data": {"q": TIMES}}, "none of the outputs place, speed"),
+        ({"data": {"place": np.nan * TIMES}}, "all measurements of place are NaN or infinite"),
         ({"data": {"place": TIMES[:5]}}, "101 samples"),
         ({"data": [1.0]}, "must be an xarray"),
         ({"times": None}, "timepts: is required"),

@@ -94,7 +94,9 @@ def test_a_block_takes_the_laws_place(tmp_path):
         np.testing.assert_array_equal(run[name], own[name], err_msg=name)
     clpt.save_run(run, tmp_path / "run.nc")
     np.testing.assert_array_equal(clpt.load_run(tmp_path / "run.nc").alpha, run.alpha)
-    with pytest.raises(DataError, match=r"law given in Python, mine, .* cannot be repeated"):
+    with pytest.raises(
+        DataError, match=r"law given in Python, mine, .*alone does not repeat it; clpt.load_d"
+    ):
         clpt.load_scenario(tmp_path / "run.nc")
 
 

@@ -248,6 +248,8 @@ def test_what_is_not_known_is_said():
         clpt.sensitivity(asking, [0.0, 1.0], to="n")
     with pytest.raises(clpt.SimulationError, match="must be among k, n, x, x0"):
         clpt.sensitivity(asking, [0.0, 1.0], to="q")
+    with pytest.raises(clpt.SimulationError, match=r"did you mean k\?"):
+        clpt.sensitivity(asking, [0.0, 1.0], to="plant.k")
     with pytest.raises(clpt.SimulationError, match="must be among x, states"):
         clpt.sensitivity(asking, [0.0, 1.0], of="q", to="k")
     with pytest.raises(clpt.SimulationError, match="or an element, counted from 0"):

@@ -196,6 +196,11 @@ def test_the_papers_law_is_proved_as_by_prove():
 
 def test_mistakes_are_one_sentence():
     plant = of(lambda o: -o["x"])
+    for points in (0, -1):
+        with pytest.raises(clpt.ArgumentError, match=r"points = .*: must be a whole number, 1 or"):
+            lyapunov(plant, sympy.Symbol("x") ** 2, points=points)
+        with pytest.raises(clpt.ArgumentError, match=r"points = .*: must be a whole number, 1 or"):
+            clpt.theory.prove(LAWS["learned-flow"].of(2, gain=0.5), points=points)
     with pytest.raises(clpt.DiagramError, match="has no q; it has"):
         lyapunov(plant, sympy.Symbol("q") ** 2)
     with pytest.raises(clpt.DiagramError, match="has no 'W'"):

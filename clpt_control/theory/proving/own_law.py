@@ -18,7 +18,7 @@ import numpy as np
 import sympy
 from sympy.core.function import AppliedUndef
 
-from ...arguments import Seed, public
+from ...arguments import Count, Seed, public
 from ...blocks.laws.known import Truth
 from ...blocks.laws.law import LEARNED, Law
 from ...diagrams.interconnection import Diagram, connect
@@ -131,7 +131,7 @@ def _factor(rate: sympy.Expr, product: sympy.Expr, parameters: set) -> sympy.Exp
 def prove(
     law_block: Block | Diagram,
     V: Candidate | None = None,
-    points: int = 10_000,
+    points: Count = 10_000,
     seed: Seed = 0,
     given: Callable[..., list] | None = None,
     keeps: Callable[..., dict] | None = None,
