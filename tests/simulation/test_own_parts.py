@@ -196,7 +196,7 @@ def test_a_loop_that_knows_its_scenario_is_its_scenario():
         for use in (lambda own: clpt.run_ensemble(own, "learning.gain=0.2:2.0", 2), prove):
             with pytest.raises(DiagramError, match="closed_loop: was changed after closed_loop"):
                 use(changed)
-    with pytest.raises(DiagramError, match="closed_loop of one with nothing from outside"):
+    with pytest.raises(clpt.ScenarioError, match="timepts: is required to run a diagram"):
         clpt.run_ensemble(loop(later, external="zc"), "learning.gain=0.2:2.0", 2)
 
 
@@ -218,7 +218,7 @@ def test_the_law_of_a_loop_is_proved():
         prove(clpt.closed_loop(PAPER, insert={("v_x", "vehicle"): LAG}))
 
 
-def test_runs_with_parts_of_ones_own_are_not_repeated(tmp_path):
+def test_runs_with_parts_of_ones_own_are_no_scenario(tmp_path):
     steered = clpt.closed_loop(PAPER, external="zc")
     state = clpt.initial_state(PAPER)
     for run, said in (
@@ -226,20 +226,18 @@ def test_runs_with_parts_of_ones_own_are_not_repeated(tmp_path):
             clpt.simulate(clpt.closed_loop(PAPER, insert={("v_x", "vehicle"): LAG})),
             "v_x to vehicle: lag",
         ),
-        (clpt.simulate(steered, [0, 1], [3, 0], state), "closed_loop: run as a diagram"),
+        (
+            clpt.simulate(steered, [0, 1], [3, 0], state),
+            "reference: from outside, closed_loop: run",
+        ),
     ):
         clpt.save_run(run, tmp_path / "run.nc")
         loaded = clpt.load_run(tmp_path / "run.nc")
         np.testing.assert_array_equal(clpt.state_at(loaded, 1), clpt.state_at(run, 1))
-        with pytest.raises(DataError, match=f"parts given in Python, {said}, .* cannot be"):
+        with pytest.raises(
+            DataError, match=f"parts given in Python, {said}.*, so its scenario alone"
+        ):
             clpt.load_scenario(tmp_path / "run.nc")
-
-
-def test_the_run_of_another_diagram_is_no_file_of_a_run(tmp_path):
-    run = clpt.simulate(clpt.connect([LAG], external="u"), [0, 1], 1)
-    with pytest.raises(DataError, match=r"Response of diagram has no variable clpe.*to_netcdf"):
-        clpt.save_run(run, tmp_path / "run.nc")
-    assert not (tmp_path / "run.nc").exists()
 
 
 def test_no_certificate_for_parts_that_it_is_not_of():
