@@ -25,6 +25,8 @@ def key_of(diagram: Any, params: Mapping[str, Any] | None, *more: Any) -> tuple[
 
 
 def _system(keys: Keys, system: Any) -> Any:
+    if not isinstance(system, control.NonlinearIOSystem):
+        raise Unkeyed  # and it cannot be wired
     labels = *system.input_index, *system.output_index, *(system.state_index or ())
     own = keys.place(system), system.name, system.dt, labels
     if isinstance(system, Sampled):

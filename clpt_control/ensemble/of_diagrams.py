@@ -30,6 +30,7 @@ from ..equations.declaration import ports_of
 from ..equations.linear import linear
 from ..equations.system import System
 from ..errors import DiagramError, ScenarioError, SimulationError
+from ..native import solver
 from ..native.engines import chosen, compared, in_python
 from ..native.python_diagram import checked_steps
 from ..native.schedule import Inputs, checked_times, open_sizes, read_inputs, stacked_state
@@ -341,6 +342,7 @@ class DiagramWorker(Worker):
         super().__init__()
         self.varied, self.trajectories = varied, trajectories
         self.title, self.how = f"Ensemble of {varied.name}", varied.how
+        self.by = {} if varied.wiring.dt else varied.how  # of a run by itself
         self.ensemble = DiagramEnsemble(varied, engine)
         self.every = self.ensemble.native.sweep.at_jumps(varied.times)
         rows = entries(varied.wiring.output_map)
@@ -366,15 +368,25 @@ class DiagramWorker(Worker):
             if native.engine != "native":
                 return
             given, start, inputs = self.ensemble.made({key: own[m] for key, own in values.items()})
-            one, how = native.with_parameters(given), {} if self.varied.wiring.dt else self.how
+            one = native.with_parameters(given)
             try:
-                found = compared(one, start, self.every, inputs=inputs, **how)[2]
+                found = compared(one, start, self.every, inputs=inputs, **self.by)[2]
             except SimulationError:  # the member fails, which its status tells
                 continue
             if found:
                 in_python(self.varied.name, found)
                 self.ensemble = DiagramEnsemble(self.varied, "python")
                 return
+
+    def why(self, own: Mapping[str, np.ndarray]) -> str:
+        """Return the sentence with which a member by itself stops; "" where it does not."""
+        given, start, inputs = self.ensemble.made(own)
+        one = self.ensemble.native.with_parameters(given)
+        try:
+            one.signals(one.run(start, self.every, inputs=inputs, **self.by), inputs)
+        except SimulationError as error:
+            return str(error)
+        return ""
 
     def arrays(self, values: Mapping[str, np.ndarray]) -> dict[str, Array]:
         """Return all arrays of the store, for the values of all members."""
@@ -404,6 +416,8 @@ class DiagramWorker(Worker):
         y = np.full((len(states.status), len(self.varied.outputs), len(self.every)), np.nan)
         for m, own in enumerate(y):
             self._fill(own, members, states, m)
+        unknown = (states.status == solver.FINISHED) & ~np.isfinite(y).all(axis=(1, 2))
+        states = replace(states, status=np.where(unknown, solver.NOT_FINITE, states.status))
         # each row is summed by itself: others beside it change no bit
         figures = y[..., -1], np.sqrt(np.sum(self.weights * y**2, axis=-1)), np.abs(y).max(axis=-1)
         found = {

@@ -28,7 +28,7 @@ from ..progress.interrupt import SLICE, check, keep
 from ..scenario.experiment import Scenario
 from .checked_store import check_store
 from .drawn_values import draw_members, grid_count
-from .of_diagrams import VariedDiagram
+from .of_diagrams import DiagramWorker, VariedDiagram
 from .store import CODE, REPEATED, Store, create_store, open_store, remove_empty, software
 from .summaries import STATUS, Array
 from .varied_keys import Vary, check_varies, parsed
@@ -213,10 +213,13 @@ def run_ensemble(
     data = store.dataset()
     data.encoding = {**worker.encoding, **data.encoding}
     failed = np.flatnonzero(data["status"].values != 1)
-    if len(failed) and isinstance(varied, VariedDiagram):
+    if len(failed) and isinstance(worker, DiagramWorker):
+        first = failed[0]
+        status = STATUS[int(data["status"][first])].replace("_", " ")
+        why = worker.why({key: own[first] for key, own in values.items()})
         warn(
-            f"{len(failed)} of {members} members did not finish; the first is member {failed[0]}: "
-            f"{STATUS[int(data['status'][failed[0]])].replace('_', ' ')}"
+            f"{len(failed)} of {members} members did not finish; the first is member {first}: "
+            f"{status}{why and f': {why}'}"
         )
     return data
 

@@ -402,6 +402,8 @@ def lifted(tape: Tape, value: Any) -> Any:
             return constant(tape, value)
         if isinstance(value, np.ndarray) and not value.ndim:
             return lifted(tape, value.item())
+        if isinstance(value, str):  # each of its letters is a text again
+            raise TypeError
         parts = [lifted(tape, one) for one in value]
     except TypeError:
         raise Unread(f"calculating with a {type(value).__name__}") from None

@@ -13,7 +13,6 @@ tables that SymPy reads as an undefined function (`opaque`).
 from collections.abc import Callable, Mapping
 from functools import cached_property
 from threading import local
-from traceback import walk_tb
 from types import MappingProxyType
 from typing import Any
 
@@ -33,6 +32,7 @@ from .declaration import (
     labels,
     ports_of,
 )
+from .given import located
 from .ports import Declared, bound, flattened, kept_vector, places, shapes_of, sizes_of, vector
 from .reading import RAISED, read, record_of_states
 from .record import Record as ArrayRecord
@@ -48,14 +48,6 @@ class Call(local):
     def __init__(self, parameters: Any) -> None:
         self.parameters = parameters
         self.seen: tuple[float, float] | None = None  # time and interval of the first rate
-
-
-def line_of(error: Exception, function: Callable) -> str:
-    """Return the line of a user's function at which it raised, for a message."""
-    own = getattr(getattr(function, "__code__", None), "co_filename", "")
-    frames = walk_tb(error.__traceback__)
-    lines = [line for frame, line in frames if frame.f_code.co_filename == own]
-    return f", line {lines[-1]}" if lines else ""
 
 
 @public
@@ -181,7 +173,7 @@ class Block(control.NonlinearIOSystem):
         self.opaque, self.breakpoints_function, self.guard = opaque, breakpoints, guard
         self.name, self.units = name, dict(units or {})
         self.declared, self.parameter_shapes = declared, shapes_of(shapes)
-        self.raised: dict[str, str] = {}  # what a role last raised, where it gave NaN
+        self.raised: dict[str, str] = {}  # what a role's last call raised, where it gave NaN
         self._inner: dict[str, dict[str, str]] = {}  # a port's name -> what its equations call it
         self._sizes = dict(sizes or {})
         self.parameters = parameters
@@ -203,7 +195,7 @@ class Block(control.NonlinearIOSystem):
     def _tried(self) -> None:
         """Run the equations at a few points, so that a mistake is told where the block is made."""
         p = self.parameters_at(0.0)
-        for role, (function, where) in self._plan.items():
+        for role, (_, where) in self._plan.items():
             size = sum(part.stop - part.start for part, _ in where.values())
             for point in (0.0, 0.3, 1.7, -0.6):  # a logarithm may be asked of some
                 x, u = np.full(self.nstates, point), np.full(self.ninputs, point)
@@ -215,10 +207,7 @@ class Block(control.NonlinearIOSystem):
                 except Exception as error:
                     failed = error
             else:
-                raise BlockError(
-                    f"{self.name}.{role}{line_of(failed, function)}: cannot be run: "
-                    f"{type(failed).__name__}: {failed}"
-                ) from None
+                raise BlockError(self._said(role, failed)) from failed
 
     # --- how it is shown ----------------------------------------------------------------
 
@@ -535,12 +524,28 @@ class Block(control.NonlinearIOSystem):
     # --- the reading that python-control runs -------------------------------------------
 
     def values(self, role: str, size: int, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
-        """Return what equations return; NaN where they raise."""
+        """Return what equations return; NaN where numbers raise.
+
+        A run may try such numbers and go on without them; what stops it is in `raised`.
+        """
         try:
-            return self._asked(role, size, t, x, u, p)
+            found = self._asked(role, size, t, x, u, p)
         except RAISED as error:  # as math.log(0.0) does
-            self.raised[role] = f"{type(error).__name__}: {error}"
+            self.raised[role] = self._said(role, error)
             return np.full(size, np.nan)
+        except Exception as error:
+            raise BlockError(self._said(role, error)) from error
+        self.raised.pop(role, None)
+        return found
+
+    def _said(self, role: str, error: Exception) -> str:
+        """Return which function raised what, and in which line."""
+        if isinstance(error, BlockError):  # it says so itself
+            return str(error)
+        function, _ = self._plan[role]
+        words = [type(error).__name__, " ".join(str(error).splitlines())]
+        said = ": ".join(filter(None, words))  # an assertion may say nothing
+        return f"{self.name}.{role}: {located(function, error)}{said}"
 
     def _vectors(self, x: np.ndarray, u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return arrays that are filled again and again as states and inputs with ports."""

@@ -137,6 +137,7 @@ class Sampled(Block):
             return np.array(u)
         before = (p.interval - 1.0) * self.period
         new = inner.values("update", inner.nstates, before, states, held, own)
+        self.raised["jump"] = self.raised.get("update", "")
         return np.append(new * self.period + states if self.stepped else new, u)
 
     def _read(self, role: str) -> Any:

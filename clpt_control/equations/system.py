@@ -152,8 +152,10 @@ class System(Block):
         ports = self.declared["states"], self.declared["inputs"]
         try:
             found = read_once(function, role, *ports, self.given, shapes, out)
-        except (Unread, BlockError) as error:
+        except Unread as error:
             return Unread(f"{self.name}.{role}: {error}")
+        except BlockError as error:  # which begins with the role
+            return Unread(f"{self.name}.{error}")
         self._asks[role] = found.names
         self.pinned[role] = frozenset(self.number_names[key] for key in found.pinned)
         names = self.number_names.items()

@@ -40,6 +40,7 @@ SENTENCES = (  # of each status
     "in place of np.sign), or sample it",
     "left to an implicit method",
 )
+ADVICE = "check the parameters of that block, or loosen rtol and atol"  # of what is not finite
 
 
 @dataclass
@@ -87,8 +88,7 @@ def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None, rest: Batch | None)
     reason = status.sentence
     if status is Status.CHATTERS:
         reason = f"{_switch(sweep, last)} {reason}"
-    if trouble := _trouble(sweep, last, inputs):
-        reason = f"{trouble}; check the parameters of that block, or loosen rtol and atol"
+    reason = _trouble(sweep, last, inputs) or reason
     raise SimulationError(f"the integration stopped at t = {last.now:.9g}: {reason}")
 
 
@@ -101,17 +101,22 @@ def _switch(sweep: Sweep, batch: Batch) -> str:
 
 
 def _trouble(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> str | None:
-    """Name what is not finite at the state reached, or a small step ahead of it."""
+    """Return what is not finite at the state reached, or a small step ahead, and why."""
     n, t = sweep.nstates, batch.now
     x, rate = (batch.Z[r * n : (r + 1) * n] for r in (solver.STATE, solver.RATE))
     ahead = float(batch.numbers[solver.END, 0]) - t
     sweep.enter(t)
+    for k in sweep.leaping:
+        sweep.nodes[k].system.raised.pop("jump", None)
+    known = batch.out[0][np.isfinite(batch.out[0]).all(axis=1)]
+    if sweep.leaping and len(known) and not np.isfinite(x).all():  # a jump made it so: ask it again
+        sweep.leap(t, known[-1], None if inputs is None else inputs.at(t), sweep.leaping)
     for h in (0.0, *(ahead * np.geomspace(1e-12, 1.0, 13))):
         near = x + h * rate if h else x  # the rate itself may be what is not finite
         u = None if inputs is None else inputs.at(t + h)
-        found = sweep.first_trouble(t + h, near, u)
+        found = sweep.first_trouble(t + h, near, u, ADVICE)
         if found is not None:
-            return f"{found} is not finite"
+            return found
     return None
 
 

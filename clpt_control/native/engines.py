@@ -70,7 +70,7 @@ def run_as_read(
     if isinstance(runner, NativeDiagram):
         solution, signals, found = compared(runner, start, times, **given)
         if not found:
-            return solution, runner.finite(solution, signals)
+            return solution, runner.finite(solution, signals, given["inputs"])
         in_python(name, found)
         runner = PythonDiagram(runner.wiring, params)
     solution = runner.run(start, times, **given)

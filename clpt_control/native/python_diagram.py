@@ -31,7 +31,7 @@ from .schedule import (
     numbers,
     read_inputs,
 )
-from .sweep import Sweep, first_not_finite
+from .sweep import Sweep
 from .ways import (
     LOOSE,
     METHODS,
@@ -282,17 +282,19 @@ class PythonDiagram:
         callee, pieces = self.callee(1, inputs), self.pieces_of(solution, inputs)
         P, out = self.parameters(), np.empty((len(times), self.nsignals))
         callee.ask(solver.SIGNALS, times, solution.x, pieces, P, out)
-        return self.finite(solution, out) if check else out
+        return self.finite(solution, out, inputs) if check else out
 
-    def finite(self, solution: Solution, signals: np.ndarray) -> np.ndarray:
+    def finite(
+        self, solution: Solution, signals: np.ndarray, inputs: Inputs | None = None
+    ) -> np.ndarray:
         """Return a solution's signals; refuse what is not finite."""
         bad = np.flatnonzero(~np.all(np.isfinite(signals), axis=1))
         if len(bad):
-            raise SimulationError(
-                f"{first_not_finite(self.wiring, signals[bad[0]])} is not finite at "
-                f"t = {solution.t[bad[0]]:.9g}; check the parameters of that block, or keep its "
-                "arguments in range"
-            )
+            t, x = float(solution.t[bad[0]]), solution.x[bad[0]]
+            self.sweep.enter(t)
+            advice = "check the parameters of that block, or keep its arguments in range"
+            found = self.sweep.first_trouble(t, x, None if inputs is None else inputs.at(t), advice)
+            raise SimulationError(f"at t = {t:.9g}: {found or f'a signal is not finite; {advice}'}")
         return signals
 
 

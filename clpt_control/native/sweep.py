@@ -202,29 +202,33 @@ class Sweep:
                     least = (float(found[0]), guard.policy, guard.said(t, inputs, p))
         return least
 
-    def first_trouble(self, t: float, x: np.ndarray, u: np.ndarray | None = None) -> str | None:
-        """Name the first block and signal not finite at (t, x, u)."""
+    def first_trouble(
+        self, t: float, x: np.ndarray, u: np.ndarray | None = None, advice: str = ""
+    ) -> str | None:
+        """Return what the first block raised, or what of it is not finite, at (t, x, u)."""
         dx = self.derivative(t, x, u)
+        ordered = [self.nodes[k] for k in self.wiring.order]
         return (
-            _not_finite(self.nodes, "state", x, "state {} of block {}")
-            or first_not_finite(self.wiring, self.signals)
-            or _not_finite(self.nodes, "state", dx, "derivative of {} of block {}")
+            _not_finite(self.nodes, "state", x, "jump", "state {} of block {}", advice)
+            or _not_finite(
+                ordered, "output", self.signals, "output", "signal {} of block {}", advice
+            )
+            or _not_finite(
+                self.nodes, "state", dx, "update", "derivative of {} of block {}", advice
+            )
         )
 
 
-def first_not_finite(wiring: Wiring, signals: np.ndarray) -> str | None:
-    """Name the first signal that is not finite, as evaluated."""
-    nodes = [wiring.nodes[k] for k in wiring.order]
-    return _not_finite(nodes, "output", signals, "signal {} of block {}")
-
-
-def _not_finite(nodes: Iterable[Node], kind: str, values: np.ndarray, said: str) -> str | None:
-    """Return which state, or output, of which block is the first that is not finite."""
+def _not_finite(
+    nodes: Iterable[Node], kind: str, values: np.ndarray, role: str, what: str, advice: str
+) -> str | None:
+    """Return why the first state, or output, that is not finite is none."""
     for node in nodes:
         labels = getattr(node.system, f"{kind}_labels")
         for value, label in zip(values[getattr(node, f"{kind}s")], labels, strict=True):
             if not np.isfinite(value):
-                return said.format(label, node.name)
+                said = f"{what.format(label, node.name)} is not finite; {advice}"
+                return node.system.raised.get(role) or said
     return None
 
 

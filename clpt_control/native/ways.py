@@ -151,11 +151,10 @@ def iterated(
     for k, bad in steps(callee, x, times, pieces, P):
         if bad:
             t, u = float(times[k]), None if inputs is None else inputs.at(float(times[k]))
-            found = runner.sweep.first_trouble(t, x[k], u) or "a state"
-            raise SimulationError(
-                f"the run stopped at t = {t:.9g}: {found} is not finite; check the parameters of "
-                "that block"
-            )
+            advice = "check the parameters of that block"
+            found = runner.sweep.first_trouble(t, x[k], u, advice)
+            found = found or f"a state is not finite; {advice}"
+            raise SimulationError(f"the run stopped at t = {t:.9g}: {found}")
         if progress is not None:
             progress(float(times[k]))
     statistics = {"steps": len(times) - 1, "evaluations": len(times) - 1, "restarts": 0}

@@ -3,10 +3,12 @@
 Each of them says by its attributes what it is.  Nothing is imported before it is used.
 """
 
+from os import PathLike
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from .. import ensemble, pages, replay, simulation, theory
-from ..arguments import check_holds
+from ..arguments import check_holds, public
 from ..equations.declaration import ports_of
 from ..errors import DataError
 from ..html import facts, fragment
@@ -124,11 +126,12 @@ class ClptAccessor:
         """Write a page to send, as `clpt_control.report`."""
         return pages.report(self._data, path, **options)
 
-    def table(self, path: Any = None) -> SignalTable:
+    @public
+    def table(self, path: str | PathLike[str] | None = None) -> SignalTable:
         """Return a run as a table, one column a signal; with a path it is written, .csv or .mat."""
         found = SignalTable(self._data)
         if path is not None:
-            found.write(path)
+            found.write(Path(path))
         return found
 
     def __repr__(self) -> str:

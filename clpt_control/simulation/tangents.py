@@ -196,7 +196,8 @@ class Sensitive:
         solution, signals, why = compared(runner, x, self.times, inputs=self.inputs, **solver)
         if why:
             raise SimulationError(f"{self.name}: its derivative is not known: {why}")
-        every = runner.finite(solution, signals)[:, self.made.signals].transpose(0, 2, 1)
+        every = runner.finite(solution, signals, self.inputs)
+        every = every[:, self.made.signals].transpose(0, 2, 1)
         u = np.zeros((len(every), self.wiring.ninputs, every.shape[2]))
         u[..., 0] = self.inputs.along(solution.t).T
         rows = np.concatenate([every, u], axis=1)[self.skipped :]

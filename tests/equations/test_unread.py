@@ -167,10 +167,10 @@ def unknown_name(t, x, u, p):
 @pytest.mark.parametrize(
     ("function", "words"),
     [
-        (beyond, r"line \d+: cannot be run: IndexError"),
-        (unknown_port, r"line \d+: cannot be run: .*no port 'speed'; there are u"),
-        (unknown_name, r"line \d+: cannot be run: NameError.*wibble"),
-        (lambda t, x, u: u, "cannot be run: TypeError"),
+        (beyond, r"beyond, line \d+: IndexError"),
+        (unknown_port, r"line \d+: .*no port 'speed'; there are u"),
+        (unknown_name, r"line \d+: NameError.*wibble"),
+        (lambda t, x, u: u, "<lambda>: TypeError"),
     ],
 )
 def test_a_mistake_is_told_where_the_block_is_made(function, words):
