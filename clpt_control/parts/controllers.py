@@ -81,6 +81,13 @@ def pid(
 ) -> Block:
     """Make a PID controller with limits and anti-windup.
 
+    Continuous: v = Kp (b r - y) + I + D, u = min(max(v, low), high), I' = Ki (r - y) + (u - v)/Tt,
+    D = -Kd (y - yf)/Tf, Tf yf' = y - yf. Sampled, h = dt: D_k = (Tf D_{k-1} - Kd (y_k - y_{k-1}))
+    / (Tf + h), I_{k+1} = I_k + h (Ki (r_k - y_k) + (u_k - v_k)/Tt).
+
+    States start at 0. Where y starts elsewhere and kd is given, its value belongs in
+    `initial_state`, as the state ``filtered``, yf, or ``last``, y_{k-1}, of a sampled one.
+
     Parameters
     ----------
     kp, ki, kd : float

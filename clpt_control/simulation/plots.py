@@ -83,7 +83,7 @@ def track_plot(
     points, path = waypoints_of(run, scenario), run.position.values
     known = {"color": BLUE, **_coloured(color)}
     if label:
-        return _track_among(axes_for(ax, 5.6, 5.2), scenario, points, path, label, color)
+        return _track_among(axes_for(ax, 5.6, 5.2), scenario, points, run, label, color)
     from .flows import flow_velocity
 
     ax = axes_for(ax, 5.6, 5.2)
@@ -116,15 +116,20 @@ def track_plot(
 
 
 def _track_among(
-    ax: Any, scenario: Scenario, points: np.ndarray, path: np.ndarray, label: str, color: Any
+    ax: Any, scenario: Scenario, points: np.ndarray, run: Any, label: str, color: Any
 ) -> Any:
-    """Draw a track and its waypoints beside those of other runs."""
-    seen = [points, path, *(line.get_xydata() for line in ax.lines)]
+    """Draw a track, the predicted one and waypoints beside those of other runs."""
+    path, before = run.position.values, ax.lines
+    predicted = run.predicted_position.values if "predicted_position" in run else path[:0]
+    seen = [points, path, predicted, *(line.get_xydata() for line in before)]
     square_chart(ax, scenario, np.concatenate(seen), 2)
-    (line,) = ax.plot(*path.T, color=color, linewidth=1.1, label=label)
-    own = {"color": line.get_color(), "markersize": 6 + 3 * (len(ax.lines) // 2)}
-    ax.plot(*points.T, "o", markerfacecolor="none", **own)
-    ax.set_title("Tracks, and waypoints as rings" if len(points) else "Tracks", **TITLE)
+    own = {"color": color, "linewidth": 1.1}
+    own["color"] = ax.plot(*path.T, label=label, **own)[0].get_color()
+    ax.plot(*predicted.T, linestyle="--", **own | {"linewidth": 0.8})
+    rings = {"color": own["color"], "markersize": 6 + 3 * (len(ax.lines) // 3)}
+    ax.plot(*points.T, "o", markerfacecolor="none", **rings)
+    named = "Tracks, predicted ones dashed" if len(predicted) else "Tracks"
+    ax.set_title(f"{named}, waypoints as rings" if len(points) else named, **TITLE)
     legend_below(ax, 4)
     return ax
 
@@ -543,11 +548,16 @@ def signals_of(port: "xarray.DataArray") -> dict[str, np.ndarray]:
     whole = port.transpose("time", *dims).values.reshape(port.sizes["time"], -1)
     found = {}
     for k, at in enumerate(np.ndindex(*(port.sizes[dim] for dim in dims))):
-        where = [port[dim].values[i] for dim, i in zip(dims, at, strict=True)]
-        told = [
-            f"[{value}]" if dim.rstrip("_") == own else f" {dim} {value}"
-            for dim, value in zip(dims, where, strict=True)
-        ]
+        told = []
+        for dim, i in zip(dims, at, strict=True):
+            value = port[dim].values[i]
+            if dim.rstrip("_") == own:
+                told.append(f"[{value}]")
+            elif isinstance(value, tuple):  # of a member, of which each varied name has one
+                names = port.indexes[dim].names
+                told += [f" {name} {one}" for name, one in zip(names, value, strict=True)]
+            else:
+                told.append(f" {dim} {value}")
         found[name + "".join(told)] = whole[:, k]
     return found
 

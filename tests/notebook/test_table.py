@@ -2,6 +2,7 @@
 
 import csv
 
+import control
 import numpy as np
 import pytest
 from scipy.io import loadmat
@@ -111,3 +112,12 @@ def test_it_shows_itself_and_refuses_in_a_sentence(tmp_path):
     with pytest.raises(clpt.DataError, match="no signal along time"):
         run.isel(time=3).clpt.table()
     assert list(tmp_path.iterdir()) == []
+
+
+def test_columns_of_members_name_what_varied():
+    lag = control.ss(-1, 1, 1, 0, inputs="u", outputs="y", name="lag")
+    times = np.linspace(0.0, 1.0, 3)
+    data = clpt.run_ensemble(lag, {"u": [1, 2]}, timepts=times, trajectories=True)
+    table = data.clpt.table()
+    assert table.columns == ["time", "y u 1.0", "y u 2.0"]
+    np.testing.assert_allclose(table.values[:, 2], 2.0 * (1.0 - np.exp(-times)), atol=1e-6)

@@ -170,6 +170,9 @@ def test_runs_of_scenarios_are_told_apart(plot, count):
         assert axes[0].get_xlim()[1] == 80.0
     if plot == "track":
         np.testing.assert_array_equal(axes.lines[0].get_xydata(), runs["0.8"].position)
+        for run, line in zip(runs.values(), axes.lines[1::3], strict=True):
+            np.testing.assert_array_equal(line.get_xydata(), run.predicted_position)
+            assert line.get_linestyle() == "--"
         reach = max(abs(one.position).max() for one in runs.values())
         assert axes.get_xlim()[1] > reach
 
