@@ -232,3 +232,14 @@ def test_a_proof_says_what_no_vehicle_measures():
     assert any("flow_x, the true flow, which no vehicle measures" in one for one in said)
     said = [step.claim for step in prove(law(own_laws.shipped, GAIN), points=POINTS).steps]
     assert not any("flow_x" in one for one in said)
+
+
+def test_an_input_that_is_misspelt_is_told_with_what_comes_from_outside():
+    def rates(t, x, u, p):
+        return {"alpha": -np.outer(u.e, u.phix), "K": -u.e, "Gamma": u.e}
+
+    shapes = {"alpha": (2, "N"), "K": 2, "Gamma": 2}
+    mine = Block("adaptation", update=rates, inputs={"e": 2, "phix": "N"}, states=shapes,
+                      sizes={"N": 3})  # fmt: skip
+    with pytest.raises(DiagramError, match=r"mean phi_x\?.*from outside come phi_x, phi_z, zc$"):
+        prove(mine)
