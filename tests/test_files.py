@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 import netCDF4
+import numpy as np
 import pytest
 import xarray
 
@@ -192,6 +193,22 @@ def test_a_small_file_that_says_it_holds_much_is_refused(tmp_path):
     for read in (clpt_control.load_run, read_dive_file):
         with pytest.raises(DataError, match=r"r.nc: holds 1.6e\+04 GB of numbers; at most 4 are"):
             read(tmp_path / "r.nc")
+
+
+def test_a_number_that_was_overwritten_is_found(tmp_path):
+    numbers = np.linspace(1.0, 2.0, 1000)
+    write_together({tmp_path / "whole.nc": xarray.Dataset({"u": ("x", numbers)})})
+    data = bytearray((tmp_path / "whole.nc").read_bytes())
+    at = data.find(numbers[500].tobytes())
+    data[at : at + 8] = np.float64(999.0).tobytes()
+    (tmp_path / "damaged.nc").write_bytes(data)
+    with open_netcdf(tmp_path / "whole.nc", 10**6) as whole:
+        np.testing.assert_array_equal(whole.u, numbers)
+    with (
+        pytest.raises(DataError, match=r"damaged.nc: damaged"),
+        open_netcdf(tmp_path / "damaged.nc", 10**6) as damaged,
+    ):
+        damaged.load()
 
 
 def test_a_global_heap_that_does_not_end_is_refused(tmp_path):

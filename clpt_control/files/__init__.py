@@ -205,13 +205,14 @@ def _put(result: Any, made: Path, path: Path) -> None:
 
         save_figure(result, made, path.suffix[1:].lower())
         return
-    fill = {
-        name: {"_FillValue": float("nan") if _has_nan(values) else None}
-        for name, values in result.variables.items()
-    }
+    engine, written = netcdf_engine(), {}
+    for name, values in result.variables.items():
+        written[name] = {"_FillValue": float("nan") if _has_nan(values) else None}
+        if engine == "netcdf4" and values.ndim and values.dtype.kind in "fiu":
+            written[name]["fletcher32"] = True  # a checksum, which reading asks
     try:
         with _no_cluster():
-            result.to_netcdf(made, engine=netcdf_engine(), encoding=fill)
+            result.to_netcdf(made, engine=engine, encoding=written)
     except (RuntimeError, PermissionError, UnicodeError) as error:  # of a full disk, too
         full = shutil.disk_usage(made.parent).free < 2**20
         reason = getattr(error, "strerror", None) or str(error)
