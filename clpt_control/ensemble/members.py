@@ -18,6 +18,7 @@ from ..diagrams.interconnection import wiring_of_blocks
 from ..errors import ScenarioError
 from ..native import solver
 from ..native.batch import Batch, Callee
+from ..native.ending import STUCK
 from ..native.machine import LANES
 from ..native.native_diagram import NativeDiagram
 from ..native.python_diagram import PythonDiagram
@@ -159,20 +160,23 @@ class Ensemble:
                 (slice(m, m + 1), self._asked(members, m, by), partial(runner.implicit, inputs))
                 for m, (runner, inputs) in enumerate(members.own)
             ]
-        found = []
-        for part, callee, implicit in parts:
-            batch = Batch(
-                callee,
-                members.x0[part],
-                members.P[part],
-                times,
-                members.schedules,
-                members.group[part],
-                longest,
-            )
-            auto = method == "auto" and step is None
+        auto, found = method == "auto" and step is None, []
+
+        def ran(some: Any, callee: Callee, implicit: Any) -> tuple[np.ndarray, ...]:
+            own = members.x0[some], members.P[some]
+            batch = Batch(callee, *own, times, members.schedules, members.group[some], longest)
             finish(batch, (rtol, atol), implicit if auto else None)
-            found.append(batch.results)
+            return batch.results
+
+        for part, callee, implicit in parts:
+            results = ran(part, callee, implicit)
+            if callee.decided and (stuck := np.flatnonzero(np.isin(results[1], STUCK))).size:
+                across = self.native.unlocked()
+                some = np.arange(len(members.x0))[part][stuck]
+                again = ran(some, across.callee(1, None, by), across.implicit)
+                for whole, own in zip(results, again, strict=True):
+                    whole[stuck] = own
+            found.append(results)
         return States(self.columns, *map(np.concatenate, zip(*found, strict=True)))
 
     def _iterated(self, members: Members, times: np.ndarray) -> "States":

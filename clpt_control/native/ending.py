@@ -28,6 +28,7 @@ class Status(IntEnum):
         return SENTENCES[self]
 
 
+STUCK = (Status.NOT_FINITE, Status.TOO_SMALL)  # as a run may be that holds a decision for a step
 SENTENCES = (  # of each status
     "under way",
     "finished: the end of the span was reached",

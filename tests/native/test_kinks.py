@@ -310,3 +310,36 @@ def test_a_kink_that_no_state_feels_is_not_looked_for():
     )
     assert run.attrs["solver_steps"] < 10_000
     np.testing.assert_allclose(run.flow_parameters_estimate.values[-1], flow, atol=1e-7)
+
+
+EMPTYING = {  # Torricelli: beyond the switch the rate has no value, or no slope
+    "if": lambda t, x, u, p: [-p["k"] * np.sqrt(x[0])] if x[0] >= 0 else [0.0],
+    "max": lambda t, x, u, p: [-p["k"] * np.sqrt(max(x[0], 0.0))],
+    "sign": lambda t, x, u, p: [-p["k"] * np.sqrt(abs(x[0])) * np.sign(x[0])],
+}
+
+
+@pytest.mark.parametrize("name", EMPTYING)
+def test_a_tank_that_runs_empty_stays_so(name):
+    """x = (1 - k t/2)^2 until it is empty, one by one and in lanes."""
+    tank = control.nlsys(
+        EMPTYING[name], states=["x"], inputs=0, outputs=["x"], params={"k": 1.0}, name="tank"
+    )
+    times = np.linspace(0.0, 3.0, 31)
+    right = np.maximum(1.0 - times / 2, 0.0) ** 2
+    run = clpt.simulate(tank, times, initial_state=[1.0])
+    assert run.attrs["engine"] == "native"
+    np.testing.assert_allclose(run.x.values.ravel(), right, atol=1e-8)
+    k = np.array([0.5, 1.0, 2.0, 3.0])
+    many = clpt.run_ensemble(tank, {"k": k}, timepts=times, initial_state=[1.0])
+    assert np.all(many.status == 1)
+    np.testing.assert_allclose(many.x_final, np.maximum(1.0 - 1.5 * k, 0.0) ** 2, atol=1e-8)
+
+
+def test_what_has_no_value_on_either_side_is_still_told():
+    f = control.nlsys(
+        lambda t, x, u, p: [np.log(x[0]) if x[0] > -1 else 0.0],
+        states=["x"], inputs=0, outputs=0, name="falling",
+    )  # fmt: skip
+    with pytest.raises(SimulationError, match="derivative of x of block falling is not finite"):
+        clpt.simulate(f, [0.0, 3.0], initial_state=[0.5])
