@@ -159,7 +159,7 @@ def export(
     scenario: ScenarioFile,
     out: Path = opt("FILE", "The file of C.", "-o", "--out", default=...),
 ) -> None:
-    """Write a scenario's closed loop as one file of C99, or the diagram of a diagram's run.
+    """Write a scenario's loop, or a run's diagram, as one C99 file.
 
     Example:
         clpt export mine.toml -o loop.c
