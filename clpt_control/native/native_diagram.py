@@ -205,7 +205,7 @@ class NativeDiagram(PythonDiagram):
         return made
 
     def unlocked(self) -> Self:
-        """Return the diagram with decisions that may change within a step."""
+        """Return it with decisions that may change within a step."""
         made = copy(self)
         made._form, made._callees = "free", {}
         made.code = code_of(self.wiring, self.layout, "free")

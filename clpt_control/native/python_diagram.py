@@ -225,7 +225,7 @@ class PythonDiagram:
         return done
 
     def unlocked(self) -> Self:
-        """Return the diagram with decisions that may change within a step, as they do in Python.
+        """Return it with decisions that may change within a step.
 
         A root of what comes to rest at zero, -sqrt(max(x, 0)), has no value on the other side of
         the switch, and steps that hold the decision do not come across it.
