@@ -16,8 +16,9 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-from ..errors import ScenarioError
+from ..errors import DataError, ScenarioError
 from ..files import write_text
+from ..files.reading import read_text
 from ..progress import tell
 
 LONGEST = 60.0  # s that a command may take
@@ -42,8 +43,9 @@ class Alerts:
         self.command, self.path = list(command), out / "state" / TOLD
         self.told: list[str] = []
         self.failed: set[str] = set()
-        with suppress(OSError, ValueError):  # none yet
-            self.told = json.loads(self.path.read_text("utf-8"))
+        with suppress(DataError, ValueError):  # none yet, or none that can be read: told again
+            told = json.loads(read_text(self.path, "is no text"))
+            self.told = [str(one) for one in told] if isinstance(told, list) else []
 
     def tell(self, found: dict[str, Any]) -> None:
         """Run the command for what is new in what `--json` prints of a vehicle."""

@@ -1,6 +1,7 @@
 """A fleet: one row each, what asks for a pilot first, a command for it, on a folder tree."""
 
 import json
+import os
 import shlex
 import shutil
 import signal
@@ -289,3 +290,14 @@ def test_the_results_of_a_replay_are_no_vehicle(tmp_path, command):
     for _ in range(2):  # its own results neither
         found = json.loads(command("--fleet", tmp_path, "--json").stdout)
         assert [row["vehicle"] for row in found["vehicles"]] == ["well"]
+
+
+@pytest.mark.parametrize("kept", ["5", '{"a": 1}', "[", "a pipe"])
+def test_what_was_told_and_cannot_be_read_is_told_again(tmp_path, kept):
+    place = tmp_path / "state" / alerts.TOLD
+    place.parent.mkdir()
+    if kept == "a pipe":
+        os.mkfifo(place)
+    else:
+        place.write_text(kept)
+    assert alerts.Alerts([sys.executable], tmp_path).told == []
