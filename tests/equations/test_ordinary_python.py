@@ -10,6 +10,8 @@ import pytest
 from recorded import as_it_runs, recorded, static
 
 from clpt_control.equations import Block
+from clpt_control.equations.arrays import Unread
+from clpt_control.equations.reading import read
 
 TABLE = [1.0, 2.0]
 NAMES = {"a": 1.5}
@@ -102,6 +104,28 @@ def says_try(t, x, u, p):
         return u[0] * TABLE[1]
     finally:
         pass
+
+
+def says_except(t, x, u, p):
+    try:
+        return math.sqrt(u[0])
+    except ValueError:
+        return -math.sqrt(-u[0])
+
+
+def says_renamed(t, x, u, p):
+    y = u[:2] * 1.0
+    z = y
+    y += 1.0
+    y = y * 3.0
+    return [*z, *y]
+
+
+def says_divided(t, x, u, p):
+    low, *_, high = sorted([u[0], u[1], 0.3])
+    whole, rest = divmod(u[2], 2.0)
+    several = any([u[0] > 0, u[1] > 0]) and all(v < 2 for v in u)
+    return [low + rest, high + whole + several, TABLE[min(np.searchsorted([0.0, 0.5], u[0]), 1)]]
 
 
 def says_assert(t, x, u, p):
@@ -303,6 +327,52 @@ def test_a_change_counts_at_the_next_reading(monkeypatch):
     monkeypatch.undo()
     monkeypatch.setattr(helper, "__defaults__", (7.0,))
     assert as_it_runs(static(changing), "output", 0.0, [], POINTS[0]) == 7.0 * POINTS[0][0]
+
+
+def read_alone(function, size):
+    """Read a function that no block has called before."""
+    return read(function, "output", {"x": (0,)}, {"u": (3,)}, {}, {}, {"y": (size,)}, dict)
+
+
+COUNT = 0
+
+
+def counting(t, x, u, p):
+    global COUNT
+    COUNT += 1
+    return u * COUNT
+
+
+def test_a_reading_leaves_all_as_it_was():
+    motor, log = Motor(2.0), []
+
+    def logging(t, x, u, p):
+        log.append(t)
+        motor.last = u[0]
+        return motor.last
+
+    block = static(logging)
+    log.clear()
+    recorded(block, "output", 0.0, [], POINTS[0])
+    assert log == []
+    with pytest.raises(Unread, match="changes the global 'COUNT'"):
+        read_alone(counting, 3)
+    assert COUNT == 0
+
+
+def raising(t, x, u, p):
+    if u[0] < 0:
+        raise ValueError("an empty tank")
+    return u[0]
+
+
+def test_a_way_that_raises_is_nan_and_its_sentence_is_kept():
+    block = static(raising)
+    assert recorded(block, "output", 0.0, [], POINTS[0]) == [POINTS[0][0]]
+    assert math.isnan(recorded(block, "output", 0.0, [], POINTS[1])[0])
+    (sentence,) = read_alone(raising, 1).raised
+    assert sentence.startswith("raising, line")
+    assert sentence.endswith("an empty tank")
 
 
 def test_two_functions_of_one_text_keep_their_own_numbers():

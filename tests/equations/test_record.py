@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from recorded import as_it_runs, recorded, static
+from recorded import as_it_runs, static
 
 import clpt_control as clpt
 from clpt_control.equations.at_many import on_arrays
@@ -73,60 +73,7 @@ def test_readings_of_one_record_agree(u):
     np.testing.assert_allclose(np.ravel(scalars), found, rtol=1e-12, atol=1e-12)
 
 
-def test_a_way_that_raises_is_nan():
-    def function(t, x, u, p):
-        if u[0] > 0:
-            raise ValueError("no positive numbers")
-        return u[0]
-
-    block = static(function)
-    assert recorded(block, "output", 0.0, [], [-1.0, 0, 0]) == [-1.0]
-    assert math.isnan(recorded(block, "output", 0.0, [], [1.0, 0, 0])[0])
-
-
 # --- views and writing in place -------------------------------------------------------------------
-
-
-def shared_view(t, x, u, p):
-    y = np.zeros(4)
-    part, all_of_it = y[1:3], y[:]
-    part[:] = u[:2]
-    part[0] *= 2.0
-    all_of_it[3] = part[1]
-    return y
-
-
-def independent_copy(t, x, u, p):
-    y = 2.0 * u
-    kept = y.copy()
-    y[0] = 0.0
-    return [*kept, y[0]]
-
-
-def row_of_a_matrix(t, x, u, p):
-    A = np.zeros((2, 2))
-    row = A[1]
-    row[0] = u[0]
-    A[:, 1] += u[1]
-    A.T[0, 0] = u[2]
-    return A.ravel()
-
-
-def a_name_that_is_reused(t, x, u, p):
-    y = u[:2] * 1.0
-    z = y
-    y += 1.0
-    y = y * 3.0
-    return [*z, *y]
-
-
-@pytest.mark.parametrize(
-    "function", [shared_view, independent_copy, row_of_a_matrix, a_name_that_is_reused]
-)
-def test_views_share_what_is_written(function):
-    block = static(function, 3, 4)
-    as_it_runs(block, "output", 0.0, [], [0.3, -0.7, 2.0])
-    as_it_runs(block, "output", 0.0, [], [1.5, 2.5, -4.0])
 
 
 def splits(t, x, u, p):
