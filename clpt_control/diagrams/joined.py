@@ -17,7 +17,7 @@ from typing import Any
 import control
 import numpy as np
 
-from ..equations.arrays import Array, Tape, Unread, lifted, objects, operand
+from ..equations.arrays import Array, Tape, Unread, lifted, objects, operand, spread
 from ..equations.block import Block
 from ..equations.declaration import ports_of
 from ..equations.ports import places
@@ -257,7 +257,8 @@ class _OnTape(Joining):
     def brought(self, node: Node, port: str, first: int, size: int, shape: Shape) -> Ref:
         """Return what wires bring to a port, in all of its shape."""
         try:
-            return operand(self.filled(super().brought(node, port, first, size, shape), shape))
+            found = self.array(super().brought(node, port, first, size, shape))
+            return operand(spread(self.tape, found, shape))
         except Unread as error:
             raise Unread(f"{node.name}.{port} {error}") from None
 
@@ -275,21 +276,12 @@ class _OnTape(Joining):
         values = self.run(k, role, {port: operand(value) for port, value in u.items()})
         declared = block.declared["outputs" if role == "output" else "states"]
         made = {
-            port: self.filled(value, self.shape(block, shape))
+            port: spread(self.tape, self.array(value), self.shape(block, shape))
             for (port, shape), value in zip(declared.items(), values, strict=True)
         }
         for place in range(first, len(self.tape.operations)):
             self.found.owners[place] = f"{node.name}.{role}"
         return made
-
-    def filled(self, ref: Ref, shape: Shape) -> Any:
-        """Return a value of fewer axes in all of its shape."""
-        value = self.array(ref)
-        if getattr(value, "shape", ()) == shape:
-            return value
-        if getattr(value, "shape", ()) == ():
-            return self.tape.add("fill", (ref,), shape)
-        return self.tape.add("add", (ref, operand(self.filled(0.0, shape))), shape)
 
     def check_open(self, node: Node, role: str, record: Record) -> None:
         """Refuse a record for one size where the block's sizes shall stay open."""

@@ -15,9 +15,9 @@ import numpy as np
 from scipy.linalg import orth
 
 from ..arguments import numbers, public
-from ..equations.arrays import MOVED, Tape, Unread, lifted, operand
+from ..equations.arrays import CONDITIONS, MOVED, Tape, Unread, lifted, operand
 from ..equations.declaration import ports_of
-from ..equations.derivative import CONDITIONS, JUMPS, Direction
+from ..equations.derivative import JUMPS, Direction
 from ..equations.numbers import computed
 from ..equations.record import Shape, compact, reached
 from ..equations.sampled import Sampled

@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..equations.arrays import Array, Tape, elementwise, filled, lifted, operand, stacked
+from ..equations.arrays import Array, Tape, elementwise, lifted, operand, spread, stacked
 from ..equations.at_many import STEPS, leaf_values
 from ..equations.block import Block
 from ..equations.derivative import Direction
@@ -126,7 +126,7 @@ class VariedBlock(Block):
             own = [values.pop(0) for _ in shapes]
             found += own
             for value, shape in zip(own, shapes.values(), strict=True):
-                slopes = [_whole(tape, way.of(value), shape) for way in ways]
+                slopes = [spread(tape, way.of(value), shape) for way in ways]
                 found.append(stacked(tape, slopes))
         ports = self.output_shapes if role == "output" else self.state_shapes
         return compact(tape.operations, [operand(one) for one in found], ports.values())
@@ -163,15 +163,6 @@ def _places(groups: Sequence[Mapping[str, Shape]], count: int) -> np.ndarray:
             at += size
         first += n * (1 + count)
     return np.hstack(found)
-
-
-def _whole(tape: Tape, slope: Any, shape: Shape) -> Any:
-    """Return a slope in all of a port's shape."""
-    own = getattr(slope, "shape", ())
-    if own == shape:
-        return slope
-    whole = filled(tape, slope if own == () else 0.0, shape)
-    return whole if own == () else elementwise("add", whole, slope)
 
 
 # --- the diagram ------------------------------------------------------------------------------

@@ -426,6 +426,15 @@ def filled(tape: Tape, value: Any, shape: Shape) -> Any:
     return tape.add("fill", (operand(value),), shape)
 
 
+def spread(tape: Tape, value: Any, shape: Shape) -> Any:
+    """Return a value in all of a shape that it is broadcast to."""
+    own = getattr(value, "shape", ())
+    if own == shape:
+        return value
+    whole = tape.add("fill", (0.0 if own else operand(value),), shape)
+    return elementwise("add", whole, value) if own else whole
+
+
 def stacked(tape: Tape, parts: Sequence[Any]) -> Any:
     """Return arrays of one shape along a new first axis."""
     shapes = {getattr(part, "shape", ()) for part in parts}

@@ -14,11 +14,10 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import Array, Tape, Unread, elementwise, operand
-from .record import Ref, Shape, reached
+from .arrays import CONDITIONS, Array, Tape, Unread, elementwise, operand, spread
+from .record import Ref, reached
 
 JUMPS = frozenset({"sign", "floor", "ceil", "trunc", "floordiv"})  # constant but for jumps
-CONDITIONS = frozenset({"lt", "le", "gt", "ge", "eq", "ne", "and", "or", "not"})
 Slope = Callable[..., Any]
 
 # of one argument: d f(a)/da, given a and f(a)
@@ -100,7 +99,9 @@ class Direction:
         for k in sorted(reached(self.tape.operations, [ref]) - self.known.keys()):
             self.known[k] = self._along(k)
         found = self.known[ref]
-        return 0.0 if found is None else self._filled(found, self.tape.operations[ref].shape)
+        if found is None:
+            return 0.0
+        return spread(self.tape, found, self.tape.operations[ref].shape)
 
     def value(self, ref: Ref) -> Any:
         """Return an argument as an array or a number."""
@@ -139,15 +140,7 @@ class Direction:
 
     def _argument(self, ref: Ref, slope: Any) -> Ref:
         shape = () if type(ref) is float else self.tape.operations[ref].shape
-        return operand(self._filled(0.0 if slope is None else slope, shape))
-
-    def _filled(self, slope: Any, shape: Shape) -> Any:
-        if getattr(slope, "shape", ()) == shape:
-            return slope
-        if getattr(slope, "shape", ()) == ():
-            return self.tape.add("fill", (operand(slope),), shape)
-        zero = self.tape.add("fill", (0.0,), shape)
-        return elementwise("add", zero, slope)
+        return operand(spread(self.tape, 0.0 if slope is None else slope, shape))
 
     def _refused(self, kind: str) -> Any:
         raise Unread(f"the derivative of `{kind}`, which jumps or is not known")
