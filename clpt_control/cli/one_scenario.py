@@ -59,7 +59,7 @@ def paper(
         clpt paper --out paper
     """
     from ..figures import checked_formats
-    from ..pages.run_words import claims_result
+    from ..pages.results import claims_result
     from ..simulation.run_file import as_written
     from ..simulation.team_plots import run_figures
 
@@ -90,7 +90,7 @@ def run(
         clpt run mine.toml --out run.nc --figures figures
     """
     from ..figures import checked_formats
-    from ..pages.run_words import run_result
+    from ..pages.results import run_result
     from ..scenario.team import load_either
     from ..simulation.repeating import repeats_by_equations
     from ..simulation.run_file import as_written
@@ -119,7 +119,7 @@ def _run_again(
 ) -> None:
     """Run a diagram again from its run's file."""
     from ..figures import figure_of
-    from ..pages.diagram_page import extent_of, response_result
+    from ..pages.run_page import extent_of, response_result
     from ..simulation.run_file import as_written
 
     diagram = clpt.load_diagram(file)

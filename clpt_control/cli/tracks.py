@@ -39,7 +39,7 @@ def excitation(
     Example:
         clpt excitation mine.toml --figure excitation.png
     """
-    from ..pages.excitation_section import excitation_of, excitation_result, is_team
+    from ..pages.results import excitation_of, excitation_result, is_team
     from ..scenario.team import load_either
 
     source = clpt.load_run(scenario) if scenario.suffix == ".nc" else load_either(scenario)

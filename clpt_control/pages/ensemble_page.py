@@ -7,10 +7,9 @@ import numpy as np
 
 from ..ensemble.spread import ensemble_plot, ensemble_summary
 from ..ensemble.varied_keys import Vary, read_vary
-from ..figures import figure_of
-from ..html import Result, folded, listing, paragraphs, table
-from .page import Beside, Card, Drawn, Page, Section, again_section, narrow
-from .run_words import number
+from ..html import Result, folded, listing
+from .page import Card, Page, Section, again_section, drawn
+from .results import number
 
 if TYPE_CHECKING:
     import xarray
@@ -40,7 +39,9 @@ def ensemble_page(data: "xarray.Dataset", title: str | None = None) -> Page:
     sections = [_spread(data, summary, done), _varied(data, made), *_failed(data, made, status)]
     text = str(made["scenario"])
     sections += [
-        Section("scenario", "Scenario", [folded("The scenario that varied, TOML", listing(text))]),
+        Section(
+            "scenario", "Scenario", more=folded("The scenario that varied, TOML", listing(text))
+        ),
         _again(data, made),
     ]
     return Page(
@@ -129,16 +130,14 @@ def _spread(data: "xarray.Dataset", summary: dict[str, Any], done: int) -> Secti
     """Return percentiles, drawn and as a table."""
     heading = "How the runs differ"
     if not done:
-        return Section("spread", heading, [paragraphs(["No member is done: nothing to draw."])])
+        found = Result("", [], [], ["No member is done: nothing to draw"])
+        return Section("spread", heading, found)
     caption = (
         "Above, the CLPE in each round of the waypoints; below, the largest error of what was "
         "learned: the median run, half of all runs, and nine in ten."
     )
-    drawn = Drawn("ensemble", narrow(figure_of(ensemble_plot, data), 5.4), caption)
     found = ensemble_result(data, summary, "Percentiles over the members", MOST_ROUNDS)
-    return Section(
-        "spread", heading, [drawn, Beside(table(*found[:3])), paragraphs(found.sentences)]
-    )
+    return Section("spread", heading, found, [drawn("ensemble", 5.4, caption, ensemble_plot, data)])
 
 
 def ensemble_result(
@@ -183,7 +182,7 @@ def _varied(data: "xarray.Dataset", made: dict[str, Any]) -> Section:
         of = f"{count} numbers" if count > 1 else "one number"
         rows.append([key, text.removeprefix(key), of, number(low), number(middle), number(high)])
     columns = ["key", "asked for", "each member has", "least", "median", "most"]
-    return Section("varied", "What varied", [table("Values of all members", columns, rows)])
+    return Section("varied", "What varied", Result("Values of all members", columns, rows))
 
 
 def _failed(data: "xarray.Dataset", made: dict[str, Any], status: np.ndarray) -> list[Section]:
@@ -201,10 +200,10 @@ def _failed(data: "xarray.Dataset", made: dict[str, Any], status: np.ndarray) ->
         rows.append([str(k), name.replace("_", " "), end, *values])
     columns = ["member", "ended by", f"at t ({data['end'].attrs['units']})", *keys]
     more = len(failed) - MOST_FAILED
-    said = [f"{len(failed)} runs did not come to their end"]
-    said[0] += f"; the first {MOST_FAILED} are listed." if more > 0 else "."
-    listed = table("Runs that did not come to their end", columns, rows)
-    return [Section("failed", "Runs that failed", [paragraphs(said), listed])]
+    said = f"{len(failed)} runs did not come to their end"
+    said += f"; the first {MOST_FAILED} are listed" if more > 0 else ""
+    listed = Result("Runs that did not come to their end", columns, rows, [said])
+    return [Section("failed", "Runs that failed", listed)]
 
 
 def _again(data: "xarray.Dataset", made: dict[str, Any]) -> Section:
@@ -222,4 +221,4 @@ def _again(data: "xarray.Dataset", made: dict[str, Any]) -> Section:
     if made.get("law"):
         said = "The runs had a law given in Python, which no file holds:"
         commands = [f"# {made['law']}"]
-    return again_section(said, commands, str(data.attrs.get("software", "")), {})
+    return again_section(said, commands, data.attrs)

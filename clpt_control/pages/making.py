@@ -91,8 +91,9 @@ def report(
         page = page_of(found, title)
         kind, named, said, text = page.kind, page.title, list(page.sentences), page_html(page)
         if folder is not None:
-            drawn = list(page.figures())
-            results = {folder / f"{one.name}.{end}": one.figure for one in drawn for end in kinds}
+            results = {
+                folder / f"{one.name}.{end}": one.figure for one in page.figures for end in kinds
+            }
     write_together({path: text, **results})
     return {
         "file": str(path),
@@ -117,10 +118,9 @@ def page_of(data: "xarray.Dataset", title: str | None = None) -> "Page":
     """Return the page of a run, of a team's run, of a diagram's or of an ensemble."""
     from ..scenario.recorded_run import check_response, check_run, is_response
     from ..scenario.team import system_of_run
+    from .run_page import diagram_page, run_page
 
     if is_response(data):
-        from .diagram_page import diagram_page
-
         check_response(data)
         return diagram_page(data, title)
     if is_ensemble(data):
@@ -129,8 +129,6 @@ def page_of(data: "xarray.Dataset", title: str | None = None) -> "Page":
         return ensemble_page(data, title)
     system = system_of_run(data)
     check_run(data, system, *NEEDED)
-    from .run_page import run_page
-
     return run_page(data, system, title)
 
 

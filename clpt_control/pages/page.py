@@ -1,27 +1,29 @@
 """What a page to send is made of, and how it is written as HTML.
 
-Sentences first, then numbers, then sections with figures.  The figures stay figures until the
-page is written, so that they can be written as files of their own too.  At its end a page says
-with what it was made, and how it is made again.
+Sentences first, then numbers, then sections: what was found, beside its figures.  The figures stay
+figures until the page is written, so that they can be written as files of their own too.  At its
+end a page says with what it was made, and how it is made again.
 """
 
 import platform
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from datetime import UTC, datetime
 from importlib.metadata import version
-from itertools import groupby
 from textwrap import fill
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from ..figures import figure_of
 from ..figures.svg import inline_svg
-from ..html import document, listing, paragraphs, safe, table
+from ..html import Result, document, folded, listing, paragraphs, safe, table
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 PACKAGES = ("clpt-control", "control", "numpy", "scipy", "llvmlite", "xarray", "matplotlib")
+RECORDED = {"engine": "engine", "message": "ended"}  # attributes of a run
 WIDTH = 4.8  # inches, of a figure that a telephone shows with letters of their size
 LETTERS = 50  # of a title's line there
+MOST_ROWS, MOST_SAID = 24, 400  # of a table beside figures, and letters of sentences, unfolded
 
 
 class Drawn(NamedTuple):
@@ -33,16 +35,14 @@ class Drawn(NamedTuple):
     wide: bool = False
 
 
-class Beside(str):
-    """HTML that stands beside figures, where there is room."""
-
-
 class Section(NamedTuple):
-    """A part of a page: HTML and figures under a heading."""
+    """A part of a page under a heading: HTML, what was found beside its figures, wide figures."""
 
     name: str
     heading: str
-    parts: Sequence[str | Drawn]
+    found: Result = Result("", [], [])
+    figures: Sequence[Drawn] = ()
+    more: str = ""
 
 
 class Card(NamedTuple):
@@ -63,18 +63,19 @@ class Page(NamedTuple):
     cards: Sequence[Card]
     sections: Sequence[Section]
 
-    def figures(self) -> Iterator[Drawn]:
-        """Yield the figures in their order."""
-        for section in self.sections:
-            yield from (part for part in section.parts if isinstance(part, Drawn))
+    @property
+    def figures(self) -> list[Drawn]:
+        """The figures in their order."""
+        return [one for section in self.sections for one in section.figures]
 
 
-def narrow(figure: "Figure", height: float) -> "Figure":
-    """Return a figure as wide as a telephone's screen, and so many inches high."""
+def drawn(name: str, height: float, caption: str, plot: Callable[..., Any], *given: Any) -> Drawn:
+    """Return what a plot draws, as wide as a telephone's screen, and so many inches high."""
+    figure = figure_of(plot, *given)
     figure.set_size_inches(WIDTH, height)
     for ax in figure.axes:
         ax.set_title(fill(ax.get_title(loc="left"), LETTERS), loc="left", fontsize=10)
-    return figure
+    return Drawn(name, figure, caption)
 
 
 def page_html(page: Page) -> str:
@@ -106,25 +107,23 @@ def _card(card: Card) -> str:
 
 
 def _section(section: Section) -> str:
-    lines, name = [], section.name
-    for beside, parts in groupby(section.parts, _stands_beside):
-        pieces = list(map(_piece, parts))
-        lines += [f'<div class="figures">{"".join(pieces)}</div>'] if beside else pieces
+    found, name = section.found, section.name
+    wide = [_figure(one) for one in section.figures if one.wide]
+    beside = [_figure(one) for one in section.figures if not one.wide]
+    listed = table(*found[:3]) if found.columns else ""
+    if len(found.rows) > MOST_ROWS and beside:
+        listed = folded(f"All {len(found.rows)} values", listed)
+    if beside:
+        listed = f"<div>{listed}</div>" if listed else ""
+        listed = f'<div class="figures">{"".join(beside)}{listed}</div>'
+    said = paragraphs([f"{one.removesuffix('.')}." for one in found.sentences])
+    if len(said) > MOST_SAID:
+        said = folded(f"{len(found.sentences)} remarks", said)
     return (
         f'<section aria-labelledby="{name}"><h2 id="{name}">{safe(section.heading)}</h2>'
-        + "\n".join(lines)
+        + "\n".join([section.more, listed, said, *wide])
         + "</section>"
     )
-
-
-def _stands_beside(part: str | Drawn) -> bool:
-    return isinstance(part, Beside) or (isinstance(part, Drawn) and not part.wide)
-
-
-def _piece(part: str | Drawn) -> str:
-    if isinstance(part, Drawn):
-        return _figure(part)
-    return f"<div>{part}</div>" if isinstance(part, Beside) else part
 
 
 def _figure(drawn: Drawn) -> str:
@@ -135,29 +134,17 @@ def _figure(drawn: Drawn) -> str:
     return f"<figure>{svg}<figcaption>{safe(drawn.caption)}</figcaption></figure>"
 
 
-def again_section(said: str, commands: list[str], ran_with: str, facts: dict[str, str]) -> Section:
-    """Return how to make a page again, with what it was made, and facts of the run."""
+def again_section(said: str, commands: Sequence[str], made: Mapping[Any, Any]) -> Section:
+    """Return how a page is made again, and what is recorded of how what it shows was `made`."""
     here = ", ".join(f"{name} {version(name)}" for name in PACKAGES)
     rows = [
-        ["run with", ran_with or "not recorded"],
+        ["run with", str(made.get("software") or "not recorded")],
         ["page made with", f"Python {platform.python_version()}, {here}"],
-        *([what, value] for what, value in facts.items()),
+        *([what, str(made[name])] for name, what in RECORDED.items() if name in made),
     ]
-    parts = [f"<p>{said}</p>"]
-    if commands:
-        parts.append(listing("\n".join(commands)))
-    return Section("again", "Make it again", [*parts, table("Versions", ["", ""], rows)])
-
-
-def solver_facts(attributes: Mapping[Any, Any]) -> dict[str, str]:
-    """Return how a run ended, and the numbers of its solver."""
-    counts = [
-        f"{value} {str(name).removeprefix('solver_')}"
-        for name, value in attributes.items()
-        if str(name).startswith("solver_")
-    ]
-    return {
-        "engine": str(attributes.get("engine", "not recorded")),
-        "ended": str(attributes.get("message", "not recorded")),
-        "solver": ", ".join(counts) or "not recorded",
-    }
+    solver = {str(name): value for name, value in made.items() if str(name).startswith("solver_")}
+    if solver:
+        counts = (f"{value} {name.removeprefix('solver_')}" for name, value in solver.items())
+        rows.append(["solver", ", ".join(counts)])
+    more = f"<p>{said}</p>{listing(chr(10).join(commands)) if commands else ''}"
+    return Section("again", "Make it again", Result("Versions", ["", ""], rows), more=more)

@@ -1,12 +1,13 @@
-"""Sections of a run's page that are drawn: the loop, the way, CLPE, what was learned; a team."""
+"""Sections of a run's page that are drawn: loop, way, CLPE, what was learned, what can be."""
 
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ..diagrams.drawing.figure import block_figure
+from ..errors import ClptError
 from ..figures import BLUE, GREY, RED, figure_of, new_figure
-from ..html import folded, paragraphs, table
+from ..html import Result
 from ..scenario.experiment import Scenario
 from ..scenario.file import OWN_LAW
 from ..scenario.recorded_run import waypoints_of
@@ -16,42 +17,37 @@ from ..simulation.loops import closed_loop
 from ..simulation.plots import DIRECTIONS, TITLE, clpe_plot, learning_plot, square_chart, track_plot
 from ..simulation.team_plots import team_plot
 from ..simulation.teams import team_loop
-from .page import Beside, Drawn, Section, narrow
-from .run_words import number, run_result
+from ..theory.excitation.plot import excitation_plot
+from .page import Drawn, Section, drawn
+from .results import excitation_of, excitation_result, is_team, number, run_result
 
 if TYPE_CHECKING:
     import xarray
-    from matplotlib.figure import Figure
 
 PLACES = 9  # arrows on a side
 MOST_SAMPLES = 6000  # in a figure
-MOST_ROWS = 12  # of a table that is not folded
 MOST_DRAWN = 3  # vehicles in a drawing of the loop
-ONE_SAMPLE = "The run has one sample: nothing can be drawn over time."
+ONE_SAMPLE = Result("", [], [], ["The run has one sample: nothing can be drawn over time"])
 
 
 def team_section(run: "xarray.Dataset", numbers: dict[str, Any]) -> Section:
     """Return a team's figure and what each vehicle achieved."""
-    found = run_result(numbers, "What the vehicles achieved", len(numbers["vehicles"]))
-    parts: list[str | Drawn] = [table(*found[:3])]
+    found, figures = run_result(numbers, "What the vehicles achieved", len(numbers["vehicles"])), []
     if run.sizes["time"] > 1:
         few, thin = shown_samples(run)
-        caption = (
+        said = (
             "Tracks and waypoints over the flow at the start; the size of each prediction error; "
             "the largest error of what each vehicle learned." + thin
         )
-        parts.insert(0, Drawn("team", narrow(figure_of(team_plot, few), 7.6), caption))
+        figures = [drawn("team", 7.6, said, team_plot, few)]
     else:
-        parts.append(paragraphs([ONE_SAMPLE]))
-    return Section("team", "Tracks, errors, what was learned", parts)
+        found = found._replace(sentences=ONE_SAMPLE.sentences)
+    return Section("team", "Tracks, errors, what was learned", found, figures)
 
 
 def loop_section(system: Scenario | Team, own: str | None) -> list[Section]:
     """Return the diagram that ran; nothing of a team that is too large to be drawn."""
-    parts: list[str | Drawn] = []
-    if own:
-        said = f"The law that ran, {own}, was given in Python and takes the place of adaptation."
-        parts.append(paragraphs([said]))
+    said = f"The law that ran, {own}, was given in Python and takes the place of adaptation"
     if isinstance(system, Team):
         if len(system.members) > MOST_DRAWN:
             return []
@@ -63,33 +59,45 @@ def loop_section(system: Scenario | Team, own: str | None) -> list[Section]:
             "below. The number under a name is the equation of the paper."
         )
         figure = block_figure(closed_loop(system))
-    drawn = Drawn("loop", figure, caption, wide=True)
-    return [Section("loop", "The loop", [*parts, drawn])]
+    found = Result("", [], [], [said] if own else [])
+    return [Section("loop", "The loop", found, [Drawn("loop", figure, caption, wide=True)])]
+
+
+def excitation_section(run: "xarray.Dataset", why: str = "") -> Section:
+    """Return the excitation over one round of a run, or `why` it cannot be measured."""
+    team = is_team(run)
+    heading, figures = f"What the track{'s' if team else ''} can teach", []
+    try:
+        if why:
+            raise ClptError(why)
+        report = excitation_of(run)
+        found = excitation_result(report)
+        if not team:
+            figure = figure_of(excitation_plot, run, report["window"], report["start"])
+            caption = (
+                "Above, eigenvalues of the Gramian in a window that slides over the run: the "
+                "smallest says how fast the slowest combination is learned. Below, that "
+                "combination in one window."
+            )
+            figures = [Drawn("excitation", figure, caption, wide=True)]
+    except ClptError as error:
+        found = Result("", [], [], [f"Not measured: {error}"])
+    return Section("excitation", heading, found, figures)
 
 
 def figure_sections(
     run: "xarray.Dataset", scenario: Scenario, numbers: dict[str, Any]
 ) -> list[Section]:
     """Return what is drawn along the run."""
+    heading, learned = "Prediction error", _learned(run, scenario)
     if run.sizes["time"] < 2:
-        return [
-            Section("clpe", "Prediction error", [paragraphs([ONE_SAMPLE])]),
-            _learned(run, scenario, []),
-        ]
+        return [Section("clpe", heading, ONE_SAMPLE), learned]
     few, thin = shown_samples(run)
-    track = [
-        Drawn(
-            "track",
-            narrow(figure_of(track_plot, few), 4.9),
-            "Where it was to be, the track, and the true flow at the start." + thin,
-        ),
-        Drawn(
-            "flows",
-            narrow(flows_figure(few, scenario), 4.9),
-            "The true flow and what was learned of it by the end. Where the vehicle never was, "
-            "what is learned is a guess.",
-        ),
-    ]
+    where = "Where it was to be, the track, and the true flow at the start." + thin
+    flows = (
+        "The true flow and what was learned of it by the end. Where the vehicle never was, "
+        "what is learned is a guess."
+    )
     unit = scenario.units
     said = (
         "The prediction error over the first two rounds; below, its size over the whole run, and "
@@ -98,46 +106,43 @@ def figure_sections(
     )
     if not len(waypoints_of(run, scenario)):
         said = "The prediction error over time; below, its size, logarithmic."
-    clpe = Drawn("clpe", narrow(figure_of(clpe_plot, few), 4.9), said + thin)
-    rms = numbers["clpe_rms_per_cycle"]
-    rows = [[str(k + 1), number(value)] for k, value in enumerate(rms)]
-    listed = table(f"CLPE, root mean square in each round ({unit.length})", ["round", "rms"], rows)
-    clpe_parts: list[str | Drawn] = [clpe]
-    if rows:
-        shown = listed if len(rows) <= MOST_ROWS else folded("Each round", listed)
-        clpe_parts.append(Beside(shown))
-    learned = [
-        Drawn(
+    rms, rounds = numbers["clpe_rms_per_cycle"], Result("", [], [])
+    if rms:
+        title = f"CLPE, root mean square in each round ({unit.length})"
+        rows = [[str(k), number(value)] for k, value in enumerate(rms, 1)]
+        rounds = Result(title, ["round", "rms"], rows)
+    figures = [
+        drawn(
             f"learning-{axis}",
-            narrow(figure_of(learning_plot, few, axis), 4.9),
+            4.9,
             f"What was learned of the flow to the {DIRECTIONS[axis - 1]}, and the gains of that "
             "axis." + thin,
+            *(learning_plot, few, axis),
         )
         for axis in (1, 2)
     ]
     if "lyapunov" in few and np.any(few.lyapunov.values > 0):
         V = run.lyapunov.values
-        said = (
+        caption = (
             f"V, a weighted sum of all squared errors: {number(V[0])} at the start, "
-            f"{number(V[-1])} at the end."
+            f"{number(V[-1])} at the end.{thin}"
         )
-        learned.append(Drawn("lyapunov", narrow(lyapunov_figure(few), 2.8), said + thin))
+        figures.append(drawn("lyapunov", 2.8, caption, lyapunov_plot, few))
+    track = [
+        drawn("track", 4.9, where, track_plot, few),
+        drawn("flows", 4.9, flows, flows_plot, few, scenario),
+    ]
+    clpe = drawn("clpe", 4.9, said + thin, clpe_plot, few)
     return [
-        Section("track", "Track and flow", track),
-        Section("clpe", "Prediction error", clpe_parts),
-        _learned(run, scenario, learned),
+        Section("track", "Track and flow", figures=track),
+        Section("clpe", heading, rounds, [clpe]),
+        learned._replace(figures=figures),
     ]
 
 
-def _learned(run: "xarray.Dataset", scenario: Scenario, drawn: list[Drawn]) -> Section:
-    """Return figures and table of what was learned."""
-    unit, last = scenario.units, run.isel(time=-1)
-    row = scenario.learning.row
-    promise = (
-        ""
-        if run.attrs.get(OWN_LAW)
-        else f"What {row.name} promises, where its theorem holds: {row.promise}."
-    )
+def _learned(run: "xarray.Dataset", scenario: Scenario) -> Section:
+    """Return what was learned, without its figures."""
+    unit, last, row = scenario.units, run.isel(time=-1), scenario.learning.row
     estimate = last.flow_parameters_estimate.values
     true = np.full_like(estimate, np.nan)
     if "flow_parameters" in run:
@@ -155,12 +160,11 @@ def _learned(run: "xarray.Dataset", scenario: Scenario, drawn: list[Drawn]) -> S
         )
         for i in range(2)
     ]
-    listed = table(
-        f"Learned by t = {float(last.time):g} {unit.time}", ["", "learned", "true", "error"], rows
-    )
-    said = [paragraphs([promise])] if promise else []
-    shown = listed if len(rows) <= MOST_ROWS else folded(f"All {len(rows)} values", listed)
-    return Section("learning", "What was learned", [*said, *drawn, Beside(shown)])
+    title = f"Learned by t = {float(last.time):g} {unit.time}"
+    promise = f"What {row.name} promises, where its theorem holds: {row.promise}"
+    said = [] if run.attrs.get(OWN_LAW) else [promise]
+    found = Result(title, ["", "learned", "true", "error"], rows, said)
+    return Section("learning", "What was learned", found)
 
 
 def _row(name: str, learned: float, true: float) -> list[str]:
@@ -168,9 +172,9 @@ def _row(name: str, learned: float, true: float) -> list[str]:
     return [name, f"{learned:.4g}", *known]
 
 
-def flows_figure(run: "xarray.Dataset", scenario: Scenario) -> "Figure":
+def flows_plot(run: "xarray.Dataset", scenario: Scenario) -> Any:
     """Draw the true flow and the learned one at the end of a run, at the same places."""
-    figure, ax = new_figure(4.8, 4.8)
+    _, ax = new_figure(4.8, 4.8)
     time, path = float(run.time[-1]), run.position.values
     grid, half = square_chart(
         ax, scenario, np.concatenate([waypoints_of(run, scenario), path]), PLACES
@@ -188,19 +192,19 @@ def flows_figure(run: "xarray.Dataset", scenario: Scenario) -> "Figure":
     said = f"Flow at t = {time:g} {unit.time}, at most {most:.2g} {unit.length}/{unit.time}"
     ax.set_title(said, **TITLE)
     ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12), ncols=3, fontsize=8, frameon=False)
-    return figure
+    return ax
 
 
-def lyapunov_figure(run: "xarray.Dataset") -> "Figure":
+def lyapunov_plot(run: "xarray.Dataset") -> Any:
     """Draw the Lyapunov candidate V along a run, logarithmic."""
-    figure, ax = new_figure(4.8, 2.6)
+    _, ax = new_figure(4.8, 2.6)
     V = run.lyapunov.values
     ax.semilogy(run.time.values, np.where(V > 0, V, np.nan), color=BLUE, linewidth=1.2)
     ax.set_xlim(float(run.time[0]), float(run.time[-1]))
     ax.set_xlabel(f"time ({run.time.attrs['units']})")
     ax.set_ylabel(f"$V$ ({run.lyapunov.attrs['units'].rstrip('2')}$^2$)")
     ax.set_title("Lyapunov candidate of the law's proof", **TITLE)
-    return figure
+    return ax
 
 
 def shown_samples(run: "xarray.Dataset") -> "tuple[xarray.Dataset, str]":

@@ -1,18 +1,29 @@
-"""The page of a run, of one vehicle or a team; of the paper's, with the table of its claims."""
+"""The page of a run: of one vehicle or a team, of the paper's with its claims; of any diagram."""
 
 from typing import TYPE_CHECKING, Any
 
-from ..html import folded, listing, paragraphs, safe, table
+from ..diagrams.drawing.drawn import MOST
+from ..diagrams.drawing.figure import block_figure
+from ..diagrams.on_symbols import equations
+from ..errors import ClptError
+from ..html import Result, folded, listing, safe
 from ..scenario.experiment import Scenario
-from ..scenario.file import CHANGED, OWN_LAW, OWN_PARTS, TEAM, paper_scenario
+from ..scenario.file import CHANGED, NOT_REPEATED, OWN_LAW, OWN_PARTS, TEAM, paper_scenario
 from ..scenario.recorded_run import waypoints_of
 from ..scenario.team import Team
-from ..simulation.repeating import text_of
+from ..simulation.plots import STATES, named, response_plot, signals_of
+from ..simulation.repeating import diagram_from, text_of
 from ..simulation.report import claims
-from .excitation_section import excitation_section
-from .page import Card, Page, Section, again_section, solver_facts
-from .pictures import figure_sections, loop_section, team_section
-from .run_words import (
+from .page import Card, Drawn, Page, Section, again_section, drawn
+from .pictures import (
+    ONE_SAMPLE,
+    excitation_section,
+    figure_sections,
+    loop_section,
+    shown_samples,
+    team_section,
+)
+from .results import (
     asked,
     asked_of_team,
     at_end,
@@ -28,9 +39,16 @@ from .run_words import (
 if TYPE_CHECKING:
     import xarray
 
+    from ..diagrams.interconnection import Diagram
+
 KINDS = ("Run of a scenario", "Run of a diagram")
 GIVEN = {OWN_LAW: "law", CHANGED: "parameters", OWN_PARTS: "parts"}
-ALL = "All that was asked, as a file for <code>clpt run</code>:"
+ALL = "<p>All that was asked, as a file for <code>clpt run</code>:</p>"
+UNTITLED = "A run without a title"
+EACH = 5  # ports of a figure
+MOST_SIGNALS = 60  # in the table
+MOST_SAID = 4  # signals in a sentence
+SHORT = 12, 200  # lines of equations, and letters of each
 
 
 def run_page(run: "xarray.Dataset", system: Scenario | Team, title: str | None = None) -> Page:
@@ -42,7 +60,9 @@ def run_page(run: "xarray.Dataset", system: Scenario | Team, title: str | None =
     if isinstance(system, Team):
         kind, scenario, alone = "Run of a team", system.first, of_the_worst(numbers)
         said = [asked_of_team(system), found_of_clpes(numbers, scenario.units.length)]
-        cards = [_vehicles(system)]
+        per = f"1/{scenario.units.time}"
+        below = f"coupling {system.coupling:g} {per}; below, of the worst"
+        cards = [Card("Vehicles", str(len(system.members)), below)]
         sections = [team_section(run, numbers)]
     else:
         kind, scenario, alone = KINDS[parts is not None], system, numbers
@@ -53,48 +73,41 @@ def run_page(run: "xarray.Dataset", system: Scenario | Team, title: str | None =
         begin = "Asked, as far as the scenario says" if parts else "Asked"
         said = [asked(scenario, law, count, begin), found_of_clpe(numbers, scenario.units.length)]
         cards, sections = [], figure_sections(run, scenario, numbers)
-    claimed = []
+    if not parts:
+        sections = [*loop_section(system, own), *sections]
     if paper and not numbers["of_samples"]:  # else the run does not carry its figures
         judged = claims_result(claims(numbers))
-        claimed = [Section("claims", judged.title, [table(*judged[:3])])]
-    loop = [] if parts else loop_section(system, own)
-    if changed or parts:
-        why = paragraphs(["Not measured: the run had what its scenario does not hold."])
-        taught = Section("excitation", "What the track can teach", [why])
-    else:
-        taught = excitation_section(run)
+        sections = [Section("claims", judged.title, judged), *sections]
+    unmeasured = "the run had what its scenario does not hold" if changed or parts else ""
     return Page(
         "Section IV of the paper" if paper else kind,
-        title or str(run.attrs.get("title") or "A run without a title"),
+        title or str(run.attrs.get("title") or UNTITLED),
         [*said, found_of_flow(alone, scenario)],
-        _warnings(run, scenario, numbers),
+        [*_ended(run), *_warnings(run, scenario, numbers)],
         [*cards, *_cards(alone, scenario)],
         [
-            *claimed,
-            *loop,
             *sections,
-            taught,
-            Section("scenario", "Scenario", [f"<p>{ALL}</p>", folded("The scenario, TOML", text)]),
+            excitation_section(run, unmeasured),
+            Section("scenario", "Scenario", more=ALL + folded("The scenario, TOML", text)),
             _again(run, scenario, paper),
         ],
     )
 
 
-def _vehicles(team: Team) -> Card:
-    coupling = f"coupling {team.coupling:g} 1/{team.first.units.time}; below, of the worst"
-    return Card("Vehicles", str(len(team.members)), coupling)
+def _ended(run: "xarray.Dataset") -> list[str]:
+    """Return how a run ended, where it did not just come to its end."""
+    message = run.attrs.get("message", "no reason is recorded")
+    if run.attrs.get("status", "finished") != "finished":
+        return [f"The run ended early: {message}."]
+    return [f"{message}."] if "; " in str(message) else []
 
 
 def _warnings(run: "xarray.Dataset", scenario: Scenario, numbers: dict[str, Any]) -> list[str]:
     """Return what a reader must know before the figures."""
     changed, parts = run.attrs.get(CHANGED), run.attrs.get(OWN_PARTS)
     said = []
-    if run.attrs.get("status", "finished") != "finished":
-        said.append(f"The run ended early: {run.attrs.get('message', 'no reason is recorded')}.")
-    elif "; " in str(run.attrs.get("message")):  # more than that it ended
-        said.append(f"{run.attrs['message']}.")
     first, last = float(run.time[0]), float(run.time[-1])
-    if not said and (first > 0 or last < scenario.run.duration * (1 - 1e-9)):
+    if not _ended(run) and (first > 0 or last < scenario.run.duration * (1 - 1e-9)):
         unit = scenario.units.time
         said.append(f"What is shown covers t = {first:g} to {last:g} {unit} of the run.")
     if changed:
@@ -145,25 +158,138 @@ def _cards(numbers: dict[str, Any], scenario: Scenario) -> list[Card]:
     return cards
 
 
-def _again(run: "xarray.Dataset", scenario: Scenario, paper: bool) -> Section:
-    said = "Save the scenario above as <code>scenario.toml</code>, and type:"
-    if scenario.flow.field is not None:
-        field = f"<code>{safe(scenario.flow.field)}</code>"
-        said = f"With the file of the current, {field}, where the scenario says. {said}"
-    commands = [
-        "clpt run scenario.toml --out run.nc --figures figures",
-        "clpt report run.nc -o report.html",
-    ]
-    if paper:
-        said = "The scenario comes with clpt-control; type:"
-        commands = ["clpt paper --out paper", "clpt report paper/run.nc -o report.html"]
-    given = [what for name, what in GIVEN.items() if name in run.attrs]
-    if given and text_of(run)[0]:
+def _again(run: "xarray.Dataset", scenario: Scenario | None, paper: bool = False) -> Section:
+    """Return how a run is made again: from its file's equations, from its scenario, or not."""
+    given, commands = [what for name, what in GIVEN.items() if name in run.attrs], list[str]()
+    if (given or scenario is None) and text_of(run)[0]:
         said = "The file holds the equations that ran, with inputs, start and method. Type:"
         commands = ["clpt run run.nc --out again.nc", "clpt report again.nc -o report.html"]
     elif given:
         said = f"The run cannot be made again from its file alone: its {' and '.join(given)}"
-        said, commands = f"{said} were given in Python.", []
-    return again_section(
-        said, commands, str(run.attrs.get("software", "")), solver_facts(run.attrs)
+        said = f"{said} were given in Python."
+    elif scenario is None:
+        said = "The run cannot be made again from its file."
+    elif paper:
+        said = "The scenario comes with clpt-control; type:"
+        commands = ["clpt paper --out paper", "clpt report paper/run.nc -o report.html"]
+    else:
+        said = "Save the scenario above as <code>scenario.toml</code>, and type:"
+        if scenario.flow.field is not None:
+            field = f"<code>{safe(scenario.flow.field)}</code>"
+            said = f"With the file of the current, {field}, where the scenario says. {said}"
+        commands = [
+            "clpt run scenario.toml --out run.nc --figures figures",
+            "clpt report run.nc -o report.html",
+        ]
+    return again_section(said, commands, run.attrs)
+
+
+# --- of any diagram ------------------------------------------------------------------------------
+
+
+def diagram_page(run: "xarray.Dataset", title: str | None = None) -> Page:
+    """Return the page of a diagram's run: its loop, its equations if short, each port over time."""
+    text, why = text_of(run)
+    diagram = diagram_from(text) if text else None
+    why = why or str(run.attrs.get(NOT_REPEATED, ""))
+    signals, found, warnings = extent_of(run), response_result(run), _ended(run)
+    cards = [
+        Card("Samples", str(run.sizes["time"]), f"{span_of(run)}, of {len(signals)} signals"),
+        Card("Ended", str(run.attrs.get("status", "-")), str(run.attrs.get("method", ""))),
+    ]
+    if diagram is None:
+        warnings.append(f"The run cannot be made again from its file{f': {why}' if why else ''}.")
+    else:
+        states = f"{diagram.nstates or 0} states"
+        cards.insert(0, Card("Blocks", str(len(diagram.syslist)), states))
+    last = [f"{name} = {number(own['last'])}" for name, own in signals.items()]
+    more = f", of {len(last)} signals" if len(last) > MOST_SAID else ""
+    return Page(
+        KINDS[1],
+        title or str(run.attrs.get("title") or UNTITLED),
+        [
+            f"Asked: what the signals of a diagram do, {span_of(run)}.",
+            f"Found: at the end {', '.join(last[:MOST_SAID])}{more}.",
+        ],
+        warnings,
+        cards,
+        [
+            *(_loop(diagram) if diagram is not None else []),
+            _over_time(run),
+            Section("signals", "Where they began and ended", found),
+            _again(run, None),
+        ],
     )
+
+
+def span_of(run: "xarray.Dataset") -> str:
+    """Return from when to when a run is."""
+    unit = run.time.attrs.get("units")
+    first, last = (f"{float(t):.6g}" for t in run.time.values[[0, -1]])
+    return f"t = {first} to {last}{f' {unit}' if unit else ''}"
+
+
+def extent_of(run: "xarray.Dataset") -> dict[str, dict[str, float]]:
+    """Return of each signal, by name and unit, where it began and ended and how far it went."""
+    return {
+        named(name, one.attrs.get("units")): {
+            "first": float(values[0]),
+            "last": float(values[-1]),
+            "least": float(values.min()),
+            "most": float(values.max()),
+        }
+        for port, one in run.data_vars.items()
+        if port != STATES
+        for name, values in signals_of(one).items()
+    }
+
+
+def response_result(run: "xarray.Dataset") -> Result:
+    """Return where the signals of a diagram's run began and ended, and how far they went."""
+    rows = [[name, *(f"{v:.6g}" for v in own.values())] for name, own in extent_of(run).items()]
+    said = [f"{more} more signals"] if (more := len(rows) - MOST_SIGNALS) > 0 else []
+    title = f"{run.attrs.get('title', 'A run')}, {span_of(run)}"
+    columns = ["signal", "first", "last", "least", "most"]
+    return Result(title, columns, rows[:MOST_SIGNALS], said)
+
+
+def _loop(diagram: "Diagram") -> list[Section]:
+    """Return the diagram as it was recorded, drawn, and its equations where they are short."""
+    sections = []
+    if len(diagram.syslist) <= MOST:
+        caption = "The diagram that ran; a thick frame is a block with states."
+        figure = Drawn("loop", block_figure(diagram), caption, wide=True)
+        sections.append(Section("loop", "The loop", figures=[figure]))
+    if lines := _equations(diagram):
+        sections.append(Section("equations", "Equations", more=listing("\n".join(lines))))
+    return sections
+
+
+def _equations(diagram: Any) -> list[str]:
+    """Return the equations of a diagram where they are short; nothing of what SymPy cannot read."""
+    lines, letters = SHORT
+    if (diagram.nstates or 0) + (diagram.noutputs or 0) > 2 * lines:
+        return []
+    try:
+        made = equations(diagram)
+    except ClptError:
+        return []
+    found, values = repr(made).splitlines(), made.values.items()
+    if values:
+        found.append("with " + ", ".join(f"{name} = {float(value):g}" for name, value in values))
+    return found if len(found) <= lines and max(map(len, found), default=0) <= letters else []
+
+
+def _over_time(run: "xarray.Dataset") -> Section:
+    """Return each port over time."""
+    heading = "Signals over time"
+    if run.sizes["time"] < 2:
+        return Section("response", heading, ONE_SAMPLE)
+    few, thin = shown_samples(run)
+    ports = [port for port in run.data_vars if port != STATES]
+    figures = []
+    for first in range(0, len(ports), EACH):
+        own = ports[first : first + EACH]
+        name, said = f"response-{first // EACH + 1}", f"{', '.join(map(str, own))} over time.{thin}"
+        figures.append(drawn(name, 1.0 + 1.2 * len(own), said, response_plot, few[own]))
+    return Section("response", heading, figures=figures)

@@ -91,7 +91,7 @@ def checked(text):
 def words(data):
     """What a page says, without its figures."""
     page = page_of(data)
-    parts = [part for section in page.sections for part in section.parts if isinstance(part, str)]
+    parts = [f"{one.more} {' '.join(map(str, one.found))}" for one in page.sections]
     return "\n".join([*page.sentences, *page.warnings, *parts])
 
 
