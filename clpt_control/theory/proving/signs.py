@@ -381,7 +381,8 @@ def _less_facts(group: sympy.Expr, left: list, own: set, fresh: frozenset) -> bo
         return all(term.is_nonpositive for term in terms) or nonpositive(group, own | fresh, {})
     more = sympy.Dummy("more", nonnegative=True)
     alone = [(f, s) for f in left for s in f.free_symbols & own if sympy.diff(f, s).is_number]
-    for fact, s in [pair for pair in alone if pair[1] == min(alone, key=str)[1]]:
+    first = min(alone, key=str)[1] if alone else None
+    for fact, s in [pair for pair in alone if pair[1] == first]:
         out = {s: (more - fact.xreplace({s: sympy.S.Zero})) / sympy.diff(fact, s)}
         new, *others = (sympy.expand(f.xreplace(out)) for f in (group, *left))
         if _less_facts(new, others, own, fresh | {more}):
