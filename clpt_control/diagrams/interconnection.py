@@ -267,18 +267,12 @@ def wiring_of_blocks(
     blocks: Sequence[control.NonlinearIOSystem], external: Iterable[str] = ()
 ) -> Wiring:
     """Return `wiring_of(connect(blocks, external))`; of blocks alone, without its matrices."""
-    from scipy.sparse import eye_array
-
     if not all(isinstance(block, Block) for block in blocks):
         return wiring_of(connect(blocks, external))
     matched = match_ports(blocks, external)
     made = [label for block in blocks for label in whole_labels(block.output_labels)]
-    given = labels(matched.outside)
+    given, systems = labels(matched.outside), [(block.name, block) for block in blocks]
+    place = {one: k for k, one in enumerate(made)} | {one: ~k for k, one in enumerate(given)}
     taken = [label for block in blocks for label in whole_labels(block.input_labels)]
-    from_outputs, from_inputs = (
-        {to: [(place[label], 1.0)] for to, label in enumerate(taken) if label in place}
-        for place in ({label: k for k, label in enumerate(own)} for own in (made, given))
-    )
-    output_map = eye_array(len(made), len(made) + len(given), format="csr")
-    systems = [(block.name, block) for block in blocks]
-    return ordered_wiring(systems, from_outputs, from_inputs, len(given), output_map)
+    own = ({k: 1.0} for k in range(len(made)))
+    return ordered_wiring(systems, [{place[one]: 1.0} for one in taken], len(given), own)

@@ -14,7 +14,7 @@ import numpy as np
 from ..equations.recorded import Unrecorded, block_of, plain_block
 from ..errors import DiagramError
 from .interconnection import MOST_BYTES, Diagram
-from .wiring import Wiring, entries
+from .wiring import Wiring
 
 Entry = tuple[int, int, float]  # row, column, gain
 
@@ -67,14 +67,13 @@ def _shown(wiring: Wiring, wires: Mapping[bool, list[Entry]]) -> list[Entry]:
     fed = Counter(to for own in wires.values() for to, _, _ in own)
     alone = {source: to for to, source, gain in wires[True] if gain == 1.0 and fed[to] == 1}
     found = []
-    for row, own in entries(wiring.output_map).items():
-        for column, gain in own:
-            at = column if column < count else alone.get(column - count, -1)
-            if at < 0:
+    for to, row in enumerate(wiring.outputs):
+        for k, gain in row.items():
+            if k < 0 and ~k not in alone:
                 raise Unrecorded(
                     "an input of the diagram is an output, and comes to no block alone"
                 )
-            found.append((row, at if column < count else count + at, gain))
+            found.append((to, k if k >= 0 else count + alone[~k], gain))
     return found
 
 

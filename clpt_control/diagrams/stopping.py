@@ -12,7 +12,7 @@ from ..arguments import shown
 from ..equations.block import Block
 from ..equations.declaration import Guard
 from ..errors import DiagramError
-from .wiring import Node, Wiring, entries, joined_wires
+from .wiring import Node, Wiring, joined_wires
 
 NAME = "stop"
 
@@ -33,7 +33,7 @@ def with_stop(wiring: Wiring, stop: Callable[[float, Any, Any], Any]) -> Wiring:
     def sentence(t: float, u: np.ndarray, p: Any) -> str:
         return f"`{getattr(stop, '__name__', 'stop')}` fell to 0 at t = {t:.9g}"
 
-    last, m, outputs = wiring.nodes[-1], wiring.ninputs, wiring.output_map.shape[0]
+    last, m, outputs = wiring.nodes[-1], wiring.ninputs, len(wiring.outputs)
     block = Block(
         NAME,
         output=lambda t, x, u, p: {},
@@ -42,21 +42,15 @@ def with_stop(wiring: Wiring, stop: Callable[[float, Any, Any], Any]) -> Wiring:
         guard=Guard(distance, "stop", sentence),
     )
     signals = last.outputs.stop
-    inner: dict[int, list[tuple[int, float]]] = {}
-    outer = {outputs + j: [(j, 1.0)] for j in range(m)}
-    for to, row in entries(wiring.output_map).items():
-        inner[to] = [(k, gain) for k, gain in row if k < signals]
-        outer[to] = [(k - signals, gain) for k, gain in row if k >= signals]
-    n = outputs + m
-    own = (*joined_wires(inner, 0, n, False), *joined_wires(outer, 0, n, True))
+    fed = [*wiring.outputs, *({~j: 1.0} for j in range(m))]
     at = last.inputs.stop
     node = Node(
         block,
         NAME,
         slice(last.states.stop, last.states.stop),
-        slice(at, at + n),
+        slice(at, at + len(fed)),
         slice(signals, signals),
-        own,
+        joined_wires(fed),
     )
     order = (*wiring.order, len(wiring.nodes))
-    return Wiring((*wiring.nodes, node), order, m, wiring.output_map)
+    return Wiring((*wiring.nodes, node), order, m, wiring.outputs)

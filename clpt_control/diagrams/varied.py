@@ -24,7 +24,7 @@ from ..equations.reading import record_of_states
 from ..equations.record import Record, Shape, compact
 from ..equations.sampled import Sampled, asked_inside
 from ..equations.system import System
-from .wiring import Node, Wiring, joined_wires
+from .wiring import Node, Row, Wiring, joined_wires
 
 ALONG = "d_"  # with the name of a port: how it varies, a row for each direction
 KINDS = "states", "inputs", "outputs"
@@ -196,15 +196,14 @@ def varied(wiring: Wiring, given: Sequence[Any], seeds: Sequence[Seeds], count: 
         for kind in ("states", "outputs")
     )
     for k, (node, old) in enumerate(zip(nodes, wiring.nodes, strict=True)):
-        rows: dict[int, list[tuple[int, float]]] = {}
+        fed: list[Row] = [{} for _ in range(node.inputs.stop - node.inputs.start)]
         for wire in old.wires:
             for j in range(0 if wire.external else wire.size):
-                fed = node.system.places["inputs"][:, wire.to + j]
-                for to, source in zip(fed, signals[:, wire.source + j], strict=True):
-                    rows.setdefault(int(to), []).append((int(source), wire.gain))
-        inner = joined_wires(rows, 0, node.inputs.stop - node.inputs.start, False)
+                places = node.system.places["inputs"][:, wire.to + j]
+                for to, source in zip(places, signals[:, wire.source + j], strict=True):
+                    fed[to][int(source)] = wire.gain
         outer = [wire for wire in old.wires if wire.external]
-        nodes[k] = replace(node, wires=(*inner, *outer))
+        nodes[k] = replace(node, wires=(*joined_wires(fed), *outer))
     return Varied(replace(wiring, nodes=tuple(nodes)), states, signals)
 
 

@@ -7,8 +7,9 @@ when all signals that reach its outputs at once are known.  The engine, the
 proofs and the drawing all take a diagram from here.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, NamedTuple
 
 import control
@@ -26,7 +27,7 @@ from ..errors import DiagramError
 
 TRIED = 3  # points at which what cannot be read is tried
 SMALL = 40_000  # entries of a matrix that is kept whole
-Rows = dict[int, list[tuple[int, float]]]  # block input -> (signal, gain) of all that feed it
+Row = dict[int, float]  # what something is of: signal, or ~k for the diagram's input k -> gain
 
 
 class Wire(NamedTuple):
@@ -58,18 +59,29 @@ class Wiring:
     nodes: tuple[Node, ...]  # blocks in the diagram's own order
     order: tuple[int, ...]  # indices into `nodes`, in which outputs can be computed one by one
     ninputs: int  # inputs of the diagram
-    output_map: Any  # diagram outputs from all block outputs and then all diagram inputs
+    outputs: tuple[Row, ...]  # of the diagram
     dt: Any = 0  # of discrete time: from one step to the next, or True
+
+    @cached_property
+    def output_map(self) -> Any:
+        """Outputs of all block outputs and then all inputs, as a matrix; sparse if large."""
+        from scipy.sparse import dok_array
+
+        signals = self.nodes[-1].outputs.stop
+        shape = len(self.outputs), signals + self.ninputs
+        matrix: Any = np.zeros(shape) if shape[0] * shape[1] <= SMALL else dok_array(shape)
+        for to, row in enumerate(self.outputs):
+            for k, gain in row.items():
+                matrix[to, k if k >= 0 else signals + ~k] = gain
+        return matrix if isinstance(matrix, np.ndarray) else matrix.tocsr()
 
 
 class _Flat(NamedTuple):
-    """A system as leaves with U = C Y + D u and y = E Y + F u, sparse."""
+    """A system as leaves: what feeds each of their inputs, and what each of its outputs is."""
 
     leaves: list[tuple[str, control.NonlinearIOSystem]]
-    C: Any
-    D: Any
-    E: Any
-    F: Any
+    fed: list[Row]
+    made: list[Row]
 
 
 def _flatten(system: control.NonlinearIOSystem, name: str) -> _Flat:
@@ -79,98 +91,57 @@ def _flatten(system: control.NonlinearIOSystem, name: str) -> _Flat:
             "such as control.ss(...)"
         )
     if not isinstance(system, control.InterconnectedSystem):
-        m, n = system.ninputs or 0, system.noutputs or 0
-        return _Flat([(name, system)], _zeros(m, n), _eye(m), _eye(n), _zeros(n, m))
-    connections, inputs, outputs = map(
-        _kept, (system.connect_map, system.input_map, system.output_map)
-    )
-    split = connections.shape[1]
-    from_outputs, from_inputs = outputs[:, :split], outputs[:, split:]
-    if not any(isinstance(part, control.InterconnectedSystem) for part in system.syslist):
-        leaves = [(part.name, part) for part in system.syslist]
-        E, F = from_outputs + from_inputs @ connections, from_inputs @ inputs
-        return _Flat(leaves, connections, inputs, E, F)
-    parts = []
+        outside: list[Row] = [{~k: 1.0} for k in range(system.ninputs or 0)]
+        return _Flat([(name, system)], outside, [{k: 1.0} for k in range(system.noutputs or 0)])
+    leaves, fed, made = _Flat([], [], [])
+    signals = taken = 0  # of the parts so far; in their rows ~k is an input of a part
     for part in system.syslist:
         inner = _flatten(part, part.name)
-        if isinstance(part, control.InterconnectedSystem):
-            inner = inner._replace(leaves=[(f"{part.name}.{n}", s) for n, s in inner.leaves])
-        parts.append(inner)
-    leaves = [leaf for part in parts for leaf in part.leaves]
-    C, D, E, F = (_diagonal([part[k] for part in parts]) for k in range(1, 5))
-    U_from_Y, U_from_u = connections @ E, inputs
-    through = connections @ F
-    for _ in range(len(parts)):  # signals that pass straight through nested diagrams
-        if not _count(through):
-            break
-        U_from_Y, U_from_u = U_from_Y + through @ U_from_Y, U_from_u + through @ U_from_u
-        through = through @ through
-    if _count(through):
-        raise DiagramError(f"{name}: nested diagrams feed each other without a block")
-    return _Flat(
-        leaves,
-        C + D @ U_from_Y,
-        D @ U_from_u,
-        from_outputs @ (E + F @ U_from_Y) + from_inputs @ U_from_Y,
-        (from_outputs @ F + from_inputs) @ U_from_u,
-    )
+        space = f"{part.name}." if isinstance(part, control.InterconnectedSystem) else ""
+        leaves += [(space + leaf, one) for leaf, one in inner.leaves]
+        for rows, own in ((fed, inner.fed), (made, inner.made)):
+            rows += [{k + signals if k >= 0 else k - taken: g for k, g in r.items()} for r in own]
+        signals += sum(one.noutputs or 0 for _, one in inner.leaves)
+        taken += part.ninputs or 0
+    wired, given, shown = map(_entries, (system.connect_map, system.input_map, system.output_map))
+    count, known = len(made), dict[int, Row | None]()
+
+    def is_of(k: int) -> Row:
+        """Return what output k of the parts is, or behind all outputs their input k - count."""
+        if k not in known:
+            known[k], to = None, k - count
+            sources = [(is_of(source), gain) for source, gain in wired.get(to, ())]
+            outer: Row = {~source: gain for source, gain in given.get(to, ())}
+            known[k] = closed(made[k]) if to < 0 else added([(outer, 1.0), *sources])
+        if (row := known[k]) is None:
+            raise DiagramError(f"{name}: nested diagrams feed each other without a block")
+        return row
+
+    def closed(row: Row) -> Row:
+        return added([({k: 1.0} if k >= 0 else is_of(count + ~k), gain) for k, gain in row.items()])
+
+    outputs = [
+        added([(is_of(k), gain) for k, gain in shown.get(to, ())])
+        for to in range(len(system.output_map))
+    ]
+    return _Flat(leaves, [closed(row) for row in fed], outputs)
 
 
-# --- matrices: small ones as they are, large ones sparse -----------------------------------------
+def added(rows: Iterable[tuple[Row, float]]) -> Row:
+    """Return the sum of rows, each by its factor."""
+    total: Row = {}
+    for row, factor in rows:
+        for k, gain in row.items():
+            total[k] = total.get(k, 0.0) + factor * gain
+    return total
 
 
-def _kept(matrix: Any) -> Any:
-    from scipy.sparse import csr_array
-
-    small = np.prod(matrix.shape) <= SMALL
-    return np.asarray(matrix, dtype=float) if small else csr_array(matrix)
-
-
-def _zeros(rows: int, columns: int) -> Any:
-    from scipy.sparse import csr_array
-
-    return np.zeros((rows, columns)) if rows * columns <= SMALL else csr_array((rows, columns))
-
-
-def _eye(n: int) -> Any:
-    from scipy.sparse import eye_array
-
-    return np.eye(n) if n * n <= SMALL else eye_array(n, format="csr")
-
-
-def _diagonal(parts: list[Any]) -> Any:
-    from scipy import linalg, sparse
-
-    shape = sum(part.shape[0] for part in parts), sum(part.shape[1] for part in parts)
-    if shape[0] * shape[1] <= SMALL and all(isinstance(part, np.ndarray) for part in parts):
-        return linalg.block_diag(*parts).reshape(shape)
-    return sparse.block_diag(parts, format="csr")
-
-
-def _count(matrix: Any) -> int:
-    return int(np.count_nonzero(matrix) if isinstance(matrix, np.ndarray) else matrix.nnz)
-
-
-def _beside(left: Any, right: Any) -> Any:
-    from scipy.sparse import hstack
-
-    if isinstance(left, np.ndarray) and isinstance(right, np.ndarray):
-        return np.hstack([left, right])
-    return hstack([left, right], format="csr")
-
-
-def entries(matrix: Any) -> Rows:
-    """Return the rows of a connection matrix."""
-    if isinstance(matrix, np.ndarray):
-        to, source = np.nonzero(matrix)
-        columns = [to.tolist(), source.tolist(), matrix[to, source].tolist()]
-    else:
-        found = matrix.tocoo()
-        columns = [column.tolist() for column in (*found.coords, found.data)]
-    rows: Rows = {}
-    for to, source, gain in zip(*columns, strict=True):
-        if gain != 0.0:
-            rows.setdefault(to, []).append((source, gain))
+def _entries(matrix: np.ndarray) -> dict[int, list[tuple[int, float]]]:
+    """Return the rows of a matrix: (column, number) of all that is not 0."""
+    rows: dict[int, list[tuple[int, float]]] = {}
+    to, source = np.nonzero(matrix)
+    for i, j, number in zip(*(a.tolist() for a in (to, source, matrix[to, source])), strict=True):
+        rows.setdefault(i, []).append((j, float(number)))
     return rows
 
 
@@ -189,18 +160,19 @@ def units_of(wiring: Wiring) -> tuple[list[str], list[str]]:
     return made, given
 
 
-def joined_wires(rows: Rows, first: int, last: int, external: bool) -> list[Wire]:
-    """Join the signals that feed inputs first to last - 1 where they are consecutive."""
+def joined_wires(rows: Iterable[Row]) -> tuple[Wire, ...]:
+    """Join signals that feed inputs, a row each, where they are consecutive; outer ones last."""
     following: dict[tuple, int] = {}  # what would continue a wire -> its place
     wires: list[Wire] = []
-    for to in range(first, last):
-        for source, gain in sorted(rows.get(to, ())):
-            k = following.pop((to, source, gain), len(wires))
+    for to, row in enumerate(rows):
+        own = ((k < 0, ~k if k < 0 else k, gain) for k, gain in row.items() if gain != 0.0)
+        for external, source, gain in sorted(own):
+            k = following.pop((to, external, source, gain), len(wires))
             if k == len(wires):
-                wires.append(Wire(to - first, source, 0, gain, external))
+                wires.append(Wire(to, source, 0, gain, external))
             wires[k] = wires[k]._replace(size=wires[k].size + 1)
-            following[to + 1, source + 1, gain] = k
-    return wires
+            following[to + 1, external, source + 1, gain] = k
+    return tuple(sorted(wires, key=lambda wire: wire.external))
 
 
 def asked_at_once(block: Block) -> Block:
@@ -271,9 +243,7 @@ def wiring_of(
         ((name, block),) = systems
         flat = _flatten(block, name)
         diagram = block
-    output_map = _beside(flat.E, flat.F)
-    rows = entries(flat.C), entries(flat.D)
-    return ordered_wiring(systems, *rows, diagram.ninputs or 0, output_map, diagram.dt or 0)
+    return ordered_wiring(systems, flat.fed, diagram.ninputs or 0, flat.made, diagram.dt or 0)
 
 
 def read_anew(system: Any) -> None:
@@ -320,10 +290,9 @@ def _handed_down(
 
 def ordered_wiring(
     systems: Sequence[tuple[str, control.NonlinearIOSystem]],
-    from_outputs: Rows,
-    from_inputs: Rows,
+    fed: Sequence[Row],
     ninputs: int,
-    output_map: Any,
+    shown: Iterable[Row],
     dt: Any = 0,
 ) -> Wiring:
     """Return the wiring of named systems, given what feeds each block input, in order."""
@@ -332,10 +301,9 @@ def ordered_wiring(
         states = slice(x, x := x + (system.nstates or 0))
         inputs = slice(u, u := u + (system.ninputs or 0))
         outputs = slice(y, y := y + (system.noutputs or 0))
-        inner = joined_wires(from_outputs, inputs.start, inputs.stop, False)
-        outer = joined_wires(from_inputs, inputs.start, inputs.stop, True)
-        nodes.append(Node(system, name, states, inputs, outputs, (*inner, *outer)))
-    return Wiring(tuple(nodes), _order(nodes), ninputs, output_map, dt)
+        wires = joined_wires(fed[inputs])
+        nodes.append(Node(system, name, states, inputs, outputs, wires))
+    return Wiring(tuple(nodes), _order(nodes), ninputs, tuple(shown), dt)
 
 
 def _order(nodes: list[Node]) -> tuple[int, ...]:

@@ -23,7 +23,7 @@ import numpy as np
 from ..arguments import nearest
 from ..diagrams.interconnection import changed_parameters
 from ..diagrams.varied import fields_by_name, read_as_number
-from ..diagrams.wiring import entries, read_anew, units_of, wiring_of
+from ..diagrams.wiring import read_anew, units_of, wiring_of
 from ..equations.arrays import Unread
 from ..equations.at_many import decided_by_time
 from ..equations.declaration import ports_of
@@ -248,7 +248,7 @@ class VariedDiagram:
         if self.inputs.samples is None:
             raise DiagramError("out: inputs by a function cannot be told from others; give samples")
         made += [(node.name, node.wires) for node in self.wiring.nodes]
-        made += [entries(self.wiring.output_map), self.wiring.dt, self.outputs, self.how]
+        made += [self.wiring.outputs, self.wiring.dt, self.outputs, self.how]
         arrays = [self.start, self.times, *self.inputs.samples]
         arrays += [number for given in self.given for number in given]
         made += [np.asarray(one, dtype=float).tolist() for one in arrays]
@@ -345,8 +345,11 @@ class DiagramWorker(Worker):
         self.by = {} if varied.wiring.dt else varied.how  # of a run by itself
         self.ensemble = DiagramEnsemble(varied, engine)
         self.every = self.ensemble.native.sweep.at_jumps(varied.times)
-        rows = entries(varied.wiring.output_map)
-        self.rows = [(k, rows.get(k, ())) for k in range(len(varied.outputs))]
+        signals = varied.wiring.nodes[-1].outputs.stop
+        self.rows = [
+            (own, [(k if k >= 0 else signals + ~k, gain) for k, gain in row.items()])
+            for own, row in enumerate(varied.wiring.outputs)
+        ]
         self.weights = weights_of(self.every, bool(varied.wiring.dt))
         taken, ports = ("time", "member", "status", "end", *varied.values), ports_of(varied.outputs)
         units = units_shown(varied.wiring)

@@ -15,7 +15,7 @@ import numpy as np
 
 from ..diagrams.stopping import with_stop
 from ..diagrams.unchanged import key_of
-from ..diagrams.wiring import Wiring, entries, read_anew, units_of, wiring_of
+from ..diagrams.wiring import Wiring, read_anew, units_of, wiring_of
 from ..equations.declaration import ports_of, whole_labels
 from ..equations.linear import linear
 from ..native.engines import VARIABLE, chosen, run_as_read
@@ -125,10 +125,9 @@ def labels_of(diagram: Any, wiring: Wiring) -> tuple[list[str], list[str], list[
 def units_shown(wiring: Wiring) -> list[str]:
     """Return the units of outputs, then of inputs; of a sum of several none is known."""
     made, given = units_of(wiring)
-    every, rows = made + given, entries(wiring.output_map)
-    found = [rows.get(k, []) for k in range(wiring.output_map.shape[0])]
-    alone = [row[0][0] if len(row) == 1 and row[0][1] == 1.0 else None for row in found]
-    return ["" if at is None else every[at] for at in alone] + given
+    alone = [next(iter(row)) if [*row.values()] == [1.0] else None for row in wiring.outputs]
+    own = ["" if k is None else made[k] if k >= 0 else given[~k] for k in alone]
+    return own + given
 
 
 def compiled(

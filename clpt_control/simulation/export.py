@@ -15,7 +15,6 @@ import numpy as np
 
 from ..arguments import public
 from ..diagrams.varied import read_as_number
-from ..diagrams.wiring import entries
 from ..equations.declaration import Each, ports_of
 from ..equations.linear import linear
 from ..errors import DiagramError, Uncompiled
@@ -128,7 +127,7 @@ class _File:
         self.record = Record(self.wiring, self.layout)
         self.program = Program(self.record, run.runner.nsignals)
         self.name = _word(run.diagram.name)
-        outputs = self.wiring.output_map.shape[0]
+        outputs = len(self.wiring.outputs)
         self.labels = {
             "x": _labels(run.states),
             "u": _labels(run.labels[outputs:]),
@@ -192,12 +191,8 @@ class _File:
 
     def outputs(self) -> Iterator[str]:
         """Yield what outputs are of signals and inputs."""
-        signals, rows = self.run.runner.nsignals, entries(self.wiring.output_map)
-        for k in range(self.wiring.output_map.shape[0]):
-            terms = [
-                (f"w[{at}]" if at < signals else f"u[{at - signals}]", gain)
-                for at, gain in rows.get(k, [])
-            ]
+        for k, row in enumerate(self.wiring.outputs):
+            terms = [(f"w[{at}]" if at >= 0 else f"u[{~at}]", gain) for at, gain in row.items()]
             parts = [one if gain == 1.0 else f"{number(gain)} * {one}" for one, gain in terms]
             yield f"y[{k}] = {' + '.join(parts) or '0.0'};"
         yield "(void)u; (void)y;"

@@ -141,7 +141,7 @@ class Sensitive:
             self.made, self.runner = self._made()
         except (Uncompiled, Unread) as error:
             raise SimulationError(f"{self.name}: has no known derivative: {error}") from None
-        outputs = slice(self.wiring.output_map.shape[0])
+        outputs = slice(len(self.wiring.outputs))
         self.labels, self.units = run.labels[outputs], units_shown(run.wiring)[outputs]
         self.inputs = read_inputs(inputs, times, self.wiring.ninputs)
         state = 0.0 if initial_state is None else initial_state
