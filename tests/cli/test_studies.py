@@ -74,6 +74,7 @@ def test_readings_find_the_one_that_reproduces_the_paper(tmp_path):
     assert text.count("below 1e-12") == 2
 
 
+@pytest.mark.slow
 def test_measured_current_example(tmp_path):
     currents = ROOT / "clpt_control/data/maracoos_hfr_2019-01-01.nc"
     done = run("examples/measured_current.py", currents, tmp_path)

@@ -364,7 +364,7 @@ def drawn(seed):
     return diagram, dict.fromkeys(picked, "0.5:0.9")
 
 
-@pytest.mark.parametrize("first", range(0, 24, 8))
+@pytest.mark.parametrize("first", [0, *(pytest.param(k, marks=pytest.mark.slow) for k in (8, 16))])
 def test_threads_and_chunks_do_not_matter_to_any_diagram(first):
     compared = 0
     for seed in range(first, first + 8):
@@ -441,6 +441,7 @@ def test_a_folder_cannot_tell_what_cannot_be_read(tmp_path):
     assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.processes
 @pytest.mark.skipif(not importlib.util.find_spec("distributed"), reason="Dask is not installed")
 def test_processes_get_a_diagram(tmp_path):
     given = {"vary": {"gam": [0.5, 1.0], "plant.a": [-1.0, 0.0]}, "timepts": TIMES, "inputs": 1.0}

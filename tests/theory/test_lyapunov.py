@@ -63,7 +63,12 @@ def test_a_right_one_is_proved(name):
     assert found.point is None
 
 
-@pytest.mark.parametrize("name", WRONG)
+LONG = ("no value at a point",)  # of several seconds: by `make test-slow`
+
+
+@pytest.mark.parametrize(
+    "name", [pytest.param(n, marks=pytest.mark.slow) if n in LONG else n for n in WRONG]
+)
 def test_a_wrong_one_is_not_proved(name):
     system, V, more = WRONG[name]
     found = lyapunov(system, V, **more)

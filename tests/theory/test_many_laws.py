@@ -8,7 +8,7 @@ from clpt_control.theory.proving.own_law import prove
 
 POINTS = 100
 SHOWN = ("proved", "bounded", "proved between jumps", "proved as long as s exist")
-SAMPLE = slice(5, None, 11)
+SAMPLE = slice(4, None, 15)
 
 
 def status(name, laws):

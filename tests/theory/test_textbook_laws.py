@@ -14,7 +14,12 @@ from clpt_control.theory.proving.own_law import prove
 POINTS = 200
 
 
-@pytest.mark.parametrize("name", LAWS)
+LONG = ("axes mixed", "a box")  # of several seconds: by `make test-slow`
+
+
+@pytest.mark.parametrize(
+    "name", [pytest.param(n, marks=pytest.mark.slow) if n in LONG else n for n in LAWS]
+)
 def test_a_law_of_a_textbook_is_shown(name):
     make, more, status = LAWS[name]
     assert prove(make(), points=POINTS, **more).status == status
