@@ -1,5 +1,4 @@
-from .counterexamples.paper_system import disturbance_counterexample
-from .counterexamples.printed_bounds import printed_bound
+from .counterexamples import disturbance_counterexample, printed_bound
 from .designing.design import design_track
 from .designing.plot import design_plot
 from .excitation.certificates import certificate, ultimate_bound

@@ -15,12 +15,12 @@ from analysis.worst_disturbance import (
     worst_disturbance,
 )
 from clpt_control.gliders import read_dives, usable
-from clpt_control.theory.counterexamples.paper_system import with_square_wave
-from clpt_control.theory.counterexamples.printed_bounds import (
+from clpt_control.theory.counterexamples import (
     Piece,
     exact_run,
     residual,
     scalar_matrix,
+    with_square_wave,
 )
 from clpt_control.theory.excitation.transition import error_matrices
 

@@ -6,20 +6,18 @@ import pytest
 import clpt_control as clpt
 from analysis import theorems as study
 from clpt_control.errors import ScenarioError
-from clpt_control.theory.counterexamples.paper_system import (
-    disturbance_counterexample,
-    known_flow_counterexample,
-    unlearned_counterexample,
-    with_square_wave,
-)
-from clpt_control.theory.counterexamples.printed_bounds import (
+from clpt_control.theory.counterexamples import (
     Piece,
     burst_counterexample,
+    disturbance_counterexample,
     exact_run,
+    known_flow_counterexample,
     printed_bound,
     residual,
     scalar_matrix,
     square_wave_counterexample,
+    unlearned_counterexample,
+    with_square_wave,
 )
 from clpt_control.theory.excitation.transition import axis_states, error_matrices
 

@@ -20,8 +20,7 @@ from clpt_control.blocks.laws import dead_zone, leakage, projection
 from clpt_control.blocks.laws.known import Gains, Truth
 from clpt_control.blocks.laws.table import LAWS as TABLE
 from clpt_control.simulation.loops import paper_blocks
-from clpt_control.theory.counterexamples.paper_system import with_square_wave
-from clpt_control.theory.counterexamples.printed_bounds import burst_counterexample
+from clpt_control.theory.counterexamples import burst_counterexample, with_square_wave
 from clpt_control.theory.proving import verdict
 from clpt_control.theory.proving.own_law import prove
 from clpt_control.theory.proving.theorem_loop import theorem_scenario, truth_of

@@ -149,19 +149,6 @@ class Tracks:
             speed = np.hypot(*v.T).reshape(x.shape[:-1])
         return Extremes(speed.max(axis=2), x.min(axis=2), x.max(axis=2), share)
 
-    def path(self, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return times and positions of one track at each look, for pictures."""
-        batch = Batch(
-            self.callee,
-            self.start[None],
-            self._parameters(points[None]),
-            self.times,
-            [self.schedule],
-        )
-        batch.adaptive(self.rtol, ATOL * self.rtol)
-        inside = slice(1 + self.nodes.size, -1)
-        return self.looks.ravel(), batch.out[0, self.place][inside]
-
 
 def middles(cuts: np.ndarray) -> np.ndarray:
     """Return the middle of each piece."""

@@ -23,7 +23,7 @@ from ...blocks.laws.table import LAWS
 from ...blocks.vehicle import speed_limit
 from ...diagrams.interconnection import Diagram, connect
 from ...equations.arrays import Unread
-from ..counterexamples.paper_system import limited_speed_counterexample
+from ..counterexamples import limited_speed_counterexample
 from .array_loop import ArrayLoop, array_loop
 from .kept_loop import Kept
 from .lemmas import definite_step, dissipation_step, wanted_rates, young_step

@@ -13,12 +13,13 @@ import sympy
 from ...arguments import public
 from ...errors import ClptError
 from ...progress.interrupt import check
-from ..counterexamples.paper_system import (
+from ..counterexamples import (
+    burst_counterexample,
     disturbance_counterexample,
     known_flow_counterexample,
+    square_wave_counterexample,
     unlearned_counterexample,
 )
-from ..counterexamples.printed_bounds import burst_counterexample, square_wave_counterexample
 from .lemmas import (
     circle_step,
     convergence_steps,
