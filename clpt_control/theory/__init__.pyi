@@ -6,7 +6,7 @@ from .excitation.certify import certify
 from .excitation.gramian import gramian, started_true
 from .excitation.plot import excitation_plot
 from .excitation.pooled import team_gramian
-from .excitation.transition import error_matrices
+from .excitation.regressor import error_matrices
 from .lyapunov_function import Lyapunov, lyapunov
 from .proving.misprints import misprints
 from .proving.own_law import prove

@@ -46,7 +46,7 @@ from ..scenario.file import paper_scenario
 from ..simulation.flows import flow_velocity
 from ..simulation.integrate import sample_times, simulate
 from .excitation.gramian import started_true
-from .excitation.transition import error_matrices
+from .excitation.regressor import error_matrices
 
 if TYPE_CHECKING:
     import xarray

@@ -7,18 +7,17 @@ import clpt_control as clpt
 from clpt_control.errors import ClptError
 from clpt_control.theory.excitation import certificates
 from clpt_control.theory.excitation.certificates import (
-    _refined,
     certificate,
     time_to_error,
     ultimate_bound,
     window_drops,
 )
 from clpt_control.theory.excitation.gramian import started_true
-from clpt_control.theory.excitation.regressor import joint_regressor
-from clpt_control.theory.excitation.transition import (
+from clpt_control.theory.excitation.regressor import (
     axis_states,
     collocation,
     error_matrices,
+    joint_regressor,
     propagate,
     regressors,
 )
@@ -110,15 +109,25 @@ def test_collocation_agrees_with_scipy():
     np.testing.assert_allclose(end[1], truth.y[:, -1].reshape(4, 4), atol=1e-9)
 
 
-def test_pieces_that_are_cut_shorter_hold_the_same_polynomials_each_time():
-    scenario = clpt.paper_scenario()
-    along = joint_regressor(scenario, 20.0, 0.0)
-    finer = [_refined(along, 0.4) for _ in range(3)]
-    assert len({one.phi.tobytes() + one.z.tobytes() for one in finer}) == 1
-    inside = (finer[0].times > along.cuts[0]) & (finer[0].times < along.cuts[1])
-    t, z = finer[0].times[inside], finer[0].z[inside]
-    own = np.polynomial.Polynomial.fit(along.times[0], along.z[0, :, 0], along.times.shape[1] - 1)
-    np.testing.assert_allclose(z[:, 0], own(t), atol=1e-10)
+@pytest.mark.parametrize("recorded", [False, True])
+def test_pieces_are_cut_shorter_where_errors_turn_often(recorded, monkeypatch):
+    scenario = started_true(clpt.paper_scenario())
+    scenario = scenario.with_values({"run.duration": 20, "run.output_step": 0.05})
+    source = clpt.simulate(scenario) if recorded else scenario
+    whole = certificates.certificate(source, 20.0, 0.0)
+    asked = []
+    read = certificates.joint_regressor
+    monkeypatch.setattr(certificates, "TURN", 0.5)
+    monkeypatch.setattr(
+        certificates, "joint_regressor", lambda *given: asked.append(read(*given)) or asked[-1]
+    )
+    finer = certificates.certificate(source, 20.0, 0.0)
+    along, cut = asked
+    turn = np.sqrt(0.8 * np.max(np.sum(along.w**2, -1)))
+    assert len(cut.cuts) > len(along.cuts)
+    assert np.max(np.diff(cut.cuts)) * turn < 0.5 * (1 + 1e-9)
+    assert (cut.cuts[0], cut.cuts[-1]) == (along.cuts[0], along.cuts[-1])
+    assert finer.drop == pytest.approx(whole.drop, rel=1e-6)
 
 
 def collocated(A, length):

@@ -19,7 +19,7 @@ from clpt_control.theory.counterexamples import (
     unlearned_counterexample,
     with_square_wave,
 )
-from clpt_control.theory.excitation.transition import axis_states, error_matrices
+from clpt_control.theory.excitation.regressor import axis_states, error_matrices
 
 
 @pytest.fixture(scope="module")

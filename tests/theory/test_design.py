@@ -27,8 +27,7 @@ from clpt_control.theory.designing.limits import (
 from clpt_control.theory.designing.plot import design_plot
 from clpt_control.theory.designing.tracks import Tracks, vehicle_alone
 from clpt_control.theory.excitation.gramian import gramian, started_true
-from clpt_control.theory.excitation.regressor import basis_along, joint_regressor
-from clpt_control.theory.excitation.transition import regressors
+from clpt_control.theory.excitation.regressor import basis_along, joint_regressor, regressors
 
 K, DWELL = 0.5, 20.0  # of the case whose best track is known
 

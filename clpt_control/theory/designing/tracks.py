@@ -28,8 +28,7 @@ from ...scenario.experiment import Scenario
 from ...simulation.loops import paper_blocks
 from ...simulation.starts import state_of
 from ..excitation.certificates import TURN, falls, least
-from ..excitation.regressor import quadrature
-from ..excitation.transition import regressors
+from ..excitation.regressor import quadrature, regressors
 
 ANY = next(law for law in LAWS.values() if not (law.at_fixes or law.given_estimate))
 ATOL = 1e-2  # absolute tolerance over the relative one

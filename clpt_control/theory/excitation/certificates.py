@@ -32,8 +32,7 @@ from ...arguments import public
 from ...errors import ScenarioError
 from ...html import facts, fragment
 from ...scenario.experiment import Scenario
-from .regressor import Regressor, Source, joint_regressor
-from .transition import coefficients_of, propagate, regressors
+from .regressor import Regressor, Source, joint_regressor, propagate, regressors
 
 TURN = 10.0  # radians that e and eta may turn within a piece
 MOST = 20000  # pieces
@@ -206,13 +205,13 @@ def certificate(
     gain = gains.parameters
     turn = np.sqrt(gain * np.max(np.sum(along.w**2, -1)))
     if np.max(np.diff(along.cuts)) * turn > TURN:
-        span = along.cuts[-1] - along.cuts[0]
-        if span * turn / TURN > MOST:
+        start, end = along.cuts[[0, -1]]
+        if (span := end - start) * turn / TURN > MOST:
             raise ScenarioError(
                 f"window {span:g}: e and eta turn {span * turn:.3g} rad in it, too many to follow; "
                 f"a window up to {MOST * TURN / turn:.3g} {scenario.units.time} can be certified"
             )
-        along = _refined(along, TURN / turn)
+        along = joint_regressor(along.source, span, start, np.arange(start, end, TURN / turn))
     adapted = slice(scenario.basis.N if scenario.learning.row.given_estimate else 0, None)
     found = window_drops(
         along.phi,
@@ -233,28 +232,6 @@ def certificate(
             dict(zip(axes, map(float, found[name]), strict=True))
             for name in ("contraction", "drop", "rho")
         ),
-    )
-
-
-def _refined(along: Regressor, longest: float) -> Regressor:
-    """Cut the pieces shorter; w between nodes is the polynomial through them."""
-    nodes = along.times.shape[1]
-    node, weight = np.polynomial.legendre.leggauss(nodes)
-    cuts = [along.cuts[:1]]
-    parts: list[list[np.ndarray]] = [[], [], [], [], []]
-    for k, (a, b) in enumerate(zip(along.cuts[:-1], along.cuts[1:], strict=True)):
-        edges = np.linspace(a, b, int(np.ceil((b - a) / longest)) + 1)
-        cuts.append(edges[1:])
-        half = np.diff(edges)[:, None] / 2
-        times = edges[:-1, None] + half * (1 + node)
-        parts[0].append(times)
-        parts[1].append(half * weight)
-        P = np.polynomial.legendre.legvander(2 * (times - a) / (b - a) - 1, nodes - 1)
-        for part, values in zip(parts[2:], (along.phi, along.z, along.zc), strict=True):
-            part.append(P @ (coefficients_of(nodes) @ values[k]))
-    times, weights, phi, z, zc = (np.concatenate(part) for part in parts)
-    return Regressor(
-        along.scenario, along.trajectory, np.concatenate(cuts), times, weights, phi, z, zc
     )
 
 

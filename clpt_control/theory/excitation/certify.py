@@ -43,8 +43,7 @@ from ...errors import ScenarioError
 from ...html import facts, fragment
 from ...scenario.experiment import Scenario
 from .certificates import TURN, falls, refuse_unproved
-from .regressor import basis_along, checked_window, finished_run, quadrature
-from .transition import regressors
+from .regressor import basis_along, checked_window, finished_run, quadrature, regressors
 
 MOST_WINDOWS = 1_000_000
 LARGEST = 1e12  # V

@@ -172,6 +172,7 @@ def _regressors(
     said = "simulated from the team's initial values"
     return {
         name: at_nodes(
+            team,
             scenario,
             run.sel(vehicle=name).isel(time=np.searchsorted(times, nodes[name].times.ravel())),
             nodes[name],
