@@ -4,9 +4,9 @@ from .designing.plot import design_plot
 from .excitation.certificates import certificate, ultimate_bound
 from .excitation.certify import certify
 from .excitation.gramian import gramian, started_true
-from .excitation.plot import excitation_plot
 from .excitation.pooled import team_gramian
 from .excitation.regressor import error_matrices
+from .excitation.report import excitation_plot
 from .lyapunov_function import Lyapunov, lyapunov
 from .proving.misprints import misprints
 from .proving.own_law import prove

@@ -163,14 +163,8 @@ class Points:
         if self.own.rest is not None:
             rise = V - V.xreplace(self.own.rest)
         elif V.is_polynomial(*states) and V.has(*states):
-            poly = sympy.Poly(V, *states)
-            rise = sympy.Add(
-                *(
-                    c * sympy.prod(s**n for s, n in zip(states, powers, strict=True))
-                    for powers, c in poly.terms()
-                    if sum(powers) == poly.total_degree()
-                )
-            )
+            far = sympy.Dummy()
+            rise = sympy.Poly(V.xreplace({s: far * s for s in states}), far).LC()
         else:
             return None
         point = next(self.highest(-rise, True), None)

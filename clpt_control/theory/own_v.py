@@ -67,11 +67,11 @@ class OwnV:
     def expression(self, given: Any) -> sympy.Expr:
         """Return a name, a function of signals or an expression in states and inputs."""
         if callable(given) and not isinstance(given, sympy.Basic):
-            named = {name.replace(".", "_"): own for name, own in self.eq.named.items()}
             named = {
                 name: own
-                for name, own in named.items()
-                if name.isidentifier() and not hasattr(np.ndarray, name)
+                for dotted, own in self.eq.named.items()
+                if (name := dotted.replace(".", "_")).isidentifier()
+                and not hasattr(np.ndarray, name)
             }
             ports = {name: own.shape for name, own in named.items()}
             made = Block(

@@ -37,15 +37,14 @@ def squares(V: sympy.Expr, fixed: set) -> Squares | None:
     moving = sorted(V.free_symbols - fixed, key=str)
     if not moving:
         return Squares(V.xreplace(back), [], [])
-    terms, forms, low, more = [], [], [], list[sympy.Expr]()
+    held, low, more = dict[Any, Any](), list[Any](), list[Any]()  # term -> the form that it holds
     others = dict[frozenset, list]()
     parts = [sympy.expand_mul(one, deep=False) for one in sympy.Add.make_args(V)]
     for term in sympy.Add.make_args(sympy.Add(*parts)):
         factor, rest = term.as_independent(*moving, as_Add=False)
         base, power = rest.as_base_exp()
         if _positive(factor) and power.is_Integer and power.is_even and power.is_positive:
-            terms.append(term)
-            forms.append(base)
+            held[term] = base
         elif rest.is_polynomial(*moving):
             low.append(term)
         elif term.is_nonnegative and len(rest.free_symbols & set(moving)) > 1:  # it holds no form
@@ -64,20 +63,16 @@ def squares(V: sympy.Expr, fixed: set) -> Squares | None:
         if found is None:
             return None
         low.append(found[0])
-        terms.append(sympy.Add(*own) - found[0])
-        forms.append(found[1])
+        held[sympy.Add(*own) - found[0]] = found[1]
     if any(term.free_symbols & set(moving) for term in low):  # squares are completed with them
-        plain = [k for k, term in enumerate(terms) if term.is_polynomial(*moving)]
-        low += [terms[k] for k in plain]
-        terms, forms = (
-            [one for k, one in enumerate(own) if k not in plain] for own in (terms, forms)
-        )
+        plain = [term for term in held if term.is_polynomial(*moving)]
+        low += plain
+        held = {term: form for term, form in held.items() if term not in plain}
     whole = _completed(sympy.expand(sympy.Add(*low)), moving, [MOST])
     if whole is None:
         return None
-    terms, forms = terms + more + whole.terms, forms + whole.forms
-    back_again = ([one.xreplace(back) for one in own] for own in (terms, forms))
-    return Squares(whole.constant, *back_again)
+    both = [*held, *more, *whole.terms], [*held.values(), *whole.forms]
+    return Squares(whole.constant, *([one.xreplace(back) for one in own] for own in both))
 
 
 def _completed(p: sympy.Expr, moving: list, left: list[int]) -> Squares | None:
@@ -88,18 +83,14 @@ def _completed(p: sympy.Expr, moving: list, left: list[int]) -> Squares | None:
     poly = sympy.Poly(p, *own)
     if any(poly.degree(s) % 2 for s in own):  # which has no least value
         return None
-    if all(
-        all(n % 2 == 0 for n in powers) and _positive(c)
-        for powers, c in poly.terms()
-        if any(powers)
-    ):
-        terms = [
-            (c, sympy.Mul(*(s ** (n // 2) for s, n in zip(own, powers, strict=True))))
-            for powers, c in poly.terms()
-            if any(powers)
+    moved = [(c, powers) for powers, c in poly.terms() if any(powers)]
+    if all(_positive(c) and not any(n % 2 for n in powers) for c, powers in moved):
+        roots = [
+            sympy.Mul(*(s ** (n // 2) for s, n in zip(own, powers, strict=True)))
+            for _, powers in moved
         ]
-        forms = [base.as_base_exp()[0] for _, base in terms]
-        return Squares(poly.coeff_monomial(1), [c * base**2 for c, base in terms], forms)
+        terms = [c * root**2 for (c, _), root in zip(moved, roots, strict=True)]
+        return Squares(poly.coeff_monomial(1), terms, [r.as_base_exp()[0] for r in roots])
     for s in own:
         a, b, c = (p.coeff(s, n) for n in (2, 1, 0))
         if poly.degree(s) != 2 or a.has(*own) or not _positive(a) or left[0] <= 0:

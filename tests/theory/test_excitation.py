@@ -16,9 +16,8 @@ from clpt_control.theory.excitation.gramian import (
     sliding_excitation,
     started_true,
 )
-from clpt_control.theory.excitation.plot import excitation_plot
 from clpt_control.theory.excitation.regressor import quadrature
-from clpt_control.theory.excitation.report import excitation_report
+from clpt_control.theory.excitation.report import excitation_plot, excitation_report
 from clpt_control.theory.proving.lemmas import circle_step
 
 KERNELS = {"exponential": (4.3331, 4.6692), "gaussian": (0.19002, 0.19353)}

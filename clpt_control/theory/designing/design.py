@@ -39,7 +39,7 @@ from .limits import (
     own_area,
 )
 from .search import CLOSE, best_waypoints
-from .tracks import Tracks, vehicle_alone
+from .tracks import Extremes, Tracks, vehicle_alone
 
 if TYPE_CHECKING:
     import xarray
@@ -218,7 +218,7 @@ def design_track(
     if area is not None:
         check_area(scenario, area, field)
     before = _look(scenario, span)
-    reached = float(before.extremes.share[0])
+    reached = float(before[1].share[0])
     if reached < 1:
         raise ScenarioError(
             f"the scenario's own vehicle does not reach the end, {scenario.run.duration:g} "
@@ -229,7 +229,7 @@ def design_track(
     limits = Limits(
         float(closed_length(own)) if length is None else float(length),
         max_speed,
-        area or field or own_area(own, before.extremes),
+        area or field or own_area(own, before[1]),
     )
     report = progress or (lambda share: None)
     planned = with_waypoints(scenario, around(own, count or len(own)), dwell)
@@ -276,18 +276,11 @@ def linear_gains(scenario: Scenario) -> np.ndarray | None:
     return found if found.any() else None
 
 
-@dataclass(frozen=True)
-class _Looked:
-    """One track, closely and over the whole run."""
-
-    least: float
-    extremes: Any
-
-
-def _look(scenario: Scenario, span: tuple[float, float]) -> _Looked:
+def _look(scenario: Scenario, span: tuple[float, float]) -> tuple[float, Extremes]:
+    """Return kappa_1 of one track, closely, and its extremes over the whole run."""
     tracks = Tracks(scenario, span, scenario.run.duration, *CLOSE)
     least, extremes = tracks(scenario.waypoints[None])
-    return _Looked(float(least.min()), extremes)
+    return float(least.min()), extremes
 
 
 def with_waypoints(scenario: Scenario, points: np.ndarray, dwell: float | None) -> Scenario:
@@ -306,23 +299,18 @@ def _ceiling(scenario: Scenario, span: tuple[float, float]) -> float | None:
 
 
 def _reported(
-    scenario: Scenario, looked: _Looked, span: tuple[float, float], ran: Learned
+    scenario: Scenario, looked: tuple[float, Extremes], span: tuple[float, float], ran: Learned
 ) -> dict[str, Any]:
-    found = gramian(scenario, *span)
+    found, (least, extremes) = gramian(scenario, *span), looked
     return {
-        "smallest_eigenvalue": looked.least,
+        "smallest_eigenvalue": least,
         "of_the_run": min(float(values[0]) for values in found.eigenvalues.values()),
         "ceiling": _ceiling(scenario, span),
         "closed_length": float(closed_length(scenario.waypoints)),
-        "largest_speed": float(looked.extremes.speed.max()),
-        "positions": [
-            [float(side.min()), float(other.max())]
-            for side, other in zip(
-                np.moveaxis(looked.extremes.low[0], -1, 0),
-                np.moveaxis(looked.extremes.high[0], -1, 0),
-                strict=True,
-            )
-        ],
+        "largest_speed": float(extremes.speed.max()),
+        "positions": np.transpose(
+            [extremes.low[0].min(axis=0), extremes.high[0].max(axis=0)]
+        ).tolist(),
         "waypoints": scenario.waypoints.tolist(),
         **ran.summary,
     }

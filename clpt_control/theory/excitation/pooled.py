@@ -153,18 +153,13 @@ def _regressors(
     source: TeamSource, window: float | None, start: float | None
 ) -> dict[str, Regressor]:
     """Return w of every vehicle over one window."""
-    if isinstance(source, Team):
-        team, first, last = source, 0.0, float(source.run.duration)
-        runs: Any = team.members
-    else:
-        team = team_of_run(source)
-        runs = {name: vehicle_run(source, team, name) for name in team.members}
-        first, last = float(source.time[0]), float(source.time[-1])
-    cycle = max(one.cycle for one in team.members.values())
-    window = min(cycle, last - first) if window is None else window
-    start = max(first, min(first + cycle, last - window)) if start is None else start
-    checked_window(next(iter(runs.values())), window, start)
+    team = source if isinstance(source, Team) else team_of_run(source)
+    runs: Any = team.members
     if not isinstance(source, Team):
+        runs = {name: vehicle_run(source, team, name) for name in team.members}
+    cycle = max(one.cycle for one in team.members.values())
+    window, start = checked_window(next(iter(runs.values())), window, start, cycle)
+    if source is not team:
         return {name: joint_regressor(run, window, start) for name, run in runs.items()}
     nodes = {name: quadrature(one, start, start + window) for name, one in team.members.items()}
     times = np.unique(np.concatenate([one.times.ravel() for one in nodes.values()]))

@@ -188,14 +188,15 @@ def quadrature(
 
 
 def checked_window(
-    source: Source, window: float | None, start: float | None
+    source: Source, window: float | None, start: float | None, cycle: float | None = None
 ) -> tuple[float, float]:
     """Return the window's length and start; by default the second cycle, or as late as fits."""
     scenario = scenario_of(source)
     first, last = span_of(source)
-    window = float(min(scenario.cycle, last - first) if window is None else window)
+    cycle = scenario.cycle if cycle is None else cycle
+    window = float(min(cycle, last - first) if window is None else window)
     if start is None:
-        start = max(first, min(first + scenario.cycle, last - window))
+        start = max(first, min(first + cycle, last - window))
     start = float(start)
     least = SHORTEST * (last - first)
     if not (least < window < np.inf and start >= first and start + window <= last * (1 + 1e-12)):

@@ -1,18 +1,32 @@
-"""What a track can teach, as one dictionary: `clpt excitation --json`.
+"""What a track can teach, as one dictionary, `clpt excitation --json`, and as a picture.
 
 Definition 3.1 over one window, the exact contraction of V of Eq. (24) and the guaranteed drop
 of it, for one trajectory.
+
+In the picture stand above the eigenvalues of the Gramian in the sliding window; below, the least
+excited direction of one window by parameter name, and how much of each parameter lies in the
+identifiable subspace.
 """
 
-from typing import Any
+from textwrap import fill, shorten
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ...arguments import public
 from ...errors import ScenarioError
+from ...figures import BLUE, GREY, RED, axes_for
 from ...scenario.experiment import Scenario
 from .certificates import certificate, time_to_error
-from .gramian import gramian
+from .gramian import Excitation, SlidingExcitation, gramian, sliding_excitation
 from .regressor import Source, joint_regressor, thinned
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+MOST_BARS = 12  # of many parameters, those with the largest components
+LETTERS = 110  # of a line below the axes
+LOWEST = 1e-30  # eigenvalues below this share of the largest are drawn there
 
 
 def excitation_report(
@@ -63,3 +77,114 @@ def excitation_report(
             for a, values in found.eigenvalues.items()
         )
     return report
+
+
+@public
+def excitation_plot(
+    source: Source, window: float | None = None, start: float | None = None, *, ax: Any = None
+) -> np.ndarray:
+    """Draw what can be learned along time, and what least.
+
+    Parameters
+    ----------
+    source : Scenario or xarray.Dataset
+        A scenario is run from its own initial values; a run is read.
+    window, start : float, optional
+        Of the directions below, units.time; by default the second cycle.
+    ax : array of 4 Axes, optional
+        Where to draw; by default a new figure of pyplot's.
+
+    Returns
+    -------
+    ndarray of Axes, shape (2, 2)
+        A column for each axis: eigenvalues of the Gramian of Definition 3.1 in a window that
+        slides over the run, and the least excited direction of one window.
+
+    Raises
+    ------
+    ScenarioError
+        If the window is not positive or does not fit into the run.
+    DataError
+        If the dataset is no run.
+    ClptError
+        If `ax` are not four Axes.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> scenario = clpt.paper_scenario().with_values({"run.duration": 60})
+    >>> axes = clpt.theory.excitation_plot(scenario, window=20.0)
+    """
+    at = gramian(source, window, start)
+    return _drawn(sliding_excitation(source, at.window), at, ax)
+
+
+def _drawn(sliding: SlidingExcitation, at: Excitation, ax: Any) -> Any:
+    axes = axes_for(ax, 7.6, 6.0, nrows=2, ncols=2, sharey="row")
+    for column, axis in enumerate(at.names):
+        _eigenvalues(axes[0, column], sliding, at, axis)
+        _direction(axes[1, column], at, axis)
+    axes[0, 0].set_ylabel(r"eigenvalue of $\int w w^T dt$")
+    axes[1, 0].set_ylabel("component")
+    handles, labels = axes[0, 0].get_legend_handles_labels()
+    place = {"loc": "lower left", "bbox_to_anchor": (0, 1.1)}
+    axes[0, 0].legend(handles[::-1], labels[::-1], fontsize=8, frameon=False, ncols=2, **place)
+    axes[1, 1].legend(fontsize=8, frameon=False, loc="lower left")
+    for one in axes[1]:
+        one.set_ylim(-1.6, 1.15)
+        one.set_axisbelow(True)
+        one.set_yticks([-1, -0.5, 0, 0.5, 1])
+    missing = at.not_learnable
+    if missing:
+        text = "; ".join(missing[:4]) + (f"; and {len(missing) - 4} more" if missing[4:] else "")
+        text = fill(shorten(text, 3 * LETTERS, placeholder=" ..."), LETTERS)
+        axes[1, 0].set_xlabel(text, fontsize=8, color=RED, loc="left")
+    return axes
+
+
+def _eigenvalues(ax: "Axes", sliding: SlidingExcitation, at: Excitation, axis: str) -> None:
+    values = sliding.eigenvalues[axis]
+    values = np.maximum(values, LOWEST * values.max())
+    mark = "." if len(sliding.starts) < 3 else None
+    lines: dict[int, tuple[Any, ...]] = {
+        k: (GREY, "-", 0.7, "between" if k == 1 else None) for k in range(1, values.shape[1] - 1)
+    }
+    lines[-1] = (RED, "--", 1.3, r"$\kappa_2$, largest")
+    lines[0] = (BLUE, "-", 1.8, r"$\kappa_1$, smallest")
+    for k, (color, style, width, label) in lines.items():
+        how: dict[str, Any] = {"color": color, "linewidth": width, "marker": mark, "label": label}
+        ax.semilogy(sliding.starts, values[:, k], style, **how)
+    ax.axvline(at.start, color="black", linestyle=":", linewidth=1.0, label="window below")
+    ax.set_xlabel(f"start of the window ({at.time_unit})")
+    ax.set_title(f"{axis}: window of {sliding.window:g} {at.time_unit}", loc="left", fontsize=10)
+
+
+def _direction(ax: "Axes", at: Excitation, axis: str) -> None:
+    least = at.least_excited[axis]
+    names = list(least)
+    components = np.array([least[name] for name in names])
+    shares = np.linalg.norm(at.identifiable[axis], axis=1)
+    shown = np.sort(np.argsort(-np.abs(components))[:MOST_BARS])
+    places = np.arange(len(shown))
+    bars: dict[str, Any] = {"width": 0.55, "color": BLUE, "edgecolor": "black", "linewidth": 0.6}
+    ax.bar(places, components[shown], label="least excited direction", **bars)
+    marks: dict[str, Any] = {"markersize": 5, "color": RED, "markerfacecolor": "white"}
+    ax.plot(places, shares[shown], "D", label="learnable share", **marks)
+    ax.axhline(0, color="black", linewidth=0.7)
+    ax.set_xticks(places, [_symbol(names[k]) for k in shown], fontsize=9)
+    some = "" if len(shown) == len(names) else f"\n{len(shown)} of {len(names)} parameters"
+    ax.set_title(
+        rf"{axis}: $\kappa_1$ = {at.eigenvalues[axis][0]:.3g}, "
+        f"{at.start:.4g} to {at.start + at.window:.4g} {at.time_unit}{some}",
+        loc="left",
+        fontsize=10,
+    )
+
+
+def _symbol(name: str) -> str:
+    """Write theta_1[2] as the paper does, with the function above."""
+    symbol, _, rest = name.partition("_")
+    row, _, function = rest.partition("[")
+    letters = {"theta": r"\theta", "Gamma": r"\Gamma"}
+    above = f"^{{{function[:-1]}}}" if function else ""
+    return f"${letters.get(symbol, symbol)}_{row}{above}$"
