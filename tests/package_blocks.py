@@ -17,7 +17,7 @@ from clpt_control.blocks import (
     team,
     vehicle,
 )
-from clpt_control.blocks.laws.known import Gains, Truth
+from clpt_control.blocks.laws.law import Gains, Truth
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.currents.field_file import GriddedField
 from clpt_control.theory.proving.theorem_loop import theorem_scenario

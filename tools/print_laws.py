@@ -10,7 +10,7 @@ import re
 from itertools import groupby
 from pathlib import Path
 
-from clpt_control.blocks.laws import commanded_gains, covariance, regressions
+from clpt_control.blocks.laws import regressions
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.theory.promises import words_of
 
@@ -124,9 +124,7 @@ def sections() -> str:
             said = [f"- {plain(words)}" for words in words_of(law).values()]
             found.append(f"`{law.name}` promises: {plain(law.promise)}. Asked along runs:\n")
             found.append("\n".join(said) + "\n")
-    for module in (regressions, commanded_gains, covariance):
-        name = module.__name__.rpartition(".")[2]
-        found.append(f"### Shared: `{name}`\n\n{markdown(str(module.__doc__))}\n")
+    found.append(f"### Shared: `regressions`\n\n{markdown(str(regressions.__doc__))}\n")
     return "\n".join(found)
 
 

@@ -29,7 +29,7 @@ import numpy as np
 
 from ..equations.block import Block
 from ..equations.namespaces import named, renamed
-from .laws.learned_flow import learned_flow
+from .laws.paper import learned_flow
 
 
 def pulled(t, x, u, p):

@@ -20,8 +20,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..blocks.laws.known import PRIOR
-from ..blocks.laws.law import Law
+from ..blocks.laws.law import PRIOR, Law
 from ..blocks.laws.table import LAWS
 from ..errors import ScenarioError
 from ..scenario.experiment import Scenario

@@ -27,7 +27,6 @@ from scipy.integrate import simpson
 from scipy.interpolate import CubicSpline
 
 from ..blocks import vehicle
-from ..blocks.laws.known import reach
 from ..equations.at_many import evaluate
 from ..equations.block import Block
 from ..equations.declaration import multiples
@@ -253,7 +252,7 @@ def run_segments(
     fixes = way.time[0] + fix * np.arange(int(np.floor(length / fix * (1 + 1e-12))) + 1)
     fine = fixes[:-1, None] + fix * np.linspace(0.0, 1.0, 2 * SAMPLES - 1)
     x, d = way.at(np.minimum(fine, way.time[-1]))
-    floor = max(1e-4 * reach(scenario.known_to_law), way.doubt)
+    floor = max(1e-4 * scenario.known_to_law.R, way.doubt)
     held = way.held.get("noise", 0.0)
     segments = Segments(fine[:, ::2], d - d[:, :1], x[:, 0], x[:, -1], x[:, ::2], floor, held)
     moved = np.sqrt(np.mean(np.sum((d[:, -1] - d[:, 0]) ** 2, axis=1)))

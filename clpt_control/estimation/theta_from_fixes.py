@@ -32,7 +32,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..arguments import public
-from ..blocks.laws.known import PRIOR
+from ..blocks.laws.law import PRIOR
 from ..equations.block import Block
 from ..errors import DataError, ScenarioError
 from ..progress.interrupt import check

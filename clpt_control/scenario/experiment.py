@@ -15,7 +15,7 @@ from pydantic import Field, PrivateAttr, ValidationInfo, model_validator
 
 from ..arguments import public
 from ..blocks.flow import flow_basis
-from ..blocks.laws.known import Known
+from ..blocks.laws.law import Known
 from ..blocks.laws.table import LAWS
 from ..equations.block import Block
 from ..equations.sampled import Sampled

@@ -6,8 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 from pydantic import AfterValidator, Field, Strict, create_model
 from pydantic_core import PydanticCustomError
 
-from ..blocks.laws.known import Gains
-from ..blocks.laws.law import Law
+from ..blocks.laws.law import Gains, Law
 from ..blocks.laws.table import LAWS
 from .mistakes import Table
 from .tables import NotNegative, Number, Pair, Positive, TwoRows

@@ -7,8 +7,7 @@ in ``simulate(params=...)``; a law knows it as ``gains.parameters``; the paper w
 from collections.abc import Collection, Iterable
 from typing import Any, NamedTuple
 
-from ..blocks.laws.known import Fixes, Gains
-from ..blocks.laws.law import Setting
+from ..blocks.laws.law import Fixes, Gains, Setting
 
 
 class Quantity(NamedTuple):

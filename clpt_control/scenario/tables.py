@@ -10,7 +10,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import AfterValidator, BeforeValidator, Field, Strict
 
-from ..blocks.laws.known import Fixes
+from ..blocks.laws.law import Fixes
 from .mistakes import Table
 from .tides import period
 

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ..blocks.laws.known import Truth
+from ..blocks.laws.law import Truth
 from ..blocks.localization import TRUE
 from ..diagrams.changes import LAW, UNCHANGED, Changes
 from ..diagrams.wiring import Wiring

@@ -22,9 +22,8 @@ from typing import Any
 
 import numpy as np
 
-from ..blocks.laws.dead_zone import beyond
-from ..blocks.laws.known import Truth
-from ..blocks.laws.law import Law
+from ..blocks.laws.law import Law, Truth
+from ..blocks.laws.robust import beyond
 from ..scenario.experiment import Scenario
 from ..simulation.flows import flow_velocity
 from ..simulation.integrate import simulate

@@ -19,7 +19,7 @@ from clpt_control.blocks import (
     reference,
     vehicle,
 )
-from clpt_control.blocks.laws import known_flow, learned_flow
+from clpt_control.blocks.laws.paper import KNOWN_FLOW, LEARNED_FLOW
 from clpt_control.currents.field_file import GriddedField
 from clpt_control.equations import evaluate
 from clpt_control.equations.declaration import multiples
@@ -165,14 +165,14 @@ def test_learned_flow_injection_tells_x_from_z():
 def test_no_error_no_adaptation():
     rng = np.random.default_rng(2)
     u = np.concatenate([[0, 0], rng.normal(size=6)])
-    law = learned_flow.LAW.of(2, gain=3.0)
+    law = LEARNED_FLOW.of(2, gain=3.0)
     np.testing.assert_array_equal(law.dynamics(0, rng.normal(size=8), u), np.zeros(8))
-    law = known_flow.LAW.of(2, gain=3.0, alpha_M=np.zeros((2, 2)))
+    law = KNOWN_FLOW.of(2, gain=3.0, alpha_M=np.zeros((2, 2)))
     np.testing.assert_array_equal(law.dynamics(0, rng.normal(size=4), u), np.zeros(4))
 
 
 def test_adaptation_keeps_axes_apart_and_signs():
-    law = learned_flow.LAW.of(2, gain=2.0)
+    law = LEARNED_FLOW.of(2, gain=2.0)
     # e on the first axis alone, phi = (1, 3), z = (5, 7), zc = (11, 13)
     rate = law.dynamics(0, np.zeros(8), [1, 0, 1, 3, 5, 7, 11, 13])
     np.testing.assert_array_equal(rate, [-2, -6, 0, 0, -10, 0, 22, 0])
@@ -183,15 +183,15 @@ def test_adaptation_keeps_axes_apart_and_signs():
 def test_both_laws_move_the_gains_alike():
     u = [0.3, -0.7, 0.9, 1.1, 2.0, -3.0]  # e, phi_x (N = 0 apart), z, zc
     u = [*u[:2], 0.5, *u[2:]]
-    known = known_flow.LAW.of(1, gain=0.8, alpha_M=np.ones((2, 1)))
-    learned = learned_flow.LAW.of(1, gain=0.8)
+    known = KNOWN_FLOW.of(1, gain=0.8, alpha_M=np.ones((2, 1)))
+    learned = LEARNED_FLOW.of(1, gain=0.8)
     rates = known.dynamics(0, np.zeros(4), u), learned.dynamics(0, np.zeros(6), u)
     np.testing.assert_array_equal(rates[0], rates[1][2:])
 
 
 def test_known_flow_law_holds_alpha():
     alpha_M = np.array([[1.0, 2.0], [3.0, 4.0]])
-    law = known_flow.LAW.of(2, gain=0.8, alpha_M=alpha_M)
+    law = KNOWN_FLOW.of(2, gain=0.8, alpha_M=alpha_M)
     out = law.output(0, [5, 6, 7, 8], np.ones(8))
     np.testing.assert_array_equal(out, [1, 2, 3, 4, 5, 6, 7, 8])
     assert law.state_labels == ["K[0]", "K[1]", "Gamma[0]", "Gamma[1]"]
@@ -199,9 +199,7 @@ def test_known_flow_law_holds_alpha():
 
 def test_adaptation_is_proportional_to_its_gain():
     u = np.random.default_rng(3).normal(size=7)
-    slow, fast = (
-        learned_flow.LAW.of(1, gain=gain).dynamics(0, np.zeros(6), u) for gain in (0.5, 2.0)
-    )
+    slow, fast = (LEARNED_FLOW.of(1, gain=gain).dynamics(0, np.zeros(6), u) for gain in (0.5, 2.0))
     np.testing.assert_allclose(fast, 4 * slow, rtol=1e-15)
 
 

@@ -12,7 +12,8 @@ from responses import response
 from scipy.integrate import cumulative_simpson, quad, simpson
 
 import clpt_control as clpt
-from clpt_control.blocks.laws import composite_least_squares, composite_memory
+from clpt_control.blocks.laws.regressions import COMPOSITE_LEAST_SQUARES
+from clpt_control.blocks.laws.remembering import COMPOSITE_MEMORY
 from clpt_control.currents.fit import fit_scenario, save_fit
 from clpt_control.errors import ScenarioError
 from clpt_control.simulation.flows import explained_variance
@@ -21,7 +22,7 @@ from clpt_control.simulation.starts import state_columns
 
 LAWS = ("composite-least-squares", "composite-memory", "least-squares", "normalised-gradient")
 MARACOOS = Path(__file__).parents[2] / "clpt_control/data/maracoos_hfr_2019-01-01.nc"
-MEMORY = composite_memory.LAW.of(
+MEMORY = COMPOSITE_MEMORY.of(
     1,
     gain=0.8,
     gain_K=0.0,
@@ -35,7 +36,7 @@ MEMORY = composite_memory.LAW.of(
 
 
 def least_squares(forgetting):
-    return composite_least_squares.LAW.of(
+    return COMPOSITE_LEAST_SQUARES.of(
         1,
         gain_K=0.0,
         gain_Gamma=0.0,

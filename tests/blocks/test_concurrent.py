@@ -13,7 +13,7 @@ from responses import response
 from scipy.integrate import simpson
 
 import clpt_control as clpt
-from clpt_control.blocks.laws.concurrent import LAW
+from clpt_control.blocks.laws.remembering import CONCURRENT as LAW
 from clpt_control.simulation.starts import state_columns
 
 PAPERS = 0.257  # largest error of the paper's law at t = 200, its gains adapted

@@ -13,7 +13,8 @@ from responses import response
 from scipy.integrate import cumulative_simpson
 
 import clpt_control as clpt
-from clpt_control.blocks.laws.drem import LAW, mixing
+from clpt_control.blocks.laws.remembering import DREM as LAW
+from clpt_control.blocks.laws.remembering import mixing
 from clpt_control.errors import ScenarioError
 
 PAPERS = 0.257  # largest error of the paper's law at t = 200, its gains adapted

@@ -6,7 +6,7 @@ from responses import response
 from scipy.integrate import simpson
 
 import clpt_control as clpt
-from clpt_control.blocks.laws import kalman_flow, normalised_gradient
+from clpt_control.blocks.laws import paper, regressions
 from clpt_control.errors import ScenarioError
 from clpt_control.simulation.loops import paper_blocks
 from clpt_control.simulation.starts import state_columns
@@ -34,7 +34,7 @@ def states(scenario, times):
 def test_one_function_is_the_closed_form(walk):
     r, pole, P0, theta, t = 0.3, 1.5, 0.64, np.array([0.6, -0.4]), np.linspace(0, 3, 7)
     own = {"noise": r, "walk": walk, "filter": pole, "alpha_M": np.zeros((2, 1))}
-    law = kalman_flow.LAW.of(1, gain_K=0.0, gain_Gamma=0.0, **own)
+    law = paper.KALMAN_FLOW.of(1, gain_K=0.0, gain_Gamma=0.0, **own)
     inputs = law.input_ports
     u = np.zeros((sum(inputs.values()), len(t)))
     u[2] = 1.0
@@ -99,7 +99,7 @@ def test_a_block_of_ones_own_may_make_the_estimate():
     table = clpt.paper_blocks(scenario)[-1]
     mine = clpt.Block(
         "mine",
-        update=kalman_flow.kalman_flow,
+        update=paper.kalman_flow,
         output=table.output_function,
         inputs=table.input_shapes,
         outputs=table.output_shapes,
@@ -122,7 +122,7 @@ def test_alpha_and_its_start_are_those_of_the_known_flow_law():
     np.testing.assert_array_equal(run.alpha[-1], 0.5 * THETA)
 
 
-LAW = normalised_gradient.LAW.of(
+LAW = regressions.NORMALISED_GRADIENT.of(
     1,
     gain=0.8,
     gain_K=0.0,

@@ -12,7 +12,7 @@ from responses import response
 from scipy.integrate import quad, simpson
 
 import clpt_control as clpt
-from clpt_control.blocks.laws import least_squares
+from clpt_control.blocks.laws.regressions import LEAST_SQUARES
 from clpt_control.simulation.loops import paper_blocks
 from clpt_control.simulation.starts import state_columns
 
@@ -34,7 +34,7 @@ PARAMETERS = {
 
 def drifting(p, t, **start):
     """The law of one function alone: phi = 1, v = 0, a vehicle that drifts from 0 by THETA."""
-    law = least_squares.LAW.of(1, **p)
+    law = LEAST_SQUARES.of(1, **p)
     columns, inputs = state_columns([law]), law.input_ports
     u, state = np.zeros((sum(inputs.values()), len(t))), np.zeros(law.nstates)
     u[2], u[7:9] = 1.0, THETA[:, None] * t
@@ -83,7 +83,7 @@ def test_a_filtered_regressor_has_a_closed_form():
 
 def test_what_is_never_seen_is_never_forgotten_beyond_the_bound():
     """phi = 0: P stays at its bound whatever is forgotten; below it P grows and stays below."""
-    law = least_squares.LAW.of(1, **{**PARAMETERS, "forgetting": 2.0})
+    law = LEAST_SQUARES.of(1, **{**PARAMETERS, "forgetting": 2.0})
     at = state_columns([law])["P"].start
     for share in (1.0, 0.999, 0.5, 0.01):
         state = np.zeros(law.nstates)

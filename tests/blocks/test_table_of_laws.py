@@ -6,7 +6,7 @@ K' = -gamma_K z e, Gamma' = gamma_Gamma zc e, Eqs. (22)-(23), by gains of their 
 import numpy as np
 import pytest
 
-from clpt_control.blocks.laws.known import Gains, Truth
+from clpt_control.blocks.laws.law import Gains, Truth
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.diagrams.parts import functions_of
 from clpt_control.errors import ScenarioError

@@ -9,7 +9,7 @@ import pytest
 from package_blocks import BLOCKS, EACH
 
 from clpt_control.blocks import clpe, vehicle
-from clpt_control.blocks.laws.learned_flow import LAW
+from clpt_control.blocks.laws.paper import LEARNED_FLOW as LAW
 from clpt_control.conformance import ConformanceReport, check_block, conformance
 from clpt_control.conformance.equations import roles
 from clpt_control.equations import Block

@@ -7,7 +7,7 @@ from html.parser import HTMLParser
 import pytest
 
 import clpt_control as clpt
-from clpt_control.blocks.laws.learned_flow import LAW
+from clpt_control.blocks.laws.paper import LEARNED_FLOW as LAW
 
 EVIL = '<b onload="x">&'
 VOID = {"img", "meta", "br", "path", "circle"}

@@ -6,9 +6,10 @@ import sympy
 from responses import response
 
 import clpt_control as clpt
-from clpt_control.blocks.laws import covariance
-from clpt_control.blocks.laws.concurrent import LAW, next_window
-from clpt_control.blocks.laws.known import Truth
+from clpt_control.blocks.laws import regressions
+from clpt_control.blocks.laws.law import Truth
+from clpt_control.blocks.laws.remembering import CONCURRENT as LAW
+from clpt_control.blocks.laws.remembering import next_window
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.theory.proving import judgement, kept_loop
 from clpt_control.theory.proving.judgement import judged_law
@@ -159,7 +160,7 @@ def test_a_covariance_that_may_pass_its_bound_is_not_proved(law, monkeypatch):
     def unbounded(x, p):
         return p.forgetting
 
-    monkeypatch.setattr(covariance.forgetting, "__code__", unbounded.__code__)
+    monkeypatch.setattr(regressions.forgetting, "__code__", unbounded.__code__)
     found = judgement.judged_law(law)
     assert found.status == "open"
     assert any("tr P <= k_0" in step.claim and not step.holds for step in found.steps)

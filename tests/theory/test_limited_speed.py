@@ -6,7 +6,7 @@ from responses import response
 
 import clpt_control as clpt
 from clpt_control.blocks import learner, vehicle
-from clpt_control.blocks.laws.known import Truth
+from clpt_control.blocks.laws.law import Truth
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.diagrams.interconnection import connect
 from clpt_control.errors import ScenarioError

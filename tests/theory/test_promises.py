@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 import clpt_control as clpt_package
-from clpt_control.blocks.laws.commanded_gains import gain_rates
-from clpt_control.blocks.laws.concurrent import KEPT
 from clpt_control.blocks.laws.law import Promise
-from clpt_control.blocks.laws.learned_flow import learned_flow
+from clpt_control.blocks.laws.paper import learned_flow
+from clpt_control.blocks.laws.regressions import gain_rates
+from clpt_control.blocks.laws.remembering import KEPT
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.errors import ScenarioError
 from clpt_control.theory.promises import CHECKS, CONDITIONS, UNIFORM, kept, rise, words_of

@@ -16,8 +16,8 @@ from scipy.integrate import solve_ivp
 
 import clpt_control as clpt
 from clpt_control.blocks import clpe
-from clpt_control.blocks.laws import dead_zone, leakage, projection
-from clpt_control.blocks.laws.known import Gains, Truth
+from clpt_control.blocks.laws import robust
+from clpt_control.blocks.laws.law import Gains, Truth
 from clpt_control.blocks.laws.table import LAWS as TABLE
 from clpt_control.simulation.loops import paper_blocks
 from clpt_control.theory.counterexamples import burst_counterexample, with_square_wave
@@ -146,11 +146,11 @@ def test_a_run_stays_in_the_set(name):
 # --- altered laws ---------------------------------------------------------------------
 
 FUNCTIONS = {
-    "sigma": (leakage.sigma, leakage.leaking),
-    "switching-sigma": (leakage.switching_sigma, leakage.leaking),
-    "e-modification": (leakage.e_modification, leakage.leaking),
-    "projection": (projection.projection, projection.kept_within),
-    "dead-zone": (dead_zone.dead_zone, dead_zone.beyond, dead_zone.candidate),
+    "sigma": (robust.sigma, robust.leaking),
+    "switching-sigma": (robust.switching_sigma, robust.leaking),
+    "e-modification": (robust.e_modification, robust.leaking),
+    "projection": (robust.projection, robust.kept_within),
+    "dead-zone": (robust.dead_zone, robust.beyond, robust.candidate),
 }
 
 

@@ -1,5 +1,5 @@
-"""The adaptive laws, a page for each, and the table of them.
+"""The adaptive laws by family, and the table of them.
 
-`law` says what a row of the `table` is and adapts K and Gamma for every law.  A page holds
-a law's equations, its parameters, its V and its row, `LAW`.
+`law` says what a row of the `table` is and adapts K and Gamma for every law.  A family holds its
+laws' rates, whose docstrings are their pages, their V and their rows, `LAWS`.
 """

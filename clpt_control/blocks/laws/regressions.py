@@ -7,7 +7,7 @@ The flow and the basis go through one filter l/(s + l):
 By Eq. (1), x' - v = F, so F_f' = l (F - F_f): F_f is the flow through the filter, made of the
 position x and the velocity v through the water alone.  With phi_f(0) = 0 and q(0) = l x(0) it is
 theta phi_f at all times, whatever theta is, and eps = F_f - theta_hat phi_f = (theta + alpha)
-phi_f.  The laws that learn by it have K and Gamma of `commanded_gains`.
+phi_f.
 Source: Slotine and Li 1989, Automatica 25(4), composite adaptive control.
 
 A memory keeps what w has shown:
@@ -22,16 +22,64 @@ Sources: Kreisselmeier 1977, IEEE Transactions on Automatic Control 22(1), Adapt
 with exponential rate of convergence (the pull); Pan and Yu 2018, Automatica 89, Composite learning
 robot control with guaranteed parameter convergence (a memory that does not fall).
 
+The laws that learn so have K and Gamma from CLPE, as in the paper, and from the commanded
+velocity, with memory.  By Eq. (7), y = v + alpha_M phi(x) = -KD x + GammaD zc is known where v is:
+for each axis i a regression on w = (-x_i, zc_i), which no flow disturbs, for kappa = (K_i,
+Gamma_i).
+
+    Q_i'     = n n^T / (1 + w^T G w),   b_i' = (y_i - m b_i^T G w) n / (1 + w^T G w)
+    K_i'     = -gamma_K z_i e_i      + gamma_K (b_i - Q_i kappa)_1
+    Gamma_i' =  gamma_Gamma zc_i e_i + gamma_Gamma (b_i - Q_i kappa)_2
+
+are Eqs. (22)-(23) with a memory, n = w - m Q_i G w, G = diag(gamma_K,
+gamma_Gamma)/k^2, m = 0.1 k.  From Q_i = 0 and b_i = 0 on, b_i = Q_i kappa_D, and V' loses the sum
+of (kappa - kappa_D)^T Q_i (kappa - kappa_D); Q_i never falls.  By CLPE alone K and Gamma come
+slowly, and alpha meanwhile takes up what they lack.  A gain of 0 holds what it adapts.
+Source: Kreisselmeier 1977, as the memory.
+
+`covariance` is P of least squares, forgetting with bounded gain:
+
+    P'   = lambda P - P phi_f phi_f^T P / r^2,    lambda = lambda_0 (1 - tr P/k_0),  k_0 = tr P(0)
+    rho' = -lambda rho,                           rho(0) = 1: the share of the prior still held
+
+P is N x N, symmetric, one for both axes.  P(0) holds the prior variances; a function whose prior
+is 0 keeps its parameter.  tr P, a norm of matrices P >= 0, never passes k_0, so forgetting ends
+where P would wind up, and lambda >= 0; with lambda_0 = 0 nothing is forgotten.  Then
+
+    (P(0)^-1 + int phi_f phi_f^T/r^2)^-1 <= P <= P(0)/rho  and  P <= k_0 I
+
+Source: Slotine and Li 1991, Applied Nonlinear Control, section 8.7.6 (bounded-gain forgetting).
+
 Ports: e[2], z[2], zc[2], x[2] (length), phi_x[N], v_x[2], and v_c[2] where the speed is limited
-(length per time); states phi_f[N], q[2] (length per time).
+(length per time); states phi_f[N], q[2] (length per time), K[2], Gamma[2] (per time), Q_1[4],
+Q_2[4] (length squared times time), b_v[4] (length squared), P[N*N] (length per time, squared),
+rho[1].
 """
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
-from .known import FILTER, Truth
-from .law import MOVING, Part, State
+from ...errors import ScenarioError
+from ..lyapunov import level
+from .law import (
+    FILTER,
+    GAINS,
+    HELD,
+    MOVING,
+    NOISE,
+    PRIOR,
+    Known,
+    Law,
+    Part,
+    Setting,
+    State,
+    Truth,
+    adapt_gains,
+    promised,
+    scaled,
+)
 
 
 def filter_rates(x, u, p):
@@ -82,3 +130,313 @@ def pulled(s: Any, p: Any, truth: Truth, Q: str) -> tuple:
     """Return what V' loses by the pull, gamma_c tr(eta Q eta^T)/gamma, eta = theta + alpha."""
     eta = truth.theta + s["alpha"]
     return p.memory_gain / p.gain, np.sum((eta @ s[Q]) * eta)
+
+
+# --- K and Gamma ------------------------------------------------------------------------------
+
+
+def gain_rates(x, u, p):
+    """Return K', Gamma', Q_1', Q_2' and b_v'; v is that of Eq. (7)."""
+    y = getattr(u, "v_c", u.v_x) + p.alpha_M @ u.phi_x
+    w, kappa = np.stack([-u.x, u.zc]).T, np.stack([x.K, x.Gamma]).T  # a row for each axis
+    weighed = w * np.stack([p.gain_K, p.gain_Gamma]) / p.rate**2  # G w
+    size, known = 1 + np.sum(weighed * w, axis=1), 0.1 * p.rate * weighed
+    Q_1, b_1 = remembered(x.Q_1, x.b_v[0], y[0], w[0], known[0], size[0])
+    Q_2, b_2 = remembered(x.Q_2, x.b_v[1], y[1], w[1], known[1], size[1])
+    missed = x.b_v - np.stack([x.Q_1 @ kappa[0], x.Q_2 @ kappa[1]])
+    by_error = adapt_gains(p, u.e, u.z, u.zc)
+    return {
+        "K": by_error["K"] + p.gain_K * missed[:, 0],
+        "Gamma": by_error["Gamma"] + p.gain_Gamma * missed[:, 1],
+        "Q_1": Q_1,
+        "Q_2": Q_2,
+        "b_v": np.concatenate([b_1, b_2]),
+    }
+
+
+def gains_kept(s: Any, p: Any, truth: Truth) -> dict[str, Any]:
+    """Return what the states are at all times: b_i = Q_i kappa_D."""
+    kappa = np.stack([truth.KD, truth.GammaD]).T
+    return {"b_v": np.stack([s["Q_1"] @ kappa[0], s["Q_2"] @ kappa[1]])}
+
+
+def gains_lost(s: Any, p: Any, truth: Truth) -> list[tuple]:
+    """Return what V' loses: (kappa - kappa_D)^T Q_i (kappa - kappa_D), where they adapt."""
+    off = np.stack([s["K"] - truth.KD, s["Gamma"] - truth.GammaD]).T
+    return [(off[0] @ s["Q_1"] @ off[0],), (off[1] @ s["Q_2"] @ off[1],)]
+
+
+COMMANDED_GAINS: Part = {
+    "needs": "the commanded velocity",
+    "states": dict.fromkeys(("Q_1", "Q_2", "b_v"), State((2, 2))),  # empty at first
+    "takes": {**MOVING, "v_c": 2},
+    "parameters": {"alpha_M": "alpha_M", "rate": "k"},
+    "keeps": gains_kept,
+    "losses": gains_lost,
+    "cones": ("Q_1", "Q_2"),
+}
+
+
+# --- the covariance ---------------------------------------------------------------------------
+
+
+def forgetting(x, p):
+    """Return lambda, per time."""
+    return p.forgetting * (1 - np.trace(x.P) / p.largest)
+
+
+def covariance_rates(x, p, seen):
+    """Return P' and rho'; P phi_f is seen."""
+    forgotten = forgetting(x, p)
+    return {
+        "P": forgotten * x.P - np.outer(seen, seen) / p.noise**2,
+        "rho": -forgotten * x.rho,
+    }
+
+
+def level_over_P(u, p, over, w):
+    """Return V of Eq. (24) with r^2 tr(eta P^-1 eta^T)/w for |eta|^2; eta P^-1 is over."""
+    return {"V": level(u.e, u, p) + p.noise**2 / (2 * w) * np.sum((p.theta + u.alpha) * over)}
+
+
+def priors(known: Known) -> np.ndarray:
+    """Return the prior standard deviation of each parameter, shape (N,), length per time."""
+    each = known.settings["priors"]
+    return np.full(known.N, known.prior) if each is None else np.asarray(each, dtype=float)
+
+
+def refuses(law: Law, known: Known) -> None:
+    """Refuse priors that do not fit the functions."""
+    one, each = known.settings["prior"], known.settings["priors"]
+    if each is None:
+        return
+    count = f"has {len(each)} numbers; must be one for each of the {known.N} functions"
+    for wrong, said in (
+        (one is not None, "give either prior or priors, one of the two"),
+        (len(each) != known.N, f"{count}, 0 to hold its parameter"),
+        (not any(each), "are all 0, which holds all parameters; give at least one"),
+    ):
+        if wrong:
+            raise ScenarioError(f"learning.{law.table}.priors: {said}")
+
+
+def information(known: Known) -> np.ndarray:
+    """Return P(0)^-1, 0 for what is held, (time per length) squared."""
+    return np.array([1 / one**2 if one > 0 else 0.0 for one in priors(known)])
+
+
+def covariance(over: Callable[..., Any], weight: str) -> Part:
+    """Make the part of a law with this P, of its eta P^-1 and the parameter that is w."""
+
+    def keeps(s: Any, p: Any, truth: Truth) -> dict[str, Any]:
+        """Return alpha of eta P^-1."""
+        return {"alpha": over(s, p, truth) @ s["P"] - truth.theta}
+
+    def losses(s: Any, p: Any, truth: Truth) -> list[tuple]:
+        """Return |eta phi_f|^2/(2 w) and r^2 lambda tr(eta P^-1 eta^T)/(2 w)."""
+        w, eta_over = getattr(p, weight), over(s, p, truth)
+        forgotten = (p.forgetting, 1 - np.trace(s["P"]) / p.largest)
+        return [
+            (unexplained_square(s, p, truth), 1 / (2 * w)),
+            (*forgotten, np.sum((eta_over @ s["P"]) * eta_over), p.noise**2 / (2 * w)),
+        ]
+
+    return {
+        "keys": {
+            "prior": PRIOR,
+            "priors": Setting("in place of prior: one a function, 0 to hold it", None, "row"),
+        },
+        "parameters": {
+            "noise": NOISE,
+            "largest": lambda known: float(np.sum(priors(known) ** 2)),  # k_0 = tr P(0)
+            "information": information,
+        },
+        "states": {
+            "P": State(("N", "N"), lambda known, p: np.diag(priors(known) ** 2)),
+            "rho": State(1, 1.0),
+        },
+        "refuses": refuses,
+        "keeps": keeps,
+        "losses": losses,
+        "over": over,
+        "cones": ("P",),
+    }
+
+
+# --- the gradient ----------------------------------------------------------------------------
+
+
+def normalised_gradient(t, x, u, p):
+    """The normalised gradient: CLPE and the filtered regression of now drive one estimate.
+
+        theta_hat' = gamma phi e^T + gamma_n phi_f eps^T / (1 + |phi_f|^2)
+        theta_hat = -alpha^T    for Eq. (21)
+
+    phi_f and eps are those of `regressions`.  However large the regressor, the second term takes
+    eps away at a rate of at most gamma_n.  It remembers nothing: what the track does not show now
+    is not learned now.  K and Gamma are those of `regressions`, or are held.
+    Sources: Ioannou and Sun 1996, section 4.3; beside CLPE, Slotine and Li 1989.
+
+    V of Eq. (24), each error weighed by its own gain, has with eta = theta + alpha
+        V' = -e^T KD e - gamma_n |eta phi_f|^2/(gamma (1 + |phi_f|^2)) - what K and Gamma lose
+
+    Ports: e[2], z[2], zc[2], x[2] (length), phi_x[N], v_x[2] (length per time) -> alpha[2N] (length
+    per time), K[2], Gamma[2] (per time) and the states of `regressions`.
+    """
+    eps = p.regression_gain * unexplained(x, u, p) / (1 + x.phi_f @ x.phi_f)
+    alpha = -p.gain * np.outer(u.e, u.phi_x) - np.outer(eps, x.phi_f)
+    return {"alpha": alpha, **filter_rates(x, u, p), **gain_rates(x, u, p)}
+
+
+def regression_losses(s: Any, p: Any, truth: Truth) -> list[tuple]:
+    """Return gamma_n |eta phi_f|^2/(gamma (1 + |phi_f|^2))."""
+    size = 1 + s["phi_f"] @ s["phi_f"]
+    return [(unexplained_square(s, p, truth), p.regression_gain / p.gain, 1 / size)]
+
+
+NORMALISED_GRADIENT = Law(
+    "normalised-gradient",
+    promise="CLPE goes to zero, and alpha to -theta as fast as the track of now shows it",
+    rates=normalised_gradient,
+    promises=promised("true spanned exact", "falls", "settles"),
+    parameters={
+        **GAINS,
+        "regression_gain": Setting("gamma_n, 1/time; 4 k (k mean KD)", scaled(4)),
+    },
+    losses=regression_losses,
+    says="-e^T KD e - gamma_n |eta phi_f|^2/(gamma (1 + |phi_f|^2))",
+).with_parts(FILTERED_FLOW, COMMANDED_GAINS)
+
+
+# --- least squares ---------------------------------------------------------------------------
+
+
+def least_squares(t, x, u, p):
+    """Recursive least squares on the filtered regression, forgetting with bounded gain.
+
+        theta_hat' = P phi_f eps^T / r^2,    theta_hat = -alpha^T    for Eq. (21)
+
+    phi_f and eps are those of `regressions`, P that of `covariance`.  The flow is learned from
+    where the vehicle was carried, not from CLPE; K and Gamma, of `regressions`, or held, bring
+    CLPE down beside it.  With eta = theta + alpha and theta, alpha at t = 0 in eta(0),
+
+        eta P^-1 = rho eta(0) P(0)^-1                                             at all times
+        2 V = |e|^2 + r^2 tr(eta P^-1 eta^T)/k + |K - KD|^2/gamma_K + |Gamma - GammaD|^2/gamma_Gamma
+        V' = -e^T KD e + e^T eta phi - |eta phi_f|^2/(2 k) - r^2 lambda tr(eta P^-1 eta^T)/(2 k)
+             - what K and Gamma lose
+
+    tr(eta P^-1 eta^T) never rises, so eta is bounded, and in the mean |e| is at most |eta phi| over
+    the least of KD: CLPE is as small as the flow is well learned.
+    Source: Slotine and Li 1991, Applied Nonlinear Control, section 8.7.
+
+    Ports: e[2], z[2], zc[2], x[2] (length), phi_x[N], v_x[2] (length per time) -> alpha[2N] (length
+    per time), K[2], Gamma[2] (per time), the states of `regressions` and of `covariance`.
+    """
+    seen = x.P @ x.phi_f
+    alpha = -np.outer(unexplained(x, u, p), seen) / p.noise**2
+    return {
+        "alpha": alpha,
+        **covariance_rates(x, p, seen),
+        **filter_rates(x, u, p),
+        **gain_rates(x, u, p),
+    }
+
+
+def least_squares_level(t, x, u, p):
+    """V of Eq. (24) with r^2 tr(eta P^-1 eta^T)/k for |eta|^2, eta P^-1 = rho eta(0) P(0)^-1."""
+    return level_over_P(u, p, errors_by_rho({"rho": u.rho}, p, p), p.rate)
+
+
+def errors_by_rho(s: Any, p: Any, truth: Truth) -> Any:
+    """Return eta P^-1 = rho eta(0) P(0)^-1, shape (2, N)."""
+    return s["rho"] * (truth.theta + p.alpha_0) * p.information
+
+
+LEAST_SQUARES = Law(
+    "least-squares",
+    promise="alpha goes to -theta where the track excites, whatever K, Gamma and CLPE do; CLPE is "
+    "as small in the mean as the flow is well learned",
+    rates=least_squares,
+    promises=(
+        *promised("spanned exact", "estimate"),
+        *promised("true spanned exact", "mean square"),
+    ),
+    parameters={
+        **HELD,
+        "forgetting": Setting("lambda_0 of P, 1/time; 0.02 k", scaled(0.02), "not negative"),
+        "alpha_0": lambda known: known.alpha,
+    },
+    candidate=least_squares_level,
+    measures=("e", "alpha", "K", "Gamma", "rho"),
+    push=lambda s, p, truth: (s["x"] - s["z"]) @ ((truth.theta + s["alpha"]) @ s["phi_x"]),
+    says="-e^T KD e + e^T eta phi - |eta phi_f|^2/(2 k) - r^2 lambda tr(eta P^-1 eta^T)/(2 k)",
+    comes_to="tr(eta P^-1 eta^T) never rises; in the mean |e| <= |eta phi| over the least of KD",
+).with_parts(FILTERED_FLOW, COMMANDED_GAINS, covariance(errors_by_rho, "rate"))
+
+
+# --- least squares with CLPE -----------------------------------------------------------------
+
+
+def composite_least_squares(t, x, u, p):
+    """Composite least squares: CLPE and a filtered regression drive one estimate.
+
+        theta_hat' = P (gamma phi e^T + phi_f eps^T / r^2),    theta_hat = -alpha^T    for Eq. (21)
+        s'         = -gamma e phi^T - lambda s
+
+    phi_f and eps = F_f - theta_hat phi_f are those of `regressions`, P, lambda and rho those of
+    `covariance`, gamma = w/r^2 with a weight w.  P^-1 is never formed: s, the impulse of CLPE, with
+    s(0) = alpha(0) P(0)^-1 keeps s + rho theta P(0)^-1 = eta P^-1, eta = theta + alpha.  K and
+    Gamma are those of `regressions`, or are held.
+    Source: Slotine and Li 1989, Automatica 25(4), Composite adaptive control of robot manipulators.
+
+        2 V = |e|^2 + tr(eta P^-1 eta^T)/gamma + |K - KD|^2/gamma_K + |Gamma - GammaD|^2/gamma_Gamma
+        V' = -e^T KD e - |eta phi_f|^2/(2 w) - lambda tr(eta P^-1 eta^T)/(2 gamma)
+             - what K and Gamma lose,    where each held parameter is true
+
+    Ports: e[2], z[2], zc[2], x[2] (length), phi_x[N], v_x[2] (length per time) -> alpha[2N] (length
+    per time), K[2], Gamma[2] (per time), the states of `regressions` and of `covariance`, and
+    impulse[2N] (s, time per length).
+    """
+    gamma, seen = p.weight / p.noise**2, x.P @ x.phi_f
+    by_error, by_flow = gamma * u.e, unexplained(x, u, p) / p.noise**2
+    return {
+        "alpha": -np.outer(by_error, x.P @ u.phi_x) - np.outer(by_flow, seen),
+        "impulse": -np.outer(by_error, u.phi_x) - forgetting(x, p) * x.impulse,
+        **covariance_rates(x, p, seen),
+        **filter_rates(x, u, p),
+        **gain_rates(x, u, p),
+    }
+
+
+def composite_level(t, x, u, p):
+    """V of Eq. (24) with tr(eta P^-1 eta^T)/gamma for |eta|^2."""
+    over = errors_by_impulse({"rho": u.rho, "impulse": u.impulse}, p, p)
+    return level_over_P(u, p, over, p.weight)
+
+
+def errors_by_impulse(s: Any, p: Any, truth: Truth) -> Any:
+    """Return eta P^-1 = s + rho theta P(0)^-1, shape (2, N)."""
+    return s["impulse"] + s["rho"] * truth.theta * p.information
+
+
+COMPOSITE_LEAST_SQUARES = Law(
+    "composite-least-squares",
+    promise="CLPE goes to zero, and alpha to -theta faster the more the track has shown",
+    rates=composite_least_squares,
+    promises=promised("true spanned exact", "falls", "settles"),
+    parameters={
+        **HELD,
+        "weight": Setting("w, of CLPE beside the regression, 1/time; 100 k", scaled(100)),
+        "forgetting": Setting("lambda_0 of P, 1/time; 0 forgets nothing", 0.0, "not negative"),
+    },
+    candidate=composite_level,
+    measures=("e", "alpha", "K", "Gamma", "rho", "impulse"),
+    says="-e^T KD e - |eta phi_f|^2/(2 w) - lambda tr(eta P^-1 eta^T)/(2 gamma)",
+).with_parts(
+    FILTERED_FLOW,
+    COMMANDED_GAINS,
+    covariance(errors_by_impulse, "weight"),
+    {"states": {"impulse": State((2, "N"), lambda known, p: known.alpha * p.information)}},
+)
+
+LAWS = (NORMALISED_GRADIENT, LEAST_SQUARES, COMPOSITE_LEAST_SQUARES)

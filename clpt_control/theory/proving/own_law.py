@@ -19,8 +19,7 @@ import sympy
 from sympy.core.function import AppliedUndef
 
 from ...arguments import Count, Seed, public
-from ...blocks.laws.known import Truth
-from ...blocks.laws.law import LEARNED, Law
+from ...blocks.laws.law import LEARNED, Law, Truth
 from ...diagrams.interconnection import Diagram, connect
 from ...diagrams.parts import functions_of
 from ...diagrams.wiring import read_anew
