@@ -44,12 +44,12 @@ class Diagram(control.InterconnectedSystem):
     recorded: Any = None  # how it ran, of a diagram that a run's file holds
 
     def __repr__(self) -> str:
-        from .drawing.drawn import diagram_line
+        from .drawing.figure import diagram_line
 
         return diagram_line(self)
 
     def _repr_html_(self) -> str:
-        from .drawing.drawn import diagram_html
+        from .drawing.figure import diagram_html
 
         return diagram_html(self)
 

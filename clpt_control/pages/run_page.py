@@ -2,8 +2,7 @@
 
 from typing import TYPE_CHECKING, Any
 
-from ..diagrams.drawing.drawn import MOST
-from ..diagrams.drawing.figure import block_figure
+from ..diagrams.drawing.figure import MOST, block_figure
 from ..diagrams.on_symbols import equations
 from ..errors import ClptError
 from ..html import Result, folded, listing, safe

@@ -1,42 +1,157 @@
-"""A diagram as a block diagram on paper, a figure of matplotlib.
+"""A diagram drawn as on paper: into a file, for a notebook, for a page; and said in a line.
 
 Thick frame and integral sign: a block with states.  Grey: a source of time or
 tables (`Block.opaque`).  Dashed: feedback.  The number under a name is the
 equation of the paper that the block's function names.
 """
 
+import os
 import re
+from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 import control
 
+from ...arguments import public
+from ...equations.shown import ports_line
+from ...errors import ClptError, DiagramError
+from ...figures import save_figure
+from ...figures.svg import inline_svg
+from ...files import beside, check_name
+from ...html import fragment, paragraphs, shortened
 from ..wiring import Node, wiring_of
+from .arrows import mermaid
 from .layers import arrange, gather
 from .routing import Routed, route, strokes
 
 NAME, NOTE, PORT = 8.0, 6.5, 7.0  # sizes of text, points
 MARGIN, KEY = 6.0, 18.0
+SUFFIXES = (".svg", ".png", ".pdf", ".mmd", ".md")
+MOST = 60  # blocks that a notebook is shown drawn
 STYLE: dict[Any, Any] = {
     "font.family": "sans-serif",
     "font.sans-serif": ["DejaVu Sans", "Bitstream Vera Sans", "Verdana", "Arial", "Helvetica"],
-    "svg.fonttype": "none",
-    "svg.hashsalt": "clpt-control",
-    "pdf.fonttype": 42,
     "path.simplify": False,
     "text.usetex": False,
     "text.parse_math": False,
 }
 
 
-def save(figure: Any, path: Path, suffix: str) -> None:
-    """Write a drawn diagram as .svg, .png or .pdf; the same diagram gives the same bytes."""
+@dataclass(frozen=True, repr=False)
+class Drawing:
+    """A diagram drawn, which a notebook shows; `svg` is an element of a page."""
+
+    name: str
+    svg: str
+
+    def __repr__(self) -> str:
+        return f"<Drawing of {self.name}; clpt.draw(diagram, 'loop.svg') writes a file>"
+
+    def _repr_html_(self) -> str:
+        return fragment("", "", self.svg)
+
+
+@public
+def draw(
+    diagram: control.NonlinearIOSystem, path: str | os.PathLike[str] | None = None
+) -> Drawing | None:
+    """Draw a diagram, for a notebook or into a file.
+
+    Parameters
+    ----------
+    diagram : control.NonlinearIOSystem
+        An interconnected system; blocks of nested ones are drawn one by one.
+    path : str or path, optional
+        Ends in ``.svg``, ``.png`` or ``.pdf``; ``.mmd`` gets Mermaid text,
+        ``.md`` the same in a fence. The same diagram gives the same bytes.
+
+    Returns
+    -------
+    Drawing or None
+        Without a path what a notebook shows.
+
+    Raises
+    ------
+    DiagramError
+        If the ending is another.
+    DataError
+        If the folder is missing or cannot be written to.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> loop = clpt.closed_loop(clpt.paper_scenario())
+    >>> clpt.draw(loop).svg[:4]
+    '<svg'
+    """
+    if path is None:
+        return drawing(diagram)
+    path = Path(path)
+    check_name(path)
+    suffix = path.suffix.lower()
+    if suffix not in SUFFIXES:
+        raise DiagramError(
+            f"{path}: a diagram is drawn as {', '.join(SUFFIXES)}, not '{path.suffix}'"
+        )
+    figure = None if suffix in (".mmd", ".md") else block_figure(diagram)
+    with beside(path) as part:
+        if figure is None:
+            text = mermaid(diagram)
+            text = f"```mermaid\n{text}```\n" if suffix == ".md" else text
+            part.write_text(text, encoding="utf-8")
+        else:
+            from matplotlib import style
+
+            with style.context(["default", STYLE]):
+                save_figure(figure, part, suffix[1:], dpi=200)
+    return None
+
+
+def drawing(diagram: control.NonlinearIOSystem) -> Drawing:
+    """Return a diagram drawn for a page, as wide as on paper."""
     from matplotlib import style
 
-    dates = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}, ".png": {}}
+    figure = block_figure(diagram)
     with style.context(["default", STYLE]):
-        figure.savefig(path, format=suffix[1:], dpi=200, metadata=dates[suffix])
+        svg = inline_svg(figure, "diagram", f"block diagram of {diagram.name}")
+    wide = f'<svg width="{72 * figure.get_figwidth():.0f}pt" '
+    return Drawing(diagram.name, svg.replace("<svg ", wide, 1))
+
+
+def diagram_line(diagram: control.InterconnectedSystem) -> str:
+    """Return what a diagram is, in a line."""
+    flows = f"{_ports(diagram.input_labels)} -> {_ports(diagram.output_labels)}"
+    return f"<Diagram {shortened(diagram.name, 60)}: {_size(diagram)}; {flows}>"
+
+
+def diagram_html(diagram: control.InterconnectedSystem) -> str:
+    """Return a diagram drawn, or in words where it is large."""
+    name = f"{diagram.name}: {_size(diagram)}"
+    try:
+        large = len(wiring_of(diagram).nodes) > MOST
+        drawn = "" if large else drawing(diagram).svg
+    except ClptError as error:  # of what cannot be wired
+        return fragment("Diagram", name, paragraphs([str(error)]))
+    said = [f"It has more than {MOST} blocks; clpt.draw(diagram, 'loop.svg') draws it."]
+    return fragment("Diagram", name, paragraphs(said) if large else drawn)
+
+
+def _size(diagram: control.InterconnectedSystem) -> str:
+    return f"{len(diagram.syslist)} blocks, {diagram.nstates or 0} states"
+
+
+def _ports(labels: list[str]) -> str:
+    """Return labels as ports with their sizes: a[0], a[1], b as a[2], b."""
+    sizes: dict[str, int] = {}
+    for label in labels:
+        port = re.sub(r"\[\d+\]$", "", label)
+        sizes[port] = sizes.get(port, 0) + 1
+    return ports_line(sizes)
+
+
+# --- the figure ----------------------------------------------------------------------------------
 
 
 def block_figure(diagram: control.NonlinearIOSystem) -> Any:

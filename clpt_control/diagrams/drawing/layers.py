@@ -1,17 +1,28 @@
-"""Which column a block stands in, and in which order: Sugiyama's method.
+"""Where a block stands: its column, its order there, and how high; Sugiyama's method.
 
 Arrows that would close a circle are feedback and set aside; the rest give each
 block a layer by its longest path; a net that skips layers leaves a passage in
 each; sweeps over the barycentres order every layer so that few nets cross.
+
+Then arrows climb and fall as little as that order allows, a linear program: those of passages count
+more, as a long line that is straight is read at a glance.  All heights lie on one grid, so that
+arrows are either straight or visibly bent.
 """
 
+import math
 from dataclasses import dataclass, field
+from itertools import pairwise
+from statistics import mean
 from typing import NamedTuple
 
 import control
 
 from ..wiring import Wiring, units_of
 from .arrows import arrows, port_of, ports
+
+GRID, PITCH, GAP = 7.0, 14.0, 14.0  # points; of heights, of ports, between boxes
+WEIGHTS = 1.0, 2.0, 8.0  # of an arrow with so many passages at its ends
+NEAR = 0.01  # of the distance from the middle
 
 
 @dataclass
@@ -182,3 +193,107 @@ def _crossings(layered: Layered) -> int:
         pairs = [(place[a], place[b]) for a, b in layered.links(layer)]
         total += sum(a < c and b > d for a, b in pairs for c, d in pairs)
     return total
+
+
+# --- how high ------------------------------------------------------------------------------------
+
+
+@dataclass
+class Box:
+    """A block, an input of the diagram, or a passage for a net."""
+
+    width: float  # a passage has no size
+    height: float
+    x: float = 0.0  # left edge
+    y: float = 0.0  # centre
+    ins: list[int] = field(default_factory=list)  # nets at its left side, from top to bottom
+    outs: list[int] = field(default_factory=list)  # nets at its right side
+
+    def port(self, net: int, out: bool) -> float:
+        """Return the height at which a net meets the box."""
+        side = self.outs if out else self.ins
+        if net not in side:
+            return self.y
+        return self.y + (side.index(net) - (len(side) - 1) / 2) * PITCH
+
+
+def place(
+    layered: Layered, sizes: dict[str, tuple[float, float]]
+) -> tuple[dict[str, Box], dict[int, bool]]:
+    """Return boxes at their heights, ports in order, and which feedback returns above them."""
+    boxes = _boxes(layered, sizes)
+    above: dict[int, bool] = {}
+    for _ in range(3):
+        _level(layered, boxes)
+        above = _returns_above(layered, boxes)
+        _sort_ports(layered, boxes, above)
+    _level(layered, boxes)
+    return boxes, above
+
+
+def _boxes(layered: Layered, sizes: dict[str, tuple[float, float]]) -> dict[str, Box]:
+    """Return boxes with all their ports, of the size of their text or more."""
+    boxes = {name: Box(*sizes.get(name, (0.0, 0.0))) for layer in layered.layers for name in layer}
+    for k, net in enumerate(layered.nets):
+        boxes[net.source].outs.append(k)
+        for target in net.targets:
+            boxes[target].ins.append(k)
+    for name, box in boxes.items():
+        if not name.startswith(("in:", "pass:")):
+            rows = max(len(box.ins), len(box.outs))
+            box.height = max(box.height, rows * PITCH)
+    return boxes
+
+
+def _level(layered: Layered, boxes: dict[str, Box]) -> None:
+    """Move the boxes to heights at which arrows climb and fall least, and else near the middle."""
+    from scipy.optimize import linprog
+    from scipy.sparse import coo_array
+
+    number = {name: k for k, name in enumerate(boxes)}
+    middle = len(number)  # a height of its own
+    climbs = [(k, middle, 0.0, NEAR) for k in number.values()]  # from, to, at which ports, weight
+    for (_, k), (start, ends) in layered.hops.items():
+        out = boxes[start].port(k, True) - boxes[start].y
+        for end in ends:
+            at = boxes[end].port(k, False) - boxes[end].y - out
+            weight = WEIGHTS[start.startswith("pass:") + end.startswith("pass:")]
+            climbs.append((number[start], number[end], at / GRID, weight))
+    rows: list[tuple[dict[int, int], float]] = []  # coefficients, and what they are at most
+    for names in layered.layers:
+        for upper, lower in pairwise(names):
+            room = (boxes[upper].height + boxes[lower].height) / 2 + GAP
+            rows.append(({number[upper]: 1, number[lower]: -1}, -math.ceil(room / GRID)))
+    for own, (a, b, at, _) in enumerate(climbs, middle + 1):
+        rows += [({b: 1, a: -1, own: -1}, -at), ({b: -1, a: 1, own: -1}, at)]
+    left = [(row, k, one) for row, (own, _) in enumerate(rows) for k, one in own.items()]
+    where, which, values = zip(*left, strict=True)
+    matrix = coo_array((values, (where, which))).tocsr()
+    costs = [0.0] * (middle + 1) + [weight for *_, weight in climbs]
+    heights = linprog(costs, matrix, [most for _, most in rows]).x
+    for box, y in zip(boxes.values(), heights, strict=False):
+        box.y = GRID * round(y)
+
+
+def _returns_above(layered: Layered, boxes: dict[str, Box]) -> dict[int, bool]:
+    """Return for each net with feedback whether its lane is above the boxes."""
+    middle = mean([box.y for name, box in boxes.items() if not name.startswith("pass:")])
+    return {
+        k: mean([boxes[name].y for name in (net.source, *net.back)]) < middle
+        for k, net in enumerate(layered.nets)
+        if net.back
+    }
+
+
+def _sort_ports(layered: Layered, boxes: dict[str, Box], above: dict[int, bool]) -> None:
+    """Sort ports by where their nets come from and go; feedback to its lane's side."""
+    came: dict[tuple[str, int], float] = {}
+    went: dict[int, float] = {}
+    for (_, k), (start, ends) in layered.hops.items():
+        came |= {(end, k): boxes[start].port(k, True) for end in ends}
+        if start == layered.nets[k].source:
+            went[k] = mean([boxes[end].port(k, False) for end in ends])
+    for name, box in boxes.items():
+        far = {k: -math.inf if above.get(k) else math.inf for k in (*box.ins, *box.outs)}
+        box.ins.sort(key=lambda k: (came.get((name, k), far[k]), k))
+        box.outs.sort(key=lambda k: (went.get(k, far[k]), k))

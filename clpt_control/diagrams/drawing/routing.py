@@ -11,8 +11,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
 
-from .heights import GRID, Box, place
-from .layers import Layered, Net
+from .layers import GRID, Box, Layered, Net, place
 
 TRACK, ARROW = 7.0, 9.0  # points between tracks, and of an arrow's head
 LANE, APART = 10.0, 7.0  # points between lanes, and between turns of one track
