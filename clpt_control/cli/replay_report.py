@@ -21,7 +21,6 @@ from ..errors import ScenarioError
 from ..files import write_together
 from ..html import Result
 from ..progress import interrupt, progress_bar, tell
-from .alerts import Alerts
 from .help_pages import Command
 from .printing import LONG, terminal_width
 
@@ -155,7 +154,7 @@ def fitting(rows: list[dict[str, str]], width: int, ranks: dict[str, int]) -> li
 
 def results(summary: dict[str, Any]) -> list[Result]:
     """Return what `summary_with_next` says of a replay: dives, misses, what was learned."""
-    from ..replay.sentences import (
+    from ..replay.wording import (
         RANKS,
         aimed,
         cells,
@@ -230,7 +229,7 @@ def write(
 
 def summary_with_next(result: Any, skipped: list, ahead: Ahead) -> tuple[dict[str, Any], Any]:
     """Return what `--json` prints, and the next dive: the summary, where it ends, aim and paste."""
-    from ..replay.paste import paste
+    from ..replay.exchange import paste
     from ..replay.route import DRAWS, Route, arrivals
 
     found = clpt.replay.summary(result, skipped) | {"next_dive": None, "aim": [], "paste": None}
@@ -270,6 +269,7 @@ def watch(
     Times are in s.  Ctrl-C or SIGTERM ends it: while it waits, with the last replay; while
     it learns, by a `KeyboardInterrupt`, as no replay has all dives yet.
     """
+    from ..replay.fleet import Alerts
     from ..replay.follow import following
 
     with interrupt.terminated(), following(folder, out) as follower:
@@ -303,8 +303,7 @@ def learn(
     take: Take, dives: tuple[Any, Any], files: int, out: Path, ahead: Ahead, kinds: Sequence[str]
 ) -> tuple[dict[str, Any], str]:
     """Replay dives and write the results; return them with a line on the new files."""
-    from ..replay.sentences import aimed, when
-    from ..replay.wording import place
+    from ..replay.wording import aimed, place, when
 
     replay, skipped = take(*dives)
     found, goal = summary_with_next(replay, skipped, ahead)

@@ -135,7 +135,7 @@ def page_of(data: "xarray.Dataset", title: str | None = None) -> "Page":
 def _replay(found: dict[str, Any], title: str | None) -> tuple[str, list[str]]:
     """Return the page for one on watch with a glider, and its sentence."""
     from ..replay.page import replay_page
-    from ..replay.sentences import next_surfacing
+    from ..replay.wording import next_surfacing
 
     try:
         return replay_page(found, title=title), [next_surfacing(found["next_dive"])]

@@ -35,15 +35,13 @@ from ..gliders.magnetic import variation as igrf
 from ..gliders.usable_dives import FASTEST
 from .replay import Replay
 from .surfacing import ELLIPSE, LONGEST, NextDive, ellipse
-from .wording import direction, in_minutes, utc
+from .wording import AGAINST, REACHED, UNDER_WAY, Place, direction, in_minutes, utc
 
 SHORTEST = 1.0  # s, of a dive that is aimed
 YEAR = 365 * 86400.0  # s
 DIVES = 5  # the last ones, of which speed and duration are learned
 ARRIVED = 1000.0  # m; who is so close to a waypoint goes on to the next one
 TURNS, CLOSE = 20, 1.0  # of finding c, and m by which the last may change it
-REACHED, UNDER_WAY, AGAINST = "reached", "under way", "cannot be made"
-Place = tuple[float, float]  # degrees north and east
 
 
 @dataclass(frozen=True)

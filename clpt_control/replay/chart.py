@@ -27,9 +27,8 @@ import numpy as np
 
 from ..errors import needed
 from ..geodesy import displacement, place_from
-from .wording import compass, east_of, velocity
+from .wording import Place, compass, east_of, velocity
 
-Place = tuple[float, float]  # degrees north, degrees east
 DIVE, NEXT, AIMED = ("start_", "forecast_"), ("from_", ""), ("from_", "end_")  # start, centre
 CORNERS = 48
 HALF = 180.0

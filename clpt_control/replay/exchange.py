@@ -1,16 +1,38 @@
-"""A replay for other programs: GeoJSON (RFC 7946) and KML 2.2 (OGC 07-147r2).
+"""A replay for other programs: GeoJSON, KML, and the aim as a vehicle takes it.
 
-Both are made of what `clpt replay --json` prints.  Places are WGS84, longitude first; rings turn
-counter-clockwise; nothing crosses 180 degrees.  A text of a file loses characters that XML
-does not have.
+GeoJSON (RFC 7946) and KML 2.2 (OGC 07-147r2) are made of what `clpt replay --json` prints.  Places
+are WGS84, longitude first; rings turn counter-clockwise; nothing crosses 180 degrees.  A text of a
+file loses characters that XML does not have.
+
+The aim is a file to upload, or lines to type.  Places are degrees and minutes in one number,
+ddmm.mmmm, south and west negative.
+
+Seaglider (University of Washington, Parameter Reference Manual 67; basestation3, validate.py).
+`$HEADING` in the cmdfile, degrees from true north, puts a target 20 km away; the targets file
+counts where it is -1.  Under `$NAV_MODE` 2 the glider corrects for the current of its last dive,
+under 1 for that of its own filter, so the aim is for mode 0.  A line of the targets file is a
+name, lat, lon, radius (m) and the name of the target that follows; a comment begins with `/`.
+
+Slocum (Teledyne, Slocum G2 Operators Training Guide, 2012; mafiles of Rutgers' RU23, 2023).  A
+mafile of goto_list: arguments, then a line for each waypoint, longitude first.  It steers straight
+for a waypoint where u_use_current_correction is 0, so there it gets one far along the heading; a
+glider that corrects for the current gets the waypoints.
+
+SeaExplorer: its mission file is not public.  The lines say heading and waypoint, as its own
+navigation files have them (DesiredH, Lat, Lon), to be typed.
 """
 
 import json
+from math import cos, radians, sin
 from typing import Any
 from xml.etree import ElementTree
 
+from ..geodesy import place_from
+from ..gliders.slocum import HOLDS
 from ..html import plain
-from .chart import Layer, Place, dive_layers, layers_ahead, line_pieces, ring_pieces
+from .aim import ARRIVED
+from .chart import Layer, dive_layers, layers_ahead, line_pieces, ring_pieces
+from .wording import REACHED, Place, compass, east_of, minutes
 
 DIGITS = 6  # decimals of a degree: 0.1 m
 KML = "http://www.opengis.net/kml/2.2"
@@ -128,3 +150,75 @@ def _placemark(parent: Any, name: str, style: str, layer: Layer, hidden: bool = 
             shape = _within(_within(shape, "outerBoundaryIs"), "LinearRing")
         pairs = piece[:1] if layer.shape == "Point" else piece
         _within(shape, "coordinates").text = " ".join(f"{x},{y}" for x, y in pairs)
+
+
+FAR = 20_000.0  # m along the heading, as Seaglider has it
+MOST = 8  # waypoints that a goto_list holds
+UNTIL = (  # arguments of a goto_list
+    "num_legs_to_run(nodim) -1  # loop",
+    "start_when(enum) 0  # BAW_IMMEDIATELY",
+    "list_stop_when(enum) 7  # BAW_WHEN_WPT_DIST",
+    "list_when_wpt_dist(m) 100",
+    "initial_wpt(enum) 0  # the first",
+)
+
+
+def paste(found: dict[str, Any]) -> dict[str, str] | None:
+    """Return name and text of what goes onto the vehicle, of what `--json` prints.
+
+    None where nothing is aimed at, or no file says which kind of vehicle it is.
+    """
+    write = WRITERS.get(found["kind"])
+    if write is None or not found["aim"] or found["aim"][0]["heading"] is None:
+        return None
+    corrects = any(note.startswith(HOLDS) for note in found["each_dive"][-1]["notes"])
+    name, lines = write(found["aim"], corrects)
+    return {"file": name, "text": "\n".join(lines) + "\n"}
+
+
+def _seaglider(legs: list[dict[str, Any]], _: bool) -> tuple[str, list[str]]:
+    names = [f"AIM{k + 1}" for k in range(len(legs))]
+    lines = [
+        "/ in the cmdfile, for the next dive:",
+        "/ $NAV_MODE,0",
+        f"/ $HEADING,{legs[0]['heading']:.1f}",
+        "/ this targets file counts where $HEADING is -1",
+    ]
+    for name, after, leg in zip(names, [*names[1:], names[-1]], legs, strict=True):
+        lat, lon = _numbers(*_target(leg))
+        lines.append(f"{name} lat={lat} lon={lon} radius={ARRIVED:.0f} goto={after}")
+    return "targets", lines
+
+
+def _slocum(legs: list[dict[str, Any]], corrects: bool) -> tuple[str, list[str]]:
+    first = legs[0]
+    places = [_target(leg) for leg in legs[:MOST]]
+    said = "the waypoints: this glider corrects for the current itself (u_use_current_correction 1)"
+    if not corrects:
+        far = first["through_water"] if first["state"] == REACHED else FAR
+        turn = radians(first["heading"])
+        start = first["from_latitude"], first["from_longitude"]
+        places = [place_from(*start, far * sin(turn), far * cos(turn))]
+        said = f"heading {compass(first['heading'])} (true), for u_use_current_correction 0"
+    lines = ["behavior_name=goto_list", f"# {said}", "<start:b_arg>"]
+    lines += [f"b_arg: {one}" for one in (*UNTIL, f"num_waypoints(nodim) {len(places)}")]
+    lines += ["<end:b_arg>", "<start:waypoints>"]
+    lines += ["{1} {0}".format(*_numbers(*one)) for one in places]
+    return "goto_l10.ma", [*lines, "<end:waypoints>"]
+
+
+def _seaexplorer(legs: list[dict[str, Any]], _: bool) -> tuple[str, list[str]]:
+    lines = [f"DesiredH {compass(legs[0]['heading'])}"]
+    lines += ["Lat {} Lon {}".format(*_numbers(*_target(leg))) for leg in legs]
+    return "seaexplorer.txt", lines
+
+
+def _target(leg: dict[str, Any]) -> Place:
+    return leg["latitude"], leg["longitude"]
+
+
+def _numbers(lat: float, lon: float) -> tuple[str, str]:
+    return minutes(lat), minutes(east_of(lon))
+
+
+WRITERS = {"Seaglider": _seaglider, "Slocum": _slocum, "SeaExplorer": _seaexplorer}

@@ -1,4 +1,4 @@
-"""The displacement by which a modelled flow carries a glider during a dive.
+"""The displacement of a glider by a modelled flow during a dive, and files of such flows.
 
 Dead reckoning carried by a flow model F is
 
@@ -16,19 +16,56 @@ steps of a quarter of an hour at most.
 
 Of the dive, the fix GPS2, the times and the dead reckoning are used and never
 the fix after it: the forecast is one.
+
+A file has a gridded forecast, or a fitted basis.  Of a gridded forecast a glider feels a water
+column.  A dive samples the column down to its greatest depth D, so the flow is averaged over it, by
+trapezoids through the levels that have data,
+
+    F = (1 / D) int_0^D u dz,    u linear between levels, constant above the first,
+
+as far down as there are data; D is `Dive.depth_max`, or 1000 m where it is not
+known.  D is the one number of a dive that is read though it is measured during the
+dive: a pilot knows the depth that was planned, which it stands for.
+
+F is linear between latitudes, longitudes and times, and nowhere extrapolated:
+outside the area, before the first step, after the last, where a corner of the cell
+has no data and in a gap of the steps there is no model.  A gap is an interval that
+is longer than 2.5 times the median of the two before it and the two after it, so
+that steps may become coarser further ahead, as forecasts have them.
+
+A fitted basis is that of a scenario that `clpt fit` wrote,
+
+    F(x, t) = theta phi(x, t)    Eq. (3)
+
+with the basis of the scenario, evaluated by its block, and theta, the origin of
+its plane, t = 0 and its box from the field file beside it.  Constituents go on
+in time, before and after the record that was fitted; in space there is a model
+within the box alone.
 """
 
+import json
 from abc import ABC, abstractmethod
 from collections.abc import Callable
-from dataclasses import replace
-from math import isfinite
+from dataclasses import dataclass, replace
+from functools import cached_property
+from math import cos, isfinite, radians
+from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..arguments import public
-from ..errors import ClptError
+from ..currents.grid_file import DEEPEST, SUFFIXES, Currents, read_currents
+from ..currents.plane import LocalPlane
+from ..equations.block import Block
+from ..errors import ClptError, DataError
 from ..estimation.dive import reckoned
+from ..files import open_netcdf
 from ..gliders.dives import Dive
+from ..units import METRES, SECONDS, seconds_since_1970
+
+if TYPE_CHECKING:
+    from ..scenario.experiment import Scenario
 
 Flow = Callable[[float, float, float], tuple[float, float]]
 NOTE = "flow model: "
@@ -123,3 +160,287 @@ def carried(dive: Dive, flow_model: FlowModel) -> Dive:
 def why_uncovered(dive: Dive) -> str:
     """Return why a flow model does not cover a dive; empty if it does."""
     return next((note[len(NOTE) :] for note in dive.notes if note.startswith(NOTE)), "")
+
+
+DEGREE = 110500.0  # m; no degree of latitude is shorter
+GAP = 2.5  # times the intervals around one: beyond, steps are missing
+
+
+def depth_mean(depth: np.ndarray, values: np.ndarray, deepest: float) -> np.ndarray:
+    """Average a profile, shape (nt, nz, ...), from the surface to a depth, m.
+
+    The mean ends at the deepest level with data, if that is higher, and is NaN where no
+    level above the end has any.  Levels `depth`, m, increase from the surface.
+
+    >>> depth = np.array([0.0, 100.0, 400.0])
+    >>> depth_mean(depth, np.array([[0.4, 0.3, 0.0]]), 200.0).round(9)
+    array([0.3])
+    """
+    shape = values[:, 0].shape
+    total, last, above = np.zeros(shape), np.zeros(shape), np.full(shape, np.nan)
+    for z, value in zip(depth, np.moveaxis(values, 1, 0), strict=True):
+        first = np.isnan(above)
+        use = np.isfinite(value) & (first | (last < deepest))
+        if z > max(deepest, depth[0]):
+            use &= ~first  # nothing was seen above that end
+        if not use.any():
+            continue
+        end = min(z, deepest)
+        with np.errstate(invalid="ignore", divide="ignore"):
+            slope = np.where(first | (z == last), 0.0, (value - above) / (z - last))
+        top = np.where(first, value, above)
+        thick = end - last
+        total = np.where(use, total + thick * (top + slope * thick / 2), total)
+        above, last = np.where(use, value, above), np.where(use, end, last)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        return np.where(last > 0, total / last, above)
+
+
+def gaps_of(time: np.ndarray) -> np.ndarray:
+    """Return which intervals between increasing steps are gaps.
+
+    They are longer than 2.5 times the median of the two before and the two after them.
+
+    >>> gaps_of(np.array([0.0, 6.0, 12.0, 78.0, 84.0])).tolist()
+    [False, False, True, False]
+    >>> gaps_of(np.array([0.0, 1.0, 2.0, 5.0, 8.0, 11.0])).tolist()
+    [False, False, False, False, False]
+    """
+    steps = np.diff(time)
+    gaps = np.zeros(len(steps), bool)
+    for k, step in enumerate(steps):
+        around = np.concatenate([steps[max(k - 2, 0) : k], steps[k + 1 : k + 3]])
+        gaps[k] = around.size > 0 and step > GAP * np.median(around)
+    return gaps
+
+
+@dataclass(frozen=True)
+class Forecast(FlowModel):
+    """A gridded current, read by `read_currents`, that carries dead reckoning."""
+
+    column: Currents
+    source: str
+    about: str
+
+    @cached_property
+    def fastest(self) -> float:
+        """Greatest speed anywhere in the file, m/s."""
+        return float(np.sqrt(np.nanmax(self.column.u**2 + self.column.v**2)))
+
+    @cached_property
+    def time(self) -> np.ndarray:
+        """Steps, s since 1970 UTC, shape (nt,)."""
+        return seconds_since_1970(self.column.start) + 3600.0 * self.column.time
+
+    @cached_property
+    def gaps(self) -> np.ndarray:
+        """Which intervals of the steps are gaps, shape (nt - 1,)."""
+        return gaps_of(self.time)
+
+    def along(self, dive: Dive) -> Flow:
+        """Return the flow for one dive, averaged over its depths.
+
+        `Uncovered` is raised where the dive begins outside the area, is not within the
+        steps or reaches into a gap of them.
+        """
+        from scipy.interpolate import RegularGridInterpolator
+
+        c, time = self.column, self.time
+        if not self._inside(dive.lat_gps2, dive.lon_gps2):
+            raise Uncovered("outside the forecast's area")
+        if not dive.t_gps2 >= time[0]:
+            raise Uncovered("begins before the forecast's first step")
+        if not dive.t_gpse <= time[-1]:
+            raise Uncovered("ends after the forecast's last step")
+        within = _bracket(time, dive.t_gps2, dive.t_gpse)
+        if self.gaps[within.start : within.stop - 1].any():
+            raise Uncovered("in a gap of the forecast's steps")
+        plane = LocalPlane(dive.lat_gps2, dive.lon_gps2)
+        steps, rows, columns = self._reached(dive)
+        deepest = dive.depth_max
+        if deepest is None or not (isfinite(deepest) and deepest > 0):
+            deepest = DEEPEST
+        u, v = (depth_mean(c.depth, w[steps, :, rows, columns], deepest) for w in (c.u, c.v))
+        look = RegularGridInterpolator(
+            (time[steps] - dive.t_gps2, c.lat[rows], c.lon[columns]),
+            np.stack([u, v], axis=-1),
+            bounds_error=False,
+            fill_value=np.nan,
+        )
+
+        def flow(t: float, east: float, north: float) -> tuple[float, float]:
+            lat, lon = map(float, plane.to_earth(east / 1000, north / 1000))
+            eastward, northward = look([[t, lat, self._unwrapped(lon)]])[0]
+            if not (isfinite(eastward) and isfinite(northward)):
+                raise Uncovered(
+                    "in a gap of the forecast"
+                    if self._inside(lat, lon)
+                    else "outside the forecast's area"
+                )
+            u1, u2 = plane.turn(lat, lon, eastward, northward)
+            return float(u1), float(u2)
+
+        return flow
+
+    def _unwrapped(self, lon: float) -> float:
+        """Return a longitude as the file counts, at or after its first."""
+        return self.column.lon[0] + (lon - self.column.lon[0]) % 360.0
+
+    def _inside(self, lat: float, lon: float) -> bool:
+        c = self.column
+        return bool(c.lat[0] <= lat <= c.lat[-1] and self._unwrapped(lon) <= c.lon[-1])
+
+    def _reached(self, dive: Dive) -> tuple[slice, slice, slice]:
+        """Return the steps, rows and columns that the dive can reach."""
+        c = self.column
+        track = (dive.dr_east, dive.dr_north) if dive.track is None else dive.track[1:]
+        reach = float(np.max(np.hypot(*track))) + dive.duration * self.fastest
+        high = reach / DEGREE
+        wide = high / max(cos(radians(min(abs(dive.lat_gps2) + high, 89.9))), 1e-3)
+        lat, lon = dive.lat_gps2, self._unwrapped(dive.lon_gps2)
+        return (
+            _bracket(self.time, dive.t_gps2, dive.t_gpse),
+            _bracket(c.lat, lat - high, lat + high),
+            _bracket(c.lon, lon - wide, lon + wide),
+        )
+
+
+def read_forecast(path: str | Path, units: str | None = None) -> Forecast:
+    """Read a NetCDF of a current on time, latitude, longitude and perhaps depth."""
+    column = read_currents(path, column=True, units=units)
+    about = f"gridded, averaged over a dive's depth, {len(column.depth)} levels"
+    if len(column.depth) == 1:
+        where = "surface" if column.depth[0] < 1 else f"{column.depth[0]:g} m deep"
+        about = f"gridded, one level only ({where}), not what a glider feels over its depths"
+    if column.land:
+        about += f"; {column.land} cells of nothing but zeros are taken as land"
+    return Forecast(column, column.source, about)
+
+
+def _bracket(axis: np.ndarray, low: float, high: float) -> slice:
+    """Cut an axis to the span and one value on either side, two at least."""
+    first = min(max(int(np.searchsorted(axis, low, "right")) - 1, 0), len(axis) - 2)
+    last = max(int(np.searchsorted(axis, high, "left")), first + 1)
+    return slice(first, last + 1)
+
+
+@dataclass(frozen=True)
+class Fitted(FlowModel):
+    """A basis with its parameters, on the plane of its fit."""
+
+    scenario: "Scenario"
+    theta: np.ndarray  # shape (2, N), along x1 and x2, the scenario's length per time
+    plane: LocalPlane  # about the origin of the fit
+    start: float  # its t = 0, s since 1970 UTC
+    box: tuple[float, float, float, float]  # lat0, lat1, lon0, lon1 that was fitted, degrees
+    source: str = ""
+    about: str = "fitted basis"
+
+    @cached_property
+    def basis(self) -> Block:
+        """The block phi(x, t), Eq. (5)."""
+        return self.scenario.basis_block()
+
+    def along(self, dive: Dive) -> Flow:
+        """Return theta phi for one dive; `Uncovered` if it begins outside the fit's area."""
+        here, units = LocalPlane(dive.lat_gps2, dive.lon_gps2), self.scenario.units
+        long, second = METRES[units.length], SECONDS[units.time]
+        basis, N, no_state = self.basis, self.scenario.basis.N, np.zeros(0)
+
+        def flow(t: float, east: float, north: float) -> tuple[float, float]:
+            lat, lon = here.to_earth(east / 1000, north / 1000)
+            lat0, lat1, lon0, lon1 = self.box
+            if not (lat0 <= lat <= lat1 and (lon - lon0) % 360.0 <= lon1 - lon0):
+                raise Uncovered("outside the fit's area")
+            x1, x2 = (1000.0 * float(x) / long for x in self.plane.to_plane(lat, lon))
+            when = (dive.t_gps2 + t - self.start) / second
+            phi = basis.values("output", N, when, no_state, [x1, x2], basis.parameters)
+            u1, u2 = self.theta @ phi * (long / second)
+            c, s = self.plane.turn(lat, lon, 1.0, 0.0)  # where east points in the fit's plane
+            u1, u2 = here.turn(lat, lon, c * u1 + s * u2, c * u2 - s * u1)
+            return float(u1), float(u2)
+
+        flow(0.0, 0.0, 0.0)
+        return flow
+
+
+def read_fitted(path: str | Path) -> Fitted:
+    """Read the TOML file that `clpt fit` wrote, its field beside it; theta is the fitted one."""
+    from ..scenario.file import load_scenario
+
+    path = Path(path)
+    scenario = load_scenario(path)
+    if scenario.field_path is None:
+        raise DataError(
+            f"{path}: has no flow.field, so neither origin nor date; a flow model is a scenario "
+            "that `clpt fit` wrote"
+        )
+    with open_netcdf(scenario.field_path) as data:
+        text = data.attrs.get("fit_report", "")
+    try:
+        report = json.loads(text)
+        theta = np.array(report["theta"], float)
+        plane = LocalPlane(*map(float, report["origin"]))
+        start = seconds_since_1970(report["start"])
+        lat0, lat1, lon0, lon1 = map(float, report["box"])
+        tides = ", ".join(report["constituents"])
+    except (ValueError, KeyError, TypeError):
+        raise DataError(
+            f"{scenario.field_path}: has no fit_report with theta, origin, box and a real date as "
+            "start; write scenario and field anew with `clpt fit`"
+        ) from None
+    if theta.shape != (2, scenario.basis.N) or not np.all(np.isfinite(theta)):
+        raise DataError(
+            f"{path}: its basis has {scenario.basis.N} functions, the theta in "
+            f"{scenario.field_path.name} has the shape {theta.shape}; write both anew with "
+            "`clpt fit`"
+        )
+    about = f"fitted basis of {scenario.basis.N} functions, {tides}"
+    return Fitted(scenario, theta, plane, start, (lat0, lat1, lon0, lon1), path.name, about)
+
+
+@public
+def read_flow_model(path: str | Path, units: str | None = None) -> FlowModel:
+    """Read a flow model: a gridded forecast, or a fitted basis.
+
+    Parameters
+    ----------
+    path : str or Path
+        NetCDF of a current on time, latitude, longitude and perhaps depth, Zarr, or
+        a folder of such files; or
+        the TOML file that `clpt fit` wrote, its field beside it.
+    units : str, optional
+        Of u and v of a NetCDF file, such as ``"m/s"``, where it has none.
+
+    Returns
+    -------
+    FlowModel
+        To be given to `carried` with each dive.
+
+    Raises
+    ------
+    DataError
+        If the file is missing or neither, or lacks what a flow model needs.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> model = clpt.replay.read_flow_model("forecast.nc")  # doctest: +SKIP
+    >>> dives, skipped = clpt.gliders.usable(clpt.gliders.sample_dives())
+    >>> replay = clpt.replay.replay_dives(dives, flow_model=model)  # doctest: +SKIP
+    """
+    path = Path(path)
+    kind = path.suffix.lower()
+    if kind not in (".toml", *SUFFIXES) and not path.is_dir():
+        raise DataError(
+            f"{path}: is no flow model; must be a NetCDF file (.nc) of a current on time, latitude "
+            "and longitude, or the .toml file of a `clpt fit`"
+        )
+    if not path.exists():
+        raise DataError(
+            f"{path}: no such file; a flow model is a NetCDF file (.nc) of a current, or the .toml "
+            "file that `clpt fit` writes"
+        )
+    if kind == ".toml" and units is not None:
+        raise DataError(f"{path}: a fit has its units in the file; leave out units ({units})")
+    return read_fitted(path) if kind == ".toml" else read_forecast(path, units)

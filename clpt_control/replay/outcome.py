@@ -29,9 +29,8 @@ from ..estimation.fix_model import OTHERS
 from ..geodesy import place_from
 from ..gliders.dives import Skipped
 from .flow_models import NOTE, why_uncovered
-from .habits import Way
 from .replay import FLOW_MODEL, Replay, Step
-from .surfacing import ELLIPSE, NextDive, ellipse
+from .surfacing import ELLIPSE, NextDive, Way, ellipse
 from .wording import direction, utc, velocity
 
 SPEED = ("speed_factor", "speed_factor_error", "compass", "compass_error")

@@ -13,8 +13,20 @@ from ..figures.svg import inline_svg
 from ..html import document, listing, paragraphs, safe
 from .page_map import replay_map
 from .plots import current_plot, dive_clpe_plot
-from .sentences import RANKS, aimed, cells, next_surfacing, record, remarks, routed, within
-from .wording import clock, compass, in_degrees, velocity
+from .wording import (
+    RANKS,
+    aimed,
+    cells,
+    clock,
+    compass,
+    in_degrees,
+    next_surfacing,
+    record,
+    remarks,
+    routed,
+    velocity,
+    within,
+)
 
 ALARM = ' class="alarm"'
 LOUD = ("OUT", "SPEED", "overdue", "cannot be read")  # how cells begin that are seen first

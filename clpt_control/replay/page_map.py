@@ -13,8 +13,8 @@ import numpy as np
 
 from ..geodesy import displacement
 from ..html import safe
-from .chart import Chart, Layer, Place, dive_layers, layers_ahead, length_of, mark, place_in
-from .wording import compass
+from .chart import Chart, Layer, dive_layers, layers_ahead, length_of, mark, place_in
+from .wording import Place, compass
 
 WIDTH = 1000.0
 LINES = 5  # of the grid, about

@@ -14,12 +14,12 @@ import numpy as np
 from ..arguments import public
 from ..figures import BLUE, GREEN, GREY, ORANGE, PURPLE, RED, axes_for, figure_of, legend_below
 from ..files import write_together
-from .chart import Chart, Place, dive_layers, layers_ahead, length_of, mark
+from .chart import Chart, dive_layers, layers_ahead, length_of, mark
 from .dataset import Source, plotted
 from .outcome import rms_of
 from .replay import Replay
 from .surfacing import NextDive
-from .wording import clock
+from .wording import Place, clock
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

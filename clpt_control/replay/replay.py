@@ -46,8 +46,18 @@ from ..html import facts, fragment, paragraphs
 from ..progress.interrupt import check
 from .doubts import Anomaly, SpeedWatch, weighed
 from .flow_models import FlowModel, carried
-from .habits import CHI_SQUARED, GIVEN, NORMAL, Guess, Habits, Way, drift, follows
-from .surfacing import NextDive, check_plan
+from .surfacing import (
+    CHI_SQUARED,
+    GIVEN,
+    NORMAL,
+    Guess,
+    Habits,
+    NextDive,
+    Way,
+    check_plan,
+    drift,
+    follows,
+)
 
 MODELS = ("no_flow", "previous_dive", "adaptive")
 FLOW_MODEL = "flow_model"  # a forecast or a fit that was given

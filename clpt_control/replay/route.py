@@ -2,7 +2,7 @@
 
 The coming dives are drawn, `DRAWS` times.  Each dive is aimed at the next waypoint (`aim`), by what
 is known when it begins; its way through the water, its duration and the drift before it are drawn
-by what they scatter by (`habits`), its miss by the forecast's own mean and covariance.  What was
+by what they scatter by (`surfacing`), its miss by the forecast's own mean and covariance.  What was
 drawn is learned before the next dive is aimed: drawn one after the other, each given those before
 it, the misses are drawn from their joint distribution, with what lasts from dive to dive in them.
 A waypoint is made by the dive that is to end there, or ends within `ARRIVED` of it.
@@ -30,9 +30,9 @@ from ..files.reading import read_text
 from ..geodesy import displacement, is_place, place_from
 from ..gliders.dives import Fix, make_dive
 from ..progress.interrupt import check
-from .aim import ARRIVED, REACHED, Place, aim, usual
+from .aim import ARRIVED, aim, usual
 from .replay import Replay
-from .wording import in_minutes, utc
+from .wording import REACHED, Place, in_minutes, utc
 
 DRAWS, DIVES, SEED = 100, 100, 1
 SHARES = {"not_before": 0.1, "time": 0.5, "by": 0.9}

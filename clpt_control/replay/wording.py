@@ -1,12 +1,22 @@
-"""Times, places and velocities as one on watch reads them.
+"""What is said of a replay: times, places and velocities, sentences, columns of a table.
 
 A place is said in decimal degrees, and in degrees and minutes of two decimals (18 m):
 0.01 minutes are counted as whole numbers, so that 59.999 carries to the next degree.
 A direction is where something goes to, clockwise from true north, [0, 360).
+
+Sentences and cells are made of what `clpt replay --json` prints.  The table has a row for each
+dive, on terminals and pages.  A column of a lower rank stands before others where there is no room
+for all; those of rank 0 always stand.
 """
 
 from datetime import UTC, datetime
 from math import atan2, degrees, hypot
+from typing import Any
+
+from .doubts import Anomaly
+
+Place = tuple[float, float]  # degrees north and east
+REACHED, UNDER_WAY, AGAINST = "reached", "under way", "cannot be made"  # of a waypoint
 
 
 def utc(time: float) -> str:
@@ -117,3 +127,258 @@ def from_now(hours: float) -> str:
     ('in 4.3 h', '0.5 h ago')
     """
     return f"{-hours:.1f} h ago" if round(hours, 1) < 0 else f"in {abs(hours):.1f} h"
+
+
+BASES = {  # what the next dive is guessed by
+    "planned": "as the last dives went along the plan in the files",
+    "repeated": "as the last dives went, with their spread",
+    "given": "as given or aimed, with the spread of the last dives",
+}
+RANKS = {  # title of a column: its rank
+    "dive": 0,
+    "ended (UTC)": 1,
+    "no flow": 4,
+    "previous": 0,
+    "adaptive": 0,
+    "model": 1,
+    "current to": 2,
+    "current E N (m/s)": 6,
+    "speed": 3,
+    "over ground": 7,
+    "drift (m) to": 8,
+    "E N of DR (m)": 9,
+    "90 % ellipse (m, deg)": 5,
+    "90 %": 0,
+    "mark": 0,
+}
+
+
+def cells(row: dict[str, Any]) -> dict[str, str]:
+    """Return the cells of a row of `--json` by the titles of their columns, in their order."""
+    clpe, drift, anomaly = row["clpe"], row["drift"], row["anomaly"]
+    current = [
+        f"{row[f'current_{axis}']:+.3f}({1000 * row[f'current_{axis}_error']:.0f})"
+        for axis in ("east", "north")
+    ]
+    found = {
+        "dive": str(row["dive"]),
+        "ended (UTC)": date(row["end"]),
+        "no flow": metres(clpe["no_flow"]),
+        "previous": metres(clpe["previous_dive"]),
+        "adaptive": metres(clpe["adaptive"]),
+        "model": metres(clpe.get("flow_model")),
+        "current to": _toward(row["current_speed"], row["current_direction"]),
+        "current E N (m/s)": " ".join(current),
+        "speed": "",
+        "over ground": _toward(row["over_ground"]["speed"], row["over_ground"]["direction"]),
+        "drift (m) to": "-",
+        "E N of DR (m)": f"{row['forecast_east']:+.0f} {row['forecast_north']:+.0f}",
+        "90 % ellipse (m, deg)": _ellipse(row),
+        "90 %": "in" if row["inside_90"] else "OUT",
+        "mark": "" if anomaly is None else "SPEED" if anomaly["certain"] else "SPEED?",
+    }
+    if drift is not None:
+        way = _toward(drift["speed"], drift["direction"])
+        found["drift (m) to"] = f"{drift['distance']:.0f}, {way}"
+    if "flow_model" not in clpe:
+        del found["model"]
+    if row["speed_factor"] is None:
+        del found["speed"]
+    else:
+        found["speed"] = f"{row['speed_factor']:.3f}({1000 * row['speed_factor_error']:.0f})"
+    return found
+
+
+def cells_ahead(ahead: dict[str, Any]) -> dict[str, str]:
+    """Return what is known of the next dive: when and how near it ends."""
+    known = {"dive": "next", "ended (UTC)": date(ahead["time"])}
+    return {**dict.fromkeys(RANKS, ""), **known, "90 % ellipse (m, deg)": _ellipse(ahead)}
+
+
+def metres(size: float | None) -> str:
+    """Return a length as the table shows it, m."""
+    return "-" if size is None else f"{size:.0f}"
+
+
+def _toward(speed: float | None, direction: float | None) -> str:
+    """Return a speed, m/s, and where to, degrees."""
+    known = "-" if speed is None else f"{speed:.2f}"
+    return known if direction is None else f"{known} {compass(direction)}"
+
+
+def _ellipse(row: dict[str, Any]) -> str:
+    half = f"{row['ellipse_90_long']:.0f} x {row['ellipse_90_short']:.0f}"
+    return f"{half}, {row['ellipse_90_bearing']:.0f}"
+
+
+def date(time: str) -> str:
+    """Return month, day, hour and minute of an ISO time."""
+    return time[5:16].replace("T", " ")
+
+
+def next_surfacing(ahead: dict[str, Any]) -> str:
+    """Return the sentence on `NextDive.as_dict`."""
+    uncovered = ahead["flow_model_covers"] is False
+    return (
+        f"next surfacing {when(ahead)}, "
+        f"after {ahead['duration'] / 3600:.2f} h and {ahead['dr_east']:+.0f} m "
+        f"east, {ahead['dr_north']:+.0f} m north through the water ({BASES[ahead['basis']]}): "
+        f"{place(ahead['latitude'], ahead['longitude'])}, 90 % within "
+        f"{ahead['ellipse_90_long']:.0f} x {ahead['ellipse_90_short']:.0f} m"
+        + (f"; the flow model does not cover it: {ahead['why_uncovered']}" if uncovered else "")
+    )
+
+
+def within(ahead: dict[str, Any]) -> str:
+    """Return how far off the time may be, 90 %."""
+    return f"+- {ahead['time_90'] / 60:.0f} min"
+
+
+def record(headlines: dict[str, Any]) -> str:
+    """Return how many of the headlines so far held.
+
+    >>> record({"judged": 13, "place_held": 12, "time_held": 13})
+    'headlines so far: 12 of 13 held the place, 13 the time'
+    """
+    judged = headlines["judged"]
+    if not judged:
+        return "no headline before this one: its widths are those of vehicles at large"
+    held = f"{headlines['place_held']} of {judged} held the place"
+    return f"headlines so far: {held}, {headlines['time_held']} the time"
+
+
+def when(ahead: dict[str, Any]) -> str:
+    """Return when the next surfacing is, of `NextDive.as_dict`.
+
+    >>> when({"time": "2016-02-03T14:19:59Z", "time_90": 1800.0, "hours_from_now": 4.5,
+    ...       "now_is": "clock"})
+    '2016-02-03 14:19 UTC +- 30 min, in 4.5 h'
+    """
+    said = f"{clock(ahead['time'])} {within(ahead)}, {from_now(ahead['hours_from_now'])}"
+    return said if ahead["now_is"] == "clock" else f"{said} from the {ahead['now_is']}"
+
+
+def aimed(leg: dict[str, Any]) -> str:
+    """Return the sentence on `Aim.as_dict`."""
+    if leg["bearing"] is None:
+        bears = "here"
+    else:
+        bears = f"{leg['distance'] / 1000:.1f} km to {compass(leg['bearing'])}"
+    said = f"aim at {place(leg['latitude'], leg['longitude'])}, {bears}: "
+    against = leg["state"] == AGAINST
+    if against:
+        current = velocity(leg["current_east"], leg["current_north"])
+        said += (
+            f"cannot be made against the current, {current}, at {leg['speed_expected']:.2f} m/s; "
+            "best "
+        )
+    if leg["heading"] is None:
+        said += "stay"
+    else:
+        said += f"heading {compass(leg['heading'])}"
+        if leg["heading_magnetic"] is not None:
+            said += f" (magnetic {compass(leg['heading_magnetic'])})"
+        if leg["crab"] is not None:
+            said += f", crab {leg['crab']:+.0f}"
+    full = f"{leg['through_water_full']:.0f} m"
+    if leg["state"] == REACHED:
+        end = clock(leg["end"])
+        said += f", {leg['through_water']:.0f} of {full} through the water; there at {end}"
+    else:
+        made = leg["made_good"]
+        said += f", {made:.0f} m made good of {full}" if made >= 0 else f", {-made:.0f} m are lost"
+        said += f", then {leg['left'] / 1000:.1f} km"
+        said += "" if against else f"; there in {leg['dives']:.1f} dives, {leg['hours']:.0f} h"
+    return (
+        f"{said}; expected miss {leg['expected_miss']:.0f} m, 90 % within "
+        f"{leg['ellipse_90_long']:.0f} x {leg['ellipse_90_short']:.0f} m"
+    )
+
+
+def routed(route: dict[str, Any]) -> list[str]:
+    """Return a sentence for each waypoint of a route, and for each area."""
+    lines = []
+    for one in route["waypoints"]:
+        times = [clock(one[key]) if one[key] else "" for key in ("not_before", "time", "by")]
+        early, middle, late = times
+        said = f"there {middle}" if middle else "not there"
+        said += f"; cannot be made before {early} (90 %)" if early else ""
+        said += f", made by {late} (90 %)" if late else ""
+        if one["made"] < 1:
+            within = f"within {route['dives']} dives"
+            said += f"; made {within} in {100 * one['made']:.0f} % of {route['draws']} draws"
+        lines.append(f"route to {one['place']}: {said}")
+    entered = ((area["name"], 100 * area["entered"]) for area in route["areas"])
+    return lines + [f"{name}: entered in {share:.0f} % of the draws" for name, share in entered]
+
+
+def remarks(summary: dict[str, Any]) -> list[str]:
+    """Return lines on what was learned, noted and skipped, of what `--json` prints."""
+    lines: list[str] = []
+    if "flow_model" in summary and summary["each_dive"]:
+        lines += coverage(summary["flow_model"], summary["used"])
+    lines += [f"speed anomaly: {Anomaly(**found)}" for found in summary["anomalies"]]
+    if summary["dac_identity_median"] is not None:
+        lines.append(
+            "miss / duration differs from the file's depth-averaged current by "
+            f"{1000 * summary['dac_identity_median']:.2g} mm/s (median)"
+        )
+    if summary["each_dive"]:
+        lines.append(record(summary["headlines"]))
+        lines.append(f"surfaced in the 90 % ellipse: {100 * summary['inside_90']:.0f} %")
+        if summary["parts"]:
+            chances = ", ".join(f"{name} {p:.2f}" for name, p in summary["parts"].items())
+            lines.append(f"probability that a part is present: {chances}")
+        lines.append(f"learned: {summary['said']['sentence']}")
+    if summary["held"]:
+        lines.append(f"not yet known from these dives: {shortened(summary['held'])}")
+    lines += by_reason(summary["notes"], "note")
+    for entry in summary["skipped"]:
+        name = "a file" if entry["dive"] is None else f"dive {entry['dive']}"
+        lines.append(f"skipped {name}: {entry['why']}")
+    return lines
+
+
+def shortened(names: list[str]) -> str:
+    """Return names of parameters on a line, gaussians by their number.
+
+    >>> shortened(["speed", "gaussian[0,0]_east", "gaussian[0,0]_north"])
+    'speed, 2 of gaussians'
+    """
+    plain = [name for name in names if not name.startswith("gaussian[")]
+    places = len(names) - len(plain)
+    return ", ".join([*plain, *([f"{places} of gaussians"] if places else [])])
+
+
+def coverage(given: dict[str, Any], used: int) -> list[str]:
+    """Return lines that say which dives a flow model covers, and why not the others.
+
+    >>> none = {"dive": 7, "why": "outside the forecast's area"}
+    >>> given = {"source": "f.nc", "about": "gridded", "covered": 3, "uncovered": [none]}
+    >>> for line in coverage(given, 4):
+    ...     print(line)
+    flow model f.nc (gridded) covers 3 of 4 dives
+    no flow model for dive 7: outside the forecast's area
+    """
+    lines = [
+        f"flow model {given['source']} ({given['about']}) covers {given['covered']} of {used} dives"
+    ]
+    return [*lines, *by_reason(given["uncovered"], "why", "no flow model for ")]
+
+
+def by_reason(entries: list[dict[str, Any]], key: str, before: str = "") -> list[str]:
+    """Return a line for each reason, with the dives that share it.
+
+    >>> by_reason([{"dive": 3, "note": "odd"}, {"dive": 5, "note": "odd"}], "note")
+    ['dives 3, 5: odd']
+    """
+    reasons: dict[str, list[str]] = {}
+    for entry in entries:
+        reasons.setdefault(entry[key], []).append(str(entry["dive"]))
+    lines = []
+    for why, dives in reasons.items():
+        named = f"dive{'s'[: len(dives) > 1]} {', '.join(dives)}"
+        if len(dives) > 6:
+            named = f"{len(dives)} dives from {dives[0]} to {dives[-1]}"
+        lines.append(f"{before}{named}: {why}")
+    return lines

@@ -12,7 +12,7 @@ import clpt_control as clpt
 from clpt_control.currents.fit import fit_scenario, save_fit
 from clpt_control.currents.grid_file import sample_currents
 from clpt_control.errors import ArgumentError, ClptError, DataError, ScenarioError
-from clpt_control.replay.flow_model_file import read_flow_model
+from clpt_control.replay.flow_models import read_flow_model
 from clpt_control.simulation.flows import explained_variance
 
 MARACOOS = sample_currents()

@@ -10,7 +10,7 @@ from clpt_control.currents.fit import fit_scenario
 from clpt_control.currents.grid_file import read_currents
 from clpt_control.currents.record import read_record
 from clpt_control.errors import DataError
-from clpt_control.replay.flow_model_file import read_flow_model
+from clpt_control.replay.flow_models import read_flow_model
 
 HOURS = np.arange(26.0)
 LAT, LON = np.linspace(40.9, 41.5, 7), np.linspace(-69.9, -69.0, 8)

@@ -16,10 +16,11 @@ from processes import CLPT, GUARD, await_line, started
 from synthetic_vehicle import fixes_of, one_file_each, vehicle
 from typer.testing import CliRunner
 
-from clpt_control.cli import alerts, application
+from clpt_control.cli import application
 from clpt_control.cli.replay_report import Ahead, summary_with_next
 from clpt_control.geodesy import place_from
 from clpt_control.gliders.dives import make_dive
+from clpt_control.replay import fleet
 from clpt_control.replay.fleet import events, standing, unread
 from clpt_control.replay.replay import replay_dives
 
@@ -187,7 +188,7 @@ def told_in(path):
 def test_braces_stand_for_the_sentence(tmp_path):
     words = shlex.join([sys.executable, "-c", "import sys; print(sys.argv[1:])", "{}"])
     found = summed(strayed(recent(6, 1.0)))
-    seen = alerts.Alerts(alerts.checked_command(words), tmp_path)
+    seen = fleet.Alerts(fleet.checked_command(words), tmp_path)
     (tmp_path / "state").mkdir()
     seen.tell(found)
     assert seen.told == ["glider OUT 5"]
@@ -203,18 +204,18 @@ def test_braces_stand_for_the_sentence(tmp_path):
 def test_a_command_that_fails_is_one_sentence_and_is_run_again(
     code, longest, says, tmp_path, capsys, monkeypatch
 ):
-    monkeypatch.setattr(alerts, "LONGEST", longest)
+    monkeypatch.setattr(fleet, "LONGEST", longest)
     found = summed(strayed(recent(6, 1.0)))
-    seen = alerts.Alerts([sys.executable, "-c", code], tmp_path)
+    seen = fleet.Alerts([sys.executable, "-c", code], tmp_path)
     (tmp_path / "state").mkdir()
     seen.tell(found)
     seen.tell(found)
     said = capsys.readouterr().err
     assert said.count(says) == 1
     assert said.count("\n") == 1
-    monkeypatch.setattr(alerts, "LONGEST", 60.0)
+    monkeypatch.setattr(fleet, "LONGEST", 60.0)
     told = tmp_path / "told"
-    alerts.Alerts(shlex.split(teller(told)), tmp_path).tell(found)
+    fleet.Alerts(shlex.split(teller(told)), tmp_path).tell(found)
     assert told_in(told) == [("glider", "OUT", 5)]
 
 
@@ -293,10 +294,10 @@ def test_the_results_of_a_replay_are_no_vehicle(tmp_path, command):
 
 @pytest.mark.parametrize("kept", ["5", '{"a": 1}', "[", "a pipe"])
 def test_what_was_told_and_cannot_be_read_is_told_again(tmp_path, kept):
-    place = tmp_path / "state" / alerts.TOLD
+    place = tmp_path / "state" / fleet.TOLD
     place.parent.mkdir()
     if kept == "a pipe":
         os.mkfifo(place)
     else:
         place.write_text(kept)
-    assert alerts.Alerts([sys.executable], tmp_path).told == []
+    assert fleet.Alerts([sys.executable], tmp_path).told == []

@@ -26,8 +26,7 @@ from clpt_control.files import write_netcdf
 from clpt_control.gliders.dive_table import sample_dives
 from clpt_control.gliders.usable_dives import usable
 from clpt_control.replay.dataset import replay_dataset
-from clpt_control.replay.flow_model_file import read_flow_model
-from clpt_control.replay.flow_models import carried, why_uncovered
+from clpt_control.replay.flow_models import carried, read_flow_model, why_uncovered
 from clpt_control.replay.outcome import summary
 from clpt_control.replay.replay import replay_dives
 

@@ -14,7 +14,7 @@ from clpt_control.errors import DataError
 from clpt_control.geodesy import place_from
 from clpt_control.replay import route
 from clpt_control.replay.replay import replay_dives
-from clpt_control.replay.sentences import routed
+from clpt_control.replay.wording import routed
 
 STAY, V = 600.0, 0.25  # s, m/s of the made vehicle
 

@@ -14,7 +14,7 @@ from synthetic_vehicle import vehicle
 from clpt_control.geodesy import displacement
 from clpt_control.gliders.dive_table import sample_dives
 from clpt_control.gliders.dives import make_dive
-from clpt_control.replay import habits, surfacing, wording
+from clpt_control.replay import surfacing, wording
 from clpt_control.replay.dataset import replay_dataset
 from clpt_control.replay.outcome import summary
 from clpt_control.replay.replay import next_dive, replay_dives
@@ -64,17 +64,17 @@ def test_directions(angle):
 def test_drift_is_from_where_it_came_up():
     first = make_dive(7, (0.0, 0.0, 179.9), (9000.0, 0.0, 179.99), (0.0, 0.0))
     next_one = make_dive(8, (9600.0, 0.0, -179.99), (19000.0, 0.0, -179.9), (0.0, 0.0))
-    way = habits.drift(next_one, first)
+    way = surfacing.drift(next_one, first)
     degree = math.radians(1) * 6378137.0  # along the equator
     assert way.east == pytest.approx(0.02 * degree, rel=1e-9)  # over the date line
     said = way.as_dict()
     assert said["direction"] == pytest.approx(90.0)
     assert said["speed"] == pytest.approx(0.02 * degree / 600)
-    assert habits.drift(replace(next_one, number=9), first) is None  # a dive is missing
+    assert surfacing.drift(replace(next_one, number=9), first) is None  # a dive is missing
     gps1 = replace(next_one, number=9, t_gps1=9300.0, lat_gps1=0.0, lon_gps1=-180.0)
-    assert habits.drift(gps1, first).east == pytest.approx(0.01 * degree, rel=1e-9)
-    assert habits.drift(replace(gps1, t_gps1=math.nan), first) is None
-    still = habits.Way(0.0, 0.0, 20.0).as_dict()
+    assert surfacing.drift(gps1, first).east == pytest.approx(0.01 * degree, rel=1e-9)
+    assert surfacing.drift(replace(gps1, t_gps1=math.nan), first) is None
+    still = surfacing.Way(0.0, 0.0, 20.0).as_dict()
     assert still["direction"] is still["speed"] is None
 
 
