@@ -54,17 +54,6 @@ def test_help_ends_in_an_example_of_the_command(clpt, name):
     assert {word for word in example if re.match("--?[a-z]", word)} - set(options) == set()
 
 
-@pytest.mark.parametrize("name", COMMANDS)
-def test_every_value_has_a_shell_word(name):
-    import typer
-
-    command = typer.main.get_command(application()).commands[name]
-    for param in command.params:
-        if not getattr(param, "is_flag", False):
-            assert param.metavar, param.name
-            assert param.metavar == param.metavar.upper()
-
-
 def test_the_version_is_that_of_the_package(clpt):
     outcome = clpt("--version")
     first, *others = outcome.out.splitlines()

@@ -1,6 +1,5 @@
 """Machine code: the same numbers as python-control, and what it cannot do is said."""
 
-import math
 import re
 
 import numpy as np
@@ -10,7 +9,7 @@ from hypothesis import strategies as st
 from responses import response
 
 import clpt_control as clpt
-from clpt_control.blocks import reference, vehicle
+from clpt_control.blocks import vehicle
 from clpt_control.conformance import readings
 from clpt_control.currents.field_file import GriddedField
 from clpt_control.diagrams.interconnection import connect
@@ -87,46 +86,9 @@ def test_kernels_and_disturbances_run_natively(kernel, kind):
         assert runs[0].attrs[name] == runs[1].attrs[name]
 
 
-def test_order_of_convergence():
-    """The fixed problem x' = -x with one tolerance after another: error falls as the 8th order."""
-    diagram = connect(
-        [vehicle.vehicle(), Block("drag", output=drag, inputs={"x": 2}, outputs={"v_x": 2})],
-        external=["flow_x"],
-    )
-    native = NativeDiagram(diagram)
-    held = read_inputs([0.0, 0.0], np.array([0.0, 5.0]), 2)
-    errors = []
-    for rtol in (1e-4, 1e-8, 1e-12):
-        found = native.run([1.0, -2.0], [0.0, 5.0], rtol=rtol, atol=rtol, inputs=held)
-        errors.append(np.abs(found.x[-1] - np.exp(-5.0) * np.array([1.0, -2.0])).max())
-    assert errors[0] < 1e-4
-    assert errors[1] < 1e-8
-    assert errors[2] < 1e-12
-
-
 def drag(t, x, u, p):
     """v = -x, section II: u = x[2] (length), y = v_x[2] (length per time)."""
     return -u.x
-
-
-def test_dense_output_is_as_exact_as_steps():
-    scenario = clpt.paper_scenario().with_values({"run.duration": 20})
-    coarse = clpt.simulate(scenario, [0.0, 20.0])
-    fine = clpt.simulate(scenario, np.linspace(0, 20, 401))
-    exact = clpt.simulate(scenario, np.linspace(0, 20, 401), rtol=1e-13, atol=1e-14)
-    np.testing.assert_allclose(fine.alpha, exact.alpha, rtol=0, atol=5e-8)
-    np.testing.assert_array_equal(fine.alpha[-1], coarse.alpha[-1])
-
-
-def test_call_time_parameters_reach_the_machine_code():
-    loop, state = clpt.closed_loop(clpt.paper_scenario()), initial_state(clpt.paper_scenario())
-    changes = {"adaptation.gain": 2.0, "basis_x.widths": [4.0, 5.0, 6.0], "reference.interval": 3.0}
-    native, python = (
-        response(loop, [0.0, 15.0], initial_state=state, params=changes, engine=e)
-        for e in ("native", "python")
-    )
-    np.testing.assert_allclose(native.states, python.states, rtol=1e-9, atol=1e-10)
-    assert native.outputs[0, -1] == pytest.approx(3 * math.cos(2 * math.pi * 3 / 10))
 
 
 @settings(max_examples=4, deadline=None, derandomize=True)
@@ -180,21 +142,6 @@ def test_code_is_made_once_for_diagrams_that_differ_in_numbers():
 
     assert code(learning_gain=2.0) is code(learning_gain=0.5)
     assert code(basis_kernel="gaussian") is not code()
-
-
-def test_a_pinned_interval_stays():
-    block = reference.reference([[1.0, 0.0], [2.0, 0.0]], 5.0)
-    carried = Block("aim", output=aim, inputs={"zc": 2}, outputs={"v_x": 2})
-    diagram = connect([block, vehicle.vehicle(), carried], external=["flow_x"])
-    times = np.array([0.0, 12.0])
-    native = NativeDiagram(diagram, {"reference.interval": 1.0})
-    found = native.run(np.zeros(2), times, inputs=read_inputs(None, times, 2))
-    assert found.x[-1, 0] == pytest.approx(24.0, abs=1e-9)
-
-
-def aim(t, x, u, p):
-    """v = zc, section II: u = zc[2] (length), y = v_x[2] (length per time)."""
-    return u.zc
 
 
 def test_the_fixed_step_has_order_four():

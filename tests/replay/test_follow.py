@@ -6,8 +6,6 @@ import os
 import random
 import shutil
 import subprocess
-import sys
-import time
 from dataclasses import replace
 from pathlib import Path
 
@@ -44,29 +42,6 @@ def test_following_a_folder_equals_reading_it(tmp_path):
     assert replay_dataset(replay_dives(usable(known)[0])).identical(
         replay_dataset(replay_dives(usable(dives)[0]))
     )
-
-
-@pytest.mark.processes
-def test_a_killed_follower_loses_nothing(tmp_path):
-    """Kill -9 at random moments; what a last run gives is what reading gives."""
-    inbox, state = tmp_path / "inbox", tmp_path / "state"
-    inbox.mkdir()
-    code = (
-        "import sys, time\nfrom clpt_control.replay.follow import Follower\n"
-        "f = Follower(sys.argv[1], sys.argv[2])\nprint('up', flush=True)\n"
-        "while True:\n    f.look()\n"
-    )
-    rng = np.random.default_rng(0)
-    dives = sample_dives()
-    for part in (dives[:3], dives[3:6], dives[6:10], dives[10:]):
-        with started([sys.executable, "-c", code, inbox, state]) as process:
-            process.stdout.readline()
-            one_file_each(inbox, part)
-            time.sleep(0.03 * rng.uniform())  # any moment will do
-    follower = Follower(inbox, state)
-    follower.look()
-    assert [d.number for d in usable(follower.dives()[0])[0]] == [d.number for d in dives]
-    assert follower.dives()[1] == []
 
 
 def test_tracks_come_back_to_the_bit(tmp_path, monkeypatch):

@@ -22,11 +22,6 @@ def test_calm_water_across_waypoints():
     np.testing.assert_allclose(run.position.values, exact, rtol=0, atol=1e-9)
 
 
-def test_calm_water_at_the_default_tolerance():
-    run = clpt.simulate(CALM)
-    np.testing.assert_allclose(run.position.values, exact_positions(run.time.values), atol=2e-7)
-
-
 def test_tolerance_buys_accuracy():
     errors = []
     for rtol in (1e-4, 1e-6, 1e-8, 1e-10):

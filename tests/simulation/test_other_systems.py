@@ -8,11 +8,9 @@ import netCDF4
 import numpy as np
 import pytest
 from calm_water import CALM, PAPER
-from responses import response
 
 import clpt_control as clpt
 from clpt_control.errors import DataError
-from clpt_control.native.python_diagram import PythonDiagram
 from clpt_control.simulation.starts import initial_state
 
 
@@ -59,22 +57,6 @@ def test_a_run_of_a_later_version_is_refused(form, tmp_path):
     for read in (clpt.load_run, clpt.load_scenario):
         with pytest.raises(DataError, match=f"{form}, written by clpt-control 9.0.*reads 1 to 1"):
             read(tmp_path / "run.nc")
-
-
-def test_runs_are_the_same_in_any_order():
-    plain = PythonDiagram(clpt.closed_loop(CALM))
-    x0 = initial_state(CALM)
-    first = plain.run(x0, [0.0, 3.0]).x
-    plain.run(x0 + 1.0, [1.0, 2.0])
-    np.testing.assert_array_equal(plain.run(x0, [0.0, 3.0]).x, first)
-
-
-def test_a_run_in_two_parts_is_the_run():
-    loop, x0 = clpt.closed_loop(CALM), initial_state(CALM)
-    whole = response(loop, [0.0, 1.0, 3.0], initial_state=x0, rtol=1e-11, atol=1e-13)
-    part = response(loop, [0.0, 1.0], initial_state=x0, rtol=1e-11, atol=1e-13)
-    rest = response(loop, [1.0, 3.0], initial_state=part.states[:, -1], rtol=1e-11, atol=1e-13)
-    np.testing.assert_allclose(rest.states[:, -1], whole.states[:, -1], atol=1e-9)
 
 
 FOLDER = Path(__file__).parents[1] / "reference"

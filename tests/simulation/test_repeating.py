@@ -176,15 +176,6 @@ def test_what_a_file_repeats_is_what_python_control_runs(tmp_path):
         np.testing.assert_allclose(poles, [-0.65 - 0.9367497j, -0.65 + 0.9367497j], atol=1e-5)
 
 
-def test_a_spring_is_the_closed_form(tmp_path):
-    start = [1.0, 0.0]
-    clpt.save_run(clpt.simulate(oscillator(), TIMES, 0.0, start), tmp_path / "run.nc")
-    again = clpt.simulate(clpt.load_diagram(tmp_path / "run.nc"))
-    w = np.sqrt(4 - 0.04)
-    exact = np.exp(-0.2 * TIMES) * (np.cos(w * TIMES) + 0.2 / w * np.sin(w * TIMES))
-    np.testing.assert_allclose(again["y"][:, 0], exact, atol=2e-8)
-
-
 def test_what_is_given_takes_the_place_of_what_was(tmp_path):
     clpt.save_run(clpt.simulate(loop(), TIMES, 1.0, initial_state=[1.0, 2.0]), tmp_path / "run.nc")
     diagram, times = clpt.load_diagram(tmp_path / "run.nc"), np.linspace(0.0, 2.0, 5)

@@ -154,20 +154,6 @@ def test_what_could_change_unseen_has_no_key(monkeypatch):
     assert end(diagram) == pytest.approx(np.exp(-2.0), rel=1e-7)
 
 
-def test_runs_do_not_share_what_they_hold():
-    diagram = system(by_global)
-    first = clpt.simulate(diagram, TIMES, initial_state=[1.0])
-    kept = first.copy(deep=True)
-    first.attrs["title"] = "mine"
-    first["states"].attrs.clear()
-    second = clpt.simulate(diagram, TIMES, initial_state=[2.0])
-    second["states"][:] = 0.0
-    third = clpt.simulate(diagram, TIMES, initial_state=[1.0])
-    assert third.identical(kept)
-    short = clpt.simulate(diagram, TIMES[:5], initial_state=[1.0])
-    np.testing.assert_array_equal(short.time, TIMES[:5])
-
-
 def test_scenarios_run_again_alike():
     scenario = clpt.paper_scenario().with_values({"run.duration": 20})
     first, again = clpt.simulate(scenario), clpt.simulate(scenario)

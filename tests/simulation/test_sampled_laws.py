@@ -67,16 +67,6 @@ def test_every_engine_samples_a_law(law):
     np.testing.assert_allclose(native.states, python.states, rtol=1e-6, atol=1e-9)
 
 
-def test_a_run_repeats_from_its_file_and_its_loop(tmp_path):
-    scenario = SLOW.with_values({"learning.sample": 1.0, "run.method": "dop853"})
-    run = clpt.simulate(scenario)
-    clpt.save_run(run, tmp_path / "run.nc")
-    again = clpt.load_scenario(tmp_path / "run.nc")
-    assert again == scenario
-    looped = clpt.simulate(clpt.closed_loop(again))
-    np.testing.assert_array_equal(looped.alpha, run.alpha)
-
-
 def test_the_scenarios_method_runs():
     stiff = SLOW.with_values({"run.method": "rodas5p", "run.rtol": 1e-6})
     assert clpt.simulate(stiff).attrs["method"] == "Rodas5P"

@@ -97,15 +97,6 @@ def test_pinned_interval_holds_one_waypoint():
     np.testing.assert_array_equal(run.reference.values, [POINTS[1]] * 2)
 
 
-def test_parameters_at_call_time():
-    run = clpt.simulate(CALM, [0.0, 0.5], params={"vehicle_controller.KD": [1.0, 4.0]}, rtol=1e-11)
-    rest = GammaD * POINTS[0] / [1.0, 4.0]
-    expected = rest + ([4.0, -2.0] - rest) * np.exp([-0.5, -2.0])
-    np.testing.assert_allclose(run.position.values[-1], expected, atol=1e-9)
-    again = clpt.simulate(CALM, [0.0, 0.5], rtol=1e-11, atol=1e-13)
-    np.testing.assert_allclose(again.position.values, exact_positions([0.0, 0.5]), atol=1e-9)
-
-
 def test_status_and_statistics():
     run = clpt.simulate(CALM)
     assert run.attrs["status"] == "finished"

@@ -47,11 +47,12 @@ def blows_up(t, x, u, p):
     return x[0] ** 2
 
 
-def test_blow_up_is_a_sentence():
+@pytest.mark.parametrize("engine", ["native", "python"])
+def test_blow_up_is_a_sentence(engine):
     block = Block("burst", update=blows_up, states={"x": 1})
     loop = control.interconnect([block], outlist=["burst.x[0]"], outputs=["x"], connections=False)
     with pytest.raises(SimulationError, match=r"stopped at t = (0\.9|1)") as caught:
-        clpt.simulate(loop, [0.0, 2.0], initial_state=[1.0])
+        clpt.simulate(loop, [0.0, 2.0], initial_state=[1.0], engine=engine)
     assert "\n" not in str(caught.value)
 
 
