@@ -70,17 +70,6 @@ def seen_at(t, forgetting):
     return np.array([quad(rate, 0, end, epsabs=1e-12)[0] for end in t])
 
 
-def test_a_filtered_regressor_has_a_closed_form():
-    t = np.linspace(0, 8, 9)
-    s = drifting(PARAMETERS, t)
-
-    def seen(at, end):
-        return np.exp(-0.2 * (end - at)) * (1 - np.exp(-1.5 * at)) ** 2
-
-    gathered = np.array([quad(seen, 0, end, (end,), epsabs=1e-13)[0] for end in t])
-    np.testing.assert_allclose(1 / s["P"][0], 1 / 0.8**2 + gathered / 0.3**2, rtol=1e-9)
-
-
 def test_what_is_never_seen_is_never_forgotten_beyond_the_bound():
     """phi = 0: P stays at its bound whatever is forgotten; below it P grows and stays below."""
     law = LEAST_SQUARES.of(1, **{**PARAMETERS, "forgetting": 2.0})

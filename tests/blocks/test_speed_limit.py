@@ -2,7 +2,6 @@
 
 import math
 
-import control
 import numpy as np
 import pytest
 from hypothesis import given, seed, settings
@@ -10,7 +9,6 @@ from hypothesis import strategies as st
 
 import clpt_control as clpt
 from clpt_control.blocks import vehicle
-from clpt_control.conformance import readings
 from clpt_control.errors import ScenarioError
 
 PAPER = clpt.paper_scenario()
@@ -107,19 +105,6 @@ def test_hedging_keeps_the_rate_of_clpe_and_the_limit_does_not_without():
         np.testing.assert_allclose(e["free"] - e["unhedged"], missing, atol=1e-13)
         fast += np.hypot(*missing) > 0
     assert fast > 5
-
-
-@pytest.mark.parametrize("hedging", [True, False])
-def test_every_reading_agrees(hedging):
-    scenario = LIMITED.with_values({"learning.hedging": hedging})
-    loop, state = clpt.closed_loop(scenario), clpt.initial_state(scenario)
-    assert isinstance(loop, control.InterconnectedSystem)
-    for far in (0.1, 3.0):
-        found = {name: read(1.0, state + far, []) for name, read in readings(loop).items()}
-        rate, outputs = found.pop("python")
-        for name, (other, more) in found.items():
-            np.testing.assert_allclose(other, rate, rtol=1e-12, atol=1e-12, err_msg=name)
-            np.testing.assert_allclose(more, outputs, rtol=1e-12, atol=1e-12, err_msg=name)
 
 
 def test_machine_code_and_python_run_alike_through_the_kinks():

@@ -7,13 +7,12 @@ from responses import response
 
 import clpt_control as clpt
 from clpt_control.blocks import clpe as clpe_block
-from clpt_control.blocks import flow, lyapunov, reference, vehicle
+from clpt_control.blocks import flow, vehicle
 from clpt_control.diagrams import wiring
 from clpt_control.diagrams.interconnection import Diagram, connect
 from clpt_control.equations import Block
 from clpt_control.errors import BlockError, DiagramError
 from clpt_control.native.python_diagram import PythonDiagram
-from clpt_control.simulation.loops import paper_blocks
 from clpt_control.simulation.starts import initial_state
 
 PAPER = clpt.paper_scenario()
@@ -253,20 +252,6 @@ def test_a_diagram_stays_a_diagram():
 # --- one pass gives what python-control gives -------------------------------------------------
 
 
-@pytest.mark.parametrize("scenario", [PAPER, KNOWN, DISTURBED], ids=["paper", "known", "disturbed"])
-@pytest.mark.parametrize("external", [(), ("zc",), ("x",), ("x", "zc")])
-def test_sweep_equals_python_control(scenario, external):
-    loop = clpt.closed_loop(scenario, external)
-    sweep, rng = PythonDiagram(loop).sweep, np.random.default_rng(3)
-    for _ in range(10):
-        t = rng.uniform(0, 200)
-        x, u = rng.normal(size=loop.nstates), rng.normal(size=loop.ninputs)
-        sweep.enter(t)
-        theirs = loop.dynamics(t, x, u)
-        np.testing.assert_allclose(sweep.derivative(t, x, u), theirs, rtol=1e-13, atol=1e-13)
-        np.testing.assert_allclose(sweep.outputs(), loop.output(t, x, u), rtol=1e-13, atol=1e-13)
-
-
 def test_parameters_of_a_sweep_are_those_of_the_call():
     loop, x = clpt.closed_loop(PAPER), np.random.default_rng(4).normal(size=14)
     params = {"adaptation.gain": 3.0, "vehicle_controller.KD": [2.0, 5.0]}
@@ -274,117 +259,7 @@ def test_parameters_of_a_sweep_are_those_of_the_call():
     np.testing.assert_allclose(ours, loop.dynamics(0.0, x, [], params=params), rtol=1e-13)
 
 
-def nested():
-    """A vehicle with its controller inside, in a loop with a plain python-control system."""
-    controller = vehicle.vehicle_controller(np.ones((2, 1)), [1.0, 2.0], np.ones(2))
-    inner = connect(
-        [controller, vehicle.vehicle()],
-        external=["zc", "phi_x", "flow_x"],
-        name="inner",
-    )
-    lag = control.ss(-np.eye(2), np.eye(2), np.eye(2), np.zeros((2, 2)), name="lag")
-    gain = control.ss([], [], [], [[2.0, 0.0], [0.5, -1.0]], name="gain")
-    nonlinear = control.nlsys(
-        lambda t, x, u, params: -(x**3) + u,
-        lambda t, x, u, params: np.sin(x),
-        inputs=2,
-        outputs=2,
-        states=2,
-        name="nonlinear",
-    )
-    outer = control.interconnect(
-        [inner, lag, gain, nonlinear],
-        connections=[
-            *([f"lag.u[{k}]", f"inner.x[{k}]"] for k in range(2)),
-            *([f"gain.u[{k}]", f"lag.y[{k}]", f"-nonlinear.y[{k}]"] for k in range(2)),
-            *([f"inner.flow_x[{k}]", f"gain.y[{k}]"] for k in range(2)),
-            *([f"nonlinear.u[{k}]", (f"inner.v_x[{k}]")] for k in range(2)),
-        ],
-        inplist=["inner.zc[0]", "inner.zc[1]", "inner.phi_x[0]"],
-        outlist=["inner.x[0]", "inner.v_x[1]", "gain.y[0]", "nonlinear.y[1]"],
-        inputs=["a", "b", "c"],
-        outputs=["w", "x", "y", "z"],
-        name="outer",
-    )
-    return control.interconnect(
-        [outer],
-        connections=[["outer.a", "-outer.w"]],
-        inplist=["outer.a", "outer.b", "outer.c"],
-        outlist=["outer.w", "outer.x", "outer.y", "outer.z"],
-        inputs=["a", "b", "c"],
-        outputs=["w", "x", "y", "z"],
-        name="top",
-    )
-
-
-def test_nested_diagrams_equal_python_control():
-    top, rng = nested(), np.random.default_rng(5)
-    sweep = PythonDiagram(top).sweep
-    assert [node.name for node in sweep.nodes] == [
-        *("outer.inner.vehicle_controller", "outer.inner.vehicle"),
-        *("outer.lag", "outer.gain", "outer.nonlinear"),
-    ]
-    for _ in range(10):
-        x, u = rng.normal(size=top.nstates), rng.normal(size=3)
-        np.testing.assert_allclose(
-            sweep.derivative(0.0, x, u), top.dynamics(0.0, x, u), rtol=1e-13, atol=1e-13
-        )
-        np.testing.assert_allclose(sweep.outputs(), top.output(0.0, x, u), rtol=1e-13, atol=1e-13)
-
-
-def test_linearize_of_the_vehicle_is_minus_its_feedback():
-    scenario = PAPER.with_values(
-        {"flow.parameters": [[0.0] * 3] * 2, "vehicle.feedback": [2.0, 5.0]}
-    )
-    loop = clpt.closed_loop(scenario, external=("zc",))
-    found = loop.linearize(np.zeros(14), [0, 0])
-    np.testing.assert_allclose(found.A[:2, :2], np.diag([-2.0, -5.0]), atol=1e-6)
-    np.testing.assert_allclose(found.B[:2], np.eye(2), atol=1e-6)
-
-
 # --- what the loop conserves ------------------------------------------------------------------
-
-
-def monitored(scenario):
-    """The closed loop, its Lyapunov candidate, and the integral of e^T KD e beside it."""
-    theta = np.array(scenario.flow.parameters)
-    KD, GammaD = np.array(scenario.vehicle.feedback), np.array(scenario.vehicle.feedforward)
-    p = lyapunov.one_gain(scenario.learning.gain, theta, KD, GammaD)
-    dissipation = Block(
-        "dissipation", update=dissipate, inputs={"e": 2}, states={"D": 1}, parameters=p
-    )
-    candidate = lyapunov.lyapunov_candidate(scenario.learning.law, p)
-    return connect([*paper_blocks(scenario), candidate, dissipation])
-
-
-def dissipate(t, x, u, p):
-    """D' = e^T KD e, Theorem 3.2: u = e[2], state D[1]."""
-    return p.KD[0] * u[0] ** 2 + p.KD[1] * u[1] ** 2
-
-
-def test_lyapunov_falls_by_what_is_dissipated():
-    scenario = PAPER.with_values({"vehicle.feedback": [1.0, 1.5]})
-    loop = monitored(scenario)
-    x0 = np.append(initial_state(scenario), 0.0)
-    x0[2:4] = [0.5, -0.7]
-    run = response(loop, np.arange(0.0, 100.01, 0.25), initial_state=x0, rtol=1e-11, atol=1e-13)
-    V = run.outputs[loop.output_labels.index("V[0]")]
-    D = run.outputs[loop.output_labels.index("D[0]")]
-    assert V[0] > V[-1] > 0
-    assert np.all(np.diff(V) <= 1e-9)
-    assert V[0] - V[-1] == pytest.approx(D[-1], abs=1e-6)
-    np.testing.assert_allclose(V + D, V[0], atol=1e-6)
-
-
-def test_known_flow_lyapunov_is_conserved_where_the_estimate_is_exact():
-    exact = KNOWN.with_values({"learning.theta_estimate": np.array(PAPER.flow.parameters)})
-    loop = monitored(exact)
-    x0 = np.append(initial_state(exact), 0.0)
-    run = response(loop, np.arange(0.0, 60.01, 0.5), initial_state=x0, rtol=1e-11, atol=1e-13)
-    V = run.outputs[loop.output_labels.index("V[0]")]
-    D = run.outputs[loop.output_labels.index("D[0]")]
-    np.testing.assert_allclose(V + D, V[0], atol=1e-6)
-    assert np.all(np.diff(V) <= 1e-9)
 
 
 def test_error_system_reproduces_the_error():
@@ -421,38 +296,6 @@ def test_error_system_reproduces_the_error():
     np.testing.assert_allclose(run.outputs[4:10], theta[:, None] + states[4:10], atol=1e-9)
     np.testing.assert_allclose(run.outputs[10:12], states[10:12] - 1.0, atol=1e-9)
     np.testing.assert_allclose(run.outputs[12:14], 1.0 - states[12:14], atol=1e-9)
-
-
-def test_reference_feeds_all_who_take_it():
-    read = wiring.wiring_of(clpt.closed_loop(PAPER))
-    names = [node.name for node in read.nodes]
-    place = [names[k] for k in read.order]
-    assert place.index("basis_x") < place.index("true_flow")
-    assert place.index("injection") < place.index("learning_controller")
-    assert sorted(place) == sorted(names)
-    takers = {
-        node.name for node in read.nodes for w in node.wires if not w.external and w.source == 0
-    }
-    assert takers == {"vehicle_controller", "learning_controller", "adaptation"}
-
-
-def test_every_wire_joins_equal_labels():
-    loop = clpt.closed_loop(DISTURBED)
-    read = wiring.wiring_of(loop)
-    labels = [label for node in read.nodes for label in node.system.output_labels]
-    for node in read.nodes:
-        for wire in node.wires:
-            assert wire.gain == 1.0
-            for k in range(wire.size):
-                assert node.system.input_labels[wire.to + k] == labels[wire.source + k]
-    fed = sum(wire.size for node in read.nodes for wire in node.wires)
-    assert fed == sum(node.system.ninputs for node in read.nodes)
-
-
-def test_blocks_of_a_reference_alone_run():
-    loop = connect([reference.reference([[1.0, 0.0], [0.0, 1.0]], dwell=2.0)])
-    run = response(loop, [0.0, 1.0, 2.0, 3.0])
-    assert run.outputs[0].tolist() == [1.0, 1.0, 0.0, 0.0]
 
 
 def test_what_is_no_block_is_named():

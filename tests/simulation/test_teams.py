@@ -32,17 +32,6 @@ def test_without_coupling_each_is_alone():
         same(run.sel(vehicle=name), clpt.simulate(scenario))
 
 
-def test_with_coupling_they_are_not_alone():
-    run = clpt.simulate(team(0.6, ROW, **DIFFERENT))
-    alone = clpt.simulate(DIFFERENT["b"])
-    assert float(abs(run.alpha.sel(vehicle="b") - alone.alpha).max()) > 0.01
-
-
-def test_the_engines_agree():
-    of = team(0.6, ROW, **DIFFERENT)
-    same(clpt.simulate(of, engine="native"), clpt.simulate(of, engine="python"))
-
-
 @pytest.mark.parametrize("gains", ["one", "each", "held true"])
 def test_V_falls_by_what_is_claimed(gains):
     """V(s) - V(t) is the integral of sum e^T KD e + kappa/gamma sum over edges |apart|^2."""
