@@ -15,7 +15,7 @@ from ..errors import SimulationError
 from ..progress.interrupt import check
 from . import solver
 from .jacobian import Jacobian
-from .machine import LANES
+from .machine import LANES, compiled_solver
 from .schedule import Schedule
 
 PAUSE = 0.05  # seconds of a call
@@ -30,8 +30,8 @@ METHODS = {solver.DOP853: "DOP853", solver.RODAS5P: "Rodas5P", solver.RK4: "RK4"
 class Callee(NamedTuple):
     """What the solver calls, and how much room its arrays need; `shape` is the solver's."""
 
-    solver: Any  # the module as it stands, or compiled
-    functions: Any  # in the solver's order: functions, or their addresses
+    engine: str  # whose functions they are: "native" or "python"
+    functions: np.ndarray  # in the solver's order: their addresses
     lanes: int  # runs that are taken at once
     nstates: int
     method: int  # as the solver numbers it
@@ -44,11 +44,20 @@ class Callee(NamedTuple):
     tables: np.ndarray  # T, which is not empty
     linear: Jacobian = Jacobian()  # of Rodas5P
     code: tuple = ()  # what must live for as long as addresses are used
+    raised: Any = ()  # a list of what functions of Python raised
 
     @property
     def shape(self) -> tuple[int, ...]:
         """The numbers that the solver is told: of lanes, of states, and so on to `decided`."""
         return self[2:9]
+
+    def call(self, name: str, *given: Any) -> int:
+        """Call a function of the solver; what Python raised within it is raised."""
+        with np.errstate(all="ignore"):
+            found = getattr(compiled_solver(), name)(self.functions, *given)
+        if self.raised:
+            raise self.raised.pop()
+        return found
 
     def ask(
         self, role: int, times: Any, x: np.ndarray, pieces: Schedule, own: np.ndarray, out: Any
@@ -63,8 +72,7 @@ class Callee(NamedTuple):
         which = np.searchsorted(pieces.edges, times, side="right")
         given, each = (times, which, np.zeros(1), x.ravel()), (pieces.places, pieces.values)
         more, arrays = (self.nstates, (self.held, self.decided)), (P, self.tables, W, D)
-        with np.errstate(all="ignore"):
-            self.solver.ask(self.functions, role, *more, given, each, arrays, out)
+        self.call("ask", role, *more, given, each, arrays, out)
         return out
 
 
@@ -138,7 +146,7 @@ class Batch:
         is ends as `STIFF`.
         """
         self.numbers[solver.STIFF_STEPS] = -np.inf if stiff is None else 0.0
-        first = 0 if self.callee.solver is solver else BEGIN // self.callee.nstates
+        first = 0 if self.callee.engine == "python" else BEGIN // self.callee.nstates
         active, budget = 1, max(64, first)
         most = ANY if self.callee.method == solver.RK4 else most
         if self.callee.decided:
@@ -157,11 +165,10 @@ class Batch:
 
     def advance(self, rtol: float, atol: float, budget: int, most: int = MEMBER_STEPS) -> int:
         """Take some steps in each lane; return how many lanes are at work."""
-        tolerances, made = np.array([max(rtol, 2.3e-14), atol]), self.callee
+        tolerances = np.array([max(rtol, 2.3e-14), atol])
         batch = self.runs, self.schedule, self.times, self.results, self.lane, self.arrays
-        given = made.functions, made.shape, tolerances, batch, self.linear, budget, most
-        with np.errstate(all="ignore"):
-            return made.solver.advance(*given)
+        given = self.callee.shape, tolerances, batch, self.linear, budget, most
+        return self.callee.call("advance", *given)
 
     def _look(self, k: int, stiff: Any) -> None:
         """End the run of a lane if it is stiff."""

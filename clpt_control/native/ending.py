@@ -76,7 +76,7 @@ def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None, rest: Batch | None)
         found.method += f", from t = {rest.times[0]:.9g} {rest.method}"
     counts = map(int, batch.counts[0])
     found.statistics = dict(zip(("steps", "evaluations", "restarts"), counts, strict=False))
-    found.engine = "python" if batch.callee.solver is solver else "native"
+    found.engine = batch.callee.engine
     if status is Status.FINISHED:
         return found
     if status is Status.LEFT:

@@ -14,7 +14,7 @@ import hashlib
 import os
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
-from ctypes import CFUNCTYPE, addressof, byref, c_char, c_int32, c_int64, c_void_p
+from ctypes import CFUNCTYPE, addressof, byref, c_char, c_double, c_int32, c_int64, c_void_p
 from functools import cache, lru_cache
 from importlib.metadata import version
 from pathlib import Path
@@ -210,6 +210,35 @@ def numbers(arguments: tuple) -> list[Any]:
         else:
             found.append(one)
     return found
+
+
+POINTERS = CFUNCTYPE(None, *[c_void_p] * 6)
+
+
+def called(
+    function: Callable, n: int, places: int, array: str, count: int, raised: list[BaseException]
+) -> Any:
+    """Return a function of time, n states and the beginning of P as the solver calls it.
+
+    So many numbers are written, into D or W.  After what it raises nothing is asked any more.
+    """
+
+    def call(t: int, X: int, P: int, T: int, W: int, D: int) -> None:
+        if raised:
+            return
+        try:
+            found = function(float(_seen(t, 1)[0]), _seen(X, n), _seen(P, places))
+            _seen(W if array == "W" else D, count)[:] = found
+        except BaseException as error:  # machine code would drop it
+            raised.append(error)
+
+    return POINTERS(call)
+
+
+def _seen(address: int, count: int) -> np.ndarray:
+    """Return the numbers that lie there."""
+    there: Any = (c_double * count).from_address(address or 0)
+    return np.ndarray(count, buffer=there)
 
 
 @once()

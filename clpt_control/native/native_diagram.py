@@ -19,10 +19,9 @@ from ..errors import DiagramError, SimulationError, Uncompiled
 from . import solver
 from .batch import Callee
 from .diagram_record import NAMED, SHORT, DiagramRecord, Layout, lay_out
-from .formula import program_of_formulas
 from .jacobian import Jacobian, jacobian, reach_of, slopes_of
-from .machine import LANES, Machine, compiled_solver, fuses, once, one_at_a_time
-from .method import formulas
+from .machine import LANES, Machine, fuses, once, one_at_a_time
+from .method import kernels
 from .plan import Program, program_of
 from .python_diagram import PythonDiagram
 from .schedule import Inputs, Schedule, with_inputs
@@ -122,19 +121,6 @@ def _code(structure: Structure, form: str | None, implicit: bool) -> Code:
     return Code(program_of(record, *room), jacobian(reach, False))
 
 
-@once(16)
-def kernels(n: int, lanes: int, method: int) -> Machine:
-    """Return the formulas of a method for n states as machine code."""
-    own = formulas(method, n)
-
-    def printed() -> object:
-        from .nests import print_program
-
-        return print_program(program_of_formulas(own, n), tuple(own), lanes)
-
-    return Machine(own, f"formulas {n} {lanes} {method}", printed)
-
-
 # --- ready to run ----------------------------------------------------------------------------
 
 
@@ -219,8 +205,17 @@ class NativeDiagram(PythonDiagram):
             return code_of(self.wiring, self.layout, self._form, True)
         return self.code
 
+    def _bends(self, inputs: Inputs, rtol: float) -> Any:
+        """Return the times at which inputs bend: they are straight within a piece."""
+        return inputs.kinks
+
     def schedule(
-        self, t0: float, t1: float, inputs: Inputs | None = None, breaks: Any = ()
+        self,
+        t0: float,
+        t1: float,
+        inputs: Inputs | None = None,
+        breaks: Any = (),
+        rtol: float = 0.0,
     ) -> Schedule:
         """Return the pieces of a run: they end at bends and `breaks`."""
         pieces = super().schedule(t0, t1, inputs, breaks)
@@ -264,7 +259,7 @@ class NativeDiagram(PythonDiagram):
         shape = lanes, n, method, guarded, jumping, self.held, program.decided
         sizes = program.parameters, program.room, self.layout.T
         alive = code, formulas
-        return Callee(compiled_solver(), functions, *shape, *sizes, code.linear, alive)
+        return Callee(self.engine, functions, *shape, *sizes, code.linear, alive)
 
     def lanes(self, count: int) -> int:
         """Return how many runs are taken at once: eight where it pays."""

@@ -1,11 +1,12 @@
 """Run a diagram block by block in Python.
 
-The solver is the one that machine code runs with.
+The solver is machine code, as for any diagram; it calls functions of Python.
 """
 
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from copy import copy
+from ctypes import c_void_p, cast
 from dataclasses import replace
 from functools import partial
 from typing import Any, Self
@@ -19,9 +20,9 @@ from ..errors import SimulationError
 from . import solver
 from .batch import ANY, Batch, Callee, pace
 from .ending import STUCK, Solution, ended
-from .formula import on_rows
 from .jacobian import Jacobian, jacobian
-from .method import formulas
+from .machine import called
+from .method import kernels
 from .schedule import (
     BEGINS,
     JUMPS,
@@ -32,18 +33,10 @@ from .schedule import (
     make_schedule,
     numbers,
     read_inputs,
+    sharp,
 )
 from .sweep import Sweep
-from .ways import (
-    LOOSE,
-    METHODS,
-    begun,
-    check_spacing,
-    checked_method,
-    finish,
-    iterated,
-    loosely,
-)
+from .ways import METHODS, begun, check_spacing, checked_method, finish, iterated
 
 FREE = (np.inf, 0.0)  # no longest step, nor a first one
 
@@ -81,47 +74,53 @@ class PythonDiagram:
         """Return P, which the solver carries; in Python it says which blocks jump."""
         return np.zeros(len(self.jumps))
 
+    def _bends(self, inputs: Inputs, rtol: float) -> Any:
+        """Return the times at which inputs bend so much that it is felt."""
+        return () if inputs.samples is None else sharp(*inputs.samples, rtol)
+
     def schedule(
-        self, t0: float, t1: float, inputs: Inputs | None = None, breaks: Any = ()
+        self,
+        t0: float,
+        t1: float,
+        inputs: Inputs | None = None,
+        breaks: Any = (),
+        rtol: float = 0.0,
     ) -> Schedule:
         """Return the pieces of a run: they end at bends and `breaks`."""
-        kinks = () if inputs is None else inputs.kinks
+        kinks = () if inputs is None else self._bends(inputs, rtol)
         return make_schedule(self.sweep, self.intervals, self.jumps, t0, t1, kinks, breaks)
 
     def callee(
         self, lanes: int = 1, inputs: Inputs | None = None, method: int = solver.DOP853
     ) -> Callee:
         """Return what the solver calls, for one of its methods."""
-        n, sweep = self.nstates, self.sweep
+        n, sweep, raised = self.nstates, self.sweep, list[BaseException]()
+        at: Any = (lambda t: None) if inputs is None else inputs.at
 
-        def u(t: np.ndarray) -> np.ndarray | None:
-            return None if inputs is None else inputs.at(float(t[0]))
-
-        def derivative(t, X, first, P, T, W, D, to):
-            D[to : to + n] = sweep.rates(t[0], X[first : first + n], u(t))
-
-        def prepare(t, X, first, P, T, W, D, to):
-            sweep.enter(t[0])
-
-        def margin(t, X, first, P, T, W, D, to):
-            D[to] = sweep.margin(t[0], X[first : first + n], u(t))[0]
-
-        def signals(t, X, first, P, T, W, D, to):
-            W[: self.nsignals] = sweep.evaluate(t[0], X[first : first + n], u(t))
-
-        def jump(t, X, first, P, T, W, D, to):
+        def jump(t: float, x: np.ndarray, P: np.ndarray) -> np.ndarray:
             jumping, beginning = (
                 [k for k, place in self.jumps.items() if P[place] == how] for how in (JUMPS, BEGINS)
             )
-            D[to : to + n] = sweep.leap(t[0], X[first : first + n], u(t), jumping, beginning)
+            return sweep.leap(t, x, at(t), jumping, beginning)
 
-        functions = [derivative, prepare, margin, signals, jump, None, None]
-        functions += [on_rows(f, n) for f in formulas(method, n).values()] if n else []
+        functions: list[tuple[Any, str, int]] = [  # in the solver's order, and what they write
+            (lambda t, x, P: sweep.rates(t, x, at(t)), "D", n),
+            (lambda t, x, P: sweep.enter(t), "D", 0),
+            (lambda t, x, P: sweep.margin(t, x, at(t))[0], "D", 1),
+            (lambda t, x, P: sweep.evaluate(t, x, at(t)), "W", self.nsignals),
+            (jump, "D", n),
+        ]
+        given = n, max(self.jumps.values(), default=-1) + 1
+        own = [called(function, *given, array, size, raised) for function, array, size in functions]
+        formulas = kernels(n, 1, method) if n else None
+        more = formulas.addresses.values() if formulas else ()
+        addresses = [*(cast(one, c_void_p).value for one in own), 0, 0, *more]
         shape = 1, n, method, int(sweep.guarded), int(bool(self.jumps)), 0, 0
         sizes, linear = (len(self.jumps), self.nsignals, np.zeros(1)), Jacobian()
         if method == solver.RODAS5P:
             linear = jacobian(np.ones((n, n + 1), dtype=bool), False)
-        return Callee(solver, functions, *shape, *sizes, linear)
+        code, alive = np.array(addresses, dtype=np.int64), (own, formulas)
+        return Callee("python", code, *shape, *sizes, linear, alive, raised)
 
     def implicit(self, inputs: Inputs | None = None) -> Callee:
         """Return what the solver calls of its implicit method."""
@@ -199,14 +198,8 @@ class PythonDiagram:
             return Solution(times, np.zeros((len(times), 0)), engine=self.engine)
         if self.wiring.dt:
             return iterated(self, start, times, inputs, progress)
-        free = method == "auto" and limits == FREE and step is None
-        smooth = self.engine == "python" and not self.jumps and not self.sweep.guarded
-        if free and smooth and tolerances[0] >= LOOSE:
-            loose = loosely(self.sweep, start, times, tolerances, inputs, progress)
-            if loose is not None:
-                return Solution(times, loose[0], statistics=loose[1], method="RK45")
         by = METHODS[method] if step is None else solver.RK4
-        pieces = self.schedule(t0, t1, inputs, self.breaks(t0, t1))
+        pieces = self.schedule(t0, t1, inputs, self.breaks(t0, t1), tolerances[0])
         callee, P = self.callee(1, inputs, by), self.parameters()
         start = begun(callee, start, t0, pieces, P)
         made = Batch(callee, start[None], P[None], times, [pieces], None, *limits)

@@ -3,7 +3,8 @@
 A run stops exactly where a piece ends: at a breakpoint of a block or at a sample of the diagram's
 inputs.  A piece sets in P the `interval` of blocks that jump, whether their states jump where it
 begins, and the straight line of each input.  States do not jump where a run begins: it begins
-after; but blocks that sample at that time hold what feeds them then.
+after; but blocks that sample at that time hold what feeds them then.  In Python a run stops where a
+sampled input turns sharply; smaller bends, as of a sampled sine, are smooth to the tolerance.
 """
 
 from bisect import bisect_right
@@ -20,6 +21,8 @@ from ..progress import warn
 from .sweep import Sweep
 
 STRAIGHT = 1e-14  # of the largest value, off a straight line, is rounding
+SHARP = 10.0  # a turn is sharp that is so many times as sharp as most
+FELT = 200.0  # and one that is so many tolerances of the input, off the line before it
 
 
 @dataclass(frozen=True)
@@ -75,6 +78,19 @@ class Inputs:
             return np.array([self.at(t) for t in times]).reshape(len(times), -1).T
         at, u = self.samples
         return np.array([np.interp(times, at, row) for row in u]).reshape(len(u), len(times))
+
+
+def sharp(times: np.ndarray, values: np.ndarray, rtol: float) -> np.ndarray:
+    """Return the times at which samples, joined by straight lines, turn sharply."""
+    if len(times) < 3:
+        return times[:0]
+    spans, size = times[1:] - times[:-1], np.max(np.abs(values), axis=1, keepdims=True)
+    slopes = (values[:, 1:] - values[:, :-1]) / spans
+    turns = np.abs(slopes[:, 1:] - slopes[:, :-1])
+    rounding = 1e-12 * np.max(np.abs(slopes), axis=1, keepdims=True)
+    sharper = turns > SHARP * np.median(turns, axis=1, keepdims=True) + rounding
+    felt = turns * np.minimum(spans[1:], spans[:-1]) > FELT * rtol * size + 1e-12 * size
+    return times[1:-1][np.any(sharper | felt, axis=0)]
 
 
 def checked_times(name: str, timepts: Any) -> np.ndarray:

@@ -1,14 +1,14 @@
 """Many runs, exactly to every breakpoint: what comes after what in a step.
 
 The same text serves one run and several side by side (lanes).  It is printed once as
-LLVM's text (`make solver`); equations in Python run it as it stands.  Every lane has its own run,
+LLVM's text (`make solver`) and is machine code for every run.  Every lane has its own run,
 time, step and piece of time; a lane whose run has ended takes the next.  Nothing is
 summed across lanes, so a run gives the same numbers beside any others.
 
 All numbers are computed through `call`, by the diagram's functions and the formulas of
 `method`.  Arguments that all functions share:
 
-    code      functions or their addresses, in the order of the places below
+    code      addresses of functions, in the order of the places below
     shape     numbers of lanes, of states and of the method's stages; 1 if guards are watched, 1
               if states jump; where in P lies what is decided, and how many numbers that are
     runs      initial states (m, n), parameters (m, nP) and schedule of each run (m,)
@@ -79,9 +79,8 @@ OFTEN, MANY, AHEAD = 128, 15, 5_000
 APART = 6e-6  # of the size of a state, for differences of rates: the third root of a rounding
 
 
-def call(function, t, X, first, P, T, W, D, to):
-    """Call function(t, X[first:], P, T, W, D[to:]), or an address."""
-    function(t, X, first, P, T, W, D, to)
+def call(address, t, X, first, P, T, W, D, to):
+    """Call the function there, of t, X[first:], P, T, W, D[to:]: `make solver` puts that in."""
 
 
 def advance(code, shape, tolerances, batch, linear, budget, most):
