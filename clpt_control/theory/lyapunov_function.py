@@ -2,7 +2,8 @@
 
 V and V' are exact, on the equations that run (`own_v`).  V >= 0 is shown by a sum of terms that are
 not negative (`squares`), V' <= 0 by the signs of `proving`.  What is not shown is open; what is
-refuted is refuted by a point.
+refuted is refuted by a point.  Where no V is given, one is searched for (`searching`) and judged like
+any other.
 
 Points of wide ranges are drawn, and drawn again beside the best of them.  Whatever an expression
 says, V' there is that along the rates that python-control itself gives.
@@ -12,6 +13,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain
+from typing import Any
 
 import control
 import numpy as np
@@ -27,6 +29,7 @@ from .proving.proof import Step, as_html, checked, exact, first_failure, short, 
 from .proving.signs import tidied, vanishes
 from .proving.symbolic_loop import Point, numeric
 from .proving.words import along
+from .searching import candidates
 from .squares import beside
 
 SEARCHES, PER_SEARCH, ROUNDS, BEST = 20, 500, 15, 5
@@ -314,10 +317,23 @@ def _across_jumps(own: OwnV, seen: Points, near: bool) -> tuple[Step, Found | No
     return exact(claim, True), None
 
 
+def _found(system: control.NonlinearIOSystem, at: Any, count: int, seed: int) -> Lyapunov:
+    """Return the best that is known of the functions that are searched for."""
+    best, own = None, OwnV(system, sympy.S.Zero, None, at)
+    for V in candidates(own):
+        found = _judged(judged := OwnV(system, V, None, at), Points(judged, seed), count)
+        if found.status == "proved":
+            return found
+        if best is None and found.status.startswith("proved"):
+            best = found
+    said = "no V was found that is proved: give one, or a rest (at=) about which to search"
+    return best or Lyapunov("open", said, own.V, own.rate)
+
+
 @public
 def lyapunov(
     system: control.NonlinearIOSystem,
-    V: str | Callable | sympy.Expr,
+    V: str | Callable | sympy.Expr | None = None,
     claim: str | Callable | sympy.Expr | float | None = None,
     at: Mapping[str, float] | Sequence[float] | None = None,
     points: Count = 200,
@@ -329,14 +345,16 @@ def lyapunov(
     ----------
     system : control.NonlinearIOSystem
         A diagram, a block or a system of python-control.
-    V : str, callable or sympy.Expr
+    V : str, callable or sympy.Expr, optional
         The name of an output; a function of signals, ``lambda s: s.e**2 / 2``, in NumPy, which may
-        ask for parameters too; or an expression in the symbols of `clpt.equations`.
+        ask for parameters too; or an expression in the symbols of `clpt.equations`.  By default V
+        is searched for, of squares, products of two states, and integrals of functions of one
+        state: `status` is then ``"open"`` where none that is found is proved.
     claim : str, callable or sympy.Expr, optional
         What V' is said to be, ``lambda s: -s.am * s.e**2``; that V' <= 0 is judged in any case.
     at : mapping or array_like, optional
         The rest state, ``{"theta": np.pi}``, other states 0: where V is to be least. By default V
-        may be least anywhere.
+        may be least anywhere, and is searched for about 0.
     points : int, optional
         Random points at which the running blocks are asked.
     seed : int, optional
@@ -351,7 +369,8 @@ def lyapunov(
     Raises
     ------
     DiagramError
-        If the diagram cannot be read, is of discrete time, or V is no number of it.
+        If the diagram cannot be read, is of discrete time, V is no number of it, or is to be
+        searched for about what is no rest.
 
     Examples
     --------
@@ -364,7 +383,11 @@ def lyapunov(
     >>> energy = lambda s: s.omega**2 / 2 + s.g * (1 - np.cos(s.theta))
     >>> clpt.theory.lyapunov(pendulum, energy).rate
     -b*omega**2
+    >>> clpt.theory.lyapunov(pendulum).V
+    omega**2/2 - 49*cos(theta)/5 + 49/5
     """
     with worked_out(system.name):
+        if V is None:
+            return _found(system, at, points, seed)
         own = OwnV(system, V, claim, at)
         return _judged(own, Points(own, seed), points)

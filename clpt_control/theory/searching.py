@@ -1,0 +1,206 @@
+"""A V that is searched for: a guess here, which `lyapunov` then judges as any other.
+
+    V = sum_ij c_ij z_i z_j + sum_k b_k int_0^{z_i} h_k(s) ds,    z = x - x_rest
+
+h_k are the functions of one state that stand in the rates: sin, tanh, odd powers.  V' is linear in
+the coefficients, and so is the condition that V and -V' are diagonally dominant sums of squares: a
+linear program.  What it finds is rounded such that what cancels in V' cancels exactly.  Where it
+finds nothing, V is that of the linear part, A^T P + P A = -I.
+
+Source: Ahmadi, A. A., Majumdar, A. (2019), DSOS and SDSOS optimization, SIAM Journal on Applied
+Algebra and Geometry 3(2), 193-230; Khalil, H. K. (2002), Nonlinear Systems, Theorem 4.6.
+"""
+
+from collections import defaultdict
+from collections.abc import Iterator
+from fractions import Fraction
+from itertools import chain, combinations, combinations_with_replacement
+
+import numpy as np
+import scipy.optimize
+import sympy
+
+from ..errors import DiagramError
+from .own_v import OwnV
+from .proving.proof import short
+from .proving.signs import vanishes
+from .proving.words import ODD, along
+
+MOST = 16  # states
+SHARE = 10**4  # the largest denominator of a coefficient
+LARGEST = 100.0  # of the sum of the coefficients
+
+Rates = dict[sympy.Symbol, sympy.Expr]
+Monomial = tuple[int, ...]
+
+
+def candidates(own: OwnV) -> Iterator[sympy.Expr]:
+    """Yield what may be a V of a diagram about its rest, the plainest first."""
+    rest = own.rest or dict.fromkeys(own.states, sympy.S.Zero)
+    zero = dict.fromkeys(own.inputs, sympy.S.Zero)
+    rates: Rates = {}
+    for s, rate in own.eq.motion.items():
+        number = rate.xreplace(own.eq.values)
+        slope = number.xreplace(rest).xreplace(zero)
+        if slope.is_number and not vanishes(slope):
+            raise DiagramError(
+                f"{own.system.name}: {s}' = {short(slope)} at the rest: give it (at=)"
+            )
+        rates[s] = sympy.expand(number.xreplace({q: q + rest[q] for q in rest}))
+    if len(rates) > MOST:
+        return
+    ahead = _ahead(rates, own.inputs)
+    found = chain(
+        _of_program(rates, None),
+        _of_program(rates, ahead),
+        _of_linear_part(rates, own.inputs),
+    )
+    for V in found:
+        yield V.xreplace({s: s - rest[s] for s in rest})
+
+
+def _ahead(rates: Rates, inputs: list) -> set:
+    """Return states that inputs and linear equations alone move, as a reference model's.
+
+    Of states that move one another so, the first: what follows them is not ahead.
+    """
+    movers, known = dict[sympy.Symbol, set](), [*rates, *inputs]
+    for s in rates:
+        own, more = movers.setdefault(s, set()), {s}
+        while more - own:
+            own |= more
+            more = set().union(*(rates[q].free_symbols & rates.keys() for q in own))
+
+    def is_linear(rate: sympy.Expr) -> bool:
+        return rate.is_polynomial(*known) and sympy.Poly(rate, *known).is_linear
+
+    return {
+        s
+        for s, own in movers.items()
+        if all(movers[q] == own and is_linear(rates[q]) for q in own)
+        and any(rates[q].has(*inputs) for q in own if inputs)
+    }
+
+
+def _of_linear_part(rates: Rates, inputs: list) -> Iterator[sympy.Expr]:
+    """Yield z^T P z with A^T P + P A = -I where A is Hurwitz."""
+    states = list(rates)
+    zero = dict.fromkeys([*states, *inputs], 0)
+    A = sympy.Matrix(list(rates.values())).jacobian(states).subs(zero)
+    if not all(one.is_Rational for one in A):
+        return
+    if np.linalg.eigvals(np.array(A, dtype=float)).real.max() < -1e-9:
+        n = len(states)
+        places = combinations_with_replacement(range(n), 2)
+        known = {at: sympy.Symbol("p_{}_{}".format(*at)) for at in places}
+        P = sympy.Matrix(n, n, lambda i, j: known[min(i, j), max(i, j)])
+        (found,) = sympy.linsolve(list(A.T * P + P * A + sympy.eye(n)), *known.values())
+        z = sympy.Matrix(states)
+        V = (z.T * P.subs(dict(zip(known.values(), found, strict=True))) * z)[0]
+        yield sympy.expand(V)
+
+
+def _terms(rates: Rates) -> dict[sympy.Expr, tuple]:
+    """Return what V may be made of: term -> its two states, or the one of an integral."""
+    states = list(rates)
+    terms: dict[sympy.Expr, tuple] = {
+        a * b: (a, b) for a, b in combinations_with_replacement(states, 2)
+    }
+    whole = sympy.Tuple(*rates.values())
+    for h in sorted(whole.atoms(sympy.sin, *ODD) | whole.atoms(sympy.Pow), key=str):
+        inner, power = (h.base, h.exp) if h.is_Pow else (h.args[0], sympy.S.One)
+        for s in (s for s in states if inner.has(s)):
+            odd = power.is_Integer and power > 0 and power % 2
+            if odd and (inner / s).is_Rational and h != s:
+                own = sympy.integrate(h, s)
+                terms[own - own.subs(s, 0)] = (s,)
+    return terms
+
+
+def _roots(monomials: dict, gens: list) -> dict[Monomial, Monomial | None]:
+    """Return the monomials that are never negative, and their roots; s tanh(s) has none."""
+    rises = {
+        frozenset((k, gens.index(g.args[0])))
+        for k, g in enumerate(gens)
+        if g.func in ODD and g.args[0] in gens
+    }
+    found = dict[Monomial, Monomial | None]()
+    for powers in monomials:
+        odd = frozenset(k for k, n in enumerate(powers) if n % 2)
+        if not odd:
+            found[powers] = tuple(n // 2 for n in powers)
+        elif odd in rises:
+            found[powers] = None
+    return found
+
+
+def _of_program(rates: Rates, left_out: set | None) -> Iterator[sympy.Expr]:
+    """Yield V of few terms, then V of a wide margin.
+
+    Unknown are the coefficients of V, the cross terms of -V', the sizes of both, and the margin.
+    V is to hold every state, or only to have a square of every state that is not left out.
+    """
+    terms = _terms(rates)
+    slopes = [sympy.expand(along(term, dict(rates))) for term in terms]
+    gens = sorted({*rates}.union(*(sympy.Poly(one).gens for one in slopes if one)), key=str)
+    falls = defaultdict[Monomial, dict](dict)  # -V', monomial by monomial: term -> its share
+    for k, slope in enumerate(slopes):
+        for powers, c in sympy.Poly(slope, *gens).terms() if slope else ():
+            falls[powers][k] = -c
+    if not all(c.is_Rational for row in falls.values() for c in row.values()):
+        return
+    roots = _roots(falls, gens)
+    pairs = list[tuple[Monomial, set]]()  # a product that two squares can make up for
+    for (a, root), (b, other) in combinations(roots.items(), 2):
+        product = tuple(m + n for m, n in zip(root or (), other or (), strict=False))
+        if product in falls and product not in roots:
+            pairs.append((product, {a, b}))
+    crossed = {product for product, _ in pairs}
+    exact = [row for powers, row in falls.items() if powers not in roots and powers not in crossed]
+
+    n, m, places = len(terms), len(pairs), [*terms.values()]
+    size, margin = n + m, 2 * (n + m)
+    made_up = [falls[one] | {n + q: -1 for q in range(m) if pairs[q][0] == one} for one in crossed]
+    below = list[tuple[dict, float]]()
+    below += [({k: one, size + k: -1}, 0.0) for k in range(n + m) for one in (1, -1)]
+    for powers in roots:  # each square of -V' beside half of the cross terms that it is in
+        own = {k: -c for k, c in falls[powers].items()}
+        own |= {size + n + q: 0.5 for q in range(m) if powers in pairs[q][1]}
+        below.append(({**own, margin: 1}, 0.0))
+    for s in rates:  # and each of V
+        square = {k: -1.0 for k in range(n) if places[k] == (s, s)}
+        whole = {k: -1.0 for k in range(n) if places[k] == (s,)}
+        cross = {size + k: 0.5 for k in range(n) if s in places[k] and len({*places[k]}) == 2}
+        below += [({**square, **cross}, 0.0), *(({k: -1}, 0.0) for k in whole)]
+        if left_out is None:
+            below.append(({**square, **cross, **whole}, -0.5))
+        elif s not in left_out:
+            below.append(({**square, **whole}, -0.5))
+    below.append(({size + k: 1 for k in range(n)}, LARGEST))
+
+    def matrix(rows: list[dict]) -> np.ndarray:
+        made = np.zeros((len(rows), margin + 1))
+        for at, row in zip(made, rows, strict=True):
+            at[list(row)] = [float(value) for value in row.values()]
+        return made
+
+    few, wide = matrix([{size + k: 1 for k in range(n)}, {margin: -1}])
+    upper, limits = matrix([row for row, _ in below]), [limit for _, limit in below]
+    equal = matrix(exact + made_up)
+    for goal, most in ((few, 0.0), (wide, 1.0)):
+        within = [(None, None)] * size + [(0, None)] * size + [(0, most)]
+        found = scipy.optimize.linprog(goal, upper, limits, equal, np.zeros(len(equal)), within)
+        if found.status == 0:
+            c = _rounded(found.x[:n], exact)
+            yield sympy.Add(*(own * term for own, term in zip(c, terms, strict=True)))
+
+
+def _rounded(values: np.ndarray, exact: list[dict[int, sympy.Expr]]) -> list[sympy.Expr]:
+    """Return rational numbers beside these; each exact row times them is zero."""
+    used = [k for k, value in enumerate(values) if abs(value) > 1e-9]
+    found = [sympy.Rational(Fraction(float(v)).limit_denominator(SHARE)) for v in values]
+    reduced, pivots = sympy.Matrix([[row.get(k, 0) for k in used] for row in exact]).rref()
+    free = [j for j in range(len(used)) if j not in pivots]
+    for row, pivot in enumerate(pivots):
+        found[used[pivot]] = -sympy.Add(*(reduced[row, j] * found[used[j]] for j in free))
+    return found
