@@ -2,8 +2,8 @@
 
 V and V' are exact, on the equations that run (`own_v`).  V >= 0 is shown by a sum of terms that are
 not negative (`squares`), V' <= 0 by the signs of `proving`.  What is not shown is open; what is
-refuted is refuted by a point.  Where no V is given, one is searched for (`searching`) and judged like
-any other.
+refuted is refuted by a point.  Where no V is given, one is searched for (`searching`) and judged as
+any other is.
 
 Points of wide ranges are drawn, and drawn again beside the best of them.  Whatever an expression
 says, V' there is that along the rates that python-control itself gives.

@@ -55,7 +55,7 @@ def candidates(own: OwnV) -> Iterator[sympy.Expr]:
         _of_program(rates, ahead),
         _of_linear_part(rates, own.inputs),
     )
-    for V in found:
+    for V in dict.fromkeys(found):
         yield V.xreplace({s: s - rest[s] for s in rest})
 
 

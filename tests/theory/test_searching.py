@@ -1,0 +1,132 @@
+"""A V that is searched for: what is found falls along runs, and nothing is found of what leaves."""
+
+import control
+import numpy as np
+import pytest
+import sympy
+
+import clpt_control as clpt
+from clpt_control.theory import lyapunov
+
+SYSTEMS = {  # rates in states, a rest, and a state to start from
+    "pendulum": (lambda q, w: [w, -9.8 * np.sin(q) - 0.1 * w], None, [2.0, 1.0]),
+    "Duffing's oscillator": (lambda q, v: [v, -2 * q - q**3 - 0.3 * v], None, [2.0, 1.0]),
+    "a body that turns": (
+        lambda a, b, c: [-b * c - a, c * a - b, -a * b / 3 - c],
+        None,
+        [1.0, 2.0, -1.0],
+    ),
+    "Lorenz's equations, r = 1/2": (
+        lambda a, b, c: [10 * (b - a), 0.5 * a - b - a * c, a * b - 8 / 3 * c],
+        None,
+        [3.0, -2.0, 5.0],
+    ),
+    "two neurons": (
+        lambda a, b: [-a + 0.5 * np.tanh(b), -b - 0.5 * np.tanh(a)],
+        None,
+        [3.0, -2.0],
+    ),
+    "a gain that adapts": (lambda x, k: [x - k * x, x**2], {"k": 2.0}, [1.0, 0.0]),
+    "a pendulum that hangs at pi": (
+        lambda q, w: [w, 9.8 * np.sin(q) - 0.1 * w],
+        {"q": np.pi},
+        [2.0, 1.0],
+    ),
+    "two masses, one spring hard": (
+        lambda a, b, v, w: [v, w, -a - (a - b) - 0.2 * v, -(b - a) - b**3 - 0.1 * w],
+        None,
+        [1.0, -1.0, 0.0, 2.0],
+    ),
+}
+
+
+def system(rates, name="own", **more):
+    states = list(rates.__code__.co_varnames[: rates.__code__.co_argcount])
+    return control.nlsys(
+        lambda t, x, u, p: np.array(rates(*x)), states=states, inputs=0, name=name, **more
+    )
+
+
+@pytest.mark.parametrize("name", SYSTEMS)
+def test_what_is_found_is_proved_and_falls_along_a_run_of_python_control(name):
+    rates, rest, start = SYSTEMS[name]
+    own = system(rates)
+    found = lyapunov(own, at=rest)
+    assert found.status in ("proved", "proved but for q"), found  # an angle up to whole turns
+    symbols = list(clpt.equations(own).motion)
+    V = sympy.lambdify(symbols, found.V)
+    t = np.linspace(0, 10, 401)
+    run = control.input_output_response(
+        own, t, 0, start, solve_ivp_kwargs={"rtol": 1e-10, "atol": 1e-12}
+    )
+    values = V(*run.states)
+    assert np.all(np.diff(values) <= 1e-8 * values[0])
+    assert values.min() > -1e-12
+
+
+def test_of_a_model_reference_loop_it_is_the_textbooks():
+    def rates(t, x, u, p):
+        e = x.y - x.ym
+        return {
+            "y": x.y + 3 * (x.kr * u.r - x.ky * x.y),
+            "ym": -4 * x.ym + 4 * u.r,
+            "kr": -2 * u.r * e,
+            "ky": 2 * x.y * e,
+        }
+
+    states = dict.fromkeys(("y", "ym", "kr", "ky"), 1)
+    loop = clpt.Block("mrac", update=rates, states=states, inputs={"r": 1})
+    found = lyapunov(loop, at={"kr": 4 / 3, "ky": 5 / 3})
+    y, ym, kr, ky = clpt.equations(loop).motion
+    apart = (kr - sympy.Rational(4, 3)) ** 2 + (ky - sympy.Rational(5, 3)) ** 2
+    assert found.status == "proved"
+    assert sympy.expand(found.V - (y - ym) ** 2 / 2 - sympy.Rational(3, 4) * apart) == 0
+    assert sympy.expand(found.rate + 4 * (y - ym) ** 2) == 0
+
+
+def test_of_the_papers_loop_it_is_its_eq_24():
+    scenario = clpt.paper_scenario()
+    loop = clpt.closed_loop(scenario, external="zc")
+    theta, gain = np.array(scenario.flow.parameters), sympy.Rational(str(scenario.learning.gain))
+    truth = {f"alpha[{i},{j}]": -theta[i, j] for i in range(2) for j in range(3)}
+    truth |= {f"{one}[{i}]": 1.0 for one in ("K", "Gamma") for i in range(2)}
+    found = lyapunov(loop, at=truth)
+    states = {str(s): s for s in clpt.equations(loop).motion}
+    errors = [states[f"x[{i}]"] - states[f"z[{i}]"] for i in range(2)]
+    apart = [states[name] - sympy.Rational(str(value)) for name, value in truth.items()]
+    printed = sum(e**2 for e in errors) / 2 + sum(one**2 for one in apart) / (2 * gain)
+    assert sympy.expand(found.V - printed) == 0
+    assert found.status == "proved as long as x[0], x[1] exist"
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_a_stable_linear_system_always_has_one_and_no_other_does(seed):
+    random = np.random.default_rng(seed)
+    n = int(random.integers(2, 6))
+    A = np.round(random.standard_normal((n, n)), 2)
+    A -= np.round(np.linalg.eigvals(A).real.max() + 0.3, 2) * np.eye(n)
+    none = np.zeros((n, 0)), np.eye(n), np.zeros((n, 0))
+    assert lyapunov(control.ss(A, *none)).status == "proved"
+    assert lyapunov(control.ss(A + 0.6 * np.eye(n), *none)).status == "open"
+
+
+@pytest.mark.parametrize(
+    "rates",
+    [
+        lambda x: [x**3],
+        lambda x, y: [-x, y],
+        lambda x, y: [-y, x - (1 - x**2) * y],
+        lambda x, k: [x - k * x, -(x**2)],
+        lambda q, w: [w, 9.8 * np.sin(q) - 0.1 * w],
+        lambda x, y: [y, -x + 0.1 * y**3],
+    ],
+)
+def test_of_what_leaves_its_rest_nothing_is_proved(rates):
+    found = lyapunov(system(rates))
+    assert found.status == "open" or found.status.startswith("proved but for"), found
+
+
+def test_a_place_that_is_no_rest_is_refused():
+    with pytest.raises(clpt.DiagramError, match=r"x' = 1 at the rest"):
+        lyapunov(system(lambda x: [1 - x]))
+    assert lyapunov(system(lambda x: [1 - x]), at=[1.0]).status == "proved"
