@@ -42,11 +42,12 @@ def simulate(case: Case):
 
 def members(scenario):
     """Prepare an ensemble: eight members at once where the processor allows it."""
-    from clpt_control.ensemble.members import ScenarioEnsemble
+    from clpt_control.ensemble.members import Ensemble
+    from clpt_control.ensemble.of_scenarios import VariedScenario
 
     N, run = scenario.basis.N, scenario.run
     keys = ("flow.parameters", "learning.gain", "vehicle.position", "learning.position")
-    ensemble = ScenarioEnsemble(scenario, keys)
+    ensemble = Ensemble(VariedScenario(scenario), keys)
     times = np.array([0.0, run.duration])
 
     def all_of_them(parameters, states) -> np.ndarray:
@@ -56,7 +57,7 @@ def members(scenario):
             "vehicle.position": states[:, 0:2],
             "learning.position": states[:, 2:4],
         }
-        made = ensemble.members(values, run.duration)
+        made = ensemble.members(values)
         return ensemble.run(made, times, run.rtol, run.atol).states[:, -1]
 
     return lambda parameters, states: timed(all_of_them, parameters, states)

@@ -1,7 +1,7 @@
+from .drawn_values import Vary
 from .run import run_ensemble
 from .spread import ensemble_plot, ensemble_summary, percentiles
 from .tune import tune_law
-from .varied_keys import Vary
 
 __all__ = [
     "Vary",

@@ -25,7 +25,7 @@ from ..blocks.laws.table import LAWS
 from ..errors import ScenarioError
 from ..scenario.experiment import Scenario
 from ..scenario.learning import LearningGains
-from .varied_keys import Vary
+from .drawn_values import Vary
 
 GAINS = (0.25, 1.0, 4.0)
 FILTERS = (0.5, 1.0, 2.0)

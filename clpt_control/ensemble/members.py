@@ -1,35 +1,99 @@
-"""Many runs of one diagram that differ in numbers, not in shape.
+"""Many runs of one diagram that differ in numbers, not in shape: a scenario's, or any other.
 
-A member is the diagram with some values changed.  Where a key's value lies in P and in the
+A member is the diagram with some values changed.  Where a value lies in P and in the
 initial state is known, so members are filled in whole columns; what is computed from values, such
 as frequencies from periods, what moves breakpoints, and inputs, is made member by member.  What
 cannot be compiled runs in Python, one member after the other; so does a diagram of discrete time.
+
+Members are run and summarised in the same way by a thread and by a far machine, to which what
+varies travels pickled.
 """
 
-from collections.abc import Iterable, Mapping, Sequence
+import hashlib
+import pickle
+import threading
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cached_property, partial
-from typing import Any
+from functools import cached_property, lru_cache, partial
+from importlib.metadata import version
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 
-from ..diagrams.changes import UNCHANGED, Changes
-from ..diagrams.interconnection import wiring_of_blocks
-from ..errors import ScenarioError
+from ..diagrams.varied import read_as_number
+from ..diagrams.wiring import Wiring
+from ..errors import DiagramError, SimulationError
 from ..native import solver
 from ..native.batch import Batch, Callee
 from ..native.ending import STUCK
-from ..native.machine import LANES
-from ..native.native_diagram import NativeDiagram
+from ..native.engines import chosen, compared, in_python
+from ..native.machine import LANES, processor
 from ..native.python_diagram import PythonDiagram
-from ..native.schedule import Schedule
+from ..native.schedule import Inputs, Schedule
 from ..native.ways import METHODS, begun, finish, steps
-from ..scenario.experiment import Scenario
-from ..scenario.quantities import QUANTITIES, made_of, names_held
-from ..simulation.loops import changed_blocks
-from ..simulation.starts import state_columns, state_of
 
+BATCH_BYTES = 64_000_000  # states in flight, a thread
+MOST_MEMBERS = 512  # a batch
+TRIED = 5  # members whose records are compared with Python, before any runs
+Values = Mapping[str, np.ndarray]  # what varies, each with a row for each member
 Made = tuple[Sequence[Any], np.ndarray, Any]  # parameters of all blocks, start, inputs
+
+
+class Place(NamedTuple):
+    """Where a value lies: in fields of blocks, in the initial state, in the inputs."""
+
+    fields: tuple[tuple[int, str], ...] = ()  # (block, field)
+    states: tuple[int, ...] = ()
+    inputs: tuple[int, ...] = ()
+    element: Any = ...  # of a field
+
+
+class Varied(Protocol):
+    """What is run many times: what may vary in it, how it runs, and what is kept of it."""
+
+    name: str
+    title: str
+    values: dict[str, np.ndarray]  # what may vary, as it is
+    params: Mapping[str, Any]
+    inputs: Inputs | None
+    every: np.ndarray  # the times of members' states
+    how: Mapping[str, Any]  # tolerances and method
+    asks: bool  # whether members are asked for signals too, one by one
+    encoding: Mapping[str, Any]  # of the dataset
+
+    @property
+    def wiring(self) -> Wiring:
+        """The diagram."""
+
+    @property
+    def start(self) -> np.ndarray:
+        """The initial state."""
+
+    def why_not(self, key: str) -> str:
+        """Return why a key cannot vary."""
+
+    def check(self, key: str, value: np.ndarray) -> None:
+        """Refuse a value that is not allowed."""
+
+    def place(self, key: str) -> Place:
+        """Return where the value of a key that varies lies."""
+
+    def computed(self, key: str) -> bool:
+        """Return whether members are made one by one of a key's values."""
+
+    def made(self, own: Values) -> Made:
+        """Return one member with some values of its own."""
+
+    def asked(self, path: Any) -> dict[str, Any]:
+        """Return what it is, for a store that lies there."""
+
+    def arrays(self, values: Values) -> Any:
+        """Return all arrays of the store, for the values of all members."""
+
+    def kept(
+        self, ensemble: "Ensemble", members: "Members", values: Values, run: "States"
+    ) -> dict[str, np.ndarray]:
+        """Return what is kept of members, whatever a member that failed holds."""
 
 
 @dataclass
@@ -51,7 +115,6 @@ class Members:
 class States:
     """States of m runs, and how each ended."""
 
-    columns: Mapping[str, slice]  # where each state lies
     states: np.ndarray  # (m, ntimes, nstates), NaN after the last sample reached
     status: np.ndarray  # (m,), as `Status` numbers it
     reached: np.ndarray  # (m,), samples reached
@@ -59,78 +122,110 @@ class States:
 
 
 class Ensemble:
-    """A diagram, ready to run, from which members are made.
+    """What varies, ready to run, from which members are made.
 
     `keys` are the names of what varies.  With `lanes` eight members run at once where that is
-    quicker.  `base` are P and the initial state of the diagram itself.
+    quicker.
     """
 
-    begin = 0.0  # time at which members begin
-    inputs: Any = None  # of the diagram itself, if it has any
-    native: Any  # the diagram itself, ready to run: machine code, or Python
-    columns: Mapping[str, slice] = {}  # where each state lies
-
     def __init__(
-        self, runner: PythonDiagram, keys: Iterable[str], start: np.ndarray, lanes: bool = True
+        self, varied: Varied, keys: Iterable[str], engine: str | None = None, lanes: bool = True
     ):
-        self.native, self.keys = runner, list(keys)
-        self.compiled = isinstance(runner, NativeDiagram)
-        self.lanes = runner.lanes(LANES) if lanes else 1
-        copied = {key: self.places(key) if self.compiled else None for key in self.keys}
-        self.copied = {key: places for key, places in copied.items() if places is not None}
-        self.computed = [key for key, places in copied.items() if places is None]
-        self.base = runner.parameters(), start
+        self.varied, self.places = varied, {key: varied.place(key) for key in keys}
+        self.native = self._runner(engine)  # machine code, or Python
+        self.compiled = self.native.engine == "native"
+        self.lanes = self.native.lanes(LANES) if lanes else 1
+        self.computed = [k for k in self.places if not self.compiled or varied.computed(k)]
+        self._lock = threading.Lock()
 
-    def places(self, key: str) -> tuple[list[int], list[int]] | None:
-        """Return where in P and in the initial state a value begins; None if it is computed."""
-        raise NotImplementedError
+    def _runner(self, engine: str | None) -> Any:
+        """Return what runs it; fields that one key varies lie apart from all others."""
+        varied, apart = self.varied, dict[tuple[int, str], tuple[str, ...]]()
+        for key, place in self.places.items():
+            for one in place.fields:
+                apart[one] = (*apart.get(one, ()), key)
+        by_function = varied.inputs is not None and varied.inputs.samples is None
+        given = varied.wiring, varied.params, by_function
+        runner = chosen(*given, engine, varied.name, apart)
+        for (k, name), keys in apart.items() if runner.engine == "native" else ():
+            node = varied.wiring.nodes[k]
+            if role := read_as_number(node.system, name):
+                in_python(varied.name, f"{node.name}.{role} is read for one value of {keys[-1]}")
+                return chosen(*given, "python")
+        return runner
 
-    def made(self, own: Mapping[str, np.ndarray]) -> Made:
-        """Return one member with some values of its own."""
-        raise NotImplementedError
+    @cached_property
+    def recipe(self) -> bytes:
+        """What another process makes the same of; equations of a script or a notebook go along."""
+        from distributed.protocol.pickle import dumps
 
-    def _schedule(self, runner: PythonDiagram, inputs: Any, end: float) -> Schedule:
-        breaks = runner.breaks(self.begin, end)
-        return runner.schedule(self.begin, end, inputs, breaks)
+        try:
+            return bytes(dumps((self.varied, [*self.places], self.native.engine)))
+        except (pickle.PicklingError, AttributeError, TypeError):
+            raise DiagramError(
+                f"{self.varied.name}: cannot be sent to workers; define equations and parameters "
+                "at the top of a module"
+            ) from None
 
-    def members(self, values: Mapping[str, np.ndarray], end: float) -> Members:
-        """Make members of values, key -> array of shape (m,) + the key's shape."""
-        count = len(next(iter(values.values())))
-        P, x0 = np.tile(self.base[0], (count, 1)), np.tile(self.base[1], (count, 1))
+    @cached_property
+    def code(self) -> str:
+        """A short name of the code and the versions that make the numbers."""
+        program = getattr(self.native, "code", None)
+        made_of = [version(name) for name in ("clpt-control", "llvmlite", "numpy")]
+        made_of += [repr(program and program.program), repr(processor())]
+        return hashlib.sha256("\n".join(made_of).encode()).hexdigest()[:16]
+
+    # --- members made of values -----------------------------------------------------------
+
+    def _schedule(self, runner: PythonDiagram, inputs: Any) -> Schedule:
+        begin, end = self.varied.every[[0, -1]].tolist()
+        return runner.schedule(begin, end, inputs, runner.breaks(begin, end))
+
+    def members(self, values: Values) -> Members:
+        """Make members of values."""
+        varied, count = self.varied, len(next(iter(values.values())))
+        P, x0 = np.tile(self.native.parameters(), (count, 1)), np.tile(varied.start, (count, 1))
         made = Members(P, x0, np.zeros(count, dtype=np.int64), [])
-        made.schedules.append(self._schedule(self.native, self.inputs, end))
+        made.schedules.append(self._schedule(self.native, varied.inputs))
         known = dict[tuple, int]()
         for m in range(count if self.computed else 0):
-            own = {key: values[key][m] for key in self.computed}
-            parameters, x0[m], inputs = self.made(own)
+            parameters, x0[m], inputs = varied.made({key: values[key][m] for key in self.computed})
             one = self.native.with_parameters(parameters)
             P[m] = one.parameters()
-            pieces = self._schedule(one, inputs, end)
+            pieces = self._schedule(one, inputs)
             name = (pieces.edges.tobytes(), pieces.values.tobytes())
             if name not in known:
                 known[name] = len(made.schedules)
                 made.schedules.append(pieces)
             made.group[m] = known[name]
             made.own.append((self.native if self.compiled else one, inputs))
-        for key, (in_P, in_x) in self.copied.items():
-            flat = np.reshape(values[key], (count, -1))
-            for columns, places in ((P, in_P), (x0, in_x)):
-                for place in places:
-                    columns[:, place : place + flat.shape[1]] = flat
+        for key in self.places.keys() - set(self.computed):
+            flat, place = np.reshape(values[key], (count, -1)), self.places[key]
+            for first in {self._column(one, place.element) for one in place.fields}:
+                P[:, first : first + flat.shape[1]] = flat
+            x0[:, list(place.states)] = flat[:, : len(place.states)]
         if made.schedules[0].begins:
             for m in range(count):
-                callee = self._asked(made, m)
-                x0[m] = begun(callee, x0[m], self.begin, made.schedule(m), P[m])
+                callee, begin = self._asked(made, m), float(varied.every[0])
+                x0[m] = begun(callee, x0[m], begin, made.schedule(m), P[m])
         return made
+
+    def _column(self, place: tuple[int, str], element: Any) -> int:
+        """Return where a value begins in P."""
+        shape = np.shape(getattr(self.native.sweep.given[place[0]], place[1]))
+        own = 0 if element is ... or not shape else int(np.ravel_multi_index(element, shape))
+        return int(self.native.layout.slots[place].offset) + own
 
     def alone(self, members: Members, m: int) -> tuple[PythonDiagram, Any]:
         """Return what runs one member by itself, and its inputs."""
-        return members.own[m] if members.own else (self.native, self.inputs)
+        return members.own[m] if members.own else (self.native, self.varied.inputs)
 
     def _asked(self, members: Members, m: int, method: int = solver.DOP853) -> Callee:
         """Return what one member by itself calls."""
         runner, inputs = self.alone(members, m)
         return runner.callee(1, inputs, method)
+
+    # --- run and summarised ---------------------------------------------------------------
 
     def run(
         self,
@@ -138,34 +233,26 @@ class Ensemble:
         times: np.ndarray,
         rtol: float = 1e-8,
         atol: float = 1e-10,
-        step: float | None = None,
         method: str = "auto",
-    ) -> "States":
-        """Run members, each by itself, in the calling thread; with `step` by RK4 of that step.
-
-        `times` increase from `begin`; the last is the end that the members were made for.
-        """
+    ) -> States:
+        """Run members, each by itself, in the calling thread, at times up to their end."""
         times, by = np.asarray(times, dtype=float), METHODS[method]
         if self.native.wiring.dt or not self.native.nstates:
             return self._iterated(members, times)
-        longest = np.inf
-        if step is not None:
-            by, longest = solver.RK4, step
         if self.compiled:
-            alone = by == solver.RODAS5P or (step is not None and len(members.schedules) > 1)
-            callee = self.native.callee(1 if alone else self.lanes, None, by)
+            callee = self.native.callee(1 if by == solver.RODAS5P else self.lanes, None, by)
             parts = [(slice(None), callee, self.native.implicit)]
         else:
             parts = [
                 (slice(m, m + 1), self._asked(members, m, by), partial(runner.implicit, inputs))
                 for m, (runner, inputs) in enumerate(members.own)
             ]
-        auto, found = method == "auto" and step is None, []
+        found = []
 
         def ran(some: Any, callee: Callee, implicit: Any) -> tuple[np.ndarray, ...]:
             own = members.x0[some], members.P[some]
-            batch = Batch(callee, *own, times, members.schedules, members.group[some], longest)
-            finish(batch, (rtol, atol), implicit if auto else None)
+            batch = Batch(callee, *own, times, members.schedules, members.group[some])
+            finish(batch, (rtol, atol), implicit if method == "auto" else None)
             return batch.results
 
         for part, callee, implicit in parts:
@@ -177,9 +264,9 @@ class Ensemble:
                 for whole, own in zip(results, again, strict=True):
                     whole[stuck] = own
             found.append(results)
-        return States(self.columns, *map(np.concatenate, zip(*found, strict=True)))
+        return States(*map(np.concatenate, zip(*found, strict=True)))
 
-    def _iterated(self, members: Members, times: np.ndarray) -> "States":
+    def _iterated(self, members: Members, times: np.ndarray) -> States:
         """Run members of discrete time, or without states."""
         (count, n), nt = members.x0.shape, len(times)
         x, reached = np.full((count, nt, n), np.nan), np.full(count, nt)
@@ -190,9 +277,9 @@ class Ensemble:
                 if bad:
                     reached[m], x[m, k + 1 :] = k + 1, np.nan
         status = np.where(reached == nt, solver.FINISHED, solver.NOT_FINITE)
-        return States(self.columns, x, status, reached, np.zeros((count, 4), dtype=np.int64))
+        return States(x, status, reached, np.zeros((count, 4), dtype=np.int64))
 
-    def signals(self, members: Members, run: "States", m: int, times: np.ndarray) -> np.ndarray:
+    def signals(self, members: Members, run: States, m: int, times: np.ndarray) -> np.ndarray:
         """Return all signals of one member, at the times of its states that it reached."""
         reached = int(run.reached[m])
         x, found = run.states[m, :reached], np.empty((reached, self.native.nsignals))
@@ -200,84 +287,62 @@ class Ensemble:
         self._asked(members, m).ask(solver.SIGNALS, times[:reached], x, pieces, own, found)
         return found
 
+    @property
+    def batch(self) -> int:
+        """How many members' states fit into the memory of a thread."""
+        states = max(self.native.nstates, 1)
+        fit = BATCH_BYTES // (8 * states * len(self.varied.every))
+        return max(8, min(MOST_MEMBERS, fit // 8 * 8))
 
-# --- of a scenario -------------------------------------------------------------------------------
+    def summaries(self, values: Values) -> dict[str, np.ndarray]:
+        """Run members together, at most a batch, and return what is kept of them."""
+        varied = self.varied
+        with self._lock:  # one evaluator makes all members; compile once
+            members = self.members(values)
+            for lanes in {self.lanes, 1 if varied.asks else self.lanes}:
+                self.native.callee(lanes)
+        states = self.run(members, varied.every, **varied.how)
+        with np.errstate(all="ignore"):  # a member that failed may hold anything
+            return varied.kept(self, members, values, states)
+
+    def one(self, values: Values, m: int) -> tuple[Any, tuple, dict[str, Any]]:
+        """Return what runs a member by itself, and what its `run` takes."""
+        given, start, inputs = self.varied.made({key: own[m] for key, own in values.items()})
+        how = {} if self.native.wiring.dt else self.varied.how
+        one = self.native.with_parameters(given)
+        return one, (start, self.varied.every), {"inputs": inputs, **how}
 
 
-def check_method(scenario: Scenario) -> None:
-    """Refuse a scenario that names the method of its runs."""
-    if scenario.run.method != "auto":
-        raise ScenarioError(
-            f'run.method = "{scenario.run.method}": members begin with DOP853 and go on with '
-            "Rodas5P where they are stiff; remove the key"
-        )
+def ready(varied: Varied, values: Values) -> Ensemble:
+    """Return an ensemble; in Python where some members would be other runs as machine code."""
+    found, count = Ensemble(varied, values), len(next(iter(values.values())))
+    own = all(node.system.of_package for node in varied.wiring.nodes)
+    for m in sorted({k * (count - 1) // (TRIED - 1) for k in range(0 if own else TRIED)}):
+        if not found.compiled:
+            break
+        one, at, how = found.one(values, m)
+        try:
+            why = compared(one, *at, **how)[2]
+        except SimulationError:  # the member fails, which its status tells
+            continue
+        if why:
+            in_python(varied.name, why)
+            return Ensemble(varied, values, "python")
+    return found
 
 
-class ScenarioEnsemble(Ensemble):
-    """The members of a scenario.
+def cut(values: Values, size: int) -> Iterator[dict[str, np.ndarray]]:
+    """Yield the values of so many members at a time."""
+    for first in range(0, len(next(iter(values.values()))), size):
+        yield {name: array[first : first + size] for name, array in values.items()}
 
-    `keys` are its dotted keys; `changes` are blocks of the user's own.
-    """
 
-    def __init__(
-        self,
-        scenario: Scenario,
-        keys: Iterable[str],
-        lanes: bool = True,
-        changes: Changes = UNCHANGED,
-    ):
-        self.scenario, self.changes, keys = scenario, changes, list(keys)
-        own = ("learning.gain", f"learning.{scenario.learning.row.table}.")
-        for key in keys:
-            if changes.law is not None and key.startswith(own):
-                raise ScenarioError(
-                    f"vary: {key} cannot vary: it is of the scenario's law, in whose place "
-                    f"{changes.law.name} is given in Python"
-                )
-        self.blocks = changed_blocks(scenario, changes)
-        check_method(scenario)
-        self.columns = state_columns(self.blocks)
-        start = state_of(scenario, self.blocks, changes.law)
-        super().__init__(NativeDiagram(wiring_of_blocks(self.blocks)), keys, start, lanes)
+def joined(parts: list[dict[str, np.ndarray]]) -> dict[str, np.ndarray]:
+    """Join the summaries of batches that follow each other."""
+    return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
 
-    def places(self, key: str) -> tuple[list[int], list[int]] | None:
-        """Return where in P and in the initial state a value begins; None if it is computed."""
-        made = made_of(self.scenario) if self.changes.law is None else ()
-        own = self.changes.names
-        if key not in QUANTITIES or key in made or QUANTITIES[key].jumps:
-            return None
-        places = {
-            f"{self.blocks[k].name}.{field}": place
-            for (k, field), place in self.native.layout.slots.items()
-            if self.blocks[k].name not in own
-        }
-        in_P = []
-        for name in names_held(self.scenario, [key], places)[key]:
-            if places[name].array != "P":
-                raise ScenarioError(f"{key}: has too many numbers to vary")
-            if places[name].offset not in in_P:
-                in_P.append(places[name].offset)
-        column = self.columns.get(QUANTITIES[key].state)
-        in_x = [] if column is None else [column.start]
-        return (in_P, in_x) if in_P or in_x else None
 
-    def made(self, own: Mapping[str, np.ndarray]) -> Made:
-        """Return one member with some values of its own."""
-        scenario = self.scenario.with_values(dict(own))
-        blocks = changed_blocks(scenario, self.changes)
-        start = state_of(scenario, blocks, self.changes.law)
-        return [block.parameters for block in blocks], start, None
-
-    def ports(
-        self, members: Members, run: "States", m: int, times: np.ndarray, ports: Sequence[str]
-    ) -> list[np.ndarray]:
-        """Return some ports of one member at the times of its states that it reached."""
-        found = self.signals(members, run, m, times)
-        made = [(label, k) for k, label in enumerate(self._labels)]
-        columns = [[k for label, k in made if label.partition("[")[0] == port] for port in ports]
-        return [found[:, own] for own in columns]
-
-    @cached_property
-    def _labels(self) -> list[str]:
-        nodes = self.native.wiring.nodes
-        return [label for node in nodes for label in node.system.output_labels]
+@lru_cache(maxsize=4)
+def ensemble_of(recipe: bytes) -> Ensemble:
+    """Return the ensemble of a recipe, made once in a process."""
+    return Ensemble(*pickle.loads(recipe))

@@ -10,19 +10,18 @@ samples; of discrete time the samples' mean) and its largest magnitude.
 """
 
 import hashlib
-import pickle
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any
 
 import control
 import numpy as np
 
 from ..arguments import nearest
 from ..diagrams.interconnection import changed_parameters
-from ..diagrams.varied import fields_by_name, read_as_number
+from ..diagrams.varied import fields_by_name
 from ..diagrams.wiring import read_anew, units_of, wiring_of
 from ..equations.arrays import Unread
 from ..equations.at_many import decided_by_time
@@ -31,33 +30,25 @@ from ..equations.linear import linear
 from ..equations.system import System
 from ..errors import DiagramError, ScenarioError, SimulationError
 from ..native import solver
-from ..native.engines import chosen, compared, in_python
 from ..native.python_diagram import checked_steps
-from ..native.schedule import Inputs, checked_times, open_sizes, read_inputs, stacked_state
+from ..native.schedule import checked_times, open_sizes, read_inputs, stacked_state
+from ..native.sweep import Sweep
 from ..native.ways import check_spacing, checked_method
-from ..simulation.dataset import ports_shown
+from ..simulation.dataset import Part, ports_shown
 from ..simulation.diagram_run import labels_of, units_shown
-from ..simulation.starts import initial_state
-from .members import Ensemble, Made, Members, States
-from .summaries import Array, Arrays, ends_of
-from .varied_keys import Vary
-from .worker import Worker, pickled
+from ..simulation.starts import initial_state as start_of
+from .drawn_values import Vary
+from .members import Ensemble, Made, Members, Place, States, Values
+from .summaries import Arrays, ends_of
 
-TRIED = 5  # members whose records are compared with Python, before any runs
 KEPT = {"final": "at the end", "rms": "root mean square", "max": "largest magnitude"}
 
 
-class Place(NamedTuple):
-    """Where a value lies: in fields of blocks, in the initial state, in the inputs."""
-
-    fields: tuple[tuple[int, str], ...] = ()  # (block, field)
-    states: tuple[int, ...] = ()
-    inputs: tuple[int, ...] = ()
-    element: Any = ...  # of a field
-
-
 class VariedDiagram:
-    """A diagram as it was read, what it is run with, and what may vary in it."""
+    """A diagram as it was read, what it is run with, and what varies in it."""
+
+    asks = True
+    encoding: Mapping[str, Any] = {}
 
     def __init__(
         self,
@@ -65,17 +56,20 @@ class VariedDiagram:
         varies: Sequence[Vary],
         timepts: Any,
         inputs: Any = None,
-        x0: Any = None,
+        initial_state: Any = None,
         params: Mapping[str, Any] | None = None,
         rtol: float | None = None,
         atol: float | None = None,
         method: str | None = None,
+        trajectories: bool = False,
     ):
         if isinstance(diagram, control.TransferFunction):
             diagram = linear(diagram)
         self.times, self.name = checked_times("timepts", timepts), diagram.name
+        self.title, self.trajectories = f"Ensemble of {diagram.name}", trajectories
+        x0 = initial_state
         if x0 is None and getattr(diagram, "made_of", None) is not None:
-            x0 = initial_state(diagram)
+            x0 = start_of(diagram)
         read_anew(diagram)
         sizes = open_sizes(diagram, inputs, x0, self.times)
         self.params = dict(params or {})
@@ -86,6 +80,7 @@ class VariedDiagram:
         self.given = changed_parameters(self.wiring, self.params)
         rtol_, atol_, *_ = checked_steps(None, rtol=rtol, atol=atol)
         self.how = {"rtol": rtol_, "atol": atol_, "method": checked_method(method)}
+        self.every = Sweep(self.wiring, self.given).at_jumps(self.times)
         if self.wiring.dt:
             check_spacing(self.times, self.wiring.dt)
             if not rtol is atol is method is None:
@@ -104,6 +99,7 @@ class VariedDiagram:
                 self.places[one.key], self.values[one.key] = place, self._value(place)
         if self.inputs.samples is None and any(place.inputs for place in self.places.values()):
             raise ScenarioError("vary: an input cannot vary where inputs are a function")
+        self._check_apart()
 
     def _undeclared(self, varies: Sequence[Vary]) -> dict[str, Any]:
         """Return params to run with, of python-control's systems, that vary and are no floats."""
@@ -206,7 +202,7 @@ class VariedDiagram:
         unit = found.pop() if len(found) == 1 else ""
         return {"units": unit} if unit else {}
 
-    def check_apart(self) -> None:
+    def _check_apart(self) -> None:
         """Refuse names that say one number twice."""
         said: dict[tuple, str] = {}
         for key, (fields, states, inputs, element) in self.places.items():
@@ -223,17 +219,6 @@ class VariedDiagram:
     def asked(self, path: Any) -> dict[str, Any]:
         """Return what it is, for a store that lies there."""
         return {"diagram": self.name if path is None else self.identity}
-
-    def worker(
-        self, values: Mapping[str, np.ndarray], trajectories: bool, cluster: bool
-    ) -> "DiagramWorker":
-        """Return the worker of members with such values, which are checked."""
-        self.check_apart()
-        found = DiagramWorker(self, trajectories)
-        found.compare(values)
-        if cluster:
-            found.recipe  # noqa: B018 - it may be refused
-        return found
 
     @property
     def identity(self) -> str:
@@ -254,51 +239,24 @@ class VariedDiagram:
         made += [np.asarray(one, dtype=float).tolist() for one in arrays]
         return f"{self.name} {hashlib.sha256(repr(made).encode()).hexdigest()[:16]}"
 
+    # --- as what is run -------------------------------------------------------------------
 
-class DiagramEnsemble(Ensemble):
-    """The members of any diagram."""
+    def place(self, key: str) -> Place:
+        """Return where the value of a key that varies lies."""
+        return self.places[key]
 
-    inputs: Inputs
+    def computed(self, key: str) -> bool:
+        """Return whether members are made one by one of a key's values, as of what moves jumps."""
+        place = self.places[key]
+        timed = [self.wiring.nodes[k].system for k, _ in place.fields]
+        moves = any(one.breakpoints_function or decided_by_time(one) for one in timed)
+        return bool(place.inputs) or moves
 
-    def __init__(self, varied: VariedDiagram, engine: str | None = None):
-        self.varied, self.inputs, self.begin = varied, varied.inputs, float(varied.times[0])
-        places = varied.places.items()
-        apart = {field: key for key, place in places for field in place.fields}
-        by_function = varied.inputs.samples is None
-        wiring = varied.wiring
-        runner = chosen(wiring, varied.params, by_function, engine, varied.name, apart)
-        if runner.engine == "native":
-            for (k, name), key in apart.items():
-                if role := read_as_number(wiring.nodes[k].system, name):
-                    why = f"{wiring.nodes[k].name}.{role} is read for one value of {key}"
-                    in_python(varied.name, why)
-                    runner = chosen(wiring, varied.params, by_function, "python")
-                    break
-        super().__init__(runner, varied.places, varied.start)
-
-    def places(self, key: str) -> tuple[list[int], list[int]] | None:
-        """Return where in P and in the initial state a value begins; None if it is computed."""
-        fields, states, inputs, element = self.varied.places[key]
-        nodes = self.varied.wiring.nodes
-        timed = [nodes[k].system for k, _ in fields]
-        if inputs or any(one.breakpoints_function or decided_by_time(one) for one in timed):
-            return None
-        if list(states) != [*range(min(states, default=0), max(states, default=-1) + 1)]:
-            return None
-        in_P = []
-        for k, name in fields:
-            first = self.native.layout.slots[k, name].offset
-            if element is not ...:
-                shape = np.shape(getattr(self.varied.given[k], name))
-                first += int(np.ravel_multi_index(element, shape))
-            in_P.append(first)
-        return in_P, list(states[:1])
-
-    def made(self, own: Mapping[str, np.ndarray]) -> Made:
+    def made(self, own: Values) -> Made:
         """Return one member with some values of its own."""
-        given, start, inputs = list(self.varied.given), self.varied.start.copy(), self.inputs
+        given, start, inputs = list(self.given), self.start.copy(), self.inputs
         for key, value in own.items():
-            fields, states, rows, element = self.varied.places[key]
+            fields, states, rows, element = self.places[key]
             for k, name in fields:
                 number = np.array(getattr(given[k], name), dtype=float)
                 number[element] = value
@@ -312,90 +270,19 @@ class DiagramEnsemble(Ensemble):
                 inputs = replace(inputs, samples=(at, u))
         return given, start, inputs
 
-
-def weights_of(times: np.ndarray, discrete: bool) -> np.ndarray:
-    """Return what each sample counts in a mean over time: all alike, or by trapezoids."""
-    if discrete:
-        return np.full(len(times), 1.0 / len(times))
-    spans = np.diff(times)
-    return (np.append(spans, 0.0) + np.append(0.0, spans)) / (2.0 * (times[-1] - times[0]))
-
-
-class DiagramRecipe(NamedTuple):
-    """All that a worker of a diagram needs to know."""
-
-    made: bytes  # what varies, pickled
-    trajectories: bool
-    engine: str
-
-    def worker(self) -> "DiagramWorker":
-        """Return the worker that members are run by."""
-        return DiagramWorker(pickle.loads(self.made), self.trajectories, self.engine)
-
-
-class DiagramWorker(Worker):
-    """Members of a diagram."""
-
-    alone = True
-
-    def __init__(self, varied: VariedDiagram, trajectories: bool, engine: str | None = None):
-        super().__init__()
-        self.varied, self.trajectories = varied, trajectories
-        self.title, self.how = f"Ensemble of {varied.name}", varied.how
-        self.by = {} if varied.wiring.dt else varied.how  # of a run by itself
-        self.ensemble = DiagramEnsemble(varied, engine)
-        self.every = self.ensemble.native.sweep.at_jumps(varied.times)
-        signals = varied.wiring.nodes[-1].outputs.stop
-        self.rows = [
-            (own, [(k if k >= 0 else signals + ~k, gain) for k, gain in row.items()])
-            for own, row in enumerate(varied.wiring.outputs)
-        ]
-        self.weights = weights_of(self.every, bool(varied.wiring.dt))
-        taken, ports = ("time", "member", "status", "end", *varied.values), ports_of(varied.outputs)
-        units = units_shown(varied.wiring)
-        said = {port: units[places[0]] for port, places in ports.items()}
-        self.ports, self.axes = ports_shown(ports, {}, taken, said)
-        signals = zip(self.ports.values(), ports.values(), strict=True)
-        self.sizes = {dim: len(own) for part, own in signals for dim in part.dims[1:]}
-
     @cached_property
-    def recipe(self) -> DiagramRecipe:
-        """What another process makes the same worker of."""
-        made = pickled(self.varied, self.varied.name, True)
-        return DiagramRecipe(made, self.trajectories, self.ensemble.native.engine)
+    def shown(self) -> tuple[dict[str, Part], dict[str, tuple[Any, Mapping[str, str]]]]:
+        """The variables of outputs, and their axes."""
+        taken = ("time", "member", "status", "end", *self.values)
+        units, ports = units_shown(self.wiring), ports_of(self.outputs)
+        return ports_shown(ports, {}, taken, {port: units[own[0]] for port, own in ports.items()})
 
-    def compare(self, values: Mapping[str, np.ndarray]) -> None:
-        """Compare what was read with Python along some members; else all run in Python."""
-        native, count = self.ensemble.native, len(next(iter(values.values())))
-        for m in sorted({k * (count - 1) // (TRIED - 1) for k in range(TRIED)}):
-            if native.engine != "native":
-                return
-            given, start, inputs = self.ensemble.made({key: own[m] for key, own in values.items()})
-            one = native.with_parameters(given)
-            try:
-                found = compared(one, start, self.every, inputs=inputs, **self.by)[2]
-            except SimulationError:  # the member fails, which its status tells
-                continue
-            if found:
-                in_python(self.varied.name, found)
-                self.ensemble = DiagramEnsemble(self.varied, "python")
-                return
-
-    def why(self, own: Mapping[str, np.ndarray]) -> str:
-        """Return the sentence with which a member by itself stops; "" where it does not."""
-        given, start, inputs = self.ensemble.made(own)
-        one = self.ensemble.native.with_parameters(given)
-        try:
-            one.signals(one.run(start, self.every, inputs=inputs, **self.by), inputs)
-        except SimulationError as error:
-            return str(error)
-        return ""
-
-    def arrays(self, values: Mapping[str, np.ndarray]) -> dict[str, Array]:
+    def arrays(self, values: Values) -> Arrays:
         """Return all arrays of the store, for the values of all members."""
-        count = len(next(iter(values.values())))
-        found = Arrays(count, {"time": len(self.every), **self.sizes})
-        for port, part in self.ports.items():
+        ports, axes = self.shown
+        sizes = {dim: len(numbers) for dim, (numbers, _) in axes.items()}
+        found = Arrays(len(next(iter(values.values()))), {"time": len(self.every), **sizes})
+        for port, part in ports.items():
             for what, said in KEPT.items():
                 found.keep(f"{port}_{what}", part.dims[1:], f"{port}, {said}", **part.attributes)
             if self.trajectories:
@@ -403,42 +290,48 @@ class DiagramWorker(Worker):
         found.keep_ends()
         for key, array in values.items():
             more = [f"{key} {k}" for k in range(array.ndim - 1)]
-            units = self.varied.units(key)
-            found.fix(key, ("member", *more), array, long_name=key, **units)
+            found.fix(key, ("member", *more), array, long_name=key, **self.units(key))
         found.fix_members()
-        for dim, (numbers, attributes) in self.axes.items():
+        for dim, (numbers, attributes) in axes.items():
             found.fix(dim, (dim,), numbers, **attributes)
         if self.trajectories:
             found.fix("time", ("time",), self.every, long_name="time")
         return found
 
     def kept(
-        self, members: Members, values: Mapping[str, np.ndarray], states: States
+        self, ensemble: Ensemble, members: Members, values: Values, run: States
     ) -> dict[str, np.ndarray]:
         """Return what is kept of members."""
-        y = np.full((len(states.status), len(self.varied.outputs), len(self.every)), np.nan)
+        y = np.full((len(run.status), len(self.outputs), len(self.every)), np.nan)
+        ports = self.shown[0]
         for m, own in enumerate(y):
-            self._fill(own, members, states, m)
-        unknown = (states.status == solver.FINISHED) & ~np.isfinite(y).all(axis=(1, 2))
-        states = replace(states, status=np.where(unknown, solver.NOT_FINITE, states.status))
+            signals = ensemble.signals(members, run, m, self.every).T
+            reached, (_, inputs) = signals.shape[1], ensemble.alone(members, m)
+            u = inputs.along(self.every[:reached])
+            own[:, :reached] = 0.0
+            for row, sources in zip(own[:, :reached], self.wiring.outputs, strict=True):
+                for k, gain in sources.items():  # one after the other, however many there are
+                    row += gain * (signals[k] if k >= 0 else u[~k])
+        unknown = (run.status == solver.FINISHED) & ~np.isfinite(y).all(axis=(1, 2))
+        run = replace(run, status=np.where(unknown, solver.NOT_FINITE, run.status))
         # each row is summed by itself: others beside it change no bit
-        figures = y[..., -1], np.sqrt(np.sum(self.weights * y**2, axis=-1)), np.abs(y).max(axis=-1)
+        rms = np.sqrt(np.sum(self._weights * y**2, axis=-1))
+        figures = dict(zip(KEPT, (y[..., -1], rms, np.abs(y).max(axis=-1)), strict=True))
         found = {
             f"{port}_{what}": part.of(figure)
-            for port, part in self.ports.items()
-            for what, figure in zip(KEPT, figures, strict=True)
+            for port, part in ports.items()
+            for what, figure in figures.items()
         }
-        for port, part in self.ports.items() if self.trajectories else ():
+        for port, part in ports.items() if self.trajectories else ():
             along = part.of(y)
             found[port] = np.moveaxis(along, 1, -1) if along.ndim > 2 else along
-        return found | ends_of(states, self.every)
+        return found | ends_of(run, self.every)
 
-    def _fill(self, y: np.ndarray, members: Members, states: States, m: int) -> None:
-        """Set the outputs of one member, a row for each, up to where it came."""
-        signals = self.ensemble.signals(members, states, m, self.every)
-        reached, (_, inputs) = len(signals), self.ensemble.alone(members, m)
-        every = [*signals.T, *inputs.along(self.every[:reached])]
-        for own, sources in self.rows:
-            y[own, :reached] = 0.0
-            for source, gain in sources:  # one after the other: any number of them rounds so
-                y[own, :reached] += gain * every[source]
+    @property
+    def _weights(self) -> np.ndarray:
+        """What each sample counts in a mean over time: all alike, or by trapezoids."""
+        times = self.every
+        if self.wiring.dt:
+            return np.full(len(times), 1.0 / len(times))
+        spans = np.diff(times)
+        return (np.append(spans, 0.0) + np.append(0.0, spans)) / (2.0 * (times[-1] - times[0]))

@@ -1,17 +1,30 @@
-"""Run an ensemble on the threads of one machine, or hand it to a cluster.
+"""Run an ensemble on the threads of one machine, on other processes of it, or on a cluster.
 
-What is run many times is a scenario, or any diagram (`of_diagrams`).
+What is run many times is a scenario (`of_scenarios`), or any diagram (`of_diagrams`).
 
 All arguments are checked, and the store is made or opened, before a member runs.  Compiled
 members need no interpreter, so threads run side by side.  A chunk is
 cut into batches, each a task; batches differ with threads and memory, results do
 not: every member is integrated and summarised by itself.
+
+Workers of other processes receive what varies and a chunk's number; they read its members'
+values from the store, which they must be able to reach, and write the chunk
+straight into it.  The chunk of a cluster's worker that is lost is given to another one.
 """
 
 import os
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from concurrent.futures import Future, ThreadPoolExecutor, wait
+from concurrent.futures import (
+    BrokenExecutor,
+    CancelledError,
+    Executor,
+    Future,
+    ThreadPoolExecutor,
+    as_completed,
+    wait,
+)
+from contextlib import contextmanager
 from importlib.metadata import version
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -21,24 +34,38 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..arguments import Seed, public
-from ..errors import DataError, ScenarioError, needed
+from ..errors import ClptError, DataError, ScenarioError, SimulationError, needed
 from ..files import check_name, check_writable
 from ..progress import warn
 from ..progress.interrupt import SLICE, check, keep
+from ..progress.processes import processes
 from ..scenario.experiment import Scenario
-from .checked_store import check_store
-from .drawn_values import draw_members, grid_count
-from .of_diagrams import DiagramWorker, VariedDiagram
-from .store import CODE, REPEATED, Store, create_store, open_store, remove_empty, software
-from .summaries import STATUS, Array
-from .varied_keys import Vary, check_varies, parsed
-from .worker import LoopToRun, Worker, joined, rows
+from ..simulation.loops import loop_of
+from .drawn_values import Vary, check_varies, draw_members, grid_count, parsed
+from .members import Ensemble, cut, ensemble_of, joined, ready
+from .of_diagrams import VariedDiagram
+from .of_scenarios import VariedScenario
+from .store import (
+    CODE,
+    REPEATED,
+    Store,
+    check_same,
+    check_store,
+    create_store,
+    open_store,
+    remove_empty,
+    software,
+)
+from .summaries import STATUS, Arrays
 
 if TYPE_CHECKING:
     import xarray
 
 CHUNK = 1000  # members, where no trajectories are kept
 CHUNK_BYTES = 64_000_000  # trajectories of a chunk
+PATIENCE = 30  # seconds to wait for a scheduler and its first worker
+RETRIES = 3  # times a chunk is given to a worker again
+KEPT = "what is done is kept"
 
 
 @public
@@ -75,7 +102,7 @@ def run_ensemble(
     ----------
     system : Scenario or control.InputOutputSystem
         The base: a scenario, or its `closed_loop` with blocks and linear systems of your own, which
-        workers get pickled; with `timepts` any diagram that `simulate` takes.
+        other processes get pickled; with `timepts` any diagram that `simulate` takes.
     vary : dict, str, Vary or several
         ``{"plant.m": np.linspace(1, 2, 5), "c.k": "0.2:2.0", "d": scipy.stats.norm(0, 1)}``:
         a list of values, a range, a distribution; or ``"learning.gain=0.2:2.0"``,
@@ -153,7 +180,7 @@ def run_ensemble(
         check_name(path)
         if not path.exists():
             check_writable(path)
-    of_diagram = {
+    of_diagram: dict[str, Any] = {
         "inputs": inputs,
         "initial_state": initial_state,
         "params": params,
@@ -166,10 +193,11 @@ def run_ensemble(
         loop = getattr(system, "made_of", None)
         if not isinstance(system, Scenario) and (loop is None or loop.external):
             raise ScenarioError("timepts: is required to run a diagram many times")
-        varied: Any = LoopToRun(system, samples, times)
+        own = loop_of(system)
+        varied: Any = VariedScenario(own.scenario, own.changes, samples, times, trajectories)
     else:
         _left_out("is for a scenario; a diagram has timepts", samples=samples, times=times)
-        varied = VariedDiagram(system, varies, timepts, *of_diagram.values())
+        varied = VariedDiagram(system, varies, timepts, trajectories=trajectories, **of_diagram)
     check_varies(varied, varies)
     if design is None:
         listed = all(one.kind == "levels" for one in varies)
@@ -177,8 +205,9 @@ def run_ensemble(
     members = grid_count(varies) if members is None else members
     values = draw_members(varied, varies, members, design, seed)
     told = varied.asked(path)
-    worker: Worker = varied.worker(values, trajectories, dask is not None)
-    arrays = worker.arrays(values)
+    ensemble = ready(varied, values)
+    recipe = b"" if dask is None else ensemble.recipe
+    arrays = varied.arrays(values)
     asked = {
         **told,
         "vary": [one.text for one in varies],
@@ -189,7 +218,7 @@ def run_ensemble(
         "chunk": min(_chunk(chunk, arrays), members),
         "trajectories": trajectories,
     }
-    store = _store(path, worker, asked, arrays)
+    store = _store(path, ensemble, asked, arrays)
     count = threads or available_threads()
 
     def report(done: int) -> None:
@@ -200,26 +229,29 @@ def run_ensemble(
 
     try:
         if dask is None:
-            _run_here(worker, store, count, report)
+            _run_here(ensemble, store, count, report)
         else:
-            from .cluster import run_on_cluster
-
-            run_on_cluster(worker, store, dask, count, report)
+            work = recipe, ensemble.code, str(path)
+            _run_elsewhere(work, store, dask, count, report)
     except BaseException:
         if dask in (None, "local"):  # far workers may still write
             remove_empty(store)
         raise
     store.finish()
     data = store.dataset()
-    data.encoding = {**worker.encoding, **data.encoding}
+    data.encoding = {**varied.encoding, **data.encoding}
     failed = np.flatnonzero(data["status"].values != 1)
-    if len(failed) and isinstance(worker, DiagramWorker):
-        first = failed[0]
+    if len(failed) and isinstance(varied, VariedDiagram):
+        first, why = int(failed[0]), ""
+        one, at, how = ensemble.one(values, first)
+        try:
+            one.signals(one.run(*at, **how), how["inputs"])
+        except SimulationError as error:
+            why = f": {error}"
         status = STATUS[int(data["status"][first])].replace("_", " ")
-        why = worker.why({key: own[first] for key, own in values.items()})
         warn(
             f"{len(failed)} of {members} members did not finish; the first is member {first}: "
-            f"{status}{why and f': {why}'}"
+            f"{status}{why}"
         )
     return data
 
@@ -238,20 +270,22 @@ def available_threads() -> int:
     return os.cpu_count() or 1
 
 
-def _run_here(worker: Worker, store: Store, threads: int, report: Callable[[int], None]) -> None:
+def _run_here(
+    ensemble: Ensemble, store: Store, threads: int, report: Callable[[int], None]
+) -> None:
     missing = store.missing()
     done = store.done(missing)
     report(done)
     spread = -(-(store.members - done) // (4 * threads))  # some batches for every thread
-    size = min(worker.batch, max(8, -(-spread // 8) * 8)) if missing else 0
-    batches = _batches(store, missing, size)
+    size = min(ensemble.batch, max(8, -(-spread // 8) * 8))
+    batches = ((index, part) for index in missing for part in cut(store.values(index), size))
     running: deque[tuple[int, Future]] = deque()
     parts: list[dict[str, np.ndarray]] = []  # of the first chunk that runs
     pool = ThreadPoolExecutor(threads)
     try:
         while True:
             while len(running) < 2 * threads and (batch := next(batches, None)) is not None:
-                running.append((batch[0], pool.submit(worker.summaries, batch[1])))
+                running.append((batch[0], pool.submit(ensemble.summaries, batch[1])))
             if not running:
                 return
             index, future = running.popleft()
@@ -269,19 +303,84 @@ def _run_here(worker: Worker, store: Store, threads: int, report: Callable[[int]
         pool.shutdown(wait=True, cancel_futures=True)
 
 
-def _batches(store: Store, missing: list[int], size: int) -> Iterator[tuple[int, dict]]:
-    """Cut chunks into batches: the chunk, and the values."""
-    for index in missing:
-        values = store.values(index)
-        first, last = store.range(index)
-        for start in range(0, last - first, size):
-            yield index, rows(values, start, min(start + size, last - first))
+# --- by other processes --------------------------------------------------------------------------
+
+
+@contextmanager
+def pool_of(address: str, workers: int) -> Iterator[Executor]:
+    """Yield a ``"local"`` pool of processes, or that of a scheduler, ``"tcp://host:port"``."""
+    if address == "local":
+        with processes(workers) as pool:
+            yield pool
+        return
+    from distributed import Client, KilledWorker
+
+    try:
+        client = Client(address, timeout=PATIENCE)
+    except (OSError, ValueError, TimeoutError):
+        raise ClptError(
+            f"dask = '{address}': no scheduler answers; must be local or tcp://HOST:PORT"
+        ) from None
+    with client:
+        try:
+            client.wait_for_workers(1, timeout=PATIENCE)
+        except TimeoutError:
+            raise ClptError(f"dask = '{address}': the scheduler has no worker") from None
+        try:
+            yield client.get_executor(pure=False, retries=RETRIES)
+        except KilledWorker as error:
+            raise BrokenExecutor from error
+
+
+def _run_elsewhere(
+    work: tuple, store: Store, address: str, workers: int, report: Callable[[int], None]
+) -> None:
+    """Run the chunks that are missing; `report` is called with the number of members done."""
+    missing = store.missing()
+    done = store.done(missing)
+    report(done)
+    if not missing:
+        return
+    try:
+        with pool_of(address, workers) as pool:
+            given = {pool.submit(run_chunk, index, *work): index for index in missing}
+            for future in as_completed(given):
+                check()
+                future.result()
+                index = given[future]  # ask the store: the worker may be lost by now
+                if not store.is_whole(index):
+                    raise SimulationError(f"dask: chunk {index} did not reach {store.path}")
+                done += store.range(index)[1] - store.range(index)[0]
+                report(done)
+    except BrokenExecutor:
+        raise SimulationError(
+            "dask: a worker was lost with its chunk (out of memory? then give a smaller --chunk); "
+            f"{KEPT}"
+        ) from None
+    except CancelledError:
+        raise SimulationError(f"dask: the scheduler {address} was lost; {KEPT}") from None
+
+
+def run_chunk(index: int, recipe: bytes, code: str, path: str) -> int:
+    """Run one chunk on a worker and write it; `code` must be that of the one who asks."""
+    ensemble = ensemble_of(recipe)
+    if ensemble.code != code:
+        raise DataError(
+            "dask: a worker has other versions of clpt-control, llvmlite or numpy, or "
+            "another Python; its numbers might differ in the last bit"
+        )
+    store = open_store(Path(path))
+    first, last = store.range(index)
+    if not store.is_whole(index):  # else its worker was lost after writing it
+        parts = cut(store.values(index), ensemble.batch)
+        store.write(index, joined([*map(ensemble.summaries, parts)]))
+    return last - first
 
 
 # --- before it runs -------------------------------------------------------------------------------
 
 
-def _chunk(chunk: int | None, arrays: Mapping[str, Array]) -> int:
+def _chunk(chunk: int | None, arrays: Arrays) -> int:
     """Return how many members are written at once."""
     if chunk is None:
         own = sum(8 * int(np.prod(v.shape[1:])) for v in arrays.values() if "time" in v.dims)
@@ -291,17 +390,15 @@ def _chunk(chunk: int | None, arrays: Mapping[str, Array]) -> int:
     return chunk
 
 
-def _store(
-    path: Path | None, worker: Worker, asked: dict[str, Any], arrays: Mapping[str, Array]
-) -> Store:
+def _store(path: Path | None, ensemble: Ensemble, asked: dict[str, Any], arrays: Arrays) -> Store:
     """Make the store, or open one that holds a part of the same ensemble."""
     if path is None or not path.exists() or (path.is_dir() and not any(path.iterdir())):
-        attrs = {**_attributes(worker.title, asked), CODE: worker.code}
+        attrs = {**_attributes(ensemble.varied.title, asked), CODE: ensemble.code}
         return create_store(path, asked, arrays, attrs)
     store = open_store(path)
     check_same(store, asked)
     older = check_store(store, arrays)
-    if (older or store.group.attrs[CODE] != worker.code) and store.missing():
+    if (older or store.group.attrs[CODE] != ensemble.code) and store.missing():
         raise DataError(
             f"{path}: was begun by other versions of the code ({store.group.attrs['software']})"
             ", whose numbers may differ in the last bit; give another --out"
@@ -317,20 +414,3 @@ def _attributes(title: str, arguments: dict[str, Any]) -> dict[str, Any]:
         "software": software(),
         **{name: arguments[name] for name in REPEATED if name in arguments},
     }
-
-
-def check_same(store: Store, arguments: Mapping[str, Any]) -> None:
-    """Refuse a store of another ensemble."""
-    for name, value in arguments.items():
-        held = store.arguments.get(name)
-        if held == value:
-            continue
-        whole = name in ("scenario", "diagram")
-        what = f"another {name}" if whole else f"{name} = {_shown(held)}"
-        wanted = "" if whole else f", not {_shown(value)}"
-        raise DataError(f"{store.path}: holds an ensemble of {what}{wanted}; give another --out")
-
-
-def _shown(value: Any) -> str:
-    text = ", ".join(map(str, value)) if isinstance(value, list) else str(value)
-    return text if len(text) <= 60 else text[:57] + "..."

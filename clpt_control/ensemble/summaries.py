@@ -10,11 +10,13 @@
 All members of a chunk at once, from their states.
 """
 
+import itertools
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from ..equations.declaration import ports_of
 from ..errors import ScenarioError
 from ..scenario.experiment import Scenario
 from ..scenario.quantities import QUANTITIES
@@ -22,8 +24,7 @@ from ..simulation.dataset import VARIABLES
 from ..simulation.integrate import sample_times
 from ..simulation.pieces import SAMPLES_PER_CYCLE, nearest
 from ..simulation.scenario_run import SpeedWatch
-from .members import Members, ScenarioEnsemble, States
-from .varied_keys import variable_values
+from .members import Ensemble, Members, States, Values
 
 FEWEST = 20  # samples a cycle that may be asked for
 MOST_TIMES = 10**8  # samples of a run
@@ -137,90 +138,78 @@ class Arrays(dict[str, Array]):
         self.fix("member", ("member",), np.arange(self.members), long_name="member of the ensemble")
 
 
-def kept_arrays(scenario: Scenario, times: SampleTimes, members: int, trajectories: bool) -> Arrays:
-    """Return the arrays that a summary fills: name -> Array, the first dimension the member."""
-    length, rate = scenario.units.length, f"{scenario.units.time}-1"
-    speed, N = f"{length} {rate}", scenario.basis.N
-    cycles, marks = len(times.starts) - 1, len(times.marks)
-    sizes = {"cycle": cycles, "mark": marks, "time": len(times.own), "axis": 2, "basis": N}
-    found = Arrays(members, sizes)
-
-    def keep(name: str, over: str, long_name: str, **attrs: Any) -> None:
-        found.keep(name, over.split(), long_name, **attrs)
-
-    keep("clpe_rms", "cycle", "rms of the CLPE over a cycle", units=length)
-    keep("clpe_rms_whole", "", "rms of the CLPE over the whole run", units=length)
-    if scenario.flow.parameters is not None:
-        keep("flow_parameter_error", "mark", "largest error of a flow parameter", units=speed)
-    adapted = not scenario.learning.row.at_fixes  # K and Gamma
-    if adapted:
-        keep("gain_error", "mark", "largest error of a gain", units=rate)
-    if scenario.vehicle.max_speed is not None:
-        for name, (long_name, power) in SPEEDS.items():
-            keep(name, "", long_name, units=scenario.units.time if power else "1")
-    found.keep_ends(units=scenario.units.time)
-    for name in TRAJECTORIES if trajectories else ():
-        port, long_name, lengths, rates = VARIABLES[name]
-        idle = port in ("K", "Gamma") and not adapted
-        if not idle and not (port == "alpha" and scenario.learning.row.keeps_alpha):
-            dims = "time axis basis" if port == "alpha" else "time axis"
-            keep(name, dims, long_name, units=" ".join([length] * lengths + [rate] * rates))
-    return found
+def ends_of(run: States, times: np.ndarray) -> dict[str, np.ndarray]:
+    """Return how members ended, and when."""
+    end = times[np.clip(run.reached - 1, 0, None)]
+    return {"status": run.status.astype("int8"), "end": end}
 
 
-def arrays_of(
-    scenario: Scenario, times: SampleTimes, values: Mapping[str, np.ndarray], trajectories: bool
-) -> dict[str, Array]:
+# --- of a scenario: `varied` is a `VariedScenario` -----------------------------------------------
+
+
+def arrays_of(varied: Any, values: Values) -> Arrays:
     """Return all arrays of an ensemble: what is kept, the members' values, and coordinates."""
-    members = len(next(iter(values.values())))
-    found = kept_arrays(scenario, times, members, trajectories)
+    scenario, times = varied.scenario, varied.times
+    length, time = scenario.units.length, scenario.units.time
+    rate, N, cycles = f"{time}-1", scenario.basis.N, len(times.starts) - 1
+    sizes = {"cycle": cycles, "mark": len(times.marks), "axis": 2, "basis": N}
+    found = Arrays(len(next(iter(values.values()))), sizes | {"time": len(times.own)})
+
+    def keep(name: str, over: str, long_name: str, units: str) -> None:
+        found.keep(name, over.split(), long_name, units=units)
+
+    keep("clpe_rms", "cycle", "rms of the CLPE over a cycle", length)
+    keep("clpe_rms_whole", "", "rms of the CLPE over the whole run", length)
+    if scenario.flow.parameters is not None:
+        speed = f"{length} {rate}"
+        keep("flow_parameter_error", "mark", "largest error of a flow parameter", speed)
+    if not scenario.learning.row.at_fixes:
+        keep("gain_error", "mark", "largest error of a gain", rate)
+    for name, (long_name, power) in SPEEDS.items() if varied.asks else ():
+        keep(name, "", long_name, time if power else "1")
+    found.keep_ends(units=time)
+    for name in followed(varied):
+        port, long_name, lengths, rates = VARIABLES[name]
+        over = "time axis basis" if port == "alpha" else "time axis"
+        keep(name, over, long_name, " ".join([length] * lengths + [rate] * rates))
     for key, array in values.items():
-        dims = ("member", *dims_of(key, array.ndim - 1))
-        found.fix(key, dims, array, long_name=f"{key}, which varies")
+        named = QUANTITIES[key].axes if key in QUANTITIES else ""
+        dims = named.split() or ["axis", "basis"][: array.ndim - 1]
+        found.fix(key, ("member", *dims), array, long_name=f"{key}, which varies")
     used = {dim for array in found.values() for dim in array.dims}
-
-    def along(name: str, numbers: np.ndarray, **attrs: Any) -> None:
-        if name in used and numbers.size:
-            found.fix(name, (name,), numbers, **attrs)
-
-    unit, rounds = scenario.units.time, np.arange(1, len(times.starts))
     found.fix_members()
-    along("cycle", rounds, long_name="round of the waypoints", length=scenario.cycle)
-    along("mark", times.all[times.marks], long_name="time of an error", units=unit)
-    along("time", times.all[times.own], long_name="time since the start of the run", units=unit)
-    along("axis", np.array([1, 2]), long_name="axis of the plane, x1 and x2")
-    along("basis", np.arange(1, scenario.basis.N + 1), long_name="flow basis function")
-    along("waypoint", np.arange(1, len(scenario.waypoints) + 1), long_name="waypoint")
+    axes: dict[str, tuple[np.ndarray, str, dict[str, Any]]] = {
+        "cycle": (np.arange(1, cycles + 1), "round of the waypoints", {"length": scenario.cycle}),
+        "mark": (times.all[times.marks], "time of an error", {"units": time}),
+        "time": (times.all[times.own], "time since the start of the run", {"units": time}),
+        "axis": (np.array([1, 2]), "axis of the plane, x1 and x2", {}),
+        "basis": (np.arange(1, N + 1), "flow basis function", {}),
+        "waypoint": (np.arange(1, len(scenario.waypoints) + 1), "waypoint", {}),
+    }
+    for dim, (numbers, long_name, attributes) in axes.items():
+        if dim in used and numbers.size:
+            found.fix(dim, (dim,), numbers, long_name=long_name, **attributes)
     return found
 
 
-def dims_of(key: str, ndim: int) -> tuple[str, ...]:
-    """Return the names of the dimensions of a key's value; of one number per axis without."""
-    named = QUANTITIES[key].axes if key in QUANTITIES else ""
-    return tuple(named.split()) or ("axis", "basis")[:ndim]
+def followed(varied: Any) -> list[str]:
+    """Return the names of the states that are kept at the scenario's own samples."""
+    row = varied.scenario.learning.row
+    none = {"alpha"} if row.keeps_alpha else set()
+    none |= {"feedback_gain", "feedforward_gain"} if row.at_fixes else set()
+    return [name for name in TRAJECTORIES if varied.trajectories and name not in none]
 
 
-def summarise_members(
-    ensemble: ScenarioEnsemble,
-    members: Members,
-    times: SampleTimes,
-    values: Mapping[str, np.ndarray],
-    run: States,
-    trajectories: bool,
+def kept_of(
+    varied: Any, ensemble: Ensemble, members: Members, values: Values, run: States
 ) -> dict[str, np.ndarray]:
-    """Return what is kept of members; NaN after the end of one that failed.
-
-    `values` is what varies, key -> array with a row for each member.
-    """
-    scenario = ensemble.scenario
-    y, N = run.states, scenario.basis.N
-    row = scenario.learning.row
-    m = len(y)
-    base = variable_values(scenario)
-    at = {port: y[..., column] for port, column in run.columns.items()}
+    """Return what is kept of members; NaN after the end of one that failed."""
+    scenario, times, y = varied.scenario, varied.times, run.states
+    row, m, N = scenario.learning.row, len(run.states), scenario.basis.N
+    at = {port: y[..., column] for port, column in varied.columns.items()}
 
     def value(key: str) -> np.ndarray:
-        return np.asarray(values.get(key, base[key]))
+        return np.asarray(values.get(key, varied.values[key]))
 
     fine = slice(None) if len(times.fine) == len(times.all) else times.fine
     squares = np.zeros((m, len(times.fine)))
@@ -242,47 +231,35 @@ def summarise_members(
         error = np.abs(estimate - value("flow.parameters").reshape(-1, 1, 2 * N)).max(axis=2)
         alive = np.isfinite(y[:, times.marks, 0])
         kept["flow_parameter_error"] = np.where(alive, error, np.nan)
-    if not scenario.learning.row.at_fixes:
+    if not row.at_fixes:
         errors = [
             np.abs(at[port][:, times.marks] - value(f"vehicle.{key}").reshape(-1, 1, 2)).max(axis=2)
             for port, key in (("K", "feedback"), ("Gamma", "feedforward"))
         ]
         kept["gain_error"] = np.maximum(*errors)
-    if scenario.vehicle.max_speed is not None:
-        kept |= _speeds(ensemble, members, run, times.all, values)
+    if varied.asks:
+        kept |= _speeds(varied, ensemble, members, values, run)
     kept |= ends_of(run, times.all)
-    if trajectories:
-        for name in kept_arrays(scenario, times, m, True).keys() & set(TRAJECTORIES):
-            kept[name] = at[VARIABLES[name][0]][:, times.own]
-        if not row.keeps_alpha:
-            kept["alpha"] = kept["alpha"].reshape(m, -1, 2, N)
+    for name in followed(varied):
+        own = at[VARIABLES[name][0]][:, times.own]
+        kept[name] = own.reshape(m, -1, 2, N) if name == "alpha" else own
     return {name: np.ascontiguousarray(array) for name, array in kept.items()}
 
 
-def ends_of(run: States, times: np.ndarray) -> dict[str, np.ndarray]:
-    """Return how members ended, and when."""
-    end = times[np.clip(run.reached - 1, 0, None)]
-    return {"status": run.status.astype("int8"), "end": end}
-
-
 def _speeds(
-    ensemble: ScenarioEnsemble,
-    members: Members,
-    run: States,
-    times: np.ndarray,
-    values: Mapping[str, np.ndarray],
+    varied: Any, ensemble: Ensemble, members: Members, values: Values, run: States
 ) -> dict[str, np.ndarray]:
     """Return `SPEEDS` of members, at the samples that each reached, as `SpeedWatch` has them."""
-    found = np.full((len(run.states), len(SPEEDS)), np.nan)
-    limits = values.get("vehicle.max_speed")
-    for m, row in enumerate(found):
+    found, times = np.full((len(run.states), len(SPEEDS)), np.nan), varied.every
+    limits = values.get("vehicle.max_speed", itertools.repeat(varied.scenario.vehicle.max_speed))
+    every = [label for node in varied.wiring.nodes for label in node.system.output_labels]
+    ports = ports_of(every)
+    for m, (row, limit) in enumerate(zip(found, limits, strict=False)):
         reached = int(run.reached[m])
         if reached < 2:
             continue
-        own = ensemble.scenario.vehicle.max_speed if limits is None else limits[m]
-        watch = SpeedWatch(float(own))  # type: ignore[arg-type]
-        commanded, flow = ensemble.ports(members, run, m, times, ("v_c", "flow_x"))
-        watch.add(times[:reached], commanded, flow)
+        watch, signals = SpeedWatch(float(limit)), ensemble.signals(members, run, m, times)
+        watch.add(times[:reached], *(signals[:, ports[port]] for port in ("v_c", "flow_x")))
         figures = watch.figures()
         faster = figures["faster_flow"] or {"share": 0.0, "longest": 0.0}
         row[:] = figures["share_at_limit"], faster["share"], faster["longest"]

@@ -23,7 +23,6 @@ from ..errors import ClptError, ScenarioError, needed
 from ..scenario.experiment import Scenario
 from ..theory.designing.tracks import Tracks
 from .candidates import Candidate, Unknown, about, as_they_come, belief, laws_to_try, unknown_of
-from .members import check_method
 from .run import run_ensemble
 
 NEAR = 1.2  # times the best score: as good
@@ -115,7 +114,6 @@ def tune_law(
             f'learning.law = "{scenario.learning.law}": is the only law that learns at fixes; '
             "nothing is to choose, and its settings vary in an ensemble"
         )
-    check_method(scenario)
     names = tuple([laws] if isinstance(laws, str) else laws)
     for name in names:
         if name not in LAWS:

@@ -13,7 +13,7 @@ An input of the diagram is a straight line in time, of which P holds, behind the
 beginning, then all values there and all slopes; what is prepared comes last.
 """
 
-from collections.abc import Collection, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from math import prod
 from typing import Any, NamedTuple
@@ -80,15 +80,16 @@ class Layout:
 
 
 def lay_out(
-    wiring: Wiring, parameters: Sequence[Any], apart: Collection[tuple[int, str]] = ()
+    wiring: Wiring, parameters: Sequence[Any], apart: Mapping[tuple[int, str], Any] = {}
 ) -> Layout:
     """Return slots for the parameters of a diagram's blocks; None is a system that is none.
 
-    Fields that stand `apart`, (block, field), are each run's own, and share a slot with none.
+    Fields that stand `apart`, (block, field), are each run's own, and share a slot with those
+    alone that have the same there.
     """
     layout = Layout()
     own: dict[str, list[np.ndarray]] = {"P": [], "T": []}
-    known: dict[tuple[str, tuple[int, ...], bytes], Slot] = {}
+    known: dict[tuple, Slot] = {}
     for k, (node, p) in enumerate(zip(wiring.nodes, parameters, strict=True)):
         if not isinstance(node.system, Block):
             continue
@@ -96,9 +97,11 @@ def lay_out(
             if isinstance(value, int):
                 continue
             array = np.asarray(value, dtype=float)
-            key = (name, array.shape, array.tobytes())
+            key: tuple = (name, array.shape, array.tobytes())
             own_slot = (k, name) in apart
-            if name == "interval" or own_slot:
+            if own_slot:
+                key = (name, *key[1:], apart[k, name])
+            if name == "interval":
                 key = (f"{name} {k}", (), b"")
             if key not in known:
                 place = "T" if array.size > LARGE and not own_slot else "P"

@@ -6,7 +6,7 @@ signals and jumps; points chosen by chance do not reach every way through a func
 """
 
 import os
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
 from contextlib import suppress
 from typing import Any
 
@@ -35,7 +35,7 @@ def chosen(
     by_function: bool = False,
     engine: str | None = None,
     name: str = "the diagram",
-    apart: Collection[tuple[int, str]] = (),
+    apart: Mapping[tuple[int, str], Any] = {},
 ) -> PythonDiagram:
     """Return a diagram ready to run, compiled where that can be; `apart` as `lay_out` takes it.
 
@@ -54,7 +54,7 @@ def chosen(
         )
     if asked == "native" and not by_function:
         try:
-            return NativeDiagram(wiring, params, apart=tuple(apart))
+            return NativeDiagram(wiring, params, apart=apart)
         except Uncompiled as error:
             in_python(name, str(error))
     return PythonDiagram(wiring, params)

@@ -137,8 +137,9 @@ class NativeDiagram(PythonDiagram):
     form : str, optional
         ``"unrolled"`` or ``"looped"``: all axes; short ones are unrolled without.  ``"free"``:
         decisions are not locked for a step.
-    apart : sequence of (int, str), optional
-        Blocks' fields that differ from run to run.
+    apart : mapping, optional
+        Blocks' fields that differ from run to run: those that always have equal values have the
+        same here.
 
     Attributes
     ----------
@@ -169,7 +170,7 @@ class NativeDiagram(PythonDiagram):
         diagram: control.NonlinearIOSystem | Wiring,
         params: Mapping[str, Any] | None = None,
         form: str | None = None,
-        apart: Sequence[tuple[int, str]] = (),
+        apart: Mapping[tuple[int, str], Any] = {},
     ):
         super().__init__(diagram, params)
         self.layout = lay_out(self.wiring, self.sweep.given, apart)

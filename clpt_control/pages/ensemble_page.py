@@ -5,8 +5,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..ensemble.drawn_values import Vary, read_vary
 from ..ensemble.spread import ensemble_plot, ensemble_summary
-from ..ensemble.varied_keys import Vary, read_vary
 from ..html import Result, folded, listing
 from .page import Card, Page, Section, again_section, drawn
 from .results import number

@@ -176,7 +176,7 @@ def _no_number(name: str) -> None:
 
 def _folder(path: Path) -> "xarray.Dataset":
     if (path / "zarr.json").is_file():
-        from ..ensemble.checked_store import open_ensemble
+        from ..ensemble.store import open_ensemble
 
         return open_ensemble(path)
     inside = [path / name for name in ("run.nc", "replay.nc") if (path / name).is_file()]

@@ -118,7 +118,7 @@ class _File:
             raise Uncompiled(found)
         self.given = sweep.given
         apart = {  # of equal ones too; long arrays are tables
-            (k, field)
+            (k, field): k
             for k, p in enumerate(self.given)
             for field, value in p._asdict().items()
             if np.size(value) <= LARGE

@@ -161,7 +161,7 @@ class Sensitive:
             if may_jump(node.system) or (seed and node.system.breakpoints_function is not None)
         ]
         made = varied(self.wiring, self.given, seeds, len(self.ways))
-        apart = list({place for way in self.ways for place in way.fields})
+        apart = {place: place for way in self.ways for place in way.fields}
         return made, NativeDiagram(made.wiring, apart=apart)
 
     @property

@@ -6,7 +6,8 @@ import pytest
 import clpt_control as clpt
 from clpt_control.blocks import localization
 from clpt_control.blocks.disturbance import disturbance
-from clpt_control.ensemble.members import ScenarioEnsemble
+from clpt_control.ensemble.members import Ensemble
+from clpt_control.ensemble.of_scenarios import VariedScenario
 from clpt_control.equations import evaluate
 
 COUNT = 6000
@@ -103,9 +104,9 @@ def test_noise_varies_in_ensembles(lanes):
         "localization.noise": np.linspace(0.0, 0.1, 9),
         "localization.noise_period": np.tile([0.5, 0.7, 1.1], 3),
     }
-    ensemble = ScenarioEnsemble(NOISY, values, lanes=lanes)
+    ensemble = Ensemble(VariedScenario(NOISY), values, lanes=lanes)
     times = np.array([0.0, 7.3, 20.0])
-    found = ensemble.run(ensemble.members(values, 20.0), times)
+    found = ensemble.run(ensemble.members(values), times)
     for m in (0, 4, 8):
         own = NOISY.with_values({key: value[m] for key, value in values.items()})
         position = clpt.simulate(own, times).position

@@ -12,8 +12,9 @@ from random_diagrams import random_diagram
 from scipy import stats
 
 import clpt_control as clpt
-from clpt_control.ensemble.of_diagrams import DiagramEnsemble, VariedDiagram
-from clpt_control.ensemble.varied_keys import distribution, parsed, read_vary
+from clpt_control.ensemble.drawn_values import distribution, parsed, read_vary
+from clpt_control.ensemble.members import Ensemble
+from clpt_control.ensemble.of_diagrams import VariedDiagram
 from clpt_control.equations.declaration import ports_of
 from clpt_control.errors import ClptError, DataError, DiagramError
 
@@ -392,10 +393,10 @@ def test_members_are_what_python_runs_block_by_block(seed):
     varied = VariedDiagram(diagram, parsed(vary), TIMES[:5], 0.1, 0.2)
     given = {"timepts": TIMES[:5], "inputs": 0.1, "initial_state": 0.2, "trajectories": True}
     data = clpt.run_ensemble(diagram, vary, 5, **given)
-    python = DiagramEnsemble(varied, "python")
+    python = Ensemble(varied, vary, "python")
     for m in range(5):
         own = {key: data[key].values[m] for key in vary}
-        parameters, start, inputs = python.made(own)
+        parameters, start, inputs = varied.made(own)
         alone = python.native.with_parameters(parameters)
         solution = alone.run(start, TIMES[:5], inputs=inputs, method="dop853")
         signals = alone.signals(solution, inputs)

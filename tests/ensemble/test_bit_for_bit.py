@@ -19,9 +19,9 @@ from ensemble_stores import VARY, assert_identical, files
 from processes import CLPT, GUARD, await_line, listening, started, without_progress
 
 import clpt_control
+from clpt_control.ensemble.members import Ensemble
 from clpt_control.ensemble.run import run_ensemble
 from clpt_control.ensemble.store import open_store
-from clpt_control.ensemble.worker import Worker
 from clpt_control.errors import ClptError, DataError, ScenarioError, SimulationError
 
 
@@ -44,11 +44,11 @@ def test_threads_and_chunks_do_not_matter(scenario, whole, tmp_path, threads, ch
 def test_order_and_company_do_not_matter(scenario, whole, monkeypatch):
     asked = []
 
-    def summaries(worker, values, made=Worker.summaries):
+    def summaries(worker, values, made=Ensemble.summaries):
         asked.append((worker, values))
         return made(worker, values)
 
-    monkeypatch.setattr(Worker, "summaries", summaries)
+    monkeypatch.setattr(Ensemble, "summaries", summaries)
     run_ensemble(scenario, VARY, 40, seed=3, threads=1, samples=100, trajectories=True)
     worker = asked[0][0]
     values = {key: np.concatenate([own[key] for _, own in asked]) for key in asked[0][1]}
@@ -61,7 +61,7 @@ def test_order_and_company_do_not_matter(scenario, whole, monkeypatch):
 
 
 def test_the_batch_does_not_matter(scenario, whole, monkeypatch):
-    monkeypatch.setattr(Worker, "batch", 8)
+    monkeypatch.setattr(Ensemble, "batch", 8)
     data = run_ensemble(scenario, VARY, 40, seed=3, threads=2, samples=100, trajectories=True)
     assert_identical(data, whole)
 
@@ -115,7 +115,7 @@ def test_an_interrupt_leaves_whole_chunks(quick, tmp_path):
 
 def test_a_whole_ensemble_is_not_run_again(quick, tmp_path, monkeypatch):
     first = run_ensemble(quick, VARY, 20, out=tmp_path / "e.zarr").load()
-    monkeypatch.setattr(Worker, "summaries", None)
+    monkeypatch.setattr(Ensemble, "summaries", None)
     assert_identical(run_ensemble(quick, VARY, 20, out=tmp_path / "e.zarr"), first)
 
 
@@ -209,7 +209,7 @@ def test_a_store_that_memory_does_not_suffice_for_is_removed(quick, tmp_path, mo
     def too_much(work, values):
         raise MemoryError
 
-    monkeypatch.setattr(Worker, "summaries", too_much)
+    monkeypatch.setattr(Ensemble, "summaries", too_much)
     with pytest.raises(MemoryError):
         run_ensemble(quick, VARY[0], 4, out=tmp_path / "e.zarr", threads=1)
     assert not list(tmp_path.iterdir())

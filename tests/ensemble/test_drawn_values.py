@@ -8,10 +8,10 @@ import pytest
 from ensemble_stores import VARY
 
 import clpt_control
-from clpt_control.ensemble.drawn_values import draw_members
+from clpt_control.ensemble.drawn_values import draw_members, parsed
+from clpt_control.ensemble.of_scenarios import VariedScenario, variable_values
 from clpt_control.ensemble.run import run_ensemble
 from clpt_control.ensemble.spread import ensemble_summary
-from clpt_control.ensemble.varied_keys import VariedScenario, parsed, variable_values
 from clpt_control.simulation.report import run_and_report
 
 HERE = Path(__file__).parents[1]

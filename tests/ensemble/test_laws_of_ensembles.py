@@ -1,6 +1,7 @@
 """Ensembles of any law: each member is the run of its scenario, to the last bit."""
 
 import importlib.util
+import threading
 
 import control
 import law_blocks
@@ -172,15 +173,62 @@ def test_an_ensemble_refuses_what_is_not_compiled(quick):
         run_ensemble(clpt.closed_loop(quick, replace={"vehicle": boat}), "learning.gain=0.2:2.0", 3)
 
 
-def test_a_law_that_cannot_be_sent_is_refused(quick):
+def frozen_law(kept=None):
+    """Return a law made in place, which no module holds, with something of its own beside."""
+
     def local(t, x, u, p):
         """All held, section III."""
-        return np.zeros(10)
+        return np.zeros(10) * (kept is None)
 
     own = law_blocks.papers_law()
-    law = Block("local", update=local, inputs=own.input_ports, states=own.state_ports)
+    return Block("local", update=local, inputs=own.input_ports, states=own.state_ports)
+
+
+def test_a_law_made_in_place_runs_on_threads(quick):
+    vary = "flow.parameters~normal:0.1"
+    data = run_ensemble(clpt.closed_loop(quick, law=frozen_law()), vary, 3, trajectories=True)
+    for m, theta in enumerate(data["flow.parameters"].values):
+        own = quick.with_values({"flow.parameters": theta})
+        run = clpt.simulate(clpt.closed_loop(own, law=frozen_law()))
+        np.testing.assert_allclose(data.position[m], run.position, rtol=0, atol=1e-7)
+
+
+@pytest.mark.skipif(not importlib.util.find_spec("distributed"), reason="Dask is not installed")
+def test_a_law_that_cannot_be_sent_is_refused(quick, tmp_path):
+    loop = clpt.closed_loop(quick, law=frozen_law(threading.Lock()))
+    given = {"vary": "flow.parameters~normal:0.1", "members": 3, "out": tmp_path / "e.zarr"}
     with pytest.raises(DiagramError, match="local: cannot be sent to workers; define"):
-        run_ensemble(clpt.closed_loop(quick, law=law), "flow.parameters~normal:0.1", 3)
+        run_ensemble(loop, dask="local", **given)
+    assert not (tmp_path / "e.zarr").exists()
+
+
+def test_equal_numbers_of_two_keys_vary_apart(quick):
+    """Noise of the flow and of the position begin with one seed, and change together."""
+    noise = {"kind": "noise", "amplitude": [0.05, 0.02], "period": 1.8}
+    seen = {"noise": 0.02, "noise_period": 1.8}
+    noisy = quick.with_values({"flow.disturbance": noise, "localization": seen})
+    seeds = ["flow.disturbance.seed", "localization.seed"]
+    for keys, levels in ((seeds, [0, 1]), (["flow.disturbance.period"], [1.8, 2.5])):
+        data = run_ensemble(noisy, [f"{key}={levels}" for key in keys], 4, samples=20)
+        assert_members_are_runs(data, noisy, *keys)
+
+
+def test_a_part_of_ones_own_keeps_numbers_that_are_equal_to_a_keys(quick):
+    def halved(t, x, u, p):
+        return 0.5 * p.KD * u.v_x
+
+    part = Block(
+        "part", output=halved, inputs={"v_x": 2}, outputs={"y": 2}, parameters={"KD": np.ones(2)}
+    )
+
+    def loop(scenario):
+        return clpt.closed_loop(scenario, insert={("v_x", "vehicle"): part})
+
+    key, values = "vehicle.feedback", [[1.0, 1.0], [2.0, 0.5]]
+    data = run_ensemble(loop(quick), {key: values}, trajectories=True)
+    for m, value in enumerate(values):
+        run = clpt.simulate(loop(quick.with_values({key: value})))
+        np.testing.assert_allclose(data.position[m], run.position, rtol=0, atol=1e-7)
 
 
 def test_a_gain_that_is_not_set_cannot_vary(quick):

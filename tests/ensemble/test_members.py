@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 import clpt_control as clpt
-from clpt_control.ensemble.members import ScenarioEnsemble
+from clpt_control.ensemble.members import Ensemble
+from clpt_control.ensemble.of_scenarios import VariedScenario
 from clpt_control.ensemble.spread import ensemble_summary
 from clpt_control.ensemble.summaries import STATUS
 from clpt_control.native import solver
@@ -28,7 +29,7 @@ def members_of(count):
 
 def ensemble_of(values, lanes):
     scenario = clpt.paper_scenario().with_values({"run.duration": 60})
-    return ScenarioEnsemble(scenario, values, lanes=lanes)
+    return Ensemble(VariedScenario(scenario), values, lanes=lanes)
 
 
 TIMES = np.array([0.0, 3.3, 3.4, 17.0, 42.0, 60.0])
@@ -39,11 +40,11 @@ def test_members_equal_single_runs(lanes):
     values = members_of(5)
     ensemble = ensemble_of(values, lanes)
     assert sorted(ensemble.computed) == ["basis.periods", "reference.dwell"]
-    found = ensemble.run(ensemble.members(values, 60.0), TIMES)
+    found = ensemble.run(ensemble.members(values), TIMES)
     assert (found.status == 1).all()
     tolerance = 1e-10  # code of its own: the compiler may join a product and a sum elsewhere
     for m in range(5):
-        own = ensemble.scenario.with_values({key: value[m] for key, value in values.items()})
+        own = ensemble.varied.scenario.with_values({key: value[m] for key, value in values.items()})
         run = clpt.simulate(own, TIMES)
         alpha = found.states[m, :, 4:10].reshape(-1, 2, 3)
         np.testing.assert_allclose(found.states[m, :, :2], run.position, rtol=0, atol=tolerance)
@@ -55,15 +56,15 @@ def test_members_equal_single_runs(lanes):
 def test_a_member_has_the_same_bits_in_any_company(lanes):
     values = members_of(21)
     ensemble = ensemble_of(values, lanes)
-    whole = ensemble.run(ensemble.members(values, 60.0), TIMES)
+    whole = ensemble.run(ensemble.members(values), TIMES)
     order = np.random.default_rng(1).permutation(21)
     mixed = ensemble.run(
-        ensemble.members({key: value[order] for key, value in values.items()}, 60.0), TIMES
+        ensemble.members({key: value[order] for key, value in values.items()}), TIMES
     )
     np.testing.assert_array_equal(mixed.states, whole.states[order])
     for part in (slice(0, 1), slice(3, 12), slice(20, 21)):
         alone = ensemble.run(
-            ensemble.members({key: value[part] for key, value in values.items()}, 60.0), TIMES
+            ensemble.members({key: value[part] for key, value in values.items()}), TIMES
         )
         np.testing.assert_array_equal(alone.states, whole.states[part])
 
@@ -72,8 +73,10 @@ def test_a_member_has_the_same_bits_in_any_company(lanes):
 def test_a_member_that_fails_leaves_the_others_alone(lanes):
     values = {"learning.position": np.zeros((9, 2)), "learning.gain": np.full(9, 0.8)}
     scenario = clpt.paper_scenario().with_values({"run.duration": 20})
-    ensemble = ScenarioEnsemble(scenario, ["learning.position", "learning.gain"], lanes=lanes)
-    members = ensemble.members(values, 20.0)
+    ensemble = Ensemble(
+        VariedScenario(scenario), ["learning.position", "learning.gain"], lanes=lanes
+    )
+    members = ensemble.members(values)
     healthy = ensemble.run(members, np.array([0.0, 20.0]))
     members.x0[4, 2] = np.nan
     found = ensemble.run(members, np.array([0.0, 20.0]))
@@ -87,8 +90,8 @@ def test_a_member_that_fails_leaves_the_others_alone(lanes):
 @pytest.mark.parametrize("lanes", [False, True])
 def test_a_stiff_member_does_not_hold_up_the_rest(lanes):
     scenario = clpt.paper_scenario().with_values({"run.duration": 5})
-    ensemble = ScenarioEnsemble(scenario, ["learning.gain"], lanes=lanes)
-    members = ensemble.members({"learning.gain": np.array([0.01, 1e9, 0.01])}, 5.0)
+    ensemble = Ensemble(VariedScenario(scenario), ["learning.gain"], lanes=lanes)
+    members = ensemble.members({"learning.gain": np.array([0.01, 1e9, 0.01])})
     runs = Batch(
         ensemble.native.callee(ensemble.lanes),
         members.x0,

@@ -9,10 +9,10 @@ from ensemble_stores import VARY, files
 from pictures import inked
 
 import clpt_control
+from clpt_control.ensemble.drawn_values import read_vary
 from clpt_control.ensemble.run import run_ensemble
 from clpt_control.ensemble.spread import ensemble_plot
 from clpt_control.ensemble.store import Store, open_store
-from clpt_control.ensemble.varied_keys import read_vary
 from clpt_control.errors import ClptError, DataError, ScenarioError
 
 MISTAKES = [

@@ -156,9 +156,13 @@ def test_what_cannot_be_tuned_is_refused(paper, arguments, said):
     assert "\n" not in str(caught.value)
 
 
-def test_a_method_of_its_own_is_refused_before_any_law_is_tried(paper):
-    with pytest.raises(ScenarioError, match=r'^run.method = "rodas5p": members begin with'):
-        tune_law(paper.with_values({"run.method": "rodas5p"}), laws=["sigma"])
+def test_candidates_run_by_the_scenarios_method(paper):
+    short = paper.with_values({"run.duration": 40})
+    errors = [
+        tune_law(short.with_values({"run.method": by}), members=3, laws=["sigma"]).report["chosen"]
+        for by in ("rodas5p", "auto")
+    ]
+    assert 0 < abs(errors[0]["error"] - errors[1]["error"]) < 1e-6
 
 
 def test_the_command_writes_the_choice(clpt, paper, tmp_path):

@@ -6,7 +6,8 @@ import pytest
 import clpt_control as clpt
 from clpt_control.blocks import localization
 from clpt_control.blocks.disturbance import hash_fraction
-from clpt_control.ensemble.members import ScenarioEnsemble
+from clpt_control.ensemble.members import Ensemble
+from clpt_control.ensemble.of_scenarios import VariedScenario
 from clpt_control.equations import evaluate
 from clpt_control.theory.proving.theorem_loop import AT_FIXES
 
@@ -180,9 +181,9 @@ def test_members_of_an_ensemble_are_runs(lanes):
         "localization.noise": np.linspace(0.0, 0.05, 9),
         "localization.dropouts": np.linspace(0.0, 0.5, 9),
     }
-    ensemble = ScenarioEnsemble(base, values, lanes=lanes)
+    ensemble = Ensemble(VariedScenario(base), values, lanes=lanes)
     times = np.array([0.0, 5.0, 13.7, 40.0])
-    found = ensemble.run(ensemble.members(values, 40.0), times)
+    found = ensemble.run(ensemble.members(values), times)
     for m in range(9):
         own = base.with_values({key: value[m] for key, value in values.items()})
         run = clpt.simulate(own, times)

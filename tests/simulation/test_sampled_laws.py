@@ -75,8 +75,15 @@ def test_the_scenarios_method_runs():
     assert 'method = "rodas5p"' in found.attrs["scenario"]
     with pytest.raises(ScenarioError, match=r"run\.method = 'euler': must be"):
         SLOW.with_values({"run.method": "euler"})
-    with pytest.raises(ScenarioError, match="members begin with DOP853"):
-        clpt.ensemble.run_ensemble(stiff, vary="learning.gain=0.1:0.2", members=2)
+    explicit = stiff.with_values({"run.method": "dop853"})
+    data, other = (
+        clpt.run_ensemble(one, {"learning.gain": [0.1, 0.2]}, trajectories=True)
+        for one in (stiff, explicit)
+    )
+    for m, gain in enumerate((0.1, 0.2)):
+        alone = clpt.simulate(stiff.with_values({"learning.gain": gain}))
+        np.testing.assert_allclose(data.alpha[m], alone.alpha, rtol=0, atol=1e-6)
+    assert not np.array_equal(data.alpha, other.alpha)
 
 
 def test_what_is_not_sampled_says_so():

@@ -1,0 +1,240 @@
+"""The members of a scenario: its keys that may vary, and where its loop holds their values."""
+
+import difflib
+import hashlib
+import json
+from collections.abc import Mapping, Sequence
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ..diagrams.changes import LAW, UNCHANGED, Changes
+from ..diagrams.interconnection import wiring_of_blocks
+from ..diagrams.parts import functions_of
+from ..diagrams.wiring import Wiring
+from ..equations.block import Block
+from ..errors import DiagramError
+from ..scenario.experiment import Scenario
+from ..scenario.file import scenario_to_text
+from ..scenario.mistakes import Table
+from ..scenario.quantities import QUANTITIES, STARTS, key_of, keys_of, made_of
+from ..simulation.loops import changed_blocks
+from ..simulation.starts import state_columns, state_of
+from .members import Ensemble, Made, Members, Place, States, Values
+from .summaries import Arrays, arrays_of, kept_of, marks_of, sample_times_of, samples_per_cycle
+
+
+class VariedScenario:
+    """A scenario's loop that is run many times; `changes` are parts of the user's own."""
+
+    params: Mapping[str, Any] = {}
+    inputs: Any = None
+    how: Mapping[str, Any]
+    encoding: Mapping[str, Any]
+
+    def __init__(
+        self,
+        scenario: Scenario,
+        changes: Changes = UNCHANGED,
+        samples: int | None = None,
+        times: Sequence[float] | None = None,
+        trajectories: bool = False,
+    ):
+        self.scenario, self.changes = scenario, checked(changes, scenario)
+        self.marks = marks_of(scenario, times)
+        self.samples, self.trajectories = samples_per_cycle(scenario, samples), trajectories
+        self.times = sample_times_of(scenario, self.samples, self.marks, trajectories)
+        self.every, self.how = self.times.all, scenario.run.solver
+        self.title, self.asks = scenario.title, scenario.vehicle.max_speed is not None
+        self.name = ", ".join(changes.names) or "the closed loop"
+        self.encoding = {"folder": str(scenario._folder.absolute())}  # of its field
+        own = ("learning.gain", f"learning.{scenario.learning.row.table}.")
+        every = variable_values(scenario)
+        self.of_law = [key for key in every if key.startswith(own)] if self.changes.law else []
+        self.values = {key: value for key, value in every.items() if key not in self.of_law}
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Travel as what it is made of; the field's folder is then known."""
+        scenario = self.scenario.model_copy()
+        scenario._folder = scenario._folder.absolute()
+        return type(self), (scenario, self.changes, self.samples, self.marks, self.trajectories)
+
+    # --- what may vary --------------------------------------------------------------------
+
+    def why_not(self, key: str) -> str:
+        """Return why a key cannot vary."""
+        scenario, allowed = self.scenario, [*self.values]
+        if key in self.of_law and self.changes.law is not None:
+            return (
+                f"vary: {key} cannot vary: it is of the scenario's law, in whose place "
+                f"{self.changes.law.name} is given in Python"
+            )
+        if other := key_of(key):
+            return f"vary: {other}"
+        place: Any = scenario
+        for name in key.split("."):
+            known = isinstance(place, Table) and name in type(place).model_fields
+            place = getattr(place, name) if known else None
+            if not known or place is None:
+                break
+        if key.split(".")[0] == "run":
+            return f"vary: {key} cannot vary: members share duration, samples and tolerances"
+        if key == "learning.sample":
+            return f"vary: {key} cannot vary: members share the times at which their law runs"
+        if isinstance(place, int):
+            return f"vary: {key} = {place} cannot vary: counts are whole numbers"
+        if isinstance(place, Table):
+            return f"vary: {key} is a table; name one of its keys, such as {key}.{_first(place)}"
+        if place is not None and known:
+            return f"vary: {key} = {place!r} cannot vary: it is not a number"
+        if known:
+            return f"vary: {key} is not set in the scenario; may vary: {', '.join(allowed)}"
+        close = difflib.get_close_matches(key, allowed, n=1)
+        hint = f"; did you mean {close[0]}? May vary: " if close else "; may vary: "
+        return f"vary: unknown key {key}{hint}{', '.join(allowed)}"
+
+    def check(self, key: str, value: np.ndarray) -> None:
+        """Refuse a value that the scenario does not allow."""
+        self.scenario.with_values({key: value})
+
+    def asked(self, path: Path | None) -> dict[str, Any]:
+        """Return what it is, for a store that lies there."""
+        return {
+            "scenario": scenario_to_text(self.scenario, None if path is None else path.parent),
+            "samples": self.samples,
+            "times": list(self.marks),
+            "law": named(self.changes),
+        }
+
+    # --- its loop -------------------------------------------------------------------------
+
+    @cached_property
+    def blocks(self) -> list[Block]:
+        """The blocks of its loop."""
+        return changed_blocks(self.scenario, self.changes)
+
+    @cached_property
+    def wiring(self) -> Wiring:
+        """Its loop."""
+        return wiring_of_blocks(self.blocks)
+
+    @cached_property
+    def columns(self) -> dict[str, slice]:
+        """Where each state lies."""
+        return state_columns(self.blocks)
+
+    @cached_property
+    def start(self) -> np.ndarray:
+        """The initial state."""
+        return state_of(self.scenario, self.blocks, self.changes.law)
+
+    def place(self, key: str) -> Place:
+        """Return where the value of a key lies as it is."""
+        fields = tuple(
+            (k, field)
+            for k, block in enumerate(self.blocks)
+            for field in block.parameters._fields
+            if block.name not in self.changes.names
+            and key in keys_of(self.scenario, f"{block.name}.{field}")
+        )
+        column = self.columns.get(STARTS.get(key, ""), slice(0, 0))
+        return Place(fields, tuple(range(column.start, column.stop)))
+
+    def computed(self, key: str) -> bool:
+        """Return whether members are made one by one of a key's values, as of what a law makes."""
+        made = made_of(self.scenario) if self.changes.law is None else ()
+        held = key in QUANTITIES and not QUANTITIES[key].jumps and self.place(key) != Place()
+        return key in made or not held
+
+    def made(self, own: Values) -> Made:
+        """Return one member with some values of its own."""
+        scenario = self.scenario.with_values(dict(own))
+        blocks = changed_blocks(scenario, self.changes)
+        start = state_of(scenario, blocks, self.changes.law)
+        return [block.parameters for block in blocks], start, None
+
+    # --- what is kept of it ---------------------------------------------------------------
+
+    def arrays(self, values: Values) -> Arrays:
+        """Return all arrays of the store, for the values of all members."""
+        return arrays_of(self, values)
+
+    def kept(
+        self, ensemble: Ensemble, members: Members, values: Values, run: States
+    ) -> dict[str, np.ndarray]:
+        """Return what is kept of members."""
+        return kept_of(self, ensemble, members, values, run)
+
+
+def variable_values(scenario: Scenario) -> dict[str, np.ndarray]:
+    """Return every key that may vary, with the scenario's value or the default."""
+    defaults = {"basis.phases": scenario.phases, "model.parameters": scenario.model_parameters}
+    learning, delta = scenario.learning, scenario.flow.disturbance
+    if not learning.row.keeps_alpha:
+        defaults["learning.parameters"] = scenario.learning_parameters
+    found: dict[str, np.ndarray] = {}
+
+    def add(key: str, value: Any) -> None:
+        number = np.asarray(value)
+        if number.dtype.kind == "f" and number.size:
+            found.setdefault(key, number)
+
+    def walk(part: Table, prefix: str) -> None:
+        for name in type(part).model_fields:
+            value, key = getattr(part, name), f"{prefix}{name}"
+            if isinstance(value, Table):
+                walk(value, f"{key}.")
+            else:
+                add(key, float(value or 0) if name == "seed" else defaults.get(key, value))
+
+    walk(scenario, "")
+    for name, value in learning.settings.items():  # the law's defaults may vary too
+        add(f"learning.{learning.row.table}.{name}", value)
+    if learning.gain is None and learning.gains is None:
+        add("learning.gain", learning.row.gain)
+    kind = None if delta is None else delta.kind
+    none = {"learning.sample"} | ({"flow.disturbance.seed"} if kind != "noise" else set())
+    none |= {"flow.disturbance.period"} if kind == "constant" else set()
+    return {k: v for k, v in found.items() if k not in none and not k.startswith("run.")}
+
+
+def _first(part: Table) -> str:
+    names = list(type(part).model_fields)
+    return next(
+        (name for name in names if isinstance(getattr(part, name), float | tuple)), names[0]
+    )
+
+
+def checked(changes: Changes, scenario: Scenario) -> Changes:
+    """Return blocks; refuse those whose states do not hold what summaries are made of."""
+    changes, row = changes.of_blocks("an ensemble"), scenario.learning.row
+    if changes.law is not None:
+        functions_of(changes.law)
+    columns = state_columns(changed_blocks(scenario, changes)) if changes != UNCHANGED else {}
+    learned = ["theta_hat"] if row.makes_estimate else [] if row.given_estimate else ["alpha"]
+    for name, states in ((LAW, [*learned, "K", "Gamma"]), ("vehicle", ["x"])):
+        for port in states if name in changes.replace else ():
+            if port not in columns:
+                own = changes.replace[name].name
+                raise DiagramError(
+                    f"{own}: {port} is no state of it; members are summarised from the states "
+                    f"{', '.join(states)}"
+                )
+    return changes
+
+
+def named(changes: Changes) -> str | None:
+    """Return a name for blocks of the user's own, their numbers and their equations."""
+    places = [name if name != LAW else "" for name in changes.replace]
+    places += [str(where) for where in changes.insert]
+    blocks = (*changes.replace.values(), *changes.insert.values())
+    return "; ".join(map(_of_block, places, blocks)) or None
+
+
+def _of_block(place: str, block: Block) -> str:
+    fields = block.parameters._asdict().items()
+    numbers = json.dumps({field: np.asarray(value).tolist() for field, value in fields})
+    equations = hashlib.sha256(repr(block.records).encode()).hexdigest()
+    return f"{place} {block.name} {equations[:8]} {numbers}".lstrip()
