@@ -32,7 +32,6 @@ Count = Annotated[int, "1 or more"]
 LISTS = (Sequence, Iterable, list)
 PLAIN = (str, bytes, bool, int, float, complex, list, tuple, set, dict)
 SIMPLE = {float, int, str, bool, NoneType}
-LOOKED_INTO = {*SIMPLE, np.ndarray}  # the class of a value is not all that counts
 EMPTY = np.dtype("V")
 SHORT = reprlib.Repr()
 SHORT.maxstring = SHORT.maxother = 60
@@ -109,13 +108,6 @@ def _checked(function: Any, name: str) -> Any:
         kinds = allowed.get(argument, (Any,))
         if Any in kinds or (type(value) in SIMPLE and type(value) in kinds and value == value):
             return value  # at once: a dive has 25 numbers
-        if type(value) is np.ndarray:
-            at_once = np.ndarray in kinds and is_array(value)
-        else:
-            classes = (kind for kind in kinds if type(kind) is type and kind not in LOOKED_INTO)
-            at_once = type(value) not in SIMPLE and any(isinstance(value, one) for one in classes)
-        if at_once:
-            return value
         value = plain(value, kinds)
         if not fits(value, kinds):
             such = f", such as {EXAMPLES[argument]}" if argument in EXAMPLES else ""

@@ -24,7 +24,6 @@ from ..blocks.laws.law import PRIOR, Law
 from ..blocks.laws.table import LAWS
 from ..errors import ScenarioError
 from ..scenario.experiment import Scenario
-from ..scenario.learning import LearningGains
 from .drawn_values import Vary
 
 GAINS = (0.25, 1.0, 4.0)
@@ -63,15 +62,10 @@ def laws_to_try(names: tuple[str, ...]) -> tuple[list[Law], dict[str, str]]:
     return tried, skipped
 
 
-def as_they_come(scenario: Scenario, law: Law) -> Iterator[Candidate]:
-    """Return a law with its defaults, adapted and held."""
-    for held in (False, True):
-        yield candidate(scenario, law, held, 1.0, 1.0)
-
-
-def about(scenario: Scenario, law: Law, held: bool) -> Iterator[Candidate]:
-    """Return the grid about a law's defaults, without them."""
+def candidates(scenario: Scenario, law: Law, held: bool) -> Iterator[Candidate]:
+    """Yield a law with its defaults, and then the grid about them."""
     one = candidate(scenario, law, held, 1.0, 1.0)
+    yield one
     for gain in GAINS if one.gain is not None else (1.0,):
         for pole in FILTERS if one.filter is not None else (1.0,):
             if (gain, pole) != (1.0, 1.0):
@@ -109,10 +103,8 @@ def candidate(scenario: Scenario, law: Law, held: bool, gain: float, pole: float
 def _gain(scenario: Scenario, law: Law) -> float:
     """Return the scenario's gain for its own law, else the law's default, else the scenario's."""
     own = scenario.learning
-    given = own.gain
-    if given is None and own.gains is not None:
-        numbers = [getattr(own.gains, key) for key in LearningGains.model_fields]
-        given = next((number for number in numbers if number is not None), None)
+    numbers = own.gain, *dict(own.gains or ()).values()
+    given = next((number for number in numbers if number is not None), None)
     if law.name == own.law and given is not None:
         return float(given)
     k = float(np.mean(scenario.vehicle.feedback))

@@ -190,6 +190,12 @@ def check_varies(varied: Varied, varies: Sequence[Vary]) -> None:
             raise ScenarioError(f"vary = '{one.text}': a seed is a whole number; list the values")
 
 
+def unknown(named: str, close: str, known: Iterable[str]) -> str:
+    """Return that a key or name is unknown, what may be meant, and what may vary."""
+    hint = f"did you mean {close}? May vary" if close else "may vary"
+    return f"vary: unknown {named}; {hint}: {', '.join(known)}"
+
+
 def _check_levels(one: Vary, shape: tuple[int, ...]) -> None:
     allowed = "a number" if shape == () else f"an array of shape {shape}"
     for level in one.numbers:

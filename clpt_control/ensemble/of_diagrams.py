@@ -37,7 +37,7 @@ from ..native.ways import check_spacing, checked_method
 from ..simulation.dataset import Part, ports_shown
 from ..simulation.diagram_run import labels_of, units_shown
 from ..simulation.starts import initial_state as start_of
-from .drawn_values import Vary
+from .drawn_values import Vary, unknown
 from .members import Ensemble, Made, Members, Place, States, Values
 from .summaries import Arrays, ends_of
 
@@ -180,9 +180,7 @@ class VariedDiagram:
                     f"vary: {key} = {getattr(given, name)} cannot vary: a whole number is fixed "
                     "when its block is made; declare it as a float, or make a diagram of each"
                 )
-        close = nearest(key, self.names)
-        hint = f"did you mean {close}? May vary: " if close else "may vary: "
-        return f"vary: unknown name {key}; {hint}{', '.join(self.names)}"
+        return unknown(f"name {key}", nearest(key, self.names), self.names)
 
     def check(self, key: str, value: np.ndarray) -> None:
         """Refuse a value that is not finite."""

@@ -1,6 +1,5 @@
 """The members of a scenario: its keys that may vary, and where its loop holds their values."""
 
-import difflib
 import hashlib
 import json
 from collections.abc import Mapping, Sequence
@@ -10,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from ..arguments import nearest
 from ..diagrams.changes import LAW, UNCHANGED, Changes
 from ..diagrams.interconnection import wiring_of_blocks
 from ..diagrams.parts import functions_of
@@ -22,6 +22,7 @@ from ..scenario.mistakes import Table
 from ..scenario.quantities import QUANTITIES, STARTS, key_of, keys_of, made_of
 from ..simulation.loops import changed_blocks
 from ..simulation.starts import state_columns, state_of
+from .drawn_values import unknown
 from .members import Ensemble, Made, Members, Place, States, Values
 from .summaries import Arrays, arrays_of, kept_of, marks_of, sample_times_of, samples_per_cycle
 
@@ -91,9 +92,7 @@ class VariedScenario:
             return f"vary: {key} = {place!r} cannot vary: it is not a number"
         if known:
             return f"vary: {key} is not set in the scenario; may vary: {', '.join(allowed)}"
-        close = difflib.get_close_matches(key, allowed, n=1)
-        hint = f"; did you mean {close[0]}? May vary: " if close else "; may vary: "
-        return f"vary: unknown key {key}{hint}{', '.join(allowed)}"
+        return unknown(f"key {key}", nearest(key, allowed), allowed)
 
     def check(self, key: str, value: np.ndarray) -> None:
         """Refuse a value that the scenario does not allow."""

@@ -11,7 +11,8 @@ What the track shows: a parameter error of length 1 is a flow of rms (kappa_1/T)
 along a window T, kappa_1 being the smallest eigenvalue of the joint Gramian over it.
 """
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -22,7 +23,7 @@ from ..blocks.laws.table import LAWS
 from ..errors import ClptError, ScenarioError, needed
 from ..scenario.experiment import Scenario
 from ..theory.designing.tracks import Tracks
-from .candidates import Candidate, Unknown, about, as_they_come, belief, laws_to_try, unknown_of
+from .candidates import Candidate, Unknown, belief, candidates, laws_to_try, unknown_of
 from .run import run_ensemble
 
 NEAR = 1.2  # times the best score: as good
@@ -128,6 +129,7 @@ def tune_law(
         raise ScenarioError(f"laws: none of {', '.join(names)} learns the flow; name another")
     report = progress or (lambda share: None)
     scores: list[Score] = []
+    more: dict[str, Iterator[Candidate]] = {}  # of the grid about a candidate
 
     def score(one: Candidate) -> None:
         try:
@@ -137,21 +139,19 @@ def tune_law(
 
     for k, law in enumerate(tried):
         report(0.5 * k / len(tried))
+        grids = [candidates(scenario, law, held) for held in (False, True)]
         try:
-            both = list(as_they_come(scenario, law))
+            both = [next(one) for one in grids]
         except ClptError as error:
             skipped[law.name] = str(error).removeprefix("scenario: ")
             continue
-        for one in both:
+        for one, about in zip(both, grids, strict=True):
+            more[one.text] = about
             score(one)
     finalists: dict[str, Candidate] = {}  # the best of each law
     for each in ranked(scores):
         finalists.setdefault(each.candidate.law, each.candidate)
-    grid = [
-        one
-        for best_of in list(finalists.values())[:FINALISTS]
-        for one in about(scenario, LAWS[best_of.law], best_of.held)
-    ]
+    grid = [one for best in list(finalists.values())[:FINALISTS] for one in more[best.text]]
     for k, one in enumerate(grid):
         report(0.5 + 0.5 * k / len(grid))
         score(one)
@@ -162,7 +162,12 @@ def tune_law(
             f"no candidate reaches the end of its runs{': ' if reasons else ''}{reasons}; give a "
             "smaller prior or a shorter run"
         )
-    own = None if scenario.learning.row.given_estimate else _own(unknown, scenario, members, seed)
+    learning, own = scenario.learning, None
+    with suppress(ClptError):
+        if not learning.row.given_estimate:
+            told = f"{learning.law}, {OWN}", learning.used_gains.parameters
+            as_it_is = Candidate(*told, not learning.adapt_gains, None, {})
+            own = score_of(unknown, as_it_is, members, seed)
     report(1.0)
     chosen, enough = best[0], NEAR * min(one.score for one in best)
     failed = sorted((one for one in scores if one.failed), key=lambda one: one.candidate.text)
@@ -197,17 +202,6 @@ def ranked(scores: list[Score]) -> list[Score]:
         return not near, time, one.score, one.error * one.clpe_rms
 
     return sorted(whole, key=place)
-
-
-def _own(unknown: Unknown, scenario: Scenario, members: int, seed: int) -> Score | None:
-    """Return the score of the scenario's own learning."""
-    learning = scenario.learning
-    gains = learning.used_gains
-    own = Candidate(f"{learning.law}, {OWN}", gains.parameters, not learning.adapt_gains, None, {})
-    try:
-        return score_of(unknown, own, members, seed)
-    except ClptError:
-        return None
 
 
 # --- how well a candidate learns flows that it was not told: medians over an ensemble ------------
@@ -269,9 +263,11 @@ def seen(scenario: Scenario) -> dict[str, Any]:
 def listed(one: Score) -> dict[str, Any]:
     """Return a score ready for JSON; None for what is infinite."""
     told = one.candidate._asdict() | one._asdict()
-    del told["values"], told["candidate"]
-    infinite = [key for key, v in told.items() if isinstance(v, float) and not np.isfinite(v)]
-    return told | dict.fromkeys(infinite)
+    return {
+        key: None if isinstance(value, float) and not np.isfinite(value) else value
+        for key, value in told.items()
+        if key not in ("values", "candidate")
+    }
 
 
 def because(report: dict[str, Any], named: str) -> str:

@@ -10,9 +10,8 @@ from clpt_control.blocks.laws.table import LAWS
 from clpt_control.ensemble import tune_law
 from clpt_control.ensemble.candidates import (
     Candidate,
-    about,
-    as_they_come,
     belief,
+    candidates,
     laws_to_try,
     unknown_of,
 )
@@ -79,7 +78,7 @@ def test_what_is_drawn_is_drawn_about_the_belief(paper):
 @pytest.mark.parametrize("name", [law.name for law in laws_to_try(())[0]])
 def test_every_law_that_learns_is_a_candidate(paper, name):
     law = LAWS[name]
-    found = [*as_they_come(paper, law), *about(paper, law, True), *about(paper, law, False)]
+    found = [one for held in (False, True) for one in candidates(paper, law, held)]
     assert len({one.text for one in found}) == len(found)
     for one in found:
         made = paper.with_values(one.values)

@@ -187,7 +187,7 @@ def test_members_of_an_ensemble_are_runs(lanes):
     for m in range(9):
         own = base.with_values({key: value[m] for key, value in values.items()})
         run = clpt.simulate(own, times)
-        alpha = found.states[m][:, found.columns["alpha"]].reshape(-1, 2, 3)
+        alpha = found.states[m][:, ensemble.varied.columns["alpha"]].reshape(-1, 2, 3)
         np.testing.assert_allclose(alpha, run.alpha, rtol=0, atol=1e-9)
 
 
