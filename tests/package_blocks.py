@@ -19,7 +19,7 @@ from clpt_control.blocks import (
 )
 from clpt_control.blocks.laws.law import Gains, Truth
 from clpt_control.blocks.laws.table import LAWS
-from clpt_control.currents.field_file import GriddedField
+from clpt_control.currents.plane import GriddedField
 from clpt_control.theory.proving.theorem_loop import theorem_scenario
 
 SIZES = (1, 2, 3, 5)

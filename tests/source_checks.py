@@ -11,7 +11,7 @@ import numpy as np
 import sympy
 
 from clpt_control.blocks import disturbance, field, flow, localization, reference
-from clpt_control.currents.field_file import GriddedField
+from clpt_control.currents.plane import GriddedField
 from clpt_control.equations.declaration import parameters_of
 
 POINTS = np.array([[3.0, 1.0], [-2.0, 5.0], [7.0, -4.0]])

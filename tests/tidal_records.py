@@ -5,7 +5,7 @@ from pathlib import Path
 import netCDF4
 import numpy as np
 
-from clpt_control.currents.nodal import nodal_corrections
+from clpt_control.currents.constituents import nodal_corrections
 from clpt_control.scenario.tides import SPEEDS
 
 MARACOOS = Path(__file__).parents[1] / "clpt_control/data/maracoos_hfr_2019-01-01.nc"

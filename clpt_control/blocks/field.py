@@ -65,7 +65,7 @@ def spline_coefficients(values: np.ndarray) -> np.ndarray:
 def gridded_flow(
     grid, outside: str = "raise", disturbed: bool = False, units=None, position: str = "x"
 ) -> Block:
-    """Make the true flow of a gridded current (`currents.field_file.GriddedField`).
+    """Make the true flow of a gridded current (`currents.plane.GriddedField`).
 
     Outside of it ``"raise"`` fails a run, ``"stop"`` ends it, ``"clip"`` holds the edge's value.
     `units` are named in the message; `position` is the port of the true position.

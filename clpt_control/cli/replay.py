@@ -115,7 +115,7 @@ def replay(
     """
     from ..estimation.estimators import ESTIMATORS
     from ..figures import checked_formats
-    from ..gliders.magnetic import turned
+    from ..gliders.samples import turned
     from ..gliders.usable_dives import LEAST_DURATION
     from ..replay.fleet import checked_command
     from ..replay.replay import Growing, check_tides

@@ -1,9 +1,8 @@
+from .constituents import check_separable
 from .fit import fit_scenario, save_fit
 from .grid_file import read_currents, sample_currents
-from .rayleigh import check_separable
 from .record import read_record
-from .tidal_constants import tidal_basis
-from .tidal_plots import tides_plot
+from .tidal_constants import tidal_basis, tides_plot
 from .tides import fit_tides, predict
 
 __all__ = [

@@ -36,11 +36,9 @@ from ..scenario import tides
 from ..scenario.experiment import Scenario
 from ..scenario.file import load_scenario, scenario_to_text
 from ..units import seconds_since_1970
-from .field_file import GriddedField, field_dataset
+from .constituents import check_nyquist, check_separable, nodal_report
 from .grid_file import Currents, read_currents
-from .nodal import nodal_report
-from .plane import LocalPlane, fill_gaps, regular_grid
-from .rayleigh import check_nyquist, check_separable
+from .plane import GriddedField, LocalPlane, field_dataset, fill_gaps, regular_grid
 from .tides import share_explained
 
 SINE = -np.pi / 2

@@ -24,7 +24,7 @@ from ..arguments import public
 from ..errors import DataError
 from ..files import open_netcdf
 from .cf import AXES, VELOCITY, check_speed, dates_of, find_axis, find_variable, velocity_values
-from .rayleigh import check_increasing
+from .constituents import check_increasing
 from .text_table import is_table, read_table
 
 if TYPE_CHECKING:

@@ -33,7 +33,7 @@ from ..errors import DataError
 from ..files.reading import read_text
 from ..units import speed_in_metres_per_second
 from .cf import VELOCITY
-from .nodal import checked_times
+from .constituents import checked_times
 
 if TYPE_CHECKING:
     import pandas

@@ -1,4 +1,4 @@
-"""Tidal constants of one place: what `fit_tides` returns, as JSON and as NetCDF.
+"""Tidal constants of one place: what `fit_tides` returns, as JSON, NetCDF, theta and a picture.
 
 Amplitudes in m/s, phases in degrees of Greenwich lag, as `tides` says.  In a file
 `amplitude` and `phase` have the dims (constituent, axis), the ellipse's numbers
@@ -14,9 +14,12 @@ As theta of Eq. (3), for the basis of a scenario, they are
 f and u are held at the epoch t0, which becomes t = 0 of the scenario: choose it
 in the middle of what is to be run; M2 changes by 0.4 % in half a year.  A
 scenario's sine is the phase -pi/2.
+
+The picture has ellipses, and the record beside the fit.  All ellipses have one scale, but for those
+that would be dots: they are thin, drawn five times as large and marked so.  A solid one is run
+through counter-clockwise, a dashed one clockwise; the dot is where the current is when V + u = 0.
 """
 
-from dataclasses import dataclass, field
 from importlib.metadata import version
 from math import isfinite
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -25,10 +28,12 @@ import numpy as np
 
 from ..arguments import public
 from ..errors import DataError
+from ..figures import BLUE, GREY, RED, axes_for
 from ..scenario.tides import SPEEDS
 from ..units import speed_in_metres_per_second
-from .nodal import checked_times, nodal_corrections, nodal_report
+from .constituents import checked_times, nodal_corrections, nodal_report
 from .record import CurrentRecord
+from .tides import Constituent, TidalFit, predict
 
 if TYPE_CHECKING:
     import xarray
@@ -43,47 +48,6 @@ NUMBERS = {
     "inclination": ("major axis, counter-clockwise from east", "degree"),
     "phase": ("Greenwich phase lag of the greatest speed", "degree"),
 }
-
-
-@dataclass(frozen=True)
-class Constituent:
-    """One tide of a current: amplitudes (m/s), Greenwich phases and ellipse (degrees)."""
-
-    name: str
-    east: float
-    east_phase: float
-    north: float
-    north_phase: float
-    major: float
-    minor: float  # negative where the current turns clockwise
-    inclination: float
-    phase: float
-    errors: dict[str, float]  # standard error of each number; NaN where it has none
-
-
-@dataclass(frozen=True)
-class TidalFit:
-    """Tidal constants of a record and how well they explain it."""
-
-    constituents: tuple[Constituent, ...]  # in the order that was asked for
-    mean: tuple[float, float]  # east and north, m/s
-    explained_variance: float  # share about the mean, both components together
-    residual_rms: float  # root of the mean squared length of the residual, m/s
-    start: np.datetime64  # first measurement, UTC
-    end: np.datetime64
-    samples: int  # measurements that were used
-    latitude: float  # of the nodal corrections, degrees north
-    coefficients: Any = field(repr=False, compare=False)  # as utide.solve gives them
-
-    @property
-    def hours(self) -> float:
-        """Time from the first measurement to the last, h."""
-        return float((self.end - self.start) / np.timedelta64(1, "ms")) / 3.6e6
-
-    @property
-    def middle(self) -> np.datetime64:
-        """The record's middle, UTC."""
-        return self.start + (self.end - self.start) // 2
 
 
 def tides_report(fit: TidalFit) -> dict[str, Any]:
@@ -243,4 +207,143 @@ def tidal_basis(fit: TidalFit, epoch: Any, unit: str = "m s-1") -> TidalBasis:
         ("steady", *(name for name in names for _ in range(2))),
         (0.0, *([0.0, -np.pi / 2] * len(names))),
         size * np.column_stack(columns),
+    )
+
+
+MOST = 6  # ellipses that are drawn, the greatest
+SMALL = 1 / 8  # of the greatest: below it an ellipse is drawn larger
+LARGER = 5
+WIDE, HIGH, ROOM = 6.2, 1.3, 0.45  # of the row, its ellipses and between two, inches
+LINE = 0.14  # of small print, inches
+SPAN = np.timedelta64(15 * 24, "h")  # of the record that is drawn, about its middle
+DAY = np.timedelta64(1, "D")
+
+
+@public
+def tides_plot(fit: TidalFit, record: CurrentRecord, *, ax: Any = None) -> np.ndarray:
+    """Draw tidal ellipses, and a record against its fit, m/s.
+
+    Parameters
+    ----------
+    fit : TidalFit
+        As `fit_tides` gives it.
+    record : CurrentRecord
+        As `read_record` gives it, the record of the fit; its middle 15 days are drawn.
+    ax : array of 3 Axes, optional
+        Where to draw; by default a new figure of pyplot's.
+
+    Returns
+    -------
+    ndarray of Axes, shape (3,)
+        Ellipses, the current to the east, to the north.
+
+    Raises
+    ------
+    ClptError
+        If `ax` are not three Axes.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from clpt_control.currents import fit_tides, read_record
+    >>> record = read_record("currents.csv", latitude=41.0)  # doctest: +SKIP
+    >>> fit = fit_tides(record.time, record.u, record.v, 41.0)  # doctest: +SKIP
+    >>> ellipses, east, north = tides_plot(fit, record)  # doctest: +SKIP
+    """
+    ellipses = _chosen(fit)
+    inch = _inch(ellipses)
+    row = 2 * max(each.high for each in ellipses) / inch + 5 * LINE
+    axes = axes_for(ax, 7.2, 4.9 + row, nrows=3, height_ratios=(row, 2, 2))
+    _draw(axes[0], ellipses, inch)
+    begin = max(fit.start, fit.middle - SPAN // 2)
+    end = min(fit.end, fit.middle + SPAN // 2)
+    near = (record.time >= begin) & (record.time <= end)
+    fine = begin + np.linspace(0, 1, 1500) * (end - begin)
+    model = predict(fit, fine)
+    origin = fit.start.astype("datetime64[D]")
+    days = [(t - origin) / DAY for t in (record.time[near], fine)]
+    for one, name, measured, tide in zip(
+        axes[1:], ("east", "north"), (record.u[near], record.v[near]), model, strict=True
+    ):
+        one.plot(days[0], measured, ".", color=GREY, ms=3.5, label="measured")
+        one.plot(days[1], tide, color=BLUE, lw=1.1, label="mean and tides")
+        one.set_ylabel(f"current {name} (m/s)")
+    if ax is None:
+        axes[1].sharex(axes[2])
+        axes[1].tick_params(labelbottom=False)
+    axes[1].legend(fontsize=8, frameon=False, ncols=2, loc="lower right", bbox_to_anchor=(1, 1))
+    axes[1].set_title(
+        f"Explained: {fit.explained_variance:.1%}; residual rms {fit.residual_rms:.3g} m/s",
+        loc="left",
+        fontsize=10,
+    )
+    axes[2].set_xlabel(f"days since {origin} UTC")
+    return axes
+
+
+class _Ellipse(NamedTuple):
+    """An ellipse as drawn: half its width and height, how much larger."""
+
+    of: Constituent
+    wide: float
+    high: float
+    larger: int
+
+
+def _chosen(fit: TidalFit) -> list[_Ellipse]:
+    """Return the greatest tides in the order of the fit."""
+    largest = sorted(fit.constituents, key=lambda each: -each.major)[:MOST]
+    ellipses = []
+    for each in (tide for tide in fit.constituents if tide in largest):
+        larger = LARGER if each.major < SMALL * largest[0].major else 1
+        c, s = (larger * part(np.radians(each.inclination)) for part in (np.cos, np.sin))
+        wide = float(np.hypot(each.major * c, each.minor * s))
+        high = float(np.hypot(each.major * s, each.minor * c))
+        ellipses.append(_Ellipse(each, wide, high, larger))
+    return ellipses
+
+
+def _bar(ellipses: list[_Ellipse]) -> float:
+    """Return a round speed of half the greatest, m/s."""
+    return float(f"{max(each.of.major for each in ellipses) / 2:.1g}")
+
+
+def _inch(ellipses: list[_Ellipse]) -> float:
+    """Return the speed that an inch stands for, so that the row is full, m/s."""
+    length = 2 * sum(each.wide for each in ellipses) + _bar(ellipses)
+    high = 2 * max(each.high for each in ellipses)
+    return max(length / (WIDE - ROOM * len(ellipses)), high / HIGH)
+
+
+def _draw(ax, ellipses: list[_Ellipse], inch: float) -> None:
+    turn = np.exp(1j * np.linspace(0, 2 * np.pi, 181))
+    low = max(each.high for each in ellipses)
+    x = 0.0
+    for each in ellipses:
+        tide, x = each.of, x + each.wide
+        lean = each.larger * np.exp(1j * np.radians(tide.inclination))
+        path = x + lean * (tide.major * turn.real + 1j * tide.minor * turn.imag)
+        lag = np.radians(-tide.phase)
+        dot = x + lean * (tide.major * np.cos(lag) + 1j * tide.minor * np.sin(lag))
+        thick = 1.5 if each.larger == 1 else 0.8
+        ax.plot(path.real, path.imag, color=BLUE, lw=thick, ls="-" if tide.minor >= 0 else "--")
+        ax.plot([x, dot.real], [0, dot.imag], color=RED, lw=0.6 * thick)
+        ax.plot(dot.real, dot.imag, "o", color=RED, ms=2 + thick)
+        label = f"{tide.name}\n{tide.major:.3f}" + (f"\n× {LARGER}" if each.larger > 1 else "")
+        ax.text(x, -low - LINE * inch, label, ha="center", va="top", fontsize=8)
+        x += each.wide + ROOM * inch
+    bar = _bar(ellipses)
+    ax.plot([x, x + bar], [0, 0], color="black", lw=2)
+    ax.text(x + bar / 2, LINE / 2 * inch, f"{bar:g} m/s", ha="center", va="bottom", fontsize=8)
+    spare = (WIDE * inch - x - bar) / 2 + LINE * inch  # also for the width of lines
+    ax.set_aspect("equal")
+    ax.set(xlim=(-spare, x + bar + spare), ylim=(-low - 4 * LINE * inch, low + LINE * inch))
+    ax.axis("off")
+    larger = any(each.larger > 1 for each in ellipses)
+    ax.set_title(
+        "Tidal ellipses, east to the right, semi-major axis in m/s\n"
+        "dashed: clockwise; dot: V + u = 0"
+        + (f"; × {LARGER}: drawn {LARGER} times as large as the others" if larger else ""),
+        loc="left",
+        fontsize=10,
     )

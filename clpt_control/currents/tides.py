@@ -2,7 +2,7 @@
 
     (u, v)(t) = mean + sum_k f_k(t) A_k cos(V_k(t) + u_k(t) - g_k) + residual
 
-for the component to the east and to the north; `nodal` says what f, u and
+for the component to the east and to the north; `constituents` says what f, u and
 V are.  The same tide drawn as an ellipse has a semi-major and a semi-minor axis
 (positive: it turns counter-clockwise), the major axis's inclination from east,
 counter-clockwise, and the phase lag of the greatest speed.  Solved by
@@ -14,6 +14,7 @@ the estimates' true spread, and 0.55 with 40 % of the samples missing.
 """
 
 from collections.abc import Sequence
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -21,19 +22,61 @@ from numpy.typing import ArrayLike
 
 from ..arguments import public
 from ..errors import DataError, ScenarioError, needed
-from .nodal import checked_latitude, checked_times, utide_names
-from .rayleigh import (
+from .constituents import (
     check_increasing,
     check_nyquist,
     check_sampling,
     check_separable,
+    checked_latitude,
+    checked_times,
     noise_ratio,
     nyquist,
+    utide_names,
 )
-from .tidal_constants import Constituent, TidalFit
 
 LEAST_CHANGE = 1e-9  # m/s in a record; less is no measured tide, and its squares vanish
 CI = 1.96  # UTide's half widths, in standard errors
+
+
+@dataclass(frozen=True)
+class Constituent:
+    """One tide of a current: amplitudes (m/s), Greenwich phases and ellipse (degrees)."""
+
+    name: str
+    east: float
+    east_phase: float
+    north: float
+    north_phase: float
+    major: float
+    minor: float  # negative where the current turns clockwise
+    inclination: float
+    phase: float
+    errors: dict[str, float]  # standard error of each number; NaN where it has none
+
+
+@dataclass(frozen=True)
+class TidalFit:
+    """Tidal constants of a record and how well they explain it."""
+
+    constituents: tuple[Constituent, ...]  # in the order that was asked for
+    mean: tuple[float, float]  # east and north, m/s
+    explained_variance: float  # share about the mean, both components together
+    residual_rms: float  # root of the mean squared length of the residual, m/s
+    start: np.datetime64  # first measurement, UTC
+    end: np.datetime64
+    samples: int  # measurements that were used
+    latitude: float  # of the nodal corrections, degrees north
+    coefficients: Any = field(repr=False, compare=False)  # as utide.solve gives them
+
+    @property
+    def hours(self) -> float:
+        """Time from the first measurement to the last, h."""
+        return float((self.end - self.start) / np.timedelta64(1, "ms")) / 3.6e6
+
+    @property
+    def middle(self) -> np.datetime64:
+        """The record's middle, UTC."""
+        return self.start + (self.end - self.start) // 2
 
 
 @public

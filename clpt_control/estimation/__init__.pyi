@@ -1,8 +1,6 @@
 from .estimators import make_estimator
-from .fix_model import FixModel
-from .gaussian_places import dive_basis
-from .priors import Priors
-from .theta_from_fixes import FlowEstimate, flow_estimate, known_flow_scenario
+from .fix_model import FixModel, Priors
+from .theta_from_fixes import FlowEstimate, dive_basis, flow_estimate, known_flow_scenario
 
 __all__ = [
     "FixModel",

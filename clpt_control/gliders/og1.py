@@ -19,7 +19,8 @@ The displacement dr through the water is the first that the file allows of
 3. the file's depth-averaged current c:
    dr = (displacement between the fixes) - c (t_E - t_2);
 4. as 2 with a magnetic heading, turned by IGRF's variation in the middle of the dive
-   (`magnetic`), or a heading of which the file does not say from which north, taken as true.
+   (`samples.variation`), or a heading of which the file does not say from which north, taken as
+   true.
 
 The dive's notes say which it was where it was not the first.
 """
@@ -34,10 +35,9 @@ from ..errors import DataError
 from ..estimation.dive import Track
 from ..geodesy import displacement
 from .dives import LEAST_DEPTH, Dive, Fix, Skipped, Three, cut_dives, dive_between
-from .magnetic import LAST, variation
 from .og1_columns import Columns, Segment, columns_of, fixes_in, has_ends, segments_of
 from .og1_columns import is_known as is_known
-from .samples import deepest, hole_under_water, track_of
+from .samples import LAST, deepest, hole_under_water, track_of, variation
 
 if TYPE_CHECKING:
     import xarray

@@ -50,8 +50,7 @@ from .dives import (
     joined_dives,
     planned_course,
 )
-from .magnetic import variation
-from .samples import deepest, degrees, hole_under_water
+from .samples import deepest, degrees, hole_under_water, variation
 from .slocum_file import MAGIC as MAGIC
 from .slocum_file import NAMES, Segment, Series, read_segment
 

@@ -2,7 +2,7 @@
 
 A dive needs both fixes, a time and a place each, in their order, and a finite
 displacement through the water; no speed that follows from them may be above 5 m/s.
-Times are those of the years 1970 to 2200 (`nodal.YEARS`, where tides end too): what
+Times are those of the years 1970 to 2200 (`constituents.YEARS`, where tides end too): what
 lies outside is most often in another unit, which is named where it would bring the
 time there.
 
@@ -25,7 +25,7 @@ from math import hypot, isfinite
 import numpy as np
 
 from ..arguments import public
-from ..currents.nodal import YEARS
+from ..currents.constituents import YEARS
 from ..geodesy import displacement, is_place
 from .dives import NUMBERS, Dive, Skipped, changes_noted
 

@@ -31,7 +31,7 @@ from ..arguments import public
 from ..errors import ScenarioError
 from ..geodesy import displacement, is_place
 from ..gliders.dives import Dive, Fix
-from ..gliders.magnetic import variation as igrf
+from ..gliders.samples import variation as igrf
 from ..gliders.usable_dives import FASTEST
 from .replay import Replay
 from .surfacing import ELLIPSE, LONGEST, NextDive, ellipse

@@ -46,8 +46,8 @@ import numpy as np
 
 from ..errors import DataError
 from ..estimation.dive import Dive, miss
+from ..estimation.estimators import HIDDEN, KalmanBank
 from ..estimation.fix_model import FixModel
-from ..estimation.kalman import HIDDEN, KalmanBank
 from ..geodesy import displacement
 from ..gliders.usable_dives import FASTEST
 

@@ -34,12 +34,11 @@ from typing import Any
 import numpy as np
 
 from ..arguments import public
-from ..currents.rayleigh import check_separable
+from ..currents.constituents import check_separable
 from ..errors import DataError
 from ..estimation.dive import miss
-from ..estimation.estimators import Estimator, make_estimator
+from ..estimation.estimators import Estimator, KalmanBank, make_estimator
 from ..estimation.fix_model import OTHERS, FixModel
-from ..estimation.kalman import KalmanBank
 from ..geodesy import place_from
 from ..gliders.dives import Dive, Fix
 from ..html import facts, fragment, paragraphs

@@ -14,7 +14,7 @@ c, S0 that counts as much as k dives for the one and n for the other:
     S = (n S0 + k c c^T + sum z z^T - (k + N) m m^T) / (n + N) (1 + 1 / (k + N))
 
 The guesses are mixed by how well each has told the dives before, as the filters of
-`estimation.kalman` are, by Student's density; the place is that of the likelier one of the first
+`estimators` are, by Student's density; the place is that of the likelier one of the first
 two, about which all scatter.  So few dives say little, and 90 % of what comes
 lies within  n' (0.1^(-2/n') - 1)  of its covariance, n' = n + N (normal: 2 ln 10).
 
@@ -55,7 +55,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..errors import ScenarioError
-from ..estimation.kalman import mixed
+from ..estimation.estimators import mixed
 from ..geodesy import displacement
 from ..gliders.dives import Dive, Fix
 from ..gliders.usable_dives import FASTEST

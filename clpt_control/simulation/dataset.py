@@ -288,7 +288,7 @@ def _beside_the_basis(scenario: Scenario) -> str:
 def _attributes(scenario: Scenario, left: Mapping[str, Any], changes: Changes) -> dict[str, Any]:
     origin = {}
     if scenario.field_path is not None:
-        from ..currents.field_file import time_origin
+        from ..currents.plane import time_origin
 
         origin = time_origin(scenario.field_path)
     return {

@@ -71,7 +71,7 @@ def _grid(scenario: Scenario, run: "xarray.Dataset") -> np.ndarray:
     rim = 0.12 * max(*(high - low), 1e-9)
     low, high = low - rim, high + rim
     if scenario.field_path is not None:
-        from ..currents.field_file import read_field
+        from ..currents.plane import read_field
 
         field = read_field(scenario.field_path, scenario.units)
         low = np.maximum(low, [field.x1[0], field.x2[0]])

@@ -26,7 +26,7 @@ from numpy.typing import ArrayLike
 
 from ..arguments import numbers, public
 from ..blocks.field import gridded_flow
-from ..currents.field_file import read_field
+from ..currents.plane import read_field
 from ..equations.at_many import evaluate
 from ..errors import DataError
 from ..estimation.least_squares import explained_share

@@ -136,7 +136,7 @@ def _true_flow(scenario: Scenario, disturbed: bool, position: str) -> Block:
     if scenario.field_path is None:
         assert scenario.flow.parameters is not None
         return flow.true_flow(scenario.flow.parameters, disturbed, position)
-    from ..currents.field_file import read_field
+    from ..currents.plane import read_field
 
     gridded = read_field(scenario.field_path, scenario.units)
     return field.gridded_flow(gridded, scenario.flow.outside, disturbed, scenario.units, position)

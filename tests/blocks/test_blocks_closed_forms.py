@@ -20,7 +20,7 @@ from clpt_control.blocks import (
     vehicle,
 )
 from clpt_control.blocks.laws.paper import KNOWN_FLOW, LEARNED_FLOW
-from clpt_control.currents.field_file import GriddedField
+from clpt_control.currents.plane import GriddedField
 from clpt_control.equations import evaluate
 from clpt_control.equations.declaration import multiples
 from clpt_control.errors import ScenarioError

@@ -64,7 +64,7 @@ FOLLOW = ("replay", "--follow", "in", "--out", "out", "--patience", "0", "--json
     ("module", "words"),
     [
         ("typer", RUN),
-        ("clpt_control.estimation.kalman", FOLLOW),
+        ("clpt_control.estimation.estimators", FOLLOW),
         *(
             pytest.param(*case, marks=pytest.mark.processes)
             for case in (

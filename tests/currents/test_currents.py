@@ -10,9 +10,15 @@ from pyproj import Geod
 from scipy.interpolate import make_interp_spline
 
 from clpt_control.blocks.field import gridded_flow
-from clpt_control.currents.field_file import GriddedField, field_dataset, read_field
 from clpt_control.currents.grid_file import read_currents
-from clpt_control.currents.plane import LocalPlane, fill_gaps, regular_grid
+from clpt_control.currents.plane import (
+    GriddedField,
+    LocalPlane,
+    field_dataset,
+    fill_gaps,
+    read_field,
+    regular_grid,
+)
 from clpt_control.currents.record import read_record
 from clpt_control.equations import evaluate
 from clpt_control.errors import DataError

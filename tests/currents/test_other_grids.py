@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 import xarray
 
+from clpt_control.currents.constituents import nyquist
 from clpt_control.currents.fit import fit_scenario
 from clpt_control.currents.grid_file import read_currents
-from clpt_control.currents.rayleigh import nyquist
 from clpt_control.currents.record import read_record
 from clpt_control.currents.tides import fit_tides
 from clpt_control.errors import DataError

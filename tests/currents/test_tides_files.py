@@ -176,7 +176,7 @@ def test_records_that_are_blind_to_a_tide(time, names, sentence):
 
 
 def test_without_utide_one_sentence_and_fits_of_grids_go_on(clpt, tmp_path, monkeypatch):
-    from clpt_control.currents.nodal import nodal_report
+    from clpt_control.currents.constituents import nodal_report
 
     path = write_table(tmp_path / "r.csv", times(2), waves(times(2)))
     monkeypatch.setitem(sys.modules, "utide", None)

@@ -11,8 +11,7 @@ from synthetic_vehicle import STEADY, vehicle
 
 from clpt_control.estimation.dive import make_dive, mid_time
 from clpt_control.estimation.estimators import ESTIMATORS
-from clpt_control.estimation.fix_model import FixModel, inertial_frequency
-from clpt_control.estimation.priors import Priors
+from clpt_control.estimation.fix_model import FixModel, Priors, inertial_frequency
 from clpt_control.replay.flow_models import Uncovered, carried_by, read_flow_model
 from clpt_control.replay.outcome import clpe_rms, summary
 from clpt_control.replay.replay import replay_dives
@@ -200,7 +199,7 @@ def test_ellipses_hold_after_a_turn():
 
 
 def test_forgetting_the_speed_makes_it_uncertain():
-    from clpt_control.estimation.kalman import KalmanBank
+    from clpt_control.estimation.estimators import KalmanBank
 
     bank = KalmanBank(FixModel(("steady",)))
     for dive in vehicle(1, 15, factor=0.9):

@@ -29,8 +29,8 @@ from glider_dialects import (
 
 from clpt_control.gliders.dive_files import read_dives
 from clpt_control.gliders.dive_table import write_dive_table
-from clpt_control.gliders.magnetic import turned as turned_by
-from clpt_control.gliders.magnetic import variation
+from clpt_control.gliders.samples import turned as turned_by
+from clpt_control.gliders.samples import variation
 from clpt_control.gliders.usable_dives import usable
 
 DATE_LINE = 180.0 - DRIFT / 2

@@ -7,7 +7,7 @@ from math import inf, nan
 import numpy as np
 import pytest
 
-from clpt_control.currents.nodal import YEARS
+from clpt_control.currents.constituents import YEARS
 from clpt_control.gliders import usable_dives
 from clpt_control.gliders.dives import make_dive
 from clpt_control.gliders.usable_dives import usable

@@ -14,7 +14,7 @@ from pyproj import Geod
 
 from clpt_control.errors import DataError
 from clpt_control.gliders import read_dives, usable
-from clpt_control.gliders.magnetic import turned, variation
+from clpt_control.gliders.samples import turned, variation
 
 WGS84 = Geod(ellps="WGS84")
 AXES = ("east", "north")

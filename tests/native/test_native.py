@@ -11,7 +11,7 @@ from responses import response
 import clpt_control as clpt
 from clpt_control.blocks import vehicle
 from clpt_control.conformance import readings
-from clpt_control.currents.field_file import GriddedField
+from clpt_control.currents.plane import GriddedField
 from clpt_control.diagrams.interconnection import connect
 from clpt_control.equations import Block
 from clpt_control.errors import ClptError, DiagramError, SimulationError

@@ -13,7 +13,7 @@ from test_sensitivity import discrete, mrac, pendulum, sampled_tank, stepping
 import clpt_control as clpt
 from clpt_control.blocks.field import gridded_flow
 from clpt_control.blocks.vehicle import vehicle
-from clpt_control.currents.field_file import GriddedField
+from clpt_control.currents.plane import GriddedField
 from clpt_control.equations.declaration import Each
 
 COMPILER = shutil.which("cc")

@@ -10,7 +10,7 @@ from responses import response
 
 import clpt_control as clpt
 from clpt_control.blocks import field, vehicle
-from clpt_control.currents.field_file import GriddedField
+from clpt_control.currents.plane import GriddedField
 from clpt_control.diagrams.interconnection import connect
 from clpt_control.equations import Block
 from clpt_control.errors import ScenarioError, SimulationError

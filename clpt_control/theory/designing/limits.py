@@ -11,8 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...currents.field_file import read_field
-from ...currents.plane import LocalPlane
+from ...currents.plane import LocalPlane, read_field
 from ...errors import ScenarioError
 from ...files import open_netcdf
 from ...scenario.experiment import Scenario

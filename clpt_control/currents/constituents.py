@@ -1,6 +1,17 @@
-"""Which tides a record can tell apart, and how much noise is near them.
+"""Constituents of a tide at a time and a place, and which of them a record can tell apart.
 
-It must be long enough, by the Rayleigh criterion
+With nodal factor f, nodal angle u and astronomical argument V, through UTide,
+
+    tide(t) = f(t) A cos(V(t) + u(t) - g)
+
+A is the amplitude and g the Greenwich phase, both constants of the place; f
+and u turn slowly with the moon's nodes (18.6 years) and V with the clock.  The
+formula is that of D. L. Codiga, "Unified tidal analysis and prediction using
+the UTide Matlab functions", URI/GSO technical report 2011-01, section II; the
+numbers come from UTide's tables.  So a fit of one month holds in another year:
+A and g stay, f, u and V are taken anew.  Angles are in degrees.
+
+A record must be long enough, by the Rayleigh criterion
 
     |w_a - w_b| T >= 360 degrees
 
@@ -20,12 +31,100 @@ even sampling the times make the errors.
 import math
 from collections.abc import Mapping, Sequence
 from itertools import combinations
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..arguments import check_holds, public
-from ..errors import DataError
+from ..arguments import check_holds, public, shown
+from ..errors import DataError, ScenarioError, needed
 from ..scenario import tides
+
+OTHER_NAMES = {"M1": "NO1"}  # Schureman's name and UTide's, where they differ
+DAYS_TO_1970 = 719163  # of the proleptic calendar whose first day is 0001-01-01
+YEARS = (1700, 2200)  # the series of the moon's and the sun's longitudes hold well there
+
+
+class NodalCorrections(NamedTuple):
+    """What turns Greenwich constants into a tide: one row per time, one column per tide."""
+
+    f: np.ndarray  # nodal factor
+    u: np.ndarray  # nodal angle, degrees, -180 to 180
+    V: np.ndarray  # astronomical argument at Greenwich, degrees, 0 to 360
+
+
+def utide_names(constituents: Sequence[str]) -> list[str]:
+    """Return UTide's names of constituents, which may be those of `tides.SPEEDS`."""
+    known = needed("utide").constit_index_dict
+    names = [OTHER_NAMES.get(name, name) for name in constituents]
+    for name in names:
+        if name not in known or name == "Z0":
+            raise ScenarioError(
+                f"unknown constituent '{name}': must be one that UTide has, such as M2, S2, K1, O1"
+            )
+    return names
+
+
+def nodal_corrections(constituents: Sequence[str], time: Any, latitude: float) -> NodalCorrections:
+    """Return f, u and V of constituents at times in UTC.
+
+    The latitude is in degrees north; within 5 degrees of the equator, 5 is used.
+
+    >>> m2 = nodal_corrections(["M2"], ["2024-06-01"], 41.0)
+    >>> m2.f.round(3), m2.u.round(1)
+    (array([[0.965]]), array([[-0.6]]))
+    """
+    names = utide_names(constituents)
+    utide = needed("utide")
+    which = np.array([utide.constit_index_dict[name] for name in names])
+    days = checked_times(time).astype(float) / 86400e3 + DAYS_TO_1970
+    exact = [False] * 4  # nodal corrections and arguments at each time, none linearized
+    f, u, V = utide.harmonics.FUV(days, days[0], which, checked_latitude(latitude), exact)
+    return NodalCorrections(f, (360.0 * u + 180.0) % 360.0 - 180.0, 360.0 * V % 360.0)
+
+
+def nodal_report(
+    constituents: Sequence[str], time: Any, latitude: float
+) -> dict[str, dict[str, float]] | None:
+    """Return f, u and V by name at one instant, UTC, "steady" left out.
+
+    None where UTide is missing or the instant is not in a real calendar.
+    """
+    names = [name for name in constituents if name != "steady"]
+    try:
+        found = nodal_corrections(names, [time], latitude) if names else ()
+    except DataError:
+        return None
+    return {
+        name: {key: float(value[0, k]) for key, value in zip("fuV", found, strict=True)}
+        for k, name in enumerate(names)
+    }
+
+
+def checked_times(time: Any) -> np.ndarray:
+    """Return times as datetime64[ms], of the years that are allowed."""
+    try:
+        times = np.atleast_1d(np.asarray(time, dtype="datetime64[ms]"))
+    except (ValueError, TypeError, OverflowError):
+        raise DataError(
+            f"time = {shown(time)}: must be UTC times such as 2019-01-01T06:00"
+        ) from None
+    low, high = (np.datetime64(f"{year}-01-01") for year in YEARS)
+    wrong = ~((times >= low) & (times < high))
+    if times.size == 0 or wrong.any():
+        first = times[wrong][0] if times.size else "none"
+        raise DataError(
+            f"time = {first}: must be at least one, from the year {YEARS[0]} to {YEARS[1]}; "
+            "check the unit and the epoch of the times"
+        )
+    return times
+
+
+def checked_latitude(latitude: float) -> float:
+    """Return a latitude in degrees north as UTide takes it: not 0, by which it would divide."""
+    if not (np.isfinite(latitude) and -90 <= latitude <= 90):
+        raise DataError(f"latitude = {latitude}: must be degrees north, from -90 to 90")
+    return float(latitude) or 1e-9
+
 
 TURN = 360.0 * (1 - 1e-9)  # times in files are rounded
 UNEVEN = 0.1  # of a step, by which a clock may be off
