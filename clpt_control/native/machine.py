@@ -31,7 +31,7 @@ from ..progress import note
 
 VARIABLE = "CLPT_CONTROL_PROCESSOR"
 LANES = 8  # runs side by side, or turns of a loop at once
-KEPT = 200  # files of a family, "solver-" or none; the least recently used go
+KEPT = 4000  # files of a family, "solver-" or none, of some 6 kB; the least recently used go
 HASH = hashlib.sha256().digest_size
 LOCK = RLock()
 HERE = Path(__file__).parent
@@ -120,7 +120,8 @@ def keep(name: str, code: bytes) -> None:
     with suppress(OSError):
         family = name.rpartition("-")[0]
         files = [one for one in folder.glob("*.o") if one.stem.rpartition("-")[0] == family]
-        files.sort(key=lambda one: one.stat().st_mtime, reverse=True)
+        if len(files) > KEPT:
+            files.sort(key=lambda one: one.stat().st_mtime, reverse=True)
         for one in files[KEPT:]:
             one.unlink(missing_ok=True)
 
