@@ -24,7 +24,7 @@ from typing import Any
 import numpy as np
 
 from ..equations.block import Block
-from ..equations.namespaces import renamed
+from ..equations.declaration import renamed
 
 
 def squared_distance(u, p):

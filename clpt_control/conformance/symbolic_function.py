@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import sympy
 
-from ..equations import numbers
+from ..equations import record as numbers
 from ..equations.block import Block
 from ..equations.elements import Elements, Index
 from ..equations.record import Ref, Shape

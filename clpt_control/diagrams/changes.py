@@ -10,7 +10,7 @@ from typing import Any, NamedTuple, TypeAlias
 import control
 
 from ..equations.block import Block
-from ..equations.linear import is_linear, on_each_axis
+from ..equations.system import is_linear, on_each_axis
 from ..errors import DiagramError
 from .parts import as_part, input_ports, output_ports, sizes, with_ports
 from .wiring import read_anew

@@ -13,8 +13,7 @@ import control
 from ..arguments import nearest, public
 from ..equations.block import Block
 from ..equations.declaration import check_names, labels, whole_labels
-from ..equations.linear import is_linear
-from ..equations.system import System
+from ..equations.system import System, is_linear
 from ..errors import BlockError, DiagramError
 from ..scenario.quantities import call_time_name_of
 from .parts import as_part, input_ports, is_discrete, output_ports

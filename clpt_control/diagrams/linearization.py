@@ -18,8 +18,7 @@ from ..arguments import numbers, public
 from ..equations.arrays import CONDITIONS, MOVED, Tape, Unread, lifted, operand
 from ..equations.declaration import ports_of
 from ..equations.derivative import JUMPS, Direction
-from ..equations.numbers import computed
-from ..equations.record import Shape, compact, reached
+from ..equations.record import Shape, compact, computed, reached
 from ..equations.sampled import Sampled
 from ..errors import ArgumentError, DiagramError
 from ..progress import warn

@@ -24,11 +24,10 @@ from sympy.core.function import AppliedUndef
 from ..arguments import public
 from ..equations.arrays import Tape, Unread, operand
 from ..equations.declaration import parameters_of, ports_of
-from ..equations.linear import is_linear
 from ..equations.record import Shape
 from ..equations.sampled import Sampled
 from ..equations.symbolic import Symbols, exact
-from ..equations.system import System
+from ..equations.system import System, is_linear
 from ..errors import DiagramError
 from .joined import joined
 from .wiring import Node, Wiring, read_anew, wiring_of

@@ -11,11 +11,9 @@ from typing import Any
 import control
 
 from ..equations.block import Block
-from ..equations.declaration import labels, ports_of
-from ..equations.linear import linear
-from ..equations.namespaces import renamed
+from ..equations.declaration import labels, ports_of, renamed
 from ..equations.sampled import Sampled
-from ..equations.system import System
+from ..equations.system import System, linear
 from ..errors import DiagramError
 
 

@@ -18,11 +18,10 @@ import numpy as np
 from ..equations.arrays import Unread
 from ..equations.block import Block
 from ..equations.declaration import Parameters
+from ..equations.declaration import places as inputs_of
 from ..equations.elements import InputsOf
-from ..equations.linear import linear
-from ..equations.ports import places as inputs_of
 from ..equations.sampled import Sampled
-from ..equations.system import System
+from ..equations.system import System, linear
 from ..errors import DiagramError
 
 TRIED = 3  # points at which what cannot be read is tried

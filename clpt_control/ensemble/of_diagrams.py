@@ -26,8 +26,7 @@ from ..diagrams.wiring import read_anew, units_of, wiring_of
 from ..equations.arrays import Unread
 from ..equations.at_many import decided_by_time
 from ..equations.declaration import ports_of
-from ..equations.linear import linear
-from ..equations.system import System
+from ..equations.system import System, linear
 from ..errors import DiagramError, ScenarioError, SimulationError
 from ..native import solver
 from ..native.python_diagram import checked_steps

@@ -1,7 +1,7 @@
 """Blocks of equations, and what a function does to arrays: an engine that serves any paper.
 
 `block` makes a block of functions; `reading` runs them on `arrays` without values and keeps
-their `record`.  `numbers`, `elements`, `symbolic` and `derivative` are readings of it.
+their `record`.  `elements`, `symbolic` and `derivative` are readings of it.
 """
 
 import lazy_loader

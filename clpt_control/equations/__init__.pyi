@@ -2,6 +2,6 @@ from .at_many import evaluate
 from .block import Block
 from .declaration import Guard
 from .sampled import Sampled
-from .words import lookup, opaque
+from .tables import lookup, opaque
 
 __all__ = ["Block", "Guard", "Sampled", "evaluate", "lookup", "opaque"]

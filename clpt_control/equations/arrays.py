@@ -16,8 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.lib.mixins import NDArrayOperatorsMixin
 
-from .numbers import UFUNCS
-from .record import Operation, Record, Ref, Shape, key_of
+from .record import UFUNCS, Operation, Record, Ref, Shape, key_of
 
 MOST_OPERATIONS = 200_000  # a longer record is given up
 LOGICAL = frozenset({"and", "or", "not"})  # of conditions

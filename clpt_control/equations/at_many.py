@@ -14,9 +14,8 @@ from numpy.typing import ArrayLike
 from ..arguments import numbers, public
 from ..errors import ArgumentError
 from .block import Block
-from .numbers import computed
-from .ports import places
-from .record import Operation, Record, Ref, Shape, compact
+from .declaration import places
+from .record import Operation, Record, Ref, Shape, compact, computed
 
 STEPS = frozenset(
     ("lt", "le", "gt", "ge", "eq", "ne", "floor", "ceil", "trunc", "sign", "floordiv")

@@ -23,21 +23,29 @@ from ..arguments import public, shown
 from ..errors import BlockError
 from .arrays import Unread
 from .declaration import (
+    Declared,
     Equations,
     Guard,
+    block_html,
+    block_line,
+    bound,
     check_guard,
     check_names,
     check_units,
     checked_parameters,
+    flattened,
+    kept_vector,
     labels,
+    places,
     ports_of,
+    shapes_of,
+    sizes_of,
+    vector,
 )
 from .given import located
-from .ports import Declared, bound, flattened, kept_vector, places, shapes_of, sizes_of, vector
 from .reading import RAISED, read, record_of_states
 from .record import Record as ArrayRecord
 from .record import Shape
-from .shown import block_html, block_line
 
 READ = ("_read_records", "feedthrough")  # attributes that hold what was read
 

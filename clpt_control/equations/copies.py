@@ -22,12 +22,12 @@ from typing import Any
 import numpy as np
 
 from .arrays import Array, Tape, Unread
-from .opened import fresh
 from .stand_ins import BUILTINS, SHADOWS, stand_in, table_of, vectorized
 from .unchanged import names_in
+from .views import fresh
 
 LIBRARIES = ("numpy", "scipy", "matplotlib")  # run as they are
-OWN = tuple(f"{__package__}.{name}" for name in ("arrays", "numbers", "views"))  # that read
+OWN = tuple(f"{__package__}.{name}" for name in ("arrays", "record", "views"))  # that read
 _LOCK = threading.RLock()
 _NONE = object()
 OF_WARNINGS = "__warningregistry__"  # which Python puts into the module that it warns of

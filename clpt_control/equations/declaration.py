@@ -1,20 +1,31 @@
-"""What a block declares: its ports, typed parameters and guard.
+"""What a block declares: its names, ports, typed parameters and guard.
+
+    inputs={"e": 2, "phi_x": "N"},  states={"alpha": (2, "N")}
+
+A shape is a whole number, the name of a size, or a tuple of them; signals of a port are
+labelled row by row, ``alpha[0]``, ``alpha[1]`` and so on.
 
 Parameters are numbers and arrays by name.  Whole numbers (int) are structure, such as
 the number of turns of a loop: every reading keeps them as they are.  All else is a
 float or an array of floats: symbols to SymPy, and it may differ per run.
+
+A block is made once, for one vehicle; in a namespace its name and the names of its ports
+carry the vehicle's name, `west/vehicle` makes `west/x[2]`, and its equations are the same.
 """
 
 import math
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, fields, is_dataclass
 from functools import lru_cache
+from math import prod
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from ..arguments import public, shown
 from ..errors import BlockError
+from ..html import facts, fragment, shortened
+from .record import Shape
 
 MOST_JUMPS = 2 * 10**7  # times of jumps that are listed
 Equations = Callable[[float, Any, Any, Any], Any]
@@ -246,3 +257,196 @@ def checked_parameters(name: str, parameters: Any, like: Any = None) -> Paramete
         if not isinstance(values[field], int) and np.any(np.isnan(values[field])):
             raise BlockError(f"{name}.{field} = {value!r}: NaN is not allowed")
     return parameters_of(values)
+
+
+# --- ports -------------------------------------------------------------------------------------
+
+
+Size = int | str  # a number, or the name of one
+Declared = Mapping[str, Size | tuple[Size, ...]]  # port -> its shape
+
+
+def shapes_of(ports: Declared | None) -> dict[str, Shape]:
+    """Return the shape of each port as a tuple."""
+    found = {}
+    for port, size in (ports or {}).items():
+        found[port] = tuple(size) if isinstance(size, tuple | list) else (size,)
+    return found
+
+
+def bound(name: str, shapes: Mapping[str, Shape], sizes: Mapping[str, int]) -> dict[str, Shape]:
+    """Return shapes with their open sizes filled in."""
+    found = {}
+    for port, shape in shapes.items():
+        for n in shape:
+            if isinstance(n, str) and n not in sizes:
+                raise BlockError(
+                    f"{name}.{port}: the size '{n}' is not known; give sizes={{'{n}': 3}}, or an "
+                    "array of the parameters that has it by `shapes`"
+                )
+        found[port] = tuple(sizes[n] if isinstance(n, str) else int(n) for n in shape)
+    return found
+
+
+def sizes_of(shapes: Mapping[str, Shape]) -> dict[str, int]:
+    """Return the number of signals of each port."""
+    return {port: prod(shape) for port, shape in shapes.items()}
+
+
+def places(shapes: Mapping[str, Shape]) -> dict[str, tuple[slice, Shape]]:
+    """Return where each port lies in the vector of all, and its shape."""
+    found, at = {}, 0
+    for port, shape in shapes.items():
+        found[port] = (slice(at, at := at + prod(shape)), shape)
+    return found
+
+
+class Vector(np.ndarray):
+    """python-control's vector, with its ports as views: ``x[3]``, ``x.alpha``."""
+
+    places: dict[str, tuple[slice, Shape]]
+
+    def __getattr__(self, port: str) -> Any:
+        try:
+            part, shape = self.__dict__["places"][port]
+        except KeyError:
+            known = ", ".join(self.__dict__.get("places", ())) or "none"
+            raise AttributeError(f"no port {port!r}; there are {known}") from None
+        return self.view(np.ndarray)[part].reshape(shape)
+
+
+def vector(values: Any, where: dict[str, tuple[slice, Shape]]) -> Vector:
+    """Return numbers as a vector with ports; one that has them is returned as it is."""
+    if type(values) is Vector and values.__dict__.get("places") is where:
+        return values
+    made = np.asarray(values, dtype=float).view(Vector)
+    made.places = where
+    made.flags.writeable = False  # equations have no side effects
+    return made
+
+
+def kept_vector(values: np.ndarray, where: dict[str, tuple[slice, Shape]]) -> Vector:
+    """Return an array that is filled again and again as a vector, its ports made once."""
+    made = vector(values, where)
+    for port, (part, shape) in where.items():
+        made.__dict__[port] = made.view(np.ndarray)[part].reshape(shape)
+    return made
+
+
+def flattened(name: str, given: Any, where: dict[str, tuple[slice, Shape]], size: int) -> Any:
+    """Return what a function returned, a mapping by port or numbers in order, as one vector."""
+    if isinstance(given, Mapping):
+        if given.keys() != where.keys():
+            raise BlockError(f"{name}: returns {list(given)}; must return {list(where)}")
+        out = np.empty(size)
+        for port, (part, shape) in where.items():
+            value = np.asarray(given[port], dtype=float)
+            if value.shape != shape:
+                value = _shaped(name, port, value, shape)
+            out[part] = value.ravel()
+        return out
+    if given is None:
+        raise BlockError(f"{name}: returns nothing; must return {list(where)}")
+    if isinstance(given, list | tuple):
+        parts = [np.ravel(one) for one in given]
+        out = np.concatenate([np.zeros(0), *parts]).astype(float)
+    else:
+        out = np.asarray(given, dtype=float).ravel()
+    if len(out) != size:
+        raise BlockError(f"{name}: returns {len(out)} numbers; must return {size}")
+    return out
+
+
+def _shaped(name: str, port: str, value: np.ndarray, shape: Shape) -> np.ndarray:
+    if value.size == prod(shape) and value.shape in ((), shape, (1,), (prod(shape),)):
+        return value.reshape(shape)
+    if value.ndim == 0:
+        return np.full(shape, value)
+    raise BlockError(f"{name}: returns {port} of shape {value.shape}; must be {shape}")
+
+
+# --- other names -------------------------------------------------------------------------------
+
+
+BETWEEN = "/"
+
+
+def named(space: str, own: str) -> str:
+    """Return a name in a namespace."""
+    return f"{space}{BETWEEN}{own}"
+
+
+def split(name: str) -> tuple[str, str]:
+    """Return the namespace of a name, empty where it has none, and the name in it."""
+    space, _, own = name.rpartition(BETWEEN)
+    return space, own
+
+
+def within(block: Any, space: str) -> Any:
+    """Return a block with its name and all its ports in a namespace."""
+    ports = {*block.input_ports, *block.output_ports, *block.state_ports}
+    moved = {port: named(space, port) for port in ports}
+    return renamed(block, named(space, block.name), moved, moved, moved)
+
+
+def renamed(
+    block: Any,
+    name: str,
+    inputs: Mapping[str, str],
+    outputs: Mapping[str, str],
+    states: Mapping[str, str] | None = None,
+) -> Any:
+    """Return a block under another name, some of its ports under others: {old: new}."""
+    made = block.copy(name=name)
+    by_states = block.states_are_outputs
+    kinds = {"inputs": inputs, "outputs": outputs, "states": outputs if by_states else states or {}}
+    made._name_ports(kinds)
+    return made
+
+
+# --- in a line, and in a notebook --------------------------------------------------------------
+
+
+MOST = 8  # ports of a line
+
+
+def ports_line(ports: Mapping[str, int]) -> str:
+    """Return ports with their sizes.
+
+    >>> ports_line({"e": 2, "w": 1})
+    'e[2], w'
+    """
+    named = [name if size == 1 else f"{name}[{size}]" for name, size in ports.items()]
+    more = [f"... {len(named)} in all"] if len(named) > MOST else []
+    return ", ".join(named[: MOST if more else None] + more) or "nothing"
+
+
+def block_line(block: Any) -> str:
+    """Return what a block is, in a line."""
+    states = f", {block.nstates} states" if block.nstates else ""
+    flows = f"{ports_line(block.input_ports)} -> {ports_line(block.output_ports)}"
+    return f"<Block {block.name}: {flows}{states}>"
+
+
+def block_html(block: Any) -> str:
+    """Return a block as a table."""
+    said = next((f.__doc__ for f in (block.update_function, block.output_function) if f), None)
+    rows = [
+        ("equations", " ".join((said or "").split("\n\n")[0].split())),
+        ("inputs", ports_line(block.input_ports)),
+        ("outputs", ports_line(block.output_ports)),
+        ("states", ports_line(block.state_ports)),
+    ]
+    values = block.parameters._asdict().items()
+    rows += [(f"{block.name}.{name}", _value(value)) for name, value in values]
+    return fragment("Block", block.name, facts(rows))
+
+
+def _value(value: Any) -> str:
+    """Return a parameter: a number, or the first numbers of an array and its shape."""
+    whole = np.asarray(value)
+    if whole.ndim == 0:
+        return f"{value:g}" if isinstance(value, float) else str(value)
+    first = ", ".join(f"{number:g}" for number in whole.ravel()[:12])
+    dots = ", ..." if whole.size > 12 else ""
+    return shortened(f"[{first}{dots}], shape {whole.shape}")

@@ -3,7 +3,7 @@
     y_ij  of  v = add(a, b):  a_ij + b_ij        v = sum(a over 0):  a_0j + a_1j + ...
 
 What an element is, the reading says: an expression (`symbolic`), the inputs that it depends on,
-a number of another library.  Along an axis of unknown length the place is a name (`every_n`).
+a number of another library.  Along an axis of unknown length the place is a name (`symbolic`).
 """
 
 from collections.abc import Mapping, Sequence

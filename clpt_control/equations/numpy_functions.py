@@ -25,9 +25,8 @@ from .arrays import (
     stacked,
     where,
 )
-from .opened import depends, exploded, into, of_numbers, tape_of, unread
 from .ufuncs import accumulated, exact, matmul, reduced, rounded
-from .views import tape_viewed
+from .views import depends, exploded, into, of_numbers, tape_of, tape_viewed, unread
 
 FUNCTIONS: dict[Any, Callable] = {}  # NumPy's: what writes them down
 MOST_ROWS = 24  # of linear equations

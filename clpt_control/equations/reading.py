@@ -28,9 +28,8 @@ from .arrays import (
     where,
 )
 from .copies import Copies, borrowed
-from .declaration import parameters_of
+from .declaration import parameters_of, places
 from .given import Borrowed, Outside, Ports, Reading, located
-from .ports import places
 from .record import Record, Shape, compact
 
 MOST_WAYS = 256

@@ -22,16 +22,16 @@ as a number says, or as a name: ``"N"`` is a size that the record leaves open.
 | join | arrays | one behind the other, along the first axis |
 | pick | row of numbers, index | the number at a whole place; NaN outside |
 | opaque | value, arguments | name: SymPy reads a function of the arguments |
+
+`computed` is a record on NumPy's numbers, in the order in which it was written.
 """
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from math import copysign
+from math import copysign, erf, erfc
 from typing import Any, NamedTuple
 
 import numpy as np
-
-from .numbers import computed
 
 Ref = Any  # int: the place of a value; float: a constant
 Shape = tuple[Any, ...]  # of whole numbers and names of sizes
@@ -107,3 +107,140 @@ def compact(
         tuple([place[r] if type(r) is int else r for r in outputs]),
         tuple(own if shapes is None else shapes),
     )
+
+
+# --- on numbers --------------------------------------------------------------------------------
+
+
+MOST_ANGLE = 2.0**50  # rad; beyond it doubles are a quarter apart and an angle means nothing
+
+UFUNCS: dict[Any, str] = {
+    np.add: "add",
+    np.subtract: "sub",
+    np.multiply: "mul",
+    np.true_divide: "div",
+    np.floor_divide: "floordiv",
+    np.remainder: "mod",
+    np.power: "pow",
+    np.float_power: "pow",
+    np.negative: "neg",
+    np.absolute: "fabs",
+    np.less: "lt",
+    np.less_equal: "le",
+    np.greater: "gt",
+    np.greater_equal: "ge",
+    np.equal: "eq",
+    np.not_equal: "ne",
+    np.logical_and: "and",
+    np.logical_or: "or",
+    np.logical_not: "not",
+    np.arctan2: "atan2",
+    np.arcsin: "asin",
+    np.arccos: "acos",
+    np.arctan: "atan",
+    np.arcsinh: "asinh",
+    np.arccosh: "acosh",
+    np.arctanh: "atanh",
+    **{
+        getattr(np, name): name
+        for name in (
+            *("exp", "expm1", "log", "log1p", "log2", "log10", "sqrt", "sin", "cos", "tan"),
+            *("sinh", "cosh", "tanh", "fabs", "hypot", "minimum", "maximum", "sign"),
+            *("floor", "ceil", "trunc"),
+        )
+    },
+}
+
+
+def picked(numbers: np.ndarray, index: Any, many: bool = False) -> np.ndarray:
+    """Return numbers of a row at whole places, NaN outside; if `many`, of rows side by side."""
+    if not len(numbers):
+        return np.full(np.shape(index), np.nan)
+    whole = np.trunc(index)
+    whole = np.where(whole < 0, whole + len(numbers), whole)
+    inside = (whole >= 0) & (whole < len(numbers))
+    at = np.where(inside, whole, 0).astype(int)
+    if many:
+        rows = np.broadcast_to(numbers, (len(numbers), at.shape[-1]))
+        found = np.take_along_axis(rows, at.reshape(-1, at.shape[-1]), 0).reshape(at.shape)
+    else:
+        found = numbers[at]
+    return np.where(inside, found, np.nan)
+
+
+def _circular(function: Callable) -> Callable:
+    return lambda a: function(np.where(np.abs(a) < MOST_ANGLE, a, np.nan))
+
+
+OPERATIONS: dict[str, Callable[..., Any]] = {
+    **{name: ufunc for ufunc, name in UFUNCS.items()},
+    "and": np.logical_and,
+    "or": np.logical_or,
+    "not": np.logical_not,
+    "pow": np.power,
+    "where": np.where,
+    "erf": np.vectorize(erf, otypes=[float]),
+    "erfc": np.vectorize(erfc, otypes=[float]),
+    "fabs": np.fabs,
+    "sin": _circular(np.sin),
+    "cos": _circular(np.cos),
+    "tan": _circular(np.tan),
+}
+
+
+def viewed(array: np.ndarray, mapped: tuple, shape: tuple[int, ...]) -> np.ndarray:
+    """Return a view: what `mapped` says of each axis of an array."""
+    if 0 in shape:
+        return np.zeros(shape)
+    first = array[tuple([m if isinstance(m, int) else slice(m[1], None) for m in mapped])]
+    strides = [0] * len(shape)
+    kept = zip((m for m in mapped if not isinstance(m, int)), first.strides, strict=True)
+    for (axis, _, step), stride in kept:
+        strides[axis] += step * stride
+    return np.lib.stride_tricks.as_strided(first, shape, strides, writeable=False)
+
+
+def computed(
+    record: Any, leaf: Callable[[str, str], Any], sizes: Mapping[str, int]
+) -> list[np.ndarray]:
+    """Compute the outputs of a record; `leaf` gives the array of a group and name.
+
+    All arrays have one more axis, the last: what is computed for each, or 1.
+    """
+    values: list[np.ndarray] = []
+
+    def sized(shape: tuple, value: Any) -> tuple[int, ...]:
+        """Return a shape with its open sizes filled in, and the last axis of a value."""
+        known = [n if isinstance(n, int) else sizes[n] for n in shape]
+        return *known, *(np.shape(value)[-1:] or (1,))
+
+    def full(value: Any, shape: tuple) -> np.ndarray:
+        """Return a value in all of its shape."""
+        return np.broadcast_to(value, sized(shape, value))
+
+    with np.errstate(all="ignore"):
+        for kind, arguments, shape, at in record.operations:
+            own: list[Any] = [values[a] if type(a) is int else np.float64(a) for a in arguments]
+            value: Any
+            if kind == "leaf":
+                value = np.asarray(leaf(*at))
+            elif kind == "constant":
+                value = np.frombuffer(at).reshape((*shape, 1))
+            elif kind == "sum":
+                value = np.sum(own[0], axis=at)
+            elif kind == "view":
+                value = viewed(own[0], (*at, (len(shape), 0, 1)), sized(shape, own[0]))
+            elif kind == "stack":
+                value = np.stack(np.broadcast_arrays(*own))
+            elif kind == "join":
+                count = max(a.shape[-1] for a in own)
+                value = np.concatenate([np.broadcast_to(a, (*a.shape[:-1], count)) for a in own])
+            elif kind == "pick":
+                value = picked(own[0], own[1], many=True)
+            elif kind in ("opaque", "fill"):
+                value = own[0]
+            else:
+                value = OPERATIONS[kind](*own)
+            values.append(full(value, shape))
+    found = zip(record.outputs, record.shapes, strict=True)
+    return [full(values[r] if type(r) is int else r, shape).astype(float) for r, shape in found]

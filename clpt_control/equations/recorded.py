@@ -16,10 +16,8 @@ import numpy as np
 from ..errors import BlockError, ClptError
 from .arrays import Unread
 from .block import Block
-from .declaration import Each, Guard, parameters_of
-from .numbers import OPERATIONS
-from .ports import bound, sizes_of
-from .record import Operation, Record, Shape
+from .declaration import Each, Guard, bound, parameters_of, sizes_of
+from .record import OPERATIONS, Operation, Record, Shape
 from .sampled import Sampled
 
 KINDS = ("input", "output", "state")

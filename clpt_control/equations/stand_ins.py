@@ -31,10 +31,9 @@ from .arrays import (
     whole,
 )
 from .numpy_functions import applied, in_order
-from .opened import fresh, tape_of
 from .tables import function_of
 from .ufuncs import called
-from .views import converted, copied
+from .views import converted, copied, fresh, tape_of
 
 ITERATORS = (GeneratorType, map, zip, filter)
 

@@ -1,24 +1,108 @@
-"""Tables: np.interp, and interpolators that SciPy and python-control's gain schedules are made of.
+"""Words of equations: tables, and helpers that SymPy leaves undefined.
 
-A place in a table is how many of its inner points are not above x; `pick` takes what stands there.
+A table is a row of numbers read at a place (`lookup`), np.interp, or one of the interpolators of
+SciPy that python-control's gain schedules are made of.  A place in a table is how many of its inner
+points are not above x; `pick` takes what stands there.
 """
 
 from collections.abc import Callable
-from functools import cache, reduce
+from functools import cache, reduce, wraps
 from operator import add, and_
 from typing import Any
 
 import numpy as np
 
-from .arrays import Array, Tape, Unread, constant, elementwise, lifted, numbers_of, operand, where
+from ..arguments import public, shown
+from ..errors import ArgumentError
+from .arrays import Array, Tape, Unread, elementwise, lifted, numbers_of, operand, where
+from .record import picked
+
+
+@public
+def lookup(table: Any, index: Any) -> Any:
+    """Return a row's number at a whole place; NaN outside.
+
+    Parameters
+    ----------
+    table : array_like, shape (n,)
+        Numbers.
+    index : float or array_like
+        A place, cut to a whole number; a negative one counts from the end.
+
+    Returns
+    -------
+    float or ndarray
+        One number for each place.
+
+    Examples
+    --------
+    >>> lookup([3.0, 5.0, 7.0], 1.0)
+    np.float64(5.0)
+    """
+    tape = next((a._tape for a in (table, index) if isinstance(a, Array)), None)
+    if tape is None:
+        try:
+            return picked(np.asarray(table, dtype=float), np.asarray(index, dtype=float))[()]
+        except (TypeError, ValueError):
+            raise ArgumentError(
+                f"lookup: table = {shown(table)}, index = {shown(index)}: must be a row of numbers "
+                "and a place"
+            ) from None
+    table = lifted(tape, table)
+    return tape.add("pick", [operand(table), operand(index)], getattr(index, "shape", ()))
+
+
+@public
+def opaque(function: Callable) -> Callable:
+    """Mark a helper that SymPy reads as an undefined function.
+
+    It is an undefined function of its arguments: theorems then hold for any
+    function in its place.
+
+    Parameters
+    ----------
+    function : callable
+        A helper called by a block's equations, with its arguments by position.
+
+    Returns
+    -------
+    callable
+        The same function, marked.
+
+    Examples
+    --------
+    >>> @opaque
+    ... def gust(t):
+    ...     return 0.1
+    >>> gust(3.0)
+    0.1
+    """
+
+    @wraps(function)
+    def called(*arguments: Any) -> Any:
+        found = function(*arguments)
+        tape = next((a._tape for a in arguments if isinstance(a, Array)), None)
+        if tape is None:
+            return found
+        given = [operand(lifted(tape, a)) for a in arguments]
+        name = f"{function.__module__}.{function.__qualname__}"
+
+        def hidden(k: int, value: Any) -> Any:
+            value = lifted(tape, value)
+            shape = getattr(value, "shape", ())
+            return tape.add("opaque", [operand(value), *given], shape, (name, k))
+
+        if isinstance(found, tuple):
+            return tuple(hidden(k, value) for k, value in enumerate(found))
+        return hidden(0, found)
+
+    return called
+
+
+# --- np.interp ---------------------------------------------------------------------------------
+
 
 MOST = 64  # simplices, or points in more than one dimension
-
-
-def picked(row: Any, place: Array) -> Any:
-    """Return what stands in a row of numbers at a place."""
-    table = constant(place._tape, np.asarray(row, dtype=float))
-    return place._tape.add("pick", (operand(table), place._ref), place.shape)
 
 
 def place_in(points: Any, x: Array, side: str = "right") -> Any:
@@ -31,7 +115,7 @@ def place_in(points: Any, x: Array, side: str = "right") -> Any:
 def line(xs: np.ndarray, ys: np.ndarray, x: Array, side: str = "right") -> Any:
     """Return what the straight lines between points are at x; the outer ones go on."""
     k = place_in(xs[1:-1], x, side)
-    return picked(np.diff(ys) / np.diff(xs), k) * (x - picked(xs, k)) + picked(ys, k)
+    return lookup(np.diff(ys) / np.diff(xs), k) * (x - lookup(xs, k)) + lookup(ys, k)
 
 
 def searched(points: Any, x: Any, side: str = "left", **more: Any) -> Any:
@@ -66,9 +150,9 @@ def outside(found: Any, x: Any, xs: np.ndarray, below: Any, above: Any) -> Any:
 
 BETWEEN: dict[str, Callable] = {  # what interp1d of a kind gives between the points
     "linear": lambda xs, ys, x: line(xs, ys, x, "left"),
-    "nearest": lambda xs, ys, x: picked(ys, place_in((xs[1:] + xs[:-1]) / 2.0, x, "left")),
-    "next": lambda xs, ys, x: picked(ys, place_in(xs[:-1], x, "left")),
-    "previous": lambda xs, ys, x: picked(ys, place_in(xs[1:], x)),
+    "nearest": lambda xs, ys, x: lookup(ys, place_in((xs[1:] + xs[:-1]) / 2.0, x, "left")),
+    "next": lambda xs, ys, x: lookup(ys, place_in(xs[:-1], x, "left")),
+    "previous": lambda xs, ys, x: lookup(ys, place_in(xs[1:], x)),
 }
 BETWEEN["zero"] = BETWEEN["previous"]
 
@@ -103,8 +187,8 @@ def of_polynomials(f: Any) -> Callable:
     def table(tape: Tape, x: Any) -> Any:
         x = lifted(tape, x)
         k = place_in(xs[1:-1], x)
-        s = x - picked(xs, k)
-        found = reduce(lambda v, w: v * s + w, [picked(row, k) for row in coefficients])
+        s = x - lookup(xs, k)
+        found = reduce(lambda v, w: v * s + w, [lookup(row, k) for row in coefficients])
         return outside(found, x, xs, *ends)
 
     return table

@@ -20,7 +20,7 @@ from .arrays import (
     total,
     where,
 )
-from .opened import depends, into, of_numbers, repacked, tape_of, unread
+from .views import depends, into, of_numbers, repacked, tape_of, unread
 
 
 def called(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any:

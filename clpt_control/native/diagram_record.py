@@ -24,7 +24,7 @@ from ..diagrams.joined import Joining
 from ..diagrams.wiring import Wiring
 from ..equations.arrays import Tape
 from ..equations.block import Block
-from ..equations.ports import places
+from ..equations.declaration import places
 from ..equations.record import Operation, Record
 from .decisions import LOCKED, Decisions, Port
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from ..arguments import nearest, numbers, shown
 from ..equations.block import Block
-from ..equations.namespaces import renamed
+from ..equations.declaration import renamed
 from ..errors import BlockError
 
 

@@ -17,7 +17,7 @@ from ..diagrams.stopping import with_stop
 from ..diagrams.unchanged import key_of
 from ..diagrams.wiring import Wiring, read_anew, units_of, wiring_of
 from ..equations.declaration import ports_of, whole_labels
-from ..equations.linear import linear
+from ..equations.system import linear
 from ..native.engines import VARIABLE, chosen, run_as_read
 from ..native.native_diagram import NativeDiagram
 from ..native.schedule import Inputs, open_sizes, read_inputs, stacked_state

@@ -16,7 +16,7 @@ import numpy as np
 from ..arguments import public
 from ..diagrams.varied import read_as_number
 from ..equations.declaration import Each, ports_of
-from ..equations.linear import linear
+from ..equations.system import linear
 from ..errors import DiagramError, Uncompiled
 from ..files import beside
 from ..native.c_text import Program, Record, number

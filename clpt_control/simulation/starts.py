@@ -13,7 +13,7 @@ from ..diagrams.changes import Part
 from ..diagrams.interconnection import Diagram
 from ..diagrams.parts import output_ports
 from ..equations.block import Block
-from ..equations.linear import is_linear
+from ..equations.system import is_linear
 from ..errors import DataError, DiagramError
 from ..scenario.experiment import Scenario
 from ..scenario.quantities import STARTS

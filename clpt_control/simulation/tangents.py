@@ -19,7 +19,7 @@ from ..diagrams.varied import Varied, fields_by_name, may_jump, read_as_number, 
 from ..diagrams.wiring import Wiring
 from ..equations.arrays import Unread
 from ..equations.declaration import ports_of
-from ..equations.linear import linear
+from ..equations.system import linear
 from ..errors import SimulationError, Uncompiled
 from ..native.ending import Solution
 from ..native.engines import compared

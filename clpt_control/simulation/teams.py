@@ -15,7 +15,7 @@ from ..blocks.team import consensus_block, pulled_law
 from ..diagrams.changes import changes_of
 from ..diagrams.interconnection import Diagram, connect, wiring_of_blocks
 from ..equations.block import Block
-from ..equations.namespaces import split, within
+from ..equations.declaration import split, within
 from ..native.ending import Solution
 from ..native.engines import chosen
 from ..scenario.file import TEAM

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from llvmlite import ir
 from package_blocks import BLOCKS
 
-from clpt_control.equations import numbers
+from clpt_control.equations.record import OPERATIONS
 from clpt_control.native.elementary import FUNCTIONS
 from clpt_control.native.machine import Machine
 from clpt_control.native.native_diagram import NativeDiagram
@@ -154,7 +154,7 @@ def test_accuracy(name):
 
 
 def test_every_operation_of_a_record_is_one_of_machine_code():
-    assert set(numbers.OPERATIONS) <= {*FUNCTIONS, *PRIMITIVES}
+    assert set(OPERATIONS) <= {*FUNCTIONS, *PRIMITIVES}
 
 
 @pytest.mark.parametrize("name", ["sin", "cos"])

@@ -12,7 +12,7 @@ from sympy import Rational, sin
 
 from clpt_control.conformance import readings
 from clpt_control.equations import Block
-from clpt_control.equations.numbers import MOST_ANGLE
+from clpt_control.equations.record import MOST_ANGLE
 from clpt_control.errors import ClptError
 from clpt_control.native import solver
 from clpt_control.native.batch import Batch

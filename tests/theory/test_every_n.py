@@ -8,7 +8,7 @@ from clpt_control.diagrams.interconnection import connect
 from clpt_control.equations.arrays import Tape, Unread
 from clpt_control.equations.block import Block
 from clpt_control.equations.derivative import derivative
-from clpt_control.equations.every_n import SUM, EveryN, base_and_term
+from clpt_control.equations.symbolic import SUM, EveryN, base_and_term
 from clpt_control.theory.proving.array_loop import array_loop
 from clpt_control.theory.proving.symbolic_loop import symbolic_loop
 from clpt_control.theory.proving.theorem_loop import rate_of_V, theorem_loop, vanish

@@ -15,7 +15,7 @@ from typing import Any
 import control
 
 from ...arguments import public
-from ...equations.shown import ports_line
+from ...equations.declaration import ports_line
 from ...errors import ClptError, DiagramError
 from ...figures import save_figure
 from ...figures.svg import inline_svg

@@ -23,8 +23,8 @@ from ...equations.block import Block
 from ...equations.declaration import Parameters, parameters_of
 from ...equations.derivative import Direction
 from ...equations.elements import Index
-from ...equations.every_n import EveryN
 from ...equations.record import Shape
+from ...equations.symbolic import EveryN
 from ...errors import DiagramError
 from .symbols import (
     SCALARS,

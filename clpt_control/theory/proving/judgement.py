@@ -36,7 +36,7 @@ from ...blocks.laws.table import LAWS
 from ...blocks.team import total_candidate
 from ...diagrams.interconnection import Diagram, connect
 from ...equations.block import Block
-from ...equations.namespaces import named, split, within
+from ...equations.declaration import named, split, within
 from ...errors import ClptError
 from ...files import user_cache
 from ...files.user_cache import cache_folder

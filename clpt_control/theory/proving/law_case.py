@@ -13,7 +13,7 @@ from sympy.core.function import AppliedUndef
 from ...diagrams.interconnection import Diagram
 from ...equations.block import Block
 from ...equations.elements import Index
-from ...equations.every_n import base_and_term, renamed
+from ...equations.symbolic import base_and_term, renamed
 from .array_loop import TIME, array_loop
 from .leaks import Bound, listed
 from .proof import Step, checked, exact, short

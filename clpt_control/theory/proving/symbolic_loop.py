@@ -18,7 +18,7 @@ from ...diagrams.joined import open_sizes
 from ...diagrams.on_symbols import TIME, Equations, Names, on_symbols
 from ...diagrams.wiring import Node, Wiring, wiring_of
 from ...equations.block import Block
-from ...equations.namespaces import BETWEEN, named, split
+from ...equations.declaration import BETWEEN, named, split
 from ...equations.record import Shape
 from ...equations.symbolic import exact
 from ...errors import DiagramError

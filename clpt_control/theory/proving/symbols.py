@@ -18,8 +18,8 @@ import numpy as np
 import sympy
 
 from ...equations.block import Block
+from ...equations.declaration import named, split
 from ...equations.elements import Index
-from ...equations.namespaces import named, split
 from ...equations.record import Shape
 from ...scenario.quantities import QUANTITIES
 from .signs import positive_maximum

@@ -25,8 +25,7 @@ import sympy
 from sympy.core.function import AppliedUndef
 
 from ...diagrams.on_symbols import TIME
-from ...equations.every_n import SUM
-from ...equations.symbolic import NUMBERS
+from ...equations.symbolic import NUMBERS, SUM
 from .proof import short
 
 INSIDE = sympy.Function("inside", real=True)  # 1 where clip(s, a, b) is s, else 0
