@@ -589,9 +589,9 @@ def draw_nothing():
     """Let figures be made and not drawn, which takes most of the time."""
     from matplotlib.figure import Figure
 
-    from clpt_control.figures import svg  # before pages take it
+    from clpt_control import figures  # before pages take it
 
-    svg.inline_svg = lambda *_: ""
+    figures.inline_svg = lambda *_: ""
     Figure.savefig = lambda self, file, **_: Path(file).write_bytes(b"drawn")
 
 

@@ -83,10 +83,9 @@ def application() -> "typer.Typer":
     from .laws_and_proofs import laws, prove, refute
     from .many_runs import ensemble, tune
     from .measurements import estimate, fit, tides
-    from .one_scenario import diagram, export, init, paper, run
+    from .one_scenario import animate, diagram, export, init, paper, report, run
     from .replay import replay
     from .replay_report import WithPlaces
-    from .to_show import animate, report
     from .tracks import certify, design, excitation
 
     app = typer.Typer(

@@ -4,17 +4,26 @@ Colours are those of Okabe and Ito, told apart by the colour-blind; line styles 
 apart in black and white.  A function `*_plot` draws on the axes that it is given, or on those
 of a new figure of pyplot's, which a notebook or a window shows; `figure_of` draws the same
 for a file or a page, unknown to pyplot.
+
+`inline_svg` gives a figure as SVG inside a page.  Its texts stay texts.  Colours of the house
+become those of the page's style, so that it is read in light, in dark and on paper.  Style
+attributes, which the page's policy refuses, become attributes; identifiers begin with the figure's
+name, so that a page may hold many.
 """
 
-from collections.abc import Callable, Sequence
+import re
+from collections.abc import Callable, Iterator, Sequence
 from contextvars import ContextVar
+from io import BytesIO
 from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any
+from xml.etree import ElementTree
 
 import numpy as np
 
 from ..arguments import shown
 from ..errors import ArgumentError, ClptError
+from ..html import plain, safe
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -27,6 +36,29 @@ STYLES = ("-", "--", "-.", (0, (1, 1)), (0, (5, 1, 1, 1, 1, 1)), (0, (8, 2)))
 FORMATS = ("png", "pdf", "svg")
 SAME: dict[Any, Any] = {"svg.hashsalt": "clpt-control", "svg.fonttype": "none", "pdf.fonttype": 42}
 DATES: dict[str, dict[str, Any]] = {"svg": {"Date": None}, "pdf": {"CreationDate": None}}
+
+XLINK = "{http://www.w3.org/1999/xlink}"
+NUMBER = re.compile(r"-?\d+\.\d+")
+REFERENCE = re.compile(r"url\(#(.+?)\)")
+THEME = {  # colour -> the page's
+    "#000000": "currentColor",
+    "#ffffff": "var(--paper)",
+    "#404040": "var(--soft)",
+    "#b0b0b0": "var(--rule)",
+    "#e0e0e0": "var(--card)",
+    GREY: "var(--soft)",
+    BLUE: "var(--blue)",
+    ORANGE: "var(--orange)",
+    GREEN: "var(--green)",
+    RED: "var(--red)",
+    PURPLE: "var(--purple)",
+    COLOURS[-1]: "var(--sky)",
+}
+THEMED = {colour.lower(): name for colour, name in THEME.items()}
+ENLARGED = 1.45  # px per point, where there is room
+HUGE = 1500.0  # px; a wider one is moved sideways on every screen
+DROPPED = {"font-family", "stroke-miterlimit", "white-space"}
+ROOT = {"stroke-linejoin": "round", "stroke-linecap": "butt", "fill": "currentColor"}
 
 _for_a_file: ContextVar[bool] = ContextVar("for_a_file", default=False)
 _unseen: list[Any] = []  # the last figure of pyplot's where no backend shows it
@@ -158,3 +190,80 @@ def save_figure(figure: "Figure", target: Path | IO[bytes], kind: str, **options
 
     with rc_context(SAME):
         figure.savefig(target, format=kind, metadata=DATES.get(kind), **options)
+
+
+# --- inside a page -------------------------------------------------------------------------------
+
+
+def inline_svg(figure: "Figure", name: str, said: str) -> str:
+    """Return a figure as an element of a page; `name` is its own, `said` is read aloud."""
+    made = BytesIO()
+    save_figure(figure, made, "svg", transparent=True)
+    root = ElementTree.fromstring(plain(made.getvalue().decode()))
+    for parent in root.iter():
+        for child in list(parent):
+            if child.tag.rpartition("}")[2] in ("metadata", "style"):
+                parent.remove(child)
+    wanted = _references(root)
+    for element in root.iter():
+        element.tag = element.tag.rpartition("}")[2]
+        _restyle(element)
+        _rename(element, name, wanted)
+    box = root.attrib["viewBox"]
+    width, height = (f"{ENLARGED * float(size):.0f}" for size in box.split()[2:])
+    root.attrib.clear()
+    if float(width) > HUGE:
+        root.set("class", "huge")
+    root.attrib.update({"viewBox": box, "width": width, "height": height, **ROOT})
+    root[:] = list(_drawn(root))
+    text = ElementTree.tostring(root, "unicode", short_empty_elements=True)
+    text = re.sub(r">\s+<", "><", text)
+    return text.replace("<svg", f'<svg role="img" aria-label="{safe(said)}"', 1)
+
+
+def _references(root: ElementTree.Element) -> set[str]:
+    """Return the identifiers that something in a figure refers to."""
+    found = set()
+    for element in root.iter():
+        for key, value in element.attrib.items():
+            if key == f"{XLINK}href":
+                found.add(value[1:])
+            found.update(REFERENCE.findall(value))
+    return found
+
+
+def _restyle(element: ElementTree.Element) -> None:
+    """Write a style attribute as attributes, in the page's colours and with few digits."""
+    for rule in element.attrib.pop("style", "").split(";"):
+        key, _, value = (part.strip() for part in rule.partition(":"))
+        if key and key not in DROPPED:
+            element.set(key, THEMED.get(value.lower(), value))
+    for key in ("d", "x", "y", "transform", "points", "stroke-dasharray"):
+        if (numbers := element.get(key)) is not None:
+            element.set(key, " ".join(NUMBER.sub(_short, numbers).split()))
+
+
+def _short(number: re.Match[str]) -> str:
+    return f"{float(number[0]):.2f}".rstrip("0").rstrip(".")
+
+
+def _rename(element: ElementTree.Element, name: str, wanted: set[str]) -> None:
+    """Begin identifiers with a name; drop those to which nothing refers."""
+    own = element.attrib.pop("id", None)
+    if own in wanted:
+        element.set("id", f"{name}-{own}")
+    if (target := element.attrib.pop(f"{XLINK}href", None)) is not None:
+        element.set("href", f"#{name}-{target[1:]}")
+    for key, value in element.attrib.items():
+        element.set(key, REFERENCE.sub(rf"url(#{name}-\1)", value))
+
+
+def _drawn(element: ElementTree.Element) -> Iterator[ElementTree.Element]:
+    """Yield what is in an element, without groups that say nothing."""
+    for child in element:
+        kept = list(_drawn(child))
+        if child.tag == "g" and not child.attrib:
+            yield from kept
+        elif child.tag != "defs" or kept:
+            child[:] = kept
+            yield child

@@ -1,19 +1,28 @@
 """`dataset.clpt`: what clpt does with a run, an ensemble or a replay of its own.
 
 Each of them says by its attributes what it is.  Nothing is imported before it is used.
+
+A run is a wide table, too: one column a signal, units in its header; as CSV and for MATLAB, which
+gets a matrix for each port, whose columns are its signals.  Nothing of pandas is needed.
 """
 
+import csv
+import io
+import re
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
 
 from .. import ensemble, pages, replay, simulation, theory
 from ..arguments import check_holds, public
 from ..equations.declaration import ports_of
 from ..errors import DataError
+from ..files import beside, check_writable, write_text
 from ..html import facts, fragment
 from ..scenario.file import CHANGED, OWN_LAW, OWN_PARTS
-from .signal_table import SignalTable
+from ..simulation.plots import STATES, named, signals_of
 
 if TYPE_CHECKING:
     import xarray
@@ -37,6 +46,13 @@ KINDS = {
     "replay": Kind("estimator", replay, "replay_plot", ("map", "clpe", "current")),
     "diagram": Kind("engine", simulation, "response_plot"),
 }
+LONGEST = 63  # letters of a name in MATLAB
+WORDS = {  # that name nothing in MATLAB
+    *("break", "case", "catch", "classdef", "continue", "else", "elseif", "end", "for"),
+    *("function", "global", "if", "otherwise", "parfor", "persistent", "return", "spmd"),
+    *("switch", "try", "while"),
+}
+SHOWN = 5  # rows that a notebook is shown
 
 
 def _kind(data: "xarray.Dataset") -> str:
@@ -51,6 +67,92 @@ def kind_of(data: "xarray.Dataset") -> str:
         "the dataset is none of clpt's: its attributes say neither run, ensemble nor replay; "
         "clpt.load_run reads a run"
     )
+
+
+# --- as a table ----------------------------------------------------------------------------------
+
+
+class SignalTable:
+    """A run as a table: `columns` are the names with units, `values` the numbers (times, columns).
+
+    >>> import clpt_control as clpt
+    >>> run = clpt.simulate(clpt.paper_scenario().with_values({"run.duration": 5}))
+    >>> found = run[["clpe"]].clpt.table()
+    >>> found.columns, found.values.shape
+    (['time (s)', 'clpe axis 1 (m)', 'clpe axis 2 (m)'], (6, 3))
+    """
+
+    def __init__(self, run: "xarray.Dataset"):
+        ports = [one for n, one in run.data_vars.items() if "time" in one.dims and n != STATES]
+        if "time" not in run.dims or not ports:
+            raise DataError("the dataset has no signal along time, of which a table could be made")
+        self._title = str(run.attrs.get("title", ""))
+        self._ports = [(run.time, {"time": run.time.values})]
+        self._ports += [(one, signals_of(one)) for one in ports]
+        self.columns = [
+            named(name, one.attrs.get("units")) for one, own in self._ports for name in own
+        ]
+        self.values = np.column_stack([v for _, own in self._ports for v in own.values()])
+
+    def __repr__(self) -> str:
+        times, count = self.values.shape
+        return f"<SignalTable of {times} times and {count} columns: {', '.join(self.columns)}>"
+
+    def _repr_html_(self) -> str:
+        rows = [[f"{one:.6g}" for one in row] for row in self.values[:SHOWN]]
+        more = len(self.values) - SHOWN
+        rows += [[f"... {more} more", *[""] * (len(self.columns) - 1)]] if more > 0 else []
+        return fragment("Table", self._title, facts(rows, self.columns))
+
+    def to_csv(self, path: str | Path) -> None:
+        """Write a CSV file: a header with units, then a row for each time, every digit kept."""
+        text = io.StringIO()
+        writer = csv.writer(text, lineterminator="\n")
+        writer.writerow(self.columns)
+        writer.writerows(self.values.tolist())
+        write_text(path, text.getvalue())
+
+    def to_mat(self, path: str | Path) -> None:
+        """Write a file for MATLAB: ``time``, a matrix for each port, ``units`` and ``signals``.
+
+        Names are those of the ports, where MATLAB allows them.
+        """
+        from scipy.io import savemat
+
+        found: dict[str, Any] = {"title": self._title, "units": {}, "signals": {}}
+        for port, own in self._ports:
+            name = _valid(str(port.name), found)
+            found[name] = np.column_stack([*own.values()])
+            found["units"][name] = str(port.attrs.get("units", ""))
+            found["signals"][name] = np.array([*own], dtype=object)
+        check_writable(path)
+        with beside(path) as made:
+            savemat(made, found, appendmat=False, long_field_names=True)
+
+    def write(self, path: str | Path) -> None:
+        """Write the table as the ending of the file says, ``.csv`` or ``.mat``."""
+        ways = {".csv": self.to_csv, ".mat": self.to_mat}
+        if (suffix := Path(path).suffix.lower()) not in ways:
+            raise DataError(f"{path}: a table is written as {' or '.join(ways)}")
+        ways[suffix](path)
+
+
+def _valid(name: str, taken: Any) -> str:
+    """Return a name that MATLAB allows, and that is not taken.
+
+    >>> _valid("K", []), _valid("2nd flow", []), _valid("end", []), _valid("e", ["e", "e_2"])
+    ('K', 'x_2nd_flow', 'x_end', 'e_3')
+    """
+    found = re.sub(r"[^A-Za-z0-9_]", "_", name)
+    found = found if found[:1].isalpha() and found not in WORDS else f"x_{found}"
+    first, k = found[:LONGEST], 2
+    found = first
+    while found in taken:
+        found, k = f"{first[: LONGEST - len(str(k)) - 1]}_{k}", k + 1
+    return found
+
+
+# --- what a dataset has ---------------------------------------------------------------------------
 
 
 class ClptAccessor:

@@ -12,8 +12,7 @@ from importlib.metadata import version
 from textwrap import fill
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from ..figures import figure_of
-from ..figures.svg import inline_svg
+from ..figures import figure_of, inline_svg
 from ..html import Result, document, folded, listing, paragraphs, safe, table
 
 if TYPE_CHECKING:

@@ -8,8 +8,7 @@ dive under the pointer and counts the hours.  Every text is escaped: files may s
 from collections.abc import Sequence
 from typing import Any
 
-from ..figures import figure_of
-from ..figures.svg import inline_svg
+from ..figures import figure_of, inline_svg
 from ..html import document, listing, paragraphs, safe
 from .page_map import replay_map
 from .plots import current_plot, dive_clpe_plot

@@ -8,7 +8,7 @@ import pytest
 from scipy.io import loadmat
 
 import clpt_control as clpt
-from clpt_control.notebook.signal_table import WORDS
+from clpt_control.notebook.accessor import WORDS
 
 SCENARIO = clpt.paper_scenario().with_values({"run.duration": 20.0})
 TIMES = np.linspace(0.0, 2.0, 11)

@@ -14,8 +14,7 @@ import clpt_control as clpt
 from clpt_control.cli import application
 from clpt_control.ensemble.store import Store, open_store
 from clpt_control.errors import ClptError, DataError
-from clpt_control.figures import new_figure
-from clpt_control.figures.svg import inline_svg
+from clpt_control.figures import inline_svg, new_figure
 from clpt_control.pages.making import page_of
 from clpt_control.pages.page import page_html
 from clpt_control.simulation.report import run_and_report

@@ -17,8 +17,7 @@ import control
 from ...arguments import public
 from ...equations.declaration import ports_line
 from ...errors import ClptError, DiagramError
-from ...figures import save_figure
-from ...figures.svg import inline_svg
+from ...figures import inline_svg, save_figure
 from ...files import beside, check_name
 from ...html import fragment, paragraphs, shortened
 from ..wiring import Node, wiring_of
