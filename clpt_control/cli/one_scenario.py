@@ -96,8 +96,7 @@ def run(
     from ..figures import checked_formats
     from ..pages.results import run_result
     from ..scenario.team import load_either
-    from ..simulation.repeating import repeats_by_equations
-    from ..simulation.run_file import as_written
+    from ..simulation.run_file import as_written, repeats_by_equations
     from ..simulation.team_plots import run_figures
     from ..theory.excitation.gramian import not_learned
 
@@ -122,18 +121,15 @@ def _run_again(
     file: Path, out: Path, figures: Path | None, kinds: Sequence[str], as_json: bool
 ) -> None:
     """Run a diagram again from its run's file."""
-    from ..figures import figure_of
     from ..pages.run_page import extent_of, response_result
     from ..simulation.run_file import as_written
+    from ..simulation.team_plots import run_figures
 
     diagram = clpt.load_diagram(file)
     check_writable(out)
     folder = None if figures is None else make_folder(figures)
     result = clpt.simulate(diagram)
-    drawn = {}
-    if folder is not None:
-        figure = figure_of(clpt.simulation.response_plot, result)
-        drawn = {folder / f"response.{kind}": figure for kind in kinds}
+    drawn = {} if folder is None else run_figures(result, folder, kinds)
     write_together({out: as_written(result, out), **drawn})
     told = {name: result.attrs[name] for name in ("title", "status", "message")}
     finish([response_result(result)], {**told, "signals": extent_of(result)}, as_json, out)
@@ -168,7 +164,7 @@ def export(
     Example:
         clpt export mine.toml -o loop.c
     """
-    from ..simulation.repeating import repeats_by_equations
+    from ..simulation.run_file import repeats_by_equations
 
     again = scenario.suffix == ".nc" and repeats_by_equations(scenario)
     clpt.export_c(clpt.load_diagram(scenario) if again else clpt.load_scenario(scenario), out)

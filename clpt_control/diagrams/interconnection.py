@@ -5,19 +5,20 @@ feeds, and passes over a mistyped parameter; here all three are errors that
 name the block and the port.
 """
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import control
+import numpy as np
 
-from ..arguments import nearest, public
+from ..arguments import nearest, public, shown
 from ..equations.block import Block
-from ..equations.declaration import check_names, labels, whole_labels
+from ..equations.declaration import Guard, check_names, labels, whole_labels
 from ..equations.system import System, is_linear
 from ..errors import BlockError, DiagramError
 from ..scenario.quantities import call_time_name_of
 from .parts import as_part, input_ports, is_discrete, output_ports
-from .wiring import Wiring, ordered_wiring, wiring_of
+from .wiring import Node, Wiring, joined_wires, ordered_wiring, wiring_of
 
 MOST_BYTES = 10**9  # of python-control's matrices
 
@@ -275,3 +276,48 @@ def wiring_of_blocks(
     taken = [label for block in blocks for label in whole_labels(block.input_labels)]
     own = ({k: 1.0} for k in range(len(made)))
     return ordered_wiring(systems, [{place[one]: 1.0} for one in taken], len(given), own)
+
+
+# --- a condition that ends a run: stop(t, y, u) > 0 goes on, the run ends where it falls to 0 -----
+
+
+NAME = "stop"
+
+
+def with_stop(wiring: Wiring, stop: Callable[[float, Any, Any], Any]) -> Wiring:
+    """Return the wiring with a block that looks at outputs and inputs, and ends the run."""
+    if not callable(stop):
+        raise DiagramError(f"stop = {shown(stop)}: must be a function of t, outputs and inputs")
+    if wiring.dt:
+        raise DiagramError(
+            f"stop: a diagram of discrete time (dt = {wiring.dt}) has nothing between its samples "
+            "to cross; look at the samples of a whole run"
+        )
+
+    def distance(t, x, u, p):
+        return stop(t, u.y, u.u)
+
+    def sentence(t: float, u: np.ndarray, p: Any) -> str:
+        return f"`{getattr(stop, '__name__', 'stop')}` fell to 0 at t = {t:.9g}"
+
+    last, m, outputs = wiring.nodes[-1], wiring.ninputs, len(wiring.outputs)
+    block = Block(
+        NAME,
+        output=lambda t, x, u, p: {},
+        inputs={"y": outputs, "u": m},
+        outputs={},
+        guard=Guard(distance, "stop", sentence),
+    )
+    signals = last.outputs.stop
+    fed = [*wiring.outputs, *({~j: 1.0} for j in range(m))]
+    at = last.inputs.stop
+    node = Node(
+        block,
+        NAME,
+        slice(last.states.stop, last.states.stop),
+        slice(at, at + len(fed)),
+        slice(signals, signals),
+        joined_wires(fed),
+    )
+    order = (*wiring.order, len(wiring.nodes))
+    return Wiring((*wiring.nodes, node), order, m, wiring.outputs)

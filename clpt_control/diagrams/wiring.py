@@ -64,12 +64,16 @@ class Wiring:
     @cached_property
     def output_map(self) -> Any:
         """Outputs of all block outputs and then all inputs, as a matrix; sparse if large."""
+        return self.matrix_of(self.outputs)
+
+    def matrix_of(self, rows: Sequence[Row]) -> Any:
+        """Return rows as a matrix, of all block outputs and then all inputs; sparse if large."""
         from scipy.sparse import dok_array
 
         signals = self.nodes[-1].outputs.stop
-        shape = len(self.outputs), signals + self.ninputs
+        shape = len(rows), signals + self.ninputs
         matrix: Any = np.zeros(shape) if shape[0] * shape[1] <= SMALL else dok_array(shape)
-        for to, row in enumerate(self.outputs):
+        for to, row in enumerate(rows):
             for k, gain in row.items():
                 matrix[to, k if k >= 0 else signals + ~k] = gain
         return matrix if isinstance(matrix, np.ndarray) else matrix.tocsr()

@@ -34,7 +34,7 @@ from ..native.schedule import checked_times, open_sizes, read_inputs, stacked_st
 from ..native.sweep import Sweep
 from ..native.ways import check_spacing, checked_method
 from ..simulation.dataset import Part, ports_shown
-from ..simulation.diagram_run import labels_of, units_shown
+from ..simulation.running import labels_of, units_shown
 from ..simulation.starts import initial_state as start_of
 from .drawn_values import Vary, unknown
 from .members import Ensemble, Made, Members, Place, States, Values

@@ -10,16 +10,15 @@ from typing import Any
 import numpy as np
 
 from ..arguments import nearest
-from ..diagrams.changes import LAW, UNCHANGED, Changes
 from ..diagrams.interconnection import wiring_of_blocks
-from ..diagrams.parts import functions_of
+from ..diagrams.parts import LAW, UNCHANGED, Changes, functions_of
 from ..diagrams.wiring import Wiring
 from ..equations.block import Block
 from ..errors import DiagramError
 from ..scenario.experiment import Scenario
 from ..scenario.file import scenario_to_text
-from ..scenario.mistakes import Table
 from ..scenario.quantities import QUANTITIES, STARTS, key_of, keys_of, made_of
+from ..scenario.tables import Table
 from ..simulation.loops import changed_blocks
 from ..simulation.starts import state_columns, state_of
 from .drawn_values import unknown

@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from ..diagrams.changes import UNCHANGED
+from ..diagrams.parts import UNCHANGED
 from ..errors import ClptError, DataError, needed
 from ..files import beside
 from ..files.reading import check_folder

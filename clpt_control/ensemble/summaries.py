@@ -21,9 +21,9 @@ from ..errors import ScenarioError
 from ..scenario.experiment import Scenario
 from ..scenario.quantities import QUANTITIES
 from ..simulation.dataset import VARIABLES
+from ..simulation.flows import SpeedWatch
 from ..simulation.integrate import sample_times
-from ..simulation.pieces import SAMPLES_PER_CYCLE, nearest
-from ..simulation.scenario_run import SpeedWatch
+from ..simulation.report import SAMPLES_PER_CYCLE, nearest
 from .members import Ensemble, Members, States, Values
 
 FEWEST = 20  # samples a cycle that may be asked for

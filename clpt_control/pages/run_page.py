@@ -11,8 +11,8 @@ from ..scenario.file import CHANGED, NOT_REPEATED, OWN_LAW, OWN_PARTS, TEAM, pap
 from ..scenario.recorded_run import waypoints_of
 from ..scenario.team import Team
 from ..simulation.plots import STATES, named, response_plot, signals_of
-from ..simulation.repeating import diagram_from, text_of
 from ..simulation.report import claims
+from ..simulation.run_file import diagram_from, text_of
 from .page import Card, Drawn, Page, Section, again_section, drawn
 from .pictures import (
     ONE_SAMPLE,
@@ -238,7 +238,7 @@ def extent_of(run: "xarray.Dataset") -> dict[str, dict[str, float]]:
             "most": float(values.max()),
         }
         for port, one in run.data_vars.items()
-        if port != STATES
+        if port != STATES and "time" in one.dims
         for name, values in signals_of(one).items()
     }
 

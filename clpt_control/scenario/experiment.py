@@ -21,7 +21,6 @@ from ..equations.block import Block
 from ..equations.sampled import Sampled
 from ..errors import ScenarioError
 from .learning import Learning
-from .mistakes import Table
 from .shown import scenario_html, scenario_line
 from .tables import (
     Basis,
@@ -30,6 +29,7 @@ from .tables import (
     Localization,
     Model,
     Run,
+    Table,
     TwoRows,
     Units,
     Vehicle,

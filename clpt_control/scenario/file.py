@@ -239,6 +239,12 @@ def check_form(attributes: Mapping[str, Any], path: str | Path) -> None:
         )
 
 
+def own_parts(attributes: Mapping[str, Any]) -> set[str]:
+    """Return the names of the parts in whose places a run's attributes say that others stand."""
+    parts = str(attributes.get(OWN_PARTS, "")).split(", ")
+    return {part.partition(":")[0] for part in parts}
+
+
 def paper_text() -> str:
     """Return the paper's scenario as commented TOML text."""
     return resources.files("clpt_control.data").joinpath("paper.toml").read_text("utf-8")

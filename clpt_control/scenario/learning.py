@@ -8,8 +8,7 @@ from pydantic_core import PydanticCustomError
 
 from ..blocks.laws.law import Gains, Law
 from ..blocks.laws.table import LAWS
-from .mistakes import Table
-from .tables import NotNegative, Number, Pair, Positive, TwoRows
+from .tables import NotNegative, Number, Pair, Positive, Table, TwoRows
 
 
 def _square_is_a_number(value: float) -> float:

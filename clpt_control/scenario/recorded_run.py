@@ -9,7 +9,7 @@ import numpy as np
 
 from ..errors import DataError
 from .experiment import Scenario
-from .file import OWN_PARTS, REFERENCE, TEAM
+from .file import REFERENCE, TEAM, own_parts
 from .team import Team
 
 if TYPE_CHECKING:
@@ -42,8 +42,7 @@ MOST_WAYPOINTS = 1e6  # to which a run goes, unless its scenario says more
 
 def waypoints_of(run: "xarray.Dataset", scenario: Scenario) -> np.ndarray:
     """Return the waypoints of a run; none where its desired position is not its scenario's."""
-    own = {part.partition(":")[0] for part in str(run.attrs.get(OWN_PARTS, "")).split(", ")}
-    return np.zeros((0, 2)) if REFERENCE in own else scenario.waypoints
+    return np.zeros((0, 2)) if REFERENCE in own_parts(run.attrs) else scenario.waypoints
 
 
 def is_response(run: "xarray.Dataset") -> bool:

@@ -38,9 +38,8 @@ from .file import (
     tables_of,
     toml,
 )
-from .mistakes import Table
 from .shown import team_html, team_line
-from .tables import Run
+from .tables import Run, Table
 
 LAW = "learned-flow"
 OWN = ("vehicle", "reference", "localization", "learning")  # tables that a member may have

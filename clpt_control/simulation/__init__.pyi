@@ -3,15 +3,13 @@ from .film import animate
 from .fitting import Fit, fit_parameters
 from .flows import explained_variance, flow_velocity
 from .integrate import sample_times, simulate
-from .loops import closed_loop, error_loop, paper_blocks
+from .loops import closed_loop, error_loop, paper_blocks, team_loop
 from .plots import clpe_plot, compare, learning_plot, response_plot, run_plot, track_plot
-from .repeating import load_diagram
 from .report import claims, run_and_report
-from .run_file import load_run, save_run
+from .run_file import load_diagram, load_run, save_run
 from .starts import initial_state, state_at
 from .tangents import sensitivity
 from .team_plots import team_plot
-from .teams import team_loop
 
 __all__ = [
     "Fit",

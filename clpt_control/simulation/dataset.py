@@ -9,20 +9,21 @@ import platform
 from collections.abc import Callable, Collection, Mapping, Sequence
 from functools import cache, lru_cache
 from importlib.metadata import version
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from ..blocks.laws.law import Truth
 from ..blocks.localization import TRUE
-from ..diagrams.changes import LAW, UNCHANGED, Changes
+from ..diagrams.parts import LAW
 from ..diagrams.wiring import Wiring
 from ..equations.at_many import on_arrays
 from ..equations.block import Block
 from ..equations.declaration import ports_of
 from ..native.ending import Solution
 from ..scenario.experiment import Scenario
-from ..scenario.file import CHANGED, OWN_LAW, OWN_PARTS, scenario_to_text
+from ..scenario.file import CHANGED, OWN_LAW, own_parts, scenario_to_text
 
 if TYPE_CHECKING:
     import xarray
@@ -209,22 +210,21 @@ def columns_of(labels: Sequence[str], wiring: Wiring, given: Sequence[Any]) -> C
 def run_frame(
     scenario: Scenario,
     found: Columns,
-    left: Mapping[str, Any],
-    changes: Changes = UNCHANGED,
+    told: Mapping[str, str] = MappingProxyType({}),
     more: Collection[str] = (),
     states: Sequence[str] | None = None,
 ) -> Frame:
     """Return the Dataset of a scenario's runs, to be filled with signals, right limits at jumps.
 
-    `left` are call-time parameters that no key holds; `changes` the parts of the user's own; `more`
-    are signals to show under their own names; `states` the labels of states, if they are shown.
+    `told` is what no key holds, call-time parameters and the user's own parts; `more` are signals
+    to show under their own names; `states` the labels of states, if they are shown.
     """
     units, N = scenario.units, scenario.basis.N
     column, ran = found
     parts: dict[str, Part] = {}
     wanted = {**VARIABLES, **(MEASURED if f"{TRUE}[0]" in column else {})}
     wanted |= LIMITED if "v_c[0]" in column else {}
-    row, replaced = scenario.learning.row, set(changes.replace)
+    row, replaced = scenario.learning.row, own_parts(told) | ({LAW} if OWN_LAW in told else set())
     by_functions = ("time", "axis", "basis")
 
     def own(port: str, *shape: int) -> Any:
@@ -270,7 +270,7 @@ def run_frame(
         "basis": (np.arange(1, N + 1), {"long_name": "flow basis function"}),
     }
     since = {"long_name": "time since the start of the run", "units": units.time}
-    attributes = _attributes(scenario, left, changes)
+    attributes = {**_attributes(scenario), **told}
     return Frame(parts, axes, attributes, since, states, str(scenario._folder), doubt)
 
 
@@ -285,7 +285,7 @@ def _beside_the_basis(scenario: Scenario) -> str:
     return " and ".join(key for key, present in found.items() if present)
 
 
-def _attributes(scenario: Scenario, left: Mapping[str, Any], changes: Changes) -> dict[str, Any]:
+def _attributes(scenario: Scenario) -> dict[str, Any]:
     origin = {}
     if scenario.field_path is not None:
         from ..currents.plane import time_origin
@@ -299,7 +299,6 @@ def _attributes(scenario: Scenario, left: Mapping[str, Any], changes: Changes) -
         "Lagrangian particle tracking, OCEANS 2016 MTS/IEEE Monterey",
         "scenario": scenario_to_text(scenario),
         **origin,
-        **_changed(left, changes),
     }
 
 
@@ -338,15 +337,14 @@ def with_states(
     return run.assign_coords(named).assign(states=(("time", "state"), solution.x, STATES))
 
 
-def _changed(left: Mapping[str, Any], changes: Changes) -> dict[str, str]:
-    """Return what the scenario does not hold: a run with that cannot be repeated."""
-    plain = {name: np.asarray(value).tolist() for name, value in left.items()}
-    found = {
-        CHANGED: json.dumps(plain) if plain else "",
-        OWN_LAW: changes.law.name if changes.law else "",
-        OWN_PARTS: changes.in_words,
-    }
-    return {name: text for name, text in found.items() if text}
+def not_held(
+    params: Mapping[str, Any] | None, said: Mapping[str, str] = MappingProxyType({})
+) -> dict[str, str]:
+    """Return what the scenario does not hold, call-time parameters and what else is said."""
+    plain = {name: np.asarray(value).tolist() for name, value in (params or {}).items()}
+    before = json.loads(said.get(CHANGED, "{}"))
+    changed = {CHANGED: json.dumps({**before, **plain})} if before or plain else {}
+    return {**said, **changed}
 
 
 def _lyapunov(block: Block, column: Mapping[str, int]) -> Any:

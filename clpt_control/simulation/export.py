@@ -16,7 +16,6 @@ import numpy as np
 from ..arguments import public
 from ..diagrams.varied import read_as_number
 from ..equations.declaration import Each, ports_of
-from ..equations.system import linear
 from ..errors import DiagramError, Uncompiled
 from ..files import beside
 from ..native.c_text import Program, Record, number
@@ -24,9 +23,8 @@ from ..native.diagram_record import LARGE, lay_out
 from ..native.engines import read_otherwise
 from ..native.schedule import stacked_state
 from ..scenario.experiment import Scenario
-from .diagram_run import DiagramRun, compiled
-from .loops import closed_loop
-from .starts import initial_state as start_of
+from .integrate import as_diagram
+from .running import DiagramRun, compiled
 
 FIXED = " fixed"
 ROUNDING = "1e-9"  # of a period, by which a time may be off a sample
@@ -72,15 +70,8 @@ def export_c(
     >>> [line for line in text.splitlines() if line.startswith("void lag_step")]
     ['void lag_step(double t, double dt, double *x, const double *u, const double *p) {']
     """
-    if isinstance(system, Scenario):
-        system = closed_loop(system)
-    if isinstance(system, control.TransferFunction):
-        system = linear(system)
-    if initial_state is None and getattr(system, "made_of", None) is not None:
-        initial_state = start_of(system)
-    if initial_state is None and getattr(system, "recorded", None):
-        initial_state = system.recorded["initial_state"]
-    own = 0.0 if initial_state is None else initial_state
+    system, known = as_diagram(system)
+    own = known.get("initial_state", 0.0) if initial_state is None else initial_state
     try:
         run = compiled(system, params)
         for name, value in (params or {}).items():
@@ -126,12 +117,12 @@ class _File:
         self.layout = lay_out(self.wiring, self.given, apart)
         self.record = Record(self.wiring, self.layout)
         self.program = Program(self.record, run.runner.nsignals)
-        self.name = _word(run.diagram.name)
+        self.name = _word(run.name)
         outputs = len(self.wiring.outputs)
         self.labels = {
             "x": _labels(run.states),
-            "u": _labels(run.labels[outputs:]),
-            "y": _labels(run.labels[:outputs]),
+            "u": _labels(run.shown[outputs:]),
+            "y": _labels(run.shown[:outputs]),
         }
 
     def parts(self) -> Iterator[str]:
@@ -252,7 +243,7 @@ class _File:
             "one step of Runge and Kutta's method of order 4, inputs held"
         )  # fmt: skip
         lines = [
-            f"{self.run.diagram.name}: made by clpt-control (export_c). C99, math.h alone.",
+            f"{self.run.name}: made by clpt-control (export_c). C99, math.h alone.",
             "",
             f"double x[{own}_nx];  copy {own}_x0 into it; p: {own}_p0, or your own copy.",
             f"{own}_outputs(t, x, u, p, y): all outputs.",

@@ -1,4 +1,4 @@
-"""The flow at any place and time, through the blocks that run, and how much of it is learned.
+"""The flow at any place and time, how much of it is learned, and whether it is too fast.
 
     true flow      theta phi(x, t), Eq. (3), or the gridded field
     learned flow   theta_hat phi(x, t)
@@ -31,6 +31,7 @@ from ..equations.at_many import evaluate
 from ..errors import DataError
 from ..estimation.least_squares import explained_share
 from ..scenario.experiment import Scenario
+from ..scenario.tables import Units
 from .loops import paper_blocks
 
 if TYPE_CHECKING:
@@ -147,3 +148,69 @@ def explained_variance(
     model = evaluate(phi, at, np.column_stack([x1, x2])) @ estimate[-1].T
     box = explained_share(np.column_stack([field.u.ravel(), field.v.ravel()]), model)
     return {"track": track, "box": box, "window": [float(first), float(last)]}
+
+
+# --- how fast: |v_c| > v_max is at the limit; |F_R| > v_max faster than the vehicle, which cannot
+# hold its place there.  Each sample counts until the next one. -----------------------------------
+
+
+class SpeedWatch:
+    """Counts time at the limit and in a faster flow, samples given in order, in parts."""
+
+    def __init__(self, max_speed: float):
+        self.max_speed, self.end = max_speed, 0.0
+        self.turns: list[np.ndarray] = []  # times from which on
+        self.ways: list[np.ndarray] = []  # (n, 2): whether it is at the limit, in a faster flow
+        self._last: np.ndarray | None = None
+
+    def add(self, times: np.ndarray, commanded: np.ndarray, flow: np.ndarray) -> None:
+        """Take samples that follow those before: (n,), commanded velocity and flow (n, 2)."""
+        found = np.stack([np.hypot(*one.T) > self.max_speed for one in (commanded, flow)], axis=1)
+        before = ~found[:1] if self._last is None else self._last
+        turns = np.any(np.diff(found, axis=0, prepend=before), axis=1)
+        self.turns.append(times[turns])
+        self.ways.append(found[turns])
+        self._last, self.end = found[-1:], float(times[-1])
+
+    def figures(self) -> dict[str, Any]:
+        """Return the figures, ready for JSON; times in units.time, shares of the time watched."""
+        times = np.concatenate([*self.turns, [self.end]])
+        held, faster = np.concatenate([np.zeros((0, 2), bool), *self.ways]).T
+        spans, whole = np.diff(times), float(times[-1] - times[0])
+
+        def share(of: np.ndarray) -> float:
+            return float(spans @ of) / whole if whole else float(of[-1:].any())
+
+        stretches = np.diff(times[np.diff(np.pad(faster, 1)).nonzero()[0]])[::2]
+        flow = None
+        if len(stretches):
+            first = float(times[np.argmax(faster)])
+            flow = {"first": first, "longest": float(stretches.max()), "share": share(faster)}
+        return {"max_speed": self.max_speed, "share_at_limit": share(held), "faster_flow": flow}
+
+
+def faster_flow(figures: dict[str, Any], units: Units) -> str:
+    """Return a sentence where the flow was faster than the vehicle, or nothing."""
+    found, time = figures["faster_flow"], units.time
+    if found is None:
+        return ""
+    return (
+        f"the flow was faster than the vehicle ({figures['max_speed']:g} {units.length}/{time}), "
+        f"which cannot hold its place there: first at t = {found['first']:g} {time}, "
+        f"{100 * found['share']:.3g} % of the time, at most {found['longest']:.3g} {time} long"
+    )
+
+
+def speeds_of(run: "xarray.Dataset", max_speed: float) -> dict[str, Any]:
+    """Return the figures of a run at its own samples."""
+    watch = SpeedWatch(max_speed)
+    watch.add(run.time.values, run.commanded_velocity.values, run.true_flow.values)
+    return watch.figures()
+
+
+def note_speeds(run: "xarray.Dataset", figures: dict[str, Any], units: Units) -> None:
+    """Put the share at the limit and, where there is one, the sentence into a run's attributes."""
+    run.attrs["share_at_speed_limit"] = figures["share_at_limit"]
+    sentence = faster_flow(figures, units)
+    if sentence:
+        run.attrs["message"] = f"{run.attrs['message']}; {sentence}"

@@ -4,21 +4,24 @@ A run is an `xarray.Dataset`; that of a scenario has CF attributes, from which i
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import control
 import numpy as np
 
 from ..arguments import public
+from ..diagrams.recorded import key_of
+from ..equations.system import linear
 from ..errors import SimulationError
-from ..native.schedule import checked_times
+from ..native.schedule import checked_times, open_sizes
 from ..native.ways import checked_method
 from ..scenario.experiment import Scenario
 from ..scenario.team import Team
-from .diagram_run import ready, simulate_diagram
-from .scenario_run import Progress, ScenarioRun, note_speeds, speeds_of
-from .teams import TeamRun
+from .flows import note_speeds, speeds_of
+from .loops import closed_loop
+from .running import DiagramRun, ScenarioRun, TeamRun, ready
+from .starts import initial_state as start_of
+from .starts import with_solver
 
 if TYPE_CHECKING:
     import xarray
@@ -36,7 +39,7 @@ def simulate(
     *,
     rtol: float | None = None,
     atol: float | None = None,
-    progress: Progress | None = None,
+    progress: Callable[[float], None] | None = None,
     engine: str | None = None,
     stop: Callable[[float, Any, Any], Any] | None = None,
     method: str | None = None,
@@ -107,63 +110,94 @@ def simulate(
     >>> float(run.clpe[-1, 0].round(3)), run.attrs["status"]
     (0.027, 'finished')
     """
-    if recorded := getattr(system, "recorded", None):  # what is not given is as it was
-        timepts = recorded["timepts"] if timepts is None else timepts
-        inputs = recorded["inputs"] if inputs is None else inputs
-        initial_state = recorded["initial_state"] if initial_state is None else initial_state
-        rtol = recorded["rtol"] if rtol is None else rtol
-        atol = recorded["atol"] if atol is None else atol
-        method = method or recorded["method"]
-        max_step = recorded["max_step"] if max_step == np.inf else max_step
-        first_step = recorded["first_step"] if first_step is None else first_step
-    limits: dict[str, Any] = {"max_step": max_step, "first_step": first_step}
-    solver = {"rtol": rtol, "atol": atol, "method": method and checked_method(method)}
-    loop = getattr(system, "made_of", None)
-    experiment = system if loop is None else loop.scenario
-    if timepts is not None:
-        times = checked_times("timepts", timepts)
-    elif isinstance(experiment, Scenario | Team):
-        times = sample_times(experiment.run.duration, experiment.run.output_step)
+    how: dict[str, Any] = {"rtol": rtol, "atol": atol, "method": method and checked_method(method)}
+    limits: dict[str, Any] = {"max_step": max_step, "first_step": first_step, "progress": progress}
+    if isinstance(system, Scenario | Team):
+        if stop is not None:
+            raise SimulationError("stop: is for a diagram; simulate closed_loop(scenario) with it")
+        if inputs is not None:
+            raise SimulationError("a scenario has no inputs; simulate closed_loop(..., external=)")
+        given = {"initial_state": initial_state, "params": params}
+        given = {name: one for name, one in given.items() if one is not None}
+        if isinstance(system, Team) and given:
+            raise SimulationError(
+                f"{next(iter(given))}: a team has its own; change its scenarios, or simulate "
+                "team_loop(team)"
+            )
+        times, skipped = _from_zero(system, timepts)
+        key = None if given else _key(system, *how.values(), engine)
+        system = with_solver(system, how)
+        of: Any = TeamRun if isinstance(system, Team) else ScenarioRun
+        with ready(key, lambda: of(system, engine, **given)) as run:
+            found = run.run(times, **system.run.solver, **limits)
     else:
-        raise SimulationError("timepts: is required to simulate a diagram")
-    from_zero = times if times[0] == 0 else np.concatenate([[0.0], times])
-    if not isinstance(system, Scenario | Team):
-        given: dict[str, Any] = {**solver, **limits, "progress": progress}
-        own_start = loop is not None and inputs is initial_state is None
-        found = simulate_diagram(
-            system,
-            from_zero if own_start else times,
-            inputs,
-            initial_state,
-            params,
-            engine,
-            stop,
-            **given,
-        )
-        return found.isel(time=slice(1, None)) if own_start and times[0] != 0 else found
-    if stop is not None:
-        raise SimulationError("stop: is for a diagram; simulate closed_loop(scenario) with it")
-    if inputs is not None:
-        raise SimulationError("a scenario has no inputs; simulate closed_loop(..., external=)")
-    if isinstance(system, Team):
-        for name, one in {"initial_state": initial_state, "params": params}.items():
-            if one is not None:
-                raise SimulationError(
-                    f"{name}: a team has its own; change its scenarios, or simulate team_loop(team)"
-                )
-        made: Any = partial(TeamRun, system, solver, engine)
-    else:
-        made = partial(ScenarioRun, system, params, initial_state, solver, engine)
-    alone = params is initial_state is None
-    key = _key(system, *solver.values(), engine) if alone else None
-    with ready(key, made) as run:
-        solution = run.integrate(run.start, from_zero, progress, **limits)
-        if times[0] != 0:
-            solution.t, solution.x = solution.t[1:], solution.x[1:]
-        found = run.dataset(solution, run.signals(solution))
-    if run.max_speed is not None:
+        asks = any(one is not None for one in (inputs, initial_state, stop, *how.values()))
+        own = asked(system, timepts, inputs, initial_state, **how, **limits)
+        skipped, sizes = own.skipped, (own.sizes, callable(own.inputs), engine)
+        key = key_of(own.diagram, params, *sizes) if stop is None else None
+        with ready(key, lambda: DiagramRun(own.diagram, params, *sizes, stop)) as run:
+            found = run.run(own.times, own.inputs, own.start, **own.how)
+            found.attrs |= run.as_diagram if asks or not run.as_made else {}
+    found = found.isel(time=slice(skipped, None)) if skipped else found
+    if run.max_speed is not None and {"commanded_velocity", "true_flow"} <= set(found):
         note_speeds(found, speeds_of(found, run.max_speed), run.scenario.units)
     return found
+
+
+def _from_zero(experiment: Scenario | Team, timepts: Any) -> tuple[np.ndarray, int]:
+    """Return the times of a run that begins at t = 0, and how many come before those asked for."""
+    own = experiment.run
+    times = sample_times(own.duration, own.output_step) if timepts is None else timepts
+    times = checked_times("timepts", times)
+    return (times, 0) if times[0] == 0 else (np.concatenate([[0.0], times]), 1)
+
+
+class Asked(NamedTuple):
+    """How a diagram is run: as is asked, else as it knows of itself."""
+
+    diagram: Any
+    times: np.ndarray
+    skipped: int  # times before those asked for
+    inputs: Any
+    start: Any
+    how: dict[str, Any]  # solver and steps
+
+    @property
+    def sizes(self) -> tuple[int | None, int | None]:
+        """How many states and inputs are given, where the system leaves that open."""
+        return open_sizes(self.diagram, self.inputs, self.start, self.times)
+
+
+def as_diagram(system: Any) -> tuple[Any, dict[str, Any]]:
+    """Return a system as a diagram, and how it runs as far as it knows that itself."""
+    if isinstance(system, Scenario):
+        system = closed_loop(system)
+    if isinstance(system, control.TransferFunction):
+        system = linear(system)
+    if (loop := getattr(system, "made_of", None)) is not None:
+        return system, {**loop.scenario.run.solver, "initial_state": start_of(system)}
+    return system, getattr(system, "recorded", None) or {}
+
+
+def asked(system: Any, timepts: Any, inputs: Any, initial_state: Any, **how: Any) -> Asked:
+    """Return how a system is run; a closed loop with nothing else given from t = 0."""
+    diagram, known = as_diagram(system)
+    loop = getattr(diagram, "made_of", None)
+    timepts, skipped = known.get("timepts") if timepts is None else timepts, 0
+    if loop is not None and (timepts is None or inputs is initial_state is None):
+        times, skipped = _from_zero(loop.scenario, timepts)
+    elif timepts is None:
+        raise SimulationError("timepts: is required to simulate a diagram")
+    else:
+        times = checked_times("timepts", timepts)
+    return Asked(
+        diagram,
+        times,
+        skipped,
+        known.get("inputs") if inputs is None else inputs,
+        known.get("initial_state") if initial_state is None else initial_state,
+        {k: known.get(k, one) if one is None or one is np.inf else one for k, one in how.items()},
+    )
 
 
 def _key(system: Scenario | Team, *more: Any) -> tuple[Any, Any] | None:

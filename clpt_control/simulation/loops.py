@@ -16,13 +16,27 @@ from ..arguments import public
 from ..blocks import clpe, disturbance, field, flow, learner, localization, reference, vehicle
 from ..blocks.laws.table import LAWS
 from ..blocks.localization import TRUE
-from ..diagrams.changes import UNCHANGED, Changes, Part, changes_of, inserted, replaced
+from ..blocks.team import consensus_block, pulled_law
 from ..diagrams.interconnection import Diagram, connect, wiring_of_blocks
-from ..diagrams.parts import functions_of, input_ports, output_ports
+from ..diagrams.parts import (
+    UNCHANGED,
+    Changes,
+    Part,
+    changes_of,
+    functions_of,
+    input_ports,
+    inserted,
+    output_ports,
+    replaced,
+)
 from ..diagrams.wiring import Node, Wiring, read_anew, wiring_of
 from ..equations.block import Block
+from ..equations.declaration import within
 from ..errors import DiagramError
 from ..scenario.experiment import Scenario
+from ..scenario.file import OWN_LAW, OWN_PARTS
+from ..scenario.team import LAW as LAW_OF_TEAMS
+from ..scenario.team import Team
 
 
 @public
@@ -148,6 +162,13 @@ class LoopOf(NamedTuple):
     scenario: Scenario
     changes: Changes = UNCHANGED
     external: tuple[str, ...] = ()
+
+    @property
+    def said(self) -> dict[str, str]:
+        """What of it the scenario does not hold, as the attributes of a run."""
+        law, parts = self.changes.law, self.changes.in_words
+        found = {OWN_LAW: law.name if law else "", OWN_PARTS: parts}
+        return {name: text for name, text in found.items() if text}
 
     def is_still(self, wiring: Wiring) -> bool:
         """Return whether wires and numbers are those with which the loop is made."""
@@ -303,3 +324,49 @@ def error_loop(scenario: Scenario) -> Diagram:
         external=("phi_x", "z", "zc"),
         name="error_loop",
     )
+
+
+# --- a team: the paper's blocks for each vehicle, in a namespace of its name: `west/alpha` -------
+
+
+@public
+def team_loop(team: Team) -> Diagram:
+    """Wire the closed loop of a team.
+
+    Parameters
+    ----------
+    team : Team
+        Vehicles, graph and coupling.
+
+    Returns
+    -------
+    Diagram
+        A `control.InterconnectedSystem`; blocks and ports carry the vehicle's name, as
+        ``west/adaptation`` and ``west/alpha``; the states are those of the first vehicle's
+        `closed_loop`, then the second's.
+
+    Raises
+    ------
+    ScenarioError
+        If what is given is no team.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> paper = clpt.paper_scenario()
+    >>> team = clpt.Team(members={"west": paper, "east": paper}, coupling=0.5)
+    >>> clpt.team_loop(team).nstates
+    28
+    """
+    return connect(team_blocks(team), name="team")
+
+
+def team_blocks(team: Team) -> list[Block]:
+    """Return the blocks of all vehicles, vehicle by vehicle, the consensus of each the last."""
+    blocks = []
+    for name, scenario in team.members.items():
+        law = pulled_law(LAWS[LAW_OF_TEAMS].block(scenario.known_to_law))
+        blocks += [within(one, name) for one in changed_blocks(scenario, changes_of(law))]
+        neighbours = team.neighbours(name)
+        blocks.append(consensus_block(name, neighbours, scenario.basis.N, team.coupling))
+    return blocks

@@ -4,7 +4,9 @@
     parameter error        max |alpha + theta|, and max |gain - true gain|
     disagreement           of a team: max |alpha_i - alpha_j| over all pairs
 
-Mean squares are over 2000 samples a cycle (`pieces`), a team's over its recorded samples.
+Mean squares are over 2000 samples a cycle, each 0.1 of the paper's cycle of 200, a team's over its
+recorded samples.  A run of more than 100 cycles goes on in pieces of 100 cycles, of which nothing
+else is kept, so that memory does not grow with samples that nobody sees.
 Errors and disagreement stand at some times (`TIMES`) and at the end.
 The claims judge the paper's sentences about figures 2 to 4, each with its
 criterion, what was measured, and a verdict.
@@ -12,21 +14,119 @@ criterion, what was measured, and a verdict.
 
 import json
 from collections.abc import Callable
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from ..arguments import check_holds, public
+from ..blocks.localization import TRUE
 from ..errors import DataError
+from ..native.ending import Solution
 from ..scenario.experiment import Scenario
 from ..scenario.tables import Units
 from ..scenario.team import Team
+from .flows import SpeedWatch, explained_variance, note_speeds, speeds_of
 from .integrate import sample_times, simulate
-from .pieces import SAMPLES_PER_CYCLE, Grid, Squares, nearest, run_in_pieces, union
-from .scenario_run import note_speeds, speeds_of
+from .running import ScenarioRun
 
 if TYPE_CHECKING:
     import xarray
+
+SAMPLES_PER_CYCLE = 2000
+PIECE = 100 * SAMPLES_PER_CYCLE  # samples; a piece ends where a cycle does, at a breakpoint
+GROUP = 100  # samples summed together where there are several pieces
+
+
+class Grid(NamedTuple):
+    """Evenly spaced times from 0 to the end, by number, without holding them all."""
+
+    step: float
+    end: float
+    last: int  # the number of the end
+
+    @classmethod
+    def to(cls, end: float, step: float) -> "Grid":
+        """Return the grid whose times are those of `sample_times`."""
+        last = int(np.floor(end / step * (1 + 1e-12)))
+        return cls(step, end, last if last * step >= end * (1 - 1e-12) else last + 1)
+
+    def times(self, numbers: np.ndarray) -> np.ndarray:
+        """Return the times of some numbers."""
+        return np.where(numbers < self.last, self.step * numbers, self.end)
+
+    @property
+    def every(self) -> int:
+        """Return which of the times pictures show: one of so many, at most a piece's number."""
+        return -(-self.last // PIECE)
+
+
+def run_in_pieces(
+    scenario: Scenario, kept: np.ndarray, grid: Grid, progress: Callable[[float], None] | None
+) -> "tuple[xarray.Dataset, dict[str, Any], SpeedWatch | None]":
+    """Run a scenario; return it at the times that are kept or shown, its CLPE and speeds."""
+    run, pieces = ScenarioRun(scenario), list(pairwise([*range(0, grid.last, PIECE), grid.last]))
+    group = 1 if len(pieces) == 1 else GROUP
+    squares, parts = [], []
+    x_z = [run.columns(TRUE) or run.columns("x"), run.columns("z")]
+    watch = None if run.max_speed is None else SpeedWatch(run.max_speed)
+    state, statistics = run.start, dict[str, int]()
+    engines, methods = dict[str, None](), dict[str, None]()
+    for first, last in pieces:
+        numbers = np.arange(first, last + 1)
+        even = grid.times(numbers)
+        inside = kept[(kept >= even[0]) & (kept <= even[-1])]
+        times = union(inside, even)
+        times[0], times[-1] = even[0], even[-1]
+        solution = run.runner.run(state, times, progress=progress, **scenario.run.solver)
+        state, signals = solution.x[-1], run.runner.signals(solution)
+        for name, count in solution.statistics.items():
+            statistics[name] = statistics.get(name, 0) + count
+        final = last == grid.last or solution.status == "stopped"
+        at = nearest(solution.t, even)
+        shown = at[numbers[: len(at)] % grid.every == 0]
+        end = [len(solution.t) - 1]
+        held = np.unique(np.concatenate([nearest(solution.t, inside), shown, end]))
+        if not final:  # the next piece begins there
+            at, held = at[:-1], held[:-1]
+        x, z = (signals[at][:, places] for places in x_z)
+        size = np.sum((x - z) ** 2, axis=1)
+        if watch is not None:
+            speeds = (signals[at][:, run.columns(port)] for port in ("v_c", "flow_x"))
+            watch.add(solution.t[at], *speeds)
+        starts = np.arange(0, len(at), group)
+        counts = np.diff(np.append(starts, len(at)))
+        squares.append((solution.t[at][starts], np.add.reduceat(size, starts), counts))
+        parts.append((solution.t[held], solution.x[held], signals[held]))
+        engines[solution.engine] = methods[solution.method] = None
+        if final:
+            break
+    t, states, signals = (np.concatenate(one) for one in zip(*parts, strict=True))
+    ran = ", ".join(engines), ", ".join(methods)  # a long run may begin in Python
+    joined = Solution(t, states, solution.status, solution.message, statistics, *ran)
+    times, sums, counts = (np.concatenate(one) for one in zip(*squares, strict=True))
+    return run.dataset(joined, signals), clpe_rms(scenario, times, sums, counts), watch
+
+
+def union(first: np.ndarray, more: np.ndarray) -> np.ndarray:
+    """Return sorted times of both; where two differ by rounding, the one of `first`."""
+    if not len(first):
+        return more
+    after = np.searchsorted(first, more)
+    sides = [first[np.clip(after - k, 0, len(first) - 1)] for k in (0, 1)]
+    distance = np.abs(np.array(sides) - more).min(axis=0)
+    return np.union1d(first, more[distance > 1e-9 * max(1.0, float(first[-1]))])
+
+
+def nearest(times: np.ndarray, wanted: np.ndarray) -> np.ndarray:
+    """Return where increasing times are nearest to those wanted, up to the last."""
+    wanted = wanted[wanted <= times[-1] * (1 + 1e-12)]
+    after = np.clip(np.searchsorted(times, wanted), 1, len(times) - 1)
+    return np.where(wanted - times[after - 1] < times[after] - wanted, after - 1, after)
+
+
+# --- figures -------------------------------------------------------------------------------------
+
 
 SUMMARY = "summary"  # attribute of a run: its summary as JSON
 TIMES = (10, 20, 100, 200, 500, 1000, 2000)
@@ -86,13 +186,13 @@ def run_and_report(
         run = _at_own_samples(dense, own)
         return RunReport(run, run, team_summary(system, run, dense))
     grid = Grid.to(end, system.cycle / SAMPLES_PER_CYCLE)
-    dense, squares, watch = run_in_pieces(system, times, grid, progress)
+    dense, clpe, watch = run_in_pieces(system, times, grid, progress)
     if watch is not None:
         note_speeds(dense, watch.figures(), system.units)
     run = _at_own_samples(dense, own)
     shown = np.append(np.arange(0, grid.last, grid.every), grid.last)
     even = dense.isel(time=nearest(dense.time.values, grid.times(shown)))
-    figures = {**_clpe(system, squares, dense), **errors(system, run, at_times(dense))}
+    figures = {**clpe, **errors(system, run, at_times(dense))}
     if watch is not None:
         figures["speed"] = watch.figures()
     summary = _summary(dense, system.units, figures)
@@ -128,36 +228,35 @@ def _summary(run: "xarray.Dataset", units: Units, figures: dict[str, Any]) -> di
     }
 
 
-def _clpe(scenario: Scenario, squares: Squares, dense: "xarray.Dataset") -> dict[str, Any]:
-    """Return mean squares over 2000 samples a cycle."""
-    end = float(dense.time[-1])
-    cycles = int(np.floor((end + 1e-9 * max(1.0, end)) / scenario.cycle))
-    samples, each = int(squares.counts.sum()), SAMPLES_PER_CYCLE
+def clpe_rms(
+    scenario: Scenario, times: np.ndarray, squares: np.ndarray, counts: Any = None
+) -> dict[str, Any]:
+    """Return roots of mean squares: of each round, of all, of the last quarter.
+
+    `squares` are |e|^2 at the times, or sums of so many, `counts`, from each time on.
+    """
+    counts = np.ones(len(times)) if counts is None else counts
+    first, end = float(times[0]), float(times[-1])
+    slack = 1e-9 * max(1.0, end)
+    number = np.floor((times + slack) / scenario.cycle)  # of the round
+    starts = np.flatnonzero(np.diff(number, prepend=-1.0))
+    rounds = pairwise(starts)  # the last one has just begun
+    late = int(np.searchsorted(times, first + 0.75 * (end - first) - slack))
+    spans = {"clpe_rms": slice(None), "clpe_rms_last_quarter": slice(late, None)}
+
+    def rms(of: slice) -> float:
+        return float(np.sqrt(squares[of].sum() / counts[of].sum()))
+
     return {
-        "clpe_rms_per_cycle": [squares.rms(j * each, (j + 1) * each) for j in range(cycles)],
-        "clpe_rms": squares.rms(),
-        "clpe_rms_last_quarter": squares.rms(samples - samples // 4 - 1),
+        "clpe_rms_per_cycle": [rms(slice(*one)) for one in rounds],
+        **{name: rms(of) for name, of in spans.items()},
     }
 
 
 def clpe_of_samples(scenario: Scenario, run: "xarray.Dataset") -> dict[str, Any]:
-    """Return mean squares over the samples of a vehicle's run."""
+    """Return roots of mean squares over the samples of a vehicle's run."""
     squares = ((run.position - run.predicted_position).values ** 2).sum(-1)
-    times, first, end = run.time.values, float(run.time[0]), float(run.time[-1])
-    slack = 1e-9 * max(1.0, end)
-    number = np.floor((times + slack) / scenario.cycle)  # of the round
-    starts = np.flatnonzero(np.diff(number, prepend=-1.0))
-    rounds = np.split(squares, starts[1:])[:-1]  # the last one has just begun
-    late = squares[times >= first + 0.75 * (end - first)]
-    return {
-        "clpe_rms_per_cycle": [_root_mean(one) for one in rounds],
-        "clpe_rms": _root_mean(squares),
-        "clpe_rms_last_quarter": _root_mean(late),
-    }
-
-
-def _root_mean(squares: np.ndarray) -> float:
-    return float(np.sqrt(squares.mean()))
+    return clpe_rms(scenario, run.time.values, squares)
 
 
 def at_times(run: "xarray.Dataset") -> "dict[str, xarray.Dataset]":
@@ -185,8 +284,6 @@ def errors(
         for key, one in at.items()
     }
     if scenario.flow.field is not None:
-        from .flows import explained_variance
-
         found["explained_variance"] = explained_variance(scenario, run)
     return found
 

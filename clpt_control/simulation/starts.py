@@ -1,22 +1,23 @@
 """Where states are: at t = 0 by what a scenario's keys say, and at a time of a run."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from operator import attrgetter
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import control
 import numpy as np
 
 from ..arguments import public
 from ..blocks.localization import TRUE
-from ..diagrams.changes import Part
 from ..diagrams.interconnection import Diagram
-from ..diagrams.parts import output_ports
+from ..diagrams.parts import Part, output_ports
 from ..equations.block import Block
 from ..equations.system import is_linear
-from ..errors import DataError, DiagramError
+from ..errors import BlockError, DataError, DiagramError, ScenarioError, SimulationError
+from ..native.schedule import stacked_state
 from ..scenario.experiment import Scenario
-from ..scenario.quantities import STARTS
+from ..scenario.quantities import STARTS, keys_alone, keys_of
+from ..scenario.team import Team
 from .loops import paper_blocks
 
 if TYPE_CHECKING:
@@ -157,3 +158,67 @@ def state_at(run: "xarray.Dataset", t: float) -> np.ndarray:
             f"t = {t}: the run has no sample there{near}; simulate it with timepts that hold t"
         )
     return np.array(run.states.values[k], dtype=float)
+
+
+# --- call-time values go into the keys that hold them ---------------------------------------------
+
+
+def with_solver(system: Any, solver: Mapping[str, Any]) -> Any:
+    """Return a scenario or a team with the tolerances and the method that were asked for."""
+    given = {f"run.{key}": value for key, value in solver.items() if value is not None}
+    if given and isinstance(system, Team):
+        members = {name: one.with_values(given) for name, one in system.members.items()}
+        return Team(members=members, edges=system.edges, coupling=system.coupling)
+    return system.with_values(given) if given else system
+
+
+def _checked(scenario: Scenario, name: str, value: Any) -> Scenario:
+    """Return a scenario with a call-time value in its key; refuse what no scenario may have."""
+    if value is None:
+        raise BlockError(f"params: {name} = None: must be a number or an array")
+    held = name.endswith((".gain_K", ".gain_Gamma")) and np.array_equal(value, 0.0)
+    changed = scenario
+    for key in () if held else keys_of(scenario, name):
+        try:
+            changed = scenario.with_values({key: value})
+        except ScenarioError as error:
+            raise BlockError(
+                f"params: {name}, the scenario's {str(error).partition(': ')[2]}; simulate the "
+                "diagram, closed_loop(scenario), to try what no scenario may have"
+            ) from None
+    return changed
+
+
+def into_keys(
+    scenario: Scenario, params: Mapping[str, Any] | None, x0: Any
+) -> tuple[Scenario, dict[str, Any]]:
+    """Put call-time values into the scenario where keys hold them; return it and what is left."""
+    left = dict(params or {})
+    if x0 is None and not left:
+        return scenario, left
+    parts = paper_blocks(scenario)
+    known = {f"{block.name}.{field}" for block in parts for field in block.parameters._fields}
+    alone = keys_alone(scenario, known)
+    for name in [name for name in left if name in known]:
+        changed = _checked(scenario, name, left[name])
+        if name in alone:
+            scenario = changed
+            del left[name]
+    if x0 is not None:
+        columns = state_columns(parts)
+        held = {STARTS[key]: (key, v.shape) for key, v in starting_values(scenario).items()}
+        count = sum(part.nstates or 0 for part in parts)
+        state = stacked_state("initial_state", x0, count, padded=False)
+        given = columns.keys() & held.keys()
+        scenario = scenario.with_values(
+            {held[port][0]: state[columns[port]].reshape(held[port][1]) for port in given}
+        )
+        usual = state_of(scenario, paper_blocks(scenario))
+        wrong = np.flatnonzero(state != usual)
+        if len(wrong):
+            raise SimulationError(
+                f"initial_state: no key of a scenario holds {state_labels(parts)[wrong[0]]}, which "
+                f"starts at {usual[wrong[0]]:g}; simulate closed_loop(scenario) to start it "
+                "elsewhere"
+            )
+    return scenario, left

@@ -19,17 +19,15 @@ from ..diagrams.varied import Varied, fields_by_name, may_jump, read_as_number, 
 from ..diagrams.wiring import Wiring
 from ..equations.arrays import Unread
 from ..equations.declaration import ports_of
-from ..equations.system import linear
 from ..errors import SimulationError, Uncompiled
 from ..native.ending import Solution
 from ..native.engines import compared
 from ..native.native_diagram import NativeDiagram
-from ..native.schedule import checked_times, open_sizes, read_inputs, stacked_state
+from ..native.schedule import Inputs, read_inputs, stacked_state
 from ..scenario.experiment import Scenario
 from .dataset import diagram_frame
-from .diagram_run import compiled, units_shown
-from .loops import closed_loop
-from .starts import initial_state as start_of
+from .integrate import asked
+from .running import compiled, units_shown
 
 if TYPE_CHECKING:
     import xarray
@@ -109,42 +107,30 @@ class Sensitive:
     def __init__(
         self,
         system: Any,
-        times: np.ndarray,
+        timepts: Any,
         to: str | Iterable[str],
         inputs: Any,
         initial_state: Any,
         params: Mapping[str, Any] | None,
         **solver: Any,
     ):
-        if isinstance(system, Scenario):
-            system = closed_loop(system)
-        if isinstance(system, control.TransferFunction):
-            system = linear(system)
-        loop = getattr(system, "made_of", None)
-        self.skipped = 0
-        if loop is not None:
-            own = loop.scenario.run.solver
-            solver = {name: own.get(name) if v is None else v for name, v in solver.items()}
-            if initial_state is inputs is None:
-                self.skipped = int(times[0] != 0)
-                times = np.concatenate([np.zeros(self.skipped), times])
-            initial_state = start_of(system) if initial_state is None else initial_state
-        self.times, self.name = times, system.name
-        self.solver = {name: value for name, value in solver.items() if value is not None}
-        if callable(inputs):
+        own = asked(system, timepts, inputs, initial_state, **solver)
+        system, self.times, self.skipped = own.diagram, own.times, own.skipped
+        self.name, self.solver = system.name, own.how
+        if callable(own.inputs):
             raise SimulationError("inputs: a sensitivity takes no function; give samples")
-        sizes = open_sizes(system, inputs, initial_state, times)
         try:
-            run = compiled(system, params, sizes)
+            run = compiled(system, params, own.sizes)
             self.wiring, self.given, self.states = run.wiring, run.runner.sweep.given, run.states
             self.ways = ways_of(to, self.wiring, self.states)
             self.made, self.runner = self._made()
         except (Uncompiled, Unread) as error:
             raise SimulationError(f"{self.name}: has no known derivative: {error}") from None
         outputs = slice(len(self.wiring.outputs))
-        self.labels, self.units = run.labels[outputs], units_shown(run.wiring)[outputs]
-        self.inputs = read_inputs(inputs, times, self.wiring.ninputs)
-        state = 0.0 if initial_state is None else initial_state
+        self.labels, self.units = run.shown[outputs], units_shown(run.wiring)[outputs]
+        read = isinstance(own.inputs, Inputs)
+        self.inputs = own.inputs if read else read_inputs(own.inputs, own.times, run.wiring.ninputs)
+        state = 0.0 if own.start is None else own.start
         self.start = stacked_state("initial_state", state, run.runner.nstates)
 
     def _made(self) -> tuple[Varied, NativeDiagram]:
@@ -288,9 +274,8 @@ def sensitivity(
     >>> found.y.sel(parameter="k").values[1:].round(6)  # -t x0 exp(-k t)
     array([-0.551819, -0.406006])
     """
-    times = checked_times("timepts", timepts)
     solver = {"rtol": rtol, "atol": atol, "method": method, "progress": progress}
-    ready = Sensitive(system, times, to, inputs, initial_state, params, **solver)
+    ready = Sensitive(system, timepts, to, inputs, initial_state, params, **solver)
     found = ready.run(ready.values)
     ready.check(ready.values, found)
     return dataset_of(ready, found, of)

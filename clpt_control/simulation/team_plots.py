@@ -11,7 +11,7 @@ from ..errors import DataError
 from ..figures import GREY, axes_for, figure_of, legend_below, line_style
 from ..scenario.file import TEAM
 from ..scenario.team import Team, team_of_run
-from .plots import TITLE, clpe_plot, learning_plot, track_plot
+from .plots import TITLE, clpe_plot, learning_plot, response_plot, track_plot
 
 if TYPE_CHECKING:
     import xarray
@@ -115,15 +115,20 @@ def _tracks(ax: Any, run: "xarray.Dataset", team: Team, lines: dict[str, dict[st
 def run_figures(
     run: "xarray.Dataset", folder: Path, kinds: Sequence[str] = ("png",)
 ) -> dict[Path, Any]:
-    """Return figure1.png to figure4.png, by file: track, CLPE, learning; a team's team.png."""
+    """Return the figures of a run by file: figure1.png to figure4.png, or team.png, response.png.
+
+    They are track, CLPE and learning of both axes; of a diagram each port over time.
+    """
     plots: dict[str, Any] = {
         "figure1": (track_plot,),
         "figure2": (clpe_plot,),
         "figure3": (learning_plot, 1),
         "figure4": (learning_plot, 2),
     }
+    if "scenario" not in run.attrs:
+        plots = {"team": (team_plot,)} if TEAM in run.attrs else {"response": (response_plot,)}
     results: dict[Path, Any] = {}
-    for name, (plot, *axis) in ({"team": (team_plot,)} if TEAM in run.attrs else plots).items():
+    for name, (plot, *axis) in plots.items():
         figure = figure_of(plot, run, *axis)
         results |= {folder / f"{name}.{kind}": figure for kind in kinds}
     return results

@@ -8,7 +8,7 @@ from PIL import Image
 
 import clpt_control as clpt
 from clpt_control.figures import BLUE, GREEN
-from clpt_control.simulation.film_frames import film_of
+from clpt_control.simulation.film import film_of
 
 SCENARIO = clpt.paper_scenario().with_values({"run.duration": 40.0})
 

@@ -11,7 +11,7 @@ from scipy.linalg import expm
 
 import clpt_control as clpt
 from clpt_control.blocks import localization, vehicle
-from clpt_control.diagrams.changes import LAW
+from clpt_control.diagrams.parts import LAW
 from clpt_control.errors import ClptError, DataError, DiagramError
 from clpt_control.scenario.file import OWN_PARTS
 from clpt_control.theory import prove

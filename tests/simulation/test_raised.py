@@ -10,7 +10,7 @@ import pytest
 import clpt_control as clpt
 from clpt_control.equations import Block
 from clpt_control.errors import Uncompiled
-from clpt_control.simulation.diagram_run import compiled
+from clpt_control.simulation.running import compiled
 
 ENGINES = pytest.mark.parametrize("engine", [None, "python"])
 TIMES = np.linspace(0.0, 4.0, 5)

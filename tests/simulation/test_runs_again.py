@@ -9,7 +9,7 @@ import pytest
 from scipy.interpolate import interp1d
 
 import clpt_control as clpt
-from clpt_control.diagrams.unchanged import key_of
+from clpt_control.diagrams.recorded import key_of
 
 TIMES = np.linspace(0.0, 1.0, 11)
 RATE, TABLE, ROW = 1.0, [1.0], np.array([1.0])

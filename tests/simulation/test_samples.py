@@ -16,8 +16,8 @@ from clpt_control.equations import Block
 from clpt_control.errors import SimulationError
 from clpt_control.native.python_diagram import PythonDiagram
 from clpt_control.scenario.tables import Units
+from clpt_control.simulation.flows import SpeedWatch, faster_flow, speeds_of
 from clpt_control.simulation.integrate import sample_times
-from clpt_control.simulation.scenario_run import SpeedWatch, faster_flow, speeds_of
 from clpt_control.simulation.starts import initial_state
 
 

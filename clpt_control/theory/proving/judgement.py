@@ -43,8 +43,7 @@ from ...files.user_cache import cache_folder
 from ...native.engines import VARIABLE
 from ...native.machine import processor
 from ...scenario.team import LAW, Team
-from ...simulation.loops import error_loop, paper_blocks
-from ...simulation.teams import team_blocks
+from ...simulation.loops import error_loop, paper_blocks, team_blocks
 from .fixes import fix_steps
 from .kept_relations import GIVEN, kept_steps
 from .limited_speed import LIMITS
