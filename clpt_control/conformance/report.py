@@ -5,23 +5,216 @@ and integrated like the paper's own.  Each check is a generator that takes rando
 arguments and gives one plain sentence for each failure.
 """
 
+import pickle
 from collections.abc import Callable, Iterator, Mapping
-from typing import NamedTuple
+from typing import Any, NamedTuple
+
+import control
+import numpy as np
 
 from ..arguments import Seed, public
+from ..equations.at_many import leaf_values
 from ..equations.block import Block
+from ..equations.symbolic import expressions
 from ..errors import BlockError
 from ..html import facts, fragment, unfolding
-from .diagrams import _copies, _interconnects, _jumps, _linearizes, _parameters, _pickles
 from .equations import (
     Sample,
     _in_range,
     _readings,
     _repeats,
     _zero,
+    control_values,
+    differ,
     keeps_units,
+    own_copy,
+    python_values,
     random_samples,
+    roles,
 )
+
+# --- as a part of diagrams ---------------------------------------------------------------------
+
+
+LINEAR = 1e-4
+SMOOTH = frozenset(
+    {"leaf", "constant", "sum", "view", "fill", "stack", "join", "add", "sub", "mul", "div", "neg"}
+    | {"exp", "log", "sin", "cos", "tan", "sinh", "cosh", "tanh", "atan", "asinh", "erf", "erfc"}
+    | {"pow", "sqrt", "expm1", "log1p", "log2", "log10", "opaque"}
+)
+
+
+def _copies(block: Block, drawn: list[Sample]) -> Iterator[str]:
+    """A copy under a new name shares nothing with the original."""
+    before = own_copy(block.parameters)
+    twin = block.copy(name=f"{block.name}_copy")
+    if twin.name != f"{block.name}_copy" or list(twin.params) != [twin.name]:
+        yield f"{block.name}: a copy with a new name keeps the old one in its parameters"
+    for sample in drawn[:3]:
+        for role in roles(block):
+            ours, theirs = (python_values(one, role, sample) for one in (block, twin))
+            if not np.array_equal(ours, theirs):
+                yield f"{block.name}: a copy gives other values"
+    for value in twin.parameters:
+        if isinstance(value, np.ndarray):
+            value.flags.writeable = True
+            value += 1.0
+    for field, old, new in zip(before._fields, before, block.parameters, strict=True):
+        if not np.array_equal(old, new):
+            yield f"{block.name}: changing {field} of a copy changes the original"
+
+
+def _pickles(block: Block, drawn: list[Sample]) -> Iterator[str]:
+    """Pickling gives the same block back."""
+    try:
+        twin = pickle.loads(pickle.dumps(block))
+    except Exception as error:
+        yield (
+            f"{block.name}: cannot be pickled ({error}); define functions and parameters at the "
+            "top of a module"
+        )
+        return
+    for sample in drawn[:3]:
+        for role in roles(block):
+            ask = python_values if role == "jump" else control_values
+            ours, theirs = (ask(one, role, sample) for one in (block, twin))
+            if not np.array_equal(ours, theirs, equal_nan=True):
+                yield f"{block.name}: pickling gives other values"
+
+
+def _linearizes(block: Block, drawn: list[Sample]) -> Iterator[str]:
+    """`linearize` agrees with SymPy's Jacobian where equations are smooth."""
+    import sympy
+
+    drawn = drawn[:3]
+    found = [block.linearize(s.x, s.u, t=s.t) for s in drawn]
+    for role in roles(block):
+        if role == "jump":
+            continue
+        update, name = role == "update", f"{block.name}.{role}"
+        size = block.nstates if update else block.noutputs
+        pair = [(m.A, m.B) if update else (m.C, m.D) for m in found]
+        matrices = [
+            np.hstack([np.reshape(a, (size, -1)), np.reshape(b, (size, -1))]) for a, b in pair
+        ]
+        if any(not np.all(np.isfinite(matrix)) for matrix in matrices):
+            yield f"{name}: linearize gives values that are not finite"
+        lines = block.array_record(role).operations
+        if block.opaque or not all(o.kind in SMOOTH for o in lines):
+            continue
+        symbols: dict[tuple, sympy.Symbol] = {}
+
+        def leaf(at: Any, shape: Any, index: Any, symbols: dict = symbols) -> sympy.Symbol:
+            return symbols.setdefault((*at, index), sympy.Symbol(f"s{len(symbols)}", real=True))
+
+        read = expressions(block, role, leaf)
+        ports = [("x", *port) for port in block.state_shapes.items()]
+        ports += [("u", *port) for port in block.input_shapes.items()]
+        about = [leaf((g, port), own, k) for g, port, own in ports for k in np.ndindex(own)]
+        if not about:
+            continue
+        jacobian = sympy.Matrix(read).jacobian(about)
+        numeric = sympy.lambdify(list(symbols.values()), jacobian.tolist(), "math")
+        for sample, matrix in zip(drawn, matrices, strict=True):
+            given = leaf_values(block, *sample)
+            numbers = [given(*at)[index] for *at, index in symbols]
+            exact = np.array(numeric(*numbers), dtype=float)
+            if differ(exact, matrix, LINEAR):
+                yield f"{name}: linearize gives {matrix}, SymPy's Jacobian is {exact}"
+                break
+
+
+def _interconnects(block: Block, drawn: list[Sample]) -> Iterator[str]:
+    """python-control's interconnection of the block alone gives the same."""
+    diagram = _alone(block)
+    for sample in drawn[:5]:
+        for role in roles(block):
+            if role == "jump":  # which python-control does not call
+                continue
+            ours = python_values(block, role, sample)
+            if differ(ours, control_values(diagram, role, sample)):
+                what = {"output": "outputs", "update": "derivatives"}[role]
+                yield f"{block.name}: other {what} inside control.interconnect than alone"
+
+
+def _alone(block: Block) -> control.InterconnectedSystem:
+    names = [f"{block.name}.{label}" for label in block.input_labels]
+    return control.interconnect(
+        [block],
+        connections=False,
+        inplist=names,
+        outlist=[f"{block.name}.{label}" for label in block.output_labels],
+        inputs=block.input_labels,
+        outputs=block.output_labels,
+        name="alone",
+        check_unused=False,
+    )
+
+
+def _parameters(block: Block, drawn: list[Sample]) -> Iterator[str]:
+    """Call-time parameters reach the block by qualified name; unknown names are errors."""
+    diagram, sample = _alone(block), drawn[0]
+    arguments = (sample.t, sample.x, sample.u)
+    for field, value in zip(block.parameters._fields, block.parameters, strict=True):
+        if isinstance(value, int):
+            continue
+        other = (
+            3.0 if field == "interval" else np.where(value == 0, 0.125, 1.25 * np.asarray(value))
+        )
+        other = float(other) if np.ndim(value) == 0 else other
+        changed = {f"{block.name}.{field}": other}
+        arrived = block.with_params(changed)
+        if not np.array_equal(getattr(arrived, field), other):
+            yield f"{block.name}: params {{'{block.name}.{field}': ...}} does not reach the block"
+        p = block.parameters_at(sample.t, arrived)
+        try:
+            calls = [system.output(*arguments, params=changed) for system in (block, diagram)]
+        except RuntimeError:  # python-control takes NaN, as of a table too short, for a loop
+            continue
+        finally:
+            block._update_params(None)
+        ours = python_values(block, "output", sample._replace(p=p))
+        if any(differ(ours, given) for given in calls):
+            yield f"{block.name}: params {{'{block.name}.{field}': ...}} gives other outputs"
+    for unknown in (f"{block.name}.no_such_field", "no_such_block.gain", "no_such_name"):
+        try:
+            block.output(*arguments, params={unknown: 1.0})
+        except BlockError:
+            continue
+        yield f"{block.name}: the unknown parameter '{unknown}' is not an error"
+    ours = block.output(*arguments)
+    if differ(ours, diagram.output(*arguments, params={"another_block.gain": 1.0})):
+        yield f"{block.name}: another block's parameter changes this one"
+
+
+def _jumps(block: Block, drawn: list[Sample]) -> Iterator[str]:
+    """Breakpoints are sorted, in (t0, t1], and number the intervals."""
+    if block.breakpoints_function is None:
+        return
+    end = 1.0
+    while len(block.breakpoints(0.0, end)) < 8 and end < 1e9:
+        end *= 2.0
+    times = block.breakpoints(0.0, end)
+    if np.any(np.diff(times) <= 0) or np.any(times <= 0) or np.any(times > end):
+        yield f"{block.name}: breakpoints are not increasing times in (t0, t1]"
+        return
+    for middle in (0.37 * end, *times[:3]):
+        parts = [block.breakpoints(0.0, middle), block.breakpoints(middle, end)]
+        if not np.array_equal(np.concatenate(parts), times):
+            yield f"{block.name}: breakpoints over two spans differ from those over both"
+            return
+    for k, time in enumerate(times):
+        at = [block.interval_at(t) for t in (np.nextafter(time, 0.0), time)]
+        if at != [k, k + 1]:
+            yield f"{block.name}: breakpoint {k + 1} does not end interval {k}"
+            return
+    pinned = block.parameters._replace(interval=2.0)
+    if any(block.parameters_at(t, pinned).interval != 2.0 for t in (0.0, times[0], end)):
+        yield f"{block.name}: a given interval must stay at every time"
+
+
+# --- the report --------------------------------------------------------------------------------
+
 
 Check = Callable[[Block, list[Sample]], Iterator[str]]
 CHECKS: tuple[Check, ...] = (
