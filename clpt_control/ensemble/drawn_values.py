@@ -24,9 +24,10 @@ import ast
 import json
 import math
 import re
+from bisect import bisect_left
 from collections.abc import Iterable, Mapping, Sequence
 from decimal import Decimal
-from functools import lru_cache
+from functools import lru_cache, partial
 from math import prod
 from typing import Any, NamedTuple
 
@@ -230,27 +231,28 @@ def draw_members(
     if members < 1:
         raise ScenarioError(f"members = {members}: must be a whole number, at least 1")
     base = varied.values
-    count = members * sum(1 if one.kind == "levels" else base[one.key].size for one in varies)
+    sizes = [1 if one.kind == "levels" else base[one.key].size for one in varies]
+    count = members * sum(sizes)
     if count > MOST_NUMBERS:
         raise ScenarioError(
             f"members = {members}: would draw {Decimal(count).normalize():.3g} numbers; at most "
             f"{MOST_NUMBERS:.0e} are allowed"
         )
     if design == "grid":
-        shares = iter(_grid_shares(varies, base, members))
+        shares = iter(_grid_shares(varies, sizes, members))
     else:
-        shares = (_shares(one, base[one.key].size, members, design, seed) for one in varies)
+        drawn = zip(varies, sizes, strict=True)
+        shares = (_shares(one.key, size, members, design, seed) for one, size in drawn)
     values = {one.key: _values(one, base[one.key], next(shares)) for one in varies}
     check_members(varied, varies, values)
     return values
 
 
-def _shares(one: Vary, size: int, members: int, design: str, seed: int) -> np.ndarray:
+def _shares(key: str, size: int, members: int, design: str, seed: int) -> np.ndarray:
     """Return shares in (0, 1), a column for each number that varies."""
-    columns = 1 if one.kind == "levels" else size
-    shares = np.empty((members, columns))
-    for k in range(columns):
-        rng = np.random.default_rng([seed, int.from_bytes(one.key.encode(), "big"), k])
+    shares = np.empty((members, size))
+    for k in range(size):
+        rng = np.random.default_rng([seed, int.from_bytes(key.encode(), "big"), k])
         shares[:, k] = rng.random(members)
         if design == "lhs":
             shares[:, k] += rng.permutation(members)
@@ -258,12 +260,11 @@ def _shares(one: Vary, size: int, members: int, design: str, seed: int) -> np.nd
     return np.clip(shares, EDGE, 1 - EDGE, out=shares)
 
 
-def _grid_shares(varies: Sequence[Vary], base: dict[str, Any], members: int) -> list[np.ndarray]:
+def _grid_shares(varies: Sequence[Vary], columns: Sequence[int], members: int) -> list[np.ndarray]:
     """Return shares on a grid; the last number varies fastest."""
     fixed = [len(one.numbers) if one.kind == "levels" else 0 for one in varies]
-    columns = [1 if count else base[one.key].size for one, count in zip(varies, fixed, strict=True)]
     free = sum(c for c, count in zip(columns, fixed, strict=True) if not count)
-    lists = int(np.prod([count for count in fixed if count], dtype=float))
+    lists = prod(count for count in fixed if count)
     n = max(1, round((members / lists) ** (1 / free))) if free else 1
     if lists * n**free != members:
         allowed = sorted({lists * max(1, n + step) ** free for step in (-1, 0, 1)})
@@ -312,15 +313,10 @@ def check_members(varied: Varied, varies: Sequence[Vary], values: dict[str, np.n
     """
     for one in varies:
         own = values[one.key]
-        if _allowed(varied, one.key, own):
+        if not _refused(varied, one.key, own, len(own)):
             continue
-        first, last = 0, len(own) - 1  # the first member refused lies in [first, last]
-        while first < last:
-            middle = (first + last) // 2
-            if _allowed(varied, one.key, own[: middle + 1]):
-                first = middle + 1
-            else:
-                last = middle
+        refused = partial(_refused, varied, one.key, own)
+        first = bisect_left(range(len(own)), True, key=refused)
         try:
             varied.check(one.key, own[first])
         except ScenarioError as error:
@@ -328,10 +324,11 @@ def check_members(varied: Varied, varies: Sequence[Vary], values: dict[str, np.n
             raise ScenarioError(f"member {first}: {sentence}; narrow {one.text}") from None
 
 
-def _allowed(varied: Varied, key: str, values: np.ndarray) -> bool:
+def _refused(varied: Varied, key: str, values: np.ndarray, last: int) -> bool:
+    """Return whether a member up to the last is refused."""
     try:
-        for extreme in (values.min(axis=0), values.max(axis=0)):
-            varied.check(key, extreme)
+        for extreme in (np.min, np.max):
+            varied.check(key, extreme(values[: last + 1], axis=0))
     except ScenarioError:
-        return False
-    return True
+        return True
+    return False

@@ -106,20 +106,20 @@ class VariedDiagram:
         systems = [node.system for node in self.wiring.nodes if isinstance(node.system, System)]
         for one in varies:
             key = one.key.partition("[")[0]
-            for system in systems:
-                if key in system.given:
-                    value = system.given[key]
-                    listed = isinstance(value, list | tuple | np.ndarray)
-                    if listed and key not in system.number_names:
-                        number = np.asarray(value, dtype=float)
-                        if not np.array_equal(found.setdefault(key, number), number):
-                            raise ScenarioError(
-                                f"vary: {key} is a list in several systems, not the same; give "
-                                "arrays of floats, and name one of a block"
-                            )
-                elif key == one.key and system.reads(key):
-                    first = one.numbers[0] if one.kind == "levels" else 1.0
-                    found[key] = np.asarray(first, dtype=float) if np.ndim(first) else float(first)
+            given = [system.given.get(key) for system in systems if key not in system.number_names]
+            lists = [
+                np.asarray(v, float) for v in given if isinstance(v, list | tuple | np.ndarray)
+            ]
+            if not all(np.array_equal(lists[0], other) for other in lists):
+                raise ScenarioError(
+                    f"vary: {key} is a list in several systems, not the same; give arrays of "
+                    "floats, and name one of a block"
+                )
+            if lists:
+                found[key] = lists[0]
+            elif key == one.key and any(key not in s.given and s.reads(key) for s in systems):
+                first = one.numbers[0] if one.kind == "levels" else 1.0
+                found[key] = np.asarray(first, dtype=float)[()]
         return found
 
     def _names(self, inputs: Sequence[str], states: Sequence[str]) -> dict[str, list[Place]]:
