@@ -79,55 +79,19 @@ def reads_as_python_runs(function, params):
 # --- truth values --------------------------------------------------------------------------------
 
 
-def is_truth_times_truth(t, x, u, p):
-    return [(x[0] > 0) * (x[1] > 0) * u[0], 1.0 * np.maximum(x[0] > 0, x[1] > 0)]
-
-
 def is_where_of_truths(t, x, u, p):
     low = np.where(x > 0.5, u[0] > 0, True)
     return [np.sum(low), np.sum(np.where(x > 0, True, False)), np.sum(np.where(x > 0, False, low))]
-
-
-def is_bits_of_truths(t, x, u, p):
-    return np.where((x > 0) ^ (x < 1) | ~(x > -1) & (u[0] > 0), 1.0, 0.0)
-
-
-def is_counted(t, x, u, p):
-    return [*np.cumsum(x > 0), np.sum(x > 0), sum([x[0] > 0, x[1] > 0]), np.prod(x > 0)]
-
-
-def is_an_array_of_truths(t, x, u, p):
-    return np.array([x[0] > 0, x[1] > 0])
 
 
 def adds_truths(t, x, u, p):
     return [(x[0] > 0) + (x[1] > 0)]
 
 
-def adds_arrays_of_truths(t, x, u, p):
-    return (x > 0) + (x > 1)
-
-
-def adds_stacked_truths(t, x, u, p):
-    return np.array([x[0] > 0, x[1] > 0]) + np.array([True, False])
-
-
-def adds_chosen_truths(t, x, u, p):
-    return [np.where(x[0] > 0, x[1] > 0, True) + np.where(x[1] > 0, True, False)]
-
-
-def multiplies_matrices_of_truths(t, x, u, p):
-    return [np.dot(x > 0, x > -1)]
-
-
 def writes_into_truths(t, x, u, p):
     y = np.array([x[0] > 0, x[1] > 0])
     y[0] = 2.5
     return 1.0 * y
-
-
-def takes_the_root_of_a_truth(t, x, u, p):
-    return [np.exp(x[0] > 0)]
 
 
 # --- whole numbers and short floats ------------------------------------------------------------
@@ -139,40 +103,8 @@ def is_made_by_a_parameter(t, x, u, p):
     return [*y, len(np.ones((p["n"], 2))), p.get(f"k{p['n']}", 0.0)]
 
 
-def is_whole_numbers(t, x, u, p):
-    return [*(p["A"] // 2 * x[1]), p["n"] // 2 * x[0], p["n"] ** -1]
-
-
-def is_sorted_places(t, x, u, p):
-    return np.argsort(x)
-
-
-def is_a_constant_of_whole_numbers(t, x, u, p):
-    return np.array([1, 2])
-
-
-def is_short(t, x, u, p):
-    return [*(p["short"] + p["short"]), p["f"] * 3, p["f"] * x[0]]
-
-
 def shortens(t, x, u, p):
     return x.astype(np.float32)
-
-
-def shortens_a_copy(t, x, u, p):
-    return np.array(x, dtype="f4") / 3
-
-
-def shortens_as_it_is(t, x, u, p):
-    return np.asarray(x, dtype=np.float32)
-
-
-def sums_short(t, x, u, p):
-    return [x.sum(dtype=np.float32), np.mean(x, dtype=np.float16)]
-
-
-def wraps_around(t, x, u, p):
-    return (100 * x).astype(np.int8)
 
 
 def cuts_what_it_writes(t, x, u, p):
@@ -196,39 +128,7 @@ def is_cut_in_its_place(t, x, u, p):
     return [*y, *z]
 
 
-def is_filled_and_cut(t, x, u, p):
-    return np.full(3, x[0], int)
-
-
-def takes_bits(t, x, u, p):
-    return [int(x[0]) & 1]
-
-
-def takes_bits_of_a_parameter(t, x, u, p):
-    return [x[0] * (p["n"] & 1)]
-
-
-def makes_all_like_the_first(t, x, u, p):
-    return np.vectorize(lambda v: 1 if v > 0 else 0.5 * v)(x)
-
-
-def rounds_as_python(t, x, u, p):
-    return [round(float(u[1]), 1)]
-
-
 # --- what Python asks ----------------------------------------------------------------------------
-
-
-def is_asked_what_it_is(t, x, u, p):
-    return [
-        hasattr(x, "__len__"),
-        hasattr(x[0], "__len__"),
-        type(x) is np.ndarray,
-        isinstance(x, Iterable | Sized),
-        isinstance(x[0], Sized),
-        isinstance(x[0], float),
-        isinstance(x[0], int | list),
-    ]
 
 
 def is_put_into_another(t, x, u, p):
@@ -237,24 +137,8 @@ def is_put_into_another(t, x, u, p):
     return y
 
 
-def is_without_rank(t, x, u, p):
-    return [np.linalg.det(np.outer(x, x)), np.linalg.det(np.array([[0.0, x[0]], [0.0, u[0]]]))]
-
-
-def is_summed_where(t, x, u, p):
-    return [np.sum(x[x > 0]), x[x < 0].sum()]
-
-
 def looks_up(t, x, u, p):
     return [RATIOS.get(int(x[0]), 9.0)]
-
-
-def seeks_in_a_set(t, x, u, p):
-    return [1.0 if int(x[0]) in {0, 1} else 0.0]
-
-
-def counts_others(t, x, u, p):
-    return [len(set(x))]
 
 
 def catches_a_division(t, x, u, p):
@@ -292,37 +176,9 @@ def puts_another_mask(t, x, u, p):
     return y
 
 
-def is_exact(t, x, u, p):
-    return [math.fsum([1e16, x[0], -1e16]), math.hypot(1e200 * x[0], 1.0, 2.0) / 1e200]
-
-
 def is_without_what_is_no_number(t, x, u, p):
     a = x[0] / x[1]
     return [*np.sort([a, 1.0, u[0]]), np.fmin(a, 2.0), np.fmax(0.5, a), max(float("nan"), x[0])]
-
-
-def is_minus_zero(t, x, u, p):
-    return [np.copysign(1.0, np.round(0.3 * x[0])), math.copysign(1.0, round(0.3 * x[0]))]
-
-
-def is_beside_another_table(t, x, u, p):
-    return [LEVER.arm(x[0])]
-
-
-def reads_by_columns(t, x, u, p):
-    return np.outer(x, u).ravel(order="F")
-
-
-def reshapes_by_columns(t, x, u, p):
-    return np.reshape(np.outer(x, u), (2, 3), order="F")
-
-
-def interpolates_backwards(t, x, u, p):
-    return [np.interp(x[0], [2.0, 1.0, 0.0], [5.0, 0.0, 1.0])]
-
-
-def multiplies_as_a_matrix(t, x, u, p):
-    return np.asarray(SQUARE * np.diag(u)).ravel()
 
 
 # --- what is kept --------------------------------------------------------------------------------
@@ -379,26 +235,105 @@ def keeps_in_params(t, x, u, p):
     return [x[0] - last]
 
 
+ONE_LINE = {  # as Python has them
+    # truth values
+    "truth times truth": lambda t, x, u, p: [
+        (x[0] > 0) * (x[1] > 0) * u[0],
+        1.0 * np.maximum(x[0] > 0, x[1] > 0),
+    ],
+    "bits of truths": lambda t, x, u, p: np.where(
+        (x > 0) ^ (x < 1) | ~(x > -1) & (u[0] > 0), 1.0, 0.0
+    ),
+    "counted": lambda t, x, u, p: [
+        *np.cumsum(x > 0),
+        np.sum(x > 0),
+        sum([x[0] > 0, x[1] > 0]),
+        np.prod(x > 0),
+    ],
+    "an array of truths": lambda t, x, u, p: np.array([x[0] > 0, x[1] > 0]),
+    # whole numbers and short floats
+    "whole numbers": lambda t, x, u, p: [*(p["A"] // 2 * x[1]), p["n"] // 2 * x[0], p["n"] ** -1],
+    "sorted places": lambda t, x, u, p: np.argsort(x),
+    "a constant of whole numbers": lambda t, x, u, p: np.array([1, 2]),
+    "short": lambda t, x, u, p: [*(p["short"] + p["short"]), p["f"] * 3, p["f"] * x[0]],
+    "filled and cut": lambda t, x, u, p: np.full(3, x[0], int),
+    # what Python asks
+    "asked what it is": lambda t, x, u, p: [
+        hasattr(x, "__len__"),
+        hasattr(x[0], "__len__"),
+        type(x) is np.ndarray,
+        isinstance(x, Iterable | Sized),
+        isinstance(x[0], Sized),
+        isinstance(x[0], float),
+        isinstance(x[0], int | list),
+    ],
+    "without rank": lambda t, x, u, p: [
+        np.linalg.det(np.outer(x, x)),
+        np.linalg.det(np.array([[0.0, x[0]], [0.0, u[0]]])),
+    ],
+    "summed where": lambda t, x, u, p: [np.sum(x[x > 0]), x[x < 0].sum()],
+    "exact": lambda t, x, u, p: [
+        math.fsum([1e16, x[0], -1e16]),
+        math.hypot(1e200 * x[0], 1.0, 2.0) / 1e200,
+    ],
+    "minus zero": lambda t, x, u, p: [
+        np.copysign(1.0, np.round(0.3 * x[0])),
+        math.copysign(1.0, round(0.3 * x[0])),
+    ],
+    "beside another table": lambda t, x, u, p: [LEVER.arm(x[0])],
+}
+ONE_LINE_REFUSED = {  # what would be another number
+    # truth values
+    "adds arrays of truths": lambda t, x, u, p: (x > 0) + (x > 1),
+    "adds stacked truths": lambda t, x, u, p: (
+        np.array([x[0] > 0, x[1] > 0]) + np.array([True, False])
+    ),
+    "adds chosen truths": lambda t, x, u, p: [
+        np.where(x[0] > 0, x[1] > 0, True) + np.where(x[1] > 0, True, False)
+    ],
+    "multiplies matrices of truths": lambda t, x, u, p: [np.dot(x > 0, x > -1)],
+    "takes the root of a truth": lambda t, x, u, p: [np.exp(x[0] > 0)],
+    # whole numbers and short floats
+    "shortens a copy": lambda t, x, u, p: np.array(x, dtype="f4") / 3,
+    "shortens as it is": lambda t, x, u, p: np.asarray(x, dtype=np.float32),
+    "sums short": lambda t, x, u, p: [x.sum(dtype=np.float32), np.mean(x, dtype=np.float16)],
+    "wraps around": lambda t, x, u, p: (100 * x).astype(np.int8),
+    "takes bits": lambda t, x, u, p: [int(x[0]) & 1],
+    "takes bits of a parameter": lambda t, x, u, p: [x[0] * (p["n"] & 1)],
+    "makes all like the first": lambda t, x, u, p: np.vectorize(lambda v: 1 if v > 0 else 0.5 * v)(
+        x
+    ),
+    "rounds as python": lambda t, x, u, p: [round(float(u[1]), 1)],
+    # what Python asks
+    "seeks in a set": lambda t, x, u, p: [1.0 if int(x[0]) in {0, 1} else 0.0],
+    "counts others": lambda t, x, u, p: [len(set(x))],
+    "reads by columns": lambda t, x, u, p: np.outer(x, u).ravel(order="F"),
+    "reshapes by columns": lambda t, x, u, p: np.reshape(np.outer(x, u), (2, 3), order="F"),
+    "interpolates backwards": lambda t, x, u, p: [
+        np.interp(x[0], [2.0, 1.0, 0.0], [5.0, 0.0, 1.0])
+    ],
+    "multiplies as a matrix": lambda t, x, u, p: np.asarray(SQUARE * np.diag(u)).ravel(),
+}
 PARAMS = {"n": 3, "A": np.array([3, -3]), "f": np.float32(0.1), "short": np.uint8([200, 3])}
-FUNCTIONS = {name: f for name, f in dict(globals()).items() if hasattr(f, "__code__")}
-READ = [f for name, f in FUNCTIONS.items() if name.startswith("is_")]
-REFUSED = [
-    f
-    for name, f in FUNCTIONS.items()
-    if not name.startswith("is_") and next(iter(f.__code__.co_varnames), "") == "t"
-]
+FUNCTIONS = {
+    name.replace("_", " "): f
+    for name, f in dict(globals()).items()
+    if hasattr(f, "__code__") and next(iter(f.__code__.co_varnames), "") == "t"
+}
+READ = ONE_LINE | {name: f for name, f in FUNCTIONS.items() if name.startswith("is ")}
+REFUSED = ONE_LINE_REFUSED | {name: f for name, f in FUNCTIONS.items() if name not in READ}
 
 
-@pytest.mark.parametrize("function", READ, ids=lambda f: f.__name__)
-def test_numbers_of_every_kind_are_as_python_has_them(function):
-    reads_as_python_runs(function, PARAMS)
+@pytest.mark.parametrize("name", READ)
+def test_numbers_of_every_kind_are_as_python_has_them(name):
+    reads_as_python_runs(READ[name], PARAMS)
 
 
 @pytest.mark.filterwarnings("ignore:the matrix subclass")
-@pytest.mark.parametrize("function", REFUSED, ids=lambda f: f.__name__)
-def test_what_would_be_another_number_is_refused(function):
+@pytest.mark.parametrize("name", REFUSED)
+def test_what_would_be_another_number_is_refused(name):
     with pytest.raises(Unread, match=r"output: "):
-        block_of(function, PARAMS).array_record("output")
+        block_of(REFUSED[name], PARAMS).array_record("output")
     kept = [*SEEN, BOLT.last, *vars(LEVER).values()]
     assert not any(type(one).__name__ == "Array" for one in kept)
 
