@@ -5,28 +5,28 @@ Each is a law and what else `prove` is given.  A wrong one is wrong for some flo
 
 import numpy as np
 import textbook_laws as book
-from own_laws import GAIN, LEARNED, N, filled, law, leaked, two
+from own_laws import (
+    GAIN,
+    LEARNED,
+    N,
+    V_of,
+    changed,
+    driven,
+    filled,
+    law,
+    leak,
+    off,
+    two,
+    with_numbers,
+)
 
-from clpt_control.equations import Block
-
-FLOW = {"flow_x": 2}
 TICKS = {"breakpoints": lambda p, t0, t1: np.arange(np.floor(t0) + 1.0, np.floor(t1) + 1.0)}
 SIGNS = {"alpha": (2, N), "K": (2,), "Gamma": (2,)}
 
 
-def changed(change, parameters=GAIN, **ports):
-    """Make the paper's law with its rates changed."""
-
-    def update(t, x, u, p):
-        """Eqs. (21)-(23), changed, section III."""
-        return change(t, x, u, p, filled(u, p.gain, u.e))
-
-    return lambda: law(update, parameters, **ports)
-
-
-def driven(error, **ports):
-    """Make the paper's law with another error than e."""
-    return changed(lambda t, x, u, p, rates: filled(u, p.gain, error(t, x, u, p)), **ports)
+def with_V(level):
+    """What else `prove` is given: a V."""
+    return {"V": V_of(level)}
 
 
 def scaled(factor, port=None):
@@ -37,21 +37,6 @@ def scaled(factor, port=None):
         return {name: by * r if port in (None, name) else r for name, r in rates.items()}
 
     return changed(change)
-
-
-def seen(function):
-    """Make a law with a function of the flow's own prediction error."""
-
-    def change(t, x, u, p, rates):
-        eps = function(u.flow_x + x.alpha @ u.phi_x)
-        return rates | {"alpha": rates["alpha"] - 0.3 * np.outer(eps, u.phi_x)}
-
-    return changed(change, more=FLOW)
-
-
-def leak(share, ports=LEARNED):
-    """Make a law with a leak."""
-    return changed(lambda t, x, u, p, r: leaked(x, r, share(t, x, u), ports))
 
 
 def by_matrix(M):
@@ -91,28 +76,6 @@ def flip(port, index):
     turned = np.ones(SIGNS[port])
     turned[index] = -1.0
     return changed(lambda t, x, u, p, r: r | {port: turned * r[port]})
-
-
-def V_of(level, **parameters):
-    """Make V of a level of u and the truth."""
-
-    def make(truth):
-        return Block(
-            "level",
-            output=lambda t, x, u, p: {"V": level(t, u, p)},
-            inputs={"e": 2, **LEARNED},
-            outputs={"V": 1},
-            parameters={**GAIN, **truth._asdict(), **parameters},
-            shapes={"theta": (2, "N")},
-        )
-
-    return {"V": make}
-
-
-def off(u, p):
-    """The squares of all errors of what is learned."""
-    flow = np.sum((p.theta + u.alpha) ** 2)
-    return flow + np.sum((u.K - p.KD) ** 2) + np.sum((u.Gamma - p.GammaD) ** 2)
 
 
 turned = changed(lambda t, x, u, p, r: {port: -own for port, own in r.items()})
@@ -181,7 +144,7 @@ WRONG = {  # name -> (law, what else is given)
         for port in ("K", "Gamma")
     },
     **{
-        f"{name} of eps": (seen(f), {})
+        f"{name} of eps": (book.seen(f), {})
         for name, f in {
             "-tanh": lambda s: -np.tanh(s),
             "sin": np.sin,
@@ -198,13 +161,13 @@ WRONG = {  # name -> (law, what else is given)
     **{
         f"a leak {name}": (leak(f), {})
         for name, f in {
-            "-0.1": lambda t, x, u: -0.1,
-            "0.05 + 0.1 sin t turned": lambda t, x, u: -0.05 - 0.1 * np.sin(t),
-            "of |alpha| - 3, turned": lambda t, x, u: 0.1 * (3 - np.sum(x.alpha**2)),
-            "alpha, any sign": lambda t, x, u: 0.1 * x.alpha[0, 0],
-            "-|e|": lambda t, x, u: -0.1 * np.hypot(u.e[0], u.e[1]),
-            "-|e|^2": lambda t, x, u: -0.1 * u.e @ u.e,
-            "where e > 0, turned": lambda t, x, u: np.where(u.e[0] > 0, -0.1, 0.1),
+            "-0.1": lambda t, x, u, p: -0.1,
+            "0.05 + 0.1 sin t turned": lambda t, x, u, p: -0.05 - 0.1 * np.sin(t),
+            "of |alpha| - 3, turned": lambda t, x, u, p: 0.1 * (3 - np.sum(x.alpha**2)),
+            "alpha, any sign": lambda t, x, u, p: 0.1 * x.alpha[0, 0],
+            "-|e|": lambda t, x, u, p: -0.1 * np.hypot(u.e[0], u.e[1]),
+            "-|e|^2": lambda t, x, u, p: -0.1 * u.e @ u.e,
+            "where e > 0, turned": lambda t, x, u, p: np.where(u.e[0] > 0, -0.1, 0.1),
         }.items()
     },
     "pushed": (changed(lambda t, x, u, p, r: r | {"K": r["K"] + 0.01}), {}),
@@ -301,23 +264,23 @@ WRONG = {  # name -> (law, what else is given)
         ),
         {},
     ),
-    "turned, V turned": (turned, V_of(lambda t, u, p: u.e @ u.e / 2 - off(u, p))),
-    "turned, V without an end": (turned, V_of(lambda t, u, p: u.e @ u.e / (1 + u.e @ u.e))),
-    "turned, V of e alone": (turned, V_of(lambda t, u, p: u.e @ u.e / 2)),
-    "turned, V = 0": (turned, V_of(lambda t, u, p: 0.0 * u.e[0])),
-    "turned, V = -V": (turned, V_of(lambda t, u, p: -u.e @ u.e / 2 - off(u, p))),
-    "turned, V fades": (turned, V_of(lambda t, u, p: np.exp(-t) * (u.e @ u.e + off(u, p)))),
+    "turned, V turned": (turned, with_V(lambda t, u, p: u.e @ u.e / 2 - off(u, p))),
+    "turned, V without an end": (turned, with_V(lambda t, u, p: u.e @ u.e / (1 + u.e @ u.e))),
+    "turned, V of e alone": (turned, with_V(lambda t, u, p: u.e @ u.e / 2)),
+    "turned, V = 0": (turned, with_V(lambda t, u, p: 0.0 * u.e[0])),
+    "turned, V = -V": (turned, with_V(lambda t, u, p: -u.e @ u.e / 2 - off(u, p))),
+    "turned, V fades": (turned, with_V(lambda t, u, p: np.exp(-t) * (u.e @ u.e + off(u, p)))),
     "e alone, V of e to 1": (
         scaled(lambda t, x, u: 0.0),
-        V_of(lambda t, u, p: np.minimum(u.e @ u.e, 1.0)),
+        with_V(lambda t, u, p: np.minimum(u.e @ u.e, 1.0)),
     ),
     "nothing learned, V without K": (
         scaled(lambda t, x, u: 0.0, "K"),
-        V_of(lambda t, u, p: u.e @ u.e / 2 + np.sum((p.theta + u.alpha) ** 2)),
+        with_V(lambda t, u, p: u.e @ u.e / 2 + np.sum((p.theta + u.alpha) ** 2)),
     ),
     "sign(e), V = |e|": (
         driven(lambda t, x, u, p: -np.sign(u.e)),
-        V_of(lambda t, u, p: np.sum(np.abs(u.e)) + off(u, p)),
+        with_V(lambda t, u, p: np.sum(np.abs(u.e)) + off(u, p)),
     ),
     "a box left outward": (
         changed(
@@ -333,7 +296,7 @@ WRONG = {  # name -> (law, what else is given)
     ),
     "a falling gain, V with it": (
         scaled(lambda t, x, u: 1 + np.exp(-t)),
-        V_of(lambda t, u, p: u.e @ u.e / 2 + off(u, p) / (1 + np.exp(-t))),
+        with_V(lambda t, u, p: u.e @ u.e / 2 + off(u, p) / (1 + np.exp(-t))),
     ),
 }
 
@@ -358,16 +321,16 @@ SMOOTH = {
 }
 RIGHT = {
     **{name: (make, more) for name, (make, more, _) in book.LAWS.items()},
-    **{f"{name} of eps": (seen(f), {}) for name, f in SMOOTH.items()},
+    **{f"{name} of eps": (book.seen(f), {}) for name, f in SMOOTH.items()},
     **{
         f"a leak {name}": (leak(f), {})
         for name, f in {
-            "2 + sin t": lambda t, x, u: 0.1 * (2 + np.sin(t)),
-            "1 + exp(-t)": lambda t, x, u: 0.1 * (1 + np.exp(-t)),
-            "clip of |alpha|": lambda t, x, u: 0.1 * np.clip(np.linalg.norm(x.alpha) - 1, 0, 1),
-            "of |e|": lambda t, x, u: 0.1 * np.hypot(u.e[0], u.e[1]),
-            "0": lambda t, x, u: 0.0,
-            "1/(1 + t)": lambda t, x, u: 0.1 / (1 + t),
+            "2 + sin t": lambda t, x, u, p: 0.1 * (2 + np.sin(t)),
+            "1 + exp(-t)": lambda t, x, u, p: 0.1 * (1 + np.exp(-t)),
+            "clip of |alpha|": lambda t, x, u, p: 0.1 * np.clip(np.linalg.norm(x.alpha) - 1, 0, 1),
+            "of |e|": lambda t, x, u, p: 0.1 * np.hypot(u.e[0], u.e[1]),
+            "0": lambda t, x, u, p: 0.0,
+            "1/(1 + t)": lambda t, x, u, p: 0.1 / (1 + t),
         }.items()
     },
     **{
@@ -403,7 +366,7 @@ RIGHT = {
             "s' = -s^3": lambda x, u: -(x.s**3),
         }.items()
     },
-    "V twice": (lambda: law(book.matrix_gain, {**GAIN, "M": EYE}), {}),
+    "V twice": (with_numbers(book.matrix_gain, M=EYE), {}),
     "e + 2 e": (driven(lambda t, x, u, p: 3 * u.e), {}),
     "sinh of e": (
         driven(lambda t, x, u, p: np.sinh(np.clip(u.e, -5, 5))),
@@ -415,10 +378,10 @@ RIGHT = {
     ),
     "V of Eq. (24)": (
         changed(lambda t, x, u, p, r: r),
-        V_of(lambda t, u, p: u.e @ u.e / 2 + off(u, p) / (2 * p.gain)),
+        with_V(lambda t, u, p: u.e @ u.e / 2 + off(u, p) / (2 * p.gain)),
     ),
     "V three times": (
         changed(lambda t, x, u, p, r: r),
-        V_of(lambda t, u, p: 3 * (u.e @ u.e / 2 + off(u, p) / (2 * p.gain))),
+        with_V(lambda t, u, p: 3 * (u.e @ u.e / 2 + off(u, p) / (2 * p.gain))),
     ),
 }

@@ -15,7 +15,6 @@ from own_laws import (
     N,
     filled,
     law,
-    two,
 )
 
 from clpt_control.blocks.laws.table import LAWS
@@ -66,7 +65,8 @@ def test_what_is_not_known_to_be_right_is_not_proved(name):
 
 
 def test_an_indefinite_V_proves_nothing():
-    verdict = prove(law(own_laws.flipped, GAIN), own_laws.turned_V(), points=POINTS)
+    turned_V = own_laws.V_of(lambda t, u, p: u.e @ u.e / 2 - own_laws.off(u, p) / (2 * p.gain))
+    verdict = prove(own_laws.turned(), turned_V, points=POINTS)
     assert verdict.residual == 0
     assert verdict.status == "open"
     assert "positive definite" in next(s.claim for s in verdict.steps if not s.holds)
@@ -77,7 +77,7 @@ def test_a_V_that_does_not_fit_refutes_no_law():
     scenario = theorem_scenario(N, "learned-flow")
     car = scenario.vehicle
     truth = (scenario.flow.parameters, car.feedback, car.feedforward)
-    own = law(own_laws.shipped, GAIN)
+    own = own_laws.paper()
     for gain, status in ((0.5, "proved"), (0.7, "open")):
         V = lyapunov_candidate("learned-flow", one_gain(gain, *truth))
         assert prove(own, V, points=POINTS).status == status
@@ -85,14 +85,14 @@ def test_a_V_that_does_not_fit_refutes_no_law():
 
 @pytest.mark.parametrize(("own", "V"), [(3, None), (None, 3), (None, None)])
 def test_what_is_no_block_or_makes_no_V_is_refused(own, V):
-    mine = law(own_laws.shipped, GAIN)
+    mine = own_laws.paper()
     with pytest.raises(ClptError, match=r"must be a Block|makes V\[1\] and nothing else"):
         prove(own or mine, V or mine)
 
 
 def test_a_proof_can_be_interrupted(monkeypatch):
     monkeypatch.setattr(interrupt, "_asked", True)
-    for work in (lambda: prove(law(own_laws.shipped, GAIN)), lambda: audit("3.2")):
+    for work in (lambda: prove(own_laws.paper()), lambda: audit("3.2")):
         with pytest.raises(KeyboardInterrupt):
             work()
 
@@ -110,7 +110,7 @@ def test_what_cannot_be_judged_is_refused_in_a_sentence(name):
 
 
 def test_a_law_may_have_any_name():
-    own = law(own_laws.leak, two(0.1))
+    own = own_laws.constant()
     own = Block(
         "theta_x",
         update=own.update_function,
@@ -122,7 +122,7 @@ def test_a_law_may_have_any_name():
 
 
 def test_what_has_no_value_says_so():
-    verdict = prove(law(own_laws.without_value, GAIN), points=POINTS)
+    verdict = prove(own_laws.divided_by_itself(), points=POINTS)
     said = next(s for s in verdict.steps if "value everywhere" in s.claim)
     assert not said.holds
     assert said.detail == "own.update divides by z_1, which may be zero"
@@ -157,7 +157,7 @@ def test_a_block_that_is_no_law_is_refused():
 
 
 def test_the_callers_law_is_left_as_it_is():
-    own = law(own_laws.shipped, GAIN)
+    own = own_laws.paper()
     x, u = np.ones(own.nstates), np.ones(own.ninputs)
     before = own.dynamics(0.0, x, u)
     prove(own, points=POINTS)
@@ -227,10 +227,10 @@ def test_a_law_called_as_a_block_that_holds_the_truth_is_refused():
 
 
 def test_a_proof_says_what_no_vehicle_measures():
-    own = law(own_laws.composite, two(0.1), more={"flow_x": 2})
+    own = own_laws.composite()
     said = [step.claim for step in prove(own, points=POINTS).steps]
     assert any("flow_x, the true flow, which no vehicle measures" in one for one in said)
-    said = [step.claim for step in prove(law(own_laws.shipped, GAIN), points=POINTS).steps]
+    said = [step.claim for step in prove(own_laws.paper(), points=POINTS).steps]
     assert not any("flow_x" in one for one in said)
 
 

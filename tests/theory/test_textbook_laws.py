@@ -29,7 +29,7 @@ def test_V_of_the_paper_with_the_papers_numbers_is_proved():
     scenario = clpt.paper_scenario()
     car, N = scenario.vehicle, scenario.basis.N
     truth = (scenario.flow.parameters, car.feedback, car.feedforward)
-    own = law(own_laws.shipped, {"gain": 0.8}, n=N)
+    own = own_laws.driven(lambda t, x, u, p: u.e, {"gain": 0.8}, n=N)()
     V = lyapunov_candidate("learned-flow", one_gain(0.8, *truth))
     assert prove(own, V, points=POINTS).status == "proved"
     found = prove(own, lambda truth: lyapunov_candidate("learned-flow", one_gain(0.8, *truth)))
@@ -43,7 +43,7 @@ def test_a_V_of_other_numbers_is_not_the_truths():
         own = truth._replace(KD=np.array([1.0, 0.7]))
         return lyapunov_candidate("learned-flow", one_gain(0.5, *own))
 
-    found = prove(law(own_laws.shipped, GAIN), made, points=POINTS)
+    found = prove(own_laws.paper(), made, points=POINTS)
     assert found.status == "open"
     assert "not shown" in found._repr_html_()
     assert "does not hold" not in found._repr_html_()
@@ -67,7 +67,7 @@ def test_a_state_beside_those_that_make_alpha_is_asked_for():
 
 
 def test_what_is_given_must_not_exclude_itself():
-    own = law(own_laws.flipped, GAIN)
+    own = own_laws.turned()
     for facts in ([-1.0], [1.0, 2.0, -3.0]):
         with pytest.raises(DiagramError, match="excludes itself"):
             prove(own, points=POINTS, given=lambda s, p, truth, facts=facts: facts)
