@@ -102,6 +102,7 @@ def test_a_block_takes_the_laws_place(quick, tmp_path):
             )
 
 
+@pytest.mark.processes
 @pytest.mark.skipif(not importlib.util.find_spec("distributed"), reason="Dask is not installed")
 def test_a_cluster_gets_the_block(quick, tmp_path):
     law, vary = law_blocks.papers_law(gain=1.1), "flow.parameters~normal:0.1"

@@ -28,6 +28,7 @@ def test_c_agrees_with_the_reference(options):
     np.testing.assert_allclose(early, reference[0], rtol=0, atol=1e-7)
 
 
+@pytest.mark.slow
 def test_simd_over_the_basis_agrees_with_one_function_after_the_other():
     case = cases.many(21, 40.0)  # two blocks of eight, five left
     expected, _ = Program(21).run(case)
@@ -35,6 +36,7 @@ def test_simd_over_the_basis_agrees_with_one_function_after_the_other():
     np.testing.assert_allclose(ours, expected, rtol=0, atol=1e-9)
 
 
+@pytest.mark.slow
 def test_lanes_agree_with_one_run_after_the_other_in_any_order():
     scenario = cases.paper(60.0).scenario
     parameters, states = cases.members(scenario, 0, 21)
@@ -90,6 +92,7 @@ def test_the_page_is_made_of_the_figures_beside_it():
     assert (ROOT / "docs" / "performance.md").read_text() == report.markdown(results)
 
 
+@pytest.mark.slow
 def test_the_drifter_block_moves_as_the_c_program():
     from benchmarks import advection
     from benchmarks.drifter import drifter
