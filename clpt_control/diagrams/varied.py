@@ -9,6 +9,8 @@ time carries S over as the derivative of what it does; a jump where a state cros
 need one more term, which is not there: `may_jump` says where that may be.
 """
 
+import operator
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from math import prod
@@ -19,6 +21,7 @@ import numpy as np
 from ..equations.arrays import Array, Tape, elementwise, lifted, operand, spread, stacked
 from ..equations.at_many import STEPS, leaf_values
 from ..equations.block import Block
+from ..equations.declaration import ports_of
 from ..equations.derivative import Direction
 from ..equations.reading import record_of_states
 from ..equations.record import Record, Shape, compact
@@ -210,7 +213,68 @@ def varied(wiring: Wiring, given: Sequence[Any], seeds: Sequence[Seeds], count: 
 # --- what may be varied -----------------------------------------------------------------------
 
 
-def fields_by_name(wiring: Wiring) -> dict[str, list[tuple[int, str]]]:
+class Place(NamedTuple):
+    """Where a value lies: in fields of blocks, in the initial state, in the inputs."""
+
+    fields: tuple[tuple[int, str], ...] = ()  # (block, field)
+    states: tuple[int, ...] = ()
+    inputs: tuple[int, ...] = ()
+    element: Any = ...  # of a field
+
+
+def places_of(
+    wiring: Wiring, given: Sequence[Any], states: Sequence[str], inputs: Sequence[str] = ()
+) -> dict[str, list[Place]]:
+    """Return every name that may vary, with its place; what has two places is ambiguous.
+
+    `given` are the parameters of the blocks; states and inputs are labels.
+    """
+    found: dict[str, list[Place]] = {}
+    for name, fields in _fields_by_name(wiring).items():
+        shapes = {np.shape(getattr(given[k], field)) for k, field in fields}
+        found[name] = (
+            [Place((one,)) for one in fields] if len(shapes) > 1 else [Place(tuple(fields))]
+        )
+    for kind, labels in (("states", states), ("inputs", inputs)):
+        named = {label: [k] for k, label in enumerate(labels)} | ports_of(labels)
+        for name, places in named.items():
+            own: Any = {kind: tuple(places)}
+            found.setdefault(name, []).append(Place(**own))
+    return found
+
+
+def place_of(key: str, names: Mapping[str, list[Place]], given: Sequence[Any]) -> Place | None:
+    """Return where a name lies alone, or an element of an array, ``plant.A[0,1]``."""
+    whole, _, inside = key.removesuffix("]").rpartition("[")
+    if key in names or len(names.get(whole, ())) != 1:
+        own = names.get(key, ())
+        return own[0] if len(own) == 1 else None
+    place, element = names[whole][0], tuple(int(one) for one in re.findall(r"\d+", inside))
+    shape = np.shape(getattr(given[place.fields[0][0]], place.fields[0][1])) if place.fields else ()
+    inner = len(element) == len(shape) and all(map(operator.lt, element, shape))
+    return place._replace(element=element) if inner and place.fields else None
+
+
+def value_at(place: Place, given: Sequence[Any], start: np.ndarray) -> np.ndarray:
+    """Return the value that parameters of blocks, or a start, have at a place."""
+    if place.fields:
+        k, name = place.fields[0]
+        return np.array(getattr(given[k], name), dtype=float)[place.element]
+    found = start[list(place.states)]
+    return found if len(found) > 1 else found[0]
+
+
+def put(place: Place, value: Any, given: list[Any], start: np.ndarray) -> None:
+    """Set the value that parameters of blocks, or a start, have at a place."""
+    for k, name in place.fields:
+        number = np.array(getattr(given[k], name), dtype=float)
+        number[place.element] = value
+        given[k] = given[k]._replace(**{name: number[()]})
+    if place.states:
+        start[list(place.states)] = value
+
+
+def _fields_by_name(wiring: Wiring) -> dict[str, list[tuple[int, str]]]:
     """Return the blocks' parameters by the names that a call gives them: (block, field)."""
     found: dict[str, list[tuple[int, str]]] = {}
     for k, node in enumerate(wiring.nodes):

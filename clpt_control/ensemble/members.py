@@ -16,11 +16,11 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property, lru_cache, partial
 from importlib.metadata import version
-from typing import Any, NamedTuple, Protocol
+from typing import Any, Protocol
 
 import numpy as np
 
-from ..diagrams.varied import read_as_number
+from ..diagrams.varied import Place, read_as_number
 from ..diagrams.wiring import Wiring
 from ..errors import DiagramError, SimulationError
 from ..native import solver
@@ -37,15 +37,6 @@ MOST_MEMBERS = 512  # a batch
 TRIED = 5  # members whose records are compared with Python, before any runs
 Values = Mapping[str, np.ndarray]  # what varies, each with a row for each member
 Made = tuple[Sequence[Any], np.ndarray, Any]  # parameters of all blocks, start, inputs
-
-
-class Place(NamedTuple):
-    """Where a value lies: in fields of blocks, in the initial state, in the inputs."""
-
-    fields: tuple[tuple[int, str], ...] = ()  # (block, field)
-    states: tuple[int, ...] = ()
-    inputs: tuple[int, ...] = ()
-    element: Any = ...  # of a field
 
 
 class Varied(Protocol):

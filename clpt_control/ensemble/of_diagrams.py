@@ -10,7 +10,6 @@ samples; of discrete time the samples' mean) and its largest magnitude.
 """
 
 import hashlib
-import re
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
@@ -21,7 +20,7 @@ import numpy as np
 
 from ..arguments import nearest
 from ..diagrams.interconnection import changed_parameters
-from ..diagrams.varied import fields_by_name
+from ..diagrams.varied import Place, place_of, places_of, put, value_at
 from ..diagrams.wiring import read_anew, units_of, wiring_of
 from ..equations.arrays import Unread
 from ..equations.at_many import decided_by_time
@@ -37,7 +36,7 @@ from ..simulation.dataset import Part, ports_shown
 from ..simulation.running import labels_of, units_shown
 from ..simulation.starts import initial_state as start_of
 from .drawn_values import Vary, unknown
-from .members import Ensemble, Made, Members, Place, States, Values
+from .members import Ensemble, Made, Members, States, Values
 from .summaries import Arrays, ends_of
 
 KEPT = {"final": "at the end", "rms": "root mean square", "max": "largest magnitude"}
@@ -89,11 +88,11 @@ class VariedDiagram:
         self.outputs, taken, states = labels_of(diagram, self.wiring)
         self.inputs = read_inputs(inputs, self.times, self.wiring.ninputs)
         self.start = stacked_state("initial_state", 0.0 if x0 is None else x0, len(states))
-        self.names = self._names(taken, states)
+        self.names = places_of(self.wiring, self.given, states, taken)
         self.places: dict[str, Place] = {}
         self.values: dict[str, np.ndarray] = {}
         for one in varies:
-            place = self._place(one.key)
+            place = place_of(one.key, self.names, self.given)
             if place is not None:
                 self.places[one.key], self.values[one.key] = place, self._value(place)
         if self.inputs.samples is None and any(place.inputs for place in self.places.values()):
@@ -122,42 +121,11 @@ class VariedDiagram:
                 found[key] = np.asarray(first, dtype=float)[()]
         return found
 
-    def _names(self, inputs: Sequence[str], states: Sequence[str]) -> dict[str, list[Place]]:
-        """Return every name that may vary, with its place; what has two places is ambiguous."""
-        found: dict[str, list[Place]] = {}
-        for name, fields in fields_by_name(self.wiring).items():
-            shapes = [np.shape(getattr(self.given[k], field)) for k, field in fields]
-            alike = fields if len(set(shapes)) == 1 else []
-            found[name] = [Place(tuple(alike))] if alike else [Place((one,)) for one in fields]
-        for kind, labels in (("states", states), ("inputs", inputs)):
-            named = {label: [k] for k, label in enumerate(labels)} | ports_of(labels)
-            for name, places in named.items():
-                place: Any = {kind: tuple(places)}
-                found.setdefault(name, []).append(Place(**place))
-        return found
-
-    def _place(self, key: str) -> Place | None:
-        """Return where a name lies, or an element of an array."""
-        whole, _, inside = key.removesuffix("]").rpartition("[")
-        if len(self.names.get(key, ())) == 1:
-            return self.names[key][0]
-        if key in self.names or len(self.names.get(whole, ())) != 1:
-            return None
-        place = self.names[whole][0]
-        element = tuple(int(one) for one in re.findall(r"\d+", inside))
-        shape = self._value(place).shape
-        fits = len(element) == len(shape) and all(
-            k < n for k, n in zip(element, shape, strict=True)
-        )
-        return place._replace(element=element) if fits and place.fields else None
-
     def _value(self, place: Place) -> np.ndarray:
-        if place.fields:
-            k, name = place.fields[0]
-            return np.array(getattr(self.given[k], name), dtype=float)[place.element]
-        u = self.inputs.at(float(self.times[0]))
-        found = self.start[list(place.states)] if place.states else u[list(place.inputs)]
-        return found if len(found) > 1 else found[0]
+        if not place.inputs:
+            return value_at(place, self.given, self.start)
+        u = self.inputs.at(float(self.times[0]))[list(place.inputs)]
+        return u if len(u) > 1 else u[0]
 
     # --- as what may vary -----------------------------------------------------------------
 
@@ -253,17 +221,12 @@ class VariedDiagram:
         """Return one member with some values of its own."""
         given, start, inputs = list(self.given), self.start.copy(), self.inputs
         for key, value in own.items():
-            fields, states, rows, element = self.places[key]
-            for k, name in fields:
-                number = np.array(getattr(given[k], name), dtype=float)
-                number[element] = value
-                given[k] = given[k]._replace(**{name: number[()]})
-            if states:
-                start[list(states)] = value
-            if rows and inputs.samples is not None:
+            place = self.places[key]
+            put(place, value, given, start)
+            if place.inputs and inputs.samples is not None:
                 at, u = inputs.samples
                 u = u.copy()
-                u[list(rows)] = np.reshape(value, (-1, 1))
+                u[list(place.inputs)] = np.reshape(value, (-1, 1))
                 inputs = replace(inputs, samples=(at, u))
         return given, start, inputs
 

@@ -12,6 +12,7 @@ import numpy as np
 from ..arguments import nearest
 from ..diagrams.interconnection import wiring_of_blocks
 from ..diagrams.parts import LAW, UNCHANGED, Changes, functions_of
+from ..diagrams.varied import Place
 from ..diagrams.wiring import Wiring
 from ..equations.block import Block
 from ..errors import DiagramError
@@ -22,7 +23,7 @@ from ..scenario.tables import Table
 from ..simulation.loops import changed_blocks
 from ..simulation.starts import state_columns, state_of
 from .drawn_values import unknown
-from .members import Ensemble, Made, Members, Place, States, Values
+from .members import Ensemble, Made, Members, States, Values
 from .summaries import Arrays, arrays_of, kept_of, marks_of, sample_times_of, samples_per_cycle
 
 

@@ -177,7 +177,7 @@ class _Fitting:
     """A diagram, what was measured of it, and where a fit begins."""
 
     def __init__(self, ready: Sensitive, measured: Mapping[str, Any], begin: Any, noise: Any):
-        self.ready, self.names = ready, [way.name for way in ready.ways]
+        self.ready, self.names = ready, [*ready.ways]
         ports = ports_of(ready.labels) | {one: [k] for k, one in enumerate(ready.labels)}
         n, places, columns = len(ready.times) - ready.skipped, list[int](), list[np.ndarray]()
         self.outputs: list[str] = []
@@ -301,9 +301,9 @@ class _Fitting:
         free_names = [name for name, one in zip(self.names, free, strict=True) if one]
         start, blocks = self.ready.moved(values)
         params = {
-            way.name.partition("[")[0]: getattr(blocks[way.fields[0][0]], way.fields[0][1])
-            for way in self.ready.ways
-            if way.fields
+            name.partition("[")[0]: getattr(blocks[k], field)
+            for name, place in self.ready.ways.items()
+            for k, field in place.fields[:1]
         }
         return Fit(
             dict(zip(self.names, map(float, values), strict=True)),

@@ -15,7 +15,17 @@ import control
 import numpy as np
 
 from ..arguments import nearest, public
-from ..diagrams.varied import Varied, fields_by_name, may_jump, read_as_number, varied
+from ..diagrams.varied import (
+    Place,
+    Varied,
+    may_jump,
+    place_of,
+    places_of,
+    put,
+    read_as_number,
+    value_at,
+    varied,
+)
 from ..diagrams.wiring import Wiring
 from ..equations.arrays import Unread
 from ..equations.declaration import ports_of
@@ -38,15 +48,6 @@ CLOSE, SHARE = 1e-2, 0.02  # how far off they may be, and at which share of the 
 EXACT = {"rtol": 1e-10, "atol": 1e-13}  # of their runs
 
 
-class Way(NamedTuple):
-    """One number that is varied: an element of fields of blocks, or a state of the start."""
-
-    name: str
-    fields: tuple[tuple[int, str], ...] = ()
-    at: tuple[int, ...] = ()
-    state: int = -1
-
-
 class Varying(NamedTuple):
     """Outputs and states of a run, and then how they vary: of shape (nt, count, 1 + ways)."""
 
@@ -60,42 +61,37 @@ class Varying(NamedTuple):
         return np.concatenate([self.outputs, self.states], axis=1)
 
 
-def ways_of(names: str | Iterable[str], wiring: Wiring, states: Sequence[str]) -> list[Way]:
-    """Return what is varied by these names: parameters, their elements, states of the start."""
-    known: dict[str, list[Way]] = {}
-    fields = fields_by_name(wiring)
-    for name, places in fields.items():
-        k, field = places[0]
-        every = [
-            Way(f"{name}[{','.join(map(str, at))}]" if at else name, tuple(places), at)
-            for at in np.ndindex(np.shape(getattr(wiring.nodes[k].system.parameters, field)))
-        ]
-        known |= {way.name: [way] for way in every} | {name: every}
-    labels = (
-        {START: range(len(states))} | ports_of(states) | {one: [k] for k, one in enumerate(states)}
-    )
-    for name, own in labels.items():
-        known[f"{START}.{name}"] = [Way(f"{START}.{states[k]}", state=k) for k in own]
-        known.setdefault(name, known[f"{START}.{name}"])
-    found: list[Way] = []
+def ways_of(names: str | Iterable[str], wiring: Wiring, states: Sequence[str]) -> dict[str, Place]:
+    """Return what is varied by these names, number by number: parameters, states of the start."""
+    given, found = [node.system.parameters for node in wiring.nodes], dict[str, Place]()
+    known = places_of(wiring, given, states)
+    starts = {f"{START}.{name}": own[-1] for name, own in known.items() if own[-1].states}
+    starts[START] = Place(states=tuple(range(len(states))))
     for name in [names] if isinstance(names, str) else names:
-        if name in fields and name in states:
+        place = starts.get(name) or place_of(name, known, given)
+        if place is None and f"{START}.{name}" in starts:
             raise SimulationError(
                 f"{name}: is a parameter and a state; {START}.{name} is the state"
             )
-        if name.replace(", ", ",") not in known:
-            several = sorted({*fields, *states, START})
+        if place is None:
+            several = sorted({*known, START})
             close = nearest(name, several)
             raise SimulationError(
                 f"{name}: must be among {', '.join(several)}, or an element, counted from 0"
                 + (f"; did you mean {close}?" if close else "")
             )
-        found += known[name.replace(", ", ",")]
-    for way in found:
-        for k, field in way.fields:
+        found |= {f"{START}.{states[k]}": Place(states=(k,)) for k in place.states}
+        if place.fields:
+            value, whole = value_at(place, given, np.zeros(0)), name.partition("[")[0]
+            every = np.ndindex(np.shape(value)) if place.element is ... else [place.element]
+            for at in every:
+                label = f"{whole}[{','.join(map(str, at))}]" if at else name
+                found[label] = place._replace(element=at)
+    for name, place in found.items():
+        for k, field in place.fields:
             if role := read_as_number(wiring.nodes[k].system, field):
                 raise SimulationError(
-                    f"{way.name}: {wiring.nodes[k].name}.{role} asks for its value (a count, an "
+                    f"{name}: {wiring.nodes[k].name}.{role} asks for its value (a count, an "
                     "index, an `if`, or a library that is no NumPy), so its derivative is not known"
                 )
     return found
@@ -136,39 +132,30 @@ class Sensitive:
     def _made(self) -> tuple[Varied, NativeDiagram]:
         """Return the diagram beside how it varies, and ready to run."""
         seeds: list[dict[str, np.ndarray]] = [{} for _ in self.wiring.nodes]
-        for j, way in enumerate(self.ways):
-            for k, field in way.fields:
+        for j, place in enumerate(self.ways.values()):
+            for k, field in place.fields:
                 shape = np.shape(getattr(self.given[k], field))
                 seed = seeds[k].setdefault(field, np.zeros((len(self.ways), *shape)))
-                seed[(j, *way.at)] = 1.0
+                seed[(j, *place.element)] = 1.0
         self.doubtful = [  # blocks in which something may jump
             node.name
             for node, seed in zip(self.wiring.nodes, seeds, strict=True)
             if may_jump(node.system) or (seed and node.system.breakpoints_function is not None)
         ]
         made = varied(self.wiring, self.given, seeds, len(self.ways))
-        apart = {place: place for way in self.ways for place in way.fields}
+        apart = {one: one for place in self.ways.values() for one in place.fields}
         return made, NativeDiagram(made.wiring, apart=apart)
 
     @property
     def values(self) -> np.ndarray:
         """What is varied, as it was given."""
-        found = []
-        for _, fields, at, state in self.ways:
-            k, field = fields[0] if fields else (0, "")
-            found.append(getattr(self.given[k], field)[at] if fields else self.start[state])
-        return np.array(found)
+        return np.array([value_at(place, self.given, self.start) for place in self.ways.values()])
 
     def moved(self, values: np.ndarray) -> tuple[np.ndarray, list[Any]]:
         """Return the start, and parameters of blocks, with other values of what is varied."""
         start, given = self.start.copy(), list(self.given)
-        for (_, fields, at, state), value in zip(self.ways, values, strict=True):
-            if not fields:
-                start[state] = value
-            for k, field in fields:
-                own = np.array(getattr(given[k], field))
-                own[at] = value
-                given[k] = given[k]._replace(**{field: own})
+        for place, value in zip(self.ways.values(), values, strict=True):
+            put(place, value, given, start)
         return start, given
 
     def run(self, values: np.ndarray, **solver: Any) -> Varying:
@@ -176,7 +163,7 @@ class Sensitive:
         start, given = self.moved(values)
         x = np.zeros(self.made.states.size)
         x[self.made.states[0]] = start
-        starts = [(1 + j, way.state) for j, way in enumerate(self.ways) if not way.fields]
+        starts = [(1 + j, k) for j, place in enumerate(self.ways.values()) for k in place.states]
         x[self.made.states[tuple(np.array(starts, dtype=int).reshape(-1, 2).T)]] = 1.0
         runner, solver = self.runner.with_parameters(given), {**self.solver, **solver}
         solution, signals, why = compared(runner, x, self.times, inputs=self.inputs, **solver)
@@ -292,7 +279,7 @@ def dataset_of(
         frame.filled(replace(found.solution, x=found.states[..., j]), found.outputs[..., j])
         for j in range(1, 1 + len(ready.ways))
     ]
-    names = xarray.Variable("parameter", [way.name for way in ready.ways])
+    names = xarray.Variable("parameter", [*ready.ways])
     every = xarray.concat(each, names, combine_attrs="override").transpose(..., "parameter")
     every.attrs["title"] = f"Sensitivities of {ready.name}"
     for name, one in every.data_vars.items():

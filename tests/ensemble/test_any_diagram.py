@@ -12,6 +12,7 @@ from random_diagrams import random_diagram
 from scipy import stats
 
 import clpt_control as clpt
+from clpt_control.diagrams.varied import place_of
 from clpt_control.ensemble.drawn_values import distribution, parsed, read_vary
 from clpt_control.ensemble.members import Ensemble
 from clpt_control.ensemble.of_diagrams import VariedDiagram
@@ -360,7 +361,8 @@ def drawn(seed):
     diagram = random_diagram(draw)
     varied = VariedDiagram(diagram, (), TIMES[:5], 0.1)
     names = sorted(name for name in varied.names if varied.why_not(name))
-    free = [n for n in names if varied._place(n) and np.ndim(varied._value(varied._place(n))) == 0]
+    places = {n: place_of(n, varied.names, varied.given) for n in names}
+    free = [n for n, at in places.items() if at and np.ndim(varied._value(at)) == 0]
     picked = draw.sample(free, min(3, len(free)))
     return diagram, dict.fromkeys(picked, "0.5:0.9")
 
@@ -388,7 +390,7 @@ def test_members_are_what_python_runs_block_by_block(seed):
     draw = random.Random(seed)
     diagram = random_diagram(draw)
     first = VariedDiagram(diagram, (), TIMES[:5], 0.1, 0.2)
-    names = [name for name in sorted(first.names) if first._place(name)]
+    names = [name for name in sorted(first.names) if place_of(name, first.names, first.given)]
     vary = dict.fromkeys(draw.sample(names, min(4, len(names))), "0.4:0.9")
     varied = VariedDiagram(diagram, parsed(vary), TIMES[:5], 0.1, 0.2)
     given = {"timepts": TIMES[:5], "inputs": 0.1, "initial_state": 0.2, "trajectories": True}
