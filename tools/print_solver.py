@@ -23,11 +23,7 @@ from numba.core import types
 from numba.extending import intrinsic
 
 ROOT = Path(__file__).parents[1]
-SOURCES = (
-    "clpt_control/native/solver.py",
-    "clpt_control/native/linear_equations.py",
-    "tools/print_solver.py",
-)
+SOURCES = ("clpt_control/native/solver.py", "tools/print_solver.py")
 TEXT = ROOT / "clpt_control" / "native" / "solver.ll"
 OPTIONS: dict[str, Any] = {
     "nogil": True,

@@ -25,12 +25,11 @@ from ..diagrams.wiring import Wiring
 from ..errors import DiagramError, SimulationError
 from ..native import solver
 from ..native.batch import Batch, Callee
-from ..native.ending import STUCK
+from ..native.ending import METHODS, STUCK, begun, finish, steps
 from ..native.engines import chosen, compared, in_python
 from ..native.machine import LANES, processor
 from ..native.python_diagram import PythonDiagram
 from ..native.schedule import Inputs, Schedule
-from ..native.ways import METHODS, begun, finish, steps
 
 BATCH_BYTES = 64_000_000  # states in flight, a thread
 MOST_MEMBERS = 512  # a batch

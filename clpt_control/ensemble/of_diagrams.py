@@ -28,10 +28,10 @@ from ..equations.declaration import ports_of
 from ..equations.system import System, linear
 from ..errors import DiagramError, ScenarioError, SimulationError
 from ..native import solver
+from ..native.ending import check_spacing, checked_method
 from ..native.python_diagram import checked_steps
 from ..native.schedule import checked_times, open_sizes, read_inputs, stacked_state
 from ..native.sweep import Sweep
-from ..native.ways import check_spacing, checked_method
 from ..simulation.dataset import Part, ports_shown
 from ..simulation.running import labels_of, units_shown
 from ..simulation.starts import initial_state as start_of

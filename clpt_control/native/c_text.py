@@ -13,9 +13,8 @@ from typing import Any
 
 from ..equations.arrays import CONDITIONS
 from ..errors import Uncompiled
-from .components import deep, rows
+from .components import Components, deep, rows
 from .diagram_record import DiagramRecord, Layout
-from .formula import AsWritten
 from .plan import Nest, Planner
 
 GIVEN = "double t, const double *x, const double *u, const double *p, const double *kept"
@@ -82,7 +81,7 @@ class Program:
     """The functions of a diagram, and what they share."""
 
     def __init__(self, record: Record, signals: int):
-        self.made = AsWritten(record, signals, 0)
+        self.made = Components(record, signals)
         self.helpers: dict[str, None] = {}
         ports = {"rates": (record.rates, "D"), "signals": (record.signals, "W")}
         if record.layout.jumps:

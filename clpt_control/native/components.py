@@ -71,13 +71,18 @@ def deep() -> Iterator[None]:
 
 
 class Components:
-    """The elements of a diagram's record that its functions need, each once."""
+    """The elements of a diagram's record that its functions need, each once.
 
-    def __init__(self, record: Any, room: int, prepared: int):
+    From `prepared` on P has room for what is computed once a piece of time; without, all is
+    computed where it is asked for.
+    """
+
+    def __init__(self, record: Any, room: int, prepared: int | None = None):
         self.record, self.entries = record, record.entries
         self.all: list[Component] = []
-        self.steady: list[bool] = []  # depends on parameters alone
-        self.room, self.prepared = room, prepared  # next free places in W, and in P
+        self.preparing = prepared is not None
+        self.steady: list[bool] = []  # depends on parameters alone, and is prepared
+        self.room, self.prepared = room, prepared or 0  # next free places in W, and in P
         self.constants: list[float] = []  # K
         self.kept: dict[int, list[Write]] = {}  # arrays that are written before they are read
         self._places: dict[Any, int] = {}
@@ -108,7 +113,7 @@ class Components:
         if key not in self._places:
             self._places[key] = len(self.all)
             self.all.append(component)
-            self.steady.append(steady)
+            self.steady.append(steady and self.preparing)
             if len(self.all) > MOST:
                 raise Uncompiled(
                     f"the diagram takes more than {MOST} operations apart from loops: write what "
@@ -265,8 +270,8 @@ class Components:
         return self.add("ne", value, 0.0)
 
     def is_steady(self, value: Value) -> bool:
-        """Whether a value depends on parameters alone."""
-        return type(value) is float or self.steady[value[0]]
+        """Whether a value depends on parameters alone, and is prepared."""
+        return self.preparing and (type(value) is float or self.steady[value[0]])
 
     # --- arrays that are written first ----------------------------------------------------
 

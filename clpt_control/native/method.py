@@ -1,28 +1,64 @@
 """The methods as formulas: Dormand and Prince's of order 8, Rodas5P, Runge and Kutta's of order 4.
 
 The formulas compute each stage, judge a step and choose the next; `solver` decides nothing
-but what comes after what.  It names the rows of Z and of what a lane is doing.
+but what comes after what.  It names the rows of Z and of what a lane is doing.  A formula is an
+ordinary function of numbers, read as a diagram's are: a program of eight states or eight runs at
+once, to which numbers of a lane are t, and rows of Z are X.
 
 DOP853: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, 1993, sections
 II.4, II.5 and II.10; the coefficients and the choice of steps are scipy's.  Rodas5P, for stiff
 equations: `rosenbrock`.  RK4 takes steps of one length.
 """
 
+from collections.abc import Callable
 from functools import partial
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 from numpy import ceil, maximum, minimum, power, sqrt, where
 
+from ..equations.arrays import Tape, elementwise, operand
 from . import rosenbrock as rodas
 from . import solver as row
-from .formula import Formula, Rows, Step, joined, program_of_formulas
+from .components import Components
+from .decisions import Port
 from .machine import Machine, once
+from .plan import Planner, Program
 
 LAST_TERM = 1.23e-3  # of the interpolant: what is wrong within a step that stability keeps short
 TRUSTED = 100.0  # tolerances that a state between a step's ends may be wrong by
 BEGUN = range(9, 12)  # stages whose sums stage 8 begins, as its own reads what they read
-Made = tuple[Rows, Rows]
+Rows = dict[int, Any]
+joined = partial(elementwise, "fmuladd")  # a b + c, rounded once where the processor can
+
+
+class Step:
+    """What formulas are made of: rows of Z, for each of n states, and numbers of the lane."""
+
+    def __init__(self, n: int):
+        self.n, self.tape = n, Tape()
+
+    def z(self, row: int) -> Any:
+        """Return a row of Z."""
+        return self.tape.add("load", (), (self.n,), ("X", row * self.n))
+
+    def lane(self, row: int) -> Any:
+        """Return a number of the lane."""
+        return self.tape.add("load", (), (), ("t", row))
+
+    def tolerance(self, size: Any) -> Any:
+        """Return by how much states of that size may be wrong."""
+        relative, absolute = (self.tape.add("load", (), (), ("T", k)) for k in range(2))
+        return joined(relative, size, absolute)
+
+    def total(self, value: Any) -> Any:
+        """Return the sum over the states."""
+        return self.tape.add("sum", (operand(value),), (), (0, self.n, True))
+
+
+Made = tuple[Rows, Rows]  # what becomes of rows of Z, and of numbers
+Formula = Callable[[Step], Made]
 
 
 def _table() -> Any:
@@ -284,6 +320,25 @@ def formulas(method: int) -> dict[str, Formula]:
         **{f"stage_{k}": one for k, one in enumerate(stages, 1)},
     }
     return named | {"stiffness": _stiffness} if method == row.DOP853 else named
+
+
+def program_of_formulas(formulas: dict[str, Formula], n: int) -> Program:
+    """Return the program of formulas for n states."""
+    step = Step(n)
+    made = Components(SimpleNamespace(entries=step.tape.operations), 0)
+    writes = {}
+    for name, formula in formulas.items():
+        rows, numbers = formula(step)
+        states = [Port(r * n, (n,), (True,), operand(value)) for r, value in rows.items()]
+        others = [Port(r, (), (), operand(value)) for r, value in numbers.items()]
+        writes[name] = made.writes(states, "X") + made.writes(others, "t")
+    plan = Planner(made)
+    # loops come first: numbers of the lane are read in them, and written behind them
+    functions = {
+        name: tuple(sorted(plan.nests(own), key=lambda nest: not nest.lengths))
+        for name, own in writes.items()
+    }
+    return Program(tuple(made.all), functions, {}, (), 0, 0, 0, ())
 
 
 @once(16)

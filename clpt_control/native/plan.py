@@ -47,13 +47,10 @@ class Program(NamedTuple):
 
 
 class Planner:
-    """Makes the program of components.
-
-    While it is `early` functions compute all by themselves, as what is prepared is.
-    """
+    """Makes the program of components; `early` while that is of what is prepared."""
 
     def __init__(self, made: Components):
-        self.made, self.all, self.early = made, made.all, True
+        self.made, self.all, self.early = made, made.all, False
         self.prepared: dict[int, int] = {}
         self.before: list[Write] = []  # what writes into P what is prepared
         self.rank = [len(c.lengths) for c in made.all]
@@ -73,8 +70,7 @@ class Planner:
         self, writes: dict[str, list[Write]], decided: int, deciding: tuple[tuple, ...]
     ) -> Program:
         """Return the program whose functions write these."""
-        self.early, made = False, self.made
-        functions = {name: self.nests(own) for name, own in writes.items()}
+        made, functions = self.made, {name: self.nests(own) for name, own in writes.items()}
         self.early = True
         functions["prepare"] = self.nests(self.before)
         constants, sizes = tuple(made.constants), (made.prepared, made.room, decided)

@@ -19,7 +19,17 @@ from ..diagrams.wiring import Wiring, read_anew, wiring_of
 from ..errors import SimulationError
 from . import solver
 from .batch import ANY, Batch, Callee, pace
-from .ending import STUCK, Solution, ended
+from .ending import (
+    METHODS,
+    STUCK,
+    Solution,
+    begun,
+    check_spacing,
+    checked_method,
+    ended,
+    finish,
+    iterated,
+)
 from .jacobian import Jacobian, jacobian
 from .machine import called
 from .method import kernels
@@ -36,7 +46,6 @@ from .schedule import (
     sharp,
 )
 from .sweep import Sweep
-from .ways import METHODS, begun, check_spacing, checked_method, finish, iterated
 
 FREE = (np.inf, 0.0)  # no longest step, nor a first one
 

@@ -13,8 +13,8 @@ from ..arguments import public
 from ..diagrams.recorded import key_of
 from ..equations.system import linear
 from ..errors import SimulationError
+from ..native.ending import checked_method
 from ..native.schedule import checked_times, open_sizes
-from ..native.ways import checked_method
 from ..scenario.experiment import Scenario
 from ..scenario.team import Team
 from .flows import note_speeds, speeds_of

@@ -16,10 +16,9 @@ from clpt_control.equations import Block, Guard
 from clpt_control.errors import SimulationError
 from clpt_control.native import batch, solver
 from clpt_control.native.batch import Batch
-from clpt_control.native.ending import Status
+from clpt_control.native.ending import Status, radius
 from clpt_control.native.native_diagram import NativeDiagram
 from clpt_control.native.python_diagram import PythonDiagram
-from clpt_control.native.ways import radius
 
 sys.path.insert(0, str(Path(__file__).parents[2]))  # benchmarks/ is no installed package
 
