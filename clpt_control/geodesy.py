@@ -52,3 +52,12 @@ def place_from(lat: float, lon: float, east: float, north: float) -> tuple[float
         return nan, nan
     lon2, lat2, _ = _ellipsoid().fwd(lon, lat, degrees(atan2(east, north)), length)
     return lat2, lon2
+
+
+def near(lon: Any, other: Any) -> Any:
+    """Return an angle, counted on so that it lies within 180 degrees of another.
+
+    >>> near(-179.5, 179.0)
+    180.5
+    """
+    return other + (lon - other + 180.0) % 360.0 - 180.0

@@ -40,6 +40,7 @@ import numpy as np
 
 from ..errors import DataError, needed
 from ..files import open_netcdf
+from ..geodesy import near
 from ..units import METRES, SECONDS, length_in_metres, speed_in_metres_per_second, time_in_seconds
 from .cf import numbers_of
 
@@ -95,7 +96,7 @@ class LocalPlane:
         """
         x1, x2 = np.broadcast_arrays(np.asarray(x1, float), np.asarray(x2, float))
         lon, lat = self._projection(x1, x2, inverse=True)
-        return lat, self.lon + (lon - self.lon + 180.0) % 360.0 - 180.0
+        return lat, near(lon, self.lon)
 
     def turn(self, lat: Any, lon: Any, u: Any, v: Any) -> tuple[np.ndarray, np.ndarray]:
         """Turn velocities at places in degrees from east and north to x1 and x2."""

@@ -23,6 +23,7 @@ import numpy as np
 from ..arguments import public
 from ..errors import DataError
 from ..files import open_netcdf
+from ..geodesy import near
 from .cf import AXES, VELOCITY, check_speed, dates_of, find_axis, find_variable, velocity_values
 from .constituents import check_increasing
 from .text_table import is_table, read_table
@@ -152,9 +153,7 @@ def _nearest(axis: np.ndarray, wanted: float, what: str, path: Path) -> int:
     """Return the cell nearest to a place that lies in the grid."""
     if not np.isfinite(wanted):
         raise DataError(f"{path}: {what} {wanted}: must be finite degrees")
-    apart = axis - wanted
-    if what == "longitude":
-        apart = (apart + 180.0) % 360.0 - 180.0
+    apart = near(axis - wanted, 0.0) if what == "longitude" else axis - wanted
     k = int(np.argmin(np.abs(apart)))
     cell = np.abs(np.diff(np.sort(axis))).max() if len(axis) > 1 else 1.0
     if abs(apart[k]) > cell:

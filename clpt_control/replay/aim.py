@@ -29,7 +29,7 @@ import numpy as np
 
 from ..arguments import public
 from ..errors import ScenarioError
-from ..geodesy import displacement, is_place
+from ..geodesy import displacement, is_place, near
 from ..gliders.dives import Dive, Fix
 from ..gliders.samples import variation as igrf
 from ..gliders.usable_dives import FASTEST
@@ -73,7 +73,7 @@ class Aim:
         """Return heading less bearing, degrees, -180 to 180."""
         if self.heading is None or self.bearing is None:
             return None
-        return (self.heading - self.bearing + 180.0) % 360.0 - 180.0
+        return near(self.heading - self.bearing, 0.0)
 
     @property
     def way(self) -> tuple[float, float]:

@@ -17,7 +17,7 @@ manual", USGS 1395, 1987, section 7).  Longitudes are counted from that of the f
 that no chart is cut at 180 degrees.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from functools import lru_cache
 from itertools import pairwise
 from math import ceil, cos, floor, pi, radians, sin
@@ -26,8 +26,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..errors import needed
-from ..geodesy import displacement, place_from
-from .wording import Place, compass, east_of, velocity
+from ..geodesy import displacement, near, place_from
+from .wording import Place, compass, east_of, half_axes, velocity, within
 
 DIVE, NEXT, AIMED = ("start_", "forecast_"), ("from_", ""), ("from_", "end_")  # start, centre
 CORNERS = 48
@@ -62,15 +62,6 @@ def _ring(begin: Place, end: Place, long: float, short: float, bearing: float) -
         away = along * sin(turn) - across * cos(turn), along * cos(turn) + across * sin(turn)
         places.append(place_from(*begin, east + away[0], north + away[1]))
     return (*places, places[0])
-
-
-def near(lon: float, other: float) -> float:
-    """Return a longitude, counted on so that it lies within 180 degrees of another.
-
-    >>> near(-179.5, 179.0)
-    180.5
-    """
-    return other + (lon - other + HALF) % 360.0 - HALF
 
 
 def unbroken(places: Sequence[Place]) -> list[Place]:
@@ -212,6 +203,20 @@ def mark(angle: float, names: str, step: float) -> str:
     return f"{whole:.0f}°{minutes:0{2 + bool(decimals) + decimals}.{decimals}f}'{letter}"
 
 
+def with_room(
+    points: np.ndarray, tried: Iterable[int], room: tuple[float, float], before: Sequence[int] = ()
+) -> list[int]:
+    """Return which of those that are tried have room for a number, in their order.
+
+    It is clear of others, points of shape (n, 2), those `before` among them.
+    """
+    found = list(before)
+    for k in tried:
+        if (np.abs(points[found] - points[k]) >= room).any(1).all():
+            found.append(k)
+    return found[len(before) :]
+
+
 class Layer(NamedTuple):
     """Places, the row, next dive or leg that they are `of`, words on it, and its time."""
 
@@ -225,10 +230,9 @@ class Layer(NamedTuple):
 
 def words_of_next(ahead: dict[str, Any]) -> str:
     """Return what a popup says of the next surfacing."""
-    half = f"{ahead['ellipse_90_long']:.0f} x {ahead['ellipse_90_short']:.0f} m"
     bearing = compass(ahead["ellipse_90_bearing"])
-    when = f"{ahead['time']} +- {ahead['time_90'] / 60:.0f} min"
-    return f"{when}, {ahead['place']}; 90 % within {half}, the long axis to {bearing}"
+    when = f"{ahead['time']} {within(ahead)}"
+    return f"{when}, {ahead['place']}; 90 % within {half_axes(ahead)} m, the long axis to {bearing}"
 
 
 def words_of_dive(row: dict[str, Any]) -> str:

@@ -38,7 +38,7 @@ from ..progress import tell
 from .doubts import SETTLED, Anomaly
 from .page import cell_table
 from .surfacing import RECENT
-from .wording import clock, date, in_minutes, within
+from .wording import clock, date, half_axes, in_minutes, speed_mark, within
 
 OVERDUE, OUT, SPEED, UNREAD = "overdue", "OUT", "SPEED", "cannot be read"
 ORDER = (OVERDUE, OUT, SPEED, UNREAD)
@@ -126,17 +126,17 @@ def fleet_cells(row: dict[str, Any]) -> dict[str, str]:
     cells |= {"vehicle": row["vehicle"], "pilot": ", ".join(row["asks"])}
     if "dive" not in row:
         return cells
-    ahead, anomaly, running = row["next_dive"], row["anomaly"], row["out_running"]
+    ahead, running = row["next_dive"], row["out_running"]
     hours, judged = row["age_hours"], row["headlines"]["judged"]
     return cells | {
         "last fix (UTC)": date(row["time"]),
         "age": f"{hours:.1f} h" if hours < SOON else f"{hours / 24:.0f} d",
         "at": in_minutes(row["latitude"], row["longitude"]),
         "next (UTC)": f"{date(ahead['time'])} {within(ahead)}",
-        "90 % within (m)": f"{ahead['ellipse_90_long']:.0f} x {ahead['ellipse_90_short']:.0f}",
+        "90 % within (m)": half_axes(ahead),
         "held": f"{row['headlines']['place_held']} of {judged}" if judged else "-",
         "90 %": f"{OUT} x{running}" if running > 1 else OUT if running else "in",
-        "mark": "" if anomaly is None else SPEED if anomaly["certain"] else f"{SPEED}?",
+        "mark": speed_mark(row["anomaly"]),
     }
 
 

@@ -18,11 +18,13 @@ from .wording import (
     cells,
     clock,
     compass,
+    half_axes,
     in_degrees,
     next_surfacing,
     record,
     remarks,
     routed,
+    speed_mark,
     velocity,
     within,
 )
@@ -81,14 +83,13 @@ def _cards(found: dict[str, Any]) -> list[str]:
     else:
         since = f"{ahead['hours_from_now']:.1f} h after the {safe(ahead['now_is'])}"
     since = f"{safe(within(ahead))}, {since}"
-    half = f"{ahead['ellipse_90_long']:.0f} x {ahead['ellipse_90_short']:.0f} m"
     cards = [
         _card("Next surfacing", time, since, "first"),
         _card(
             "Where",
             ahead["place"],
-            f"{safe(in_degrees(ahead['latitude'], ahead['longitude']))}; 90 % within {half}; "
-            f"{safe(record(found['headlines']))}",
+            f"{safe(in_degrees(ahead['latitude'], ahead['longitude']))}; 90 % within "
+            f"{half_axes(ahead)} m; {safe(record(found['headlines']))}",
             "first",
         ),
         *(_aim(leg) for leg in (found.get("aim") or [])[:1]),
@@ -104,9 +105,8 @@ def _cards(found: dict[str, Any]) -> list[str]:
     inside = "" if last["inside_90"] else "; outside the 90 % ellipse"
     cards.append(_card(f"Miss, dive {last['dive']}", miss, before + inside))
     for anomaly in found["anomalies"][-1:]:
-        mark = "SPEED" if anomaly["certain"] else "SPEED?"
         said = f"changed by {anomaly['change']:+.2f} since dive {anomaly['since']}"
-        cards.append(_card(f"Mark of dive {anomaly['dive']}", mark, said, "alarm"))
+        cards.append(_card(f"Mark of dive {anomaly['dive']}", speed_mark(anomaly), said, "alarm"))
     return cards
 
 

@@ -13,7 +13,7 @@ import numpy as np
 
 from ..geodesy import displacement
 from ..html import safe
-from .chart import Chart, Layer, dive_layers, layers_ahead, length_of, mark, place_in
+from .chart import Chart, Layer, dive_layers, layers_ahead, length_of, mark, place_in, with_room
 from .wording import Place, compass
 
 WIDTH = 1000.0
@@ -157,15 +157,12 @@ def _numbered(drawing: Drawing, rows: list[dict[str, Any]]) -> list[str]:
     drawn: list[str] = []
     placed: list[int] = []
     for level in range(LEVELS + 1):
-        scale = PHONE * 2**level
-        for k in list(free):
-            clear = (np.abs(points[placed] - points[k]) * scale > ROOM).any(1).all()
-            if clear or level == LEVELS:
-                placed.append(k)
-                free.remove(k)
-                number = safe(rows[k]["dive"])
-                text = f'<text class="n{level}" x="7" y="-5">{number}</text>'
-                drawn.append(drawing.group(ends[k], "m number", text))
+        room = ROOM if level < LEVELS else (-1.0, -1.0)
+        for k in with_room(points * PHONE * 2**level, free, room, placed):
+            placed.append(k)
+            text = f'<text class="n{level}" x="7" y="-5">{safe(rows[k]["dive"])}</text>'
+            drawn.append(drawing.group(ends[k], "m number", text))
+        free = sorted(set(free) - set(placed), reverse=True)
     return ['<g id="numbers">', *drawn, "</g>"]
 
 

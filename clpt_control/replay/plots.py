@@ -14,7 +14,7 @@ import numpy as np
 from ..arguments import public
 from ..figures import BLUE, GREEN, GREY, ORANGE, PURPLE, RED, axes_for, figure_of, legend_below
 from ..files import write_together
-from .chart import Chart, dive_layers, layers_ahead, length_of, mark
+from .chart import Chart, dive_layers, layers_ahead, length_of, mark, with_room
 from .dataset import Source, plotted
 from .outcome import rms_of
 from .replay import Replay
@@ -104,8 +104,8 @@ def map_plot(
 
     def at(several: Sequence[Sequence[Place]]) -> np.ndarray:
         """Return lines as one, broken by NaN, m, shape (2, n)."""
-        each = [[*(chart.xy(*place) for place in places), (np.nan, np.nan)] for places in several]
-        return np.concatenate(each).T
+        ends = [place for places in several for place in (*places, (np.nan, np.nan))]
+        return np.array(chart.xy(*np.transpose(ends)))
 
     for k, ring in enumerate(rings):
         label = None if k else f"90 % ellipse{' (last dives)' if len(found) > LAST + 1 else ''}"
@@ -129,13 +129,9 @@ def _number(ax: "Axes", points: np.ndarray, names: list[str], inch: float) -> No
     """Write numbers beside points, m, shape (2, n): away from the track, where they have room."""
     from matplotlib.patheffects import withStroke
 
-    count, placed = len(names), list[np.ndarray]()
-    for k in range(count - 1, -1, -1):  # the last dive first
-        here = points[:, k]
-        if any(np.all(np.abs(here - other) * inch < ROOM) for other in placed):
-            continue
-        placed.append(here)
-        before, after = points[:, max(k - 1, 0)], points[:, min(k + 1, count - 1)]
+    count = len(names)
+    for k in with_room(points.T * inch, range(count - 1, -1, -1), ROOM):  # the last dive first
+        before, here, after = points[:, [max(k - 1, 0), k, min(k + 1, count - 1)]].T
         way = after - before
         side = np.array([-way[1], way[0]])
         side *= -1 if side @ (2 * here - before - after) < 0 else 1  # out of the bend

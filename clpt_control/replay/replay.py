@@ -449,18 +449,6 @@ def check_tides(flow: Sequence[str], dives: Sequence[Dive]) -> None:
         check_separable(tides, hours, f"flow {','.join(flow)}")
 
 
-def feed(
-    replay: Replay, dives: Sequence[Dive], report: Callable[[int], None] = lambda done: None
-) -> Replay:
-    """Feed dives to a replay, carried by its flow model; report how many are done."""
-    for k, dive in enumerate(dives):
-        check()
-        model = replay.flow_model
-        replay.step(dive if model is None else carried(dive, model))
-        report(k + 1)
-    return replay
-
-
 class Growing:
     """A replay of a record that grows: where all it was fed comes first again, it goes on."""
 
@@ -472,11 +460,13 @@ class Growing:
     def feed(
         self, dives: Sequence[Dive], report: Callable[[int], None] = lambda done: None
     ) -> Replay:
-        """Return the replay of all dives, as if they were fed to a new one."""
+        """Return the replay of all dives, carried by its flow model, as if fed to a new one."""
         if len(dives) < len(self.fed) or not all(map(_same, self.fed, dives)):
             self.fed, self.replay = [], Replay(*self.asked)
         for dive in dives[len(self.fed) :]:
-            feed(self.replay, [dive])
+            check()
+            model = self.replay.flow_model
+            self.replay.step(dive if model is None else carried(dive, model))
             self.fed.append(dive)
             report(len(self.fed))
         return self.replay
@@ -533,6 +523,6 @@ def replay_dives(
     (14, True)
     """
     dives = list(dives)
-    replay = Replay(estimator, model or FixModel(), flow_model)
-    check_tides(replay.model.flow, dives)
-    return feed(replay, dives)
+    growing = Growing(estimator, model or FixModel(), flow_model)
+    check_tides(growing.replay.model.flow, dives)
+    return growing.feed(dives)

@@ -27,7 +27,7 @@ import numpy as np
 
 from ..errors import DataError
 from ..files.reading import read_text
-from ..geodesy import displacement, is_place, place_from
+from ..geodesy import displacement, is_place, near, place_from
 from ..gliders.dives import Fix, make_dive
 from ..progress.interrupt import check
 from .aim import ARRIVED, aim, usual
@@ -180,8 +180,8 @@ def _meets(one: Place, other: Place, ring: list[Place]) -> bool:
     """
     from matplotlib.path import Path
 
-    def near(place: Place) -> Place:
-        return place[0], (place[1] - one[1] + 180.0) % 360.0 - 180.0
-
-    area = Path([near(place) for place in (*ring, ring[0])])
-    return bool(area.intersects_path(Path([near(one), near(other)]), filled=True))
+    area, way = (
+        Path([(lat, near(lon, one[1])) for lat, lon in places])
+        for places in ([*ring, ring[0]], [one, other])
+    )
+    return bool(area.intersects_path(way, filled=True))

@@ -173,7 +173,7 @@ class Habits:
     means: np.ndarray = field(default_factory=lambda: np.zeros(3))
     drifts: np.ndarray = field(default_factory=lambda: np.zeros(4))
     stays: list[float] = field(default_factory=list)
-    width: tuple[float, float] = (1.0, 1.0)
+    width: tuple[float, ...] = (1.0, 1.0)
 
     def _frames(self, last: Dive) -> dict[str, tuple[np.ndarray, float]]:
         """Return, for each guess, how z is turned to m, (3, 3), and the log of its duration."""
@@ -249,10 +249,9 @@ class Habits:
             size = way.east**2 + way.north**2
             self.drifts = KEPT * self.drifts + (1.0, way.east, way.north, size)
             self.stays = [*self.stays, way.seconds]
-        for k, one in enumerate(held):
-            wider = exp(RATE * (0.9 - one))
-            width = min(max(self.width[k] * wider, NARROWEST), WIDEST)
-            self.width = (width, self.width[1]) if k == 0 else (self.width[0], width)
+        if held:
+            wider = (w * exp(RATE * (0.9 - one)) for w, one in zip(self.width, held, strict=True))
+            self.width = tuple(min(max(width, NARROWEST), WIDEST) for width in wider)
         self.means = KEPT * self.means + (1.0, hypot(*came[:2]), came[2])
         self.last = dive
 
@@ -328,8 +327,9 @@ class NextDive:
     basis: str = REPEATED
 
     def now(self) -> tuple[float, str]:
-        """Return the time that hours are counted from, s since 1970, and which it is."""
-        return now_after(self.fix[0])
+        """Return now, s since 1970, and which: the clock, or the end of a dive not just ended."""
+        now, end = time.time(), self.fix[0]
+        return (now, CLOCK) if 0.0 <= now - end <= RECENT else (end, LAST_END)
 
     def held(self, dive: Dive) -> tuple[bool, bool]:
         """Whether the end of the dive that came lies in the ellipse, and in the time."""
@@ -362,12 +362,6 @@ class NextDive:
             "flow_model_covers": self.flow_model_covers,
             "why_uncovered": why_uncovered(self.plan) or None,
         }
-
-
-def now_after(end: float) -> tuple[float, str]:
-    """Return now, s since 1970, and which: the clock, or the end of a dive long ago or to come."""
-    now = time.time()
-    return (now, CLOCK) if 0.0 <= now - end <= RECENT else (end, LAST_END)
 
 
 def check_plan(duration: float, through_water: tuple[float, float]) -> None:

@@ -13,6 +13,7 @@ from datetime import UTC, datetime
 from math import atan2, degrees, hypot
 from typing import Any
 
+from ..geodesy import near
 from .doubts import Anomaly
 
 Place = tuple[float, float]  # degrees north and east
@@ -74,7 +75,7 @@ def east_of(lon: float) -> float:
     >>> east_of(190.0), east_of(-180.0), east_of(180.0), east_of(-540.0)
     (-170.0, -180.0, 180.0, -180.0)
     """
-    return lon if -180.0 <= lon <= 180.0 else (lon + 180.0) % 360.0 - 180.0
+    return lon if -180.0 <= lon <= 180.0 else near(lon, 0.0)
 
 
 def in_degrees(lat: float, lon: float) -> str:
@@ -155,7 +156,7 @@ RANKS = {  # title of a column: its rank
 
 def cells(row: dict[str, Any]) -> dict[str, str]:
     """Return the cells of a row of `--json` by the titles of their columns, in their order."""
-    clpe, drift, anomaly = row["clpe"], row["drift"], row["anomaly"]
+    clpe, drift = row["clpe"], row["drift"]
     current = [
         f"{row[f'current_{axis}']:+.3f}({1000 * row[f'current_{axis}_error']:.0f})"
         for axis in ("east", "north")
@@ -175,7 +176,7 @@ def cells(row: dict[str, Any]) -> dict[str, str]:
         "E N of DR (m)": f"{row['forecast_east']:+.0f} {row['forecast_north']:+.0f}",
         "90 % ellipse (m, deg)": _ellipse(row),
         "90 %": "in" if row["inside_90"] else "OUT",
-        "mark": "" if anomaly is None else "SPEED" if anomaly["certain"] else "SPEED?",
+        "mark": speed_mark(row["anomaly"]),
     }
     if drift is not None:
         way = _toward(drift["speed"], drift["direction"])
@@ -206,9 +207,18 @@ def _toward(speed: float | None, direction: float | None) -> str:
     return known if direction is None else f"{known} {compass(direction)}"
 
 
+def half_axes(row: dict[str, Any]) -> str:
+    """Return the half axes of a 90 % ellipse, m."""
+    return f"{row['ellipse_90_long']:.0f} x {row['ellipse_90_short']:.0f}"
+
+
 def _ellipse(row: dict[str, Any]) -> str:
-    half = f"{row['ellipse_90_long']:.0f} x {row['ellipse_90_short']:.0f}"
-    return f"{half}, {row['ellipse_90_bearing']:.0f}"
+    return f"{half_axes(row)}, {row['ellipse_90_bearing']:.0f}"
+
+
+def speed_mark(anomaly: dict[str, Any] | None) -> str:
+    """Return the mark of a dive whose speed left its range, empty where none did."""
+    return "" if anomaly is None else "SPEED" if anomaly["certain"] else "SPEED?"
 
 
 def date(time: str) -> str:
@@ -224,7 +234,7 @@ def next_surfacing(ahead: dict[str, Any]) -> str:
         f"after {ahead['duration'] / 3600:.2f} h and {ahead['dr_east']:+.0f} m "
         f"east, {ahead['dr_north']:+.0f} m north through the water ({BASES[ahead['basis']]}): "
         f"{place(ahead['latitude'], ahead['longitude'])}, 90 % within "
-        f"{ahead['ellipse_90_long']:.0f} x {ahead['ellipse_90_short']:.0f} m"
+        f"{half_axes(ahead)} m"
         + (f"; the flow model does not cover it: {ahead['why_uncovered']}" if uncovered else "")
     )
 
@@ -289,10 +299,7 @@ def aimed(leg: dict[str, Any]) -> str:
         said += f", {made:.0f} m made good of {full}" if made >= 0 else f", {-made:.0f} m are lost"
         said += f", then {leg['left'] / 1000:.1f} km"
         said += "" if against else f"; there in {leg['dives']:.1f} dives, {leg['hours']:.0f} h"
-    return (
-        f"{said}; expected miss {leg['expected_miss']:.0f} m, 90 % within "
-        f"{leg['ellipse_90_long']:.0f} x {leg['ellipse_90_short']:.0f} m"
-    )
+    return f"{said}; expected miss {leg['expected_miss']:.0f} m, 90 % within {half_axes(leg)} m"
 
 
 def routed(route: dict[str, Any]) -> list[str]:
