@@ -5,7 +5,6 @@ import numpy as np
 import pytest
 
 import clpt_control as clpt
-from clpt_control.conformance import readings
 from clpt_control.errors import ClptError, SimulationError
 
 DT, STEPS = 0.5, 60
@@ -213,19 +212,6 @@ def test_inputs_may_be_a_function():
     np.testing.assert_allclose(run.y, expected[0], atol=1e-12)
 
 
-def unread(t, x, u, params):
-    return np.linalg.eigvalsh(np.diag([x[0], 0.5]))[0] * np.ones(1)
-
-
-def test_what_cannot_be_read_runs_in_python():
-    system = control.nlsys(unread, None, inputs=1, outputs=1, states=1, dt=DT, name="unread")
-    with pytest.warns(UserWarning, match="unread runs in Python"):
-        run = clpt.simulate(system, TIMES, 0.0, [0.9])
-    expected = control.input_output_response(system, TIMES, np.zeros(STEPS), [0.9])
-    assert run.attrs["engine"] == "python"
-    np.testing.assert_array_equal(np.ravel(run.to_dataarray()[0])[:STEPS], expected.outputs)
-
-
 def test_connect_of_one_discrete_time_is_a_diagram_of_it():
     error = control.summing_junction(["r", "-y"], "e", name="error")
     pi = control.tf([0.8, -0.6], [1, -1], DT, inputs="e", outputs="u", name="pi")
@@ -248,14 +234,6 @@ def test_a_long_run_is_made_of_many_calls():
     assert seen == sorted(seen)
     assert seen[-1] == 20_000
     assert len(seen) > 2
-
-
-def test_every_reading_gives_the_next_state():
-    system = clpt.connect([first_order(), delay(2)], external="u")
-    points = {name: ask(1.0, [0.5, 0.25, 2.0], [3.0]) for name, ask in readings(system).items()}
-    for rates, outputs in points.values():
-        np.testing.assert_allclose(rates[0], 0.9 * 0.5 + 0.1 * 3.0, atol=1e-15)
-        np.testing.assert_allclose(outputs, points["control"][1], atol=1e-15)
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 import clpt_control as clpt
-from clpt_control import simulate
 from clpt_control.diagrams.interconnection import connect
 from clpt_control.equations import Block
 from clpt_control.equations.declaration import Guard
@@ -173,13 +172,6 @@ def said(sentence):
     assert re.search(r": root.output: root_of, line \d+: ValueError: \w", sentence)
     assert "\n" not in sentence
     return float(re.search(r"t = ([0-9.e+-]+)", sentence).group(1))
-
-
-@pytest.mark.parametrize("engine", ["native", "python"])
-def test_simulate_names_it(engine):
-    with pytest.raises(SimulationError) as caught:
-        simulate(diagram(), [0.0, 0.4, 3.0], engine=engine)
-    assert 0.4 <= said(str(caught.value)) <= 1.5 + 1e-9
 
 
 @pytest.mark.parametrize(

@@ -72,66 +72,12 @@ def test_an_integrator_that_is_reset_is_a_saw(engine, step):
     assert found.statistics["restarts"] == 3
 
 
-def fall(t, x, u, p):
-    return [x[1], -p.gravity]
-
-
-def bounce(t, x, u, p):
-    return [x[0], -p.restitution * x[1]]
-
-
-class Ball(NamedTuple):
-    """A ball that is thrown up, and bounces where it comes down."""
-
-    speed: float = 3.0
-    gravity: float = 9.81
-    restitution: float = 0.8
-    interval: float = -1.0
-
-
-def landings(p, t0, t1):
-    flights = 2 * p.speed / p.gravity * p.restitution ** np.arange(40)
-    times = np.cumsum(flights)
-    return times[(times > t0) & (times <= t1)]
-
-
-@every_engine
-def test_a_ball_bounces(engine):
-    p = Ball()
-    ball = Block(
-        "ball", update=fall, states={"s": 2}, parameters=p, breakpoints=landings, jump=bounce
-    )
-    at = landings(p, 0.0, 2.3)
-    tops = np.append(0.0, at[:-1]) + np.diff(np.append(0.0, at)) / 2
-    times = np.union1d(np.append(0.0, at), tops)
-    found = ENGINES[engine](ball).run([0.0, p.speed], times).x
-    up = p.speed * p.restitution ** np.arange(1, len(at) + 1)
-    np.testing.assert_allclose(found[np.isin(times, at)].T, [0.0 * up, up], atol=1e-10)
-    down = (up / p.restitution) ** 2 / (2 * p.gravity)
-    np.testing.assert_allclose(found[np.isin(times, tops)].T, [down, 0.0 * down], atol=1e-10)
-
-
 def still(t, x, u, p):
     return 0.0
 
 
-def one_more(t, x, u, p):
-    return u[0] + 1.0
-
-
 def twice(t, x, u, p):
     return 2.0 * u[0]
-
-
-@every_engine
-@every_step
-def test_blocks_that_jump_at_once_see_each_other_before(engine, step):
-    a = Block("a", update=grow, states={"a": 1}, inputs={"b": 1}, parameters=Clock(1.0),
-              breakpoints=ticks, jump=one_more)  # fmt: skip
-    b = Block("b", update=still, states={"b": 1}, inputs={"a": 1}, parameters=Clock(2.0),
-              breakpoints=ticks, jump=twice)  # fmt: skip
-    found = ENGINES[engine](clpt.connect([a, b])).run([1.0, 2.0], np.arange(5.0), step=step)
-    np.testing.assert_allclose(found.x, [[1, 2], [3, 2], [3, 8], [9, 8], [9, 20]], rtol=1e-13)
 
 
 def number(t, x, u, p):

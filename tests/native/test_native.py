@@ -17,7 +17,6 @@ from clpt_control.equations import Block
 from clpt_control.errors import ClptError, DiagramError, SimulationError
 from clpt_control.native.native_diagram import NativeDiagram
 from clpt_control.native.python_diagram import PythonDiagram
-from clpt_control.native.schedule import read_inputs
 from clpt_control.simulation.starts import initial_state
 
 
@@ -142,21 +141,6 @@ def test_code_is_made_once_for_diagrams_that_differ_in_numbers():
 
     assert code(learning_gain=2.0) is code(learning_gain=0.5)
     assert code(basis_kernel="gaussian") is not code()
-
-
-def test_the_fixed_step_has_order_four():
-    diagram = connect(
-        [vehicle.vehicle(), Block("drag", output=drag, inputs={"x": 2}, outputs={"v_x": 2})],
-        external=["flow_x"],
-    )
-    native, held = NativeDiagram(diagram), read_inputs([0.0, 0.0], np.array([0.0, 2.0]), 2)
-    exact = np.exp(-2.0) * np.array([1.0, -2.0])
-    errors = [
-        np.abs(native.run([1.0, -2.0], [0.0, 2.0], inputs=held, step=h).x[-1] - exact).max()
-        for h in (0.2, 0.1, 0.05)
-    ]
-    orders = np.log2(np.array(errors[:-1]) / errors[1:])
-    np.testing.assert_allclose(orders, 4.0, atol=0.15)
 
 
 def test_the_fixed_step_stops_at_every_waypoint():

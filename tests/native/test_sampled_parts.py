@@ -142,20 +142,6 @@ def test_a_sampled_nlsys_in_time(engine):
     np.testing.assert_allclose(changed.v, discretised(own).outputs[1], atol=1e-9)
 
 
-def unread(t, x, u, params):
-    return ruled(t, x, u, params) if float(str(u[0])) == u[0] else u
-
-
-def test_what_cannot_be_read_runs_in_python():
-    part = control.nlsys(
-        stepped, unread, inputs="e", outputs="v", states=1, dt=DT, params=limited().params, name="p"
-    )
-    loop = clpt.connect([error(), part, tanks()], external="r")
-    with pytest.warns(UserWarning, match="runs in Python"):
-        run = clpt.simulate(loop, TIMES, 1.0, **TIGHT)
-    np.testing.assert_allclose(run.v, discretised(limited()).outputs[1], atol=1e-9)
-
-
 def pid_of(made):
     part = pid()
     part.set_outputs([made])

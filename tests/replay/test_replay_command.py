@@ -1,8 +1,6 @@
 """`clpt replay` as a command: figures, table, JSON, mistakes, following."""
 
 import json
-import subprocess
-import time
 
 import numpy as np
 import pytest
@@ -155,43 +153,6 @@ def test_tides_need_a_record(command, tmp_path):
     assert found["used"] == 1
     assert set(found["clpe_rms"].values()) == {None}
     assert found["clpe_rms_all"]["no_flow"] > 0
-
-
-@pytest.mark.processes
-def test_a_killed_command_loses_nothing(command, forecast, tmp_path):
-    """Kill -9 at random moments while files arrive; a restart gives what reading all gives."""
-    inbox, out = tmp_path / "in", tmp_path / "out"
-    inbox.mkdir()
-    words = ("--flow-model", forecast, "--estimator", "gradient", "--json")
-    start = [*CLPT, "replay", "--follow", inbox, "--out", out, "--every", "0.05", *words]
-    rng, dives = np.random.default_rng(4), sample_dives()
-    one_file_each(inbox, dives[:2])
-    for first in (2, 8):
-        with started(start, stdout=subprocess.DEVNULL) as process:
-            await_line(process, process.stderr, "dives used")
-            for dive in dives[first : first + 6]:
-                one_file_each(inbox, [dive])
-                time.sleep(0.25 * rng.uniform())  # any moment will do
-    quick = ("--every", "0.01", "--patience", "0.01")
-    followed = command("--follow", inbox, "--out", out, *quick, *words)
-    at_once = command(inbox, "--out", tmp_path / "whole", *words)
-    assert json.loads(followed.stdout) == json.loads(at_once.stdout)
-    assert json.loads(followed.stdout)["used"] == 14
-    with (
-        xarray.open_dataset(out / "replay.nc") as one,
-        xarray.open_dataset(tmp_path / "whole" / "replay.nc") as other,
-    ):
-        assert one.identical(other)
-    assert {path.name for path in out.iterdir()} == {
-        "replay.nc",
-        "replay.html",
-        "next.geojson",
-        "track.kml",
-        "map.png",
-        "clpe.png",
-        "current.png",
-        "state",
-    }
 
 
 def test_results_of_following_lie_in_the_folder_by_default(command, tmp_path):

@@ -8,6 +8,7 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
+import xarray
 from html_reader import Reader
 from processes import CLPT, GUARD, await_line, started
 from synthetic_vehicle import fixes_of, one_file_each
@@ -98,3 +99,6 @@ def test_a_whole_watch(tmp_path):
     subprocess.run([*CLPT, "replay", inbox, "--out", at_once], check=True, capture_output=True)
     for name in READ:
         assert (out / name).read_bytes() == (at_once / name).read_bytes(), name
+    one, other = (xarray.open_dataset(folder / "replay.nc") for folder in (out, at_once))
+    with one, other:
+        assert one.identical(other)

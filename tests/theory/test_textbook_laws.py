@@ -1,5 +1,6 @@
 """Right laws of textbooks are proved or bounded, and not their wrong twins."""
 
+import many_laws
 import numpy as np
 import own_laws
 import pytest
@@ -8,7 +9,7 @@ from textbook_laws import LAWS, of_e
 
 import clpt_control as clpt
 from clpt_control.blocks.lyapunov import lyapunov_candidate, one_gain
-from clpt_control.errors import DiagramError
+from clpt_control.errors import ClptError, DiagramError
 from clpt_control.theory.proving.own_law import prove
 
 POINTS = 200
@@ -115,3 +116,42 @@ def test_exp_of_a_large_bound_has_no_value():
         found = prove(law(unity(bound), GAIN), points=POINTS)
         said = next(step for step in found.steps if "value everywhere" in step.claim)
         assert ("too large" in said.detail) == large
+
+
+# --- a hundred wrong laws and sixty right ones -------------------------------------------------
+
+SHOWN = ("proved", "bounded", "proved between jumps", "proved as long as s exist")
+SAMPLE = slice(4, None, 15)
+
+
+def status(name, laws):
+    make, more = laws[name]
+    try:
+        return prove(make(), points=100, **more).status
+    except ClptError:
+        return "refused"
+
+
+@pytest.mark.parametrize("name", list(many_laws.WRONG)[SAMPLE])
+def test_a_wrong_law_is_not_proved(name):
+    assert status(name, many_laws.WRONG) not in ("proved", "bounded")
+
+
+@pytest.mark.parametrize("name", list(many_laws.RIGHT)[SAMPLE])
+def test_a_right_law_is_not_refuted(name):
+    assert not status(name, many_laws.RIGHT).startswith("refuted")
+
+
+@pytest.mark.slow
+def test_no_wrong_law_of_a_hundred_is_proved():
+    assert len(many_laws.WRONG) >= 100
+    found = {name: status(name, many_laws.WRONG) for name in many_laws.WRONG}
+    assert [name for name, own in found.items() if own in ("proved", "bounded")] == []
+
+
+@pytest.mark.slow
+def test_no_right_law_of_sixty_is_refuted():
+    found = {name: status(name, many_laws.RIGHT) for name in many_laws.RIGHT}
+    assert len(found) >= 60
+    assert [name for name, own in found.items() if own.startswith("refuted")] == []
+    assert sum(own in SHOWN for own in found.values()) >= 50
