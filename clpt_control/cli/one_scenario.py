@@ -4,14 +4,14 @@ And what is sent or shown: `clpt report` writes a page, `clpt animate` a moving 
 """
 
 import os
-from collections.abc import Sequence
 from importlib import resources
 from pathlib import Path
+from typing import Any
 
 import clpt_control as clpt
 
 from ..errors import ClptError
-from ..files import beside, check_writable, make_folder, write_together
+from ..files import check_writable, make_folder, write_together
 from ..html import Result
 from ..progress import progress_bar
 from .help_pages import arg, opt
@@ -47,8 +47,7 @@ def init(
     file = file or Path(name)
     if os.path.lexists(file):
         raise ClptError(f"{file}: exists already; name another file, or move this one away")
-    with beside(file) as made:
-        made.write_bytes((resources.files("clpt_control.data") / source).read_bytes())
+    write_together({file: (resources.files("clpt_control.data") / source).read_bytes()})
     say(f"{file}: written; {then.format(file)}")
 
 
@@ -94,45 +93,33 @@ def run(
         clpt run mine.toml --out run.nc --figures figures
     """
     from ..figures import checked_formats
-    from ..pages.results import run_result
     from ..scenario.team import load_either
     from ..simulation.run_file import as_written, repeats_by_equations
     from ..simulation.team_plots import run_figures
     from ..theory.excitation.gramian import not_learned
 
     kinds = checked_formats(formats or ["png"])
-    if scenario.suffix == ".nc" and repeats_by_equations(scenario):
-        _run_again(scenario, out, figures, kinds, as_json)
-        return
-    experiment = load_either(scenario)
+    again = scenario.suffix == ".nc" and repeats_by_equations(scenario)
+    system: Any = clpt.load_diagram(scenario) if again else load_either(scenario)
     check_writable(out)
     folder = None if figures is None else make_folder(figures)
-    with progress_bar(f"running {scenario.name}", experiment.run.duration) as report:
-        result, fine, summary = clpt.simulation.run_and_report(experiment, report)
+    if again:
+        from ..pages.run_page import extent_of, response_result
+
+        result = fine = clpt.simulate(system)
+        summary = {name: result.attrs[name] for name in ("title", "status", "message")}
+        found, summary["signals"] = response_result(result), extent_of(result)
+    else:
+        from ..pages.results import run_result
+
+        with progress_bar(f"running {scenario.name}", system.run.duration) as report:
+            result, fine, summary = clpt.simulation.run_and_report(system, report)
+        found = run_result(summary, summary["title"] or str(scenario))
+        if missing := not_learned(result):
+            found, summary["not_learnable"] = found._replace(sentences=[missing]), missing
     drawn = {} if folder is None else run_figures(fine, folder, kinds)
     write_together({out: as_written(result, out), **drawn})
-    found = run_result(summary, summary["title"] or str(scenario))
-    if missing := not_learned(result):
-        found, summary["not_learnable"] = found._replace(sentences=[missing]), missing
     finish([found], summary, as_json, out)
-
-
-def _run_again(
-    file: Path, out: Path, figures: Path | None, kinds: Sequence[str], as_json: bool
-) -> None:
-    """Run a diagram again from its run's file."""
-    from ..pages.run_page import extent_of, response_result
-    from ..simulation.run_file import as_written
-    from ..simulation.team_plots import run_figures
-
-    diagram = clpt.load_diagram(file)
-    check_writable(out)
-    folder = None if figures is None else make_folder(figures)
-    result = clpt.simulate(diagram)
-    drawn = {} if folder is None else run_figures(result, folder, kinds)
-    write_together({out: as_written(result, out), **drawn})
-    told = {name: result.attrs[name] for name in ("title", "status", "message")}
-    finish([response_result(result)], {**told, "signals": extent_of(result)}, as_json, out)
 
 
 def diagram(

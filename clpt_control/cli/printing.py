@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import Annotated, Any
 
-from ..errors import ClptError, SimulationError
+from ..errors import SimulationError
 from ..files import check_writable, write_figure
 from ..html import Result
 from ..progress import let_go, plain
@@ -39,19 +39,14 @@ Formats = Annotated[
 
 def check_figure(path: Path | None) -> None:
     """Refuse a figure that cannot be written, before work begins."""
-    _check(path, (".png", ".pdf", ".svg"), "a figure's name must end in .png, .pdf or .svg")
+    if path is not None:
+        check_writable(path, "a figure", (".png", ".pdf", ".svg"))
 
 
 def check_scenario(path: Path | None) -> None:
     """Refuse a scenario's file that cannot be written, before work begins."""
-    _check(path, (".toml",), "must end in .toml; it becomes a scenario")
-
-
-def _check(path: Path | None, endings: Sequence[str], wrong: str) -> None:
     if path is not None:
-        check_writable(path)
-        if path.suffix not in endings:
-            raise ClptError(f"{path}: {wrong}")
+        check_writable(path, "a scenario", (".toml",))
 
 
 def draw_figure(path: Path | None, plot: Callable[..., Any], *given: Any) -> None:

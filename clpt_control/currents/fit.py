@@ -332,11 +332,9 @@ def save_fit(fit: Fit, out: str | Path) -> Scenario:
     >>> clpt.simulate(save_fit(fit, "mine.toml"))  # doctest: +SKIP
     """
     out = Path(out)
-    if out.suffix != ".toml":
-        raise DataError(f"{out}: must end in .toml; the field is written beside it")
+    check_writable(out, "a scenario", (".toml",))
     field = out.with_name(f"{out.stem}_field.nc")
-    for path in (out, field):
-        check_writable(path)
+    check_writable(field)
     report, scenario = fit.report, fit.scenario
     attributes = {
         "title": scenario.title,

@@ -15,7 +15,7 @@ import struct
 import sys
 import warnings
 import zlib
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager
 from importlib.util import find_spec
 from math import inf
@@ -183,10 +183,10 @@ def _is_dead(process: int) -> bool:
     return False
 
 
-def write_together(results: "Mapping[Path, str | xarray.Dataset | Figure]") -> None:
+def write_together(results: "Mapping[Path, str | bytes | xarray.Dataset | Figure]") -> None:
     """Write files beside their places, then rename them; none where one cannot be written.
 
-    Each is a text, a dataset, whose variables with NaN get them as _FillValue, or a
+    Each is a text, bytes, a dataset, whose variables with NaN get them as _FillValue, or a
     figure.  The first is renamed last: where it is new, all are.
     """
     with ExitStack() as renamed:
@@ -197,8 +197,8 @@ def write_together(results: "Mapping[Path, str | xarray.Dataset | Figure]") -> N
 
 
 def _put(result: Any, made: Path, path: Path) -> None:
-    if isinstance(result, str):
-        made.write_text(result, encoding="utf-8")
+    if isinstance(result, str | bytes):
+        made.write_bytes(result.encode() if isinstance(result, str) else result)
         return
     if hasattr(result, "savefig"):
         from ..figures import save_figure
@@ -285,10 +285,16 @@ def make_folder(path: str | Path) -> Path:
     return path
 
 
-def check_writable(path: str | Path) -> None:
-    """Refuse, before work begins, a file that could not be written: no folder, or read-only."""
+def check_writable(path: str | Path, what: str = "", endings: Sequence[str] = ()) -> None:
+    """Refuse, before work begins, a file that could not be written: no folder, or read-only.
+
+    One of some `endings` says what it is to be, such as "a figure".
+    """
     place, _ = _place(path)
     if place.is_dir():
         raise DataError(f"{path}: is a folder; give a file name such as {Path(path) / 'run.nc'}")
     if not os.access(place.parent, os.W_OK):
         raise DataError(f"{path}: cannot be written: the folder {place.parent} is read-only")
+    if endings and Path(path).suffix.lower() not in endings:
+        allowed = " or ".join(", ".join(endings).rsplit(", ", 1))
+        raise DataError(f"{path}: {what}'s name must end in {allowed}")

@@ -131,10 +131,8 @@ class SignalTable:
 
     def write(self, path: str | Path) -> None:
         """Write the table as the ending of the file says, ``.csv`` or ``.mat``."""
-        ways = {".csv": self.to_csv, ".mat": self.to_mat}
-        if (suffix := Path(path).suffix.lower()) not in ways:
-            raise DataError(f"{path}: a table is written as {' or '.join(ways)}")
-        ways[suffix](path)
+        check_writable(path, "a table", (".csv", ".mat"))
+        (self.to_csv if Path(path).suffix.lower() == ".csv" else self.to_mat)(path)
 
 
 def _valid(name: str, taken: Any) -> str:

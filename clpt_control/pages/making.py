@@ -21,7 +21,6 @@ if TYPE_CHECKING:
     from ..replay.replay import Replay
     from .page import Page
 
-ENDINGS = (".html", ".htm")
 KNOWN = "give run.nc, the folder of an ensemble, or a replay's replay.nc or JSON"
 NEEDED = (  # variables of a run
     *("time", "position", "predicted_position", "clpe", "feedback_gain", "feedforward_gain"),
@@ -77,7 +76,8 @@ def report(
     """
     from .page import page_html
 
-    path, kinds = check_page(path), checked_formats(formats)
+    path, kinds = Path(path), checked_formats(formats)
+    check_writable(path, "a page", (".html", ".htm"))
     found: Any = read(Path(run)) if isinstance(run, str | Path) else run
     results: dict[Path, Any] = {}
     if hasattr(found, "steps") or isinstance(found, dict) or "dive" in getattr(found, "dims", ()):
@@ -103,15 +103,6 @@ def report(
         "sentences": said,
         "figures": [str(one) for one in results],
     }
-
-
-def check_page(file: str | Path) -> Path:
-    """Return where a page is to be written; refuse a place where it cannot be."""
-    path = Path(file)
-    check_writable(path)
-    if path.suffix.lower() not in ENDINGS:
-        raise DataError(f"{path}: a page's name must end in {' or '.join(ENDINGS)}")
-    return path
 
 
 def page_of(data: "xarray.Dataset", title: str | None = None) -> "Page":

@@ -17,7 +17,7 @@ from ..arguments import public
 from ..diagrams.varied import read_as_number
 from ..equations.declaration import Each, ports_of
 from ..errors import DiagramError, Uncompiled
-from ..files import beside
+from ..files import write_text
 from ..native.c_text import Program, Record, number
 from ..native.diagram_record import LARGE, lay_out
 from ..native.engines import read_otherwise
@@ -85,8 +85,7 @@ def export_c(
     except Uncompiled as error:
         raise DiagramError(f"{system.name}: has no C: {error}") from None
     if path is not None:
-        with beside(Path(path)) as made:
-            made.write_text(text, "utf-8")
+        write_text(path, text)
     return text
 
 

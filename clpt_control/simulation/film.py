@@ -119,9 +119,7 @@ def check_options(path: str | Path | None, seconds: float, fps: float, width: in
     """Refuse what cannot be filmed, before work begins."""
     suffix = ".gif" if path is None else Path(path).suffix.lower()
     if path is not None:
-        if suffix not in ENDINGS:
-            raise ClptError(f"{path}: a film's name must end in {' or '.join(ENDINGS)}")
-        check_writable(path)
+        check_writable(path, "a film", ENDINGS)
         if suffix == ".mp4":
             from matplotlib.animation import FFMpegWriter
 

@@ -15,10 +15,10 @@ from typing import Any
 import control
 
 from ...arguments import public
-from ...equations.declaration import ports_line
+from ...equations.declaration import ports_line, ports_of
 from ...errors import ClptError, DiagramError
-from ...figures import inline_svg, save_figure
-from ...files import beside, check_name
+from ...figures import inline_svg
+from ...files import write_figure, write_text
 from ...html import fragment, paragraphs, shortened
 from ..wiring import Node, wiring_of
 from .arrows import mermaid
@@ -88,23 +88,20 @@ def draw(
     if path is None:
         return drawing(diagram)
     path = Path(path)
-    check_name(path)
     suffix = path.suffix.lower()
     if suffix not in SUFFIXES:
         raise DiagramError(
             f"{path}: a diagram is drawn as {', '.join(SUFFIXES)}, not '{path.suffix}'"
         )
-    figure = None if suffix in (".mmd", ".md") else block_figure(diagram)
-    with beside(path) as part:
-        if figure is None:
-            text = mermaid(diagram)
-            text = f"```mermaid\n{text}```\n" if suffix == ".md" else text
-            part.write_text(text, encoding="utf-8")
-        else:
-            from matplotlib import style
+    if suffix in (".mmd", ".md"):
+        text = mermaid(diagram)
+        write_text(path, f"```mermaid\n{text}```\n" if suffix == ".md" else text)
+        return None
+    from matplotlib import style
 
-            with style.context(["default", STYLE]):
-                save_figure(figure, part, suffix[1:], dpi=200)
+    figure = block_figure(diagram)
+    with style.context(["default", STYLE]):
+        write_figure(figure, path)
     return None
 
 
@@ -121,7 +118,10 @@ def drawing(diagram: control.NonlinearIOSystem) -> Drawing:
 
 def diagram_line(diagram: control.InterconnectedSystem) -> str:
     """Return what a diagram is, in a line."""
-    flows = f"{_ports(diagram.input_labels)} -> {_ports(diagram.output_labels)}"
+    flows = " -> ".join(
+        ports_line({port: len(places) for port, places in ports_of(labels).items()})
+        for labels in (diagram.input_labels, diagram.output_labels)
+    )
     return f"<Diagram {shortened(diagram.name, 60)}: {_size(diagram)}; {flows}>"
 
 
@@ -141,15 +141,6 @@ def _size(diagram: control.InterconnectedSystem) -> str:
     return f"{len(diagram.syslist)} blocks, {diagram.nstates or 0} states"
 
 
-def _ports(labels: list[str]) -> str:
-    """Return labels as ports with their sizes: a[0], a[1], b as a[2], b."""
-    sizes: dict[str, int] = {}
-    for label in labels:
-        port = re.sub(r"\[\d+\]$", "", label)
-        sizes[port] = sizes.get(port, 0) + 1
-    return ports_line(sizes)
-
-
 # --- the figure ----------------------------------------------------------------------------------
 
 
@@ -163,7 +154,7 @@ def block_figure(diagram: control.NonlinearIOSystem) -> Any:
     across = max(routed.width, width(key, NOTE)) + 2 * MARGIN
     height = routed.height + 2 * MARGIN + (KEY if key else 0)
     with style.context(["default", STYLE]):
-        figure = Figure(figsize=(across / 72, height / 72), facecolor="white")
+        figure = Figure(figsize=(across / 72, height / 72), facecolor="white", dpi=200)
         axes = figure.add_axes((0, 0, 1, 1))
         axes.set_axis_off()
         axes.set_xlim(-MARGIN, across - MARGIN)
