@@ -11,11 +11,13 @@ import netCDF4
 import numpy as np
 import pytest
 import xarray
+import zarr
 
 import clpt_control
 from clpt_control.errors import DataError
 from clpt_control.figures import new_figure
 from clpt_control.files import beside, make_folder, open_netcdf, write_together
+from clpt_control.files.reading import zarr_store
 from clpt_control.gliders.dive_files import read_dive_file
 from clpt_control.progress import interrupt
 
@@ -241,3 +243,19 @@ def test_what_was_asked_is_what_the_library_opens(tmp_path, monkeypatch):
         with open_netcdf(path) as data:
             assert data.a.values.tolist() == [1.0, 2.0]
         path.unlink()
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="pipes with names are not of this system")
+@pytest.mark.parametrize("kind", ["a pipe with a name", "a link"])
+def test_a_file_of_a_zarr_folder_that_becomes_a_pipe_is_not_waited_for(tmp_path, kind):
+    zarr.create_group(tmp_path / "z").create_array("a", data=np.arange(3.0))
+    store = zarr_store(tmp_path / "z")
+    np.testing.assert_array_equal(zarr.open_group(store, mode="r")["a"][:], [0.0, 1.0, 2.0])
+    chunk = tmp_path / "z" / "a" / "c" / "0"
+    chunk.rename(tmp_path / "moved")
+    if kind == "a link":
+        chunk.symlink_to(tmp_path / "moved")
+    else:
+        os.mkfifo(chunk)
+    with pytest.raises((DataError, OSError), match=r"is a pipe with a name|symbolic links"):
+        zarr.open_group(store, mode="r")["a"][:]

@@ -20,9 +20,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..arguments import public
-from ..errors import ClptError, DataError, needed
+from ..errors import ClptError, DataError
 from ..files import open_netcdf
-from ..files.reading import check_folder
+from ..files.reading import zarr_store
 from ..units import length_in_metres, seconds_since_1970
 from . import cf
 
@@ -152,10 +152,9 @@ def _opened(path: Path) -> "Iterator[xarray.Dataset]":
         return
     import xarray
 
-    needed("zarr")
-    check_folder(path)
+    store = zarr_store(path)
     try:
-        with xarray.open_zarr(path, chunks=None, consolidated=False, decode_times=False) as data:
+        with xarray.open_zarr(store, chunks=None, consolidated=False, decode_times=False) as data:
             yield data
     except ClptError:
         raise

@@ -24,7 +24,7 @@ import numpy as np
 from ..diagrams.parts import UNCHANGED
 from ..errors import ClptError, DataError, needed
 from ..files import beside
-from ..files.reading import check_folder
+from ..files.reading import zarr_store
 from ..scenario.experiment import Scenario
 from ..scenario.file import tables_of
 from .drawn_values import check_varies, parsed
@@ -230,9 +230,9 @@ def open_store(path: Path, mode: Literal["r", "r+"] = "r+") -> Store:
         raise DataError(f"{path}: is a file; must be a folder such as ensemble.zarr")
     if not (path / "zarr.json").is_file():
         raise DataError(f"{path}: is a folder without an ensemble; give another name")
-    check_folder(path)
+    files = zarr_store(path, read_only=mode == "r")
     try:
-        store = Store(zarr.open_group(path, mode=mode), path)
+        store = Store(zarr.open_group(files, mode=mode), path)
         whole = DONE in store.group and "status" in store.kept
     except Exception:  # a damaged file can raise anything
         whole = False

@@ -3,7 +3,7 @@
 A file is opened once, without waiting, and asked through what was opened: it is a regular file of
 bounded size, or a pipe that is already open (`/dev/stdin`, or a shell's `<(command)`).  All else is
 refused in a sentence.  A library that opens by name (NetCDF) gets a name of what was opened, where
-the system has one.  Only Zarr's, which lists a folder itself, gets names that were asked before.
+the system has one; Zarr's, which lists a folder itself, gets paths that open so.
 
 Text is UTF-8, with or without a byte order mark; a few stray bytes are let
 through, for they stand in comments and notes.
@@ -13,12 +13,13 @@ import os
 import re
 import stat
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
+from functools import partial
 from math import inf
 from pathlib import Path
-from typing import BinaryIO
+from typing import Any, BinaryIO
 
-from ..errors import DataError
+from ..errors import DataError, needed
 
 STRAY = 0.05  # largest share of characters that are no UTF-8 text
 LARGEST = 2 * 10**8  # bytes of a file that is read whole
@@ -39,13 +40,7 @@ def opened(
     """Open a file of at most so many bytes; `hint` ends the sentence where there is none."""
     try:
         with open(path, "rb", opener=at_once) as file:
-            found = os.fstat(file.fileno())
-            if stat.S_ISFIFO(found.st_mode) and OPEN.fullmatch(str(path)):
-                os.set_blocking(file.fileno(), True)
-            elif not stat.S_ISREG(found.st_mode):
-                raise DataError(f"{path}: is {kind_of(found.st_mode)}; give a file")
-            if found.st_size > most:
-                raise DataError(_too_large(path, most))
+            _ask(file, path, most)
             yield file
     except FileNotFoundError:
         raise DataError(f"{path}: no such file; {hint}") from None
@@ -55,9 +50,20 @@ def opened(
         raise DataError(f"{path}: cannot be read: {error.strerror or error}") from None
 
 
-def at_once(name: str, flags: int) -> int:
+def _ask(file: BinaryIO, path: str | Path, most: float) -> None:
+    """Refuse what was opened where it is no file, nor an open pipe, or is too large."""
+    found = os.fstat(file.fileno())
+    if stat.S_ISFIFO(found.st_mode) and OPEN.fullmatch(str(path)):
+        os.set_blocking(file.fileno(), True)
+    elif not stat.S_ISREG(found.st_mode):
+        raise DataError(f"{path}: is {kind_of(found.st_mode)}; give a file")
+    if found.st_size > most:
+        raise DataError(_too_large(path, most))
+
+
+def at_once(name: str, flags: int, more: int = 0) -> int:
     """Open as `open` asks, but do not wait for who writes into a pipe."""
-    return os.open(name, flags | getattr(os, "O_NONBLOCK", 0))
+    return os.open(name, flags | more | getattr(os, "O_NONBLOCK", 0))
 
 
 def opened_name(number: int, path: str | Path) -> str:
@@ -89,16 +95,36 @@ def read_bytes(
     return raw
 
 
-def check_folder(folder: Path) -> None:
-    """Refuse a folder with anything in it, at any depth, that is neither a file nor a folder.
+class _Inner(type(Path())):  # type: ignore[misc]
+    """A path within a folder, whose file is read by the one way in and is no link."""
 
-    A library that reads the folder would wait for it, or follow it elsewhere.
+    def open(self, mode: str = "r", *how: Any, **more: Any) -> Any:
+        """Open the file; to be read, it is asked."""
+        if mode != "rb":
+            return super().open(mode, *how, **more)
+        with ExitStack() as refused:
+            opener = partial(at_once, more=getattr(os, "O_NOFOLLOW", 0))
+            file = refused.enter_context(open(self, "rb", opener=opener))
+            _ask(file, self, inf)
+            refused.pop_all()
+        return file
+
+
+def zarr_store(folder: Path, read_only: bool = True) -> Any:
+    """Return a folder as Zarr reads it, and writes it unless it is `read_only`.
+
+    Anything in it, at any depth, that is neither a file nor a folder is refused: Zarr would follow
+    it elsewhere.
     """
+    needed("zarr")
+    from zarr.storage import LocalStore
+
     for place, folders, files in os.walk(folder):
         for name in (*folders, *files):
             mode = os.lstat(path := Path(place, name)).st_mode
             if not (stat.S_ISREG(mode) or stat.S_ISDIR(mode)):
                 raise DataError(f"{path}: is {kind_of(mode)}; must be a file of {folder}")
+    return LocalStore(_Inner(folder), read_only=read_only)
 
 
 def kind_of(mode: int) -> str:

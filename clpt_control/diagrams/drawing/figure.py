@@ -18,7 +18,7 @@ from ...arguments import public
 from ...equations.declaration import ports_line, ports_of
 from ...errors import ClptError, DiagramError
 from ...figures import inline_svg
-from ...files import write_figure, write_text
+from ...files import check_name, write_figure, write_text
 from ...html import fragment, paragraphs, shortened
 from ..wiring import Node, wiring_of
 from .arrows import mermaid
@@ -88,6 +88,7 @@ def draw(
     if path is None:
         return drawing(diagram)
     path = Path(path)
+    check_name(path)
     suffix = path.suffix.lower()
     if suffix not in SUFFIXES:
         raise DiagramError(
