@@ -79,13 +79,12 @@ def application() -> "typer.Typer":
     """Return the command line with all its commands."""
     import typer
 
-    from .help_pages import Command, Page, clpt
     from .laws_and_proofs import laws, prove, refute
-    from .many_runs import ensemble, tune
     from .measurements import estimate, fit, tides
-    from .one_scenario import animate, diagram, export, init, paper, report, run
+    from .printing import Command, Page, clpt
     from .replay import replay
     from .replay_report import WithPlaces
+    from .runs import animate, diagram, ensemble, export, init, paper, report, run, tune
     from .tracks import certify, design, excitation
 
     app = typer.Typer(

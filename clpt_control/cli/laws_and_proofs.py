@@ -9,8 +9,7 @@ import typer
 from ..errors import ClptError, SimulationError
 from ..html import Result
 from ..progress import progress_bar
-from .help_pages import flag, names_of_laws, opt
-from .printing import Json, check_scenario, finish, shown
+from .printing import Json, check_scenario, finish, flag, names_of_laws, opt, shown
 
 OF_THEOREM = "status for_every_N printed assumptions steps conclusion corrected cited not_proved"
 OF_LAW = "law status claim for_every_N steps"

@@ -8,8 +8,7 @@ import clpt_control as clpt
 from ..errors import DataError, ScenarioError
 from ..files import make_folder, write_together
 from ..html import Result
-from .help_pages import TIDES, arg, flag, opt
-from .printing import Formats, Json, finish, shown
+from .printing import TIDES, Formats, Json, arg, finish, flag, opt, shown
 
 
 def fit(

@@ -1,17 +1,177 @@
-"""What commands print: one JSON object, or a table."""
+"""What `clpt` shows: its page, the help of each command, its version; one JSON object, or tables.
 
+Help is plain text of 80 columns, on a terminal and in a pipe.  Values are named by shell words
+(FILE, SECONDS, LAT LON), what is required stands in the usage line, and a command's docstring
+ends in an example.
+"""
+
+import inspect
 import json
 import os
+import re
 import sys
 from collections.abc import Callable, Iterable, Sequence
+from importlib import resources
 from pathlib import Path
+from textwrap import dedent
 from typing import Annotated, Any
+
+import typer
+from typer.core import TyperCommand, TyperGroup
 
 from ..errors import SimulationError
 from ..files import check_writable, write_figure
 from ..html import Result
 from ..progress import let_go, plain
-from .help_pages import arg, flag, opt
+
+TIDES = ("M2", "S2", "N2", "K2", "K1", "O1", "P1", "Q1", "M4")  # the common ones
+PACKAGES = ("control", "numpy", "scipy", "llvmlite", "xarray", "sympy")
+
+
+class Command(TyperCommand):
+    """A command whose help is written as above."""
+
+    def collect_usage_pieces(self, ctx: Any) -> list[str]:
+        """Return arguments, then options that are required, as they are typed."""
+        params = self.get_params(ctx)
+        places = [p for p in params if p.param_type_name == "argument"]
+        needed = [p for p in params if p.param_type_name == "option" and p.required]
+        words = [f"{p.metavar}" if p.required else f"[{p.metavar}]" for p in places]
+        return [*words, *(f"{p.opts[0]} {p.metavar}" for p in needed), "[OPTIONS]"]
+
+    def format_help_text(self, ctx: Any, formatter: Any) -> None:
+        """Write what the docstring says before its example."""
+        formatter.write_paragraph()
+        with formatter.indentation():
+            formatter.write_text(_split(self.help)[0])
+
+    def format_options(self, ctx: Any, formatter: Any) -> None:
+        """Write arguments, options and the example."""
+        rows: dict[str, list] = {"Arguments": [], "Options": []}
+        for param in self.get_params(ctx):
+            if (record := param.get_help_record(ctx)) is None:
+                continue
+            if param.param_type_name == "argument":
+                rows["Arguments"].append((param.metavar, record[1]))
+            else:
+                rows["Options"].append(record)
+        for title, lines in rows.items():
+            if lines:
+                with formatter.section(title):
+                    formatter.write_dl(lines)
+        _write_lines(formatter, "Example", _split(self.help)[1])
+
+
+class Page(TyperGroup):
+    """All commands, under the titles of their groups."""
+
+    def format_help_text(self, ctx: Any, formatter: Any) -> None:
+        """Write what clpt is, and how to start."""
+        said, start = _split(self.help)
+        formatter.write_paragraph()
+        with formatter.indentation():
+            formatter.write_text(said)
+        _write_lines(formatter, "To start", start)
+
+    def format_options(self, ctx: Any, formatter: Any) -> None:
+        """Write the commands in their order, then the options."""
+        groups: dict[str, list] = {}
+        for name, command in self.commands.items():
+            title = command.rich_help_panel or "Commands"  # type: ignore[attr-defined]
+            groups.setdefault(title, []).append((name, _split(command.help)[0].split("\n")[0]))
+        longest = max(map(len, self.commands))
+        for title, rows in groups.items():
+            with formatter.section(title):
+                formatter.write_dl([(name.ljust(longest), line) for name, line in rows])
+        options = [param.get_help_record(ctx) for param in self.get_params(ctx)]
+        with formatter.section("Options"):
+            formatter.write_dl([record for record in options if record is not None])
+
+
+def _split(text: str | None) -> tuple[str, list[str]]:
+    """Return a docstring before its example, and the example's lines."""
+    said, _, example = inspect.cleandoc(text or "").partition("\nExample:\n")
+    return said.strip(), dedent(example).splitlines()
+
+
+def _write_lines(formatter: Any, title: str, lines: list[str]) -> None:
+    if lines:
+        with formatter.section(title):
+            for line in lines:
+                formatter.write(f"  {line}\n")
+
+
+def _print_version(asked: bool) -> None:
+    """Print the versions that a question or a bug report needs, and end."""
+    if not asked:
+        return
+    import platform
+    from importlib.metadata import PackageNotFoundError, version
+
+    typer.echo(f"clpt-control {version('clpt-control')}")
+    typer.echo(f"{'Python':12} {platform.python_version()} on {platform.platform(terse=True)}")
+    for name in PACKAGES:
+        try:
+            typer.echo(f"{name:12} {version(name)}")
+        except PackageNotFoundError:
+            typer.echo(f"{name:12} not installed")
+    raise typer.Exit
+
+
+def clpt(
+    version: Annotated[
+        bool,
+        typer.Option("--version", is_eager=True, callback=_print_version, help="Print versions."),
+    ] = False,
+) -> None:
+    """Adaptive learning for controlled Lagrangian particle tracking.
+
+    Example:
+        clpt paper                        section IV: its figures and claims
+        clpt init mine.toml               a scenario of your own to change
+        clpt run mine.toml --out run.nc   run it
+        clpt COMMAND --help               what a command takes, with an example
+    """
+
+
+def opt(metavar: str, said: str, *names: str, default: Any = None, **more: Any) -> Any:
+    """Return an option: the word for its value, its help, names other than the parameter's.
+
+    One whose default is ... is required; `words` complete what is typed.
+    """
+    if words := more.pop("words", ()):
+        more["autocompletion"] = one_of(*words)
+    return typer.Option(default, *names, metavar=metavar, help=said, **more)
+
+
+def flag(said: str, *names: str, default: Any = False) -> Any:
+    """Return an option without a value: its help, names other than the parameter's."""
+    return typer.Option(default, *names, help=said)
+
+
+def arg(metavar: str, said: str, default: Any = ...) -> Any:
+    """Return an argument: its word and its help; one whose default is ... is required."""
+    return typer.Argument(default, metavar=metavar, help=said)
+
+
+def one_of(*words: str) -> Callable[[str], Iterable[str]]:
+    """Return what completes a value by some words, the last one of a list with commas too."""
+
+    def completed(incomplete: str) -> list[str]:
+        before, comma, _ = incomplete.rpartition(",")
+        return [before + comma + word for word in words]
+
+    return completed
+
+
+def names_of_laws() -> list[str]:
+    """Return the names of all laws, read from their files: importing them takes a second."""
+    files = resources.files("clpt_control.blocks.laws").iterdir()
+    texts = [file.read_text("utf-8") for file in files if file.name.endswith(".py")]
+    return sorted(name for text in texts for name in re.findall(r'Law\(\s*"([\w-]+)"', text))
+
+
+# --- what commands take, and print ---------------------------------------------------------------
 
 ScenarioFile = Annotated[Path, arg("SCENARIO", "A scenario's TOML file, or a run's NetCDF.")]
 Window = Annotated[

@@ -20,8 +20,7 @@ from ..errors import ClptError, DataError, ScenarioError
 from ..files import make_folder, write_text
 from ..html import Result
 from ..progress import progress_bar, tell
-from .help_pages import arg, flag, opt
-from .printing import Formats, Json, finish, terminal_width
+from .printing import Formats, Json, arg, finish, flag, opt, terminal_width
 from .replay_report import (
     Ahead,
     Take,

@@ -21,8 +21,7 @@ from ..errors import ScenarioError
 from ..files import write_together
 from ..html import Result
 from ..progress import interrupt, progress_bar, tell
-from .help_pages import Command
-from .printing import LONG, terminal_width
+from .printing import LONG, Command, terminal_width
 
 PAIR = re.compile(r"\s*[-+.\d]+\s+[-+.\d]+\s*")  # both numbers quoted as one word
 EDGES, EDGE = 3, 1  # letters around a cell, and of the table's own edge

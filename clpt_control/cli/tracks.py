@@ -9,7 +9,6 @@ from ..errors import ClptError
 from ..files import write_together
 from ..html import Result
 from ..progress import progress_bar
-from .help_pages import opt
 from .printing import (
     Json,
     ScenarioFile,
@@ -19,6 +18,7 @@ from .printing import (
     check_scenario,
     draw_figure,
     finish,
+    opt,
     shown,
 )
 

@@ -12,7 +12,7 @@ from processes import CLPT
 
 import clpt_control
 from clpt_control.cli import application
-from clpt_control.cli.help_pages import names_of_laws
+from clpt_control.cli.printing import names_of_laws
 
 COMMANDS = [one.callback.__name__ for one in application().registered_commands]
 TYPES = re.compile(
