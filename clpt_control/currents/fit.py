@@ -151,8 +151,8 @@ def fit_scenario(
     lat, lon = currents.lat[:, None], currents.lon[None, :]
     x1, x2 = plane.to_plane(lat, lon)
     u, v = (KM_PER_HOUR * w for w in plane.turn(lat, lon, currents.u, currents.v))
-    filled = fill_gaps(currents.time, x2.mean(axis=1), x1.mean(axis=0), u, v)
-    field = regular_grid(currents.time, currents.lat, currents.lon, filled.u, filled.v, plane)
+    full_u, full_v, gap = fill_gaps(currents.time, x2.mean(axis=1), x1.mean(axis=0), u, v)
+    field = regular_grid(currents.time, currents.lat, currents.lon, full_u, full_v, plane)
     room = min(-field.x1[0], field.x1[-1], -field.x2[0], field.x2[-1])
     radius_km = float(f"{RADIUS * room:.2g}") if radius_km is None else radius_km
     if not radius_km < room:
@@ -205,9 +205,9 @@ def fit_scenario(
         "constituents": list(constituents),
         "samples": len(t),
         "missing_fraction": float(1 - measured.mean()),
-        "filled": filled.filled,
-        "cells": filled.cells,
-        "cells_never_measured": filled.never,
+        "filled": int(gap.sum()),
+        "cells": gap[0].size,
+        "cells_never_measured": int(gap.all(axis=0).sum()),
         "cells_of_zeros_taken_as_land": currents.land,
         "rms_speed": float(np.sqrt(np.mean(u[measured] ** 2 + v[measured] ** 2))),
         "explained_variance": share_explained(

@@ -120,23 +120,6 @@ class GriddedField:
     v: np.ndarray  # flow along x2
 
 
-@dataclass(frozen=True)
-class Filled:
-    """A current without gaps, and how much of it was made up."""
-
-    u: np.ndarray  # measured values as they were, filled ones elsewhere, shape (nt, ny, nx)
-    v: np.ndarray
-    samples: int  # values of each component
-    filled: int  # of them
-    cells: int
-    never: int  # cells without any measured hour
-
-    @property
-    def share(self) -> float:
-        """Share of the values that was filled, 0 to 1."""
-        return self.filled / self.samples
-
-
 def fill_gaps(
     time: np.ndarray,
     x2: np.ndarray,
@@ -144,8 +127,8 @@ def fill_gaps(
     u: np.ndarray,
     v: np.ndarray,
     speed: float = SPEED,
-) -> Filled:
-    """Fill the gaps of a current harmonically in space and time.
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return a current with its gaps filled harmonically in space and time, and where they were.
 
     `time` in h, `x2` and `x1` in km increase; `u` and `v`, shape (nt, ny, nx), are NaN where
     missing; one hour is worth `speed` in space, km/h.
@@ -153,9 +136,9 @@ def fill_gaps(
     >>> axis = np.arange(3.0)
     >>> u = np.broadcast_to(axis, (3, 3, 3)).copy()
     >>> u[1, 1, 1] = np.nan
-    >>> full = fill_gaps(axis, axis, axis, u, u)
-    >>> float(full.u[1, 1, 1].round(12)), full.filled, full.never
-    (1.0, 1, 0)
+    >>> full, _, gap = fill_gaps(axis, axis, axis, u, u)
+    >>> float(full[1, 1, 1].round(12)), int(gap.sum())
+    (1.0, 1)
     """
     from scipy.sparse import coo_array
     from scipy.sparse.linalg import splu
@@ -189,9 +172,7 @@ def fill_gaps(
         matrix = coo_array((own, (range(len(missing)), range(len(missing)))))
         solver = splu((matrix - among[:, missing]).tocsc())
         values[missing] = solver.solve(among[:, known] @ values[known])
-    full_u, full_v = (values[:, k].reshape(gap.shape) for k in range(2))
-    never = int(gap.all(axis=0).sum())
-    return Filled(full_u, full_v, gap.size, len(missing), gap[0].size, never)
+    return values[:, 0].reshape(gap.shape), values[:, 1].reshape(gap.shape), gap
 
 
 def regular_grid(

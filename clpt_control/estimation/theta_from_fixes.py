@@ -271,13 +271,17 @@ def flow_estimate(
     if method not in METHODS:
         raise ScenarioError(f"method {method!r}: must be one of {', '.join(METHODS)}")
     origin, own_prior, usual_start = None, Priors().current, None
+    usual_walk = 0.0  # of the prior
     if isinstance(data, Sequence):
         if not data:
             raise DataError("no dives are given; give one at least")
         if basis is None or every is not None:
             raise ScenarioError("dives need a basis, such as that of dive_basis, and no every")
         origin = (data[0].lat_gps2, data[0].lon_gps2)
-        segments, usual_noise = dive_segments(data, origin), dive_noise(data)
+        segments, sea = dive_segments(data, origin), Priors().gradient
+        time = np.array([dive.duration for dive in data])
+        usual_noise = np.hypot(Priors().fix, sea.scatter * time)
+        usual_walk = np.sqrt(2 / sea.memory)  # that of a current, scaled
     else:
         scenario = run_scenario(data)
         segments, own = run_segments(data, scenario, every)
@@ -291,8 +295,7 @@ def flow_estimate(
     r = _numbers("noise", usual_noise if noise is None else noise, (n,))
     if walk is not None and method != "kalman":
         raise ScenarioError(f'walk: is for the method "kalman", not for "{method}"')
-    usual_walk = 0.0 if origin is None else dive_walk(sd)
-    w = _numbers("walk", usual_walk if walk is None else walk, (N,), zero=True)
+    w = _numbers("walk", usual_walk * sd if walk is None else walk, (N,), zero=True)
     usual = np.zeros((2, N)) if usual_start is None else usual_start
     theta = usual if start is None else np.asarray(start, dtype=float)
     if theta.shape != (2, N) or not np.all(np.isfinite(theta)):
@@ -443,16 +446,3 @@ def dive_basis(
         raise ScenarioError("no function: give a constituent or a width")
     *functions, prior = (np.array(column) for column in zip(*rows, strict=True))
     return flow_basis("basis_x", "x", "gaussian", *functions), prior
-
-
-def dive_noise(dives: Sequence[Dive]) -> np.ndarray:
-    """Return the standard deviation of each dive's miss, (n,), m: fixes, and what is unknown."""
-    priors = Priors()
-    time = np.array([dive.duration for dive in dives])
-    return np.hypot(priors.fix, priors.gradient.scatter * time)
-
-
-def dive_walk(prior: np.ndarray) -> np.ndarray:
-    """Return the walk of each parameter, m/s per square root of s: that of a current, scaled."""
-    priors = Priors()
-    return prior * np.sqrt(2 / priors.gradient.memory)
