@@ -10,7 +10,6 @@ from hypothesis import strategies as st
 from scipy.linalg import expm
 
 import clpt_control as clpt
-from clpt_control.diagrams import wiring
 from clpt_control.diagrams.interconnection import connect, wiring_of_blocks
 from clpt_control.diagrams.wiring import wiring_of
 from clpt_control.equations import Block
@@ -19,7 +18,6 @@ from clpt_control.errors import BlockError, DiagramError
 
 TIMES = np.linspace(0.0, 3.0, 7)
 ENGINES = ("native", "python")
-LAG = control.tf(1, [0.5, 1], name="lag")
 
 
 def system(numbers, n, m, r, direct, name, inputs, outputs):
@@ -228,10 +226,6 @@ def test_states_and_inputs_are_stacked_as_python_control_stacks_them():
             clpt.simulate(loop, TIMES, inputs)
 
 
-PAPER = clpt.paper_scenario()
-SQUARE = {"kind": "square", "amplitude": [0.05, 0.02], "period": 1.8}
-
-
 def same(one, other):
     assert one.ninputs == other.ninputs
     assert one.order == other.order
@@ -243,24 +237,6 @@ def same(one, other):
         for part in ("states", "inputs", "outputs"):
             assert getattr(mine, part) == getattr(theirs, part)
         assert sorted(mine.wires) == sorted(theirs.wires)
-
-
-@pytest.mark.parametrize(
-    "changes",
-    [
-        {},
-        {"flow.disturbance": SQUARE},
-        {
-            "learning.law": "known-flow",
-            "learning.parameters": None,
-            "learning.theta_estimate": [[1.0, 0.5, 0.8], [0.9, 0.4, 0.7]],
-        },
-    ],
-)
-@pytest.mark.parametrize("external", [(), ("zc",), ("x",), ("x", "zc")])
-def test_the_paper(changes, external):
-    loop = clpt.closed_loop(PAPER.with_values(changes), external)
-    same(wiring_of_blocks(loop.syslist, external), wiring_of(loop))
 
 
 def passed_on(t, x, u, p):
@@ -278,21 +254,3 @@ def test_ports_in_another_order_than_their_makers():
     ]
     for external in (["v", "w"], ["w", "v"]):
         same(wiring_of_blocks(blocks, external), wiring_of(connect(blocks, external)))
-
-
-def test_a_run_reads_its_wiring_once(monkeypatch):
-    made = []
-
-    class Counted(wiring.Wiring):
-        def __init__(self, *parts):
-            made.append(1)
-            super().__init__(*parts)
-
-    monkeypatch.setattr(wiring, "Wiring", Counted)
-    scenario = PAPER.with_values({"run.duration": 2})
-    clpt.simulate(scenario)
-    assert len(made) == 1
-    loop, start = clpt.closed_loop(scenario), clpt.initial_state(scenario)
-    made.clear()
-    clpt.simulate(loop, [0.0, 2.0], initial_state=start)
-    assert len(made) == 1

@@ -10,10 +10,9 @@ from scipy.integrate import solve_ivp
 
 import clpt_control as clpt
 from clpt_control.equations import Block, Guard
-from clpt_control.native import method, rosenbrock, solver
+from clpt_control.native import rosenbrock, solver
 from clpt_control.native.batch import Batch
-from clpt_control.native.ending import Status
-from clpt_control.native.native_diagram import FUNCTIONS, NativeDiagram
+from clpt_control.native.native_diagram import NativeDiagram
 from clpt_control.native.python_diagram import PythonDiagram
 from clpt_control.native.schedule import sharp
 
@@ -32,21 +31,6 @@ def by_scipy(tolerance):
     return solve_ivp(
         rate, (0.0, 9.0), START, "DOP853", rtol=tolerance, atol=tolerance, dense_output=True
     )
-
-
-def test_the_solver_finds_each_function_and_formula_in_its_place():
-    for status in Status:
-        assert getattr(solver, status.name) == status
-        assert status.sentence
-    for number, more in ((solver.DOP853, 3), (solver.RODAS5P, 0), (solver.RK4, 0)):
-        places = list(method.formulas(number))
-        for name in ("ATTEMPT", "JUDGE", "SIZES", "TRIAL", "FIRST", "ACCEPT", "DENSE"):
-            assert places[getattr(solver, name) - len(FUNCTIONS)] == name.lower()
-        for s in range(1, number + more):
-            assert places[solver.STAGE + s - len(FUNCTIONS)] == f"stage_{s}"
-    assert list(method.formulas(solver.DOP853))[solver.STIFFNESS - len(FUNCTIONS)] == "stiffness"
-    for k, name in enumerate(FUNCTIONS):
-        assert getattr(solver, name.upper()) == k
 
 
 @pytest.mark.parametrize("engine", [NativeDiagram, PythonDiagram])
@@ -140,10 +124,6 @@ def table():
         c[s, : len(row)] = row
     gamma = np.linalg.inv(np.eye(S) / rosenbrock.GAMMA - c)
     return a[:S] @ gamma, gamma, a[S] @ gamma
-
-
-def test_the_solver_knows_the_number_of_stages():
-    assert len(rosenbrock.C) == solver.RODAS5P - 1
 
 
 def test_order_conditions_hold_up_to_order_five():

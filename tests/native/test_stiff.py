@@ -9,7 +9,6 @@ import pytest
 from random_diagrams import random_diagram
 
 import clpt_control as clpt
-from clpt_control.diagrams.wiring import wiring_of
 from clpt_control.ensemble.members import Ensemble
 from clpt_control.ensemble.of_scenarios import VariedScenario
 from clpt_control.equations import Block, Guard
@@ -362,10 +361,3 @@ def test_stiff_members_are_run_one_by_one_and_change_no_other(lanes):
     assert "Rodas5P" in whole.method
     apart = 1e-5 if lanes else 1e-12  # lanes sum in another order, so that errors are others
     np.testing.assert_allclose(found.states[1], whole.x, rtol=0, atol=apart)
-
-
-def test_a_wiring_knows_which_states_reach_which_rates():
-    block = Block("heat", update=PROBLEMS["heat"].rates, states={"s": 400})
-    linear = NativeDiagram(wiring_of(block)).implicit().linear
-    assert list(linear.band) == [1, 1, 1]
-    assert len(linear.begins) == 4

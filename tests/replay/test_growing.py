@@ -8,8 +8,8 @@ import pytest
 from synthetic_vehicle import vehicle
 
 from clpt_control.estimation.fix_model import FixModel
-from clpt_control.gliders import dives, sample_dives, usable
-from clpt_control.replay import follow, replay_dives, summary
+from clpt_control.gliders import sample_dives, usable
+from clpt_control.replay import replay_dives, summary
 from clpt_control.replay.replay import Growing, Replay
 
 DIVES = usable(sample_dives())[0]
@@ -86,24 +86,3 @@ def test_an_interrupt_leaves_what_was_learned(steps, monkeypatch):
         growing.feed(DIVES, cut)
     assert said(growing.feed(DIVES)) == said(replay_dives(DIVES))
     assert steps[:14] == [dive.number for dive in DIVES]
-
-
-def test_a_look_orders_each_segment_once(tmp_path, monkeypatch):
-    incoming = tmp_path / "incoming"
-    incoming.mkdir()
-    names = [f"rosie-2019-166-{k // 10}-{k % 10}.sbd" for k in range(40)]
-    for name in names:
-        (incoming / name).write_bytes(b"x")
-    monkeypatch.setattr(follow, "read_dive_file", lambda path: ([], []))
-    follower = follow.Follower(incoming, tmp_path / "state")
-    assert len(follower.look()) == 40
-    asked, order = [], dives._order
-    monkeypatch.setattr(dives, "_order", lambda path: asked.append(path) or order(path))
-    assert follower.look() == []
-    assert len(asked) == 40
-    each = dives.before_each(incoming.iterdir())
-    assert {path.name: each[path] for path in each} == {
-        name: [incoming / before for before in names[max(k - 6, 0) : k]]
-        for k, name in enumerate(names)
-    }
-    assert all(dives.files_before(path) == before for path, before in each.items())
