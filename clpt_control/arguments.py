@@ -117,8 +117,14 @@ def _checked(function: Any, name: str) -> Any:
             )
         return value
 
+    def meant(named: Iterable[str]) -> None:
+        for one in () if any_name else named:
+            if one not in known and (close := nearest(one, known)):
+                raise ArgumentError(f"{name}: has no argument {one}; did you mean {close}?")
+
     def call(*given: Any, **named: Any) -> Any:
         if len(given) > len(places) or not (any_name or known.issuperset(named)):
+            meant(named)
             return function(*given, **named)  # Python itself says what is too much
         return function(
             *map(taken, places, given),

@@ -19,12 +19,11 @@ from ..equations.arrays import CONDITIONS, MOVED, Tape, Unread, lifted, operand
 from ..equations.declaration import ports_of
 from ..equations.derivative import JUMPS, Direction
 from ..equations.record import Shape, compact, computed, reached
-from ..equations.sampled import Sampled
 from ..errors import ArgumentError, DiagramError
 from ..progress import warn
 from .interconnection import changed_parameters
 from .joined import joined
-from .wiring import Node, Wiring, read_anew, wiring_of
+from .wiring import Node, Wiring, read_unsampled
 
 CLOSE = 1e-12  # of their size: numbers that differ by less tie
 REACHED = 1e-9  # of the largest: what counts less is not reached
@@ -188,11 +187,7 @@ def linearize(
     array([[0.  , 1.  ],
            [9.81, 0.  ]])
     """
-    read_anew(system)
-    wiring = wiring_of(system, params)
-    name = next((n.name for n in wiring.nodes if isinstance(n.system, Sampled)), None)
-    if name is not None:
-        raise DiagramError(f"{name}: samples its inputs; give the design that it was sampled from")
+    wiring = read_unsampled(system, params)
     x, u = getattr(x, "states", x), getattr(x, "inputs", u)
     n, m = wiring.nodes[-1].states.stop, wiring.ninputs
     if not n + m:

@@ -25,12 +25,11 @@ from ..arguments import public
 from ..equations.arrays import Tape, Unread, operand
 from ..equations.declaration import parameters_of, ports_of
 from ..equations.record import Shape
-from ..equations.sampled import Sampled
 from ..equations.symbolic import Symbols, exact
 from ..equations.system import System, is_linear
 from ..errors import DiagramError
 from .joined import joined
-from .wiring import Node, Wiring, read_anew, wiring_of
+from .wiring import Node, Wiring, read_unsampled, wiring_of
 
 TIME = sympy.Symbol("t", real=True)
 # gets block.role, an operation and its arguments on symbols; returns what to say of it
@@ -443,10 +442,7 @@ def equations(system: control.NonlinearIOSystem, numbers: bool = False) -> Equat
 
 def readable_equations(system: Any, names: type[Names] = Names, **how: Any) -> Equations:
     """Read a diagram as it is now; what samples or cannot be read is refused."""
-    read_anew(system)
-    name = next((n.name for n in wiring_of(system).nodes if isinstance(n.system, Sampled)), None)
-    if name is not None:
-        raise DiagramError(f"{name}: samples its inputs; give the design that it was sampled from")
+    read_unsampled(system)
     try:
         return on_symbols(system, names, **how)
     except Unread as error:

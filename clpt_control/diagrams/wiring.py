@@ -258,6 +258,16 @@ def read_anew(system: Any) -> None:
             part.read_anew()
 
 
+def read_unsampled(system: Any, params: Mapping[str, Any] | None = None) -> Wiring:
+    """Return the wiring of a diagram as it is now; refuse one in which a part samples."""
+    read_anew(system)
+    wiring = wiring_of(system, params)
+    name = next((n.name for n in wiring.nodes if isinstance(n.system, Sampled)), None)
+    if name is not None:
+        raise DiagramError(f"{name}: samples its inputs; give the design that it was sampled from")
+    return wiring
+
+
 def _as_block(system: Any, *given: Any) -> Block:
     if isinstance(system, Block):
         return system

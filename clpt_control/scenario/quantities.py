@@ -4,7 +4,7 @@ A key such as ``learning.gain`` is its name in a scenario; ``adaptation.gain`` i
 in ``simulate(params=...)``; a law knows it as ``gains.parameters``; the paper writes gamma.
 """
 
-from collections.abc import Collection, Iterable
+from collections.abc import Collection
 from typing import Any, NamedTuple
 
 from ..blocks.laws.law import Fixes, Gains, Setting
@@ -78,12 +78,12 @@ STARTS = {key: one.state for key, one in QUANTITIES.items() if one.state}  # as 
 # --- what holds a key's value -------------------------------------------------------------------
 
 
-def names_held(scenario: Any, keys: Iterable[str], known: Collection[str]) -> dict[str, list[str]]:
+def names_held(scenario: Any, known: Collection[str]) -> dict[str, list[str]]:
     """Return which parameters of a scenario's blocks, of those known, hold each key's value."""
     made = made_of(scenario)  # held elsewhere too
     return {
         key: [name for name in _names(scenario, key) if name in known and key not in made]
-        for key in keys
+        for key in CALL_TIME_NAMES
     }
 
 
@@ -102,12 +102,6 @@ def _names(scenario: Any, key: str) -> list[str]:
 def keys_of(scenario: Any, name: str) -> list[str]:
     """Return the keys of a scenario whose value a call-time name holds."""
     return [key for key in CALL_TIME_NAMES if name in _names(scenario, key)]
-
-
-def keys_alone(scenario: Any, known: Collection[str]) -> dict[str, str]:
-    """Return call-time name -> key, where one parameter of those known holds the key's value."""
-    held = names_held(scenario, CALL_TIME_NAMES, known)
-    return {names[0]: key for key, names in held.items() if len(names) == 1}
 
 
 def key_of(name: str) -> str:

@@ -16,7 +16,7 @@ from ..equations.system import is_linear
 from ..errors import BlockError, DataError, DiagramError, ScenarioError, SimulationError
 from ..native.schedule import stacked_state
 from ..scenario.experiment import Scenario
-from ..scenario.quantities import STARTS, keys_alone, keys_of
+from ..scenario.quantities import STARTS, keys_of, names_held
 from ..scenario.team import Team
 from .loops import paper_blocks
 
@@ -198,7 +198,7 @@ def into_keys(
         return scenario, left
     parts = paper_blocks(scenario)
     known = {f"{block.name}.{field}" for block in parts for field in block.parameters._fields}
-    alone = keys_alone(scenario, known)
+    alone = {own[0] for own in names_held(scenario, known).values() if len(own) == 1}
     for name in [name for name in left if name in known]:
         changed = _checked(scenario, name, left[name])
         if name in alone:

@@ -143,6 +143,6 @@ def test_what_a_law_is_made_of_is_what_changes_it(name):
             continue  # the law has no use for it
         first, second = values(scenario), values(other)
         held = [f"adaptation.{field}" for field in first]
-        held = {one.partition(".")[2] for one in names_held(other, [key], held)[key]}
+        held = {one.partition(".")[2] for one in names_held(other, held).get(key, [])}
         moved = {field for field in first if not np.array_equal(first[field], second[field])}
         assert bool(moved - held) == (key in made_of(other)), (key, moved, held)
