@@ -15,7 +15,6 @@ from dataclasses import replace
 from functools import cached_property
 from typing import Any
 
-import control
 import numpy as np
 
 from ..arguments import nearest
@@ -25,7 +24,7 @@ from ..diagrams.wiring import read_anew, units_of, wiring_of
 from ..equations.arrays import Unread
 from ..equations.at_many import decided_by_time
 from ..equations.declaration import ports_of
-from ..equations.system import System, linear
+from ..equations.system import System
 from ..errors import DiagramError, ScenarioError, SimulationError
 from ..native import solver
 from ..native.ending import check_spacing, checked_method
@@ -33,8 +32,8 @@ from ..native.python_diagram import checked_steps
 from ..native.schedule import checked_times, open_sizes, read_inputs, stacked_state
 from ..native.sweep import Sweep
 from ..simulation.dataset import Part, ports_shown
+from ..simulation.integrate import as_diagram
 from ..simulation.running import labels_of, units_shown
-from ..simulation.starts import initial_state as start_of
 from .drawn_values import Vary, unknown
 from .members import Ensemble, Made, Members, States, Values
 from .summaries import Arrays, ends_of
@@ -61,13 +60,10 @@ class VariedDiagram:
         method: str | None = None,
         trajectories: bool = False,
     ):
-        if isinstance(diagram, control.TransferFunction):
-            diagram = linear(diagram)
+        diagram, known = as_diagram(diagram)
         self.times, self.name = checked_times("timepts", timepts), diagram.name
         self.title, self.trajectories = f"Ensemble of {diagram.name}", trajectories
-        x0 = initial_state
-        if x0 is None and getattr(diagram, "made_of", None) is not None:
-            x0 = start_of(diagram)
+        x0 = known.get("initial_state") if initial_state is None else initial_state
         read_anew(diagram)
         sizes = open_sizes(diagram, inputs, x0, self.times)
         self.params = dict(params or {})

@@ -286,8 +286,7 @@ class PythonDiagram:
         return 1
 
     def _inputs(self, inputs: Any, times: np.ndarray) -> Inputs | None:
-        read = inputs is None or isinstance(inputs, Inputs)
-        return inputs if read else read_inputs(inputs, times, self.wiring.ninputs)
+        return None if inputs is None else read_inputs(inputs, times, self.wiring.ninputs)
 
     def signals(self, solution: Solution, inputs: Any = None, check: bool = True) -> np.ndarray:
         """Return all block outputs (nt, nsignals) at a solution's times, in the wiring's order.

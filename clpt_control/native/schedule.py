@@ -167,6 +167,8 @@ def read_inputs(inputs: Any, times: np.ndarray, count: int) -> Inputs:
     Values of shape (count, nt) at `times` are joined by straight lines; a number, or one for
     each input, is held; a list may hold both, ``[u1, 0]``; a function is called with the time.
     """
+    if isinstance(inputs, Inputs):  # they are read
+        return inputs
     if callable(inputs):
 
         def given(t: float) -> np.ndarray:

@@ -20,7 +20,7 @@ from ..equations.declaration import ports_of, split, whole_labels
 from ..native.ending import Solution
 from ..native.engines import VARIABLE, chosen, run_as_read
 from ..native.native_diagram import NativeDiagram
-from ..native.schedule import Inputs, read_inputs, stacked_state
+from ..native.schedule import read_inputs, stacked_state
 from ..scenario.experiment import Scenario
 from ..scenario.file import EQUATIONS, OWN_PARTS, REFERENCE, TEAM
 from ..scenario.team import Team, team_to_text
@@ -198,8 +198,7 @@ class DiagramRun(SystemRun):
 
     def run(self, times: np.ndarray, inputs: Any = None, x0: Any = None, **given: Any) -> Any:
         """Run from a state at the first time to the last; what repeats it comes with it."""
-        read = isinstance(inputs, Inputs)
-        u = inputs if read else read_inputs(inputs, times, self.wiring.ninputs)
+        u = read_inputs(inputs, times, self.wiring.ninputs)
         state = stacked_state("initial_state", 0.0 if x0 is None else x0, self.runner.nstates)
         given["inputs"] = u
         found, signals = run_as_read(self.runner, self.name, state, times, self.params, **given)

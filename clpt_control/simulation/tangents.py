@@ -33,7 +33,7 @@ from ..errors import SimulationError, Uncompiled
 from ..native.ending import Solution
 from ..native.engines import compared
 from ..native.native_diagram import NativeDiagram
-from ..native.schedule import Inputs, read_inputs, stacked_state
+from ..native.schedule import read_inputs, stacked_state
 from ..scenario.experiment import Scenario
 from .dataset import diagram_frame
 from .integrate import asked
@@ -124,8 +124,7 @@ class Sensitive:
             raise SimulationError(f"{self.name}: has no known derivative: {error}") from None
         outputs = slice(len(self.wiring.outputs))
         self.labels, self.units = run.shown[outputs], units_shown(run.wiring)[outputs]
-        read = isinstance(own.inputs, Inputs)
-        self.inputs = own.inputs if read else read_inputs(own.inputs, own.times, run.wiring.ninputs)
+        self.inputs = read_inputs(own.inputs, own.times, run.wiring.ninputs)
         state = 0.0 if own.start is None else own.start
         self.start = stacked_state("initial_state", state, run.runner.nstates)
 
