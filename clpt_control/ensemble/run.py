@@ -274,7 +274,7 @@ def _run_here(
     ensemble: Ensemble, store: Store, threads: int, report: Callable[[int], None]
 ) -> None:
     missing = store.missing()
-    done = store.done(missing)
+    done = store.members - store.count(missing)
     report(done)
     spread = -(-(store.members - done) // (4 * threads))  # some batches for every thread
     size = min(ensemble.batch, max(8, -(-spread // 8) * 8))
@@ -294,8 +294,7 @@ def _run_here(
             check()
             parts.append(future.result())
             done += len(parts[-1]["status"])
-            first, last = store.range(index)
-            if sum(len(part["status"]) for part in parts) == last - first:
+            if sum(len(part["status"]) for part in parts) == store.count([index]):
                 store.write(index, joined(parts))
                 parts = []
             report(done)
@@ -337,7 +336,7 @@ def _run_elsewhere(
 ) -> None:
     """Run the chunks that are missing; `report` is called with the number of members done."""
     missing = store.missing()
-    done = store.done(missing)
+    done = store.members - store.count(missing)
     report(done)
     if not missing:
         return
@@ -350,7 +349,7 @@ def _run_elsewhere(
                 index = given[future]  # ask the store: the worker may be lost by now
                 if not store.is_whole(index):
                     raise SimulationError(f"dask: chunk {index} did not reach {store.path}")
-                done += store.range(index)[1] - store.range(index)[0]
+                done += store.count([index])
                 report(done)
     except BrokenExecutor:
         raise SimulationError(
@@ -361,7 +360,7 @@ def _run_elsewhere(
         raise SimulationError(f"dask: the scheduler {address} was lost; {KEPT}") from None
 
 
-def run_chunk(index: int, recipe: bytes, code: str, path: str) -> int:
+def run_chunk(index: int, recipe: bytes, code: str, path: str) -> None:
     """Run one chunk on a worker and write it; `code` must be that of the one who asks."""
     ensemble = ensemble_of(recipe)
     if ensemble.code != code:
@@ -370,11 +369,9 @@ def run_chunk(index: int, recipe: bytes, code: str, path: str) -> int:
             "another Python; its numbers might differ in the last bit"
         )
     store = open_store(Path(path))
-    first, last = store.range(index)
     if not store.is_whole(index):  # else its worker was lost after writing it
         parts = cut(store.values(index), ensemble.batch)
         store.write(index, joined([*map(ensemble.summaries, parts)]))
-    return last - first
 
 
 # --- before it runs -------------------------------------------------------------------------------

@@ -52,22 +52,24 @@ class Store:
             arrays = dict(group.arrays())
         self.kept = sorted(n for n, one in arrays.items() if one.attrs.get("kept") == "per member")
 
-    def range(self, index: int) -> tuple[int, int]:
-        """Return the first and the last member + 1 of a chunk."""
-        return index * self.chunk, min((index + 1) * self.chunk, self.members)
+    def rows(self, index: int) -> slice:
+        """Return the members of a chunk."""
+        return slice(index * self.chunk, min((index + 1) * self.chunk, self.members))
+
+    def count(self, indices: Iterable[int]) -> int:
+        """Return how many members some chunks have."""
+        return sum(rows.stop - rows.start for rows in map(self.rows, indices))
 
     def values(self, index: int) -> dict[str, np.ndarray]:
         """Return what varies among the members of a chunk."""
-        first, last = self.range(index)
-        return {key: self.group[key][first:last] for key in self.arguments["keys"]}
+        return {key: self.group[key][self.rows(index)] for key in self.arguments["keys"]}
 
     def write(self, index: int, arrays: Mapping[str, np.ndarray]) -> None:
         """Write a chunk, then its checksum."""
-        first, last = self.range(index)
         try:
             for name in self.kept:
                 if arrays[name].size:
-                    self.group[name][first:last] = arrays[name]
+                    self.group[name][self.rows(index)] = arrays[name]
             self.group[DONE][index] = self.checksum(arrays)
         except OSError as error:
             reason = error.strerror or error
@@ -88,19 +90,13 @@ class Store:
         """List the chunks without a checksum, or with one that does not fit."""
         return [k for k in range(-(-self.members // self.chunk)) if not self.is_whole(k)]
 
-    def done(self, missing: Iterable[int]) -> int:
-        """Return how many members need no work where chunks are missing."""
-        ranges = [self.range(index) for index in missing]
-        return self.members - sum(last - first for first, last in ranges)
-
     def is_whole(self, index: int) -> bool:
         """Return whether a chunk is there and its checksum fits."""
-        first, last = self.range(index)
         try:
             checksum = int(self.group[DONE][index])
             if not checksum:
                 return False
-            read = {name: self.group[name][first:last] for name in self.kept}
+            read = {name: self.group[name][self.rows(index)] for name in self.kept}
         except Exception:  # a damaged file can raise anything
             return False
         fits = self.checksum(read) == checksum
@@ -111,7 +107,7 @@ class Store:
         dims = self._dims(name)
         if self.path is None or "time" not in dims:
             return True
-        return (self.path / name / "c" / "/".join([str(index)] + ["0"] * (len(dims) - 1))).is_file()
+        return self.path.joinpath(name, "c", str(index), *["0"] * (len(dims) - 1)).is_file()
 
     def finish(self) -> None:
         """Check that every chunk is there; remove what killed writers left beside files."""
@@ -136,25 +132,20 @@ class Store:
         data = data.drop_vars(DONE).set_coords(self.arguments["keys"])
         for array in data.variables.values():
             array.attrs.pop("kept", None)
-        if self.path is not None:
+        if self.path is None:
+            data.load()
+        else:
             data.encoding["folder"] = str(self.path.absolute().parent)
-        data = data if self.path is not None else data.load()
         return self._on_a_grid(data) if self.arguments["design"] == "grid" else data
 
     def _on_a_grid(self, data: "xarray.Dataset") -> "xarray.Dataset":
         """Return the members of a grid of numbers with these as their index."""
-        from pandas import MultiIndex
-        from xarray import Coordinates
+        from xarray.indexes import PandasMultiIndex
 
         keys = self.arguments["keys"]
         if any(data[key].ndim > 1 for key in keys):
             return data
-        named = {key: data[key].attrs for key in keys}
-        index = MultiIndex.from_arrays([data[key].values for key in keys], names=keys)
-        data = data.assign_coords(Coordinates.from_pandas_multiindex(index, "member"))
-        for key, attrs in named.items():
-            data[key].attrs.update(attrs)
-        return data
+        return data.drop_vars("member").set_xindex(keys, PandasMultiIndex)
 
 
 def software() -> str:
@@ -330,9 +321,8 @@ def open_ensemble(path: Path) -> "xarray.Dataset":
                 array.load()
         done = store.group[DONE][:]
     for chunk in np.flatnonzero(done).tolist():
-        kept = {name: data[name].values for name in store.kept if "time" not in data[name].dims}
-        first, last = store.range(chunk)
-        if store.checksum({name: one[first:last] for name, one in kept.items()}) != done[chunk]:
+        rows, kept = store.rows(chunk), [n for n in store.kept if "time" not in data[n].dims]
+        if store.checksum({name: data[name].values[rows] for name in kept}) != done[chunk]:
             raise DataError(f"{path}: is damaged: chunk {chunk} is not as it was written")
     if not np.isin(data["status"], range(len(STATUS))).all():
         raise DataError(f"{path}: is damaged: status holds numbers that no end of a run has")
