@@ -75,26 +75,18 @@ def candidates(scenario: Scenario, law: Law, held: bool) -> Iterator[Candidate]:
 def candidate(scenario: Scenario, law: Law, held: bool, gain: float, pole: float) -> Candidate:
     """Return a law with its gain and filter times a factor each."""
     car = scenario.vehicle
-    values: dict[str, Any] = {"learning.law": law.name, "learning.gains": None}
-    for other in LAWS.values():
-        if other.settings and other.name != law.name:
-            values[f"learning.{other.table}"] = None
-    if law.keeps_alpha:
-        values["learning.parameters"] = None
-    else:
-        values["learning.theta_estimate"] = None
-    values["learning.adapt_gains"] = not held
+    others = [one for one in LAWS.values() if one.settings and one.name != law.name]
+    unused = ["gains", "parameters" if law.keeps_alpha else "theta_estimate"]
+    unused += [other.table for other in others]
+    values: dict[str, Any] = {f"learning.{key}": None for key in unused}
+    values |= {"learning.law": law.name, "learning.adapt_gains": not held}
     if held:
         values |= {"learning.feedback": car.feedback, "learning.feedforward": car.feedforward}
-    used = None
-    if law.alpha_by_gain or not held:
-        used = gain * _gain(scenario, law)
+    used = gain * _gain(scenario, law) if law.alpha_by_gain or not held else None
     values["learning.gain"] = used
-    base = scenario.with_values(values)
-    found = None
+    base, found = scenario.with_values(values), None
     if "filter" in law.settings:
-        made = law.block(base.known_to_law)
-        found = pole * float(made.parameters.filter)
+        found = pole * float(law.block(base.known_to_law).parameters.filter)
         if pole != 1.0:
             values[f"learning.{law.table}.filter"] = found
     return Candidate(law.name, used, held, found, values)

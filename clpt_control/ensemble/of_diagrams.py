@@ -152,16 +152,15 @@ class VariedDiagram:
 
     def units(self, key: str) -> dict[str, str]:
         """Return the unit of an input or a state, as an attribute, where it is known."""
-        _, states, inputs, _ = self.places[key]
-        given = units_of(self.wiring)[1]
-        found = {given[k] for k in inputs}
-        for node in self.wiring.nodes:
-            block, first = node.system, node.states.start
-            for port, size in block.state_ports.items():
-                own = set(range(first, first := first + size)) & set(states)
-                found |= {block.units.get(port, "")} if own else set()
-        unit = found.pop() if len(found) == 1 else ""
-        return {"units": unit} if unit else {}
+        place, of_inputs = self.places[key], units_of(self.wiring)[1]
+        of_states = [
+            block.units.get(port, "")
+            for block in (node.system for node in self.wiring.nodes)
+            for port, size in block.state_ports.items()
+            for _ in range(size)
+        ]
+        found = {of_states[k] for k in place.states} | {of_inputs[k] for k in place.inputs}
+        return {"units": found.pop()} if len(found) == 1 and found != {""} else {}
 
     def _check_apart(self) -> None:
         """Refuse names that say one number twice."""

@@ -153,26 +153,6 @@ def software() -> str:
     return ", ".join(f"{name} {version(name)}" for name in SOFTWARE)
 
 
-def layout_of(
-    arguments: Mapping[str, Any], arrays: Mapping[str, Array]
-) -> dict[str, dict[str, Any]]:
-    """Return what `create_array` takes for each array, and for `done`."""
-    chunk, members = arguments["chunk"], arguments["members"]
-    sums = {"long_name": "checksum of a whole chunk"}
-    done = Array(("chunk",), (-(-members // chunk),), "int64", sums)
-    layout = {}
-    for name, one in {**arrays, DONE: done}.items():
-        first = {"member": chunk, "chunk": 1}.get(one.dims[0], one.shape[0])
-        layout[name] = {
-            "shape": one.shape,
-            "dtype": one.dtype,
-            "chunks": tuple(max(1, n) for n in (min(first, one.shape[0]), *one.shape[1:])),
-            "attributes": one.attrs,
-            "dimension_names": one.dims,
-        }
-    return layout
-
-
 def create_store(
     path: Path | None,
     arguments: Mapping[str, Any],
@@ -196,13 +176,22 @@ def _filled(group: Any, arguments: Any, arrays: Mapping[str, Array], attrs: Any)
     from zarr.codecs import Crc32cCodec, ZstdCodec
 
     group.attrs.update({**attrs, ARGUMENTS: json.dumps(arguments)})
-    compressors = (ZstdCodec(level=1), Crc32cCodec())
-    for name, made in layout_of(arguments, arrays).items():
-        fill = np.nan if np.dtype(made["dtype"]).kind == "f" else 0
-        array = group.create_array(name, fill_value=fill, compressors=compressors, **made)
-        values = arrays[name].values if name in arrays else None
-        if values is not None and values.size:
-            array[:] = values
+    chunk, count = arguments["chunk"], -(-arguments["members"] // arguments["chunk"])
+    done = Array(("chunk",), (count,), "int64", {"long_name": "checksum of a whole chunk"})
+    for name, one in {**arrays, DONE: done}.items():
+        first = {"member": chunk, "chunk": 1}.get(one.dims[0], one.shape[0])
+        array = group.create_array(
+            name,
+            shape=one.shape,
+            dtype=one.dtype,
+            chunks=tuple(max(1, n) for n in (min(first, one.shape[0]), *one.shape[1:])),
+            attributes=one.attrs,
+            dimension_names=one.dims,
+            fill_value=np.nan if np.dtype(one.dtype).kind == "f" else 0,
+            compressors=(ZstdCodec(level=1), Crc32cCodec()),
+        )
+        if one.values is not None and one.values.size:
+            array[:] = one.values
     return group
 
 
@@ -254,40 +243,42 @@ def check_store(store: Store, arrays: Mapping[str, Array]) -> bool:
 
     Returns whether an older version made it, which knew fewer ways in which a member can end.
     """
-    layout, older = layout_of(store.arguments, arrays), False
-    if foreign := store.names - layout.keys():
+    made, older = create_store(None, store.arguments, arrays, {}), False
+    if foreign := store.names - made.names:
         raise DataError(f"{store.path}: holds {min(foreign)}, which is no part of it; take it out")
-    for name, made in layout.items():
+    for name in (*arrays, DONE):
         wrong = ""
         try:
-            array = store.group[name]
-            found = {
-                "shape": array.shape,
-                "dtype": array.dtype,
-                "chunks": array.chunks,
-                "attributes": dict(array.attrs),
-                "dimension_names": array.metadata.dimension_names,
-            }
-            wanted = {**made, "attributes": json.loads(json.dumps(made["attributes"]))}
+            found, wanted = (_told(one.group[name]) for one in (store, made))
             if name == "status" and _fewer(found["attributes"], wanted["attributes"]):
                 older, wanted["attributes"] = True, found["attributes"]
-            wrong = next((what for what in made if found[what] != wanted[what]), "")
-            values = arrays[name].values if name in arrays else None
-            if not wrong and values is not None and not np.array_equal(array[:], values):
+            wrong = next((what for what in wanted if found[what] != wanted[what]), "")
+            values = None if name == DONE else arrays[name].values
+            if not wrong and values is not None and np.any(store.group[name][:] != values):
                 wrong = "values"
         except Exception:  # a damaged file can raise anything
             wrong = "files"
         if wrong and (made_by := store.group.attrs.get("software")) != software():
             raise DataError(
-                f"{store.path}: {name} has other {wrong.replace('_', ' ')} than this version "
-                f"writes; it was written by {made_by!s:.200}: read it with that, or run it again"
+                f"{store.path}: {name} has other {wrong} than this version writes; it was written "
+                f"by {made_by!s:.200}: read it with that, or run it again"
             )
         if wrong:
             raise DataError(
-                f"{store.path}: is damaged: {name} has lost its {wrong.replace('_', ' ')}; move it "
-                "away and run the ensemble again"
+                f"{store.path}: is damaged: {name} has lost its {wrong}; move it away and run the "
+                "ensemble again"
             )
     return older
+
+
+def _told(array: Any) -> dict[str, Any]:
+    return {
+        "shape": array.shape,
+        "dtype": array.dtype,
+        "chunks": array.chunks,
+        "attributes": dict(array.attrs),
+        "dimension names": array.metadata.dimension_names,
+    }
 
 
 def _fewer(found: Mapping[str, Any], wanted: Mapping[str, Any]) -> bool:
