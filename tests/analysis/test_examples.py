@@ -52,6 +52,7 @@ def test_a_late_thruster_overshoots(tmp_path, capsys):
     assert float(table["0.1"][2]) == pytest.approx(0.8, abs=1e-3)
 
 
+@pytest.mark.slow
 def test_the_shelf_has_a_panel_for_each_part(tmp_path):
     shelf.main(tmp_path)
     lines = (tmp_path / "parts.md").read_text("utf-8").splitlines()[2:]

@@ -143,6 +143,7 @@ def test_a_law_that_breaks_its_promise_is_found_out(name, monkeypatch):
     assert found.broken in words_of(LAWS[name]).values()
 
 
+@pytest.mark.slow
 def test_the_same_seed_finds_the_same(monkeypatch):
     monkeypatch.setitem(LAWS, "drem", LAWS["drem"]._replace(promises=ANYWHERE))
     one, two = (refute("drem", budget=LONG, seed=3) for _ in range(2))

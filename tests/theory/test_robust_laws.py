@@ -100,7 +100,13 @@ def burst(law, faint, quiet, cycles=2, theta=0.5):
     return peak
 
 
-@pytest.mark.parametrize(("faint", "quiet"), [(0.2, 250.0), (0.1, 1000.0), (0.05, 4000.0)])
+@pytest.mark.parametrize(
+    ("faint", "quiet"),
+    [
+        *(pytest.param(*case, marks=pytest.mark.slow) for case in ((0.2, 250.0), (0.1, 1000.0))),
+        (0.05, 4000.0),
+    ],
+)
 def test_no_burst_after_a_drift_and_the_bound_does_not_know_the_regressor(faint, quiet):
     """Largest |e|: the paper's 0.52/faint; with a robust law Delta/k, as without learning."""
     paper = TABLE["learned-flow"].of(1, gain=1.0)
