@@ -15,7 +15,7 @@ from ..diagrams.wiring import Wiring
 from ..equations.arrays import Unread
 from ..equations.at_many import decided_by_time, times_of_change
 from ..equations.block import Block
-from ..errors import DiagramError, SimulationError, Uncompiled
+from ..errors import DiagramError, Uncompiled
 from . import solver
 from .batch import Callee
 from .diagram_record import NAMED, SHORT, DiagramRecord, Layout, lay_out
@@ -24,7 +24,7 @@ from .machine import LANES, Machine, fuses, once, one_at_a_time
 from .method import kernels
 from .plan import Program, program_of
 from .python_diagram import PythonDiagram
-from .schedule import Inputs, Schedule, with_inputs
+from .schedule import Inputs
 
 ABREAST = 256  # states of runs that are taken side by side; more do not fit the first cache
 FUNCTIONS = ("derivative", "prepare", "margin", "signals", "jump", "decide", "slope")
@@ -205,26 +205,6 @@ class NativeDiagram(PythonDiagram):
         if method == solver.RODAS5P:
             return code_of(self.wiring, self.layout, self._form, True)
         return self.code
-
-    def _bends(self, inputs: Inputs, rtol: float) -> Any:
-        """Return the times at which inputs bend: they are straight within a piece."""
-        return inputs.kinks
-
-    def schedule(
-        self,
-        t0: float,
-        t1: float,
-        inputs: Inputs | None = None,
-        breaks: Any = (),
-        rtol: float = 0.0,
-    ) -> Schedule:
-        """Return the pieces of a run: they end at bends and `breaks`."""
-        pieces = super().schedule(t0, t1, inputs, breaks)
-        if inputs is None or not self.wiring.ninputs:
-            return pieces
-        if inputs.samples is None:
-            raise SimulationError("inputs: machine code takes no function; give samples")
-        return with_inputs(pieces, t0, inputs, self.ramp)
 
     def breaks(self, t0: float, t1: float) -> Any:
         """Return times at which time alone decides, also for a moment."""

@@ -44,6 +44,7 @@ from .schedule import (
     numbers,
     read_inputs,
     sharp,
+    with_inputs,
 )
 from .sweep import Sweep
 
@@ -59,6 +60,7 @@ class PythonDiagram:
 
     engine = "python"
     most = 10_000_000  # tries of a run
+    ramp = -1  # place in P of the diagram's inputs, where they are read from there
 
     def __init__(
         self, diagram: control.NonlinearIOSystem | Wiring, params: Mapping[str, Any] | None = None
@@ -83,10 +85,6 @@ class PythonDiagram:
         """Return P, which the solver carries; in Python it says which blocks jump."""
         return np.zeros(len(self.jumps))
 
-    def _bends(self, inputs: Inputs, rtol: float) -> Any:
-        """Return the times at which inputs bend so much that it is felt."""
-        return () if inputs.samples is None else sharp(*inputs.samples, rtol)
-
     def schedule(
         self,
         t0: float,
@@ -95,9 +93,14 @@ class PythonDiagram:
         breaks: Any = (),
         rtol: float = 0.0,
     ) -> Schedule:
-        """Return the pieces of a run: they end at bends and `breaks`."""
-        kinks = () if inputs is None else self._bends(inputs, rtol)
-        return make_schedule(self.sweep, self.intervals, self.jumps, t0, t1, kinks, breaks)
+        """Return the pieces of a run: they end at `breaks` and where inputs bend, if it is felt."""
+        kinks = np.zeros(0)
+        if inputs is not None and inputs.samples is not None:
+            kinks = sharp(*inputs.samples, rtol) if self.ramp < 0 else inputs.kinks
+        pieces = make_schedule(self.sweep, self.intervals, self.jumps, t0, t1, kinks, breaks)
+        if self.ramp < 0 or inputs is None or not self.wiring.ninputs:
+            return pieces
+        return with_inputs(pieces, t0, inputs, self.ramp)
 
     def callee(
         self, lanes: int = 1, inputs: Inputs | None = None, method: int = solver.DOP853

@@ -230,8 +230,8 @@ def make_schedule(
     jumps: dict[int, int],
     t0: float,
     t1: float,
-    kinks: np.ndarray | tuple[()] = (),
-    breaks: np.ndarray | tuple[()] = (),
+    kinks: np.ndarray,
+    breaks: Any,
 ) -> Schedule:
     """Return the pieces of a run from t0 to t1, which also stop at `kinks` and at `breaks`.
 
@@ -279,7 +279,8 @@ def with_inputs(pieces: Schedule, t0: float, inputs: Inputs, ramp: int) -> Sched
 
     `ramp` is their place in P: time, values, slopes.
     """
-    assert inputs.samples is not None
+    if inputs.samples is None:
+        raise SimulationError("inputs: machine code takes no function; give samples")
     (at, u), slopes = inputs.samples, inputs.slopes
     starts = np.concatenate([[t0], pieces.edges])
     k = np.searchsorted(at, starts, side="right") - 1
