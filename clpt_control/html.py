@@ -33,9 +33,9 @@ STYLE = (
 class Result(NamedTuple):
     """What was found, as a terminal and a page show it: a table whose first column names rows."""
 
-    title: str
-    columns: Sequence[str]
-    rows: Sequence[Sequence[str]]
+    title: str = ""
+    columns: Sequence[str] = ()
+    rows: Sequence[Sequence[str]] = ()
     sentences: Sequence[str] = ()
 
 

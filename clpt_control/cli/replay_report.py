@@ -172,7 +172,7 @@ def results(summary: dict[str, Any]) -> list[Result]:
     if summary.get("paste"):
         said += [f"to paste, {summary['paste']['file']}:", summary["paste"]["text"].rstrip()]
     if not each:
-        return [Result("", [], [], ["no dives yet", *said])]
+        return [Result(sentences=["no dives yet", *said])]
     dives = [cells(row) for row in each]
     if summary["next_dive"]:
         dives.append(cells_ahead(summary["next_dive"]))

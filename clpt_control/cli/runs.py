@@ -315,7 +315,7 @@ def report(
     """
     made = clpt.report(run, out, title, figures, formats or ("svg", "pdf"))
     written = f"{out}: written, {made['bytes'] / 1000:.0f} kB"
-    finish([Result("", [], [], [*made["sentences"], written])], made, as_json)
+    finish([Result(sentences=[*made["sentences"], written])], made, as_json)
 
 
 def animate(

@@ -80,19 +80,13 @@ def _found(data: "xarray.Dataset", summary: dict[str, Any], done: int) -> list[s
     unit = data["clpe_rms"].attrs["units"]
     said = []
     rounds = [one for one in summary["clpe_rms_per_cycle"] if one is not None]
-    if rounds:
-        last = rounds[-1]
+    if (rms := rounds[-1] if rounds else summary["clpe_rms"]) is not None:
+        what = "the CLPE over the run, root mean square,"
+        if rounds:
+            what = f"in round {len(rounds)} of the waypoints, the last, the CLPE, root mean square,"
         said.append(
-            f"Found: in round {len(rounds)} of the waypoints, the last, the CLPE, root mean "
-            f"square, is {number(last[2])} {unit} in the median run, and nine in ten runs lie "
-            f"between {number(last[0])} and {number(last[-1])} {unit}."
-        )
-    elif summary["clpe_rms"] is not None:
-        whole = summary["clpe_rms"]
-        said.append(
-            f"Found: the CLPE over the run, root mean square, is {number(whole[2])} {unit} in the "
-            f"median run, and nine in ten lie between {number(whole[0])} and "
-            f"{number(whole[-1])} {unit}."
+            f"Found: {what} is {number(rms[2])} {unit} in the median run, and nine in ten runs "
+            f"lie between {number(rms[0])} and {number(rms[-1])} {unit}."
         )
     error = summary.get("flow_parameter_error_at_end")
     if error is not None:
@@ -130,7 +124,7 @@ def _spread(data: "xarray.Dataset", summary: dict[str, Any], done: int) -> Secti
     """Return percentiles, drawn and as a table."""
     heading = "How the runs differ"
     if not done:
-        found = Result("", [], [], ["No member is done: nothing to draw"])
+        found = Result(sentences=["No member is done: nothing to draw"])
         return Section("spread", heading, found)
     caption = (
         "Above, the CLPE in each round of the waypoints; below, the largest error of what was "

@@ -39,7 +39,7 @@ class Section(NamedTuple):
 
     name: str
     heading: str
-    found: Result = Result("", [], [])
+    found: Result = Result()
     figures: Sequence[Drawn] = ()
     more: str = ""
 

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 PLACES = 9  # arrows on a side
 MOST_SAMPLES = 6000  # in a figure
 MOST_DRAWN = 3  # vehicles in a drawing of the loop
-ONE_SAMPLE = Result("", [], [], ["The run has one sample: nothing can be drawn over time"])
+ONE_SAMPLE = Result(sentences=["The run has one sample: nothing can be drawn over time"])
 
 
 def team_section(run: "xarray.Dataset", numbers: dict[str, Any]) -> Section:
@@ -58,7 +58,7 @@ def loop_section(system: Scenario | Team, own: str | None) -> list[Section]:
             "below. The number under a name is the equation of the paper."
         )
         figure = block_figure(closed_loop(system))
-    found = Result("", [], [], [said] if own else [])
+    found = Result(sentences=[said] if own else [])
     return [Section("loop", "The loop", found, [Drawn("loop", figure, caption, wide=True)])]
 
 
@@ -80,7 +80,7 @@ def excitation_section(run: "xarray.Dataset", why: str = "") -> Section:
             )
             figures = [Drawn("excitation", figure, caption, wide=True)]
     except ClptError as error:
-        found = Result("", [], [], [f"Not measured: {error}"])
+        found = Result(sentences=[f"Not measured: {error}"])
     return Section("excitation", heading, found, figures)
 
 
@@ -105,7 +105,7 @@ def figure_sections(
     )
     if not len(waypoints_of(run, scenario)):
         said = "The prediction error over time; below, its size, logarithmic."
-    rms, rounds = numbers["clpe_rms_per_cycle"], Result("", [], [])
+    rms, rounds = numbers["clpe_rms_per_cycle"], Result()
     if rms:
         title = f"CLPE, root mean square in each round ({unit.length})"
         rows = [[str(k), number(value)] for k, value in enumerate(rms, 1)]
