@@ -131,7 +131,8 @@ def read_table(
     text = read_text(path, "is no text; must be a table of time, u and v, or NetCDF (.nc)")
     cells, said = table_of(text, path, "a table of time, u and v")
     header = list(cells.columns)
-    polar = _is_polar(header)
+    names = {_named(cell)[0] for cell in header}
+    polar = bool(names & set(POLAR["speed"])) and not names & set(NAMES["u"])
     columns, sizes = _header(header, said.get("units") or units, path, POLAR if polar else NAMES)
     if cells.empty:
         raise DataError(f"{path}: has a header and no rows; must be a table of time, u and v")
@@ -153,12 +154,6 @@ def read_table(
                 "degrees north"
             ) from None
     return times, u, v, latitude
-
-
-def _is_polar(header: list[str]) -> bool:
-    """Whether a table has a speed and a direction, and no u."""
-    names = {_named(cell)[0] for cell in header}
-    return bool(names & set(POLAR["speed"])) and not names & set(NAMES["u"])
 
 
 def _named(cell: str) -> tuple[str, str | None]:

@@ -210,17 +210,12 @@ def variation(
     for k in np.unique(epoch[good]):
         rows = np.flatnonzero(good & (epoch == k))
         share = (time[rows] - edges[k]) / (edges[k + 1] - edges[k])
-        found[rows] = _declination(FIRST + EPOCH * int(k), share, lat[rows], lon[rows])
+        ends = [datetime(FIRST + EPOCH * int(year), 1, 1) for year in (k, k + 1)]
+        igrf = needed("ppigrf").igrf  # it reads pandas
+        east, north, _ = igrf(lon[rows], np.clip(lat[rows], -NEAREST, NEAREST), 0.0, ends)
+        east, north = ((1 - share) * b[0] + share * b[1] for b in (east, north))
+        found[rows] = np.degrees(np.arctan2(east, north))
     return found
-
-
-def _declination(year: int, share: np.ndarray, lat: np.ndarray, lon: np.ndarray) -> np.ndarray:
-    """Return D at places (n,), each at a share of the epoch that begins with a year."""
-    igrf = needed("ppigrf").igrf  # it reads pandas
-    ends = [datetime(year, 1, 1), datetime(year + EPOCH, 1, 1)]
-    east, north, _ = igrf(lon, np.clip(lat, -NEAREST, NEAREST), 0.0, ends)
-    east, north = ((1 - share) * b[0] + share * b[1] for b in (east, north))
-    return np.degrees(np.arctan2(east, north))
 
 
 def turned(dive: Dive, degrees: float) -> Dive:

@@ -168,7 +168,9 @@ def learned(replay: Replay) -> dict[str, Any]:
         return {"sentence": "nothing", "strengths": {}, "odds": {}}
     step = replay.steps[-1]
     sizes = strengths(replay)
-    chances = {part: step.parts.get(_of(part)) for part in replay.model.flow[1:]}
+    chances = {  # all tides come or go together
+        part: step.parts.get(part if part in OTHERS else "tides") for part in replay.model.flow[1:]
+    }
     words = [f"{velocity(*map(float, step.current))} over the last dive"]
     for part, p in chances.items():
         size = f" {round(sizes[part], 2) + 0.0:.2f}" if part in sizes else ""
@@ -199,11 +201,6 @@ def compass_words(step: Step) -> str:
         return said
     side = "right" if step.compass > 0 else "left"
     return f"{said}: it goes to the {side} of its heading"
-
-
-def _of(part: str) -> str:
-    """Return the name of the part whose presence is asked; all tides are one."""
-    return part if part in OTHERS else "tides"
 
 
 @public

@@ -49,6 +49,7 @@ LINES = {
     "flow_model": (GREEN, "D", "-."),
 }
 MANY = 40  # dives; beyond, marks are small
+MARKS = 300  # of a line, about, at most
 
 
 @public
@@ -388,8 +389,9 @@ def _band(
 
 
 def _fine(x: np.ndarray) -> dict[str, Any]:
-    """Return sizes of marks and lines, small for many dives."""
-    return {"ms": 4, "lw": 1.2} if len(x) <= MANY else {"ms": 1.8, "lw": 0.7}
+    """Return sizes of marks and lines, small for many dives; of very many each n-th has a mark."""
+    size = {"ms": 4, "lw": 1.2} if len(x) <= MANY else {"ms": 1.8, "lw": 0.7}
+    return {**size, "markevery": 1 + len(x) // MARKS}
 
 
 def _mark(ax: "Axes", x: np.ndarray, dates: bool) -> None:
