@@ -20,11 +20,12 @@ import sympy
 from ...diagrams.interconnection import Diagram
 from ...errors import DiagramError
 from ...html import facts, fragment
+from ...native.sweep import Sweep
 from ...progress.interrupt import check
 from .law_case import Case
 from .leaks import Bounding
 from .proof import Step, as_html, cited, exact, short
-from .running_rate import Functions, RunningBlocks, rate_along
+from .running_rate import Reading, RunningBlocks, rate_along
 from .symbolic_loop import Draw, Point, SymbolicLoop, degree_of, numbers_at, numeric
 
 DRAWS, PER_DRAW, TRIED = 100, 200, 3
@@ -65,7 +66,7 @@ def refuting_point(
 
 
 def _persists(
-    functions: Functions, truth: np.ndarray, far: np.ndarray, u: np.ndarray, degree: float
+    functions: Reading, truth: np.ndarray, far: np.ndarray, u: np.ndarray, degree: float
 ) -> float | None:
     """Return V' where it is positive at all distances and grows with V."""
     x = np.array([truth + times * far for times in FARTHER])
@@ -86,7 +87,7 @@ def rising_jump(
     share of all, by which errors stay bounded.
     """
     for functions, params, _, x, far, u in _draws(diagram, loop, kept, seed, JUMPS):
-        sweep = functions.sweep
+        sweep = Sweep(functions.wiring, functions.given)
         times = sweep.breakpoints(0.0, UNTIL)[: len(FARTHER)]
         for k in range(PER_DRAW if len(times) else 0):
             t = float(times[k % len(times)])
