@@ -12,7 +12,7 @@ which is exact for a V of degree four and less, whatever h.
 
 from collections.abc import Callable, Mapping
 from functools import partial
-from typing import Any, NamedTuple
+from typing import Any
 
 import control
 import numpy as np
@@ -208,14 +208,6 @@ def rate_along(
     )
 
 
-class Comparison(NamedTuple):
-    """The outcome of calling the blocks."""
-
-    points: int  # how many were compared
-    worst: float  # largest difference, of the size of V over the time between
-    where: Point | None  # the first at which they differ
-
-
 def compared(
     diagram: control.NonlinearIOSystem,
     loop: SymbolicLoop,
@@ -225,7 +217,8 @@ def compared(
     tied: Mapping[Any, sympy.Expr] | None = None,
     kept: tuple[str, ...] = (),
     gauge: Gauge | None = None,
-) -> Comparison:
+    of: str = "",
+) -> tuple[bool, str]:
     """Compare V' of the running blocks, or what a gauge reads, with `wanted` at random points.
 
     The first 100 points have the blocks' own parameters, half of them near the least V, then every
@@ -265,12 +258,12 @@ def compared(
                 off = _apart(right[:, rows], *gauge(asked, times[rows], x[rows], u[rows]))
                 for k in np.flatnonzero(~(off <= CLOSE))[:1]:
                     where = Point(times[k], x[k], u[k], params)
-                    return Comparison(int(done + k + 1), float(off[k]), where)
+                    return False, f"differs by {off[k]:.1e} of V at {where}"
                 worst = max(worst, float(off.max()))
             done += size
     finally:
         diagram._update_params({})
-    return Comparison(done, worst, None)
+    return True, f"{done} points, {of}largest difference {worst:.0e} of V"
 
 
 def _apart(right: np.ndarray, found: np.ndarray, scale: np.ndarray) -> np.ndarray:
@@ -282,16 +275,11 @@ def _apart(right: np.ndarray, found: np.ndarray, scale: np.ndarray) -> np.ndarra
         return np.where(silent, 0.0, np.max(off, axis=0))
 
 
-def running_step(
-    read: Callable[[], tuple], points: int, which: str = "", of: str = "", **known: Any
-) -> Step:
+def running_step(read: Callable[[], tuple], points: int, which: str = "", **known: Any) -> Step:
     """Check that running blocks give the V' wanted; `read` returns diagram, loop and that V'."""
 
     def same() -> tuple[bool, str]:
         diagram, loop, wanted = read()
-        found = compared(diagram, loop, wanted, points, **known)
-        if found.where is not None:
-            return False, f"differs by {found.worst:.1e} of V at {found.where}"
-        return True, f"{found.points} points, {of}largest difference {found.worst:.0e} of V"
+        return compared(diagram, loop, wanted, points, **known)
 
     return checked(f"the running blocks give the same V'{which}", "sampled", same, False)

@@ -263,5 +263,5 @@ def identity_steps(
 
     return [
         zero_step(f"{text}, for every N", diagram, lambda loop: [rate_of_V(loop) - claim(loop)]),
-        running_step(read, points, f" ({text})", f"N = {WIRED}, "),
+        running_step(read, points, f" ({text})", of=f"N = {WIRED}, "),
     ]
