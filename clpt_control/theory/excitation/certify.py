@@ -91,13 +91,8 @@ class Bounds:
 
     def report(self) -> dict[str, Any]:
         """Return it ready for JSON."""
-        arrays = {name: getattr(self, name).tolist() for name in ARRAYS}
-        single = ("radius", "window", "largest_clpe", "ultimate", "disturbance", "error")
-        found = {name: getattr(self, name) for name in (*single, "time_to_error", "within_run")}
-        return {**found, **arrays, "units": self.units, "said": self.said}
-
-
-ARRAYS = ("drops", "time", "V", "clpe", "flow_error")
+        own = {k: v.tolist() if isinstance(v, np.ndarray) else v for k, v in vars(self).items()}
+        return {**own, "within_run": self.within_run, "said": self.said}
 
 
 def least_error(V: float, c: float, k: float, gain: float, D: float) -> float:

@@ -45,17 +45,8 @@ def excitation_report(
     """
     along = joint_regressor(source, window, start)
     found = gramian(along)
-    report: dict[str, Any] = {
-        "window": found.window,
-        "start": found.start,
-        "time_unit": found.time_unit,
-        "trajectory": found.trajectory,
-        "eigenvalues": {axis: values.tolist() for axis, values in found.eigenvalues.items()},
-        "ceilings": found.ceilings,
-        "least_excited": found.least_excited,
-        "dimension": found.dimension,
-        "not_learnable": found.not_learnable,
-    }
+    more = {"ceilings": found.ceilings, "least_excited": found.least_excited}
+    report: dict[str, Any] = {**found.span, **found.report, **more}
     try:
         certified = certificate(along)
     except ScenarioError as error:

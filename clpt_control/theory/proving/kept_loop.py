@@ -291,11 +291,6 @@ def _alone(values: np.ndarray) -> dict[Any, Any]:
     return found
 
 
-def cases_of(law: Law) -> list[Kept]:
-    """Return a law's loop for each number of functions."""
-    return [Kept(law, N) for N in SIZES]
-
-
 def exact_step(cases: Iterable[Any], claim: str, check: Callable[[Any], bool | str]) -> Step:
     """Check a claim for each number of functions.
 

@@ -49,25 +49,25 @@ import numpy as np
 import sympy
 
 from ...blocks.laws.law import Law
-from ...equations.symbolic import UNEXPANDED
-from .kept_loop import Kept, cases_of, exact_step
+from . import kept_loop
+from .kept_loop import Kept, exact_step
 from .lemmas import young_step
 from .proof import Step, short
 from .running_rate import running_step
 from .signs import vanishes
 from .theorem_loop import decay, decay_and_known_error
+from .words import WHERE
 
 GIVEN = "V' = -e^T KD e + e^T (theta - theta_hat) phi"
 
 
-MAXIMUM = sympy.Function(UNEXPANDED["maximum"], real=True)
-WHERE = sympy.Function(UNEXPANDED["where"], real=True)
+MAXIMUM = sympy.Function("maximum", real=True)
 Claims = dict[str, Callable[[Kept], bool | str]]
 
 
 def kept_steps(law: Law, points: int, own: list[Kept] | None = None) -> list[Step]:
     """Check a law whose row states what its states keep, for N = 1, 2, 3; or a law of your own."""
-    cases = own or cases_of(law)
+    cases = own or [Kept(law, N) for N in kept_loop.SIZES]
     kept: Claims = {
         "what the law's states keep is kept": lambda case: case.left() or case.apart_at_the_start
     }

@@ -96,8 +96,11 @@ class ByControl(Reading):
         self.diagram, self.params = diagram, dict[str, Any]()
 
     def rates(self, t: np.ndarray, x: np.ndarray, u: np.ndarray) -> np.ndarray:
-        """Return the rates of all states, (n, nx); NaN where there are none."""
-        return np.array([self._rates(*point) for point in zip(t, x, u, strict=True)])
+        """Return the rates of all states; the diagram's parameters are its own again at the end."""
+        try:
+            return np.array([self._rates(*point) for point in zip(t, x, u, strict=True)])
+        finally:
+            self.diagram._update_params({})
 
     def _rates(self, t: float, x: np.ndarray, u: np.ndarray) -> np.ndarray:
         self.diagram._update_params(self.params)  # anew, for the interval
@@ -231,38 +234,34 @@ def compared(
     degree = degree_of(loop)
     gauge = gauge or partial(rate_along, degree=degree)
     worst, done = 0.0, 0
-    try:
-        while done < count:
-            check()
-            values = draw.parameters(kept if done else [block.name for block in running.blocks])
-            values |= {
-                s: values[e] if e in values else float(e.subs(values))
-                for s, e in (tied or {}).items()
-            }
-            params = draw.params(values)
-            running.set(params)
-            size = min(PER_DRAW, count - done)
-            x, u = draw.points(size, diagram.nstates), draw.points(size, diagram.ninputs)
-            if not done and degree <= 4:
-                half = size // 2
-                x[half:] = near_least(running.records, x[half:], u, draw.random)
-            equate_x_and_z(loop, x, draw.random)
-            times = draw.random.uniform(0.0, 100.0, size)
-            known = draw.at(values, times, x, u)
-            with np.errstate(all="ignore"):
-                parts = [function(*(known[s] for s in symbols)) for function, symbols in known_as]
-            right = np.array([np.broadcast_to(part, size) for part in parts])
-            some: tuple[Reading, slice] = running.functions, slice(CALLED)
-            some = some if done else (running.control, slice(THROUGH_CONTROL))
-            for asked, rows in (some, (running.records, slice(None))):
-                off = _apart(right[:, rows], *gauge(asked, times[rows], x[rows], u[rows]))
-                for k in np.flatnonzero(~(off <= CLOSE))[:1]:
-                    where = Point(times[k], x[k], u[k], params)
-                    return False, f"differs by {off[k]:.1e} of V at {where}"
-                worst = max(worst, float(off.max()))
-            done += size
-    finally:
-        diagram._update_params({})
+    while done < count:
+        check()
+        values = draw.parameters(kept if done else [block.name for block in running.blocks])
+        values |= {
+            s: values[e] if e in values else float(e.subs(values)) for s, e in (tied or {}).items()
+        }
+        params = draw.params(values)
+        running.set(params)
+        size = min(PER_DRAW, count - done)
+        x, u = draw.points(size, diagram.nstates), draw.points(size, diagram.ninputs)
+        if not done and degree <= 4:
+            half = size // 2
+            x[half:] = near_least(running.records, x[half:], u, draw.random)
+        equate_x_and_z(loop, x, draw.random)
+        times = draw.random.uniform(0.0, 100.0, size)
+        known = draw.at(values, times, x, u)
+        with np.errstate(all="ignore"):
+            parts = [function(*(known[s] for s in symbols)) for function, symbols in known_as]
+        right = np.array([np.broadcast_to(part, size) for part in parts])
+        some: tuple[Reading, slice] = running.functions, slice(CALLED)
+        some = some if done else (running.control, slice(THROUGH_CONTROL))
+        for asked, rows in (some, (running.records, slice(None))):
+            off = _apart(right[:, rows], *gauge(asked, times[rows], x[rows], u[rows]))
+            for k in np.flatnonzero(~(off <= CLOSE))[:1]:
+                where = Point(times[k], x[k], u[k], params)
+                return False, f"differs by {off[k]:.1e} of V at {where}"
+            worst = max(worst, float(off.max()))
+        done += size
     return True, f"{done} points, {of}largest difference {worst:.0e} of V"
 
 

@@ -104,22 +104,16 @@ def rising_jump(
 
 
 def _draws(diagram: Any, loop: SymbolicLoop, kept: tuple, seed: int, count: int) -> Iterator[tuple]:
-    """Yield the running blocks, their parameters, symbol -> number, states, their errors, inputs.
-
-    The diagram's parameters are its own again at the end.
-    """
+    """Yield running blocks, their parameters, symbol -> number, states, their errors, inputs."""
     running = RunningBlocks(diagram)
     draw = Draw(running.blocks, loop, seed)
-    try:
-        for _ in range(count):
-            check()
-            values = draw.parameters(kept, largest=0.0)
-            running.set(params := draw.params(values))
-            x, far, u = _around_the_truth(draw, values)
-            known = draw.at(values, np.zeros(PER_DRAW), x, u)
-            yield running.functions, params, known, x, far, u
-    finally:
-        diagram._update_params({})
+    for _ in range(count):
+        check()
+        values = draw.parameters(kept, largest=0.0)
+        running.set(params := draw.params(values))
+        x, far, u = _around_the_truth(draw, values)
+        known = draw.at(values, np.zeros(PER_DRAW), x, u)
+        yield running.functions, params, known, x, far, u
 
 
 def _around_the_truth(draw: Draw, values: dict) -> tuple:
