@@ -91,7 +91,6 @@ class Kept:
         fresh = [value.free_symbols for value in self.over.values()]
         self.apart = {s for symbols in (self.loop.motion, known, *fresh) for s in symbols}
 
-    @cached_property
     def apart_at_the_start(self) -> str:
         """Name the states whose relation does not hold where a run begins, whatever alpha is."""
         scenario, random = theorem_scenario(self.N, self.law.name), np.random.default_rng(0)
@@ -154,11 +153,6 @@ class Kept:
         """Return what V' has beyond a claim and more, or where it has no value, or nothing."""
         rest = self.put(self.untied.xreplace(self.tied) - claim(self.loop) - more)
         return left_over(rest) or "".join(self.loop.undefined[:1])
-
-    def moves_as(self, values: Any, rates: Any) -> bool:
-        """Return whether values have these rates where the relations hold."""
-        pairs = zip(np.ravel(values), np.ravel(rates), strict=True)
-        return all(vanishes(self.put(self.loop.derivative(a) - rate)) for a, rate in pairs)
 
     def left(self) -> str:
         """Return which relation is left, or nothing."""

@@ -49,11 +49,6 @@ ANY = "clpt.theory.lyapunov(diagram, V) judges a V of your own on any diagram"
 Candidate = Block | Callable[..., Block]  # V, or what makes it of the truth, and of parameters
 
 
-def law_alone(law: Block) -> SymbolicLoop:
-    """Return a law on symbols, all that feeds it an input."""
-    return symbolic_loop(connect([law], external=list(law.input_ports)), jumps=True)
-
-
 class Fitted(NamedTuple):
     """V of Eq. (24), fitted to a law."""
 
@@ -62,8 +57,8 @@ class Fitted(NamedTuple):
     inverse: sympy.Matrix | None = None  # of a matrix of gains, in numbers
 
 
-def fitted_V(law: Block, N: int) -> Fitted:
-    """Return the gains with which a law adapts alpha, K and Gamma.
+def fitted_V(law: Block, N: int, loop: SymbolicLoop, values: dict[Any, Any]) -> Fitted:
+    """Return the gains with which a law adapts alpha, K and Gamma, of its own loop and values.
 
     They are the factors of -e phi, -e z and e zc in the rates of what it makes, in the symbols of
     the law's parameters, without their sign; 1 where there is none.  V judges the law where each
@@ -71,8 +66,6 @@ def fitted_V(law: Block, N: int) -> Fitted:
     and refutes nothing.  Where these products drive each other's rates, by a matrix that is
     symmetric and positive definite, V weighs the errors by its inverse.
     """
-    loop = law_alone(law)
-    values = own_values(loop, [law])
     refuse_no_value(loop, law.name)
     nothing = np.zeros(2 * N, dtype=object)
     e, apart = np.array([sympy.Function(f"e_{i}", real=True)(TIME) for i in (1, 2)]), {}
@@ -238,9 +231,9 @@ def _judged(
 ) -> Verdict:
     scenario, judges = theorem_scenario(N, "learned-flow"), False
     if V is None:
-        alone = law_alone(law)
+        alone = symbolic_loop(connect([law], external=list(law.input_ports)), jumps=True)
         own = own_values(alone, [law])
-        gains, judges, inverse = fitted_V(law, N)
+        gains, judges, inverse = fitted_V(law, N, alone, own)
         numbers = [float(gain.subs(own)) for gain in gains]
         alpha, (K, Gamma) = np.reshape(numbers[:-4], (2, N)), np.reshape(numbers[-4:], (2, 2))
         made = theorem_candidate(scenario, gain=alpha, gain_K=K, gain_Gamma=Gamma)
