@@ -43,7 +43,7 @@ from ...errors import ScenarioError
 from ...html import facts, fragment
 from ...scenario.experiment import Scenario
 from .certificates import TURN, falls, refuse_unproved
-from .regressor import basis_along, checked_window, finished_run, quadrature, regressors
+from .regressor import checked_window, finished_run, quadrature, w_along
 
 MOST_WINDOWS = 1_000_000
 LARGEST = 1e12  # V
@@ -223,7 +223,7 @@ def _drops(scenario: Scenario, window: float, gains: np.ndarray) -> tuple[np.nda
     x, zc = (
         run[name].values[1:].reshape(*nodes.times.shape, 2) for name in ("position", "reference")
     )
-    w = regressors(basis_along(scenario, nodes.times, x), x, zc)
+    w = w_along(scenario, nodes.times, x, x, zc)
     k = np.array(scenario.vehicle.feedback)
     cuts = np.searchsorted(nodes.cuts, ends - 1e-9 * window)
     drops = [falls(w[:, a:b], k, gains, nodes.weights[a:b]) for a, b in pairwise(cuts)]
