@@ -19,7 +19,7 @@ from ...blocks.laws.law import LEARNED, Law, Truth
 from .array_loop import TIME
 from .proof import Step, checked, short
 from .signs import left_over, nonpositive, positive_maximum, vanishes
-from .symbolic_loop import SymbolicLoop, own_values, symbolic_loop
+from .symbolic_loop import SymbolicLoop, flat, symbolic_loop
 from .symbols import extent
 from .theorem_loop import (
     Claim,
@@ -77,7 +77,9 @@ class Kept:
         if blocks is None:
             self.tied = tied(self.loop, V, law.V, (made.parameters, p), (true, truth))
         else:
-            self.tied = own_values(self.loop, [made, V]) | tied(self.loop, V, make, (true, truth))
+            mine = {s for block in (made, V) for s in flat(self.loop.parameters[block.name])}
+            values = {s: number for s, number in self.loop.values.items() if s in mine}
+            self.tied = values | tied(self.loop, V, make, (true, truth))
             self.more = sympy.sympify(self.more).xreplace(self.tied)
             self.losses = [
                 tuple(sympy.sympify(factor).xreplace(self.tied) for factor in product)

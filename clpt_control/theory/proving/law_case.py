@@ -30,7 +30,7 @@ from .signs import (
 from .symbolic_loop import (
     SymbolicLoop,
     degree_of,
-    own_values,
+    flat,
     positive_somewhere,
     refuse_no_value,
     symbolic_loop,
@@ -71,7 +71,7 @@ class Case:
             if b.name not in (law.name, V.name)
             for s in flat(loop.parameters[b.name])
         }
-        self.values = {s: v for s, v in own_values(loop, self.blocks).items() if s not in hidden}
+        self.values = {s: v for s, v in loop.values.items() if s not in hidden}
         self.moving = {TIME, *loop.motion}
         self.kept: tuple[str, ...] = ()
         V = loop.signals["V"][0].xreplace(weights)
@@ -318,11 +318,6 @@ def _or_zero(expression: sympy.Expr) -> sympy.Expr:
     """Return an expression multiplied out, zero where its divisions cancel."""
     found = tidied(expression)
     return sympy.S.Zero if found.atoms(sympy.Pow) and vanishes(found) else found
-
-
-def flat(parameters: Any) -> list[Any]:
-    """Return the symbols of a block's parameters, one after the other."""
-    return [symbol for field in parameters for symbol in np.ravel(np.asarray(field, dtype=object))]
 
 
 def _of_function(expression: sympy.Expr, index: str) -> sympy.Expr:

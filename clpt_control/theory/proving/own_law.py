@@ -29,10 +29,10 @@ from ...simulation.loops import loop_of
 from .array_loop import TIME
 from .kept_loop import Kept
 from .kept_relations import kept_steps
-from .law_case import Case, flat
+from .law_case import Case
 from .proof import first_failure, worked_out
 from .signs import tidied, vacuous
-from .symbolic_loop import SymbolicLoop, own_values, refuse_no_value, symbolic_loop
+from .symbolic_loop import SymbolicLoop, flat, refuse_no_value, symbolic_loop
 from .symbols import paper_name
 from .theorem_loop import (
     mixed_candidate,
@@ -57,8 +57,8 @@ class Fitted(NamedTuple):
     inverse: sympy.Matrix | None = None  # of a matrix of gains, in numbers
 
 
-def fitted_V(law: Block, N: int, loop: SymbolicLoop, values: dict[Any, Any]) -> Fitted:
-    """Return the gains with which a law adapts alpha, K and Gamma, of its own loop and values.
+def fitted_V(law: Block, N: int, loop: SymbolicLoop) -> Fitted:
+    """Return the gains with which a law adapts alpha, K and Gamma, of a loop of it alone.
 
     They are the factors of -e phi, -e z and e zc in the rates of what it makes, in the symbols of
     the law's parameters, without their sign; 1 where there is none.  V judges the law where each
@@ -66,6 +66,7 @@ def fitted_V(law: Block, N: int, loop: SymbolicLoop, values: dict[Any, Any]) -> 
     and refutes nothing.  Where these products drive each other's rates, by a matrix that is
     symmetric and positive definite, V weighs the errors by its inverse.
     """
+    values = loop.values
     refuse_no_value(loop, law.name)
     nothing = np.zeros(2 * N, dtype=object)
     e, apart = np.array([sympy.Function(f"e_{i}", real=True)(TIME) for i in (1, 2)]), {}
@@ -232,9 +233,8 @@ def _judged(
     scenario, judges = theorem_scenario(N, "learned-flow"), False
     if V is None:
         alone = symbolic_loop(connect([law], external=list(law.input_ports)), jumps=True)
-        own = own_values(alone, [law])
-        gains, judges, inverse = fitted_V(law, N, alone, own)
-        numbers = [float(gain.subs(own)) for gain in gains]
+        gains, judges, inverse = fitted_V(law, N, alone)
+        numbers = [float(gain.subs(alone.values)) for gain in gains]
         alpha, (K, Gamma) = np.reshape(numbers[:-4], (2, N)), np.reshape(numbers[-4:], (2, 2))
         made = theorem_candidate(scenario, gain=alpha, gain_K=K, gain_Gamma=Gamma)
         if inverse is not None:
