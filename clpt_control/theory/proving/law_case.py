@@ -3,6 +3,7 @@
 `verdict` puts the answers together.
 """
 
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -41,36 +42,28 @@ from .words import along, faster_than_linear
 EXACT = 4  # the degree of a V of which V' is taken without a rounding
 
 
+@dataclass
 class Case:
-    """A law with its V, on symbols and running.
+    """A law with its V, on symbols and running."""
 
-    `weights` says which of V's symbols are made of the law's or of the truth's.
-    """
+    diagram: Diagram
+    loop: SymbolicLoop
+    V: Block
+    law: Block
+    weights: dict[Any, sympy.Expr]  # V's symbols -> what they are of the law's or of the truth's
+    fitted: bool
+    points: int
+    seed: int
+    given: tuple[sympy.Expr, ...] = ()  # what is not negative
 
-    def __init__(
-        self,
-        diagram: Diagram,
-        loop: SymbolicLoop,
-        V: Block,
-        law: Block,
-        weights: dict[Any, sympy.Expr],
-        fitted: bool,
-        points: int,
-        seed: int,
-    ):
-        self.diagram, self.loop, self.V, self.law = diagram, loop, V, law
-        self.given: tuple[sympy.Expr, ...] = ()
-        refuse_no_value(loop, V.name)
-        self.fitted, self.points, self.seed = fitted, points, seed
-        self.blocks = [node for node in diagram.syslist if isinstance(node, Block)]
-        self.weights = weights
+    def __post_init__(self) -> None:
+        """Read V and V'."""
+        loop, law, weights = self.loop, self.law, self.weights
+        refuse_no_value(loop, self.V.name)
         self.tied = {s: own for s, own in weights.items() if s != own}
-        hidden = {
-            s
-            for b in self.blocks
-            if b.name not in (law.name, V.name)
-            for s in flat(loop.parameters[b.name])
-        }
+        self.own = law.name, self.V.name
+        others = (p for name, p in loop.parameters.items() if name not in self.own)
+        hidden = {s for p in others for s in flat(p)}
         self.values = {s: v for s, v in loop.values.items() if s not in hidden}
         self.moving = {TIME, *loop.motion}
         self.kept: tuple[str, ...] = ()
@@ -99,7 +92,7 @@ class Case:
 
     def keep(self) -> None:
         """Judge the law and V with their own values; of V what is of the truth stays so."""
-        self.kept = (self.law.name, self.V.name)
+        self.kept = self.own
         made = {s: e.xreplace(self.values) for s, e in self.weights.items()}
         self.weights = self.values | made
         self.tied = {s: e for s, e in self.tied.items() if e.free_symbols - self.values.keys()}
@@ -222,7 +215,7 @@ class Case:
 
         def no_rise() -> tuple[bool, str]:
             V = self.Vs
-            own = (self.loop.parameters[block.name] for block in self.blocks)
+            own = self.loop.parameters.values()
             steps = {p.interval for p in own if "interval" in p._fields}
             if V.free_symbols & steps or V.atoms(AppliedUndef):
                 return False, "V itself depends on time"

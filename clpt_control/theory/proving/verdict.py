@@ -13,7 +13,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
-import control
 import numpy as np
 import sympy
 
@@ -26,31 +25,24 @@ from .law_case import Case
 from .leaks import Bounding
 from .proof import Step, as_html, cited, exact, short
 from .running_rate import Reading, RunningBlocks, rate_along
-from .symbolic_loop import Draw, Point, SymbolicLoop, degree_of, numbers_at, numeric
+from .symbolic_loop import Draw, Point, degree_of, numbers_at, numeric
 
 DRAWS, PER_DRAW, TRIED = 100, 200, 3
 FARTHER = (1.0, 10.0, 100.0)
 JUMPS, UNTIL = 4, 1000.0  # draws for a law that jumps, and until when its jumps are looked for
 
 
-def refuting_point(
-    diagram: control.NonlinearIOSystem,
-    loop: SymbolicLoop,
-    rate: sympy.Expr,
-    kept: tuple[str, ...],
-    seed: int = 0,
-) -> tuple[Point | None, float | None]:
+def refuting_point(case: Case) -> tuple[Point | None, float | None]:
     """Return a point with V' > 0 and V' of the running blocks there, or None, None.
 
-    `rate` is V' on symbols, by which points are chosen where it has numbers; the blocks in
-    `kept` keep their own parameters.
+    Points are chosen by V' on symbols where it has numbers.
     """
-    degree = degree_of(loop)
+    degree = degree_of(case.loop)
     try:
-        function, symbols = numeric(rate)
+        function, symbols = numeric(case.rate)
     except DiagramError:
         function, symbols = None, []
-    draws = _draws(diagram, loop, kept, seed, DRAWS if function is not None else 4)
+    draws = _draws(case, DRAWS if function is not None else 4)
     for functions, params, known, x, far, u in draws:
         order = list(range(PER_DRAW))
         if function is not None:
@@ -78,15 +70,13 @@ def _persists(
     return float(rate[0]) if rate[-1] / V[-1] >= 0.5 * rate[0] / V[0] else None
 
 
-def rising_jump(
-    diagram: control.NonlinearIOSystem, loop: SymbolicLoop, kept: tuple[str, ...], seed: int = 0
-) -> tuple[Point, Point, float] | None:
+def rising_jump(case: Case) -> tuple[Point, Point, float] | None:
     """Return where V of the running blocks rises at a jump, right before and right after, and how.
 
     V rises there at all distances, farther off the more; so it does not at jumps that forget a
     share of all, by which errors stay bounded.
     """
-    for functions, params, _, x, far, u in _draws(diagram, loop, kept, seed, JUMPS):
+    for functions, params, _, x, far, u in _draws(case, JUMPS):
         sweep = Sweep(functions.wiring, functions.given)
         times = sweep.breakpoints(0.0, UNTIL)[: len(FARTHER)]
         for k in range(PER_DRAW if len(times) else 0):
@@ -103,13 +93,16 @@ def rising_jump(
     return None
 
 
-def _draws(diagram: Any, loop: SymbolicLoop, kept: tuple, seed: int, count: int) -> Iterator[tuple]:
-    """Yield running blocks, their parameters, symbol -> number, states, their errors, inputs."""
-    running = RunningBlocks(diagram)
-    draw = Draw(running.blocks, loop, seed)
+def _draws(case: Case, count: int) -> Iterator[tuple]:
+    """Yield running blocks, their parameters, symbol -> number, states, their errors, inputs.
+
+    The law and V keep their own parameters.
+    """
+    running = RunningBlocks(case.diagram)
+    draw = Draw(running.blocks, case.loop, case.seed)
     for _ in range(count):
         check()
-        values = draw.parameters(kept, largest=0.0)
+        values = draw.parameters(case.own, largest=0.0)
         running.set(params := draw.params(values))
         x, far, u = _around_the_truth(draw, values)
         known = draw.at(values, np.zeros(PER_DRAW), x, u)
@@ -248,8 +241,7 @@ def judge(case: Case) -> Verdict:
             steps.append(exact(bound.says, True))
             return _found(case, "bounded", steps, reached=bound.says, level=bound.level)
     if definite.holds and case.fitted:
-        kept = (case.law.name, case.V.name)
-        point, rate = refuting_point(case.diagram, case.loop, case.rate, kept, case.seed)
+        point, rate = refuting_point(case)
         claim = "the running blocks give V' > 0, ten and a hundred times as far off as well"
         detail = "no such point was found" if point is None else f"V' = {rate:.3g}"
         steps.append(Step(claim, point is not None, "counterexample", detail, False))
@@ -271,10 +263,7 @@ def _found(case: Case, status: str, steps: list[Step], **more: Any) -> Verdict:
     if case.loop.jumps:
         steps = [*steps, case.across_jumps()]
         if known and not steps[-1].holds:
-            kept = (case.law.name, case.V.name)
-            found = None
-            if case.fitted:
-                found = rising_jump(case.diagram, case.loop, kept, case.seed)
+            found = rising_jump(case) if case.fitted else None
             status = f"{status} between jumps"
             if found is not None:
                 status, more = "refuted at a jump", {"point": found[0], "after": found[1]}
