@@ -203,7 +203,8 @@ def design_track(
     """
     if goal not in GOALS:
         raise ScenarioError(f"goal {goal!r}: must be one of {', '.join(GOALS)}")
-    check_numbers(scenario, length, max_speed, count, dwell, level)
+    given = {"length": length, "max_speed": max_speed, "dwell": dwell, "level": level}
+    check_numbers(scenario, count, **given)
     for name, value, least in (("seed", seed, 0), ("generations", generations, 1)):
         if not isinstance(value, int) or not least <= value <= MOST_GENERATIONS:
             raise ScenarioError(

@@ -28,6 +28,7 @@ from .theorem_loop import (
     law_loop,
     theorem_scenario,
     tied,
+    truth_in,
     truth_of,
 )
 
@@ -52,8 +53,7 @@ class Kept:
         own = self.loop.states
         self.states = {port.rpartition(":")[2]: symbols for port, symbols in own.items()}
         self.rates = {port.rpartition(":")[2]: rate for port, rate in self.loop.rates.items()}
-        p, car = self.loop.parameters[made.name], self.loop.parameters["vehicle_controller"]
-        truth = Truth(self.loop.parameters["true_flow"].theta, car.KD, car.GammaD)
+        p, truth = self.loop.parameters[made.name], truth_in(self.loop)
         assert law.keeps is not None
         relations = law.keeps(self.states, p, truth)
         self.relations = _solved(
@@ -73,7 +73,6 @@ class Kept:
         push = law.push(every, p, truth) if law.push else 0
         self.more = push - sum(map(math.prod, self.losses))  # that V' has
         self.cones = {port: self.states[port] for port in law.cones}
-        self.slopes = {port: self.rates[port] for port in law.cones}
         if blocks is None:
             self.tied = tied(self.loop, V, law.V, (made.parameters, p), (true, truth))
         else:
@@ -202,7 +201,7 @@ class Kept:
             return f"left over: {short(M[0, 1] - M[1, 0])}"
         theta = self.loop.parameters["true_flow"].theta
         at = dict(zip(self.states["theta_hat"].flat, (theta + c @ M).flat, strict=True))
-        rate = 2 * np.sum(self.rates["theta_hat"] * c) - np.sum((c @ self.slopes[port]) * c)
+        rate = 2 * np.sum(self.rates["theta_hat"] * c) - np.sum((c @ self.rates[port]) * c)
         rest = self.put(sympy.sympify(rate - self.gains).xreplace(at))
         return left_over(rest) if self.gains.is_nonpositive else "what it gains may be positive"
 
@@ -216,7 +215,7 @@ class Kept:
         M[:-1, -1] = M[-1, :-1] = -(M[:-1, :-1] @ c[:-1])
         M[-1, -1] = -np.dot(M[-1, :-1], c[:-1])
         at = dict(zip(self.cones[port].ravel(), M.ravel(), strict=True))
-        form = sympy.sympify(c @ self.slopes[port] @ c).xreplace(at)
+        form = sympy.sympify(c @ self.rates[port] @ c).xreplace(at)
         return bool(sympy.factor(sympy.expand(form)).is_nonnegative)
 
     @cached_property

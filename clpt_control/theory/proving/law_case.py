@@ -36,7 +36,7 @@ from .symbolic_loop import (
     refuse_no_value,
     symbolic_loop,
 )
-from .theorem_loop import decay, rate_of_V, theorem_loop
+from .theorem_loop import decay, rate_of_V, theorem_loop, truth_in
 from .words import along, faster_than_linear
 
 EXACT = 4  # the degree of a V of which V' is taken without a rounding
@@ -107,9 +107,9 @@ class Case:
     @cached_property
     def errors(self) -> list[tuple[list[Any], sympy.Expr]]:
         """Of each thing that is learned the states that make it, and its error, where e = 0."""
-        p, ports, own = self.loop.parameters, self.loop.signals, set(self.loop.motion)
-        x, z, car = self.loop.states["x"], self.loop.states["z"], p["vehicle_controller"]
-        true = {"alpha": -p["true_flow"].theta.ravel(), "K": car.KD, "Gamma": car.GammaD}
+        ports, own, truth = self.loop.signals, set(self.loop.motion), truth_in(self.loop)
+        x, z = self.loop.states["x"], self.loop.states["z"]
+        true = {"alpha": -truth.theta.ravel(), "K": truth.KD, "Gamma": truth.GammaD}
         found = [
             sympy.expand(made.xreplace(dict(zip(x, z, strict=True))) - true[port][k])
             for port in true

@@ -40,6 +40,7 @@ from .theorem_loop import (
     theorem_loop,
     theorem_scenario,
     tied,
+    truth_in,
     truth_of,
 )
 from .verdict import Verdict, judge
@@ -245,8 +246,7 @@ def _judged(
         made = make(*sources)
     diagram = theorem_loop(N, "learned-flow", law_block=law, candidate=made)
     loop = symbolic_loop(diagram, jumps=True)
-    car = loop.parameters["vehicle_controller"]
-    truth = Truth(loop.parameters["true_flow"].theta, car.KD, car.GammaD)
+    truth = truth_in(loop)
     if V is not None:
         symbols = (truth, loop.parameters[law.name])
         weights = tied(loop, made, make, *zip(sources, symbols, strict=False))

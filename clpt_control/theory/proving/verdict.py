@@ -26,6 +26,7 @@ from .leaks import Bounding
 from .proof import Step, as_html, cited, exact, short
 from .running_rate import Reading, RunningBlocks, rate_along
 from .symbolic_loop import Draw, Point, degree_of, numbers_at, numeric
+from .theorem_loop import truth_in
 
 DRAWS, PER_DRAW, TRIED = 100, 200, 3
 FARTHER = (1.0, 10.0, 100.0)
@@ -112,8 +113,7 @@ def _draws(case: Case, count: int) -> Iterator[tuple]:
 def _around_the_truth(draw: Draw, values: dict) -> tuple:
     """Return states, what of them is error, and inputs."""
     random, loop = draw.random, draw.loop
-    flow, car = loop.parameters["true_flow"], loop.parameters["vehicle_controller"]
-    theta, KD, GammaD = (numbers_at(values, own) for own in (flow.theta, car.KD, car.GammaD))
+    theta, KD, GammaD = (numbers_at(values, own) for own in truth_in(loop))
     ports = [port for port, symbols in loop.states.items() for _ in symbols.flat]
     n, inputs = len(ports), sum(np.size(own) for own in loop.inputs.values())
     u = random.standard_normal((PER_DRAW, inputs)) * 10.0 ** random.uniform(-1, 0.5, (PER_DRAW, 1))
