@@ -107,10 +107,7 @@ def excitation_plot(
     >>> axes = clpt.theory.excitation_plot(scenario, window=20.0)
     """
     at = gramian(source, window, start)
-    return _drawn(sliding_excitation(source, at.window), at, ax)
-
-
-def _drawn(sliding: SlidingExcitation, at: Excitation, ax: Any) -> Any:
+    sliding = sliding_excitation(source, at.window)
     axes = axes_for(ax, 7.6, 6.0, nrows=2, ncols=2, sharey="row")
     for column, axis in enumerate(at.names):
         _eigenvalues(axes[0, column], sliding, at, axis)

@@ -41,12 +41,8 @@ class Kept:
     def __init__(self, law: Law, N: int, speed: Hedging = "no limit", blocks: tuple | None = None):
         """Read the loop of a law's row, or of `blocks`: a law and what makes its V of the truth."""
         self.law, self.N = law, N
-        true = truth_of(theorem_scenario(N, law.name if blocks is None else "learned-flow"))
-        if blocks is None:
-            made, V = law_and_V(law, N, speed)
-        else:
-            made, make = blocks
-            V = make(true)
+        true = truth_of(theorem_scenario(N, "learned-flow"))
+        made, V = law_and_V(law, N, speed) if blocks is None else (blocks[0], blocks[1](true))
         self.diagram = law_loop(law, made, V, speed)
         self.loop: SymbolicLoop = symbolic_loop(self.diagram, jumps=True)
         self.words: dict[Any, sympy.Symbol] = {}
@@ -64,26 +60,25 @@ class Kept:
             }
         )
         every = {**self.loop.inputs, **self.states}
-        self.parameters, self.losses = p, law.losses(every, p, truth)
-        n = self.loop.N or N
-        c = sympy.symbols(f"c_1:{2 * n + 1}", real=True)
-        self.weighed = np.array(c, dtype=object).reshape(2, n)  # d P^-1, d = theta_hat - theta
-        every["d P^-1"] = self.weighed
-        self.gains = sympy.sympify(law.gains(every, p, truth))
-        push = law.push(every, p, truth) if law.push else 0
-        self.more = push - sum(map(math.prod, self.losses))  # that V' has
-        self.cones = {port: self.states[port] for port in law.cones}
+        self.parameters = p
         if blocks is None:
             self.tied = tied(self.loop, V, law.V, (made.parameters, p), (true, truth))
         else:
             mine = {s for block in (made, V) for s in flat(self.loop.parameters[block.name])}
             values = {s: number for s, number in self.loop.values.items() if s in mine}
-            self.tied = values | tied(self.loop, V, make, (true, truth))
-            self.more = sympy.sympify(self.more).xreplace(self.tied)
-            self.losses = [
-                tuple(sympy.sympify(factor).xreplace(self.tied) for factor in product)
-                for product in self.losses
-            ]
+            self.tied = values | tied(self.loop, V, blocks[1], (true, truth))
+        self.losses = [
+            tuple(sympy.sympify(factor).xreplace(self.tied) for factor in product)
+            for product in law.losses(every, p, truth)
+        ]
+        n = self.loop.N or N
+        c = sympy.symbols(f"c_1:{2 * n + 1}", real=True)
+        self.weighed = np.array(c, dtype=object).reshape(2, n)  # d P^-1, d = theta_hat - theta
+        every["d P^-1"] = self.weighed
+        self.gains = sympy.sympify(law.gains(every, p, truth))
+        push = sympy.sympify(law.push(every, p, truth) if law.push else 0).xreplace(self.tied)
+        self.more = push - sum(map(math.prod, self.losses))  # that V' has
+        self.cones = {port: self.states[port] for port in law.cones}
         self.V = self.loop.signals["V"][0].xreplace(self.tied)
         known = (*np.ravel(truth.theta), *truth.KD, *truth.GammaD)
         self.truths = set(known)
