@@ -42,7 +42,7 @@ from ...equations.at_many import evaluate, on_arrays
 from ...equations.declaration import multiples
 from ...errors import ArgumentError, DataError, ScenarioError
 from ...scenario.experiment import Scenario
-from ...scenario.file import OWN_LAW, OWN_PARTS
+from ...scenario.file import OWN_LAW, OWN_PARTS, TEAM, scenario_of_run
 from ...scenario.recorded_run import check_run
 from ...scenario.team import Team
 from ...simulation.integrate import simulate
@@ -56,8 +56,6 @@ Source = Union[Scenario, "xarray.Dataset"]
 
 def scenario_of(source: Source) -> Scenario:
     """Return a scenario, or that which a run carries in its attributes."""
-    from ...scenario.file import TEAM, scenario_of_run
-
     if isinstance(source, Scenario):
         return source
     if TEAM in source.attrs:
