@@ -12,7 +12,7 @@ import sympy
 
 from clpt_control.blocks import disturbance, field, flow, localization, reference
 from clpt_control.currents.plane import GriddedField
-from clpt_control.equations.declaration import parameters_of
+from clpt_control.equations.declaration import Parameters
 
 POINTS = np.array([[3.0, 1.0], [-2.0, 5.0], [7.0, -4.0]])
 KERNELS = list(flow.KERNELS)
@@ -158,7 +158,7 @@ def gridded_flows_reproduce_linear_ones():
 def guards_know_the_edge():
     shape, start, step = (3, 4, 5), (1.0, -2.0, 3.0), (2.0, 1.0, 3.0)
     sides = {"shape": shape, "start": start, "step": step}
-    p = parameters_of({name: np.array(a, dtype=float) for name, a in sides.items()})
+    p = Parameters(**{name: np.array(a, dtype=float) for name, a in sides.items()})
     places = ((2.0, 6.0, 0.0), (2.0, 0.0, 0.0), (6.0, 6.0, 0.0))
     near = [field.inside(t, np.zeros(0), np.array([x1, x2]), p) for t, x1, x2 in places]
     assert np.allclose(near, [0.5, -1.0, -0.5], atol=1e-14)

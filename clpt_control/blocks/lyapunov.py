@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from ..equations.block import Block
-from ..equations.declaration import parameters_of
+from ..equations.declaration import Parameters
 
 SHAPES = {"gain": (2, "N"), "theta": (2, "N")}  # of what V is made of
 
@@ -28,15 +28,13 @@ def weighed(gains: Sequence[float], theta: Any, KD: Any, GammaD: Any) -> Any:
     """
     theta, KD, GammaD = (np.asarray(a, dtype=float) for a in (theta, KD, GammaD))
     alpha, K, Gamma = (gain if gain > 0 else np.inf for gain in gains)
-    return parameters_of(
-        {
-            "gain": np.full(theta.shape, alpha),  # (2, N)
-            "gain_K": np.full(2, K),
-            "gain_Gamma": np.full(2, Gamma),
-            "theta": theta,  # (2, N), length per time
-            "KD": KD,  # per time
-            "GammaD": GammaD,  # per time
-        }
+    return Parameters(
+        gain=np.full(theta.shape, alpha),  # (2, N)
+        gain_K=np.full(2, K),
+        gain_Gamma=np.full(2, Gamma),
+        theta=theta,  # (2, N), length per time
+        KD=KD,  # per time
+        GammaD=GammaD,  # per time
     )
 
 

@@ -23,7 +23,7 @@ from sympy.core.function import AppliedUndef
 
 from ..arguments import public
 from ..equations.arrays import Tape, Unread, operand
-from ..equations.declaration import parameters_of, ports_of
+from ..equations.declaration import Parameters, ports_of
 from ..equations.record import Shape
 from ..equations.symbolic import Symbols, exact
 from ..equations.system import System, is_linear
@@ -379,7 +379,7 @@ class _Read:
                 for own in fields_of(system)
                 for value in [getattr(system.parameters, own)]
             }
-            made.parameters[block] = parameters_of(held)
+            made.parameters[block] = Parameters(**held)
             for own, value in held.items():
                 if own != "interval" and not is_linear(system):
                     made.fields[names.port(node, own, "parameter")] = np.asarray(

@@ -14,11 +14,11 @@ carry the vehicle's name, `west/vehicle` makes `west/x[2]`, and its equations ar
 """
 
 import math
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, fields, is_dataclass
-from functools import lru_cache
 from math import prod
-from typing import TYPE_CHECKING, Any, NamedTuple
+from types import SimpleNamespace
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -161,57 +161,36 @@ def whole_labels(given: Iterable[str]) -> list[str]:
 TAKEN = frozenset({"get", "keys", "_fields", "_replace", "_asdict"})  # by what all parameters do
 
 
-class Parameters(tuple):
+class Parameters(SimpleNamespace):
     """A block's parameters: ``p.gain``, ``p["gain"]``, ``p.get("gain", 1.0)``."""
 
-    _fields: tuple[str, ...] = ()
-
-    if TYPE_CHECKING:  # each has its own names
-
-        def __getattr__(self, name: str) -> Any: ...
+    def __setattr__(self, name: str, value: Any) -> None:
+        raise AttributeError(f"parameters stay as they are; set no {name!r}")
 
     def __getitem__(self, name: Any) -> Any:
-        return getattr(self, name) if isinstance(name, str) else super().__getitem__(name)
+        return getattr(self, name) if isinstance(name, str) else tuple(self)[name]
 
     def __contains__(self, name: Any) -> bool:
-        return name in self._fields
+        return name in vars(self)
+
+    def __iter__(self) -> Iterator[Any]:
+        return iter(vars(self).values())
 
     def get(self, name: str, default: Any = None) -> Any:
         """Return a parameter, or the default where there is none."""
-        return getattr(self, name) if name in self._fields else default
+        return vars(self).get(name, default)
 
     def keys(self) -> tuple[str, ...]:
         """Return the names."""
-        return self._fields
+        return tuple(vars(self))
+
+    _fields = property(keys)
 
     def _replace(self, **changes: Any) -> "Parameters":
-        return parameters_of({**self._asdict(), **changes})
+        return Parameters(**{**vars(self), **changes})
 
     def _asdict(self) -> dict[str, Any]:
-        return dict(zip(self._fields, self, strict=True))
-
-    def __reduce__(self) -> Any:
-        return parameters_of, (self._asdict(),)
-
-    def __repr__(self) -> str:
-        return f"Parameters({', '.join(f'{k}={v!r}' for k, v in self._asdict().items())})"
-
-
-@lru_cache(maxsize=1024)
-def _class_of(fields: tuple[str, ...]) -> type[Parameters]:
-    """Return the class of parameters with these names."""
-    own = {name: property(itemgetter_of(k)) for k, name in enumerate(fields)}
-    return type("Parameters", (Parameters,), {**own, "_fields": fields})
-
-
-def itemgetter_of(k: int) -> Callable[[tuple], Any]:
-    """Return what reads the k-th parameter."""
-    return lambda p: tuple.__getitem__(p, k)
-
-
-def parameters_of(values: Mapping[str, Any]) -> Parameters:
-    """Return parameters of these names and values."""
-    return _class_of(tuple(values))(values.values())
+        return dict(vars(self))
 
 
 def named_values(name: str, parameters: Any) -> dict[str, Any]:
@@ -256,7 +235,7 @@ def checked_parameters(name: str, parameters: Any, like: Any = None) -> Paramete
             raise BlockError(f"{name}.{field} = {value!r}: must be {kind}")
         if not isinstance(values[field], int) and np.any(np.isnan(values[field])):
             raise BlockError(f"{name}.{field} = {value!r}: NaN is not allowed")
-    return parameters_of(values)
+    return Parameters(**values)
 
 
 # --- ports -------------------------------------------------------------------------------------

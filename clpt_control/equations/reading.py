@@ -28,7 +28,7 @@ from .arrays import (
     where,
 )
 from .copies import Copies, borrowed
-from .declaration import parameters_of, places
+from .declaration import Parameters, places
 from .given import Borrowed, Outside, Ports, Reading, located
 from .record import Record, Shape, compact
 
@@ -56,7 +56,7 @@ class Asked(NamedTuple):
     parameters: Mapping[str, Any]
     shapes: Mapping[str, Shape]  # of the parameters that stay open; others are given as they are
     out: Mapping[str, Shape]
-    given_as: Callable[[dict[str, Any]], Any] = parameters_of
+    given_as: Callable[[dict[str, Any]], Any] | None = None  # else as the Parameters of a block
 
     @property
     def name(self) -> str:
@@ -117,7 +117,7 @@ class _Ways:
             name: self._leaf(name) if name in asked.shapes else self.copies.of(value)
             for name, value in asked.parameters.items()
         }
-        named = asked.given_as is parameters_of  # else x and u are the function's own
+        named = asked.given_as is None  # else x and u are the function's own
         while True:
             tape.answers, tape.asked = {}, None
             if self.before is not None:
@@ -125,7 +125,7 @@ class _Ways:
                 for name in self.before.written:
                     fields[name] = tape.add("leaf", (), (), ("t", f"kept {name}"))
             x, u = Ports(tape, "x", asked.states, named), Ports(tape, "u", asked.inputs, named)
-            given = asked.given_as(dict(fields))
+            given = asked.given_as(dict(fields)) if asked.given_as else Parameters(**fields)
             found = self._way(lambda: copied(t, x, u, given))  # noqa: B023
             self.ways.append((tape.answers, found))
             self.copies.check()

@@ -16,7 +16,7 @@ import numpy as np
 from ..errors import BlockError, ClptError
 from .arrays import Unread
 from .block import Block
-from .declaration import Each, Guard, bound, parameters_of, sizes_of
+from .declaration import Each, Guard, Parameters, bound, sizes_of
 from .record import OPERATIONS, Operation, Record, Shape
 from .sampled import Sampled
 
@@ -105,7 +105,7 @@ def plain_block(block: Block, name: str, p: Any, begin: float, end: float) -> di
     """Return a block with these parameters as plain data, for runs between two times."""
     labels = {kind: list(getattr(block, f"{kind}_labels")) for kind in KINDS}
     if isinstance(block, Sampled):
-        inner = parameters_of({name: getattr(p, name) for name in block.inner.parameters._fields})
+        inner = Parameters(**{name: getattr(p, name) for name in block.inner.parameters._fields})
         return {
             "sampled": block.period,
             "inner": plain_block(block.inner, name, inner, begin, end),

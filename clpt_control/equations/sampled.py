@@ -18,7 +18,7 @@ from ..arguments import public
 from ..errors import DiagramError
 from .arrays import Tape, operand
 from .block import Block
-from .declaration import Each, parameters_of
+from .declaration import Each
 from .record import Shape, compact
 
 HELD = "held_"  # with the name of an input port: the state that keeps it
@@ -123,11 +123,7 @@ class Sampled(Block):
             for field in inner.parameters._fields
             if getattr(p, field) is not getattr(self._given, field)
         }
-        own = (
-            parameters_of({**inner.parameters._asdict(), **changed})
-            if changed
-            else inner.parameters
-        )
+        own = inner.parameters._replace(**changed) if changed else inner.parameters
         states, held = x[: inner.nstates], x[inner.nstates :]
         if role == "output":
             if inner.states_are_outputs:

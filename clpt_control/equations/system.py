@@ -24,7 +24,7 @@ from scipy.linalg import block_diag
 from ..errors import BlockError, DiagramError
 from .arrays import Unread
 from .block import Block
-from .declaration import Parameters, parameters_of, sizes_of
+from .declaration import Parameters, sizes_of
 from .given import EVERY, Params
 from .reading import Read, read, record_of_states
 from .record import Record
@@ -70,8 +70,8 @@ class System(Block):
             "states": states,
         }
         self.number_names = _names(self.given)
-        self.parameters = parameters_of(
-            {self.number_names[key]: _leaf(self.given[key]) for key in self.number_names}
+        self.parameters = Parameters(
+            **{self.number_names[key]: _leaf(self.given[key]) for key in self.number_names}
         )
         self.nstates, self.ninputs, self.noutputs, self.dt = n, m, q, system.dt or 0
         for kind, count, letter in (("input", m, "u"), ("output", q, "y"), ("state", n, "x")):

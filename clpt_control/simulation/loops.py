@@ -31,7 +31,7 @@ from ..diagrams.parts import (
 )
 from ..diagrams.wiring import Node, Wiring, read_anew, wiring_of
 from ..equations.block import Block
-from ..equations.declaration import within
+from ..equations.declaration import Parameters, within
 from ..errors import DiagramError
 from ..scenario.experiment import Scenario
 from ..scenario.file import OWN_LAW, OWN_PARTS
@@ -178,7 +178,7 @@ class LoopOf(NamedTuple):
 
 def _alike(one: Node, other: Node) -> bool:
     numbers = [
-        [number for own in params for number in (own if isinstance(own, tuple) else [own])]
+        [number for own in params for number in (own if isinstance(own, Parameters) else [own])]
         for params in (one.system.params.values(), other.system.params.values())
     ]
     wired = (one.name, one.wires) == (other.name, other.wires)

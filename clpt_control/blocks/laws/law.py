@@ -24,7 +24,7 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 
 from ...equations.block import Block
-from ...equations.declaration import Parameters, parameters_of
+from ...equations.declaration import Parameters
 from ...errors import ScenarioError
 from ..lyapunov import SHAPES, known_flow, learned_flow, weighed
 
@@ -300,7 +300,7 @@ class Law(NamedTuple):
         if self.one_gain and known.gains.one:
             rest = {name: value for name, value in found.items() if name not in GAINS}
             found = {"gain": known.gains.feedback} | rest
-        return parameters_of(found)
+        return Parameters(**found)
 
     def block(self, known: Known) -> Block:
         """Make the law: a block "adaptation" with alpha[2N], K[2] and Gamma[2]."""

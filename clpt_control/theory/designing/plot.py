@@ -1,6 +1,5 @@
 """Two tracks side by side, and what is learned on each."""
 
-from itertools import groupby
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -118,10 +117,13 @@ def _groups(points: np.ndarray, near: float) -> list[tuple[np.ndarray, str]]:
 
 
 def _runs(group: list[int]) -> str:
-    """Return numbers from 1, those that follow one another as 3-5."""
-    runs = ([*run] for _, run in groupby(enumerate(group, 1), lambda at: at[1] - at[0]))
-    ends = ((run[0][1] + 1, run[-1][1] + 1) for run in runs)
-    return ", ".join(f"{a}" if a == b else f"{a}-{b}" for a, b in ends)
+    parts: list[list[int]] = []
+    for k in group:
+        if parts and k == parts[-1][1] + 1:
+            parts[-1][1] = k
+        else:
+            parts.append([k, k])
+    return ", ".join(f"{a + 1}" if a == b else f"{a + 1}-{b + 1}" for a, b in parts)
 
 
 def _error(ax: "Axes", design: Design) -> None:
