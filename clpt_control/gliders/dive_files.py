@@ -1,4 +1,4 @@
-"""Files of dives, told apart by what is in them.
+"""Files of dives, told apart by what is in them, and the plain table of dives, for any vehicle.
 
 Each path is a file or a folder of files; a file is of one of the dialects
 below, found by its content.  A damaged file among good ones is left out with its
@@ -7,23 +7,260 @@ reason and the good dives are used; what was named and does not exist is an erro
 A dialect is a module with two functions: `is_known(content)`, and
 `dives_of(content, path)`, which returns its dives and what was skipped.  The content is
 an open xarray.Dataset or a text.  A further format is a module and its row here.
+
+A text that is of no dialect is a plain table of dives, CSV: one row per dive under a header.
+Required columns: `dive`, `t_gps2`, `lat_gps2`, `lon_gps2`, `t_gpse`, `lat_gpse`, `lon_gpse` (s
+since 1970 UTC or ISO 8601, degrees) and `dr_east_m`, `dr_north_m` (dead reckoning through the
+water, m) or `dac_east`, `dac_north` (the vehicle's own depth-averaged current c, m/s), of which
+dead reckoning is computed,
+
+    dr = (displacement between the fixes) - c (t_gpse - t_gps2).
+
+Optional: `t_gps1`, `lat_gps1`, `lon_gps1`, `dac_east`, `dac_north`, `dac_qc`,
+`magvar` (degrees), `depth_max` (m), `next_course` (plan of the next dive, degrees from true north),
+`vehicle` (its name).  Lines that begin with `#` are
+comments, other columns are left alone, and the displacement between the fixes is computed,
+never read.
 """
 
 from collections.abc import Iterable
+from importlib import resources
+from math import isfinite, nan
 from pathlib import Path
 from stat import S_ISDIR
+from typing import Any
 
 from ..arguments import public
+from ..currents.text_table import other_marks, table_of
 from ..errors import DataError
-from ..files import open_netcdf
+from ..files import open_netcdf, write_text
 from ..files.reading import NETCDF, read_bytes, text_of
+from ..geodesy import displacement
 from ..progress.interrupt import check
-from . import dive_table, og1, seaexplorer, seaglider, slocum
-from .dives import SLOCUM_FILES, Dive, Skipped, is_segment, name_in, name_of_file, named
+from ..units import seconds_since_1970
+from . import og1, seaexplorer, seaglider, slocum
+from .dives import (
+    NUMBERS,
+    SLOCUM_FILES,
+    Dive,
+    Fix,
+    Skipped,
+    is_segment,
+    make_dive,
+    name_in,
+    name_of,
+    name_of_file,
+    named,
+    whole_number,
+)
+
+START = ("t_gps2", "lat_gps2", "lon_gps2")
+END = ("t_gpse", "lat_gpse", "lon_gpse")
+THROUGH_WATER = ("dr_east_m", "dr_north_m")
+CURRENT = ("dac_east", "dac_north")
+REQUIRED = ("dive", *START, *END, *THROUGH_WATER)
+AS_TIME = "must be seconds since 1970 UTC, or a date such as 2016-01-31T22:04:50Z"
+OTHERWISE = "; dac_east, dac_north (m/s), the vehicle's own current, may stand instead"
+TIMES = ("t_gps1", "t_gps2", "t_gpse")
+OPTIONAL = (
+    "t_gps1",
+    "lat_gps1",
+    "lon_gps1",
+    "dac_east",
+    "dac_north",
+    "dac_qc",
+    "magvar",
+    "depth_max",
+    "next_course",
+)
+
+
+def table_dives(text: str, path: str | Path) -> tuple[list[Dive], list[Skipped]]:
+    r"""Return the dives of a table, NaN where a number is missing, and lines that hold none.
+
+    >>> header = "dive,t_gps2,lat_gps2,lon_gps2,t_gpse,lat_gpse,lon_gpse,dr_east_m,dr_north_m"
+    >>> dives, skipped = table_dives(header + "\n1,0,-43,8,9000,-43,8.1,8000,0", "mine.csv")
+    >>> round(dives[0].miss_east), dives[0].magvar, skipped
+    (154, None, [])
+    """
+    cells = table_of(text, path, f"NetCDF or a table with {', '.join(REQUIRED)}").cells
+    header = list(cells.columns)
+    _check_header(header, path)
+    dives: list[Dive] = []
+    skipped: list[Skipped] = []
+    for line, row in zip(cells.index, cells.to_numpy(), strict=True):
+        found = _dive(dict(zip(header, row, strict=True)), f"{path}, line {line}")
+        if isinstance(found, Dive):
+            dives.append(found)
+        else:
+            skipped.append(found)
+    return dives, skipped
+
+
+def _check_header(header: list[str], name: str | Path) -> None:
+    """Refuse a header without a required column, or with a column twice."""
+    line = ",".join(header)
+    missing = [column for column in REQUIRED if column not in header]
+    if set(CURRENT) <= set(header) and not {cell.lower() for cell in header} & set(THROUGH_WATER):
+        missing = [column for column in missing if column not in THROUGH_WATER]
+    marks = other_marks(line, REQUIRED[0])
+    if missing and marks:
+        raise DataError(f"{name}: {marks}")
+    if missing and not set(missing) - {cell.lower() for cell in header}:
+        raise DataError(f"{name}: no column {', '.join(missing)} in lower case; write it so")
+    if missing == list(REQUIRED):
+        raise DataError(
+            f"{name}: neither NetCDF nor a table of dives; such a table begins with "
+            f"{','.join(REQUIRED)}, this file with {line[:40]!r}"
+        )
+    if missing:
+        raise DataError(
+            f"{name}: no column {', '.join(missing)}; has {', '.join(header)[:300]}"
+            f"{OTHERWISE if set(missing) & set(THROUGH_WATER) else ''}"
+        )
+    double = [column for column in (*REQUIRED, *OPTIONAL) if header.count(column) > 1]
+    if double:
+        raise DataError(
+            f"{name}: the column {', '.join(double)} stands there twice; once is allowed"
+        )
+
+
+def _dive(row: dict[str, str], where: str) -> Dive | Skipped:
+    number = whole_number(row.get("dive"))
+    if number is None:
+        given = repr(row.get("dive", "")[:30])
+        return Skipped(None, f"{where}: dive is {given}; must be a whole number below {NUMBERS}")
+    notes: list[str] = []
+    found: dict[str, Any] = {}
+    for column in (*REQUIRED[1:], *OPTIONAL):
+        text = row.get(column, "")
+        value = _time(text) if column in TIMES else _number(text)
+        if value is None and text and column in (START[0], END[0]):
+            return Skipped(number, f"{where}: {column} is {text[:30]!r}; {AS_TIME}")
+        if value is None and text:
+            notes.append(f"{where}: {column} is {text[:20]!r}, no number")
+        elif column in REQUIRED and not text and column in row:
+            notes.append(f"{where}: {column} is empty")
+        if column in REQUIRED:
+            found[column] = nan if value is None else value
+        else:
+            found[column] = value if value is not None and isfinite(value) else None
+    start, end, through_water = (
+        tuple(found[column] for column in columns) for columns in (START, END, THROUGH_WATER)
+    )
+    if not set(THROUGH_WATER) & set(row):
+        through_water, why = _of_current(start, end, found["dac_east"], found["dac_north"])
+        notes.append(why)
+    return make_dive(
+        number,
+        start,
+        end,
+        through_water,
+        **{column: found[column] for column in OPTIONAL},
+        vehicle=name_of(row.get("vehicle")),
+        notes=tuple(notes),
+    )
+
+
+def _number(text: str) -> float | None:
+    try:
+        return float(text)
+    except ValueError:
+        return None
+
+
+def _time(text: str) -> float | None:
+    """Return s since 1970 UTC of a number of them or a date of ISO 8601, or None."""
+    number = _number(text)
+    if number is None and text:
+        try:
+            return seconds_since_1970(text)
+        except ValueError:
+            return None
+    return number
+
+
+def _of_current(
+    start: Fix, end: Fix, east: float | None, north: float | None
+) -> tuple[tuple[float, float], str]:
+    """Return the displacement through the water that a depth-averaged current leaves, and a note.
+
+    NaN where the current (m/s) is not known.
+    """
+    if east is None or north is None:
+        return (nan, nan), "dac_east or dac_north is no number, and there is no dead reckoning"
+    gps = displacement(*start[1:], *end[1:])
+    duration = end[0] - start[0]
+    return (
+        (gps[0] - east * duration, gps[1] - north * duration),
+        "dead reckoning computed from dac_east, dac_north",
+    )
+
+
+@public
+def write_dive_table(dives: Iterable[Dive], path: str | Path, comment: str = "") -> None:
+    """Write dives as a CSV table that reads back bit for bit.
+
+    Parameters
+    ----------
+    dives : iterable of Dive
+        In the order to write.
+    path : str or Path
+        The file.
+    comment : str
+        Lines for its head, written behind ``#``.
+
+    Raises
+    ------
+    DataError
+        If the file cannot be written.
+
+    Examples
+    --------
+    >>> from tempfile import TemporaryDirectory
+    >>> from clpt_control.gliders import read_dives
+    >>> with TemporaryDirectory() as folder:
+    ...     write_dive_table(sample_dives(), f"{folder}/dives.csv", "fourteen dives of SG542")
+    ...     read_dives(folder)[0] == sample_dives()
+    True
+    """
+    lines = [f"# {line}".rstrip() for line in comment.splitlines()]
+    lines.append(",".join((*REQUIRED, "gps_east_m", "gps_north_m", *OPTIONAL)))
+    for dive in dives:
+        numbers = (
+            *(getattr(dive, name) for name in (*START, *END)),
+            dive.dr_east,
+            dive.dr_north,
+            dive.gps_east,
+            dive.gps_north,
+            *(getattr(dive, name) for name in OPTIONAL),
+        )
+        cells = ("" if value is None else repr(float(value)) for value in numbers)
+        lines.append(",".join((str(dive.number), *cells)))
+    write_text(path, "\n".join(lines) + "\n")
+
+
+def sample_dives() -> list[Dive]:
+    """Return the fourteen dives of Seaglider SG542 in the package.
+
+    Returns
+    -------
+    list of Dive
+        Southern Ocean, 31 January to 3 February 2016; without tracks.
+
+    Examples
+    --------
+    >>> dives = sample_dives()
+    >>> len(dives), dives[0].number, round(dives[0].miss_east)
+    (14, 304, 1371)
+    """
+    text = (resources.files("clpt_control.data") / "sg542_dives.csv").read_text("utf-8")
+    return named(table_dives(text, "sg542_dives.csv")[0], "SG542", "Seaglider")
+
 
 MOST_BYTES = 4 * 10**9  # of memory that the dives of a file may take
 OF_NETCDF = (seaglider, og1)
-OF_TEXT = (seaexplorer, dive_table)  # which takes any text, so it is the last
+OF_TEXT = (seaexplorer,)  # any other text is taken for a table
 VEHICLES = {seaglider: "Seaglider", slocum: "Slocum", seaexplorer: "SeaExplorer"}  # known by these
 KINDS = (
     "Seaglider or OG1 NetCDF files, .sbd, .mbd or .dbd of a Slocum, .gli of a SeaExplorer, "
@@ -81,8 +318,8 @@ def read_dive_file(path: str | Path) -> tuple[list[Dive], list[Skipped]]:
             text, known = seaexplorer.unzipped(raw, path), seaexplorer
         else:
             text = text_of(raw, path, f"is neither NetCDF nor text; must be one of {KINDS}")
-            known = next(one for one in OF_TEXT if one.is_known(text))
-        dives, skipped = known.dives_of(text, path)
+            known = next((one for one in OF_TEXT if one.is_known(text)), None)
+        dives, skipped = known.dives_of(text, path) if known else table_dives(text, path)
         return named(dives, name_of_file(path.name), VEHICLES.get(known)), skipped
     with open_netcdf(path, MOST_BYTES) as data:
         for dialect in OF_NETCDF:

@@ -18,7 +18,7 @@ from synthetic_vehicle import one_file_each
 from tidal_records import times, waves, write_table
 
 import clpt_control
-from clpt_control.gliders.dive_table import sample_dives
+from clpt_control.gliders.dive_files import sample_dives
 
 LINE = "clpt: interrupted; nothing half-written was left\n"
 HELD = r"clpt: interrupted; e\.zarr holds \d+ of \d+ members; the same command goes on from there\n"

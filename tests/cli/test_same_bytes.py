@@ -14,7 +14,7 @@ from synthetic_vehicle import one_file_each
 from tidal_records import times, waves, write_table
 
 import clpt_control
-from clpt_control.gliders.dive_table import sample_dives
+from clpt_control.gliders.dive_files import sample_dives
 
 VARY = ("--members", "24", "--chunk", "8", "--vary", "learning.gain=1:2", "--out", "out")
 THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")

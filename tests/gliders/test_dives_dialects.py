@@ -27,8 +27,7 @@ from glider_dialects import (
     og1_rows,
 )
 
-from clpt_control.gliders.dive_files import read_dives
-from clpt_control.gliders.dive_table import write_dive_table
+from clpt_control.gliders.dive_files import read_dives, write_dive_table
 from clpt_control.gliders.samples import turned as turned_by
 from clpt_control.gliders.samples import variation
 from clpt_control.gliders.usable_dives import usable

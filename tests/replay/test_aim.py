@@ -13,7 +13,7 @@ from synthetic_vehicle import vehicle
 from clpt_control.errors import ScenarioError
 from clpt_control.estimation.fix_model import FixModel
 from clpt_control.geodesy import displacement, place_from
-from clpt_control.gliders.dive_table import sample_dives
+from clpt_control.gliders.dive_files import sample_dives
 from clpt_control.gliders.dives import make_dive
 from clpt_control.gliders.usable_dives import usable
 from clpt_control.replay.aim import AGAINST, REACHED, UNDER_WAY, aim, aims, triangle

@@ -23,7 +23,7 @@ from synthetic_forecast import (
 from clpt_control.currents.fit import fit_scenario, save_fit
 from clpt_control.errors import DataError
 from clpt_control.files import write_netcdf
-from clpt_control.gliders.dive_table import sample_dives
+from clpt_control.gliders.dive_files import sample_dives
 from clpt_control.gliders.usable_dives import usable
 from clpt_control.replay.dataset import replay_dataset
 from clpt_control.replay.flow_models import carried, read_flow_model, why_uncovered

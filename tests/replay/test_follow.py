@@ -15,7 +15,7 @@ from processes import CLPT, await_line, started
 from synthetic_vehicle import one_file_each, vehicle
 
 from clpt_control.errors import DataError
-from clpt_control.gliders.dive_table import sample_dives
+from clpt_control.gliders.dive_files import sample_dives
 from clpt_control.gliders.usable_dives import usable
 from clpt_control.replay import follow
 from clpt_control.replay.dataset import replay_dataset

@@ -13,7 +13,7 @@ from synthetic_vehicle import one_file_each
 from typer.testing import CliRunner
 
 from clpt_control.cli import application, replay_report
-from clpt_control.gliders.dive_table import sample_dives
+from clpt_control.gliders.dive_files import sample_dives
 
 RESULTS = (
     "replay.nc",

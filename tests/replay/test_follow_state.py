@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from clpt_control.errors import DataError
-from clpt_control.gliders.dive_table import sample_dives
+from clpt_control.gliders.dive_files import sample_dives
 from clpt_control.gliders.dives import Skipped
 from clpt_control.replay import follow
 from clpt_control.replay.follow import Follower

@@ -23,7 +23,7 @@ from synthetic_forecast import (
 
 from clpt_control.currents.grid_file import read_currents
 from clpt_control.errors import DataError
-from clpt_control.gliders.dive_table import sample_dives
+from clpt_control.gliders.dive_files import sample_dives
 from clpt_control.gliders.dives import make_dive
 from clpt_control.gliders.usable_dives import usable
 from clpt_control.replay.flow_models import (

@@ -9,8 +9,7 @@ from pyproj import Geod
 from clpt_control.cli.replay_report import Ahead, summary_with_next, write
 from clpt_control.geodesy import place_from
 from clpt_control.gliders import slocum
-from clpt_control.gliders.dive_files import read_dive_file
-from clpt_control.gliders.dive_table import sample_dives
+from clpt_control.gliders.dive_files import read_dive_file, sample_dives
 from clpt_control.replay.replay import replay_dives
 
 TARGETS = [(-42.8, 8.4), (-42.0, -351.75), (-42.0, -0.5)]

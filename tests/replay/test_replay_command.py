@@ -8,7 +8,7 @@ import xarray
 from processes import CLPT, await_line, interrupt, started
 from synthetic_vehicle import one_file_each
 
-from clpt_control.gliders.dive_table import sample_dives
+from clpt_control.gliders.dive_files import sample_dives
 
 
 @pytest.fixture

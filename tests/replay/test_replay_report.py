@@ -11,7 +11,7 @@ from synthetic_vehicle import one_file_each, vehicle
 from typer.testing import CliRunner
 
 from clpt_control.estimation.fix_model import FixModel
-from clpt_control.gliders.dive_table import sample_dives
+from clpt_control.gliders.dive_files import sample_dives
 from clpt_control.replay.outcome import learned, odds, speed_words, strengths, summary
 from clpt_control.replay.replay import replay_dives
 

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from synthetic_vehicle import vehicle
 
 from clpt_control.geodesy import displacement
-from clpt_control.gliders.dive_table import sample_dives
+from clpt_control.gliders.dive_files import sample_dives
 from clpt_control.gliders.dives import make_dive
 from clpt_control.replay import surfacing, wording
 from clpt_control.replay.dataset import replay_dataset
