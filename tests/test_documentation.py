@@ -1,6 +1,7 @@
 """Every public name is documented: summary, parameters, result, source, example."""
 
 import ast
+import functools
 import importlib
 import inspect
 import pkgutil
@@ -83,7 +84,12 @@ def test_every_name_says_what_it_is():
             assert re.search(source, text), f"{name} has no source"
 
 
+@functools.cache
 def all_docstrings():
+    return list(read_docstrings())
+
+
+def read_docstrings():
     for path in sorted(Path(clpt_control.__file__).parent.rglob("*.py")):
         tree = ast.parse(path.read_text())
         inner = {n: top for top in tree.body for n in ast.walk(top)}

@@ -28,6 +28,7 @@ ROOT = Path(__file__).parent.parent
 # quarter of one, and README has the commands of the first steps, `clpt prove` among them
 SLOW = {"laws.md", "theory.md", "ensembles.md", "gliders.md", "measured_current.md"}
 SLOW |= {"start.md", "report.md", "team.md", "README.md"}
+FILM = "docs/index.md"
 FENCE = re.compile(r"^(`{3,})([^\n`]*)\n(.*?)^\1[ ]*$", re.M | re.S)
 FILE = re.compile(r"# ([\w.-]+\.(?:py|toml|csv))\n")
 LEFT_OUT = re.compile(r"# not run by the tests: \S.*\n")
@@ -47,8 +48,9 @@ def pages():
     found = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted(ROOT.glob("docs/**/*.md"))]
     for path in found:
         if any(blocks(path)):
-            slow = pytest.mark.slow if path.name in SLOW else ()
-            yield pytest.param(path, id=str(path.relative_to(ROOT)), marks=slow)
+            name = str(path.relative_to(ROOT))
+            slow = pytest.mark.slow if path.name in SLOW or name == FILM else ()
+            yield pytest.param(path, id=name, marks=slow)
 
 
 def blocks(path):
