@@ -160,7 +160,7 @@ class Batch:
                 self._look(int(k), stiff)
             budget = max(budget // 4, 1) if len(looked) else budget  # it was not used up
             share = PAUSE / max(time.perf_counter() - begin, 1e-6)
-            budget = int(np.clip(budget * share, budget / 2 + 1, 4 * budget))
+            budget = int(min(max(budget * share, budget / 2 + 1), 4 * budget))
             watch(self)
 
     def advance(self, rtol: float, atol: float, budget: int, most: int = MEMBER_STEPS) -> int:
