@@ -64,6 +64,7 @@ class VariedDiagram:
         self.times, self.name = checked_times("timepts", timepts), diagram.name
         self.title, self.trajectories = f"Ensemble of {diagram.name}", trajectories
         x0 = known.get("initial_state") if initial_state is None else initial_state
+        inputs = known.get("inputs") if inputs is None else inputs
         read_anew(diagram)
         sizes = open_sizes(diagram, inputs, x0, self.times)
         self.params = dict(params or {})

@@ -207,6 +207,20 @@ def test_a_closed_loop_of_ones_own_is_repeated(tmp_path):
     assert clpt.load_diagram(tmp_path / "of_a_scenario.nc").made_of.scenario == SCENARIO
 
 
+def test_a_recorded_start_and_inputs_are_taken_by_all_that_run_it(tmp_path):
+    given = {"inputs": np.sin(TIMES), "initial_state": [1.0, -2.0]}
+    run = clpt.simulate(loop(), TIMES, **given)
+    clpt.save_run(run, tmp_path / "run.nc")
+    diagram = clpt.load_diagram(tmp_path / "run.nc")
+    found, wanted = (
+        clpt.sensitivity(one, TIMES, to=["tank.a", "x0"], **own)
+        for one, own in ((diagram, {}), (loop(), given))
+    )
+    np.testing.assert_array_equal(found.h, wanted.h)
+    many = clpt.ensemble.run_ensemble(diagram, vary="tank.a=[0.5, 1.0]", timepts=TIMES)
+    np.testing.assert_allclose(many.h_final[0], run.h[-1], rtol=1e-6)
+
+
 def test_random_diagrams_are_repeated(tmp_path):
     repeated = 0
     for seed in range(12):
