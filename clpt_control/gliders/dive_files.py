@@ -28,6 +28,7 @@ from importlib import resources
 from math import isfinite, nan
 from pathlib import Path
 from stat import S_ISDIR
+from types import ModuleType
 from typing import Any
 
 from ..arguments import public
@@ -261,7 +262,11 @@ def sample_dives() -> list[Dive]:
 MOST_BYTES = 4 * 10**9  # of memory that the dives of a file may take
 OF_NETCDF = (seaglider, og1)
 OF_TEXT = (seaexplorer,)  # any other text is taken for a table
-VEHICLES = {seaglider: "Seaglider", slocum: "Slocum", seaexplorer: "SeaExplorer"}  # known by these
+VEHICLES: dict[ModuleType | None, str] = {  # known by these
+    seaglider: "Seaglider",
+    slocum: "Slocum",
+    seaexplorer: "SeaExplorer",
+}
 KINDS = (
     "Seaglider or OG1 NetCDF files, .sbd, .mbd or .dbd of a Slocum, .gli of a SeaExplorer, "
     "a CSV table of dives"
@@ -314,8 +319,9 @@ def read_dive_file(path: str | Path) -> tuple[list[Dive], list[Skipped]]:
         dives, skipped = slocum.dives_of(path)
         return named(dives, name_of_file(path.name), VEHICLES[slocum]), skipped
     if raw not in NETCDF:
+        known: ModuleType | None = seaexplorer
         if raw.startswith(seaexplorer.GZIP):
-            text, known = seaexplorer.unzipped(raw, path), seaexplorer
+            text = seaexplorer.unzipped(raw, path)
         else:
             text = text_of(raw, path, f"is neither NetCDF nor text; must be one of {KINDS}")
             known = next((one for one in OF_TEXT if one.is_known(text)), None)
