@@ -1,6 +1,9 @@
 """`clpt replay` as a command: figures, table, JSON, mistakes, following."""
 
 import json
+import re
+import shlex
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -9,6 +12,8 @@ from processes import CLPT, await_line, interrupt, started
 from synthetic_vehicle import one_file_each
 
 from clpt_control.gliders.dive_files import sample_dives
+
+PAGE = Path(__file__).parents[2] / "docs" / "gliders.md"
 
 
 @pytest.fixture
@@ -23,6 +28,20 @@ def command():
     app = typer.Typer()
     app.command(cls=WithPlaces)(replay)
     return lambda *words: CliRunner().invoke(app, list(map(str, words)))
+
+
+@pytest.mark.skipif(not PAGE.exists(), reason="installed without docs")
+def test_the_screen_that_is_read_aloud_is_what_the_command_says(command, monkeypatch):
+    def plain(text):
+        return {" ".join(re.sub("[│┃|]", " ", line).split()) for line in text.splitlines()}
+
+    monkeypatch.setenv("COLUMNS", "80")
+    read = PAGE.read_text("utf-8").partition("## One screen")[2].partition("## What to do")[0]
+    shown = "\n".join(re.findall(r"```\w+\n(.*?)```", read, re.DOTALL))
+    words = shlex.split(re.search(r"clpt replay (.*)", shown)[1])
+    lines = plain(shown) - {"", "...", "$ COLUMNS=80 clpt replay " + " ".join(words)}
+    assert len(lines) > 15
+    assert lines <= plain(command(*words).stdout)
 
 
 def test_the_command(command, tmp_path):
