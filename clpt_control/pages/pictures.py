@@ -110,16 +110,13 @@ def figure_sections(
         title = f"CLPE, root mean square in each round ({unit.length})"
         rows = [[str(k), number(value)] for k, value in enumerate(rms, 1)]
         rounds = Result(title, ["round", "rms"], rows)
-    figures = [
-        drawn(
-            f"learning-{axis}",
-            4.9,
+    figures = []
+    for axis in (1, 2):
+        caption = (
             f"What was learned of the flow to the {DIRECTIONS[axis - 1]}, and the gains of that "
-            "axis." + thin,
-            *(learning_plot, few, axis),
+            f"axis.{thin}"
         )
-        for axis in (1, 2)
-    ]
+        figures.append(drawn(f"learning-{axis}", 4.9, caption, learning_plot, few, axis))
     if "lyapunov" in few and np.any(few.lyapunov.values > 0):
         V = run.lyapunov.values
         caption = (
