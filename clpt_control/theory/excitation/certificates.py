@@ -211,7 +211,10 @@ def certificate(
                 f"window {span:g}: e and eta turn {span * turn:.3g} rad in it, too many to follow; "
                 f"a window up to {MOST * TURN / turn:.3g} {scenario.units.time} can be certified"
             )
-        along = joint_regressor(along.source, span, start, np.arange(start, end, TURN / turn))
+        counts = np.ceil(np.diff(along.cuts) * turn / TURN).astype(int) + 1
+        pieces = zip(along.cuts[:-1], along.cuts[1:], counts, strict=True)
+        edges = np.concatenate([np.linspace(*piece) for piece in pieces])
+        along = joint_regressor(along.source, span, start, edges)
     adapted = slice(scenario.basis.N if scenario.learning.row.given_estimate else 0, None)
     found = window_drops(
         along.phi,
