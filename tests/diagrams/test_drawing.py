@@ -330,6 +330,7 @@ def test_linear_systems_carry_no_equation_of_the_paper():
         ("Eq. (21), Eq. (22), Eq. (23).", "Eqs. (21)–(23)"),
         ("Eqs. (3) and (32): u = x[2]", "Eqs. (3), (32)"),
         ("f(1) of section (2)", ""),
+        ("Eq. (21). V of Eq. (24) falls.", "Eq. (21)"),
         (None, ""),
     ],
 )

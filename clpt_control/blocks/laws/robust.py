@@ -192,7 +192,7 @@ def dead_zone(t, x, u, p):
         D_i(e) = e_i - clip(e_i, -d, d)
         alpha' = -gamma D phi^T,    K' = -gamma z D,    Gamma' = gamma zc D
 
-    are Eqs. (21)-(23) with D in place of e, continuous at d = `zone`.  V is Eq. (24) with D in
+    are Eqs. (21)-(23) with D in place of e, continuous at d = `zone`.  V of Eq. (24) has D in
     place of e.  Since D D' = D e' everywhere, and D_i e_i = |D_i| (|D_i| + d) where D_i is not
     zero,
 

@@ -249,11 +249,11 @@ def layout(diagram: control.NonlinearIOSystem) -> tuple[Routed, list[Any], dict[
 
 
 def equations(system: control.NonlinearIOSystem) -> str:
-    """Return the equations that a block's docstrings name, such as ``"Eqs. (21)–(23)"``."""
+    """Return the equations of a block's docstrings, such as ``"Eqs. (21)–(23)"``, but V's."""
     numbers: set[int] = set()
     for role in ("update_function", "output_function", "jump_function"):
         text = getattr(getattr(system, role, None), "__doc__", None) or ""
-        for found in re.findall(r"Eqs?\.\s*((?:\(\d+\)(?:\s*(?:,|-|–|and)\s*)?)+)", text):
+        for found in re.findall(r"(?<!V of )Eqs?\.\s*((?:\(\d+\)(?:\s*(?:,|-|–|and)\s*)?)+)", text):
             for first, last in re.findall(r"\((\d+)\)(?:\s*[-–]\s*\((\d+)\))?", found):
                 numbers |= set(range(int(first), int(last or first) + 1))
     runs: list[list[int]] = []
