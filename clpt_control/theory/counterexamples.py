@@ -104,6 +104,12 @@ def _rms(times: np.ndarray, values: np.ndarray) -> float:
     return float(np.sqrt(trapezoid(values**2, times) / (times[-1] - times[0])))
 
 
+PRINTED = {
+    "known-flow": ("(16)", "|e| <= max|(theta - theta_hat) phi|/mu for any mu < k"),
+    "learned-flow": ("(33)", "|e| <= max|Delta|/beta for any beta < k"),
+}
+
+
 def residual(scenario: Scenario, run: "xarray.Dataset") -> np.ndarray:
     """Return what drives e along a run, length per time, shape (nt, 2).
 
@@ -152,20 +158,14 @@ def printed_bound(scenario: Scenario, run: "xarray.Dataset", start: float) -> Pr
     >>> clpt.theory.printed_bound(scenario, clpt.simulate(scenario), 0.0).ratio > 1
     True
     """
-    printed = {
-        "known-flow": ("(16)", "|e| <= max|(theta - theta_hat) phi|/mu for any mu < k"),
-        "learned-flow": ("(33)", "|e| <= max|Delta|/beta for any beta < k"),
-    }
     law = scenario.learning.law
-    if law not in printed:
+    if law not in PRINTED:
         raise ScenarioError(
-            f'learning.law = "{law}": has no printed bound; must be {" or ".join(printed)}'
+            f'learning.law = "{law}": has no printed bound; must be {" or ".join(PRINTED)}'
         )
-    equation, claim = printed[law]
     check_holds("printed_bound: run", run, ["time", "clpe"], "clpt.simulate(scenario) makes a run")
     return PrintedBound(
-        equation,
-        claim,
+        *PRINTED[law],
         min(scenario.vehicle.feedback),
         run.time.values,
         np.hypot(*run.clpe.values.T),
@@ -174,9 +174,6 @@ def printed_bound(scenario: Scenario, run: "xarray.Dataset", start: float) -> Pr
         scenario.units.length,
         scenario.units.time,
     )
-
-
-CLAIM = "|e| <= max|Delta|/beta for any beta < k"
 
 
 class Piece(NamedTuple):
@@ -188,10 +185,10 @@ class Piece(NamedTuple):
     samples: int  # states recorded, evenly spaced, the last at its end
 
 
-def scalar_matrix(w: float, k: float = 1.0, gain: float = 1.0) -> np.ndarray:
-    """Return A of the scalar system, [[-k, w], [-gain w, 0]], on (e, eta)."""
+def scalar_matrix(w: float, gain: float = 1.0) -> np.ndarray:
+    """Return A of the scalar system, [[-1, w], [-gain w, 0]], on (e, eta)."""
     nothing = np.zeros(2)
-    return error_matrices(np.array([w]), nothing, nothing, np.array([k, k]), gain)[0, :2, :2]
+    return error_matrices(np.array([w]), nothing, nothing, np.ones(2), gain)[0, :2, :2]
 
 
 def exact_run(pieces: Iterable[Piece], start: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -216,47 +213,38 @@ def exact_run(pieces: Iterable[Piece], start: np.ndarray) -> tuple[np.ndarray, n
     return np.concatenate(times), np.concatenate(states)
 
 
-def square_wave_counterexample(
-    k: float = 1.0, gain: float = 100.0, periods: int = 60, samples: int = 200
-) -> PrintedBound:
-    """Run Delta = +1, -1 in turn at sqrt(gamma), phi = 1, from e = eta = 0.
+def square_wave_counterexample(gain: float = 100.0, periods: int = 60) -> PrintedBound:
+    """Run Delta = +1, -1 in turn at sqrt(gamma), phi = k = 1, from e = eta = 0.
 
-    There are `samples` per half period; the last quarter of the run is measured.
+    There are 200 samples per half period; the last quarter of the run is measured.
     """
-    A, half = scalar_matrix(1.0, k, gain), np.pi / np.sqrt(gain)
+    A, half = scalar_matrix(1.0, gain), np.pi / np.sqrt(gain)
     pieces = [
-        Piece(half, A, np.array([sign, 0.0]), samples)
-        for _ in range(periods)
-        for sign in (1.0, -1.0)
+        Piece(half, A, np.array([sign, 0.0]), 200) for _ in range(periods) for sign in (1.0, -1.0)
     ]
-    return _beside_the_bound(pieces, k, 1.5 * periods * half)
+    return _beside_the_bound(pieces, 1.5 * periods * half)
 
 
-def burst_counterexample(
-    faint: float = 0.2,
-    quiet: float = 250.0,
-    burst: float = 20.0,
-    cycles: int = 4,
-    k: float = 1.0,
-    gain: float = 1.0,
-) -> PrintedBound:
+def burst_counterexample(faint: float = 0.2, quiet: float = 250.0, cycles: int = 4) -> PrintedBound:
     """Run Delta = 1 with a regressor that is faint, then 1, from e = eta = 0.
 
-    The regressor is periodic and so persistently exciting.  `quiet` and `burst` are the
-    lengths of both stretches, quiet well above 1/(gamma faint^2).  Peaks come back in every
-    cycle, near 0.55 (1/faint - 1); the second half of the cycles is measured.
+    The regressor is periodic and so persistently exciting.  `quiet` is the length of its faint
+    stretch, well above 1/(gamma faint^2), k = gamma = 1.  Peaks come back in every cycle, near
+    0.55 (1/faint - 1); the second half of the cycles is measured.
     """
-    drive = np.array([1.0, 0.0])
+    drive, burst = np.array([1.0, 0.0]), 20.0
     cycle = [
-        Piece(quiet, scalar_matrix(faint, k, gain), drive, 400),
-        Piece(burst, scalar_matrix(1.0, k, gain), drive, 1000),
+        Piece(quiet, scalar_matrix(faint), drive, 400),
+        Piece(burst, scalar_matrix(1.0), drive, 1000),
     ]
-    return _beside_the_bound(cycle * cycles, k, cycles // 2 * (quiet + burst))
+    return _beside_the_bound(cycle * cycles, cycles // 2 * (quiet + burst))
 
 
-def _beside_the_bound(pieces: list[Piece], k: float, start: float) -> PrintedBound:
+def _beside_the_bound(pieces: list[Piece], start: float) -> PrintedBound:
     times, states = exact_run(pieces, np.zeros(2))
-    return PrintedBound("(33)", CLAIM, k, times, np.abs(states[:, 0]), np.ones_like(times), start)
+    return PrintedBound(
+        *PRINTED["learned-flow"], 1.0, times, np.abs(states[:, 0]), np.ones_like(times), start
+    )
 
 
 RESONANT = 3.5  # rad/s: near sqrt(gamma |w|^2) of the paper's x1 axis at its far waypoints
@@ -316,13 +304,9 @@ def disturbance_counterexample(
 
 
 def known_flow_counterexample(
-    gain: float = 0.03,
-    bias: float = 0.1,
-    start: float = 400.0,
-    end: float = 1200.0,
-    step: float = 0.02,
+    start: float = 400.0, end: float = 1200.0, step: float = 0.02
 ) -> PrintedBound:
-    """Violate Eq. (16): true gains, one entry of theta_hat wrong by `bias`, m/s.
+    """Violate Eq. (16): true gains, gamma = 0.03, one entry of theta_hat wrong by 0.1 m/s.
 
     Slow adaptation stores the tidal residual of one waypoint in K and Gamma and gives it back
     at the next.  At the paper's gain 0.8 a short search over single wrong entries found no
@@ -330,13 +314,13 @@ def known_flow_counterexample(
     """
     true = started_true(paper_scenario())
     estimate = np.array(true.flow.parameters)
-    estimate[1, 0] -= bias
+    estimate[1, 0] -= 0.1
     scenario = true.with_values(
         {
             "learning.law": "known-flow",
             "learning.parameters": None,
             "learning.theta_estimate": estimate,
-            "learning.gain": gain,
+            "learning.gain": 0.03,
             "run.duration": end,
         }
     )

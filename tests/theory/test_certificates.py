@@ -62,7 +62,7 @@ def random_regressors(seed, window, size=1.0, pieces=6, N=1):
 def test_rho_never_exceeds_the_exact_drop(group, size):
     KD, gain, window = GROUPS[group]
     phi, z, zc, weights = random_regressors(group, window, size)
-    found = window_drops(phi, z, zc, weights, KD, gain)
+    found = window_drops(regressors(phi, z, zc), weights, KD, gain)
     assert found["rho"].shape == (2, EACH)
     assert np.all(found["rho"] > 0)
     assert np.all(found["rho"] <= found["drop"])
@@ -73,14 +73,14 @@ def test_rho_never_exceeds_the_exact_drop(group, size):
 def test_the_guarantee_is_not_idle():
     """With little to learn the bound comes within a factor of 3."""
     phi, z, zc, weights = random_regressors(4, 2.0, 0.3)
-    found = window_drops(phi, z, zc, weights, [1.0, 1.0], 1.0)
+    found = window_drops(regressors(phi, z, zc), weights, [1.0, 1.0], 1.0)
     assert np.max(found["rho"] / found["drop"]) > 1 / 3
 
 
 def test_the_worst_direction_attains_the_contraction():
     KD, gain, window = GROUPS[0]
     phi, z, zc, weights = random_regressors(7, window)
-    found = window_drops(phi, z, zc, weights, KD, gain)
+    found = window_drops(regressors(phi, z, zc), weights, KD, gain)
     scale = np.concatenate([[1.0], np.full(3, gain**-0.5)])
     scaled = found["transition"] * (scale[:, None] / scale)
     _, _, rows = np.linalg.svd(scaled)
@@ -160,7 +160,7 @@ def test_more_parameters_than_samples_are_guaranteed_nothing():
     weights = np.tile(WEIGHT / 2, (1, 1))
     rng = np.random.default_rng(8)
     phi, z, zc = (rng.normal(size=(1, NODES, n)) for n in (NODES, 2, 2))
-    found = window_drops(phi, z, zc, weights, [1.0, 1.0], 0.8)
+    found = window_drops(regressors(phi, z, zc), weights, [1.0, 1.0], 0.8)
     assert np.all(found["rho"] == 0)
     assert np.all(found["drop"] == 0)
     assert found["contraction"] == pytest.approx(1.0)
@@ -187,7 +187,7 @@ def test_the_corrected_bound_is_never_violated(group):
     """500 disturbances: square waves, sines and noise, on periodic exciting regressors."""
     KD, gain, window = GROUPS[group]
     phi, z, zc, weights = random_regressors(20 + group, window)
-    found = window_drops(phi, z, zc, weights, KD, gain)
+    found = window_drops(regressors(phi, z, zc), weights, KD, gain)
     lengths = weights.sum(1)
     pieces = len(lengths)
     A = error_matrices(phi, z, zc, KD, gain)

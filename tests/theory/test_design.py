@@ -27,7 +27,7 @@ from clpt_control.theory.designing.limits import (
 from clpt_control.theory.designing.plot import design_plot
 from clpt_control.theory.designing.tracks import Tracks, vehicle_alone
 from clpt_control.theory.excitation.gramian import gramian, started_true
-from clpt_control.theory.excitation.regressor import basis_along, joint_regressor, regressors
+from clpt_control.theory.excitation.regressor import joint_regressor, w_along
 
 K, DWELL = 0.5, 20.0  # of the case whose best track is known
 
@@ -240,8 +240,7 @@ def test_what_is_searched_for_is_what_v_falls_by(paper, change):
     fine = np.linspace(60.0, 100.0, 40 * 400 + 1)
     times = (fine[1:] + fine[:-1]) / 2
     run = clpt_package.simulate(along.scenario, times)
-    phi = basis_along(along.scenario, times[None], run.position.values[None])[0]
-    w = regressors(phi, run.position.values, run.reference.values)
+    w = w_along(along.scenario, times, *[run.position.values] * 2, run.reference.values)
     for i in range(2):
         S = np.concatenate([[1.0], np.where(gains > 0, np.maximum(gains, 1e-9), 1.0) ** -0.5])
         Phi = np.eye(len(gains) + 1)

@@ -203,7 +203,8 @@ def design_track(
     """
     if goal not in GOALS:
         raise ScenarioError(f"goal {goal!r}: must be one of {', '.join(GOALS)}")
-    check_numbers(scenario, length, max_speed, count, dwell, level)
+    given = {"length": length, "max_speed": max_speed, "dwell": dwell, "level": level}
+    check_numbers(scenario, count, **given)
     for name, value, least in (("seed", seed, 0), ("generations", generations, 1)):
         if not isinstance(value, int) or not least <= value <= MOST_GENERATIONS:
             raise ScenarioError(
@@ -290,22 +291,17 @@ def with_waypoints(scenario: Scenario, points: np.ndarray, dwell: float | None) 
     return scenario.with_values({"reference": reference})
 
 
-def _ceiling(scenario: Scenario, span: tuple[float, float]) -> float | None:
-    """Return what kappa_1 cannot pass where the vehicle moves so; None where that is not known."""
-    if scenario.flow.parameters is None or scenario.vehicle.max_speed is not None:
-        return None
-    alone = gramian(started_true(vehicle_alone(scenario)), *span)
-    return min(alone.ceilings.values(), default=None)
-
-
 def _reported(
     scenario: Scenario, looked: tuple[float, Extremes], span: tuple[float, float], ran: Learned
 ) -> dict[str, Any]:
-    found, (least, extremes) = gramian(scenario, *span), looked
+    found, (least, extremes), ceiling = gramian(scenario, *span), looked, None
+    if scenario.flow.parameters is not None and scenario.vehicle.max_speed is None:
+        alone = gramian(started_true(vehicle_alone(scenario)), *span)
+        ceiling = min(alone.ceilings.values(), default=None)  # where the vehicle moves so
     return {
         "smallest_eigenvalue": least,
         "of_the_run": min(float(values[0]) for values in found.eigenvalues.values()),
-        "ceiling": _ceiling(scenario, span),
+        "ceiling": ceiling,
         "closed_length": float(closed_length(scenario.waypoints)),
         "largest_speed": float(extremes.speed.max()),
         "positions": np.transpose(

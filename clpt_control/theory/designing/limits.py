@@ -87,23 +87,13 @@ def own_area(points: np.ndarray, extremes: Extremes) -> Box:
     return low1, high1, low2, high2
 
 
-def check_numbers(
-    scenario: Scenario,
-    length: float | None,
-    max_speed: float | None,
-    count: int | None,
-    dwell: float | None,
-    level: float | None,
-) -> None:
+def check_numbers(scenario: Scenario, count: int | None, **given: float | None) -> None:
     """Refuse numbers that no track can have."""
     unit, time = scenario.units.length, scenario.units.time
-    for name, value, of in (
-        ("length", length, unit),
-        ("max_speed", max_speed, f"{unit}/{time}"),
-        ("dwell", dwell, time),
-        ("level", level, f"{unit}/{time}"),
-    ):
+    units = {"length": unit, "dwell": time}
+    for name, value in given.items():
         if value is not None and not 0 < value < np.inf:
+            of = units.get(name, f"{unit}/{time}")
             raise ScenarioError(f"{name} = {value:g}: must be a positive number of {of}")
     whole = isinstance(count, int) and not isinstance(count, bool)
     if count is not None and not (whole and 2 <= count <= MOST_WAYPOINTS):

@@ -1,5 +1,6 @@
 """Two tracks side by side, and what is learned on each."""
 
+from itertools import groupby
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -117,13 +118,10 @@ def _groups(points: np.ndarray, near: float) -> list[tuple[np.ndarray, str]]:
 
 
 def _runs(group: list[int]) -> str:
-    parts: list[list[int]] = []
-    for k in group:
-        if parts and k == parts[-1][1] + 1:
-            parts[-1][1] = k
-        else:
-            parts.append([k, k])
-    return ", ".join(f"{a + 1}" if a == b else f"{a + 1}-{b + 1}" for a, b in parts)
+    """Return numbers from 1, those that follow one another as 3-5."""
+    runs = ([*run] for _, run in groupby(enumerate(group, 1), lambda at: at[1] - at[0]))
+    ends = ((run[0][1] + 1, run[-1][1] + 1) for run in runs)
+    return ", ".join(f"{a}" if a == b else f"{a}-{b}" for a, b in ends)
 
 
 def _error(ax: "Axes", design: Design) -> None:

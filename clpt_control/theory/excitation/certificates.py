@@ -32,7 +32,7 @@ from ...arguments import public
 from ...errors import ScenarioError
 from ...html import facts, fragment
 from ...scenario.experiment import Scenario
-from .regressor import Regressor, Source, joint_regressor, propagate, regressors
+from .regressor import Regressor, Source, joint_regressor, propagate
 
 TURN = 10.0  # radians that e and eta may turn within a piece
 MOST = 20000  # pieces
@@ -103,21 +103,14 @@ def falls(w: np.ndarray, k: np.ndarray, gains: np.ndarray, weights: np.ndarray) 
 
 
 def window_drops(
-    phi: np.ndarray,
-    z: np.ndarray,
-    zc: np.ndarray,
-    weights: np.ndarray,
-    KD: np.ndarray,
-    gain: float,
-    adapted: slice = slice(None),
+    w: np.ndarray, weights: np.ndarray, KD: np.ndarray, gain: float
 ) -> dict[str, np.ndarray]:
     """Return contraction, drop, rho, each (2, ...), and transition (2, ..., n, n), axis first.
 
-    phi (..., pieces, nodes, N), z and zc (..., pieces, nodes, 2) stand at Gauss-Legendre nodes
-    with weights (pieces, nodes); `adapted` are those of the N + 2 parameters that adapt.
+    w (2, ..., pieces, nodes, n), of what adapts, stands at Gauss-Legendre nodes with weights
+    (pieces, nodes).
     """
     lengths = weights.sum(1)
-    w = regressors(phi, z, zc)[..., adapted]
     k = np.asarray(KD, dtype=float).reshape(2, *[1] * (w.ndim - 4))
     scale = np.concatenate([[1.0], np.full(w.shape[-1], gain**-0.5)])  # the diagonal of S
     inside, transition = propagate(w, k, gain, lengths)
@@ -216,26 +209,12 @@ def certificate(
         edges = np.concatenate([np.linspace(*piece) for piece in pieces])
         along = joint_regressor(along.source, span, start, edges)
     adapted = slice(scenario.basis.N if scenario.learning.row.given_estimate else 0, None)
-    found = window_drops(
-        along.phi,
-        along.z,
-        along.zc,
-        along.weights,
-        np.array(scenario.vehicle.feedback),
-        gain,
-        adapted,
-    )
-    axes = ("x1", "x2")
-    return Certificate(
-        float(along.cuts[0]),
-        float(along.cuts[-1] - along.cuts[0]),
-        along.trajectory,
-        dict(zip(axes, found["transition"], strict=True)),
-        *(
-            dict(zip(axes, map(float, found[name]), strict=True))
-            for name in ("contraction", "drop", "rho")
-        ),
-    )
+    w, KD = along.w[..., adapted], np.array(scenario.vehicle.feedback)
+    found = window_drops(w, along.weights, KD, gain)
+    first, last = along.cuts[[0, -1]].tolist()
+    transition = dict(zip(("x1", "x2"), found.pop("transition"), strict=True))
+    shares = (dict(zip(transition, each.tolist(), strict=True)) for each in found.values())
+    return Certificate(first, last - first, along.trajectory, transition, *shares)
 
 
 @public

@@ -25,6 +25,7 @@ run, and where the smallest eigenvalue falls to zero, the track stops teaching.
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -63,6 +64,21 @@ class Excitation:
         pieces = [facts(excitation_rows({"": self}), EXCITATION_COLUMNS)]
         pieces += [paragraphs(self.not_learnable), paragraphs([f"Measured: {self.trajectory}."])]
         return fragment("Excitation", self._when(), *pieces)
+
+    @property
+    def report(self) -> dict[str, Any]:
+        """What of it is told in JSON."""
+        return {
+            "eigenvalues": {axis: values.tolist() for axis, values in self.eigenvalues.items()},
+            "dimension": self.dimension,
+            "not_learnable": self.not_learnable,
+        }
+
+    @property
+    def span(self) -> dict[str, Any]:
+        """Where and when it was measured, for JSON."""
+        names = ("window", "start", "time_unit", "trajectory")
+        return {name: getattr(self, name) for name in names}
 
     def _when(self) -> str:
         return f"from {self.start:g} to {self.start + self.window:g} {self.time_unit}"
@@ -287,7 +303,7 @@ def gramian(
     along = source if isinstance(source, Regressor) else joint_regressor(source, window, start)
     names = parameter_names(along.scenario.basis.N)
     factors = dict(zip(names, map(joined, piece_factors(along)), strict=True))
-    first, last = float(along.cuts[0]), float(along.cuts[-1])
+    first, last = along.cuts[[0, -1]].tolist()
     unit, truth = along.scenario.units.time, _truth(along.scenario)
     return Excitation(first, last - first, along.trajectory, unit, names, factors, tolerance, truth)
 

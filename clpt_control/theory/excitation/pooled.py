@@ -114,20 +114,19 @@ def team_gramian(
     True
     """
     along = _regressors(source, window, start)
-    scenario = next(iter(along.values())).scenario
+    one = next(iter(along.values()))
+    scenario, (first, last) = one.scenario, one.cuts[[0, -1]].tolist()
     N, adapt = scenario.basis.N, scenario.learning.adapt_gains
     adapted = slice(None if adapt else N)
-    one = next(iter(along.values()))
-    first, last, unit = float(one.cuts[0]), float(one.cuts[-1]), scenario.units.time
 
     def found(names: dict[str, list[str]], factors: Any, trajectory: str) -> Excitation:
-        by_axis = dict(zip(names, factors, strict=True))
-        return Excitation(first, last - first, trajectory, unit, names, by_axis, tolerance)
+        of, unit = dict(zip(names, factors, strict=True)), scenario.units.time
+        return Excitation(first, last - first, trajectory, unit, names, of, tolerance)
 
     own_names = {axis: names[adapted] for axis, names in parameter_names(N).items()}
     pieces = {name: piece_factors(one)[..., adapted] for name, one in along.items()}
     vehicles = {
-        name: found(own_names, [joined(axis) for axis in own], along[name].trajectory)
+        name: found(own_names, map(joined, own), along[name].trajectory)
         for name, own in pieces.items()
     }
     shared = {axis: names[:N] for axis, names in own_names.items()}
@@ -198,23 +197,12 @@ def team_excitation_report(
     what can be learned, and ``not_learnable``, sentences.
     """
     found = team_gramian(source, window, start)
-
-    def of(one: Excitation) -> dict[str, Any]:
-        return {
-            "eigenvalues": {axis: values.tolist() for axis, values in one.eigenvalues.items()},
-            "dimension": one.dimension,
-            "not_learnable": one.not_learnable,
-        }
-
     both = "the flow parameters, which all share, and each vehicle's own K and Gamma"
     alone = "the flow parameters, which all share; K and Gamma are held"
     return {
-        "window": found.team.window,
-        "start": found.team.start,
-        "time_unit": found.team.time_unit,
-        "trajectory": found.team.trajectory,
+        **found.team.span,
         "measured": both if found.gains_adapt else alone,
         "smallest": found.smallest(),
-        "vehicles": {name: of(one) for name, one in found.vehicles.items()},
-        "team": of(found.team),
+        "vehicles": {name: one.report for name, one in found.vehicles.items()},
+        "team": found.team.report,
     }

@@ -42,7 +42,7 @@ from ...equations.at_many import evaluate, on_arrays
 from ...equations.declaration import multiples
 from ...errors import ArgumentError, DataError, ScenarioError
 from ...scenario.experiment import Scenario
-from ...scenario.file import OWN_LAW, OWN_PARTS
+from ...scenario.file import OWN_LAW, OWN_PARTS, TEAM, scenario_of_run
 from ...scenario.recorded_run import check_run
 from ...scenario.team import Team
 from ...simulation.integrate import simulate
@@ -56,8 +56,6 @@ Source = Union[Scenario, "xarray.Dataset"]
 
 def scenario_of(source: Source) -> Scenario:
     """Return a scenario, or that which a run carries in its attributes."""
-    from ...scenario.file import TEAM, scenario_of_run
-
     if isinstance(source, Scenario):
         return source
     if TEAM in source.attrs:
@@ -124,27 +122,22 @@ TRANSIENT = 10.0  # longest piece in time constants 1/KD
 
 @dataclass(frozen=True)
 class Regressor:
-    """The parts of w at the nodes of a quadrature."""
+    """w at the nodes of a quadrature."""
 
     source: Any  # what w was read of
     scenario: Scenario  # for names, gains and the law
     trajectory: str  # which one this is; w holds z, which depends on the learner
     cuts: np.ndarray  # (pieces + 1,), edges of the pieces, units.time; every switch is one
-    times: np.ndarray  # (pieces, NODES), Gauss-Legendre nodes; none lies on a switch
     weights: np.ndarray  # (pieces, NODES)
-    phi: np.ndarray  # (pieces, NODES, N), basis functions at the vehicle
-    z: np.ndarray  # (pieces, NODES, 2), predicted position, units.length
-    zc: np.ndarray  # (pieces, NODES, 2), desired position, units.length
+    w: np.ndarray  # [phi, z_i, zc_i], shape (2, pieces, NODES, N + 2)
     own_law: str = ""  # the law and parts given in Python, of a recorded run
-
-    @property
-    def w(self) -> np.ndarray:
-        """w = [phi, z_i, zc_i], shape (2, pieces, NODES, N + 2)."""
-        return regressors(self.phi, self.z, self.zc)
 
 
 class Nodes(NamedTuple):
-    """A quadrature: cuts (pieces + 1,), Gauss-Legendre nodes and weights (pieces, NODES)."""
+    """A quadrature: cuts (pieces + 1,), Gauss-Legendre nodes and weights (pieces, NODES).
+
+    No node lies on a switch.
+    """
 
     cuts: np.ndarray
     times: np.ndarray
@@ -233,10 +226,10 @@ def joint_regressor(
     zc = np.broadcast_to(held[:, None], z.shape)
     step = np.median(np.diff(source.time.values))
     trajectory = f"recorded run, sampled each {step:g} {scenario.units.time}"
-    phi = basis_along(scenario, times, x)
     given = ((OWN_LAW, "the law"), (OWN_PARTS, "parts given in Python,"))
-    own_law = " and ".join(f"{w} {source.attrs[a]}" for a, w in given if a in source.attrs)
-    return Regressor(source, scenario, trajectory, cuts, times, weights, phi, z, zc, own_law)
+    own_law = " and ".join(f"{what} {source.attrs[a]}" for a, what in given if a in source.attrs)
+    w = w_along(scenario, times, x, z, zc)
+    return Regressor(source, scenario, trajectory, cuts, weights, w, own_law)
 
 
 def finished_run(source: "Scenario | Team", times: np.ndarray) -> "xarray.Dataset":
@@ -250,25 +243,23 @@ def finished_run(source: "Scenario | Team", times: np.ndarray) -> "xarray.Datase
 
 
 def at_nodes(
-    source: Any,
-    scenario: Scenario,
-    run: "xarray.Dataset",
-    nodes: Nodes,
-    trajectory: str,
+    source: Any, scenario: Scenario, run: "xarray.Dataset", nodes: Nodes, trajectory: str
 ) -> Regressor:
     """Return w along a vehicle's run whose samples are the nodes."""
-    x, z, zc = (
+    parts = (
         run[name].values.reshape(*nodes.times.shape, 2)
         for name in ("position", "predicted_position", "reference")
     )
-    phi = basis_along(scenario, nodes.times, x)
-    return Regressor(source, scenario, trajectory, *nodes, phi, z, zc)
+    w = w_along(scenario, nodes.times, *parts)
+    return Regressor(source, scenario, trajectory, nodes.cuts, nodes.weights, w)
 
 
-def basis_along(scenario: Scenario, times: np.ndarray, x: np.ndarray) -> np.ndarray:
-    """Return the basis functions at positions x (pieces, NODES, 2)."""
+def w_along(
+    scenario: Scenario, times: np.ndarray, x: np.ndarray, z: np.ndarray, zc: np.ndarray
+) -> np.ndarray:
+    """Return w at times (...) and positions (..., 2), shape (2, ..., N + 2)."""
     phi = evaluate(scenario.basis_block(), times.ravel(), x.reshape(-1, 2))
-    return phi.reshape(*times.shape, -1)
+    return regressors(phi.reshape(*times.shape, -1), z, zc)
 
 
 @public

@@ -45,17 +45,8 @@ def excitation_report(
     """
     along = joint_regressor(source, window, start)
     found = gramian(along)
-    report: dict[str, Any] = {
-        "window": found.window,
-        "start": found.start,
-        "time_unit": found.time_unit,
-        "trajectory": found.trajectory,
-        "eigenvalues": {axis: values.tolist() for axis, values in found.eigenvalues.items()},
-        "ceilings": found.ceilings,
-        "least_excited": found.least_excited,
-        "dimension": found.dimension,
-        "not_learnable": found.not_learnable,
-    }
+    more = {"ceilings": found.ceilings, "least_excited": found.least_excited}
+    report: dict[str, Any] = {**found.span, **found.report, **more}
     try:
         certified = certificate(along)
     except ScenarioError as error:
@@ -116,10 +107,7 @@ def excitation_plot(
     >>> axes = clpt.theory.excitation_plot(scenario, window=20.0)
     """
     at = gramian(source, window, start)
-    return _drawn(sliding_excitation(source, at.window), at, ax)
-
-
-def _drawn(sliding: SlidingExcitation, at: Excitation, ax: Any) -> Any:
+    sliding = sliding_excitation(source, at.window)
     axes = axes_for(ax, 7.6, 6.0, nrows=2, ncols=2, sharey="row")
     for column, axis in enumerate(at.names):
         _eigenvalues(axes[0, column], sliding, at, axis)

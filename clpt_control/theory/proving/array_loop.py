@@ -3,8 +3,8 @@
 The blocks' records, joined at the diagram's own wires.  A claim about it is made of its signals,
 states, parameters and rates as NumPy's arrays are: ``-np.sum(KD * e**2)``; `elements` reads what
 comes of it, for every N where sizes are open, or for the diagram's own.
-Sources of time and tables stay undefined functions of time and their inputs, and so does any
-block named in `opaque`: what is proved then holds for all of them.
+Sources of time and tables stay undefined functions of time and their inputs: what is proved then
+holds for all of them.
 """
 
 from collections.abc import Callable, Iterable
@@ -148,23 +148,22 @@ class _Names:
 
 def array_loop(
     diagram: control.NonlinearIOSystem,
-    opaque: Iterable[str] = (),
     jumps: bool = False,
     closed: bool = False,
     known: Known = lambda symbol, index: symbol,
 ) -> ArrayLoop:
-    """Read a diagram's equations as arrays; blocks named in `opaque` stay undefined.
+    """Read a diagram's equations as arrays.
 
     Sizes that have names stay open unless `closed`.  States that jump are refused unless `jumps`:
     the caller then judges what V does there.  `known` gives what stands for a parameter's element.
     """
-    wiring, hidden = wiring_of(diagram), set(opaque)
+    wiring = wiring_of(diagram)
     refuse_unproved(wiring, jumps)
     loop = ArrayLoop()
     names = _Names(blocks_of(wiring), loop, known)
 
     def stand_in(node: Node, u: dict[str, Any], shapes: dict[str, Shape]) -> dict[str, Any] | None:
-        if not (node.system.opaque or node.system.name in hidden):
+        if not node.system.opaque:
             return None
         for port, shape in node.system.declared["outputs"].items():
             names.declared[port] = shape

@@ -185,25 +185,14 @@ def _running(law: Law, N: int, points: int) -> tuple[bool, str]:
 def fix_steps(law: Law, points: int) -> list[Step]:
     """Check a law that learns at fixes, for N = 1, 2."""
     cases = [AtAFix(law, N, late) for N in SIZES for late in (False, True)]
-    return [
-        exact_step(
-            cases,
-            "between fixes V' = 0, P' = 0 and (x - z - eta m)' = 0 where phi(x) = phi(z), "
-            "whatever v is flown",
-            AtAFix.stays,
-        ),
-        exact_step(
-            cases,
-            "at an exact fix V falls by r^2 |eta m|^2/(2 (r^2 + m^T P m)), P^-1 rises by m m^T/r^2 "
-            "and x - z = eta m, also where it arrives late",
-            AtAFix.learns,
-        ),
-        exact_step(cases, "a fix on its way changes nothing yet", AtAFix.sends),
-        exact_step(cases, "a missing fix changes nothing", AtAFix.misses),
-        checked(
-            "the running blocks let V fall alike",
-            "sampled",
-            lambda: _running(law, 2, points),
-            False,
-        ),
-    ]
+    claims = {
+        "between fixes V' = 0, P' = 0 and (x - z - eta m)' = 0 where phi(x) = phi(z), "
+        "whatever v is flown": AtAFix.stays,
+        "at an exact fix V falls by r^2 |eta m|^2/(2 (r^2 + m^T P m)), P^-1 rises by m m^T/r^2 "
+        "and x - z = eta m, also where it arrives late": AtAFix.learns,
+        "a fix on its way changes nothing yet": AtAFix.sends,
+        "a missing fix changes nothing": AtAFix.misses,
+    }
+    steps = [exact_step(cases, claim, check) for claim, check in claims.items()]
+    claim = "the running blocks let V fall alike"
+    return [*steps, checked(claim, "sampled", lambda: _running(law, 2, points), False)]

@@ -19,7 +19,7 @@ from ...blocks.laws.law import LEARNED, Law, Truth
 from .array_loop import TIME
 from .proof import Step, checked, short
 from .signs import left_over, nonpositive, positive_maximum, vanishes
-from .symbolic_loop import SymbolicLoop, own_values, symbolic_loop
+from .symbolic_loop import SymbolicLoop, flat, symbolic_loop
 from .symbols import extent
 from .theorem_loop import (
     Claim,
@@ -28,6 +28,7 @@ from .theorem_loop import (
     law_loop,
     theorem_scenario,
     tied,
+    truth_in,
     truth_of,
 )
 
@@ -40,20 +41,15 @@ class Kept:
     def __init__(self, law: Law, N: int, speed: Hedging = "no limit", blocks: tuple | None = None):
         """Read the loop of a law's row, or of `blocks`: a law and what makes its V of the truth."""
         self.law, self.N = law, N
-        true = truth_of(theorem_scenario(N, law.name if blocks is None else "learned-flow"))
-        if blocks is None:
-            made, V = law_and_V(law, N, speed)
-        else:
-            made, make = blocks
-            V = make(true)
+        true = truth_of(theorem_scenario(N, "learned-flow"))
+        made, V = law_and_V(law, N, speed) if blocks is None else (blocks[0], blocks[1](true))
         self.diagram = law_loop(law, made, V, speed)
         self.loop: SymbolicLoop = symbolic_loop(self.diagram, jumps=True)
         self.words: dict[Any, sympy.Symbol] = {}
         own = self.loop.states
         self.states = {port.rpartition(":")[2]: symbols for port, symbols in own.items()}
         self.rates = {port.rpartition(":")[2]: rate for port, rate in self.loop.rates.items()}
-        p, car = self.loop.parameters[made.name], self.loop.parameters["vehicle_controller"]
-        truth = Truth(self.loop.parameters["true_flow"].theta, car.KD, car.GammaD)
+        p, truth = self.loop.parameters[made.name], truth_in(self.loop)
         assert law.keeps is not None
         relations = law.keeps(self.states, p, truth)
         self.relations = _solved(
@@ -64,25 +60,25 @@ class Kept:
             }
         )
         every = {**self.loop.inputs, **self.states}
-        self.parameters, self.losses = p, law.losses(every, p, truth)
+        self.parameters = p
+        if blocks is None:
+            self.tied = tied(self.loop, V, law.V, (made.parameters, p), (true, truth))
+        else:
+            mine = {s for block in (made, V) for s in flat(self.loop.parameters[block.name])}
+            values = {s: number for s, number in self.loop.values.items() if s in mine}
+            self.tied = values | tied(self.loop, V, blocks[1], (true, truth))
+        self.losses = [
+            tuple(sympy.sympify(factor).xreplace(self.tied) for factor in product)
+            for product in law.losses(every, p, truth)
+        ]
         n = self.loop.N or N
         c = sympy.symbols(f"c_1:{2 * n + 1}", real=True)
         self.weighed = np.array(c, dtype=object).reshape(2, n)  # d P^-1, d = theta_hat - theta
         every["d P^-1"] = self.weighed
         self.gains = sympy.sympify(law.gains(every, p, truth))
-        push = law.push(every, p, truth) if law.push else 0
+        push = sympy.sympify(law.push(every, p, truth) if law.push else 0).xreplace(self.tied)
         self.more = push - sum(map(math.prod, self.losses))  # that V' has
         self.cones = {port: self.states[port] for port in law.cones}
-        self.slopes = {port: self.rates[port] for port in law.cones}
-        if blocks is None:
-            self.tied = tied(self.loop, V, law.V, (made.parameters, p), (true, truth))
-        else:
-            self.tied = own_values(self.loop, [made, V]) | tied(self.loop, V, make, (true, truth))
-            self.more = sympy.sympify(self.more).xreplace(self.tied)
-            self.losses = [
-                tuple(sympy.sympify(factor).xreplace(self.tied) for factor in product)
-                for product in self.losses
-            ]
         self.V = self.loop.signals["V"][0].xreplace(self.tied)
         known = (*np.ravel(truth.theta), *truth.KD, *truth.GammaD)
         self.truths = set(known)
@@ -91,7 +87,6 @@ class Kept:
         fresh = [value.free_symbols for value in self.over.values()]
         self.apart = {s for symbols in (self.loop.motion, known, *fresh) for s in symbols}
 
-    @cached_property
     def apart_at_the_start(self) -> str:
         """Name the states whose relation does not hold where a run begins, whatever alpha is."""
         scenario, random = theorem_scenario(self.N, self.law.name), np.random.default_rng(0)
@@ -155,11 +150,6 @@ class Kept:
         rest = self.put(self.untied.xreplace(self.tied) - claim(self.loop) - more)
         return left_over(rest) or "".join(self.loop.undefined[:1])
 
-    def moves_as(self, values: Any, rates: Any) -> bool:
-        """Return whether values have these rates where the relations hold."""
-        pairs = zip(np.ravel(values), np.ravel(rates), strict=True)
-        return all(vanishes(self.put(self.loop.derivative(a) - rate)) for a, rate in pairs)
-
     def left(self) -> str:
         """Return which relation is left, or nothing."""
         return self.leaving(self.loop.derivative)
@@ -206,7 +196,7 @@ class Kept:
             return f"left over: {short(M[0, 1] - M[1, 0])}"
         theta = self.loop.parameters["true_flow"].theta
         at = dict(zip(self.states["theta_hat"].flat, (theta + c @ M).flat, strict=True))
-        rate = 2 * np.sum(self.rates["theta_hat"] * c) - np.sum((c @ self.slopes[port]) * c)
+        rate = 2 * np.sum(self.rates["theta_hat"] * c) - np.sum((c @ self.rates[port]) * c)
         rest = self.put(sympy.sympify(rate - self.gains).xreplace(at))
         return left_over(rest) if self.gains.is_nonpositive else "what it gains may be positive"
 
@@ -220,7 +210,7 @@ class Kept:
         M[:-1, -1] = M[-1, :-1] = -(M[:-1, :-1] @ c[:-1])
         M[-1, -1] = -np.dot(M[-1, :-1], c[:-1])
         at = dict(zip(self.cones[port].ravel(), M.ravel(), strict=True))
-        form = sympy.sympify(c @ self.slopes[port] @ c).xreplace(at)
+        form = sympy.sympify(c @ self.rates[port] @ c).xreplace(at)
         return bool(sympy.factor(sympy.expand(form)).is_nonnegative)
 
     @cached_property
@@ -289,11 +279,6 @@ def _alone(values: np.ndarray) -> dict[Any, Any]:
         fresh = sympy.Symbol(f"over_{k + 1}", real=True)
         found[symbol] = (fresh - value.subs(symbol, 0)) / sympy.diff(value, symbol)
     return found
-
-
-def cases_of(law: Law) -> list[Kept]:
-    """Return a law's loop for each number of functions."""
-    return [Kept(law, N) for N in SIZES]
 
 
 def exact_step(cases: Iterable[Any], claim: str, check: Callable[[Any], bool | str]) -> Step:

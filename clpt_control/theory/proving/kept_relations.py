@@ -49,29 +49,31 @@ import numpy as np
 import sympy
 
 from ...blocks.laws.law import Law
-from ...equations.symbolic import UNEXPANDED
-from .kept_loop import Kept, cases_of, exact_step
+from . import kept_loop
+from .kept_loop import Kept, exact_step
 from .lemmas import young_step
 from .proof import Step, short
 from .running_rate import running_step
 from .signs import vanishes
 from .theorem_loop import decay, decay_and_known_error
+from .words import WHERE
 
 GIVEN = "V' = -e^T KD e + e^T (theta - theta_hat) phi"
 
 
-MAXIMUM = sympy.Function(UNEXPANDED["maximum"], real=True)
-WHERE = sympy.Function(UNEXPANDED["where"], real=True)
+MAXIMUM = sympy.Function("maximum", real=True)
 Claims = dict[str, Callable[[Kept], bool | str]]
 
 
 def kept_steps(law: Law, points: int, own: list[Kept] | None = None) -> list[Step]:
     """Check a law whose row states what its states keep, for N = 1, 2, 3; or a law of your own."""
-    cases = own or cases_of(law)
-    kept: Claims = {
-        "what the law's states keep is kept": lambda case: case.left() or case.apart_at_the_start
+    cases = own or [Kept(law, N) for N in kept_loop.SIZES]
+    start = Kept.apart_at_zero if own else Kept.apart_at_the_start
+    claims: Claims = {
+        f"what the law's states keep is kept{' where it begins so' * bool(own)}": (
+            lambda case: case.left() or start(case)
+        )
     }
-    claims = {"what the law's states keep is kept where it begins so": own_start} if own else kept
     if law.shrinking:
         claims |= shrinking_claims(law)
     else:
@@ -82,11 +84,6 @@ def kept_steps(law: Law, points: int, own: list[Kept] | None = None) -> list[Ste
     steps += [young_step()] if law.shrinking else []
     two = cases[len(cases) // 2]
     return [*steps, running_step(lambda: (two.diagram, two.loop, two.untied), points)]
-
-
-def own_start(case: Kept) -> str:
-    """Return what is not kept, or does not begin so though the truth is in it."""
-    return case.left() or case.apart_at_zero()
 
 
 def jump_claims(law: Law) -> Claims:
@@ -152,17 +149,11 @@ def _rises(case: Kept) -> str:
     """Return why w is not known to fall, or nothing."""
     if case.loop.jumps:
         return "its states jump, and what its errors do there is not judged"
-    f = rate_of_shrinking(case)
-    if not f.is_nonnegative or sympy.expand(f) == 0:
-        return f"{case.law.shrinking}' = {short(case.rates[case.law.shrinking][0])}"
-    return ""
-
-
-def rate_of_shrinking(case: Kept) -> sympy.Expr:
-    """Return f of w' = -f w, each maximum(a, b) with a positive one a positive symbol."""
     (w,), (rate,) = case.states[case.law.shrinking], case.rates[case.law.shrinking]
-    f = -case.veiled(rate) / w
-    return sympy.nan if f.has(w) else f
+    f = -case.veiled(rate) / w  # each maximum(a, b) with a positive one a positive symbol
+    if f.has(w) or not f.is_nonnegative or sympy.expand(f) == 0:
+        return f"{case.law.shrinking}' = {short(rate)}"
+    return ""
 
 
 def driven(case: Kept) -> sympy.Expr:
@@ -223,8 +214,10 @@ def covariance_claims(driven: bool) -> Claims:
 
 
 def _moves(case: Kept, of: str) -> bool:
-    forgets = case.parameters.forgetting.is_nonnegative
-    return bool(forgets) and case.moves_as(*covariance_rates(case)[of])
+    pairs = zip(*map(np.ravel, covariance_rates(case)[of]), strict=True)
+    return bool(case.parameters.forgetting.is_nonnegative) and all(
+        vanishes(case.put(case.loop.derivative(a) - rate)) for a, rate in pairs
+    )
 
 
 def covariance_rates(case: Kept) -> dict[str, tuple[Any, Any]]:

@@ -3,6 +3,7 @@
 `verdict` puts the answers together.
 """
 
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -30,48 +31,40 @@ from .signs import (
 from .symbolic_loop import (
     SymbolicLoop,
     degree_of,
-    own_values,
+    flat,
     positive_somewhere,
     refuse_no_value,
     symbolic_loop,
 )
-from .theorem_loop import decay, rate_of_V, theorem_loop
+from .theorem_loop import decay, rate_of_V, theorem_loop, truth_in
 from .words import along, faster_than_linear
 
 EXACT = 4  # the degree of a V of which V' is taken without a rounding
 
 
+@dataclass
 class Case:
-    """A law with its V, on symbols and running.
+    """A law with its V, on symbols and running."""
 
-    `weights` says which of V's symbols are made of the law's or of the truth's.
-    """
+    diagram: Diagram
+    loop: SymbolicLoop
+    V: Block
+    law: Block
+    weights: dict[Any, sympy.Expr]  # V's symbols -> what they are of the law's or of the truth's
+    fitted: bool
+    points: int
+    seed: int
+    given: tuple[sympy.Expr, ...] = ()  # what is not negative
 
-    def __init__(
-        self,
-        diagram: Diagram,
-        loop: SymbolicLoop,
-        V: Block,
-        law: Block,
-        weights: dict[Any, sympy.Expr],
-        fitted: bool,
-        points: int,
-        seed: int,
-    ):
-        self.diagram, self.loop, self.V, self.law = diagram, loop, V, law
-        self.given: tuple[sympy.Expr, ...] = ()
-        refuse_no_value(loop, V.name)
-        self.fitted, self.points, self.seed = fitted, points, seed
-        self.blocks = [node for node in diagram.syslist if isinstance(node, Block)]
-        self.weights = weights
+    def __post_init__(self) -> None:
+        """Read V and V'."""
+        loop, law, weights = self.loop, self.law, self.weights
+        refuse_no_value(loop, self.V.name)
         self.tied = {s: own for s, own in weights.items() if s != own}
-        hidden = {
-            s
-            for b in self.blocks
-            if b.name not in (law.name, V.name)
-            for s in flat(loop.parameters[b.name])
-        }
-        self.values = {s: v for s, v in own_values(loop, self.blocks).items() if s not in hidden}
+        self.own = law.name, self.V.name
+        others = (p for name, p in loop.parameters.items() if name not in self.own)
+        hidden = {s for p in others for s in flat(p)}
+        self.values = {s: v for s, v in loop.values.items() if s not in hidden}
         self.moving = {TIME, *loop.motion}
         self.kept: tuple[str, ...] = ()
         V = loop.signals["V"][0].xreplace(weights)
@@ -99,7 +92,7 @@ class Case:
 
     def keep(self) -> None:
         """Judge the law and V with their own values; of V what is of the truth stays so."""
-        self.kept = (self.law.name, self.V.name)
+        self.kept = self.own
         made = {s: e.xreplace(self.values) for s, e in self.weights.items()}
         self.weights = self.values | made
         self.tied = {s: e for s, e in self.tied.items() if e.free_symbols - self.values.keys()}
@@ -114,9 +107,9 @@ class Case:
     @cached_property
     def errors(self) -> list[tuple[list[Any], sympy.Expr]]:
         """Of each thing that is learned the states that make it, and its error, where e = 0."""
-        p, ports, own = self.loop.parameters, self.loop.signals, set(self.loop.motion)
-        x, z, car = self.loop.states["x"], self.loop.states["z"], p["vehicle_controller"]
-        true = {"alpha": -p["true_flow"].theta.ravel(), "K": car.KD, "Gamma": car.GammaD}
+        ports, own, truth = self.loop.signals, set(self.loop.motion), truth_in(self.loop)
+        x, z = self.loop.states["x"], self.loop.states["z"]
+        true = {"alpha": -truth.theta.ravel(), "K": truth.KD, "Gamma": truth.GammaD}
         found = [
             sympy.expand(made.xreplace(dict(zip(x, z, strict=True))) - true[port][k])
             for port in true
@@ -222,7 +215,7 @@ class Case:
 
         def no_rise() -> tuple[bool, str]:
             V = self.Vs
-            own = (self.loop.parameters[block.name] for block in self.blocks)
+            own = self.loop.parameters.values()
             steps = {p.interval for p in own if "interval" in p._fields}
             if V.free_symbols & steps or V.atoms(AppliedUndef):
                 return False, "V itself depends on time"
@@ -318,11 +311,6 @@ def _or_zero(expression: sympy.Expr) -> sympy.Expr:
     """Return an expression multiplied out, zero where its divisions cancel."""
     found = tidied(expression)
     return sympy.S.Zero if found.atoms(sympy.Pow) and vanishes(found) else found
-
-
-def flat(parameters: Any) -> list[Any]:
-    """Return the symbols of a block's parameters, one after the other."""
-    return [symbol for field in parameters for symbol in np.ravel(np.asarray(field, dtype=object))]
 
 
 def _of_function(expression: sympy.Expr, index: str) -> sympy.Expr:

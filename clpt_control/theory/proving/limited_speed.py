@@ -53,11 +53,6 @@ def learned(speed: Hedging) -> Callable[[], Diagram]:
     return lambda: theorem_loop(WIRED, "learned-flow", speed=speed)
 
 
-def same_error_rate(loop: ArrayLoop) -> list[Any]:
-    """Return e' of a vehicle beside that of Eq. (27), which one without a limit has."""
-    return [loop.derivative(loop.signals["e"]) - wanted_rates(loop)["e"]]
-
-
 def pair_of(law: Law) -> tuple[ArrayLoop, ArrayLoop]:
     """Return a law's loop without a limit and hedged, for every N where that is read."""
 
@@ -162,7 +157,11 @@ def with_hedging() -> Proof:
     text = "V' = -e^T KD e, whatever v is flown"
     steps = [
         *identity_steps(text, "learned-flow", decay, POINTS, speed="hedged"),
-        zero_step("e' is that without a limit, for every N", learned("hedged"), same_error_rate),
+        zero_step(
+            "e' is that without a limit, for every N",
+            learned("hedged"),
+            lambda loop: [loop.derivative(loop.signals["e"]) - wanted_rates(loop)["e"]],
+        ),
         definite_step("learned-flow"),
         dissipation_step(),
         checked("v = v_c up to |v_c| = v_max, and v_max v_c/|v_c| beyond", "exact", limits),

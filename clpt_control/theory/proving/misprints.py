@@ -155,26 +155,18 @@ def _learned(printed_K: bool, printed_alpha: bool, printed_flow: bool, disturbed
     return _zero(_rate_of_V(loop) - brackets(loop, K, alpha, flow))
 
 
-@misprint(
+misprint(
     "(25)",
     "K' + z e, and (theta + alpha) alpha'",
     "K'/gamma + z e, and (theta + alpha) alpha'/gamma",
     "V' of (24) along the loop, the law left free",
-)
-def equation_25_gains(printed: bool) -> bool:
-    """Check the factors 1/gamma of Eq. (25)."""
-    return _learned(printed, printed, False, disturbed=False)
-
-
-@misprint(
+)(lambda printed: _learned(printed, printed, False, disturbed=False))
+misprint(
     "(25)",
     "-2 e^T alpha_M phi",
     "-e^T [(alpha_M + alpha) phi(x) + (alpha_M - alpha) phi(z)]",
     "V' of (24) along the loop, the injection left free",
-)
-def equation_25_flow(printed: bool) -> bool:
-    """Check the flow terms of Eq. (25)."""
-    return _learned(False, False, printed, disturbed=False)
+)(lambda printed: _learned(False, False, printed, disturbed=False))
 
 
 @misprint(
@@ -190,15 +182,12 @@ def second_derivative(printed: bool) -> bool:
     return _zero(_rate_of_e(loop) - wanted_rates(loop)["e"] - beside)
 
 
-@misprint(
+misprint(
     "(34)",
     "(K - KD)^T (K' + z e)",
     "(K - KD)^T (K'/gamma + z e)",
     "V' of (24) along the loop with Delta, the law left free",
-)
-def equation_34(printed: bool) -> bool:
-    """Check the factor 1/gamma of Eq. (34)."""
-    return _learned(printed, False, False, disturbed=True)
+)(lambda printed: _learned(printed, False, False, disturbed=True))
 
 
 def _rate_of_e(loop: SymbolicLoop) -> np.ndarray:

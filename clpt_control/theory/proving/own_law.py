@@ -29,10 +29,10 @@ from ...simulation.loops import loop_of
 from .array_loop import TIME
 from .kept_loop import Kept
 from .kept_relations import kept_steps
-from .law_case import Case, flat
+from .law_case import Case
 from .proof import first_failure, worked_out
 from .signs import tidied, vacuous
-from .symbolic_loop import SymbolicLoop, own_values, refuse_no_value, symbolic_loop
+from .symbolic_loop import SymbolicLoop, flat, refuse_no_value, symbolic_loop
 from .symbols import paper_name
 from .theorem_loop import (
     mixed_candidate,
@@ -40,6 +40,7 @@ from .theorem_loop import (
     theorem_loop,
     theorem_scenario,
     tied,
+    truth_in,
     truth_of,
 )
 from .verdict import Verdict, judge
@@ -47,11 +48,6 @@ from .words import WHERE
 
 ANY = "clpt.theory.lyapunov(diagram, V) judges a V of your own on any diagram"
 Candidate = Block | Callable[..., Block]  # V, or what makes it of the truth, and of parameters
-
-
-def law_alone(law: Block) -> SymbolicLoop:
-    """Return a law on symbols, all that feeds it an input."""
-    return symbolic_loop(connect([law], external=list(law.input_ports)), jumps=True)
 
 
 class Fitted(NamedTuple):
@@ -62,8 +58,8 @@ class Fitted(NamedTuple):
     inverse: sympy.Matrix | None = None  # of a matrix of gains, in numbers
 
 
-def fitted_V(law: Block, N: int) -> Fitted:
-    """Return the gains with which a law adapts alpha, K and Gamma.
+def fitted_V(law: Block, N: int, loop: SymbolicLoop) -> Fitted:
+    """Return the gains with which a law adapts alpha, K and Gamma, of a loop of it alone.
 
     They are the factors of -e phi, -e z and e zc in the rates of what it makes, in the symbols of
     the law's parameters, without their sign; 1 where there is none.  V judges the law where each
@@ -71,8 +67,7 @@ def fitted_V(law: Block, N: int) -> Fitted:
     and refutes nothing.  Where these products drive each other's rates, by a matrix that is
     symmetric and positive definite, V weighs the errors by its inverse.
     """
-    loop = law_alone(law)
-    values = own_values(loop, [law])
+    values = loop.values
     refuse_no_value(loop, law.name)
     nothing = np.zeros(2 * N, dtype=object)
     e, apart = np.array([sympy.Function(f"e_{i}", real=True)(TIME) for i in (1, 2)]), {}
@@ -238,10 +233,9 @@ def _judged(
 ) -> Verdict:
     scenario, judges = theorem_scenario(N, "learned-flow"), False
     if V is None:
-        alone = law_alone(law)
-        own = own_values(alone, [law])
-        gains, judges, inverse = fitted_V(law, N)
-        numbers = [float(gain.subs(own)) for gain in gains]
+        alone = symbolic_loop(connect([law], external=list(law.input_ports)), jumps=True)
+        gains, judges, inverse = fitted_V(law, N, alone)
+        numbers = [float(gain.subs(alone.values)) for gain in gains]
         alpha, (K, Gamma) = np.reshape(numbers[:-4], (2, N)), np.reshape(numbers[-4:], (2, 2))
         made = theorem_candidate(scenario, gain=alpha, gain_K=K, gain_Gamma=Gamma)
         if inverse is not None:
@@ -252,8 +246,7 @@ def _judged(
         made = make(*sources)
     diagram = theorem_loop(N, "learned-flow", law_block=law, candidate=made)
     loop = symbolic_loop(diagram, jumps=True)
-    car = loop.parameters["vehicle_controller"]
-    truth = Truth(loop.parameters["true_flow"].theta, car.KD, car.GammaD)
+    truth = truth_in(loop)
     if V is not None:
         symbols = (truth, loop.parameters[law.name])
         weights = tied(loop, made, make, *zip(sources, symbols, strict=False))

@@ -1,9 +1,8 @@
 """The blocks that run, asked for V and the rates of all states at many points, and V' of them.
 
-A proof is about expressions; this asks the equations themselves.  `Functions` calls the blocks' own
-functions point by point, at first as python-control does; `Records` computes what was read of them,
-which is what machine code runs, at all points at once.  Along the rates r that they give at
-(t, x, u),
+A proof is about expressions; this asks the equations themselves: the blocks' own functions point by
+point, at first through python-control; and what was read of them, which is what machine code runs,
+at all points at once.  Along the rates r that they give at (t, x, u),
 
     V' = D(h) = (V(x + h r) - V(x - h r))/(2 h)            V of degree two and less
     V' = (4 D(h/2) - D(h))/3                               any other V
@@ -13,7 +12,7 @@ which is exact for a V of degree four and less, whatever h.
 
 from collections.abc import Callable, Mapping
 from functools import partial
-from typing import Any, NamedTuple
+from typing import Any
 
 import control
 import numpy as np
@@ -24,7 +23,6 @@ from ...diagrams.wiring import Node, Wiring, wiring_of
 from ...equations.at_many import on_arrays
 from ...equations.block import Block
 from ...errors import DiagramError
-from ...native.sweep import Sweep
 from ...progress.interrupt import check
 from .array_loop import blocks_of
 from .proof import Step, checked
@@ -34,7 +32,7 @@ THROUGH_CONTROL = 20  # points at which python-control gives the rates
 
 
 class RunningBlocks:
-    """A diagram one block of which makes V[1], and its two readings.
+    """A diagram one block of which makes V[1], and three readings of it.
 
     They are asked at times (n,), states (n, nx) and inputs (n, nu).
     """
@@ -46,61 +44,23 @@ class RunningBlocks:
         if not made:
             raise DiagramError("no block makes V[1]; wire a candidate such as blocks.lyapunov")
         V = self.wiring.nodes[made[0]].outputs.start
-        self.functions = Functions(diagram, self.wiring, V)
-        self.records = Records(self.wiring, V)
+        self.control = ByControl(self.wiring, V, by_functions, diagram)
+        self.functions = Reading(self.wiring, V, by_functions)
+        self.records = Reading(self.wiring, V, by_records)
 
     def set(self, params: Mapping[str, Any]) -> None:
         """Set the parameters with which the blocks run."""
         found = changed_parameters(self.wiring, params)
-        self.functions.set(params, found)
-        self.records.given = found
+        self.control.params = dict(params)
+        for one in (self.control, self.functions, self.records):
+            one.given = found
 
 
-class Functions:
-    """The blocks' functions, called as python-control does, then in the order of the wiring."""
+class Reading:
+    """What a call of the blocks, in the order of the wiring, gives."""
 
-    def __init__(self, diagram: control.NonlinearIOSystem, wiring: Wiring, V: int):
-        self.diagram, self.wiring, self.V = diagram, wiring, V
-        self.left = THROUGH_CONTROL
-        self.counts = any(node.system.breakpoints_function for node in wiring.nodes)
-
-    def set(self, params: Mapping[str, Any], found: list[Any]) -> None:
-        """Set parameters: as python-control takes them, and those of each block."""
-        self.params, self.sweep = dict(params), Sweep(self.wiring, found)
-        if self.left > 0:
-            self.diagram._update_params(self.params)
-
-    def rates(self, t: np.ndarray, x: np.ndarray, u: np.ndarray) -> np.ndarray:
-        """Return the rates of all states, (n, nx); NaN where there are none."""
-        return np.array([self._rates(*point) for point in zip(t, x, u, strict=True)])
-
-    def _rates(self, t: float, x: np.ndarray, u: np.ndarray) -> np.ndarray:
-        self.left -= 1
-        if self.left < 0:
-            self.sweep.enter(t)
-            return self.sweep.derivative(t, x, u)
-        if self.counts:
-            self.diagram._update_params(self.params)  # anew, for the interval
-        try:
-            with np.errstate(all="ignore"):
-                return self.diagram._rhs(t, x, u)
-        except RuntimeError:  # python-control's word for a NaN on its way
-            return np.full(len(x), np.nan)
-
-    def values(self, t: np.ndarray, x: np.ndarray, u: np.ndarray) -> np.ndarray:
-        """Return V, (n,)."""
-        return np.array([self._value(*point) for point in zip(t, x, u, strict=True)])
-
-    def _value(self, t: float, x: np.ndarray, u: np.ndarray) -> float:
-        self.sweep.enter(t)
-        return float(self.sweep.evaluate(t, x, u)[self.V])
-
-
-class Records:
-    """The blocks' records on arrays, in the order of the wiring."""
-
-    def __init__(self, wiring: Wiring, V: int):
-        self.wiring, self.V = wiring, V
+    def __init__(self, wiring: Wiring, V: int, call: Callable[..., np.ndarray]):
+        self.wiring, self.V, self.call = wiring, V, call
         self.given: list[Any] = []  # parameters of each block
 
     def rates(self, t: np.ndarray, x: np.ndarray, u: np.ndarray) -> np.ndarray:
@@ -108,8 +68,8 @@ class Records:
         signals, found = self._signals(t, x, u), np.empty(x.shape)
         for node, p in zip(self.wiring.nodes, self.given, strict=True):
             if node.system.nstates:
-                given = t, x.T[node.states], _fed(node, signals, u), _at_times(node.system, p, t)
-                found.T[node.states] = on_arrays(node.system, "update", *given)
+                given = t, x.T[node.states], _fed(node, signals, u), p
+                found.T[node.states] = self.call(node.system, "update", *given)
         return found
 
     def values(self, t: np.ndarray, x: np.ndarray, u: np.ndarray) -> np.ndarray:
@@ -121,15 +81,50 @@ class Records:
         signals = np.zeros((self.wiring.nodes[-1].outputs.stop, len(t)))
         for k in self.wiring.order:
             node, p = self.wiring.nodes[k], self.given[k]
-            block, own = node.system, x.T[node.states]
-            if not block.states_are_outputs:
-                given = t, own, _fed(node, signals, u), _at_times(block, p, t)
-                own = on_arrays(block, "output", *given)
+            own = x.T[node.states]
+            if not node.system.states_are_outputs:
+                own = self.call(node.system, "output", t, own, _fed(node, signals, u), p)
             signals[node.outputs] = own
         return signals
 
 
-Reading = Functions | Records
+class ByControl(Reading):
+    """The same, with the rates that python-control gives, point by point."""
+
+    def __init__(self, wiring: Wiring, V: int, call: Callable[..., np.ndarray], diagram: Any):
+        super().__init__(wiring, V, call)
+        self.diagram, self.params = diagram, dict[str, Any]()
+
+    def rates(self, t: np.ndarray, x: np.ndarray, u: np.ndarray) -> np.ndarray:
+        """Return the rates of all states; the diagram's parameters are its own again at the end."""
+        try:
+            return np.array([self._rates(*point) for point in zip(t, x, u, strict=True)])
+        finally:
+            self.diagram._update_params({})
+
+    def _rates(self, t: float, x: np.ndarray, u: np.ndarray) -> np.ndarray:
+        self.diagram._update_params(self.params)  # anew, for the interval
+        try:
+            with np.errstate(all="ignore"):
+                return self.diagram._rhs(t, x, u)
+        except RuntimeError:  # python-control's word for a NaN on its way
+            return np.full(len(x), np.nan)
+
+
+def by_functions(block: Block, role: str, t: Any, x: Any, u: Any, p: Any) -> np.ndarray:
+    """Return what a block's function gives, point by point."""
+    size = block.nstates if role == "update" else block.noutputs
+    points = zip(t, x.T, u.T, strict=True)
+    with np.errstate(all="ignore"):
+        found = [block.values(role, size, *at, block.parameters_at(at[0], p)) for at in points]
+    return np.array(found).T
+
+
+def by_records(block: Block, role: str, t: Any, x: Any, u: Any, p: Any) -> np.ndarray:
+    """Return what a block's record gives at all points at once."""
+    if block.breakpoints_function is not None and p.interval < 0:
+        p = p._replace(interval=np.array([block.interval_at(one, p) for one in t]))
+    return on_arrays(block, role, t, x, u, p)
 
 
 def _fed(node: Node, signals: np.ndarray, u: np.ndarray) -> np.ndarray:
@@ -139,13 +134,6 @@ def _fed(node: Node, signals: np.ndarray, u: np.ndarray) -> np.ndarray:
         source = (u.T if wire.external else signals)[wire.source : wire.source + wire.size]
         found[wire.to : wire.to + wire.size] += wire.gain * source
     return found
-
-
-def _at_times(block: Block, p: Any, t: np.ndarray) -> Any:
-    """Return parameters with the interval in which each time lies, where a block counts them."""
-    if block.breakpoints_function is None or p.interval >= 0:
-        return p
-    return p._replace(interval=np.array([block.interval_at(one, p) for one in t]))
 
 
 def numbers(
@@ -223,14 +211,6 @@ def rate_along(
     )
 
 
-class Comparison(NamedTuple):
-    """The outcome of calling the blocks."""
-
-    points: int  # how many were compared
-    worst: float  # largest difference, of the size of V over the time between
-    where: Point | None  # the first at which they differ
-
-
 def compared(
     diagram: control.NonlinearIOSystem,
     loop: SymbolicLoop,
@@ -240,7 +220,8 @@ def compared(
     tied: Mapping[Any, sympy.Expr] | None = None,
     kept: tuple[str, ...] = (),
     gauge: Gauge | None = None,
-) -> Comparison:
+    of: str = "",
+) -> tuple[bool, str]:
     """Compare V' of the running blocks, or what a gauge reads, with `wanted` at random points.
 
     The first 100 points have the blocks' own parameters, half of them near the least V, then every
@@ -253,38 +234,35 @@ def compared(
     degree = degree_of(loop)
     gauge = gauge or partial(rate_along, degree=degree)
     worst, done = 0.0, 0
-    try:
-        while done < count:
-            check()
-            values = draw.parameters(kept if done else [block.name for block in running.blocks])
-            values |= {
-                s: values[e] if e in values else float(e.subs(values))
-                for s, e in (tied or {}).items()
-            }
-            params = draw.params(values)
-            running.set(params)
-            size = min(PER_DRAW, count - done)
-            x, u = draw.points(size, diagram.nstates), draw.points(size, diagram.ninputs)
-            if not done and degree <= 4:
-                half = size // 2
-                x[half:] = near_least(running.records, x[half:], u, draw.random)
-            equate_x_and_z(loop, x, draw.random)
-            times = draw.random.uniform(0.0, 100.0, size)
-            known = draw.at(values, times, x, u)
-            with np.errstate(all="ignore"):
-                parts = [function(*(known[s] for s in symbols)) for function, symbols in known_as]
-            right = np.array([np.broadcast_to(part, size) for part in parts])
-            called = slice(CALLED if done else THROUGH_CONTROL)
-            for asked, rows in ((running.functions, called), (running.records, slice(None))):
-                off = _apart(right[:, rows], *gauge(asked, times[rows], x[rows], u[rows]))
-                for k in np.flatnonzero(~(off <= CLOSE))[:1]:
-                    where = Point(times[k], x[k], u[k], params)
-                    return Comparison(int(done + k + 1), float(off[k]), where)
-                worst = max(worst, float(off.max()))
-            done += size
-    finally:
-        diagram._update_params({})
-    return Comparison(done, worst, None)
+    while done < count:
+        check()
+        values = draw.parameters(kept if done else [block.name for block in running.blocks])
+        values |= {
+            s: values[e] if e in values else float(e.subs(values)) for s, e in (tied or {}).items()
+        }
+        params = draw.params(values)
+        running.set(params)
+        size = min(PER_DRAW, count - done)
+        x, u = draw.points(size, diagram.nstates), draw.points(size, diagram.ninputs)
+        if not done and degree <= 4:
+            half = size // 2
+            x[half:] = near_least(running.records, x[half:], u, draw.random)
+        equate_x_and_z(loop, x, draw.random)
+        times = draw.random.uniform(0.0, 100.0, size)
+        known = draw.at(values, times, x, u)
+        with np.errstate(all="ignore"):
+            parts = [function(*(known[s] for s in symbols)) for function, symbols in known_as]
+        right = np.array([np.broadcast_to(part, size) for part in parts])
+        some: tuple[Reading, slice] = running.functions, slice(CALLED)
+        some = some if done else (running.control, slice(THROUGH_CONTROL))
+        for asked, rows in (some, (running.records, slice(None))):
+            off = _apart(right[:, rows], *gauge(asked, times[rows], x[rows], u[rows]))
+            for k in np.flatnonzero(~(off <= CLOSE))[:1]:
+                where = Point(times[k], x[k], u[k], params)
+                return False, f"differs by {off[k]:.1e} of V at {where}"
+            worst = max(worst, float(off.max()))
+        done += size
+    return True, f"{done} points, {of}largest difference {worst:.0e} of V"
 
 
 def _apart(right: np.ndarray, found: np.ndarray, scale: np.ndarray) -> np.ndarray:
@@ -296,16 +274,11 @@ def _apart(right: np.ndarray, found: np.ndarray, scale: np.ndarray) -> np.ndarra
         return np.where(silent, 0.0, np.max(off, axis=0))
 
 
-def running_step(
-    read: Callable[[], tuple], points: int, which: str = "", of: str = "", **known: Any
-) -> Step:
+def running_step(read: Callable[[], tuple], points: int, which: str = "", **known: Any) -> Step:
     """Check that running blocks give the V' wanted; `read` returns diagram, loop and that V'."""
 
     def same() -> tuple[bool, str]:
         diagram, loop, wanted = read()
-        found = compared(diagram, loop, wanted, points, **known)
-        if found.where is not None:
-            return False, f"differs by {found.worst:.1e} of V at {found.where}"
-        return True, f"{found.points} points, {of}largest difference {found.worst:.0e} of V"
+        return compared(diagram, loop, wanted, points, **known)
 
     return checked(f"the running blocks give the same V'{which}", "sampled", same, False)

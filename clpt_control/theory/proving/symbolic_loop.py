@@ -20,7 +20,6 @@ from ...diagrams.wiring import Node, Wiring, wiring_of
 from ...equations.block import Block
 from ...equations.declaration import BETWEEN, named, split
 from ...equations.record import Shape
-from ...equations.symbolic import exact
 from ...errors import DiagramError
 from .array_loop import blocks_of, no_value, refuse_pinned, refuse_unproved
 from .symbols import element_name, parameter_names, parameter_symbol, state_names
@@ -94,6 +93,11 @@ class Point(NamedTuple):
     x: np.ndarray  # states of the diagram
     u: np.ndarray  # its inputs
     params: dict[str, Any]  # call-time parameters, ``{"block.field": value}``
+
+
+def flat(parameters: Any) -> list[Any]:
+    """Return the symbols of a block's parameters, one after the other."""
+    return [symbol for field in parameters for symbol in np.ravel(np.asarray(field, dtype=object))]
 
 
 def own_numbers(loop: SymbolicLoop, block: Block) -> dict[Any, float]:
@@ -178,15 +182,6 @@ def equate_x_and_z(loop: SymbolicLoop, x: np.ndarray, random: np.random.Generato
             continue
         equal = random.random(len(x)) < 0.1
         x[equal, a] = x[equal, b]
-
-
-def own_values(loop: SymbolicLoop, blocks: list[Block]) -> dict[Any, sympy.Rational]:
-    """Return parameter -> the number it has, of the blocks of a loop."""
-    return {
-        symbol: exact(value)
-        for block in blocks
-        for symbol, value in own_numbers(loop, block).items()
-    }
 
 
 def refuse_no_value(loop: SymbolicLoop, name: str) -> None:

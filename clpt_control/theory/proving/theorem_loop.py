@@ -181,6 +181,12 @@ def tied(loop: SymbolicLoop, V: Block, make: Callable[..., Block], *sources: tup
     return found
 
 
+def truth_in(loop: SymbolicLoop) -> Truth:
+    """Return the symbols of theta, KD and GammaD."""
+    car = loop.parameters["vehicle_controller"]
+    return Truth(loop.parameters["true_flow"].theta, car.KD, car.GammaD)
+
+
 Loop = ArrayLoop | SymbolicLoop
 Claim = Callable[[Any], Any]  # what V' should be: loop -> a number of its kind
 WIRED = 3  # functions that a loop has which is read for every N
@@ -263,5 +269,5 @@ def identity_steps(
 
     return [
         zero_step(f"{text}, for every N", diagram, lambda loop: [rate_of_V(loop) - claim(loop)]),
-        running_step(read, points, f" ({text})", f"N = {WIRED}, "),
+        running_step(read, points, f" ({text})", of=f"N = {WIRED}, "),
     ]

@@ -13,43 +13,37 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
-import control
 import numpy as np
 import sympy
 
 from ...diagrams.interconnection import Diagram
 from ...errors import DiagramError
 from ...html import facts, fragment
+from ...native.sweep import Sweep
 from ...progress.interrupt import check
 from .law_case import Case
 from .leaks import Bounding
 from .proof import Step, as_html, cited, exact, short
-from .running_rate import Functions, RunningBlocks, rate_along
-from .symbolic_loop import Draw, Point, SymbolicLoop, degree_of, numbers_at, numeric
+from .running_rate import Reading, RunningBlocks, rate_along
+from .symbolic_loop import Draw, Point, degree_of, numbers_at, numeric
+from .theorem_loop import truth_in
 
 DRAWS, PER_DRAW, TRIED = 100, 200, 3
 FARTHER = (1.0, 10.0, 100.0)
 JUMPS, UNTIL = 4, 1000.0  # draws for a law that jumps, and until when its jumps are looked for
 
 
-def refuting_point(
-    diagram: control.NonlinearIOSystem,
-    loop: SymbolicLoop,
-    rate: sympy.Expr,
-    kept: tuple[str, ...],
-    seed: int = 0,
-) -> tuple[Point | None, float | None]:
+def refuting_point(case: Case) -> tuple[Point | None, float | None]:
     """Return a point with V' > 0 and V' of the running blocks there, or None, None.
 
-    `rate` is V' on symbols, by which points are chosen where it has numbers; the blocks in
-    `kept` keep their own parameters.
+    Points are chosen by V' on symbols where it has numbers.
     """
-    degree = degree_of(loop)
+    degree = degree_of(case.loop)
     try:
-        function, symbols = numeric(rate)
+        function, symbols = numeric(case.rate)
     except DiagramError:
         function, symbols = None, []
-    draws = _draws(diagram, loop, kept, seed, DRAWS if function is not None else 4)
+    draws = _draws(case, DRAWS if function is not None else 4)
     for functions, params, known, x, far, u in draws:
         order = list(range(PER_DRAW))
         if function is not None:
@@ -65,7 +59,7 @@ def refuting_point(
 
 
 def _persists(
-    functions: Functions, truth: np.ndarray, far: np.ndarray, u: np.ndarray, degree: float
+    functions: Reading, truth: np.ndarray, far: np.ndarray, u: np.ndarray, degree: float
 ) -> float | None:
     """Return V' where it is positive at all distances and grows with V."""
     x = np.array([truth + times * far for times in FARTHER])
@@ -77,16 +71,14 @@ def _persists(
     return float(rate[0]) if rate[-1] / V[-1] >= 0.5 * rate[0] / V[0] else None
 
 
-def rising_jump(
-    diagram: control.NonlinearIOSystem, loop: SymbolicLoop, kept: tuple[str, ...], seed: int = 0
-) -> tuple[Point, Point, float] | None:
+def rising_jump(case: Case) -> tuple[Point, Point, float] | None:
     """Return where V of the running blocks rises at a jump, right before and right after, and how.
 
     V rises there at all distances, farther off the more; so it does not at jumps that forget a
     share of all, by which errors stay bounded.
     """
-    for functions, params, _, x, far, u in _draws(diagram, loop, kept, seed, JUMPS):
-        sweep = functions.sweep
+    for functions, params, _, x, far, u in _draws(case, JUMPS):
+        sweep = Sweep(functions.wiring, functions.given)
         times = sweep.breakpoints(0.0, UNTIL)[: len(FARTHER)]
         for k in range(PER_DRAW if len(times) else 0):
             t = float(times[k % len(times)])
@@ -102,30 +94,26 @@ def rising_jump(
     return None
 
 
-def _draws(diagram: Any, loop: SymbolicLoop, kept: tuple, seed: int, count: int) -> Iterator[tuple]:
-    """Yield the running blocks, their parameters, symbol -> number, states, their errors, inputs.
+def _draws(case: Case, count: int) -> Iterator[tuple]:
+    """Yield running blocks, their parameters, symbol -> number, states, their errors, inputs.
 
-    The diagram's parameters are its own again at the end.
+    The law and V keep their own parameters.
     """
-    running = RunningBlocks(diagram)
-    draw = Draw(running.blocks, loop, seed)
-    try:
-        for _ in range(count):
-            check()
-            values = draw.parameters(kept, largest=0.0)
-            running.set(params := draw.params(values))
-            x, far, u = _around_the_truth(draw, values)
-            known = draw.at(values, np.zeros(PER_DRAW), x, u)
-            yield running.functions, params, known, x, far, u
-    finally:
-        diagram._update_params({})
+    running = RunningBlocks(case.diagram)
+    draw = Draw(running.blocks, case.loop, case.seed)
+    for _ in range(count):
+        check()
+        values = draw.parameters(case.own, largest=0.0)
+        running.set(params := draw.params(values))
+        x, far, u = _around_the_truth(draw, values)
+        known = draw.at(values, np.zeros(PER_DRAW), x, u)
+        yield running.functions, params, known, x, far, u
 
 
 def _around_the_truth(draw: Draw, values: dict) -> tuple:
     """Return states, what of them is error, and inputs."""
     random, loop = draw.random, draw.loop
-    flow, car = loop.parameters["true_flow"], loop.parameters["vehicle_controller"]
-    theta, KD, GammaD = (numbers_at(values, own) for own in (flow.theta, car.KD, car.GammaD))
+    theta, KD, GammaD = (numbers_at(values, own) for own in truth_in(loop))
     ports = [port for port, symbols in loop.states.items() for _ in symbols.flat]
     n, inputs = len(ports), sum(np.size(own) for own in loop.inputs.values())
     u = random.standard_normal((PER_DRAW, inputs)) * 10.0 ** random.uniform(-1, 0.5, (PER_DRAW, 1))
@@ -253,8 +241,7 @@ def judge(case: Case) -> Verdict:
             steps.append(exact(bound.says, True))
             return _found(case, "bounded", steps, reached=bound.says, level=bound.level)
     if definite.holds and case.fitted:
-        kept = (case.law.name, case.V.name)
-        point, rate = refuting_point(case.diagram, case.loop, case.rate, kept, case.seed)
+        point, rate = refuting_point(case)
         claim = "the running blocks give V' > 0, ten and a hundred times as far off as well"
         detail = "no such point was found" if point is None else f"V' = {rate:.3g}"
         steps.append(Step(claim, point is not None, "counterexample", detail, False))
@@ -276,10 +263,7 @@ def _found(case: Case, status: str, steps: list[Step], **more: Any) -> Verdict:
     if case.loop.jumps:
         steps = [*steps, case.across_jumps()]
         if known and not steps[-1].holds:
-            kept = (case.law.name, case.V.name)
-            found = None
-            if case.fitted:
-                found = rising_jump(case.diagram, case.loop, kept, case.seed)
+            found = rising_jump(case) if case.fitted else None
             status = f"{status} between jumps"
             if found is not None:
                 status, more = "refuted at a jump", {"point": found[0], "after": found[1]}
