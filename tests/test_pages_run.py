@@ -25,9 +25,9 @@ from processes import GUARD
 
 ROOT = Path(__file__).parent.parent
 # `clpt tune` and `clpt design` look for minutes; cluster, watch, film and pages to send take a
-# quarter of one, and README has the commands of the first steps, `clpt prove` among them
+# quarter of one
 SLOW = {"laws.md", "theory.md", "ensembles.md", "gliders.md", "measured_current.md"}
-SLOW |= {"start.md", "report.md", "team.md", "README.md"}
+SLOW |= {"start.md", "report.md", "team.md"}
 FILM = "docs/index.md"
 FENCE = re.compile(r"^(`{3,})([^\n`]*)\n(.*?)^\1[ ]*$", re.M | re.S)
 FILE = re.compile(r"# ([\w.-]+\.(?:py|toml|csv))\n")
