@@ -246,9 +246,13 @@ def _numbers(name: str, given: Any, size: int) -> np.ndarray:
 
 def _reached(A: np.ndarray, B: np.ndarray) -> np.ndarray:
     """Return a basis of the states that inputs reach; the states themselves where it can be."""
-    basis = orth(B, rcond=REACHED)
+
+    def columns(M: np.ndarray) -> np.ndarray:
+        return orth(M, rcond=REACHED) if M.size else M[:, :0]  # which SciPy 1.13 refuses
+
+    basis = columns(B)
     size = np.linalg.norm(A) or 1.0
-    while (more := orth(np.hstack([basis, A @ basis / size]), rcond=REACHED)).shape != basis.shape:
+    while (more := columns(np.hstack([basis, A @ basis / size]))).shape != basis.shape:
         basis = more
     own = np.flatnonzero(np.any(np.abs(basis) > REACHED, axis=1))
     return np.eye(len(A))[:, own] if len(own) == basis.shape[1] else basis

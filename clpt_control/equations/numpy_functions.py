@@ -72,6 +72,19 @@ def outer(a: Any, b: Any) -> Any:
     return elementwise("mul", a[:, None], b[None, :])
 
 
+@reads(np.cross, arrays=2)
+def cross(
+    a: Any, b: Any, axisa: int = -1, axisb: int = -1, axisc: int = -1, axis: Any = None
+) -> Any:
+    """Return the vector product, in NumPy's order of operations, which its versions write anew."""
+    at, of, to = (axisa, axisb, axisc) if axis is None else (axis, axis, axis)
+    a, b = np.moveaxis(a, at, 0), np.moveaxis(b, of, 0)
+    if len(a) != 3 or len(b) != 3:
+        raise Unread("np.cross of vectors that are not of three numbers")
+    parts = [a[i - 2] * b[i - 1] - a[i - 1] * b[i - 2] for i in range(3)]
+    return np.moveaxis(np.stack(parts), 0, to)
+
+
 @reads(np.linalg.norm)
 def norm(a: Any, ord: Any = None, axis: Any = None, keepdims: Any = False) -> Any:
     """Return a norm of a vector, or of rows or columns."""

@@ -146,7 +146,11 @@ class Chart:
     def xy(self, lat: Any, lon: Any) -> tuple[Any, Any]:
         """Return where a place (degrees) lies, m, or where many do."""
         x = self._degree * (near(lon, self.first) - self.first)
-        return x, self._proj(0.0 * lat, _below_the_poles(lat))[1] - self._zero
+        lat = np.asarray(
+            _below_the_poles(lat)
+        )  # as lists: pyproj takes an array of one for a number
+        y = np.asarray(self._proj((0.0 * lat).tolist(), lat.tolist())[1])[()]
+        return x, y - self._zero
 
     def place(self, x: float, y: float) -> Place:
         """Return what place lies there; longitude as counted from the first place."""

@@ -18,6 +18,7 @@ from itertools import chain, combinations, combinations_with_replacement
 
 import numpy as np
 import scipy.optimize
+import scipy.sparse
 import sympy
 
 from ..errors import DiagramError
@@ -150,22 +151,24 @@ def _of_program(rates: Rates, left_out: set | None) -> Iterator[sympy.Expr]:
     if not all(c.is_Rational for row in falls.values() for c in row.values()):
         return
     roots = _roots(falls, gens)
-    pairs = list[tuple[Monomial, set]]()  # a product that two squares can make up for
+    products, squares = defaultdict[Monomial, dict](dict), defaultdict[Monomial, dict](dict)
+    n, m = len(terms), 0  # terms, and products that two squares can make up for
     for (a, root), (b, other) in combinations(roots.items(), 2):
-        product = tuple(m + n for m, n in zip(root or (), other or (), strict=False))
+        product = tuple(map(int.__add__, root or (), other or ()))
         if product in falls and product not in roots:
-            pairs.append((product, {a, b}))
-    crossed = {product for product, _ in pairs}
-    exact = [row for powers, row in falls.items() if powers not in roots and powers not in crossed]
+            products[product][n + m] = -1
+            for powers in (a, b):
+                squares[powers][m] = 0.5
+            m += 1
+    exact = [row for one, row in falls.items() if one not in roots and one not in products]
 
-    n, m, places = len(terms), len(pairs), [*terms.values()]
-    size, margin = n + m, 2 * (n + m)
-    made_up = [falls[one] | {n + q: -1 for q in range(m) if pairs[q][0] == one} for one in crossed]
+    size, margin, places = n + m, 2 * (n + m), [*terms.values()]
+    made_up = [falls[powers] | crossed for powers, crossed in products.items()]
     below = list[tuple[dict, float]]()
     below += [({k: one, size + k: -1}, 0.0) for k in range(n + m) for one in (1, -1)]
     for powers in roots:  # each square of -V' beside half of the cross terms that it is in
         own = {k: -c for k, c in falls[powers].items()}
-        own |= {size + n + q: 0.5 for q in range(m) if powers in pairs[q][1]}
+        own |= {size + n + q: half for q, half in squares[powers].items()}
         below.append(({**own, margin: 1}, 0.0))
     for s in rates:  # and each of V
         square = {k: -1.0 for k in range(n) if places[k] == (s, s)}
@@ -178,18 +181,18 @@ def _of_program(rates: Rates, left_out: set | None) -> Iterator[sympy.Expr]:
             below.append(({**square, **whole}, -0.5))
     below.append(({size + k: 1 for k in range(n)}, LARGEST))
 
-    def matrix(rows: list[dict]) -> np.ndarray:
-        made = np.zeros((len(rows), margin + 1))
-        for at, row in zip(made, rows, strict=True):
-            at[list(row)] = [float(value) for value in row.values()]
-        return made
+    def matrix(rows: list[dict]) -> scipy.sparse.csr_array:
+        at = [k for k, row in enumerate(rows) for _ in row]
+        columns = [column for row in rows for column in row]
+        values = [float(value) for row in rows for value in row.values()]
+        return scipy.sparse.csr_array((values, (at, columns)), (len(rows), margin + 1))
 
-    few, wide = matrix([{size + k: 1 for k in range(n)}, {margin: -1}])
+    few, wide = matrix([{size + k: 1 for k in range(n)}, {margin: -1}]).toarray()
     upper, limits = matrix([row for row, _ in below]), [limit for _, limit in below]
     equal = matrix(exact + made_up)
     for goal, most in ((few, 0.0), (wide, 1.0)):
         within = [(None, None)] * size + [(0, None)] * size + [(0, most)]
-        found = scipy.optimize.linprog(goal, upper, limits, equal, np.zeros(len(equal)), within)
+        found = scipy.optimize.linprog(goal, upper, limits, equal, np.zeros(equal.shape[0]), within)
         if found.status == 0:
             c = _rounded(found.x[:n], exact)
             yield sympy.Add(*(own * term for own, term in zip(c, terms, strict=True)))
