@@ -83,14 +83,15 @@ def _completed(p: sympy.Expr, moving: list, left: list[int]) -> Squares | None:
     poly = sympy.Poly(p, *own)
     if any(poly.degree(s) % 2 for s in own):  # which has no least value
         return None
-    moved = [(c, powers) for powers, c in poly.terms() if any(powers)]
-    if all(_positive(c) and not any(n % 2 for n in powers) for c, powers in moved):
-        roots = [
-            sympy.Mul(*(s ** (n // 2) for s, n in zip(own, powers, strict=True)))
-            for _, powers in moved
-        ]
-        terms = [c * root**2 for (c, _), root in zip(moved, roots, strict=True)]
-        return Squares(poly.coeff_monomial(1), terms, [r.as_base_exp()[0] for r in roots])
+    even, high = Squares(poly.coeff_monomial(1), [], []), Squares(sympy.Integer(0), [], [])
+    for powers, c in poly.terms():
+        if any(powers) and not any(n % 2 for n in powers) and _positive(c):
+            root = sympy.Mul(*(s ** (n // 2) for s, n in zip(own, powers, strict=True)))
+            for found in [even, high] if sum(powers) > 2 else [even]:
+                found.terms.append(c * root**2)
+                found.forms.append(root.as_base_exp()[0])
+    if len(even.terms) == sum(any(powers) for powers in poly.monoms()):
+        return even
     for s in own:
         a, b, c = (p.coeff(s, n) for n in (2, 1, 0))
         if poly.degree(s) != 2 or a.has(*own) or not _positive(a) or left[0] <= 0:
@@ -102,6 +103,11 @@ def _completed(p: sympy.Expr, moving: list, left: list[int]) -> Squares | None:
             return Squares(rest.constant, [a * form**2, *rest.terms], [form, *rest.forms])
     if len(own) == 1 and (poly.domain.is_QQ or poly.domain.is_ZZ):
         return _of_one(poly, own[0])
+    rest = (
+        _completed(sympy.expand(p - sympy.Add(*high.terms)), moving, left) if high.terms else None
+    )
+    if rest is not None:  # high powers beside a form that is complete without them
+        return Squares(rest.constant, high.terms + rest.terms, high.forms + rest.forms)
     return None
 
 

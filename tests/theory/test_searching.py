@@ -32,6 +32,18 @@ SYSTEMS = {  # rates in states, a rest, and a state to start from
         {"q": np.pi},
         [2.0, 1.0],
     ),
+    "three masses, all springs hard": (
+        lambda a, b, c, u, v, w: [
+            u,
+            v,
+            w,
+            b - 2 * a - a**3 - 0.1 * u,
+            a + c - 2 * b - b**3 - 0.1 * v,
+            b - 2 * c - c**3 - 0.1 * w,
+        ],
+        None,
+        [1.0, -1.0, 0.5, 0.0, 2.0, 0.0],
+    ),
     "two masses, one spring hard": (
         lambda a, b, v, w: [v, w, -a - (a - b) - 0.2 * v, -(b - a) - b**3 - 0.1 * w],
         None,
