@@ -1,7 +1,7 @@
 """A shelf of parts for any loop: each is a Block, ten lines of NumPy with their source.
 
-`actuators` (limits, gaps, switches, lags, delays), `controllers` (PID), `estimators` (observer,
-Kalman filter, noise, sampler, table) and `vehicles`.
+`limits`, `hysteresis` (gaps, switches), `lags` (delays, holds), `controllers` (PID), `estimators`
+(observer, Kalman filter, noise) and `vehicles`.
 """
 
 import lazy_loader

@@ -1,16 +1,8 @@
-from .actuators import (
-    backlash,
-    dead_zone,
-    delay,
-    hold,
-    lag,
-    lookup_table,
-    rate_limit,
-    relay,
-    saturation,
-)
 from .controllers import pid
 from .estimators import kalman_filter, noise, observer
+from .hysteresis import backlash, relay
+from .lags import delay, hold, lag
+from .limits import dead_zone, lookup_table, rate_limit, saturation
 from .vehicles import planar_vehicle, point_vehicle, thrusters
 
 __all__ = [

@@ -370,7 +370,7 @@ def lyapunov(
     ------
     DiagramError
         If the diagram cannot be read, is of discrete time, V is no number of it, or is to be
-        searched for about what is no rest.
+        searched for about what is no rest, of more than 16 states, or with a claim.
 
     Examples
     --------
@@ -388,6 +388,8 @@ def lyapunov(
     """
     with worked_out(system.name):
         if V is None:
+            if claim is not None:
+                raise DiagramError(f"{system.name}: a claim is of a V that is given; V is missing")
             return _found(system, at, points, seed)
         own = OwnV(system, V, claim, at)
         return _judged(own, Points(own, seed), points)

@@ -21,6 +21,7 @@ import scipy.optimize
 import scipy.sparse
 import sympy
 
+from ..diagrams.on_symbols import TIME
 from ..errors import DiagramError
 from .own_v import OwnV
 from .proving.proof import short
@@ -44,12 +45,12 @@ def candidates(own: OwnV) -> Iterator[sympy.Expr]:
         number = rate.xreplace(own.eq.values)
         slope = number.xreplace(rest).xreplace(zero)
         if slope.is_number and not vanishes(slope):
-            raise DiagramError(
-                f"{own.system.name}: {s}' = {short(slope)} at the rest: give it (at=)"
-            )
+            said = f"= {short(slope)}" if slope.is_finite else "has no value"
+            raise DiagramError(f"{own.system.name}: {s}' {said} at the rest: give it (at=)")
         rates[s] = sympy.expand(number.xreplace({q: q + rest[q] for q in rest}))
     if len(rates) > MOST:
-        return
+        said = f"has {len(rates)} states; a V is searched for of at most {MOST}: give one"
+        raise DiagramError(f"{own.system.name}: {said}")
     ahead = _ahead(rates, own.inputs)
     found = chain(
         _of_program(rates, None),
@@ -119,7 +120,7 @@ def _terms(rates: Rates) -> dict[sympy.Expr, tuple]:
 
 
 def _roots(monomials: dict, gens: list) -> dict[Monomial, Monomial | None]:
-    """Return the monomials that are never negative, and their roots; s tanh(s) has none."""
+    """Return the monomials that are never negative, and their roots; |s|, s tanh(s) have none."""
     rises = {
         frozenset((k, gens.index(g.args[0])))
         for k, g in enumerate(gens)
@@ -127,10 +128,11 @@ def _roots(monomials: dict, gens: list) -> dict[Monomial, Monomial | None]:
     }
     found = dict[Monomial, Monomial | None]()
     for powers in monomials:
-        odd = frozenset(k for k, n in enumerate(powers) if n % 2)
+        odd = {k for k, n in enumerate(powers) if n % 2}
+        signed = frozenset(k for k in odd if not gens[k].is_nonnegative and gens[k] != TIME)
         if not odd:
             found[powers] = tuple(n // 2 for n in powers)
-        elif odd in rises:
+        elif not signed or signed in rises:
             found[powers] = None
     return found
 

@@ -138,7 +138,31 @@ def test_of_what_leaves_its_rest_nothing_is_proved(rates):
     assert found.status == "open" or found.status.startswith("proved but for"), found
 
 
-def test_a_place_that_is_no_rest_is_refused():
+def test_what_cannot_be_searched_for_is_refused():
     with pytest.raises(clpt.DiagramError, match=r"x' = 1 at the rest"):
         lyapunov(system(lambda x: [1 - x]))
     assert lyapunov(system(lambda x: [1 - x]), at=[1.0]).status == "proved"
+    with pytest.raises(clpt.DiagramError, match=r"x' has no value at the rest"):
+        lyapunov(system(lambda x: [-1 / x]))
+    with pytest.raises(clpt.DiagramError, match="a claim is of a V that is given"):
+        lyapunov(system(lambda x: [-x]), claim=lambda s: -s.x)
+    many = control.ss(-np.eye(17), np.zeros((17, 0)), np.eye(17), np.zeros((17, 0)))
+    with pytest.raises(clpt.DiagramError, match="has 17 states; a V is searched for of at most 16"):
+        lyapunov(many)
+
+
+@pytest.mark.parametrize(
+    ("rates", "proved"),
+    [
+        (lambda t, x: -(1 + t) * x, True),
+        (lambda t, x: -x * np.exp(-t), True),
+        (lambda t, x: -x * np.abs(x), True),
+        (lambda t, x: -x / (1 + x**2), True),
+        (lambda t, x: -(1 - t) * x, False),
+        (lambda t, x: x * np.exp(-t), False),
+        (lambda t, x: -x * np.sin(t), False),
+    ],
+)
+def test_factors_that_are_never_negative_count_and_no_others(rates, proved):
+    own = control.nlsys(lambda t, x, u, p: [rates(t, x[0])], states=["x"], inputs=0, name="factor")
+    assert (lyapunov(own).status == "proved") is proved
