@@ -64,7 +64,8 @@ def test_what_is_found_is_proved_and_falls_along_a_run_of_python_control(name):
     rates, rest, start = SYSTEMS[name]
     own = system(rates)
     found = lyapunov(own, at=rest)
-    assert found.status in ("proved", "proved but for q"), found  # an angle up to whole turns
+    turned = name == "a pendulum that hangs at pi"  # an angle is held up to whole turns
+    assert found.status == ("proved but for q" if turned else "proved"), found
     symbols = list(clpt.equations(own).motion)
     V = sympy.lambdify(symbols, found.V)
     t = np.linspace(0, 10, 401)
