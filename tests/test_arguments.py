@@ -97,7 +97,7 @@ def test_there_is_no_other_engine():
             clpt.simulate(system, [0.0, 2.0], engine="fast")
         with pytest.raises(TypeError, match="unexpected keyword"):
             clpt.simulate(system, [0.0, 2.0], solver="RK45")
-        with pytest.raises(ClptError, match="must be one of auto, dop853, rodas5p"):
+        with pytest.raises(ClptError, match="must be one of auto, dop853, dopri5, rodas5p"):
             clpt.simulate(system, [0.0, 2.0], method="RK45")
 
 

@@ -24,7 +24,10 @@ GRAIN = 0.01  # of atol: what decisions differ by counts beyond
 LATER = 64  # looks for stiffness until the next that counts, where a run was found not to be stiff
 ANY = 2**62
 MEMBER_STEPS = 5_000_000  # tries of a run among many
-METHODS = {solver.DOP853: "DOP853", solver.RODAS5P: "Rodas5P", solver.RK4: "RK4"}
+METHODS = {
+    **{solver.DOP853: "DOP853", solver.DOPRI5: "DOPRI5"},
+    **{solver.RODAS5P: "Rodas5P", solver.RK4: "RK4"},
+}
 
 
 class Callee(NamedTuple):

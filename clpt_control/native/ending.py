@@ -176,8 +176,11 @@ def _until(
 
 # --- stiff ------------------------------------------------------------------------------------
 
-METHODS = {"auto": solver.DOP853, "dop853": solver.DOP853, "rodas5p": solver.RODAS5P}
-LARGE = 3.0  # of step times eigenvalue: DOP853 is stable up to 6
+METHODS = {
+    **{"auto": solver.DOP853, "dop853": solver.DOP853},
+    **{"dopri5": solver.DOPRI5, "rodas5p": solver.RODAS5P},
+}
+LARGE = {solver.DOP853: 3.0, solver.DOPRI5: 1.6}  # of step times eigenvalue: half of what is stable
 ROUNDS = 60  # of the power method
 Implicit = Callable[[], Callee]  # what an implicit method calls
 
@@ -208,7 +211,7 @@ def finish(
         one.advance(*tolerances, 1)
         h = float(batch.numbers[solver.STEP, k])
         n = one.callee.nstates
-        return h * radius(one.linear[0].reshape(n, n)) > LARGE
+        return h * radius(one.linear[0].reshape(n, n)) > LARGE[batch.callee.method]
 
     batch.adaptive(*tolerances, watch, most, None if implicit is None else stiff)
     found = {int(m): rest[int(m)] for m in np.flatnonzero(batch.status == solver.STIFF)}

@@ -1,13 +1,13 @@
-"""The methods as formulas: Dormand and Prince's of order 8, Rodas5P, Runge and Kutta's of order 4.
+"""The methods as formulas: Dormand and Prince's of order 8 and 5, Rodas5P, Runge and Kutta's.
 
 The formulas compute each stage, judge a step and choose the next; `solver` decides nothing
 but what comes after what.  It names the rows of Z and of what a lane is doing.  A formula is an
 ordinary function of numbers, read as a diagram's are: a program of eight states or eight runs at
 once, to which numbers of a lane are t, and rows of Z are X.
 
-DOP853: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, 1993, sections
-II.4, II.5 and II.10; the coefficients and the choice of steps are scipy's.  Rodas5P, for stiff
-equations: `rosenbrock`.  RK4 takes steps of one length.
+DOP853 and DOPRI5: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, 1993,
+sections II.4 to II.6 and II.10; the coefficients and the choice of steps are scipy's.  Rodas5P, for
+stiff equations: `rosenbrock`.  RK4, the classical method, takes steps of one length.
 """
 
 from collections.abc import Callable
@@ -65,6 +65,12 @@ def _table() -> Any:
     from scipy.integrate._ivp import dop853_coefficients
 
     return dop853_coefficients
+
+
+def _table_of_dopri5() -> Any:
+    from scipy.integrate import RK45
+
+    return RK45
 
 
 def _sum(s: Step, weights: Any, first: int = row.RATE, total: Any = None) -> Any:
@@ -149,7 +155,7 @@ def _judge(s: Step) -> Made:
     none = fifth + third <= 0.0
     whole = sqrt(where(none, 1.0, (fifth + 0.01 * third) * float(s.n)))
     error = where(none, 1e-30, s.lane(row.TAKEN) * fifth / whole)
-    factor = 0.9 / sqrt(sqrt(sqrt(maximum(error, 1e-30))))  # error^(-1/8)
+    factor = 0.9 / _eighth(maximum(error, 1e-30))
     return {row.ARGUMENT: state}, _judged(s, error, factor, 10.0)
 
 
@@ -164,14 +170,22 @@ def _sizes(s: Step) -> Made:
     return {}, {row.TAKEN: h, row.SIZE: d1, row.TROUBLE: trouble}
 
 
-def _first(s: Step) -> Made:
+def _eighth(value: Any) -> Any:
+    return sqrt(sqrt(sqrt(value)))
+
+
+def _fifth(value: Any) -> Any:
+    return power(value, 0.2)
+
+
+def _first(root: Callable, s: Step) -> Made:
     """The first step, from how the rate bends over the trial step (row 3)."""
     part, fresh = 1.0 / s.tolerance(abs(s.z(row.STATE))), s.lane(row.FRESH) > 0.5
     change = (s.z(row.RATE + 2) - s.z(row.RATE + 1)) * part
     h = s.lane(row.TAKEN)
     d1, d2 = s.lane(row.SIZE), sqrt(s.total(change * change) / float(s.n)) / h
     most = maximum(maximum(d1, d2), 1e-30)
-    step = where(most <= 1e-15, maximum(1e-6, h * 1e-3), sqrt(sqrt(sqrt(0.01 / most))))
+    step = where(most <= 1e-15, maximum(1e-6, h * 1e-3), root(0.01 / most))
     step = minimum(minimum(100.0 * h, step), s.lane(row.END) - s.lane(row.TIME))
     step = where(s.lane(row.OPENING) > 0.0, s.lane(row.OPENING), step)
     rate = where(fresh, s.z(row.RATE + 1), s.z(row.RATE))
@@ -212,24 +226,54 @@ def _dense(s: Step) -> Made:
     return _terms(s, *terms), {row.WITHIN: sqrt(s.total(part * part))}
 
 
-def _stiffness(s: Step) -> Made:
-    """Whether the step is stiff: rates change more than 6.1 times as fast as the states do.
+def _stiffness(last: Any, limit: float, s: Step) -> Made:
+    """Whether the step is stiff: rates change `limit` times as fast as the states do.
 
-    Both are at its end, the new state and the argument of the last stage (Hairer's test); it
+    Both are at its end, the new state and the argument of the `last` stage (Hairer's test); it
     is forgotten after six steps that are not.
     """
-    h, last = s.lane(row.TAKEN), _table().A[row.DOP853 - 1, : row.DOP853 - 1]
+    h = s.lane(row.TAKEN)
     rates = s.z(row.RATE + row.DOP853) - s.z(row.RATE + row.DOP853 - 1)
     states = s.z(row.ARGUMENT) - joined(h, _sum(s, last), s.z(row.STATE))
     before, calm = s.lane(row.STIFF_STEPS), s.lane(row.OTHER_STEPS) + 1.0
     asked = s.lane(row.ASKED) > 0.5  # a run is what it is beside any others
-    stiff = h * h * s.total(rates * rates) > 6.1 * 6.1 * s.total(states * states)
+    stiff = h * h * s.total(rates * rates) > limit * limit * s.total(states * states)
     others = where(calm > 5.5, minimum(before, 0.0), before)
     found = where(before < 0.0, before + 1.0, where(stiff, before + 1.0, others))
     return {}, {
         row.STIFF_STEPS: where(asked, found, before),
         row.OTHER_STEPS: where(asked, where(stiff, 0.0, calm), s.lane(row.OTHER_STEPS)),
     }
+
+
+# --- Dormand and Prince's of order 5 --------------------------------------------------------
+
+
+def _apart(weights: Any) -> np.ndarray:
+    """Return weights of its stages where their rates stand: the last is that of the new state."""
+    return np.insert(weights, 1, np.zeros(row.DOP853 + 1 - row.DOPRI5))
+
+
+def _judged_by_fifth(s: Step, error: Any, new: Any, largest: float, cut: bool = False) -> Rows:
+    """Whether a step is good by its error, of order 5, and the next one."""
+    part = error / s.tolerance(maximum(abs(s.z(row.STATE)), abs(new)))
+    square = s.total(part * part) / float(s.n)
+    factor = 0.9 * power(maximum(square, 1e-30), -0.1)  # error^(-1/5)
+    # the step before may be short because of a sample, or the end of a piece
+    least = minimum(s.lane(row.TAKEN) * factor, s.lane(row.STEP)) if cut else None
+    return _judged(s, square, factor, largest, least)
+
+
+def _judge_dopri5(s: Step) -> Made:
+    """Whether the step is good, and the next one; its last stage is at the new state."""
+    error = s.lane(row.TAKEN) * _sum(s, _apart(_table_of_dopri5().E))
+    return {}, _judged_by_fifth(s, error, s.z(row.ARGUMENT), 10.0)
+
+
+def _dense_dopri5(s: Step) -> Made:
+    """The terms of the interpolant of order 4."""
+    last = _sum(s, _apart(_table_of_dopri5().P[:, 3]))
+    return _terms(s, *_cubic(s), s.lane(row.TAKEN) * last), {}
 
 
 # --- Runge and Kutta's method of order 4 ----------------------------------------------------
@@ -283,13 +327,8 @@ def _stage_implicit(number: int, s: Step) -> Made:
 def _judge_implicit(s: Step) -> Made:
     """The new state, the estimate of its error, whether the step is good, and the next one."""
     new = s.z(row.STATE) + _sum(s, rodas.weights(len(rodas.C)), row.SOLVED)
-    largest = maximum(abs(s.z(row.STATE)), abs(new))
-    part = s.z(row.SOLVED + len(rodas.C) - 1) / s.tolerance(largest)
-    square = s.total(part * part) / float(s.n)
-    factor = 0.9 * power(maximum(square, 1e-30), -0.1)  # error^(-1/5)
-    # the step before may be short because of a sample, or the end of a piece
-    cut = minimum(s.lane(row.TAKEN) * factor, s.lane(row.STEP))
-    return {row.ARGUMENT: new}, _judged(s, square, factor, 6.0, cut)
+    error = s.z(row.SOLVED + len(rodas.C) - 1)
+    return {row.ARGUMENT: new}, _judged_by_fifth(s, error, new, 6.0, cut=True)
 
 
 def _dense_implicit(s: Step) -> Made:
@@ -304,22 +343,28 @@ def _dense_implicit(s: Step) -> Made:
 def formulas(method: int) -> dict[str, Formula]:
     """Return the formulas of a method, by the solver's number, in its order."""
     attempt: Formula = _attempt
-    judge, accept, dense = _judge, _accept, _dense
+    judge, accept, dense, root = _judge, _accept, _dense, _eighth
+    last, limit = _table().A[row.DOP853 - 1, : row.DOP853 - 1], 6.1
     stages = [partial(_stage_of_dop853, k) for k in range(1, row.DOP853 + 4)]
-    if method == row.RODAS5P:
+    if method == row.DOPRI5:
+        table, judge, dense, root = _table_of_dopri5(), _judge_dopri5, _dense_dopri5, _fifth
+        last, limit = _apart(table.A[-1]), 3.25
+        stages = [partial(_stage, _apart(table.A[k, :k]), table.C[k]) for k in range(1, 6)]
+        stages += [partial(_stage, _apart(table.B), 1.0)]
+    elif method == row.RODAS5P:
         attempt, judge, dense = partial(_attempt, implicit=True), _judge_implicit, _dense_implicit
         stages = [partial(_stage_implicit, k) for k in range(row.RODAS5P - 1)]
     elif method == row.RK4:
         attempt, judge, accept, dense = _attempt_fixed, _judge_fixed, _accept_fixed, _straight
         halves = np.diag([0.5, 0.5, 1.0])
         stages = [partial(_stage, halves[k, : k + 1], halves[k, k]) for k in range(3)]
-    trial = partial(_stage, [0.0, 1.0], 1.0)
-    named: dict[str, Formula] = {
-        **{"attempt": attempt, "judge": judge, "sizes": _sizes, "trial": trial, "first": _first},
+    trial, first = partial(_stage, [0.0, 1.0], 1.0), partial(_first, root)
+    return {
+        **{"attempt": attempt, "judge": judge, "sizes": _sizes, "trial": trial, "first": first},
         **{"accept": accept, "dense": dense, "sketch": _sketch},
+        "stiffness": partial(_stiffness, last, limit),
         **{f"stage_{k}": one for k, one in enumerate(stages, 1)},
     }
-    return named | {"stiffness": _stiffness} if method == row.DOP853 else named
 
 
 def program_of_formulas(formulas: dict[str, Formula], n: int) -> Program:

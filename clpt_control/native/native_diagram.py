@@ -162,7 +162,7 @@ class NativeDiagram(PythonDiagram):
     (2, 14)
     """
 
-    engine = "native"
+    engine, loose = "native", np.inf
     most = 500_000_000
 
     def __init__(

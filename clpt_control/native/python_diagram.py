@@ -35,6 +35,8 @@ from .machine import called
 from .method import kernels
 from .schedule import (
     BEGINS,
+    FELT,
+    FELT_BY_ORDER_5,
     JUMPS,
     Inputs,
     Schedule,
@@ -60,6 +62,7 @@ class PythonDiagram:
 
     engine = "python"
     most = 10_000_000  # tries of a run
+    loose = 1e-6  # from that rtol on order 5 takes fewer evaluations, which are what a run costs
     ramp = -1  # place in P of the diagram's inputs, where they are read from there
 
     def __init__(
@@ -91,12 +94,12 @@ class PythonDiagram:
         t1: float,
         inputs: Inputs | None = None,
         breaks: Any = (),
-        rtol: float = 0.0,
+        felt: float = 0.0,
     ) -> Schedule:
         """Return the pieces of a run: they end at `breaks` and where inputs bend, if it is felt."""
         kinks = np.zeros(0)
         if inputs is not None and inputs.samples is not None:
-            kinks = sharp(*inputs.samples, rtol) if self.ramp < 0 else inputs.kinks
+            kinks = sharp(*inputs.samples, felt) if self.ramp < 0 else inputs.kinks
         pieces = make_schedule(self.sweep, self.intervals, self.jumps, t0, t1, kinks, breaks)
         if self.ramp < 0 or inputs is None or not self.wiring.ninputs:
             return pieces
@@ -173,8 +176,9 @@ class PythonDiagram:
             place of DOP853, without tolerances and progress; steps end at
             every breakpoint and sample.
         method : str, optional
-            ``"dop853"``, explicit, of order 8; ``"rodas5p"``, for stiff equations, of order 5; or
-            ``"auto"``, as without: DOP853, and Rodas5P from where the equations are stiff.
+            ``"dop853"``, explicit, of order 8; ``"dopri5"``, of order 5; ``"rodas5p"``, for stiff
+            equations, of order 5; or ``"auto"``, as without: DOP853 (DOPRI5 in Python where rtol is
+            1e-6 or more), and Rodas5P from where the equations are stiff.
         max_step, first_step : float, optional
             The longest step, and the first that is tried.
 
@@ -211,7 +215,10 @@ class PythonDiagram:
         if self.wiring.dt:
             return iterated(self, start, times, inputs, progress)
         by = METHODS[method] if step is None else solver.RK4
-        pieces = self.schedule(t0, t1, inputs, self.breaks(t0, t1), tolerances[0])
+        if by == solver.DOP853 and method == "auto" and tolerances[0] >= self.loose:
+            by = solver.DOPRI5
+        felt = tolerances[0] * (FELT_BY_ORDER_5 if by == solver.DOPRI5 else FELT)
+        pieces = self.schedule(t0, t1, inputs, self.breaks(t0, t1), felt)
         callee, P = self.callee(1, inputs, by), self.parameters()
         start = begun(callee, start, t0, pieces, P)
         made = Batch(callee, start[None], P[None], times, [pieces], None, *limits)

@@ -23,6 +23,7 @@ from .sweep import Sweep
 STRAIGHT = 1e-14  # of the largest value, off a straight line, is rounding
 SHARP = 10.0  # a turn is sharp that is so many times as sharp as most
 FELT = 200.0  # and one that is so many tolerances of the input, off the line before it
+FELT_BY_ORDER_5 = 2000.0  # whose steps meet smaller turns as they meet all else
 
 
 @dataclass(frozen=True)
@@ -80,8 +81,11 @@ class Inputs:
         return np.array([np.interp(times, at, row) for row in u]).reshape(len(u), len(times))
 
 
-def sharp(times: np.ndarray, values: np.ndarray, rtol: float) -> np.ndarray:
-    """Return the times at which samples, joined by straight lines, turn sharply."""
+def sharp(times: np.ndarray, values: np.ndarray, least: float) -> np.ndarray:
+    """Return the times at which samples, joined by straight lines, turn sharply.
+
+    So does a turn that leaves the line before it by `least` of the largest value.
+    """
     if len(times) < 3:
         return times[:0]
     spans, size = times[1:] - times[:-1], np.max(np.abs(values), axis=1, keepdims=True)
@@ -89,7 +93,7 @@ def sharp(times: np.ndarray, values: np.ndarray, rtol: float) -> np.ndarray:
     turns = np.abs(slopes[:, 1:] - slopes[:, :-1])
     rounding = 1e-12 * np.max(np.abs(slopes), axis=1, keepdims=True)
     sharper = turns > SHARP * np.median(turns, axis=1, keepdims=True) + rounding
-    felt = turns * np.minimum(spans[1:], spans[:-1]) > FELT * rtol * size + 1e-12 * size
+    felt = turns * np.minimum(spans[1:], spans[:-1]) > (least + 1e-12) * size
     return times[1:-1][np.any(sharper | felt, axis=0)]
 
 

@@ -39,8 +39,8 @@ RUNNING, FINISHED, TOO_SMALL, NOT_FINITE, LEFT, TOO_MANY, CHATTERS, STIFF = rang
 # is held and with what is decided there
 STATE, RATE, ARGUMENT, TERMS, ROWS, LOOKED, LOCKED, FREE = 0, 1, 17, 18, 25, 16, 14, 15
 # the methods, each known by the number of its stages, the new state's among them; of DOP853 three
-# more are for what lies within a step
-DOP853, RODAS5P, RK4 = 12, 9, 4
+# more are for what lies within a step; the last of DOPRI5 is at the new state, in its rate's row
+DOP853, RODAS5P, DOPRI5, RK4 = 12, 9, 7, 4
 # of Rodas5P: its stages begin at SOLVED, then what each is solved for has beside its rate, df/dt,
 # and room, two rows
 SOLVED, KNOWN, OVER_TIME, ROOM = 2, 10, 11, 12
@@ -61,8 +61,8 @@ MEMBER, EDGE, DONE, BURST, WHICH = range(5)  # rows of whole numbers
 STEPS, EVALUATIONS, RESTARTS, REJECTIONS = range(4)  # of the counts
 # places of `code`: the diagram's functions, then the method's; stage s stands at STAGE + s
 DERIVATIVE, PREPARE, MARGIN, SIGNALS, JUMP, DECIDE, SLOPE = range(7)
-ATTEMPT, JUDGE, SIZES, TRIAL, FIRST, ACCEPT, DENSE, SKETCH = range(7, 15)
-STAGE, STIFFNESS = 14, 30
+ATTEMPT, JUDGE, SIZES, TRIAL, FIRST, ACCEPT, DENSE, SKETCH, STIFFNESS = range(7, 16)
+STAGE = 15
 ANEW, ON = 1, 2  # a piece begins with rates and a step of its own, or goes on with those there are
 OUTSIDE = 1e-9  # grid steps beyond the edge that count as outside
 LOOKS, GLANCES = 16, 8  # places within a step at which guards are looked at, and decisions
@@ -93,6 +93,8 @@ def advance(code, shape, tolerances, batch, linear, budget, most):
     Z, P, T, W, D = arrays
     span, now, at = n * lanes, numbers[TIME], numbers[AT]
     implicit, fixed, dense = stages == RODAS5P, stages == RK4, stages == DOP853
+    whole_step = stages == DOPRI5
+    first = RATE + DOP853 + 1 - stages if whole_step else RATE  # behind it are the stages' rates
     active = 0
     for k in range(lanes):
         if whole[MEMBER, k] < 0:
@@ -123,7 +125,7 @@ def advance(code, shape, tolerances, batch, linear, budget, most):
             linearise(code, n, tolerances, numbers, linear, arrays)
         for s in range(1, stages):
             call(code[STAGE + s], numbers, Z, 0, P, T, W, D, 0)
-            call(code[DERIVATIVE], at, Z, ARGUMENT * span, P, T, W, Z, (RATE + s) * span)
+            call(code[DERIVATIVE], at, Z, ARGUMENT * span, P, T, W, Z, (first + s) * span)
             if implicit:
                 solve_stage(n, s, linear, Z)
         call(code[JUDGE], numbers, Z, 0, P, tolerances, W, D, 0)
@@ -145,9 +147,9 @@ def advance(code, shape, tolerances, batch, linear, budget, most):
                         numbers[ASKED, k], doubted = 1.0, True
                     if done < len(times) and times[done] < numbers[NEW, k]:
                         within = True
-        if good and not fixed:
+        if good and not (fixed or whole_step):
             call(code[DERIVATIVE], at, Z, ARGUMENT * span, P, T, W, Z, (RATE + DOP853) * span)
-        if doubted and dense:
+        if doubted and (dense or whole_step):
             call(code[STIFFNESS], numbers, Z, 0, P, T, W, D, 0)
         beyond = False
         if decided > 0 and good:
@@ -349,7 +351,8 @@ def count(shape, counts, lane):
             good, bad = int(numbers[GOOD_ONES, k]), int(numbers[BAD_ONES, k])
             counts[m, STEPS] += good
             counts[m, REJECTIONS] += bad
-            counts[m, EVALUATIONS] += (stages - 1) * (good + bad) + good
+            counts[m, EVALUATIONS] += (stages - 1) * (good + bad)
+            counts[m, EVALUATIONS] += 0 if stages == DOPRI5 else good
             numbers[GOOD_ONES, k], numbers[BAD_ONES, k] = 0.0, 0.0
             numbers[SPARE, k] -= good + bad
 

@@ -507,7 +507,7 @@ MISTAKES = [
     ({"timepts": [0.0]}, "timepts: must be at least two increasing times"),
     ({"samples": 100}, "samples: is for a scenario; a diagram has timepts; leave it out"),
     ({"times": [1.0]}, "times: is for a scenario"),
-    ({"method": "euler"}, "method = 'euler': must be one of auto, dop853, rodas5p"),
+    ({"method": "euler"}, "method = 'euler': must be one of auto, dop853, dopri5, rodas5p"),
     ({"rtol": -1.0}, "rtol = -1.0: must be a number, 0 or more"),
     ({"params": {"tua": 1.0}}, "unknown parameter 'tua'"),
     ({"initial_state": [1.0, 2.0]}, "initial_state: must have 1 numbers"),

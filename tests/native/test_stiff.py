@@ -319,7 +319,7 @@ def test_the_first_step_is_the_one_asked_for():
 @pytest.mark.parametrize(
     ("given", "sentence"),
     [
-        ({"method": "radau"}, "method = 'radau': must be one of auto, dop853, rodas5p"),
+        ({"method": "radau"}, "method = 'radau': must be one of auto, dop853, dopri5, rodas5p"),
         ({"method": "dop853", "step": 0.1}, "step and method"),
         ({"max_step": 0.1, "step": 0.1}, "step and max_step"),
         ({"max_step": 0.0}, "max_step = 0.0: must be a number above 0"),
