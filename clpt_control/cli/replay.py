@@ -7,7 +7,7 @@ read of it, its page and its numbers are kept in a folder of the same name withi
 import os
 import re
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from math import inf
 from pathlib import Path
 from typing import Any
@@ -219,7 +219,7 @@ def chosen_model(flow: str | None, width_km: float | None, learn_speed: bool, gi
     return FixModel(parts, learn_speed, **sized)
 
 
-RESULTS = "replay.nc"  # in a folder of results
+RESULTS, STATE = "replay.nc", "state"  # in a folder of results
 
 
 def folders(top: Path, out: Path) -> Iterator[tuple[Path, str]]:
@@ -238,6 +238,23 @@ def folders(top: Path, out: Path) -> Iterator[tuple[Path, str]]:
             yield here, ""
     for fault in faults:
         yield Path(fault.filename), f"{fault.filename}: {fault.strerror}"
+
+
+def pages_of(vehicles: Iterable[str], place: Path) -> dict[str, Path]:
+    """Return where results of the vehicles of a folder go: a folder each where they are several.
+
+    >>> {name: page.name for name, page in pages_of({"a b", "a_b", ".."}, Path("out")).items()}
+    {'..': '_.', 'a b': 'a_b', 'a_b': 'a_b_'}
+    """
+    found: dict[str, Path] = {}
+    taken = {STATE}
+    for vehicle in sorted(vehicles):
+        name = re.sub(r"[^\w.-]|^\.", "_", vehicle)
+        while name in taken:
+            name += "_"
+        taken.add(name)
+        found[vehicle] = place / name
+    return found if len(found) > 1 else dict.fromkeys(found, place)
 
 
 def look_at(
@@ -265,14 +282,13 @@ def look_at(
                 dives, bad = follower.dives()
                 if not dives:
                     raise DataError(bad[0].why if bad else f"{folder}: no file is there any more")
-                names = {dive.vehicle or name for dive in dives}
+                places = pages_of({dive.vehicle or name for dive in dives}, place)
                 alerts = Alerts(alert, place)
-                for vehicle in sorted(names):
+                for vehicle, page in places.items():
                     own = [dive for dive in dives if (dive.vehicle or name) == vehicle]
                     replay, skipped = take(own, bad)
                     found, goal = summary_with_next(replay, skipped, Ahead())
                     found["vehicle"] = vehicle
-                    page = place / re.sub(r"[^\w.-]", "_", vehicle) if len(names) > 1 else place
                     write(replay, found, make_folder(page), goal, kinds, again=True)
                     shown = (page / "replay.html").relative_to(out).as_posix()
                     rows.append(standing(found, shown, time.time()))

@@ -167,6 +167,15 @@ def figure_of(plot: Callable[..., Any], *given: Any, **keywords: Any) -> "Figure
     return figure
 
 
+def literal(text: str) -> str:
+    r"""Return a text that is no formula, whatever is in it.
+
+    >>> print(literal("$x$"))
+    \$x\$
+    """
+    return text.replace("$", r"\$")
+
+
 def legend_below(ax: Any, columns: int, points: float = 34.0) -> None:
     """Put a legend so many points below axes, under their label."""
     from matplotlib.transforms import ScaledTranslation

@@ -11,6 +11,7 @@ from ..html import Result
 from ..scenario.experiment import Scenario
 from ..scenario.file import OWN_LAW
 from ..scenario.recorded_run import waypoints_of
+from ..scenario.tables import Units
 from ..scenario.team import Team
 from ..simulation.flows import flow_velocity
 from ..simulation.loops import closed_loop, team_loop
@@ -123,7 +124,7 @@ def figure_sections(
             f"V, a weighted sum of all squared errors: {number(V[0])} at the start, "
             f"{number(V[-1])} at the end.{thin}"
         )
-        figures.append(drawn("lyapunov", 2.8, caption, lyapunov_plot, few))
+        figures.append(drawn("lyapunov", 2.8, caption, lyapunov_plot, few, unit))
     track = [
         drawn("track", 4.9, where, track_plot, few),
         drawn("flows", 4.9, flows, flows_plot, few, scenario),
@@ -191,14 +192,13 @@ def flows_plot(run: "xarray.Dataset", scenario: Scenario) -> Any:
     return ax
 
 
-def lyapunov_plot(run: "xarray.Dataset") -> Any:
+def lyapunov_plot(run: "xarray.Dataset", units: Units) -> Any:
     """Draw the Lyapunov candidate V along a run, logarithmic."""
     _, ax = new_figure(4.8, 2.6)
     V = run.lyapunov.values
     ax.semilogy(run.time.values, np.where(V > 0, V, np.nan), color=BLUE, linewidth=1.2)
     ax.set_xlim(float(run.time[0]), float(run.time[-1]))
-    ax.set_xlabel(f"time ({run.time.attrs['units']})")
-    ax.set_ylabel(f"$V$ ({run.lyapunov.attrs['units'].rstrip('2')}$^2$)")
+    ax.set(xlabel=f"time ({units.time})", ylabel=f"$V$ ({units.length}$^2$)")
     ax.set_title("Lyapunov candidate of the law's proof", **TITLE)
     return ax
 

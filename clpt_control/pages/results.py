@@ -5,8 +5,9 @@ carries its figures, or they are those of its samples: nothing is run again.  `c
 `clpt paper` leave mean squares over 2000 samples a cycle in the run.
 """
 
-import json
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any
+
+import pydantic
 
 from ..html import Result
 from ..scenario.experiment import Scenario
@@ -26,6 +27,22 @@ MOST_NAMED = 4  # vehicles in a sentence
 MOST_EIGENVALUES = 20  # in the table; the report has all
 
 
+Number = Annotated[float, pydantic.Field(allow_inf_nan=False)]
+Time = Annotated[str, pydantic.AfterValidator(lambda time: f"{float(time):g}")]
+
+
+class Figures(pydantic.BaseModel):
+    """The figures of one vehicle that a run carries, of which pages speak."""
+
+    end: Number
+    clpe_rms_per_cycle: list[Number]
+    clpe_rms: Number
+    clpe_rms_last_quarter: Number
+    max_flow_parameter_error: dict[Time, Number] = {}
+    max_gain_error: dict[Time, Number]
+    explained_variance: dict[str, Number | list[Number]] = {}  # a share, and its window
+
+
 def number(value: float) -> str:
     """Return a number as a sentence has it.
 
@@ -41,12 +58,12 @@ def numbers_of(run: "xarray.Dataset", system: Scenario | Team) -> dict[str, Any]
     if isinstance(system, Team):
         return {"of_samples": False, **team_summary(system, run, run)}
     try:
-        found = json.loads(str(run.attrs.get(SUMMARY, "null")))
-    except ValueError:
+        found = Figures.model_validate_json(str(run.attrs.get(SUMMARY, "")), strict=True)
+    except pydantic.ValidationError:  # none, or damaged
         found = None
     end = float(run.time[-1])
-    if isinstance(found, dict) and found.get("end") == end:
-        numbers = {"of_samples": False, **found}
+    if found is not None and found.end == end:
+        numbers = {"of_samples": False, **found.model_dump(exclude_unset=True)}
     else:
         numbers = {"of_samples": True, "end": end, **clpe_of_samples(system, run)}
     if f"{end:g}" not in numbers.get("max_gain_error", {}):

@@ -28,7 +28,9 @@ from contextlib import suppress
 from datetime import datetime
 from itertools import takewhile
 from pathlib import Path
+from tempfile import TemporaryFile
 from typing import Any, NamedTuple
+from urllib.parse import quote
 
 from ..errors import DataError, ScenarioError
 from ..files import write_text
@@ -144,7 +146,7 @@ def fleet_page(found: dict[str, Any]) -> str:
     """Return the fleet as one HTML file, which links the page of each vehicle."""
     rows = found["vehicles"]
     cells = [fleet_cells(row) | {"pilot": "; ".join(row["said"])} for row in rows]
-    pages = [row["page"] for row in rows]
+    pages = [row["page"] and quote(row["page"]) for row in rows]
     body = "\n".join(
         [
             "<h1>Fleet</h1>",
@@ -227,12 +229,15 @@ class Alerts:
         """Run the command; return why it failed, empty where it did not."""
         words = [said if word == "{}" else word for word in self.command]
         try:
-            done = subprocess.run(
-                words, input=f"{said}\n{data}\n", text=True, capture_output=True, timeout=LONGEST
-            )
+            with TemporaryFile() as heard:  # no pipe, which what goes on behind it would hold
+                given = f"{said}\n{data}\n".encode()
+                to: Any = {"stdout": subprocess.DEVNULL, "stderr": heard}
+                done = subprocess.run(words, input=given, timeout=LONGEST, **to)
+                heard.seek(max(heard.tell() - 1000, 0))
+                last = heard.read().decode(errors="replace").strip().rpartition("\n")[2]
         except subprocess.TimeoutExpired:
             return f"takes longer than {LONGEST:g} s"
-        except OSError as error:
-            return f"cannot be run: {error.strerror or error}"
-        last = "".join(done.stderr.strip().splitlines()[-1:])
-        return f"ended with status {done.returncode}: {last}" if done.returncode else ""
+        except (OSError, UnicodeError) as error:  # a name may not be in the locale's letters
+            return f"cannot be run: {getattr(error, 'strerror', None) or error}"
+        ended = f"ended with status {done.returncode}{last and f': {last}'}"
+        return ended if done.returncode else ""

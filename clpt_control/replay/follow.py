@@ -22,7 +22,7 @@ import numpy as np
 import pydantic
 
 from ..errors import DataError, needed
-from ..files import make_folder, write_text
+from ..files import check_name, make_folder, write_text
 from ..files.reading import at_once, read_bytes
 from ..gliders.dive_files import alike, may_hold_dives, read_dive_file
 from ..gliders.dives import Dive, NotYet, Skipped, before_each, is_segment
@@ -67,9 +67,10 @@ class Follower:
         self._where = os.path.realpath(folder)
         self.files: dict[str, Record] = {}
         for path in _inside(self.state, "cannot be read"):
-            if not path.name.startswith("."):
+            if path.suffix == ".json" and not path.name.startswith("."):
                 self.files[path.name.removesuffix(".json")] = self._stored(path)
         self.here = set(self.files)
+        self.unnamed: list[tuple[Path, Skipped]] = []  # under whose names nothing can be kept
 
     def _stored(self, path: Path) -> Record:
         """Return a record of the state, or refuse the state."""
@@ -89,9 +90,16 @@ class Follower:
 
     def look(self) -> list[str]:
         """Read new and changed files; return the names of those with new contents."""
-        new, here = [], set()
+        new, here, inside = [], set(), []
+        self.unnamed.clear()
         lost = f"cannot be looked into; what was read is kept in {self.state}"
-        before = before_each(filter(may_hold_dives, _inside(self.folder, lost)))
+        for path in filter(may_hold_dives, _inside(self.folder, lost)):
+            try:
+                check_name(self._kept(path.name))
+                inside.append(path)
+            except DataError as error:
+                self.unnamed.append((path, Skipped(None, str(error))))
+        before = before_each(inside)
         for path in sorted(before):
             check()
             name = path.name
@@ -103,11 +111,15 @@ class Follower:
                 continue
             text = record.model_dump_json()
             if known is None or text != known.model_dump_json():  # as text, NaN is NaN
-                write_text(self.state / f"{name}.json", text)
+                write_text(self._kept(name), text)
                 self.files[name] = record
                 new.append(name)
         self.here = here
         return new
+
+    def _kept(self, name: str) -> Path:
+        """Return where what was read of a file is kept."""
+        return self.state / f"{name}.json"
 
     def _read(self, path: Path, before: list[Path]) -> Record | None:
         """Return the record of a file, behind those before it, as it is now; None if it is none."""
@@ -142,7 +154,7 @@ class Follower:
         """Return all dives so far, by the name of their file, and what was left out."""
         seen = {_fixes(dive) for name in self.here for dive in self.files[name].dives}
         dives: list[Dive] = []
-        skipped: list[tuple[Path, Skipped]] = []
+        skipped = [*self.unnamed]
         for name, record in sorted(self.files.items()):
             own = record.dives
             if name not in self.here:

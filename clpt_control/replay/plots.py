@@ -12,7 +12,18 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..arguments import public
-from ..figures import BLUE, GREEN, GREY, ORANGE, PURPLE, RED, axes_for, figure_of, legend_below
+from ..figures import (
+    BLUE,
+    GREEN,
+    GREY,
+    ORANGE,
+    PURPLE,
+    RED,
+    axes_for,
+    figure_of,
+    legend_below,
+    literal,
+)
 from ..files import write_together
 from .chart import Chart, dive_layers, layers_ahead, length_of, mark, with_room
 from .dataset import Source, plotted
@@ -121,7 +132,8 @@ def map_plot(
     _scale_bar(ax, chart)
     last_row = found[-1]
     when = clock(last_row["end"])
-    ax.set_title(f"{vehicle}: dive {last_row['dive']} surfaced {when}", loc="left", fontsize=10)
+    title = f"{literal(vehicle)}: dive {last_row['dive']} surfaced {when}"
+    ax.set_title(title, loc="left", fontsize=10)
     legend_below(ax, 3)
     return ax
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from ..arguments import public
 from ..errors import ClptError, DataError
-from ..figures import BLUE, COLOURS, GREY, RED, axes_for, legend_below, line_style
+from ..figures import BLUE, COLOURS, GREY, RED, axes_for, legend_below, line_style, literal
 from ..scenario.experiment import Scenario
 from ..scenario.file import scenario_of_run
 from ..scenario.recorded_run import check_run, waypoints_of
@@ -442,14 +442,14 @@ def response_plot(
         signals = signals_of(run[port])
         for k, (name, column) in enumerate(signals.items()):
             line = {**line_style(k), **of_run}
-            said = _among(label, name).replace("$", r"\$")  # a name is no formula
+            said = literal(_among(label, name))
             one.plot(run.time.values, column, label=said, linewidth=1.1, **line)
-        one.set_ylabel(named(port, run[port].attrs.get("units")).replace("$", r"\$"))
+        one.set_ylabel(literal(named(port, run[port].attrs.get("units"))))
         if (len(signals) > 1 or label is not None) and len(signals) <= 6:
             beside: dict[str, Any] = {"loc": "upper left", "bbox_to_anchor": (1.0, 1.05)}
             place = {"loc": "upper right", "ncols": 6} if label is None else beside
             one.legend(frameon=False, fontsize=8, **place)
-    one.set_xlabel(named("time", run.time.attrs.get("units")).replace("$", r"\$"))
+    one.set_xlabel(literal(named("time", run.time.attrs.get("units"))))
     return axes
 
 

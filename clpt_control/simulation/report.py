@@ -344,8 +344,8 @@ def claims(summary: dict[str, Any]) -> list[dict[str, str]]:
         ["clpe_rms_per_cycle"],
         "clpt.simulation.run_and_report(scenario) gives a summary",
     )
-    rms = summary["clpe_rms_per_cycle"]
-    if len(rms) < 2 or "2000" not in summary.get("max_flow_parameter_error", {}):
+    rms, keys = summary["clpe_rms_per_cycle"], ("max_flow_parameter_error", "max_gain_error")
+    if len(rms) < 2 or not all({"200", "2000"} <= summary.get(key, {}).keys() for key in keys):
         raise DataError(
             "the claims of section IV are about its scenario, which has theta, from t = 0 to 2000"
         )
@@ -359,10 +359,8 @@ def claims(summary: dict[str, Any]) -> list[dict[str, str]]:
             "holds" if share <= 0.1 else "fails",
         )
     ]
-    for claim, key in (
-        ("the six flow parameters converge to their true values", "max_flow_parameter_error"),
-        ("the gains converge likewise", "max_gain_error"),
-    ):
+    about = "the six flow parameters converge to their true values", "the gains converge likewise"
+    for claim, key in zip(about, keys, strict=True):
         early, late = summary[key]["200"], summary[key]["2000"]
         verdict = "fails"
         if late <= 0.05:

@@ -198,6 +198,32 @@ def test_figures_of_clpt_run_are_those_of_the_page():
     assert "samples of the file" in words(found.run.isel(time=slice(10)))
 
 
+@pytest.mark.parametrize(
+    "damage",
+    [
+        lambda found: {"end": found["end"]},
+        lambda found: found | {"clpe_rms": None},
+        lambda found: found | {"clpe_rms_per_cycle": "0.1"},
+        lambda found: found | {"max_gain_error": {"soon": 0.1}},
+        lambda found: found | {"max_flow_parameter_error": {"40": float("nan")}},
+        lambda found: found | {"explained_variance": [0.5]},
+    ],
+)
+def test_damaged_figures_of_a_run_are_not_believed(damage):
+    run = run_and_report(SHORT).run
+    run.attrs["summary"] = json.dumps(damage(json.loads(run.attrs["summary"])))
+    assert "samples of the file" in words(run)
+
+
+def test_units_that_are_gone_are_those_of_the_scenario(run):
+    bare = run.copy()
+    for name in ("time", "lyapunov"):
+        bare[name] = bare[name].drop_attrs()
+    assert "Lyapunov" in "".join(
+        inline_svg(one.figure, one.name, "") for one in page_of(bare).figures
+    )
+
+
 def test_a_team_has_its_page(tmp_path):
     team = clpt.Team(members={"a": SHORT, "b": SHORT}, coupling=0.5)
     clpt.save_run(clpt.simulate(team), tmp_path / "team.nc")

@@ -9,6 +9,7 @@ import subprocess
 import sys
 import time
 from dataclasses import replace
+from urllib.parse import unquote
 
 import pytest
 from html_reader import Reader
@@ -19,6 +20,7 @@ from typer.testing import CliRunner
 from clpt_control.cli import application
 from clpt_control.cli.replay_report import Ahead, summary_with_next
 from clpt_control.geodesy import place_from
+from clpt_control.gliders.dive_files import write_dive_table
 from clpt_control.gliders.dives import make_dive
 from clpt_control.replay import fleet
 from clpt_control.replay.fleet import events, standing, unread
@@ -97,7 +99,7 @@ def tree(tmp_path, facts):
     for name, dives in (
         ("well", recent(6, 1.0)),
         ("late", recent(6, 30.0, seed=2)),
-        ("a <b> & 'c'", strayed(recent(6, 0.5))),
+        ("a <b> & '#1%3f'", strayed(recent(6, 0.5))),
         ("station/from-glider", recent(4, 1.0)),
     ):
         (top / name).mkdir(parents=True)
@@ -118,7 +120,7 @@ def test_a_row_each_what_asks_for_a_pilot_first_and_is_told_once(tree, command, 
     assert done.exit_code == 0, done.output
     table = [line for line in done.stdout.splitlines() if line.startswith("│")]
     names = [line.split("│")[1].strip() for line in table]
-    assert names[:3] == ["late", "a <b> & 'c'", "hurt"]
+    assert names[:3] == ["late", "a <b> & '#1%3f'", "hurt"]
     assert set(names[3:5]) == {"well", "station"}
     assert names[5:] == ["SG542", "SG171"]  # old records
     assert max(map(len, table)) <= 80
@@ -126,7 +128,7 @@ def test_a_row_each_what_asks_for_a_pilot_first_and_is_told_once(tree, command, 
     assert "7 vehicles, 3 asking for a pilot" in done.stdout
     assert "hurt: cannot be read: " in done.stdout
     again = command("--fleet", tree, "--alert", teller(told), "--json")
-    assert sorted(told_in(told)) == [("a <b> & 'c'", "OUT", 5), ("late", "overdue", 6)]
+    assert sorted(told_in(told)) == [("a <b> & '#1%3f'", "OUT", 5), ("late", "overdue", 6)]
     found = json.loads(again.stdout)
     rows = {row["vehicle"]: row for row in found["vehicles"]}
     assert [row["vehicle"] for row in found["vehicles"]][:3] == names[:3]
@@ -137,8 +139,8 @@ def test_a_row_each_what_asks_for_a_pilot_first_and_is_told_once(tree, command, 
     page = Reader((out / "fleet.html").read_text("utf-8"))
     links = [names["href"] for tag, names in page.tags if tag == "a"]
     assert len(links) == 6
-    assert all((out / link).is_file() for link in links)
-    assert "a <b> & 'c'" in page.texts  # as a text, no markup
+    assert all((out / unquote(link)).is_file() for link in links)
+    assert "a <b> & '#1%3f'" in page.texts  # as a text, no markup
 
 
 def test_a_second_look_reads_no_file_again(tmp_path, command, monkeypatch):
@@ -198,6 +200,8 @@ def test_braces_stand_for_the_sentence(tmp_path):
     ("code", "longest", "says"),
     [
         ("import sys; sys.exit('no mail today')", 60.0, "ended with status 1: no mail today"),
+        ("import os; os.write(2, b'\\xff?'); 1 / 0", 60.0, "ended with status 1: Zero"),
+        ("raise SystemExit(3)", 60.0, "ended with status 3; is run again"),
         ("import time; time.sleep(60)", 0.5, "takes longer than 0.5 s"),
     ],
 )
@@ -217,6 +221,15 @@ def test_a_command_that_fails_is_one_sentence_and_is_run_again(
     told = tmp_path / "told"
     fleet.Alerts(shlex.split(teller(told)), tmp_path).tell(found)
     assert told_in(told) == [("glider", "OUT", 5)]
+
+
+def test_what_a_command_leaves_behind_is_not_waited_for(tmp_path):
+    waits = "'import time; time.sleep(30)'"
+    left = f"import subprocess as s, sys; s.Popen([sys.executable, '-c', {waits}])"
+    (tmp_path / "state").mkdir()
+    seen, start = fleet.Alerts([sys.executable, "-c", left], tmp_path), time.monotonic()
+    seen.tell(summed(strayed(recent(6, 1.0))))
+    assert (seen.told, time.monotonic() - start < 25) == (["glider OUT 5"], True)
 
 
 def kill_while_it_writes(process, out, part):
@@ -301,3 +314,22 @@ def test_what_was_told_and_cannot_be_read_is_told_again(tmp_path, kept):
     else:
         place.write_text(kept)
     assert fleet.Alerts([sys.executable], tmp_path).told == []
+
+
+def test_names_of_vehicles_lead_to_folders_of_their_own(tmp_path, command):
+    names = ["..", "state", "a b", "a_b", "$\\frac$"]
+    (tmp_path / "top" / "many").mkdir(parents=True)
+    for k, name in enumerate(names):
+        table = tmp_path / "top" / "many" / f"{k}.csv"
+        write_dive_table(recent(3, 1.0, seed=k), table)
+        head, *rows = table.read_text().splitlines()
+        lines = [f"{head},vehicle", *(f"{row},{name}" for row in rows)]
+        table.write_text("\n".join(lines))
+    for _ in range(2):
+        done = command("--fleet", tmp_path / "top", "--format", "png", "--json")
+        rows = json.loads(done.stdout)["vehicles"]
+        assert sorted(row["vehicle"] for row in rows) == sorted(names)
+        assert {row["page"].count("/") for row in rows} == {2}
+        assert len({row["page"] for row in rows}) == len(names)
+    inside = [path.name for path in (tmp_path / "top" / "replay" / "many").iterdir()]
+    assert sorted(inside) == ["_.", "__frac_", "a_b", "a_b_", "state", "state_"]

@@ -280,6 +280,23 @@ def test_strange_names_in_the_state_are_left_alone(inbox, tmp_path):
     assert sorted(Follower(inbox, state).files) == ["dive304.csv", "dive305.csv", "dive306.csv"]
 
 
+@pytest.mark.parametrize("name", ["x" * 240 + ".csv", "\udcff.csv"])
+def test_a_name_under_which_nothing_can_be_kept_is_left_out(inbox, tmp_path, name):
+    (inbox / name).write_text("any")
+    follower = Follower(inbox, tmp_path / "state")
+    assert len(follower.look()) == 3
+    dives, (left,) = follower.dives()
+    assert (len(dives), "name" in left.why) == (3, True)
+
+
+def test_results_that_lie_in_the_state_are_left_alone(inbox, tmp_path):
+    state = tmp_path / "state"
+    Follower(inbox, state).look()
+    (state / "next.geojson").write_text("{}")
+    (state / "state").mkdir()
+    assert Follower(inbox, state).look() == []
+
+
 def test_one_follows_at_a_time(inbox, tmp_path):
     with (
         following(inbox, tmp_path / "out") as follower,

@@ -17,7 +17,7 @@ import control
 from ...arguments import public
 from ...equations.declaration import ports_line, ports_of
 from ...errors import ClptError, DiagramError
-from ...figures import inline_svg
+from ...figures import inline_svg, literal
 from ...files import check_name, write_figure, write_text
 from ...html import fragment, paragraphs, shortened
 from ..wiring import Node, wiring_of
@@ -291,5 +291,5 @@ def width(text: str, size: float, weight: str = "normal") -> float:
     from matplotlib.textpath import TextPath
 
     font = FontProperties(family="DejaVu Sans", weight=weight)
-    plain = text.replace("$", r"\$")  # a name is no formula
+    plain = literal(text)
     return float(TextPath((0, 0), plain, size=size, prop=font).get_extents().width) if text else 0.0
