@@ -85,7 +85,9 @@ def main(out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/margins"
     folder = make_folder(out)
     paper = clpt.paper_scenario().with_values({"run.duration": 200, "run.output_step": 0.25})
     laws = [
-        law for law in clpt.blocks.table_of_laws().values() if not (law.at_fixes or law.keeps_alpha)
+        law
+        for law in clpt.blocks.table_of_laws().values()
+        if not (law.at_fixes or law.alpha_is_constant)
     ]
     found: dict[str, list[float]] = {}
     with progress_bar("margins", len(laws) * len(KINDS)) as report:

@@ -238,7 +238,7 @@ LAWS = {  # name -> (the law, what else prove is given, what it says)
     ),
     "least squares": (
         lambda: law(least_squares, GAIN, FLOW, **SQUARES),
-        {"V": over_P, "keeps": inverse, "cones": ("R",), "losses": squares_lost},
+        {"V": over_P, "invariants": inverse, "semidefinite": ("R",), "losses": squares_lost},
         "proved",
     ),
 }

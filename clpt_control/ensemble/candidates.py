@@ -76,7 +76,7 @@ def candidate(scenario: Scenario, law: Law, held: bool, gain: float, pole: float
     """Return a law with its gain and filter times a factor each."""
     car = scenario.vehicle
     others = [one for one in LAWS.values() if one.settings and one.name != law.name]
-    unused = ["gains", "parameters" if law.keeps_alpha else "theta_estimate"]
+    unused = ["gains", "parameters" if law.alpha_is_constant else "theta_estimate"]
     unused += [other.table for other in others]
     values: dict[str, Any] = {f"learning.{key}": None for key in unused}
     values |= {"learning.law": law.name, "learning.adapt_gains": not held}

@@ -171,7 +171,7 @@ def variable_values(scenario: Scenario) -> dict[str, np.ndarray]:
     """Return every key that may vary, with the scenario's value or the default."""
     defaults = {"basis.phases": scenario.phases, "model.parameters": scenario.model_parameters}
     learning, delta = scenario.learning, scenario.flow.disturbance
-    if not learning.row.keeps_alpha:
+    if not learning.row.alpha_is_constant:
         defaults["learning.parameters"] = scenario.learning_parameters
     found: dict[str, np.ndarray] = {}
 

@@ -195,7 +195,7 @@ def arrays_of(varied: Any, values: Values) -> Arrays:
 def followed(varied: Any) -> list[str]:
     """Return the names of the states that are kept at the scenario's own samples."""
     row = varied.scenario.learning.row
-    none = {"alpha"} if row.keeps_alpha else set()
+    none = {"alpha"} if row.alpha_is_constant else set()
     none |= {"feedback_gain", "feedforward_gain"} if row.at_fixes else set()
     return [name for name in TRAJECTORIES if varied.trajectories and name not in none]
 

@@ -188,7 +188,7 @@ class Scenario(Table):
     @property
     def learning_parameters(self) -> TwoRows:
         """alpha(0); a law that is given the flow keeps alpha_M."""
-        if self.learning.row.keeps_alpha:
+        if self.learning.row.alpha_is_constant:
             return self.model_parameters
         return self.learning.parameters or ((0.0,) * self.basis.N,) * 2
 

@@ -106,13 +106,13 @@ class Learning(OwnTables):
 
     def _mistakes(self) -> Iterator[str]:
         own = f'law = "{self.law}"'
-        if self.row.keeps_alpha:
+        if self.row.alpha_is_constant:
             if self.theta_estimate is None and self.row.given_estimate:
                 yield f"learning.theta_estimate: is required by {own}"
             if self.parameters is not None:
                 yield f"learning.parameters: {own} keeps alpha = alpha_M; remove the key"
         elif self.theta_estimate is not None:
-            allowed = [f'"{law.name}"' for law in LAWS.values() if law.keeps_alpha]
+            allowed = [f'"{law.name}"' for law in LAWS.values() if law.alpha_is_constant]
             yield (
                 f"learning.theta_estimate: is allowed only with law = {' or '.join(allowed)}; "
                 "remove the key"

@@ -240,13 +240,13 @@ def run_frame(
     learned = {"long_name": "estimate of the flow parameters theta", **speed}
     parts["flow_parameters_estimate"] = Part(by_functions, _estimate(scenario, found, own), learned)
     if row.readout and LAW not in replaced:
-        right = f"theta_hat until {row.shrinking} is small enough"
+        right = f"theta_hat until {row.error_left} is small enough"
         named = {"long_name": f"readout of the flow parameters theta; {right}", **speed}
         if beside := _beside_the_basis(scenario):
             named["comment"] = f"not theta exactly: {beside} is taken for flow of the basis"
         parts["flow_parameters_readout"] = Part(by_functions, own(row.readout, 2, N), named)
         left_of = {"long_name": "share of the first error of theta_hat that is left", "units": "1"}
-        parts["error_left"] = Part(("time",), own(row.shrinking), left_of)
+        parts["error_left"] = Part(("time",), own(row.error_left), left_of)
     ours = set(ran) - replaced if scenario.flow.parameters is not None else set()
     if "true_flow" in ours:
         said, theta = {"long_name": "true flow parameters theta", **speed}, ran["true_flow"].theta

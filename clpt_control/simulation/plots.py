@@ -319,7 +319,7 @@ def learning_plot(
             top.axhline(true, color=line["color"], linewidth=0.7, alpha=0.7)
     truth = ", true values thin" if scenario.flow.parameters is not None else ""
     row, estimated = scenario.learning.row, "estimate = $-\\alpha$"
-    if row.keeps_alpha:
+    if row.alpha_is_constant:
         estimated = "given estimate" if row.given_estimate else "estimate of the filter"
     top.set_title(f"Flow to the {DIRECTIONS[i]}, {estimated}{truth}", **TITLE)
     top.set_ylabel(f"flow parameter ({units.length}/{units.time})")

@@ -28,7 +28,7 @@ def starting_values(scenario: Scenario) -> dict[str, np.ndarray]:
     """Return what the scenario's keys say of states at t = 0, by key."""
     values = {key: attrgetter(key)(scenario) for key in STARTS}
     values["learning.parameters"] = scenario.learning_parameters
-    if scenario.learning.row.keeps_alpha:  # alpha is no state
+    if scenario.learning.row.alpha_is_constant:  # alpha is no state
         del values["learning.parameters"]
     return {key: np.asarray(value, dtype=float) for key, value in values.items()}
 

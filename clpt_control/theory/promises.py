@@ -99,7 +99,7 @@ def mean_square(asked: Asked) -> float:
 
 def pace(asked: Asked) -> np.ndarray:
     """Return r: the least of KD and of what the memories pull each parameter by, per time."""
-    p, cones = asked.p, asked.row.cones
+    p, cones = asked.p, asked.row.semidefinite
     pulls = [p.memory_gain * asked.state(name) for name in cones if name in ("Q", "S")]
     roots = np.sqrt([p.get("gain_K", 0.0), p.get("gain_Gamma", 0.0)])
     gains = [name for name in cones if name in ("Q_1", "Q_2") and np.all(roots > 0)]

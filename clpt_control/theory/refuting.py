@@ -215,7 +215,7 @@ def drawn(law: str, point: np.ndarray) -> Scenario:
             values["localization"] = {"noise": noise, "noise_period": 1.0}
     if row.given_estimate:
         learning["theta_estimate"] = start.tolist()
-    elif not row.keeps_alpha:
+    elif not row.alpha_is_constant:
         learning["parameters"] = (start * draw.one_of(NEAR_0, 1)).tolist()
     scenario = paper_scenario().with_values({**values, "learning": learning})
     own_table = {

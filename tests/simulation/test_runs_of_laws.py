@@ -22,7 +22,7 @@ def with_law(name, **more):
     """The paper's scenario with a law of the table."""
     given = LAWS[name].given_estimate
     theta = [[0.9, 0.5, 0.7], [0.8, 0.5, 0.9]] if given else None
-    alpha = None if LAWS[name].keeps_alpha else [[0.0] * 3] * 2
+    alpha = None if LAWS[name].alpha_is_constant else [[0.0] * 3] * 2
     values = {"learning.law": name, "learning.theta_estimate": theta}
     values |= AT_FIXES if LAWS[name].at_fixes else {}
     return PAPER.with_values({**values, "learning.parameters": alpha, **more})

@@ -55,7 +55,7 @@ def test_equations_that_cannot_be_read_leave_a_law_open():
     assert "no such equation" in found.claim
 
 
-KEEPING = [law for law in LAWS.values() if law.keeps is not None]
+KEEPING = [law for law in LAWS.values() if law.invariants is not None]
 NEEDED = {
     "normalised-gradient": ("q", "b_v"),
     "least-squares": ("alpha", "P"),
@@ -66,8 +66,8 @@ NEEDED = {
     "kalman-flow": ("P", "q"),
 }
 START = [[0.3, -0.2, 0.1], [0.0, 0.4, 0.2]]
-FALLING = [law for law in KEEPING if not law.shrinking]
-SHRINKING = [law for law in KEEPING if law.shrinking]
+FALLING = [law for law in KEEPING if not law.error_left]
+SHRINKING = [law for law in KEEPING if law.error_left]
 DROPPED = [(law, port) for law in KEEPING for port in NEEDED[law.name]]
 
 
@@ -80,21 +80,21 @@ def few_points(monkeypatch):
 @pytest.mark.parametrize(("law", "port"), DROPPED, ids=lambda one: getattr(one, "name", one))
 def test_without_a_relation_nothing_is_proved(law, port):
     def fewer(s, p, truth):
-        return {key: value for key, value in law.keeps(s, p, truth).items() if key != port}
+        return {key: value for key, value in law.invariants(s, p, truth).items() if key != port}
 
-    assert judgement.judged_law(law._replace(keeps=fewer)).status == "open"
+    assert judgement.judged_law(law._replace(invariants=fewer)).status == "open"
 
 
 @pytest.mark.parametrize("law", SHRINKING, ids=lambda law: law.name)
 def test_a_law_is_bounded_only_where_every_error_shrinks(law):
     def fewer(s, p, truth):
-        kept = law.keeps(s, p, truth)
+        kept = law.invariants(s, p, truth)
         first = np.ravel(kept["alpha"])
         return {**kept, "alpha": [first[0], *s["alpha"][1:]]}
 
     assert judgement.judged_law(law).status == "bounded"
-    assert judgement.judged_law(law._replace(keeps=fewer)).status == "open"
-    assert judgement.judged_law(law._replace(shrinking="q")).status == "open"
+    assert judgement.judged_law(law._replace(invariants=fewer)).status == "open"
+    assert judgement.judged_law(law._replace(error_left="q")).status == "open"
     assert judgement.judged_law(law._replace(readout="b")).status == "open"
 
 
@@ -105,9 +105,9 @@ def test_a_wrong_rate_of_V_is_not_proved(law):
         return [(2, *first), *others]
 
     def twice_gained(s, p, truth):
-        return 2 * law.gains(s, p, truth)
+        return 2 * law.error_growth(s, p, truth)
 
-    wrong = {"gains": twice_gained} if law.makes_estimate else {"losses": twice}
+    wrong = {"error_growth": twice_gained} if law.makes_estimate else {"losses": twice}
     found = judgement.judged_law(law._replace(**wrong))
     assert found.status == "open"
     assert "left over" in found.claim
@@ -118,7 +118,7 @@ def test_a_run_starts_and_stays_where_the_relations_hold(law):
     more = {
         "vehicle.position": [0.7, -1.1],
         "learning.parameters": None,
-        f"learning.{'theta_estimate' if law.keeps_alpha else 'parameters'}": START,
+        f"learning.{'theta_estimate' if law.alpha_is_constant else 'parameters'}": START,
     }
     scenario = clpt.paper_scenario().with_values({"learning.law": law.name, **more})
     truth = Truth(*map(np.array, (scenario.flow.parameters, *vehicle_gains(scenario))))
@@ -130,9 +130,9 @@ def test_a_run_starts_and_stays_where_the_relations_hold(law):
     for k in range(len(times)):
         flat = {port: run.outputs[[one == port for one in ports], k] for port in set(ports)}
         s = {port: value.reshape(shapes.get(port, -1)) for port, value in flat.items()}
-        for port, value in law.keeps(s, p, truth).items():
+        for port, value in law.invariants(s, p, truth).items():
             np.testing.assert_allclose(s[port], value, atol=1e-9)
-        assert all(np.linalg.eigvalsh(s[port]).min() > -1e-10 for port in law.cones)
+        assert all(np.linalg.eigvalsh(s[port]).min() > -1e-10 for port in law.semidefinite)
         assert all(np.prod(product) > -1e-10 for product in law.losses(s, p, truth))
 
 
@@ -140,7 +140,7 @@ def vehicle_gains(scenario):
     return scenario.vehicle.feedback, scenario.vehicle.feedforward
 
 
-WITH_P = [law for law in KEEPING if law.over is not None]
+WITH_P = [law for law in KEEPING if law.weighted_error is not None]
 
 
 @pytest.mark.parametrize("law", WITH_P, ids=lambda law: law.name)
@@ -205,6 +205,6 @@ def test_the_same_jump_is_proved():
 
 
 def test_of_a_law_of_which_errors_shrink_jumps_are_not_judged():
-    found = judgement.judged_law(LAW._replace(shrinking="S", says=""))
+    found = judgement.judged_law(LAW._replace(error_left="S", V_rate=""))
     assert found.status == "open"
     assert any("its states jump" in step.detail for step in found.steps)

@@ -129,7 +129,7 @@ EACH = [
 @pytest.mark.parametrize("name", EACH)
 def test_every_law_runs_with_a_limit_and_its_clpe_is_hedged(name):
     values = {"learning.law": name, "vehicle.max_speed": 1.5, "run.duration": 200}
-    if LAWS[name].keeps_alpha:
+    if LAWS[name].alpha_is_constant:
         values["learning.parameters"] = None
     if LAWS[name].given_estimate:
         values |= ESTIMATE

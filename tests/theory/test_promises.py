@@ -24,7 +24,7 @@ def with_law(name):
     row = LAWS[name]
     values = {"learning.law": name, "run.duration": 60, "run.output_step": 0.02}
     values |= {"learning.theta_estimate": [[0.9, 0.5, 0.7]] * 2} if row.given_estimate else {}
-    values |= {"learning.parameters": None} if row.keeps_alpha else {}
+    values |= {"learning.parameters": None} if row.alpha_is_constant else {}
     if row.at_fixes:
         dropped = ("gain", "feedback", "feedforward")
         values |= dict.fromkeys([f"learning.{key}" for key in dropped])

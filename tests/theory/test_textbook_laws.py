@@ -83,14 +83,14 @@ def test_no_law_is_told_the_truth_by_what_it_keeps():
         """Nothing of Eqs. (21)-(23), section III."""
         return {"alpha": 0.0, "K": 0.0, "Gamma": 0.0}
 
-    def keeps(s, p, truth):
+    def invariants(s, p, truth):
         return {"alpha": -truth.theta, "K": truth.KD, "Gamma": truth.GammaD}
 
     V = LAWS["tanh of e"][1]["V"]
-    found = prove(law(still, GAIN), V, points=POINTS, keeps=keeps)
+    found = prove(law(still, GAIN), V, points=POINTS, invariants=invariants)
     assert found.status == "open"
     squares = of_e(lambda e, p: e**2 / 2)
-    found = prove(law(still, GAIN), squares, points=POINTS, keeps=keeps)
+    found = prove(law(still, GAIN), squares, points=POINTS, invariants=invariants)
     assert found.status == "open"
     assert "alpha_1[1] at the start" in found.steps[0].detail
 

@@ -37,7 +37,7 @@ class Gains(NamedTuple):
     parameters: float  # gamma of alpha, per time squared
     feedback: float  # gamma of K, per length squared per time squared
     feedforward: float  # gamma of Gamma, per length squared per time squared
-    one: bool  # whether one number is given for all, as in the paper
+    one: bool  # whether they are one number, as in the paper
 
 
 class Fixes(NamedTuple):
@@ -151,31 +151,31 @@ class State(NamedTuple):
     start: Any = None  # a number, or made of what is known and the parameters; None: 0, or a key's
 
 
-PAPER = {"e": 2, "phi_x": "N", "z": 2, "zc": 2}  # what Eqs. (21)-(23) take
-MOVING = {**PAPER, "x": 2, "v_x": 2}  # and laws that see where the vehicle was carried
-LEARNED = {"alpha": State((2, "N")), "K": State(2), "Gamma": State(2)}  # what they make
-HELD = {"gain_K": "gains.feedback", "gain_Gamma": "gains.feedforward"}  # 0 holds K or Gamma:
-# per length squared per time squared, and gamma > 0 of alpha per time squared
-GAINS = {"gain": "gains.parameters", **HELD}
+PAPER = {"e": 2, "phi_x": "N", "z": 2, "zc": 2}  # the inputs of Eqs. (21)-(23)
+MOVING = {**PAPER, "x": 2, "v_x": 2}  # and of laws that read where the vehicle was carried
+LEARNED = {"alpha": State((2, "N")), "K": State(2), "Gamma": State(2)}  # the outputs of a law
+# gamma of K and Gamma, per length squared per time squared; 0 holds K or Gamma
+K_GAMMA = {"gain_K": "gains.feedback", "gain_Gamma": "gains.feedforward"}
+GAINS = {"gain": "gains.parameters", **K_GAMMA}  # gamma > 0 of alpha, per time squared
 MORE_SHAPES = {"alpha_M": (2, "N"), "alpha_0": (2, "N"), "information": "N"}  # of parameters
 Part = Mapping[str, Any]  # fields of a row that laws share
-MAPPINGS = ("keys", "parameters", "states", "takes")  # fields that are joined
+MAPPINGS = ("keys", "parameters", "states", "inputs")  # fields that are merged
 
 
 @dataclass(frozen=True)
-class Made:
-    """The output of a law: its states, and what is made beside them."""
+class OutputAndStates:
+    """The output of a law that has more outputs than its states."""
 
-    beside: Callable[..., Any]
+    output: Callable[..., Any]
     states: tuple[str, ...]
 
     def __call__(self, t: float, x: Any, u: Any, p: Any) -> dict[str, Any]:
         """Return the outputs by port."""
-        return {**self.beside(t, x, u, p), **{name: getattr(x, name) for name in self.states}}
+        return {**self.output(t, x, u, p), **{name: getattr(x, name) for name in self.states}}
 
 
 class Promise(NamedTuple):
-    """A part of a promise, which `theory.promises` asks along runs."""
+    """A part of a promise, which `theory.promises` checks along runs."""
 
     what: str  # a predicate
     where: tuple[str, ...]  # its conditions
@@ -198,30 +198,30 @@ class Law(NamedTuple):
     parameters: Mapping[str, Any] = GAINS
     one_gain: bool = False  # whether one gain for all is one parameter, as in the paper
     keys: Mapping[str, Setting] = {}  # of its own table, that are no parameters
-    takes: Mapping[str, Any] = PAPER  # v_c where the speed is limited
+    inputs: Mapping[str, Any] = PAPER  # v_c where the speed is limited
     states: Mapping[str, State] = LEARNED
-    output: Callable[..., Any] | None = None  # what it `makes` beside its states
-    makes: Mapping[str, Any] = {}
+    output: Callable[..., Any] | None = None  # of the `outputs` that are no states
+    outputs: Mapping[str, Any] = {}
     jump: Callable[..., Any] | None = None  # at its breakpoints
     breakpoints: Callable[..., np.ndarray] | None = None
     candidate: Callable[..., Any] | None = None  # V, where it is not Eq. (17) or (24)
-    measures: tuple[str, ...] = ("e", "alpha", "K", "Gamma")  # of e and what it makes
-    weighs: Callable[[Any], float] = lambda p: p.get("gain", 1.0)  # the gain of alpha in V
-    refuses: Callable[[Any, Known], None] = lambda law, known: None
-    # for the proof, of (states, parameters, truth): relations of its states, beside M = M^T
-    keeps: Callable[..., dict[str, Any]] | None = None
+    V_inputs: tuple[str, ...] = ("e", "alpha", "K", "Gamma")  # e and outputs of the law
+    V_gain: Callable[[Any], float] = lambda p: p.get("gain", 1.0)  # the gain of alpha in V
+    check: Callable[[Any, Known], None] = lambda law, known: None  # raises where it cannot run
+    # for the proof, of (states, parameters, truth): state -> what it is in the others, at all times
+    invariants: Callable[..., dict[str, Any]] | None = None
+    semidefinite: tuple[str, ...] = ()  # states that are matrices M = M^T >= 0
     # what V' loses beyond e^T KD e where they hold: products of factors that are not negative
     losses: Callable[..., list[tuple]] = lambda states, p, truth: []
-    push: Callable[..., Any] | None = None  # what V' has beside; the law is bounded by it
-    comes_to: str = ""  # what is reached with a push, in words
-    over: Callable[..., Any] | None = None  # eta P^-1, of a law with a covariance P
-    # of a law that makes an estimate: what the error's square, over its covariance, grows by;
-    # beside the states it is given d P^-1, shape (2, N), d = theta_hat - theta
-    gains: Callable[..., Any] = lambda states, p, truth: 0
-    cones: tuple[str, ...] = ()  # states that are matrices M >= 0
-    shrinking: str = ""  # a state w: every parameter's error is w times its first, and w' <= 0
-    readout: str = ""  # an output that is theta once w has shrunk
-    says: str = ""  # V' in words
+    perturbation: Callable[..., Any] | None = None  # what V' has beside, which bounds the law
+    bound: str = ""  # what is reached with a perturbation, in words
+    weighted_error: Callable[..., Any] | None = None  # eta P^-1, of a law with a covariance P
+    # of a law that makes an estimate: (d P^-1 d^T)', d = theta_hat - theta; its states have d P^-1
+    # too, shape (2, N)
+    error_growth: Callable[..., Any] = lambda states, p, truth: 0
+    error_left: str = ""  # a state w: every parameter's error is w times its first, and w' <= 0
+    readout: str = ""  # an output that is theta once w has fallen
+    V_rate: str = ""  # V' in words
     promises: tuple[Promise, ...] = ()
     doubt: Callable[[Any, Truth], str] = lambda p, truth: ""  # why it need not keep its promise
     level: Callable[[Any, Truth, float], float] | None = None  # of V, of the largest disturbance
@@ -239,13 +239,13 @@ class Law(NamedTuple):
     @property
     def settings(self) -> dict[str, Setting]:
         """The keys of its own table."""
-        own = {**self.keys, **self.parameters}
-        return {key: one for key, one in own.items() if isinstance(one, Setting)}
+        whole = {**self.keys, **self.parameters}
+        return {key: one for key, one in whole.items() if isinstance(one, Setting)}
 
     @property
     def gain(self) -> float | None:
         """learning.gain where it is left out; required of laws that learn by CLPE alone."""
-        return 1.0 if "x" in self.takes else None
+        return 1.0 if "x" in self.inputs else None
 
     @property
     def alpha_by_gain(self) -> bool:
@@ -254,53 +254,56 @@ class Law(NamedTuple):
 
     @property
     def at_fixes(self) -> bool:
-        """Whether it makes z too, and learns at fixes; K and Gamma are true."""
-        return "fix" in self.takes
+        """Whether it learns at fixes; z is then a state of it, and K and Gamma are true."""
+        return "fix" in self.inputs
 
     @property
-    def keeps_alpha(self) -> bool:
+    def alpha_is_constant(self) -> bool:
         """Whether alpha stays alpha_M, and the injection is Eq. (13)."""
         return "alpha" not in self.states
 
     @property
     def makes_estimate(self) -> bool:
-        """Whether theta_hat of Eq. (13) is a state of it."""
+        """Whether theta_hat of Eq. (13) is a state of the law."""
         return "theta_hat" in self.states
 
     @property
     def given_estimate(self) -> bool:
         """Whether theta_hat of Eq. (13) is given."""
-        return self.keeps_alpha and not self.makes_estimate
+        return self.alpha_is_constant and not self.makes_estimate
 
     def with_parts(self, *parts: Part) -> "Law":
-        """Return the row with what its parts have; its cones are symmetric."""
+        """Return the row with the fields of its parts; semidefinite states are symmetric."""
         whole = (self._asdict(), *parts)
 
         def every(field: str) -> list[Any]:
             return [part[field] for part in whole if part.get(field)]
 
-        def keeps(s: Any, p: Any, truth: Truth) -> dict[str, Any]:
-            own = {name: (s[name] + s[name].T) / 2 for name in cones}
-            return joined([own, *(one({**s, **own}, p, truth) for one in every("keeps"))])
+        def invariants(s: Any, p: Any, truth: Truth) -> dict[str, Any]:
+            symmetric = {name: (s[name] + s[name].T) / 2 for name in semidefinite}
+            relations = (one({**s, **symmetric}, p, truth) for one in every("invariants"))
+            return merged([symmetric, *relations])
 
         def losses(s: Any, p: Any, truth: Truth) -> list[tuple]:
             return [product for one in every("losses") for product in one(s, p, truth)]
 
-        cones = tuple(sorted(name for own in every("cones") for name in own))
-        found = joined(parts) | {field: joined(every(field)) for field in MAPPINGS}
-        return self._replace(**found | {"keeps": keeps, "losses": losses, "cones": cones})
+        semidefinite = tuple(sorted(name for names in every("semidefinite") for name in names))
+        fields = merged(parts) | {field: merged(every(field)) for field in MAPPINGS}
+        fields |= {"invariants": invariants, "losses": losses, "semidefinite": semidefinite}
+        return self._replace(**fields)
 
     def parameters_of(self, known: Known) -> Parameters:
         """Return its parameters, of what is known."""
-        self.refuses(self, known)
-        found: dict[str, Any] = {}
-        for name, made in self.parameters.items():
-            made = attrgetter(made) if isinstance(made, str) else made
-            found[name] = made.of(known, name) if isinstance(made, Setting) else made(known)
+        self.check(self, known)
+        values: dict[str, Any] = {}
+        for name, source in self.parameters.items():
+            source = attrgetter(source) if isinstance(source, str) else source
+            setting = isinstance(source, Setting)
+            values[name] = source.of(known, name) if setting else source(known)
         if self.one_gain and known.gains.one:
-            rest = {name: value for name, value in found.items() if name not in GAINS}
-            found = {"gain": known.gains.feedback} | rest
-        return Parameters(**found)
+            rest = {name: value for name, value in values.items() if name not in GAINS}
+            values = {"gain": known.gains.feedback} | rest
+        return Parameters(**values)
 
     def block(self, known: Known) -> Block:
         """Make the law: a block "adaptation" with alpha[2N], K[2] and Gamma[2]."""
@@ -312,9 +315,9 @@ class Law(NamedTuple):
         return Block(
             "adaptation",
             update=self.rates,
-            output=Made(self.output, tuple(states)) if self.output else None,
-            inputs={port: n for port, n in self.takes.items() if port != "v_c" or limited},
-            outputs={**self.makes, **states},
+            output=OutputAndStates(self.output, tuple(states)) if self.output else None,
+            inputs={port: n for port, n in self.inputs.items() if port != "v_c" or limited},
+            outputs={**self.outputs, **states},
             states=states,
             parameters=parameters | ({"interval": -1.0} if self.breakpoints else {}),
             shapes=among(parameters, MORE_SHAPES),
@@ -326,28 +329,28 @@ class Law(NamedTuple):
     def starts(self, known: Known) -> dict[str, Any]:
         """Return where its own states are at t = 0; the others are zero."""
         p = self.parameters_of(known)
-        own = {name: state.start for name, state in self.states.items() if state.start is not None}
-        return {name: start(known, p) if callable(start) else start for name, start in own.items()}
+        starts = {name: one.start for name, one in self.states.items() if one.start is not None}
+        return {name: one(known, p) if callable(one) else one for name, one in starts.items()}
 
     def V(self, p: Any, truth: Truth) -> Block:
         """Make V of its parameters."""
-        weights = self.weighs(p), *gains_of(p)
-        own = weighed([1.0 if gain is None else gain for gain in weights], *truth)._asdict()
-        own |= {name: getattr(p, name) for name in self.parameters if name not in own}
+        gains = self.V_gain(p), *gains_of(p)
+        values = weighed([1.0 if gain is None else gain for gain in gains], *truth)._asdict()
+        values |= {name: getattr(p, name) for name in self.parameters if name not in values}
         ports = {name: state.shape for name, state in {**LEARNED, **self.states}.items()}
         return Block(
             "lyapunov",
-            output=self.candidate or (known_flow if self.keeps_alpha else learned_flow),
-            inputs={port: {"e": 2, **ports}[port] for port in self.measures},
+            output=self.candidate or (known_flow if self.alpha_is_constant else learned_flow),
+            inputs={port: {"e": 2, **ports}[port] for port in self.V_inputs},
             outputs={"V": 1},
-            parameters=own,
-            shapes=among(own, {**SHAPES, **MORE_SHAPES}),
+            parameters=values,
+            shapes=among(values, {**SHAPES, **MORE_SHAPES}),
         )
 
 
-def joined(mappings: Iterable[Mapping[str, Any]]) -> dict[str, Any]:
+def merged(mappings: Iterable[Mapping[str, Any]]) -> dict[str, Any]:
     """Return mappings as one."""
-    return {name: one for own in mappings for name, one in own.items()}
+    return {name: value for mapping in mappings for name, value in mapping.items()}
 
 
 def among(parameters: Any, shapes: Mapping[str, Any]) -> dict[str, Any]:

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from .law import HELD, NOISE, PRIOR, Law, Setting, State, Truth, adapt_gains, promised
+from .law import K_GAMMA, NOISE, PRIOR, Law, Setting, State, Truth, adapt_gains, promised
 from .regressions import FILTERED_FLOW, filter_rates, filtered_flow
 
 # --- learned flow ----------------------------------------------------------------------------
@@ -76,12 +76,12 @@ KNOWN_FLOW = Law(
     "(Theorem 3.1)",
     needs="an estimate of theta, learning.theta_estimate",
     rates=known_flow,
-    parameters={**HELD, "alpha_M": "alpha_M"},
+    parameters={**K_GAMMA, "alpha_M": "alpha_M"},
     one_gain=True,
     promises=promised("true exact", "mean square"),
     states={"K": State(2), "Gamma": State(2)},
     output=known_flow_output,
-    makes={"alpha": (2, "N")},
+    outputs={"alpha": (2, "N")},
 )
 
 
@@ -119,7 +119,7 @@ def kalman_flow(t, x, u, p):
     }
 
 
-def growth(s: Any, p: Any, truth: Truth) -> Any:
+def error_growth(s: Any, p: Any, truth: Truth) -> Any:
     """Return (d P^-1 d^T)' = -|d phi_f|^2/r^2 - w^2 |d P^-1|^2, both axes together."""
     off = (s["theta_hat"] - truth.theta) @ s["phi_f"]
     return -np.sum(off**2) / p.noise**2 - p.walk**2 * np.sum(s["d P^-1"] ** 2)
@@ -132,7 +132,7 @@ KALMAN_FLOW = Law(
     needs="the commanded velocity; learning.theta_estimate, if given, is where it starts",
     rates=kalman_flow,
     parameters={
-        **HELD,
+        **K_GAMMA,
         "alpha_M": "alpha_M",
         "noise": NOISE,
         "walk": Setting(
@@ -149,14 +149,14 @@ KALMAN_FLOW = Law(
         "P": State(("N", "N"), lambda known, p: known.prior**2 * np.eye(known.N)),
     },
     output=known_flow_output,
-    makes={"alpha": (2, "N")},
-    gains=growth,
+    outputs={"alpha": (2, "N")},
+    error_growth=error_growth,
     promises=(
         *promised("true exact", "mean square"),
         *promised("spanned exact", "estimate"),
     ),
-    cones=("P",),
-    says="(d P^-1 d^T)' <= -|d phi_f|^2/r^2, d = theta_hat - theta",
+    semidefinite=("P",),
+    V_rate="(d P^-1 d^T)' <= -|d phi_f|^2/r^2, d = theta_hat - theta",
 ).with_parts(FILTERED_FLOW)
 
 LAWS = (LEARNED_FLOW, KNOWN_FLOW, KALMAN_FLOW)

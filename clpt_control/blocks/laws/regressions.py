@@ -66,7 +66,7 @@ from ..lyapunov import level
 from .law import (
     FILTER,
     GAINS,
-    HELD,
+    K_GAMMA,
     MOVING,
     NOISE,
     PRIOR,
@@ -104,9 +104,9 @@ def unexplained_square(s: Any, p: Any, truth: Truth) -> Any:
 
 FILTERED_FLOW: Part = {
     "states": {"phi_f": State("N"), "q": State(2, lambda known, p: p.filter * known.position)},
-    "takes": MOVING,
+    "inputs": MOVING,
     "parameters": {"filter": FILTER},
-    "keeps": lambda s, p, truth: {"q": p.filter * s["x"] - truth.theta @ s["phi_f"]},  # F_f
+    "invariants": lambda s, p, truth: {"q": p.filter * s["x"] - truth.theta @ s["phi_f"]},  # F_f
 }
 
 
@@ -120,13 +120,13 @@ def memory(Q: str, b: str) -> Part:
     """Make a memory of the flow, b = theta Q, of states with these names."""
     return {
         "states": {Q: State(("N", "N")), b: State((2, "N"))},  # empty at first
-        "takes": MOVING,
-        "keeps": lambda s, p, truth: {b: truth.theta @ s[Q]},
-        "cones": (Q,),
+        "inputs": MOVING,
+        "invariants": lambda s, p, truth: {b: truth.theta @ s[Q]},
+        "semidefinite": (Q,),
     }
 
 
-def pulled(s: Any, p: Any, truth: Truth, Q: str) -> tuple:
+def pull_loss(s: Any, p: Any, truth: Truth, Q: str) -> tuple:
     """Return what V' loses by the pull, gamma_c tr(eta Q eta^T)/gamma, eta = theta + alpha."""
     eta = truth.theta + s["alpha"]
     return p.memory_gain / p.gain, np.sum((eta @ s[Q]) * eta)
@@ -154,13 +154,13 @@ def gain_rates(x, u, p):
     }
 
 
-def gains_kept(s: Any, p: Any, truth: Truth) -> dict[str, Any]:
+def gain_invariants(s: Any, p: Any, truth: Truth) -> dict[str, Any]:
     """Return what the states are at all times: b_i = Q_i kappa_D."""
     kappa = np.stack([truth.KD, truth.GammaD]).T
     return {"b_v": np.stack([s["Q_1"] @ kappa[0], s["Q_2"] @ kappa[1]])}
 
 
-def gains_lost(s: Any, p: Any, truth: Truth) -> list[tuple]:
+def gain_losses(s: Any, p: Any, truth: Truth) -> list[tuple]:
     """Return what V' loses: (kappa - kappa_D)^T Q_i (kappa - kappa_D), where they adapt."""
     off = np.stack([s["K"] - truth.KD, s["Gamma"] - truth.GammaD]).T
     return [(off[0] @ s["Q_1"] @ off[0],), (off[1] @ s["Q_2"] @ off[1],)]
@@ -169,11 +169,11 @@ def gains_lost(s: Any, p: Any, truth: Truth) -> list[tuple]:
 COMMANDED_GAINS: Part = {
     "needs": "the commanded velocity",
     "states": dict.fromkeys(("Q_1", "Q_2", "b_v"), State((2, 2))),  # empty at first
-    "takes": {**MOVING, "v_c": 2},
+    "inputs": {**MOVING, "v_c": 2},
     "parameters": {"alpha_M": "alpha_M", "rate": "k"},
-    "keeps": gains_kept,
-    "losses": gains_lost,
-    "cones": ("Q_1", "Q_2"),
+    "invariants": gain_invariants,
+    "losses": gain_losses,
+    "semidefinite": ("Q_1", "Q_2"),
 }
 
 
@@ -194,9 +194,9 @@ def covariance_rates(x, p, seen):
     }
 
 
-def level_over_P(u, p, over, w):
-    """Return V of Eq. (24) with r^2 tr(eta P^-1 eta^T)/w for |eta|^2; eta P^-1 is over."""
-    return {"V": level(u.e, u, p) + p.noise**2 / (2 * w) * np.sum((p.theta + u.alpha) * over)}
+def level_by_P(u, p, weighted, w):
+    """Return V of Eq. (24) with r^2 tr(eta P^-1 eta^T)/w for |eta|^2; eta P^-1 is `weighted`."""
+    return {"V": level(u.e, u, p) + p.noise**2 / (2 * w) * np.sum((p.theta + u.alpha) * weighted)}
 
 
 def priors(known: Known) -> np.ndarray:
@@ -205,19 +205,19 @@ def priors(known: Known) -> np.ndarray:
     return np.full(known.N, known.prior) if each is None else np.asarray(each, dtype=float)
 
 
-def refuses(law: Law, known: Known) -> None:
+def check_priors(law: Law, known: Known) -> None:
     """Refuse priors that do not fit the functions."""
     one, each = known.settings["prior"], known.settings["priors"]
     if each is None:
         return
     count = f"has {len(each)} numbers; must be one for each of the {known.N} functions"
-    for wrong, said in (
+    for wrong, sentence in (
         (one is not None, "give either prior or priors, one of the two"),
         (len(each) != known.N, f"{count}, 0 to hold its parameter"),
         (not any(each), "are all 0, which holds all parameters; give at least one"),
     ):
         if wrong:
-            raise ScenarioError(f"learning.{law.table}.priors: {said}")
+            raise ScenarioError(f"learning.{law.table}.priors: {sentence}")
 
 
 def information(known: Known) -> np.ndarray:
@@ -225,20 +225,20 @@ def information(known: Known) -> np.ndarray:
     return np.array([1 / one**2 if one > 0 else 0.0 for one in priors(known)])
 
 
-def covariance(over: Callable[..., Any], weight: str) -> Part:
+def covariance(weighted_error: Callable[..., Any], weight: str) -> Part:
     """Make the part of a law with this P, of its eta P^-1 and the parameter that is w."""
 
-    def keeps(s: Any, p: Any, truth: Truth) -> dict[str, Any]:
+    def invariants(s: Any, p: Any, truth: Truth) -> dict[str, Any]:
         """Return alpha of eta P^-1."""
-        return {"alpha": over(s, p, truth) @ s["P"] - truth.theta}
+        return {"alpha": weighted_error(s, p, truth) @ s["P"] - truth.theta}
 
     def losses(s: Any, p: Any, truth: Truth) -> list[tuple]:
         """Return |eta phi_f|^2/(2 w) and r^2 lambda tr(eta P^-1 eta^T)/(2 w)."""
-        w, eta_over = getattr(p, weight), over(s, p, truth)
+        w, weighted = getattr(p, weight), weighted_error(s, p, truth)
         forgotten = (p.forgetting, 1 - np.trace(s["P"]) / p.largest)
         return [
             (unexplained_square(s, p, truth), 1 / (2 * w)),
-            (*forgotten, np.sum((eta_over @ s["P"]) * eta_over), p.noise**2 / (2 * w)),
+            (*forgotten, np.sum((weighted @ s["P"]) * weighted), p.noise**2 / (2 * w)),
         ]
 
     return {
@@ -255,11 +255,11 @@ def covariance(over: Callable[..., Any], weight: str) -> Part:
             "P": State(("N", "N"), lambda known, p: np.diag(priors(known) ** 2)),
             "rho": State(1, 1.0),
         },
-        "refuses": refuses,
-        "keeps": keeps,
+        "check": check_priors,
+        "invariants": invariants,
         "losses": losses,
-        "over": over,
-        "cones": ("P",),
+        "weighted_error": weighted_error,
+        "semidefinite": ("P",),
     }
 
 
@@ -304,7 +304,7 @@ NORMALISED_GRADIENT = Law(
         "regression_gain": Setting("gamma_n, 1/time; 4 k (k mean KD)", scaled(4)),
     },
     losses=regression_losses,
-    says="-e^T KD e - gamma_n |eta phi_f|^2/(gamma (1 + |phi_f|^2))",
+    V_rate="-e^T KD e - gamma_n |eta phi_f|^2/(gamma (1 + |phi_f|^2))",
 ).with_parts(FILTERED_FLOW, COMMANDED_GAINS)
 
 
@@ -344,7 +344,7 @@ def least_squares(t, x, u, p):
 
 def least_squares_level(t, x, u, p):
     """V of Eq. (24) with r^2 tr(eta P^-1 eta^T)/k for |eta|^2, eta P^-1 = rho eta(0) P(0)^-1."""
-    return level_over_P(u, p, errors_by_rho({"rho": u.rho}, p, p), p.rate)
+    return level_by_P(u, p, errors_by_rho({"rho": u.rho}, p, p), p.rate)
 
 
 def errors_by_rho(s: Any, p: Any, truth: Truth) -> Any:
@@ -362,15 +362,15 @@ LEAST_SQUARES = Law(
         *promised("true spanned exact", "mean square"),
     ),
     parameters={
-        **HELD,
+        **K_GAMMA,
         "forgetting": Setting("lambda_0 of P, 1/time; 0.02 k", scaled(0.02), "not negative"),
         "alpha_0": lambda known: known.alpha,
     },
     candidate=least_squares_level,
-    measures=("e", "alpha", "K", "Gamma", "rho"),
-    push=lambda s, p, truth: (s["x"] - s["z"]) @ ((truth.theta + s["alpha"]) @ s["phi_x"]),
-    says="-e^T KD e + e^T eta phi - |eta phi_f|^2/(2 k) - r^2 lambda tr(eta P^-1 eta^T)/(2 k)",
-    comes_to="tr(eta P^-1 eta^T) never rises; in the mean |e| <= |eta phi| over the least of KD",
+    V_inputs=("e", "alpha", "K", "Gamma", "rho"),
+    perturbation=lambda s, p, truth: (s["x"] - s["z"]) @ ((truth.theta + s["alpha"]) @ s["phi_x"]),
+    V_rate="-e^T KD e + e^T eta phi - |eta phi_f|^2/(2 k) - r^2 lambda tr(eta P^-1 eta^T)/(2 k)",
+    bound="tr(eta P^-1 eta^T) never rises; in the mean |e| <= |eta phi| over the least of KD",
 ).with_parts(FILTERED_FLOW, COMMANDED_GAINS, covariance(errors_by_rho, "rate"))
 
 
@@ -410,8 +410,8 @@ def composite_least_squares(t, x, u, p):
 
 def composite_level(t, x, u, p):
     """V of Eq. (24) with tr(eta P^-1 eta^T)/gamma for |eta|^2."""
-    over = errors_by_impulse({"rho": u.rho, "impulse": u.impulse}, p, p)
-    return level_over_P(u, p, over, p.weight)
+    weighted = errors_by_impulse({"rho": u.rho, "impulse": u.impulse}, p, p)
+    return level_by_P(u, p, weighted, p.weight)
 
 
 def errors_by_impulse(s: Any, p: Any, truth: Truth) -> Any:
@@ -425,13 +425,13 @@ COMPOSITE_LEAST_SQUARES = Law(
     rates=composite_least_squares,
     promises=promised("true spanned exact", "falls", "settles"),
     parameters={
-        **HELD,
+        **K_GAMMA,
         "weight": Setting("w, of CLPE beside the regression, 1/time; 100 k", scaled(100)),
         "forgetting": Setting("lambda_0 of P, 1/time; 0 forgets nothing", 0.0, "not negative"),
     },
     candidate=composite_level,
-    measures=("e", "alpha", "K", "Gamma", "rho", "impulse"),
-    says="-e^T KD e - |eta phi_f|^2/(2 w) - lambda tr(eta P^-1 eta^T)/(2 gamma)",
+    V_inputs=("e", "alpha", "K", "Gamma", "rho", "impulse"),
+    V_rate="-e^T KD e - |eta phi_f|^2/(2 w) - lambda tr(eta P^-1 eta^T)/(2 gamma)",
 ).with_parts(
     FILTERED_FLOW,
     COMMANDED_GAINS,

@@ -6,7 +6,7 @@ import numpy as np
 
 from ...equations.declaration import Each, multiples
 from ...errors import ScenarioError
-from .law import GAINS, HELD, MEMORY, PRIOR, Law, Setting, State, adapt_gains, promised, scaled
+from .law import GAINS, K_GAMMA, MEMORY, PRIOR, Law, Setting, State, adapt_gains, promised, scaled
 from .regressions import (
     COMMANDED_GAINS,
     FILTERED_FLOW,
@@ -14,7 +14,7 @@ from .regressions import (
     filtered_flow,
     gain_rates,
     memory,
-    pulled,
+    pull_loss,
     remembered,
 )
 
@@ -73,8 +73,8 @@ COMPOSITE_MEMORY = Law(
         "memory_gain": Setting("gamma_c, 1/time^2; 0.8 k^2 (k mean KD)", scaled(0.8, k=2)),
         "forgetting": MEMORY,
     },
-    losses=lambda s, p, truth: [pulled(s, p, truth, "Q")],
-    says="-e^T KD e - gamma_c tr(eta Q eta^T)/gamma",
+    losses=lambda s, p, truth: [pull_loss(s, p, truth, "Q")],
+    V_rate="-e^T KD e - gamma_c tr(eta Q eta^T)/gamma",
 ).with_parts(FILTERED_FLOW, COMMANDED_GAINS, memory("Q", "b"))
 
 
@@ -132,11 +132,11 @@ def concurrent(t, x, u, p):
 
 def next_window(t, x, u, p):
     """Phi and Y of a window of Eq. (1) are passed on; Phi = 0 and origin = x begin the next."""
-    kept = {name: getattr(x, name) for name in KEPT}
-    return {**kept, "shown": x.Phi, "carried": u.x - x.origin, "Phi": 0.0, "origin": u.x}
+    same = {name: getattr(x, name) for name in CONTINUOUS}
+    return {**same, "shown": x.Phi, "carried": u.x - x.origin, "Phi": 0.0, "origin": u.x}
 
 
-KEPT = ("alpha", "K", "Gamma", "S", "B", "Q_1", "Q_2", "b_v")  # where a window ends
+CONTINUOUS = ("alpha", "K", "Gamma", "S", "B", "Q_1", "Q_2", "b_v")  # where a window ends
 WINDOW: dict[str, Any] = {
     "states": {
         "Phi": State("N"),
@@ -144,7 +144,7 @@ WINDOW: dict[str, Any] = {
         "shown": State("N"),
         "carried": State(2),
     },
-    "keeps": lambda s, p, truth: {
+    "invariants": lambda s, p, truth: {
         "origin": s["x"] - truth.theta @ s["Phi"],
         "carried": truth.theta @ s["shown"],
     },
@@ -162,8 +162,8 @@ CONCURRENT = Law(
     },
     jump=next_window,
     breakpoints=Each("window"),
-    losses=lambda s, p, truth: [pulled(s, p, truth, "S")],
-    says="-e^T KD e - gamma_c tr(eta S eta^T)/gamma",
+    losses=lambda s, p, truth: [pull_loss(s, p, truth, "S")],
+    V_rate="-e^T KD e - gamma_c tr(eta S eta^T)/gamma",
 ).with_parts(memory("S", "B"), WINDOW, COMMANDED_GAINS)
 
 
@@ -181,9 +181,9 @@ def mixing(Q, S):
     """
     one = np.eye(len(S))
     mixed, d = S[:, None] * one, np.sum(np.diagonal(Q) * S)
-    for turn in range(2, len(S) + 1):
+    for k in range(2, len(S) + 1):
         mixed = S[:, None] * (d * one - Q @ mixed)
-        d = np.sum(Q * mixed.T) / turn
+        d = np.sum(Q * mixed.T) / k
     return mixed, d
 
 
@@ -236,7 +236,7 @@ def output(t, x, u, p):
     return {"readout": np.where(gone >= p.margin, -first, -x.alpha)}
 
 
-def refuses(law: Law, known: Any) -> None:
+def check_size(law: Law, known: Any) -> None:
     """Refuse more functions than a determinant is good for."""
     if known.N > MOST:
         raise ScenarioError(
@@ -259,18 +259,18 @@ DREM = Law(
         "rate": Setting("g, 1/time, of each parameter once excited; k", scaled(1)),
         "excitation": Setting("c, the determinant from which on the rate is g", 0.05, "at most 1"),
         "margin": Setting("of 1 - w, from which on the readout is theta", 0.5, "below 1"),
-        **HELD,
+        **K_GAMMA,
         "forgetting": MEMORY,
         "alpha_0": lambda known: known.alpha,
     },
     output=output,
-    makes={"readout": (2, "N")},
-    weighs=lambda p: p.rate**2,
-    refuses=refuses,
-    shrinking="w",
-    keeps=lambda s, p, truth: {"alpha": s["w"] * (truth.theta + p.alpha_0) - truth.theta},
+    outputs={"readout": (2, "N")},
+    V_gain=lambda p: p.rate**2,
+    check=check_size,
+    error_left="w",
+    invariants=lambda s, p, truth: {"alpha": s["w"] * (truth.theta + p.alpha_0) - truth.theta},
     readout="readout",
-    says="-e^T KD e + e^T eta phi - f |eta|^2/g^2, eta = w eta(0), w' = -f w <= 0",
+    V_rate="-e^T KD e + e^T eta phi - f |eta|^2/g^2, eta = w eta(0), w' = -f w <= 0",
 ).with_parts(memory("Q", "b"), FILTERED_FLOW, {"states": {"w": State(1, 1.0)}})
 
 
@@ -389,15 +389,15 @@ FIX_REGRESSION = Law(
         "latency": lambda known: known.fixes.latency,
     },
     keys={"prior": PRIOR},
-    takes={"fix": 2, "taken": 1, "phi_z": "N", "v_x": 2},
+    inputs={"fix": 2, "taken": 1, "phi_z": "N", "v_x": 2},
     states=STATES,
     output=vehicle_gains,
-    makes={"K": 2, "Gamma": 2},
+    outputs={"K": 2, "Gamma": 2},
     jump=learn,
     breakpoints=events,
     candidate=fix_level,
-    measures=("alpha", "information"),
-    says="0; at an exact fix V falls by r^2 |eta m|^2/(2 (r^2 + m^T P m))",
+    V_inputs=("alpha", "information"),
+    V_rate="0; at an exact fix V falls by r^2 |eta m|^2/(2 (r^2 + m^T P m))",
 )
 
 LAWS = (COMPOSITE_MEMORY, CONCURRENT, DREM, FIX_REGRESSION)

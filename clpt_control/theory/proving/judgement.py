@@ -77,16 +77,16 @@ def judged_law(law: Law) -> Proof:
 
 def _of_law(law: Law) -> Proof:
     if law.at_fixes:  # V does not rise, but CLPE is only what fixes leave
-        claim = f"V' = {law.says}; |eta_k| <= (2 V(0) P_kk)^(1/2)/r"
+        claim = f"V' = {law.V_rate}; |eta_k| <= (2 V(0) P_kk)^(1/2)/r"
         return where_all_hold("bounded", claim, fix_steps(law, POINTS))
-    if law.keeps is not None or law.shrinking:
-        status, claim = "bounded", f"V' <= {law.says}: {law.comes_to}"
-        if law.shrinking:
-            claim = f"V' = {law.says}: in the mean |e| <= |eta phi| over the least of KD"
+    if law.invariants is not None or law.error_left:
+        status, claim = "bounded", f"V' <= {law.V_rate}: {law.bound}"
+        if law.error_left:
+            claim = f"V' = {law.V_rate}: in the mean |e| <= |eta phi| over the least of KD"
         elif law.makes_estimate:
-            claim = f"{MEAN}, and {law.says}"
-        elif law.push is None:
-            status, claim = "proved", f"V' <= {law.says}, so CLPE goes to zero"
+            claim = f"{MEAN}, and {law.V_rate}"
+        elif law.perturbation is None:
+            status, claim = "proved", f"V' <= {law.V_rate}, so CLPE goes to zero"
         return where_all_hold(status, claim, kept_steps(law, POINTS))
     if law.given_estimate:
         steps = identity_steps(GIVEN, law.name, decay_and_known_error, POINTS)

@@ -1,7 +1,7 @@
 """A law's closed loop on symbols, its states where its row says that their relations hold.
 
-A row of the table says which relations the states `keep` (state = expression of the others), which
-matrices, its `cones`, are not negative, what V' `losses` are and what is a `push`.  `Kept` answers
+A row of the table says which `invariants` the states have (state = expression of the others), which
+matrices are `semidefinite`, what V' `losses` are and what is a `perturbation`.  `Kept` answers
 what is asked of them for one N; `kept_relations` puts the answers together.
 """
 
@@ -50,8 +50,8 @@ class Kept:
         self.states = {port.rpartition(":")[2]: symbols for port, symbols in own.items()}
         self.rates = {port.rpartition(":")[2]: rate for port, rate in self.loop.rates.items()}
         p, truth = self.loop.parameters[made.name], truth_in(self.loop)
-        assert law.keeps is not None
-        relations = law.keeps(self.states, p, truth)
+        assert law.invariants is not None
+        relations = law.invariants(self.states, p, truth)
         self.relations = _solved(
             {
                 symbol: value
@@ -75,14 +75,15 @@ class Kept:
         c = sympy.symbols(f"c_1:{2 * n + 1}", real=True)
         self.weighed = np.array(c, dtype=object).reshape(2, n)  # d P^-1, d = theta_hat - theta
         every["d P^-1"] = self.weighed
-        self.gains = sympy.sympify(law.gains(every, p, truth))
-        push = sympy.sympify(law.push(every, p, truth) if law.push else 0).xreplace(self.tied)
-        self.more = push - sum(map(math.prod, self.losses))  # that V' has
-        self.cones = {port: self.states[port] for port in law.cones}
+        self.error_growth = sympy.sympify(law.error_growth(every, p, truth))
+        perturbation = law.perturbation(every, p, truth) if law.perturbation else 0
+        beside = sympy.sympify(perturbation).xreplace(self.tied)
+        self.more = beside - sum(map(math.prod, self.losses))  # that V' has
+        self.cones = {port: self.states[port] for port in law.semidefinite}
         self.V = self.loop.signals["V"][0].xreplace(self.tied)
         known = (*np.ravel(truth.theta), *truth.KD, *truth.GammaD)
         self.truths = set(known)
-        self.held = law.over(self.states, p, truth) if law.over else None
+        self.held = law.weighted_error(self.states, p, truth) if law.weighted_error else None
         self.over = {} if self.held is None else _alone(self.held)
         fresh = [value.free_symbols for value in self.over.values()]
         self.apart = {s for symbols in (self.loop.motion, known, *fresh) for s in symbols}
@@ -101,8 +102,8 @@ class Kept:
             whole = np.zeros([self.N if n == "N" else n for n in shape])
             start = np.asarray(starts.get(name, 0.0), dtype=float)
             states[name] = whole + (start.reshape(whole.shape) if start.ndim else start)
-        assert self.law.keeps is not None
-        kept = self.law.keeps(states, self.law.parameters_of(known), truth)
+        assert self.law.invariants is not None
+        kept = self.law.invariants(states, self.law.parameters_of(known), truth)
         off = (name for name, value in kept.items() if not np.allclose(value, states[name]))
         return ", ".join(f"{name} at the start" for name in off)
 
@@ -186,9 +187,9 @@ class Kept:
         return ""
 
     def estimate_grows(self) -> str:
-        """Return what (d M^-1 d^T)' = gains <= 0, d = theta_hat - theta, fails by, or nothing.
+        """Return what (d M^-1 d^T)' = error_growth <= 0 fails by, or nothing.
 
-        With M = M^T and d = c M, whatever c is: 2 d' c^T - c M' c^T.
+        d = theta_hat - theta.  With M = M^T and d = c M, whatever c is: 2 d' c^T - c M' c^T.
         """
         (port,) = self.cones
         M, c = self.symmetric[port], self.weighed
@@ -197,8 +198,10 @@ class Kept:
         theta = self.loop.parameters["true_flow"].theta
         at = dict(zip(self.states["theta_hat"].flat, (theta + c @ M).flat, strict=True))
         rate = 2 * np.sum(self.rates["theta_hat"] * c) - np.sum((c @ self.rates[port]) * c)
-        rest = self.put(sympy.sympify(rate - self.gains).xreplace(at))
-        return left_over(rest) if self.gains.is_nonpositive else "what it gains may be positive"
+        rest = self.put(sympy.sympify(rate - self.error_growth).xreplace(at))
+        return (
+            left_over(rest) if self.error_growth.is_nonpositive else "what it gains may be positive"
+        )
 
     def cone_is_kept(self, port: str) -> bool:
         """Return whether c^T M' c is not negative where M c = 0, for every c.

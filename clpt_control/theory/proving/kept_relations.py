@@ -1,16 +1,16 @@
 """Prove a law whose states keep relations between each other, such as P with the information.
 
-A law's row says which relations its states `keep` (state = expression of the others), which
-matrices, its `cones`, are not negative, what V' `losses` are beyond e^T KD e, products of factors
-that are not negative, and what is a `push` beside.  Each is then shown:
+A law's row says which `invariants` its states have (state = expression of the others), which
+matrices are `semidefinite`, what V' `losses` are beyond e^T KD e, products of factors
+that are not negative, and what is a `perturbation` beside.  Each is then shown:
 
     s' = (expression)'                    where the relations hold: what starts there stays
     c^T M' c >= 0  where  M c = 0         the cone M >= 0 is not left (Nagumo)
-    V' = -e^T KD e - losses + push        where the relations hold, V and losses not negative
+    V' = -e^T KD e - losses + perturbation    where the relations hold, V and losses not negative
 
-A law without a push is proved, one with is bounded by it.  All is exact for N = 1, 2, 3, and the
-running blocks give the same V'.  Where its states jump, at times that may be any, x and inputs
-being those right before:
+A law without a perturbation is proved, one with is bounded by it.  All is exact for N = 1, 2, 3,
+and the running blocks give the same V'.  Where its states jump, at times that may be any, x and
+inputs being those right before:
 
     the relations before give the relations after,  M >= 0 gives M+ >= 0,  V+ <= V
 
@@ -18,7 +18,7 @@ so that between and across jumps V falls.
 For a law that makes an estimate theta_hat = theta + d with its covariance M, the third is
 
     V' = -e^T KD e + e^T (theta - theta_hat) phi          Theorem 3.1
-    (d M^-1 d^T)' = gains <= 0                            so d never grows in this norm
+    (d M^-1 d^T)' = error_growth <= 0                     so d never grows in this norm
 
 A law of which no parameter's error ever rises, eta = w eta(0), w' = -f w, f >= 0, takes no part of
 e into alpha', so that V' has e^T eta phi left, which bounds the mean square of e by that of
@@ -74,23 +74,24 @@ def kept_steps(law: Law, points: int, own: list[Kept] | None = None) -> list[Ste
             lambda case: case.left() or start(case)
         )
     }
-    if law.shrinking:
+    if law.error_left:
         claims |= shrinking_claims(law)
     else:
         claims |= jump_claims(law) if cases[0].loop.jumps else {}
         falls = partial(falling_claims, sizes=f"N = {own[0].N}" if own else "N = 1, 2, 3")
         claims |= estimate_claims(law) if law.makes_estimate else falls(law)
     steps = [exact_step(cases, claim, check) for claim, check in claims.items()]
-    steps += [young_step()] if law.shrinking else []
+    steps += [young_step()] if law.error_left else []
     two = cases[len(cases) // 2]
     return [*steps, running_step(lambda: (two.diagram, two.loop, two.untied), points)]
 
 
 def jump_claims(law: Law) -> Claims:
     """Return what is to be shown of what the states keep, and of V, where they jump."""
+    names = ", ".join(law.semidefinite)
     return {
         "and is kept where they jump": Kept.left_at_a_jump,
-        f"{', '.join(law.cones)} >= 0 is not left where they jump": Kept.cone_is_kept_at_a_jump,
+        f"{names} >= 0 is not left where they jump": Kept.cone_is_kept_at_a_jump,
         "V does not rise where they jump": Kept.V_rises_by,
     }
 
@@ -98,19 +99,19 @@ def jump_claims(law: Law) -> Claims:
 def cone_claims(law: Law) -> Claims:
     """Return what is to be shown of the cones between jumps."""
     return {
-        f"c^T M' c >= 0 where M c = 0, so M >= 0 is not left: {', '.join(law.cones)}": (
-            lambda case: ", ".join(port for port in law.cones if not case.cone_is_kept(port))
+        f"c^T M' c >= 0 where M c = 0, so M >= 0 is not left: {', '.join(law.semidefinite)}": (
+            lambda case: ", ".join(port for port in law.semidefinite if not case.cone_is_kept(port))
         )
     }
 
 
 def falling_claims(law: Law, sizes: str) -> Claims:
     """Return what is to be shown of V' of a law without an estimate."""
-    names = ", ".join(law.cones)
+    names = ", ".join(law.semidefinite)
     return {
         **cone_claims(law),
-        f"V' as claimed, {sizes}: {law.says}": lambda case: case.left_over(decay, case.more),
-        **(covariance_claims(law.push is None) if law.over else {}),
+        f"V' as claimed, {sizes}: {law.V_rate}": lambda case: case.left_over(decay, case.more),
+        **(covariance_claims(law.perturbation is None) if law.weighted_error else {}),
         f"with {names} >= 0 V and what V' loses are not negative": (
             lambda case: case.not_negative(case.V) and case.loses()
         ),
@@ -127,20 +128,20 @@ def estimate_claims(law: Law) -> Claims:
     return {
         **cone_claims(law),
         f"{GIVEN}, N = 1, 2, 3": lambda case: case.left_over(decay_and_known_error, case.more),
-        f"the error of the estimate never grows: {law.says}": grows,
+        f"the error of the estimate never grows: {law.V_rate}": grows,
     }
 
 
 def shrinking_claims(law: Law) -> Claims:
     """Return what is to be shown of a law with whose state w every parameter's error shrinks."""
-    w, read = law.shrinking, {}
+    w, read = law.error_left, {}
     if law.readout:
         read = {f"{law.readout} is theta where its condition holds, and -alpha elsewhere": _reads}
     return {
         f"eta = {w} eta(0) for every parameter": _is_all_of_alpha,
         f"{w}' = -f {w}, f >= 0, so no parameter's error rises": _rises,
         **read,
-        f"V' = {law.says}, N = 1, 2, 3": lambda case: case.left_over(decay, driven(case)),
+        f"V' = {law.V_rate}, N = 1, 2, 3": lambda case: case.left_over(decay, driven(case)),
         "V is not negative": lambda case: case.not_negative(case.V),
     }
 
@@ -149,10 +150,10 @@ def _rises(case: Kept) -> str:
     """Return why w is not known to fall, or nothing."""
     if case.loop.jumps:
         return "its states jump, and what its errors do there is not judged"
-    (w,), (rate,) = case.states[case.law.shrinking], case.rates[case.law.shrinking]
+    (w,), (rate,) = case.states[case.law.error_left], case.rates[case.law.error_left]
     f = -case.veiled(rate) / w  # each maximum(a, b) with a positive one a positive symbol
     if f.has(w) or not f.is_nonnegative or sympy.expand(f) == 0:
-        return f"{case.law.shrinking}' = {short(rate)}"
+        return f"{case.law.error_left}' = {short(rate)}"
     return ""
 
 
@@ -160,14 +161,14 @@ def driven(case: Kept) -> sympy.Expr:
     """Return e^T eta phi - f |eta|^2/gamma, gamma those of V."""
     p, loop = case.loop.parameters, case.loop
     eta = p["true_flow"].theta + case.states["alpha"]
-    w, rate = case.states[case.law.shrinking][0], case.rates[case.law.shrinking][0]
+    w, rate = case.states[case.law.error_left][0], case.rates[case.law.error_left][0]
     pushed = loop.signals["e"] @ (eta @ loop.inputs["phi_x"])
     return pushed + rate / w * np.sum(eta**2 / p["lyapunov"].gain)
 
 
 def _is_all_of_alpha(case: Kept) -> bool:
     """Return whether each alpha is kept at w times what does not move, less theta."""
-    (w,) = case.states[case.law.shrinking]
+    (w,) = case.states[case.law.error_left]
     theta = case.loop.parameters["true_flow"].theta
     for alpha, own in zip(case.states["alpha"].flat, theta.flat, strict=True):
         eta = sympy.expand(case.relations.get(alpha, alpha) + own)
@@ -179,7 +180,7 @@ def _is_all_of_alpha(case: Kept) -> bool:
 
 def _reads(case: Kept) -> bool:
     """Return whether a readout where(1 - w >= m, a, -alpha) is theta in its first branch."""
-    (w,) = case.states[case.law.shrinking]
+    (w,) = case.states[case.law.error_left]
     read, theta = case.loop.signals[case.law.readout], case.loop.parameters["true_flow"].theta
     triples = zip(read.flat, case.states["alpha"].flat, theta.flat, strict=True)
     return all(_is_readout(case, *triple, w) for triple in triples)

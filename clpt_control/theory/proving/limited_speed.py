@@ -88,7 +88,7 @@ def differs(law: Law) -> str:
     for block, own in free.jumps.items():
         if any(apart(new, hedged.jumps[block][port]) for port, new in own.items()):
             return "its states jump otherwise"
-    return Kept(law, N, "hedged").left() if law.keeps is not None else ""
+    return Kept(law, N, "hedged").left() if law.invariants is not None else ""
 
 
 def same_rate_of_every_law() -> tuple[bool, str]:

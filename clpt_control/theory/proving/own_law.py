@@ -128,8 +128,8 @@ def prove(
     points: Count = 10_000,
     seed: Seed = 0,
     given: Callable[..., list] | None = None,
-    keeps: Callable[..., dict] | None = None,
-    cones: Sequence[str] = (),
+    invariants: Callable[..., dict] | None = None,
+    semidefinite: Sequence[str] = (),
     losses: Callable[..., list[tuple]] | None = None,
 ) -> Verdict:
     """Judge an adaptive law by V' along the closed loop.
@@ -152,11 +152,11 @@ def prove(
     given : callable, optional
         ``given(states, parameters, truth)``, a list of what is not negative: the verdict holds
         where that is so.
-    keeps : callable, optional
-        ``keeps(states, parameters, truth)``, state -> what it is in the others, where they begin
-        so; V' is then -e^T KD e less `losses`, and V has to be given.
-    cones : sequence of str, optional
-        States that are matrices, symmetric and not negative.
+    invariants : callable, optional
+        ``invariants(states, parameters, truth)``, state -> what it is in the others, where they
+        begin so; V' is then -e^T KD e less `losses`, and V has to be given.
+    semidefinite : sequence of str, optional
+        States that are symmetric positive semidefinite matrices.
     losses : callable, optional
         ``losses(states, parameters, truth)``, what V' loses: products, tuples of factors that are
         not negative.
@@ -209,12 +209,12 @@ def prove(
     N = functions_of(law_block)
     theorem_loop(N, "learned-flow", law_block=law_block)  # refuses what is no law
     with worked_out(law_block.name):
-        if keeps is None:
+        if invariants is None:
             return _judged(law_block, V, given, N, points, seed)
         if V is None:
             raise DiagramError(f"{law_block.name}: a law whose states keep relations needs its V")
-        part = {"keeps": keeps, "cones": cones, "losses": losses}
-        row = Law(law_block.name, "", rates=law_block.values, says="-e^T KD e - losses")
+        part = {"invariants": invariants, "semidefinite": semidefinite, "losses": losses}
+        row = Law(law_block.name, "", rates=law_block.values, V_rate="-e^T KD e - losses")
         make, own = _maker(V), (law_block.parameters,)[: _taken(V) - 1]
         blocks = law_block, lambda truth: make(truth, *own)
         case = Kept(row := row.with_parts(part), N, blocks=blocks)

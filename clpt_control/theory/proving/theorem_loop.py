@@ -71,7 +71,7 @@ def theorem_scenario(
             "vehicle.max_speed": None if speed == "no limit" else 1.5,
             "learning.hedging": None if speed == "no limit" else speed == "hedged",
             "learning.law": law,
-            "learning.parameters": None if LAWS[law].keeps_alpha else (0.2 * signs).tolist(),
+            "learning.parameters": None if LAWS[law].alpha_is_constant else (0.2 * signs).tolist(),
             "learning.theta_estimate": (0.4 * signs).tolist() if known else None,
             **(AT_FIXES if LAWS[law].at_fixes else {}),
         }
@@ -118,7 +118,7 @@ def theorem_loop(
 
 def law_loop(law: Law, block: Block, V: Block, speed: Hedging = "no limit") -> Diagram:
     """Wire a law of the table with its V."""
-    known = law.name if law.keeps_alpha else "learned-flow"
+    known = law.name if law.alpha_is_constant else "learned-flow"
     return theorem_loop(block.sizes["N"], known, law_block=block, candidate=V, speed=speed)
 
 
