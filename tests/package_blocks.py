@@ -104,7 +104,7 @@ def package_blocks():
             yield f"consensus-{len(neighbours)}-{N}", block
         learned = LAWS["learned-flow"].block(theorem_scenario(N, "learned-flow").known_to_law)
         yield f"law-in-a-team-{N}", team.pulled_law(learned)
-        for law in lyapunov.LAWS:
+        for law in lyapunov.CANDIDATES:
             p = lyapunov.one_gain(0.7, theta, KD, GammaD)
             yield f"lyapunov-{law}-{N}", lyapunov.lyapunov_candidate(law, p)
 

@@ -41,17 +41,17 @@ def controller(t, x, u, p):
     return -(u.alpha @ u.phi_z) - u.K * u.z + u.Gamma * u.zc + u.psi
 
 
-def known_flow(t, x, u, p):
+def known_flow_psi(t, x, u, p):
     """Psi = (theta_hat - alpha_M) phi(x), Eq. (13)."""
     return (p.theta_hat - p.alpha_M) @ u.phi_x
 
 
-def estimated_flow(t, x, u, p):
+def estimated_flow_psi(t, x, u, p):
     """Psi of Eq. (13) with the estimate a signal."""
     return (u.theta_hat - p.alpha_M) @ u.phi_x
 
 
-def learned_flow(t, x, u, p):
+def learned_flow_psi(t, x, u, p):
     """Psi = -(alpha_M + alpha) phi(x) - (alpha_M - alpha) phi(z), Eq. (20)."""
     return -(p.alpha_M + u.alpha) @ u.phi_x - (p.alpha_M - u.alpha) @ u.phi_z
 
@@ -77,17 +77,19 @@ def learning_controller(N: int) -> Block:
 def known_flow_injection(theta_hat: Any, alpha_M: Any) -> Block:
     """Make the injection of a given estimate, Eq. (13)."""
     inputs = {"phi_x": "N", "phi_z": "N", "alpha": ROWS}
-    return _injection(known_flow, inputs, theta_hat=theta_hat, alpha_M=alpha_M)
+    return _injection(known_flow_psi, inputs, theta_hat=theta_hat, alpha_M=alpha_M)
 
 
 def estimated_flow_injection(alpha_M: Any) -> Block:
     """Make the injection of an estimate that a law makes, Eq. (13)."""
-    return _injection(estimated_flow, {"phi_x": "N", "theta_hat": ROWS}, alpha_M=alpha_M)
+    return _injection(estimated_flow_psi, {"phi_x": "N", "theta_hat": ROWS}, alpha_M=alpha_M)
 
 
 def learned_flow_injection(alpha_M: Any) -> Block:
     """Make the injection of the learned-flow law, Eq. (20)."""
-    return _injection(learned_flow, {"phi_x": "N", "phi_z": "N", "alpha": ROWS}, alpha_M=alpha_M)
+    return _injection(
+        learned_flow_psi, {"phi_x": "N", "phi_z": "N", "alpha": ROWS}, alpha_M=alpha_M
+    )
 
 
 def _injection(output: Any, inputs: dict[str, Any], **parameters: Any) -> Block:

@@ -3,7 +3,7 @@
     V = (|e|^2 + |K - KD|^2/gamma + |GammaD - Gamma|^2/gamma) / 2               Eq. (17)
     V = Eq. (17) + |theta + alpha|^2 / (2 gamma)                                Eq. (24)
 
-The paper has one gain gamma (`one_gain`); here each error is weighed by its own.
+The paper has one gain gamma (`one_gain`); here each error is weighted by its own.
 V is a signal like any other: runs keep it and proofs differentiate it, both from
 the functions here.
 
@@ -21,7 +21,7 @@ from ..equations.declaration import Parameters
 SHAPES = {"gain": (2, "N"), "theta": (2, "N")}  # of what V is made of
 
 
-def weighed(gains: Sequence[float], theta: Any, KD: Any, GammaD: Any) -> Any:
+def weighted(gains: Sequence[float], theta: Any, KD: Any, GammaD: Any) -> Any:
     """Return what V is made of: the truth, and gains of alpha, K and Gamma for each error.
 
     Of a gain of 0 there is no error.
@@ -40,7 +40,7 @@ def weighed(gains: Sequence[float], theta: Any, KD: Any, GammaD: Any) -> Any:
 
 def one_gain(gain: float, theta: Any, KD: Any, GammaD: Any) -> Any:
     """Return what V of Eqs. (17) and (24) is made of: one gain gamma."""
-    return weighed((gain, gain, gain), theta, KD, GammaD)
+    return weighted((gain, gain, gain), theta, KD, GammaD)
 
 
 def level(e, u, p):
@@ -54,24 +54,24 @@ def flow_level(u, p):
     return np.sum((p.theta + u.alpha) ** 2 / p.gain) / 2
 
 
-def known_flow(t, x, u, p):
+def known_flow_V(t, x, u, p):
     """V of Eq. (17)."""
     return {"V": level(u.e, u, p)}
 
 
-def learned_flow(t, x, u, p):
+def learned_flow_V(t, x, u, p):
     """V of Eq. (24)."""
     return {"V": level(u.e, u, p) + flow_level(u, p)}
 
 
-LAWS = {"known-flow": known_flow, "learned-flow": learned_flow}
+CANDIDATES = {"known-flow": known_flow_V, "learned-flow": learned_flow_V}
 
 
 def lyapunov_candidate(law: str, parameters: Any) -> Block:
     """Make V: Eq. (17) for the law ``"known-flow"``, Eq. (24) for ``"learned-flow"``."""
     return Block(
         "lyapunov",
-        output=LAWS[law],
+        output=CANDIDATES[law],
         inputs={"e": 2, "alpha": (2, "N"), "K": 2, "Gamma": 2},
         outputs={"V": 1},
         parameters=parameters,

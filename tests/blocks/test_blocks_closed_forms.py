@@ -96,7 +96,7 @@ TRUE = lyapunov.weighed((0.5, 0.25, 1.0), [[1.0, 2], [3, 4]], [1.0, 2], [3.0, 4]
 AT_TRUTH = [0, 0, -1, -2, -3, -4, 1, 2, 3, 4]  # e, alpha = -theta, K = KD, Gamma = GammaD
 
 
-@pytest.mark.parametrize("law", lyapunov.LAWS)
+@pytest.mark.parametrize("law", lyapunov.CANDIDATES)
 def test_candidate_is_zero_at_the_true_parameters_alone(law):
     block = lyapunov.lyapunov_candidate(law, TRUE)
     assert block.output(0, [], AT_TRUTH)[0] == 0.0

@@ -155,7 +155,7 @@ FUNCTIONS = {
     "sigma": (robust.sigma, robust.leaking),
     "switching-sigma": (robust.switching_sigma, robust.leaking),
     "e-modification": (robust.e_modification, robust.leaking),
-    "projection": (robust.projection, robust.kept_within),
+    "projection": (robust.projection, robust.projected_rate),
     "dead-zone": (robust.dead_zone, robust.beyond, robust.candidate),
 }
 

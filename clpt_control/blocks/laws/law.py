@@ -26,7 +26,7 @@ import numpy as np
 from ...equations.block import Block
 from ...equations.declaration import Parameters
 from ...errors import ScenarioError
-from ..lyapunov import SHAPES, known_flow, learned_flow, weighed
+from ..lyapunov import SHAPES, known_flow_V, learned_flow_V, weighted
 
 # --- what is known ----------------------------------------------------------------------------
 
@@ -335,12 +335,12 @@ class Law(NamedTuple):
     def V(self, p: Any, truth: Truth) -> Block:
         """Make V of its parameters."""
         gains = self.V_gain(p), *gains_of(p)
-        values = weighed([1.0 if gain is None else gain for gain in gains], *truth)._asdict()
+        values = weighted([1.0 if gain is None else gain for gain in gains], *truth)._asdict()
         values |= {name: getattr(p, name) for name in self.parameters if name not in values}
         ports = {name: state.shape for name, state in {**LEARNED, **self.states}.items()}
         return Block(
             "lyapunov",
-            output=self.candidate or (known_flow if self.alpha_is_constant else learned_flow),
+            output=self.candidate or (known_flow_V if self.alpha_is_constant else learned_flow_V),
             inputs={port: {"e": 2, **ports}[port] for port in self.V_inputs},
             outputs={"V": 1},
             parameters=values,

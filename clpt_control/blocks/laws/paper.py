@@ -110,11 +110,11 @@ def kalman_flow(t, x, u, p):
     constant, theta_hat[2N] (length per time), K[2], Gamma[2] (per time), P[N*N] (length per time,
     squared), phi_f[N], q[2] (length per time), the states.
     """
-    seen, eps = x.P @ x.phi_f, filtered_flow(x, u, p) - x.theta_hat @ x.phi_f
+    P_phi, eps = x.P @ x.phi_f, filtered_flow(x, u, p) - x.theta_hat @ x.phi_f
     return {
         **adapt_gains(p, u.e, u.z, u.zc),
-        "theta_hat": np.outer(eps, seen) / p.noise**2,
-        "P": p.walk**2 * np.eye(len(x.P)) - np.outer(seen, seen) / p.noise**2,
+        "theta_hat": np.outer(eps, P_phi) / p.noise**2,
+        "P": p.walk**2 * np.eye(len(x.P)) - np.outer(P_phi, P_phi) / p.noise**2,
         **filter_rates(x, u, p),
     }
 

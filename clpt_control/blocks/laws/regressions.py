@@ -185,11 +185,11 @@ def forgetting(x, p):
     return p.forgetting * (1 - np.trace(x.P) / p.largest)
 
 
-def covariance_rates(x, p, seen):
+def covariance_rates(x, p, P_phi):
     """Return P' and rho'; P phi_f is seen."""
     forgotten = forgetting(x, p)
     return {
-        "P": forgotten * x.P - np.outer(seen, seen) / p.noise**2,
+        "P": forgotten * x.P - np.outer(P_phi, P_phi) / p.noise**2,
         "rho": -forgotten * x.rho,
     }
 
@@ -332,11 +332,11 @@ def least_squares(t, x, u, p):
     Ports: e[2], z[2], zc[2], x[2] (length), phi_x[N], v_x[2] (length per time) -> alpha[2N] (length
     per time), K[2], Gamma[2] (per time), the states of `regressions` and of `covariance`.
     """
-    seen = x.P @ x.phi_f
-    alpha = -np.outer(unexplained(x, u, p), seen) / p.noise**2
+    P_phi = x.P @ x.phi_f
+    alpha = -np.outer(unexplained(x, u, p), P_phi) / p.noise**2
     return {
         "alpha": alpha,
-        **covariance_rates(x, p, seen),
+        **covariance_rates(x, p, P_phi),
         **filter_rates(x, u, p),
         **gain_rates(x, u, p),
     }
@@ -397,12 +397,12 @@ def composite_least_squares(t, x, u, p):
     per time), K[2], Gamma[2] (per time), the states of `regressions` and of `covariance`, and
     impulse[2N] (s, time per length).
     """
-    gamma, seen = p.weight / p.noise**2, x.P @ x.phi_f
+    gamma, P_phi = p.weight / p.noise**2, x.P @ x.phi_f
     by_error, by_flow = gamma * u.e, unexplained(x, u, p) / p.noise**2
     return {
-        "alpha": -np.outer(by_error, x.P @ u.phi_x) - np.outer(by_flow, seen),
+        "alpha": -np.outer(by_error, x.P @ u.phi_x) - np.outer(by_flow, P_phi),
         "impulse": -np.outer(by_error, u.phi_x) - forgetting(x, p) * x.impulse,
-        **covariance_rates(x, p, seen),
+        **covariance_rates(x, p, P_phi),
         **filter_rates(x, u, p),
         **gain_rates(x, u, p),
     }

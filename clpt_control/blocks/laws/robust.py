@@ -79,7 +79,7 @@ def twice_gains(known: Known) -> float:
 
 
 TWICE = "twice the larger of those of KD and GammaD"
-LIMITS = {
+NORM_LIMITS = {
     "largest_flow": Setting(
         "largest norm of the flow parameters, length per time; sqrt(2 N) times "
         "the speed that KD asks for at the farthest waypoint",
@@ -95,7 +95,7 @@ def beyond_limits(p: Any, truth: Truth) -> str:
     adapts = (p.gain, p.gain_K, p.gain_Gamma)
     outside = [
         f"{key} = {getattr(p, key):.3g} is below the truth's {np.linalg.norm(true):.3g}"
-        for key, true, gain in zip(LIMITS, truth, adapts, strict=True)
+        for key, true, gain in zip(NORM_LIMITS, truth, adapts, strict=True)
         if gain > 0 and np.linalg.norm(true) > getattr(p, key)
     ]
     return f"{', '.join(outside)}: CLPE need not go to zero" if outside else ""
@@ -117,7 +117,7 @@ def level_of_sigma(p: Any, truth: Truth, delta: float) -> float:
 def level_of_switching(p: Any, truth: Truth, delta: float) -> float:
     """Return the level of sigma and what the leak lacks below 2 M: (s - s_j) d^T a <= s |d| |a|."""
     (gain, _), k = of_what_adapts(p, truth), truth.KD.min()
-    limits = (getattr(p, key) for key in LIMITS)
+    limits = (getattr(p, key) for key in NORM_LIMITS)
     lacks = sum(2 * M * (2 * M + np.linalg.norm(a)) for M, a in zip(limits, truth, strict=True))
     own = level_of_sigma(p, truth, delta)
     return own + float(p.leak * lacks / min(k, gain * p.leak))
@@ -155,7 +155,7 @@ SWITCHING_SIGMA = Law(
         *promised("true within spanned exact", "falls", "settles"),
     ),
     level=level_of_switching,
-    parameters={**GAINS, "leak": LEAK, **LIMITS},
+    parameters={**GAINS, "leak": LEAK, **NORM_LIMITS},
     doubt=beyond_limits,
 )
 E_MODIFICATION = Law(
@@ -235,7 +235,7 @@ DEAD_ZONE = Law(
 # --- balls -----------------------------------------------------------------------------------
 
 
-def kept_within(a, rate, largest, layer):
+def projected_rate(a, rate, largest, layer):
     """Return the rate of a without the part of it that points outward."""
     squares, inner = np.sum(a * a), largest**2
     share = np.clip((squares - inner) / (inner * layer * (2 + layer)), 0, 1)
@@ -263,9 +263,9 @@ def projection(t, x, u, p):
     """
     r = learned_flow(t, x, u, p)
     return {
-        "alpha": kept_within(x.alpha, r["alpha"], p.largest_flow, p.layer),
-        "K": kept_within(x.K, r["K"], p.largest_feedback, p.layer),
-        "Gamma": kept_within(x.Gamma, r["Gamma"], p.largest_feedforward, p.layer),
+        "alpha": projected_rate(x.alpha, r["alpha"], p.largest_flow, p.layer),
+        "K": projected_rate(x.K, r["K"], p.largest_feedback, p.layer),
+        "Gamma": projected_rate(x.Gamma, r["Gamma"], p.largest_feedforward, p.layer),
     }
 
 
@@ -282,7 +282,7 @@ PROJECTION = Law(
     ),
     parameters={
         **GAINS,
-        **LIMITS,
+        **NORM_LIMITS,
         "layer": Setting("how far beyond a limit, as a share of it", 0.1),
     },
     doubt=beyond_limits,
