@@ -16,7 +16,7 @@ import numpy as np
 
 from ..equations.block import Block
 from ..equations.declaration import Guard
-from ..equations.tables import lookup
+from ..equations.lookup_tables import lookup
 
 ADVICE = 'flow.outside = "clip" or "stop" goes on or ends there'  # what a scenario may say
 FOUR = np.arange(4.0)  # the coefficients of a spline at a place

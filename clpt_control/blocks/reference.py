@@ -16,7 +16,7 @@ import numpy as np
 
 from ..equations.block import Block
 from ..equations.declaration import Each
-from ..equations.tables import lookup
+from ..equations.lookup_tables import lookup
 
 
 def waypoint(t, x, u, p):

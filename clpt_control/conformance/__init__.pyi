@@ -1,4 +1,4 @@
 from .all_readings import readings
-from .report import ConformanceReport, check_block, conformance
+from .checks import ConformanceReport, check_block, conformance
 
 __all__ = ["ConformanceReport", "check_block", "conformance", "readings"]

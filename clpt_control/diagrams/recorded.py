@@ -13,7 +13,7 @@ import control
 import numpy as np
 
 from ..equations.block import Block
-from ..equations.recorded import Unrecorded, block_of, plain_block
+from ..equations.plain_blocks import Unrecorded, block_of, plain_block
 from ..equations.sampled import Sampled
 from ..equations.system import System
 from ..equations.unchanged import Keys, Unkeyed

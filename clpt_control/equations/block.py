@@ -21,6 +21,7 @@ import numpy as np
 
 from ..arguments import public, shown
 from ..errors import BlockError
+from .answers import located
 from .arrays import Unread
 from .declaration import (
     Declared,
@@ -42,7 +43,6 @@ from .declaration import (
     sizes_of,
     vector,
 )
-from .given import located
 from .reading import RAISED, read, record_of_states
 from .record import Record as ArrayRecord
 from .record import Shape

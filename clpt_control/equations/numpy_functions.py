@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from . import tables, views
+from . import lookup_tables, views
 from .arrays import (
     PARTS,
     Array,
@@ -313,10 +313,10 @@ reads(np.linalg.inv)(lambda A: solve(A, np.eye(A.shape[0])))
 accumulates(np.add, np.cumsum)
 accumulates(np.multiply, np.cumprod)
 reads(np.allclose, arrays=2)(lambda *given, **more: np.all(close(*given, **more)))
-reads(np.interp)(tables.interpolated)
-reads(np.searchsorted, arrays=0)(tables.searched)
+reads(np.interp)(lookup_tables.interpolated)
+reads(np.searchsorted, arrays=0)(lookup_tables.searched)
 reads(np.digitize, arrays=0)(
-    lambda x, points, right=False: tables.searched(points, x, "left" if right else "right")
+    lambda x, points, right=False: lookup_tables.searched(points, x, "left" if right else "right")
 )
 reads(np.stack, arrays=0)(views.stack)
 reads(np.concatenate, arrays=0)(views.join)

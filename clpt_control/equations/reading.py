@@ -15,6 +15,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..errors import BlockError
+from .answers import Borrowed, Outside, Ports, Reading, located
 from .arrays import (
     Array,
     Tape,
@@ -29,7 +30,6 @@ from .arrays import (
 )
 from .copies import Copies, borrowed
 from .declaration import Parameters, places
-from .given import Borrowed, Outside, Ports, Reading, located
 from .record import Record, Shape, compact
 
 MOST_WAYS = 256

@@ -30,8 +30,8 @@ from .arrays import (
     where,
     whole,
 )
+from .lookup_tables import function_of
 from .numpy_functions import applied, in_order
-from .tables import function_of
 from .ufuncs import called
 from .views import converted, copied, fresh, tape_of
 

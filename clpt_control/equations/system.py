@@ -22,10 +22,10 @@ import numpy as np
 from scipy.linalg import block_diag
 
 from ..errors import BlockError, DiagramError
+from .answers import EVERY, Params
 from .arrays import Unread
 from .block import Block
 from .declaration import Parameters, sizes_of
-from .given import EVERY, Params
 from .reading import Read, read, record_of_states
 from .record import Record
 from .sampled import Sampled

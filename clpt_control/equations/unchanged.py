@@ -20,7 +20,7 @@ import control
 import numpy as np
 
 from .declaration import Parameters
-from .tables import is_table
+from .lookup_tables import is_table
 
 MOST = 20_000  # numbers of an array
 MANY = 100  # things in a list

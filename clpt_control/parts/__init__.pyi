@@ -1,8 +1,8 @@
 from .controllers import pid
-from .estimators import kalman_filter, noise, observer
 from .hysteresis import backlash, relay
 from .lags import delay, hold, lag
 from .limits import dead_zone, lookup_table, rate_limit, saturation
+from .observers import kalman_filter, noise, observer
 from .vehicles import planar_vehicle, point_vehicle, thrusters
 
 __all__ = [

@@ -14,9 +14,9 @@ import numpy as np
 
 from ..arguments import public
 from ..blocks import clpe, disturbance, field, flow, learner, localization, reference, vehicle
+from ..blocks.consensus import consensus_block, pulled_law
 from ..blocks.laws.table import LAWS
 from ..blocks.localization import TRUE
-from ..blocks.team import consensus_block, pulled_law
 from ..diagrams.interconnection import Diagram, connect, wiring_of_blocks
 from ..diagrams.parts import (
     UNCHANGED,

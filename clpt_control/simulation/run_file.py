@@ -15,7 +15,7 @@ import numpy as np
 from ..arguments import public
 from ..diagrams.interconnection import Diagram
 from ..diagrams.recorded import diagram_of, plain_diagram
-from ..equations.recorded import Unrecorded
+from ..equations.plain_blocks import Unrecorded
 from ..errors import ClptError, DataError
 from ..files import open_netcdf, write_netcdf
 from ..native.native_diagram import NativeDiagram

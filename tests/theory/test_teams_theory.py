@@ -5,7 +5,7 @@ import pytest
 from strait import DIFFERENT, ROW, team, vehicle
 
 import clpt_control as clpt
-from clpt_control.blocks import team as blocks
+from clpt_control.blocks import consensus as blocks
 from clpt_control.theory.proving.judgement import GRAPHS, judged_team, team_steps
 
 

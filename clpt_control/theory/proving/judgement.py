@@ -31,9 +31,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ...blocks.consensus import total_candidate
 from ...blocks.laws.law import Law
 from ...blocks.laws.table import LAWS
-from ...blocks.team import total_candidate
 from ...diagrams.interconnection import Diagram, connect
 from ...equations.block import Block
 from ...equations.declaration import named, split, within
