@@ -61,7 +61,7 @@ class VariedBlock(Block):
             guard=inner.guard and inner.guard._replace(sentence=self._sentence),
         )
         self.raised, self.dt = inner.raised, inner.dt
-        self.kept = None if inner.kept is None else inner.kept * (1 + count)
+        self.first_held = None if inner.first_held is None else inner.first_held * (1 + count)
 
     def _beside(self, *groups: Mapping[str, Shape]) -> Iterator[tuple[str, Shape]]:
         for shapes in groups:
@@ -72,7 +72,7 @@ class VariedBlock(Block):
         assert self.inner.guard is not None
         return self.inner.guard.sentence(t, u[: self.inner.ninputs], p)
 
-    def _tried(self) -> None:
+    def _try_equations(self) -> None:
         """Leave it to the inner block, which was tried."""
 
     @property
@@ -149,7 +149,7 @@ class _Along(Direction):
 def _groups(block: Block) -> list[dict[str, Shape]]:
     """Return the states of a block; of one that samples those that it holds apart."""
     shapes = block.state_shapes
-    if not isinstance(block, Sampled) or block.kept is None:
+    if not isinstance(block, Sampled) or block.first_held is None:
         return [shapes]
     count = len(block.inner.state_shapes)
     own = list(shapes.items())

@@ -1,4 +1,4 @@
-"""What a function is given while it is read: arrays without values, and answers to its questions.
+"""Arguments of a function while it is read: arrays without values, and answers to its questions.
 
 Each way through a function is a row of answers; what depends on parameters alone has a value.
 """
@@ -33,8 +33,8 @@ class Outside(Exception):
 
 
 EVERY = object()  # stands for all names
-ONE = ("__getitem__", "__contains__", "get", "pop", "setdefault")
-ALL = (
+FOR_ONE = ("__getitem__", "__contains__", "get", "pop", "setdefault")
+FOR_ALL = (
     *("__iter__", "__reversed__", "__eq__", "__or__", "__ror__"),
     *("keys", "values", "items", "copy", "popitem"),
 )
@@ -44,24 +44,24 @@ def _noted(method: str) -> Callable:
     """Return a method of dict that notes for which name it asks, or that it asks for all."""
     real = getattr(dict, method)
 
-    def asked(self: "Params", *given: Any) -> Any:
-        self.names.add(given[0] if method in ONE else EVERY)
-        return real(self, *given)
+    def noting(self: "Params", *arguments: Any) -> Any:
+        self.names.add(arguments[0] if method in FOR_ONE else EVERY)
+        return real(self, *arguments)
 
-    return asked
+    return noting
 
 
 class Params(dict):
     """The params of python-control, which note for which names a function asks."""
 
-    def __init__(self, given: Mapping[str, Any], names: set[Any]) -> None:
-        super().__init__(given)
+    def __init__(self, params: Mapping[str, Any], names: set[Any]) -> None:
+        super().__init__(params)
         self.names = names
 
-    vars().update({method: _noted(method) for method in (*ONE, *ALL)})
+    vars().update({method: _noted(method) for method in (*FOR_ONE, *FOR_ALL)})
 
 
-class Reading(Tape):
+class AnsweringTape(Tape):
     """A tape with the answers that this way through the function takes."""
 
     def __init__(self, parameters: Mapping[str, Any], spaces: list[dict[str, Any]]) -> None:
@@ -71,7 +71,7 @@ class Reading(Tape):
         self.way: list[bool] = []
         self.answers: dict[int, bool] = {}
         self.rows: dict[int, int] = {}  # length of the row in which a signal is a place
-        self.asked: tuple[int, int] | None = None  # the signal last asked, and the answer
+        self.last_asked: tuple[int, int] | None = None  # a signal, and the answer
 
     def question(self, ref: Ref) -> bool:
         """Answer a condition: as this way says, or by the parameters if they decide."""
@@ -91,7 +91,7 @@ class Reading(Tape):
         """Return what Python asks for; only parameters have a value."""
         if type(ref) is float or not self.free[ref]:
             return self.known(ref)
-        frame = _asking()
+        frame = _asking_frame()
         space, where_ = frame.f_globals, f"{frame.f_code.co_name}, line {frame.f_lineno}"
         library = (space.get("__name__") or "").partition(".")[0]
         if library in LIBRARIES:
@@ -116,8 +116,8 @@ class Reading(Tape):
         record = compact(self.operations, [ref])
         return record.values(lambda group, name: self.parameters[name], {})[0]
 
-    def given(self, ref: int) -> Any:
-        """Return what the user gave for a parameter, whose value is then pinned."""
+    def parameter(self, ref: int) -> Any:
+        """Return the value of a parameter as the user wrote it, which is then pinned."""
         kind, _, _, at = self.operations[ref]
         if kind != "leaf" or self.free[ref]:
             return None
@@ -138,27 +138,27 @@ class Reading(Tape):
                 raise Unread(
                     "counts with a signal; let a number of the run choose by np.where or lookup"
                 )
-            self.asked = ref, k
+            self.last_asked = ref, k
             if number == float(k):
                 return k
-        self.asked = None
+        self.last_asked = None
         raise Outside
 
     def ended(self, error: Exception) -> None:
         """Learn from a way that raised where a row ends."""
-        if isinstance(error, IndexError) and self.asked and self.asked[1] >= 0:
-            self.rows.setdefault(*self.asked)
+        if isinstance(error, IndexError) and self.last_asked and self.last_asked[1] >= 0:
+            self.rows.setdefault(*self.last_asked)
 
 
-def _asking() -> FrameType:
+def _asking_frame() -> FrameType:
     """Return the frame in which a number is asked for, past NumPy and the record's own."""
     frame = sys._getframe(2)
-    while frame.f_back is not None and _own(frame):
+    while frame.f_back is not None and _is_own(frame):
         frame = frame.f_back
     return frame
 
 
-def _own(frame: FrameType) -> bool:
+def _is_own(frame: FrameType) -> bool:
     name = frame.f_globals.get("__name__") or ""
     return name.startswith("numpy") or name.startswith(__package__)
 
@@ -174,7 +174,7 @@ def located(function: Any, *errors: Exception) -> str:
         while trace is not None:
             frame, trace_line = trace.tb_frame, trace.tb_lineno
             name = frame.f_globals.get("__name__") or ""
-            if not _own(frame) and name.partition(".")[0] not in LIBRARIES:
+            if not _is_own(frame) and name.partition(".")[0] not in LIBRARIES:
                 found = f"{frame.f_code.co_name}, line {trace_line}: "
             trace = trace.tb_next
     return found or f"{getattr(function, '__name__', 'it')}: "
@@ -183,7 +183,7 @@ def located(function: Any, *errors: Exception) -> str:
 class Ports(Array):
     """States or inputs without values: a vector, with its ports as views."""
 
-    __slots__ = ("_joined", "_ports")
+    __slots__ = ("_ports", "_vector")
 
     def __init__(self, tape: Tape, group: str, shapes: Mapping[str, Shape], fixed: bool = True):
         self._ports = {
@@ -191,7 +191,7 @@ class Ports(Array):
         }
         known = all(isinstance(n, int) for shape in shapes.values() for n in shape)
         size: Any = sum(map(prod, shapes.values())) if known else f"len({group})"
-        self._joined: int | None = None
+        self._vector: int | None = None
         super().__init__(tape, -1, (size,))
         self._fixed = fixed
         for leaf in self._ports.values():
@@ -200,17 +200,17 @@ class Ports(Array):
     @property
     def _node(self) -> int:
         """Return the vector of all ports, one behind the other."""
-        if self._joined is None:
+        if self._vector is None:
             self._counted()
             rows = [row for leaf in self._ports.values() for row in _rows(leaf)]
             if not rows:
-                self._joined = self._tape.add("constant", (), (0,), b"")._node
+                self._vector = self._tape.add("constant", (), (0,), b"")._node
             elif len(rows) == 1:
-                self._joined = rows[0]._node
+                self._vector = rows[0]._node
             else:
                 refs = [row._ref for row in rows]
-                self._joined = self._tape.add("join", refs, self.shape)._node
-        return self._joined
+                self._vector = self._tape.add("join", refs, self.shape)._node
+        return self._vector
 
     @_node.setter
     def _node(self, value: int) -> None:

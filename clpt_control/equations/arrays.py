@@ -22,7 +22,7 @@ MOST_OPERATIONS = 200_000  # a longer record is given up
 LOGICAL = frozenset({"and", "or", "not"})  # of conditions
 CONDITIONS = LOGICAL | {"lt", "le", "gt", "ge", "eq", "ne"}
 TRUTH = np.dtype(bool)
-KEPT_TRUTHS = CONDITIONS | {"where"}  # take truth values alone
+TRUTHS_ALLOWED = CONDITIONS | {"where"}  # operations on truth values alone
 MOVED = frozenset({"view", "stack", "join"})  # hold what their arguments hold
 OF_TRUTHS = {"mul": "and", "minimum": "and", "maximum": "or"}  # what NumPy makes of truth values
 RAISING = frozenset({"div", "floordiv", "mod", "pow"})  # where Python's floats raise
@@ -103,8 +103,7 @@ class Tape:
         values: list[Any] = []
         for kind, arguments, shape, at in record.operations:
             refs = [operand(values[a]) if type(a) is int else a for a in arguments]
-            made = leaf(at[0], at[1], shape) if kind == "leaf" else self.add(kind, refs, shape, at)
-            values.append(made)
+            values.append(leaf(*at, shape) if kind == "leaf" else self.add(kind, refs, shape, at))
         return [values[ref] if type(ref) is int else ref for ref in record.outputs]
 
     def question(self, ref: Any) -> Any:
@@ -113,8 +112,8 @@ class Tape:
 
     numbers = whole = question
 
-    def given(self, ref: int) -> Any:
-        """Return what the user gave for a parameter, whose value counts from now on."""
+    def parameter(self, ref: int) -> Any:
+        """Return the value of a parameter as the user wrote it, which counts from now on."""
         return None
 
 
@@ -152,15 +151,15 @@ class Masked(NDArrayOperatorsMixin):
 class Array(NDArrayOperatorsMixin):
     """A value of a tape, of a known shape, used as NumPy's arrays are."""
 
-    __slots__ = ("_fixed", "_node", "_parent", "_store", "_taken", "_tape", "_whole", "shape")
+    __slots__ = ("_fixed", "_node", "_parent", "_select", "_store", "_tape", "_whole", "shape")
     __array_priority__ = 1000
 
-    def __init__(self, tape: Tape, node: int, shape: Shape, parent: Any = None, taken: Any = None):
+    def __init__(self, tape: Tape, node: int, shape: Shape, parent: Any = None, select: Any = None):
         self._tape, self._node, self.shape = tape, node, shape
         self._fixed = False  # whether nothing may be written into it
         self._whole = False  # whether what is written into it is cut to a whole number
         self._parent: Array | None = parent
-        self._taken = taken  # what takes this part of the parent's elements
+        self._select = select  # takes this part of the parent's elements
         self._store: np.ndarray | None = None  # its elements, once one was written
 
     # --- the value ----------------------------------------------------------------------
@@ -176,22 +175,22 @@ class Array(NDArrayOperatorsMixin):
         if self._store is None and self._parent is not None:
             above = self._parent._written()
             if above is not None:
-                self._store = np.asarray(self._taken(above), dtype=object)
+                self._store = np.asarray(self._select(above), dtype=object)
         return self._store
 
-    def _part(self, taken: Callable[[np.ndarray], Any], made: Callable[[], Any]) -> Any:
-        """Return a part: `made`, until an element of either is written."""
+    def _part(self, select: Callable[[np.ndarray], Any], view: Callable[[], Any]) -> Any:
+        """Return a part: `view`, until an element of either is written."""
         if (store := self._written()) is not None:
-            found = taken(store)
-            if not isinstance(found, np.ndarray):
-                return found
-            own = Array(self._tape, -1, found.shape, self, taken)
-            own._store = found
-            return own
-        own = made()
-        if not isinstance(own, Array) or not own.shape:
-            return own
-        return Array(self._tape, own._node, own.shape, self, taken)
+            elements = select(store)
+            if not isinstance(elements, np.ndarray):
+                return elements
+            part = Array(self._tape, -1, elements.shape, self, select)
+            part._store = elements
+            return part
+        part = view()
+        if not isinstance(part, Array) or not part.shape:
+            return part
+        return Array(self._tape, part._node, part.shape, self, select)
 
     @property
     def ndim(self) -> int:
@@ -325,8 +324,8 @@ class Array(NDArrayOperatorsMixin):
 
     def __format__(self, spec: str) -> str:
         ref = self._ref
-        given = ref if type(ref) is float else self._tape.given(ref)
-        return repr(self) if given is None else format(given, spec)
+        value = ref if type(ref) is float else self._tape.parameter(ref)
+        return repr(self) if value is None else format(value, spec)
 
     def __str__(self) -> str:
         return format(self, "")
@@ -454,7 +453,7 @@ def elementwise(name: str, *arguments: Any) -> Any:
     """Return an elementwise operation of arrays and numbers."""
     tape = next(a._tape for a in arguments if isinstance(a, Array))
     refs, shapes = [], set()
-    if name not in KEPT_TRUTHS and all(map(is_truth, arguments)):
+    if name not in TRUTHS_ALLOWED and all(map(is_truth, arguments)):
         if name not in OF_TRUTHS:
             raise Unread(
                 "calculates with truth values alone, of which NumPy and Python make different "
@@ -464,8 +463,8 @@ def elementwise(name: str, *arguments: Any) -> Any:
     if name in RAISING and tape.has_floats:
         refuse_in_a_try(tape, arguments[-1])
     for k, one in enumerate(arguments):
-        made = as_condition if name in LOGICAL or (name == "where" and not k) else as_number
-        one = one if type(one) is float else made(lifted(tape, one))
+        convert = as_condition if name in LOGICAL or (name == "where" and not k) else as_number
+        one = one if type(one) is float else convert(lifted(tape, one))
         if isinstance(one, Array):
             shapes.add(one.shape)
         refs.append(operand(one))

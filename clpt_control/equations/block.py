@@ -35,10 +35,10 @@ from .declaration import (
     check_units,
     checked_parameters,
     flattened,
-    kept_vector,
     labels,
     places,
     ports_of,
+    reused_vector,
     shapes_of,
     sizes_of,
     vector,
@@ -121,7 +121,7 @@ class Block(control.NonlinearIOSystem):
     array([1.5, 2.5])
     """
 
-    kept: int | None = None  # of a sampled block: how many states stand before what it holds
+    first_held: int | None = None  # of a sampled block: the first state that holds an input
     units: Mapping[str, str] = MappingProxyType({})  # of ports, where they are said
 
     def __init__(
@@ -198,9 +198,9 @@ class Block(control.NonlinearIOSystem):
             name=name,
             dt=dt,
         )
-        self._tried()
+        self._try_equations()
 
-    def _tried(self) -> None:
+    def _try_equations(self) -> None:
         """Run the equations at a few points, so that a mistake is told where the block is made."""
         p = self.parameters_at(0.0)
         for role, (_, where) in self._plan.items():
@@ -208,14 +208,14 @@ class Block(control.NonlinearIOSystem):
             for point in (0.0, 0.3, 1.7, -0.6):  # a logarithm may be asked of some
                 x, u = np.full(self.nstates, point), np.full(self.ninputs, point)
                 try:
-                    self._asked(role, size, abs(point), x, u, p)
+                    self._evaluate(role, size, abs(point), x, u, p)
                     break
                 except BlockError:
                     raise
                 except Exception as error:
                     failed = error
             else:
-                raise BlockError(self._said(role, failed)) from failed
+                raise BlockError(self._sentence_of(role, failed)) from failed
 
     # --- how it is shown ----------------------------------------------------------------
 
@@ -247,8 +247,8 @@ class Block(control.NonlinearIOSystem):
             bound(self.name, self.declared[kind], sizes) for kind in ("inputs", "outputs", "states")
         )
         self._plan = {role: (f, places(where)) for role, (f, where) in self._roles.items()}
-        self._x = places(self._called("states", self.state_shapes))
-        self._u = places(self._called("inputs", self.input_shapes))
+        self._x = places(self._inner_shapes("states", self.state_shapes))
+        self._u = places(self._inner_shapes("inputs", self.input_shapes))
 
     def _ports(self, kind: str) -> dict[str, int]:
         """Return ports as the labels form them, each with its number of signals."""
@@ -279,7 +279,7 @@ class Block(control.NonlinearIOSystem):
             self.units.get(label.partition("[")[0], "") for label in getattr(self, f"{kind}_labels")
         ]
 
-    def _called(self, kind: str, shapes: Mapping[str, Any]) -> dict[str, Any]:
+    def _inner_shapes(self, kind: str, shapes: Mapping[str, Any]) -> dict[str, Any]:
         """Return ports by the names that the equations use."""
         names = self._inner.get(kind, {})
         return {names.get(port, port): shape for port, shape in shapes.items()}
@@ -319,10 +319,10 @@ class Block(control.NonlinearIOSystem):
     @property
     def _roles(self) -> dict[str, tuple[Callable, dict[str, Shape]]]:
         """Return each role's function and the shapes of what it returns."""
-        states = self._called("states", self.state_shapes)
+        states = self._inner_shapes("states", self.state_shapes)
         given: dict[str, tuple[Any, dict[str, Shape]]] = {
             "update": (self.update_function, states),
-            "output": (self.output_function, self._called("outputs", self.output_shapes)),
+            "output": (self.output_function, self._inner_shapes("outputs", self.output_shapes)),
             "guard": (None if self.guard is None else self.guard.distance, {"distance": ()}),
             "jump": (self.jump_function, states),
         }
@@ -358,7 +358,7 @@ class Block(control.NonlinearIOSystem):
         }
         for stay_open in (True, False) if self.sizes else (False,):
             asked = self.declared if stay_open else ports
-            x, u, y = (self._called(kind, asked[kind]) for kind in ports)
+            x, u, y = (self._inner_shapes(kind, asked[kind]) for kind in ports)
             out = {"guard": bound_out, "output": y}.get(role, x)
             given = {**shapes, **self.parameter_shapes} if stay_open else shapes
             try:
@@ -537,16 +537,16 @@ class Block(control.NonlinearIOSystem):
         A run may try such numbers and go on without them; what stops it is in `raised`.
         """
         try:
-            found = self._asked(role, size, t, x, u, p)
+            found = self._evaluate(role, size, t, x, u, p)
         except RAISED as error:  # as math.log(0.0) does
-            self.raised[role] = self._said(role, error)
+            self.raised[role] = self._sentence_of(role, error)
             return np.full(size, np.nan)
         except Exception as error:
-            raise BlockError(self._said(role, error)) from error
+            raise BlockError(self._sentence_of(role, error)) from error
         self.raised.pop(role, None)
         return found
 
-    def _said(self, role: str, error: Exception) -> str:
+    def _sentence_of(self, role: str, error: Exception) -> str:
         """Return which function raised what, and in which line."""
         if isinstance(error, BlockError):  # it says so itself
             return str(error)
@@ -557,10 +557,10 @@ class Block(control.NonlinearIOSystem):
 
     def _vectors(self, x: np.ndarray, u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return arrays that are filled again and again as states and inputs with ports."""
-        return kept_vector(x, self._x), kept_vector(u, self._u)
+        return reused_vector(x, self._x), reused_vector(u, self._u)
 
     @np.errstate(all="ignore")
-    def _asked(self, role: str, size: int, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
+    def _evaluate(self, role: str, size: int, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
         function, where = self._plan[role]
         given = function(np.float64(t), vector(x, self._x), vector(u, self._u), p)
         return flattened(f"{self.name}.{role}", given, where, size)

@@ -6,7 +6,7 @@ own names; where it asks for the number of a signal, `Borrowed` puts stand-ins i
 the length of a reading, under a lock, and then puts the module's own names back.
 
 Objects and containers that a function reaches could keep something from one call to the next
-(`Kept`): a reading leaves them as they were.  What the first reading changed is unknown to the
+(`Snapshot`): a reading leaves them as they were.  What the first reading changed is unknown to the
 second (a leaf of its own): a record that depends on it is no function of time, states and inputs.
 """
 
@@ -27,7 +27,7 @@ from .unchanged import names_in
 from .views import fresh
 
 LIBRARIES = ("numpy", "scipy", "matplotlib")  # run as they are
-OWN = tuple(f"{__package__}.{name}" for name in ("arrays", "record", "views"))  # that read
+READERS = tuple(f"{__package__}.{name}" for name in ("arrays", "record", "views"))  # that read
 _LOCK = threading.RLock()
 _NONE = object()
 OF_WARNINGS = "__warningregistry__"  # which Python puts into the module that it warns of
@@ -40,9 +40,9 @@ class Copies:
     """The copies of one reading, which tell whether a function changed a name of its module."""
 
     def __init__(self, tape: Tape) -> None:
-        self.tape, self.kept = tape, Kept()
+        self.tape, self.snapshot = tape, Snapshot()
         self._known: dict[int, Any] = {}
-        self._kept: list[Any] = []  # alive, so that places stay theirs
+        self._alive: list[Any] = []  # alive, so that places stay theirs
         self._spaces: dict[int, tuple[dict, dict]] = {}  # names of a module: copied, as they began
         self._cells: list[tuple[CellType, Any, str]] = []
 
@@ -51,12 +51,12 @@ class Copies:
         if isinstance(value, int | float | str):
             return value
         if id(value) not in self._known:
-            self._kept.append(value)
+            self._alive.append(value)
             self._known[id(value)] = value  # of a value that holds itself
-            self._known[id(value)] = self._made(value)
+            self._known[id(value)] = self._stand_in_of(value)
         return self._known[id(value)]
 
-    def _made(self, value: Any) -> Any:
+    def _stand_in_of(self, value: Any) -> Any:
         if isinstance(value, FunctionType):
             return self._function(value)
         if type(value) is np.ndarray and value.dtype == float and value.size:
@@ -64,9 +64,9 @@ class Copies:
         table = table_of(value)
         if table is not None:
             return table
-        self.kept.add(value)
+        self.snapshot.add(value)
         if isinstance(value, MethodType):
-            self.kept.add(value.__self__)
+            self.snapshot.add(value.__self__)
             return MethodType(self.of(value.__func__), value.__self__)
         if isinstance(value, functools.partial):
             own = {name: self.of(one) for name, one in value.keywords.items()}
@@ -94,7 +94,7 @@ class Copies:
     def _function(self, function: FunctionType) -> Any:
         if (function.__module__ or "").partition(".")[0] in LIBRARIES:
             return stand_in(function)
-        if function.__module__ in OWN:
+        if function.__module__ in READERS:
             return function
         space, first = self._space(function.__globals__)
         cells = tuple(CellType() for _ in function.__closure__ or ())
@@ -138,7 +138,7 @@ class Copies:
                 raise Unread(f"changes {name!r} of the function around it; make it a state")
 
 
-class Kept:
+class Snapshot:
     """The state of objects as it was before a reading."""
 
     def __init__(self) -> None:
@@ -151,7 +151,7 @@ class Kept:
             return
         if id(value) in self._objects or len(self._objects) >= MOST:
             return
-        inside = _inside(value)
+        inside = _container_of(value)
         if inside is None:
             return
         self._objects[id(value)] = value, inside, inside.copy()
@@ -166,7 +166,7 @@ class Kept:
             if isinstance(inside, Mapping) or key < len(inside):
                 inside[key] = leaf(k)
 
-    def put_back(self) -> None:
+    def restore(self) -> None:
         """Make all as it was; note what had changed."""
         for place, (_, inside, before) in self._objects.items():
             now, first = _entries(inside), _entries(before)
@@ -204,7 +204,7 @@ class Slots(MutableMapping):
         return dict(self)
 
 
-def _inside(value: Any) -> Any:
+def _container_of(value: Any) -> Any:
     """Return the container that holds what an object keeps, or None."""
     if isinstance(value, list | dict | set | deque):
         return value
@@ -235,7 +235,7 @@ def borrowed(spaces: list[dict[str, Any]]) -> Iterator[None]:
             for space in spaces:
                 for name in {**SHADOWS, **space}:
                     value = space.get(name, _NONE)
-                    made = SHADOWS[name] if value is _NONE else _stood(name, value)
+                    made = SHADOWS[name] if value is _NONE else _stand_in_named(name, value)
                     if made is not value:
                         undo.append((space, name, value))
                         space[name] = made
@@ -248,6 +248,6 @@ def borrowed(spaces: list[dict[str, Any]]) -> Iterator[None]:
                     space[name] = value
 
 
-def _stood(name: str, value: Any) -> Any:
+def _stand_in_named(name: str, value: Any) -> Any:
     """Return what stands for a name of a module."""
     return value if name.startswith("__") else table_of(value) or stand_in(value)

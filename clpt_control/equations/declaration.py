@@ -62,7 +62,7 @@ class Guard(NamedTuple):
     advice: str = ""
 
     @public
-    def said(self, t: float, u: np.ndarray, p: Any) -> str:
+    def message(self, t: float, u: np.ndarray, p: Any) -> str:
         """Return the sentence, with the advice where a run fails."""
         advised = self.policy == "raise" and self.advice
         return self.sentence(t, u, p) + (f"; {self.advice}" if advised else "")
@@ -304,7 +304,7 @@ def vector(values: Any, where: dict[str, tuple[slice, Shape]]) -> Vector:
     return made
 
 
-def kept_vector(values: np.ndarray, where: dict[str, tuple[slice, Shape]]) -> Vector:
+def reused_vector(values: np.ndarray, where: dict[str, tuple[slice, Shape]]) -> Vector:
     """Return an array that is filled again and again as a vector, its ports made once."""
     made = vector(values, where)
     for port, (part, shape) in where.items():

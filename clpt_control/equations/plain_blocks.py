@@ -64,7 +64,7 @@ class RecordedBlock(Block):
     """A block whose functions are records."""
 
     def __init__(self, name: str, records: dict[str, Record], fixed: Sequence[str], **given: Any):
-        self.kept_records, self.fixed = records, frozenset(fixed)
+        self._plain_records, self.fixed = records, frozenset(fixed)
         self.package = given.pop("package")
         made = {role: AsRecorded(record, given["sizes"]) for role, record in records.items()}
         policy = given.pop("guard")
@@ -72,11 +72,11 @@ class RecordedBlock(Block):
         functions: dict[str, Any] = {role: made.get(role) for role in ROLES if role != "guard"}
         super().__init__(name, guard=guard, **given, **functions)
 
-    def _tried(self) -> None:
+    def _try_equations(self) -> None:
         """Leave it to the checks of the record."""
 
     def _read(self, role: str) -> Record | Unread:
-        return self.kept_records[role] if role in self.kept_records else super()._read(role)
+        return self._plain_records[role] if role in self._plain_records else super()._read(role)
 
     @property
     def of_package(self) -> bool:

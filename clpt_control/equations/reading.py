@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..errors import BlockError
-from .answers import Borrowed, Outside, Ports, Reading, located
+from .answers import AnsweringTape, Borrowed, Outside, Ports, located
 from .arrays import (
     Array,
     Tape,
@@ -46,7 +46,7 @@ class Read(NamedTuple):
     names: frozenset[Any] = frozenset()  # for which python-control's params were asked
 
 
-class Asked(NamedTuple):
+class Request(NamedTuple):
     """What is to be read."""
 
     function: Callable
@@ -56,7 +56,7 @@ class Asked(NamedTuple):
     parameters: Mapping[str, Any]
     shapes: Mapping[str, Shape]  # of the parameters that stay open; others are given as they are
     out: Mapping[str, Shape]
-    given_as: Callable[[dict[str, Any]], Any] | None = None  # else as the Parameters of a block
+    wrap: Callable[[dict[str, Any]], Any] | None = None  # else as the Parameters of a block
 
     @property
     def name(self) -> str:
@@ -64,34 +64,34 @@ class Asked(NamedTuple):
         return getattr(self.function, "__name__", type(self.function).__name__)
 
 
-def read(*given: Any) -> Read:
+def read(*arguments: Any) -> Read:
     """Return the record of a function, and the parameters whose values it is made with.
 
-    It takes what `Asked` says.  Raises `Unread` where it cannot be read.
+    It takes the fields of `Request`.  Raises `Unread` where it cannot be read.
     """
-    asked = Asked(*given)
+    request = Request(*arguments)
     spaces: list[dict[str, Any]] = []
     found: list[Read] = []
     before: _Ways | None = None  # the first reading
     try:
         while len(found) < 2:
             try:
-                ways = _Ways(asked, spaces, before)
+                ways = _Ways(request, spaces, before)
                 found.append(ways.read())
             except Borrowed as borrower:
                 if len(spaces) >= MOST_MODULES:
                     raise Unread(f"runs helpers of more than {MOST_MODULES} modules") from None
                 spaces.append(borrower.space)
                 found.clear()
-                ways.copies.kept.put_back()
+                ways.copies.snapshot.restore()
                 continue
             before = before or ways
     finally:
-        (before or ways).copies.kept.put_back()
+        (before or ways).copies.snapshot.restore()
     first, again = (one.record for one in found)
     if first != again and str(first) != str(again):  # NaN differs from itself
         raise Unread(
-            f"{asked.name} keeps what its next call reads, or draws by chance; make it a state"
+            f"{request.name} keeps what its next call reads, or draws by chance; make it a state"
         )
     return found[0]
 
@@ -100,10 +100,10 @@ class _Ways:
     """All ways through a function, one after the other."""
 
     def __init__(
-        self, asked: Asked, spaces: list[dict[str, Any]], before: "_Ways | None" = None
+        self, request: Request, spaces: list[dict[str, Any]], before: "_Ways | None" = None
     ) -> None:
-        self.asked, self.spaces, self.before = asked, spaces, before
-        self.tape = Reading(asked.parameters, spaces)
+        self.request, self.spaces, self.before = request, spaces, before
+        self.tape = AnsweringTape(request.parameters, spaces)
         self.copies = Copies(self.tape)
         self.ways: list[tuple[dict[int, bool], list[Any]]] = []
         self.raised: dict[str, None] = {}
@@ -111,69 +111,72 @@ class _Ways:
 
     def read(self) -> Read:
         """Run the function on each of its ways, and join what they return."""
-        tape, asked, copied = self.tape, self.asked, self.copies.of(self.asked.function)
+        tape, request, copied = self.tape, self.request, self.copies.of(self.request.function)
         t = tape.add("leaf", (), (), ("t", "t"))
         fields = {
-            name: self._leaf(name) if name in asked.shapes else self.copies.of(value)
-            for name, value in asked.parameters.items()
+            name: self._leaf(name) if name in request.shapes else self.copies.of(value)
+            for name, value in request.parameters.items()
         }
-        named = asked.given_as is None  # else x and u are the function's own
+        named = request.wrap is None  # else x and u are the function's own
         while True:
-            tape.answers, tape.asked = {}, None
+            tape.answers, tape.last_asked = {}, None
             if self.before is not None:
-                self.before.copies.kept.hide(lambda k: tape.add("leaf", (), (), ("t", f"kept {k}")))
-                for name in self.before.written:
-                    fields[name] = tape.add("leaf", (), (), ("t", f"kept {name}"))
-            x, u = Ports(tape, "x", asked.states, named), Ports(tape, "u", asked.inputs, named)
-            given = asked.given_as(dict(fields)) if asked.given_as else Parameters(**fields)
-            found = self._way(lambda: copied(t, x, u, given))  # noqa: B023
+                self.before.copies.snapshot.hide(self._unknown)
+                fields.update({name: self._unknown(name) for name in self.before.written})
+            x, u = Ports(tape, "x", request.states, named), Ports(tape, "u", request.inputs, named)
+            p = request.wrap(dict(fields)) if request.wrap else Parameters(**fields)
+            found = self._way(lambda: copied(t, x, u, p))  # noqa: B023
             self.ways.append((tape.answers, found))
             self.copies.check()
-            (self.before or self).copies.kept.put_back()
-            if isinstance(given, dict):
-                self.written |= {k for k, v in dict.items(given) if v is not fields.get(k, self)}
+            (self.before or self).copies.snapshot.restore()
+            if isinstance(p, dict):
+                self.written |= {k for k, v in dict.items(p) if v is not fields.get(k, self)}
             if len(self.ways) > MOST_WAYS:
-                raise Unread(f"{asked.name} has more than {MOST_WAYS} ways through it")
+                raise Unread(f"{request.name} has more than {MOST_WAYS} ways through it")
             way = list(tape.answers.values())
             while way and not way[-1]:
                 way.pop()
             if not way:
                 break
             tape.way = [*way[:-1], False]
-        outputs = [operand(one) for one in _joined(tape, self.ways, 0)]
-        record = compact(tape.operations, outputs, asked.out.values())
+        outputs = [operand(one) for one in _merged(tape, self.ways, 0)]
+        record = compact(tape.operations, outputs, request.out.values())
         return Read(record, frozenset(tape.pinned), tuple(self.raised))
 
+    def _unknown(self, name: Any) -> Array:
+        """Return what stands for what the first reading changed."""
+        return self.tape.add("leaf", (), (), ("t", f"changed {name}"))
+
     def _leaf(self, name: str) -> Array:
-        leaf = self.tape.add("leaf", (), self.asked.shapes[name], ("p", name))
+        leaf = self.tape.add("leaf", (), self.request.shapes[name], ("p", name))
         leaf._fixed = True
         return leaf
 
     def _way(self, run: Callable[[], Any]) -> list[Any]:
         """Return what one way gives, for each port; NaN where it raises."""
-        tape, asked, found, raised = self.tape, self.asked, [], list[Exception]()
+        tape, request, found, raised = self.tape, self.request, [], list[Exception]()
         try:
             with borrowed(self.spaces), reading_on(tape):
-                found = _by_port(tape, asked.role, run(), asked.out)
+                found = _by_port(tape, request.role, run(), request.out)
         except (Borrowed, BlockError):
             raise
         except RecursionError:
-            raise Unread(f"{asked.name} calls itself without end") from None
+            raise Unread(f"{request.name} calls itself without end") from None
         except (*RAISED, RuntimeError, Outside) as error:
             tape.ended(error)
             raised.append(error)
-            sentence = f"{located(asked.function, error)}{type(error).__name__}: {error}"
+            sentence = f"{located(request.function, error)}{type(error).__name__}: {error}"
             self.raised[sentence] = None
             if not tape.answers and tape.stopped is None:
                 raise Unread(sentence) from None
-            found = [filled(tape, nan, shape) for shape in asked.out.values()]
+            found = [filled(tape, nan, shape) for shape in request.out.values()]
         except Exception as error:
             said = str(error) if isinstance(error, Unread) else f"{type(error).__name__}: {error}"
             if isinstance(error, Unread) or tape.stopped is None:
-                raise Unread(f"{located(asked.function, error)}{said}") from None
+                raise Unread(f"{located(request.function, error)}{said}") from None
             raised.append(error)
         if isinstance(tape.stopped, Unread):  # and the function went on
-            place = located(asked.function, tape.stopped, *raised)
+            place = located(request.function, tape.stopped, *raised)
             raise Unread(f"{place}{tape.stopped}")
         if tape.stopped is not None:
             raise tape.stopped
@@ -187,7 +190,7 @@ def record_of_states(shapes: Mapping[str, Shape]) -> Record:
     return compact(tape.operations, [operand(one) for one in leaves], shapes.values())
 
 
-def _joined(tape: Tape, ways: list, depth: int) -> list[Any]:
+def _merged(tape: Tape, ways: list, depth: int) -> list[Any]:
     """Join what the ways return by the questions that tell them apart."""
     if len(ways) == 1:
         return ways[0][1]
@@ -195,9 +198,9 @@ def _joined(tape: Tape, ways: list, depth: int) -> list[Any]:
     yes = [way for way in ways if way[0][question]]
     no = [way for way in ways if not way[0][question]]
     if not no or not yes:
-        return _joined(tape, yes or no, depth + 1)
+        return _merged(tape, yes or no, depth + 1)
     condition = Array(tape, question, ())
-    pairs = zip(_joined(tape, yes, depth + 1), _joined(tape, no, depth + 1), strict=True)
+    pairs = zip(_merged(tape, yes, depth + 1), _merged(tape, no, depth + 1), strict=True)
     return [a if operand(a) == operand(b) else where(condition, a, b) for a, b in pairs]
 
 

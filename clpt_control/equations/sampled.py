@@ -25,7 +25,7 @@ HELD = "held_"  # with the name of an input port: the state that keeps it
 ROUNDING = 1e-12  # of a time, or of 1: times that differ by less are one
 
 
-def asked_inside(*arguments: Any) -> Any:
+def inner_equations(*arguments: Any) -> Any:
     """Stand for the equations, which are those of the inner block."""
     raise NotImplementedError
 
@@ -73,8 +73,8 @@ class Sampled(Block):
         states = {**inner.declared["states"], **held}
         super().__init__(
             inner.name,
-            update=asked_inside if states else None,
-            output=asked_inside,
+            update=inner_equations if states else None,
+            output=inner_equations,
             inputs=inner.declared["inputs"],
             outputs=inner.declared["outputs"],
             states=states,
@@ -82,11 +82,11 @@ class Sampled(Block):
             shapes=inner.parameter_shapes,
             sizes=inner.sizes,
             breakpoints=Each(self.period),
-            jump=asked_inside if states else None,
+            jump=inner_equations if states else None,
             units=inner.units,
         )
-        self.kept, self.raised = inner.nstates if inner.ninputs else None, inner.raised
-        self._given = self.parameters  # those that the inner block has itself
+        self.first_held, self.raised = inner.nstates if inner.ninputs else None, inner.raised
+        self._first_parameters = self.parameters  # those that the inner block has itself
         for own, rename in (("input", self.set_inputs), ("output", self.set_outputs)):
             rename(getattr(inner, f"{own}_labels"))
         if states:
@@ -99,7 +99,7 @@ class Sampled(Block):
 
     # --- readings ---------------------------------------------------------------------------
 
-    def _tried(self) -> None:
+    def _try_equations(self) -> None:
         """Leave it to the inner block, which was tried."""
 
     @property
@@ -121,7 +121,7 @@ class Sampled(Block):
         changed = {
             field: getattr(p, field)
             for field in inner.parameters._fields
-            if getattr(p, field) is not getattr(self._given, field)
+            if getattr(p, field) is not getattr(self._first_parameters, field)
         }
         own = inner.parameters._replace(**changed) if changed else inner.parameters
         states, held = x[: inner.nstates], x[inner.nstates :]
@@ -143,7 +143,7 @@ class Sampled(Block):
         def leaf(group: str, name: str, shape: Shape = ()) -> Any:
             return tape.add("leaf", (), shape, (group, name))
 
-        def asked(role: str, ago: float) -> list[Any]:
+        def replayed(role: str, ago: float) -> list[Any]:
             """Return what the inner block does with what is held, at a sample or one before."""
             t = (leaf("p", "interval") - ago) * self.period
 
@@ -158,9 +158,9 @@ class Sampled(Block):
             shapes = [*self.declared["states"].values()]
             return compact([], [0.0] * len(shapes), shapes)
         if role == "output":
-            found, shapes = asked("output", 0.0), [*inner.array_record("output").shapes]
+            found, shapes = replayed("output", 0.0), [*inner.array_record("output").shapes]
         else:
-            found = asked("update", 1.0) if inner.nstates else []
+            found = replayed("update", 1.0) if inner.nstates else []
             own = [*inner.array_record("update").shapes] if inner.nstates else []  # N may be bound
             if self.stepped:
                 before = [leaf("x", port, shape) for port, shape in zip(states, own, strict=True)]

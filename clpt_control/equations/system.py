@@ -112,19 +112,19 @@ class System(Block):
         """Return whether the functions may ask their params for a name."""
         return name in self.known or any(
             name in asked or EVERY in asked or name in texts_of(function)
-            for function, asked in self._asked_names()
+            for function, asked in self._names_asked()
         )
 
     def asks(self, name: str) -> bool:
         """Return whether the functions ask, or may ask, for a name while they run."""
-        return any(name in asked or EVERY in asked for _, asked in self._asked_names())
+        return any(name in asked or EVERY in asked for _, asked in self._names_asked())
 
     @property
     def names(self) -> set[str]:
         """Return the params that it declares, or is seen to ask for."""
-        return self.known.union(*(asked for _, asked in self._asked_names())) - {EVERY}
+        return self.known.union(*(asked for _, asked in self._names_asked())) - {EVERY}
 
-    def _asked_names(self) -> Iterator[tuple[Callable, frozenset[Any]]]:
+    def _names_asked(self) -> Iterator[tuple[Callable, frozenset[Any]]]:
         """Yield each function and the names that it asks for; what is not read may ask for any."""
         for role, (function, _) in self._roles.items():
             try:
@@ -138,7 +138,7 @@ class System(Block):
         """Return the parameters with some fields changed."""
         return self._parameters._replace(**{k: _leaf(v) for k, v in changes.items()})
 
-    def _asked_with(self, p: Any) -> dict[str, Any]:
+    def _params_with(self, p: Any) -> dict[str, Any]:
         """Return the params that python-control would hand to the functions."""
         if p is self._parameters:
             return self.given
@@ -169,12 +169,12 @@ class System(Block):
         names = self.number_names.items()
         return found.record.renamed({("p", key): ("p", own) for key, own in names})
 
-    def _tried(self) -> None:
+    def _try_equations(self) -> None:
         """Leave it to the run, as python-control does."""
 
-    def _asked(self, role: str, size: int, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
+    def _evaluate(self, role: str, size: int, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
         function: Any = self._update if role == "update" else self._output
-        found: Any = function(t, np.array(x), np.array(u), self._asked_with(p))
+        found: Any = function(t, np.array(x), np.array(u), self._params_with(p))
         found = np.asarray(found, dtype=float).reshape(-1)
         if len(found) != size:
             raise BlockError(

@@ -209,7 +209,7 @@ class DiagramRecord(Joining):
     def _sample(self) -> None:
         """Hold what feeds the blocks that sample, signals being those of the states jumped to."""
         nodes, self.made = self.wiring.nodes, {}
-        sampling = [k for k, node in enumerate(nodes) if node.system.kept is not None]
+        sampling = [k for k, node in enumerate(nodes) if node.system.first_held is not None]
         for k in self.wiring.order if sampling else ():
             if k in sampling:
                 self._hold(k)
@@ -251,7 +251,8 @@ class DiagramRecord(Joining):
             at = at, length[at], long[at]
         lengths, long = self._axes(block, shape)
         made, smooth = self.add(kind, own, lengths, at, k), block.opaque and block.of_package
-        if kind in LOCKED and not smooth and block.kept is None:  # what is sampled stays for a step
+        sampled = block.first_held is not None  # what it computes stays for a step
+        if kind in LOCKED and not smooth and not sampled:
             self.decided_by[made] = long, (k, role, kind)
         return made
 

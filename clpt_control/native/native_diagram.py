@@ -102,7 +102,7 @@ def code_of(
         shapes: list[dict] = [*block.declared.values(), block.sizes]
         blocks.append((*records, *(tuple(own.items()) for own in shapes)))
     wires = tuple((node.states.start, node.outputs.start, node.wires) for node in wiring.nodes)
-    own = ((node.system.feedthrough, node.system.kept) for node in wiring.nodes)
+    own = ((node.system.feedthrough, node.system.first_held) for node in wiring.nodes)
     order = (wiring.order, bool(wiring.dt), *own)
     key = tuple(blocks), wires, order, layout.pattern, wiring.ninputs
     return _code(Structure(key, wiring, layout), form, implicit)

@@ -266,7 +266,7 @@ def make_schedule(
     for j, k in enumerate(jumps, len(intervals)):
         values[1:, j] = JUMPS * (np.diff(numbers(k)) != 0)
         block = sweep.nodes[k].system
-        if block.kept is not None and block.samples_at(t0):
+        if block.first_held is not None and block.samples_at(t0):
             values[0, j] = BEGINS
     return Schedule(edges, places, values, smooth, bool(np.any(values[0, len(intervals) :])))
 

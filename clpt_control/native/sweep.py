@@ -129,7 +129,7 @@ class Sweep:
 
     def _hold(self, k: int) -> None:
         node = self.nodes[k]
-        held = slice(node.states.start + node.system.kept, node.states.stop)
+        held = slice(node.states.start + node.system.first_held, node.states.stop)
         self._states[held] = self._gather(k)
 
     def derivative(self, t: float, x: np.ndarray, u: np.ndarray | None = None) -> np.ndarray:
@@ -166,7 +166,7 @@ class Sweep:
             for k in blocks:
                 states = self.nodes[k].states
                 self._call("jump", k, t, self._x[k], self._gather(k), new[states])
-        sampling = [*beginning, *(k for k in blocks if self.nodes[k].system.kept is not None)]
+        sampling = [*beginning, *(k for k in blocks if self.nodes[k].system.first_held is not None)]
         if sampling:
             self.evaluate(t, new, u, sampling)
             for k in sampling:  # what feeds it may have come after it
@@ -199,7 +199,7 @@ class Sweep:
                 inputs, p = self._inputs[node.inputs], self._parameters[k]
                 found = node.system.values("guard", 1, t, x[node.states], inputs, p)
                 if not found[0] >= least[0]:
-                    least = (float(found[0]), guard.policy, guard.said(t, inputs, p))
+                    least = (float(found[0]), guard.policy, guard.message(t, inputs, p))
         return least
 
     def first_trouble(

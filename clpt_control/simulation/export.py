@@ -228,7 +228,7 @@ class _File:
             f"kept[{self.place(k)}] = fabs(t / {number(self.wiring.nodes[k].system.period)} - "
             f"floor(t / {number(self.wiring.nodes[k].system.period)} + 0.5)) < {ROUNDING} ? -1.0 "
             ": 0.0;"
-            for k in self.layout.jumps if self.wiring.nodes[k].system.kept is not None
+            for k in self.layout.jumps if self.wiring.nodes[k].system.first_held is not None
         ]  # fmt: skip
         return JUMP.format(
             count=count, n=n, asked=step, some=some, name=self.name, states=len(self.start),

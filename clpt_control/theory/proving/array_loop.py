@@ -225,7 +225,7 @@ def refuse_pinned(pinned: Iterable[tuple[str, str]]) -> None:
 def refuse_unproved(wiring: Wiring, jumps: bool) -> None:
     """Refuse what no proof speaks of: discrete time, blocks that sample, and jumps unless taken."""
     blocks = blocks_of(wiring)
-    name = next((block.name for block in blocks if block.kept is not None or wiring.dt), None)
+    name = next((block.name for block in blocks if block.first_held is not None or wiring.dt), None)
     if name is not None:
         raise DiagramError(
             f"{name}: is of discrete time, and proofs speak of continuous time alone; prove the "
