@@ -112,7 +112,7 @@ def _checked(function: Any, name: str) -> Any:
         if not fits(value, kinds):
             such = f", such as {EXAMPLES[argument]}" if argument in EXAMPLES else ""
             raise ArgumentError(
-                f"{name}: {argument} = {shown(value)}: must be {words(kinds)}{such}"
+                f"{name}: {argument} = {brief(value)}: must be {words(kinds)}{such}"
                 f"{cure(value, kinds)}"
             )
         return value
@@ -271,7 +271,7 @@ def _many(kind: Any) -> str:
     return one + "".join(rest)
 
 
-def shown(value: Any) -> str:
+def brief(value: Any) -> str:
     """Return what was given, in a few words."""
     if isinstance(value, os.PathLike):
         value = os.fspath(value)
@@ -309,7 +309,7 @@ def numbers(argument: str, value: Any, *last: int | None) -> np.ndarray:
             return found
     shape = f" of shape (..., {', '.join('n' if one is None else str(one) for one in last)})"
     raise ArgumentError(
-        f"{argument} = {shown(value)}: must be an array of numbers{shape if last else ''}"
+        f"{argument} = {brief(value)}: must be an array of numbers{shape if last else ''}"
     )
 
 
@@ -317,7 +317,7 @@ def check_holds(argument: str, given: Any, names: Iterable[str], cure: str) -> N
     """Refuse a Dataset or dict that lacks one of some names."""
     for name in names:
         if name not in given:
-            raise ArgumentError(f"{argument} = {shown(given)}: has no '{name}'; {cure}")
+            raise ArgumentError(f"{argument} = {brief(given)}: has no '{name}'; {cure}")
 
 
 def nearest(name: str, known: Iterable[str]) -> str:

@@ -35,7 +35,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..arguments import check_holds, public, shown
+from ..arguments import brief, check_holds, public
 from ..errors import DataError, ScenarioError, needed
 from ..scenario import tides
 
@@ -106,7 +106,7 @@ def checked_times(time: Any) -> np.ndarray:
         times = np.atleast_1d(np.asarray(time, dtype="datetime64[ms]"))
     except (ValueError, TypeError, OverflowError):
         raise DataError(
-            f"time = {shown(time)}: must be UTC times such as 2019-01-01T06:00"
+            f"time = {brief(time)}: must be UTC times such as 2019-01-01T06:00"
         ) from None
     low, high = (np.datetime64(f"{year}-01-01") for year in YEARS)
     wrong = ~((times >= low) & (times < high))

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import control
 import numpy as np
 
-from ..arguments import nearest, public, shown
+from ..arguments import brief, nearest, public
 from ..equations.block import Block
 from ..equations.declaration import Guard, check_names, labels, whole_labels
 from ..equations.system import System, is_linear
@@ -287,7 +287,7 @@ NAME = "stop"
 def with_stop(wiring: Wiring, stop: Callable[[float, Any, Any], Any]) -> Wiring:
     """Return the wiring with a block that looks at outputs and inputs, and ends the run."""
     if not callable(stop):
-        raise DiagramError(f"stop = {shown(stop)}: must be a function of t, outputs and inputs")
+        raise DiagramError(f"stop = {brief(stop)}: must be a function of t, outputs and inputs")
     if wiring.dt:
         raise DiagramError(
             f"stop: a diagram of discrete time (dt = {wiring.dt}) has nothing between its samples "

@@ -33,7 +33,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..arguments import public, shown
+from ..arguments import brief, public
 from ..errors import ScenarioError
 from .members import Varied
 
@@ -160,7 +160,7 @@ def _of_item(key: str, given: Any) -> Vary:
             return Vary(key, "levels", tuple(np.asarray(given, dtype=float).tolist()))
     except (TypeError, ValueError, AttributeError):
         pass
-    raise ScenarioError(f"vary: {key} = {shown(given)}: must be {IN_A_DICT}")
+    raise ScenarioError(f"vary: {key} = {brief(given)}: must be {IN_A_DICT}")
 
 
 def parsed(

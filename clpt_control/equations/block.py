@@ -19,7 +19,7 @@ from typing import Any
 import control
 import numpy as np
 
-from ..arguments import public, shown
+from ..arguments import brief, public
 from ..errors import BlockError
 from .answers import located
 from .arrays import Unread
@@ -176,7 +176,7 @@ class Block(control.NonlinearIOSystem):
         check_units(name, units or {}, *declared.values())
         for role, function in (("update", update), ("output", output), ("jump", jump)):
             if function is not None and not callable(function):
-                raise BlockError(f"{name}.{role}: {shown(function)} must be a function")
+                raise BlockError(f"{name}.{role}: {brief(function)} must be a function")
         self.update_function, self.output_function, self.jump_function = update, output, jump
         self.opaque, self.breakpoints_function, self.guard = opaque, breakpoints, guard
         self.name, self.units = name, dict(units or {})
@@ -505,7 +505,7 @@ class Block(control.NonlinearIOSystem):
             times = np.full(1, np.nan)
         if times.ndim != 1 or not np.all(times[1:] >= times[:-1]) or np.any(np.isnan(times)):
             raise BlockError(
-                f"{self.name}: breakpoints gives {shown(given)}; must be increasing times"
+                f"{self.name}: breakpoints gives {brief(given)}; must be increasing times"
             )
         return times
 

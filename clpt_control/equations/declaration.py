@@ -22,7 +22,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..arguments import public, shown
+from ..arguments import brief, public
 from ..errors import BlockError
 from ..html import facts, fragment, shortened
 from .record import Shape
@@ -88,7 +88,7 @@ def check_names(name: str, *ports: Mapping[str, Any]) -> None:
             whole = isinstance(size, int | np.integer) and size >= 0
             if not whole and not (isinstance(size, str) and size):
                 raise BlockError(
-                    f"{name}.{port}: size {shown(size)} must be a whole number, 0 or more, or a "
+                    f"{name}.{port}: size {brief(size)} must be a whole number, 0 or more, or a "
                     "name"
                 )
 
@@ -101,7 +101,7 @@ def check_units(name: str, units: Mapping[str, str], *ports: Mapping[str, Any]) 
             raise BlockError(f"{name}: units names {port!r}, which is no port; it has {known}")
         if not isinstance(unit, str) or not unit.strip() or not unit.isprintable():
             raise BlockError(
-                f"{name}: units = {{{port!r}: {shown(unit)}}}: must be a text, such as 'm/s'"
+                f"{name}: units = {{{port!r}: {brief(unit)}}}: must be a text, such as 'm/s'"
             )
 
 

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from ..arguments import public, shown
+from ..arguments import brief, public
 from ..errors import ArgumentError
 from .arrays import Array, Tape, Unread, elementwise, lifted, numbers_of, operand, where
 from .record import picked
@@ -45,7 +45,7 @@ def lookup(table: Any, index: Any) -> Any:
             return picked(np.asarray(table, dtype=float), np.asarray(index, dtype=float))[()]
         except (TypeError, ValueError):
             raise ArgumentError(
-                f"lookup: table = {shown(table)}, index = {shown(index)}: must be a row of numbers "
+                f"lookup: table = {brief(table)}, index = {brief(index)}: must be a row of numbers "
                 "and a place"
             ) from None
     table = lifted(tape, table)

@@ -21,7 +21,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 
-from ..arguments import shown
+from ..arguments import brief
 from ..errors import ArgumentError, ClptError
 from ..html import plain, safe
 
@@ -112,7 +112,7 @@ def _given(ax: Any, shape: tuple[int, ...]) -> Any:
     for one in given:
         if not isinstance(one, Axes):
             raise ArgumentError(
-                f"ax = {shown(one)}: must be matplotlib Axes, as pyplot.subplots makes"
+                f"ax = {brief(one)}: must be matplotlib Axes, as pyplot.subplots makes"
             )
     if len(given) != count:
         size = ", ".join(map(str, shape)) or "1"

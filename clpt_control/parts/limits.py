@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..arguments import numbers, public, shown
+from ..arguments import brief, numbers, public
 from ..equations.block import Block
 from ..errors import BlockError
 from .part import each, part, positive, remembering, rising
@@ -157,9 +157,9 @@ def lookup_table(
     """
     where = numbers(f"{name}: at", at)
     if where.ndim != 1 or len(where) < 2 or not np.all(np.diff(where) > 0):
-        raise BlockError(f"{name}: at = {shown(at)}: must be two or more increasing numbers")
+        raise BlockError(f"{name}: at = {brief(at)}: must be two or more increasing numbers")
     if numbers(f"{name}: values", values).shape != where.shape:
-        raise BlockError(f"{name}: values = {shown(values)}: must be {len(where)} numbers")
+        raise BlockError(f"{name}: values = {brief(values)}: must be {len(where)} numbers")
     return _static(name, looked_up, signals, ports, at=at, values=values)
 
 

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from ..arguments import nearest, numbers, shown
+from ..arguments import brief, nearest, numbers
 from ..equations.block import Block
 from ..equations.declaration import renamed
 from ..errors import BlockError
@@ -34,7 +34,7 @@ def each(name: str, signals: int, **given: Any) -> dict[str, Any]:
     """Return numbers, of which there may be one for each signal."""
     for key, value in given.items():
         if numbers(f"{name}: {key}", value).shape not in ((), (signals,)):
-            raise BlockError(f"{name}: {key} = {shown(value)}: must be one number, or {signals}")
+            raise BlockError(f"{name}: {key} = {brief(value)}: must be one number, or {signals}")
     return given
 
 
@@ -42,14 +42,14 @@ def positive(name: str, **given: Any) -> None:
     """Refuse what is no positive number."""
     for key, value in given.items():
         if not np.all(numbers(f"{name}: {key}", value) > 0):
-            raise BlockError(f"{name}: {key} = {shown(value)}: must be positive")
+            raise BlockError(f"{name}: {key} = {brief(value)}: must be positive")
 
 
 def rising(name: str, **given: Any) -> None:
     """Refuse two limits of which the first is not below."""
     (below, low), (above, high) = given.items()
     if not np.all(np.asarray(low) < np.asarray(high)):
-        raise BlockError(f"{name}: {below} = {shown(low)}: must be below {above} = {shown(high)}")
+        raise BlockError(f"{name}: {below} = {brief(low)}: must be below {above} = {brief(high)}")
 
 
 def time_of(name: str, lag: float | None, dt: float | None) -> dict[str, float]:

@@ -21,7 +21,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..arguments import numbers, public, shown
+from ..arguments import brief, numbers, public
 from ..equations.block import Block
 from ..errors import BlockError
 from .part import each, part, positive, rising
@@ -195,7 +195,7 @@ def thrusters(
     """
     at, a = numbers(f"{name}: places", places, None, 2), numbers(f"{name}: angles", angles, None)
     if a.ndim != 1 or at.shape != (a.size, 2) or not a.size:
-        raise BlockError(f"{name}: places = {shown(places)}: must be a pair for each angle")
+        raise BlockError(f"{name}: places = {brief(places)}: must be a pair for each angle")
     given = each(name, a.size, low=low, high=high, lag=lag)
     positive(name, lag=lag)
     rising(name, low=low, high=high)

@@ -24,7 +24,7 @@ from typing import Annotated, Any
 import numpy as np
 from pydantic import Field, Strict, model_validator
 
-from ..arguments import public, shown
+from ..arguments import brief, public
 from ..errors import DataError, ScenarioError
 from .experiment import Scenario, checked_scenario, scenario_tables
 from .file import (
@@ -77,7 +77,7 @@ class Team(Table):
         for k, edge in enumerate(edges if isinstance(edges, list | tuple) else [edges]):
             pair = isinstance(edge, list | tuple) and len(edge) == 2
             if not pair or not all(isinstance(name, str) for name in edge):
-                raise ValueError(f"edges[{k}] = {shown(edge)}: must be the names of two vehicles")
+                raise ValueError(f"edges[{k}] = {brief(edge)}: must be the names of two vehicles")
         return values
 
     def _mistakes(self) -> Iterator[str]:
@@ -287,7 +287,7 @@ def _merged(common: dict[str, Any], own: dict[str, Any], name: str) -> dict[str,
 def _table(value: Any, where: str) -> dict[str, Any]:
     """Return a table; refuse what is none."""
     if not isinstance(value, dict):
-        raise ScenarioError(f"{where} = {shown(value)}: must be a table of keys")
+        raise ScenarioError(f"{where} = {brief(value)}: must be a table of keys")
     return value
 
 
@@ -296,7 +296,7 @@ def team_of_run(run: Any, files: bool = True) -> Team:
     text = getattr(run, "attrs", {}).get(TEAM)
     if not isinstance(text, str):
         raise DataError(
-            f"{shown(run)}: must be a Team or a team's run; clpt.load_team and clpt.load_run read "
+            f"{brief(run)}: must be a Team or a team's run; clpt.load_team and clpt.load_run read "
             "them"
         )
     return team_from_text(text, "the run", folder_of(run) if files else None)
