@@ -1,9 +1,9 @@
-"""What public functions take: arguments are held against the annotations, when a call is made.
+"""Arguments of public functions: each call checks them against the annotations.
 
 `@public` on a function or class reads its annotations.  An argument of another kind is an
-`ArgumentError` of one sentence: the function, the argument, what was given, what is allowed,
-what to try.  Beside that a few values are made plain: an array of no dimension is its number,
-what can be read only once is a list, an array or a tuple where one is asked for is one.
+`ArgumentError` of one sentence: the function, the argument, its value, what is allowed, what to
+try.  A few values are made plain: an array of no dimension becomes its number, an iterator a list,
+and a list an array or a tuple where the annotation has one.
 """
 
 import difflib
@@ -80,28 +80,29 @@ MAKERS = {  # what people make first, and by what; FILE is the path that they ga
 }
 
 
-def public(made: Public) -> Public:
+def public(target: Public) -> Public:
     """Return a function or class that refuses arguments which its annotations do not allow."""
-    if not isinstance(made, type):
-        call = _checked(made, made.__qualname__)
+    if not isinstance(target, type):
+        call = _checking(target, target.__qualname__)
         # with the globals of its own module, in which doctest looks for it
-        own = FunctionType(call.__code__, made.__globals__, closure=call.__closure__)
-        wrapped: Any = update_wrapper(own, made)
+        function = FunctionType(call.__code__, target.__globals__, closure=call.__closure__)
+        wrapped: Any = update_wrapper(function, target)
         return wrapped
-    maker = "__init__" if "__init__" in vars(made) else "__new__"  # of a NamedTuple
-    call = _checked(getattr(made, maker), made.__name__)
-    setattr(made, maker, call if maker == "__init__" else staticmethod(call))
-    return made
+    maker = "__init__" if "__init__" in vars(target) else "__new__"  # of a NamedTuple
+    call = _checking(getattr(target, maker), target.__name__)
+    setattr(target, maker, call if maker == "__init__" else staticmethod(call))
+    return target
 
 
-def _checked(function: Any, name: str) -> Any:
+def _checking(function: Any, name: str) -> Any:
+    """Return a function that checks its arguments before it calls another."""
     code = function.__code__
     places = code.co_varnames[: code.co_argcount]
     known = set(code.co_varnames[: code.co_argcount + code.co_kwonlyargcount])
     any_name = bool(code.co_flags & CO_VARKEYWORDS)
     allowed: dict[str, Kinds] = {}
 
-    def taken(argument: str, value: Any) -> Any:
+    def checked(argument: str, value: Any) -> Any:
         if not allowed:  # at the first call, when all names are known
             for one, kind in function.__annotations__.items():
                 allowed[one] = kinds_of(kind, function.__globals__)
@@ -117,18 +118,18 @@ def _checked(function: Any, name: str) -> Any:
             )
         return value
 
-    def meant(named: Iterable[str]) -> None:
+    def suggest(named: Iterable[str]) -> None:
         for one in () if any_name else named:
             if one not in known and (close := nearest(one, known)):
                 raise ArgumentError(f"{name}: has no argument {one}; did you mean {close}?")
 
     def call(*given: Any, **named: Any) -> Any:
         if len(given) > len(places) or not (any_name or known.issuperset(named)):
-            meant(named)
+            suggest(named)
             return function(*given, **named)  # Python itself says what is too much
         return function(
-            *map(taken, places, given),
-            **{argument: taken(argument, value) for argument, value in named.items()},
+            *map(checked, places, given),
+            **{argument: checked(argument, value) for argument, value in named.items()},
         )
 
     return update_wrapper(call, function)
@@ -272,7 +273,7 @@ def _many(kind: Any) -> str:
 
 
 def brief(value: Any) -> str:
-    """Return what was given, in a few words."""
+    """Return a value in a few words."""
     if isinstance(value, os.PathLike):
         value = os.fspath(value)
     if value is None or isinstance(value, PLAIN):
