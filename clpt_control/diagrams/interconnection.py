@@ -93,7 +93,7 @@ def changed_parameters(wiring: Wiring, params: Mapping[str, Any] | None) -> list
         names |= {f"{node.name}.{field}" for field in fields}
     for key in params:
         own = [(system, key.removeprefix(at)) for system, to in asking for at in ("", *to)]
-        if key in known or any(system.reads(name) for system, name in own):
+        if key in known or any(system.mentions(name) for system, name in own):
             continue
         if other := call_time_name_of(key, known):
             raise BlockError(other)

@@ -136,7 +136,7 @@ def _system(keys: Keys, system: Any) -> Any:
     own = keys.place(system), system.name, system.dt, labels
     if isinstance(system, Sampled):
         inner = system.inner
-        given = keys.named(inner.given) if isinstance(inner, System) else ()
+        given = keys.named(inner.params) if isinstance(inner, System) else ()
         return *own, keys.place(system.parameters), system.period, *given, *_system(keys, inner)
     if isinstance(system, Block):  # what is the package's own is not read anew
         functions = [] if system.of_package else [f for f, _ in system._roles.values()]

@@ -102,7 +102,7 @@ class VariedDiagram:
         systems = [node.system for node in self.wiring.nodes if isinstance(node.system, System)]
         for one in varies:
             key = one.key.partition("[")[0]
-            given = [system.given.get(key) for system in systems if key not in system.number_names]
+            given = [system.params.get(key) for system in systems if key not in system.number_names]
             lists = [
                 np.asarray(v, float) for v in given if isinstance(v, list | tuple | np.ndarray)
             ]
@@ -113,7 +113,7 @@ class VariedDiagram:
                 )
             if lists:
                 found[key] = lists[0]
-            elif key == one.key and any(key not in s.given and s.reads(key) for s in systems):
+            elif key == one.key and any(key not in s.params and s.mentions(key) for s in systems):
                 first = one.numbers[0] if one.kind == "levels" else 1.0
                 found[key] = np.asarray(first, dtype=float)[()]
         return found

@@ -49,9 +49,9 @@ class System(Block):
         n = _size(system, "states", system.nstates, sizes[0])
         m = _size(system, "inputs", system.ninputs, sizes[1])
         self.name = system.name
-        self.given = dict(system.params if params is None else params)
-        self.known = {*system.params, *declared}  # names that may be given anew
-        self._asks: dict[str, frozenset[Any]] = {}  # of a role, as it was read
+        self._params = dict(system.params if params is None else params)
+        self.declared_names = {*system.params, *declared}  # which a run may set
+        self._reads: dict[str, frozenset[Any]] = {}  # role -> names of params
         self.pinned: dict[str, frozenset[str]] = {}  # parameters with whose values it was read
         self._update, self._output = _functions(system)
         q = system.noutputs if system.noutputs is not None else self._count(n, m)
@@ -69,9 +69,9 @@ class System(Block):
             "outputs": states if self._output is None else {"y": (q,)} if q else {},
             "states": states,
         }
-        self.number_names = _names(self.given)
+        self.number_names = _names(self._params)
         self.parameters = Parameters(
-            **{self.number_names[key]: _leaf(self.given[key]) for key in self.number_names}
+            **{self.number_names[key]: _leaf(self._params[key]) for key in self.number_names}
         )
         self.nstates, self.ninputs, self.noutputs, self.dt = n, m, q, system.dt or 0
         for kind, count, letter in (("input", m, "u"), ("output", q, "y"), ("state", n, "x")):
@@ -83,7 +83,7 @@ class System(Block):
         """Return how many outputs there are, which the system does not say."""
         if self._output is None:
             return n
-        return np.size(self._output(0.0, np.zeros(n), np.zeros(m), dict(self.given)))
+        return np.size(self._output(0.0, np.zeros(n), np.zeros(m), dict(self._params)))
 
     # --- parameters -------------------------------------------------------------------------
 
@@ -93,7 +93,7 @@ class System(Block):
     @property
     def params(self) -> Mapping[str, Any]:
         """Return the system's params."""
-        return self.given
+        return self._params
 
     @params.setter
     def params(self, value: Any) -> None:
@@ -104,35 +104,35 @@ class System(Block):
         known = {
             self.number_names[key]: _leaf(value)
             for key, value in (params or {}).items()
-            if key in self.number_names and value is not self.given[key]
+            if key in self.number_names and value is not self._params[key]
         }
         return self._parameters._replace(**known) if known else self._parameters
 
-    def reads(self, name: str) -> bool:
-        """Return whether the functions may ask their params for a name."""
-        return name in self.known or any(
-            name in asked or EVERY in asked or name in texts_of(function)
-            for function, asked in self._names_asked()
+    def mentions(self, name: str) -> bool:
+        """Return whether the functions could read a param of a name."""
+        return name in self.declared_names or any(
+            name in names or EVERY in names or name in texts_of(function)
+            for function, names in self._names_read()
         )
 
-    def asks(self, name: str) -> bool:
-        """Return whether the functions ask, or may ask, for a name while they run."""
-        return any(name in asked or EVERY in asked for _, asked in self._names_asked())
+    def reads(self, name: str) -> bool:
+        """Return whether a function read a param of a name, or was not read itself."""
+        return any(name in names or EVERY in names for _, names in self._names_read())
 
     @property
     def names(self) -> set[str]:
-        """Return the params that it declares, or is seen to ask for."""
-        return self.known.union(*(asked for _, asked in self._names_asked())) - {EVERY}
+        """Return the params that it declares, or reads."""
+        return self.declared_names.union(*(names for _, names in self._names_read())) - {EVERY}
 
-    def _names_asked(self) -> Iterator[tuple[Callable, frozenset[Any]]]:
-        """Yield each function and the names that it asks for; what is not read may ask for any."""
+    def _names_read(self) -> Iterator[tuple[Callable, frozenset[Any]]]:
+        """Yield each function and the params that it reads: any, where it is not read itself."""
         for role, (function, _) in self._roles.items():
             try:
                 self.array_record(role)
             except Unread:
                 yield function, frozenset([EVERY])
             else:
-                yield function, self._asks[role]
+                yield function, self._reads[role]
 
     def with_values(self, changes: Mapping[str, Any]) -> Any:
         """Return the parameters with some fields changed."""
@@ -141,8 +141,9 @@ class System(Block):
     def _params_with(self, p: Any) -> dict[str, Any]:
         """Return the params that python-control would hand to the functions."""
         if p is self._parameters:
-            return self.given
-        return {**self.given, **{key: getattr(p, name) for key, name in self.number_names.items()}}
+            return self._params
+        numbers = {key: getattr(p, name) for key, name in self.number_names.items()}
+        return {**self._params, **numbers}
 
     # --- ports ------------------------------------------------------------------------------
 
@@ -156,15 +157,15 @@ class System(Block):
         if role == "output" and self._output is None:
             return record_of_states(self.declared["outputs"])
         function, out = self._roles[role]
-        shapes = {key: np.shape(self.given[key]) for key in self.number_names}
+        shapes = {key: np.shape(self._params[key]) for key in self.number_names}
         ports = self.declared["states"], self.declared["inputs"]
         try:
-            found = read_once(function, role, *ports, self.given, shapes, out)
+            found = read_once(function, role, *ports, self._params, shapes, out)
         except Unread as error:
             return Unread(f"{self.name}.{role}: {error}")
         except BlockError as error:  # which begins with the role
             return Unread(f"{self.name}.{error}")
-        self._asks[role] = found.names
+        self._reads[role] = found.names
         self.pinned[role] = frozenset(self.number_names[key] for key in found.pinned)
         names = self.number_names.items()
         return found.record.renamed({("p", key): ("p", own) for key, own in names})
