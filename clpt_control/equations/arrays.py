@@ -27,8 +27,8 @@ MOVED = frozenset({"view", "stack", "join"})  # hold what their arguments hold
 OF_TRUTHS = {"mul": "and", "minimum": "and", "maximum": "or"}  # what NumPy makes of truth values
 RAISING = frozenset({"div", "floordiv", "mod", "pow"})  # where Python's floats raise
 
-# what an array is asked for, by the files that know it: each puts in its own
-PARTS: dict[str, Any] = {}
+# what arrays call in files that import this one; each file puts in its own
+HOOKS: dict[str, Any] = {}
 
 
 class Unread(Exception):
@@ -230,7 +230,7 @@ class Array(NDArrayOperatorsMixin):
         return (self[k] for k in range(len(self)))
 
     def __getitem__(self, index: Any) -> Any:
-        return PARTS["item"](self, index if isinstance(index, tuple) else (index,))
+        return HOOKS["item"](self, index if isinstance(index, tuple) else (index,))
 
     def __setitem__(self, index: Any, value: Any) -> None:
         root = self
@@ -272,10 +272,10 @@ class Array(NDArrayOperatorsMixin):
     def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **more: Any) -> Any:
         if not self.shape and not more and ufunc in UFUNCS and method == "__call__":
             return elementwise(UFUNCS[ufunc], *inputs)
-        return PARTS["called"](self._tape, ufunc, method, inputs, more)
+        return HOOKS["ufunc"](self._tape, ufunc, method, inputs, more)
 
     def __array_function__(self, function: Any, types: Any, inputs: Any, more: Any) -> Any:
-        return PARTS["applied"](self._tape, function, inputs, more)
+        return HOOKS["function"](self._tape, function, inputs, more)
 
     def __array__(self, dtype: Any = None, copy: Any = None) -> np.ndarray:
         if dtype is not None and np.dtype(dtype).kind == "O":
@@ -283,7 +283,7 @@ class Array(NDArrayOperatorsMixin):
         return self._tape.numbers(self._ref).astype(dtype or float)
 
     def __getattr__(self, name: str) -> Any:
-        if (method := PARTS["method"](name)) is not None:
+        if (method := HOOKS["method"](name)) is not None:
             return partial(method, self)
         known = None if name.startswith("__") else numbers_of(self)
         if known is not None:
@@ -445,7 +445,7 @@ def stacked(tape: Tape, parts: Sequence[Any]) -> Any:
     refs = [operand(part) for part in parts]
     if all(type(ref) is float for ref in refs):
         return constant(tape, np.array(refs))
-    seen = PARTS["tape_view"](tape, refs)
+    seen = HOOKS["tape_view"](tape, refs)
     return tape.add("stack", refs, (len(refs), *shapes.pop())) if seen is None else seen
 
 

@@ -29,7 +29,6 @@ from .declaration import (
     Guard,
     block_html,
     block_line,
-    bound,
     check_guard,
     check_names,
     check_units,
@@ -40,6 +39,7 @@ from .declaration import (
     ports_of,
     reused_vector,
     shapes_of,
+    sized,
     sizes_of,
     vector,
 )
@@ -244,7 +244,7 @@ class Block(control.NonlinearIOSystem):
                     raise BlockError(f"{self.name}.{field}: has shape {own}; must be {shape}")
         self.sizes = sizes
         self.input_shapes, self.output_shapes, self.state_shapes = (
-            bound(self.name, self.declared[kind], sizes) for kind in ("inputs", "outputs", "states")
+            sized(self.name, self.declared[kind], sizes) for kind in ("inputs", "outputs", "states")
         )
         self._plan = {role: (f, places(where)) for role, (f, where) in self._roles.items()}
         self._x = places(self._inner_shapes("states", self.state_shapes))
@@ -555,7 +555,7 @@ class Block(control.NonlinearIOSystem):
         said = ": ".join(filter(None, words))  # an assertion may say nothing
         return f"{self.name}.{role}: {located(function, error)}{said}"
 
-    def _vectors(self, x: np.ndarray, u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def _reused_vectors(self, x: np.ndarray, u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return arrays that are filled again and again as states and inputs with ports."""
         return reused_vector(x, self._x), reused_vector(u, self._u)
 

@@ -253,7 +253,7 @@ def shapes_of(ports: Declared | None) -> dict[str, Shape]:
     return found
 
 
-def bound(name: str, shapes: Mapping[str, Shape], sizes: Mapping[str, int]) -> dict[str, Shape]:
+def sized(name: str, shapes: Mapping[str, Shape], sizes: Mapping[str, int]) -> dict[str, Shape]:
     """Return shapes with their open sizes filled in."""
     found = {}
     for port, shape in shapes.items():

@@ -11,7 +11,7 @@ import numpy as np
 
 from . import lookup_tables, views
 from .arrays import (
-    PARTS,
+    HOOKS,
     Array,
     Tape,
     Unread,
@@ -26,53 +26,53 @@ from .arrays import (
     where,
 )
 from .ufuncs import accumulated, exact, matmul, reduced, rounded
-from .views import depends, exploded, into, of_numbers, tape_of, tape_viewed, unread
+from .views import depends, into, of_numbers, on_objects, refuse, tape_of, tape_viewed
 
-FUNCTIONS: dict[Any, Callable] = {}  # NumPy's: what writes them down
+IMPLEMENTED: dict[Any, Callable] = {}  # NumPy's: what writes them down
 MOST_ROWS = 24  # of linear equations
 
 
-def applied(tape: Tape, function: Any, inputs: Any, more: dict) -> Any:
+def apply_function(tape: Tape, function: Any, inputs: Any, more: dict) -> Any:
     """Write down one of NumPy's functions."""
     if function not in SHARES and not depends((*inputs, *more.values())):
         return of_numbers(tape, function, inputs, more)
     out = more.pop("out", None)
-    if function in FUNCTIONS:
-        return into(out, FUNCTIONS[function](*inputs, **more))
-    return into(out, exploded(tape, function, inputs, more))
+    if function in IMPLEMENTED:
+        return into(out, IMPLEMENTED[function](*inputs, **more))
+    return into(out, on_objects(tape, function, inputs, more))
 
 
-def reads(*functions: Any, arrays: int = 1) -> Callable:
-    """Write down NumPy's functions so; the first arguments are made arrays of the record."""
+def implements(*functions: Any, arrays: int = 1) -> Callable:
+    """Register what does NumPy's functions; its first arguments are made arrays of the record."""
 
-    def kept(made: Callable) -> Callable:
+    def register(own: Callable) -> Callable:
         def function(*inputs: Any, **more: Any) -> Any:
             tape = tape_of((*inputs, *more.values()))
-            return made(*(lifted(tape, v) for v in inputs[:arrays]), *inputs[arrays:], **more)
+            return own(*(lifted(tape, v) for v in inputs[:arrays]), *inputs[arrays:], **more)
 
-        FUNCTIONS.update(dict.fromkeys(functions, function if arrays else made))
-        return made
+        IMPLEMENTED.update(dict.fromkeys(functions, function if arrays else own))
+        return own
 
-    return kept
+    return register
 
 
 # --- products, sums and norms ---------------------------------------------------------------
 
 
-@reads(np.dot, np.vdot, arrays=2)
+@implements(np.dot, np.vdot, arrays=2)
 def dot(a: Any, b: Any) -> Any:
     """Return np.dot(a, b)."""
     return matmul(a, b) if np.ndim(a) and np.ndim(b) else elementwise("mul", a, b)
 
 
-@reads(np.outer, arrays=2)
+@implements(np.outer, arrays=2)
 def outer(a: Any, b: Any) -> Any:
     """Return a b^T."""
     a, b = (v if np.ndim(v) == 1 else np.reshape(v, -1) for v in (a, b))
     return elementwise("mul", a[:, None], b[None, :])
 
 
-@reads(np.cross, arrays=2)
+@implements(np.cross, arrays=2)
 def cross(
     a: Any, b: Any, axisa: int = -1, axisb: int = -1, axisc: int = -1, axis: Any = None
 ) -> Any:
@@ -85,21 +85,21 @@ def cross(
     return np.moveaxis(np.stack(parts), 0, to)
 
 
-@reads(np.linalg.norm)
+@implements(np.linalg.norm)
 def norm(a: Any, ord: Any = None, axis: Any = None, keepdims: Any = False) -> Any:
     """Return a norm of a vector, or of rows or columns."""
     vector = a.ndim == 1 or isinstance(axis, int)
     if ord in (None, "fro") or (ord == 2 and vector):
         return np.sqrt(np.sum(elementwise("mul", a, a), axis, keepdims=keepdims))
     if not vector or not isinstance(ord, int | float):
-        return unread(f"a norm of order {ord}")
+        return refuse(f"a norm of order {ord}")
     if ord in (np.inf, -np.inf):
         return (np.max if ord > 0 else np.min)(np.fabs(a), axis, keepdims=keepdims)
     found = np.sum(np.fabs(a) ** ord if ord != 1 else np.fabs(a), axis, keepdims=keepdims)
     return found ** (1.0 / ord) if ord != 1 else found
 
 
-@reads(np.mean)
+@implements(np.mean)
 def mean(a: Any, axis: Any = None, dtype: Any = None, **more: Any) -> Any:
     """Return the mean."""
     exact(dtype)
@@ -107,7 +107,7 @@ def mean(a: Any, axis: Any = None, dtype: Any = None, **more: Any) -> Any:
     return found / (a.size // found.size)
 
 
-@reads(np.var)
+@implements(np.var)
 def variance(a: Any, axis: Any = None, dtype: Any = None, ddof: float = 0, **more: Any) -> Any:
     """Return the mean square of what differs from the mean."""
     exact(dtype)
@@ -116,7 +116,7 @@ def variance(a: Any, axis: Any = None, dtype: Any = None, ddof: float = 0, **mor
     return found / (a.size // found.size - ddof)
 
 
-@reads(np.diagonal)
+@implements(np.diagonal)
 def diagonal(a: Array, offset: int = 0, **more: Any) -> Any:
     """Return the diagonal of a matrix."""
     if a.ndim != 2 or offset or a.shape[0] != a.shape[1] or a._written() is not None:
@@ -124,10 +124,10 @@ def diagonal(a: Array, offset: int = 0, **more: Any) -> Any:
     return tape_viewed(a._tape, a._node, ((0, 0, 1), (0, 0, 1)), a.shape[:1])
 
 
-@reads(np.diag)
+@implements(np.diag)
 def diag(a: Array, k: int = 0) -> Any:
     """Return the diagonal of a matrix, or the matrix of a diagonal."""
-    return diagonal(a, k) if a.ndim == 2 else exploded(a._tape, np.diag, (a, k), {})
+    return diagonal(a, k) if a.ndim == 2 else on_objects(a._tape, np.diag, (a, k), {})
 
 
 # --- linear equations: elimination, with pivots by `where` -----------------------------------
@@ -154,7 +154,7 @@ def _eliminated(rows: list[Any], pivot: Callable = lambda a: a) -> Any:
     return sign
 
 
-@reads(np.linalg.solve, arrays=2)
+@implements(np.linalg.solve, arrays=2)
 def solve(A: Any, b: Any) -> Any:
     """Return the x of A x = b, as np.linalg.solve does."""
     n = A.shape[0]
@@ -175,7 +175,7 @@ def solve(A: Any, b: Any) -> Any:
     return x[:, 0] if b.ndim == 1 else x
 
 
-@reads(np.linalg.det)
+@implements(np.linalg.det)
 def determinant(A: Any) -> Any:
     """Return the determinant: the product of the pivots."""
     rows = _rows(A)
@@ -186,7 +186,7 @@ def determinant(A: Any) -> Any:
 # --- limits and choices -----------------------------------------------------------------------
 
 
-@reads(np.clip, arrays=0)
+@implements(np.clip, arrays=0)
 def clip(a: Any, low: Any = None, high: Any = None, **more: Any) -> Any:
     """Return a within limits."""
     low, high = more.get("min", more.get("a_min", low)), more.get("max", more.get("a_max", high))
@@ -195,16 +195,16 @@ def clip(a: Any, low: Any = None, high: Any = None, **more: Any) -> Any:
     return np.minimum(a, high) if high is not None else a
 
 
-@reads(np.where, arrays=0)
+@implements(np.where, arrays=0)
 def chosen(condition: Any, *values: Any) -> Any:
     """Return np.where(condition, a, b)."""
     if not values:
-        return unread("np.where without values, which counts,")
+        return refuse("np.where without values, which counts,")
     tape = tape_of((condition, *values))
     return where(lifted(tape, condition), *values)
 
 
-@reads(np.select, arrays=0)
+@implements(np.select, arrays=0)
 def selected(conditions: Any, values: Any, default: Any = 0.0) -> Any:
     """Return np.select: the value of the first condition that holds."""
     found = default
@@ -213,7 +213,7 @@ def selected(conditions: Any, values: Any, default: Any = 0.0) -> Any:
     return found
 
 
-@reads(np.piecewise, arrays=0)
+@implements(np.piecewise, arrays=0)
 def piecewise(x: Any, conditions: Any, functions: Any, *more: Any, **named: Any) -> Any:
     """Return np.piecewise: what the function of the last condition that holds gives."""
     given = [f(x, *more, **named) if callable(f) else f for f in functions]
@@ -221,14 +221,14 @@ def piecewise(x: Any, conditions: Any, functions: Any, *more: Any, **named: Any)
     return selected(conditions[::-1], given[::-1], found)
 
 
-@reads(np.isclose, arrays=2)
+@implements(np.isclose, arrays=2)
 def close(a: Any, b: Any, rtol: float = 1e-5, atol: float = 1e-8, equal_nan: bool = False) -> Any:
     """Return whether numbers are about the same, as np.isclose does."""
     near = (np.fabs(a - b) <= atol + rtol * np.fabs(b)) & (np.fabs(b) < np.inf) | (a == b)
     return near | ((a != a) & (b != b)) if equal_nan else near
 
 
-@reads(np.polyval, arrays=0)
+@implements(np.polyval, arrays=0)
 def polynomial(coefficients: Any, x: Any) -> Any:
     """Return np.polyval, by Horner's rule."""
     found = np.zeros_like(x)
@@ -237,8 +237,8 @@ def polynomial(coefficients: Any, x: Any) -> Any:
     return found
 
 
-@reads(np.nan_to_num)
-def whole_numbers(
+@implements(np.nan_to_num)
+def nan_to_num(
     a: Any, copy: bool = True, nan: float = 0.0, posinf: Any = None, neginf: Any = None
 ) -> Any:
     """Return np.nan_to_num(a)."""
@@ -264,70 +264,70 @@ def in_order(values: list[Any], swaps: Callable = np.greater) -> list[Any]:
     return found
 
 
-@reads(np.sort)
-def in_rows(a: Any, axis: int = -1, **more: Any) -> Any:
+@implements(np.sort)
+def sort(a: Any, axis: int = -1, **more: Any) -> Any:
     """Return np.sort(a) of a vector."""
     if a.ndim != 1 or a.size > 16:
-        return unread("sorting more than 16 numbers, or rows,")
+        return refuse("sorting more than 16 numbers, or rows,")
     return stacked(a._tape, in_order(list(a._elements()), after))
 
 
-def joins(ufunc: Any, *functions: Any) -> None:
-    """Write down functions that join the elements of an array by a ufunc."""
+def implements_reduction(ufunc: Any, *functions: Any) -> None:
+    """Register functions that reduce an array by a ufunc."""
 
-    def joined(a: Any, axis: Any = None, *, dtype: Any = None, **more: Any) -> Any:
+    def reduction(a: Any, axis: Any = None, *, dtype: Any = None, **more: Any) -> Any:
         if not is_truth(a):
             exact(dtype)
         return reduced(ufunc, a, axis, **more)
 
-    reads(*functions)(joined)
+    implements(*functions)(reduction)
 
 
-def accumulates(ufunc: Any, function: Any) -> None:
-    """Write down what such a function gives on the way."""
+def implements_accumulation(ufunc: Any, function: Any) -> None:
+    """Register the function of what a reduction gives on the way."""
 
-    def joined(a: Any, axis: Any = None, dtype: Any = None) -> Any:
+    def accumulation(a: Any, axis: Any = None, dtype: Any = None) -> Any:
         exact(dtype)
         return accumulated(ufunc, a, axis)
 
-    reads(function)(joined)
+    implements(function)(accumulation)
 
 
 def alike(a: Array, value: float, dtype: Any = None, **more: Any) -> Any:
     """Return a number everywhere in an array of the shape and kind of another."""
     if a._is_condition and dtype is None:
-        return unread("an array like one of truth values")
+        return refuse("an array like one of truth values")
     exact(dtype)
     return filled(a._tape, value, a.shape)
 
 
-joins(np.add, np.sum)
-joins(np.multiply, np.prod)
-joins(np.maximum, np.max, np.amax)
-joins(np.minimum, np.min, np.amin)
-joins(np.logical_or, np.any)
-joins(np.logical_and, np.all)
-reads(np.std)(lambda a, *more, **named: np.sqrt(np.var(a, *more, **named)))
-reads(np.trace)(lambda a, *more, **named: np.sum(diagonal(a, *more, **named)))
-reads(np.linalg.inv)(lambda A: solve(A, np.eye(A.shape[0])))
-accumulates(np.add, np.cumsum)
-accumulates(np.multiply, np.cumprod)
-reads(np.allclose, arrays=2)(lambda *given, **more: np.all(close(*given, **more)))
-reads(np.interp)(lookup_tables.interpolated)
-reads(np.searchsorted, arrays=0)(lookup_tables.searched)
-reads(np.digitize, arrays=0)(
+implements_reduction(np.add, np.sum)
+implements_reduction(np.multiply, np.prod)
+implements_reduction(np.maximum, np.max, np.amax)
+implements_reduction(np.minimum, np.min, np.amin)
+implements_reduction(np.logical_or, np.any)
+implements_reduction(np.logical_and, np.all)
+implements(np.std)(lambda a, *more, **named: np.sqrt(np.var(a, *more, **named)))
+implements(np.trace)(lambda a, *more, **named: np.sum(diagonal(a, *more, **named)))
+implements(np.linalg.inv)(lambda A: solve(A, np.eye(A.shape[0])))
+implements_accumulation(np.add, np.cumsum)
+implements_accumulation(np.multiply, np.cumprod)
+implements(np.allclose, arrays=2)(lambda *given, **more: np.all(close(*given, **more)))
+implements(np.interp)(lookup_tables.interpolated)
+implements(np.searchsorted, arrays=0)(lookup_tables.searched)
+implements(np.digitize, arrays=0)(
     lambda x, points, right=False: lookup_tables.searched(points, x, "left" if right else "right")
 )
-reads(np.stack, arrays=0)(views.stack)
-reads(np.concatenate, arrays=0)(views.join)
-reads(np.round, np.around)(rounded)
-reads(np.fix)(np.trunc)
-reads(np.copy)(views.copied)
-reads(np.zeros_like, np.empty_like)(lambda a, *more, **named: alike(a, 0.0, *more, **named))
-reads(np.ones_like)(lambda a, *more, **named: alike(a, 1.0, *more, **named))
-reads(np.full_like)(lambda a, value, *more, **named: alike(a, 0.0, *more, **named) + value)
-reads(np.shape)(lambda a: a._counted())
-reads(np.size)(lambda a, axis=None: a.size if axis is None else a._counted()[axis])
+implements(np.stack, arrays=0)(views.stack)
+implements(np.concatenate, arrays=0)(views.join)
+implements(np.round, np.around)(rounded)
+implements(np.fix)(np.trunc)
+implements(np.copy)(views.copied)
+implements(np.zeros_like, np.empty_like)(lambda a, *more, **named: alike(a, 0.0, *more, **named))
+implements(np.ones_like)(lambda a, *more, **named: alike(a, 1.0, *more, **named))
+implements(np.full_like)(lambda a, value, *more, **named: alike(a, 0.0, *more, **named) + value)
+implements(np.shape)(lambda a: a._counted())
+implements(np.size)(lambda a, axis=None: a.size if axis is None else a._counted()[axis])
 
 # --- parts, which share what is written -----------------------------------------------------
 
@@ -349,7 +349,7 @@ OWN: tuple[Any, ...] = (  # of these NumPy's own code does
 )
 SHARES.update({function: function._implementation for function in OWN})
 for real, made in SHARES.items():
-    reads(real)(made)
+    implements(real)(made)
 
 
 def floats(value: Any) -> Any:
@@ -384,8 +384,8 @@ def method(name: str) -> Callable | None:
         return METHODS.get(name)
     function = vars(np).get(name)
     if isinstance(function, np.ufunc) or (callable(function) and hasattr(np.ndarray, name)):
-        return FUNCTIONS.get(function, function)
+        return IMPLEMENTED.get(function, function)
     return None
 
 
-PARTS.update(applied=applied, method=method)
+HOOKS.update(function=apply_function, method=method)

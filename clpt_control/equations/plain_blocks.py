@@ -16,7 +16,7 @@ import numpy as np
 from ..errors import BlockError, ClptError
 from .arrays import Unread
 from .block import Block
-from .declaration import Each, Guard, Parameters, bound, sizes_of
+from .declaration import Each, Guard, Parameters, sized, sizes_of
 from .record import OPERATIONS, Operation, Record, Shape
 from .sampled import Sampled
 
@@ -196,7 +196,7 @@ def _recorded(plain: Mapping[str, Any]) -> Block:
     values = {name: _value(value) for name, value in plain["parameters"].items()}
     records = {role: _record(lines) for role, lines in plain["records"].items()}
     for kind in KINDS:  # before anything of that size is made
-        own = bound(plain["name"], shapes[f"{kind}s"], sizes)
+        own = sized(plain["name"], shapes[f"{kind}s"], sizes)
         if sum(sizes_of(own).values()) != len(plain["labels"][kind]):
             raise BlockError(f"{plain['name']}: its {kind}s are not as many as their labels")
     jumps = plain["jumps"]

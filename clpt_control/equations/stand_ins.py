@@ -31,8 +31,8 @@ from .arrays import (
     whole,
 )
 from .lookup_tables import function_of
-from .numpy_functions import applied, in_order
-from .ufuncs import called
+from .numpy_functions import apply_function, in_order
+from .ufuncs import apply_ufunc
 from .views import converted, copied, fresh, tape_of
 
 ITERATORS = (GeneratorType, map, zip, filter)
@@ -60,7 +60,9 @@ class StandIn:
     def __getattr__(self, name: str) -> Any:
         found = getattr(self.real, name)
         if isinstance(self.real, np.ufunc) and callable(found):
-            return StandIn(found, lambda tape, *a, **more: called(tape, self.real, name, a, more))
+            return StandIn(
+                found, lambda tape, *a, **more: apply_ufunc(tape, self.real, name, a, more)
+            )
         return found
 
 
@@ -264,8 +266,8 @@ def of_numpy(real: Any) -> StandIn:
     if real in MAKERS:
         return StandIn(real, MAKERS[real])
     if isinstance(real, np.ufunc):
-        return StandIn(real, lambda tape, *a, **more: called(tape, real, "__call__", a, more))
-    return StandIn(real, lambda tape, *a, **more: applied(tape, real, a, more))
+        return StandIn(real, lambda tape, *a, **more: apply_ufunc(tape, real, "__call__", a, more))
+    return StandIn(real, lambda tape, *a, **more: apply_function(tape, real, a, more))
 
 
 def array(tape: Any, value: Any, dtype: Any = None, *, ndmin: int = 0, **more: Any) -> Any:

@@ -172,7 +172,7 @@ class SUM(sympy.Function):
         return f"Sum({printer._print(self.args[0])}, {', '.join(_bound(self))})"
 
 
-def renamed(expression: sympy.Expr, names: dict[str, str]) -> sympy.Expr:
+def reindexed(expression: sympy.Expr, names: dict[str, str]) -> sympy.Expr:
     """Return an expression with other names of indices, ``a[k]`` as ``a[j]``."""
     changed = {}
     for symbol in expression.free_symbols:
@@ -190,7 +190,7 @@ def index_symbol(name: str) -> sympy.Symbol:
     return sympy.Symbol(name, integer=True)
 
 
-def depends(expression: sympy.Expr, index: str) -> bool:
+def depends_on(expression: sympy.Expr, index: str) -> bool:
     """Return whether an expression holds the generic element of an index."""
     return any(f"[{index}]" in str(symbol) for symbol in expression.free_symbols)
 
@@ -202,13 +202,13 @@ def summed(body: sympy.Expr, index: str, size: str) -> sympy.Expr:
         outside, inside, indices = sympy.Integer(1), sympy.Integer(1), [(index, size)]
         for factor in sympy.Mul.make_args(term):
             base, power = factor.as_base_exp()
-            if not depends(factor, index):
+            if not depends_on(factor, index):
                 outside *= factor
             elif base.func == SUM and power.is_Integer and power > 0:
                 for _ in range(int(power)):
                     own = [(f"within{len(indices) + k}", s) for k, s in enumerate(_sizes(base))]
                     fresh = {old: new for old, (new, _) in zip(_bound(base), own, strict=True)}
-                    inside *= renamed(base.args[0], fresh)
+                    inside *= reindexed(base.args[0], fresh)
                     indices += own
             else:
                 inside *= factor
@@ -238,7 +238,7 @@ def _atom(inside: sympy.Expr, indices: list[tuple[str, str]]) -> sympy.Expr:
             (index_symbol(new), sympy.Symbol(size))
             for (_, size), new in zip(order, names, strict=False)
         ]
-        found.append(SUM(renamed(inside, moved), *(one for pair in pairs for one in pair)))
+        found.append(SUM(reindexed(inside, moved), *(one for pair in pairs for one in pair)))
     return min(found, key=str)
 
 
@@ -253,7 +253,7 @@ def base_and_term(expression: sympy.Expr, index: str = "k") -> tuple[sympy.Expr,
         rest = part / sympy.Mul(*atoms)
         if len(atoms) != 1 or len(atoms[0].args) != 3 or rest.has(SUM):
             raise Unread(f"{part} is no sum over one index")
-        term += rest * renamed(atoms[0].args[0], {_bound(atoms[0])[0]: index})
+        term += rest * reindexed(atoms[0].args[0], {_bound(atoms[0])[0]: index})
     return base, term
 
 

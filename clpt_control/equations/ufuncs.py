@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from .arrays import (
-    PARTS,
+    HOOKS,
     UFUNCS,
     Array,
     Tape,
@@ -20,10 +20,10 @@ from .arrays import (
     total,
     where,
 )
-from .views import depends, into, of_numbers, repacked, tape_of, unread
+from .views import depends, into, of_numbers, refuse, repacked, tape_of
 
 
-def called(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any:
+def apply_ufunc(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any:
     """Write down a ufunc."""
     out = more.pop("out", None)
     if isinstance(out, tuple):
@@ -34,7 +34,7 @@ def called(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any:
     exact(more.pop("dtype", None))
     for unused in ("casting", "subok", "order"):
         more.pop(unused, None)
-    found = _called(tape, ufunc, method, inputs, more)
+    found = _apply(tape, ufunc, method, inputs, more)
     if condition is not True:
         found = np.where(condition, found, 0.0 if out is None else out)
     return into(out, found)
@@ -43,10 +43,10 @@ def called(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any:
 def exact(dtype: Any) -> None:
     """Refuse numbers other than NumPy's own doubles."""
     if dtype is not None and np.dtype(dtype) != float:
-        unread(f"numbers of {np.dtype(dtype)}")
+        refuse(f"numbers of {np.dtype(dtype)}")
 
 
-def _called(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any:
+def _apply(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any:
     if not depends(inputs):
         return of_numbers(tape, getattr(ufunc, method), inputs, more)
     if method == "reduce":
@@ -56,17 +56,17 @@ def _called(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any
     if method == "__call__" and not more and ufunc in UFUNCS:
         return elementwise(UFUNCS[ufunc], *inputs)
     if ufunc in BITWISE and method == "__call__":
-        return BITWISE[ufunc](*inputs) if all(map(is_truth, inputs)) else unread("bits")
+        return BITWISE[ufunc](*inputs) if all(map(is_truth, inputs)) else refuse("bits")
     own = [lifted(tape, one) for one in inputs]
     if method == "outer":
         a, b = own
         return ufunc(a[(..., *[None] * np.ndim(b))] if np.ndim(a) else a, b)
     if method != "__call__" or more:
-        return unread(f"np.{ufunc.__name__}.{method}")
+        return refuse(f"np.{ufunc.__name__}.{method}")
     if all(set(kind) <= set("O->") for kind in ufunc.types):  # by np.frompyfunc
         return repacked(tape, ufunc(*map(objects, own)))
     name = ufunc.__name__
-    return COMPOSED[name](*own) if name in COMPOSED else unread(f"np.{name}")
+    return COMPOSED[name](*own) if name in COMPOSED else refuse(f"np.{name}")
 
 
 def reduced(
@@ -111,7 +111,7 @@ def matmul(a: Any, b: Any) -> Any:
     if not np.ndim(a) or not np.ndim(b):
         raise ValueError("matmul: an operand is a scalar")
     if is_truth(a) and is_truth(b):
-        return unread("a product of matrices of truth values")
+        return refuse("a product of matrices of truth values")
     inner = b.shape[-2] if b.ndim > 1 else b.shape[0]
     if a.shape[-1] != inner:
         raise ValueError(f"matmul: shapes {a.shape} and {b.shape} do not fit")
@@ -202,4 +202,4 @@ COMPOSED: dict[str, Callable] = {  # by the ufunc's name; those of scipy.special
 }
 
 
-PARTS.update(called=called)
+HOOKS.update(ufunc=apply_ufunc)

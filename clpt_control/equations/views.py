@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from .arrays import (
-    PARTS,
+    HOOKS,
     TRUTH,
     Array,
     Masked,
@@ -46,18 +46,18 @@ def depends(value: Any) -> bool:
     return isinstance(value, np.ndarray) and value.dtype == object
 
 
-def within(value: Any, made: Callable[[Array], Any]) -> Any:
+def arrays_as(value: Any, made: Callable[[Array], Any]) -> Any:
     """Return arguments with all arrays of the record, in lists and tuples too, made something."""
     if isinstance(value, Array):
         return made(value)
     if isinstance(value, dict):
-        return {name: within(one, made) for name, one in value.items()}
-    return type(value)(within(v, made) for v in value) if type(value) in (list, tuple) else value
+        return {name: arrays_as(one, made) for name, one in value.items()}
+    return type(value)(arrays_as(v, made) for v in value) if type(value) in (list, tuple) else value
 
 
 def of_numbers(tape: Tape, function: Callable, inputs: Any, more: dict) -> Any:
     """Run NumPy's own function on arguments that depend on nothing."""
-    return fresh(tape, function(*within(inputs, numbers_of), **within(more, numbers_of)))
+    return fresh(tape, function(*arrays_as(inputs, numbers_of), **arrays_as(more, numbers_of)))
 
 
 def fresh(tape: Tape, found: Any) -> Any:
@@ -67,8 +67,8 @@ def fresh(tape: Tape, found: Any) -> Any:
     return found
 
 
-def unread(what: str) -> Any:
-    """Write that something cannot be read."""
+def refuse(what: str) -> Any:
+    """Refuse what cannot be read."""
     raise Unread(f"{what} of signals")
 
 
@@ -81,11 +81,11 @@ def repacked(tape: Tape, found: Any) -> Any:
     return fresh(tape, found)
 
 
-def exploded(tape: Tape, function: Any, inputs: Any, more: dict) -> Any:
+def on_objects(tape: Tape, function: Any, inputs: Any, more: dict) -> Any:
     """Run NumPy's own function on arrays of objects."""
-    own = within(inputs, objects)
+    own = arrays_as(inputs, objects)
     try:
-        found = function(*own, **within(more, objects))
+        found = function(*own, **arrays_as(more, objects))
     except (Unread, IndexError, ValueError):
         raise
     except Exception as error:
@@ -132,15 +132,15 @@ def tape_view(tape: Tape, refs: Sequence[Ref]) -> Any:
     if len(views) < max(2, len(refs)) or len({line.arguments for line in views}) > 1:
         return None
     maps = [line.at for line in views]
-    turning = [d for d in range(len(maps[0])) if len({m[d] for m in maps}) > 1]
-    places = [m[d] for m in maps for d in turning]
-    if len(turning) != 1 or not all(isinstance(p, int) for p in places):
+    varying = [d for d in range(len(maps[0])) if len({m[d] for m in maps}) > 1]
+    places = [m[d] for m in maps for d in varying]
+    if len(varying) != 1 or not all(isinstance(p, int) for p in places):
         return None
     step = places[1] - places[0]
     if step < 1 or any(b - a != step for a, b in pairwise(places)):
         return None
     mapped = tuple(
-        (0, places[0], step) if k in turning else p if isinstance(p, int) else (p[0] + 1, *p[1:])
+        (0, places[0], step) if k in varying else p if isinstance(p, int) else (p[0] + 1, *p[1:])
         for k, p in enumerate(maps[0])
     )
     return tape_viewed(tape, views[0].arguments[0], mapped, (len(refs), *views[0].shape))
@@ -194,7 +194,7 @@ def _picked(array: Array, k: Any, *rest: Any) -> Any:
         if not k._tape.free[k._node]:
             return array[(k._tape.numbers(k._ref) != 0.0, *rest)]
         same = not rest and k.shape == array.shape
-        return Masked(array, k) if same else unread("taking elements by a condition")
+        return Masked(array, k) if same else refuse("taking elements by a condition")
     if not rest and array.ndim == 1 and isinstance(array.shape[0], int) and not k.shape:
         counts = k._tape.operations[k._node].kind in ("trunc", "floor", "ceil", "pick")
         if counts and k._tape.free[k._node] and array._written() is None:
@@ -202,7 +202,7 @@ def _picked(array: Array, k: Any, *rest: Any) -> Any:
     return array[whole((k, *rest))]
 
 
-def turned(a: Array, order: Sequence[int]) -> Any:
+def permuted(a: Array, order: Sequence[int]) -> Any:
     """Return a with its axes in another order."""
     mapped = tuple((order.index(d), 0, 1) for d in range(a.ndim))
     shape = tuple(a.shape[d] for d in order)
@@ -284,7 +284,7 @@ def join(parts: Any, axis: Any = 0, **more: Any) -> Any:
 def reshaped(a: Array, *shape: Any, **more: Any) -> Any:
     """Return the same elements in another shape."""
     if more.get("order", "C") != "C":
-        return unread("elements in another order than row by row")
+        return refuse("elements in another order than row by row")
     new = more.get("shape", shape[0] if len(shape) == 1 else shape)
     new = tuple(new) if isinstance(new, tuple | list) else (new,)
     if a.ndim < 2 and tuple(n for n in new if n != 1) in ((-1,), a.shape):  # new axes alone
@@ -304,14 +304,14 @@ def squeezed(a: Array, axis: Any = None) -> Any:
 def transposed(a: Array, *axes: Any, **named: Any) -> Any:
     """Return a with its axes in another order."""
     given = named.get("axes", axes[0] if len(axes) == 1 else axes)
-    return turned(a, [d % a.ndim for d in given] if given else list(range(a.ndim))[::-1])
+    return permuted(a, [d % a.ndim for d in given] if given else list(range(a.ndim))[::-1])
 
 
 def swapped(a: Array, first: int, second: int) -> Any:
     """Return a with two axes in each other's place."""
     order = list(range(a.ndim))
     order[first], order[second] = order[second], order[first]
-    return turned(a, order)
+    return permuted(a, order)
 
 
 def expanded(a: Array, axis: Any) -> Any:
@@ -351,7 +351,7 @@ def converted(a: Any, dtype: Any = float, *more: Any, **named: Any) -> Any:
         return found
     if kind == TRUTH:
         return a if a._is_condition else a != 0
-    return copied(as_number(a)) if kind == np.float64 else unread(f"numbers of {kind}")
+    return copied(as_number(a)) if kind == np.float64 else refuse(f"numbers of {kind}")
 
 
-PARTS.update(item=item, tape_view=tape_view)
+HOOKS.update(item=item, tape_view=tape_view)

@@ -28,7 +28,7 @@ class Sweep:
         self.signals, self._external = np.zeros(last.outputs.stop), np.zeros(wiring.ninputs)
         self._fed = [self._views(node) for node in self.nodes]
         vectors = [
-            node.system._vectors(self._states[node.states], self._inputs[node.inputs])
+            node.system._reused_vectors(self._states[node.states], self._inputs[node.inputs])
             for node in self.nodes
         ]
         self._x, self._u = zip(*vectors, strict=True)

@@ -14,7 +14,7 @@ from sympy.core.function import AppliedUndef
 from ...diagrams.interconnection import Diagram
 from ...equations.block import Block
 from ...equations.elements import Index
-from ...equations.symbolic import base_and_term, renamed
+from ...equations.symbolic import base_and_term, reindexed
 from .array_loop import TIME, array_loop
 from .leaks import Bound, listed
 from .proof import Step, checked, exact, short
@@ -296,13 +296,15 @@ class Case:
         found = self.weights.get(symbol, symbol)
         if found == symbol and len(generic) == 1:
             names = [{generic[0]: str(k + 1)} for k in range(self.loop.N or 0)]
-            mine = [renamed(symbol, name) for name in names]
+            mine = [reindexed(symbol, name) for name in names]
             theirs = [self.weights.get(s, s) for s in mine]
             if self.kept:
                 theirs = [own.xreplace(self.values) for own in theirs]
             each = [_of_function(gain, generic[0]) for gain in theirs[:1]]
             for gain in (*each, *theirs[:1]):  # a gain each, or one for all
-                if all(renamed(gain, name) == own for name, own in zip(names, theirs, strict=True)):
+                if all(
+                    reindexed(gain, name) == own for name, own in zip(names, theirs, strict=True)
+                ):
                     found = gain
         return found.xreplace(self.values) if self.kept else found
 
