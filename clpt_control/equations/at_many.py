@@ -47,7 +47,7 @@ def leaf_values(block: Block, t: Any, x: Any, u: Any, p: Any) -> Callable[[str, 
 
 
 def on_arrays(block: Block, role: str, t: Any, x: Any, u: Any, p: Any = None) -> np.ndarray:
-    """Return what a function gives for each time, state x[k] and input u[k]: (size, ...).
+    """Return what a function gives at each time, state x[k] and input u[k]: (size, ...).
 
     Its parameters are the block's, or those given; their `interval` may be one for each time.
     """
@@ -57,18 +57,18 @@ def on_arrays(block: Block, role: str, t: Any, x: Any, u: Any, p: Any = None) ->
     times = np.broadcast_to(t, shape).reshape(count)
     leaf = leaf_values(block, times, x, u, block.parameters if p is None else p)
 
-    def given(group: str, name: str) -> np.ndarray:
+    def at_each_time(group: str, name: str) -> np.ndarray:
         value = leaf(group, name)
-        one = group == "p" and not (name == "interval" and value.ndim)
-        return value[..., None] if one else value
+        same = group == "p" and not (name == "interval" and value.ndim)
+        return value[..., None] if same else value
 
-    return rows(block.array_record(role), given, block.sizes, count).reshape((-1, *shape))
+    return rows(block.array_record(role), at_each_time, block.sizes, count).reshape((-1, *shape))
 
 
 def rows(record: Record, leaf: Callable, sizes: Mapping[str, int], count: int) -> np.ndarray:
     """Return the outputs of a record, whose leaves have one more axis, as rows of so many."""
-    found = computed(record, leaf, sizes)
-    flat = [np.broadcast_to(f, (*f.shape[:-1], count)).reshape(-1, count) for f in found]
+    outputs = computed(record, leaf, sizes)
+    flat = [np.broadcast_to(y, (*y.shape[:-1], count)).reshape(-1, count) for y in outputs]
     return np.concatenate([np.zeros((0, count)), *flat])
 
 
@@ -98,60 +98,57 @@ def evaluate(block: Block, timepts: ArrayLike, inputs: ArrayLike) -> np.ndarray:
     array([[1.   ],
            [0.368]])
     """
-    given = np.atleast_2d(numbers("inputs", inputs, block.ninputs))
-    at = numbers("timepts", timepts)
-    if given.ndim > 2 or at.shape not in ((), (1,), given.shape[:1]):
+    u, t = np.atleast_2d(numbers("inputs", inputs, block.ninputs)), numbers("timepts", timepts)
+    if u.ndim > 2 or t.shape not in ((), (1,), u.shape[:1]):
         raise ArgumentError(
-            f"evaluate: timepts has shape {at.shape}, inputs {given.shape}; must be a time, or n "
+            f"evaluate: timepts has shape {t.shape}, inputs {u.shape}; must be a time, or n "
             f"of them, and (n, {block.ninputs})"
         )
-    at = np.broadcast_to(at, len(given))
-    return on_arrays(block, "output", at, np.zeros((0, len(at))), given.T).T
+    t = np.broadcast_to(t, len(u))
+    return on_arrays(block, "output", t, np.zeros((0, len(t))), u.T).T
 
 
 def decided_by_time(block: Block) -> list[Record]:
     """Return what time alone decides in a block's functions: constant between changes."""
-    found = []
-    for role in ("update", "output") if block.update_function is not None else ("output",):
-        record = _decided(block.array_record(role))
-        if record.outputs:
-            found.append(record)
-    return found
+    roles = ("update", "output") if block.update_function is not None else ("output",)
+    records = [_decided(block.array_record(role)) for role in roles]
+    return [record for record in records if record.outputs]
 
 
 def _decided(record: Record) -> Record:
-    lines, groups, found = list(record.operations), list[set[str]](), list[Ref]()
+    lines, groups, decisions = list(record.operations), list[set[str]](), list[Ref]()
     for k, (kind, arguments, shape, at) in enumerate(record.operations):
         own = {at[0]} if kind == "leaf" else set()
         groups.append(own.union(*(groups[a] for a in arguments if type(a) is int)))
         if "t" not in groups[k] or groups[k] & {"x", "u"}:
             continue
         if kind in STEPS:
-            found.append(k)
+            decisions.append(k)
         elif kind in SIDES:
             lines.append(SIDES[kind](arguments, shape))
-            found.append(len(lines) - 1)
-    return compact(lines, found)
+            decisions.append(len(lines) - 1)
+    return compact(lines, decisions)
 
 
 def times_of_change(block: Block, record: Record, p: Any, t0: float, t1: float) -> np.ndarray:
     """Return the times in (t0, t1) at which what depends on time alone jumps or bends."""
 
-    def seen_at(t: np.ndarray) -> np.ndarray:
+    def decided_at(t: np.ndarray) -> np.ndarray:
         def leaf(group: str, name: str) -> np.ndarray:
             return t if group == "t" else np.asarray(getattr(p, name), dtype=float)[..., None]
 
         return rows(record, leaf, block.sizes, len(t))
 
     times = np.linspace(t0, t1, LOOKS)
-    seen = seen_at(times)
-    which, at = np.nonzero((seen[:, 1:] != seen[:, :-1]) & ~np.isnan(seen[:, 1:] + seen[:, :-1]))
+    values = decided_at(times)
+    old, new = values[:, :-1], values[:, 1:]
+    which, at = np.nonzero((new != old) & ~np.isnan(new + old))
     if not len(at) or len(at) > MOST:
         return np.zeros(0)
-    low, high, before = times[at], times[at + 1], seen[which, at]
+    low, high, before = times[at], times[at + 1], values[which, at]
     for _ in range(HALVINGS):
         middle = 0.5 * (low + high)
-        same = seen_at(middle)[which, np.arange(len(at))] == before
+        same = decided_at(middle)[which, np.arange(len(at))] == before
         low, high = np.where(same, middle, low), np.where(same, high, middle)
-    found = np.unique([low, high])  # the last time before a change, and the first after
-    return found[(found > t0) & (found < t1)]
+    changes = np.unique([low, high])  # the last time before a change, and the first after
+    return changes[(changes > t0) & (changes < t1)]

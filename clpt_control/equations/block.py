@@ -51,11 +51,11 @@ READ = ("_read_records", "feedthrough")  # attributes that hold what was read
 
 
 class Call(local):
-    """What python-control's call runs with; threads that share a block have each their own."""
+    """What python-control's call runs with, one for each thread that shares a block."""
 
     def __init__(self, parameters: Any) -> None:
         self.parameters = parameters
-        self.seen: tuple[float, float] | None = None  # time and interval of the first rate
+        self.first: tuple[float, float] | None = None  # time and interval of the first rate
 
 
 @public
@@ -217,7 +217,7 @@ class Block(control.NonlinearIOSystem):
             else:
                 raise BlockError(self._sentence_of(role, failed)) from failed
 
-    # --- how it is shown ----------------------------------------------------------------
+    # --- as text ------------------------------------------------------------------------
 
     def __repr__(self) -> str:
         return block_line(self)
@@ -236,12 +236,13 @@ class Block(control.NonlinearIOSystem):
         for field, shape in self.parameter_shapes.items():
             if field not in self._parameters._fields:
                 raise BlockError(f"{self.name}: `shapes` names {field!r}, which is no parameter")
-            own = np.shape(getattr(self._parameters, field))
-            if len(own) != len(shape):
-                raise BlockError(f"{self.name}.{field}: has shape {own}; must be {shape}")
-            for n, size in zip(shape, own, strict=True):
-                if sizes.setdefault(n, size) != size if isinstance(n, str) else n != size:
-                    raise BlockError(f"{self.name}.{field}: has shape {own}; must be {shape}")
+            actual = np.shape(getattr(self._parameters, field))
+            fits = len(actual) == len(shape) and all(
+                sizes.setdefault(n, size) == size if isinstance(n, str) else n == size
+                for n, size in zip(shape, actual, strict=True)
+            )
+            if not fits:
+                raise BlockError(f"{self.name}.{field}: has shape {actual}; must be {shape}")
         self.sizes = sizes
         self.input_shapes, self.output_shapes, self.state_shapes = (
             sized(self.name, self.declared[kind], sizes) for kind in ("inputs", "outputs", "states")
@@ -255,8 +256,8 @@ class Block(control.NonlinearIOSystem):
         shapes = getattr(self, f"{kind}_shapes")
         if f"{kind}_index" not in self.__dict__:  # python-control has not labelled them yet
             return sizes_of(shapes)
-        found = ports_of(getattr(self, f"{kind}_labels"))
-        return {port: len(places) for port, places in found.items()}
+        ports = ports_of(getattr(self, f"{kind}_labels"))
+        return {port: len(places) for port, places in ports.items()}
 
     @property
     def input_ports(self) -> dict[str, int]:
@@ -320,13 +321,13 @@ class Block(control.NonlinearIOSystem):
     def _roles(self) -> dict[str, tuple[Callable, dict[str, Shape]]]:
         """Return each role's function and the shapes of what it returns."""
         states = self._inner_shapes("states", self.state_shapes)
-        given: dict[str, tuple[Any, dict[str, Shape]]] = {
+        roles: dict[str, tuple[Any, dict[str, Shape]]] = {
             "update": (self.update_function, states),
             "output": (self.output_function, self._inner_shapes("outputs", self.output_shapes)),
             "guard": (None if self.guard is None else self.guard.distance, {"distance": ()}),
             "jump": (self.jump_function, states),
         }
-        return {role: (f, shapes) for role, (f, shapes) in given.items() if f is not None}
+        return {role: (f, shapes) for role, (f, shapes) in roles.items() if f is not None}
 
     def array_record(self, role: str) -> ArrayRecord:
         """Return the record of "update", "output", "guard" or "jump".
@@ -339,10 +340,10 @@ class Block(control.NonlinearIOSystem):
             )
         if role not in self._records:
             self._records[role] = self._read(role)
-        found = self._records[role]
-        if isinstance(found, Unread):
-            raise found
-        return found
+        record = self._records[role]
+        if isinstance(record, Unread):
+            raise record
+        return record
 
     def _read(self, role: str) -> ArrayRecord | Unread:
         """Read a function with open sizes; where that cannot be, with those that are bound."""
@@ -357,12 +358,12 @@ class Block(control.NonlinearIOSystem):
             "outputs": self.output_shapes,
         }
         for stay_open in (True, False) if self.sizes else (False,):
-            asked = self.declared if stay_open else ports
-            x, u, y = (self._inner_shapes(kind, asked[kind]) for kind in ports)
+            declared = self.declared if stay_open else ports
+            x, u, y = (self._inner_shapes(kind, declared[kind]) for kind in ports)
             out = {"guard": bound_out, "output": y}.get(role, x)
-            given = {**shapes, **self.parameter_shapes} if stay_open else shapes
+            p = {**shapes, **self.parameter_shapes} if stay_open else shapes
             try:
-                found = read(function, name, x, u, values, given, out)
+                found = read(function, name, x, u, values, p, out)
             except (Unread, BlockError) as error:
                 if not stay_open and isinstance(error, BlockError):
                     raise
@@ -375,8 +376,8 @@ class Block(control.NonlinearIOSystem):
     @property
     def of_package(self) -> bool:
         """Whether the functions are the package's own."""
-        own = (getattr(f, "__module__", None) or "" for f, _ in self._plan.values())
-        return all(name.startswith(f"{__package__.partition('.')[0]}.") for name in own)
+        modules = (getattr(f, "__module__", None) or "" for f, _ in self._plan.values())
+        return all(name.startswith(f"{__package__.partition('.')[0]}.") for name in modules)
 
     def read_anew(self) -> None:
         """Read the functions again: what they use may have changed."""
@@ -489,7 +490,7 @@ class Block(control.NonlinearIOSystem):
         return checked_parameters(self.name, self.parameters._replace(**changes), self.parameters)
 
     def _update_params(self, params: Mapping[str, Any] | None) -> None:
-        self._call.parameters, self._call.seen = self.with_params(params), None
+        self._call.parameters, self._call.first = self.with_params(params), None
 
     # --- jumps in time ----------------------------------------------------------------
 
@@ -498,14 +499,14 @@ class Block(control.NonlinearIOSystem):
         """Return the sorted times in (t0, t1] at which the block jumps."""
         if self.breakpoints_function is None:
             return np.zeros(0)
-        given = self.breakpoints_function(self.parameters if p is None else p, t0, t1)
+        returned = self.breakpoints_function(self.parameters if p is None else p, t0, t1)
         try:
-            times = np.asarray(given, dtype=float)
+            times = np.asarray(returned, dtype=float)
         except (TypeError, ValueError):
             times = np.full(1, np.nan)
         if times.ndim != 1 or not np.all(times[1:] >= times[:-1]) or np.any(np.isnan(times)):
             raise BlockError(
-                f"{self.name}: breakpoints gives {brief(given)}; must be increasing times"
+                f"{self.name}: breakpoints gives {brief(returned)}; must be increasing times"
             )
         return times
 
@@ -537,23 +538,23 @@ class Block(control.NonlinearIOSystem):
         A run may try such numbers and go on without them; what stops it is in `raised`.
         """
         try:
-            found = self._evaluate(role, size, t, x, u, p)
+            values = self._evaluate(role, size, t, x, u, p)
         except RAISED as error:  # as math.log(0.0) does
             self.raised[role] = self._sentence_of(role, error)
             return np.full(size, np.nan)
         except Exception as error:
             raise BlockError(self._sentence_of(role, error)) from error
         self.raised.pop(role, None)
-        return found
+        return values
 
     def _sentence_of(self, role: str, error: Exception) -> str:
         """Return which function raised what, and in which line."""
-        if isinstance(error, BlockError):  # it says so itself
+        if isinstance(error, BlockError):  # its text says so
             return str(error)
         function, _ = self._plan[role]
         words = [type(error).__name__, " ".join(str(error).splitlines())]
-        said = ": ".join(filter(None, words))  # an assertion may say nothing
-        return f"{self.name}.{role}: {located(function, error)}{said}"
+        text = ": ".join(filter(None, words))  # an assertion may have no text
+        return f"{self.name}.{role}: {located(function, error)}{text}"
 
     def _reused_vectors(self, x: np.ndarray, u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return arrays that are filled again and again as states and inputs with ports."""
@@ -562,8 +563,8 @@ class Block(control.NonlinearIOSystem):
     @np.errstate(all="ignore")
     def _evaluate(self, role: str, size: int, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
         function, where = self._plan[role]
-        given = function(np.float64(t), vector(x, self._x), vector(u, self._u), p)
-        return flattened(f"{self.name}.{role}", given, where, size)
+        returned = function(np.float64(t), vector(x, self._x), vector(u, self._u), p)
+        return flattened(f"{self.name}.{role}", returned, where, size)
 
     def _rhs(self, t, x, u):
         if self.update_function is None:
@@ -575,7 +576,7 @@ class Block(control.NonlinearIOSystem):
 
     def _refuse_jumps(self, t: float, interval: float) -> None:
         """Refuse rates on both sides of a jump, which is what an integration asks for."""
-        since, first = self._call.seen = self._call.seen or (t, interval)
+        since, first = self._call.first = self._call.first or (t, interval)
         if interval != first:
             raise BlockError(
                 f"{self.name}: its states jump between t = {since:.9g} and t = {t:.9g}, and "

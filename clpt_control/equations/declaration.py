@@ -76,14 +76,14 @@ def check_guard(name: str, guard: Guard | None) -> None:
 
 def check_names(name: str, *ports: Mapping[str, Any]) -> None:
     """Refuse names and sizes that python-control cannot wire."""
-    words = [(name, ".\n"), *((port, ".[]\n") for own in ports for port in own)]
+    words = [(name, ".\n"), *((port, ".[]\n") for one in ports for port in one)]
     for word, not_in in words:  # python-control itself calls a system sys[0]
         if not isinstance(word, str) or not word or word[0] in "-+" or set(word) & set(not_in):
             raise BlockError(
                 f"the name {word!r} of a block or port must not be empty, begin with a sign or "
                 "hold . [ ] or a line end; use letters, digits and _"
             )
-    for port, shape in (item for own in ports for item in own.items()):
+    for port, shape in (item for one in ports for item in one.items()):
         for size in shape:
             whole = isinstance(size, int | np.integer) and size >= 0
             if not whole and not (isinstance(size, str) and size):
@@ -96,8 +96,8 @@ def check_names(name: str, *ports: Mapping[str, Any]) -> None:
 def check_units(name: str, units: Mapping[str, str], *ports: Mapping[str, Any]) -> None:
     """Refuse units of what is no port, and what is no text of one line."""
     for port, unit in units.items():
-        if not any(port in own for own in ports):
-            known = ", ".join(dict.fromkeys(port for own in ports for port in own))
+        if not any(port in one for one in ports):
+            known = ", ".join(dict.fromkeys(port for one in ports for port in one))
             raise BlockError(f"{name}: units names {port!r}, which is no port; it has {known}")
         if not isinstance(unit, str) or not unit.strip() or not unit.isprintable():
             raise BlockError(
@@ -151,11 +151,11 @@ def ports_of(labels: Iterable[str]) -> dict[str, list[int]]:
     return ports
 
 
-def whole_labels(given: Iterable[str]) -> list[str]:
+def whole_labels(labels: Iterable[str]) -> list[str]:
     """Return the labels as those of ports: ``e, v[0], v[1]`` are ``e[0], v[0], v[1]``."""
-    ports = ports_of(given)
-    found = {at: f"{port}[{k}]" for port, places in ports.items() for k, at in enumerate(places)}
-    return [found[place] for place in range(len(found))]
+    ports = ports_of(labels)
+    whole = {at: f"{port}[{k}]" for port, places in ports.items() for k, at in enumerate(places)}
+    return [whole[place] for place in range(len(whole))]
 
 
 TAKEN = frozenset({"get", "keys", "_fields", "_replace", "_asdict"})  # by what all parameters do
@@ -247,10 +247,10 @@ Declared = Mapping[str, Size | tuple[Size, ...]]  # port -> its shape
 
 def shapes_of(ports: Declared | None) -> dict[str, Shape]:
     """Return the shape of each port as a tuple."""
-    found = {}
-    for port, size in (ports or {}).items():
-        found[port] = tuple(size) if isinstance(size, tuple | list) else (size,)
-    return found
+    return {
+        port: tuple(size) if isinstance(size, tuple | list) else (size,)
+        for port, size in (ports or {}).items()
+    }
 
 
 def sized(name: str, shapes: Mapping[str, Shape], sizes: Mapping[str, int]) -> dict[str, Shape]:
@@ -298,39 +298,39 @@ def vector(values: Any, where: dict[str, tuple[slice, Shape]]) -> Vector:
     """Return numbers as a vector with ports; one that has them is returned as it is."""
     if type(values) is Vector and values.__dict__.get("places") is where:
         return values
-    made = np.asarray(values, dtype=float).view(Vector)
-    made.places = where
-    made.flags.writeable = False  # equations have no side effects
-    return made
+    x = np.asarray(values, dtype=float).view(Vector)
+    x.places = where
+    x.flags.writeable = False  # equations have no side effects
+    return x
 
 
 def reused_vector(values: np.ndarray, where: dict[str, tuple[slice, Shape]]) -> Vector:
-    """Return an array that is filled again and again as a vector, its ports made once."""
-    made = vector(values, where)
+    """Return an array that is filled again and again as a vector; its ports are cut once."""
+    x = vector(values, where)
     for port, (part, shape) in where.items():
-        made.__dict__[port] = made.view(np.ndarray)[part].reshape(shape)
-    return made
+        x.__dict__[port] = x.view(np.ndarray)[part].reshape(shape)
+    return x
 
 
-def flattened(name: str, given: Any, where: dict[str, tuple[slice, Shape]], size: int) -> Any:
+def flattened(name: str, returned: Any, where: dict[str, tuple[slice, Shape]], size: int) -> Any:
     """Return what a function returned, a mapping by port or numbers in order, as one vector."""
-    if isinstance(given, Mapping):
-        if given.keys() != where.keys():
-            raise BlockError(f"{name}: returns {list(given)}; must return {list(where)}")
+    if isinstance(returned, Mapping):
+        if returned.keys() != where.keys():
+            raise BlockError(f"{name}: returns {list(returned)}; must return {list(where)}")
         out = np.empty(size)
         for port, (part, shape) in where.items():
-            value = np.asarray(given[port], dtype=float)
+            value = np.asarray(returned[port], dtype=float)
             if value.shape != shape:
                 value = _shaped(name, port, value, shape)
             out[part] = value.ravel()
         return out
-    if given is None:
+    if returned is None:
         raise BlockError(f"{name}: returns nothing; must return {list(where)}")
-    if isinstance(given, list | tuple):
-        parts = [np.ravel(one) for one in given]
+    if isinstance(returned, list | tuple):
+        parts = [np.ravel(one) for one in returned]
         out = np.concatenate([np.zeros(0), *parts]).astype(float)
     else:
-        out = np.asarray(given, dtype=float).ravel()
+        out = np.asarray(returned, dtype=float).ravel()
     if len(out) != size:
         raise BlockError(f"{name}: returns {len(out)} numbers; must return {size}")
     return out
@@ -409,9 +409,9 @@ def block_line(block: Any) -> str:
 
 def block_html(block: Any) -> str:
     """Return a block as a table."""
-    said = next((f.__doc__ for f in (block.update_function, block.output_function) if f), None)
+    doc = next((f.__doc__ for f in (block.update_function, block.output_function) if f), None)
     rows = [
-        ("equations", " ".join((said or "").split("\n\n")[0].split())),
+        ("equations", " ".join((doc or "").split("\n\n")[0].split())),
         ("inputs", ports_line(block.input_ports)),
         ("outputs", ports_line(block.output_ports)),
         ("states", ports_line(block.state_ports)),

@@ -21,7 +21,6 @@ from .record import OPERATIONS, Operation, Record, Shape
 from .sampled import Sampled
 
 KINDS = ("input", "output", "state")
-ROLES = ("update", "output", "guard", "jump")
 LARGEST = 10**7  # numbers of one value of a record
 
 
@@ -63,14 +62,16 @@ class Listed:
 class RecordedBlock(Block):
     """A block whose functions are records."""
 
-    def __init__(self, name: str, records: dict[str, Record], fixed: Sequence[str], **given: Any):
+    def __init__(
+        self, name: str, records: dict[str, Record], fixed: Sequence[str], **declared: Any
+    ):
         self._plain_records, self.fixed = records, frozenset(fixed)
-        self.package = given.pop("package")
-        made = {role: AsRecorded(record, given["sizes"]) for role, record in records.items()}
-        policy = given.pop("guard")
-        guard = policy and Guard(made["guard"], policy, partial(_left, name))
-        functions: dict[str, Any] = {role: made.get(role) for role in ROLES if role != "guard"}
-        super().__init__(name, guard=guard, **given, **functions)
+        self.package, policy = declared.pop("package"), declared.pop("guard")
+        functions: dict[str, Any] = {
+            role: AsRecorded(record, declared["sizes"]) for role, record in records.items()
+        }
+        guard = policy and Guard(functions["guard"], policy, partial(_left, name))
+        super().__init__(name, **declared, **{**functions, "guard": guard})
 
     def _try_equations(self) -> None:
         """Leave it to the checks of the record."""
@@ -170,34 +171,31 @@ def _plain_record(record: Record) -> dict[str, Any]:
 
 def block_of(plain: Mapping[str, Any]) -> Block:
     """Return the block that plain data hold; what they are not is a `BlockError`, or Python's."""
-    made = _sampled(plain) if "sampled" in plain else _recorded(plain)
-    for kind, rename in zip(
-        KINDS, (made.set_inputs, made.set_outputs, made.set_states), strict=True
-    ):
-        labels = plain["labels"][kind]
-        if len(labels) != getattr(made, f"n{kind}s") or not all(isinstance(n, str) for n in labels):
-            raise BlockError(f"{made.name}: the labels of its {kind}s are none")
-        rename(list(labels))
-    return made
+    block = _sampled(plain) if "sampled" in plain else _recorded(plain)
+    for kind in KINDS:
+        labels, count = plain["labels"][kind], getattr(block, f"n{kind}s")
+        if len(labels) != count or not all(isinstance(n, str) for n in labels):
+            raise BlockError(f"{block.name}: the labels of its {kind}s are none")
+        getattr(block, f"set_{kind}s")(list(labels))
+    return block
 
 
 def _sampled(plain: Mapping[str, Any]) -> Block:
-    made = Sampled(block_of(plain["inner"]), plain["sampled"])
-    made._name_ports(
-        {kind: {old: new for new, old in own.items()} for kind, own in plain["called"].items()}
+    block = Sampled(block_of(plain["inner"]), plain["sampled"])
+    block._name_ports(
+        {kind: {old: new for new, old in ports.items()} for kind, ports in plain["called"].items()}
     )
-    return made
+    return block
 
 
 def _recorded(plain: Mapping[str, Any]) -> Block:
-    ports = ("inputs", "outputs", "states")
-    shapes: dict[str, Any] = {kind: _shapes(plain[kind]) for kind in ports}
+    shapes: dict[str, Any] = {f"{kind}s": _shapes(plain[f"{kind}s"]) for kind in KINDS}
     sizes = {str(name): _size(size) for name, size in plain["sizes"].items()}
     values = {name: _value(value) for name, value in plain["parameters"].items()}
     records = {role: _record(lines) for role, lines in plain["records"].items()}
     for kind in KINDS:  # before anything of that size is made
-        own = sized(plain["name"], shapes[f"{kind}s"], sizes)
-        if sum(sizes_of(own).values()) != len(plain["labels"][kind]):
+        ports = sized(plain["name"], shapes[f"{kind}s"], sizes)
+        if sum(sizes_of(ports).values()) != len(plain["labels"][kind]):
             raise BlockError(f"{plain['name']}: its {kind}s are not as many as their labels")
     jumps = plain["jumps"]
     if jumps is not None:
@@ -263,8 +261,8 @@ def _value(plain: Any) -> Any:
 def _record(plain: Mapping[str, Any]) -> Record:
     lines = []
     for kind, arguments, shape, at in plain["operations"]:
-        own = np.array(at, dtype=float).tobytes() if kind == "constant" else _fixed(at)
-        lines.append(Operation(kind, tuple(arguments), _shape(shape), own))
+        at = np.array(at, dtype=float).tobytes() if kind == "constant" else _fixed(at)
+        lines.append(Operation(kind, tuple(arguments), _shape(shape), at))
     return Record(tuple(lines), tuple(plain["outputs"]), tuple(map(_shape, plain["shapes"])))
 
 
@@ -285,15 +283,15 @@ def check_record(
     shapes: list[tuple[int, ...]] = []
     for k, operation in enumerate(record.operations):
         shape = _bound(operation.shape, sizes)
-        given = [_shape_of(a, shapes) for a in operation.arguments]
-        if prod(shape) > LARGEST or not _fits(operation, shape, given, leaves):
+        arguments = [_shape_of(a, shapes) for a in operation.arguments]
+        if prod(shape) > LARGEST or not _fits(operation, shape, arguments, leaves):
             raise BlockError(f"line {k} of a record, {operation.kind!s:.20}, is none")
         shapes.append(shape)
-    for made in (record.outputs, record.shapes):
-        if len(made) != len(out):
-            raise BlockError(f"a record has {len(made)} outputs; must have {len(out)}")
-    for ref, own, wanted in zip(record.outputs, record.shapes, out.values(), strict=True):
-        if _bound(own, sizes) != wanted or not _spreads(_shape_of(ref, shapes), wanted):
+    for outputs in (record.outputs, record.shapes):
+        if len(outputs) != len(out):
+            raise BlockError(f"a record has {len(outputs)} outputs; must have {len(out)}")
+    for ref, shape, wanted in zip(record.outputs, record.shapes, out.values(), strict=True):
+        if _bound(shape, sizes) != wanted or not _spreads(_shape_of(ref, shapes), wanted):
             raise BlockError("an output of a record has another shape than its port")
 
 
@@ -309,47 +307,47 @@ def _shape_of(ref: Any, shapes: Sequence[tuple[int, ...]]) -> tuple[int, ...]:
     return shapes[ref]
 
 
-def _spreads(given: tuple[int, ...], shape: tuple[int, ...]) -> bool:
+def _spreads(short: tuple[int, ...], shape: tuple[int, ...]) -> bool:
     """Return whether NumPy broadcasts one shape to another."""
-    own = zip(given[::-1], shape[::-1], strict=False)
-    return len(given) <= len(shape) and all(n in (1, m) for n, m in own)
+    pairs = zip(short[::-1], shape[::-1], strict=False)
+    return len(short) <= len(shape) and all(n in (1, m) for n, m in pairs)
 
 
 def _fits(
     line: Operation,
     shape: tuple[int, ...],
-    given: list[tuple[int, ...]],
+    arguments: list[tuple[int, ...]],
     leaves: Mapping[str, Mapping[str, Shape]],
 ) -> bool:
-    """Return whether a line has the arguments and the shape of its kind."""
+    """Return whether a line has the arguments, given by their shapes, and the shape of its kind."""
     kind, at = line.kind, line.at
     if kind == "leaf":
         group, name = at
-        return not given and leaves[group][name] == shape
+        return not arguments and leaves[group][name] == shape
     if kind == "constant":
-        return not given and len(at) == 8 * prod(shape)
+        return not arguments and len(at) == 8 * prod(shape)
     if kind == "sum":
-        (own,) = given
-        return type(at) is int and 0 <= at < len(own) and own[:at] + own[at + 1 :] == shape
+        (a,) = arguments
+        return type(at) is int and 0 <= at < len(a) and a[:at] + a[at + 1 :] == shape
     if kind == "view":
-        (own,) = given
-        return len(at) == len(own) and all(map(_within, at, own, [shape] * len(own)))
+        (a,) = arguments
+        return len(at) == len(a) and all(map(_within, at, a, [shape] * len(a)))
     if kind == "opaque":
-        return bool(given) and given[0] == shape and isinstance(hash(at), int)
+        return bool(arguments) and arguments[0] == shape and isinstance(hash(at), int)
     if at is not None:
         return False
     if kind == "fill":
-        return given == [()]
+        return arguments == [()]
     if kind == "stack":
-        return len(given) == shape[0] and all(_spreads(own, shape[1:]) for own in given)
+        return len(arguments) == shape[0] and all(_spreads(a, shape[1:]) for a in arguments)
     if kind == "join":
-        behind = [own[1:] == shape[1:] for own in given]
-        return all(behind) and sum(own[0] for own in given) == shape[0]
+        alike = all(a[1:] == shape[1:] for a in arguments)
+        return alike and sum(a[0] for a in arguments) == shape[0]
     if kind == "pick":
-        row, place = given
+        row, place = arguments
         return len(row) == 1 and place == shape
     count = {"where": 3}.get(kind, getattr(OPERATIONS[kind], "nin", 1))
-    return len(given) == count and all(_spreads(own, shape) for own in given)
+    return len(arguments) == count and all(_spreads(a, shape) for a in arguments)
 
 
 def _within(mapped: Any, length: int, shape: tuple[int, ...]) -> bool:

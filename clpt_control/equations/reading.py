@@ -47,14 +47,14 @@ class Read(NamedTuple):
 
 
 class Request(NamedTuple):
-    """What is to be read."""
+    """What to read: a function and its arguments."""
 
     function: Callable
     role: str
     states: Mapping[str, Shape]
     inputs: Mapping[str, Shape]
     parameters: Mapping[str, Any]
-    shapes: Mapping[str, Shape]  # of the parameters that stay open; others are given as they are
+    shapes: Mapping[str, Shape]  # of the parameters that are leaves; others have their values
     out: Mapping[str, Shape]
     wrap: Callable[[dict[str, Any]], Any] | None = None  # else as the Parameters of a block
 
@@ -71,29 +71,29 @@ def read(*arguments: Any) -> Read:
     """
     request = Request(*arguments)
     spaces: list[dict[str, Any]] = []
-    found: list[Read] = []
+    reads: list[Read] = []
     before: _Ways | None = None  # the first reading
     try:
-        while len(found) < 2:
+        while len(reads) < 2:
             try:
                 ways = _Ways(request, spaces, before)
-                found.append(ways.read())
+                reads.append(ways.read())
             except Borrowed as borrower:
                 if len(spaces) >= MOST_MODULES:
                     raise Unread(f"runs helpers of more than {MOST_MODULES} modules") from None
                 spaces.append(borrower.space)
-                found.clear()
+                reads.clear()
                 ways.copies.snapshot.restore()
                 continue
             before = before or ways
     finally:
         (before or ways).copies.snapshot.restore()
-    first, again = (one.record for one in found)
+    first, again = (one.record for one in reads)
     if first != again and str(first) != str(again):  # NaN differs from itself
         raise Unread(
             f"{request.name} keeps what its next call reads, or draws by chance; make it a state"
         )
-    return found[0]
+    return reads[0]
 
 
 class _Ways:
@@ -125,8 +125,8 @@ class _Ways:
                 fields.update({name: self._unknown(name) for name in self.before.written})
             x, u = Ports(tape, "x", request.states, named), Ports(tape, "u", request.inputs, named)
             p = request.wrap(dict(fields)) if request.wrap else Parameters(**fields)
-            found = self._way(lambda: copied(t, x, u, p))  # noqa: B023
-            self.ways.append((tape.answers, found))
+            outputs = self._way(lambda: copied(t, x, u, p))  # noqa: B023
+            self.ways.append((tape.answers, outputs))
             self.copies.check()
             (self.before or self).copies.snapshot.restore()
             if isinstance(p, dict):
@@ -139,8 +139,8 @@ class _Ways:
             if not way:
                 break
             tape.way = [*way[:-1], False]
-        outputs = [operand(one) for one in _merged(tape, self.ways, 0)]
-        record = compact(tape.operations, outputs, request.out.values())
+        refs = [operand(one) for one in _merged(tape, self.ways, 0)]
+        record = compact(tape.operations, refs, request.out.values())
         return Read(record, frozenset(tape.pinned), tuple(self.raised))
 
     def _unknown(self, name: Any) -> Array:
@@ -154,10 +154,10 @@ class _Ways:
 
     def _way(self, run: Callable[[], Any]) -> list[Any]:
         """Return what one way gives, for each port; NaN where it raises."""
-        tape, request, found, raised = self.tape, self.request, [], list[Exception]()
+        tape, request, outputs, raised = self.tape, self.request, [], list[Exception]()
         try:
             with borrowed(self.spaces), reading_on(tape):
-                found = _by_port(tape, request.role, run(), request.out)
+                outputs = _by_port(tape, request.role, run(), request.out)
         except (Borrowed, BlockError):
             raise
         except RecursionError:
@@ -169,18 +169,18 @@ class _Ways:
             self.raised[sentence] = None
             if not tape.answers and tape.stopped is None:
                 raise Unread(sentence) from None
-            found = [filled(tape, nan, shape) for shape in request.out.values()]
+            outputs = [filled(tape, nan, shape) for shape in request.out.values()]
         except Exception as error:
-            said = str(error) if isinstance(error, Unread) else f"{type(error).__name__}: {error}"
+            text = str(error) if isinstance(error, Unread) else f"{type(error).__name__}: {error}"
             if isinstance(error, Unread) or tape.stopped is None:
-                raise Unread(f"{located(request.function, error)}{said}") from None
+                raise Unread(f"{located(request.function, error)}{text}") from None
             raised.append(error)
         if isinstance(tape.stopped, Unread):  # and the function went on
             place = located(request.function, tape.stopped, *raised)
             raise Unread(f"{place}{tape.stopped}")
         if tape.stopped is not None:
             raise tape.stopped
-        return found
+        return outputs
 
 
 def record_of_states(shapes: Mapping[str, Shape]) -> Record:
@@ -204,15 +204,15 @@ def _merged(tape: Tape, ways: list, depth: int) -> list[Any]:
     return [a if operand(a) == operand(b) else where(condition, a, b) for a, b in pairs]
 
 
-def _by_port(tape: Tape, role: str, given: Any, out: Mapping[str, Shape]) -> list[Any]:
+def _by_port(tape: Tape, role: str, returned: Any, out: Mapping[str, Shape]) -> list[Any]:
     """Return what a function returned, for each port."""
-    if isinstance(given, Mapping):
-        if given.keys() != out.keys():
-            raise BlockError(f"{role}: returns {list(given)}; must return {list(out)}")
-        return [_shaped(tape, role, port, given[port], shape) for port, shape in out.items()]
-    if len(out) == 1 and getattr(given, "shape", None) == next(iter(out.values())):
-        return [as_number(lifted(tape, given))]
-    parts = given if isinstance(given, list | tuple) else [given]
+    if isinstance(returned, Mapping):
+        if returned.keys() != out.keys():
+            raise BlockError(f"{role}: returns {list(returned)}; must return {list(out)}")
+        return [_shaped(tape, role, port, returned[port], shape) for port, shape in out.items()]
+    if len(out) == 1 and getattr(returned, "shape", None) == next(iter(out.values())):
+        return [as_number(lifted(tape, returned))]
+    parts = returned if isinstance(returned, list | tuple) else [returned]
     numbers = [one for part in parts for one in objects(part).ravel()]
     size = sum(map(prod, out.values()))
     if len(numbers) != size:
@@ -223,8 +223,8 @@ def _by_port(tape: Tape, role: str, given: Any, out: Mapping[str, Shape]) -> lis
     return [lifted(tape, flat[part].reshape(shape)) for part, shape in places(out).values()]
 
 
-def _shaped(tape: Tape, role: str, port: str, given: Any, shape: Shape) -> Any:
-    value = as_number(lifted(tape, given))
+def _shaped(tape: Tape, role: str, port: str, returned: Any, shape: Shape) -> Any:
+    value = as_number(lifted(tape, returned))
     own = getattr(value, "shape", ())
     if own == shape:
         return value

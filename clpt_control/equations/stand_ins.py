@@ -45,17 +45,17 @@ class StandIn:
         self.real, self.own = real, own
         functools.update_wrapper(self, real, updated=())
 
-    def __call__(self, *given: Any, **more: Any) -> Any:
+    def __call__(self, *arguments: Any, **more: Any) -> Any:
         """Run the real one, or write down what it does."""
         tape = active()
         if more:
             more = {name: real_of(one) for name, one in more.items()}
         if tape is None:
-            return self.real(*given, **more)
-        given = tuple(list(one) if isinstance(one, ITERATORS) else one for one in given)
-        if tape_of((*given, *more.values())) is None:
-            return fresh(tape, self.real(*map(real_of, given), **more))
-        return self.own(tape, *given, **more)
+            return self.real(*arguments, **more)
+        arguments = tuple(list(one) if isinstance(one, ITERATORS) else one for one in arguments)
+        if tape_of((*arguments, *more.values())) is None:
+            return fresh(tape, self.real(*map(real_of, arguments), **more))
+        return self.own(tape, *arguments, **more)
 
     def __getattr__(self, name: str) -> Any:
         found = getattr(self.real, name)
@@ -72,11 +72,11 @@ class StandInType(type):
     real: type
     make: Callable
 
-    def __call__(cls, *given: Any, **more: Any) -> Any:
+    def __call__(cls, *arguments: Any, **more: Any) -> Any:
         """Convert a signal, or make a number of the real type."""
-        if given and isinstance(single(given[0]), Array):
-            return cls.make(single(given[0]))
-        return cls.real(*given, **more)
+        if arguments and isinstance(single(arguments[0]), Array):
+            return cls.make(single(arguments[0]))
+        return cls.real(*arguments, **more)
 
     def __instancecheck__(cls, value: Any) -> bool:
         return is_a(value, cls.real)
@@ -133,11 +133,11 @@ def has(value: Any, name: str) -> bool:
     return hasattr(_like(value), name) or name in getattr(value, "_ports", ())
 
 
-def type_of(*given: Any, **more: Any) -> Any:
+def type_of(*arguments: Any, **more: Any) -> Any:
     """Return type(value), or a new type."""
-    if len(given) > 1 or not isinstance(given[0], Array):
-        return type(*given, **more)
-    if given[0].shape:
+    if len(arguments) > 1 or not isinstance(arguments[0], Array):
+        return type(*arguments, **more)
+    if arguments[0].shape:
         return np.ndarray
     raise Unread("asks for the type of a signal; ask isinstance(..., float)")
 
@@ -209,9 +209,9 @@ RAISING = frozenset(  # beyond what DOMAINS asks
 )
 
 
-def of_math(name: str, tape: Tape, *given: Any, **more: Any) -> Any:
+def of_math(name: str, tape: Tape, *arguments: Any, **more: Any) -> Any:
     """Write down a function of `math`."""
-    own = tuple(map(single, given))
+    own = tuple(map(single, arguments))
     tape.has_floats = True
     if name in RAISING:
         refuse_in_a_try(tape, *own)
@@ -227,8 +227,8 @@ def of_values(real: Callable, own: Callable[[list], Any]) -> Callable:
     """Return the stand-in of a function of values, given one by one or in one."""
 
     @functools.wraps(real)
-    def function(*given: Any, **more: Any) -> Any:
-        values = list(given[0]) if len(given) == 1 else list(given)
+    def function(*arguments: Any, **more: Any) -> Any:
+        values = list(arguments[0]) if len(arguments) == 1 else list(arguments)
         return real(values, **more) if more or tape_of(values) is None else own(values)
 
     return function
@@ -310,8 +310,8 @@ MAKERS: dict[Any, Callable] = {
 def vectorized(real: np.vectorize) -> StandIn:
     """Return the stand-in of a function made by np.vectorize, which is run for each element."""
 
-    def function(tape: Tape, *given: Any, **more: Any) -> Any:
-        own = np.broadcast_arrays(*(objects(lifted(tape, one)) for one in given))
+    def function(tape: Tape, *arguments: Any, **more: Any) -> Any:
+        own = np.broadcast_arrays(*(objects(lifted(tape, one)) for one in arguments))
         found = np.empty(own[0].size, dtype=object)
         for k, values in enumerate(zip(*(one.ravel() for one in own), strict=True)):
             found[k] = real.pyfunc(*values, **more)
@@ -330,12 +330,12 @@ class Joiner:
         self.real, self.join = real, join
 
     def __getitem__(self, parts: Any) -> Any:
-        given = parts if isinstance(parts, tuple) else (parts,)
-        if tape_of(given) is None:
+        arguments = parts if isinstance(parts, tuple) else (parts,)
+        if tape_of(arguments) is None:
             tape, found = active(), self.real[parts]
             return found if tape is None else fresh(tape, found)
         return self.join(
-            [np.atleast_1d(self.real[p] if isinstance(p, slice) else p) for p in given]
+            [np.atleast_1d(self.real[p] if isinstance(p, slice) else p) for p in arguments]
         )
 
 
@@ -355,18 +355,18 @@ class Module(ModuleType):
         return found
 
 
-def errstate(**given: Any) -> Any:
+def errstate(**arguments: Any) -> Any:
     """Return np.errstate; refuse to raise, which nothing does while it is read."""
-    if active() is not None and {"raise", "call", "log"} & {*given.values()}:
+    if active() is not None and {"raise", "call", "log"} & {*arguments.values()}:
         raise Unread("np.errstate that raises; ask by `if` before")
-    return np.errstate(**given)
+    return np.errstate(**arguments)
 
 
 _KNOWN: dict[int, Any] = {
     id(np.errstate): errstate,
     id(math): Module(math),
     id(np): Module(np),
-    id(np.vectorize): lambda *given, **more: vectorized(np.vectorize(*given, **more)),
+    id(np.vectorize): lambda *arguments, **more: vectorized(np.vectorize(*arguments, **more)),
     id(np.r_): Joiner(np.r_, np.concatenate),
     id(np.c_): Joiner(np.c_, np.column_stack),
     **{id(real): made for real, made in TYPES.items()},
@@ -391,9 +391,9 @@ def stand_in(value: Any) -> Any:
     return value
 
 
-def imported(name: str, *given: Any, **more: Any) -> Any:
+def imported(name: str, *arguments: Any, **more: Any) -> Any:
     """Return a module that a function imports by itself, or what stands for it."""
-    return stand_in(builtins.__import__(name, *given, **more))
+    return stand_in(builtins.__import__(name, *arguments, **more))
 
 
 BUILTINS: dict[str, Any] = {**vars(builtins), **SHADOWS, "__import__": imported, READ: True}

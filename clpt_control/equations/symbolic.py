@@ -105,15 +105,15 @@ class Symbols(Elements):
         sizes: Mapping[str, int] | None = None,
     ):
         super().__init__(operations, sizes)
-        self.given, self.watch = leaf, watch
+        self.leaf_symbol, self.watch = leaf, watch
 
     def number(self, value: float) -> Any:
         """Return a rational."""
         return exact(value)
 
     def leaf(self, at: tuple[str, str], shape: Shape, index: Index) -> Any:
-        """Return what was given for an element of a leaf."""
-        return sympy.sympify(self.given(at, shape, index))
+        """Return the symbol of an element of a leaf."""
+        return sympy.sympify(self.leaf_symbol(at, shape, index))
 
     def opaque(self, at: tuple, arguments: tuple, index: Index) -> Any:
         """Return an undefined function of all that a helper is given, one for each place."""

@@ -75,9 +75,9 @@ class System(Block):
         )
         self.nstates, self.ninputs, self.noutputs, self.dt = n, m, q, system.dt or 0
         for kind, count, letter in (("input", m, "u"), ("output", q, "y"), ("state", n, "x")):
-            own = getattr(system, f"{kind}_index")
-            own = own if len(own) == count else {f"{letter}[{k}]": k for k in range(count)}
-            setattr(self, f"{kind}_index", dict(own))
+            labels = getattr(system, f"{kind}_index")
+            labels = labels if len(labels) == count else {f"{letter}[{k}]": k for k in range(count)}
+            setattr(self, f"{kind}_index", dict(labels))
 
     def _count(self, n: int, m: int) -> int:
         """Return how many outputs there are, which the system does not say."""
@@ -175,28 +175,28 @@ class System(Block):
 
     def _evaluate(self, role: str, size: int, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
         function: Any = self._update if role == "update" else self._output
-        found: Any = function(t, np.array(x), np.array(u), self._params_with(p))
-        found = np.asarray(found, dtype=float).reshape(-1)
-        if len(found) != size:
+        returned = function(t, np.array(x), np.array(u), self._params_with(p))
+        values = np.asarray(returned, dtype=float).reshape(-1)
+        if len(values) != size:
             raise BlockError(
-                f"{self.name}.{role}: returns {len(found)} numbers; must return {size}"
+                f"{self.name}.{role}: returns {len(values)} numbers; must return {size}"
             )
-        return found
+        return values
 
 
 _READ: dict[Any, list[tuple[Any, Any, Read]]] = {}  # by what a function reaches, where it has a key
 
 
 def read_once(
-    function: Callable, role: str, states: Any, inputs: Any, given: Any, shapes: Any, out: Any
+    function: Callable, role: str, states: Any, inputs: Any, params: Any, shapes: Any, out: Any
 ) -> Read:
     """Return the record of a function; where all is as at another reading, that one's."""
-    asked, keys = (states, inputs, given, shapes, out), Keys(alike=True)
-    others = {name: value for name, value in given.items() if name not in shapes}
+    keys, others = Keys(alike=True), {k: v for k, v in params.items() if k not in shapes}
 
     def read_now() -> Read:
         names: set[Any] = set()
-        found = read(function, role, *asked, lambda fields: Params(fields, names))
+        request = states, inputs, params, shapes, out
+        found = read(function, role, *request, lambda fields: Params(fields, names))
         return found._replace(names=frozenset(names))
 
     try:
@@ -207,16 +207,16 @@ def read_once(
         _READ.clear()
     known = _READ.setdefault(key, [])
     for values, _, found in known:
-        if values == _values(given, found.pinned):
+        if values == _values(params, found.pinned):
             return found
     found = read_now()
-    known[MOST_VALUES:] = [(_values(given, found.pinned), keys.held, found)]
+    known[MOST_VALUES:] = [(_values(params, found.pinned), keys.held, found)]
     return found
 
 
-def _values(given: Mapping[str, Any], names: Iterable[str]) -> Any:
+def _values(params: Mapping[str, Any], names: Iterable[str]) -> Any:
     """Return the values of some params, to be compared."""
-    return Keys(alike=True).named({name: given[name] for name in sorted(names)})
+    return Keys(alike=True).named({name: params[name] for name in sorted(names)})
 
 
 def _functions(system: control.NonlinearIOSystem) -> tuple[Callable, Callable | None]:
@@ -238,28 +238,28 @@ def _functions(system: control.NonlinearIOSystem) -> tuple[Callable, Callable | 
     return update, output
 
 
-def _size(system: Any, what: str, own: int | None, given: int | None) -> int:
-    found = own if own is not None else given
-    if found is None:
+def _size(system: Any, what: str, declared: int | None, of_run: int | None) -> int:
+    size = declared if declared is not None else of_run
+    if size is None:
         raise BlockError(
             f"{system.name}: how many {what} it has is not said; give {what}= to control.nlsys"
         )
-    return found
+    return size
 
 
 def _leaf(value: Any) -> Any:
     return np.asarray(value, dtype=float) if np.ndim(value) else np.float64(value)
 
 
-def _names(given: Mapping[str, Any]) -> dict[str, str]:
+def _names(params: Mapping[str, Any]) -> dict[str, str]:
     """Return the keys that hold numbers, each with the name of the block's parameter."""
-    found: dict[str, str] = {}
-    for k, (key, value) in enumerate(given.items()):
+    names: dict[str, str] = {}
+    for k, (key, value) in enumerate(params.items()):
         if _is_number(value):
             fits = isinstance(key, str) and key.isidentifier() and not hasattr(Parameters, key)
             fits &= key != "interval"  # which says when a block jumps
-            found[key] = key if fits else f"p{k}"
-    return found
+            names[key] = key if fits else f"p{k}"
+    return names
 
 
 def _is_number(value: Any) -> bool:

@@ -38,7 +38,7 @@ MOST_NUMBERS = 20_000  # of an array that is written down
 
 
 def depends(value: Any) -> bool:
-    """Return whether a signal or a parameter is among arguments."""
+    """Return whether arguments hold a signal or a parameter."""
     if isinstance(value, Array):
         return numbers_of(value) is None
     if isinstance(value, list | tuple):
@@ -90,7 +90,7 @@ def on_objects(tape: Tape, function: Any, inputs: Any, more: dict) -> Any:
         raise
     except Exception as error:
         raise Unread(f"np.{function.__name__} of signals ({error})") from None
-    if found is None and inputs:  # it wrote into its first argument
+    if found is None and inputs:  # NumPy wrote into its first argument
         inputs[0][...] = own[0]
     return repacked(tape, found)
 
@@ -303,8 +303,8 @@ def squeezed(a: Array, axis: Any = None) -> Any:
 
 def transposed(a: Array, *axes: Any, **named: Any) -> Any:
     """Return a with its axes in another order."""
-    given = named.get("axes", axes[0] if len(axes) == 1 else axes)
-    return permuted(a, [d % a.ndim for d in given] if given else list(range(a.ndim))[::-1])
+    order = named.get("axes", axes[0] if len(axes) == 1 else axes)
+    return permuted(a, [d % a.ndim for d in order] if order else list(range(a.ndim))[::-1])
 
 
 def swapped(a: Array, first: int, second: int) -> Any:
