@@ -25,7 +25,7 @@ from ..equations.declaration import ports_of
 from ..equations.derivative import Direction
 from ..equations.reading import record_of_states
 from ..equations.record import Record, Shape, compact
-from ..equations.sampled import Sampled, asked_inside
+from ..equations.sampled import Sampled, inner_equations
 from ..equations.system import System
 from .wiring import Node, Row, Wiring, joined_wires
 
@@ -50,14 +50,14 @@ class VariedBlock(Block):
         self.places = {kind: _places(own, count) for kind, own in groups.items()}
         super().__init__(
             inner.name,
-            update=asked_inside if inner.update_function else None,
-            output=asked_inside if inner.output_function else None,
+            update=inner_equations if inner.update_function else None,
+            output=inner_equations if inner.output_function else None,
             inputs=ports["inputs"],
             outputs=ports["outputs"] if inner.output_function else None,
             states=ports["states"],
             parameters=parameters,
             breakpoints=inner.breakpoints_function,
-            jump=asked_inside if inner.jump_function else None,
+            jump=inner_equations if inner.jump_function else None,
             guard=inner.guard and inner.guard._replace(sentence=self._sentence),
         )
         self.raised, self.dt = inner.raised, inner.dt

@@ -103,7 +103,9 @@ class Tape:
         values: list[Any] = []
         for kind, arguments, shape, at in record.operations:
             refs = [operand(values[a]) if type(a) is int else a for a in arguments]
-            values.append(leaf(*at, shape) if kind == "leaf" else self.add(kind, refs, shape, at))
+            values.append(
+                leaf(at[0], at[1], shape) if kind == "leaf" else self.add(kind, refs, shape, at)
+            )
         return [values[ref] if type(ref) is int else ref for ref in record.outputs]
 
     def question(self, ref: Any) -> Any:

@@ -92,7 +92,7 @@ def test_known_flow_law_holds_alpha():
 
 # --- Lyapunov candidates, Eqs. (17) and (24) --------------------------------------------------
 
-TRUE = lyapunov.weighed((0.5, 0.25, 1.0), [[1.0, 2], [3, 4]], [1.0, 2], [3.0, 4])
+TRUE = lyapunov.weighted((0.5, 0.25, 1.0), [[1.0, 2], [3, 4]], [1.0, 2], [3.0, 4])
 AT_TRUTH = [0, 0, -1, -2, -3, -4, 1, 2, 3, 4]  # e, alpha = -theta, K = KD, Gamma = GammaD
 
 

@@ -297,9 +297,10 @@ class Law(NamedTuple):
         self.check(self, known)
         values: dict[str, Any] = {}
         for name, source in self.parameters.items():
-            source = attrgetter(source) if isinstance(source, str) else source
-            setting = isinstance(source, Setting)
-            values[name] = source.of(known, name) if setting else source(known)
+            if isinstance(source, Setting):
+                values[name] = source.of(known, name)
+            else:
+                values[name] = (attrgetter(source) if isinstance(source, str) else source)(known)
         if self.one_gain and known.gains.one:
             rest = {name: value for name, value in values.items() if name not in GAINS}
             values = {"gain": known.gains.feedback} | rest
