@@ -7,6 +7,7 @@ import pytest
 from clpt_control import parts
 from clpt_control.blocks import (
     clpe,
+    consensus,
     disturbance,
     field,
     flow,
@@ -14,7 +15,6 @@ from clpt_control.blocks import (
     localization,
     lyapunov,
     reference,
-    team,
     vehicle,
 )
 from clpt_control.blocks.laws.law import Gains, Truth
@@ -67,7 +67,7 @@ def package_blocks():
     for outside in ("raise", "clip", "stop"):
         yield f"field-{outside}", field.gridded_flow(grid(rng), outside)
         yield f"field-{outside}-disturbed", field.gridded_flow(grid(rng), outside, disturbed=True)
-    yield "V-of-a-team", team.total_candidate(["a", "b", "c"])
+    yield "V-of-a-team", consensus.total_candidate(["a", "b", "c"])
     for N in SIZES:
         a, b, theta = rng.uniform(-1, 1, (3, 2, N))
         KD, GammaD = rng.uniform(0.5, 2, (2, 2))
@@ -100,10 +100,10 @@ def package_blocks():
         yield f"error_system-{N}", clpe.error_system(N, KD)
         yield f"parameter_system-{N}", clpe.parameter_system(N, 0.7)
         for neighbours in ([], ["b"], ["b", "c"]):
-            block = team.consensus_block("a", neighbours, N, 0.4)
+            block = consensus.consensus_block("a", neighbours, N, 0.4)
             yield f"consensus-{len(neighbours)}-{N}", block
         learned = LAWS["learned-flow"].block(theorem_scenario(N, "learned-flow").known_to_law)
-        yield f"law-in-a-team-{N}", team.pulled_law(learned)
+        yield f"law-in-a-team-{N}", consensus.pulled_law(learned)
         for law in lyapunov.CANDIDATES:
             p = lyapunov.one_gain(0.7, theta, KD, GammaD)
             yield f"lyapunov-{law}-{N}", lyapunov.lyapunov_candidate(law, p)

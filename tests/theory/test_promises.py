@@ -9,7 +9,7 @@ import clpt_control as clpt_package
 from clpt_control.blocks.laws.law import Promise
 from clpt_control.blocks.laws.paper import learned_flow
 from clpt_control.blocks.laws.regressions import gain_rates
-from clpt_control.blocks.laws.remembering import KEPT
+from clpt_control.blocks.laws.remembering import CONTINUOUS
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.errors import ScenarioError
 from clpt_control.theory.promises import CHECKS, CONDITIONS, UNIFORM, kept, rise, words_of
@@ -88,7 +88,7 @@ def mean_of_windows(t, x, u, p):
     """Eq. (21) with the mean of all windows, divided by all that they have shown."""
     missed = x.B + x.alpha @ x.S.T
     return {
-        **dict.fromkeys((*KEPT, "shown", "carried"), 0.0),
+        **dict.fromkeys((*CONTINUOUS, "shown", "carried"), 0.0),
         "alpha": -p.gain * np.outer(u.e, u.phi_x) - p.memory_gain * missed,
         **gain_rates(x, u, p),
         "Phi": u.phi_x,
@@ -102,7 +102,7 @@ def taken_into_the_mean(t, x, u, p):
     after = before + x.Phi @ x.Phi
     Y = u.x - x.origin
     return {
-        **{name: getattr(x, name) for name in KEPT},
+        **{name: getattr(x, name) for name in CONTINUOUS},
         "S": (before * x.S + np.outer(x.Phi, x.Phi)) / after,
         "B": (before * x.B + np.outer(Y, x.Phi)) / after,
         "shown": x.shown + x.Phi @ x.Phi,
