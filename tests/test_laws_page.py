@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from clpt_control.blocks.laws.table import LAWS
-from clpt_control.theory.promises import words_of
+from clpt_control.theory.promises import promises_in_words
 
 ROOT = Path(__file__).parents[1]
 TOOL = ROOT / "tools" / "print_laws.py"
@@ -41,7 +41,7 @@ def test_the_command_prints_a_laws_page(clpt, name):
     listed = json.loads(clpt("laws", name, "--json").out)["laws"]
     assert list(listed) == [name]
     assert listed[name]["page"] == LAWS[name].page
-    assert listed[name]["promises"] == list(words_of(LAWS[name]).values())
+    assert listed[name]["promises"] == list(promises_in_words(LAWS[name]).values())
     for line in (LAWS[name].page.splitlines()[0], *listed[name]["promises"]):
         assert line in outcome.out
 

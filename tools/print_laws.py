@@ -12,7 +12,7 @@ from pathlib import Path
 
 from clpt_control.blocks.laws import regressions
 from clpt_control.blocks.laws.table import LAWS
-from clpt_control.theory.promises import words_of
+from clpt_control.theory.promises import promises_in_words
 
 PAGE = Path(__file__).parents[1] / "docs" / "laws.md"
 BEGIN, END = "## Each law\n", "<!-- the end of what tools/print_laws.py prints -->\n"
@@ -121,7 +121,7 @@ def sections() -> str:
         rows = list(laws)
         found.append(f"### {', '.join(f'`{law.name}`' for law in rows)}\n\n{markdown(page)}\n")
         for law in rows:
-            said = [f"- {plain(words)}" for words in words_of(law).values()]
+            said = [f"- {plain(words)}" for words in promises_in_words(law).values()]
             found.append(f"`{law.name}` promises: {plain(law.promise)}. Asked along runs:\n")
             found.append("\n".join(said) + "\n")
     found.append(f"### Shared: `regressions`\n\n{markdown(str(regressions.__doc__))}\n")

@@ -33,7 +33,7 @@ def laws(
         clpt laws concurrent
     """
     from ..blocks.laws.table import LAWS
-    from ..theory.promises import words_of
+    from ..theory.promises import promises_in_words
 
     if name is not None and name not in LAWS:
         raise ClptError(f"{name}: is no law; `clpt laws` lists them")
@@ -46,7 +46,7 @@ def laws(
         }
         listed[law.name] = {
             "promise": law.promise,
-            "promises": list(words_of(law).values()),
+            "promises": list(promises_in_words(law).values()),
             "needs": law.needs,
             "default_gain": law.gain,
             "table": f"learning.{law.table}" if settings else None,
@@ -166,7 +166,7 @@ def refute(
     from ..blocks.laws.table import LAWS
     from ..files import write_text
     from ..scenario.file import scenario_to_text
-    from ..theory.promises import words_of
+    from ..theory.promises import promises_in_words
     from ..theory.refuting import refute as search
 
     check_scenario(out)
@@ -177,7 +177,7 @@ def refute(
         write_text(out, text)
     rows = [
         [words, "never asked" if what not in found.closest else shown(found.closest[what])]
-        for what, words in words_of(LAWS[law]).items()
+        for what, words in promises_in_words(LAWS[law]).items()
     ]
     title = f"{law}: {found.status} by {found.runs} runs in {found.seconds:.0f} s"
     result = Result(title, ["promise", "came to, above 1 is broken"], rows)

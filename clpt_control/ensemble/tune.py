@@ -22,7 +22,7 @@ from ..arguments import public
 from ..blocks.laws.table import LAWS
 from ..errors import ClptError, ScenarioError, needed
 from ..scenario.experiment import Scenario
-from ..theory.designing.tracks import Tracks
+from ..theory.designing.waypoint_tracks import Tracks
 from .candidates import Candidate, Unknown, belief, candidates, laws_to_try, unknown_of
 from .run import run_ensemble
 

@@ -17,7 +17,7 @@ from ..simulation.flows import flow_velocity
 from ..simulation.loops import closed_loop, team_loop
 from ..simulation.plots import DIRECTIONS, TITLE, clpe_plot, learning_plot, square_chart, track_plot
 from ..simulation.team_plots import team_plot
-from ..theory.excitation.report import excitation_plot
+from ..theory.excitation.excitation_report import excitation_plot
 from .page import Drawn, Section, drawn
 from .results import excitation_of, excitation_result, is_team, number, run_result
 

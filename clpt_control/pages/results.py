@@ -14,8 +14,8 @@ from ..scenario.experiment import Scenario
 from ..scenario.file import TEAM
 from ..scenario.team import Team
 from ..simulation.report import SUMMARY, clpe_of_samples, errors, team_summary
+from ..theory.excitation.excitation_report import excitation_report
 from ..theory.excitation.pooled import team_excitation_report
-from ..theory.excitation.report import excitation_report
 
 if TYPE_CHECKING:
     import xarray

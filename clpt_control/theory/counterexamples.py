@@ -24,8 +24,8 @@ Counterexamples on the paper's own system: Eqs. (16) and (33), Theorems 3.2 and 
 V' < 0 outside a ball in e is no bound on e, since V also holds parameter errors: what the
 disturbance drives into them comes back through the regressor.
 
-A vehicle of limited speed does not fly what Eq. (7) commands: Theorem 3.2 is lost where the learner
-is not told (`blocks.vehicle`).
+A vehicle of limited speed does not fly what Eq. (7) commands: Theorem 3.2 is lost without hedging,
+where nothing tells the learner (`blocks.vehicle`).
 
 Theorem 3.3 asks that the desired position zc is exciting, Assumption 3.1.  The joint regressor
 w = [phi, z, zc] of Eq. (31) must be: a basis function of Eq. (5) that vanishes on the track
@@ -328,7 +328,7 @@ def known_flow_counterexample(
 
 
 def limited_speed_counterexample(end: float = 400.0, max_speed: float = 1.5) -> tuple[float, float]:
-    """Refute Theorem 3.2 of a vehicle whose speed is limited, where the learner is not told.
+    """Refute Theorem 3.2 of a vehicle whose speed is limited, where nothing tells the learner.
 
     Started at the true parameters, so that nothing but what is not flown makes e.  Return the
     largest |e| with hedging and without, length, on runs to `end`, s.
@@ -336,11 +336,11 @@ def limited_speed_counterexample(end: float = 400.0, max_speed: float = 1.5) -> 
     scenario = started_true(paper_scenario()).with_values(
         {"vehicle.max_speed": max_speed, "run.duration": end, "run.output_step": 0.1}
     )
-    told, untold = (
+    hedged, unhedged = (
         simulate(scenario.with_values({"learning.hedging": hedging})).clpe.values
         for hedging in (True, False)
     )
-    return float(np.hypot(*told.T).max()), float(np.hypot(*untold.T).max())
+    return float(np.hypot(*hedged.T).max()), float(np.hypot(*unhedged.T).max())
 
 
 @dataclass(frozen=True)

@@ -1,9 +1,9 @@
 """A Lyapunov function of your own on any diagram: what V is, what V' is, and where it fails.
 
-V and V' are exact, on the equations that run (`own_v`).  V >= 0 is shown by a sum of terms that are
-not negative (`squares`), V' <= 0 by the signs of `proving`.  What is not shown is open; what is
-refuted is refuted by a point.  Where no V is given, one is searched for (`searching`) and judged as
-any other is.
+V and V' are exact, on the equations that run (`v_on_symbols`).  V >= 0 is shown by a sum of terms
+that are not negative (`squares`), V' <= 0 by the signs of `proving`.  What is not shown is open;
+what is refuted is refuted by a point.  Where no V is given, one is searched for (`searching`) and
+checked as any other is.
 
 Points of wide ranges are drawn, and drawn again beside the best of them.  Whatever an expression
 says, V' there is that along the rates that python-control itself gives.
@@ -24,36 +24,36 @@ from ..diagrams.on_symbols import TIME
 from ..errors import DiagramError
 from ..html import fragment
 from ..progress.interrupt import check
-from .own_v import OwnV, missing
 from .proving.proof import Step, as_html, checked, exact, first_failure, short, worked_out
 from .proving.signs import tidied, vanishes
 from .proving.symbolic_loop import Point, numeric
 from .proving.words import along
 from .searching import candidates
-from .squares import beside
+from .squares import states_beside
+from .v_on_symbols import SystemV, missing
 
 SEARCHES, PER_SEARCH, ROUNDS, BEST = 20, 500, 15, 5
 SURE = 1e-7  # of the size of its terms: a sign that is no rounding
 CLOSE = 1e-9
 
-Found = tuple[Point, float]  # and what V', or what fails, is there
+Failure = tuple[Point, float]  # a point, and what V', or what fails, is there
 
 
-class Points:
-    """What is seen of a V at points."""
+class PointSearch:
+    """Points at which a V fails, and V' of the running blocks at points."""
 
-    def __init__(self, own: OwnV, seed: int):
-        self.own, self.random = own, np.random.default_rng(seed)
+    def __init__(self, case: SystemV, seed: int):
+        self.case, self.random = case, np.random.default_rng(seed)
 
     def numeric(self, expression: sympy.Expr) -> Callable[..., np.ndarray]:
         """Return an expression as a function of times, states and inputs, a column each."""
-        own = [TIME, *self.own.states, *self.own.inputs]
-        function, symbols = numeric(expression.xreplace(self.own.eq.values))
-        if unknown := set(symbols) - set(own):
+        variables = [TIME, *self.case.states, *self.case.inputs]
+        function, symbols = numeric(expression.xreplace(self.case.eq.values))
+        if unknown := set(symbols) - set(variables):
             raise DiagramError(f"{unknown.pop()} has no number")
 
         def at(t: np.ndarray, x: np.ndarray, u: np.ndarray) -> np.ndarray:
-            known = dict(zip(own, [t, *x, *u], strict=True))
+            known = dict(zip(variables, [t, *x, *u], strict=True))
             with np.errstate(all="ignore"):
                 found = np.asarray(function(*(known[s] for s in symbols)), dtype=float)
             return np.broadcast_to(found, t.shape)
@@ -62,12 +62,12 @@ class Points:
 
     def draw(self, count: int, still: bool) -> tuple:
         """Return times, states and inputs of wide ranges, some of them zero."""
-        n, m, random = len(self.own.states), len(self.own.inputs), self.random
+        n, m, random = len(self.case.states), len(self.case.inputs), self.random
         wide = 10.0 ** random.uniform(-2.5, 2.0, (2, count))
         x = random.standard_normal((n, count)) * wide[0] * (random.random((n, count)) > 0.15)
         u = random.standard_normal((m, count)) * wide[1] * (not still)
-        if self.own.rest is not None:
-            rest = [float(self.own.rest[s].subs(self.own.eq.values)) for s in self.own.states]
+        if self.case.rest is not None:
+            rest = [float(self.case.rest[s].subs(self.case.eq.values)) for s in self.case.states]
             x += np.array(rest)[:, None]
         late = 10.0 ** (3 * random.random(count) * (random.random(count) < 0.3))
         return random.uniform(0, 20, count) * late * (random.random(count) > 0.1), x, u
@@ -84,10 +84,10 @@ class Points:
             at, near = self.draw(PER_SEARCH, still), 1.0
             for _ in range(ROUNDS):
                 with np.errstate(all="ignore"):
-                    found = value(*at) / sum(np.abs(size(*at)) for size in sizes)
-                found = np.where(np.isfinite(found), found, -np.inf)
-                best = np.argsort(-found)[:BEST]
-                if found[best[0]] > SURE:
+                    share = value(*at) / sum(np.abs(size(*at)) for size in sizes)
+                share = np.where(np.isfinite(share), share, -np.inf)
+                best = np.argsort(-share)[:BEST]
+                if share[best[0]] > SURE:
                     t, x, u = (one[..., best[0]] for one in at)
                     yield Point(float(t), np.array(x), np.array(u), {})
                     break
@@ -101,54 +101,55 @@ class Points:
         step = size * self.random.standard_normal(values.shape)
         return values + step * (np.arange(values.shape[-1]) >= BEST)
 
-    # --- what the running blocks say --------------------------------------------------------
+    # --- V' of the running blocks --------------------------------------------------------
 
     @cached_property
     def slopes(self) -> list[Callable[..., np.ndarray]]:
         """dV/dt and dV/dx, as functions."""
-        return [self.numeric(along(self.own.V, {s: sympy.S.One})) for s in (TIME, *self.own.states)]
+        variables = TIME, *self.case.states
+        return [self.numeric(along(self.case.V, {s: sympy.S.One})) for s in variables]
 
     def rate_at(self, point: Point) -> tuple[float, float]:
         """Return V' along the rates that python-control gives, and the size of its terms."""
-        rates = np.ravel(self.own.system.dynamics(point.t, point.x, point.u))
+        rates = np.ravel(self.case.system.dynamics(point.t, point.x, point.u))
         terms = np.array([slope(*columns(point))[0] for slope in self.slopes]) * [1.0, *rates]
         return float(terms.sum()), float(np.abs(terms).sum())
 
     def running(self, points: int) -> Step:
-        """Return the step that the running blocks give the same V', and V."""
-        own = self.own
+        """Return the step that the running blocks give the same V', and V where it is an output."""
+        case = self.case
 
         def same() -> tuple[bool, str]:
-            seen, wanted, V = list[float](), self.numeric(own.rate), self.numeric(own.V)
+            apart, wanted, V = list[float](), self.numeric(case.rate), self.numeric(case.V)
             t, x, u = self.draw(points, False)
-            for k, (right, held) in enumerate(zip(wanted(t, x, u), V(t, x, u), strict=True)):
+            for k, (right, level) in enumerate(zip(wanted(t, x, u), V(t, x, u), strict=True)):
                 value, size = self.rate_at(Point(t[k], x[:, k], u[:, k], {}))
                 off = [abs(value - right) / max(size, abs(right), 1e-300)]
-                if own.name:
-                    made = np.ravel(own.system.output(t[k], x[:, k], u[:, k]))
-                    given = made[own.system.output_labels.index(own.name)]
-                    off.append(abs(given - held) / max(abs(held), abs(given), 1e-300))
-                seen += [max(off)] if np.all(np.isfinite(off)) else []
-            said = f"{len(seen)} points, largest difference {max(seen, default=np.inf):.0e}"
-            return len(seen) > points / 10 and max(seen) <= CLOSE, said
+                if case.name:
+                    outputs = np.ravel(case.system.output(t[k], x[:, k], u[:, k]))
+                    put_out = outputs[case.system.output_labels.index(case.name)]
+                    off.append(abs(put_out - level) / max(abs(level), abs(put_out), 1e-300))
+                apart += [max(off)] if np.all(np.isfinite(off)) else []
+            detail = f"{len(apart)} points, largest difference {max(apart, default=np.inf):.0e}"
+            return len(apart) > points / 10 and max(apart) <= CLOSE, detail
 
         return checked("the running blocks give the same V'", "sampled", same, False)
 
     # --- where a V fails ----------------------------------------------------------------------
 
-    def rises_at(self) -> Found | None:
+    def rises_at(self) -> Failure | None:
         """Return a point at which the running blocks have V' > 0, and V' there."""
-        rate = tidied(self.own.rate)
-        for still in (True, False)[: 1 if self.own.depends_on() else 2]:
+        rate = tidied(self.case.rate)
+        for still in (True, False)[: 1 if self.case.depends_on() else 2]:
             for point in self.highest(rate, still):
                 value, size = self.rate_at(point)
                 if value > SURE * size:
                     return point, value
         return None
 
-    def not_as_claimed(self) -> Found | None:
+    def not_as_claimed(self) -> Failure | None:
         """Return a point at which V' of the running blocks is not as claimed, and V' there."""
-        rest, claimed = tidied(self.own.rate - self.own.claim), self.numeric(self.own.claim)
+        rest, claimed = tidied(self.case.rate - self.case.claim), self.numeric(self.case.claim)
         for point in chain(self.highest(rest, False), self.highest(-rest, False)):
             value, size = self.rate_at(point)
             right = claimed(*columns(point))[0]
@@ -156,29 +157,33 @@ class Points:
                 return point, value
         return None
 
-    def no_least(self) -> Found | None:
+    def no_least(self) -> Failure | None:
         """Return a point at which V is below its value at the rest, and by how much.
 
         Where no rest is given it is one whose multiples have a V that falls without end: there the
         part of V of highest degree is negative.
         """
-        V, states = self.own.V, self.own.states
-        if self.own.rest is not None:
-            rise = V - V.xreplace(self.own.rest)
+        V, states = self.case.V, self.case.states
+        if self.case.rest is not None:
+            rise = V - V.xreplace(self.case.rest)
         elif V.is_polynomial(*states) and V.has(*states):
             far = sympy.Dummy()
             rise = sympy.Poly(V.xreplace({s: far * s for s in states}), far).LC()
         else:
             return None
-        point = next(self.highest(-rise, True), None)
-        return None if point is None else (point, float(self.numeric(rise)(*columns(point))[0]))
+        return self._first(self.highest(-rise, True), rise)
 
-    def rises_after(self, rise: sympy.Expr) -> Found | None:
+    def rises_after(self, rise: sympy.Expr) -> Failure | None:
         """Return a point from which V rises at a jump, and by how much."""
         if rise.has(TIME):  # it jumps at some times only
             return None
-        point = next(self.highest(rise, True), None)
-        return None if point is None else (point, float(self.numeric(rise)(*columns(point))[0]))
+        return self._first(self.highest(rise, True), rise)
+
+    def _first(self, points: Iterator[Point], expression: sympy.Expr) -> Failure | None:
+        """Return the first of these points, and an expression there."""
+        if (point := next(points, None)) is None:
+            return None
+        return point, float(self.numeric(expression)(*columns(point))[0])
 
 
 def columns(point: Point) -> tuple:
@@ -241,93 +246,93 @@ class Lyapunov:
         return fragment("Lyapunov", f"{self.status}: {self.claim}", as_html(self.steps))
 
 
-def _judged(own: OwnV, seen: Points, count: int) -> Lyapunov:
-    """Put the answers together."""
-    (V,) = own.shown([own.V])
-    said = own.eq.undefined or missing(own.V)
-    valued = exact("V and the equations have a value everywhere", not said, "".join(said[:1]))
-    definite, forms = own.definite()
+def _verdict(case: SystemV, search: PointSearch, count: int) -> Lyapunov:
+    """Return what is known of a V."""
+    (V,) = case.in_signals([case.V])
+    undefined = "".join((case.eq.undefined or missing(case.V))[:1])
+    valued = exact("V and the equations have a value everywhere", not undefined, undefined)
+    definite, forms = case.definite()
     steps, where, zero = [valued, definite], "", {}
-    identity = own.claim is None or _as_claimed(own, steps)
-    falls = own.never_positive(own.rate)
-    inputs = own.depends_on()
+    identity = case.claim is None or _as_claimed(case, steps)
+    falls = case.never_positive(case.rate)
+    inputs = case.depends_on()
     if not falls and inputs:
-        zero = {f: sympy.Integer(0) for f in own.inputs if str(f.func) in inputs}
+        zero = {f: sympy.Integer(0) for f in case.inputs if str(f.func) in inputs}
         zero |= {sympy.Derivative(f, TIME): sympy.Integer(0) for f in zero}
-        zero = zero if own.never_positive(own.rate.xreplace(zero)) else {}
-    rate = own.readable_rate()
+        zero = zero if case.never_positive(case.rate.xreplace(zero)) else {}
+    rate = case.readable_rate()
     at = f" where {' = '.join(inputs)} = 0" if zero else ""
     steps.append(exact(f"V' = {short(rate)} <= 0{at}", falls or bool(zero)))
 
-    def made(status: str, claim: str, found: Found | tuple[None, None] = (None, None)) -> Lyapunov:
-        return Lyapunov(status, claim, V, rate, where, tuple(inputs), tuple(steps), *found)
+    def result(status: str, claim: str, at: Failure | tuple[None, None] = (None, None)) -> Lyapunov:
+        return Lyapunov(status, claim, V, rate, where, tuple(inputs), tuple(steps), *at)
 
-    below = "V falls without end" if own.rest is None else "V is below its value at rest"
-    tried = [] if falls or zero else [("V' > 0", seen.rises_at)]
-    tried += [] if identity else [("V' is not as claimed", seen.not_as_claimed)]
-    tried += [] if definite.holds else [(below, seen.no_least)]
+    below = "V falls without end" if case.rest is None else "V is below its value at rest"
+    tried = [] if falls or zero else [("V' > 0", search.rises_at)]
+    tried += [] if identity else [("V' is not as claimed", search.not_as_claimed)]
+    tried += [] if definite.holds else [(below, search.no_least)]
     for fails, look in tried:
         found = look()
         steps.append(Step(f"{fails} at a point", found is not None, "counterexample", "", False))
         if found is not None:
-            where = own.where() if fails == "V' > 0" else ""
+            where = case.where() if fails == "V' > 0" else ""
             only = f"; V' <= 0 where {where}" if where else ""
             claim = f"V' = {short(rate)}; {fails}: {found[1]:.3g} at `point`{only}"
-            return made("refuted", claim, found)
+            return result("refuted", claim, found)
     if not all(step.holds for step in steps):
-        return made("open", f"V' = {short(rate)}; {first_failure(steps)}")
-    apart, others = NEAR if forms is None else beside(forms, own.eq)
-    steps += [running := seen.running(count), others]
-    jump, rise = _across_jumps(own, seen, near=forms is None)
-    steps += [jump] if own.eq.jumps else []
+        return result("open", f"V' = {short(rate)}; {first_failure(steps)}")
+    apart, others = NEAR if forms is None else states_beside(forms, case.eq)
+    steps += [running := search.running(count), others]
+    jump, rise = _across_jumps(case, search, near=forms is None)
+    steps += [jump] if case.eq.jumps else []
     if rise is not None:
-        return made("refuted at a jump", jump.claim, rise)
+        return result("refuted at a jump", jump.claim, rise)
     if not running.holds:
-        return made("open", first_failure(steps))
+        return result("open", first_failure(steps))
     status = " ".join(filter(None, ["proved" + at, apart, "" if jump.holds else "between jumps"]))
-    valued_too = ", with the parameters as they are" if own.valued or own.eq.pinned else ""
-    return made(status, f"V' = {short(rate)} <= 0{at}{valued_too}; {definite.claim}")
+    valued_too = ", with the parameters as they are" if case.valued or case.eq.pinned else ""
+    return result(status, f"V' = {short(rate)} <= 0{at}{valued_too}; {definite.claim}")
 
 
-def _as_claimed(own: OwnV, steps: list[Step]) -> bool:
+def _as_claimed(case: SystemV, steps: list[Step]) -> bool:
     """Return whether V' is what is claimed, and add the step."""
-    rest = tidied(own.rate - own.claim)
+    rest = tidied(case.rate - case.claim)
     identity = vanishes(rest)
-    if not identity and vanishes(tidied(rest.xreplace(own.eq.values))):
-        identity = own.valued = True
+    if not identity and vanishes(tidied(rest.xreplace(case.eq.values))):
+        identity = case.valued = True
     left = "" if identity else f"left over: {short(rest)}"
-    steps.append(exact(f"V' = {short(own.shown([own.claim])[0])}", identity, left))
+    steps.append(exact(f"V' = {short(case.in_signals([case.claim])[0])}", identity, left))
     return identity
 
 
 NEAR = "near the rest", exact("V holds every state near the rest", True)
 
 
-def _across_jumps(own: OwnV, seen: Points, near: bool) -> tuple[Step, Found | None]:
+def _across_jumps(case: SystemV, search: PointSearch, near: bool) -> tuple[Step, Failure | None]:
     """Return the step that V rises at no jump, and a point at which it does."""
-    claim = f"V does not rise where states of {' and '.join(own.eq.jumps)} jump"
-    for after in own.eq.jumps_at_once():
-        rise = tidied(own.V.xreplace(after) - own.V)
+    claim = f"V does not rise where states of {' and '.join(case.eq.jumps)} jump"
+    for after in case.eq.jumps_at_once():
+        rise = tidied(case.V.xreplace(after) - case.V)
         if near:  # it may jump to where V says nothing
             return exact(claim, False, "not shown"), None
-        if not own.never_positive(rise):
-            found = seen.rises_after(rise)
-            said = claim if found is None else f"V rises by {found[1]:.3g} at a jump"
-            return exact(said, False, "" if found else "not shown"), found
+        if not case.never_positive(rise):
+            found = search.rises_after(rise)
+            shown = claim if found is None else f"V rises by {found[1]:.3g} at a jump"
+            return exact(shown, False, "" if found else "not shown"), found
     return exact(claim, True), None
 
 
-def _found(system: control.NonlinearIOSystem, at: Any, count: int, seed: int) -> Lyapunov:
-    """Return the best that is known of the functions that are searched for."""
-    best, own = None, OwnV(system, sympy.S.Zero, None, at)
-    for V in candidates(own):
-        found = _judged(judged := OwnV(system, V, None, at), Points(judged, seed), count)
+def _best_candidate(system: control.NonlinearIOSystem, at: Any, count: int, seed: int) -> Lyapunov:
+    """Return the best of the functions that are searched for."""
+    best, case = None, SystemV(system, sympy.S.Zero, None, at)
+    for V in candidates(case):
+        found = _verdict(one := SystemV(system, V, None, at), PointSearch(one, seed), count)
         if found.status == "proved":
             return found
         if best is None and found.status.startswith("proved"):
             best = found
-    said = "no V was found that is proved: give one, or a rest (at=) about which to search"
-    return best or Lyapunov("open", said, own.V, own.rate)
+    none = "no V was found that is proved: give one, or a rest (at=) about which to search"
+    return best or Lyapunov("open", none, case.V, case.rate)
 
 
 @public
@@ -390,6 +395,6 @@ def lyapunov(
         if V is None:
             if claim is not None:
                 raise DiagramError(f"{system.name}: a claim is of a V that is given; V is missing")
-            return _found(system, at, points, seed)
-        own = OwnV(system, V, claim, at)
-        return _judged(own, Points(own, seed), points)
+            return _best_candidate(system, at, points, seed)
+        case = SystemV(system, V, claim, at)
+        return _verdict(case, PointSearch(case, seed), points)

@@ -1,7 +1,8 @@
-"""What the laws promise: predicates with their conditions, each asked along a run.
+"""What the laws promise: predicates with their conditions, each checked along a run.
 
-A row of the table names its `promises`; here stand their words, conditions and predicates.  What a
-predicate gives is above 1 where a run breaks the promise.  They are what is left of V' over a time:
+A row of the table names its `promises`; here stand their words, conditions and predicates.  The
+number that a predicate returns is above 1 where a run breaks the promise.  They are V' integrated
+over a time:
 
     falls          V(t) <= V(s), s <= t
     settles        int e^T KD e <= V(0), so CLPE goes to zero
@@ -36,8 +37,8 @@ UNIFORM = 1e8  # times the reach: widths of functions that are the same everywhe
 
 
 @dataclass(frozen=True)
-class Asked:
-    """A run of a scenario, to be asked for promises."""
+class LawRun:
+    """A run of a scenario, along which the promises of its law are checked."""
 
     scenario: Scenario
     run: Any = None
@@ -69,9 +70,9 @@ class Asked:
 
     def state(self, name: str) -> np.ndarray:
         """A matrix of the law, shape (time, n, n)."""
-        at = [str(label).startswith(f"adaptation_{name}[") for label in self.run.state.values]
-        n = int(np.sqrt(np.count_nonzero(at)))
-        return self.run.states.values[:, at].reshape(-1, n, n)
+        own = [str(label).startswith(f"adaptation_{name}[") for label in self.run.state.values]
+        n = int(np.sqrt(np.count_nonzero(own)))
+        return self.run.states.values[:, own].reshape(-1, n, n)
 
     def share(self, e: np.ndarray, allowed: float) -> float:
         """The integral of e^T KD e over what is allowed."""
@@ -83,78 +84,78 @@ class Asked:
 
 
 def rise(values: np.ndarray) -> float:
-    """Return how many times as large values become as they were before, at most."""
+    """Return the largest ratio of a value to an earlier one."""
     values = values.reshape(len(values), -1)
     floor = FLOOR * np.max(values[0]) + FLOOR**2
     return float(np.max((values + floor) / (np.minimum.accumulate(values) + floor)))
 
 
-def mean_square(asked: Asked) -> float:
+def mean_square(along: LawRun) -> float:
     """Return int e^T KD e over 2 V(0) + int d^T KD^-1 d."""
-    run, theta_hat = asked.run, asked.run.flow_parameters_estimate.values
-    known = flow_velocity(asked.scenario, run.position.values, run.time.values, theta_hat)
-    unknown = asked.integral(run.true_flow.values - known, 1 / asked.KD)
-    return asked.share(run.clpe.values, 2 * asked.V[0] + unknown)
+    run, theta_hat = along.run, along.run.flow_parameters_estimate.values
+    known = flow_velocity(along.scenario, run.position.values, run.time.values, theta_hat)
+    unknown = along.integral(run.true_flow.values - known, 1 / along.KD)
+    return along.share(run.clpe.values, 2 * along.V[0] + unknown)
 
 
-def pace(asked: Asked) -> np.ndarray:
-    """Return r: the least of KD and of what the memories pull each parameter by, per time."""
-    p, cones = asked.p, asked.row.semidefinite
-    pulls = [p.memory_gain * asked.state(name) for name in cones if name in ("Q", "S")]
+def pace(along: LawRun) -> np.ndarray:
+    """Return r, per time: the least of KD and of the rates at which the memories pull."""
+    p, matrices = along.p, along.row.semidefinite
+    pulls = [p.memory_gain * along.state(name) for name in matrices if name in ("Q", "S")]
     roots = np.sqrt([p.get("gain_K", 0.0), p.get("gain_Gamma", 0.0)])
-    gains = [name for name in cones if name in ("Q_1", "Q_2") and np.all(roots > 0)]
-    pulls += [np.outer(roots, roots) * asked.state(name) for name in gains]
+    gains = [name for name in matrices if name in ("Q_1", "Q_2") and np.all(roots > 0)]
+    pulls += [np.outer(roots, roots) * along.state(name) for name in gains]
     least = [np.linalg.eigvalsh(M)[:, 0] for M in pulls]
-    return np.minimum(np.min(least, axis=0), np.min(asked.KD))
+    return np.minimum(np.min(least, axis=0), np.min(along.KD))
 
 
-def exponential(asked: Asked) -> float:
-    """Return how many times as large V is as what r has promised since an earlier time."""
-    every = max(1, len(asked.V) // STEPS)
-    t, V, r = asked.run.time.values[::every], asked.V[::every], pace(asked)[::every]
+def exponential(along: LawRun) -> float:
+    """Return the largest ratio of V to the bound that r has promised since an earlier time."""
+    every = max(1, len(along.V) // STEPS)
+    t, V, r = along.run.time.values[::every], along.V[::every], pace(along)[::every]
     since = np.maximum(t - t[:, None], 0.0)  # a row for each earlier time
     promised = V[:, None] * np.exp(-2 * np.maximum(r, 0.0)[:, None] * since)
     floor = FLOOR * V[0] + FLOOR**2
     return float(np.max(np.triu((V + floor) / (promised + floor))))
 
 
-def level(asked: Asked) -> float:
+def level(along: LawRun) -> float:
     """Return the largest V over that of V(0) and the level of the disturbance."""
-    delta = asked.scenario.flow.disturbance
+    delta = along.scenario.flow.disturbance
     largest = 0.0 if delta is None else float(np.hypot(*delta.amplitude))
-    bound = asked.row.level(asked.p, truth_of(asked.scenario), largest)
-    return float(np.max(asked.V) / max(asked.V[0] + FLOOR, bound))
+    bound = along.row.level(along.p, truth_of(along.scenario), largest)
+    return float(np.max(along.V) / max(along.V[0] + FLOOR, bound))
 
 
-def balls(asked: Asked) -> float:
+def balls(along: LawRun) -> float:
     """Return the largest norm of alpha, K or Gamma over what it may have."""
-    limits = (asked.p.largest_flow, asked.p.largest_feedback, asked.p.largest_feedforward)
+    limits = (along.p.largest_flow, along.p.largest_feedback, along.p.largest_feedforward)
     found = []
     for name, M in zip(("alpha", "feedback_gain", "feedforward_gain"), limits, strict=True):
-        norms = np.linalg.norm(asked.run[name].values.reshape(len(asked.V), -1), axis=1)
-        found.append(np.max(norms) / max((1 + asked.p.layer) * M, norms[0]))
+        norms = np.linalg.norm(along.run[name].values.reshape(len(along.V), -1), axis=1)
+        found.append(np.max(norms) / max((1 + along.p.layer) * M, norms[0]))
     return float(max(found))
 
 
-def estimate(asked: Asked) -> float:
+def estimate(along: LawRun) -> float:
     """Return the rise of tr(d P^-1 d^T)."""
-    d = np.swapaxes(asked.off, 1, 2)
-    return rise(np.sum(d * np.linalg.solve(asked.state("P"), d), axis=(1, 2)))
+    d = np.swapaxes(along.off, 1, 2)
+    return rise(np.sum(d * np.linalg.solve(along.state("P"), d), axis=(1, 2)))
 
 
-def readout(asked: Asked) -> float:
+def readout(along: LawRun) -> float:
     """Return the error of the readout, where it is one, over what rounding leaves."""
-    run, theta = asked.run, asked.run.flow_parameters.values
-    read = run.error_left.values <= 1 - asked.p.margin
+    run, theta = along.run, along.run.flow_parameters.values
+    read = run.error_left.values <= 1 - along.p.margin
     off = np.abs(run.flow_parameters_readout.values[read] - theta)
-    return float(np.max(off, initial=0.0) / (EXACT * np.max(np.abs([theta, asked.off[0]]))))
+    return float(np.max(off, initial=0.0) / (EXACT * np.max(np.abs([theta, along.off[0]]))))
 
 
-CHECKS: dict[str, tuple[str, Callable[[Asked], float]]] = {  # words; above 1 where it is broken
-    "falls": ("V never rises", lambda asked: rise(asked.V)),
+CHECKS: dict[str, tuple[str, Callable[[LawRun], float]]] = {  # words; above 1 where it is broken
+    "falls": ("V never rises", lambda along: rise(along.V)),
     "settles": (
         "CLPE goes to zero, its weighed square integral at most V(0)",
-        lambda asked: asked.share(asked.run.clpe.values, asked.V[0]),
+        lambda along: along.share(along.run.clpe.values, along.V[0]),
     ),
     "mean square": (
         "in the mean CLPE is at most the flow that the law does not know, over KD",
@@ -162,7 +163,7 @@ CHECKS: dict[str, tuple[str, Callable[[Asked], float]]] = {  # words; above 1 wh
     ),
     "zone": (
         "CLPE comes to the zone",
-        lambda asked: asked.share(beyond(asked.run.clpe.values, asked.p.zone), asked.V[0]),
+        lambda along: along.share(beyond(along.run.clpe.values, along.p.zone), along.V[0]),
     ),
     "exponential": (
         "V falls exponentially, at the rate that the memories have reached, for good",
@@ -170,7 +171,7 @@ CHECKS: dict[str, tuple[str, Callable[[Asked], float]]] = {  # words; above 1 wh
     ),
     "level": ("V never rises above a level", level),
     "balls": ("what is learned stays within the limits", balls),
-    "shrinks": ("each parameter's error only shrinks", lambda asked: rise(abs(asked.off))),
+    "shrinks": ("each parameter's error only shrinks", lambda along: rise(abs(along.off))),
     "estimate": ("the error of the estimate, over its covariance, never rises", estimate),
     "readout": ("the readout is theta", readout),
 }
@@ -178,28 +179,28 @@ CHECKS: dict[str, tuple[str, Callable[[Asked], float]]] = {  # words; above 1 wh
 
 def true_or_adapted(scenario: Scenario) -> bool:
     """Return whether K and Gamma adapt, or are the vehicle's own."""
-    own, car = scenario.learning, scenario.vehicle
-    held = (own.feedback, own.feedforward) == (car.feedback, car.feedforward)
-    return own.adapt_gains or own.row.at_fixes or held
+    learning, car = scenario.learning, scenario.vehicle
+    true = (learning.feedback, learning.feedforward) == (car.feedback, car.feedforward)
+    return learning.adapt_gains or learning.row.at_fixes or true
 
 
 def exact(scenario: Scenario) -> bool:
     """Return whether positions are exact, and z(0) where it counts as a fix."""
-    seen, own = scenario.localization, scenario.learning
-    begins = own.position == scenario.vehicle.position or not own.row.at_fixes
-    return begins and (seen is None or seen.noise == 0)
+    fixes, learning = scenario.localization, scenario.learning
+    begins = learning.position == scenario.vehicle.position or not learning.row.at_fixes
+    return begins and (fixes is None or fixes.noise == 0)
 
 
 def within(scenario: Scenario) -> bool:
     """Return whether the truth lies within the limits."""
-    return not Asked(scenario).row.doubt(Asked(scenario).p, truth_of(scenario))
+    return not LawRun(scenario).row.doubt(LawRun(scenario).p, truth_of(scenario))
 
 
 def small(scenario: Scenario) -> bool:
     """Return whether the disturbance is at most KD times the zone."""
-    asked, delta = Asked(scenario), scenario.flow.disturbance
-    least = delta is None or np.all(np.abs(delta.amplitude) <= asked.KD * asked.p.zone)
-    return bool(bounded(scenario) and least)
+    law, delta = LawRun(scenario), scenario.flow.disturbance
+    below = delta is None or np.all(np.abs(delta.amplitude) <= law.KD * law.p.zone)
+    return bool(bounded(scenario) and below)
 
 
 def bounded(scenario: Scenario) -> bool:
@@ -225,7 +226,7 @@ CONDITIONS: dict[str, tuple[str, Callable[[Scenario], bool]]] = {
 }
 
 
-def words_of(row: Law) -> dict[str, str]:
+def promises_in_words(row: Law) -> dict[str, str]:
     """Return each promise of a law in words, with its conditions."""
     return {
         promise.what: CHECKS[promise.what][0]
@@ -236,12 +237,12 @@ def words_of(row: Law) -> dict[str, str]:
 
 
 def truth_of(scenario: Scenario) -> Truth:
-    """Return what V measures the distance to."""
+    """Return theta, KD and GammaD of a scenario."""
     car = scenario.vehicle
     return Truth(*map(np.array, (scenario.flow.parameters, car.feedback, car.feedforward)))
 
 
-def kept(scenario: Scenario, **solver: Any) -> dict[str, float]:
+def checked_promises(scenario: Scenario, **solver: Any) -> dict[str, float]:
     """Run a scenario; return each promise of its law whose conditions hold, above 1 if broken."""
     wanted = [
         promise.what
@@ -250,5 +251,5 @@ def kept(scenario: Scenario, **solver: Any) -> dict[str, float]:
     ]
     if not wanted:
         return {}
-    asked = Asked(scenario, simulate(scenario, **solver))
-    return {what: CHECKS[what][1](asked) for what in wanted}
+    along = LawRun(scenario, simulate(scenario, **solver))
+    return {what: CHECKS[what][1](along) for what in wanted}

@@ -2,8 +2,8 @@
 
 A scenario is drawn from a point of the unit cube: start, track (or a round and then rest), flow and
 what is beside it, gains, settings of the law.  Half of the points are drawn anew, half near the
-point that came closest to breaking a promise.  What breaks one, also with the tightest tolerances,
-is a scenario that repeats it.
+point that came closest to breaking a promise.  The answer is a scenario that breaks one, with the
+tightest tolerances as well.
 """
 
 import time
@@ -18,7 +18,7 @@ from ..blocks.laws.table import LAWS
 from ..errors import ScenarioError, SimulationError
 from ..scenario.experiment import Scenario
 from ..scenario.file import paper_scenario
-from .promises import UNIFORM, kept, words_of
+from .promises import UNIFORM, checked_promises, promises_in_words
 
 BROKEN = 1.001
 NUMBERS = 120  # of a point; more than a draw takes
@@ -48,7 +48,7 @@ class Search:
     status: str  # "refuted" or "not refuted"
     broken: str  # the promise that is broken and its conditions, or nothing
     scenario: Scenario | None  # repeats it
-    closest: dict[str, float]  # promise -> the most that a run came to; above 1 is broken
+    closest: dict[str, float]  # promise -> the largest ratio of all runs; above 1 it is broken
     runs: int
     seconds: float
 
@@ -64,7 +64,7 @@ def refute(
     """Search for a run that breaks a promise of a law.
 
     Starts, tracks, gains, flows and disturbances are drawn, and searched further where a run came
-    close. Only promises whose conditions a scenario meets are asked of its run.
+    close. Only promises whose conditions a scenario meets are checked along its run.
 
     Parameters
     ----------
@@ -111,13 +111,13 @@ def refute(
             moved = random.normal(0, NEAR, NUMBERS) * (random.random(NUMBERS) < SHARE)
             point = np.clip(near + moved, 0.0, 1 - 1e-12)
         scenario = drawn(law, point)
-        came = _run(scenario, TOLERANCES)
-        runs += bool(came)
-        for what, value in came.items():
+        ratios = _run(scenario, TOLERANCES)
+        runs += bool(ratios)
+        for what, value in ratios.items():
             if value > BROKEN and found is None:
                 again = _run(scenario, TIGHT).get(what, 0.0)
                 if lasts(value, again):
-                    found, broken = scenario, words_of(LAWS[law])[what]
+                    found, broken = scenario, promises_in_words(LAWS[law])[what]
                 value = min(value, again if found is not None else 1.0)
             if what not in best or value > best[what][0]:
                 best[what] = value, point
@@ -127,26 +127,26 @@ def refute(
 
 
 def lasts(value: float, again: float) -> bool:
-    """Return whether what breaks a promise is the law's: what the solver leaves gets smaller."""
+    """Return whether the law breaks a promise, not the solver, whose error would get smaller."""
     return again > BROKEN and again - 1.0 >= 0.5 * (value - 1.0)
 
 
 def _run(scenario: Scenario, tolerances: dict[str, float]) -> dict[str, float]:
-    """Return what a run came to; nothing of one that cannot go on or takes too long."""
-    asked: list[float] = []  # when, in seconds of the processor
+    """Return each promise's ratio in a run; nothing of one that cannot go on or takes too long."""
+    calls: list[float] = []  # when `patience` was called, seconds of the processor
 
     def patience(t: float) -> None:
-        asked.append(time.process_time())
-        if asked[-1] - asked[0] > LONGEST:
+        calls.append(time.process_time())
+        if calls[-1] - calls[0] > LONGEST:
             raise SimulationError("this takes too long")
 
     try:
-        return kept(scenario, progress=patience, **tolerances)
+        return checked_promises(scenario, progress=patience, **tolerances)
     except SimulationError:
         return {}
 
 
-class Draw:
+class CubeNumbers:
     """Numbers of a point of the unit cube, taken one after the other."""
 
     def __init__(self, point: np.ndarray):
@@ -168,7 +168,7 @@ class Draw:
 
 def drawn(law: str, point: np.ndarray) -> Scenario:
     """Return the scenario of a point, with a law of the table."""
-    row, draw = LAWS[law], Draw(point)
+    row, draw = LAWS[law], CubeNumbers(point)
     N, count = draw.one_of(1, 2, 3), draw.one_of(1, 2, 3, 4, 5, 6)
     KD, GammaD = draw.scaled(0.3, 3, 2), draw.between(0, 4, 2)
     dwell, duration = float(draw.scaled(1, 20)), float(draw.scaled(10, 300))
@@ -206,8 +206,8 @@ def drawn(law: str, point: np.ndarray) -> Scenario:
     if row.at_fixes:
         values["localization"] = {"interval": dwell / 3, "noise": noise}
     else:
-        held = own if adapts else np.array([KD, GammaD])
-        learning |= {"adapt_gains": adapts, "feedback": held[0], "feedforward": held[1]}
+        first = own if adapts else np.array([KD, GammaD])
+        learning |= {"adapt_gains": adapts, "feedback": first[0], "feedforward": first[1]}
         needed = [row.alpha_by_gain, adapts, adapts]
         keys = zip(("parameters", "feedback", "feedforward"), gains, needed, strict=True)
         learning["gains"] = {key: gain for key, gain, wanted in keys if wanted} or None
@@ -218,15 +218,15 @@ def drawn(law: str, point: np.ndarray) -> Scenario:
     elif not row.alpha_is_constant:
         learning["parameters"] = (start * draw.one_of(NEAR_0, 1)).tolist()
     scenario = paper_scenario().with_values({**values, "learning": learning})
-    own_table = {
+    table = {
         key: _setting(one, scenario, key, draw)
         for key, one in row.settings.items()
         if one.allowed != "row" and draw.one_of(True, False)
     }
-    return scenario.with_values({f"learning.{row.table}": own_table}) if own_table else scenario
+    return scenario.with_values({f"learning.{row.table}": table}) if table else scenario
 
 
-def _setting(one: Any, scenario: Scenario, key: str, draw: Draw) -> float:
+def _setting(one: Any, scenario: Scenario, key: str, draw: CubeNumbers) -> float:
     """Return a value of a law's own setting: any share of 1, or up to ten times the usual."""
     if one.allowed in ("below 1", "at most 1"):
         return float(draw.between(0.02, 0.98))

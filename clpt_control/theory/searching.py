@@ -1,4 +1,4 @@
-"""A V that is searched for: a guess here, which `lyapunov` then judges as any other.
+"""A V that is searched for: a guess here, which `lyapunov` then checks as any other.
 
     V = sum_ij c_ij z_i z_j + sum_k b_k int_0^{z_i} h_k(s) ds,    z = x - x_rest
 
@@ -23,10 +23,10 @@ import sympy
 
 from ..diagrams.on_symbols import TIME
 from ..errors import DiagramError
-from .own_v import OwnV
 from .proving.proof import short
 from .proving.signs import vanishes
 from .proving.words import ODD, along
+from .v_on_symbols import SystemV
 
 MOST = 16  # states
 SHARE = 10**4  # the largest denominator of a coefficient
@@ -36,26 +36,28 @@ Rates = dict[sympy.Symbol, sympy.Expr]
 Monomial = tuple[int, ...]
 
 
-def candidates(own: OwnV) -> Iterator[sympy.Expr]:
-    """Yield what may be a V of a diagram about its rest, the plainest first."""
-    rest = own.rest or dict.fromkeys(own.states, sympy.S.Zero)
-    zero = dict.fromkeys(own.inputs, sympy.S.Zero)
+def candidates(case: SystemV) -> Iterator[sympy.Expr]:
+    """Yield functions that may be a V of a diagram about its rest, the plainest first."""
+    rest = case.rest or dict.fromkeys(case.states, sympy.S.Zero)
+    zero = dict.fromkeys(case.inputs, sympy.S.Zero)
     rates: Rates = {}
-    for s, rate in own.eq.motion.items():
-        number = rate.xreplace(own.eq.values)
+    for s, rate in case.eq.motion.items():
+        number = rate.xreplace(case.eq.values)
         slope = number.xreplace(rest).xreplace(zero)
         if slope.is_number and not vanishes(slope):
-            said = f"= {short(slope)}" if slope.is_finite else "has no value"
-            raise DiagramError(f"{own.system.name}: {s}' {said} at the rest: give it (at=)")
+            value = f"= {short(slope)}" if slope.is_finite else "has no value"
+            raise DiagramError(f"{case.system.name}: {s}' {value} at the rest: give it (at=)")
         rates[s] = sympy.expand(number.xreplace({q: q + rest[q] for q in rest}))
     if len(rates) > MOST:
-        said = f"has {len(rates)} states; a V is searched for of at most {MOST}: give one"
-        raise DiagramError(f"{own.system.name}: {said}")
-    ahead = _ahead(rates, own.inputs)
+        raise DiagramError(
+            f"{case.system.name}: has {len(rates)} states; a V is searched for of at most {MOST}: "
+            "give one"
+        )
+    ahead = _ahead(rates, case.inputs)
     found = chain(
         _of_program(rates, None),
         _of_program(rates, ahead),
-        _of_linear_part(rates, own.inputs),
+        _of_linear_part(rates, case.inputs),
     )
     for V in dict.fromkeys(found):
         yield V.xreplace({s: s - rest[s] for s in rest})
@@ -68,19 +70,19 @@ def _ahead(rates: Rates, inputs: list) -> set:
     """
     movers, known = dict[sympy.Symbol, set](), [*rates, *inputs]
     for s in rates:
-        own, more = movers.setdefault(s, set()), {s}
-        while more - own:
-            own |= more
-            more = set().union(*(rates[q].free_symbols & rates.keys() for q in own))
+        reached, more = movers.setdefault(s, set()), {s}
+        while more - reached:
+            reached |= more
+            more = set().union(*(rates[q].free_symbols & rates.keys() for q in reached))
 
     def is_linear(rate: sympy.Expr) -> bool:
         return rate.is_polynomial(*known) and sympy.Poly(rate, *known).is_linear
 
     return {
         s
-        for s, own in movers.items()
-        if all(movers[q] == own and is_linear(rates[q]) for q in own)
-        and any(rates[q].has(*inputs) for q in own if inputs)
+        for s, group in movers.items()
+        if all(movers[q] == group and is_linear(rates[q]) for q in group)
+        and any(rates[q].has(*inputs) for q in group if inputs)
     }
 
 
@@ -114,8 +116,8 @@ def _terms(rates: Rates) -> dict[sympy.Expr, tuple]:
         for s in (s for s in states if inner.has(s)):
             odd = power.is_Integer and power > 0 and power % 2
             if odd and (inner / s).is_Rational and h != s:
-                own = sympy.integrate(h, s)
-                terms[own - own.subs(s, 0)] = (s,)
+                H = sympy.integrate(h, s)
+                terms[H - H.subs(s, 0)] = (s,)
     return terms
 
 
@@ -169,9 +171,9 @@ def _of_program(rates: Rates, left_out: set | None) -> Iterator[sympy.Expr]:
     below = list[tuple[dict, float]]()
     below += [({k: one, size + k: -1}, 0.0) for k in range(n + m) for one in (1, -1)]
     for powers in roots:  # each square of -V' beside half of the cross terms that it is in
-        own = {k: -c for k, c in falls[powers].items()}
-        own |= {size + n + q: half for q, half in squares[powers].items()}
-        below.append(({**own, margin: 1}, 0.0))
+        row = {k: -c for k, c in falls[powers].items()}
+        row |= {size + n + q: half for q, half in squares[powers].items()}
+        below.append(({**row, margin: 1}, 0.0))
     for s in rates:  # and each of V
         square = {k: -1.0 for k in range(n) if places[k] == (s, s)}
         whole = {k: -1.0 for k in range(n) if places[k] == (s,)}
@@ -197,7 +199,7 @@ def _of_program(rates: Rates, left_out: set | None) -> Iterator[sympy.Expr]:
         found = scipy.optimize.linprog(goal, upper, limits, equal, np.zeros(equal.shape[0]), within)
         if found.status == 0:
             c = _rounded(found.x[:n], exact)
-            yield sympy.Add(*(own * term for own, term in zip(c, terms, strict=True)))
+            yield sympy.Add(*(share * term for share, term in zip(c, terms, strict=True)))
 
 
 def _rounded(values: np.ndarray, exact: list[dict[int, sympy.Expr]]) -> list[sympy.Expr]:

@@ -55,11 +55,11 @@ def squares(V: sympy.Expr, fixed: set) -> Squares | None:
         if len(symbols) != 1:
             return None
         (s,) = symbols
-        found = _alone(sympy.Add(*own), s)
+        found = _rising(sympy.Add(*own), s)
         if found is None:  # with all that s is in alone
             same = [term for term in low if term.free_symbols & set(moving) == {s}]
             own, low = own + same, [term for term in low if term not in same]
-            found = _alone(sympy.Add(*own), s)
+            found = _rising(sympy.Add(*own), s)
         if found is None:
             return None
         low.append(found[0])
@@ -125,7 +125,7 @@ def _positive(a: sympy.Expr) -> bool:
     return bool(a.is_positive or factored(a).is_positive)
 
 
-def _alone(g: sympy.Expr, s: sympy.Symbol) -> tuple[sympy.Expr, sympy.Expr] | None:
+def _rising(g: sympy.Expr, s: sympy.Symbol) -> tuple[sympy.Expr, sympy.Expr] | None:
     """Return g(0) and what g - g(0) >= 0 is zero with, of a function of one symbol."""
     least = g.subs(s, 0)
     k, m = sympy.Wild("k", exclude=[s, 0]), sympy.Wild("m", exclude=[s, 0])
@@ -147,8 +147,8 @@ def _alone(g: sympy.Expr, s: sympy.Symbol) -> tuple[sympy.Expr, sympy.Expr] | No
 # --- states that V does not hold ----------------------------------------------------------------
 
 
-def beside(forms: list[sympy.Expr], eq: Equations) -> tuple[str, Step]:
-    """Return what is to be said of states that V does not hold, and the step.
+def states_beside(forms: list[sympy.Expr], eq: Equations) -> tuple[str, Step]:
+    """Return what a verdict adds of the states that V does not hold, and the step.
 
     A form in one state holds it; where each has several, the one that moves most simply is not
     held, and the forms hold the others beside it.  Inputs are bounded; a form that grows with time
@@ -169,13 +169,13 @@ def beside(forms: list[sympy.Expr], eq: Equations) -> tuple[str, Step]:
     forms += [form for found in inner for form in found.forms]
     left, at, free = list(motion), dict[Any, Any](), list[Any]()
     while left:
-        one = next(filter(None, (_held(f.xreplace(at), left, fixed) for f in forms)), None)
+        one = next(filter(None, (_state_of(f.xreplace(at), left, fixed) for f in forms)), None)
         if one is not None:
             at |= one
             left = [s for s in left if s not in one]
         else:
             known = left + free
-            free.append(min(left, key=lambda s: _moves(s, motion[s], known, fixed)))
+            free.append(min(left, key=lambda s: _how_it_moves(s, motion[s], known, fixed)))
             left.remove(free[-1])
     names = ", ".join(map(str, free))
     if not free:
@@ -190,18 +190,18 @@ def beside(forms: list[sympy.Expr], eq: Equations) -> tuple[str, Step]:
         if np.all(poles.real < 0):
             return "", exact(f"{names}: linear and stable, driven by what V holds", True)
     if all(degree(rate, free.__contains__) <= 1 for rate in (*rates, *jumps)):
-        said = exact(f"{names}: not held by V, may grow, and exist for all t", True)
-        return f"but for {names}", said
+        grows = exact(f"{names}: not held by V, may grow, and exist for all t", True)
+        return f"but for {names}", grows
     faster = exact(f"{names}: not held by V, exist for all t", False, "not shown")
     return f"as long as {names} exist", faster
 
 
-def _moves(s: Any, rate: sympy.Expr, among: list, fixed: set) -> tuple[bool, float]:
+def _how_it_moves(s: Any, rate: sympy.Expr, among: list, fixed: set) -> tuple[bool, float]:
     """Return how a state moves: whether its slope in itself varies, and its degree."""
     return bool(sympy.diff(rate, s).free_symbols - fixed), degree(rate, among.__contains__)
 
 
-def _held(form: sympy.Expr, left: list, fixed: set) -> dict[Any, sympy.Expr] | None:
+def _state_of(form: sympy.Expr, left: list, fixed: set) -> dict[Any, sympy.Expr] | None:
     """Return the one state of these that a form holds, as an expression of the others."""
     own = [s for s in left if form.has(s)]
     if len(own) != 1 or not form.is_polynomial(*own):

@@ -17,15 +17,15 @@ from clpt_control.files import write_figure
 from clpt_control.theory import design_track as design_for
 from clpt_control.theory.designing import search
 from clpt_control.theory.designing.design import linear_gains, time_below
-from clpt_control.theory.designing.limits import (
+from clpt_control.theory.designing.plot import design_plot
+from clpt_control.theory.designing.track_limits import (
     area_of_degrees,
     around,
     closed_length,
     field_area,
     shortened,
 )
-from clpt_control.theory.designing.plot import design_plot
-from clpt_control.theory.designing.tracks import Tracks, vehicle_alone
+from clpt_control.theory.designing.waypoint_tracks import Tracks, vehicle_alone
 from clpt_control.theory.excitation.gramian import gramian, started_true
 from clpt_control.theory.excitation.regressor import joint_regressor, w_along
 

@@ -12,8 +12,8 @@ from clpt_control.diagrams.interconnection import connect
 from clpt_control.errors import ScenarioError
 from clpt_control.simulation.loops import paper_blocks
 from clpt_control.theory.proving import limited_speed
-from clpt_control.theory.proving.limited_speed import LIMITS
-from clpt_control.theory.proving.proof import judged
+from clpt_control.theory.proving.limited_speed import LIMITED_SPEED
+from clpt_control.theory.proving.proof import proof_or_failure
 from clpt_control.theory.proving.running_rate import RunningBlocks, rate_along
 
 PAPER = clpt.paper_scenario()
@@ -62,7 +62,7 @@ def test_clpe_of_the_papers_run_goes_to_zero_with_hedging_and_not_without():
 
 
 def test_what_is_proved_and_what_is_refuted():
-    found = {name: judged("failed", proof) for name, proof in LIMITS.items()}
+    found = {name: proof_or_failure("failed", proof) for name, proof in LIMITED_SPEED.items()}
     statuses = {name: (proof.status, proof.for_every_N) for name, proof in found.items()}
     assert statuses == {
         "with hedging": ("proved", True),
@@ -102,7 +102,7 @@ def too_fast(t, x, u, p):
 )
 def test_a_wrong_equation_is_not_proved(module, name, wrong, claim, monkeypatch):
     monkeypatch.setattr(module, name, wrong)
-    proof = judged("failed", LIMITS["with hedging"])
+    proof = proof_or_failure("failed", LIMITED_SPEED["with hedging"])
     assert proof.status == "failed"
     assert any(claim in step.claim for step in proof.failed)
 

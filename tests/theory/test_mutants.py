@@ -23,7 +23,7 @@ from clpt_control.theory.proving import (
     theorems,
 )
 from clpt_control.theory.proving.misprints import misprints
-from clpt_control.theory.proving.proof import judged
+from clpt_control.theory.proving.proof import proof_or_failure
 from clpt_control.theory.proving.theorems import THEOREMS, audit
 
 FIRST = {"clpe": "3.3"}  # where to look first; every theorem is tried before giving up
@@ -113,8 +113,8 @@ def caught_by(function, which, first):
         for misprint in misprints():
             if not misprint.confirmed:
                 return f"misprint {misprint.equation}"
-        for name, proof in limited_speed.LIMITS.items():
-            for step in judged("failed", proof).failed:
+        for name, proof in limited_speed.LIMITED_SPEED.items():
+            for step in proof_or_failure("failed", proof).failed:
                 return f"{name}: {step.claim}"
     return None
 

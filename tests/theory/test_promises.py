@@ -12,7 +12,14 @@ from clpt_control.blocks.laws.regressions import gain_rates
 from clpt_control.blocks.laws.remembering import CONTINUOUS
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.errors import ScenarioError
-from clpt_control.theory.promises import CHECKS, CONDITIONS, UNIFORM, kept, rise, words_of
+from clpt_control.theory.promises import (
+    CHECKS,
+    CONDITIONS,
+    UNIFORM,
+    checked_promises,
+    promises_in_words,
+    rise,
+)
 from clpt_control.theory.refuting import BROKEN, NUMBERS, TIGHT, drawn, lasts, refute
 
 LONG = 300.0  # seconds; what is wrong is found long before
@@ -34,10 +41,10 @@ def with_law(name):
 
 @pytest.mark.parametrize("name", LAWS)
 def test_a_law_keeps_its_promises_on_the_papers_scenario(name):
-    found = kept(with_law(name))
+    found = checked_promises(with_law(name))
     assert set(found) == {promise.what for promise in LAWS[name].promises}
     assert max(found.values()) <= BROKEN
-    assert all(words_of(LAWS[name]).values())
+    assert all(promises_in_words(LAWS[name]).values())
 
 
 def test_each_promise_has_a_predicate_and_conditions():
@@ -49,15 +56,18 @@ def test_each_promise_has_a_predicate_and_conditions():
 
 def test_a_promise_is_asked_only_where_its_conditions_hold():
     noisy = with_law("drem").with_values({"localization": {"noise": 0.02, "noise_period": 1.0}})
-    assert kept(noisy) == {}
+    assert checked_promises(noisy) == {}
     outside = with_law("projection").with_values({"learning.projection.largest_feedforward": 1.0})
-    assert set(kept(outside)) == {"balls"}
+    assert set(checked_promises(outside)) == {"balls"}
 
 
 def test_noise_has_no_bound():
     for kind, asked in (("sine", {"falls", "zone"}), ("noise", set())):
         delta = {"kind": kind, "amplitude": [1e-3, 1e-3], "period": 5.0}
-        assert set(kept(with_law("dead-zone").with_values({"flow.disturbance": delta}))) == asked
+        assert (
+            set(checked_promises(with_law("dead-zone").with_values({"flow.disturbance": delta})))
+            == asked
+        )
 
 
 def test_a_rise_is_seen_whatever_came_between():
@@ -137,10 +147,10 @@ def test_a_law_that_breaks_its_promise_is_found_out(name, monkeypatch):
     found = refute(name, budget=LONG)
     assert found.status == "refuted"
     assert found.runs <= 100
-    again = kept(found.scenario, **TIGHT)
+    again = checked_promises(found.scenario, **TIGHT)
     assert {what for what, value in again.items() if value > BROKEN} <= breaks
     assert max(again.values()) > BROKEN
-    assert found.broken in words_of(LAWS[name]).values()
+    assert found.broken in promises_in_words(LAWS[name]).values()
 
 
 @pytest.mark.slow
@@ -165,7 +175,7 @@ def test_the_command_writes_a_scenario_that_repeats_it(clpt, tmp_path, monkeypat
     assert report["status"] == "refuted"
     assert report["closest"]["shrinks"] > BROKEN
     assert "drem breaks its promise: each parameter's error only shrinks" in outcome.err
-    assert kept(clpt_package.load_scenario(file), **TIGHT)["shrinks"] > BROKEN
+    assert checked_promises(clpt_package.load_scenario(file), **TIGHT)["shrinks"] > BROKEN
 
 
 def test_the_command_says_that_nothing_was_found(clpt, tmp_path):

@@ -148,8 +148,6 @@ def test_a_step_that_cannot_be_checked_fails():
     step = checked("one over zero", "exact", lambda: 1 / 0)
     assert not step.holds
     assert "ZeroDivisionError" in step.detail
-    with pytest.raises(ValueError, match="how"):
-        checked("", "guessed", lambda: True)
 
 
 def test_sampled_steps_alone_prove_nothing():

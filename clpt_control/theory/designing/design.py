@@ -1,14 +1,12 @@
 """A design: the scenario with better waypoints, and both tracks side by side.
 
-Waypoints are for the scenario's own law, or maximise kappa_1, the smallest eigenvalue over both
-axes of the joint Gramian of Definition 3.1 where e = 0 (`tracks`), within limits (`limits`) that
-are kept over the whole run (`search`).  For the paper's two laws, which are linear in e and eta,
-the search maximises what V falls by over the window; for another law kappa_1.  Its best tracks and
-the scenario's own are then run with the law, and the one that it learns soonest on is taken.  What
-is reported of both tracks beside kappa_1 comes from `gramian` and `simulate` of the two scenarios
+The goal is how soon the scenario's own law learns, or kappa_1: the smallest eigenvalue over both
+axes of the joint Gramian of Definition 3.1 where e = 0 (`waypoint_tracks`).  The limits
+(`track_limits`) hold over the whole run (`search`).  For the paper's two laws, which are linear in
+e and eta, the search maximises what V falls by over the window; for another law kappa_1.  Its best
+tracks and the scenario's own are then run with the law, and the one on which it learns soonest is
+taken.  The other numbers of both tracks come from `gramian` and `simulate` of the two scenarios
 with their own law.
-
-What the scenario's own law learns on a track: how soon, or how much of a measured current.
 
 learning time   the first time from which on every flow parameter is within a level of theta
 """
@@ -25,9 +23,11 @@ from ...html import facts, fragment
 from ...scenario.experiment import Scenario
 from ...simulation.flows import explained_variance
 from ...simulation.integrate import sample_times, simulate
+from ..excitation.certificates import gains_of_w
 from ..excitation.gramian import gramian, started_true
 from ..excitation.regressor import checked_window
-from .limits import (
+from .search import CLOSE, best_waypoints
+from .track_limits import (
     Box,
     Limits,
     area_of_degrees,
@@ -36,10 +36,9 @@ from .limits import (
     check_numbers,
     closed_length,
     field_area,
-    own_area,
+    filled_area,
 )
-from .search import CLOSE, best_waypoints
-from .tracks import Extremes, Tracks, vehicle_alone
+from .waypoint_tracks import Extremes, Tracks, vehicle_alone
 
 if TYPE_CHECKING:
     import xarray
@@ -58,7 +57,7 @@ class Learned(NamedTuple):
 
     @property
     def cost(self) -> tuple[float, ...]:
-        """Less is better: learning time, error at the end, CLPE; of a field what is not told."""
+        """Less is better: learning time, last error, CLPE; with a field what is not explained."""
         rms = self.summary["clpe_rms_last_quarter"]
         if self.error is None:
             return -self.summary["explained_variance"]["box"], rms
@@ -67,10 +66,10 @@ class Learned(NamedTuple):
 
 
 def learned(scenario: Scenario, level: float | None) -> Learned:
-    """Run a scenario with its own law and say what it learned."""
-    step = max(scenario.reference.dwell / LOOKS, scenario.run.duration / MOST)
-    own = min(scenario.run.output_step, step)
-    run = simulate(scenario, sample_times(scenario.run.duration, own))
+    """Run a scenario with its own law and summarise what it learned."""
+    largest = max(scenario.reference.dwell / LOOKS, scenario.run.duration / MOST)
+    step = min(scenario.run.output_step, largest)
+    run = simulate(scenario, sample_times(scenario.run.duration, step))
     size = np.sum(run.clpe.values**2, axis=1)
     late = run.time.values >= 0.75 * scenario.run.duration
     summary: dict[str, Any] = {"clpe_rms_last_quarter": float(np.sqrt(size[late].mean()))}
@@ -117,8 +116,8 @@ class Design:
     def _repr_html_(self) -> str:
         before, after = self.report["before"], self.report["after"]
         rows = [
-            (said, f"{before[key]:.4g}", f"{after[key]:.4g}")
-            for said, key in (
+            (label, f"{before[key]:.4g}", f"{after[key]:.4g}")
+            for label, key in (
                 ("smallest eigenvalue", "smallest_eigenvalue"),
                 (f"closed polygon ({self.report['units']['length']})", "closed_length"),
                 ("largest speed through the water", "largest_speed"),
@@ -203,8 +202,7 @@ def design_track(
     """
     if goal not in GOALS:
         raise ScenarioError(f"goal {goal!r}: must be one of {', '.join(GOALS)}")
-    given = {"length": length, "max_speed": max_speed, "dwell": dwell, "level": level}
-    check_numbers(scenario, count, **given)
+    check_numbers(scenario, count, length=length, max_speed=max_speed, dwell=dwell, level=level)
     for name, value, least in (("seed", seed, 0), ("generations", generations, 1)):
         if not isinstance(value, int) or not least <= value <= MOST_GENERATIONS:
             raise ScenarioError(
@@ -230,7 +228,7 @@ def design_track(
     limits = Limits(
         float(closed_length(own)) if length is None else float(length),
         max_speed,
-        area or field or own_area(own, before[1]),
+        area or field or filled_area(own, before[1]),
     )
     report = progress or (lambda share: None)
     planned = with_waypoints(scenario, around(own, count or len(own)), dwell)
@@ -241,40 +239,36 @@ def design_track(
         learned(scenario, level),
         min((learned(one, level) for one in tracks), key=lambda one: one.cost),
     )
-    made = ran[1].scenario
-    points, after = made.waypoints, _look(made, span)
+    designed = ran[1].scenario
+    points, after = designed.waypoints, _look(designed, span)
     report(1.0)
-    found: dict[str, Any] = {
+    summary: dict[str, Any] = {
         "title": scenario.title,
         "units": scenario.units.model_dump(),
         "law": scenario.learning.law,
         "goal": goal,
-        "own_track_kept": made.reference.dwell == scenario.reference.dwell
+        "own_track_kept": designed.reference.dwell == scenario.reference.dwell
         and np.array_equal(points, own),
         "window": span[0],
         "start": span[1],
         "trajectory": TRAJECTORY,
-        "limits": limits._asdict() | {"count": len(points), "dwell": made.reference.dwell},
+        "limits": limits._asdict() | {"count": len(points), "dwell": designed.reference.dwell},
         "seed": seed,
         "tracks_tried": runs,
         "before": _reported(scenario, before, span, ran[0]),
-        "after": _reported(made, after, span, ran[1]),
+        "after": _reported(designed, after, span, ran[1]),
     }
     for name, key in (("ratio", "smallest_eigenvalue"), ("ratio_of_run", "of_the_run")):
-        first, last = found["before"][key], found["after"][key]
-        found[name] = last / first if first > 0 else None
-    return Design(made, found, ran)
+        first, last = summary["before"][key], summary["after"][key]
+        summary[name] = last / first if first > 0 else None
+    return Design(designed, summary, ran)
 
 
 def linear_gains(scenario: Scenario) -> np.ndarray | None:
     """Return the N + 2 gains of one of the paper's laws, Eq. (28); None of another."""
-    learning, N = scenario.learning, scenario.basis.N
-    if learning.law not in ("learned-flow", "known-flow") or learning.sample is not None:
-        return None
-    gains = learning.used_gains
-    flow = 0.0 if learning.row.given_estimate else gains.parameters
-    found = np.array([*[flow] * N, gains.feedback, gains.feedforward])
-    return found if found.any() else None
+    learning, gains = scenario.learning, gains_of_w(scenario)
+    linear = learning.law in ("learned-flow", "known-flow") and learning.sample is None
+    return gains if linear and gains.any() else None
 
 
 def _look(scenario: Scenario, span: tuple[float, float]) -> tuple[float, Extremes]:
@@ -286,8 +280,8 @@ def _look(scenario: Scenario, span: tuple[float, float]) -> tuple[float, Extreme
 
 def with_waypoints(scenario: Scenario, points: np.ndarray, dwell: float | None) -> Scenario:
     """Return the scenario with other waypoints."""
-    own = scenario.reference.dwell if dwell is None else float(dwell)
-    reference = {"kind": "waypoints", "points": np.asarray(points).tolist(), "dwell": own}
+    dwell = scenario.reference.dwell if dwell is None else float(dwell)
+    reference = {"kind": "waypoints", "points": np.asarray(points).tolist(), "dwell": dwell}
     return scenario.with_values({"reference": reference})
 
 

@@ -8,8 +8,7 @@ beyond.  kappa_1 has a ridge where both axes have the same smallest eigenvalue, 
 SLSQP (Kraft 1988) for the largest s with log kappa of each axis >= s and each slack >= 0;
 derivatives are differences, again in lanes.
 
-The search in rounds: evolve once, climb, look closely, climb again where a limit is not kept.
-
+The search goes in rounds: evolve once, climb, look closely, climb again where a limit is not kept.
 The first round watches speed and area up to the window's end, the others over the whole run and
 under limits that are tighter by what the last climb was beyond.  The track to begin with competes.
 """
@@ -22,8 +21,8 @@ import numpy as np
 from ...errors import ScenarioError
 from ...progress.interrupt import check
 from ...scenario.experiment import Scenario
-from .limits import MARGIN, Limits, shortened
-from .tracks import Tracks
+from .track_limits import MARGIN, Limits, shortened
+from .waypoint_tracks import Tracks
 
 BEYOND = 1e4  # cost of a limit that is not kept, more than -log of any eigenvalue
 LEAST = 1e-300
@@ -35,7 +34,7 @@ INSIDE = 1e-5  # of each limit, that a climb leaves free
 WAY = 33  # places looked at between the start and the end of a climb
 
 
-class Search:
+class TrackSearch:
     """Tracks of `count` waypoints within limits, as points of a unit cube."""
 
     def __init__(self, tracks: Tracks, limits: Limits, count: int):
@@ -102,18 +101,18 @@ class Search:
         """Return unknowns uphill of some, the best on the way that keep to the limits."""
         from scipy.optimize import minimize
 
-        held: dict[bytes, tuple[np.ndarray, np.ndarray]] = {}
+        cached: dict[bytes, tuple[np.ndarray, np.ndarray]] = {}
 
         def values(y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
             key = y[:-1].tobytes()
-            if key not in held:
+            if key not in cached:
                 check()
-                held.clear()
+                cached.clear()
                 steps = STEP * np.eye(len(u))
                 least, extremes = self.tracks(self.points(np.vstack([y[:-1], y[:-1] + steps])))
                 rows = np.vstack([np.log(np.maximum(least, LEAST)), self.limits.slack(extremes)])
-                held[key] = rows[:, 0], (rows[:, 1:] - rows[:, :1]) / STEP
-            return held[key]
+                cached[key] = rows[:, 0], (rows[:, 1:] - rows[:, :1]) / STEP
+            return cached[key]
 
         def above(y: np.ndarray) -> np.ndarray:
             found = values(y)[0].copy()
@@ -165,38 +164,39 @@ def best_waypoints(
     end, whole = span[0] + span[1], scenario.run.duration
     close = Tracks(scenario, span, whole, *CLOSE, speeds, gains)
     points = shortened(scenario.waypoints, limits.length)
-    kept = [_judged(close, limits, points)]  # the track to begin with competes
-    for turn in range(ROUNDS):
-        tracks = Tracks(scenario, span, whole if turn else end, *COARSE, speeds, gains)
-        search = Search(tracks, limits.tighter(free), len(points))
-        again = turn == ROUNDS - 1 and not any(one.least >= 0 for one in kept)
-        if turn == 0 or again:
+    candidates = [_looked_at(close, limits, points)]  # the track to begin with competes
+    for iteration in range(ROUNDS):
+        tracks = Tracks(scenario, span, whole if iteration else end, *COARSE, speeds, gains)
+        search = TrackSearch(tracks, limits.tighter(free), len(points))
+        again = iteration == ROUNDS - 1 and not any(one.least >= 0 for one in candidates)
+        if iteration == 0 or again:
             first = search.unknowns(shortened(scenario.waypoints, limits.length))
 
-            def shown(done: float, base: float = 0.5 * (turn > 0)) -> None:
+            def share(done: float, base: float = 0.5 * (iteration > 0)) -> None:
                 report(base + 0.4 * done / (generations + 1))
 
-            starts = search.evolve(first, generations, seed, shown)
-            kept += [_judged(close, limits, one) for one in search.points(starts)]
+            starts = search.evolve(first, generations, seed, share)
+            candidates += [_looked_at(close, limits, one) for one in search.points(starts)]
         else:
             starts = search.unknowns(points)[None]
         ends = np.array([search.climb(u) for u in starts])
         order = np.argsort(search.cost(ends), kind="stable")
         points = search.points(ends)[order[0]]
-        kept += [_judged(close, limits, one) for one in search.points(ends)[order[::-1]]]
+        candidates += [_looked_at(close, limits, one) for one in search.points(ends)[order[::-1]]]
+        last = candidates[-1]
         runs += tracks.runs
-        report(0.4 + 0.5 * (turn + 1) / ROUNDS)
-        if kept[-1].least >= 0 and (turn or end == whole or kept[-1].least >= kept[0].least):
+        report(0.4 + 0.5 * (iteration + 1) / ROUNDS)
+        if last.least >= 0 and (iteration or end == whole or last.least >= candidates[0].least):
             break
-        if turn:
-            free = min(0.3, free + max(MARGIN, 1.1 * kept[-1].beyond))
-    kept.sort(key=lambda one: -one.least)
-    if kept[0].least < 0:
-        raise ScenarioError(_none(scenario, limits, min(one.beyond for one in kept)))
-    return [one.points for one in kept if one.least >= 0], runs
+        if iteration:
+            free = min(0.3, free + max(MARGIN, 1.1 * last.beyond))
+    candidates.sort(key=lambda one: -one.least)
+    if candidates[0].least < 0:
+        raise ScenarioError(_none(scenario, limits, min(one.beyond for one in candidates)))
+    return [one.points for one in candidates if one.least >= 0], runs
 
 
-class _Judged(NamedTuple):
+class _Candidate(NamedTuple):
     """Waypoints, their kappa_1, -1 beyond a limit, and how far they are beyond."""
 
     points: np.ndarray
@@ -204,12 +204,13 @@ class _Judged(NamedTuple):
     beyond: float
 
 
-def _judged(close: Tracks, limits: Limits, points: np.ndarray) -> _Judged:
+def _looked_at(close: Tracks, limits: Limits, points: np.ndarray) -> _Candidate:
+    """Return waypoints with what is seen of them closely."""
     least, extremes = close(points[None])
     beyond = float(limits.excess(extremes)[0])
     low, high = np.array(limits.area[::2]), np.array(limits.area[1::2])
     out = bool(np.any((points < low) | (points > high)))
-    return _Judged(points, -1.0 if beyond > 0 or out else float(least.min()), beyond)
+    return _Candidate(points, -1.0 if beyond > 0 or out else float(least.min()), beyond)
 
 
 def _none(scenario: Scenario, limits: Limits, nearest: float) -> str:

@@ -44,7 +44,7 @@ class Certificate:
 
     start: float  # of the window, units.time
     window: float  # its length
-    trajectory: str  # which one w was taken from: w holds z, which depends on the learner
+    trajectory: str  # that w was taken from: w holds z, which depends on the learner
     transition: dict[str, np.ndarray]  # axis -> Phi(t+T, t) of (e_i, eta_i)
     contractions: dict[str, float]  # axis -> exact V(t+T)/V(t) at worst
     drops: dict[str, float]  # axis -> 1 less that, with all its digits
@@ -82,7 +82,7 @@ class Certificate:
         return min(self.rhos.values())
 
 
-def least(rows: np.ndarray, weights: np.ndarray) -> np.ndarray:
+def smallest_eigenvalue(rows: np.ndarray, weights: np.ndarray) -> np.ndarray:
     """Return the smallest eigenvalue of the Gramian of rows, 0 where they are too few."""
     flat = np.sqrt(weights)[..., None] * rows
     flat = flat.reshape(*rows.shape[:-3], -1, rows.shape[-1])
@@ -91,15 +91,22 @@ def least(rows: np.ndarray, weights: np.ndarray) -> np.ndarray:
     return np.linalg.svd(flat, compute_uv=False)[..., -1] ** 2
 
 
-def falls(w: np.ndarray, k: np.ndarray, gains: np.ndarray, weights: np.ndarray) -> np.ndarray:
+def gains_of_w(scenario: Scenario) -> np.ndarray:
+    """Return the N + 2 gains with which a law adapts the parameter beside each of w; 0: held."""
+    learning, gains = scenario.learning, scenario.learning.used_gains
+    flow = 0.0 if learning.row.given_estimate else gains.parameters
+    return np.array([*[flow] * scenario.basis.N, gains.feedback, gains.feedforward])
+
+
+def worst_drop(w: np.ndarray, k: np.ndarray, gains: np.ndarray, weights: np.ndarray) -> np.ndarray:
     """Return the drop of V over a window by a linear law with a gain for each of w (..., n).
 
     With w_j times the root of gamma_j, and the error of parameter j over it, one gain of 1 remains;
     what has no gain does not adapt.
     """
-    own = gains > 0
-    rows, _ = propagate(np.sqrt(gains[own]) * w[..., own], k, 1.0, weights.sum(axis=1))
-    return 2 * k * least(rows, weights)
+    adapted = gains > 0
+    rows, _ = propagate(np.sqrt(gains[adapted]) * w[..., adapted], k, 1.0, weights.sum(axis=1))
+    return 2 * k * smallest_eigenvalue(rows, weights)
 
 
 def window_drops(
@@ -121,8 +128,8 @@ def window_drops(
     norm = np.linalg.norm(transition * (scale[:, None] / scale), 2, axis=(-2, -1))
     return {
         "contraction": np.minimum(norm**2, 1.0),  # V never grows: V' = -k e^2
-        "drop": 2 * k * least(inside / scale, weights),
-        "rho": k * min(1.0, gain) * least(filtered, weights) / (1 + q**2),
+        "drop": 2 * k * smallest_eigenvalue(inside / scale, weights),
+        "rho": k * min(1.0, gain) * smallest_eigenvalue(filtered, weights) / (1 + q**2),
         "transition": transition,
     }
 
@@ -189,10 +196,10 @@ def certificate(
     along = source if isinstance(source, Regressor) else joint_regressor(source, window, start)
     scenario, gains = along.scenario, along.scenario.learning.used_gains
     law = scenario.learning.law
-    if along.own_law or law not in ("learned-flow", "known-flow") or not gains.one:
+    if along.python_parts or law not in ("learned-flow", "known-flow") or not gains.one:
         raise ScenarioError(
             "no certificate: it is of the paper's two laws with one gain for all, the run has "
-            f"{along.own_law or f'the law {law}'}" + ("" if gains.one else " with a gain each")
+            f"{along.python_parts or f'the law {law}'}" + ("" if gains.one else " with a gain each")
         )
     refuse_unproved(scenario)
     gain = gains.parameters

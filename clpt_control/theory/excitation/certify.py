@@ -42,7 +42,7 @@ from ...arguments import public
 from ...errors import ScenarioError
 from ...html import facts, fragment
 from ...scenario.experiment import Scenario
-from .certificates import TURN, falls, refuse_unproved
+from .certificates import TURN, gains_of_w, refuse_unproved, worst_drop
 from .regressor import checked_window, finished_run, quadrature, w_along
 
 MOST_WINDOWS = 1_000_000
@@ -63,7 +63,7 @@ class Bounds:
     largest_clpe: float  # at any time, length
     ultimate: float | None  # limsup |e| at most, length, in windows like the weakest; None: nothing
     disturbance: float  # largest |Delta| of the scenario, length per time
-    error: float  # the CLPE that is asked for, length
+    error: float  # the CLPE that is to be reached, length
     time_to_error: float | None  # from then on CLPE is at most `error`; None: never
     units: dict[str, str]
 
@@ -91,8 +91,8 @@ class Bounds:
 
     def report(self) -> dict[str, Any]:
         """Return it ready for JSON."""
-        own = {k: v.tolist() if isinstance(v, np.ndarray) else v for k, v in vars(self).items()}
-        return {**own, "within_run": self.within_run, "said": self.said}
+        fields = {k: v.tolist() if isinstance(v, np.ndarray) else v for k, v in vars(self).items()}
+        return {**fields, "within_run": self.within_run, "said": self.said}
 
 
 def least_error(V: float, c: float, k: float, gain: float, D: float) -> float:
@@ -137,7 +137,7 @@ def certify(
     radius : float, optional
         R, the largest V(0) of Eq. (24); that of the scenario's own start.
     error : float, optional
-        CLPE that is asked for, length; a hundredth of what R allows at the start.
+        CLPE that is to be reached, length; a hundredth of what R allows at the start.
     window : float, optional
         T, units.time; one cycle of the waypoints.
 
@@ -164,21 +164,19 @@ def certify(
             "no certificate: it is of the learned-flow law in a flow with parameters theta"
         )
     refuse_unproved(scenario)
-    for name, given in (("radius", radius), ("error", error)):
-        if given is not None and not (np.isfinite(given) and given > 0):
-            raise ScenarioError(f"{name} = {given:g}: must be a positive number")
+    for name, value in (("radius", radius), ("error", error)):
+        if value is not None and not (np.isfinite(value) and value > 0):
+            raise ScenarioError(f"{name} = {value:g}: must be a positive number")
     window, _ = checked_window(scenario, window, 0.0)
     gains, car = scenario.learning.used_gains, scenario.vehicle
-    each = np.array([*[gains.parameters] * scenario.basis.N, gains.feedback, gains.feedforward])
-    held = {"feedback": gains.feedback, "feedforward": gains.feedforward}
-    for name, gain in held.items():
-        if gain == 0 and getattr(scenario.learning, name) != getattr(car, name):
+    for name in ("feedback", "feedforward"):
+        if getattr(gains, name) == 0 and getattr(scenario.learning, name) != getattr(car, name):
             raise ScenarioError(
                 f"no certificate: learning.{name} is held and is not vehicle.{name}, so CLPE does "
                 "not end; hold the vehicle's own"
             )
-    drops, own = _drops(scenario, window, each)
-    R = float(own if radius is None else radius)
+    drops, start = _drops(scenario, window)
+    R = float(start if radius is None else radius)
     error = 0.01 * np.sqrt(2 * R) if error is None else float(error)
     d = _largest(scenario)
     k, D = min(car.feedback), d * np.sqrt(window)
@@ -212,8 +210,9 @@ def certify(
     )
 
 
-def _drops(scenario: Scenario, window: float, gains: np.ndarray) -> tuple[np.ndarray, float]:
+def _drops(scenario: Scenario, window: float) -> tuple[np.ndarray, float]:
     """Return delta of each whole window of the run, (windows, 2), and V(0) of its own start."""
+    gains = gains_of_w(scenario)
     count = int(np.floor(scenario.run.duration / window * (1 + 1e-12)))
     ends = window * np.arange(count + 1)
     largest = scenario.basis.N + 4 * np.max(scenario.waypoints**2)
@@ -226,7 +225,7 @@ def _drops(scenario: Scenario, window: float, gains: np.ndarray) -> tuple[np.nda
     w = w_along(scenario, nodes.times, x, x, zc)
     k = np.array(scenario.vehicle.feedback)
     cuts = np.searchsorted(nodes.cuts, ends - 1e-9 * window)
-    drops = [falls(w[:, a:b], k, gains, nodes.weights[a:b]) for a, b in pairwise(cuts)]
+    drops = [worst_drop(w[:, a:b], k, gains, nodes.weights[a:b]) for a, b in pairwise(cuts)]
     return np.array(drops), float(run.lyapunov.values[0])
 
 

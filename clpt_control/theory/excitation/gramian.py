@@ -55,10 +55,10 @@ class Excitation:
     truth: dict[str, np.ndarray] = field(default_factory=dict)  # axis -> c; none with a field
 
     def __repr__(self) -> str:
-        learned = ", ".join(
+        learnable = ", ".join(
             f"{axis} {n} of {len(self.names[axis])}" for axis, n in self.dimension.items()
         )
-        return f"<Excitation {self._when()}: can be learned {learned}>"
+        return f"<Excitation {self._when()}: can be learned {learnable}>"
 
     def _repr_html_(self) -> str:
         pieces = [facts(excitation_rows({"": self}), EXCITATION_COLUMNS)]
@@ -67,7 +67,7 @@ class Excitation:
 
     @property
     def report(self) -> dict[str, Any]:
-        """What of it is told in JSON."""
+        """What JSON says of it."""
         return {
             "eigenvalues": {axis: values.tolist() for axis, values in self.eigenvalues.items()},
             "dimension": self.dimension,
@@ -129,11 +129,11 @@ class Excitation:
     def not_learnable(self) -> list[str]:
         """Sentences that name what cannot be learned on this track.
 
-        A parameter whose own direction is not excited is named alone; several
-        that appear only in combinations are named together.
+        A parameter whose own direction is not excited is named alone; those that are excited in
+        combinations only are named together.
         """
         sentences = []
-        for alone, mixed in self._not_learned():
+        for alone, mixed in self._not_learnable_names():
             sentences += [f"{name} is not learnable on this track" for name in alone]
             if mixed:
                 listed = ", ".join(mixed[:-1]) + f" and {mixed[-1]}" if mixed[1:] else mixed[0]
@@ -143,7 +143,7 @@ class Excitation:
     @property
     def in_one_sentence(self) -> str:
         """What cannot be learned on this track, empty where all can."""
-        names = [name for each in self._not_learned() for kind in each for name in kind]
+        names = [name for each in self._not_learnable_names() for kind in each for name in kind]
         if not names:
             return ""
         counts = [
@@ -155,7 +155,7 @@ class Excitation:
             f"learnable one by one: {', '.join(names[:NAMED])}{more} (`clpt excitation` names all)"
         )
 
-    def _not_learned(self) -> Iterator[tuple[list[str], list[str]]]:
+    def _not_learnable_names(self) -> Iterator[tuple[list[str], list[str]]]:
         """Yield the names of each axis that are not excited, and those in combinations alone."""
         for axis, idle in self._idle().items():
             lean = np.linalg.norm(self.directions[axis][:, idle], axis=1)
@@ -187,15 +187,15 @@ EXCITATION_COLUMNS = (
 
 def excitation_rows(every: dict[str, Excitation]) -> list[tuple[str, ...]]:
     """Return a row for each axis of each excitation, by name."""
-    found: list[tuple[str, ...]] = []
+    rows: list[tuple[str, ...]] = []
     for name, one in every.items():
         for axis, values in one.eigenvalues.items():
             least = sorted(one.least_excited[axis].items(), key=lambda part: -abs(part[1]))[:4]
             direction = ", ".join(f"{part} {share:+.2f}" for part, share in least)
-            learned = f"{one.dimension[axis]} of {len(values)}"
+            learnable = f"{one.dimension[axis]} of {len(values)}"
             sizes = f"{values[0]:.4g}", f"{values[-1]:.4g}"
-            found.append((f"{name} {axis}".strip(), *sizes, learned, direction))
-    return found
+            rows.append((f"{name} {axis}".strip(), *sizes, learnable, direction))
+    return rows
 
 
 def parameter_names(N: int) -> dict[str, list[str]]:
@@ -211,8 +211,8 @@ def piece_factors(regressor: Regressor) -> np.ndarray:
     return _triangle(np.sqrt(regressor.weights)[..., None] * regressor.w)
 
 
-def joined(pieces: np.ndarray) -> np.ndarray:
-    """Join factors (pieces, rows, n) of one axis into that of the whole, shape (n, n)."""
+def whole_factor(pieces: np.ndarray) -> np.ndarray:
+    """Return the factor (n, n) of a window from those of its pieces, (pieces, rows, n)."""
     n = pieces.shape[-1]
     return _triangle(np.concatenate([np.zeros((n, n)), *pieces]))
 
@@ -302,7 +302,7 @@ def gramian(
     """
     along = source if isinstance(source, Regressor) else joint_regressor(source, window, start)
     names = parameter_names(along.scenario.basis.N)
-    factors = dict(zip(names, map(joined, piece_factors(along)), strict=True))
+    factors = dict(zip(names, map(whole_factor, piece_factors(along)), strict=True))
     first, last = along.cuts[[0, -1]].tolist()
     unit, truth = along.scenario.units.time, _truth(along.scenario)
     return Excitation(first, last - first, along.trajectory, unit, names, factors, tolerance, truth)
@@ -350,12 +350,6 @@ class SlidingExcitation:
             for axis in self.at[0].names
         }
 
-    @property
-    def weakest(self) -> Excitation:
-        """The window with the smallest eigenvalue of all."""
-        least = [min(v[0] for v in found.eigenvalues.values()) for found in self.at]
-        return self.at[int(np.argmin(least))]
-
 
 def sliding_excitation(
     source: Source, window: float | None = None, count: int = 100, tolerance: float = NOT_LEARNABLE
@@ -372,6 +366,6 @@ def sliding_excitation(
     unit = scenario.units.time
     found = []
     for start, a, b in zip(starts.tolist(), left, right, strict=True):
-        factors = {axis: joined(pieces[i, a:b]) for i, axis in enumerate(names)}
+        factors = {axis: whole_factor(pieces[i, a:b]) for i, axis in enumerate(names)}
         found.append(Excitation(start, window, along.trajectory, unit, names, factors, tolerance))
     return SlidingExcitation(window, starts, tuple(found))

@@ -26,9 +26,9 @@ from .gramian import (
     NOT_LEARNABLE,
     Excitation,
     excitation_rows,
-    joined,
     parameter_names,
     piece_factors,
+    whole_factor,
 )
 from .regressor import (
     Regressor,
@@ -119,14 +119,14 @@ def team_gramian(
     N, adapt = scenario.basis.N, scenario.learning.adapt_gains
     adapted = slice(None if adapt else N)
 
-    def found(names: dict[str, list[str]], factors: Any, trajectory: str) -> Excitation:
-        of, unit = dict(zip(names, factors, strict=True)), scenario.units.time
-        return Excitation(first, last - first, trajectory, unit, names, of, tolerance)
+    def excitation(names: dict[str, list[str]], factors: Any, trajectory: str) -> Excitation:
+        by_axis, unit = dict(zip(names, factors, strict=True)), scenario.units.time
+        return Excitation(first, last - first, trajectory, unit, names, by_axis, tolerance)
 
     own_names = {axis: names[adapted] for axis, names in parameter_names(N).items()}
     pieces = {name: piece_factors(one)[..., adapted] for name, one in along.items()}
     vehicles = {
-        name: found(own_names, map(joined, own), along[name].trajectory)
+        name: excitation(own_names, map(whole_factor, own), along[name].trajectory)
         for name, own in pieces.items()
     }
     shared = {axis: names[:N] for axis, names in own_names.items()}
@@ -135,8 +135,8 @@ def team_gramian(
         for axis in shared
     }
     wide = [_placed(own, k, len(along), N) for k, own in enumerate(pieces.values())]
-    team = [joined(np.concatenate([one[axis] for one in wide])) for axis in range(2)]
-    return TeamExcitation(adapt, vehicles, found(names, team, one.trajectory))
+    team = [whole_factor(np.concatenate([one[axis] for one in wide])) for axis in range(2)]
+    return TeamExcitation(adapt, vehicles, excitation(names, team, one.trajectory))
 
 
 def _placed(pieces: np.ndarray, vehicle: int, vehicles: int, N: int) -> np.ndarray:
@@ -163,14 +163,14 @@ def _regressors(
     nodes = {name: quadrature(one, start, start + window) for name, one in team.members.items()}
     times = np.unique(np.concatenate([one.times.ravel() for one in nodes.values()]))
     run = finished_run(team, times)
-    said = "simulated from the team's initial values"
+    trajectory = "simulated from the team's initial values"
     return {
         name: at_nodes(
             team,
             scenario,
             run.sel(vehicle=name).isel(time=np.searchsorted(times, nodes[name].times.ravel())),
             nodes[name],
-            said,
+            trajectory,
         )
         for name, scenario in team.members.items()
     }

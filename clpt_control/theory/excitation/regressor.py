@@ -124,13 +124,13 @@ TRANSIENT = 10.0  # longest piece in time constants 1/KD
 class Regressor:
     """w at the nodes of a quadrature."""
 
-    source: Any  # what w was read of
+    source: Any  # the scenario or the run that w was read of
     scenario: Scenario  # for names, gains and the law
-    trajectory: str  # which one this is; w holds z, which depends on the learner
+    trajectory: str  # how it was made; w holds z, which depends on the learner
     cuts: np.ndarray  # (pieces + 1,), edges of the pieces, units.time; every switch is one
     weights: np.ndarray  # (pieces, NODES)
     w: np.ndarray  # [phi, z_i, zc_i], shape (2, pieces, NODES, N + 2)
-    own_law: str = ""  # the law and parts given in Python, of a recorded run
+    python_parts: str = ""  # the law and parts given in Python, of a recorded run
 
 
 class Nodes(NamedTuple):
@@ -162,17 +162,17 @@ def quadrature(
             f"{TRANSIENT:g}/vehicle.feedback; at most {MOST_PIECES:.0e} are allowed"
         )
     inner = np.concatenate([multiples(dwell, start, end), [] if edges is None else edges])
-    seen = {} if scenario.localization is None else scenario.localization.spans
-    inner = np.concatenate([inner, *(multiples(span, start, end) for span in seen.values())])
+    spans = {} if scenario.localization is None else scenario.localization.spans
+    inner = np.concatenate([inner, *(multiples(span, start, end) for span in spans.values())])
     near = 1e-9 * min(longest, end - start)
     inner = np.sort(inner[(inner > start + near) & (inner < end - near)])
-    kept = [start]
+    ends = [start]
     for edge in inner:
-        if edge - kept[-1] > near:
-            kept.append(edge)
+        if edge - ends[-1] > near:
+            ends.append(edge)
     pieces = [
         np.linspace(a, b, int(np.ceil((b - a) / longest * (1 - 1e-12))) + 1)[:-1]
-        for a, b in pairwise([*kept, end])
+        for a, b in pairwise([*ends, end])
     ]
     cuts = np.append(np.concatenate(pieces), end)
     node, weight = np.polynomial.legendre.leggauss(NODES)
@@ -215,21 +215,22 @@ def joint_regressor(
     cuts, times, weights = nodes = quadrature(scenario, start, start + window, edges)
     if isinstance(source, Scenario):
         run = finished_run(scenario, times.ravel())
-        said = "simulated from the scenario's initial values"
-        return at_nodes(source, scenario, run, nodes, said)
+        return at_nodes(
+            source, scenario, run, nodes, "simulated from the scenario's initial values"
+        )
     x, z = (
         positions_between(source, name, scenario, times)
         for name in ("position", "predicted_position")
     )
     desired = reference(scenario.waypoints, scenario.reference.dwell)
-    held = np.array([desired.output(t, [], []) for t in times.mean(1)])
-    zc = np.broadcast_to(held[:, None], z.shape)
+    waypoints = np.array([desired.output(t, [], []) for t in times.mean(1)])
+    zc = np.broadcast_to(waypoints[:, None], z.shape)
     step = np.median(np.diff(source.time.values))
     trajectory = f"recorded run, sampled each {step:g} {scenario.units.time}"
-    given = ((OWN_LAW, "the law"), (OWN_PARTS, "parts given in Python,"))
-    own_law = " and ".join(f"{what} {source.attrs[a]}" for a, what in given if a in source.attrs)
+    kinds = {OWN_LAW: "the law", OWN_PARTS: "parts given in Python,"}
+    python_parts = " and ".join(f"{kinds[a]} {source.attrs[a]}" for a in kinds if a in source.attrs)
     w = w_along(scenario, times, x, z, zc)
-    return Regressor(source, scenario, trajectory, cuts, weights, w, own_law)
+    return Regressor(source, scenario, trajectory, cuts, weights, w, python_parts)
 
 
 def finished_run(source: "Scenario | Team", times: np.ndarray) -> "xarray.Dataset":
@@ -297,18 +298,18 @@ def error_matrices(
     phi, KD = numbers("phi", phi, None), numbers("KD", KD, 2)
     z, zc = numbers("z", z, 2), numbers("zc", zc, 2)
     N, shape = phi.shape[-1], phi.shape[:-1]
-    for name, given in (("z", z), ("zc", zc)):
-        if given.shape[:-1] != shape:
+    for name, value in (("z", z), ("zc", zc)):
+        if value.shape[:-1] != shape:
             raise ArgumentError(
-                f"{name}: has shape {given.shape}; must be {(*shape, 2)}, as phi is"
+                f"{name}: has shape {value.shape}; must be {(*shape, 2)}, as phi is"
             )
     rates = _error_rates(phi, z, zc, KD, gain)
     A = np.empty((2, *shape, N + 3, N + 3))
-    for axis, own in enumerate(axis_states(N)):
-        for column, state in enumerate(own):
+    for axis, states in enumerate(axis_states(N)):
+        for column, state in enumerate(states):
             unit = np.zeros((2 * N + 6, *shape))
             unit[state] = 1.0
-            A[axis, ..., column] = np.moveaxis(rates(unit)[own], 0, -1)
+            A[axis, ..., column] = np.moveaxis(rates(unit)[states], 0, -1)
     return A + 0.0  # without -0
 
 
@@ -318,7 +319,7 @@ def regressors(phi: np.ndarray, z: np.ndarray, zc: np.ndarray) -> np.ndarray:
     unit = np.zeros((2 * N + 6, *shape))
     unit[:2] = 1.0
     rates = _error_rates(phi, z, zc, np.ones(2), 1.0)(unit)
-    return -np.stack([np.moveaxis(rates[own[1:]], 0, -1) for own in axis_states(N)])
+    return -np.stack([np.moveaxis(rates[states[1:]], 0, -1) for states in axis_states(N)])
 
 
 def _error_rates(
@@ -327,19 +328,19 @@ def _error_rates(
     """Return the blocks' function (e, eta) -> (e, eta)', both (2N + 6, ...)."""
     N = phi.shape[-1]
     blocks = error_system(N, KD), parameter_system(N, float(gain))
-    given = {name: np.moveaxis(v, -1, 0) for name, v in (("phi_x", phi), ("z", z), ("zc", zc))}
+    inputs = {name: np.moveaxis(v, -1, 0) for name, v in (("phi_x", phi), ("z", z), ("zc", zc))}
 
     def rates(X: np.ndarray) -> np.ndarray:
         parts = np.split(X, np.cumsum([2, 2 * N, 2]))
-        ports = {**given, **dict(zip(("e", "eta", "eta_3", "eta_4"), parts, strict=True))}
-        found = []
+        ports = {**inputs, **dict(zip(("e", "eta", "eta_3", "eta_4"), parts, strict=True))}
+        derivatives = []
         for block in blocks:
             x, u = (
-                np.concatenate([ports[port] for port in own])
-                for own in (block.state_ports, block.input_ports)
+                np.concatenate([ports[port] for port in names])
+                for names in (block.state_ports, block.input_ports)
             )
-            found.append(on_arrays(block, "update", 0.0, x, u))
-        return np.concatenate(found)
+            derivatives.append(on_arrays(block, "update", 0.0, x, u))
+        return np.concatenate(derivatives)
 
     return rates
 

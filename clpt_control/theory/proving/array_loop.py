@@ -9,6 +9,7 @@ holds for all of them.
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 import control
@@ -51,21 +52,19 @@ class ArrayLoop:
     states: dict[str, Any] = field(default_factory=dict)
     signals: dict[str, Any] = field(default_factory=dict)
     rates: dict[str, Any] = field(default_factory=dict)  # time derivatives of the states
-    jumps: dict[str, dict[str, Any]] = field(
-        default_factory=dict
-    )  # block -> state: what it becomes
+    jumps: dict[str, dict[str, Any]] = field(default_factory=dict)  # block -> state: its new value
     inputs: dict[str, Any] = field(default_factory=dict)  # of the diagram
     parameters: dict[str, Parameters] = field(default_factory=dict)  # block -> arrays
     elements: EveryN = field(init=False)
-    seen_undefined: list[str] = field(default_factory=list)  # in what was read so far
+    undefined_so_far: list[str] = field(default_factory=list)  # in what was read
 
     @property
     def undefined(self) -> list[str]:
-        """Where there may be no value, in sentences; all is read for it."""
+        """Where there may be no value, in sentences; reads everything."""
         for ports in (self.signals, self.rates, *self.jumps.values()):
             for value in ports.values():
                 self.elements.of(value)
-        return self.seen_undefined
+        return self.undefined_so_far
 
     def derivative(self, value: Any) -> Any:
         """Return the time derivative along the equations, as an array.
@@ -82,24 +81,20 @@ class ArrayLoop:
         """Return any direction of a state, as an array of its shape."""
         return self.tape.add("leaf", (), self.states[state].shape, ("d", state))
 
-    @property
+    @cached_property
     def _direction(self) -> Direction:
-        if not hasattr(self, "_along"):
-            along: dict[Any, Any] = {
-                operand(s): self.rates[name] for name, s in self.states.items()
-            }
-            for k, operation in enumerate(self.tape.operations):
-                if operation.kind == "leaf" and operation.at[0] in ("u", "o"):
-                    at = (f"{operation.at[0]}'", operation.at[1])
-                    along[k] = self.tape.add("leaf", (), operation.shape, at)
-                elif operation.kind == "leaf" and operation.at[0] == "t":
-                    along[k] = 1.0
-            self._along = Direction(self.tape, along, smooth=True)
-        return self._along
+        along: dict[Any, Any] = {operand(s): self.rates[name] for name, s in self.states.items()}
+        for k, operation in enumerate(self.tape.operations):
+            if operation.kind == "leaf" and operation.at[0] in ("u", "o"):
+                at = (f"{operation.at[0]}'", operation.at[1])
+                along[k] = self.tape.add("leaf", (), operation.shape, at)
+            elif operation.kind == "leaf" and operation.at[0] == "t":
+                along[k] = 1.0
+        return Direction(self.tape, along, smooth=True)
 
 
 class _Names:
-    """What each leaf of a loop is called, and its elements on symbols."""
+    """The leaves of a loop, by the paper's names, and their elements on symbols."""
 
     def __init__(self, blocks: list[Block], loop: ArrayLoop, known: Known):
         self.loop, self.known = loop, known
@@ -107,12 +102,12 @@ class _Names:
         self.values: dict[str, Any] = {}  # of parameters
         self.declared: dict[str, Shape] = {}
         for block in blocks:
-            for own, value in block.parameters._asdict().items():
-                self.values.setdefault(self.fields[block.name, own], value)
+            for name, value in block.parameters._asdict().items():
+                self.values.setdefault(self.fields[block.name, name], value)
 
-    def parameter(self, block: Block, own: str, shape: Shape) -> Any:
+    def parameter(self, block: Block, parameter: str, shape: Shape) -> Any:
         """Return a parameter as an array of the loop."""
-        name, tape = self.fields[block.name, own], self.loop.tape
+        name, tape = self.fields[block.name, parameter], self.loop.tape
         if name not in SCALARS:
             return tape.add("leaf", (), shape, ("p", name))
         one = tape.add("leaf", (), (), ("p", name))
@@ -123,13 +118,13 @@ class _Names:
         block = node.system
         if group == "p":
             return self.parameter(block, name, shape)
-        called = self.states[block.name, name]
-        self.declared[called] = block.declared["states"][name]
+        state = self.states[block.name, name]
+        self.declared[state] = block.declared["states"][name]
         return self.loop.states.setdefault(
-            called, self.loop.tape.add("leaf", (), shape, ("x", called))
+            state, self.loop.tape.add("leaf", (), shape, ("x", state))
         )
 
-    def given(self, port: str, shape: Shape, declared: Shape) -> Any:
+    def input(self, port: str, shape: Shape, declared: Shape) -> Any:
         """Return an input of the diagram."""
         self.declared[port] = declared
         return self.loop.tape.add("leaf", (), shape, ("u", port))
@@ -141,9 +136,8 @@ class _Names:
             return TIME
         if group == "p":
             return self.known(parameter_symbol(name, self.values[name], index), index)
-        shown = ("d " if group == "d" else "") + name + ("'" if group.endswith("'") else "")
-        called = element_name(shown, self.declared[name], index)
-        return sympy.Symbol(called, real=True)
+        port = ("d " if group == "d" else "") + name + ("'" if group.endswith("'") else "")
+        return sympy.Symbol(element_name(port, self.declared[name], index), real=True)
 
 
 def array_loop(
@@ -155,7 +149,7 @@ def array_loop(
     """Read a diagram's equations as arrays.
 
     Sizes that have names stay open unless `closed`.  States that jump are refused unless `jumps`:
-    the caller then judges what V does there.  `known` gives what stands for a parameter's element.
+    the caller then checks what V does there.  `known` gives what stands for a parameter's element.
     """
     wiring = wiring_of(diagram)
     refuse_unproved(wiring, jumps)
@@ -172,20 +166,20 @@ def array_loop(
         }
 
     found = joined(
-        diagram, wiring, names.leaf, names.given, stand_in, tape=loop.tape, closed=closed
+        diagram, wiring, names.leaf, names.input, stand_in, tape=loop.tape, closed=closed
     )
     refuse_pinned(found.pinned)
     loop.inputs = found.inputs
     loop.signals = {port: value for (_, port), value in found.signals.items()}
     block_of = {node.name: node.system for node in wiring.nodes}
     for name, block in block_of.items():
-        held = {
+        fields = {
             field: value
             if isinstance(value, int)
             else names.parameter(block, field, found.fields[name][field])
             for field, value in block.parameters._asdict().items()
         }
-        loop.parameters[block.name] = Parameters(**held)
+        loop.parameters[block.name] = Parameters(**fields)
     for (name, port), value in found.rates.items():
         loop.rates[names.states[block_of[name].name, port]] = value
     for (name, port), value in found.jumps.items():
@@ -196,7 +190,7 @@ def array_loop(
         owner = found.owners.get(place)
         sentence = owner and no_value(owner, name, arguments)
         if sentence:
-            loop.seen_undefined.append(f"{owner} {sentence}")
+            loop.undefined_so_far.append(f"{owner} {sentence}")
 
     loop.elements = EveryN(loop.tape.operations, names.element, watch)
     return loop
@@ -214,7 +208,7 @@ def no_value(owner: str, name: str, arguments: tuple) -> str | None:
 
 
 def refuse_pinned(pinned: Iterable[tuple[str, str]]) -> None:
-    """Refuse parameters whose values were asked for."""
+    """Refuse parameters on whose values the equations depend, as by an `if`."""
     for name, own in sorted(pinned):
         raise DiagramError(
             f"{name}: asks for the value of its parameter {own}, as an `if` does, so nothing would "
@@ -223,7 +217,7 @@ def refuse_pinned(pinned: Iterable[tuple[str, str]]) -> None:
 
 
 def refuse_unproved(wiring: Wiring, jumps: bool) -> None:
-    """Refuse what no proof speaks of: discrete time, blocks that sample, and jumps unless taken."""
+    """Refuse discrete time, blocks that sample, and jumps unless `jumps`: no proof is of them."""
     blocks = blocks_of(wiring)
     name = next((block.name for block in blocks if block.first_held is not None or wiring.dt), None)
     if name is not None:

@@ -46,10 +46,10 @@ from ...scenario.team import LAW, Team
 from ...simulation.loops import error_loop, paper_blocks, team_blocks
 from .fixes import fix_steps
 from .kept_relations import GIVEN, kept_steps
-from .limited_speed import LIMITS
+from .limited_speed import LIMITED_SPEED
 from .misprints import misprints
 from .own_law import prove
-from .proof import Proof, Step, first_failure, judged, where_all_hold
+from .proof import Proof, Step, first_failure, proof_or_failure, where_all_hold
 from .running_rate import running_step
 from .symbolic_loop import symbolic_loop
 from .theorem_loop import (
@@ -72,7 +72,7 @@ MEAN = f"{GIVEN}: in the mean |e| <= |(theta - theta_hat) phi| over the least of
 
 def judged_law(law: Law) -> Proof:
     """Judge one law; equations that cannot be read leave it open."""
-    return judged("open", lambda: _of_law(law))
+    return proof_or_failure("open", lambda: _of_law(law))
 
 
 def _of_law(law: Law) -> Proof:
@@ -199,9 +199,9 @@ class Part(NamedTuple):
         if self.room == "laws":
             return judged_law(LAWS[self.name])
         if self.room == "team":
-            return judged("open", judged_team)
-        proofs = THEOREMS if self.room == "theorems" else LIMITS
-        return judged("failed", proofs[self.name])
+            return proof_or_failure("open", judged_team)
+        proofs = THEOREMS if self.room == "theorems" else LIMITED_SPEED
+        return proof_or_failure("failed", proofs[self.name])
 
 
 Verdicts = dict[Part, Verdict]
@@ -214,7 +214,7 @@ def parts(theorem: str | None = None) -> list[Part]:
     found = [Part("theorems", name) for name in THEOREMS if theorem in (None, name)]
     if theorem is None:
         found.append(Part("team"))
-        found += [Part("limited_speed", name) for name in LIMITS]
+        found += [Part("limited_speed", name) for name in LIMITED_SPEED]
         found += [Part("laws", name) for name in LAWS]
     return [*found, Part("misprints")]
 

@@ -1,6 +1,6 @@
-"""A law with its V on symbols and running, and what can be asked of them.
+"""A law with its V on symbols and running, and the steps of its proof.
 
-`verdict` puts the answers together.
+`verdict` puts them together.
 """
 
 from dataclasses import dataclass
@@ -18,9 +18,10 @@ from ...equations.symbolic import base_and_term, reindexed
 from .array_loop import TIME, array_loop
 from .leaks import Bound, listed
 from .proof import Step, checked, exact, short
-from .running_rate import numbers, running_step
+from .running_rate import V_and_rates, running_step
 from .signs import (
     MOST_TERMS,
+    Facts,
     dead_zone,
     nonpositive,
     positive_definite,
@@ -51,26 +52,26 @@ class Case:
     V: Block
     law: Block
     weights: dict[Any, sympy.Expr]  # V's symbols -> what they are of the law's or of the truth's
-    fitted: bool
+    refutes: bool  # whether V' > 0 refutes the law: V was fitted to it
     points: int
     seed: int
-    given: tuple[sympy.Expr, ...] = ()  # what is not negative
+    facts: Facts = ()
 
     def __post_init__(self) -> None:
         """Read V and V'."""
         loop, law, weights = self.loop, self.law, self.weights
         refuse_no_value(loop, self.V.name)
-        self.tied = {s: own for s, own in weights.items() if s != own}
-        self.own = law.name, self.V.name
-        others = (p for name, p in loop.parameters.items() if name not in self.own)
+        self.tied = {s: weight for s, weight in weights.items() if s != weight}
+        self.names = law.name, self.V.name
+        others = (p for name, p in loop.parameters.items() if name not in self.names)
         hidden = {s for p in others for s in flat(p)}
         self.values = {s: v for s, v in loop.values.items() if s not in hidden}
         self.moving = {TIME, *loop.motion}
-        self.kept: tuple[str, ...] = ()
+        self.fixed: tuple[str, ...] = ()  # blocks whose parameters have their own values
         V = loop.signals["V"][0].xreplace(weights)
         alone = set(flat(loop.parameters[self.V.name])) - set(flat(loop.parameters[law.name]))
         if V.free_symbols & alone & self.values.keys():  # V has numbers of its own
-            self.keep()
+            self.fix_values()
         self.Vs = V.xreplace(self.weights)
         self.e = sympy.symbols("e_1:3", real=True)
         x, z = loop.states["x"], loop.states["z"]
@@ -81,8 +82,8 @@ class Case:
             zone, V = dead_zone(V, e)
             self.zones.append(zone)
         self.V_of_D = V
-        rate = loop.derivative(loop.signals["V"][0])  # V's own symbols, then those of the law
-        self.rate = tidied(rate.xreplace(weights).xreplace(self.weights))
+        of_law = rate_of_V(loop).xreplace(weights)  # V's own symbols, then those of the law
+        self.rate = tidied(of_law.xreplace(self.weights))
         self.rest = _or_zero(self.rate - self.fall)
 
     @cached_property
@@ -90,11 +91,11 @@ class Case:
         """Return what V' has beyond its fall, at the blocks' own values."""
         return _or_zero(self.rest.xreplace(self.values))
 
-    def keep(self) -> None:
-        """Judge the law and V with their own values; of V what is of the truth stays so."""
-        self.kept = self.own
-        made = {s: e.xreplace(self.values) for s, e in self.weights.items()}
-        self.weights = self.values | made
+    def fix_values(self) -> None:
+        """Give the law and V their own values; V's symbols of the truth stay."""
+        self.fixed = self.names
+        weights = {s: e.xreplace(self.values) for s, e in self.weights.items()}
+        self.weights = self.values | weights
         self.tied = {s: e for s, e in self.tied.items() if e.free_symbols - self.values.keys()}
 
     @cached_property
@@ -106,20 +107,20 @@ class Case:
 
     @cached_property
     def errors(self) -> list[tuple[list[Any], sympy.Expr]]:
-        """Of each thing that is learned the states that make it, and its error, where e = 0."""
-        ports, own, truth = self.loop.signals, set(self.loop.motion), truth_in(self.loop)
+        """The states that make each learned parameter, and its error, where e = 0."""
+        ports, states, truth = self.loop.signals, set(self.loop.motion), truth_in(self.loop)
         x, z = self.loop.states["x"], self.loop.states["z"]
         true = {"alpha": -truth.theta.ravel(), "K": truth.KD, "Gamma": truth.GammaD}
-        found = [
+        errors = [
             sympy.expand(made.xreplace(dict(zip(x, z, strict=True))) - true[port][k])
             for port in true
             for k, made in enumerate(ports[port].flat)
         ]
-        return [(sorted(error.free_symbols & own, key=str), error) for error in found]
+        return [(sorted(error.free_symbols & states, key=str), error) for error in errors]
 
     @cached_property
     def truth(self) -> dict[Any, sympy.Expr]:
-        """Where each error is zero, of states that make what is learned linearly."""
+        """Where each error is zero, of states that make a learned parameter linearly."""
         true = dict(zip(self.loop.states["x"], self.loop.states["z"], strict=True))
         for of, error in self.errors:
             if len(of) == 1 and sympy.diff(error, *of).is_nonzero and not error.diff(of[0], 2):
@@ -128,7 +129,7 @@ class Case:
 
     @property
     def learned(self) -> list[Any]:
-        """The states that make what is learned, which V has to hold."""
+        """The states that make learned parameters, which V has to hold."""
         return list(dict.fromkeys(s for of, _ in self.errors for s in of))
 
     def definite(self) -> Step:
@@ -161,8 +162,8 @@ class Case:
         """Return the step that the equations have a value everywhere."""
         mine = f"{self.V.name}."  # a V that leaves the range of numbers is a V
         none = (s for s in self.loop.undefined if not (s.startswith(mine) and s.endswith("large")))
-        said = next(none, "")
-        return exact("the equations have a value everywhere", not said, said)
+        undefined = next(none, "")
+        return exact("the equations have a value everywhere", not undefined, undefined)
 
     def comes_to_zones(self) -> Bound:
         """Return what e comes to where V' falls but for dead zones."""
@@ -181,14 +182,14 @@ class Case:
     def takes_delta(self) -> bool:
         """Return whether a disturbance adds (dV/de)^T Delta to V' and nothing else."""
         loop = self.disturbed
-        rate = loop.derivative(loop.signals["V"][0]).xreplace(self.weights)
+        rate = rate_of_V(loop).xreplace(self.weights)
         V, delta = self.Vs.xreplace(self.apart), zip(self.e, loop.inputs["delta"], strict=True)
         pushed = sympy.Add(*(along(V, {e: sympy.S.One}) * d for e, d in delta)).xreplace(
             self.together
         )
         return tidied(rate - self.rate - pushed) == 0
 
-    def keeps_decay(self) -> bool:
+    def has_decay(self) -> bool:
         """Return whether V' has -e^T KD e, or more of it."""
         rest = self.rest.xreplace(self.values)
         x = self.loop.states["x"]
@@ -204,20 +205,19 @@ class Case:
         apart = self.moving - {TIME} | rest.free_symbols - set(self.values) - {TIME}
         if rest == 0:
             return True
-        if not self.given and positive_somewhere(rest.xreplace(self.values), self.seed):
+        if not self.facts and positive_somewhere(rest.xreplace(self.values), self.seed):
             return False
         e = set(self.e)
         ways = apart - set(self.loop.states["z"]) - e, e, apart
-        return any(nonpositive(rest, apart, self.values, self.given, by) for by in ways)
+        return any(nonpositive(rest, apart, self.values, self.facts, by) for by in ways)
 
     def across_jumps(self) -> Step:
         """Return the step that V does not rise where states jump, whichever jump at once."""
 
         def no_rise() -> tuple[bool, str]:
-            V = self.Vs
-            own = self.loop.parameters.values()
-            steps = {p.interval for p in own if "interval" in p._fields}
-            if V.free_symbols & steps or V.atoms(AppliedUndef):
+            V, parameters = self.Vs, self.loop.parameters.values()
+            intervals = {p.interval for p in parameters if "interval" in p._fields}
+            if V.free_symbols & intervals or V.atoms(AppliedUndef):
                 return False, "V itself depends on time"
             for after in self.loop.jumps_at_once():
                 rise = tidied(V.xreplace(after) - V).xreplace(self.values)
@@ -230,9 +230,9 @@ class Case:
 
     @property
     def others(self) -> list[str]:
-        """The states that V need not hold: all but e's and what is learned."""
-        held, states = {*self.learned, *self.loop.states["z"]}, self.loop.states
-        return [port for port in states if port != "x" and {*states[port].flat} - held]
+        """The states that V need not hold: all but e's and those that make learned parameters."""
+        in_V, states = {*self.learned, *self.loop.states["z"]}, self.loop.states
+        return [port for port in states if port != "x" and {*states[port].flat} - in_V]
 
     def existing(self) -> Step:
         """Return the step that the other states exist for all times."""
@@ -240,11 +240,11 @@ class Case:
         moves = {f"{port}'": loop.rates[port] for port in self.others}
         moves |= {
             f"{s} after a jump": new
-            for own in loop.jumps.values()
-            for s, new in own.items()
+            for jump in loop.jumps.values()
+            for s, new in jump.items()
             if any(s in loop.states[port] for port in self.others)
         }
-        at = {what: [m.xreplace(self.values) for m in np.ravel(own)] for what, own in moves.items()}
+        at = {what: [m.xreplace(self.values) for m in np.ravel(one)] for what, one in moves.items()}
         detail = faster_than_linear(at, {port: loop.states[port] for port in self.others})
         claim = f"{', '.join(self.others)}: not in V, may grow, and exist for all t"
         return exact(claim, not detail, detail)
@@ -258,7 +258,7 @@ class Case:
 
     def running(self) -> Step:
         """Return the step that the running blocks have the same V', or V and rates."""
-        known: dict[str, Any] = {"seed": self.seed, "tied": self.tied, "kept": self.kept}
+        known: dict[str, Any] = {"seed": self.seed, "tied": self.tied, "fixed": self.fixed}
         V = self.loop.signals["V"][0]
         if degree_of(self.loop) <= EXACT and not V.has(TIME):
             square = sum(e**2 for e in self.loop.signals["e"])  # multiplied out it loses digits
@@ -266,7 +266,7 @@ class Case:
             return running_step(lambda: (self.diagram, self.loop, fall), self.points, **known)
         wanted = [V, *self.loop.motion.values()]
         return running_step(
-            lambda: (self.diagram, self.loop, wanted), self.points, gauge=numbers, **known
+            lambda: (self.diagram, self.loop, wanted), self.points, gauge=V_and_rates, **known
         )
 
     def every(self) -> Step:
@@ -279,7 +279,7 @@ class Case:
                 return False, loop.undefined[0]
             read = loop.elements.of
             moves, states = (
-                {port: read(own[port]) for port in self.others} for own in (loop.rates, loop.states)
+                {port: read(one[port]) for port in self.others} for one in (loop.rates, loop.states)
             )
             if faster := faster_than_linear(moves, states):
                 return False, faster
@@ -293,26 +293,26 @@ class Case:
     def of_every_N(self, symbol: sympy.Expr, index: Index) -> sympy.Expr:
         """Return a parameter's element for every N: V's gains are the law's, as for this N."""
         generic = [one for one in index if isinstance(one, str)]
-        found = self.weights.get(symbol, symbol)
-        if found == symbol and len(generic) == 1:
+        weight = self.weights.get(symbol, symbol)
+        if weight == symbol and len(generic) == 1:
             names = [{generic[0]: str(k + 1)} for k in range(self.loop.N or 0)]
             mine = [reindexed(symbol, name) for name in names]
             theirs = [self.weights.get(s, s) for s in mine]
-            if self.kept:
-                theirs = [own.xreplace(self.values) for own in theirs]
+            if self.fixed:
+                theirs = [gain.xreplace(self.values) for gain in theirs]
             each = [_of_function(gain, generic[0]) for gain in theirs[:1]]
             for gain in (*each, *theirs[:1]):  # a gain each, or one for all
                 if all(
-                    reindexed(gain, name) == own for name, own in zip(names, theirs, strict=True)
+                    reindexed(gain, name) == one for name, one in zip(names, theirs, strict=True)
                 ):
-                    found = gain
-        return found.xreplace(self.values) if self.kept else found
+                    weight = gain
+        return weight.xreplace(self.values) if self.fixed else weight
 
 
 def _or_zero(expression: sympy.Expr) -> sympy.Expr:
     """Return an expression multiplied out, zero where its divisions cancel."""
-    found = tidied(expression)
-    return sympy.S.Zero if found.atoms(sympy.Pow) and vanishes(found) else found
+    sums = tidied(expression)
+    return sympy.S.Zero if sums.atoms(sympy.Pow) and vanishes(sums) else sums
 
 
 def _of_function(expression: sympy.Expr, index: str) -> sympy.Expr:

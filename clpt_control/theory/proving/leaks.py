@@ -8,7 +8,7 @@ Leaks are what a law has beyond the paper's, where a factor f >= 0 pulls states 
 
     V' = -e^T KD e - sum over groups of f w s^T (s - s*),    s* the true values, w > 0
 
-is read off V', each f a product of words and roots.  What is known of f then bounds V:
+is read off V', each f a product of words and roots.  The kind of f then bounds V:
 
 - **f rises with |s|**, zero up to M and h from R on.  It is h but within R, where the difference
   is at most h w (R^2 + |s*| R): V' <= (V' with f = h) + that, whatever s* is.
@@ -41,9 +41,9 @@ class Pull(NamedTuple):
 
 
 class Bound(NamedTuple):
-    """What V comes to, and a sentence about it."""
+    """What V comes to, in a sentence and as a level."""
 
-    says: str
+    sentence: str
     level: sympy.Expr | None = None  # in theta, KD, GammaD and the bounds Delta_1, Delta_2
 
 
@@ -71,13 +71,12 @@ class Radial(NamedTuple):
 
 def leaks_of(rest: sympy.Expr, truth: dict, moving: set) -> list[Leak]:
     """Return the leaks that V' has beyond -e^T KD e; none where it has anything else."""
-    found: dict[sympy.Expr, sympy.Expr] = {}
+    parts: dict[sympy.Expr, sympy.Expr] = {}  # by the factor of the leak
     for term in sympy.Add.make_args(sympy.expand(rest)):
-        own = [f for f in sympy.Mul.make_args(term) if _is_factor(f, moving)]
-        factor = sympy.Mul(*own)
-        found[factor] = found.get(factor, sympy.Integer(0)) + term / factor
+        factor = sympy.Mul(*(f for f in sympy.Mul.make_args(term) if _is_factor(f, moving)))
+        parts[factor] = parts.get(factor, sympy.Integer(0)) + term / factor
     leaks = []
-    for factor, part in found.items():
+    for factor, part in parts.items():
         states = tuple(s for s in truth if part.has(s))
         if not states or not all(map(_not_negative, sympy.Mul.make_args(factor))):
             return []
@@ -133,11 +132,11 @@ def pulled(rate: sympy.Expr, V: sympy.Expr, truth: dict, moving: set) -> Pull | 
     push, rates = sympy.Integer(0), []
     for k, s in enumerate(states):
         part = groups.get((s,), sympy.S.Zero)
-        bounded = _pull_of(part, s, moves) or _leak_of(part, s, truth[s])
-        if bounded is None:
+        pull = _pull_of(part, s, moves) or _leak_of(part, s, truth[s])
+        if pull is None:
             return None
-        push += bounded.push
-        rates.append(bounded.rate / weights[k, k])
+        push += pull.push
+        rates.append(pull.rate / weights[k, k])
     return None if push == 0 else Pull(sympy.Min(*rates), push)
 
 
@@ -162,16 +161,16 @@ def _leak_of(part: sympy.Expr, s: sympy.Symbol, true: sympy.Expr) -> Pull | None
     if not of_a.is_polynomial(a):
         return None
     share, rest = sympy.div(of_a, sympy.expand(-a * (a - true)), a)
-    found, slowest = sympy.S.Zero, sympy.S.Zero
+    push, slowest = sympy.S.Zero, sympy.S.Zero
     for (power,), f in sympy.Poly(share, a).terms() if rest == 0 else ():
         low, high = interval(f)
         if power % 2 or low.is_negative or not high.is_finite:
             return None
         if power == 0 and low.is_positive:
-            slowest, found = low, found + high * true**2 / 2
+            slowest, push = low, push + high * true**2 / 2
         else:
-            found += high * true ** (power + 2) / 4
-    return Pull(slowest, found) if found != 0 else None
+            push += high * true ** (power + 2) / 4
+    return Pull(slowest, push) if push != 0 else None
 
 
 def _moves(expression: sympy.Expr, moving: set) -> bool:
@@ -179,15 +178,15 @@ def _moves(expression: sympy.Expr, moving: set) -> bool:
 
 
 class Bounding:
-    """V' of a case, at the numbers of its parameters, and what it says of V."""
+    """The bounds of V that follow from V' of a case, at the numbers of its parameters."""
 
     def __init__(self, case: Any):
         """Read what a `law_case.Case` has."""
         at = case.values
         self.rate, self.rest, self.V = (e.xreplace(at) for e in (case.rate, case.rest, case.Vs))
         self.truth = {s: true.xreplace(at) for s, true in case.truth.items()}
-        self.moving, self.decays = case.moving, case.keeps_decay()
-        self.rates = {s: own.xreplace(at) for s, own in case.loop.motion.items()}
+        self.moving, self.decays = case.moving, case.has_decay()
+        self.rates = {s: rate.xreplace(at) for s, rate in case.loop.motion.items()}
         self.KD = list(case.loop.parameters["vehicle_controller"].KD)
         self.leaks = leaks_of(self.rest, self.truth, self.moving)
         H, self.k = sympy.hessian(self.V, list(self.truth)), sympy.Min(*self.KD)
@@ -207,18 +206,18 @@ class Bounding:
             pull = pulled(self.rate, self.V, self.truth, self.moving)
         if pull is not None:
             return self.pulled_to(pull)
-        return self.rising() or self.by_error() or self.kept_within() if self.leaks else None
+        return self.rising() or self.by_error() or self.within_balls() if self.leaks else None
 
     def pulled_to(self, pull: Pull) -> Bound:
         """Return what V or e comes to, with Delta: e Delta <= KD e^2/2 + Delta^2/(2 KD)."""
         push = pull.push + sum(d**2 / (2 * k) for d, k in zip(self.delta, self.KD, strict=True))
-        shown, rate = push.n(4), pull.rate.n(4)
+        number, rate = push.n(4), pull.rate.n(4)
         if rate == 0:
             return Bound(
-                f"V' <= -e^T KD e/2 + {shown}: in the mean e^T KD e is at most {2 * shown}"
+                f"V' <= -e^T KD e/2 + {number}: in the mean e^T KD e is at most {2 * number}"
             )
-        said = f"V' <= -{rate} V + {shown}: V comes down to {shown / rate}"
-        return Bound(said, push / pull.rate)
+        sentence = f"V' <= -{rate} V + {number}: V comes down to {number / rate}"
+        return Bound(sentence, push / pull.rate)
 
     def size(self, leak: Leak) -> sympy.Expr:
         """Return |s*|."""
@@ -228,18 +227,18 @@ class Bounding:
         """Return the bound where every factor rises with |s|."""
         full, more, within = self.rate, sympy.Integer(0), []
         for leak in self.leaks:
-            own = _radial(leak)
-            if own is None or leak.factor != own.word:
+            radial = _radial(leak)
+            if radial is None or leak.factor != radial.word:
                 return None
-            full = full.subs(own.word, own.top)
-            more += own.top * leak.weight * (own.R**2 + self.size(leak) * own.R)
-            within.append(f"{self.size(leak)} <= {float(own.M):.4g}")
+            full = full.subs(radial.word, radial.top)
+            more += radial.top * leak.weight * (radial.R**2 + self.size(leak) * radial.R)
+            within.append(f"{self.size(leak)} <= {float(radial.M):.4g}")
         pull = pulled(sympy.expand(full), self.V, self.truth, self.moving)
         if pull is None:
             return None
         bound = self.pulled_to(Pull(pull.rate, pull.push + more))
-        said = f"; where {listed(within)}, V' <= -e^T KD e without Delta"
-        return Bound(bound.says + said, bound.level)
+        more_known = f"; where {listed(within)}, V' <= -e^T KD e without Delta"
+        return Bound(bound.sentence + more_known, bound.level)
 
     def by_error(self) -> Bound | None:
         """Return the bound where the one factor is |e|."""
@@ -254,19 +253,19 @@ class Bounding:
         level = sympy.Max(c**2 / (2 * self.k**2), slowest * c / leak.weight)
         return Bound(f"V' <= 0 where V >= {level.n(4)}, so V never rises above it", level)
 
-    def kept_within(self) -> Bound | None:
+    def within_balls(self) -> Bound | None:
         """Return the bound where what is learned stays within balls."""
         if not self.all_leak:
             return None
         level, within = self.push**2 / (2 * self.k**2), []
         for leak in self.leaks:
-            own = _radial(leak)
-            if own is None or own.top != 1 or not self.stays(leak, own):
+            radial = _radial(leak)
+            if radial is None or radial.top != 1 or not self.stays(leak, radial):
                 return None
             slowest = sympy.Max(*(self.weights[s] for s in leak.states))
-            level += slowest * (own.R + self.size(leak)) ** 2 / 2
+            level += slowest * (radial.R + self.size(leak)) ** 2 / 2
             port = leak.states[0].name.partition("_")[0]
-            radius, largest = f"|{port}| <= {float(own.R):.4g}", f"{float(own.M):.4g}"
+            radius, largest = f"|{port}| <= {float(radial.R):.4g}", f"{float(radial.M):.4g}"
             within.append((f"{self.size(leak)} <= {largest}", radius))
         truths, radii = map(listed, zip(*within, strict=True))
         return Bound(
@@ -275,19 +274,19 @@ class Bounding:
             level,
         )
 
-    def stays(self, leak: Leak, own: Radial) -> bool:
+    def stays(self, leak: Leak, radial: Radial) -> bool:
         """Return whether |s| never grows where |s| >= R: s^T s' = o - max(o, 0)."""
         outward = [f for f in leak.factor.atoms(AppliedUndef) if f.args[-1] == 0]
         divisor = [f for f in leak.factor.atoms(AppliedUndef) if positive_maximum(f)]
         if len(outward) != 1 or len(divisor) != 1:
             return False
         (taken,), (least,) = outward, divisor
-        if leak.factor != own.word * taken / least or str(taken.func) != "maximum":
+        if leak.factor != radial.word * taken / least or str(taken.func) != "maximum":
             return False
-        if sympy.expand(least.args[0] - leak.square) != 0 or least.args[1] > own.R**2:
+        if sympy.expand(least.args[0] - leak.square) != 0 or least.args[1] > radial.R**2:
             return False
         n, part, o = sympy.Dummy(nonnegative=True), sympy.Dummy(), taken.args[0]
-        beyond = {own.word: own.top, taken: o + n, least: 1 / part}
+        beyond = {radial.word: radial.top, taken: o + n, least: 1 / part}
         power = sympy.expand(sympy.Add(*(s * self.rates[s] for s in leak.states)))
         power = sympy.expand(power.xreplace(beyond))
         rest = power.subs(part, 0) * leak.square + sympy.diff(power, part)

@@ -1,4 +1,4 @@
-"""The steps behind the theorems: signals are bounded, the errors observable, a circle excites.
+"""The steps behind the theorems: signals are bounded, errors are observable, a circle excites.
 
 Theorem 3.2:
 
@@ -29,8 +29,8 @@ Waypoints on a circle, section IV:
 
     int zc zc^T dt = (n tau r^2 / 2) I            n >= 3 waypoints, one cycle
 
-A turn R by 2 pi/n takes each waypoint to the next, so M = sum zc zc^T is R M R^T.  M R = R M with
-sin(2 pi/n) > 0, n >= 3, leaves M = m I, and 2 m = tr M = n r^2.
+A rotation R by 2 pi/n takes each waypoint to the next, so M = sum zc zc^T is R M R^T.  M R = R M
+with sin(2 pi/n) > 0, n >= 3, leaves M = m I, and 2 m = tr M = n r^2.
 """
 
 from typing import Any
@@ -46,6 +46,7 @@ from .array_loop import ArrayLoop, array_loop
 from .proof import Step, checked, cited
 from .theorem_loop import (
     WIRED,
+    Hedging,
     Loop,
     decay,
     known_positive,
@@ -59,16 +60,16 @@ from .theorem_loop import (
 Errors = dict[str, Any]
 
 
-def learned() -> Diagram:
+def learned_loop(speed: Hedging = "no limit") -> Diagram:
     """Return the learned-flow law's loop."""
-    return theorem_loop(WIRED, "learned-flow")
+    return theorem_loop(WIRED, "learned-flow", speed=speed)
 
 
 def errors(loop: Loop) -> Errors:
     """Return e and eta: theta + alpha, K - KD and GammaD - Gamma."""
     p, s, car = loop.parameters, loop.states, loop.parameters["vehicle_controller"]
-    found = {"e": s["x"] - s["z"], "eta_3": s["K"] - car.KD, "eta_4": car.GammaD - s["Gamma"]}
-    return {**found, "eta": p["true_flow"].theta + s["alpha"]} if "alpha" in s else found
+    first = {"e": s["x"] - s["z"], "eta_3": s["K"] - car.KD, "eta_4": car.GammaD - s["Gamma"]}
+    return {**first, "eta": p["true_flow"].theta + s["alpha"]} if "alpha" in s else first
 
 
 def definite_step(law: str) -> Step:
@@ -76,11 +77,11 @@ def definite_step(law: str) -> Step:
     equation = "(17)" if law == "known-flow" else "(24)"
 
     def rest(loop: ArrayLoop) -> list[Any]:
-        p, own = loop.parameters["lyapunov"], errors(loop)
+        p, each = loop.parameters["lyapunov"], errors(loop)
         gains = {"e": 1.0, "eta": p.gain, "eta_3": p.gain_K, "eta_4": p.gain_Gamma}
-        for name in own:
+        for name in each:
             known_positive(loop, "a gain", gains[name])
-        squares = (np.sum(error**2 / gains[name]) for name, error in own.items())
+        squares = (np.sum(error**2 / gains[name]) for name, error in each.items())
         return [loop.signals["V"][0] - sum(squares) / 2]
 
     return zero_step(
@@ -98,7 +99,7 @@ def dissipation_step() -> Step:
         known_positive(loop, "KD", loop.parameters["vehicle_controller"].KD)
         return [rate_of_V(loop) - decay(loop)]
 
-    return zero_step("V' <= 0: -e^T KD e is negative definite in e for KD > 0", learned, rest)
+    return zero_step("V' <= 0: -e^T KD e is negative definite in e for KD > 0", learned_loop, rest)
 
 
 def young_step() -> Step:
@@ -114,11 +115,11 @@ def young_step() -> Step:
     )
 
 
-def error_rates(own: Errors, KD: Any, gamma: Any, phi: Any, z: Any, zc: Any) -> Errors:
+def error_rates(error: Errors, KD: Any, gamma: Any, phi: Any, z: Any, zc: Any) -> Errors:
     """Return e' = -KD e + W^T eta, Eq. (27) with z eta_3, and eta' = -gamma W e, Eq. (28)."""
-    e = own["e"]
+    e = error["e"]
     return {
-        "e": -KD * e + own["eta"] @ phi + z * own["eta_3"] + zc * own["eta_4"],
+        "e": -KD * e + error["eta"] @ phi + z * error["eta_3"] + zc * error["eta_4"],
         "eta": -gamma * np.outer(e, phi),
         "eta_3": -gamma * z * e,
         "eta_4": -gamma * zc * e,
@@ -128,8 +129,8 @@ def error_rates(own: Errors, KD: Any, gamma: Any, phi: Any, z: Any, zc: Any) -> 
 def wanted_rates(loop: Loop, before_eta_3: str = "z") -> Errors:
     """Return the rates of the closed loop's errors as the paper has them, z eta_3 in e'."""
     p, inputs = loop.parameters, loop.inputs
-    given = inputs["phi_x"], loop.states[before_eta_3], inputs["zc"]
-    return error_rates(errors(loop), p["vehicle_controller"].KD, p["adaptation"].gain, *given)
+    signals = inputs["phi_x"], loop.states[before_eta_3], inputs["zc"]
+    return error_rates(errors(loop), p["vehicle_controller"].KD, p["adaptation"].gain, *signals)
 
 
 def convergence_steps() -> list[Step]:
@@ -153,21 +154,23 @@ def convergence_steps() -> list[Step]:
 
     return [
         zero_step(
-            "Eq. (9): x' + KD x holds only phi and zc, so x is bounded", learned, vehicle_stable
+            "Eq. (9): x' + KD x holds only phi and zc, so x is bounded",
+            learned_loop,
+            vehicle_stable,
         ),
         zero_step(
             "z = x - e, so z is bounded where x and e are",
-            learned,
+            learned_loop,
             lambda loop: [loop.signals["e"] - errors(loop)["e"]],
         ),
         zero_step(
             "e' = -KD e + W^T eta, products of bounded signals",
-            learned,
+            learned_loop,
             lambda loop: [loop.derivative(loop.signals["e"]) - wanted_rates(loop)["e"]],
         ),
         zero_step(
             "V'' = -2 e^T KD e' holds no derivative of phi or zc, so it is bounded by some B",
-            learned,
+            learned_loop,
             second,
         ),
         checked(
@@ -184,22 +187,22 @@ def error_diagram() -> Diagram:
     return error_loop(theorem_scenario(WIRED, "learned-flow"))
 
 
-def own_rates(parts: ArrayLoop) -> Errors:
+def error_system_rates(parts: ArrayLoop) -> Errors:
     """Return what Eqs. (27)-(28) say of the states of the error system."""
     p, inputs = parts.parameters, parts.inputs
-    given = inputs["phi_x"], inputs["z"], inputs["zc"]
-    return error_rates(parts.states, p["error_system"].KD, p["parameter_system"].gain, *given)
+    signals = inputs["phi_x"], inputs["z"], inputs["zc"]
+    return error_rates(parts.states, p["error_system"].KD, p["parameter_system"].gain, *signals)
 
 
 def same_dynamics() -> tuple[bool, str]:
     """Return whether Eqs. (27)-(28) are the closed loop's own, and the error system's, every N."""
-    loop, parts = array_loop(learned()), array_loop(error_diagram())
-    wanted, own = wanted_rates(loop), own_rates(parts)
+    loop, parts = array_loop(learned_loop()), array_loop(error_diagram())
+    wanted, printed = wanted_rates(loop), error_system_rates(parts)
     pairs = (loop.derivative(error) - wanted[name] for name, error in errors(loop).items())
-    holds, said = vanish(loop, pairs)
-    if not holds or own.keys() != parts.rates.keys():
-        return False, said
-    return vanish(parts, (parts.rates[name] - rate for name, rate in own.items()))
+    holds, left = vanish(loop, pairs)
+    if not holds or printed.keys() != parts.rates.keys():
+        return False, left
+    return vanish(parts, (parts.rates[name] - rate for name, rate in printed.items()))
 
 
 def observability_steps() -> list[Step]:
@@ -216,8 +219,8 @@ def observability_steps() -> list[Step]:
         """Return eta' + gamma W e along any d, W^T d read off e': e^T W^T d = (W e)^T d."""
         gamma, e = parts.parameters["parameter_system"].gain, parts.states["e"]
         along = {name: parts.direction(name) for name in parts.states if name != "e"}
-        seen = {operand(parts.states[name]): d for name, d in along.items()}
-        We = e @ derivative(parts.tape, parts.rates["e"], seen)
+        directions = {operand(parts.states[name]): d for name, d in along.items()}
+        We = e @ derivative(parts.tape, parts.rates["e"], directions)
         return [sum(np.sum(parts.rates[name] * d) for name, d in along.items()) + gamma * We]
 
     def filtered() -> bool:
@@ -253,31 +256,31 @@ def observability_steps() -> list[Step]:
     ]
 
 
-def turned(angle: sympy.Expr) -> sympy.Matrix:
-    """Return the turn of a plane by an angle."""
+def rotation(angle: sympy.Expr) -> sympy.Matrix:
+    """Return the matrix that rotates a plane by an angle."""
     return sympy.Matrix(
         [[sympy.cos(angle), -sympy.sin(angle)], [sympy.sin(angle), sympy.cos(angle)]]
     )
 
 
-def points_turn() -> bool:
-    """Return whether a turn by 2 pi/n takes each point to the next, the last to the first."""
+def rotation_takes_each_point_to_the_next() -> bool:
+    """Return whether rotating by 2 pi/n takes each point to the next, the last to the first."""
     n = sympy.Symbol("n", positive=True)
     a, b = sympy.symbols("a b", real=True)
-    both = turned(a + b).applyfunc(sympy.expand_trig)
-    return turned(a) * turned(b) == both and turned(n * (2 * sympy.pi / n)) == sympy.eye(2)
+    both = rotation(a + b).applyfunc(sympy.expand_trig)
+    return rotation(a) * rotation(b) == both and rotation(n * (2 * sympy.pi / n)) == sympy.eye(2)
 
 
-def turns_with_multiples_of_one() -> bool:
-    """Return whether M = [[a, b], [b, d]] that turns with all is a multiple of I, n > 2."""
+def only_multiples_of_one_commute() -> bool:
+    """Return whether M = [[a, b], [b, d]] with M R = R M is a multiple of I, n > 2."""
     a, b, d, angle = sympy.symbols("a b d angle", real=True)
-    M, R = sympy.Matrix([[a, b], [b, d]]), turned(angle)
+    M, R = sympy.Matrix([[a, b], [b, d]]), rotation(angle)
     moved = sympy.sin(angle) * sympy.Matrix([[-2 * b, a - d], [a - d, 2 * b]])
     m = sympy.Symbol("m", integer=True, nonnegative=True)
-    own = 2 * sympy.pi / (m + 3)  # n = m + 3: between 0 and pi, where the sine is not zero
-    below_pi = sympy.factor(sympy.together(sympy.pi - own))
+    step = 2 * sympy.pi / (m + 3)  # n = m + 3: between 0 and pi, where the sine is not zero
+    below_pi = sympy.factor(sympy.together(sympy.pi - step))
     return sympy.expand(R * M - M * R - moved) == sympy.zeros(2) and bool(
-        own.is_positive and below_pi.is_positive
+        step.is_positive and below_pi.is_positive
     )
 
 
@@ -287,7 +290,7 @@ def circle_step() -> Step:
         "n >= 3 waypoints on a circle excite: int zc zc^T dt = (n tau r^2/2) I over a cycle",
         "exact",
         lambda: (
-            points_turn() and turns_with_multiples_of_one(),
+            rotation_takes_each_point_to_the_next() and only_multiples_of_one_commute(),
             "M = sum zc zc^T is the same turned by 2 pi/n, whose sine is not 0: M = m I; tr M = "
             "n r^2",
         ),

@@ -14,6 +14,7 @@ if the flow is slower than the vehicle; x is then bounded.  A faster one carries
 """
 
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import sympy
@@ -21,24 +22,22 @@ import sympy
 from ...blocks.laws.law import Law
 from ...blocks.laws.table import LAWS
 from ...blocks.vehicle import speed_limit
-from ...diagrams.interconnection import Diagram, connect
+from ...diagrams.interconnection import connect
 from ...equations.arrays import Unread
 from ..counterexamples import limited_speed_counterexample
 from .array_loop import ArrayLoop, array_loop
 from .kept_loop import Kept
-from .lemmas import definite_step, dissipation_step, wanted_rates, young_step
+from .lemmas import definite_step, dissipation_step, learned_loop, wanted_rates, young_step
 from .proof import Proof, checked, theorem
 from .signs import left_over, vanishes
 from .symbolic_loop import symbolic_loop
 from .theorem_loop import (
-    WIRED,
     Hedging,
     decay,
     identity_steps,
     law_and_V,
     law_loop,
     rate_of_V,
-    theorem_loop,
     zero_step,
 )
 
@@ -48,18 +47,13 @@ OPEN = "Theorem 3.2 where the vehicle's speed is limited, which the paper leaves
 SLOWER = "|F_R| stays below some F < v_max"
 
 
-def learned(speed: Hedging) -> Callable[[], Diagram]:
-    """Return what makes the learned-flow law's loop."""
-    return lambda: theorem_loop(WIRED, "learned-flow", speed=speed)
-
-
 def pair_of(law: Law) -> tuple[ArrayLoop, ArrayLoop]:
     """Return a law's loop without a limit and hedged, for every N where that is read."""
 
     def both(closed: bool) -> tuple[ArrayLoop, ...]:
         speeds: tuple[Hedging, ...] = ("no limit", "hedged")
-        made = (law_loop(law, *law_and_V(law, N, speed), speed) for speed in speeds)
-        return tuple(array_loop(one, jumps=True, closed=closed) for one in made)
+        diagrams = (law_loop(law, *law_and_V(law, N, speed), speed) for speed in speeds)
+        return tuple(array_loop(one, jumps=True, closed=closed) for one in diagrams)
 
     try:
         free, hedged = both(closed=False)
@@ -80,8 +74,8 @@ def differs(law: Law) -> str:
         return [a - b.xreplace(as_flown) for a, b in pairs if a != b]
 
     rates = [loop.read(rate_of_V(loop))[0] for loop in (free, hedged)]
-    if said := left_over(rates[0] - rates[1]):  # whatever v is flown
-        return said
+    if difference := left_over(rates[0] - rates[1]):  # whatever v is flown
+        return difference
     for port in free.states.keys() - {"x", "z"}:
         if not all(map(vanishes, apart(free.rates[port], hedged.rates[port]))):
             return f"{port} moves differently"
@@ -96,11 +90,11 @@ def same_rate_of_every_law() -> tuple[bool, str]:
 
     Its own states move as without a limit too, with the flown velocity for the commanded one.
     """
-    told = [law for law in LAWS.values() if not law.at_fixes]  # those predict with v as flown
-    for law in told:
-        if said := differs(law):
-            return False, f"{law.name}: {said}"
-    return True, ", ".join(law.name for law in told)
+    laws = [law for law in LAWS.values() if not law.at_fixes]  # those predict with v as flown
+    for law in laws:
+        if difference := differs(law):
+            return False, f"{law.name}: {difference}"
+    return True, ", ".join(law.name for law in laws)
 
 
 def limits() -> bool:
@@ -122,10 +116,10 @@ def limits() -> bool:
 
 def commanded_back(loop: ArrayLoop) -> list[Any]:
     """Return what v_c has beside b - KD x, b of phi and zc alone, and x' beside F_R + v."""
-    car, own = loop.parameters["vehicle_controller"], loop.inputs
-    b = car.GammaD * own["zc"] - car.alpha_M @ own["phi_x"]
+    car, inputs = loop.parameters["vehicle_controller"], loop.inputs
+    b = car.GammaD * inputs["zc"] - car.alpha_M @ inputs["phi_x"]
     commanded = loop.signals["v_c"] - (b - car.KD * loop.states["x"])
-    return [commanded, loop.rates["x"] - (loop.signals["flow_x"] + own["v_x"])]
+    return [commanded, loop.rates["x"] - (loop.signals["flow_x"] + inputs["v_x"])]
 
 
 def pulls_back() -> bool:
@@ -159,7 +153,7 @@ def with_hedging() -> Proof:
         *identity_steps(text, "learned-flow", decay, POINTS, speed="hedged"),
         zero_step(
             "e' is that without a limit, for every N",
-            learned("hedged"),
+            partial(learned_loop, "hedged"),
             lambda loop: [loop.derivative(loop.signals["e"]) - wanted_rates(loop)["e"]],
         ),
         definite_step("learned-flow"),
@@ -167,7 +161,7 @@ def with_hedging() -> Proof:
         checked("v = v_c up to |v_c| = v_max, and v_max v_c/|v_c| beyond", "exact", limits),
         zero_step(
             "x' = F_R + v and v_c = b - KD x, b of phi and zc alone, for every N",
-            learned("hedged"),
+            partial(learned_loop, "hedged"),
             commanded_back,
         ),
         checked(
@@ -205,9 +199,9 @@ def without_hedging() -> Proof:
     """Refute Theorem 3.2 of a vehicle whose speed is limited, without hedging."""
 
     def grows() -> tuple[bool, str]:
-        told, untold = limited_speed_counterexample(end=200.0)
-        return told < 1e-6 < 1e-2 < untold, (
-            f"largest |e| {untold:.3f} within a cycle, {told:.0e} with hedging"
+        hedged, unhedged = limited_speed_counterexample(end=200.0)
+        return hedged < 1e-6 < 1e-2 < unhedged, (
+            f"largest |e| {unhedged:.3f} within a cycle, {hedged:.0e} with hedging"
         )
 
     return theorem(
@@ -215,7 +209,9 @@ def without_hedging() -> Proof:
         ("Assumptions of Theorem 3.2",),
         [
             zero_step(
-                "V' = -e^T KD e - e^T (v_c - v), for every N", learned("not hedged"), lost_without
+                "V' = -e^T KD e - e^T (v_c - v), for every N",
+                partial(learned_loop, "not hedged"),
+                lost_without,
             ),
             young_step(),
             checked(
@@ -229,7 +225,7 @@ def without_hedging() -> Proof:
     )
 
 
-LIMITS: dict[str, Callable[[], Proof]] = {
+LIMITED_SPEED: dict[str, Callable[[], Proof]] = {
     "with hedging": with_hedging,
     "every law with hedging": every_law,
     "without hedging": without_hedging,

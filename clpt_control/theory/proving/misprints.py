@@ -17,7 +17,7 @@ from ...equations.symbolic import expressions
 from ...simulation.loops import error_loop
 from .lemmas import errors, wanted_rates
 from .symbolic_loop import SymbolicLoop, symbolic_loop
-from .theorem_loop import theorem_loop, theorem_scenario
+from .theorem_loop import rate_of_V, theorem_loop, theorem_scenario
 
 Check = Callable[[bool], bool]
 
@@ -109,19 +109,15 @@ def _zero(values: Any) -> bool:
     return all(sympy.expand(value) == 0 for value in np.ravel(values))
 
 
-def _rate_of_V(loop: SymbolicLoop) -> sympy.Expr:
-    return loop.derivative(loop.signals["V"][0])
-
-
 def brackets(loop: SymbolicLoop, before_K: Any, before_alpha: Any, flow: Any) -> sympy.Expr:
     """Return e^T (flow - KD e - psi) + the errors, each times what a law makes zero."""
-    own, s, rates, phi = errors(loop), loop.states, loop.rates, loop.inputs["phi_x"]
-    e, gamma, zc = own["e"], loop.parameters["adaptation"].gain, loop.inputs["zc"]
+    error, s, rates, phi = errors(loop), loop.states, loop.rates, loop.inputs["phi_x"]
+    e, gamma, zc = error["e"], loop.parameters["adaptation"].gain, loop.inputs["zc"]
     form = e @ (flow - loop.parameters["vehicle_controller"].KD * e - loop.signals["psi"])
-    form += own["eta_3"] @ (before_K * rates["K"] + s["z"] * e)
-    form += own["eta_4"] @ (zc * e - rates["Gamma"] / gamma)
-    if "eta" in own:
-        form += np.sum(own["eta"] * (before_alpha * rates["alpha"] + np.outer(e, phi)))
+    form += error["eta_3"] @ (before_K * rates["K"] + s["z"] * e)
+    form += error["eta_4"] @ (zc * e - rates["Gamma"] / gamma)
+    if "eta" in error:
+        form += np.sum(error["eta"] * (before_alpha * rates["alpha"] + np.outer(e, phi)))
     return form
 
 
@@ -143,16 +139,16 @@ def equation_18(printed: bool) -> bool:
     loop = any_gains("known-flow")
     p, gamma = loop.parameters, loop.parameters["adaptation"].gain
     flow = (p["true_flow"].theta - p["vehicle_controller"].alpha_M) @ loop.inputs["phi_x"]
-    return _zero(_rate_of_V(loop) - brackets(loop, 1 if printed else 1 / gamma, 0, flow))
+    return _zero(rate_of_V(loop) - brackets(loop, 1 if printed else 1 / gamma, 0, flow))
 
 
-def _learned(printed_K: bool, printed_alpha: bool, printed_flow: bool, disturbed: bool) -> bool:
+def _equation_25(printed_K: bool, printed_alpha: bool, printed_flow: bool, disturbed: bool) -> bool:
     """Compare V' of the learned-flow law with Eq. (25) or (34), parts of it as printed."""
     loop = any_gains("learned-flow", disturbed)
     inverse = 1 / loop.parameters["adaptation"].gain
     flow = left_of_injection(loop, printed_flow) + loop.inputs.get("delta", 0)
     K, alpha = (1 if printed else inverse for printed in (printed_K, printed_alpha))
-    return _zero(_rate_of_V(loop) - brackets(loop, K, alpha, flow))
+    return _zero(rate_of_V(loop) - brackets(loop, K, alpha, flow))
 
 
 misprint(
@@ -160,13 +156,13 @@ misprint(
     "K' + z e, and (theta + alpha) alpha'",
     "K'/gamma + z e, and (theta + alpha) alpha'/gamma",
     "V' of (24) along the loop, the law left free",
-)(lambda printed: _learned(printed, printed, False, disturbed=False))
+)(lambda printed: _equation_25(printed, printed, False, disturbed=False))
 misprint(
     "(25)",
     "-2 e^T alpha_M phi",
     "-e^T [(alpha_M + alpha) phi(x) + (alpha_M - alpha) phi(z)]",
     "V' of (24) along the loop, the injection left free",
-)(lambda printed: _learned(False, False, printed, disturbed=False))
+)(lambda printed: _equation_25(False, False, printed, disturbed=False))
 
 
 @misprint(
@@ -187,7 +183,7 @@ misprint(
     "(K - KD)^T (K' + z e)",
     "(K - KD)^T (K'/gamma + z e)",
     "V' of (24) along the loop with Delta, the law left free",
-)(lambda printed: _learned(printed, False, False, disturbed=True))
+)(lambda printed: _equation_25(printed, False, False, disturbed=True))
 
 
 def _rate_of_e(loop: SymbolicLoop) -> np.ndarray:
@@ -258,7 +254,7 @@ def hats(printed: bool) -> bool:
     p, e = loop.parameters, loop.signals["e"]
     known = p["true_flow"].theta if printed else p["injection"].theta_hat
     missed = (p["true_flow"].theta - known) @ loop.inputs["phi_x"]
-    return _zero(_rate_of_V(loop) - e @ (missed - p["vehicle_controller"].KD * e))
+    return _zero(rate_of_V(loop) - e @ (missed - p["vehicle_controller"].KD * e))
 
 
 @misprint(
@@ -301,9 +297,9 @@ def converges_to(printed: bool) -> bool:
 def bounded_z(printed: bool) -> bool:
     """Check the argument for bounded z, proof of Theorem 3.2."""
     loop = paper_loop("learned-flow")
-    own = loop.states
+    s = loop.states
     if not printed:
-        return _zero(own["z"] - (own["x"] - loop.signals["e"]))
-    adapting = {s for port in ("alpha", "K", "Gamma") for s in own[port].flat}
-    slopes = (sympy.diff(rate, z) for rate, z in zip(loop.rates["z"], own["z"], strict=True))
+        return _zero(s["z"] - (s["x"] - loop.signals["e"]))
+    adapting = {symbol for port in ("alpha", "K", "Gamma") for symbol in s[port].flat}
+    slopes = (sympy.diff(rate, z) for rate, z in zip(loop.rates["z"], s["z"], strict=True))
     return not any(slope.free_symbols & adapting for slope in slopes)

@@ -6,7 +6,7 @@ the terms with e cancel; gains are read off the law's equations,
 
     alpha' = -gain e phi + rest,    K' = -gain z e + rest,    Gamma' = gain zc e + rest
 
-What V' along the closed loop says is judged in `verdict`.
+`verdict` says what follows from V' along the closed loop.
 """
 
 from collections.abc import Callable, Sequence
@@ -43,28 +43,28 @@ from .theorem_loop import (
     truth_in,
     truth_of,
 )
-from .verdict import Verdict, judge
+from .verdict import Verdict, verdict_of
 from .words import WHERE
 
 ANY = "clpt.theory.lyapunov(diagram, V) judges a V of your own on any diagram"
 Candidate = Block | Callable[..., Block]  # V, or what makes it of the truth, and of parameters
 
 
-class Fitted(NamedTuple):
+class FittedV(NamedTuple):
     """V of Eq. (24), fitted to a law."""
 
     gains: list[sympy.Expr]  # of alpha, row by row, K and Gamma, in the law's parameters
-    judges: bool  # whether a V of squares can judge what the law has beside them
+    refutes: bool  # whether V' > 0 refutes the law
     inverse: sympy.Matrix | None = None  # of a matrix of gains, in numbers
 
 
-def fitted_V(law: Block, N: int, loop: SymbolicLoop) -> Fitted:
+def fitted_V(law: Block, N: int, loop: SymbolicLoop) -> FittedV:
     """Return the gains with which a law adapts alpha, K and Gamma, of a loop of it alone.
 
-    They are the factors of -e phi, -e z and e zc in the rates of what it makes, in the symbols of
-    the law's parameters, without their sign; 1 where there is none.  V judges the law where each
-    that is not held has one, and a V of squares can judge what is beside it; else it is a guess,
-    and refutes nothing.  Where these products drive each other's rates, by a matrix that is
+    They are the factors of -e phi, -e z and e zc in the rates of alpha, K and Gamma, in the symbols
+    of the law's parameters, without their sign; 1 where there is none.  V refutes the law where
+    each that is not held has a gain, and a V of squares can take what is beside it; else V is a
+    guess, and refutes nothing.  Where these products drive each other's rates, by a matrix that is
     symmetric and positive definite, V weighs the errors by its inverse.
     """
     values = loop.values
@@ -75,13 +75,13 @@ def fitted_V(law: Block, N: int, loop: SymbolicLoop) -> Fitted:
         apart = dict(zip(loop.inputs["x"], e + loop.inputs["z"], strict=True))
     with_phi, with_z, with_zc = (loop.inputs.get(u, nothing) for u in ("phi_x", "z", "zc"))
     products = [*np.ravel(np.outer(e, with_phi[:N])), *(e * with_z[:2]), *(-e * with_zc[:2])]
-    made = [m for port in LEARNED for m in np.ravel(loop.signals.get(port, nothing))]
-    rates = [tidied(loop.derivative(sympy.sympify(m)).xreplace(apart)) for m in made]
-    gains, rests, judges = [], {}, True
-    for state, rate, product in zip(made, rates, products, strict=True):
+    learned = [m for port in LEARNED for m in np.ravel(loop.signals.get(port, nothing))]
+    rates = [tidied(loop.derivative(sympy.sympify(m)).xreplace(apart)) for m in learned]
+    gains, rests, refutes = [], {}, True
+    for state, rate, product in zip(learned, rates, products, strict=True):
         factor = -_factor(rate, product, set(values))
         number = factor.xreplace(values)
-        judges &= bool(number.is_nonzero or rate == 0)
+        refutes &= bool(number.is_nonzero or rate == 0)
         gains.append(factor if number.is_positive else -factor if number else sympy.S.One)
         rests[state] = sympy.expand(rate + factor * product) / gains[-1]
     inverse = None
@@ -90,16 +90,16 @@ def fitted_V(law: Block, N: int, loop: SymbolicLoop) -> Fitted:
         M = M.xreplace(values)
         if M.is_symmetric() and not M.is_diagonal() and M.is_positive_definite:
             inverse = M.inv()
-    given = [s for port, symbols in loop.inputs.items() if port != "e" for s in symbols.flat]
-    held = {s: sympy.Dummy(real=True) for s in given}
-    rests = {s: rest.xreplace(held) for s, rest in rests.items() if s.is_Symbol}
-    judges = judges and len(rests) == len(made) and not inverse
-    judges = judges and _judged_by_squares(rests, {*values, *held.values()})
-    return Fitted(gains, judges, inverse)
+    inputs = [s for port, symbols in loop.inputs.items() if port != "e" for s in symbols.flat]
+    still = {s: sympy.Dummy(real=True) for s in inputs}
+    rests = {s: rest.xreplace(still) for s, rest in rests.items() if s.is_Symbol}
+    refutes = refutes and len(rests) == len(learned) and not inverse
+    refutes = refutes and _weighed_by_squares(rests, {*values, *still.values()})
+    return FittedV(gains, refutes, inverse)
 
 
-def _judged_by_squares(rests: dict, known: set) -> bool:
-    """Return whether a V of squares can judge what a law has beside its gains.
+def _weighed_by_squares(rests: dict, known: set) -> bool:
+    """Return whether a V of squares can take what a law has beside its gains.
 
     It cannot where that holds e or time, as gains that change do, or states of the law's
     own, which need not come to every value, or where it weighs the errors in another way.
@@ -113,12 +113,12 @@ def _judged_by_squares(rests: dict, known: set) -> bool:
 def _factor(rate: sympy.Expr, product: sympy.Expr, parameters: set) -> sympy.Expr:
     """Return the factor of a product in a rate, or in what it is in one of two cases."""
     terms = (term / product for term in sympy.Add.make_args(rate))
-    found = sympy.Add(
+    factor = sympy.Add(
         *(q for q in terms if not q.atoms(AppliedUndef) and q.free_symbols <= parameters)
     )
     cases = (one for word in rate.atoms(WHERE) for one in word.args[1:])
-    inner = (_factor(tidied(one), product, parameters) for one in cases if found == 0)
-    return next(filter(None, inner), found)
+    inner = (_factor(tidied(one), product, parameters) for one in cases if factor == 0)
+    return next(filter(None, inner), factor)
 
 
 @public
@@ -132,7 +132,7 @@ def prove(
     semidefinite: Sequence[str] = (),
     losses: Callable[..., list[tuple]] | None = None,
 ) -> Verdict:
-    """Judge an adaptive law by V' along the closed loop.
+    """Prove or refute an adaptive law by V' along the closed loop.
 
     Parameters
     ----------
@@ -185,14 +185,14 @@ def prove(
     'proved'
     """
     if isinstance(law_block, Diagram) and law_block.made_of is not None:
-        made = loop_of(law_block)
-        if made.changes.in_words:
+        loop = loop_of(law_block)
+        if loop.changes.in_words:
             raise DiagramError(
-                f"{law_block.name}: has parts of your own, {made.changes.in_words}; a law is "
+                f"{law_block.name}: has parts of your own, {loop.changes.in_words}; a law is "
                 "judged in the paper's own diagram, with no other part replaced or inserted; "
                 f"{ANY}"
             )
-        law_block = made.changes.law or made.scenario.law_block
+        law_block = loop.changes.law or loop.scenario.law_block
     if isinstance(law_block, control.InputOutputSystem) and not isinstance(law_block, Block):
         raise DiagramError(
             f"{law_block.name}: is a {type(law_block).__name__}; a law is judged in the paper's "
@@ -210,12 +210,12 @@ def prove(
     theorem_loop(N, "learned-flow", law_block=law_block)  # refuses what is no law
     with worked_out(law_block.name):
         if invariants is None:
-            return _judged(law_block, V, given, N, points, seed)
+            return _verdict_by_V(law_block, V, given, N, points, seed)
         if V is None:
             raise DiagramError(f"{law_block.name}: a law whose states keep relations needs its V")
         part = {"invariants": invariants, "semidefinite": semidefinite, "losses": losses}
         row = Law(law_block.name, "", rates=law_block.values, V_rate="-e^T KD e - losses")
-        make, own = _maker(V), (law_block.parameters,)[: _taken(V) - 1]
+        make, own = _maker(V), (law_block.parameters,)[: _arguments_of(V) - 1]
         blocks = law_block, lambda truth: make(truth, *own)
         case = Kept(row := row.with_parts(part), N, blocks=blocks)
         steps = tuple(kept_steps(row, points, [case]))
@@ -223,7 +223,7 @@ def prove(
         return Verdict(status, -case.more, steps, case.diagram)
 
 
-def _judged(
+def _verdict_by_V(
     law: Block,
     V: Candidate | None,
     given: Callable[..., list] | None,
@@ -231,45 +231,45 @@ def _judged(
     points: int,
     seed: int,
 ) -> Verdict:
-    scenario, judges = theorem_scenario(N, "learned-flow"), False
+    scenario, refutes = theorem_scenario(N, "learned-flow"), False
     if V is None:
         alone = symbolic_loop(connect([law], external=list(law.input_ports)), jumps=True)
-        gains, judges, inverse = fitted_V(law, N, alone)
+        gains, refutes, inverse = fitted_V(law, N, alone)
         numbers = [float(gain.subs(alone.values)) for gain in gains]
         alpha, (K, Gamma) = np.reshape(numbers[:-4], (2, N)), np.reshape(numbers[-4:], (2, 2))
-        made = theorem_candidate(scenario, gain=alpha, gain_K=K, gain_Gamma=Gamma)
+        candidate = theorem_candidate(scenario, gain=alpha, gain_K=K, gain_Gamma=Gamma)
         if inverse is not None:
-            made = mixed_candidate(np.array(inverse, dtype=float), truth_of(scenario))
+            candidate = mixed_candidate(np.array(inverse, dtype=float), truth_of(scenario))
     else:  # one V that does not fall refutes no law
         make = _maker(V)
-        sources = [truth_of(scenario), law.parameters][: _taken(V)]
-        made = make(*sources)
-    diagram = theorem_loop(N, "learned-flow", law_block=law, candidate=made)
+        sources = [truth_of(scenario), law.parameters][: _arguments_of(V)]
+        candidate = make(*sources)
+    diagram = theorem_loop(N, "learned-flow", law_block=law, candidate=candidate)
     loop = symbolic_loop(diagram, jumps=True)
     truth = truth_in(loop)
     if V is not None:
         symbols = (truth, loop.parameters[law.name])
-        weights = tied(loop, made, make, *zip(sources, symbols, strict=False))
+        weights = tied(loop, candidate, make, *zip(sources, symbols, strict=False))
     else:  # in the names of the whole diagram
         here, there = (flat(one.parameters[law.name]) for one in (alone, loop))
-        names, p = dict(zip(here, there, strict=True)), loop.parameters[made.name]
+        names, p = dict(zip(here, there, strict=True)), loop.parameters[candidate.name]
         fields = (p.gain, p.gain_K, p.gain_Gamma) if inverse is None else (p.inverse,)
         theirs = [s for field in fields for s in np.ravel(field)]
         weights = {s: w.subs(names) for s, w in zip(theirs, inverse or gains, strict=True)}
-    case = Case(diagram, loop, made, law, weights, judges, points, seed)
+    case = Case(diagram, loop, candidate, law, weights, refutes, points, seed)
     if given is not None:
         facts = given({**loop.inputs, **loop.states}, loop.parameters[law.name], truth)
-        case.given = tuple(sympy.expand(sympy.sympify(fact).xreplace(case.apart)) for fact in facts)
-        if vacuous(case.given):
+        case.facts = tuple(sympy.expand(sympy.sympify(fact).xreplace(case.apart)) for fact in facts)
+        if vacuous(case.facts):
             raise DiagramError(
                 f"{law.name}: what is given excludes itself, so nothing follows of it"
             )
-        case.fitted = False  # a point that refutes may be one where they do not hold
-    return judge(case)
+        case.refutes = False  # V' > 0 may be where they do not hold
+    return verdict_of(case)
 
 
-def _taken(V: Candidate) -> int:
-    """Return how many arguments a candidate is made of: the truth, and the law's parameters."""
+def _arguments_of(V: Candidate) -> int:
+    """Return the number of arguments that make a candidate: the truth, and the law's parameters."""
     return 1 if isinstance(V, Block) else len(signature(V).parameters)
 
 
@@ -277,22 +277,22 @@ def _maker(V: Candidate) -> Callable[..., Block]:
     """Return what makes a candidate; it has no name that the paper's V has."""
 
     def make(truth: Truth, *parameters: Any) -> Block:
-        made = _with_truth(V, truth) if isinstance(V, Block) else V(truth, *parameters)
-        if not isinstance(made, Block) or made.output_ports != {"V": 1}:
-            raise DiagramError(f"{made}: a candidate makes V[1] and nothing else")
-        read_anew(made)
-        return made.copy("candidate")
+        block = _with_truth(V, truth) if isinstance(V, Block) else V(truth, *parameters)
+        if not isinstance(block, Block) or block.output_ports != {"V": 1}:
+            raise DiagramError(f"{block}: a candidate makes V[1] and nothing else")
+        read_anew(block)
+        return block.copy("candidate")
 
     return make
 
 
 def _with_truth(V: Block, truth: Truth) -> Block:
     """Return a candidate whose fields theta, KD and GammaD, where it has any, hold the truth."""
-    own = {
+    known = {
         name: value
         for name, value in truth._asdict().items()
         if np.shape(V.parameters.get(name)) == np.shape(value)
     }
-    made = V.copy()
-    made.parameters = V.parameters._replace(**own)
-    return made
+    block = V.copy()
+    block.parameters = V.parameters._replace(**known)
+    return block

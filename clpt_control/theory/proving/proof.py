@@ -1,19 +1,19 @@
 """What a proof is made of: steps, and what they add up to.
 
-A step is an identity or an inequality with how it was established.  A proof judges a statement as
-printed in the paper, a law or a team; where the print is false it carries the corrected statement,
-and it always says what was not proved and what is cited.
+A step is an identity or an inequality with how it was established.  A proof is of a statement as
+printed in the paper, of a law or of a team; where the print is false it carries the corrected
+statement, and it always says what was not proved and what is cited.
 """
 
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal
 
 from ...errors import ClptError, DiagramError
 from ...html import facts
 
-HOWS = ("exact", "counterexample", "sampled", "cited")
+How = Literal["exact", "counterexample", "sampled", "cited"]
 
 
 @dataclass(frozen=True)
@@ -26,7 +26,7 @@ class Step:
 
     claim: str  # the identity or inequality
     holds: bool
-    how: str  # one of HOWS
+    how: How
     detail: str = ""  # what was computed, in a line; for a cited step the source
     every_N: bool = True  # whether it holds for every number of basis functions
 
@@ -72,7 +72,7 @@ def theorem(
     cited: str = "",
     not_proved: tuple[str, ...] = (),
 ) -> Proof:
-    """Judge a statement as printed; a correction, if only "", says that it is false."""
+    """Return the proof of a statement as printed; a correction, even "", says that it is false."""
     steps = tuple(steps)
     hows = {step.how for step in steps}
     if first_failure(steps) or (corrected is not None and "counterexample" not in hows):
@@ -89,7 +89,7 @@ def theorem(
 
 
 def where_all_hold(status: str, claim: str, steps: Iterable[Step], cited: str = "") -> Proof:
-    """Return a status and a claim where every step holds; else it is open, and what fails."""
+    """Return a proof with this status and claim where every step holds; else an open one."""
     steps = tuple(steps)
     failed = first_failure(steps)
     known = ("open", failed) if failed else (status, claim)
@@ -102,8 +102,8 @@ def exact_for_every_N(steps: Iterable[Step]) -> bool:
     return bool(exact) and all(step.holds and step.every_N for step in exact)
 
 
-def judged(status: str, proof: Callable[[], Proof]) -> Proof:
-    """Return a proof; one whose parts cannot be read has a failed step, and this status."""
+def proof_or_failure(status: str, proof: Callable[[], Proof]) -> Proof:
+    """Return a proof, or one with this status and a failed step where equations cannot be read."""
     try:
         return proof()
     except Exception as error:  # an equation so changed that it cannot be traced
@@ -113,7 +113,7 @@ def judged(status: str, proof: Callable[[], Proof]) -> Proof:
 
 @contextmanager
 def worked_out(name: str) -> Iterator[None]:
-    """Turn into a sentence whatever SymPy says of equations that it cannot work with."""
+    """Raise a DiagramError with a sentence for whatever SymPy raises."""
     try:
         yield
     except ClptError:
@@ -131,18 +131,16 @@ def as_html(steps: Iterable[Step]) -> str:
     return facts(rows, ("claim", "", "how", "detail"))
 
 
-def checked(claim: str, how: str, check: Callable[[], Any], every_N: bool = True) -> Step:
+def checked(claim: str, how: How, check: Callable[[], Any], every_N: bool = True) -> Step:
     """Return a step from a check that returns a truth, or (truth, detail).
 
     An exception in the check is a step that does not hold, and says why.
     """
-    if how not in HOWS:
-        raise ValueError(f"how = {how!r}: must be one of {', '.join(HOWS)}")
     try:
-        found = check()
+        answer = check()
     except Exception as error:  # whatever a wrong equation raises, the claim is not shown
         return Step(claim, False, how, f"cannot be checked: {type(error).__name__}: {error}")
-    truth, detail = found if isinstance(found, tuple) else (found, "")
+    truth, detail = answer if isinstance(answer, tuple) else (answer, "")
     return Step(claim, bool(truth), how, str(detail), every_N)
 
 

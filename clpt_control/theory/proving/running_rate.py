@@ -1,8 +1,8 @@
-"""The blocks that run, asked for V and the rates of all states at many points, and V' of them.
+"""V and the rates of all states of the blocks that run, at many points, and V' of them.
 
-A proof is about expressions; this asks the equations themselves: the blocks' own functions point by
-point, at first through python-control; and what was read of them, which is what machine code runs,
-at all points at once.  Along the rates r that they give at (t, x, u),
+A proof is about expressions; this evaluates the equations themselves: the blocks' own functions
+point by point, at first through python-control; and their records, which machine code runs, at all
+points at once.  Along the rates r that they give at (t, x, u),
 
     V' = D(h) = (V(x + h r) - V(x - h r))/(2 h)            V of degree two and less
     V' = (4 D(h/2) - D(h))/3                               any other V
@@ -32,63 +32,64 @@ THROUGH_CONTROL = 20  # points at which python-control gives the rates
 
 
 class RunningBlocks:
-    """A diagram one block of which makes V[1], and three readings of it.
+    """A diagram one block of which makes V[1], and three ways to evaluate it.
 
-    They are asked at times (n,), states (n, nx) and inputs (n, nu).
+    Each takes times (n,), states (n, nx) and inputs (n, nu).
     """
 
     def __init__(self, diagram: control.NonlinearIOSystem):
         self.wiring = wiring_of(diagram)
         self.blocks = blocks_of(self.wiring)
-        made = [k for k, block in enumerate(self.blocks) if block.output_ports == {"V": 1}]
-        if not made:
+        makers = [k for k, block in enumerate(self.blocks) if block.output_ports == {"V": 1}]
+        if not makers:
             raise DiagramError("no block makes V[1]; wire a candidate such as blocks.lyapunov")
-        V = self.wiring.nodes[made[0]].outputs.start
+        V = self.wiring.nodes[makers[0]].outputs.start
         self.control = ByControl(self.wiring, V, by_functions, diagram)
-        self.functions = Reading(self.wiring, V, by_functions)
-        self.records = Reading(self.wiring, V, by_records)
+        self.functions = Evaluator(self.wiring, V, by_functions)
+        self.records = Evaluator(self.wiring, V, by_records)
 
     def set(self, params: Mapping[str, Any]) -> None:
         """Set the parameters with which the blocks run."""
-        found = changed_parameters(self.wiring, params)
+        parameters = changed_parameters(self.wiring, params)
         self.control.params = dict(params)
         for one in (self.control, self.functions, self.records):
-            one.given = found
+            one.parameters = parameters
 
 
-class Reading:
-    """What a call of the blocks, in the order of the wiring, gives."""
+class Evaluator:
+    """One way to call the blocks, in the order of the wiring."""
 
     def __init__(self, wiring: Wiring, V: int, call: Callable[..., np.ndarray]):
         self.wiring, self.V, self.call = wiring, V, call
-        self.given: list[Any] = []  # parameters of each block
+        self.parameters: list[Any] = []  # of each block
 
     def rates(self, t: np.ndarray, x: np.ndarray, u: np.ndarray) -> np.ndarray:
         """Return the rates of all states, (n, nx); NaN where there are none."""
-        signals, found = self._signals(t, x, u), np.empty(x.shape)
-        for node, p in zip(self.wiring.nodes, self.given, strict=True):
+        signals, rates = self._signals(t, x, u), np.empty(x.shape)
+        for node, p in zip(self.wiring.nodes, self.parameters, strict=True):
             if node.system.nstates:
-                given = t, x.T[node.states], _fed(node, signals, u), p
-                found.T[node.states] = self.call(node.system, "update", *given)
-        return found
+                at = t, x.T[node.states], _inputs_of(node, signals, u), p
+                rates.T[node.states] = self.call(node.system, "update", *at)
+        return rates
 
     def values(self, t: np.ndarray, x: np.ndarray, u: np.ndarray) -> np.ndarray:
         """Return V, (n,)."""
         return self._signals(t, x, u)[self.V]
 
     def _signals(self, t: np.ndarray, x: np.ndarray, u: np.ndarray) -> np.ndarray:
-        """Return all that is put out."""
+        """Return the outputs of all blocks, (signals, n)."""
         signals = np.zeros((self.wiring.nodes[-1].outputs.stop, len(t)))
         for k in self.wiring.order:
-            node, p = self.wiring.nodes[k], self.given[k]
-            own = x.T[node.states]
+            node, p = self.wiring.nodes[k], self.parameters[k]
+            outputs = x.T[node.states]
             if not node.system.states_are_outputs:
-                own = self.call(node.system, "output", t, own, _fed(node, signals, u), p)
-            signals[node.outputs] = own
+                fed = _inputs_of(node, signals, u)
+                outputs = self.call(node.system, "output", t, outputs, fed, p)
+            signals[node.outputs] = outputs
         return signals
 
 
-class ByControl(Reading):
+class ByControl(Evaluator):
     """The same, with the rates that python-control gives, point by point."""
 
     def __init__(self, wiring: Wiring, V: int, call: Callable[..., np.ndarray], diagram: Any):
@@ -127,34 +128,35 @@ def by_records(block: Block, role: str, t: Any, x: Any, u: Any, p: Any) -> np.nd
     return on_arrays(block, role, t, x, u, p)
 
 
-def _fed(node: Node, signals: np.ndarray, u: np.ndarray) -> np.ndarray:
+def _inputs_of(node: Node, signals: np.ndarray, u: np.ndarray) -> np.ndarray:
     """Return the inputs of a block, (inputs, n)."""
-    found = np.zeros((node.system.ninputs, len(u)))
+    inputs = np.zeros((node.system.ninputs, len(u)))
     for wire in node.wires:
         source = (u.T if wire.external else signals)[wire.source : wire.source + wire.size]
-        found[wire.to : wire.to + wire.size] += wire.gain * source
-    return found
+        inputs[wire.to : wire.to + wire.size] += wire.gain * source
+    return inputs
 
 
-def numbers(
-    asked: Reading, t: np.ndarray, x: np.ndarray, u: np.ndarray
+def V_and_rates(
+    evaluator: Evaluator, t: np.ndarray, x: np.ndarray, u: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return V and all rates at points, (1 + nx, n), and the square of how far the points lie."""
     far = np.max(np.abs(np.column_stack([x, u])), axis=1)
-    return np.vstack([asked.values(t, x, u), asked.rates(t, x, u).T]), np.maximum(far, 1.0) ** 2
+    values = np.vstack([evaluator.values(t, x, u), evaluator.rates(t, x, u).T])
+    return values, np.maximum(far, 1.0) ** 2
 
 
 PER_DRAW = 100  # points for each draw of the parameters
-# what a reading gives at points (t, x, u), n or (m, n) numbers, and the size of what is compared
+# an evaluator's numbers at points (t, x, u), n or (m, n), and the size of what is compared
 Gauge = Callable[..., tuple[np.ndarray, np.ndarray]]
-CALLED = 2  # of which the blocks' functions are called as well; of the first more
+CALLED = 2  # points at which the blocks' functions are called as well; in the first draw more
 CLOSE = 1e-9
 HUGE = 1e100  # beyond, numbers say nothing
 UNEVEN = 1e13  # a ratio of V's weights beyond which the greater hides the lesser
 
 
 def near_least(
-    records: Reading, x: np.ndarray, u: np.ndarray, random: np.random.Generator
+    records: Evaluator, x: np.ndarray, u: np.ndarray, random: np.random.Generator
 ) -> np.ndarray:
     """Return points (n, states) at which each error adds alike to V, which is a polynomial.
 
@@ -189,16 +191,16 @@ def near_least(
 
 @np.errstate(all="ignore")
 def rate_along(
-    asked: Reading, t: np.ndarray, x: np.ndarray, u: np.ndarray, degree: float
+    evaluator: Evaluator, t: np.ndarray, x: np.ndarray, u: np.ndarray, degree: float
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return V' at points, and V over the time between which it is taken."""
-    rates = asked.rates(t, x, u)
+    rates = evaluator.rates(t, x, u)
     fastest = np.max(np.abs(rates), axis=1, keepdims=True)
     largest = np.maximum(np.max(np.abs(x), axis=1, keepdims=True), 1e-3)
     h = (0.1 if degree <= 4 else 2e-3) * largest / fastest
     ways = [1.0, -1.0] + [0.5, -0.5] * (degree > 2)
     beside = np.vstack([x + way * h * rates for way in ways])
-    V = asked.values(np.tile(t, len(ways)), beside, np.tile(u, (len(ways), 1)))
+    V = evaluator.values(np.tile(t, len(ways)), beside, np.tile(u, (len(ways), 1)))
     V, h = V.reshape(len(ways), -1), h[:, 0]
     rate, scale = (V[0] - V[1]) / (2 * h), np.max(np.abs(V[:2]), axis=0) / h
     if degree > 2:
@@ -218,15 +220,15 @@ def compared(
     count: int,
     seed: int = 0,
     tied: Mapping[Any, sympy.Expr] | None = None,
-    kept: tuple[str, ...] = (),
+    fixed: tuple[str, ...] = (),
     gauge: Gauge | None = None,
     of: str = "",
 ) -> tuple[bool, str]:
-    """Compare V' of the running blocks, or what a gauge reads, with `wanted` at random points.
+    """Compare V' of the running blocks, or what a gauge returns, with `wanted` at random points.
 
-    The first 100 points have the blocks' own parameters, half of them near the least V, then every
-    100 others; blocks in `kept` keep theirs, and a symbol in `tied` follows from the others by its
-    expression.  All are asked of the blocks' records, and some of their functions.
+    The first 100 points have the blocks' own parameters, half of them near the least V; every later
+    100 have others.  Blocks in `fixed` keep theirs, and a symbol in `tied` follows from the others
+    by its expression.  The blocks' records are evaluated at all points, their functions at some.
     """
     running = RunningBlocks(diagram)
     draw = Draw(running.blocks, loop, seed)
@@ -236,7 +238,7 @@ def compared(
     worst, done = 0.0, 0
     while done < count:
         check()
-        values = draw.parameters(kept if done else [block.name for block in running.blocks])
+        values = draw.parameters(fixed if done else [block.name for block in running.blocks])
         values |= {
             s: values[e] if e in values else float(e.subs(values)) for s, e in (tied or {}).items()
         }
@@ -253,10 +255,10 @@ def compared(
         with np.errstate(all="ignore"):
             parts = [function(*(known[s] for s in symbols)) for function, symbols in known_as]
         right = np.array([np.broadcast_to(part, size) for part in parts])
-        some: tuple[Reading, slice] = running.functions, slice(CALLED)
+        some: tuple[Evaluator, slice] = running.functions, slice(CALLED)
         some = some if done else (running.control, slice(THROUGH_CONTROL))
-        for asked, rows in (some, (running.records, slice(None))):
-            off = _apart(right[:, rows], *gauge(asked, times[rows], x[rows], u[rows]))
+        for evaluator, rows in (some, (running.records, slice(None))):
+            off = _apart(right[:, rows], *gauge(evaluator, times[rows], x[rows], u[rows]))
             for k in np.flatnonzero(~(off <= CLOSE))[:1]:
                 where = Point(times[k], x[k], u[k], params)
                 return False, f"differs by {off[k]:.1e} of V at {where}"
@@ -266,7 +268,7 @@ def compared(
 
 
 def _apart(right: np.ndarray, found: np.ndarray, scale: np.ndarray) -> np.ndarray:
-    """Return by how much of their size numbers (m, n) differ; 0 where they say nothing."""
+    """Return the relative difference of numbers (m, n); 0 where they are too large to compare."""
     found = np.atleast_2d(found)
     with np.errstate(all="ignore"):
         silent = np.all([~(np.max(np.abs(one), axis=0) < HUGE) for one in (right, found)], axis=0)

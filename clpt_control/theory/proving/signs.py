@@ -1,13 +1,12 @@
-"""What is known of an expression: whether it is zero, negative, and how fast it grows.
+"""What is known of an expression: whether it is zero, never positive, or positive definite.
 
-An expression is zero if as one fraction p/q, of polynomials over the rationals in all that it is
-made of (symbols and words), p = 0 and q is not.
-Roots and numbers with a rounding are left to SymPy's own rules.  A residual is never positive where
-it factors into squares with a minus, or is -s^T M s with M >= 0.
+An expression is zero if as one fraction p/q, of polynomials over the rationals in its symbols and
+words, p = 0 and q is not.  Roots and rounded numbers are left to SymPy's own rules.  An expression
+is never positive where it factors into squares with a minus, or is -s^T M s with M >= 0.
 
-With words in it an expression is judged in the words' sectors, else piece by piece (`words`), each
-with what is known not to be negative there: a fact that is linear in a symbol s takes s out, any
-other one its leading monomial.
+With words in it an expression is examined in the words' sectors, else piece by piece (`words`),
+each with the facts there: expressions that are not negative.  A fact that is linear in a symbol s
+takes s out, any other one its leading monomial.
 """
 
 from collections.abc import Mapping, Sequence
@@ -67,11 +66,11 @@ def _parts(expression: sympy.Expr) -> set[sympy.Expr]:
 def _fraction(e: sympy.Expr, own: PolyRing) -> tuple[PolyElement, PolyElement]:
     """Return p and q of an expression p/q."""
     if e.is_Add:
-        over: dict[PolyElement, list[PolyElement]] = {}
+        numerators: dict[PolyElement, list[PolyElement]] = {}  # by their denominator
         for p, q in (_fraction(one, own) for one in e.args):
-            over.setdefault(q, []).append(p)
+            numerators.setdefault(q, []).append(p)
         p, q = own.zero, own.one
-        for other, shares in over.items():
+        for other, shares in numerators.items():
             p, q = p * other + own.add(*shares) * q, q * other
         return p, q
     if e.is_Mul:
@@ -84,26 +83,26 @@ def _fraction(e: sympy.Expr, own: PolyRing) -> tuple[PolyElement, PolyElement]:
 
 
 MOST_TERMS = 20_000  # more are not multiplied out
-MOST_JUDGED = 400  # of more no sign is known
+MOST_EXAMINED = 400  # of more no sign is known
 HIGHEST = 4  # higher powers are not factored
 FEW = 12  # terms; more with words in them are not factored
 MOST_FACTORED, LARGEST = 40, 100  # terms; numbers in an exponent of e
-MOST_WORDS, MOST_FACTS = 8, 16  # that are judged together
+MOST_WORDS, MOST_FACTS = 8, 16  # that are examined together
 
 Facts = tuple[sympy.Expr, ...]  # what is not negative
 
 
 def tidied(expression: sympy.Expr) -> sympy.Expr:
-    """Return an expression multiplied out, cos^2 as 1 - sin^2."""
+    """Return an expression multiplied out, cos^2 as 1 - sin^2, cosh^2 as 1 + sinh^2."""
     if terms_of(expression) > MOST_TERMS:
         raise DiagramError(f"V' has more than {MOST_TERMS} terms; make the law or its N smaller")
     masked = {e: sympy.Dummy(str(e), positive=True) for e in expression.atoms(sympy.exp)}
     if masked and not any(e.args[0].atoms(sympy.exp) for e in masked):  # else in its denominators
-        own = tidied(expression.xreplace(masked))
-        return sympy.expand(own.xreplace({d: e for e, d in masked.items()}), deep=False)
-    over = {p.base.args[0] for p in expression.atoms(sympy.Pow) if isinstance(p.base, sympy.cosh)}
-    if over:  # sinh/cosh, as of log(cosh)
-        tanh = {sympy.sinh(a): sympy.tanh(a) * sympy.cosh(a) for a in over}
+        plain = tidied(expression.xreplace(masked))
+        return sympy.expand(plain.xreplace({d: e for e, d in masked.items()}), deep=False)
+    angles = {p.base.args[0] for p in expression.atoms(sympy.Pow) if isinstance(p.base, sympy.cosh)}
+    if angles:  # sinh/cosh, as of log(cosh)
+        tanh = {sympy.sinh(a): sympy.tanh(a) * sympy.cosh(a) for a in angles}
         expression = sympy.expand(expression.xreplace(tanh))
     pairs = ((sympy.cos, sympy.sin, -1), (sympy.cosh, sympy.sinh, 1))
     known = {
@@ -137,8 +136,8 @@ def factored(expression: sympy.Expr, most: int = MOST_FACTORED) -> sympy.Expr:
         for e in expression.atoms(sympy.exp)
         if any(max(abs(n.p), n.q) > LARGEST for n in e.args[0].atoms(sympy.Rational))
     }
-    found = sympy.factor(expression.xreplace(whole))
-    return found.xreplace({dummy: e for e, dummy in whole.items()})
+    product = sympy.factor(expression.xreplace(whole))
+    return product.xreplace({dummy: e for e, dummy in whole.items()})
 
 
 def terms_of(expression: sympy.Expr) -> int:
@@ -162,11 +161,11 @@ def positive_definite(
 ) -> bool:
     """Return whether V is known to be positive definite in the errors of the states, without end.
 
-    `truth` says where the error of a state is zero, `mapped` what the error is of one that makes
-    what is learned, alpha = s + s^3: with dV/ds a share of it that rises with s, V has its least
-    value where it is zero.  Terms that share no state are judged apart: V may be quadratic, with a
-    Hessian that is positive definite; or s dV/ds is a sum of even powers and products s h(s), h
-    odd and rising.
+    `truth` says where the error of a state is zero; `mapped` has the error of a state s from which
+    something learned is made, alpha = s + s^3: where dV/ds is a positive share of that error, which
+    rises with s, V is least where it is zero.  Terms that share no state are examined apart:
+    V may be quadratic, with a Hessian that is positive definite; or s dV/ds is a sum of even powers
+    and products s h(s), h odd and rising.
     """
     V = V.xreplace(values)
     if words_of(V) and not meets_smoothly(V.xreplace({s: s + truth.get(s, 0) for s in states})):
@@ -249,7 +248,7 @@ def nonpositive(
 ) -> bool:
     """Return whether an expression is known never to be positive where no fact is negative.
 
-    Terms that share no symbol of `apart`, the states and truths, or of `by`, are judged apart.
+    Terms that share no symbol of `apart`, the states and truths, or of `by`, are examined apart.
     """
     groups = groups_of(expression, apart if by is None else by)
     return all(_negative(group, apart, values, facts) for group in groups)
@@ -259,29 +258,25 @@ def groups_of(expression: sympy.Expr, apart: set) -> list[sympy.Expr]:
     """Return an expression as a sum of expressions that share no symbol of `apart`."""
     groups: list[tuple[set, list]] = []
     for term in sympy.Add.make_args(sympy.expand(expression)):
-        own = term.free_symbols & apart
-        joined = [g for g in groups if g[0] & own]
-        groups = [g for g in groups if not g[0] & own]
-        first = joined[0] if joined else (set(), [])
-        for symbols, terms in joined[1:]:
-            first[0].update(symbols)
-            first[1].extend(terms)
-        first[0].update(own)
-        first[1].append(term)
-        groups.append(first)
+        symbols, terms = term.free_symbols & apart, [term]
+        touching = [group for group in groups if group[0] & symbols]
+        groups = [group for group in groups if not group[0] & symbols]
+        for others, more in touching:
+            symbols, terms = symbols | others, terms + more
+        groups.append((symbols, terms))
     return [sympy.Add(*terms) for _, terms in groups]
 
 
 @lru_cache(maxsize=10_000)
 def _without_squares(group: sympy.Expr) -> sympy.Expr:
     """Return an expression without its factors that are not negative where they have a value."""
-    factors = sympy.Mul.make_args(factored(group, MOST_JUDGED))
+    factors = sympy.Mul.make_args(factored(group, MOST_EXAMINED))
     rest = (f for f in factors if not (f.is_nonnegative or f.as_base_exp()[1].is_even))
     return sympy.expand(sympy.Mul(*rest))
 
 
 def _negative(group: sympy.Expr, apart: set, values: dict, facts: Facts) -> bool:
-    if len(sympy.Add.make_args(group)) > MOST_JUDGED:
+    if len(sympy.Add.make_args(group)) > MOST_EXAMINED:
         return False
     if group == 0:
         return True
@@ -363,9 +358,9 @@ def vacuous(facts: Facts) -> bool:
 
 def _below(group: sympy.Expr, apart: set, values: dict, facts: Facts) -> bool:
     """Return whether an expression is not positive where facts are not negative."""
-    given = {f: sympy.Dummy(real=True) for f in group.atoms(AppliedUndef)}  # inputs
-    group, *left = (sympy.expand(e.xreplace(values).xreplace(given)) for e in (group, *facts))
-    return _less_facts(group, left, apart | set(given.values()), frozenset())
+    inputs = {f: sympy.Dummy(real=True) for f in group.atoms(AppliedUndef)}
+    group, *left = (sympy.expand(e.xreplace(values).xreplace(inputs)) for e in (group, *facts))
+    return _less_facts(group, left, apart | set(inputs.values()), frozenset())
 
 
 def _less_facts(group: sympy.Expr, left: list, own: set, fresh: frozenset) -> bool:

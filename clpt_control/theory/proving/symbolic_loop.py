@@ -64,9 +64,9 @@ class PaperNames(Names):
         """Return x_1, alpha_1[2]."""
         return element_name(port, declared, index)
 
-    def parameter(self, node: Node, own: str, value: np.ndarray, index: tuple) -> sympy.Expr:
+    def parameter(self, node: Node, name: str, value: np.ndarray, index: tuple) -> sympy.Expr:
         """Return a symbol of the sign that all values have."""
-        return parameter_symbol(self.port(node, own, "parameter"), value, index)
+        return parameter_symbol(self.port(node, name, "parameter"), value, index)
 
 
 def symbolic_loop(
@@ -74,7 +74,7 @@ def symbolic_loop(
 ) -> SymbolicLoop:
     """Read a diagram's equations on symbols; blocks named in `opaque` stay undefined.
 
-    States that jump are refused unless `jumps`: the caller then judges what V does there.
+    States that jump are refused unless `jumps`: the caller then checks what V does there.
     """
     wiring = wiring_of(diagram)
     refuse_unproved(wiring, jumps)
@@ -100,15 +100,15 @@ def flat(parameters: Any) -> list[Any]:
     return [symbol for field in parameters for symbol in np.ravel(np.asarray(field, dtype=object))]
 
 
-def own_numbers(loop: SymbolicLoop, block: Block) -> dict[Any, float]:
+def parameter_numbers(loop: SymbolicLoop, block: Block) -> dict[Any, float]:
     """Return symbol -> its number, of a block's parameters."""
-    found: dict[Any, float] = {}
-    for own, value in block.parameters._asdict().items():
-        symbols = getattr(loop.parameters[block.name], own)
-        if not isinstance(value, int) and own != "interval":
+    values: dict[Any, float] = {}
+    for name, value in block.parameters._asdict().items():
+        symbols = getattr(loop.parameters[block.name], name)
+        if not isinstance(value, int) and name != "interval":
             numbers = np.broadcast_to(np.asarray(value, dtype=float), np.shape(symbols))
-            found.update(zip(np.ravel(symbols), numbers.ravel().tolist(), strict=True))
-    return {symbol: number for symbol, number in found.items() if symbol.is_Symbol}
+            values.update(zip(np.ravel(symbols), numbers.ravel().tolist(), strict=True))
+    return {symbol: number for symbol, number in values.items() if symbol.is_Symbol}
 
 
 class Draw:
@@ -118,20 +118,20 @@ class Draw:
         self.random, self.blocks, self.loop = np.random.default_rng(seed), blocks, loop
         lines = [o for b in blocks for r in b.records.values() for o in r.operations]
         numbers = {a for o in lines for a in o.arguments if type(a) is float and np.isfinite(a)}
-        held = [np.ravel(v) for b in blocks for v in b.parameters if not isinstance(v, int)]
-        known = np.concatenate([np.array(sorted(numbers)), np.zeros(1), *held])
-        known = known[np.abs(known) <= LARGEST]
-        self.kinks = np.concatenate([known, -known])
+        own = [np.ravel(v) for b in blocks for v in b.parameters if not isinstance(v, int)]
+        kinks = np.concatenate([np.array(sorted(numbers)), np.zeros(1), *own])
+        kinks = kinks[np.abs(kinks) <= LARGEST]
+        self.kinks = np.concatenate([kinks, -kinks])
 
-    def parameters(self, kept: Collection[str] = (), largest: float = 1.5) -> dict[Any, float]:
+    def parameters(self, fixed: Collection[str] = (), largest: float = 1.5) -> dict[Any, float]:
         """Return symbol -> a number of its sign, of the size 10^-1.5 to 10^largest.
 
-        The blocks in `kept` keep their own.
+        The blocks in `fixed` keep their own.
         """
         values: dict[Any, float] = {}
         for block in self.blocks:
-            own = own_numbers(self.loop, block)
-            if block.name not in kept:
+            own = parameter_numbers(self.loop, block)
+            if block.name not in fixed:
                 sizes = 10.0 ** self.random.uniform(-1.5, largest, len(own))
                 signs = self.random.choice([-1.0, 1.0], len(own))
                 for s, size, sign in zip(own, sizes.tolist(), signs.tolist(), strict=True):
@@ -141,30 +141,30 @@ class Draw:
 
     def params(self, values: Mapping[Any, float]) -> dict[str, Any]:
         """Return the numbers of symbols as call-time parameters."""
-        found: dict[str, Any] = {}
+        params: dict[str, Any] = {}
         for block in self.blocks:
-            for own, value in block.parameters._asdict().items():
-                if not isinstance(value, int) and own != "interval":
-                    numbers = numbers_at(values, getattr(self.loop.parameters[block.name], own))
-                    found[f"{block.name}.{own}"] = numbers if np.ndim(value) else float(numbers)
-        return found
+            for name, value in block.parameters._asdict().items():
+                if not isinstance(value, int) and name != "interval":
+                    numbers = numbers_at(values, getattr(self.loop.parameters[block.name], name))
+                    params[f"{block.name}.{name}"] = numbers if np.ndim(value) else float(numbers)
+        return params
 
     def points(self, count: int, n: int) -> np.ndarray:
         """Return points of n numbers: wide ranges, zeros, kinks."""
         random = self.random
-        found = random.standard_normal((count, n)) * 10.0 ** random.uniform(-2, 4, (count, 1))
-        found *= random.random((count, n)) > 0.1 * (random.random((count, 1)) < 0.5)
+        points = random.standard_normal((count, n)) * 10.0 ** random.uniform(-2, 4, (count, 1))
+        points *= random.random((count, n)) > 0.1 * (random.random((count, 1)) < 0.5)
         kinked = random.random((count, n)) < 0.15 * (random.random((count, 1)) < 0.3)
-        found[kinked] = random.choice(self.kinks, int(kinked.sum()))
-        return found
+        points[kinked] = random.choice(self.kinks, int(kinked.sum()))
+        return points
 
     def at(self, values: Mapping[Any, float], t: Any, x: np.ndarray, u: np.ndarray) -> dict:
         """Return symbol -> number, of parameters and of points."""
-        found: dict[Any, Any] = {**values, TIME: t}
+        known: dict[Any, Any] = {**values, TIME: t}
         for ports, numbers in ((self.loop.states, x), (self.loop.inputs, u)):
             flat = [s for symbols in ports.values() for s in symbols.flat]
-            found.update(zip(flat, numbers.T, strict=True))
-        return found
+            known.update(zip(flat, numbers.T, strict=True))
+        return known
 
 
 def numbers_at(values: Mapping[Any, float], symbols: Any) -> np.ndarray:
@@ -200,10 +200,9 @@ def refuse_no_value(loop: SymbolicLoop, name: str) -> None:
 
 def numeric(expression: sympy.Expr) -> tuple[Any, list[Any]]:
     """Return an expression as a function of arrays, and its symbols."""
-    inputs = [f for f in expression.atoms(sympy.core.function.AppliedUndef) if f.args == (TIME,)]
-    words = {str(f.func) for f in expression.atoms(sympy.core.function.AppliedUndef)} - {
-        str(f.func) for f in inputs
-    }
+    applied = expression.atoms(sympy.core.function.AppliedUndef)
+    inputs = [f for f in applied if f.args == (TIME,)]
+    words = {str(f.func) for f in applied} - {str(f.func) for f in inputs}
     if expression.has(sympy.Derivative) or words - set(NUMBERS_OF):
         unknown = ", ".join(sorted(words - set(NUMBERS_OF))) or "a derivative of an input"
         raise DiagramError(f"{unknown} has no numbers, so V' cannot be compared")
@@ -251,13 +250,13 @@ def positive_somewhere(expression: sympy.Expr, seed: int = 0) -> bool:
     random = np.random.default_rng(seed)
     drawn = random.standard_normal((len(symbols), TRIED))
     drawn *= 10.0 ** random.uniform(-1, 1, (1, TRIED))
-    for own, s in zip(drawn, symbols, strict=True):
+    for row, s in zip(drawn, symbols, strict=True):
         if s.is_nonnegative or s.is_nonpositive or s == TIME:
-            own[:] = np.abs(own) * (-1 if s.is_nonpositive else 1)
+            row[:] = np.abs(row) * (-1 if s.is_nonpositive else 1)
     with np.errstate(all="ignore"):
-        found = np.broadcast_to(function(*drawn), TRIED)
-    found = found[np.isfinite(found)]
-    return bool(found.size and found.max() > SMALL * np.abs(found).max())
+        values = np.broadcast_to(function(*drawn), TRIED)
+    values = values[np.isfinite(values)]
+    return bool(values.size and values.max() > SMALL * np.abs(values).max())
 
 
 def degree_of(loop: SymbolicLoop) -> float:

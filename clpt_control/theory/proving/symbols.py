@@ -7,7 +7,7 @@ are one number in the paper (`ONE`) are one symbol where they hold the same valu
 A parameter has the sign of its value, and one that is zero is zero.
 
 SymPy cancels z z/z to z; the equations that run give NaN at z = 0.  So every operation of a record
-that has no value somewhere is checked (`DEMANDS`): can it come there?
+that has no value somewhere is checked (`DEMANDS`): may it get there?
 """
 
 from collections.abc import Callable, Iterable, Sequence
@@ -39,20 +39,20 @@ def element_name(port: str, declared: Shape, index: Index) -> str:
     A first axis of known length is the paper's axis; `declared` has names where a size has one.
     """
     first = bool(declared) and isinstance(declared[0], int)
-    shown = [f"_{index[0] + 1}" if first else ""] if index else []
-    return "".join([port, *shown, *map(bracketed, index[first:])])
+    axis = [f"_{index[0] + 1}" if first else ""] if index else []
+    return "".join([port, *axis, *map(bracketed, index[first:])])
 
 
 def bracketed(place: int | str) -> str:
-    """Return a place as it is shown, from 1."""
+    """Return an index in brackets, counted from 1."""
     return f"[{place}]" if isinstance(place, str) else f"[{place + 1}]"
 
 
 def state_names(blocks: Iterable[Block]) -> dict[tuple[str, str], str]:
     """Return what each state is called: its port, or block:port."""
-    made = {port: block.name for block in blocks for port in block.output_ports}
+    maker = {port: block.name for block in blocks for port in block.output_ports}
     return {
-        (block.name, port): port if made.get(port) == block.name else f"{block.name}:{port}"
+        (block.name, port): port if maker.get(port) == block.name else f"{block.name}:{port}"
         for block in blocks
         for port in block.state_ports
     }
@@ -60,36 +60,36 @@ def state_names(blocks: Iterable[Block]) -> dict[tuple[str, str], str]:
 
 def paper_name(block: str, field: str) -> str | None:
     """Return what the paper calls a field, with the vehicle's name where it is its own."""
-    space, own = split(block)
-    name = _NAMES.get(f"{own}.{field}")
-    return name if name is None or not space or name in SHARED else named(space, name)
+    vehicle, kind = split(block)
+    name = _NAMES.get(f"{kind}.{field}")
+    return name if name is None or not vehicle or name in SHARED else named(vehicle, name)
 
 
 def parameter_names(blocks: Sequence[Block]) -> dict[tuple[str, str], str]:
     """Return (block, field) -> the paper's name where all fields of it agree, else block.field."""
-    held: dict[str, list[Any]] = {}
+    values: dict[str, list[Any]] = {}
     for block in blocks:
         for field, value in block.parameters._asdict().items():
             name = paper_name(block.name, field)
             if name is not None:
-                held.setdefault(name, []).append(value)
+                values.setdefault(name, []).append(value)
     ports = {port for b in blocks for port in (*b.input_ports, *b.output_ports)}
-    one = {name for name, values in held.items() if name not in ports and _same(name, values)}
-    found = {}
+    one = {name for name, own in values.items() if name not in ports and _same(name, own)}
+    names = {}
     for block in blocks:
         for field in block.parameters._fields:
             name = paper_name(block.name, field)
-            found[block.name, field] = name if name in one else f"{block.name}.{field}"
-    return found
+            names[block.name, field] = name if name in one else f"{block.name}.{field}"
+    return names
 
 
 def parameter_symbol(name: str, value: Any, index: Index) -> sympy.Expr:
     """Return the symbol of a parameter's element; it has the sign that all values have."""
     if name in SCALARS or not index:
         return signed(name, value)
-    axis = split(name)[1] in ONE and np.shape(value)[0] == 2
-    shown = [f"_{index[0] + 1}"] if axis else []
-    return signed("".join([name, *shown, *map(bracketed, index[axis:])]), value)
+    first = split(name)[1] in ONE and np.shape(value)[0] == 2
+    axis = [f"_{index[0] + 1}"] if first else []
+    return signed("".join([name, *axis, *map(bracketed, index[first:])]), value)
 
 
 def signed(name: str, value: Any) -> sympy.Expr:
@@ -147,7 +147,7 @@ def _power(base: sympy.Expr, exponent: sympy.Expr) -> bool:
     )
 
 
-# operation -> (what must hold, as a sentence, whether it is known to)
+# operation -> (what may fail, as a sentence; whether its arguments are known to be allowed)
 DEMANDS: dict[str, tuple[str, Callable[..., bool]]] = {
     "div": ("divides by {1}, which may be zero", lambda a, b: _nonzero(b)),
     "mod": ("takes the remainder by {1}, which may be zero", lambda a, b: _nonzero(b)),
@@ -186,9 +186,9 @@ def undefined(name: str, arguments: tuple) -> str | None:
     """
     if name not in DEMANDS:
         return None
-    sentence, known = DEMANDS[name]
+    sentence, allowed = DEMANDS[name]
     arguments = tuple(map(sympy.sympify, arguments))
     if name == "div" and positive_maximum(arguments[1]):
         return None
     shallow = all(extent(a)[1] <= DEEPEST for a in arguments)
-    return None if shallow and known(*arguments) else sentence.format(*arguments)
+    return None if shallow and allowed(*arguments) else sentence.format(*arguments)

@@ -213,7 +213,7 @@ def decay_and_disturbance(loop: Loop) -> Any:
     return decay(loop) + loop.signals["e"] @ loop.inputs["delta"]
 
 
-def rate_of_V(loop: ArrayLoop) -> Any:
+def rate_of_V(loop: Loop) -> Any:
     """Return V' along the equations."""
     if "V" not in loop.signals:
         raise DiagramError("no block makes V; wire a candidate such as blocks.lyapunov")

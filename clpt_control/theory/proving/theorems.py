@@ -1,8 +1,8 @@
-"""The four theorems of section III, each judged as printed.
+"""The four theorems of section III, each checked as printed.
 
-Every identity is checked on the blocks that run, for N = 1, 2, 3 and for every N, and at
-random points by asking them; every printed statement that is false meets a
-counterexample and carries the statement that holds, with what of it is cited.
+Every identity is checked on the blocks that run: for N = 1, 2, 3, for every N, and at random points
+at which they are called.  Every printed statement that is false meets a counterexample and carries
+the statement that holds, with what of it is cited.
 """
 
 from collections.abc import Callable
@@ -28,7 +28,7 @@ from .lemmas import (
     observability_steps,
     young_step,
 )
-from .proof import Proof, Step, checked, cited, judged, theorem
+from .proof import Proof, Step, checked, cited, proof_or_failure, theorem
 from .theorem_loop import decay, decay_and_disturbance, decay_and_known_error, identity_steps
 
 POINTS = 10_000  # at which the running blocks are called for Theorem 3.2
@@ -164,7 +164,7 @@ def theorem_3_4() -> Proof:
     """Judge Theorem 3.4: the bound (33) under a disturbance."""
     text = "V' = -e^T KD e + e^T Delta"
 
-    def own_system() -> tuple[bool, str]:
+    def paper_system() -> tuple[bool, str]:
         found = disturbance_counterexample(start=60.0, end=120.0, samples=20)
         mean = found.rms <= 1.0
         return found.ratio > 1.05 and mean, (
@@ -188,7 +188,7 @@ def theorem_3_4() -> Proof:
             "the paper's system, started true, with a square wave leaves Eq. (33) for every "
             "beta < KD within t = 60 to 120, and keeps the mean-square bound",
             "counterexample",
-            own_system,
+            paper_system,
         ),
         checked(
             "phi = 1, k = 1, gamma = 100, a unit square wave at sqrt(gamma): limsup|e| = 4/pi",
@@ -240,7 +240,7 @@ def audit(
     Returns
     -------
     dict
-        Number -> Proof: its `status`, the `printed` statement, what `assumptions`, the `steps`, and
+        Number -> Proof: its `status`, the `printed` statement, its `assumptions`, the `steps`, and
         what is `corrected`, `cited` and `not_proved`.
 
     Raises
@@ -260,7 +260,7 @@ def audit(
     proofs = {}
     for done, number in enumerate(wanted, 1):
         check()
-        proofs[number] = judged("failed", THEOREMS[number])
+        proofs[number] = proof_or_failure("failed", THEOREMS[number])
         if progress is not None:
             progress(done)
     return proofs

@@ -1,10 +1,10 @@
-"""The verdict on an adaptive law: V' along the closed loop with the law in it, judged.
+"""The verdict on an adaptive law, of V' along the closed loop with the law in it.
 
     V' = -e^T KD e + residual
 
-If the residual is never positive, V falls and e goes to zero as in Theorem 3.2.  Where what is
-left pulls back but for a constant, V' is bounded.  Else points are looked for at which the
-running blocks themselves have V' > 0.  A law that is right but for a bounded term has V' > 0 near
+If the residual is never positive, V falls and e goes to zero as in Theorem 3.2.  Where the residual
+pulls back but for a constant, V' is bounded.  Else a search looks for points at which the running
+blocks themselves have V' > 0.  A law that is right but for a bounded term has V' > 0 near
 the truth; one that is wrong has it however far off.  So a point counts where V' > 0 also ten and a
 hundred times as far from the truth, and V' grows with V.
 """
@@ -24,7 +24,7 @@ from ...progress.interrupt import check
 from .law_case import Case
 from .leaks import Bounding
 from .proof import Step, as_html, cited, exact, short
-from .running_rate import Reading, RunningBlocks, rate_along
+from .running_rate import Evaluator, RunningBlocks, rate_along
 from .symbolic_loop import Draw, Point, degree_of, numbers_at, numeric
 from .theorem_loop import truth_in
 
@@ -33,8 +33,8 @@ FARTHER = (1.0, 10.0, 100.0)
 JUMPS, UNTIL = 4, 1000.0  # draws for a law that jumps, and until when its jumps are looked for
 
 
-def refuting_point(case: Case) -> tuple[Point | None, float | None]:
-    """Return a point with V' > 0 and V' of the running blocks there, or None, None.
+def refuting_point(case: Case) -> tuple[Point, float] | None:
+    """Return a point with V' > 0, and V' of the running blocks there, or None.
 
     Points are chosen by V' on symbols where it has numbers.
     """
@@ -52,14 +52,14 @@ def refuting_point(case: Case) -> tuple[Point | None, float | None]:
             steepest = np.argsort(-rates / np.sum(far**2, axis=1))
             order = [int(k) for k in steepest if rates[k] > 0][:TRIED]
         for k in order:
-            found = _persists(functions, x[k] - far[k], far[k], u[k], degree)
-            if found is not None:
-                return Point(0.0, x[k], u[k], params), found
-    return None, None
+            rate = _persists(functions, x[k] - far[k], far[k], u[k], degree)
+            if rate is not None:
+                return Point(0.0, x[k], u[k], params), rate
+    return None
 
 
 def _persists(
-    functions: Reading, truth: np.ndarray, far: np.ndarray, u: np.ndarray, degree: float
+    functions: Evaluator, truth: np.ndarray, far: np.ndarray, u: np.ndarray, degree: float
 ) -> float | None:
     """Return V' where it is positive at all distances and grows with V."""
     x = np.array([truth + times * far for times in FARTHER])
@@ -78,13 +78,13 @@ def rising_jump(case: Case) -> tuple[Point, Point, float] | None:
     share of all, by which errors stay bounded.
     """
     for functions, params, _, x, far, u in _draws(case, JUMPS):
-        sweep = Sweep(functions.wiring, functions.given)
+        sweep = Sweep(functions.wiring, functions.parameters)
         times = sweep.breakpoints(0.0, UNTIL)[: len(FARTHER)]
         for k in range(PER_DRAW if len(times) else 0):
             t = float(times[k % len(times)])
             sweep.enter(t)
             before = np.array([x[k] + (off - 1) * far[k] for off in FARTHER])
-            after = np.array([sweep.leap(t, own, u[k], sweep.leaping) for own in before])
+            after = np.array([sweep.leap(t, one, u[k], sweep.leaping) for one in before])
             at = np.full(len(FARTHER), t), np.tile(u[k], (len(FARTHER), 1))
             V = [functions.values(at[0], s, at[1]) for s in (before, after)]
             rise = V[1] - V[0]
@@ -103,7 +103,7 @@ def _draws(case: Case, count: int) -> Iterator[tuple]:
     draw = Draw(running.blocks, case.loop, case.seed)
     for _ in range(count):
         check()
-        values = draw.parameters(case.own, largest=0.0)
+        values = draw.parameters(case.names, largest=0.0)
         running.set(params := draw.params(values))
         x, far, u = _around_the_truth(draw, values)
         known = draw.at(values, np.zeros(PER_DRAW), x, u)
@@ -111,15 +111,15 @@ def _draws(case: Case, count: int) -> Iterator[tuple]:
 
 
 def _around_the_truth(draw: Draw, values: dict) -> tuple:
-    """Return states, what of them is error, and inputs."""
+    """Return states, their errors, and inputs."""
     random, loop = draw.random, draw.loop
-    theta, KD, GammaD = (numbers_at(values, own) for own in truth_in(loop))
+    theta, KD, GammaD = (numbers_at(values, symbols) for symbols in truth_in(loop))
     ports = [port for port, symbols in loop.states.items() for _ in symbols.flat]
-    n, inputs = len(ports), sum(np.size(own) for own in loop.inputs.values())
+    n, inputs = len(ports), sum(np.size(symbols) for symbols in loop.inputs.values())
     u = random.standard_normal((PER_DRAW, inputs)) * 10.0 ** random.uniform(-1, 0.5, (PER_DRAW, 1))
     x = random.standard_normal((PER_DRAW, n)) * 10.0 ** random.uniform(-1, 0.5, (PER_DRAW, 1))
     far = random.standard_normal((PER_DRAW, n)) * 10.0 ** random.uniform(-1, 1, (PER_DRAW, n))
-    at = {port: [k for k, own in enumerate(ports) if own == port] for port in set(ports)}
+    at = {port: [k for k, one in enumerate(ports) if one == port] for port in set(ports)}
     true = {"alpha": -theta.ravel(), "K": KD, "Gamma": GammaD}
     for port, where in at.items():
         if port == "x":
@@ -150,7 +150,7 @@ class Verdict:
     steps : tuple of Step
         What was tried.
     diagram : Diagram
-        The closed loop that was judged, V its last output.
+        The closed loop with the law, V its last output.
     for_every_N : bool
         Whether it is proved for every number of basis functions.
     point : Point or None
@@ -206,26 +206,26 @@ class Verdict:
         return ", for every number of basis functions" if self.for_every_N else ""
 
 
-def judge(case: Case) -> Verdict:
-    """Judge the law; a V that does not fit it refutes nothing."""
+def verdict_of(case: Case) -> Verdict:
+    """Return the verdict on a law; V' > 0 refutes it only where V was fitted to it."""
     definite, total = case.definite(), case.valued()
-    falls, zones, says = case.falls(case.rest), any(case.zones), case.fall_in_words
+    falls, zones, fall = case.falls(case.rest), any(case.zones), case.fall_in_words
     at_values = case.rest_at_values
     if at_values == 0 or not (falls or at_values == case.rest):
         falls = case.falls(at_values)
         if falls and case.rest != 0:  # for the values that they have
             case.rest = at_values
-            case.keep()
+            case.fix_values()
     if not falls and case.falls(case.rest + case.fall / 2):
-        case.rest, falls, says = case.rest + case.fall / 2, True, f"{says}/2"
+        case.rest, falls, fall = case.rest + case.fall / 2, True, f"{fall}/2"
         case.fall = case.fall / 2
-    at = " and the parameters as they are" if case.kept else ""
-    claim = f"V' {'=' if case.rest == 0 else '<='} {says}, N = {case.loop.N}{at}"
+    at = " and the parameters as they are" if case.fixed else ""
+    claim = f"V' {'=' if case.rest == 0 else '<='} {fall}, N = {case.loop.N}{at}"
     left = "" if case.rest == 0 else f"left over: {short(case.rest)}"
     steps = [definite, total, exact(claim, falls, left)]
-    if case.given:
-        said = ", ".join(f"{short(fact, 40)} >= 0" for fact in case.given)
-        steps.append(cited(f"given: {short(said)}", "the one who asks"))
+    if case.facts:
+        facts = ", ".join(f"{short(fact, 40)} >= 0" for fact in case.facts)
+        steps.append(cited(f"given: {short(facts)}", "the one who asks"))
     bound = None
     if definite.holds and not (falls or zones):
         bound = Bounding(case).bound()
@@ -236,22 +236,23 @@ def judge(case: Case) -> Verdict:
         steps.append(running)
         if running.holds and bound is None:
             every = case.every()
-            return _found(case, "proved", [*steps, every], for_every_N=every.holds)
+            return _complete(case, "proved", [*steps, every], for_every_N=every.holds)
         if running.holds and bound is not None:
-            steps.append(exact(bound.says, True))
-            return _found(case, "bounded", steps, reached=bound.says, level=bound.level)
-    if definite.holds and case.fitted:
-        point, rate = refuting_point(case)
+            steps.append(exact(bound.sentence, True))
+            more = {"reached": bound.sentence, "level": bound.level}
+            return _complete(case, "bounded", steps, **more)
+    if definite.holds and case.refutes:
+        found = refuting_point(case)
         claim = "the running blocks give V' > 0, ten and a hundred times as far off as well"
-        detail = "no such point was found" if point is None else f"V' = {rate:.3g}"
-        steps.append(Step(claim, point is not None, "counterexample", detail, False))
-        if point is not None:
-            return _found(case, "refuted", steps, point=point, rate=rate)
-    return _found(case, "open", steps)
+        detail = "no such point was found" if found is None else f"V' = {found[1]:.3g}"
+        steps.append(Step(claim, found is not None, "counterexample", detail, False))
+        if found is not None:
+            return _complete(case, "refuted", steps, point=found[0], rate=found[1])
+    return _complete(case, "open", steps)
 
 
-def _found(case: Case, status: str, steps: list[Step], **more: Any) -> Verdict:
-    """Return a verdict with its residual and diagram; other states and jumps are asked."""
+def _complete(case: Case, status: str, steps: list[Step], **more: Any) -> Verdict:
+    """Return a verdict with the steps about its inputs, other states and jumps."""
     known = status in ("proved", "bounded")
     if "flow_x" in case.law.input_ports:
         claim = "the law reads flow_x, the true flow, which no vehicle measures by itself"
@@ -263,10 +264,10 @@ def _found(case: Case, status: str, steps: list[Step], **more: Any) -> Verdict:
     if case.loop.jumps:
         steps = [*steps, case.across_jumps()]
         if known and not steps[-1].holds:
-            found = rising_jump(case) if case.fitted else None
+            jump = rising_jump(case) if case.refutes else None
             status = f"{status} between jumps"
-            if found is not None:
-                status, more = "refuted at a jump", {"point": found[0], "after": found[1]}
+            if jump is not None:
+                status, more = "refuted at a jump", {"point": jump[0], "after": jump[1]}
                 claim = "the running blocks' V rises at a jump, ten and a hundred times as far off"
-                steps += [Step(claim, True, "counterexample", f"by {found[2]:.3g}", False)]
+                steps += [Step(claim, True, "counterexample", f"by {jump[2]:.3g}", False)]
     return Verdict(status, case.rest, tuple(steps), case.diagram, **more)

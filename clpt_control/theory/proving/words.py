@@ -1,4 +1,4 @@
-"""What words are made of: their signs, sectors, pieces, slopes and growth.
+"""Words: their sectors, pieces, slopes and growth.
 
 A word is a function in an expression that is no polynomial: tanh(s), clip(s, -a, a), ...
 
@@ -8,7 +8,7 @@ A word is a function in an expression that is no polynomial: tanh(s), clip(s, -a
 - **Pieces.**  clip(s, a, b) is s where s - a >= 0 and b - s >= 0, a where a - s >= 0, b where
   s - b >= 0; a comparison is 1 or 0.  What holds in each piece holds.
 - **Slopes.**  Where pieces meet with one slope, V' is that of each piece; so a V with a kink is
-  judged only if they do (`meets_smoothly`).
+  taken only if they do (`meets_smoothly`).
 
 A state s that V does not hold, with |s'| <= a (1 + |s|) where a is bounded on bounded times, exists
 for all t (Gronwall's lemma); s' = 1 + s^2 ends at t = pi/2, and with it the run.  How fast an
@@ -33,6 +33,7 @@ CLIP = sympy.Function("clip", real=True)
 GT = sympy.Function("gt", real=True)
 SIGN = sympy.Function("sign", real=True)
 WHERE = sympy.Function("where", real=True)
+MAXIMUM = sympy.Function("maximum", real=True)
 COMPARED: dict[str, Callable[..., Any]] = {"gt": gt, "ge": ge, "lt": lt, "le": le}
 DECIDED: dict[str, Callable[..., Any]] = {  # carried out where their arguments are numbers
     "mod": lambda a, b: a % b,
@@ -44,7 +45,7 @@ YES_OR_NO: dict[str, Callable[..., Any]] = {
     "or_": lambda a, b: a + b - a * b,
     "not_": lambda a: 1 - a,
 }
-ODD: dict[Any, tuple] = {  # odd and rising -> between what its share of s lies
+ODD: dict[Any, tuple] = {  # odd and rising: h -> the range of h(s)/s
     **dict.fromkeys((sympy.tanh, sympy.atan, sympy.asinh), (0, 1)),
     sympy.erf: (0, 2),
     sympy.sinh: (1, sympy.oo),
@@ -77,8 +78,8 @@ def _is_0_or_1(e: sympy.Expr) -> bool:
 
 def words_of(expression: sympy.Expr) -> set[Any]:
     """Return the words of an expression; functions of time alone, and numbers, are none."""
-    found = expression.atoms(sympy.Function)
-    return {w for w in found if not (is_input(w) or w.func == SUM or w.is_number)}
+    words = expression.atoms(sympy.Function)
+    return {w for w in words if not (is_input(w) or w.func == SUM or w.is_number)}
 
 
 def is_input(word: Any) -> bool:
@@ -87,7 +88,7 @@ def is_input(word: Any) -> bool:
 
 
 class Sector(NamedTuple):
-    """word = q times a factor, q between two ends."""
+    """A word is q times `factor`, q between `low` and `high`."""
 
     factor: sympy.Expr
     low: Any
@@ -96,7 +97,7 @@ class Sector(NamedTuple):
 
 
 def sector_of(word: Any) -> Sector | None:
-    """Return in which sector a word lies, if that is known."""
+    """Return the sector that a word lies in, if that is known."""
     name, s = word.func.__name__, word.args[0]
     if isinstance(word, tuple(ODD)):
         low, high = next(ends for kind, ends in ODD.items() if isinstance(word, kind))
@@ -112,7 +113,7 @@ def sector_of(word: Any) -> Sector | None:
 
 
 def interval(e: sympy.Expr) -> tuple[Any, Any]:
-    """Return numbers between which an expression lies, whatever its symbols are."""
+    """Return the numbers between which an expression lies, whatever its symbols are."""
     if e.is_number and e.is_real:
         return e, e
     name, of = e.func.__name__, [interval(a) for a in e.args]
@@ -142,12 +143,12 @@ def interval(e: sympy.Expr) -> tuple[Any, Any]:
         high = sympy.Min(high, sympy.Add(*(b for _, b in of)))
     elif e.is_Mul or (e.is_Pow and e.exp == 2):
         ends = of if e.is_Mul else [of[0]] * 2
-        found = ends[0]
+        product = ends[0]
         for other in ends[1:]:
-            corners = [a * b for a in found for b in other]
+            corners = [a * b for a in product for b in other]
             corners = [sympy.S.Zero if c is sympy.nan else c for c in corners]
-            found = sympy.Min(*corners), sympy.Max(*corners)
-        low, high = sympy.Max(low, found[0]), sympy.Min(high, found[1])
+            product = sympy.Min(*corners), sympy.Max(*corners)
+        low, high = sympy.Max(low, product[0]), sympy.Min(high, product[1])
     elif e.is_Pow and e.exp.is_negative and of[0][0].is_positive:
         low, high = of[0][1] ** e.exp, of[0][0] ** e.exp
     return low, high
@@ -177,10 +178,10 @@ def pieces_of(word: Any) -> list[Piece]:
         ]
     if name in ("Abs", "sign"):
         (u,) = args
-        own = ((u, 1, 1), (-u, -1, -1), (sympy.S.Zero, 0, 0))
+        sides = ((u, 1, 1), (-u, -1, -1), (sympy.S.Zero, 0, 0))
         return [
             ([side * u] if side else [u, -u], {sympy.Abs(u): size, SIGN(u): sympy.Integer(sign)})
-            for size, sign, side in own
+            for size, sign, side in sides
         ]
     return []
 
@@ -219,8 +220,8 @@ def along(expression: sympy.Expr, known: dict[Any, sympy.Expr]) -> sympy.Expr:
             return sympy.Add(*(rate(a) * b for a, b in zip(e.args, rest, strict=True)))
         if e.is_Pow and e.exp.is_Number:
             return e.exp * e.base ** (e.exp - 1) * rate(e.base)
-        if (own := slope_of(e, rate)) is not None:
-            return own
+        if (derivative := slope_of(e, rate)) is not None:
+            return derivative
         if isinstance(e, sympy.Function) and not isinstance(e, AppliedUndef) and len(e.args) == 1:
             return e.fdiff() * rate(e.args[0])
         return sympy.Add(*(sympy.diff(e, s) * rate(s) for s in e.free_symbols if rate(s) != 0))
@@ -262,25 +263,25 @@ AS_ITS_OTHERS = ("where", "pick", "clip", "mod")  # whatever the first argument 
 
 def faster_than_linear(moves: Mapping[str, Any], states: Mapping[str, Any]) -> str:
     """Return which state may move faster than linearly in the states, and how; or ""."""
-    names = {str(s).split("[")[0] for own in states.values() for s in np.ravel(own)}
+    names = {str(s).split("[")[0] for symbols in states.values() for s in np.ravel(symbols)}
 
-    def own(symbol: sympy.Symbol) -> bool:
+    def is_state(symbol: sympy.Symbol) -> bool:
         return str(symbol).split("[")[0] in names  # m[k] is one of m[j]
 
     for what, move in moves.items():
         for one in np.ravel(move):
-            if degree(sympy.sympify(one), own) > 1:
+            if degree(sympy.sympify(one), is_state) > 1:
                 return f"{what} = {short(one)} may grow faster than linearly"
     return ""
 
 
-def degree(expression: sympy.Expr, own: Callable[[sympy.Symbol], bool]) -> float:
-    """Return at most which power of its own states an expression grows with; inf if not known."""
-    if not any(map(own, expression.free_symbols)):
+def degree(expression: sympy.Expr, is_state: Callable[[sympy.Symbol], bool]) -> float:
+    """Return the highest power of the states that an expression grows with; inf if not known."""
+    if not any(map(is_state, expression.free_symbols)):
         return 0.0
     if expression.is_Symbol:
         return 1.0
-    of, name = [degree(one, own) for one in expression.args], str(expression.func)
+    of, name = [degree(one, is_state) for one in expression.args], str(expression.func)
     if isinstance(expression, BOUNDED) or name in ("sign", "inside", *COMPARED, *YES_OR_NO):
         return 0.0
     if expression.is_Mul:

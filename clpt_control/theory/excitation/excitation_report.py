@@ -152,15 +152,15 @@ def _direction(ax: "Axes", at: Excitation, axis: str) -> None:
     names = list(least)
     components = np.array([least[name] for name in names])
     shares = np.linalg.norm(at.identifiable[axis], axis=1)
-    shown = np.sort(np.argsort(-np.abs(components))[:MOST_BARS])
-    places = np.arange(len(shown))
+    drawn = np.sort(np.argsort(-np.abs(components))[:MOST_BARS])
+    places = np.arange(len(drawn))
     bars: dict[str, Any] = {"width": 0.55, "color": BLUE, "edgecolor": "black", "linewidth": 0.6}
-    ax.bar(places, components[shown], label="least excited direction", **bars)
+    ax.bar(places, components[drawn], label="least excited direction", **bars)
     marks: dict[str, Any] = {"markersize": 5, "color": RED, "markerfacecolor": "white"}
-    ax.plot(places, shares[shown], "D", label="learnable share", **marks)
+    ax.plot(places, shares[drawn], "D", label="learnable share", **marks)
     ax.axhline(0, color="black", linewidth=0.7)
-    ax.set_xticks(places, [_symbol(names[k]) for k in shown], fontsize=9)
-    some = "" if len(shown) == len(names) else f"\n{len(shown)} of {len(names)} parameters"
+    ax.set_xticks(places, [_symbol(names[k]) for k in drawn], fontsize=9)
+    some = "" if len(drawn) == len(names) else f"\n{len(drawn)} of {len(names)} parameters"
     ax.set_title(
         rf"{axis}: $\kappa_1$ = {at.eigenvalues[axis][0]:.3g}, "
         f"{at.start:.4g} to {at.start + at.window:.4g} {at.time_unit}{some}",

@@ -34,13 +34,13 @@ LARGE = ("exp", "expm1", "sinh", "cosh")  # have a value wherever it is a number
 
 
 def _watched(owner: str, kind: str, arguments: tuple) -> str | None:
-    """Return where an operation has no value; a number that is too large has one."""
-    said = no_value(owner, kind, arguments)
-    return None if kind in LARGE else said
+    """Return where an operation has no value; one whose value may be too large has one."""
+    sentence = no_value(owner, kind, arguments)
+    return None if kind in LARGE else sentence
 
 
-class OwnV:
-    """A diagram with its V."""
+class SystemV:
+    """A diagram with a V of one's own, both on symbols."""
 
     def __init__(self, system: Any, V: Any, claim: Any, at: Any):
         self.system = system
@@ -53,8 +53,9 @@ class OwnV:
             raise DiagramError(f"{system.name}: has a state t, as time is called; rename it")
         for s, rate in self.eq.motion.items():
             if rate.xreplace(self.eq.values).has(*NO_VALUE):
-                said = f"with the parameters as they are {s}' has no value"
-                raise DiagramError(f"{system.name}: {said}")
+                raise DiagramError(
+                    f"{system.name}: with the parameters as they are {s}' has no value"
+                )
         self.states, self.fixed = [*self.eq.motion], set(self.eq.values)
         self.inputs = [s for own in self.eq.inputs.values() for s in own.flat]
         self.V, labels = self.expression(V), {V, f"{V}[0]"} if isinstance(V, str) else set()
@@ -64,27 +65,29 @@ class OwnV:
         self.rest = None if at is None else self.place(at)
         self.valued = False  # whether the parameters' own values are used
 
-    def expression(self, given: Any) -> sympy.Expr:
+    def expression(self, source: Any) -> sympy.Expr:
         """Return a name, a function of signals or an expression in states and inputs."""
-        if callable(given) and not isinstance(given, sympy.Basic):
+        if callable(source) and not isinstance(source, sympy.Basic):
             named = {
-                name: own
-                for dotted, own in self.eq.named.items()
+                name: symbols
+                for dotted, symbols in self.eq.named.items()
                 if (name := dotted.replace(".", "_")).isidentifier()
                 and not hasattr(np.ndarray, name)
             }
-            ports = {name: own.shape for name, own in named.items()}
-            made = Block(
-                "V", output=lambda t, x, u, p: {"V": given(u)}, inputs=ports, outputs={"V": 1}
+            ports = {name: symbols.shape for name, symbols in named.items()}
+            block = Block(
+                "V", output=lambda t, x, u, p: {"V": source(u)}, inputs=ports, outputs={"V": 1}
             )
             try:
-                (found,) = expressions(made, "output", lambda at, shape, place: named[at[1]][place])
+                (found,) = expressions(
+                    block, "output", lambda at, shape, place: named[at[1]][place]
+                )
             except Unread as error:
                 raise DiagramError(f"{error}") from None
         else:
-            found = sympy.sympify(self.eq[given] if isinstance(given, str) else given)
+            found = sympy.sympify(self.eq[source] if isinstance(source, str) else source)
         if not isinstance(found, sympy.Expr):
-            raise DiagramError(f"{self.system.name}: {short(given, 60)} is no single number")
+            raise DiagramError(f"{self.system.name}: {short(source, 60)} is no single number")
         found = found.xreplace({q: number_of(float(q)) for q in found.atoms(sympy.Float)})
         known = {s.name: s for s in (TIME, *self.states, *self.fixed)}
         known |= {str(f.func): f for f in self.inputs}
@@ -99,8 +102,8 @@ class OwnV:
     def place(self, at: Mapping[str, float] | Sequence[float]) -> dict[Any, sympy.Expr]:
         """Return each state's value at a rest, a share of pi where a number is that."""
         if not isinstance(at, Mapping):
-            own = numbers("at", at, len(self.states))
-            at = dict(zip(map(str, self.states), own, strict=True))
+            values = numbers("at", at, len(self.states))
+            at = dict(zip(map(str, self.states), values, strict=True))
         found = dict.fromkeys(self.states, sympy.Integer(0))
         names = {str(s): s for s in self.states}
         check_holds("at", names, at, f"states are {', '.join(names)}")
@@ -118,7 +121,7 @@ class OwnV:
     def definite(self) -> tuple[Step, list[sympy.Expr] | None]:
         """Return the step that V is positive definite, and the forms that it holds.
 
-        They are None where it is so near the rest alone.
+        The forms are None where V is positive definite only near the rest.
         """
         words = [f for f in self.V.atoms(AppliedUndef) if not is_input(f)]
         if self.V.has(sympy.atan2) or (words and not meets_smoothly(self.V)):
@@ -133,9 +136,9 @@ class OwnV:
                 found = found if all(vanishes(f.subs(zero)) for f in found.forms) else None
             if found and found.forms:
                 forms = [f.xreplace(back) for f in found.forms]
-                said = ", ".join(dict.fromkeys(map(str, self.shown(forms))))
+                names = ", ".join(dict.fromkeys(map(str, self.in_signals(forms))))
                 self.valued |= bool(at)
-                return exact(f"V is positive definite in {said}", True), forms
+                return exact(f"V is positive definite in {names}", True), forms
             if not set(self.states) <= V.free_symbols <= {*self.states, *self.fixed}:
                 continue
             H = sympy.hessian(V, self.states).subs(zero)
@@ -166,10 +169,10 @@ class OwnV:
             return True
         return nonpositive(expression, expression.free_symbols - self.fixed, {})
 
-    # --- how it is said -------------------------------------------------------------------
+    # --- in the user's words -------------------------------------------------------------------
 
-    def shown(self, found: list[sympy.Expr]) -> list[sympy.Expr]:
-        """Return expressions in the diagram's own signals, with squares completed or factored."""
+    def in_signals(self, expressions: list[sympy.Expr]) -> list[sympy.Expr]:
+        """Return expressions in the diagram's own signals, each signal in place of its sum."""
         names: dict[sympy.Expr, sympy.Expr] = {}
         for port, own in self.eq.signals.items():
             for index, value in np.ndenumerate(own):
@@ -181,7 +184,7 @@ class OwnV:
         def named(e: sympy.Expr) -> sympy.Expr:
             return e.replace(lambda one: one.is_Add, lambda one: names.get(sympy.expand(one), one))
 
-        return [named(e) for e in found]
+        return [named(e) for e in expressions]
 
     def readable_rate(self) -> sympy.Expr:
         """Return V' factored, or as a sum of squares, whichever is shorter, in signals."""
@@ -190,7 +193,7 @@ class OwnV:
         ways = [rate, factored(rate)]
         if own and not own.constant.free_symbols - self.fixed:
             ways.append(sympy.Add(*(-factored(term) for term in own.terms)) - own.constant)
-        return min(self.shown(ways), key=sympy.count_ops)
+        return min(self.in_signals(ways), key=sympy.count_ops)
 
     def where(self) -> str:
         """Return the one condition under which V' <= 0, or nothing."""
@@ -204,7 +207,7 @@ class OwnV:
         sign = factored(-rate / unknown)
         unknown, sign = (-unknown, -sign) if sign.is_nonpositive else (unknown, sign)
         known = sign.is_nonnegative and unknown.free_symbols - self.fixed
-        return f"{self.shown([unknown])[0]} >= 0" if known else ""
+        return f"{self.in_signals([unknown])[0]} >= 0" if known else ""
 
     def depends_on(self) -> list[str]:
         """Return the inputs that V' depends on."""

@@ -27,7 +27,7 @@ from ...native.native_diagram import NativeDiagram
 from ...scenario.experiment import Scenario
 from ...simulation.loops import paper_blocks
 from ...simulation.starts import state_of
-from ..excitation.certificates import TURN, falls, least
+from ..excitation.certificates import TURN, smallest_eigenvalue, worst_drop
 from ..excitation.regressor import quadrature, regressors
 
 ANY = next(law for law in LAWS.values() if not (law.at_fixes or law.given_estimate))
@@ -78,20 +78,21 @@ class Tracks:
         self.looks = edges[:-1, None] + np.diff(edges)[:, None] * np.linspace(0.0, 1.0, looks)
         times = np.concatenate([[0.0], self.nodes.ravel(), self.looks.ravel(), [end]])
         self.times, self.place = np.unique(times, return_inverse=True)
-        self.held = [self._waypoint(middles(cuts)), self._waypoint(middles(edges))]
+        self.waypoint_of_node, self.waypoint_of_look = map(self._waypoint, (cuts, edges))
 
-    def _waypoint(self, times: np.ndarray) -> np.ndarray:
-        """Return which waypoint is held at times that are no switches."""
+    def _waypoint(self, cuts: np.ndarray) -> np.ndarray:
+        """Return which waypoint the vehicle holds in each piece, (pieces,)."""
         dwell, count = self.scenario.reference.dwell, len(self.scenario.waypoints)
-        return np.floor(times / dwell).astype(int) % count
+        return np.floor((cuts[:-1] + cuts[1:]) / 2 / dwell).astype(int) % count
 
     def __call__(self, points: np.ndarray) -> tuple[np.ndarray, Extremes]:
         """Return kappa_1 or the drop of V, (2, m), and the extremes of tracks (m, n, 2)."""
         size = 16 * self.nodes.size * (self.scenario.basis.N + 2) + 16 * len(self.times)
         together = max(8, BYTES // size)
         parts = [self._together(points[k : k + together]) for k in range(0, len(points), together)]
-        found = [Extremes(*map(np.concatenate, zip(*(part[1] for part in parts), strict=True)))]
-        return np.concatenate([part[0] for part in parts], axis=1), found[0]
+        sizes, extremes = zip(*parts, strict=True)
+        fields = map(np.concatenate, zip(*extremes, strict=True))
+        return np.concatenate(sizes, axis=1), Extremes(*fields)
 
     def _together(self, points: np.ndarray) -> tuple[np.ndarray, Extremes]:
         m = len(points)
@@ -130,18 +131,18 @@ class Tracks:
         basis = next(block for block in self.blocks if "phi_x" in block.output_ports)
         times = np.broadcast_to(self.nodes, x.shape[:-1])
         phi = evaluate(basis, times.ravel(), x.reshape(-1, 2)).reshape(*x.shape[:-1], -1)
-        zc = np.broadcast_to(points[:, self.held[0], None], x.shape)
+        zc = np.broadcast_to(points[:, self.waypoint_of_node, None], x.shape)
         w, k = np.nan_to_num(regressors(phi, x, zc)), np.array(self.scenario.vehicle.feedback)
         if self.gains is None:
-            sizes = least(w, self.weights)
+            sizes = smallest_eigenvalue(w, self.weights)
         else:
-            sizes = falls(w, k[:, None], self.gains, self.weights)
+            sizes = worst_drop(w, k[:, None], self.gains, self.weights)
         return np.where(np.isfinite(x).all(axis=(1, 2, 3)), sizes, 0.0)
 
     def _extremes(self, x: np.ndarray, points: np.ndarray, share: np.ndarray) -> Extremes:
         speed = np.full(x.shape[:-1], np.nan)
         if self.speeds:
-            zc = np.broadcast_to(points[:, self.held[1], None], x.shape)
+            zc = np.broadcast_to(points[:, self.waypoint_of_look, None], x.shape)
             times = np.broadcast_to(self.looks, x.shape[:-1]).ravel()
             ports = {"x": x.reshape(-1, 2), "zc": zc.reshape(-1, 2)}
             v = _signal("v_x", self.blocks, times, ports)
@@ -149,15 +150,10 @@ class Tracks:
         return Extremes(speed.max(axis=2), x.min(axis=2), x.max(axis=2), share)
 
 
-def middles(cuts: np.ndarray) -> np.ndarray:
-    """Return the middle of each piece."""
-    return (cuts[:-1] + cuts[1:]) / 2
-
-
 def vehicle_alone(scenario: Scenario) -> Scenario:
     """Return the scenario with nothing that is random, waypoints as a list, and any learner.
 
-    The learner is not run; one that the vehicle steers by is left out too, since e = 0.
+    The learner is not run, not even one by which the vehicle steers, since e = 0.
     """
     return scenario.with_values(
         {

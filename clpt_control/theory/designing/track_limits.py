@@ -16,7 +16,7 @@ from ...errors import ScenarioError
 from ...files import open_netcdf
 from ...scenario.experiment import Scenario
 from ...units import METRES
-from .tracks import Extremes
+from .waypoint_tracks import Extremes
 
 MARGIN = 1e-3  # of a limit, kept free between the times at which it is looked at
 MOST_WAYPOINTS = 200
@@ -61,7 +61,7 @@ def closed_length(points: np.ndarray) -> np.ndarray:
 
 
 def shortened(points: np.ndarray, length: float) -> np.ndarray:
-    """Return closed polygons, those that are longer shrunk about their middle."""
+    """Return closed polygons; those longer than `length` are shrunk about their middle."""
     middle = points.mean(axis=-2, keepdims=True)
     share = np.minimum(1.0, length / np.maximum(closed_length(points), 1e-300))
     share = np.where(share < 1, share * (1 - 1e-13), 1.0)[..., None, None]
@@ -69,7 +69,7 @@ def shortened(points: np.ndarray, length: float) -> np.ndarray:
 
 
 def around(points: np.ndarray, count: int) -> np.ndarray:
-    """Return so many points evenly along a closed polygon; itself where it has as many."""
+    """Return `count` points evenly along a closed polygon; its own where it has as many."""
     if len(points) == count:
         return points
     closed = np.vstack([points, points[:1]])
@@ -78,7 +78,7 @@ def around(points: np.ndarray, count: int) -> np.ndarray:
     return np.column_stack([np.interp(wanted, along, closed[:, i]) for i in range(2)])
 
 
-def own_area(points: np.ndarray, extremes: Extremes) -> Box:
+def filled_area(points: np.ndarray, extremes: Extremes) -> Box:
     """Return the box that a track fills, waypoints and path, and a little more."""
     low = np.minimum(points.min(axis=0), extremes.low[0].min(axis=0))
     high = np.maximum(points.max(axis=0), extremes.high[0].max(axis=0))
@@ -87,47 +87,48 @@ def own_area(points: np.ndarray, extremes: Extremes) -> Box:
     return low1, high1, low2, high2
 
 
-def check_numbers(scenario: Scenario, count: int | None, **given: float | None) -> None:
+def check_numbers(scenario: Scenario, count: int | None, **numbers: float | None) -> None:
     """Refuse numbers that no track can have."""
     unit, time = scenario.units.length, scenario.units.time
     units = {"length": unit, "dwell": time}
-    for name, value in given.items():
+    for name, value in numbers.items():
         if value is not None and not 0 < value < np.inf:
-            of = units.get(name, f"{unit}/{time}")
-            raise ScenarioError(f"{name} = {value:g}: must be a positive number of {of}")
+            own_unit = units.get(name, f"{unit}/{time}")
+            raise ScenarioError(f"{name} = {value:g}: must be a positive number of {own_unit}")
     whole = isinstance(count, int) and not isinstance(count, bool)
     if count is not None and not (whole and 2 <= count <= MOST_WAYPOINTS):
         raise ScenarioError(f"count = {count}: must be a whole number, 2 to {MOST_WAYPOINTS}")
-    if count is None and (own := len(scenario.waypoints)) > MOST_WAYPOINTS:
-        raise ScenarioError(f"reference: has {own} waypoints; give count, 2 to {MOST_WAYPOINTS}")
+    if count is None and (n := len(scenario.waypoints)) > MOST_WAYPOINTS:
+        raise ScenarioError(f"reference: has {n} waypoints; give count, 2 to {MOST_WAYPOINTS}")
 
 
 def check_area(scenario: Scenario, area: Box, field: Box | None) -> None:
-    """Refuse an area that is none, that the vehicle starts outside of, or that leaves the field."""
+    """Refuse an area that is empty, leaves the field, or does not hold the vehicle's start."""
     unit = scenario.units.length
     low1, high1, low2, high2 = area
-    shown = _shown(area, unit)
+    text = _in_words(area, unit)
     if not (np.isfinite(area).all() and low1 < high1 and low2 < high2):
         raise ScenarioError(
-            f"area = {shown}: must be four numbers, x1 from and to, x2 from and to, each pair "
+            f"area = {text}: must be four numbers, x1 from and to, x2 from and to, each pair "
             "increasing"
         )
     if field is not None and not (
         field[0] <= low1 and high1 <= field[1] and field[2] <= low2 and high2 <= field[3]
     ):
         raise ScenarioError(
-            f"area = {shown}: reaches out of the scenario's field, {_shown(field, unit)}; must lie "
+            f"area = {text}: reaches out of the scenario's field, "
+            f"{_in_words(field, unit)}; must lie "
             "within it"
         )
     x1, x2 = scenario.vehicle.position
     if not (low1 <= x1 <= high1 and low2 <= x2 <= high2):
         raise ScenarioError(
-            f"area = {shown}: the vehicle starts outside of it, at ({x1:g}, {x2:g}); the area must "
+            f"area = {text}: the vehicle starts outside of it, at ({x1:g}, {x2:g}); the area must "
             "hold vehicle.position"
         )
 
 
-def _shown(area: Box, unit: str) -> str:
+def _in_words(area: Box, unit: str) -> str:
     return f"x1 {area[0]:g} to {area[1]:g}, x2 {area[2]:g} to {area[3]:g} {unit}"
 
 
