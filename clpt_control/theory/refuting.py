@@ -201,12 +201,12 @@ def drawn(law: str, point: np.ndarray) -> Scenario:
         values["flow.disturbance"] = delta | ({} if kind == "constant" else {"period": period})
     learning: dict[str, Any] = {"law": law, "position": places[draw.one_of(0, 1)].tolist()}
     gains = [float(draw.scaled(0.05, 20)), *draw.scaled(0.02, 5, 2).tolist()]
-    adapts, own = draw.one_of(True, False), draw.between(0, 3, 2, 2) * draw.one_of(NEAR_0, 1)
+    adapts, first = draw.one_of(True, False), draw.between(0, 3, 2, 2) * draw.one_of(NEAR_0, 1)
     noise = draw.one_of(0, 0, 0, 0.02)
     if row.at_fixes:
         values["localization"] = {"interval": dwell / 3, "noise": noise}
     else:
-        first = own if adapts else np.array([KD, GammaD])
+        first = first if adapts else np.array([KD, GammaD])
         learning |= {"adapt_gains": adapts, "feedback": first[0], "feedforward": first[1]}
         needed = [row.alpha_by_gain, adapts, adapts]
         keys = zip(("parameters", "feedback", "feedforward"), gains, needed, strict=True)

@@ -37,72 +37,73 @@ def squares(V: sympy.Expr, fixed: set) -> Squares | None:
     moving = sorted(V.free_symbols - fixed, key=str)
     if not moving:
         return Squares(V.xreplace(back), [], [])
-    held, low, more = dict[Any, Any](), list[Any](), list[Any]()  # term -> the form that it holds
+    form_of = dict[Any, Any]()  # term -> the form that it holds
+    low, more = list[Any](), list[Any]()
     others = dict[frozenset, list]()
     parts = [sympy.expand_mul(one, deep=False) for one in sympy.Add.make_args(V)]
     for term in sympy.Add.make_args(sympy.Add(*parts)):
         factor, rest = term.as_independent(*moving, as_Add=False)
         base, power = rest.as_base_exp()
         if _positive(factor) and power.is_Integer and power.is_even and power.is_positive:
-            held[term] = base
+            form_of[term] = base
         elif rest.is_polynomial(*moving):
             low.append(term)
         elif term.is_nonnegative and len(rest.free_symbols & set(moving)) > 1:  # it holds no form
             more.append(term)
         else:
             others.setdefault(frozenset(rest.free_symbols & set(moving)), []).append(term)
-    for symbols, own in others.items():
+    for symbols, terms in others.items():
         if len(symbols) != 1:
             return None
         (s,) = symbols
-        found = _rising(sympy.Add(*own), s)
-        if found is None:  # with all that s is in alone
+        rising = _rising(sympy.Add(*terms), s)
+        if rising is None:  # with all that s is in alone
             same = [term for term in low if term.free_symbols & set(moving) == {s}]
-            own, low = own + same, [term for term in low if term not in same]
-            found = _rising(sympy.Add(*own), s)
-        if found is None:
+            terms, low = terms + same, [term for term in low if term not in same]
+            rising = _rising(sympy.Add(*terms), s)
+        if rising is None:
             return None
-        low.append(found[0])
-        held[sympy.Add(*own) - found[0]] = found[1]
+        low.append(rising[0])
+        form_of[sympy.Add(*terms) - rising[0]] = rising[1]
     if any(term.free_symbols & set(moving) for term in low):  # squares are completed with them
-        plain = [term for term in held if term.is_polynomial(*moving)]
+        plain = [term for term in form_of if term.is_polynomial(*moving)]
         low += plain
-        held = {term: form for term, form in held.items() if term not in plain}
+        form_of = {term: form for term, form in form_of.items() if term not in plain}
     whole = _completed(sympy.expand(sympy.Add(*low)), moving, [MOST])
     if whole is None:
         return None
-    both = [*held, *more, *whole.terms], [*held.values(), *whole.forms]
-    return Squares(whole.constant, *([one.xreplace(back) for one in own] for own in both))
+    both = [*form_of, *more, *whole.terms], [*form_of.values(), *whole.forms]
+    return Squares(whole.constant, *([one.xreplace(back) for one in terms] for terms in both))
 
 
 def _completed(p: sympy.Expr, moving: list, left: list[int]) -> Squares | None:
     """Complete the squares of a polynomial, in one order of its symbols or another."""
-    own = [s for s in moving if p.has(s)]
-    if not own:
+    symbols = [s for s in moving if p.has(s)]
+    if not symbols:
         return Squares(p, [], [])
-    poly = sympy.Poly(p, *own)
-    if any(poly.degree(s) % 2 for s in own):  # which has no least value
+    poly = sympy.Poly(p, *symbols)
+    if any(poly.degree(s) % 2 for s in symbols):  # which has no least value
         return None
     even, high = Squares(poly.coeff_monomial(1), [], []), Squares(sympy.Integer(0), [], [])
     for powers, c in poly.terms():
         if any(powers) and not any(n % 2 for n in powers) and _positive(c):
-            root = sympy.Mul(*(s ** (n // 2) for s, n in zip(own, powers, strict=True)))
-            for found in [even, high] if sum(powers) > 2 else [even]:
-                found.terms.append(c * root**2)
-                found.forms.append(root.as_base_exp()[0])
+            root = sympy.Mul(*(s ** (n // 2) for s, n in zip(symbols, powers, strict=True)))
+            for one in [even, high] if sum(powers) > 2 else [even]:
+                one.terms.append(c * root**2)
+                one.forms.append(root.as_base_exp()[0])
     if len(even.terms) == sum(any(powers) for powers in poly.monoms()):
         return even
-    for s in own:
+    for s in symbols:
         a, b, c = (p.coeff(s, n) for n in (2, 1, 0))
-        if poly.degree(s) != 2 or a.has(*own) or not _positive(a) or left[0] <= 0:
+        if poly.degree(s) != 2 or a.has(*symbols) or not _positive(a) or left[0] <= 0:
             continue
         left[0] -= 1
         form = s + sympy.expand(b / (2 * a))
         rest = _completed(sympy.expand(sympy.cancel(c - b**2 / (4 * a))), moving, left)
         if rest is not None:
             return Squares(rest.constant, [a * form**2, *rest.terms], [form, *rest.forms])
-    if len(own) == 1 and (poly.domain.is_QQ or poly.domain.is_ZZ):
-        return _of_one(poly, own[0])
+    if len(symbols) == 1 and (poly.domain.is_QQ or poly.domain.is_ZZ):
+        return _of_one(poly, symbols[0])
     rest = (
         _completed(sympy.expand(p - sympy.Add(*high.terms)), moving, left) if high.terms else None
     )
@@ -129,9 +130,9 @@ def _rising(g: sympy.Expr, s: sympy.Symbol) -> tuple[sympy.Expr, sympy.Expr] | N
     """Return g(0) and what g - g(0) >= 0 is zero with, of a function of one symbol."""
     least = g.subs(s, 0)
     k, m = sympy.Wild("k", exclude=[s, 0]), sympy.Wild("m", exclude=[s, 0])
-    turn = g.match(-k * sympy.cos(m * s))
-    if turn is not None and turn[k].is_positive:
-        return least, sympy.sin(turn[m] * s / 2)
+    cosine = g.match(-k * sympy.cos(m * s))
+    if cosine is not None and cosine[k].is_positive:
+        return least, sympy.sin(cosine[m] * s / 2)
     slope = sympy.diff(g, s)
     bend = factored(sympy.diff(slope, s))
     if not least.is_finite or not vanishes(slope.subs(s, 0)) or bend == 0:
@@ -154,7 +155,7 @@ def states_beside(forms: list[sympy.Expr], eq: Equations) -> tuple[str, Step]:
     held, and the forms hold the others beside it.  Inputs are bounded; a form that grows with time
     holds nothing.
     """
-    still = {f: sympy.Dummy(real=True) for own in eq.inputs.values() for f in own.flat}
+    still = {f: sympy.Dummy(real=True) for port in eq.inputs.values() for f in port.flat}
     motion = {s: rate.xreplace(still) for s, rate in eq.motion.items()}
     turning = {w: sympy.Dummy(real=True) for r in motion.values() for w in r.atoms(*TURNS)}
     fixed = set(eq.values)
@@ -166,7 +167,7 @@ def states_beside(forms: list[sympy.Expr], eq: Equations) -> tuple[str, Step]:
                 forms[k] = sympy.S.Zero
     forms = [form for form in forms if degree(form, lambda s: s == TIME) == 0]
     inner = filter(None, (squares(form, fixed) for form in forms))
-    forms += [form for found in inner for form in found.forms]
+    forms += [form for inner_squares in inner for form in inner_squares.forms]
     left, at, free = list(motion), dict[Any, Any](), list[Any]()
     while left:
         one = next(filter(None, (_state_of(f.xreplace(at), left, fixed) for f in forms)), None)
@@ -181,12 +182,12 @@ def states_beside(forms: list[sympy.Expr], eq: Equations) -> tuple[str, Step]:
     if not free:
         return "", exact("V holds every state", True)
     rates = sympy.Matrix([sympy.expand(motion[s].xreplace(at)) for s in free])
-    after = [(s, new.xreplace(at)) for own in eq.jumps.values() for s, new in own.items()]
+    after = [(s, new.xreplace(at)) for jump in eq.jumps.values() for s, new in jump.items()]
     jumps = [new for s, new in after if s in free and new != s]
     J = rates.jacobian(free)
-    rest, own = rates - J * sympy.Matrix(free), J.xreplace(eq.values)
-    if not (jumps or own.free_symbols or rest.has(TIME, *free)):
-        poles = np.linalg.eigvals(np.array(own, dtype=float))
+    rest, A = rates - J * sympy.Matrix(free), J.xreplace(eq.values)
+    if not (jumps or A.free_symbols or rest.has(TIME, *free)):
+        poles = np.linalg.eigvals(np.array(A, dtype=float))
         if np.all(poles.real < 0):
             return "", exact(f"{names}: linear and stable, driven by what V holds", True)
     if all(degree(rate, free.__contains__) <= 1 for rate in (*rates, *jumps)):
@@ -203,14 +204,14 @@ def _how_it_moves(s: Any, rate: sympy.Expr, among: list, fixed: set) -> tuple[bo
 
 def _state_of(form: sympy.Expr, left: list, fixed: set) -> dict[Any, sympy.Expr] | None:
     """Return the one state of these that a form holds, as an expression of the others."""
-    own = [s for s in left if form.has(s)]
-    if len(own) != 1 or not form.is_polynomial(*own):
+    states = [s for s in left if form.has(s)]
+    if len(states) != 1 or not form.is_polynomial(*states):
         return None
-    (s,), held = own, sympy.Dummy("held", real=True)
+    (s,), bounded = states, sympy.Dummy("held", real=True)
     a, *rest = sympy.Poly(form, s).all_coeffs()
     if vanishes(a) or a.free_symbols - fixed:
         return None
     if len(rest) > 1:  # of higher degree it holds s where nothing else in it moves freely
         alone = all(isinstance(one, sympy.Dummy) for one in form.free_symbols - fixed - {s})
-        return {s: held} if alone else None
-    return {s: (held - rest[0]) / a}
+        return {s: bounded} if alone else None
+    return {s: (bounded - rest[0]) / a}

@@ -57,7 +57,7 @@ class SystemV:
                     f"{system.name}: with the parameters as they are {s}' has no value"
                 )
         self.states, self.fixed = [*self.eq.motion], set(self.eq.values)
-        self.inputs = [s for own in self.eq.inputs.values() for s in own.flat]
+        self.inputs = [s for port in self.eq.inputs.values() for s in port.flat]
         self.V, labels = self.expression(V), {V, f"{V}[0]"} if isinstance(V, str) else set()
         self.name = next((one for one in system.output_labels if one in labels), "")
         self.claim = None if claim is None else self.expression(claim)
@@ -161,8 +161,8 @@ class SystemV:
 
     def below_zero(self, expression: sympy.Expr) -> bool:
         """Return whether an expression is known never to be positive, as it stands."""
-        own = squares(-expression, self.fixed)
-        if vanishes(expression) or (own and own.constant.is_nonnegative):
+        total = squares(-expression, self.fixed)
+        if vanishes(expression) or (total and total.constant.is_nonnegative):
             return True
         ways = factored(expression), sympy.factor_terms(expression)
         if any(interval(one)[1].is_nonpositive for one in ways):
@@ -174,11 +174,11 @@ class SystemV:
     def in_signals(self, expressions: list[sympy.Expr]) -> list[sympy.Expr]:
         """Return expressions in the diagram's own signals, each signal in place of its sum."""
         names: dict[sympy.Expr, sympy.Expr] = {}
-        for port, own in self.eq.signals.items():
-            for index, value in np.ndenumerate(own):
+        for port, symbols in self.eq.signals.items():
+            for index, value in np.ndenumerate(symbols):
                 value = sympy.expand(value)
                 if value.is_Add:
-                    symbol = sympy.Symbol(called(port, own.shape, index), real=True)
+                    symbol = sympy.Symbol(called(port, symbols.shape, index), real=True)
                     names |= {value: symbol, sympy.expand(-value): -symbol}
 
         def named(e: sympy.Expr) -> sympy.Expr:
@@ -189,10 +189,10 @@ class SystemV:
     def readable_rate(self) -> sympy.Expr:
         """Return V' factored, or as a sum of squares, whichever is shorter, in signals."""
         rate = tidied(self.rate.xreplace(self.eq.values if self.valued else {}))
-        own = squares(-rate, self.fixed)
+        total = squares(-rate, self.fixed)
         ways = [rate, factored(rate)]
-        if own and not own.constant.free_symbols - self.fixed:
-            ways.append(sympy.Add(*(-factored(term) for term in own.terms)) - own.constant)
+        if total and not total.constant.free_symbols - self.fixed:
+            ways.append(sympy.Add(*(-factored(term) for term in total.terms)) - total.constant)
         return min(self.in_signals(ways), key=sympy.count_ops)
 
     def where(self) -> str:

@@ -1,4 +1,4 @@
-"""Prove what a law keeps that learns at fixes: between them and at each, on the running equations.
+"""The proof of a law that learns at fixes: what stays between them, and what each fix does.
 
     (x - z - eta m)' = 0, V' = 0              between fixes, where phi(x) = phi(z)
     V_after - V = -r^2 |eta m|^2/(2 d)        at an exact fix, d = r^2 + m^T P m
@@ -22,7 +22,7 @@ from .kept_loop import exact_step
 from .proof import Step, checked
 from .signs import vanishes
 from .symbolic_loop import SymbolicLoop, symbolic_loop
-from .theorem_loop import law_and_V, theorem_scenario
+from .theorem_loop import law_and_V, rate_of_V, theorem_scenario
 from .words import decided
 
 SIZES = (1, 2)  # numbers of functions; 3 takes half a minute, in a slow test
@@ -38,18 +38,18 @@ States = dict[str, np.ndarray]
 
 
 def loop_of(law: Law, N: int, late: bool) -> SymbolicLoop:
-    """Return the vehicle, the law and V on symbols; fixes and what moves the vehicle are given."""
+    """Return the vehicle, the law and V on symbols; fixes and what moves the vehicle are inputs."""
     blocks = paper_blocks(theorem_scenario(N, law.name))
     block, V = law_and_V(law, N)
-    own = {name: value for name, value in block.parameters._asdict().items() if name != "interval"}
-    block = law.of(N, **own | {"latency": 1.0 if late else 0.0})
+    p = {name: value for name, value in block.parameters._asdict().items() if name != "interval"}
+    block = law.of(N, **p | {"latency": 1.0 if late else 0.0})
     inner = [b for b in blocks if b.name not in (*OUTSIDE, "reference", block.name)]
     external = [port for ports in OUTSIDE.values() for port in ports]
     return symbolic_loop(connect([*inner, block, V], external, name="between"), jumps=True)
 
 
 def changed(rows: dict[str, Any]) -> str:
-    """Return the names of what is not zero for all symbols."""
+    """Return the names of the rows that are not zero for all symbols."""
     wrong = [name for name, rest in rows.items() if not all(map(vanishes, np.ravel(rest)))]
     return f"{', '.join(wrong)} differs" if wrong else ""
 
@@ -59,27 +59,27 @@ class AtAFix:
 
     def __init__(self, law: Law, N: int, late: bool):
         self.late, self.loop = late, loop_of(law, N, late)
-        own, p = self.loop.states, self.loop.parameters
+        s, p = self.loop.states, self.loop.parameters
         self.theta, self.r = p["true_flow"].theta, p["adaptation"].noise
-        self.m = own["m_sent"] if late else own["m"]  # of the fix that arrives
-        self.x = own["z"] + self.eta(own) @ own["m"]  # the true position now
-        P = sympy.Matrix(N, N, lambda j, k: own["P"][min(j, k), max(j, k)])
+        self.m = s["m_sent"] if late else s["m"]  # of the fix that arrives
+        self.x = s["z"] + self.eta(s) @ s["m"]  # the true position now
+        P = sympy.Matrix(N, N, lambda j, k: s["P"][min(j, k), max(j, k)])
         before = {"P": P, "information": P.adjugate() / P.det()}
         if late:
-            before["sent"] = own["z_sent"] + self.eta(own) @ self.m
+            before["sent"] = s["z_sent"] + self.eta(s) @ self.m
         self.known: dict[Any, Any] = {p["lyapunov"].noise: self.r}
         self.know(self.loop.inputs, {"fix": self.x})
-        self.know(own, before)
-        self.before = {port: self.put(symbols) for port, symbols in own.items()}
+        self.know(s, before)
+        self.before = {port: self.put(symbols) for port, symbols in s.items()}
 
-    def know(self, ports: States, given: dict[str, Any]) -> None:
+    def know(self, ports: States, values: dict[str, Any]) -> None:
         """Set the values of ports."""
-        for port, values in given.items():
-            flat = map(sympy.sympify, np.ravel(values))
+        for port, value in values.items():
+            flat = map(sympy.sympify, np.ravel(value))
             self.known |= zip(ports[port].flat, flat, strict=True)
 
     def put(self, values: Any) -> np.ndarray:
-        """Return expressions of what is known right before the fix, every choice decided."""
+        """Return expressions right before the fix, every choice decided."""
         return np.vectorize(lambda e: decided(e.xreplace(self.known)), otypes=[object])(values)
 
     def jump(self, interval: int, taken: int = 1) -> States:
@@ -102,36 +102,36 @@ class AtAFix:
         """Return V = r^2 tr(eta P^-1 eta^T)/2 of the states, as its block has it."""
         pairs = ((self.loop.states[port], states[port]) for port in ("alpha", "information"))
         known = {
-            s: value for own, new in pairs for s, value in zip(own.flat, new.flat, strict=True)
+            s: value for old, new in pairs for s, value in zip(old.flat, new.flat, strict=True)
         }
         return self.loop.signals["V"][0].xreplace({**self.known, **known})
 
     def stays(self) -> str:
         """Return what changes between fixes where phi(x) = phi(z), or nothing."""
-        loop, own = self.loop, self.loop.states
+        loop, s = self.loop, self.loop.states
         same = dict(zip(loop.inputs["phi_x"], loop.inputs["phi_z"], strict=True))
-        apart = own["x"] - own["z"] - self.eta(own) @ own["m"]
+        apart = s["x"] - s["z"] - self.eta(s) @ s["m"]
         read = ("alpha", "z", "information")
         return changed(
             {
                 "x - z - eta m": [loop.derivative(e).subs(same) for e in apart],
-                "V": loop.derivative(loop.signals["V"][0]),
-                **{f"{port} read": loop.signals[port] - own[port] for port in read},
-                **{port: loop.rates[port] for port in own if port not in MOVING},
+                "V": rate_of_V(loop),
+                **{f"{port} read": loop.signals[port] - s[port] for port in read},
+                **{port: loop.rates[port] for port in s if port not in MOVING},
             }
         )
 
     def learns(self) -> str:
         """Return what fails of: V falls as claimed, P stays the inverse and x - z = eta m."""
         before, after = self.before, self.jump(ARRIVE)
-        y, seen = self.eta(before) @ self.m, np.outer(self.m, self.m) / self.r**2
+        y, gained = self.eta(before) @ self.m, np.outer(self.m, self.m) / self.r**2
         d = self.r**2 + self.m @ before["P"] @ self.m
         x = self.x + y if self.late else self.x  # z had gone on from where the fix was sent
         return changed(
             {
                 "V": self.V(after) - self.V(before) + self.r**2 * sum(y**2) / (2 * d),
                 "P": after["P"] @ after["information"] - np.eye(len(self.m), dtype=int),
-                "P^-1": after["information"] - before["information"] - seen,
+                "P^-1": after["information"] - before["information"] - gained,
                 "x - z - eta m": x - after["z"] - self.eta(after) @ after["m"],
                 "the fix under way": after["waiting"],
             }
@@ -142,14 +142,14 @@ class AtAFix:
         return {port: after[port] - self.before[port] for port in ports}
 
     def sends(self) -> str:
-        """Return what a fix on its way changes beside m, or does not keep of what it is of."""
+        """Return what a fix on its way changes beside m, or what it stores wrongly."""
         if not self.late:
             return ""
         after = self.jump(SEND)
         apart = after["sent"] - after["z_sent"] - self.eta(after) @ after["m_sent"]
-        kept = self.moved(after, "alpha", "P", "information", "z")
+        still = self.moved(after, "alpha", "P", "information", "z")
         under_way = {"waiting": after["waiting"] - 1, "m": after["m"]}
-        return changed({"x - z - eta m": apart, **under_way, **kept})
+        return changed({"x - z - eta m": apart, **under_way, **still})
 
     def misses(self) -> str:
         """Return what a fix that is missing changes, or nothing."""
@@ -165,7 +165,7 @@ def _running(law: Law, N: int, points: int) -> tuple[bool, str]:
     p = block.parameters._replace(interval=float(ARRIVE))
     ends = np.cumsum(list(block.state_ports.values()))[:-1]
     for _ in range(points):
-        x: States = {own: random.standard_normal(size) for own, size in block.state_ports.items()}
+        x: States = {one: random.standard_normal(size) for one, size in block.state_ports.items()}
         A = random.standard_normal((N, N))
         P = A @ A.T + np.eye(N)
         eta = candidate.parameters.theta + x["alpha"].reshape(2, N)

@@ -112,9 +112,9 @@ class Case:
         x, z = self.loop.states["x"], self.loop.states["z"]
         true = {"alpha": -truth.theta.ravel(), "K": truth.KD, "Gamma": truth.GammaD}
         errors = [
-            sympy.expand(made.xreplace(dict(zip(x, z, strict=True))) - true[port][k])
+            sympy.expand(output.xreplace(dict(zip(x, z, strict=True))) - true[port][k])
             for port in true
-            for k, made in enumerate(ports[port].flat)
+            for k, output in enumerate(ports[port].flat)
         ]
         return [(sorted(error.free_symbols & states, key=str), error) for error in errors]
 

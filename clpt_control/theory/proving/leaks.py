@@ -127,7 +127,7 @@ def pulled(rate: sympy.Expr, V: sympy.Expr, truth: dict, moving: set) -> Pull | 
     rate, V = (sympy.expand(one.xreplace(shifted)) for one in (rate, V))
     weights = sympy.hessian(V, states)
     groups = {tuple(g.free_symbols & set(states)): g for g in groups_of(rate, set(states))}
-    if not weights.is_diagonal() or any(len(own) != 1 for own in groups):
+    if not weights.is_diagonal() or any(len(symbols) != 1 for symbols in groups):
         return None
     push, rates = sympy.Integer(0), []
     for k, s in enumerate(states):

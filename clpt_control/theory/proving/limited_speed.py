@@ -79,8 +79,8 @@ def differs(law: Law) -> str:
     for port in free.states.keys() - {"x", "z"}:
         if not all(map(vanishes, apart(free.rates[port], hedged.rates[port]))):
             return f"{port} moves differently"
-    for block, own in free.jumps.items():
-        if any(apart(new, hedged.jumps[block][port]) for port, new in own.items()):
+    for block, jump in free.jumps.items():
+        if any(apart(new, hedged.jumps[block][port]) for port, new in jump.items()):
             return "its states jump otherwise"
     return Kept(law, N, "hedged").left() if law.invariants is not None else ""
 

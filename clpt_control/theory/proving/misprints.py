@@ -68,11 +68,11 @@ def misprints() -> tuple[Misprint, ...]:
 def misprint(equation: str, printed: str, corrected: str, check: str) -> Callable[[Check], Check]:
     """Return what lists a check as a misprint."""
 
-    def listed(holds: Check) -> Check:
+    def add(holds: Check) -> Check:
         MISPRINTS.append(Misprint(equation, printed, corrected, check, holds))
         return holds
 
-    return listed
+    return add
 
 
 @cache

@@ -26,6 +26,7 @@ from ...diagrams.wiring import read_anew
 from ...equations.block import Block
 from ...errors import DiagramError
 from ...simulation.loops import loop_of
+from ..promises import truth_of
 from .array_loop import TIME
 from .kept_loop import Kept
 from .kept_relations import kept_steps
@@ -41,7 +42,6 @@ from .theorem_loop import (
     theorem_scenario,
     tied,
     truth_in,
-    truth_of,
 )
 from .verdict import Verdict, verdict_of
 from .words import WHERE

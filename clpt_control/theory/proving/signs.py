@@ -41,8 +41,8 @@ def vanishes(expression: Any) -> bool:
     parts = _parts(expression)
     if not parts:
         return expression == 0
-    own, *_ = ring(sorted(parts, key=str), sympy.QQ)
-    p, q = _fraction(expression, own)
+    polynomials, *_ = ring(sorted(parts, key=str), sympy.QQ)
+    p, q = _fraction(expression, polynomials)
     if p == 0 or q == 0 or all(isinstance(part, sympy.Symbol | AppliedUndef) for part in parts):
         return p == 0 and q != 0
     p, q = map(sympy.expand, sympy.fraction(sympy.together(expression)))
@@ -63,23 +63,23 @@ def _parts(expression: sympy.Expr) -> set[sympy.Expr]:
     return set() if expression.is_Rational else {expression}
 
 
-def _fraction(e: sympy.Expr, own: PolyRing) -> tuple[PolyElement, PolyElement]:
+def _fraction(e: sympy.Expr, polynomials: PolyRing) -> tuple[PolyElement, PolyElement]:
     """Return p and q of an expression p/q."""
     if e.is_Add:
         numerators: dict[PolyElement, list[PolyElement]] = {}  # by their denominator
-        for p, q in (_fraction(one, own) for one in e.args):
+        for p, q in (_fraction(one, polynomials) for one in e.args):
             numerators.setdefault(q, []).append(p)
-        p, q = own.zero, own.one
+        p, q = polynomials.zero, polynomials.one
         for other, shares in numerators.items():
-            p, q = p * other + own.add(*shares) * q, q * other
+            p, q = p * other + polynomials.add(*shares) * q, q * other
         return p, q
     if e.is_Mul:
-        tops, bottoms = zip(*(_fraction(one, own) for one in e.args), strict=True)
-        return own.mul(*tops), own.mul(*bottoms)
+        tops, bottoms = zip(*(_fraction(one, polynomials) for one in e.args), strict=True)
+        return polynomials.mul(*tops), polynomials.mul(*bottoms)
     if e.is_Pow and e.exp.is_Integer:
-        p, q = _fraction(e.base, own)[:: 1 if e.exp > 0 else -1]
+        p, q = _fraction(e.base, polynomials)[:: 1 if e.exp > 0 else -1]
         return p ** abs(int(e.exp)), q ** abs(int(e.exp))
-    return own.from_expr(e), own.one
+    return polynomials.from_expr(e), polynomials.one
 
 
 MOST_TERMS = 20_000  # more are not multiplied out
@@ -174,32 +174,33 @@ def positive_definite(
     V = tidied(V.xreplace(shifted))
     rest, covered = sympy.S.Zero, set[Any]()
     for group in groups_of(V, set(states)):
-        own = sorted(group.free_symbols & set(states), key=str)
-        if len(own) == 1 and own[0] in mapped:
-            error = mapped[own[0]].xreplace(values)
-            share = sympy.cancel(sympy.diff(group, own[0]) / error)
-            rises = interval(sympy.diff(error, own[0]))[0]
+        mine = sorted(group.free_symbols & set(states), key=str)
+        if len(mine) == 1 and mine[0] in mapped:
+            error = mapped[mine[0]].xreplace(values)
+            share = sympy.cancel(sympy.diff(group, mine[0]) / error)
+            rises = interval(sympy.diff(error, mine[0]))[0]
             if not (share.is_number and share.is_positive and rises.is_positive):
                 return False
-        elif own and not _least_at_zero(group, own):
+        elif mine and not _least_at_zero(group, mine):
             return False
-        rest, covered = rest + (0 if own else group), covered | set(own)
+        rest, covered = rest + (0 if mine else group), covered | set(mine)
     return rest == 0 and covered == set(states)
 
 
-def _least_at_zero(V: sympy.Expr, own: list) -> bool:
+def _least_at_zero(V: sympy.Expr, states: list) -> bool:
     """Return whether V is positive definite in its states, zero at zero, and without end."""
-    zero = dict.fromkeys(own, sympy.S.Zero)
-    if V.is_polynomial(*own):
-        H = sympy.hessian(V, own)
-        slopes = [V, *(sympy.diff(V, s) for s in own)]
+    zero = dict.fromkeys(states, sympy.S.Zero)
+    if V.is_polynomial(*states):
+        H = sympy.hessian(V, states)
+        slopes = [V, *(sympy.diff(V, s) for s in states)]
         if not H.free_symbols and not H.atoms(sympy.Function):
             return all(tidied(v.xreplace(zero)) == 0 for v in slopes) and bool(
                 H.is_positive_definite
             )
     if tidied(decided(V.xreplace(zero))) != 0:
         return False
-    return set(own) == rising_in(tidied(sum(s * along(V, {s: sympy.S.One}) for s in own)), own)
+    slope = tidied(sum(s * along(V, {s: sympy.S.One}) for s in states))
+    return set(states) == rising_in(slope, states)
 
 
 def dead_zone(V: sympy.Expr, e: sympy.Symbol) -> tuple[sympy.Expr, sympy.Expr]:
@@ -217,14 +218,14 @@ def dead_zone(V: sympy.Expr, e: sympy.Symbol) -> tuple[sympy.Expr, sympy.Expr]:
     return sympy.S.Zero, V
 
 
-def rising_in(E: sympy.Expr, own: list) -> set:
+def rising_in(E: sympy.Expr, states: list) -> set:
     """Return the states s in which s dV/ds is positive but at s = 0; none where it may be below 0.
 
     Each term is an even power of each state, times s h(s), and what is not negative.
     """
-    found = set()
+    rising = set()
     for term in sympy.Add.make_args(sympy.expand(E)):
-        rest, strict, powers = sympy.S.One, True, dict.fromkeys(own, 0)
+        rest, strict, powers = sympy.S.One, True, dict.fromkeys(states, 0)
         for factor in sympy.Mul.make_args(term):
             base, power = factor.as_base_exp()
             sector = sector_of(factor) if words_of(factor) and power == 1 else None
@@ -239,8 +240,8 @@ def rising_in(E: sympy.Expr, own: list) -> set:
         if low.is_negative or any(power % 2 for power in powers.values()):
             return set()
         if strict and low.is_positive:
-            found |= {s for s in own if powers[s] and all(o == s or not powers[o] for o in own)}
-    return found
+            rising |= {s for s in states if powers[s] and sum(map(bool, powers.values())) == 1}
+    return rising
 
 
 def nonpositive(
@@ -299,16 +300,16 @@ def _negative(group: sympy.Expr, apart: set, values: dict, facts: Facts) -> bool
 
 def _in_forms(group: sympy.Expr, apart: set, values: dict) -> bool:
     """Return whether no part of a degree is positive; of degree 2 it is -s^T M s with M >= 0."""
-    own = sorted(group.free_symbols & apart, key=str)
-    if not own or not group.is_polynomial(*own):
+    symbols = sorted(group.free_symbols & apart, key=str)
+    if not symbols or not group.is_polynomial(*symbols):
         return False
     degrees: dict[int, sympy.Expr] = {}
-    for monomial, share in sympy.Poly(group, *own).terms():
-        term = share * sympy.prod(s**n for s, n in zip(own, monomial, strict=True))
+    for monomial, share in sympy.Poly(group, *symbols).terms():
+        term = share * sympy.prod(s**n for s, n in zip(symbols, monomial, strict=True))
         degrees[sum(monomial)] = degrees.get(sum(monomial), sympy.S.Zero) + term
     if len(degrees) > 1:
         return all(_negative(d, apart, values, ()) for d in degrees.values())
-    H = sympy.hessian(group, own).xreplace(values)
+    H = sympy.hessian(group, symbols).xreplace(values)
     known = not H.free_symbols and not H.atoms(sympy.Function)
     return 2 in degrees and known and bool((-H).is_positive_semidefinite)
 
@@ -317,19 +318,19 @@ def _in_sectors(group: sympy.Expr, words: set, apart: set, values: dict, facts: 
     """Return whether an expression is not positive wherever its words lie in their sectors."""
     inner = {one for word in words for a in word.args for one in words_of(a)}
     outer = sorted(words - inner, key=str)
-    sectors = [own for word in outer if (own := sector_of(word.xreplace(values))) is not None]
+    sectors = [sector for word in outer if (sector := sector_of(word.xreplace(values))) is not None]
     if len(outer) > MOST_WORDS or len(sectors) < len(outer):
         return False
     q = sympy.symbols(f"q_:{len(outer)}", real=True)
     known = zip(outer, sectors, q, strict=True)
-    found = sympy.expand(group.xreplace({w: own.factor * one for w, own, one in known}))
-    if not found.is_polynomial(*q) or any(sympy.Poly(found, *q).degree(one) > 1 for one in q):
+    linear = sympy.expand(group.xreplace({w: sector.factor * one for w, sector, one in known}))
+    if not linear.is_polynomial(*q) or any(sympy.Poly(linear, *q).degree(one) > 1 for one in q):
         return False
-    ends = [found]
-    for one, own in zip(q, sectors, strict=True):
-        last = [sympy.diff(f, one) for f in ends] if own.high == sympy.oo else None
-        more = last or [f.xreplace({one: own.high}) for f in ends]
-        ends = [f.xreplace({one: own.low}) for f in ends] + more
+    ends = [linear]
+    for one, sector in zip(q, sectors, strict=True):
+        last = [sympy.diff(f, one) for f in ends] if sector.high == sympy.oo else None
+        more = last or [f.xreplace({one: sector.high}) for f in ends]
+        ends = [f.xreplace({one: sector.low}) for f in ends] + more
     return all(nonpositive(sympy.expand(f), apart, values, facts) for f in set(ends))
 
 
@@ -363,36 +364,36 @@ def _below(group: sympy.Expr, apart: set, values: dict, facts: Facts) -> bool:
     return _less_facts(group, left, apart | set(inputs.values()), frozenset())
 
 
-def _less_facts(group: sympy.Expr, left: list, own: set, fresh: frozenset) -> bool:
+def _less_facts(group: sympy.Expr, left: list, apart: set, fresh: frozenset) -> bool:
     """Return the same, each fact taken out in turn: it is a symbol that is not negative."""
     if any(fact.is_negative for fact in left):
         return True
     none = {-fact: sympy.S.Zero for fact in left if -fact in fresh}  # f >= 0 and -f >= 0
     if none:
         group, left = group.xreplace(none), [f.xreplace(none) for f in left if -f not in none]
-    left = [f for f in left if f.free_symbols & own - fresh and f.is_polynomial(*own)]
+    left = [f for f in left if f.free_symbols & apart - fresh and f.is_polynomial(*apart)]
     if not left or group == 0:
         terms = sympy.Add.make_args(group)
-        return all(term.is_nonpositive for term in terms) or nonpositive(group, own | fresh, {})
+        return all(term.is_nonpositive for term in terms) or nonpositive(group, apart | fresh, {})
     more = sympy.Dummy("more", nonnegative=True)
-    alone = [(f, s) for f in left for s in f.free_symbols & own if sympy.diff(f, s).is_number]
+    alone = [(f, s) for f in left for s in f.free_symbols & apart if sympy.diff(f, s).is_number]
     first = min(alone, key=str)[1] if alone else None
     for fact, s in [pair for pair in alone if pair[1] == first]:
         out = {s: (more - fact.xreplace({s: sympy.S.Zero})) / sympy.diff(fact, s)}
         new, *others = (sympy.expand(f.xreplace(out)) for f in (group, *left))
-        if _less_facts(new, others, own, fresh | {more}):
+        if _less_facts(new, others, apart, fresh | {more}):
             return True
     if alone:
         return False
     fact = left[0]
-    gens = [s for known in (fact.free_symbols & own, fresh) for s in sorted(known, key=str)]
+    gens = [s for known in (fact.free_symbols & apart, fresh) for s in sorted(known, key=str)]
     if not all(f.is_polynomial(*gens) for f in (group, *left)):
-        return _less_facts(group, left[1:], own, fresh)
+        return _less_facts(group, left[1:], apart, fresh)
     new, *others = (sympy.expand(sympy.reduced(f, [fact - more], *gens)[1]) for f in (group, *left))
-    return _less_facts(new, others[1:], own, fresh | {more})
+    return _less_facts(new, others[1:], apart, fresh | {more})
 
 
 def positive_maximum(f: sympy.Expr) -> bool:
     """Return whether an expression is maximum(a, b) with a positive one."""
-    own = isinstance(f, AppliedUndef) and str(f.func) == "maximum"
-    return own and any(bool(a.is_positive) for a in f.args)
+    is_maximum = isinstance(f, AppliedUndef) and str(f.func) == "maximum"
+    return is_maximum and any(bool(a.is_positive) for a in f.args)

@@ -118,8 +118,8 @@ class Draw:
         self.random, self.blocks, self.loop = np.random.default_rng(seed), blocks, loop
         lines = [o for b in blocks for r in b.records.values() for o in r.operations]
         numbers = {a for o in lines for a in o.arguments if type(a) is float and np.isfinite(a)}
-        own = [np.ravel(v) for b in blocks for v in b.parameters if not isinstance(v, int)]
-        kinks = np.concatenate([np.array(sorted(numbers)), np.zeros(1), *own])
+        values = [np.ravel(v) for b in blocks for v in b.parameters if not isinstance(v, int)]
+        kinks = np.concatenate([np.array(sorted(numbers)), np.zeros(1), *values])
         kinks = kinks[np.abs(kinks) <= LARGEST]
         self.kinks = np.concatenate([kinks, -kinks])
 

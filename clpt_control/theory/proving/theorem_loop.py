@@ -25,6 +25,7 @@ from ...errors import DiagramError
 from ...scenario.experiment import Scenario
 from ...scenario.file import paper_scenario
 from ...simulation.loops import paper_blocks
+from ..promises import truth_of
 from .array_loop import ArrayLoop, array_loop
 from .proof import Step, checked
 from .running_rate import running_step
@@ -38,7 +39,7 @@ SOURCES = {
     "disturbance": "delta",
     "speed_limit": "v_x",
 }
-AT_FIXES = {  # what a law that learns at fixes needs, and has no use for
+AT_FIXES = {  # of a law that learns at fixes: the interval, and gains that it does not take
     "localization": {"interval": 5.0},
     "learning.gain": None,
     "learning.feedback": None,
@@ -86,8 +87,8 @@ def law_and_V(law: Law, N: int, speed: Hedging = "no limit") -> tuple[Block, Blo
     scenario = theorem_scenario(N, law.name, speed=speed)
     known = scenario.known_to_law
     settings = {key: 0.1 if value == 0 else value for key, value in known.settings.items()}
-    made = law.block(known._replace(settings=settings))
-    return made, law.V(made.parameters, truth_of(scenario))
+    block = law.block(known._replace(settings=settings))
+    return block, law.V(block.parameters, truth_of(scenario))
 
 
 def theorem_loop(
@@ -122,12 +123,6 @@ def law_loop(law: Law, block: Block, V: Block, speed: Hedging = "no limit") -> D
     return theorem_loop(block.sizes["N"], known, law_block=block, candidate=V, speed=speed)
 
 
-def truth_of(scenario: Scenario) -> Truth:
-    """Return theta, KD and GammaD of a scenario."""
-    car = scenario.vehicle
-    return Truth(*map(np.array, (scenario.flow.parameters, car.feedback, car.feedforward)))
-
-
 def theorem_candidate(scenario: Scenario, **gains: Any) -> Block:
     """Return V of Eq. (17) or (24) with the scenario's truth.
 
@@ -138,13 +133,13 @@ def theorem_candidate(scenario: Scenario, **gains: Any) -> Block:
 
 
 def mixed_level(t, x, u, p):
-    """V of Eq. (24) with the inverse of a matrix of gains between all that is learned."""
+    """V of Eq. (24) with the inverse of a matrix of gains between all learned parameters."""
     eta = np.concatenate([np.ravel(p.theta + u.alpha), u.K - p.KD, u.Gamma - p.GammaD])
     return {"V": (u.e @ u.e + eta @ (p.inverse @ eta)) / 2}
 
 
 def mixed_candidate(inverse: np.ndarray, truth: Truth) -> Block:
-    """Return V of the errors weighed by a matrix, of alpha row by row, K and Gamma."""
+    """Return V of the errors of alpha row by row, K and Gamma, weighed by a matrix."""
     return Block(
         "lyapunov",
         output=mixed_level,
@@ -156,29 +151,29 @@ def mixed_candidate(inverse: np.ndarray, truth: Truth) -> Block:
 
 
 def tied(loop: SymbolicLoop, V: Block, make: Callable[..., Block], *sources: tuple) -> dict:
-    """Return V's symbols -> those of what V is made of.
+    """Return V's symbols -> the symbols of its sources that they stand for.
 
     A source is a tuple of numbers with names, as parameters and the truth are, and their symbols.
-    V is made anew of numbers that stand nowhere else: where V holds one, it was given that one.
+    V is made anew of numbers that stand nowhere else: a number of V tells the symbol it stands for.
     """
-    random, marks, given = np.random.default_rng(0), dict[float, Any](), []
+    random, marks, altered = np.random.default_rng(0), dict[float, Any](), []
     for numbers, symbols in sources:
         changed = {}
         for field, value in numbers._asdict().items():
             if not isinstance(value, int) and field != "interval":
-                own = np.asarray(value, dtype=float)
-                changed[field] = own = own * random.uniform(1.01, 1.1, own.shape)
-                theirs = np.broadcast_to(np.asarray(getattr(symbols, field), object), own.shape)
-                marks |= zip(own.ravel().tolist(), theirs.ravel(), strict=True)
-        given.append(numbers._replace(**changed))
-    made, mine = make(*given).parameters, loop.parameters[V.name]
-    found: dict[Any, Any] = {}
-    for field in made._fields:
+                mark = np.asarray(value, dtype=float)
+                changed[field] = mark = mark * random.uniform(1.01, 1.1, mark.shape)
+                theirs = np.broadcast_to(np.asarray(getattr(symbols, field), object), mark.shape)
+                marks |= zip(mark.ravel().tolist(), theirs.ravel(), strict=True)
+        altered.append(numbers._replace(**changed))
+    values, mine = make(*altered).parameters, loop.parameters[V.name]
+    tied_to: dict[Any, Any] = {}
+    for field in values._fields:
         own = np.asarray(getattr(mine, field), dtype=object)
-        theirs = np.broadcast_to(np.asarray(getattr(made, field), dtype=float), own.shape)
+        theirs = np.broadcast_to(np.asarray(getattr(values, field), dtype=float), own.shape)
         pairs = zip(own.ravel(), theirs.ravel().tolist(), strict=True)
-        found |= {s: marks[a] for s, a in pairs if a in marks and getattr(s, "is_Symbol", False)}
-    return found
+        tied_to |= {s: marks[a] for s, a in pairs if a in marks and getattr(s, "is_Symbol", False)}
+    return tied_to
 
 
 def truth_in(loop: SymbolicLoop) -> Truth:
@@ -188,7 +183,7 @@ def truth_in(loop: SymbolicLoop) -> Truth:
 
 
 Loop = ArrayLoop | SymbolicLoop
-Claim = Callable[[Any], Any]  # what V' should be: loop -> a number of its kind
+Claim = Callable[[Any], Any]  # what V' should be, of a loop
 WIRED = 3  # functions that a loop has which is read for every N
 
 
@@ -198,9 +193,9 @@ def decay(loop: Loop) -> Any:
 
 
 def flow_error(loop: Loop) -> Any:
-    """Return theta - theta_hat of the estimate that is given or made, shape (2, N)."""
-    p, made = loop.parameters, loop.states.get("theta_hat")
-    return p["true_flow"].theta - (p["injection"].theta_hat if made is None else made)
+    """Return theta - theta_hat, the estimate a state of the law or given, shape (2, N)."""
+    p, state = loop.parameters, loop.states.get("theta_hat")
+    return p["true_flow"].theta - (p["injection"].theta_hat if state is None else state)
 
 
 def decay_and_known_error(loop: Loop) -> Any:
@@ -226,23 +221,23 @@ def known_positive(loop: ArrayLoop, name: str, value: Any) -> None:
         raise DiagramError(f"{name} is not known to be positive")
 
 
-def vanish(loop: ArrayLoop, left: Iterable[Any]) -> tuple[bool, str]:
-    """Return whether what is left of a loop is zero for every N, and what is not."""
-    for rest in left:
-        for one in loop.read(rest):
-            if said := left_over(one):
-                return False, said
+def vanish(loop: ArrayLoop, residuals: Iterable[Any]) -> tuple[bool, str]:
+    """Return whether each residual of a loop is zero for every N, and the first that is not."""
+    for residual in residuals:
+        for one in loop.read(residual):
+            if rest := left_over(one):
+                return False, rest
     return (False, loop.undefined[0]) if loop.undefined else (True, "")
 
 
 def zero_step(
-    claim: str, diagram: Callable[[], Diagram], left: Callable[[ArrayLoop], Iterable[Any]]
+    claim: str, diagram: Callable[[], Diagram], residuals: Callable[[ArrayLoop], Iterable[Any]]
 ) -> Step:
-    """Check that what is left of a diagram's loop is zero for every N."""
+    """Check that residuals of a diagram's loop are zero for every N."""
 
     def holds() -> tuple[bool, str]:
         loop = array_loop(diagram())
-        return vanish(loop, left(loop))
+        return vanish(loop, residuals(loop))
 
     return checked(claim, "exact", holds)
 
@@ -257,15 +252,15 @@ def identity_steps(
 ) -> list[Step]:
     """Check V' exactly for every N, and at points of the running blocks.
 
-    `text` is the claim in words; the exact step says what does not cancel, the other one where.
+    `text` is the claim in words.  A failed exact step says what does not cancel, the other where.
     """
 
     def diagram() -> Diagram:
         return theorem_loop(WIRED, law, disturbed, speed=speed)
 
     def read() -> tuple:
-        loop = symbolic_loop(made := diagram())
-        return made, loop, claim(loop)
+        loop = symbolic_loop(built := diagram())
+        return built, loop, claim(loop)
 
     return [
         zero_step(f"{text}, for every N", diagram, lambda loop: [rate_of_V(loop) - claim(loop)]),

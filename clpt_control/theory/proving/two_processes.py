@@ -80,8 +80,8 @@ def judge(
         while part in asked and not asked[part].done():
             interrupt.wait(0.05)
         if part not in found:
-            told = None
+            theirs = None
             if part in asked and asked[part].exception() is None:
-                told = asked[part].result()
-            found[part] = part.judged() if told is None else told
+                theirs = asked[part].result()
+            found[part] = part.judged() if theirs is None else theirs
     return {part: found[part] for part in parts}
