@@ -160,7 +160,7 @@ def rounding_of(diagram: Any, t: float, x: Any, u: Any) -> np.ndarray:
 
     def run(role: str, k: int) -> list[Rounded]:
         node = wiring.nodes[k]
-        p = node.system.parameters_at(t, sweep.given[k])
+        p = node.system.parameters_at(t, sweep.parameters[k])
         record = OfBlock(node.system, role, p, t, states[node.states], fed(node))
         return record.outputs(node.system.array_record(role))
 
@@ -169,7 +169,7 @@ def rounding_of(diagram: Any, t: float, x: Any, u: Any) -> np.ndarray:
     for k, node in enumerate(wiring.nodes):
         if node.system.nstates:
             rates[node.states] = run("update", k)
-    for k in sweep.leaping:
+    for k in sweep.jumping:
         after[wiring.nodes[k].states] = run("jump", k)
     outputs = []
     output_map = wiring.output_map

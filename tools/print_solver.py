@@ -32,15 +32,15 @@ OPTIONS: dict[str, Any] = {
     "no_cpython_wrapper": True,
     "no_cfunc_wrapper": True,
 }
-# called by their names; the rest is put in where it is called
-APART = (
+# functions that stay functions; the others are inlined
+NOT_INLINED = (
     "advance",
-    "ask",
-    "watch",
-    "take",
+    "evaluate",
+    "watch_guards",
+    "take_run",
     "sample",
-    "leap",
-    "cross",
+    "jump",
+    "locate_kinks",
     "factor",
     "linearise",
     "solve_stage",
@@ -89,7 +89,7 @@ def for_numba() -> ModuleType:
     module.call = call_address  # type: ignore[attr-defined]
     for name, function in list(vars(module).items()):
         if isinstance(function, FunctionType):
-            setattr(module, name, njit(function, forceinline=name not in APART, **OPTIONS))
+            setattr(module, name, njit(function, forceinline=name not in NOT_INLINED, **OPTIONS))
     return module
 
 
@@ -112,10 +112,10 @@ def arguments() -> dict[str, tuple]:
     )
     linear = (real(1), real(1), whole(1), (1, 1, 1), *(whole(1),) * 6)
     code, shape = whole(1), (1,) * 7
-    asked = (real(1), whole(1), real(1), real(1)), (whole(1), real(2)), (real(1),) * 4
+    points = (real(1), whole(1), real(1), real(1)), (whole(1), real(2)), (real(1),) * 4
     return {
         "advance": (code, shape, real(1), shared, linear, 1, 1),
-        "ask": (code, 1, 1, (1, 1), *asked, real(2)),
+        "evaluate": (code, 1, 1, (1, 1), *points, real(2)),
     }
 
 

@@ -107,7 +107,7 @@ def readings(
         "scalar": _by_machine(diagram, params, "unrolled", 1),
         "looped": _by_machine(diagram, params, "looped", 1),
         "lanes": _by_machine(diagram, params, None, LANES),
-        "symbolic": _in_sweep(_SymbolicSweep(sweep.wiring, sweep.given)),
+        "symbolic": _in_sweep(_SymbolicSweep(sweep.wiring, sweep.parameters)),
     }
 
 
@@ -120,7 +120,7 @@ def _in_sweep(sweep: Sweep) -> Reading:
     def jump(t: float, x: Any, u: Any) -> np.ndarray:
         sweep.enter(t)
         x, u = np.asarray(x, dtype=float), np.asarray(u, dtype=float)
-        return sweep.leap(t, x, u, sweep.leaping)
+        return sweep.jump(t, x, u, sweep.jumping)
 
     return Reading(ask, jump)
 
@@ -138,7 +138,7 @@ def _by_machine(diagram: Any, params: Any, form: str | None, lanes: int) -> Read
 
     def run(t: float, x: Any, u: Any, *functions: str) -> Asked:
         native, arrays = compiled()
-        held, decided = native.held, native.code.program.decided
+        decided_at, decided = native.decided_at, native.code.program.decided
         first = ("prepare", "decide") if decided else ()
         x, u = np.asarray(x, dtype=float), np.asarray(u, dtype=float)
         time, X, P, _, W, D = arrays
@@ -146,7 +146,7 @@ def _by_machine(diagram: Any, params: Any, form: str | None, lanes: int) -> Read
         own = native.parameters()
         own[native.ramp : native.ramp + 1 + 2 * m] = [t, *u, *np.zeros(m)]
         for k, place in native.layout.intervals.items():
-            block, given = native.wiring.nodes[k].system, native.sweep.given[k]
+            block, given = native.wiring.nodes[k].system, native.sweep.parameters[k]
             own[place] = block.parameters_at(t, given).interval
         own[list(native.layout.jumps.values())] = JUMPS
         for k in range(lanes):
@@ -157,7 +157,7 @@ def _by_machine(diagram: Any, params: Any, form: str | None, lanes: int) -> Read
             function = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 6)(int(address))
             function(*(array.ctypes.data for array in arrays))
             if name == "decide":
-                P[held : held + decided] = D[:decided]
+                P[decided_at : decided_at + decided] = D[:decided]
         signals = W[: native.nsignals, lane]
         return D[:n, lane].copy(), native.wiring.output_map @ np.concatenate([signals, u])
 
@@ -185,7 +185,7 @@ class _SymbolicSweep(Sweep):
             return
         if (k, role) not in self._functions:
             self._functions[k, role] = SymbolicFunction(block, role)
-        out[:] = self._functions[k, role](leaf_values(block, t, x, u, self._parameters[k]))
+        out[:] = self._functions[k, role](leaf_values(block, t, x, u, self._current[k]))
 
 
 # --- SymPy's expressions on numbers ------------------------------------------------------------

@@ -22,7 +22,7 @@ from ..equations.record import Shape, compact, computed, reached
 from ..errors import ArgumentError, DiagramError
 from ..progress import warn
 from .interconnection import changed_parameters
-from .joined import joined
+from .merged_record import merged_record
 from .wiring import Node, Wiring, read_unsampled
 
 CLOSE = 1e-12  # of their size: numbers that differ by less tie
@@ -50,7 +50,9 @@ class _About:
             if node.system.breakpoints_function is not None and p.interval < 0:
                 k = node.system.interval_at(t, p)
                 self.parameters[node.name] = p._replace(interval=k)
-        self.found = joined(diagram, wiring, self.leaf, self.given, tape=self.tape, closed=True)
+        self.found = merged_record(
+            diagram, wiring, self.leaf, self.given, tape=self.tape, closed=True
+        )
         self.direction = Direction(self.tape, self.along)
 
     def leaf(self, group: str, node: Node, name: str, shape: Shape) -> Any:

@@ -28,7 +28,7 @@ from ..equations.record import Shape
 from ..equations.symbolic import Symbols, exact
 from ..equations.system import System, is_linear
 from ..errors import DiagramError
-from .joined import joined
+from .merged_record import merged_record
 from .wiring import Node, Wiring, read_unsampled, wiring_of
 
 TIME = sympy.Symbol("t", real=True)
@@ -141,7 +141,7 @@ class Equations:
         for port, values in self.signals.items():
             for index, value in np.ndenumerate(values):
                 if value not in plain:
-                    own.append(("{}", sympy.Symbol(called(port, values.shape, index)), value))
+                    own.append(("{}", sympy.Symbol(element_name(port, values.shape, index)), value))
         own += [(jump, s, new) for one in self.jumps.values() for s, new in one.items() if new != s]
         for form, s, value in own[:SHOWN]:
             yield f"{form.format(print_as(s))} = {print_as(value)}"
@@ -182,7 +182,7 @@ def typeset(expression: Any) -> str:
     return sympy.latex(expression, symbol_names=shown)
 
 
-def called(port: str, shape: Shape, index: tuple) -> str:
+def element_name(port: str, shape: Shape, index: tuple) -> str:
     """Return the name of one element of a port: y, x[0], P[0,1]."""
     return port if prod(shape) == 1 else f"{port}[{','.join(map(str, index))}]"
 
@@ -237,7 +237,7 @@ class Names:
 
     def element(self, port: str, shape: Shape, declared: Shape, index: tuple) -> str:
         """Return what an element of a port is called."""
-        return called(port, shape, index)
+        return element_name(port, shape, index)
 
     def parameter(self, node: Node, own: str, value: np.ndarray, index: tuple) -> sympy.Expr:
         """Return the symbol of a parameter's element, which has the sign of its value."""
@@ -246,7 +246,7 @@ class Names:
             return exact(number)
         sign = "positive" if number > 0 else "negative" if number < 0 else "real"
         sign = "real" if own == "interval" else sign  # its own value, -1, says that it is counted
-        name = called(self.port(node, own, "parameter"), value.shape, index)
+        name = element_name(self.port(node, own, "parameter"), value.shape, index)
         return sympy.Symbol(name, **{sign: True})
 
 
@@ -345,7 +345,7 @@ class _Read:
     def equations(self, watch: Watch) -> Equations:
         """Put the diagram on symbols."""
         made, names, wiring = self.made, self.names, self.wiring
-        found = joined(
+        found = merged_record(
             self.diagram, wiring, self.leaf, self.given, self.stand_in, self.tape, closed=True
         )
 

@@ -171,7 +171,7 @@ def _places(groups: Sequence[Mapping[str, Shape]], count: int) -> np.ndarray:
 # --- the diagram ------------------------------------------------------------------------------
 
 
-class Varied(NamedTuple):
+class VariedWiring(NamedTuple):
     """A wiring beside how it varies, and where its states and signals stand.
 
     Places have a row for their own, then one for each direction.
@@ -182,7 +182,9 @@ class Varied(NamedTuple):
     signals: np.ndarray
 
 
-def varied(wiring: Wiring, given: Sequence[Any], seeds: Sequence[Seeds], count: int) -> Varied:
+def varied(
+    wiring: Wiring, given: Sequence[Any], seeds: Sequence[Seeds], count: int
+) -> VariedWiring:
     """Return a diagram beside how it varies along so many directions.
 
     `given` are the parameters of its blocks, `seeds` how they vary.
@@ -207,7 +209,7 @@ def varied(wiring: Wiring, given: Sequence[Any], seeds: Sequence[Seeds], count: 
                     fed[to][int(source)] = wire.gain
         outer = [wire for wire in old.wires if wire.external]
         nodes[k] = replace(node, wires=(*joined_wires(fed), *outer))
-    return Varied(replace(wiring, nodes=tuple(nodes)), states, signals)
+    return VariedWiring(replace(wiring, nodes=tuple(nodes)), states, signals)
 
 
 # --- what may be varied -----------------------------------------------------------------------

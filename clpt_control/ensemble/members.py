@@ -25,15 +25,15 @@ from ..diagrams.wiring import Wiring
 from ..errors import DiagramError, SimulationError
 from ..native import solver
 from ..native.batch import Batch, Callee
-from ..native.ending import METHODS, STUCK, begun, finish, steps
-from ..native.engines import chosen, compared, in_python
+from ..native.ending import METHODS, STUCK, run_to_end, sampled_start, steps
+from ..native.engines import make_runner, run_compared, warn_python
 from ..native.machine import LANES, processor
 from ..native.python_diagram import PythonDiagram
 from ..native.schedule import Inputs, Schedule
 
 BATCH_BYTES = 64_000_000  # states in flight, a thread
 MOST_MEMBERS = 512  # a batch
-TRIED = 5  # members whose records are compared with Python, before any runs
+TRIED = 5  # members whose records are run_compared with Python, before any runs
 Values = Mapping[str, np.ndarray]  # what varies, each with a row for each member
 Made = tuple[Sequence[Any], np.ndarray, Any]  # parameters of all blocks, start, inputs
 
@@ -136,12 +136,12 @@ class Ensemble:
                 apart[one] = (*apart.get(one, ()), key)
         by_function = varied.inputs is not None and varied.inputs.samples is None
         given = varied.wiring, varied.params, by_function
-        runner = chosen(*given, engine, varied.name, apart)
+        runner = make_runner(*given, engine, varied.name, apart)
         for (k, name), keys in apart.items() if runner.engine == "native" else ():
             node = varied.wiring.nodes[k]
             if role := read_as_number(node.system, name):
-                in_python(varied.name, f"{node.name}.{role} is read for one value of {keys[-1]}")
-                return chosen(*given, "python")
+                warn_python(varied.name, f"{node.name}.{role} is read for one value of {keys[-1]}")
+                return make_runner(*given, "python")
         return runner
 
     @cached_property
@@ -197,12 +197,12 @@ class Ensemble:
         if made.schedules[0].begins:
             for m in range(count):
                 callee, begin = self._asked(made, m), float(varied.every[0])
-                x0[m] = begun(callee, x0[m], begin, made.schedule(m), P[m])
+                x0[m] = sampled_start(callee, x0[m], begin, made.schedule(m), P[m])
         return made
 
     def _column(self, place: tuple[int, str], element: Any) -> int:
         """Return where a value begins in P."""
-        shape = np.shape(getattr(self.native.sweep.given[place[0]], place[1]))
+        shape = np.shape(getattr(self.native.sweep.parameters[place[0]], place[1]))
         own = 0 if element is ... or not shape else int(np.ravel_multi_index(element, shape))
         return int(self.native.layout.slots[place].offset) + own
 
@@ -242,7 +242,7 @@ class Ensemble:
         def ran(some: Any, callee: Callee, implicit: Any) -> tuple[np.ndarray, ...]:
             own = members.x0[some], members.P[some]
             batch = Batch(callee, *own, times, members.schedules, members.group[some])
-            finish(batch, (rtol, atol), implicit if method == "auto" else None)
+            run_to_end(batch, (rtol, atol), implicit if method == "auto" else None)
             return batch.results
 
         for part, callee, implicit in parts:
@@ -274,7 +274,7 @@ class Ensemble:
         reached = int(run.reached[m])
         x, found = run.states[m, :reached], np.empty((reached, self.native.nsignals))
         pieces, own = members.schedule(m), members.P[m]
-        self._asked(members, m).ask(solver.SIGNALS, times[:reached], x, pieces, own, found)
+        self._asked(members, m).evaluate(solver.SIGNALS, times[:reached], x, pieces, own, found)
         return found
 
     @property
@@ -312,11 +312,11 @@ def ready(varied: Varied, values: Values) -> Ensemble:
             break
         one, at, how = found.one(values, m)
         try:
-            why = compared(one, *at, **how)[2]
+            why = run_compared(one, *at, **how)[2]
         except SimulationError:  # the member fails, which its status tells
             continue
         if why:
-            in_python(varied.name, why)
+            warn_python(varied.name, why)
             return Ensemble(varied, values, "python")
     return found
 

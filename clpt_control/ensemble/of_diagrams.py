@@ -29,7 +29,7 @@ from ..errors import DiagramError, ScenarioError, SimulationError
 from ..native import solver
 from ..native.ending import check_spacing, checked_method
 from ..native.python_diagram import checked_steps
-from ..native.schedule import checked_times, open_sizes, read_inputs, stacked_state
+from ..native.schedule import checked_times, read_inputs, sizes_of_run, stacked_state
 from ..native.sweep import Sweep
 from ..simulation.dataset import Part, ports_shown
 from ..simulation.integrate import as_diagram
@@ -66,7 +66,7 @@ class VariedDiagram:
         x0 = known.get("initial_state") if initial_state is None else initial_state
         inputs = known.get("inputs") if inputs is None else inputs
         read_anew(diagram)
-        sizes = open_sizes(diagram, inputs, x0, self.times)
+        sizes = sizes_of_run(diagram, inputs, x0, self.times)
         self.params = dict(params or {})
         self.wiring = wiring_of(diagram, self.params, sizes)
         if asked := self._undeclared(varies):

@@ -4,7 +4,7 @@
     between           x and held stay, y = h(t_k, x, held)
 
 All blocks that sample at one time move their states at once, with what they held before; then each
-holds what feeds it, and one that is fed by another finds its new output (`Sweep.leap`).  So a
+holds what feeds it, and one that is fed by another finds its new output (`Sweep.jump`).  So a
 diagram of blocks sampled alike is, at its samples, the diagram of discrete time.  k is the block's
 `interval`.  A run that begins at a sample begins with what is held there; one that begins between
 two has it in its initial state.

@@ -1,7 +1,7 @@
 """A batch of runs of one diagram: the solver's arrays, and how a run is watched.
 
-The solver takes some steps at a call, for about `PAUSE` seconds, so that Python can look
-in between calls: at the time reached, and whether the end can be reached at all.
+The solver takes steps for about `PAUSE` seconds a call.  Between calls Python watches the time
+reached, and whether the end can be reached at all.
 """
 
 import time
@@ -20,8 +20,8 @@ from .schedule import Schedule
 
 PAUSE = 0.05  # seconds of a call
 BEGIN = 40_000  # numbers, times tries, of the first call of machine code
-GRAIN = 0.01  # of atol: what decisions differ by counts beyond
-LATER = 64  # looks for stiffness until the next that counts, where a run was found not to be stiff
+GRAIN = 0.01  # of atol: a smaller difference passes no decision
+LATER = 64  # looks for stiffness that do not count, after a run was found not to be stiff
 ANY = 2**62
 MEMBER_STEPS = 5_000_000  # tries of a run among many
 METHODS = {
@@ -40,42 +40,48 @@ class Callee(NamedTuple):
     method: int  # as the solver numbers it
     guarded: int  # 1 if guards are watched
     jumping: int  # 1 if states jump
-    held: int  # first place in P of what is decided
-    decided: int  # how many numbers are
+    decided_at: int  # first place of decisions in P
+    decided: int  # how many numbers they are
     size: int  # length of P
     room: int  # length of W
     tables: np.ndarray  # T, which is not empty
     linear: Jacobian = Jacobian()  # of Rodas5P
-    code: tuple = ()  # what must live for as long as addresses are used
-    raised: Any = ()  # a list of what functions of Python raised
+    code: tuple = ()  # objects that must live for as long as addresses are used
+    raised: Any = ()  # errors that functions of Python raised, a list
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """The numbers that the solver is told: of lanes, of states, and so on to `decided`."""
+        """The solver's `shape`: numbers of lanes, of states, and so on to `decided`."""
         return self[2:9]
 
-    def call(self, name: str, *given: Any) -> int:
-        """Call a function of the solver; what Python raised within it is raised."""
+    def call(self, name: str, *arguments: Any) -> int:
+        """Call a function of the solver; raise the error that Python raised within it."""
         with np.errstate(all="ignore"):
-            found = getattr(compiled_solver(), name)(self.functions, *given)
+            result = getattr(compiled_solver(), name)(self.functions, *arguments)
         if self.raised:
             raise self.raised.pop()
-        return found
+        return result
 
-    def ask(
-        self, role: int, times: Any, x: np.ndarray, pieces: Schedule, own: np.ndarray, out: Any
+    def evaluate(
+        self,
+        role: int,
+        times: Any,
+        x: np.ndarray,
+        pieces: Schedule,
+        parameters: np.ndarray,
+        out: np.ndarray,
     ) -> np.ndarray:
-        """Call a function at times and states x (nt, n); return what it makes of each, in `out`.
+        """Call a function at times and states x (nt, n); write its results into `out`, a row each.
 
-        `own` is P, or the beginning of it.  `out` has a row for each, as long as is asked for.
+        `parameters` are P, or its beginning.  The rows are as long as is wanted.
         """
-        sizes = max(self.size, len(own)), self.room, max(out.shape[1], 2 * self.decided)
+        sizes = max(self.size, len(parameters)), self.room, max(out.shape[1], 2 * self.decided)
         P, W, D = (np.zeros(size + 1) for size in sizes)
-        P[: len(own)], times = own, np.ascontiguousarray(times)
+        P[: len(parameters)], times = parameters, np.ascontiguousarray(times)
         which = np.searchsorted(pieces.edges, times, side="right")
-        given, each = (times, which, np.zeros(1), x.ravel()), (pieces.places, pieces.values)
-        more, arrays = (self.nstates, (self.held, self.decided)), (P, self.tables, W, D)
-        self.call("ask", role, *more, given, each, arrays, out)
+        points, each = (times, which, np.zeros(1), x.ravel()), (pieces.places, pieces.values)
+        decisions, arrays = (self.decided_at, self.decided), (P, self.tables, W, D)
+        self.call("evaluate", role, self.nstates, decisions, points, each, arrays, out)
         return out
 
 
@@ -83,10 +89,10 @@ class Batch:
     """Some runs of one diagram, from initial states (m, n) with parameters P (m, nP).
 
     States are wanted at `times`; a run starts at the first and follows its schedule,
-    ``schedules[group[k]]`` or the first.  In the end `out` (m, nt, n) holds states, NaN
-    where a run did not come, `status` how runs ended (`Status`), `reached` how many
-    samples are done, and `counts` (m, 4) steps, evaluations, restarts, rejected steps.
-    No step is longer than `longest`, the step of RK4; the first tried is `opening`, unless it is 0.
+    ``schedules[group[k]]`` or the first.  In the end `out` (m, nt, n) holds states, NaN behind the
+    end of a run, `status` how runs ended (`Status`), `reached` how many samples are done, and
+    `counts` (m, 4) steps, evaluations, restarts and rejected steps.  No step is longer than
+    `longest`, which is the step of RK4; the first step tried is `opening`, unless that is 0.
     """
 
     def __init__(
@@ -107,7 +113,7 @@ class Batch:
         (m, n), lanes = starts.shape, callee.lanes
         group = np.zeros(m, dtype=np.int64) if group is None else group
         self.runs = tuple(map(np.ascontiguousarray, (starts, parameters, group)))
-        self.pieces, self.schedule = schedules, _together(schedules)
+        self.pieces, self.schedule = schedules, _stacked(schedules)
         if callee.method == solver.RK4:
             self.schedule[-1][:] = False  # every piece begins anew
         self.out = np.full((m, len(times), n), np.nan)
@@ -117,17 +123,18 @@ class Batch:
         self.results = self.out, self.status, self.reached, self.counts
         size = max(callee.size, parameters.shape[1], 1)
         rooms = (solver.NUMBERS, solver.ROWS * n, size, max(callee.room, 1))
-        row, self.Z, P, W, D = aligned(
+        numbers, self.Z, P, W, D = aligned(
             *(lanes * room for room in (*rooms, max(n, 2, 2 * callee.decided)))
         )
-        self.numbers, own = row.reshape(-1, lanes), P.reshape(-1, lanes)
-        # a lane without a run stays where the first begins
-        self.Z.reshape(-1, lanes)[:n], own[: parameters.shape[1]] = starts[:1].T, parameters[:1].T
-        own[self.schedule[1]] = self.schedule[3][:1].T
-        self.numbers[solver.LONGEST], self.numbers[solver.OPENING] = longest, opening
+        self.numbers, places = numbers.reshape(-1, lanes), P.reshape(-1, lanes)
+        # a lane without a run holds the state and parameters with which the first begins
+        self.Z.reshape(-1, lanes)[:n] = starts[:1].T
+        places[: parameters.shape[1]] = parameters[:1].T
+        places[self.schedule[1]] = self.schedule[3][:1].T
+        self.numbers[solver.LONGEST], self.numbers[solver.FIRST_STEP] = longest, opening
         whole = np.full((5, lanes), -1, dtype=np.int64)
         self.lane = self.numbers, whole, np.array([0, m, 0], dtype=np.int64)
-        self.arrays, self.linear = (self.Z, P, callee.tables, W, D), callee.linear.given
+        self.arrays, self.linear = (self.Z, P, callee.tables, W, D), callee.linear.for_solver
 
     @property
     def now(self) -> float:
@@ -142,26 +149,26 @@ class Batch:
         most: int = MEMBER_STEPS,
         stiff: Callable[["Batch", int], bool] | None = None,
     ) -> None:
-        """Run to the end with steps chosen by tolerance, a run for at most so many tries.
+        """Run to the end with steps chosen by tolerance, each run for at most `most` tries.
 
-        Steps of one length are as many as they are.  `watch` is called between the solver's calls,
-        each of about `PAUSE`.  `stiff` is asked of lanes whose steps look so; the run of one that
-        is ends as `STIFF`.
+        RK4 takes as many steps as it needs.  `watch` is called between the solver's calls, each of
+        about `PAUSE`.  `stiff` says whether a lane with stiff steps is stiff; its run then ends as
+        `STIFF`.
         """
         self.numbers[solver.STIFF_STEPS] = -np.inf if stiff is None else 0.0
         first = 0 if self.callee.engine == "python" else BEGIN // self.callee.nstates
         active, budget = 1, max(64, first)
         most = ANY if self.callee.method == solver.RK4 else most
         if self.callee.decided:
-            self.runs[1][:, self.callee.held - 1] = GRAIN * atol
+            self.runs[1][:, self.callee.decided_at - 1] = GRAIN * atol
         while active:
             check()
             begin = time.perf_counter()
             active = self.advance(rtol, atol, budget, most)
-            looked = np.flatnonzero(self.numbers[solver.STIFF_STEPS] >= solver.MANY)
-            for k in looked:
-                self._look(int(k), stiff)
-            budget = max(budget // 4, 1) if len(looked) else budget  # it was not used up
+            doubtful = np.flatnonzero(self.numbers[solver.STIFF_STEPS] >= solver.MANY)
+            for k in doubtful:
+                self._end_if_stiff(int(k), stiff)
+            budget = max(budget // 4, 1) if len(doubtful) else budget  # it was not used up
             share = PAUSE / max(time.perf_counter() - begin, 1e-6)
             budget = int(min(max(budget * share, budget / 2 + 1), 4 * budget))
             watch(self)
@@ -170,10 +177,10 @@ class Batch:
         """Take some steps in each lane; return how many lanes are at work."""
         tolerances = np.array([max(rtol, 2.3e-14), atol])
         batch = self.runs, self.schedule, self.times, self.results, self.lane, self.arrays
-        given = self.callee.shape, tolerances, batch, self.linear, budget, most
-        return self.callee.call("advance", *given)
+        arguments = self.callee.shape, tolerances, batch, self.linear, budget, most
+        return self.callee.call("advance", *arguments)
 
-    def _look(self, k: int, stiff: Any) -> None:
+    def _end_if_stiff(self, k: int, stiff: Any) -> None:
         """End the run of a lane if it is stiff."""
         self.numbers[solver.STIFF_STEPS, k] = -LATER
         whole = self.lane[1]
@@ -184,15 +191,15 @@ class Batch:
 
 
 def aligned(*sizes: int) -> list[np.ndarray]:
-    """Return zeros that each begin where a line of the cache does: eight runs are one line."""
+    """Return arrays of zeros, each aligned with the cache: a line of it holds eight runs."""
     places = list(accumulate((-(-size // LANES) * LANES for size in sizes), initial=0))
     room = np.zeros(places[-1] + LANES)
     first = -(room.ctypes.data // room.itemsize) % LANES
     return [room[first + k : first + k + size] for k, size in zip(places, sizes, strict=False)]
 
 
-def _together(schedules: list[Schedule]) -> tuple[np.ndarray, ...]:
-    """Return where each schedule begins, places, and the rows of all: ends, values, smoothness."""
+def _stacked(schedules: list[Schedule]) -> tuple[np.ndarray, ...]:
+    """Return schedules as the solver takes them: first pieces, places, ends, values, smoothness."""
     rows = [(np.append(one.edges, np.inf), one.values, one.smooth) for one in schedules]
     edges, values, smooth = map(np.concatenate, zip(*rows, strict=True))
     firsts = np.cumsum([0, *(len(one.edges) + 1 for one in schedules)])
@@ -202,18 +209,18 @@ def _together(schedules: list[Schedule]) -> tuple[np.ndarray, ...]:
 def pace(
     most: int, begin: float, end: float, progress: Callable[[float], None] | None
 ) -> Callable[[Batch], None]:
-    """Return a watch that tells how far a run is, and gives up one whose end is out of reach."""
-    looked, span = [0, begin], end - begin
+    """Return a watch that reports progress, and refuses a run that cannot reach its end."""
+    last, span = [0, begin], end - begin  # tries and time when the pace was last measured
 
     def watch(batch: Batch) -> None:
         tries, now = int(batch.counts[0, 0] + batch.counts[0, 3]), batch.now
         if progress is not None:
             progress(now)
-        if tries < looked[0]:  # the rest of a run, by another method
-            looked[:] = [0, now]
-        if tries - looked[0] < most // 500:
+        if tries < last[0]:  # the rest of a run, by another method
+            last[:] = [0, now]
+        if tries - last[0] < most // 500:
             return
-        ahead = (now - looked[1]) / (tries - looked[0])
+        ahead = (now - last[1]) / (tries - last[0])
         if batch.status[0] == solver.RUNNING and ahead * most < span:
             needed = span / ahead if ahead > 0 else np.inf
             raise SimulationError(
@@ -221,6 +228,6 @@ def pace(
                 f"{needed:.0e}; rates change too fast there: lower the gains, or loosen rtol and "
                 "atol"
             )
-        looked[:] = [tries, now]
+        last[:] = [tries, now]
 
     return watch

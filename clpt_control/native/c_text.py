@@ -4,7 +4,7 @@
     { const double v0 = x[0] - p[3]; for (int i0 = 0; i0 < 50; i0++) { ... } }
 
 A diagram is printed as it was written: nothing is prepared for a whole run, and no decision is
-locked.  Inputs are an array, numbers that an integrator keeps (intervals, jumps) another.
+locked.  Inputs are one array.  Intervals and jumps, which an integrator sets, are another, `kept`.
 """
 
 from collections.abc import Iterator
@@ -13,25 +13,25 @@ from typing import Any
 
 from ..equations.arrays import CONDITIONS
 from ..errors import Uncompiled
-from .components import Components, deep, rows
+from .components import Components, deep, row_strides
 from .diagram_record import DiagramRecord, Layout
 from .plan import Nest, Planner
 
-GIVEN = "double t, const double *x, const double *u, const double *p, const double *kept"
+SIGNATURE = "double t, const double *x, const double *u, const double *p, const double *kept"
 ARRAYS = {"X": "x", "U": "u", "P": "p", "I": "kept", "T": "T_", "K": "K_", "W": "w", "D": "out"}
 INFIX = {
     **{"add": "+", "sub": "-", "mul": "*", "div": "/", "and": "&&", "or": "||"},
     **{"lt": "<", "le": "<=", "gt": ">", "ge": ">=", "eq": "==", "ne": "!="},
 }
 PREFIX = {"neg": "-", "not": "!"}
-OF_MATH = frozenset(
+IN_MATH_H = frozenset(
     (
         *("exp", "expm1", "log", "log1p", "log2", "log10", "sqrt", "fabs", "floor", "ceil"),
         *("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "hypot", "pow", "trunc"),
         *("sinh", "cosh", "tanh", "asinh", "acosh", "atanh", "erf", "erfc"),
     )
 )
-OWN = {  # what NumPy has and C has not, or otherwise
+HELPERS = {  # functions of NumPy that C does not have, or defines otherwise
     "minimum": "(double a, double b) { return a < b || isnan(a) ? a : b; }",
     "maximum": "(double a, double b) { return a > b || isnan(a) ? a : b; }",
     "sign": "(double a) { return a > 0.0 ? 1.0 : a < 0.0 ? -1.0 : 0.0 * a + 0.0; }",
@@ -56,11 +56,11 @@ OWN = {  # what NumPy has and C has not, or otherwise
 }
 
 
-class Record(DiagramRecord):
+class CRecord(DiagramRecord):
     """A diagram whose inputs are an array, and whose intervals and jumps another."""
 
     def __init__(self, wiring: Any, layout: Layout):
-        self.kept = [*layout.intervals.values(), *layout.jumps.values()]  # places in P
+        self.set_by_integrator = [*layout.intervals.values(), *layout.jumps.values()]  # places in P
         super().__init__(wiring, layout, locking=False)
 
     def _inputs(self) -> int:
@@ -68,49 +68,49 @@ class Record(DiagramRecord):
 
     def load(self, array: str, first: int, shape: tuple) -> int:
         """Return the numbers of an array from a place."""
-        if array == "P" and first in self.kept:
-            return super().load("I", self.kept.index(first), shape)
+        if array == "P" and first in self.set_by_integrator:
+            return super().load("I", self.set_by_integrator.index(first), shape)
         return super().load(array, self.place(first) if array == "P" else first, shape)
 
     def place(self, first: int) -> int:
-        """Return where a parameter of P stands among those that are given."""
-        return first - sum(one < first for one in self.kept)
+        """Return the place in `p` of a parameter in P."""
+        return first - sum(one < first for one in self.set_by_integrator)
 
 
-class Program:
+class CProgram:
     """The functions of a diagram, and what they share."""
 
-    def __init__(self, record: Record, signals: int):
-        self.made = Components(record, signals)
+    def __init__(self, record: CRecord, signals: int):
+        self.components = Components(record, signals)
         self.helpers: dict[str, None] = {}
         ports = {"rates": (record.rates, "D"), "signals": (record.signals, "W")}
         if record.layout.jumps:
             ports["jump"] = record.leaps, "D"
         with deep():
-            writes = {name: self.made.writes(*own) for name, own in ports.items()}
-            plan = Planner(self.made)
+            writes = {name: self.components.writes(*own) for name, own in ports.items()}
+            plan = Planner(self.components)
             nests = {name: plan.nests(own) for name, own in writes.items()}
             self.functions = {name: _Function(self, own).text for name, own in nests.items()}
 
     def function(self, name: str) -> str:
-        """Return one function; `signals` fills what it is given as room, the others `out`."""
+        """Return one function; `signals` writes into `w`, its argument, the others into `out`."""
         text, into = self.functions[name], "w" if name == "signals" else "out"
-        room = f"    double w[{self.made.room}];\n" if into == "out" and "w[" in text else ""
-        given = (one.split()[-1].strip("*") for one in [*GIVEN.split(","), into])
-        unused = "".join(f" (void){one};" for one in given)
-        return f"static void {name}_({GIVEN}, double *{into}) {{\n   {unused}\n{room}{text}}}\n"
+        room = f"    double w[{self.components.room}];\n" if into == "out" and "w[" in text else ""
+        names = (one.split()[-1].strip("*") for one in [*SIGNATURE.split(","), into])
+        unused = "".join(f" (void){one};" for one in names)
+        return f"static void {name}_({SIGNATURE}, double *{into}) {{\n   {unused}\n{room}{text}}}\n"
 
     def shared(self, T: Any) -> Iterator[str]:
-        """Yield the functions that C has not, and arrays of numbers."""
+        """Yield the functions that C does not have, and arrays of numbers."""
         for name in self.helpers:
-            yield f"static double {name}_{OWN[name]}\n"
+            yield f"static double {name}_{HELPERS[name]}\n"
         text = "".join(self.functions.values())
-        for array, values in (("T_", T), ("K_", self.made.constants)):
+        for array, values in (("T_", T), ("K_", self.components.constants)):
             if array in text:
-                yield f"static const double {array}[] = {{{', '.join(map(number, values))}}};\n"
+                yield f"static const double {array}[] = {{{', '.join(map(c_number, values))}}};\n"
 
 
-def number(value: float) -> str:
+def c_number(value: float) -> str:
     """Return a number as C writes it, to the last bit."""
     if isnan(value):
         return "NAN"
@@ -121,10 +121,10 @@ def number(value: float) -> str:
 class _Function:
     """A function's nests, printed one after the other."""
 
-    def __init__(self, program: Program, nests: tuple[Nest, ...]):
-        self.program, self.all = program, program.made.all
-        self.saved: dict[int, int] = {}  # what lies in `w` by now
-        self.numbers: dict[Any, str] = {}  # what is outside all loops
+    def __init__(self, program: CProgram, nests: tuple[Nest, ...]):
+        self.program, self.all = program, program.components.all
+        self.saved: dict[int, int] = {}  # component -> its place in `w`, once it is written
+        self.numbers: dict[Any, str] = {}  # values outside all loops
         self.text = "".join(line for nest in nests for line in self.nest(nest))
 
     def nest(self, nest: Nest) -> Iterator[str]:
@@ -132,26 +132,26 @@ class _Function:
         depth = len(nest.lengths)
         self.heads: list[list[str]] = [[] for _ in range(depth + 1)]
         self.known: list[dict[Any, str]] = [self.numbers, *({} for _ in range(depth))]
-        turns, sums, after = tuple(range(depth)), dict[int, str](), list[str]()
-        own: list[str] = []
+        loops, sums, after = tuple(range(depth)), dict[int, str](), list[str]()
+        body: list[str] = []
         for item in nest.items:
-            value = self.argument(item.value, turns)
+            value = self.argument(item.value, loops)
             if item.summed:
                 c = item.saves
                 sums[c] = f"s{c}"
-                own.append(f"s{c} += {value};")
+                body.append(f"s{c} += {value};")
                 if item.strides:
-                    place = self.at(item.array, item.first, turns[:-1], item.strides)
+                    place = self.at(item.array, item.first, loops[:-1], item.strides)
                     after.append(f"{place} = s{c};")
             else:
-                own.append(f"{self.at(item.array, item.first, turns, item.strides)} = {value};")
+                body.append(f"{self.at(item.array, item.first, loops, item.strides)} = {value};")
         before = [f"double {name} = 0.0;" for name in sums.values()]
         for d, (lines, n) in enumerate(zip(self.heads, nest.lengths, strict=False)):
             if d == depth - 1:
                 lines = [*lines, *before]
             yield from self.indented(d, lines)
             yield from self.indented(d, [f"for (int i{d} = 0; i{d} < {n}; i{d}++) {{"])
-        yield from self.indented(depth, [*self.heads[depth], *own])
+        yield from self.indented(depth, [*self.heads[depth], *body])
         for d in reversed(range(depth)):
             yield from self.indented(d, ["}", *(after if d == depth - 1 else ())])
         for item in nest.items:
@@ -163,51 +163,51 @@ class _Function:
         """Yield lines within so many loops."""
         return ("    " * (1 + depth) + line + "\n" for line in lines)
 
-    def at(self, array: str, first: int, turns: tuple[int, ...], strides: tuple[int, ...]) -> str:
-        """Return an element of an array."""
+    def at(self, array: str, first: int, loops: tuple[int, ...], strides: tuple[int, ...]) -> str:
+        """Return an element of an array, in an iteration of these loops."""
         if array == "t":
             return "t"
-        moves = [f"{s} * i{k}" if s != 1 else f"i{k}" for k, s in zip(turns, strides, strict=True)]
+        moves = [f"{s} * i{k}" if s != 1 else f"i{k}" for k, s in zip(loops, strides, strict=True)]
         place = " + ".join([*([str(first)] if first or not moves else []), *moves])
         return f"{ARRAYS[array]}[{place}]"
 
-    def argument(self, a: Any, turns: tuple[int, ...]) -> str:
-        """Return an argument: a constant, or what is computed."""
+    def argument(self, a: Any, loops: tuple[int, ...]) -> str:
+        """Return an argument: a constant, or a computed value."""
         if type(a) is not tuple:
-            return number(a)
-        return self.value(a[0], tuple([turns[k] for k in a[1]]))
+            return c_number(a)
+        return self.value(a[0], tuple([loops[k] for k in a[1]]))
 
-    def value(self, c: int, turns: tuple[int, ...]) -> str:
-        """Return a value, printed where the innermost of its loops begins a turn."""
-        depth = max(turns, default=-1) + 1
+    def value(self, c: int, loops: tuple[int, ...]) -> str:
+        """Return a value, which is printed at the beginning of the innermost of its loops."""
+        depth = max(loops, default=-1) + 1
         name, arguments, lengths = self.all[c]
         if c in self.saved:
-            return self.at("W", self.saved[c], turns, rows(lengths))
+            return self.at("W", self.saved[c], loops, row_strides(lengths))
         if name == "load":
-            return self.at(arguments[0], arguments[1], turns, arguments[2])
+            return self.at(arguments[0], arguments[1], loops, arguments[2])
         known = self.known[depth]
-        if (c, turns) not in known:
-            own = self.called(name, arguments, turns)
-            known[c, turns] = f"v{c}" + "".join(f"_{k}" for k in turns)
+        if (c, loops) not in known:
+            text = self.operation(name, arguments, loops)
+            known[c, loops] = f"v{c}" + "".join(f"_{k}" for k in loops)
             kind = "int" if name in CONDITIONS else "double"
-            self.heads[depth].append(f"const {kind} {known[c, turns]} = {own};")
-        return known[c, turns]
+            self.heads[depth].append(f"const {kind} {known[c, loops]} = {text};")
+        return known[c, loops]
 
-    def called(self, name: str, arguments: tuple, turns: tuple[int, ...]) -> str:
-        """Return an operation of arguments."""
-        if name in OWN:
+    def operation(self, name: str, arguments: tuple, loops: tuple[int, ...]) -> str:
+        """Return an operation on its arguments."""
+        if name in HELPERS:
             self.program.helpers[name] = None
         if name == "lookup":
             array, first, stride, count, *_ = self.all[arguments[1][0]].arguments
-            place = self.argument(arguments[0], turns)
+            place = self.argument(arguments[0], loops)
             return f"lookup_({ARRAYS[array]} + {first}, {stride}, {count}, {place})"
-        given = [self.argument(a, turns) for a in arguments]
+        values = [self.argument(a, loops) for a in arguments]
         if name in INFIX:
-            return f" {INFIX[name]} ".join(given)
+            return f" {INFIX[name]} ".join(values)
         if name in PREFIX:
-            return f"{PREFIX[name]}{given[0]}"
+            return f"{PREFIX[name]}{values[0]}"
         if name == "where":
-            return "{} ? {} : {}".format(*given)
-        if name not in OWN and name not in OF_MATH:
+            return "{} ? {} : {}".format(*values)
+        if name not in HELPERS and name not in IN_MATH_H:
             raise Uncompiled(f"`{name}` has no C")
-        return f"{name}{'_' if name in OWN else ''}({', '.join(given)})"
+        return f"{name}{'_' if name in HELPERS else ''}({', '.join(values)})"

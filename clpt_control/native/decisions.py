@@ -1,15 +1,15 @@
-"""Decisions: where equations are not smooth, and how they are locked for the length of a step.
+"""Decisions: points where equations are not smooth, and how they are locked during a step.
 
     where(a < b, c, d),  minimum(a, b),  |a|,  sign(a),  floor(a),  a row read at a place
 
-A step of the solver over a kink is worth little.  So while it is taken the rates keep every
-decision as it was where the step began: they are smooth, also a little beyond the kink.  Where a
-step has gone beyond one, at its end or at one of seven places before it, `solver` finds the
-crossing, where states feel it, and begins anew there, decided again.
+A step of the solver across a kink is not accurate.  So during a step the rates hold every decision
+as it was at the beginning of the step: they are smooth, also a little beyond the kink.  If a step
+has passed a kink, at its end or at one of seven places before it, and states feel it, `solver`
+locates the crossing and begins anew there, with new decisions.
 
-    H    what was decided: 1 or -1, the whole number of a floor, the place in a row; kept in P
-    D    what is decided now, of all decisions, and then for each whether the step has passed it:
-         the difference of what is compared has the other sign than H, by more than rounding
+    H    decisions in force: 1 or -1, the whole number of a floor, the place in a row; they lie in P
+    D    all decisions as they are now, and then for each whether the step has passed it: the
+         difference that is compared has another sign than H says, by more than rounding
 
 The gridded current, which is smooth, stays as it is.  Discontinuity locking: Cellier and
 Kofman, Continuous System Simulation, 2006, chapter 9.
@@ -22,13 +22,13 @@ from ..equations.record import reached
 
 COMPARED = {"lt": -1.0, "le": -1.0, "gt": 1.0, "ge": 1.0}  # the sign of a - b where they hold
 WHOLE = ("floor", "ceil", "trunc", "floordiv")
-# what other operations decide: comparisons, the second number 0 where there is one, whole numbers
+# the questions that other operations decide: comparisons with 0 or of both, or whole numbers
 QUESTIONS = {
     **{"minimum": ("lt",), "maximum": ("gt",), "sign": ("gt", "lt"), "fabs": ("ge",)},
     **{"mod": ("floordiv",), "pick": ("trunc",)},
 }
 LOCKED = frozenset({*COMPARED, *WHOLE, *QUESTIONS})
-ROUNDING = 1e-12  # of what is compared
+ROUNDING = 1e-12  # relative, of the numbers that are compared
 Ref = Any
 
 
@@ -41,11 +41,11 @@ class Port(NamedTuple):
     ref: Ref
 
 
-def _given(name: str, own: tuple[Ref, ...]) -> tuple[Ref, ...]:
-    """Return what a question is asked of."""
+def _operands(name: str, arguments: tuple[Ref, ...]) -> tuple[Ref, ...]:
+    """Return the arguments that a question is about."""
     if name in COMPARED:
-        return own[0], own[1] if len(own) > 1 else 0.0
-    return own if name == "floordiv" else own[-1:]
+        return arguments[0], arguments[1] if len(arguments) > 1 else 0.0
+    return arguments if name == "floordiv" else arguments[-1:]
 
 
 class Decisions:
@@ -55,15 +55,15 @@ class Decisions:
         self.record, self.grain = record, grain  # place in P of the least difference that counts
         self.now: list[Port] = []
         self.passed: list[Port] = []
-        self.of: list[tuple] = []  # first place of each, and whose it is
-        self.count = 0  # numbers that are decided
+        self.of: list[tuple] = []  # first place of each, and where it is made
+        self.count = 0  # how many numbers are decided
 
     def lock(self, rates: list[Port]) -> list[Port]:
-        """Write rates down again, locked; return them."""
+        """Write the rates again with locked decisions; return them."""
         record, locked = self.record, dict[int, Ref]()
-        moving: set[Ref] = set()  # what changes along a run
+        moving: set[Ref] = set()  # entries that change along a run
 
-        def stands(ref: Ref) -> Ref:
+        def current(ref: Ref) -> Ref:
             return locked.get(ref, ref) if type(ref) is int else ref
 
         for k in sorted(reached(record.entries, [port.ref for port in rates])):
@@ -71,59 +71,61 @@ class Decisions:
             places = [a for a in exact if type(a) is int]
             if moving.intersection(places) or (kind == "load" and at[0] in "Xt"):
                 moving.add(k)
-            own = tuple(map(stands, exact))
+            arguments = tuple(map(current, exact))
             if k in record.decided_by and moving.intersection(places):
-                locked[k] = self._locked(k, own)
+                locked[k] = self._lock(k, arguments)
             elif not locked.keys().isdisjoint(places):
-                locked[k] = record.add(kind, own, shape, at, record.owners[k])
-        return [p._replace(ref=stands(p.ref)) for p in rates]
+                locked[k] = record.add(kind, arguments, shape, at, record.owners[k])
+        return [p._replace(ref=current(p.ref)) for p in rates]
 
-    def _locked(self, k: int, own: tuple[Ref, ...]) -> Ref:
-        """Note what an operation decides; return its locked value, of what is locked itself."""
+    def _lock(self, k: int, arguments: tuple[Ref, ...]) -> Ref:
+        """Note what an operation decides; return its locked value, of locked arguments."""
         (kind, exact, shape, _), owner = self.record.entries[k], self.record.owners[k]
-        (long, of), held = self.record.decided_by[k], list[Ref]()
+        (long, of), answers = self.record.decided_by[k], list[Ref]()
 
-        def add(kind: str, *given: Ref) -> Ref:
-            return self.record.add(kind, given, shape, None, owner)
+        def add(kind: str, *refs: Ref) -> Ref:
+            return self.record.add(kind, refs, shape, None, owner)
 
         for name in QUESTIONS.get(kind, (kind,)):
-            found = add(name, *_given(name, exact))
+            now = add(name, *_operands(name, exact))
             if name in COMPARED:
-                found = add("where", found, 1.0, -1.0)
+                now = add("where", now, 1.0, -1.0)
             H = self.record.load("P", self.grain + 1 + self.count, shape)
-            beyond = self._passed(name, _given(name, own), H, shape)
-            self.now.append(Port(self.count, shape, long, found))
+            beyond = self._passed(name, _operands(name, arguments), H, shape)
+            self.now.append(Port(self.count, shape, long, now))
             self.passed.append(Port(self.count, shape, long, beyond))
             self.of.append((self.count, of))
             self.count += prod(shape)
-            held.append(add("gt", H, 0.0) if name in COMPARED else H)
+            answers.append(add("gt", H, 0.0) if name in COMPARED else H)
         if kind in COMPARED or kind in WHOLE:
-            return held[0]
+            return answers[0]
         if kind == "sign":
-            return add("where", held[0], 1.0, add("where", held[1], -1.0, 0.0))
+            return add("where", answers[0], 1.0, add("where", answers[1], -1.0, 0.0))
         if kind == "fabs":
-            return add("where", held[0], own[0], add("neg", own[0]))
+            return add("where", answers[0], arguments[0], add("neg", arguments[0]))
         if kind == "mod":
-            beyond = add("sub", own[0], add("mul", own[1], held[0]))
-            same = add("eq", add("floordiv", *own), held[0])
-            return add("where", same, add("mod", *own), beyond)
-        return add("pick", own[0], held[0]) if kind == "pick" else add("where", held[0], *own)
+            beyond = add("sub", arguments[0], add("mul", arguments[1], answers[0]))
+            same = add("eq", add("floordiv", *arguments), answers[0])
+            return add("where", same, add("mod", *arguments), beyond)
+        if kind == "pick":
+            return add("pick", arguments[0], answers[0])
+        return add("where", answers[0], *arguments)
 
-    def _passed(self, name: str, given: tuple, H: Ref, shape: tuple) -> Ref:
-        """Return whether a step has passed a decision, as 1 or 0."""
+    def _passed(self, name: str, operands: tuple, H: Ref, shape: tuple) -> Ref:
+        """Return 1 where a step has passed a decision, else 0."""
 
         def add(kind: str, *arguments: Ref) -> Ref:
             return self.record.add(kind, arguments, shape)
 
-        size = add("fabs", given[0])
-        if name in COMPARED and given[1] != 0.0:
-            size = add("add", size, add("fabs", given[1]))
+        size = add("fabs", operands[0])
+        if name in COMPARED and operands[1] != 0.0:
+            size = add("add", size, add("fabs", operands[1]))
         least = add("add", add("mul", size, ROUNDING), self.record.load("P", self.grain, ()))
         if name in COMPARED:
-            apart = add("sub", *given)
-            beyond = add("neg", apart) if COMPARED[name] < 0 else apart
-            found = add("lt", add("mul", beyond, H), add("neg", least))
+            difference = add("sub", *operands)
+            beyond = add("neg", difference) if COMPARED[name] < 0 else difference
+            passed = add("lt", add("mul", beyond, H), add("neg", least))
         else:
-            sides = (add(side, given[0], least) for side in ("add", "sub"))
-            found = add("and", *(add("ne", add(name, one, *given[1:]), H) for one in sides))
-        return add("where", found, 1.0, 0.0)
+            sides = (add(side, operands[0], least) for side in ("add", "sub"))
+            passed = add("and", *(add("ne", add(name, one, *operands[1:]), H) for one in sides))
+        return add("where", passed, 1.0, 0.0)

@@ -1,16 +1,16 @@
-"""One record of a diagram (`diagrams.joined`), with all that its program stores, and where it lies.
+"""One record of a diagram, with all that its program stores, and where each number lies.
 
     v0 = load X[0:2]            v1 = add(v0, v7)            v2 = sum(v1 over 0)
     x[i] of a block -> X        p.field[k] -> P, or T where runs share it
 
-An axis is long, and loops, where a size has a name or the number is beyond `SHORT`.  Of every entry
-it is known which block it comes from, so that terms of different blocks can be told apart
-(`joined_sums`); wires belong to none.
+An axis is long, and loops, if its size has a name or is above `SHORT`.  Every entry knows the block
+that it comes from, because only terms of different blocks may cancel (`merged_sums`); entries of
+wires have no block.
 
-Fields that hold the same values share a slot: a basis at the vehicle and at its
-prediction then share widths and tides, and the compiler sees that their cosines are one.
-An input of the diagram is a straight line in time, of which P holds, behind the fields, the
-beginning, then all values there and all slopes; what is prepared comes last.
+Fields with the same values share a slot: a basis at the vehicle and at its prediction then share
+widths and tides, and the compiler sees that their cosines are the same.  An input of the diagram
+is a straight line in time.  Behind the fields P holds where the lines begin, their values there and
+their slopes.  What is prepared comes last.
 """
 
 from collections.abc import Mapping, Sequence
@@ -20,7 +20,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..diagrams.joined import Joining
+from ..diagrams.merged_record import RecordMerger
 from ..diagrams.wiring import Wiring
 from ..equations.arrays import Tape
 from ..equations.block import Block
@@ -29,8 +29,8 @@ from ..equations.record import Operation, Record
 from .decisions import LOCKED, Decisions, Port
 
 SHORT, NAMED = 16, 3  # an axis up to SHORT is unrolled, but from NAMED on where it has a name
-SIGNED = frozenset({"atan2", "pow", "floordiv", "mod"})  # tell -0.0 from 0.0, as divisors do
-WIRE = -1  # the owner of what wires do
+SIGNED = frozenset({"atan2", "pow", "floordiv", "mod"})  # distinguish -0.0 from 0.0, as divisors do
+WIRE = -1  # the owner of the operations of wires
 LARGE = 512  # numbers: a larger array is a table that runs share
 Ref = Any  # the place of an entry (int), or a constant (float)
 
@@ -39,7 +39,7 @@ Ref = Any  # the place of an entry (int), or a constant (float)
 
 
 class Slot(NamedTuple):
-    """Where a parameter field lies: in P, own to a run, or in T; its first number."""
+    """Where a parameter field lies: in P, or in T, which runs share; its first place."""
 
     array: str
     offset: int
@@ -51,30 +51,30 @@ class Layout:
 
     slots: dict[tuple[int, str], Slot] = field(default_factory=dict)  # of (block, field)
     intervals: dict[int, int] = field(default_factory=dict)  # block -> its `interval` in P
-    jumps: dict[int, int] = field(default_factory=dict)  # block -> place in P: 1 where it jumps
+    jumps: dict[int, int] = field(default_factory=dict)  # block -> place in P: `JUMPS` or 0
     P: np.ndarray = field(default_factory=lambda: np.zeros(0))
     T: np.ndarray = field(default_factory=lambda: np.zeros(1))  # never empty
 
     @property
     def pattern(self) -> tuple:
-        """Where all lies, and so which fields share a slot: part of the key of compiled code."""
+        """All places, and so which fields share a slot: part of the key of compiled code."""
         return *self.slots.items(), *self.jumps.items(), len(self.P)
 
     def inputs(self, count: int) -> int:
-        """Return the length of P with so many inputs of the diagram."""
+        """Return the length of P with `count` inputs of the diagram."""
         return len(self.P) + 1 + 2 * count
 
     def packed(self, parameters: Sequence[Any]) -> np.ndarray:
         """Return P for other parameters of the same blocks; fields that share stay equal."""
         P = self.P.copy()
-        seen: dict[int, Any] = {}
+        values: dict[int, Any] = {}
         for (k, name), slot in self.slots.items():
             value = np.asarray(getattr(parameters[k], name), dtype=float).ravel()
             if slot.array == "T":
                 continue
-            if slot.offset in seen and not np.array_equal(seen[slot.offset], value):
+            if slot.offset in values and not np.array_equal(values[slot.offset], value):
                 raise ValueError(f"{name} of block {k} no longer equals the field it stands with")
-            seen[slot.offset] = value
+            values[slot.offset] = value
             P[slot.offset : slot.offset + len(value)] = value
         return P
 
@@ -82,13 +82,13 @@ class Layout:
 def lay_out(
     wiring: Wiring, parameters: Sequence[Any], apart: Mapping[tuple[int, str], Any] = {}
 ) -> Layout:
-    """Return slots for the parameters of a diagram's blocks; None is a system that is none.
+    """Return slots for the parameters of a diagram's blocks.
 
-    Fields that stand `apart`, (block, field), are each run's own, and share a slot with those
-    alone that have the same there.
+    `apart` maps fields that differ from run to run, (block, field), to a value; two of them share a
+    slot only if these values are equal.
     """
     layout = Layout()
-    own: dict[str, list[np.ndarray]] = {"P": [], "T": []}
+    parts: dict[str, list[np.ndarray]] = {"P": [], "T": []}
     known: dict[tuple, Slot] = {}
     for k, (node, p) in enumerate(zip(wiring.nodes, parameters, strict=True)):
         if not isinstance(node.system, Block):
@@ -98,30 +98,30 @@ def lay_out(
                 continue
             array = np.asarray(value, dtype=float)
             key: tuple = (name, array.shape, array.tobytes())
-            own_slot = (k, name) in apart
-            if own_slot:
+            differs = (k, name) in apart
+            if differs:
                 key = (name, *key[1:], apart[k, name])
             if name == "interval":
                 key = (f"{name} {k}", (), b"")
             if key not in known:
-                place = "T" if array.size > LARGE and not own_slot else "P"
-                known[key] = Slot(place, sum(part.size for part in own[place]))
-                own[place].append(array.ravel())
+                place = "T" if array.size > LARGE and not differs else "P"
+                known[key] = Slot(place, sum(part.size for part in parts[place]))
+                parts[place].append(array.ravel())
             slot = layout.slots[k, name] = known[key]
             if name == "interval" and node.system.breakpoints_function is not None:
                 layout.intervals[k] = slot.offset
         if node.system.jump_function is not None:
-            layout.jumps[k] = sum(part.size for part in own["P"])
-            own["P"].append(np.zeros(1))
-    layout.P = np.concatenate([np.zeros(0), *own["P"]])
-    layout.T = np.concatenate([*own["T"], np.zeros(1)])
+            layout.jumps[k] = sum(part.size for part in parts["P"])
+            parts["P"].append(np.zeros(1))
+    layout.P = np.concatenate([np.zeros(0), *parts["P"]])
+    layout.T = np.concatenate([*parts["T"], np.zeros(1)])
     return layout
 
 
 # --- the record ------------------------------------------------------------------------------
 
 
-class DiagramRecord(Joining):
+class DiagramRecord(RecordMerger):
     """All operations of a diagram, and what its functions store.
 
     Kinds are those of `equations.record`, with loads in place of leaves: `at` of a load is (array,
@@ -143,7 +143,7 @@ class DiagramRecord(Joining):
         self.tape = Tape()
         self.entries = self.tape.operations
         self.owners: dict[int, int] = {}  # the blocks that entries come from
-        self.decided_by: dict[int, tuple] = {}  # entries that may decide: long axes, whose they are
+        self.decided_by: dict[int, tuple] = {}  # entry that may decide -> its long axes, and where
         self.rates: list[Port] = []
         self._jumped: dict[int, dict[str, Ref]] = {}  # states of a block after jumps, once known
         self.given[0] = self._inputs()
@@ -181,8 +181,8 @@ class DiagramRecord(Joining):
         return ports
 
     def _rates(self) -> list[Port]:
-        """Write down what the rates of all states are; return all signals."""
-        signals: dict[int, Port] = {}  # of a block that is run twice the later
+        """Write the rates of all states; return all signals."""
+        signals: dict[int, Port] = {}  # of a block that is run twice, those of the second run
         for k in self.wiring.order:
             signals |= {port.first: port for port in self._output(k)}
         for k, node in enumerate(self.wiring.nodes):
@@ -191,30 +191,30 @@ class DiagramRecord(Joining):
         return [*signals.values()]
 
     def _leap(self, k: int) -> dict[str, Ref]:
-        """Return the states of a block after the jumps that P asks for."""
+        """Return the states of a block after the jumps that P requests."""
         node, place = self.wiring.nodes[k], self.layout.jumps.get(k)
         shapes = node.system.state_shapes
         states = {name: self.leaf(k, "x", name, shape) for name, shape in shapes.items()}
         if place is not None:
-            asked = self.add("gt", (self.load("P", place, ()), 0.5), ())
-            self._change(k, states, asked, self.run(k, "jump", self.fed(k)))
+            jumps = self.add("gt", (self.load("P", place, ()), 0.5), ())
+            self._change(k, states, jumps, self.run(k, "jump", self.fed(k)))
         return states
 
-    def _change(self, k: int, states: dict[str, Ref], asked: Ref, values: list[Ref]) -> None:
-        """Change the last states of a block where that is asked for."""
+    def _change(self, k: int, states: dict[str, Ref], where: Ref, values: list[Ref]) -> None:
+        """Change the last states of a block where a condition holds."""
         shapes = self.wiring.nodes[k].system.state_shapes
         for name, value in zip([*states][-len(values) :], values, strict=True):
-            states[name] = self.add("where", (asked, value, states[name]), shapes[name])
+            states[name] = self.add("where", (where, value, states[name]), shapes[name])
 
     def _sample(self) -> None:
-        """Hold what feeds the blocks that sample, signals being those of the states jumped to."""
+        """Sample the inputs of blocks that sample, with the signals after all jumps."""
         nodes, self.made = self.wiring.nodes, {}
         sampling = [k for k, node in enumerate(nodes) if node.system.first_held is not None]
         for k in self.wiring.order if sampling else ():
             if k in sampling:
                 self._hold(k)
             self._output(k)
-        for k in sampling:  # what feeds it may have come after it
+        for k in sampling:  # a block that feeds it may come after it in the order
             self._hold(k)
 
     def _hold(self, k: int) -> None:
@@ -231,18 +231,19 @@ class DiagramRecord(Joining):
 
     def _axes(self, block: Block, shape: tuple) -> tuple[tuple[int, ...], tuple[bool, ...]]:
         """Return lengths of axes, and which of them loop."""
-        own = tuple(n if isinstance(n, int) else block.sizes[n] for n in shape)
-        long = zip(own, shape, strict=True)
-        return own, tuple(
-            n >= self.long or (isinstance(name, str) and n >= self.named) for n, name in long
+        lengths = tuple(n if isinstance(n, int) else block.sizes[n] for n in shape)
+        long = (
+            n >= self.long or (isinstance(name, str) and n >= self.named)
+            for n, name in zip(lengths, shape, strict=True)
         )
+        return lengths, tuple(long)
 
     def shape(self, block: Block, shape: tuple) -> tuple[int, ...]:
         """Return lengths of axes."""
         return self._axes(block, shape)[0]
 
     def put(self, k: int, role: str, record: Record, operation: Operation, own: list[Ref]) -> Ref:
-        """Write down an operation of a block."""
+        """Write an operation of a block."""
         block, (kind, arguments, shape, at) = self.wiring.nodes[k].system, operation
         if kind == "opaque":
             return own[0]
@@ -250,11 +251,10 @@ class DiagramRecord(Joining):
             length, long = self._axes(block, record.operations[arguments[0]].shape)
             at = at, length[at], long[at]
         lengths, long = self._axes(block, shape)
-        made, smooth = self.add(kind, own, lengths, at, k), block.opaque and block.of_package
-        sampled = block.first_held is not None  # what it computes stays for a step
-        if kind in LOCKED and not smooth and not sampled:
-            self.decided_by[made] = long, (k, role, kind)
-        return made
+        entry, smooth = self.add(kind, own, lengths, at, k), block.opaque and block.of_package
+        if kind in LOCKED and not smooth and block.first_held is None:  # samples stay for a step
+            self.decided_by[entry] = long, (k, role, kind)
+        return entry
 
     def leaf(self, k: int, group: str, name: str, shape: tuple) -> Ref:
         """Return time, a parameter, or a state, after jumps where these are known."""
@@ -269,7 +269,7 @@ class DiagramRecord(Joining):
         return self.load(array, first, self.shape(block, shape))
 
     def load(self, array: str, first: int, shape: tuple) -> int:
-        """Return the numbers of an array from a place, row by row; the same once."""
+        """Return the entry that reads an array from a place, row by row; equal ones are one."""
         return self.tape.add("load", (), shape, (array, first))._node
 
     # --- wires ----------------------------------------------------------------------------
@@ -283,16 +283,16 @@ class DiagramRecord(Joining):
         return self.add("add", (self.load("P", ramp + 1, (n,)), rise), (n,))
 
     def fed(self, k: int) -> dict[str, Ref]:
-        """Return what feeds each input port of a block."""
-        found = super().fed(k)
+        """Return the value that feeds each input port of a block."""
+        fed = super().fed(k)
         if self._signed(self.wiring.nodes[k].system):
-            for port, ref in found.items():
+            for port, ref in fed.items():
                 if type(ref) is int:  # sums in Python begin at 0.0, are never -0.0
-                    found[port] = self.add("add", (ref, 0.0), self.shape_of(ref))
-        return found
+                    fed[port] = self.add("add", (ref, 0.0), self.shape_of(ref))
+        return fed
 
     def _signed(self, block: Block) -> bool:
-        """Return whether a block tells -0.0 from 0.0."""
+        """Return whether a block distinguishes -0.0 from 0.0."""
         return any(
             one.kind in SIGNED or (one.kind == "div" and type(one.arguments[1]) is int)
             for record in block.records.values()

@@ -47,7 +47,7 @@ fma, copysign = partial(elementwise, "fma"), partial(elementwise, "copysign")
 round_down = partial(elementwise, "round_down")  # to the largest whole number not above
 round_to_zero = partial(elementwise, "round_to_zero")
 times_power_of_two = partial(elementwise, "times_power_of_two")
-turned_where_odd = partial(elementwise, "turned_where_odd")
+negated_where_odd = partial(elementwise, "negated_where_odd")
 
 
 def _polynomial(z, coefficients):
@@ -253,14 +253,14 @@ def _sine(a, n):
 def sin(a):
     """Return the sine of an angle in radians: (-1)^n sin(a - n pi)."""
     n = fma(a, ONE_OVER_PI, MAGIC)
-    value = where(a == 0.0, a, turned_where_odd(_sine(a, n - MAGIC), n))
+    value = where(a == 0.0, a, negated_where_odd(_sine(a, n - MAGIC), n))
     return where(abs(a) < RANGE, value, nan)
 
 
 def cos(a):
     """Return the cosine of an angle in radians: -(-1)^n sin(a - (n + 1/2) pi)."""
     n = fma(a, ONE_OVER_PI, -0.5) + MAGIC
-    value = turned_where_odd(_sine(a, (n - MAGIC) + 0.5), n + 1.0)
+    value = negated_where_odd(_sine(a, (n - MAGIC) + 0.5), n + 1.0)
     return where(abs(a) < RANGE, value, nan)
 
 

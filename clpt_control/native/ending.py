@@ -9,7 +9,7 @@ asked how large the eigenvalues of df/dx are, which know of no jumps.
 
 `iterated` is of diagrams of discrete time, x[k+1] = derivative(t_k, x[k], u_k), signals of sample k
 from x[k].  The times are those that python-control takes: `dt` apart, or evenly spaced where dt is
-True.  What sampled parts hold where a run begins says `begun`.
+True.  What sampled parts hold where a run begins says `sampled_start`.
 """
 
 from collections.abc import Callable, Iterator
@@ -117,11 +117,11 @@ def _trouble(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> str | None:
     x, rate = (batch.Z[r * n : (r + 1) * n] for r in (solver.STATE, solver.RATE))
     ahead = float(batch.numbers[solver.END, 0]) - t
     sweep.enter(t)
-    for k in sweep.leaping:
+    for k in sweep.jumping:
         sweep.nodes[k].system.raised.pop("jump", None)
     known = batch.out[0][np.isfinite(batch.out[0]).all(axis=1)]
-    if sweep.leaping and len(known) and not np.isfinite(x).all():  # a jump made it so: ask it again
-        sweep.leap(t, known[-1], None if inputs is None else inputs.at(t), sweep.leaping)
+    if sweep.jumping and len(known) and not np.isfinite(x).all():  # a jump made it so: ask it again
+        sweep.jump(t, known[-1], None if inputs is None else inputs.at(t), sweep.jumping)
     for h in (0.0, *(ahead * np.geomspace(1e-12, 1.0, 13))):
         near = x + h * rate if h else x  # the rate itself may be what is not finite
         u = None if inputs is None else inputs.at(t + h)
@@ -134,7 +134,7 @@ def _trouble(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> str | None:
 def _state(batch: Batch, share: float) -> np.ndarray:
     """Return the state at a share of the step that was not taken."""
     n = batch.callee.nstates
-    return np.array([solver.between(batch.Z, n, 1, 0, i, share) for i in range(n)])
+    return np.array([solver.interpolate(batch.Z, n, 1, 0, i, share) for i in range(n)])
 
 
 def _crossing(
@@ -192,7 +192,7 @@ def checked_method(method: str | None) -> str:
     return method or "auto"
 
 
-def finish(
+def run_to_end(
     batch: Batch,
     tolerances: tuple[float, float],
     implicit: Implicit | None,
@@ -277,7 +277,7 @@ def steps(
         check()
         last = min(first + TOGETHER, len(times) - 1)
         after = x[first + 1 : last + 1]
-        callee.ask(solver.DERIVATIVE, times[first:last], x[first:last], pieces, P, after)
+        callee.evaluate(solver.DERIVATIVE, times[first:last], x[first:last], pieces, P, after)
         bad = np.flatnonzero(~np.all(np.isfinite(after), axis=1))
         if len(bad):
             yield first + int(bad[0]), True
@@ -312,8 +312,10 @@ def iterated(
     return made
 
 
-def begun(callee: Callee, start: np.ndarray, t: float, pieces: Schedule, P: Any) -> np.ndarray:
+def sampled_start(
+    callee: Callee, start: np.ndarray, t: float, pieces: Schedule, P: Any
+) -> np.ndarray:
     """Return the state with which a run begins: blocks that sample there hold what feeds them."""
     if not pieces.begins:
         return start
-    return callee.ask(solver.JUMP, [t], start, pieces, P, np.empty((1, len(start))))[0]
+    return callee.evaluate(solver.JUMP, [t], start, pieces, P, np.empty((1, len(start))))[0]

@@ -2,7 +2,7 @@
 
 The model alone decides, never what a cache holds: the same script gives the same numbers.  What was
 read is compared with the functions where the run begins and at three of its own samples: rates,
-signals and jumps; points chosen by chance do not reach every way through a function.
+signals and jumps.  Points drawn at random would not reach every branch of a function.
 """
 
 import os
@@ -29,7 +29,7 @@ ENGINES = ("native", "python")
 VARIABLE = "CLPT_CONTROL_ENGINE"  # environment variable that names another default
 
 
-def chosen(
+def make_runner(
     diagram: control.NonlinearIOSystem | Wiring,
     params: Mapping[str, Any] | None = None,
     by_function: bool = False,
@@ -56,11 +56,11 @@ def chosen(
         try:
             return NativeDiagram(wiring, params, apart=apart)
         except Uncompiled as error:
-            in_python(name, str(error))
+            warn_python(name, str(error))
     return PythonDiagram(wiring, params)
 
 
-def run_as_read(
+def run_checked(
     runner: PythonDiagram, name: str, start: Any, times: Any, params: Any, **given: Any
 ) -> tuple[Solution, np.ndarray]:
     """Run a diagram; in Python what was read otherwise than Python runs it.
@@ -68,16 +68,18 @@ def run_as_read(
     Returns the solution and all signals along it.
     """
     if isinstance(runner, NativeDiagram):
-        solution, signals, found = compared(runner, start, times, **given)
+        solution, signals, found = run_compared(runner, start, times, **given)
         if not found:
             return solution, runner.finite(solution, signals, given["inputs"])
-        in_python(name, found)
+        warn_python(name, found)
         runner = PythonDiagram(runner.wiring, params)
     solution = runner.run(start, times, **given)
     return solution, runner.signals(solution, given["inputs"])
 
 
-def compared(runner: NativeDiagram, start: Any, times: Any, **given: Any) -> tuple[Any, Any, str]:
+def run_compared(
+    runner: NativeDiagram, start: Any, times: Any, **given: Any
+) -> tuple[Any, Any, str]:
     """Run a diagram; return solution, signals and, in words, what was read otherwise."""
     try:
         solution = runner.run(start, times, **given)
@@ -90,7 +92,7 @@ def compared(runner: NativeDiagram, start: Any, times: Any, **given: Any) -> tup
     return solution, signals, difference(runner, solution, signals, given["inputs"]) or ""
 
 
-def in_python(name: str, why: str) -> None:
+def warn_python(name: str, why: str) -> None:
     """Warn that a diagram runs in Python."""
     warn(f"{name} runs in Python, not as machine code: {why}")
 
@@ -120,7 +122,7 @@ def difference(
                 break
         else:
             runner.sweep.derivative(t[0], moved, None if inputs is None else inputs.at(t[0]))
-            found = read_otherwise(runner, float(t[0]), moved)
+            found = misread_function(runner, float(t[0]), moved)
             return found or f"at t = {t[0]:.6g} its rates are not those of its functions"
     return None
 
@@ -137,7 +139,7 @@ def _asked(
     own, n = runner.parameters(), runner.nstates
 
     def ask(role: int, count: int, pieces: Schedule = pieces) -> np.ndarray:
-        return callee.ask(role, times, x, pieces, own, np.empty((len(times), count)))
+        return callee.evaluate(role, times, x, pieces, own, np.empty((len(times), count)))
 
     found = [ask(solver.SIGNALS, runner.nsignals) if signals is None else signals]
     if n:
@@ -159,7 +161,7 @@ def _alike(
         sweep.enter(t)
         rates = sweep.derivative(t, state, u)
         own = [sweep.signals.copy(), rates][: len(machine)]
-        asked.append([*own, sweep.leap(t, state, u, sweep.leaping)] if sweep.leaping else own)
+        asked.append([*own, sweep.jump(t, state, u, sweep.jumping)] if sweep.jumping else own)
     found = np.ones(len(asked), dtype=bool)
     for ours, others in zip(zip(*asked, strict=True), machine, strict=True):
         found &= _same(np.array(ours), others)
@@ -175,11 +177,11 @@ def _same(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     return np.all(near | (a == b) | (np.isnan(a) & np.isnan(b)), axis=-1)
 
 
-def read_otherwise(runner: PythonDiagram, t: float, x: np.ndarray) -> str | None:
+def misread_function(runner: PythonDiagram, t: float, x: np.ndarray) -> str | None:
     """Name the block whose record differs from its functions, on the last pass's inputs."""
     sweep = runner.sweep
     for k, node in enumerate(runner.wiring.nodes):
-        block, states, u, p = node.system, x[node.states], sweep.fed(k), sweep.given[k]
+        block, states, u, p = node.system, x[node.states], sweep.fed(k), sweep.parameters[k]
         for role in ("output", "update", "jump"):
             if getattr(block, f"{role}_function") is None:
                 continue

@@ -1,11 +1,11 @@
-"""Which states reach which rates, how rates change along a direction, and what Rodas5P needs of it.
+"""The Jacobian matrix for Rodas5P: which states reach which rates, and derivatives of the rates.
 
-States whose rates have nothing in common are differentiated along together (Curtis, Powell and
-Reid, On the estimation of sparse Jacobian matrices, 1974): a chain of any length takes three
-derivatives.  The matrix is put in the order that makes its band narrow (Cuthill and McKee).
+States whose rates have nothing in common share one derivative (Curtis, Powell and Reid, On the
+estimation of sparse Jacobian matrices, 1974): a chain of any length takes three.  States are
+ordered so that the matrix has a narrow band (Cuthill and McKee).
 
-The record of a diagram is a record as any other, so its rates are differentiated as a whole, wires
-and all, along a direction (v, s) that lies behind the states: X = x, v, s.
+The rates of a whole diagram, wires included, are differentiated along a direction (v, s), which
+lies behind the states: X = x, v, s.
 """
 
 from functools import reduce
@@ -24,11 +24,11 @@ from .decisions import Port
 from .diagram_record import DiagramRecord
 
 NONE = np.zeros(0, np.int64)
-FULL = 0.3  # share of a matrix from which on it is taken as full
+FULL = 0.3  # share of elements from which on a matrix counts as full
 
 
 class Jacobian(NamedTuple):
-    """What the solver is given in `linear`, which says what each is, but for room."""
+    """The solver's argument `linear`, which `solver` explains, without its room."""
 
     band: tuple[int, int, int] = 0, 0, 0
     places: np.ndarray = NONE
@@ -39,16 +39,16 @@ class Jacobian(NamedTuple):
     to: np.ndarray = NONE
 
     @property
-    def given(self) -> tuple[Any, ...]:
-        """What the solver is given."""
+    def for_solver(self) -> tuple[Any, ...]:
+        """The solver's argument, with room for matrices and pivots."""
         n = len(self.places)
         return np.zeros(n * n), np.zeros(n * n), np.zeros(n, np.int64), *self
 
 
 def jacobian(reach: np.ndarray, exact: bool) -> Jacobian:
-    """Return the lists for rates that these reach: (n, n + 1), the states and then time.
+    """Return the Jacobian of rates that states and time reach: truth values (n, n + 1).
 
-    `exact` if there is a function `slope`.
+    `exact` says whether there is a function `slope`.
     """
     from scipy.optimize._numdiff import group_columns
 
@@ -65,40 +65,40 @@ def jacobian(reach: np.ndarray, exact: bool) -> Jacobian:
 
 
 def _ordered(reach: np.ndarray) -> tuple[np.ndarray, int, int]:
-    """Return the place of each state, and how many diagonals lie below and above the main one."""
+    """Return the place of each state, and the numbers of diagonals below and above the main one."""
     from scipy.sparse import csr_array
     from scipy.sparse.csgraph import reverse_cuthill_mckee
 
     n = len(reach)
-    own = np.arange(n)
+    as_is = np.arange(n)
     if reach.mean() > FULL:
-        return own, n - 1, n - 1
-    moved = np.empty(n, dtype=int)
-    moved[reverse_cuthill_mckee(csr_array(reach | reach.T), symmetric_mode=True)] = own
+        return as_is, n - 1, n - 1
+    narrow = np.empty(n, dtype=int)
+    narrow[reverse_cuthill_mckee(csr_array(reach | reach.T), symmetric_mode=True)] = as_is
     rows, columns = np.nonzero(reach)
-    found = []
-    for places in (own, moved):
+    bands = []
+    for places in (as_is, narrow):
         below = places[rows] - places[columns]
-        found.append((places, int(below.max(initial=0)), int(-below.min(initial=0))))
-    return min(found, key=lambda one: one[1] * (one[1] + one[2]))
+        bands.append((places, int(below.max(initial=0)), int(-below.min(initial=0))))
+    return min(bands, key=lambda band: band[1] * (band[1] + band[2]))
 
 
 # --- which states reach which rates -----------------------------------------------------------
 
 
 class _Reached(Elements):
-    """The states that reach each element, and time behind them: bits of a whole number."""
+    """The states that reach each element, then time, as the bits of a whole number."""
 
     def __init__(self, record: DiagramRecord, n: int):
         super().__init__(record.entries)
         self.n = n
 
     def number(self, value: float) -> int:
-        """Return nothing."""
+        """Return that nothing reaches a constant."""
         return 0
 
     def apply(self, ref: int, kind: str, arguments: tuple) -> int:
-        """Return all that reaches the arguments; what decides has no slope."""
+        """Return all that reaches the arguments; a decision has no slope."""
         if kind in CONDITIONS or kind in JUMPS:
             return 0
         return reduce(or_, arguments[kind in ("where", "pick") :], 0)
@@ -113,39 +113,39 @@ class _Reached(Elements):
         if kind == "load":
             array, first = at
             return 1 << (first + place if array == "X" else self.n) if array in "Xt" else 0
-        found = np.unravel_index(at + place, self.operations[arguments[0]].shape)
-        return self.at(arguments[0], tuple(map(int, found)))
+        source = np.unravel_index(at + place, self.operations[arguments[0]].shape)
+        return self.at(arguments[0], tuple(map(int, source)))
 
 
 def reach_of(record: DiagramRecord, n: int) -> np.ndarray:
     """Return which of n states, and whether time, reach which rates: truth values (n, n + 1)."""
-    found, whole = _Reached(record, n), np.zeros((n, n + 1), dtype=bool)
+    reached_by, reach = _Reached(record, n), np.zeros((n, n + 1), dtype=bool)
     try:
         with deep():
             for port in record.rates:
                 for place, index in enumerate(np.ndindex(port.shape), port.first):
-                    bits = found.at(port.ref, index)
-                    whole[place] = [bits >> j & 1 for j in range(n + 1)]
+                    bits = reached_by.at(port.ref, index)
+                    reach[place] = [bits >> j & 1 for j in range(n + 1)]
     except Unread:  # too many elements
-        whole[:] = True
-    return whole
+        reach[:] = True
+    return reach
 
 
 # --- the derivative along a direction ---------------------------------------------------------
 
 
 def slopes_of(record: DiagramRecord, n: int) -> list[Port]:
-    """Return what the rates of n states do along a direction; the record grows by it.
+    """Return the derivatives of the rates of n states along a direction; the record grows by them.
 
-    Where a function has no derivative, as the derivative reading knows it, it is `Unread`.
+    A function without a derivative is an `Unread` error.
     """
     direction = Direction(record.tape, {})
     roots = [port.ref for port in record.rates]
     loads = [k for k in sorted(reached(record.entries, roots)) if record.entries[k].kind == "load"]
     for k in loads:
         (array, first), shape = record.entries[k].at, record.entries[k].shape
-        moved = {"X": n + first, "t": 2 * n}.get(array)
-        own = None if moved is None else direction.value(record.load("X", moved, shape))
-        direction.known[k] = own
+        place = {"X": n + first, "t": 2 * n}.get(array)
+        slope = None if place is None else direction.value(record.load("X", place, shape))
+        direction.known[k] = slope
     slopes = [direction.of(direction.value(ref)) for ref in roots]
-    return [port._replace(ref=operand(own)) for port, own in zip(record.rates, slopes, strict=True)]
+    return [port._replace(ref=operand(one)) for port, one in zip(record.rates, slopes, strict=True)]

@@ -1,9 +1,9 @@
 """The methods as formulas: Dormand and Prince's of order 8 and 5, Rodas5P, Runge and Kutta's.
 
-The formulas compute each stage, judge a step and choose the next; `solver` decides nothing
-but what comes after what.  It names the rows of Z and of what a lane is doing.  A formula is an
-ordinary function of numbers, read as a diagram's are: a program of eight states or eight runs at
-once, to which numbers of a lane are t, and rows of Z are X.
+The formulas compute each stage, accept or reject a step and choose the next; `solver` decides their
+order and names the rows of Z and the numbers of a lane.  A formula is an ordinary function, read as
+those of a diagram are.  It becomes a program of eight states or eight runs at once, in which t are
+the numbers of a lane and X the rows of Z.
 
 DOP853 and DOPRI5: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, 1993,
 sections II.4 to II.6 and II.10; the coefficients and the choice of steps are scipy's.  Rodas5P, for
@@ -26,15 +26,15 @@ from .decisions import Port
 from .machine import Machine, once
 from .plan import Planner, Program
 
-LAST_TERM = 1.23e-3  # of the interpolant: what is wrong within a step that stability keeps short
-TRUSTED = 100.0  # tolerances that a state between a step's ends may be wrong by
-BEGUN = range(9, 12)  # stages whose sums stage 8 begins, as its own reads what they read
+LAST_TERM = 1.23e-3  # share of the interpolant's last term that is its error in a stiff step
+TRUSTED = 100.0  # tolerances: the largest error of the interpolant
+EARLY = range(9, 12)  # stages whose sums stage 8 begins, because it reads the same rates
 Rows = dict[int, Any]
-joined = partial(elementwise, "fmuladd")  # a b + c, rounded once where the processor can
+fmuladd = partial(elementwise, "fmuladd")  # a b + c, rounded once where the processor can
 
 
-class Step:
-    """What formulas are made of: rows of Z, for each of n states, and numbers of the lane."""
+class StepTape:
+    """The tape of formulas: rows of Z, for each of n states, and numbers of the lane."""
 
     def __init__(self, n: int):
         self.n, self.tape = n, Tape()
@@ -48,17 +48,17 @@ class Step:
         return self.tape.add("load", (), (), ("t", row))
 
     def tolerance(self, size: Any) -> Any:
-        """Return by how much states of that size may be wrong."""
+        """Return the tolerance of states of a size."""
         relative, absolute = (self.tape.add("load", (), (), ("T", k)) for k in range(2))
-        return joined(relative, size, absolute)
+        return fmuladd(relative, size, absolute)
 
     def total(self, value: Any) -> Any:
         """Return the sum over the states."""
         return self.tape.add("sum", (operand(value),), (), (0, self.n, True))
 
 
-Made = tuple[Rows, Rows]  # what becomes of rows of Z, and of numbers
-Formula = Callable[[Step], Made]
+New = tuple[Rows, Rows]  # the new rows of Z, and the new numbers of the lane
+Formula = Callable[[StepTape], New]
 
 
 def _table() -> Any:
@@ -73,50 +73,56 @@ def _table_of_dopri5() -> Any:
     return RK45
 
 
-def _sum(s: Step, weights: Any, first: int = row.RATE, total: Any = None) -> Any:
-    """What is begun, + a_0 K_0 + a_1 K_1 + ..., from a row on, zeros left out."""
+def _sum(s: StepTape, weights: Any, first: int = row.RATE, total: Any = None) -> Any:
+    """Return total + a_0 K_0 + a_1 K_1 + ..., with the rows from `first` on; zeros are left out."""
     for j, a in enumerate(np.asarray(weights).tolist(), first):
         if a != 0.0:
-            total = a * s.z(j) if total is None else joined(a, s.z(j), total)
+            total = a * s.z(j) if total is None else fmuladd(a, s.z(j), total)
     return total
 
 
-def _terms(s: Step, *terms: Any) -> Rows:
-    """The terms of what is within the step, in the form in which `solver.between` sums them."""
-    given = [*terms, *[0.0 * s.z(row.STATE)] * (7 - len(terms))]
-    return dict(enumerate(given, row.TERMS))
+def _terms(s: StepTape, *terms: Any) -> Rows:
+    """Return the terms of an interpolant, as `solver.interpolate` sums them."""
+    every = [*terms, *[0.0 * s.z(row.STATE)] * (7 - len(terms))]
+    return dict(enumerate(every, row.TERMS))
 
 
-def _at(s: Step, c: float) -> Rows:
+def _at(s: StepTape, c: float) -> Rows:
     return {row.AT: s.lane(row.TIME) + c * s.lane(row.TAKEN)}
 
 
-def _stage(weights: Any, c: float, s: Step, begun: int | None = None, begins: Any = ()) -> Made:
-    """argument = x + h sum_j a_j K_j, at t + c h; some sums are `begun` in the rows of terms."""
-    total = _sum(s, weights, total=None if begun is None else s.z(begun))
-    rows = {row.ARGUMENT: joined(s.lane(row.TAKEN), total, s.z(row.STATE))}
-    return rows | {row.TERMS + k: _sum(s, other) for k, other in enumerate(begins)}, _at(s, c)
+def _stage(
+    weights: Any, c: float, s: StepTape, started: int | None = None, starts: Any = ()
+) -> New:
+    """argument = x + h sum_j a_j K_j, at t + c h.
+
+    The row `started` holds the beginning of the sum; `starts` are the weights of sums of later
+    stages, which begin here in the rows of terms.
+    """
+    total = _sum(s, weights, total=None if started is None else s.z(started))
+    rows = {row.ARGUMENT: fmuladd(s.lane(row.TAKEN), total, s.z(row.STATE))}
+    return rows | {row.TERMS + k: _sum(s, other) for k, other in enumerate(starts)}, _at(s, c)
 
 
-def _stage_of_dop853(number: int, s: Step) -> Made:
+def _stage_of_dop853(number: int, s: StepTape) -> New:
     """Stage 1 to 15, counted from 0; stage 12 is the new state."""
-    table, last = _table(), BEGUN[0] - 1
+    table, last = _table(), EARLY[0] - 1
     weights, c = table.A[number, :number], float(table.C[number])
-    if number in BEGUN:
+    if number in EARLY:
         rest = np.where(np.arange(number) < last, 0.0, weights)
-        return _stage(rest, c, s, row.TERMS + number - BEGUN[0])
-    return _stage(weights, c, s, begins=table.A[BEGUN, :last] if number == last else ())
+        return _stage(rest, c, s, row.TERMS + number - EARLY[0])
+    return _stage(weights, c, s, starts=table.A[EARLY, :last] if number == last else ())
 
 
-def _attempt(s: Step, implicit: bool = False) -> Made:
-    """The step to try, not below what time can tell: up to the end of the piece, or a sample.
+def _attempt(s: StepTape, implicit: bool = False) -> New:
+    """The step to try: not below the resolution of time, and not beyond the end of the piece.
 
-    An implicit one does not go beyond a sample, and has what stands on its matrix's diagonal.
+    An implicit one ends at the next sample, and sets the diagonal of its matrix.
     """
     t, h = s.lane(row.TIME), minimum(s.lane(row.STEP), s.lane(row.LONGEST))
     smallest = 2.3e-15 * abs(t) + 1e-300
     enough = h >= smallest
-    end = minimum(s.lane(row.END), s.lane(row.WANTED))
+    end = minimum(s.lane(row.END), s.lane(row.STOP_AT))
     end = minimum(end, s.lane(row.NEXT)) if implicit else end
     new = minimum(t + where(enough, h, smallest), end)
     failing = where(enough, 0.0, where(h < smallest, s.lane(row.REJECTED), 1.0))
@@ -124,8 +130,10 @@ def _attempt(s: Step, implicit: bool = False) -> Made:
     return {}, numbers | ({row.DIAGONAL: 1.0 / (rodas.GAMMA * (new - t))} if implicit else {})
 
 
-def _judged(s: Step, error: Any, factor: Any, largest: float, least: Any = None) -> Rows:
-    """Whether a step is good, the next one, and whether the lane is looked at."""
+def _accept_or_reject(
+    s: StepTape, error: Any, factor: Any, largest: float, least: Any = None
+) -> Rows:
+    """Whether a step is good, the length of the next, and whether the lane is looked at."""
     good, most = error < 1.0, where(s.lane(row.REJECTED) > 0.5, 1.0, largest)
     bad = where(error >= 1.0, maximum(0.2, factor), 0.2)  # not a number: 0.2
     longer = s.lane(row.TAKEN) * minimum(most, factor)
@@ -137,29 +145,29 @@ def _judged(s: Step, error: Any, factor: Any, largest: float, least: Any = None)
         row.GOOD: where(good, 1.0, 0.0),
         row.REJECTED: where(good, 0.0, 1.0),
         row.AT: s.lane(row.TIME) + s.lane(row.TAKEN),
-        row.LOOK: where(tried >= s.lane(row.SPARE), 1.0, look),
+        row.LOOK: where(tried >= s.lane(row.TRIES_LEFT), 1.0, look),
         row.GOOD_ONES: s.lane(row.GOOD_ONES) + where(good, 1.0, 0.0),
         row.BAD_ONES: s.lane(row.BAD_ONES) + where(good, 0.0, 1.0),
     }
 
 
-def _judge(s: Step) -> Made:
-    """The new state, the estimate of its error, whether the step is good, and the next one."""
+def _control(s: StepTape) -> New:
+    """The new state, the estimate of its error, whether the step is good, and the next length."""
     table = _table()
     beyond = table.E3[: row.DOP853] - table.B  # most of E3 is B
     rate = _sum(s, table.B)
-    state = joined(s.lane(row.TAKEN), rate, s.z(row.STATE))
+    state = fmuladd(s.lane(row.TAKEN), rate, s.z(row.STATE))
     part = 1.0 / s.tolerance(maximum(abs(s.z(row.STATE)), abs(state)))
     fifth, third = _sum(s, table.E5) * part, _sum(s, beyond, total=rate) * part
     fifth, third = s.total(fifth * fifth), s.total(third * third)
     none = fifth + third <= 0.0
     whole = sqrt(where(none, 1.0, (fifth + 0.01 * third) * float(s.n)))
     error = where(none, 1e-30, s.lane(row.TAKEN) * fifth / whole)
-    factor = 0.9 / _eighth(maximum(error, 1e-30))
-    return {row.ARGUMENT: state}, _judged(s, error, factor, 10.0)
+    factor = 0.9 / _eighth_root(maximum(error, 1e-30))
+    return {row.ARGUMENT: state}, _accept_or_reject(s, error, factor, 10.0)
 
 
-def _sizes(s: Step) -> Made:
+def _sizes(s: StepTape) -> New:
     """The length of a trial step, from the sizes of state and rate (row 2)."""
     part = 1.0 / s.tolerance(abs(s.z(row.STATE)))
     x, f = s.z(row.STATE) * part, s.z(row.RATE + 1) * part
@@ -170,16 +178,16 @@ def _sizes(s: Step) -> Made:
     return {}, {row.TAKEN: h, row.SIZE: d1, row.TROUBLE: trouble}
 
 
-def _eighth(value: Any) -> Any:
+def _eighth_root(value: Any) -> Any:
     return sqrt(sqrt(sqrt(value)))
 
 
-def _fifth(value: Any) -> Any:
+def _fifth_root(value: Any) -> Any:
     return power(value, 0.2)
 
 
-def _first(root: Callable, s: Step) -> Made:
-    """The first step, from how the rate bends over the trial step (row 3)."""
+def _first(root: Callable, s: StepTape) -> New:
+    """The first step, from the change of the rate over the trial step (row 3)."""
     part, fresh = 1.0 / s.tolerance(abs(s.z(row.STATE))), s.lane(row.FRESH) > 0.5
     change = (s.z(row.RATE + 2) - s.z(row.RATE + 1)) * part
     h = s.lane(row.TAKEN)
@@ -187,13 +195,13 @@ def _first(root: Callable, s: Step) -> Made:
     most = maximum(maximum(d1, d2), 1e-30)
     step = where(most <= 1e-15, maximum(1e-6, h * 1e-3), root(0.01 / most))
     step = minimum(minimum(100.0 * h, step), s.lane(row.END) - s.lane(row.TIME))
-    step = where(s.lane(row.OPENING) > 0.0, s.lane(row.OPENING), step)
+    step = where(s.lane(row.FIRST_STEP) > 0.0, s.lane(row.FIRST_STEP), step)
     rate = where(fresh, s.z(row.RATE + 1), s.z(row.RATE))
     return {row.RATE: rate}, {row.STEP: where(fresh, step, s.lane(row.STEP))}
 
 
-def _accept(s: Step) -> Made:
-    """The new state and its rate, taken where the step is good."""
+def _accept(s: StepTape) -> New:
+    """The new state and its rate where the step is good, else those of before."""
     good = s.lane(row.GOOD) > 0.5
     state = where(good, s.z(row.ARGUMENT), s.z(row.STATE))
     rate = where(good, s.z(row.RATE + row.DOP853), s.z(row.RATE))
@@ -202,23 +210,24 @@ def _accept(s: Step) -> Made:
     }
 
 
-def _cubic(s: Step) -> tuple[Any, Any, Any]:
-    """The terms of the cubic that has states and rates of both ends."""
+def _cubic(s: StepTape) -> tuple[Any, Any, Any]:
+    """Return the terms of the cubic with the states and rates of both ends."""
     h, delta = s.lane(row.TAKEN), s.z(row.ARGUMENT) - s.z(row.STATE)
     ends = s.z(row.RATE + row.DOP853) + s.z(row.RATE)
     return delta, h * s.z(row.RATE) - delta, 2.0 * delta - h * ends
 
 
-def _sketch(s: Step) -> Made:
+def _only_cubic(s: StepTape) -> New:
     """The terms of the cubic alone."""
     return _terms(s, *_cubic(s)), {}
 
 
-def _dense(s: Step) -> Made:
-    """The terms of the interpolant of order 7, and how wrong it may be.
+def _dense(s: StepTape) -> New:
+    """The terms of the interpolant of order 7, and its error.
 
-    It is as exact as the ends where the step resolves all states.  Where the fastest of them keeps
-    the step short by stability alone it is up to 10,000 times less so, and the last term tells.
+    It is as exact as the ends of the step, if the step resolves all states.  If the fastest state
+    keeps the step short by stability alone, it is up to 10,000 times less exact; its last term
+    estimates that.
     """
     terms = [*_cubic(s), *(s.lane(row.TAKEN) * _sum(s, own) for own in _table().D)]
     largest = maximum(abs(s.z(row.STATE)), abs(s.z(row.ARGUMENT)))
@@ -226,87 +235,87 @@ def _dense(s: Step) -> Made:
     return _terms(s, *terms), {row.WITHIN: sqrt(s.total(part * part))}
 
 
-def _stiffness(last: Any, limit: float, s: Step) -> Made:
+def _stiffness(last: Any, limit: float, s: StepTape) -> New:
     """Whether the step is stiff: rates change `limit` times as fast as the states do.
 
-    Both are at its end, the new state and the argument of the `last` stage (Hairer's test); it
-    is forgotten after six steps that are not.
+    Hairer's test compares the new state and the argument of the `last` stage.  Six steps that are
+    not stiff cancel those that are.
     """
     h = s.lane(row.TAKEN)
     rates = s.z(row.RATE + row.DOP853) - s.z(row.RATE + row.DOP853 - 1)
-    states = s.z(row.ARGUMENT) - joined(h, _sum(s, last), s.z(row.STATE))
+    states = s.z(row.ARGUMENT) - fmuladd(h, _sum(s, last), s.z(row.STATE))
     before, calm = s.lane(row.STIFF_STEPS), s.lane(row.OTHER_STEPS) + 1.0
-    asked = s.lane(row.ASKED) > 0.5  # a run is what it is beside any others
+    checked = s.lane(row.CHECKED) > 0.5  # so that a run is the same beside any others
     stiff = h * h * s.total(rates * rates) > limit * limit * s.total(states * states)
     others = where(calm > 5.5, minimum(before, 0.0), before)
-    found = where(before < 0.0, before + 1.0, where(stiff, before + 1.0, others))
+    steps = where(before < 0.0, before + 1.0, where(stiff, before + 1.0, others))
     return {}, {
-        row.STIFF_STEPS: where(asked, found, before),
-        row.OTHER_STEPS: where(asked, where(stiff, 0.0, calm), s.lane(row.OTHER_STEPS)),
+        row.STIFF_STEPS: where(checked, steps, before),
+        row.OTHER_STEPS: where(checked, where(stiff, 0.0, calm), s.lane(row.OTHER_STEPS)),
     }
 
 
 # --- Dormand and Prince's of order 5 --------------------------------------------------------
 
 
-def _apart(weights: Any) -> np.ndarray:
-    """Return weights of its stages where their rates stand: the last is that of the new state."""
+def _in_rows(weights: Any) -> np.ndarray:
+    """Return weights of its stages by the rows of their rates; the last is the new state's."""
     return np.insert(weights, 1, np.zeros(row.DOP853 + 1 - row.DOPRI5))
 
 
-def _judged_by_fifth(s: Step, error: Any, new: Any, largest: float, cut: bool = False) -> Rows:
-    """Whether a step is good by its error, of order 5, and the next one."""
+def _control_order_5(s: StepTape, error: Any, new: Any, largest: float, cut: bool = False) -> Rows:
+    """Whether a step is good by its error, of order 5, and the length of the next."""
     part = error / s.tolerance(maximum(abs(s.z(row.STATE)), abs(new)))
     square = s.total(part * part) / float(s.n)
     factor = 0.9 * power(maximum(square, 1e-30), -0.1)  # error^(-1/5)
     # the step before may be short because of a sample, or the end of a piece
     least = minimum(s.lane(row.TAKEN) * factor, s.lane(row.STEP)) if cut else None
-    return _judged(s, square, factor, largest, least)
+    return _accept_or_reject(s, square, factor, largest, least)
 
 
-def _judge_dopri5(s: Step) -> Made:
-    """Whether the step is good, and the next one; its last stage is at the new state."""
-    error = s.lane(row.TAKEN) * _sum(s, _apart(_table_of_dopri5().E))
-    return {}, _judged_by_fifth(s, error, s.z(row.ARGUMENT), 10.0)
+def _control_dopri5(s: StepTape) -> New:
+    """Whether the step is good, and the length of the next; the last stage is at the new state."""
+    error = s.lane(row.TAKEN) * _sum(s, _in_rows(_table_of_dopri5().E))
+    return {}, _control_order_5(s, error, s.z(row.ARGUMENT), 10.0)
 
 
-def _dense_dopri5(s: Step) -> Made:
+def _dense_dopri5(s: StepTape) -> New:
     """The terms of the interpolant of order 4."""
-    last = _sum(s, _apart(_table_of_dopri5().P[:, 3]))
+    last = _sum(s, _in_rows(_table_of_dopri5().P[:, 3]))
     return _terms(s, *_cubic(s), s.lane(row.TAKEN) * last), {}
 
 
 # --- Runge and Kutta's method of order 4 ----------------------------------------------------
 
 
-def _attempt_fixed(s: Step) -> Made:
-    """Equal steps, so many as end at a sample, or the end of the piece."""
+def _attempt_fixed(s: StepTape) -> New:
+    """One of equal steps up to the next sample, or the end of the piece."""
     ahead = s.lane(row.NEXT) - s.lane(row.TIME)
-    rounded = ahead * (1.0 - 1e-12) - 1e-15 * abs(s.lane(row.NEXT))  # times are, too
-    turns = maximum(1.0, ceil(rounded / s.lane(row.LONGEST)))
-    new = where(turns > 1.0, s.lane(row.TIME) + ahead / turns, s.lane(row.NEXT))
-    return {}, {row.NEW: new, row.TAKEN: ahead / turns}
+    rounded = ahead * (1.0 - 1e-12) - 1e-15 * abs(s.lane(row.NEXT))  # as times are rounded
+    steps = maximum(1.0, ceil(rounded / s.lane(row.LONGEST)))
+    new = where(steps > 1.0, s.lane(row.TIME) + ahead / steps, s.lane(row.NEXT))
+    return {}, {row.NEW: new, row.TAKEN: ahead / steps}
 
 
-def _judge_fixed(s: Step) -> Made:
+def _control_fixed(s: StepTape) -> New:
     """The new state, and whether it is finite."""
     outer = s.z(row.RATE) + s.z(row.RATE + 3)
     inner = s.z(row.RATE + 1) + s.z(row.RATE + 2)
-    state = joined(s.lane(row.TAKEN) / 6.0, joined(2.0, inner, outer), s.z(row.STATE))
+    state = fmuladd(s.lane(row.TAKEN) / 6.0, fmuladd(2.0, inner, outer), s.z(row.STATE))
     good = s.total(0.0 * state) <= 0.0
     failing = where(good, 0.0, float(row.NOT_FINITE))
     new, tried = s.lane(row.NEW), s.lane(row.GOOD_ONES) + 1.0
-    look = where((new >= s.lane(row.NEXT)) | (tried >= s.lane(row.SPARE)), 1.0, failing)
+    look = where((new >= s.lane(row.NEXT)) | (tried >= s.lane(row.TRIES_LEFT)), 1.0, failing)
     numbers = {row.GOOD: where(good, 1.0, 0.0), row.LOOK: look, row.AT: new}
     return {row.ARGUMENT: state}, numbers | {row.GOOD_ONES: tried, row.FAILING: failing}
 
 
-def _accept_fixed(s: Step) -> Made:
-    """The new state; a run whose step is not good has ended."""
+def _accept_fixed(s: StepTape) -> New:
+    """The new state; if the step is not good the run has ended."""
     return {row.STATE: s.z(row.ARGUMENT)}, {row.TIME: s.lane(row.NEW)}
 
 
-def _straight(s: Step) -> Made:
+def _straight(s: StepTape) -> New:
     """The terms of a straight line within the step."""
     return {row.TERMS: s.z(row.ARGUMENT) - s.z(row.STATE)}, {}
 
@@ -314,24 +323,24 @@ def _straight(s: Step) -> Made:
 # --- Rodas5P --------------------------------------------------------------------------------
 
 
-def _stage_implicit(number: int, s: Step) -> Made:
-    """The argument of a stage, counted from 0, and what the right-hand side has beside its rate."""
-    known = (rodas.OF_TIME[number] * s.lane(row.TAKEN)) * s.z(row.OVER_TIME)
+def _stage_implicit(number: int, s: StepTape) -> New:
+    """The argument of a stage, counted from 0, and the term beside its rate on the right."""
+    addend = (rodas.OF_TIME[number] * s.lane(row.TAKEN)) * s.z(row.TIME_SLOPE)
     ahead = s.z(row.STATE)
     if number:
-        known = joined(1.0 / s.lane(row.TAKEN), _sum(s, rodas.C[number], row.SOLVED), known)
+        addend = fmuladd(1.0 / s.lane(row.TAKEN), _sum(s, rodas.C[number], row.SOLVED), addend)
         ahead = ahead + _sum(s, rodas.weights(number), row.SOLVED)
-    return {row.ARGUMENT: ahead, row.KNOWN: known}, _at(s, rodas.TIMES[number])
+    return {row.ARGUMENT: ahead, row.ADDEND: addend}, _at(s, rodas.TIMES[number])
 
 
-def _judge_implicit(s: Step) -> Made:
-    """The new state, the estimate of its error, whether the step is good, and the next one."""
+def _control_implicit(s: StepTape) -> New:
+    """The new state, the estimate of its error, whether the step is good, and the next length."""
     new = s.z(row.STATE) + _sum(s, rodas.weights(len(rodas.C)), row.SOLVED)
     error = s.z(row.SOLVED + len(rodas.C) - 1)
-    return {row.ARGUMENT: new}, _judged_by_fifth(s, error, new, 6.0, cut=True)
+    return {row.ARGUMENT: new}, _control_order_5(s, error, new, 6.0, cut=True)
 
 
-def _dense_implicit(s: Step) -> Made:
+def _dense_implicit(s: StepTape) -> New:
     """The terms of the interpolant."""
     k1, k2, k3 = (_sum(s, own, row.SOLVED) for own in rodas.BETWEEN)
     return _terms(s, s.z(row.ARGUMENT) - s.z(row.STATE), k1, k2 + k3, -k3), {}
@@ -341,27 +350,33 @@ def _dense_implicit(s: Step) -> Made:
 
 
 def formulas(method: int) -> dict[str, Formula]:
-    """Return the formulas of a method, by the solver's number, in its order."""
+    """Return the formulas of a method, by its number in the solver, in the solver's order."""
     attempt: Formula = _attempt
-    judge, accept, dense, root = _judge, _accept, _dense, _eighth
+    control, accept, dense, root = _control, _accept, _dense, _eighth_root
     last, limit = _table().A[row.DOP853 - 1, : row.DOP853 - 1], 6.1
     stages = [partial(_stage_of_dop853, k) for k in range(1, row.DOP853 + 4)]
     if method == row.DOPRI5:
-        table, judge, dense, root = _table_of_dopri5(), _judge_dopri5, _dense_dopri5, _fifth
-        last, limit = _apart(table.A[-1]), 3.25
-        stages = [partial(_stage, _apart(table.A[k, :k]), table.C[k]) for k in range(1, 6)]
-        stages += [partial(_stage, _apart(table.B), 1.0)]
+        table, control, dense, root = (
+            _table_of_dopri5(),
+            _control_dopri5,
+            _dense_dopri5,
+            _fifth_root,
+        )
+        last, limit = _in_rows(table.A[-1]), 3.25
+        stages = [partial(_stage, _in_rows(table.A[k, :k]), table.C[k]) for k in range(1, 6)]
+        stages += [partial(_stage, _in_rows(table.B), 1.0)]
     elif method == row.RODAS5P:
-        attempt, judge, dense = partial(_attempt, implicit=True), _judge_implicit, _dense_implicit
+        attempt, dense = partial(_attempt, implicit=True), _dense_implicit
+        control = _control_implicit
         stages = [partial(_stage_implicit, k) for k in range(row.RODAS5P - 1)]
     elif method == row.RK4:
-        attempt, judge, accept, dense = _attempt_fixed, _judge_fixed, _accept_fixed, _straight
+        attempt, control, accept, dense = _attempt_fixed, _control_fixed, _accept_fixed, _straight
         halves = np.diag([0.5, 0.5, 1.0])
         stages = [partial(_stage, halves[k, : k + 1], halves[k, k]) for k in range(3)]
     trial, first = partial(_stage, [0.0, 1.0], 1.0), partial(_first, root)
     return {
-        **{"attempt": attempt, "judge": judge, "sizes": _sizes, "trial": trial, "first": first},
-        **{"accept": accept, "dense": dense, "sketch": _sketch},
+        **{"attempt": attempt, "control": control, "sizes": _sizes, "trial": trial},
+        **{"first": first, "accept": accept, "dense": dense, "cubic": _only_cubic},
         "stiffness": partial(_stiffness, last, limit),
         **{f"stage_{k}": one for k, one in enumerate(stages, 1)},
     }
@@ -369,31 +384,31 @@ def formulas(method: int) -> dict[str, Formula]:
 
 def program_of_formulas(formulas: dict[str, Formula], n: int) -> Program:
     """Return the program of formulas for n states."""
-    step = Step(n)
-    made = Components(SimpleNamespace(entries=step.tape.operations), 0)
+    step = StepTape(n)
+    components = Components(SimpleNamespace(entries=step.tape.operations), 0)
     writes = {}
     for name, formula in formulas.items():
         rows, numbers = formula(step)
         states = [Port(r * n, (n,), (True,), operand(value)) for r, value in rows.items()]
         others = [Port(r, (), (), operand(value)) for r, value in numbers.items()]
-        writes[name] = made.writes(states, "X") + made.writes(others, "t")
-    plan = Planner(made)
-    # loops come first: numbers of the lane are read in them, and written behind them
+        writes[name] = components.writes(states, "X") + components.writes(others, "t")
+    plan = Planner(components)
+    # loops come first: they read numbers of the lane, which are written behind them
     functions = {
         name: tuple(sorted(plan.nests(own), key=lambda nest: not nest.lengths))
         for name, own in writes.items()
     }
-    return Program(tuple(made.all), functions, {}, (), 0, 0, 0, ())
+    return Program(tuple(components.all), functions, {}, (), 0, 0, 0, ())
 
 
 @once(16)
 def kernels(n: int, lanes: int, method: int) -> Machine:
     """Return the formulas of a method for n states as machine code."""
-    own = formulas(method)
+    named = formulas(method)
 
-    def printed() -> object:
+    def module() -> object:
         from .nests import print_program
 
-        return print_program(program_of_formulas(own, n), tuple(own), lanes)
+        return print_program(program_of_formulas(named, n), tuple(named), lanes)
 
-    return Machine(own, f"formulas {n} {lanes} {method}", printed)
+    return Machine(named, f"formulas {n} {lanes} {method}", module)

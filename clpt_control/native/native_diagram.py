@@ -173,11 +173,11 @@ class NativeDiagram(PythonDiagram):
         apart: Mapping[tuple[int, str], Any] = {},
     ):
         super().__init__(diagram, params)
-        self.layout = lay_out(self.wiring, self.sweep.given, apart)
+        self.layout = lay_out(self.wiring, self.sweep.parameters, apart)
         self._form, self.code = form, code_of(self.wiring, self.layout, form)
         self.intervals, self.jumps = self.layout.intervals, self.layout.jumps
         self.ramp = len(self.layout.P)  # place in P of the diagram's inputs
-        self.held = self.layout.inputs(self.wiring.ninputs) + 1  # and of what is decided
+        self.decided_at = self.layout.inputs(self.wiring.ninputs) + 1  # and of what is decided
         self._callees: dict[tuple[int, int], Callee] = {}
 
     def parameters(self) -> np.ndarray:
@@ -210,7 +210,7 @@ class NativeDiagram(PythonDiagram):
         """Return times at which time alone decides, also for a moment."""
         found = [
             times_of_change(node.system, record, p, t0, t1)
-            for node, p in zip(self.wiring.nodes, self.sweep.given, strict=True)
+            for node, p in zip(self.wiring.nodes, self.sweep.parameters, strict=True)
             for record in self._decided_by_time[node.name]
         ]
         return np.unique(np.concatenate([np.zeros(0), *found]))
@@ -237,7 +237,7 @@ class NativeDiagram(PythonDiagram):
         formulas = kernels(n, lanes, method) if n else None
         more = formulas.addresses.values() if formulas else ()
         functions = np.array([*own, *more], dtype=np.int64)
-        shape = lanes, n, method, guarded, jumping, self.held, program.decided
+        shape = lanes, n, method, guarded, jumping, self.decided_at, program.decided
         sizes = program.parameters, program.room, self.layout.T
         alive = code, formulas
         return Callee(self.engine, functions, *shape, *sizes, code.linear, alive)

@@ -5,15 +5,24 @@ from typing import Any
 
 from llvmlite import ir
 
-from .components import Write, deep, rows
+from .components import Write, deep, row_strides
+from .llvm_function import Function
 from .machine import LANES
 from .plan import Nest, Program
-from .printing import Function
-from .vectors import WORD, apart, called, constant, gathered, joined, spread, width_of
+from .vectors import (
+    WORD,
+    broadcast,
+    calculate,
+    constant,
+    elements,
+    gathered,
+    horizontal_sum,
+    width_of,
+)
 
-UNROLLED, UNROLLED_RUNS = 4, 8  # turns that are printed one by one: of most loops, of inner ones
-ABREAST = 4  # of those, how many are worked on at once
-Key = tuple[int, tuple[int, ...], bool]  # component, loops that its axes are, for eight turns
+UNROLLED, UNROLLED_RUNS = 4, 8  # the longest loop that unrolls: most loops, inner ones in lanes
+ABREAST = 4  # unrolled iterations that are computed side by side
+Key = tuple[int, tuple[int, ...], bool]  # component, loops of its axes, for eight iterations
 
 
 def print_program(program: Program, names: tuple[str, ...], lanes: int) -> ir.Module:
@@ -28,14 +37,14 @@ def print_program(program: Program, names: tuple[str, ...], lanes: int) -> ir.Mo
 class _Nests(Function):
     """A function's nests, printed one after the other.
 
-    A value is printed when it is first asked for, where the innermost of its loops begins a turn.
+    A value is printed when it is first used, at the beginning of the innermost of its loops.
     """
 
     def __init__(self, module: ir.Module, name: str, lanes: int, program: Program):
         super().__init__(module, name, lanes, program.constants)
         self.all, self.prepared = program.components, {} if name == "prepare" else program.prepared
-        self.saved: dict[int, int] = {}  # what lies in W by now
-        self.numbers: dict[Key, list] = {}  # what is outside all loops
+        self.saved: dict[int, int] = {}  # component -> its place in W, once it is written
+        self.numbers: dict[Key, list] = {}  # values outside all loops
         for nest in program.functions[name]:
             self.nest(nest)
         self.builder.ret_void()
@@ -45,14 +54,14 @@ class _Nests(Function):
     def nest(self, nest: Nest) -> None:
         """Print a nest of loops, or what is outside all of them."""
         self.now, self.inner = nest, len(nest.lengths) - 1
-        self.places: list[Any] = [None] * len(nest.lengths)  # the turn of each loop
-        # of each loop: where a turn begins, and its values, of each turn that is worked on at once
+        self.indices: list[Any] = [None] * len(nest.lengths)  # of each loop
+        # of each loop: where an iteration begins, and values, one for each iteration side by side
         self.begins: list[Any] = [None] * (len(nest.lengths) + 1)
         self.values: list[dict[Key, list]] = [{} for _ in self.begins]
         self.vector = nest.vector if nest.lengths and self.lanes == 1 else -1
         if self.vector >= 0:
             few = nest.lengths[self.vector] <= LANES // 2
-            self.wide = self.turns = LANES // 2 if few else LANES
+            self.wide = self.active = LANES // 2 if few else LANES
         self.totals = [item for item in nest.items if item.summed]
         self.within(0, [])
         for item in nest.items:
@@ -60,64 +69,63 @@ class _Nests(Function):
                 self.saved[item.saves] = item.first
 
     def read(self, c: int) -> tuple[str, int, tuple[int, ...]] | None:
-        """Return array, first place and strides of a component that is read."""
+        """Return array, first place and strides of a component that is read, else None."""
         name, arguments, lengths = self.all[c]
         if c in self.prepared:
-            return "P", self.prepared[c], rows(lengths)
+            return "P", self.prepared[c], row_strides(lengths)
         if c in self.saved:
-            return "W", self.saved[c], rows(lengths)
+            return "W", self.saved[c], row_strides(lengths)
         return arguments[:3] if name == "load" else None
 
     def within(self, depth: int, sums: list) -> list:
-        """Print what is within so many loops; return the sums over the last."""
+        """Print what is within `depth` loops; return the sums over the innermost."""
         self.begins[depth], self.values[depth] = self.builder.block, {}
         if depth > self.inner:
             return self.items(sums)
-        # zeros are among what is masked
+        # iterations that are masked add zeros
         masked = depth == self.vector and self.now.lengths[depth] < self.wide
         zero = None if masked else constant(0.0, self.width(self.vector >= 0))
-        found = self.turned(depth, [zero] * len(self.totals) if depth == self.inner else [])
-        for total, value in zip(self.totals, found, strict=False):
-            self.finish(total, value)
+        sums = self.print_loop(depth, [zero] * len(self.totals) if depth == self.inner else [])
+        for total, value in zip(self.totals, sums, strict=False):
+            self.write_sum(total, value)
         return []
 
-    def turned(self, number: int, sums: list) -> list:
-        """Print a loop; return the sums."""
+    def print_loop(self, number: int, sums: list) -> list:
+        """Print a loop; return the sums after it."""
 
-        def turn(place: Any, held: list) -> list:
-            self.places[number] = place
-            return self.within(number + 1, held)
+        def body(index: Any, sums: list) -> list:
+            self.indices[number] = index
+            return self.within(number + 1, sums)
 
         count = self.now.lengths[number]
         if self.lanes > 1 and number == self.inner and count <= UNROLLED_RUNS:
             for first in range(0, count, ABREAST):
-                sums = turn(tuple(range(first, min(count, first + ABREAST))), sums)
+                sums = body(tuple(range(first, min(count, first + ABREAST))), sums)
             return sums
         if number == self.vector:
-            most = UNROLLED_RUNS if number else 1
-            return self.rounds(count, most, turn, sums)
+            return self.vector_loop(count, UNROLLED_RUNS if number else 1, body, sums)
         unrolled = UNROLLED if self.lanes == 1 else UNROLLED_RUNS
-        return self.loop(range(count), unrolled, turn, sums)
+        return self.loop(range(count), unrolled, body, sums)
 
     def items(self, sums: list) -> list:
-        """Print what turns of all loops do, one after the other; return the sums."""
-        turns, wide = tuple(range(self.inner + 1)), self.vector >= 0
-        values = [self.argument(item.value, turns, wide) for item in self.now.items]
-        for k, place in enumerate(self.together(self.inner)):
-            found: list[Any] = []
-            for item, own in zip(self.now.items, values, strict=True):
-                value = own[k % len(own)]
+        """Print what an iteration of all loops writes and adds; return the sums."""
+        loops, wide = tuple(range(self.inner + 1)), self.vector >= 0
+        values = [self.argument(item.value, loops, wide) for item in self.now.items]
+        for k, index in enumerate(self.abreast(self.inner)):
+            new: list[Any] = []
+            for item, some in zip(self.now.items, values, strict=True):
+                value = some[k % len(some)]
                 if item.summed:
-                    found.append(self.summed(sums[len(found)], value))
+                    new.append(self.add_to(sums[len(new)], value))
                 else:
-                    self.write(value, item, place)
-            sums = found
+                    self.write(value, item, index)
+            sums = new
         return sums
 
-    def finish(self, total: Write, value: Any) -> None:
-        """Keep a sum."""
+    def write_sum(self, total: Write, value: Any) -> None:
+        """Write a sum, or hold it as a number."""
         if self.vector == self.inner:
-            value = joined(self.builder, value, self.now.lengths[self.inner])
+            value = horizontal_sum(self.builder, value, self.now.lengths[self.inner])
         if self.inner:
             self.write(value, total)
         else:
@@ -129,78 +137,78 @@ class _Nests(Function):
         """Return how many numbers a value is."""
         return self.wide if wide else self.lanes
 
-    def together(self, *turns: int) -> tuple:
-        """Return the turns of the inner loop that are worked on at once; one of what is outside."""
-        place = self.places[-1] if self.inner in turns and self.places else None
-        return place if type(place) is tuple else (place,)
+    def abreast(self, *loops: int) -> tuple:
+        """Return the indices of the inner loop that are side by side; one of what is outside it."""
+        index = self.indices[-1] if self.inner in loops and self.indices else None
+        return index if type(index) is tuple else (index,)
 
     def value(self, key: Key) -> list:
-        """Return a value, of each turn that is worked on at once."""
-        _, turns, wide = key
-        depth = max(turns, default=-1) + 1
+        """Return a value, one for each iteration side by side; print it if it is new."""
+        _, loops, wide = key
+        depth = max(loops, default=-1) + 1
         known = self.values[depth] if depth or wide else self.numbers
         if key not in known:
-            printed = self.printed(*key)
+            printer = self.printer(*key)
             with self.builder.goto_block(self.begins[depth]):
-                known[key] = printed()
+                known[key] = printer()
         return known[key]
 
-    def printed(self, c: int, turns: tuple[int, ...], wide: bool) -> Callable[[], list]:
-        """Return what prints a value; what that is made of has been printed."""
+    def printer(self, c: int, loops: tuple[int, ...], wide: bool) -> Callable[[], list]:
+        """Return a function that prints a value, whose arguments are printed by now."""
         builder, width = self.builder, self.width(wide)
-        if wide and self.vector not in turns:
-            own = self.value((c, turns, False))
-            return lambda: [spread(builder, one, width) for one in own]
+        if wide and self.vector not in loops:
+            narrow = self.value((c, loops, False))
+            return lambda: [broadcast(builder, one, width) for one in narrow]
         read = self.read(c)
         if read is not None:
             array, first, strides = read
-            ways = [self.way(turns, strides, wide, place) for place in self.together(*turns)]
-            return lambda: [self.load(array, first, *way) for way in ways]
+            moves = [self.moves(loops, strides, wide, index) for index in self.abreast(*loops)]
+            return lambda: [self.load(array, first, *one) for one in moves]
         name, arguments, _ = self.all[c]
         if name == "lookup":
-            table, index = self.all[arguments[1][0]], self.argument(arguments[0], turns, wide)
-            return lambda: [self.lookup(one, *table.arguments[:4]) for one in index]
-        given = [self.argument(a, turns, wide) for a in arguments]
-        return lambda: called(builder, name, width, given)
+            table, places = self.all[arguments[1][0]], self.argument(arguments[0], loops, wide)
+            return lambda: [self.lookup(one, *table.arguments[:4]) for one in places]
+        values = [self.argument(a, loops, wide) for a in arguments]
+        return lambda: calculate(builder, name, width, values)
 
-    def argument(self, a: Any, turns: tuple[int, ...], wide: bool) -> list:
-        """Return an argument: a constant, or what is computed."""
+    def argument(self, a: Any, loops: tuple[int, ...], wide: bool) -> list:
+        """Return an argument: a constant, or a computed value."""
         if type(a) is not tuple:
             return [constant(a, self.width(wide))]
-        return self.value((a[0], tuple([turns[k] for k in a[1]]), wide))
+        return self.value((a[0], tuple([loops[k] for k in a[1]]), wide))
 
-    def way(
-        self, turns: Sequence[int], strides: tuple[int, ...], wide: bool, place: Any
+    def moves(
+        self, loops: Sequence[int], strides: tuple[int, ...], wide: bool, inner: Any
     ) -> tuple[list[tuple[Any, int]], int | None]:
-        """Return how far each loop moves on, and the eight turns that are taken at once.
+        """Return index and stride of each loop, and the stride of eight iterations at once.
 
-        `place` is the turn of the inner loop.
+        `inner` is the index of the inner loop.
         """
-        pairs = list(zip(turns, strides, strict=True))
-        stride = sum(s for turn, s in pairs if turn == self.vector) if wide else None
-        moves = [(place if turn == self.inner else self.places[turn], s) for turn, s in pairs]
+        pairs = list(zip(loops, strides, strict=True))
+        stride = sum(s for loop, s in pairs if loop == self.vector) if wide else None
+        moves = [(inner if loop == self.inner else self.indices[loop], s) for loop, s in pairs]
         return moves, stride
 
-    def write(self, value: Any, item: Write, place: Any = None) -> None:
-        """Write what has been computed, in a turn of the inner loop or behind it."""
+    def write(self, value: Any, item: Write, inner: Any = None) -> None:
+        """Write a value, in an iteration of the inner loop or behind it."""
         array, first, strides, *_ = item
         wide = self.vector >= 0 and width_of(value) > 1
-        self.store(value, array, first, *self.way(range(len(strides)), strides, wide, place))
+        self.store(value, array, first, *self.moves(range(len(strides)), strides, wide, inner))
 
     def lookup(self, index: Any, array: str, first: int, stride: int, count: int) -> Any:
-        """Read array[first + stride * whole], NaN where there is no such entry."""
+        """Read array[first + stride * index], NaN where there is no such entry."""
         builder, width = self.builder, width_of(index)
 
-        def ask(name: str, *own: Any) -> Any:
-            given = [a if type(a) is float else [a] for a in own]
-            return called(builder, name, width, given)[0]
+        def number(name: str, *arguments: Any) -> Any:
+            values = [a if type(a) is float else [a] for a in arguments]
+            return calculate(builder, name, width, values)[0]
 
-        place = ask("place", index, float(count))
-        inside = ask("ge", place, 0.0)
+        place = number("place", index, float(count))
+        inside = number("ge", place, 0.0)
         ones = []
-        for k, one in enumerate(apart(builder, ask("where", inside, place, 0.0))):
+        for k, one in enumerate(elements(builder, number("where", inside, place, 0.0))):
             address = self.address(array, first, [(builder.fptosi(one, WORD), stride)])
             if self.columns(array) > 1:
                 address = builder.gep(address, [ir.Constant(WORD, k)])
             ones.append(builder.load(address))
-        return ask("where", inside, gathered(builder, ones), float("nan"))
+        return number("where", inside, gathered(builder, ones), float("nan"))

@@ -23,15 +23,15 @@ from .ending import (
     METHODS,
     STUCK,
     Solution,
-    begun,
     check_spacing,
     checked_method,
     ended,
-    finish,
     iterated,
+    run_to_end,
+    sampled_start,
 )
 from .jacobian import Jacobian, jacobian
-from .machine import called
+from .machine import callback
 from .method import kernels
 from .schedule import (
     BEGINS,
@@ -45,7 +45,7 @@ from .schedule import (
     make_schedule,
     numbers,
     read_inputs,
-    sharp,
+    sharp_bends,
     with_inputs,
 )
 from .sweep import Sweep
@@ -74,7 +74,7 @@ class PythonDiagram:
         self.sweep = Sweep(self.wiring, changed_parameters(self.wiring, params))
         self.nstates, self.nsignals = self.sweep.nstates, len(self.sweep.signals)
         self.intervals: dict[int, int] = {}  # places in P of each block's `interval`
-        self.jumps = {k: place for place, k in enumerate(self.sweep.leaping)}  # 1 where it jumps
+        self.jumps = {k: place for place, k in enumerate(self.sweep.jumping)}  # 1 where it jumps
 
     def with_parameters(self, parameters: Sequence[Any]) -> Self:
         """Return the diagram with other parameters of its blocks."""
@@ -99,7 +99,7 @@ class PythonDiagram:
         """Return the pieces of a run: they end at `breaks` and where inputs bend, if it is felt."""
         kinks = np.zeros(0)
         if inputs is not None and inputs.samples is not None:
-            kinks = sharp(*inputs.samples, felt) if self.ramp < 0 else inputs.kinks
+            kinks = sharp_bends(*inputs.samples, felt) if self.ramp < 0 else inputs.kinks
         pieces = make_schedule(self.sweep, self.intervals, self.jumps, t0, t1, kinks, breaks)
         if self.ramp < 0 or inputs is None or not self.wiring.ninputs:
             return pieces
@@ -116,7 +116,7 @@ class PythonDiagram:
             jumping, beginning = (
                 [k for k, place in self.jumps.items() if P[place] == how] for how in (JUMPS, BEGINS)
             )
-            return sweep.leap(t, x, at(t), jumping, beginning)
+            return sweep.jump(t, x, at(t), jumping, beginning)
 
         functions: list[tuple[Any, str, int]] = [  # in the solver's order, and what they write
             (lambda t, x, P: sweep.rates(t, x, at(t)), "D", n),
@@ -126,7 +126,9 @@ class PythonDiagram:
             (jump, "D", n),
         ]
         given = n, max(self.jumps.values(), default=-1) + 1
-        own = [called(function, *given, array, size, raised) for function, array, size in functions]
+        own = [
+            callback(function, *given, array, size, raised) for function, array, size in functions
+        ]
         formulas = kernels(n, 1, method) if n else None
         more = formulas.addresses.values() if formulas else ()
         addresses = [*(cast(one, c_void_p).value for one in own), 0, 0, *more]
@@ -220,11 +222,11 @@ class PythonDiagram:
         felt = tolerances[0] * (FELT_BY_ORDER_5 if by == solver.DOPRI5 else FELT)
         pieces = self.schedule(t0, t1, inputs, self.breaks(t0, t1), felt)
         callee, P = self.callee(1, inputs, by), self.parameters()
-        start = begun(callee, start, t0, pieces, P)
+        start = sampled_start(callee, start, t0, pieces, P)
         made = Batch(callee, start[None], P[None], times, [pieces], None, *limits)
         most = self.most if step is None else ANY
         auto = partial(self.implicit, inputs) if method == "auto" and step is None else None
-        rest = finish(made, tolerances, auto, pace(most, t0, t1, progress), most)
+        rest = run_to_end(made, tolerances, auto, pace(most, t0, t1, progress), most)
         if made.status[0] in STUCK and callee.decided:
             with suppress(SimulationError):  # then what stopped this one is said
                 across = self.unlocked().run(
@@ -285,7 +287,7 @@ class PythonDiagram:
             return np.array([self.run(one, times).x for one in starts])
         P, by = self.parameters(), solver.DOP853 if step is None else solver.RK4
         pieces = self.schedule(float(times[0]), float(times[-1]))
-        starts = [begun(self.callee(), one, float(times[0]), pieces, P) for one in starts]
+        starts = [sampled_start(self.callee(), one, float(times[0]), pieces, P) for one in starts]
         callee, every = self.callee(self.lanes(len(starts)), None, by), np.tile(P, (len(starts), 1))
         batch = Batch(callee, np.array(starts), every, times, [pieces], None, longest)
         batch.adaptive(rtol, atol)
@@ -309,7 +311,7 @@ class PythonDiagram:
         inputs = self._inputs(inputs, times)
         callee, pieces = self.callee(1, inputs), self.pieces_of(solution, inputs)
         P, out = self.parameters(), np.empty((len(times), self.nsignals))
-        callee.ask(solver.SIGNALS, times, solution.x, pieces, P, out)
+        callee.evaluate(solver.SIGNALS, times, solution.x, pieces, P, out)
         return self.finite(solution, out, inputs) if check else out
 
     def finite(

@@ -21,9 +21,9 @@ from ..progress import warn
 from .sweep import Sweep
 
 STRAIGHT = 1e-14  # of the largest value, off a straight line, is rounding
-SHARP = 10.0  # a turn is sharp that is so many times as sharp as most
-FELT = 200.0  # and one that is so many tolerances of the input, off the line before it
-FELT_BY_ORDER_5 = 2000.0  # whose steps meet smaller turns as they meet all else
+SHARP = 10.0  # a bend is sharp if it is so many times as large as most
+FELT = 200.0  # and if it is so many tolerances of the input, off the line before it
+FELT_BY_ORDER_5 = 2000.0  # the same for DOPRI5, whose steps are shorter
 
 
 @dataclass(frozen=True)
@@ -81,10 +81,10 @@ class Inputs:
         return np.array([np.interp(times, at, row) for row in u]).reshape(len(u), len(times))
 
 
-def sharp(times: np.ndarray, values: np.ndarray, least: float) -> np.ndarray:
-    """Return the times at which samples, joined by straight lines, turn sharply.
+def sharp_bends(times: np.ndarray, values: np.ndarray, least: float) -> np.ndarray:
+    """Return the times at which samples, joined by straight lines, bend sharply.
 
-    So does a turn that leaves the line before it by `least` of the largest value.
+    A bend that leaves the line before it by `least` of the largest value is sharp, too.
     """
     if len(times) < 3:
         return times[:0]
@@ -124,7 +124,7 @@ def stacked_state(name: str, state: Any, count: int, padded: bool = True) -> np.
     return checked_state(name, state, (count,))
 
 
-def open_sizes(
+def sizes_of_run(
     diagram: Any, inputs: Any, x0: Any, times: np.ndarray
 ) -> tuple[int | None, int | None]:
     """Return how many states and inputs a run gives, where its system leaves that open."""
@@ -256,7 +256,7 @@ def make_schedule(
     values = np.zeros((len(starts), len(places)))
 
     def numbers(k: int) -> np.ndarray:
-        block, given = sweep.nodes[k].system, sweep.given[k]
+        block, given = sweep.nodes[k].system, sweep.parameters[k]
         if given.interval >= 0:
             return np.full(len(starts), given.interval)
         return np.searchsorted(block.breakpoints(0.0, t1, given), starts, side="right")

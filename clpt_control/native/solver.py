@@ -1,20 +1,20 @@
-"""Many runs, exactly to every breakpoint: what comes after what in a step.
+"""Integrate many runs, exactly to every breakpoint: the order of what happens in a step.
 
-The same text serves one run and several side by side (lanes).  It is printed once as
-LLVM's text (`make solver`) and is machine code for every run.  Every lane has its own run,
-time, step and piece of time; a lane whose run has ended takes the next.  Nothing is
-summed across lanes, so a run gives the same numbers beside any others.
+The same text serves one run and several side by side (lanes).  It is printed once as LLVM's text
+(`make solver`) and is machine code for every run.  Every lane has its own run, time, step and piece
+of time; a lane whose run has ended takes the next.  Nothing is summed across lanes, so a run gives
+the same numbers beside any others.
 
-All numbers are computed through `call`, by the diagram's functions and the formulas of
-`method`.  Arguments that all functions share:
+All numbers are computed through `call`, by the diagram's functions and the formulas of `method`.
+Arguments that all functions share:
 
     code      addresses of functions, in the order of the places below
     shape     numbers of lanes, of states and of the method's stages; 1 if guards are watched, 1
-              if states jump; where in P lies what is decided, and how many numbers that are
+              if states jump; first place of decisions in P, and how many numbers they are
     runs      initial states (m, n), parameters (m, nP) and schedule of each run (m,)
     schedule  the first piece of time of each (g,), the places in P that a piece sets; then of
               each piece its end, inf behind the last, the values that it sets (pieces, places),
-              and 1 if it is entered with the rates and the step that there are
+              and 1 if it goes on with the rates and the step of the piece before
     times     when states are wanted; a run starts at the first
     results   of each run: states at `times`, how it ended, samples done, numbers of
               steps, evaluations, restarts and rejected steps
@@ -32,60 +32,62 @@ Number i of row r of Z in lane k lies at (r n + i) lanes + k.
 
 import math
 
-# how a run ended; STIFF: left to an implicit method, from where it is
+# how a run ended; STIFF: an implicit method is to go on from where it is
 RUNNING, FINISHED, TOO_SMALL, NOT_FINITE, LEFT, TOO_MANY, CHATTERS, STIFF = range(8)
-# rows of Z: the state, rates of stages 0 to 15, argument of a stage, terms between samples; in
-# place of the last rates a state within the step, which is looked at, and rates there, with what
-# is held and with what is decided there
+# rows of Z: the state; rates of stages 0 to 15; the argument of a stage; terms of the interpolant.
+# In place of the last rates: a state within the step, and the rates there, with the decisions in
+# force (LOCKED) and with those made there (FREE)
 STATE, RATE, ARGUMENT, TERMS, ROWS, LOOKED, LOCKED, FREE = 0, 1, 17, 18, 25, 16, 14, 15
-# the methods, each known by the number of its stages, the new state's among them; of DOP853 three
-# more are for what lies within a step; the last of DOPRI5 is at the new state, in its rate's row
+# the methods, each known by the number of its stages, the new state among them; DOP853 has three
+# more stages for its interpolant; the last stage of DOPRI5 is the new state, in the row of its rate
 DOP853, RODAS5P, DOPRI5, RK4 = 12, 9, 7, 4
-# of Rodas5P: its stages begin at SOLVED, then what each is solved for has beside its rate, df/dt,
-# and room, two rows
-SOLVED, KNOWN, OVER_TIME, ROOM = 2, 10, 11, 12
+# rows of Z for Rodas5P: solutions of its stages begin at SOLVED; then the term that is added to a
+# rate on the right-hand side, df/dt, and room, two rows
+SOLVED, ADDEND, TIME_SLOPE, ROOM = 2, 10, 11, 12
+# rows of a lane's numbers
 TIME, STEP, END, FRESH, REJECTED, GOOD, TAKEN, NEW, AT, FAILING, SIZE, TROUBLE = range(12)
-# of a decision that a step has passed (`decisions`), or where it leaves a guard
+# a step that passes a decision (`decisions`) or leaves a guard: whether it ends behind a kink, the
+# shares of the step between which that is, and the time of the last kink
 KINK, LOW, HIGH, LAST = range(12, 16)
-EFFECT = 16  # of another decision on a step, of what is asked for
-OTHER_STEPS, DIAGONAL = 17, 18
-# when a lane is looked at next, or after how many tries; whether it is; steps since, good and not
-NEXT, SPARE, LOOK, GOOD_ONES, BAD_ONES = range(19, 24)
-ASKED = 24  # whether a lane's own step is looked at for stiffness
-# how wrong states between a step's ends may be, above 1 no sample is taken there; where the step is
-# then to end
-WITHIN, WANTED = 25, 26
-STIFF_STEPS, LONGEST, OPENING = 27, 28, 29  # a run that begins in a lane keeps these as they are
+EFFECT = 16  # of a new decision on the step, in tolerances
+OTHER_STEPS, DIAGONAL = 17, 18  # checked steps since a stiff one; the matrix's diagonal, 1/(h g)
+# the time of the next look at a lane, or the tries until then; whether it is now; good and rejected
+# steps since the last look
+NEXT, TRIES_LEFT, LOOK, GOOD_ONES, BAD_ONES = range(19, 24)
+CHECKED = 24  # whether a lane's step is checked for stiffness
+# the error of the interpolant; above 1 no sample is taken from it, and the step is tried again, up
+# to STOP_AT
+WITHIN, STOP_AT = 25, 26
+STIFF_STEPS, LONGEST, FIRST_STEP = 27, 28, 29  # a run that begins in a lane keeps these
 NUMBERS = 30  # rows of numbers
-MEMBER, EDGE, DONE, BURST, WHICH = range(5)  # rows of whole numbers
+MEMBER, EDGE, DONE, BURST, WHICH = range(5)  # rows of a lane's whole numbers
 STEPS, EVALUATIONS, RESTARTS, REJECTIONS = range(4)  # of the counts
 # places of `code`: the diagram's functions, then the method's; stage s stands at STAGE + s
 DERIVATIVE, PREPARE, MARGIN, SIGNALS, JUMP, DECIDE, SLOPE = range(7)
-ATTEMPT, JUDGE, SIZES, TRIAL, FIRST, ACCEPT, DENSE, SKETCH, STIFFNESS = range(7, 16)
+ATTEMPT, CONTROL, SIZES, TRIAL, FIRST, ACCEPT, DENSE, CUBIC, STIFFNESS = range(7, 16)
 STAGE = 15
-ANEW, ON = 1, 2  # a piece begins with rates and a step of its own, or goes on with those there are
+ANEW, ON = 1, 2  # a piece begins with new rates and a new step, or goes on with those of the last
 OUTSIDE = 1e-9  # grid steps beyond the edge that count as outside
 LOOKS, GLANCES = 16, 8  # places within a step at which guards are looked at, and decisions
 CROSSED = 1.0  # a step ends behind a kink
 HALVINGS, RESOLVED = 50, 1e-12  # of a step; how close to a kink one ends, of the step or the time
 SHORTEST = 1e-13  # step up to a kink, of a run: in a shorter one states move by rounding alone
-FELT = 0.1  # effect up to which a kink is crossed by the step as it is
-MOST_KINKS, NEAR = 1000, 1e-7  # one upon the other, within that share of a run
-UNFELT = 5e-6  # or within this one, where states hardly move from one to the next
-# steps from one look for stiffness to the next, of those that show it, and ahead for it to matter
+FELT = 0.1  # effect up to which a step crosses a kink as it is
+MOST_KINKS, NEAR = 1000, 1e-7  # one after the other, each within that share of the run
+UNFELT = 5e-6  # or within this share, if states hardly move from one to the next
+# steps between checks for stiffness; steps that make a run stiff; steps ahead for it to matter
 OFTEN, MANY, AHEAD = 128, 15, 5_000
-APART = 6e-6  # of the size of a state, for differences of rates: the third root of a rounding
+CHANGE = 6e-6  # for differences of rates, of the size of a state: the third root of a rounding
 
 
 def call(address, t, X, first, P, T, W, D, to):
-    """Call the function there, of t, X[first:], P, T, W, D[to:]: `make solver` puts that in."""
+    """Call the function at an address on t, X[first:], P, T, W, D[to:], as `make solver` has it."""
 
 
 def advance(code, shape, tolerances, batch, linear, budget, most):
     """Take at most `budget` steps in every lane; return how many lanes are at work.
 
-    A run that has taken `most` tries is given up.  Where a lane is found to be stiff, no more are
-    taken.
+    A run that has taken `most` tries ends.  No more steps are taken once a lane looks stiff.
     """
     lanes, n, stages, guarded, jumping, _, decided = shape
     runs, schedule, times, results, lane, arrays = batch
@@ -93,12 +95,12 @@ def advance(code, shape, tolerances, batch, linear, budget, most):
     Z, P, T, W, D = arrays
     span, now, at = n * lanes, numbers[TIME], numbers[AT]
     implicit, fixed, dense = stages == RODAS5P, stages == RK4, stages == DOP853
-    whole_step = stages == DOPRI5
-    first = RATE + DOP853 + 1 - stages if whole_step else RATE  # behind it are the stages' rates
+    fsal = stages == DOPRI5  # its last stage is the first of the next step
+    first = RATE + DOP853 + 1 - stages if fsal else RATE  # behind it are the stages' rates
     active = 0
     for k in range(lanes):
         if whole[MEMBER, k] < 0:
-            take(k, shape, runs, schedule, times, lane, Z, P)
+            take_run(k, shape, runs, schedule, times, lane, Z, P)
         active += 1 if whole[MEMBER, k] >= 0 else 0
     while active > 0 and budget > 0:
         budget -= 1
@@ -117,7 +119,7 @@ def advance(code, shape, tolerances, batch, linear, budget, most):
                 call(code[TRIAL], numbers, Z, 0, P, T, W, D, 0)
                 call(code[DERIVATIVE], at, Z, ARGUMENT * span, P, T, W, Z, (RATE + 2) * span)
                 call(code[FIRST], numbers, Z, 0, P, tolerances, W, D, 0)
-            begin(lanes, fixed, times, results, lane, D, guarded)
+            begin_piece(lanes, fixed, times, results, lane, D, guarded)
         call(code[ATTEMPT], numbers, Z, 0, P, T, W, D, 0)
         if fixed:
             call(code[DERIVATIVE], now, Z, 0, P, T, W, Z, RATE * span)
@@ -128,33 +130,33 @@ def advance(code, shape, tolerances, batch, linear, budget, most):
             call(code[DERIVATIVE], at, Z, ARGUMENT * span, P, T, W, Z, (first + s) * span)
             if implicit:
                 solve_stage(n, s, linear, Z)
-        call(code[JUDGE], numbers, Z, 0, P, tolerances, W, D, 0)
-        good, within, doubted = False, False, False
+        call(code[CONTROL], numbers, Z, 0, P, tolerances, W, D, 0)
+        good, within, checked = False, False, False
         looked = anew or implicit or guarded > 0 or decided > 0
         for k in range(lanes):
             good = good or numbers[GOOD, k] > 0.5
             looked = looked or numbers[LOOK, k] > 0.5
         if looked:
-            count(shape, counts, lane)
+            count_steps(shape, counts, lane)
             for k in range(lanes):
                 m, done = whole[MEMBER, k], whole[DONE, k]
-                numbers[ASKED, k] = 0.0
+                numbers[CHECKED, k] = 0.0
                 if m >= 0 and numbers[FAILING, k] > 0.5:
                     fail(status, whole, k, int(numbers[FAILING, k]))
                 if m >= 0 and numbers[GOOD, k] > 0.5:
                     within = within or guarded > 0
                     if counts[m, STEPS] % OFTEN == 0 or numbers[STIFF_STEPS, k] > 0:
-                        numbers[ASKED, k], doubted = 1.0, True
+                        numbers[CHECKED, k], checked = 1.0, True
                     if done < len(times) and times[done] < numbers[NEW, k]:
                         within = True
-        if good and not (fixed or whole_step):
+        if good and not (fixed or fsal):
             call(code[DERIVATIVE], at, Z, ARGUMENT * span, P, T, W, Z, (RATE + DOP853) * span)
-        if doubted and (dense or whole_step):
+        if checked and (dense or fsal):
             call(code[STIFFNESS], numbers, Z, 0, P, T, W, D, 0)
         beyond = False
         if decided > 0 and good:
-            call(code[SKETCH], numbers, Z, 0, P, T, W, D, 0)
-            beyond = passes(code, shape, numbers, whole, arrays)
+            call(code[CUBIC], numbers, Z, 0, P, T, W, D, 0)
+            beyond = mark_passed(code, shape, numbers, whole, arrays)
         if within or beyond:
             if dense:
                 for s in range(stages + 1, stages + 4):
@@ -163,11 +165,11 @@ def advance(code, shape, tolerances, batch, linear, budget, most):
                 call(code[STAGE + stages], numbers, Z, 0, P, T, W, D, 0)
             call(code[DENSE], numbers, Z, 0, P, tolerances, W, D, 0)
             if dense:
-                doubt(lanes, times, results, lane)
-            if beyond and passes(code, shape, numbers, whole, arrays):
-                cross(code, shape, tolerances, times, results, lane, arrays)
+                check_interpolant(lanes, times, results, lane)
+            if beyond and mark_passed(code, shape, numbers, whole, arrays):
+                locate_kinks(code, shape, tolerances, times, results, lane, arrays)
             if guarded:
-                watch(code, shape, 1 if fixed else LOOKS, results, lane, arrays)
+                watch_guards(code, shape, 1 if fixed else LOOKS, results, lane, arrays)
         if looked and good:
             sample(shape, times, results, lane, Z, 3 if within and dense else 0)
         if lanes > 1 or numbers[GOOD, 0] > 0.5:
@@ -175,7 +177,7 @@ def advance(code, shape, tolerances, batch, linear, budget, most):
         if decided > 0 and good:
             decide_anew(shape, tolerances, times, status, lane, Z)
         if jumping and looked:
-            leap(code, shape, schedule, times, results, lane, arrays)
+            jump(code, shape, schedule, times, results, lane, arrays)
         if looked:
             active = 0
             for k in range(lanes):
@@ -186,10 +188,10 @@ def advance(code, shape, tolerances, batch, linear, budget, most):
                 if spare <= 0:
                     fail(status, whole, k, TOO_MANY)
                 if numbers[GOOD, k] > 0.5 and numbers[TIME, k] == numbers[END, k]:
-                    enter(k, lanes, schedule, status, lane, P)
+                    enter_piece(k, lanes, schedule, status, lane, P)
                 if status[m] != RUNNING:
                     reached[m], whole[MEMBER, k] = whole[DONE, k], -1
-                    take(k, shape, runs, schedule, times, lane, Z, P)
+                    take_run(k, shape, runs, schedule, times, lane, Z, P)
                 elif numbers[STIFF_STEPS, k] >= MANY:
                     if times[len(times) - 1] - numbers[TIME, k] > AHEAD * numbers[STEP, k]:
                         budget = 0
@@ -198,9 +200,9 @@ def advance(code, shape, tolerances, batch, linear, budget, most):
                 if whole[MEMBER, k] >= 0:
                     active += 1
                     tries = min(spare, OFTEN - counts[whole[MEMBER, k], STEPS] % OFTEN)
-                    numbers[SPARE, k] = 1.0 if numbers[STIFF_STEPS, k] > 0 else tries
+                    numbers[TRIES_LEFT, k] = 1.0 if numbers[STIFF_STEPS, k] > 0 else tries
                     look_ahead(k, times, lane)
-    count(shape, counts, lane)
+    count_steps(shape, counts, lane)
     return active
 
 
@@ -208,28 +210,28 @@ def advance(code, shape, tolerances, batch, linear, budget, most):
 
 
 def decide(code, shape, numbers, arrays):
-    """Keep in P what is decided now, in lanes that begin."""
-    lanes, held, decided, (Z, P, T, W, D) = shape[0], shape[5], shape[6], arrays
+    """Put the decisions of now into P, in lanes that begin."""
+    lanes, decided_at, decided, (Z, P, T, W, D) = shape[0], shape[5], shape[6], arrays
     call(code[DECIDE], numbers[TIME], Z, 0, P, T, W, D, 0)
     for k in range(lanes):
         if numbers[FRESH, k] > 0.5:
             for j in range(decided):
-                P[(held + j) * lanes + k] = D[j * lanes + k]
+                P[(decided_at + j) * lanes + k] = D[j * lanes + k]
     call(code[PREPARE], numbers[TIME], Z, 0, P, T, W, D, 0)
 
 
-def passed(k, lanes, decided, D):
-    """Return the first decision of a lane that is another than the one that is held, or -1."""
+def first_passed(k, lanes, decided, D):
+    """Return the first decision of a lane that its step has passed, or -1."""
     for j in range(decided):
         if D[(decided + j) * lanes + k] > 0.5:
             return j
     return -1
 
 
-def passes(code, shape, numbers, whole, arrays):
-    """Note which decision a lane's step passes first, and between which looks; whether any does.
+def mark_passed(code, shape, numbers, whole, arrays):
+    """Note which decision each lane's step passes first, and between which looks; return if any.
 
-    States within the step are looked at by what its terms are, and its end.
+    States within the step are those of its interpolant.
     """
     lanes, n, decided, some = shape[0], shape[1], shape[6], False
     Z, P, T, W, D = arrays
@@ -237,12 +239,12 @@ def passes(code, shape, numbers, whole, arrays):
         whole[WHICH, k] = -1
     for look in range(1, GLANCES + 1):
         for k in range(lanes):
-            look_within(n, lanes, k, numbers, Z, look / GLANCES)
+            state_within(n, lanes, k, numbers, Z, look / GLANCES)
         first = LOOKED if look < GLANCES else ARGUMENT
         call(code[DECIDE], numbers[AT], Z, first * n * lanes, P, T, W, D, 0)
         for k in range(lanes):
             if whole[MEMBER, k] >= 0 and numbers[GOOD, k] > 0.5 and whole[WHICH, k] < 0:
-                whole[WHICH, k] = passed(k, lanes, decided, D)
+                whole[WHICH, k] = first_passed(k, lanes, decided, D)
                 numbers[LOW, k], numbers[HIGH, k] = (look - 1) / GLANCES, look / GLANCES
                 some = some or whole[WHICH, k] >= 0
     for k in range(lanes):
@@ -250,30 +252,31 @@ def passes(code, shape, numbers, whole, arrays):
     return some
 
 
-def cross(code, shape, tolerances, times, results, lane, arrays):
-    """Find where steps cross a kink that is felt; one well beyond is tried again, up to it.
+def locate_kinks(code, shape, tolerances, times, results, lane, arrays):
+    """Locate the kinks that steps cross and states feel; a step well beyond one is tried up to it.
 
-    Elsewhere rounding might decide where a step ends: as at a tangent, or where errors are small.
+    A kink that is not felt is crossed by the step as it is, else rounding might decide where a step
+    ends: at a tangent, or where errors are small.
     """
     lanes, n, decided = shape[0], shape[1], shape[6]
     shortest = SHORTEST * (times[-1] - times[0])
     counts, (numbers, whole, _), (Z, P, T, W, D) = results[3], lane, arrays
-    weigh(code, shape, tolerances, numbers, arrays)
+    measure_effect(code, shape, tolerances, numbers, arrays)
     halvings = 0
     for k in range(lanes):
         if whole[WHICH, k] >= 0 and numbers[EFFECT, k] > FELT:
             halvings = HALVINGS
         elif whole[WHICH, k] >= 0:
-            numbers[KINK, k] = CROSSED if passed(k, lanes, decided, D) >= 0 else 0.0
+            numbers[KINK, k] = CROSSED if first_passed(k, lanes, decided, D) >= 0 else 0.0
     for _ in range(halvings):
         for k in range(lanes):
             share = 0.5 * (numbers[LOW, k] + numbers[HIGH, k])
-            look_within(n, lanes, k, numbers, Z, share)
+            state_within(n, lanes, k, numbers, Z, share)
         call(code[DECIDE], numbers[AT], Z, LOOKED * n * lanes, P, T, W, D, 0)
         for k in range(lanes):
             if whole[WHICH, k] >= 0 and numbers[EFFECT, k] > FELT:
                 share = 0.5 * (numbers[LOW, k] + numbers[HIGH, k])
-                if passed(k, lanes, decided, D) >= 0:
+                if first_passed(k, lanes, decided, D) >= 0:
                     numbers[HIGH, k] = share
                 else:
                     numbers[LOW, k] = share
@@ -285,28 +288,28 @@ def cross(code, shape, tolerances, times, results, lane, arrays):
             if met or h <= 2.0 * shortest:
                 numbers[KINK, k] = CROSSED
             else:
-                again(k, max(numbers[HIGH, k] * h, shortest), counts, lane)
+                try_again(k, max(numbers[HIGH, k] * h, shortest), counts, lane)
 
 
-def weigh(code, shape, tolerances, numbers, arrays):
-    """Write by how much a step may be wrong, since decisions are held: h |f - f held|, at most.
+def measure_effect(code, shape, tolerances, numbers, arrays):
+    """Write the largest error of a step that its locked decisions may make: h |f free - f locked|.
 
-    At the end D is left as it is there.
+    D is left as it is at the end of the step.
     """
-    lanes, n, _, _, _, held, decided = shape
+    lanes, n, _, _, _, decided_at, decided = shape
     Z, P, T, W, D = arrays
     for k in range(lanes):
         numbers[EFFECT, k] = 0.0
     for look in range(1, GLANCES + 1):
         for k in range(lanes):
-            look_within(n, lanes, k, numbers, Z, look / GLANCES)
+            state_within(n, lanes, k, numbers, Z, look / GLANCES)
         first = (LOOKED if look < GLANCES else ARGUMENT) * n * lanes
         call(code[DECIDE], numbers[AT], Z, first, P, T, W, D, 0)
         call(code[DERIVATIVE], numbers[AT], Z, first, P, T, W, Z, LOCKED * n * lanes)
-        exchange(held * lanes, decided * lanes, P, D)
+        exchange(decided_at * lanes, decided * lanes, P, D)
         call(code[PREPARE], numbers[AT], Z, first, P, T, W, D, 0)
         call(code[DERIVATIVE], numbers[AT], Z, first, P, T, W, Z, FREE * n * lanes)
-        exchange(held * lanes, decided * lanes, P, D)
+        exchange(decided_at * lanes, decided * lanes, P, D)
         call(code[PREPARE], numbers[AT], Z, first, P, T, W, D, 0)
         for k in range(lanes):
             for i in range(n):
@@ -319,13 +322,13 @@ def weigh(code, shape, tolerances, numbers, arrays):
 
 
 def exchange(first, count, P, D):
-    """Exchange what is held in P, from there on, and what D begins with."""
+    """Exchange `count` numbers of P, from a place on, with the first ones of D."""
     for j in range(count):
         P[first + j], D[j] = D[j], P[first + j]
 
 
 def decide_anew(shape, tolerances, times, status, lane, Z):
-    """Begin anew behind a kink; end a run that crosses them ever again without going on."""
+    """Begin anew behind a kink; end a run that crosses kinks again and again without going on."""
     lanes, n = shape[0], shape[1]
     numbers, whole, queue = lane
     for k in range(lanes):
@@ -333,7 +336,7 @@ def decide_anew(shape, tolerances, times, status, lane, Z):
             passed, fastest = numbers[TIME, k] - numbers[LAST, k], 0.0
             for i in range(n):
                 fastest = max(fastest, abs(Z[(RATE * n + i) * lanes + k]))
-            felt = fastest * passed > tolerances[1]  # else no state moves by what is asked for
+            felt = fastest * passed > tolerances[1]  # else no state moves by its tolerance
             near = passed < (NEAR if felt else UNFELT) * (times[-1] - times[0])
             whole[BURST, k] = whole[BURST, k] + 1 if near else 0
             numbers[LAST, k], numbers[FRESH, k], queue[2] = numbers[TIME, k], 1.0, ANEW
@@ -342,8 +345,8 @@ def decide_anew(shape, tolerances, times, status, lane, Z):
         numbers[KINK, k] = 0.0
 
 
-def count(shape, counts, lane):
-    """Count the steps of runs since they were looked at."""
+def count_steps(shape, counts, lane):
+    """Add the steps of lanes since the last look to the counts of their runs."""
     lanes, stages, (numbers, whole, _) = shape[0], shape[2], lane
     for k in range(lanes):
         m = whole[MEMBER, k]
@@ -354,11 +357,11 @@ def count(shape, counts, lane):
             counts[m, EVALUATIONS] += (stages - 1) * (good + bad)
             counts[m, EVALUATIONS] += 0 if stages == DOPRI5 else good
             numbers[GOOD_ONES, k], numbers[BAD_ONES, k] = 0.0, 0.0
-            numbers[SPARE, k] -= good + bad
+            numbers[TRIES_LEFT, k] -= good + bad
 
 
-def again(k, step, counts, lane):
-    """Take a step that was good again, of another length."""
+def try_again(k, step, counts, lane):
+    """Try a step that was good again, with another length."""
     numbers, whole, _ = lane
     numbers[GOOD, k], numbers[REJECTED, k], numbers[STEP, k] = 0.0, 0.0, step
     counts[whole[MEMBER, k], STEPS] -= 1
@@ -384,8 +387,8 @@ def fail(status, whole, k, why):
 # --- which run a lane works on --------------------------------------------------------------
 
 
-def take(k, shape, runs, schedule, times, lane, Z, P):
-    """Begin the next run in a lane; where there is none it stays where it is, beside others."""
+def take_run(k, shape, runs, schedule, times, lane, Z, P):
+    """Begin the next run in a lane; if there is none the lane stays as it is, beside others."""
     lanes, n = shape[0], shape[1]
     (X0, Ps, group), (numbers, whole, queue) = runs, lane
     m, numbers[FRESH, k] = queue[0], 0.0
@@ -402,24 +405,24 @@ def take(k, shape, runs, schedule, times, lane, Z, P):
     for row in range(STIFF_STEPS):
         numbers[row, k] = 0.0
     numbers[TIME, k], numbers[END, k] = times[0], schedule[2][whole[EDGE, k]]
-    numbers[FRESH, k], numbers[LAST, k], numbers[WANTED, k] = 1.0, -math.inf, math.inf
+    numbers[FRESH, k], numbers[LAST, k], numbers[STOP_AT, k] = 1.0, -math.inf, math.inf
     if numbers[STIFF_STEPS, k] > -math.inf:
         numbers[STIFF_STEPS, k] = 0.0
 
 
 def set_piece(k, lanes, schedule, piece, P):
-    """Set in P what a piece of time sets there."""
+    """Put into P the values that a piece of time sets."""
     _, places, _, values, _ = schedule
     for j in range(len(places)):
         P[places[j] * lanes + k] = values[piece, j]
 
 
-def begin(lanes, fixed, times, results, lane, D, guarded):
-    """Note that lanes have begun a piece of time."""
+def begin_piece(lanes, fixed, times, results, lane, D, guarded):
+    """Begin a piece of time in the lanes that are fresh; end a run that cannot begin it."""
     (_, status, _, counts), (numbers, whole, _) = results, lane
     for k in range(lanes):
         if numbers[FRESH, k] > 0.5:
-            numbers[FRESH, k], numbers[REJECTED, k], numbers[OPENING, k] = 0.0, 0.0, 0.0
+            numbers[FRESH, k], numbers[REJECTED, k], numbers[FIRST_STEP, k] = 0.0, 0.0, 0.0
             counts[whole[MEMBER, k], EVALUATIONS] += 0 if fixed else 2
             counts[whole[MEMBER, k], RESTARTS] += 1
             if numbers[TROUBLE, k] != 0.0:
@@ -430,7 +433,7 @@ def begin(lanes, fixed, times, results, lane, D, guarded):
             look_ahead(k, times, lane)
 
 
-def enter(k, lanes, schedule, status, lane, P):
+def enter_piece(k, lanes, schedule, status, lane, P):
     """Enter the next piece of time, or end the run."""
     _, _, edges, _, smooth = schedule
     numbers, whole, queue = lane
@@ -449,10 +452,10 @@ def enter(k, lanes, schedule, status, lane, P):
     set_piece(k, lanes, schedule, piece, P)
 
 
-def leap(code, shape, schedule, times, results, lane, arrays):
-    """Jump in lanes that are at the end of a piece; a sample there comes after.
+def jump(code, shape, schedule, times, results, lane, arrays):
+    """Let states jump in lanes that are at the end of a piece; a sample there is after the jump.
 
-    The next piece, which says what jumps, is set in P; after the last it is the time of the end.
+    The next piece, which says what jumps, is set in P; behind the last there is one for the end.
     """
     lanes, n = shape[0], shape[1]
     (out, status, _, _), (numbers, whole, _) = results, lane
@@ -495,7 +498,7 @@ def at_end(k, status, numbers, whole):
 # --- within a step --------------------------------------------------------------------------
 
 
-def between(Z, n, lanes, k, i, share):
+def interpolate(Z, n, lanes, k, i, share):
     """Return state i of a lane at a share of the step."""
     y = 0.0
     for r in range(7):
@@ -505,7 +508,7 @@ def between(Z, n, lanes, k, i, share):
 
 
 def sample(shape, times, results, lane, Z, more):
-    """Write the states at times within the step; so many more evaluations were made for them."""
+    """Write the states at times within the step, for which `more` evaluations were made."""
     lanes, n = shape[0], shape[1]
     (out, status, _, counts), (numbers, whole, _) = results, lane
     for k in range(lanes):
@@ -519,39 +522,39 @@ def sample(shape, times, results, lane, Z, more):
                 if times[done] == new:
                     out[m, done, i] = Z[(ARGUMENT * n + i) * lanes + k]
                 else:
-                    out[m, done, i] = between(Z, n, lanes, k, i, (times[done] - t) / h)
+                    out[m, done, i] = interpolate(Z, n, lanes, k, i, (times[done] - t) / h)
             done += 1
-            numbers[WANTED, k] = math.inf
+            numbers[STOP_AT, k] = math.inf
         whole[DONE, k] = done
 
 
-def doubt(lanes, times, results, lane):
-    """Take a step again, up to its first sample, where states within it are not exact enough."""
+def check_interpolant(lanes, times, results, lane):
+    """Try a step again, up to its first sample, if its interpolant is not exact enough."""
     counts, (numbers, whole, _) = results[3], lane
     for k in range(lanes):
         m, done = whole[MEMBER, k], whole[DONE, k]
         if m < 0 or numbers[GOOD, k] < 0.5 or done >= len(times) or times[done] >= numbers[NEW, k]:
             continue
         if numbers[WITHIN, k] > 1.0:
-            again(k, numbers[TAKEN, k], counts, lane)
-            numbers[WANTED, k] = times[done]
+            try_again(k, numbers[TAKEN, k], counts, lane)
+            numbers[STOP_AT, k] = times[done]
             counts[m, EVALUATIONS] += 3
 
 
-def look_within(n, lanes, k, numbers, Z, share):
-    """Put time and state of a lane at a share of the step where functions are asked."""
+def state_within(n, lanes, k, numbers, Z, share):
+    """Put time and state of a lane at a share of the step into AT and LOOKED."""
     numbers[AT, k] = numbers[TIME, k] + share * numbers[TAKEN, k]
     for i in range(n):
-        Z[(LOOKED * n + i) * lanes + k] = between(Z, n, lanes, k, i, share)
+        Z[(LOOKED * n + i) * lanes + k] = interpolate(Z, n, lanes, k, i, share)
 
 
-def watch(code, shape, looks, results, lane, arrays):
-    """End the run of a lane that leaves a guard within the step, which is not taken."""
+def watch_guards(code, shape, looks, results, lane, arrays):
+    """End the run of a lane that leaves a guard within the step; the step is not taken."""
     lanes, n = shape[0], shape[1]
     status, (numbers, whole, _), (Z, P, T, W, D) = results[1], lane, arrays
     for look in range(1, looks + 1):
         for k in range(lanes):
-            look_within(n, lanes, k, numbers, Z, look / looks)
+            state_within(n, lanes, k, numbers, Z, look / looks)
         call(code[MARGIN], numbers[AT], Z, LOOKED * n * lanes, P, T, W, D, 0)
         for k in range(lanes):
             if numbers[GOOD, k] > 0.5 and D[k] < -OUTSIDE:
@@ -564,7 +567,7 @@ def watch(code, shape, looks, results, lane, arrays):
 
 
 def linearise(code, n, tolerances, numbers, linear, arrays):
-    """Factor I/(h g) - df/dx for the step to try; df/dx stays as it is after a rejected step."""
+    """Factor I/(h g) - df/dx for the step to try; after a rejected step df/dx is that of before."""
     slopes, M, pivots, (low, high, _), _, _, _, _, _, _ = linear
     if numbers[REJECTED, 0] < 0.5:
         differentiate(code, n, tolerances, numbers, linear, arrays)
@@ -576,38 +579,38 @@ def linearise(code, n, tolerances, numbers, linear, arrays):
 
 
 def differentiate(code, n, tolerances, numbers, linear, arrays):
-    """Bring df/dx and df/dt up to date: states whose rates have nothing in common go together."""
+    """Compute df/dx and df/dt; states whose rates have nothing in common go together."""
     slopes, _, _, (_, _, exact), _, groups, begins, rows, columns, to = linear
     Z, P, T, W, _ = arrays
     for i in range(n):
         Z[ARGUMENT * n + i] = Z[i]
-        Z[OVER_TIME * n + i] = 0.0
+        Z[TIME_SLOPE * n + i] = 0.0
     for group in range(len(begins) - 1):
-        found = exact > 0
-        if found:
+        known = exact > 0
+        if known:
             for j in range(n + 1):
                 Z[TERMS * n + j] = 1.0 if groups[j] == group else 0.0
             call(code[SLOPE], numbers[TIME], Z, ARGUMENT * n, P, T, W, Z, ROOM * n)
             for e in range(begins[group], begins[group + 1]):
-                found = found and Z[ROOM * n + rows[e]] - Z[ROOM * n + rows[e]] == 0.0
-        if not found:
+                known = known and Z[ROOM * n + rows[e]] - Z[ROOM * n + rows[e]] == 0.0
+        if not known:
             by_differences(code, n, group, tolerances, numbers, groups, arrays)
         for e in range(begins[group], begins[group + 1]):
             slope = Z[ROOM * n + rows[e]] / Z[TERMS * n + columns[e]]
             slope = slope if slope - slope == 0.0 else 0.0
             if columns[e] == n:
-                Z[OVER_TIME * n + rows[e]] = slope
+                Z[TIME_SLOPE * n + rows[e]] = slope
             else:
                 slopes[to[e]] = slope
 
 
 def by_differences(code, n, group, tolerances, numbers, groups, arrays):
-    """Write into ROOM by how much rates change over a group's own changes, those into TERMS."""
+    """Write a group's changes of states and time into TERMS, and the changes of rates into ROOM."""
     Z, P, T, W, _ = arrays
     least = tolerances[1] / tolerances[0]  # a smaller state is as good as zero
     for j in range(n):
         size = max(abs(Z[j]), least)
-        change = 2.0 * APART * (size if size > 0.0 else 1.0)
+        change = 2.0 * CHANGE * (size if size > 0.0 else 1.0)
         Z[TERMS * n + j] = change if groups[j] == group else 0.0
     Z[TERMS * n + n] = 1e-3 * numbers[TAKEN, 0] if groups[n] == group else 0.0
     for side in range(2):
@@ -626,10 +629,10 @@ def by_differences(code, n, group, tolerances, numbers, groups, arrays):
 
 
 def solve_stage(n, s, linear, Z):
-    """Put the solution of a stage in the place of its rate."""
+    """Replace the rate of a stage by the solution of its equations."""
     _, M, pivots, (low, high, _), places, _, _, _, _, _ = linear
     for i in range(n):
-        Z[ARGUMENT * n + places[i]] = Z[(RATE + s) * n + i] + Z[KNOWN * n + i]
+        Z[ARGUMENT * n + places[i]] = Z[(RATE + s) * n + i] + Z[ADDEND * n + i]
     solve(n, low, high, M, pivots, Z, ARGUMENT * n)
     for i in range(n):
         Z[(RATE + s) * n + i] = Z[ARGUMENT * n + places[i]]
@@ -682,15 +685,15 @@ def solve(n, low, high, M, pivots, b, at):
 # --- at given states ------------------------------------------------------------------------
 
 
-def ask(code, role, n, locked, given, pieces, arrays, out):
-    """Call a function at times; what it writes, signals into W, is put into the rows of `out`.
+def evaluate(code, role, n, decisions, points, pieces, arrays, out):
+    """Call a function at times and states; put its results, signals from W, into the rows of `out`.
 
-    `locked` says where in P lies what is decided, which rates are asked with, and how many numbers
-    that are; `given` are the times, the piece of each, room for one, and n numbers of each for the
-    states; `pieces` places in P, and values.  `out` may be the states behind the first.
+    `decisions` are their first place in P and how many numbers they are; rates are computed with
+    those made there.  `points` are times, the piece of each, room for one time, and states, n each.
+    `pieces` are places in P, and values.  `out` may be the states behind the first.
     """
-    (times, which, t, states), (places, values), (P, T, W, D) = given, pieces, arrays
-    (held, decided), piece = locked, -1
+    (times, which, t, states), (places, values), (P, T, W, D) = points, pieces, arrays
+    (decided_at, decided), piece = decisions, -1
     for k in range(len(times)):
         t[0] = times[k]
         if which[k] != piece:
@@ -701,7 +704,7 @@ def ask(code, role, n, locked, given, pieces, arrays, out):
         if role == DERIVATIVE and decided > 0:
             call(code[DECIDE], t, states, k * n, P, T, W, D, 0)
             for j in range(decided):
-                P[held + j] = D[j]
+                P[decided_at + j] = D[j]
             call(code[PREPARE], t, states, k * n, P, T, W, W, 0)
         call(code[role], t, states, k * n, P, T, W, D, 0)
         for j in range(out.shape[1]):

@@ -1,9 +1,9 @@
 """One pass over a diagram in Python: every signal once, in dependency order.
 
-python-control finds the signals of a diagram by repeating all blocks until
-nothing changes.  A sweep follows the wiring instead: gather a block's inputs,
-call its output, go on; then call each update.  It also knows which block and
-signal first became non-finite.  The blocks themselves are left as they are.
+python-control finds the signals of a diagram by repeating all blocks until nothing changes.  A
+sweep follows the wiring instead: it gathers the inputs of a block, calls its output function and
+goes on; then it calls each update function.  It also knows which block and signal first became
+non-finite.
 """
 
 from collections.abc import Collection, Iterable, Sequence
@@ -17,11 +17,11 @@ from ..diagrams.wiring import Node, Wiring
 class Sweep:
     """Evaluate a diagram's signals and state derivative.
 
-    `parameters` holds those of each block.  After a pass `signals` holds all block outputs.
+    `parameters` are those of each block.  After a pass `signals` holds all block outputs.
     """
 
     def __init__(self, wiring: Wiring, parameters: Sequence[Any]):
-        self.wiring, self.nodes, self.given = wiring, wiring.nodes, list(parameters)
+        self.wiring, self.nodes, self.parameters = wiring, wiring.nodes, list(parameters)
         last = self.nodes[-1]
         self.nstates = last.states.stop
         self._states, self._inputs = np.zeros(self.nstates), np.zeros(last.inputs.stop)
@@ -38,14 +38,14 @@ class Sweep:
         self._all = [(k, self.signals[self.nodes[k].outputs]) for k in wiring.order]
         self._feeding = [one for one in self._all if feeding[self.nodes[one[0]].outputs].any()]
         self._moving = [k for k in wiring.order if self.nodes[k].system.nstates]
-        self._parameters = list(parameters)
+        self._current = list(parameters)  # with the interval that was entered
         systems = [node.system for node in self.nodes]
-        self._jumping = [
+        self._with_intervals = [
             k
             for k, (system, p) in enumerate(zip(systems, parameters, strict=True))
             if system.breakpoints_function is not None and not p.interval >= 0.0
         ]
-        self.leaping = [k for k, one in enumerate(systems) if one.jump_function is not None]
+        self.jumping = [k for k, one in enumerate(systems) if one.jump_function is not None]
         self.guarded = any(one.guard is not None for one in systems)
         self.enter(0.0)
 
@@ -59,7 +59,7 @@ class Sweep:
         return u, views
 
     def _gather(self, k: int) -> np.ndarray:
-        """Bring a block's inputs up to date from the signals."""
+        """Compute a block's inputs from the signals."""
         u, views = self._fed[k]
         u.fill(0.0)
         for to, source, gain in views:
@@ -73,7 +73,7 @@ class Sweep:
         """
         jumps = [
             node.system.breakpoints(t0, t1, p)
-            for node, p in zip(self.nodes, self.given, strict=True)
+            for node, p in zip(self.nodes, self.parameters, strict=True)
             if node.system.breakpoints_function is not None
         ]
         if not jumps:
@@ -82,23 +82,23 @@ class Sweep:
         return times[np.diff(times, append=np.inf) > _rounding(times)]
 
     def at_jumps(self, times: np.ndarray) -> np.ndarray:
-        """Return increasing times; one that is before a jump by rounding alone is the jump's.
+        """Return increasing times, of which those before a jump by rounding alone are moved to it.
 
-        A sample there is then what comes after the jump.
+        A sample at a jump is then taken after the jump.
         """
         first, last = float(times[0]), float(times[-1] + _rounding(times[-1]))
         jumps = np.append(self.breakpoints(first, last), np.inf)
         if len(jumps) == 1:
             return times.copy()
         following = jumps[np.searchsorted(jumps, times)]
-        found = np.where(following - times <= _rounding(times), following, times)
-        return found if np.all(np.diff(found) > 0) else times
+        moved = np.where(following - times <= _rounding(times), following, times)
+        return moved if np.all(np.diff(moved) > 0) else times
 
     def enter(self, t: float) -> None:
         """Set every block's `interval` to the one that holds t."""
-        for k in self._jumping:
-            interval = self.nodes[k].system.interval_at(t, self.given[k])
-            self._parameters[k] = self.given[k]._replace(interval=interval)
+        for k in self._with_intervals:
+            interval = self.nodes[k].system.interval_at(t, self.parameters[k])
+            self._current[k] = self.parameters[k]._replace(interval=interval)
 
     def evaluate(
         self,
@@ -107,10 +107,10 @@ class Sweep:
         u: np.ndarray | None = None,
         sampling: Collection[int] = (),
     ) -> np.ndarray:
-        """Return all block outputs at (t, x, u), in the array that the next pass overwrites.
+        """Return all block outputs at (t, x, u), in an array that the next pass overwrites.
 
-        Inputs of the diagram that are not given are zero.  Blocks that are `sampling` hold what
-        feeds them, before their outputs follow.
+        Without `u` the inputs of the diagram are zero.  Blocks in `sampling` sample their inputs
+        before their outputs are computed.
         """
         with np.errstate(all="ignore"):
             self._pass(np.float64(t), x, u, self._all, sampling)
@@ -124,13 +124,13 @@ class Sweep:
         for k, out in blocks:
             inputs = self._gather(k)
             if k in sampling:
-                self._hold(k)
+                self._sample(k)
             self._call("output", k, t, self._x[k], inputs, out)
 
-    def _hold(self, k: int) -> None:
+    def _sample(self, k: int) -> None:
         node = self.nodes[k]
-        held = slice(node.states.start + node.system.first_held, node.states.stop)
-        self._states[held] = self._gather(k)
+        samples = slice(node.states.start + node.system.first_held, node.states.stop)
+        self._states[samples] = self._gather(k)
 
     def derivative(self, t: float, x: np.ndarray, u: np.ndarray | None = None) -> np.ndarray:
         """Return the state derivative; NaN where a system could not compute it."""
@@ -140,7 +140,7 @@ class Sweep:
     def rates(
         self, t: float, x: np.ndarray, u: np.ndarray | None = None, blocks: Any = None
     ) -> np.ndarray:
-        """Return the state derivative alone; of the outputs only what feeds a block is computed."""
+        """Return the state derivative; of the outputs only those that feed a block are computed."""
         t = np.float64(t)
         self._pass(t, x, u, blocks or self._feeding)
         dx = np.empty(self.nstates)
@@ -148,7 +148,7 @@ class Sweep:
             self._call("update", k, t, self._x[k], self._gather(k), dx[self.nodes[k].states])
         return dx
 
-    def leap(
+    def jump(
         self,
         t: float,
         x: np.ndarray,
@@ -156,9 +156,9 @@ class Sweep:
         blocks: Sequence[int],
         beginning: Sequence[int] = (),
     ) -> np.ndarray:
-        """Return the states after these blocks jump at once, x being right before.
+        """Return the states after these blocks jump together; x are the states before.
 
-        Those that sample then hold what feeds them; so do those with which a run is `beginning`.
+        Those that sample then sample their inputs, and so do the blocks in `beginning`.
         """
         self.evaluate(t, x, u)
         new, t = np.array(x, dtype=float), np.float64(t)
@@ -169,15 +169,15 @@ class Sweep:
         sampling = [*beginning, *(k for k in blocks if self.nodes[k].system.first_held is not None)]
         if sampling:
             self.evaluate(t, new, u, sampling)
-            for k in sampling:  # what feeds it may have come after it
-                self._hold(k)
+            for k in sampling:  # a block that feeds it may come after it in the order
+                self._sample(k)
             new = self._states.copy()
         return new
 
     def _call(self, role: str, k: int, t: float, x: np.ndarray, u: np.ndarray, out: Any) -> None:
         system = self.nodes[k].system
         by_states = role == "output" and system.states_are_outputs
-        out[:] = x if by_states else system.values(role, len(out), t, x, u, self._parameters[k])
+        out[:] = x if by_states else system.values(role, len(out), t, x, u, self._current[k])
 
     def fed(self, k: int) -> np.ndarray:
         """Return the inputs of a block at the last pass."""
@@ -190,22 +190,22 @@ class Sweep:
     def margin(
         self, t: float, x: np.ndarray, u: np.ndarray | None = None
     ) -> tuple[float, str, str]:
-        """Return the least distance to an edge, its policy and sentence."""
+        """Return the least distance to the edge of a guard, the guard's policy and its sentence."""
         self.evaluate(t, x, u)
         least = (1.0, "", "")
         for k, node in enumerate(self.nodes):
             guard = node.system.guard
             if guard is not None:
-                inputs, p = self._inputs[node.inputs], self._parameters[k]
-                found = node.system.values("guard", 1, t, x[node.states], inputs, p)
-                if not found[0] >= least[0]:
-                    least = (float(found[0]), guard.policy, guard.message(t, inputs, p))
+                inputs, p = self._inputs[node.inputs], self._current[k]
+                (distance,) = node.system.values("guard", 1, t, x[node.states], inputs, p)
+                if not distance >= least[0]:
+                    least = (float(distance), guard.policy, guard.message(t, inputs, p))
         return least
 
     def first_trouble(
         self, t: float, x: np.ndarray, u: np.ndarray | None = None, advice: str = ""
     ) -> str | None:
-        """Return what the first block raised, or what of it is not finite, at (t, x, u)."""
+        """Return what is first not finite at (t, x, u), or the error that its block raised."""
         dx = self.derivative(t, x, u)
         ordered = [self.nodes[k] for k in self.wiring.order]
         return (
@@ -222,16 +222,16 @@ class Sweep:
 def _not_finite(
     nodes: Iterable[Node], kind: str, values: np.ndarray, role: str, what: str, advice: str
 ) -> str | None:
-    """Return why the first state, or output, that is not finite is none."""
+    """Return a sentence on the first state, or output, that is not finite."""
     for node in nodes:
         labels = getattr(node.system, f"{kind}_labels")
         for value, label in zip(values[getattr(node, f"{kind}s")], labels, strict=True):
             if not np.isfinite(value):
-                said = f"{what.format(label, node.name)} is not finite; {advice}"
-                return node.system.raised.get(role) or said
+                sentence = f"{what.format(label, node.name)} is not finite; {advice}"
+                return node.system.raised.get(role) or sentence
     return None
 
 
 def _rounding(times: np.ndarray) -> np.ndarray:
-    """Return by how much times may differ that are one but for rounding."""
+    """Return the largest difference between equal times that rounding can make."""
     return 1e-12 * np.maximum(1.0, np.abs(times))

@@ -1,7 +1,7 @@
 """Operations on a double, or on several at once in a SIMD register, as LLVM's code.
 
 Some thirty are primitives; the others are functions in NumPy (`elementary`), read on a tape.  Every
-primitive is IEEE's own, number by number: nothing is reassociated or contracted, so that a
+primitive works number by number as IEEE defines it.  Nothing is reassociated or contracted, so a
 result depends on no neighbour and on no processor.
 """
 
@@ -14,15 +14,15 @@ from llvmlite import ir
 
 from ..equations.arrays import Tape, operand
 from ..equations.record import Operation
-from .components import APART
+from .components import OUT_OF_LINE
 from .elementary import FUNCTIONS
 
 DOUBLE, BIT, WORD, INT32 = ir.DoubleType(), ir.IntType(1), ir.IntType(64), ir.IntType(32)
-INLINE = frozenset({"exp", "sin", "cos"})  # always put in where they are called
+INLINE = frozenset({"exp", "sin", "cos"})  # always inlined
 
 
 def vector(width: int, entry: ir.Type = DOUBLE) -> ir.Type:
-    """Return the type of so many numbers at once, or of their bits."""
+    """Return the type of `width` numbers at once, or of their bits."""
     return entry if width == 1 else ir.VectorType(entry, width)
 
 
@@ -32,18 +32,18 @@ def width_of(value: Any) -> int:
 
 
 def constant(value: float, width: int, entry: ir.Type = DOUBLE) -> ir.Constant:
-    """Return a constant, the same in every place."""
+    """Return a constant, the same number in every place."""
     return _constant(value, copysign(1.0, value), width, entry)
 
 
 @lru_cache(maxsize=4096)
 def _constant(value: float, sign: float, width: int, entry: ir.Type) -> ir.Constant:
-    """Return a constant; the same one again, for LLVM's text of it is long to make."""
+    """Return a constant; it is cached because LLVM's text of it takes long to make."""
     return ir.Constant(vector(width, entry), value if width == 1 else [value] * width)
 
 
-def spread(builder: ir.IRBuilder, value: Any, width: int) -> Any:
-    """Return one number or answer in every place."""
+def broadcast(builder: ir.IRBuilder, value: Any, width: int) -> Any:
+    """Return one number or truth value in every place."""
     if width == width_of(value):
         return value
     empty = ir.Constant(vector(width, value.type), ir.Undefined)
@@ -55,13 +55,13 @@ def gathered(builder: ir.IRBuilder, ones: list[Any]) -> Any:
     """Return single numbers as one vector."""
     if len(ones) == 1:
         return ones[0]
-    found: Any = ir.Constant(vector(len(ones)), ir.Undefined)
+    value: Any = ir.Constant(vector(len(ones)), ir.Undefined)
     for k, one in enumerate(ones):
-        found = builder.insert_element(found, one, ir.Constant(INT32, k))
-    return found
+        value = builder.insert_element(value, one, ir.Constant(INT32, k))
+    return value
 
 
-def apart(builder: ir.IRBuilder, value: Any) -> list[Any]:
+def elements(builder: ir.IRBuilder, value: Any) -> list[Any]:
     """Return the numbers of a vector one by one."""
     width = width_of(value)
     if width == 1:
@@ -69,8 +69,8 @@ def apart(builder: ir.IRBuilder, value: Any) -> list[Any]:
     return [builder.extract_element(value, ir.Constant(INT32, k)) for k in range(width)]
 
 
-def joined(builder: ir.IRBuilder, value: Any, turns: int) -> Any:
-    """Add up the numbers of a vector, halves first; so many turns that there are at most."""
+def horizontal_sum(builder: ir.IRBuilder, value: Any, count: int) -> Any:
+    """Return the sum of a vector, of `count` numbers at most; halves are added first."""
     width = width_of(value)
     while width > 1:
         width //= 2
@@ -80,12 +80,12 @@ def joined(builder: ir.IRBuilder, value: Any, turns: int) -> Any:
             )
             for at in (0, width)
         )
-        value = builder.fadd(low, high) if turns > width else low
+        value = builder.fadd(low, high) if count > width else low
     return builder.extract_element(value, ir.Constant(INT32, 0))
 
 
 def declared(module: ir.Module, name: str, result: ir.Type, arguments: list[ir.Type]) -> Any:
-    """Return a function of the module, declared if it is not."""
+    """Return a function of the module; declare it if it is new."""
     if name in module.globals:
         return module.globals[name]
     return ir.Function(module, ir.FunctionType(result, arguments), name)
@@ -118,7 +118,7 @@ def _library(name: str) -> Primitive:
 
     def call(builder: ir.IRBuilder, *a: Any) -> Any:
         function = declared(builder.module, name, DOUBLE, [DOUBLE] * len(a))
-        ones = zip(*(apart(builder, one) for one in a), strict=True)
+        ones = zip(*(elements(builder, one) for one in a), strict=True)
         return gathered(builder, [builder.call(function, one) for one in ones])
 
     return call
@@ -150,7 +150,7 @@ def _times_power_of_two(builder: ir.IRBuilder, a: Any, k: Any, half: Any) -> Any
     return builder.fmul(near, _number(builder, low))
 
 
-def _turned_where_odd(builder: ir.IRBuilder, a: Any, k: Any) -> Any:
+def _negated_where_odd(builder: ir.IRBuilder, a: Any, k: Any) -> Any:
     """-a where k is odd, else a; k has `MAGIC` added."""
     sign = builder.shl(_bits(builder, k), _word(63, k))
     return _number(builder, builder.xor(_bits(builder, a), sign))
@@ -189,7 +189,7 @@ PRIMITIVES: dict[str, Primitive] = {
     **{name: _library(name) for name in ("erf", "erfc")},
     "power_of_two": _power_of_two,
     "times_power_of_two": _times_power_of_two,
-    "turned_where_odd": _turned_where_odd,
+    "negated_where_odd": _negated_where_odd,
     "exponent": _exponent,
     "fraction": _fraction,
 }
@@ -199,49 +199,50 @@ PRIMITIVES: dict[str, Primitive] = {
 
 
 @cache
-def read(name: str, count: int) -> list[Operation]:
-    """Return what a function does with so many numbers, which are leaves; the last is its value."""
+def tape_of(name: str, count: int) -> list[Operation]:
+    """Return the operations of a function of `count` leaves; the last one is its value."""
     tape = Tape()
-    made = FUNCTIONS[name](*(tape.add("leaf", (), (), ("u", k)) for k in range(count)))
-    return tape.operations[: operand(made) + 1]
+    value = FUNCTIONS[name](*(tape.add("leaf", (), (), ("u", k)) for k in range(count)))
+    return tape.operations[: operand(value) + 1]
 
 
-def called(builder: ir.IRBuilder, name: str, width: int, own: Sequence[Any]) -> list[Any]:
-    """Calculate an operation; a long one is printed once a module.
+def calculate(builder: ir.IRBuilder, name: str, width: int, arguments: Sequence[Any]) -> list[Any]:
+    """Return the values of an operation; a long one is a function, printed once a module.
 
-    Each argument is a constant, or values that wait for each other no more than need be: one, or
-    as many as the result.
+    Each argument is a constant or a list of values, one or as many as the results.  The results are
+    independent, so that none waits for another.
     """
-    many = max([len(a) for a in own if type(a) is not float], default=1)
-    given = [
-        [constant(a, width) if type(a) is float else a[k % len(a)] for a in own]
+    many = max([len(a) for a in arguments if type(a) is not float], default=1)
+    sets = [
+        [constant(a, width) if type(a) is float else a[k % len(a)] for a in arguments]
         for k in range(many)
     ]
     if name in PRIMITIVES:
-        return [PRIMITIVES[name](builder, *one) for one in given]
-    if name not in APART or (name in INLINE and many > 1):
-        return evaluated(builder, read(name, len(own)), width, given)[-1]
-    own_name = f"{name}.{width}"
-    if own_name not in builder.module.globals:
-        signature = ir.FunctionType(vector(width), [vector(width)] * len(own))
-        function = ir.Function(builder.module, signature, own_name)
+        return [PRIMITIVES[name](builder, *one) for one in sets]
+    operations = tape_of(name, len(arguments))
+    if name not in OUT_OF_LINE or (name in INLINE and many > 1):
+        return calculate_tape(builder, operations, width, sets)
+    function_name = f"{name}.{width}"
+    if function_name not in builder.module.globals:
+        signature = ir.FunctionType(vector(width), [vector(width)] * len(arguments))
+        function = ir.Function(builder.module, signature, function_name)
         function.linkage = "internal"
         if name in INLINE:
             function.attributes.add("alwaysinline")
         inner = ir.IRBuilder(function.append_basic_block())
-        inner.ret(*evaluated(inner, read(name, len(own)), width, [function.args])[-1])
-    return [builder.call(builder.module.globals[own_name], one) for one in given]
+        inner.ret(*calculate_tape(inner, operations, width, [function.args]))
+    return [builder.call(builder.module.globals[function_name], one) for one in sets]
 
 
-def evaluated(
-    builder: ir.IRBuilder, operations: Sequence[Operation], width: int, given: Sequence[Any]
-) -> list[list[Any]]:
-    """Calculate what is written down on a tape, for so many sets of what it is given."""
-    found: list[list[Any]] = []
+def calculate_tape(
+    builder: ir.IRBuilder, operations: Sequence[Operation], width: int, sets: Sequence[Any]
+) -> list[Any]:
+    """Return the last values of a tape, one for each set of leaves."""
+    values: list[list[Any]] = []
     for name, arguments, _, at in operations:
         if name == "leaf":
-            found.append([one[at[1]] for one in given])
+            values.append([leaves[at[1]] for leaves in sets])
         else:
-            own = [found[a] if type(a) is int else a for a in arguments]
-            found.append(called(builder, name, width, own))
-    return found
+            own = [values[a] if type(a) is int else a for a in arguments]
+            values.append(calculate(builder, name, width, own))
+    return values[-1]

@@ -18,9 +18,9 @@ from ..diagrams.varied import read_as_number
 from ..equations.declaration import Each, ports_of
 from ..errors import DiagramError, Uncompiled
 from ..files import write_text
-from ..native.c_text import Program, Record, number
+from ..native.c_text import CProgram, CRecord, c_number
 from ..native.diagram_record import LARGE, lay_out
-from ..native.engines import read_otherwise
+from ..native.engines import misread_function
 from ..native.schedule import stacked_state
 from ..scenario.experiment import Scenario
 from .integrate import as_diagram
@@ -76,7 +76,7 @@ def export_c(
         run = compiled(system, params)
         for name, value in (params or {}).items():
             _check_finite(f"params: {name}", value)
-        for node, given in zip(run.wiring.nodes, run.runner.sweep.given, strict=True):
+        for node, given in zip(run.wiring.nodes, run.runner.sweep.parameters, strict=True):
             for name, value in given._asdict().items():  # which may have no limit, an infinite one
                 _check_finite(f"{node.name}.{name}", np.where(np.isinf(value), 0.0, value))
         start = stacked_state("initial_state", own, run.runner.nstates)
@@ -104,9 +104,9 @@ class _File:
         sweep = run.runner.sweep
         sweep.enter(0.0)
         sweep.derivative(0.0, start)
-        if found := read_otherwise(run.runner, 0.0, start):
+        if found := misread_function(run.runner, 0.0, start):
             raise Uncompiled(found)
-        self.given = sweep.given
+        self.given = sweep.parameters
         apart = {  # of equal ones too; long arrays are tables
             (k, field): k
             for k, p in enumerate(self.given)
@@ -114,8 +114,8 @@ class _File:
             if np.size(value) <= LARGE
         }
         self.layout = lay_out(self.wiring, self.given, apart)
-        self.record = Record(self.wiring, self.layout)
-        self.program = Program(self.record, run.runner.nsignals)
+        self.record = CRecord(self.wiring, self.layout)
+        self.program = CProgram(self.record, run.runner.nsignals)
         self.name = _word(run.name)
         outputs = len(self.wiring.outputs)
         self.labels = {
@@ -126,7 +126,7 @@ class _File:
 
     def parts(self) -> Iterator[str]:
         """Yield the text."""
-        discrete, kept = bool(self.wiring.dt), self.record.kept
+        discrete, kept = bool(self.wiring.dt), self.record.set_by_integrator
         named, values = self.parameters()
         yield self.head(discrete)
         for letter, labels in {**self.labels, "p": named}.items():
@@ -139,7 +139,7 @@ class _File:
             yield "\n" + self.program.function(name)
         yield "\n" + self.intervals()
         made = f"    double kept[{max(1, len(kept))}];\n    kept_(t, p, kept);\n"
-        n, room = max(1, len(self.start)), self.program.made.room
+        n, room = max(1, len(self.start)), self.program.components.room
         public = "double t, const double *x, const double *u, const double *p"
         yield f"\nvoid {self.name}_outputs({public}, double *y) {{\n{made}"
         yield f"    double w[{max(1, room)}];\n    signals_(t, x, u, p, kept, w);\n"
@@ -157,7 +157,7 @@ class _File:
         """Return the names of parameters by place, and their values."""
         named = {}
         for (k, field), (array, first) in self.layout.slots.items():
-            if array == "P" and first not in self.record.kept:
+            if array == "P" and first not in self.record.set_by_integrator:
                 label = f"{self.wiring.nodes[k].name}.{field}"
                 if read_as_number(self.wiring.nodes[k].system, field):
                     label += FIXED
@@ -165,7 +165,7 @@ class _File:
                 shape = np.shape(getattr(self.given[k], field))
                 for j, place in enumerate(np.ndindex(shape)):
                     named[at + j] = f"{label}[{','.join(map(str, place))}]" if place else label
-        values = np.delete(self.layout.P, self.record.kept)
+        values = np.delete(self.layout.P, self.record.set_by_integrator)
         return [named[at] for at in sorted(named)], values
 
     def enum(self, letter: str, labels: list[str], count: int) -> str:
@@ -183,7 +183,7 @@ class _File:
         """Yield what outputs are of signals and inputs."""
         for k, row in enumerate(self.wiring.outputs):
             terms = [(f"w[{at}]" if at >= 0 else f"u[{~at}]", gain) for at, gain in row.items()]
-            parts = [one if gain == 1.0 else f"{number(gain)} * {one}" for one, gain in terms]
+            parts = [one if gain == 1.0 else f"{c_number(gain)} * {one}" for one, gain in terms]
             yield f"y[{k}] = {' + '.join(parts) or '0.0'};"
         yield "(void)u; (void)y;"
 
@@ -194,7 +194,7 @@ class _File:
             node, fixed = self.wiring.nodes[k], float(self.given[k].interval)
             each = node.system.breakpoints_function
             if fixed >= 0.0:
-                lines.append(f"kept[{j}] = {number(fixed)};")
+                lines.append(f"kept[{j}] = {c_number(fixed)};")
                 continue
             if not isinstance(each, Each):
                 raise Uncompiled(
@@ -205,8 +205,8 @@ class _File:
             if isinstance(period, str):
                 period = f"p[{self.record.place(self.layout.slots[k, period].offset)}]"
             else:
-                period = number(float(period))
-            part = "" if each.part == 1.0 else f"{number(each.part)} * "
+                period = c_number(float(period))
+            part = "" if each.part == 1.0 else f"{c_number(each.part)} * "
             lines.append(f"kept[{j}] = floor(t / ({part}{period}) + {ROUNDING});")
         lines += [f"kept[{self.place(k)}] = 0.0;" for k in self.layout.jumps]
         body = "".join(f"    {line}\n" for line in [*lines, "(void)t; (void)p; (void)kept;"])
@@ -219,14 +219,14 @@ class _File:
     def jumping(self) -> str:
         """Return the end of a step, at which blocks jump, and the beginning of a run."""
         at = {k: j for j, k in enumerate(self.layout.intervals)}
-        count, n = len(self.record.kept), max(1, len(self.start))
+        count, n = len(self.record.set_by_integrator), max(1, len(self.start))
         asked = [f"after[{self.place(k)}] = after[{at[k]}] != kept[{at[k]}];"
                  for k in self.layout.jumps]  # fmt: skip
         some = " + ".join(f"after[{self.place(k)}]" for k in self.layout.jumps)
         step = "".join(f"    {line}\n" for line in asked)
         begin = [
-            f"kept[{self.place(k)}] = fabs(t / {number(self.wiring.nodes[k].system.period)} - "
-            f"floor(t / {number(self.wiring.nodes[k].system.period)} + 0.5)) < {ROUNDING} ? -1.0 "
+            f"kept[{self.place(k)}] = fabs(t / {c_number(self.wiring.nodes[k].system.period)} - "
+            f"floor(t / {c_number(self.wiring.nodes[k].system.period)} + 0.5)) < {ROUNDING} ? -1.0 "
             ": 0.0;"
             for k in self.layout.jumps if self.wiring.nodes[k].system.first_held is not None
         ]  # fmt: skip
@@ -309,4 +309,4 @@ def _labels(given: Sequence[str]) -> list[str]:
 
 
 def _numbers(values: Iterable[float]) -> str:
-    return ", ".join(map(number, values)) or "0.0"
+    return ", ".join(map(c_number, values)) or "0.0"

@@ -10,11 +10,11 @@ import control
 import numpy as np
 
 from ..arguments import public
-from ..diagrams.recorded import key_of
+from ..diagrams.plain_data import diagram_key
 from ..equations.system import linear
 from ..errors import SimulationError
 from ..native.ending import checked_method
-from ..native.schedule import checked_times, open_sizes
+from ..native.schedule import checked_times, sizes_of_run
 from ..scenario.experiment import Scenario
 from ..scenario.team import Team
 from .flows import note_speeds, speeds_of
@@ -135,7 +135,7 @@ def simulate(
         asks = any(one is not None for one in (inputs, initial_state, stop, *how.values()))
         own = asked(system, timepts, inputs, initial_state, **how, **limits)
         skipped, sizes = own.skipped, (own.sizes, callable(own.inputs), engine)
-        key = key_of(own.diagram, params, *sizes) if stop is None else None
+        key = diagram_key(own.diagram, params, *sizes) if stop is None else None
         with ready(key, lambda: DiagramRun(own.diagram, params, *sizes, stop)) as run:
             found = run.run(own.times, own.inputs, own.start, **own.how)
             found.attrs |= run.as_diagram if asks or not run.as_made else {}
@@ -166,7 +166,7 @@ class Asked(NamedTuple):
     @property
     def sizes(self) -> tuple[int | None, int | None]:
         """How many states and inputs are given, where the system leaves that open."""
-        return open_sizes(self.diagram, self.inputs, self.start, self.times)
+        return sizes_of_run(self.diagram, self.inputs, self.start, self.times)
 
 
 def as_diagram(system: Any) -> tuple[Any, dict[str, Any]]:

@@ -14,7 +14,7 @@ import numpy as np
 
 from ..arguments import public
 from ..diagrams.interconnection import Diagram
-from ..diagrams.recorded import diagram_of, plain_diagram
+from ..diagrams.plain_data import diagram_of, plain_diagram
 from ..equations.plain_blocks import Unrecorded
 from ..errors import ClptError, DataError
 from ..files import open_netcdf, write_netcdf
@@ -202,7 +202,10 @@ class Ran:
         plain = {
             "run": {**self.conditions, "inputs": self.inputs},
             "diagram": plain_diagram(
-                self.made.wiring, own.sweep.given, self.made.called, *map(float, times[[0, -1]])
+                self.made.wiring,
+                own.sweep.parameters,
+                self.made.called,
+                *map(float, times[[0, -1]]),
             ),
         }
         text = json.dumps(plain, default=lambda value: value.tolist())

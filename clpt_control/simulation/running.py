@@ -18,7 +18,7 @@ from ..diagrams.interconnection import wiring_of_blocks, with_stop
 from ..diagrams.wiring import Wiring, read_anew, units_of, wiring_of
 from ..equations.declaration import ports_of, split, whole_labels
 from ..native.ending import Solution
-from ..native.engines import VARIABLE, chosen, run_as_read
+from ..native.engines import VARIABLE, make_runner, run_checked
 from ..native.native_diagram import NativeDiagram
 from ..native.schedule import read_inputs, stacked_state
 from ..scenario.experiment import Scenario
@@ -55,7 +55,7 @@ class SystemRun:
         self, name: str, wiring: Wiring, params: Any, engine: str | None, by_function: bool = False
     ):
         self.name, self.wiring, self.params = name, wiring, params
-        self.runner = chosen(wiring, params, by_function, engine, name)
+        self.runner = make_runner(wiring, params, by_function, engine, name)
 
     @property
     def labels(self) -> list[str]:
@@ -70,7 +70,7 @@ class SystemRun:
     @property
     def max_speed(self) -> float | None:
         """The largest speed of its one vehicle, units.length per units.time, if it has one."""
-        blocks = zip(self.wiring.nodes, self.runner.sweep.given, strict=True)
+        blocks = zip(self.wiring.nodes, self.runner.sweep.parameters, strict=True)
         return next((p.max_speed for node, p in blocks if node.name == "speed_limit"), None)
 
     def run(self, times: np.ndarray, **given: Any) -> "xarray.Dataset":
@@ -106,7 +106,7 @@ class ScenarioRun(SystemRun):
     @cached_property
     def frame(self) -> Frame:
         """The Dataset of its runs."""
-        found = columns_of(self.labels, self.wiring, self.runner.sweep.given)
+        found = columns_of(self.labels, self.wiring, self.runner.sweep.parameters)
         states = state_labels(self.parts)
         return run_frame(self.scenario, found, not_held(self.params), states=states)
 
@@ -126,7 +126,7 @@ class TeamRun(SystemRun):
         Without noise the true position is what is read, without a limit what is commanded flown.
         """
         found: dict[str, Columns] = {name: Columns({}, {}) for name in self.team.members}
-        every_signal = columns_of(self.labels, self.wiring, self.runner.sweep.given)
+        every_signal = columns_of(self.labels, self.wiring, self.runner.sweep.parameters)
         for kind, every in enumerate(every_signal):
             for name, value in every.items():
                 vehicle, own = split(name)
@@ -201,7 +201,7 @@ class DiagramRun(SystemRun):
         u = read_inputs(inputs, times, self.wiring.ninputs)
         state = stacked_state("initial_state", 0.0 if x0 is None else x0, self.runner.nstates)
         given["inputs"] = u
-        found, signals = run_as_read(self.runner, self.name, state, times, self.params, **given)
+        found, signals = run_checked(self.runner, self.name, state, times, self.params, **given)
         made = self.dataset(found, (self._shown @ np.vstack([signals.T, u.along(found.t)])).T)
         own = {"timepts": times.copy(), "initial_state": state}
         conditions = {name: value for name, value in given.items() if name in CONDITIONS}
@@ -235,7 +235,7 @@ class DiagramRun(SystemRun):
         if self.of is None:
             units = units_shown(self.wiring)
             return diagram_frame(self.name, *map(tuple, (self.shown, units, self.states)))
-        found = columns_of(self.shown, self.wiring, self.runner.sweep.given)
+        found = columns_of(self.shown, self.wiring, self.runner.sweep.parameters)
         said = not_held(self.params, self.of.said)
         return run_frame(self.of.scenario, found, said, ports_of(self.shown), self.states)
 

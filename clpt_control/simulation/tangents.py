@@ -17,7 +17,7 @@ import numpy as np
 from ..arguments import nearest, public
 from ..diagrams.varied import (
     Place,
-    Varied,
+    VariedWiring,
     may_jump,
     place_of,
     places_of,
@@ -31,7 +31,7 @@ from ..equations.arrays import Unread
 from ..equations.declaration import ports_of
 from ..errors import SimulationError, Uncompiled
 from ..native.ending import Solution
-from ..native.engines import compared
+from ..native.engines import run_compared
 from ..native.native_diagram import NativeDiagram
 from ..native.schedule import read_inputs, stacked_state
 from ..scenario.experiment import Scenario
@@ -117,7 +117,11 @@ class Sensitive:
             raise SimulationError("inputs: a sensitivity takes no function; give samples")
         try:
             run = compiled(system, params, own.sizes)
-            self.wiring, self.given, self.states = run.wiring, run.runner.sweep.given, run.states
+            self.wiring, self.given, self.states = (
+                run.wiring,
+                run.runner.sweep.parameters,
+                run.states,
+            )
             self.ways = ways_of(to, self.wiring, self.states)
             self.made, self.runner = self._made()
         except (Uncompiled, Unread) as error:
@@ -128,7 +132,7 @@ class Sensitive:
         state = 0.0 if own.start is None else own.start
         self.start = stacked_state("initial_state", state, run.runner.nstates)
 
-    def _made(self) -> tuple[Varied, NativeDiagram]:
+    def _made(self) -> tuple[VariedWiring, NativeDiagram]:
         """Return the diagram beside how it varies, and ready to run."""
         seeds: list[dict[str, np.ndarray]] = [{} for _ in self.wiring.nodes]
         for j, place in enumerate(self.ways.values()):
@@ -165,7 +169,7 @@ class Sensitive:
         starts = [(1 + j, k) for j, place in enumerate(self.ways.values()) for k in place.states]
         x[self.made.states[tuple(np.array(starts, dtype=int).reshape(-1, 2).T)]] = 1.0
         runner, solver = self.runner.with_parameters(given), {**self.solver, **solver}
-        solution, signals, why = compared(runner, x, self.times, inputs=self.inputs, **solver)
+        solution, signals, why = run_compared(runner, x, self.times, inputs=self.inputs, **solver)
         if why:
             raise SimulationError(f"{self.name}: its derivative is not known: {why}")
         every = runner.finite(solution, signals, self.inputs)

@@ -15,7 +15,7 @@ import sympy
 from sympy.core.function import AppliedUndef
 
 from ..arguments import check_holds, numbers
-from ..diagrams.on_symbols import TIME, Equations, called, readable_equations
+from ..diagrams.on_symbols import TIME, Equations, element_name, readable_equations
 from ..equations.arrays import Unread
 from ..equations.block import Block
 from ..equations.symbolic import exact as number_of
@@ -178,7 +178,7 @@ class SystemV:
             for index, value in np.ndenumerate(symbols):
                 value = sympy.expand(value)
                 if value.is_Add:
-                    symbol = sympy.Symbol(called(port, symbols.shape, index), real=True)
+                    symbol = sympy.Symbol(element_name(port, symbols.shape, index), real=True)
                     names |= {value: symbol, sympy.expand(-value): -symbol}
 
         def named(e: sympy.Expr) -> sympy.Expr:

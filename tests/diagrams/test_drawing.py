@@ -10,7 +10,7 @@ import pytest
 
 import clpt_control as clpt
 from clpt_control.diagrams.drawing import draw, mermaid
-from clpt_control.diagrams.drawing.figure import equations, layout, lines_of
+from clpt_control.diagrams.drawing.figure import equation_numbers, layout, lines_of
 from clpt_control.errors import DataError, DiagramError
 
 PAPER = clpt.paper_scenario()
@@ -247,7 +247,8 @@ def test_svg_holds_every_block_arrow_and_equation(diagram, tmp_path):
     for name, node in nodes.items():
         assert f"block:{name}" in ids
         assert set(lines_of(name)) <= words
-        assert not equations(node.system) or any(equations(node.system) in w for w in words)
+        numbers = equation_numbers(node.system)
+        assert not numbers or any(numbers in w for w in words)
     assert sum(str(key).startswith("arrow:") for key in ids) == len(routed.paths)
     for net in nets:
         assert set(net.targets.values()) <= words
@@ -319,7 +320,7 @@ def test_nothing_half_written(tmp_path, monkeypatch):
 
 def test_linear_systems_carry_no_equation_of_the_paper():
     _, _, nodes = layout(nested())
-    assert {equations(node.system) for node in nodes.values()} == {""}
+    assert {equation_numbers(node.system) for node in nodes.values()} == {""}
 
 
 @pytest.mark.parametrize(
@@ -341,4 +342,4 @@ def test_equations_are_taken_from_docstrings(text, expected):
     output.__doc__ = text
     system = first_order("s", ["u"], ["y"])
     system.output_function = output
-    assert equations(system) == expected
+    assert equation_numbers(system) == expected

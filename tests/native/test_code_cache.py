@@ -19,8 +19,8 @@ from llvmlite import ir
 from clpt_control import Block
 from clpt_control.files.user_cache import FOLDER, cache_folder, trusted
 from clpt_control.native import machine
-from clpt_control.native.machine import Machine, keep, kept, name_of
-from clpt_control.native.printing import Function
+from clpt_control.native.llvm_function import Function
+from clpt_control.native.machine import Machine, cache_code, cached_code, code_name
 
 
 @pytest.fixture
@@ -76,68 +76,68 @@ def test_the_users_own_folder_comes_from_home(monkeypatch, tmp_path):
 
 
 def test_code_comes_back_whole_or_not_at_all(folder):
-    keep("some", b"0123456789")
-    assert kept("some") == b"0123456789"
-    assert kept("other") is None
+    cache_code("some", b"0123456789")
+    assert cached_code("some") == b"0123456789"
+    assert cached_code("other") is None
     path = folder / "some.o"
     whole = path.read_bytes()
     for damaged in (whole[:-4], b"", whole[:20], b"9" + whole[1:]):  # as after a full disk
         path.write_bytes(damaged)
-        assert kept("some") is None
+        assert cached_code("some") is None
     path.write_bytes(whole)
     if hasattr(os, "getuid"):
         for place in (path, path.parent):
             mode = place.stat().st_mode & 0o777
             place.chmod(0o777)
-            assert kept("some") is None
+            assert cached_code("some") is None
             place.chmod(mode)
-    assert kept("some") == b"0123456789"
+    assert cached_code("some") == b"0123456789"
 
 
 @pytest.mark.skipif(os.name != "posix", reason="no umask on this system")
 def test_what_is_kept_is_the_users_own_whatever_the_umask(folder):
     before = os.umask(0o002)
     try:
-        keep("some", b"0123456789")
+        cache_code("some", b"0123456789")
         path = folder / "some.o"
-        assert (path.stat().st_mode & 0o777, kept("some")) == (0o600, b"0123456789")
+        assert (path.stat().st_mode & 0o777, cached_code("some")) == (0o600, b"0123456789")
         path.chmod(0o666)
-        assert kept("some") is None
-        keep("some", b"9876543210")  # and is trusted again
-        assert kept("some") == b"9876543210"
+        assert cached_code("some") is None
+        cache_code("some", b"9876543210")  # and is trusted again
+        assert cached_code("some") == b"9876543210"
         path.unlink()
         os.mkfifo(path)  # which a reader would wait for
-        assert kept("some") is None
+        assert cached_code("some") is None
     finally:
         os.umask(before)
 
 
 def test_few_files_stay(folder, monkeypatch):
-    monkeypatch.setattr(machine, "KEPT", 3)
+    monkeypatch.setattr(machine, "MOST_FILES", 3)
     for k in range(5):
-        keep(f"code-{k}", b"")
+        cache_code(f"code-{k}", b"")
         os.utime(folder / f"code-{k}.o", (1000 + k, 1000 + k))
-        keep(f"{k}", b"")
-        assert kept("code-0") == b""  # used, so it stays
+        cache_code(f"{k}", b"")
+        assert cached_code("code-0") == b""  # used, so it stays
     stay = {one.stem for one in folder.iterdir()}
     assert stay == {"code-0", "code-3", "code-4", "2", "3", "4"}  # of each family
 
 
 def test_nothing_can_be_kept_and_the_work_goes_on(monkeypatch):
     monkeypatch.setattr(machine, "cache_folder", lambda: None)
-    keep("some", b"0123456789")
-    assert kept("some") is None
+    cache_code("some", b"0123456789")
+    assert cached_code("some") is None
     module = ir.Module()
     Function(module, "nothing", 1).builder.ret_void()
     assert Machine(["nothing"], "nothing", lambda: module).addresses["nothing"]
 
 
 def test_the_name_changes_with_what_is_compiled(monkeypatch):
-    names = {name_of("text"), name_of("another")}
+    names = {code_name("text"), code_name("another")}
     monkeypatch.setattr(machine, "processor", lambda: ("another", "+fma"))
-    names.add(name_of("text"))
+    names.add(code_name("text"))
     monkeypatch.setattr(machine, "version", lambda name: "9")
-    names.add(name_of("text"))
+    names.add(code_name("text"))
     assert len(names) == 4
 
 
@@ -165,11 +165,11 @@ def test_the_solver_is_made_for_other_processors(triple):
 
 def test_numbers_of_arrays_are_those_that_the_solver_takes():
     table = np.zeros((3, 2))
-    found = machine.numbers((1, 2.5, (table,)))
+    found = machine.flattened((1, 2.5, (table,)))
     assert found == [1, 2.5, 0, 0, 6, 8, table.ctypes.data, 3, 2, 16, 8]
     for wrong in (table[:, :1], table.astype(np.float32)):
         with pytest.raises(TypeError, match="the solver takes no array"):
-            machine.numbers((wrong,))
+            machine.flattened((wrong,))
 
 
 RUN = """
@@ -254,7 +254,7 @@ def test_a_folder_renamed_by_others_meanwhile_is_not_read_or_written(folder):
     own, theirs, link = (folder.with_name(name) for name in ("own", "theirs", "link"))
     folder.symlink_to(own)
     own.mkdir(mode=0o700)
-    keep("some", b"own")
+    cache_code("some", b"own")
     theirs.mkdir()
     (theirs / "some.o").symlink_to(folder.with_name("foreign.o"))
     foreign = hashlib.sha256(b"foreign").digest() + b"foreign"
@@ -272,9 +272,9 @@ def test_a_folder_renamed_by_others_meanwhile_is_not_read_or_written(folder):
     other = threading.Thread(target=swap)
     other.start()
     try:
-        found = Counter(kept("some") for _ in range(20_000))
+        found = Counter(cached_code("some") for _ in range(20_000))
         for _ in range(2_000):
-            keep("new", b"new")
+            cache_code("new", b"new")
     finally:
         ended.set()
         other.join()

@@ -17,16 +17,16 @@ from package_blocks import BLOCKS
 
 from clpt_control.equations.record import OPERATIONS
 from clpt_control.native.elementary import FUNCTIONS
+from clpt_control.native.llvm_function import Function
 from clpt_control.native.machine import Machine
 from clpt_control.native.native_diagram import NativeDiagram
 from clpt_control.native.nests import print_program
-from clpt_control.native.printing import Function
-from clpt_control.native.vectors import PRIMITIVES, called, width_of
+from clpt_control.native.vectors import PRIMITIVES, calculate, width_of
 
 mpmath.mp.dps = 40
 COLUMNS = 8
-TURNS = 15  # in a loop: eight at once, then seven with a mask
-FORMS = ("scalar", "turns", "lanes")
+ITERATIONS = 15  # of a loop: eight at once, then seven with a mask
+FORMS = ("scalar", "loop", "lanes")
 
 
 def printed(name, count, form):
@@ -37,17 +37,17 @@ def printed(name, count, form):
     def found(arguments):
         width, own = width_of(arguments[0]), [[one] for one in arguments]
         if name == "where":
-            own[0] = called(function.builder, "lt", width, own[:2])
-        return called(function.builder, name, width, own)[0]
+            own[0] = calculate(function.builder, "lt", width, own[:2])
+        return calculate(function.builder, name, width, own)[0]
 
-    def turn(place, sums):
+    def body(place, sums):
         at = [(place, 1)]
-        arguments = [function.load("X", k * TURNS, at, 1) for k in range(count)]
+        arguments = [function.load("X", k * ITERATIONS, at, 1) for k in range(count)]
         function.store(found(arguments), "D", 0, at, 1)
         return sums
 
-    if form == "turns":
-        function.rounds(TURNS, 1, turn, [])
+    if form == "loop":
+        function.vector_loop(ITERATIONS, 1, body, [])
     else:
         function.store(found([function.load("X", k) for k in range(count)]), "D", 0)
     function.builder.ret_void()
@@ -66,7 +66,7 @@ def calculated(name, form, *arrays):
     """Call an operation for every number of arrays."""
     arrays = [np.asarray(a, dtype=float).ravel() for a in np.broadcast_arrays(*arrays)]
     _, call = machine(name, len(arrays), form)
-    together = {"scalar": 1, "turns": TURNS, "lanes": COLUMNS}[form]
+    together = {"scalar": 1, "loop": ITERATIONS, "lanes": COLUMNS}[form]
     size = len(arrays[0])
     rows = -(-size // together)
     given = np.ascontiguousarray([np.resize(a, (rows, together)) for a in arrays])

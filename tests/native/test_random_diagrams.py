@@ -95,7 +95,7 @@ def jumped(seed):
     try:
         diagram = random_diagram(draw)
         python = PythonDiagram(diagram)
-        if not python.sweep.leaping:
+        if not python.sweep.jumping:
             return False
         engines = [NativeDiagram(diagram, form=form) for form in ("unrolled", "looped")]
     except ClptError:

@@ -14,7 +14,7 @@ from clpt_control.native import rosenbrock, solver
 from clpt_control.native.batch import Batch
 from clpt_control.native.native_diagram import NativeDiagram
 from clpt_control.native.python_diagram import PythonDiagram
-from clpt_control.native.schedule import sharp
+from clpt_control.native.schedule import sharp_bends
 
 START, TIMES = np.array([1.0, 0.4]), np.linspace(0.0, 9.0, 91)
 
@@ -103,8 +103,8 @@ def run(function, name, rtol, engine=None):
 
 @pytest.mark.parametrize("name", INPUTS)
 def test_a_run_stops_where_its_input_turns_sharply(name):
-    assert len(sharp(SAMPLES, INPUTS[name][None], 0.2)) == STOPS[name]
-    smooth = len(sharp(SAMPLES, INPUTS["smooth"][None], 2e-5))
+    assert len(sharp_bends(SAMPLES, INPUTS[name][None], 0.2)) == STOPS[name]
+    smooth = len(sharp_bends(SAMPLES, INPUTS["smooth"][None], 2e-5))
     assert smooth > 190  # what is smooth to one tolerance is not to another
 
 
@@ -235,7 +235,7 @@ def test_the_interpolant_shows_order_four():
         batch.advance(1e6, 0.0, 1)
         assert batch.now == h
         batch.Z[:2] = start
-        found = [[solver.between(batch.Z, 2, 1, 0, i, s) for i in range(2)] for s in shares]
+        found = [[solver.interpolate(batch.Z, 2, 1, 0, i, s) for i in range(2)] for s in shares]
         errors.append(np.abs(found - exact).max())
     assert np.all(np.log2(np.divide(errors[:-1], errors[1:])) > 4.6)
 

@@ -143,7 +143,7 @@ def slopes_of(runner, t, x):
     batch.advance(1e-3, 1e-3, 1)
     places = batch.callee.linear.places
     slopes = batch.linear[0][: n * n].reshape(n, n).T[np.ix_(places, places)]
-    return slopes, batch.Z[solver.OVER_TIME * n : (solver.OVER_TIME + 1) * n].copy()
+    return slopes, batch.Z[solver.TIME_SLOPE * n : (solver.TIME_SLOPE + 1) * n].copy()
 
 
 @pytest.mark.parametrize("seed", range(6))

@@ -9,7 +9,7 @@ import pytest
 from scipy.interpolate import interp1d
 
 import clpt_control as clpt
-from clpt_control.diagrams.recorded import key_of
+from clpt_control.diagrams.plain_data import diagram_key
 
 TIMES = np.linspace(0.0, 1.0, 11)
 RATE, TABLE, ROW = 1.0, [1.0], np.array([1.0])
@@ -146,9 +146,9 @@ def test_what_could_change_unseen_has_no_key(monkeypatch):
 
     plant = Plant()
     diagram = system(plant.rates)
-    assert key_of(diagram, None) is None
-    assert key_of(system(by_import), None) is None
-    assert key_of(system(by_math), None) is not None
+    assert diagram_key(diagram, None) is None
+    assert diagram_key(system(by_import), None) is None
+    assert diagram_key(system(by_math), None) is not None
     assert end(diagram) == pytest.approx(np.exp(-1.0), rel=1e-7)
     plant.rate = 2.0
     assert end(diagram) == pytest.approx(np.exp(-2.0), rel=1e-7)

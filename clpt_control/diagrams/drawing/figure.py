@@ -225,7 +225,7 @@ def _draw_block(axes: Any, box: Any, name: str, system: control.NonlinearIOSyste
     frame.set_gid(f"block:{name}")
     axes.add_patch(frame)
     rows = [(line, NAME, "bold") for line in lines_of(name)]
-    if text := note(system):
+    if text := caption(system):
         rows.append((text, NOTE, "normal"))
     for k, (line, size, weight) in enumerate(rows):
         y = box.y + (k - (len(rows) - 1) / 2) * 10 + size * 0.36
@@ -241,14 +241,14 @@ def layout(diagram: control.NonlinearIOSystem) -> tuple[Routed, list[Any], dict[
     sizes = {name: (width(name[3:], PORT) + 4, PORT) for name in layered.rank if name[:3] == "in:"}
     for node in wiring.nodes:
         widths = [width(line, NAME, "bold") for line in lines_of(node.name)]
-        widths.append(width(note(node.system), NOTE))
-        rows = len(lines_of(node.name)) + bool(note(node.system))
+        widths.append(width(caption(node.system), NOTE))
+        rows = len(lines_of(node.name)) + bool(caption(node.system))
         sizes[node.name] = (max(widths) + 11, rows * 10 + 10)
     routed = route(layered, sizes, lambda text: width(text, PORT))
     return routed, nets, {node.name: node for node in wiring.nodes}
 
 
-def equations(system: control.NonlinearIOSystem) -> str:
+def equation_numbers(system: control.NonlinearIOSystem) -> str:
     """Return the equations of a block's docstrings, such as ``"Eqs. (21)–(23)"``, but V's."""
     numbers: set[int] = set()
     for role in ("update_function", "output_function", "jump_function"):
@@ -279,9 +279,9 @@ def lines_of(name: str) -> list[str]:
     return lines
 
 
-def note(system: control.NonlinearIOSystem) -> str:
+def caption(system: control.NonlinearIOSystem) -> str:
     """Return the line under a block's name: an integral sign for states, and equations."""
-    return f"{'∫' if system.nstates else ''}  {equations(system)}".strip()
+    return f"{'∫' if system.nstates else ''}  {equation_numbers(system)}".strip()
 
 
 @cache

@@ -16,7 +16,7 @@ import control
 import numpy as np
 import sympy
 
-from ...diagrams.joined import joined
+from ...diagrams.merged_record import merged_record
 from ...diagrams.on_symbols import TIME
 from ...diagrams.wiring import Node, Wiring, wiring_of
 from ...equations.arrays import Tape, operand
@@ -165,7 +165,7 @@ def array_loop(
             port: loop.tape.add("leaf", (), shape, ("o", port)) for port, shape in shapes.items()
         }
 
-    found = joined(
+    found = merged_record(
         diagram, wiring, names.leaf, names.input, stand_in, tape=loop.tape, closed=closed
     )
     refuse_pinned(found.pinned)

@@ -14,7 +14,7 @@ import control
 import numpy as np
 import sympy
 
-from ...diagrams.joined import open_sizes
+from ...diagrams.merged_record import open_sizes
 from ...diagrams.on_symbols import TIME, Equations, Names, on_symbols
 from ...diagrams.wiring import Node, Wiring, wiring_of
 from ...equations.block import Block

@@ -84,7 +84,7 @@ def rising_jump(case: Case) -> tuple[Point, Point, float] | None:
             t = float(times[k % len(times)])
             sweep.enter(t)
             before = np.array([x[k] + (off - 1) * far[k] for off in FARTHER])
-            after = np.array([sweep.leap(t, one, u[k], sweep.leaping) for one in before])
+            after = np.array([sweep.jump(t, one, u[k], sweep.jumping) for one in before])
             at = np.full(len(FARTHER), t), np.tile(u[k], (len(FARTHER), 1))
             V = [functions.values(at[0], s, at[1]) for s in (before, after)]
             rise = V[1] - V[0]

@@ -1,10 +1,10 @@
-"""One record of a diagram: the records of its blocks, joined at their ports as arrays.
+"""One record of a diagram: the records of its blocks, merged at their ports.
 
-Each block's record is written down again on what feeds it.  A port whose signals come whole from
-one port is that array; gains and sums of wires are arithmetic on arrays; what permutes is put
-together piece by piece.  `Joining` does so for both who ask: the engine, whose sizes are numbers
-(`native.diagram_record`), and the proofs, which take a tape on which a size that has a name, and
-the same value in all blocks, stays open unless `closed`.
+The record of each block is written again, on what feeds the block.  A port that one port feeds as a
+whole is the array of that port.  Gains and sums of wires are arithmetic on arrays; what permutes
+signals is put together piece by piece.  `RecordMerger` serves both users.  The engine
+(`native.diagram_record`) has numbers for sizes.  The proofs take a tape on which a size stays open,
+unless `closed`, if it has a name and one value in all blocks.
 """
 
 from bisect import bisect
@@ -32,7 +32,7 @@ StandIn = Callable[[Node, dict[str, Any], dict[str, Shape]], dict[str, Any] | No
 
 
 @dataclass
-class Joined:
+class MergedRecord:
     """The values of a diagram on one tape, by block and port."""
 
     inputs: dict[str, Any] = field(default_factory=dict)  # of the diagram, by port
@@ -53,7 +53,7 @@ def open_sizes(wiring: Wiring) -> dict[str, int]:
     return {name: values.pop() for name, values in found.items() if len(values) == 1}
 
 
-class Joining:
+class RecordMerger:
     """A diagram's blocks, written down one after the other on what feeds them."""
 
     def __init__(self, wiring: Wiring, outside: Mapping[int, int]):
@@ -154,7 +154,7 @@ class Joining:
         return found
 
 
-class _OnTape(Joining):
+class _TapeMerger(RecordMerger):
     """A diagram's blocks on a tape, with open sizes."""
 
     def __init__(
@@ -167,9 +167,9 @@ class _OnTape(Joining):
         super().__init__(wiring, dict(self.external.values()))
         self.tape, self.own_leaf = tape, leaf
         self.open = {} if closed else open_sizes(wiring)
-        self.found = Joined()
+        self.found = MergedRecord()
 
-    def joined(self, given: Given, stand_in: StandIn) -> Joined:
+    def merge(self, given: Given, stand_in: StandIn) -> MergedRecord:
         """Put the blocks on the tape in their order."""
         found, nodes = self.found, self.wiring.nodes
         for port, (first, size) in self.external.items():
@@ -295,7 +295,7 @@ class _OnTape(Joining):
                 raise Unread(f"{node.name}.{role} is not read for every {sizes}: {why}")
 
 
-def joined(
+def merged_record(
     diagram: control.NonlinearIOSystem,
     wiring: Wiring,
     leaf: Leaf,
@@ -303,7 +303,7 @@ def joined(
     stand_in: StandIn = lambda node, u, shapes: None,
     tape: Tape | None = None,
     closed: bool = False,
-) -> Joined:
+) -> MergedRecord:
     """Return a diagram's record; `leaf`, `given` and `stand_in` make what it begins with."""
     external = {port: len(own) for port, own in ports_of(diagram.input_labels).items()}
-    return _OnTape(wiring, external, tape or Tape(), leaf, closed).joined(given, stand_in)
+    return _TapeMerger(wiring, external, tape or Tape(), leaf, closed).merge(given, stand_in)

@@ -116,7 +116,9 @@ def _matrix(found: Sequence[Entry], shape: tuple[int, int]) -> np.ndarray:
 # --- whether a diagram would be wired and read as before: a key of all that it is made of ---------
 
 
-def key_of(diagram: Any, params: Mapping[str, Any] | None, *more: Any) -> tuple[Any, Any] | None:
+def diagram_key(
+    diagram: Any, params: Mapping[str, Any] | None, *more: Any
+) -> tuple[Any, Any] | None:
     """Return the key of a diagram with such params and more, and what must live as long.
 
     None where something in it could change unseen.

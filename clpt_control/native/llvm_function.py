@@ -1,0 +1,166 @@
+"""What all functions in machine code share: arrays and loops.
+
+    void name(double *t, double *X, double *P, double *T, double *W, double *D)
+
+For eight runs side by side every array but T holds eight columns, a run in each, and a loop does
+one iteration at a time.  For one run a loop does eight iterations at once, the last ones with a
+mask; its sums have eight parts, which are added in the same order on every processor.
+"""
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from llvmlite import ir
+
+from .machine import LANES
+from .vectors import (
+    BIT,
+    DOUBLE,
+    INT32,
+    WORD,
+    broadcast,
+    constant,
+    declared,
+    elements,
+    gathered,
+    vector,
+)
+
+Moves = Sequence[tuple[Any, int]]  # the indices of loops, each with its stride
+Body = Callable[[Any, list], list]  # prints an iteration: index, sums before it -> sums after it
+ARRAYS = ("t", "X", "P", "T", "W", "D")
+
+
+class Function:
+    """A function of the arrays that is being printed, for 1 run or `LANES` side by side."""
+
+    def __init__(self, module: ir.Module, name: str, lanes: int, constants: Sequence[float] = ()):
+        pointer = DOUBLE.as_pointer()
+        function = ir.Function(module, ir.FunctionType(ir.VoidType(), [pointer] * 6), name)
+        self.arrays: dict[str, Any] = {}
+        for argument, array in zip(function.args, ARRAYS, strict=True):
+            argument.add_attribute("noalias")
+            argument.name = array
+            self.arrays[array] = argument
+        self.builder = ir.IRBuilder(function.append_basic_block())
+        if constants:
+            kind = ir.ArrayType(DOUBLE, len(constants))
+            if "K" not in module.globals:
+                table = ir.GlobalVariable(module, kind, "K")
+                table.linkage, table.global_constant = "internal", True
+                table.initializer = ir.Constant(kind, list(constants))
+            zero = ir.Constant(INT32, 0)
+            self.arrays["K"] = self.builder.gep(module.globals["K"], [zero, zero])
+        self.lanes = lanes
+        self.wide = self.active = LANES  # iterations at once, and how many of them the mask leaves
+
+    # --- arrays ---------------------------------------------------------------------------
+
+    def columns(self, array: str) -> int:
+        """Return how many runs an array holds side by side."""
+        return 1 if array in "TK" else self.lanes
+
+    def address(self, array: str, first: int, moves: Moves = ()) -> Any:
+        """Return the address of array[first + sum of index * stride]."""
+        builder, place = self.builder, None
+        for index, stride in moves:
+            if isinstance(index, int):
+                first += index * stride
+                continue
+            step = index if stride == 1 else builder.mul(index, ir.Constant(WORD, stride))
+            place = step if place is None else builder.add(place, step)
+        if place is None:
+            return builder.gep(self.arrays[array], [ir.Constant(WORD, first * self.columns(array))])
+        if first:
+            place = builder.add(place, ir.Constant(WORD, first))
+        if self.columns(array) > 1:
+            place = builder.mul(place, ir.Constant(WORD, self.columns(array)))
+        return builder.gep(self.arrays[array], [place])
+
+    def load(self, array: str, first: int, moves: Moves = (), stride: int | None = None) -> Any:
+        """Read a number, or one for each run; or those of eight iterations, a `stride` apart."""
+        builder = self.builder
+        if stride not in (None, 1):
+            places = [first + k * stride for k in range(self.active)]
+            ones = [builder.load(self.address(array, place, moves)) for place in places]
+            return gathered(builder, ones + ones[:1] * (self.wide - self.active))
+        address, width = self.address(array, first, moves), self.wide if stride else self.lanes
+        if stride is None and self.columns(array) == 1:
+            return broadcast(builder, builder.load(address), width)
+        many = builder.bitcast(address, vector(width).as_pointer())
+        if stride is None or self.active == width:
+            return builder.load(many, align=8)
+        arguments = [many, ir.Constant(INT32, 8), self.mask(), constant(1.0, width)]
+        return self._masked("load", vector(width), arguments)
+
+    def store(
+        self, value: Any, array: str, first: int, moves: Moves = (), stride: int | None = None
+    ) -> None:
+        """Write a number, or one for each run; or the numbers of eight iterations."""
+        builder = self.builder
+        if stride not in (None, 1):
+            for k, one in enumerate(elements(builder, value)[: self.active]):
+                builder.store(one, self.address(array, first + k * stride, moves))
+            return
+        address = builder.bitcast(self.address(array, first, moves), value.type.as_pointer())
+        if stride is None or self.active == self.wide:
+            builder.store(value, address, align=8)
+            return
+        arguments = [value, address, ir.Constant(INT32, 8), self.mask()]
+        self._masked("store", ir.VoidType(), arguments)
+
+    def _masked(self, name: str, result: ir.Type, arguments: list[Any]) -> Any:
+        """Read or write the active iterations."""
+        intrinsic = f"llvm.masked.{name}.v{self.wide}f64.p0v{self.wide}f64"
+        types = [one.type for one in arguments]
+        return self.builder.call(declared(self.builder.module, intrinsic, result, types), arguments)
+
+    def mask(self) -> ir.Constant:
+        """Return for each of the iterations at once whether it is active."""
+        bits = [int(k < self.active) for k in range(self.wide)]
+        return ir.Constant(vector(self.wide, BIT), bits)
+
+    def add_to(self, total: Any, value: Any) -> Any:
+        """Return a sum with one more value, of the active iterations."""
+        if self.active < self.wide:
+            value = self.builder.select(self.mask(), value, constant(0.0, self.wide))
+        return value if total is None else self.builder.fadd(total, value)
+
+    # --- loops ----------------------------------------------------------------------------
+
+    def vector_loop(self, count: int, unrolled: int, body: Body, sums: list) -> list:
+        """Print a loop of several iterations at once; return the sums after it."""
+        width = self.wide
+        whole = count // width * width
+        sums = self.loop(range(0, whole, width), unrolled, body, sums)
+        if count > whole:
+            self.active = count - whole
+            sums = body(whole, sums)
+            self.active = width
+        return sums
+
+    def loop(self, indices: range, unrolled: int, body: Body, sums: list) -> list:
+        """Print a loop; return the sums after it.  One of at most `unrolled` iterations unrolls."""
+        if len(indices) <= unrolled:
+            for place in indices:
+                sums = body(place, sums)
+            return sums
+        builder, before = self.builder, self.builder.block
+        inside, after = builder.append_basic_block(), builder.append_basic_block()
+        builder.branch(inside)
+        builder.position_at_end(inside)
+        index = builder.phi(WORD)
+        index.add_incoming(ir.Constant(WORD, indices.start), before)
+        phis = []
+        for first in sums:
+            phis.append(builder.phi(first.type))
+            phis[-1].add_incoming(first, before)
+        results = body(index, phis)
+        following = builder.add(index, ir.Constant(WORD, indices.step))
+        index.add_incoming(following, builder.block)
+        for phi, value in zip(phis, results, strict=True):
+            phi.add_incoming(value, builder.block)
+        more = builder.icmp_signed("<", following, ir.Constant(WORD, indices.stop))
+        builder.cbranch(more, inside, after)
+        builder.position_at_end(after)
+        return results
