@@ -69,8 +69,8 @@ class Copies:
             self.snapshot.add(value.__self__)
             return MethodType(self.of(value.__func__), value.__self__)
         if isinstance(value, functools.partial):
-            own = {name: self.of(one) for name, one in value.keywords.items()}
-            return functools.partial(self.of(value.func), *map(self.of, value.args), **own)
+            keywords = {name: self.of(one) for name, one in value.keywords.items()}
+            return functools.partial(self.of(value.func), *map(self.of, value.args), **keywords)
         if isinstance(value, functools._lru_cache_wrapper) or hasattr(value, "py_func"):
             return self.of(getattr(value, "py_func", None) or value.__wrapped__)
         if isinstance(value, np.vectorize):
@@ -86,10 +86,10 @@ class Copies:
 
     def _numbers(self, value: np.ndarray) -> Any:
         """Return numbers as an array of the record, for what NumPy's do not do with signals."""
-        found = fresh(self.tape, value)
-        if isinstance(found, Array):
-            found._fixed = True
-        return found
+        array = fresh(self.tape, value)
+        if isinstance(array, Array):
+            array._fixed = True
+        return array
 
     def _function(self, function: FunctionType) -> Any:
         if (function.__module__ or "").partition(".")[0] in LIBRARIES:
@@ -98,15 +98,15 @@ class Copies:
             return function
         space, first = self._space(function.__globals__)
         cells = tuple(CellType() for _ in function.__closure__ or ())
-        made = FunctionType(function.__code__, space, function.__name__, None, cells or None)
-        made.__module__, made.__qualname__ = function.__module__, function.__qualname__
-        self._known[id(function)] = made
-        own = {name: v for name, v in vars(function).items() if not name.startswith("__")}
-        vars(made).update({name: self.of(value) for name, value in own.items()})
-        self._spaces[id(made)] = vars(made), dict(vars(made))
-        made.__defaults__ = function.__defaults__ and tuple(map(self.of, function.__defaults__))
+        copy = FunctionType(function.__code__, space, function.__name__, None, cells or None)
+        copy.__module__, copy.__qualname__ = function.__module__, function.__qualname__
+        self._known[id(function)] = copy
+        attributes = {name: v for name, v in vars(function).items() if not name.startswith("__")}
+        vars(copy).update({name: self.of(value) for name, value in attributes.items()})
+        self._spaces[id(copy)] = vars(copy), dict(vars(copy))
+        copy.__defaults__ = function.__defaults__ and tuple(map(self.of, function.__defaults__))
         if function.__kwdefaults__:
-            made.__kwdefaults__ = {k: self.of(v) for k, v in function.__kwdefaults__.items()}
+            copy.__kwdefaults__ = {k: self.of(v) for k, v in function.__kwdefaults__.items()}
         names = function.__code__.co_freevars
         for cell, old, name in zip(cells, function.__closure__ or (), names, strict=True):
             try:
@@ -117,13 +117,13 @@ class Copies:
         for name in names_in(function.__code__):
             if name in function.__globals__ and first[name] is space[name]:
                 space[name] = first[name] = self.of(function.__globals__[name])
-        return made
+        return copy
 
-    def _space(self, own: dict[str, Any]) -> tuple[dict, dict]:
-        if id(own) not in self._spaces:
-            copied = {**own, "__builtins__": BUILTINS}
-            self._spaces[id(own)] = copied, dict(copied)
-        return self._spaces[id(own)]
+    def _space(self, names: dict[str, Any]) -> tuple[dict, dict]:
+        if id(names) not in self._spaces:
+            copied = {**names, "__builtins__": BUILTINS}
+            self._spaces[id(names)] = copied, dict(copied)
+        return self._spaces[id(names)]
 
     def check(self) -> None:
         """Refuse a function that changed a name outside it: what it keeps is a state."""
@@ -208,9 +208,9 @@ def _container_of(value: Any) -> Any:
     """Return the container that holds what an object keeps, or None."""
     if isinstance(value, list | dict | set | deque):
         return value
-    own = getattr(value, "__dict__", None)
-    if type(own) is dict:
-        return own
+    attributes = getattr(value, "__dict__", None)
+    if type(attributes) is dict:
+        return attributes
     slots = [vars(kind).get("__slots__", ()) for kind in type(value).__mro__]
     names = [name for one in slots for name in ([one] if isinstance(one, str) else one)]
     return Slots(value, names) if names else None
@@ -235,10 +235,10 @@ def borrowed(spaces: list[dict[str, Any]]) -> Iterator[None]:
             for space in spaces:
                 for name in {**SHADOWS, **space}:
                     value = space.get(name, _NONE)
-                    made = SHADOWS[name] if value is _NONE else _stand_in_named(name, value)
-                    if made is not value:
+                    new = SHADOWS[name] if value is _NONE else _stand_in_named(name, value)
+                    if new is not value:
                         undo.append((space, name, value))
-                        space[name] = made
+                        space[name] = new
             yield
         finally:
             for space, name, value in reversed(undo):

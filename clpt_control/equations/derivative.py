@@ -98,10 +98,10 @@ class Direction:
             return 0.0
         for k in sorted(reached(self.tape.operations, [ref]) - self.known.keys()):
             self.known[k] = self._along(k)
-        found = self.known[ref]
-        if found is None:
+        slope = self.known[ref]
+        if slope is None:
             return 0.0
-        return spread(self.tape, found, self.tape.operations[ref].shape)
+        return spread(self.tape, slope, self.tape.operations[ref].shape)
 
     def value(self, ref: Ref) -> Any:
         """Return an argument as an array or a number."""
@@ -112,19 +112,19 @@ class Direction:
         slopes = [self.known.get(a) if type(a) is int else None for a in arguments]
         if all(slope is None for slope in slopes):
             return None
-        own = [self.value(a) for a in arguments]
+        values = [self.value(a) for a in arguments]
         if kind in CONDITIONS:
             return None if not self.smooth else self._refused(kind)
         if kind in JUMPS:
             return self._refused(kind) if self.smooth else None
         if kind in SLOPES:
-            return SLOPES[kind](*own, self.value(k)) * slopes[0]
+            return SLOPES[kind](*values, self.value(k)) * slopes[0]
         if kind in PAIRS:
             if kind == "mod" and self.smooth:
                 self._refused(kind)
-            return PAIRS[kind](*own, self.value(k), *slopes)
+            return PAIRS[kind](*values, self.value(k), *slopes)
         if kind == "where":
-            return _chosen(own[0], *slopes[1:])
+            return _chosen(values[0], *slopes[1:])
         if kind in ("sum", "view", "fill", "stack", "join", "part"):
             refs = [self._argument(a, s) for a, s in zip(arguments, slopes, strict=True)]
             return self.tape.add(kind, refs, shape, at)

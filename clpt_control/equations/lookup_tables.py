@@ -79,24 +79,24 @@ def opaque(function: Callable) -> Callable:
     """
 
     @wraps(function)
-    def called(*arguments: Any) -> Any:
-        found = function(*arguments)
+    def marked(*arguments: Any) -> Any:
+        result = function(*arguments)
         tape = next((a._tape for a in arguments if isinstance(a, Array)), None)
         if tape is None:
-            return found
-        given = [operand(lifted(tape, a)) for a in arguments]
+            return result
+        refs = [operand(lifted(tape, a)) for a in arguments]
         name = f"{function.__module__}.{function.__qualname__}"
 
         def hidden(k: int, value: Any) -> Any:
             value = lifted(tape, value)
             shape = getattr(value, "shape", ())
-            return tape.add("opaque", [operand(value), *given], shape, (name, k))
+            return tape.add("opaque", [operand(value), *refs], shape, (name, k))
 
-        if isinstance(found, tuple):
-            return tuple(hidden(k, value) for k, value in enumerate(found))
-        return hidden(0, found)
+        if isinstance(result, tuple):
+            return tuple(hidden(k, value) for k, value in enumerate(result))
+        return hidden(0, result)
 
-    return called
+    return marked
 
 
 # --- np.interp ---------------------------------------------------------------------------------
@@ -130,20 +130,20 @@ def interpolated(x: Any, xp: Any, fp: Any, left: Any = None, right: Any = None) 
         raise Unread("np.interp of points that do not increase")
     if isinstance(fp, Array) and numbers_of(fp) is None:
         units = np.eye(len(xp))
-        found = sum(fp[k] * np.interp(x, xp, unit) for k, unit in enumerate(units))
+        values = sum(fp[k] * np.interp(x, xp, unit) for k, unit in enumerate(units))
     else:
         fp = np.asarray(fp, dtype=float)
         between = line(xp, fp, x) if len(xp) > 1 else fp[0]
-        found = where(elementwise("ge", x, xp[-1]), fp[-1], between)
+        values = where(elementwise("ge", x, xp[-1]), fp[-1], between)
         left = fp[0] if left is None else left
-    return outside(found, x, xp, left, right)
+    return outside(values, x, xp, left, right)
 
 
-def outside(found: Any, x: Any, xs: np.ndarray, below: Any, above: Any) -> Any:
+def outside(values: Any, x: Any, xs: np.ndarray, below: Any, above: Any) -> Any:
     """Return what is found, with others below and above the points, where there are such."""
     if above is not None:
-        found = where(np.greater(x, xs[-1]), above, found)
-    return found if below is None else where(np.less(x, xs[0]), below, found)
+        values = where(np.greater(x, xs[-1]), above, values)
+    return values if below is None else where(np.less(x, xs[0]), below, values)
 
 
 # --- SciPy's ------------------------------------------------------------------------------------
@@ -164,15 +164,15 @@ def of_interp1d(f: Any) -> Callable:
     xs, ys = np.asarray(f.x, dtype=float), np.moveaxis(np.asarray(f.y, dtype=float), f.axis, 0)
     fills: Any = (None, None)
     if not f._extrapolate:
-        given = f.fill_value if isinstance(f.fill_value, tuple) else (f.fill_value,) * 2
-        fills = [np.nan if f.bounds_error else float(np.ravel(one)[0]) for one in given]
+        ends = f.fill_value if isinstance(f.fill_value, tuple) else (f.fill_value,) * 2
+        fills = [np.nan if f.bounds_error else float(np.ravel(one)[0]) for one in ends]
 
     def table(tape: Tape, x: Any) -> Any:
         x = lifted(tape, x)
         columns = ys.reshape(len(xs), -1).T
-        own = [outside(BETWEEN[f._kind](xs, y, x), x, xs, *fills) for y in columns]
-        found = np.stack(own).T if ys.ndim > 1 else own[0]
-        return found.reshape((*x.shape, *ys.shape[1:])) if ys.ndim > 2 else found
+        values = [outside(BETWEEN[f._kind](xs, y, x), x, xs, *fills) for y in columns]
+        result = np.stack(values).T if ys.ndim > 1 else values[0]
+        return result.reshape((*x.shape, *ys.shape[1:])) if ys.ndim > 2 else result
 
     return table
 
@@ -188,8 +188,8 @@ def of_polynomials(f: Any) -> Callable:
         x = lifted(tape, x)
         k = place_in(xs[1:-1], x)
         s = x - lookup(xs, k)
-        found = reduce(lambda v, w: v * s + w, [lookup(row, k) for row in coefficients])
-        return outside(found, x, xs, *ends)
+        value = reduce(lambda v, w: v * s + w, [lookup(row, k) for row in coefficients])
+        return outside(value, x, xs, *ends)
 
     return table
 
@@ -208,14 +208,14 @@ def of_simplices(f: Any) -> Callable:
 
     def table(tape: Tape, *given: Any) -> Any:
         x = point(tape, *given)
-        found: Any = np.full(tail, np.nan) if tail else np.nan
+        values: Any = np.full(tail, np.nan) if tail else np.nan
         for own, inverse in zip(corners[::-1], f.tri.transform[::-1], strict=True):
             shares = [row @ (x - inverse[-1]) for row in inverse[:-1]]
             shares.append(1.0 - reduce(add, shares))
             inside = reduce(and_, [share >= -1e-12 for share in shares])
             value = reduce(add, [share * ys[k] for share, k in zip(shares, own, strict=True)])
-            found = where(inside, value, found)
-        return found[None]
+            values = where(inside, value, values)
+        return values[None]
 
     return table
 
@@ -228,12 +228,12 @@ def of_nearest(f: Any) -> Callable:
 
     def table(tape: Tape, *given: Any) -> Any:
         x = point(tape, *given)
-        near, found = np.sum((x - points[0]) ** 2), ys[0]
+        near, values = np.sum((x - points[0]) ** 2), ys[0]
         for one, y in zip(points[1:], ys[1:], strict=True):
             distance = np.sum((x - one) ** 2)
             closer = distance < near
-            near, found = where(closer, distance, near), where(closer, y, found)
-        return found[None]
+            near, values = where(closer, distance, near), where(closer, y, values)
+        return values[None]
 
     return table
 
@@ -259,5 +259,5 @@ def function_of(value: Any) -> Callable | None:
     """Return an interpolator as a function of signals; None for what is none."""
     if not is_table(value):
         return None
-    own = cache(TABLES[f"{type(value).__module__}.{type(value).__name__}"])
-    return lambda tape, *given: own(value)(tape, *given)
+    table = cache(TABLES[f"{type(value).__module__}.{type(value).__name__}"])
+    return lambda tape, *given: table(value)(tape, *given)

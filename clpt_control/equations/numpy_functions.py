@@ -95,16 +95,16 @@ def norm(a: Any, ord: Any = None, axis: Any = None, keepdims: Any = False) -> An
         return refuse(f"a norm of order {ord}")
     if ord in (np.inf, -np.inf):
         return (np.max if ord > 0 else np.min)(np.fabs(a), axis, keepdims=keepdims)
-    found = np.sum(np.fabs(a) ** ord if ord != 1 else np.fabs(a), axis, keepdims=keepdims)
-    return found ** (1.0 / ord) if ord != 1 else found
+    size = np.sum(np.fabs(a) ** ord if ord != 1 else np.fabs(a), axis, keepdims=keepdims)
+    return size ** (1.0 / ord) if ord != 1 else size
 
 
 @implements(np.mean)
 def mean(a: Any, axis: Any = None, dtype: Any = None, **more: Any) -> Any:
     """Return the mean."""
     exact(dtype)
-    found = np.sum(a, axis, **more)
-    return found / (a.size // found.size)
+    total = np.sum(a, axis, **more)
+    return total / (a.size // total.size)
 
 
 @implements(np.var)
@@ -112,8 +112,8 @@ def variance(a: Any, axis: Any = None, dtype: Any = None, ddof: float = 0, **mor
     """Return the mean square of what differs from the mean."""
     exact(dtype)
     apart = a - mean(a, axis, keepdims=axis is not None)
-    found = np.sum(apart * apart, axis, **more)
-    return found / (a.size // found.size - ddof)
+    total = np.sum(apart * apart, axis, **more)
+    return total / (a.size // total.size - ddof)
 
 
 @implements(np.diagonal)
@@ -165,13 +165,13 @@ def solve(A: Any, b: Any) -> Any:
     right = b[:, None] if b.ndim == 1 else b
     rows = [np.concatenate([row, right[k]]) for k, row in enumerate(_rows(A))]
     _eliminated(rows)
-    found: list[Any] = [None] * n
+    solved: list[Any] = [None] * n
     for k in range(n - 1, -1, -1):
         rest = rows[k][n:]
         for i in range(k + 1, n):
-            rest = rest - found[i] * rows[k][i]
-        found[k] = rest / rows[k][k]
-    x = np.stack(found)
+            rest = rest - solved[i] * rows[k][i]
+        solved[k] = rest / rows[k][k]
+    x = np.stack(solved)
     return x[:, 0] if b.ndim == 1 else x
 
 
@@ -207,18 +207,18 @@ def chosen(condition: Any, *values: Any) -> Any:
 @implements(np.select, arrays=0)
 def selected(conditions: Any, values: Any, default: Any = 0.0) -> Any:
     """Return np.select: the value of the first condition that holds."""
-    found = default
+    result = default
     for condition, value in zip(reversed(conditions), reversed(values), strict=True):
-        found = chosen(condition, value, found)
-    return found
+        result = chosen(condition, value, result)
+    return result
 
 
 @implements(np.piecewise, arrays=0)
 def piecewise(x: Any, conditions: Any, functions: Any, *more: Any, **named: Any) -> Any:
     """Return np.piecewise: what the function of the last condition that holds gives."""
-    given = [f(x, *more, **named) if callable(f) else f for f in functions]
-    found = given.pop() if len(given) > len(conditions) else 0.0
-    return selected(conditions[::-1], given[::-1], found)
+    values = [f(x, *more, **named) if callable(f) else f for f in functions]
+    default = values.pop() if len(values) > len(conditions) else 0.0
+    return selected(conditions[::-1], values[::-1], default)
 
 
 @implements(np.isclose, arrays=2)
@@ -231,10 +231,10 @@ def close(a: Any, b: Any, rtol: float = 1e-5, atol: float = 1e-8, equal_nan: boo
 @implements(np.polyval, arrays=0)
 def polynomial(coefficients: Any, x: Any) -> Any:
     """Return np.polyval, by Horner's rule."""
-    found = np.zeros_like(x)
+    value = np.zeros_like(x)
     for one in coefficients:
-        found = found * x + one
-    return found
+        value = value * x + one
+    return value
 
 
 @implements(np.nan_to_num)
@@ -255,13 +255,13 @@ def after(a: Any, b: Any) -> Any:
 
 def in_order(values: list[Any], swaps: Callable = np.greater) -> list[Any]:
     """Return numbers sorted: neighbours change places where they must, until none does."""
-    found = list(values)
-    for end in range(len(found) - 1, 0, -1):
+    ordered = list(values)
+    for end in range(len(ordered) - 1, 0, -1):
         for k in range(end):
-            a, b = found[k], found[k + 1]
+            a, b = ordered[k], ordered[k + 1]
             swap = swaps(a, b)
-            found[k], found[k + 1] = where(swap, b, a), where(swap, a, b)
-    return found
+            ordered[k], ordered[k + 1] = where(swap, b, a), where(swap, a, b)
+    return ordered
 
 
 @implements(np.sort)
@@ -293,7 +293,7 @@ def implements_accumulation(ufunc: Any, function: Any) -> None:
     implements(function)(accumulation)
 
 
-def alike(a: Array, value: float, dtype: Any = None, **more: Any) -> Any:
+def alike(a: Array, value: float, dtype: Any = None, **named: Any) -> Any:
     """Return a number everywhere in an array of the shape and kind of another."""
     if a._is_condition and dtype is None:
         return refuse("an array like one of truth values")

@@ -56,13 +56,13 @@ class Record:
 
     def leaves(self, group: str) -> list[str]:
         """Return the names of the leaves of a group that outputs depend on."""
-        found = [o.at[1] for o in self.operations if o.kind == "leaf" and o.at[0] == group]
-        return list(dict.fromkeys(found))
+        names = [o.at[1] for o in self.operations if o.kind == "leaf" and o.at[0] == group]
+        return list(dict.fromkeys(names))
 
     def values(self, leaf: Callable[[str, str], Any], sizes: dict[str, int]) -> list[np.ndarray]:
         """Compute the outputs in NumPy; ``leaf("x", "alpha")`` is an array."""
-        found = computed(self, lambda *at: np.asarray(leaf(*at))[..., None], sizes)
-        return [value[..., 0] for value in found]
+        outputs = computed(self, lambda *at: np.asarray(leaf(*at))[..., None], sizes)
+        return [value[..., 0] for value in outputs]
 
     def renamed(self, names: dict[tuple[str, str], tuple[str, str]]) -> "Record":
         """Return the record with other leaves: {(group, name): (group, name)}."""
@@ -101,11 +101,11 @@ def compact(
         kind, arguments, shape, at = operations[k]
         moved = tuple([place[a] if type(a) is int else a for a in arguments])
         lines.append(Operation(kind, moved, shape, at))
-    own = [operations[r].shape if type(r) is int else () for r in outputs]
+    of_outputs = [operations[r].shape if type(r) is int else () for r in outputs]
     return Record(
         tuple(lines),
         tuple([place[r] if type(r) is int else r for r in outputs]),
-        tuple(own if shapes is None else shapes),
+        tuple(of_outputs if shapes is None else shapes),
     )
 
 
@@ -162,10 +162,10 @@ def picked(numbers: np.ndarray, index: Any, many: bool = False) -> np.ndarray:
     at = np.where(inside, whole, 0).astype(int)
     if many:
         rows = np.broadcast_to(numbers, (len(numbers), at.shape[-1]))
-        found = np.take_along_axis(rows, at.reshape(-1, at.shape[-1]), 0).reshape(at.shape)
+        values = np.take_along_axis(rows, at.reshape(-1, at.shape[-1]), 0).reshape(at.shape)
     else:
-        found = numbers[at]
-    return np.where(inside, found, np.nan)
+        values = numbers[at]
+    return np.where(inside, values, np.nan)
 
 
 def _circular(function: Callable) -> Callable:
@@ -220,27 +220,27 @@ def computed(
 
     with np.errstate(all="ignore"):
         for kind, arguments, shape, at in record.operations:
-            own: list[Any] = [values[a] if type(a) is int else np.float64(a) for a in arguments]
+            args: list[Any] = [values[a] if type(a) is int else np.float64(a) for a in arguments]
             value: Any
             if kind == "leaf":
                 value = np.asarray(leaf(*at))
             elif kind == "constant":
                 value = np.frombuffer(at).reshape((*shape, 1))
             elif kind == "sum":
-                value = np.sum(own[0], axis=at)
+                value = np.sum(args[0], axis=at)
             elif kind == "view":
-                value = viewed(own[0], (*at, (len(shape), 0, 1)), sized(shape, own[0]))
+                value = viewed(args[0], (*at, (len(shape), 0, 1)), sized(shape, args[0]))
             elif kind == "stack":
-                value = np.stack(np.broadcast_arrays(*own))
+                value = np.stack(np.broadcast_arrays(*args))
             elif kind == "join":
-                count = max(a.shape[-1] for a in own)
-                value = np.concatenate([np.broadcast_to(a, (*a.shape[:-1], count)) for a in own])
+                count = max(a.shape[-1] for a in args)
+                value = np.concatenate([np.broadcast_to(a, (*a.shape[:-1], count)) for a in args])
             elif kind == "pick":
-                value = picked(own[0], own[1], many=True)
+                value = picked(args[0], args[1], many=True)
             elif kind in ("opaque", "fill"):
-                value = own[0]
+                value = args[0]
             else:
-                value = OPERATIONS[kind](*own)
+                value = OPERATIONS[kind](*args)
             values.append(full(value, shape))
-    found = zip(record.outputs, record.shapes, strict=True)
-    return [full(values[r] if type(r) is int else r, shape).astype(float) for r, shape in found]
+    outputs = zip(record.outputs, record.shapes, strict=True)
+    return [full(values[r] if type(r) is int else r, shape).astype(float) for r, shape in outputs]

@@ -58,12 +58,12 @@ class StandIn:
         return self.own(tape, *arguments, **more)
 
     def __getattr__(self, name: str) -> Any:
-        found = getattr(self.real, name)
-        if isinstance(self.real, np.ufunc) and callable(found):
+        attribute = getattr(self.real, name)
+        if isinstance(self.real, np.ufunc) and callable(attribute):
             return StandIn(
-                found, lambda tape, *a, **more: apply_ufunc(tape, self.real, name, a, more)
+                attribute, lambda tape, *a, **more: apply_ufunc(tape, self.real, name, a, more)
             )
-        return found
+        return attribute
 
 
 class StandInType(type):
@@ -93,9 +93,9 @@ class StandInType(type):
 
 def stand_in_type(real: type, make: Callable) -> StandInType:
     """Return what stands for a type of numbers."""
-    own = {"real": real, "make": staticmethod(make), "dtype": np.dtype(real)}
-    own["__doc__"] = f"What stands for {real.__name__}."
-    return StandInType(real.__name__, (), own)
+    names = {"real": real, "make": staticmethod(make), "dtype": np.dtype(real)}
+    names["__doc__"] = f"What stands for {real.__name__}."
+    return StandInType(real.__name__, (), names)
 
 
 def real_of(value: Any) -> Any:
@@ -211,13 +211,13 @@ RAISING = frozenset(  # beyond what DOMAINS asks
 
 def of_math(name: str, tape: Tape, *arguments: Any, **more: Any) -> Any:
     """Write down a function of `math`."""
-    own = tuple(map(single, arguments))
+    numbers = tuple(map(single, arguments))
     tape.has_floats = True
     if name in RAISING:
-        refuse_in_a_try(tape, *own)
-    if name in DOMAINS and in_a_try() and DOMAINS[name](*own):
+        refuse_in_a_try(tape, *numbers)
+    if name in DOMAINS and in_a_try() and DOMAINS[name](*numbers):
         raise ValueError("math domain error")
-    return MATH[name](*own, **more)
+    return MATH[name](*numbers, **more)
 
 
 OF_MATH = [StandIn(getattr(math, name), functools.partial(of_math, name)) for name in MATH]
@@ -272,12 +272,12 @@ def of_numpy(real: Any) -> StandIn:
 
 def array(tape: Any, value: Any, dtype: Any = None, *, ndmin: int = 0, **more: Any) -> Any:
     """Return np.array of what holds signals."""
-    made = lifted(tape, value)
+    new = lifted(tape, value)
     if dtype is not None:
-        made = converted(made, dtype)
+        new = converted(new, dtype)
     elif more.get("copy", True):
-        made = copied(made)
-    return made[(None,) * (ndmin - made.ndim)] if ndmin > made.ndim else made
+        new = copied(new)
+    return new[(None,) * (ndmin - new.ndim)] if ndmin > new.ndim else new
 
 
 def same_array(tape: Any, value: Any, dtype: Any = None, **more: Any) -> Any:
@@ -289,8 +289,8 @@ def same_array(tape: Any, value: Any, dtype: Any = None, **more: Any) -> Any:
 
 def full(tape: Tape, shape: Any, value: Any, dtype: Any) -> Any:
     """Return np.full of a signal."""
-    made = lifted(tape, np.zeros(whole(shape))) + lifted(tape, value)
-    return made if dtype is None else converted(made, dtype)
+    new = lifted(tape, np.zeros(whole(shape))) + lifted(tape, value)
+    return new if dtype is None else converted(new, dtype)
 
 
 MAKERS: dict[Any, Callable] = {
@@ -311,14 +311,14 @@ def vectorized(real: np.vectorize) -> StandIn:
     """Return the stand-in of a function made by np.vectorize, which is run for each element."""
 
     def function(tape: Tape, *arguments: Any, **more: Any) -> Any:
-        own = np.broadcast_arrays(*(objects(lifted(tape, one)) for one in arguments))
-        found = np.empty(own[0].size, dtype=object)
-        for k, values in enumerate(zip(*(one.ravel() for one in own), strict=True)):
-            found[k] = real.pyfunc(*values, **more)
-        kinds = {isinstance(one, int | np.integer | np.bool_) for one in found}
+        arrays = np.broadcast_arrays(*(objects(lifted(tape, one)) for one in arguments))
+        results = np.empty(arrays[0].size, dtype=object)
+        for k, values in enumerate(zip(*(one.ravel() for one in arrays), strict=True)):
+            results[k] = real.pyfunc(*values, **more)
+        kinds = {isinstance(one, int | np.integer | np.bool_) for one in results}
         if real.otypes is None and len(kinds) > 1:
             raise Unread("np.vectorize makes all like the first, an int; write 1.0 for 1")
-        return lifted(tape, found).reshape(own[0].shape)
+        return lifted(tape, results).reshape(arrays[0].shape)
 
     return StandIn(real, function)
 
@@ -330,12 +330,12 @@ class Joiner:
         self.real, self.join = real, join
 
     def __getitem__(self, parts: Any) -> Any:
-        arguments = parts if isinstance(parts, tuple) else (parts,)
-        if tape_of(arguments) is None:
-            tape, found = active(), self.real[parts]
-            return found if tape is None else fresh(tape, found)
+        given = parts if isinstance(parts, tuple) else (parts,)
+        if tape_of(given) is None:
+            tape, result = active(), self.real[parts]
+            return result if tape is None else fresh(tape, result)
         return self.join(
-            [np.atleast_1d(self.real[p] if isinstance(p, slice) else p) for p in arguments]
+            [np.atleast_1d(self.real[p] if isinstance(p, slice) else p) for p in given]
         )
 
 
@@ -350,9 +350,9 @@ class Module(ModuleType):
         self.__dict__["_stands_for"] = real
 
     def __getattr__(self, name: str) -> Any:
-        found = stand_in(getattr(self._stands_for, name))
-        self.__dict__[name] = found
-        return found
+        value = stand_in(getattr(self._stands_for, name))
+        self.__dict__[name] = value
+        return value
 
 
 def errstate(**arguments: Any) -> Any:
@@ -377,9 +377,9 @@ _KNOWN: dict[int, Any] = {
 
 def stand_in(value: Any) -> Any:
     """Return what stands for a module, function or type; a value without one as it is."""
-    found = _KNOWN.get(id(value))
-    if found is not None:
-        return found
+    known = _KNOWN.get(id(value))
+    if known is not None:
+        return known
     if isinstance(value, ModuleType):
         if value.__name__.partition(".")[0] == "numpy" and "random" not in value.__name__:
             return _KNOWN.setdefault(id(value), Module(value))
@@ -401,5 +401,5 @@ BUILTINS: dict[str, Any] = {**vars(builtins), **SHADOWS, "__import__": imported,
 
 def table_of(value: Any) -> StandIn | None:
     """Return what stands for one of SciPy's interpolators; None for what is none."""
-    made = function_of(value)
-    return None if made is None else StandIn(value, made)
+    function = function_of(value)
+    return None if function is None else StandIn(value, function)

@@ -53,9 +53,9 @@ def exact(number: float) -> sympy.Expr:
     """
     if not np.isfinite(number):
         return sympy.sympify(float(number))
-    own = Fraction(repr(float(number)))
-    simple = own.limit_denominator(10_000)
-    return sympy.Rational(simple if abs(simple - own) <= abs(own) * ROUNDED else own)
+    fraction = Fraction(repr(float(number)))
+    simple = fraction.limit_denominator(10_000)
+    return sympy.Rational(simple if abs(simple - fraction) <= abs(fraction) * ROUNDED else fraction)
 
 
 # what SymPy leaves as it stands, by the name it has there
@@ -206,10 +206,10 @@ def summed(body: sympy.Expr, index: str, size: str) -> sympy.Expr:
                 outside *= factor
             elif base.func == SUM and power.is_Integer and power > 0:
                 for _ in range(int(power)):
-                    own = [(f"within{len(indices) + k}", s) for k, s in enumerate(_sizes(base))]
-                    fresh = {old: new for old, (new, _) in zip(_bound(base), own, strict=True)}
+                    inner = [(f"within{len(indices) + k}", s) for k, s in enumerate(_sizes(base))]
+                    fresh = {old: new for old, (new, _) in zip(_bound(base), inner, strict=True)}
                     inside *= reindexed(base.args[0], fresh)
-                    indices += own
+                    indices += inner
             else:
                 inside *= factor
         total += outside * _atom(inside, indices)
@@ -250,10 +250,10 @@ def base_and_term(expression: sympy.Expr, index: str = "k") -> tuple[sympy.Expr,
         if not part.has(SUM):
             base += part
             continue
-        rest = part / sympy.Mul(*atoms)
-        if len(atoms) != 1 or len(atoms[0].args) != 3 or rest.has(SUM):
+        factor = part / sympy.Mul(*atoms)
+        if len(atoms) != 1 or len(atoms[0].args) != 3 or factor.has(SUM):
             raise Unread(f"{part} is no sum over one index")
-        term += rest * reindexed(atoms[0].args[0], {_bound(atoms[0])[0]: index})
+        term += factor * reindexed(atoms[0].args[0], {_bound(atoms[0])[0]: index})
     return base, term
 
 
@@ -269,15 +269,15 @@ class EveryN(Symbols):
         if not shape:
             return self.at(operand(value), ())
         counted = tuple(n if isinstance(n, int) else 1 for n in shape)
-        found = np.empty(counted, dtype=object)
+        elements = np.empty(counted, dtype=object)
         names = iter(FREE)
         free = [None if isinstance(n, int) else next(names) for n in shape]
         for place in np.ndindex(counted):
-            index = tuple(k if own is None else own for k, own in zip(place, free, strict=True))
-            found[place] = self.at(operand(value), index)
-        return found
+            index = tuple(k if name is None else name for k, name in zip(place, free, strict=True))
+            elements[place] = self.at(operand(value), index)
+        return elements
 
     def sum_over(self, array: Ref, axis: int, index: Index, size: str) -> Any:
         """Return the atom of a sum."""
-        own = next(n for n in (f"s{k}" for k in range(20)) if n not in index)
-        return summed(self.at(array, (*index[:axis], own, *index[axis:])), own, size)
+        name = next(n for n in (f"s{k}" for k in range(20)) if n not in index)
+        return summed(self.at(array, (*index[:axis], name, *index[axis:])), name, size)

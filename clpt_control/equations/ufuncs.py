@@ -34,10 +34,10 @@ def apply_ufunc(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) ->
     exact(more.pop("dtype", None))
     for unused in ("casting", "subok", "order"):
         more.pop(unused, None)
-    found = _apply(tape, ufunc, method, inputs, more)
+    result = _apply(tape, ufunc, method, inputs, more)
     if condition is not True:
-        found = np.where(condition, found, 0.0 if out is None else out)
-    return into(out, found)
+        result = np.where(condition, result, 0.0 if out is None else out)
+    return into(out, result)
 
 
 def exact(dtype: Any) -> None:
@@ -57,16 +57,16 @@ def _apply(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any:
         return elementwise(UFUNCS[ufunc], *inputs)
     if ufunc in BITWISE and method == "__call__":
         return BITWISE[ufunc](*inputs) if all(map(is_truth, inputs)) else refuse("bits")
-    own = [lifted(tape, one) for one in inputs]
+    arguments = [lifted(tape, one) for one in inputs]
     if method == "outer":
-        a, b = own
+        a, b = arguments
         return ufunc(a[(..., *[None] * np.ndim(b))] if np.ndim(a) else a, b)
     if method != "__call__" or more:
         return refuse(f"np.{ufunc.__name__}.{method}")
     if all(set(kind) <= set("O->") for kind in ufunc.types):  # by np.frompyfunc
-        return repacked(tape, ufunc(*map(objects, own)))
+        return repacked(tape, ufunc(*map(objects, arguments)))
     name = ufunc.__name__
-    return COMPOSED[name](*own) if name in COMPOSED else refuse(f"np.{name}")
+    return COMPOSED[name](*arguments) if name in COMPOSED else refuse(f"np.{name}")
 
 
 def reduced(

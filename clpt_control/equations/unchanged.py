@@ -67,21 +67,21 @@ class Keys:
             return "seen", self._seen[id(value)]
         self._seen[id(value)] = len(self._seen)
         if kind is np.ndarray and value.dtype.kind in "fiubc" and value.size <= MOST:
-            found: Any = value.dtype, value.shape, value.tobytes()
+            key: Any = value.dtype, value.shape, value.tobytes()
         elif kind is list and len(value) < MANY:
-            found = kind, *map(self.of, value)
+            key = kind, *map(self.of, value)
         elif kind is dict and len(value) < MANY:
-            found = kind, *self.named(value)
+            key = kind, *self.named(value)
         elif kind is FunctionType:
-            found = self._function(value)
+            key = self._function(value)
         elif is_table(value):
-            own = (getattr(value, name, None) for name in TABLE)
-            found = self.place(value), *map(self.of, own)
+            parts = (getattr(value, name, None) for name in TABLE)
+            key = self.place(value), *map(self.of, parts)
         elif isinstance(value, control.InputOutputSystem):
-            found = self._system(value)
+            key = self._system(value)
         else:
             raise Unkeyed
-        return found if self.alike else (self.place(value), found)
+        return key if self.alike else (self.place(value), key)
 
     def named(self, values: Mapping[Any, Any]) -> tuple[Any, ...]:
         """Return the keys of values by name."""
@@ -96,8 +96,8 @@ class Keys:
         """Return the key of one of python-control's own systems, as functions ask it."""
         if not (type(system).__module__ or "").startswith("control."):
             raise Unkeyed
-        own = {k: v for k, v in vars(system).items() if not k.endswith(("_labels", "_prefix"))}
-        return self.place(system), *self.named(own)
+        fields = {k: v for k, v in vars(system).items() if not k.endswith(("_labels", "_prefix"))}
+        return self.place(system), *self.named(fields)
 
     def _function(self, function: FunctionType) -> Any:
         names = named(function.__code__)
@@ -167,7 +167,7 @@ def texts_of(value: Any, seen: dict[int, Any] | None = None) -> set[str]:
     if id(value) in seen or is_fixed(value) or len(seen) > MOST:
         return set()
     seen[id(value)] = value  # alive, so that its place stays its own
-    return set().union(*(texts_of(one, seen) for one in _reached(value)))
+    return set().union(*(texts_of(inner, seen) for inner in _reached(value)))
 
 
 def _reached(value: Any) -> Iterator[Any]:

@@ -46,13 +46,13 @@ def depends(value: Any) -> bool:
     return isinstance(value, np.ndarray) and value.dtype == object
 
 
-def arrays_as(value: Any, made: Callable[[Array], Any]) -> Any:
+def arrays_as(value: Any, to: Callable[[Array], Any]) -> Any:
     """Return arguments with all arrays of the record, in lists and tuples too, made something."""
     if isinstance(value, Array):
-        return made(value)
+        return to(value)
     if isinstance(value, dict):
-        return {name: arrays_as(one, made) for name, one in value.items()}
-    return type(value)(arrays_as(v, made) for v in value) if type(value) in (list, tuple) else value
+        return {name: arrays_as(item, to) for name, item in value.items()}
+    return type(value)(arrays_as(v, to) for v in value) if type(value) in (list, tuple) else value
 
 
 def of_numbers(tape: Tape, function: Callable, inputs: Any, more: dict) -> Any:
@@ -60,11 +60,11 @@ def of_numbers(tape: Tape, function: Callable, inputs: Any, more: dict) -> Any:
     return fresh(tape, function(*arrays_as(inputs, numbers_of), **arrays_as(more, numbers_of)))
 
 
-def fresh(tape: Tape, found: Any) -> Any:
+def fresh(tape: Tape, value: Any) -> Any:
     """Return a new array of doubles as one that signals may be written into."""
-    if type(found) is np.ndarray and found.dtype == float and found.ndim:
-        return constant(tape, found) if found.size < MOST_NUMBERS else found
-    return found
+    if type(value) is np.ndarray and value.dtype == float and value.ndim:
+        return constant(tape, value) if value.size < MOST_NUMBERS else value
+    return value
 
 
 def refuse(what: str) -> Any:
@@ -72,36 +72,36 @@ def refuse(what: str) -> Any:
     raise Unread(f"{what} of signals")
 
 
-def repacked(tape: Tape, found: Any) -> Any:
+def repacked(tape: Tape, value: Any) -> Any:
     """Return what NumPy made of arrays of objects."""
-    if isinstance(found, tuple | list):
-        return type(found)(repacked(tape, one) for one in found)
-    if isinstance(found, np.ndarray) and found.dtype == object:
-        return lifted(tape, found)
-    return fresh(tape, found)
+    if isinstance(value, tuple | list):
+        return type(value)(repacked(tape, one) for one in value)
+    if isinstance(value, np.ndarray) and value.dtype == object:
+        return lifted(tape, value)
+    return fresh(tape, value)
 
 
 def on_objects(tape: Tape, function: Any, inputs: Any, more: dict) -> Any:
     """Run NumPy's own function on arrays of objects."""
-    own = arrays_as(inputs, objects)
+    arguments = arrays_as(inputs, objects)
     try:
-        found = function(*own, **arrays_as(more, objects))
+        result = function(*arguments, **arrays_as(more, objects))
     except (Unread, IndexError, ValueError):
         raise
     except Exception as error:
         raise Unread(f"np.{function.__name__} of signals ({error})") from None
-    if found is None and inputs:  # NumPy wrote into its first argument
-        inputs[0][...] = own[0]
-    return repacked(tape, found)
+    if result is None and inputs:  # NumPy wrote into its first argument
+        inputs[0][...] = arguments[0]
+    return repacked(tape, result)
 
 
-def into(out: Any, found: Any) -> Any:
+def into(out: Any, value: Any) -> Any:
     """Return what was found, written into an array where one is given for it."""
     if out is None or (isinstance(out, Array) and not out.shape):  # a number is replaced
-        return found
+        return value
     if not isinstance(out, Array):
         raise Unread("writes signals into an array made elsewhere; make it where it is filled")
-    out[...] = found
+    out[...] = value
     return out
 
 
@@ -113,9 +113,9 @@ def tape_of(values: Any) -> Any:
         if isinstance(value, list | tuple) or (
             isinstance(value, np.ndarray) and value.dtype == object and value.ndim
         ):
-            found = tape_of(value)
-            if found is not None:
-                return found
+            tape = tape_of(value)
+            if tape is not None:
+                return tape
     return None
 
 
@@ -165,27 +165,27 @@ def _mapped(index: tuple, shape: Shape) -> tuple[tuple, Shape]:
         raise IndexError("too many indices for array")
     at = index.index(Ellipsis) if Ellipsis in index else len(index)
     mapped: list[Any] = []
-    found: list[Any] = []
+    new_shape: list[Any] = []
     for i in (*index[:at], *[slice(None)] * (len(shape) - named), *index[at + 1 :]):
         if i is None:
-            found.append(1)
+            new_shape.append(1)
             continue
         n = shape[len(mapped)]
         if i == slice(None):
-            mapped.append((len(found), 0, 1))
-            found.append(n)
+            mapped.append((len(new_shape), 0, 1))
+            new_shape.append(n)
         elif not isinstance(n, int):
             raise Unread(f"a part of the open size {n}")
         elif isinstance(i, slice):
             places = range(*i.indices(n))
-            mapped.append((len(found), places.start, places.step))
-            found.append(len(places))
+            mapped.append((len(new_shape), places.start, places.step))
+            new_shape.append(len(places))
         else:
             k = i.__index__()
             if not -n <= k < n:
                 raise IndexError(f"index {k} is out of bounds for axis with size {n}")
             mapped.append(k % n)
-    return tuple(mapped), tuple(found)
+    return tuple(mapped), tuple(new_shape)
 
 
 def _picked(array: Array, k: Any, *rest: Any) -> Any:
@@ -234,9 +234,9 @@ def tape_viewed(tape: Tape, node: int, mapped: tuple, shape: Shape) -> Any:
             return tape.add("fill", (number,), shape)
         return number if type(number) is float else Array(tape, number, ())
     if kind == "join":
-        found = _of_join(tape, arguments, mapped, shape)
-        if found is not None:
-            return found
+        part = _of_join(tape, arguments, mapped, shape)
+        if part is not None:
+            return part
     if kind == "stack" and isinstance(mapped[0], int):
         item = arguments[mapped[0]]
         if type(item) is float:
@@ -266,19 +266,19 @@ def _of_join(tape: Tape, parts: Sequence[Ref], mapped: tuple, shape: Shape) -> A
 def stack(parts: Any, axis: int = 0, **more: Any) -> Any:
     """Return np.stack(parts)."""
     tape = tape_of(parts)
-    made = stacked(tape, [lifted(tape, p) for p in parts])
-    return np.moveaxis(made, 0, axis) if axis else made
+    new = stacked(tape, [lifted(tape, p) for p in parts])
+    return np.moveaxis(new, 0, axis) if axis else new
 
 
 def join(parts: Any, axis: Any = 0, **more: Any) -> Any:
     """Return np.concatenate(parts)."""
     tape = tape_of(parts)
-    own = [p for p in (lifted(tape, p) for p in parts) if p.shape != (0,)]
-    known = all(isinstance(n, int) for p in own for n in p.shape)
-    if axis == 0 and known and any(p.shape[0] > LONG for p in own):
-        shape = (sum(p.shape[0] for p in own), *own[0].shape[1:])
-        return tape.add("join", [operand(p) for p in own], shape)
-    return lifted(tape, np.concatenate([objects(p) for p in own], axis=axis))
+    arrays = [p for p in (lifted(tape, p) for p in parts) if p.shape != (0,)]
+    known = all(isinstance(n, int) for p in arrays for n in p.shape)
+    if axis == 0 and known and any(p.shape[0] > LONG for p in arrays):
+        shape = (sum(p.shape[0] for p in arrays), *arrays[0].shape[1:])
+        return tape.add("join", [operand(p) for p in arrays], shape)
+    return lifted(tape, np.concatenate([objects(p) for p in arrays], axis=axis))
 
 
 def reshaped(a: Array, *shape: Any, **more: Any) -> Any:
@@ -322,11 +322,13 @@ def expanded(a: Array, axis: Any) -> Any:
     return a[tuple(None if d in new else slice(None) for d in range(n))]
 
 
-def at_least(axes: int, *given: Any) -> Any:
+def at_least(axes: int, *values: Any) -> Any:
     """Return np.atleast_1d or np.atleast_2d."""
-    own = [lifted(tape_of(given), one) for one in given]
-    made = [(np.asarray(a) if type(a) is float else a)[(None,) * (axes - np.ndim(a))] for a in own]
-    return made[0] if len(made) == 1 else tuple(made)
+    arrays = [lifted(tape_of(values), one) for one in values]
+    result = [
+        (np.asarray(a) if type(a) is float else a)[(None,) * (axes - np.ndim(a))] for a in arrays
+    ]
+    return result[0] if len(result) == 1 else tuple(result)
 
 
 def copied(a: Any, *arguments: Any, **more: Any) -> Any:
@@ -336,19 +338,19 @@ def copied(a: Any, *arguments: Any, **more: Any) -> Any:
     ref = a._ref
     if type(ref) is float:
         return ref
-    made = Array(a._tape, ref, a.shape)
-    made._whole = a._whole
-    return made
+    copy = Array(a._tape, ref, a.shape)
+    copy._whole = a._whole
+    return copy
 
 
 def converted(a: Any, dtype: Any = float, *more: Any, **named: Any) -> Any:
     """Return a copy of numbers of another kind."""
     kind = np.dtype(dtype)
     if kind == np.int64:
-        found = np.trunc(as_number(a))
-        if isinstance(found, Array):
-            found._whole = True
-        return found
+        numbers = np.trunc(as_number(a))
+        if isinstance(numbers, Array):
+            numbers._whole = True
+        return numbers
     if kind == TRUTH:
         return a if a._is_condition else a != 0
     return copied(as_number(a)) if kind == np.float64 else refuse(f"numbers of {kind}")
