@@ -22,7 +22,8 @@ from typing import Any
 import numpy as np
 
 from .arrays import Array, Tape, Unread
-from .stand_ins import BUILTINS, SHADOWS, stand_in, table_of, vectorized
+from .lookup_tables import is_table
+from .stand_ins import BUILTINS, SHADOWS, stand_in, vectorized
 from .unchanged import names_in
 from .views import fresh
 
@@ -61,9 +62,8 @@ class Copies:
             return self._function(value)
         if type(value) is np.ndarray and value.dtype == float and value.size:
             return self._numbers(value)
-        table = table_of(value)
-        if table is not None:
-            return table
+        if is_table(value):
+            return stand_in(value)
         self.snapshot.add(value)
         if isinstance(value, MethodType):
             self.snapshot.add(value.__self__)
@@ -235,8 +235,8 @@ def borrowed(spaces: list[dict[str, Any]]) -> Iterator[None]:
             for space in spaces:
                 for name in {**SHADOWS, **space}:
                     value = space.get(name, _NONE)
-                    new = SHADOWS[name] if value is _NONE else _stand_in_named(name, value)
-                    if new is not value:
+                    new = SHADOWS[name] if value is _NONE else stand_in(value)
+                    if new is not value and not name.startswith("__"):
                         undo.append((space, name, value))
                         space[name] = new
             yield
@@ -246,8 +246,3 @@ def borrowed(spaces: list[dict[str, Any]]) -> Iterator[None]:
                     del space[name]
                 else:
                     space[name] = value
-
-
-def _stand_in_named(name: str, value: Any) -> Any:
-    """Return what stands for a name of a module."""
-    return value if name.startswith("__") else table_of(value) or stand_in(value)

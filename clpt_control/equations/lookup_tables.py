@@ -250,14 +250,18 @@ TABLES: dict[str, Callable[[Any], Callable]] = {
 }
 
 
+def _kind(value: Any) -> str:
+    return f"{type(value).__module__}.{type(value).__name__}"
+
+
 def is_table(value: Any) -> bool:
     """Return whether a value is one of SciPy's interpolators."""
-    return f"{type(value).__module__}.{type(value).__name__}" in TABLES
+    return _kind(value) in TABLES
 
 
 def function_of(value: Any) -> Callable | None:
-    """Return an interpolator as a function of signals; None for what is none."""
+    """Return an interpolator as a function of signals; None for any other value."""
     if not is_table(value):
         return None
-    table = cache(TABLES[f"{type(value).__module__}.{type(value).__name__}"])
-    return lambda tape, *given: table(value)(tape, *given)
+    table = cache(TABLES[_kind(value)])
+    return lambda tape, *x: table(value)(tape, *x)

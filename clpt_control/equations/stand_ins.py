@@ -376,7 +376,7 @@ _KNOWN: dict[int, Any] = {
 
 
 def stand_in(value: Any) -> Any:
-    """Return what stands for a module, function or type; a value without one as it is."""
+    """Return what stands for a module, function, type or interpolator; else the value itself."""
     known = _KNOWN.get(id(value))
     if known is not None:
         return known
@@ -388,7 +388,8 @@ def stand_in(value: Any) -> Any:
     of_them = isinstance(name, str) and any(vars(m).get(name) is value for m in (np, np.linalg))
     if isinstance(value, np.ufunc) or (of_them and not isinstance(value, type)):
         return _KNOWN.setdefault(id(value), of_numpy(value))
-    return value
+    table = function_of(value)
+    return value if table is None else StandIn(value, table)
 
 
 def imported(name: str, *arguments: Any, **more: Any) -> Any:
@@ -397,9 +398,3 @@ def imported(name: str, *arguments: Any, **more: Any) -> Any:
 
 
 BUILTINS: dict[str, Any] = {**vars(builtins), **SHADOWS, "__import__": imported, READ: True}
-
-
-def table_of(value: Any) -> StandIn | None:
-    """Return what stands for one of SciPy's interpolators; None for what is none."""
-    function = function_of(value)
-    return None if function is None else StandIn(value, function)
