@@ -1,4 +1,4 @@
-"""Every reading of a diagram by name, to be asked at a point.
+"""Every reading of a diagram by name, a function of a point.
 
     python      the blocks in Python, one pass in the order of the wiring
     control     python-control's own evaluation of the diagram
@@ -38,18 +38,18 @@ from ..native.python_diagram import PythonDiagram
 from ..native.schedule import JUMPS
 from ..native.sweep import Sweep
 
-Asked = tuple[np.ndarray, np.ndarray]
+Values = tuple[np.ndarray, np.ndarray]  # state derivative and outputs
 
 
 class Reading(NamedTuple):
     """One reading of a diagram."""
 
-    ask: Callable[[float, Any, Any], Asked]  # state derivative and outputs at (t, x, u)
+    evaluate: Callable[[float, Any, Any], Values]  # at (t, x, u)
     jump: Callable[[float, Any, Any], np.ndarray]  # states where every block that can has jumped
 
-    def __call__(self, t: float, x: Any, u: Any) -> Asked:
+    def __call__(self, t: float, x: Any, u: Any) -> Values:
         """Return state derivative and outputs."""
-        return self.ask(t, x, u)
+        return self.evaluate(t, x, u)
 
 
 @public
@@ -93,7 +93,7 @@ def readings(
     """
     sweep = PythonDiagram(diagram, params).sweep
 
-    def by_control(t: float, x: Any, u: Any) -> Asked:
+    def by_control(t: float, x: Any, u: Any) -> Values:
         arguments = (t, np.asarray(x, dtype=float), np.asarray(u, dtype=float), params)
         return np.asarray(diagram.dynamics(*arguments)), np.asarray(diagram.output(*arguments))
 
@@ -112,7 +112,7 @@ def readings(
 
 
 def _in_sweep(sweep: Sweep) -> Reading:
-    def ask(t: float, x: Any, u: Any) -> Asked:
+    def evaluate(t: float, x: Any, u: Any) -> Values:
         sweep.enter(t)
         x, u = np.asarray(x, dtype=float), np.asarray(u, dtype=float)
         return sweep.derivative(t, x, u), sweep.outputs()
@@ -122,11 +122,11 @@ def _in_sweep(sweep: Sweep) -> Reading:
         x, u = np.asarray(x, dtype=float), np.asarray(u, dtype=float)
         return sweep.jump(t, x, u, sweep.jumping)
 
-    return Reading(ask, jump)
+    return Reading(evaluate, jump)
 
 
 def _by_machine(diagram: Any, params: Any, form: str | None, lanes: int) -> Reading:
-    """Return a reading of machine code; in lanes the last is asked, the others lie elsewhere."""
+    """Return a reading of machine code; of several lanes the last, the others are elsewhere."""
 
     @cache
     def compiled() -> tuple[NativeDiagram, tuple[np.ndarray, ...]]:
@@ -136,22 +136,22 @@ def _by_machine(diagram: Any, params: Any, form: str | None, lanes: int) -> Read
         X, P, W, D = (np.zeros((max(size, 1), lanes)) for size in sizes)
         return native, (np.zeros(lanes), X, P, np.append(native.layout.T, 0.0), W, D)
 
-    def run(t: float, x: Any, u: Any, *functions: str) -> Asked:
+    def run(t: float, x: Any, u: Any, *functions: str) -> Values:
         native, arrays = compiled()
         decided_at, decided = native.decided_at, native.code.program.decided
         first = ("prepare", "decide") if decided else ()
         x, u = np.asarray(x, dtype=float), np.asarray(u, dtype=float)
         time, X, P, _, W, D = arrays
         lane, n, m = lanes - 1, native.nstates, native.wiring.ninputs
-        own = native.parameters()
-        own[native.ramp : native.ramp + 1 + 2 * m] = [t, *u, *np.zeros(m)]
+        p = native.parameters()
+        p[native.ramp : native.ramp + 1 + 2 * m] = [t, *u, *np.zeros(m)]
         for k, place in native.layout.intervals.items():
-            block, given = native.wiring.nodes[k].system, native.sweep.parameters[k]
-            own[place] = block.parameters_at(t, given).interval
-        own[list(native.layout.jumps.values())] = JUMPS
+            block, parameters = native.wiring.nodes[k].system, native.sweep.parameters[k]
+            p[place] = block.parameters_at(t, parameters).interval
+        p[list(native.layout.jumps.values())] = JUMPS
         for k in range(lanes):
             elsewhere = 1.0 + 0.1 * (lane - k)
-            time[k], X[:n, k], P[: len(own), k] = t, x * elsewhere, own
+            time[k], X[:n, k], P[: len(p), k] = t, x * elsewhere, p
         for name in (*first, "prepare", *functions):
             address = native.code.address(name, lanes)
             function = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 6)(int(address))
@@ -170,10 +170,10 @@ def _by_machine(diagram: Any, params: Any, form: str | None, lanes: int) -> Read
 
 
 class _SymbolicSweep(Sweep):
-    """A pass over the diagram that asks SymPy's expressions."""
+    """A pass over the diagram by SymPy's expressions."""
 
-    def __init__(self, *given: Any):
-        super().__init__(*given)
+    def __init__(self, *arguments: Any):
+        super().__init__(*arguments)
         self._functions: dict[tuple[int, str], SymbolicFunction] = {}
 
     def _call(self, role: str, k: int, t: float, x: np.ndarray, u: np.ndarray, out: Any) -> None:
@@ -193,10 +193,10 @@ class _SymbolicSweep(Sweep):
 
 LONG = 20  # operations; a longer expression is a symbol of its own
 # what loses its digits, or its range, written out: log1p(a) as log(1 + a)
-KEPT = {name: sympy.Function(f"{name}_", real=True) for name in ("hypot", "log1p", "expm1")}
+PRECISE = {name: sympy.Function(f"{name}_", real=True) for name in ("hypot", "log1p", "expm1")}
 NAMES: dict[str, Callable[..., Any]] = {
     **NUMBERS,
-    **{f"{name}_": numbers.OPERATIONS[name] for name in KEPT},
+    **{f"{name}_": numbers.OPERATIONS[name] for name in PRECISE},
     **{name: numbers.OPERATIONS[name] for name in ("sin", "cos", "tan")},  # NaN beyond MOST_ANGLE
     "picked": numbers.picked,
 }
@@ -250,8 +250,8 @@ class SymbolicFunction(Symbols):
 
     def apply(self, ref: int, kind: str, arguments: tuple) -> Any:
         """Return what SymPy makes of an operation, as a symbol where it is long."""
-        if kind in KEPT:
-            return self._step(KEPT[kind](*arguments))
+        if kind in PRECISE:
+            return self._step(PRECISE[kind](*arguments))
         if kind == "pow" and arguments[1] in (2.0, 3.0, 4.0):
             arguments = arguments[0], sympy.Integer(arguments[1])
         return self._step(super().apply(ref, kind, arguments))
@@ -263,17 +263,17 @@ class SymbolicFunction(Symbols):
         self.steps.append((symbol, value))
         return symbol
 
-    def __call__(self, given: Callable[[str, str], np.ndarray]) -> np.ndarray:
-        """Return the value of each output; ``given("x", "alpha")`` is an array."""
+    def __call__(self, leaf: Callable[[str, str], np.ndarray]) -> np.ndarray:
+        """Return the value of each output; ``leaf("x", "alpha")`` is an array."""
         values = []
         for group, name, *more in self.leaves:
             if group == "":
                 values.append(name)
             elif group == "row":
-                row = given("p", name)
+                row = leaf("p", name)
                 values.append(row if more[0] is None else numbers.viewed(row, *more[0]))
             else:
-                values.append(np.asarray(given(group, name))[more[0]])
+                values.append(np.asarray(leaf(group, name))[more[0]])
         with np.errstate(all="ignore"):
             return np.array(
                 self._compiled(*(np.asarray(v, dtype=float)[()] for v in values)), dtype=float

@@ -25,12 +25,12 @@ from .equations import (
     _repeats,
     _zero,
     control_values,
+    copied,
     differ,
-    keeps_units,
-    own_copy,
     python_values,
     random_samples,
     roles,
+    unit_check,
 )
 
 # --- as a part of diagrams ---------------------------------------------------------------------
@@ -46,7 +46,7 @@ SMOOTH = frozenset(
 
 def _copies(block: Block, drawn: list[Sample]) -> Iterator[str]:
     """A copy under a new name shares nothing with the original."""
-    before = own_copy(block.parameters)
+    before = copied(block.parameters)
     twin = block.copy(name=f"{block.name}_copy")
     if twin.name != f"{block.name}_copy" or list(twin.params) != [twin.name]:
         yield f"{block.name}: a copy with a new name keeps the old one in its parameters"
@@ -345,7 +345,7 @@ def check_block(
     drawn = random_samples(block, seed, max(samples, 4))
     checked: list[str] = []
     failures: list[str] = []
-    for check in (*CHECKS, *([] if units is None else [keeps_units(units)])):
+    for check in (*CHECKS, *([] if units is None else [unit_check(units)])):
         checked.append((check.__doc__ or "").splitlines()[0])
         try:
             failures.extend(check(block, drawn))

@@ -1,10 +1,10 @@
 """Checks of a block's equations, and the random arguments of all checks.
 
-They are asked whether they repeat, are finite, are read as Python runs them, and whether the units
-that are declared for a block fit together: they are tried in others.  With a metre half as long
-every length is twice as large a number, every speed too, and an acceleration per second squared
-stays.  Equations whose units fit give, of numbers so changed, results so changed: for an output y
-of unit m^a s^b, in a unit of length 1/c times as long,
+Equations must repeat, be finite and be read as Python runs them, and the units that are declared
+must fit together.  These are checked in other units: with a metre half as long every length is
+twice as large a number, every speed too, and an acceleration per second squared stays.  Equations
+whose units fit give, of numbers so changed, results so changed: for an output y of unit m^a s^b, in
+a unit of length 1/c times as long,
 
     y(c^.. u, c^.. p) = c^a y(u, p)
 
@@ -59,8 +59,8 @@ def python_values(block: Block, role: str, sample: Sample) -> np.ndarray:
     """Return what Python computes for one sample, whose arguments are copied."""
     if role == "output" and block.states_are_outputs:
         return sample.x.copy()
-    given = sample.t, sample.x.copy(), sample.u.copy(), own_copy(sample.p)
-    return block.values(role, block.noutputs if role == "output" else block.nstates, *given)
+    size = block.noutputs if role == "output" else block.nstates
+    return block.values(role, size, sample.t, sample.x.copy(), sample.u.copy(), copied(sample.p))
 
 
 def control_values(system: Any, role: str, sample: Sample) -> np.ndarray:
@@ -69,7 +69,7 @@ def control_values(system: Any, role: str, sample: Sample) -> np.ndarray:
     return call(sample.t, sample.x, sample.u)
 
 
-def own_copy(p: Any) -> Any:
+def copied(p: Any) -> Any:
     """Return the same parameters with arrays of their own."""
     return p._replace(**{f: v.copy() for f, v in p._asdict().items() if isinstance(v, np.ndarray)})
 
@@ -170,7 +170,7 @@ def powers(unit: str) -> dict[str, int]:
     return {symbol: power for symbol, power in found.items() if power}
 
 
-def keeps_units(units: Mapping[str, str]) -> Callable[[Block, list[Sample]], Iterator[str]]:
+def unit_check(units: Mapping[str, str]) -> Callable[[Block, list[Sample]], Iterator[str]]:
     """Return the check of a block whose ports, parameters and time t have these units."""
 
     def check(block: Block, drawn: list[Sample]) -> Iterator[str]:
@@ -199,9 +199,9 @@ def _failures(block: Block, drawn: list[Sample], units: Mapping[str, str]) -> It
     for symbol in sorted({symbol for one in each.values() for symbol in one}):
         by = {name: FACTOR ** one.get(symbol, 0) for name, one in each.items()}
         for role in roles(block):
-            made = block.output_ports if role == "output" else block.state_ports
+            out = block.output_ports if role == "output" else block.state_ports
             rate = by["t"] if role == "update" else 1.0
-            names = [port for port, count in made.items() for _ in range(count)]
+            names = [port for port, count in out.items() for _ in range(count)]
             for sample in drawn:
                 other = Sample(
                     sample.t * by["t"],
@@ -209,14 +209,14 @@ def _failures(block: Block, drawn: list[Sample], units: Mapping[str, str]) -> It
                     sample.u * _along(block.input_ports, by),
                     sample.p._replace(**{n: getattr(sample.p, n) * by[n] for n in scaled}),
                 )
-                wanted = python_values(block, role, sample) * _along(made, by) / rate
-                got = python_values(block, role, other)
-                off = np.abs(got - wanted) > TOLERANCE * np.max(np.abs(wanted), initial=0.0)
+                wanted = python_values(block, role, sample) * _along(out, by) / rate
+                actual = python_values(block, role, other)
+                off = np.abs(actual - wanted) > TOLERANCE * np.max(np.abs(wanted), initial=0.0)
                 if off.any():
                     port = names[int(np.argmax(off))]
                     yield (
                         f"{block.name}.{role}: {port} is not of the unit '{units[port]}' that is "
-                        f"declared: in a smaller {symbol} it becomes {got[off][0]:.6g}, not "
+                        f"declared: in a smaller {symbol} it becomes {actual[off][0]:.6g}, not "
                         f"{wanted[off][0]:.6g}; "
                         "a number in the equations has a unit, or one is declared wrongly"
                     )

@@ -335,8 +335,7 @@ class Law(NamedTuple):
 
     def V(self, p: Any, truth: Truth) -> Block:
         """Make V of its parameters."""
-        gains = self.V_gain(p), *gains_of(p)
-        values = weighted([1.0 if gain is None else gain for gain in gains], *truth)._asdict()
+        values = weighted((self.V_gain(p), *gains_of(p)), *truth)._asdict()
         values |= {name: getattr(p, name) for name in self.parameters if name not in values}
         ports = {name: state.shape for name, state in {**LEARNED, **self.states}.items()}
         return Block(
@@ -360,8 +359,8 @@ def among(parameters: Any, shapes: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def gains_of(p: Any) -> tuple[Any, Any]:
-    """Return gamma of K and of Gamma."""
-    one = p.get("gain")
+    """Return gamma of K and of Gamma; 1 where a law adapts neither."""
+    one = p.get("gain", 1.0)
     return p.get("gain_K", one), p.get("gain_Gamma", one)
 
 
