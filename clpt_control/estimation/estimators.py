@@ -8,7 +8,7 @@ Of one kind of sea the flow is a Gaussian process, each part with its own covari
 
     steady current                 sd^2
     tides, speed, compass          sd^2 exp(-t/fading)
-    inertial current               the same, turned by -c t
+    inertial current               the same, rotated by -c t
     slow current, rough            S^2 exp(-t/tau)
     slow current, smooth           S^2 (1 + g t) exp(-g t),  g = sqrt(3)/tau
 
@@ -76,10 +76,10 @@ from .fix_model import DAY, FAR, FixModel, Kind
 HIDDEN = 4  # states before the parameters: the slow current and its slope
 
 
-class Seen(NamedTuple):
-    """What the bank saw at its last dive, for who watches it.
+class LastUpdate(NamedTuple):
+    """The update of a bank by its last dive, which a watch reads.
 
-    `matched` is where the state before stands in the one that `F` (m, n, n) turned,
+    `matched` is where the state before stands in the one that `F` (m, n, n) moved,
     `H` (2, n) is the regressor, `innovation` (m, 2) the
     miss less what was expected, `inverse` (m, 2, 2) of its covariance, `rest`
     (m, n, n) is I - K H, `weights` and `mean` were before the dive.
@@ -209,7 +209,7 @@ class KalmanBank(Bank):
         super().__init__(model, tuple(kinds), present)
         chance = np.where(present, chances, 1 - np.array(chances))
         self.log_prior = self.log_weight = np.log(chance).sum(axis=1)
-        self.seen: Seen | None = None
+        self.last_update: LastUpdate | None = None
 
     def update(self, dive: Dive) -> None:
         """Learn from a dive that has ended."""
@@ -232,11 +232,10 @@ class KalmanBank(Bank):
         inverse = np.linalg.inv(H @ P @ H.T + R)
         gain = P @ H.T @ inverse
         self.mean = mean + np.einsum("mni,mi->mn", gain, innovation)
-        rest = np.eye(P.shape[1]) - gain @ H
-        P = rest @ P @ rest.transpose(0, 2, 1) + gain @ R @ gain.transpose(0, 2, 1)
+        P, rest = corrected(P, H, R, gain)
         self.covariance = 0.5 * (P + P.transpose(0, 2, 1))
         self.time = mid_time(dive)
-        self.seen = Seen(matched, F, H, innovation, inverse, rest, weights, before)
+        self.last_update = LastUpdate(matched, F, H, innovation, inverse, rest, weights, before)
 
     def parts(self) -> dict[str, float]:
         """Return the probability that each part is present."""
@@ -244,13 +243,13 @@ class KalmanBank(Bank):
         has = dict(zip(self.model.optional, self.present.T, strict=True))
         has["trend"] = kinds.smooth * kinds.size / kinds.memory > 0.05 / DAY
         has["eddies"] = kinds.memory <= 4 * DAY
-        found = {name: min(float(w @ on), 1.0) for name, on in has.items()}
+        present = {name: min(float(w @ on), 1.0) for name, on in has.items()}
         for name in ("speed", "compass") if self.model.learn_speed else ():
             k = self.model.names.index(name)
             variance = self.covariance[:, HIDDEN + k, HIDDEN + k]
             after = np.exp(-0.5 * self.mean[:, HIDDEN + k] ** 2 / variance) / np.sqrt(variance)
-            found[name] = float(1 / (1 + w @ after * self.model.prior_sd[k]))
-        return found
+            present[name] = float(1 / (1 + w @ after * self.model.prior_sd[k]))
+        return present
 
 
 def mixed(
@@ -264,6 +263,14 @@ def mixed(
     away = means - mean
     between = np.einsum("m,mi,mj->ij", weights, away, away)
     return mean, np.einsum("m,mij->ij", weights, covariances) + between
+
+
+def corrected(
+    P: np.ndarray, H: np.ndarray, R: np.ndarray, gain: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return the covariances (m, n, n) after an update of any gain K, and I - K H."""
+    rest = np.eye(P.shape[1]) - gain @ H
+    return rest @ P @ rest.transpose(0, 2, 1) + gain @ R @ gain.transpose(0, 2, 1), rest
 
 
 def with_hidden(H: np.ndarray) -> np.ndarray:
@@ -304,8 +311,8 @@ class Gradient(Bank):
         mean, S = self.predict(dive)
         far = float(np.sum((miss(dive) - mean) ** 2)) / S[0, 0]
         trust = 1.0 - dive.doubt**2 / S[0, 0]
-        seen = 0.5 * min(far, FAR) * S[0, 0] / dive.duration**2
-        self.variance = (self.count * self.variance + trust * seen) / (self.count + trust)
+        observed = 0.5 * min(far, FAR) * S[0, 0] / dive.duration**2
+        self.variance = (self.count * self.variance + trust * observed) / (self.count + trust)
         self.count = min(self.count + 1, self.priors.miss_memory)
         self.model, _, p, P = self.ahead(dive)
         H, R = with_hidden(self.model.regressor(dive, ended=True)), self.noise(dive)
@@ -313,8 +320,7 @@ class Gradient(Bank):
         mu = trust * self.priors.gain * FAR / max(far, FAR)
         gain = mu * weight @ np.linalg.inv(H @ weight + R)
         self.mean = p + (miss(dive) - p @ H.T) @ gain.transpose(0, 2, 1)[0]
-        rest = np.eye(P.shape[1]) - gain @ H
-        self.covariance = rest @ P @ rest.transpose(0, 2, 1) + gain @ R @ gain.transpose(0, 2, 1)
+        self.covariance, _ = corrected(P, H, R, gain)
         self.time = mid_time(dive)
 
     def parts(self) -> dict[str, float]:

@@ -21,11 +21,11 @@ The columns of H, what one unit of a parameter does:
     compass             (d_north, -d_east)            psi, rad, clockwise
 
 with T the duration, tm mid-dive, d the dead reckoning and s(w) = sin(w T/2)/(w T/2),
-the mean of a tide over a dive.  Between dives the inertial current turns by
+the mean of a tide over a dive.  Between dives the inertial current rotates by
 -c dt, c = 2 Omega sin(latitude) (A. E. Gill, "Atmosphere-Ocean Dynamics", 1982,
 section 8.3).
 
-Gaussian functions of place where a vehicle's track supports them, Eq. (5).
+Gaussian functions of place stand where a vehicle's track supports them, Eq. (5).
 
     phi_c(x) = exp(-|x - c|^2 / (2 width^2)),  H_c = int phi_c(x(t)) dt
 
@@ -34,7 +34,7 @@ fix.  One joins the parameters when a track first comes near enough that
 H_c > `REACHED` T; before that it has its prior and nothing else, so that joining
 late changes little.
 
-A long voyage keeps the `MOST` places nearest to its last track.
+On a long voyage only the `MOST` places nearest to its last track remain.
 
 Along a dive x(t) is the dead-reckoned track from the fix before it; when the
 dive has ended, the track bent evenly to the fix after it.
@@ -64,7 +64,7 @@ from .dive import Dive, mid_time, miss, reckoned
 WIDTH = 20e3  # m, of a gaussian
 SPACING = 1.5  # widths
 REACHED = 0.1  # share of a dive's time
-MOST = 40  # places that are kept; the farthest are forgotten
+MOST = 40  # places that are parameters; the farthest are forgotten
 SAMPLES = 25  # of a track
 
 
@@ -151,7 +151,7 @@ class Kind(NamedTuple):
 
     size: Any  # S, m/s, of the slow current
     memory: Any  # tau, s
-    smooth: Any = 1.0  # 1: it turns slowly, 0: it may turn at once
+    smooth: Any = 1.0  # 1: it changes slowly, 0: it may change at once
     scatter: Any = 0.005  # s, m/s, what no parameter explains and no dive remembers
 
 
@@ -226,7 +226,7 @@ class Priors(NamedTuple):
     gain: float = 1.0  # mu, between 0 and 2 for stability
     # judgement: the gradient's one sea; a current that it forgets walks 0.04 m/s in six hours
     gradient: Kind = Kind(0.0, 28.125 * DAY, scatter=0.04)
-    miss: float = 0.1  # m/s, a miss over its time, before dives have told
+    miss: float = 0.1  # m/s, a miss over its time, before any dive
     miss_weight: float = 4.0  # dives that this guess weighs
     miss_memory: float = 20.0  # dives that are remembered of it
 
@@ -290,16 +290,16 @@ def modelled(dive: Dive, ended: bool) -> np.ndarray:
 def tide(name: str, dive: Dive, ended: bool) -> np.ndarray:
     """Return the columns of a tide by its name."""
     w = 2 * math.pi / period(name, "s")
-    turn = w * mid_time(dive)
-    return swing(dive, w) * np.kron([math.cos(turn), math.sin(turn)], np.eye(2))
+    phase = w * mid_time(dive)
+    return swing(dive, w) * np.kron([math.cos(phase), math.sin(phase)], np.eye(2))
 
 
-def ahead(dive: Dive, ended: bool) -> np.ndarray:
+def speed_column(dive: Dive, ended: bool) -> np.ndarray:
     """Return the column of the speed."""
     return np.array([[dive.dr_east], [dive.dr_north]])
 
 
-def aside(dive: Dive, ended: bool) -> np.ndarray:
+def compass_column(dive: Dive, ended: bool) -> np.ndarray:
     """Return the column of the compass."""
     return np.array([[dive.dr_north], [-dive.dr_east]])
 
@@ -340,10 +340,10 @@ class FixModel:
         known = ("steady", *OTHERS, *SPEEDS)
         for name in self.flow:
             if name not in known:
-                meant = [k for k in known if k.casefold() == name.strip().casefold()]
+                similar = [k for k in known if k.casefold() == name.strip().casefold()]
                 raise ScenarioError(
                     f"flow {','.join(self.flow) or 'empty'}: unknown constituent '{name}'"
-                    f"{' (did you mean ' + meant[0] + '?)' if meant else ''}: must be one of "
+                    f"{' (did you mean ' + similar[0] + '?)' if similar else ''}: must be one of "
                     f"{', '.join(known)}"
                 )
         if not self.flow or self.flow[0] != "steady" or len(set(self.flow)) < len(self.flow):
@@ -360,26 +360,26 @@ class FixModel:
     def table(self) -> tuple[Part, ...]:
         """The parts, in the order of the parameters."""
         p = self.priors
-        found = [Part("current", _axes("current"), p.current, math.inf, steady)]
+        parts = [Part("current", _axes("current"), p.current, math.inf, steady)]
         for name in self.flow[1:]:
             if name == "inertial":
-                found.append(Part(name, _axes(name), p.inertial, p.inertial_fading, inertial))
+                parts.append(Part(name, _axes(name), p.inertial, p.inertial_fading, inertial))
             elif name == "shear":
-                found.append(Part(name, _axes(name), p.shear, math.inf, shear))
+                parts.append(Part(name, _axes(name), p.shear, math.inf, shear))
             elif name == "model":
-                found.append(Part(name, (name,), p.model, math.inf, modelled))
+                parts.append(Part(name, (name,), p.model, math.inf, modelled))
             elif name != "gaussians":
                 pair = _axes(f"{name}_cos") + _axes(f"{name}_sin")
-                found.append(Part("tides", pair, p.tide, p.tide_fading, partial(tide, name)))
+                parts.append(Part("tides", pair, p.tide, p.tide_fading, partial(tide, name)))
         if self.learn_speed:
-            found.append(Part("speed", ("speed",), p.speed, p.speed_fading, ahead))
-            found.append(Part("compass", ("compass",), p.compass, p.compass_fading, aside))
+            parts.append(Part("speed", ("speed",), p.speed, p.speed_fading, speed_column))
+            parts.append(Part("compass", ("compass",), p.compass, p.compass_fading, compass_column))
         if self.places:
             cells = [f"gaussian[{i},{j}]" for i, j in self.places.cells]
             names = tuple(name for cell in cells for name in _axes(cell))
             columns = partial(places_columns, self.places)
-            found.append(Part("gaussians", names, p.gaussian, math.inf, columns))
-        return tuple(found)
+            parts.append(Part("gaussians", names, p.gaussian, math.inf, columns))
+        return tuple(parts)
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -434,7 +434,7 @@ class FixModel:
     def transition(self, dt: float, latitude: float) -> np.ndarray:
         """Return F, what is left of the parameters after a time.
 
-        (n, n), `dt` in s; inertial currents turn.
+        (n, n), `dt` in s; inertial currents rotate.
         """
         fading = [part.fading for part in self.table for _ in part.parameters]
         F = np.diag(np.exp(-dt / np.array(fading)))

@@ -50,8 +50,8 @@ class Segments(NamedTuple):
     start: np.ndarray  # (n, 2), x(t1), length
     end: np.ndarray  # (n, 2), x(t2), length
     track: np.ndarray | None = None  # (n, m, 2), x(t), length; None where it is not known
-    alone: float = np.inf  # most that a miss has of its own, length; its fixes have what is beyond
-    held: float = 0.0  # how long the noise with which the track is read is held; 0: read without
+    alone: float = np.inf  # most error that a miss has alone, length; its fixes have what is beyond
+    noise_period: float = 0.0  # how long one noise of the track's reading lasts; 0: without noise
 
     @property
     def miss(self) -> np.ndarray:
@@ -66,27 +66,27 @@ class Segments(NamedTuple):
     @property
     def renewed(self) -> np.ndarray:
         """Whether the noise at the end is another than at the start, (n,)."""
-        if not self.held:
+        if not self.noise_period:
             return np.ones(len(self.time), dtype=bool)
         return np.ptp(self._noises(), axis=1) > 0
 
     def _noises(self) -> np.ndarray:
         """Return the number of the noise at each time, (n, m); one that begins last is not read."""
-        near = 1e-9 * self.held
-        return np.minimum(self.time + near, self.time[-1, -1] - near) // self.held
+        near = 1e-9 * self.noise_period
+        return np.minimum(self.time + near, self.time[-1, -1] - near) // self.noise_period
 
     def blur(self, basis: Block) -> np.ndarray:
         """Return B, (n, N, N): read with noise s, theta h has the variance s^2 theta B theta^T.
 
-        B = sum over axes i and noises of g g^T, g = int dphi/dx_i dt while one noise is held.
+        B = sum over axes i and noises of g g^T, g = int dphi/dx_i dt while one noise lasts.
         """
         n, m = self.time.shape
-        if not self.held:
+        if not self.noise_period:
             return np.zeros((n, *2 * [sum(basis.output_ports.values())]))
-        track, step = self.seen, 1e-4 * np.ptp(self.seen) * np.eye(2)
+        track, step = self.known_track, 1e-4 * np.ptp(self.known_track) * np.eye(2)
         ahead, behind = (
-            [evaluate(basis, self.time.ravel(), (track + one).reshape(-1, 2)) for one in way]
-            for way in (step, -step)
+            [evaluate(basis, self.time.ravel(), (track + one).reshape(-1, 2)) for one in moves]
+            for moves in (step, -step)
         )
         slope = np.stack(ahead, axis=1) - np.stack(behind, axis=1)
         slope *= np.repeat(self.duration / m, m)[:, None, None] / (2 * step[0, 0])
@@ -98,11 +98,11 @@ class Segments(NamedTuple):
 
     def shares(self, r: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return the shares of r^2 that a miss has alone, and that each of its fixes has, (n,)."""
-        own = np.minimum(1.0, self.alone / r) ** 2
-        return own, (1 - own) / 2
+        alone = np.minimum(1.0, self.alone / r) ** 2
+        return alone, (1 - alone) / 2
 
     @property
-    def seen(self) -> np.ndarray:
+    def known_track(self) -> np.ndarray:
         """The track, or the dead-reckoned one bent evenly to its end, (n, m, 2), length."""
         if self.track is not None:
             return self.track
@@ -157,7 +157,7 @@ MOST_FIXES = 100_000  # of a run
 COARSE = 0.05  # of the way through the water between fixes, in the mean; more is refused
 
 
-class Way:
+class RunTrack:
     """Position and displacement through the water at any time of a run."""
 
     def __init__(self, run: "xarray.Dataset", scenario: Scenario):
@@ -165,21 +165,23 @@ class Way:
         self.scenario, self.basis = scenario, scenario.basis_block()
         self.places, self.water = [], []  # splines, one a piece
         self.doubt = 0.0  # of the displacement over a piece, length
-        self.held = {"waypoint": scenario.reference.dwell}  # how long, by what
+        self.periods = {"waypoint": scenario.reference.dwell}  # how long what lasts
         read = places
         if scenario.localization is not None:
-            self.held["noise"] = float(scenario.localization.noise_period or 0)
+            self.periods["noise"] = float(scenario.localization.noise_period or 0)
             read = run.measured_position.values
-        self.near = 1e-9 * min(self.held.values())
+        self.near = 1e-9 * min(self.periods.values())
         first, last = self.time[0], self.time[-1]
-        inner = np.concatenate([multiples(span, first, last) for span in self.held.values()])
+        inner = np.concatenate([multiples(span, first, last) for span in self.periods.values()])
         inner = np.sort(inner[(inner > first + self.near) & (inner < last - self.near)])
         apart = np.diff(inner, prepend=first) > self.near
         self.edges = np.array([first, *inner[apart], last])
         at = np.searchsorted(self.time, self.edges - self.near).clip(0, len(self.time) - 1)
         if np.any(np.abs(self.time[at] - self.edges) > 1e3 * self.near):
             unit = scenario.units.time
-            spans = " and ".join(f"the {w} each {span:g} {unit}" for w, span in self.held.items())
+            spans = " and ".join(
+                f"the {w} each {span:g} {unit}" for w, span in self.periods.items()
+            )
             raise ScenarioError(
                 f"run.output_step: there change {spans}, between two samples of the run; run it "
                 "with a step that divides that"
@@ -188,7 +190,7 @@ class Way:
         if fewest < LEAST:
             raise ScenarioError(
                 f"run.output_step: {fewest} samples between two changes of the "
-                f"{' or the '.join(self.held)}; at least {LEAST} are needed, run it with a "
+                f"{' or the '.join(self.periods)}; at least {LEAST} are needed, run it with a "
                 "smaller step"
             )
         every = np.concatenate([np.arange(a, b + 1) for a, b in pairwise(at)])
@@ -237,8 +239,8 @@ def run_segments(
             "localization.interval: the vehicle of this run steers on its prediction between "
             "fixes, so its velocity is not known; estimate from a run with interval = 0"
         )
-    way, fix = Way(run, scenario), scenario.reference.dwell / 10 if every is None else every
-    length = float(way.time[-1] - way.time[0])
+    track, fix = RunTrack(run, scenario), scenario.reference.dwell / 10 if every is None else every
+    length = float(track.time[-1] - track.time[0])
     if not 0 < fix <= length:
         raise ScenarioError(
             f"every = {fix:g}: must be positive and at most the run's length, {length:g} "
@@ -249,19 +251,19 @@ def run_segments(
             f"every = {fix:g}: more than {MOST_FIXES:,} fixes in the run; must be at least "
             f"{length / MOST_FIXES:g} {scenario.units.time}"
         )
-    fixes = way.time[0] + fix * np.arange(int(np.floor(length / fix * (1 + 1e-12))) + 1)
+    fixes = track.time[0] + fix * np.arange(int(np.floor(length / fix * (1 + 1e-12))) + 1)
     fine = fixes[:-1, None] + fix * np.linspace(0.0, 1.0, 2 * SAMPLES - 1)
-    x, d = way.at(np.minimum(fine, way.time[-1]))
-    floor = max(1e-4 * scenario.known_to_law.R, way.doubt)
-    held = way.held.get("noise", 0.0)
-    segments = Segments(fine[:, ::2], d - d[:, :1], x[:, 0], x[:, -1], x[:, ::2], floor, held)
+    x, d = track.at(np.minimum(fine, track.time[-1]))
+    floor = max(1e-4 * scenario.known_to_law.R, track.doubt)
+    period = track.periods.get("noise", 0.0)
+    segments = Segments(fine[:, ::2], d - d[:, :1], x[:, 0], x[:, -1], x[:, ::2], floor, period)
     moved = np.sqrt(np.mean(np.sum((d[:, -1] - d[:, 0]) ** 2, axis=1)))
-    if way.doubt > COARSE * moved:
+    if track.doubt > COARSE * moved:
         raise DataError(
-            f"the run's samples let the way through the water be known to {way.doubt:.2g} "
+            f"the run's samples let the way through the water be known to {track.doubt:.2g} "
             f"{scenario.units.length} only; run it with a smaller run.output_step"
         )
-    return segments, way.basis
+    return segments, track.basis
 
 
 def run_scenario(run: "xarray.Dataset") -> Scenario:
@@ -282,6 +284,7 @@ def run_scenario(run: "xarray.Dataset") -> Scenario:
     scenario = scenario_of_run(run)
     if run.sizes.get("time", 0) < 2:
         raise DataError("the run has fewer than two samples; run it with a smaller output_step")
-    names, seen = ["time", "position", "reference"], scenario.localization
-    check_run(run, scenario, *names, *([] if seen is None or seen.fixes else ["measured_position"]))
+    names, noisy = ["time", "position", "reference"], scenario.localization
+    more = [] if noisy is None or noisy.fixes else ["measured_position"]
+    check_run(run, scenario, *names, *more)
     return scenario

@@ -13,12 +13,13 @@ tomography      the track is not known: h along the track that theta predicts, l
 
 P is N x N and serves both axes.  Without a walk w the filter ends at least squares.
 
-Neighbouring misses of a run share a fix: n_s = r_s (own_s + m_s - m_{s-1}), where m_s of the fix at
-the end of s has the variance (1 - own_s^2)/2.  The n_s are a moving average of order 1; with
-own = 0 their covariance is r^2, and -r^2/2 beside the diagonal.  A filter whose only state is the
-last fix's noise makes white innovations of them, of y and of h (`whitened`): generalised least
-squares; the filter of theta holds that noise as one more state.  Where the track itself is read
-with noise, theta h is as wrong as that noise makes phi (`Segments.blur`).
+Neighbouring misses of a run share a fix: n_s = r_s (a_s + m_s - m_{s-1}), a_s of this miss alone
+and m_s of the fix at the end of s; their variances are `Segments.shares`.  The n_s are a moving
+average of order 1; where a_s = 0 their covariance is r^2, and -r^2/2 beside the diagonal.  A
+filter whose only state is the last fix's noise makes white innovations of them, of y and of h
+(`whitened`): generalised least squares; the filter of theta has that noise as one more state.
+Where the track itself is read with noise, theta h is as wrong as that noise makes phi
+(`Segments.blur`).
 
 A basis for a glider's dives has currents everywhere, and gaussians at the places:
 
@@ -49,35 +50,35 @@ from ..scenario.experiment import Scenario
 from ..scenario.tides import period
 from .dive import Dive
 from .fix_model import SPACING, WIDTH, Priors, near
-from .segments import Segments, dive_segments, run_scenario, run_segments
+from .segments import dive_segments, run_scenario, run_segments
 
 if TYPE_CHECKING:
     import xarray
 
-MOST = 100  # turns of the tomography
+MOST = 100  # iterations of the tomography
 SETTLED = 1e-9  # of the prior
 WIDE = 1e12  # m, of a gaussian that is 1 everywhere on Earth
 
 
-def fitted(h, y, theta, sd) -> tuple[np.ndarray, np.ndarray]:
+def regularised(h, y, theta, sd) -> tuple[np.ndarray, np.ndarray]:
     """Return theta and P of regularised least squares: h (n, N), y (n, 2), of unit noise."""
-    weighed = h * sd  # in units of the prior
-    if not np.all(np.isfinite(weighed)):
+    scaled = h * sd  # in units of the prior
+    if not np.all(np.isfinite(scaled)):
         raise DataError("the prior is too large for the noise; give a smaller prior or more noise")
-    U, s, Vt = np.linalg.svd(weighed, full_matrices=len(h) < len(sd))
+    U, s, Vt = np.linalg.svd(scaled, full_matrices=len(h) < len(sd))
     moved = Vt[: len(s)].T @ ((s / (1 + s**2))[:, None] * (U.T @ (y - h @ theta.T)))
     share = np.ones(len(sd))  # of the prior that is left along each row of Vt
     share[: len(s)] = 1 / (1 + s**2)
     return theta + (sd[:, None] * moved).T, sd[:, None] * ((Vt.T * share) @ Vt) * sd
 
 
-def whitened(segments, columns, r, blurred=0.0):
+def whitened(segments, columns, r, blur=0.0):
     """Return columns (n, c) as innovations over their standard deviation: white, of size 1."""
-    own, fix = segments.shares(r)
-    own = own + fix * blurred
+    alone, fix = segments.shares(r)
+    alone = alone + fix * blur
     white, last, p = columns / r[:, None], np.zeros(columns.shape[1]), fix[0]
     for k, new in enumerate(segments.renewed):
-        S = new * (p + fix[k]) + own[k]
+        S = new * (p + fix[k]) + alone[k]
         innovation = white[k] + new * last  # one noise read twice leaves no trace
         white[k] = innovation / np.sqrt(S)
         if new:
@@ -85,51 +86,51 @@ def whitened(segments, columns, r, blurred=0.0):
     return white
 
 
-def blurred(theta, P, B):
+def expected_blur(theta, P, B):
     """Return what is expected of theta B theta^T, of the axis where it is larger."""
     known = np.einsum("...kl,ak,al->...a", B, theta, theta).max(axis=-1)
     return known + np.einsum("...kl,kl->...", B, P)
 
 
-def weighed(segments, h, theta, sd, r, spread=0.0) -> tuple[np.ndarray, np.ndarray]:
+def generalised(segments, h, theta, sd, r, blur=0.0) -> tuple[np.ndarray, np.ndarray]:
     """Return theta and P of generalised least squares along a track."""
     if not np.all(np.isfinite(h)):
         raise DataError(
             "phi along the tracks is not finite; where they are predicted, give fixes more often "
             "or a smaller prior"
         )
-    white = whitened(segments, np.hstack([h, segments.miss]), r, spread)
-    return fitted(white[:, :-2], white[:, -2:], theta, sd)
+    white = whitened(segments, np.hstack([h, segments.miss]), r, blur)
+    return regularised(white[:, :-2], white[:, -2:], theta, sd)
 
 
-def least_squares(segments, basis, theta, sd, r, w):
+def batch_least_squares(segments, basis, theta, sd, r, w):
     """Return theta, P, the steps and h of batch least squares."""
-    h, B = segments.integrals(basis, segments.seen), segments.blur(basis)
+    h, B = segments.integrals(basis, segments.known_track), segments.blur(basis)
     first, P = theta, np.diag(sd**2)
-    for _ in range(3 if segments.held else 1):
-        theta, P = weighed(segments, h, first, sd, r, blurred(theta, P, B))
+    for _ in range(3 if segments.noise_period else 1):
+        theta, P = generalised(segments, h, first, sd, r, expected_blur(theta, P, B))
     return theta, P, theta[None], h
 
 
 def kalman(segments, basis, theta, sd, r, w):
     """Return theta, P, the steps and h of the filter, causal: each segment after its end."""
-    h, B, N = segments.integrals(basis, segments.seen), segments.blur(basis), len(sd)
+    h, B, N = segments.integrals(basis, segments.known_track), segments.blur(basis), len(sd)
     alone, fix = segments.shares(r)
     x, P = np.pad(theta, ((0, 0), (0, 2))), np.diag([*sd**2, fix[0], 0.0])
     steps, before = [], segments.time[0, -1]
     for k, new in enumerate(segments.renewed):
         P[:N, :N] += np.diag(w**2 * max(segments.time[k, -1] - before, 0.0))
         before = segments.time[k, -1]
-        own = alone[k] + fix[k] * blurred(x[:, :N], P[:N, :N], B[k])
+        variance = alone[k] + fix[k] * expected_blur(x[:, :N], P[:N, :N], B[k])
         P[N + 1, N + 1] = fix[k]  # the states: theta, and of r the fixes' noise at start and end
         row = np.append(h[k] / r[k], [-1.0, 1.0] if new else [0.0, 0.0])
-        gain = P @ row / (own + row @ P @ row)
+        gain = P @ row / (variance + row @ P @ row)
         x = x + np.outer(segments.miss[k] / r[k] - x @ row, gain)
         rest = np.eye(N + 2) - np.outer(gain, row)
-        P = rest @ P @ rest.T + own * np.outer(gain, gain)
+        P = rest @ P @ rest.T + variance * np.outer(gain, gain)
         steps.append(x[:, :N])
-        kept = [*range(N), N + 1 if new else N]  # the end is the next one's start
-        x, P = np.pad(x[:, kept], ((0, 0), (0, 1))), np.pad(P[np.ix_(kept, kept)], (0, 1))
+        last = [*range(N), N + 1 if new else N]  # the end is the next one's start
+        x, P = np.pad(x[:, last], ((0, 0), (0, 1))), np.pad(P[np.ix_(last, last)], (0, 1))
     return steps[-1], P[:N, :N], np.array(steps), h
 
 
@@ -139,19 +140,19 @@ def tomography(segments, basis, theta, sd, r, w):
     for _ in range(MOST):
         check()
         h = segments.integrals(basis, segments.predicted(basis, theta))
-        before, (theta, P) = theta, weighed(segments, h, first, sd, r)
+        before, (theta, P) = theta, generalised(segments, h, first, sd, r)
         steps.append(theta)
         if np.max(np.abs(theta - before) / sd) < SETTLED:
             return theta, P, np.array(steps), h
     raise DataError(
-        f"the tomography does not settle in {MOST} turns: its last moved theta by "
+        f"the tomography does not settle in {MOST} iterations: its last moved theta by "
         f"{np.abs(theta - before).max():.2g}; give fixes more often, a smaller prior or fewer "
         "functions"
     )
 
 
 METHODS: dict[str, Callable[..., Any]] = {
-    "least-squares": least_squares,
+    "least-squares": batch_least_squares,
     "kalman": kalman,
     "tomography": tomography,
 }
@@ -172,7 +173,7 @@ class FlowEstimate:
     condition_number : float
         The largest over the smallest singular value of the integrals h, each over its noise.
     steps : ndarray, shape (k, 2, N)
-        theta after each segment of the filter or each turn of the tomography.
+        theta after each segment of the filter or each iteration of the tomography.
 
     Examples
     --------
@@ -270,7 +271,7 @@ def flow_estimate(
     """
     if method not in METHODS:
         raise ScenarioError(f"method {method!r}: must be one of {', '.join(METHODS)}")
-    origin, own_prior, usual_start = None, Priors().current, None
+    origin, usual_prior, usual_start = None, Priors().current, None
     usual_walk = 0.0  # of the prior
     if isinstance(data, Sequence):
         if not data:
@@ -284,14 +285,14 @@ def flow_estimate(
         usual_walk = np.sqrt(2 / sea.memory)  # that of a current, scaled
     else:
         scenario = run_scenario(data)
-        segments, own = run_segments(data, scenario, every)
-        basis, known = own if basis is None else basis, scenario.known_to_law
-        own_prior = PRIOR.usual(known)
+        segments, of_run = run_segments(data, scenario, every)
+        basis, known = of_run if basis is None else basis, scenario.known_to_law
+        usual_prior = PRIOR.usual(known)
         fix = 0.0 if scenario.localization is None else scenario.localization.noise
         usual_noise = np.full(len(segments.start), np.hypot(segments.alone, np.sqrt(2) * fix))
-        usual_start = known.alpha_M if basis is own else None
+        usual_start = known.alpha_M if basis is of_run else None
     n, N = len(segments.start), _functions(basis)
-    sd = _numbers("prior", own_prior if prior is None else prior, (N,))
+    sd = _numbers("prior", usual_prior if prior is None else prior, (N,))
     r = _numbers("noise", usual_noise if noise is None else noise, (n,))
     if walk is not None and method != "kalman":
         raise ScenarioError(f'walk: is for the method "kalman", not for "{method}"')
@@ -305,19 +306,12 @@ def flow_estimate(
     if not np.all(segments.duration > 0):
         raise DataError("a segment does not end after it begins; clpt.gliders.usable leaves it out")
     with np.errstate(all="ignore"):  # what is not finite is refused
-        return _found(METHODS[method](segments, basis, theta, sd, r, w), segments, basis, r, origin)
-
-
-def _found(
-    outcome: Any, segments: Segments, basis: Block, r: np.ndarray, origin: Any
-) -> FlowEstimate:
-    theta, P, steps, h = outcome
-    scaled = whitened(segments, h, r)
+        theta, P, steps, h = METHODS[method](segments, basis, theta, sd, r, w)
+        scaled, left = whitened(segments, h, r), segments.miss - h @ theta.T
     if not all(np.all(np.isfinite(part)) for part in (theta, P, scaled)):
         raise DataError("the estimate is not finite; give a smaller prior or more noise")
     s = np.linalg.svd(scaled, compute_uv=False)
     condition = float(s[0] / s[-1]) if len(s) == len(P) and s[-1] > 0 else np.inf
-    left = segments.miss - h @ theta.T
     return FlowEstimate(theta, P, left, condition, steps, basis, origin)
 
 
@@ -328,10 +322,10 @@ def _functions(basis: Block) -> int:
     return sizes[0]
 
 
-def _numbers(name: str, given: Any, shape: tuple[int], zero: bool = False) -> np.ndarray:
+def _numbers(name: str, value: Any, shape: tuple[int], zero: bool = False) -> np.ndarray:
     """Return positive numbers, one or one each."""
     try:
-        values = np.broadcast_to(np.asarray(given, dtype=float), shape)
+        values = np.broadcast_to(np.asarray(value, dtype=float), shape)
     except ValueError:
         values = np.array([np.nan])
     if not (np.all(np.isfinite(values)) and np.all(values >= 0 if zero else values > 0)):
@@ -427,12 +421,12 @@ def dive_basis(
     """
     if not dives:
         raise DataError("no dive is given; a basis of dives needs one at least")
-    priors, turn = Priors(), -math.pi / 2
+    priors, sine = Priors(), -math.pi / 2
     rows = []  # center, width, frequency, phase, prior
     for name in constituents:
         w = 2 * math.pi / period(name, "s")
         sd = priors.tide if w else priors.current
-        rows += [((0.0, 0.0), WIDE, w, phase, sd) for phase in ((0.0, turn) if w else (0.0,))]
+        rows += [((0.0, 0.0), WIDE, w, phase, sd) for phase in ((0.0, sine) if w else (0.0,))]
     if width is not None:
         if not (math.isfinite(width) and width > 0):
             raise ScenarioError(f"width = {width:g} m: must be positive, or None for no gaussians")

@@ -74,7 +74,7 @@ def disagreement(before: Dive, dive: Dive) -> float:
     return apart if apart > FASTEST * max(_between(before, dive), 0.0) + MARGIN else 0.0
 
 
-def weighed(
+def doubt_one_fix(
     before: Dive, dive: Dive, forecast: tuple[np.ndarray, np.ndarray], model: FixModel
 ) -> tuple[Dive, Dive]:
     """Return both dives, of two fixes that disagree the wrong one doubted; else the same ones.
@@ -91,11 +91,11 @@ def weighed(
     end_off, start_off = (
         float(off @ np.linalg.solve(covariance, off)) for off in (miss(before) - mean, start - mean)
     )
-    said = f"{apart / 1000:.1f} km in {since / 60:.0f} min"
+    jump = f"{apart / 1000:.1f} km in {since / 60:.0f} min"
     if start_off >= end_off:
-        note = f"starts {said} from where dive {before.number} ended: counts little"
+        note = f"starts {jump} from where dive {before.number} ended: counts little"
         return before, _doubted(dive, apart, note)
-    note = f"the fix at its end is {said} from where dive {dive.number} starts"
+    note = f"the fix at its end is {jump} from where dive {dive.number} starts"
     if since > SAME_STAY:
         return _doubted(before, apart, f"{note}: counts little"), dive
     drift = model.priors.current * since
@@ -149,31 +149,31 @@ class Anomaly:
         return asdict(self)
 
 
-class SpeedWatch:
+class SpeedFactorWatch:
     """Watches the speed factor dive by dive, by a bank that learns the speed.
 
     The bank must see each dive before `step` does; by default it is one of its own.
     """
 
     def __init__(self, model: FixModel, bank: KalmanBank | None = None) -> None:
-        self.own = bank is None
+        self.has_own_bank = bank is None
         self.bank = KalmanBank(replace(model, learn_speed=True)) if bank is None else bank
         self.windows: list[dict[str, Any]] = []
         self.count = 0
 
     def step(self, dive: Dive) -> Anomaly | None:
-        """Judge the speed of a dive that has ended; None where nothing is found."""
-        if self.own:
+        """Return the anomaly of the speed at a dive that has ended, None where there is none."""
+        if self.has_own_bank:
             self.bank.update(dive)
-        seen = self.bank.seen
-        if seen is None:
-            raise DataError(f"dive {dive.number}: its bank must learn from it before it is judged")
-        F, H = seen.F, seen.H
+        update = self.bank.last_update
+        if update is None:
+            raise DataError(f"dive {dive.number}: its bank must learn from it before the watch")
+        F, H = update.F, update.H
         m, n = F.shape[:2]
         speed = HIDDEN + self.bank.model.names.index("speed")
         start = np.zeros((n, 3))
         start[speed, 0] = start[HIDDEN, 1] = start[HIDDEN + 1, 2] = 1.0
-        old, new = seen.matched
+        old, new = update.matched
         for window in self.windows:  # places reached since then have no part in it
             e = np.zeros((m, n, 3))
             e[:, new] = window["e"][:, old]
@@ -181,8 +181,8 @@ class SpeedWatch:
         fresh = {
             "since": dive.number,
             "e": np.repeat(start[None], m, axis=0),
-            "expected": float(1 + seen.weights @ seen.mean[:, speed]),
-            "weights": seen.weights,
+            "expected": float(1 + update.weights @ update.mean[:, speed]),
+            "weights": update.weights,
             "A": np.zeros((m, 3, 3)),
             "b": np.zeros((m, 3)),
             "chi": np.zeros(m),
@@ -191,27 +191,27 @@ class SpeedWatch:
         self.windows = [*self.windows[1 - DIVES :], fresh]
         for window in self.windows:
             g = H @ window["e"]
-            weighed = g.transpose(0, 2, 1) @ seen.inverse
-            window["A"] = window["A"] + weighed @ g
-            window["b"] = window["b"] + np.einsum("mij,mj->mi", weighed, seen.innovation)
+            gS = g.transpose(0, 2, 1) @ update.inverse
+            window["A"] = window["A"] + gS @ g
+            window["b"] = window["b"] + np.einsum("mij,mj->mi", gS, update.innovation)
             window["chi"] = window["chi"] + np.einsum(
-                "mi,mij,mj->m", seen.innovation, seen.inverse, seen.innovation
+                "mi,mij,mj->m", update.innovation, update.inverse, update.innovation
             )
-            window["e"] = seen.rest @ window["e"]
+            window["e"] = update.rest @ window["e"]
             window["dives"] += 1
         self.count += 1
         if self.count <= SETTLED:
             return None
-        found = [a for a in (self._judge(dive, w) for w in self.windows[:-1]) if a is not None]
-        if not found:
+        each = [a for a in (self._anomaly(dive, w) for w in self.windows[:-1]) if a is not None]
+        if not each:
             return None
         self.windows = []
-        best = max(found, key=lambda a: a.likelihood_ratio)
-        if self.own and best.certain:
+        best = max(each, key=lambda a: a.likelihood_ratio)
+        if self.has_own_bank and best.certain:
             self.bank.forget_speed()
         return best
 
-    def _judge(self, dive: Dive, window: dict[str, Any]) -> Anomaly | None:
+    def _anomaly(self, dive: Dive, window: dict[str, Any]) -> Anomaly | None:
         w, A, b = window["weights"], window["A"], window["b"]
         if not (A[:, 0, 0] > 0).all():  # no way through the water, no speed
             return None

@@ -43,7 +43,7 @@ from ..geodesy import place_from
 from ..gliders.dives import Dive, Fix
 from ..html import facts, fragment, paragraphs
 from ..progress.interrupt import check
-from .doubts import Anomaly, SpeedWatch, weighed
+from .doubts import Anomaly, SpeedFactorWatch, doubt_one_fix
 from .flow_models import FlowModel, carried
 from .surfacing import (
     CHI_SQUARED,
@@ -175,7 +175,7 @@ class Replay:
         """Start without any dive."""
         self._learner = make_estimator(self.estimator, self.model)
         bank = self._learner if isinstance(self._learner, KalmanBank) else None
-        self._watch = SpeedWatch(self.model, bank) if self.model.learn_speed else None
+        self._watch = SpeedFactorWatch(self.model, bank) if self.model.learn_speed else None
         self._habits = Habits()
         self._before = self._learner, self._watch, self._habits  # the last dive
 
@@ -308,7 +308,7 @@ class Replay:
         if not self.steps:
             return None, dive
         last = self.steps[-1]
-        found, dive = weighed(last.dive, dive, (last.forecast, last.covariance), self.model)
+        found, dive = doubt_one_fix(last.dive, dive, (last.forecast, last.covariance), self.model)
         return (None if found is last.dive else found), dive
 
     def _learn_again(self, dive: Dive) -> None:

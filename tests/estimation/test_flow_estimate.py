@@ -18,11 +18,11 @@ from clpt_control.estimation import theta_from_fixes
 from clpt_control.estimation.segments import SAMPLES, Segments, run_segments
 from clpt_control.estimation.theta_from_fixes import (
     METHODS,
-    fitted,
+    batch_least_squares,
+    generalised,
     kalman,
-    least_squares,
+    regularised,
     tomography,
-    weighed,
     whitened,
 )
 
@@ -108,7 +108,7 @@ def test_tomography_finds_the_flow_that_bends_the_track():
     found, _, steps, _ = tomography(segments, LINEAR, start, sd, r, 0)
     np.testing.assert_allclose(found, theta, atol=1e-6)
     assert np.abs(steps[0] - theta).max() > 0.1
-    bent = least_squares(segments, LINEAR, start, sd, r, 0)[0]
+    bent = batch_least_squares(segments, LINEAR, start, sd, r, 0)[0]
     assert np.abs(bent - theta).max() > 0.01
 
 
@@ -147,13 +147,15 @@ def test_without_a_walk_the_filter_ends_at_least_squares(number, n):
     segments = turning(random, n)._replace(end=random.normal(size=(n, 2)))
     start, sd = random.normal(size=(2, 3)), random.uniform(0.1, 2, 3)
     r = random.uniform(0.05, 1, n)
-    batch = least_squares(segments, LINEAR, start, sd, r, 0)
+    batch = batch_least_squares(segments, LINEAR, start, sd, r, 0)
     one = kalman(segments, LINEAR, start, sd, r, np.zeros(3))
     np.testing.assert_allclose(one[0], batch[0], atol=1e-7)
     np.testing.assert_allclose(one[1], batch[1], atol=1e-7)
     h, y = batch[3], segments.miss  # the normal equations, solved another way
     P = np.linalg.inv(np.diag(1 / sd**2) + h.T @ (h / r[:, None] ** 2))
-    np.testing.assert_allclose(fitted(h / r[:, None], y / r[:, None], start, sd)[1], P, atol=1e-9)
+    np.testing.assert_allclose(
+        regularised(h / r[:, None], y / r[:, None], start, sd)[1], P, atol=1e-9
+    )
     wanted = (start / sd**2 + y.T @ (h / r[:, None] ** 2)) @ P
     np.testing.assert_allclose(batch[0], wanted, atol=1e-7)
 
@@ -161,31 +163,35 @@ def test_without_a_walk_the_filter_ends_at_least_squares(number, n):
 def shared(random, n, **more):
     """Segments whose misses share fixes, and the covariance of the misses for r = 1."""
     segments = turning(random, n)._replace(end=random.normal(size=(n, 2)), alone=0.3, **more)
-    held = more.get("held", 4.0)  # the segments are 4 long
-    noises = np.floor(np.minimum(4.0 * np.arange(n + 1), 4.0 * n - 1e-6) / held).astype(int)
-    read = np.eye(noises[-1] + 1)[noises] if "held" in more else np.eye(n + 1)
+    noise_period = more.get("noise_period", 4.0)  # the segments are 4 long
+    noises = np.floor(np.minimum(4.0 * np.arange(n + 1), 4.0 * n - 1e-6) / noise_period).astype(int)
+    read = np.eye(noises[-1] + 1)[noises] if "noise_period" in more else np.eye(n + 1)
     difference = np.diff(read, axis=0)
     return segments, 0.09 * np.eye(n) + (1 - 0.09) / 2 * difference @ difference.T
 
 
-@pytest.mark.parametrize("more", [{}, {"held": 8.0}, {"held": 10.0}], ids=str)
+@pytest.mark.parametrize("more", [{}, {"noise_period": 8.0}, {"noise_period": 10.0}], ids=str)
 def test_innovations_are_those_of_the_whole_covariance(more):
-    """Cholesky's factor of the covariance, where fixes share a noise, and where one is held."""
+    """Cholesky's factor of the covariance, where fixes share a noise, and where one lasts."""
     segments, C = shared(np.random.default_rng(7), 9, **more)
     found = whitened(segments, np.eye(9), np.ones(9))
     np.testing.assert_allclose(found, np.linalg.inv(np.linalg.cholesky(C)), atol=1e-12)
 
 
-@pytest.mark.parametrize("more", [{}, {"held": 8.0}], ids=str)
+@pytest.mark.parametrize("more", [{}, {"noise_period": 8.0}], ids=str)
 def test_misses_that_share_a_fix_are_weighed_as_gauss_and_markov_say(more, monkeypatch):
     monkeypatch.setattr(Segments, "blur", lambda self, basis: np.zeros((9, 3, 3)))
     segments, C = shared(np.random.default_rng(8), 9, **more)
     segments = segments._replace(alone=0.3 * 0.4)
     start, sd, r = np.ones((2, 3)), np.array([1.0, 2.0, 0.5]), np.full(9, 0.4)
-    h, y, W = segments.integrals(LINEAR, segments.seen), segments.miss, np.linalg.inv(C) / 0.16
+    h, y, W = (
+        segments.integrals(LINEAR, segments.known_track),
+        segments.miss,
+        np.linalg.inv(C) / 0.16,
+    )
     P = np.linalg.inv(np.diag(1 / sd**2) + h.T @ W @ h)
     wanted = (start / sd**2 + y.T @ W @ h) @ P
-    for method in (least_squares, kalman):
+    for method in (batch_least_squares, kalman):
         theta, covariance, _, _ = method(segments, LINEAR, start, sd, r, np.zeros(3))
         np.testing.assert_allclose(theta, wanted, atol=1e-9)
         np.testing.assert_allclose(covariance, P, atol=1e-9)
@@ -211,7 +217,7 @@ def test_95_percent_are_95_percent_where_fixes_have_noise(every, alone):
         )
         r = np.full(n, np.sqrt(2) * s)
         apart = seen._replace(alone=np.inf)
-        found = [weighed(one, h, np.zeros((2, 3)), sd, r) for one in (seen, apart)]
+        found = [generalised(one, h, np.zeros((2, 3)), sd, r) for one in (seen, apart)]
         shares.append([covered(*one) for one in found])
     right, wrong = np.mean(shares, axis=0)
     assert 0.93 < right < 0.97
@@ -246,8 +252,8 @@ def test_a_run_that_is_read_with_noise_says_how_well_it_tells():
     np.testing.assert_allclose(sd[0.04], 4 * sd[0.01], rtol=0.05)
     short = noisy[0.01].isel(time=slice(0, 401))
     np.testing.assert_allclose(estimate(short, "tomography", every=5.0).theta, THETA, atol=0.2)
-    held = estimate(read_with_noise(1, period=10.0), every=2.0)  # five fixes with one noise
-    assert np.all(np.abs(held.theta - THETA) < 4 * held.standard_deviation)
+    shared_noise = estimate(read_with_noise(1, period=10.0), every=2.0)  # five fixes with one noise
+    assert np.all(np.abs(shared_noise.theta - THETA) < 4 * shared_noise.standard_deviation)
     beside = clpt.simulate(
         PAPER.with_values({**NOISY, "localization": {"noise": 0.02, "noise_period": 0.25}})
     )
@@ -324,8 +330,8 @@ def test_an_estimate_feeds_the_known_flow_law(lap):
     each = {"parameters": 1.0, "feedback": 0.3, "feedforward": 0.5}
     base = PAPER.with_values({"learning.gain": None, "learning.gains": each})
     assert clpt.estimation.known_flow_scenario(base, THETA).learning.gains.feedback == 0.3
-    held = {"learning.adapt_gains": False, "learning.feedback": [1, 1]}
-    base = PAPER.with_values({**held, "learning.feedforward": [1, 1]})
+    constant = {"learning.adapt_gains": False, "learning.feedback": [1, 1]}
+    base = PAPER.with_values({**constant, "learning.feedforward": [1, 1]})
     assert clpt.estimation.known_flow_scenario(base, THETA).learning.gain is None
     run = clpt.simulate(fed.with_values({"run.duration": 1000}))
     last = run.clpe.sel(time=slice(800, 1000)).values
