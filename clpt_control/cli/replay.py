@@ -114,7 +114,7 @@ def replay(
     """
     from ..estimation.estimators import ESTIMATORS
     from ..figures import checked_formats
-    from ..gliders.samples import turned
+    from ..gliders.samples import with_variation
     from ..gliders.usable_dives import LEAST_DURATION
     from ..replay.fleet import checked_command
     from ..replay.replay import Growing, check_tides
@@ -169,7 +169,7 @@ def replay(
                     f"--variation {variation:g}: no dive here has its dead reckoning from a "
                     "magnetic heading; leave it out"
                 )
-            dives = [turned(dive, variation) for dive in dives]
+            dives = [with_variation(dive, variation) for dive in dives]
         used, unused = clpt.gliders.usable(dives, least)
         skipped = [*unread, *unused]
         if follow is None and not used:

@@ -210,15 +210,15 @@ def velocity_values(
     of a variable that says none.
     """
     values = data[name]
-    own = values.attrs.get("units")
-    if own is None and units is None:
+    stated = values.attrs.get("units")
+    if stated is None and units is None:
         raise DataError(
             f"{path}: {name} has no units; must be such as 'm/s' or 'cm s-1': give --units to clpt "
             "fit, tides or replay, or write the attribute"
         )
-    size = speed_in_metres_per_second(str(units if own is None else own), f"{path}: {name}")
-    if own and units and speed_in_metres_per_second(units, "--units") != size:
-        raise DataError(f"{path}: {name} is in '{own}'; units = '{units}' is for a file without")
+    size = speed_in_metres_per_second(str(units if stated is None else stated), f"{path}: {name}")
+    if stated and units and speed_in_metres_per_second(units, "--units") != size:
+        raise DataError(f"{path}: {name} is in '{stated}'; units = '{units}' is for a file without")
     for dim in set(values.dims) - set(index):
         level = 0
         if values.sizes[dim] != 1:
@@ -252,8 +252,8 @@ def _in_blocks(values: "xarray.DataArray", index: dict[Any, np.ndarray]) -> "xar
     import xarray
 
     for dim, places in index.items():
-        kept = np.unique(places)
-        runs = np.split(kept, np.flatnonzero(np.diff(kept) > 1) + 1)
+        wanted = np.unique(places)
+        runs = np.split(wanted, np.flatnonzero(np.diff(wanted) > 1) + 1)
         blocks = [values.isel({dim: slice(run[0], run[-1] + 1)}) for run in runs]
         values = blocks[0] if len(blocks) == 1 else xarray.concat(blocks, dim)
     return values.load().isel({d: np.searchsorted(np.unique(p), p) for d, p in index.items()})

@@ -5,7 +5,7 @@ With nodal factor f, nodal angle u and astronomical argument V, through UTide,
     tide(t) = f(t) A cos(V(t) + u(t) - g)
 
 A is the amplitude and g the Greenwich phase, both constants of the place; f
-and u turn slowly with the moon's nodes (18.6 years) and V with the clock.  The
+and u change slowly with the moon's nodes (18.6 years) and V with the clock.  The
 formula is that of D. L. Codiga, "Unified tidal analysis and prediction using
 the UTide Matlab functions", URI/GSO technical report 2011-01, section II; the
 numbers come from UTide's tables.  So a fit of one month holds in another year:
@@ -126,7 +126,7 @@ def checked_latitude(latitude: float) -> float:
     return float(latitude) or 1e-9
 
 
-TURN = 360.0 * (1 - 1e-9)  # times in files are rounded
+FULL_TURN = 360.0 * (1 - 1e-9)  # times in files are rounded
 UNEVEN = 0.1  # of a step, by which a clock may be off
 WORST = 30.0  # largest condition number
 NEAR = np.array([*range(-10, 0), *range(1, 11)])  # neighbours of a tide, in 1 / record length
@@ -149,7 +149,7 @@ def inseparable(
     pairs = [
         (a, b, 360.0 / difference if difference else math.inf)
         for a, b, difference in apart
-        if not difference * hours >= TURN
+        if not difference * hours >= FULL_TURN
     ]
     return sorted(pairs, key=lambda pair: -pair[2])
 
@@ -194,14 +194,14 @@ def check_separable(
         return
     if len(pairs) == 1:
         a, b, needed = pairs[0]
-        said = f"{a} and {b} cannot be told apart: {_in_hours(needed)} are needed"
+        fault = f"{a} and {b} cannot be told apart: {_in_hours(needed)} are needed"
         which = "them"
     else:
         listed = ", ".join(f"{a} and {b} ({_in_hours(needed)})" for a, b, needed in pairs)
-        said = f"these pairs cannot be told apart (hours needed): {listed}"
+        fault = f"these pairs cannot be told apart (hours needed): {listed}"
         which = "each pair"
     raise DataError(
-        f"{where}: in {hours:.6g} h, {said}; leave one of {which} out or take a longer record"
+        f"{where}: in {hours:.6g} h, {fault}; leave one of {which} out or take a longer record"
     )
 
 
@@ -273,8 +273,8 @@ def check_sampling(hours: np.ndarray, cycles: np.ndarray, names: Sequence[str], 
             f"{where}: {len(hours)} measurements for {count} numbers to fit; at least {2 * count} "
             "are needed: take a longer record or fewer constituents"
         )
-    turn = np.exp(2j * np.pi * np.outer(hours - hours.mean(), cycles))
-    functions = np.hstack([np.full((len(hours), 1), 0.5**0.5), turn.real, turn.imag])
+    wave = np.exp(2j * np.pi * np.outer(hours - hours.mean(), cycles))
+    functions = np.hstack([np.full((len(hours), 1), 0.5**0.5), wave.real, wave.imag])
     _, size, modes = np.linalg.svd(functions, full_matrices=False)
     if size[0] <= WORST * size[-1]:
         return
@@ -285,9 +285,9 @@ def check_sampling(hours: np.ndarray, cycles: np.ndarray, names: Sequence[str], 
         for name, part in zip(["the mean", *names], share, strict=True)
         if part > 0.3 * share.max()
     ]
-    said = f"{' and '.join(alike)} look alike" if len(alike) > 1 else f"{alike[0]} is not seen"
+    fault = f"{' and '.join(alike)} look alike" if len(alike) > 1 else f"{alike[0]} is not seen"
     raise DataError(
-        f"{where}: at the times of its {len(hours)} measurements {said}; take them at other "
+        f"{where}: at the times of its {len(hours)} measurements {fault}; take them at other "
         "intervals, fill the gaps or leave one out"
     )
 

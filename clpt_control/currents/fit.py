@@ -141,16 +141,16 @@ def fit_scenario(
         if value is not None and not (np.isfinite(value) and value > 0):
             raise DataError(f"{what} = {value}{unit}: must be positive and finite")
     currents = read_currents(path, box, units=units)
-    seen = currents.time[currents.measured.any(axis=(1, 2))]
-    check_separable(constituents, float(np.ptp(seen)), str(path))
-    turning = [name for name in constituents if name != "steady"]
-    cycles = np.array([tides.speed(name) for name in turning]) / 360.0
-    check_nyquist(seen, cycles, turning, str(path))
+    hours = currents.time[currents.measured.any(axis=(1, 2))]
+    check_separable(constituents, float(np.ptp(hours)), str(path))
+    tidal = [name for name in constituents if name != "steady"]
+    cycles = np.array([tides.speed(name) for name in tidal]) / 360.0
+    check_nyquist(hours, cycles, tidal, str(path))
     lat0, lat1, lon0, lon1 = currents.box
     plane = LocalPlane(round((lat0 + lat1) / 2, 9), round((lon0 + lon1) / 2, 9))
     lat, lon = currents.lat[:, None], currents.lon[None, :]
     x1, x2 = plane.to_plane(lat, lon)
-    u, v = (KM_PER_HOUR * w for w in plane.turn(lat, lon, currents.u, currents.v))
+    u, v = (KM_PER_HOUR * w for w in plane.rotate(lat, lon, currents.u, currents.v))
     full_u, full_v, gap = fill_gaps(currents.time, x2.mean(axis=1), x1.mean(axis=0), u, v)
     field = regular_grid(currents.time, currents.lat, currents.lon, full_u, full_v, plane)
     room = min(-field.x1[0], field.x1[-1], -field.x2[0], field.x2[-1])

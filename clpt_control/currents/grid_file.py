@@ -1,6 +1,6 @@
-"""Read a gridded current: CF names or u/v, units from attributes, gaps kept.
+"""Read a gridded current, with its gaps: CF names or u/v, units from attributes.
 
-The answer is always the same: latitudes and longitudes increasing, hours since the
+The result is always the same: latitudes and longitudes increasing, hours since the
 first step, u (east) and v (north) in m/s, NaN where either was not measured.  A
 drifter needs the level nearest the surface, a glider samples the water column.
 
@@ -94,7 +94,7 @@ def read_currents(
         Files of one folder have the same grid and other steps.
     box : tuple of float, optional
         lat0, lat1, lon0, lon1 in degrees; cells whose centre is inside are
-        kept. Without it, the whole file.
+        read. Without it, the whole file.
     column : bool, optional
         Read all levels down to 1000 m and the next, at real dates, in place of
         the level nearest the surface. A grid around the Earth then gets its
@@ -135,7 +135,7 @@ def read_currents(
         files = sorted(f for f in path.iterdir() if f.suffix.lower() in SUFFIXES)
         if not files:
             raise DataError(f"{path}: holds neither Zarr nor a NetCDF file ({', '.join(SUFFIXES)})")
-        found = _joined(path, [_read(file, box, column, units, 1) for file in files])
+        found = _concatenated(path, [_read(file, box, column, units, 1) for file in files])
     still = ~((found.u != 0.0) | (found.v != 0.0)).any(axis=0)
     if still.all() or not still.any():
         return found
@@ -163,7 +163,7 @@ def _opened(path: Path) -> "Iterator[xarray.Dataset]":
         raise DataError(f"{path}: cannot be read as Zarr: {reason}") from None
 
 
-def _joined(path: Path, parts: list[Currents]) -> Currents:
+def _concatenated(path: Path, parts: list[Currents]) -> Currents:
     """Return one current of several on one grid, each with steps of its own."""
     first, times = parts[0], []
     for part in parts:
@@ -184,10 +184,10 @@ def _joined(path: Path, parts: list[Currents]) -> Currents:
     hours, last = np.unique(hours[::-1], return_index=True)
     if len(hours) < 2:
         raise DataError(f"{path}: has 1 step in all; at least 2 are needed")
-    kept = len(u) - 1 - last
+    rows = len(u) - 1 - last
     start = min(parts, key=lambda part: seconds_since_1970(part.start)).start
-    own = {"time": hours - hours[0], "start": start, "u": u[kept], "v": v[kept]}
-    return replace(first, **own, source=path.name)
+    merged = {"time": hours - hours[0], "start": start, "u": u[rows], "v": v[rows]}
+    return replace(first, **merged, source=path.name)
 
 
 def _read(
@@ -218,10 +218,10 @@ def _read(
         wanted = span or (latitudes.min(), latitudes.max(), longitudes.min(), longitudes.max())
         rows = _inside(latitudes, wanted[:2], f"{path}: {lat.name}", box is None)
         columns = _inside(longitudes, wanted[2:], f"{path}: {lon.name}", box is None)
-        lon_kept = longitudes[columns]
-        if column and lon_kept[0] + 360.0 - lon_kept[-1] < AROUND * np.median(np.diff(lon_kept)):
+        lon_read = longitudes[columns]
+        if column and lon_read[0] + 360.0 - lon_read[-1] < AROUND * np.median(np.diff(lon_read)):
             columns = np.append(columns, columns[0])
-            lon_kept = np.append(lon_kept, lon_kept[0] + 360.0)
+            lon_read = np.append(lon_read, lon_read[0] + 360.0)
         steps = np.argsort(hours)
         if not np.all(np.diff(hours[steps]) > 0):
             raise DataError(f"{path}: {when.name} has a step twice; keep each time once")
@@ -255,7 +255,7 @@ def _read(
     lat0, lat1, lon0, lon1 = map(float, wanted)
     return Currents(
         latitudes[rows],
-        lon_kept,
+        lon_read,
         depth,
         hours[steps],
         start,

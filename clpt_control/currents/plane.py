@@ -7,7 +7,7 @@ from the origin are true, and 50 km away lengths are off by 1e-5.
 
 Away from the origin's meridian, north is not x2: it leans by the meridian
 convergence, about dlon sin(lat), 0.3 degrees at the edge of a box of 70 km at
-41 N.  Velocities are turned by it; their speed is kept.
+41 N.  Velocities are rotated by it, which leaves their speed.
 
 Gaps are filled harmonically in space and time: each missing value is the
 weighted mean of its neighbours,
@@ -22,13 +22,13 @@ it has none, in proportion to the distances; a filled value never exceeds the
 measured ones (maximum principle), where splines and radial functions shoot
 over in a corner that was never seen; and no basis function enters, so that the
 true flow is not drawn towards what the learner can represent.  The speed c
-says how much space one hour is worth: 10 km/h, as structures 20 km wide turn
+says how much space one hour is worth: 10 km/h, as structures 20 km wide change
 with the tide in about 2 h (one radian of M2).  Twice continuously
 differentiable it becomes by the cubic spline through all values, in
 `regular_grid` and in the field block.
 
 The file is NetCDF with dims time, y, x (uniform, increasing), variables `u` and `v`, and
-CF units; `read_field` turns it to the scenario's units of length and time.
+CF units; `read_field` converts it to the scenario's units of length and time.
 """
 
 from dataclasses import dataclass
@@ -98,8 +98,8 @@ class LocalPlane:
         lon, lat = self._projection(x1, x2, inverse=True)
         return lat, near(lon, self.lon)
 
-    def turn(self, lat: Any, lon: Any, u: Any, v: Any) -> tuple[np.ndarray, np.ndarray]:
-        """Turn velocities at places in degrees from east and north to x1 and x2."""
+    def rotate(self, lat: Any, lon: Any, u: Any, v: Any) -> tuple[np.ndarray, np.ndarray]:
+        """Rotate velocities at places in degrees from east and north to x1 and x2."""
         lat, lon = np.broadcast_arrays(np.asarray(lat, float), np.asarray(lon, float))
         factors = self._projection.get_factors(lon, lat)
         # where east points in the plane
@@ -167,9 +167,9 @@ def fill_gaps(
     missing, known = np.flatnonzero(gap), np.flatnonzero(~gap)
     values = np.column_stack([u.ravel(), v.ravel()])
     if len(missing):
-        own = np.asarray(links.sum(axis=1)).ravel()[missing]
+        total = np.asarray(links.sum(axis=1)).ravel()[missing]
         among = links[missing]
-        matrix = coo_array((own, (range(len(missing)), range(len(missing)))))
+        matrix = coo_array((total, (range(len(missing)), range(len(missing)))))
         solver = splu((matrix - among[:, missing]).tocsc())
         values[missing] = solver.solve(among[:, known] @ values[known])
     return values[:, 0].reshape(gap.shape), values[:, 1].reshape(gap.shape), gap
@@ -224,7 +224,7 @@ def read_field(path: Path, units) -> GriddedField:
             else:
                 size = length_in_metres(unit, where) / METRES[units.length]
             axes.append(_regular(numbers_of(data[name], where) * size, name, path))
-        own = METRES[units.length] / SECONDS[units.time]
+        speed = METRES[units.length] / SECONDS[units.time]
         values = []
         for name in ("u", "v"):
             if data[name].dims != ("time", "y", "x"):
@@ -232,7 +232,7 @@ def read_field(path: Path, units) -> GriddedField:
             size = speed_in_metres_per_second(
                 str(data[name].attrs.get("units", "")), f"{path}: {name}"
             )
-            values.append(numbers_of(data[name], f"{path}: {name}") * (size / own))
+            values.append(numbers_of(data[name], f"{path}: {name}") * (size / speed))
             if not np.all(np.isfinite(values[-1])):
                 raise DataError(f"{path}: {name} has gaps; `clpt fit` fills them")
     return GriddedField(*axes, *values)

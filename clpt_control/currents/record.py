@@ -91,14 +91,14 @@ def read_record(
     if is_table(path):
         if at is not None:
             raise DataError(f"{path}: is a table of one place; --at is for gridded NetCDF files")
-        times, u, v, own = read_table(path, units)
+        times, u, v, stated = read_table(path, units)
         lines = int(np.argmax(times != times[0]))  # of one ping
         if lines > 1 and len(times) % lines == 0:
             each = times.reshape(-1, lines)
             if (each == each[:, :1]).all():
                 times = each[:, 0]
                 u, v = (_over_ranges(w.reshape(each.shape)) for w in (u, v))
-        place: tuple[float | None, float | None] = (own, None)
+        place: tuple[float | None, float | None] = (stated, None)
     else:
         with open_netcdf(path) as data:
             times, u, v, place = _from_netcdf(of_profiler(data, path), path, at, units)
@@ -191,10 +191,10 @@ def _number(value: Any) -> float | None:
 
 def _over_ranges(values: np.ndarray) -> np.ndarray:
     """Return the mean over those ranges, (times, ranges), that hold a number often enough."""
-    held = values[:, np.isfinite(values).mean(axis=0) >= SHARE]
-    found = np.isfinite(held)
+    often = values[:, np.isfinite(values).mean(axis=0) >= SHARE]
+    known = np.isfinite(often)
     with np.errstate(invalid="ignore"):
-        return np.where(found, held, 0.0).sum(axis=1) / found.sum(axis=1)
+        return np.where(known, often, 0.0).sum(axis=1) / known.sum(axis=1)
 
 
 def of_profiler(data: "xarray.Dataset", path: Path) -> "xarray.Dataset":
@@ -219,7 +219,7 @@ def of_profiler(data: "xarray.Dataset", path: Path) -> "xarray.Dataset":
         if "time" not in part.dims or part.ndim > 2:
             raise DataError(f"{path}: vel is on {', '.join(map(str, data['vel'].dims))}")
         mean = _over_ranges(part.transpose("time", ...).values.reshape(part.sizes["time"], -1))
-        said = {key: value for key, value in data["vel"].attrs.items() if key == "units"}
-        parts[name] = ("time", mean, said)
+        units = {key: value for key, value in data["vel"].attrs.items() if key == "units"}
+        parts[name] = ("time", mean, units)
     rest = data.drop_vars([n for n in data.variables if n != "time" and data[n].ndim])
     return rest.assign(parts)

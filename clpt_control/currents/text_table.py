@@ -5,7 +5,7 @@
     2019-01-01T00:00:00Z,0.12,-0.05
 
 Blank lines and lines that begin with `#` are left out; of `# NAME: TEXT` or
-`# NAME = TEXT` the text is kept.
+`# NAME = TEXT` the text is read.
 
 A current at one place is such a table:
 
@@ -56,30 +56,30 @@ HEADER = re.compile(r"([^([]*)(?:[(\[]([^)\]]*)[)\]])?")  # without spaces: they
 
 
 class TextTable(NamedTuple):
-    """Cells as text, and what comments say, by name in small letters.
+    """Cells as text, and the texts of comments, by name in small letters.
 
     The index of `cells` is the line in the file, from 1; its columns are the header.
     """
 
     cells: "pandas.DataFrame"
-    said: dict[str, str]
+    comments: dict[str, str]
 
 
 def table_of(text: str, name: str | Path, must_be: str) -> TextTable:
     r"""Return the cells of a table, without spaces about them, '' where a line is too short.
 
-    >>> cells, said = table_of("# latitude: 41.2\n\ntime,u\n0, 1,2\n3", "mine.csv", "a table")
-    >>> said, list(cells.columns), list(cells.index), cells.values.tolist()
+    >>> cells, comments = table_of("# latitude: 41.2\n\ntime,u\n0, 1,2\n3", "mine.csv", "a table")
+    >>> comments, list(cells.columns), list(cells.index), cells.values.tolist()
     ({'latitude': '41.2'}, ['time', 'u'], [4, 5], [['0', '1'], ['3', '']])
     """
     import pandas
 
-    said: dict[str, str] = {}
+    comments: dict[str, str] = {}
     rows: dict[int, list[str]] = {}
     for k, line in enumerate(map(str.strip, text.splitlines()), 1):
         found = COMMENT.fullmatch(line)
         if found and found[2].strip():
-            said[found[1].lower()] = found[2].strip()
+            comments[found[1].lower()] = found[2].strip()
         elif line and not line.startswith("#"):
             try:
                 cells = next(reader([line], skipinitialspace=True, strict=True))
@@ -92,7 +92,7 @@ def table_of(text: str, name: str | Path, must_be: str) -> TextTable:
     if len(header) * len(rest) > MOST:
         raise DataError(f"{name}: has {len(rest)} lines of {len(header)} cells; split it")
     wide = [(row + [""] * len(header))[: len(header)] for row in rest]
-    return TextTable(pandas.DataFrame(wide, lines, header, dtype=str), said)
+    return TextTable(pandas.DataFrame(wide, lines, header, dtype=str), comments)
 
 
 def other_marks(header: str, name: str) -> str:
@@ -129,11 +129,13 @@ def read_table(
     Rows stay in the file's order; the latitude, degrees north, is that of the comment or None.
     """
     text = read_text(path, "is no text; must be a table of time, u and v, or NetCDF (.nc)")
-    cells, said = table_of(text, path, "a table of time, u and v")
+    cells, comments = table_of(text, path, "a table of time, u and v")
     header = list(cells.columns)
-    names = {_named(cell)[0] for cell in header}
+    names = {_name_and_unit(cell)[0] for cell in header}
     polar = bool(names & set(POLAR["speed"])) and not names & set(NAMES["u"])
-    columns, sizes = _header(header, said.get("units") or units, path, POLAR if polar else NAMES)
+    columns, sizes = _header(
+        header, comments.get("units") or units, path, POLAR if polar else NAMES
+    )
     if cells.empty:
         raise DataError(f"{path}: has a header and no rows; must be a table of time, u and v")
     time, *flow = (cells.iloc[:, k] for k in columns)
@@ -145,18 +147,18 @@ def read_table(
     if polar:
         u, v = u * np.sin(np.radians(v)), u * np.cos(np.radians(v))
     latitude = None
-    if "latitude" in said:
+    if "latitude" in comments:
         try:
-            latitude = float(said["latitude"].split()[0])
+            latitude = float(comments["latitude"].split()[0])
         except ValueError:
             raise DataError(
-                f"{path}: the comment latitude is {said['latitude'][:20]!r}; must begin with "
+                f"{path}: the comment latitude is {comments['latitude'][:20]!r}; must begin with "
                 "degrees north"
             ) from None
     return times, u, v, latitude
 
 
-def _named(cell: str) -> tuple[str, str | None]:
+def _name_and_unit(cell: str) -> tuple[str, str | None]:
     """Return the name in small letters and the unit of a cell of the header."""
     found = HEADER.fullmatch(cell)
     if found is None:
@@ -168,7 +170,7 @@ def _header(
     header: list[str], units: str | None, path: Path, wanted: dict[str, tuple[str, ...]]
 ) -> tuple[list[int], list[float]]:
     """Return the columns of time and flow, and what one unit of each is in m/s or degrees."""
-    names, own = zip(*map(_named, header), strict=True)
+    names, stated = zip(*map(_name_and_unit, header), strict=True)
     columns, sizes = [], []
     for what, allowed in wanted.items():
         found = [k for k, name in enumerate(names) if name in allowed]
@@ -186,7 +188,7 @@ def _header(
         if what == "direction":
             sizes.append(1.0)
             continue
-        unit = own[found[0]] or units
+        unit = stated[found[0]] or units
         if unit is None:
             raise DataError(
                 f"{path}: {what} has no units; write them behind the name, such as 'u (m/s)', or "

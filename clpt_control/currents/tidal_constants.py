@@ -11,7 +11,7 @@ As theta of Eq. (3), for the basis of a scenario, they are
     f A cos(V(t) + u - g) = c cos(w (t - t0)) + s sin(w (t - t0))
     c = f A cos(p),  s = -f A sin(p),  p = V(t0) + u(t0) - g
 
-f and u are held at the epoch t0, which becomes t = 0 of the scenario: choose it
+f and u are those of the epoch t0, which becomes t = 0 of the scenario: choose it
 in the middle of what is to be run; M2 changes by 0.4 % in half a year.  A
 scenario's sine is the phase -pi/2.
 
@@ -316,13 +316,13 @@ def _inch(ellipses: list[_Ellipse]) -> float:
 
 
 def _draw(ax, ellipses: list[_Ellipse], inch: float) -> None:
-    turn = np.exp(1j * np.linspace(0, 2 * np.pi, 181))
+    circle = np.exp(1j * np.linspace(0, 2 * np.pi, 181))
     low = max(each.high for each in ellipses)
     x = 0.0
     for each in ellipses:
         tide, x = each.of, x + each.wide
         lean = each.larger * np.exp(1j * np.radians(tide.inclination))
-        path = x + lean * (tide.major * turn.real + 1j * tide.minor * turn.imag)
+        path = x + lean * (tide.major * circle.real + 1j * tide.minor * circle.imag)
         lag = np.radians(-tide.phase)
         dot = x + lean * (tide.major * np.cos(lag) + 1j * tide.minor * np.sin(lag))
         thick = 1.5 if each.larger == 1 else 0.8

@@ -16,7 +16,7 @@ A dive lies between two fixes, far enough apart in time, with a time under water
 It may begin in one file and end in a later one.  Such a file is a segment of a Slocum's
 mission, rosie_713-2019-166-0-156.sbd or 00970156.sbd, or of a SeaExplorer's navigation,
 sea035.10.gli.sub.3 or .gz.  It gives the dives that end in it; the files before it, of the
-same vehicle in the same folder, are joined to it.
+same vehicle in the same folder, are merged with it.
 """
 
 import re
@@ -48,9 +48,9 @@ FILES = (
 )
 DATED = re.compile(r"(.+?)_\d{8}")  # SG015_20040929T140907_delayed
 Part = TypeVar("Part")
-Joined = TypeVar("Joined")
+Whole = TypeVar("Whole")
 LEAST_GAP = 300.0  # s between two fixes with a dive between them
-BACK = 6  # files before one that are joined to it at most
+BACK = 6  # files before one that are merged with it at most
 SLOCUM_FILES = (".sbd", ".mbd", ".dbd", ".scd", ".mcd", ".dcd", ".sba", ".mba", ".dba", ".asc")
 SLOCUM = re.compile(r"(?P<who>.*?)-?(?P<order>\d+-\d+-\d+-\d+|\d{8})(?P<kind>\.\w+)", re.I)
 SEAEXPLORER = re.compile(r"(?P<who>.*)(?P<kind>\.gli\.(?:sub|raw))\.(?P<order>\d+)(?:\.gz)?", re.I)
@@ -251,27 +251,27 @@ def before_each(files: Iterable[Path]) -> dict[Path, list[Path]]:
     return found
 
 
-def joined_dives(
+def dives_across_files(
     path: Path,
-    own: Part,
+    last: Part,
     read: Callable[[Path], Part],
-    join: Callable[[list[Part]], Joined],
-    seen: Callable[[Joined], tuple[list[Fix], np.ndarray]],
-) -> tuple[Joined, list[Three]]:
-    """Return what a file holds behind what those before it do, and the fixes of its dives.
+    merge: Callable[[list[Part]], Whole],
+    fixes_and_wet: Callable[[Whole], tuple[list[Fix], np.ndarray]],
+) -> tuple[Whole, list[Three]]:
+    """Return a file's contents, `last`, merged with those of files before it, and all dives' fixes.
 
-    It goes back until a fix stands before the first time under water; `seen` returns the fixes
-    and the times under water.
+    It goes back until a fix stands before the first time under water; `fixes_and_wet` returns the
+    fixes and the times under water.
     """
-    parts = [own]
+    parts = [last]
     for before in reversed(files_before(path)):
-        fixes, wet = seen(join(parts))
+        fixes, wet = fixes_and_wet(merge(parts))
         if fixes and (wet.size == 0 or fixes[0][0] <= wet[0]):
             break
         with suppress(DataError):  # named where it is read for itself
             parts.insert(0, read(before))
-    whole = join(parts)
-    return whole, cut_dives(*seen(whole), LEAST_GAP)
+    whole = merge(parts)
+    return whole, cut_dives(*fixes_and_wet(whole), LEAST_GAP)
 
 
 def _order(path: Path) -> tuple[str, list[int]]:

@@ -18,7 +18,7 @@ The displacement dr through the water is the first that the file allows of
    d_i = s_i (t_i - t_{i-1}) (sin h_i, cos h_i);
 3. the file's depth-averaged current c:
    dr = (displacement between the fixes) - c (t_E - t_2);
-4. as 2 with a magnetic heading, turned by IGRF's variation in the middle of the dive
+4. as 2 with a magnetic heading, rotated by IGRF's variation in the middle of the dive
    (`samples.variation`), or a heading of which the file does not say from which north, taken as
    true.
 
@@ -35,7 +35,7 @@ from ..errors import DataError
 from ..estimation.dive import Track
 from ..geodesy import displacement
 from .dives import LEAST_DEPTH, Dive, Fix, Skipped, Three, cut_dives, dive_between
-from .og1_columns import Columns, Segment, columns_of, fixes_in, has_ends, segments_of
+from .og1_columns import Columns, DiveFixes, columns_of, fixes_in, has_ends, segments_of
 from .og1_columns import is_known as is_known
 from .samples import LAST, deepest, hole_under_water, track_of, variation
 
@@ -89,23 +89,25 @@ def through_water(
 
 
 def _along_heading(columns: Columns, rows: np.ndarray, start: Fix, end: Fix) -> ThroughWater | None:
-    """Return what speed and heading come to; None where a dive has neither."""
+    """Return the dead reckoning of speed and heading; None where a dive has neither."""
     of = columns.of
-    turned, said = _turned(columns, rows, start, end)
+    turned, north = _variation_of(columns, rows, start, end)
     found = _summed(of, rows, _flown(of, rows, turned or 0.0), start[0], end[0] - start[0])
     if found is None or not isfinite(found.total[0]):
         return found
-    found.notes.append(f"dead reckoning of the flight model's speed and the heading, {said}")
+    found.notes.append(f"dead reckoning of the flight model's speed and the heading, {north}")
     return found._replace(turned=turned)
 
 
-def _turned(columns: Columns, rows: np.ndarray, start: Fix, end: Fix) -> tuple[float | None, str]:
-    """Return the variation that turns a dive's heading (degrees east), None if true; in words."""
+def _variation_of(
+    columns: Columns, rows: np.ndarray, start: Fix, end: Fix
+) -> tuple[float | None, str]:
+    """Return the variation of a dive's heading (degrees east), None if true; which north it has."""
     if columns.north == "true":
         return None, "true"
-    own = columns.of["magvar"][rows]
-    if np.isfinite(own).any():
-        found = float(np.median(own[np.isfinite(own)]))
+    each = columns.of["magvar"][rows]
+    if np.isfinite(each).any():
+        found = float(np.median(each[np.isfinite(each)]))
         north = columns.north or "of a north that the file does not name"
         return found, f"{north}, turned by the file's variation of {found:g} degrees"
     if not columns.north:
@@ -126,11 +128,11 @@ def _flown(
     A row with a heading and no speed is a stall of the flight model: no step.
     """
     steps = np.full(of["time"].shape, nan), np.full(of["time"].shape, nan)
-    own = rows[np.isfinite(of["time"][rows]) & np.isfinite(of["heading"][rows])]
-    since = np.diff(of["time"][own], prepend=of["time"][own[:1]])
-    heading = np.radians(of["heading"][own] + variation)
+    steered = rows[np.isfinite(of["time"][rows]) & np.isfinite(of["heading"][rows])]
+    since = np.diff(of["time"][steered], prepend=of["time"][steered[:1]])
+    heading = np.radians(of["heading"][steered] + variation)
     for step, part in zip(steps, (np.sin(heading), np.cos(heading)), strict=True):
-        step[own] = of["speed"][own] * since * part
+        step[steered] = of["speed"][steered] * since * part
     return steps
 
 
@@ -190,7 +192,7 @@ def dives_of(data: "xarray.Dataset", path: Path) -> tuple[list[Dive], list[Skipp
     return dives, []
 
 
-def _of_segments(columns: Columns, segments: list[Segment]) -> tuple[list[Dive], list[Skipped]]:
+def _of_segments(columns: Columns, segments: list[DiveFixes]) -> tuple[list[Dive], list[Skipped]]:
     """Return the dives of segments with a measurement under water, and the others."""
     of = columns.of
     wet = _under_water(of)

@@ -127,8 +127,8 @@ def _fix_columns(
     data: "xarray.Dataset", known: dict[str, str], path: Path
 ) -> tuple[list[np.ndarray], str]:
     """Return time (s), latitude and longitude of the fixes, and the name of that time."""
-    own = known.get("LATITUDE_GPS")
-    bare = own is None or not np.isfinite(values(data, own)).any()
+    latitude = known.get("LATITUDE_GPS")
+    bare = latitude is None or not np.isfinite(values(data, latitude)).any()
     if bare and {"TIME", "LATITUDE", "LONGITUDE", FLAG} <= set(known):
         fixed = values(data, known[FLAG]) == 0
         columns = [values(data, known[name]) for name in ("LATITUDE", "LONGITUDE")]
@@ -218,11 +218,11 @@ def _frame(data: "xarray.Dataset", known: dict[str, str]) -> str:
     name = next((known[name] for name in HEADING if name in known), None)
     if name is None:
         return ""
-    said = " ".join(str(value) for value in data[name].attrs.values()).lower()
-    return "magnetic" if "magnetic" in said else "true" if "true" in said else ""
+    words = " ".join(str(value) for value in data[name].attrs.values()).lower()
+    return "magnetic" if "magnetic" in words else "true" if "true" in words else ""
 
 
-class Segment(NamedTuple):
+class DiveFixes(NamedTuple):
     """The fixes of a dive, NaN where there is none, and notes."""
 
     start: Fix
@@ -235,7 +235,7 @@ def has_ends(data: "xarray.Dataset") -> bool:
     return all(name.format(END) in known_names(data) for name in NAMES)
 
 
-def segments_of(data: "xarray.Dataset", path: Path) -> list[Segment]:
+def segments_of(data: "xarray.Dataset", path: Path) -> list[DiveFixes]:
     """Return the segments between fixes by time, one for each fix after a dive."""
     known = known_names(data)
     of = {suffix: _fixes(data, known, suffix, path) for suffix in (END, START, MIDDLE)}
@@ -257,7 +257,7 @@ def segments_of(data: "xarray.Dataset", path: Path) -> list[Segment]:
             notes.append("the fix before the dive computed from the segment's middle and its end")
         if flags.shape == ends[0].shape and flags[rows[0]] in DOUBTFUL:
             notes.append(f"the file flags the fix after the dive {flags[rows[0]]:g}")
-        found.append(Segment(start, end, notes))
+        found.append(DiveFixes(start, end, notes))
     return found
 
 
@@ -280,8 +280,8 @@ def _fixes(data: "xarray.Dataset", known: dict[str, str], suffix: str, path: Pat
 
 def _fix(columns: np.ndarray, rows: np.ndarray) -> Fix:
     """Return the first fix that is whole among rows, else NaN."""
-    own = columns[:, rows]
-    whole = own[:, np.isfinite(own).all(axis=0)]
+    each = columns[:, rows]
+    whole = each[:, np.isfinite(each).all(axis=0)]
     if not whole.size:
         return nan, nan, nan
     time, lat, lon = whole[:, 0].tolist()

@@ -170,8 +170,8 @@ def hole_under_water(since: np.ndarray, depth: np.ndarray, duration: float) -> s
     longest = int(np.argmax(holes))
     if not holes[longest] > LARGEST_HOLE * duration:
         return ""
-    said = f"no samples for {holes[longest]:.0f} s of {duration:.0f} s"
-    return f"{said}, from {depths[longest]:.0f} m depth on" if depths[longest] > SURFACE else said
+    hole = f"no samples for {holes[longest]:.0f} s of {duration:.0f} s"
+    return f"{hole}, from {depths[longest]:.0f} m depth on" if depths[longest] > SURFACE else hole
 
 
 def deepest(depth: np.ndarray) -> float | None:
@@ -218,22 +218,22 @@ def variation(
     return found
 
 
-def turned(dive: Dive, degrees: float) -> Dive:
-    """Turn dead reckoning that was made of a magnetic heading by another variation, degrees east.
+def with_variation(dive: Dive, degrees: float) -> Dive:
+    """Rotate dead reckoning that was made of a magnetic heading to another variation, degrees east.
 
     A heading h + a moves (sin, cos) clockwise by a; other dead reckoning stays.
 
     >>> from clpt_control.gliders.dives import make_dive
     >>> fixes = (0.0, 0.0, 8.0), (9000.0, 0.0, 8.0)
-    >>> round(turned(make_dive(1, *fixes, (0.0, 100.0), turned=0.0), 90.0).dr_east)
+    >>> round(with_variation(make_dive(1, *fixes, (0.0, 100.0), turned=0.0), 90.0).dr_east)
     100
     """
     if dive.turned is None:
         return dive
     angle = np.radians(degrees - dive.turned)
-    turn = np.array([[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]])
-    east, north = turn @ (dive.dr_east, dive.dr_north)
-    track = dive.track and (dive.track[0], *(turn @ np.stack(dive.track[1:])))
+    rotation = np.array([[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]])
+    east, north = rotation @ (dive.dr_east, dive.dr_north)
+    track = dive.track and (dive.track[0], *(rotation @ np.stack(dive.track[1:])))
     return replace(
         dive,
         dr_east=float(east),

@@ -32,8 +32,8 @@ from .dives import (
     Skipped,
     Three,
     dive_between,
+    dives_across_files,
     is_fix,
-    joined_dives,
     planned_course,
 )
 from .samples import deepest, degrees, hole_under_water, number, track_of
@@ -68,22 +68,22 @@ def unzipped(raw: bytes, path: Path) -> str:
 
 def dives_of(text: str, path: Path) -> tuple[list[Dive], list[Skipped]]:
     """Return the dives that end in a file."""
-    own = _rows(text, path)
+    last = _rows(text, path)
 
     def read(before: Path) -> Rows:
         raw = read_bytes(before)
-        known = unzipped(raw, before) if raw[:2] == GZIP else text_of(raw, before, "no text")
-        return _rows(known, before)
+        plain = unzipped(raw, before) if raw[:2] == GZIP else text_of(raw, before, "no text")
+        return _rows(plain, before)
 
-    rows, found = joined_dives(path, own, read, _joined, _seen)
-    if not _seen(rows)[0]:
+    rows, found = dives_across_files(path, last, read, _merged, _fixes_and_wet)
+    if not _fixes_and_wet(rows)[0]:
         raise DataError(f"{path}: no row with a fix (NavState {AT_SURFACE})")
     digits = [part for part in path.name.split(".") if part.isdecimal()]
     which = int(digits[-1]) if digits else 0
     return [
         _dive(rows[(rows[:, 0] >= three[1][0]) & (rows[:, 0] <= three[2][0])], three, which)
         for three in found
-        if three[2][0] >= own[:, 0].min()
+        if three[2][0] >= last[:, 0].min()
     ], []
 
 
@@ -114,21 +114,21 @@ def _rows(text: str, path: Path) -> Rows:
     return np.array(rows)
 
 
-def _joined(parts: list[Rows]) -> Rows:
+def _merged(parts: list[Rows]) -> Rows:
     """Return rows by time."""
     rows = np.concatenate(parts)
     return rows[np.unique(rows[:, 0], return_index=True)[1]]
 
 
-def _seen(rows: Rows) -> tuple[list[Fix], np.ndarray]:
+def _fixes_and_wet(rows: Rows) -> tuple[list[Fix], np.ndarray]:
     """Return the fixes, places that are new at the surface, and times under water."""
     fixes: list[Fix] = []
     lat, lon = degrees(rows[:, 6]), degrees(rows[:, 7])
     for k in range(1, len(rows)):
         fix = float(rows[k, 0]), float(lat[k]), float(lon[k])
         new = rows[k, 6] != rows[k - 1, 6] or rows[k, 7] != rows[k - 1, 7]
-        own = rows[k, 1] == AT_SURFACE and not rows[k, 8] > 0
-        if new and own and is_fix(*fix[1:]):
+        afloat = rows[k, 1] == AT_SURFACE and not rows[k, 8] > 0
+        if new and afloat and is_fix(*fix[1:]):
             fixes.append(fix)
     return fixes, rows[rows[:, 5] > LEAST_DEPTH, 0]
 

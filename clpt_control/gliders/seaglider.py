@@ -159,16 +159,16 @@ def number_in_name(path: Path) -> int | None:
 def _number(data: "xarray.Dataset", path: Path) -> tuple[int, list[str]]:
     """Return the number of the dive and what was wrong with others."""
     notes: list[str] = []
-    for name, said in (
+    for name, value in (
         ("dive_number", data.attrs.get("dive_number")),
         ("log_DIVE", scalar(data, "log_DIVE")),
         ("name", number_in_name(path)),
     ):
-        number = whole_number(said)
+        number = whole_number(value)
         if number is not None:
             return number, [f"{note}; taken from {name}" for note in notes]
-        if said is not None:
-            notes.append(f"{name} is {str(said)[:20]!r}, no whole number below {NUMBERS}")
+        if value is not None:
+            notes.append(f"{name} is {str(value)[:20]!r}, no whole number below {NUMBERS}")
     raise DataError(
         f"{path}: {notes[0] if notes else 'no attribute dive_number'}, and the name is not such as "
         "p5420304.nc"
@@ -189,8 +189,8 @@ def _next_course(data: "xarray.Dataset", end: Fix) -> float | None:
     heading = scalar(data, "log_HEADING")
     if heading is not None and heading >= 0:
         return planned_course(end, NOT_KNOWN, heading=heading)
-    said = data["log_TGT_LATLONG"].values if "log_TGT_LATLONG" in data else np.array("")
-    words = said.astype(str).item().split(",") if said.size == 1 else []
+    text = data["log_TGT_LATLONG"].values if "log_TGT_LATLONG" in data else np.array("")
+    words = text.astype(str).item().split(",") if text.size == 1 else []
     try:
         target = np.array(words, float)
     except ValueError:
@@ -212,10 +212,10 @@ def _displacement(data: "xarray.Dataset") -> tuple[str, str] | None:
 
 def _times(data: "xarray.Dataset", like: str, path: Path) -> tuple[np.ndarray | None, str]:
     """Return times of the samples that a variable has, or why there are none."""
-    own = [name for name in map(str, data.variables) if name.endswith("_time")]
+    times = [name for name in map(str, data.variables) if name.endswith("_time")]
     same = [
         name
-        for name in dict.fromkeys(("ctd_time", "time", *sorted(own)))
+        for name in dict.fromkeys(("ctd_time", "time", *sorted(times)))
         if name in data.variables and data[name].dims == data[like].dims
     ]
     for name in same:
@@ -246,11 +246,11 @@ def _dead_reckoning(
         return NOT_KNOWN, None, [*notes, f"{names[0]} and {names[1]} differ in length or are empty"]
     bad = ~((np.abs(east) < LONGEST_STEP) & (np.abs(north) < LONGEST_STEP))
     if bad.any():
-        said = f"{bad.sum()} of {bad.size} samples of the displacement are not finite"
+        note = f"{bad.sum()} of {bad.size} samples of the displacement are not finite"
         if time is None or bad.mean() > REPAIRABLE:
-            return NOT_KNOWN, None, [*notes, said]
+            return NOT_KNOWN, None, [*notes, note]
         east, north = (fill(time, steps, bad) for steps in (east, north))
-        notes.append(f"{said}, filled from their neighbours' speed")
+        notes.append(f"{note}, filled from their neighbours' speed")
     total = float(np.sum(east)), float(np.sum(north))
     if time is None:
         return total, None, notes

@@ -1,11 +1,11 @@
 """Slocum gliders: dives from the files of the flight computer (`slocum_file`).
 
 A file is a segment of a mission; a dive is of the file with its end.  Where the file
-does not hold the fix before the dive, those before it, in the same folder, are joined to
-it.  A dive lies between two fixes (m_gps_lat, m_gps_lon in ddmm.mmm, where m_gps_status
+does not hold the fix before the dive, those before it, in the same folder, are merged
+with it.  A dive lies between two fixes (m_gps_lat, m_gps_lon in ddmm.mmm, where m_gps_status
 is 0) with a depth of more than 5 m between them.
 
-The glider's dead reckoning is a place at each time: m_lat, m_lon, which it turned to
+The glider's dead reckoning is a place at each time: m_lat, m_lon, which it rotated to
 true north itself, else m_x_lmc, m_y_lmc, whose y axis is magnetic north.  It is logged
 every ten minutes in some files; from the last one to the end of the dive it goes on
 with the median speed v along the heading h,
@@ -19,7 +19,7 @@ them; those of m_x_lmc, m_y_lmc to theirs when it dived.
 
 The glider's own current w (m_water_vx, m_water_vy after the dive, on magnetic axes) is its
 miss over the time under water.  A glider may add w0, of the dive before, to its dead
-reckoning (u_use_current_correction); whether it did is seen in w: without it
+reckoning (u_use_current_correction); w tells whether it did: without it
 
     miss = (displacement between the fixes - dr)/duration = w,   with it w - w0,
 
@@ -46,8 +46,8 @@ from .dives import (
     Skipped,
     Three,
     dive_between,
+    dives_across_files,
     is_fix,
-    joined_dives,
     planned_course,
 )
 from .samples import deepest, degrees, hole_under_water, variation
@@ -56,7 +56,7 @@ from .slocum_file import NAMES, Segment, Series, read_segment
 
 SHORT = 60.0  # s of a dive's end without a place that are left alone
 HOLDS = "the glider's dead reckoning holds the current of the dive before"
-CLEAR = 0.03  # m/s: from here on it is seen whether a current was added
+CLEAR = 0.03  # m/s: from here on w tells whether a current was added
 Of = dict[str, Series]
 OWN_CURRENT = 1800.0  # s after the fix in which the glider has worked its current out
 YEARS = (0.0, 7.3e9)  # s since 1970: to 2200
@@ -68,10 +68,10 @@ def between(series: Series, start: float, end: float) -> Series:
     return series[0][rows], series[1][rows]
 
 
-def turned(vectors: Sequence[ArrayLike], east_of_north: float) -> np.ndarray:
-    """Turn vectors from axes along magnetic north to true ones.
+def to_true_north(vectors: Sequence[ArrayLike], east_of_north: float) -> np.ndarray:
+    """Rotate vectors from axes along magnetic north to true ones.
 
-    >>> turned((0.0, 1.0), 90.0).round(9)
+    >>> to_true_north((0.0, 1.0), 90.0).round(9)
     array([1., 0.])
     """
     sine, cosine = np.sin(np.radians(east_of_north)), np.cos(np.radians(east_of_north))
@@ -79,7 +79,7 @@ def turned(vectors: Sequence[ArrayLike], east_of_north: float) -> np.ndarray:
 
 
 def paired(first: Series, second: Series) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the times at which two sensors said something, and what each said."""
+    """Return the times at which two sensors have a value, and these values."""
     time, at, other = np.intersect1d(first[0], second[0], return_indices=True)
     return time, first[1][at], second[1][other]
 
@@ -90,7 +90,7 @@ def own_currents(of: Of, dived: float, end: float, east_of_north: float) -> np.n
     A file repeats the former in its first cycle until the latter is worked out.
     """
     time, *water = paired(of["m_water_vx"], of["m_water_vy"])
-    each = np.column_stack([[nan, nan], turned(water, east_of_north)])
+    each = np.column_stack([[nan, nan], to_true_north(water, east_of_north)])
     last = each[:, np.searchsorted(time, end - SHORT, "right")]
     after = each[:, 1:][:, (time > end - SHORT) & (time <= end + OWN_CURRENT)]
     new = after[:, (after != last[:, None]).any(axis=0)]
@@ -144,7 +144,7 @@ def _places(
         np.interp(start[0], times, c) - np.diff(c)[0] / np.diff(times)[0] * later for c in (x, y)
     ]
     rows = times > start[0]
-    east, north = turned((x[rows] - origin[0], y[rows] - origin[1]), east_of_north)
+    east, north = to_true_north((x[rows] - origin[0], y[rows] - origin[1]), east_of_north)
     return times[rows], east, north
 
 
@@ -179,40 +179,40 @@ def reconciled(
     of the dive before loses it; one that still contradicts `now`, or may hold a current that is
     not known, is None.
     """
-    said, known = "", bool(np.isfinite(now).all())
+    note, known = "", bool(np.isfinite(now).all())
     size = float(np.hypot(*before))
     if was_added((gps - path[1:, -1]) / duration, before, now, used):
-        said = f"{HOLDS}, "
+        note = f"{HOLDS}, "
         if np.isfinite(size):
             under = np.clip(path[0] - dived, 0.0, None)
             path = np.vstack([path[:1], path[1:] - np.outer(before, under)])
-            said += f"{size:.3f} m/s: taken off"
+            note += f"{size:.3f} m/s: taken off"
         elif not known:
-            return None, np.full(2, nan), said + "which no file says: not used"
+            return None, np.full(2, nan), note + "which no file says: not used"
     elif np.isnan(used) and not known:
-        said = "no file says whether the glider's dead reckoning holds a current of its own"
+        note = "no file says whether the glider's dead reckoning holds a current of its own"
         if size > CLEAR:
-            return None, np.full(2, nan), f"{said}, {size:.3f} m/s: not used"
+            return None, np.full(2, nan), f"{note}, {size:.3f} m/s: not used"
     off = float(np.hypot(*((gps - path[1:, -1]) / duration - now)))
     if off > CLEAR:
-        said = f"dead reckoning contradicts the glider's own current by {1e3 * off:.0f} mm/s"
-        return None, gps - now * duration, f"{said}: not used, that current is"
-    return path, path[1:, -1], said
+        note = f"dead reckoning contradicts the glider's own current by {1e3 * off:.0f} mm/s"
+        return None, gps - now * duration, f"{note}: not used, that current is"
+    return path, path[1:, -1], note
 
 
 def dives_of(path: Path) -> tuple[list[Dive], list[Skipped]]:
     """Return the dives that end in a file."""
-    own = read_segment(path)
-    of, found = joined_dives(path, own, read_segment, _joined, _seen)
-    own_fixes = set(own.of["m_gps_lat"][0].tolist()) if "m_gps_lat" in own.of else set()
-    dives = [_dive(of, own, three) for three in found if three[2][0] in own_fixes]
+    segment = read_segment(path)
+    of, found = dives_across_files(path, segment, read_segment, _merged, _fixes_and_wet)
+    ends = set(segment.of["m_gps_lat"][0].tolist()) if "m_gps_lat" in segment.of else set()
+    dives = [_dive(of, segment, three) for three in found if three[2][0] in ends]
     if len(dives) > 1:
         which = [f"dive {k} of {len(dives)} in {path.name}" for k in range(1, len(dives) + 1)]
         dives = [replace(d, notes=(w, *d.notes)) for d, w in zip(dives, which, strict=True)]
     return dives, []
 
 
-def _joined(parts: list[Segment]) -> Of:
+def _merged(parts: list[Segment]) -> Of:
     """Return the sensors of segments by time; what has no time, or no number, is left out."""
     of: Of = {}
     for name in NAMES:
@@ -227,7 +227,7 @@ def _joined(parts: list[Segment]) -> Of:
     return of
 
 
-def _seen(of: Of) -> tuple[list[Fix], np.ndarray]:
+def _fixes_and_wet(of: Of) -> tuple[list[Fix], np.ndarray]:
     """Return the valid fixes and the times under water."""
     time, lat, lon = paired(of["m_gps_lat"], of["m_gps_lon"])
     failed = np.isin(time, of["m_gps_status"][0][of["m_gps_status"][1] != 0])
@@ -237,10 +237,10 @@ def _seen(of: Of) -> tuple[list[Fix], np.ndarray]:
     return fixes, when[depth > LEAST_DEPTH]
 
 
-def _dive(of: Of, own: Segment, fixes: Three) -> Dive:
+def _dive(of: Of, segment: Segment, fixes: Three) -> Dive:
     """Make the dive between two fixes that is under water at some times."""
     _, start, end = fixes
-    notes = list(own.notes)
+    notes = list(segment.notes)
     east_of_north = _variation(of, start)
     time, depth = between(of["m_depth"], start[0], end[0])
     wet = time[depth > LEAST_DEPTH]
@@ -255,12 +255,12 @@ def _dive(of: Of, own: Segment, fixes: Three) -> Dive:
     if path is not None:
         gps = np.array(displacement(*start[1:], *end[1:]))
         used = between(of["u_use_current_correction"], -np.inf, end[0])[1]
-        path, total, said = reconciled(
+        path, total, note = reconciled(
             path, wet[0] - start[0], gps, duration, before, now, used[-1] if used.size else nan
         )
-        notes += [said] if said else []
+        notes += [note] if note else []
     return dive_between(
-        own.number,
+        segment.number,
         fixes,
         (float(total[0]), float(total[1])),
         dac_east=None if np.isnan(now[0]) else float(now[0]),

@@ -7,7 +7,7 @@ of the sensors, their units and bytes, then a line of numbers for each cycle.
 The bytes are a header of ASCII lines; the list of all sensors, or where that is `factored`
 the check sum that names the `.cac` file with it; known bytes; then cycles of b"d", two
 bits for each sensor (0 no value, 1 as before, 2 a new one) and the new values; b"X" ends it.
-The first cycle has what each sensor said last, which for the GPS is an older fix: that is left
+The first cycle has each sensor's last value, which for the GPS is an older fix: that is left
 out.  Whole cycles of a file that is cut short are read; newer gliders write no b"X".  A list
 of sensors, .cac or compressed .ccc, is looked for beside the file, in `cac` and `cache` there
 and up to four folders up, and in the folder that the environment variable `CLPT_CAC` names.
@@ -87,7 +87,7 @@ def read_segment(path: Path) -> Segment:
         where = f"at byte {at} of {len(raw)}"
         notes = (f"{path.name} is cut short or damaged {where}: read up to there",)
     number = _number(tags.get("the8x3_filename", ""), path)
-    return Segment(number, _said(columns), notes)
+    return Segment(number, _series_of(columns), notes)
 
 
 def uncompressed(raw: bytes) -> tuple[bytes, bool]:
@@ -242,7 +242,7 @@ def _cycles(
     states: int,
     path: Path,
 ) -> tuple[dict[str, np.ndarray], int]:
-    """Return what sensors said in whole cycles, and where these end."""
+    """Return the values of sensors in whole cycles, and where these end."""
     order = ORDERS.get(raw[at : at + 4])
     if len(raw) < at + KNOWN or order is None:
         raise DataError(f"{path}: the Slocum file has no cycles behind its header, or is damaged")
@@ -273,7 +273,7 @@ def _cycles(
 
 
 def _table(raw: bytes, at: int, labels: int, path: Path) -> tuple[dict[str, np.ndarray], int]:
-    """Return what sensors said in the whole lines of a text, and where these end."""
+    """Return the values of sensors in the whole lines of a text, and where these end."""
     end = raw.rfind(b"\n") + 1
     lines = raw[at:end].decode("ascii", "replace").splitlines()
     sensors = lines[0].split() if lines else []
@@ -286,8 +286,8 @@ def _table(raw: bytes, at: int, labels: int, path: Path) -> tuple[dict[str, np.n
     return dict(zip(wanted, np.array(rows, float).reshape(-1, len(wanted)).T, strict=True)), end
 
 
-def _said(columns: dict[str, np.ndarray]) -> dict[str, Series]:
-    """Return when each sensor said something, and what."""
+def _series_of(columns: dict[str, np.ndarray]) -> dict[str, Series]:
+    """Return the times and values of each sensor."""
     of = {}
     for name in NAMES:
         if name in columns:

@@ -277,7 +277,7 @@ class Forecast(FlowModel):
                     if self._inside(lat, lon)
                     else "outside the forecast's area"
                 )
-            u1, u2 = plane.turn(lat, lon, eastward, northward)
+            u1, u2 = plane.rotate(lat, lon, eastward, northward)
             return float(u1), float(u2)
 
         return flow
@@ -356,8 +356,8 @@ class Fitted(FlowModel):
             when = (dive.t_gps2 + t - self.start) / second
             phi = basis.values("output", N, when, no_state, [x1, x2], basis.parameters)
             u1, u2 = self.theta @ phi * (long / second)
-            c, s = self.plane.turn(lat, lon, 1.0, 0.0)  # where east points in the fit's plane
-            u1, u2 = here.turn(lat, lon, c * u1 + s * u2, c * u2 - s * u1)
+            c, s = self.plane.rotate(lat, lon, 1.0, 0.0)  # where east points in the fit's plane
+            u1, u2 = here.rotate(lat, lon, c * u1 + s * u2, c * u2 - s * u1)
             return float(u1), float(u2)
 
         flow(0.0, 0.0, 0.0)

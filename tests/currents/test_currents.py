@@ -346,8 +346,8 @@ def test_velocities_turn_as_displacements_do():
             here, there = plane.to_plane(lat, lon), plane.to_plane(lat1, lon1)
             moved = 1000 * (np.array(there) - np.array(here))
             u, v = np.sin(np.radians(bearing)), np.cos(np.radians(bearing))
-            np.testing.assert_allclose(plane.turn(lat, lon, u, v), moved, atol=2e-4)
-    leaning = plane.turn(41.5, -69.0, 0.0, 1.0)[0]
+            np.testing.assert_allclose(plane.rotate(lat, lon, u, v), moved, atol=2e-4)
+    leaning = plane.rotate(41.5, -69.0, 0.0, 1.0)[0]
     assert 0.004 < abs(leaning) < 0.007  # 0.3 degrees: what is forgotten without turning
 
 

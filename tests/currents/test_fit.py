@@ -362,7 +362,7 @@ def test_nantucket_field_is_close_to_what_was_measured(nantucket):
     plane = LocalPlane(41.225, -69.45)
     lat, lon = currents.lat[:, None], currents.lon[None, :]
     x1, x2 = plane.to_plane(lat, lon)
-    u, v = plane.turn(lat, lon, currents.u, currents.v)
+    u, v = plane.rotate(lat, lon, currents.u, currents.v)
     g = nantucket[0].field
     inside = (x1 >= g.x1[0]) & (x1 <= g.x1[-1]) & (x2 >= g.x2[0]) & (x2 <= g.x2[-1])
     kept = currents.measured & inside

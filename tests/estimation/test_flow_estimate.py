@@ -421,5 +421,5 @@ def test_dives_that_tell_too_little_are_refused():
 def test_a_tomography_that_does_not_settle_says_so(monkeypatch):
     monkeypatch.setattr(theta_from_fixes, "MOST", 10)
     segments = turning(np.random.default_rng(5), 2, w=3.0)  # it turns twice between two fixes
-    with pytest.raises(clpt.DataError, match=r"does not settle in 10 turns|not finite"):
+    with pytest.raises(clpt.DataError, match=r"does not settle in 10 iterations|not finite"):
         tomography(segments, LINEAR, np.zeros((2, 3)), np.full(3, 10.0), np.full(2, 1e-3), 0)

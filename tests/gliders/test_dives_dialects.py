@@ -28,8 +28,7 @@ from glider_dialects import (
 )
 
 from clpt_control.gliders.dive_files import read_dives, write_dive_table
-from clpt_control.gliders.samples import turned as turned_by
-from clpt_control.gliders.samples import variation
+from clpt_control.gliders.samples import variation, with_variation
 from clpt_control.gliders.usable_dives import usable
 
 DATE_LINE = 180.0 - DRIFT / 2
@@ -165,7 +164,7 @@ def test_og1_dead_reckoning_of_speed_and_heading(tmp_path):
         assert (dive.dr_east, dive.dr_north) == pytest.approx(tuple(there))
         assert (dive.turned, dive.magvar) == (igrf, igrf)
         assert f"magnetic, turned by IGRF's variation of {igrf:.0f} degrees" in dive.notes[0]
-        back = turned_by(dive, VARIATION)
+        back = with_variation(dive, VARIATION)
         assert swam(back)
         assert np.hypot(*(end[-1] for end in back.track[1:])) == pytest.approx(np.hypot(*there))
         assert "--variation: turned by -15 degrees instead" in back.notes
@@ -173,12 +172,12 @@ def test_og1_dead_reckoning_of_speed_and_heading(tmp_path):
     columns = og1_rows()
     columns["HEADING"] = columns["HEADING"] + VARIATION
     path = og1(tmp_path / "d.nc", drop=(*STEPS, *OWN), columns=columns, units=true)
-    assert all(swam(dive) and turned_by(dive, 90.0) is dive for dive in dives_in(path))
+    assert all(swam(dive) and with_variation(dive, 90.0) is dive for dive in dives_in(path))
     unnamed = {"HEADING": {"units": "degrees"}}
     path = og1(tmp_path / "e.nc", drop=(*STEPS, *OWN), units=unnamed)
     for dive in dives_in(path):
         assert "a north that the file does not name, taken as true (--variation" in dive.notes[0]
-        assert swam(turned_by(dive, VARIATION))
+        assert swam(with_variation(dive, VARIATION))
 
 
 def test_places_that_are_no_dead_reckoning_are_the_fixes(tmp_path):

@@ -14,7 +14,7 @@ from pyproj import Geod
 
 from clpt_control.errors import DataError
 from clpt_control.gliders import read_dives, usable
-from clpt_control.gliders.samples import turned, variation
+from clpt_control.gliders.samples import variation, with_variation
 
 WGS84 = Geod(ellps="WGS84")
 AXES = ("east", "north")
@@ -118,7 +118,7 @@ def test_an_early_og1_mission_is_read_as_it_was_meant(facts):
         for dive in used:
             assert dive.turned == pytest.approx(-37.0, abs=0.2)  # of the Labrador Sea, 2004
             assert (dive.dr_east, dive.dr_north) == pytest.approx(swum_in(data, dive, dive.turned))
-            true = turned(dive, 0.0)
+            true = with_variation(dive, 0.0)
             assert (true.dr_east, true.dr_north) == pytest.approx(swum_in(data, dive, 0.0))
             said = "; ".join(dive.notes)
             assert "TIME_GPS has no units and is read as nanoseconds" in said
