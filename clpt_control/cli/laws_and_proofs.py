@@ -90,22 +90,22 @@ def prove(
     Example:
         clpt prove --theorem 3.2
     """
-    from ..theory.proving.two_processes import judge, nothing_kept, own_digest, second_process
+    from ..theory.proving.two_processes import nothing_cached, own_digest, prove_all, second_process
 
     with second_process() as pool:
-        if pool is not None and theorem is None and (again or nothing_kept()):
+        if pool is not None and theorem is None and (again or nothing_cached()):
             pool.submit(own_digest)  # what it needs takes a while to be imported
-        from ..theory.proving.judgement import Kept, parts
+        from ..theory.proving.all_proofs import CachedOutcomes, statements
 
-        wanted, kept = parts(theorem), Kept()
-        new = [part for part in wanted if again or part not in kept.verdicts]
+        wanted, cached = statements(theorem), CachedOutcomes()
+        new = [one for one in wanted if again or one not in cached.outcomes]
         if new:
             with progress_bar("proving", len(new)) as report:
-                kept.keep(judge(new, kept.digest, report, pool))
-    judged: dict[Any, Any] = {part: kept.verdicts[part] for part in wanted}
-    rooms = {room: {p.name: v for p, v in judged.items() if p.room == room} for room in FIELDS}
-    listed = judged[wanted[-1]]
-    judged_at = max(kept.times[part] for part in wanted)
+                cached.store(prove_all(new, cached.digest, report, pool))
+    outcomes: dict[Any, Any] = {one: cached.outcomes[one] for one in wanted}
+    rooms = {room: {s.name: v for s, v in outcomes.items() if s.room == room} for room in FIELDS}
+    listed = outcomes[wanted[-1]]
+    judged_at = max(cached.times[one] for one in wanted)
     said: dict[str, Any] = {
         room: {name: _said(one, room, name) for name, one in proofs.items()}
         for room, proofs in rooms.items()

@@ -16,8 +16,8 @@ from source_checks import CHECKS
 
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.theory.proving import (
-    judgement,
-    kept_loop,
+    all_proofs,
+    invariant_loop,
     limited_speed,
     theorem_loop,
     theorems,
@@ -27,7 +27,7 @@ from clpt_control.theory.proving.proof import proof_or_failure
 from clpt_control.theory.proving.theorems import THEOREMS, audit
 
 FIRST = {"clpe": "3.3"}  # where to look first; every theorem is tried before giving up
-ALL_SIZES = kept_loop.SIZES
+ALL_SIZES = invariant_loop.SIZES
 SOURCES = (".flow", "reference", "disturbance", "field", "localization")
 
 
@@ -59,7 +59,7 @@ def reached(blocks):
 @cache
 def functions():
     """Every function that a block of the package runs."""
-    laws = [b for law in LAWS.values() for b in theorem_loop.law_and_V(law, judgement.N)]
+    laws = [b for law in LAWS.values() for b in theorem_loop.law_and_V(law, all_proofs.N)]
     return reached([*BLOCKS.values(), *laws])
 
 
@@ -77,12 +77,12 @@ def laws_of(function):
     """Name the laws whose equations or V have this function of a law's page."""
     if ".laws." not in function.__module__:
         return ()
-    made = {name: theorem_loop.law_and_V(law, judgement.N) for name, law in LAWS.items()}
+    made = {name: theorem_loop.law_and_V(law, all_proofs.N) for name, law in LAWS.items()}
     return tuple(name for name, two in made.items() if function in reached(two).values())
 
 
 def said(law):
-    found = judgement.judged_law(LAWS[law])
+    found = all_proofs.proof_of_law(LAWS[law])
     return found.status, found.claim, found.for_every_N
 
 
@@ -98,12 +98,12 @@ def caught_by(function, which, first):
                 check()
             except Exception:  # whatever a wrong equation does
                 return check.__name__
-        for step in judgement.team_steps() if function.__module__.endswith(".team") else ():
+        for step in all_proofs.team_steps() if function.__module__.endswith(".team") else ():
             if not step.holds:
                 return f"team: {step.claim}"
-        for sizes in (kept_loop.SIZES, ALL_SIZES):  # the largest only for what is left
+        for sizes in (invariant_loop.SIZES, ALL_SIZES):  # the largest only for what is left
             with pytest.MonkeyPatch.context() as patch:
-                patch.setattr(kept_loop, "SIZES", sizes)
+                patch.setattr(invariant_loop, "SIZES", sizes)
                 for law, before in unaltered.items():
                     if said(law) != before:
                         return law
@@ -141,9 +141,9 @@ def few_points(monkeypatch):
     """The exact steps come first; blocks are called at a few points only."""
     monkeypatch.setattr(theorems, "POINTS", 100)
     monkeypatch.setattr(theorems, "FEWER", 100)
-    monkeypatch.setattr(judgement, "POINTS", 100)
+    monkeypatch.setattr(all_proofs, "POINTS", 100)
     monkeypatch.setattr(limited_speed, "POINTS", 100)
-    monkeypatch.setattr(kept_loop, "SIZES", (1, 2))  # `clpt prove` asks all three
+    monkeypatch.setattr(invariant_loop, "SIZES", (1, 2))  # `clpt prove` asks all three
 
 
 @pytest.mark.parametrize(

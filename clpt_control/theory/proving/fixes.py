@@ -18,7 +18,7 @@ import sympy
 from ...blocks.laws.law import Law
 from ...diagrams.interconnection import connect
 from ...simulation.loops import paper_blocks
-from .kept_loop import exact_step
+from .invariant_loop import exact_step
 from .proof import Step, checked
 from .signs import vanishes
 from .symbolic_loop import SymbolicLoop, symbolic_loop

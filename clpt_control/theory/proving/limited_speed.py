@@ -26,7 +26,7 @@ from ...diagrams.interconnection import connect
 from ...equations.arrays import Unread
 from ..counterexamples import limited_speed_counterexample
 from .array_loop import ArrayLoop, array_loop
-from .kept_loop import Kept
+from .invariant_loop import InvariantLoop
 from .lemmas import definite_step, dissipation_step, learned_loop, wanted_rates, young_step
 from .proof import Proof, checked, theorem
 from .signs import left_over, vanishes
@@ -82,7 +82,7 @@ def differs(law: Law) -> str:
     for block, jump in free.jumps.items():
         if any(apart(new, hedged.jumps[block][port]) for port, new in jump.items()):
             return "its states jump otherwise"
-    return Kept(law, N, "hedged").left() if law.invariants is not None else ""
+    return InvariantLoop(law, N, "hedged").broken() if law.invariants is not None else ""
 
 
 def same_rate_of_every_law() -> tuple[bool, str]:

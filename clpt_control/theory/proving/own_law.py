@@ -28,8 +28,8 @@ from ...errors import DiagramError
 from ...simulation.loops import loop_of
 from ..promises import truth_of
 from .array_loop import TIME
-from .kept_loop import Kept
-from .kept_relations import kept_steps
+from .invariant_loop import InvariantLoop
+from .invariants import invariant_steps
 from .law_case import Case
 from .proof import first_failure, worked_out
 from .signs import tidied, vacuous
@@ -217,10 +217,10 @@ def prove(
         row = Law(law_block.name, "", rates=law_block.values, V_rate="-e^T KD e - losses")
         make, own = _maker(V), (law_block.parameters,)[: _arguments_of(V) - 1]
         blocks = law_block, lambda truth: make(truth, *own)
-        case = Kept(row := row.with_parts(part), N, blocks=blocks)
-        steps = tuple(kept_steps(row, points, [case]))
+        case = InvariantLoop(row := row.with_parts(part), N, blocks=blocks)
+        steps = tuple(invariant_steps(row, points, case))
         status = "open" if first_failure(steps) else "proved"
-        return Verdict(status, -case.more, steps, case.diagram)
+        return Verdict(status, -case.beside, steps, case.diagram)
 
 
 def _verdict_by_V(

@@ -1,8 +1,8 @@
-"""Parts judged by two processes: this one, and another that is asked part by part.
+"""Statements proved by two processes: this one, and another that takes them one by one.
 
-The other answers only where it judges by the same: its digest may differ from ours, as for
-equations that were changed in memory.  This process takes parts
-from the front, the other from behind, so that not both compile what the first ones run.
+The other answers only where it has the same equations: its digest may differ from ours, as where
+equations were changed in memory.  This process takes statements from the front, the other from
+behind, so that not both compile what the first ones run.
 """
 
 import os
@@ -18,7 +18,7 @@ from ...progress import interrupt
 from ...progress.processes import Pool, processes
 
 if TYPE_CHECKING:  # the other process starts before all this is imported
-    from .judgement import Part, Verdict, Verdicts
+    from .all_proofs import Outcome, Outcomes, Statement
 
 
 @contextmanager
@@ -34,54 +34,55 @@ def second_process() -> Iterator[Pool | None]:
 
 @cache
 def own_digest() -> str:
-    """Return the digest of what this process judges by."""
-    from .judgement import digest
+    """Return the digest of what this process proves by."""
+    from .all_proofs import digest
 
     return digest()
 
 
-def answer(part: "Part", digest: str) -> "Verdict | None":
-    """Return the verdict on a part, in the other process; None where it judges by other things."""
-    return part.judged() if digest == own_digest() else None
+def answer(statement: "Statement", digest: str) -> "Outcome | None":
+    """Return an outcome from the other process; None where its equations or files are others."""
+    return statement.prove() if digest == own_digest() else None
 
 
-def nothing_kept() -> bool:
-    """Whether no verdict was ever kept; what is kept of other equations takes long to tell."""
+def nothing_cached() -> bool:
+    """Whether no outcome was ever stored; whose equations a stored one is of takes long to tell."""
     folder = cache_folder()
     return folder is None or not any(folder.glob("verdicts-*.json"))
 
 
-def judge(
-    parts: "list[Part]",
+def prove_all(
+    statements: "list[Statement]",
     digest: str,
     report: Callable[[float], None] = lambda done: None,
     pool: Pool | None = None,
-) -> "Verdicts":
-    """Judge parts, some of them in a pool; `report` is called with the number done."""
-    left, asked, found = deque(parts), dict["Part", Future](), dict["Part", "Verdict"]()
+) -> "Outcomes":
+    """Prove statements, some of them in a pool; `report` is called with the number done."""
+    left, mine = deque(statements), dict["Statement", "Outcome"]()
+    theirs = dict["Statement", Future]()
 
-    def ask(done: Future | None = None) -> None:
-        """Hand the last part that is left to the pool, and again when it is done."""
+    def hand_over(done: Future | None = None) -> None:
+        """Hand the last statement that is left to the pool, and again when it is done."""
         with suppress(IndexError, RuntimeError):  # nothing is left, or the pool is broken
             if pool is not None and digest:
-                part = left.pop()
-                asked[part] = pool.submit(answer, part, digest)
-                asked[part].add_done_callback(ask)
+                one = left.pop()
+                theirs[one] = pool.submit(answer, one, digest)
+                theirs[one].add_done_callback(hand_over)
 
     if len(left) > 2:
-        ask()
+        hand_over()
     while left:
         interrupt.check()
         with suppress(IndexError):  # the pool took the last one
-            part = left.popleft()
-            found[part] = part.judged()
-        report(len(found) + sum(one.done() for one in list(asked.values())))
-    for part in parts:
-        while part in asked and not asked[part].done():
+            one = left.popleft()
+            mine[one] = one.prove()
+        report(len(mine) + sum(future.done() for future in list(theirs.values())))
+    for one in statements:
+        while one in theirs and not theirs[one].done():
             interrupt.wait(0.05)
-        if part not in found:
-            theirs = None
-            if part in asked and asked[part].exception() is None:
-                theirs = asked[part].result()
-            found[part] = part.judged() if theirs is None else theirs
-    return {part: found[part] for part in parts}
+        if one not in mine:
+            outcome = None
+            if one in theirs and theirs[one].exception() is None:
+                outcome = theirs[one].result()
+            mine[one] = one.prove() if outcome is None else outcome
+    return {one: mine[one] for one in statements}

@@ -11,8 +11,8 @@ from clpt_control.blocks.laws.law import Truth
 from clpt_control.blocks.laws.remembering import CONCURRENT as LAW
 from clpt_control.blocks.laws.remembering import next_window
 from clpt_control.blocks.laws.table import LAWS
-from clpt_control.theory.proving import judgement, kept_loop
-from clpt_control.theory.proving.judgement import judged_law
+from clpt_control.theory.proving import all_proofs, invariant_loop
+from clpt_control.theory.proving.all_proofs import proof_of_law
 from clpt_control.theory.proving.own_law import prove
 
 POINTS = 200
@@ -41,7 +41,7 @@ def test_a_wrong_law_would_not_stand_in_the_table():
     def backwards(t, x, u, p):
         return {port: -rate for port, rate in law.rates(t, x, u, p).items()}
 
-    found = judged_law(law._replace(rates=backwards))
+    found = proof_of_law(law._replace(rates=backwards))
     assert not found.holds
     assert "V' " in found.claim
 
@@ -50,7 +50,7 @@ def test_equations_that_cannot_be_read_leave_a_law_open():
     def unread(t, x, u, p):
         raise ValueError("no such equation")
 
-    found = judged_law(LAWS["learned-flow"]._replace(rates=unread))
+    found = proof_of_law(LAWS["learned-flow"]._replace(rates=unread))
     assert (found.status, found.holds) == ("open", False)
     assert "no such equation" in found.claim
 
@@ -73,8 +73,8 @@ DROPPED = [(law, port) for law in KEEPING for port in NEEDED[law.name]]
 
 @pytest.fixture(autouse=True)
 def few_points(monkeypatch):
-    monkeypatch.setattr(judgement, "POINTS", 100)
-    monkeypatch.setattr(kept_loop, "SIZES", (1, 2))
+    monkeypatch.setattr(all_proofs, "POINTS", 100)
+    monkeypatch.setattr(invariant_loop, "SIZES", (1, 2))
 
 
 @pytest.mark.parametrize(("law", "port"), DROPPED, ids=lambda one: getattr(one, "name", one))
@@ -82,7 +82,7 @@ def test_without_a_relation_nothing_is_proved(law, port):
     def fewer(s, p, truth):
         return {key: value for key, value in law.invariants(s, p, truth).items() if key != port}
 
-    assert judgement.judged_law(law._replace(invariants=fewer)).status == "open"
+    assert all_proofs.proof_of_law(law._replace(invariants=fewer)).status == "open"
 
 
 @pytest.mark.parametrize("law", SHRINKING, ids=lambda law: law.name)
@@ -92,10 +92,10 @@ def test_a_law_is_bounded_only_where_every_error_shrinks(law):
         first = np.ravel(kept["alpha"])
         return {**kept, "alpha": [first[0], *s["alpha"][1:]]}
 
-    assert judgement.judged_law(law).status == "bounded"
-    assert judgement.judged_law(law._replace(invariants=fewer)).status == "open"
-    assert judgement.judged_law(law._replace(error_left="q")).status == "open"
-    assert judgement.judged_law(law._replace(readout="b")).status == "open"
+    assert all_proofs.proof_of_law(law).status == "bounded"
+    assert all_proofs.proof_of_law(law._replace(invariants=fewer)).status == "open"
+    assert all_proofs.proof_of_law(law._replace(error_left="q")).status == "open"
+    assert all_proofs.proof_of_law(law._replace(readout="b")).status == "open"
 
 
 @pytest.mark.parametrize("law", FALLING, ids=lambda law: law.name)
@@ -108,7 +108,7 @@ def test_a_wrong_rate_of_V_is_not_proved(law):
         return 2 * law.error_growth(s, p, truth)
 
     wrong = {"error_growth": twice_gained} if law.makes_estimate else {"losses": twice}
-    found = judgement.judged_law(law._replace(**wrong))
+    found = all_proofs.proof_of_law(law._replace(**wrong))
     assert found.status == "open"
     assert "left over" in found.claim
 
@@ -145,7 +145,7 @@ WITH_P = [law for law in KEEPING if law.weighted_error is not None]
 
 @pytest.mark.parametrize("law", WITH_P, ids=lambda law: law.name)
 def test_the_bounds_of_the_covariance_are_steps_of_the_proof(law):
-    said = [step.claim for step in judgement.judged_law(law).steps if step.holds]
+    said = [step.claim for step in all_proofs.proof_of_law(law).steps if step.holds]
     for bound in (
         "tr P <= k_0 is kept",
         "P^-1 >= rho P(0)^-1",
@@ -161,7 +161,7 @@ def test_a_covariance_that_may_pass_its_bound_is_not_proved(law, monkeypatch):
         return p.forgetting
 
     monkeypatch.setattr(regressions.forgetting, "__code__", unbounded.__code__)
-    found = judgement.judged_law(law)
+    found = all_proofs.proof_of_law(law)
     assert found.status == "open"
     assert any("tr P <= k_0" in step.claim and not step.holds for step in found.steps)
 
@@ -195,16 +195,16 @@ def the_same(t, x, u, p):
     ],
 )
 def test_a_jump_that_breaks_the_proof_leaves_the_law_open(jump, said):
-    found = judgement.judged_law(LAW._replace(jump=jump))
+    found = all_proofs.proof_of_law(LAW._replace(jump=jump))
     assert found.status == "open"
     assert found.claim.startswith(said)
 
 
 def test_the_same_jump_is_proved():
-    assert judgement.judged_law(LAW._replace(jump=the_same)).status == "proved"
+    assert all_proofs.proof_of_law(LAW._replace(jump=the_same)).status == "proved"
 
 
 def test_of_a_law_of_which_errors_shrink_jumps_are_not_judged():
-    found = judgement.judged_law(LAW._replace(error_left="S", V_rate=""))
+    found = all_proofs.proof_of_law(LAW._replace(error_left="S", V_rate=""))
     assert found.status == "open"
     assert any("its states jump" in step.detail for step in found.steps)

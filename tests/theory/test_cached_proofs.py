@@ -8,12 +8,12 @@ import pytest
 
 from clpt_control.blocks import vehicle
 from clpt_control.files.user_cache import FOLDER
-from clpt_control.theory.proving import judgement
-from clpt_control.theory.proving.judgement import Kept, Part, digest, parts
+from clpt_control.theory.proving import all_proofs
+from clpt_control.theory.proving.all_proofs import CachedOutcomes, Statement, digest, statements
 from clpt_control.theory.proving.proof import Step, theorem
-from clpt_control.theory.proving.two_processes import judge, second_process
+from clpt_control.theory.proving.two_processes import prove_all, second_process
 
-SHORT = Part("limited_speed", "without hedging")
+SHORT = Statement("limited_speed", "without hedging")
 
 
 @pytest.fixture
@@ -25,13 +25,13 @@ def folder(monkeypatch, tmp_path):
 @pytest.fixture
 def no_equations(monkeypatch):
     """A digest of no equations, made at once; `test_altered_equations` asks them."""
-    monkeypatch.setattr(judgement, "_judged_blocks", list)
+    monkeypatch.setattr(all_proofs, "_proved_blocks", list)
 
 
 def test_the_second_time_says_the_same_and_that_it_was_judged_before(folder, clpt, monkeypatch):
     first = clpt("prove", "--theorem", "3.3")
     assert first.status == 0
-    monkeypatch.setattr(Part, "judged", None)  # nothing is judged
+    monkeypatch.setattr(Statement, "prove", None)  # nothing is judged
     second = clpt("prove", "--theorem", "3.3")
     told, last = second.out.rstrip("\n").rsplit("\n", 1)
     assert told == first.out.rstrip("\n")
@@ -53,13 +53,13 @@ def wrong_kinematics(t, x, u, p, dx):
 
 @pytest.mark.usefixtures("folder")
 def test_altered_equations_are_judged_anew(clpt, monkeypatch):
-    kept = Kept()
-    kept.keep({part: good(part) for part in parts()})
-    assert set(Kept().verdicts) == set(parts())
+    kept = CachedOutcomes()
+    kept.store({part: good(part) for part in statements()})
+    assert set(CachedOutcomes().outcomes) == set(statements())
     before = digest()
     monkeypatch.setattr(vehicle, "kinematics", wrong_kinematics)
     assert digest() != before
-    assert Kept().verdicts == {}
+    assert CachedOutcomes().outcomes == {}
     assert clpt("prove", "--theorem", "3.2").status == 1
     assert clpt("prove", "--theorem", "3.2").status == 1  # what failed is not kept
 
@@ -74,67 +74,70 @@ def good(part):
 @pytest.mark.usefixtures("no_equations")
 def test_versions_processor_and_engine_are_part_of_the_name(monkeypatch):
     names = {digest()}
-    for name in judgement.STOOD_ON:
+    for name in all_proofs.REQUIRED:
         with monkeypatch.context() as patch:
-            patch.setattr(judgement, "version", lambda one, name=name: "9" if one == name else "1")
+            patch.setattr(all_proofs, "version", lambda one, name=name: "9" if one == name else "1")
             names.add(digest())
-    monkeypatch.setattr(judgement, "processor", lambda: ("another", ""))
+    monkeypatch.setattr(all_proofs, "processor", lambda: ("another", ""))
     names.add(digest())
-    monkeypatch.setenv(judgement.VARIABLE, "python")
+    monkeypatch.setenv(all_proofs.VARIABLE, "python")
     names.add(digest())
-    monkeypatch.setattr(judgement.platform, "python_version", lambda: "4.0")
+    monkeypatch.setattr(all_proofs.platform, "python_version", lambda: "4.0")
     names.add(digest())
-    assert len(names) == len(judgement.STOOD_ON) + 4
+    assert len(names) == len(all_proofs.REQUIRED) + 4
 
 
 @pytest.mark.usefixtures("folder", "no_equations")
 def test_what_others_could_have_written_or_is_damaged_is_not_read():
-    Kept().keep({SHORT: good(SHORT)})
-    path = Kept().path
-    assert Kept().verdicts == {SHORT: good(SHORT)}
+    CachedOutcomes().store({SHORT: good(SHORT)})
+    path = CachedOutcomes().path
+    assert CachedOutcomes().outcomes == {SHORT: good(SHORT)}
     text = path.read_text()
     if hasattr(os, "getuid"):
         path.chmod(0o666)
-        assert Kept().verdicts == {}
+        assert CachedOutcomes().outcomes == {}
         path.chmod(0o644)
     for damaged in (text[:-5], "{}", '[{"part": ["laws"]}]'):
         path.write_text(damaged)
-        assert Kept().verdicts == {}
+        assert CachedOutcomes().outcomes == {}
 
 
 @pytest.mark.usefixtures("no_equations")
 def test_without_a_folder_nothing_is_kept_and_the_work_goes_on(monkeypatch):
     monkeypatch.setenv(FOLDER, os.devnull + "/none/at/all")
-    kept = Kept()
-    kept.keep({SHORT: good(SHORT)})
-    assert kept.verdicts == {SHORT: good(SHORT)}
-    assert Kept().verdicts == {}
+    kept = CachedOutcomes()
+    kept.store({SHORT: good(SHORT)})
+    assert kept.outcomes == {SHORT: good(SHORT)}
+    assert CachedOutcomes().outcomes == {}
 
 
 @pytest.mark.usefixtures("folder", "no_equations")
 def test_a_verdict_comes_back_as_it_was():
-    found = {part: part.judged() for part in (SHORT, Part("misprints"), Part("laws", "known-flow"))}
-    Kept().keep(found)
-    assert Kept().verdicts == found
+    found = {
+        part: part.prove()
+        for part in (SHORT, Statement("misprints"), Statement("laws", "known-flow"))
+    }
+    CachedOutcomes().store(found)
+    assert CachedOutcomes().outcomes == found
 
 
 @pytest.mark.processes
 @pytest.mark.usefixtures("folder")
 def test_two_processes_judge_the_same(monkeypatch):
-    wanted, own = [SHORT, Part("misprints"), Part("laws", "known-flow")], digest()
-    alone = judge(wanted, own)
+    wanted, own = [SHORT, Statement("misprints"), Statement("laws", "known-flow")], digest()
+    alone = prove_all(wanted, own)
     asked = []
     with second_process() as pool:
-        monkeypatch.setattr(Part, "judged", lambda part: asked.append(part) or alone[part])
-        assert judge(wanted, own, pool=pool) == alone
+        monkeypatch.setattr(Statement, "prove", lambda part: asked.append(part) or alone[part])
+        assert prove_all(wanted, own, pool=pool) == alone
         assert asked != wanted  # the other was asked too
         asked.clear()
-        assert judge(wanted, "of other equations", pool=pool) == alone
+        assert prove_all(wanted, "of other equations", pool=pool) == alone
         assert sorted(asked) == sorted(wanted)  # one that judges otherwise says nothing
         for process in multiprocessing.active_children():
             process.kill()
         asked.clear()
-        assert judge(wanted, own, pool=pool) == alone
+        assert prove_all(wanted, own, pool=pool) == alone
         assert sorted(asked) == sorted(wanted)  # and one that ended neither
     assert multiprocessing.active_children() == []
     monkeypatch.setattr(os, "cpu_count", lambda: 1)

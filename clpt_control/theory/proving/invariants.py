@@ -1,11 +1,11 @@
-"""Prove a law whose states keep relations between each other, such as P with the information.
+"""The proof of a law whose states have invariants, such as P beside the information.
 
 A law's row says which `invariants` its states have (state = expression of the others), which
 matrices are `semidefinite`, what V' `losses` are beyond e^T KD e, products of factors
 that are not negative, and what is a `perturbation` beside.  Each is then shown:
 
     s' = (expression)'                    where the relations hold: what starts there stays
-    c^T M' c >= 0  where  M c = 0         the cone M >= 0 is not left (Nagumo)
+    c^T M' c >= 0  where  M c = 0         M stays semidefinite (Nagumo)
     V' = -e^T KD e - losses + perturbation    where the relations hold, V and losses not negative
 
 A law without a perturbation is proved, one with is bounded by it.  All is exact for N = 1, 2, 3,
@@ -21,8 +21,8 @@ For a law that makes an estimate theta_hat = theta + d with its covariance M, th
     (d M^-1 d^T)' = error_growth <= 0                     so d never grows in this norm
 
 A law of which no parameter's error ever rises, eta = w eta(0), w' = -f w, f >= 0, takes no part of
-e into alpha', so that V' has e^T eta phi left, which bounds the mean square of e by that of
-eta phi; its readout is theta where its condition holds:
+e into alpha'.  So V' has e^T eta phi left, which bounds the mean square of e by that of eta phi;
+its readout is theta where its condition holds:
 
     V' = -e^T KD e + e^T eta phi - f |eta|^2/gamma,    |eta_ik| never rises
 
@@ -42,75 +42,71 @@ With lambda_0 = 0 rho is 1 at all times, and the second is P^-1 >= P(0)^-1.
 
 from collections.abc import Callable
 from functools import partial
-from itertools import combinations
+from itertools import combinations, filterfalse
 from typing import Any
 
 import numpy as np
 import sympy
 
 from ...blocks.laws.law import Law
-from . import kept_loop
-from .kept_loop import Kept, exact_step
+from . import invariant_loop
+from .invariant_loop import InvariantLoop, exact_step
 from .lemmas import young_step
 from .proof import Step, short
 from .running_rate import running_step
 from .signs import vanishes
 from .theorem_loop import decay, decay_and_known_error
-from .words import WHERE
+from .words import MAXIMUM, WHERE
 
 GIVEN = "V' = -e^T KD e + e^T (theta - theta_hat) phi"
 
-
-MAXIMUM = sympy.Function("maximum", real=True)
-Claims = dict[str, Callable[[Kept], bool | str]]
+Claims = dict[str, Callable[[InvariantLoop], bool | str]]
 
 
-def kept_steps(law: Law, points: int, own: list[Kept] | None = None) -> list[Step]:
-    """Check a law whose row states what its states keep, for N = 1, 2, 3; or a law of your own."""
-    cases = own or [Kept(law, N) for N in kept_loop.SIZES]
-    start = Kept.apart_at_zero if own else Kept.apart_at_the_start
+def invariant_steps(law: Law, points: int, own: InvariantLoop | None = None) -> list[Step]:
+    """Check a law whose row has invariants, for N = 1, 2, 3; or the loop of a law of your own."""
+    cases = [own] if own else [InvariantLoop(law, N) for N in invariant_loop.SIZES]
+    start = InvariantLoop.off_at_zero if own else InvariantLoop.off_at_the_start
     claims: Claims = {
         f"what the law's states keep is kept{' where it begins so' * bool(own)}": (
-            lambda case: case.left() or start(case)
+            lambda case: case.broken() or start(case)
         )
     }
     if law.error_left:
         claims |= shrinking_claims(law)
     else:
         claims |= jump_claims(law) if cases[0].loop.jumps else {}
-        falls = partial(falling_claims, sizes=f"N = {own[0].N}" if own else "N = 1, 2, 3")
+        falls = partial(falling_claims, sizes=f"N = {own.N}" if own else "N = 1, 2, 3")
         claims |= estimate_claims(law) if law.makes_estimate else falls(law)
     steps = [exact_step(cases, claim, check) for claim, check in claims.items()]
     steps += [young_step()] if law.error_left else []
     two = cases[len(cases) // 2]
-    return [*steps, running_step(lambda: (two.diagram, two.loop, two.untied), points)]
+    return [*steps, running_step(lambda: (two.diagram, two.loop, two.untied_rate), points)]
 
 
 def jump_claims(law: Law) -> Claims:
-    """Return what is to be shown of what the states keep, and of V, where they jump."""
+    """Return what is to be shown of invariants, semidefinite states and V where states jump."""
     names = ", ".join(law.semidefinite)
     return {
-        "and is kept where they jump": Kept.left_at_a_jump,
-        f"{names} >= 0 is not left where they jump": Kept.cone_is_kept_at_a_jump,
-        "V does not rise where they jump": Kept.V_rises_by,
+        "and is kept where they jump": InvariantLoop.broken_at_a_jump,
+        f"{names} >= 0 is not left where they jump": InvariantLoop.semidefinite_after_a_jump,
+        "V does not rise where they jump": InvariantLoop.V_rises_by,
     }
 
 
-def cone_claims(law: Law) -> Claims:
-    """Return what is to be shown of the cones between jumps."""
-    return {
-        f"c^T M' c >= 0 where M c = 0, so M >= 0 is not left: {', '.join(law.semidefinite)}": (
-            lambda case: ", ".join(port for port in law.semidefinite if not case.cone_is_kept(port))
-        )
-    }
+def semidefinite_claims(law: Law) -> Claims:
+    """Return what is to be shown of semidefinite states between jumps."""
+    names = law.semidefinite
+    claim = f"c^T M' c >= 0 where M c = 0, so M >= 0 is not left: {', '.join(names)}"
+    return {claim: lambda case: ", ".join(filterfalse(case.stays_semidefinite, names))}
 
 
 def falling_claims(law: Law, sizes: str) -> Claims:
     """Return what is to be shown of V' of a law without an estimate."""
     names = ", ".join(law.semidefinite)
     return {
-        **cone_claims(law),
-        f"V' as claimed, {sizes}: {law.V_rate}": lambda case: case.left_over(decay, case.more),
+        **semidefinite_claims(law),
+        f"V' as claimed, {sizes}: {law.V_rate}": lambda case: case.left_over(decay, case.beside),
         **(covariance_claims(law.perturbation is None) if law.weighted_error else {}),
         f"with {names} >= 0 V and what V' loses are not negative": (
             lambda case: case.not_negative(case.V) and case.loses()
@@ -121,43 +117,43 @@ def falling_claims(law: Law, sizes: str) -> Claims:
 def estimate_claims(law: Law) -> Claims:
     """Return what is to be shown of a law that makes an estimate."""
 
-    def grows(case: Kept) -> str:
+    def grows(case: InvariantLoop) -> str:
         jumps = "its states jump, and what its error does there is not judged"
         return jumps if case.loop.jumps else case.estimate_grows()
 
     return {
-        **cone_claims(law),
-        f"{GIVEN}, N = 1, 2, 3": lambda case: case.left_over(decay_and_known_error, case.more),
+        **semidefinite_claims(law),
+        f"{GIVEN}, N = 1, 2, 3": lambda case: case.left_over(decay_and_known_error, case.beside),
         f"the error of the estimate never grows: {law.V_rate}": grows,
     }
 
 
 def shrinking_claims(law: Law) -> Claims:
-    """Return what is to be shown of a law with whose state w every parameter's error shrinks."""
+    """Return what is to be shown of a law whose state w scales every parameter's error."""
     w, read = law.error_left, {}
     if law.readout:
         read = {f"{law.readout} is theta where its condition holds, and -alpha elsewhere": _reads}
     return {
-        f"eta = {w} eta(0) for every parameter": _is_all_of_alpha,
-        f"{w}' = -f {w}, f >= 0, so no parameter's error rises": _rises,
+        f"eta = {w} eta(0) for every parameter": _scales_all_errors,
+        f"{w}' = -f {w}, f >= 0, so no parameter's error rises": _why_rising,
         **read,
         f"V' = {law.V_rate}, N = 1, 2, 3": lambda case: case.left_over(decay, driven(case)),
         "V is not negative": lambda case: case.not_negative(case.V),
     }
 
 
-def _rises(case: Kept) -> str:
+def _why_rising(case: InvariantLoop) -> str:
     """Return why w is not known to fall, or nothing."""
     if case.loop.jumps:
         return "its states jump, and what its errors do there is not judged"
     (w,), (rate,) = case.states[case.law.error_left], case.rates[case.law.error_left]
-    f = -case.veiled(rate) / w  # each maximum(a, b) with a positive one a positive symbol
+    f = -case.masked(rate) / w  # each maximum(a, b) with a positive one a positive symbol
     if f.has(w) or not f.is_nonnegative or sympy.expand(f) == 0:
         return f"{case.law.error_left}' = {short(rate)}"
     return ""
 
 
-def driven(case: Kept) -> sympy.Expr:
+def driven(case: InvariantLoop) -> sympy.Expr:
     """Return e^T eta phi - f |eta|^2/gamma, gamma those of V."""
     p, loop = case.loop.parameters, case.loop
     eta = p["true_flow"].theta + case.states["alpha"]
@@ -166,8 +162,8 @@ def driven(case: Kept) -> sympy.Expr:
     return pushed + rate / w * np.sum(eta**2 / p["lyapunov"].gain)
 
 
-def _is_all_of_alpha(case: Kept) -> bool:
-    """Return whether each alpha is kept at w times what does not move, less theta."""
+def _scales_all_errors(case: InvariantLoop) -> bool:
+    """Return whether each alpha is w times a constant, less theta."""
     (w,) = case.states[case.law.error_left]
     theta = case.loop.parameters["true_flow"].theta
     for alpha, own in zip(case.states["alpha"].flat, theta.flat, strict=True):
@@ -178,7 +174,7 @@ def _is_all_of_alpha(case: Kept) -> bool:
     return True
 
 
-def _reads(case: Kept) -> bool:
+def _reads(case: InvariantLoop) -> bool:
     """Return whether a readout where(1 - w >= m, a, -alpha) is theta in its first branch."""
     (w,) = case.states[case.law.error_left]
     read, theta = case.loop.signals[case.law.readout], case.loop.parameters["true_flow"].theta
@@ -186,15 +182,15 @@ def _reads(case: Kept) -> bool:
     return all(_is_readout(case, *triple, w) for triple in triples)
 
 
-def _is_readout(case: Kept, found: Any, alpha: Any, theta: Any, w: Any) -> bool:
-    if not isinstance(found, WHERE):
+def _is_readout(case: InvariantLoop, read: Any, alpha: Any, theta: Any, w: Any) -> bool:
+    if not isinstance(read, WHERE):
         return False
-    condition, then, before = found.args
+    condition, then, before = read.args
     if str(getattr(condition, "func", "")) != "ge" or condition.args[0] != 1 - w:
         return False
     margin = condition.args[1]
     known = {MAXIMUM(*pair): 1 - w for pair in ((margin, 1 - w), (1 - w, margin))}
-    right = vanishes(case.put(then.subs(known)) - theta)
+    right = vanishes(case.reduced(then.subs(known)) - theta)
     return bool(margin.is_positive) and right and sympy.expand(before + alpha) == 0
 
 
@@ -214,29 +210,29 @@ def covariance_claims(driven: bool) -> Claims:
     return dict(list(claims.items())[driven:])
 
 
-def _moves(case: Kept, of: str) -> bool:
+def _moves(case: InvariantLoop, of: str) -> bool:
     pairs = zip(*map(np.ravel, covariance_rates(case)[of]), strict=True)
     return bool(case.parameters.forgetting.is_nonnegative) and all(
-        vanishes(case.put(case.loop.derivative(a) - rate)) for a, rate in pairs
+        vanishes(case.reduced(case.loop.derivative(a) - rate)) for a, rate in pairs
     )
 
 
-def covariance_rates(case: Kept) -> dict[str, tuple[Any, Any]]:
+def covariance_rates(case: InvariantLoop) -> dict[str, tuple[Any, Any]]:
     """Return what is made of P and eta, and its rate; lambda is 0 where tr P = k_0."""
-    P, p, rho, over = case.states["P"], case.parameters, case.states["rho"], case.held
+    P, p, rho, error = case.states["P"], case.parameters, case.states["rho"], case.weighted_error
     forgetting = p.forgetting * (1 - np.trace(P) / p.largest)
-    seen, size = P @ case.states["phi_f"] / p.noise, np.sum((over @ P) * over)
+    gain, size = P @ case.states["phi_f"] / p.noise, np.sum((error @ P) * error)
     return {
-        "size": (size, -sum((over @ seen) ** 2) - forgetting * size),
-        "room": (p.largest - np.trace(P), sum(seen**2) - forgetting * np.trace(P)),
-        "rho P": (rho * P, -rho * np.outer(seen, seen)),
-        "P": (P, forgetting * P - np.outer(seen, seen)),
+        "size": (size, -sum((error @ gain) ** 2) - forgetting * size),
+        "room": (p.largest - np.trace(P), sum(gain**2) - forgetting * np.trace(P)),
+        "rho P": (rho * P, -rho * np.outer(gain, gain)),
+        "P": (P, forgetting * P - np.outer(gain, gain)),
     }
 
 
-def _cauchy(case: Kept) -> bool:
+def _cauchy(case: InvariantLoop) -> bool:
     """Return whether tr P p P p^T - |p P|^2 is a sum of squares for P = sum of v v^T."""
-    n = len(case.cones["P"])
+    n = len(case.matrices["P"])
     p = np.array(sympy.symbols(f"p_1:{n + 1}", real=True))
     v = np.array(sympy.symbols(f"v_1:{n * n + 1}", real=True)).reshape(n, n)
     P = v.T @ v

@@ -1,6 +1,6 @@
-"""All that `clpt prove` judges, part by part: theorems, laws, a team; and what was said before.
+"""All that `clpt prove` proves: theorems, laws, a team; and the cache of their proofs.
 
-Every law of the table is judged with its own V on the equations that run.  One with
+Every law of the table is proved with its own V on the equations that run.  One with
 V' <= -e^T KD e is proved; one with V' <= -e^T KD e + what is bounded is bounded, and the set that V
 comes to is said.  A law that is given an estimate of the flow has the V' of Theorem 3.1, and is
 bounded in the mean square by the error of the estimate.  A law that learns at fixes keeps V from
@@ -12,10 +12,10 @@ Each vehicle has its own phi, zc, KD, GammaD and alpha_M; theta, gamma and kappa
 for two vehicles, three in a row and three in a circle, exactly for every N.  As V
 never rises, e goes to zero by the lemma of Theorem 3.2 and neighbours agree likewise.
 
-Verdicts are kept in the user's cache.  The file's name is a digest of all that a verdict depends
+Outcomes are stored in the user's cache.  The file's name is a digest of all that an outcome depends
 on: the package's own files, the versions of what they stand on, the processor and the engine, by
-which counterexamples are computed, and the records of the equations that are judged.  So a verdict
-on other equations is never found.
+which counterexamples are computed, and the records of the equations.  So the outcome of other
+equations is never read.
 """
 
 import hashlib
@@ -45,7 +45,7 @@ from ...native.machine import processor
 from ...scenario.team import LAW, Team
 from ...simulation.loops import error_loop, paper_blocks, team_blocks
 from .fixes import fix_steps
-from .kept_relations import GIVEN, kept_steps
+from .invariants import GIVEN, invariant_steps
 from .limited_speed import LIMITED_SPEED
 from .misprints import misprints
 from .own_law import prove
@@ -70,8 +70,8 @@ N = 2  # functions; a proof for every N says so
 MEAN = f"{GIVEN}: in the mean |e| <= |(theta - theta_hat) phi| over the least of KD"
 
 
-def judged_law(law: Law) -> Proof:
-    """Judge one law; equations that cannot be read leave it open."""
+def proof_of_law(law: Law) -> Proof:
+    """Prove one law; equations that cannot be read leave it open."""
     return proof_or_failure("open", lambda: _of_law(law))
 
 
@@ -87,12 +87,12 @@ def _of_law(law: Law) -> Proof:
             claim = f"{MEAN}, and {law.V_rate}"
         elif law.perturbation is None:
             status, claim = "proved", f"V' <= {law.V_rate}, so CLPE goes to zero"
-        return where_all_hold(status, claim, kept_steps(law, POINTS))
+        return where_all_hold(status, claim, invariant_steps(law, POINTS))
     if law.given_estimate:
         steps = identity_steps(GIVEN, law.name, decay_and_known_error, POINTS)
         return where_all_hold("bounded", MEAN, steps)
-    made, _ = law_and_V(law, N)
-    verdict = prove(made, lambda truth, p: law.V(p, truth), points=POINTS)
+    block, _ = law_and_V(law, N)
+    verdict = prove(block, lambda truth, p: law.V(p, truth), points=POINTS)
     sign = "=" if verdict.residual == 0 else "<="
     claim = verdict.reached or f"V' {sign} -e^T KD e, so CLPE goes to zero"
     if verdict.status not in ("proved", "bounded"):
@@ -114,8 +114,8 @@ COUPLING = 0.6  # stands for any kappa > 0
 CLAIM = "V' = -sum e^T KD e - (kappa/gamma) sum over edges |alpha_i - alpha_j|^2"
 
 
-def judged_team() -> Proof:
-    """Judge the law of a team; equations that cannot be read leave it open."""
+def proof_of_team() -> Proof:
+    """Prove the law of a team; equations that cannot be read leave it open."""
     claim = f"{CLAIM}, so CLPE goes to zero and the vehicles agree"
     return where_all_hold("proved", claim, team_steps(), CITED)
 
@@ -180,109 +180,108 @@ def claimed_rate(loop: Loop, edges: tuple[tuple[str, str], ...]) -> Any:
 
 
 PACKAGE = Path(__file__).parents[2]
-STOOD_ON = ("clpt-control", "control", "numpy", "scipy", "sympy", "llvmlite")
-KEPT = 4  # files of other versions that stay
-Verdict = Proof | list[dict[str, Any]]  # of misprints the rows of a table
+REQUIRED = ("clpt-control", "control", "numpy", "scipy", "sympy", "llvmlite")
+OTHER_FILES = 4  # of other versions that stay
+Outcome = Proof | list[dict[str, Any]]  # of misprints the rows of a table
 
 
-class Part(NamedTuple):
-    """One of the things that are judged."""
+class Statement(NamedTuple):
+    """One of the things that are proved."""
 
     room: str  # "theorems", "misprints", "laws", "limited_speed" or "team"
     name: str = ""
 
-    def judged(self) -> Verdict:
-        """Judge it now."""
+    def prove(self) -> Outcome:
+        """Prove it now."""
         if self.room == "misprints":
             keys = ("equation", "printed", "corrected", "check", "confirmed")
             return [{key: getattr(one, key) for key in keys} for one in misprints()]
         if self.room == "laws":
-            return judged_law(LAWS[self.name])
+            return proof_of_law(LAWS[self.name])
         if self.room == "team":
-            return proof_or_failure("open", judged_team)
+            return proof_or_failure("open", proof_of_team)
         proofs = THEOREMS if self.room == "theorems" else LIMITED_SPEED
         return proof_or_failure("failed", proofs[self.name])
 
 
-Verdicts = dict[Part, Verdict]
+Outcomes = dict[Statement, Outcome]
 
 
-def parts(theorem: str | None = None) -> list[Part]:
-    """Return what is judged: one theorem and the misprints, or everything."""
+def statements(theorem: str | None = None) -> list[Statement]:
+    """Return what is proved: one theorem and the misprints, or everything."""
     if theorem is not None and theorem not in THEOREMS:
         raise ClptError(f"theorem {theorem}: must be one of {', '.join(THEOREMS)}")
-    found = [Part("theorems", name) for name in THEOREMS if theorem in (None, name)]
+    wanted = [Statement("theorems", name) for name in THEOREMS if theorem in (None, name)]
     if theorem is None:
-        found.append(Part("team"))
-        found += [Part("limited_speed", name) for name in LIMITED_SPEED]
-        found += [Part("laws", name) for name in LAWS]
-    return [*found, Part("misprints")]
+        wanted.append(Statement("team"))
+        wanted += [Statement("limited_speed", name) for name in LIMITED_SPEED]
+        wanted += [Statement("laws", name) for name in LAWS]
+    return [*wanted, Statement("misprints")]
 
 
-class Kept:
-    """The verdicts that were kept, and the times at which they were reached."""
+class CachedOutcomes:
+    """The outcomes in the user's cache, and the times at which they were reached."""
 
     def __init__(self) -> None:
         self.digest, self.folder = digest(), cache_folder()
         self.path = None
         if self.folder is not None and self.digest:
             self.path = self.folder / f"verdicts-{self.digest}.json"
-        self.verdicts: Verdicts = {}
-        self.times: dict[Part, str] = {}
-        stored = None if self.path is None else user_cache.kept(self.path)
+        self.outcomes: Outcomes = {}
+        self.times: dict[Statement, str] = {}
+        text = None if self.path is None else user_cache.kept(self.path)
         with suppress(ValueError):
-            for part, time, said in rows().validate_json(stored) if stored else []:
-                self.verdicts[part], self.times[part] = said, time
+            for statement, time, outcome in rows().validate_json(text) if text else []:
+                self.outcomes[statement], self.times[statement] = outcome, time
 
-    def keep(self, new: Verdicts) -> None:
-        """Keep verdicts that were reached now; those that fail are judged again another time."""
+    def store(self, new: Outcomes) -> None:
+        """Store outcomes that were reached now; those that fail are proved again another time."""
         now = datetime.now(UTC).isoformat(timespec="seconds")
-        self.verdicts |= new
+        self.outcomes |= new
         self.times |= dict.fromkeys(new, now)
         if self.path is None or self.folder is None:
             return
-        good = [(part, self.times[part], said) for part, said in self.verdicts.items()]
-        good = [row for row in good if holds(row[2])]
+        good = [(one, self.times[one], own) for one, own in self.outcomes.items() if holds(own)]
         user_cache.keep(self.path, rows().dump_json(good))
         with suppress(OSError):
             others = [one for one in self.folder.glob("verdicts-*.json") if one != self.path]
             others.sort(key=lambda one: one.stat().st_mtime, reverse=True)
-            for one in others[KEPT:]:
+            for one in others[OTHER_FILES:]:
                 one.unlink(missing_ok=True)
 
 
 @cache
 def rows() -> Any:
-    """Return what reads and writes verdicts as JSON: their part, time and what is said."""
+    """Return the adapter that reads and writes statements, times and outcomes as JSON."""
     from pydantic import TypeAdapter
 
-    return TypeAdapter(list[tuple[Part, str, Verdict]])
+    return TypeAdapter(list[tuple[Statement, str, Outcome]])
 
 
-def holds(verdict: Verdict) -> bool:
-    """Return whether a verdict is what the package claims."""
-    if isinstance(verdict, Proof):
-        return verdict.holds
-    return all(one["confirmed"] for one in verdict)
+def holds(outcome: Outcome) -> bool:
+    """Return whether an outcome is what the package claims."""
+    if isinstance(outcome, Proof):
+        return outcome.holds
+    return all(one["confirmed"] for one in outcome)
 
 
 def digest() -> str:
-    """Return a name for all that a verdict depends on; nothing where equations cannot be read."""
+    """Return a name for all that an outcome depends on; "" where equations cannot be read."""
     try:
-        said = [_said(block) for block in _judged_blocks()]
+        equations = [_in_text(block) for block in _proved_blocks()]
     except ClptError:
         return ""
-    found = hashlib.sha256()
+    sha = hashlib.sha256()
     for path in sorted(PACKAGE.rglob("*.py")):
-        found.update(f"{path.relative_to(PACKAGE)}\n".encode() + path.read_bytes())
-    made_of = [platform.python_version(), *(version(name) for name in STOOD_ON)]
-    made_of += [*processor(), os.environ.get(VARIABLE, ""), *said]
-    found.update("\n".join(made_of).encode())
-    return found.hexdigest()[:32]
+        sha.update(f"{path.relative_to(PACKAGE)}\n".encode() + path.read_bytes())
+    more = [platform.python_version(), *(version(name) for name in REQUIRED)]
+    more += [*processor(), os.environ.get(VARIABLE, ""), *equations]
+    sha.update("\n".join(more).encode())
+    return sha.hexdigest()[:32]
 
 
-def _judged_blocks() -> list[Block]:
-    """Return the blocks whose equations are judged."""
+def _proved_blocks() -> list[Block]:
+    """Return the blocks whose equations the proofs are of."""
     blocks = team_blocks(team_of(GRAPHS["three in a circle"], N))
     for law in LAWS.values():
         blocks += law_and_V(law, N)
@@ -292,7 +291,7 @@ def _judged_blocks() -> list[Block]:
     return [*blocks, *errors.syslist]
 
 
-def _said(block: Block) -> str:
-    """Return all that is known of a block's equations."""
+def _in_text(block: Block) -> str:
+    """Return a block's ports, parameters and records as text."""
     ports = block.input_ports, block.output_ports, block.state_ports
     return "\n".join(map(str, (block.name, ports, block.parameters, block.records)))

@@ -1,8 +1,8 @@
-"""A law's closed loop on symbols, its states where its row says that their relations hold.
+"""A law's closed loop on symbols, its states where the invariants of its row hold.
 
 A row of the table says which `invariants` the states have (state = expression of the others), which
-matrices are `semidefinite`, what V' `losses` are and what is a `perturbation`.  `Kept` answers
-what is asked of them for one N; `kept_relations` puts the answers together.
+matrices are `semidefinite`, what V' `losses` are and what is a `perturbation`.  `InvariantLoop`
+checks each for one N; `invariants` makes the proof of the checks.
 """
 
 import math
@@ -16,6 +16,7 @@ import sympy
 from sympy.core.function import AppliedUndef
 
 from ...blocks.laws.law import LEARNED, Law, Truth
+from ..promises import truth_of
 from .array_loop import TIME
 from .proof import Step, checked, short
 from .signs import left_over, nonpositive, positive_maximum, vanishes
@@ -26,30 +27,31 @@ from .theorem_loop import (
     Hedging,
     law_and_V,
     law_loop,
+    rate_of_V,
     theorem_scenario,
     tied,
     truth_in,
-    truth_of,
 )
 
 SIZES = (1, 2, 3)  # numbers of functions
 
 
-class Kept:
+class InvariantLoop:
     """A law's closed loop on symbols for one N, with the relations that its row states."""
 
     def __init__(self, law: Law, N: int, speed: Hedging = "no limit", blocks: tuple | None = None):
         """Read the loop of a law's row, or of `blocks`: a law and what makes its V of the truth."""
         self.law, self.N = law, N
         true = truth_of(theorem_scenario(N, "learned-flow"))
-        made, V = law_and_V(law, N, speed) if blocks is None else (blocks[0], blocks[1](true))
-        self.diagram = law_loop(law, made, V, speed)
+        block, V = law_and_V(law, N, speed) if blocks is None else (blocks[0], blocks[1](true))
+        self.diagram = law_loop(law, block, V, speed)
         self.loop: SymbolicLoop = symbolic_loop(self.diagram, jumps=True)
         self.words: dict[Any, sympy.Symbol] = {}
-        own = self.loop.states
-        self.states = {port.rpartition(":")[2]: symbols for port, symbols in own.items()}
-        self.rates = {port.rpartition(":")[2]: rate for port, rate in self.loop.rates.items()}
-        p, truth = self.loop.parameters[made.name], truth_in(self.loop)
+        self.states, self.rates = (
+            {port.rpartition(":")[2]: values for port, values in ports.items()}
+            for ports in (self.loop.states, self.loop.rates)
+        )
+        p, truth = self.loop.parameters[block.name], truth_in(self.loop)
         assert law.invariants is not None
         relations = law.invariants(self.states, p, truth)
         self.relations = _solved(
@@ -62,10 +64,10 @@ class Kept:
         every = {**self.loop.inputs, **self.states}
         self.parameters = p
         if blocks is None:
-            self.tied = tied(self.loop, V, law.V, (made.parameters, p), (true, truth))
+            self.tied = tied(self.loop, V, law.V, (block.parameters, p), (true, truth))
         else:
-            mine = {s for block in (made, V) for s in flat(self.loop.parameters[block.name])}
-            values = {s: number for s, number in self.loop.values.items() if s in mine}
+            own = {s for one in (block, V) for s in flat(self.loop.parameters[one.name])}
+            values = {s: number for s, number in self.loop.values.items() if s in own}
             self.tied = values | tied(self.loop, V, blocks[1], (true, truth))
         self.losses = [
             tuple(sympy.sympify(factor).xreplace(self.tied) for factor in product)
@@ -73,22 +75,22 @@ class Kept:
         ]
         n = self.loop.N or N
         c = sympy.symbols(f"c_1:{2 * n + 1}", real=True)
-        self.weighed = np.array(c, dtype=object).reshape(2, n)  # d P^-1, d = theta_hat - theta
-        every["d P^-1"] = self.weighed
+        self.c = np.array(c, dtype=object).reshape(2, n)  # d P^-1, d = theta_hat - theta
+        every["d P^-1"] = self.c
         self.error_growth = sympy.sympify(law.error_growth(every, p, truth))
         perturbation = law.perturbation(every, p, truth) if law.perturbation else 0
-        beside = sympy.sympify(perturbation).xreplace(self.tied)
-        self.more = beside - sum(map(math.prod, self.losses))  # that V' has
-        self.cones = {port: self.states[port] for port in law.semidefinite}
+        pushed = sympy.sympify(perturbation).xreplace(self.tied)
+        self.beside = pushed - sum(map(math.prod, self.losses))  # what V' has beyond -e^T KD e
+        self.matrices = {port: self.states[port] for port in law.semidefinite}
         self.V = self.loop.signals["V"][0].xreplace(self.tied)
-        known = (*np.ravel(truth.theta), *truth.KD, *truth.GammaD)
-        self.truths = set(known)
-        self.held = law.weighted_error(self.states, p, truth) if law.weighted_error else None
-        self.over = {} if self.held is None else _alone(self.held)
-        fresh = [value.free_symbols for value in self.over.values()]
-        self.apart = {s for symbols in (self.loop.motion, known, *fresh) for s in symbols}
+        self.truths = {*np.ravel(truth.theta), *truth.KD, *truth.GammaD}
+        error = law.weighted_error(self.states, p, truth) if law.weighted_error else None
+        self.weighted_error = error
+        self.free = {} if error is None else _free_symbols_for(error)
+        fresh = [value.free_symbols for value in self.free.values()]
+        self.apart = {s for symbols in (self.loop.motion, self.truths, *fresh) for s in symbols}
 
-    def apart_at_the_start(self) -> str:
+    def off_at_the_start(self) -> str:
         """Name the states whose relation does not hold where a run begins, whatever alpha is."""
         scenario, random = theorem_scenario(self.N, self.law.name), np.random.default_rng(0)
         alpha, theta = random.normal(size=(2, 2, self.N))
@@ -103,11 +105,11 @@ class Kept:
             start = np.asarray(starts.get(name, 0.0), dtype=float)
             states[name] = whole + (start.reshape(whole.shape) if start.ndim else start)
         assert self.law.invariants is not None
-        kept = self.law.invariants(states, self.law.parameters_of(known), truth)
-        off = (name for name, value in kept.items() if not np.allclose(value, states[name]))
+        values = self.law.invariants(states, self.law.parameters_of(known), truth)
+        off = (name for name, value in values.items() if not np.allclose(value, states[name]))
         return ", ".join(f"{name} at the start" for name in off)
 
-    def apart_at_zero(self) -> str:
+    def off_at_zero(self) -> str:
         """Name the states that are not what the truth makes them where all of a law's own are 0.
 
         No start of alpha, K and Gamma, nor of the vehicle, is known to be true.
@@ -124,19 +126,15 @@ class Kept:
         return next(off, "")
 
     @cached_property
-    def untied(self) -> sympy.Expr:
-        """V', its gains apart from the law's."""
-        return self.loop.derivative(self.loop.signals["V"][0])
+    def untied_rate(self) -> sympy.Expr:
+        """V', the gains in V symbols of their own."""
+        return rate_of_V(self.loop)
 
-    def here(self, expression: Any) -> sympy.Expr:
-        """Return an expression where the relations hold, multiplied out."""
-        return sympy.expand(self.put(expression))
-
-    def put(self, expression: Any) -> sympy.Expr:
+    def reduced(self, expression: Any) -> sympy.Expr:
         """Return an expression where the relations hold, words with kinks any numbers."""
-        return self.veiled(sympy.sympify(expression)).xreplace(self.relations)
+        return self.masked(sympy.sympify(expression)).xreplace(self.relations)
 
-    def veiled(self, expression: sympy.Expr) -> sympy.Expr:
+    def masked(self, expression: sympy.Expr) -> sympy.Expr:
         """Return an expression with a symbol of its own for each word of the states."""
         words = [f for f in expression.atoms(AppliedUndef) if f.args != (TIME,)]
         for word in sorted(words, key=lambda f: (-extent(f)[0], str(f))):  # outer before inner
@@ -146,42 +144,42 @@ class Kept:
                 expression = expression.xreplace({word: symbol})
         return expression
 
-    def left_over(self, claim: Claim, more: Any = 0) -> str:
-        """Return what V' has beyond a claim and more, or where it has no value, or nothing."""
-        rest = self.put(self.untied.xreplace(self.tied) - claim(self.loop) - more)
+    def left_over(self, claim: Claim, beside: Any = 0) -> str:
+        """Return what V' has beyond claim + beside, or where it has no value, or nothing."""
+        rest = self.reduced(self.untied_rate.xreplace(self.tied) - claim(self.loop) - beside)
         return left_over(rest) or "".join(self.loop.undefined[:1])
 
-    def left(self) -> str:
-        """Return which relation is left, or nothing."""
-        return self.leaving(self.loop.derivative)
+    def broken(self) -> str:
+        """Return which relation the states leave, or nothing."""
+        return self._broken_by(self.loop.derivative)
 
-    def left_at_a_jump(self) -> str:
-        """Return which relation is left where states jump, or nothing."""
+    def broken_at_a_jump(self) -> str:
+        """Return which relation the states leave where they jump, or nothing."""
         jumps = (lambda off, new=new: off.xreplace(new) for new in self.loop.jumps_at_once())
-        return next(filter(None, map(self.leaving, jumps)), "")
+        return next(filter(None, map(self._broken_by, jumps)), "")
 
-    def leaving(self, after: Callable[[sympy.Expr], sympy.Expr]) -> str:
+    def _broken_by(self, after: Callable[[sympy.Expr], sympy.Expr]) -> str:
         """Return which relation does not hold of what a state less its expression becomes."""
         for symbol, value in self.relations.items():
-            off = self.put(after(symbol - value))
+            off = self.reduced(after(symbol - value))
             if not vanishes(off):
                 return f"{symbol} leaves it by {short(sympy.expand(off))}"
         return ""
 
-    def cone_is_kept_at_a_jump(self) -> bool:
+    def semidefinite_after_a_jump(self) -> bool:
         """Return whether c^T M c is not negative after a jump, for every M >= 0 and c."""
         for after in self.loop.jumps_at_once():
-            for M in self.cones.values():
+            for M in self.matrices.values():
                 c = np.array(sympy.symbols(f"a_1:{len(M) + 1}", real=True), dtype=object)
                 new = np.array([[after.get(m, m) for m in row] for row in M], dtype=object)
-                if not self.not_negative(self.veiled(sympy.expand(c @ new @ c)), set(c)):
+                if not self.not_negative(self.masked(sympy.expand(c @ new @ c)), set(c)):
                     return False
         return True
 
     def V_rises_by(self) -> str:
         """Return what V may rise by where states jump, or nothing."""
         for after in self.loop.jumps_at_once():
-            rise = self.here(self.V.xreplace(after) - self.V)
+            rise = sympy.expand(self.reduced(self.V.xreplace(after) - self.V))
             if not vanishes(rise) and not self.not_negative(-rise):
                 return short(rise)
         return ""
@@ -191,73 +189,73 @@ class Kept:
 
         d = theta_hat - theta.  With M = M^T and d = c M, whatever c is: 2 d' c^T - c M' c^T.
         """
-        (port,) = self.cones
-        M, c = self.symmetric[port], self.weighed
+        (port,) = self.matrices
+        M, c = self.symmetric[port], self.c
         if np.any(M != M.T):
             return f"left over: {short(M[0, 1] - M[1, 0])}"
         theta = self.loop.parameters["true_flow"].theta
         at = dict(zip(self.states["theta_hat"].flat, (theta + c @ M).flat, strict=True))
         rate = 2 * np.sum(self.rates["theta_hat"] * c) - np.sum((c @ self.rates[port]) * c)
-        rest = self.put(sympy.sympify(rate - self.error_growth).xreplace(at))
-        return (
-            left_over(rest) if self.error_growth.is_nonpositive else "what it gains may be positive"
-        )
+        if not self.error_growth.is_nonpositive:
+            return "what it gains may be positive"
+        return left_over(self.reduced(sympy.sympify(rate - self.error_growth).xreplace(at)))
 
-    def cone_is_kept(self, port: str) -> bool:
+    def stays_semidefinite(self, port: str) -> bool:
         """Return whether c^T M' c is not negative where M c = 0, for every c.
 
-        As c^T M' c has the sign of c^T M' c/c_n^2, c_n is 1; where it is 0, turn M and c a little.
+        As c^T M' c has the sign of c^T M' c/c_n^2, c_n is 1; where it is 0, M and c are rotated a
+        little.
         """
-        M, n = self.symmetric[port].copy(), len(self.cones[port])
+        M, n = self.symmetric[port].copy(), len(self.matrices[port])
         c = np.array([*sympy.symbols(f"c_1:{n}", real=True), sympy.Integer(1)], dtype=object)
         M[:-1, -1] = M[-1, :-1] = -(M[:-1, :-1] @ c[:-1])
         M[-1, -1] = -np.dot(M[-1, :-1], c[:-1])
-        at = dict(zip(self.cones[port].ravel(), M.ravel(), strict=True))
+        at = dict(zip(self.matrices[port].ravel(), M.ravel(), strict=True))
         form = sympy.sympify(c @ self.rates[port] @ c).xreplace(at)
         return bool(sympy.factor(sympy.expand(form)).is_nonnegative)
 
     @cached_property
     def symmetric(self) -> dict[str, np.ndarray]:
-        """Each cone's matrix with its relations, shape (n, n)."""
-        here = np.vectorize(self.here, otypes=[object])
-        return {port: here(symbols) for port, symbols in self.cones.items()}
+        """Each semidefinite matrix with its relations, shape (n, n)."""
+        expanded = np.vectorize(lambda s: sympy.expand(self.reduced(s)), otypes=[object])
+        return {port: expanded(symbols) for port, symbols in self.matrices.items()}
 
-    def not_negative(self, expression: Any, more: Set[Any] = frozenset()) -> bool:
+    def not_negative(self, expression: Any, others: Set[Any] = frozenset()) -> bool:
         """Return whether F = F(M = 0) + sum tr(M S) is known not to be negative for M >= 0.
 
-        `more` are symbols beside states and truths that may have any value.
+        `others` are symbols beside states and truths that may have any value.
         """
         expression = sympy.sympify(expression)
-        if expression.is_nonnegative or self.within(expression):
+        if expression.is_nonnegative or self.is_room(expression):
             return True
         if all(term.is_nonnegative for term in sympy.Add.make_args(expression)):
             return True
-        found = sympy.expand(self.here(expression).xreplace(self.over))
-        own, parts = self.symmetric, []
-        symbols = sorted({s for M in own.values() for s in M.ravel()}, key=str)
-        if not found.is_polynomial(*symbols):
+        expanded = sympy.expand(self.reduced(expression).xreplace(self.free))
+        matrices, parts = self.symmetric, []
+        symbols = sorted({s for M in matrices.values() for s in M.ravel()}, key=str)
+        if not expanded.is_polynomial(*symbols):
             return False
-        shares = sympy.Poly(found, *symbols).as_dict() if symbols else {(): found}
+        shares = sympy.Poly(expanded, *symbols).as_dict() if symbols else {(): expanded}
         if any(sum(powers) > 1 for powers in shares):
             return False
         of = {s: shares.get(tuple(int(s == one) for one in symbols), 0) for s in symbols}
-        for M in own.values():
+        for M in matrices.values():
             c = sympy.symbols(f"c_1:{len(M) + 1}", real=True)
             pairs = combinations_with_replacement(range(len(M)), 2)  # M_jk stands for M_kj too
             parts.append(sympy.Add(*(sympy.expand(c[j] * c[k] * of[M[j, k]]) for j, k in pairs)))
         parts.append(shares.get((0,) * len(symbols), sympy.S.Zero))
-        return all(nonpositive(-part, self.apart | more, {}) for part in parts)
+        return all(nonpositive(-part, self.apart | others, {}) for part in parts)
 
-    def within(self, expression: sympy.Expr) -> bool:
-        """Return whether an expression is 1 - tr P/k_0, which the covariance keeps."""
-        if self.held is None:
+    def is_room(self, expression: sympy.Expr) -> bool:
+        """Return whether an expression is 1 - tr P/k_0, which never gets negative."""
+        if self.weighted_error is None:
             return False
-        trace = sum(self.cones["P"].diagonal())
+        trace = sum(self.matrices["P"].diagonal())
         return sympy.expand(expression - 1 + trace / self.parameters.largest) == 0
 
     def loses(self) -> bool:
         """Return whether each product that V' loses has factors that are not negative."""
-        return all(map(self.not_negative, {sympy.sympify(f) for own in self.losses for f in own}))
+        return all(map(self.not_negative, {factor for loss in self.losses for factor in loss}))
 
 
 def _solved(relations: dict[Any, Any]) -> dict[Any, sympy.Expr]:
@@ -273,8 +271,8 @@ def _solved(relations: dict[Any, Any]) -> dict[Any, sympy.Expr]:
     return found
 
 
-def _alone(values: np.ndarray) -> dict[Any, Any]:
-    """Return symbols -> expressions that make each value, linear in its symbol, one of its own."""
+def _free_symbols_for(values: np.ndarray) -> dict[Any, Any]:
+    """Return symbol -> expression such that each value, linear in it, becomes a symbol."""
     flat, found = list(np.ravel(values)), {}
     for k, value in enumerate(flat):
         others = {s for j, one in enumerate(flat) if j != k for s in one.free_symbols}
@@ -292,11 +290,11 @@ def exact_step(cases: Iterable[Any], claim: str, check: Callable[[Any], bool | s
 
     def holds() -> tuple[bool, str]:
         for case in cases:
-            said = check(case)
-            if said is False:
+            answer = check(case)
+            if answer is False:
                 return False, ""
-            if said is not True and said:
-                return False, f"N = {case.loop.N}: {said}"
+            if answer is not True and answer:
+                return False, f"N = {case.loop.N}: {answer}"
         return True, ""
 
     return checked(claim, "exact", holds, False)
