@@ -132,9 +132,9 @@ def kind_of(mode: int) -> str:
     return NO_FILES.get(stat.filemode(mode)[0], "no file")
 
 
-def read_text(path: str | Path, no_text: str) -> str:
+def read_text(path: str | Path, no_text: str, most: int | None = None) -> str:
     """Read a file that must be text; `no_text` is said, behind its name, where it is none."""
-    return text_of(read_bytes(path), path, no_text)
+    return text_of(read_bytes(path, most=most), path, no_text)
 
 
 def text_of(raw: bytes, path: str | Path, no_text: str) -> str:

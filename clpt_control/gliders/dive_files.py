@@ -46,6 +46,7 @@ from .dives import (
     Dive,
     Fix,
     Skipped,
+    in_order,
     is_segment,
     make_dive,
     name_in,
@@ -302,7 +303,7 @@ def dive_paths(paths: Iterable[str | Path]) -> list[Path]:
             dives = dive_paths(sent)
         if not dives:
             raise DataError(f"{path}: the folder has no {', '.join(SUFFIXES)} or .gli file")
-        files += sorted(dives)
+        files += sorted(dives, key=in_order)
     return files
 
 

@@ -226,6 +226,16 @@ def is_segment(path: Path) -> bool:
     return path.suffix.lower() in SLOCUM_FILES or bool(SEAEXPLORER.fullmatch(path.name))
 
 
+def in_order(path: Path) -> tuple[list[str | int], str]:
+    """Return the key that sorts files as a vehicle numbers them.
+
+    >>> sorted(map(Path, ("sea035.1.gli.sub.10", "sea035.1.gli.sub.9")), key=in_order)[0].name
+    'sea035.1.gli.sub.9'
+    """
+    parts = re.split(r"(\d+)", path.name)
+    return [int(part) if k % 2 else part for k, part in enumerate(parts)], path.name
+
+
 def files_before(path: Path) -> list[Path]:
     """Return the files before one of the same vehicle in its folder, the nearest last."""
     try:

@@ -25,7 +25,7 @@ from ..errors import DataError, needed
 from ..files import check_name, make_folder, write_text
 from ..files.reading import at_once, read_bytes
 from ..gliders.dive_files import alike, may_hold_dives, read_dive_file
-from ..gliders.dives import Dive, NotYet, Skipped, before_each, is_segment
+from ..gliders.dives import Dive, NotYet, Skipped, before_each, in_order, is_segment
 from ..progress.interrupt import check
 
 LOCK = ".clpt-lock"
@@ -155,7 +155,8 @@ class Follower:
         seen = {_fixes(dive) for name in self.here for dive in self.files[name].dives}
         dives: list[Dive] = []
         skipped = [*self.unnamed]
-        for name, record in sorted(self.files.items()):
+        for name in sorted(self.files, key=lambda name: in_order(Path(name))):
+            record = self.files[name]
             own = record.dives
             if name not in self.here:
                 own = [dive for dive in own if _fixes(dive) not in seen]

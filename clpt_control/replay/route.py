@@ -35,6 +35,8 @@ from .replay import Replay
 from .wording import REACHED, Place, in_minutes, utc
 
 DRAWS, DIVES, SEED = 100, 100, 1
+MOST_PLACES = 20_000  # of all areas
+LARGEST = 10**7  # bytes of a file
 SHARES = {"not_before": 0.1, "time": 0.5, "by": 0.9}
 Shape = tuple[str | None, list[Place]]  # places of an area, by its name, or of waypoints
 
@@ -49,7 +51,7 @@ class Route:
 
 def read_route(path: File) -> Route:
     """Return the route in a file."""
-    text = read_text(path, "is no text; must be GeoJSON or lines of places")
+    text = read_text(path, "is no text; must be GeoJSON or lines of places", LARGEST)
     try:
         found = list(_shapes(json.loads(text)) if text.lstrip().startswith("{") else _lines(text))
     except (
@@ -69,7 +71,16 @@ def read_route(path: File) -> Route:
     targets = [place for name, places in found if name is None for place in places]
     if not targets:
         raise DataError(f"{path}: has no waypoint; give points, or a line of them")
-    return Route(targets, [(name, places) for name, places in found if name is not None])
+    if len(targets) > DIVES:
+        raise DataError(
+            f"{path}: has {len(targets)} waypoints; at most {DIVES}, as so many dives are drawn"
+        )
+    areas = [(name, places) for name, places in found if name is not None]
+    if (count := sum(len(ring) for _, ring in areas)) > MOST_PLACES:
+        raise DataError(
+            f"{path}: its areas have {count} places; at most {MOST_PLACES}: simplify them"
+        )
+    return Route(targets, areas)
 
 
 def _lines(text: str) -> Iterator[Shape]:
@@ -87,7 +98,10 @@ def _shapes(data: dict[str, Any], name: str = "area") -> Iterator[Shape]:
     if data["type"].endswith("Polygon"):
         several = data["type"].startswith("Multi")
         for outer, *_ in data["coordinates"] if several else [data["coordinates"]]:
-            yield name, _places(outer)
+            ring = _places(outer)
+            if len(set(ring)) < 3:
+                raise ValueError("an area has at least three corners")
+            yield name, ring
     elif "coordinates" in data:
         yield None, _places(data["coordinates"])
 
@@ -112,9 +126,10 @@ def arrivals(
     rng = np.random.default_rng(SEED)
     times = np.full((DRAWS, len(route.targets)), inf)
     entered = np.zeros((DRAWS, len(route.areas)), bool)
+    rings = [np.array([*ring, ring[0]]) for _, ring in route.areas]
     for draw in range(DRAWS):
         check()
-        _draw(replay, route, V, T, rng, times[draw], entered[draw])
+        _draw(replay, route.targets, rings, V, T, rng, times[draw], entered[draw])
         report(draw + 1)
     waypoints = []
     for place, each in zip(route.targets, times.T, strict=True):
@@ -133,7 +148,8 @@ def arrivals(
 
 def _draw(
     replay: Replay,
-    route: Route,
+    targets: list[Place],
+    rings: list[np.ndarray],
     V: float,
     T: float,
     rng: np.random.Generator,
@@ -143,7 +159,7 @@ def _draw(
     """Draw the dives to come once: write times of arrival, s since 1970, and areas entered."""
     learned = replay.imagined()
     start = learned.start(rng)
-    to_come = list(enumerate(route.targets))
+    to_come = list(enumerate(targets))
     for _ in range(DIVES):
         k, target = to_come[0]
         leg = aim(learned, start, target, V, T)
@@ -159,7 +175,7 @@ def _draw(
         miss = rng.multivariate_normal(*learned.forecast(flown))
         through = flown.dr_east, flown.dr_north
         end: Fix = (flown.t_gpse, *place_from(*start[1:], *(through + miss)))
-        entered |= np.array([_meets(start[1:], end[1:], ring) for _, ring in route.areas], bool)
+        entered |= np.array([_meets(start[1:], end[1:], ring) for ring in rings], bool)
         if leg.state == REACHED or np.hypot(*displacement(*end[1:], *target)) < ARRIVED:
             times[k] = end[0]
             to_come.pop(0)
@@ -169,10 +185,11 @@ def _draw(
         start = learned.start(rng)
 
 
-def _meets(one: Place, other: Place, ring: list[Place]) -> bool:
-    """Whether a straight way meets an area.
+def _meets(one: Place, other: Place, ring: np.ndarray) -> bool:
+    """Whether a straight way meets an area, of a closed ring.
 
-    >>> square = [(0.0, 179.0), (1.0, 179.0), (1.0, -179.0), (0.0, -179.0)]
+    >>> corners = (0.0, 179.0), (1.0, 179.0), (1.0, -179.0), (0.0, -179.0), (0.0, 179.0)
+    >>> square = np.array(corners)
     >>> [_meets((-1.0, x), (2.0, x), square) for x in (179.5, -179.5, 178.0)]
     [True, True, False]
     >>> _meets((0.4, 180.0), (0.5, -180.0), square)  # within
@@ -181,7 +198,7 @@ def _meets(one: Place, other: Place, ring: list[Place]) -> bool:
     from matplotlib.path import Path
 
     area, way = (
-        Path([(lat, near(lon, one[1])) for lat, lon in places])
-        for places in ([*ring, ring[0]], [one, other])
+        Path(np.column_stack([places[:, 0], near(places[:, 1], one[1])]))
+        for places in (ring, np.array([one, other]))
     )
     return bool(area.intersects_path(way, filled=True))

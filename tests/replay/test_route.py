@@ -93,6 +93,16 @@ def test_the_same_draws_say_the_same(known):
 SQUARE = [[8.0, 40.0], [8.1, 40.0], [8.1, 40.1], [8.0, 40.0]]
 
 
+RING = [[8.0, 40.0 + 1e-6 * k] for k in range(20_001)]
+MANY = {
+    "type": "GeometryCollection",
+    "geometries": [
+        {"type": "Polygon", "coordinates": [RING]},
+        {"type": "Point", "coordinates": [8.0, 40.0]},
+    ],
+}
+
+
 def test_routes_are_read(tmp_path):
     path = tmp_path / "route"
     path.write_text("# two\n-42.8 8.4\n\n-42.7, 8.3  # the second\n")
@@ -132,6 +142,10 @@ def test_routes_are_read(tmp_path):
         ("{" * 10**5, "is neither GeoJSON"),
         ('{"type": "LineString", "coordinates": [[[8.0, 40.0]]]}', "places are pairs"),
         (f'{{"type": "Point", "coordinates": [{10**400}, 1]}}', "is neither GeoJSON"),
+        (json.dumps({"type": "Polygon", "coordinates": [SQUARE[:2]]}), "at least three corners"),
+        ("-42.8 8.4\n" * 101, "has 101 waypoints; at most 100, as so many dives are drawn"),
+        (json.dumps(MANY), "its areas have 20001 places; at most 20000: simplify them"),
+        (" " * 10**7 + "1", "is larger than 10 MB"),
     ],
 )
 def test_what_is_no_route_is_one_sentence(text, says, tmp_path):
