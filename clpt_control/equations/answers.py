@@ -29,7 +29,7 @@ class Borrowed(Exception):
 
 
 class Outside(Exception):
-    """A way that no run takes: a place that no row has."""
+    """No run takes this way: the signal would be a place that no row has."""
 
 
 EVERY = object()  # stands for all names
@@ -41,7 +41,7 @@ FOR_ALL = (
 
 
 def _noted(method: str) -> Callable:
-    """Return a method of dict that notes for which name it asks, or that it asks for all."""
+    """Return a method of dict that notes the name that it asks for, or EVERY."""
     real = getattr(dict, method)
 
     def noting(self: "Params", *arguments: Any) -> Any:
@@ -52,7 +52,7 @@ def _noted(method: str) -> Callable:
 
 
 class Params(dict):
-    """The params of python-control, which note for which names a function asks."""
+    """The params of python-control; they note the names that a function asks for."""
 
     def __init__(self, params: Mapping[str, Any], names: set[Any]) -> None:
         super().__init__(params)
@@ -62,7 +62,7 @@ class Params(dict):
 
 
 class AnsweringTape(Tape):
-    """A tape with the answers that this way through the function takes."""
+    """A tape that answers questions as this way through the function takes them."""
 
     def __init__(self, parameters: Mapping[str, Any], spaces: list[dict[str, Any]]) -> None:
         super().__init__()
@@ -88,7 +88,7 @@ class AnsweringTape(Tape):
         return self.answers[ref]
 
     def numbers(self, ref: Ref) -> np.ndarray:
-        """Return what Python asks for; only parameters have a value."""
+        """Return the numbers that Python asks for; only parameters have any."""
         if type(ref) is float or not self.free[ref]:
             return self.known(ref)
         frame = _asking_frame()
@@ -145,7 +145,7 @@ class AnsweringTape(Tape):
         raise Outside
 
     def ended(self, error: Exception) -> None:
-        """Learn from a way that raised where a row ends."""
+        """Note the length of a row, where a way raised at its end."""
         if isinstance(error, IndexError) and self.last_asked and self.last_asked[1] >= 0:
             self.rows.setdefault(*self.last_asked)
 

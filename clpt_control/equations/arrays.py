@@ -44,7 +44,7 @@ _ACTIVE = local()
 
 
 def active() -> "Tape | None":
-    """Return the tape on which this thread reads a function now, if it does."""
+    """Return the tape on which this thread reads a function now, or None."""
     return getattr(_ACTIVE, "tape", None)
 
 
@@ -88,7 +88,7 @@ class Tape:
         return Array(self, place, shape)
 
     def append(self, operation: Operation) -> None:
-        """Write an operation down, also one that there is."""
+        """Write an operation down, also where an equal one stands."""
         kind, arguments, _, at = operation
         self.operations.append(operation)
         own = [a for a in arguments if type(a) is int]
@@ -109,7 +109,7 @@ class Tape:
         return [values[ref] if type(ref) is int else ref for ref in record.outputs]
 
     def question(self, ref: Any) -> Any:
-        """Answer where Python asks a condition, numbers or a whole number."""
+        """Answer where Python asks for a truth value, numbers or a whole number."""
         raise Unread("what Python asks of a signal")
 
     numbers = whole = question
@@ -215,7 +215,7 @@ class Array(NDArrayOperatorsMixin):
         return self._store is None and self._tape.truth[self._node]
 
     def _counted(self) -> tuple[int, ...]:
-        """Return the shape, which Python counts with: no open size."""
+        """Return the shape in whole numbers; refuse an open size."""
         for n in self.shape:
             if not isinstance(n, int):
                 raise Unread(f"counting with the open size {n}")
@@ -350,7 +350,7 @@ class Array(NDArrayOperatorsMixin):
 
 
 def numbers_of(array: Array) -> np.ndarray | None:
-    """Return an array that depends on nothing as numbers, else None."""
+    """Return an array that depends on nothing as numbers; None for any other."""
     store = array._written()
     if store is None:
         if type(array) is not Array:  # all states or inputs
@@ -362,7 +362,7 @@ def numbers_of(array: Array) -> np.ndarray | None:
 
 
 def whole(index: Any) -> Any:
-    """Return an index whose signals are asked which whole numbers they are."""
+    """Return an index in whole numbers; each signal in it is asked which one it is."""
     if isinstance(index, tuple):
         return tuple(map(whole, index))
     if not isinstance(index, Array):
@@ -388,7 +388,7 @@ def operand(value: Any) -> Ref:
 
 
 def lifted(tape: Tape, value: Any) -> Any:
-    """Return a number as it is, and anything that NumPy makes an array of as an array."""
+    """Return a number as it is, and what NumPy makes arrays of as an array of the record."""
     if isinstance(value, Array):
         if value._tape is not tape:
             raise Unread("keeps values from one call to the next; make them states")
@@ -420,14 +420,14 @@ def constant(tape: Tape, value: np.ndarray) -> Any:
 
 
 def filled(tape: Tape, value: Any, shape: Shape) -> Any:
-    """Return a number everywhere in an array of a shape."""
+    """Return an array of a shape that holds one number everywhere."""
     if type(value) is float and all(isinstance(n, int) for n in shape):
         return constant(tape, np.full(shape, value))
     return tape.add("fill", (operand(value),), shape)
 
 
 def spread(tape: Tape, value: Any, shape: Shape) -> Any:
-    """Return a value in all of a shape that it is broadcast to."""
+    """Return a value broadcast to a shape."""
     own = getattr(value, "shape", ())
     if own == shape:
         return value
@@ -503,7 +503,7 @@ def as_number(value: Any) -> Any:
 
 
 def as_condition(value: Any) -> Any:
-    """Return numbers as whether they are not zero."""
+    """Return numbers as conditions: whether they are not zero."""
     if isinstance(value, Array) and not value._is_condition:
         return elementwise("ne", value, 0.0)
     return value

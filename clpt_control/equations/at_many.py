@@ -33,7 +33,7 @@ HALVINGS = 64
 
 
 def leaf_values(block: Block, t: Any, x: Any, u: Any, p: Any) -> Callable[[str, str], np.ndarray]:
-    """Return what gives the arrays of a record's leaves; more axes, such as times, are last."""
+    """Return the function (group, name) -> array of a leaf; more axes, such as times, are last."""
     where = {"x": (x, places(block.state_shapes)), "u": (u, places(block.input_shapes))}
 
     def leaf(group: str, name: str) -> np.ndarray:
@@ -66,7 +66,7 @@ def on_arrays(block: Block, role: str, t: Any, x: Any, u: Any, p: Any = None) ->
 
 
 def rows(record: Record, leaf: Callable, sizes: Mapping[str, int], count: int) -> np.ndarray:
-    """Return the outputs of a record, whose leaves have one more axis, as rows of so many."""
+    """Return the outputs of a record as rows of `count`; its leaves have one more axis."""
     outputs = computed(record, leaf, sizes)
     flat = [np.broadcast_to(y, (*y.shape[:-1], count)).reshape(-1, count) for y in outputs]
     return np.concatenate([np.zeros((0, count)), *flat])

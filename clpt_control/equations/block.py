@@ -122,7 +122,7 @@ class Block(control.NonlinearIOSystem):
     """
 
     first_held: int | None = None  # of a sampled block: the first state that holds an input
-    units: Mapping[str, str] = MappingProxyType({})  # of ports, where they are said
+    units: Mapping[str, str] = MappingProxyType({})  # of ports that have any
 
     def __init__(
         self,
@@ -226,7 +226,7 @@ class Block(control.NonlinearIOSystem):
         return block_html(self)
 
     def _repr_markdown_(self) -> None:
-        """Leave python-control's, which would be the same again."""
+        """Return nothing: python-control's text would say the same again."""
 
     # --- ports --------------------------------------------------------------------------
 
@@ -275,7 +275,7 @@ class Block(control.NonlinearIOSystem):
         return sizes_of(self.state_shapes)
 
     def units_of(self, kind: str) -> list[str]:
-        """Return the unit of each "input" or "output", "" if not said."""
+        """Return the unit of each "input" or "output"; "" where it has none."""
         return [
             self.units.get(label.partition("[")[0], "") for label in getattr(self, f"{kind}_labels")
         ]
@@ -346,7 +346,7 @@ class Block(control.NonlinearIOSystem):
         return record
 
     def _read(self, role: str) -> ArrayRecord | Unread:
-        """Read a function with open sizes; where that cannot be, with those that are bound."""
+        """Read a function with open sizes; where that fails, with the sizes of this block."""
         if role == "output" and self.output_function is None:
             return record_of_states(self.declared["outputs"])
         function, bound_out = self._roles[role]
@@ -575,7 +575,7 @@ class Block(control.NonlinearIOSystem):
         return self.values("update", self.nstates, t, x, u, p)
 
     def _refuse_jumps(self, t: float, interval: float) -> None:
-        """Refuse rates on both sides of a jump, which is what an integration asks for."""
+        """Refuse rates on both sides of a jump, for which only an integration asks."""
         since, first = self._call.first = self._call.first or (t, interval)
         if interval != first:
             raise BlockError(

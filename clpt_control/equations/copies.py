@@ -38,7 +38,7 @@ PLAIN = (int, float, str, bytes, tuple, type, ModuleType, FunctionType, MethodTy
 
 
 class Copies:
-    """The copies of one reading, which tell whether a function changed a name of its module."""
+    """The copies of one reading; `check` refuses a function that changed a name outside it."""
 
     def __init__(self, tape: Tape) -> None:
         self.tape, self.snapshot = tape, Snapshot()
@@ -85,7 +85,7 @@ class Copies:
         return stand_in(value)
 
     def _numbers(self, value: np.ndarray) -> Any:
-        """Return numbers as an array of the record, for what NumPy's do not do with signals."""
+        """Return numbers as an array of the record, which takes signals where NumPy's does not."""
         array = fresh(self.tape, value)
         if isinstance(array, Array):
             array._fixed = True
@@ -200,7 +200,7 @@ class Slots(MutableMapping):
         return sum(1 for _ in self)
 
     def copy(self) -> dict[str, Any]:
-        """Return what is kept now."""
+        """Return the attributes as they are now."""
         return dict(self)
 
 

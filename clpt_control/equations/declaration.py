@@ -69,7 +69,7 @@ class Guard(NamedTuple):
 
 
 def check_guard(name: str, guard: Guard | None) -> None:
-    """Refuse a policy that no run knows."""
+    """Refuse a policy other than "raise" and "stop"."""
     if guard is not None and guard.policy not in ("raise", "stop"):
         raise BlockError(f'{name}: a guard\'s policy {guard.policy!r} must be "raise" or "stop"')
 
@@ -94,7 +94,7 @@ def check_names(name: str, *ports: Mapping[str, Any]) -> None:
 
 
 def check_units(name: str, units: Mapping[str, str], *ports: Mapping[str, Any]) -> None:
-    """Refuse units of what is no port, and what is no text of one line."""
+    """Refuse units of what is no port, and units that are no text of one line."""
     for port, unit in units.items():
         if not any(port in one for one in ports):
             known = ", ".join(dict.fromkeys(port for one in ports for port in one))
@@ -121,7 +121,7 @@ def multiples(period: float, t0: float, t1: float) -> np.ndarray:
 
 @dataclass(frozen=True)
 class Each:
-    """Breakpoints at the multiples of a time: a number, or a parameter by name, or a part of it."""
+    """Breakpoints at the multiples of a period, a number or a parameter by name, or of a part."""
 
     period: str | float
     part: float = 1.0
@@ -210,7 +210,7 @@ def named_values(name: str, parameters: Any) -> dict[str, Any]:
 
 
 def checked_parameters(name: str, parameters: Any, like: Any = None) -> Parameters:
-    """Return parameters as whole numbers, floats and own float arrays, of the shapes of `like`."""
+    """Return parameters as whole numbers, floats and new arrays, of the shapes of `like`."""
     values: dict[str, Any] = {}
     for field, value in named_values(name, parameters).items():
         if not isinstance(field, str) or not field.isidentifier() or field in TAKEN:

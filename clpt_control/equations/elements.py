@@ -131,7 +131,7 @@ class Elements:
 
 
 def _moved(m: Any, index: Index) -> Any:
-    """Return the place in an array of a place in its view."""
+    """Return where an element of a view lies along one axis of the array."""
     if isinstance(m, int):
         return m
     d, start, step = m

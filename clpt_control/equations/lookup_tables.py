@@ -113,7 +113,7 @@ def place_in(points: Any, x: Array, side: str = "right") -> Any:
 
 
 def line(xs: np.ndarray, ys: np.ndarray, x: Array, side: str = "right") -> Any:
-    """Return what the straight lines between points are at x; the outer ones go on."""
+    """Interpolate points at x by straight lines; the outer lines go on."""
     k = place_in(xs[1:-1], x, side)
     return lookup(np.diff(ys) / np.diff(xs), k) * (x - lookup(xs, k)) + lookup(ys, k)
 
@@ -140,7 +140,7 @@ def interpolated(x: Any, xp: Any, fp: Any, left: Any = None, right: Any = None) 
 
 
 def outside(values: Any, x: Any, xs: np.ndarray, below: Any, above: Any) -> Any:
-    """Return what is found, with others below and above the points, where there are such."""
+    """Return values, with others below and above the points where these are given."""
     if above is not None:
         values = where(np.greater(x, xs[-1]), above, values)
     return values if below is None else where(np.less(x, xs[0]), below, values)

@@ -76,7 +76,7 @@ def outer(a: Any, b: Any) -> Any:
 def cross(
     a: Any, b: Any, axisa: int = -1, axisb: int = -1, axisc: int = -1, axis: Any = None
 ) -> Any:
-    """Return the vector product, in NumPy's order of operations, which its versions write anew."""
+    """Return the vector product, in one order of operations for all versions of NumPy."""
     at, of, to = (axisa, axisb, axisc) if axis is None else (axis, axis, axis)
     a, b = np.moveaxis(a, at, 0), np.moveaxis(b, of, 0)
     if len(a) != 3 or len(b) != 3:

@@ -39,7 +39,7 @@ ITERATORS = (GeneratorType, map, zip, filter)
 
 
 class StandIn:
-    """What stands for a function; its own way writes on a tape what the real one does."""
+    """Stands for a function: `own` writes on a tape what the real one does."""
 
     def __init__(self, real: Any, own: Callable):
         self.real, self.own = real, own

@@ -80,7 +80,7 @@ class System(Block):
             setattr(self, f"{kind}_index", dict(labels))
 
     def _count(self, n: int, m: int) -> int:
-        """Return how many outputs there are, which the system does not say."""
+        """Return the number of outputs, where the system does not declare it."""
         if self._output is None:
             return n
         return np.size(self._output(0.0, np.zeros(n), np.zeros(m), dict(self._params)))
@@ -148,7 +148,7 @@ class System(Block):
     # --- ports ------------------------------------------------------------------------------
 
     def _ports(self, kind: str) -> dict[str, int]:
-        """Return ports, which are one of inputs and one of outputs whatever the labels are."""
+        """Return one port of inputs and one of outputs, whatever the labels are."""
         return sizes_of(getattr(self, f"{kind}_shapes"))
 
     # --- readings ---------------------------------------------------------------------------
@@ -190,7 +190,7 @@ _READ: dict[Any, list[tuple[Any, Any, Read]]] = {}  # by what a function reaches
 def read_once(
     function: Callable, role: str, states: Any, inputs: Any, params: Any, shapes: Any, out: Any
 ) -> Read:
-    """Return the record of a function; where all is as at another reading, that one's."""
+    """Return the record of a function, that of an earlier reading where all is alike."""
     keys, others = Keys(alike=True), {k: v for k, v in params.items() if k not in shapes}
 
     def read_now() -> Read:
@@ -220,7 +220,7 @@ def _values(params: Mapping[str, Any], names: Iterable[str]) -> Any:
 
 
 def _functions(system: control.NonlinearIOSystem) -> tuple[Callable, Callable | None]:
-    """Return update and output of a system; of a class with its own, the methods that it runs."""
+    """Return update and output of a system, or the methods that its class has in their place."""
     kind, plain = type(system), control.NonlinearIOSystem
     update, output = system.updfcn, system.outfcn
     if kind._rhs is not plain._rhs:
@@ -341,7 +341,7 @@ def is_linear(part: control.NonlinearIOSystem) -> bool:
 
 
 def _matrices(system: control.StateSpace | control.TransferFunction) -> tuple[np.ndarray, ...]:
-    """Return A, B, C, D; of a matrix of transfer functions each entry has states of its own."""
+    """Return A, B, C, D; each entry of a matrix of transfer functions has states of its own."""
     if isinstance(system, control.StateSpace):
         return system.A, system.B, system.C, system.D
     places = [(i, j) for i in range(system.noutputs) for j in range(system.ninputs)]

@@ -133,18 +133,18 @@ def rounded(a: Array, decimals: Any = None) -> Any:
     return where((rest > 0.5) | ((rest == 0.5) & (odd > 0.5)), np.ceil(a), low)
 
 
-def negative(a: Any) -> Any:
+def signbit(a: Any) -> Any:
     """Return whether a sign is a minus, of -0 too."""
     return (a < 0) | (elementwise("div", 1.0, a) < 0)
 
 
-def copied_sign(a: Any, b: Any) -> Any:
+def copysign(a: Any, b: Any) -> Any:
     """Return |a| with the sign of b."""
     size = np.fabs(a)
-    return where(negative(b), -size, size) if isinstance(b, Array) else np.copysign(1.0, b) * size
+    return where(signbit(b), -size, size) if isinstance(b, Array) else np.copysign(1.0, b) * size
 
 
-def known(name: str, a: Any, b: Any) -> Any:
+def ignoring_nan(name: str, a: Any, b: Any) -> Any:
     """Return the one that is a number, or the smaller or larger of two."""
     return where(np.not_equal(a, a), b, where(np.not_equal(b, b), a, elementwise(name, a, b)))
 
@@ -160,7 +160,7 @@ def power(a: Any, b: Any) -> Any:
     return elementwise("mul", a, a) if type(b) is float and b == 2.0 else elementwise("pow", a, b)
 
 
-def spread_out(a: Any, b: Any) -> Any:
+def logaddexp(a: Any, b: Any) -> Any:
     """Return log(exp a + exp b)."""
     return np.maximum(a, b) + np.log1p(np.exp(-np.fabs(a - b)))
 
@@ -178,8 +178,8 @@ COMPOSED: dict[str, Callable] = {  # by the ufunc's name; those of scipy.special
     "square": lambda a: elementwise("mul", a, a),
     "reciprocal": lambda a: elementwise("div", 1.0, a),
     **dict.fromkeys(("positive", "conjugate"), lambda a: a),
-    "fmin": lambda a, b: known("minimum", a, b),
-    "fmax": lambda a, b: known("maximum", a, b),
+    "fmin": lambda a, b: ignoring_nan("minimum", a, b),
+    "fmax": lambda a, b: ignoring_nan("maximum", a, b),
     **dict.fromkeys(("deg2rad", "radians"), lambda a: elementwise("mul", a, np.pi / 180)),
     **dict.fromkeys(("rad2deg", "degrees"), lambda a: elementwise("mul", a, 180 / np.pi)),
     "exp2": lambda a: elementwise("pow", 2.0, a),
@@ -189,13 +189,10 @@ COMPOSED: dict[str, Callable] = {  # by the ufunc's name; those of scipy.special
     "isfinite": lambda a: elementwise("lt", elementwise("fabs", a), np.inf),
     "isinf": lambda a: elementwise("eq", elementwise("fabs", a), np.inf),
     "heaviside": lambda a, b: where(a == 0, b, where(a > 0, 1.0, where(a < 0, 0.0, a))),
-    "copysign": copied_sign,
-    "signbit": negative,
     "logical_xor": lambda a, b: (a != 0) != (b != 0),
-    "fmod": fmod,
     "divmod": lambda a, b: (np.floor_divide(a, b), np.remainder(a, b)),
     "modf": lambda a: (a - np.trunc(a), np.trunc(a)),
-    "logaddexp": spread_out,
+    **{own.__name__: own for own in (copysign, fmod, logaddexp, signbit)},
     **{name: partial(elementwise, name) for name in ("erf", "erfc")},
     "expit": lambda a: 1.0 / (1.0 + np.exp(-a)),
     "log_expit": lambda a: -np.log1p(np.exp(-a)),

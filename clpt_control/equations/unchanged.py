@@ -35,11 +35,11 @@ CALLED = (FunctionType, type(math.sin), type(np.sin), type(np.dot), type)
 
 
 class Unkeyed(Exception):
-    """What is asked for could change unseen."""
+    """The value could change unseen, so it has no key."""
 
 
 class Keys:
-    """Makes keys; places in them are those of objects in `held`, which must live as long.
+    """Makes keys; a place in a key is that of an object in `held`, which must live as long.
 
     What is `alike` has one key; else what can change has the key of its place too, so that one
     stands for the other also after it has changed.
@@ -88,12 +88,12 @@ class Keys:
         return tuple([(self.of(name), self.of(value)) for name, value in values.items()])
 
     def place(self, value: Any) -> int:
-        """Return where an object lies, which then lives as long as the key."""
+        """Return where an object lies; it then lives as long as the keys."""
         self.held.append(value)
         return id(value)
 
     def _system(self, system: Any) -> Any:
-        """Return the key of one of python-control's own systems, as functions ask it."""
+        """Return the key of one of python-control's own systems, by its attributes."""
         if not (type(system).__module__ or "").startswith("control."):
             raise Unkeyed
         fields = {k: v for k, v in vars(system).items() if not k.endswith(("_labels", "_prefix"))}
@@ -132,20 +132,20 @@ def is_fixed(value: Any) -> bool:
 
 @lru_cache(maxsize=1024)
 def named(code: CodeType) -> tuple[str, ...] | None:
-    """Return the names that code asks for; None where it reaches more than it names."""
+    """Return the names that code reads; None where it reaches more than it names."""
     names = tuple(dict.fromkeys(names_in(code)))
     return None if SEES.intersection(names) or not all(_imports(code)) else names
 
 
 def names_in(code: CodeType) -> Iterator[str]:
-    """Yield the names that code asks for, with those of functions made in it."""
+    """Yield the names that code reads, with those of the functions in it."""
     yield from code.co_names
     for inner in _inner(code):
         yield from names_in(inner)
 
 
 def _inner(code: CodeType) -> list[CodeType]:
-    """Return the code of functions that are made within."""
+    """Return the code of the functions in it."""
     return [one for one in code.co_consts if isinstance(one, CodeType)]
 
 
@@ -160,7 +160,7 @@ def _imports(code: CodeType) -> Iterator[bool]:
 
 
 def texts_of(value: Any, seen: dict[int, Any] | None = None) -> set[str]:
-    """Return the texts in the code that a function reaches: names that it may ask for."""
+    """Return the texts in the code that a function reaches: names that it may read."""
     seen = {} if seen is None else seen
     if isinstance(value, str):
         return {value}

@@ -47,7 +47,7 @@ def depends(value: Any) -> bool:
 
 
 def arrays_as(value: Any, to: Callable[[Array], Any]) -> Any:
-    """Return arguments with all arrays of the record, in lists and tuples too, made something."""
+    """Return arguments with `to` of each array of the record, in lists, tuples and dicts too."""
     if isinstance(value, Array):
         return to(value)
     if isinstance(value, dict):
@@ -61,7 +61,7 @@ def of_numbers(tape: Tape, function: Callable, inputs: Any, more: dict) -> Any:
 
 
 def fresh(tape: Tape, value: Any) -> Any:
-    """Return a new array of doubles as one that signals may be written into."""
+    """Return NumPy's new array of doubles as one that signals may be written into."""
     if type(value) is np.ndarray and value.dtype == float and value.ndim:
         return constant(tape, value) if value.size < MOST_NUMBERS else value
     return value
@@ -96,7 +96,7 @@ def on_objects(tape: Tape, function: Any, inputs: Any, more: dict) -> Any:
 
 
 def into(out: Any, value: Any) -> Any:
-    """Return what was found, written into an array where one is given for it."""
+    """Return a value, or the array `out` into which it is written."""
     if out is None or (isinstance(out, Array) and not out.shape):  # a number is replaced
         return value
     if not isinstance(out, Array):
