@@ -23,7 +23,7 @@ FOUR = np.arange(4.0)  # the coefficients of a spline at a place
 
 
 def place(t, u, p):
-    """Return where it is: grid steps in time, along x2 and along x1."""
+    """Return the place on the grid: steps in time, along x2 and along x1."""
     return (np.stack([t, u[1], u[0]]) - p.start) / p.step
 
 

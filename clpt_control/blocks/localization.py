@@ -71,6 +71,6 @@ def measurement(noise: float, period: float, seed: float = 0.0) -> Block:
     )
 
 
-def _numbers(**given: float) -> dict[str, float]:
-    """Return parameters; the integrator keeps the number of the interval."""
-    return {name: float(value) for name, value in given.items()} | {"interval": -1.0}
+def _numbers(**values: float) -> dict[str, float]:
+    """Return parameters and `interval`, which the integrator sets."""
+    return {name: float(value) for name, value in values.items()} | {"interval": -1.0}

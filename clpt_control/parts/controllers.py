@@ -135,12 +135,12 @@ def pid(
     positive(name, filter=filter, tracking=tracking, **({} if dt is None else {"dt": dt}))
     rising(name, low=low, high=high)
     gains = {"kp": kp, "ki": ki, "kd": kd, "low": low, "high": high}
-    given = {**gains, "filter": filter, "tracking": tracking, "weight": weight}
+    values = {**gains, "filter": filter, "tracking": tracking, "weight": weight}
     states = ["integral", "filtered"] if dt is None else ["integral", "derivative", "last"]
     return part(
         name,
         ports,
-        given if dt is None else {**given, "dt": dt},
+        values if dt is None else {**values, "dt": dt},
         update=rates if dt is None else next_states,
         output=command if dt is None else sampled_command,
         inputs={"r": signals, "y": signals},

@@ -155,12 +155,12 @@ def relay(
     >>> clpt.simulate(switch, range(6), [[-2, 0.5, 2, 0.5, -0.5, -2]]).y.values.tolist()
     [0.0, 0.0, 5.0, 5.0, 5.0, 0.0]
     """
-    given = each(name, signals, off=off, on=on, low=low, high=high)
+    values = each(name, signals, off=off, on=on, low=low, high=high)
     rising(name, off=off, on=on)
     return part(
         name,
         ports,
-        {**given, **time_of(name, lag, dt)},
+        {**values, **time_of(name, lag, dt)},
         update=switched if lag is None else trigger,
         output=relayed,
         inputs={"u": signals},

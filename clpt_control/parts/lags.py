@@ -64,9 +64,9 @@ def lag(
     >>> run.v.values.round(4).tolist()
     [0.0, 0.6321, 1.0]
     """
-    given = each(name, signals, lag=lag, gain=gain)
+    values = each(name, signals, lag=lag, gain=gain)
     positive(name, lag=lag)
-    return part(name, ports, given, update=lagging, inputs={"u": signals}, states={"y": signals})
+    return part(name, ports, values, update=lagging, inputs={"u": signals}, states={"y": signals})
 
 
 def legendre_rate(t, x, u, p):
@@ -134,20 +134,20 @@ def delay(
     [0.0, 0.0, 1.0, 2.0, 3.0]
     """
     positive(name, delay=delay, order=order)
-    own: dict[str, Any] = {"inputs": {"u": signals}, "outputs": {"y": signals}}
+    declared: dict[str, Any] = {"inputs": {"u": signals}, "outputs": {"y": signals}}
     if dt is not None:
         positive(name, dt=dt)
         count = round(delay / dt)
         if count < 1 or abs(count * dt - delay) > 1e-9 * delay:
             raise BlockError(f"{name}: delay = {delay}: must be a multiple of dt = {dt}")
-        own |= {"states": {"line": (count, signals)}, "dt": dt}
-        return part(name, ports, {}, update=shifted, output=last_of_line, **own)
+        declared |= {"states": {"line": (count, signals)}, "dt": dt}
+        return part(name, ports, {}, update=shifted, output=last_of_line, **declared)
     i = np.arange(order)
     weight, sign = 2.0 * i + 1, (-1.0) ** i
     A = weight[:, None] * np.where(i[:, None] < i, -1.0, -np.outer(sign, sign))
-    given = {"delay": delay, "A": A, "B": weight * sign, "C": np.ones(order)}
-    own["states"] = {"past": (order, signals)}
-    return part(name, ports, given, update=legendre_rate, output=oldest, **own)
+    values = {"delay": delay, "A": A, "B": weight * sign, "C": np.ones(order)}
+    declared["states"] = {"past": (order, signals)}
+    return part(name, ports, values, update=legendre_rate, output=oldest, **declared)
 
 
 def as_sampled(t, x, u, p):
@@ -184,5 +184,5 @@ def hold(dt: float, signals: int = 1, name: str = "hold", **ports: str) -> Block
     [0.0, 0.0, 2.0, 2.0]
     """
     positive(name, dt=dt)
-    own = {"inputs": {"u": signals}, "outputs": {"y": signals}, "dt": dt}
-    return part(name, ports, {}, output=as_sampled, **own)
+    declared = {"inputs": {"u": signals}, "outputs": {"y": signals}, "dt": dt}
+    return part(name, ports, {}, output=as_sampled, **declared)

@@ -108,8 +108,8 @@ def dead_zone(
 def _static(
     name: str, output: Any, signals: int, ports: dict[str, str], **parameters: Any
 ) -> Block:
-    own = {"inputs": {"u": signals}, "outputs": {"y": signals}}
-    return part(name, ports, parameters, output=output, **own)
+    declared = {"inputs": {"u": signals}, "outputs": {"y": signals}}
+    return part(name, ports, parameters, output=output, **declared)
 
 
 def looked_up(t, x, u, p):
@@ -155,11 +155,11 @@ def lookup_table(
     >>> pump.output(0, [], [0.5, 2, 9])
     array([ 5., 15., 20.])
     """
-    where = numbers(f"{name}: at", at)
-    if where.ndim != 1 or len(where) < 2 or not np.all(np.diff(where) > 0):
+    places = numbers(f"{name}: at", at)
+    if places.ndim != 1 or len(places) < 2 or not np.all(np.diff(places) > 0):
         raise BlockError(f"{name}: at = {brief(at)}: must be two or more increasing numbers")
-    if numbers(f"{name}: values", values).shape != where.shape:
-        raise BlockError(f"{name}: values = {brief(values)}: must be {len(where)} numbers")
+    if numbers(f"{name}: values", values).shape != places.shape:
+        raise BlockError(f"{name}: values = {brief(values)}: must be {len(places)} numbers")
     return _static(name, looked_up, signals, ports, at=at, values=values)
 
 

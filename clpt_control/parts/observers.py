@@ -78,11 +78,11 @@ def observer(
     >>> clpt.parts.observer(plant, L).linearize([0, 0], [0, 0]).poles().real.round(6).tolist()
     [-3.0, -2.0]
     """
-    given = {**_matrices(name, system), "L": numbers(f"{name}: L", L)}
+    matrices = {**_matrices(name, system), "L": numbers(f"{name}: L", L)}
     return part(
         name,
         ports,
-        given,
+        matrices,
         update=observed,
         output=estimate,
         inputs={"u": "m", "y": "q"},
@@ -166,22 +166,22 @@ def kalman_filter(
     >>> run.P.values.round(6).tolist()  # 2 P = 3 - P^2
     [0.0, 1.0]
     """
-    given = _matrices(name, system)
-    n, q = len(given["A"]), len(given["C"])
+    matrices = _matrices(name, system)
+    n, q = len(matrices["A"]), len(matrices["C"])
     P0 = np.zeros((n, n)) if P0 is None else P0
     for key, value, size in (("Q", Q, n), ("R", R, q), ("P0", P0, n)):
-        given[key] = numbers(f"{name}: {key}", value)
-        if given[key].shape != (size, size):
+        matrices[key] = numbers(f"{name}: {key}", value)
+        if matrices[key].shape != (size, size):
             raise BlockError(f"{name}: {key}: must have the shape {(size, size)}")
-        if not np.allclose(given[key], given[key].T, atol=0):
+        if not np.allclose(matrices[key], matrices[key].T, atol=0):
             raise BlockError(f"{name}: {key}: must be symmetric")
-    if np.any(np.linalg.eigvalsh(given["R"]) <= 0):
+    if np.any(np.linalg.eigvalsh(matrices["R"]) <= 0):
         raise BlockError(f"{name}: R: must be positive definite")
     sampled = bool(system.dt)
     return part(
         name,
         ports,
-        given,
+        matrices,
         update=kalman_step if sampled else bucy,
         output=kalman_estimate if sampled else bucy_estimate,
         inputs={"u": "m", "y": "q"},
@@ -242,11 +242,11 @@ def noise(
     1.9
     """
     positive(name, period=period)
-    given = {**each(name, signals, std=std), "period": period, "seed": seed}
+    values = {**each(name, signals, std=std), "period": period, "seed": seed}
     return part(
         name,
         ports,
-        {**given, "signal": np.arange(float(signals)), "interval": -1.0},
+        {**values, "signal": np.arange(float(signals)), "interval": -1.0},
         output=held_noise,
         outputs={"n": signals},
         opaque=True,

@@ -15,52 +15,52 @@ def part(
     name: str, ports: Mapping[str, str], parameters: Mapping[str, Any], **declared: Any
 ) -> Block:
     """Make a part; `ports` calls some of its ports otherwise, {"u": "v_c"}."""
-    own = {key: numbers(f"{name}: {key}", value)[()] for key, value in parameters.items()}
-    made = Block(name, parameters=own, **declared)
-    known = {*made.input_ports, *made.output_ports}
-    for port, called in ports.items():
+    values = {key: numbers(f"{name}: {key}", value)[()] for key, value in parameters.items()}
+    block = Block(name, parameters=values, **declared)
+    known = {*block.input_ports, *block.output_ports}
+    for port, new_name in ports.items():
         if port not in known:
-            close = nearest(port, [*known, *own, "dt", "signals", "name"])
+            close = nearest(port, [*known, *values, "dt", "signals", "name"])
             raise BlockError(
                 f"{name}: has no port '{port}'; it has {', '.join(sorted(known))}"
                 + (f"; did you mean {close}?" if close else "")
             )
-        if not isinstance(called, str):
-            raise BlockError(f"{name}: {port} = {called!r}: must be a name, a text")
-    return renamed(made, name, ports, ports) if ports else made
+        if not isinstance(new_name, str):
+            raise BlockError(f"{name}: {port} = {new_name!r}: must be a name, a text")
+    return renamed(block, name, ports, ports) if ports else block
 
 
-def each(name: str, signals: int, **given: Any) -> dict[str, Any]:
+def each(name: str, signals: int, **values: Any) -> dict[str, Any]:
     """Return numbers, of which there may be one for each signal."""
-    for key, value in given.items():
+    for key, value in values.items():
         if numbers(f"{name}: {key}", value).shape not in ((), (signals,)):
             raise BlockError(f"{name}: {key} = {brief(value)}: must be one number, or {signals}")
-    return given
+    return values
 
 
-def positive(name: str, **given: Any) -> None:
+def positive(name: str, **values: Any) -> None:
     """Refuse what is no positive number."""
-    for key, value in given.items():
+    for key, value in values.items():
         if not np.all(numbers(f"{name}: {key}", value) > 0):
             raise BlockError(f"{name}: {key} = {brief(value)}: must be positive")
 
 
-def rising(name: str, **given: Any) -> None:
+def rising(name: str, **limits: Any) -> None:
     """Refuse two limits of which the first is not below."""
-    (below, low), (above, high) = given.items()
+    (below, low), (above, high) = limits.items()
     if not np.all(np.asarray(low) < np.asarray(high)):
         raise BlockError(f"{name}: {below} = {brief(low)}: must be below {above} = {brief(high)}")
 
 
 def time_of(name: str, lag: float | None, dt: float | None) -> dict[str, float]:
     """Return the one time that was given: a lag, in continuous time, or that of sampling."""
-    given = {key: value for key, value in (("lag", lag), ("dt", dt)) if value is not None}
-    if len(given) != 1:
+    times = {key: value for key, value in (("lag", lag), ("dt", dt)) if value is not None}
+    if len(times) != 1:
         raise BlockError(
             f"{name}: give lag, for continuous time, or dt, for a sampled part; one of the two"
         )
-    positive(name, **given)
-    return given
+    positive(name, **times)
+    return times
 
 
 def remembering(
@@ -74,9 +74,9 @@ def remembering(
     **parameters: Any,
 ) -> Block:
     """Make a part that remembers its output: a state, or what a sampled one gave last."""
-    given = {**parameters, **time_of(name, lag, dt)}
-    own: dict[str, Any] = {"inputs": {"u": signals}}
+    values = {**parameters, **time_of(name, lag, dt)}
+    declared: dict[str, Any] = {"inputs": {"u": signals}}
     if dt is None:
-        return part(name, ports, given, update=rate, states={"y": signals}, **own)
-    own |= {"outputs": {"y": signals}, "states": {"last": signals}, "dt": dt}
-    return part(name, ports, given, update=step, output=step, **own)
+        return part(name, ports, values, update=rate, states={"y": signals}, **declared)
+    declared |= {"outputs": {"y": signals}, "states": {"last": signals}, "dt": dt}
+    return part(name, ports, values, update=step, output=step, **declared)

@@ -69,10 +69,10 @@ def point_vehicle(
     >>> clpt.simulate(glider, [0, 60], [15, 0, 0.1, 0]).v[-1].values.round(3).tolist()
     [0.5, 0.0]
     """
-    given = each(name, axes, mass=mass, damping=damping, quadratic=quadratic)
+    values = each(name, axes, mass=mass, damping=damping, quadratic=quadratic)
     positive(name, mass=mass)
     inputs, states = (dict.fromkeys(keys, axes) for keys in (("force", "flow"), ("x", "v")))
-    return part(name, ports, given, update=point_rates, inputs=inputs, states=states)
+    return part(name, ports, values, update=point_rates, inputs=inputs, states=states)
 
 
 def planar_rates(t, x, u, p):
@@ -126,18 +126,18 @@ def planar_vehicle(
     >>> clpt.simulate(auv, [0, 60], [15, 0, 2, 0, 0]).nu[-1].values.round(3).tolist()
     [0.469, -0.07, 0.149]
     """
-    given = {key: numbers(f"{name}: {key}", value) for key, value in (("M", M), ("D", D))}
-    given["Q"] = np.zeros((3, 3)) if Q is None else numbers(f"{name}: Q", Q)
-    for key, value in given.items():
+    matrices = {key: numbers(f"{name}: {key}", value) for key, value in (("M", M), ("D", D))}
+    matrices["Q"] = np.zeros((3, 3)) if Q is None else numbers(f"{name}: Q", Q)
+    for key, value in matrices.items():
         if value.shape != (3, 3):
             raise BlockError(f"{name}: {key}: must have the shape (3, 3)")
-    M = given["M"]
+    M = matrices["M"]
     if not np.allclose(M, M.T, atol=0) or np.any(M[0, 1:]) or np.min(np.linalg.eigvalsh(M)) <= 0:
         raise BlockError(f"{name}: M: must be symmetric and positive definite, with m12 = m13 = 0")
     return part(
         name,
         ports,
-        given,
+        matrices,
         update=planar_rates,
         inputs={"tau": 3, "flow": 2},
         states={"eta": 3, "nu": 3},
@@ -196,14 +196,14 @@ def thrusters(
     at, a = numbers(f"{name}: places", places, None, 2), numbers(f"{name}: angles", angles, None)
     if a.ndim != 1 or at.shape != (a.size, 2) or not a.size:
         raise BlockError(f"{name}: places = {brief(places)}: must be a pair for each angle")
-    given = each(name, a.size, low=low, high=high, lag=lag)
+    values = each(name, a.size, low=low, high=high, lag=lag)
     positive(name, lag=lag)
     rising(name, low=low, high=high)
     B = np.array([np.cos(a), np.sin(a), at[:, 0] * np.sin(a) - at[:, 1] * np.cos(a)])
     return part(
         name,
         ports,
-        {"B": B, **given},
+        {"B": B, **values},
         update=thruster_lag,
         output=allocated,
         inputs={"thrust": a.size},

@@ -99,7 +99,7 @@ class Known(NamedTuple):
 
 
 class Truth(NamedTuple):
-    """What V measures the distance to."""
+    """The true parameters, from which V is a distance."""
 
     theta: np.ndarray  # shape (2, N), length per time
     KD: np.ndarray  # shape (2,), feedback gains of the vehicle, per time
@@ -126,7 +126,7 @@ class Setting(NamedTuple):
 
 
 def scaled(factor: float, k: float = 1, R: int = 0) -> Any:
-    """Return what makes factor k^k R^R of what is known."""
+    """Return a function of what is known: factor times the scale of time^k, of length^R."""
     return lambda known: factor * known.k**k * (known.R**R if R else 1)
 
 
@@ -293,7 +293,7 @@ class Law(NamedTuple):
         return self._replace(**fields)
 
     def parameters_of(self, known: Known) -> Parameters:
-        """Return its parameters, of what is known."""
+        """Return the parameters that follow from what is known."""
         self.check(self, known)
         values: dict[str, Any] = {}
         for name, source in self.parameters.items():

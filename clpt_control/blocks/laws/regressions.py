@@ -186,7 +186,7 @@ def forgetting(x, p):
 
 
 def covariance_rates(x, p, P_phi):
-    """Return P' and rho'; P phi_f is seen."""
+    """Return P' and rho', of P phi_f."""
     forgotten = forgetting(x, p)
     return {
         "P": forgotten * x.P - np.outer(P_phi, P_phi) / p.noise**2,
