@@ -18,7 +18,7 @@ from ..equations.block import Block
 from ..equations.symbolic import expressions
 from ..errors import BlockError
 from ..html import facts, fragment, unfolding
-from .equations import (
+from .equation_checks import (
     Sample,
     _in_range,
     _readings,

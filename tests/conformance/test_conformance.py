@@ -11,7 +11,7 @@ from package_blocks import BLOCKS, EACH
 from clpt_control.blocks import clpe, vehicle
 from clpt_control.blocks.laws.paper import LEARNED_FLOW as LAW
 from clpt_control.conformance import ConformanceReport, check_block, conformance
-from clpt_control.conformance.equations import roles
+from clpt_control.conformance.equation_checks import roles
 from clpt_control.equations import Block
 from clpt_control.errors import ArgumentError, BlockError
 from clpt_control.native import vectors
