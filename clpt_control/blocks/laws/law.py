@@ -158,7 +158,7 @@ LEARNED = {"alpha": State((2, "N")), "K": State(2), "Gamma": State(2)}  # the ou
 K_GAMMA = {"gain_K": "gains.feedback", "gain_Gamma": "gains.feedforward"}
 GAINS = {"gain": "gains.parameters", **K_GAMMA}  # gamma > 0 of alpha, per time squared
 MORE_SHAPES = {"alpha_M": (2, "N"), "alpha_0": (2, "N"), "information": "N"}  # of parameters
-Part = Mapping[str, Any]  # fields of a row that laws share
+Part = dict[str, Any]  # fields of a row that laws share
 MAPPINGS = ("keys", "parameters", "states", "inputs")  # fields that are merged
 
 

@@ -110,10 +110,10 @@ FILTERED_FLOW: Part = {
 }
 
 
-def remembered(Q, b, y, w, known, size):
-    """Return Q' and b' of a memory of w; `known` is m w."""
-    new = w - Q @ known
-    return np.outer(new, new) / size, np.outer(y - b @ known, new) / size
+def remembered(Q, b, y, w, m_w, size):
+    """Return Q' and b' of a memory of w; `m_w` is m w."""
+    new = w - Q @ m_w
+    return np.outer(new, new) / size, np.outer(y - b @ m_w, new) / size
 
 
 def memory(Q: str, b: str) -> Part:
@@ -126,10 +126,18 @@ def memory(Q: str, b: str) -> Part:
     }
 
 
-def pull_loss(s: Any, p: Any, truth: Truth, Q: str) -> tuple:
-    """Return what V' loses by the pull, gamma_c tr(eta Q eta^T)/gamma, eta = theta + alpha."""
-    eta = truth.theta + s["alpha"]
-    return p.memory_gain / p.gain, np.sum((eta @ s[Q]) * eta)
+def pulling_memory(Q: str, b: str) -> Part:
+    """Make a memory that pulls alpha, by which V' loses gamma_c tr(eta Q eta^T)/gamma."""
+
+    def losses(s: Any, p: Any, truth: Truth) -> list[tuple]:
+        eta = truth.theta + s["alpha"]
+        return [(p.memory_gain / p.gain, np.sum((eta @ s[Q]) * eta))]
+
+    return memory(Q, b) | {
+        "losses": losses,
+        "V_rate": f"-e^T KD e - gamma_c tr(eta {Q} eta^T)/gamma",
+        "promises": promised("true spanned exact", "falls", "settles", "exponential"),
+    }
 
 
 # --- K and Gamma ------------------------------------------------------------------------------
@@ -139,10 +147,10 @@ def gain_rates(x, u, p):
     """Return K', Gamma', Q_1', Q_2' and b_v'; v is that of Eq. (7)."""
     y = getattr(u, "v_c", u.v_x) + p.alpha_M @ u.phi_x
     w, kappa = np.stack([-u.x, u.zc]).T, np.stack([x.K, x.Gamma]).T  # a row for each axis
-    weighed = w * np.stack([p.gain_K, p.gain_Gamma]) / p.rate**2  # G w
-    size, known = 1 + np.sum(weighed * w, axis=1), 0.1 * p.rate * weighed
-    Q_1, b_1 = remembered(x.Q_1, x.b_v[0], y[0], w[0], known[0], size[0])
-    Q_2, b_2 = remembered(x.Q_2, x.b_v[1], y[1], w[1], known[1], size[1])
+    G_w = w * np.stack([p.gain_K, p.gain_Gamma]) / p.rate**2
+    size, m_w = 1 + np.sum(G_w * w, axis=1), 0.1 * p.rate * G_w
+    Q_1, b_1 = remembered(x.Q_1, x.b_v[0], y[0], w[0], m_w[0], size[0])
+    Q_2, b_2 = remembered(x.Q_2, x.b_v[1], y[1], w[1], m_w[1], size[1])
     missed = x.b_v - np.stack([x.Q_1 @ kappa[0], x.Q_2 @ kappa[1]])
     by_error = adapt_gains(p, u.e, u.z, u.zc)
     return {

@@ -14,7 +14,7 @@ from .regressions import (
     filtered_flow,
     gain_rates,
     memory,
-    pull_loss,
+    pulling_memory,
     remembered,
 )
 
@@ -67,15 +67,12 @@ COMPOSITE_MEMORY = Law(
     promise="CLPE goes to zero, and alpha to -theta exponentially once the track has excited, even "
     "if it never does again",
     rates=composite_memory,
-    promises=promised("true spanned exact", "falls", "settles", "exponential"),
     parameters={
         **GAINS,
         "memory_gain": Setting("gamma_c, 1/time^2; 0.8 k^2 (k mean KD)", scaled(0.8, k=2)),
         "forgetting": MEMORY,
     },
-    losses=lambda s, p, truth: [pull_loss(s, p, truth, "Q")],
-    V_rate="-e^T KD e - gamma_c tr(eta Q eta^T)/gamma",
-).with_parts(FILTERED_FLOW, COMMANDED_GAINS, memory("Q", "b"))
+).with_parts(FILTERED_FLOW, COMMANDED_GAINS, pulling_memory("Q", "b"))
 
 
 # --- windows ---------------------------------------------------------------------------------
@@ -154,7 +151,6 @@ CONCURRENT = Law(
     promise="CLPE goes to zero, and alpha to -theta exponentially once the track has excited, even "
     "if it never does again",
     rates=concurrent,
-    promises=promised("true spanned exact", "falls", "settles", "exponential"),
     parameters={
         **GAINS,
         "memory_gain": Setting("gamma_c, 1/time; k, the mean of KD", scaled(1)),
@@ -162,9 +158,7 @@ CONCURRENT = Law(
     },
     jump=next_window,
     breakpoints=Each("window"),
-    losses=lambda s, p, truth: [pull_loss(s, p, truth, "S")],
-    V_rate="-e^T KD e - gamma_c tr(eta S eta^T)/gamma",
-).with_parts(memory("S", "B"), WINDOW, COMMANDED_GAINS)
+).with_parts(pulling_memory("S", "B"), WINDOW, COMMANDED_GAINS)
 
 
 # --- mixing ----------------------------------------------------------------------------------
