@@ -220,7 +220,7 @@ def computed(
 
     with np.errstate(all="ignore"):
         for kind, arguments, shape, at in record.operations:
-            args: list[Any] = [values[a] if type(a) is int else np.float64(a) for a in arguments]
+            args: list[Any] = [values[a] if type(a) is int else np.array([a]) for a in arguments]
             value: Any
             if kind == "leaf":
                 value = np.asarray(leaf(*at))

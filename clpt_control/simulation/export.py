@@ -176,7 +176,8 @@ class _File:
             while word in words:
                 word = f"{own}_{len(words)}"
             words.append(word)
-        lines = [f"    {w},  /* {label} */\n" for w, label in zip(words, labels, strict=True)]
+        named = zip(words, map(_comment, labels), strict=True)
+        lines = [f"    {word},  /* {label} */\n" for word, label in named]
         return f"enum {{\n{''.join(lines)}    {self.name}_n{letter} = {count}\n}};\n"
 
     def outputs(self) -> Iterator[str]:
@@ -242,7 +243,7 @@ class _File:
             "one step of Runge and Kutta's method of order 4, inputs held"
         )  # fmt: skip
         lines = [
-            f"{self.run.name}: made by clpt-control (export_c). C99, math.h alone.",
+            f"{_comment(self.run.name)}: made by clpt-control (export_c). C99, math.h alone.",
             "",
             f"double x[{own}_nx];  copy {own}_x0 into it; p: {own}_p0, or your own copy.",
             f"{own}_outputs(t, x, u, p, y): all outputs.",
@@ -299,6 +300,11 @@ def _word(text: str) -> str:
     """Return a name as C takes it."""
     word = re.sub(r"\W+", "_", text, flags=re.ASCII).strip("_")
     return word if word[:1].isalpha() else f"n{word}"
+
+
+def _comment(text: str) -> str:
+    """Return a name as it may stand in a comment of C."""
+    return " ".join(text.replace("*/", "* /").replace("/*", "/ *").split())
 
 
 def _labels(given: Sequence[str]) -> list[str]:

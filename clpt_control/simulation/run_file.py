@@ -210,7 +210,7 @@ class Ran:
         }
         text = json.dumps(plain, default=lambda value: value.tolist())
         made = NativeDiagram(diagram_from(text))
-        same = made.code.program == own.code.program
+        same = repr(made.code.program) == repr(own.code.program)  # NaN differs from itself
         same &= all(np.array_equal(getattr(made.layout, a), getattr(own.layout, a)) for a in "PT")
         if not same:
             raise Unrecorded("its blocks have changed since it ran")

@@ -108,10 +108,19 @@ def wide():
     return clpt.Block("ring", update=update, states={"x": 40}, parameters={"W": W, "leak": 1.0})
 
 
+def oddly_named():
+    """Names that would end a comment of C, or begin one."""
+    return control.nlsys(
+        lambda t, x, u, p: [x[1], u[0] - p["α"] * x[0]], None, name="a*/b\nc", params={"α": 2.0},
+        states=["ω_*/", "b-1"], inputs=["/*τ"], outputs=["y %", "φ^2"],
+    )  # fmt: skip
+
+
 LOOP = clpt.closed_loop(clpt.paper_scenario())
 MODELS = {
     "papers-loop": (LOOP, clpt.initial_state(LOOP), [], 0.05),
     "pendulum": (pendulum(), [1.0, 0.0], [0.7], 0.01),
+    "names": (oddly_named(), [1.0, 0.5], [0.7], 0.01),
     "if": (stepping(), [0.0], [], 0.01),
     "ss": (control.ss([[0.0, 1.0], [-2.0, -0.3]], [[0.0], [1.0]], np.eye(2), [[0.0], [0.5]],
                       name="plant"), [1.0, 0.0], [0.3], 0.01),

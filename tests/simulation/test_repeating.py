@@ -103,7 +103,15 @@ def oscillator():
     return control.ss([[0, 1], [-4, -0.4]], [[0], [1]], np.eye(2), 0, inputs=["f"], name="spring")
 
 
+def bounded(t, x, u, p):
+    """A way that raises, and a question whether a number is none, are NaN in a record."""
+    if x[0] > 1e3:
+        raise ValueError("out of range")
+    return np.where(x == x, u - x, 0.0)
+
+
 RUNS = {
+    "NaN": lambda: clpt.simulate(control.nlsys(bounded, states=1, inputs=1, name="b"), TIMES, 1.0),
     "samples": lambda: clpt.simulate(loop(), TIMES, np.sin(TIMES)),
     "start": lambda: clpt.simulate(loop(), TIMES, 1.0, initial_state=[1.0, -2.0]),
     "parameters": lambda: clpt.simulate(loop(), TIMES, 1.0, params={"tank.a": 1.5}),

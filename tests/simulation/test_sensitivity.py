@@ -114,10 +114,21 @@ def by_differences(system, times, name, value, h, start=None, state=None, **give
     return (found[0] - found[1]) / (2.0 * h)
 
 
+def tanks():
+    """Two tanks whose areas stand in one array."""
+
+    def update(t, x, u, p):
+        return (u[0] - x) / np.array([p["area"], p["wide"]])
+
+    return control.nlsys(update, None, name="tanks", states=2, inputs=1, outputs=2,
+                         params={"area": 1.0, "wide": 2.0})  # fmt: skip
+
+
 MODELS = {
     "pendulum": (pendulum(), 5.0, ["g", "l", "c"], [1.0, 0.0], EXACT, [0.7]),
     "mrac": (mrac(), 5.0, ["a", "b", "gain"], [0.0, 0.0, 0.0, 0.0], EXACT, [1.0]),
     "discrete": (discrete(), 40.0, ["k"], [0.2, 1.0], {}, [1.0]),
+    "tanks": (tanks(), 5.0, ["area", "wide"], [0.3, 0.1], EXACT, [1.0]),
     "tank": (sampled_tank(), 7.3, ["tank.c", "pi.kp", "pi.target"], [0.1, 0.0, 0.0], EXACT, 0.0),
 }
 
@@ -133,6 +144,7 @@ def test_differences_agree(name):
         system, times, to=[*params, *labels[: len(start)]], initial_state=start, **given
     )
     values = {"g": 9.81, "l": 1.2, "c": 0.3, "a": 1.0, "b": 3.0, "gain": 2.0, "k": 0.7,
+              "area": 1.0, "wide": 2.0,
               "tank.c": 1.0, "pi.kp": 2.0, "pi.target": 1.5}  # fmt: skip
     for param in params:
         own = by_differences(system, times, param, values[param], h, start, **given)
