@@ -9,7 +9,7 @@ from clpt_control.estimation.fix_model import inertial_frequency
 from clpt_control.geodesy import place_from
 from clpt_control.gliders.dive_files import write_dive_table
 from clpt_control.gliders.dives import Dive, make_dive
-from clpt_control.scenario.tides import period
+from clpt_control.scenario.tidal_periods import period
 
 STEADY = (0.1, -0.05)
 

@@ -16,8 +16,8 @@ import zarr
 import clpt_control
 from clpt_control.errors import DataError
 from clpt_control.figures import new_figure
-from clpt_control.files import beside, make_folder, open_netcdf, write_together
-from clpt_control.files.reading import zarr_store
+from clpt_control.files import beside, make_folder, write_together
+from clpt_control.files.reading import open_netcdf, zarr_store
 from clpt_control.gliders.dive_files import read_dive_file
 from clpt_control.progress import interrupt
 
@@ -114,7 +114,7 @@ def test_folders_that_stay_empty_go_with_the_command(clpt, tmp_path, monkeypatch
         (tmp_path / "used" / "file").write_text("")
         assert made.is_dir()
         if fails:
-            files.write_text(made / ("x" * 300), "")
+            files.write_file(made / ("x" * 300), "")
         return 0
 
     for fails, status in ((True, 2), (False, 0)):
@@ -171,8 +171,8 @@ def test_what_is_no_file_is_not_replaced_and_nothing_is_written(tmp_path):
 SAVED = """
 import sys
 import numpy, xarray
-from clpt_control.files import write_netcdf
-write_netcdf(xarray.Dataset({"a": ("n", numpy.zeros(3))}), sys.argv[1])
+from clpt_control.files import write_file
+write_file(sys.argv[1], xarray.Dataset({"a": ("n", numpy.zeros(3))}))
 assert sys.modules.get("distributed", 0) == 0
 print(xarray.open_dataset(sys.argv[1]).a.values.tolist())
 """

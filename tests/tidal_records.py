@@ -6,7 +6,7 @@ import netCDF4
 import numpy as np
 
 from clpt_control.currents.constituents import nodal_corrections
-from clpt_control.scenario.tides import SPEEDS
+from clpt_control.scenario.tidal_periods import SPEEDS
 
 MARACOOS = Path(__file__).parents[1] / "clpt_control/data/maracoos_hfr_2019-01-01.nc"
 LATITUDE = 41.2

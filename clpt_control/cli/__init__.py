@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..errors import ClptError, SimulationError
-from ..progress import interrupt, let_go, tell
+from ..progress import discard, interrupt, tell
 
 if TYPE_CHECKING:
     import typer
@@ -48,7 +48,7 @@ def main(before: Any = signal.default_int_handler) -> None:
     except (KeyboardInterrupt, SystemExit, Exception) as error:
         status = _answer(error)
     interrupt.end()
-    if interrupt.asked():
+    if interrupt.pending():
         status = 130
     if status == 130:
         interrupt.say()
@@ -111,7 +111,7 @@ def application() -> "typer.Typer":
 
 def _answer(error: BaseException) -> int:
     """Print in one line what went wrong; return the status."""
-    if interrupt.asked() or _interrupted(error):  # an interrupted import raises anything
+    if interrupt.pending() or _interrupted(error):  # an interrupted import raises anything
         return 130
     if isinstance(error, SimulationError):
         return _complain(str(error), 1)
@@ -120,13 +120,13 @@ def _answer(error: BaseException) -> int:
     if isinstance(error, SystemExit) and COMPLETES in os.environ:  # fish reads the status
         return error.code if isinstance(error.code, int) else 0
     if isinstance(error, BrokenPipeError | SystemExit):  # the reader of a page of help went away
-        let_go(sys.stdout)
+        discard(sys.stdout)
         return 0
     if isinstance(error, MemoryError):
         return _complain("out of memory; take fewer samples, members, files or places at once", 1)
     if isinstance(error, OSError) and error.errno in OUTPUT and error.filename is None:
         if sys.stdout is not None:
-            let_go(sys.stdout)
+            discard(sys.stdout)
         return _complain(f"standard output: {OUTPUT[error.errno]}", 2)
     import typer
 
@@ -160,8 +160,8 @@ def _interrupted(error: BaseException | None) -> bool:
 
 
 def _complain(sentence: str, status: int) -> int:
-    if interrupt.kept:
-        sentence = f"{sentence}; {interrupt.kept}"
+    if interrupt.resume_hint:
+        sentence = f"{sentence}; {interrupt.resume_hint}"
     line = " ".join(sentence.split()).encode(errors="backslashreplace").decode()
     if len(line) > LONGEST:
         line = f"{line[: LONGEST // 2]} ... {line[-LONGEST // 2 :]}"

@@ -164,7 +164,7 @@ def refute(
         clpt refute concurrent --budget 20 --out broken.toml
     """
     from ..blocks.laws.table import LAWS
-    from ..files import write_text
+    from ..files import write_file
     from ..scenario.file import scenario_to_text
     from ..theory.promises import promises_in_words
     from ..theory.refuting import refute as search
@@ -174,7 +174,7 @@ def refute(
         found = search(law, budget=budget, seed=seed, progress=report)
     text = None if found.scenario is None else scenario_to_text(found.scenario)
     if out is not None and text is not None:
-        write_text(out, text)
+        write_file(out, text)
     rows = [
         [words, "never asked" if what not in found.closest else shown(found.closest[what])]
         for what, words in promises_in_words(LAWS[law]).items()

@@ -20,9 +20,9 @@ import typer
 from typer.core import TyperCommand, TyperGroup
 
 from ..errors import SimulationError
-from ..files import check_writable, write_figure
+from ..files import check_writable, write_file
 from ..html import Result
-from ..progress import let_go, plain
+from ..progress import discard, escaped
 
 TIDES = ("M2", "S2", "N2", "K2", "K1", "O1", "P1", "Q1", "M4")  # the common ones
 PACKAGES = ("control", "numpy", "scipy", "llvmlite", "xarray", "sympy")
@@ -214,7 +214,7 @@ def draw_figure(path: Path | None, plot: Callable[..., Any], *given: Any) -> Non
     if path is not None:
         from ..figures import figure_of
 
-        write_figure(figure_of(plot, *given), path)
+        write_file(path, figure_of(plot, *given))
 
 
 def print_json(value: dict[str, Any]) -> None:
@@ -230,7 +230,7 @@ def print_json(value: dict[str, Any]) -> None:
 
 def say(text: str) -> None:
     """Print text on standard output, as it may be shown."""
-    _print(f"{plain(text)}\n")
+    _print(f"{escaped(text)}\n")
 
 
 def _print(text: str) -> None:
@@ -239,7 +239,7 @@ def _print(text: str) -> None:
         sys.stdout.write(text)
         sys.stdout.flush()
     except BrokenPipeError:
-        let_go(sys.stdout)
+        discard(sys.stdout)
 
 
 def finish(
@@ -277,8 +277,8 @@ def print_table(title: str, columns: Sequence[str], rows: Sequence[Sequence[str]
     from rich.table import Table
     from rich.text import Text
 
-    table = Table(title=Text(plain(title)), title_justify="left")
-    columns, rows = [plain(one) for one in columns], [[plain(one) for one in row] for row in rows]
+    table = Table(title=Text(escaped(title)), title_justify="left")
+    columns, rows = list(map(escaped, columns)), [list(map(escaped, row)) for row in rows]
     least = 1
     for k, column in enumerate(columns):
         cells = [column, *(row[k] for row in rows)]

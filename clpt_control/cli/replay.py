@@ -17,7 +17,7 @@ import typer
 import clpt_control as clpt
 
 from ..errors import ClptError, DataError, ScenarioError
-from ..files import make_folder, write_text
+from ..files import make_folder, write_file
 from ..html import Result
 from ..progress import progress_bar, tell
 from .printing import Formats, Json, arg, finish, flag, opt, terminal_width
@@ -298,7 +298,7 @@ def look_at(
     if not rows:
         raise DataError(f"{top}: no folder below it has files of dives")
     fleet = {"folder": str(top), "now": utc(time.time()), "vehicles": ordered(rows)}
-    write_text(out / "fleet.html", fleet_page(fleet))
+    write_file(out / "fleet.html", fleet_page(fleet))
     return fleet, out / "fleet.html"
 
 

@@ -37,7 +37,7 @@ import numpy as np
 
 from ..arguments import brief, check_holds, public
 from ..errors import DataError, ScenarioError, needed
-from ..scenario import tides
+from ..scenario import tidal_periods
 
 OTHER_NAMES = {"M1": "NO1"}  # Schureman's name and UTide's, where they differ
 DAYS_TO_1970 = 719163  # of the proleptic calendar whose first day is 0001-01-01
@@ -53,7 +53,7 @@ class NodalCorrections(NamedTuple):
 
 
 def utide_names(constituents: Sequence[str]) -> list[str]:
-    """Return UTide's names of constituents, which may be those of `tides.SPEEDS`."""
+    """Return UTide's names of constituents, which may be those of `tidal_periods.SPEEDS`."""
     known = needed("utide").constit_index_dict
     names = [OTHER_NAMES.get(name, name) for name in constituents]
     for name in names:
@@ -137,14 +137,14 @@ def inseparable(
 ) -> list[tuple[str, str, float]]:
     """Return the pairs that a record of some hours cannot tell apart, and the hours they need.
 
-    The longest comes first; `speeds` are degrees per hour, those of `tides` by default.
+    The longest comes first; `speeds` are degrees per hour, those of `tidal_periods` by default.
 
     >>> inseparable(["steady", "M2", "S2"], 24.0)
     [('M2', 'S2', 354.367...)]
     >>> inseparable(["steady", "M2"], 24.0)
     []
     """
-    each = {name: tides.speed(name) if speeds is None else speeds[name] for name in names}
+    each = {name: tidal_periods.speed(name) if speeds is None else speeds[name] for name in names}
     apart = [(a, b, abs(each[a] - each[b])) for a, b in combinations(names, 2)]
     pairs = [
         (a, b, 360.0 / difference if difference else math.inf)
@@ -163,13 +163,13 @@ def check_separable(
     Parameters
     ----------
     names : sequence of str
-        Names of `tides.SPEEDS`, and "steady", each once.
+        Names of `tidal_periods.SPEEDS`, and "steady", each once.
     hours : float
         From the first measurement to the last, h.
     where : str
         The record, for the message.
     speeds : mapping of str to float, optional
-        Degrees per hour of each name; those of `tides` by default.
+        Degrees per hour of each name; those of `tidal_periods` by default.
 
     Raises
     ------

@@ -32,7 +32,7 @@ from ..equations.at_many import evaluate
 from ..errors import DataError
 from ..estimation.least_squares import least_squares
 from ..files import check_writable, write_together
-from ..scenario import tides
+from ..scenario import tidal_periods
 from ..scenario.experiment import Scenario
 from ..scenario.file import load_scenario, scenario_to_text
 from ..units import seconds_since_1970
@@ -86,7 +86,7 @@ def fit_scenario(
     width_km : float, optional
         Width of every gaussian kernel, km; 0.6 of the distance between places.
     constituents : sequence of str, optional
-        Names of `tides.SPEEDS`, and "steady".
+        Names of `tidal_periods.SPEEDS`, and "steady".
     radius_km : float, optional
         Radius of the circle of 12 waypoints around the origin, km; 0.32 of the
         distance to the nearest edge of the field.
@@ -144,7 +144,7 @@ def fit_scenario(
     hours = currents.time[currents.measured.any(axis=(1, 2))]
     check_separable(constituents, float(np.ptp(hours)), str(path))
     tidal = [name for name in constituents if name != "steady"]
-    cycles = np.array([tides.speed(name) for name in tidal]) / 360.0
+    cycles = np.array([tidal_periods.speed(name) for name in tidal]) / 360.0
     check_nyquist(hours, cycles, tidal, str(path))
     lat0, lat1, lon0, lon1 = currents.box
     plane = LocalPlane(round((lat0 + lat1) / 2, 9), round((lon0 + lon1) / 2, 9))
@@ -235,7 +235,7 @@ def _check(rows: int, columns: int, constituents: tuple[str, ...]) -> None:
             "such as steady,M2"
         )
     for name in constituents:
-        tides.period(name)
+        tidal_periods.period(name)
 
 
 def _middles(

@@ -21,8 +21,7 @@ import numpy as np
 
 from ..arguments import public
 from ..errors import ClptError, DataError
-from ..files import open_netcdf
-from ..files.reading import zarr_store
+from ..files.reading import open_netcdf, zarr_store
 from ..units import length_in_metres, seconds_since_1970
 from . import cf
 

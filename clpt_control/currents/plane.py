@@ -39,7 +39,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..errors import DataError, needed
-from ..files import open_netcdf
+from ..files.reading import open_netcdf
 from ..geodesy import near
 from ..units import METRES, SECONDS, length_in_metres, speed_in_metres_per_second, time_in_seconds
 from .cf import numbers_of

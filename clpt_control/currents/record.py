@@ -22,7 +22,7 @@ import numpy as np
 
 from ..arguments import public
 from ..errors import DataError
-from ..files import open_netcdf
+from ..files.reading import open_netcdf
 from ..geodesy import near
 from .cf import AXES, VELOCITY, check_speed, dates_of, find_axis, find_variable, velocity_values
 from .constituents import check_increasing

@@ -29,7 +29,7 @@ import numpy as np
 from ..arguments import public
 from ..errors import DataError
 from ..figures import BLUE, GREY, RED, axes_for
-from ..scenario.tides import SPEEDS
+from ..scenario.tidal_periods import SPEEDS
 from ..units import speed_in_metres_per_second
 from .constituents import checked_times, nodal_corrections, nodal_report
 from .record import CurrentRecord

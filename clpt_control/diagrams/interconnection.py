@@ -16,7 +16,7 @@ from ..equations.block import Block
 from ..equations.declaration import Guard, check_names, labels, whole_labels
 from ..equations.system import System, is_linear
 from ..errors import BlockError, DiagramError
-from ..scenario.quantities import call_time_name_of
+from ..scenario.quantities import call_time_hint
 from .parts import as_part, input_ports, is_discrete, output_ports
 from .wiring import Node, Wiring, joined_wires, ordered_wiring, wiring_of
 
@@ -30,7 +30,7 @@ class Diagram(control.InterconnectedSystem):
 
     Attributes
     ----------
-    made_of : object or None
+    origin : object or None
         What `closed_loop` made it of: its scenario, and what the user put into it.
 
     Examples
@@ -40,7 +40,7 @@ class Diagram(control.InterconnectedSystem):
     14
     """
 
-    made_of: Any = None
+    origin: Any = None
     recorded: Any = None  # how it ran, of a diagram that a run's file holds
 
     def __repr__(self) -> str:
@@ -95,7 +95,7 @@ def changed_parameters(wiring: Wiring, params: Mapping[str, Any] | None) -> list
         own = [(system, key.removeprefix(at)) for system, to in asking for at in ("", *to)]
         if key in known or any(system.mentions(name) for system, name in own):
             continue
-        if other := call_time_name_of(key, known):
+        if other := call_time_hint(key, known):
             raise BlockError(other)
         names = names.union(*(system.names for system, _ in asking))
         known_here = ", ".join(sorted(names)) or "none"

@@ -1,4 +1,4 @@
-"""What varies in an ensemble, as a user writes it, and which values each member has.
+"""What varies in an ensemble, as a user writes it, and the values of each member.
 
     learning.gain=0.2:2.0         uniform between two numbers
     flow.parameters~normal:0.1    normal about the value that is there, with an
@@ -35,7 +35,8 @@ import numpy as np
 
 from ..arguments import brief, public
 from ..errors import ScenarioError
-from .members import Varied
+from ..html import shortened
+from .members import VariedSystem
 
 FORMS = "KEY=LOW:HIGH, KEY~normal:DEVIATION or KEY=[VALUE, ...]"
 IN_A_DICT = "a list of values, a range '0.2:2.0', or a distribution, such as scipy.stats.norm(1, 2)"
@@ -127,22 +128,22 @@ def _number(word: str, text: str) -> float:
 
 @lru_cache(maxsize=64)
 def distribution(text: str) -> Any:
-    """Return the distribution of scipy.stats that a text says, ``"gamma(2, scale=0.5)"``."""
+    """Return the distribution of scipy.stats that a text names, ``"gamma(2, scale=0.5)"``."""
     from scipy import stats
 
     try:
         call: Any = ast.parse(text.strip(), mode="eval").body
-        given = [float(ast.literal_eval(one)) for one in call.args]
+        places = [float(ast.literal_eval(one)) for one in call.args]
         named = {str(one.arg): float(ast.literal_eval(one.value)) for one in call.keywords}
-        found = getattr(stats, call.func.id)(*given, **named)
-        if not np.isfinite(found.ppf(0.5)):
+        drawn = getattr(stats, call.func.id)(*places, **named)
+        if not np.isfinite(drawn.ppf(0.5)):
             raise ValueError
-    except Exception:  # whatever a text may be
+    except Exception:  # a text can raise anything
         raise ScenarioError(
             f"vary: {text:.60} is no distribution of scipy.stats with numbers, such as "
             "uniform(0.5, 1) or gamma(2, scale=0.5)"
         ) from None
-    return found
+    return drawn
 
 
 def _of_item(key: str, given: Any) -> Vary:
@@ -163,22 +164,22 @@ def _of_item(key: str, given: Any) -> Vary:
     raise ScenarioError(f"vary: {key} = {brief(given)}: must be {IN_A_DICT}")
 
 
-def parsed(
+def read_varies(
     vary: str | Vary | Iterable[str | Vary] | Mapping[str, Any],
 ) -> tuple[Vary, ...]:
     """Read what varies, in any of its forms."""
     if isinstance(vary, Mapping):
-        given: Iterable[str | Vary] = [_of_item(key, value) for key, value in vary.items()]
+        several: Iterable[str | Vary] = [_of_item(key, value) for key, value in vary.items()]
     else:
-        given = [vary] if isinstance(vary, str | Vary) else vary
-    varies = tuple(read_vary(one) if isinstance(one, str) else one for one in given)
+        several = [vary] if isinstance(vary, str | Vary) else vary
+    varies = tuple(read_vary(one) if isinstance(one, str) else one for one in several)
     if not varies:
         raise ScenarioError("vary: name at least one key, such as learning.gain=0.2:2.0")
     return varies
 
 
-def check_varies(varied: Varied, varies: Sequence[Vary]) -> None:
-    """Refuse what cannot vary in a scenario or a diagram."""
+def check_varies(varied: VariedSystem, varies: Sequence[Vary]) -> None:
+    """Refuse what cannot vary in a system."""
     values, keys = varied.values, [one.key for one in varies]
     for one in varies:
         if one.key not in values:
@@ -191,8 +192,8 @@ def check_varies(varied: Varied, varies: Sequence[Vary]) -> None:
             raise ScenarioError(f"vary = '{one.text}': a seed is a whole number; list the values")
 
 
-def unknown(named: str, close: str, known: Iterable[str]) -> str:
-    """Return that a key or name is unknown, what may be meant, and what may vary."""
+def unknown_name(named: str, close: str, known: Iterable[str]) -> str:
+    """Return the sentence on an unknown key or name: what may be meant, and what may vary."""
     hint = f"did you mean {close}? May vary" if close else "may vary"
     return f"vary: unknown {named}; {hint}: {', '.join(known)}"
 
@@ -207,23 +208,22 @@ def _check_levels(one: Vary, shape: tuple[int, ...]) -> None:
         if fits and one.key.endswith(".seed") and not float(level).is_integer():
             fits, allowed = False, "a whole number"
         if not fits or isinstance(level, bool):
-            shown = json.dumps(level)
-            shown = shown if len(shown) <= 40 else shown[:37] + "..."
-            raise ScenarioError(f"vary: {one.key} = {shown}: each value must be {allowed}")
+            text = shortened(json.dumps(level), 40)
+            raise ScenarioError(f"vary: {one.key} = {text}: each value must be {allowed}")
 
 
-# --- which values each member has ----------------------------------------------------------------
+# --- the values of each member -------------------------------------------------------------------
 
 
 def grid_count(varies: Sequence[Vary]) -> int:
-    """Return how many combinations there are of what is listed."""
+    """Return the number of combinations of lists."""
     if not all(one.kind == "levels" for one in varies):
         raise ScenarioError("members: is required where values are drawn; lists alone make a grid")
     return prod(len(one.numbers) for one in varies)
 
 
 def draw_members(
-    varied: Varied, varies: Sequence[Vary], members: int, design: str = "lhs", seed: int = 0
+    varied: VariedSystem, varies: Sequence[Vary], members: int, design: str = "lhs", seed: int = 0
 ) -> dict[str, np.ndarray]:
     """Draw the members' values: key -> array, shape (members,) + the key's shape."""
     if design not in DESIGNS:
@@ -305,26 +305,28 @@ def _values(one: Vary, base: np.ndarray, shares: np.ndarray) -> np.ndarray:
     return shares.reshape(len(shares), *base.shape)
 
 
-def check_members(varied: Varied, varies: Sequence[Vary], values: dict[str, np.ndarray]) -> None:
+def check_members(
+    varied: VariedSystem, varies: Sequence[Vary], values: dict[str, np.ndarray]
+) -> None:
     """Refuse members with values that are not allowed.
 
     What is allowed are intervals: where the least and the largest of all members
     are allowed, so is what lies between.
     """
     for one in varies:
-        own = values[one.key]
-        if not _refused(varied, one.key, own, len(own)):
+        column = values[one.key]
+        if not _refused(varied, one.key, column, len(column)):
             continue
-        refused = partial(_refused, varied, one.key, own)
-        first = bisect_left(range(len(own)), True, key=refused)
+        refused = partial(_refused, varied, one.key, column)
+        first = bisect_left(range(len(column)), True, key=refused)
         try:
-            varied.check(one.key, own[first])
+            varied.check(one.key, column[first])
         except ScenarioError as error:
             sentence = str(error).removeprefix("scenario: ")
             raise ScenarioError(f"member {first}: {sentence}; narrow {one.text}") from None
 
 
-def _refused(varied: Varied, key: str, values: np.ndarray, last: int) -> bool:
+def _refused(varied: VariedSystem, key: str, values: np.ndarray, last: int) -> bool:
     """Return whether a member up to the last is refused."""
     try:
         for extreme in (np.min, np.max):

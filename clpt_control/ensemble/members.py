@@ -1,12 +1,12 @@
 """Many runs of one diagram that differ in numbers, not in shape: a scenario's, or any other.
 
-A member is the diagram with some values changed.  Where a value lies in P and in the
-initial state is known, so members are filled in whole columns; what is computed from values, such
-as frequencies from periods, what moves breakpoints, and inputs, is made member by member.  What
-cannot be compiled runs in Python, one member after the other; so does a diagram of discrete time.
+A member is the diagram with some values changed.  Most values have known places in P and in the
+initial state, and fill whole columns for all members.  Members are made one by one of values from
+which others are computed (frequencies from periods), of those that move breakpoints, and of inputs.
+What cannot be compiled runs in Python, one member after the other; so does discrete time.
 
-Members are run and summarised in the same way by a thread and by a far machine, to which what
-varies travels pickled.
+A thread and a far machine run and summarise members in the same way; a `VariedSystem` travels
+pickled.
 """
 
 import hashlib
@@ -33,22 +33,22 @@ from ..native.schedule import Inputs, Schedule
 
 BATCH_BYTES = 64_000_000  # states in flight, a thread
 MOST_MEMBERS = 512  # a batch
-TRIED = 5  # members whose records are run_compared with Python, before any runs
+TRIED = 5  # members whose records are compared with Python, before any runs
 Values = Mapping[str, np.ndarray]  # what varies, each with a row for each member
-Made = tuple[Sequence[Any], np.ndarray, Any]  # parameters of all blocks, start, inputs
+Member = tuple[Sequence[Any], np.ndarray, Any]  # parameters of all blocks, start, inputs
 
 
-class Varied(Protocol):
-    """What is run many times: what may vary in it, how it runs, and what is kept of it."""
+class VariedSystem(Protocol):
+    """A system that is run many times: what may vary in it, how it runs, and its summaries."""
 
     name: str
     title: str
-    values: dict[str, np.ndarray]  # what may vary, as it is
+    values: dict[str, np.ndarray]  # of all that may vary, in the system itself
     params: Mapping[str, Any]
     inputs: Inputs | None
-    every: np.ndarray  # the times of members' states
-    how: Mapping[str, Any]  # tolerances and method
-    asks: bool  # whether members are asked for signals too, one by one
+    state_times: np.ndarray  # the times of members' states
+    options: Mapping[str, Any]  # tolerances and method
+    needs_signals: bool  # whether summaries need the signals too, member by member
     encoding: Mapping[str, Any]  # of the dataset
 
     @property
@@ -68,33 +68,33 @@ class Varied(Protocol):
     def place(self, key: str) -> Place:
         """Return where the value of a key that varies lies."""
 
-    def computed(self, key: str) -> bool:
+    def one_by_one(self, key: str) -> bool:
         """Return whether members are made one by one of a key's values."""
 
-    def made(self, own: Values) -> Made:
+    def member(self, values: Values) -> Member:
         """Return one member with some values of its own."""
 
-    def asked(self, path: Any) -> dict[str, Any]:
-        """Return what it is, for a store that lies there."""
+    def arguments(self, path: Any) -> dict[str, Any]:
+        """Return what identifies it, for a store at a path."""
 
     def arrays(self, values: Values) -> Any:
         """Return all arrays of the store, for the values of all members."""
 
-    def kept(
+    def summarise(
         self, ensemble: "Ensemble", members: "Members", values: Values, run: "States"
     ) -> dict[str, np.ndarray]:
-        """Return what is kept of members, whatever a member that failed holds."""
+        """Return the summaries of members; those that failed may hold any number."""
 
 
 @dataclass
 class Members:
-    """Parameters and initial states of m runs."""
+    """Parameters and initial states of m members."""
 
     P: np.ndarray  # (m, nP)
     x0: np.ndarray  # (m, nstates)
-    group: np.ndarray  # (m,), which of the schedules a member follows
+    group: np.ndarray  # (m,), the number of a member's schedule
     schedules: list[Schedule]
-    own: list[tuple[PythonDiagram, Any]] = field(default_factory=list)  # with the inputs
+    runners: list[tuple[PythonDiagram, Any]] = field(default_factory=list)  # each with its inputs
 
     def schedule(self, m: int) -> Schedule:
         """Return the pieces of time of a member."""
@@ -112,41 +112,45 @@ class States:
 
 
 class Ensemble:
-    """What varies, ready to run, from which members are made.
+    """A varied system, ready to make and run members.
 
     `keys` are the names of what varies.  With `lanes` eight members run at once where that is
     quicker.
     """
 
     def __init__(
-        self, varied: Varied, keys: Iterable[str], engine: str | None = None, lanes: bool = True
+        self,
+        varied: VariedSystem,
+        keys: Iterable[str],
+        engine: str | None = None,
+        lanes: bool = True,
     ):
         self.varied, self.places = varied, {key: varied.place(key) for key in keys}
         self.native = self._runner(engine)  # machine code, or Python
         self.compiled = self.native.engine == "native"
         self.lanes = self.native.lanes(LANES) if lanes else 1
-        self.computed = [k for k in self.places if not self.compiled or varied.computed(k)]
+        self.one_by_one = [k for k in self.places if not self.compiled or varied.one_by_one(k)]
         self._lock = threading.Lock()
 
     def _runner(self, engine: str | None) -> Any:
-        """Return what runs it; fields that one key varies lie apart from all others."""
+        """Return what runs it; fields that a key varies have places of their own."""
         varied, apart = self.varied, dict[tuple[int, str], tuple[str, ...]]()
         for key, place in self.places.items():
             for one in place.fields:
                 apart[one] = (*apart.get(one, ()), key)
         by_function = varied.inputs is not None and varied.inputs.samples is None
-        given = varied.wiring, varied.params, by_function
-        runner = make_runner(*given, engine, varied.name, apart)
+        system = varied.wiring, varied.params, by_function
+        runner = make_runner(*system, engine, varied.name, apart)
         for (k, name), keys in apart.items() if runner.engine == "native" else ():
             node = varied.wiring.nodes[k]
             if role := read_as_number(node.system, name):
                 warn_python(varied.name, f"{node.name}.{role} is read for one value of {keys[-1]}")
-                return make_runner(*given, "python")
+                return make_runner(*system, "python")
         return runner
 
     @cached_property
     def recipe(self) -> bytes:
-        """What another process makes the same of; equations of a script or a notebook go along."""
+        """Bytes of which another process makes the same; they hold a script's own equations."""
         from distributed.protocol.pickle import dumps
 
         try:
@@ -159,59 +163,61 @@ class Ensemble:
 
     @cached_property
     def code(self) -> str:
-        """A short name of the code and the versions that make the numbers."""
-        program = getattr(self.native, "code", None)
-        made_of = [version(name) for name in ("clpt-control", "llvmlite", "numpy")]
-        made_of += [repr(program and program.program), repr(processor())]
-        return hashlib.sha256("\n".join(made_of).encode()).hexdigest()[:16]
+        """A hash of the code and the versions that make the numbers."""
+        code = getattr(self.native, "code", None)
+        parts = [version(name) for name in ("clpt-control", "llvmlite", "numpy")]
+        parts += [repr(code and code.program), repr(processor())]
+        return hashlib.sha256("\n".join(parts).encode()).hexdigest()[:16]
 
     # --- members made of values -----------------------------------------------------------
 
     def _schedule(self, runner: PythonDiagram, inputs: Any) -> Schedule:
-        begin, end = self.varied.every[[0, -1]].tolist()
+        begin, end = self.varied.state_times[[0, -1]].tolist()
         return runner.schedule(begin, end, inputs, runner.breaks(begin, end))
 
     def members(self, values: Values) -> Members:
         """Make members of values."""
         varied, count = self.varied, len(next(iter(values.values())))
         P, x0 = np.tile(self.native.parameters(), (count, 1)), np.tile(varied.start, (count, 1))
-        made = Members(P, x0, np.zeros(count, dtype=np.int64), [])
-        made.schedules.append(self._schedule(self.native, varied.inputs))
+        members = Members(P, x0, np.zeros(count, dtype=np.int64), [])
+        members.schedules.append(self._schedule(self.native, varied.inputs))
         known = dict[tuple, int]()
-        for m in range(count if self.computed else 0):
-            parameters, x0[m], inputs = varied.made({key: values[key][m] for key in self.computed})
+        for m in range(count if self.one_by_one else 0):
+            parameters, x0[m], inputs = varied.member(
+                {key: values[key][m] for key in self.one_by_one}
+            )
             one = self.native.with_parameters(parameters)
             P[m] = one.parameters()
             pieces = self._schedule(one, inputs)
             name = (pieces.edges.tobytes(), pieces.values.tobytes())
             if name not in known:
-                known[name] = len(made.schedules)
-                made.schedules.append(pieces)
-            made.group[m] = known[name]
-            made.own.append((self.native if self.compiled else one, inputs))
-        for key in self.places.keys() - set(self.computed):
+                known[name] = len(members.schedules)
+                members.schedules.append(pieces)
+            members.group[m] = known[name]
+            members.runners.append((self.native if self.compiled else one, inputs))
+        for key in self.places.keys() - set(self.one_by_one):
             flat, place = np.reshape(values[key], (count, -1)), self.places[key]
             for first in {self._column(one, place.element) for one in place.fields}:
                 P[:, first : first + flat.shape[1]] = flat
             x0[:, list(place.states)] = flat[:, : len(place.states)]
-        if made.schedules[0].begins:
+        if members.schedules[0].begins:
             for m in range(count):
-                callee, begin = self._asked(made, m), float(varied.every[0])
-                x0[m] = sampled_start(callee, x0[m], begin, made.schedule(m), P[m])
-        return made
+                callee, begin = self._callee(members, m), float(varied.state_times[0])
+                x0[m] = sampled_start(callee, x0[m], begin, members.schedule(m), P[m])
+        return members
 
     def _column(self, place: tuple[int, str], element: Any) -> int:
-        """Return where a value begins in P."""
+        """Return the column of P at which a value begins."""
         shape = np.shape(getattr(self.native.sweep.parameters[place[0]], place[1]))
-        own = 0 if element is ... or not shape else int(np.ravel_multi_index(element, shape))
-        return int(self.native.layout.slots[place].offset) + own
+        within = 0 if element is ... or not shape else int(np.ravel_multi_index(element, shape))
+        return int(self.native.layout.slots[place].offset) + within
 
     def alone(self, members: Members, m: int) -> tuple[PythonDiagram, Any]:
         """Return what runs one member by itself, and its inputs."""
-        return members.own[m] if members.own else (self.native, self.varied.inputs)
+        return members.runners[m] if members.runners else (self.native, self.varied.inputs)
 
-    def _asked(self, members: Members, m: int, method: int = solver.DOP853) -> Callee:
-        """Return what one member by itself calls."""
+    def _callee(self, members: Members, m: int, method: int = solver.DOP853) -> Callee:
+        """Return the callee of one member by itself."""
         runner, inputs = self.alone(members, m)
         return runner.callee(1, inputs, method)
 
@@ -234,27 +240,27 @@ class Ensemble:
             parts = [(slice(None), callee, self.native.implicit)]
         else:
             parts = [
-                (slice(m, m + 1), self._asked(members, m, by), partial(runner.implicit, inputs))
-                for m, (runner, inputs) in enumerate(members.own)
+                (slice(m, m + 1), self._callee(members, m, by), partial(runner.implicit, inputs))
+                for m, (runner, inputs) in enumerate(members.runners)
             ]
-        found = []
+        results = []
 
-        def ran(some: Any, callee: Callee, implicit: Any) -> tuple[np.ndarray, ...]:
-            own = members.x0[some], members.P[some]
-            batch = Batch(callee, *own, times, members.schedules, members.group[some])
+        def run(some: Any, callee: Callee, implicit: Any) -> tuple[np.ndarray, ...]:
+            begin = members.x0[some], members.P[some]
+            batch = Batch(callee, *begin, times, members.schedules, members.group[some])
             run_to_end(batch, (rtol, atol), implicit if method == "auto" else None)
             return batch.results
 
         for part, callee, implicit in parts:
-            results = ran(part, callee, implicit)
-            if callee.decided and (stuck := np.flatnonzero(np.isin(results[1], STUCK))).size:
+            result = run(part, callee, implicit)
+            if callee.decided and (stuck := np.flatnonzero(np.isin(result[1], STUCK))).size:
                 across = self.native.unlocked()
                 some = np.arange(len(members.x0))[part][stuck]
-                again = ran(some, across.callee(1, None, by), across.implicit)
-                for whole, own in zip(results, again, strict=True):
-                    whole[stuck] = own
-            found.append(results)
-        return States(*map(np.concatenate, zip(*found, strict=True)))
+                again = run(some, across.callee(1, None, by), across.implicit)
+                for array, rows in zip(result, again, strict=True):
+                    array[stuck] = rows
+            results.append(result)
+        return States(*map(np.concatenate, zip(*results, strict=True)))
 
     def _iterated(self, members: Members, times: np.ndarray) -> States:
         """Run members of discrete time, or without states."""
@@ -262,7 +268,7 @@ class Ensemble:
         x, reached = np.full((count, nt, n), np.nan), np.full(count, nt)
         x[:, 0] = members.x0
         for m in range(count if n else 0):
-            callee, P = self._asked(members, m), members.P[m]
+            callee, P = self._callee(members, m), members.P[m]
             for k, bad in steps(callee, x[m], times, members.schedule(m), P):
                 if bad:
                     reached[m], x[m, k + 1 :] = k + 1, np.nan
@@ -272,53 +278,53 @@ class Ensemble:
     def signals(self, members: Members, run: States, m: int, times: np.ndarray) -> np.ndarray:
         """Return all signals of one member, at the times of its states that it reached."""
         reached = int(run.reached[m])
-        x, found = run.states[m, :reached], np.empty((reached, self.native.nsignals))
-        pieces, own = members.schedule(m), members.P[m]
-        self._asked(members, m).evaluate(solver.SIGNALS, times[:reached], x, pieces, own, found)
-        return found
+        x, signals = run.states[m, :reached], np.empty((reached, self.native.nsignals))
+        pieces, P = members.schedule(m), members.P[m]
+        self._callee(members, m).evaluate(solver.SIGNALS, times[:reached], x, pieces, P, signals)
+        return signals
 
     @property
     def batch(self) -> int:
         """How many members' states fit into the memory of a thread."""
         states = max(self.native.nstates, 1)
-        fit = BATCH_BYTES // (8 * states * len(self.varied.every))
+        fit = BATCH_BYTES // (8 * states * len(self.varied.state_times))
         return max(8, min(MOST_MEMBERS, fit // 8 * 8))
 
     def summaries(self, values: Values) -> dict[str, np.ndarray]:
-        """Run members together, at most a batch, and return what is kept of them."""
+        """Run members together, at most a batch, and return their summaries."""
         varied = self.varied
         with self._lock:  # one evaluator makes all members; compile once
             members = self.members(values)
-            for lanes in {self.lanes, 1 if varied.asks else self.lanes}:
+            for lanes in {self.lanes, 1 if varied.needs_signals else self.lanes}:
                 self.native.callee(lanes)
-        states = self.run(members, varied.every, **varied.how)
+        states = self.run(members, varied.state_times, **varied.options)
         with np.errstate(all="ignore"):  # a member that failed may hold anything
-            return varied.kept(self, members, values, states)
+            return varied.summarise(self, members, values, states)
 
-    def one(self, values: Values, m: int) -> tuple[Any, tuple, dict[str, Any]]:
+    def single(self, values: Values, m: int) -> tuple[Any, tuple, dict[str, Any]]:
         """Return what runs a member by itself, and what its `run` takes."""
-        given, start, inputs = self.varied.made({key: own[m] for key, own in values.items()})
-        how = {} if self.native.wiring.dt else self.varied.how
-        one = self.native.with_parameters(given)
-        return one, (start, self.varied.every), {"inputs": inputs, **how}
+        given, start, inputs = self.varied.member({key: own[m] for key, own in values.items()})
+        options = {} if self.native.wiring.dt else self.varied.options
+        runner = self.native.with_parameters(given)
+        return runner, (start, self.varied.state_times), {"inputs": inputs, **options}
 
 
-def ready(varied: Varied, values: Values) -> Ensemble:
-    """Return an ensemble; in Python where some members would be other runs as machine code."""
-    found, count = Ensemble(varied, values), len(next(iter(values.values())))
-    own = all(node.system.of_package for node in varied.wiring.nodes)
-    for m in sorted({k * (count - 1) // (TRIED - 1) for k in range(0 if own else TRIED)}):
-        if not found.compiled:
+def checked_ensemble(varied: VariedSystem, values: Values) -> Ensemble:
+    """Return an ensemble; in Python where machine code runs some of its members otherwise."""
+    ensemble, count = Ensemble(varied, values), len(next(iter(values.values())))
+    known = all(node.system.of_package for node in varied.wiring.nodes)
+    for m in sorted({k * (count - 1) // (TRIED - 1) for k in range(0 if known else TRIED)}):
+        if not ensemble.compiled:
             break
-        one, at, how = found.one(values, m)
+        runner, at, options = ensemble.single(values, m)
         try:
-            why = run_compared(one, *at, **how)[2]
-        except SimulationError:  # the member fails, which its status tells
+            why = run_compared(runner, *at, **options)[2]
+        except SimulationError:  # the member fails; its status will say so
             continue
         if why:
             warn_python(varied.name, why)
             return Ensemble(varied, values, "python")
-    return found
+    return ensemble
 
 
 def cut(values: Values, size: int) -> Iterator[dict[str, np.ndarray]]:
@@ -327,12 +333,12 @@ def cut(values: Values, size: int) -> Iterator[dict[str, np.ndarray]]:
         yield {name: array[first : first + size] for name, array in values.items()}
 
 
-def joined(parts: list[dict[str, np.ndarray]]) -> dict[str, np.ndarray]:
-    """Join the summaries of batches that follow each other."""
+def concatenated(parts: list[dict[str, np.ndarray]]) -> dict[str, np.ndarray]:
+    """Return the summaries of batches one after the other."""
     return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
 
 
 @lru_cache(maxsize=4)
 def ensemble_of(recipe: bytes) -> Ensemble:
-    """Return the ensemble of a recipe, made once in a process."""
+    """Return the ensemble of a recipe; a process makes it once."""
     return Ensemble(*pickle.loads(recipe))

@@ -1,12 +1,12 @@
-"""The members of any diagram: what may vary in it, how it runs, what is kept.
+"""The members of any diagram: what may vary in it, how it runs, its summaries.
 
     plant.m, m              a parameter, as python-control's `params` call it, or of one block
     plant.A[0,1]            one of its elements, counted from 0
     plant_x[0], plant_x     an initial state by its label, or all of one name
-    r                       an input: it is held at its value, in place of what `inputs` gives
+    r                       an input: it is held at its value, in place of `inputs`
 
-Of each output are kept its final value, its root mean square over time (trapezoids between the
-samples; of discrete time the samples' mean) and its largest magnitude.
+The summaries of an output are its final value, its root mean square over time (trapezoids between
+the samples; in discrete time the samples' mean) and its largest magnitude.
 """
 
 import hashlib
@@ -31,20 +31,20 @@ from ..native.ending import check_spacing, checked_method
 from ..native.python_diagram import checked_steps
 from ..native.schedule import checked_times, read_inputs, sizes_of_run, stacked_state
 from ..native.sweep import Sweep
-from ..simulation.dataset import Part, ports_shown
+from ..simulation.dataset import Series, port_variables
 from ..simulation.integrate import as_diagram
-from ..simulation.running import labels_of, units_shown
-from .drawn_values import Vary, unknown
-from .members import Ensemble, Made, Members, States, Values
-from .summaries import Arrays, ends_of
+from ..simulation.running import labels_of, signal_units
+from .drawn_values import Vary, unknown_name
+from .members import Ensemble, Member, Members, States, Values
+from .summaries import StoredArrays, ends_of
 
-KEPT = {"final": "at the end", "rms": "root mean square", "max": "largest magnitude"}
+SUMMARIES = {"final": "at the end", "rms": "root mean square", "max": "largest magnitude"}
 
 
 class VariedDiagram:
-    """A diagram as it was read, what it is run with, and what varies in it."""
+    """A diagram as it was read, how it is run, and what varies in it."""
 
-    asks = True
+    needs_signals = True
     encoding: Mapping[str, Any] = {}
 
     def __init__(
@@ -69,13 +69,13 @@ class VariedDiagram:
         sizes = sizes_of_run(diagram, inputs, x0, self.times)
         self.params = dict(params or {})
         self.wiring = wiring_of(diagram, self.params, sizes)
-        if asked := self._undeclared(varies):
-            self.params |= asked
+        if undeclared := self._undeclared(varies):
+            self.params |= undeclared
             self.wiring = wiring_of(diagram, self.params, sizes)
         self.given = changed_parameters(self.wiring, self.params)
         rtol_, atol_, *_ = checked_steps(None, rtol=rtol, atol=atol)
-        self.how = {"rtol": rtol_, "atol": atol_, "method": checked_method(method)}
-        self.every = Sweep(self.wiring, self.given).at_jumps(self.times)
+        self.options = {"rtol": rtol_, "atol": atol_, "method": checked_method(method)}
+        self.state_times = Sweep(self.wiring, self.given).at_jumps(self.times)
         if self.wiring.dt:
             check_spacing(self.times, self.wiring.dt)
             if not rtol is atol is method is None:
@@ -97,14 +97,16 @@ class VariedDiagram:
         self._check_apart()
 
     def _undeclared(self, varies: Sequence[Vary]) -> dict[str, Any]:
-        """Return params to run with, of python-control's systems, that vary and are no floats."""
-        found: dict[str, Any] = {}
+        """Return parameters of python-control's systems that vary, but are no floats."""
+        params: dict[str, Any] = {}
         systems = [node.system for node in self.wiring.nodes if isinstance(node.system, System)]
         for one in varies:
             key = one.key.partition("[")[0]
-            given = [system.params.get(key) for system in systems if key not in system.number_names]
+            values = [
+                system.params.get(key) for system in systems if key not in system.number_names
+            ]
             lists = [
-                np.asarray(v, float) for v in given if isinstance(v, list | tuple | np.ndarray)
+                np.asarray(v, float) for v in values if isinstance(v, list | tuple | np.ndarray)
             ]
             if not all(np.array_equal(lists[0], other) for other in lists):
                 raise ScenarioError(
@@ -112,11 +114,11 @@ class VariedDiagram:
                     "floats, and name one of a block"
                 )
             if lists:
-                found[key] = lists[0]
+                params[key] = lists[0]
             elif key == one.key and any(key not in s.params and s.mentions(key) for s in systems):
                 first = one.numbers[0] if one.kind == "levels" else 1.0
-                found[key] = np.asarray(first, dtype=float)[()]
-        return found
+                params[key] = np.asarray(first, dtype=float)[()]
+        return params
 
     def _value(self, place: Place) -> np.ndarray:
         if not place.inputs:
@@ -124,7 +126,7 @@ class VariedDiagram:
         u = self.inputs.at(float(self.times[0]))[list(place.inputs)]
         return u if len(u) > 1 else u[0]
 
-    # --- as what may vary -----------------------------------------------------------------
+    # --- what may vary --------------------------------------------------------------------
 
     def why_not(self, key: str) -> str:
         """Return why a name cannot vary."""
@@ -144,7 +146,7 @@ class VariedDiagram:
                     f"vary: {key} = {getattr(given, name)} cannot vary: a whole number is fixed "
                     "when its block is made; declare it as a float, or make a diagram of each"
                 )
-        return unknown(f"name {key}", nearest(key, self.names), self.names)
+        return unknown_name(f"name {key}", nearest(key, self.names), self.names)
 
     def check(self, key: str, value: np.ndarray) -> None:
         """Refuse a value that is not finite."""
@@ -152,7 +154,7 @@ class VariedDiagram:
             raise ScenarioError(f"{key} = {value}: must be finite")
 
     def units(self, key: str) -> dict[str, str]:
-        """Return the unit of an input or a state, as an attribute, where it is known."""
+        """Return the unit of an input or a state as an attribute, where it is known."""
         place, of_inputs = self.places[key], units_of(self.wiring)[1]
         of_states = [
             block.units.get(port, "")
@@ -160,63 +162,63 @@ class VariedDiagram:
             for port, size in block.state_ports.items()
             for _ in range(size)
         ]
-        found = {of_states[k] for k in place.states} | {of_inputs[k] for k in place.inputs}
-        return {"units": found.pop()} if len(found) == 1 and found != {""} else {}
+        units = {of_states[k] for k in place.states} | {of_inputs[k] for k in place.inputs}
+        return {"units": units.pop()} if len(units) == 1 and units != {""} else {}
 
     def _check_apart(self) -> None:
-        """Refuse names that say one number twice."""
-        said: dict[tuple, str] = {}
+        """Refuse two names of one number."""
+        names: dict[tuple, str] = {}
         for key, (fields, states, inputs, element) in self.places.items():
             numbers: list[tuple] = [("state", k) for k in states]
             numbers += [("input", k) for k in inputs]
             for k, name in fields:
-                every = np.arange(np.size(getattr(self.given[k], name)))
-                every = every.reshape(np.shape(getattr(self.given[k], name)))
+                shape = np.shape(getattr(self.given[k], name))
+                every = np.arange(np.prod(shape, dtype=int)).reshape(shape)
                 numbers += [(k, name, one) for one in np.ravel(every[element]).tolist()]
             for number in numbers:
-                if (other := said.setdefault(number, key)) != key:
+                if (other := names.setdefault(number, key)) != key:
                     raise ScenarioError(f"vary: {key} and {other} are one number; name it once")
 
-    def asked(self, path: Any) -> dict[str, Any]:
-        """Return what it is, for a store that lies there."""
+    def arguments(self, path: Any) -> dict[str, Any]:
+        """Return what identifies it, for a store at a path."""
         return {"diagram": self.name if path is None else self.identity}
 
     @property
     def identity(self) -> str:
-        """A short name of all that makes the numbers, but for what varies."""
+        """A hash of all that makes the numbers, but for what varies."""
         try:
-            made: list[Any] = [node.system.records for node in self.wiring.nodes]
+            parts: list[Any] = [node.system.records for node in self.wiring.nodes]
         except Unread as error:
             raise DiagramError(
-                f"out: {error}, so a folder cannot tell the diagram from others; leave out= away "
+                f"out: {error}, so a folder cannot tell the diagram from others; give no out= "
                 "and save the result"
             ) from None
         if self.inputs.samples is None:
             raise DiagramError("out: inputs by a function cannot be told from others; give samples")
-        made += [(node.name, node.wires) for node in self.wiring.nodes]
-        made += [self.wiring.outputs, self.wiring.dt, self.outputs, self.how]
+        parts += [(node.name, node.wires) for node in self.wiring.nodes]
+        parts += [self.wiring.outputs, self.wiring.dt, self.outputs, self.options]
         arrays = [self.start, self.times, *self.inputs.samples]
         arrays += [number for given in self.given for number in given]
-        made += [np.asarray(one, dtype=float).tolist() for one in arrays]
-        return f"{self.name} {hashlib.sha256(repr(made).encode()).hexdigest()[:16]}"
+        parts += [np.asarray(one, dtype=float).tolist() for one in arrays]
+        return f"{self.name} {hashlib.sha256(repr(parts).encode()).hexdigest()[:16]}"
 
-    # --- as what is run -------------------------------------------------------------------
+    # --- its members ----------------------------------------------------------------------
 
     def place(self, key: str) -> Place:
         """Return where the value of a key that varies lies."""
         return self.places[key]
 
-    def computed(self, key: str) -> bool:
-        """Return whether members are made one by one of a key's values, as of what moves jumps."""
+    def one_by_one(self, key: str) -> bool:
+        """Return whether members are made one by one of a key's values, as where jumps move."""
         place = self.places[key]
         timed = [self.wiring.nodes[k].system for k, _ in place.fields]
         moves = any(one.breakpoints_function or decided_by_time(one) for one in timed)
         return bool(place.inputs) or moves
 
-    def made(self, own: Values) -> Made:
+    def member(self, values: Values) -> Member:
         """Return one member with some values of its own."""
         given, start, inputs = list(self.given), self.start.copy(), self.inputs
-        for key, value in own.items():
+        for key, value in values.items():
             place = self.places[key]
             put(place, value, given, start)
             if place.inputs and inputs.samples is not None:
@@ -227,66 +229,69 @@ class VariedDiagram:
         return given, start, inputs
 
     @cached_property
-    def shown(self) -> tuple[dict[str, Part], dict[str, tuple[Any, Mapping[str, str]]]]:
+    def variables(self) -> tuple[dict[str, Series], dict[str, tuple[Any, Mapping[str, str]]]]:
         """The variables of outputs, and their axes."""
         taken = ("time", "member", "status", "end", *self.values)
-        units, ports = units_shown(self.wiring), ports_of(self.outputs)
-        return ports_shown(ports, {}, taken, {port: units[own[0]] for port, own in ports.items()})
+        units, ports = signal_units(self.wiring), ports_of(self.outputs)
+        return port_variables(
+            ports, {}, taken, {port: units[own[0]] for port, own in ports.items()}
+        )
 
-    def arrays(self, values: Values) -> Arrays:
+    def arrays(self, values: Values) -> StoredArrays:
         """Return all arrays of the store, for the values of all members."""
-        ports, axes = self.shown
+        ports, axes = self.variables
         sizes = {dim: len(numbers) for dim, (numbers, _) in axes.items()}
-        found = Arrays(len(next(iter(values.values()))), {"time": len(self.every), **sizes})
-        for port, part in ports.items():
-            for what, said in KEPT.items():
-                found.keep(f"{port}_{what}", part.dims[1:], f"{port}, {said}", **part.attributes)
+        sizes["time"] = len(self.state_times)
+        arrays = StoredArrays(len(next(iter(values.values()))), sizes)
+        for port, one in ports.items():
+            for what, words in SUMMARIES.items():
+                arrays.add(f"{port}_{what}", one.dims[1:], f"{port}, {words}", **one.attributes)
             if self.trajectories:
-                found.keep(port, part.dims, port, **part.attributes)
-        found.keep_ends()
+                arrays.add(port, one.dims, port, **one.attributes)
+        arrays.add_ends()
         for key, array in values.items():
             more = [f"{key} {k}" for k in range(array.ndim - 1)]
-            found.fix(key, ("member", *more), array, long_name=key, **self.units(key))
-        found.fix_members()
+            arrays.add_fixed(key, ("member", *more), array, long_name=key, **self.units(key))
+        arrays.add_members()
         for dim, (numbers, attributes) in axes.items():
-            found.fix(dim, (dim,), numbers, **attributes)
+            arrays.add_fixed(dim, (dim,), numbers, **attributes)
         if self.trajectories:
-            found.fix("time", ("time",), self.every, long_name="time")
-        return found
+            arrays.add_fixed("time", ("time",), self.state_times, long_name="time")
+        return arrays
 
-    def kept(
+    def summarise(
         self, ensemble: Ensemble, members: Members, values: Values, run: States
     ) -> dict[str, np.ndarray]:
-        """Return what is kept of members."""
-        y = np.full((len(run.status), len(self.outputs), len(self.every)), np.nan)
-        ports = self.shown[0]
-        for m, own in enumerate(y):
-            signals = ensemble.signals(members, run, m, self.every).T
+        """Return the summaries of members."""
+        y = np.full((len(run.status), len(self.outputs), len(self.state_times)), np.nan)
+        ports = self.variables[0]
+        for m, rows in enumerate(y):
+            signals = ensemble.signals(members, run, m, self.state_times).T
             reached, (_, inputs) = signals.shape[1], ensemble.alone(members, m)
-            u = inputs.along(self.every[:reached])
-            own[:, :reached] = 0.0
-            for row, sources in zip(own[:, :reached], self.wiring.outputs, strict=True):
+            u = inputs.along(self.state_times[:reached])
+            rows[:, :reached] = 0.0
+            for row, sources in zip(rows[:, :reached], self.wiring.outputs, strict=True):
                 for k, gain in sources.items():  # one after the other, however many there are
                     row += gain * (signals[k] if k >= 0 else u[~k])
-        unknown = (run.status == solver.FINISHED) & ~np.isfinite(y).all(axis=(1, 2))
-        run = replace(run, status=np.where(unknown, solver.NOT_FINITE, run.status))
-        # each row is summed by itself: others beside it change no bit
+        not_finite = (run.status == solver.FINISHED) & ~np.isfinite(y).all(axis=(1, 2))
+        run = replace(run, status=np.where(not_finite, solver.NOT_FINITE, run.status))
+        # each row is summed by itself, so that no bit depends on the others
         rms = np.sqrt(np.sum(self._weights * y**2, axis=-1))
-        figures = dict(zip(KEPT, (y[..., -1], rms, np.abs(y).max(axis=-1)), strict=True))
-        found = {
-            f"{port}_{what}": part.of(figure)
-            for port, part in ports.items()
+        figures = dict(zip(SUMMARIES, (y[..., -1], rms, np.abs(y).max(axis=-1)), strict=True))
+        summaries = {
+            f"{port}_{what}": one.of(figure)
+            for port, one in ports.items()
             for what, figure in figures.items()
         }
-        for port, part in ports.items() if self.trajectories else ():
-            along = part.of(y)
-            found[port] = np.moveaxis(along, 1, -1) if along.ndim > 2 else along
-        return found | ends_of(run, self.every)
+        for port, one in ports.items() if self.trajectories else ():
+            along = one.of(y)
+            summaries[port] = np.moveaxis(along, 1, -1) if along.ndim > 2 else along
+        return summaries | ends_of(run, self.state_times)
 
     @property
     def _weights(self) -> np.ndarray:
-        """What each sample counts in a mean over time: all alike, or by trapezoids."""
-        times = self.every
+        """The weight of each sample in a mean over time: equal, or of trapezoids."""
+        times = self.state_times
         if self.wiring.dt:
             return np.full(len(times), 1.0 / len(times))
         spans = np.diff(times)

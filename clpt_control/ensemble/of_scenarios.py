@@ -18,21 +18,28 @@ from ..equations.block import Block
 from ..errors import DiagramError
 from ..scenario.experiment import Scenario
 from ..scenario.file import scenario_to_text
-from ..scenario.quantities import QUANTITIES, STARTS, key_of, keys_of, made_of
+from ..scenario.quantities import QUANTITIES, STARTS, key_hint, keys_of, keys_of_law
 from ..scenario.tables import Table
 from ..simulation.loops import changed_blocks
 from ..simulation.starts import state_columns, state_of
-from .drawn_values import unknown
-from .members import Ensemble, Made, Members, States, Values
-from .summaries import Arrays, arrays_of, kept_of, marks_of, sample_times_of, samples_per_cycle
+from .drawn_values import unknown_name
+from .members import Ensemble, Member, Members, States, Values
+from .summaries import (
+    StoredArrays,
+    arrays_of,
+    marks_of,
+    sample_times_of,
+    samples_per_cycle,
+    summarise_members,
+)
 
 
 class VariedScenario:
-    """A scenario's loop that is run many times; `changes` are parts of the user's own."""
+    """A scenario's loop that is run many times; `changes` are the user's own parts."""
 
     params: Mapping[str, Any] = {}
     inputs: Any = None
-    how: Mapping[str, Any]
+    options: Mapping[str, Any]
     encoding: Mapping[str, Any]
 
     def __init__(
@@ -43,21 +50,21 @@ class VariedScenario:
         times: Sequence[float] | None = None,
         trajectories: bool = False,
     ):
-        self.scenario, self.changes = scenario, checked(changes, scenario)
+        self.scenario, self.changes = scenario, checked_changes(changes, scenario)
         self.marks = marks_of(scenario, times)
         self.samples, self.trajectories = samples_per_cycle(scenario, samples), trajectories
         self.times = sample_times_of(scenario, self.samples, self.marks, trajectories)
-        self.every, self.how = self.times.all, scenario.run.solver
-        self.title, self.asks = scenario.title, scenario.vehicle.max_speed is not None
+        self.state_times, self.options = self.times.all, scenario.run.solver
+        self.title, self.needs_signals = scenario.title, scenario.vehicle.max_speed is not None
         self.name = ", ".join(changes.names) or "the closed loop"
         self.encoding = {"folder": str(scenario._folder.absolute())}  # of its field
-        own = ("learning.gain", f"learning.{scenario.learning.row.table}.")
-        every = variable_values(scenario)
-        self.of_law = [key for key in every if key.startswith(own)] if self.changes.law else []
-        self.values = {key: value for key, value in every.items() if key not in self.of_law}
+        of_law = ("learning.gain", f"learning.{scenario.learning.row.table}.")
+        values = variable_values(scenario)
+        self.of_law = [key for key in values if key.startswith(of_law)] if self.changes.law else []
+        self.values = {key: value for key, value in values.items() if key not in self.of_law}
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Travel as what it is made of; the field's folder is then known."""
+        """Travel as its arguments, with the absolute folder of the field."""
         scenario = self.scenario.model_copy()
         scenario._folder = scenario._folder.absolute()
         return type(self), (scenario, self.changes, self.samples, self.marks, self.trajectories)
@@ -72,7 +79,7 @@ class VariedScenario:
                 f"vary: {key} cannot vary: it is of the scenario's law, in whose place "
                 f"{self.changes.law.name} is given in Python"
             )
-        if other := key_of(key):
+        if other := key_hint(key):
             return f"vary: {other}"
         place: Any = scenario
         for name in key.split("."):
@@ -92,19 +99,19 @@ class VariedScenario:
             return f"vary: {key} = {place!r} cannot vary: it is not a number"
         if known:
             return f"vary: {key} is not set in the scenario; may vary: {', '.join(allowed)}"
-        return unknown(f"key {key}", nearest(key, allowed), allowed)
+        return unknown_name(f"key {key}", nearest(key, allowed), allowed)
 
     def check(self, key: str, value: np.ndarray) -> None:
         """Refuse a value that the scenario does not allow."""
         self.scenario.with_values({key: value})
 
-    def asked(self, path: Path | None) -> dict[str, Any]:
-        """Return what it is, for a store that lies there."""
+    def arguments(self, path: Path | None) -> dict[str, Any]:
+        """Return what identifies it, for a store at a path."""
         return {
             "scenario": scenario_to_text(self.scenario, None if path is None else path.parent),
             "samples": self.samples,
             "times": list(self.marks),
-            "law": named(self.changes),
+            "law": text_of_changes(self.changes),
         }
 
     # --- its loop -------------------------------------------------------------------------
@@ -141,44 +148,44 @@ class VariedScenario:
         column = self.columns.get(STARTS.get(key, ""), slice(0, 0))
         return Place(fields, tuple(range(column.start, column.stop)))
 
-    def computed(self, key: str) -> bool:
-        """Return whether members are made one by one of a key's values, as of what a law makes."""
-        made = made_of(self.scenario) if self.changes.law is None else ()
-        held = key in QUANTITIES and not QUANTITIES[key].jumps and self.place(key) != Place()
-        return key in made or not held
+    def one_by_one(self, key: str) -> bool:
+        """Return whether members are made one by one of a key's values, as where a law uses it."""
+        of_law = keys_of_law(self.scenario) if self.changes.law is None else ()
+        in_place = key in QUANTITIES and not QUANTITIES[key].jumps and self.place(key) != Place()
+        return key in of_law or not in_place
 
-    def made(self, own: Values) -> Made:
+    def member(self, values: Values) -> Member:
         """Return one member with some values of its own."""
-        scenario = self.scenario.with_values(dict(own))
+        scenario = self.scenario.with_values(dict(values))
         blocks = changed_blocks(scenario, self.changes)
         start = state_of(scenario, blocks, self.changes.law)
         return [block.parameters for block in blocks], start, None
 
-    # --- what is kept of it ---------------------------------------------------------------
+    # --- its summaries --------------------------------------------------------------------
 
-    def arrays(self, values: Values) -> Arrays:
+    def arrays(self, values: Values) -> StoredArrays:
         """Return all arrays of the store, for the values of all members."""
         return arrays_of(self, values)
 
-    def kept(
+    def summarise(
         self, ensemble: Ensemble, members: Members, values: Values, run: States
     ) -> dict[str, np.ndarray]:
-        """Return what is kept of members."""
-        return kept_of(self, ensemble, members, values, run)
+        """Return the summaries of members."""
+        return summarise_members(self, ensemble, members, values, run)
 
 
 def variable_values(scenario: Scenario) -> dict[str, np.ndarray]:
-    """Return every key that may vary, with the scenario's value or the default."""
+    """Return the values of all keys that may vary: the scenario's, or the defaults."""
     defaults = {"basis.phases": scenario.phases, "model.parameters": scenario.model_parameters}
     learning, delta = scenario.learning, scenario.flow.disturbance
     if not learning.row.alpha_is_constant:
         defaults["learning.parameters"] = scenario.learning_parameters
-    found: dict[str, np.ndarray] = {}
+    values: dict[str, np.ndarray] = {}
 
     def add(key: str, value: Any) -> None:
         number = np.asarray(value)
         if number.dtype.kind == "f" and number.size:
-            found.setdefault(key, number)
+            values.setdefault(key, number)
 
     def walk(part: Table, prefix: str) -> None:
         for name in type(part).model_fields:
@@ -196,7 +203,7 @@ def variable_values(scenario: Scenario) -> dict[str, np.ndarray]:
     kind = None if delta is None else delta.kind
     none = {"learning.sample"} | ({"flow.disturbance.seed"} if kind != "noise" else set())
     none |= {"flow.disturbance.period"} if kind == "constant" else set()
-    return {k: v for k, v in found.items() if k not in none and not k.startswith("run.")}
+    return {k: v for k, v in values.items() if k not in none and not k.startswith("run.")}
 
 
 def _first(part: Table) -> str:
@@ -206,26 +213,25 @@ def _first(part: Table) -> str:
     )
 
 
-def checked(changes: Changes, scenario: Scenario) -> Changes:
-    """Return blocks; refuse those whose states do not hold what summaries are made of."""
+def checked_changes(changes: Changes, scenario: Scenario) -> Changes:
+    """Return changes as blocks; refuse those that lack a state which summaries need."""
     changes, row = changes.of_blocks("an ensemble"), scenario.learning.row
     if changes.law is not None:
         functions_of(changes.law)
     columns = state_columns(changed_blocks(scenario, changes)) if changes != UNCHANGED else {}
-    learned = ["theta_hat"] if row.makes_estimate else [] if row.given_estimate else ["alpha"]
-    for name, states in ((LAW, [*learned, "K", "Gamma"]), ("vehicle", ["x"])):
+    estimate = ["theta_hat"] if row.makes_estimate else [] if row.given_estimate else ["alpha"]
+    for name, states in ((LAW, [*estimate, "K", "Gamma"]), ("vehicle", ["x"])):
         for port in states if name in changes.replace else ():
             if port not in columns:
-                own = changes.replace[name].name
                 raise DiagramError(
-                    f"{own}: {port} is no state of it; members are summarised from the states "
-                    f"{', '.join(states)}"
+                    f"{changes.replace[name].name}: {port} is no state of it; members are "
+                    f"summarised from the states {', '.join(states)}"
                 )
     return changes
 
 
-def named(changes: Changes) -> str | None:
-    """Return a name for blocks of the user's own, their numbers and their equations."""
+def text_of_changes(changes: Changes) -> str | None:
+    """Return a text that tells the user's own blocks, their numbers and equations, from others."""
     places = [name if name != LAW else "" for name in changes.replace]
     places += [str(where) for where in changes.insert]
     blocks = (*changes.replace.values(), *changes.insert.values())

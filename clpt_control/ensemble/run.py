@@ -37,12 +37,12 @@ from ..arguments import Seed, public
 from ..errors import ClptError, DataError, ScenarioError, SimulationError, needed
 from ..files import check_name, check_writable
 from ..progress import warn
-from ..progress.interrupt import SLICE, check, keep
+from ..progress.interrupt import SLICE, check, set_resume_hint
 from ..progress.processes import processes
 from ..scenario.experiment import Scenario
 from ..simulation.loops import loop_of
-from .drawn_values import Vary, check_varies, draw_members, grid_count, parsed
-from .members import Ensemble, cut, ensemble_of, joined, ready
+from .drawn_values import Vary, check_varies, draw_members, grid_count, read_varies
+from .members import Ensemble, checked_ensemble, concatenated, cut, ensemble_of
 from .of_diagrams import VariedDiagram
 from .of_scenarios import VariedScenario
 from .store import (
@@ -56,7 +56,7 @@ from .store import (
     remove_empty,
     software,
 )
-from .summaries import STATUS, Arrays
+from .summaries import STATUS, StoredArrays
 
 if TYPE_CHECKING:
     import xarray
@@ -65,7 +65,7 @@ CHUNK = 1000  # members, where no trajectories are kept
 CHUNK_BYTES = 64_000_000  # trajectories of a chunk
 PATIENCE = 30  # seconds to wait for a scheduler and its first worker
 RETRIES = 3  # times a chunk is given to a worker again
-KEPT = "what is done is kept"
+STORED = "what is done is kept"
 
 
 @public
@@ -174,7 +174,7 @@ def run_ensemble(
         raise ScenarioError("dask: needs out, a folder that all workers can reach")
     for module in ("zarr", *(["distributed"] if dask is not None else [])):
         needed(module)
-    varies = parsed(vary)
+    varies = read_varies(vary)
     path = None if out is None else Path(out).absolute()
     if path is not None:
         check_name(path)
@@ -189,14 +189,14 @@ def run_ensemble(
         "method": method,
     }
     if timepts is None or isinstance(system, Scenario):
-        _left_out("is for a diagram, with timepts", timepts=timepts, **of_diagram)
-        loop = getattr(system, "made_of", None)
+        _refuse("is for a diagram, with timepts", timepts=timepts, **of_diagram)
+        loop = getattr(system, "origin", None)
         if not isinstance(system, Scenario) and (loop is None or loop.external):
             raise ScenarioError("timepts: is required to run a diagram many times")
-        own = loop_of(system)
-        varied: Any = VariedScenario(own.scenario, own.changes, samples, times, trajectories)
+        loop = loop_of(system)
+        varied: Any = VariedScenario(loop.scenario, loop.changes, samples, times, trajectories)
     else:
-        _left_out("is for a scenario; a diagram has timepts", samples=samples, times=times)
+        _refuse("is for a scenario; a diagram has timepts", samples=samples, times=times)
         varied = VariedDiagram(system, varies, timepts, trajectories=trajectories, **of_diagram)
     check_varies(varied, varies)
     if design is None:
@@ -204,12 +204,12 @@ def run_ensemble(
         design = "grid" if members is None or (listed and isinstance(vary, Mapping)) else "lhs"
     members = grid_count(varies) if members is None else members
     values = draw_members(varied, varies, members, design, seed)
-    told = varied.asked(path)
-    ensemble = ready(varied, values)
+    of_system = varied.arguments(path)
+    ensemble = checked_ensemble(varied, values)
     recipe = b"" if dask is None else ensemble.recipe
     arrays = varied.arrays(values)
-    asked = {
-        **told,
+    arguments = {
+        **of_system,
         "vary": [one.text for one in varies],
         "keys": [one.key for one in varies],
         "members": members,
@@ -218,12 +218,14 @@ def run_ensemble(
         "chunk": min(_chunk(chunk, arrays), members),
         "trajectories": trajectories,
     }
-    store = _store(path, ensemble, asked, arrays)
+    store = _store(path, ensemble, arguments, arrays)
     count = threads or available_threads()
 
     def report(done: int) -> None:
         if done and out is not None:
-            keep(f"{out} holds {done} of {members} members; the same command goes on from there")
+            set_resume_hint(
+                f"{out} holds {done} of {members} members; the same command goes on from there"
+            )
         if progress is not None:
             progress(done)
 
@@ -243,9 +245,9 @@ def run_ensemble(
     failed = np.flatnonzero(data["status"].values != 1)
     if len(failed) and isinstance(varied, VariedDiagram):
         first, why = int(failed[0]), ""
-        one, at, how = ensemble.one(values, first)
+        runner, at, options = ensemble.single(values, first)
         try:
-            one.signals(one.run(*at, **how), how["inputs"])
+            runner.signals(runner.run(*at, **options), options["inputs"])
         except SimulationError as error:
             why = f": {error}"
         status = STATUS[int(data["status"][first])].replace("_", " ")
@@ -256,9 +258,9 @@ def run_ensemble(
     return data
 
 
-def _left_out(why: str, **given: Any) -> None:
+def _refuse(why: str, **unused: Any) -> None:
     """Refuse arguments that are of no use here."""
-    for name, value in given.items():
+    for name, value in unused.items():
         if value is not None:
             raise ScenarioError(f"{name}: {why}; leave it out")
 
@@ -295,7 +297,7 @@ def _run_here(
             parts.append(future.result())
             done += len(parts[-1]["status"])
             if sum(len(part["status"]) for part in parts) == store.count([index]):
-                store.write(index, joined(parts))
+                store.write(index, concatenated(parts))
                 parts = []
             report(done)
     finally:
@@ -342,11 +344,11 @@ def _run_elsewhere(
         return
     try:
         with pool_of(address, workers) as pool:
-            given = {pool.submit(run_chunk, index, *work): index for index in missing}
-            for future in as_completed(given):
+            indices = {pool.submit(run_chunk, index, *work): index for index in missing}
+            for future in as_completed(indices):
                 check()
                 future.result()
-                index = given[future]  # ask the store: the worker may be lost by now
+                index = indices[future]  # ask the store: the worker may be lost by now
                 if not store.is_whole(index):
                     raise SimulationError(f"dask: chunk {index} did not reach {store.path}")
                 done += store.count([index])
@@ -354,14 +356,14 @@ def _run_elsewhere(
     except BrokenExecutor:
         raise SimulationError(
             "dask: a worker was lost with its chunk (out of memory? then give a smaller --chunk); "
-            f"{KEPT}"
+            f"{STORED}"
         ) from None
     except CancelledError:
-        raise SimulationError(f"dask: the scheduler {address} was lost; {KEPT}") from None
+        raise SimulationError(f"dask: the scheduler {address} was lost; {STORED}") from None
 
 
 def run_chunk(index: int, recipe: bytes, code: str, path: str) -> None:
-    """Run one chunk on a worker and write it; `code` must be that of the one who asks."""
+    """Run one chunk on a worker and write it; `code` must be that of the caller."""
     ensemble = ensemble_of(recipe)
     if ensemble.code != code:
         raise DataError(
@@ -371,29 +373,31 @@ def run_chunk(index: int, recipe: bytes, code: str, path: str) -> None:
     store = open_store(Path(path))
     if not store.is_whole(index):  # else its worker was lost after writing it
         parts = cut(store.values(index), ensemble.batch)
-        store.write(index, joined([*map(ensemble.summaries, parts)]))
+        store.write(index, concatenated([*map(ensemble.summaries, parts)]))
 
 
 # --- before it runs -------------------------------------------------------------------------------
 
 
-def _chunk(chunk: int | None, arrays: Arrays) -> int:
+def _chunk(chunk: int | None, arrays: StoredArrays) -> int:
     """Return how many members are written at once."""
     if chunk is None:
-        own = sum(8 * int(np.prod(v.shape[1:])) for v in arrays.values() if "time" in v.dims)
-        chunk = max(1, min(CHUNK, CHUNK_BYTES // own)) if own else CHUNK
+        each = sum(8 * int(np.prod(v.shape[1:])) for v in arrays.values() if "time" in v.dims)
+        chunk = max(1, min(CHUNK, CHUNK_BYTES // each)) if each else CHUNK
     if chunk < 1:
         raise ScenarioError(f"chunk = {chunk}: must be a whole number, at least 1")
     return chunk
 
 
-def _store(path: Path | None, ensemble: Ensemble, asked: dict[str, Any], arrays: Arrays) -> Store:
+def _store(
+    path: Path | None, ensemble: Ensemble, arguments: dict[str, Any], arrays: StoredArrays
+) -> Store:
     """Make the store, or open one that holds a part of the same ensemble."""
     if path is None or not path.exists() or (path.is_dir() and not any(path.iterdir())):
-        attrs = {**_attributes(ensemble.varied.title, asked), CODE: ensemble.code}
-        return create_store(path, asked, arrays, attrs)
+        attrs = {**_attributes(ensemble.varied.title, arguments), CODE: ensemble.code}
+        return create_store(path, arguments, arrays, attrs)
     store = open_store(path)
-    check_same(store, asked)
+    check_same(store, arguments)
     older = check_store(store, arrays)
     if (older or store.group.attrs[CODE] != ensemble.code) and store.missing():
         raise DataError(

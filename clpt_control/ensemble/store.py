@@ -1,12 +1,12 @@
-"""Where an ensemble is kept: a Zarr folder, written chunk by chunk.
+"""The store of an ensemble: a Zarr folder, written chunk by chunk.
 
 A chunk is a fixed range of members.  Its arrays are written first, the checksum
 of its summaries last, in `done`.  A chunk without a checksum, or with one that
 does not fit, is run again; so an ensemble may be killed at any time and started
 again.  The folder itself appears whole or not at all.
 
-Scenario, keys, members, samples and times make the arrays of an ensemble.  A store that holds
-others, or more, is refused before anything in it is written, and before it is shown.
+Scenario, keys, members, samples and times determine the arrays of an ensemble.  A store that holds
+others, or more, is refused before anything is written into it or displayed.
 """
 
 import json
@@ -25,11 +25,12 @@ from ..diagrams.parts import UNCHANGED
 from ..errors import ClptError, DataError, needed
 from ..files import beside
 from ..files.reading import zarr_store
+from ..html import shortened
 from ..scenario.experiment import Scenario
 from ..scenario.file import tables_of
-from .drawn_values import check_varies, parsed
+from .drawn_values import check_varies, read_varies
 from .of_scenarios import VariedScenario
-from .summaries import STATUS, Array
+from .summaries import STATUS, StoredArray
 
 if TYPE_CHECKING:
     import xarray
@@ -50,7 +51,9 @@ class Store:
             warnings.simplefilter("ignore")  # of what is no array: `check_store` names it
             self.names = {name for name, _ in group.members()}
             arrays = dict(group.arrays())
-        self.kept = sorted(n for n, one in arrays.items() if one.attrs.get("kept") == "per member")
+        self.per_member = sorted(
+            name for name, one in arrays.items() if one.attrs.get("kept") == "per member"
+        )
 
     def rows(self, index: int) -> slice:
         """Return the members of a chunk."""
@@ -61,13 +64,13 @@ class Store:
         return sum(rows.stop - rows.start for rows in map(self.rows, indices))
 
     def values(self, index: int) -> dict[str, np.ndarray]:
-        """Return what varies among the members of a chunk."""
+        """Return the values of what varies, for the members of a chunk."""
         return {key: self.group[key][self.rows(index)] for key in self.arguments["keys"]}
 
     def write(self, index: int, arrays: Mapping[str, np.ndarray]) -> None:
         """Write a chunk, then its checksum."""
         try:
-            for name in self.kept:
+            for name in self.per_member:
                 if arrays[name].size:
                     self.group[name][self.rows(index)] = arrays[name]
             self.group[DONE][index] = self.checksum(arrays)
@@ -78,7 +81,7 @@ class Store:
     def checksum(self, arrays: Mapping[str, np.ndarray]) -> int:
         """Return a checksum of the summaries, above zero."""
         check = 0
-        for name in self.kept:
+        for name in self.per_member:
             if "time" not in self._dims(name):
                 check = zlib.crc32(np.ascontiguousarray(arrays[name]).tobytes(), check)
         return check + 1
@@ -96,11 +99,11 @@ class Store:
             checksum = int(self.group[DONE][index])
             if not checksum:
                 return False
-            read = {name: self.group[name][self.rows(index)] for name in self.kept}
+            read = {name: self.group[name][self.rows(index)] for name in self.per_member}
         except Exception:  # a damaged file can raise anything
             return False
         fits = self.checksum(read) == checksum
-        return fits and all(self._there(name, index) for name in self.kept)
+        return fits and all(self._there(name, index) for name in self.per_member)
 
     def _there(self, name: str, index: int) -> bool:
         """Return whether a chunk's file of trajectories exists."""
@@ -149,35 +152,35 @@ class Store:
 
 
 def software() -> str:
-    """Return the versions that make an ensemble."""
+    """Return the versions of the packages that make an ensemble."""
     return ", ".join(f"{name} {version(name)}" for name in SOFTWARE)
 
 
 def create_store(
     path: Path | None,
     arguments: Mapping[str, Any],
-    arrays: Mapping[str, Array],
+    arrays: Mapping[str, StoredArray],
     attrs: Mapping[str, Any],
 ) -> Store:
     """Make a store without any chunk, in a folder or in memory.
 
-    `arguments` are what the ensemble is; chunks fill the arrays that have no values.
+    `arguments` identify the ensemble; chunks fill the arrays that have no values.
     """
     zarr = needed("zarr")
     if path is None:
         group = zarr.create_group(zarr.storage.MemoryStore())
         return Store(_filled(group, arguments, arrays, attrs))
-    with beside(path, folder=True) as made:
-        _filled(zarr.create_group(made), arguments, arrays, attrs)
+    with beside(path, folder=True) as part:
+        _filled(zarr.create_group(part), arguments, arrays, attrs)
     return Store(zarr.open_group(path, mode="r+"), path)
 
 
-def _filled(group: Any, arguments: Any, arrays: Mapping[str, Array], attrs: Any) -> Any:
+def _filled(group: Any, arguments: Any, arrays: Mapping[str, StoredArray], attrs: Any) -> Any:
     from zarr.codecs import Crc32cCodec, ZstdCodec
 
     group.attrs.update({**attrs, ARGUMENTS: json.dumps(arguments)})
     chunk, count = arguments["chunk"], -(-arguments["members"] // arguments["chunk"])
-    done = Array(("chunk",), (count,), "int64", {"long_name": "checksum of a whole chunk"})
+    done = StoredArray(("chunk",), (count,), "int64", {"long_name": "checksum of a whole chunk"})
     for name, one in {**arrays, DONE: done}.items():
         first = {"member": chunk, "chunk": 1}.get(one.dims[0], one.shape[0])
         array = group.create_array(
@@ -202,7 +205,7 @@ def remove_empty(store: Store) -> None:
 
 
 def open_store(path: Path, mode: Literal["r", "r+"] = "r+") -> Store:
-    """Open a store to go on with, or with "r" to read."""
+    """Open a store to write the rest of it, or with "r" to read it."""
     zarr = needed("zarr")
     if not path.exists():
         raise DataError(f"{path}: no such folder; `clpt ensemble` writes one")
@@ -213,7 +216,7 @@ def open_store(path: Path, mode: Literal["r", "r+"] = "r+") -> Store:
     files = zarr_store(path, read_only=mode == "r")
     try:
         store = Store(zarr.open_group(files, mode=mode), path)
-        whole = DONE in store.group and "status" in store.kept
+        whole = DONE in store.group and "status" in store.per_member
     except Exception:  # a damaged file can raise anything
         whole = False
     if not whole:
@@ -224,35 +227,34 @@ def open_store(path: Path, mode: Literal["r", "r+"] = "r+") -> Store:
 def check_same(store: Store, arguments: Mapping[str, Any]) -> None:
     """Refuse a store of another ensemble."""
     for name, value in arguments.items():
-        held = store.arguments.get(name)
-        if held == value:
+        stored = store.arguments.get(name)
+        if stored == value:
             continue
         whole = name in ("scenario", "diagram")
-        what = f"another {name}" if whole else f"{name} = {_shown(held)}"
-        wanted = "" if whole else f", not {_shown(value)}"
+        what = f"another {name}" if whole else f"{name} = {_short(stored)}"
+        wanted = "" if whole else f", not {_short(value)}"
         raise DataError(f"{store.path}: holds an ensemble of {what}{wanted}; give another --out")
 
 
-def _shown(value: Any) -> str:
-    text = ", ".join(map(str, value)) if isinstance(value, list) else str(value)
-    return text if len(text) <= 60 else text[:57] + "..."
+def _short(value: Any) -> str:
+    return shortened(", ".join(map(str, value)) if isinstance(value, list) else value, 60)
 
 
-def check_store(store: Store, arrays: Mapping[str, Array]) -> bool:
+def check_store(store: Store, arrays: Mapping[str, StoredArray]) -> bool:
     """Refuse a store that is not as `create_store` makes it of these arrays.
 
-    Returns whether an older version made it, which knew fewer ways in which a member can end.
+    Return whether an older version made it, which knew fewer ways in which a member can end.
     """
-    made, older = create_store(None, store.arguments, arrays, {}), False
-    if foreign := store.names - made.names:
+    right, older = create_store(None, store.arguments, arrays, {}), False
+    if foreign := store.names - right.names:
         raise DataError(f"{store.path}: holds {min(foreign)}, which is no part of it; take it out")
     for name in (*arrays, DONE):
         wrong = ""
         try:
-            found, wanted = (_told(one.group[name]) for one in (store, made))
-            if name == "status" and _fewer(found["attributes"], wanted["attributes"]):
-                older, wanted["attributes"] = True, found["attributes"]
-            wrong = next((what for what in wanted if found[what] != wanted[what]), "")
+            layout, wanted = (_layout(one.group[name]) for one in (store, right))
+            if name == "status" and _fewer(layout["attributes"], wanted["attributes"]):
+                older, wanted["attributes"] = True, layout["attributes"]
+            wrong = next((what for what in wanted if layout[what] != wanted[what]), "")
             values = None if name == DONE else arrays[name].values
             if not wrong and values is not None and np.any(store.group[name][:] != values):
                 wrong = "values"
@@ -271,7 +273,7 @@ def check_store(store: Store, arrays: Mapping[str, Array]) -> bool:
     return older
 
 
-def _told(array: Any) -> dict[str, Any]:
+def _layout(array: Any) -> dict[str, Any]:
     return {
         "shape": array.shape,
         "dtype": array.dtype,
@@ -281,12 +283,12 @@ def _told(array: Any) -> dict[str, Any]:
     }
 
 
-def _fewer(found: Mapping[str, Any], wanted: Mapping[str, Any]) -> bool:
-    """Whether attributes are those of `wanted`, with the first of its flags alone."""
-    meanings = str(found.get("flag_meanings")).split()
+def _fewer(stored: Mapping[str, Any], wanted: Mapping[str, Any]) -> bool:
+    """Return whether stored attributes are those wanted, with only the first of their flags."""
+    meanings = str(stored.get("flag_meanings")).split()
     known = {"flag_meanings": " ".join(meanings), "flag_values": list(range(len(meanings)))}
     first = str(wanted["flag_meanings"]).split()[: len(meanings)]
-    return meanings == first and found != wanted and found == {**wanted, **known}
+    return meanings == first and stored != wanted and stored == {**wanted, **known}
 
 
 @contextmanager
@@ -303,7 +305,7 @@ def open_ensemble(path: Path) -> "xarray.Dataset":
     if "diagram" in store.arguments:
         raise DataError(f"{path}: is an ensemble of a diagram, not of a scenario, and has no page")
     with _damaged(path, "what was asked of it does not fit what it holds"):
-        arrays = _arrays_asked(store)
+        arrays = _arrays_of_arguments(store)
     check_store(store, arrays)
     with _damaged(path, "a part of it cannot be read"):
         data = store.dataset()
@@ -312,26 +314,27 @@ def open_ensemble(path: Path) -> "xarray.Dataset":
                 array.load()
         done = store.group[DONE][:]
     for chunk in np.flatnonzero(done).tolist():
-        rows, kept = store.rows(chunk), [n for n in store.kept if "time" not in data[n].dims]
-        if store.checksum({name: data[name].values[rows] for name in kept}) != done[chunk]:
+        rows = store.rows(chunk)
+        names = [name for name in store.per_member if "time" not in data[name].dims]
+        if store.checksum({name: data[name].values[rows] for name in names}) != done[chunk]:
             raise DataError(f"{path}: is damaged: chunk {chunk} is not as it was written")
     if not np.isin(data["status"], range(len(STATUS))).all():
         raise DataError(f"{path}: is damaged: status holds numbers that no end of a run has")
     return data
 
 
-def _arrays_asked(store: Store) -> Mapping[str, Array]:
-    """Return the arrays that a store's arguments make; raises anything where they do not fit."""
-    asked, held = store.arguments, store.group
-    scenario = Scenario.model_validate(tables_of(asked["scenario"], ""), context={"name": ""})
-    samples, times, trajectories = (asked[name] for name in ("samples", "times", "trajectories"))
-    keys, varies = asked["keys"], parsed(asked["vary"])
-    varied = VariedScenario(scenario, UNCHANGED, samples, times, trajectories)
+def _arrays_of_arguments(store: Store) -> Mapping[str, StoredArray]:
+    """Return the arrays of a store's arguments; raise anything where these do not fit it."""
+    arguments, group = store.arguments, store.group
+    scenario = Scenario.model_validate(tables_of(arguments["scenario"], ""), context={"name": ""})
+    rest = (arguments[name] for name in ("samples", "times", "trajectories"))
+    keys, varies = arguments["keys"], read_varies(arguments["vary"])
+    varied = VariedScenario(scenario, UNCHANGED, *rest)
     check_varies(varied, varies)
-    values = {key: held[key][:] for key in keys}
+    values = {key: group[key][:] for key in keys}
     fits = [one.key for one in varies] == keys
-    fits &= all(held.attrs[name] == asked[name] for name in REPEATED)
-    fits &= held[DONE].shape == (-(-store.members // store.chunk),)
+    fits &= all(group.attrs[name] == arguments[name] for name in REPEATED)
+    fits &= group[DONE].shape == (-(-store.members // store.chunk),)
     for key, one in values.items():
         shape = store.members, *varied.values[key].shape
         fits &= one.shape == shape and bool(np.isfinite(one).all())

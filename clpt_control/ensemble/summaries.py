@@ -1,4 +1,4 @@
-"""What is kept of each member, and at which times it is looked at.
+"""The summaries of each member of a scenario, and the times of its samples.
 
     clpe_rms                rms of |e| over each full cycle of the waypoints
     clpe_rms_whole          the same over the whole run
@@ -7,7 +7,7 @@
     share_at_speed_limit    and two more of a vehicle whose speed is limited
     status, end             how the run ended and the last time it reached
 
-All members of a chunk at once, from their states.
+They are computed for all members of a chunk at once, from their states.
 """
 
 import itertools
@@ -21,15 +21,15 @@ from ..errors import ScenarioError
 from ..scenario.experiment import Scenario
 from ..scenario.quantities import QUANTITIES
 from ..simulation.dataset import VARIABLES
-from ..simulation.flows import SpeedWatch
+from ..simulation.flows import SpeedTimer
 from ..simulation.integrate import sample_times
 from ..simulation.report import SAMPLES_PER_CYCLE, nearest
 from .members import Ensemble, Members, States, Values
 
-FEWEST = 20  # samples a cycle that may be asked for
+FEWEST = 20  # samples a cycle
 MOST_TIMES = 10**8  # samples of a run
-MOST_SAMPLES = 20_000  # a member, unless asked for; at least 200 a cycle
-MARKS = 41  # times at which errors are kept, unless asked for
+MOST_SAMPLES = 20_000  # a member, unless they are given; at least 200 a cycle
+MARKS = 41  # times of errors, unless they are given
 TRAJECTORIES = ("position", "predicted_position", "alpha", "feedback_gain", "feedforward_gain")
 STATUS = (  # as the solver numbers them
     *("not_run", "finished", "step_too_small", "not_finite"),
@@ -44,17 +44,17 @@ SPEEDS = {  # name -> (long name, whether it is a time)
 
 
 class SampleTimes(NamedTuple):
-    """Times of the states, and the numbers of those that serve a purpose."""
+    """Times of the states, and the numbers of those for each purpose."""
 
     all: np.ndarray  # increasing, from 0 to the end
     fine: np.ndarray  # evenly spaced, for mean squares
     starts: np.ndarray  # where in `fine` each full cycle starts, and where the last one ends
-    marks: np.ndarray  # when errors are kept
+    marks: np.ndarray  # of errors
     own: np.ndarray  # the scenario's own, for trajectories; empty without them
 
 
 def samples_per_cycle(scenario: Scenario, samples: int | None = None) -> int:
-    """Return how many samples a cycle mean squares are over.
+    """Return the number of samples a cycle for mean squares.
 
     2000, as in `clpt run`, up to ten cycles; fewer in longer runs, but at least 200.
     """
@@ -69,7 +69,7 @@ def samples_per_cycle(scenario: Scenario, samples: int | None = None) -> int:
 
 
 def marks_of(scenario: Scenario, times: Sequence[float] | None = None) -> tuple[float, ...]:
-    """Return the times at which errors are kept, increasing; the end is one."""
+    """Return the times of errors, increasing; the end is one."""
     end = scenario.run.duration
     if times is None:
         return tuple(np.linspace(0.0, end, MARKS).tolist())
@@ -82,7 +82,7 @@ def marks_of(scenario: Scenario, times: Sequence[float] | None = None) -> tuple[
 def sample_times_of(
     scenario: Scenario, samples: int, marks: Sequence[float], trajectories: bool
 ) -> SampleTimes:
-    """Join the times that are wanted; those that differ by rounding are one."""
+    """Return all times of samples; those that differ by rounding are one."""
     end, cycle = scenario.run.duration, scenario.cycle
     fine = sample_times(end, cycle / samples)
     own = sample_times(end, scenario.run.output_step) if trajectories else np.zeros(0)
@@ -98,7 +98,7 @@ def sample_times_of(
     return SampleTimes(merged, numbers[0], starts, *numbers[1:])
 
 
-class Array(NamedTuple):
+class StoredArray(NamedTuple):
     """An array of the store; without values it is filled member by member."""
 
     dims: tuple[str, ...]
@@ -108,34 +108,38 @@ class Array(NamedTuple):
     values: np.ndarray | None = None
 
 
-class Arrays(dict[str, Array]):
-    """The arrays of a store, by name: what is kept of members, and what is fixed."""
+class StoredArrays(dict[str, StoredArray]):
+    """The arrays of a store by name: the summaries of members, and fixed ones."""
 
     def __init__(self, members: int, sizes: Mapping[str, int]):
         self.members, self.sizes = members, sizes
 
-    def keep(
+    def add(
         self, name: str, dims: Iterable[str], long_name: str, dtype: str = "float64", **attrs: Any
     ) -> None:
         """Add an array that summaries fill, the first dimension the member."""
         dims = tuple(dims)
         shape = (self.members, *(self.sizes[dim] for dim in dims))
-        own = {"long_name": long_name, **attrs, "kept": "per member"}
-        self[name] = Array(("member", *dims), shape, dtype, own)
+        attributes = {"long_name": long_name, **attrs, "kept": "per member"}
+        self[name] = StoredArray(("member", *dims), shape, dtype, attributes)
 
-    def keep_ends(self, **of_time: str) -> None:
+    def add_ends(self, **of_time: str) -> None:
         """Add how members ended, and when."""
         flags = {"flag_values": list(range(len(STATUS))), "flag_meanings": " ".join(STATUS)}
-        self.keep("status", "", "how the run ended", "int8", **flags)
-        self.keep("end", "", "last sample reached", **of_time)
+        self.add("status", "", "how the run ended", "int8", **flags)
+        self.add("end", "", "last sample reached", **of_time)
 
-    def fix(self, name: str, dims: tuple[str, ...], numbers: np.ndarray, **attrs: Any) -> None:
+    def add_fixed(
+        self, name: str, dims: tuple[str, ...], numbers: np.ndarray, **attrs: Any
+    ) -> None:
         """Add an array with its values."""
-        self[name] = Array(dims, numbers.shape, numbers.dtype, attrs, numbers)
+        self[name] = StoredArray(dims, numbers.shape, numbers.dtype, attrs, numbers)
 
-    def fix_members(self) -> None:
+    def add_members(self) -> None:
         """Add the number of each member."""
-        self.fix("member", ("member",), np.arange(self.members), long_name="member of the ensemble")
+        self.add_fixed(
+            "member", ("member",), np.arange(self.members), long_name="member of the ensemble"
+        )
 
 
 def ends_of(run: States, times: np.ndarray) -> dict[str, np.ndarray]:
@@ -147,37 +151,37 @@ def ends_of(run: States, times: np.ndarray) -> dict[str, np.ndarray]:
 # --- of a scenario: `varied` is a `VariedScenario` -----------------------------------------------
 
 
-def arrays_of(varied: Any, values: Values) -> Arrays:
-    """Return all arrays of an ensemble: what is kept, the members' values, and coordinates."""
+def arrays_of(varied: Any, values: Values) -> StoredArrays:
+    """Return all arrays of an ensemble: summaries, the members' values, and coordinates."""
     scenario, times = varied.scenario, varied.times
     length, time = scenario.units.length, scenario.units.time
     rate, N, cycles = f"{time}-1", scenario.basis.N, len(times.starts) - 1
     sizes = {"cycle": cycles, "mark": len(times.marks), "axis": 2, "basis": N}
-    found = Arrays(len(next(iter(values.values()))), sizes | {"time": len(times.own)})
+    arrays = StoredArrays(len(next(iter(values.values()))), sizes | {"time": len(times.own)})
 
-    def keep(name: str, over: str, long_name: str, units: str) -> None:
-        found.keep(name, over.split(), long_name, units=units)
+    def add(name: str, dims: str, long_name: str, units: str) -> None:
+        arrays.add(name, dims.split(), long_name, units=units)
 
-    keep("clpe_rms", "cycle", "rms of the CLPE over a cycle", length)
-    keep("clpe_rms_whole", "", "rms of the CLPE over the whole run", length)
+    add("clpe_rms", "cycle", "rms of the CLPE over a cycle", length)
+    add("clpe_rms_whole", "", "rms of the CLPE over the whole run", length)
     if scenario.flow.parameters is not None:
         speed = f"{length} {rate}"
-        keep("flow_parameter_error", "mark", "largest error of a flow parameter", speed)
+        add("flow_parameter_error", "mark", "largest error of a flow parameter", speed)
     if not scenario.learning.row.at_fixes:
-        keep("gain_error", "mark", "largest error of a gain", rate)
-    for name, (long_name, power) in SPEEDS.items() if varied.asks else ():
-        keep(name, "", long_name, time if power else "1")
-    found.keep_ends(units=time)
+        add("gain_error", "mark", "largest error of a gain", rate)
+    for name, (long_name, is_time) in SPEEDS.items() if varied.needs_signals else ():
+        add(name, "", long_name, time if is_time else "1")
+    arrays.add_ends(units=time)
     for name in followed(varied):
         port, long_name, lengths, rates = VARIABLES[name]
-        over = "time axis basis" if port == "alpha" else "time axis"
-        keep(name, over, long_name, " ".join([length] * lengths + [rate] * rates))
+        dims = "time axis basis" if port == "alpha" else "time axis"
+        add(name, dims, long_name, " ".join([length] * lengths + [rate] * rates))
     for key, array in values.items():
-        named = QUANTITIES[key].axes if key in QUANTITIES else ""
-        dims = named.split() or ["axis", "basis"][: array.ndim - 1]
-        found.fix(key, ("member", *dims), array, long_name=f"{key}, which varies")
-    used = {dim for array in found.values() for dim in array.dims}
-    found.fix_members()
+        of_key = QUANTITIES[key].axes.split() if key in QUANTITIES else []
+        axes_of_key = of_key or ["axis", "basis"][: array.ndim - 1]
+        arrays.add_fixed(key, ("member", *axes_of_key), array, long_name=f"{key}, which varies")
+    used = {dim for array in arrays.values() for dim in array.dims}
+    arrays.add_members()
     axes: dict[str, tuple[np.ndarray, str, dict[str, Any]]] = {
         "cycle": (np.arange(1, cycles + 1), "round of the waypoints", {"length": scenario.cycle}),
         "mark": (times.all[times.marks], "time of an error", {"units": time}),
@@ -188,22 +192,22 @@ def arrays_of(varied: Any, values: Values) -> Arrays:
     }
     for dim, (numbers, long_name, attributes) in axes.items():
         if dim in used and numbers.size:
-            found.fix(dim, (dim,), numbers, long_name=long_name, **attributes)
-    return found
+            arrays.add_fixed(dim, (dim,), numbers, long_name=long_name, **attributes)
+    return arrays
 
 
 def followed(varied: Any) -> list[str]:
-    """Return the names of the states that are kept at the scenario's own samples."""
+    """Return the names of the states that are stored at the scenario's own samples."""
     row = varied.scenario.learning.row
-    none = {"alpha"} if row.alpha_is_constant else set()
-    none |= {"feedback_gain", "feedforward_gain"} if row.at_fixes else set()
-    return [name for name in TRAJECTORIES if varied.trajectories and name not in none]
+    absent = {"alpha"} if row.alpha_is_constant else set()
+    absent |= {"feedback_gain", "feedforward_gain"} if row.at_fixes else set()
+    return [name for name in TRAJECTORIES if varied.trajectories and name not in absent]
 
 
-def kept_of(
+def summarise_members(
     varied: Any, ensemble: Ensemble, members: Members, values: Values, run: States
 ) -> dict[str, np.ndarray]:
-    """Return what is kept of members; NaN after the end of one that failed."""
+    """Return the summaries of members; NaN after the end of one that failed."""
     scenario, times, y = varied.scenario, varied.times, run.states
     row, m, N = scenario.learning.row, len(run.states), scenario.basis.N
     at = {port: y[..., column] for port, column in varied.columns.items()}
@@ -217,7 +221,7 @@ def kept_of(
         squares += np.square(at["x"][:, fine, i] - at["z"][:, fine, i])
     spans = zip(times.starts[:-1], times.starts[1:], strict=True)
     means = [np.mean(squares[:, first:last], axis=1) for first, last in spans]
-    kept = {
+    summaries = {
         "clpe_rms": np.sqrt(np.array(means).reshape(-1, m).T),
         "clpe_rms_whole": np.sqrt(np.mean(squares, axis=1)),
     }
@@ -230,37 +234,37 @@ def kept_of(
             estimate = -at["alpha"][:, times.marks]
         error = np.abs(estimate - value("flow.parameters").reshape(-1, 1, 2 * N)).max(axis=2)
         alive = np.isfinite(y[:, times.marks, 0])
-        kept["flow_parameter_error"] = np.where(alive, error, np.nan)
+        summaries["flow_parameter_error"] = np.where(alive, error, np.nan)
     if not row.at_fixes:
         errors = [
             np.abs(at[port][:, times.marks] - value(f"vehicle.{key}").reshape(-1, 1, 2)).max(axis=2)
             for port, key in (("K", "feedback"), ("Gamma", "feedforward"))
         ]
-        kept["gain_error"] = np.maximum(*errors)
-    if varied.asks:
-        kept |= _speeds(varied, ensemble, members, values, run)
-    kept |= ends_of(run, times.all)
+        summaries["gain_error"] = np.maximum(*errors)
+    if varied.needs_signals:
+        summaries |= _speeds(varied, ensemble, members, values, run)
+    summaries |= ends_of(run, times.all)
     for name in followed(varied):
         own = at[VARIABLES[name][0]][:, times.own]
-        kept[name] = own.reshape(m, -1, 2, N) if name == "alpha" else own
-    return {name: np.ascontiguousarray(array) for name, array in kept.items()}
+        summaries[name] = own.reshape(m, -1, 2, N) if name == "alpha" else own
+    return {name: np.ascontiguousarray(array) for name, array in summaries.items()}
 
 
 def _speeds(
     varied: Any, ensemble: Ensemble, members: Members, values: Values, run: States
 ) -> dict[str, np.ndarray]:
-    """Return `SPEEDS` of members, at the samples that each reached, as `SpeedWatch` has them."""
-    found, times = np.full((len(run.states), len(SPEEDS)), np.nan), varied.every
+    """Return `SPEEDS` of members, by the samples that each reached."""
+    speeds, times = np.full((len(run.states), len(SPEEDS)), np.nan), varied.state_times
     limits = values.get("vehicle.max_speed", itertools.repeat(varied.scenario.vehicle.max_speed))
     every = [label for node in varied.wiring.nodes for label in node.system.output_labels]
     ports = ports_of(every)
-    for m, (row, limit) in enumerate(zip(found, limits, strict=False)):
+    for m, (row, limit) in enumerate(zip(speeds, limits, strict=False)):
         reached = int(run.reached[m])
         if reached < 2:
             continue
-        watch, signals = SpeedWatch(float(limit)), ensemble.signals(members, run, m, times)
-        watch.add(times[:reached], *(signals[:, ports[port]] for port in ("v_c", "flow_x")))
-        figures = watch.figures()
+        timer, signals = SpeedTimer(float(limit)), ensemble.signals(members, run, m, times)
+        timer.add(times[:reached], *(signals[:, ports[port]] for port in ("v_c", "flow_x")))
+        figures = timer.figures()
         faster = figures["faster_flow"] or {"share": 0.0, "longest": 0.0}
         row[:] = figures["share_at_limit"], faster["share"], faster["longest"]
-    return dict(zip(SPEEDS, found.T.copy(), strict=True))
+    return dict(zip(SPEEDS, speeds.T.copy(), strict=True))

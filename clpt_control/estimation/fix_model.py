@@ -58,7 +58,7 @@ from ..blocks.flow import flow_basis
 from ..equations.at_many import evaluate
 from ..errors import ScenarioError
 from ..geodesy import displacement
-from ..scenario.tides import SPEEDS, period
+from ..scenario.tidal_periods import SPEEDS, period
 from .dive import Dive, mid_time, miss, reckoned
 
 WIDTH = 20e3  # m, of a gaussian

@@ -47,7 +47,7 @@ from ..equations.block import Block
 from ..errors import DataError, ScenarioError
 from ..progress.interrupt import check
 from ..scenario.experiment import Scenario
-from ..scenario.tides import period
+from ..scenario.tidal_periods import period
 from .dive import Dive
 from .fix_model import SPACING, WIDTH, Priors, near
 from .segments import dive_segments, run_scenario, run_segments

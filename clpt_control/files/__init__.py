@@ -1,7 +1,7 @@
-"""Files: opened with one clear sentence, written whole or not at all.
+"""Files: written whole or not at all, and the user's cache.
 
-What is written goes beside its place first and is renamed there, so that an
-interrupt leaves the old file or none.
+A file is written beside its place first and renamed there, so that an interrupt leaves the old
+file or none.  `files.reading` opens files.
 """
 
 import glob
@@ -11,144 +11,58 @@ import re
 import secrets
 import shutil
 import stat
-import struct
 import sys
-import warnings
 import zlib
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import ExitStack, contextmanager
-from importlib.util import find_spec
-from math import inf
+from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, BinaryIO, Literal
+from typing import TYPE_CHECKING, Any
 
-from ..errors import ClptError, DataError, needed
+from ..errors import ClptError, DataError
 from ..progress.interrupt import check, folders, remove, unfinished
-from .reading import LARGEST, kind_of, opened, opened_name
+from .reading import OPENED, kind_of, netcdf_engine, opened, opened_name
 
 if TYPE_CHECKING:
     import xarray
     from matplotlib.figure import Figure
 
+CACHE = "CLPT_CONTROL_CACHE"  # environment variable that names another folder for it
 LONGEST_NAME, LONGEST_PATH = 200, 3000  # bytes, with room for what is written beside
 HERE = f"{zlib.crc32(platform.node().encode()):08x}"  # this machine
 PART = re.compile(rf"\..+\.{HERE}-(\d{{1,7}})-[0-9a-f]{{8}}\.part")  # of a process here
 
 
 @contextmanager
-def open_netcdf(path: str | Path, most: float = inf) -> "Iterator[xarray.Dataset]":
-    """Open a NetCDF file with xarray, or say in one sentence why not.
-
-    Times are left as numbers, and values are read when used: a damaged variable is a
-    `DataError` also there.  A small file may say that it holds much: of one that is read whole
-    all variables together are at most so many bytes.
-    """
-    import xarray
-
-    with opened(path, inf, "must be a NetCDF file") as file:
-        if not file.seekable():
-            raise DataError(f"{path}: is NetCDF through a pipe; save it as a file and give it")
-        _check_header(file, path)
-        name, engine = opened_name(file.fileno(), path), netcdf_engine()
-        try:
-            data = xarray.open_dataset(name, decode_times=False, engine=engine)
-        except Exception as error:  # a damaged file can raise anything
-            raise DataError(f"{path}: cannot be read as NetCDF: {_reason(error)}") from None
-        with data:
-            if data.nbytes > most:
-                raise DataError(
-                    f"{path}: holds {data.nbytes / 1e9:.3g} GB of numbers; at most "
-                    f"{most / 1e9:g} are read at once"
-                )
-            try:
-                yield data
-            except (OSError, RuntimeError) as error:
-                reason = _reason(error)
-                raise DataError(f"{path}: damaged: a variable cannot be read: {reason}") from None
-
-
-def netcdf_engine() -> Literal["netcdf4", "scipy"]:
-    """Return what reads and writes NetCDF: netCDF4, or without it SciPy, in classic files alone."""
-    return "netcdf4" if find_spec("netCDF4") else "scipy"
-
-
-def _reason(error: Exception) -> str:
-    words = str(getattr(error, "strerror", None) or error) or type(error).__name__
-    return words.splitlines()[0][:120]
-
-
-def _check_header(file: BinaryIO, path: str | Path) -> None:
-    """Refuse what the libraries take for whole, or never end with.
-
-    A classic file that was cut is filled with zeros.  A global heap of HDF5 is walked object by
-    object, for ever where a free one (number 0) has no size; larger files are not looked through.
-    """
-    start = file.read(4)
-    if start == b"CDF\x05":
-        raise DataError(
-            f"{path}: is classic NetCDF of 64-bit data, of which a part could be missing "
-            "unseen; `nccopy -k nc4 FILE NEW` writes it as NetCDF-4"
-        )
-    if start[:3] != b"CDF":
-        needed("netCDF4")
-        raw = file.read() if os.fstat(file.fileno()).st_size <= LARGEST else b""
-        for heap in re.finditer(rb"GCOL\x01\0{3}", raw):
-            _check_heap(raw, heap.end(), path)
-        return
-    from scipy.io import netcdf_file
-
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # of memory that is still mapped
-            netcdf_file(opened_name(file.fileno(), path), mmap=True).close()
-    except Exception:  # whatever a damaged header makes of itself
-        raise DataError(
-            f"{path}: damaged or cut short: it holds less than its NetCDF header says; "
-            "fetch it again"
-        ) from None
-
-
-def _check_heap(raw: bytes, at: int, path: str | Path) -> None:
-    """Refuse a global heap, from its size on, whose objects do not lead to its end."""
-    end, at = at - 8 + int.from_bytes(raw[at : at + 8], "little"), at + 8
-    while at + 16 <= min(end, len(raw)):
-        number, size = struct.unpack_from("<H6xQ", raw, at)
-        if not (number or size):
-            raise DataError(f"{path}: damaged: a heap of its HDF5 does not end; fetch it again")
-        at += 16 + -(-size // 8) * 8 if number else size
-
-
-@contextmanager
 def beside(path: str | Path, folder: bool = False) -> Iterator[Path]:
     """Make a hidden empty file, or folder, beside a place, and rename it there at the end.
 
-    It is ``.NAME.MACHINE-PROCESS-CHANCE.part``; it is gone where the work fails, and what a killed
-    process of this machine left goes with the next one.  It has the mode of the file that it
-    replaces, or a new file's by the umask; a link is followed.
+    Its name is ``.NAME.MACHINE-PROCESS-CHANCE.part``.  It is removed where the work fails; the next
+    one removes what a killed process of this machine left.  It has the mode of the file that it
+    replaces, or that of a new file by the umask; a link is followed.
     """
     place, mode = _place(path)
-    made = place.parent / f".{place.name}.{HERE}-{os.getpid()}-{secrets.token_hex(4)}.part"
+    part = place.parent / f".{place.name}.{HERE}-{os.getpid()}-{secrets.token_hex(4)}.part"
     try:
         for left in place.parent.glob(f".{glob.escape(place.name)}.{HERE}-*.part"):
             found = PART.fullmatch(left.name)
             if found and _is_dead(int(found[1])):
                 remove(left)
-        unfinished.add(made)
+        unfinished.add(part)
         if folder:
-            made.mkdir()
+            part.mkdir()
         else:
             new = 0o666 if mode is None else 0o600  # less what the umask takes
-            os.close(os.open(made, os.O_CREAT | os.O_EXCL | os.O_WRONLY, new))
-        yield made
+            os.close(os.open(part, os.O_CREAT | os.O_EXCL | os.O_WRONLY, new))
+        yield part
         check()  # an interrupt that was dropped may have changed what was written
         if mode is not None and not folder:
-            made.chmod(mode)
-        made.replace(place)
+            part.chmod(mode)
+        part.replace(place)
     except OSError as error:
         raise DataError(f"{path}: cannot be written: {error.strerror or error}") from None
     finally:
-        remove(made)
-        unfinished.discard(made)
+        remove(part)
+        unfinished.discard(part)
 
 
 def _place(path: str | Path) -> tuple[Path, int | None]:
@@ -196,25 +110,26 @@ def write_together(results: "Mapping[Path, str | bytes | xarray.Dataset | Figure
             _put(result, renamed.enter_context(beside(path)), Path(path))
 
 
-def _put(result: Any, made: Path, path: Path) -> None:
+def _put(result: Any, part: Path, path: Path) -> None:
     if isinstance(result, str | bytes):
-        made.write_bytes(result.encode() if isinstance(result, str) else result)
+        part.write_bytes(result.encode() if isinstance(result, str) else result)
         return
     if hasattr(result, "savefig"):
         from ..figures import save_figure
 
-        save_figure(result, made, path.suffix[1:].lower())
+        save_figure(result, part, path.suffix[1:].lower())
         return
-    engine, written = netcdf_engine(), {}
+    engine, encoding = netcdf_engine(), {}
     for name, values in result.variables.items():
-        written[name] = {"_FillValue": float("nan") if _has_nan(values) else None}
+        has_nan = values.dtype.kind == "f" and bool(values.isnull().any())
+        encoding[name] = {"_FillValue": float("nan") if has_nan else None}
         if engine == "netcdf4" and values.ndim and values.dtype.kind in "fiu":
-            written[name]["fletcher32"] = True  # a checksum, which reading asks
+            encoding[name]["fletcher32"] = True  # a checksum that the library asks when it reads
     try:
         with _no_cluster():
-            result.to_netcdf(made, engine=engine, encoding=written)
+            result.to_netcdf(part, engine=engine, encoding=encoding)
     except (RuntimeError, PermissionError, UnicodeError) as error:  # of a full disk, too
-        full = shutil.disk_usage(made.parent).free < 2**20
+        full = shutil.disk_usage(part.parent).free < 2**20
         reason = getattr(error, "strerror", None) or str(error)
         reason = "no space left" if full else f"{reason}; is there a limit on the size of files?"
         raise DataError(f"{path}: cannot be written: {reason}") from None
@@ -222,9 +137,9 @@ def _put(result: Any, made: Path, path: Path) -> None:
 
 @contextmanager
 def _no_cluster() -> Iterator[None]:
-    """Keep xarray from importing dask's cluster to see whether one writes too.
+    """Keep xarray from importing dask's cluster, to ask whether one writes too.
 
-    Where nobody has imported it, none does.
+    No cluster writes where nobody has imported it.
     """
     if "distributed" in sys.modules:
         yield
@@ -236,23 +151,9 @@ def _no_cluster() -> Iterator[None]:
         del sys.modules["distributed"]
 
 
-def _has_nan(values: "xarray.Variable") -> bool:
-    return values.dtype.kind == "f" and bool(values.isnull().any())
-
-
-def write_netcdf(data: "xarray.Dataset", path: str | Path) -> None:
-    """Write a dataset, whole or not at all."""
-    write_together({Path(path): data})
-
-
-def write_figure(figure: "Figure", path: str | Path) -> None:
-    """Write a figure, such as ``map.png``, whole or not at all."""
-    write_together({Path(path): figure})
-
-
-def write_text(path: str | Path, text: str) -> None:
-    """Write a text file, whole or not at all."""
-    write_together({Path(path): text})
+def write_file(path: str | Path, result: "str | bytes | xarray.Dataset | Figure") -> None:
+    """Write one file, whole or not at all."""
+    write_together({Path(path): result})
 
 
 def check_name(path: str | Path) -> None:
@@ -271,7 +172,7 @@ def check_name(path: str | Path) -> None:
 
 
 def make_folder(path: str | Path) -> Path:
-    """Make a folder for results, which a command removes if it stays empty; or say why not."""
+    """Make a folder for results; a command removes it if it stays empty."""
     path = Path(path)
     check_name(path)
     new = [folder for folder in (path, *path.parents) if not os.path.lexists(folder)]
@@ -288,7 +189,8 @@ def make_folder(path: str | Path) -> Path:
 def check_writable(path: str | Path, what: str = "", endings: Sequence[str] = ()) -> None:
     """Refuse, before work begins, a file that could not be written: no folder, or read-only.
 
-    One of some `endings` says what it is to be, such as "a figure".
+    Its name must have one of the `endings`, if there are any; `what` is what it is to be, such as
+    "a figure".
     """
     place, _ = _place(path)
     if place.is_dir():
@@ -298,3 +200,72 @@ def check_writable(path: str | Path, what: str = "", endings: Sequence[str] = ()
     if endings and Path(path).suffix.lower() not in endings:
         allowed = " or ".join(", ".join(endings).rsplit(", ", 1))
         raise DataError(f"{path}: {what}'s name must end in {allowed}")
+
+
+# --- the user's cache: compiled code, verdicts ---------------------------------------------------
+
+
+def cache_folder() -> Path | None:
+    """Return the cache's folder; make it if need be.
+
+    Return None where it cannot be written to, or another user could have put something there.
+    """
+    try:
+        folder = Path(os.environ.get(CACHE) or _usual() / "clpt-control")
+        folder.mkdir(parents=True, exist_ok=True, mode=0o700)
+        return folder if trusted(folder.stat()) and os.access(folder, os.W_OK) else None
+    except (OSError, RuntimeError):  # RuntimeError: a user without a home
+        return None
+
+
+def _usual() -> Path:
+    """Return the folder where a user's programs cache their files."""
+    if sys.platform == "win32":
+        return Path(os.environ.get("LOCALAPPDATA") or Path.home() / "AppData" / "Local")
+    caches = "Library/Caches" if sys.platform == "darwin" else ".cache"
+    named = os.environ.get("XDG_CACHE_HOME", "")
+    return Path(named) if Path(named).is_absolute() else Path.home() / caches
+
+
+def trusted(state: os.stat_result) -> bool:
+    """Return whether a folder or a file is the user's own and others may not write to it."""
+    if not hasattr(os, "getuid"):
+        return True  # Windows: the user's profile is closed to others
+    others = state.st_mode & (stat.S_IWGRP | stat.S_IWOTH)
+    return state.st_uid in (os.getuid(), 0) and not others
+
+
+@contextmanager
+def _through_folder(path: Path) -> Iterator[Path]:
+    """Yield a path to a file of the cache that begins at its opened folder, which is checked.
+
+    Others may rename its parents meanwhile: so the folder that is checked is the one that is used.
+    Where a system has no ``/proc``, `cache_folder` has checked it by its name.
+    """
+    if not os.path.isdir(OPENED):  # noqa: PTH112
+        yield path
+        return
+    folder = os.open(path.parent, os.O_RDONLY)
+    try:
+        if not trusted(os.fstat(folder)):
+            raise DataError(f"{path.parent}: others may write to it")
+        yield Path(opened_name(folder, path.parent), path.name)
+    finally:
+        os.close(folder)
+
+
+def read_cached(path: Path) -> bytes | None:
+    """Return what a file of the cache holds; None where it is not there, or not the user's own."""
+    with suppress(DataError, OSError), _through_folder(path) as safe, opened(safe) as file:
+        if trusted(os.fstat(file.fileno())):
+            return file.read()
+    return None
+
+
+def write_cached(path: Path, data: bytes) -> None:
+    """Write a file of the cache for the user alone; where that fails, go on without."""
+    with suppress(DataError, OSError), _through_folder(path) as safe:
+        safe.unlink(missing_ok=True)  # its mode may be another
+        with beside(safe) as part:
+            part.chmod(0o600)
+            part.write_bytes(data)

@@ -1,9 +1,9 @@
-"""The one way in: how every file is opened to be read, and read whole where it is text.
+"""How every file is opened to be read, and read whole where it is text.
 
-A file is opened once, without waiting, and asked through what was opened: it is a regular file of
+A file is opened once, without waiting, and checked through its descriptor: it is a regular file of
 bounded size, or a pipe that is already open (`/dev/stdin`, or a shell's `<(command)`).  All else is
-refused in a sentence.  A library that opens by name (NetCDF) gets a name of what was opened, where
-the system has one; Zarr's, which lists a folder itself, gets paths that open so.
+refused in a sentence.  A library that opens by name (NetCDF) gets a name of the descriptor, where
+the system has one; Zarr, which lists a folder itself, gets paths that are opened in this way.
 
 Text is UTF-8, with or without a byte order mark; a few stray bytes are let
 through, for they stand in comments and notes.
@@ -12,22 +12,28 @@ through, for they stand in comments and notes.
 import os
 import re
 import stat
+import struct
+import warnings
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
 from functools import partial
+from importlib.util import find_spec
 from math import inf
 from pathlib import Path
-from typing import Any, BinaryIO
+from typing import TYPE_CHECKING, Any, BinaryIO, Literal
 
 from ..errors import DataError, needed
 
+if TYPE_CHECKING:
+    import xarray
+
 STRAY = 0.05  # largest share of characters that are no UTF-8 text
 LARGEST = 2 * 10**8  # bytes of a file that is read whole
-OPEN = re.compile(r"/dev/stdin|(/dev|/proc/self)/fd/\d+")  # any other pipe may wait for ever
-OPENED = "/proc/self/fd"  # where what a process has opened has names again
+OPEN_PIPE = re.compile(r"/dev/stdin|(/dev|/proc/self)/fd/\d+")  # any other pipe may wait for ever
+OPENED = "/proc/self/fd"  # the folder in which a system names the descriptors of a process
 NETCDF = (b"CDF\x01", b"CDF\x02", b"CDF\x05", b"\x89HDF")  # first bytes
 UTF_16 = (b"\xff\xfe", b"\xfe\xff")  # its byte order marks
-NO_FILES = {  # what is none, by the first letter that `ls -l` shows
+NO_FILES = {  # what is no file, by the first letter that `ls -l` shows
     **{"d": "a folder", "p": "a pipe with a name", "l": "a link", "s": "a socket"},
     **dict.fromkeys("cb", "a device"),
 }
@@ -40,7 +46,7 @@ def opened(
     """Open a file of at most so many bytes; `hint` ends the sentence where there is none."""
     try:
         with open(path, "rb", opener=at_once) as file:
-            _ask(file, path, most)
+            _check(file, path, most)
             yield file
     except FileNotFoundError:
         raise DataError(f"{path}: no such file; {hint}") from None
@@ -50,24 +56,24 @@ def opened(
         raise DataError(f"{path}: cannot be read: {error.strerror or error}") from None
 
 
-def _ask(file: BinaryIO, path: str | Path, most: float) -> None:
-    """Refuse what was opened where it is no file, nor an open pipe, or is too large."""
-    found = os.fstat(file.fileno())
-    if stat.S_ISFIFO(found.st_mode) and OPEN.fullmatch(str(path)):
+def _check(file: BinaryIO, path: str | Path, most: float) -> None:
+    """Refuse what was opened where it is neither a file nor an open pipe, or is too large."""
+    state = os.fstat(file.fileno())
+    if stat.S_ISFIFO(state.st_mode) and OPEN_PIPE.fullmatch(str(path)):
         os.set_blocking(file.fileno(), True)
-    elif not stat.S_ISREG(found.st_mode):
-        raise DataError(f"{path}: is {kind_of(found.st_mode)}; give a file")
-    if found.st_size > most:
+    elif not stat.S_ISREG(state.st_mode):
+        raise DataError(f"{path}: is {kind_of(state.st_mode)}; give a file")
+    if state.st_size > most:
         raise DataError(_too_large(path, most))
 
 
 def at_once(name: str, flags: int, more: int = 0) -> int:
-    """Open as `open` asks, but do not wait for who writes into a pipe."""
+    """Open as the opener of `open`, but do not wait for a writer of a pipe."""
     return os.open(name, flags | more | getattr(os, "O_NONBLOCK", 0))
 
 
 def opened_name(number: int, path: str | Path) -> str:
-    """Return a name of what was opened, whatever its own means by now; its own elsewhere."""
+    """Return a name of a descriptor, whatever its path means by now; the path elsewhere."""
     return f"{OPENED}/{number}" if os.path.isdir(OPENED) else str(path)  # noqa: PTH112
 
 
@@ -81,9 +87,9 @@ def read_bytes(
     hint: str = "give the name of a file",
     most: int | None = None,
 ) -> bytes:
-    """Read a file or an open pipe, such as ``/dev/stdin``, once; `LARGEST` bytes where no `most`.
+    """Read a file or an open pipe, such as ``/dev/stdin``, once; `most` is `LARGEST` by default.
 
-    Of a file that begins with one of `other`, 4 bytes each, these are all that is read.
+    Of a file that begins with one of `other`, 4 bytes each, only these are read.
     """
     most = most or LARGEST
     with opened(path, inf if other else most, hint) as file:
@@ -96,16 +102,16 @@ def read_bytes(
 
 
 class _Inner(type(Path())):  # type: ignore[misc]
-    """A path within a folder, whose file is read by the one way in and is no link."""
+    """A path within a folder, whose file is no link and is checked when it is opened to read."""
 
     def open(self, mode: str = "r", *how: Any, **more: Any) -> Any:
-        """Open the file; to be read, it is asked."""
+        """Open the file; check it where it is to be read."""
         if mode != "rb":
             return super().open(mode, *how, **more)
         with ExitStack() as refused:
             opener = partial(at_once, more=getattr(os, "O_NOFOLLOW", 0))
             file = refused.enter_context(open(self, "rb", opener=opener))
-            _ask(file, self, inf)
+            _check(file, self, inf)
             refused.pop_all()
         return file
 
@@ -128,12 +134,12 @@ def zarr_store(folder: Path, read_only: bool = True) -> Any:
 
 
 def kind_of(mode: int) -> str:
-    """Return in words what a mode is that is no file's."""
+    """Return in words what has a mode that is no file's."""
     return NO_FILES.get(stat.filemode(mode)[0], "no file")
 
 
 def read_text(path: str | Path, no_text: str, most: int | None = None) -> str:
-    """Read a file that must be text; `no_text` is said, behind its name, where it is none."""
+    """Read a file that must be text; where it is none, the error is its name and `no_text`."""
     return text_of(read_bytes(path, most=most), path, no_text)
 
 
@@ -145,3 +151,89 @@ def text_of(raw: bytes, path: str | Path, no_text: str) -> str:
     if "\0" in text or text.count("\ufffd") > STRAY * len(text):
         raise DataError(f"{path}: {no_text}")
     return text
+
+
+# --- NetCDF --------------------------------------------------------------------------------------
+
+
+@contextmanager
+def open_netcdf(path: str | Path, most: float = inf) -> "Iterator[xarray.Dataset]":
+    """Open a NetCDF file with xarray, or raise one sentence that says why not.
+
+    Times stay numbers, and values are read when they are used: a damaged variable is a
+    `DataError` there too.  A small file may claim to hold much: all variables together are at most
+    so many bytes.
+    """
+    import xarray
+
+    with opened(path, inf, "must be a NetCDF file") as file:
+        if not file.seekable():
+            raise DataError(f"{path}: is NetCDF through a pipe; save it as a file and give it")
+        _check_header(file, path)
+        name, engine = opened_name(file.fileno(), path), netcdf_engine()
+        try:
+            data = xarray.open_dataset(name, decode_times=False, engine=engine)
+        except Exception as error:  # a damaged file can raise anything
+            raise DataError(f"{path}: cannot be read as NetCDF: {_reason(error)}") from None
+        with data:
+            if data.nbytes > most:
+                raise DataError(
+                    f"{path}: holds {data.nbytes / 1e9:.3g} GB of numbers; at most "
+                    f"{most / 1e9:g} are read at once"
+                )
+            try:
+                yield data
+            except (OSError, RuntimeError) as error:
+                reason = _reason(error)
+                raise DataError(f"{path}: damaged: a variable cannot be read: {reason}") from None
+
+
+def netcdf_engine() -> Literal["netcdf4", "scipy"]:
+    """Return the library for NetCDF: netCDF4, or without it SciPy, for classic files alone."""
+    return "netcdf4" if find_spec("netCDF4") else "scipy"
+
+
+def _reason(error: Exception) -> str:
+    words = str(getattr(error, "strerror", None) or error) or type(error).__name__
+    return words.splitlines()[0][:120]
+
+
+def _check_header(file: BinaryIO, path: str | Path) -> None:
+    """Refuse a damaged file that a library takes for whole, or never finishes to read.
+
+    SciPy fills a classic file that was cut with zeros.  HDF5 walks a global heap object by object,
+    for ever where a free one (number 0) has no size; files above `LARGEST` are not searched.
+    """
+    start = file.read(4)
+    if start == b"CDF\x05":
+        raise DataError(
+            f"{path}: is classic NetCDF of 64-bit data, of which a part could be missing "
+            "unseen; `nccopy -k nc4 FILE NEW` writes it as NetCDF-4"
+        )
+    if start[:3] != b"CDF":
+        needed("netCDF4")
+        raw = file.read() if os.fstat(file.fileno()).st_size <= LARGEST else b""
+        for heap in re.finditer(rb"GCOL\x01\0{3}", raw):
+            _check_heap(raw, heap.end(), path)
+        return
+    from scipy.io import netcdf_file
+
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of memory that is still mapped
+            netcdf_file(opened_name(file.fileno(), path), mmap=True).close()
+    except Exception:  # a damaged header can raise anything
+        raise DataError(
+            f"{path}: damaged or cut short: it holds less than its NetCDF header says; "
+            "fetch it again"
+        ) from None
+
+
+def _check_heap(raw: bytes, at: int, path: str | Path) -> None:
+    """Refuse a global heap, from its size on, whose objects do not lead to its end."""
+    end, at = at - 8 + int.from_bytes(raw[at : at + 8], "little"), at + 8
+    while at + 16 <= min(end, len(raw)):
+        number, size = struct.unpack_from("<H6xQ", raw, at)
+        if not (number or size):
+            raise DataError(f"{path}: damaged: a heap of its HDF5 does not end; fetch it again")
+        at += 16 + -(-size // 8) * 8 if number else size

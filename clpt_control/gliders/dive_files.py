@@ -34,8 +34,8 @@ from typing import Any
 from ..arguments import public
 from ..currents.text_table import other_marks, table_of
 from ..errors import DataError
-from ..files import open_netcdf, write_text
-from ..files.reading import NETCDF, read_bytes, text_of
+from ..files import write_file
+from ..files.reading import NETCDF, open_netcdf, read_bytes, text_of
 from ..geodesy import displacement
 from ..progress.interrupt import check
 from ..units import seconds_since_1970
@@ -239,7 +239,7 @@ def write_dive_table(dives: Iterable[Dive], path: str | Path, comment: str = "")
         )
         cells = ("" if value is None else repr(float(value)) for value in numbers)
         lines.append(",".join((str(dive.number), *cells)))
-    write_text(path, "\n".join(lines) + "\n")
+    write_file(path, "\n".join(lines) + "\n")
 
 
 def sample_dives() -> list[Dive]:

@@ -25,8 +25,7 @@ from typing import Any
 import llvmlite.binding as llvm
 import numpy as np
 
-from ..files import user_cache
-from ..files.user_cache import cache_folder
+from ..files import cache_folder, read_cached, write_cached
 from ..progress import note
 
 VARIABLE = "CLPT_CONTROL_PROCESSOR"
@@ -103,7 +102,7 @@ def cached_code(name: str) -> bytes | None:
     if folder is None:
         return None
     path = folder / f"{name}.o"
-    content = user_cache.kept(path)
+    content = read_cached(path)
     if content is None or content[:HASH] != hashlib.sha256(content[HASH:]).digest():
         return None
     with suppress(OSError):
@@ -116,7 +115,7 @@ def cache_code(name: str, code: bytes) -> None:
     folder = cache_folder()
     if folder is None:
         return
-    user_cache.keep(folder / f"{name}.o", hashlib.sha256(code).digest() + code)
+    write_cached(folder / f"{name}.o", hashlib.sha256(code).digest() + code)
     with suppress(OSError):
         family = name.rpartition("-")[0]
         files = [file for file in folder.glob("*.o") if file.stem.rpartition("-")[0] == family]

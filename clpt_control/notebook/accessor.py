@@ -19,7 +19,7 @@ from .. import ensemble, pages, replay, simulation, theory
 from ..arguments import check_holds, public
 from ..equations.declaration import ports_of
 from ..errors import DataError
-from ..files import beside, check_writable, write_text
+from ..files import beside, check_writable, write_file
 from ..html import facts, fragment
 from ..scenario.file import CHANGED, OWN_LAW, OWN_PARTS
 from ..simulation.plots import STATES, named, signals_of
@@ -110,7 +110,7 @@ class SignalTable:
         writer = csv.writer(text, lineterminator="\n")
         writer.writerow(self.columns)
         writer.writerows(self.values.tolist())
-        write_text(path, text.getvalue())
+        write_file(path, text.getvalue())
 
     def to_mat(self, path: str | Path) -> None:
         """Write a file for MATLAB: ``time``, a matrix for each port, ``units`` and ``signals``.

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any, Union
 from ..arguments import public
 from ..errors import ClptError, DataError
 from ..figures import checked_formats
-from ..files import check_writable, make_folder, open_netcdf, write_together
-from ..files.reading import NETCDF, read_bytes, text_of
+from ..files import check_writable, make_folder, write_together
+from ..files.reading import NETCDF, open_netcdf, read_bytes, text_of
 
 if TYPE_CHECKING:
     import xarray

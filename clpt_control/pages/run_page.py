@@ -12,7 +12,7 @@ from ..scenario.recorded_run import waypoints_of
 from ..scenario.team import Team
 from ..simulation.plots import STATES, named, response_plot, signals_of
 from ..simulation.report import claims
-from ..simulation.run_file import diagram_from, text_of
+from ..simulation.run_file import diagram_of_text, equations_text
 from .page import Card, Drawn, Page, Section, again_section, drawn
 from .pictures import (
     ONE_SAMPLE,
@@ -160,7 +160,7 @@ def _cards(numbers: dict[str, Any], scenario: Scenario) -> list[Card]:
 def _again(run: "xarray.Dataset", scenario: Scenario | None, paper: bool = False) -> Section:
     """Return how a run is made again: from its file's equations, from its scenario, or not."""
     given, commands = [what for name, what in GIVEN.items() if name in run.attrs], list[str]()
-    if (given or scenario is None) and text_of(run)[0]:
+    if (given or scenario is None) and equations_text(run)[0]:
         said = "The file holds the equations that ran, with inputs, start and method. Type:"
         commands = ["clpt run run.nc --out again.nc", "clpt report again.nc -o report.html"]
     elif given:
@@ -188,8 +188,8 @@ def _again(run: "xarray.Dataset", scenario: Scenario | None, paper: bool = False
 
 def diagram_page(run: "xarray.Dataset", title: str | None = None) -> Page:
     """Return the page of a diagram's run: its loop, its equations if short, each port over time."""
-    text, why = text_of(run)
-    diagram = diagram_from(text) if text else None
+    text, why = equations_text(run)
+    diagram = diagram_of_text(text) if text else None
     why = why or str(run.attrs.get(NOT_REPEATED, ""))
     signals, found, warnings = extent_of(run), response_result(run), _ended(run)
     cards = [

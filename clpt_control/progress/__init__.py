@@ -1,7 +1,7 @@
-"""How far work that lasts over two seconds has come, on standard error.
+"""The progress of work that lasts over two seconds, on standard error.
 
 A bar on a terminal, a plain line now and then elsewhere; a note on what happens once.
-What is told goes on where nobody hears it, and steers no terminal.
+A line that cannot be printed is dropped and the work goes on; control characters are escaped.
 """
 
 import os
@@ -16,7 +16,7 @@ from typing import TextIO
 
 PATIENCE = 2.0  # seconds before the bar appears
 LOG_EVERY = 10.0  # seconds between lines where there is no terminal
-STEERS = re.compile(  # a terminal: controls but tab and newline, marks that turn text around
+CONTROLS = re.compile(  # all but tab and newline, and marks that reverse the direction of text
     r"[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069]"
 )
 
@@ -25,28 +25,28 @@ STEERS = re.compile(  # a terminal: controls but tab and newline, marks that tur
 def progress_bar(what: str, total: float, counted: str = "") -> Iterator[Callable[[float], None]]:
     """Show percent and time left, or, where things are counted, how many a second.
 
-    Yield ``report(done)``, to be called as often as you like; its first call says what
-    was done before.
+    Yield ``report(done)``, to be called as often as you like; its first call tells how much
+    an earlier run had done.
 
     >>> with progress_bar("running", 10, "members") as report:
     ...     report(5)
     """
     start = time.monotonic()
     terminal = sys.stderr.isatty()
-    bar = task = before = None
-    shown = float("-inf")
+    bar = task = earlier = None
+    printed = float("-inf")
 
     def report(done: float) -> None:
-        nonlocal bar, task, shown, before
+        nonlocal bar, task, printed, earlier
         now = time.monotonic()
-        if before is None:
-            before = done
+        if earlier is None:
+            earlier = done
             if counted and done:
                 note(f"{what}: {done} of {total} {counted} were there already")
-        if now - start < PATIENCE or now - shown < (0.1 if terminal else LOG_EVERY):
+        if now - start < PATIENCE or now - printed < (0.1 if terminal else LOG_EVERY):
             return
-        shown = now
-        rate = (done - before) / (now - start)
+        printed = now
+        rate = (done - earlier) / (now - start)
         state = f"{done} of {total} {counted}" if counted else f"{100 * done / total:.0f} %"
         if rate > 0:
             state += f", {rate:.4g} a second" if counted else ""
@@ -62,7 +62,7 @@ def progress_bar(what: str, total: float, counted: str = "") -> Iterator[Callabl
             columns = (name, BarColumn(), TextColumn("{task.description}", markup=False))
             bar = Progress(*columns, console=Console(stderr=True), transient=True)
             bar.start()
-            task = bar.add_task(state, total=total, what=plain(what))
+            task = bar.add_task(state, total=total, what=escaped(what))
         bar.update(task, completed=done, description=state)
 
     try:
@@ -73,29 +73,29 @@ def progress_bar(what: str, total: float, counted: str = "") -> Iterator[Callabl
 
 
 def note(sentence: str) -> None:
-    """Print a line on standard error: why what follows takes longer than usual."""
+    """Print a sentence of clpt on standard error, such as why work takes longer than usual."""
     tell(f"clpt: {sentence}")
 
 
 def tell(line: str) -> None:
-    """Print a line on standard error; where that cannot be, go on without."""
+    """Print a line on standard error; drop it where that fails."""
     try:
-        print(plain(line), file=sys.stderr, flush=True)
+        print(escaped(line), file=sys.stderr, flush=True)
     except (OSError, ValueError):
-        let_go(sys.stderr)
+        discard(sys.stderr)
 
 
-def plain(text: str) -> str:
-    r"""Return text whose controls a terminal shows, and does not obey.
+def escaped(text: str) -> str:
+    r"""Return text with its control characters escaped, so that a terminal shows them.
 
-    >>> plain("a title\x1b[2J") == r"a title\x1b[2J"
+    >>> escaped("a title\x1b[2J") == r"a title\x1b[2J"
     True
     """
-    return STEERS.sub(lambda found: ascii(found[0])[1:-1], text)
+    return CONTROLS.sub(lambda found: ascii(found[0])[1:-1], text)
 
 
-def let_go(stream: TextIO) -> None:
-    """Drop what is left for a standard stream that takes no more."""
+def discard(stream: TextIO) -> None:
+    """Send the rest of a standard stream that takes no more to nowhere."""
     with suppress(OSError, ValueError):
         os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
 

@@ -3,9 +3,9 @@
 Python makes a KeyboardInterrupt of Ctrl-C, in the main thread, between two of its
 own instructions.  In a callback of compiled code that exception is dropped, in an
 import it may come out as an ImportError, and within one long call of compiled code it
-is not raised at all.  So the handler here also sets a flag; `check` looks at it in
-every loop that waits or runs long.  A thread is told by the system itself (POSIX) and
-ends a process that still lives some seconds later.
+is not raised at all.  So the handler here also sets a flag; every loop that waits
+or runs long calls `check`, which looks at it.  On POSIX the system also writes the signal
+into a pipe: a thread reads it and ends a process that still lives some seconds later.
 """
 
 import atexit
@@ -21,9 +21,9 @@ from pathlib import Path
 from types import FrameType
 from typing import Any, NoReturn
 
-from . import plain, tell
+from . import escaped, tell
 
-NOTHING = "nothing half-written was left"  # said of an interrupt, unless something was kept
+NOTHING = "nothing half-written was left"  # ends the sentence where there is no `resume_hint`
 PATIENCE = 3.0  # seconds that an interrupted process may take to end by itself
 SLICE = 0.5  # seconds of a wait between two looks at the flag
 SIGNALS = (signal.SIGINT, signal.SIGTERM)  # those that may interrupt
@@ -31,11 +31,11 @@ ANSWERED = b"\0"  # to the thread: the interrupt was dealt with
 
 unfinished: set[Path] = set()  # files being written, removed where the process is ended
 folders: list[Path] = []  # made for results, the outermost first; removed where they stay empty
-kept = ""  # what a part of the work left, and how to go on, for the sentence that ends it
+resume_hint = ""  # ends the sentence: what is stored by now, and how to go on
 
-_asked = False  # whether an interrupt waits for its answer
-_over = False  # whether the command has ended: an interrupt changes nothing any more
-_said = False  # whether the sentence was printed
+_pending = False  # whether an interrupt waits for its answer
+_ended = False  # whether the command has ended: an interrupt changes nothing any more
+_printed = False  # whether the sentence was printed
 _before: list[Any] = []  # the handler, hooks and descriptors to put back
 
 
@@ -44,9 +44,9 @@ def listen(before: Any = signal.default_int_handler) -> None:
 
     A process that was started with interrupts ignored goes on ignoring them.
     """
-    global _asked, _over, _said
-    _asked = _over = _said = False
-    keep("")
+    global _pending, _ended, _printed
+    _pending = _ended = _printed = False
+    set_resume_hint("")
     if _before or threading.current_thread() is not threading.main_thread():
         return
     handler = signal.getsignal(signal.SIGINT)
@@ -65,8 +65,8 @@ def listen(before: Any = signal.default_int_handler) -> None:
 
 def forget() -> None:
     """Put everything back, for a caller that goes on after a command."""
-    global _asked, _over
-    _asked = _over = False
+    global _pending, _ended
+    _pending = _ended = False
     if _before:
         handler, sys.excepthook, sys.unraisablehook, writer, descriptor = _before
         signal.signal(signal.SIGINT, handler)
@@ -77,14 +77,14 @@ def forget() -> None:
         _before.clear()
 
 
-def asked() -> bool:
+def pending() -> bool:
     """Whether an interrupt came and has no answer yet."""
-    return _asked
+    return _pending
 
 
 def check() -> None:
     """Raise a KeyboardInterrupt if an interrupt came; in any thread."""
-    if _asked and not _over:
+    if _pending and not _ended:
         raise KeyboardInterrupt
 
 
@@ -99,35 +99,35 @@ def wait(seconds: float) -> None:
 
 def answer() -> None:
     """Take the interrupt for the end of a wait, and go on."""
-    global _asked
-    _asked = False
+    global _pending
+    _pending = False
     if _before and _before[3] >= 0:
         os.write(_before[3], ANSWERED)
 
 
-def keep(sentence: str) -> None:
-    """Take a sentence on what is kept where the work ends here."""
-    global kept
-    kept = sentence
+def set_resume_hint(sentence: str) -> None:
+    """Set the sentence on what is stored by now, for work that ends here."""
+    global resume_hint
+    resume_hint = sentence
 
 
 def end() -> None:
     """End the command: an interrupt that comes now changes nothing any more."""
-    global _over
-    _over = True
+    global _ended
+    _ended = True
     _tidy()
 
 
 def say() -> None:
     """Print on standard error, once, that the process was interrupted."""
-    global _said
-    if not _said:
-        _said = True
+    global _printed
+    if not _printed:
+        _printed = True
         tell(_sentence())
 
 
 def _sentence() -> str:
-    return plain(f"clpt: interrupted; {kept or NOTHING}")
+    return escaped(f"clpt: interrupted; {resume_hint or NOTHING}")
 
 
 def _tidy() -> None:
@@ -150,13 +150,13 @@ def remove(path: Path) -> None:
 
 def leave() -> NoReturn:
     """End the process here and now, without half-written files."""
-    global _said
+    global _printed
     _tidy()
     with suppress(OSError):
         if os.isatty(2):
             os.write(2, b"\r\x1b[?25h")  # the cursor, which a bar hides
-        if not _said:
-            _said = True
+        if not _printed:
+            _printed = True
             os.write(2, f"{_sentence()}\n".encode(errors="backslashreplace"))
     os._exit(130)
 
@@ -175,14 +175,14 @@ def terminated() -> Iterator[None]:
 
 
 def _on_signal(number: int, frame: FrameType | None) -> None:
-    global _asked
-    first, _asked = not _asked, True
-    if first and not _over:
+    global _pending
+    first, _pending = not _pending, True
+    if first and not _ended:
         raise KeyboardInterrupt
 
 
 def _uncaught(kind: type[BaseException], error: BaseException, traceback: Any) -> None:
-    """End by an interrupt that nobody took."""
+    """End by an interrupt that nothing has caught."""
     if not issubclass(kind, KeyboardInterrupt):
         sys.__excepthook__(kind, error, traceback)
         return
@@ -191,19 +191,19 @@ def _uncaught(kind: type[BaseException], error: BaseException, traceback: Any) -
 
 
 def _dropped(problem: Any) -> None:
-    """Ignore the error of an interrupt that a callback dropped: the flag is set."""
-    if not (_asked and isinstance(problem.exc_value, KeyboardInterrupt)):
+    """Ignore the error where a callback dropped an interrupt: the flag is set."""
+    if not (_pending and isinstance(problem.exc_value, KeyboardInterrupt)):
         sys.__unraisablehook__(problem)
 
 
 def _last() -> None:
-    """End as was said, after all else that Python calls at its end.
+    """End with the status of an interrupt, after all else that Python calls at its end.
 
     Python would take back the handler next, and end by the signal where code that it
     ran from text, as that of a named tuple, had seen the interrupt.
     """
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    if _said:
+    if _printed:
         os._exit(130)
 
 

@@ -1,6 +1,6 @@
-"""Other processes of this one: asked and heard through pipes alone, silent, and ended with it.
+"""Worker processes: they speak through pipes alone, print nothing, and end with their parent.
 
-No socket is opened, so that nobody else can reach them.
+No socket is opened, so that no other program can reach them.
 """
 
 import gc
@@ -14,20 +14,20 @@ from contextlib import contextmanager
 from multiprocessing import active_children, get_context, parent_process, resource_tracker
 from typing import Any
 
-LEFT = "ignore:resource_tracker"  # what an interrupt ends leaves to multiprocessing, which tidies
+QUIET = "ignore:resource_tracker"  # no warning that multiprocessing tidies after an interrupt
 
 
 class Pool(ProcessPoolExecutor):
-    """Processes that do not hear Ctrl-C: the one that asks is told, and ends them."""
+    """Processes that ignore Ctrl-C: their parent takes it, and ends them."""
 
-    def submit(self, *work: Any, **given: Any) -> Future:
+    def submit(self, *work: Any, **named: Any) -> Future:
         """Submit a piece of work; a process that is started for it inherits what is blocked."""
         if not hasattr(signal, "pthread_sigmask"):
-            return super().submit(*work, **given)
+            return super().submit(*work, **named)
         resource_tracker.ensure_running()  # else it would unblock the signal
         before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
         try:
-            return super().submit(*work, **given)
+            return super().submit(*work, **named)
         finally:
             signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
@@ -35,8 +35,8 @@ class Pool(ProcessPoolExecutor):
 @contextmanager
 def processes(count: int) -> Iterator[Pool]:
     """Yield a pool of so many processes, which are killed at the end."""
-    if LEFT not in sys.warnoptions:
-        sys.warnoptions.append(LEFT)
+    if QUIET not in sys.warnoptions:
+        sys.warnoptions.append(QUIET)
     pool = Pool(count, get_context("spawn"), _begin)
     before = active_children()
     try:
@@ -56,7 +56,7 @@ def _begin() -> None:
 
 
 def _end() -> None:
-    asking = parent_process()
-    if asking is not None:
-        asking.join()
+    parent = parent_process()
+    if parent is not None:
+        parent.join()
     os._exit(0)  # also amid a piece of work

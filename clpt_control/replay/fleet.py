@@ -33,7 +33,7 @@ from typing import Any, NamedTuple
 from urllib.parse import quote
 
 from ..errors import DataError, ScenarioError
-from ..files import write_text
+from ..files import write_file
 from ..files.reading import read_text
 from ..html import document, paragraphs
 from ..progress import tell
@@ -220,7 +220,7 @@ class Alerts:
             why = self._run(said, json.dumps(told | {"next_dive": found["next_dive"]}))
             if not why:
                 self.told.append(key)
-                write_text(self.path, json.dumps(self.told))
+                write_file(self.path, json.dumps(self.told))
             elif why not in self.failed:
                 self.failed.add(why)
                 tell(f"--alert {shlex.join(self.command)}: {why}; is run again at the next look")

@@ -60,7 +60,7 @@ from ..currents.plane import LocalPlane
 from ..equations.block import Block
 from ..errors import ClptError, DataError
 from ..estimation.dive import reckoned
-from ..files import open_netcdf
+from ..files.reading import open_netcdf
 from ..gliders.dives import Dive
 from ..units import METRES, SECONDS, seconds_since_1970
 

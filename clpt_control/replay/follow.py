@@ -22,7 +22,7 @@ import numpy as np
 import pydantic
 
 from ..errors import DataError, needed
-from ..files import check_name, make_folder, write_text
+from ..files import check_name, make_folder, write_file
 from ..files.reading import at_once, read_bytes
 from ..gliders.dive_files import alike, may_hold_dives, read_dive_file
 from ..gliders.dives import Dive, NotYet, Skipped, before_each, in_order, is_segment
@@ -111,7 +111,7 @@ class Follower:
                 continue
             text = record.model_dump_json()
             if known is None or text != known.model_dump_json():  # as text, NaN is NaN
-                write_text(self._kept(name), text)
+                write_file(self._kept(name), text)
                 self.files[name] = record
                 new.append(name)
         self.here = here

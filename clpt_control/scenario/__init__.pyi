@@ -1,7 +1,7 @@
 from .experiment import Scenario
 from .file import load_scenario, paper_scenario, save_scenario
 from .team import Team, load_team
-from .tides import period
+from .tidal_periods import period
 
 __all__ = [
     "Scenario",

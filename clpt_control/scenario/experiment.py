@@ -1,8 +1,8 @@
 """One experiment, typed and checked.
 
-A scenario says what flows, what swims, what learns and how long; it is the
-same thing as a TOML file, in the file's own units of length and time.  Nothing
-in here integrates: `simulation.closed_loop` makes blocks of it.
+A scenario describes the flow, the vehicle, the learner and the run, as a TOML file does, in the
+file's own units of length and time.  Nothing here integrates: `simulation.closed_loop` makes blocks
+of it.
 """
 
 import os
@@ -20,8 +20,8 @@ from ..blocks.laws.table import LAWS
 from ..equations.block import Block
 from ..equations.sampled import Sampled
 from ..errors import ScenarioError
+from .display import scenario_html, scenario_line
 from .learning import Learning
-from .shown import scenario_html, scenario_line
 from .tables import (
     Basis,
     Circle,
@@ -35,12 +35,12 @@ from .tables import (
     Vehicle,
     Waypoints,
 )
-from .tides import period
+from .tidal_periods import period
 
 MOST_JUMPS = 10**7  # of one block in a run
 MOST_BYTES = 4 * 10**9  # of memory that a run may take
-FINE = 2000  # samples that a run holds beside its own
-NUMBERS = 110, 24  # that it holds for each, and more for each function: measured, twice at most
+FINE = 2000  # samples of a run beside its own
+NUMBERS = 110, 24  # of a sample, and of a sample for each function: measured, twice at most
 AT_FIXES = " or ".join(law.name for law in LAWS.values() if law.at_fixes)
 
 
@@ -88,21 +88,21 @@ class Scenario(Table):
                 f"learning.hedging = {str(self.learning.hedging).lower()}: is allowed only with "
                 "vehicle.max_speed, which it tells the learner of; remove the key or give the limit"
             )
-        row, seen = self.learning.row, self.localization
-        if row.at_fixes and (seen is None or seen.interval == 0):
+        row, fixes = self.learning.row, self.localization
+        if row.at_fixes and (fixes is None or fixes.interval == 0):
             yield (
                 f'learning.law = "{row.name}": learns at fixes; give localization.interval, the '
                 "time from one fix to the next, above 0"
             )
-        if seen is not None and seen.interval > 0 and not row.at_fixes:
+        if fixes is not None and fixes.interval > 0 and not row.at_fixes:
             yield (
-                f'localization.interval = {seen.interval}: law = "{row.name}" reads the position '
+                f'localization.interval = {fixes.interval}: law = "{row.name}" reads the position '
                 f'at all times; take learning.law = "{AT_FIXES}", or interval = 0'
             )
-        if seen is not None and seen.interval + seen.latency > self.run.duration:
-            late = f" and latency = {seen.latency}" if seen.latency else ""
+        if fixes is not None and fixes.interval + fixes.latency > self.run.duration:
+            late = f" and latency = {fixes.latency}" if fixes.latency else ""
             yield (
-                f"localization.interval = {seen.interval}{late}: no fix arrives within "
+                f"localization.interval = {fixes.interval}{late}: no fix arrives within "
                 f"run.duration, {self.run.duration}; must be at most that"
             )
         disturbance = self.flow.disturbance
@@ -116,8 +116,8 @@ class Scenario(Table):
                     f"learning.sample = {self.learning.sample}: the law runs at no time after t = "
                     f"0; must be at most run.duration, {self.run.duration}"
                 )
-        if seen is not None:
-            spans |= seen.spans
+        if fixes is not None:
+            spans |= fixes.spans
         N, samples = self.basis.N, self.run.duration / self.run.output_step
         size = 8 * (NUMBERS[0] + NUMBERS[1] * N) * (samples + FINE)
         if size > MOST_BYTES:
@@ -187,20 +187,20 @@ class Scenario(Table):
 
     @property
     def learning_parameters(self) -> TwoRows:
-        """alpha(0); a law that is given the flow keeps alpha_M."""
+        """alpha(0); alpha_M with a law that holds alpha."""
         if self.learning.row.alpha_is_constant:
             return self.model_parameters
         return self.learning.parameters or ((0.0,) * self.basis.N,) * 2
 
     @property
     def hedged(self) -> bool:
-        """Whether the learner is told what the vehicle could not fly."""
-        tells = self.learning.hedging is not False and not self.learning.row.at_fixes
-        return self.vehicle.max_speed is not None and tells
+        """Whether the learner knows what of its command the speed limit took away."""
+        knows = self.learning.hedging is not False and not self.learning.row.at_fixes
+        return self.vehicle.max_speed is not None and knows
 
     @property
     def known_to_law(self) -> Known:
-        """What the law may know of the experiment."""
+        """What the law knows of the experiment."""
         return Known(
             self.basis.N,
             self.learning.used_gains,
@@ -237,9 +237,9 @@ class Scenario(Table):
         >>> clpt.paper_scenario().basis_block("z").output_ports
         {'phi_z': 3}
         """
-        own = self.basis
-        functions = (own.centers, own.widths, self.frequencies, self.phases)
-        return flow_basis(f"basis_{position}", position, own.kernel, *functions)
+        basis = self.basis
+        functions = (basis.centers, basis.widths, self.frequencies, self.phases)
+        return flow_basis(f"basis_{position}", position, basis.kernel, *functions)
 
     @property
     def law_block(self) -> Block:
@@ -263,7 +263,7 @@ class Scenario(Table):
 
     @property
     def field_path(self) -> Path | None:
-        """Where the gridded field lies; None where theta is the truth."""
+        """The file of the gridded field; None where theta is the truth."""
         return None if self.flow.field is None else self._folder / self.flow.field
 
     @public
@@ -309,13 +309,13 @@ class Scenario(Table):
 
 
 def checked_scenario(tables: dict[str, Any], name: str, folder: Path | None = Path()) -> Scenario:
-    """Make a scenario of nested dicts; `name` begins each error.
+    """Return a scenario of nested dicts; `name` begins each error.
 
-    Its files are looked for in the `folder`, or not at all.
+    Its files must lie in the `folder`; with None they are not looked for.
     """
     return Scenario.model_validate(tables, context={"name": name, "folder": folder})
 
 
 def scenario_tables(scenario: Scenario) -> dict[str, Any]:
-    """Return a scenario as nested dicts, with the keys it was given."""
+    """Return a scenario as nested dicts of the keys that were set."""
     return scenario.model_dump(mode="python", exclude_none=True, exclude_unset=True)

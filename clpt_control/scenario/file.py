@@ -16,20 +16,20 @@ from typing import Any
 
 from ..arguments import public
 from ..errors import DataError, ScenarioError
-from ..files import open_netcdf, write_text
-from ..files.reading import read_bytes
+from ..files import write_file
+from ..files.reading import open_netcdf, read_bytes
 from .experiment import Scenario, checked_scenario, scenario_tables
 
 CHANGED = "parameters_changed"  # attribute of a run: parameters that no key holds
 TEAM = "team"  # attribute of a team's run, in place of its scenario: the team as TOML text
 OWN_LAW = "own_law"  # attribute of a run: the name of a law given in Python
 OWN_PARTS = "own_parts"  # attribute of a run: what else of its diagram was given in Python
-REFERENCE = "reference"  # the part, in these words, that makes the waypoints
+REFERENCE = "reference"  # name of the part that makes the waypoints
 EQUATIONS = "equations"  # attribute of a diagram's run: what repeats it, as JSON
-NOT_REPEATED = "not_repeated"  # and why it has none
-FORM = "run_format"  # attribute of a run's file: the form in which it is written; none is 1
+NOT_REPEATED = "not_repeated"  # attribute of a diagram's run: why it has no equations
+FORM = "run_format"  # attribute of a run's file: the number of its format; 1 where it has none
 LARGEST = 2 * 10**7  # bytes of a scenario; TOML takes some seconds to read them
-LATEST = 1  # form that is written; all up to it are read
+LATEST = 1  # format that is written; all up to it are read
 
 
 @public
@@ -77,7 +77,7 @@ def read_text(path: Path) -> str:
 
 
 def scenario_from_text(text: str, name: str, folder: Path | None) -> Scenario:
-    """Read a scenario of TOML text; `name` begins each error, `folder` holds its files, if any."""
+    """Read a scenario from TOML text; `name` begins each error, `folder` has its files."""
     tables = tables_of(text, name)
     if "team" in tables:
         raise ScenarioError(
@@ -101,14 +101,14 @@ def tables_of(text: str, name: str) -> dict[str, Any]:
 
 def folder_of(run: Any) -> Path:
     """Return the folder to which a field in a run's attributes is relative."""
-    known = run.encoding
-    return Path(known.get("folder") or Path(str(known.get("source", ""))).parent)
+    source = str(run.encoding.get("source", ""))
+    return Path(run.encoding.get("folder") or Path(source).parent)
 
 
 def scenario_of_run(run: Any, files: bool = True) -> Scenario:
     """Return the scenario that a run, or an ensemble, carries in its attributes.
 
-    `files` is whether its field must be there.
+    With `files` the file of its field must exist.
     """
     if not hasattr(run, "attrs"):
         raise DataError(
@@ -122,12 +122,12 @@ def scenario_of_run(run: Any, files: bool = True) -> Scenario:
 
 
 def scenario_to_text(scenario: Scenario, folder: Path | None = None) -> str:
-    """Return a scenario as TOML text to lie in `folder`, to which a relative field is turned."""
+    """Return a scenario as TOML text; its field's path is relative to `folder`, if given."""
     return toml(placed_tables(scenario, folder))
 
 
 def placed_tables(scenario: Scenario, folder: Path | None) -> dict[str, Any]:
-    """Return a scenario as nested dicts, a relative field turned to `folder`."""
+    """Return a scenario as nested dicts; its field's path is relative to `folder`, if given."""
     tables = scenario_tables(scenario)
     if folder is not None and scenario.field_path is not None:
         relative = os.path.relpath(scenario.field_path.resolve(), Path(folder).resolve())
@@ -136,7 +136,7 @@ def placed_tables(scenario: Scenario, folder: Path | None) -> dict[str, Any]:
 
 
 def toml(tables: dict[str, Any], name: str = "") -> str:
-    """Return nested dicts as TOML text; `name` ends with a point where they are no whole file."""
+    """Return nested dicts as TOML text; `name` is "" or that of the outer table, with its dot."""
     values = "".join(
         f"{_key(key)} = {_value(value)}\n"
         for key, value in tables.items()
@@ -189,7 +189,7 @@ def save_scenario(scenario: Scenario, path: str | Path) -> None:
     >>> clpt.save_scenario(clpt.paper_scenario(), file)
     """
     path = Path(path)
-    write_text(path, scenario_to_text(scenario, path.parent))
+    write_file(path, scenario_to_text(scenario, path.parent))
 
 
 def run_text(path: str | Path) -> str:
@@ -218,18 +218,18 @@ def run_text(path: str | Path) -> str:
         ):
             if name not in data.attrs:
                 continue
-            said = f"{path}: was run with {what}, {data.attrs[name]}, so "
+            ran = f"{path}: was run with {what}, {data.attrs[name]}, so "
             if EQUATIONS in data.attrs:
                 raise DataError(
-                    f"{said}its scenario alone does not repeat it; clpt.load_diagram reads the "
+                    f"{ran}its scenario alone does not repeat it; clpt.load_diagram reads the "
                     "whole loop, which does"
                 )
-            raise DataError(f"{said}it cannot be repeated; give the scenario itself, and {cure}")
+            raise DataError(f"{ran}it cannot be repeated; give the scenario itself, and {cure}")
         return str(data.attrs.get(TEAM, data.attrs.get("scenario")))
 
 
 def check_form(attributes: Mapping[str, Any], path: str | Path) -> None:
-    """Refuse a run's file that a later version wrote in a form unknown to this one."""
+    """Refuse a run's file that a later version wrote in a format unknown to this one."""
     form = str(attributes.get(FORM, LATEST))
     if form not in map(str, range(1, LATEST + 1)):
         writer = attributes.get("source", "what is not said")
@@ -240,7 +240,7 @@ def check_form(attributes: Mapping[str, Any], path: str | Path) -> None:
 
 
 def own_parts(attributes: Mapping[str, Any]) -> set[str]:
-    """Return the names of the parts in whose places a run's attributes say that others stand."""
+    """Return the names of the parts that a run's attributes list as given in Python."""
     parts = str(attributes.get(OWN_PARTS, "")).split(", ")
     return {part.partition(":")[0] for part in parts}
 

@@ -30,7 +30,7 @@ KINDS: dict[str, Any] = {  # what a law's setting may be
 
 
 class LearningGains(Table):
-    """A gain each for alpha, K and Gamma; what is left out is not adapted by the law."""
+    """A gain each for alpha, K and Gamma; the law does not adapt what is left out."""
 
     parameters: Positive | None = None
     feedback: Positive | None = None
@@ -87,15 +87,15 @@ class Learning(OwnTables):
     @property
     def settings(self) -> dict[str, Any]:
         """Every key of the law's own table, its value or default."""
-        given = getattr(self, self.row.table, None)
+        table = getattr(self, self.row.table, None)
         return {
-            key: one.default if given is None else getattr(given, key)
+            key: one.default if table is None else getattr(table, key)
             for key, one in self.row.settings.items()
         }
 
     @property
     def used_gains(self) -> Gains:
-        """The gains with which alpha, K and Gamma adapt; 0 where they are held."""
+        """The gains with which alpha, K and Gamma adapt; 0 where one is held."""
         one = (self.row.gain or 0.0) if self.gain is None else self.gain
         alpha, K, Gamma = (
             getattr(self.gains, key, one) or 0.0 for key in LearningGains.model_fields
@@ -148,10 +148,10 @@ class Learning(OwnTables):
                 yield f'learning.gain: is required by law = "{self.law}"'
         else:
             for key in LearningGains.model_fields:
-                given = getattr(self.gains, key) is not None
-                if key in needed and not given:
+                is_set = getattr(self.gains, key) is not None
+                if key in needed and not is_set:
                     yield f"learning.gains.{key}: is required; or give one gain for all"
-                if given and key not in needed:
+                if is_set and key not in needed:
                     why = "alpha does not adapt by it" if key == "parameters" else "it is held"
                     yield f"learning.gains.{key}: {why} here; remove the key"
         for key in ("feedback", "feedforward"):

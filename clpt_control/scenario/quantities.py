@@ -1,7 +1,8 @@
-"""The quantities of a scenario: under which names each is held, from the file to the blocks.
+"""The quantities of a scenario and their names, from the file to the blocks.
 
-A key such as ``learning.gain`` is its name in a scenario; ``adaptation.gain`` is one at call time,
-in ``simulate(params=...)``; a law knows it as ``gains.parameters``; the paper writes gamma.
+In a scenario a quantity has a key, such as ``learning.gain``.  At call time, in
+``simulate(params=...)``, it is ``adaptation.gain``; a law knows it as ``gains.parameters``; the
+paper writes gamma.
 """
 
 from collections.abc import Collection
@@ -13,12 +14,12 @@ from ..blocks.laws.law import Fixes, Gains, Setting
 class Quantity(NamedTuple):
     """The names of one quantity, separated by spaces, beside its key."""
 
-    held: str = ""  # parameters of blocks that hold its value as it is
-    known: str = ""  # what a law knows that is made of it
+    parameters: str = ""  # of blocks, that have its value as it is
+    known: str = ""  # what a law knows of it, by the names of `Known`
     symbol: str = ""  # in the paper, of the parameters
-    state: str = ""  # the state that starts there
+    state: str = ""  # the state whose initial value it is
     axes: str = ""  # dimensions of an array of several axes or functions
-    jumps: bool = False  # whether it moves breakpoints
+    jumps: bool = False  # whether breakpoints move with it
 
 
 QUANTITIES = {
@@ -71,24 +72,24 @@ QUANTITIES = {
     "learning.feedback": Quantity(state="K"),
     "learning.feedforward": Quantity(state="Gamma"),
 }
-CALL_TIME_NAMES = {key: one.held.split() for key, one in QUANTITIES.items() if one.held}
+CALL_TIME_NAMES = {key: q.parameters.split() for key, q in QUANTITIES.items() if q.parameters}
 STARTS = {key: one.state for key, one in QUANTITIES.items() if one.state}  # as states are ordered
 
 
-# --- what holds a key's value -------------------------------------------------------------------
+# --- which parameters have a key's value ---------------------------------------------------------
 
 
-def names_held(scenario: Any, known: Collection[str]) -> dict[str, list[str]]:
-    """Return which parameters of a scenario's blocks, of those known, hold each key's value."""
-    made = made_of(scenario)  # held elsewhere too
+def parameters_of_keys(scenario: Any, known: Collection[str]) -> dict[str, list[str]]:
+    """Return by key which parameters of blocks, of those known, have its value and nothing else."""
+    elsewhere = keys_of_law(scenario)
     return {
-        key: [name for name in _names(scenario, key) if name in known and key not in made]
+        key: [name for name in _parameters(scenario, key) if name in known and key not in elsewhere]
         for key in CALL_TIME_NAMES
     }
 
 
-def _names(scenario: Any, key: str) -> list[str]:
-    """Return which parameters hold a key's value in this scenario, whatever else is made of it."""
+def _parameters(scenario: Any, key: str) -> list[str]:
+    """Return which parameters have a key's value in this scenario, whatever a law makes of it."""
     names, learning = CALL_TIME_NAMES.get(key, []), scenario.learning
     if key == "learning.gain" and not learning.adapt_gains:
         names = names[:1]  # the others are 0
@@ -100,17 +101,17 @@ def _names(scenario: Any, key: str) -> list[str]:
 
 
 def keys_of(scenario: Any, name: str) -> list[str]:
-    """Return the keys of a scenario whose value a call-time name holds."""
-    return [key for key in CALL_TIME_NAMES if name in _names(scenario, key)]
+    """Return the keys of a scenario whose value is that of a call-time name."""
+    return [key for key in CALL_TIME_NAMES if name in _parameters(scenario, key)]
 
 
-def key_of(name: str) -> str:
+def key_hint(name: str) -> str:
     """Return what to write in a scenario in place of a call-time name, or nothing."""
-    key = " or ".join(key for key, held in CALL_TIME_NAMES.items() if name in held)
+    key = " or ".join(key for key, names in CALL_TIME_NAMES.items() if name in names)
     return f"{name} is the name at call time, in params; the scenario's key is {key}" if key else ""
 
 
-def call_time_name_of(key: str, known: set[str]) -> str:
+def call_time_hint(key: str, known: set[str]) -> str:
     """Return what to write at call time in place of a scenario's key, or nothing.
 
     `known` are the parameters of the diagram that is called.
@@ -128,10 +129,10 @@ def call_time_name_of(key: str, known: set[str]) -> str:
 
 
 class Noting:
-    """What is known, noting the names of what is asked for."""
+    """A `Known` that notes the names of the attributes that are read."""
 
-    def __init__(self, known: Any, asked: set[str], within: str = "") -> None:
-        self._known, self._asked, self._within = known, asked, within
+    def __init__(self, known: Any, names: set[str], prefix: str = "") -> None:
+        self._known, self._names, self._prefix = known, names, prefix
 
     def __getattr__(self, name: str) -> Any:
         own = getattr(type(self._known), name)
@@ -139,21 +140,21 @@ class Noting:
             return own.__get__(self)
         value = getattr(self._known, name)
         if isinstance(value, Gains | Fixes):
-            return Noting(value, self._asked, f"{name}.")
-        self._asked.add(self._within + name)
+            return Noting(value, self._names, f"{name}.")
+        self._names.add(self._prefix + name)
         return value
 
 
-def made_of(scenario: Any) -> set[str]:
-    """Return the keys that the law holds in another form, beside its own and as they are."""
-    row, known, asked = scenario.learning.row, scenario.known_to_law, set[str]()
-    noting, p = Noting(known, asked), row.parameters_of(known)
-    for name, made in {**row.keys, **row.parameters}.items():
-        if isinstance(made, Setting):
-            made.of(noting, name)  # type: ignore[arg-type]
-        elif callable(made):
-            made(noting)
+def keys_of_law(scenario: Any) -> set[str]:
+    """Return the keys from whose values the law makes its parameters and its start."""
+    row, known, names = scenario.learning.row, scenario.known_to_law, set[str]()
+    noting, p = Noting(known, names), row.parameters_of(known)
+    for name, value in {**row.keys, **row.parameters}.items():
+        if isinstance(value, Setting):
+            value.of(noting, name)  # type: ignore[arg-type]
+        elif callable(value):
+            value(noting)
     for state in row.states.values():
         if callable(state.start):
             state.start(noting, p)
-    return {key for key, one in QUANTITIES.items() if asked & set(one.known.split())}
+    return {key for key, one in QUANTITIES.items() if names & set(one.known.split())}

@@ -1,6 +1,6 @@
-"""A recorded run, checked once: what is reported, filmed, estimated and measured.
+"""The check of a recorded run, before it is reported, filmed, estimated from or measured.
 
-A run comes from a file, which may be damaged, or from a user's hands, which may have changed it.
+A run comes from a file, which may be damaged, or from a user, who may have changed it.
 """
 
 from typing import TYPE_CHECKING
@@ -36,8 +36,8 @@ DIMS = {  # variable of a run -> its dimensions, after those of a team
 }
 SHARED = ("time", "flow_parameters", "lyapunov")  # by the vehicles of a team
 TEXTS = ("title", "source", "software", "status", "message", "engine", "method")  # attributes
-LARGEST = 1e75  # a number whose fourth power can be held
-MOST_WAYPOINTS = 1e6  # to which a run goes, unless its scenario says more
+LARGEST = 1e75  # number whose fourth power is finite
+MOST_WAYPOINTS = 1e6  # of a run, unless its scenario has more
 
 
 def waypoints_of(run: "xarray.Dataset", scenario: Scenario) -> np.ndarray:
@@ -59,10 +59,10 @@ def check_response(run: "xarray.Dataset") -> None:
     if times is None or times.dims != ("time",) or not times.size:
         raise DataError("the run has no sample along time; clpt.simulate makes runs")
     for name, one in run.variables.items():
-        told = name == "state" or (
+        finite = name == "state" or (
             one.dtype.kind in "iuf" and np.all(np.abs(one.values) <= LARGEST)
         )
-        if not told or (name in run.data_vars and "time" not in one.dims):
+        if not finite or (name in run.data_vars and "time" not in one.dims):
             raise DataError(
                 f"the run's {name!s:.40} holds no finite numbers along time, or one beyond "
                 f"{LARGEST:g}; run it again"
@@ -85,27 +85,28 @@ def check_texts(run: "xarray.Dataset") -> None:
 
 
 def check_run(run: "xarray.Dataset", system: Scenario | Team, *names: str) -> None:
-    """Refuse a dataset that is no whole run of a system, or whose `names` have no finite numbers.
+    """Refuse a dataset that is no whole run of a system, or whose `names` hold no finite numbers.
 
-    All variables of `DIMS` hold numbers over their dimensions, times increase, and there is a
-    sample.
+    All variables of `DIMS` must be numbers over their dimensions, times must increase, and there
+    must be a sample.
     """
-    team = isinstance(system, Team)
+    team = system if isinstance(system, Team) else None
     first = system.first if isinstance(system, Team) else system
     sizes = {"axis": 2, "basis": first.basis.N}
-    if isinstance(system, Team):
-        sizes["vehicle"] = len(system.members)
-        if "vehicle" not in run or list(run.vehicle.values) != list(system.members):
-            raise DataError(f"the run's vehicles are not {', '.join(system.members)}, its team's")
+    if team is not None:
+        sizes["vehicle"] = len(team.members)
+        if "vehicle" not in run or list(run.vehicle.values) != list(team.members):
+            raise DataError(f"the run's vehicles are not {', '.join(team.members)}, its team's")
     check_texts(run)
-    for name, own in DIMS.items():
-        dims = ("vehicle", *own) if team and name not in SHARED else own
-        if name in names and name not in run.variables:
+    for name, dims in DIMS.items():
+        if team and name not in SHARED:
+            dims = ("vehicle", *dims)
+        if name not in run.variables:
+            if name not in names:
+                continue
             raise DataError(
                 f"the run has no {name} over {', '.join(dims)}; clpt.simulate(scenario) makes runs"
             )
-        if name not in run.variables:
-            continue
         one = run[name]
         if one.dims != dims or any(one.sizes[k] != n for k, n in sizes.items() if k in dims):
             shape = ", ".join(f"{dim} {size}" for dim, size in one.sizes.items()) or "a number"

@@ -1,8 +1,8 @@
 """The tables of a scenario, each typed and checked; a mistake is one sentence.
 
-Numbers are finite (only a period may be infinite) and shapes fit; what one
-table needs of another is checked in `experiment`.  A sentence has key, value, what is allowed;
-pydantic finds mistakes, and every way to make a table, by call or from nested dicts, ends there.
+Numbers are finite (only a period may be infinite) and shapes fit; `experiment` checks what one
+table needs of another.  A sentence has the key, the value and what is allowed.  Pydantic finds the
+mistakes, whether a table is made by a call or from nested dicts.
 """
 
 import difflib
@@ -24,8 +24,9 @@ from pydantic import (
 
 from ..blocks.laws.law import Fixes
 from ..errors import ScenarioError
-from .quantities import key_of
-from .tides import period
+from ..html import shortened
+from .quantities import key_hint
+from .tidal_periods import period
 
 if TYPE_CHECKING:
     from pydantic._internal._model_construction import ModelMetaclass
@@ -34,7 +35,7 @@ else:
 
 
 @contextmanager
-def _said(table: Any, name: str) -> Iterator[None]:
+def _one_sentence(table: Any, name: str) -> Iterator[None]:
     """Raise a ScenarioError that begins with `name` in place of pydantic's error."""
     try:
         yield
@@ -47,7 +48,7 @@ def _said(table: Any, name: str) -> Iterator[None]:
 
 class _Checked(ModelMetaclass):
     def __call__(cls, *args: Any, **values: Any) -> Any:
-        with _said(cls, cls.__name__.lower()):
+        with _one_sentence(cls, cls.__name__.lower()):
             return super().__call__(*args, **values)
 
 
@@ -69,12 +70,12 @@ class Table(BaseModel, metaclass=_Checked):
     @classmethod
     def model_validate(cls, obj: Any, **options: Any) -> Self:
         """Make a table of nested dicts; ``context["name"]`` is its name in errors."""
-        with _said(cls, (options.get("context") or {}).get("name", cls.__name__.lower())):
+        with _one_sentence(cls, (options.get("context") or {}).get("name", cls.__name__.lower())):
             return super().model_validate(obj, **options)
 
 
 def sentence(problem: Any, table: type[Table]) -> str:
-    """Return what is wrong with one key, of an entry of pydantic's errors."""
+    """Return a sentence on an entry of pydantic's errors: what is wrong with one key."""
     where = [part for part in problem["loc"] if not _is_tag(part, problem["loc"])]
     key = ""
     for part in where:
@@ -95,15 +96,14 @@ def sentence(problem: Any, table: type[Table]) -> str:
         message = message.replace("Tuple should", "must").replace(" after validation", "")
     if kind in ("model_type", "model_attributes_type"):
         message = "must be a table of keys"
-    shown = " ".join(repr(problem["input"]).split())
-    shown = shown if len(shown) <= 60 else shown[:57] + "..."
-    return f"{key} = {shown}: {message}" if key else f"{shown}: {message}"
+    value = shortened(" ".join(repr(problem["input"]).split()), 60)
+    return f"{key} = {value}: {message}" if key else f"{value}: {message}"
 
 
 def _unknown(key: str, problem: Any, allowed: list[str]) -> str:
     value = problem["input"]
     for name in (f"{key}.{inner}" for inner in value) if isinstance(value, dict) else ():
-        if other := key_of(name):
+        if other := key_hint(name):
             return other
     close = difflib.get_close_matches(str(problem["loc"][-1]), allowed, n=1)
     hint = f"; did you mean {close[0]}? Allowed" if close else "; allowed"
@@ -114,16 +114,16 @@ def _inner(table: type[Table], location: tuple[Any, ...]) -> type[Table]:
     """Return the table at a place in another one."""
     for part in location:
         if not _is_tag(part, location):
-            found = _tables(table.model_fields[part].annotation)
-            named = [one for one in found if one.__name__.lower() in location]
-            table = (named or found)[0]
+            allowed = _tables(table.model_fields[part].annotation)
+            named = [one for one in allowed if one.__name__.lower() in location]
+            table = (named or allowed)[0]
     return table
 
 
 def _tables(annotation: Any) -> list[type[Table]]:
     if isinstance(annotation, type) and issubclass(annotation, Table):
         return [annotation]
-    return [found for inner in get_args(annotation) for found in _tables(inner)]
+    return [table for inner in get_args(annotation) for table in _tables(inner)]
 
 
 def _is_tag(part: Any, location: tuple[Any, ...]) -> bool:
@@ -160,7 +160,7 @@ Pair = tuple[Number, Number]
 PositivePair = tuple[Positive, Positive]
 Row = tuple[Number, ...]
 TwoRows = tuple[Row, Row]
-SHORT = 1e-6  # of the interval: times that are nearer count as one
+SHORT = 1e-6  # share of the interval: times closer than that count as one
 Kernel = Literal["exponential", "gaussian", "gaussian-sigma"]
 
 
@@ -261,10 +261,10 @@ class Waypoints(Table):
 
 
 class Localization(Table):
-    """How the vehicle comes to know where it is: fixes of its position, and their noise.
+    """How the vehicle learns its position: fixes, and their noise.
 
-    Without the table it reads its true position at all times; with interval = 0 with noise, and
-    with an interval above 0 it has fixes and steers on its own prediction in between.
+    Without the table it reads its true position at all times, with interval = 0 its position with
+    noise; with an interval above 0 it has fixes and steers by its own prediction in between.
     """
 
     interval: NotNegative = 0.0
@@ -283,7 +283,7 @@ class Localization(Table):
 
     @property
     def fixes(self) -> Fixes | None:
-        """What a law may know of the fixes; None where the position is read at all times."""
+        """What a law knows of the fixes; None where the position is read at all times."""
         return Fixes(self.interval, self.latency, self.noise) if self.interval > 0 else None
 
     def _mistakes(self) -> Iterator[str]:
@@ -324,7 +324,7 @@ class Run(Table):
 
     @property
     def solver(self) -> dict[str, Any]:
-        """What the solver is told: tolerances and method."""
+        """The solver's options: tolerances and method."""
         return {"rtol": self.rtol, "atol": self.atol, "method": self.method}
 
     def _mistakes(self) -> Iterator[str]:

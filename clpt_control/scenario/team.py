@@ -1,18 +1,18 @@
 """Several vehicles that learn one flow over a graph, and their TOML file.
 
-A team is a scenario for each vehicle and who hears whom.  The vehicles share everything but
-themselves: each has its own [vehicle], [reference], [localization] and start of the learner.
+A team has a scenario for each vehicle, and a graph of who hears whom.  The vehicles share all
+but [vehicle], [reference], [localization] and the learner's start, of which each has its own.
 
     [team]
     coupling = 0.5                        # kappa, 1/time
     edges = [["west", "east"]]            # who hears whom; left out: all
 
-    [team.members.west]                   # keys in place of those at the top
+    [team.members.west]                   # keys that replace those at the top
     title = "west of the strait"
     vehicle.position = [-15, 0]
     reference = { kind = "circle", radius = 3, count = 8, dwell = 2 }
 
-A vehicle's [reference] with a kind takes the place of the common one; else key by key.
+A vehicle's [reference] with a kind replaces the common one; without a kind, its keys do.
 """
 
 import re
@@ -26,6 +26,7 @@ from pydantic import Field, Strict, model_validator
 
 from ..arguments import brief, public
 from ..errors import DataError, ScenarioError
+from .display import team_html, team_line
 from .experiment import Scenario, checked_scenario, scenario_tables
 from .file import (
     TEAM,
@@ -38,12 +39,11 @@ from .file import (
     tables_of,
     toml,
 )
-from .shown import team_html, team_line
 from .tables import Run, Table
 
-LAW = "learned-flow"
+TEAM_LAW = "learned-flow"
 OWN = ("vehicle", "reference", "localization", "learning")  # tables that a member may have
-STARTS = ("position", "feedback", "feedforward", "parameters")  # its keys of [learning]
+OWN_STARTS = ("position", "feedback", "feedforward", "parameters")  # its keys of [learning]
 FEWEST, MOST = 2, 100  # vehicles
 
 
@@ -91,28 +91,28 @@ class Team(Table):
                 yield f"members: the name {name!r} of a vehicle must be letters, digits, _ and -"
         first, shared = self.first, shared_tables(self.first)
         for name, scenario in self.members.items():
-            own = shared_tables(scenario)
-            for table in sorted(shared.keys() | own.keys()):
-                if shared.get(table) != own.get(table):
+            tables = shared_tables(scenario)
+            for table in sorted(shared.keys() | tables.keys()):
+                if shared.get(table) != tables.get(table):
                     yield (
                         f"members.{name}: its {table} is not that of {names[0]}; the vehicles of a "
                         f"team share everything but {', '.join(OWN[:-1])} and the learner's start"
                     )
-        if (law := first.learning.law) != LAW:
-            yield f'learning.law = "{law}": must be "{LAW}", the law of a team'
+        if (law := first.learning.law) != TEAM_LAW:
+            yield f'learning.law = "{law}": must be "{TEAM_LAW}", the law of a team'
         if first.learning.sample is not None:
             yield "learning.sample: a team learns at all times; remove the key"
         seeds: dict[int, str] = {}
         for name, scenario in self.members.items():
-            if (seen := scenario.localization) is None or not seen.noise:
+            if (fixes := scenario.localization) is None or not fixes.noise:
                 continue
-            other = seeds.setdefault(seen.seed or 0, name)
+            other = seeds.setdefault(fixes.seed or 0, name)
             if other != name:
                 yield (
-                    f"members.{name}: localization.seed = {seen.seed or 0} is that of {other}, so "
+                    f"members.{name}: localization.seed = {fixes.seed or 0} is that of {other}, so "
                     "that both would have the same noise; give each its own"
                 )
-        joined = set[frozenset[str]]()
+        pairs = set[frozenset[str]]()
         for k, edge in enumerate(self.edges):
             for name in edge:
                 if name not in self.members:
@@ -120,9 +120,9 @@ class Team(Table):
                         f"edges[{k}]: there is no vehicle {name!r}; must be among "
                         f"{', '.join(names)}"
                     )
-            if len(set(edge)) < 2 or set(edge) in joined:
+            if len(set(edge)) < 2 or set(edge) in pairs:
                 yield f"edges[{k}] = {list(edge)}: must join two vehicles, each pair once"
-            joined.add(frozenset(edge))
+            pairs.add(frozenset(edge))
         from scipy.sparse.csgraph import connected_components
 
         _, groups = connected_components(self._laplacian)
@@ -149,7 +149,7 @@ class Team(Table):
 
     @property
     def first(self) -> Scenario:
-        """Scenario of the first vehicle, for what all share."""
+        """The scenario of the first vehicle; it has all that the vehicles share."""
         return next(iter(self.members.values()))
 
     @property
@@ -174,10 +174,10 @@ class Team(Table):
 
 
 def shared_tables(scenario: Scenario) -> dict[str, Any]:
-    """Return what all scenarios of a team must have alike, by table."""
+    """Return what must be the same in all scenarios of a team, by table."""
     dumped = scenario.model_dump(mode="python")
     shared = {table: value for table, value in dumped.items() if table not in ("title", *OWN)}
-    shared["learning"] = {k: v for k, v in dumped["learning"].items() if k not in STARTS}
+    shared["learning"] = {k: v for k, v in dumped["learning"].items() if k not in OWN_STARTS}
     if scenario.field_path is not None:
         shared["flow"]["field"] = scenario.field_path.resolve()
     return shared
@@ -208,10 +208,10 @@ def load_team(path: str | Path) -> Team:
     >>> clpt.load_team("team.toml").connectivity  # doctest: +SKIP
     2.0
     """
-    found = load_either(path)
-    if not isinstance(found, Team):
+    team = load_either(path)
+    if not isinstance(team, Team):
         raise ScenarioError(f"{path}: is a scenario of one vehicle; a team has a table [team]")
-    return found
+    return team
 
 
 def load_either(path: str | Path) -> Scenario | Team:
@@ -226,25 +226,25 @@ def team_from_text(text: str, name: str, folder: Path | None) -> Team:
     """Read a team of TOML text; `name` begins each error, `folder` holds its files, if any."""
     common = tables_of(text, name)
     team = _table(common.pop("team", None), f"{name}: team")
-    given = _table(team.pop("members", None), f"{name}: team.members")
+    vehicles = _table(team.pop("members", None), f"{name}: team.members")
     members = {
         member: checked_scenario(
             _merged(common, _table(own, f"{name}: team.members.{member}"), f"{name}, {member}"),
             f"{name}, {member}",
             folder,
         )
-        for member, own in given.items()
+        for member, own in vehicles.items()
     }
     whole = {"members": members, **team}
     return Team.model_validate(whole, context={"name": f"{name}, team"})
 
 
 def team_to_text(team: Team, folder: Path | None = None) -> str:
-    """Return a team as TOML text to lie in `folder`, to which a relative field is turned."""
+    """Return a team as TOML text; its field's path is relative to `folder`, if given."""
     tables = placed_tables(team.first, folder)
     for table in OWN[:-1]:
         tables.pop(table, None)
-    tables["learning"] = {k: v for k, v in tables["learning"].items() if k not in STARTS}
+    tables["learning"] = {k: v for k, v in tables["learning"].items() if k not in OWN_STARTS}
     members = {name: _own(scenario, team.first.title) for name, scenario in team.members.items()}
     return toml(
         {**tables, "team": {"coupling": team.coupling, "edges": team.edges, "members": members}}
@@ -252,16 +252,16 @@ def team_to_text(team: Team, folder: Path | None = None) -> str:
 
 
 def _own(scenario: Scenario, title: str) -> dict[str, Any]:
-    """Return what a vehicle has for itself, with the keys it was given; `title` is the team's."""
+    """Return the keys of a vehicle alone, of those that were set; `title` is the team's."""
     tables = scenario_tables(scenario)
     own = {table: tables[table] for table in OWN[:-1] if table in tables}
-    starts = {key: value for key, value in tables["learning"].items() if key in STARTS}
+    starts = {key: value for key, value in tables["learning"].items() if key in OWN_STARTS}
     named = {} if scenario.title == title else {"title": scenario.title}
     return {**named, **own, **({"learning": starts} if starts else {})}
 
 
 def _merged(common: dict[str, Any], own: dict[str, Any], name: str) -> dict[str, Any]:
-    """Return the keys of all vehicles with those of one in their places."""
+    """Return the keys of all vehicles, replaced by those of one where it has them."""
     tables = dict(common)
     for table, values in own.items():
         if table not in ("title", *OWN):
@@ -270,10 +270,10 @@ def _merged(common: dict[str, Any], own: dict[str, Any], name: str) -> dict[str,
                 "the team shares stands at the top"
             )
         for key in values if table == "learning" and isinstance(values, dict) else ():
-            if key not in STARTS:
+            if key not in OWN_STARTS:
                 raise ScenarioError(
                     f"{name}: learning.{key} is shared by the team and stands at the top; a "
-                    f"vehicle's own are {', '.join(STARTS)}"
+                    f"vehicle's own are {', '.join(OWN_STARTS)}"
                 )
         before = tables.get(table)
         whole = table == "reference" and isinstance(values, dict) and "kind" in values
@@ -285,14 +285,14 @@ def _merged(common: dict[str, Any], own: dict[str, Any], name: str) -> dict[str,
 
 
 def _table(value: Any, where: str) -> dict[str, Any]:
-    """Return a table; refuse what is none."""
+    """Return a value that must be a table."""
     if not isinstance(value, dict):
         raise ScenarioError(f"{where} = {brief(value)}: must be a table of keys")
     return value
 
 
 def team_of_run(run: Any, files: bool = True) -> Team:
-    """Return the team that a run carries; `files` is whether its field must be there."""
+    """Return the team that a run carries; with `files` the file of its field must exist."""
     text = getattr(run, "attrs", {}).get(TEAM)
     if not isinstance(text, str):
         raise DataError(
@@ -303,7 +303,7 @@ def team_of_run(run: Any, files: bool = True) -> Team:
 
 
 def system_of_run(run: Any, files: bool = True) -> Scenario | Team:
-    """Return the scenario or the team that a run carries; `files` is whether its field must be."""
+    """Return the scenario or team that a run carries; with `files` its field's file must exist."""
     attributes = getattr(run, "attrs", {})
     if TEAM in attributes and "scenario" in attributes:
         raise DataError("the run carries a scenario and a team; must be of one of the two")

@@ -1,7 +1,7 @@
-"""A scenario's run as an `xarray.Dataset` with CF attributes.
+"""A run as an `xarray.Dataset`; a scenario's has CF attributes.
 
-dims time, axis, basis; units on every variable; the scenario, the versions and
-the solver's statistics in the attributes, so that a run repeats from its file.
+Its dimensions are time, axis, basis.  Every variable has units; the attributes hold the scenario,
+the versions and the solver's statistics, so that a run repeats from its file.
 """
 
 import json
@@ -52,11 +52,11 @@ MEASURED = {  # where the vehicle reads its position with noise
 }
 
 
-# --- what the Datasets of one run share, which is made once ---------------------------------------
+# --- what all Datasets of one system share --------------------------------------------------------
 
 
-class Part(NamedTuple):
-    """A variable of a Dataset: what it is of all signals, shape (nt, nsignals)."""
+class Series(NamedTuple):
+    """A variable of a Dataset: a function `of` all signals, of shape (nt, nsignals)."""
 
     dims: tuple[str, ...]
     of: Callable[[np.ndarray], np.ndarray]
@@ -66,14 +66,14 @@ class Part(NamedTuple):
 class Frame:
     """A Dataset without numbers, to be filled again and again.
 
-    `axes` are its other dimensions, values and attributes; `since` are the attributes of time;
-    `states` labels the states, if they are shown; relative files of a scenario lie in `folder`;
-    a `doubt` ends the message of each run.
+    `axes` has values and attributes of each dimension but time, whose attributes are `since`.
+    `states` are labels; without them the Dataset has no states.  `folder` has a scenario's files; a
+    `doubt` ends the message of each run.
     """
 
     def __init__(
         self,
-        parts: Mapping[str, Part],
+        variables: Mapping[str, Series],
         axes: Mapping[str, tuple[Any, Mapping[str, str]]],
         attributes: dict[str, Any],
         since: Mapping[str, str] | None = None,
@@ -81,7 +81,7 @@ class Frame:
         folder: str | None = None,
         doubt: str = "",
     ):
-        self.parts, self.attributes, self.since = parts, attributes, since
+        self.variables, self.attributes, self.since = variables, attributes, since
         self.folder, self.states, self.doubt = folder, states, doubt
         self.axes = {name: _index(name, *one) for name, one in axes.items()}
         if states is not None:
@@ -93,8 +93,8 @@ class Frame:
         from xarray import Dataset, Variable
 
         variables: dict[str, Any] = {
-            name: Variable(part.dims, part.of(signals), part.attributes, fastpath=True)
-            for name, part in self.parts.items()
+            name: Variable(one.dims, one.of(signals), one.attributes, fastpath=True)
+            for name, one in self.variables.items()
         }
         if self.states is not None:
             variables["states"] = Variable(("time", "state"), solution.x, STATES, fastpath=True)
@@ -104,7 +104,7 @@ class Frame:
         if self.doubt:
             attributes["message"] += f"; {self.doubt}"
         indexes = {name: index for name, (index, _) in axes.items()}
-        # what Dataset(...) comes to, which would look for indexes and join them
+        # the same as Dataset(...), which would search and align the indexes
         run = Dataset._construct_direct(
             variables, set(axes), attrs=attributes, indexes=indexes, encoding={}
         )
@@ -113,7 +113,7 @@ class Frame:
         return run
 
     def _times(self, times: np.ndarray) -> tuple[Any, Any]:
-        """Return the index of times, the same for a run at the times of the one before."""
+        """Return the index of times; a run at the times of the last one shares its index."""
         last = self._last  # threads may share it
         if last is None or not np.array_equal(last[0], times):
             own = times.copy()
@@ -123,7 +123,7 @@ class Frame:
 
 
 def _index(name: str, values: Any, attributes: Any) -> tuple[Any, Any]:
-    """Return an index of values and its variable, which xarray else makes in some passes."""
+    """Return an index of values and its variable, faster than xarray makes them."""
     from pandas import Index
     from xarray import Variable
     from xarray.indexes import PandasIndex
@@ -133,18 +133,18 @@ def _index(name: str, values: Any, attributes: Any) -> tuple[Any, Any]:
     return index, index.create_variables({name: variable})[name]
 
 
-def ports_shown(
+def port_variables(
     ports: Mapping[str, Sequence[int]],
     dims: Mapping[int, str],
     taken: Any,
     units: Mapping[str, str] = {},
-) -> tuple[dict[str, Part], dict[str, tuple[Any, Mapping[str, str]]]]:
-    """Return the variables of ports, each with the places of its signals, and their axes.
+) -> tuple[dict[str, Series], dict[str, tuple[Any, Mapping[str, str]]]]:
+    """Return the variables of ports, each with the columns of its signals, and their axes.
 
     `dims` names dimensions by size; others are named after their port, and count from 0.  A name
     that is taken gets a _.
     """
-    parts: dict[str, Part] = {}
+    variables: dict[str, Series] = {}
     axes: dict[str, tuple[Any, Mapping[str, str]]] = {}
     for port, places in ports.items():
         size = len(places)
@@ -154,14 +154,14 @@ def ports_shown(
             more = (dim if dim not in ports else f"{dim}_",)
         if size > 1 and size not in dims:
             axes[more[0]] = np.arange(size), {"long_name": f"signal of {port}, counted from 0"}
-        said = {"units": units[port]} if units.get(port) else {}
+        unit = {"units": units[port]} if units.get(port) else {}
         name = f"{port}_" if port in taken else port
-        parts[name] = Part(("time", *more), columns(places, *more), said)
-    return parts, axes
+        variables[name] = Series(("time", *more), columns(places, *more), unit)
+    return variables, axes
 
 
 def columns(places: Sequence[int], *shape: Any) -> Callable[[np.ndarray], np.ndarray]:
-    """Return what takes columns of the signals, each row in a shape; one of none is a number."""
+    """Return a function that takes columns of the signals, in a shape; without one, one column."""
     if not shape:
         return lambda signals: signals[:, places[0]]
     at = np.array(places)
@@ -192,16 +192,16 @@ def _software() -> str:
 # --- the run of a scenario, and of any diagram ----------------------------------------------------
 
 
-class Columns(NamedTuple):
-    """Where a vehicle's signals stand, and with what its blocks ran."""
+class Signals(NamedTuple):
+    """A vehicle's signals: their columns by label, and the parameters of the blocks by name."""
 
-    column: dict[str, int]  # label -> column of the signals
-    ran: dict[str, Any]  # block -> its parameters
+    column: dict[str, int]
+    parameters: dict[str, Any]
 
 
-def columns_of(labels: Sequence[str], wiring: Wiring, given: Sequence[Any]) -> Columns:
-    """Return where signals of these labels stand; `given` are the parameters of the blocks."""
-    return Columns(
+def signals_in(labels: Sequence[str], wiring: Wiring, given: Sequence[Any]) -> Signals:
+    """Return signals of these labels; `given` are the parameters of the blocks."""
+    return Signals(
         {label: k for k, label in enumerate(labels)},
         {node.name: p for node, p in zip(wiring.nodes, given, strict=True)},
     )
@@ -209,25 +209,25 @@ def columns_of(labels: Sequence[str], wiring: Wiring, given: Sequence[Any]) -> C
 
 def run_frame(
     scenario: Scenario,
-    found: Columns,
-    told: Mapping[str, str] = MappingProxyType({}),
+    signals: Signals,
+    beyond: Mapping[str, str] = MappingProxyType({}),
     more: Collection[str] = (),
     states: Sequence[str] | None = None,
 ) -> Frame:
     """Return the Dataset of a scenario's runs, to be filled with signals, right limits at jumps.
 
-    `told` is what no key holds, call-time parameters and the user's own parts; `more` are signals
-    to show under their own names; `states` the labels of states, if they are shown.
+    `beyond` has attributes for what no key holds: call-time parameters and the user's own parts;
+    `more` ports become variables of their own names; `states` are the labels of states.
     """
     units, N = scenario.units, scenario.basis.N
-    column, ran = found
-    parts: dict[str, Part] = {}
+    column, parameters = signals
+    variables: dict[str, Series] = {}
     wanted = {**VARIABLES, **(MEASURED if f"{TRUE}[0]" in column else {})}
     wanted |= LIMITED if "v_c[0]" in column else {}
-    row, replaced = scenario.learning.row, own_parts(told) | ({LAW} if OWN_LAW in told else set())
+    row, own = scenario.learning.row, own_parts(beyond) | ({LAW} if OWN_LAW in beyond else set())
     by_functions = ("time", "axis", "basis")
 
-    def own(port: str, *shape: int) -> Any:
+    def of(port: str, *shape: int) -> Any:
         return columns([column[f"{port}[{k}]"] for k in range(int(np.prod(shape)))], *shape)
 
     for name, (port, long_name, lengths, rates) in wanted.items():
@@ -235,54 +235,61 @@ def run_frame(
             continue
         unit = " ".join([units.length] * lengths + [f"{units.time}-1"] * rates)
         dims, shape = (by_functions, (2, N)) if port == "alpha" else (("time", "axis"), (2,))
-        parts[name] = Part(dims, own(port, *shape), {"long_name": long_name, "units": unit})
+        attributes = {"long_name": long_name, "units": unit}
+        variables[name] = Series(dims, of(port, *shape), attributes)
     speed = {"units": f"{units.length} {units.time}-1"}
-    learned = {"long_name": "estimate of the flow parameters theta", **speed}
-    parts["flow_parameters_estimate"] = Part(by_functions, _estimate(scenario, found, own), learned)
-    if row.readout and LAW not in replaced:
-        right = f"theta_hat until {row.error_left} is small enough"
-        named = {"long_name": f"readout of the flow parameters theta; {right}", **speed}
+    estimate = {"long_name": "estimate of the flow parameters theta", **speed}
+    variables["flow_parameters_estimate"] = Series(
+        by_functions, _estimate(scenario, signals, of), estimate
+    )
+    if row.readout and LAW not in own:
+        until = f"theta_hat until {row.error_left} is small enough"
+        readout = {"long_name": f"readout of the flow parameters theta; {until}", **speed}
         if beside := _beside_the_basis(scenario):
-            named["comment"] = f"not theta exactly: {beside} is taken for flow of the basis"
-        parts["flow_parameters_readout"] = Part(by_functions, own(row.readout, 2, N), named)
-        left_of = {"long_name": "share of the first error of theta_hat that is left", "units": "1"}
-        parts["error_left"] = Part(("time",), own(row.error_left), left_of)
-    ours = set(ran) - replaced if scenario.flow.parameters is not None else set()
+            readout["comment"] = f"not theta exactly: {beside} is taken for flow of the basis"
+        variables["flow_parameters_readout"] = Series(by_functions, of(row.readout, 2, N), readout)
+        left = {"long_name": "share of the first error of theta_hat that is left", "units": "1"}
+        variables["error_left"] = Series(("time",), of(row.error_left), left)
+    ours = set(parameters) - own if scenario.flow.parameters is not None else set()
     if "true_flow" in ours:
-        said, theta = {"long_name": "true flow parameters theta", **speed}, ran["true_flow"].theta
-        parts["flow_parameters"] = Part(("axis", "basis"), lambda signals: theta.copy(), said)
+        true, theta = (
+            {"long_name": "true flow parameters theta", **speed},
+            parameters["true_flow"].theta,
+        )
+        variables["flow_parameters"] = Series(("axis", "basis"), lambda signals: theta.copy(), true)
     doubt = ""
     if {"true_flow", "vehicle_controller", LAW} <= ours:
-        car, p = ran["vehicle_controller"], ran[LAW]
-        truth = Truth(ran["true_flow"].theta, car.KD, car.GammaD)
+        car, p = parameters["vehicle_controller"], parameters[LAW]
+        truth = Truth(parameters["true_flow"].theta, car.KD, car.GammaD)
         doubt = row.doubt(p, truth)
         candidate = {"long_name": "Lyapunov candidate V", "units": f"{units.length}2"}
-        parts["lyapunov"] = Part(("time",), _lyapunov(row.V(p, truth), column), candidate)
-    shown = {port for port, *_ in wanted.values()}
-    others = {k: at for k, at in ports_of(column).items() if k in more and k not in shown}
-    more_parts, more_axes = ports_shown(
-        others, {2: "axis", **({} if N == 2 else {N: "basis"})}, parts
+        V = _lyapunov(row.V(p, truth), column)
+        variables["lyapunov"] = Series(("time",), V, candidate)
+    there = {port for port, *_ in wanted.values()}
+    others = {k: at for k, at in ports_of(column).items() if k in more and k not in there}
+    more_variables, more_axes = port_variables(
+        others, {2: "axis", **({} if N == 2 else {N: "basis"})}, variables
     )
-    parts |= more_parts
+    variables |= more_variables
     axes = {
         **more_axes,
         "axis": ([1, 2], {"long_name": "axis of the plane, x1 and x2"}),
         "basis": (np.arange(1, N + 1), {"long_name": "flow basis function"}),
     }
     since = {"long_name": "time since the start of the run", "units": units.time}
-    attributes = {**_attributes(scenario), **told}
-    return Frame(parts, axes, attributes, since, states, str(scenario._folder), doubt)
+    of_run = {**_attributes(scenario), **beyond}
+    return Frame(variables, axes, of_run, since, states, str(scenario._folder), doubt)
 
 
 def _beside_the_basis(scenario: Scenario) -> str:
-    """Return the keys that make a law see flow which the functions do not span, or nothing."""
-    flow, seen = scenario.flow, scenario.localization
-    found = {
+    """Return the keys that bring flow which the basis functions do not span, or nothing."""
+    flow, fixes = scenario.flow, scenario.localization
+    present = {
         "flow.field": flow.field is not None,
         "flow.disturbance": flow.disturbance is not None,
-        "localization.noise": seen is not None and seen.noise > 0,
+        "localization.noise": fixes is not None and fixes.noise > 0,
     }
-    return " and ".join(key for key, present in found.items() if present)
+    return " and ".join(key for key, is_there in present.items() if is_there)
 
 
 def _attributes(scenario: Scenario) -> dict[str, Any]:
@@ -302,16 +309,17 @@ def _attributes(scenario: Scenario) -> dict[str, Any]:
     }
 
 
-def _estimate(scenario: Scenario, found: Columns, own: Any) -> Any:
-    """Return what the law takes theta to be, of the signals."""
+def _estimate(scenario: Scenario, signals: Signals, of: Any) -> Any:
+    """Return the law's estimate of theta, as a function of the signals."""
     N = scenario.basis.N
     if scenario.learning.row.given_estimate:
         known: Any = scenario.learning.theta_estimate
-        known = np.array(getattr(found.ran.get("injection"), "theta_hat", known), dtype=float)
+        block = signals.parameters.get("injection")
+        known = np.array(getattr(block, "theta_hat", known), dtype=float)
         return lambda signals: np.broadcast_to(known, (len(signals), 2, N)).copy()
-    if "theta_hat[0]" in found.column:
-        return own("theta_hat", 2, N)
-    alpha = own("alpha", 2, N)
+    if "theta_hat[0]" in signals.column:
+        return of("theta_hat", 2, N)
+    alpha = of("alpha", 2, N)
     return lambda signals: 0.0 - alpha(signals)  # without -0
 
 
@@ -324,39 +332,39 @@ def diagram_frame(
     `labels` and `units` are those of the signals with which it is filled.
     """
     ports = ports_of(labels)
-    said = {port: units[places[0]] for port, places in ports.items()}
-    parts, axes = ports_shown(ports, {}, ("time", "state", "states"), said)
-    return Frame(parts, axes, {"title": f"Response of {name}"}, states=states)
+    by_port = {port: units[places[0]] for port, places in ports.items()}
+    variables, axes = port_variables(ports, {}, ("time", "state", "states"), by_port)
+    return Frame(variables, axes, {"title": f"Response of {name}"}, states=states)
 
 
 def with_states(
     run: "xarray.Dataset", labels: Sequence[str], solution: Solution
 ) -> "xarray.Dataset":
     """Return a run with the states of its diagram, as `state_at` reads them."""
-    named = {"state": ("state", list(labels), STATE)}
-    return run.assign_coords(named).assign(states=(("time", "state"), solution.x, STATES))
+    coordinate = {"state": ("state", list(labels), STATE)}
+    return run.assign_coords(coordinate).assign(states=(("time", "state"), solution.x, STATES))
 
 
-def not_held(
-    params: Mapping[str, Any] | None, said: Mapping[str, str] = MappingProxyType({})
+def beyond_scenario_of(
+    params: Mapping[str, Any] | None, attributes: Mapping[str, str] = MappingProxyType({})
 ) -> dict[str, str]:
-    """Return what the scenario does not hold, call-time parameters and what else is said."""
+    """Return attributes for what the scenario does not hold, with call-time parameters added."""
     plain = {name: np.asarray(value).tolist() for name, value in (params or {}).items()}
-    before = json.loads(said.get(CHANGED, "{}"))
+    before = json.loads(attributes.get(CHANGED, "{}"))
     changed = {CHANGED: json.dumps({**before, **plain})} if before or plain else {}
-    return {**said, **changed}
+    return {**attributes, **changed}
 
 
 def _lyapunov(block: Block, column: Mapping[str, int]) -> Any:
-    """Return V along the run, of the signals."""
-    named = [f"{port}[{k}]" for port, size in block.input_ports.items() for k in range(size)]
-    places = np.array([column[label] for label in named])
+    """Return V along the run, as a function of the signals."""
+    labels = [f"{port}[{k}]" for port, size in block.input_ports.items() for k in range(size)]
+    places = np.array([column[label] for label in labels])
 
     def along(signals: np.ndarray) -> np.ndarray:
         inputs = signals[:, places]
         for k in range(2 if f"{TRUE}[0]" in column else 0):  # e is not of the measured position
             off = signals[:, column[f"{TRUE}[{k}]"]] - signals[:, column[f"z[{k}]"]]
-            inputs[:, named.index(f"e[{k}]")] = off
+            inputs[:, labels.index(f"e[{k}]")] = off
         return on_arrays(block, "output", 0.0, np.zeros((0, len(inputs))), inputs.T)[0]
 
     return along

@@ -17,7 +17,7 @@ from ..arguments import public
 from ..diagrams.varied import read_as_number
 from ..equations.declaration import Each, ports_of
 from ..errors import DiagramError, Uncompiled
-from ..files import write_text
+from ..files import write_file
 from ..native.c_text import CProgram, CRecord, c_number
 from ..native.diagram_record import LARGE, lay_out
 from ..native.engines import misread_function
@@ -85,7 +85,7 @@ def export_c(
     except Uncompiled as error:
         raise DiagramError(f"{system.name}: has no C: {error}") from None
     if path is not None:
-        write_text(path, text)
+        write_file(path, text)
     return text
 
 
@@ -120,8 +120,8 @@ class _File:
         outputs = len(self.wiring.outputs)
         self.labels = {
             "x": _labels(run.states),
-            "u": _labels(run.shown[outputs:]),
-            "y": _labels(run.shown[:outputs]),
+            "u": _labels(run.signal_labels[outputs:]),
+            "y": _labels(run.signal_labels[:outputs]),
         }
 
     def parts(self) -> Iterator[str]:

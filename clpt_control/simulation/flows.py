@@ -154,28 +154,28 @@ def explained_variance(
 # hold its place there.  Each sample counts until the next one. -----------------------------------
 
 
-class SpeedWatch:
+class SpeedTimer:
     """Counts time at the limit and in a faster flow, samples given in order, in parts."""
 
     def __init__(self, max_speed: float):
         self.max_speed, self.end = max_speed, 0.0
-        self.turns: list[np.ndarray] = []  # times from which on
-        self.ways: list[np.ndarray] = []  # (n, 2): whether it is at the limit, in a faster flow
+        self.changes: list[np.ndarray] = []  # times from which on
+        self.flags: list[np.ndarray] = []  # (n, 2): whether it is at the limit, in a faster flow
         self._last: np.ndarray | None = None
 
     def add(self, times: np.ndarray, commanded: np.ndarray, flow: np.ndarray) -> None:
         """Take samples that follow those before: (n,), commanded velocity and flow (n, 2)."""
-        found = np.stack([np.hypot(*one.T) > self.max_speed for one in (commanded, flow)], axis=1)
-        before = ~found[:1] if self._last is None else self._last
-        turns = np.any(np.diff(found, axis=0, prepend=before), axis=1)
-        self.turns.append(times[turns])
-        self.ways.append(found[turns])
-        self._last, self.end = found[-1:], float(times[-1])
+        over = np.stack([np.hypot(*one.T) > self.max_speed for one in (commanded, flow)], axis=1)
+        before = ~over[:1] if self._last is None else self._last
+        changes = np.any(np.diff(over, axis=0, prepend=before), axis=1)
+        self.changes.append(times[changes])
+        self.flags.append(over[changes])
+        self._last, self.end = over[-1:], float(times[-1])
 
     def figures(self) -> dict[str, Any]:
         """Return the figures, ready for JSON; times in units.time, shares of the time watched."""
-        times = np.concatenate([*self.turns, [self.end]])
-        held, faster = np.concatenate([np.zeros((0, 2), bool), *self.ways]).T
+        times = np.concatenate([*self.changes, [self.end]])
+        at_limit, faster = np.concatenate([np.zeros((0, 2), bool), *self.flags]).T
         spans, whole = np.diff(times), float(times[-1] - times[0])
 
         def share(of: np.ndarray) -> float:
@@ -186,7 +186,7 @@ class SpeedWatch:
         if len(stretches):
             first = float(times[np.argmax(faster)])
             flow = {"first": first, "longest": float(stretches.max()), "share": share(faster)}
-        return {"max_speed": self.max_speed, "share_at_limit": share(held), "faster_flow": flow}
+        return {"max_speed": self.max_speed, "share_at_limit": share(at_limit), "faster_flow": flow}
 
 
 def faster_flow(figures: dict[str, Any], units: Units) -> str:
@@ -203,9 +203,9 @@ def faster_flow(figures: dict[str, Any], units: Units) -> str:
 
 def speeds_of(run: "xarray.Dataset", max_speed: float) -> dict[str, Any]:
     """Return the figures of a run at its own samples."""
-    watch = SpeedWatch(max_speed)
-    watch.add(run.time.values, run.commanded_velocity.values, run.true_flow.values)
-    return watch.figures()
+    timer = SpeedTimer(max_speed)
+    timer.add(run.time.values, run.commanded_velocity.values, run.true_flow.values)
+    return timer.figures()
 
 
 def note_speeds(run: "xarray.Dataset", figures: dict[str, Any], units: Units) -> None:

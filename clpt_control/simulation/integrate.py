@@ -118,72 +118,72 @@ def simulate(
             raise SimulationError("stop: is for a diagram; simulate closed_loop(scenario) with it")
         if inputs is not None:
             raise SimulationError("a scenario has no inputs; simulate closed_loop(..., external=)")
-        given = {"initial_state": initial_state, "params": params}
-        given = {name: one for name, one in given.items() if one is not None}
-        if isinstance(system, Team) and given:
+        changes = {"initial_state": initial_state, "params": params}
+        changes = {name: one for name, one in changes.items() if one is not None}
+        if isinstance(system, Team) and changes:
             raise SimulationError(
-                f"{next(iter(given))}: a team has its own; change its scenarios, or simulate "
+                f"{next(iter(changes))}: a team has its own; change its scenarios, or simulate "
                 "team_loop(team)"
             )
         times, skipped = _from_zero(system, timepts)
-        key = None if given else _key(system, *how.values(), engine)
+        key = None if changes else _key(system, *how.values(), engine)
         system = with_solver(system, how)
-        of: Any = TeamRun if isinstance(system, Team) else ScenarioRun
-        with ready(key, lambda: of(system, engine, **given)) as run:
-            found = run.run(times, **system.run.solver, **limits)
+        run_type: Any = TeamRun if isinstance(system, Team) else ScenarioRun
+        with ready(key, lambda: run_type(system, engine, **changes)) as run:
+            result = run.run(times, **system.run.solver, **limits)
     else:
-        asks = any(one is not None for one in (inputs, initial_state, stop, *how.values()))
-        own = asked(system, timepts, inputs, initial_state, **how, **limits)
-        skipped, sizes = own.skipped, (own.sizes, callable(own.inputs), engine)
-        key = diagram_key(own.diagram, params, *sizes) if stop is None else None
-        with ready(key, lambda: DiagramRun(own.diagram, params, *sizes, stop)) as run:
-            found = run.run(own.times, own.inputs, own.start, **own.how)
-            found.attrs |= run.as_diagram if asks or not run.as_made else {}
-    found = found.isel(time=slice(skipped, None)) if skipped else found
-    if run.max_speed is not None and {"commanded_velocity", "true_flow"} <= set(found):
-        note_speeds(found, speeds_of(found, run.max_speed), run.scenario.units)
-    return found
+        overrides = any(one is not None for one in (inputs, initial_state, stop, *how.values()))
+        request = request_of(system, timepts, inputs, initial_state, **how, **limits)
+        skipped, sizes = request.skipped, (request.sizes, callable(request.inputs), engine)
+        key = diagram_key(request.diagram, params, *sizes) if stop is None else None
+        with ready(key, lambda: DiagramRun(request.diagram, params, *sizes, stop)) as run:
+            result = run.run(request.times, request.inputs, request.start, **request.how)
+            result.attrs |= run.beyond_scenario if overrides or not run.is_unchanged else {}
+    result = result.isel(time=slice(skipped, None)) if skipped else result
+    if run.max_speed is not None and {"commanded_velocity", "true_flow"} <= set(result):
+        note_speeds(result, speeds_of(result, run.max_speed), run.scenario.units)
+    return result
 
 
 def _from_zero(experiment: Scenario | Team, timepts: Any) -> tuple[np.ndarray, int]:
-    """Return the times of a run that begins at t = 0, and how many come before those asked for."""
-    own = experiment.run
-    times = sample_times(own.duration, own.output_step) if timepts is None else timepts
+    """Return the times of a run from t = 0, and how many of them come before `timepts`."""
+    run = experiment.run
+    times = sample_times(run.duration, run.output_step) if timepts is None else timepts
     times = checked_times("timepts", times)
     return (times, 0) if times[0] == 0 else (np.concatenate([[0.0], times]), 1)
 
 
-class Asked(NamedTuple):
-    """How a diagram is run: as is asked, else as it knows of itself."""
+class Request(NamedTuple):
+    """How a diagram is to run: as the caller says, else as the diagram itself knows."""
 
     diagram: Any
     times: np.ndarray
-    skipped: int  # times before those asked for
+    skipped: int  # times before the caller's own
     inputs: Any
     start: Any
     how: dict[str, Any]  # solver and steps
 
     @property
     def sizes(self) -> tuple[int | None, int | None]:
-        """How many states and inputs are given, where the system leaves that open."""
+        """Numbers of states and inputs, where the system leaves them open."""
         return sizes_of_run(self.diagram, self.inputs, self.start, self.times)
 
 
 def as_diagram(system: Any) -> tuple[Any, dict[str, Any]]:
-    """Return a system as a diagram, and how it runs as far as it knows that itself."""
+    """Return a system as a diagram, and what it knows itself of how it is to run."""
     if isinstance(system, Scenario):
         system = closed_loop(system)
     if isinstance(system, control.TransferFunction):
         system = linear(system)
-    if (loop := getattr(system, "made_of", None)) is not None:
+    if (loop := getattr(system, "origin", None)) is not None:
         return system, {**loop.scenario.run.solver, "initial_state": start_of(system)}
     return system, getattr(system, "recorded", None) or {}
 
 
-def asked(system: Any, timepts: Any, inputs: Any, initial_state: Any, **how: Any) -> Asked:
-    """Return how a system is run; a closed loop with nothing else given from t = 0."""
+def request_of(system: Any, timepts: Any, inputs: Any, initial_state: Any, **how: Any) -> Request:
+    """Return how a system is to run; a closed loop without inputs and start runs from t = 0."""
     diagram, known = as_diagram(system)
-    loop = getattr(diagram, "made_of", None)
+    loop = getattr(diagram, "origin", None)
     timepts, skipped = known.get("timepts") if timepts is None else timepts, 0
     if loop is not None and (timepts is None or inputs is initial_state is None):
         times, skipped = _from_zero(loop.scenario, timepts)
@@ -191,7 +191,7 @@ def asked(system: Any, timepts: Any, inputs: Any, initial_state: Any, **how: Any
         raise SimulationError("timepts: is required to simulate a diagram")
     else:
         times = checked_times("timepts", timepts)
-    return Asked(
+    return Request(
         diagram,
         times,
         skipped,
@@ -202,7 +202,7 @@ def asked(system: Any, timepts: Any, inputs: Any, initial_state: Any, **how: Any
 
 
 def _key(system: Scenario | Team, *more: Any) -> tuple[Any, Any] | None:
-    """Return the key of a run of the package's own blocks; None where a file is read, too."""
+    """Return the key of a run of the package's own blocks; None where it reads a file too."""
     scenarios = system.members.values() if isinstance(system, Team) else [system]
     by_file = any(one.field_path is not None for one in scenarios)
     return None if by_file else ((id(system), *more), system)

@@ -35,8 +35,7 @@ from ..equations.declaration import Parameters, within
 from ..errors import DiagramError
 from ..scenario.experiment import Scenario
 from ..scenario.file import OWN_LAW, OWN_PARTS
-from ..scenario.team import LAW as LAW_OF_TEAMS
-from ..scenario.team import Team
+from ..scenario.team import TEAM_LAW, Team
 
 
 @public
@@ -71,7 +70,7 @@ def paper_blocks(scenario: Scenario) -> list[Part]:
 def changed_blocks(
     scenario: Scenario, changes: Changes, external: Collection[str] = ()
 ) -> list[Part]:
-    """Return the blocks of a scenario, changed, and with `delta` taken where it is external."""
+    """Return the blocks of a scenario with changes; they take `delta` where it is external."""
     N, alpha_M, law = scenario.basis.N, np.array(scenario.model_parameters), changes.law
     if law is not None and functions_of(law) != N:
         raise DiagramError(
@@ -85,15 +84,13 @@ def changed_blocks(
         injection = learner.estimated_flow_injection(alpha_M)
     else:
         injection = learner.learned_flow_injection(alpha_M)
-    limits = []
-    if car.max_speed is not None:
-        limits.append(vehicle.speed_limit(car.max_speed))
+    limits = [vehicle.speed_limit(car.max_speed)] if car.max_speed is not None else []
     if scenario.hedged:
         limits.append(vehicle.hedging())
     delta, disturbances = scenario.flow.disturbance, []
     if delta is not None:
-        own = (delta.kind, delta.amplitude, delta.period or 1.0, float(delta.seed or 0))
-        disturbances.append(disturbance.disturbance(*own))
+        numbers = delta.amplitude, delta.period or 1.0, float(delta.seed or 0)
+        disturbances.append(disturbance.disturbance(delta.kind, *numbers))
     at_fixes = learning.row.at_fixes
     desired = alpha_M, car.feedback, car.feedforward
     if at_fixes and law is not None:
@@ -108,14 +105,14 @@ def changed_blocks(
         )
     localized = _localized(scenario)
     true = TRUE if any(block.name == "measurement" for block in localized) else "x"
-    modeled = [flow.modeled_flow(alpha_M)]
-    predicting = [
-        learner.learning_controller(N),
-        learner.learning_model(hedged=scenario.hedged),
-        injection,
-    ]
-    if at_fixes:  # the law predicts by itself
-        modeled, predicting = [], []
+    modeled, model = [], []
+    if not at_fixes:  # else the law predicts by itself
+        modeled = [flow.modeled_flow(alpha_M)]
+        model = [
+            learner.learning_controller(N),
+            learner.learning_model(hedged=scenario.hedged),
+            injection,
+        ]
     blocks = [
         reference.reference(scenario.waypoints, scenario.reference.dwell),
         scenario.basis_block("x"),
@@ -127,7 +124,7 @@ def changed_blocks(
         vehicle.vehicle_controller(*desired, car.max_speed is not None, "z" if at_fixes else "x"),
         *limits,
         vehicle.vehicle(true),
-        *predicting,
+        *model,
         clpe.clpe(),
         scenario.law_block,
     ]
@@ -135,15 +132,15 @@ def changed_blocks(
 
 
 def _localized(scenario: Scenario) -> list[Block]:
-    """Return the blocks between the true position and who reads it."""
-    seen = scenario.localization
-    if seen is None:
+    """Return the blocks between the true position and the blocks that read it."""
+    table = scenario.localization
+    if table is None:
         return []
-    seed = float(seen.seed or 0)
-    if seen.interval > 0:
-        return [localization.fixes(seen.noise, seen.interval, seen.dropouts, seed)]
-    held = localization.measurement(seen.noise, seen.noise_period or 1.0, seed)
-    return [held, scenario.basis_block(TRUE)]
+    seed = float(table.seed or 0)
+    if table.interval > 0:
+        return [localization.fixes(table.noise, table.interval, table.dropouts, seed)]
+    measured = localization.measurement(table.noise, table.noise_period or 1.0, seed)
+    return [measured, scenario.basis_block(TRUE)]
 
 
 def _true_flow(scenario: Scenario, disturbed: bool, position: str) -> Block:
@@ -157,23 +154,23 @@ def _true_flow(scenario: Scenario, disturbed: bool, position: str) -> Block:
 
 
 class LoopOf(NamedTuple):
-    """What a closed loop is made of."""
+    """What `closed_loop` makes a loop of."""
 
     scenario: Scenario
     changes: Changes = UNCHANGED
     external: tuple[str, ...] = ()
 
     @property
-    def said(self) -> dict[str, str]:
-        """What of it the scenario does not hold, as the attributes of a run."""
+    def beyond_scenario(self) -> dict[str, str]:
+        """What the scenario does not hold, as the attributes of a run."""
         law, parts = self.changes.law, self.changes.in_words
-        found = {OWN_LAW: law.name if law else "", OWN_PARTS: parts}
-        return {name: text for name, text in found.items() if text}
+        attributes = {OWN_LAW: law.name if law else "", OWN_PARTS: parts}
+        return {name: text for name, text in attributes.items() if text}
 
-    def is_still(self, wiring: Wiring) -> bool:
-        """Return whether wires and numbers are those with which the loop is made."""
-        made = wiring_of_blocks(*kept_parts(*self)).nodes
-        return len(made) == len(wiring.nodes) and all(map(_alike, made, wiring.nodes))
+    def is_unchanged(self, wiring: Wiring) -> bool:
+        """Return whether a wiring has the wires and numbers with which the loop is made."""
+        nodes = wiring_of_blocks(*remaining_parts(*self)).nodes
+        return len(nodes) == len(wiring.nodes) and all(map(_alike, nodes, wiring.nodes))
 
 
 def _alike(one: Node, other: Node) -> bool:
@@ -186,21 +183,21 @@ def _alike(one: Node, other: Node) -> bool:
 
 
 def loop_of(system: Scenario | Diagram) -> LoopOf:
-    """Return what a loop with nothing from outside is made of."""
+    """Return what a loop, which must have nothing from outside, is made of."""
     if isinstance(system, Scenario):
         return LoopOf(system)
-    made = getattr(system, "made_of", None)
-    if made is None or made.external:
+    loop = getattr(system, "origin", None)
+    if loop is None or loop.external:
         raise DiagramError(
             f"{system.name}: must be a scenario, or a closed_loop of one with nothing from outside"
         )
     read_anew(system)
-    if not made.is_still(wiring_of(system)):
+    if not loop.is_unchanged(wiring_of(system)):
         raise DiagramError(
             f"{system.name}: was changed after closed_loop made it; give closed_loop what it is to "
             "have, with replace and insert"
         )
-    return made
+    return loop
 
 
 @public
@@ -260,16 +257,16 @@ def closed_loop(
     ['lag_x[0]', 'lag_x[1]']
     """
     external = (external,) if isinstance(external, str) else tuple(external)
-    made = LoopOf(scenario, changes_of(law, replace, insert), external)
-    diagram = connect(*kept_parts(*made), name="closed_loop")
-    diagram.made_of = made
+    loop = LoopOf(scenario, changes_of(law, replace, insert), external)
+    diagram = connect(*remaining_parts(*loop), name="closed_loop")
+    diagram.origin = loop
     return diagram
 
 
-def kept_parts(
+def remaining_parts(
     scenario: Scenario, changes: Changes, external: tuple[str, ...]
 ) -> tuple[list[Part], tuple[str, ...]]:
-    """Return the parts that are left where some ports come from outside, and these ports."""
+    """Return the parts that remain where some ports come from outside, and these ports."""
     blocks = changed_blocks(scenario, changes, external)
     ports = {port for block in blocks for of in (input_ports, output_ports) for port in of(block)}
     for port in external:
@@ -278,15 +275,15 @@ def kept_parts(
                 f"external = '{port}': must be among the ports {', '.join(sorted(ports))}"
             )
     outside = {*external, *({TRUE} if "x" in external else ())}
-    kept = [block for block in blocks if not set(output_ports(block)) & outside]
-    cut = [block for block in blocks if block not in kept and block.name in changes.names]
+    remaining = [block for block in blocks if not set(output_ports(block)) & outside]
+    cut = [block for block in blocks if block not in remaining and block.name in changes.names]
     while True:
-        used = {port for block in (*kept, *cut) for port in input_ports(block)}
-        idle = [b for b in kept if b.name != "clpe" and not set(output_ports(b)) & used]
+        used = {port for block in (*remaining, *cut) for port in input_ports(block)}
+        idle = [b for b in remaining if b.name != "clpe" and not set(output_ports(b)) & used]
         if not idle or not external:
             break
-        kept = [block for block in kept if block not in idle]
-    return kept, external
+        remaining = [block for block in remaining if block not in idle]
+    return remaining, external
 
 
 @public
@@ -365,7 +362,7 @@ def team_blocks(team: Team) -> list[Block]:
     """Return the blocks of all vehicles, vehicle by vehicle, the consensus of each the last."""
     blocks = []
     for name, scenario in team.members.items():
-        law = pulled_law(LAWS[LAW_OF_TEAMS].block(scenario.known_to_law))
+        law = pulled_law(LAWS[TEAM_LAW].block(scenario.known_to_law))
         blocks += [within(one, name) for one in changed_blocks(scenario, changes_of(law))]
         neighbours = team.neighbours(name)
         blocks.append(consensus_block(name, neighbours, scenario.basis.N, team.coupling))

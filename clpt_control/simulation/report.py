@@ -26,7 +26,7 @@ from ..native.ending import Solution
 from ..scenario.experiment import Scenario
 from ..scenario.tables import Units
 from ..scenario.team import Team
-from .flows import SpeedWatch, explained_variance, note_speeds, speeds_of
+from .flows import SpeedTimer, explained_variance, note_speeds, speeds_of
 from .integrate import sample_times, simulate
 from .running import ScenarioRun
 
@@ -63,13 +63,13 @@ class Grid(NamedTuple):
 
 def run_in_pieces(
     scenario: Scenario, kept: np.ndarray, grid: Grid, progress: Callable[[float], None] | None
-) -> "tuple[xarray.Dataset, dict[str, Any], SpeedWatch | None]":
+) -> "tuple[xarray.Dataset, dict[str, Any], SpeedTimer | None]":
     """Run a scenario; return it at the times that are kept or shown, its CLPE and speeds."""
     run, pieces = ScenarioRun(scenario), list(pairwise([*range(0, grid.last, PIECE), grid.last]))
     group = 1 if len(pieces) == 1 else GROUP
     squares, parts = [], []
     x_z = [run.columns(TRUE) or run.columns("x"), run.columns("z")]
-    watch = None if run.max_speed is None else SpeedWatch(run.max_speed)
+    timer = None if run.max_speed is None else SpeedTimer(run.max_speed)
     state, statistics = run.start, dict[str, int]()
     engines, methods = dict[str, None](), dict[str, None]()
     for first, last in pieces:
@@ -91,9 +91,9 @@ def run_in_pieces(
             at, held = at[:-1], held[:-1]
         x, z = (signals[at][:, places] for places in x_z)
         size = np.sum((x - z) ** 2, axis=1)
-        if watch is not None:
+        if timer is not None:
             speeds = (signals[at][:, run.columns(port)] for port in ("v_c", "flow_x"))
-            watch.add(solution.t[at], *speeds)
+            timer.add(solution.t[at], *speeds)
         starts = np.arange(0, len(at), group)
         counts = np.diff(np.append(starts, len(at)))
         squares.append((solution.t[at][starts], np.add.reduceat(size, starts), counts))
@@ -105,7 +105,7 @@ def run_in_pieces(
     ran = ", ".join(engines), ", ".join(methods)  # a long run may begin in Python
     joined = Solution(t, states, solution.status, solution.message, statistics, *ran)
     times, sums, counts = (np.concatenate(one) for one in zip(*squares, strict=True))
-    return run.dataset(joined, signals), clpe_rms(scenario, times, sums, counts), watch
+    return run.dataset(joined, signals), clpe_rms(scenario, times, sums, counts), timer
 
 
 def union(first: np.ndarray, more: np.ndarray) -> np.ndarray:
@@ -186,15 +186,15 @@ def run_and_report(
         run = _at_own_samples(dense, own)
         return RunReport(run, run, team_summary(system, run, dense))
     grid = Grid.to(end, system.cycle / SAMPLES_PER_CYCLE)
-    dense, clpe, watch = run_in_pieces(system, times, grid, progress)
-    if watch is not None:
-        note_speeds(dense, watch.figures(), system.units)
+    dense, clpe, timer = run_in_pieces(system, times, grid, progress)
+    if timer is not None:
+        note_speeds(dense, timer.figures(), system.units)
     run = _at_own_samples(dense, own)
     shown = np.append(np.arange(0, grid.last, grid.every), grid.last)
     even = dense.isel(time=nearest(dense.time.values, grid.times(shown)))
     figures = {**clpe, **errors(system, run, at_times(dense))}
-    if watch is not None:
-        figures["speed"] = watch.figures()
+    if timer is not None:
+        figures["speed"] = timer.figures()
     summary = _summary(dense, system.units, figures)
     run.attrs[SUMMARY] = json.dumps(summary)
     return RunReport(run, even, summary)

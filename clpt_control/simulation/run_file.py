@@ -1,8 +1,8 @@
-"""A run as a file: NetCDF with CF attributes and what repeats it: its scenario, its equations.
+"""A run as a file: NetCDF with CF attributes, and its scenario or its equations, which repeat it.
 
-The equations of a diagram's run are plain data, with inputs, start and method, as JSON.  A run in
-memory keeps them in its `encoding`, which xarray hands on; a file in an attribute.  They are asked
-for when a run is saved, and kept only if the machine code made of them is the same.
+The equations of a diagram's run are JSON, with inputs, start and method.  A run in memory has them
+in its `encoding`, which xarray hands on, a file in an attribute.  They are written when a run is
+saved, and only if the machine code of what is written is that of the run.
 """
 
 import json
@@ -17,7 +17,8 @@ from ..diagrams.interconnection import Diagram
 from ..diagrams.plain_data import diagram_of, plain_diagram
 from ..equations.plain_blocks import Unrecorded
 from ..errors import ClptError, DataError
-from ..files import open_netcdf, write_netcdf
+from ..files import write_file
+from ..files.reading import open_netcdf
 from ..native.native_diagram import NativeDiagram
 from ..native.schedule import Inputs
 from ..scenario.experiment import MOST_BYTES, Scenario
@@ -78,13 +79,13 @@ def save_run(run: "xarray.Dataset", path: str | Path) -> None:
     """
     if "clpe" not in run.variables and not is_response(run):
         raise DataError(f"{path}: {NO_RUN}; clpt.simulate gives runs")
-    write_netcdf(as_written(run, Path(path)), path)
+    write_file(path, as_written(run, Path(path)))
 
 
 def as_written(run: "xarray.Dataset", path: Path) -> "xarray.Dataset":
-    """Return a run as its file holds it: with what repeats it, where there is such.
+    """Return a run as its file holds it: with its scenario or its equations, which repeat it.
 
-    That is its scenario, whose paths begin at the file's, or the equations of its diagram.
+    The scenario's paths are relative to the file.
     """
     if {"scenario", TEAM} & run.attrs.keys():
         system = system_of_run(run)
@@ -92,7 +93,7 @@ def as_written(run: "xarray.Dataset", path: Path) -> "xarray.Dataset":
             run = run.assign_attrs({TEAM: team_to_text(system, path.parent)})
         else:
             run = run.assign_attrs(scenario=scenario_to_text(system, path.parent))
-    text, why = text_of(run)
+    text, why = equations_text(run)
     if text:
         run = run.assign_attrs({EQUATIONS: text})
     elif is_response(run):
@@ -141,7 +142,7 @@ def load_run(path: str | Path) -> "xarray.Dataset":
             system = system_of_run(run, files=False)
             check_run(run, system, "time", "position", "predicted_position", "clpe")
         if text := str(run.attrs.pop(EQUATIONS, "")):
-            diagram_from(text)
+            diagram_of_text(text)
             run.encoding[EQUATIONS] = text
     except ClptError as error:
         raise DataError(f"{path}: {error}") from None
@@ -164,25 +165,25 @@ CONDITIONS = (
 )
 
 
-GIVEN = OWN_LAW, OWN_PARTS, CHANGED  # attributes that say what a scenario does not hold
+BEYOND = OWN_LAW, OWN_PARTS, CHANGED  # attributes for what a scenario does not hold
 
 
-class OfScenario(NamedTuple):
-    """The scenario of a closed loop that a file holds as records, and what it does not hold."""
+class RecordedScenario(NamedTuple):
+    """The scenario of a closed loop in a file, and the attributes for what it does not hold."""
 
     scenario: Scenario
-    said: dict[str, str]
+    beyond_scenario: dict[str, str]
 
 
-class Ran:
-    """How a diagram ran: `text` is JSON, or an `Unrecorded` says why there is none."""
+class RunRecord:
+    """How a diagram ran: `text` is JSON, or raises an `Unrecorded` that says why there is none."""
 
-    def __init__(self, made: Any, engine: str, inputs: Inputs, conditions: dict[str, Any]):
-        self.made, self.engine = made, engine  # a `DiagramRun`, and what ran it
+    def __init__(self, run: Any, engine: str, inputs: Inputs, conditions: dict[str, Any]):
+        self.run, self.engine = run, engine  # a `DiagramRun`, and what ran it
         self.conditions = conditions
-        self.inputs = inputs.samples and tuple(map(np.array, inputs.samples))  # own ones
+        self.inputs = inputs.samples and tuple(map(np.array, inputs.samples))  # copies
 
-    def __deepcopy__(self, memo: Any) -> "Ran":
+    def __deepcopy__(self, memo: Any) -> "RunRecord":
         return self
 
     def __reduce__(self) -> Any:
@@ -194,67 +195,67 @@ class Ran:
     @cached_property
     def text(self) -> str:
         """The equations, inputs, start and method."""
-        own, times = self.made.runner, self.conditions["timepts"]
+        runner, times = self.run.runner, self.conditions["timepts"]
         if self.inputs is None:
             raise Unrecorded("its inputs come by a function of Python; give samples at timepts")
-        if self.engine != "native" or not isinstance(own, NativeDiagram):
+        if self.engine != "native" or not isinstance(runner, NativeDiagram):
             raise Unrecorded("it ran in Python, by functions that no file holds")
         plain = {
             "run": {**self.conditions, "inputs": self.inputs},
             "diagram": plain_diagram(
-                self.made.wiring,
-                own.sweep.parameters,
-                self.made.called,
+                self.run.wiring,
+                runner.sweep.parameters,
+                self.run.names,
                 *map(float, times[[0, -1]]),
             ),
         }
         text = json.dumps(plain, default=lambda value: value.tolist())
-        made = NativeDiagram(diagram_from(text))
-        same = repr(made.code.program) == repr(own.code.program)  # NaN differs from itself
-        same &= all(np.array_equal(getattr(made.layout, a), getattr(own.layout, a)) for a in "PT")
-        if not same:
+        again = NativeDiagram(diagram_of_text(text))
+        arrays = [(getattr(again.layout, a), getattr(runner.layout, a)) for a in "PT"]
+        same = repr(again.code.program) == repr(runner.code.program)  # NaN differs from itself
+        if not (same and all(np.array_equal(*pair) for pair in arrays)):
             raise Unrecorded("its blocks have changed since it ran")
         return text
 
 
-def text_of(run: "xarray.Dataset") -> tuple[str, str]:
-    """Return what repeats a run, or "" and why nothing does."""
-    found = run.encoding.get(EQUATIONS) or run.attrs.get(EQUATIONS, "")
+def equations_text(run: "xarray.Dataset") -> tuple[str, str]:
+    """Return the equations that repeat a run, or "" and why there are none."""
+    record = run.encoding.get(EQUATIONS) or run.attrs.get(EQUATIONS, "")
     try:
-        return (found.text if isinstance(found, Ran) else str(found)), ""
+        return (record.text if isinstance(record, RunRecord) else str(record)), ""
     except Unrecorded as error:
         return "", str(error)
 
 
-def diagram_from(text: str) -> Diagram:
-    """Return the diagram of what repeats a run, which knows how it ran; or say what is wrong."""
+def diagram_of_text(text: str) -> Diagram:
+    """Return the diagram of the equations that repeat a run; it knows how it ran."""
     try:
         plain = json.loads(text)
-        diagram, own = diagram_of(plain["diagram"]), plain["run"]
-        diagram.recorded = {name: own[name] for name in CONDITIONS}
-        at, values = (np.array(one, dtype=float) for one in own["inputs"])
+        diagram, run = diagram_of(plain["diagram"]), plain["run"]
+        diagram.recorded = {name: run[name] for name in CONDITIONS}
+        at, values = (np.array(one, dtype=float) for one in run["inputs"])
         diagram.recorded["inputs"] = Inputs((at, values.reshape(diagram.ninputs, len(at))))
-        state = np.array(own["initial_state"], dtype=float).reshape(diagram.nstates or 0)
-        rest = [own[name] or 0.0 for name in ("rtol", "atol", "max_step", "first_step")]
+        state = np.array(run["initial_state"], dtype=float).reshape(diagram.nstates or 0)
+        rest = [run[name] or 0.0 for name in ("rtol", "atol", "max_step", "first_step")]
         if not np.isfinite(np.concatenate([at, values.ravel(), state, rest[:2]])).all():
             raise DataError("a number is not finite")
-        if not (np.all(np.diff(at) > 0) and np.all(np.diff(own["timepts"]) > 0)):
+        if not (np.all(np.diff(at) > 0) and np.all(np.diff(run["timepts"]) > 0)):
             raise DataError("its times do not increase")
-        if min(rest) < 0 or not isinstance(own["method"], str | None):
+        if min(rest) < 0 or not isinstance(run["method"], str | None):
             raise DataError("its tolerances, steps or method are none")
     except ClptError as error:
         raise DataError(f"its equations are damaged: {error}") from None
-    except Exception as error:  # whatever damaged data make of themselves
+    except Exception as error:  # damaged data can raise anything
         what = f"{type(error).__name__}: {error}".replace("\n", " ")
         raise DataError(f"its equations are damaged: {what:.80}") from None
     return diagram
 
 
 def repeats_by_equations(path: Path) -> bool:
-    """Return whether a file holds equations, and no scenario that says all."""
+    """Return whether a file holds equations, and no scenario that repeats the run alone."""
     with open_netcdf(path) as data:
-        given = data.attrs.keys() & {*GIVEN}
-        return EQUATIONS in data.attrs and bool(given or "scenario" not in data.attrs)
+        beyond = data.attrs.keys() & {*BEYOND}
+        return EQUATIONS in data.attrs and bool(beyond or "scenario" not in data.attrs)
 
 
 @public
@@ -291,18 +292,18 @@ def load_diagram(path: str | Path) -> Diagram:
     """
     with open_netcdf(Path(path)) as data:
         check_form(data.attrs, path)
-        told = {name: str(value) for name, value in data.attrs.items()}
-    text, why = (told.get(name, "") for name in (EQUATIONS, NOT_REPEATED))
-    if not text and "scenario" in told:
+        attributes = {name: str(value) for name, value in data.attrs.items()}
+    text, why = (attributes.get(name, "") for name in (EQUATIONS, NOT_REPEATED))
+    if not text and "scenario" in attributes:
         return closed_loop(load_scenario(path))
     if not text:
         raise DataError(f"{path}: holds no equations{f': {why}' if why else ''}")
     try:
-        diagram = diagram_from(text)
-        if "scenario" in told:
-            scenario = scenario_from_text(told["scenario"], "the run", Path(path).parent)
-            said = {name: told[name] for name in GIVEN if name in told}
-            diagram.recorded["of"] = OfScenario(scenario, said)
+        diagram = diagram_of_text(text)
+        if "scenario" in attributes:
+            scenario = scenario_from_text(attributes["scenario"], "the run", Path(path).parent)
+            beyond = {name: attributes[name] for name in BEYOND if name in attributes}
+            diagram.recorded["experiment"] = RecordedScenario(scenario, beyond)
     except ClptError as error:
         raise DataError(f"{path}: {error}") from None
     return diagram

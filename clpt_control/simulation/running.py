@@ -1,6 +1,7 @@
 """Any system, ready to run: a scenario, a team of vehicles, a diagram of any blocks.
 
-A second call of the same need not wire, read and lay out again: runs are kept `ready`.
+`ready` caches the last runs, so that a second call of the same does not wire, read and lay out
+again.
 """
 
 import os
@@ -25,30 +26,30 @@ from ..scenario.experiment import Scenario
 from ..scenario.file import EQUATIONS, OWN_PARTS, REFERENCE, TEAM
 from ..scenario.team import Team, team_to_text
 from .dataset import (
-    Columns,
     Frame,
-    columns_of,
+    Signals,
+    beyond_scenario_of,
     diagram_frame,
-    not_held,
     run_frame,
+    signals_in,
     with_states,
 )
 from .flows import faster_flow, speeds_of
 from .loops import LoopOf, paper_blocks, team_blocks
-from .run_file import CONDITIONS, Ran
+from .run_file import CONDITIONS, RunRecord
 from .starts import into_keys, state_labels, state_of
 
 if TYPE_CHECKING:
     import xarray
 
-MOST = 16  # runs that are ready
-_READY: dict[Any, Any] = {}
+MOST = 16  # cached runs
+_CACHE: dict[Any, Any] = {}
 
 
 class SystemRun:
-    """A system as it was read: integrate it, ask its signals, make a Dataset."""
+    """A system as it was read: integrate it, compute its signals, return a Dataset."""
 
-    start: np.ndarray  # where no other is given
+    start: np.ndarray  # its own, for a call that gives none
     scenario: Any = None  # of one vehicle
 
     def __init__(
@@ -73,9 +74,9 @@ class SystemRun:
         blocks = zip(self.wiring.nodes, self.runner.sweep.parameters, strict=True)
         return next((p.max_speed for node, p in blocks if node.name == "speed_limit"), None)
 
-    def run(self, times: np.ndarray, **given: Any) -> "xarray.Dataset":
+    def run(self, times: np.ndarray, **options: Any) -> "xarray.Dataset":
         """Run from the start; return a Dataset."""
-        solution = self.runner.run(self.start, times, **given)
+        solution = self.runner.run(self.start, times, **options)
         return self.dataset(solution, self.runner.signals(solution))
 
     def dataset(self, solution: Solution, signals: np.ndarray) -> "xarray.Dataset":
@@ -89,7 +90,7 @@ class SystemRun:
 
 
 class ScenarioRun(SystemRun):
-    """A scenario's closed loop; call-time values go into the keys that hold them."""
+    """A scenario's closed loop; call-time values replace those of the scenario's keys."""
 
     def __init__(
         self,
@@ -106,9 +107,9 @@ class ScenarioRun(SystemRun):
     @cached_property
     def frame(self) -> Frame:
         """The Dataset of its runs."""
-        found = columns_of(self.labels, self.wiring, self.runner.sweep.parameters)
+        signals = signals_in(self.labels, self.wiring, self.runner.sweep.parameters)
         states = state_labels(self.parts)
-        return run_frame(self.scenario, found, not_held(self.params), states=states)
+        return run_frame(self.scenario, signals, beyond_scenario_of(self.params), states=states)
 
 
 class TeamRun(SystemRun):
@@ -120,31 +121,33 @@ class TeamRun(SystemRun):
         members = team.members.values()
         self.start = np.concatenate([state_of(one, paper_blocks(one)) for one in members])
 
-    def _vehicles(self) -> dict[str, Columns]:
-        """Return where each vehicle's signals stand; what one alone lacks is as in calm.
+    def _vehicles(self) -> dict[str, Signals]:
+        """Return each vehicle's signals; where any has a port, all have it.
 
-        Without noise the true position is what is read, without a limit what is commanded flown.
+        The position that a vehicle without noise reads is the true one; without a speed limit the
+        velocity that is commanded is flown.
         """
-        found: dict[str, Columns] = {name: Columns({}, {}) for name in self.team.members}
-        every_signal = columns_of(self.labels, self.wiring, self.runner.sweep.parameters)
-        for kind, every in enumerate(every_signal):
+        vehicles: dict[str, Signals] = {name: Signals({}, {}) for name in self.team.members}
+        for kind, every in enumerate(
+            signals_in(self.labels, self.wiring, self.runner.sweep.parameters)
+        ):
             for name, value in every.items():
                 vehicle, own = split(name)
-                found[vehicle][kind][own] = value
+                vehicles[vehicle][kind][own] = value
         for port, other in (("v_c", "v_x"), (TRUE, "x")):
-            if any(f"{port}[0]" in one.column for one in found.values()):
-                for one in found.values():
+            if any(f"{port}[0]" in one.column for one in vehicles.values()):
+                for one in vehicles.values():
                     for k in range(2):
                         one.column.setdefault(f"{port}[{k}]", one.column[f"{other}[{k}]"])
-        return found
+        return vehicles
 
     def dataset(self, solution: Solution, signals: np.ndarray) -> "xarray.Dataset":
         """Return a solution with a dimension `vehicle`."""
         import xarray
 
-        team, columns = self.team, self._vehicles()
+        team, vehicles = self.team, self._vehicles()
         runs = [
-            run_frame(scenario, columns[name]).filled(solution, signals)
+            run_frame(scenario, vehicles[name]).filled(solution, signals)
             for name, scenario in team.members.items()
         ]
         names = xarray.DataArray(
@@ -161,8 +164,8 @@ class TeamRun(SystemRun):
         whole.attrs = {**attributes, TEAM: team_to_text(team)}
         for name, scenario in team.members.items():
             if (limit := scenario.vehicle.max_speed) is not None:
-                found = speeds_of(whole.sel(vehicle=name), limit)
-                if sentence := faster_flow(found, scenario.units):
+                speeds = speeds_of(whole.sel(vehicle=name), limit)
+                if sentence := faster_flow(speeds, scenario.units):
                     whole.attrs["message"] += f"; {name}: {sentence}"
         whole.encoding["folder"] = str(team.first._folder)
         return with_states(whole, state_labels(self.parts), solution)
@@ -181,67 +184,71 @@ class DiagramRun(SystemRun):
         stop: Callable | None = None,
     ):
         read_anew(diagram)
-        self.loop: LoopOf | None = getattr(diagram, "made_of", None)
-        self.of = self.loop or (getattr(diagram, "recorded", None) or {}).get("of")
-        self.scenario = self.of and self.of.scenario
+        self.loop: LoopOf | None = getattr(diagram, "origin", None)
+        self.experiment = self.loop or (getattr(diagram, "recorded", None) or {}).get("experiment")
+        self.scenario = self.experiment and self.experiment.scenario
         wiring = wiring_of(diagram, params, sizes)
         wiring = wiring if stop is None else with_stop(wiring, stop)
         super().__init__(diagram.name, wiring, params and dict(params), engine, by_function)
-        made, given, self.states = labels_of(diagram, self.wiring)
-        self.called = {"name": self.name, "inputs": given, "outputs": made, "states": self.states}
-        made, given = map(whole_labels, (made, given))
-        taken = ports_of(made)  # an input of the name of an output is told apart, all its signals
-        parts = [one.partition("[") for one in given]
-        self.shown = made + [
+        outputs, inputs, self.states = labels_of(diagram, self.wiring)
+        self.names = {
+            "name": self.name, "inputs": inputs, "outputs": outputs, "states": self.states
+        }  # fmt: skip
+        outputs, inputs = map(whole_labels, (outputs, inputs))
+        taken = ports_of(outputs)  # an input with the name of an output gets another one
+        parts = [label.partition("[") for label in inputs]
+        self.signal_labels = outputs + [
             "".join((f"{port}_input" if port in taken else port, *rest)) for port, *rest in parts
         ]
 
-    def run(self, times: np.ndarray, inputs: Any = None, x0: Any = None, **given: Any) -> Any:
-        """Run from a state at the first time to the last; what repeats it comes with it."""
+    def run(self, times: np.ndarray, inputs: Any = None, x0: Any = None, **options: Any) -> Any:
+        """Run from a state at the first time to the last; the Dataset carries what repeats it."""
         u = read_inputs(inputs, times, self.wiring.ninputs)
         state = stacked_state("initial_state", 0.0 if x0 is None else x0, self.runner.nstates)
-        given["inputs"] = u
-        found, signals = run_checked(self.runner, self.name, state, times, self.params, **given)
-        made = self.dataset(found, (self._shown @ np.vstack([signals.T, u.along(found.t)])).T)
-        own = {"timepts": times.copy(), "initial_state": state}
-        conditions = {name: value for name, value in given.items() if name in CONDITIONS}
-        made.encoding[EQUATIONS] = Ran(self, found.engine, u, {**conditions, **own})
-        return made
+        options["inputs"] = u
+        solution, blocks = run_checked(self.runner, self.name, state, times, self.params, **options)
+        signals = self._signal_map @ np.vstack([blocks.T, u.along(solution.t)])
+        run = self.dataset(solution, signals.T)
+        conditions = {name: value for name, value in options.items() if name in CONDITIONS}
+        conditions |= {"timepts": times.copy(), "initial_state": state}
+        run.encoding[EQUATIONS] = RunRecord(self, solution.engine, u, conditions)
+        return run
 
     @cached_property
-    def as_made(self) -> bool:
-        """Whether no scenario has to say more: of a closed loop that is as it was made."""
+    def is_unchanged(self) -> bool:
+        """Whether it is no closed loop, or one that is as `closed_loop` made it."""
         loop = self.loop
-        return loop is None or (not loop.external and loop.is_still(self.wiring))
+        return loop is None or (not loop.external and loop.is_unchanged(self.wiring))
 
     @property
-    def as_diagram(self) -> dict[str, str]:
-        """What the run of a closed loop says that its scenario alone does not repeat."""
+    def beyond_scenario(self) -> dict[str, str]:
+        """Attributes of a closed loop's run: what its scenario alone does not repeat."""
         if self.loop is None:
             return {}
         outside = f"{REFERENCE}: from outside" if "zc" in self.loop.external else ""
-        said = [self.loop.changes.in_words, outside, f"{self.name}: run as a diagram"]
-        return {OWN_PARTS: ", ".join(filter(None, said))}
+        parts = [self.loop.changes.in_words, outside, f"{self.name}: run as a diagram"]
+        return {OWN_PARTS: ", ".join(filter(None, parts))}
 
     @cached_property
-    def _shown(self) -> Any:
-        """What a run shows, outputs and then inputs, of all block outputs and inputs."""
+    def _signal_map(self) -> Any:
+        """The matrix from all block outputs and inputs to outputs, then inputs."""
         outer = tuple({~k: 1.0} for k in range(self.wiring.ninputs))
         return self.wiring.matrix_of(self.wiring.outputs + outer)
 
     @cached_property
     def frame(self) -> Frame:
-        """The Dataset of its runs; of `closed_loop` it is its scenario's."""
-        if self.of is None:
-            units = units_shown(self.wiring)
-            return diagram_frame(self.name, *map(tuple, (self.shown, units, self.states)))
-        found = columns_of(self.shown, self.wiring, self.runner.sweep.parameters)
-        said = not_held(self.params, self.of.said)
-        return run_frame(self.of.scenario, found, said, ports_of(self.shown), self.states)
+        """The Dataset of its runs; for a `closed_loop` it is its scenario's."""
+        if self.experiment is None:
+            units = signal_units(self.wiring)
+            return diagram_frame(self.name, *map(tuple, (self.signal_labels, units, self.states)))
+        signals = signals_in(self.signal_labels, self.wiring, self.runner.sweep.parameters)
+        beyond = beyond_scenario_of(self.params, self.experiment.beyond_scenario)
+        ports = ports_of(self.signal_labels)
+        return run_frame(self.experiment.scenario, signals, beyond, ports, self.states)
 
 
 def labels_of(diagram: Any, wiring: Wiring) -> tuple[list[str], list[str], list[str]]:
-    """Return the labels of outputs, inputs and states, also where the system leaves them open."""
+    """Return the labels of outputs, inputs and states; its block has those that are open."""
     first = wiring.nodes[0].system
     named = first if None in (diagram.ninputs, diagram.noutputs) else diagram
     states = (first if diagram.nstates is None else diagram).state_labels
@@ -254,12 +261,12 @@ def labels_of(diagram: Any, wiring: Wiring) -> tuple[list[str], list[str], list[
     return named.output_labels, named.input_labels, states
 
 
-def units_shown(wiring: Wiring) -> list[str]:
-    """Return the units of outputs, then of inputs; of a sum of several none is known."""
-    made, given = units_of(wiring)
-    alone = [next(iter(row)) if [*row.values()] == [1.0] else None for row in wiring.outputs]
-    own = ["" if k is None else made[k] if k >= 0 else given[~k] for k in alone]
-    return own + given
+def signal_units(wiring: Wiring) -> list[str]:
+    """Return the units of outputs, then of inputs; "" for a sum of several."""
+    blocks, inputs = units_of(wiring)
+    single = [next(iter(row)) if [*row.values()] == [1.0] else None for row in wiring.outputs]
+    outputs = ["" if k is None else blocks[k] if k >= 0 else inputs[~k] for k in single]
+    return outputs + inputs
 
 
 def compiled(
@@ -267,7 +274,7 @@ def compiled(
     params: Mapping[str, Any] | None,
     sizes: tuple[int | None, int | None] = (None, None),
 ) -> DiagramRun:
-    """Return a diagram that runs as machine code; what cannot be that is `Uncompiled`."""
+    """Return a diagram that runs as machine code; raise `Uncompiled` where it cannot."""
     with catch_warnings():
         simplefilter("ignore")  # that it runs in Python
         run = DiagramRun(diagram, params, sizes, engine="native")
@@ -277,18 +284,18 @@ def compiled(
 
 
 @contextmanager
-def ready(found: tuple[Any, Any] | None, make: Callable[[], Any]) -> Iterator[Any]:
-    """Yield the run of a key, made where there is none; until it is given back it is one's own.
+def ready(key: tuple[Any, Any] | None, make: Callable[[], Any]) -> Iterator[Any]:
+    """Yield the cached run of a key, or a new one; meanwhile no other caller gets it.
 
-    `found` is a key, with the objects whose places are in it.  Without one a run is made each time,
-    and so is what runs in Python, of which a warning tells each time.
+    A `key` comes with the objects whose identities are in it, which the cache keeps alive.  Without
+    a key a run is made each time, and so is one in Python, whose warning is given each time.
     """
-    key = found and (found[0], os.environ.get(VARIABLE))
-    held, run = _READY.pop(key, (None, None))
+    place = key and (key[0], os.environ.get(VARIABLE))
+    objects, run = _CACHE.pop(place, (None, None))
     if run is None:
-        held, run = found, make()
+        objects, run = key, make()
     yield run
-    if found and run.runner.engine == "native":
-        _READY[key] = held, run
-        for oldest in list(_READY)[:-MOST]:
-            _READY.pop(oldest, None)
+    if key and run.runner.engine == "native":
+        _CACHE[place] = objects, run
+        for oldest in list(_CACHE)[:-MOST]:
+            _CACHE.pop(oldest, None)

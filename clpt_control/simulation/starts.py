@@ -1,4 +1,4 @@
-"""Where states are: at t = 0 by what a scenario's keys say, and at a time of a run."""
+"""The states of a diagram: at t = 0, by a scenario's keys, and at a time of a run."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from operator import attrgetter
@@ -16,7 +16,7 @@ from ..equations.system import is_linear
 from ..errors import BlockError, DataError, DiagramError, ScenarioError, SimulationError
 from ..native.schedule import stacked_state
 from ..scenario.experiment import Scenario
-from ..scenario.quantities import STARTS, keys_of, names_held
+from ..scenario.quantities import STARTS, keys_of, parameters_of_keys
 from ..scenario.team import Team
 from .loops import paper_blocks
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 def starting_values(scenario: Scenario) -> dict[str, np.ndarray]:
-    """Return what the scenario's keys say of states at t = 0, by key."""
+    """Return the states at t = 0 by the scenario's keys for them."""
     values = {key: attrgetter(key)(scenario) for key in STARTS}
     values["learning.parameters"] = scenario.learning_parameters
     if scenario.learning.row.alpha_is_constant:  # alpha is no state
@@ -48,11 +48,11 @@ def state_labels(parts: Iterable[Part]) -> list[str]:
 
 
 def state_columns(parts: Iterable[Part]) -> dict[str, slice]:
-    """Return where each state lies in the state of a diagram; one that is a signal goes first.
+    """Return the columns of each state in the state of a diagram.
 
-    What a scenario starts, such as x, is the state that is the signal x.
+    Of several with one name, that which is the signal of this name counts: a scenario starts it.
     """
-    found: dict[str, slice] = {}
+    signals: dict[str, slice] = {}
     hidden: dict[str, slice] = {}
     end = 0
     for name, part in leaves(parts):
@@ -60,11 +60,11 @@ def state_columns(parts: Iterable[Part]) -> dict[str, slice]:
         for port, size in ports.items():
             column = slice(end, end := end + size)
             if _is_signal(part, port, size):
-                found.setdefault(port, column)
+                signals.setdefault(port, column)
             else:
-                own = f"{name}.{port}" if port in STARTS.values() else port
-                hidden.setdefault(own, column)
-    return {**hidden, **found}
+                label = f"{name}.{port}" if port in STARTS.values() else port
+                hidden.setdefault(label, column)
+    return {**hidden, **signals}
 
 
 def _is_signal(part: Part, port: str, size: int) -> bool:
@@ -77,15 +77,15 @@ def _is_signal(part: Part, port: str, size: int) -> bool:
 
 
 def state_of(scenario: Scenario, parts: Iterable[Part], law: Part | None = None) -> np.ndarray:
-    """Return the state of parts at t = 0; what no key of the scenario says starts at 0."""
+    """Return the state of parts at t = 0; what no key of the scenario starts is 0."""
     parts = list(parts)
     columns = state_columns(parts)
-    own = scenario.learning.row.starts(scenario.known_to_law) if law is None else {}
+    of_law = scenario.learning.row.starts(scenario.known_to_law) if law is None else {}
     state = np.zeros(sum(part.nstates or 0 for part in parts))
     for key, value in starting_values(scenario).items():
         if STARTS[key] in columns:
             state[columns[STARTS[key]]] = value.ravel()
-    for port, value in own.items():
+    for port, value in of_law.items():
         if port in columns:
             state[columns[port]] = np.ravel(value)
     return state
@@ -115,9 +115,9 @@ def initial_state(system: Scenario | Diagram) -> np.ndarray:
     """
     if isinstance(system, Scenario):
         return state_of(system, paper_blocks(system))
-    if system.made_of is None:
+    if system.origin is None:
         raise DiagramError(f"{system.name}: knows no scenario; one that closed_loop makes does")
-    return state_of(system.made_of.scenario, system.syslist, system.made_of.changes.law)
+    return state_of(system.origin.scenario, system.syslist, system.origin.changes.law)
 
 
 @public
@@ -160,25 +160,25 @@ def state_at(run: "xarray.Dataset", t: float) -> np.ndarray:
     return np.array(run.states.values[k], dtype=float)
 
 
-# --- call-time values go into the keys that hold them ---------------------------------------------
+# --- call-time values replace those of a scenario's keys ------------------------------------------
 
 
 def with_solver(system: Any, solver: Mapping[str, Any]) -> Any:
-    """Return a scenario or a team with the tolerances and the method that were asked for."""
-    given = {f"run.{key}": value for key, value in solver.items() if value is not None}
-    if given and isinstance(system, Team):
-        members = {name: one.with_values(given) for name, one in system.members.items()}
+    """Return a scenario or a team with tolerances and method, where these are not None."""
+    values = {f"run.{key}": value for key, value in solver.items() if value is not None}
+    if values and isinstance(system, Team):
+        members = {name: one.with_values(values) for name, one in system.members.items()}
         return Team(members=members, edges=system.edges, coupling=system.coupling)
-    return system.with_values(given) if given else system
+    return system.with_values(values) if values else system
 
 
-def _checked(scenario: Scenario, name: str, value: Any) -> Scenario:
-    """Return a scenario with a call-time value in its key; refuse what no scenario may have."""
+def _with_value(scenario: Scenario, name: str, value: Any) -> Scenario:
+    """Return a scenario with a call-time value in its key; refuse one that no scenario may have."""
     if value is None:
         raise BlockError(f"params: {name} = None: must be a number or an array")
-    held = name.endswith((".gain_K", ".gain_Gamma")) and np.array_equal(value, 0.0)
+    not_adapted = name.endswith((".gain_K", ".gain_Gamma")) and np.array_equal(value, 0.0)
     changed = scenario
-    for key in () if held else keys_of(scenario, name):
+    for key in () if not_adapted else keys_of(scenario, name):
         try:
             changed = scenario.with_values({key: value})
         except ScenarioError as error:
@@ -192,26 +192,27 @@ def _checked(scenario: Scenario, name: str, value: Any) -> Scenario:
 def into_keys(
     scenario: Scenario, params: Mapping[str, Any] | None, x0: Any
 ) -> tuple[Scenario, dict[str, Any]]:
-    """Put call-time values into the scenario where keys hold them; return it and what is left."""
+    """Return a scenario with call-time values in its keys, and the values that have no key."""
     left = dict(params or {})
     if x0 is None and not left:
         return scenario, left
     parts = paper_blocks(scenario)
     known = {f"{block.name}.{field}" for block in parts for field in block.parameters._fields}
-    alone = {own[0] for own in names_held(scenario, known).values() if len(own) == 1}
+    by_key = parameters_of_keys(scenario, known).values()
+    alone = {names[0] for names in by_key if len(names) == 1}
     for name in [name for name in left if name in known]:
-        changed = _checked(scenario, name, left[name])
+        changed = _with_value(scenario, name, left[name])
         if name in alone:
             scenario = changed
             del left[name]
     if x0 is not None:
         columns = state_columns(parts)
-        held = {STARTS[key]: (key, v.shape) for key, v in starting_values(scenario).items()}
+        keys = {STARTS[key]: (key, v.shape) for key, v in starting_values(scenario).items()}
         count = sum(part.nstates or 0 for part in parts)
         state = stacked_state("initial_state", x0, count, padded=False)
-        given = columns.keys() & held.keys()
+        ports = columns.keys() & keys.keys()
         scenario = scenario.with_values(
-            {held[port][0]: state[columns[port]].reshape(held[port][1]) for port in given}
+            {keys[port][0]: state[columns[port]].reshape(keys[port][1]) for port in ports}
         )
         usual = state_of(scenario, paper_blocks(scenario))
         wrong = np.flatnonzero(state != usual)

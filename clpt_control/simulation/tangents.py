@@ -36,8 +36,8 @@ from ..native.native_diagram import NativeDiagram
 from ..native.schedule import read_inputs, stacked_state
 from ..scenario.experiment import Scenario
 from .dataset import diagram_frame
-from .integrate import asked
-from .running import compiled, units_shown
+from .integrate import request_of
+from .running import compiled, signal_units
 
 if TYPE_CHECKING:
     import xarray
@@ -110,7 +110,7 @@ class Sensitive:
         params: Mapping[str, Any] | None,
         **solver: Any,
     ):
-        own = asked(system, timepts, inputs, initial_state, **solver)
+        own = request_of(system, timepts, inputs, initial_state, **solver)
         system, self.times, self.skipped = own.diagram, own.times, own.skipped
         self.name, self.solver = system.name, own.how
         if callable(own.inputs):
@@ -127,7 +127,7 @@ class Sensitive:
         except (Uncompiled, Unread) as error:
             raise SimulationError(f"{self.name}: has no known derivative: {error}") from None
         outputs = slice(len(self.wiring.outputs))
-        self.labels, self.units = run.shown[outputs], units_shown(run.wiring)[outputs]
+        self.labels, self.units = run.signal_labels[outputs], signal_units(run.wiring)[outputs]
         self.inputs = read_inputs(own.inputs, own.times, run.wiring.ninputs)
         state = 0.0 if own.start is None else own.start
         self.start = stacked_state("initial_state", state, run.runner.nstates)

@@ -10,7 +10,7 @@ from clpt_control.blocks.laws.law import Gains, Truth
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.diagrams.parts import functions_of
 from clpt_control.errors import ScenarioError
-from clpt_control.scenario.quantities import made_of, names_held
+from clpt_control.scenario.quantities import keys_of_law, parameters_of_keys
 from clpt_control.theory.proving.theorem_loop import theorem_scenario
 
 N = 2
@@ -143,6 +143,6 @@ def test_what_a_law_is_made_of_is_what_changes_it(name):
             continue  # the law has no use for it
         first, second = values(scenario), values(other)
         held = [f"adaptation.{field}" for field in first]
-        held = {one.partition(".")[2] for one in names_held(other, held).get(key, [])}
+        held = {one.partition(".")[2] for one in parameters_of_keys(other, held).get(key, [])}
         moved = {field for field in first if not np.array_equal(first[field], second[field])}
-        assert bool(moved - held) == (key in made_of(other)), (key, moved, held)
+        assert bool(moved - held) == (key in keys_of_law(other)), (key, moved, held)

@@ -10,7 +10,7 @@ from strait import FILE, team, vehicle
 
 import clpt_control
 from clpt_control.blocks.laws.table import LAWS
-from clpt_control.files import write_text
+from clpt_control.files import write_file
 from clpt_control.scenario.team import team_to_text
 from clpt_control.theory.proving.theorem_loop import AT_FIXES
 
@@ -18,7 +18,7 @@ from clpt_control.theory.proving.theorem_loop import AT_FIXES
 @pytest.fixture
 def file(tmp_path):
     of = team(a=vehicle(), b=vehicle(reference_radius=2.0))
-    write_text(tmp_path / "team.toml", team_to_text(of))
+    write_file(tmp_path / "team.toml", team_to_text(of))
     return tmp_path / "team.toml"
 
 

@@ -22,7 +22,7 @@ from clpt_control.currents.plane import (
 from clpt_control.currents.record import read_record
 from clpt_control.equations import evaluate
 from clpt_control.errors import DataError
-from clpt_control.files import write_netcdf
+from clpt_control.files import write_file
 from clpt_control.scenario.tables import Units
 
 MARACOOS = Path(__file__).parents[2] / "clpt_control/data/maracoos_hfr_2019-01-01.nc"
@@ -417,7 +417,7 @@ def random_field():
 def test_field_file_read_back_equals_the_data_at_nodes(tmp_path, units):
     field = random_field()
     data = field_dataset(field, Units(length="km", time="h"), {"title": "test"})
-    write_netcdf(data, tmp_path / "f.nc")
+    write_file(tmp_path / "f.nc", data)
     read = read_field(tmp_path / "f.nc", units)
     T, Y, X = np.meshgrid(read.time, read.x2, read.x1, indexing="ij")
     values = evaluate(gridded_flow(read), T.ravel(), np.column_stack([X.ravel(), Y.ravel()]))

@@ -13,7 +13,7 @@ from scipy import stats
 
 import clpt_control as clpt
 from clpt_control.diagrams.varied import place_of
-from clpt_control.ensemble.drawn_values import distribution, parsed, read_vary
+from clpt_control.ensemble.drawn_values import distribution, read_varies, read_vary
 from clpt_control.ensemble.members import Ensemble
 from clpt_control.ensemble.of_diagrams import VariedDiagram
 from clpt_control.equations.declaration import ports_of
@@ -392,13 +392,13 @@ def test_members_are_what_python_runs_block_by_block(seed):
     first = VariedDiagram(diagram, (), TIMES[:5], 0.1, 0.2)
     names = [name for name in sorted(first.names) if place_of(name, first.names, first.given)]
     vary = dict.fromkeys(draw.sample(names, min(4, len(names))), "0.4:0.9")
-    varied = VariedDiagram(diagram, parsed(vary), TIMES[:5], 0.1, 0.2)
+    varied = VariedDiagram(diagram, read_varies(vary), TIMES[:5], 0.1, 0.2)
     given = {"timepts": TIMES[:5], "inputs": 0.1, "initial_state": 0.2, "trajectories": True}
     data = clpt.run_ensemble(diagram, vary, 5, **given)
     python = Ensemble(varied, vary, "python")
     for m in range(5):
         own = {key: data[key].values[m] for key in vary}
-        parameters, start, inputs = varied.made(own)
+        parameters, start, inputs = varied.member(own)
         alone = python.native.with_parameters(parameters)
         solution = alone.run(start, TIMES[:5], inputs=inputs, method="dop853")
         signals = alone.signals(solution, inputs)

@@ -8,7 +8,7 @@ import pytest
 from ensemble_stores import VARY
 
 import clpt_control
-from clpt_control.ensemble.drawn_values import draw_members, parsed
+from clpt_control.ensemble.drawn_values import draw_members, read_varies
 from clpt_control.ensemble.of_scenarios import VariedScenario, variable_values
 from clpt_control.ensemble.run import run_ensemble
 from clpt_control.ensemble.spread import ensemble_summary
@@ -18,7 +18,7 @@ HERE = Path(__file__).parents[1]
 
 
 def draw(scenario, vary, members, design="lhs", seed=0):
-    return draw_members(VariedScenario(scenario), parsed(vary), members, design, seed)
+    return draw_members(VariedScenario(scenario), read_varies(vary), members, design, seed)
 
 
 def test_a_latin_hypercube_draws_once_from_each_part(scenario):

@@ -39,7 +39,7 @@ TIMES = np.array([0.0, 3.3, 3.4, 17.0, 42.0, 60.0])
 def test_members_equal_single_runs(lanes):
     values = members_of(5)
     ensemble = ensemble_of(values, lanes)
-    assert sorted(ensemble.computed) == ["basis.periods", "reference.dwell"]
+    assert sorted(ensemble.one_by_one) == ["basis.periods", "reference.dwell"]
     found = ensemble.run(ensemble.members(values), TIMES)
     assert (found.status == 1).all()
     tolerance = 1e-10  # code of its own: the compiler may join a product and a sum elsewhere

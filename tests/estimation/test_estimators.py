@@ -15,7 +15,7 @@ from clpt_control.estimation.fix_model import FixModel, Priors, inertial_frequen
 from clpt_control.replay.flow_models import Uncovered, carried_by, read_flow_model
 from clpt_control.replay.outcome import clpe_rms, summary
 from clpt_control.replay.replay import replay_dives
-from clpt_control.scenario.tides import period
+from clpt_control.scenario.tidal_periods import period
 
 FIELD = Path(__file__).parents[2] / "clpt_control/data/maracoos_hfr_2019-01-01.nc"
 

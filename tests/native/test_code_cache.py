@@ -17,7 +17,7 @@ import pytest
 from llvmlite import ir
 
 from clpt_control import Block
-from clpt_control.files.user_cache import FOLDER, cache_folder, trusted
+from clpt_control.files import CACHE, cache_folder, trusted
 from clpt_control.native import machine
 from clpt_control.native.llvm_function import Function
 from clpt_control.native.machine import Machine, cache_code, cached_code, code_name
@@ -26,7 +26,7 @@ from clpt_control.native.machine import Machine, cache_code, cached_code, code_n
 @pytest.fixture
 def folder(monkeypatch, tmp_path):
     place = tmp_path / "cache"
-    monkeypatch.setenv(FOLDER, str(place))
+    monkeypatch.setenv(CACHE, str(place))
     return place
 
 
@@ -61,13 +61,13 @@ def test_without_a_home_or_with_a_read_only_one_there_is_no_folder(folder, monke
     monkeypatch.setattr(os, "access", lambda path, mode: False)
     assert cache_folder() is None
     monkeypatch.undo()
-    monkeypatch.setenv(FOLDER, os.devnull + "/none/at/all")
+    monkeypatch.setenv(CACHE, os.devnull + "/none/at/all")
     assert cache_folder() is None
 
 
 @pytest.mark.skipif(sys.platform in ("win32", "darwin"), reason="the folder is found elsewhere")
 def test_the_users_own_folder_comes_from_home(monkeypatch, tmp_path):
-    for name in (FOLDER, "XDG_CACHE_HOME"):
+    for name in (CACHE, "XDG_CACHE_HOME"):
         monkeypatch.delenv(name, raising=False)
     monkeypatch.setenv("HOME", str(tmp_path))
     assert cache_folder() == tmp_path / ".cache" / "clpt-control"

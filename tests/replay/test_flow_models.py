@@ -22,7 +22,7 @@ from synthetic_forecast import (
 
 from clpt_control.currents.fit import fit_scenario, save_fit
 from clpt_control.errors import DataError
-from clpt_control.files import write_netcdf
+from clpt_control.files import write_file
 from clpt_control.gliders.dive_files import sample_dives
 from clpt_control.gliders.usable_dives import usable
 from clpt_control.replay.dataset import replay_dataset
@@ -154,7 +154,7 @@ def test_replay_with_and_without_a_model(tmp_path):
     assert found["clpe_rms"]["flow_model"] == pytest.approx(np.sqrt(np.mean(np.square(even))))
     data = replay_dataset(replay)
     assert np.isnan(data.clpe_flow_model.values).sum() == 7
-    write_netcdf(data, tmp_path / "replay.nc")
+    write_file(tmp_path / "replay.nc", data)
     with netCDF4.Dataset(tmp_path / "replay.nc") as file:
         assert np.isnan(file["clpe_flow_model"]._FillValue)
         assert "_FillValue" not in file["clpe_no_flow"].ncattrs()

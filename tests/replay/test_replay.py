@@ -103,9 +103,9 @@ def test_mistakes_are_sentences():
 def test_the_dataset_is_a_cf_trajectory(sg542, tmp_path):
     import xarray
 
-    from clpt_control.files import write_netcdf
+    from clpt_control.files import write_file
 
-    write_netcdf(replay_dataset(sg542, "SG542"), tmp_path / "replay.nc")
+    write_file(tmp_path / "replay.nc", replay_dataset(sg542, "SG542"))
     with xarray.open_dataset(tmp_path / "replay.nc") as data:
         assert data.attrs["featureType"] == "trajectory"
         assert data.trajectory.attrs["cf_role"] == "trajectory_id"

@@ -15,7 +15,7 @@ import xarray
 from random_diagrams import random_diagram
 
 import clpt_control as clpt
-from clpt_control.simulation.run_file import diagram_from, text_of
+from clpt_control.simulation.run_file import diagram_of_text, equations_text
 
 TIMES = np.linspace(0.0, 4.0, 21)
 SCENARIO = clpt.paper_scenario().with_values({"run.duration": 20.0})
@@ -212,7 +212,7 @@ def test_a_closed_loop_of_ones_own_is_repeated(tmp_path):
     with pytest.raises(clpt.DataError, match=r"alone does not repeat it; clpt\.load_diagram"):
         clpt.load_scenario(tmp_path / "run.nc")
     clpt.save_run(clpt.simulate(SCENARIO), tmp_path / "of_a_scenario.nc")
-    assert clpt.load_diagram(tmp_path / "of_a_scenario.nc").made_of.scenario == SCENARIO
+    assert clpt.load_diagram(tmp_path / "of_a_scenario.nc").origin.scenario == SCENARIO
 
 
 def test_a_recorded_start_and_inputs_are_taken_by_all_that_run_it(tmp_path):
@@ -333,7 +333,7 @@ def test_a_parameter_that_the_record_holds_stays(tmp_path):
 
 def test_runs_that_are_copied_cut_or_pickled_keep_what_repeats_them(tmp_path):
     run = RUNS["samples"]()
-    text = text_of(run)[0]
+    text = equations_text(run)[0]
     for one in (
         copy.deepcopy(run),
         run.copy(deep=True),
@@ -341,7 +341,7 @@ def test_runs_that_are_copied_cut_or_pickled_keep_what_repeats_them(tmp_path):
         run.isel(time=slice(2, 9)),
         run[["h"]],
     ):
-        assert text_of(one)[0] == text
+        assert equations_text(one)[0] == text
     run.to_netcdf(tmp_path / "theirs.nc")  # xarray's own way holds the data alone
     assert clpt.load_run(tmp_path / "theirs.nc").equals(run)
 
@@ -368,14 +368,14 @@ def change(rng, plain):
 
 
 def test_changed_equations_are_one_sentence_or_a_diagram():
-    texts = [text_of(RUNS[name]())[0] for name in ("parameters", "sampled", "times")]
+    texts = [equations_text(RUNS[name]())[0] for name in ("parameters", "sampled", "times")]
     rng, refused = random.Random(3), 0
     for _ in range(150):
         plain = json.loads(rng.choice(texts))
         change(rng, plain)
         said = ""
         try:
-            diagram_from(json.dumps(plain))
+            diagram_of_text(json.dumps(plain))
         except clpt.DataError as error:
             said = str(error)
         assert "\n" not in said
@@ -406,12 +406,12 @@ def test_changed_equations_are_one_sentence_or_a_diagram():
 )
 def test_a_line_of_a_record_that_is_none_is_refused(line, at):
     """What machine code would believe: each is told, none is run."""
-    plain = json.loads(text_of(RUNS["samples"]())[0])
+    plain = json.loads(equations_text(RUNS["samples"]())[0])
     record = plain["diagram"]["blocks"][1]["records"]["output"]
     assert record["operations"][at][:3] == ["leaf", [], [2]]
     record["operations"].append(line)
     with pytest.raises(clpt.DataError, match=r"damaged: .*(record|KeyError)"):
-        diagram_from(json.dumps(plain))
+        diagram_of_text(json.dumps(plain))
 
 
 def test_damaged_numbers_of_a_run_are_one_sentence(tmp_path):
@@ -451,17 +451,17 @@ def test_damaged_numbers_of_a_run_are_one_sentence(tmp_path):
 def test_loops_of_the_paper_are_repeated(values):
     """Blocks of the package: sampled, with periods, jumps and a disturbance by a function."""
     run = clpt.simulate(clpt.closed_loop(SCENARIO.with_values(values)), TIMES)
-    again = clpt.simulate(diagram_from(text_of(run)[0]))
+    again = clpt.simulate(diagram_of_text(equations_text(run)[0]))
     assert again.states.values.tobytes() == run.states.values.tobytes()
 
 
 def test_names_of_a_file_are_neither_markup_nor_formulas(tmp_path):
     """Ports, blocks and units of a stranger's file, on its page."""
-    plain = json.loads(text_of(RUNS["samples"]())[0])
+    plain = json.loads(equations_text(RUNS["samples"]())[0])
     text = json.dumps(plain).replace('"gauge"', '"<b>$x_$"').replace('"v"', '"v$_{<i>"')
     text = text.replace('"v[', '"v$_{<i>[')
     text = text.replace('"m3/s"', '"$\\\\frac{<u>"')
-    diagram = diagram_from(text)
+    diagram = diagram_of_text(text)
     run = clpt.simulate(diagram)
     clpt.save_run(run, tmp_path / "run.nc")
     clpt.report(clpt.load_run(tmp_path / "run.nc"), tmp_path / "page.html")

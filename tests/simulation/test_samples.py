@@ -16,7 +16,7 @@ from clpt_control.equations import Block
 from clpt_control.errors import SimulationError
 from clpt_control.native.python_diagram import PythonDiagram
 from clpt_control.scenario.tables import Units
-from clpt_control.simulation.flows import SpeedWatch, faster_flow, speeds_of
+from clpt_control.simulation.flows import SpeedTimer, faster_flow, speeds_of
 from clpt_control.simulation.integrate import sample_times
 from clpt_control.simulation.starts import initial_state
 
@@ -155,12 +155,12 @@ def test_samples_that_miss_a_jump_by_rounding_are_right_limits(engine):
 
 def watched(flags, cuts=()):
     """Figures of samples a second apart, taken in parts that begin at the cuts."""
-    watch, flags = SpeedWatch(1.0), np.asarray(flags)
+    timer, flags = SpeedTimer(1.0), np.asarray(flags)
     for part in np.split(np.arange(len(flags)), sorted(cuts)):
         if len(part):
             speeds = np.column_stack([np.where(flags[part], 2.0, 0.5), np.zeros(len(part))])
-            watch.add(part.astype(float), speeds[:, ::-1], speeds)
-    return watch.figures()
+            timer.add(part.astype(float), speeds[:, ::-1], speeds)
+    return timer.figures()
 
 
 @seed(2)

@@ -7,7 +7,7 @@ import os
 import pytest
 
 from clpt_control.blocks import vehicle
-from clpt_control.files.user_cache import FOLDER
+from clpt_control.files import CACHE
 from clpt_control.theory.proving import all_proofs
 from clpt_control.theory.proving.all_proofs import CachedOutcomes, Statement, digest, statements
 from clpt_control.theory.proving.proof import Step, theorem
@@ -18,7 +18,7 @@ SHORT = Statement("limited_speed", "without hedging")
 
 @pytest.fixture
 def folder(monkeypatch, tmp_path):
-    monkeypatch.setenv(FOLDER, str(tmp_path / "cache"))
+    monkeypatch.setenv(CACHE, str(tmp_path / "cache"))
     return tmp_path / "cache"
 
 
@@ -40,7 +40,7 @@ def test_the_second_time_says_the_same_and_that_it_was_judged_before(folder, clp
     assert printed["judged"]["before"] is True
     assert printed["judged"]["time"] in last
     monkeypatch.undo()
-    monkeypatch.setenv(FOLDER, str(folder))
+    monkeypatch.setenv(CACHE, str(folder))
     printed = json.loads(clpt("prove", "--theorem", "3.3", "--json", "--again").out)
     assert printed["judged"]["before"] is False
 
@@ -104,7 +104,7 @@ def test_what_others_could_have_written_or_is_damaged_is_not_read():
 
 @pytest.mark.usefixtures("no_equations")
 def test_without_a_folder_nothing_is_kept_and_the_work_goes_on(monkeypatch):
-    monkeypatch.setenv(FOLDER, os.devnull + "/none/at/all")
+    monkeypatch.setenv(CACHE, os.devnull + "/none/at/all")
     kept = CachedOutcomes()
     kept.store({SHORT: good(SHORT)})
     assert kept.outcomes == {SHORT: good(SHORT)}

@@ -13,7 +13,7 @@ import clpt_control as clpt_package
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.errors import ClptError, ScenarioError
 from clpt_control.figures import figure_of
-from clpt_control.files import write_figure
+from clpt_control.files import write_file
 from clpt_control.theory import design_track as design_for
 from clpt_control.theory.designing import search
 from clpt_control.theory.designing.design import linear_gains, time_below
@@ -339,7 +339,7 @@ def test_the_learning_time_is_the_last_crossing():
 
 
 def test_a_picture_shows_both_tracks(short, tmp_path):
-    write_figure(figure_of(design_plot, short), tmp_path / "both.png")
+    write_file(tmp_path / "both.png", figure_of(design_plot, short))
     assert inked(tmp_path / "both.png") > 0.01
 
 
@@ -361,7 +361,7 @@ def test_a_track_in_a_measured_current(facts, tmp_path):
     places = found.tracks[1].run.position.values
     assert places[:, 0].min() >= inner[0]
     assert places[:, 1].max() <= inner[3]
-    write_figure(figure_of(design_plot, found), tmp_path / "both.png")
+    write_file(tmp_path / "both.png", figure_of(design_plot, found))
     with pytest.raises(ScenarioError, match="reaches out of the scenario's field"):
         design_track(scenario, area=(-1e3, 1e3, -1.0, 1.0))
     far = scenario.with_values({"reference.radius": 60.0})

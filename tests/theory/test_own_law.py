@@ -91,7 +91,7 @@ def test_what_is_no_block_or_makes_no_V_is_refused(own, V):
 
 
 def test_a_proof_can_be_interrupted(monkeypatch):
-    monkeypatch.setattr(interrupt, "_asked", True)
+    monkeypatch.setattr(interrupt, "_pending", True)
     for work in (lambda: prove(own_laws.paper()), lambda: audit("3.2")):
         with pytest.raises(KeyboardInterrupt):
             work()

@@ -18,7 +18,7 @@ from ...arguments import public
 from ...equations.declaration import ports_line, ports_of
 from ...errors import ClptError, DiagramError
 from ...figures import inline_svg, literal
-from ...files import check_name, write_figure, write_text
+from ...files import check_name, write_file
 from ...html import fragment, paragraphs, shortened
 from ..wiring import Node, wiring_of
 from .arrows import mermaid
@@ -96,13 +96,13 @@ def draw(
         )
     if suffix in (".mmd", ".md"):
         text = mermaid(diagram)
-        write_text(path, f"```mermaid\n{text}```\n" if suffix == ".md" else text)
+        write_file(path, f"```mermaid\n{text}```\n" if suffix == ".md" else text)
         return None
     from matplotlib import style
 
     figure = block_figure(diagram)
     with style.context(["default", STYLE]):
-        write_figure(figure, path)
+        write_file(path, figure)
     return None
 
 

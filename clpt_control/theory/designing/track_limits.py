@@ -13,7 +13,7 @@ import numpy as np
 
 from ...currents.plane import LocalPlane, read_field
 from ...errors import ScenarioError
-from ...files import open_netcdf
+from ...files.reading import open_netcdf
 from ...scenario.experiment import Scenario
 from ...units import METRES
 from .waypoint_tracks import Extremes

@@ -38,11 +38,10 @@ from ...diagrams.interconnection import Diagram, connect
 from ...equations.block import Block
 from ...equations.declaration import named, split, within
 from ...errors import ClptError
-from ...files import user_cache
-from ...files.user_cache import cache_folder
+from ...files import cache_folder, read_cached, write_cached
 from ...native.engines import VARIABLE
 from ...native.machine import processor
-from ...scenario.team import LAW, Team
+from ...scenario.team import TEAM_LAW, Team
 from ...simulation.loops import error_loop, paper_blocks, team_blocks
 from .fixes import fix_steps
 from .invariants import GIVEN, invariant_steps
@@ -141,7 +140,7 @@ def team_of(edges: tuple[tuple[str, str], ...], N: int) -> Team:
     """Return a team on a graph whose vehicles differ in all that may differ."""
     names = sorted({name for edge in edges for name in edge})
     members = {
-        name: theorem_scenario(N, LAW).with_values(
+        name: theorem_scenario(N, TEAM_LAW).with_values(
             {
                 "vehicle.feedback": [1.0 + 0.3 * k, 0.7 + 0.2 * k],
                 "vehicle.feedforward": [1.2 - 0.4 * k, -0.5 - 0.1 * k],
@@ -229,7 +228,7 @@ class CachedOutcomes:
             self.path = self.folder / f"verdicts-{self.digest}.json"
         self.outcomes: Outcomes = {}
         self.times: dict[Statement, str] = {}
-        text = None if self.path is None else user_cache.kept(self.path)
+        text = None if self.path is None else read_cached(self.path)
         with suppress(ValueError):
             for statement, time, outcome in rows().validate_json(text) if text else []:
                 self.outcomes[statement], self.times[statement] = outcome, time
@@ -242,7 +241,7 @@ class CachedOutcomes:
         if self.path is None or self.folder is None:
             return
         good = [(one, self.times[one], own) for one, own in self.outcomes.items() if holds(own)]
-        user_cache.keep(self.path, rows().dump_json(good))
+        write_cached(self.path, rows().dump_json(good))
         with suppress(OSError):
             others = [one for one in self.folder.glob("verdicts-*.json") if one != self.path]
             others.sort(key=lambda one: one.stat().st_mtime, reverse=True)

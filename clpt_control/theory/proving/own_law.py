@@ -184,7 +184,7 @@ def prove(
     >>> clpt.theory.prove(LAWS["learned-flow"].of(2, gain=0.5), points=200).status
     'proved'
     """
-    if isinstance(law_block, Diagram) and law_block.made_of is not None:
+    if isinstance(law_block, Diagram) and law_block.origin is not None:
         loop = loop_of(law_block)
         if loop.changes.in_words:
             raise DiagramError(

@@ -26,7 +26,7 @@ from .signs import positive_maximum
 from .words import interval
 
 # fields that stand for one thing, by its name in the paper
-ONE = {one.symbol: one.held.split() for one in QUANTITIES.values() if one.symbol}
+ONE = {one.symbol: one.parameters.split() for one in QUANTITIES.values() if one.symbol}
 ONE["kappa"] = ["consensus.coupling"]
 SHARED = ("theta", "gamma", "kappa")  # by all vehicles of a team
 SCALARS = ("gamma",)  # one number in the paper, whatever shape a block keeps it in

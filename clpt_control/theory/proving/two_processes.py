@@ -13,7 +13,7 @@ from contextlib import contextmanager, suppress
 from functools import cache
 from typing import TYPE_CHECKING
 
-from ...files.user_cache import cache_folder
+from ...files import cache_folder
 from ...progress import interrupt
 from ...progress.processes import Pool, processes
 

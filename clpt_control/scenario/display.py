@@ -1,4 +1,4 @@
-"""A scenario and a team in a line, and as a notebook shows them."""
+"""How a scenario and a team are displayed: in a line, and in a notebook."""
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
@@ -13,7 +13,7 @@ MOST_VEHICLES = 20
 
 
 def scenario_line(scenario: Any) -> str:
-    """Return what a scenario is, in a line."""
+    """Return a scenario in a line."""
     points = len(scenario.waypoints)
     return (
         f"<Scenario {shortened(scenario.title, 60)!r}: {scenario.learning.law}, "
@@ -31,7 +31,7 @@ def scenario_html(scenario: Any) -> str:
 
 
 def team_line(team: Any) -> str:
-    """Return what a team is, in a line."""
+    """Return a team in a line."""
     names = shortened(", ".join(team.members), 60)
     return f"<Team of {len(team.members)}: {names}; coupling {team.coupling:g}>"
 
@@ -39,17 +39,12 @@ def team_line(team: Any) -> str:
 def team_html(team: Any) -> str:
     """Return a team as a table of its vehicles, and what they share."""
     length, time = team.first.units.length, team.first.units.time
-    rows = [
-        (
-            name,
-            _pair(one.vehicle.position),
-            _waypoints(one),
-            ", ".join(team.neighbours(name)) or "nobody",
-        )
-        for name, one in list(team.members.items())[:MOST_VEHICLES]
-    ]
-    if more := len(team.members) - MOST_VEHICLES:
-        rows += [("...", f"{more} more", "", "")] if more > 0 else []
+    rows = []
+    for name, one in list(team.members.items())[:MOST_VEHICLES]:
+        hears = ", ".join(team.neighbours(name)) or "nobody"
+        rows.append((name, _pair(one.vehicle.position), _waypoints(one), hears))
+    if (more := len(team.members) - MOST_VEHICLES) > 0:
+        rows.append(("...", f"{more} more", "", ""))
     shared = [
         ("coupling kappa", f"{team.coupling:g} 1/{time}"),
         ("connectivity lambda_2", f"{team.connectivity:.3g}"),
@@ -67,8 +62,8 @@ def _facts(scenario: Any) -> Iterator[tuple[str, str]]:
     if (push := scenario.flow.disturbance) is not None:
         size = _pair(push.amplitude)
         yield "disturbance", f"{push.kind}, {size} {units.length}/{units.time}"
-    limit = "" if car.max_speed is None else f", at most {car.max_speed:g} {units.length}"
-    limit += "" if car.max_speed is None else f"/{units.time} through the water"
+    speed = f"{units.length}/{units.time} through the water"
+    limit = "" if car.max_speed is None else f", at most {car.max_speed:g} {speed}"
     gains = f"K_D = {_pair(car.feedback)}, Gamma_D = {_pair(car.feedforward)} {rate}"
     yield "vehicle", f"{gains}, from {_pair(car.position)} {units.length}{limit}"
     yield "waypoints", f"{_waypoints(scenario)}; a cycle lasts {scenario.cycle:g} {units.time}"
@@ -76,9 +71,9 @@ def _facts(scenario: Any) -> Iterator[tuple[str, str]]:
     one = f", gain {used.parameters:g}" if used.one else ", a gain each"
     sample = "" if learning.sample is None else f", sampled each {learning.sample:g} {units.time}"
     yield "law", f"{learning.law}{'' if learning.row.at_fixes else one}{sample}"
-    if (seen := scenario.localization) is not None:
-        fixes = f"fixes each {seen.interval:g} {units.time}, " if seen.interval else ""
-        yield "position", f"{fixes}noise {seen.noise:g} {units.length}"
+    if (table := scenario.localization) is not None:
+        fixes = f"fixes each {table.interval:g} {units.time}, " if table.interval else ""
+        yield "position", f"{fixes}noise {table.noise:g} {units.length}"
     yield "run", _run(scenario)
 
 
