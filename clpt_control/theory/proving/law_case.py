@@ -86,11 +86,6 @@ class Case:
         self.rate = tidied(of_law.xreplace(self.weights))
         self.rest = _or_zero(self.rate - self.fall)
 
-    @cached_property
-    def rest_at_values(self) -> sympy.Expr:
-        """Return what V' has beyond its fall, at the blocks' own values."""
-        return _or_zero(self.rest.xreplace(self.values))
-
     def fix_values(self) -> None:
         """Give the law and V their own values; V's symbols of the truth stay."""
         self.fixed = self.names
@@ -167,17 +162,12 @@ class Case:
 
     def comes_to_zones(self) -> Bound:
         """Return what e comes to where V' falls but for dead zones."""
-        zones = [f"{float(zone.xreplace(self.values)):.4g}" for zone in self.zones]
-        each = list(
-            zip(("e_1", "e_2"), ("Delta_1", "Delta_2"), ("KD_1", "KD_2"), zones, strict=True)
-        )
-        if len(set(zones)) == 1:
-            each = [("e_i", "Delta_i", "KD_i", zones[0])]
-        below = listed([f"|{d}| <= {zone} {k}" for _, d, k, zone in each])
+        first, second = (f"{float(zone.xreplace(self.values)):.4g}" for zone in self.zones)
+        zones = {"i": first} if first == second else {"1": first, "2": second}
+        below = listed([f"|Delta_{i}| <= {zone} KD_{i}" for i, zone in zones.items()])
         where = f"V' <= -D^T KD D where {below}" if self.takes_delta() else "V' <= -D^T KD e"
-        return Bound(
-            f"{where}: V never rises, {listed([f'|{e}| comes to {z}' for e, *_, z in each])}"
-        )
+        ends = listed([f"|e_{i}| comes to {zone}" for i, zone in zones.items()])
+        return Bound(f"{where}: V never rises, {ends}")
 
     def takes_delta(self) -> bool:
         """Return whether a disturbance adds (dV/de)^T Delta to V' and nothing else."""
@@ -249,12 +239,28 @@ class Case:
         claim = f"{', '.join(self.others)}: not in V, may grow, and exist for all t"
         return exact(claim, not detail, detail)
 
-    @property
-    def fall_in_words(self) -> str:
-        """Return the fall of V in words."""
+    def settled(self) -> tuple[bool, str]:
+        """Settle how V falls; return whether the rest of V' is not positive, and the fall in words.
+
+        The parameters have their own values where that shows more; half of the fall may do.
+        """
+        fall = "-D^T KD e" if all(self.zones) else "-sum KD_i e_i dV/de_i"
         if tidied(self.fall - decay(self.loop)) == 0:
-            return "-e^T KD e"
-        return "-D^T KD e" if all(self.zones) else "-sum KD_i e_i dV/de_i"
+            fall = "-e^T KD e"
+        falls, at_values = self.falls(self.rest), _or_zero(self.rest.xreplace(self.values))
+        if at_values == 0 or not (falls or at_values == self.rest):
+            falls = self.falls(at_values)
+            if falls and self.rest != 0:  # for the values that they have
+                self.rest = at_values
+                self.fix_values()
+        if not falls and self.falls(self.rest + self.fall / 2):
+            self.rest, self.fall, falls, fall = (
+                self.rest + self.fall / 2,
+                self.fall / 2,
+                True,
+                f"{fall}/2",
+            )
+        return falls, fall
 
     def running(self) -> Step:
         """Return the step that the running blocks have the same V', or V and rates."""
@@ -302,9 +308,7 @@ class Case:
                 theirs = [gain.xreplace(self.values) for gain in theirs]
             each = [_of_function(gain, generic[0]) for gain in theirs[:1]]
             for gain in (*each, *theirs[:1]):  # a gain each, or one for all
-                if all(
-                    reindexed(gain, name) == one for name, one in zip(names, theirs, strict=True)
-                ):
+                if [reindexed(gain, name) for name in names] == theirs:
                     weight = gain
         return weight.xreplace(self.values) if self.fixed else weight
 

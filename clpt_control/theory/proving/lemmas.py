@@ -152,27 +152,18 @@ def convergence_steps() -> list[Step]:
         taken = sympy.integrate(eps - B * s, (s, 0, eps / B))
         return sympy.simplify(taken - eps**2 / (2 * B)) == 0 and bool(taken.is_positive)
 
+    residuals = {
+        "Eq. (9): x' + KD x holds only phi and zc, so x is bounded": vehicle_stable,
+        "z = x - e, so z is bounded where x and e are": lambda loop: [
+            loop.signals["e"] - errors(loop)["e"]
+        ],
+        "e' = -KD e + W^T eta, products of bounded signals": lambda loop: [
+            loop.derivative(loop.signals["e"]) - wanted_rates(loop)["e"]
+        ],
+        "V'' = -2 e^T KD e' holds no derivative of phi or zc, so it is bounded by some B": second,
+    }
     return [
-        zero_step(
-            "Eq. (9): x' + KD x holds only phi and zc, so x is bounded",
-            learned_loop,
-            vehicle_stable,
-        ),
-        zero_step(
-            "z = x - e, so z is bounded where x and e are",
-            learned_loop,
-            lambda loop: [loop.signals["e"] - errors(loop)["e"]],
-        ),
-        zero_step(
-            "e' = -KD e + W^T eta, products of bounded signals",
-            learned_loop,
-            lambda loop: [loop.derivative(loop.signals["e"]) - wanted_rates(loop)["e"]],
-        ),
-        zero_step(
-            "V'' = -2 e^T KD e' holds no derivative of phi or zc, so it is bounded by some B",
-            learned_loop,
-            second,
-        ),
+        *(zero_step(claim, learned_loop, rest) for claim, rest in residuals.items()),
         checked(
             "where g = -V' reaches eps, V loses int_0^(eps/B) (eps - B s) ds = eps^2/(2B) > 0: "
             "that can happen finitely often only, so V' -> 0",

@@ -38,14 +38,14 @@ def element_name(port: str, declared: Shape, index: Index) -> str:
 
     A first axis of known length is the paper's axis; `declared` has names where a size has one.
     """
-    first = bool(declared) and isinstance(declared[0], int)
-    axis = [f"_{index[0] + 1}" if first else ""] if index else []
-    return "".join([port, *axis, *map(bracketed, index[first:])])
+    return _indexed(port, index, bool(declared) and isinstance(declared[0], int))
 
 
-def bracketed(place: int | str) -> str:
-    """Return an index in brackets, counted from 1."""
-    return f"[{place}]" if isinstance(place, str) else f"[{place + 1}]"
+def _indexed(name: str, index: Index, axis: bool) -> str:
+    """Return a name with its index, counted from 1; the first may be the paper's axis."""
+    shown = [place if isinstance(place, str) else str(place + 1) for place in index]
+    first = f"_{shown.pop(0)}" if axis and shown else ""
+    return name + first + "".join(f"[{place}]" for place in shown)
 
 
 def state_names(blocks: Iterable[Block]) -> dict[tuple[str, str], str]:
@@ -87,9 +87,8 @@ def parameter_symbol(name: str, value: Any, index: Index) -> sympy.Expr:
     """Return the symbol of a parameter's element; it has the sign that all values have."""
     if name in SCALARS or not index:
         return signed(name, value)
-    first = split(name)[1] in ONE and np.shape(value)[0] == 2
-    axis = [f"_{index[0] + 1}"] if first else []
-    return signed("".join([name, *axis, *map(bracketed, index[first:])]), value)
+    axis = split(name)[1] in ONE and np.shape(value)[0] == 2
+    return signed(_indexed(name, index, axis), value)
 
 
 def signed(name: str, value: Any) -> sympy.Expr:

@@ -209,16 +209,7 @@ class Verdict:
 def verdict_of(case: Case) -> Verdict:
     """Return the verdict on a law; V' > 0 refutes it only where V was fitted to it."""
     definite, total = case.definite(), case.valued()
-    falls, zones, fall = case.falls(case.rest), any(case.zones), case.fall_in_words
-    at_values = case.rest_at_values
-    if at_values == 0 or not (falls or at_values == case.rest):
-        falls = case.falls(at_values)
-        if falls and case.rest != 0:  # for the values that they have
-            case.rest = at_values
-            case.fix_values()
-    if not falls and case.falls(case.rest + case.fall / 2):
-        case.rest, falls, fall = case.rest + case.fall / 2, True, f"{fall}/2"
-        case.fall = case.fall / 2
+    (falls, fall), zones = case.settled(), any(case.zones)
     at = " and the parameters as they are" if case.fixed else ""
     claim = f"V' {'=' if case.rest == 0 else '<='} {fall}, N = {case.loop.N}{at}"
     left = "" if case.rest == 0 else f"left over: {short(case.rest)}"
