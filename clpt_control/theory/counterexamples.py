@@ -68,7 +68,7 @@ class PrintedBound:
 
     @property
     def late(self) -> np.ndarray:
-        """Mask of the samples measured, shape (nt,)."""
+        """Mask of the measured samples, shape (nt,)."""
         return self.times >= self.start
 
     @property
@@ -110,7 +110,7 @@ PRINTED = {
 }
 
 
-def residual(scenario: Scenario, run: "xarray.Dataset") -> np.ndarray:
+def drive_along(scenario: Scenario, run: "xarray.Dataset") -> np.ndarray:
     """Return what drives e along a run, length per time, shape (nt, 2).
 
     Delta of Eq. (32); with the known-flow law Delta + (theta - theta_hat) phi(x, t), Eq. (16).
@@ -169,7 +169,7 @@ def printed_bound(scenario: Scenario, run: "xarray.Dataset", start: float) -> Pr
         min(scenario.vehicle.feedback),
         run.time.values,
         np.hypot(*run.clpe.values.T),
-        np.hypot(*residual(scenario, run).T),
+        np.hypot(*drive_along(scenario, run).T),
         start,
         scenario.units.length,
         scenario.units.time,
@@ -251,7 +251,7 @@ RESONANT = 3.5  # rad/s: near sqrt(gamma |w|^2) of the paper's x1 axis at its fa
 
 
 def with_square_wave(scenario: Scenario, amplitude: float, frequency: float) -> Scenario:
-    """Return it started true, with Delta = (amplitude sign(sin(frequency t)), 0)."""
+    """Return the scenario started true, with Delta = (amplitude sign(sin(frequency t)), 0)."""
     wave = {"kind": "square", "amplitude": [amplitude, 0.0], "period": 2 * np.pi / frequency}
     return started_true(scenario).with_values({"flow.disturbance": wave})
 

@@ -149,8 +149,8 @@ class PointSearch:
 
     def not_as_claimed(self) -> Failure | None:
         """Return a point at which V' of the running blocks is not as claimed, and V' there."""
-        rest, claimed = tidied(self.case.rate - self.case.claim), self.numeric(self.case.claim)
-        for point in chain(self.highest(rest, False), self.highest(-rest, False)):
+        residual, claimed = tidied(self.case.rate - self.case.claim), self.numeric(self.case.claim)
+        for point in chain(self.highest(residual, False), self.highest(-residual, False)):
             value, size = self.rate_at(point)
             right = claimed(*columns(point))[0]
             if abs(value - right) > SURE * max(size, abs(right)):
@@ -295,12 +295,12 @@ def _verdict(case: SystemV, search: PointSearch, count: int) -> Lyapunov:
 
 
 def _as_claimed(case: SystemV, steps: list[Step]) -> bool:
-    """Return whether V' is what is claimed, and add the step."""
-    rest = tidied(case.rate - case.claim)
-    identity = vanishes(rest)
-    if not identity and vanishes(tidied(rest.xreplace(case.eq.values))):
+    """Add the step that V' is as claimed; return whether it is."""
+    residual = tidied(case.rate - case.claim)
+    identity = vanishes(residual)
+    if not identity and vanishes(tidied(residual.xreplace(case.eq.values))):
         identity = case.valued = True
-    left = "" if identity else f"left over: {short(rest)}"
+    left = "" if identity else f"left over: {short(residual)}"
     steps.append(exact(f"V' = {short(case.in_signals([case.claim])[0])}", identity, left))
     return identity
 

@@ -30,7 +30,7 @@ class Squares(NamedTuple):
 
 
 def squares(V: sympy.Expr, fixed: set) -> Squares | None:
-    """Return an expression as such a sum; None where it is not known to be one."""
+    """Return an expression as a sum of terms that are not negative; None where none is known."""
     words = {f: sympy.Dummy(str(f.func), real=True) for f in V.atoms(AppliedUndef)}
     back = {dummy: f for f, dummy in words.items()}
     V = V.xreplace(words)
@@ -127,7 +127,7 @@ def _positive(a: sympy.Expr) -> bool:
 
 
 def _rising(g: sympy.Expr, s: sympy.Symbol) -> tuple[sympy.Expr, sympy.Expr] | None:
-    """Return g(0) and what g - g(0) >= 0 is zero with, of a function of one symbol."""
+    """Return g(0), and a form that is zero where g - g(0) >= 0 is, of a function of one symbol."""
     least = g.subs(s, 0)
     k, m = sympy.Wild("k", exclude=[s, 0]), sympy.Wild("m", exclude=[s, 0])
     cosine = g.match(-k * sympy.cos(m * s))

@@ -10,10 +10,10 @@ from clpt_control.theory.counterexamples import (
     Piece,
     burst_counterexample,
     disturbance_counterexample,
+    drive_along,
     exact_run,
     known_flow_counterexample,
     printed_bound,
-    residual,
     scalar_matrix,
     square_wave_counterexample,
     unlearned_counterexample,
@@ -108,7 +108,7 @@ def test_its_first_function_is_learned_as_long_as_it_is_seen():
 def test_residual_is_the_disturbance():
     scenario = with_square_wave(clpt.paper_scenario(), 0.05, 3.5)
     times = np.linspace(0.1, 5, 50)
-    delta = residual(scenario, clpt.simulate(scenario, times))
+    delta = drive_along(scenario, clpt.simulate(scenario, times))
     assert np.allclose(delta[:, 0], 0.05 * np.sign(np.sin(3.5 * times)), atol=1e-12)
     assert np.allclose(delta[:, 1], 0, atol=1e-12)
 
@@ -117,7 +117,7 @@ def test_a_field_has_no_bound_to_compare_with():
     paper = clpt.paper_scenario()
     flow = paper.flow.model_copy(update={"parameters": None, "field": "current.nc"})
     with pytest.raises(ScenarioError, match="gridded field"):
-        residual(paper.model_copy(update={"flow": flow}), None)
+        drive_along(paper.model_copy(update={"flow": flow}), None)
 
 
 def test_the_linear_system_is_the_closed_loop():

@@ -98,7 +98,7 @@ class TrackSearch:
         return np.where(beyond > 0, BEYOND * (1 + beyond), found)
 
     def climb(self, u: np.ndarray) -> np.ndarray:
-        """Return unknowns uphill of some, the best on the way that keep to the limits."""
+        """Return unknowns uphill of u: the best on the way that keep to the limits."""
         from scipy.optimize import minimize
 
         cached: dict[bytes, tuple[np.ndarray, np.ndarray]] = {}
@@ -205,7 +205,7 @@ class _Candidate(NamedTuple):
 
 
 def _looked_at(close: Tracks, limits: Limits, points: np.ndarray) -> _Candidate:
-    """Return waypoints with what is seen of them closely."""
+    """Return waypoints with their kappa_1 and their excess, closely watched."""
     least, extremes = close(points[None])
     beyond = float(limits.excess(extremes)[0])
     low, high = np.array(limits.area[::2]), np.array(limits.area[1::2])

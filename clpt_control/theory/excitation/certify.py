@@ -96,20 +96,20 @@ class Bounds:
 
 
 def least_error(V: float, c: float, k: float, gain: float, D: float) -> float:
-    """Return a, what |e| is at least over a window that begins with V, step 5; 0: nothing."""
+    """Return a, a lower bound of |e| over a window that begins with V, step 5; 0: none is known."""
     A, B = np.sqrt(gain / (2 * k)), 1 + np.sqrt(gain * (2 * V + D**2 / (2 * k))) / k
     C = max(np.sqrt(V * c) - D / k, 0.0)
     return float(2 * C / (B + np.sqrt(B**2 + 4 * A * C)))
 
 
 def after_window(V: float, c: float, k: float, gain: float, D: float) -> float:
-    """Return what V is at most after a window that begins with it, step 6."""
+    """Return an upper bound of V after a window that begins with V, step 6."""
     a = max(least_error(V, c, k, gain, D), D / (2 * k))
     return V - k * a**2 + a * D
 
 
 def settled(c: float, k: float, gain: float, D: float) -> float:
-    """Return what V ends at, at most, in windows of one c: a = D/k; inf: nothing is shown."""
+    """Return an upper bound of V in the end, in windows of one c: a = D/k; inf: none is known."""
     if D == 0:
         return 0.0 if c > 0 else np.inf
     if k * least_error(LARGEST, c, k, gain, D) <= D:

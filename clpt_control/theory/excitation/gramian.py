@@ -119,7 +119,7 @@ class Excitation:
 
     @property
     def ceilings(self) -> dict[str, float]:
-        """What no smallest eigenvalue passes where the vehicle moves so, by axis."""
+        """Upper bounds of the smallest eigenvalue where the vehicle moves so, by axis."""
         return {
             axis: float(np.sum((self.factors[axis] @ c) ** 2) / np.sum(c**2))
             for axis, c in self.truth.items()
@@ -142,7 +142,7 @@ class Excitation:
 
     @property
     def in_one_sentence(self) -> str:
-        """What cannot be learned on this track, empty where all can."""
+        """What cannot be learned on this track, in one sentence; "" where all can."""
         names = [name for each in self._not_learnable_names() for kind in each for name in kind]
         if not names:
             return ""
@@ -309,7 +309,7 @@ def gramian(
 
 
 def not_learned(source: Source) -> str:
-    """Return in one sentence what a round of the track cannot teach, empty where it teaches all.
+    """Return in one sentence what a cycle of the track cannot teach; "" where it teaches all.
 
     It is empty too where that is not known: of a recorded run with fixes, of a learner that leaves
     its field, and of more than 100 functions, whose Gramian would take longer than the run.

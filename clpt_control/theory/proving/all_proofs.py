@@ -44,7 +44,7 @@ from ...native.machine import processor
 from ...scenario.team import TEAM_LAW, Team
 from ...simulation.loops import error_loop, paper_blocks, team_blocks
 from .fixes import fix_steps
-from .invariants import GIVEN, invariant_steps
+from .invariants import invariant_steps
 from .limited_speed import LIMITED_SPEED
 from .misprints import misprints
 from .own_law import prove
@@ -52,6 +52,7 @@ from .proof import Proof, Step, first_failure, proof_or_failure, where_all_hold
 from .running_rate import running_step
 from .symbolic_loop import symbolic_loop
 from .theorem_loop import (
+    KNOWN_ERROR,
     SOURCES,
     Loop,
     decay_and_known_error,
@@ -66,7 +67,7 @@ from .theorems import THEOREMS
 
 POINTS = 1_000  # at which the running blocks are called
 N = 2  # functions; a proof for every N says so
-MEAN = f"{GIVEN}: in the mean |e| <= |(theta - theta_hat) phi| over the least of KD"
+MEAN = f"{KNOWN_ERROR}: in the mean |e| <= |(theta - theta_hat) phi| over the least of KD"
 
 
 def proof_of_law(law: Law) -> Proof:
@@ -88,7 +89,7 @@ def _of_law(law: Law) -> Proof:
             status, claim = "proved", f"V' <= {law.V_rate}, so CLPE goes to zero"
         return where_all_hold(status, claim, invariant_steps(law, POINTS))
     if law.given_estimate:
-        steps = identity_steps(GIVEN, law.name, decay_and_known_error, POINTS)
+        steps = identity_steps(KNOWN_ERROR, law.name, decay_and_known_error, POINTS)
         return where_all_hold("bounded", MEAN, steps)
     block, _ = law_and_V(law, N)
     verdict = prove(block, lambda truth, p: law.V(p, truth), points=POINTS)

@@ -78,7 +78,7 @@ class ArrayLoop:
         return list(np.ravel(self.elements.of(value)))
 
     def direction(self, state: str) -> Any:
-        """Return any direction of a state, as an array of its shape."""
+        """Return a direction of a state, any one, as an array of its shape."""
         return self.tape.add("leaf", (), self.states[state].shape, ("d", state))
 
     @cached_property

@@ -122,7 +122,7 @@ class AtAFix:
         )
 
     def learns(self) -> str:
-        """Return what fails of: V falls as claimed, P stays the inverse and x - z = eta m."""
+        """Return which of these fails: V falls as claimed, P stays the inverse, x - z = eta m."""
         before, after = self.before, self.jump(ARRIVE)
         y, gained = self.eta(before) @ self.m, np.outer(self.m, self.m) / self.r**2
         d = self.r**2 + self.m @ before["P"] @ self.m

@@ -110,7 +110,7 @@ class InvariantLoop:
         return ", ".join(f"{name} at the start" for name in off)
 
     def off_at_zero(self) -> str:
-        """Name the states that are not what the truth makes them where all of a law's own are 0.
+        """Return a state that is not what the truth makes it where all of a law's own are 0, or "".
 
         No start of alpha, K and Gamma, nor of the vehicle, is known to be true.
         """
@@ -127,7 +127,7 @@ class InvariantLoop:
 
     @cached_property
     def untied_rate(self) -> sympy.Expr:
-        """V', the gains in V symbols of their own."""
+        """V', with symbols of its own for the gains in V."""
         return rate_of_V(self.loop)
 
     def reduced(self, expression: Any) -> sympy.Expr:
@@ -159,7 +159,7 @@ class InvariantLoop:
         return next(filter(None, map(self._broken_by, jumps)), "")
 
     def _broken_by(self, after: Callable[[sympy.Expr], sympy.Expr]) -> str:
-        """Return which relation does not hold of what a state less its expression becomes."""
+        """Return which relation fails: `after` gives the change of a state less its expression."""
         for symbol, value in self.relations.items():
             off = self.reduced(after(symbol - value))
             if not vanishes(off):

@@ -55,10 +55,8 @@ from .lemmas import young_step
 from .proof import Step, short
 from .running_rate import running_step
 from .signs import vanishes
-from .theorem_loop import decay, decay_and_known_error
+from .theorem_loop import KNOWN_ERROR, decay, decay_and_known_error
 from .words import MAXIMUM, WHERE
-
-GIVEN = "V' = -e^T KD e + e^T (theta - theta_hat) phi"
 
 Claims = dict[str, Callable[[InvariantLoop], bool | str]]
 
@@ -117,13 +115,16 @@ def falling_claims(law: Law, sizes: str) -> Claims:
 def estimate_claims(law: Law) -> Claims:
     """Return what is to be shown of a law that makes an estimate."""
 
+    def falls(case: InvariantLoop) -> str:
+        return case.left_over(decay_and_known_error, case.beside)
+
     def grows(case: InvariantLoop) -> str:
         jumps = "its states jump, and what its error does there is not judged"
         return jumps if case.loop.jumps else case.estimate_grows()
 
     return {
         **semidefinite_claims(law),
-        f"{GIVEN}, N = 1, 2, 3": lambda case: case.left_over(decay_and_known_error, case.beside),
+        f"{KNOWN_ERROR}, N = 1, 2, 3": falls,
         f"the error of the estimate never grows: {law.V_rate}": grows,
     }
 
@@ -218,7 +219,7 @@ def _moves(case: InvariantLoop, of: str) -> bool:
 
 
 def covariance_rates(case: InvariantLoop) -> dict[str, tuple[Any, Any]]:
-    """Return what is made of P and eta, and its rate; lambda is 0 where tr P = k_0."""
+    """Return quantities of P and eta, each with its rate; lambda is 0 where tr P = k_0."""
     P, p, rho, error = case.states["P"], case.parameters, case.states["rho"], case.weighted_error
     forgetting = p.forgetting * (1 - np.trace(P) / p.largest)
     gain, size = P @ case.states["phi_f"] / p.noise, np.sum((error @ P) * error)

@@ -84,7 +84,7 @@ class Case:
         self.V_of_D = V
         of_law = rate_of_V(loop).xreplace(weights)  # V's own symbols, then those of the law
         self.rate = tidied(of_law.xreplace(self.weights))
-        self.rest = _or_zero(self.rate - self.fall)
+        self.residual = _or_zero(self.rate - self.fall)
 
     def fix_values(self) -> None:
         """Give the law and V their own values; V's symbols of the truth stay."""
@@ -161,7 +161,7 @@ class Case:
         return exact("the equations have a value everywhere", not undefined, undefined)
 
     def comes_to_zones(self) -> Bound:
-        """Return what e comes to where V' falls but for dead zones."""
+        """Return the zones that e comes to, outside of which V falls."""
         first, second = (f"{float(zone.xreplace(self.values)):.4g}" for zone in self.zones)
         zones = {"i": first} if first == second else {"1": first, "2": second}
         below = listed([f"|Delta_{i}| <= {zone} KD_{i}" for i, zone in zones.items()])
@@ -181,25 +181,25 @@ class Case:
 
     def has_decay(self) -> bool:
         """Return whether V' has -e^T KD e, or more of it."""
-        rest = self.rest.xreplace(self.values)
+        residual = self.residual.xreplace(self.values)
         x = self.loop.states["x"]
-        if any(word.has(*x) for word in rest.atoms(AppliedUndef)):  # how it bends is not known
+        if any(word.has(*x) for word in residual.atoms(AppliedUndef)):  # how it bends is not known
             return False
-        return all(sympy.diff(rest, s, 2).is_nonpositive for s in x)
+        return all(sympy.diff(residual, s, 2).is_nonpositive for s in x)
 
-    def falls(self, rest: sympy.Expr) -> bool:
+    def falls(self, residual: sympy.Expr) -> bool:
         """Return whether what V' has beyond its fall is known not to be positive."""
-        rest = rest.xreplace(self.apart)
-        if terms_of(rest) > MOST_TERMS:
+        residual = residual.xreplace(self.apart)
+        if terms_of(residual) > MOST_TERMS:
             return False
-        apart = self.moving - {TIME} | rest.free_symbols - set(self.values) - {TIME}
-        if rest == 0:
+        apart = self.moving - {TIME} | residual.free_symbols - set(self.values) - {TIME}
+        if residual == 0:
             return True
-        if not self.facts and positive_somewhere(rest.xreplace(self.values), self.seed):
+        if not self.facts and positive_somewhere(residual.xreplace(self.values), self.seed):
             return False
         e = set(self.e)
         ways = apart - set(self.loop.states["z"]) - e, e, apart
-        return any(nonpositive(rest, apart, self.values, self.facts, by) for by in ways)
+        return any(nonpositive(residual, apart, self.values, self.facts, by) for by in ways)
 
     def across_jumps(self) -> Step:
         """Return the step that V does not rise where states jump, whichever jump at once."""
@@ -247,19 +247,15 @@ class Case:
         fall = "-D^T KD e" if all(self.zones) else "-sum KD_i e_i dV/de_i"
         if tidied(self.fall - decay(self.loop)) == 0:
             fall = "-e^T KD e"
-        falls, at_values = self.falls(self.rest), _or_zero(self.rest.xreplace(self.values))
-        if at_values == 0 or not (falls or at_values == self.rest):
+        falls, at_values = self.falls(self.residual), _or_zero(self.residual.xreplace(self.values))
+        if at_values == 0 or not (falls or at_values == self.residual):
             falls = self.falls(at_values)
-            if falls and self.rest != 0:  # for the values that they have
-                self.rest = at_values
+            if falls and self.residual != 0:  # for the values that they have
+                self.residual = at_values
                 self.fix_values()
-        if not falls and self.falls(self.rest + self.fall / 2):
-            self.rest, self.fall, falls, fall = (
-                self.rest + self.fall / 2,
-                self.fall / 2,
-                True,
-                f"{fall}/2",
-            )
+        if not falls and self.falls(self.residual + self.fall / 2):
+            self.residual, self.fall = self.residual + self.fall / 2, self.fall / 2
+            return True, f"{fall}/2"
         return falls, fall
 
     def running(self) -> Step:
@@ -268,7 +264,7 @@ class Case:
         V = self.loop.signals["V"][0]
         if degree_of(self.loop) <= EXACT and not V.has(TIME):
             square = sum(e**2 for e in self.loop.signals["e"])  # multiplied out it loses digits
-            fall = self.fall + self.rest.xreplace({sympy.expand(square): square})
+            fall = self.fall + self.residual.xreplace({sympy.expand(square): square})
             return running_step(lambda: (self.diagram, self.loop, fall), self.points, **known)
         wanted = [V, *self.loop.motion.values()]
         return running_step(
@@ -280,7 +276,7 @@ class Case:
 
         def holds() -> tuple[bool, str]:
             loop = array_loop(self.diagram, known=self.of_every_N)
-            rest = tidied(loop.elements.of(rate_of_V(loop) - decay(loop)))
+            residual = tidied(loop.elements.of(rate_of_V(loop) - decay(loop)))
             if loop.undefined:
                 return False, loop.undefined[0]
             read = loop.elements.of
@@ -289,7 +285,7 @@ class Case:
             )
             if faster := faster_than_linear(moves, states):
                 return False, faster
-            base, term = map(tidied, base_and_term(rest))
+            base, term = map(tidied, base_and_term(residual))
             if self.falls(base) and self.falls(term):
                 return True, ""
             return False, f"left over: {short(base)}; summand {short(term)}"
@@ -320,7 +316,7 @@ def _or_zero(expression: sympy.Expr) -> sympy.Expr:
 
 
 def _of_function(expression: sympy.Expr, index: str) -> sympy.Expr:
-    """Return what an expression of the first function is for another one."""
+    """Return the expression for another basis function, of that for the first."""
     names = {
         s: sympy.Symbol(f"{s.name.removesuffix('[1]')}[{index}]", **s.assumptions0)
         for s in expression.free_symbols

@@ -69,10 +69,10 @@ class Radial(NamedTuple):
     top: sympy.Expr
 
 
-def leaks_of(rest: sympy.Expr, truth: dict, moving: set) -> list[Leak]:
+def leaks_of(residual: sympy.Expr, truth: dict, moving: set) -> list[Leak]:
     """Return the leaks that V' has beyond -e^T KD e; none where it has anything else."""
     parts: dict[sympy.Expr, sympy.Expr] = {}  # by the factor of the leak
-    for term in sympy.Add.make_args(sympy.expand(rest)):
+    for term in sympy.Add.make_args(sympy.expand(residual)):
         factor = sympy.Mul(*(f for f in sympy.Mul.make_args(term) if _is_factor(f, moving)))
         parts[factor] = parts.get(factor, sympy.Integer(0)) + term / factor
     leaks = []
@@ -183,12 +183,12 @@ class Bounding:
     def __init__(self, case: Any):
         """Read what a `law_case.Case` has."""
         at = case.values
-        self.rate, self.rest, self.V = (e.xreplace(at) for e in (case.rate, case.rest, case.Vs))
+        self.rate, self.V = case.rate.xreplace(at), case.Vs.xreplace(at)
         self.truth = {s: true.xreplace(at) for s, true in case.truth.items()}
         self.moving, self.decays = case.moving, case.has_decay()
         self.rates = {s: rate.xreplace(at) for s, rate in case.loop.motion.items()}
         self.KD = list(case.loop.parameters["vehicle_controller"].KD)
-        self.leaks = leaks_of(self.rest, self.truth, self.moving)
+        self.leaks = leaks_of(case.residual.xreplace(at), self.truth, self.moving)
         H, self.k = sympy.hessian(self.V, list(self.truth)), sympy.Min(*self.KD)
         self.weights = {s: H[j, j] for j, s in enumerate(self.truth)}
         self.errors, learned = list(self.truth)[:2], list(self.truth)[2:]  # x, whose truth is z

@@ -63,7 +63,7 @@ def pair_of(law: Law) -> tuple[ArrayLoop, ArrayLoop]:
 
 
 def differs(law: Law) -> str:
-    """Return what of a law is not as without a limit, or nothing."""
+    """Return how a hedged law differs from the one without a limit, or nothing."""
     free, hedged = pair_of(law)
     flown = zip(hedged.read(hedged.inputs["v_x"]), free.read(free.signals["v_x"]), strict=True)
     as_flown = dict(flown)

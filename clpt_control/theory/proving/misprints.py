@@ -66,7 +66,7 @@ def misprints() -> tuple[Misprint, ...]:
 
 
 def misprint(equation: str, printed: str, corrected: str, check: str) -> Callable[[Check], Check]:
-    """Return what lists a check as a misprint."""
+    """Return a decorator that adds a check to the misprints."""
 
     def add(holds: Check) -> Check:
         MISPRINTS.append(Misprint(equation, printed, corrected, check, holds))

@@ -274,7 +274,7 @@ def _arguments_of(V: Candidate) -> int:
 
 
 def _maker(V: Candidate) -> Callable[..., Block]:
-    """Return what makes a candidate; it has no name that the paper's V has."""
+    """Return a function that makes a candidate, under a name that no block of the paper has."""
 
     def make(truth: Truth, *parameters: Any) -> Block:
         block = _with_truth(V, truth) if isinstance(V, Block) else V(truth, *parameters)

@@ -145,7 +145,7 @@ def checked(claim: str, how: How, check: Callable[[], Any], every_N: bool = True
 
 
 def first_failure(steps: Iterable[Step]) -> str:
-    """Return what the first step that does not hold claims, and its detail, or nothing."""
+    """Return the claim and the detail of the first step that does not hold, or nothing."""
     return next((f"{step.claim} ({step.detail})" for step in steps if not step.holds), "")
 
 

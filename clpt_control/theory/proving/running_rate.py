@@ -193,7 +193,7 @@ def near_least(
 def rate_along(
     evaluator: Evaluator, t: np.ndarray, x: np.ndarray, u: np.ndarray, degree: float
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return V' at points, and V over the time between which it is taken."""
+    """Return V' at points, and |V| over the step h, below which a difference is rounding."""
     rates = evaluator.rates(t, x, u)
     fastest = np.max(np.abs(rates), axis=1, keepdims=True)
     largest = np.maximum(np.max(np.abs(x), axis=1, keepdims=True), 1e-3)

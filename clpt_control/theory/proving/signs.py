@@ -49,9 +49,9 @@ def vanishes(expression: Any) -> bool:
     return p == 0 and q != 0
 
 
-def left_over(rest: Any) -> str:
-    """Return what is left where nothing should be, or nothing."""
-    return "" if vanishes(rest) else f"left over: {short(sympy.expand(rest))}"
+def left_over(residual: Any) -> str:
+    """Return a residual that should be zero, in words; "" where it is."""
+    return "" if vanishes(residual) else f"left over: {short(sympy.expand(residual))}"
 
 
 def _parts(expression: sympy.Expr) -> set[sympy.Expr]:

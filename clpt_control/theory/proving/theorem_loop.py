@@ -198,6 +198,9 @@ def flow_error(loop: Loop) -> Any:
     return p["true_flow"].theta - (p["injection"].theta_hat if state is None else state)
 
 
+KNOWN_ERROR = "V' = -e^T KD e + e^T (theta - theta_hat) phi"
+
+
 def decay_and_known_error(loop: Loop) -> Any:
     """V' = -e^T KD e + e^T (theta - theta_hat) phi, Theorem 3.1."""
     return decay(loop) + loop.signals["e"] @ (flow_error(loop) @ loop.inputs["phi_x"])

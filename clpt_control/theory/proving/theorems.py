@@ -29,7 +29,13 @@ from .lemmas import (
     young_step,
 )
 from .proof import Proof, Step, checked, cited, proof_or_failure, theorem
-from .theorem_loop import decay, decay_and_disturbance, decay_and_known_error, identity_steps
+from .theorem_loop import (
+    KNOWN_ERROR,
+    decay,
+    decay_and_disturbance,
+    decay_and_known_error,
+    identity_steps,
+)
 
 POINTS = 10_000  # at which the running blocks are called for Theorem 3.2
 FEWER = 1_000  # for 3.1 and 3.4, whose blocks are the same but for one
@@ -41,14 +47,13 @@ NO_DELTA = "the true flow is theta phi, without Delta"
 
 def theorem_3_1() -> Proof:
     """Judge Theorem 3.1: the known-flow law and its bound, Eq. (16)."""
-    text = "V' = -e^T KD e + e^T (theta - theta_hat) phi"
 
     def violated() -> tuple[bool, str]:
         found = known_flow_counterexample(start=400.0, end=800.0, step=0.05)
         return found.ratio > 1.05, f"max|e| = {found.ratio:.3f} of the largest drive over KD"
 
     steps = [
-        *identity_steps(text, "known-flow", decay_and_known_error, FEWER),
+        *identity_steps(KNOWN_ERROR, "known-flow", decay_and_known_error, FEWER),
         definite_step("known-flow"),
         young_step(),
         checked(

@@ -46,7 +46,7 @@ def answer(statement: "Statement", digest: str) -> "Outcome | None":
 
 
 def nothing_cached() -> bool:
-    """Whether no outcome was ever stored; whose equations a stored one is of takes long to tell."""
+    """Whether no outcome was ever stored; to tell whose equations it is of takes long."""
     folder = cache_folder()
     return folder is None or not any(folder.glob("verdicts-*.json"))
 

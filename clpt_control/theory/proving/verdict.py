@@ -72,10 +72,10 @@ def _persists(
 
 
 def rising_jump(case: Case) -> tuple[Point, Point, float] | None:
-    """Return where V of the running blocks rises at a jump, right before and right after, and how.
+    """Return where V of the running blocks rises at a jump, before and after it, and by how much.
 
-    V rises there at all distances, farther off the more; so it does not at jumps that forget a
-    share of all, by which errors stay bounded.
+    V rises there at all distances, the more the farther off.  It does not at a jump that forgets a
+    share of everything: errors stay bounded by that.
     """
     for functions, params, _, x, far, u in _draws(case, JUMPS):
         sweep = Sweep(functions.wiring, functions.parameters)
@@ -211,8 +211,8 @@ def verdict_of(case: Case) -> Verdict:
     definite, total = case.definite(), case.valued()
     (falls, fall), zones = case.settled(), any(case.zones)
     at = " and the parameters as they are" if case.fixed else ""
-    claim = f"V' {'=' if case.rest == 0 else '<='} {fall}, N = {case.loop.N}{at}"
-    left = "" if case.rest == 0 else f"left over: {short(case.rest)}"
+    claim = f"V' {'=' if case.residual == 0 else '<='} {fall}, N = {case.loop.N}{at}"
+    left = "" if case.residual == 0 else f"left over: {short(case.residual)}"
     steps = [definite, total, exact(claim, falls, left)]
     if case.facts:
         facts = ", ".join(f"{short(fact, 40)} >= 0" for fact in case.facts)
@@ -261,4 +261,4 @@ def _complete(case: Case, status: str, steps: list[Step], **more: Any) -> Verdic
                 status, more = "refuted at a jump", {"point": jump[0], "after": jump[1]}
                 claim = "the running blocks' V rises at a jump, ten and a hundred times as far off"
                 steps += [Step(claim, True, "counterexample", f"by {jump[2]:.3g}", False)]
-    return Verdict(status, case.rest, tuple(steps), case.diagram, **more)
+    return Verdict(status, case.residual, tuple(steps), case.diagram, **more)

@@ -262,7 +262,7 @@ AS_ITS_OTHERS = ("where", "pick", "clip", "mod")  # whatever the first argument 
 
 
 def faster_than_linear(moves: Mapping[str, Any], states: Mapping[str, Any]) -> str:
-    """Return which state may move faster than linearly in the states, and how; or ""."""
+    """Return which state may grow faster than linearly in the states, and its rate; or ""."""
     names = {str(s).split("[")[0] for symbols in states.values() for s in np.ravel(symbols)}
 
     def is_state(symbol: sympy.Symbol) -> bool:
