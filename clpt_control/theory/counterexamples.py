@@ -99,9 +99,7 @@ class PrintedBound:
 
 
 def _rms(times: np.ndarray, values: np.ndarray) -> float:
-    from scipy.integrate import trapezoid
-
-    return float(np.sqrt(trapezoid(values**2, times) / (times[-1] - times[0])))
+    return float(np.sqrt(np.trapezoid(values**2, times) / (times[-1] - times[0])))
 
 
 PRINTED = {

@@ -30,7 +30,7 @@ from .proving.symbolic_loop import Point, numeric
 from .proving.words import along
 from .searching import candidates
 from .squares import states_beside
-from .v_on_symbols import SystemV, missing
+from .v_on_symbols import SystemWithV, missing
 
 SEARCHES, PER_SEARCH, ROUNDS, BEST = 20, 500, 15, 5
 SURE = 1e-7  # of the size of its terms: a sign that is no rounding
@@ -42,7 +42,7 @@ Failure = tuple[Point, float]  # a point, and what V', or what fails, is there
 class PointSearch:
     """Points at which a V fails, and V' of the running blocks at points."""
 
-    def __init__(self, case: SystemV, seed: int):
+    def __init__(self, case: SystemWithV, seed: int):
         self.case, self.random = case, np.random.default_rng(seed)
 
     def numeric(self, expression: sympy.Expr) -> Callable[..., np.ndarray]:
@@ -246,7 +246,7 @@ class Lyapunov:
         return fragment("Lyapunov", f"{self.status}: {self.claim}", as_html(self.steps))
 
 
-def _verdict(case: SystemV, search: PointSearch, count: int) -> Lyapunov:
+def _verdict(case: SystemWithV, search: PointSearch, count: int) -> Lyapunov:
     """Return what is known of a V."""
     (V,) = case.in_signals([case.V])
     undefined = "".join((case.eq.undefined or missing(case.V))[:1])
@@ -283,7 +283,7 @@ def _verdict(case: SystemV, search: PointSearch, count: int) -> Lyapunov:
         return result("open", f"V' = {short(rate)}; {first_failure(steps)}")
     apart, others = NEAR if forms is None else states_beside(forms, case.eq)
     steps += [running := search.running(count), others]
-    jump, rise = _across_jumps(case, search, near=forms is None)
+    jump, rise = _at_jumps(case, search, near=forms is None)
     steps += [jump] if case.eq.jumps else []
     if rise is not None:
         return result("refuted at a jump", jump.claim, rise)
@@ -294,7 +294,7 @@ def _verdict(case: SystemV, search: PointSearch, count: int) -> Lyapunov:
     return result(status, f"V' = {short(rate)} <= 0{at}{valued_too}; {definite.claim}")
 
 
-def _as_claimed(case: SystemV, steps: list[Step]) -> bool:
+def _as_claimed(case: SystemWithV, steps: list[Step]) -> bool:
     """Add the step that V' is as claimed; return whether it is."""
     residual = tidied(case.rate - case.claim)
     identity = vanishes(residual)
@@ -308,7 +308,7 @@ def _as_claimed(case: SystemV, steps: list[Step]) -> bool:
 NEAR = "near the rest", exact("V holds every state near the rest", True)
 
 
-def _across_jumps(case: SystemV, search: PointSearch, near: bool) -> tuple[Step, Failure | None]:
+def _at_jumps(case: SystemWithV, search: PointSearch, near: bool) -> tuple[Step, Failure | None]:
     """Return the step that V rises at no jump, and a point at which it does."""
     claim = f"V does not rise where states of {' and '.join(case.eq.jumps)} jump"
     for after in case.eq.jumps_at_once():
@@ -324,9 +324,9 @@ def _across_jumps(case: SystemV, search: PointSearch, near: bool) -> tuple[Step,
 
 def _best_candidate(system: control.NonlinearIOSystem, at: Any, count: int, seed: int) -> Lyapunov:
     """Return the best of the functions that are searched for."""
-    best, case = None, SystemV(system, sympy.S.Zero, None, at)
+    best, case = None, SystemWithV(system, sympy.S.Zero, None, at)
     for V in candidates(case):
-        found = _verdict(one := SystemV(system, V, None, at), PointSearch(one, seed), count)
+        found = _verdict(one := SystemWithV(system, V, None, at), PointSearch(one, seed), count)
         if found.status == "proved":
             return found
         if best is None and found.status.startswith("proved"):
@@ -396,5 +396,5 @@ def lyapunov(
             if claim is not None:
                 raise DiagramError(f"{system.name}: a claim is of a V that is given; V is missing")
             return _best_candidate(system, at, points, seed)
-        case = SystemV(system, V, claim, at)
+        case = SystemWithV(system, V, claim, at)
         return _verdict(case, PointSearch(case, seed), points)

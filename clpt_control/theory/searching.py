@@ -26,7 +26,7 @@ from ..errors import DiagramError
 from .proving.proof import short
 from .proving.signs import vanishes
 from .proving.words import ODD, along
-from .v_on_symbols import SystemV
+from .v_on_symbols import SystemWithV
 
 MOST = 16  # states
 SHARE = 10**4  # the largest denominator of a coefficient
@@ -36,7 +36,7 @@ Rates = dict[sympy.Symbol, sympy.Expr]
 Monomial = tuple[int, ...]
 
 
-def candidates(case: SystemV) -> Iterator[sympy.Expr]:
+def candidates(case: SystemWithV) -> Iterator[sympy.Expr]:
     """Yield functions that may be a V of a diagram about its rest, the plainest first."""
     rest = case.rest or dict.fromkeys(case.states, sympy.S.Zero)
     zero = dict.fromkeys(case.inputs, sympy.S.Zero)

@@ -39,7 +39,7 @@ def _watched(owner: str, kind: str, arguments: tuple) -> str | None:
     return None if kind in LARGE else sentence
 
 
-class SystemV:
+class SystemWithV:
     """A diagram with a V of one's own, both on symbols."""
 
     def __init__(self, system: Any, V: Any, claim: Any, at: Any):
