@@ -203,13 +203,13 @@ def write(
     put in place last: where it is new, the others are.  The page loads itself `again` where it
     will be written anew.
     """
-    from ..replay.dataset import carrying
+    from ..replay.dataset import with_summary
     from ..replay.exchange import next_geojson, track_kml
     from ..replay.page import replay_page
     from ..replay.plots import replay_figures
 
     results: dict[str, Any] = {
-        "replay.nc": carrying(
+        "replay.nc": with_summary(
             clpt.replay.replay_dataset(result, found["vehicle"], ahead=ahead), found
         ),
         "replay.html": replay_page(found, again),
