@@ -155,20 +155,20 @@ def results(summary: dict[str, Any]) -> list[Result]:
     """Return what `summary_with_next` says of a replay: dives, misses, what was learned."""
     from ..replay.wording import (
         RANKS,
-        aimed,
+        aim_sentence,
         cells,
         cells_ahead,
         metres,
         next_surfacing,
         remarks,
-        routed,
+        route_sentences,
     )
 
     each, said = summary["each_dive"], list(remarks(summary))
     if summary["next_dive"]:
         said.append(next_surfacing(summary["next_dive"]))
-    said += [aimed(leg) for leg in summary["aim"]]
-    said += routed(summary["route"]) if "route" in summary else []
+    said += [aim_sentence(leg) for leg in summary["aim"]]
+    said += route_sentences(summary["route"]) if "route" in summary else []
     if summary.get("paste"):
         said += [f"to paste, {summary['paste']['file']}:", summary["paste"]["text"].rstrip()]
     if not each:
@@ -302,7 +302,7 @@ def learn(
     take: Take, dives: tuple[Any, Any], files: int, out: Path, ahead: Ahead, kinds: Sequence[str]
 ) -> tuple[dict[str, Any], str]:
     """Replay dives and write the results; return them with a line on the new files."""
-    from ..replay.wording import aimed, place, when
+    from ..replay.wording import aim_sentence, place, when
 
     replay, skipped = take(*dives)
     found, goal = summary_with_next(replay, skipped, ahead)
@@ -317,5 +317,5 @@ def learn(
         f"{line}; dive {step.dive.number}: miss {step.clpe['adaptive']:.0f} m"
         + (f"; speed anomaly: {step.anomaly}" if step.anomaly else "")
         + f"; next surfacing {when(to_come)}, near {near}"
-        + (f"; {aimed(found['aim'][0])}" if found["aim"] else "")
+        + (f"; {aim_sentence(found['aim'][0])}" if found["aim"] else "")
     )
