@@ -25,7 +25,7 @@ from ..diagrams.wiring import Wiring
 from ..errors import DiagramError, SimulationError
 from ..native import solver
 from ..native.batch import Batch, Callee
-from ..native.ending import METHODS, STUCK, run_to_end, sampled_start, steps
+from ..native.ending import STUCK, run_to_end, sampled_start
 from ..native.engines import make_runner, run_compared, warn_python
 from ..native.machine import LANES, processor
 from ..native.python_diagram import PythonDiagram
@@ -232,9 +232,11 @@ class Ensemble:
         method: str = "auto",
     ) -> States:
         """Run members, each by itself, in the calling thread, at times up to their end."""
-        times, by = np.asarray(times, dtype=float), METHODS[method]
-        if self.native.wiring.dt or not self.native.nstates:
-            return self._iterated(members, times)
+        times, by = np.asarray(times, dtype=float), self.native.method_number(method)
+        count, nt = len(members.x0), len(times)
+        if not self.native.nstates:
+            nothing, counts = np.zeros((count, nt, 0)), np.zeros((count, 4), dtype=np.int64)
+            return States(nothing, np.full(count, solver.FINISHED), np.full(count, nt), counts)
         if self.compiled:
             callee = self.native.callee(1 if by == solver.RODAS5P else self.lanes, None, by)
             parts = [(slice(None), callee, self.native.implicit)]
@@ -261,19 +263,6 @@ class Ensemble:
                     array[stuck] = rows
             results.append(result)
         return States(*map(np.concatenate, zip(*results, strict=True)))
-
-    def _iterated(self, members: Members, times: np.ndarray) -> States:
-        """Run members of discrete time, or without states."""
-        (count, n), nt = members.x0.shape, len(times)
-        x, reached = np.full((count, nt, n), np.nan), np.full(count, nt)
-        x[:, 0] = members.x0
-        for m in range(count if n else 0):
-            callee, P = self._callee(members, m), members.P[m]
-            for k, bad in steps(callee, x[m], times, members.schedule(m), P):
-                if bad:
-                    reached[m], x[m, k + 1 :] = k + 1, np.nan
-        status = np.where(reached == nt, solver.FINISHED, solver.NOT_FINITE)
-        return States(x, status, reached, np.zeros((count, 4), dtype=np.int64))
 
     def signals(self, members: Members, run: States, m: int, times: np.ndarray) -> np.ndarray:
         """Return all signals of one member, at the times of its states that it reached."""

@@ -26,7 +26,7 @@ ANY = 2**62
 MEMBER_STEPS = 5_000_000  # tries of a run among many
 METHODS = {
     **{solver.DOP853: "DOP853", solver.DOPRI5: "DOPRI5"},
-    **{solver.RODAS5P: "Rodas5P", solver.RK4: "RK4"},
+    **{solver.RODAS5P: "Rodas5P", solver.RK4: "RK4", solver.MAP: "none"},
 }
 
 
@@ -63,13 +63,7 @@ class Callee(NamedTuple):
         return result
 
     def evaluate(
-        self,
-        role: int,
-        times: Any,
-        x: np.ndarray,
-        pieces: Schedule,
-        parameters: np.ndarray,
-        out: np.ndarray,
+        self, role: int, times: Any, x: Any, pieces: Schedule, parameters: Any, out: Any
     ) -> np.ndarray:
         """Call a function at times and states x (nt, n); write its results into `out`, a row each.
 
@@ -110,6 +104,8 @@ class Batch:
         self.method = METHODS[callee.method]
         if callee.method == solver.RK4 and not longest > 0:
             raise SimulationError(f"step = {longest}: must be positive")
+        if callee.method == solver.MAP:
+            schedules = [one.in_samples(self.times) for one in schedules]
         (m, n), lanes = starts.shape, callee.lanes
         group = np.zeros(m, dtype=np.int64) if group is None else group
         self.runs = tuple(map(np.ascontiguousarray, (starts, parameters, group)))
@@ -151,14 +147,14 @@ class Batch:
     ) -> None:
         """Run to the end with steps chosen by tolerance, each run for at most `most` tries.
 
-        RK4 takes as many steps as it needs.  `watch` is called between the solver's calls, each of
-        about `PAUSE`.  `stiff` says whether a lane with stiff steps is stiff; its run then ends as
-        `STIFF`.
+        Tries of RK4 and in discrete time are not limited.  `watch` is called between the solver's
+        calls, each of about `PAUSE`.  `stiff` says if a lane with stiff steps is stiff; the run
+        of one that is ends as `STIFF`.
         """
         self.numbers[solver.STIFF_STEPS] = -np.inf if stiff is None else 0.0
         first = 0 if self.callee.engine == "python" else BEGIN // self.callee.nstates
         active, budget = 1, max(64, first)
-        most = ANY if self.callee.method == solver.RK4 else most
+        most = ANY if self.callee.method in (solver.RK4, solver.MAP) else most
         if self.callee.decided:
             self.runs[1][:, self.callee.decided_at - 1] = GRAIN * atol
         while active:

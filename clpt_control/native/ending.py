@@ -1,18 +1,17 @@
-"""How a run comes to its end: by which method, and to which states, or to which sentence.
+"""The end of a run: by which method it is reached, and with which states, or which sentence.
 
-Where a run meets a guard, or a number that is not finite, the blocks are asked in Python
-which signal it is: the sentence names block, signal and time.
+When a run meets a guard, or a number that is not finite, the blocks are evaluated in Python to find
+the signal: the sentence names block, signal and time.
 
-`finish` goes on by an implicit method where a run is stiff: DOP853 stops where its own steps look
-stiff (`method`, Hairer's test) and many are ahead.  They look so as well where rates jump; so it is
-asked how large the eigenvalues of df/dx are, which know of no jumps.
+`run_to_end` goes on with an implicit method if a run is stiff.  DOP853 stops if its own steps look
+stiff (`method`, Hairer's test) and many are ahead.  Steps look stiff as well if rates jump, but then
+the eigenvalues of df/dx are small.
 
-`iterated` is of diagrams of discrete time, x[k+1] = derivative(t_k, x[k], u_k), signals of sample k
-from x[k].  The times are those that python-control takes: `dt` apart, or evenly spaced where dt is
-True.  What sampled parts hold where a run begins says `sampled_start`.
+In discrete time x[k+1] = derivative(t_k, x[k], u_k), and the signals of sample k are those of x[k].
+The times are those that python-control takes: `dt` apart, or evenly spaced if dt is True.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from enum import IntEnum
 from typing import Any
@@ -20,7 +19,6 @@ from typing import Any
 import numpy as np
 
 from ..errors import SimulationError
-from ..progress.interrupt import check
 from . import solver
 from .batch import MEMBER_STEPS, Batch, Callee
 from .schedule import Inputs, Schedule
@@ -38,7 +36,7 @@ class Status(IntEnum):
         return SENTENCES[self]
 
 
-STUCK = (Status.NOT_FINITE, Status.TOO_SMALL)  # as a run may be that holds a decision for a step
+STUCK = (Status.NOT_FINITE, Status.TOO_SMALL)  # ends that a locked decision may cause
 SENTENCES = (  # of each status
     "under way",
     "finished: the end of the span was reached",
@@ -51,17 +49,17 @@ SENTENCES = (  # of each status
     "in place of np.sign), or sample it",
     "left to an implicit method",
 )
-ADVICE = "check the parameters of that block, or loosen rtol and atol"  # of what is not finite
+ADVICE = "check the parameters of that block"  # where a signal is not finite
 
 
 @dataclass
 class Solution:
     """States x (n, nstates) at the times t (n,) that were reached.
 
-    `status` is ``"finished"``, or ``"stopped"`` where a guard ended the run; `message` is a
-    sentence on it, `statistics` the numbers of steps, evaluations and restarts, `engine` what ran:
-    ``"native"`` or ``"python"``; `method` is how, and from when by another one; `pieces` are who
-    ran, on which inputs, and the pieces of time.
+    `status` is ``"finished"``, or ``"stopped"`` if a guard ended the run; `message` is a sentence on
+    it.  `statistics` are the numbers of steps, evaluations and restarts.  `engine` is ``"native"``
+    or ``"python"``, `method` the method, and from which time on another one.  `pieces` are the
+    diagram that ran, its inputs, and the pieces of time.
     """
 
     t: np.ndarray
@@ -75,32 +73,33 @@ class Solution:
 
 
 def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None, rest: Batch | None) -> Solution:
-    """Return the solution of a batch of one run, or raise what stopped it.
+    """Return the solution of a batch of one run, or raise an error on what stopped it.
 
-    `rest` is its rest by another method, and `sweep` evaluates the diagram in Python, with the
-    parameters that ran.
+    `rest` is the rest of the run by another method; `sweep` evaluates the diagram in Python, with
+    the parameters of the run.
     """
     last, status = rest or batch, Status(batch.status[0])
-    found = Solution(batch.times, batch.out[0], method=batch.method)
+    solution = Solution(batch.times, batch.out[0], method=batch.method)
     if rest is not None:
-        found.method += f", from t = {rest.times[0]:.9g} {rest.method}"
+        solution.method += f", from t = {rest.times[0]:.9g} {rest.method}"
     counts = map(int, batch.counts[0])
-    found.statistics = dict(zip(("steps", "evaluations", "restarts"), counts, strict=False))
-    found.engine = batch.callee.engine
+    solution.statistics = dict(zip(("steps", "evaluations", "restarts"), counts, strict=False))
+    solution.engine = batch.callee.engine
     if status is Status.FINISHED:
-        return found
+        return solution
     if status is Status.LEFT:
         t, x, policy, sentence = _crossing(sweep, last, inputs)
         if policy == "raise":
             raise SimulationError(sentence)
-        found.status, found.message = "stopped", f"stopped: {sentence}"
-        found.t, found.x = _until(last, found, t, x, int(batch.reached[0]))
-        return found
+        solution.status, solution.message = "stopped", f"stopped: {sentence}"
+        solution.t, solution.x = _until(last, solution, t, x, int(batch.reached[0]))
+        return solution
     reason = status.sentence
     if status is Status.CHATTERS:
         reason = f"{_switch(sweep, last)} {reason}"
     reason = _trouble(sweep, last, inputs) or reason
-    raise SimulationError(f"the integration stopped at t = {last.now:.9g}: {reason}")
+    what = "run" if batch.callee.method == solver.MAP else "integration"
+    raise SimulationError(f"the {what} stopped at t = {last.now:.9g}: {reason}")
 
 
 def _switch(sweep: Sweep, batch: Batch) -> str:
@@ -113,21 +112,23 @@ def _switch(sweep: Sweep, batch: Batch) -> str:
 
 def _trouble(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> str | None:
     """Return what is not finite at the state reached, or a small step ahead, and why."""
-    n, t = sweep.nstates, batch.now
+    n, t, advice, ahead = sweep.nstates, batch.now, ADVICE, [0.0]
     x, rate = (batch.Z[r * n : (r + 1) * n] for r in (solver.STATE, solver.RATE))
-    ahead = float(batch.numbers[solver.END, 0]) - t
+    if batch.callee.method != solver.MAP:
+        advice = f"{ADVICE}, or loosen rtol and atol"
+        ahead += [*((batch.numbers[solver.END, 0] - t) * np.geomspace(1e-12, 1.0, 13))]
     sweep.enter(t)
     for k in sweep.jumping:
         sweep.nodes[k].system.raised.pop("jump", None)
     known = batch.out[0][np.isfinite(batch.out[0]).all(axis=1)]
-    if sweep.jumping and len(known) and not np.isfinite(x).all():  # a jump made it so: ask it again
+    if sweep.jumping and len(known) and not np.isfinite(x).all():  # by a jump, which is tried again
         sweep.jump(t, known[-1], None if inputs is None else inputs.at(t), sweep.jumping)
-    for h in (0.0, *(ahead * np.geomspace(1e-12, 1.0, 13))):
+    for h in ahead:
         near = x + h * rate if h else x  # the rate itself may be what is not finite
         u = None if inputs is None else inputs.at(t + h)
-        found = sweep.first_trouble(t + h, near, u, ADVICE)
-        if found is not None:
-            return found
+        trouble = sweep.first_trouble(t + h, near, u, advice)
+        if trouble is not None:
+            return trouble
     return None
 
 
@@ -146,29 +147,29 @@ def _crossing(
     t, h = batch.now, float(batch.numbers[solver.TAKEN, 0])
     sweep.enter(t)
 
-    def seen(share: float) -> tuple[float, str, str]:
+    def guard(share: float) -> tuple[float, str, str]:
         u = None if inputs is None else inputs.at(t + share * h)
         return sweep.margin(t + share * h, _state(batch, share), u)
 
     def margin(share: float) -> float:
-        return seen(share)[0]
+        return guard(share)[0]
 
     share, beyond = (float(batch.numbers[row, 0]) for row in (solver.LOW, solver.HIGH))
     if margin(0.0) <= 0.0:
         share = 0.0
     elif margin(share) > 0.0 > margin(beyond):  # else the edge itself was looked at
         share = brentq(margin, share, beyond, xtol=1e-15, rtol=1e-14)
-    return (t + share * h, _state(batch, share), *seen(share)[1:])
+    return (t + share * h, _state(batch, share), *guard(share)[1:])
 
 
 def _until(
-    batch: Batch, found: Solution, t: float, x: np.ndarray, done: int
+    batch: Batch, solution: Solution, t: float, x: np.ndarray, done: int
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the samples up to the end of a run that a guard stopped, and that end."""
     start, h = batch.now, float(batch.numbers[solver.TAKEN, 0])
-    within = found.t[done:][found.t[done:] <= t]
-    times = np.concatenate([found.t[:done], within])
-    states = [*found.x[:done], *(_state(batch, (time - start) / h) for time in within)]
+    within = solution.t[done:][solution.t[done:] <= t]
+    times = np.concatenate([solution.t[:done], within])
+    states = [*solution.x[:done], *(_state(batch, (time - start) / h) for time in within)]
     if times[-1] < t:
         times, states = np.append(times, t), [*states, x]
     return times, np.array(states)
@@ -186,7 +187,7 @@ Implicit = Callable[[], Callee]  # what an implicit method calls
 
 
 def checked_method(method: str | None) -> str:
-    """Return the name of a method; refuse what is none."""
+    """Return the name of a method; refuse an unknown one."""
     if method is not None and method not in METHODS:
         raise SimulationError(f"method = {method!r}: must be one of {', '.join(METHODS)}")
     return method or "auto"
@@ -199,9 +200,9 @@ def run_to_end(
     watch: Callable[[Batch], None] = lambda batch: None,
     most: int = MEMBER_STEPS,
 ) -> dict[int, Batch]:
-    """Run a batch to the end: what is stiff by an implicit method, one after the other.
+    """Run a batch to the end, stiff runs by an implicit method, one after the other.
 
-    Returns the rests of those runs, which `batch` holds as well.
+    Return the rests of the stiff runs, by run; `batch` has their results too.
     """
     rest: dict[int, Batch] = {}
 
@@ -214,30 +215,30 @@ def run_to_end(
         return h * radius(one.linear[0].reshape(n, n)) > LARGE[batch.callee.method]
 
     batch.adaptive(*tolerances, watch, most, None if implicit is None else stiff)
-    found = {int(m): rest[int(m)] for m in np.flatnonzero(batch.status == solver.STIFF)}
-    for m, one in found.items():
+    stiff_runs = {int(m): rest[int(m)] for m in np.flatnonzero(batch.status == solver.STIFF)}
+    for m, one in stiff_runs.items():
         one.adaptive(*tolerances, watch, most)
         done = len(batch.times) - len(one.times) + 1
         batch.out[m, done:] = one.out[0, 1:]
         batch.status[m], batch.reached[m] = one.status[0], done + one.reached[0] - 1
         batch.counts[m] += one.counts[0]
-    return found
+    return stiff_runs
 
 
 def _rest(batch: Batch, k: int, callee: Callee) -> Batch:
     """Return the run of a lane from where it is."""
     lanes, n = batch.callee.lanes, batch.callee.nstates
     member, _, done, *_ = batch.lane[1][:, k].tolist()
-    t, given = float(batch.numbers[solver.TIME, k]), batch.runs[1][member, : callee.size].copy()
+    t, P = float(batch.numbers[solver.TIME, k]), batch.runs[1][member, : callee.size].copy()
     state = batch.Z[: n * lanes].reshape(n, lanes)[:, k].copy()
     times = np.append(t, batch.times[done:])
     pieces = [batch.pieces[batch.runs[2][member]].after(t)]
     longest = float(batch.numbers[solver.LONGEST, k])
-    return Batch(callee, state[None], given[None], times, pieces, None, longest)
+    return Batch(callee, state[None], P[None], times, pieces, None, longest)
 
 
 def radius(matrix: np.ndarray) -> float:
-    """Return the size of a matrix's largest eigenvalue, nearly; 0.0 where it has none."""
+    """Return nearly the size of a matrix's largest eigenvalue; 0.0 if the iteration finds none."""
     v = np.random.default_rng(0).standard_normal(len(matrix))
     growth = []
     for _ in range(ROUNDS):
@@ -250,13 +251,11 @@ def radius(matrix: np.ndarray) -> float:
     return float(np.exp(np.mean(growth[ROUNDS // 2 :])))
 
 
-# --- of discrete time -------------------------------------------------------------------------
-
-TOGETHER = 4096  # steps of a call
+# --- discrete time ----------------------------------------------------------------------------
 
 
 def check_spacing(times: np.ndarray, dt: Any) -> None:
-    """Refuse times that are not one step of a diagram of discrete time apart."""
+    """Refuse times that are not spaced by the step of a diagram of discrete time."""
     apart = np.diff(times)
     if not np.allclose(apart, apart[0] if dt is True else dt):
         every = "evenly spaced" if dt is True else f"{dt:.9g} apart"
@@ -266,56 +265,8 @@ def check_spacing(times: np.ndarray, dt: Any) -> None:
         )
 
 
-def steps(
-    callee: Callee, x: np.ndarray, times: np.ndarray, pieces: Schedule, P: Any
-) -> Iterator[tuple[int, bool]]:
-    """Fill the rows of x behind the first.
-
-    Yield the number of the last row that is done, and whether the next is not finite.
-    """
-    for first in range(0, len(times) - 1, TOGETHER):
-        check()
-        last = min(first + TOGETHER, len(times) - 1)
-        after = x[first + 1 : last + 1]
-        callee.evaluate(solver.DERIVATIVE, times[first:last], x[first:last], pieces, P, after)
-        bad = np.flatnonzero(~np.all(np.isfinite(after), axis=1))
-        if len(bad):
-            yield first + int(bad[0]), True
-            return
-        yield last, False
-
-
-def iterated(
-    runner: Any,
-    start: np.ndarray,
-    times: np.ndarray,
-    inputs: Inputs | None,
-    progress: Callable[[float], None] | None,
-) -> Solution:
-    """Return the states of a diagram of discrete time, ready to run, at its times."""
-    pieces = runner.schedule(float(times[0]), float(times[-1]), inputs)
-    callee, P = runner.callee(1, inputs), runner.parameters()
-    x = np.zeros((len(times), len(start)))
-    x[0] = start
-    for k, bad in steps(callee, x, times, pieces, P):
-        if bad:
-            t, u = float(times[k]), None if inputs is None else inputs.at(float(times[k]))
-            advice = "check the parameters of that block"
-            found = runner.sweep.first_trouble(t, x[k], u, advice)
-            found = found or f"a state is not finite; {advice}"
-            raise SimulationError(f"the run stopped at t = {t:.9g}: {found}")
-        if progress is not None:
-            progress(float(times[k]))
-    statistics = {"steps": len(times) - 1, "evaluations": len(times) - 1, "restarts": 0}
-    made = Solution(times, x, statistics=statistics, engine=runner.engine)
-    made.pieces = runner, inputs, pieces
-    return made
-
-
-def sampled_start(
-    callee: Callee, start: np.ndarray, t: float, pieces: Schedule, P: Any
-) -> np.ndarray:
-    """Return the state with which a run begins: blocks that sample there hold what feeds them."""
+def sampled_start(callee: Callee, start: Any, t: float, pieces: Schedule, P: Any) -> np.ndarray:
+    """Return the state with which a run begins: blocks that sample then have sampled their inputs."""
     if not pieces.begins:
         return start
     return callee.evaluate(solver.JUMP, [t], start, pieces, P, np.empty((1, len(start))))[0]

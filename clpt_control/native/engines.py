@@ -77,9 +77,7 @@ def run_checked(
     return solution, runner.signals(solution, given["inputs"])
 
 
-def run_compared(
-    runner: NativeDiagram, start: Any, times: Any, **given: Any
-) -> tuple[Any, Any, str]:
+def run_compared(runner: NativeDiagram, start: Any, times: Any, **given: Any) -> tuple:
     """Run a diagram; return solution, signals and, in words, what was read otherwise."""
     try:
         solution = runner.run(start, times, **given)

@@ -13,18 +13,7 @@ from typing import Any
 from llvmlite import ir
 
 from .machine import LANES
-from .vectors import (
-    BIT,
-    DOUBLE,
-    INT32,
-    WORD,
-    broadcast,
-    constant,
-    declared,
-    elements,
-    gathered,
-    vector,
-)
+from .vectors import BIT, DOUBLE, INT32, WORD, constant, declared, elements, gathered, splat, vector
 
 Moves = Sequence[tuple[Any, int]]  # the indices of loops, each with its stride
 Body = Callable[[Any, list], list]  # prints an iteration: index, sums before it -> sums after it
@@ -86,7 +75,7 @@ class Function:
             return gathered(builder, ones + ones[:1] * (self.wide - self.active))
         address, width = self.address(array, first, moves), self.wide if stride else self.lanes
         if stride is None and self.columns(array) == 1:
-            return broadcast(builder, builder.load(address), width)
+            return splat(builder, builder.load(address), width)
         many = builder.bitcast(address, vector(width).as_pointer())
         if stride is None or self.active == width:
             return builder.load(many, align=8)

@@ -7,7 +7,8 @@ the numbers of a lane and X the rows of Z.
 
 DOP853 and DOPRI5: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, 1993,
 sections II.4 to II.6 and II.10; the coefficients and the choice of steps are scipy's.  Rodas5P, for
-stiff equations: `rosenbrock`.  RK4, the classical method, takes steps of one length.
+stiff equations: `rosenbrock`.  RK4, the classical method, takes steps of one length.  In discrete
+time a step leads from one sample to the next.
 """
 
 from collections.abc import Callable
@@ -91,9 +92,7 @@ def _at(s: StepTape, c: float) -> Rows:
     return {row.AT: s.lane(row.TIME) + c * s.lane(row.TAKEN)}
 
 
-def _stage(
-    weights: Any, c: float, s: StepTape, started: int | None = None, starts: Any = ()
-) -> New:
+def _stage(weights: Any, c: float, s: StepTape, started: Any = None, starts: Any = ()) -> New:
     """argument = x + h sum_j a_j K_j, at t + c h.
 
     The row `started` holds the beginning of the sum; `starts` are the weights of sums of later
@@ -285,7 +284,7 @@ def _dense_dopri5(s: StepTape) -> New:
     return _terms(s, *_cubic(s), s.lane(row.TAKEN) * last), {}
 
 
-# --- Runge and Kutta's method of order 4 ----------------------------------------------------
+# --- Runge and Kutta's method of order 4, and discrete time -----------------------------------
 
 
 def _attempt_fixed(s: StepTape) -> New:
@@ -297,11 +296,21 @@ def _attempt_fixed(s: StepTape) -> New:
     return {}, {row.NEW: new, row.TAKEN: ahead / steps}
 
 
-def _control_fixed(s: StepTape) -> New:
+def _control_rk4(s: StepTape) -> New:
     """The new state, and whether it is finite."""
     outer = s.z(row.RATE) + s.z(row.RATE + 3)
     inner = s.z(row.RATE + 1) + s.z(row.RATE + 2)
-    state = fmuladd(s.lane(row.TAKEN) / 6.0, fmuladd(2.0, inner, outer), s.z(row.STATE))
+    return _control_fixed(
+        s, fmuladd(s.lane(row.TAKEN) / 6.0, fmuladd(2.0, inner, outer), s.z(row.STATE))
+    )
+
+
+def _control_map(s: StepTape) -> New:
+    """The state at the next sample of discrete time, and whether it is finite."""
+    return _control_fixed(s, s.z(row.RATE))
+
+
+def _control_fixed(s: StepTape, state: Any) -> New:
     good = s.total(0.0 * state) <= 0.0
     failing = where(good, 0.0, float(row.NOT_FINITE))
     new, tried = s.lane(row.NEW), s.lane(row.GOOD_ONES) + 1.0
@@ -369,10 +378,11 @@ def formulas(method: int) -> dict[str, Formula]:
         attempt, dense = partial(_attempt, implicit=True), _dense_implicit
         control = _control_implicit
         stages = [partial(_stage_implicit, k) for k in range(row.RODAS5P - 1)]
-    elif method == row.RK4:
-        attempt, control, accept, dense = _attempt_fixed, _control_fixed, _accept_fixed, _straight
+    elif method in (row.RK4, row.MAP):
+        attempt, accept, dense = _attempt_fixed, _accept_fixed, _straight
+        control = _control_rk4 if method == row.RK4 else _control_map
         halves = np.diag([0.5, 0.5, 1.0])
-        stages = [partial(_stage, halves[k, : k + 1], halves[k, k]) for k in range(3)]
+        stages = [partial(_stage, halves[k, : k + 1], halves[k, k]) for k in range(method - 1)]
     trial, first = partial(_stage, [0.0, 1.0], 1.0), partial(_first, root)
     return {
         **{"attempt": attempt, "control": control, "sizes": _sizes, "trial": trial},

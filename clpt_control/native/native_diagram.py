@@ -228,7 +228,8 @@ class NativeDiagram(PythonDiagram):
         return self._callees[lanes, method]
 
     def _callee(self, lanes: int, method: int) -> Callee:
-        guarded, jumping, n = int(self.sweep.guarded), int(bool(self.jumps)), self.nstates
+        n, watched = self.nstates, method != solver.MAP
+        guarded, jumping = int(watched and self.sweep.guarded), int(watched and bool(self.jumps))
         code = self._code(method)
         program = code.program
         unused = {"margin": not guarded, "jump": not jumping, "decide": not program.decided}

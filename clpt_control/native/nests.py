@@ -9,16 +9,7 @@ from .components import Write, deep, row_strides
 from .llvm_function import Function
 from .machine import LANES
 from .plan import Nest, Program
-from .vectors import (
-    WORD,
-    broadcast,
-    calculate,
-    constant,
-    elements,
-    gathered,
-    horizontal_sum,
-    width_of,
-)
+from .vectors import WORD, calculate, constant, elements, gathered, horizontal_sum, splat, width_of
 
 UNROLLED, UNROLLED_RUNS = 4, 8  # the longest loop that unrolls: most loops, inner ones in lanes
 ABREAST = 4  # unrolled iterations that are computed side by side
@@ -158,7 +149,7 @@ class _Nests(Function):
         builder, width = self.builder, self.width(wide)
         if wide and self.vector not in loops:
             narrow = self.value((c, loops, False))
-            return lambda: [broadcast(builder, one, width) for one in narrow]
+            return lambda: [splat(builder, one, width) for one in narrow]
         read = self.read(c)
         if read is not None:
             array, first, strides = read

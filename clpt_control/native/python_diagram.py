@@ -26,7 +26,6 @@ from .ending import (
     check_spacing,
     checked_method,
     ended,
-    iterated,
     run_to_end,
     sampled_start,
 )
@@ -132,7 +131,16 @@ class PythonDiagram:
         formulas = kernels(n, 1, method) if n else None
         more = formulas.addresses.values() if formulas else ()
         addresses = [*(cast(one, c_void_p).value for one in own), 0, 0, *more]
-        shape = 1, n, method, int(sweep.guarded), int(bool(self.jumps)), 0, 0
+        watched = method != solver.MAP
+        shape = (
+            1,
+            n,
+            method,
+            int(watched and sweep.guarded),
+            int(watched and bool(self.jumps)),
+            0,
+            0,
+        )
         sizes, linear = (len(self.jumps), self.nsignals, np.zeros(1)), Jacobian()
         if method == solver.RODAS5P:
             linear = jacobian(np.ones((n, n + 1), dtype=bool), False)
@@ -214,29 +222,33 @@ class PythonDiagram:
             check_spacing(times, self.wiring.dt)
         if not self.nstates:
             return Solution(times, np.zeros((len(times), 0)), engine=self.engine)
-        if self.wiring.dt:
-            return iterated(self, start, times, inputs, progress)
-        by = METHODS[method] if step is None else solver.RK4
-        if by == solver.DOP853 and method == "auto" and tolerances[0] >= self.loose:
+        by, auto = self.method_number(method, step), method == "auto" and step is None
+        if by == solver.DOP853 and auto and tolerances[0] >= self.loose:
             by = solver.DOPRI5
         felt = tolerances[0] * (FELT_BY_ORDER_5 if by == solver.DOPRI5 else FELT)
         pieces = self.schedule(t0, t1, inputs, self.breaks(t0, t1), felt)
         callee, P = self.callee(1, inputs, by), self.parameters()
         start = sampled_start(callee, start, t0, pieces, P)
-        made = Batch(callee, start[None], P[None], times, [pieces], None, *limits)
-        most = self.most if step is None else ANY
-        auto = partial(self.implicit, inputs) if method == "auto" and step is None else None
-        rest = run_to_end(made, tolerances, auto, pace(most, t0, t1, progress), most)
-        if made.status[0] in STUCK and callee.decided:
-            with suppress(SimulationError):  # then what stopped this one is said
+        batch = Batch(callee, start[None], P[None], times, [pieces], None, *limits)
+        most = self.most if by > solver.RK4 else ANY
+        implicit = partial(self.implicit, inputs) if auto else None
+        rest = run_to_end(batch, tolerances, implicit, pace(most, t0, t1, progress), most)
+        if batch.status[0] in STUCK and callee.decided:
+            with suppress(SimulationError):  # then the error is that of the first run
                 across = self.unlocked().run(
                     x0, times, rtol=rtol, atol=atol, method=method, inputs=inputs,
                     max_step=max_step, first_step=first_step, progress=progress,
                 )  # fmt: skip
                 return replace(across, method=f"{across.method}, switches not located")
-        done = ended(self.sweep, made, inputs, rest.get(0))
-        done.pieces = self, inputs, pieces
-        return done
+        solution = ended(self.sweep, batch, inputs, rest.get(0))
+        solution.pieces = self, inputs, pieces
+        return solution
+
+    def method_number(self, method: str = "auto", step: float | None = None) -> int:
+        """Return the solver's number of a method."""
+        if self.wiring.dt:
+            return solver.MAP
+        return METHODS[method] if step is None else solver.RK4
 
     def unlocked(self) -> Self:
         """Return it with decisions that may change within a step.
@@ -284,8 +296,8 @@ class PythonDiagram:
         times = checked_times("times", times)
         starts = checked_state("starts", starts, (len(starts), self.nstates))
         if self.wiring.dt:
-            return np.array([self.run(one, times).x for one in starts])
-        P, by = self.parameters(), solver.DOP853 if step is None else solver.RK4
+            check_spacing(times, self.wiring.dt)
+        P, by = self.parameters(), self.method_number(step=step)
         pieces = self.schedule(float(times[0]), float(times[-1]))
         starts = [sampled_start(self.callee(), one, float(times[0]), pieces, P) for one in starts]
         callee, every = self.callee(self.lanes(len(starts)), None, by), np.tile(P, (len(starts), 1))

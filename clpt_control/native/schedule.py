@@ -227,6 +227,14 @@ class Schedule(NamedTuple):
         smooth[:1] = False
         return Schedule(self.edges[k:], self.places, self.values[k:], smooth)
 
+    def in_samples(self, times: np.ndarray) -> "Schedule":
+        """Return the pieces of a run in discrete time: each begins at a sample."""
+        piece = np.searchsorted(self.edges, times, side="right")
+        begins = np.flatnonzero(np.append(True, np.diff(piece[:-1]) > 0))
+        edges = np.append(times[begins[1:]], times[-1])
+        values = self.values[[*piece[begins], piece[-1]]]
+        return Schedule(edges, self.places, values, np.arange(len(values)) > 0)
+
 
 def make_schedule(
     sweep: Sweep,
@@ -244,13 +252,11 @@ def make_schedule(
     `intervals` holds the place in P of each block's `interval`, `jumps` the place that is `JUMPS`
     where a piece begins with a jump of the block's states.
     """
-    jumping = edges = _united(sweep.breakpoints(t0, t1), breaks)
-    edges = _united(edges, kinks)
+    jumping = np.union1d(sweep.breakpoints(t0, t1), breaks)
+    edges = np.union1d(jumping, kinks)
     edges = np.concatenate([edges[(edges > t0) & (edges < t1)], [t1]])
     starts = np.concatenate([[t0], edges])
-    smooth = np.ones(len(starts), dtype=bool)
-    if len(jumping):
-        smooth = ~np.isin(starts, jumping)
+    smooth = ~np.isin(starts, jumping)
     smooth[0] = False
     places = np.array([*intervals.values(), *jumps.values()], dtype=np.int64)
     values = np.zeros((len(starts), len(places)))
@@ -269,13 +275,6 @@ def make_schedule(
         if block.first_held is not None and block.samples_at(t0):
             values[0, j] = BEGINS
     return Schedule(edges, places, values, smooth, bool(np.any(values[0, len(intervals) :])))
-
-
-def _united(times: np.ndarray, more: Any) -> np.ndarray:
-    """Return increasing times of both."""
-    if len(times) and len(more):
-        return np.union1d(times, more)
-    return np.asarray(more if len(more) else times, dtype=float)
 
 
 def with_inputs(pieces: Schedule, t0: float, inputs: Inputs, ramp: int) -> Schedule:

@@ -1,4 +1,4 @@
-; sha256 a95411eb19777d481f52f0e151aad0d00756b8975fc944eb539a280d82a16ae0
+; sha256 418acf648a985031697b7a0fda545d416a4aee31c4389a7e9ce1f9df68aac669
 
 define dso_local noundef i32 @advance(ptr noalias %retptr, ptr noalias readnone %excinfo, ptr readnone %arg.code.0, ptr readnone %arg.code.1, i64 %arg.code.2, i64 %arg.code.3, ptr readonly %arg.code.4, i64 %arg.code.5.0, i64 %arg.code.6.0, i64 %arg.shape.0, i64 %arg.shape.1, i64 %arg.shape.2, i64 %arg.shape.3, i64 %arg.shape.4, i64 %arg.shape.5, i64 %arg.shape.6, ptr readnone %arg.tolerances.0, ptr readnone %arg.tolerances.1, i64 %arg.tolerances.2, i64 %arg.tolerances.3, ptr %arg.tolerances.4, i64 %arg.tolerances.5.0, i64 %arg.tolerances.6.0, ptr readnone %arg.batch.0.0.0, ptr readnone %arg.batch.0.0.1, i64 %arg.batch.0.0.2, i64 %arg.batch.0.0.3, ptr readonly %arg.batch.0.0.4, i64 %arg.batch.0.0.5.0, i64 %arg.batch.0.0.5.1, i64 %arg.batch.0.0.6.0, i64 %arg.batch.0.0.6.1, ptr readnone %arg.batch.0.1.0, ptr readnone %arg.batch.0.1.1, i64 %arg.batch.0.1.2, i64 %arg.batch.0.1.3, ptr readonly %arg.batch.0.1.4, i64 %arg.batch.0.1.5.0, i64 %arg.batch.0.1.5.1, i64 %arg.batch.0.1.6.0, i64 %arg.batch.0.1.6.1, ptr readnone %arg.batch.0.2.0, ptr readnone %arg.batch.0.2.1, i64 %arg.batch.0.2.2, i64 %arg.batch.0.2.3, ptr readonly %arg.batch.0.2.4, i64 %arg.batch.0.2.5.0, i64 %arg.batch.0.2.6.0, ptr readnone %arg.batch.1.0.0, ptr readnone %arg.batch.1.0.1, i64 %arg.batch.1.0.2, i64 %arg.batch.1.0.3, ptr readonly %arg.batch.1.0.4, i64 %arg.batch.1.0.5.0, i64 %arg.batch.1.0.6.0, ptr readnone %arg.batch.1.1.0, ptr readnone %arg.batch.1.1.1, i64 %arg.batch.1.1.2, i64 %arg.batch.1.1.3, ptr readonly %arg.batch.1.1.4, i64 %arg.batch.1.1.5.0, i64 %arg.batch.1.1.6.0, ptr readnone %arg.batch.1.2.0, ptr readnone %arg.batch.1.2.1, i64 %arg.batch.1.2.2, i64 %arg.batch.1.2.3, ptr readonly %arg.batch.1.2.4, i64 %arg.batch.1.2.5.0, i64 %arg.batch.1.2.6.0, ptr readnone %arg.batch.1.3.0, ptr readnone %arg.batch.1.3.1, i64 %arg.batch.1.3.2, i64 %arg.batch.1.3.3, ptr readonly %arg.batch.1.3.4, i64 %arg.batch.1.3.5.0, i64 %arg.batch.1.3.5.1, i64 %arg.batch.1.3.6.0, i64 %arg.batch.1.3.6.1, ptr readnone %arg.batch.1.4.0, ptr readnone %arg.batch.1.4.1, i64 %arg.batch.1.4.2, i64 %arg.batch.1.4.3, ptr readonly %arg.batch.1.4.4, i64 %arg.batch.1.4.5.0, i64 %arg.batch.1.4.6.0, ptr readnone %arg.batch.2.0, ptr readnone %arg.batch.2.1, i64 %arg.batch.2.2, i64 %arg.batch.2.3, ptr readonly %arg.batch.2.4, i64 %arg.batch.2.5.0, i64 %arg.batch.2.6.0, ptr readnone %arg.batch.3.0.0, ptr readnone %arg.batch.3.0.1, i64 %arg.batch.3.0.2, i64 %arg.batch.3.0.3, ptr %arg.batch.3.0.4, i64 %arg.batch.3.0.5.0, i64 %arg.batch.3.0.5.1, i64 %arg.batch.3.0.5.2, i64 %arg.batch.3.0.6.0, i64 %arg.batch.3.0.6.1, i64 %arg.batch.3.0.6.2, ptr readnone %arg.batch.3.1.0, ptr readnone %arg.batch.3.1.1, i64 %arg.batch.3.1.2, i64 %arg.batch.3.1.3, ptr %arg.batch.3.1.4, i64 %arg.batch.3.1.5.0, i64 %arg.batch.3.1.6.0, ptr readnone %arg.batch.3.2.0, ptr readnone %arg.batch.3.2.1, i64 %arg.batch.3.2.2, i64 %arg.batch.3.2.3, ptr %arg.batch.3.2.4, i64 %arg.batch.3.2.5.0, i64 %arg.batch.3.2.6.0, ptr readnone %arg.batch.3.3.0, ptr readnone %arg.batch.3.3.1, i64 %arg.batch.3.3.2, i64 %arg.batch.3.3.3, ptr %arg.batch.3.3.4, i64 %arg.batch.3.3.5.0, i64 %arg.batch.3.3.5.1, i64 %arg.batch.3.3.6.0, i64 %arg.batch.3.3.6.1, ptr readnone %arg.batch.4.0.0, ptr readnone %arg.batch.4.0.1, i64 %arg.batch.4.0.2, i64 %arg.batch.4.0.3, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.0, i64 %arg.batch.4.0.5.1, i64 %arg.batch.4.0.6.0, i64 %arg.batch.4.0.6.1, ptr readnone %arg.batch.4.1.0, ptr readnone %arg.batch.4.1.1, i64 %arg.batch.4.1.2, i64 %arg.batch.4.1.3, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.0, i64 %arg.batch.4.1.5.1, i64 %arg.batch.4.1.6.0, i64 %arg.batch.4.1.6.1, ptr readnone %arg.batch.4.2.0, ptr readnone %arg.batch.4.2.1, i64 %arg.batch.4.2.2, i64 %arg.batch.4.2.3, ptr %arg.batch.4.2.4, i64 %arg.batch.4.2.5.0, i64 %arg.batch.4.2.6.0, ptr readnone %arg.batch.5.0.0, ptr readnone %arg.batch.5.0.1, i64 %arg.batch.5.0.2, i64 %arg.batch.5.0.3, ptr %arg.batch.5.0.4, i64 %arg.batch.5.0.5.0, i64 %arg.batch.5.0.6.0, ptr readnone %arg.batch.5.1.0, ptr readnone %arg.batch.5.1.1, i64 %arg.batch.5.1.2, i64 %arg.batch.5.1.3, ptr %arg.batch.5.1.4, i64 %arg.batch.5.1.5.0, i64 %arg.batch.5.1.6.0, ptr readnone %arg.batch.5.2.0, ptr readnone %arg.batch.5.2.1, i64 %arg.batch.5.2.2, i64 %arg.batch.5.2.3, ptr %arg.batch.5.2.4, i64 %arg.batch.5.2.5.0, i64 %arg.batch.5.2.6.0, ptr readnone %arg.batch.5.3.0, ptr readnone %arg.batch.5.3.1, i64 %arg.batch.5.3.2, i64 %arg.batch.5.3.3, ptr %arg.batch.5.3.4, i64 %arg.batch.5.3.5.0, i64 %arg.batch.5.3.6.0, ptr readnone %arg.batch.5.4.0, ptr readnone %arg.batch.5.4.1, i64 %arg.batch.5.4.2, i64 %arg.batch.5.4.3, ptr %arg.batch.5.4.4, i64 %arg.batch.5.4.5.0, i64 %arg.batch.5.4.6.0, ptr readnone %arg.linear.0.0, ptr readnone %arg.linear.0.1, i64 %arg.linear.0.2, i64 %arg.linear.0.3, ptr %arg.linear.0.4, i64 %arg.linear.0.5.0, i64 %arg.linear.0.6.0, ptr readnone %arg.linear.1.0, ptr readnone %arg.linear.1.1, i64 %arg.linear.1.2, i64 %arg.linear.1.3, ptr %arg.linear.1.4, i64 %arg.linear.1.5.0, i64 %arg.linear.1.6.0, ptr readnone %arg.linear.2.0, ptr readnone %arg.linear.2.1, i64 %arg.linear.2.2, i64 %arg.linear.2.3, ptr %arg.linear.2.4, i64 %arg.linear.2.5.0, i64 %arg.linear.2.6.0, i64 %arg.linear.3.0, i64 %arg.linear.3.1, i64 %arg.linear.3.2, ptr readnone %arg.linear.4.0, ptr readnone %arg.linear.4.1, i64 %arg.linear.4.2, i64 %arg.linear.4.3, ptr readonly %arg.linear.4.4, i64 %arg.linear.4.5.0, i64 %arg.linear.4.6.0, ptr readnone %arg.linear.5.0, ptr readnone %arg.linear.5.1, i64 %arg.linear.5.2, i64 %arg.linear.5.3, ptr readonly %arg.linear.5.4, i64 %arg.linear.5.5.0, i64 %arg.linear.5.6.0, ptr readnone %arg.linear.6.0, ptr readnone %arg.linear.6.1, i64 %arg.linear.6.2, i64 %arg.linear.6.3, ptr readonly %arg.linear.6.4, i64 %arg.linear.6.5.0, i64 %arg.linear.6.6.0, ptr readnone %arg.linear.7.0, ptr readnone %arg.linear.7.1, i64 %arg.linear.7.2, i64 %arg.linear.7.3, ptr readonly %arg.linear.7.4, i64 %arg.linear.7.5.0, i64 %arg.linear.7.6.0, ptr readnone %arg.linear.8.0, ptr readnone %arg.linear.8.1, i64 %arg.linear.8.2, i64 %arg.linear.8.3, ptr readonly %arg.linear.8.4, i64 %arg.linear.8.5.0, i64 %arg.linear.8.6.0, ptr readnone %arg.linear.9.0, ptr readnone %arg.linear.9.1, i64 %arg.linear.9.2, i64 %arg.linear.9.3, ptr readonly %arg.linear.9.4, i64 %arg.linear.9.5.0, i64 %arg.linear.9.6.0, i64 %arg.budget, i64 %arg.most) local_unnamed_addr {
 entry:
@@ -6,7 +6,7 @@ entry:
   %.571.idx = shl i64 %arg.batch.4.0.5.1, 6
   %.571 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.571.idx
   %.610 = icmp eq i64 %arg.shape.2, 9
-  %.612.not = icmp eq i64 %arg.shape.2, 4
+  %.612 = icmp slt i64 %arg.shape.2, 5
   %.614 = icmp eq i64 %arg.shape.2, 12
   %.625 = icmp eq i64 %arg.shape.2, 7
   %. = select i1 %.625, i64 7, i64 1
@@ -59,33 +59,33 @@ B330.if.lr.ph:                                    ; preds = %entry
 
 B372:                                             ; preds = %B330.if
   %.236.i = load i64, ptr %arg.batch.4.2.4, align 8, !noalias !0
-  %.293.i = getelementptr double, ptr %0, i64 %.675.010838
-  store double 0.000000e+00, ptr %.293.i, align 8, !noalias !0
+  %.293.i10601 = getelementptr double, ptr %0, i64 %.675.010872
+  store double 0.000000e+00, ptr %.293.i10601, align 8, !noalias !0
   %.324.i = load i64, ptr %.323.i, align 8, !noalias !0
   %.326.i = icmp eq i64 %.236.i, %.324.i
   br i1 %.326.i, label %B416, label %B132.i
 
 B132.i:                                           ; preds = %B372
-  %.359.i10566 = add nsw i64 %.236.i, 1
-  store i64 %.359.i10566, ptr %arg.batch.4.2.4, align 8, !noalias !0
+  %.359.i10602 = add nsw i64 %.236.i, 1
+  store i64 %.359.i10602, ptr %arg.batch.4.2.4, align 8, !noalias !0
   store i64 1, ptr %.418.i, align 8, !noalias !0
   %.438.i = icmp slt i64 %.236.i, 0
   %.439.i = select i1 %.438.i, i64 %arg.batch.0.2.5.0, i64 0
   %8 = getelementptr i64, ptr %arg.batch.0.2.4, i64 %.236.i
-  %.453.i10567 = getelementptr i64, ptr %8, i64 %.439.i
-  %.454.i10568 = load i64, ptr %.453.i10567, align 8, !noalias !0
-  %.469.i = icmp slt i64 %.454.i10568, 0
+  %.453.i10603 = getelementptr i64, ptr %8, i64 %.439.i
+  %.454.i10604 = load i64, ptr %.453.i10603, align 8, !noalias !0
+  %.469.i = icmp slt i64 %.454.i10604, 0
   %.470.i = select i1 %.469.i, i64 %arg.batch.1.0.5.0, i64 0
-  %9 = getelementptr i64, ptr %arg.batch.1.0.4, i64 %.454.i10568
-  %.484.i10569 = getelementptr i64, ptr %9, i64 %.470.i
-  %.485.i = load i64, ptr %.484.i10569, align 8, !noalias !0
-  %.540.i = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.675.010838
+  %9 = getelementptr i64, ptr %arg.batch.1.0.4, i64 %.454.i10604
+  %.484.i10605 = getelementptr i64, ptr %9, i64 %.470.i
+  %.485.i10606 = load i64, ptr %.484.i10605, align 8, !noalias !0
+  %.540.i = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.675.010872
   store i64 %.236.i, ptr %.540.i, align 8, !noalias !0
-  %.595.i = getelementptr i64, ptr %1, i64 %.675.010838
-  store i64 %.485.i, ptr %.595.i, align 8, !noalias !0
-  %.654.i = getelementptr i64, ptr %2, i64 %.675.010838
+  %.595.i = getelementptr i64, ptr %1, i64 %.675.010872
+  store i64 %.485.i10606, ptr %.595.i, align 8, !noalias !0
+  %.654.i = getelementptr i64, ptr %2, i64 %.675.010872
   store i64 1, ptr %.654.i, align 8, !noalias !0
-  %.709.i = getelementptr i64, ptr %3, i64 %.675.010838
+  %.709.i = getelementptr i64, ptr %3, i64 %.675.010872
   store i64 0, ptr %.709.i, align 8, !noalias !0
   br i1 %.8051131.not.i, label %B402.i, label %B358.if.lr.ph.i
 
@@ -94,7 +94,7 @@ B358.if.lr.ph.i:                                  ; preds = %B132.i
   %.868.i = add i64 %.867.i, %.236.i
   %.888.i = mul i64 %.868.i, %arg.batch.0.1.5.1
   %10 = getelementptr double, ptr %arg.batch.0.1.4, i64 %.888.i
-  %invariant.gep11064 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.675.010838
+  %invariant.gep11098 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.675.010872
   br label %B358.if.i
 
 B402.i:                                           ; preds = %B358.if.i, %B132.i
@@ -103,28 +103,28 @@ B402.i:                                           ; preds = %B358.if.i, %B132.i
 B76.if.i.lr.ph.i:                                 ; preds = %B402.i
   %.990.i = load i64, ptr %.595.i, align 8, !noalias !0
   %.236.i.i = icmp slt i64 %.990.i, 0
-  %.237.i.i10571 = select i1 %.236.i.i, i64 %arg.batch.1.3.5.0, i64 0
-  %.238.i.i = add i64 %.237.i.i10571, %.990.i
+  %.237.i.i10608 = select i1 %.236.i.i, i64 %arg.batch.1.3.5.0, i64 0
+  %.238.i.i = add i64 %.237.i.i10608, %.990.i
   %.258.i.i = mul i64 %.238.i.i, %arg.batch.1.3.5.1
   %11 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i
-  br label %B76.if.i.i10572
+  br label %B76.if.i.i10609
 
-B76.if.i.i10572:                                  ; preds = %B76.if.i.i10572, %B76.if.i.lr.ph.i
-  %.117.i.01135.i = phi i64 [ 0, %B76.if.i.lr.ph.i ], [ %.188.i.i, %B76.if.i.i10572 ]
+B76.if.i.i10609:                                  ; preds = %B76.if.i.i10609, %B76.if.i.lr.ph.i
+  %.117.i.01135.i = phi i64 [ 0, %B76.if.i.lr.ph.i ], [ %.188.i.i, %B76.if.i.i10609 ]
   %.188.i.i = add nsw i64 %.117.i.01135.i, 1
   %12 = getelementptr double, ptr %11, i64 %.117.i.01135.i
   %.263.i.i = load double, ptr %12, align 8, !noalias !3
   %13 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.01135.i
   %.293.i.i = load i64, ptr %13, align 8, !noalias !3
-  %.295.i.i10573 = mul nsw i64 %.293.i.i, %arg.shape.0
-  %.297.i.i = add nsw i64 %.295.i.i10573, %.675.010838
+  %.295.i.i10610 = mul nsw i64 %.293.i.i, %arg.shape.0
+  %.297.i.i = add nsw i64 %.295.i.i10610, %.675.010872
   %.311.i.i = icmp slt i64 %.297.i.i, 0
   %.312.i.i = select i1 %.311.i.i, i64 %arg.batch.5.1.5.0, i64 0
   %14 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i
   %.326.i.i = getelementptr double, ptr %14, i64 %.312.i.i
   store double %.263.i.i, ptr %.326.i.i, align 8, !noalias !3
   %exitcond1142.not.i = icmp eq i64 %.188.i.i, %arg.batch.1.1.5.0
-  br i1 %exitcond1142.not.i, label %B402.endif.i, label %B76.if.i.i10572
+  br i1 %exitcond1142.not.i, label %B402.endif.i, label %B76.if.i.i10609
 
 B888.i:                                           ; preds = %B580.if.i
   store double 0.000000e+00, ptr %.1877.i, align 8, !noalias !0
@@ -134,14 +134,14 @@ B358.if.i:                                        ; preds = %B358.if.i, %B358.if
   %.747.01132.i = phi i64 [ 0, %B358.if.lr.ph.i ], [ %.818.i, %B358.if.i ]
   %.818.i = add nsw i64 %.747.01132.i, 1
   %15 = getelementptr double, ptr %10, i64 %.747.01132.i
-  %.893.i10570 = load double, ptr %15, align 8, !noalias !0
+  %.893.i = load double, ptr %15, align 8, !noalias !0
   %.895.i = mul nsw i64 %.747.01132.i, %arg.shape.0
-  %gep11065 = getelementptr double, ptr %invariant.gep11064, i64 %.895.i
-  store double %.893.i10570, ptr %gep11065, align 8, !noalias !0
+  %gep11099 = getelementptr double, ptr %invariant.gep11098, i64 %.895.i
+  store double %.893.i, ptr %gep11099, align 8, !noalias !0
   %exitcond.not.i = icmp eq i64 %.818.i, %arg.batch.0.1.5.1
   br i1 %exitcond.not.i, label %B402.i, label %B358.if.i
 
-B402.endif.i:                                     ; preds = %B76.if.i.i10572, %B402.i
+B402.endif.i:                                     ; preds = %B76.if.i.i10609, %B402.i
   br i1 %.11171137.not.i, label %B580.if.i, label %B496.if.lr.ph.i
 
 B496.if.lr.ph.i:                                  ; preds = %B402.endif.i
@@ -149,7 +149,7 @@ B496.if.lr.ph.i:                                  ; preds = %B402.endif.i
   %.1180.i = add i64 %.1179.i, %.236.i
   %.1200.i = mul i64 %.1180.i, %arg.batch.0.0.5.1
   %16 = getelementptr double, ptr %arg.batch.0.0.4, i64 %.1200.i
-  %invariant.gep11066 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.675.010838
+  %invariant.gep11100 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.675.010872
   br label %B496.if.i
 
 B496.if.i:                                        ; preds = %B496.if.i, %B496.if.lr.ph.i
@@ -158,13 +158,13 @@ B496.if.i:                                        ; preds = %B496.if.i, %B496.if
   %17 = getelementptr double, ptr %16, i64 %.1061.01138.i
   %.1205.i = load double, ptr %17, align 8, !noalias !0
   %.1207.i = mul nsw i64 %.1061.01138.i, %arg.shape.0
-  %gep11067 = getelementptr double, ptr %invariant.gep11066, i64 %.1207.i
-  store double %.1205.i, ptr %gep11067, align 8, !noalias !0
+  %gep11101 = getelementptr double, ptr %invariant.gep11100, i64 %.1207.i
+  store double %.1205.i, ptr %gep11101, align 8, !noalias !0
   %exitcond1143.not.i = icmp eq i64 %.1130.i, %arg.shape.1
   br i1 %exitcond1143.not.i, label %B580.if.i, label %B496.if.i
 
 B580.if.i:                                        ; preds = %B496.if.i, %B402.endif.i
-  %invariant.gep.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.675.010838
+  %invariant.gep.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.675.010872
   store double 0.000000e+00, ptr %invariant.gep.i, align 8, !noalias !0
   %gep.1.i = getelementptr double, ptr %invariant.gep.i, i64 %arg.batch.4.0.5.1
   store double 0.000000e+00, ptr %gep.1.i, align 8, !noalias !0
@@ -226,24 +226,24 @@ B580.if.i:                                        ; preds = %B496.if.i, %B402.en
   %.1546.i = getelementptr double, ptr %18, i64 %.1532.i
   %.1547.i = load double, ptr %.1546.i, align 8, !noalias !0
   store double %.1455.i, ptr %invariant.gep.i, align 8, !noalias !0
-  %.1656.i = getelementptr double, ptr %4, i64 %.675.010838
+  %.1656.i = getelementptr double, ptr %4, i64 %.675.010872
   store double %.1547.i, ptr %.1656.i, align 8, !noalias !0
-  store double 1.000000e+00, ptr %.293.i, align 8, !noalias !0
-  %.1767.i = getelementptr double, ptr %5, i64 %.675.010838
+  store double 1.000000e+00, ptr %.293.i10601, align 8, !noalias !0
+  %.1767.i = getelementptr double, ptr %5, i64 %.675.010872
   store double 0xFFF0000000000000, ptr %.1767.i, align 8, !noalias !0
-  %.1822.i = getelementptr double, ptr %6, i64 %.675.010838
+  %.1822.i = getelementptr double, ptr %6, i64 %.675.010872
   store double 0x7FF0000000000000, ptr %.1822.i, align 8, !noalias !0
-  %.1877.i = getelementptr double, ptr %7, i64 %.675.010838
+  %.1877.i = getelementptr double, ptr %7, i64 %.675.010872
   %.1878.i = load double, ptr %.1877.i, align 8, !noalias !0
   %.1880.i = fcmp ueq double %.1878.i, 0xFFF0000000000000
   br i1 %.1880.i, label %B416, label %B888.i
 
 B416:                                             ; preds = %B888.i, %B372, %B580.if.i, %B330.if
-  %.966 = load i64, ptr %279, align 8
+  %.966 = load i64, ptr %280, align 8
   %.967 = icmp sgt i64 %.966, -1
-  %.10541 = zext i1 %.967 to i64
-  %.984 = add nsw i64 %active.4.010840, %.10541
-  %.733 = icmp sgt i64 %.678.010839, 1
+  %.10576 = zext i1 %.967 to i64
+  %.984 = add nsw i64 %active.4.010874, %.10576
+  %.733 = icmp sgt i64 %.678.010873, 1
   br i1 %.733, label %B330.if, label %B470
 
 B470:                                             ; preds = %B416, %entry
@@ -256,14 +256,14 @@ B470:                                             ; preds = %B416, %entry
 B498.preheader:                                   ; preds = %B470
   %.1061 = getelementptr i8, ptr %arg.batch.4.2.4, i64 16
   %factor.op.mul = mul i64 %arg.shape.1, 14
-  %factor.op.mul11019 = mul i64 %arg.shape.1, 15
-  %factor.op.mul11020 = shl i64 %arg.shape.1, 4
+  %factor.op.mul11053 = mul i64 %arg.shape.1, 15
+  %factor.op.mul11054 = shl i64 %arg.shape.1, 4
   %.1157 = getelementptr i8, ptr %arg.code.4, i64 8
   %.1209 = icmp sgt i64 %arg.shape.6, 0
   %.162.i = getelementptr i8, ptr %arg.code.4, i64 40
-  %.idx10540 = mul i64 %arg.batch.4.0.5.1, 24
-  %19 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10540
-  %.537.i10841 = icmp slt i64 %arg.shape.6, 1
+  %.idx10575 = mul i64 %arg.batch.4.0.5.1, 24
+  %19 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10575
+  %.537.i10875 = icmp slt i64 %arg.shape.6, 1
   %.691.i = getelementptr i8, ptr %arg.code.4, i64 8
   %.1270.not = icmp eq i64 %arg.shape.3, 0
   %.1300 = getelementptr i8, ptr %arg.code.4, i64 16
@@ -276,25 +276,27 @@ B498.preheader:                                   ; preds = %B470
   %.1660.idx = mul i64 %.463, 24
   %.1660 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.1660.idx
   %.1691 = getelementptr i8, ptr %arg.code.4, i64 88
-  %.idx10532 = mul i64 %arg.batch.4.0.5.1, 24
-  %20 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10532
-  %.idx10533 = shl i64 %arg.batch.4.0.5.1, 5
-  %21 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10533
-  %.idx10534 = mul i64 %arg.batch.4.0.5.1, 232
-  %22 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10534
-  %.10542 = select i1 %.612.not, i64 0, i64 2
-  %.idx10535 = mul i64 %arg.batch.4.0.5.1, 88
-  %23 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10535
-  %.idx10536 = shl i64 %arg.batch.4.0.5.1, 4
-  %24 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10536
-  %.idx10537 = shl i64 %arg.batch.4.1.5.1, 4
-  %25 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10537
-  %.idx10538 = shl i64 %arg.batch.4.0.5.1, 4
-  %26 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10538
-  %.idx10539 = mul i64 %arg.batch.4.0.5.1, 152
-  %27 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10539
-  %.1830 = getelementptr i8, ptr %arg.code.4, i64 56
-  %.1955 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.463
+  %.idx10567 = mul i64 %arg.batch.4.0.5.1, 24
+  %20 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10567
+  %.idx10568 = shl i64 %arg.batch.4.0.5.1, 5
+  %21 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10568
+  %.idx10569 = mul i64 %arg.batch.4.0.5.1, 232
+  %22 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10569
+  %.10577 = select i1 %.612, i64 0, i64 2
+  %.792.i = icmp ne i64 %arg.shape.2, 1
+  %"$phi364.4.2.i.2" = zext i1 %.792.i to i64
+  %.idx10570 = mul i64 %arg.batch.4.0.5.1, 88
+  %23 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10570
+  %.idx10571 = shl i64 %arg.batch.4.0.5.1, 4
+  %24 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10571
+  %.idx10572 = shl i64 %arg.batch.4.1.5.1, 4
+  %25 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10572
+  %.idx10573 = shl i64 %arg.batch.4.0.5.1, 4
+  %26 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10573
+  %.idx10574 = mul i64 %arg.batch.4.0.5.1, 152
+  %27 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10574
+  %.1829 = getelementptr i8, ptr %arg.code.4, i64 56
+  %.1954 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.463
   %.266.idx.i = shl i64 %arg.batch.4.0.5.1, 5
   %.266.i = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.266.idx.i
   %.317.i2117.not.i = icmp slt i64 %arg.shape.1, 1
@@ -320,8 +322,8 @@ B498.preheader:                                   ; preds = %B470
   %.586.i.i.i = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.586.i.i.idx.i
   %.597.i.i.i = mul nsw i64 %arg.shape.1, 18
   %.615.i.i.i = select i1 %.510.i.i.i, i64 %arg.batch.5.0.5.0, i64 0
-  %.idx.i10579 = mul i64 %arg.shape.1, 152
-  %30 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.idx.i10579
+  %.idx.i10616 = mul i64 %arg.shape.1, 152
+  %30 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.idx.i10616
   %.629.i.i.i = getelementptr double, ptr %30, i64 %.615.i.i.i
   %.944.i.i.i = mul nsw i64 %arg.shape.1, 17
   %.1748.i.i = mul nsw i64 %arg.shape.1, 11
@@ -336,121 +338,122 @@ B498.preheader:                                   ; preds = %B470
   %.1276.i.i.1.i = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.1276.i.i.1.idx.i
   %.idx2164.i = mul i64 %arg.shape.1, 96
   %.402.i = icmp sgt i64 %arg.shape.1, 0
-  %.520.i = add i64 %arg.linear.3.0, 1
+  %.520.i10611 = add i64 %arg.linear.3.0, 1
   %.434.sroa.0.02106.i = add i64 %arg.shape.1, 1
   %.831.idx.i = mul i64 %arg.batch.4.0.5.1, 144
   %.831.i = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.831.idx.i
   %31 = add i64 %arg.linear.3.1, %arg.linear.3.0
   %.199.i.i = add i64 %arg.linear.3.1, 1
-  %.2074 = add i64 %arg.shape.2, -1
-  %storemerge10457 = tail call i64 @llvm.smax.i64(i64 %.2074, i64 0)
-  %.211710854.not = icmp slt i64 %.2074, 1
-  %.2291.idx = mul i64 %.463, 136
-  %.2291 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.2291.idx
+  %.2073 = add i64 %arg.shape.2, -1
+  %storemerge10492 = tail call i64 @llvm.smax.i64(i64 %.2073, i64 0)
+  %.211610888.not = icmp slt i64 %.2073, 1
+  %.2290.idx = mul i64 %.463, 136
+  %.2290 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.2290.idx
   %.218614.not.i = icmp sgt i64 %arg.shape.1, 0
-  %or.cond10832.not = select i1 %.610, i1 %.218614.not.i, i1 false
-  %.326.i10581 = mul nsw i64 %arg.shape.1, 17
-  %.idx.i10583 = mul i64 %arg.shape.1, 80
-  %invariant.gep10850 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.idx.i10583
+  %or.cond10866.not = select i1 %.610, i1 %.218614.not.i, i1 false
+  %.326.i10617 = mul nsw i64 %arg.shape.1, 17
+  %.idx.i10619 = mul i64 %arg.shape.1, 80
+  %invariant.gep10884 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.idx.i10619
   %.395.i = mul nsw i64 %arg.shape.1, 17
   %.339.i.i = add i64 %arg.linear.3.0, 1
-  %invariant.gep10852 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.395.i
+  %invariant.gep10886 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.395.i
   %32 = add i64 %arg.linear.3.1, %arg.linear.3.0
-  %.2411 = getelementptr i8, ptr %arg.code.4, i64 64
-  %.2488 = icmp sgt i64 %arg.shape.3, 0
-  %.2493 = icmp sgt i64 %arg.shape.6, 0
-  %.idx10530 = mul i64 %arg.batch.4.0.5.1, 40
-  %33 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10530
-  %.idx10531 = mul i64 %arg.batch.4.0.5.1, 168
-  %34 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10531
-  %.idx10527 = mul i64 %arg.batch.4.0.5.1, 176
-  %35 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10527
-  %.idx10528 = mul i64 %arg.batch.4.0.5.1, 184
-  %36 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10528
-  %.idx10529 = mul i64 %arg.batch.4.0.5.1, 160
-  %37 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10529
-  %.idx10521 = shl i64 %arg.batch.4.1.5.1, 4
-  %38 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10521
-  %.idx10522 = mul i64 %arg.batch.4.0.5.1, 192
-  %39 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10522
-  %.idx10523 = mul i64 %arg.batch.4.0.5.1, 72
-  %40 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10523
-  %.idx10524 = mul i64 %arg.batch.4.0.5.1, 40
-  %41 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10524
-  %.idx10525 = mul i64 %arg.batch.4.0.5.1, 216
-  %42 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10525
-  %.idx10526 = mul i64 %arg.batch.4.0.5.1, 56
-  %43 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10526
-  %.3883.idx = mul i64 %.463, 136
-  %.3883 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.3883.idx
-  %.3908.idx = mul i64 %.463, 104
-  %.3908 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.3908.idx
-  %.3948 = getelementptr i8, ptr %arg.code.4, i64 120
-  %.4042 = getelementptr i8, ptr %arg.code.4, i64 112
-  %.idx10520 = shl i64 %arg.batch.4.1.5.1, 5
-  %44 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10520
-  %.671.i2546 = getelementptr i8, ptr %arg.code.4, i64 40
-  %.742.i2601 = mul i64 %arg.shape.1, %arg.shape.0
-  %.idx10517 = mul i64 %arg.batch.4.0.5.1, 48
-  %45 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10517
-  %.287.i.i10880.not = icmp slt i64 %arg.shape.1, 1
+  %.2410 = getelementptr i8, ptr %arg.code.4, i64 64
+  %.2487 = icmp sgt i64 %arg.shape.3, 0
+  %.2492 = icmp sgt i64 %arg.shape.6, 0
+  %.idx10565 = mul i64 %arg.batch.4.0.5.1, 40
+  %33 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10565
+  %.idx10566 = mul i64 %arg.batch.4.0.5.1, 168
+  %34 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10566
+  %.idx10562 = mul i64 %arg.batch.4.0.5.1, 176
+  %35 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10562
+  %.idx10563 = mul i64 %arg.batch.4.0.5.1, 184
+  %36 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10563
+  %.idx10564 = mul i64 %arg.batch.4.0.5.1, 160
+  %37 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10564
+  %.idx10556 = shl i64 %arg.batch.4.1.5.1, 4
+  %38 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10556
+  %.idx10557 = mul i64 %arg.batch.4.0.5.1, 192
+  %39 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10557
+  %.idx10558 = mul i64 %arg.batch.4.0.5.1, 72
+  %40 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10558
+  %.idx10559 = mul i64 %arg.batch.4.0.5.1, 40
+  %41 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10559
+  %.idx10560 = mul i64 %arg.batch.4.0.5.1, 216
+  %42 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10560
+  %.idx10561 = mul i64 %arg.batch.4.0.5.1, 56
+  %43 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10561
+  %44 = or i1 %.612, %.625
+  %.3882.idx = mul i64 %.463, 136
+  %.3882 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.3882.idx
+  %.3907.idx = mul i64 %.463, 104
+  %.3907 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.3907.idx
+  %.3947 = getelementptr i8, ptr %arg.code.4, i64 120
+  %.4041 = getelementptr i8, ptr %arg.code.4, i64 112
+  %.idx10555 = shl i64 %arg.batch.4.1.5.1, 5
+  %45 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10555
+  %.671.i2540 = getelementptr i8, ptr %arg.code.4, i64 40
+  %.742.i2594 = mul i64 %arg.shape.1, %arg.shape.0
+  %.idx10552 = mul i64 %arg.batch.4.0.5.1, 48
+  %46 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10552
+  %.287.i.i10914.not = icmp slt i64 %arg.shape.1, 1
   %.358.i.i = shl nsw i64 %arg.shape.1, 4
-  %.idx10513 = mul i64 %arg.batch.4.0.5.1, 40
-  %46 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10513
-  %.idx10514 = shl i64 %arg.batch.4.1.5.1, 5
-  %47 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10514
-  %.idx10515 = mul i64 %arg.batch.4.0.5.1, 104
-  %48 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10515
-  %.idx10516 = mul i64 %arg.batch.4.0.5.1, 112
-  %49 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10516
-  %.idx10509 = mul i64 %arg.batch.4.0.5.1, 56
-  %50 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10509
-  %.4563.c = getelementptr i8, ptr %arg.code.4, i64 104
-  %.4423.idx = mul i64 %.463, 136
-  %.4423 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.4423.idx
-  %.4486 = getelementptr i8, ptr %arg.code.4, i64 216
-  %.4563 = getelementptr i8, ptr %arg.code.4, i64 104
-  %.idx10502 = shl i64 %arg.batch.4.1.5.1, 4
-  %51 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10502
-  %.idx10503 = mul i64 %arg.batch.4.0.5.1, 40
-  %52 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10503
-  %.idx10504 = mul i64 %arg.batch.4.0.5.1, 56
-  %53 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10504
-  %.idx10505 = mul i64 %arg.batch.4.0.5.1, 200
-  %54 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10505
-  %.idx10506 = mul i64 %arg.batch.4.0.5.1, 48
-  %55 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10506
-  %.idx10507 = shl i64 %arg.batch.4.0.5.1, 5
-  %56 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10507
-  %57 = getelementptr double, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1
-  %.idx10508 = mul i64 %arg.batch.4.0.5.1, 208
-  %58 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10508
-  %.idx10501 = shl i64 %arg.batch.4.1.5.1, 5
-  %59 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10501
+  %.idx10548 = mul i64 %arg.batch.4.0.5.1, 40
+  %47 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10548
+  %.idx10549 = shl i64 %arg.batch.4.1.5.1, 5
+  %48 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10549
+  %.idx10550 = mul i64 %arg.batch.4.0.5.1, 104
+  %49 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10550
+  %.idx10551 = mul i64 %arg.batch.4.0.5.1, 112
+  %50 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10551
+  %.idx10544 = mul i64 %arg.batch.4.0.5.1, 56
+  %51 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10544
+  %.4562.c = getelementptr i8, ptr %arg.code.4, i64 104
+  %.4422.idx = mul i64 %.463, 136
+  %.4422 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.4422.idx
+  %.4485 = getelementptr i8, ptr %arg.code.4, i64 216
+  %.4562 = getelementptr i8, ptr %arg.code.4, i64 104
+  %.idx10537 = shl i64 %arg.batch.4.1.5.1, 4
+  %52 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10537
+  %.idx10538 = mul i64 %arg.batch.4.0.5.1, 40
+  %53 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10538
+  %.idx10539 = mul i64 %arg.batch.4.0.5.1, 56
+  %54 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10539
+  %.idx10540 = mul i64 %arg.batch.4.0.5.1, 200
+  %55 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10540
+  %.idx10541 = mul i64 %arg.batch.4.0.5.1, 48
+  %56 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10541
+  %.idx10542 = shl i64 %arg.batch.4.0.5.1, 5
+  %57 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10542
+  %58 = getelementptr double, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1
+  %.idx10543 = mul i64 %arg.batch.4.0.5.1, 208
+  %59 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10543
+  %.idx10536 = shl i64 %arg.batch.4.1.5.1, 5
+  %60 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10536
   %.671.i3839 = getelementptr i8, ptr %arg.code.4, i64 40
   %.742.i3895 = mul i64 %arg.shape.1, %arg.shape.0
-  %.idx10498 = mul i64 %arg.batch.4.0.5.1, 48
-  %60 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10498
-  %.287.i.i468310908.not = icmp slt i64 %arg.shape.1, 1
+  %.idx10533 = mul i64 %arg.batch.4.0.5.1, 48
+  %61 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10533
+  %.287.i.i468310942.not = icmp slt i64 %arg.shape.1, 1
   %.358.i.i4837 = shl nsw i64 %arg.shape.1, 4
-  %.idx10493 = mul i64 %arg.batch.4.0.5.1, 40
-  %61 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10493
-  %.idx10494 = shl i64 %arg.batch.4.1.5.1, 5
-  %62 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10494
-  %storemerge10495 = tail call i64 @llvm.smax.i64(i64 %arg.shape.6, i64 0)
-  %.idx10496 = mul i64 %arg.batch.4.0.5.1, 104
-  %63 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10496
-  %.idx10497 = mul i64 %arg.batch.4.0.5.1, 112
-  %64 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10497
-  %.idx10489 = mul i64 %arg.batch.4.0.5.1, 56
-  %65 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10489
-  %66 = getelementptr double, ptr %arg.batch.2.4, i64 %arg.batch.2.5.0
-  %.221.i = getelementptr i8, ptr %66, i64 -8
+  %.idx10528 = mul i64 %arg.batch.4.0.5.1, 40
+  %62 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10528
+  %.idx10529 = shl i64 %arg.batch.4.1.5.1, 5
+  %63 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10529
+  %storemerge10530 = tail call i64 @llvm.smax.i64(i64 %arg.shape.6, i64 0)
+  %.idx10531 = mul i64 %arg.batch.4.0.5.1, 104
+  %64 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10531
+  %.idx10532 = mul i64 %arg.batch.4.0.5.1, 112
+  %65 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10532
+  %.idx10524 = mul i64 %arg.batch.4.0.5.1, 56
+  %66 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10524
+  %67 = getelementptr double, ptr %arg.batch.2.4, i64 %arg.batch.2.5.0
+  %.221.i = getelementptr i8, ptr %67, i64 -8
   %.idx2889.i = shl i64 %arg.batch.4.0.5.1, 7
-  %67 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2889.i
+  %68 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2889.i
   %.657.i.i = getelementptr i8, ptr %arg.code.4, i64 40
   %.idx2886.i = mul i64 %arg.batch.4.0.5.1, 48
-  %68 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2886.i
+  %69 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2886.i
   %.287.i.i2900.not.i = icmp slt i64 %arg.shape.1, 1
   %.358.i.i.i = shl i64 %arg.shape.1, 4
   %factor.op.mul.i.reass = mul i64 %factor.op.mul, %arg.shape.0
@@ -458,12 +461,12 @@ B498.preheader:                                   ; preds = %B470
   %.922.i.i = mul nsw i64 %arg.shape.5, %arg.shape.0
   %.925.i.i = mul i64 %arg.shape.6, %arg.shape.0
   %.111.i49.i2906.not.i = icmp slt i64 %.925.i.i, 1
-  %.984.i.i10598 = getelementptr i8, ptr %arg.code.4, i64 8
-  %factor.op.mul2918.i.reass = mul i64 %factor.op.mul11019, %arg.shape.0
+  %.984.i.i10633 = getelementptr i8, ptr %arg.code.4, i64 8
+  %factor.op.mul2918.i.reass = mul i64 %factor.op.mul11053, %arg.shape.0
   %.1243.i.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %factor.op.mul2918.i.reass
   %.1803.i.i = getelementptr i8, ptr %arg.tolerances.4, i64 8
   %.idx2885.i = shl i64 %arg.batch.4.0.5.1, 7
-  %69 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2885.i
+  %70 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2885.i
   %.155.i.i.i.i = mul nsw i64 %arg.shape.1, 24
   %.155.i.i.i.1.i = mul nsw i64 %arg.shape.1, 23
   %.155.i.i.i.2.i = mul nsw i64 %arg.shape.1, 22
@@ -472,78 +475,78 @@ B498.preheader:                                   ; preds = %B470
   %.155.i.i.i.5.i = mul nsw i64 %arg.shape.1, 19
   %.155.i.i.i.6.i = mul nsw i64 %arg.shape.1, 18
   %.idx2875.i = shl i64 %arg.batch.4.1.5.1, 5
-  %70 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx2875.i
+  %71 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx2875.i
   %storemerge2877.i = tail call i64 @llvm.smax.i64(i64 %arg.shape.6, i64 0)
   %.idx2878.i = mul i64 %arg.batch.4.0.5.1, 96
-  %71 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2878.i
+  %72 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2878.i
   %.idx2870.i = mul i64 %arg.batch.4.0.5.1, 104
-  %72 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2870.i
+  %73 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2870.i
   %.idx2871.i = mul i64 %arg.batch.4.0.5.1, 112
-  %73 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2871.i
+  %74 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2871.i
   %.1254.reass.i = mul i64 %.358.i.i.i, %arg.shape.0
   %.1274.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1254.reass.i
   %.idx2865.i = shl i64 %arg.batch.4.1.5.1, 5
-  %74 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx2865.i
+  %75 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx2865.i
   %storemerge2869.i = tail call i64 @llvm.smax.i64(i64 %arg.shape.6, i64 0)
-  %.155.i.i.i10615 = mul nsw i64 %arg.shape.1, 24
+  %.155.i.i.i10649 = mul nsw i64 %arg.shape.1, 24
   %.155.i.i.1.i = mul nsw i64 %arg.shape.1, 23
   %.155.i.i.2.i = mul nsw i64 %arg.shape.1, 22
   %.155.i.i.3.i = mul nsw i64 %arg.shape.1, 21
   %.155.i.i.4.i = mul nsw i64 %arg.shape.1, 20
   %.155.i.i.5.i = mul nsw i64 %arg.shape.1, 19
   %.155.i.i.6.i = mul nsw i64 %arg.shape.1, 18
-  %.idx.i10606 = mul i64 %arg.batch.4.0.5.1, 56
-  %75 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx.i10606
+  %.idx.i10640 = mul i64 %arg.batch.4.0.5.1, 56
+  %76 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx.i10640
   %.idx2855.i = shl i64 %arg.batch.4.1.5.1, 5
-  %76 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx2855.i
+  %77 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx2855.i
   %.idx2858.i = mul i64 %arg.batch.4.0.5.1, 104
-  %77 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2858.i
+  %78 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2858.i
   %.idx2862.i = mul i64 %arg.batch.4.0.5.1, 96
-  %78 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2862.i
+  %79 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2862.i
   %.idx2859.i = mul i64 %arg.batch.4.0.5.1, 112
-  %79 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2859.i
+  %80 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2859.i
   %.idx2860.i = mul i64 %arg.batch.4.0.5.1, 40
-  %80 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2860.i
+  %81 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2860.i
   %.idx2861.i = shl i64 %arg.batch.4.0.5.1, 5
-  %81 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2861.i
-  %82 = getelementptr double, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1
-  %.4831.not = icmp eq i64 %arg.shape.3, 0
-  %.10553 = select i1 %.612.not, i64 1, i64 16
+  %82 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2861.i
+  %83 = getelementptr double, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1
+  %.4830.not = icmp eq i64 %arg.shape.3, 0
+  %.10588 = select i1 %.612, i64 1, i64 16
   %.524.i = getelementptr i8, ptr %arg.code.4, i64 16
-  %.595.i10622.reass = mul i64 %factor.op.mul11020, %arg.shape.0
-  %.615.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %.595.i10622.reass
-  %.452.i = uitofp i64 %.10553 to double
+  %.595.i10656.reass = mul i64 %factor.op.mul11054, %arg.shape.0
+  %.615.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %.595.i10656.reass
+  %.452.i = uitofp i64 %.10588 to double
   %.idx719.i = mul i64 %arg.batch.4.0.5.1, 48
-  %83 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx719.i
+  %84 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx719.i
   %.287.i725.not.i = icmp slt i64 %arg.shape.1, 1
-  %.358.i.i10623 = shl nsw i64 %arg.shape.1, 4
-  %.idx.i10624 = mul i64 %arg.batch.4.0.5.1, 40
-  %84 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx.i10624
+  %.358.i.i10657 = shl nsw i64 %arg.shape.1, 4
+  %.idx.i10658 = mul i64 %arg.batch.4.0.5.1, 40
+  %85 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx.i10658
   %.idx717.i = mul i64 %arg.batch.4.0.5.1, 104
-  %85 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx717.i
+  %86 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx717.i
   %.idx718.i = mul i64 %arg.batch.4.0.5.1, 112
-  %86 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx718.i
-  %.155.i.i.i10629 = mul nsw i64 %arg.shape.1, 24
-  %.155.i.i.1.i10636 = mul nsw i64 %arg.shape.1, 23
-  %.155.i.i.2.i10637 = mul nsw i64 %arg.shape.1, 22
-  %.155.i.i.3.i10638 = mul nsw i64 %arg.shape.1, 21
-  %.155.i.i.4.i10639 = mul nsw i64 %arg.shape.1, 20
-  %.155.i.i.5.i10640 = mul nsw i64 %arg.shape.1, 19
-  %.155.i.i.6.i10641 = mul nsw i64 %arg.shape.1, 18
+  %87 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx718.i
+  %.155.i.i.i10662 = mul nsw i64 %arg.shape.1, 24
+  %.155.i.i.1.i10669 = mul nsw i64 %arg.shape.1, 23
+  %.155.i.i.2.i10670 = mul nsw i64 %arg.shape.1, 22
+  %.155.i.i.3.i10671 = mul nsw i64 %arg.shape.1, 21
+  %.155.i.i.4.i10672 = mul nsw i64 %arg.shape.1, 20
+  %.155.i.i.5.i10673 = mul nsw i64 %arg.shape.1, 19
+  %.155.i.i.6.i10674 = mul nsw i64 %arg.shape.1, 18
   %factor.op.mul652.i = mul i64 %arg.batch.3.0.5.2, %arg.batch.3.0.5.1
-  %.idx.i10653 = shl i64 %arg.batch.4.1.5.1, 4
-  %87 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx.i10653
+  %.idx.i10687 = shl i64 %arg.batch.4.1.5.1, 4
+  %88 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx.i10687
   %.idx640.i = mul i64 %arg.batch.4.0.5.1, 40
-  %88 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx640.i
+  %89 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx640.i
   %.idx641.i = mul i64 %arg.batch.4.0.5.1, 48
-  %89 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx641.i
+  %90 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx641.i
   %.idx642.i = mul i64 %arg.batch.4.0.5.1, 56
-  %90 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx642.i
+  %91 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx642.i
   %.924649.not.i = icmp slt i64 %arg.shape.1, 1
   %.idx644.i = mul i64 %arg.batch.4.0.5.1, 208
-  %91 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx644.i
-  %.1000.i = mul nsw i64 %arg.shape.1, 17
-  %92 = add i64 %arg.batch.2.5.0, -1
+  %92 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx644.i
+  %.1000.i10688 = mul nsw i64 %arg.shape.1, 17
+  %93 = add i64 %arg.batch.2.5.0, -1
   %.155.i.i = mul nsw i64 %arg.shape.1, 24
   %.155.i.1.i = mul nsw i64 %arg.shape.1, 23
   %.155.i.2.i = mul nsw i64 %arg.shape.1, 22
@@ -551,109 +554,109 @@ B498.preheader:                                   ; preds = %B470
   %.155.i.4.i = mul nsw i64 %arg.shape.1, 20
   %.155.i.5.i = mul nsw i64 %arg.shape.1, 19
   %.155.i.6.i = mul nsw i64 %arg.shape.1, 18
-  %.5067 = icmp sgt i64 %arg.shape.0, 1
-  %.5121.idx = mul i64 %arg.batch.4.0.5.1, 40
-  %.5121 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.5121.idx
-  %.5153 = getelementptr i8, ptr %arg.code.4, i64 96
-  %.idx10482 = mul i64 %arg.batch.4.0.5.1, 96
-  %93 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10482
-  %.idx10483 = mul i64 %arg.batch.4.0.5.1, 40
-  %94 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10483
-  %.idx10484 = mul i64 %arg.batch.4.0.5.1, 120
-  %95 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10484
-  %.552.i655610997.not = icmp slt i64 %arg.shape.1, 1
-  %.697.i6593 = getelementptr i8, ptr %arg.tolerances.4, i64 8
-  %96 = getelementptr double, ptr %arg.batch.2.4, i64 %arg.batch.2.5.0
-  %.742.i6623 = getelementptr i8, ptr %96, i64 -8
-  %.idx10486 = mul i64 %arg.batch.4.1.5.1, 24
-  %97 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10486
-  %.idx10487 = mul i64 %arg.batch.4.1.5.1, 24
-  %98 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10487
-  %.idx10488 = mul i64 %arg.batch.4.0.5.1, 24
-  %99 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10488
-  %.5269.not = icmp ne i64 %arg.shape.4, 0
+  %.5066 = icmp sgt i64 %arg.shape.0, 1
+  %.5120.idx = mul i64 %arg.batch.4.0.5.1, 40
+  %.5120 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.5120.idx
+  %.5152 = getelementptr i8, ptr %arg.code.4, i64 96
+  %.idx10517 = mul i64 %arg.batch.4.0.5.1, 96
+  %94 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10517
+  %.idx10518 = mul i64 %arg.batch.4.0.5.1, 40
+  %95 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10518
+  %.idx10519 = mul i64 %arg.batch.4.0.5.1, 120
+  %96 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10519
+  %.552.i656311031.not = icmp slt i64 %arg.shape.1, 1
+  %.697.i6600 = getelementptr i8, ptr %arg.tolerances.4, i64 8
+  %97 = getelementptr double, ptr %arg.batch.2.4, i64 %arg.batch.2.5.0
+  %.742.i6630 = getelementptr i8, ptr %97, i64 -8
+  %.idx10521 = mul i64 %arg.batch.4.1.5.1, 24
+  %98 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10521
+  %.idx10522 = mul i64 %arg.batch.4.1.5.1, 24
+  %99 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10522
+  %.idx10523 = mul i64 %arg.batch.4.0.5.1, 24
+  %100 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10523
+  %.5268.not = icmp ne i64 %arg.shape.4, 0
   %storemerge.i = tail call i64 @llvm.smax.i64(i64 %arg.shape.0, i64 0)
   %.idx1632.i = mul i64 %arg.batch.4.0.5.1, 40
-  %100 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1632.i
+  %101 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1632.i
   %.idx1633.i = shl i64 %arg.batch.4.0.5.1, 4
-  %101 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1633.i
-  %102 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.1
+  %102 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1633.i
+  %103 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.1
   %.175.i3061635.not.i = icmp slt i64 %arg.batch.1.1.5.0, 1
   %.636.i = getelementptr i8, ptr %arg.code.4, i64 8
   %.779.i = getelementptr i8, ptr %arg.code.4, i64 32
   %.850.i = mul nsw i64 %arg.shape.1, 17
   %.852.i = mul nsw i64 %.850.i, %arg.shape.0
-  %.895.i10672 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.852.i
+  %.895.i10704 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.852.i
   %.900.not.i = icmp eq i64 %arg.shape.3, 0
-  %.930.i = getelementptr i8, ptr %arg.code.4, i64 16
+  %.930.i10705 = getelementptr i8, ptr %arg.code.4, i64 16
   %.idx1630.i = shl i64 %arg.batch.4.1.5.1, 4
-  %103 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx1630.i
+  %104 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx1630.i
   %.15441642.not.i = icmp slt i64 %arg.shape.1, 1
   %.1739.i = mul i64 %arg.batch.3.0.5.2, %arg.batch.3.0.5.1
-  %.idx10471 = mul i64 %arg.batch.4.0.5.1, 40
-  %104 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10471
-  %.idx10472 = shl i64 %arg.batch.4.0.5.1, 4
-  %105 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10472
-  %106 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.1
-  %.idx10473 = mul i64 %arg.batch.4.0.5.1, 24
-  %107 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10473
-  %.175.i.i798511009.not = icmp slt i64 %arg.batch.1.1.5.0, 1
-  %.idx10476 = shl i64 %arg.batch.4.1.5.1, 4
-  %108 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10476
-  %.idx.i10684 = mul i64 %arg.batch.4.0.5.1, 24
-  %109 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx.i10684
-  %.323.i10686 = getelementptr i8, ptr %arg.batch.4.2.4, i64 8
-  %110 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.1
-  %.idx1124.i10706 = mul i64 %arg.batch.4.1.5.1, 24
-  %111 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx1124.i10706
-  %.8051131.not.i10708 = icmp slt i64 %arg.batch.0.1.5.1, 1
-  %.175.i1134.not.i10724 = icmp slt i64 %arg.batch.1.1.5.0, 1
-  %.11171137.not.i10743 = icmp slt i64 %arg.shape.1, 1
-  %gep.2.idx.i10761 = shl i64 %arg.batch.4.0.5.1, 4
-  %gep.4.idx.i10765 = shl i64 %arg.batch.4.0.5.1, 5
-  %gep.6.idx.i10769 = mul i64 %arg.batch.4.0.5.1, 48
-  %gep.7.idx.i10771 = mul i64 %arg.batch.4.0.5.1, 56
-  %gep.9.idx.i10775 = mul i64 %arg.batch.4.0.5.1, 72
-  %gep.10.idx.i10777 = mul i64 %arg.batch.4.0.5.1, 80
-  %gep.11.idx.i10779 = mul i64 %arg.batch.4.0.5.1, 88
-  %gep.12.idx.i10781 = mul i64 %arg.batch.4.0.5.1, 96
-  %gep.13.idx.i10783 = mul i64 %arg.batch.4.0.5.1, 104
-  %gep.14.idx.i10785 = mul i64 %arg.batch.4.0.5.1, 112
-  %gep.15.idx.i10787 = mul i64 %arg.batch.4.0.5.1, 120
-  %gep.16.idx.i10789 = shl i64 %arg.batch.4.0.5.1, 7
-  %gep.17.idx.i10791 = mul i64 %arg.batch.4.0.5.1, 136
-  %gep.18.idx.i10793 = mul i64 %arg.batch.4.0.5.1, 144
-  %gep.19.idx.i10795 = mul i64 %arg.batch.4.0.5.1, 152
-  %gep.20.idx.i10797 = mul i64 %arg.batch.4.0.5.1, 160
-  %gep.21.idx.i10799 = mul i64 %arg.batch.4.0.5.1, 168
-  %gep.22.idx.i10801 = mul i64 %arg.batch.4.0.5.1, 176
-  %gep.23.idx.i10803 = mul i64 %arg.batch.4.0.5.1, 184
-  %gep.24.idx.i10805 = mul i64 %arg.batch.4.0.5.1, 192
-  %gep.25.idx.i10807 = mul i64 %arg.batch.4.0.5.1, 200
-  %gep.26.idx.i10809 = mul i64 %arg.batch.4.0.5.1, 208
-  %112 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.2.idx.i10761
-  %113 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.15.idx.i10787
-  %114 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.26.idx.i10809
-  %.idx1130.i10824 = mul i64 %arg.batch.4.0.5.1, 216
-  %115 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1130.i10824
-  %.idx10475 = mul i64 %arg.batch.4.0.5.1, 216
-  %116 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10475
-  %.6337 = tail call i64 @llvm.smin.i64(i64 %arg.batch.2.5.0, i64 0)
-  %117 = getelementptr double, ptr %arg.batch.2.4, i64 %arg.batch.2.5.0
-  %118 = getelementptr i8, ptr %117, i64 -8
-  %.6351 = getelementptr double, ptr %118, i64 %.6337
-  %119 = getelementptr double, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1
-  %.idx10477 = mul i64 %arg.batch.4.0.5.1, 216
-  %120 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10477
-  %.idx10478 = mul i64 %arg.batch.4.0.5.1, 160
-  %121 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10478
-  %.idx10479 = shl i64 %arg.batch.4.1.5.1, 4
-  %122 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10479
-  %.idx10480 = shl i64 %arg.batch.4.0.5.1, 4
-  %123 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10480
-  %.idx10481 = mul i64 %arg.batch.4.0.5.1, 152
-  %124 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10481
-  %125 = shl i64 %arg.shape.0, 3
+  %.idx10506 = mul i64 %arg.batch.4.0.5.1, 40
+  %105 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10506
+  %.idx10507 = shl i64 %arg.batch.4.0.5.1, 4
+  %106 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10507
+  %107 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.1
+  %.idx10508 = mul i64 %arg.batch.4.0.5.1, 24
+  %108 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10508
+  %.175.i.i799311043.not = icmp slt i64 %arg.batch.1.1.5.0, 1
+  %.idx10511 = shl i64 %arg.batch.4.1.5.1, 4
+  %109 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10511
+  %.idx.i10718 = mul i64 %arg.batch.4.0.5.1, 24
+  %110 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx.i10718
+  %.323.i10720 = getelementptr i8, ptr %arg.batch.4.2.4, i64 8
+  %111 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.1
+  %.idx1124.i10740 = mul i64 %arg.batch.4.1.5.1, 24
+  %112 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx1124.i10740
+  %.8051131.not.i10742 = icmp slt i64 %arg.batch.0.1.5.1, 1
+  %.175.i1134.not.i10758 = icmp slt i64 %arg.batch.1.1.5.0, 1
+  %.11171137.not.i10777 = icmp slt i64 %arg.shape.1, 1
+  %gep.2.idx.i10795 = shl i64 %arg.batch.4.0.5.1, 4
+  %gep.4.idx.i10799 = shl i64 %arg.batch.4.0.5.1, 5
+  %gep.6.idx.i10803 = mul i64 %arg.batch.4.0.5.1, 48
+  %gep.7.idx.i10805 = mul i64 %arg.batch.4.0.5.1, 56
+  %gep.9.idx.i10809 = mul i64 %arg.batch.4.0.5.1, 72
+  %gep.10.idx.i10811 = mul i64 %arg.batch.4.0.5.1, 80
+  %gep.11.idx.i10813 = mul i64 %arg.batch.4.0.5.1, 88
+  %gep.12.idx.i10815 = mul i64 %arg.batch.4.0.5.1, 96
+  %gep.13.idx.i10817 = mul i64 %arg.batch.4.0.5.1, 104
+  %gep.14.idx.i10819 = mul i64 %arg.batch.4.0.5.1, 112
+  %gep.15.idx.i10821 = mul i64 %arg.batch.4.0.5.1, 120
+  %gep.16.idx.i10823 = shl i64 %arg.batch.4.0.5.1, 7
+  %gep.17.idx.i10825 = mul i64 %arg.batch.4.0.5.1, 136
+  %gep.18.idx.i10827 = mul i64 %arg.batch.4.0.5.1, 144
+  %gep.19.idx.i10829 = mul i64 %arg.batch.4.0.5.1, 152
+  %gep.20.idx.i10831 = mul i64 %arg.batch.4.0.5.1, 160
+  %gep.21.idx.i10833 = mul i64 %arg.batch.4.0.5.1, 168
+  %gep.22.idx.i10835 = mul i64 %arg.batch.4.0.5.1, 176
+  %gep.23.idx.i10837 = mul i64 %arg.batch.4.0.5.1, 184
+  %gep.24.idx.i10839 = mul i64 %arg.batch.4.0.5.1, 192
+  %gep.25.idx.i10841 = mul i64 %arg.batch.4.0.5.1, 200
+  %gep.26.idx.i10843 = mul i64 %arg.batch.4.0.5.1, 208
+  %113 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.2.idx.i10795
+  %114 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.15.idx.i10821
+  %115 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.26.idx.i10843
+  %.idx1130.i10858 = mul i64 %arg.batch.4.0.5.1, 216
+  %116 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1130.i10858
+  %.idx10510 = mul i64 %arg.batch.4.0.5.1, 216
+  %117 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10510
+  %.6336 = tail call i64 @llvm.smin.i64(i64 %arg.batch.2.5.0, i64 0)
+  %118 = getelementptr double, ptr %arg.batch.2.4, i64 %arg.batch.2.5.0
+  %119 = getelementptr i8, ptr %118, i64 -8
+  %.6350 = getelementptr double, ptr %119, i64 %.6336
+  %120 = getelementptr double, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1
+  %.idx10512 = mul i64 %arg.batch.4.0.5.1, 216
+  %121 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10512
+  %.idx10513 = mul i64 %arg.batch.4.0.5.1, 160
+  %122 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10513
+  %.idx10514 = shl i64 %arg.batch.4.1.5.1, 4
+  %123 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10514
+  %.idx10515 = shl i64 %arg.batch.4.0.5.1, 4
+  %124 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10515
+  %.idx10516 = mul i64 %arg.batch.4.0.5.1, 152
+  %125 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10516
+  %126 = shl i64 %arg.shape.0, 3
   %.155.i.i.i = mul nsw i64 %arg.shape.1, 24
   %.155.i.i.i.1 = mul nsw i64 %arg.shape.1, 23
   %.155.i.i.i.2 = mul nsw i64 %arg.shape.1, 22
@@ -661,15 +664,15 @@ B498.preheader:                                   ; preds = %B470
   %.155.i.i.i.4 = mul nsw i64 %arg.shape.1, 20
   %.155.i.i.i.5 = mul nsw i64 %arg.shape.1, 19
   %.155.i.i.i.6 = mul nsw i64 %arg.shape.1, 18
-  %126 = getelementptr i8, ptr %arg.code.4, i64 224
-  %.4448.idx = mul i64 %.463, 112
-  %.4448 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.4448.idx
-  %127 = getelementptr i8, ptr %arg.code.4, i64 232
-  %.4448.1.idx = mul i64 %.463, 120
-  %.4448.1 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.4448.1.idx
-  %128 = getelementptr i8, ptr %arg.code.4, i64 240
-  %.4448.2.idx = shl i64 %.463, 7
-  %.4448.2 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.4448.2.idx
+  %127 = getelementptr i8, ptr %arg.code.4, i64 224
+  %.4447.idx = mul i64 %.463, 112
+  %.4447 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.4447.idx
+  %128 = getelementptr i8, ptr %arg.code.4, i64 232
+  %.4447.1.idx = mul i64 %.463, 120
+  %.4447.1 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.4447.1.idx
+  %129 = getelementptr i8, ptr %arg.code.4, i64 240
+  %.4447.2.idx = shl i64 %.463, 7
+  %.4447.2 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.4447.2.idx
   %.155.i.i.i4874 = mul nsw i64 %arg.shape.1, 24
   %.155.i.i.i4874.1 = mul nsw i64 %arg.shape.1, 23
   %.155.i.i.i4874.2 = mul nsw i64 %arg.shape.1, 22
@@ -708,7 +711,7 @@ B662:                                             ; preds = %B650
   br i1 %.689, label %B326.i, label %B194.if.i
 
 B324.i:                                           ; preds = %B266.if.i, %B194.if.i
-  %.359.i = icmp sgt i64 %.304.i.010846, 1
+  %.359.i = icmp sgt i64 %.304.i.010880, 1
   br i1 %.359.i, label %B194.if.i, label %B326.i
 
 B326.i:                                           ; preds = %B324.i, %B662
@@ -718,33 +721,33 @@ B326.i:                                           ; preds = %B324.i, %B662
   br label %B698
 
 B194.if.i:                                        ; preds = %B662, %B324.i
-  %.304.i.010846 = phi i64 [ %.368.i, %B324.i ], [ %storemerge, %B662 ]
-  %.301.i.010845 = phi i64 [ %.372.i, %B324.i ], [ 0, %B662 ]
-  %.368.i = add nsw i64 %.304.i.010846, -1
-  %.372.i = add nsw i64 %.301.i.010845, 1
-  %129 = getelementptr double, ptr %19, i64 %.301.i.010845
-  %.454.i = load double, ptr %129, align 8, !noalias !7
+  %.304.i.010880 = phi i64 [ %.368.i, %B324.i ], [ %storemerge, %B662 ]
+  %.301.i.010879 = phi i64 [ %.372.i, %B324.i ], [ 0, %B662 ]
+  %.368.i = add nsw i64 %.304.i.010880, -1
+  %.372.i = add nsw i64 %.301.i.010879, 1
+  %130 = getelementptr double, ptr %19, i64 %.301.i.010879
+  %.454.i = load double, ptr %130, align 8, !noalias !7
   %.455.i = fcmp ule double %.454.i, 5.000000e-01
-  %brmerge11024 = select i1 %.455.i, i1 true, i1 %.537.i10841
-  br i1 %brmerge11024, label %B324.i, label %B266.if.i.preheader
+  %brmerge11058 = select i1 %.455.i, i1 true, i1 %.537.i10875
+  br i1 %brmerge11058, label %B324.i, label %B266.if.i.preheader
 
 B266.if.i.preheader:                              ; preds = %B194.if.i
-  %invariant.gep11068 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.301.i.010845
+  %invariant.gep11102 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.301.i.010879
   br label %B266.if.i
 
 B266.if.i:                                        ; preds = %B266.if.i.preheader, %B266.if.i
-  %.481.i.010842 = phi i64 [ %.550.i, %B266.if.i ], [ 0, %B266.if.i.preheader ]
-  %.550.i = add nsw i64 %.481.i.010842, 1
-  %.576.i = mul nsw i64 %.481.i.010842, %arg.shape.0
-  %gep11069 = getelementptr double, ptr %invariant.gep11068, i64 %.576.i
-  %.608.i = load double, ptr %gep11069, align 8, !noalias !7
-  %.610.i = add nsw i64 %.481.i.010842, %arg.shape.5
+  %.481.i.010876 = phi i64 [ %.550.i, %B266.if.i ], [ 0, %B266.if.i.preheader ]
+  %.550.i = add nsw i64 %.481.i.010876, 1
+  %.576.i = mul nsw i64 %.481.i.010876, %arg.shape.0
+  %gep11103 = getelementptr double, ptr %invariant.gep11102, i64 %.576.i
+  %.608.i = load double, ptr %gep11103, align 8, !noalias !7
+  %.610.i = add nsw i64 %.481.i.010876, %arg.shape.5
   %.612.i = mul nsw i64 %.610.i, %arg.shape.0
-  %.614.i = add nsw i64 %.612.i, %.301.i.010845
+  %.614.i = add nsw i64 %.612.i, %.301.i.010879
   %.628.i = icmp slt i64 %.614.i, 0
   %.629.i = select i1 %.628.i, i64 %arg.batch.5.1.5.0, i64 0
-  %130 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.614.i
-  %.643.i = getelementptr double, ptr %130, i64 %.629.i
+  %131 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.614.i
+  %.643.i = getelementptr double, ptr %131, i64 %.629.i
   store double %.608.i, ptr %.643.i, align 8, !noalias !7
   %exitcond.not = icmp eq i64 %.550.i, %arg.shape.6
   br i1 %exitcond.not, label %B324.i, label %B266.if.i
@@ -759,7 +762,7 @@ B702:                                             ; preds = %B698
   br label %B770
 
 B770:                                             ; preds = %B702, %B698
-  br i1 %.612.not, label %B1174, label %B774
+  br i1 %.612, label %B1174, label %B774
 
 B774:                                             ; preds = %B770
   %.1380 = load i64, ptr %arg.code.4, align 8
@@ -782,70 +785,70 @@ B774:                                             ; preds = %B770
 B1174:                                            ; preds = %B774, %B770
   br i1 %.689, label %B1216, label %B64.if.i
 
-B106.i:                                           ; preds = %B64.if.i
-  store double 0.000000e+00, ptr %.323.i132, align 8, !noalias !11
-  %.441.i = getelementptr double, ptr %21, i64 %.170.i.010848
-  store double 0.000000e+00, ptr %.441.i, align 8, !noalias !11
-  %.496.i215 = getelementptr double, ptr %22, i64 %.170.i.010848
-  store double 0.000000e+00, ptr %.496.i215, align 8, !noalias !11
-  %.551.i = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.170.i.010848
-  %.552.i245 = load i64, ptr %.551.i, align 8, !noalias !11
-  %.579.i257 = icmp slt i64 %.552.i245, 0
-  %.580.i258 = select i1 %.579.i257, i64 %arg.batch.3.3.5.0, i64 0
-  %.581.i = add i64 %.580.i258, %.552.i245
-  %.601.i272 = mul i64 %.581.i, %arg.batch.3.3.5.1
-  %131 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.601.i272
-  %.605.i = getelementptr i8, ptr %131, i64 8
-  %.606.i = load i64, ptr %.605.i, align 8, !noalias !11
-  %.628.i284 = add nsw i64 %.606.i, %.10542
-  store i64 %.628.i284, ptr %.605.i, align 8, !noalias !11
-  %.744.i347 = load i64, ptr %.551.i, align 8, !noalias !11
-  %.771.i = icmp slt i64 %.744.i347, 0
-  %.772.i = select i1 %.771.i, i64 %arg.batch.3.3.5.0, i64 0
-  %.773.i = add i64 %.772.i, %.744.i347
-  %.793.i370 = mul i64 %.773.i, %arg.batch.3.3.5.1
-  %132 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.793.i370
-  %.797.i = getelementptr i8, ptr %132, i64 16
-  %.798.i = load i64, ptr %.797.i, align 8, !noalias !11
-  %.799.i373 = add nsw i64 %.798.i, 1
-  store i64 %.799.i373, ptr %.797.i, align 8, !noalias !11
-  %.905.i = getelementptr double, ptr %23, i64 %.170.i.010848
-  %.906.i = load double, ptr %.905.i, align 8, !noalias !11
-  %.907.i = fcmp une double %.906.i, 0.000000e+00
-  br i1 %.907.i, label %B368.i, label %B414.i
+B108.i:                                           ; preds = %B64.if.i
+  store double 0.000000e+00, ptr %.314.i134, align 8, !noalias !11
+  %.432.i191 = getelementptr double, ptr %21, i64 %.161.i.010882
+  store double 0.000000e+00, ptr %.432.i191, align 8, !noalias !11
+  %.487.i = getelementptr double, ptr %22, i64 %.161.i.010882
+  store double 0.000000e+00, ptr %.487.i, align 8, !noalias !11
+  %.542.i244 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i.010882
+  %.543.i245 = load i64, ptr %.542.i244, align 8, !noalias !11
+  %.570.i = icmp slt i64 %.543.i245, 0
+  %.571.i = select i1 %.570.i, i64 %arg.batch.3.3.5.0, i64 0
+  %.572.i257 = add i64 %.571.i, %.543.i245
+  %.592.i271 = mul i64 %.572.i257, %arg.batch.3.3.5.1
+  %132 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.592.i271
+  %.596.i = getelementptr i8, ptr %132, i64 8
+  %.597.i275 = load i64, ptr %.596.i, align 8, !noalias !11
+  %.620.i282 = add nsw i64 %.597.i275, %.10577
+  store i64 %.620.i282, ptr %.596.i, align 8, !noalias !11
+  %.736.i = load i64, ptr %.542.i244, align 8, !noalias !11
+  %.763.i354 = icmp slt i64 %.736.i, 0
+  %.764.i = select i1 %.763.i354, i64 %arg.batch.3.3.5.0, i64 0
+  %.765.i355 = add i64 %.764.i, %.736.i
+  %.785.i = mul i64 %.765.i355, %arg.batch.3.3.5.1
+  %133 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.785.i
+  %.789.i369 = getelementptr i8, ptr %133, i64 16
+  %.790.i = load i64, ptr %.789.i369, align 8, !noalias !11
+  %.813.i = add nsw i64 %.790.i, %"$phi364.4.2.i.2"
+  store i64 %.813.i, ptr %.789.i369, align 8, !noalias !11
+  %.928.i = getelementptr double, ptr %23, i64 %.161.i.010882
+  %.929.i = load double, ptr %.928.i, align 8, !noalias !11
+  %.930.i = fcmp une double %.929.i, 0.000000e+00
+  br i1 %.930.i, label %B414.i, label %B460.i
 
-B368.i:                                           ; preds = %B106.i
-  %133 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.170.i.010848
-  %.84.i.i = load i64, ptr %133, align 8, !noalias !15
+B414.i:                                           ; preds = %B108.i
+  %134 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i.010882
+  %.84.i.i = load i64, ptr %134, align 8, !noalias !15
   %.89.i.i = icmp sgt i64 %.84.i.i, -1
-  br i1 %.89.i.i, label %B46.i.i, label %B414.i
+  br i1 %.89.i.i, label %B46.i.i, label %B460.i
 
-B46.i.i:                                          ; preds = %B368.i
+B46.i.i:                                          ; preds = %B414.i
   %.120.i.i = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i.i
   %.121.i.i = load i64, ptr %.120.i.i, align 8, !noalias !15
   %.122.i.i = icmp eq i64 %.121.i.i, 0
-  br i1 %.122.i.i, label %B80.i.i, label %B414.i
+  br i1 %.122.i.i, label %B80.i.i, label %B460.i
 
 B80.i.i:                                          ; preds = %B46.i.i
   store i64 3, ptr %.120.i.i, align 8, !noalias !15
-  br label %B414.i
+  br label %B460.i
 
-B414.i:                                           ; preds = %B80.i.i, %B368.i, %B46.i.i, %B106.i
-  br i1 %.1270.not, label %B550.i, label %B418.i
+B460.i:                                           ; preds = %B80.i.i, %B414.i, %B46.i.i, %B108.i
+  br i1 %.1270.not, label %B596.i, label %B464.i
 
-B418.i:                                           ; preds = %B414.i
-  %134 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.170.i.010848
-  %.977.i = load double, ptr %134, align 8, !noalias !11
-  %.979.i = fcmp olt double %.977.i, -1.000000e-09
-  br i1 %.979.i, label %B454.i, label %B550.i
+B464.i:                                           ; preds = %B460.i
+  %135 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.161.i.010882
+  %.1000.i = load double, ptr %135, align 8, !noalias !11
+  %.1002.i = fcmp olt double %.1000.i, -1.000000e-09
+  br i1 %.1002.i, label %B500.i, label %B596.i
 
-B454.i:                                           ; preds = %B418.i
-  %135 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.170.i.010848
-  %.84.i63.i = load i64, ptr %135, align 8, !noalias !18
+B500.i:                                           ; preds = %B464.i
+  %136 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i.010882
+  %.84.i63.i = load i64, ptr %136, align 8, !noalias !18
   %.89.i66.i = icmp sgt i64 %.84.i63.i, -1
   br i1 %.89.i66.i, label %B46.i71.i, label %_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29.exit.i
 
-B46.i71.i:                                        ; preds = %B454.i
+B46.i71.i:                                        ; preds = %B500.i
   %.120.i91.i = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i63.i
   %.121.i92.i = load i64, ptr %.120.i91.i, align 8, !noalias !18
   %.122.i93.i = icmp eq i64 %.121.i92.i, 0
@@ -855,59 +858,59 @@ B80.i98.i:                                        ; preds = %B46.i71.i
   store i64 4, ptr %.120.i91.i, align 8, !noalias !18
   br label %_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29.exit.i
 
-_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29.exit.i: ; preds = %B46.i71.i, %B454.i, %B80.i98.i
-  %.1068.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.170.i.010848
-  %.1069.i = load double, ptr %.1068.i, align 8, !noalias !11
-  %.1123.i = getelementptr double, ptr %24, i64 %.170.i.010848
-  store double %.1069.i, ptr %.1123.i, align 8, !noalias !11
-  br label %B550.i
+_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29.exit.i: ; preds = %B46.i71.i, %B500.i, %B80.i98.i
+  %.1091.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.161.i.010882
+  %.1092.i = load double, ptr %.1091.i, align 8, !noalias !11
+  %.1146.i = getelementptr double, ptr %24, i64 %.161.i.010882
+  store double %.1092.i, ptr %.1146.i, align 8, !noalias !11
+  br label %B596.i
 
-B550.i:                                           ; preds = %_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29.exit.i, %B418.i, %B414.i
-  %.111.i183.i = getelementptr i64, ptr %25, i64 %.170.i.010848
+B596.i:                                           ; preds = %_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29.exit.i, %B464.i, %B460.i
+  %.111.i183.i = getelementptr i64, ptr %25, i64 %.161.i.010882
   %.112.i.i = load i64, ptr %.111.i183.i, align 8, !noalias !21
-  %.169.i.i = getelementptr double, ptr %26, i64 %.170.i.010848
+  %.169.i.i = getelementptr double, ptr %26, i64 %.161.i.010882
   %.170.i.i = load double, ptr %.169.i.i, align 8, !noalias !21
-  %.224.i.i = getelementptr double, ptr %27, i64 %.170.i.010848
+  %.224.i.i = getelementptr double, ptr %27, i64 %.161.i.010882
   store double %.170.i.i, ptr %.224.i.i, align 8, !noalias !21
   %.237.i.i = icmp slt i64 %.112.i.i, %arg.batch.2.5.0
-  br i1 %.237.i.i, label %B134.i.i, label %B584.i
+  br i1 %.237.i.i, label %B134.i.i, label %B630.i
 
-B134.i.i:                                         ; preds = %B550.i
+B134.i.i:                                         ; preds = %B596.i
   %.253.i.i = icmp slt i64 %.112.i.i, 0
   %.254.i.i = select i1 %.253.i.i, i64 %arg.batch.2.5.0, i64 0
-  %136 = getelementptr double, ptr %arg.batch.2.4, i64 %.112.i.i
-  %.268.i.i = getelementptr double, ptr %136, i64 %.254.i.i
+  %137 = getelementptr double, ptr %arg.batch.2.4, i64 %.112.i.i
+  %.268.i.i = getelementptr double, ptr %137, i64 %.254.i.i
   %.269.i.i = load double, ptr %.268.i.i, align 8, !noalias !21
   %.328.i.i = load double, ptr %.169.i.i, align 8, !noalias !21
   %.10.i.i.i = fcmp olt double %.328.i.i, %.269.i.i
   %.11.i.i.i = select i1 %.10.i.i.i, double %.328.i.i, double %.269.i.i
   store double %.11.i.i.i, ptr %.224.i.i, align 8, !noalias !21
-  br label %B584.i
+  br label %B630.i
 
-B584.i:                                           ; preds = %B134.i.i, %B550.i, %B64.if.i
-  %.229.i103 = icmp sgt i64 %.173.i7.010849, 1
-  br i1 %.229.i103, label %B64.if.i, label %B1216
+B630.i:                                           ; preds = %B134.i.i, %B596.i, %B64.if.i
+  %.220.i = icmp sgt i64 %.164.i70.010883, 1
+  br i1 %.220.i, label %B64.if.i, label %B1216
 
-B64.if.i:                                         ; preds = %B1174, %B584.i
-  %.173.i7.010849 = phi i64 [ %.238.i, %B584.i ], [ %storemerge, %B1174 ]
-  %.170.i.010848 = phi i64 [ %.242.i388, %B584.i ], [ 0, %B1174 ]
-  %.238.i = add nsw i64 %.173.i7.010849, -1
-  %.242.i388 = add nsw i64 %.170.i.010848, 1
-  %.323.i132 = getelementptr double, ptr %20, i64 %.170.i.010848
-  %.324.i133 = load double, ptr %.323.i132, align 8, !noalias !11
-  %.325.i134 = fcmp ogt double %.324.i133, 5.000000e-01
-  br i1 %.325.i134, label %B106.i, label %B584.i
+B64.if.i:                                         ; preds = %B1174, %B630.i
+  %.164.i70.010883 = phi i64 [ %.229.i380, %B630.i ], [ %storemerge, %B1174 ]
+  %.161.i.010882 = phi i64 [ %.233.i383, %B630.i ], [ 0, %B1174 ]
+  %.229.i380 = add nsw i64 %.164.i70.010883, -1
+  %.233.i383 = add nsw i64 %.161.i.010882, 1
+  %.314.i134 = getelementptr double, ptr %20, i64 %.161.i.010882
+  %.315.i135 = load double, ptr %.314.i134, align 8, !noalias !11
+  %.316.i136 = fcmp ogt double %.315.i135, 5.000000e-01
+  br i1 %.316.i136, label %B108.i, label %B630.i
 
-B1216:                                            ; preds = %B584.i, %B1174, %B644
-  %.1831 = load i64, ptr %.1830, align 8
-  %.1876 = inttoptr i64 %.1831 to ptr
-  tail call void %.1876(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
-  br i1 %.612.not, label %B1288, label %B1372
+B1216:                                            ; preds = %B630.i, %B1174, %B644
+  %.1830 = load i64, ptr %.1829, align 8
+  %.1875 = inttoptr i64 %.1830 to ptr
+  tail call void %.1875(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
+  br i1 %.612, label %B1288, label %B1372
 
 B1288:                                            ; preds = %B1216
-  %.1909 = load i64, ptr %arg.code.4, align 8
-  %.1956 = inttoptr i64 %.1909 to ptr
-  tail call void %.1956(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.1955)
+  %.1908 = load i64, ptr %arg.code.4, align 8
+  %.1955 = inttoptr i64 %.1908 to ptr
+  tail call void %.1955(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.1954)
   br label %B1372
 
 B1372:                                            ; preds = %B1288, %B1216
@@ -948,13 +951,13 @@ B352.i.i:                                         ; preds = %B286.if.i.i, %B250.
   tail call void %.959.i.i(ptr %arg.batch.4.0.4, ptr %.933.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.958.i.i), !noalias !28
   %.975.i.i = icmp slt i64 %.537.i.sroa.0.02147.i, 0
   %.976.i.i = select i1 %.975.i.i, i64 %arg.linear.6.5.0, i64 0
-  %137 = getelementptr i64, ptr %arg.linear.6.4, i64 %.537.i.sroa.0.02147.i
-  %.990.i.i = getelementptr i64, ptr %137, i64 %.976.i.i
+  %138 = getelementptr i64, ptr %arg.linear.6.4, i64 %.537.i.sroa.0.02147.i
+  %.990.i.i = getelementptr i64, ptr %138, i64 %.976.i.i
   %.991.i.i = load i64, ptr %.990.i.i, align 8, !noalias !28
   %.1007.i.i = icmp slt i64 %.537.i.sroa.0.02147.i, -1
   %.1008.i.i = select i1 %.1007.i.i, i64 %arg.linear.6.5.0, i64 0
-  %138 = getelementptr i8, ptr %137, i64 8
-  %.1022.i.i = getelementptr i64, ptr %138, i64 %.1008.i.i
+  %139 = getelementptr i8, ptr %138, i64 8
+  %.1022.i.i = getelementptr i64, ptr %139, i64 %.1008.i.i
   %.1023.i.i = load i64, ptr %.1022.i.i, align 8, !noalias !28
   %.1060.i.i = sub i64 %.1023.i.i, %.991.i.i
   %.1106.i2123.not.i = icmp slt i64 %.1060.i.i, 1
@@ -963,14 +966,14 @@ B352.i.i:                                         ; preds = %B286.if.i.i, %B250.
 B544.i.i:                                         ; preds = %B536.if.i.i
   %.1173.i.i = icmp slt i64 %.1047.i.02124.i, 0
   %.1174.i.i = select i1 %.1173.i.i, i64 %arg.linear.7.5.0, i64 0
-  %139 = getelementptr i64, ptr %arg.linear.7.4, i64 %.1047.i.02124.i
-  %.1188.i.i = getelementptr i64, ptr %139, i64 %.1174.i.i
+  %140 = getelementptr i64, ptr %arg.linear.7.4, i64 %.1047.i.02124.i
+  %.1188.i.i = getelementptr i64, ptr %140, i64 %.1174.i.i
   %.1189.i.i = load i64, ptr %.1188.i.i, align 8, !noalias !28
   %.1190.i.i = add nsw i64 %.1189.i.i, %.915.i.i
   %.1204.i.i = icmp slt i64 %.1190.i.i, 0
   %.1205.i.i = select i1 %.1204.i.i, i64 %arg.batch.5.0.5.0, i64 0
-  %140 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1190.i.i
-  %.1219.i.i = getelementptr double, ptr %140, i64 %.1205.i.i
+  %141 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1190.i.i
+  %.1219.i.i = getelementptr double, ptr %141, i64 %.1205.i.i
   %.1220.i.i = load double, ptr %.1219.i.i, align 8, !noalias !28
   %.1287.i.i = fsub double %.1220.i.i, %.1220.i.i
   %.1288.i.i = fcmp oeq double %.1287.i.i, 0.000000e+00
@@ -1019,14 +1022,14 @@ B524.i.i.i:                                       ; preds = %B428.if.i.i.i
 B428.if.i.i.1.i:                                  ; preds = %B428.if.i.i.1.i, %B524.i.i.i
   %.783.i.i.02131.1.i = phi i64 [ %.852.i.i.1.i, %B428.if.i.i.1.i ], [ 0, %B524.i.i.i ]
   %.852.i.i.1.i = add nsw i64 %.783.i.i.02131.1.i, 1
-  %141 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.783.i.i.02131.1.i
-  %.906.i.i.1.i = load double, ptr %141, align 8, !noalias !32
-  %142 = getelementptr double, ptr %141, i64 %.597.i.i.i
-  %.939.i.i.1.i = load double, ptr %142, align 8, !noalias !32
+  %142 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.783.i.i.02131.1.i
+  %.906.i.i.1.i = load double, ptr %142, align 8, !noalias !32
+  %143 = getelementptr double, ptr %142, i64 %.597.i.i.i
+  %.939.i.i.1.i = load double, ptr %143, align 8, !noalias !32
   %.941.i.i.1.i = fmul double %.939.i.i.1.i, 5.000000e-01
-  %143 = fsub double %.906.i.i.1.i, %.941.i.i.1.i
-  %144 = getelementptr double, ptr %141, i64 %.944.i.i.i
-  store double %143, ptr %144, align 8, !noalias !32
+  %144 = fsub double %.906.i.i.1.i, %.941.i.i.1.i
+  %145 = getelementptr double, ptr %142, i64 %.944.i.i.i
+  store double %144, ptr %145, align 8, !noalias !32
   %exitcond2155.1.not.i = icmp eq i64 %arg.shape.1, %.852.i.i.1.i
   br i1 %exitcond2155.1.not.i, label %B524.i.i.1.i, label %B428.if.i.i.1.i
 
@@ -1044,8 +1047,8 @@ B524.i.i.1.i:                                     ; preds = %B428.if.i.i.1.i, %B
   %.1034.i.i.1.i = load double, ptr %arg.batch.4.0.4, align 8, !noalias !32
   %.1068.i.i.1.i = load double, ptr %.629.i.i.i, align 8, !noalias !32
   %.1070.i.i.1.i = fmul double %.1068.i.i.1.i, 5.000000e-01
-  %145 = fsub double %.1034.i.i.1.i, %.1070.i.i.1.i
-  store double %145, ptr %.571, align 8, !noalias !32
+  %146 = fsub double %.1034.i.i.1.i, %.1070.i.i.1.i
+  store double %146, ptr %.571, align 8, !noalias !32
   %.1157.i.i.1.i = load i64, ptr %arg.code.4, align 8, !noalias !32
   %.1277.i.i.1.i = inttoptr i64 %.1157.i.i.1.i to ptr
   tail call void %.1277.i.i.1.i(ptr nonnull %.571, ptr %.933.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.1276.i.i.1.i), !noalias !32
@@ -1056,63 +1059,63 @@ B966.i.i.i:                                       ; preds = %B780.if.i.i.i
   br label %B1053.i.i.i
 
 B1006.i.i.i:                                      ; preds = %B780.if.i.i.i
-  %146 = getelementptr double, ptr %154, i64 %arg.shape.1
-  %.1582.i.i.i = load double, ptr %146, align 8, !noalias !32
+  %147 = getelementptr double, ptr %155, i64 %arg.shape.1
+  %.1582.i.i.i = load double, ptr %147, align 8, !noalias !32
   %.1647.i.i.i = fsub double %.1513.i.i.i, %.1582.i.i.i
   %.1652.i.i.i = fmul double %.1647.i.i.i, 2.000000e+00
   br label %B1053.i.i.i
 
 B1053.i.i.i:                                      ; preds = %B1006.i.i.i, %B966.i.i.i
   %storemerge2111.i = phi double [ %.1652.i.i.i, %B1006.i.i.i ], [ %.1601.i.i.i, %B966.i.i.i ]
-  store double %storemerge2111.i, ptr %156, align 8, !noalias !32
+  store double %storemerge2111.i, ptr %157, align 8, !noalias !32
   %exitcond2157.not.i = icmp eq i64 %arg.shape.1, %.1387.i.i.i
   br i1 %exitcond2157.not.i, label %B702.i.i, label %B780.if.i.i.i
 
 B84.if.i.i.i:                                     ; preds = %B660.i.i, %B84.if.i.i.i
   %.212.i.i.02129.i = phi i64 [ %.283.i.i.i, %B84.if.i.i.i ], [ 0, %B660.i.i ]
   %.283.i.i.i = add nsw i64 %.212.i.i.02129.i, 1
-  %147 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.212.i.i.02129.i
-  %.341.i.i.i = load double, ptr %147, align 8, !noalias !32
+  %148 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.212.i.i.02129.i
+  %.341.i.i.i = load double, ptr %148, align 8, !noalias !32
   %.342.i.i.i = tail call double @llvm.fabs.f64(double %.341.i.i.i)
   %.10.i.i.i.i = fcmp ogt double %.184.i.i.i, %.342.i.i.i
   %.11.i.i.i.i = select i1 %.10.i.i.i.i, double %.184.i.i.i, double %.342.i.i.i
   %.377.i.i.i = fcmp ogt double %.11.i.i.i.i, 0.000000e+00
-  %148 = fmul double %.11.i.i.i.i, 1.200000e-05
-  %"$phi194.2.2.i.i.1.i" = select i1 %.377.i.i.i, double %148, double 1.200000e-05
-  %149 = getelementptr i64, ptr %arg.linear.5.4, i64 %.212.i.i.02129.i
-  %.434.i.i.i = load i64, ptr %149, align 8, !noalias !32
+  %149 = fmul double %.11.i.i.i.i, 1.200000e-05
+  %"$phi194.2.2.i.i.1.i" = select i1 %.377.i.i.i, double %149, double 1.200000e-05
+  %150 = getelementptr i64, ptr %arg.linear.5.4, i64 %.212.i.i.02129.i
+  %.434.i.i.i = load i64, ptr %150, align 8, !noalias !32
   %.436.i.i.i = icmp eq i64 %.434.i.i.i, %.537.i.sroa.0.02147.i
   %"$phi230.1.2.i.i.1.i" = select i1 %.436.i.i.i, double %"$phi194.2.2.i.i.1.i", double 0.000000e+00
-  %150 = getelementptr i8, ptr %147, i64 %.idx2162.i
-  store double %"$phi230.1.2.i.i.1.i", ptr %150, align 8, !noalias !32
+  %151 = getelementptr i8, ptr %148, i64 %.idx2162.i
+  store double %"$phi230.1.2.i.i.1.i", ptr %151, align 8, !noalias !32
   %exitcond2154.not.i = icmp eq i64 %arg.shape.1, %.283.i.i.i
   br i1 %exitcond2154.not.i, label %B262.i.i.i, label %B84.if.i.i.i
 
 B428.if.i.i.i:                                    ; preds = %B324.i.i.i, %B428.if.i.i.i
   %.783.i.i.02131.i = phi i64 [ %.852.i.i.i, %B428.if.i.i.i ], [ 0, %B324.i.i.i ]
   %.852.i.i.i = add nsw i64 %.783.i.i.02131.i, 1
-  %151 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.783.i.i.02131.i
-  %.906.i.i.i = load double, ptr %151, align 8, !noalias !32
-  %152 = getelementptr double, ptr %151, i64 %.597.i.i.i
-  %.939.i.i.i = load double, ptr %152, align 8, !noalias !32
+  %152 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.783.i.i.02131.i
+  %.906.i.i.i = load double, ptr %152, align 8, !noalias !32
+  %153 = getelementptr double, ptr %152, i64 %.597.i.i.i
+  %.939.i.i.i = load double, ptr %153, align 8, !noalias !32
   %.941.i.i.i = fmul double %.939.i.i.i, 5.000000e-01
   %.942.i.i.i = fadd double %.906.i.i.i, %.941.i.i.i
-  %153 = getelementptr double, ptr %151, i64 %.944.i.i.i
-  store double %.942.i.i.i, ptr %153, align 8, !noalias !32
+  %154 = getelementptr double, ptr %152, i64 %.944.i.i.i
+  store double %.942.i.i.i, ptr %154, align 8, !noalias !32
   %exitcond2155.not.i = icmp eq i64 %arg.shape.1, %.852.i.i.i
   br i1 %exitcond2155.not.i, label %B524.i.i.i, label %B428.if.i.i.i
 
 B780.if.i.i.i:                                    ; preds = %B524.i.i.1.i, %B1053.i.i.i
   %.1318.i.i.02136.i = phi i64 [ %.1387.i.i.i, %B1053.i.i.i ], [ 0, %B524.i.i.1.i ]
   %.1387.i.i.i = add nsw i64 %.1318.i.i.02136.i, 1
-  %154 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1318.i.i.02136.i
-  %.1445.i.i.i = load double, ptr %154, align 8, !noalias !32
-  %155 = getelementptr i8, ptr %154, i64 %.933.i.idx.i
-  store double %.1445.i.i.i, ptr %155, align 8, !noalias !32
-  %156 = getelementptr i8, ptr %154, i64 %.idx2164.i
-  %.1513.i.i.i = load double, ptr %156, align 8, !noalias !32
-  %157 = getelementptr i8, ptr %154, i64 %.1276.i.i.1.idx.i
-  %.1548.i.i.i = load double, ptr %157, align 8, !noalias !32
+  %155 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1318.i.i.02136.i
+  %.1445.i.i.i = load double, ptr %155, align 8, !noalias !32
+  %156 = getelementptr i8, ptr %155, i64 %.933.i.idx.i
+  store double %.1445.i.i.i, ptr %156, align 8, !noalias !32
+  %157 = getelementptr i8, ptr %155, i64 %.idx2164.i
+  %.1513.i.i.i = load double, ptr %157, align 8, !noalias !32
+  %158 = getelementptr i8, ptr %155, i64 %.1276.i.i.1.idx.i
+  %.1548.i.i.i = load double, ptr %158, align 8, !noalias !32
   %.1594.i.i.i = fsub double %.1548.i.i.i, %.1548.i.i.i
   %.1595.i.i.i = fcmp oeq double %.1594.i.i.i, 0.000000e+00
   br i1 %.1595.i.i.i, label %B966.i.i.i, label %B1006.i.i.i
@@ -1120,13 +1123,13 @@ B780.if.i.i.i:                                    ; preds = %B524.i.i.1.i, %B105
 B702.i.i:                                         ; preds = %B1053.i.i.i, %B524.i.i.1.i, %B656.i.i, %B352.i.i
   %.1384.i.i = icmp slt i64 %.537.i.sroa.0.02147.i, 0
   %.1385.i.i = select i1 %.1384.i.i, i64 %arg.linear.6.5.0, i64 0
-  %158 = getelementptr i64, ptr %arg.linear.6.4, i64 %.537.i.sroa.0.02147.i
-  %.1399.i.i = getelementptr i64, ptr %158, i64 %.1385.i.i
+  %159 = getelementptr i64, ptr %arg.linear.6.4, i64 %.537.i.sroa.0.02147.i
+  %.1399.i.i = getelementptr i64, ptr %159, i64 %.1385.i.i
   %.1400.i.i = load i64, ptr %.1399.i.i, align 8, !noalias !28
   %.1418.i.i = icmp slt i64 %.537.i.sroa.0.02147.i, -1
   %.1419.i.i = select i1 %.1418.i.i, i64 %arg.linear.6.5.0, i64 0
-  %159 = getelementptr i8, ptr %158, i64 8
-  %.1433.i.i = getelementptr i64, ptr %159, i64 %.1419.i.i
+  %160 = getelementptr i8, ptr %159, i64 8
+  %.1433.i.i = getelementptr i64, ptr %160, i64 %.1419.i.i
   %.1434.i.i = load i64, ptr %.1433.i.i, align 8, !noalias !28
   %.1471.i.i = sub i64 %.1434.i.i, %.1400.i.i
   %.1514.i2138.not.i = icmp slt i64 %.1471.i.i, 1
@@ -1136,20 +1139,20 @@ B920.i.i:                                         ; preds = %B764.if.i.i
   %.1782.i.i = add nsw i64 %.1587.i.i, %.1748.i.i
   %.1797.i.i = icmp slt i64 %.1782.i.i, 0
   %.1798.i.i = select i1 %.1797.i.i, i64 %arg.batch.5.0.5.0, i64 0
-  %160 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1782.i.i
-  %.1812.i.i = getelementptr double, ptr %160, i64 %.1798.i.i
+  %161 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1782.i.i
+  %.1812.i.i = getelementptr double, ptr %161, i64 %.1798.i.i
   store double %.1686.i..i, ptr %.1812.i.i, align 8, !noalias !28
   br label %B995.i.i
 
 B966.i.i:                                         ; preds = %B764.if.i.i
   %.1832.i.i = select i1 %.1571.i.i, i64 %arg.linear.9.5.0, i64 0
-  %161 = getelementptr i64, ptr %arg.linear.9.4, i64 %.1458.i.02139.i
-  %.1846.i.i = getelementptr i64, ptr %161, i64 %.1832.i.i
+  %162 = getelementptr i64, ptr %arg.linear.9.4, i64 %.1458.i.02139.i
+  %.1846.i.i = getelementptr i64, ptr %162, i64 %.1832.i.i
   %.1847.i.i = load i64, ptr %.1846.i.i, align 8, !noalias !28
   %.1864.i.i = icmp slt i64 %.1847.i.i, 0
   %.1865.i.i = select i1 %.1864.i.i, i64 %arg.linear.0.5.0, i64 0
-  %162 = getelementptr double, ptr %arg.linear.0.4, i64 %.1847.i.i
-  %.1879.i.i = getelementptr double, ptr %162, i64 %.1865.i.i
+  %163 = getelementptr double, ptr %arg.linear.0.4, i64 %.1847.i.i
+  %.1879.i.i = getelementptr double, ptr %163, i64 %.1865.i.i
   store double %.1686.i..i, ptr %.1879.i.i, align 8, !noalias !28
   br label %B995.i.i
 
@@ -1160,22 +1163,22 @@ B995.i.i:                                         ; preds = %B966.i.i, %B920.i.i
 B84.if.i.i:                                       ; preds = %B76.i, %B84.if.i.i
   %.259.i.02118.i = phi i64 [ %.330.i.i, %B84.if.i.i ], [ 0, %B76.i ]
   %.330.i.i = add nsw i64 %.259.i.02118.i, 1
-  %163 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.259.i.02118.i
-  %.384.i.i = load double, ptr %163, align 8, !noalias !28
-  %164 = getelementptr i8, ptr %163, i64 %.idx2159.i
-  store double %.384.i.i, ptr %164, align 8, !noalias !28
-  %165 = getelementptr i8, ptr %163, i64 %.idx2160.i
-  store double 0.000000e+00, ptr %165, align 8, !noalias !28
-  %exitcond.not.i10578 = icmp eq i64 %arg.shape.1, %.330.i.i
-  br i1 %exitcond.not.i10578, label %B166.i.i, label %B84.if.i.i
+  %164 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.259.i.02118.i
+  %.384.i.i = load double, ptr %164, align 8, !noalias !28
+  %165 = getelementptr i8, ptr %164, i64 %.idx2159.i
+  store double %.384.i.i, ptr %165, align 8, !noalias !28
+  %166 = getelementptr i8, ptr %164, i64 %.idx2160.i
+  store double 0.000000e+00, ptr %166, align 8, !noalias !28
+  %exitcond.not.i10615 = icmp eq i64 %arg.shape.1, %.330.i.i
+  br i1 %exitcond.not.i10615, label %B166.i.i, label %B84.if.i.i
 
 B286.if.i.i:                                      ; preds = %B250.i.i, %B286.if.i.i
   %.629.i.02122.i = phi i64 [ %.691.i.i, %B286.if.i.i ], [ %storemerge2107.i, %B250.i.i ]
   %.626.i.02121.i = phi i64 [ %.695.i.i, %B286.if.i.i ], [ 0, %B250.i.i ]
   %.691.i.i = add nsw i64 %.629.i.02122.i, -1
   %.695.i.i = add nsw i64 %.626.i.02121.i, 1
-  %166 = getelementptr i64, ptr %arg.linear.5.4, i64 %.626.i.02121.i
-  %.753.i.i = load i64, ptr %166, align 8, !noalias !28
+  %167 = getelementptr i64, ptr %arg.linear.5.4, i64 %.626.i.02121.i
+  %.753.i.i = load i64, ptr %167, align 8, !noalias !28
   %.755.i.i = icmp eq i64 %.753.i.i, %.537.i.sroa.0.02147.i
   %..i = select i1 %.755.i.i, double 1.000000e+00, double 0.000000e+00
   %gep = getelementptr double, ptr %invariant.gep, i64 %.626.i.02121.i
@@ -1198,24 +1201,24 @@ B764.if.i.i:                                      ; preds = %B702.i.i, %B995.i.i
   %.1527.i.i = add i64 %.1458.i.02139.i, 1
   %.1571.i.i = icmp slt i64 %.1458.i.02139.i, 0
   %.1572.i.i = select i1 %.1571.i.i, i64 %arg.linear.7.5.0, i64 0
-  %167 = getelementptr i64, ptr %arg.linear.7.4, i64 %.1458.i.02139.i
-  %.1586.i.i = getelementptr i64, ptr %167, i64 %.1572.i.i
+  %168 = getelementptr i64, ptr %arg.linear.7.4, i64 %.1458.i.02139.i
+  %.1586.i.i = getelementptr i64, ptr %168, i64 %.1572.i.i
   %.1587.i.i = load i64, ptr %.1586.i.i, align 8, !noalias !28
   %.1588.i.i = add nsw i64 %.1587.i.i, %.915.i.i
   %.1602.i.i = icmp slt i64 %.1588.i.i, 0
   %.1603.i.i = select i1 %.1602.i.i, i64 %arg.batch.5.0.5.0, i64 0
-  %168 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1588.i.i
-  %.1617.i.i = getelementptr double, ptr %168, i64 %.1603.i.i
+  %169 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1588.i.i
+  %.1617.i.i = getelementptr double, ptr %169, i64 %.1603.i.i
   %.1618.i.i = load double, ptr %.1617.i.i, align 8, !noalias !28
   %.1636.i.i = select i1 %.1571.i.i, i64 %arg.linear.8.5.0, i64 0
-  %169 = getelementptr i64, ptr %arg.linear.8.4, i64 %.1458.i.02139.i
-  %.1650.i.i = getelementptr i64, ptr %169, i64 %.1636.i.i
+  %170 = getelementptr i64, ptr %arg.linear.8.4, i64 %.1458.i.02139.i
+  %.1650.i.i = getelementptr i64, ptr %170, i64 %.1636.i.i
   %.1651.i.i = load i64, ptr %.1650.i.i, align 8, !noalias !28
   %.1652.i.i = add nsw i64 %.1651.i.i, %.597.i.i.i
   %.1666.i.i = icmp slt i64 %.1652.i.i, 0
   %.1667.i.i = select i1 %.1666.i.i, i64 %arg.batch.5.0.5.0, i64 0
-  %170 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1652.i.i
-  %.1681.i.i = getelementptr double, ptr %170, i64 %.1667.i.i
+  %171 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1652.i.i
+  %.1681.i.i = getelementptr double, ptr %171, i64 %.1667.i.i
   %.1682.i.i = load double, ptr %.1681.i.i, align 8, !noalias !28
   %.1686.i.i = fdiv double %.1618.i.i, %.1682.i.i
   %.1692.i.i = fsub double %.1686.i.i, %.1686.i.i
@@ -1231,8 +1234,8 @@ B316.i:                                           ; preds = %B262.if.i, %B146.if
   %.746.i = mul i64 %.388.02152.i, %.434.sroa.0.02106.i
   %.762.i = icmp slt i64 %.746.i, 0
   %.763.i = select i1 %.762.i, i64 %arg.linear.1.5.0, i64 0
-  %171 = getelementptr double, ptr %arg.linear.1.4, i64 %.746.i
-  %.777.i = getelementptr double, ptr %171, i64 %.763.i
+  %172 = getelementptr double, ptr %arg.linear.1.4, i64 %.746.i
+  %.777.i = getelementptr double, ptr %172, i64 %.763.i
   %.778.i = load double, ptr %.777.i, align 8, !noalias !25
   %.832.i = load double, ptr %.831.i, align 8, !noalias !25
   %.833.i = fadd double %.778.i, %.832.i
@@ -1246,16 +1249,16 @@ B34.loopexit.i.i:                                 ; preds = %B790.i.i, %B528.i.i
 
 B348.i.i:                                         ; preds = %B234.if.i.i, %B36.if.i.i
   %p.2.1.lcssa.i.i = phi i64 [ %.59.0509.i.i, %B36.if.i.i ], [ %p.3.2.i.i, %B234.if.i.i ]
-  %172 = getelementptr i64, ptr %arg.linear.2.4, i64 %.59.0509.i.i
-  store i64 %p.2.1.lcssa.i.i, ptr %172, align 8, !noalias !36
+  %173 = getelementptr i64, ptr %arg.linear.2.4, i64 %.59.0509.i.i
+  store i64 %p.2.1.lcssa.i.i, ptr %173, align 8, !noalias !36
   %.547.i2114.i = add nsw i64 %p.2.1.lcssa.i.i, %.161.i.i
   %.561.i.i = icmp slt i64 %.547.i2114.i, 0
   %.562.i.i = select i1 %.561.i.i, i64 %arg.linear.1.5.0, i64 0
-  %173 = getelementptr double, ptr %arg.linear.1.4, i64 %.547.i2114.i
-  %.576.i.i = getelementptr double, ptr %173, i64 %.562.i.i
+  %174 = getelementptr double, ptr %arg.linear.1.4, i64 %.547.i2114.i
+  %.576.i.i = getelementptr double, ptr %174, i64 %.562.i.i
   %.577.i.i = load double, ptr %.576.i.i, align 8, !noalias !36
-  %.610.i.i = load double, ptr %175, align 8, !noalias !36
-  store double %.577.i.i, ptr %175, align 8, !noalias !36
+  %.610.i.i = load double, ptr %176, align 8, !noalias !36
+  store double %.577.i.i, ptr %176, align 8, !noalias !36
   store double %.610.i.i, ptr %.576.i.i, align 8, !noalias !36
   br i1 %.362493.not.i.i, label %B528.i.i, label %B466.if.i.i
 
@@ -1274,18 +1277,18 @@ B36.if.i.i:                                       ; preds = %B316.i, %B34.loopex
   %.161.i.i = mul nsw i64 %.59.0509.i.i, %arg.shape.1
   %.164.i.i = add nsw i64 %.59.0509.i.i, %arg.linear.3.0
   %.165.i.i = add nsw i64 %.164.i.i, 1
-  %.11.i.i.i10577 = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %.165.i.i, i64 %arg.shape.1)
+  %.11.i.i.i10614 = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %.165.i.i, i64 %arg.shape.1)
   %.200.i.i = add i64 %.199.i.i, %.164.i.i
   %.11.i492.i.i = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %.200.i.i, i64 %arg.shape.1)
-  %174 = getelementptr double, ptr %arg.linear.1.4, i64 %.161.i.i
-  %175 = getelementptr double, ptr %174, i64 %.59.0509.i.i
-  %.319.i.i = sub i64 %.11.i.i.i10577, %.131.i.i
+  %175 = getelementptr double, ptr %arg.linear.1.4, i64 %.161.i.i
+  %176 = getelementptr double, ptr %175, i64 %.59.0509.i.i
+  %.319.i.i = sub i64 %.11.i.i.i10614, %.131.i.i
   %storemerge488.i.i = tail call i64 @llvm.smax.i64(i64 %.319.i.i, i64 0)
   %.362493.not.i.i = icmp slt i64 %.319.i.i, 1
   br i1 %.362493.not.i.i, label %B348.i.i, label %B234.if.preheader.i.i
 
 B234.if.preheader.i.i:                            ; preds = %B36.if.i.i
-  %.271.i.i = load double, ptr %175, align 8, !noalias !36
+  %.271.i.i = load double, ptr %176, align 8, !noalias !36
   %.272.i.i = tail call double @llvm.fabs.f64(double %.271.i.i)
   br label %B234.if.i.i
 
@@ -1299,8 +1302,8 @@ B234.if.i.i:                                      ; preds = %B234.if.i.i, %B234.
   %.415.i.i = add nsw i64 %.306.0494.i.i, %.161.i.i
   %.429.i.i = icmp slt i64 %.415.i.i, 0
   %.430.i.i = select i1 %.429.i.i, i64 %arg.linear.1.5.0, i64 0
-  %176 = getelementptr double, ptr %arg.linear.1.4, i64 %.415.i.i
-  %.444.i.i = getelementptr double, ptr %176, i64 %.430.i.i
+  %177 = getelementptr double, ptr %arg.linear.1.4, i64 %.415.i.i
+  %.444.i.i = getelementptr double, ptr %177, i64 %.430.i.i
   %.445.i.i = load double, ptr %.444.i.i, align 8, !noalias !36
   %.446.i.i = tail call double @llvm.fabs.f64(double %.445.i.i)
   %.448.i.i = fcmp ogt double %.446.i.i, %largest.2.1496.i.i
@@ -1317,10 +1320,10 @@ B466.if.i.i:                                      ; preds = %B348.i.i, %B466.if.
   %.798.i.i = add nsw i64 %.703.0499.i.i, %.161.i.i
   %.812.i.i = icmp slt i64 %.798.i.i, 0
   %.813.i.i = select i1 %.812.i.i, i64 %arg.linear.1.5.0, i64 0
-  %177 = getelementptr double, ptr %arg.linear.1.4, i64 %.798.i.i
-  %.827.i.i = getelementptr double, ptr %177, i64 %.813.i.i
+  %178 = getelementptr double, ptr %arg.linear.1.4, i64 %.798.i.i
+  %.827.i.i = getelementptr double, ptr %178, i64 %.813.i.i
   %.828.i.i = load double, ptr %.827.i.i, align 8, !noalias !36
-  %.861.i.i = load double, ptr %175, align 8, !noalias !36
+  %.861.i.i = load double, ptr %176, align 8, !noalias !36
   %.865.i.i = fdiv double %.828.i.i, %.861.i.i
   store double %.865.i.i, ptr %.827.i.i, align 8, !noalias !36
   %.759.i.i = icmp sgt i64 %.706.0500.i.i, 1
@@ -1331,18 +1334,18 @@ B566.if.i.i:                                      ; preds = %B528.i.i, %B790.i.i
   %.929.0505.i.i = phi i64 [ %.998.i.i, %B790.i.i ], [ %.131.i.i, %B528.i.i ]
   %.994.i.i = add nsw i64 %.932.0506.i.i, -1
   %.998.i.i = add i64 %.929.0505.i.i, 1
-  %178 = mul nsw i64 %.929.0505.i.i, %arg.shape.1
-  %.1030.i.i = add nsw i64 %178, %p.2.1.lcssa.i.i
+  %179 = mul nsw i64 %.929.0505.i.i, %arg.shape.1
+  %.1030.i.i = add nsw i64 %179, %p.2.1.lcssa.i.i
   %.1044.i.i = icmp slt i64 %.1030.i.i, 0
   %.1045.i.i = select i1 %.1044.i.i, i64 %arg.linear.1.5.0, i64 0
-  %179 = getelementptr double, ptr %arg.linear.1.4, i64 %.1030.i.i
-  %.1059.i.i = getelementptr double, ptr %179, i64 %.1045.i.i
+  %180 = getelementptr double, ptr %arg.linear.1.4, i64 %.1030.i.i
+  %.1059.i.i = getelementptr double, ptr %180, i64 %.1045.i.i
   %.1060.i2115.i = load double, ptr %.1059.i.i, align 8, !noalias !36
-  %.1068.i.i = add nsw i64 %178, %.59.0509.i.i
+  %.1068.i.i = add nsw i64 %179, %.59.0509.i.i
   %.1082.i.i = icmp slt i64 %.1068.i.i, 0
   %.1083.i.i = select i1 %.1082.i.i, i64 %arg.linear.1.5.0, i64 0
-  %180 = getelementptr double, ptr %arg.linear.1.4, i64 %.1068.i.i
-  %.1097.i.i = getelementptr double, ptr %180, i64 %.1083.i.i
+  %181 = getelementptr double, ptr %arg.linear.1.4, i64 %.1068.i.i
+  %.1097.i.i = getelementptr double, ptr %181, i64 %.1083.i.i
   %.1098.i.i = load double, ptr %.1097.i.i, align 8, !noalias !36
   store double %.1098.i.i, ptr %.1059.i.i, align 8, !noalias !36
   store double %.1060.i2115.i, ptr %.1097.i.i, align 8, !noalias !36
@@ -1355,17 +1358,17 @@ B716.if.i.i:                                      ; preds = %B566.if.i.i, %B716.
   %.1199.0502.i.i = phi i64 [ %.1268.i.i, %B716.if.i.i ], [ %.131.i.i, %B566.if.i.i ]
   %.1264.i.i = add nsw i64 %.1202.0503.i.i, -1
   %.1268.i.i = add i64 %.1199.0502.i.i, 1
-  %.1296.i.i = add nsw i64 %.1199.0502.i.i, %178
+  %.1296.i.i = add nsw i64 %.1199.0502.i.i, %179
   %.1310.i.i = icmp slt i64 %.1296.i.i, 0
   %.1311.i.i = select i1 %.1310.i.i, i64 %arg.linear.1.5.0, i64 0
-  %181 = getelementptr double, ptr %arg.linear.1.4, i64 %.1296.i.i
-  %.1325.i.i = getelementptr double, ptr %181, i64 %.1311.i.i
+  %182 = getelementptr double, ptr %arg.linear.1.4, i64 %.1296.i.i
+  %.1325.i.i = getelementptr double, ptr %182, i64 %.1311.i.i
   %.1326.i.i = load double, ptr %.1325.i.i, align 8, !noalias !36
   %.1328.i.i = add nsw i64 %.1199.0502.i.i, %.161.i.i
   %.1342.i.i = icmp slt i64 %.1328.i.i, 0
   %.1343.i.i = select i1 %.1342.i.i, i64 %arg.linear.1.5.0, i64 0
-  %182 = getelementptr double, ptr %arg.linear.1.4, i64 %.1328.i.i
-  %.1357.i.i = getelementptr double, ptr %182, i64 %.1343.i.i
+  %183 = getelementptr double, ptr %arg.linear.1.4, i64 %.1328.i.i
+  %.1357.i.i = getelementptr double, ptr %183, i64 %.1343.i.i
   %.1358.i.i = load double, ptr %.1357.i.i, align 8, !noalias !36
   %.1360.i.i = fmul double %.1060.i2115.i, %.1358.i.i
   %.1361.i.i = fsub double %.1326.i.i, %.1360.i.i
@@ -1377,10 +1380,10 @@ B146.if.i:                                        ; preds = %B116.i, %B316.i
   %.388.02152.i = phi i64 [ %.457.i, %B316.i ], [ 0, %B116.i ]
   %.457.i = add nsw i64 %.388.02152.i, 1
   %.489.i = sub i64 %.388.02152.i, %31
-  %.11.i.i10574 = tail call i64 @llvm.smax.i64(i64 %.489.i, i64 0)
-  %.521.i = add i64 %.520.i, %.388.02152.i
+  %.11.i.i10612 = tail call i64 @llvm.smax.i64(i64 %.489.i, i64 0)
+  %.521.i = add i64 %.520.i10611, %.388.02152.i
   %.11.i2116.i = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %.521.i, i64 %arg.shape.1)
-  %.587.i = sub i64 %.11.i2116.i, %.11.i.i10574
+  %.587.i = sub i64 %.11.i2116.i, %.11.i.i10612
   %.6302148.not.i = icmp slt i64 %.587.i, 1
   br i1 %.6302148.not.i, label %B316.i, label %B262.if.lr.ph.i
 
@@ -1390,64 +1393,64 @@ B262.if.lr.ph.i:                                  ; preds = %B146.if.i
 
 B262.if.i:                                        ; preds = %B262.if.i, %B262.if.lr.ph.i
   %.577.02150.i = phi i64 [ %.587.i, %B262.if.lr.ph.i ], [ %.639.i, %B262.if.i ]
-  %.574.02149.i = phi i64 [ %.11.i.i10574, %B262.if.lr.ph.i ], [ %.643.i10575, %B262.if.i ]
+  %.574.02149.i = phi i64 [ %.11.i.i10612, %B262.if.lr.ph.i ], [ %.643.i10613, %B262.if.i ]
   %.639.i = add nsw i64 %.577.02150.i, -1
-  %.643.i10575 = add i64 %.574.02149.i, 1
+  %.643.i10613 = add i64 %.574.02149.i, 1
   %.671.i = add nsw i64 %.574.02149.i, %.670.i
   %.685.i = icmp slt i64 %.671.i, 0
   %.686.i = select i1 %.685.i, i64 %arg.linear.0.5.0, i64 0
-  %183 = getelementptr double, ptr %arg.linear.0.4, i64 %.671.i
-  %.700.i = getelementptr double, ptr %183, i64 %.686.i
-  %.701.i10576 = load double, ptr %.700.i, align 8, !noalias !25
-  %.702.i = fneg double %.701.i10576
+  %184 = getelementptr double, ptr %arg.linear.0.4, i64 %.671.i
+  %.700.i = getelementptr double, ptr %184, i64 %.686.i
+  %.701.i = load double, ptr %.700.i, align 8, !noalias !25
+  %.702.i = fneg double %.701.i
   %.721.i = select i1 %.685.i, i64 %arg.linear.1.5.0, i64 0
-  %184 = getelementptr double, ptr %arg.linear.1.4, i64 %.671.i
-  %.735.i = getelementptr double, ptr %184, i64 %.721.i
+  %185 = getelementptr double, ptr %arg.linear.1.4, i64 %.671.i
+  %.735.i = getelementptr double, ptr %185, i64 %.721.i
   store double %.702.i, ptr %.735.i, align 8, !noalias !25
   %.630.i = icmp sgt i64 %.577.02150.i, 1
   br i1 %.630.i, label %B262.if.i, label %B316.i
 
 B1416:                                            ; preds = %B34.loopexit.i.i, %B116.i, %B1372
-  br i1 %.211710854.not, label %B1664, label %B1448.if
+  br i1 %.211610888.not, label %B1664, label %B1448.if
 
 B68.if.lr.ph.i:                                   ; preds = %B1448.if
-  %.259.i = mul nsw i64 %.2130, %arg.shape.1
+  %.259.i = mul nsw i64 %.2129, %arg.shape.1
   br label %B68.if.i
 
-B34.i.loopexit.i:                                 ; preds = %B198.if.i.i, %B34.if.i.i10588
+B34.i.loopexit.i:                                 ; preds = %B198.if.i.i, %B34.if.i.i10624
   %exitcond633.not.i = icmp eq i64 %arg.shape.1, %.144.i.i
-  br i1 %exitcond633.not.i, label %B314.if.i.i, label %B34.if.i.i10588
+  br i1 %exitcond633.not.i, label %B314.if.i.i, label %B34.if.i.i10624
 
 B314.i.loopexit.i:                                ; preds = %B474.if.i.i, %B314.if.i.i
   %.683.i.i = icmp sgt i64 %.627.i.0629.in.i, 1
   br i1 %.683.i.i, label %B314.if.i.i, label %B286.if.lr.ph.i
 
 B286.if.lr.ph.i:                                  ; preds = %B314.i.loopexit.i
-  %.624.i = mul nsw i64 %.2130, %arg.shape.1
+  %.624.i = mul nsw i64 %.2129, %arg.shape.1
   br label %B286.if.i
 
-B34.if.i.i10588:                                  ; preds = %B68.if.i, %B34.i.loopexit.i
+B34.if.i.i10624:                                  ; preds = %B68.if.i, %B34.i.loopexit.i
   %.73.i.0621.i = phi i64 [ %.144.i.i, %B34.i.loopexit.i ], [ 0, %B68.if.i ]
   %.144.i.i = add nsw i64 %.73.i.0621.i, 1
-  %185 = getelementptr i64, ptr %arg.linear.2.4, i64 %.73.i.0621.i
-  %.202.i.i = load i64, ptr %185, align 8, !noalias !39
+  %186 = getelementptr i64, ptr %arg.linear.2.4, i64 %.73.i.0621.i
+  %.202.i.i = load i64, ptr %186, align 8, !noalias !39
   %.204.i.i = add nsw i64 %.202.i.i, %.395.i
   %.218.i.i = icmp slt i64 %.204.i.i, 0
   %.219.i.i = select i1 %.218.i.i, i64 %arg.batch.5.0.5.0, i64 0
-  %186 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.204.i.i
-  %.233.i.i = getelementptr double, ptr %186, i64 %.219.i.i
+  %187 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.204.i.i
+  %.233.i.i = getelementptr double, ptr %187, i64 %.219.i.i
   %.234.i.i = load double, ptr %.233.i.i, align 8, !noalias !39
-  %gep10853 = getelementptr double, ptr %invariant.gep10852, i64 %.73.i.0621.i
-  %.270.i.i = load double, ptr %gep10853, align 8, !noalias !39
+  %gep10887 = getelementptr double, ptr %invariant.gep10886, i64 %.73.i.0621.i
+  %.270.i.i = load double, ptr %gep10887, align 8, !noalias !39
   store double %.270.i.i, ptr %.233.i.i, align 8, !noalias !39
-  store double %.234.i.i, ptr %gep10853, align 8, !noalias !39
+  store double %.234.i.i, ptr %gep10887, align 8, !noalias !39
   %.340.i.i = add i64 %.339.i.i, %.73.i.0621.i
-  %.11.i.i.i10589 = tail call i64 @llvm.smin.i64(i64 %.340.i.i, i64 %arg.shape.1)
-  %.406.i.i = sub i64 %.11.i.i.i10589, %.144.i.i
+  %.11.i.i.i10625 = tail call i64 @llvm.smin.i64(i64 %.340.i.i, i64 %arg.shape.1)
+  %.406.i.i = sub i64 %.11.i.i.i10625, %.144.i.i
   %.449.i617.not.i = icmp slt i64 %.406.i.i, 1
   br i1 %.449.i617.not.i, label %B34.i.loopexit.i, label %B198.if.i.lr.ph.i
 
-B198.if.i.lr.ph.i:                                ; preds = %B34.if.i.i10588
+B198.if.i.lr.ph.i:                                ; preds = %B34.if.i.i10624
   %.521.i.i = mul nsw i64 %.73.i.0621.i, %arg.shape.1
   br label %B198.if.i.i
 
@@ -1459,14 +1462,14 @@ B198.if.i.i:                                      ; preds = %B198.if.i.i, %B198.
   %.488.i.i = add nsw i64 %.393.i.0618.i, %.395.i
   %.502.i.i = icmp slt i64 %.488.i.i, 0
   %.503.i.i = select i1 %.502.i.i, i64 %arg.batch.5.0.5.0, i64 0
-  %187 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.488.i.i
-  %.517.i.i = getelementptr double, ptr %187, i64 %.503.i.i
+  %188 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.488.i.i
+  %.517.i.i = getelementptr double, ptr %188, i64 %.503.i.i
   %.518.i.i = load double, ptr %.517.i.i, align 8, !noalias !39
   %.522.i.i = add nsw i64 %.393.i.0618.i, %.521.i.i
   %.536.i.i = icmp slt i64 %.522.i.i, 0
   %.537.i.i = select i1 %.536.i.i, i64 %arg.linear.1.5.0, i64 0
-  %188 = getelementptr double, ptr %arg.linear.1.4, i64 %.522.i.i
-  %.551.i.i = getelementptr double, ptr %188, i64 %.537.i.i
+  %189 = getelementptr double, ptr %arg.linear.1.4, i64 %.522.i.i
+  %.551.i.i = getelementptr double, ptr %189, i64 %.537.i.i
   %.552.i.i = load double, ptr %.551.i.i, align 8, !noalias !39
   %.554.i.i = fmul double %.234.i.i, %.552.i.i
   %.555.i.i = fsub double %.518.i.i, %.554.i.i
@@ -1480,18 +1483,18 @@ B314.if.i.i:                                      ; preds = %B34.i.loopexit.i, %
   %.726.i.i = add nsw i64 %.627.i.0629.i, %.395.i
   %.740.i.i = icmp slt i64 %.726.i.i, 0
   %.741.i.i = select i1 %.740.i.i, i64 %arg.batch.5.0.5.0, i64 0
-  %189 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.726.i.i
-  %.755.i.i10590 = getelementptr double, ptr %189, i64 %.741.i.i
-  %.756.i.i = load double, ptr %.755.i.i10590, align 8, !noalias !39
-  %.759.i.i10591 = mul nsw i64 %.627.i.0629.i, %arg.shape.1
-  %.761.i.i = add nsw i64 %.759.i.i10591, %.627.i.0629.i
+  %190 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.726.i.i
+  %.755.i.i10626 = getelementptr double, ptr %190, i64 %.741.i.i
+  %.756.i.i = load double, ptr %.755.i.i10626, align 8, !noalias !39
+  %.759.i.i10627 = mul nsw i64 %.627.i.0629.i, %arg.shape.1
+  %.761.i.i = add nsw i64 %.759.i.i10627, %.627.i.0629.i
   %.775.i.i = icmp slt i64 %.761.i.i, 0
   %.776.i.i = select i1 %.775.i.i, i64 %arg.linear.1.5.0, i64 0
-  %190 = getelementptr double, ptr %arg.linear.1.4, i64 %.761.i.i
-  %.790.i.i = getelementptr double, ptr %190, i64 %.776.i.i
+  %191 = getelementptr double, ptr %arg.linear.1.4, i64 %.761.i.i
+  %.790.i.i = getelementptr double, ptr %191, i64 %.776.i.i
   %.791.i.i = load double, ptr %.790.i.i, align 8, !noalias !39
   %.795.i.i = fdiv double %.756.i.i, %.791.i.i
-  store double %.795.i.i, ptr %.755.i.i10590, align 8, !noalias !39
+  store double %.795.i.i, ptr %.755.i.i10626, align 8, !noalias !39
   %.866.i.i = sub i64 %.627.i.0629.i, %32
   %.11.i4.i.i = tail call i64 @llvm.smax.i64(i64 %.866.i.i, i64 0)
   %.932.i.i = sub i64 %.627.i.0629.i, %.11.i4.i.i
@@ -1506,237 +1509,232 @@ B474.if.i.i:                                      ; preds = %B314.if.i.i, %B474.
   %.1014.i.i = add nsw i64 %.919.i.0624.i, %.395.i
   %.1028.i.i = icmp slt i64 %.1014.i.i, 0
   %.1029.i.i = select i1 %.1028.i.i, i64 %arg.batch.5.0.5.0, i64 0
-  %191 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1014.i.i
-  %.1043.i.i = getelementptr double, ptr %191, i64 %.1029.i.i
-  %.1044.i.i10592 = load double, ptr %.1043.i.i, align 8, !noalias !39
-  %.1048.i.i = add nsw i64 %.919.i.0624.i, %.759.i.i10591
+  %192 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1014.i.i
+  %.1043.i.i = getelementptr double, ptr %192, i64 %.1029.i.i
+  %.1044.i.i10628 = load double, ptr %.1043.i.i, align 8, !noalias !39
+  %.1048.i.i = add nsw i64 %.919.i.0624.i, %.759.i.i10627
   %.1062.i.i = icmp slt i64 %.1048.i.i, 0
   %.1063.i.i = select i1 %.1062.i.i, i64 %arg.linear.1.5.0, i64 0
-  %192 = getelementptr double, ptr %arg.linear.1.4, i64 %.1048.i.i
-  %.1077.i.i = getelementptr double, ptr %192, i64 %.1063.i.i
+  %193 = getelementptr double, ptr %arg.linear.1.4, i64 %.1048.i.i
+  %.1077.i.i = getelementptr double, ptr %193, i64 %.1063.i.i
   %.1078.i.i = load double, ptr %.1077.i.i, align 8, !noalias !39
   %.1080.i.i = fmul double %.795.i.i, %.1078.i.i
-  %.1081.i.i = fsub double %.1044.i.i10592, %.1080.i.i
+  %.1081.i.i = fsub double %.1044.i.i10628, %.1080.i.i
   store double %.1081.i.i, ptr %.1043.i.i, align 8, !noalias !39
-  %.975.i.i10593 = icmp sgt i64 %.922.i.0625.i, 1
-  br i1 %.975.i.i10593, label %B474.if.i.i, label %B314.i.loopexit.i
+  %.975.i.i10629 = icmp sgt i64 %.922.i.0625.i, 1
+  br i1 %.975.i.i10629, label %B474.if.i.i, label %B314.i.loopexit.i
 
 B68.if.i:                                         ; preds = %B68.if.i, %B68.if.lr.ph.i
   %.160.0615.i = phi i64 [ 0, %B68.if.lr.ph.i ], [ %.231.i, %B68.if.i ]
   %.231.i = add nsw i64 %.160.0615.i, 1
   %.260.i = add nsw i64 %.160.0615.i, %.259.i
   %.274.i = icmp slt i64 %.260.i, 0
-  %.275.i10582 = select i1 %.274.i, i64 %arg.batch.5.0.5.0, i64 0
-  %193 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.260.i
-  %.289.i = getelementptr double, ptr %193, i64 %.275.i10582
+  %.275.i10618 = select i1 %.274.i, i64 %arg.batch.5.0.5.0, i64 0
+  %194 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.260.i
+  %.289.i = getelementptr double, ptr %194, i64 %.275.i10618
   %.290.i = load double, ptr %.289.i, align 8, !noalias !45
-  %gep10851 = getelementptr double, ptr %invariant.gep10850, i64 %.160.0615.i
-  %.323.i10584 = load double, ptr %gep10851, align 8, !noalias !45
-  %.324.i10585 = fadd double %.290.i, %.323.i10584
-  %194 = getelementptr i64, ptr %arg.linear.4.4, i64 %.160.0615.i
-  %.356.i = load i64, ptr %194, align 8, !noalias !45
-  %.357.i = add nsw i64 %.356.i, %.326.i10581
+  %gep10885 = getelementptr double, ptr %invariant.gep10884, i64 %.160.0615.i
+  %.323.i10620 = load double, ptr %gep10885, align 8, !noalias !45
+  %.324.i10621 = fadd double %.290.i, %.323.i10620
+  %195 = getelementptr i64, ptr %arg.linear.4.4, i64 %.160.0615.i
+  %.356.i = load i64, ptr %195, align 8, !noalias !45
+  %.357.i = add nsw i64 %.356.i, %.326.i10617
   %.371.i = icmp slt i64 %.357.i, 0
-  %.372.i10586 = select i1 %.371.i, i64 %arg.batch.5.0.5.0, i64 0
-  %195 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.357.i
-  %.386.i = getelementptr double, ptr %195, i64 %.372.i10586
-  store double %.324.i10585, ptr %.386.i, align 8, !noalias !45
-  %exitcond.not.i10587 = icmp eq i64 %arg.shape.1, %.231.i
-  br i1 %exitcond.not.i10587, label %B34.if.i.i10588, label %B68.if.i
+  %.372.i10622 = select i1 %.371.i, i64 %arg.batch.5.0.5.0, i64 0
+  %196 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.357.i
+  %.386.i = getelementptr double, ptr %196, i64 %.372.i10622
+  store double %.324.i10621, ptr %.386.i, align 8, !noalias !45
+  %exitcond.not.i10623 = icmp eq i64 %arg.shape.1, %.231.i
+  br i1 %exitcond.not.i10623, label %B34.if.i.i10624, label %B68.if.i
 
 B286.if.i:                                        ; preds = %B286.if.i, %B286.if.lr.ph.i
   %.464.0631.i = phi i64 [ 0, %B286.if.lr.ph.i ], [ %.533.i, %B286.if.i ]
   %.533.i = add nsw i64 %.464.0631.i, 1
-  %196 = getelementptr i64, ptr %arg.linear.4.4, i64 %.464.0631.i
-  %.589.i = load i64, ptr %196, align 8, !noalias !45
+  %197 = getelementptr i64, ptr %arg.linear.4.4, i64 %.464.0631.i
+  %.589.i = load i64, ptr %197, align 8, !noalias !45
   %.590.i = add nsw i64 %.589.i, %.395.i
   %.604.i = icmp slt i64 %.590.i, 0
-  %.605.i10594 = select i1 %.604.i, i64 %arg.batch.5.0.5.0, i64 0
-  %197 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.590.i
-  %.619.i = getelementptr double, ptr %197, i64 %.605.i10594
+  %.605.i = select i1 %.604.i, i64 %arg.batch.5.0.5.0, i64 0
+  %198 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.590.i
+  %.619.i = getelementptr double, ptr %198, i64 %.605.i
   %.620.i = load double, ptr %.619.i, align 8, !noalias !45
   %.625.i = add nsw i64 %.464.0631.i, %.624.i
-  %.639.i10595 = icmp slt i64 %.625.i, 0
-  %.640.i = select i1 %.639.i10595, i64 %arg.batch.5.0.5.0, i64 0
-  %198 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.625.i
-  %.654.i10596 = getelementptr double, ptr %198, i64 %.640.i
-  store double %.620.i, ptr %.654.i10596, align 8, !noalias !45
+  %.639.i10630 = icmp slt i64 %.625.i, 0
+  %.640.i = select i1 %.639.i10630, i64 %arg.batch.5.0.5.0, i64 0
+  %199 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.625.i
+  %.654.i10631 = getelementptr double, ptr %199, i64 %.640.i
+  store double %.620.i, ptr %.654.i10631, align 8, !noalias !45
   %exitcond634.not.i = icmp eq i64 %arg.shape.1, %.533.i
   br i1 %exitcond634.not.i, label %B1662, label %B286.if.i
 
 B1662:                                            ; preds = %B286.if.i, %B1448.if
-  %exitcond11045.not = icmp eq i64 %.2061.010855, %storemerge10457
-  br i1 %exitcond11045.not, label %B1664, label %B1448.if
+  %exitcond11079.not = icmp eq i64 %.2060.010889, %storemerge10492
+  br i1 %exitcond11079.not, label %B1664, label %B1448.if
 
 B1664:                                            ; preds = %B1662, %B1416
-  %.2412 = load i64, ptr %.2411, align 8
-  %.2457 = inttoptr i64 %.2412 to ptr
-  tail call void %.2457(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.tolerances.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
+  %.2411 = load i64, ptr %.2410, align 8
+  %.2456 = inttoptr i64 %.2411 to ptr
+  tail call void %.2456(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.tolerances.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
   %brmerge = select i1 %.1063, i1 true, i1 %.610
-  %or.cond10543 = select i1 %brmerge, i1 true, i1 %.2488
-  %spec.select10564 = select i1 %or.cond10543, i1 true, i1 %.2493
+  %or.cond10578 = select i1 %brmerge, i1 true, i1 %.2487
+  %spec.select10599 = select i1 %or.cond10578, i1 true, i1 %.2492
   br i1 %.689, label %B1896, label %B1806.if
 
 B1814:                                            ; preds = %B1806.if
-  %199 = getelementptr double, ptr %33, i64 %.2533.010858
-  %.2692 = load double, ptr %199, align 8
-  %.2692.fr = freeze double %.2692
-  %.2693 = fcmp ogt double %.2692.fr, 5.000000e-01
+  %200 = getelementptr double, ptr %33, i64 %.2532.010892
+  %.2691 = load double, ptr %200, align 8
+  %.2692 = fcmp ogt double %.2691, 5.000000e-01
   br label %B1850
 
 B1850:                                            ; preds = %B1814, %B1806.if
-  %"$phi1850.1.2.2" = phi i1 [ true, %B1806.if ], [ %.2693, %B1814 ]
-  br i1 %looked.2.110860, label %B1892, label %B1856
+  %"$phi1850.1.2.2" = phi i1 [ true, %B1806.if ], [ %.2692, %B1814 ]
+  br i1 %looked.2.110895, label %B1892, label %B1856
 
 B1856:                                            ; preds = %B1850
-  %200 = getelementptr double, ptr %34, i64 %.2533.010858
-  %.2767 = load double, ptr %200, align 8
-  %.2768 = fcmp ogt double %.2767, 5.000000e-01
+  %201 = getelementptr double, ptr %34, i64 %.2532.010892
+  %.2766 = load double, ptr %201, align 8
+  %.2767 = fcmp ogt double %.2766, 5.000000e-01
   br label %B1892
 
 B1892:                                            ; preds = %B1856, %B1850
-  %"$phi1892.1.2.2" = phi i1 [ true, %B1850 ], [ %.2768, %B1856 ]
-  %.2589 = icmp sgt i64 %.2536.010859, 1
-  br i1 %.2589, label %B1806.if, label %B1896
+  %"$phi1892.1.2.2" = phi i1 [ true, %B1850 ], [ %.2767, %B1856 ]
+  %.2588 = icmp sgt i64 %.2535.010893, 1
+  br i1 %.2588, label %B1806.if, label %B1896
 
 B1896:                                            ; preds = %B1892, %B1664
-  %looked.2.1.lcssa = phi i1 [ %spec.select10564, %B1664 ], [ %"$phi1892.1.2.2", %B1892 ]
-  %good.2.1.fr.lcssa = phi i1 [ false, %B1664 ], [ %"$phi1850.1.2.2", %B1892 ]
-  %looked.2.1.lcssa.not11056 = xor i1 %looked.2.1.lcssa, true
-  %brmerge11057 = or i1 %.689, %looked.2.1.lcssa.not11056
-  br i1 %brmerge11057, label %B2474, label %B80.if.i
+  %good.2.1.lcssa = phi i1 [ false, %B1664 ], [ %"$phi1850.1.2.2", %B1892 ]
+  %looked.2.1.lcssa = phi i1 [ %spec.select10599, %B1664 ], [ %"$phi1892.1.2.2", %B1892 ]
+  %looked.2.1.lcssa.not11090 = xor i1 %looked.2.1.lcssa, true
+  %brmerge11091 = or i1 %.689, %looked.2.1.lcssa.not11090
+  br i1 %brmerge11091, label %B2474, label %B80.if.i
 
 B1966.preheader:                                  ; preds = %B568.i
   br i1 %.689, label %B2474, label %B1966.if
 
 B126.i:                                           ; preds = %B80.if.i
-  %.318.i593 = getelementptr double, ptr %35, i64 %.105.i437.010865
-  %.319.i594 = load double, ptr %.318.i593, align 8, !noalias !46
-  %.5.i.i = fptosi double %.319.i594 to i64
-  %.397.i = getelementptr double, ptr %36, i64 %.105.i437.010865
-  %.398.i638 = load double, ptr %.397.i, align 8, !noalias !46
-  %.5.i1.i = fptosi double %.398.i638 to i64
-  %.478.i686 = mul i64 %.258.i548, %arg.batch.3.3.5.1
-  %.482.i690 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.478.i686
-  %.483.i = load i64, ptr %.482.i690, align 8, !noalias !46
-  %.485.i692 = add nsw i64 %.483.i, %.5.i.i
-  store i64 %.485.i692, ptr %.482.i690, align 8, !noalias !46
-  %.591.i774 = getelementptr i8, ptr %.482.i690, i64 24
-  %.592.i775 = load i64, ptr %.591.i774, align 8, !noalias !46
-  %.594.i777 = add nsw i64 %.592.i775, %.5.i1.i
-  store i64 %.594.i777, ptr %.591.i774, align 8, !noalias !46
-  %.700.i861 = getelementptr i8, ptr %.482.i690, i64 8
-  %.701.i = load i64, ptr %.700.i861, align 8, !noalias !46
-  %.706.i866 = add nsw i64 %.5.i1.i, %.5.i.i
-  %.707.i867 = mul nsw i64 %.706.i866, %.2074
+  %.318.i588 = getelementptr double, ptr %35, i64 %.105.i434.010899
+  %.319.i = load double, ptr %.318.i588, align 8, !noalias !46
+  %.5.i.i = fptosi double %.319.i to i64
+  %.397.i633 = getelementptr double, ptr %36, i64 %.105.i434.010899
+  %.398.i634 = load double, ptr %.397.i633, align 8, !noalias !46
+  %.5.i1.i = fptosi double %.398.i634 to i64
+  %.478.i681 = mul i64 %.258.i, %arg.batch.3.3.5.1
+  %.482.i = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.478.i681
+  %.483.i685 = load i64, ptr %.482.i, align 8, !noalias !46
+  %.485.i = add nsw i64 %.483.i685, %.5.i.i
+  store i64 %.485.i, ptr %.482.i, align 8, !noalias !46
+  %.591.i771 = getelementptr i8, ptr %.482.i, i64 24
+  %.592.i772 = load i64, ptr %.591.i771, align 8, !noalias !46
+  %.594.i774 = add nsw i64 %.592.i772, %.5.i1.i
+  store i64 %.594.i774, ptr %.591.i771, align 8, !noalias !46
+  %.700.i862 = getelementptr i8, ptr %.482.i, i64 8
+  %.701.i863 = load i64, ptr %.700.i862, align 8, !noalias !46
+  %.706.i868 = add nsw i64 %.5.i1.i, %.5.i.i
+  %.707.i869 = mul nsw i64 %.706.i868, %.2073
   %..5.i.i = select i1 %.625, i64 0, i64 %.5.i.i
-  %.708.i868 = add i64 %.707.i867, %..5.i.i
-  %.841.i963 = add i64 %.708.i868, %.701.i
-  store i64 %.841.i963, ptr %.700.i861, align 8, !noalias !46
-  store double 0.000000e+00, ptr %.318.i593, align 8, !noalias !46
-  store double 0.000000e+00, ptr %.397.i, align 8, !noalias !46
-  %.1072.i1081 = getelementptr double, ptr %37, i64 %.105.i437.010865
-  %.1073.i1082 = load double, ptr %.1072.i1081, align 8, !noalias !46
-  %.1081.i = sitofp i64 %.706.i866 to double
-  %.1082.i = fsub double %.1073.i1082, %.1081.i
-  store double %.1082.i, ptr %.1072.i1081, align 8, !noalias !46
+  %.708.i870 = add i64 %.707.i869, %..5.i.i
+  %.841.i958 = add i64 %.708.i870, %.701.i863
+  store i64 %.841.i958, ptr %.700.i862, align 8, !noalias !46
+  store double 0.000000e+00, ptr %.318.i588, align 8, !noalias !46
+  store double 0.000000e+00, ptr %.397.i633, align 8, !noalias !46
+  %.1072.i = getelementptr double, ptr %37, i64 %.105.i434.010899
+  %.1073.i1075 = load double, ptr %.1072.i, align 8, !noalias !46
+  %.1081.i1080 = sitofp i64 %.706.i868 to double
+  %.1082.i1081 = fsub double %.1073.i1075, %.1081.i1080
+  store double %.1082.i1081, ptr %.1072.i, align 8, !noalias !46
   br label %B568.i
 
 B568.i:                                           ; preds = %B126.i, %B80.if.i
-  %.163.i497 = icmp sgt i64 %.108.i438.010866, 1
-  br i1 %.163.i497, label %B80.if.i, label %B1966.preheader
+  %.163.i492 = icmp sgt i64 %.108.i.010900, 1
+  br i1 %.163.i492, label %B80.if.i, label %B1966.preheader
 
 B80.if.i:                                         ; preds = %B1896, %B568.i
-  %.108.i438.010866 = phi i64 [ %.172.i1123, %B568.i ], [ %storemerge, %B1896 ]
-  %.105.i437.010865 = phi i64 [ %.176.i, %B568.i ], [ 0, %B1896 ]
-  %.172.i1123 = add nsw i64 %.108.i438.010866, -1
-  %.176.i = add nsw i64 %.105.i437.010865, 1
-  %201 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.105.i437.010865
-  %.258.i548 = load i64, ptr %201, align 8, !noalias !46
-  %.263.i = icmp sgt i64 %.258.i548, -1
-  br i1 %.263.i, label %B126.i, label %B568.i
+  %.108.i.010900 = phi i64 [ %.172.i1118, %B568.i ], [ %storemerge, %B1896 ]
+  %.105.i434.010899 = phi i64 [ %.176.i1121, %B568.i ], [ 0, %B1896 ]
+  %.172.i1118 = add nsw i64 %.108.i.010900, -1
+  %.176.i1121 = add nsw i64 %.105.i434.010899, 1
+  %202 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.105.i434.010899
+  %.258.i = load i64, ptr %202, align 8, !noalias !46
+  %.263.i544 = icmp sgt i64 %.258.i, -1
+  br i1 %.263.i544, label %B126.i, label %B568.i
 
 B2066:                                            ; preds = %B1966.if
-  %.3222 = getelementptr double, ptr %40, i64 %.2888.010868
-  %.3223 = load double, ptr %.3222, align 8
-  %.3224 = fcmp ogt double %.3223, 5.000000e-01
-  br i1 %.3224, label %B2104, label %B2204
+  %.3221 = getelementptr double, ptr %40, i64 %.2887.010902
+  %.3222 = load double, ptr %.3221, align 8
+  %.3223 = fcmp ogt double %.3222, 5.000000e-01
+  br i1 %.3223, label %B2104, label %B2204
 
 B2104:                                            ; preds = %B2066
-  %.5.i = fptosi double %.3223 to i64
-  %202 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.2888.010868
-  %.84.i2123 = load i64, ptr %202, align 8, !noalias !50
-  %.89.i2126 = icmp sgt i64 %.84.i2123, -1
-  br i1 %.89.i2126, label %B46.i, label %B2204
+  %.5.i = fptosi double %.3222 to i64
+  %203 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.2887.010902
+  %.84.i2115 = load i64, ptr %203, align 8, !noalias !50
+  %.89.i2118 = icmp sgt i64 %.84.i2115, -1
+  br i1 %.89.i2118, label %B46.i, label %B2204
 
-B2204:                                            ; preds = %B2066, %B46.i, %B2104, %B80.i2160
-  %.3410 = getelementptr double, ptr %41, i64 %.2888.010868
-  %.3411 = load double, ptr %.3410, align 8
-  %.3412 = fcmp ogt double %.3411, 5.000000e-01
-  br i1 %.3412, label %B2242, label %B2472
+B2204:                                            ; preds = %B2066, %B46.i, %B2104, %B80.i2147
+  %.3409 = getelementptr double, ptr %41, i64 %.2887.010902
+  %.3410 = load double, ptr %.3409, align 8
+  %.3411 = fcmp ogt double %.3410, 5.000000e-01
+  br i1 %.3411, label %B2242, label %B2472
 
 B2242:                                            ; preds = %B2204
-  %spec.select = select i1 %within.3.210870, i1 true, i1 %.2488
-  %.3488 = mul i64 %.3049, %arg.batch.3.3.5.1
-  %.3492 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.3488
-  %.3493 = load i64, ptr %.3492, align 8
-  %.3504.0 = and i64 %.3493, 127
-  %.3534 = icmp eq i64 %.3504.0, 0
-  br i1 %.3534, label %B2350, label %B2312
+  %spec.select = select i1 %within.3.210904, i1 true, i1 %.2487
+  %.3487 = mul i64 %.3048, %arg.batch.3.3.5.1
+  %.3491 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.3487
+  %.3492 = load i64, ptr %.3491, align 8
+  %.3503.0 = and i64 %.3492, 127
+  %.3533 = icmp eq i64 %.3503.0, 0
+  br i1 %.3533, label %B2350, label %B2312
 
 B2312:                                            ; preds = %B2242
-  %.3595 = getelementptr double, ptr %42, i64 %.2888.010868
-  %.3596 = load double, ptr %.3595, align 8
-  %.3598 = fcmp ogt double %.3596, 0.000000e+00
-  br i1 %.3598, label %B2350, label %B2380
+  %.3594 = getelementptr double, ptr %42, i64 %.2887.010902
+  %.3595 = load double, ptr %.3594, align 8
+  %.3597 = fcmp ogt double %.3595, 0.000000e+00
+  br i1 %.3597, label %B2350, label %B2380
 
 B2350:                                            ; preds = %B2242, %B2312
-  store double 1.000000e+00, ptr %.3164, align 8
+  store double 1.000000e+00, ptr %.3163, align 8
   br label %B2380
 
 B2380:                                            ; preds = %B2350, %B2312
-  %checked.5.5 = phi i1 [ true, %B2350 ], [ %checked.3.210871, %B2312 ]
-  %.3681 = icmp slt i64 %.3104, %arg.batch.2.5.0
-  br i1 %.3681, label %B2418, label %B2472
+  %checked.5.5 = phi i1 [ true, %B2350 ], [ %checked.3.210905, %B2312 ]
+  %.3680 = icmp slt i64 %.3103, %arg.batch.2.5.0
+  br i1 %.3680, label %B2418, label %B2472
 
 B2418:                                            ; preds = %B2380
-  %.3705 = icmp slt i64 %.3104, 0
-  %.3706 = select i1 %.3705, i64 %arg.batch.2.5.0, i64 0
-  %203 = getelementptr double, ptr %arg.batch.2.4, i64 %.3104
-  %.3720 = getelementptr double, ptr %203, i64 %.3706
-  %.3721 = load double, ptr %.3720, align 8
-  %.3779 = getelementptr double, ptr %43, i64 %.2888.010868
-  %.3780 = load double, ptr %.3779, align 8
-  %.3781 = fcmp olt double %.3721, %.3780
-  br i1 %.3781, label %B2468, label %B2472
+  %.3704 = icmp slt i64 %.3103, 0
+  %.3705 = select i1 %.3704, i64 %arg.batch.2.5.0, i64 0
+  %204 = getelementptr double, ptr %arg.batch.2.4, i64 %.3103
+  %.3719 = getelementptr double, ptr %204, i64 %.3705
+  %.3720 = load double, ptr %.3719, align 8
+  %.3778 = getelementptr double, ptr %43, i64 %.2887.010902
+  %.3779 = load double, ptr %.3778, align 8
+  %.3780 = fcmp olt double %.3720, %.3779
+  br i1 %.3780, label %B2468, label %B2472
 
 B2468:                                            ; preds = %B2418
   br label %B2472
 
 B2472:                                            ; preds = %B1966.if, %B2468, %B2418, %B2380, %B2204
-  %within.4.3 = phi i1 [ true, %B2468 ], [ %spec.select, %B2418 ], [ %spec.select, %B2380 ], [ %within.3.210870, %B2204 ], [ %within.3.210870, %B1966.if ]
-  %checked.4.3 = phi i1 [ %checked.5.5, %B2468 ], [ %checked.5.5, %B2418 ], [ %checked.5.5, %B2380 ], [ %checked.3.210871, %B2204 ], [ %checked.3.210871, %B1966.if ]
-  %.2950 = icmp sgt i64 %.2891.010869, 1
-  br i1 %.2950, label %B1966.if, label %B2474
+  %within.4.3 = phi i1 [ true, %B2468 ], [ %spec.select, %B2418 ], [ %spec.select, %B2380 ], [ %within.3.210904, %B2204 ], [ %within.3.210904, %B1966.if ]
+  %checked.4.3 = phi i1 [ %checked.5.5, %B2468 ], [ %checked.5.5, %B2418 ], [ %checked.5.5, %B2380 ], [ %checked.3.210905, %B2204 ], [ %checked.3.210905, %B1966.if ]
+  %.2949 = icmp sgt i64 %.2890.010903, 1
+  br i1 %.2949, label %B1966.if, label %B2474
 
 B2474:                                            ; preds = %B2472, %B1896, %B1966.preheader
   %within.5.1 = phi i1 [ false, %B1896 ], [ false, %B1966.preheader ], [ %within.4.3, %B2472 ]
   %checked.2.1 = phi i1 [ false, %B1896 ], [ false, %B1966.preheader ], [ %checked.4.3, %B2472 ]
-  br i1 %good.2.1.fr.lcssa, label %switch.early.test, label %B2602
+  %good.2.1.not = xor i1 %good.2.1.lcssa, true
+  %brmerge10580 = select i1 %good.2.1.not, i1 true, i1 %44
+  br i1 %brmerge10580, label %B2602, label %B2486
 
-switch.early.test:                                ; preds = %B2474
-  switch i64 %arg.shape.2, label %B2486 [
-    i64 7, label %B2602
-    i64 4, label %B2602
-  ]
-
-B2486:                                            ; preds = %switch.early.test
-  %.3859 = load i64, ptr %arg.code.4, align 8
-  %.3909 = inttoptr i64 %.3859 to ptr
-  tail call void %.3909(ptr %.571, ptr %.3883, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.3908)
+B2486:                                            ; preds = %B2474
+  %.3858 = load i64, ptr %arg.code.4, align 8
+  %.3908 = inttoptr i64 %.3858 to ptr
+  tail call void %.3908(ptr %.571, ptr %.3882, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.3907)
   br label %B2602
 
-B2602:                                            ; preds = %switch.early.test, %switch.early.test, %B2474, %B2486
+B2602:                                            ; preds = %B2474, %B2486
   br i1 %checked.2.1, label %B2606, label %B2682
 
 B2606:                                            ; preds = %B2602
@@ -1746,555 +1744,555 @@ B2606:                                            ; preds = %B2602
   ]
 
 B2614:                                            ; preds = %B2606, %B2606
-  %.3949 = load i64, ptr %.3948, align 8
-  %.3994 = inttoptr i64 %.3949 to ptr
-  tail call void %.3994(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
+  %.3948 = load i64, ptr %.3947, align 8
+  %.3993 = inttoptr i64 %.3948 to ptr
+  tail call void %.3993(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
   br label %B2682
 
 B2682:                                            ; preds = %B2606, %B2614, %B2602
-  %brmerge10548.not = and i1 %.2493, %good.2.1.fr.lcssa
-  br i1 %brmerge10548.not, label %B2702, label %B2808
+  %brmerge10583.not = and i1 %.2492, %good.2.1.lcssa
+  br i1 %brmerge10583.not, label %B2702, label %B2808
 
 B2702:                                            ; preds = %B2682
-  %.4043 = load i64, ptr %.4042, align 8
-  %.4088 = inttoptr i64 %.4043 to ptr
-  tail call void %.4088(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
+  %.4042 = load i64, ptr %.4041, align 8
+  %.4087 = inttoptr i64 %.4042 to ptr
+  tail call void %.4087(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
   br i1 %.689, label %B188.if.i.preheader, label %B108.if.i
 
 B186.i.loopexit.critedge:                         ; preds = %B188.if.i
-  %.625.i2517.c = icmp ult i64 %.361.i2318.010891, 8
-  %.10549.c = select i1 %.625.i2517.c, i64 16, i64 17
-  %.672.i2547.c = load i64, ptr %.671.i2546, align 8, !noalias !53
-  %.744.i2603.c = mul i64 %.742.i2601, %.10549.c
-  %.762.i2613.c = getelementptr double, ptr %arg.batch.5.0.4, i64 %.744.i2603.c
-  %.788.i2622.c = inttoptr i64 %.672.i2547.c to ptr
-  tail call void %.788.i2622.c(ptr %.571, ptr %.762.i2613.c, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !53
+  %.625.i2510.c = icmp ult i64 %.361.i2304.010925, 8
+  %.10584.c = select i1 %.625.i2510.c, i64 16, i64 17
+  %.672.i2541.c = load i64, ptr %.671.i2540, align 8, !noalias !53
+  %.744.i2596.c = mul i64 %.742.i2594, %.10584.c
+  %.762.i2604.c = getelementptr double, ptr %arg.batch.5.0.4, i64 %.744.i2596.c
+  %.788.i2614.c = inttoptr i64 %.672.i2541.c to ptr
+  tail call void %.788.i2614.c(ptr %.571, ptr %.762.i2604.c, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !53
   br label %B186.i.loopexit
 
 B186.i.loopexit:                                  ; preds = %B770.i, %B186.i.loopexit.critedge
-  %some.2.i.1.lcssa = phi i1 [ %some.4.i.010893, %B186.i.loopexit.critedge ], [ %some.3.i.2, %B770.i ]
-  %exitcond11048.not = icmp eq i64 %.431.i3147, 9
-  br i1 %exitcond11048.not, label %B806.i.preheader, label %B188.if.i
+  %some.2.i.1.lcssa = phi i1 [ %some.4.i.010927, %B186.i.loopexit.critedge ], [ %some.3.i.2, %B770.i ]
+  %exitcond11082.not = icmp eq i64 %.431.i3146, 9
+  br i1 %exitcond11082.not, label %B806.i.preheader, label %B188.if.i
 
 B806.i.preheader:                                 ; preds = %B186.i.loopexit
   br i1 %.689, label %B2808, label %B806.if.i
 
 B222.i.loopexit:                                  ; preds = %B122.if.i.i, %B222.if.i
-  %.539.i2507 = icmp sgt i64 %.486.i2328.010885, 1
-  br i1 %.539.i2507, label %B222.if.i, label %B284.i
+  %.539.i2500 = icmp sgt i64 %.486.i2314.010919, 1
+  br i1 %.539.i2500, label %B222.if.i, label %B284.i
 
 B284.i:                                           ; preds = %B222.i.loopexit
-  %.625.i2517 = icmp ult i64 %.361.i2318.010891, 8
-  %.10549 = select i1 %.625.i2517, i64 16, i64 17
-  %.672.i2547 = load i64, ptr %.671.i2546, align 8, !noalias !53
-  %.744.i2603 = mul i64 %.742.i2601, %.10549
-  %.762.i2613 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.744.i2603
-  %.788.i2622 = inttoptr i64 %.672.i2547 to ptr
-  tail call void %.788.i2622(ptr %.571, ptr %.762.i2613, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !53
-  %.1181.i = add nsw i64 %.361.i2318.010891, -1
-  %.1182.i2872 = sitofp i64 %.1181.i to double
-  %.1187.i = fmul double %.1182.i2872, 1.250000e-01
-  %.1189.i = uitofp i64 %.361.i2318.010891 to double
-  %.1194.i = fmul double %.1189.i, 1.250000e-01
+  %.625.i2510 = icmp ult i64 %.361.i2304.010925, 8
+  %.10584 = select i1 %.625.i2510, i64 16, i64 17
+  %.672.i2541 = load i64, ptr %.671.i2540, align 8, !noalias !53
+  %.744.i2596 = mul i64 %.742.i2594, %.10584
+  %.762.i2604 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.744.i2596
+  %.788.i2614 = inttoptr i64 %.672.i2541 to ptr
+  tail call void %.788.i2614(ptr %.571, ptr %.762.i2604, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !53
+  %.1181.i = add nsw i64 %.361.i2304.010925, -1
+  %.1182.i = sitofp i64 %.1181.i to double
+  %.1187.i = fmul double %.1182.i, 1.250000e-01
+  %.1189.i2866 = uitofp i64 %.361.i2304.010925 to double
+  %.1194.i = fmul double %.1189.i2866, 1.250000e-01
   br label %B466.if.i
 
 B508.i:                                           ; preds = %B466.if.i
-  %.1028.i = getelementptr double, ptr %46, i64 %.814.i2346.010887
-  %.1029.i2749 = load double, ptr %.1028.i, align 8, !noalias !53
-  %.1030.i = fcmp ogt double %.1029.i2749, 5.000000e-01
+  %.1028.i2743 = getelementptr double, ptr %47, i64 %.814.i2333.010921
+  %.1029.i = load double, ptr %.1028.i2743, align 8, !noalias !53
+  %.1030.i = fcmp ogt double %.1029.i, 5.000000e-01
   br i1 %.1030.i, label %B546.i, label %B770.i
 
 B546.i:                                           ; preds = %B508.i
-  %.1088.i2798 = getelementptr i64, ptr %47, i64 %.814.i2346.010887
-  %.1089.i2799 = load i64, ptr %.1088.i2798, align 8, !noalias !53
-  %.1090.i2800 = icmp slt i64 %.1089.i2799, 0
-  br i1 %.1090.i2800, label %B34.i.i, label %B770.i
+  %.1088.i2787 = getelementptr i64, ptr %48, i64 %.814.i2333.010921
+  %.1089.i = load i64, ptr %.1088.i2787, align 8, !noalias !53
+  %.1090.i2788 = icmp slt i64 %.1089.i, 0
+  br i1 %.1090.i2788, label %B34.i.i, label %B770.i
 
 B34.i.i:                                          ; preds = %B546.i, %B36.i.i
-  %.48.i.i2189.0 = phi i64 [ %.119.i88.i, %B36.i.i ], [ 0, %B546.i ]
-  %.51.i12.i.0 = phi i64 [ %.115.i.i2888, %B36.i.i ], [ %arg.shape.6, %B546.i ]
-  %.106.i.i2831 = icmp sgt i64 %.51.i12.i.0, 0
-  br i1 %.106.i.i2831, label %B36.i.i, label %B584.endif.i
+  %.48.i.i2176.0 = phi i64 [ %.119.i88.i, %B36.i.i ], [ 0, %B546.i ]
+  %.51.i12.i.0 = phi i64 [ %.115.i.i2890, %B36.i.i ], [ %arg.shape.6, %B546.i ]
+  %.106.i.i2819 = icmp sgt i64 %.51.i12.i.0, 0
+  br i1 %.106.i.i2819, label %B36.i.i, label %B584.endif.i
 
 B36.i.i:                                          ; preds = %B34.i.i
-  %.115.i.i2888 = add nsw i64 %.51.i12.i.0, -1
-  %.119.i88.i = add i64 %.48.i.i2189.0, 1
-  %.149.i53.i = add nsw i64 %.48.i.i2189.0, %arg.shape.6
+  %.115.i.i2890 = add nsw i64 %.51.i12.i.0, -1
+  %.119.i88.i = add i64 %.48.i.i2176.0, 1
+  %.149.i53.i = add nsw i64 %.48.i.i2176.0, %arg.shape.6
   %.151.i55.i = mul nsw i64 %.149.i53.i, %arg.shape.0
-  %.153.i56.i = add nsw i64 %.151.i55.i, %.814.i2346.010887
+  %.153.i56.i = add nsw i64 %.151.i55.i, %.814.i2333.010921
   %.167.i61.i = icmp slt i64 %.153.i56.i, 0
   %.168.i62.i = select i1 %.167.i61.i, i64 %arg.batch.5.4.5.0, i64 0
-  %204 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.153.i56.i
-  %.182.i74.i = getelementptr double, ptr %204, i64 %.168.i62.i
+  %205 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.153.i56.i
+  %.182.i74.i = getelementptr double, ptr %205, i64 %.168.i62.i
   %.183.i75.i = load double, ptr %.182.i74.i, align 8, !noalias !57
   %.184.i.i = fcmp ogt double %.183.i75.i, 5.000000e-01
   br i1 %.184.i.i, label %B584.endif.i, label %B34.i.i
 
 B732.i:                                           ; preds = %B584.endif.i
-  %.1369.i = load i64, ptr %.1088.i2798, align 8, !noalias !53
+  %.1369.i = load i64, ptr %.1088.i2787, align 8, !noalias !53
   %.1370.i = icmp sgt i64 %.1369.i, -1
   br label %B770.i
 
 B770.i:                                           ; preds = %B732.i, %B584.endif.i, %B546.i, %B508.i, %B466.if.i
-  %some.3.i.2 = phi i1 [ %some.2.i.110889, %B466.if.i ], [ %some.2.i.110889, %B546.i ], [ %some.2.i.110889, %B508.i ], [ true, %B584.endif.i ], [ %.1370.i, %B732.i ]
-  %.870.i2654 = icmp sgt i64 %.817.i2347.010888, 1
-  br i1 %.870.i2654, label %B466.if.i, label %B186.i.loopexit
+  %some.3.i.2 = phi i1 [ %some.2.i.110923, %B466.if.i ], [ %some.2.i.110923, %B546.i ], [ %some.2.i.110923, %B508.i ], [ true, %B584.endif.i ], [ %.1370.i, %B732.i ]
+  %.870.i2646 = icmp sgt i64 %.817.i2334.010922, 1
+  br i1 %.870.i2646, label %B466.if.i, label %B186.i.loopexit
 
 B108.if.i:                                        ; preds = %B2702, %B108.if.i
-  %.179.i2308.010876 = phi i64 [ %.243.i3205, %B108.if.i ], [ %storemerge, %B2702 ]
-  %.176.i2307.010875 = phi i64 [ %.247.i3207, %B108.if.i ], [ 0, %B2702 ]
-  %.243.i3205 = add nsw i64 %.179.i2308.010876, -1
-  %.247.i3207 = add nsw i64 %.176.i2307.010875, 1
-  %205 = getelementptr i64, ptr %44, i64 %.176.i2307.010875
-  store i64 -1, ptr %205, align 8, !noalias !53
-  %.234.i2419 = icmp sgt i64 %.179.i2308.010876, 1
-  br i1 %.234.i2419, label %B108.if.i, label %B188.if.i.preheader
+  %.179.i2294.010910 = phi i64 [ %.243.i3202, %B108.if.i ], [ %storemerge, %B2702 ]
+  %.176.i2293.010909 = phi i64 [ %.247.i3205, %B108.if.i ], [ 0, %B2702 ]
+  %.243.i3202 = add nsw i64 %.179.i2294.010910, -1
+  %.247.i3205 = add nsw i64 %.176.i2293.010909, 1
+  %206 = getelementptr i64, ptr %45, i64 %.176.i2293.010909
+  store i64 -1, ptr %206, align 8, !noalias !53
+  %.234.i2409 = icmp sgt i64 %.179.i2294.010910, 1
+  br i1 %.234.i2409, label %B108.if.i, label %B188.if.i.preheader
 
 B188.if.i.preheader:                              ; preds = %B108.if.i, %B2702
   br label %B188.if.i
 
 B188.if.i:                                        ; preds = %B188.if.i.preheader, %B186.i.loopexit
-  %some.4.i.010893 = phi i1 [ %some.2.i.1.lcssa, %B186.i.loopexit ], [ false, %B188.if.i.preheader ]
-  %.361.i2318.010891 = phi i64 [ %.431.i3147, %B186.i.loopexit ], [ 1, %B188.if.i.preheader ]
-  %.431.i3147 = add nsw i64 %.361.i2318.010891, 1
+  %some.4.i.010927 = phi i1 [ %some.2.i.1.lcssa, %B186.i.loopexit ], [ false, %B188.if.i.preheader ]
+  %.361.i2304.010925 = phi i64 [ %.431.i3146, %B186.i.loopexit ], [ 1, %B188.if.i.preheader ]
+  %.431.i3146 = add nsw i64 %.361.i2304.010925, 1
   br i1 %.689, label %B186.i.loopexit.critedge, label %B222.if.i.lr.ph
 
 B222.if.i.lr.ph:                                  ; preds = %B188.if.i
-  %.579.i2908 = uitofp i64 %.361.i2318.010891 to double
-  %.584.i2909 = fmul double %.579.i2908, 1.250000e-01
-  %.247.i.i.i = fsub double 1.000000e+00, %.584.i2909
+  %.579.i2907 = uitofp i64 %.361.i2304.010925 to double
+  %.584.i2908 = fmul double %.579.i2907, 1.250000e-01
+  %.247.i.i.i = fsub double 1.000000e+00, %.584.i2908
   br label %B222.if.i
 
 B222.if.i:                                        ; preds = %B222.if.i.lr.ph, %B222.i.loopexit
-  %.486.i2328.010885 = phi i64 [ %storemerge, %B222.if.i.lr.ph ], [ %.548.i3131, %B222.i.loopexit ]
-  %.483.i2327.010884 = phi i64 [ 0, %B222.if.i.lr.ph ], [ %.552.i3134, %B222.i.loopexit ]
-  %.548.i3131 = add nsw i64 %.486.i2328.010885, -1
-  %.552.i3134 = add nsw i64 %.483.i2327.010884, 1
-  %.92.i.i2984 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.483.i2327.010884
-  %.93.i.i2985 = load double, ptr %.92.i.i2984, align 8, !noalias !61
-  %.146.i.i3019 = getelementptr double, ptr %45, i64 %.483.i2327.010884
-  %.147.i.i3020 = load double, ptr %.146.i.i3019, align 8, !noalias !61
-  %.149.i.i3022 = fmul double %.584.i2909, %.147.i.i3020
-  %.150.i.i3023 = fadd double %.93.i.i2985, %.149.i.i3022
-  %.203.i.i3050 = getelementptr double, ptr %.571, i64 %.483.i2327.010884
-  store double %.150.i.i3023, ptr %.203.i.i3050, align 8, !noalias !61
-  br i1 %.287.i.i10880.not, label %B222.i.loopexit, label %B122.if.i.i.preheader
+  %.486.i2314.010919 = phi i64 [ %storemerge, %B222.if.i.lr.ph ], [ %.548.i3130, %B222.i.loopexit ]
+  %.483.i2313.010918 = phi i64 [ 0, %B222.if.i.lr.ph ], [ %.552.i3133, %B222.i.loopexit ]
+  %.548.i3130 = add nsw i64 %.486.i2314.010919, -1
+  %.552.i3133 = add nsw i64 %.483.i2313.010918, 1
+  %.92.i.i2983 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.483.i2313.010918
+  %.93.i.i2984 = load double, ptr %.92.i.i2983, align 8, !noalias !61
+  %.146.i.i3018 = getelementptr double, ptr %46, i64 %.483.i2313.010918
+  %.147.i.i3019 = load double, ptr %.146.i.i3018, align 8, !noalias !61
+  %.149.i.i3021 = fmul double %.584.i2908, %.147.i.i3019
+  %.150.i.i3022 = fadd double %.93.i.i2984, %.149.i.i3021
+  %.203.i.i3049 = getelementptr double, ptr %.571, i64 %.483.i2313.010918
+  store double %.150.i.i3022, ptr %.203.i.i3049, align 8, !noalias !61
+  br i1 %.287.i.i10914.not, label %B222.i.loopexit, label %B122.if.i.i.preheader
 
 B122.if.i.i.preheader:                            ; preds = %B222.if.i
-  %invariant.gep11070 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i2327.010884
-  %invariant.gep11072 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i2327.010884
-  %invariant.gep11074 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i2327.010884
-  %invariant.gep11076 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i2327.010884
-  %invariant.gep11078 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i2327.010884
-  %invariant.gep11080 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i2327.010884
-  %invariant.gep11082 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i2327.010884
-  %invariant.gep11084 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i2327.010884
-  %invariant.gep11086 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i2327.010884
+  %invariant.gep11104 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i2313.010918
+  %invariant.gep11106 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i2313.010918
+  %invariant.gep11108 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i2313.010918
+  %invariant.gep11110 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i2313.010918
+  %invariant.gep11112 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i2313.010918
+  %invariant.gep11114 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i2313.010918
+  %invariant.gep11116 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i2313.010918
+  %invariant.gep11118 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i2313.010918
+  %invariant.gep11120 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i2313.010918
   br label %B122.if.i.i
 
 B122.if.i.i:                                      ; preds = %B122.if.i.i.preheader, %B122.if.i.i
-  %.229.i.i.010881 = phi i64 [ %.300.i.i3121, %B122.if.i.i ], [ 0, %B122.if.i.i.preheader ]
-  %.157.i.i.i = add nsw i64 %.155.i.i.i, %.229.i.i.010881
+  %.229.i.i.010915 = phi i64 [ %.300.i.i3120, %B122.if.i.i ], [ 0, %B122.if.i.i.preheader ]
+  %.157.i.i.i = add nsw i64 %.155.i.i.i, %.229.i.i.010915
   %.159.i.i.i = mul nsw i64 %.157.i.i.i, %arg.shape.0
-  %gep11071 = getelementptr double, ptr %invariant.gep11070, i64 %.159.i.i.i
-  %.191.i.i.i = load double, ptr %gep11071, align 8, !noalias !65
+  %gep11105 = getelementptr double, ptr %invariant.gep11104, i64 %.159.i.i.i
+  %.191.i.i.i = load double, ptr %gep11105, align 8, !noalias !65
   %.193.i.i.i = fadd double %.191.i.i.i, 0.000000e+00
-  %.253.i.i.i = fmul double %.584.i2909, %.193.i.i.i
-  %.157.i.i.i.1 = add nsw i64 %.155.i.i.i.1, %.229.i.i.010881
+  %.253.i.i.i = fmul double %.584.i2908, %.193.i.i.i
+  %.157.i.i.i.1 = add nsw i64 %.155.i.i.i.1, %.229.i.i.010915
   %.159.i.i.i.1 = mul nsw i64 %.157.i.i.i.1, %arg.shape.0
-  %gep11073 = getelementptr double, ptr %invariant.gep11072, i64 %.159.i.i.i.1
-  %.191.i.i.i.1 = load double, ptr %gep11073, align 8, !noalias !65
+  %gep11107 = getelementptr double, ptr %invariant.gep11106, i64 %.159.i.i.i.1
+  %.191.i.i.i.1 = load double, ptr %gep11107, align 8, !noalias !65
   %.193.i.i.i.1 = fadd double %.253.i.i.i, %.191.i.i.i.1
   %.253.i.i.i.1 = fmul double %.247.i.i.i, %.193.i.i.i.1
-  %.157.i.i.i.2 = add nsw i64 %.155.i.i.i.2, %.229.i.i.010881
+  %.157.i.i.i.2 = add nsw i64 %.155.i.i.i.2, %.229.i.i.010915
   %.159.i.i.i.2 = mul nsw i64 %.157.i.i.i.2, %arg.shape.0
-  %gep11075 = getelementptr double, ptr %invariant.gep11074, i64 %.159.i.i.i.2
-  %.191.i.i.i.2 = load double, ptr %gep11075, align 8, !noalias !65
+  %gep11109 = getelementptr double, ptr %invariant.gep11108, i64 %.159.i.i.i.2
+  %.191.i.i.i.2 = load double, ptr %gep11109, align 8, !noalias !65
   %.193.i.i.i.2 = fadd double %.253.i.i.i.1, %.191.i.i.i.2
-  %.253.i.i.i.2 = fmul double %.584.i2909, %.193.i.i.i.2
-  %.157.i.i.i.3 = add nsw i64 %.155.i.i.i.3, %.229.i.i.010881
+  %.253.i.i.i.2 = fmul double %.584.i2908, %.193.i.i.i.2
+  %.157.i.i.i.3 = add nsw i64 %.155.i.i.i.3, %.229.i.i.010915
   %.159.i.i.i.3 = mul nsw i64 %.157.i.i.i.3, %arg.shape.0
-  %gep11077 = getelementptr double, ptr %invariant.gep11076, i64 %.159.i.i.i.3
-  %.191.i.i.i.3 = load double, ptr %gep11077, align 8, !noalias !65
+  %gep11111 = getelementptr double, ptr %invariant.gep11110, i64 %.159.i.i.i.3
+  %.191.i.i.i.3 = load double, ptr %gep11111, align 8, !noalias !65
   %.193.i.i.i.3 = fadd double %.253.i.i.i.2, %.191.i.i.i.3
   %.253.i.i.i.3 = fmul double %.247.i.i.i, %.193.i.i.i.3
-  %.157.i.i.i.4 = add nsw i64 %.155.i.i.i.4, %.229.i.i.010881
+  %.157.i.i.i.4 = add nsw i64 %.155.i.i.i.4, %.229.i.i.010915
   %.159.i.i.i.4 = mul nsw i64 %.157.i.i.i.4, %arg.shape.0
-  %gep11079 = getelementptr double, ptr %invariant.gep11078, i64 %.159.i.i.i.4
-  %.191.i.i.i.4 = load double, ptr %gep11079, align 8, !noalias !65
+  %gep11113 = getelementptr double, ptr %invariant.gep11112, i64 %.159.i.i.i.4
+  %.191.i.i.i.4 = load double, ptr %gep11113, align 8, !noalias !65
   %.193.i.i.i.4 = fadd double %.253.i.i.i.3, %.191.i.i.i.4
-  %.253.i.i.i.4 = fmul double %.584.i2909, %.193.i.i.i.4
-  %.157.i.i.i.5 = add nsw i64 %.155.i.i.i.5, %.229.i.i.010881
+  %.253.i.i.i.4 = fmul double %.584.i2908, %.193.i.i.i.4
+  %.157.i.i.i.5 = add nsw i64 %.155.i.i.i.5, %.229.i.i.010915
   %.159.i.i.i.5 = mul nsw i64 %.157.i.i.i.5, %arg.shape.0
-  %gep11081 = getelementptr double, ptr %invariant.gep11080, i64 %.159.i.i.i.5
-  %.191.i.i.i.5 = load double, ptr %gep11081, align 8, !noalias !65
+  %gep11115 = getelementptr double, ptr %invariant.gep11114, i64 %.159.i.i.i.5
+  %.191.i.i.i.5 = load double, ptr %gep11115, align 8, !noalias !65
   %.193.i.i.i.5 = fadd double %.253.i.i.i.4, %.191.i.i.i.5
   %.253.i.i.i.5 = fmul double %.247.i.i.i, %.193.i.i.i.5
-  %.157.i.i.i.6 = add nsw i64 %.155.i.i.i.6, %.229.i.i.010881
+  %.157.i.i.i.6 = add nsw i64 %.155.i.i.i.6, %.229.i.i.010915
   %.159.i.i.i.6 = mul nsw i64 %.157.i.i.i.6, %arg.shape.0
-  %gep11083 = getelementptr double, ptr %invariant.gep11082, i64 %.159.i.i.i.6
-  %.191.i.i.i.6 = load double, ptr %gep11083, align 8, !noalias !65
+  %gep11117 = getelementptr double, ptr %invariant.gep11116, i64 %.159.i.i.i.6
+  %.191.i.i.i.6 = load double, ptr %gep11117, align 8, !noalias !65
   %.193.i.i.i.6 = fadd double %.253.i.i.i.5, %.191.i.i.i.6
-  %.253.i.i.i.6 = fmul double %.584.i2909, %.193.i.i.i.6
-  %.300.i.i3121 = add nsw i64 %.229.i.i.010881, 1
-  %.271.i.i.i = mul nsw i64 %.229.i.i.010881, %arg.shape.0
-  %gep11085 = getelementptr double, ptr %invariant.gep11084, i64 %.271.i.i.i
-  %.309.i.i.i = load double, ptr %gep11085, align 8, !noalias !65
+  %.253.i.i.i.6 = fmul double %.584.i2908, %.193.i.i.i.6
+  %.300.i.i3120 = add nsw i64 %.229.i.i.010915, 1
+  %.271.i.i.i = mul nsw i64 %.229.i.i.010915, %arg.shape.0
+  %gep11119 = getelementptr double, ptr %invariant.gep11118, i64 %.271.i.i.i
+  %.309.i.i.i = load double, ptr %gep11119, align 8, !noalias !65
   %.313.i.i.i = fadd double %.253.i.i.i.6, %.309.i.i.i
-  %.359.i.i3100 = add nsw i64 %.229.i.i.010881, %.358.i.i
-  %.361.i.i3101 = mul nsw i64 %.359.i.i3100, %arg.shape.0
-  %gep11087 = getelementptr double, ptr %invariant.gep11086, i64 %.361.i.i3101
-  store double %.313.i.i.i, ptr %gep11087, align 8, !noalias !61
-  %exitcond11047.not = icmp eq i64 %arg.shape.1, %.300.i.i3121
-  br i1 %exitcond11047.not, label %B222.i.loopexit, label %B122.if.i.i
+  %.359.i.i3099 = add nsw i64 %.229.i.i.010915, %.358.i.i
+  %.361.i.i3100 = mul nsw i64 %.359.i.i3099, %arg.shape.0
+  %gep11121 = getelementptr double, ptr %invariant.gep11120, i64 %.361.i.i3100
+  store double %.313.i.i.i, ptr %gep11121, align 8, !noalias !61
+  %exitcond11081.not = icmp eq i64 %arg.shape.1, %.300.i.i3120
+  br i1 %exitcond11081.not, label %B222.i.loopexit, label %B122.if.i.i
 
 B466.if.i:                                        ; preds = %B284.i, %B770.i
-  %some.2.i.110889 = phi i1 [ %some.4.i.010893, %B284.i ], [ %some.3.i.2, %B770.i ]
-  %.817.i2347.010888 = phi i64 [ %storemerge, %B284.i ], [ %.879.i2892, %B770.i ]
-  %.814.i2346.010887 = phi i64 [ 0, %B284.i ], [ %.883.i2895, %B770.i ]
-  %.879.i2892 = add nsw i64 %.817.i2347.010888, -1
-  %.883.i2895 = add nsw i64 %.814.i2346.010887, 1
-  %.968.i = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.814.i2346.010887
-  %.969.i2708 = load i64, ptr %.968.i, align 8, !noalias !53
-  %.970.i2709 = icmp sgt i64 %.969.i2708, -1
-  br i1 %.970.i2709, label %B508.i, label %B770.i
+  %some.2.i.110923 = phi i1 [ %some.4.i.010927, %B284.i ], [ %some.3.i.2, %B770.i ]
+  %.817.i2334.010922 = phi i64 [ %storemerge, %B284.i ], [ %.879.i2893, %B770.i ]
+  %.814.i2333.010921 = phi i64 [ 0, %B284.i ], [ %.883.i2896, %B770.i ]
+  %.879.i2893 = add nsw i64 %.817.i2334.010922, -1
+  %.883.i2896 = add nsw i64 %.814.i2333.010921, 1
+  %.968.i2700 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.814.i2333.010921
+  %.969.i2701 = load i64, ptr %.968.i2700, align 8, !noalias !53
+  %.970.i2702 = icmp sgt i64 %.969.i2701, -1
+  br i1 %.970.i2702, label %B508.i, label %B770.i
 
 B584.endif.i:                                     ; preds = %B36.i.i, %B34.i.i
-  %.1099.i2355.0 = phi i64 [ %.48.i.i2189.0, %B36.i.i ], [ -1, %B34.i.i ]
-  store i64 %.1099.i2355.0, ptr %.1088.i2798, align 8, !noalias !53
-  %.1248.i = getelementptr double, ptr %48, i64 %.814.i2346.010887
+  %.1099.i2342.0 = phi i64 [ %.48.i.i2176.0, %B36.i.i ], [ -1, %B34.i.i ]
+  store i64 %.1099.i2342.0, ptr %.1088.i2787, align 8, !noalias !53
+  %.1248.i = getelementptr double, ptr %49, i64 %.814.i2333.010921
   store double %.1187.i, ptr %.1248.i, align 8, !noalias !53
-  %.1303.i = getelementptr double, ptr %49, i64 %.814.i2346.010887
+  %.1303.i = getelementptr double, ptr %50, i64 %.814.i2333.010921
   store double %.1194.i, ptr %.1303.i, align 8, !noalias !53
-  br i1 %some.2.i.110889, label %B770.i, label %B732.i
+  br i1 %some.2.i.110923, label %B770.i, label %B732.i
 
 B806.if.i:                                        ; preds = %B806.i.preheader, %B806.if.i
-  %.1453.i.010896 = phi i64 [ %.1515.i, %B806.if.i ], [ %storemerge, %B806.i.preheader ]
-  %.1450.i.010895 = phi i64 [ %.1519.i, %B806.if.i ], [ 0, %B806.i.preheader ]
-  %.1515.i = add nsw i64 %.1453.i.010896, -1
-  %.1519.i = add nsw i64 %.1450.i.010895, 1
-  %.1596.i = getelementptr double, ptr %50, i64 %.1450.i.010895
+  %.1453.i.010930 = phi i64 [ %.1515.i, %B806.if.i ], [ %storemerge, %B806.i.preheader ]
+  %.1450.i.010929 = phi i64 [ %.1519.i, %B806.if.i ], [ 0, %B806.i.preheader ]
+  %.1515.i = add nsw i64 %.1453.i.010930, -1
+  %.1519.i = add nsw i64 %.1450.i.010929, 1
+  %.1596.i = getelementptr double, ptr %51, i64 %.1450.i.010929
   %.1597.i = load double, ptr %.1596.i, align 8, !noalias !53
-  %.1650.i = getelementptr double, ptr %.571, i64 %.1450.i.010895
+  %.1650.i = getelementptr double, ptr %.571, i64 %.1450.i.010929
   store double %.1597.i, ptr %.1650.i, align 8, !noalias !53
-  %.1506.i = icmp sgt i64 %.1453.i.010896, 1
+  %.1506.i = icmp sgt i64 %.1453.i.010930, 1
   br i1 %.1506.i, label %B806.if.i, label %B2808
 
 B2808:                                            ; preds = %B806.if.i, %B806.i.preheader, %B2682
   %beyond.2.1 = phi i1 [ false, %B2682 ], [ %some.2.i.1.lcssa, %B806.i.preheader ], [ %some.2.i.1.lcssa, %B806.if.i ]
-  %brmerge10550 = select i1 %within.5.1, i1 true, i1 %beyond.2.1
-  br i1 %brmerge10550, label %B2818, label %B3380
+  %brmerge10585 = select i1 %within.5.1, i1 true, i1 %beyond.2.1
+  br i1 %brmerge10585, label %B2818, label %B3380
 
 B2818:                                            ; preds = %B2808
   br i1 %.614, label %B2866.if, label %B3234.critedge
 
-B140.i:                                           ; preds = %B64.if.i6067
-  %.409.i = getelementptr double, ptr %52, i64 %.138.i5168.010901
-  %.410.i = load double, ptr %.409.i, align 8, !noalias !69
-  %.411.i5399 = fcmp uge double %.410.i, 5.000000e-01
-  %.424.i5406.not = icmp slt i64 %.346.i5348, %arg.batch.2.5.0
-  %or.cond10551 = select i1 %.411.i5399, i1 %.424.i5406.not, i1 false
-  br i1 %or.cond10551, label %B216.i, label %B453.i
+B140.i:                                           ; preds = %B64.if.i6069
+  %.409.i5401 = getelementptr double, ptr %53, i64 %.138.i5168.010935
+  %.410.i5402 = load double, ptr %.409.i5401, align 8, !noalias !69
+  %.411.i5403 = fcmp uge double %.410.i5402, 5.000000e-01
+  %.424.i5411.not = icmp slt i64 %.346.i5350, %arg.batch.2.5.0
+  %or.cond10586 = select i1 %.411.i5403, i1 %.424.i5411.not, i1 false
+  br i1 %or.cond10586, label %B216.i, label %B453.i
 
 B216.i:                                           ; preds = %B140.i
-  %.440.i5417 = icmp slt i64 %.346.i5348, 0
-  %.441.i5418 = select i1 %.440.i5417, i64 %arg.batch.2.5.0, i64 0
-  %206 = getelementptr double, ptr %arg.batch.2.4, i64 %.346.i5348
-  %.455.i5432 = getelementptr double, ptr %206, i64 %.441.i5418
-  %.456.i5433 = load double, ptr %.455.i5432, align 8, !noalias !69
-  %.510.i5480 = getelementptr double, ptr %53, i64 %.138.i5168.010901
-  %.511.i5481 = load double, ptr %.510.i5480, align 8, !noalias !69
-  %.512.i5482 = fcmp ult double %.456.i5433, %.511.i5481
-  br i1 %.512.i5482, label %B268.i5483, label %B453.i
+  %.440.i = icmp slt i64 %.346.i5350, 0
+  %.441.i5422 = select i1 %.440.i, i64 %arg.batch.2.5.0, i64 0
+  %207 = getelementptr double, ptr %arg.batch.2.4, i64 %.346.i5350
+  %.455.i5436 = getelementptr double, ptr %207, i64 %.441.i5422
+  %.456.i5437 = load double, ptr %.455.i5436, align 8, !noalias !69
+  %.510.i5485 = getelementptr double, ptr %54, i64 %.138.i5168.010935
+  %.511.i5486 = load double, ptr %.510.i5485, align 8, !noalias !69
+  %.512.i5487 = fcmp ult double %.456.i5437, %.511.i5486
+  br i1 %.512.i5487, label %B268.i5488, label %B453.i
 
-B268.i5483:                                       ; preds = %B216.i
-  %.574.i5531 = getelementptr double, ptr %54, i64 %.138.i5168.010901
-  %.575.i5532 = load double, ptr %.574.i5531, align 8, !noalias !69
-  %.576.i5533 = fcmp ogt double %.575.i5532, 1.000000e+00
-  br i1 %.576.i5533, label %B306.i5537, label %B453.i
+B268.i5488:                                       ; preds = %B216.i
+  %.574.i5534 = getelementptr double, ptr %55, i64 %.138.i5168.010935
+  %.575.i5535 = load double, ptr %.574.i5534, align 8, !noalias !69
+  %.576.i5536 = fcmp ogt double %.575.i5535, 1.000000e+00
+  br i1 %.576.i5536, label %B306.i5540, label %B453.i
 
-B306.i5537:                                       ; preds = %B268.i5483
-  %.632.i = getelementptr double, ptr %55, i64 %.138.i5168.010901
-  %.633.i5586 = load double, ptr %.632.i, align 8, !noalias !69
-  store double 0.000000e+00, ptr %.409.i, align 8, !noalias !73
-  %.161.i.i5745 = getelementptr double, ptr %56, i64 %.138.i5168.010901
-  store double 0.000000e+00, ptr %.161.i.i5745, align 8, !noalias !73
-  %.214.i.i5780 = getelementptr double, ptr %57, i64 %.138.i5168.010901
-  store double %.633.i5586, ptr %.214.i.i5780, align 8, !noalias !73
-  %.268.i.i5813 = load i64, ptr %.290.i5302, align 8, !noalias !73
-  %.294.i.i5827 = icmp slt i64 %.268.i.i5813, 0
-  %.295.i.i = select i1 %.294.i.i5827, i64 %arg.batch.3.3.5.0, i64 0
-  %.296.i.i5828 = add i64 %.295.i.i, %.268.i.i5813
-  %.316.i.i5840 = mul i64 %.296.i.i5828, %arg.batch.3.3.5.1
-  %.320.i.i5841 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.316.i.i5840
-  %.321.i.i5842 = load i64, ptr %.320.i.i5841, align 8, !noalias !73
-  %.322.i.i5843 = add nsw i64 %.321.i.i5842, -1
-  store i64 %.322.i.i5843, ptr %.320.i.i5841, align 8, !noalias !73
-  %.426.i.i5889 = load i64, ptr %.290.i5302, align 8, !noalias !73
-  %.452.i.i = icmp slt i64 %.426.i.i5889, 0
+B306.i5540:                                       ; preds = %B268.i5488
+  %.632.i = getelementptr double, ptr %56, i64 %.138.i5168.010935
+  %.633.i5589 = load double, ptr %.632.i, align 8, !noalias !69
+  store double 0.000000e+00, ptr %.409.i5401, align 8, !noalias !73
+  %.161.i.i5750 = getelementptr double, ptr %57, i64 %.138.i5168.010935
+  store double 0.000000e+00, ptr %.161.i.i5750, align 8, !noalias !73
+  %.214.i.i5785 = getelementptr double, ptr %58, i64 %.138.i5168.010935
+  store double %.633.i5589, ptr %.214.i.i5785, align 8, !noalias !73
+  %.268.i.i5818 = load i64, ptr %.290.i5303, align 8, !noalias !73
+  %.294.i.i5832 = icmp slt i64 %.268.i.i5818, 0
+  %.295.i.i = select i1 %.294.i.i5832, i64 %arg.batch.3.3.5.0, i64 0
+  %.296.i.i5833 = add i64 %.295.i.i, %.268.i.i5818
+  %.316.i.i5845 = mul i64 %.296.i.i5833, %arg.batch.3.3.5.1
+  %.320.i.i5846 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.316.i.i5845
+  %.321.i.i5847 = load i64, ptr %.320.i.i5846, align 8, !noalias !73
+  %.322.i.i5848 = add nsw i64 %.321.i.i5847, -1
+  store i64 %.322.i.i5848, ptr %.320.i.i5846, align 8, !noalias !73
+  %.426.i.i5894 = load i64, ptr %.290.i5303, align 8, !noalias !73
+  %.452.i.i = icmp slt i64 %.426.i.i5894, 0
   %.453.i.i = select i1 %.452.i.i, i64 %arg.batch.3.3.5.0, i64 0
-  %.454.i.i = add i64 %.453.i.i, %.426.i.i5889
+  %.454.i.i = add i64 %.453.i.i, %.426.i.i5894
   %.474.i.i = mul i64 %.454.i.i, %arg.batch.3.3.5.1
-  %207 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.474.i.i
-  %.478.i.i = getelementptr i8, ptr %207, i64 24
+  %208 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.474.i.i
+  %.478.i.i = getelementptr i8, ptr %208, i64 24
   %.479.i.i = load i64, ptr %.478.i.i, align 8, !noalias !73
   %.480.i.i = add nsw i64 %.479.i.i, 1
   store i64 %.480.i.i, ptr %.478.i.i, align 8, !noalias !73
-  %.705.i5919 = load double, ptr %.455.i5432, align 8, !noalias !69
-  %.763.i5968 = getelementptr double, ptr %58, i64 %.138.i5168.010901
-  store double %.705.i5919, ptr %.763.i5968, align 8, !noalias !69
-  %.816.i6014 = mul i64 %.291.i5303, %arg.batch.3.3.5.1
-  %208 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.816.i6014
-  %.820.i6018 = getelementptr i8, ptr %208, i64 8
-  %.821.i6019 = load i64, ptr %.820.i6018, align 8, !noalias !69
-  %.822.i6020 = add nsw i64 %.821.i6019, 3
-  store i64 %.822.i6020, ptr %.820.i6018, align 8, !noalias !69
+  %.705.i5924 = load double, ptr %.455.i5436, align 8, !noalias !69
+  %.763.i5973 = getelementptr double, ptr %59, i64 %.138.i5168.010935
+  store double %.705.i5924, ptr %.763.i5973, align 8, !noalias !69
+  %.816.i6016 = mul i64 %.291.i5304, %arg.batch.3.3.5.1
+  %209 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.816.i6016
+  %.820.i6020 = getelementptr i8, ptr %209, i64 8
+  %.821.i6021 = load i64, ptr %.820.i6020, align 8, !noalias !69
+  %.822.i6022 = add nsw i64 %.821.i6021, 3
+  store i64 %.822.i6022, ptr %.820.i6020, align 8, !noalias !69
   br label %B453.i
 
-B453.i:                                           ; preds = %B268.i5483, %B306.i5537, %B64.if.i6067, %B140.i, %B216.i
-  %.196.i5238 = icmp sgt i64 %.141.i5169.010900, 1
-  br i1 %.196.i5238, label %B64.if.i6067, label %B3234
+B453.i:                                           ; preds = %B268.i5488, %B306.i5540, %B64.if.i6069, %B140.i, %B216.i
+  %.196.i5237 = icmp sgt i64 %.141.i5169.010934, 1
+  br i1 %.196.i5237, label %B64.if.i6069, label %B3234
 
-B64.if.i6067:                                     ; preds = %B2866.if, %B453.i
-  %.138.i5168.010901 = phi i64 [ %.209.i6075, %B453.i ], [ 0, %B2866.if ]
-  %.141.i5169.010900 = phi i64 [ %.205.i6072, %B453.i ], [ %storemerge, %B2866.if ]
-  %.205.i6072 = add nsw i64 %.141.i5169.010900, -1
-  %.209.i6075 = add nsw i64 %.138.i5168.010901, 1
-  %.290.i5302 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.138.i5168.010901
-  %.291.i5303 = load i64, ptr %.290.i5302, align 8, !noalias !69
-  %.345.i5347 = getelementptr i64, ptr %51, i64 %.138.i5168.010901
-  %.346.i5348 = load i64, ptr %.345.i5347, align 8, !noalias !69
-  %.354.i = icmp slt i64 %.291.i5303, 0
-  br i1 %.354.i, label %B453.i, label %B140.i
+B64.if.i6069:                                     ; preds = %B2866.if, %B453.i
+  %.138.i5168.010935 = phi i64 [ %.209.i6076, %B453.i ], [ 0, %B2866.if ]
+  %.141.i5169.010934 = phi i64 [ %.205.i6073, %B453.i ], [ %storemerge, %B2866.if ]
+  %.205.i6073 = add nsw i64 %.141.i5169.010934, -1
+  %.209.i6076 = add nsw i64 %.138.i5168.010935, 1
+  %.290.i5303 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.138.i5168.010935
+  %.291.i5304 = load i64, ptr %.290.i5303, align 8, !noalias !69
+  %.345.i5349 = getelementptr i64, ptr %52, i64 %.138.i5168.010935
+  %.346.i5350 = load i64, ptr %.345.i5349, align 8, !noalias !69
+  %.354.i5354 = icmp slt i64 %.291.i5304, 0
+  br i1 %.354.i5354, label %B453.i, label %B140.i
 
 B3234.critedge:                                   ; preds = %B2818
-  %.4564.c = load i64, ptr %.4563.c, align 8
-  %.4609.c = inttoptr i64 %.4564.c to ptr
-  tail call void %.4609.c(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.tolerances.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
+  %.4563.c = load i64, ptr %.4562.c, align 8
+  %.4608.c = inttoptr i64 %.4563.c to ptr
+  tail call void %.4608.c(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.tolerances.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
   br label %B3234
 
 B3234:                                            ; preds = %B453.i, %B2866.if, %B3234.critedge
-  br i1 %beyond.2.1, label %B108.i3531.preheader, label %B3318
+  br i1 %beyond.2.1, label %B108.i3529.preheader, label %B3318
 
-B108.i3531.preheader:                             ; preds = %B3234
-  br i1 %.689, label %B188.if.i4982.preheader, label %B108.if.i5046
+B108.i3529.preheader:                             ; preds = %B3234
+  br i1 %.689, label %B188.if.i4981.preheader, label %B108.if.i5046
 
-B186.i3583.loopexit.critedge:                     ; preds = %B188.if.i4982
-  %.625.i3808.c = icmp ult i64 %.361.i3403.010919, 8
-  %.10552.c = select i1 %.625.i3808.c, i64 16, i64 17
+B186.i3582.loopexit.critedge:                     ; preds = %B188.if.i4981
+  %.625.i3807.c = icmp ult i64 %.361.i3401.010953, 8
+  %.10587.c = select i1 %.625.i3807.c, i64 16, i64 17
   %.672.i3840.c = load i64, ptr %.671.i3839, align 8, !noalias !76
-  %.744.i3897.c = mul i64 %.742.i3895, %.10552.c
+  %.744.i3897.c = mul i64 %.742.i3895, %.10587.c
   %.762.i3907.c = getelementptr double, ptr %arg.batch.5.0.4, i64 %.744.i3897.c
   %.788.i3917.c = inttoptr i64 %.672.i3840.c to ptr
   tail call void %.788.i3917.c(ptr %.571, ptr %.762.i3907.c, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !76
-  br label %B186.i3583.loopexit
+  br label %B186.i3582.loopexit
 
-B186.i3583.loopexit:                              ; preds = %B770.i4028, %B186.i3583.loopexit.critedge
-  %some.2.i3426.1.lcssa = phi i1 [ %some.4.i3399.010921, %B186.i3583.loopexit.critedge ], [ %some.3.i3447.2, %B770.i4028 ]
-  %exitcond11053.not = icmp eq i64 %.431.i4989, 9
-  br i1 %exitcond11053.not, label %B806.i3641.preheader, label %B188.if.i4982
+B186.i3582.loopexit:                              ; preds = %B770.i4027, %B186.i3582.loopexit.critedge
+  %some.2.i3424.1.lcssa = phi i1 [ %some.4.i3397.010955, %B186.i3582.loopexit.critedge ], [ %some.3.i3445.2, %B770.i4027 ]
+  %exitcond11087.not = icmp eq i64 %.431.i4989, 9
+  br i1 %exitcond11087.not, label %B806.i3640.preheader, label %B188.if.i4981
 
-B806.i3641.preheader:                             ; preds = %B186.i3583.loopexit
-  br i1 %.689, label %B3238.endif.endif, label %B806.if.i3737
+B806.i3640.preheader:                             ; preds = %B186.i3582.loopexit
+  br i1 %.689, label %B3238.endif.endif, label %B806.if.i3736
 
-B222.i3790.loopexit:                              ; preds = %B122.if.i.i4949, %B222.if.i4964
-  %.539.i3795 = icmp sgt i64 %.486.i3416.010913, 1
-  br i1 %.539.i3795, label %B222.if.i4964, label %B284.i3804
+B222.i3789.loopexit:                              ; preds = %B122.if.i.i4949, %B222.if.i4964
+  %.539.i3794 = icmp sgt i64 %.486.i3414.010947, 1
+  br i1 %.539.i3794, label %B222.if.i4964, label %B284.i3803
 
-B284.i3804:                                       ; preds = %B222.i3790.loopexit
-  %.625.i3808 = icmp ult i64 %.361.i3403.010919, 8
-  %.10552 = select i1 %.625.i3808, i64 16, i64 17
+B284.i3803:                                       ; preds = %B222.i3789.loopexit
+  %.625.i3807 = icmp ult i64 %.361.i3401.010953, 8
+  %.10587 = select i1 %.625.i3807, i64 16, i64 17
   %.672.i3840 = load i64, ptr %.671.i3839, align 8, !noalias !76
-  %.744.i3897 = mul i64 %.742.i3895, %.10552
+  %.744.i3897 = mul i64 %.742.i3895, %.10587
   %.762.i3907 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.744.i3897
   %.788.i3917 = inttoptr i64 %.672.i3840 to ptr
   tail call void %.788.i3917(ptr %.571, ptr %.762.i3907, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !76
-  %.1181.i4269 = add nsw i64 %.361.i3403.010919, -1
-  %.1182.i4270 = sitofp i64 %.1181.i4269 to double
-  %.1187.i4271 = fmul double %.1182.i4270, 1.250000e-01
-  %.1189.i4273 = uitofp i64 %.361.i3403.010919 to double
-  %.1194.i4274 = fmul double %.1189.i4273, 1.250000e-01
-  br label %B466.if.i4464
+  %.1181.i4270 = add nsw i64 %.361.i3401.010953, -1
+  %.1182.i4271 = sitofp i64 %.1181.i4270 to double
+  %.1187.i4272 = fmul double %.1182.i4271, 1.250000e-01
+  %.1189.i4274 = uitofp i64 %.361.i3401.010953 to double
+  %.1194.i4275 = fmul double %.1189.i4274, 1.250000e-01
+  br label %B466.if.i4465
 
-B508.i4033:                                       ; preds = %B466.if.i4464
-  %.1028.i4081 = getelementptr double, ptr %61, i64 %.814.i3439.010915
+B508.i4032:                                       ; preds = %B466.if.i4465
+  %.1028.i4081 = getelementptr double, ptr %62, i64 %.814.i3437.010949
   %.1029.i4082 = load double, ptr %.1028.i4081, align 8, !noalias !76
   %.1030.i4083 = fcmp ogt double %.1029.i4082, 5.000000e-01
-  br i1 %.1030.i4083, label %B546.i4084, label %B770.i4028
+  br i1 %.1030.i4083, label %B546.i4084, label %B770.i4027
 
-B546.i4084:                                       ; preds = %B508.i4033
-  %.1088.i4133 = getelementptr i64, ptr %62, i64 %.814.i3439.010915
+B546.i4084:                                       ; preds = %B508.i4032
+  %.1088.i4133 = getelementptr i64, ptr %63, i64 %.814.i3437.010949
   %.1089.i4134 = load i64, ptr %.1088.i4133, align 8, !noalias !76
   %.1090.i4135 = icmp slt i64 %.1089.i4134, 0
-  br i1 %.1090.i4135, label %B34.i.i4192, label %B770.i4028
+  br i1 %.1090.i4135, label %B34.i.i4192, label %B770.i4027
 
-B34.i.i4192:                                      ; preds = %B546.i4084, %B36.i.i4407
-  %.48.i.i3225.0 = phi i64 [ %.119.i88.i4455, %B36.i.i4407 ], [ 0, %B546.i4084 ]
-  %exitcond11052.not = icmp eq i64 %.48.i.i3225.0, %storemerge10495
-  br i1 %exitcond11052.not, label %B584.endif.i4224, label %B36.i.i4407
+B34.i.i4192:                                      ; preds = %B546.i4084, %B36.i.i4408
+  %.48.i.i3223.0 = phi i64 [ %.119.i88.i4456, %B36.i.i4408 ], [ 0, %B546.i4084 ]
+  %exitcond11086.not = icmp eq i64 %.48.i.i3223.0, %storemerge10530
+  br i1 %exitcond11086.not, label %B584.endif.i4224, label %B36.i.i4408
 
-B36.i.i4407:                                      ; preds = %B34.i.i4192
-  %.119.i88.i4455 = add i64 %.48.i.i3225.0, 1
-  %.149.i53.i4413 = add nsw i64 %.48.i.i3225.0, %arg.shape.6
-  %.151.i55.i4415 = mul nsw i64 %.149.i53.i4413, %arg.shape.0
-  %.153.i56.i4417 = add nsw i64 %.151.i55.i4415, %.814.i3439.010915
-  %.167.i61.i4425 = icmp slt i64 %.153.i56.i4417, 0
-  %.168.i62.i4426 = select i1 %.167.i61.i4425, i64 %arg.batch.5.4.5.0, i64 0
-  %209 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.153.i56.i4417
-  %.182.i74.i4436 = getelementptr double, ptr %209, i64 %.168.i62.i4426
-  %.183.i75.i4437 = load double, ptr %.182.i74.i4436, align 8, !noalias !80
-  %.184.i.i4438 = fcmp ogt double %.183.i75.i4437, 5.000000e-01
-  br i1 %.184.i.i4438, label %B584.endif.i4224, label %B34.i.i4192
+B36.i.i4408:                                      ; preds = %B34.i.i4192
+  %.119.i88.i4456 = add i64 %.48.i.i3223.0, 1
+  %.149.i53.i4414 = add nsw i64 %.48.i.i3223.0, %arg.shape.6
+  %.151.i55.i4416 = mul nsw i64 %.149.i53.i4414, %arg.shape.0
+  %.153.i56.i4418 = add nsw i64 %.151.i55.i4416, %.814.i3437.010949
+  %.167.i61.i4426 = icmp slt i64 %.153.i56.i4418, 0
+  %.168.i62.i4427 = select i1 %.167.i61.i4426, i64 %arg.batch.5.4.5.0, i64 0
+  %210 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.153.i56.i4418
+  %.182.i74.i4437 = getelementptr double, ptr %210, i64 %.168.i62.i4427
+  %.183.i75.i4438 = load double, ptr %.182.i74.i4437, align 8, !noalias !80
+  %.184.i.i4439 = fcmp ogt double %.183.i75.i4438, 5.000000e-01
+  br i1 %.184.i.i4439, label %B584.endif.i4224, label %B34.i.i4192
 
-B732.i4353:                                       ; preds = %B584.endif.i4224
-  %.1369.i4392 = load i64, ptr %.1088.i4133, align 8, !noalias !76
-  %.1370.i4393 = icmp sgt i64 %.1369.i4392, -1
-  br label %B770.i4028
+B732.i4354:                                       ; preds = %B584.endif.i4224
+  %.1369.i4393 = load i64, ptr %.1088.i4133, align 8, !noalias !76
+  %.1370.i4394 = icmp sgt i64 %.1369.i4393, -1
+  br label %B770.i4027
 
-B770.i4028:                                       ; preds = %B732.i4353, %B584.endif.i4224, %B546.i4084, %B508.i4033, %B466.if.i4464
-  %some.3.i3447.2 = phi i1 [ %some.2.i3426.110917, %B466.if.i4464 ], [ %some.2.i3426.110917, %B546.i4084 ], [ %some.2.i3426.110917, %B508.i4033 ], [ true, %B584.endif.i4224 ], [ %.1370.i4393, %B732.i4353 ]
-  %.870.i3957 = icmp sgt i64 %.817.i3440.010916, 1
-  br i1 %.870.i3957, label %B466.if.i4464, label %B186.i3583.loopexit
+B770.i4027:                                       ; preds = %B732.i4354, %B584.endif.i4224, %B546.i4084, %B508.i4032, %B466.if.i4465
+  %some.3.i3445.2 = phi i1 [ %some.2.i3424.110951, %B466.if.i4465 ], [ %some.2.i3424.110951, %B546.i4084 ], [ %some.2.i3424.110951, %B508.i4032 ], [ true, %B584.endif.i4224 ], [ %.1370.i4394, %B732.i4354 ]
+  %.870.i3957 = icmp sgt i64 %.817.i3438.010950, 1
+  br i1 %.870.i3957, label %B466.if.i4465, label %B186.i3582.loopexit
 
-B108.if.i5046:                                    ; preds = %B108.i3531.preheader, %B108.if.i5046
-  %.179.i3390.010904 = phi i64 [ %.243.i5051, %B108.if.i5046 ], [ %storemerge, %B108.i3531.preheader ]
-  %.176.i3389.010903 = phi i64 [ %.247.i5054, %B108.if.i5046 ], [ 0, %B108.i3531.preheader ]
-  %.243.i5051 = add nsw i64 %.179.i3390.010904, -1
-  %.247.i5054 = add nsw i64 %.176.i3389.010903, 1
-  %210 = getelementptr i64, ptr %59, i64 %.176.i3389.010903
-  store i64 -1, ptr %210, align 8, !noalias !76
-  %.234.i3536 = icmp sgt i64 %.179.i3390.010904, 1
-  br i1 %.234.i3536, label %B108.if.i5046, label %B188.if.i4982.preheader
+B108.if.i5046:                                    ; preds = %B108.i3529.preheader, %B108.if.i5046
+  %.179.i3388.010938 = phi i64 [ %.243.i5051, %B108.if.i5046 ], [ %storemerge, %B108.i3529.preheader ]
+  %.176.i3387.010937 = phi i64 [ %.247.i5054, %B108.if.i5046 ], [ 0, %B108.i3529.preheader ]
+  %.243.i5051 = add nsw i64 %.179.i3388.010938, -1
+  %.247.i5054 = add nsw i64 %.176.i3387.010937, 1
+  %211 = getelementptr i64, ptr %60, i64 %.176.i3387.010937
+  store i64 -1, ptr %211, align 8, !noalias !76
+  %.234.i3534 = icmp sgt i64 %.179.i3388.010938, 1
+  br i1 %.234.i3534, label %B108.if.i5046, label %B188.if.i4981.preheader
 
-B188.if.i4982.preheader:                          ; preds = %B108.if.i5046, %B108.i3531.preheader
-  br label %B188.if.i4982
+B188.if.i4981.preheader:                          ; preds = %B108.if.i5046, %B108.i3529.preheader
+  br label %B188.if.i4981
 
-B188.if.i4982:                                    ; preds = %B188.if.i4982.preheader, %B186.i3583.loopexit
-  %some.4.i3399.010921 = phi i1 [ %some.2.i3426.1.lcssa, %B186.i3583.loopexit ], [ false, %B188.if.i4982.preheader ]
-  %.361.i3403.010919 = phi i64 [ %.431.i4989, %B186.i3583.loopexit ], [ 1, %B188.if.i4982.preheader ]
-  %.431.i4989 = add nsw i64 %.361.i3403.010919, 1
-  br i1 %.689, label %B186.i3583.loopexit.critedge, label %B222.if.i4964.lr.ph
+B188.if.i4981:                                    ; preds = %B188.if.i4981.preheader, %B186.i3582.loopexit
+  %some.4.i3397.010955 = phi i1 [ %some.2.i3424.1.lcssa, %B186.i3582.loopexit ], [ false, %B188.if.i4981.preheader ]
+  %.361.i3401.010953 = phi i64 [ %.431.i4989, %B186.i3582.loopexit ], [ 1, %B188.if.i4981.preheader ]
+  %.431.i4989 = add nsw i64 %.361.i3401.010953, 1
+  br i1 %.689, label %B186.i3582.loopexit.critedge, label %B222.if.i4964.lr.ph
 
-B222.if.i4964.lr.ph:                              ; preds = %B188.if.i4982
-  %.579.i4488 = uitofp i64 %.361.i3403.010919 to double
+B222.if.i4964.lr.ph:                              ; preds = %B188.if.i4981
+  %.579.i4488 = uitofp i64 %.361.i3401.010953 to double
   %.584.i4489 = fmul double %.579.i4488, 1.250000e-01
   %.247.i.i.i4919 = fsub double 1.000000e+00, %.584.i4489
   br label %B222.if.i4964
 
-B222.if.i4964:                                    ; preds = %B222.if.i4964.lr.ph, %B222.i3790.loopexit
-  %.486.i3416.010913 = phi i64 [ %storemerge, %B222.if.i4964.lr.ph ], [ %.548.i4969, %B222.i3790.loopexit ]
-  %.483.i3415.010912 = phi i64 [ 0, %B222.if.i4964.lr.ph ], [ %.552.i4972, %B222.i3790.loopexit ]
-  %.548.i4969 = add nsw i64 %.486.i3416.010913, -1
-  %.552.i4972 = add nsw i64 %.483.i3415.010912, 1
-  %.92.i.i4569 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.483.i3415.010912
+B222.if.i4964:                                    ; preds = %B222.if.i4964.lr.ph, %B222.i3789.loopexit
+  %.486.i3414.010947 = phi i64 [ %storemerge, %B222.if.i4964.lr.ph ], [ %.548.i4969, %B222.i3789.loopexit ]
+  %.483.i3413.010946 = phi i64 [ 0, %B222.if.i4964.lr.ph ], [ %.552.i4972, %B222.i3789.loopexit ]
+  %.548.i4969 = add nsw i64 %.486.i3414.010947, -1
+  %.552.i4972 = add nsw i64 %.483.i3413.010946, 1
+  %.92.i.i4569 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.483.i3413.010946
   %.93.i.i4570 = load double, ptr %.92.i.i4569, align 8, !noalias !84
-  %.146.i.i4606 = getelementptr double, ptr %60, i64 %.483.i3415.010912
+  %.146.i.i4606 = getelementptr double, ptr %61, i64 %.483.i3413.010946
   %.147.i.i4607 = load double, ptr %.146.i.i4606, align 8, !noalias !84
   %.149.i.i4609 = fmul double %.584.i4489, %.147.i.i4607
   %.150.i.i4610 = fadd double %.93.i.i4570, %.149.i.i4609
-  %.203.i.i4646 = getelementptr double, ptr %.571, i64 %.483.i3415.010912
+  %.203.i.i4646 = getelementptr double, ptr %.571, i64 %.483.i3413.010946
   store double %.150.i.i4610, ptr %.203.i.i4646, align 8, !noalias !84
-  br i1 %.287.i.i468310908.not, label %B222.i3790.loopexit, label %B122.if.i.i4949.preheader
+  br i1 %.287.i.i468310942.not, label %B222.i3789.loopexit, label %B122.if.i.i4949.preheader
 
 B122.if.i.i4949.preheader:                        ; preds = %B222.if.i4964
-  %invariant.gep11088 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3415.010912
-  %invariant.gep11090 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3415.010912
-  %invariant.gep11092 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3415.010912
-  %invariant.gep11094 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3415.010912
-  %invariant.gep11096 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3415.010912
-  %invariant.gep11098 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3415.010912
-  %invariant.gep11100 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3415.010912
-  %invariant.gep11102 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3415.010912
-  %invariant.gep11104 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3415.010912
+  %invariant.gep11122 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3413.010946
+  %invariant.gep11124 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3413.010946
+  %invariant.gep11126 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3413.010946
+  %invariant.gep11128 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3413.010946
+  %invariant.gep11130 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3413.010946
+  %invariant.gep11132 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3413.010946
+  %invariant.gep11134 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3413.010946
+  %invariant.gep11136 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3413.010946
+  %invariant.gep11138 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3413.010946
   br label %B122.if.i.i4949
 
 B122.if.i.i4949:                                  ; preds = %B122.if.i.i4949.preheader, %B122.if.i.i4949
-  %.229.i.i3274.010909 = phi i64 [ %.300.i.i4955, %B122.if.i.i4949 ], [ 0, %B122.if.i.i4949.preheader ]
-  %.157.i.i.i4876 = add nsw i64 %.155.i.i.i4874, %.229.i.i3274.010909
+  %.229.i.i3272.010943 = phi i64 [ %.300.i.i4955, %B122.if.i.i4949 ], [ 0, %B122.if.i.i4949.preheader ]
+  %.157.i.i.i4876 = add nsw i64 %.155.i.i.i4874, %.229.i.i3272.010943
   %.159.i.i.i4878 = mul nsw i64 %.157.i.i.i4876, %arg.shape.0
-  %gep11089 = getelementptr double, ptr %invariant.gep11088, i64 %.159.i.i.i4878
-  %.191.i.i.i4900 = load double, ptr %gep11089, align 8, !noalias !88
+  %gep11123 = getelementptr double, ptr %invariant.gep11122, i64 %.159.i.i.i4878
+  %.191.i.i.i4900 = load double, ptr %gep11123, align 8, !noalias !88
   %.193.i.i.i4902 = fadd double %.191.i.i.i4900, 0.000000e+00
   %.253.i.i.i4924 = fmul double %.584.i4489, %.193.i.i.i4902
-  %.157.i.i.i4876.1 = add nsw i64 %.155.i.i.i4874.1, %.229.i.i3274.010909
+  %.157.i.i.i4876.1 = add nsw i64 %.155.i.i.i4874.1, %.229.i.i3272.010943
   %.159.i.i.i4878.1 = mul nsw i64 %.157.i.i.i4876.1, %arg.shape.0
-  %gep11091 = getelementptr double, ptr %invariant.gep11090, i64 %.159.i.i.i4878.1
-  %.191.i.i.i4900.1 = load double, ptr %gep11091, align 8, !noalias !88
+  %gep11125 = getelementptr double, ptr %invariant.gep11124, i64 %.159.i.i.i4878.1
+  %.191.i.i.i4900.1 = load double, ptr %gep11125, align 8, !noalias !88
   %.193.i.i.i4902.1 = fadd double %.253.i.i.i4924, %.191.i.i.i4900.1
   %.253.i.i.i4924.1 = fmul double %.247.i.i.i4919, %.193.i.i.i4902.1
-  %.157.i.i.i4876.2 = add nsw i64 %.155.i.i.i4874.2, %.229.i.i3274.010909
+  %.157.i.i.i4876.2 = add nsw i64 %.155.i.i.i4874.2, %.229.i.i3272.010943
   %.159.i.i.i4878.2 = mul nsw i64 %.157.i.i.i4876.2, %arg.shape.0
-  %gep11093 = getelementptr double, ptr %invariant.gep11092, i64 %.159.i.i.i4878.2
-  %.191.i.i.i4900.2 = load double, ptr %gep11093, align 8, !noalias !88
+  %gep11127 = getelementptr double, ptr %invariant.gep11126, i64 %.159.i.i.i4878.2
+  %.191.i.i.i4900.2 = load double, ptr %gep11127, align 8, !noalias !88
   %.193.i.i.i4902.2 = fadd double %.253.i.i.i4924.1, %.191.i.i.i4900.2
   %.253.i.i.i4924.2 = fmul double %.584.i4489, %.193.i.i.i4902.2
-  %.157.i.i.i4876.3 = add nsw i64 %.155.i.i.i4874.3, %.229.i.i3274.010909
+  %.157.i.i.i4876.3 = add nsw i64 %.155.i.i.i4874.3, %.229.i.i3272.010943
   %.159.i.i.i4878.3 = mul nsw i64 %.157.i.i.i4876.3, %arg.shape.0
-  %gep11095 = getelementptr double, ptr %invariant.gep11094, i64 %.159.i.i.i4878.3
-  %.191.i.i.i4900.3 = load double, ptr %gep11095, align 8, !noalias !88
+  %gep11129 = getelementptr double, ptr %invariant.gep11128, i64 %.159.i.i.i4878.3
+  %.191.i.i.i4900.3 = load double, ptr %gep11129, align 8, !noalias !88
   %.193.i.i.i4902.3 = fadd double %.253.i.i.i4924.2, %.191.i.i.i4900.3
   %.253.i.i.i4924.3 = fmul double %.247.i.i.i4919, %.193.i.i.i4902.3
-  %.157.i.i.i4876.4 = add nsw i64 %.155.i.i.i4874.4, %.229.i.i3274.010909
+  %.157.i.i.i4876.4 = add nsw i64 %.155.i.i.i4874.4, %.229.i.i3272.010943
   %.159.i.i.i4878.4 = mul nsw i64 %.157.i.i.i4876.4, %arg.shape.0
-  %gep11097 = getelementptr double, ptr %invariant.gep11096, i64 %.159.i.i.i4878.4
-  %.191.i.i.i4900.4 = load double, ptr %gep11097, align 8, !noalias !88
+  %gep11131 = getelementptr double, ptr %invariant.gep11130, i64 %.159.i.i.i4878.4
+  %.191.i.i.i4900.4 = load double, ptr %gep11131, align 8, !noalias !88
   %.193.i.i.i4902.4 = fadd double %.253.i.i.i4924.3, %.191.i.i.i4900.4
   %.253.i.i.i4924.4 = fmul double %.584.i4489, %.193.i.i.i4902.4
-  %.157.i.i.i4876.5 = add nsw i64 %.155.i.i.i4874.5, %.229.i.i3274.010909
+  %.157.i.i.i4876.5 = add nsw i64 %.155.i.i.i4874.5, %.229.i.i3272.010943
   %.159.i.i.i4878.5 = mul nsw i64 %.157.i.i.i4876.5, %arg.shape.0
-  %gep11099 = getelementptr double, ptr %invariant.gep11098, i64 %.159.i.i.i4878.5
-  %.191.i.i.i4900.5 = load double, ptr %gep11099, align 8, !noalias !88
+  %gep11133 = getelementptr double, ptr %invariant.gep11132, i64 %.159.i.i.i4878.5
+  %.191.i.i.i4900.5 = load double, ptr %gep11133, align 8, !noalias !88
   %.193.i.i.i4902.5 = fadd double %.253.i.i.i4924.4, %.191.i.i.i4900.5
   %.253.i.i.i4924.5 = fmul double %.247.i.i.i4919, %.193.i.i.i4902.5
-  %.157.i.i.i4876.6 = add nsw i64 %.155.i.i.i4874.6, %.229.i.i3274.010909
+  %.157.i.i.i4876.6 = add nsw i64 %.155.i.i.i4874.6, %.229.i.i3272.010943
   %.159.i.i.i4878.6 = mul nsw i64 %.157.i.i.i4876.6, %arg.shape.0
-  %gep11101 = getelementptr double, ptr %invariant.gep11100, i64 %.159.i.i.i4878.6
-  %.191.i.i.i4900.6 = load double, ptr %gep11101, align 8, !noalias !88
+  %gep11135 = getelementptr double, ptr %invariant.gep11134, i64 %.159.i.i.i4878.6
+  %.191.i.i.i4900.6 = load double, ptr %gep11135, align 8, !noalias !88
   %.193.i.i.i4902.6 = fadd double %.253.i.i.i4924.5, %.191.i.i.i4900.6
   %.253.i.i.i4924.6 = fmul double %.584.i4489, %.193.i.i.i4902.6
-  %.300.i.i4955 = add nsw i64 %.229.i.i3274.010909, 1
-  %.271.i.i.i4797 = mul nsw i64 %.229.i.i3274.010909, %arg.shape.0
-  %gep11103 = getelementptr double, ptr %invariant.gep11102, i64 %.271.i.i.i4797
-  %.309.i.i.i4822 = load double, ptr %gep11103, align 8, !noalias !88
+  %.300.i.i4955 = add nsw i64 %.229.i.i3272.010943, 1
+  %.271.i.i.i4797 = mul nsw i64 %.229.i.i3272.010943, %arg.shape.0
+  %gep11137 = getelementptr double, ptr %invariant.gep11136, i64 %.271.i.i.i4797
+  %.309.i.i.i4822 = load double, ptr %gep11137, align 8, !noalias !88
   %.313.i.i.i4825 = fadd double %.253.i.i.i4924.6, %.309.i.i.i4822
-  %.359.i.i4838 = add nsw i64 %.229.i.i3274.010909, %.358.i.i4837
+  %.359.i.i4838 = add nsw i64 %.229.i.i3272.010943, %.358.i.i4837
   %.361.i.i4840 = mul nsw i64 %.359.i.i4838, %arg.shape.0
-  %gep11105 = getelementptr double, ptr %invariant.gep11104, i64 %.361.i.i4840
-  store double %.313.i.i.i4825, ptr %gep11105, align 8, !noalias !84
-  %exitcond11051.not = icmp eq i64 %arg.shape.1, %.300.i.i4955
-  br i1 %exitcond11051.not, label %B222.i3790.loopexit, label %B122.if.i.i4949
+  %gep11139 = getelementptr double, ptr %invariant.gep11138, i64 %.361.i.i4840
+  store double %.313.i.i.i4825, ptr %gep11139, align 8, !noalias !84
+  %exitcond11085.not = icmp eq i64 %arg.shape.1, %.300.i.i4955
+  br i1 %exitcond11085.not, label %B222.i3789.loopexit, label %B122.if.i.i4949
 
-B466.if.i4464:                                    ; preds = %B284.i3804, %B770.i4028
-  %some.2.i3426.110917 = phi i1 [ %some.4.i3399.010921, %B284.i3804 ], [ %some.3.i3447.2, %B770.i4028 ]
-  %.817.i3440.010916 = phi i64 [ %storemerge, %B284.i3804 ], [ %.879.i4468, %B770.i4028 ]
-  %.814.i3439.010915 = phi i64 [ 0, %B284.i3804 ], [ %.883.i4471, %B770.i4028 ]
-  %.879.i4468 = add nsw i64 %.817.i3440.010916, -1
-  %.883.i4471 = add nsw i64 %.814.i3439.010915, 1
-  %.968.i4025 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.814.i3439.010915
-  %.969.i4026 = load i64, ptr %.968.i4025, align 8, !noalias !76
-  %.970.i4027 = icmp sgt i64 %.969.i4026, -1
-  br i1 %.970.i4027, label %B508.i4033, label %B770.i4028
+B466.if.i4465:                                    ; preds = %B284.i3803, %B770.i4027
+  %some.2.i3424.110951 = phi i1 [ %some.4.i3397.010955, %B284.i3803 ], [ %some.3.i3445.2, %B770.i4027 ]
+  %.817.i3438.010950 = phi i64 [ %storemerge, %B284.i3803 ], [ %.879.i4469, %B770.i4027 ]
+  %.814.i3437.010949 = phi i64 [ 0, %B284.i3803 ], [ %.883.i4472, %B770.i4027 ]
+  %.879.i4469 = add nsw i64 %.817.i3438.010950, -1
+  %.883.i4472 = add nsw i64 %.814.i3437.010949, 1
+  %.968.i4024 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.814.i3437.010949
+  %.969.i4025 = load i64, ptr %.968.i4024, align 8, !noalias !76
+  %.970.i4026 = icmp sgt i64 %.969.i4025, -1
+  br i1 %.970.i4026, label %B508.i4032, label %B770.i4027
 
-B584.endif.i4224:                                 ; preds = %B36.i.i4407, %B34.i.i4192
-  %.1099.i3452.0 = phi i64 [ %.48.i.i3225.0, %B36.i.i4407 ], [ -1, %B34.i.i4192 ]
-  store i64 %.1099.i3452.0, ptr %.1088.i4133, align 8, !noalias !76
-  %.1248.i4311 = getelementptr double, ptr %63, i64 %.814.i3439.010915
-  store double %.1187.i4271, ptr %.1248.i4311, align 8, !noalias !76
-  %.1303.i4348 = getelementptr double, ptr %64, i64 %.814.i3439.010915
-  store double %.1194.i4274, ptr %.1303.i4348, align 8, !noalias !76
-  br i1 %some.2.i3426.110917, label %B770.i4028, label %B732.i4353
+B584.endif.i4224:                                 ; preds = %B36.i.i4408, %B34.i.i4192
+  %.1099.i3450.0 = phi i64 [ %.48.i.i3223.0, %B36.i.i4408 ], [ -1, %B34.i.i4192 ]
+  store i64 %.1099.i3450.0, ptr %.1088.i4133, align 8, !noalias !76
+  %.1248.i4312 = getelementptr double, ptr %64, i64 %.814.i3437.010949
+  store double %.1187.i4272, ptr %.1248.i4312, align 8, !noalias !76
+  %.1303.i4349 = getelementptr double, ptr %65, i64 %.814.i3437.010949
+  store double %.1194.i4275, ptr %.1303.i4349, align 8, !noalias !76
+  br i1 %some.2.i3424.110951, label %B770.i4027, label %B732.i4354
 
-B806.if.i3737:                                    ; preds = %B806.i3641.preheader, %B806.if.i3737
-  %.1453.i3463.010924 = phi i64 [ %.1515.i3740, %B806.if.i3737 ], [ %storemerge, %B806.i3641.preheader ]
-  %.1450.i3462.010923 = phi i64 [ %.1519.i3743, %B806.if.i3737 ], [ 0, %B806.i3641.preheader ]
-  %.1515.i3740 = add nsw i64 %.1453.i3463.010924, -1
-  %.1519.i3743 = add nsw i64 %.1450.i3462.010923, 1
-  %.1596.i3699 = getelementptr double, ptr %65, i64 %.1450.i3462.010923
-  %.1597.i3700 = load double, ptr %.1596.i3699, align 8, !noalias !76
-  %.1650.i3736 = getelementptr double, ptr %.571, i64 %.1450.i3462.010923
-  store double %.1597.i3700, ptr %.1650.i3736, align 8, !noalias !76
-  %.1506.i3646 = icmp sgt i64 %.1453.i3463.010924, 1
-  br i1 %.1506.i3646, label %B806.if.i3737, label %B3238.endif.endif
+B806.if.i3736:                                    ; preds = %B806.i3640.preheader, %B806.if.i3736
+  %.1453.i3461.010958 = phi i64 [ %.1515.i3739, %B806.if.i3736 ], [ %storemerge, %B806.i3640.preheader ]
+  %.1450.i3460.010957 = phi i64 [ %.1519.i3742, %B806.if.i3736 ], [ 0, %B806.i3640.preheader ]
+  %.1515.i3739 = add nsw i64 %.1453.i3461.010958, -1
+  %.1519.i3742 = add nsw i64 %.1450.i3460.010957, 1
+  %.1596.i3698 = getelementptr double, ptr %66, i64 %.1450.i3460.010957
+  %.1597.i3699 = load double, ptr %.1596.i3698, align 8, !noalias !76
+  %.1650.i3735 = getelementptr double, ptr %.571, i64 %.1450.i3460.010957
+  store double %.1597.i3699, ptr %.1650.i3735, align 8, !noalias !76
+  %.1506.i3645 = icmp sgt i64 %.1453.i3461.010958, 1
+  br i1 %.1506.i3645, label %B806.if.i3736, label %B3238.endif.endif
 
 B3276:                                            ; preds = %B3238.endif.endif
   %.222.i = load double, ptr %.221.i, align 8, !noalias !92
@@ -2304,7 +2302,7 @@ B3276:                                            ; preds = %B3238.endif.endif
   br i1 %.689, label %B150.if.i.i.preheader, label %B70.if.i.i.preheader
 
 B70.if.i.i.preheader:                             ; preds = %B3276
-  tail call void @llvm.memset.p0.i64(ptr align 8 %67, i8 0, i64 %125, i1 false), !noalias !95
+  tail call void @llvm.memset.p0.i64(ptr align 8 %68, i8 0, i64 %126, i1 false), !noalias !95
   br label %B150.if.i.i.preheader
 
 B150.if.i.i.preheader:                            ; preds = %B70.if.i.i.preheader, %B3276
@@ -2323,8 +2321,8 @@ B184.i.loopexit.i:                                ; preds = %B122.if.i.i.i, %B18
 
 B246.i.i:                                         ; preds = %B184.i.loopexit.i, %B150.if.i.i
   %.611.i.i = icmp ult i64 %.347.i.02919.i, 8
-  %..i10600 = select i1 %.611.i.i, i64 16, i64 17
-  %.628.i.i = mul i64 %..i10600, %.463
+  %..i10635 = select i1 %.611.i.i, i64 16, i64 17
+  %.628.i.i = mul i64 %..i10635, %.463
   %.658.i.i = load i64, ptr %.657.i.i, align 8, !noalias !95
   %.744.i.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %.628.i.i
   %.770.i.i = inttoptr i64 %.658.i.i to ptr
@@ -2337,16 +2335,16 @@ B246.i.i:                                         ; preds = %B184.i.loopexit.i, 
 B34.if.i.i.i:                                     ; preds = %B246.i.i, %B34.if.i.i.i
   %.53.i17.i.02907.i = phi i64 [ %.124.i128.i.i, %B34.if.i.i.i ], [ 0, %B246.i.i ]
   %.124.i128.i.i = add nsw i64 %.53.i17.i.02907.i, 1
-  %211 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.53.i17.i.02907.i
-  %.178.i74.i.i = load double, ptr %211, align 8, !noalias !99
+  %212 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.53.i17.i.02907.i
+  %.178.i74.i.i = load double, ptr %212, align 8, !noalias !99
   %.180.i76.i.i = add nsw i64 %.53.i17.i.02907.i, %.922.i.i
   %.194.i84.i.i = icmp slt i64 %.180.i76.i.i, 0
   %.195.i85.i.i = select i1 %.194.i84.i.i, i64 %arg.batch.5.1.5.0, i64 0
-  %212 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.180.i76.i.i
-  %.209.i.i.i = getelementptr double, ptr %212, i64 %.195.i85.i.i
+  %213 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.180.i76.i.i
+  %.209.i.i.i = getelementptr double, ptr %213, i64 %.195.i85.i.i
   %.210.i.i.i = load double, ptr %.209.i.i.i, align 8, !noalias !99
   store double %.178.i74.i.i, ptr %.209.i.i.i, align 8, !noalias !99
-  store double %.210.i.i.i, ptr %211, align 8, !noalias !99
+  store double %.210.i.i.i, ptr %212, align 8, !noalias !99
   %exitcond2948.not.i = icmp eq i64 %.925.i.i, %.124.i128.i.i
   br i1 %exitcond2948.not.i, label %B294.endif.i.i, label %B34.if.i.i.i
 
@@ -2370,86 +2368,86 @@ B184.if.i.i:                                      ; preds = %B184.if.i.lr.ph.i, 
   %.538.i.i = add nsw i64 %.469.i.02904.i, 1
   %.92.i.i.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.469.i.02904.i
   %.93.i.i.i = load double, ptr %.92.i.i.i, align 8, !noalias !103
-  %.146.i.i.i = getelementptr double, ptr %68, i64 %.469.i.02904.i
+  %.146.i.i.i = getelementptr double, ptr %69, i64 %.469.i.02904.i
   %.147.i.i.i = load double, ptr %.146.i.i.i, align 8, !noalias !103
   %.149.i.i.i = fmul double %.570.i.i, %.147.i.i.i
-  %.150.i.i.i10599 = fadd double %.93.i.i.i, %.149.i.i.i
+  %.150.i.i.i10634 = fadd double %.93.i.i.i, %.149.i.i.i
   %.203.i.i.i = getelementptr double, ptr %.571, i64 %.469.i.02904.i
-  store double %.150.i.i.i10599, ptr %.203.i.i.i, align 8, !noalias !103
+  store double %.150.i.i.i10634, ptr %.203.i.i.i, align 8, !noalias !103
   br i1 %.287.i.i2900.not.i, label %B184.i.loopexit.i, label %B122.if.i.i.preheader.i
 
 B122.if.i.i.preheader.i:                          ; preds = %B184.if.i.i
-  %invariant.gep10925 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02904.i
-  %invariant.gep10927 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02904.i
-  %invariant.gep10929 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02904.i
-  %invariant.gep10931 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02904.i
-  %invariant.gep10933 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02904.i
-  %invariant.gep10935 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02904.i
-  %invariant.gep10937 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02904.i
-  %invariant.gep10939 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02904.i
-  %invariant.gep10941 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02904.i
+  %invariant.gep10959 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02904.i
+  %invariant.gep10961 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02904.i
+  %invariant.gep10963 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02904.i
+  %invariant.gep10965 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02904.i
+  %invariant.gep10967 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02904.i
+  %invariant.gep10969 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02904.i
+  %invariant.gep10971 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02904.i
+  %invariant.gep10973 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02904.i
+  %invariant.gep10975 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02904.i
   br label %B122.if.i.i.i
 
 B122.if.i.i.i:                                    ; preds = %B122.if.i.i.i, %B122.if.i.i.preheader.i
   %.229.i.i.02901.i = phi i64 [ %.300.i.i.i, %B122.if.i.i.i ], [ 0, %B122.if.i.i.preheader.i ]
   %.157.i.i.i.i = add nsw i64 %.229.i.i.02901.i, %.155.i.i.i.i
   %.159.i.i.i.i = mul nsw i64 %.157.i.i.i.i, %arg.shape.0
-  %gep10926 = getelementptr double, ptr %invariant.gep10925, i64 %.159.i.i.i.i
-  %.191.i.i.i.i = load double, ptr %gep10926, align 8, !noalias !107
+  %gep10960 = getelementptr double, ptr %invariant.gep10959, i64 %.159.i.i.i.i
+  %.191.i.i.i.i = load double, ptr %gep10960, align 8, !noalias !107
   %.193.i.i.i.i = fadd double %.191.i.i.i.i, 0.000000e+00
   %.253.i.i.i.i = fmul double %.570.i.i, %.193.i.i.i.i
   %.157.i.i.i.1.i = add nsw i64 %.229.i.i.02901.i, %.155.i.i.i.1.i
   %.159.i.i.i.1.i = mul nsw i64 %.157.i.i.i.1.i, %arg.shape.0
-  %gep10928 = getelementptr double, ptr %invariant.gep10927, i64 %.159.i.i.i.1.i
-  %.191.i.i.i.1.i = load double, ptr %gep10928, align 8, !noalias !107
+  %gep10962 = getelementptr double, ptr %invariant.gep10961, i64 %.159.i.i.i.1.i
+  %.191.i.i.i.1.i = load double, ptr %gep10962, align 8, !noalias !107
   %.193.i.i.i.1.i = fadd double %.191.i.i.i.1.i, %.253.i.i.i.i
   %.253.i.i.i.1.i = fmul double %.247.i.i.i.i, %.193.i.i.i.1.i
   %.157.i.i.i.2.i = add nsw i64 %.229.i.i.02901.i, %.155.i.i.i.2.i
   %.159.i.i.i.2.i = mul nsw i64 %.157.i.i.i.2.i, %arg.shape.0
-  %gep10930 = getelementptr double, ptr %invariant.gep10929, i64 %.159.i.i.i.2.i
-  %.191.i.i.i.2.i = load double, ptr %gep10930, align 8, !noalias !107
+  %gep10964 = getelementptr double, ptr %invariant.gep10963, i64 %.159.i.i.i.2.i
+  %.191.i.i.i.2.i = load double, ptr %gep10964, align 8, !noalias !107
   %.193.i.i.i.2.i = fadd double %.191.i.i.i.2.i, %.253.i.i.i.1.i
   %.253.i.i.i.2.i = fmul double %.570.i.i, %.193.i.i.i.2.i
   %.157.i.i.i.3.i = add nsw i64 %.229.i.i.02901.i, %.155.i.i.i.3.i
   %.159.i.i.i.3.i = mul nsw i64 %.157.i.i.i.3.i, %arg.shape.0
-  %gep10932 = getelementptr double, ptr %invariant.gep10931, i64 %.159.i.i.i.3.i
-  %.191.i.i.i.3.i = load double, ptr %gep10932, align 8, !noalias !107
+  %gep10966 = getelementptr double, ptr %invariant.gep10965, i64 %.159.i.i.i.3.i
+  %.191.i.i.i.3.i = load double, ptr %gep10966, align 8, !noalias !107
   %.193.i.i.i.3.i = fadd double %.191.i.i.i.3.i, %.253.i.i.i.2.i
   %.253.i.i.i.3.i = fmul double %.247.i.i.i.i, %.193.i.i.i.3.i
   %.157.i.i.i.4.i = add nsw i64 %.229.i.i.02901.i, %.155.i.i.i.4.i
   %.159.i.i.i.4.i = mul nsw i64 %.157.i.i.i.4.i, %arg.shape.0
-  %gep10934 = getelementptr double, ptr %invariant.gep10933, i64 %.159.i.i.i.4.i
-  %.191.i.i.i.4.i = load double, ptr %gep10934, align 8, !noalias !107
+  %gep10968 = getelementptr double, ptr %invariant.gep10967, i64 %.159.i.i.i.4.i
+  %.191.i.i.i.4.i = load double, ptr %gep10968, align 8, !noalias !107
   %.193.i.i.i.4.i = fadd double %.191.i.i.i.4.i, %.253.i.i.i.3.i
   %.253.i.i.i.4.i = fmul double %.570.i.i, %.193.i.i.i.4.i
   %.157.i.i.i.5.i = add nsw i64 %.229.i.i.02901.i, %.155.i.i.i.5.i
   %.159.i.i.i.5.i = mul nsw i64 %.157.i.i.i.5.i, %arg.shape.0
-  %gep10936 = getelementptr double, ptr %invariant.gep10935, i64 %.159.i.i.i.5.i
-  %.191.i.i.i.5.i = load double, ptr %gep10936, align 8, !noalias !107
+  %gep10970 = getelementptr double, ptr %invariant.gep10969, i64 %.159.i.i.i.5.i
+  %.191.i.i.i.5.i = load double, ptr %gep10970, align 8, !noalias !107
   %.193.i.i.i.5.i = fadd double %.191.i.i.i.5.i, %.253.i.i.i.4.i
   %.253.i.i.i.5.i = fmul double %.247.i.i.i.i, %.193.i.i.i.5.i
   %.157.i.i.i.6.i = add nsw i64 %.229.i.i.02901.i, %.155.i.i.i.6.i
   %.159.i.i.i.6.i = mul nsw i64 %.157.i.i.i.6.i, %arg.shape.0
-  %gep10938 = getelementptr double, ptr %invariant.gep10937, i64 %.159.i.i.i.6.i
-  %.191.i.i.i.6.i = load double, ptr %gep10938, align 8, !noalias !107
+  %gep10972 = getelementptr double, ptr %invariant.gep10971, i64 %.159.i.i.i.6.i
+  %.191.i.i.i.6.i = load double, ptr %gep10972, align 8, !noalias !107
   %.193.i.i.i.6.i = fadd double %.191.i.i.i.6.i, %.253.i.i.i.5.i
   %.253.i.i.i.6.i = fmul double %.570.i.i, %.193.i.i.i.6.i
   %.300.i.i.i = add nsw i64 %.229.i.i.02901.i, 1
   %.271.i.i.i.i = mul nsw i64 %.229.i.i.02901.i, %arg.shape.0
-  %gep10940 = getelementptr double, ptr %invariant.gep10939, i64 %.271.i.i.i.i
-  %.309.i.i.i.i = load double, ptr %gep10940, align 8, !noalias !107
+  %gep10974 = getelementptr double, ptr %invariant.gep10973, i64 %.271.i.i.i.i
+  %.309.i.i.i.i = load double, ptr %gep10974, align 8, !noalias !107
   %.313.i.i.i.i = fadd double %.309.i.i.i.i, %.253.i.i.i.6.i
   %.359.i.i.i = add nsw i64 %.229.i.i.02901.i, %.358.i.i.i
   %.361.i.i.i = mul nsw i64 %.359.i.i.i, %arg.shape.0
-  %gep10942 = getelementptr double, ptr %invariant.gep10941, i64 %.361.i.i.i
-  store double %.313.i.i.i.i, ptr %gep10942, align 8, !noalias !103
+  %gep10976 = getelementptr double, ptr %invariant.gep10975, i64 %.361.i.i.i
+  store double %.313.i.i.i.i, ptr %gep10976, align 8, !noalias !103
   %exitcond2946.not.i = icmp eq i64 %arg.shape.1, %.300.i.i.i
   br i1 %exitcond2946.not.i, label %B184.i.loopexit.i, label %B122.if.i.i.i
 
 B294.endif.i.i:                                   ; preds = %B34.if.i.i.i
-  %.985.i.i10601 = load i64, ptr %.984.i.i10598, align 8, !noalias !95
-  %.1097.i.i10602 = inttoptr i64 %.985.i.i10601 to ptr
-  tail call void %.1097.i.i10602(ptr %.571, ptr %.744.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !95
+  %.985.i.i10636 = load i64, ptr %.984.i.i10633, align 8, !noalias !95
+  %.1097.i.i10637 = inttoptr i64 %.985.i.i10636 to ptr
+  tail call void %.1097.i.i10637(ptr %.571, ptr %.744.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !95
   %.1128.i.i = load i64, ptr %arg.code.4, align 8, !noalias !95
   %.1244.i.i = inttoptr i64 %.1128.i.i to ptr
   tail call void %.1244.i.i(ptr %.571, ptr %.744.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.1243.i.i), !noalias !95
@@ -2458,30 +2456,30 @@ B294.endif.i.i:                                   ; preds = %B34.if.i.i.i
 B34.if.i321.i.i:                                  ; preds = %B294.endif.i.i, %B34.if.i321.i.i
   %.53.i162.i.02910.i = phi i64 [ %.124.i328.i.i, %B34.if.i321.i.i ], [ 0, %B294.endif.i.i ]
   %.124.i328.i.i = add nsw i64 %.53.i162.i.02910.i, 1
-  %213 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.53.i162.i.02910.i
-  %.178.i253.i.i = load double, ptr %213, align 8, !noalias !111
+  %214 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.53.i162.i.02910.i
+  %.178.i253.i.i = load double, ptr %214, align 8, !noalias !111
   %.180.i255.i.i = add nsw i64 %.53.i162.i.02910.i, %.922.i.i
   %.194.i264.i.i = icmp slt i64 %.180.i255.i.i, 0
   %.195.i265.i.i = select i1 %.194.i264.i.i, i64 %arg.batch.5.1.5.0, i64 0
-  %214 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.180.i255.i.i
-  %.209.i275.i.i = getelementptr double, ptr %214, i64 %.195.i265.i.i
+  %215 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.180.i255.i.i
+  %.209.i275.i.i = getelementptr double, ptr %215, i64 %.195.i265.i.i
   %.210.i276.i.i = load double, ptr %.209.i275.i.i, align 8, !noalias !111
   store double %.178.i253.i.i, ptr %.209.i275.i.i, align 8, !noalias !111
-  store double %.210.i276.i.i, ptr %213, align 8, !noalias !111
+  store double %.210.i276.i.i, ptr %214, align 8, !noalias !111
   %exitcond2949.not.i = icmp eq i64 %.925.i.i, %.124.i328.i.i
   br i1 %exitcond2949.not.i, label %B294.endif.endif.i.i, label %B34.if.i321.i.i
 
 B294.endif.endif.i.i.critedge:                    ; preds = %B246.i.i
-  %.985.i.i10601.c = load i64, ptr %.984.i.i10598, align 8, !noalias !95
-  %.1097.i.i10602.c = inttoptr i64 %.985.i.i10601.c to ptr
-  tail call void %.1097.i.i10602.c(ptr %.571, ptr %.744.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !95
+  %.985.i.i10636.c = load i64, ptr %.984.i.i10633, align 8, !noalias !95
+  %.1097.i.i10637.c = inttoptr i64 %.985.i.i10636.c to ptr
+  tail call void %.1097.i.i10637.c(ptr %.571, ptr %.744.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !95
   %.1128.i.i.c = load i64, ptr %arg.code.4, align 8, !noalias !95
   %.1244.i.i.c = inttoptr i64 %.1128.i.i.c to ptr
   tail call void %.1244.i.i.c(ptr %.571, ptr %.744.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.1243.i.i), !noalias !95
   br label %B294.endif.endif.i.i
 
 B294.endif.endif.i.i:                             ; preds = %B34.if.i321.i.i, %B294.endif.endif.i.i.critedge
-  %.1312.i.i = load i64, ptr %.984.i.i10598, align 8, !noalias !95
+  %.1312.i.i = load i64, ptr %.984.i.i10633, align 8, !noalias !95
   %.1424.i.i = inttoptr i64 %.1312.i.i to ptr
   tail call void %.1424.i.i(ptr %.571, ptr %.744.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !95
   br i1 %.689, label %B148.i.loopexit.i, label %B928.if.i.i
@@ -2492,28 +2490,28 @@ B928.if.i.i:                                      ; preds = %B294.endif.endif.i.
   br i1 %.287.i.i2900.not.i, label %B928.i.loopexit.i, label %B962.if.i.lr.ph.i
 
 B962.if.i.lr.ph.i:                                ; preds = %B928.if.i.i
-  %.1891.i.i = getelementptr double, ptr %68, i64 %.1450.i.02916.i
-  %.1974.i.i = getelementptr double, ptr %69, i64 %.1450.i.02916.i
+  %.1891.i.i = getelementptr double, ptr %69, i64 %.1450.i.02916.i
+  %.1974.i.i = getelementptr double, ptr %70, i64 %.1450.i.02916.i
   br label %B962.if.i.i
 
 B962.if.i.i:                                      ; preds = %B962.if.i.i, %B962.if.i.lr.ph.i
   %.1571.i.02913.i = phi i64 [ 0, %B962.if.i.lr.ph.i ], [ %.1640.i.i, %B962.if.i.i ]
   %.1640.i.i = add nsw i64 %.1571.i.02913.i, 1
-  %215 = mul nsw i64 %.1571.i.02913.i, %arg.shape.0
-  %.1668.i.i = add nsw i64 %215, %.1450.i.02916.i
-  %216 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1668.i.i
-  %.1698.i.i = load double, ptr %216, align 8, !noalias !95
+  %216 = mul nsw i64 %.1571.i.02913.i, %arg.shape.0
+  %.1668.i.i = add nsw i64 %216, %.1450.i.02916.i
+  %217 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1668.i.i
+  %.1698.i.i = load double, ptr %217, align 8, !noalias !95
   %.1707.i.i = add nsw i64 %.1668.i.i, %factor.op.mul2918.i.reass
   %.1721.i.i = icmp slt i64 %.1707.i.i, 0
   %.1722.i.i = select i1 %.1721.i.i, i64 %arg.batch.5.0.5.0, i64 0
-  %217 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1707.i.i
-  %.1736.i.i = getelementptr double, ptr %217, i64 %.1722.i.i
+  %218 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1707.i.i
+  %.1736.i.i = getelementptr double, ptr %218, i64 %.1722.i.i
   %.1737.i.i = load double, ptr %.1736.i.i, align 8, !noalias !95
   %.1742.i.i = add nsw i64 %.1668.i.i, %factor.op.mul.i.reass
   %.1756.i.i = icmp slt i64 %.1742.i.i, 0
   %.1757.i.i = select i1 %.1756.i.i, i64 %arg.batch.5.0.5.0, i64 0
-  %218 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1742.i.i
-  %.1771.i.i = getelementptr double, ptr %218, i64 %.1757.i.i
+  %219 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1742.i.i
+  %.1771.i.i = getelementptr double, ptr %219, i64 %.1757.i.i
   %.1772.i.i = load double, ptr %.1771.i.i, align 8, !noalias !95
   %.1773.i.i = fsub double %.1737.i.i, %.1772.i.i
   %.1774.i.i = tail call double @llvm.fabs.f64(double %.1773.i.i)
@@ -2529,9 +2527,9 @@ B962.if.i.i:                                      ; preds = %B962.if.i.i, %B962.
   %.1904.i.i = fcmp oeq double %.1903.i.i, 0.000000e+00
   %.1897.i..i = select i1 %.1904.i.i, double %.1897.i.i, double 0x7FF0000000000000
   %.1975.i.i = load double, ptr %.1974.i.i, align 8, !noalias !95
-  %.10.i.i.i10603 = fcmp ogt double %.1897.i..i, %.1975.i.i
-  %.11.i.i.i10604 = select i1 %.10.i.i.i10603, double %.1897.i..i, double %.1975.i.i
-  store double %.11.i.i.i10604, ptr %.1974.i.i, align 8, !noalias !95
+  %.10.i.i.i10638 = fcmp ogt double %.1897.i..i, %.1975.i.i
+  %.11.i.i.i10639 = select i1 %.10.i.i.i10638, double %.1897.i..i, double %.1975.i.i
+  store double %.11.i.i.i10639, ptr %.1974.i.i, align 8, !noalias !95
   %exitcond2950.not.i = icmp eq i64 %arg.shape.1, %.1640.i.i
   br i1 %exitcond2950.not.i, label %B928.i.loopexit.i, label %B962.if.i.i
 
@@ -2541,34 +2539,34 @@ B478.preheader.i:                                 ; preds = %B1557.i, %B220.preh
   br i1 %.8492938.i, label %B480.if.i, label %B1058.preheader.i
 
 B262.i:                                           ; preds = %B220.if.i
-  %219 = getelementptr double, ptr %69, i64 %.377.02922.i
-  %.585.i = load double, ptr %219, align 8, !noalias !92
+  %220 = getelementptr double, ptr %70, i64 %.377.02922.i
+  %.585.i = load double, ptr %220, align 8, !noalias !92
   %.586.i = fcmp ogt double %.585.i, 1.000000e-01
   %.mux.i = select i1 %.586.i, i64 50, i64 %halvings.2.02924.i
-  br i1 %.586.i, label %B1557.i, label %B34.i.i10619
+  br i1 %.586.i, label %B1557.i, label %B34.i.i10653
 
-B34.i.i10619:                                     ; preds = %B262.i, %B34.if.i.i10620
-  %.48.i.0.i = phi i64 [ %.119.i60.i, %B34.if.i.i10620 ], [ 0, %B262.i ]
+B34.i.i10653:                                     ; preds = %B262.i, %B34.if.i.i10654
+  %.48.i.0.i = phi i64 [ %.119.i60.i, %B34.if.i.i10654 ], [ 0, %B262.i ]
   %exitcond2953.not.i = icmp eq i64 %.48.i.0.i, %storemerge2877.i
-  br i1 %exitcond2953.not.i, label %B364.endif.i, label %B34.if.i.i10620
+  br i1 %exitcond2953.not.i, label %B364.endif.i, label %B34.if.i.i10654
 
-B80.i.i10621:                                     ; preds = %B34.if.i.i10620
-  %220 = icmp sgt i64 %.48.i.0.i, -1
-  %221 = select i1 %220, double 1.000000e+00, double 0.000000e+00
+B80.i.i10655:                                     ; preds = %B34.if.i.i10654
+  %221 = icmp sgt i64 %.48.i.0.i, -1
+  %222 = select i1 %221, double 1.000000e+00, double 0.000000e+00
   br label %B364.endif.i
 
-B34.if.i.i10620:                                  ; preds = %B34.i.i10619
+B34.if.i.i10654:                                  ; preds = %B34.i.i10653
   %.119.i60.i = add i64 %.48.i.0.i, 1
   %.149.i.i = add nsw i64 %.48.i.0.i, %arg.shape.6
   %.151.i.i = mul nsw i64 %.149.i.i, %arg.shape.0
   %.153.i.i = add nsw i64 %.151.i.i, %.377.02922.i
   %.167.i45.i = icmp slt i64 %.153.i.i, 0
   %.168.i46.i = select i1 %.167.i45.i, i64 %arg.batch.5.4.5.0, i64 0
-  %222 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.153.i.i
-  %.182.i52.i = getelementptr double, ptr %222, i64 %.168.i46.i
+  %223 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.153.i.i
+  %.182.i52.i = getelementptr double, ptr %223, i64 %.168.i46.i
   %.183.i53.i = load double, ptr %.182.i52.i, align 8, !noalias !115
   %.184.i54.i = fcmp ogt double %.183.i53.i, 5.000000e-01
-  br i1 %.184.i54.i, label %B80.i.i10621, label %B34.i.i10619
+  br i1 %.184.i54.i, label %B80.i.i10655, label %B34.i.i10653
 
 B478.loopexit.i.critedge:                         ; preds = %B480.if.i
   %.1184.i.c = load i64, ptr %.657.i.i, align 8, !noalias !92
@@ -2587,65 +2585,65 @@ B1058.if.lr.ph.i:                                 ; preds = %B1058.preheader.i
   %.2389.i = fmul double %.253.i, 2.000000e+00
   br label %B1058.if.i
 
-B514.loopexit.i:                                  ; preds = %B122.if.i.i10616, %B514.if.i
+B514.loopexit.i:                                  ; preds = %B122.if.i.i10650, %B514.if.i
   %exitcond2957.not.i = icmp eq i64 %arg.shape.0, %.980.i
   br i1 %exitcond2957.not.i, label %B628.i, label %B514.if.i
 
-B122.if.i.i10616:                                 ; preds = %B122.if.i.lr.ph.i, %B122.if.i.i10616
-  %.229.i.02929.i = phi i64 [ 0, %B122.if.i.lr.ph.i ], [ %.300.i567.i, %B122.if.i.i10616 ]
-  %.157.i.i501.i = add nsw i64 %.229.i.02929.i, %.155.i.i.i10615
+B122.if.i.i10650:                                 ; preds = %B122.if.i.lr.ph.i, %B122.if.i.i10650
+  %.229.i.02929.i = phi i64 [ 0, %B122.if.i.lr.ph.i ], [ %.300.i567.i, %B122.if.i.i10650 ]
+  %.157.i.i501.i = add nsw i64 %.229.i.02929.i, %.155.i.i.i10649
   %.159.i.i503.i = mul nsw i64 %.157.i.i501.i, %arg.shape.0
-  %gep10944 = getelementptr double, ptr %invariant.gep10943, i64 %.159.i.i503.i
-  %.191.i.i523.i = load double, ptr %gep10944, align 8, !noalias !119
+  %gep10978 = getelementptr double, ptr %invariant.gep10977, i64 %.159.i.i503.i
+  %.191.i.i523.i = load double, ptr %gep10978, align 8, !noalias !119
   %.193.i.i525.i = fadd double %.191.i.i523.i, 0.000000e+00
   %.253.i.i540.i = fmul double %.1114.i, %.193.i.i525.i
   %.157.i.i501.1.i = add nsw i64 %.229.i.02929.i, %.155.i.i.1.i
   %.159.i.i503.1.i = mul nsw i64 %.157.i.i501.1.i, %arg.shape.0
-  %gep10946 = getelementptr double, ptr %invariant.gep10945, i64 %.159.i.i503.1.i
-  %.191.i.i523.1.i = load double, ptr %gep10946, align 8, !noalias !119
+  %gep10980 = getelementptr double, ptr %invariant.gep10979, i64 %.159.i.i503.1.i
+  %.191.i.i523.1.i = load double, ptr %gep10980, align 8, !noalias !119
   %.193.i.i525.1.i = fadd double %.191.i.i523.1.i, %.253.i.i540.i
-  %.253.i.i540.1.i = fmul double %.247.i.i.i10614, %.193.i.i525.1.i
+  %.253.i.i540.1.i = fmul double %.247.i.i.i10648, %.193.i.i525.1.i
   %.157.i.i501.2.i = add nsw i64 %.229.i.02929.i, %.155.i.i.2.i
   %.159.i.i503.2.i = mul nsw i64 %.157.i.i501.2.i, %arg.shape.0
-  %gep10948 = getelementptr double, ptr %invariant.gep10947, i64 %.159.i.i503.2.i
-  %.191.i.i523.2.i = load double, ptr %gep10948, align 8, !noalias !119
+  %gep10982 = getelementptr double, ptr %invariant.gep10981, i64 %.159.i.i503.2.i
+  %.191.i.i523.2.i = load double, ptr %gep10982, align 8, !noalias !119
   %.193.i.i525.2.i = fadd double %.191.i.i523.2.i, %.253.i.i540.1.i
   %.253.i.i540.2.i = fmul double %.1114.i, %.193.i.i525.2.i
   %.157.i.i501.3.i = add nsw i64 %.229.i.02929.i, %.155.i.i.3.i
   %.159.i.i503.3.i = mul nsw i64 %.157.i.i501.3.i, %arg.shape.0
-  %gep10950 = getelementptr double, ptr %invariant.gep10949, i64 %.159.i.i503.3.i
-  %.191.i.i523.3.i = load double, ptr %gep10950, align 8, !noalias !119
+  %gep10984 = getelementptr double, ptr %invariant.gep10983, i64 %.159.i.i503.3.i
+  %.191.i.i523.3.i = load double, ptr %gep10984, align 8, !noalias !119
   %.193.i.i525.3.i = fadd double %.191.i.i523.3.i, %.253.i.i540.2.i
-  %.253.i.i540.3.i = fmul double %.247.i.i.i10614, %.193.i.i525.3.i
+  %.253.i.i540.3.i = fmul double %.247.i.i.i10648, %.193.i.i525.3.i
   %.157.i.i501.4.i = add nsw i64 %.229.i.02929.i, %.155.i.i.4.i
   %.159.i.i503.4.i = mul nsw i64 %.157.i.i501.4.i, %arg.shape.0
-  %gep10952 = getelementptr double, ptr %invariant.gep10951, i64 %.159.i.i503.4.i
-  %.191.i.i523.4.i = load double, ptr %gep10952, align 8, !noalias !119
+  %gep10986 = getelementptr double, ptr %invariant.gep10985, i64 %.159.i.i503.4.i
+  %.191.i.i523.4.i = load double, ptr %gep10986, align 8, !noalias !119
   %.193.i.i525.4.i = fadd double %.191.i.i523.4.i, %.253.i.i540.3.i
   %.253.i.i540.4.i = fmul double %.1114.i, %.193.i.i525.4.i
   %.157.i.i501.5.i = add nsw i64 %.229.i.02929.i, %.155.i.i.5.i
   %.159.i.i503.5.i = mul nsw i64 %.157.i.i501.5.i, %arg.shape.0
-  %gep10954 = getelementptr double, ptr %invariant.gep10953, i64 %.159.i.i503.5.i
-  %.191.i.i523.5.i = load double, ptr %gep10954, align 8, !noalias !119
+  %gep10988 = getelementptr double, ptr %invariant.gep10987, i64 %.159.i.i503.5.i
+  %.191.i.i523.5.i = load double, ptr %gep10988, align 8, !noalias !119
   %.193.i.i525.5.i = fadd double %.191.i.i523.5.i, %.253.i.i540.4.i
-  %.253.i.i540.5.i = fmul double %.247.i.i.i10614, %.193.i.i525.5.i
+  %.253.i.i540.5.i = fmul double %.247.i.i.i10648, %.193.i.i525.5.i
   %.157.i.i501.6.i = add nsw i64 %.229.i.02929.i, %.155.i.i.6.i
   %.159.i.i503.6.i = mul nsw i64 %.157.i.i501.6.i, %arg.shape.0
-  %gep10956 = getelementptr double, ptr %invariant.gep10955, i64 %.159.i.i503.6.i
-  %.191.i.i523.6.i = load double, ptr %gep10956, align 8, !noalias !119
+  %gep10990 = getelementptr double, ptr %invariant.gep10989, i64 %.159.i.i503.6.i
+  %.191.i.i523.6.i = load double, ptr %gep10990, align 8, !noalias !119
   %.193.i.i525.6.i = fadd double %.191.i.i523.6.i, %.253.i.i540.5.i
   %.253.i.i540.6.i = fmul double %.1114.i, %.193.i.i525.6.i
   %.300.i567.i = add nsw i64 %.229.i.02929.i, 1
   %.271.i.i451.i = mul nsw i64 %.229.i.02929.i, %arg.shape.0
-  %gep10958 = getelementptr double, ptr %invariant.gep10957, i64 %.271.i.i451.i
-  %.309.i.i.i10617 = load double, ptr %gep10958, align 8, !noalias !119
-  %.313.i.i.i10618 = fadd double %.309.i.i.i10617, %.253.i.i540.6.i
+  %gep10992 = getelementptr double, ptr %invariant.gep10991, i64 %.271.i.i451.i
+  %.309.i.i.i10651 = load double, ptr %gep10992, align 8, !noalias !119
+  %.313.i.i.i10652 = fadd double %.309.i.i.i10651, %.253.i.i540.6.i
   %.359.i.i = add nsw i64 %.229.i.02929.i, %.358.i.i.i
   %.361.i477.i = mul nsw i64 %.359.i.i, %arg.shape.0
-  %gep10960 = getelementptr double, ptr %invariant.gep10959, i64 %.361.i477.i
-  store double %.313.i.i.i10618, ptr %gep10960, align 8, !noalias !126
+  %gep10994 = getelementptr double, ptr %invariant.gep10993, i64 %.361.i477.i
+  store double %.313.i.i.i10652, ptr %gep10994, align 8, !noalias !126
   %exitcond2956.not.i = icmp eq i64 %arg.shape.1, %.300.i567.i
-  br i1 %exitcond2956.not.i, label %B514.loopexit.i, label %B122.if.i.i10616
+  br i1 %exitcond2956.not.i, label %B514.loopexit.i, label %B122.if.i.i10650
 
 B628.i:                                           ; preds = %B514.loopexit.i
   %.1184.i = load i64, ptr %.657.i.i, align 8, !noalias !92
@@ -2654,15 +2652,15 @@ B628.i:                                           ; preds = %B514.loopexit.i
   br label %B770.if.i
 
 B812.i:                                           ; preds = %B770.if.i
-  %.1533.i = getelementptr double, ptr %69, i64 %.1326.02935.i
+  %.1533.i = getelementptr double, ptr %70, i64 %.1326.02935.i
   %.1534.i = load double, ptr %.1533.i, align 8, !noalias !92
   %.1535.i = fcmp ogt double %.1534.i, 1.000000e-01
   br i1 %.1535.i, label %B860.i, label %B1559.i
 
 B860.i:                                           ; preds = %B812.i
-  %.1590.i = getelementptr double, ptr %72, i64 %.1326.02935.i
+  %.1590.i = getelementptr double, ptr %73, i64 %.1326.02935.i
   %.1591.i = load double, ptr %.1590.i, align 8, !noalias !92
-  %.1645.i = getelementptr double, ptr %73, i64 %.1326.02935.i
+  %.1645.i = getelementptr double, ptr %74, i64 %.1326.02935.i
   %.1646.i = load double, ptr %.1645.i, align 8, !noalias !92
   %.1647.i = fadd double %.1591.i, %.1646.i
   %.1648.i = fmul double %.1647.i, 5.000000e-01
@@ -2674,8 +2672,8 @@ B34.i127.i:                                       ; preds = %B34.if.i192.i, %B86
   br i1 %exitcond2958.not.i, label %B998.i, label %B34.if.i192.i
 
 B80.i184.i:                                       ; preds = %B34.if.i192.i
-  %223 = icmp sgt i64 %.48.i85.0.i, -1
-  br i1 %223, label %B972.i, label %B998.i
+  %224 = icmp sgt i64 %.48.i85.0.i, -1
+  br i1 %224, label %B972.i, label %B998.i
 
 B34.if.i192.i:                                    ; preds = %B34.i127.i
   %.119.i199.i = add i64 %.48.i85.0.i, 1
@@ -2684,8 +2682,8 @@ B34.if.i192.i:                                    ; preds = %B34.i127.i
   %.153.i157.i = add nsw i64 %.151.i155.i, %.1326.02935.i
   %.167.i166.i = icmp slt i64 %.153.i157.i, 0
   %.168.i167.i = select i1 %.167.i166.i, i64 %arg.batch.5.4.5.0, i64 0
-  %224 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.153.i157.i
-  %.182.i179.i = getelementptr double, ptr %224, i64 %.168.i167.i
+  %225 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.153.i157.i
+  %.182.i179.i = getelementptr double, ptr %225, i64 %.168.i167.i
   %.183.i180.i = load double, ptr %.182.i179.i, align 8, !noalias !127
   %.184.i181.i = fcmp ogt double %.183.i180.i, 5.000000e-01
   br i1 %.184.i181.i, label %B80.i184.i, label %B34.i127.i
@@ -2699,45 +2697,45 @@ B998.i:                                           ; preds = %B34.i127.i, %B80.i1
   br label %B1559.i
 
 B1150.i:                                          ; preds = %B1058.if.i
-  %.2178.i = getelementptr double, ptr %69, i64 %.1861.02941.i
+  %.2178.i = getelementptr double, ptr %70, i64 %.1861.02941.i
   %.2179.i = load double, ptr %.2178.i, align 8, !noalias !92
   %.2180.i = fcmp ogt double %.2179.i, 1.000000e-01
   br i1 %.2180.i, label %B1198.i, label %B1558.i
 
 B1198.i:                                          ; preds = %B1150.i
-  %.2235.i = getelementptr double, ptr %68, i64 %.1861.02941.i
+  %.2235.i = getelementptr double, ptr %69, i64 %.1861.02941.i
   %.2236.i = load double, ptr %.2235.i, align 8, !noalias !92
   %.2292.i = load double, ptr %.2011.i, align 8, !noalias !92
   %.2293.i = tail call double @llvm.fabs.f64(double %.2292.i)
   %.2294.i = fmul double %.2293.i, 2.000000e-12
-  %.2351.i = getelementptr double, ptr %77, i64 %.1861.02941.i
+  %.2351.i = getelementptr double, ptr %78, i64 %.1861.02941.i
   %.2352.i = load double, ptr %.2351.i, align 8, !noalias !92
   %.2357.i = fmul double %.2236.i, 0x3D719799812DEA11
-  %.10.i.i10607 = fcmp ogt double %.2294.i, %.2357.i
-  %.11.i.i10608 = select i1 %.10.i.i10607, double %.2294.i, double %.2357.i
+  %.10.i.i10641 = fcmp ogt double %.2294.i, %.2357.i
+  %.11.i.i10642 = select i1 %.10.i.i10641, double %.2294.i, double %.2357.i
   %.2353.i = fsub double 1.000000e+00, %.2352.i
   %.2355.i = fmul double %.2236.i, %.2353.i
-  %.2386.i = fcmp ugt double %.2355.i, %.11.i.i10608
+  %.2386.i = fcmp ugt double %.2355.i, %.11.i.i10642
   %.2391.i = fcmp ugt double %.2236.i, %.2389.i
   %or.cond.i = select i1 %.2386.i, i1 %.2391.i, i1 false
   br i1 %or.cond.i, label %B1458.i, label %B1422.i
 
 B1422.i:                                          ; preds = %B1198.i
-  %.2450.i = getelementptr double, ptr %78, i64 %.1861.02941.i
+  %.2450.i = getelementptr double, ptr %79, i64 %.1861.02941.i
   store double 1.000000e+00, ptr %.2450.i, align 8, !noalias !92
   br label %B1558.i
 
 B1458.i:                                          ; preds = %B1198.i
-  %.2507.i = getelementptr double, ptr %79, i64 %.1861.02941.i
+  %.2507.i = getelementptr double, ptr %80, i64 %.1861.02941.i
   %.2508.i = load double, ptr %.2507.i, align 8, !noalias !92
   %.2510.i = fmul double %.2236.i, %.2508.i
   %.10.i2890.i = fcmp ogt double %.253.i, %.2510.i
   %.11.i2891.i = select i1 %.10.i2890.i, double %.253.i, double %.2510.i
-  %.108.i.i = getelementptr double, ptr %80, i64 %.1861.02941.i
+  %.108.i.i = getelementptr double, ptr %81, i64 %.1861.02941.i
   store double 0.000000e+00, ptr %.108.i.i, align 8, !noalias !131
-  %.161.i706.i = getelementptr double, ptr %81, i64 %.1861.02941.i
+  %.161.i706.i = getelementptr double, ptr %82, i64 %.1861.02941.i
   store double 0.000000e+00, ptr %.161.i706.i, align 8, !noalias !131
-  %.214.i750.i = getelementptr double, ptr %82, i64 %.1861.02941.i
+  %.214.i750.i = getelementptr double, ptr %83, i64 %.1861.02941.i
   store double %.11.i2891.i, ptr %.214.i750.i, align 8, !noalias !131
   %.267.i785.i = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.1861.02941.i
   %.268.i786.i = load i64, ptr %.267.i785.i, align 8, !noalias !131
@@ -2750,14 +2748,14 @@ B1458.i:                                          ; preds = %B1198.i
   %.322.i826.i = add nsw i64 %.321.i825.i, -1
   store i64 %.322.i826.i, ptr %.320.i.i, align 8, !noalias !131
   %.426.i.i = load i64, ptr %.267.i785.i, align 8, !noalias !131
-  %.452.i.i10609 = icmp slt i64 %.426.i.i, 0
-  %.453.i904.i = select i1 %.452.i.i10609, i64 %arg.batch.3.3.5.0, i64 0
-  %.454.i.i10610 = add i64 %.453.i904.i, %.426.i.i
-  %.474.i.i10611 = mul i64 %.454.i.i10610, %arg.batch.3.3.5.1
-  %225 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.474.i.i10611
-  %.478.i916.i = getelementptr i8, ptr %225, i64 24
-  %.479.i.i10612 = load i64, ptr %.478.i916.i, align 8, !noalias !131
-  %.480.i917.i = add nsw i64 %.479.i.i10612, 1
+  %.452.i.i10643 = icmp slt i64 %.426.i.i, 0
+  %.453.i904.i = select i1 %.452.i.i10643, i64 %arg.batch.3.3.5.0, i64 0
+  %.454.i.i10644 = add i64 %.453.i904.i, %.426.i.i
+  %.474.i.i10645 = mul i64 %.454.i.i10644, %arg.batch.3.3.5.1
+  %226 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.474.i.i10645
+  %.478.i916.i = getelementptr i8, ptr %226, i64 24
+  %.479.i.i10646 = load i64, ptr %.478.i916.i, align 8, !noalias !131
+  %.480.i917.i = add nsw i64 %.479.i.i10646, 1
   store i64 %.480.i917.i, ptr %.478.i916.i, align 8, !noalias !131
   br label %B1558.i
 
@@ -2778,15 +2776,15 @@ B220.if.i:                                        ; preds = %B220.preheader.i, %
   %halvings.2.02924.i = phi i64 [ %halvings.3.1.i, %B1557.i ], [ 0, %B220.preheader.i ]
   %.377.02922.i = phi i64 [ %.446.i, %B1557.i ], [ 0, %B220.preheader.i ]
   %.446.i = add nsw i64 %.377.02922.i, 1
-  %226 = getelementptr i64, ptr %70, i64 %.377.02922.i
-  %.528.i = load i64, ptr %226, align 8, !noalias !92
-  %.529.i10605 = icmp sgt i64 %.528.i, -1
-  br i1 %.529.i10605, label %B262.i, label %B1557.i
+  %227 = getelementptr i64, ptr %71, i64 %.377.02922.i
+  %.528.i = load i64, ptr %227, align 8, !noalias !92
+  %.529.i = icmp sgt i64 %.528.i, -1
+  br i1 %.529.i, label %B262.i, label %B1557.i
 
-B364.endif.i:                                     ; preds = %B34.i.i10619, %B80.i.i10621
-  %.658.0.i = phi double [ %221, %B80.i.i10621 ], [ 0.000000e+00, %B34.i.i10619 ]
-  %227 = getelementptr double, ptr %71, i64 %.377.02922.i
-  store double %.658.0.i, ptr %227, align 8, !noalias !92
+B364.endif.i:                                     ; preds = %B34.i.i10653, %B80.i.i10655
+  %.658.0.i = phi double [ %222, %B80.i.i10655 ], [ 0.000000e+00, %B34.i.i10653 ]
+  %228 = getelementptr double, ptr %72, i64 %.377.02922.i
+  store double %.658.0.i, ptr %228, align 8, !noalias !92
   br label %B1557.i
 
 B480.if.i:                                        ; preds = %B478.preheader.i, %B478.loopexit.i
@@ -2797,15 +2795,15 @@ B480.if.i:                                        ; preds = %B478.preheader.i, %
 B514.if.i:                                        ; preds = %B480.if.i, %B514.loopexit.i
   %.911.02932.i = phi i64 [ %.980.i, %B514.loopexit.i ], [ 0, %B480.if.i ]
   %.980.i = add nsw i64 %.911.02932.i, 1
-  %.1057.i = getelementptr double, ptr %72, i64 %.911.02932.i
+  %.1057.i = getelementptr double, ptr %73, i64 %.911.02932.i
   %.1058.i = load double, ptr %.1057.i, align 8, !noalias !92
-  %.1111.i = getelementptr double, ptr %73, i64 %.911.02932.i
+  %.1111.i = getelementptr double, ptr %74, i64 %.911.02932.i
   %.1112.i = load double, ptr %.1111.i, align 8, !noalias !92
   %.1113.i = fadd double %.1058.i, %.1112.i
   %.1114.i = fmul double %.1113.i, 5.000000e-01
   %.92.i292.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.911.02932.i
   %.93.i293.i = load double, ptr %.92.i292.i, align 8, !noalias !126
-  %.146.i.i = getelementptr double, ptr %68, i64 %.911.02932.i
+  %.146.i.i = getelementptr double, ptr %69, i64 %.911.02932.i
   %.147.i325.i = load double, ptr %.146.i.i, align 8, !noalias !126
   %.149.i327.i = fmul double %.1114.i, %.147.i325.i
   %.150.i328.i = fadd double %.93.i293.i, %.149.i327.i
@@ -2814,40 +2812,40 @@ B514.if.i:                                        ; preds = %B480.if.i, %B514.lo
   br i1 %.287.i.i2900.not.i, label %B514.loopexit.i, label %B122.if.i.lr.ph.i
 
 B122.if.i.lr.ph.i:                                ; preds = %B514.if.i
-  %.247.i.i.i10614 = fsub double 1.000000e+00, %.1114.i
-  %invariant.gep10943 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02932.i
-  %invariant.gep10945 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02932.i
-  %invariant.gep10947 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02932.i
-  %invariant.gep10949 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02932.i
-  %invariant.gep10951 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02932.i
-  %invariant.gep10953 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02932.i
-  %invariant.gep10955 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02932.i
-  %invariant.gep10957 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02932.i
-  %invariant.gep10959 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02932.i
-  br label %B122.if.i.i10616
+  %.247.i.i.i10648 = fsub double 1.000000e+00, %.1114.i
+  %invariant.gep10977 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02932.i
+  %invariant.gep10979 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02932.i
+  %invariant.gep10981 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02932.i
+  %invariant.gep10983 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02932.i
+  %invariant.gep10985 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02932.i
+  %invariant.gep10987 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02932.i
+  %invariant.gep10989 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02932.i
+  %invariant.gep10991 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02932.i
+  %invariant.gep10993 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02932.i
+  br label %B122.if.i.i10650
 
 B770.if.i:                                        ; preds = %B628.i, %B1559.i
   %.1326.02935.i = phi i64 [ %.1395.i, %B1559.i ], [ 0, %B628.i ]
   %.1395.i = add nsw i64 %.1326.02935.i, 1
-  %228 = getelementptr i64, ptr %74, i64 %.1326.02935.i
-  %.1477.i = load i64, ptr %228, align 8, !noalias !92
+  %229 = getelementptr i64, ptr %75, i64 %.1326.02935.i
+  %.1477.i = load i64, ptr %229, align 8, !noalias !92
   %.1478.i = icmp sgt i64 %.1477.i, -1
   br i1 %.1478.i, label %B812.i, label %B1559.i
 
 B1058.if.i:                                       ; preds = %B1558.i, %B1058.if.lr.ph.i
   %.1861.02941.i = phi i64 [ 0, %B1058.if.lr.ph.i ], [ %.1930.i, %B1558.i ]
   %.1930.i = add nsw i64 %.1861.02941.i, 1
-  %.2011.i = getelementptr double, ptr %75, i64 %.1861.02941.i
+  %.2011.i = getelementptr double, ptr %76, i64 %.1861.02941.i
   %.2012.i = load double, ptr %.2011.i, align 8, !noalias !92
   %.2066.i = getelementptr double, ptr %.571, i64 %.1861.02941.i
   store double %.2012.i, ptr %.2066.i, align 8, !noalias !92
-  %.2121.i = getelementptr i64, ptr %76, i64 %.1861.02941.i
+  %.2121.i = getelementptr i64, ptr %77, i64 %.1861.02941.i
   %.2122.i = load i64, ptr %.2121.i, align 8, !noalias !92
   %.2123.i = icmp sgt i64 %.2122.i, -1
   br i1 %.2123.i, label %B1150.i, label %B1558.i
 
 B3318:                                            ; preds = %B1558.i, %B1058.preheader.i, %B3238.endif.endif, %B3234
-  br i1 %.4831.not, label %B3380, label %B120.if.i
+  br i1 %.4830.not, label %B3380, label %B120.if.i
 
 B120.loopexit.i.critedge:                         ; preds = %B120.if.i
   %.525.i.c = load i64, ptr %.524.i, align 8, !noalias !134
@@ -2856,10 +2854,10 @@ B120.loopexit.i.critedge:                         ; preds = %B120.if.i
   br label %B120.loopexit.i
 
 B120.loopexit.i:                                  ; preds = %B564.i, %B120.loopexit.i.critedge
-  %exitcond738.not.i = icmp eq i64 %.231.0734.i, %.10553
+  %exitcond738.not.i = icmp eq i64 %.231.0734.i, %.10588
   br i1 %exitcond738.not.i, label %B3380, label %B120.if.i
 
-B154.loopexit.i:                                  ; preds = %B122.if.i.i10630, %B154.if.i
+B154.loopexit.i:                                  ; preds = %B122.if.i.i10663, %B154.if.i
   %exitcond736.not.i = icmp eq i64 %arg.shape.0, %.423.i
   br i1 %exitcond736.not.i, label %B206.i, label %B154.if.i
 
@@ -2875,40 +2873,40 @@ B206.i:                                           ; preds = %B154.loopexit.i
   br label %B348.if.i
 
 B390.i:                                           ; preds = %B348.if.i
-  %229 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.667.0732.i
-  %.851.i = load double, ptr %229, align 8, !noalias !134
+  %230 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.667.0732.i
+  %.851.i = load double, ptr %230, align 8, !noalias !134
   %.853.i = fcmp olt double %.851.i, -1.000000e-09
   br i1 %.853.i, label %B426.i, label %B564.i
 
 B426.i:                                           ; preds = %B390.i
-  %230 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.667.0732.i
-  %.84.i51.i = load i64, ptr %230, align 8, !noalias !137
-  %.89.i.i10649 = icmp sgt i64 %.84.i51.i, -1
-  br i1 %.89.i.i10649, label %B46.i.i10650, label %B426.endif.i
+  %231 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.667.0732.i
+  %.84.i51.i = load i64, ptr %231, align 8, !noalias !137
+  %.89.i.i10683 = icmp sgt i64 %.84.i51.i, -1
+  br i1 %.89.i.i10683, label %B46.i.i10684, label %B426.endif.i
 
-B46.i.i10650:                                     ; preds = %B426.i
+B46.i.i10684:                                     ; preds = %B426.i
   %.120.i73.i = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i51.i
   %.121.i74.i = load i64, ptr %.120.i73.i, align 8, !noalias !137
   %.122.i75.i = icmp eq i64 %.121.i74.i, 0
-  br i1 %.122.i75.i, label %B80.i.i10651, label %B426.endif.i
+  br i1 %.122.i75.i, label %B80.i.i10685, label %B426.endif.i
 
-B80.i.i10651:                                     ; preds = %B46.i.i10650
+B80.i.i10685:                                     ; preds = %B46.i.i10684
   store i64 4, ptr %.120.i73.i, align 8, !noalias !137
   br label %B426.endif.i
 
 B564.i:                                           ; preds = %B426.endif.i, %B348.if.i, %B390.i
-  %exitcond737.not.i = icmp eq i64 %arg.shape.0, %.736.i
+  %exitcond737.not.i = icmp eq i64 %arg.shape.0, %.736.i10680
   br i1 %exitcond737.not.i, label %B120.loopexit.i, label %B348.if.i
 
 B120.if.i:                                        ; preds = %B3318, %B120.loopexit.i
-  %.231.0734.i = phi i64 [ %.302.i10625, %B120.loopexit.i ], [ 1, %B3318 ]
-  %.302.i10625 = add nsw i64 %.231.0734.i, 1
+  %.231.0734.i = phi i64 [ %.302.i, %B120.loopexit.i ], [ 1, %B3318 ]
+  %.302.i = add nsw i64 %.231.0734.i, 1
   br i1 %.689, label %B120.loopexit.i.critedge, label %B154.if.lr.ph.i
 
 B154.if.lr.ph.i:                                  ; preds = %B120.if.i
   %.451.i = uitofp i64 %.231.0734.i to double
   %.456.i = fdiv double %.451.i, %.452.i
-  %.247.i.i.i10626 = fsub double 1.000000e+00, %.456.i
+  %.247.i.i.i10659 = fsub double 1.000000e+00, %.456.i
   br label %B154.if.i
 
 B154.if.i:                                        ; preds = %B154.if.lr.ph.i, %B154.loopexit.i
@@ -2916,157 +2914,157 @@ B154.if.i:                                        ; preds = %B154.if.lr.ph.i, %B
   %.423.i = add nsw i64 %.354.0729.i, 1
   %.92.i.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.354.0729.i
   %.93.i.i = load double, ptr %.92.i.i, align 8, !noalias !140
-  %.146.i.i10627 = getelementptr double, ptr %83, i64 %.354.0729.i
-  %.147.i.i = load double, ptr %.146.i.i10627, align 8, !noalias !140
-  %.149.i.i10628 = fmul double %.456.i, %.147.i.i
-  %.150.i.i = fadd double %.93.i.i, %.149.i.i10628
+  %.146.i.i10660 = getelementptr double, ptr %84, i64 %.354.0729.i
+  %.147.i.i = load double, ptr %.146.i.i10660, align 8, !noalias !140
+  %.149.i.i10661 = fmul double %.456.i, %.147.i.i
+  %.150.i.i = fadd double %.93.i.i, %.149.i.i10661
   %.203.i.i = getelementptr double, ptr %.571, i64 %.354.0729.i
   store double %.150.i.i, ptr %.203.i.i, align 8, !noalias !140
   br i1 %.287.i725.not.i, label %B154.loopexit.i, label %B122.if.i.preheader.i
 
 B122.if.i.preheader.i:                            ; preds = %B154.if.i
-  %invariant.gep10961 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
-  %invariant.gep10963 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
-  %invariant.gep10965 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
-  %invariant.gep10967 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
-  %invariant.gep10969 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
-  %invariant.gep10971 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
-  %invariant.gep10973 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
-  %invariant.gep10975 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
-  %invariant.gep10977 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
-  br label %B122.if.i.i10630
+  %invariant.gep10995 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
+  %invariant.gep10997 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
+  %invariant.gep10999 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
+  %invariant.gep11001 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
+  %invariant.gep11003 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
+  %invariant.gep11005 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
+  %invariant.gep11007 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
+  %invariant.gep11009 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
+  %invariant.gep11011 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
+  br label %B122.if.i.i10663
 
-B122.if.i.i10630:                                 ; preds = %B122.if.i.i10630, %B122.if.i.preheader.i
-  %.229.i.0726.i = phi i64 [ %.300.i.i, %B122.if.i.i10630 ], [ 0, %B122.if.i.preheader.i ]
-  %.157.i.i.i10631 = add nsw i64 %.229.i.0726.i, %.155.i.i.i10629
-  %.159.i.i.i10632 = mul nsw i64 %.157.i.i.i10631, %arg.shape.0
-  %gep10962 = getelementptr double, ptr %invariant.gep10961, i64 %.159.i.i.i10632
-  %.191.i.i.i10633 = load double, ptr %gep10962, align 8, !noalias !144
-  %.193.i.i.i10634 = fadd double %.191.i.i.i10633, 0.000000e+00
-  %.253.i.i.i10635 = fmul double %.456.i, %.193.i.i.i10634
-  %.157.i.i.1.i = add nsw i64 %.229.i.0726.i, %.155.i.i.1.i10636
+B122.if.i.i10663:                                 ; preds = %B122.if.i.i10663, %B122.if.i.preheader.i
+  %.229.i.0726.i = phi i64 [ %.300.i.i, %B122.if.i.i10663 ], [ 0, %B122.if.i.preheader.i ]
+  %.157.i.i.i10664 = add nsw i64 %.229.i.0726.i, %.155.i.i.i10662
+  %.159.i.i.i10665 = mul nsw i64 %.157.i.i.i10664, %arg.shape.0
+  %gep10996 = getelementptr double, ptr %invariant.gep10995, i64 %.159.i.i.i10665
+  %.191.i.i.i10666 = load double, ptr %gep10996, align 8, !noalias !144
+  %.193.i.i.i10667 = fadd double %.191.i.i.i10666, 0.000000e+00
+  %.253.i.i.i10668 = fmul double %.456.i, %.193.i.i.i10667
+  %.157.i.i.1.i = add nsw i64 %.229.i.0726.i, %.155.i.i.1.i10669
   %.159.i.i.1.i = mul nsw i64 %.157.i.i.1.i, %arg.shape.0
-  %gep10964 = getelementptr double, ptr %invariant.gep10963, i64 %.159.i.i.1.i
-  %.191.i.i.1.i = load double, ptr %gep10964, align 8, !noalias !144
-  %.193.i.i.1.i = fadd double %.191.i.i.1.i, %.253.i.i.i10635
-  %.253.i.i.1.i = fmul double %.247.i.i.i10626, %.193.i.i.1.i
-  %.157.i.i.2.i = add nsw i64 %.229.i.0726.i, %.155.i.i.2.i10637
+  %gep10998 = getelementptr double, ptr %invariant.gep10997, i64 %.159.i.i.1.i
+  %.191.i.i.1.i = load double, ptr %gep10998, align 8, !noalias !144
+  %.193.i.i.1.i = fadd double %.191.i.i.1.i, %.253.i.i.i10668
+  %.253.i.i.1.i = fmul double %.247.i.i.i10659, %.193.i.i.1.i
+  %.157.i.i.2.i = add nsw i64 %.229.i.0726.i, %.155.i.i.2.i10670
   %.159.i.i.2.i = mul nsw i64 %.157.i.i.2.i, %arg.shape.0
-  %gep10966 = getelementptr double, ptr %invariant.gep10965, i64 %.159.i.i.2.i
-  %.191.i.i.2.i = load double, ptr %gep10966, align 8, !noalias !144
+  %gep11000 = getelementptr double, ptr %invariant.gep10999, i64 %.159.i.i.2.i
+  %.191.i.i.2.i = load double, ptr %gep11000, align 8, !noalias !144
   %.193.i.i.2.i = fadd double %.191.i.i.2.i, %.253.i.i.1.i
   %.253.i.i.2.i = fmul double %.456.i, %.193.i.i.2.i
-  %.157.i.i.3.i = add nsw i64 %.229.i.0726.i, %.155.i.i.3.i10638
+  %.157.i.i.3.i = add nsw i64 %.229.i.0726.i, %.155.i.i.3.i10671
   %.159.i.i.3.i = mul nsw i64 %.157.i.i.3.i, %arg.shape.0
-  %gep10968 = getelementptr double, ptr %invariant.gep10967, i64 %.159.i.i.3.i
-  %.191.i.i.3.i = load double, ptr %gep10968, align 8, !noalias !144
+  %gep11002 = getelementptr double, ptr %invariant.gep11001, i64 %.159.i.i.3.i
+  %.191.i.i.3.i = load double, ptr %gep11002, align 8, !noalias !144
   %.193.i.i.3.i = fadd double %.191.i.i.3.i, %.253.i.i.2.i
-  %.253.i.i.3.i = fmul double %.247.i.i.i10626, %.193.i.i.3.i
-  %.157.i.i.4.i = add nsw i64 %.229.i.0726.i, %.155.i.i.4.i10639
+  %.253.i.i.3.i = fmul double %.247.i.i.i10659, %.193.i.i.3.i
+  %.157.i.i.4.i = add nsw i64 %.229.i.0726.i, %.155.i.i.4.i10672
   %.159.i.i.4.i = mul nsw i64 %.157.i.i.4.i, %arg.shape.0
-  %gep10970 = getelementptr double, ptr %invariant.gep10969, i64 %.159.i.i.4.i
-  %.191.i.i.4.i = load double, ptr %gep10970, align 8, !noalias !144
+  %gep11004 = getelementptr double, ptr %invariant.gep11003, i64 %.159.i.i.4.i
+  %.191.i.i.4.i = load double, ptr %gep11004, align 8, !noalias !144
   %.193.i.i.4.i = fadd double %.191.i.i.4.i, %.253.i.i.3.i
   %.253.i.i.4.i = fmul double %.456.i, %.193.i.i.4.i
-  %.157.i.i.5.i = add nsw i64 %.229.i.0726.i, %.155.i.i.5.i10640
+  %.157.i.i.5.i = add nsw i64 %.229.i.0726.i, %.155.i.i.5.i10673
   %.159.i.i.5.i = mul nsw i64 %.157.i.i.5.i, %arg.shape.0
-  %gep10972 = getelementptr double, ptr %invariant.gep10971, i64 %.159.i.i.5.i
-  %.191.i.i.5.i = load double, ptr %gep10972, align 8, !noalias !144
+  %gep11006 = getelementptr double, ptr %invariant.gep11005, i64 %.159.i.i.5.i
+  %.191.i.i.5.i = load double, ptr %gep11006, align 8, !noalias !144
   %.193.i.i.5.i = fadd double %.191.i.i.5.i, %.253.i.i.4.i
-  %.253.i.i.5.i = fmul double %.247.i.i.i10626, %.193.i.i.5.i
-  %.157.i.i.6.i = add nsw i64 %.229.i.0726.i, %.155.i.i.6.i10641
+  %.253.i.i.5.i = fmul double %.247.i.i.i10659, %.193.i.i.5.i
+  %.157.i.i.6.i = add nsw i64 %.229.i.0726.i, %.155.i.i.6.i10674
   %.159.i.i.6.i = mul nsw i64 %.157.i.i.6.i, %arg.shape.0
-  %gep10974 = getelementptr double, ptr %invariant.gep10973, i64 %.159.i.i.6.i
-  %.191.i.i.6.i = load double, ptr %gep10974, align 8, !noalias !144
+  %gep11008 = getelementptr double, ptr %invariant.gep11007, i64 %.159.i.i.6.i
+  %.191.i.i.6.i = load double, ptr %gep11008, align 8, !noalias !144
   %.193.i.i.6.i = fadd double %.191.i.i.6.i, %.253.i.i.5.i
   %.253.i.i.6.i = fmul double %.456.i, %.193.i.i.6.i
   %.300.i.i = add nsw i64 %.229.i.0726.i, 1
-  %.271.i.i.i10642 = mul nsw i64 %.229.i.0726.i, %arg.shape.0
-  %gep10976 = getelementptr double, ptr %invariant.gep10975, i64 %.271.i.i.i10642
-  %.309.i.i.i10643 = load double, ptr %gep10976, align 8, !noalias !144
-  %.313.i.i.i10644 = fadd double %.309.i.i.i10643, %.253.i.i.6.i
-  %.359.i.i10645 = add nsw i64 %.229.i.0726.i, %.358.i.i10623
-  %.361.i.i = mul nsw i64 %.359.i.i10645, %arg.shape.0
-  %gep10978 = getelementptr double, ptr %invariant.gep10977, i64 %.361.i.i
-  store double %.313.i.i.i10644, ptr %gep10978, align 8, !noalias !140
-  %exitcond.not.i10646 = icmp eq i64 %arg.shape.1, %.300.i.i
-  br i1 %exitcond.not.i10646, label %B154.loopexit.i, label %B122.if.i.i10630
+  %.271.i.i.i10675 = mul nsw i64 %.229.i.0726.i, %arg.shape.0
+  %gep11010 = getelementptr double, ptr %invariant.gep11009, i64 %.271.i.i.i10675
+  %.309.i.i.i10676 = load double, ptr %gep11010, align 8, !noalias !144
+  %.313.i.i.i10677 = fadd double %.309.i.i.i10676, %.253.i.i.6.i
+  %.359.i.i10678 = add nsw i64 %.229.i.0726.i, %.358.i.i10657
+  %.361.i.i = mul nsw i64 %.359.i.i10678, %arg.shape.0
+  %gep11012 = getelementptr double, ptr %invariant.gep11011, i64 %.361.i.i
+  store double %.313.i.i.i10677, ptr %gep11012, align 8, !noalias !140
+  %exitcond.not.i10679 = icmp eq i64 %arg.shape.1, %.300.i.i
+  br i1 %exitcond.not.i10679, label %B154.loopexit.i, label %B122.if.i.i10663
 
 B348.if.i:                                        ; preds = %B564.i, %B206.i
-  %.667.0732.i = phi i64 [ 0, %B206.i ], [ %.736.i, %B564.i ]
-  %.736.i = add nsw i64 %.667.0732.i, 1
-  %.817.i = getelementptr double, ptr %84, i64 %.667.0732.i
-  %.818.i10647 = load double, ptr %.817.i, align 8, !noalias !134
-  %.819.i = fcmp ogt double %.818.i10647, 5.000000e-01
+  %.667.0732.i = phi i64 [ 0, %B206.i ], [ %.736.i10680, %B564.i ]
+  %.736.i10680 = add nsw i64 %.667.0732.i, 1
+  %.817.i = getelementptr double, ptr %85, i64 %.667.0732.i
+  %.818.i10681 = load double, ptr %.817.i, align 8, !noalias !134
+  %.819.i = fcmp ogt double %.818.i10681, 5.000000e-01
   br i1 %.819.i, label %B390.i, label %B564.i
 
-B426.endif.i:                                     ; preds = %B80.i.i10651, %B46.i.i10650, %B426.i
+B426.endif.i:                                     ; preds = %B80.i.i10685, %B46.i.i10684, %B426.i
   store double 0.000000e+00, ptr %.817.i, align 8, !noalias !134
-  %.1014.i = getelementptr double, ptr %85, i64 %.667.0732.i
+  %.1014.i = getelementptr double, ptr %86, i64 %.667.0732.i
   store double %.952.i, ptr %.1014.i, align 8, !noalias !134
-  %.1071.i = getelementptr double, ptr %86, i64 %.667.0732.i
+  %.1071.i = getelementptr double, ptr %87, i64 %.667.0732.i
   store double %.960.i, ptr %.1071.i, align 8, !noalias !134
   br label %B564.i
 
 B3380:                                            ; preds = %B120.loopexit.i, %B2808, %B3318
-  %brmerge10555.not = and i1 %looked.2.1.lcssa, %good.2.1.fr.lcssa
-  br i1 %brmerge10555.not, label %B3388, label %B3440
+  %brmerge10590.not = and i1 %good.2.1.lcssa, %looked.2.1.lcssa
+  br i1 %brmerge10590.not, label %B3388, label %B3440
 
 B3388:                                            ; preds = %B3380
-  %brmerge10556.not = select i1 %within.5.1, i1 %.614, i1 false
-  %"$phi3424.7.2.2" = select i1 %brmerge10556.not, i64 3, i64 0
+  %brmerge10591.not = select i1 %within.5.1, i1 %.614, i1 false
+  %"$phi3424.7.2.2" = select i1 %brmerge10591.not, i64 3, i64 0
   br i1 %.689, label %B3440, label %B96.if.i
 
 B172.i:                                           ; preds = %B96.if.i
-  %.452.i10656 = getelementptr double, ptr %88, i64 %.180.0654.i
-  %.453.i10657 = load double, ptr %.452.i10656, align 8, !noalias !148
-  %.454.i10658 = fcmp olt double %.453.i10657, 5.000000e-01
-  br i1 %.454.i10658, label %B789.i, label %B210.i
+  %.452.i10690 = getelementptr double, ptr %89, i64 %.180.0654.i
+  %.453.i10691 = load double, ptr %.452.i10690, align 8, !noalias !148
+  %.454.i10692 = fcmp olt double %.453.i10691, 5.000000e-01
+  br i1 %.454.i10692, label %B789.i, label %B210.i
 
 B210.i:                                           ; preds = %B172.i
-  %.485.i10659 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.334.i
-  %.486.i = load i64, ptr %.485.i10659, align 8, !noalias !148
+  %.485.i10693 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.334.i
+  %.486.i = load i64, ptr %.485.i10693, align 8, !noalias !148
   %.487.not.i = icmp eq i64 %.486.i, 0
   br i1 %.487.not.i, label %B246.i, label %B789.i
 
 B246.i:                                           ; preds = %B210.i
   %.549.i = mul i64 %.334.i, %arg.batch.3.3.5.1
-  %231 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.549.i
-  %.553.i = getelementptr i8, ptr %231, i64 8
+  %232 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.549.i
+  %.553.i = getelementptr i8, ptr %232, i64 8
   %.554.i = load i64, ptr %.553.i, align 8, !noalias !148
   %.556.i = add nsw i64 %.554.i, %"$phi3424.7.2.2"
   store i64 %.556.i, ptr %.553.i, align 8, !noalias !148
   %.662.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.180.0654.i
   %.663.i = load double, ptr %.662.i, align 8, !noalias !148
-  %.717.i = getelementptr double, ptr %89, i64 %.180.0654.i
+  %.717.i = getelementptr double, ptr %90, i64 %.180.0654.i
   %.718.i = load double, ptr %.717.i, align 8, !noalias !148
-  %.772.i10660 = getelementptr double, ptr %90, i64 %.180.0654.i
-  %.773.i10661 = load double, ptr %.772.i10660, align 8, !noalias !148
+  %.772.i = getelementptr double, ptr %91, i64 %.180.0654.i
+  %.773.i = load double, ptr %.772.i, align 8, !noalias !148
   %.794.i = icmp slt i64 %.389.i, %arg.batch.2.5.0
   br i1 %.794.i, label %B420.i, label %B760.i
 
 B420.i:                                           ; preds = %B246.i
-  %.817.i10662 = icmp slt i64 %.389.i, 0
-  %.818.i10663 = select i1 %.817.i10662, i64 %arg.batch.2.5.0, i64 0
-  %232 = getelementptr double, ptr %arg.batch.2.4, i64 %.389.i
-  %.832.i10664 = getelementptr double, ptr %232, i64 %.818.i10663
-  %.833.i10665 = load double, ptr %.832.i10664, align 8, !noalias !148
-  %.837.i = fcmp ugt double %.833.i10665, %.773.i10661
+  %.817.i10694 = icmp slt i64 %.389.i, 0
+  %.818.i10695 = select i1 %.817.i10694, i64 %arg.batch.2.5.0, i64 0
+  %233 = getelementptr double, ptr %arg.batch.2.4, i64 %.389.i
+  %.832.i10696 = getelementptr double, ptr %233, i64 %.818.i10695
+  %.833.i10697 = load double, ptr %.832.i10696, align 8, !noalias !148
+  %.837.i = fcmp ugt double %.833.i10697, %.773.i
   br i1 %.837.i, label %B760.i, label %B444.preheader.i
 
 B444.preheader.i:                                 ; preds = %B420.i
   %factor.op.mul.reass.i = mul i64 %factor.op.mul652.i, %.334.i
-  %.1324.i = getelementptr double, ptr %91, i64 %.180.0654.i
-  %233 = getelementptr double, ptr %arg.batch.3.0.4, i64 %factor.op.mul.reass.i
-  %invariant.gep10979 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep10981 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep10983 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep10985 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep10987 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep10989 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep10991 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep10993 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep10995 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %.1324.i = getelementptr double, ptr %92, i64 %.180.0654.i
+  %234 = getelementptr double, ptr %arg.batch.3.0.4, i64 %factor.op.mul.reass.i
+  %invariant.gep11013 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep11015 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep11017 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep11019 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep11021 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep11023 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep11025 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep11027 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep11029 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
   br label %B444.i
 
 B444.i:                                           ; preds = %B736.i, %B444.preheader.i
@@ -3074,36 +3072,36 @@ B444.i:                                           ; preds = %B736.i, %B444.prehe
   br i1 %.924649.not.i, label %B644.i, label %B474.if.lr.ph.i
 
 B474.if.lr.ph.i:                                  ; preds = %B444.i
-  %.979.i10666 = icmp slt i64 %done.2.3.i, 0
-  %.980.i10667 = select i1 %.979.i10666, i64 %arg.batch.2.5.0, i64 0
-  %234 = getelementptr double, ptr %arg.batch.2.4, i64 %done.2.3.i
-  %.994.i = getelementptr double, ptr %234, i64 %.980.i10667
-  %.1220.i = select i1 %.979.i10666, i64 %arg.batch.3.0.5.1, i64 0
+  %.979.i = icmp slt i64 %done.2.3.i, 0
+  %.980.i10698 = select i1 %.979.i, i64 %arg.batch.2.5.0, i64 0
+  %235 = getelementptr double, ptr %arg.batch.2.4, i64 %done.2.3.i
+  %.994.i = getelementptr double, ptr %235, i64 %.980.i10698
+  %.1220.i = select i1 %.979.i, i64 %arg.batch.3.0.5.1, i64 0
   %.1221.i = add i64 %.1220.i, %done.2.3.i
   %.1250.i = mul i64 %.1221.i, %arg.batch.3.0.5.2
-  %235 = getelementptr double, ptr %233, i64 %.1250.i
+  %236 = getelementptr double, ptr %234, i64 %.1250.i
   br label %B474.if.i
 
 B502.i:                                           ; preds = %B474.if.i
-  %.1002.i = add nsw i64 %.868.0650.i, %.1000.i
-  %.1004.i = mul nsw i64 %.1002.i, %arg.shape.0
-  %gep10996 = getelementptr double, ptr %invariant.gep10995, i64 %.1004.i
-  %.1036.i = load double, ptr %gep10996, align 8, !noalias !148
+  %.1002.i10702 = add nsw i64 %.868.0650.i, %.1000.i10688
+  %.1004.i = mul nsw i64 %.1002.i10702, %arg.shape.0
+  %gep11030 = getelementptr double, ptr %invariant.gep11029, i64 %.1004.i
+  %.1036.i = load double, ptr %gep11030, align 8, !noalias !148
   br label %B790.i
 
 B644.i:                                           ; preds = %B790.i, %B444.i
   store double 0x7FF0000000000000, ptr %.1324.i, align 8, !noalias !148
-  %exitcond656.not.i = icmp eq i64 %done.2.3.i, %92
+  %exitcond656.not.i = icmp eq i64 %done.2.3.i, %93
   br i1 %exitcond656.not.i, label %B760.i, label %B736.i
 
 B736.i:                                           ; preds = %B644.i
   %.1262.i = add i64 %done.2.3.i, 1
   %.1359.i = icmp slt i64 %done.2.3.i, -1
   %.1360.i = select i1 %.1359.i, i64 %arg.batch.2.5.0, i64 0
-  %236 = getelementptr double, ptr %arg.batch.2.4, i64 %.1262.i
-  %.1374.i = getelementptr double, ptr %236, i64 %.1360.i
+  %237 = getelementptr double, ptr %arg.batch.2.4, i64 %.1262.i
+  %.1374.i = getelementptr double, ptr %237, i64 %.1360.i
   %.1375.i = load double, ptr %.1374.i, align 8, !noalias !148
-  %.1379.i = fcmp ugt double %.1375.i, %.773.i10661
+  %.1379.i = fcmp ugt double %.1375.i, %.773.i
   br i1 %.1379.i, label %B760.i, label %B444.i
 
 B760.i:                                           ; preds = %B736.i, %B644.i, %B420.i, %B246.i
@@ -3112,31 +3110,31 @@ B760.i:                                           ; preds = %B736.i, %B644.i, %B
   br label %B789.i
 
 B789.i:                                           ; preds = %B96.if.i, %B760.i, %B210.i, %B172.i
-  %exitcond657.not.i = icmp eq i64 %.252.i10654, %arg.shape.0
+  %exitcond657.not.i = icmp eq i64 %.252.i10689, %arg.shape.0
   br i1 %exitcond657.not.i, label %B3440, label %B96.if.i
 
 B790.i:                                           ; preds = %B38.if.i.i, %B502.i
   %.313.i.i.sink = phi double [ %.313.i.i, %B38.if.i.i ], [ %.1036.i, %B502.i ]
-  %237 = getelementptr double, ptr %235, i64 %.868.0650.i
-  store double %.313.i.i.sink, ptr %237, align 8, !noalias !148
-  %exitcond.not.i10670 = icmp eq i64 %arg.shape.1, %.937.i
-  br i1 %exitcond.not.i10670, label %B644.i, label %B474.if.i
+  %238 = getelementptr double, ptr %236, i64 %.868.0650.i
+  store double %.313.i.i.sink, ptr %238, align 8, !noalias !148
+  %exitcond.not.i10701 = icmp eq i64 %arg.shape.1, %.937.i
+  br i1 %exitcond.not.i10701, label %B644.i, label %B474.if.i
 
 B96.if.i:                                         ; preds = %B3388, %B789.i
-  %.180.0654.i = phi i64 [ %.252.i10654, %B789.i ], [ 0, %B3388 ]
-  %.252.i10654 = add nsw i64 %.180.0654.i, 1
+  %.180.0654.i = phi i64 [ %.252.i10689, %B789.i ], [ 0, %B3388 ]
+  %.252.i10689 = add nsw i64 %.180.0654.i, 1
   %.333.i = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.180.0654.i
   %.334.i = load i64, ptr %.333.i, align 8, !noalias !148
-  %.388.i = getelementptr i64, ptr %87, i64 %.180.0654.i
+  %.388.i = getelementptr i64, ptr %88, i64 %.180.0654.i
   %.389.i = load i64, ptr %.388.i, align 8, !noalias !148
-  %.397.i10655 = icmp slt i64 %.334.i, 0
-  br i1 %.397.i10655, label %B789.i, label %B172.i
+  %.397.i = icmp slt i64 %.334.i, 0
+  br i1 %.397.i, label %B789.i, label %B172.i
 
 B474.if.i:                                        ; preds = %B790.i, %B474.if.lr.ph.i
   %.868.0650.i = phi i64 [ 0, %B474.if.lr.ph.i ], [ %.937.i, %B790.i ]
   %.937.i = add nsw i64 %.868.0650.i, 1
   %.995.i = load double, ptr %.994.i, align 8, !noalias !148
-  %.997.i = fcmp oeq double %.995.i, %.773.i10661
+  %.997.i = fcmp oeq double %.995.i, %.773.i
   br i1 %.997.i, label %B502.i, label %B38.if.i.i
 
 B38.if.i.i:                                       ; preds = %B474.if.i
@@ -3145,225 +3143,225 @@ B38.if.i.i:                                       ; preds = %B474.if.i
   %.247.i.i = fsub double 1.000000e+00, %.1150.i
   %.157.i.i = add nsw i64 %.868.0650.i, %.155.i.i
   %.159.i.i = mul nsw i64 %.157.i.i, %arg.shape.0
-  %gep10980 = getelementptr double, ptr %invariant.gep10979, i64 %.159.i.i
-  %.191.i.i = load double, ptr %gep10980, align 8, !noalias !151
+  %gep11014 = getelementptr double, ptr %invariant.gep11013, i64 %.159.i.i
+  %.191.i.i = load double, ptr %gep11014, align 8, !noalias !151
   %.193.i.i = fadd double %.191.i.i, 0.000000e+00
-  %.253.i.i10668 = fmul double %.1150.i, %.193.i.i
+  %.253.i.i10699 = fmul double %.1150.i, %.193.i.i
   %.157.i.1.i = add nsw i64 %.868.0650.i, %.155.i.1.i
   %.159.i.1.i = mul nsw i64 %.157.i.1.i, %arg.shape.0
-  %gep10982 = getelementptr double, ptr %invariant.gep10981, i64 %.159.i.1.i
-  %.191.i.1.i = load double, ptr %gep10982, align 8, !noalias !151
-  %.193.i.1.i = fadd double %.191.i.1.i, %.253.i.i10668
+  %gep11016 = getelementptr double, ptr %invariant.gep11015, i64 %.159.i.1.i
+  %.191.i.1.i = load double, ptr %gep11016, align 8, !noalias !151
+  %.193.i.1.i = fadd double %.191.i.1.i, %.253.i.i10699
   %.253.i.1.i = fmul double %.247.i.i, %.193.i.1.i
   %.157.i.2.i = add nsw i64 %.868.0650.i, %.155.i.2.i
   %.159.i.2.i = mul nsw i64 %.157.i.2.i, %arg.shape.0
-  %gep10984 = getelementptr double, ptr %invariant.gep10983, i64 %.159.i.2.i
-  %.191.i.2.i = load double, ptr %gep10984, align 8, !noalias !151
+  %gep11018 = getelementptr double, ptr %invariant.gep11017, i64 %.159.i.2.i
+  %.191.i.2.i = load double, ptr %gep11018, align 8, !noalias !151
   %.193.i.2.i = fadd double %.191.i.2.i, %.253.i.1.i
   %.253.i.2.i = fmul double %.1150.i, %.193.i.2.i
   %.157.i.3.i = add nsw i64 %.868.0650.i, %.155.i.3.i
   %.159.i.3.i = mul nsw i64 %.157.i.3.i, %arg.shape.0
-  %gep10986 = getelementptr double, ptr %invariant.gep10985, i64 %.159.i.3.i
-  %.191.i.3.i = load double, ptr %gep10986, align 8, !noalias !151
+  %gep11020 = getelementptr double, ptr %invariant.gep11019, i64 %.159.i.3.i
+  %.191.i.3.i = load double, ptr %gep11020, align 8, !noalias !151
   %.193.i.3.i = fadd double %.191.i.3.i, %.253.i.2.i
   %.253.i.3.i = fmul double %.247.i.i, %.193.i.3.i
   %.157.i.4.i = add nsw i64 %.868.0650.i, %.155.i.4.i
   %.159.i.4.i = mul nsw i64 %.157.i.4.i, %arg.shape.0
-  %gep10988 = getelementptr double, ptr %invariant.gep10987, i64 %.159.i.4.i
-  %.191.i.4.i = load double, ptr %gep10988, align 8, !noalias !151
+  %gep11022 = getelementptr double, ptr %invariant.gep11021, i64 %.159.i.4.i
+  %.191.i.4.i = load double, ptr %gep11022, align 8, !noalias !151
   %.193.i.4.i = fadd double %.191.i.4.i, %.253.i.3.i
   %.253.i.4.i = fmul double %.1150.i, %.193.i.4.i
   %.157.i.5.i = add nsw i64 %.868.0650.i, %.155.i.5.i
   %.159.i.5.i = mul nsw i64 %.157.i.5.i, %arg.shape.0
-  %gep10990 = getelementptr double, ptr %invariant.gep10989, i64 %.159.i.5.i
-  %.191.i.5.i = load double, ptr %gep10990, align 8, !noalias !151
+  %gep11024 = getelementptr double, ptr %invariant.gep11023, i64 %.159.i.5.i
+  %.191.i.5.i = load double, ptr %gep11024, align 8, !noalias !151
   %.193.i.5.i = fadd double %.191.i.5.i, %.253.i.4.i
   %.253.i.5.i = fmul double %.247.i.i, %.193.i.5.i
   %.157.i.6.i = add nsw i64 %.868.0650.i, %.155.i.6.i
   %.159.i.6.i = mul nsw i64 %.157.i.6.i, %arg.shape.0
-  %gep10992 = getelementptr double, ptr %invariant.gep10991, i64 %.159.i.6.i
-  %.191.i.6.i = load double, ptr %gep10992, align 8, !noalias !151
+  %gep11026 = getelementptr double, ptr %invariant.gep11025, i64 %.159.i.6.i
+  %.191.i.6.i = load double, ptr %gep11026, align 8, !noalias !151
   %.193.i.6.i = fadd double %.191.i.6.i, %.253.i.5.i
   %.253.i.6.i = fmul double %.1150.i, %.193.i.6.i
-  %.271.i.i10669 = mul nsw i64 %.868.0650.i, %arg.shape.0
-  %gep10994 = getelementptr double, ptr %invariant.gep10993, i64 %.271.i.i10669
-  %.309.i.i = load double, ptr %gep10994, align 8, !noalias !151
+  %.271.i.i10700 = mul nsw i64 %.868.0650.i, %arg.shape.0
+  %gep11028 = getelementptr double, ptr %invariant.gep11027, i64 %.271.i.i10700
+  %.309.i.i = load double, ptr %gep11028, align 8, !noalias !151
   %.313.i.i = fadd double %.309.i.i, %.253.i.6.i
   br label %B790.i
 
 B3440:                                            ; preds = %B789.i, %B3388, %B3380
-  br i1 %.5067, label %B3490, label %B3452
+  br i1 %.5066, label %B3490, label %B3452
 
 B3452:                                            ; preds = %B3440
-  %.5122 = load double, ptr %.5121, align 8
-  %.5123 = fcmp ogt double %.5122, 5.000000e-01
-  br i1 %.5123, label %B3490, label %B3558
+  %.5121 = load double, ptr %.5120, align 8
+  %.5122 = fcmp ogt double %.5121, 5.000000e-01
+  br i1 %.5122, label %B3490, label %B3558
 
 B3490:                                            ; preds = %B3452, %B3440
-  %.5154 = load i64, ptr %.5153, align 8
-  %.5199 = inttoptr i64 %.5154 to ptr
-  tail call void %.5199(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
+  %.5153 = load i64, ptr %.5152, align 8
+  %.5198 = inttoptr i64 %.5153 to ptr
+  tail call void %.5198(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
   br label %B3558
 
 B3558:                                            ; preds = %B3490, %B3452
-  %brmerge10548.not.not = xor i1 %brmerge10548.not, true
-  %brmerge11026 = or i1 %.689, %brmerge10548.not.not
-  br i1 %brmerge11026, label %B3614, label %B80.if.i7168
+  %brmerge10583.not.not = xor i1 %brmerge10583.not, true
+  %brmerge11060 = or i1 %.689, %brmerge10583.not.not
+  br i1 %brmerge11060, label %B3614, label %B80.if.i7177
 
-B134.i:                                           ; preds = %B80.if.i7168
-  %.351.i6420 = getelementptr double, ptr %94, i64 %.141.i6179.011004
-  %.352.i6421 = load double, ptr %.351.i6420, align 8, !noalias !155
-  %.353.i6422 = fcmp ogt double %.352.i6421, 5.000000e-01
-  br i1 %.353.i6422, label %B174.i, label %B740.i
+B134.i:                                           ; preds = %B80.if.i7177
+  %.351.i6424 = getelementptr double, ptr %95, i64 %.141.i6180.011038
+  %.352.i6425 = load double, ptr %.351.i6424, align 8, !noalias !155
+  %.353.i6426 = fcmp ogt double %.352.i6425, 5.000000e-01
+  br i1 %.353.i6426, label %B174.i, label %B740.i
 
 B174.i:                                           ; preds = %B134.i
-  %.408.i6469 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.141.i6179.011004
-  %.409.i6470 = load double, ptr %.408.i6469, align 8, !noalias !155
-  %.463.i6517 = getelementptr double, ptr %95, i64 %.141.i6179.011004
-  %.464.i6518 = load double, ptr %.463.i6517, align 8, !noalias !155
-  %.465.i6519 = fsub double %.409.i6470, %.464.i6518
-  br i1 %.552.i655610997.not, label %B380.i, label %B270.if.i.preheader
+  %.408.i6474 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.141.i6180.011038
+  %.409.i6475 = load double, ptr %.408.i6474, align 8, !noalias !155
+  %.463.i6523 = getelementptr double, ptr %96, i64 %.141.i6180.011038
+  %.464.i6524 = load double, ptr %.463.i6523, align 8, !noalias !155
+  %.465.i6525 = fsub double %.409.i6475, %.464.i6524
+  br i1 %.552.i656311031.not, label %B380.i, label %B270.if.i.preheader
 
 B270.if.i.preheader:                              ; preds = %B174.i
-  %invariant.gep11106 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.141.i6179.011004
+  %invariant.gep11140 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.141.i6180.011038
   br label %B270.if.i
 
 B380.i:                                           ; preds = %B270.if.i, %B174.i
   %fastest.2.i.2.lcssa = phi double [ 0.000000e+00, %B174.i ], [ %.11.i.i, %B270.if.i ]
-  %.666.i6568 = fmul double %.465.i6519, %fastest.2.i.2.lcssa
-  %.698.i6594 = load double, ptr %.697.i6593, align 8, !noalias !155
-  %.699.i6595 = fcmp ogt double %.666.i6568, %.698.i6594
-  %.10560 = select i1 %.699.i6595, double 0x3E7AD7F29ABCAF48, double 5.000000e-06
-  %.743.i6624 = load double, ptr %.742.i6623, align 8, !noalias !155
-  %.773.i6649 = load double, ptr %arg.batch.2.4, align 8, !noalias !155
-  %.774.i6650 = fsub double %.743.i6624, %.773.i6649
-  %.776.i6652 = fmul double %.10560, %.774.i6650
-  %.780.i6655 = fcmp olt double %.465.i6519, %.776.i6652
-  br i1 %.780.i6655, label %B490.i, label %B528.i
+  %.666.i6575 = fmul double %.465.i6525, %fastest.2.i.2.lcssa
+  %.698.i6601 = load double, ptr %.697.i6600, align 8, !noalias !155
+  %.699.i6602 = fcmp ogt double %.666.i6575, %.698.i6601
+  %.10595 = select i1 %.699.i6602, double 0x3E7AD7F29ABCAF48, double 5.000000e-06
+  %.743.i6631 = load double, ptr %.742.i6630, align 8, !noalias !155
+  %.773.i6656 = load double, ptr %arg.batch.2.4, align 8, !noalias !155
+  %.774.i6657 = fsub double %.743.i6631, %.773.i6656
+  %.776.i6659 = fmul double %.10595, %.774.i6657
+  %.780.i6662 = fcmp olt double %.465.i6525, %.776.i6659
+  br i1 %.780.i6662, label %B490.i, label %B528.i
 
 B490.i:                                           ; preds = %B380.i
-  %238 = getelementptr i64, ptr %97, i64 %.141.i6179.011004
-  %.838.i7104 = load i64, ptr %238, align 8, !noalias !155
-  %.839.i7105 = add nsw i64 %.838.i7104, 1
+  %239 = getelementptr i64, ptr %98, i64 %.141.i6180.011038
+  %.838.i7113 = load i64, ptr %239, align 8, !noalias !155
+  %.839.i7114 = add nsw i64 %.838.i7113, 1
   br label %B528.i
 
 B528.i:                                           ; preds = %B380.i, %B490.i
-  %"$phi528.1.2.i.2" = phi i64 [ %.839.i7105, %B490.i ], [ 0, %B380.i ]
-  %239 = getelementptr i64, ptr %98, i64 %.141.i6179.011004
-  store i64 %"$phi528.1.2.i.2", ptr %239, align 8, !noalias !155
-  %.959.i6751 = load double, ptr %.408.i6469, align 8, !noalias !155
-  store double %.959.i6751, ptr %.463.i6517, align 8, !noalias !155
-  %.1068.i6846 = getelementptr double, ptr %99, i64 %.141.i6179.011004
-  store double 1.000000e+00, ptr %.1068.i6846, align 8, !noalias !155
+  %"$phi528.1.2.i.2" = phi i64 [ %.839.i7114, %B490.i ], [ 0, %B380.i ]
+  %240 = getelementptr i64, ptr %99, i64 %.141.i6180.011038
+  store i64 %"$phi528.1.2.i.2", ptr %240, align 8, !noalias !155
+  %.959.i6760 = load double, ptr %.408.i6474, align 8, !noalias !155
+  store double %.959.i6760, ptr %.463.i6523, align 8, !noalias !155
+  %.1068.i6853 = getelementptr double, ptr %100, i64 %.141.i6180.011038
+  store double 1.000000e+00, ptr %.1068.i6853, align 8, !noalias !155
   store i64 1, ptr %.1061, align 8, !noalias !155
-  %.1154.i6914 = load i64, ptr %239, align 8, !noalias !155
-  %.1155.i6915 = icmp sgt i64 %.1154.i6914, 1000
-  br i1 %.1155.i6915, label %B694.i, label %B740.i
+  %.1154.i6923 = load i64, ptr %240, align 8, !noalias !155
+  %.1155.i6924 = icmp sgt i64 %.1154.i6923, 1000
+  br i1 %.1155.i6924, label %B694.i, label %B740.i
 
 B694.i:                                           ; preds = %B528.i
-  %240 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.141.i6179.011004
-  %.84.i.i6993 = load i64, ptr %240, align 8, !noalias !159
-  %.89.i.i6996 = icmp sgt i64 %.84.i.i6993, -1
-  br i1 %.89.i.i6996, label %B46.i.i7004, label %B740.i
+  %241 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.141.i6180.011038
+  %.84.i.i7004 = load i64, ptr %241, align 8, !noalias !159
+  %.89.i.i7007 = icmp sgt i64 %.84.i.i7004, -1
+  br i1 %.89.i.i7007, label %B46.i.i7015, label %B740.i
 
-B46.i.i7004:                                      ; preds = %B694.i
-  %.120.i.i7024 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i.i6993
-  %.121.i.i7025 = load i64, ptr %.120.i.i7024, align 8, !noalias !159
-  %.122.i.i7026 = icmp eq i64 %.121.i.i7025, 0
-  br i1 %.122.i.i7026, label %B80.i.i7031, label %B740.i
+B46.i.i7015:                                      ; preds = %B694.i
+  %.120.i.i7035 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i.i7004
+  %.121.i.i7036 = load i64, ptr %.120.i.i7035, align 8, !noalias !159
+  %.122.i.i7037 = icmp eq i64 %.121.i.i7036, 0
+  br i1 %.122.i.i7037, label %B80.i.i7042, label %B740.i
 
-B80.i.i7031:                                      ; preds = %B46.i.i7004
-  store i64 6, ptr %.120.i.i7024, align 8, !noalias !159
+B80.i.i7042:                                      ; preds = %B46.i.i7015
+  store i64 6, ptr %.120.i.i7035, align 8, !noalias !159
   br label %B740.i
 
-B740.i:                                           ; preds = %B80.i.i7031, %B694.i, %B46.i.i7004, %B528.i, %B134.i, %B80.if.i7168
-  store double 0.000000e+00, ptr %.294.i6334, align 8, !noalias !155
-  %.200.i6265 = icmp sgt i64 %.144.i6180.011003, 1
-  br i1 %.200.i6265, label %B80.if.i7168, label %B3614
+B740.i:                                           ; preds = %B80.i.i7042, %B694.i, %B46.i.i7015, %B528.i, %B134.i, %B80.if.i7177
+  store double 0.000000e+00, ptr %.294.i6335, align 8, !noalias !155
+  %.200.i6266 = icmp sgt i64 %.144.i6181.011037, 1
+  br i1 %.200.i6266, label %B80.if.i7177, label %B3614
 
-B80.if.i7168:                                     ; preds = %B3558, %B740.i
-  %.141.i6179.011004 = phi i64 [ %.213.i7176, %B740.i ], [ 0, %B3558 ]
-  %.144.i6180.011003 = phi i64 [ %.209.i7173, %B740.i ], [ %storemerge, %B3558 ]
-  %.209.i7173 = add nsw i64 %.144.i6180.011003, -1
-  %.213.i7176 = add nsw i64 %.141.i6179.011004, 1
-  %.294.i6334 = getelementptr double, ptr %93, i64 %.141.i6179.011004
-  %.295.i6335 = load double, ptr %.294.i6334, align 8, !noalias !155
-  %.296.i6336 = fcmp oeq double %.295.i6335, 1.000000e+00
-  br i1 %.296.i6336, label %B134.i, label %B740.i
+B80.if.i7177:                                     ; preds = %B3558, %B740.i
+  %.141.i6180.011038 = phi i64 [ %.213.i7185, %B740.i ], [ 0, %B3558 ]
+  %.144.i6181.011037 = phi i64 [ %.209.i7182, %B740.i ], [ %storemerge, %B3558 ]
+  %.209.i7182 = add nsw i64 %.144.i6181.011037, -1
+  %.213.i7185 = add nsw i64 %.141.i6180.011038, 1
+  %.294.i6335 = getelementptr double, ptr %94, i64 %.141.i6180.011038
+  %.295.i6336 = load double, ptr %.294.i6335, align 8, !noalias !155
+  %.296.i6337 = fcmp oeq double %.295.i6336, 1.000000e+00
+  br i1 %.296.i6337, label %B134.i, label %B740.i
 
 B270.if.i:                                        ; preds = %B270.if.i.preheader, %B270.if.i
-  %fastest.2.i.211000 = phi double [ %.11.i.i, %B270.if.i ], [ 0.000000e+00, %B270.if.i.preheader ]
-  %.496.i6196.010999 = phi i64 [ %.565.i7160, %B270.if.i ], [ 0, %B270.if.i.preheader ]
-  %.565.i7160 = add nsw i64 %.496.i6196.010999, 1
-  %.592.i7112 = add nsw i64 %.496.i6196.010999, %arg.shape.1
-  %.594.i7114 = mul nsw i64 %.592.i7112, %arg.shape.0
-  %gep11107 = getelementptr double, ptr %invariant.gep11106, i64 %.594.i7114
-  %.626.i7142 = load double, ptr %gep11107, align 8, !noalias !155
-  %.627.i7143 = tail call double @llvm.fabs.f64(double %.626.i7142)
-  %.10.i.i = fcmp ogt double %.627.i7143, %fastest.2.i.211000
-  %.11.i.i = select i1 %.10.i.i, double %.627.i7143, double %fastest.2.i.211000
-  %exitcond11054.not = icmp eq i64 %arg.shape.1, %.565.i7160
-  br i1 %exitcond11054.not, label %B380.i, label %B270.if.i
+  %fastest.2.i.211034 = phi double [ %.11.i.i, %B270.if.i ], [ 0.000000e+00, %B270.if.i.preheader ]
+  %.496.i6197.011033 = phi i64 [ %.565.i7169, %B270.if.i ], [ 0, %B270.if.i.preheader ]
+  %.565.i7169 = add nsw i64 %.496.i6197.011033, 1
+  %.592.i7121 = add nsw i64 %.496.i6197.011033, %arg.shape.1
+  %.594.i7123 = mul nsw i64 %.592.i7121, %arg.shape.0
+  %gep11141 = getelementptr double, ptr %invariant.gep11140, i64 %.594.i7123
+  %.626.i7151 = load double, ptr %gep11141, align 8, !noalias !155
+  %.627.i7152 = tail call double @llvm.fabs.f64(double %.626.i7151)
+  %.10.i.i = fcmp ogt double %.627.i7152, %fastest.2.i.211034
+  %.11.i.i = select i1 %.10.i.i, double %.627.i7152, double %fastest.2.i.211034
+  %exitcond11088.not = icmp eq i64 %arg.shape.1, %.565.i7169
+  br i1 %exitcond11088.not, label %B380.i, label %B270.if.i
 
 B3614:                                            ; preds = %B740.i, %B3558
-  %brmerge10562.not = and i1 %.5269.not, %looked.2.1.lcssa
-  %brmerge10562.not.not = xor i1 %brmerge10562.not, true
-  %brmerge11025 = or i1 %.689, %brmerge10562.not.not
-  br i1 %brmerge11025, label %B3664, label %B114.if.i
+  %brmerge10597.not = and i1 %.5268.not, %looked.2.1.lcssa
+  %brmerge10597.not.not = xor i1 %brmerge10597.not, true
+  %brmerge11059 = or i1 %.689, %brmerge10597.not.not
+  br i1 %brmerge11059, label %B3664, label %B114.if.i
 
-B46.i.i10671:                                     ; preds = %B114.if.i
+B46.i.i10703:                                     ; preds = %B114.if.i
   %.135.i.i = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.99.i.i
   %.136.i.i = load i64, ptr %.135.i.i, align 8, !noalias !162
   %.141.i.not.i = icmp eq i64 %.136.i.i, 0
-  br i1 %.141.i.not.i, label %B80.i.i10675, label %B228.i
+  br i1 %.141.i.not.i, label %B80.i.i10709, label %B228.i
 
-B80.i.i10675:                                     ; preds = %B46.i.i10671
-  %.196.i.i = getelementptr double, ptr %100, i64 %.302.01639.i
+B80.i.i10709:                                     ; preds = %B46.i.i10703
+  %.196.i.i = getelementptr double, ptr %101, i64 %.302.01639.i
   %.197.i.i = load double, ptr %.196.i.i, align 8, !noalias !162
   %.198.i.i = fcmp olt double %.197.i.i, 5.000000e-01
-  br i1 %.198.i.i, label %B228.i, label %B122.i.i10676
+  br i1 %.198.i.i, label %B228.i, label %B122.i.i10710
 
-B122.i.i10676:                                    ; preds = %B80.i.i10675
+B122.i.i10710:                                    ; preds = %B80.i.i10709
   %.264.i.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.302.01639.i
   %.265.i.i = load double, ptr %.264.i.i, align 8, !noalias !162
-  %.321.i.i = getelementptr double, ptr %101, i64 %.302.01639.i
+  %.321.i.i = getelementptr double, ptr %102, i64 %.302.01639.i
   %.322.i.i = load double, ptr %.321.i.i, align 8, !noalias !162
   %.325.i.i = fcmp une double %.265.i.i, %.322.i.i
   %brmerge.i = select i1 %.325.i.i, i1 true, i1 %.175.i3061635.not.i
   %not..325.i.i = xor i1 %.325.i.i, true
   %some.2.01641.mux.i = select i1 %not..325.i.i, i1 true, i1 %some.2.01641.i
-  br i1 %brmerge.i, label %B228.i, label %B76.if.i.lr.ph.i10677
+  br i1 %brmerge.i, label %B228.i, label %B76.if.i.lr.ph.i10711
 
-B76.if.i.lr.ph.i10677:                            ; preds = %B122.i.i10676
-  %241 = getelementptr i64, ptr %102, i64 %.302.01639.i
-  %.513.i = load i64, ptr %241, align 8, !noalias !167
+B76.if.i.lr.ph.i10711:                            ; preds = %B122.i.i10710
+  %242 = getelementptr i64, ptr %103, i64 %.302.01639.i
+  %.513.i = load i64, ptr %242, align 8, !noalias !167
   %.514.i = add nsw i64 %.513.i, 1
   %.236.i323.i = icmp slt i64 %.513.i, -1
   %.237.i324.i = select i1 %.236.i323.i, i64 %arg.batch.1.3.5.0, i64 0
   %.238.i325.i = add i64 %.514.i, %.237.i324.i
   %.258.i342.i = mul i64 %.238.i325.i, %arg.batch.1.3.5.1
-  %242 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i342.i
-  br label %B76.if.i.i10678
+  %243 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i342.i
+  br label %B76.if.i.i10712
 
-B76.if.i.i10678:                                  ; preds = %B76.if.i.i10678, %B76.if.i.lr.ph.i10677
-  %.117.i268.01636.i = phi i64 [ 0, %B76.if.i.lr.ph.i10677 ], [ %.188.i390.i, %B76.if.i.i10678 ]
+B76.if.i.i10712:                                  ; preds = %B76.if.i.i10712, %B76.if.i.lr.ph.i10711
+  %.117.i268.01636.i = phi i64 [ 0, %B76.if.i.lr.ph.i10711 ], [ %.188.i390.i, %B76.if.i.i10712 ]
   %.188.i390.i = add nsw i64 %.117.i268.01636.i, 1
-  %243 = getelementptr double, ptr %242, i64 %.117.i268.01636.i
-  %.263.i344.i = load double, ptr %243, align 8, !noalias !168
-  %244 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i268.01636.i
-  %.293.i360.i = load i64, ptr %244, align 8, !noalias !168
+  %244 = getelementptr double, ptr %243, i64 %.117.i268.01636.i
+  %.263.i344.i = load double, ptr %244, align 8, !noalias !168
+  %245 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i268.01636.i
+  %.293.i360.i = load i64, ptr %245, align 8, !noalias !168
   %.295.i362.i = mul nsw i64 %.293.i360.i, %arg.shape.0
   %.297.i364.i = add nsw i64 %.295.i362.i, %.302.01639.i
   %.311.i372.i = icmp slt i64 %.297.i364.i, 0
   %.312.i373.i = select i1 %.311.i372.i, i64 %arg.batch.5.1.5.0, i64 0
-  %245 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i364.i
-  %.326.i383.i = getelementptr double, ptr %245, i64 %.312.i373.i
+  %246 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i364.i
+  %.326.i383.i = getelementptr double, ptr %246, i64 %.312.i373.i
   store double %.263.i344.i, ptr %.326.i383.i, align 8, !noalias !168
-  %exitcond.not.i10679 = icmp eq i64 %arg.batch.1.1.5.0, %.188.i390.i
-  br i1 %exitcond.not.i10679, label %B228.i, label %B76.if.i.i10678
+  %exitcond.not.i10713 = icmp eq i64 %arg.batch.1.1.5.0, %.188.i390.i
+  br i1 %exitcond.not.i10713, label %B228.i, label %B76.if.i.i10712
 
-B228.i:                                           ; preds = %B76.if.i.i10678, %B114.if.i, %B122.i.i10676, %B80.i.i10675, %B46.i.i10671
-  %some.3.1.i = phi i1 [ %some.2.01641.mux.i, %B122.i.i10676 ], [ %some.2.01641.i, %B80.i.i10675 ], [ %some.2.01641.i, %B114.if.i ], [ %some.2.01641.i, %B46.i.i10671 ], [ true, %B76.if.i.i10678 ]
+B228.i:                                           ; preds = %B76.if.i.i10712, %B114.if.i, %B122.i.i10710, %B80.i.i10709, %B46.i.i10703
+  %some.3.1.i = phi i1 [ %some.2.01641.mux.i, %B122.i.i10710 ], [ %some.2.01641.i, %B80.i.i10709 ], [ %some.2.01641.i, %B114.if.i ], [ %some.2.01641.i, %B46.i.i10703 ], [ true, %B76.if.i.i10712 ]
   %exitcond1650.not.i = icmp eq i64 %arg.shape.0, %.373.i
   br i1 %exitcond1650.not.i, label %B230.i, label %B114.if.i
 
@@ -3376,13 +3374,13 @@ B238.i:                                           ; preds = %B230.i
   tail call void %.749.i(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !167
   %.780.i = load i64, ptr %.779.i, align 8, !noalias !167
   %.896.i = inttoptr i64 %.780.i to ptr
-  tail call void %.896.i(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.895.i10672), !noalias !167
+  tail call void %.896.i(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.895.i10704), !noalias !167
   br i1 %.900.not.i, label %B598.if.i.preheader, label %B456.i
 
 B456.i:                                           ; preds = %B238.i
-  %.931.i = load i64, ptr %.930.i, align 8, !noalias !167
+  %.931.i = load i64, ptr %.930.i10705, align 8, !noalias !167
   %.1049.i = inttoptr i64 %.931.i to ptr
-  tail call void %.1049.i(ptr %arg.batch.4.0.4, ptr %.895.i10672, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !167
+  tail call void %.1049.i(ptr %arg.batch.4.0.4, ptr %.895.i10704, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !167
   br label %B598.if.i.preheader
 
 B598.if.i.preheader:                              ; preds = %B456.i, %B238.i
@@ -3395,7 +3393,7 @@ B46.i82.i:                                        ; preds = %B598.if.i
   br i1 %.141.i106.not.i, label %B80.i107.i, label %B1076.i
 
 B80.i107.i:                                       ; preds = %B46.i82.i
-  %.196.i144.i = getelementptr double, ptr %100, i64 %.1090.01648.i
+  %.196.i144.i = getelementptr double, ptr %101, i64 %.1090.01648.i
   %.197.i145.i = load double, ptr %.196.i144.i, align 8, !noalias !172
   %.198.i146.i = fcmp olt double %.197.i145.i, 5.000000e-01
   br i1 %.198.i146.i, label %B1076.i, label %B122.i147.i
@@ -3403,20 +3401,20 @@ B80.i107.i:                                       ; preds = %B46.i82.i
 B122.i147.i:                                      ; preds = %B80.i107.i
   %.264.i184.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.1090.01648.i
   %.265.i185.i = load double, ptr %.264.i184.i, align 8, !noalias !172
-  %.321.i223.i = getelementptr double, ptr %101, i64 %.1090.01648.i
+  %.321.i223.i = getelementptr double, ptr %102, i64 %.1090.01648.i
   %.322.i224.i = load double, ptr %.321.i223.i, align 8, !noalias !172
   %.325.i226.i = fcmp une double %.265.i185.i, %.322.i224.i
   br i1 %.325.i226.i, label %B1076.i, label %B638.i
 
 B638.i:                                           ; preds = %B122.i147.i
-  %.1344.i = getelementptr i64, ptr %103, i64 %.1090.01648.i
+  %.1344.i = getelementptr i64, ptr %104, i64 %.1090.01648.i
   %.1345.i = load i64, ptr %.1344.i, align 8, !noalias !167
   %.1356.i = icmp sgt i64 %.1345.i, 0
   br i1 %.1356.i, label %B714.i, label %B768.i
 
 B714.i:                                           ; preds = %B638.i
-  %246 = getelementptr double, ptr %arg.batch.2.4, i64 %.1345.i
-  %.1391.i = getelementptr i8, ptr %246, i64 -8
+  %247 = getelementptr double, ptr %arg.batch.2.4, i64 %.1345.i
+  %.1391.i = getelementptr i8, ptr %247, i64 -8
   %.1392.i = load double, ptr %.1391.i, align 8, !noalias !167
   %.1448.i = fcmp oeq double %.1392.i, %.265.i185.i
   br label %B768.i
@@ -3431,15 +3429,15 @@ B800.if.lr.ph.i:                                  ; preds = %B768.i
   %.1714.i = add i64 %.1674.i, %.1713.i
   %.1741.i = mul i64 %.1739.i, %.99.i78.i
   %.1743.i = mul i64 %.1714.i, %arg.batch.3.0.5.2
-  %247 = getelementptr double, ptr %arg.batch.3.0.4, i64 %.1741.i
-  %248 = getelementptr double, ptr %247, i64 %.1743.i
-  %invariant.gep11005 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1090.01648.i
-  %invariant.gep11007 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1090.01648.i
+  %248 = getelementptr double, ptr %arg.batch.3.0.4, i64 %.1741.i
+  %249 = getelementptr double, ptr %248, i64 %.1743.i
+  %invariant.gep11039 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1090.01648.i
+  %invariant.gep11041 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1090.01648.i
   br label %B800.if.i
 
 B896.i:                                           ; preds = %B800.if.i
-  %249 = getelementptr double, ptr %248, i64 %.1488.01643.i
-  store double %.1622.i, ptr %249, align 8, !noalias !167
+  %250 = getelementptr double, ptr %249, i64 %.1488.01643.i
+  store double %.1622.i, ptr %250, align 8, !noalias !167
   br label %B918.i
 
 B918.i:                                           ; preds = %B800.if.i, %B896.i
@@ -3447,11 +3445,11 @@ B918.i:                                           ; preds = %B800.if.i, %B896.i
   br i1 %exitcond1651.not.i, label %B920.loopexit.i, label %B800.if.i
 
 B920.loopexit.i:                                  ; preds = %B918.i
-  %250 = fcmp une double %.1629.i, 0.000000e+00
-  br i1 %250, label %B932.i, label %B978.i
+  %251 = fcmp une double %.1629.i, 0.000000e+00
+  br i1 %251, label %B932.i, label %B978.i
 
 B932.i:                                           ; preds = %B920.loopexit.i
-  %.84.i452.i = load i64, ptr %253, align 8, !noalias !175
+  %.84.i452.i = load i64, ptr %254, align 8, !noalias !175
   %.89.i454.i = icmp sgt i64 %.84.i452.i, -1
   br i1 %.89.i454.i, label %B46.i458.i, label %B978.i
 
@@ -3469,13 +3467,13 @@ B978.i:                                           ; preds = %B80.i484.i, %B46.i4
   br i1 %.900.not.i, label %B1076.i, label %B994.i
 
 B994.i:                                           ; preds = %B978.i
-  %251 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.1090.01648.i
-  %.1846.i = load double, ptr %251, align 8, !noalias !167
+  %252 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.1090.01648.i
+  %.1846.i = load double, ptr %252, align 8, !noalias !167
   %.1848.i = fcmp olt double %.1846.i, -1.000000e-09
   br i1 %.1848.i, label %B1030.i, label %B1076.i
 
 B1030.i:                                          ; preds = %B994.i
-  %.84.i583.i = load i64, ptr %253, align 8, !noalias !178
+  %.84.i583.i = load i64, ptr %254, align 8, !noalias !178
   %.89.i586.i = icmp sgt i64 %.84.i583.i, -1
   br i1 %.89.i586.i, label %B46.i591.i, label %B1076.i
 
@@ -3490,25 +3488,25 @@ B80.i623.i:                                       ; preds = %B46.i591.i
   br label %B1076.i
 
 B1076.i:                                          ; preds = %B598.if.i, %B80.i623.i, %B46.i591.i, %B1030.i, %B994.i, %B978.i, %B122.i147.i, %B80.i107.i, %B46.i82.i
-  %.1146.i = icmp sgt i64 %.1093.01649.i, 1
-  br i1 %.1146.i, label %B598.if.i, label %B3664
+  %.1146.i10707 = icmp sgt i64 %.1093.01649.i, 1
+  br i1 %.1146.i10707, label %B598.if.i, label %B3664
 
 B114.if.i:                                        ; preds = %B3614, %B228.i
   %some.2.01641.i = phi i1 [ %some.3.1.i, %B228.i ], [ false, %B3614 ]
   %.302.01639.i = phi i64 [ %.373.i, %B228.i ], [ 0, %B3614 ]
   %.373.i = add nsw i64 %.302.01639.i, 1
-  %252 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.302.01639.i
-  %.99.i.i = load i64, ptr %252, align 8, !noalias !162
+  %253 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.302.01639.i
+  %.99.i.i = load i64, ptr %253, align 8, !noalias !162
   %.104.i.i = icmp slt i64 %.99.i.i, 0
-  br i1 %.104.i.i, label %B228.i, label %B46.i.i10671
+  br i1 %.104.i.i, label %B228.i, label %B46.i.i10703
 
 B598.if.i:                                        ; preds = %B598.if.i.preheader, %B1076.i
   %.1093.01649.i = phi i64 [ %.1155.i, %B1076.i ], [ %storemerge.i, %B598.if.i.preheader ]
   %.1090.01648.i = phi i64 [ %.1159.i, %B1076.i ], [ 0, %B598.if.i.preheader ]
   %.1155.i = add nsw i64 %.1093.01649.i, -1
   %.1159.i = add nsw i64 %.1090.01648.i, 1
-  %253 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.1090.01648.i
-  %.99.i78.i = load i64, ptr %253, align 8, !noalias !172
+  %254 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.1090.01648.i
+  %.99.i78.i = load i64, ptr %254, align 8, !noalias !172
   %.104.i81.i = icmp slt i64 %.99.i78.i, 0
   br i1 %.104.i81.i, label %B1076.i, label %B46.i82.i
 
@@ -3517,108 +3515,108 @@ B800.if.i:                                        ; preds = %B918.i, %B800.if.lr
   %.1488.01643.i = phi i64 [ 0, %B800.if.lr.ph.i ], [ %.1557.i, %B918.i ]
   %.1557.i = add nsw i64 %.1488.01643.i, 1
   %.1588.i = add nsw i64 %.1488.01643.i, %.850.i
-  %.1590.i10674 = mul nsw i64 %.1588.i, %arg.shape.0
-  %gep11006 = getelementptr double, ptr %invariant.gep11005, i64 %.1590.i10674
-  %.1622.i = load double, ptr %gep11006, align 8, !noalias !167
+  %.1590.i10708 = mul nsw i64 %.1588.i, %arg.shape.0
+  %gep11040 = getelementptr double, ptr %invariant.gep11039, i64 %.1590.i10708
+  %.1622.i = load double, ptr %gep11040, align 8, !noalias !167
   %.1627.i = fmul double %.1622.i, 0.000000e+00
   %.1629.i = fadd double %trouble.2.11645.i, %.1627.i
   %.1637.i = mul nsw i64 %.1488.01643.i, %arg.shape.0
-  %gep11008 = getelementptr double, ptr %invariant.gep11007, i64 %.1637.i
-  store double %.1622.i, ptr %gep11008, align 8, !noalias !167
+  %gep11042 = getelementptr double, ptr %invariant.gep11041, i64 %.1637.i
+  store double %.1622.i, ptr %gep11042, align 8, !noalias !167
   br i1 %"$phi768.1.2.1.i", label %B896.i, label %B918.i
 
 B3664:                                            ; preds = %B1076.i, %B3614, %B230.i
   %looked.2.1.lcssa.not = xor i1 %looked.2.1.lcssa, true
-  %brmerge11027 = or i1 %.689, %looked.2.1.lcssa.not
+  %brmerge11061 = or i1 %.689, %looked.2.1.lcssa.not
   %active.9.1.mux = select i1 %looked.2.1.lcssa, i64 0, i64 %active.9.1
-  br i1 %brmerge11027, label %B4640, label %B3706.if
+  br i1 %brmerge11061, label %B4640, label %B3706.if
 
 B3754:                                            ; preds = %B3706.if
-  %.5654 = mul i64 %.5581, %arg.batch.3.3.5.1
-  %.5658 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.5654
-  %.5659 = load i64, ptr %.5658, align 8
-  %.5715 = getelementptr i8, ptr %.5658, i64 24
-  %.5716 = load i64, ptr %.5715, align 8
-  %254 = add i64 %.5659, %.5716
-  %.5717 = sub i64 %arg.most, %254
-  %.5722 = icmp slt i64 %.5717, 1
-  br i1 %.5722, label %B3834, label %B3880
+  %.5653 = mul i64 %.5580, %arg.batch.3.3.5.1
+  %.5657 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.5653
+  %.5658 = load i64, ptr %.5657, align 8
+  %.5714 = getelementptr i8, ptr %.5657, i64 24
+  %.5715 = load i64, ptr %.5714, align 8
+  %255 = add i64 %.5658, %.5715
+  %.5716 = sub i64 %arg.most, %255
+  %.5721 = icmp slt i64 %.5716, 1
+  br i1 %.5721, label %B3834, label %B3880
 
 B3834:                                            ; preds = %B3754
-  %255 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.5419.011013
-  %.84.i7257 = load i64, ptr %255, align 8, !noalias !181
-  %.89.i7260 = icmp sgt i64 %.84.i7257, -1
-  br i1 %.89.i7260, label %B46.i7265, label %B3880
+  %256 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.5418.011047
+  %.84.i7266 = load i64, ptr %256, align 8, !noalias !181
+  %.89.i7269 = icmp sgt i64 %.84.i7266, -1
+  br i1 %.89.i7269, label %B46.i7274, label %B3880
 
-B46.i7265:                                        ; preds = %B3834
-  %.120.i7291 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i7257
-  %.121.i7292 = load i64, ptr %.120.i7291, align 8, !noalias !181
-  %.122.i7293 = icmp eq i64 %.121.i7292, 0
-  br i1 %.122.i7293, label %B80.i7298, label %B3880
+B46.i7274:                                        ; preds = %B3834
+  %.120.i7300 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i7266
+  %.121.i7301 = load i64, ptr %.120.i7300, align 8, !noalias !181
+  %.122.i7302 = icmp eq i64 %.121.i7301, 0
+  br i1 %.122.i7302, label %B80.i7307, label %B3880
 
-B80.i7298:                                        ; preds = %B46.i7265
-  store i64 5, ptr %.120.i7291, align 8, !noalias !181
+B80.i7307:                                        ; preds = %B46.i7274
+  store i64 5, ptr %.120.i7300, align 8, !noalias !181
   br label %B3880
 
-B3880:                                            ; preds = %B80.i7298, %B3834, %B46.i7265, %B3754
-  %.5812 = getelementptr double, ptr %104, i64 %.5419.011013
-  %.5813 = load double, ptr %.5812, align 8
-  %.5814 = fcmp ogt double %.5813, 5.000000e-01
-  br i1 %.5814, label %B3918, label %B4022
+B3880:                                            ; preds = %B80.i7307, %B3834, %B46.i7274, %B3754
+  %.5811 = getelementptr double, ptr %105, i64 %.5418.011047
+  %.5812 = load double, ptr %.5811, align 8
+  %.5813 = fcmp ogt double %.5812, 5.000000e-01
+  br i1 %.5813, label %B3918, label %B4022
 
 B3918:                                            ; preds = %B3880
-  %.5869 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5419.011013
-  %.5870 = load double, ptr %.5869, align 8
-  %.5924 = getelementptr double, ptr %105, i64 %.5419.011013
-  %.5925 = load double, ptr %.5924, align 8
-  %.5926 = fcmp oeq double %.5870, %.5925
-  br i1 %.5926, label %B3982, label %B4022
+  %.5868 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5418.011047
+  %.5869 = load double, ptr %.5868, align 8
+  %.5923 = getelementptr double, ptr %106, i64 %.5418.011047
+  %.5924 = load double, ptr %.5923, align 8
+  %.5925 = fcmp oeq double %.5869, %.5924
+  br i1 %.5925, label %B3982, label %B4022
 
 B3982:                                            ; preds = %B3918
-  %.192.i7526 = load i64, ptr %.5580, align 8, !noalias !184
-  %.248.i7574 = getelementptr i64, ptr %106, i64 %.5419.011013
-  %.249.i7575 = load i64, ptr %.248.i7574, align 8, !noalias !184
-  %.250.i7576 = add nsw i64 %.249.i7575, 1
-  store i64 %.250.i7576, ptr %.248.i7574, align 8, !noalias !184
-  %.373.i7681 = icmp slt i64 %.249.i7575, -1
-  %.374.i7682 = select i1 %.373.i7681, i64 %arg.batch.1.2.5.0, i64 0
-  %256 = getelementptr double, ptr %arg.batch.1.2.4, i64 %.250.i7576
-  %.388.i7696 = getelementptr double, ptr %256, i64 %.374.i7682
-  %.389.i7697 = load double, ptr %.388.i7696, align 8, !noalias !184
-  %.390.i7698 = fcmp oeq double %.389.i7697, 0x7FF0000000000000
-  br i1 %.390.i7698, label %B182.i, label %B240.i7699
+  %.192.i7535 = load i64, ptr %.5579, align 8, !noalias !184
+  %.248.i7583 = getelementptr i64, ptr %107, i64 %.5418.011047
+  %.249.i7584 = load i64, ptr %.248.i7583, align 8, !noalias !184
+  %.250.i7585 = add nsw i64 %.249.i7584, 1
+  store i64 %.250.i7585, ptr %.248.i7583, align 8, !noalias !184
+  %.373.i7690 = icmp slt i64 %.249.i7584, -1
+  %.374.i7691 = select i1 %.373.i7690, i64 %arg.batch.1.2.5.0, i64 0
+  %257 = getelementptr double, ptr %arg.batch.1.2.4, i64 %.250.i7585
+  %.388.i7705 = getelementptr double, ptr %257, i64 %.374.i7691
+  %.389.i7706 = load double, ptr %.388.i7705, align 8, !noalias !184
+  %.390.i7707 = fcmp oeq double %.389.i7706, 0x7FF0000000000000
+  br i1 %.390.i7707, label %B182.i, label %B240.i
 
 B182.i:                                           ; preds = %B3982
-  %.424.i8227 = icmp slt i64 %.192.i7526, 0
-  %.425.i8228 = select i1 %.424.i8227, i64 %arg.batch.3.1.5.0, i64 0
-  %257 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.192.i7526
-  %.439.i8242 = getelementptr i64, ptr %257, i64 %.425.i8228
-  %.440.i8243 = load i64, ptr %.439.i8242, align 8, !noalias !184
-  %.441.i8244 = icmp eq i64 %.440.i8243, 0
-  br i1 %.441.i8244, label %B216.i8248, label %B4022
+  %.424.i8234 = icmp slt i64 %.192.i7535, 0
+  %.425.i8235 = select i1 %.424.i8234, i64 %arg.batch.3.1.5.0, i64 0
+  %258 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.192.i7535
+  %.439.i8249 = getelementptr i64, ptr %258, i64 %.425.i8235
+  %.440.i8250 = load i64, ptr %.439.i8249, align 8, !noalias !184
+  %.441.i8251 = icmp eq i64 %.440.i8250, 0
+  br i1 %.441.i8251, label %B216.i8255, label %B4022
 
-B216.i8248:                                       ; preds = %B182.i
-  store i64 1, ptr %.439.i8242, align 8, !noalias !184
+B216.i8255:                                       ; preds = %B182.i
+  store i64 1, ptr %.439.i8249, align 8, !noalias !184
   br label %B4022
 
-B240.i7699:                                       ; preds = %B3982
-  store double %.389.i7697, ptr %.5924, align 8, !noalias !184
-  %.592.i7789 = select i1 %.373.i7681, i64 %arg.batch.1.4.5.0, i64 0
-  %258 = getelementptr i64, ptr %arg.batch.1.4.4, i64 %.250.i7576
-  %.606.i7803 = getelementptr i64, ptr %258, i64 %.592.i7789
-  %.607.i7804 = load i64, ptr %.606.i7803, align 8, !noalias !184
-  %.610.i7806 = icmp eq i64 %.607.i7804, 0
-  br i1 %.610.i7806, label %B300.i, label %B348.i
+B240.i:                                           ; preds = %B3982
+  store double %.389.i7706, ptr %.5923, align 8, !noalias !184
+  %.592.i7797 = select i1 %.373.i7690, i64 %arg.batch.1.4.5.0, i64 0
+  %259 = getelementptr i64, ptr %arg.batch.1.4.4, i64 %.250.i7585
+  %.606.i7811 = getelementptr i64, ptr %259, i64 %.592.i7797
+  %.607.i7812 = load i64, ptr %.606.i7811, align 8, !noalias !184
+  %.610.i7814 = icmp eq i64 %.607.i7812, 0
+  br i1 %.610.i7814, label %B300.i, label %B348.i
 
-B300.i:                                           ; preds = %B240.i7699
-  %.665.i8181 = getelementptr double, ptr %107, i64 %.5419.011013
-  store double 1.000000e+00, ptr %.665.i8181, align 8, !noalias !184
+B300.i:                                           ; preds = %B240.i
+  %.665.i8188 = getelementptr double, ptr %108, i64 %.5418.011047
+  store double 1.000000e+00, ptr %.665.i8188, align 8, !noalias !184
   br label %B392.i.sink.split
 
-B348.i:                                           ; preds = %B240.i7699
-  %.733.i7832 = load i64, ptr %.1061, align 8, !noalias !184
-  %.734.i7833 = icmp eq i64 %.733.i7832, 0
-  br i1 %.734.i7833, label %B392.i.sink.split, label %B392.i
+B348.i:                                           ; preds = %B240.i
+  %.733.i7840 = load i64, ptr %.1061, align 8, !noalias !184
+  %.734.i7841 = icmp eq i64 %.733.i7840, 0
+  br i1 %.734.i7841, label %B392.i.sink.split, label %B392.i
 
 B392.i.sink.split:                                ; preds = %B348.i, %B300.i
   %.sink = phi i64 [ 1, %B300.i ], [ 2, %B348.i ]
@@ -3626,465 +3624,465 @@ B392.i.sink.split:                                ; preds = %B348.i, %B300.i
   br label %B392.i
 
 B392.i:                                           ; preds = %B392.i.sink.split, %B348.i
-  br i1 %.175.i.i798511009.not, label %B4022, label %B76.if.i.i.lr.ph
+  br i1 %.175.i.i799311043.not, label %B4022, label %B76.if.i.i.lr.ph
 
 B76.if.i.i.lr.ph:                                 ; preds = %B392.i
-  %.237.i.i8034 = select i1 %.373.i7681, i64 %arg.batch.1.3.5.0, i64 0
-  %.238.i.i8035 = add i64 %.237.i.i8034, %.250.i7576
-  %.258.i.i8051 = mul i64 %.238.i.i8035, %arg.batch.1.3.5.1
-  %259 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i8051
+  %.237.i.i8041 = select i1 %.373.i7690, i64 %arg.batch.1.3.5.0, i64 0
+  %.238.i.i8042 = add i64 %.237.i.i8041, %.250.i7585
+  %.258.i.i8058 = mul i64 %.238.i.i8042, %arg.batch.1.3.5.1
+  %260 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i8058
   br label %B76.if.i.i
 
 B76.if.i.i:                                       ; preds = %B76.if.i.i.lr.ph, %B76.if.i.i
-  %.117.i.i7336.011011 = phi i64 [ 0, %B76.if.i.i.lr.ph ], [ %.188.i.i8100, %B76.if.i.i ]
-  %.188.i.i8100 = add nsw i64 %.117.i.i7336.011011, 1
-  %260 = getelementptr double, ptr %259, i64 %.117.i.i7336.011011
-  %.263.i.i8054 = load double, ptr %260, align 8, !noalias !188
-  %261 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.i7336.011011
-  %.293.i.i8072 = load i64, ptr %261, align 8, !noalias !188
-  %.295.i.i8074 = mul nsw i64 %.293.i.i8072, %arg.shape.0
-  %.297.i.i8076 = add nsw i64 %.295.i.i8074, %.5419.011013
-  %.311.i.i8083 = icmp slt i64 %.297.i.i8076, 0
-  %.312.i.i8084 = select i1 %.311.i.i8083, i64 %arg.batch.5.1.5.0, i64 0
-  %262 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i8076
-  %.326.i.i8094 = getelementptr double, ptr %262, i64 %.312.i.i8084
-  store double %.263.i.i8054, ptr %.326.i.i8094, align 8, !noalias !188
-  %exitcond11055.not = icmp eq i64 %arg.batch.1.1.5.0, %.188.i.i8100
-  br i1 %exitcond11055.not, label %B4022, label %B76.if.i.i
+  %.117.i.i7345.011045 = phi i64 [ 0, %B76.if.i.i.lr.ph ], [ %.188.i.i8107, %B76.if.i.i ]
+  %.188.i.i8107 = add nsw i64 %.117.i.i7345.011045, 1
+  %261 = getelementptr double, ptr %260, i64 %.117.i.i7345.011045
+  %.263.i.i8061 = load double, ptr %261, align 8, !noalias !188
+  %262 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.i7345.011045
+  %.293.i.i8079 = load i64, ptr %262, align 8, !noalias !188
+  %.295.i.i8081 = mul nsw i64 %.293.i.i8079, %arg.shape.0
+  %.297.i.i8083 = add nsw i64 %.295.i.i8081, %.5418.011047
+  %.311.i.i8090 = icmp slt i64 %.297.i.i8083, 0
+  %.312.i.i8091 = select i1 %.311.i.i8090, i64 %arg.batch.5.1.5.0, i64 0
+  %263 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i8083
+  %.326.i.i8101 = getelementptr double, ptr %263, i64 %.312.i.i8091
+  store double %.263.i.i8061, ptr %.326.i.i8101, align 8, !noalias !188
+  %exitcond11089.not = icmp eq i64 %arg.batch.1.1.5.0, %.188.i.i8107
+  br i1 %exitcond11089.not, label %B4022, label %B76.if.i.i
 
-B4022:                                            ; preds = %B76.if.i.i, %B392.i, %B216.i8248, %B182.i, %B3918, %B3880
-  %.6015 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.5581
-  %.6016 = load i64, ptr %.6015, align 8
-  %.6017.not = icmp eq i64 %.6016, 0
-  br i1 %.6017.not, label %B4164, label %B4056
+B4022:                                            ; preds = %B76.if.i.i, %B392.i, %B216.i8255, %B182.i, %B3918, %B3880
+  %.6014 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.5580
+  %.6015 = load i64, ptr %.6014, align 8
+  %.6016.not = icmp eq i64 %.6015, 0
+  br i1 %.6016.not, label %B4164, label %B4056
 
 B4056:                                            ; preds = %B4022
-  %.6078 = getelementptr i64, ptr %108, i64 %.5419.011013
-  %.6079 = load i64, ptr %.6078, align 8
-  %.6109 = getelementptr i64, ptr %arg.batch.3.2.4, i64 %.5581
-  store i64 %.6079, ptr %.6109, align 8
-  store i64 -1, ptr %.5580, align 8
-  %.236.i10680 = load i64, ptr %arg.batch.4.2.4, align 8, !noalias !192
-  %.293.i10685 = getelementptr double, ptr %109, i64 %.5419.011013
-  store double 0.000000e+00, ptr %.293.i10685, align 8, !noalias !192
-  %.324.i10687 = load i64, ptr %.323.i10686, align 8, !noalias !192
-  %.326.i10688 = icmp eq i64 %.236.i10680, %.324.i10687
-  br i1 %.326.i10688, label %B4372, label %B132.i10689
+  %.6077 = getelementptr i64, ptr %109, i64 %.5418.011047
+  %.6078 = load i64, ptr %.6077, align 8
+  %.6108 = getelementptr i64, ptr %arg.batch.3.2.4, i64 %.5580
+  store i64 %.6078, ptr %.6108, align 8
+  store i64 -1, ptr %.5579, align 8
+  %.236.i10714 = load i64, ptr %arg.batch.4.2.4, align 8, !noalias !192
+  %.293.i10719 = getelementptr double, ptr %110, i64 %.5418.011047
+  store double 0.000000e+00, ptr %.293.i10719, align 8, !noalias !192
+  %.324.i10721 = load i64, ptr %.323.i10720, align 8, !noalias !192
+  %.326.i10722 = icmp eq i64 %.236.i10714, %.324.i10721
+  br i1 %.326.i10722, label %B4372, label %B132.i10723
 
-B132.i10689:                                      ; preds = %B4056
-  %.359.i10690 = add nsw i64 %.236.i10680, 1
-  store i64 %.359.i10690, ptr %arg.batch.4.2.4, align 8, !noalias !192
+B132.i10723:                                      ; preds = %B4056
+  %.359.i10724 = add nsw i64 %.236.i10714, 1
+  store i64 %.359.i10724, ptr %arg.batch.4.2.4, align 8, !noalias !192
   store i64 1, ptr %.1061, align 8, !noalias !192
-  %.438.i10692 = icmp slt i64 %.236.i10680, 0
-  %.439.i10693 = select i1 %.438.i10692, i64 %arg.batch.0.2.5.0, i64 0
-  %263 = getelementptr i64, ptr %arg.batch.0.2.4, i64 %.236.i10680
-  %.453.i10694 = getelementptr i64, ptr %263, i64 %.439.i10693
-  %.454.i10695 = load i64, ptr %.453.i10694, align 8, !noalias !192
-  %.469.i10696 = icmp slt i64 %.454.i10695, 0
-  %.470.i10697 = select i1 %.469.i10696, i64 %arg.batch.1.0.5.0, i64 0
-  %264 = getelementptr i64, ptr %arg.batch.1.0.4, i64 %.454.i10695
-  %.484.i10698 = getelementptr i64, ptr %264, i64 %.470.i10697
-  %.485.i10699 = load i64, ptr %.484.i10698, align 8, !noalias !192
-  store i64 %.236.i10680, ptr %.5580, align 8, !noalias !192
-  %.595.i10703 = getelementptr i64, ptr %110, i64 %.5419.011013
-  store i64 %.485.i10699, ptr %.595.i10703, align 8, !noalias !192
-  store i64 1, ptr %.6078, align 8, !noalias !192
-  %.709.i10707 = getelementptr i64, ptr %111, i64 %.5419.011013
-  store i64 0, ptr %.709.i10707, align 8, !noalias !192
-  br i1 %.8051131.not.i10708, label %B402.i10723, label %B358.if.lr.ph.i10709
+  %.438.i10726 = icmp slt i64 %.236.i10714, 0
+  %.439.i10727 = select i1 %.438.i10726, i64 %arg.batch.0.2.5.0, i64 0
+  %264 = getelementptr i64, ptr %arg.batch.0.2.4, i64 %.236.i10714
+  %.453.i10728 = getelementptr i64, ptr %264, i64 %.439.i10727
+  %.454.i10729 = load i64, ptr %.453.i10728, align 8, !noalias !192
+  %.469.i10730 = icmp slt i64 %.454.i10729, 0
+  %.470.i10731 = select i1 %.469.i10730, i64 %arg.batch.1.0.5.0, i64 0
+  %265 = getelementptr i64, ptr %arg.batch.1.0.4, i64 %.454.i10729
+  %.484.i10732 = getelementptr i64, ptr %265, i64 %.470.i10731
+  %.485.i10733 = load i64, ptr %.484.i10732, align 8, !noalias !192
+  store i64 %.236.i10714, ptr %.5579, align 8, !noalias !192
+  %.595.i10737 = getelementptr i64, ptr %111, i64 %.5418.011047
+  store i64 %.485.i10733, ptr %.595.i10737, align 8, !noalias !192
+  store i64 1, ptr %.6077, align 8, !noalias !192
+  %.709.i10741 = getelementptr i64, ptr %112, i64 %.5418.011047
+  store i64 0, ptr %.709.i10741, align 8, !noalias !192
+  br i1 %.8051131.not.i10742, label %B402.i10757, label %B358.if.lr.ph.i10743
 
-B358.if.lr.ph.i10709:                             ; preds = %B132.i10689
-  %.867.i10710 = select i1 %.438.i10692, i64 %arg.batch.0.1.5.0, i64 0
-  %.868.i10711 = add i64 %.867.i10710, %.236.i10680
-  %.888.i10712 = mul i64 %.868.i10711, %arg.batch.0.1.5.1
-  %265 = getelementptr double, ptr %arg.batch.0.1.4, i64 %.888.i10712
-  %invariant.gep11108 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.5419.011013
-  br label %B358.if.i10713
+B358.if.lr.ph.i10743:                             ; preds = %B132.i10723
+  %.867.i10744 = select i1 %.438.i10726, i64 %arg.batch.0.1.5.0, i64 0
+  %.868.i10745 = add i64 %.867.i10744, %.236.i10714
+  %.888.i10746 = mul i64 %.868.i10745, %arg.batch.0.1.5.1
+  %266 = getelementptr double, ptr %arg.batch.0.1.4, i64 %.888.i10746
+  %invariant.gep11142 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.5418.011047
+  br label %B358.if.i10747
 
-B402.i10723:                                      ; preds = %B358.if.i10713, %B132.i10689
-  br i1 %.175.i1134.not.i10724, label %B402.endif.i10742, label %B76.if.i.lr.ph.i10725
+B402.i10757:                                      ; preds = %B358.if.i10747, %B132.i10723
+  br i1 %.175.i1134.not.i10758, label %B402.endif.i10776, label %B76.if.i.lr.ph.i10759
 
-B76.if.i.lr.ph.i10725:                            ; preds = %B402.i10723
-  %.990.i10726 = load i64, ptr %.595.i10703, align 8, !noalias !192
-  %.236.i.i10727 = icmp slt i64 %.990.i10726, 0
-  %.237.i.i10728 = select i1 %.236.i.i10727, i64 %arg.batch.1.3.5.0, i64 0
-  %.238.i.i10729 = add i64 %.237.i.i10728, %.990.i10726
-  %.258.i.i10730 = mul i64 %.238.i.i10729, %arg.batch.1.3.5.1
-  %266 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i10730
-  br label %B76.if.i.i10731
+B76.if.i.lr.ph.i10759:                            ; preds = %B402.i10757
+  %.990.i10760 = load i64, ptr %.595.i10737, align 8, !noalias !192
+  %.236.i.i10761 = icmp slt i64 %.990.i10760, 0
+  %.237.i.i10762 = select i1 %.236.i.i10761, i64 %arg.batch.1.3.5.0, i64 0
+  %.238.i.i10763 = add i64 %.237.i.i10762, %.990.i10760
+  %.258.i.i10764 = mul i64 %.238.i.i10763, %arg.batch.1.3.5.1
+  %267 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i10764
+  br label %B76.if.i.i10765
 
-B76.if.i.i10731:                                  ; preds = %B76.if.i.i10731, %B76.if.i.lr.ph.i10725
-  %.117.i.01135.i10732 = phi i64 [ 0, %B76.if.i.lr.ph.i10725 ], [ %.188.i.i10733, %B76.if.i.i10731 ]
-  %.188.i.i10733 = add nsw i64 %.117.i.01135.i10732, 1
-  %267 = getelementptr double, ptr %266, i64 %.117.i.01135.i10732
-  %.263.i.i10734 = load double, ptr %267, align 8, !noalias !195
-  %268 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.01135.i10732
-  %.293.i.i10735 = load i64, ptr %268, align 8, !noalias !195
-  %.295.i.i10736 = mul nsw i64 %.293.i.i10735, %arg.shape.0
-  %.297.i.i10737 = add nsw i64 %.295.i.i10736, %.5419.011013
-  %.311.i.i10738 = icmp slt i64 %.297.i.i10737, 0
-  %.312.i.i10739 = select i1 %.311.i.i10738, i64 %arg.batch.5.1.5.0, i64 0
-  %269 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i10737
-  %.326.i.i10740 = getelementptr double, ptr %269, i64 %.312.i.i10739
-  store double %.263.i.i10734, ptr %.326.i.i10740, align 8, !noalias !195
-  %exitcond1142.not.i10741 = icmp eq i64 %.188.i.i10733, %arg.batch.1.1.5.0
-  br i1 %exitcond1142.not.i10741, label %B402.endif.i10742, label %B76.if.i.i10731
+B76.if.i.i10765:                                  ; preds = %B76.if.i.i10765, %B76.if.i.lr.ph.i10759
+  %.117.i.01135.i10766 = phi i64 [ 0, %B76.if.i.lr.ph.i10759 ], [ %.188.i.i10767, %B76.if.i.i10765 ]
+  %.188.i.i10767 = add nsw i64 %.117.i.01135.i10766, 1
+  %268 = getelementptr double, ptr %267, i64 %.117.i.01135.i10766
+  %.263.i.i10768 = load double, ptr %268, align 8, !noalias !195
+  %269 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.01135.i10766
+  %.293.i.i10769 = load i64, ptr %269, align 8, !noalias !195
+  %.295.i.i10770 = mul nsw i64 %.293.i.i10769, %arg.shape.0
+  %.297.i.i10771 = add nsw i64 %.295.i.i10770, %.5418.011047
+  %.311.i.i10772 = icmp slt i64 %.297.i.i10771, 0
+  %.312.i.i10773 = select i1 %.311.i.i10772, i64 %arg.batch.5.1.5.0, i64 0
+  %270 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i10771
+  %.326.i.i10774 = getelementptr double, ptr %270, i64 %.312.i.i10773
+  store double %.263.i.i10768, ptr %.326.i.i10774, align 8, !noalias !195
+  %exitcond1142.not.i10775 = icmp eq i64 %.188.i.i10767, %arg.batch.1.1.5.0
+  br i1 %exitcond1142.not.i10775, label %B402.endif.i10776, label %B76.if.i.i10765
 
-B888.i10828:                                      ; preds = %B580.if.i10758
-  store double 0.000000e+00, ptr %.1877.i10825, align 8, !noalias !192
+B888.i10862:                                      ; preds = %B580.if.i10792
+  store double 0.000000e+00, ptr %.1877.i10859, align 8, !noalias !192
   br label %B4372
 
-B358.if.i10713:                                   ; preds = %B358.if.i10713, %B358.if.lr.ph.i10709
-  %.747.01132.i10714 = phi i64 [ 0, %B358.if.lr.ph.i10709 ], [ %.818.i10715, %B358.if.i10713 ]
-  %.818.i10715 = add nsw i64 %.747.01132.i10714, 1
-  %270 = getelementptr double, ptr %265, i64 %.747.01132.i10714
-  %.893.i10716 = load double, ptr %270, align 8, !noalias !192
-  %.895.i10717 = mul nsw i64 %.747.01132.i10714, %arg.shape.0
-  %gep11109 = getelementptr double, ptr %invariant.gep11108, i64 %.895.i10717
-  store double %.893.i10716, ptr %gep11109, align 8, !noalias !192
-  %exitcond.not.i10722 = icmp eq i64 %.818.i10715, %arg.batch.0.1.5.1
-  br i1 %exitcond.not.i10722, label %B402.i10723, label %B358.if.i10713
+B358.if.i10747:                                   ; preds = %B358.if.i10747, %B358.if.lr.ph.i10743
+  %.747.01132.i10748 = phi i64 [ 0, %B358.if.lr.ph.i10743 ], [ %.818.i10749, %B358.if.i10747 ]
+  %.818.i10749 = add nsw i64 %.747.01132.i10748, 1
+  %271 = getelementptr double, ptr %266, i64 %.747.01132.i10748
+  %.893.i10750 = load double, ptr %271, align 8, !noalias !192
+  %.895.i10751 = mul nsw i64 %.747.01132.i10748, %arg.shape.0
+  %gep11143 = getelementptr double, ptr %invariant.gep11142, i64 %.895.i10751
+  store double %.893.i10750, ptr %gep11143, align 8, !noalias !192
+  %exitcond.not.i10756 = icmp eq i64 %.818.i10749, %arg.batch.0.1.5.1
+  br i1 %exitcond.not.i10756, label %B402.i10757, label %B358.if.i10747
 
-B402.endif.i10742:                                ; preds = %B76.if.i.i10731, %B402.i10723
-  br i1 %.11171137.not.i10743, label %B580.if.i10758, label %B496.if.lr.ph.i10744
+B402.endif.i10776:                                ; preds = %B76.if.i.i10765, %B402.i10757
+  br i1 %.11171137.not.i10777, label %B580.if.i10792, label %B496.if.lr.ph.i10778
 
-B496.if.lr.ph.i10744:                             ; preds = %B402.endif.i10742
-  %.1179.i10745 = select i1 %.438.i10692, i64 %arg.batch.0.0.5.0, i64 0
-  %.1180.i10746 = add i64 %.1179.i10745, %.236.i10680
-  %.1200.i10747 = mul i64 %.1180.i10746, %arg.batch.0.0.5.1
-  %271 = getelementptr double, ptr %arg.batch.0.0.4, i64 %.1200.i10747
-  %invariant.gep11110 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.5419.011013
-  br label %B496.if.i10748
+B496.if.lr.ph.i10778:                             ; preds = %B402.endif.i10776
+  %.1179.i10779 = select i1 %.438.i10726, i64 %arg.batch.0.0.5.0, i64 0
+  %.1180.i10780 = add i64 %.1179.i10779, %.236.i10714
+  %.1200.i10781 = mul i64 %.1180.i10780, %arg.batch.0.0.5.1
+  %272 = getelementptr double, ptr %arg.batch.0.0.4, i64 %.1200.i10781
+  %invariant.gep11144 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.5418.011047
+  br label %B496.if.i10782
 
-B496.if.i10748:                                   ; preds = %B496.if.i10748, %B496.if.lr.ph.i10744
-  %.1061.01138.i10749 = phi i64 [ 0, %B496.if.lr.ph.i10744 ], [ %.1130.i10750, %B496.if.i10748 ]
-  %.1130.i10750 = add nsw i64 %.1061.01138.i10749, 1
-  %272 = getelementptr double, ptr %271, i64 %.1061.01138.i10749
-  %.1205.i10751 = load double, ptr %272, align 8, !noalias !192
-  %.1207.i10752 = mul nsw i64 %.1061.01138.i10749, %arg.shape.0
-  %gep11111 = getelementptr double, ptr %invariant.gep11110, i64 %.1207.i10752
-  store double %.1205.i10751, ptr %gep11111, align 8, !noalias !192
-  %exitcond1143.not.i10757 = icmp eq i64 %.1130.i10750, %arg.shape.1
-  br i1 %exitcond1143.not.i10757, label %B580.if.i10758, label %B496.if.i10748
+B496.if.i10782:                                   ; preds = %B496.if.i10782, %B496.if.lr.ph.i10778
+  %.1061.01138.i10783 = phi i64 [ 0, %B496.if.lr.ph.i10778 ], [ %.1130.i10784, %B496.if.i10782 ]
+  %.1130.i10784 = add nsw i64 %.1061.01138.i10783, 1
+  %273 = getelementptr double, ptr %272, i64 %.1061.01138.i10783
+  %.1205.i10785 = load double, ptr %273, align 8, !noalias !192
+  %.1207.i10786 = mul nsw i64 %.1061.01138.i10783, %arg.shape.0
+  %gep11145 = getelementptr double, ptr %invariant.gep11144, i64 %.1207.i10786
+  store double %.1205.i10785, ptr %gep11145, align 8, !noalias !192
+  %exitcond1143.not.i10791 = icmp eq i64 %.1130.i10784, %arg.shape.1
+  br i1 %exitcond1143.not.i10791, label %B580.if.i10792, label %B496.if.i10782
 
-B580.if.i10758:                                   ; preds = %B496.if.i10748, %B402.endif.i10742
-  %invariant.gep.i10759 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5419.011013
-  store double 0.000000e+00, ptr %invariant.gep.i10759, align 8, !noalias !192
-  %gep.1.i10760 = getelementptr double, ptr %invariant.gep.i10759, i64 %arg.batch.4.0.5.1
-  store double 0.000000e+00, ptr %gep.1.i10760, align 8, !noalias !192
-  %gep.2.i10762 = getelementptr i8, ptr %invariant.gep.i10759, i64 %gep.2.idx.i10761
-  store double 0.000000e+00, ptr %gep.2.i10762, align 8, !noalias !192
-  %gep.3.i10764 = getelementptr i8, ptr %invariant.gep.i10759, i64 %.idx.i10684
-  store double 0.000000e+00, ptr %gep.3.i10764, align 8, !noalias !192
-  %gep.4.i10766 = getelementptr i8, ptr %invariant.gep.i10759, i64 %gep.4.idx.i10765
-  store double 0.000000e+00, ptr %gep.4.i10766, align 8, !noalias !192
-  %gep.5.i10768 = getelementptr i8, ptr %invariant.gep.i10759, i64 %.idx10471
-  store double 0.000000e+00, ptr %gep.5.i10768, align 8, !noalias !192
-  %gep.6.i10770 = getelementptr i8, ptr %invariant.gep.i10759, i64 %gep.6.idx.i10769
-  store double 0.000000e+00, ptr %gep.6.i10770, align 8, !noalias !192
-  %gep.7.i10772 = getelementptr i8, ptr %invariant.gep.i10759, i64 %gep.7.idx.i10771
-  store double 0.000000e+00, ptr %gep.7.i10772, align 8, !noalias !192
-  %gep.8.i10774 = getelementptr i8, ptr %invariant.gep.i10759, i64 %.571.idx
-  store double 0.000000e+00, ptr %gep.8.i10774, align 8, !noalias !192
-  %gep.9.i10776 = getelementptr i8, ptr %invariant.gep.i10759, i64 %gep.9.idx.i10775
-  store double 0.000000e+00, ptr %gep.9.i10776, align 8, !noalias !192
-  %gep.10.i10778 = getelementptr i8, ptr %invariant.gep.i10759, i64 %gep.10.idx.i10777
-  store double 0.000000e+00, ptr %gep.10.i10778, align 8, !noalias !192
-  %gep.11.i10780 = getelementptr i8, ptr %invariant.gep.i10759, i64 %gep.11.idx.i10779
-  store double 0.000000e+00, ptr %gep.11.i10780, align 8, !noalias !192
-  %gep.12.i10782 = getelementptr i8, ptr %invariant.gep.i10759, i64 %gep.12.idx.i10781
-  store double 0.000000e+00, ptr %gep.12.i10782, align 8, !noalias !192
-  %gep.13.i10784 = getelementptr i8, ptr %invariant.gep.i10759, i64 %gep.13.idx.i10783
-  store double 0.000000e+00, ptr %gep.13.i10784, align 8, !noalias !192
-  %gep.14.i10786 = getelementptr i8, ptr %invariant.gep.i10759, i64 %gep.14.idx.i10785
-  store double 0.000000e+00, ptr %gep.14.i10786, align 8, !noalias !192
-  %gep.15.i10788 = getelementptr i8, ptr %invariant.gep.i10759, i64 %gep.15.idx.i10787
-  store double 0.000000e+00, ptr %gep.15.i10788, align 8, !noalias !192
-  %gep.16.i10790 = getelementptr i8, ptr %invariant.gep.i10759, i64 %gep.16.idx.i10789
-  store double 0.000000e+00, ptr %gep.16.i10790, align 8, !noalias !192
-  %gep.17.i10792 = getelementptr i8, ptr %invariant.gep.i10759, i64 %gep.17.idx.i10791
-  store double 0.000000e+00, ptr %gep.17.i10792, align 8, !noalias !192
-  %gep.18.i10794 = getelementptr i8, ptr %invariant.gep.i10759, i64 %gep.18.idx.i10793
-  store double 0.000000e+00, ptr %gep.18.i10794, align 8, !noalias !192
-  %gep.19.i10796 = getelementptr i8, ptr %invariant.gep.i10759, i64 %gep.19.idx.i10795
-  store double 0.000000e+00, ptr %gep.19.i10796, align 8, !noalias !192
-  %gep.20.i10798 = getelementptr i8, ptr %invariant.gep.i10759, i64 %gep.20.idx.i10797
-  store double 0.000000e+00, ptr %gep.20.i10798, align 8, !noalias !192
-  %gep.21.i10800 = getelementptr i8, ptr %invariant.gep.i10759, i64 %gep.21.idx.i10799
-  store double 0.000000e+00, ptr %gep.21.i10800, align 8, !noalias !192
-  %gep.22.i10802 = getelementptr i8, ptr %invariant.gep.i10759, i64 %gep.22.idx.i10801
-  store double 0.000000e+00, ptr %gep.22.i10802, align 8, !noalias !192
-  %gep.23.i10804 = getelementptr i8, ptr %invariant.gep.i10759, i64 %gep.23.idx.i10803
-  store double 0.000000e+00, ptr %gep.23.i10804, align 8, !noalias !192
-  %gep.24.i10806 = getelementptr i8, ptr %invariant.gep.i10759, i64 %gep.24.idx.i10805
-  store double 0.000000e+00, ptr %gep.24.i10806, align 8, !noalias !192
-  %gep.25.i10808 = getelementptr i8, ptr %invariant.gep.i10759, i64 %gep.25.idx.i10807
-  store double 0.000000e+00, ptr %gep.25.i10808, align 8, !noalias !192
-  %gep.26.i10810 = getelementptr i8, ptr %invariant.gep.i10759, i64 %gep.26.idx.i10809
-  store double 0.000000e+00, ptr %gep.26.i10810, align 8, !noalias !192
-  %.1455.i10811 = load double, ptr %arg.batch.2.4, align 8, !noalias !192
-  %.1516.i10812 = load i64, ptr %.595.i10703, align 8, !noalias !192
-  %.1531.i10813 = icmp slt i64 %.1516.i10812, 0
-  %.1532.i10814 = select i1 %.1531.i10813, i64 %arg.batch.1.2.5.0, i64 0
-  %273 = getelementptr double, ptr %arg.batch.1.2.4, i64 %.1516.i10812
-  %.1546.i10815 = getelementptr double, ptr %273, i64 %.1532.i10814
-  %.1547.i10816 = load double, ptr %.1546.i10815, align 8, !noalias !192
-  store double %.1455.i10811, ptr %invariant.gep.i10759, align 8, !noalias !192
-  %.1656.i10819 = getelementptr double, ptr %112, i64 %.5419.011013
-  store double %.1547.i10816, ptr %.1656.i10819, align 8, !noalias !192
-  store double 1.000000e+00, ptr %.293.i10685, align 8, !noalias !192
-  %.1767.i10821 = getelementptr double, ptr %113, i64 %.5419.011013
-  store double 0xFFF0000000000000, ptr %.1767.i10821, align 8, !noalias !192
-  %.1822.i10823 = getelementptr double, ptr %114, i64 %.5419.011013
-  store double 0x7FF0000000000000, ptr %.1822.i10823, align 8, !noalias !192
-  %.1877.i10825 = getelementptr double, ptr %115, i64 %.5419.011013
-  %.1878.i10826 = load double, ptr %.1877.i10825, align 8, !noalias !192
-  %.1880.i10827 = fcmp ueq double %.1878.i10826, 0xFFF0000000000000
-  br i1 %.1880.i10827, label %B4372, label %B888.i10828
+B580.if.i10792:                                   ; preds = %B496.if.i10782, %B402.endif.i10776
+  %invariant.gep.i10793 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5418.011047
+  store double 0.000000e+00, ptr %invariant.gep.i10793, align 8, !noalias !192
+  %gep.1.i10794 = getelementptr double, ptr %invariant.gep.i10793, i64 %arg.batch.4.0.5.1
+  store double 0.000000e+00, ptr %gep.1.i10794, align 8, !noalias !192
+  %gep.2.i10796 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.2.idx.i10795
+  store double 0.000000e+00, ptr %gep.2.i10796, align 8, !noalias !192
+  %gep.3.i10798 = getelementptr i8, ptr %invariant.gep.i10793, i64 %.idx.i10718
+  store double 0.000000e+00, ptr %gep.3.i10798, align 8, !noalias !192
+  %gep.4.i10800 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.4.idx.i10799
+  store double 0.000000e+00, ptr %gep.4.i10800, align 8, !noalias !192
+  %gep.5.i10802 = getelementptr i8, ptr %invariant.gep.i10793, i64 %.idx10506
+  store double 0.000000e+00, ptr %gep.5.i10802, align 8, !noalias !192
+  %gep.6.i10804 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.6.idx.i10803
+  store double 0.000000e+00, ptr %gep.6.i10804, align 8, !noalias !192
+  %gep.7.i10806 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.7.idx.i10805
+  store double 0.000000e+00, ptr %gep.7.i10806, align 8, !noalias !192
+  %gep.8.i10808 = getelementptr i8, ptr %invariant.gep.i10793, i64 %.571.idx
+  store double 0.000000e+00, ptr %gep.8.i10808, align 8, !noalias !192
+  %gep.9.i10810 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.9.idx.i10809
+  store double 0.000000e+00, ptr %gep.9.i10810, align 8, !noalias !192
+  %gep.10.i10812 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.10.idx.i10811
+  store double 0.000000e+00, ptr %gep.10.i10812, align 8, !noalias !192
+  %gep.11.i10814 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.11.idx.i10813
+  store double 0.000000e+00, ptr %gep.11.i10814, align 8, !noalias !192
+  %gep.12.i10816 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.12.idx.i10815
+  store double 0.000000e+00, ptr %gep.12.i10816, align 8, !noalias !192
+  %gep.13.i10818 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.13.idx.i10817
+  store double 0.000000e+00, ptr %gep.13.i10818, align 8, !noalias !192
+  %gep.14.i10820 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.14.idx.i10819
+  store double 0.000000e+00, ptr %gep.14.i10820, align 8, !noalias !192
+  %gep.15.i10822 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.15.idx.i10821
+  store double 0.000000e+00, ptr %gep.15.i10822, align 8, !noalias !192
+  %gep.16.i10824 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.16.idx.i10823
+  store double 0.000000e+00, ptr %gep.16.i10824, align 8, !noalias !192
+  %gep.17.i10826 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.17.idx.i10825
+  store double 0.000000e+00, ptr %gep.17.i10826, align 8, !noalias !192
+  %gep.18.i10828 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.18.idx.i10827
+  store double 0.000000e+00, ptr %gep.18.i10828, align 8, !noalias !192
+  %gep.19.i10830 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.19.idx.i10829
+  store double 0.000000e+00, ptr %gep.19.i10830, align 8, !noalias !192
+  %gep.20.i10832 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.20.idx.i10831
+  store double 0.000000e+00, ptr %gep.20.i10832, align 8, !noalias !192
+  %gep.21.i10834 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.21.idx.i10833
+  store double 0.000000e+00, ptr %gep.21.i10834, align 8, !noalias !192
+  %gep.22.i10836 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.22.idx.i10835
+  store double 0.000000e+00, ptr %gep.22.i10836, align 8, !noalias !192
+  %gep.23.i10838 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.23.idx.i10837
+  store double 0.000000e+00, ptr %gep.23.i10838, align 8, !noalias !192
+  %gep.24.i10840 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.24.idx.i10839
+  store double 0.000000e+00, ptr %gep.24.i10840, align 8, !noalias !192
+  %gep.25.i10842 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.25.idx.i10841
+  store double 0.000000e+00, ptr %gep.25.i10842, align 8, !noalias !192
+  %gep.26.i10844 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.26.idx.i10843
+  store double 0.000000e+00, ptr %gep.26.i10844, align 8, !noalias !192
+  %.1455.i10845 = load double, ptr %arg.batch.2.4, align 8, !noalias !192
+  %.1516.i10846 = load i64, ptr %.595.i10737, align 8, !noalias !192
+  %.1531.i10847 = icmp slt i64 %.1516.i10846, 0
+  %.1532.i10848 = select i1 %.1531.i10847, i64 %arg.batch.1.2.5.0, i64 0
+  %274 = getelementptr double, ptr %arg.batch.1.2.4, i64 %.1516.i10846
+  %.1546.i10849 = getelementptr double, ptr %274, i64 %.1532.i10848
+  %.1547.i10850 = load double, ptr %.1546.i10849, align 8, !noalias !192
+  store double %.1455.i10845, ptr %invariant.gep.i10793, align 8, !noalias !192
+  %.1656.i10853 = getelementptr double, ptr %113, i64 %.5418.011047
+  store double %.1547.i10850, ptr %.1656.i10853, align 8, !noalias !192
+  store double 1.000000e+00, ptr %.293.i10719, align 8, !noalias !192
+  %.1767.i10855 = getelementptr double, ptr %114, i64 %.5418.011047
+  store double 0xFFF0000000000000, ptr %.1767.i10855, align 8, !noalias !192
+  %.1822.i10857 = getelementptr double, ptr %115, i64 %.5418.011047
+  store double 0x7FF0000000000000, ptr %.1822.i10857, align 8, !noalias !192
+  %.1877.i10859 = getelementptr double, ptr %116, i64 %.5418.011047
+  %.1878.i10860 = load double, ptr %.1877.i10859, align 8, !noalias !192
+  %.1880.i10861 = fcmp ueq double %.1878.i10860, 0xFFF0000000000000
+  br i1 %.1880.i10861, label %B4372, label %B888.i10862
 
 B4164:                                            ; preds = %B4022
-  %.6305 = getelementptr double, ptr %116, i64 %.5419.011013
-  %.6306 = load double, ptr %.6305, align 8
-  %.6308 = fcmp ult double %.6306, 1.500000e+01
-  br i1 %.6308, label %B4372, label %B4212
+  %.6304 = getelementptr double, ptr %117, i64 %.5418.011047
+  %.6305 = load double, ptr %.6304, align 8
+  %.6307 = fcmp ult double %.6305, 1.500000e+01
+  br i1 %.6307, label %B4372, label %B4212
 
 B4212:                                            ; preds = %B4164
-  %.6352 = load double, ptr %.6351, align 8
-  %.6406 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5419.011013
-  %.6407 = load double, ptr %.6406, align 8
-  %.6408 = fsub double %.6352, %.6407
-  %.6462 = getelementptr double, ptr %119, i64 %.5419.011013
-  %.6463 = load double, ptr %.6462, align 8
-  %.6465 = fmul double %.6463, 5.000000e+03
-  %.6466 = fcmp ogt double %.6408, %.6465
-  br i1 %.6466, label %B4372, label %B4348
+  %.6351 = load double, ptr %.6350, align 8
+  %.6405 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5418.011047
+  %.6406 = load double, ptr %.6405, align 8
+  %.6407 = fsub double %.6351, %.6406
+  %.6461 = getelementptr double, ptr %120, i64 %.5418.011047
+  %.6462 = load double, ptr %.6461, align 8
+  %.6464 = fmul double %.6462, 5.000000e+03
+  %.6465 = fcmp ogt double %.6407, %.6464
+  br i1 %.6465, label %B4372, label %B4348
 
 B4348:                                            ; preds = %B4212
-  store double 0.000000e+00, ptr %.6305, align 8
+  store double 0.000000e+00, ptr %.6304, align 8
   br label %B4372
 
-B4372:                                            ; preds = %B888.i10828, %B4056, %B580.if.i10758, %B4212, %B4348, %B4164
-  %budget.7.4 = phi i64 [ %budget.5.211015, %B4164 ], [ 0, %B4212 ], [ %budget.5.211015, %B4348 ], [ %budget.5.211015, %B580.if.i10758 ], [ %budget.5.211015, %B4056 ], [ %budget.5.211015, %B888.i10828 ]
-  %.6594 = load i64, ptr %.5580, align 8
-  %.6595 = icmp sgt i64 %.6594, -1
-  br i1 %.6595, label %B4410, label %B4667
+B4372:                                            ; preds = %B888.i10862, %B4056, %B580.if.i10792, %B4212, %B4348, %B4164
+  %budget.7.4 = phi i64 [ %budget.5.211049, %B4164 ], [ 0, %B4212 ], [ %budget.5.211049, %B4348 ], [ %budget.5.211049, %B580.if.i10792 ], [ %budget.5.211049, %B4056 ], [ %budget.5.211049, %B888.i10862 ]
+  %.6593 = load i64, ptr %.5579, align 8
+  %.6594 = icmp sgt i64 %.6593, -1
+  br i1 %.6594, label %B4410, label %B4667
 
 B4410:                                            ; preds = %B4372
-  %.6600 = add nsw i64 %active.5.211016, 1
-  %.6709 = mul i64 %.6594, %arg.batch.3.3.5.1
-  %.6713 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.6709
-  %.6714 = load i64, ptr %.6713, align 8
-  %.6725.0 = and i64 %.6714, 127
-  %.6755 = sub nsw i64 128, %.6725.0
-  %.11.i = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %.6755, i64 %.5717)
-  %.6843 = getelementptr double, ptr %120, i64 %.5419.011013
-  %.6844 = load double, ptr %.6843, align 8
-  %.6846 = fcmp ogt double %.6844, 0.000000e+00
-  %.6857 = sitofp i64 %.11.i to double
-  %"$phi4580.1.2.5" = select i1 %.6846, double 1.000000e+00, double %.6857
-  %.6920 = getelementptr double, ptr %121, i64 %.5419.011013
-  store double %"$phi4580.1.2.5", ptr %.6920, align 8
-  %.111.i8381 = getelementptr i64, ptr %122, i64 %.5419.011013
-  %.112.i8382 = load i64, ptr %.111.i8381, align 8, !noalias !199
-  %.169.i8431 = getelementptr double, ptr %123, i64 %.5419.011013
-  %.170.i8432 = load double, ptr %.169.i8431, align 8, !noalias !199
-  %.224.i8480 = getelementptr double, ptr %124, i64 %.5419.011013
-  store double %.170.i8432, ptr %.224.i8480, align 8, !noalias !199
-  %.237.i8488 = icmp slt i64 %.112.i8382, %arg.batch.2.5.0
-  br i1 %.237.i8488, label %B134.i8493, label %B4667
+  %.6599 = add nsw i64 %active.5.211050, 1
+  %.6708 = mul i64 %.6593, %arg.batch.3.3.5.1
+  %.6712 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.6708
+  %.6713 = load i64, ptr %.6712, align 8
+  %.6724.0 = and i64 %.6713, 127
+  %.6754 = sub nsw i64 128, %.6724.0
+  %.11.i = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %.6754, i64 %.5716)
+  %.6842 = getelementptr double, ptr %121, i64 %.5418.011047
+  %.6843 = load double, ptr %.6842, align 8
+  %.6845 = fcmp ogt double %.6843, 0.000000e+00
+  %.6856 = sitofp i64 %.11.i to double
+  %"$phi4580.1.2.5" = select i1 %.6845, double 1.000000e+00, double %.6856
+  %.6919 = getelementptr double, ptr %122, i64 %.5418.011047
+  store double %"$phi4580.1.2.5", ptr %.6919, align 8
+  %.111.i8388 = getelementptr i64, ptr %123, i64 %.5418.011047
+  %.112.i8389 = load i64, ptr %.111.i8388, align 8, !noalias !199
+  %.169.i8438 = getelementptr double, ptr %124, i64 %.5418.011047
+  %.170.i8439 = load double, ptr %.169.i8438, align 8, !noalias !199
+  %.224.i8487 = getelementptr double, ptr %125, i64 %.5418.011047
+  store double %.170.i8439, ptr %.224.i8487, align 8, !noalias !199
+  %.237.i8495 = icmp slt i64 %.112.i8389, %arg.batch.2.5.0
+  br i1 %.237.i8495, label %B134.i8500, label %B4667
 
-B134.i8493:                                       ; preds = %B4410
-  %.253.i8504 = icmp slt i64 %.112.i8382, 0
-  %.254.i8505 = select i1 %.253.i8504, i64 %arg.batch.2.5.0, i64 0
-  %274 = getelementptr double, ptr %arg.batch.2.4, i64 %.112.i8382
-  %.268.i8519 = getelementptr double, ptr %274, i64 %.254.i8505
-  %.269.i8520 = load double, ptr %.268.i8519, align 8, !noalias !199
-  %.328.i8571 = load double, ptr %.169.i8431, align 8, !noalias !199
-  %.10.i.i8578 = fcmp olt double %.328.i8571, %.269.i8520
-  %.11.i.i8579 = select i1 %.10.i.i8578, double %.328.i8571, double %.269.i8520
-  store double %.11.i.i8579, ptr %.224.i8480, align 8, !noalias !199
+B134.i8500:                                       ; preds = %B4410
+  %.253.i8511 = icmp slt i64 %.112.i8389, 0
+  %.254.i8512 = select i1 %.253.i8511, i64 %arg.batch.2.5.0, i64 0
+  %275 = getelementptr double, ptr %arg.batch.2.4, i64 %.112.i8389
+  %.268.i8526 = getelementptr double, ptr %275, i64 %.254.i8512
+  %.269.i8527 = load double, ptr %.268.i8526, align 8, !noalias !199
+  %.328.i8578 = load double, ptr %.169.i8438, align 8, !noalias !199
+  %.10.i.i8585 = fcmp olt double %.328.i8578, %.269.i8527
+  %.11.i.i8586 = select i1 %.10.i.i8585, double %.328.i8578, double %.269.i8527
+  store double %.11.i.i8586, ptr %.224.i8487, align 8, !noalias !199
   br label %B4667
 
 B4640:                                            ; preds = %B4667, %B3664
   %budget.4.2 = phi i64 [ %.1027, %B3664 ], [ %budget.6.3, %B4667 ]
   %active.8.2 = phi i64 [ %active.9.1.mux, %B3664 ], [ %active.6.3, %B4667 ]
-  %.6998 = icmp sgt i64 %active.8.2, 0
-  %.7012 = icmp sgt i64 %budget.4.2, 0
-  %or.cond10563 = select i1 %.6998, i1 %.7012, i1 false
-  br i1 %or.cond10563, label %B498, label %B4666
+  %.6997 = icmp sgt i64 %active.8.2, 0
+  %.7011 = icmp sgt i64 %budget.4.2, 0
+  %or.cond10598 = select i1 %.6997, i1 %.7011, i1 false
+  br i1 %or.cond10598, label %B498, label %B4666
 
 B4666:                                            ; preds = %B4640, %B470
   %active.10.0 = phi i64 [ %active.4.0.lcssa, %B470 ], [ %active.8.2, %B4640 ]
-  br i1 %.689, label %B4666.endif, label %B80.if.i2046.lr.ph
+  br i1 %.689, label %B4666.endif, label %B80.if.i2039.lr.ph
 
-B80.if.i2046.lr.ph:                               ; preds = %B4666
+B80.if.i2039.lr.ph:                               ; preds = %B4666
   %.idx = mul i64 %arg.batch.4.0.5.1, 176
-  %275 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx
-  %.idx10469 = mul i64 %arg.batch.4.0.5.1, 184
-  %276 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10469
-  %.703.i1700 = add nsw i64 %arg.shape.2, -1
-  %.idx10470 = mul i64 %arg.batch.4.0.5.1, 160
-  %277 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10470
-  br label %B80.if.i2046
+  %276 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx
+  %.idx10504 = mul i64 %arg.batch.4.0.5.1, 184
+  %277 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10504
+  %.703.i1698 = add nsw i64 %arg.shape.2, -1
+  %.idx10505 = mul i64 %arg.batch.4.0.5.1, 160
+  %278 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10505
+  br label %B80.if.i2039
 
-B126.i1346:                                       ; preds = %B80.if.i2046
-  %.318.i1393 = getelementptr double, ptr %275, i64 %.105.i1192.011022
-  %.319.i1394 = load double, ptr %.318.i1393, align 8, !noalias !203
-  %.5.i.i1395 = fptosi double %.319.i1394 to i64
-  %.397.i1446 = getelementptr double, ptr %276, i64 %.105.i1192.011022
-  %.398.i1447 = load double, ptr %.397.i1446, align 8, !noalias !203
-  %.5.i1.i1448 = fptosi double %.398.i1447 to i64
-  %.478.i1499 = mul i64 %.258.i1339, %arg.batch.3.3.5.1
-  %.482.i1503 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.478.i1499
-  %.483.i1504 = load i64, ptr %.482.i1503, align 8, !noalias !203
-  %.485.i1506 = add nsw i64 %.483.i1504, %.5.i.i1395
-  store i64 %.485.i1506, ptr %.482.i1503, align 8, !noalias !203
-  %.591.i1601 = getelementptr i8, ptr %.482.i1503, i64 24
-  %.592.i1602 = load i64, ptr %.591.i1601, align 8, !noalias !203
-  %.594.i1604 = add nsw i64 %.592.i1602, %.5.i1.i1448
-  store i64 %.594.i1604, ptr %.591.i1601, align 8, !noalias !203
-  %.700.i1697 = getelementptr i8, ptr %.482.i1503, i64 8
-  %.701.i1698 = load i64, ptr %.700.i1697, align 8, !noalias !203
-  %.706.i1703 = add nsw i64 %.5.i1.i1448, %.5.i.i1395
-  %.707.i1704 = mul nsw i64 %.706.i1703, %.703.i1700
-  %..5.i.i1395 = select i1 %.625, i64 0, i64 %.5.i.i1395
-  %.708.i1705 = add i64 %.707.i1704, %..5.i.i1395
-  %.841.i1811 = add i64 %.708.i1705, %.701.i1698
-  store i64 %.841.i1811, ptr %.700.i1697, align 8, !noalias !203
-  store double 0.000000e+00, ptr %.318.i1393, align 8, !noalias !203
-  store double 0.000000e+00, ptr %.397.i1446, align 8, !noalias !203
-  %.1072.i1993 = getelementptr double, ptr %277, i64 %.105.i1192.011022
-  %.1073.i1994 = load double, ptr %.1072.i1993, align 8, !noalias !203
-  %.1081.i2000 = sitofp i64 %.706.i1703 to double
-  %.1082.i2001 = fsub double %.1073.i1994, %.1081.i2000
-  store double %.1082.i2001, ptr %.1072.i1993, align 8, !noalias !203
-  br label %B568.i1343
+B126.i1345:                                       ; preds = %B80.if.i2039
+  %.318.i1392 = getelementptr double, ptr %276, i64 %.105.i1190.011056
+  %.319.i1393 = load double, ptr %.318.i1392, align 8, !noalias !203
+  %.5.i.i1394 = fptosi double %.319.i1393 to i64
+  %.397.i1443 = getelementptr double, ptr %277, i64 %.105.i1190.011056
+  %.398.i1444 = load double, ptr %.397.i1443, align 8, !noalias !203
+  %.5.i1.i1445 = fptosi double %.398.i1444 to i64
+  %.478.i1496 = mul i64 %.258.i1338, %arg.batch.3.3.5.1
+  %.482.i1500 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.478.i1496
+  %.483.i1501 = load i64, ptr %.482.i1500, align 8, !noalias !203
+  %.485.i1503 = add nsw i64 %.483.i1501, %.5.i.i1394
+  store i64 %.485.i1503, ptr %.482.i1500, align 8, !noalias !203
+  %.591.i1598 = getelementptr i8, ptr %.482.i1500, i64 24
+  %.592.i1599 = load i64, ptr %.591.i1598, align 8, !noalias !203
+  %.594.i1601 = add nsw i64 %.592.i1599, %.5.i1.i1445
+  store i64 %.594.i1601, ptr %.591.i1598, align 8, !noalias !203
+  %.700.i1695 = getelementptr i8, ptr %.482.i1500, i64 8
+  %.701.i1696 = load i64, ptr %.700.i1695, align 8, !noalias !203
+  %.706.i1701 = add nsw i64 %.5.i1.i1445, %.5.i.i1394
+  %.707.i1702 = mul nsw i64 %.706.i1701, %.703.i1698
+  %..5.i.i1394 = select i1 %.625, i64 0, i64 %.5.i.i1394
+  %.708.i1703 = add i64 %.707.i1702, %..5.i.i1394
+  %.841.i1807 = add i64 %.708.i1703, %.701.i1696
+  store i64 %.841.i1807, ptr %.700.i1695, align 8, !noalias !203
+  store double 0.000000e+00, ptr %.318.i1392, align 8, !noalias !203
+  store double 0.000000e+00, ptr %.397.i1443, align 8, !noalias !203
+  %.1072.i1985 = getelementptr double, ptr %278, i64 %.105.i1190.011056
+  %.1073.i1986 = load double, ptr %.1072.i1985, align 8, !noalias !203
+  %.1081.i1992 = sitofp i64 %.706.i1701 to double
+  %.1082.i1993 = fsub double %.1073.i1986, %.1081.i1992
+  store double %.1082.i1993, ptr %.1072.i1985, align 8, !noalias !203
+  br label %B568.i1342
 
-B568.i1343:                                       ; preds = %B126.i1346, %B80.if.i2046
-  %.163.i1274 = icmp sgt i64 %.108.i1193.011023, 1
-  br i1 %.163.i1274, label %B80.if.i2046, label %B4666.endif
+B568.i1342:                                       ; preds = %B126.i1345, %B80.if.i2039
+  %.163.i1271 = icmp sgt i64 %.108.i1191.011057, 1
+  br i1 %.163.i1271, label %B80.if.i2039, label %B4666.endif
 
-B80.if.i2046:                                     ; preds = %B80.if.i2046.lr.ph, %B568.i1343
-  %.108.i1193.011023 = phi i64 [ %storemerge, %B80.if.i2046.lr.ph ], [ %.172.i2051, %B568.i1343 ]
-  %.105.i1192.011022 = phi i64 [ 0, %B80.if.i2046.lr.ph ], [ %.176.i2054, %B568.i1343 ]
-  %.172.i2051 = add nsw i64 %.108.i1193.011023, -1
-  %.176.i2054 = add nsw i64 %.105.i1192.011022, 1
-  %278 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.105.i1192.011022
-  %.258.i1339 = load i64, ptr %278, align 8, !noalias !203
-  %.263.i1342 = icmp sgt i64 %.258.i1339, -1
-  br i1 %.263.i1342, label %B126.i1346, label %B568.i1343
+B80.if.i2039:                                     ; preds = %B80.if.i2039.lr.ph, %B568.i1342
+  %.108.i1191.011057 = phi i64 [ %storemerge, %B80.if.i2039.lr.ph ], [ %.172.i2043, %B568.i1342 ]
+  %.105.i1190.011056 = phi i64 [ 0, %B80.if.i2039.lr.ph ], [ %.176.i2046, %B568.i1342 ]
+  %.172.i2043 = add nsw i64 %.108.i1191.011057, -1
+  %.176.i2046 = add nsw i64 %.105.i1190.011056, 1
+  %279 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.105.i1190.011056
+  %.258.i1338 = load i64, ptr %279, align 8, !noalias !203
+  %.263.i1341 = icmp sgt i64 %.258.i1338, -1
+  br i1 %.263.i1341, label %B126.i1345, label %B568.i1342
 
-B4667:                                            ; preds = %B4410, %B134.i8493, %B4372, %B3706.if
-  %budget.6.3 = phi i64 [ %budget.5.211015, %B3706.if ], [ %budget.7.4, %B4372 ], [ %budget.7.4, %B134.i8493 ], [ %budget.7.4, %B4410 ]
-  %active.6.3 = phi i64 [ %active.5.211016, %B3706.if ], [ %active.5.211016, %B4372 ], [ %.6600, %B134.i8493 ], [ %.6600, %B4410 ]
-  %.5482 = icmp sgt i64 %.5422.011014, 1
-  br i1 %.5482, label %B3706.if, label %B4640
+B4667:                                            ; preds = %B4410, %B134.i8500, %B4372, %B3706.if
+  %budget.6.3 = phi i64 [ %budget.5.211049, %B3706.if ], [ %budget.7.4, %B4372 ], [ %budget.7.4, %B134.i8500 ], [ %budget.7.4, %B4410 ]
+  %active.6.3 = phi i64 [ %active.5.211050, %B3706.if ], [ %active.5.211050, %B4372 ], [ %.6599, %B134.i8500 ], [ %.6599, %B4410 ]
+  %.5481 = icmp sgt i64 %.5421.011048, 1
+  br i1 %.5481, label %B3706.if, label %B4640
 
 B330.if:                                          ; preds = %B330.if.lr.ph, %B416
-  %active.4.010840 = phi i64 [ 0, %B330.if.lr.ph ], [ %.984, %B416 ]
-  %.678.010839 = phi i64 [ %storemerge, %B330.if.lr.ph ], [ %.742, %B416 ]
-  %.675.010838 = phi i64 [ 0, %B330.if.lr.ph ], [ %.746, %B416 ]
-  %.742 = add nsw i64 %.678.010839, -1
-  %.746 = add nsw i64 %.675.010838, 1
-  %279 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.675.010838
-  %.828 = load i64, ptr %279, align 8
+  %active.4.010874 = phi i64 [ 0, %B330.if.lr.ph ], [ %.984, %B416 ]
+  %.678.010873 = phi i64 [ %storemerge, %B330.if.lr.ph ], [ %.742, %B416 ]
+  %.675.010872 = phi i64 [ 0, %B330.if.lr.ph ], [ %.746, %B416 ]
+  %.742 = add nsw i64 %.678.010873, -1
+  %.746 = add nsw i64 %.675.010872, 1
+  %280 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.675.010872
+  %.828 = load i64, ptr %280, align 8
   %.829 = icmp slt i64 %.828, 0
   br i1 %.829, label %B372, label %B416
 
 B1448.if:                                         ; preds = %B1416, %B1662
-  %.2061.010855 = phi i64 [ %.2130, %B1662 ], [ 1, %B1416 ]
-  %.2130 = add i64 %.2061.010855, 1
-  %280 = getelementptr i64, ptr %arg.code.4, i64 %.2061.010855
-  %281 = getelementptr i8, ptr %280, i64 120
-  %.2189 = load i64, ptr %281, align 8
-  %.2234 = inttoptr i64 %.2189 to ptr
-  tail call void %.2234(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
-  %.2265 = load i64, ptr %arg.code.4, align 8
-  %.2270 = add nsw i64 %.2061.010855, %.
-  %.2272 = mul nsw i64 %.2270, %.463
-  %.2316 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.2272
-  %.2317 = inttoptr i64 %.2265 to ptr
-  tail call void %.2317(ptr %.571, ptr %.2291, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.2316)
-  br i1 %or.cond10832.not, label %B68.if.lr.ph.i, label %B1662
+  %.2060.010889 = phi i64 [ %.2129, %B1662 ], [ 1, %B1416 ]
+  %.2129 = add i64 %.2060.010889, 1
+  %281 = getelementptr i64, ptr %arg.code.4, i64 %.2060.010889
+  %282 = getelementptr i8, ptr %281, i64 120
+  %.2188 = load i64, ptr %282, align 8
+  %.2233 = inttoptr i64 %.2188 to ptr
+  tail call void %.2233(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
+  %.2264 = load i64, ptr %arg.code.4, align 8
+  %.2269 = add nsw i64 %.2060.010889, %.
+  %.2271 = mul nsw i64 %.2269, %.463
+  %.2315 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.2271
+  %.2316 = inttoptr i64 %.2264 to ptr
+  tail call void %.2316(ptr %.571, ptr %.2290, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.2315)
+  br i1 %or.cond10866.not, label %B68.if.lr.ph.i, label %B1662
 
 B1806.if:                                         ; preds = %B1664, %B1892
-  %good.2.1.fr10861 = phi i1 [ %"$phi1850.1.2.2", %B1892 ], [ false, %B1664 ]
-  %looked.2.110860 = phi i1 [ %"$phi1892.1.2.2", %B1892 ], [ %spec.select10564, %B1664 ]
-  %.2536.010859 = phi i64 [ %.2598, %B1892 ], [ %storemerge, %B1664 ]
-  %.2533.010858 = phi i64 [ %.2602, %B1892 ], [ 0, %B1664 ]
-  %.2598 = add nsw i64 %.2536.010859, -1
-  %.2602 = add nsw i64 %.2533.010858, 1
-  br i1 %good.2.1.fr10861, label %B1850, label %B1814
+  %looked.2.110895 = phi i1 [ %"$phi1892.1.2.2", %B1892 ], [ %spec.select10599, %B1664 ]
+  %good.2.110894 = phi i1 [ %"$phi1850.1.2.2", %B1892 ], [ false, %B1664 ]
+  %.2535.010893 = phi i64 [ %.2597, %B1892 ], [ %storemerge, %B1664 ]
+  %.2532.010892 = phi i64 [ %.2601, %B1892 ], [ 0, %B1664 ]
+  %.2597 = add nsw i64 %.2535.010893, -1
+  %.2601 = add nsw i64 %.2532.010892, 1
+  br i1 %good.2.110894, label %B1850, label %B1814
 
 B1966.if:                                         ; preds = %B1966.preheader, %B2472
-  %checked.3.210871 = phi i1 [ %checked.4.3, %B2472 ], [ false, %B1966.preheader ]
-  %within.3.210870 = phi i1 [ %within.4.3, %B2472 ], [ false, %B1966.preheader ]
-  %.2891.010869 = phi i64 [ %.2959, %B2472 ], [ %storemerge, %B1966.preheader ]
-  %.2888.010868 = phi i64 [ %.2963, %B2472 ], [ 0, %B1966.preheader ]
-  %.2959 = add nsw i64 %.2891.010869, -1
-  %.2963 = add nsw i64 %.2888.010868, 1
-  %.3048 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.2888.010868
-  %.3049 = load i64, ptr %.3048, align 8
-  %.3103 = getelementptr i64, ptr %38, i64 %.2888.010868
-  %.3104 = load i64, ptr %.3103, align 8
-  %.3164 = getelementptr double, ptr %39, i64 %.2888.010868
-  store double 0.000000e+00, ptr %.3164, align 8
-  %.3167 = icmp sgt i64 %.3049, -1
-  br i1 %.3167, label %B2066, label %B2472
+  %checked.3.210905 = phi i1 [ %checked.4.3, %B2472 ], [ false, %B1966.preheader ]
+  %within.3.210904 = phi i1 [ %within.4.3, %B2472 ], [ false, %B1966.preheader ]
+  %.2890.010903 = phi i64 [ %.2958, %B2472 ], [ %storemerge, %B1966.preheader ]
+  %.2887.010902 = phi i64 [ %.2962, %B2472 ], [ 0, %B1966.preheader ]
+  %.2958 = add nsw i64 %.2890.010903, -1
+  %.2962 = add nsw i64 %.2887.010902, 1
+  %.3047 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.2887.010902
+  %.3048 = load i64, ptr %.3047, align 8
+  %.3102 = getelementptr i64, ptr %38, i64 %.2887.010902
+  %.3103 = load i64, ptr %.3102, align 8
+  %.3163 = getelementptr double, ptr %39, i64 %.2887.010902
+  store double 0.000000e+00, ptr %.3163, align 8
+  %.3166 = icmp sgt i64 %.3048, -1
+  br i1 %.3166, label %B2066, label %B2472
 
 B46.i:                                            ; preds = %B2104
-  %.120.i2154 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i2123
-  %.121.i2155 = load i64, ptr %.120.i2154, align 8, !noalias !50
-  %.122.i2156 = icmp eq i64 %.121.i2155, 0
-  br i1 %.122.i2156, label %B80.i2160, label %B2204
+  %.120.i2141 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i2115
+  %.121.i2142 = load i64, ptr %.120.i2141, align 8, !noalias !50
+  %.122.i2143 = icmp eq i64 %.121.i2142, 0
+  br i1 %.122.i2143, label %B80.i2147, label %B2204
 
-B80.i2160:                                        ; preds = %B46.i
-  store i64 %.5.i, ptr %.120.i2154, align 8, !noalias !50
+B80.i2147:                                        ; preds = %B46.i
+  store i64 %.5.i, ptr %.120.i2141, align 8, !noalias !50
   br label %B2204
 
 B2866.if:                                         ; preds = %B2818
-  %.4323 = load i64, ptr %126, align 8
-  %.4368 = inttoptr i64 %.4323 to ptr
-  tail call void %.4368(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
-  %.4399 = load i64, ptr %arg.code.4, align 8
-  %.4449 = inttoptr i64 %.4399 to ptr
-  tail call void %.4449(ptr %.571, ptr %.4423, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.4448)
-  %.4323.1 = load i64, ptr %127, align 8
-  %.4368.1 = inttoptr i64 %.4323.1 to ptr
-  tail call void %.4368.1(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
-  %.4399.1 = load i64, ptr %arg.code.4, align 8
-  %.4449.1 = inttoptr i64 %.4399.1 to ptr
-  tail call void %.4449.1(ptr %.571, ptr %.4423, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.4448.1)
-  %.4323.2 = load i64, ptr %128, align 8
-  %.4368.2 = inttoptr i64 %.4323.2 to ptr
-  tail call void %.4368.2(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
-  %.4399.2 = load i64, ptr %arg.code.4, align 8
-  %.4449.2 = inttoptr i64 %.4399.2 to ptr
-  tail call void %.4449.2(ptr %.571, ptr %.4423, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.4448.2)
-  %.4487 = load i64, ptr %.4486, align 8
-  %.4532 = inttoptr i64 %.4487 to ptr
-  tail call void %.4532(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
-  %.4564 = load i64, ptr %.4563, align 8
-  %.4609 = inttoptr i64 %.4564 to ptr
-  tail call void %.4609(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.tolerances.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
-  br i1 %.689, label %B3234, label %B64.if.i6067
+  %.4322 = load i64, ptr %127, align 8
+  %.4367 = inttoptr i64 %.4322 to ptr
+  tail call void %.4367(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
+  %.4398 = load i64, ptr %arg.code.4, align 8
+  %.4448 = inttoptr i64 %.4398 to ptr
+  tail call void %.4448(ptr %.571, ptr %.4422, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.4447)
+  %.4322.1 = load i64, ptr %128, align 8
+  %.4367.1 = inttoptr i64 %.4322.1 to ptr
+  tail call void %.4367.1(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
+  %.4398.1 = load i64, ptr %arg.code.4, align 8
+  %.4448.1 = inttoptr i64 %.4398.1 to ptr
+  tail call void %.4448.1(ptr %.571, ptr %.4422, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.4447.1)
+  %.4322.2 = load i64, ptr %129, align 8
+  %.4367.2 = inttoptr i64 %.4322.2 to ptr
+  tail call void %.4367.2(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
+  %.4398.2 = load i64, ptr %arg.code.4, align 8
+  %.4448.2 = inttoptr i64 %.4398.2 to ptr
+  tail call void %.4448.2(ptr %.571, ptr %.4422, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.4447.2)
+  %.4486 = load i64, ptr %.4485, align 8
+  %.4531 = inttoptr i64 %.4486 to ptr
+  tail call void %.4531(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
+  %.4563 = load i64, ptr %.4562, align 8
+  %.4608 = inttoptr i64 %.4563 to ptr
+  tail call void %.4608(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.tolerances.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
+  br i1 %.689, label %B3234, label %B64.if.i6069
 
-B3238.endif.endif:                                ; preds = %B806.if.i3737, %B806.i3641.preheader
-  br i1 %some.2.i3426.1.lcssa, label %B3276, label %B3318
+B3238.endif.endif:                                ; preds = %B806.if.i3736, %B806.i3640.preheader
+  br i1 %some.2.i3424.1.lcssa, label %B3276, label %B3318
 
 B3706.if:                                         ; preds = %B3664, %B4667
-  %active.5.211016 = phi i64 [ %active.6.3, %B4667 ], [ 0, %B3664 ]
-  %budget.5.211015 = phi i64 [ %budget.6.3, %B4667 ], [ %.1027, %B3664 ]
-  %.5422.011014 = phi i64 [ %.5491, %B4667 ], [ %storemerge, %B3664 ]
-  %.5419.011013 = phi i64 [ %.5495, %B4667 ], [ 0, %B3664 ]
-  %.5491 = add nsw i64 %.5422.011014, -1
-  %.5495 = add nsw i64 %.5419.011013, 1
-  %.5580 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.5419.011013
-  %.5581 = load i64, ptr %.5580, align 8
-  %.5586 = icmp slt i64 %.5581, 0
-  br i1 %.5586, label %B4667, label %B3754
+  %active.5.211050 = phi i64 [ %active.6.3, %B4667 ], [ 0, %B3664 ]
+  %budget.5.211049 = phi i64 [ %budget.6.3, %B4667 ], [ %.1027, %B3664 ]
+  %.5421.011048 = phi i64 [ %.5490, %B4667 ], [ %storemerge, %B3664 ]
+  %.5418.011047 = phi i64 [ %.5494, %B4667 ], [ 0, %B3664 ]
+  %.5490 = add nsw i64 %.5421.011048, -1
+  %.5494 = add nsw i64 %.5418.011047, 1
+  %.5579 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.5418.011047
+  %.5580 = load i64, ptr %.5579, align 8
+  %.5585 = icmp slt i64 %.5580, 0
+  br i1 %.5585, label %B4667, label %B3754
 
-B4666.endif:                                      ; preds = %B568.i1343, %B4666
+B4666.endif:                                      ; preds = %B568.i1342, %B4666
   store i64 %active.10.0, ptr %retptr, align 8
   ret i32 0
 }
@@ -4246,9 +4244,9 @@ B720.if:                                          ; preds = %B720.if.lr.ph, %B72
 !9 = distinct !{!9, !"_ZN12clpt_control6native9for_numba6decideB2v4B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE"}
 !10 = distinct !{!10, !9, !"_ZN12clpt_control6native9for_numba6decideB2v4B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE: %excinfo"}
 !11 = !{!12, !14}
-!12 = distinct !{!12, !13, !"_ZN12clpt_control6native9for_numba11begin_pieceB2v5B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExb5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
-!13 = distinct !{!13, !"_ZN12clpt_control6native9for_numba11begin_pieceB2v5B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExb5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedEx"}
-!14 = distinct !{!14, !13, !"_ZN12clpt_control6native9for_numba11begin_pieceB2v5B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExb5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedEx: %excinfo"}
+!12 = distinct !{!12, !13, !"_ZN12clpt_control6native9for_numba11begin_pieceB2v5B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
+!13 = distinct !{!13, !"_ZN12clpt_control6native9for_numba11begin_pieceB2v5B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedEx"}
+!14 = distinct !{!14, !13, !"_ZN12clpt_control6native9for_numba11begin_pieceB2v5B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedEx: %excinfo"}
 !15 = !{!16, !12, !14}
 !16 = distinct !{!16, !17, !"_ZN12clpt_control6native9for_numba4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_283_29: %retptr"}
 !17 = distinct !{!17, !"_ZN12clpt_control6native9for_numba4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_283_29"}

@@ -39,8 +39,9 @@ RUNNING, FINISHED, TOO_SMALL, NOT_FINITE, LEFT, TOO_MANY, CHATTERS, STIFF = rang
 # force (LOCKED) and with those made there (FREE)
 STATE, RATE, ARGUMENT, TERMS, ROWS, LOOKED, LOCKED, FREE = 0, 1, 17, 18, 25, 16, 14, 15
 # the methods, each known by the number of its stages, the new state among them; DOP853 has three
-# more stages for its interpolant; the last stage of DOPRI5 is the new state, in the row of its rate
-DOP853, RODAS5P, DOPRI5, RK4 = 12, 9, 7, 4
+# more stages for its interpolant; the last stage of DOPRI5 is the new state, in the row of its rate;
+# MAP is discrete time, where the rate is the state at the next sample
+DOP853, RODAS5P, DOPRI5, RK4, MAP = 12, 9, 7, 4, 1
 # rows of Z for Rodas5P: solutions of its stages begin at SOLVED; then the term that is added to a
 # rate on the right-hand side, df/dt, and room, two rows
 SOLVED, ADDEND, TIME_SLOPE, ROOM = 2, 10, 11, 12
@@ -94,7 +95,7 @@ def advance(code, shape, tolerances, batch, linear, budget, most):
     (_, status, reached, counts), (numbers, whole, queue) = results, lane
     Z, P, T, W, D = arrays
     span, now, at = n * lanes, numbers[TIME], numbers[AT]
-    implicit, fixed, dense = stages == RODAS5P, stages == RK4, stages == DOP853
+    implicit, fixed, dense = stages == RODAS5P, stages <= RK4, stages == DOP853
     fsal = stages == DOPRI5  # its last stage is the first of the next step
     first = RATE + DOP853 + 1 - stages if fsal else RATE  # behind it are the stages' rates
     active = 0
@@ -119,7 +120,7 @@ def advance(code, shape, tolerances, batch, linear, budget, most):
                 call(code[TRIAL], numbers, Z, 0, P, T, W, D, 0)
                 call(code[DERIVATIVE], at, Z, ARGUMENT * span, P, T, W, Z, (RATE + 2) * span)
                 call(code[FIRST], numbers, Z, 0, P, tolerances, W, D, 0)
-            begin_piece(lanes, fixed, times, results, lane, D, guarded)
+            begin_piece(lanes, stages, times, results, lane, D, guarded)
         call(code[ATTEMPT], numbers, Z, 0, P, T, W, D, 0)
         if fixed:
             call(code[DERIVATIVE], now, Z, 0, P, T, W, Z, RATE * span)
@@ -417,14 +418,14 @@ def set_piece(k, lanes, schedule, piece, P):
         P[places[j] * lanes + k] = values[piece, j]
 
 
-def begin_piece(lanes, fixed, times, results, lane, D, guarded):
+def begin_piece(lanes, stages, times, results, lane, D, guarded):
     """Begin a piece of time in the lanes that are fresh; end a run that cannot begin it."""
     (_, status, _, counts), (numbers, whole, _) = results, lane
     for k in range(lanes):
         if numbers[FRESH, k] > 0.5:
             numbers[FRESH, k], numbers[REJECTED, k], numbers[FIRST_STEP, k] = 0.0, 0.0, 0.0
-            counts[whole[MEMBER, k], EVALUATIONS] += 0 if fixed else 2
-            counts[whole[MEMBER, k], RESTARTS] += 1
+            counts[whole[MEMBER, k], EVALUATIONS] += 0 if stages <= RK4 else 2
+            counts[whole[MEMBER, k], RESTARTS] += 0 if stages == MAP else 1
             if numbers[TROUBLE, k] != 0.0:
                 fail(status, whole, k, NOT_FINITE)
             if guarded and D[k] < -OUTSIDE:
@@ -690,7 +691,7 @@ def evaluate(code, role, n, decisions, points, pieces, arrays, out):
 
     `decisions` are their first place in P and how many numbers they are; rates are computed with
     those made there.  `points` are times, the piece of each, room for one time, and states, n each.
-    `pieces` are places in P, and values.  `out` may be the states behind the first.
+    `pieces` are places in P, and values.
     """
     (times, which, t, states), (places, values), (P, T, W, D) = points, pieces, arrays
     (decided_at, decided), piece = decisions, -1

@@ -42,7 +42,7 @@ def _constant(value: float, sign: float, width: int, entry: ir.Type) -> ir.Const
     return ir.Constant(vector(width, entry), value if width == 1 else [value] * width)
 
 
-def broadcast(builder: ir.IRBuilder, value: Any, width: int) -> Any:
+def splat(builder: ir.IRBuilder, value: Any, width: int) -> Any:
     """Return one number or truth value in every place."""
     if width == width_of(value):
         return value
