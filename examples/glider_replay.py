@@ -31,7 +31,7 @@ def main(folder="out", *files):
             )
     last = replay.steps[-1]
     print(f"speed factor {last.speed:.3f} +- {last.speed_error:.3f}")
-    print(f"learned {', '.join(last.learned)}; held {', '.join(last.held) or 'nothing'}")
+    print(f"learned {', '.join(last.learned)}; held {', '.join(last.not_learned) or 'nothing'}")
     clpt.replay.replay_dataset(replay).to_netcdf(folder / "replay.nc")
     for path in (folder / "replay.nc", *clpt.replay.save_replay_figures(replay, folder)):
         print(f"{path}: written")

@@ -142,12 +142,12 @@ def _answer(error: BaseException) -> int:
 
 def _usage(error: Any) -> str:
     """Return what is wrong with the words of a command, and what to try."""
-    said = error.format_message().rstrip(".")
+    fault = error.format_message().rstrip(".")
     for near in (". Did you mean ", " (Possible options: "):
-        if near in said:
-            return said.replace(near, "; did you mean ").rstrip(")?") + "?"
+        if near in fault:
+            return fault.replace(near, "; did you mean ").rstrip(")?") + "?"
     command = getattr(getattr(error, "ctx", None), "command_path", "clpt")
-    return f"{said}; `{command} --help` shows what it takes"
+    return f"{fault}; `{command} --help` shows what it takes"
 
 
 def _interrupted(error: BaseException | None) -> bool:

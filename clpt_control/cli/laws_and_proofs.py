@@ -9,7 +9,7 @@ import typer
 from ..errors import ClptError, SimulationError
 from ..html import Result
 from ..progress import progress_bar
-from .printing import Json, check_scenario, finish, flag, names_of_laws, opt, shown
+from .printing import Json, cell_text, check_scenario, finish, flag, names_of_laws, opt
 
 OF_THEOREM = "status for_every_N printed assumptions steps conclusion corrected cited not_proved"
 OF_LAW = "law status claim for_every_N steps"
@@ -68,8 +68,8 @@ def laws(
         Result("Settings", ["key", "allowed", "default", "what it is"], keys),
     ]
     if name is not None:
-        asked = [f"- {words}" for words in listed[name]["promises"]]
-        found[0] = found[0]._replace(sentences=[wanted[0].page, "Asked along runs:", *asked, ""])
+        promises = [f"- {words}" for words in listed[name]["promises"]]
+        found[0] = found[0]._replace(sentences=[wanted[0].page, "Asked along runs:", *promises, ""])
         listed[name]["page"] = wanted[0].page
     finish(found[: 1 + bool(keys)], {"laws": listed}, as_json)
 
@@ -104,16 +104,16 @@ def prove(
                 cached.store(prove_all(new, cached.digest, report, pool))
     outcomes: dict[Any, Any] = {one: cached.outcomes[one] for one in wanted}
     rooms = {room: {s.name: v for s, v in outcomes.items() if s.room == room} for room in FIELDS}
-    listed = outcomes[wanted[-1]]
-    judged_at = max(cached.times[one] for one in wanted)
-    said: dict[str, Any] = {
-        room: {name: _said(one, room, name) for name, one in proofs.items()}
+    misprints = outcomes[wanted[-1]]
+    proved_at = max(cached.times[one] for one in wanted)
+    summary: dict[str, Any] = {
+        room: {name: _fields(one, room, name) for name, one in proofs.items()}
         for room, proofs in rooms.items()
     }
-    said |= {"team": said["team"].get(""), "misprints": listed}
-    said["judged"] = {"time": judged_at, "before": not new}
-    found = [_result(f"Theorem {name}", one) for name, one in rooms["theorems"].items()]
-    found += [
+    summary |= {"team": summary["team"].get(""), "misprints": misprints}
+    summary["judged"] = {"time": proved_at, "before": not new}
+    results = [_result(f"Theorem {name}", one) for name, one in rooms["theorems"].items()]
+    results += [
         _result(f"Limited speed, {name}", one) for name, one in rooms["limited_speed"].items()
     ]
     if rooms["laws"]:
@@ -121,28 +121,28 @@ def prove(
             [law, one.status + (", every N" if one.for_every_N else ""), one.claim]
             for law, one in rooms["laws"].items()
         ]
-        found.append(Result("Laws", ["law", "status", "V' along the closed loop"], rows, [""]))
-    found += [_result("A team that learns one flow", one) for one in rooms["team"].values()]
+        results.append(Result("Laws", ["law", "status", "V' along the closed loop"], rows, [""]))
+    results += [_result("A team that learns one flow", one) for one in rooms["team"].values()]
     columns = ["equation", "printed", "should be", "confirmed"]
     rows = [
         [m["equation"], m["printed"], m["corrected"], "yes" if m["confirmed"] else "NO"]
-        for m in listed
+        for m in misprints
     ]
-    before = f"judged on {judged_at} of the same equations; --again judges anew"
-    found.append(Result("Misprints", columns, rows, [] if new else [before]))
-    finish(found, said, as_json)
+    before = f"judged on {proved_at} of the same equations; --again judges anew"
+    results.append(Result("Misprints", columns, rows, [] if new else [before]))
+    finish(results, summary, as_json)
     wrong = [
         f"{'limited speed, ' * (room == 'limited_speed')}{name} at step '{step.claim}'"
         for room in ("theorems", "limited_speed")
-        for name, found in rooms[room].items()
-        for step in found.failed
+        for name, proof in rooms[room].items()
+        for step in proof.failed
     ]
     wrong += [
-        f"law {law}: {found.claim}" for law, found in rooms["laws"].items() if not found.holds
+        f"law {law}: {proof.claim}" for law, proof in rooms["laws"].items() if not proof.holds
     ]
-    wrong += [f"team: {found.claim}" for found in rooms["team"].values() if not found.holds]
+    wrong += [f"team: {proof.claim}" for proof in rooms["team"].values() if not proof.holds]
     wrong += [
-        f"the misprint of {m['equation']} is not confirmed" for m in listed if not m["confirmed"]
+        f"the misprint of {m['equation']} is not confirmed" for m in misprints if not m["confirmed"]
     ]
     if wrong:
         more = f" (and {len(wrong) - 1} more)" if len(wrong) > 1 else ""
@@ -176,7 +176,7 @@ def refute(
     if out is not None and text is not None:
         write_file(out, text)
     rows = [
-        [words, "never asked" if what not in found.closest else shown(found.closest[what])]
+        [words, "never asked" if what not in found.closest else cell_text(found.closest[what])]
         for what, words in promises_in_words(LAWS[law]).items()
     ]
     title = f"{law}: {found.status} by {found.runs} runs in {found.seconds:.0f} s"
@@ -186,19 +186,19 @@ def refute(
         raise SimulationError(f"{law} breaks its promise: {found.broken}")
 
 
-def _said(found: Any, room: str, name: str) -> dict[str, Any]:
-    """Return what is said of one thing in JSON."""
-    known = {**asdict(found), "law": name, "conclusion": found.claim}
+def _fields(proof: Any, room: str, name: str) -> dict[str, Any]:
+    """Return the fields of a proof in JSON."""
+    known = {**asdict(proof), "law": name, "conclusion": proof.claim}
     return {field: known[field] for field in FIELDS[room]}
 
 
-def _result(name: str, found: Any) -> Result:
-    """Return the steps of a proof, and what is printed, holds, is cited or not shown."""
-    rows = [["yes" if s.holds else "NO", s.how, s.claim, s.detail] for s in found.steps]
-    every = ", for every N" if found.for_every_N else ""
-    sentences = [("printed", found.printed), ("holds", found.corrected), ("cited", found.cited)]
-    sentences += [("not shown", rest) for rest in found.not_proved]
-    said = [f"{what + ':':8} {sentence}" for what, sentence in sentences if sentence]
+def _result(name: str, proof: Any) -> Result:
+    """Return the steps of a proof, and what is printed, holds, is cited or not proved."""
+    rows = [["yes" if s.holds else "NO", s.how, s.claim, s.detail] for s in proof.steps]
+    every = ", for every N" if proof.for_every_N else ""
+    sentences = [("printed", proof.printed), ("holds", proof.corrected), ("cited", proof.cited)]
+    sentences += [("not shown", rest) for rest in proof.not_proved]
+    lines = [f"{what + ':':8} {sentence}" for what, sentence in sentences if sentence]
     return Result(
-        f"{name}: {found.status}{every}", ["holds", "how", "claim", ""], rows, [*said, ""]
+        f"{name}: {proof.status}{every}", ["holds", "how", "claim", ""], rows, [*lines, ""]
     )

@@ -8,7 +8,7 @@ import clpt_control as clpt
 from ..errors import DataError, ScenarioError
 from ..files import make_folder, write_together
 from ..html import Result
-from .printing import TIDES, Formats, Json, arg, finish, flag, opt, shown
+from .printing import TIDES, Formats, Json, arg, cell_text, finish, flag, opt
 
 
 def fit(
@@ -51,16 +51,16 @@ def fit(
     )
     scenario = clpt.currents.save_fit(fitted, out)
     lines = [
-        [key.replace("_", " "), shown(value)]
+        [key.replace("_", " "), cell_text(value)]
         for key, value in fitted.report.items()
         if key not in ("theta", "nodal")
     ]
     for name, tide in (fitted.report["nodal"] or {}).items():
-        f, u, V = (shown(tide[key]) for key in "fuV")
+        f, u, V = (cell_text(tide[key]) for key in "fuV")
         lines.append([f"{name} at the middle", f"f {f}, u {u} degrees, V {V} degrees"])
     missing = not_learned(scenario)
-    said = [missing] if missing else []
-    found = Result(f"{out}: written, with the field beside it", ["", ""], lines, said)
+    sentences = [missing] if missing else []
+    found = Result(f"{out}: written, with the field beside it", ["", ""], lines, sentences)
     finish([found], fitted.report | {"not_learnable": missing}, as_json)
 
 
@@ -127,7 +127,7 @@ def tides_result(report: dict[str, Any]) -> Result:
         "inclination in degrees (standard error)"
     )
     east, north = report["mean"]
-    said = [
+    sentences = [
         f"{report['samples']} measurements over {report['hours']:.6g} h from "
         f"{report['start'][:16]} UTC, latitude {report['latitude']:g}",
         f"mean current: {east:+.4f} east, {north:+.4f} north (m/s)",
@@ -135,7 +135,7 @@ def tides_result(report: dict[str, Any]) -> Result:
         f"{report['residual_rms']:.4f} m/s",
     ]
     columns = ["", "east", "phase", "north", "phase", "major", "minor", "incl.", "phase"]
-    return Result(title, columns, rows, said)
+    return Result(title, columns, rows, sentences)
 
 
 def estimate(
@@ -197,9 +197,9 @@ def estimate(
     ]
     columns = ["function", f"theta_1 ({speed})", f"theta_2 ({speed})", "standard deviation"]
     keys = ("condition_number", "rms_of_misses_left", "largest_error")
-    given = [key for key in keys if report.get(key) is not None]
-    said = [f"{key.replace('_', ' ')}: {shown(report[key])}" for key in given]
+    present = [key for key in keys if report.get(key) is not None]
+    sentences = [f"{key.replace('_', ' ')}: {cell_text(report[key])}" for key in present]
     if out is not None:
-        said.append(f"{out}: written, with law = known-flow and this estimate")
+        sentences.append(f"{out}: written, with law = known-flow and this estimate")
     title = f"{run}: {method}, {report['fixes']} fixes"
-    finish([Result(title, columns, rows, said)], report, as_json)
+    finish([Result(title, columns, rows, sentences)], report, as_json)

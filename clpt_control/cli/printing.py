@@ -67,10 +67,10 @@ class Page(TyperGroup):
 
     def format_help_text(self, ctx: Any, formatter: Any) -> None:
         """Write what clpt is, and how to start."""
-        said, start = _split(self.help)
+        about, start = _split(self.help)
         formatter.write_paragraph()
         with formatter.indentation():
-            formatter.write_text(said)
+            formatter.write_text(about)
         _write_lines(formatter, "To start", start)
 
     def format_options(self, ctx: Any, formatter: Any) -> None:
@@ -90,8 +90,8 @@ class Page(TyperGroup):
 
 def _split(text: str | None) -> tuple[str, list[str]]:
     """Return a docstring before its example, and the example's lines."""
-    said, _, example = inspect.cleandoc(text or "").partition("\nExample:\n")
-    return said.strip(), dedent(example).splitlines()
+    about, _, example = inspect.cleandoc(text or "").partition("\nExample:\n")
+    return about.strip(), dedent(example).splitlines()
 
 
 def _write_lines(formatter: Any, title: str, lines: list[str]) -> None:
@@ -101,9 +101,9 @@ def _write_lines(formatter: Any, title: str, lines: list[str]) -> None:
                 formatter.write(f"  {line}\n")
 
 
-def _print_version(asked: bool) -> None:
+def _print_version(wanted: bool) -> None:
     """Print the versions that a question or a bug report needs, and end."""
-    if not asked:
+    if not wanted:
         return
     import platform
     from importlib.metadata import PackageNotFoundError, version
@@ -134,24 +134,24 @@ def clpt(
     """
 
 
-def opt(metavar: str, said: str, *names: str, default: Any = None, **more: Any) -> Any:
+def opt(metavar: str, about: str, *names: str, default: Any = None, **more: Any) -> Any:
     """Return an option: the word for its value, its help, names other than the parameter's.
 
     One whose default is ... is required; `words` complete what is typed.
     """
     if words := more.pop("words", ()):
         more["autocompletion"] = one_of(*words)
-    return typer.Option(default, *names, metavar=metavar, help=said, **more)
+    return typer.Option(default, *names, metavar=metavar, help=about, **more)
 
 
-def flag(said: str, *names: str, default: Any = False) -> Any:
+def flag(about: str, *names: str, default: Any = False) -> Any:
     """Return an option without a value: its help, names other than the parameter's."""
-    return typer.Option(default, *names, help=said)
+    return typer.Option(default, *names, help=about)
 
 
-def arg(metavar: str, said: str, default: Any = ...) -> Any:
+def arg(metavar: str, about: str, default: Any = ...) -> Any:
     """Return an argument: its word and its help; one whose default is ... is required."""
-    return typer.Argument(default, metavar=metavar, help=said)
+    return typer.Argument(default, metavar=metavar, help=about)
 
 
 def one_of(*words: str) -> Callable[[str], Iterable[str]]:
@@ -209,12 +209,12 @@ def check_scenario(path: Path | None) -> None:
         check_writable(path, "a scenario", (".toml",))
 
 
-def draw_figure(path: Path | None, plot: Callable[..., Any], *given: Any) -> None:
-    """Write what a plot draws, where a figure is asked for."""
+def draw_figure(path: Path | None, plot: Callable[..., Any], *args: Any) -> None:
+    """Write what a plot draws of its arguments, where a figure has a path."""
     if path is not None:
         from ..figures import figure_of
 
-        write_file(path, figure_of(plot, *given))
+        write_file(path, figure_of(plot, *args))
 
 
 def print_json(value: dict[str, Any]) -> None:
@@ -229,7 +229,7 @@ def print_json(value: dict[str, Any]) -> None:
 
 
 def say(text: str) -> None:
-    """Print text on standard output, as it may be shown."""
+    """Print text on standard output, without characters that a terminal obeys."""
     _print(f"{escaped(text)}\n")
 
 
@@ -243,13 +243,13 @@ def _print(text: str) -> None:
 
 
 def finish(
-    found: Iterable[Result], report: dict[str, Any], as_json: bool, *written: Path | None
+    results: Iterable[Result], report: dict[str, Any], as_json: bool, *written: Path | None
 ) -> None:
-    """Print what was found, as one JSON object or as tables and sentences; name files written."""
+    """Print a report as one JSON object, or results as tables and sentences; name files written."""
     if as_json:
         print_json(report)
         return
-    for one in found:
+    for one in results:
         if one.columns:
             print_table(one.title, one.columns, one.rows)
         for sentence in one.sentences:
@@ -295,10 +295,10 @@ def print_table(title: str, columns: Sequence[str], rows: Sequence[Sequence[str]
     _print(printed.get())
 
 
-def shown(value: Any) -> str:
-    """Return a value as a table shows it."""
+def cell_text(value: Any) -> str:
+    """Return a value as a cell of a table."""
     if isinstance(value, float):
         return f"{value:.4g}"
     if isinstance(value, list | tuple):
-        return ", ".join(shown(inner) for inner in value)
+        return ", ".join(cell_text(inner) for inner in value)
     return str(value)

@@ -159,7 +159,7 @@ def replay(
     )
     ahead.check()
     growing = Growing(estimator, model, forecast)
-    told: list[str] = []  # each complaint once: the record grows
+    faults: list[str] = []  # of which the first alone is told: the record grows
 
     def take(dives: Any, unread: Any) -> tuple[Any, list]:
         """Replay the dives that can be used, and return what was left out, too."""
@@ -180,9 +180,9 @@ def replay(
         except DataError as error:
             if follow is None:
                 raise
-            if not told:
+            if not faults:
                 tell(f"so far, {error}")
-            told.append(str(error))
+            faults.append(str(error))
         with progress_bar("replaying dives", max(len(used), 1)) as report:
             return growing.feed(used, report), skipped
 
@@ -204,16 +204,18 @@ def replay(
     finish(results(summary), summary, as_json, *written)
 
 
-def chosen_model(flow: str | None, width_km: float | None, learn_speed: bool, given: bool) -> Any:
-    """Return the `FixModel` that options ask for; `given` is whether a flow model is.
+def chosen_model(
+    flow: str | None, width_km: float | None, learn_speed: bool, forecast: bool
+) -> Any:
+    """Return the `FixModel` of the options; `forecast` is whether there is a flow model.
 
     Then a factor on it is a parameter, which the dives may find to be near zero.
     """
     FixModel = clpt.estimation.FixModel
     parts = FixModel().flow if flow is None else tuple(name.strip() for name in flow.split(","))
-    if not given and "model" in parts:
+    if not forecast and "model" in parts:
         raise ScenarioError(f"flow {flow}: its part model needs --flow-model FILE")
-    if given and "model" not in parts:
+    if forecast and "model" not in parts:
         parts = (*parts, "model")
     sized: dict[str, Any] = {} if width_km is None else {"width": 1000 * width_km}
     return FixModel(parts, learn_speed, **sized)
@@ -285,13 +287,13 @@ def look_at(
                 places = pages_of({dive.vehicle or name for dive in dives}, place)
                 alerts = Alerts(alert, place)
                 for vehicle, page in places.items():
-                    own = [dive for dive in dives if (dive.vehicle or name) == vehicle]
-                    replay, skipped = take(own, bad)
+                    its = [dive for dive in dives if (dive.vehicle or name) == vehicle]
+                    replay, skipped = take(its, bad)
                     found, goal = summary_with_next(replay, skipped, Ahead())
                     found["vehicle"] = vehicle
                     write(replay, found, make_folder(page), goal, kinds, again=True)
-                    shown = (page / "replay.html").relative_to(out).as_posix()
-                    rows.append(standing(found, shown, time.time()))
+                    link = (page / "replay.html").relative_to(out).as_posix()
+                    rows.append(standing(found, link, time.time()))
                     alerts.tell(found)
         except ClptError as error:
             rows.append(unread(vehicle, str(error)))
@@ -309,5 +311,5 @@ def fleet_results(found: dict[str, Any]) -> list[Result]:
     cells = [fleet_cells(row) for row in found["vehicles"]]
     titles = fitting(cells, terminal_width(), FLEET)
     lines = [[row[title] for title in titles] for row in cells]
-    said = [f"{row['vehicle']}: {one}" for row in found["vehicles"] for one in row["said"]]
-    return [Result("Fleet", titles, lines, [*said, fleet_sentence(found["vehicles"])])]
+    sentences = [f"{row['vehicle']}: {one}" for row in found["vehicles"] for one in row["said"]]
+    return [Result("Fleet", titles, lines, [*sentences, fleet_sentence(found["vehicles"])])]

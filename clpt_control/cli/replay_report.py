@@ -1,4 +1,4 @@
-"""What `clpt replay` prints and writes, and what it is asked of dives to come: `--next`, `--aim`.
+"""What `clpt replay` prints and writes, and the dives to come that it forecasts: `--next`, `--aim`.
 
 The table has a row for each dive, as many columns as the terminal is wide: columns join in
 the order of their rank while they fit; those of rank 0 always stand.
@@ -45,23 +45,23 @@ class WithPlaces(Command):
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
         """Read the two words after each `--aim` as one."""
-        return super().parse_args(ctx, joined(args))
+        return super().parse_args(ctx, waypoints_merged(args))
 
 
-def joined(args: Sequence[str]) -> list[str]:
+def waypoints_merged(args: Sequence[str]) -> list[str]:
     """Return words in which a waypoint is one word.
 
-    >>> joined(["a.nc", "--aim", "-43.1", "8.5", "--json"])
+    >>> waypoints_merged(["a.nc", "--aim", "-43.1", "8.5", "--json"])
     ['a.nc', '--aim=-43.1,8.5', '--json']
     """
-    found, rest = [], list(args)
+    words, rest = [], list(args)
     while rest:
         word = rest.pop(0)
         if word == "--aim" and rest and "," not in rest[0] and not PAIR.fullmatch(rest[0]):
             word = "--aim=" + ",".join(rest[:2])
             rest = rest[2:]
-        found.append(word)
-    return found
+        words.append(word)
+    return words
 
 
 def waypoint(text: str) -> tuple[float, float]:
@@ -81,8 +81,8 @@ class Ahead:
     """Plan of the next dive (s; m east, m north), and waypoints to aim at, in their order.
 
     Speed (m/s), hours and variation (degrees east) are for aiming. The way is drawn (`route`) where
-    areas to stay out of are given, if only none. `follows`: what the dives so
-    far do not allow is said, and work goes on.
+    there is a list of areas to stay out of, if an empty one. `follows`: what the dives so
+    far do not allow is told, and work goes on.
     """
 
     plan: tuple = ()
@@ -112,8 +112,8 @@ class Ahead:
         """Duration of a dive that is aimed, s."""
         return None if self.hours is None else 3600 * self.hours
 
-    def seen(self, replay: Any) -> tuple[Any, list[Any]]:
-        """Return the `NextDive` of a replay, as given, as aimed, else as guessed, and its aims."""
+    def next_and_aims(self, replay: Any) -> tuple[Any, list[Any]]:
+        """Return the `NextDive` of a replay, as planned, aimed or else guessed, and its aims."""
         legs = self.aims(replay)
         aimed = legs and not self.plan
         return legs[0].ahead if aimed else clpt.replay.next_dive(replay, *self.plan), legs
@@ -152,27 +152,27 @@ def fitting(rows: list[dict[str, str]], width: int, ranks: dict[str, int]) -> li
 
 
 def results(summary: dict[str, Any]) -> list[Result]:
-    """Return what `summary_with_next` says of a replay: dives, misses, what was learned."""
+    """Return a summary as tables and sentences: dives, misses, what was learned, what comes."""
     from ..replay.wording import (
         RANKS,
-        aimed,
+        aim_sentence,
         cells,
         cells_ahead,
         metres,
         next_surfacing,
         remarks,
-        routed,
+        route_sentences,
     )
 
-    each, said = summary["each_dive"], list(remarks(summary))
+    each, sentences = summary["each_dive"], list(remarks(summary))
     if summary["next_dive"]:
-        said.append(next_surfacing(summary["next_dive"]))
-    said += [aimed(leg) for leg in summary["aim"]]
-    said += routed(summary["route"]) if "route" in summary else []
+        sentences.append(next_surfacing(summary["next_dive"]))
+    sentences += [aim_sentence(leg) for leg in summary["aim"]]
+    sentences += route_sentences(summary["route"]) if "route" in summary else []
     if summary.get("paste"):
-        said += [f"to paste, {summary['paste']['file']}:", summary["paste"]["text"].rstrip()]
+        sentences += [f"to paste, {summary['paste']['file']}:", summary["paste"]["text"].rstrip()]
     if not each:
-        return [Result(sentences=["no dives yet", *said])]
+        return [Result(sentences=["no dives yet", *sentences])]
     dives = [cells(row) for row in each]
     if summary["next_dive"]:
         dives.append(cells_ahead(summary["next_dive"]))
@@ -185,7 +185,7 @@ def results(summary: dict[str, Any]) -> list[Result]:
     rows = [[name, *map(metres, rms.values())] for name, rms in means.items()]
     return [
         Result("Miss (CLPE, m) one dive ahead; currents in m/s", titles, lines),
-        Result("Miss, rms (m)", ["over", *models], rows, said),
+        Result("Miss, rms (m)", ["over", *models], rows, sentences),
     ]
 
 
@@ -203,13 +203,13 @@ def write(
     put in place last: where it is new, the others are.  The page loads itself `again` where it
     will be written anew.
     """
-    from ..replay.dataset import carrying
+    from ..replay.dataset import with_summary
     from ..replay.exchange import next_geojson, track_kml
     from ..replay.page import replay_page
     from ..replay.plots import replay_figures
 
     results: dict[str, Any] = {
-        "replay.nc": carrying(
+        "replay.nc": with_summary(
             clpt.replay.replay_dataset(result, found["vehicle"], ahead=ahead), found
         ),
         "replay.html": replay_page(found, again),
@@ -234,7 +234,7 @@ def summary_with_next(result: Any, skipped: list, ahead: Ahead) -> tuple[dict[st
     found = clpt.replay.summary(result, skipped) | {"next_dive": None, "aim": [], "paste": None}
     if not result.steps:
         return found, None
-    goal, legs = ahead.seen(result)
+    goal, legs = ahead.next_and_aims(result)
     found |= {"next_dive": goal.as_dict(), "aim": [leg.as_dict() for leg in legs]}
     if ahead.areas is not None and legs:
         with progress_bar("drawing the way", DRAWS) as report:
@@ -302,7 +302,7 @@ def learn(
     take: Take, dives: tuple[Any, Any], files: int, out: Path, ahead: Ahead, kinds: Sequence[str]
 ) -> tuple[dict[str, Any], str]:
     """Replay dives and write the results; return them with a line on the new files."""
-    from ..replay.wording import aimed, place, when
+    from ..replay.wording import aim_sentence, place, when
 
     replay, skipped = take(*dives)
     found, goal = summary_with_next(replay, skipped, ahead)
@@ -317,5 +317,5 @@ def learn(
         f"{line}; dive {step.dive.number}: miss {step.clpe['adaptive']:.0f} m"
         + (f"; speed anomaly: {step.anomaly}" if step.anomaly else "")
         + f"; next surfacing {when(to_come)}, near {near}"
-        + (f"; {aimed(found['aim'][0])}" if found["aim"] else "")
+        + (f"; {aim_sentence(found['aim'][0])}" if found["aim"] else "")
     )

@@ -20,6 +20,7 @@ from .printing import (
     Json,
     ScenarioFile,
     arg,
+    cell_text,
     check_figure,
     check_scenario,
     draw_figure,
@@ -28,7 +29,6 @@ from .printing import (
     names_of_laws,
     opt,
     say,
-    shown,
 )
 
 MOST_CYCLES = 4  # rows of an ensemble's table
@@ -90,8 +90,8 @@ def paper(
     write_together({file: as_written(run, file), **drawn})
     summary["claims"] = clpt.simulation.claims(summary)
     first, *_, last = drawn
-    said = [f"{folder}: {first.name} to {last.name}, run.nc"]
-    finish([claims_result(summary["claims"])._replace(sentences=said)], summary, as_json)
+    sentences = [f"{folder}: {first.name} to {last.name}, run.nc"]
+    finish([claims_result(summary["claims"])._replace(sentences=sentences)], summary, as_json)
 
 
 def run(
@@ -288,12 +288,12 @@ def _result(report: dict[str, Any]) -> Result:
 def _row(one: dict[str, Any]) -> list[str]:
     if one["failed"]:
         return [one["law"], *_choice(one), f"{one['failed']} runs failed", "", "", ""]
-    found = [one[key] for key in ("error", "error_95", "learning_time", "clpe_rms")]
-    return [one["law"], *_choice(one), *("never" if v is None else shown(v) for v in found)]
+    numbers = [one[key] for key in ("error", "error_95", "learning_time", "clpe_rms")]
+    return [one["law"], *_choice(one), *("never" if v is None else cell_text(v) for v in numbers)]
 
 
 def _choice(one: dict[str, Any]) -> list[str]:
-    gain, pole = ("-" if one[key] is None else shown(one[key]) for key in ("gain", "filter"))
+    gain, pole = ("-" if one[key] is None else cell_text(one[key]) for key in ("gain", "filter"))
     return [gain, "held" if one["held"] else "adapted", pole]
 
 
@@ -313,9 +313,9 @@ def report(
     Example:
         clpt report run.nc -o report.html
     """
-    made = clpt.report(run, out, title, figures, formats or ("svg", "pdf"))
-    written = f"{out}: written, {made['bytes'] / 1000:.0f} kB"
-    finish([Result(sentences=[*made["sentences"], written])], made, as_json)
+    page = clpt.report(run, out, title, figures, formats or ("svg", "pdf"))
+    written = f"{out}: written, {page['bytes'] / 1000:.0f} kB"
+    finish([Result(sentences=[*page["sentences"], written])], page, as_json)
 
 
 def animate(

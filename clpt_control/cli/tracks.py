@@ -14,12 +14,12 @@ from .printing import (
     ScenarioFile,
     Start,
     Window,
+    cell_text,
     check_figure,
     check_scenario,
     draw_figure,
     finish,
     opt,
-    shown,
 )
 
 Four = tuple[float, float, float, float]
@@ -71,15 +71,16 @@ def certify(
     numbers = zip(found.time, found.V, found.clpe, found.flow_error, strict=True)
     rows = [[f"{one:.6g}" for one in row] for row in numbers]
     title = f"For every start with V(0) <= {found.radius:.6g}, windows of {found.window:g} {time}"
-    said = [found.said, f"CLPE is never above {found.largest_clpe:.4g} {length}"]
+    sentences = [found.said, f"CLPE is never above {found.largest_clpe:.4g} {length}"]
     if found.disturbance > 0:
         end = "is not shown to end below a bound"
         if found.ultimate is not None:
             end = f"ends at most at {found.ultimate:.4g} {length}"
         weakest = "if later windows excite like the run's weakest"
-        said.append(f"with |Delta| <= {found.disturbance:.4g} {length}/{time} it {end}, {weakest}")
-    said.append(f"a window of small errors leaves {1 - found.drops.min():.4g} of V at worst")
-    finish([Result(title, columns, rows, said)], found.report(), as_json)
+        bound = f"|Delta| <= {found.disturbance:.4g} {length}/{time}"
+        sentences.append(f"with {bound} it {end}, {weakest}")
+    sentences.append(f"a window of small errors leaves {1 - found.drops.min():.4g} of V at worst")
+    finish([Result(title, columns, rows, sentences)], found.report(), as_json)
 
 
 def design(
@@ -183,15 +184,15 @@ def _cell(key: str, value: Any) -> str:
     if key == "waypoints":
         return "\n".join(f"{x1:8.3f} {x2:8.3f}" for x1, x2 in value)
     if key == "positions":
-        return "; ".join(shown(pair) for pair in value)
-    return shown(list(value.values()) if isinstance(value, dict) else value)
+        return "; ".join(cell_text(pair) for pair in value)
+    return cell_text(list(value.values()) if isinstance(value, dict) else value)
 
 
 def _sentences(report: dict[str, Any]) -> list[str]:
     before, after, ratio = report["before"], report["after"], report["ratio"]
     times = "" if ratio is None else f", {ratio:.3g} times"
     law = report["law"] if report["goal"] == "law" else None
-    said = [
+    sentences = [
         f"the smallest eigenvalue {'is' if law else 'rose from'} "
         f"{before['smallest_eigenvalue']:.4g} {'before and' if law else 'to'} "
         f"{after['smallest_eigenvalue']:.4g}{' after' if law else times}, the best "
@@ -199,25 +200,25 @@ def _sentences(report: dict[str, Any]) -> list[str]:
     ]
     if report["own_track_kept"] or (law is None and ratio is not None and ratio <= 1):
         better = f"on which {law} learns sooner" if law else "better"
-        said = [
+        sentences = [
             f"no track {better} was found within these limits, so it stays as it is; give more "
             "generations, or allow more length, speed or area"
         ]
     if after["of_the_run"] < before["of_the_run"]:
-        said.append(
+        sentences.append(
             f"along the run with {report['law']} it fell: there the learner's own errors excite"
         )
     if "level" in after:
         if law is None and slower(before["learning_time"], after["learning_time"]):
-            said.append(
+            sentences.append(
                 f"{report['law']} is no faster there: the eigenvalue says what the track shows; "
                 "--for law asks what this law makes of it"
             )
-        said.append(
+        sentences.append(
             f"the learning time ends where every flow parameter stays within "
             f"{after['level']:.3g} of the truth"
         )
-    return said
+    return sentences
 
 
 def slower(before: float | None, after: float | None) -> bool:

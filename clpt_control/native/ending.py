@@ -4,8 +4,8 @@ When a run meets a guard, or a number that is not finite, the blocks are evaluat
 the signal: the sentence names block, signal and time.
 
 `run_to_end` goes on with an implicit method if a run is stiff.  DOP853 stops if its own steps look
-stiff (`method`, Hairer's test) and many are ahead.  Steps look stiff as well if rates jump, but then
-the eigenvalues of df/dx are small.
+stiff (`method`, Hairer's test) and many are ahead.  Steps look stiff as well if rates jump, but
+then the eigenvalues of df/dx are small.
 
 In discrete time x[k+1] = derivative(t_k, x[k], u_k), and the signals of sample k are those of x[k].
 The times are those that python-control takes: `dt` apart, or evenly spaced if dt is True.

@@ -190,12 +190,12 @@ def _netcdf(path: Path) -> Any:
 
 def checked_replay(found: Any, name: str) -> dict[str, Any]:
     """Return the JSON of a replay or of its dataset; refuse other JSON, and one without a dive."""
-    from ..replay.dataset import carried
+    from ..replay.dataset import summary_in
     from ..replay.outcome import summary
     from ..replay.replay import next_dive
 
     if "dive" in getattr(found, "dims", ()):
-        found = carried(found, name)
+        found = summary_in(found, name)
     elif hasattr(found, "steps"):
         ahead = next_dive(found).as_dict() if found.steps else None
         found = {**summary(found), "next_dive": ahead}

@@ -16,7 +16,7 @@ s = hypot(f, psi) D.  For a waypoint at g from the start:
    as can be.
 
 Roots below 1 only say that the current carries it past: then the dive must be shorter.
-Where c depends on the way, as with gaussians and flow models, d and c are found in turn.
+Where c depends on the way, as with gaussians and flow models, d and c are found by iteration.
 """
 
 from collections.abc import Sequence
@@ -39,9 +39,9 @@ from .wording import AGAINST, REACHED, UNDER_WAY, Place, direction, in_minutes, 
 
 SHORTEST = 1.0  # s, of a dive that is aimed
 YEAR = 365 * 86400.0  # s
-DIVES = 5  # the last ones, of which speed and duration are learned
+DIVES = 5  # the last ones, of which speed and duration are the medians
 ARRIVED = 1000.0  # m; who is so close to a waypoint goes on to the next one
-TURNS, CLOSE = 20, 1.0  # of finding c, and m by which the last may change it
+ITERATIONS, CLOSE = 20, 1.0  # of d and c, and m by which the last may change c
 
 
 @dataclass(frozen=True)
@@ -236,15 +236,15 @@ def aims(
     pause = at[0] - last.t_gpse
     if start is not None:
         at = (start[0], *checked_target(*start[1:]))
-    found: list[Aim] = []
+    legs: list[Aim] = []
     for target in targets:
         leg = aim(replay, at, target, V, T)
-        found.append(replace(leg, variation=_variation(last, at, variation)))
+        legs.append(replace(leg, variation=_variation(last, at, variation)))
         plan = leg.ahead.plan
         if leg.dives is None or leg.dives * plan.duration > YEAR:
             break
         at = (at[0] + max(leg.dives, 1.0) * plan.duration + pause, *target)
-    return found
+    return legs
 
 
 def usual(replay: Replay, speed: float | None, duration: float | None) -> tuple[float, float]:
@@ -256,9 +256,9 @@ def usual(replay: Replay, speed: float | None, duration: float | None) -> tuple[
     return V, T
 
 
-def _variation(last: Dive, start: Fix, given: float | None) -> float | None:
+def _variation(last: Dive, start: Fix, stated: float | None) -> float | None:
     """Return the magnetic variation at the start of a leg, degrees east; None where not known."""
-    for known in (given, last.magvar):
+    for known in (stated, last.magvar):
         if known is not None and isfinite(known):
             return known
     found = float(igrf(start[0], *start[1:])[0])
@@ -279,19 +279,17 @@ def check_speed(V: float, T: float) -> None:
 def aim(replay: Replay, start: Fix, target: Place, V: float, T: float, shorten: bool = True) -> Aim:
     """Aim a dive of T s at V m/s from a start at a waypoint; a shorter one, if that must be."""
     g = np.array(displacement(*start[1:], *target))
-    last = replay.steps[-1]
-    f, psi = last.speed, np.radians(last.compass)
-    own = np.array([[f, psi], [-psi, f]])  # I + M
-    full, s = V * T, hypot(f, psi) * V * T
+    response = replay.steps[-1].response  # I + M
+    full, s = V * T, hypot(*response[0]) * V * T
     d = full * g / max(hypot(*g), 1e-9)
     c = np.full(2, np.inf)
-    for _ in range(TURNS):
-        ahead = replay.surfacing(replay.given((float(d[0]), float(d[1])), T), start)
-        before, c = c, ahead.forecast + d - own @ d
+    for _ in range(ITERATIONS):
+        ahead = replay.surfacing(replay.guess_of((float(d[0]), float(d[1])), T), start)
+        before, c = c, ahead.forecast + d - response @ d
         w, state, tau = triangle(g, c, s)
         if hypot(*(c - before)) < CLOSE:
             break
-        d = np.linalg.solve(own, w)
+        d = np.linalg.solve(response, w)
     if state == UNDER_WAY and tau is not None and tau < 1.0 and shorten:
         return aim(replay, start, target, V, T * _middle(g, c, s), shorten=False)
     plan = ahead.plan  # as it was forecast, whether or not c came to rest

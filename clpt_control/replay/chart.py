@@ -27,7 +27,7 @@ import numpy as np
 
 from ..errors import needed
 from ..geodesy import displacement, near, place_from
-from .wording import Place, compass, east_of, half_axes, velocity, within
+from .wording import Place, compass, degrees_minutes, east_of, half_axes, velocity, within
 
 DIVE, NEXT, AIMED = ("start_", "forecast_"), ("from_", ""), ("from_", "end_")  # start, centre
 CORNERS = 48
@@ -55,11 +55,11 @@ def ring_of(row: dict[str, Any], kind: tuple[str, str] = DIVE) -> list[Place]:
 @lru_cache(10_000)  # a watch draws the rings of all its dives again with each new one
 def _ring(begin: Place, end: Place, long: float, short: float, bearing: float) -> tuple[Place, ...]:
     east, north = displacement(*begin, *end)
-    turn = radians(bearing)
+    sine, cosine = sin(radians(bearing)), cos(radians(bearing))
     places = []
     for k in range(CORNERS):
         along, across = long * cos(2 * pi * k / CORNERS), short * sin(2 * pi * k / CORNERS)
-        away = along * sin(turn) - across * cos(turn), along * cos(turn) + across * sin(turn)
+        away = along * sine - across * cosine, along * cosine + across * sine
         places.append(place_from(*begin, east + away[0], north + away[1]))
     return (*places, places[0])
 
@@ -200,11 +200,9 @@ def mark(angle: float, names: str, step: float) -> str:
     """
     angle = east_of(angle) if names == "EW" else angle
     decimals = 0 if step >= 1 else 1 if step >= 0.1 else 2
-    whole, minutes = divmod(round(abs(angle) * 60, decimals), 60)
+    whole, minutes = degrees_minutes(angle, decimals)
     letter = names[angle < 0]
-    if step >= 60:
-        return f"{whole:.0f}°{letter}"
-    return f"{whole:.0f}°{minutes:0{2 + bool(decimals) + decimals}.{decimals}f}'{letter}"
+    return f"{whole}°{letter}" if step >= 60 else f"{whole}°{minutes}'{letter}"
 
 
 def with_room(
@@ -233,14 +231,14 @@ class Layer(NamedTuple):
 
 
 def words_of_next(ahead: dict[str, Any]) -> str:
-    """Return what a popup says of the next surfacing."""
+    """Return the popup's words on the next surfacing."""
     bearing = compass(ahead["ellipse_90_bearing"])
     when = f"{ahead['time']} {within(ahead)}"
     return f"{when}, {ahead['place']}; 90 % within {half_axes(ahead)} m, the long axis to {bearing}"
 
 
 def words_of_dive(row: dict[str, Any]) -> str:
-    """Return what a popup says of a dive."""
+    """Return the popup's words on a dive."""
     miss = row["clpe"]["adaptive"]
     return (
         f"surfaced {row['end']}, {miss:.0f} m from the forecast, "

@@ -5,7 +5,7 @@ CF conventions 1.11, appendix H.4: `dive` is the element dimension, `time`,
 `trajectory` bears `cf_role`.  Forecast places have their own coordinates.
 
 `FACTS` has a line for each variable of a dive: its name, units, words, CF standard name, and
-which of the `facts` it is where that has another name.  The plots of a replay draw the same
+which of the `flat_rows` it is where that has another name.  The plots of a replay draw the same
 facts, of a replay, of its dataset or of what `clpt replay --json` prints.
 """
 
@@ -17,7 +17,7 @@ import numpy as np
 
 from ..arguments import public
 from ..errors import DataError
-from .outcome import facts, known
+from .outcome import flat_rows, known
 from .replay import FLOW_MODEL, MODELS, Replay
 from .surfacing import ELLIPSE, NextDive, ellipse
 from .wording import utc
@@ -79,7 +79,7 @@ Source = Union[Replay, "xarray.Dataset", dict[str, Any]]
 
 
 class Fact(NamedTuple):
-    """A variable of a dive, and the name `of` what it holds in `facts`."""
+    """A variable of a dive, and the name `of` what it holds in `flat_rows`."""
 
     variable: str
     units: str
@@ -88,15 +88,15 @@ class Fact(NamedTuple):
     of: str
 
 
-def table(text: str) -> list[Fact]:
+def parsed(text: str) -> list[Fact]:
     """Return the lines of `FACTS` or `FLAGS`, whose second field is the meaning of 0 and 1."""
-    found = []
+    facts = []
     for line in text.strip().splitlines():
         cells = [cell.strip() for cell in line.split("|")]
         cells += [""] * (len(Fact._fields) - len(cells))
         variable, units, words, standard_name, of = cells
-        found.append(Fact(variable, units, words, standard_name, of or variable))
-    return found
+        facts.append(Fact(variable, units, words, standard_name, of or variable))
+    return facts
 
 
 @public
@@ -112,7 +112,7 @@ def replay_dataset(
     name : str, optional
         Of the trajectory.
     ahead : NextDive, optional
-        The next surfacing, which scalars then say.
+        The next surfacing, which becomes scalars.
 
     Returns
     -------
@@ -130,7 +130,7 @@ def replay_dataset(
     """
     import xarray
 
-    dives, found = [step.dive for step in replay.steps], facts(replay)
+    dives, rows = [step.dive for step in replay.steps], flat_rows(replay)
     numbers = np.array([d.number for d in dives], np.int64)
     if np.all(np.abs(numbers) < 2**31):
         numbers = numbers.astype(np.int32)
@@ -160,22 +160,22 @@ def replay_dataset(
     if replay.flow_model is not None:
         data.attrs["flow_model"] = f"{replay.flow_model.source}: {replay.flow_model.about}"
     data["trajectory"] = ((), name, {"cf_role": "trajectory_id"})
-    each = table(FACTS)
+    each = parsed(FACTS)
     each += [
         Fact(f"probability_{part}", "1", f"that {part} is present", "", f"probability_{part}")
         for part in replay.steps[0].parts
     ]
-    each = [fact for fact in each if fact.of in found[0]]
+    each = [fact for fact in each if fact.of in rows[0]]
     names = {fact.variable for fact in each}
     for fact in each:
         more = {"standard_name": fact.standard_name} if fact.standard_name else {}
         if (wrong := f"{fact.variable}_standard_error") in names:
             more["ancillary_variables"] = wrong
         attributes = {"units": fact.units, "long_name": fact.words, **more, **ALONG}
-        data[fact.variable] = ("dive", np.array([row[fact.of] for row in found], float), attributes)
-    for fact in table(FLAGS):
+        data[fact.variable] = ("dive", np.array([row[fact.of] for row in rows], float), attributes)
+    for fact in parsed(FLAGS):
         flags = {"flag_values": np.array([0, 1], np.int8), "flag_meanings": fact.units}
-        raised = np.array([bool(row[fact.of]) for row in found], np.int8)
+        raised = np.array([bool(row[fact.of]) for row in rows], np.int8)
         data[fact.variable] = ("dive", raised, {"long_name": fact.words, **flags, **ALONG})
     if ahead is not None:
         _next(data, ahead)
@@ -198,14 +198,14 @@ def _next(data: "xarray.Dataset", ahead: NextDive) -> None:
         data[key] = ((), value, {"long_name": f"{name} {words}", **attributes})
 
 
-def carrying(data: "xarray.Dataset", found: dict[str, Any]) -> "xarray.Dataset":
-    """Return a replay's dataset that carries what `clpt replay --json` prints."""
+def with_summary(data: "xarray.Dataset", found: dict[str, Any]) -> "xarray.Dataset":
+    """Return a replay's dataset with what `clpt replay --json` prints."""
     named = {"long_name": "all that was found, as JSON: what clpt replay --json prints"}
     return data.assign({SUMMARY: ((), json.dumps(found, allow_nan=False), named)})
 
 
-def carried(data: "xarray.Dataset", name: str) -> Any:
-    """Return what `carrying` put into a dataset."""
+def summary_in(data: "xarray.Dataset", name: str) -> Any:
+    """Return what `with_summary` put into a dataset."""
     try:
         return json.loads(str(data[SUMMARY].values))
     except (KeyError, ValueError):
@@ -215,7 +215,7 @@ def carried(data: "xarray.Dataset", name: str) -> Any:
         ) from None
 
 
-class Plotted(NamedTuple):
+class PlotData(NamedTuple):
     """A replay with one dive at least, as plots need it."""
 
     vehicle: str
@@ -224,12 +224,12 @@ class Plotted(NamedTuple):
     rows: list[dict[str, Any]]
 
 
-def plotted(source: Source) -> Plotted:
+def plot_data(source: Source) -> PlotData:
     """Return what plots draw; refuse what is no replay, or has no dive."""
     if isinstance(source, Replay):
         if not source.steps:
             raise DataError("the replay has no dive yet; feed one, as Replay.step does")
-        vehicle, found = source.steps[-1].dive.vehicle or "glider", facts(source)
+        vehicle, found = source.steps[-1].dive.vehicle or "glider", flat_rows(source)
     elif isinstance(source, dict) and source.get("each_dive"):
         vehicle, found = source["vehicle"], source["each_dive"]
     elif "dive" in getattr(source, "dims", ()) and "clpe_adaptive" in source:
@@ -240,14 +240,14 @@ def plotted(source: Source) -> Plotted:
             "`clpt replay` writes its dataset, replay.nc"
         )
     learns = found[0].get("speed_factor") is not None
-    return Plotted(vehicle, tuple(found[0]["clpe"]), learns, found)
+    return PlotData(vehicle, tuple(found[0]["clpe"]), learns, found)
 
 
 def _facts_in(data: Any) -> list[dict[str, Any]]:
     """Return the facts of each dive of a dataset."""
     columns = {
         fact.of: list(map(known, data[fact.variable].values.tolist()))
-        for fact in (*table(FACTS), *table(FLAGS))
+        for fact in (*parsed(FACTS), *parsed(FLAGS))
         if fact.variable in data
     }
     columns["dive"] = data["dive"].values.tolist()

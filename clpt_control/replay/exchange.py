@@ -31,7 +31,7 @@ from ..geodesy import place_from
 from ..gliders.slocum import HOLDS
 from ..html import plain
 from .aim import ARRIVED
-from .chart import Layer, dive_layers, layers_ahead, line_pieces, ring_pieces
+from .chart import Layer, dive_layers, layers_ahead, line_pieces, place_in, ring_pieces
 from .wording import REACHED, Place, compass, east_of, minutes
 
 DIGITS = 6  # decimals of a degree: 0.1 m
@@ -128,20 +128,20 @@ def track_kml(found: dict[str, Any], name: str) -> str:
 
 def _within(parent: Any, tag: str, **texts: str) -> Any:
     """Add an element, and an element with a text in it for each further argument."""
-    made = ElementTree.SubElement(parent, tag)
+    element = ElementTree.SubElement(parent, tag)
     for key, text in texts.items():
-        ElementTree.SubElement(made, key).text = plain(text)
-    return made
+        ElementTree.SubElement(element, key).text = plain(text)
+    return element
 
 
 def _placemark(parent: Any, name: str, style: str, layer: Layer, hidden: bool = False) -> None:
     texts = {"name": name, "visibility": "0" if hidden else "", "description": layer.words}
-    made = _within(parent, "Placemark", **{key: text for key, text in texts.items() if text})
+    mark = _within(parent, "Placemark", **{key: text for key, text in texts.items() if text})
     if layer.when and layer.shape == "Point":
-        _within(made, "TimeStamp", when=layer.when)
-    _within(made, "styleUrl").text = f"#{style}"
+        _within(mark, "TimeStamp", when=layer.when)
+    _within(mark, "styleUrl").text = f"#{style}"
     pieces = _pieces(layer)
-    parent = ElementTree.SubElement(made, "MultiGeometry") if len(pieces) > 1 else made
+    parent = ElementTree.SubElement(mark, "MultiGeometry") if len(pieces) > 1 else mark
     for piece in pieces:
         shape = ElementTree.SubElement(parent, layer.shape)
         if layer.shape == "LineString":
@@ -185,22 +185,23 @@ def _seaglider(legs: list[dict[str, Any]], _: bool) -> tuple[str, list[str]]:
         "/ this targets file counts where $HEADING is -1",
     ]
     for name, after, leg in zip(names, [*names[1:], names[-1]], legs, strict=True):
-        lat, lon = _numbers(*_target(leg))
+        lat, lon = _numbers(*place_in(leg, ""))
         lines.append(f"{name} lat={lat} lon={lon} radius={ARRIVED:.0f} goto={after}")
     return "targets", lines
 
 
 def _slocum(legs: list[dict[str, Any]], corrects: bool) -> tuple[str, list[str]]:
     first = legs[0]
-    places = [_target(leg) for leg in legs[:MOST]]
-    said = "the waypoints: this glider corrects for the current itself (u_use_current_correction 1)"
+    places = [place_in(leg, "") for leg in legs[:MOST]]
+    comment = (
+        "the waypoints: this glider corrects for the current itself (u_use_current_correction 1)"
+    )
     if not corrects:
         far = first["through_water"] if first["state"] == REACHED else FAR
-        turn = radians(first["heading"])
-        start = first["from_latitude"], first["from_longitude"]
-        places = [place_from(*start, far * sin(turn), far * cos(turn))]
-        said = f"heading {compass(first['heading'])} (true), for u_use_current_correction 0"
-    lines = ["behavior_name=goto_list", f"# {said}", "<start:b_arg>"]
+        angle = radians(first["heading"])
+        places = [place_from(*place_in(first, "from_"), far * sin(angle), far * cos(angle))]
+        comment = f"heading {compass(first['heading'])} (true), for u_use_current_correction 0"
+    lines = ["behavior_name=goto_list", f"# {comment}", "<start:b_arg>"]
     lines += [f"b_arg: {one}" for one in (*UNTIL, f"num_waypoints(nodim) {len(places)}")]
     lines += ["<end:b_arg>", "<start:waypoints>"]
     lines += ["{1} {0}".format(*_numbers(*one)) for one in places]
@@ -209,12 +210,8 @@ def _slocum(legs: list[dict[str, Any]], corrects: bool) -> tuple[str, list[str]]
 
 def _seaexplorer(legs: list[dict[str, Any]], _: bool) -> tuple[str, list[str]]:
     lines = [f"DesiredH {compass(legs[0]['heading'])}"]
-    lines += ["Lat {} Lon {}".format(*_numbers(*_target(leg))) for leg in legs]
+    lines += ["Lat {} Lon {}".format(*_numbers(*place_in(leg, ""))) for leg in legs]
     return "seaexplorer.txt", lines
-
-
-def _target(leg: dict[str, Any]) -> Place:
-    return leg["latitude"], leg["longitude"]
 
 
 def _numbers(lat: float, lon: float) -> tuple[str, str]:

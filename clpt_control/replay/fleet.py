@@ -14,8 +14,8 @@ long ago (`surfacing.RECENT`) is not overdue, and comes last.
 A command of the user's own is run when something asks for a pilot.  It is run without a shell.
 `{}` in its words is the sentence; its standard input has the sentence on the first line, and on the
 second one JSON object: vehicle, event, dive, sentence, next_dive. It is run once for each event:
-what was told is kept beside the state of the folder that is followed.  One that fails or lasts too
-long is one sentence, and is run again at the next look.
+those that it was told of are in a file beside the state of the folder that is followed.  One that
+fails or lasts too long is one sentence, and is run again at the next look.
 """
 
 import json
@@ -44,7 +44,7 @@ from .wording import clock, date, half_axes, in_minutes, speed_mark, within
 
 OVERDUE, OUT, SPEED, UNREAD = "overdue", "OUT", "SPEED", "cannot be read"
 ORDER = (OVERDUE, OUT, SPEED, UNREAD)
-SOON = 48.0  # hours that are not said in days
+SOON = 48.0  # hours; a longer age is in days
 FLEET = {  # title of a column: its rank
     "vehicle": 0,
     "last fix (UTC)": 3,
@@ -64,7 +64,7 @@ class Event(NamedTuple):
 
     name: str
     dive: int
-    said: str
+    sentence: str
 
 
 def events(found: dict[str, Any], now: float) -> list[Event]:
@@ -73,12 +73,12 @@ def events(found: dict[str, Any], now: float) -> list[Event]:
     happened = []
     last, late = each[-1]["dive"], now - _seconds(ahead["time"])
     if late > ahead["time_90"] and now - _seconds(each[-1]["end"]) <= RECENT:
-        said = f"after dive {last}: should have come up at {clock(ahead['time'])} {within(ahead)}"
-        happened.append(Event(OVERDUE, last, f"{OVERDUE} {said}"))
+        due = f"after dive {last}: should have come up at {clock(ahead['time'])} {within(ahead)}"
+        happened.append(Event(OVERDUE, last, f"{OVERDUE} {due}"))
     if (running := _running(each)) > 1:
         since = each[-running]["dive"]
-        said = f"{OUT}: {running} dives running, since dive {since}, outside their 90 % ellipses"
-        happened.append(Event(OUT, since, said))
+        why = f"{OUT}: {running} dives running, since dive {since}, outside their 90 % ellipses"
+        happened.append(Event(OUT, since, why))
     if anomaly := _anomaly(each):
         happened.append(Event(SPEED, anomaly["dive"], f"{SPEED}: {Anomaly(**anomaly)}"))
     return happened
@@ -92,7 +92,7 @@ def standing(found: dict[str, Any], page: str, now: float) -> dict[str, Any]:
         "kind": found["kind"],
         "page": page,
         "asks": [event.name for event in asks],
-        "said": [event.said for event in asks],
+        "said": [event.sentence for event in asks],
         "dive": last["dive"],
         "time": last["end"],
         "latitude": last["end_latitude"],
@@ -129,14 +129,14 @@ def fleet_cells(row: dict[str, Any]) -> dict[str, str]:
     if "dive" not in row:
         return cells
     ahead, running = row["next_dive"], row["out_running"]
-    hours, judged = row["age_hours"], row["headlines"]["judged"]
+    hours, count = row["age_hours"], row["headlines"]["judged"]
     return cells | {
         "last fix (UTC)": date(row["time"]),
         "age": f"{hours:.1f} h" if hours < SOON else f"{hours / 24:.0f} d",
         "at": in_minutes(row["latitude"], row["longitude"]),
         "next (UTC)": f"{date(ahead['time'])} {within(ahead)}",
         "90 % within (m)": half_axes(ahead),
-        "held": f"{row['headlines']['place_held']} of {judged}" if judged else "-",
+        "held": f"{row['headlines']['place_held']} of {count}" if count else "-",
         "90 %": f"{OUT} x{running}" if running > 1 else OUT if running else "in",
         "mark": speed_mark(row["anomaly"]),
     }
@@ -203,8 +203,8 @@ class Alerts:
         self.told: list[str] = []
         self.failed: set[str] = set()
         with suppress(DataError, ValueError):  # none yet, or none that can be read: told again
-            told = json.loads(read_text(self.path, "is no text"))
-            self.told = [str(one) for one in told] if isinstance(told, list) else []
+            keys = json.loads(read_text(self.path, "is no text"))
+            self.told = [str(one) for one in keys] if isinstance(keys, list) else []
 
     def tell(self, found: dict[str, Any]) -> None:
         """Run the command for what is new in what `--json` prints of a vehicle."""
@@ -215,9 +215,10 @@ class Alerts:
             key = f"{vehicle} {event.name} {event.dive}"
             if key in self.told:
                 continue
-            said = f"{vehicle}: {event.said}"
-            told = {"vehicle": vehicle, "event": event.name, "dive": event.dive, "sentence": said}
-            why = self._run(said, json.dumps(told | {"next_dive": found["next_dive"]}))
+            sentence = f"{vehicle}: {event.sentence}"
+            data = {"vehicle": vehicle, "event": event.name, "dive": event.dive}
+            data |= {"sentence": sentence, "next_dive": found["next_dive"]}
+            why = self._run(sentence, json.dumps(data))
             if not why:
                 self.told.append(key)
                 write_file(self.path, json.dumps(self.told))
@@ -225,14 +226,14 @@ class Alerts:
                 self.failed.add(why)
                 tell(f"--alert {shlex.join(self.command)}: {why}; is run again at the next look")
 
-    def _run(self, said: str, data: str) -> str:
+    def _run(self, sentence: str, data: str) -> str:
         """Run the command; return why it failed, empty where it did not."""
-        words = [said if word == "{}" else word for word in self.command]
+        words = [sentence if word == "{}" else word for word in self.command]
         try:
             with TemporaryFile() as heard:  # no pipe, which what goes on behind it would hold
-                given = f"{said}\n{data}\n".encode()
+                text = f"{sentence}\n{data}\n".encode()
                 to: Any = {"stdout": subprocess.DEVNULL, "stderr": heard}
-                done = subprocess.run(words, input=given, timeout=LONGEST, **to)
+                done = subprocess.run(words, input=text, timeout=LONGEST, **to)
                 heard.seek(max(heard.tell() - 1000, 0))
                 last = heard.read().decode(errors="replace").strip().rpartition("\n")[2]
         except subprocess.TimeoutExpired:

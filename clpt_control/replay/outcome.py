@@ -3,18 +3,18 @@
     rms = sqrt(mean |x - z|^2)
 
 over used dives.  The first used dive has no dive before it: its forecast is the
-dead reckoning, and it stands in `clpe_rms_all` only.  A given flow model is
-judged on the dives that it covers.  In rows lengths are in m, times ISO 8601 UTC, currents
+dead reckoning, and it stands in `clpe_rms_all` only.  A flow model is
+compared on the dives that it covers.  In rows lengths are in m, times ISO 8601 UTC, currents
 in m/s, angles in degrees clockwise from north; what is not known is None.
 
-What was learned is said as a pilot reads it:
+What was learned is a sentence for a pilot:
 
     0.21 m/s to 184 over the last dive; M2 0.03 m/s (odds 1:9); speed 1.48 +- 0.11: ...
 
 A tide is as large as the longer half axis of its ellipse, the greatest singular value of
 [[cos_east, sin_east], [cos_north, sin_north]].  Odds p : 1 - p are of a part's presence; all
 tides come or go together.  A speed or a compass more than `FAR` standard errors from what it
-should be is said in words.
+should be is put into words.
 """
 
 from collections.abc import Mapping, Sequence
@@ -49,7 +49,7 @@ def rows(replay: Replay) -> list[dict[str, Any]]:
     return [dict(step.row) for step in replay.steps]
 
 
-def facts(replay: Replay) -> list[dict[str, Any]]:
+def flat_rows(replay: Replay) -> list[dict[str, Any]]:
     """Return the row of each dive with what files and plots have in addition, on one level."""
     found = rows(replay)
     for row, step in zip(found, replay.steps, strict=True):
@@ -114,16 +114,16 @@ def _row(step: Step, models: tuple[str, ...]) -> dict[str, Any]:
         "compass_error": step.compass_error,
         "drift": None if step.drift is None else step.drift.as_dict(),
         "over_ground": Way(dive.gps_east, dive.gps_north, dive.duration).as_dict(),
-        "headline": None if step.said is None else _headline(step.said, step.as_said),
+        "headline": None if step.headline is None else _headline(step.headline, step.headline_held),
         "anomaly": None if step.anomaly is None else step.anomaly.as_dict(),
         "depth_max": dive.depth_max,
         "notes": list(dive.notes),
     }
 
 
-def _headline(said: NextDive, held: tuple[bool, bool] | None) -> dict[str, Any]:
-    """Return what had been said of a surfacing, and whether its place and time held."""
-    found = said.as_dict()
+def _headline(headline: NextDive, held: tuple[bool, bool] | None) -> dict[str, Any]:
+    """Return the headline before a surfacing, and whether its place and time held."""
+    found = headline.as_dict()
     keys = ("time", "time_90", "latitude", "longitude", *ELLIPSE, "basis")
     place, time = held or (None, None)
     return {**{key: found[key] for key in keys}, "place_held": place, "time_held": time}
@@ -162,7 +162,7 @@ def strengths(replay: Replay) -> dict[str, float]:
     return found
 
 
-def learned(replay: Replay) -> dict[str, Any]:
+def learned_report(replay: Replay) -> dict[str, Any]:
     """Return what was learned, by name, for JSON, with the sentence that says it."""
     if not replay.steps:
         return {"sentence": "nothing", "strengths": {}, "odds": {}}
@@ -187,20 +187,20 @@ def learned(replay: Replay) -> dict[str, Any]:
 
 def speed_words(step: Step) -> str:
     """Return the factor on speed, and what it means where it is far from 1."""
-    said = f"speed {step.speed:.2f} +- {step.speed_error:.2f}"
+    words = f"speed {step.speed:.2f} +- {step.speed_error:.2f}"
     if abs(step.speed - 1) <= FAR * step.speed_error:
-        return said
+        return words
     slow = "slow" if step.speed > 1 else "fast"
-    return f"{said}: your flight model is too {slow}"
+    return f"{words}: your flight model is too {slow}"
 
 
 def compass_words(step: Step) -> str:
     """Return the error of the compass, and what it means where it is far from 0."""
-    said = f"compass {step.compass:+.1f} +- {step.compass_error:.1f} degrees"
+    words = f"compass {step.compass:+.1f} +- {step.compass_error:.1f} degrees"
     if abs(step.compass) <= FAR * step.compass_error:
-        return said
+        return words
     side = "right" if step.compass > 0 else "left"
-    return f"{said}: it goes to the {side} of its heading"
+    return f"{words}: it goes to the {side} of its heading"
 
 
 @public
@@ -273,15 +273,15 @@ def summary(replay: Replay, skipped: Sequence[Skipped] = ()) -> dict[str, Any]:
     (14, ['compass'], ['compass', 'eddies', 'inertial'])
     """
     steps = replay.steps
-    own = [
+    differences = [
         float(np.hypot(*(miss(d) / d.duration - (d.dac_east, d.dac_north))))
         for d in (step.dive for step in steps)
         if d.dac_east is not None and d.dac_north is not None
     ]
-    judged = [step.as_said for step in steps if step.as_said]
+    headlines = [step.headline_held for step in steps if step.headline_held]
     last = steps[-1] if steps else None
     factor = last is not None and replay.model.learn_speed
-    given = {} if replay.flow_model is None else {"flow_model": _of_flow_model(replay)}
+    modelled = {} if replay.flow_model is None else {"flow_model": _of_flow_model(replay)}
     return {
         "vehicle": (last.dive.vehicle if last else "") or "glider",
         "kind": last.dive.kind if last else None,
@@ -290,12 +290,12 @@ def summary(replay: Replay, skipped: Sequence[Skipped] = ()) -> dict[str, Any]:
         "clpe_rms": clpe_rms(replay, 1),
         "clpe_rms_all": clpe_rms(replay, 0),
         "clpe_rms_after_3": clpe_rms(replay, 3),
-        **given,
-        "dac_identity_median": float(np.median(own)) if own else None,
+        **modelled,
+        "dac_identity_median": float(np.median(differences)) if differences else None,
         "headlines": {
-            "judged": len(judged),
-            "place_held": sum(place for place, _ in judged),
-            "time_held": sum(time for _, time in judged),
+            "judged": len(headlines),
+            "place_held": sum(place for place, _ in headlines),
+            "time_held": sum(time for _, time in headlines),
         },
         "inside_90": float(np.mean([step.inside for step in steps])) if steps else None,
         "speed_factor": {
@@ -303,9 +303,9 @@ def summary(replay: Replay, skipped: Sequence[Skipped] = ()) -> dict[str, Any]:
             "standard_error": last.speed_error if last and factor else None,
         },
         "parts": dict(last.parts) if last else {},
-        "said": learned(replay),
+        "said": learned_report(replay),
         "learned": list(last.learned) if last else [],
-        "held": list(last.held) if last else [],
+        "held": list(last.not_learned) if last else [],
         "standard_error_left": dict(last.left) if last else {},
         "anomalies": [step.anomaly.as_dict() for step in steps if step.anomaly],
         "notes": [
@@ -320,7 +320,7 @@ def summary(replay: Replay, skipped: Sequence[Skipped] = ()) -> dict[str, Any]:
 
 
 def _of_flow_model(replay: Replay) -> dict[str, Any]:
-    """Return what was given, how many dives it covers, and why not the others."""
+    """Return what the flow model is, how many dives it covers, and why not the others."""
     bare = [step.dive for step in replay.steps if step.clpe[FLOW_MODEL] is None]
     return {
         "source": replay.flow_model.source if replay.flow_model else None,

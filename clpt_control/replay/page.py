@@ -14,16 +14,16 @@ from .page_map import replay_map
 from .plots import current_plot, dive_clpe_plot
 from .wording import (
     RANKS,
-    aimed,
+    aim_sentence,
     cells,
     clock,
     compass,
     half_axes,
     in_degrees,
     next_surfacing,
-    record,
+    record_sentence,
     remarks,
-    routed,
+    route_sentences,
     speed_mark,
     velocity,
     within,
@@ -46,8 +46,8 @@ def replay_page(found: dict[str, Any], again: bool = False, title: str | None = 
     if again:
         head = f'<noscript><meta http-equiv="refresh" content="{AGAIN}"></noscript>\n'
         mark = f' data-again="{AGAIN}"'
-    lines = [next_surfacing(found["next_dive"]), *map(aimed, found["aim"])]
-    lines += routed(found["route"]) if "route" in found else []
+    lines = [next_surfacing(found["next_dive"]), *map(aim_sentence, found["aim"])]
+    lines += route_sentences(found["route"]) if "route" in found else []
     body = "\n".join(
         [
             f"<h1>{safe(title or f'{vehicle}: where it comes up next')}</h1>",
@@ -59,7 +59,7 @@ def replay_page(found: dict[str, Any], again: bool = False, title: str | None = 
             f"<div>{_charts(found)}</div></div>",
             *_paste(found),
             *_table(found),
-            *_remarks(remarks(found)),
+            *_remarks(found),
         ]
     )
     name = title or f"{vehicle}, dive {found['each_dive'][-1]['dive']}"
@@ -89,7 +89,7 @@ def _cards(found: dict[str, Any]) -> list[str]:
             "Where",
             ahead["place"],
             f"{safe(in_degrees(ahead['latitude'], ahead['longitude']))}; 90 % within "
-            f"{half_axes(ahead)} m; {safe(record(found['headlines']))}",
+            f"{half_axes(ahead)} m; {safe(record_sentence(found['headlines']))}",
             "first",
         ),
         *(_aim(leg) for leg in (found.get("aim") or [])[:1]),
@@ -105,8 +105,8 @@ def _cards(found: dict[str, Any]) -> list[str]:
     inside = "" if last["inside_90"] else "; outside the 90 % ellipse"
     cards.append(_card(f"Miss, dive {last['dive']}", miss, before + inside))
     for anomaly in found["anomalies"][-1:]:
-        said = f"changed by {anomaly['change']:+.2f} since dive {anomaly['since']}"
-        cards.append(_card(f"Mark of dive {anomaly['dive']}", speed_mark(anomaly), said, "alarm"))
+        change = f"changed by {anomaly['change']:+.2f} since dive {anomaly['since']}"
+        cards.append(_card(f"Mark of dive {anomaly['dive']}", speed_mark(anomaly), change, "alarm"))
     return cards
 
 
@@ -128,14 +128,14 @@ def _paste(found: dict[str, Any]) -> list[str]:
 def _charts(found: dict[str, Any]) -> str:
     """Return the misses and what was learned, over time."""
     charts = []
-    for name, plot, high, said in (
+    for name, plot, high, caption in (
         ("clpe", dive_clpe_plot, 0.6, "Miss (CLPE) of each dive, one dive ahead"),
         ("learned", current_plot, 1.0, "Learned, with two standard errors"),
     ):
         figure = figure_of(plot, found, dates=True)
         figure.set_size_inches(NARROW, NARROW * high)
-        svg = inline_svg(figure, name, said)
-        charts.append(f"<figure>{svg}<figcaption>{said}</figcaption></figure>")
+        svg = inline_svg(figure, name, caption)
+        charts.append(f"<figure>{svg}<figcaption>{caption}</figcaption></figure>")
     return "\n".join(charts)
 
 
@@ -183,13 +183,11 @@ def cell_table(
     ]
     none = [""] * len(rows)
     for row, mark, link in zip(rows, marks or none, links or none, strict=True):
-        made = []
-        for title in titles:
-            style = ALARM if row[title].startswith(LOUD) else styles[title]
-            made.append([style, safe(row[title])])
+        texts = [safe(row[title]) for title in titles]
         if link:
-            made[0][1] = f'<a href="{safe(link)}">{made[0][1]}</a>'
-        each = "".join(f"<td{style}>{text}</td>" for style, text in made)
+            texts[0] = f'<a href="{safe(link)}">{texts[0]}</a>'
+        loud = [ALARM if row[title].startswith(LOUD) else styles[title] for title in titles]
+        each = "".join(f"<td{style}>{text}</td>" for style, text in zip(loud, texts, strict=True))
         lines.append(f"<tr{mark}>{each}</tr>")
     return [*lines, "</tbody></table></div>"]
 
@@ -199,8 +197,8 @@ def _style(rank: int) -> str:
     return "" if rank <= PHONE else f' class="wide{" most" if rank > PAPER else ""}"'
 
 
-def _remarks(said: Sequence[str]) -> list[str]:
-    if not said:
+def _remarks(found: dict[str, Any]) -> list[str]:
+    lines = [f"<li>{safe(remark)}</li>" for remark in remarks(found)]
+    if not lines:
         return []
-    lines = [f"<li>{safe(remark)}</li>" for remark in said]
     return ["<h2>Learned, noted and skipped</h2>", "<ul>", *lines, "</ul>"]

@@ -30,10 +30,7 @@ STAR = "M0-10 2.4-3.2 9.5-3.1 3.8 1.2 5.9 8.1 0 4 -5.9 8.1 -3.8 1.2 -9.5-3.1 -2.
 MARKS = {  # kind of a point: its style and its shape
     "reckoned": ("reckoned", "M-4-4 4 4M-4 4 4-4"),
     "forecast": ("forecast", "M-5.5 0H5.5M0-5.5V5.5"),
-    "next": (
-        "star",
-        STAR,
-    ),
+    "next": ("star", STAR),
     "target": ("target", "M0-9A9 9 0 1 1-.01-9ZM-13 0H13M0-13V13"),
 }
 
@@ -85,11 +82,11 @@ def replay_map(found: dict[str, Any]) -> str:
         drawn.append(f'<g class="dive" data-dive="{number}">{title}{inside}</g>')
     drawn += ["</g>", *_numbered(drawing, rows)]
     for k, leg in enumerate(legs):
-        own = [layer for layer in ahead if layer.of is leg]
-        drawn += _painted(drawing, own, f"waypoint {k + 1}: ")
-        drawn.append(_beyond(drawing, k + 1, own[1].places))
-    own = [layer for layer in ahead if layer.of is found["next_dive"]]
-    drawn += [*_painted(drawing, own, "next surfacing: "), _scale(drawing)]
+        of_leg = [layer for layer in ahead if layer.of is leg]
+        drawn += _painted(drawing, of_leg, f"waypoint {k + 1}: ")
+        drawn.append(_beyond(drawing, k + 1, of_leg[1].places))
+    of_next = [layer for layer in ahead if layer.of is found["next_dive"]]
+    drawn += [*_painted(drawing, of_next, "next surfacing: "), _scale(drawing)]
     return (
         f'<svg id="map" viewBox="0 0 {WIDTH:.0f} {drawing.height:.0f}" role="img" '
         f'aria-label="map of the track and of the next surfacing" {_facts(drawing)}>'
@@ -138,14 +135,14 @@ def _beyond(drawing: Drawing, number: int, aim: list[Place]) -> str:
     shares += [((low if y1 > y0 else EDGE) - y0) / (y1 - y0)] if y1 != y0 else []
     x, y = (a + min(shares) * (b - a) for a, b in ((x0, x1), (y0, y1)))
     east, north = displacement(*aim[0], *aim[1])
-    said = f"waypoint {number}, {hypot(east, north) / 1000:.0f} km to "
-    said += compass(degrees(atan2(east, north)))
-    turn, left = degrees(atan2(x1 - x0, y0 - y1)), x < WIDTH / 2
+    label = f"waypoint {number}, {hypot(east, north) / 1000:.0f} km to "
+    label += compass(degrees(atan2(east, north)))
+    angle, left = degrees(atan2(x1 - x0, y0 - y1)), x < WIDTH / 2
     return (
         f'<g class="m" transform="translate({_numbers(x, y)})"><g class="beyond">'
-        f'<path class="star" d="{ARROW}" transform="rotate({turn:.0f})"/>'
+        f'<path class="star" d="{ARROW}" transform="rotate({angle:.0f})"/>'
         f'<text x="{14 if left else -14}" y="{18 if y < EDGE + 1 else -8}" '
-        f'text-anchor="{"start" if left else "end"}">{safe(said)}</text></g></g>'
+        f'text-anchor="{"start" if left else "end"}">{safe(label)}</text></g></g>'
     )
 
 

@@ -26,7 +26,7 @@ from ..figures import (
 )
 from ..files import write_together
 from .chart import Chart, dive_layers, layers_ahead, length_of, mark, with_room
-from .dataset import Source, plotted
+from .dataset import Source, plot_data
 from .outcome import rms_of
 from .replay import Replay
 from .surfacing import NextDive
@@ -102,7 +102,7 @@ def map_plot(
     >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
     >>> ax = clpt.replay.map_plot(replay, clpt.replay.next_dive(replay))
     """
-    vehicle, _, _, found = plotted(replay)
+    vehicle, _, _, found = plot_data(replay)
     rest = layers_ahead(None if ahead is None else ahead.as_dict(), legs[:1])
     of: dict[str, list[list[Place]]] = defaultdict(list)
     for layer in (*chain(*dive_layers(found, LAST)), *rest):
@@ -215,7 +215,7 @@ def dive_clpe_plot(replay: Source, *, dates: bool = False, ax: "Axes | None" = N
     >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
     >>> ax = clpt.replay.dive_clpe_plot(replay)
     """
-    seen = plotted(replay)
+    seen = plot_data(replay)
     ax = axes_for(ax, 6.8, 4.0)
     x = _along(seen.rows, dates)
     clpe = [row["clpe"] for row in seen.rows]
@@ -265,7 +265,7 @@ def current_plot(replay: Source, *, dates: bool = False, ax: Any = None) -> np.n
     >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
     >>> east, north, speed = clpt.replay.current_plot(replay)
     """
-    seen = plotted(replay)
+    seen = plot_data(replay)
     found, learned = seen.rows, seen.learns_speed
     axes = axes_for(ax, 6.8, 6.4 if learned else 4.6, nrows=2 + learned, sharex=True)
     x = _along(found, dates)
@@ -316,7 +316,7 @@ def replay_plot(replay: Source, *, ax: Any = None) -> np.ndarray:
     >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
     >>> axes = clpt.replay.replay_plot(replay)
     """
-    speed = [["map", "speed"]] if plotted(replay).learns_speed else []
+    speed = [["map", "speed"]] if plot_data(replay).learns_speed else []
     mosaic = [["map", "clpe"], ["map", "clpe"], ["map", "east"], ["map", "north"], *speed]
     axes = axes_for(ax, 12.0, 9.5, mosaic=mosaic)
     map_plot(replay, ax=axes[0])

@@ -12,12 +12,12 @@ d is the dead-reckoned displacement, y = fix - dead reckoning and T the duration
 of a dive.  Duration and d of the dive are taken as known, its end fix is not.
 The first used dive is forecast with no flow.  Where a dive starts too far from the end of
 the last one, one of the two fixes is wrong (`doubts`): before the dive is forecast
-the last one is learned again, its own forecast as it was.  A given flow model is no part of
+the last one is learned again, its forecast as it was.  A flow model is no part of
 the state: each dive brings its q, or None where the model does not cover it.
 The state moves by `Replay.step` alone, so that feeding dives one by one is feeding
 them at once, bit for bit.
 
-A `Step` is what is said of one dive.  The 90 % ellipse of its forecast,
+A `Step` is the record of one dive.  The 90 % ellipse of its forecast,
 
     (x - m)^T P^-1 (x - m) = 2 ln 10
 
@@ -60,23 +60,23 @@ from .surfacing import (
 
 MODELS = ("no_flow", "previous_dive", "adaptive")
 FLOW_MODEL = "flow_model"  # a forecast or a fit that was given
-LEARNED = 0.87  # share of a prior's standard error; a parameter with more is held
-SHOWN = 10  # dives
+LEARNED = 0.87  # share of a prior's standard error; a parameter with more is not learned
+LISTED = 10  # dives of a notebook's table
 
 
 @dataclass(frozen=True)
 class Step:
-    """What a replay says of one dive.
+    """A dive, its forecast, and what is known after it.
 
     `clpe` has |x - z| (m) of each flow model, None where it does not cover the dive. `forecast`
     (2,) and `covariance` (2, 2) are of the fix less dead reckoning, m; `inside` says whether the
     vehicle surfaced in their 90 % ellipse. `current` (2,) is the learned flow over the dive, m/s,
     `speed` the factor, `compass` the error in degrees clockwise, each with its standard error.
     `parts` has the probability that each part of the flow is present, `left` the share of the
-    prior's standard error that the dives so far leave of each parameter. `said` is what was
-    forecast of this surfacing before the dive, `as_said` whether its place and its time held: None
+    prior's standard error that the dives so far leave of each parameter. `headline` is the
+    surfacing as forecast before the dive, `headline_held` whether its place and its time held: None
     for the first dive, and where dives between may be missing. `drift` is that before the dive,
-    `row` all of this by name once it was asked for (`outcome.rows`).
+    `row` all of this by name, once `outcome.rows` has made it.
     """
 
     dive: Dive
@@ -90,8 +90,8 @@ class Step:
     parts: dict[str, float]
     left: dict[str, float]
     drift: Way | None = None
-    said: NextDive | None = None
-    as_said: tuple[bool, bool] | None = None
+    headline: NextDive | None = None
+    headline_held: tuple[bool, bool] | None = None
     speed: float = 1.0
     speed_error: float = 0.0
     compass: float = 0.0
@@ -99,18 +99,24 @@ class Step:
     row: dict[str, Any] = field(default_factory=dict, compare=False, repr=False)
 
     @property
+    def response(self) -> np.ndarray:
+        """I + M, the way through the water of a unit of dead reckoning, (2, 2)."""
+        f, psi = self.speed, np.radians(self.compass)
+        return np.array([[f, psi], [-psi, f]])
+
+    @property
     def learned(self) -> tuple[str, ...]:
-        """Parameters that the dives so far tell of."""
+        """Parameters that are better known than before any dive."""
         return tuple(name for name, left in self.left.items() if left < LEARNED)
 
     @property
-    def held(self) -> tuple[str, ...]:
+    def not_learned(self) -> tuple[str, ...]:
         """Parameters that are hardly better known than before any dive."""
         return tuple(name for name, left in self.left.items() if left >= LEARNED)
 
 
 def estimates(learner: Estimator, dive: Dive) -> dict[str, Any]:
-    """Return what `Step` keeps of an estimator that has learned a dive."""
+    """Return the fields of a `Step` that an estimator fills which has learned its dive."""
     p, P, left = learner.estimate()
     model = learner.model
     flow = [k for k, part in enumerate(model.parts) if part not in ("speed", "compass")]
@@ -185,7 +191,7 @@ class Replay:
     def _repr_html_(self) -> str:
         """Return the last dives as a table, the last one first."""
         rows = []
-        for step in self.steps[: -SHOWN - 1 : -1]:
+        for step in self.steps[: -LISTED - 1 : -1]:
             east, north = step.current
             clpe = [step.clpe[name] for name in self.models]
             misses = ["" if size is None else f"{size:.0f}" for size in clpe]
@@ -194,13 +200,13 @@ class Replay:
         head = ["dive", *(f"CLPE (m), {name.replace('_', ' ')}" for name in self.models)]
         head += ["current east, north (m/s)"]
         head += ["factor on speed"] if self.model.learn_speed else []
-        last = [f"The last {SHOWN} of {len(self.steps)} dives."] if self.steps[SHOWN:] else []
+        last = [f"The last {LISTED} of {len(self.steps)} dives."] if self.steps[LISTED:] else []
         pieces = facts(rows, head) if rows else "", paragraphs(last)
         return fragment("Replay", f"of {_in_words(self)}", *pieces)
 
     @property
     def models(self) -> tuple[str, ...]:
-        """Names of the flow models that `Step.clpe` is asked for."""
+        """Names of the flow models in `Step.clpe`."""
         return MODELS if self.flow_model is None else (*MODELS, FLOW_MODEL)
 
     @public
@@ -210,7 +216,7 @@ class Replay:
         Mean (2,), m, zero for the first dive, and covariance (2, 2), m^2; the dive's end fix and
         displacement are not read.
         """
-        again, dive = self._weighed(dive)
+        again, dive = self._doubt_one_fix(dive)
         if again is None:
             return self._ahead(dive)
         known = copy.deepcopy(self)
@@ -229,11 +235,11 @@ class Replay:
         A dive that is not finite, or ends before the last one, is a `DataError`.
         """
         _check(dive, self.steps[-1].dive if self.steps else None)
-        said = self.surfacing() if self.steps else None
-        again, dive = self._weighed(dive)
+        headline = self.surfacing() if self.steps else None
+        again, dive = self._doubt_one_fix(dive)
         if again is not None:
             self._learn_again(again)
-        self._take(dive, *self._ahead(dive), said)
+        self._take(dive, *self._ahead(dive), headline)
         return self.steps[-1]
 
     def start(self, rng: np.random.Generator | None = None) -> Fix:
@@ -263,13 +269,13 @@ class Replay:
         self._learner.update(dive)
         self.steps = [replace(self.steps[-1], dive=dive, **estimates(self._learner, dive))]
 
-    def surfacing(self, given: Guess | None = None, start: Fix | None = None) -> NextDive:
-        """Forecast the end of the next dive, as it is guessed or given.
+    def surfacing(self, guess: Guess | None = None, start: Fix | None = None) -> NextDive:
+        """Forecast the end of the next dive, by a guess, else by the vehicle's habits.
 
         It begins at `start`, by default as the vehicle should be when it dives.
         """
         last, habits = self.steps[-1], self._habits
-        guess = habits.guess() if given is None else given
+        guess = habits.guess() if guess is None else guess
         begin = self.start() if start is None else start
         plan = _plan(last.dive, begin, guess)
         covers = None
@@ -278,9 +284,8 @@ class Replay:
             covers = plan.model_east is not None
         mean, covariance = self.forecast(plan)
         place = place_from(*begin[1:], *(guess.way + mean))
-        f, psi = last.speed, np.radians(last.compass)
-        own = np.array([[f, psi], [-psi, f]])  # I + M
-        covariance = covariance + own @ guess.scatter[:2, :2] @ own.T + habits.drift()[1]
+        scatter = last.response @ guess.scatter[:2, :2] @ last.response.T
+        covariance = covariance + scatter + habits.drift()[1]
         late = np.hypot(guess.duration * np.sqrt(guess.scatter[2, 2]), habits.stay()[1])
         wide, long = (max(w, 1.0) if guess.basis == GIVEN else w for w in habits.width)
         return NextDive(
@@ -294,16 +299,16 @@ class Replay:
             guess.basis,
         )
 
-    def given(self, way: tuple[float, float], duration: float) -> Guess:
+    def guess_of(self, way: tuple[float, float], duration: float) -> Guess:
         """Return a dive of a way (m) and a duration (s), with its spread."""
-        return self._habits.given(way, duration)
+        return self._habits.guess_of(way, duration)
 
     def _ahead(self, dive: Dive) -> tuple[np.ndarray, np.ndarray]:
         """Forecast a dive's miss by what is known: mean (2,), covariance (2, 2)."""
         mean, covariance = self._learner.predict(dive)
         return (mean if self.steps else np.zeros(2)), covariance
 
-    def _weighed(self, dive: Dive) -> tuple[Dive | None, Dive]:
+    def _doubt_one_fix(self, dive: Dive) -> tuple[Dive | None, Dive]:
         """Return the last dive where this one's start says that its end is wrong, and this one."""
         if not self.steps:
             return None, dive
@@ -315,19 +320,19 @@ class Replay:
         """Learn the last dive again, as it is now known, its forecast as it was."""
         was = self.steps.pop()
         self._learner, self._watch, self._habits = self._before
-        self._take(dive, was.forecast, was.covariance, was.said)
+        self._take(dive, was.forecast, was.covariance, was.headline)
 
     def _take(
-        self, dive: Dive, mean: np.ndarray, covariance: np.ndarray, said: NextDive | None
+        self, dive: Dive, mean: np.ndarray, covariance: np.ndarray, headline: NextDive | None
     ) -> None:
-        """Judge a forecast of a dive, and what was said of it, by its end, and learn from it."""
+        """Compare a dive's forecast and headline with its end, and learn from it."""
         self._before = copy.deepcopy((self._learner, self._watch, self._habits))
         y = miss(dive)
         last = self.steps[-1].dive if self.steps else None
         way = drift(dive, last)
         held = None
-        if said is not None and last is not None and follows(dive, last):
-            held = said.held(dive)
+        if headline is not None and last is not None and follows(dive, last):
+            held = headline.holds(dive)
         self._habits.learn(dive, way, held or ())
         previous = np.zeros(2) if last is None else miss(last) * (dive.duration / last.duration)
         away = y - mean
@@ -352,21 +357,21 @@ class Replay:
                 bool(away @ np.linalg.solve(covariance, away) <= CHI_SQUARED),
                 anomaly,
                 drift=way,
-                said=said,
-                as_said=held,
+                headline=headline,
+                headline_held=held,
                 **estimates(self._learner, dive),
             )
         )
 
 
 def _plan(last: Dive, start: Fix, guess: Guess) -> Dive:
-    """Return a dive without an end, its track that of the last one, turned and stretched."""
+    """Return a dive without an end, its track that of the last one, rotated and stretched."""
     east, north = map(float, guess.way)
     track = None
     if last.track is not None and hypot(last.dr_east, last.dr_north) > 0:
         time, *through_water = last.track
-        turn = complex(east, north) / complex(last.dr_east, last.dr_north)
-        way = turn * (through_water[0] + 1j * through_water[1])
+        ratio = complex(east, north) / complex(last.dr_east, last.dr_north)
+        way = ratio * (through_water[0] + 1j * through_water[1])
         track = time * (guess.duration / last.duration), way.real, way.imag
     end = start[0] + guess.duration
     no = (nan, nan, nan, nan)
@@ -414,7 +419,7 @@ def next_dive(
     T = guess.duration if duration is None else duration
     way = (guess.dr_east, guess.dr_north) if through_water is None else through_water
     check_plan(T, way)
-    return replay.surfacing(replay.given(way, T))
+    return replay.surfacing(replay.guess_of(way, T))
 
 
 def _check(dive: Dive, last: Dive | None) -> None:
@@ -450,19 +455,19 @@ def check_tides(flow: Sequence[str], dives: Sequence[Dive]) -> None:
 
 
 class Growing:
-    """A replay of a record that grows: where all it was fed comes first again, it goes on."""
+    """A replay of a record that grows: dives that come first again are not learned again."""
 
     def __init__(self, estimator: str, model: FixModel, flow_model: FlowModel | None) -> None:
-        self.asked = estimator, model, flow_model
+        self.settings = estimator, model, flow_model
         self.fed: list[Dive] = []
-        self.replay = Replay(*self.asked)
+        self.replay = Replay(*self.settings)
 
     def feed(
         self, dives: Sequence[Dive], report: Callable[[int], None] = lambda done: None
     ) -> Replay:
         """Return the replay of all dives, carried by its flow model, as if fed to a new one."""
         if len(dives) < len(self.fed) or not all(map(_same, self.fed, dives)):
-            self.fed, self.replay = [], Replay(*self.asked)
+            self.fed, self.replay = [], Replay(*self.settings)
         for dive in dives[len(self.fed) :]:
             check()
             model = self.replay.flow_model

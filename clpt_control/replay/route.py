@@ -2,7 +2,7 @@
 
 The coming dives are drawn, `DRAWS` times.  Each dive is aimed at the next waypoint (`aim`), by what
 is known when it begins; its way through the water, its duration and the drift before it are drawn
-by what they scatter by (`surfacing`), its miss by the forecast's own mean and covariance.  What was
+from their spread (`surfacing`), its miss from the forecast's mean and covariance.  What was
 drawn is learned before the next dive is aimed: drawn one after the other, each given those before
 it, the misses are drawn from their joint distribution, with what lasts from dive to dive in them.
 A waypoint is made by the dive that is to end there, or ends within `ARRIVED` of it.
@@ -134,10 +134,10 @@ def arrivals(
     waypoints = []
     for place, each in zip(route.targets, times.T, strict=True):
         quantiles = np.quantile(each, list(SHARES.values()), method="inverted_cdf").tolist()
-        said = [utc(time) if isfinite(time) else None for time in quantiles]
+        dates = [utc(time) if isfinite(time) else None for time in quantiles]
         waypoints.append(
             {"latitude": place[0], "longitude": place[1], "place": in_minutes(*place)}
-            | {"made": float(np.isfinite(each).mean()), **dict(zip(SHARES, said, strict=True))}
+            | {"made": float(np.isfinite(each).mean()), **dict(zip(SHARES, dates, strict=True))}
         )
     areas = [
         {"name": name, "entered": share, "ring": ring}
@@ -164,7 +164,7 @@ def _draw(
         k, target = to_come[0]
         leg = aim(learned, start, target, V, T)
         plan = leg.ahead.plan
-        guess = learned.given((plan.dr_east, plan.dr_north), plan.duration)
+        guess = learned.guess_of((plan.dr_east, plan.dr_north), plan.duration)
         east, north, late = rng.multivariate_normal(np.zeros(3), guess.scatter)
         flown = replace(
             plan,

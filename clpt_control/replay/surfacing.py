@@ -13,12 +13,12 @@ c, S0 that counts as much as k dives for the one and n for the other:
     m = (k c + sum z) / (k + N)
     S = (n S0 + k c c^T + sum z z^T - (k + N) m m^T) / (n + N) (1 + 1 / (k + N))
 
-The guesses are mixed by how well each has told the dives before, as the filters of
+The guesses are mixed by how well each has forecast the dives before, as the filters of
 `estimators` are, by Student's density; the place is that of the likelier one of the first
 two, about which all scatter.  So few dives say little, and 90 % of what comes
 lies within  n' (0.1^(-2/n') - 1)  of its covariance, n' = n + N (normal: 2 ln 10).
 
-What that holds is judged by what came.  The width of the next headline is that of the last one
+How often a headline holds is counted.  The width of the next one is that of the last one
 
     exp(0.3 * (0.9 where it did not hold, else -0.1)) times,
 
@@ -38,8 +38,8 @@ Where a vehicle will surface next is the forecast of a dive not yet flown,
     z(T) = last fix + drift at the surface + d + forecast of the miss
 
 d is the displacement through the water and T the duration of the dive that `Habits` guesses, or
-that was given.  The ellipse and the time are for 90 %: of the miss, of the drift, of what d and T
-scatter by (d as the learned speed and compass turn it), as wide as their own record asks.
+that is planned or aimed.  The ellipse and the time are for 90 %: of the miss, of the drift, of the
+scatter of d and T (d by the learned speed and compass), as wide as their own record asks.
 
 Hours are counted from now: from the clock where it is at most `RECENT` after the end of the
 last dive, else from that end, as for a record of years ago.
@@ -69,9 +69,9 @@ PRIORS = {  # c, and standard deviations of S0
     ANYWHERE: ((0.0, 0.0, 0.0), (0.7, 0.7, 0.2)),
 }
 MEANS, SPREADS = 2.0, 3.0  # dives that a prior counts as: k and n
-KEPT = 0.95  # of what a dive counts, at the next one
+FADING = 0.95  # of what a dive counts, at the next one
 TAILS = 4.0  # degrees of freedom of the density by which guesses are weighed
-HELD, STEERED = 0.1, 0.17  # of a given dive: standard deviation of its speed (share), course (rad)
+OFF_SPEED, OFF_COURSE = 0.1, 0.17  # of a given dive: standard deviations, share and rad
 STAY, DRIFT = 600.0, 200.0  # s, m: standard deviations before any dive
 LEAST = 1.0  # m of a guess
 SAME = 0.5  # of the shorter dive's time: after a longer stay, a dive between may be missing
@@ -124,7 +124,7 @@ class Guess(NamedTuple):
     """A dive to come: way through the water (2,), m, duration, s, and what both scatter by.
 
     `scatter` (3, 3) is the covariance of east, north (m) and the logarithm of the duration,
-    `freedom` how many dives it stands on, `basis` which of the guesses tells most.
+    `freedom` how many dives it stands on, `basis` which of the guesses is the likeliest.
     """
 
     way: np.ndarray
@@ -139,8 +139,8 @@ class Guess(NamedTuple):
         return self.freedom * (0.1 ** (-2.0 / self.freedom) - 1.0) / CHI_SQUARED
 
 
-class Told(NamedTuple):
-    """What one way to guess has told so far: N, sum z, sum z z^T, and the log of its odds."""
+class Evidence(NamedTuple):
+    """What the dives so far say of one guess: N, sum z, sum z z^T, and the log of its odds."""
 
     dives: float
     total: np.ndarray
@@ -165,9 +165,9 @@ class Habits:
     """
 
     last: Dive | None = None
-    told: dict[str, Told] = field(
+    evidence: dict[str, Evidence] = field(
         default_factory=lambda: {
-            name: Told(0.0, np.zeros(3), np.zeros((3, 3)), 0.0) for name in PRIORS
+            name: Evidence(0.0, np.zeros(3), np.zeros((3, 3)), 0.0) for name in PRIORS
         }
     )
     means: np.ndarray = field(default_factory=lambda: np.zeros(3))
@@ -176,7 +176,7 @@ class Habits:
     width: tuple[float, ...] = (1.0, 1.0)
 
     def _frames(self, last: Dive) -> dict[str, tuple[np.ndarray, float]]:
-        """Return, for each guess, how z is turned to m, (3, 3), and the log of its duration."""
+        """Return, for each guess, the matrix from z to m, (3, 3), and the log of its duration."""
         ahead, length = _direction((last.dr_east, last.dr_north))
         usual, usually = self.means[1:] / self.means[0]  # length, log duration
         usual = max(usual, LEAST)
@@ -194,10 +194,10 @@ class Habits:
         frames = self._frames(last)
         means, scatters = [], []
         for name, (B, log_time) in frames.items():
-            m, S = self.told[name].moments(name)
+            m, S = self.evidence[name].moments(name)
             means.append(B @ m + (0.0, 0.0, log_time))
             scatters.append(B @ S @ B.T)
-        odds = np.array([self.told[name].odds for name in frames])
+        odds = np.array([self.evidence[name].odds for name in frames])
         weights = odds - np.logaddexp.reduce(odds)
         return np.array(list(frames)), np.array(means), np.array(scatters), weights
 
@@ -210,18 +210,18 @@ class Habits:
         way = means[names == basis][0, :2]
         mean, scatter = mixed(means, scatters, weights)
         away = np.array([*(mean[:2] - way), 0.0])
-        freedom = SPREADS + weights @ [self.told[name].dives for name in names]
+        freedom = SPREADS + weights @ [self.evidence[name].dives for name in names]
         scatter = scatter + np.outer(away, away)
         return Guess(way, exp(mean[2]), scatter, float(freedom), basis)
 
-    def given(self, way: tuple[float, float], duration: float) -> Guess:
-        """Return a dive that was given: its speed, course and duration scatter, though."""
-        late = min(self.told[name].moments(name)[1][2, 2] for name in (REPEATED, ANYWHERE))
+    def guess_of(self, way: tuple[float, float], duration: float) -> Guess:
+        """Return a dive of a given way (m) and duration (s), with what both scatter by."""
+        late = min(self.evidence[name].moments(name)[1][2, 2] for name in (REPEATED, ANYWHERE))
         B = _frame(*_direction(way))
-        S = np.diag([HELD**2 + late, STEERED**2, late])
+        S = np.diag([OFF_SPEED**2 + late, OFF_COURSE**2, late])
         S[0, 2] = S[2, 0] = late
         return Guess(
-            np.array(way), duration, B @ S @ B.T, SPREADS + self.told[REPEATED].dives, GIVEN
+            np.array(way), duration, B @ S @ B.T, SPREADS + self.evidence[REPEATED].dives, GIVEN
         )
 
     def stay(self) -> tuple[float, float]:
@@ -244,35 +244,36 @@ class Habits:
         """
         came = np.array([dive.dr_east, dive.dr_north, log(dive.duration)])
         if self.last is not None:
-            self.told = self._told(self.last, came)
+            self.evidence = self._evidence(self.last, came)
         if way is not None:
             size = way.east**2 + way.north**2
-            self.drifts = KEPT * self.drifts + (1.0, way.east, way.north, size)
+            self.drifts = FADING * self.drifts + (1.0, way.east, way.north, size)
             self.stays = [*self.stays, way.seconds]
         if held:
             wider = (w * exp(RATE * (0.9 - one)) for w, one in zip(self.width, held, strict=True))
             self.width = tuple(min(max(width, NARROWEST), WIDEST) for width in wider)
-        self.means = KEPT * self.means + (1.0, hypot(*came[:2]), came[2])
+        self.means = FADING * self.means + (1.0, hypot(*came[:2]), came[2])
         self.last = dive
 
-    def _told(self, last: Dive, came: np.ndarray) -> dict[str, Told]:
-        """Return what the guesses have told with a dive that came: east, north, log duration."""
+    def _evidence(self, last: Dive, came: np.ndarray) -> dict[str, Evidence]:
+        """Return the evidence with a dive that came: east, north, log duration."""
         names, means, scatters, weights = self._guesses(last)
-        frames, found, densities = self._frames(last), dict(self.told), []
+        frames, found, densities = self._frames(last), dict(self.evidence), []
         for name, mean, scatter in zip(names, means, scatters, strict=True):
             B, log_time = frames[name]
             z = np.linalg.solve(B, came - (0.0, 0.0, log_time))
             was = found[name]
-            square = KEPT * was.square + np.outer(z, z)
-            found[name] = Told(KEPT * was.dives + 1.0, KEPT * was.total + z, square, was.odds)
+            square = FADING * was.square + np.outer(z, z)
+            dives, total = FADING * was.dives + 1.0, FADING * was.total + z
+            found[name] = Evidence(dives, total, square, was.odds)
             far = (came - mean) @ np.linalg.solve(scatter, came - mean)
             spread = np.linalg.slogdet(scatter)[1]
             densities.append(-0.5 * (spread + (TAILS + 3.0) * np.log1p(far / (TAILS - 2.0))))
-        usual = np.logaddexp.reduce(weights + densities)  # of those that were asked
+        usual = np.logaddexp.reduce(weights + densities)  # of the guesses that were made
         for name, density in zip(names, densities, strict=True):
             odds = found[name].odds + float(density - usual)
             found[name] = found[name]._replace(odds=odds)
-        return {name: told._replace(odds=KEPT * told.odds) for name, told in found.items()}
+        return {name: one._replace(odds=FADING * one.odds) for name, one in found.items()}
 
 
 def _direction(way: Sequence[float]) -> tuple[np.ndarray, float]:
@@ -282,7 +283,7 @@ def _direction(way: Sequence[float]) -> tuple[np.ndarray, float]:
 
 
 def _frame(ahead: np.ndarray, length: float) -> np.ndarray:
-    """Return the matrix that turns along, to the left and log duration to m and log duration."""
+    """Return the matrix from (along, to the left, log duration) to (m east, m north, the same)."""
     B = np.eye(3)
     B[:2, :2] = length * np.array([[ahead[0], -ahead[1]], [ahead[1], ahead[0]]])
     return B
@@ -312,7 +313,7 @@ class NextDive:
     `plan` is a dive from where it should begin, without an end; `forecast` (2,), m, is of its fix
     less dead reckoning; `covariance` (2, 2), m^2, of the place, whose 90 % ellipse is as wide as
     the record asks; the time holds 90 % within `time_90`, s; `flow_model_covers` is None where
-    none is given; `fix` is where and when the vehicle surfaced last; `basis` is what the dive is
+    there is none; `fix` is where and when the vehicle surfaced last; `basis` is what the dive is
     guessed by.
     """
 
@@ -331,7 +332,7 @@ class NextDive:
         now, end = time.time(), self.fix[0]
         return (now, CLOCK) if 0.0 <= now - end <= RECENT else (end, LAST_END)
 
-    def held(self, dive: Dive) -> tuple[bool, bool]:
+    def holds(self, dive: Dive) -> tuple[bool, bool]:
         """Whether the end of the dive that came lies in the ellipse, and in the time."""
         away = np.array(displacement(self.latitude, self.longitude, dive.lat_gpse, dive.lon_gpse))
         inside = away @ np.linalg.solve(self.covariance, away) <= CHI_SQUARED
@@ -368,16 +369,15 @@ def check_plan(duration: float, through_water: tuple[float, float]) -> None:
     """Refuse a plan that no dive can follow: duration in s, displacement through the water in m."""
     east, north = through_water
     size = hypot(east, north)
-    given = f"next dive of {duration / 3600:g} hours and {east:g} m east, {north:g} m north"
+    plan = f"next dive of {duration / 3600:g} hours and {east:g} m east, {north:g} m north"
     if not (isfinite(duration) and duration > 0 and isfinite(size)):
-        raise ScenarioError(f"{given}: must be finite, its duration above 0")
+        raise ScenarioError(f"{plan}: must be finite, its duration above 0")
     if duration > LONGEST:
         raise ScenarioError(
-            f"{given}: must last at most {LONGEST / 3600:g} hours (30 days); give hours, not "
-            "seconds"
+            f"{plan}: must last at most {LONGEST / 3600:g} hours (30 days); give hours, not seconds"
         )
     if size > FASTEST * duration:
         raise ScenarioError(
-            f"{given}: is {size / duration:.4g} m/s through the water; at most {FASTEST:g} m/s can "
+            f"{plan}: is {size / duration:.4g} m/s through the water; at most {FASTEST:g} m/s can "
             "be; give hours and m"
         )

@@ -1,7 +1,7 @@
-"""What is said of a replay: times, places and velocities, sentences, columns of a table.
+"""A replay in words: times, places and velocities, sentences, columns of a table.
 
-A place is said in decimal degrees, and in degrees and minutes of two decimals (18 m):
-0.01 minutes are counted as whole numbers, so that 59.999 carries to the next degree.
+A place is written in decimal degrees, and in degrees and minutes of two decimals (18 m).  The
+last decimals of minutes are counted as whole numbers, so that 59.999 carries to the next degree.
 A direction is where something goes to, clockwise from true north, [0, 360).
 
 Sentences and cells are made of what `clpt replay --json` prints.  The table has a row for each
@@ -46,8 +46,8 @@ def direction(east: float, north: float) -> float | None:
     """
     if hypot(east, north) == 0.0:
         return None
-    turned = degrees(atan2(east, north)) % 360.0
-    return 0.0 if turned == 360.0 else turned  # of -1e-15
+    angle = degrees(atan2(east, north)) % 360.0
+    return 0.0 if angle == 360.0 else angle  # of -1e-15
 
 
 def compass(angle: float) -> str:
@@ -88,6 +88,17 @@ def in_degrees(lat: float, lon: float) -> str:
     return " ".join(f"{abs(angle):.4f} {names[angle < 0]}" for angle, names in pairs)
 
 
+def degrees_minutes(angle: float, decimals: int) -> tuple[int, str]:
+    """Return an angle's size as whole degrees and minutes of two digits and some decimals.
+
+    >>> degrees_minutes(-42.99999, 2), degrees_minutes(8.42, 0)
+    ((43, '00.00'), (8, '25'))
+    """
+    size = 10**decimals
+    whole, rest = divmod(round(60 * size * abs(angle)), 60 * size)
+    return whole, f"{rest // size:02d}" + f".{rest % size:0{decimals}d}" * bool(decimals)
+
+
 def in_minutes(lat: float, lon: float) -> str:
     """Return a place in degrees and decimal minutes.
 
@@ -96,9 +107,8 @@ def in_minutes(lat: float, lon: float) -> str:
     """
     words = []
     for angle, names in ((lat, "NS"), (east_of(lon), "EW")):
-        hundredths = round(6000 * angle)
-        whole, rest = divmod(abs(hundredths), 6000)
-        words.append(f"{whole} {rest // 100:02d}.{rest % 100:02d} {names[hundredths < 0]}")
+        whole, minutes = degrees_minutes(angle, 2)
+        words.append(f"{whole} {minutes} {names[round(6000 * angle) < 0]}")
     return " ".join(words)
 
 
@@ -108,8 +118,7 @@ def minutes(angle: float) -> str:
     >>> minutes(-42.8), minutes(8.4), minutes(-0.99999999)
     ('-4248.0000', '824.0000', '-100.0000')
     """
-    whole, rest = divmod(round(600_000 * abs(angle)), 600_000)
-    return f"{'-' if angle < 0 else ''}{whole}{rest // 10_000:02d}.{rest % 10_000:04d}"
+    return "-" * (angle < 0) + "".join(map(str, degrees_minutes(angle, 4)))
 
 
 def place(lat: float, lon: float) -> str:
@@ -197,7 +206,7 @@ def cells_ahead(ahead: dict[str, Any]) -> dict[str, str]:
 
 
 def metres(size: float | None) -> str:
-    """Return a length as the table shows it, m."""
+    """Return a length as a cell of the table, m."""
     return "-" if size is None else f"{size:.0f}"
 
 
@@ -244,16 +253,16 @@ def within(ahead: dict[str, Any]) -> str:
     return f"+- {ahead['time_90'] / 60:.0f} min"
 
 
-def record(headlines: dict[str, Any]) -> str:
+def record_sentence(headlines: dict[str, Any]) -> str:
     """Return how many of the headlines so far held.
 
-    >>> record({"judged": 13, "place_held": 12, "time_held": 13})
+    >>> record_sentence({"judged": 13, "place_held": 12, "time_held": 13})
     'headlines so far: 12 of 13 held the place, 13 the time'
     """
-    judged = headlines["judged"]
-    if not judged:
+    count = headlines["judged"]
+    if not count:
         return "no headline before this one: its widths are those of vehicles at large"
-    held = f"{headlines['place_held']} of {judged} held the place"
+    held = f"{headlines['place_held']} of {count} held the place"
     return f"headlines so far: {held}, {headlines['time_held']} the time"
 
 
@@ -264,57 +273,57 @@ def when(ahead: dict[str, Any]) -> str:
     ...       "now_is": "clock"})
     '2016-02-03 14:19 UTC +- 30 min, in 4.5 h'
     """
-    said = f"{clock(ahead['time'])} {within(ahead)}, {from_now(ahead['hours_from_now'])}"
-    return said if ahead["now_is"] == "clock" else f"{said} from the {ahead['now_is']}"
+    words = f"{clock(ahead['time'])} {within(ahead)}, {from_now(ahead['hours_from_now'])}"
+    return words if ahead["now_is"] == "clock" else f"{words} from the {ahead['now_is']}"
 
 
-def aimed(leg: dict[str, Any]) -> str:
+def aim_sentence(leg: dict[str, Any]) -> str:
     """Return the sentence on `Aim.as_dict`."""
     if leg["bearing"] is None:
         bears = "here"
     else:
         bears = f"{leg['distance'] / 1000:.1f} km to {compass(leg['bearing'])}"
-    said = f"aim at {place(leg['latitude'], leg['longitude'])}, {bears}: "
+    text = f"aim at {place(leg['latitude'], leg['longitude'])}, {bears}: "
     against = leg["state"] == AGAINST
     if against:
         current = velocity(leg["current_east"], leg["current_north"])
-        said += (
+        text += (
             f"cannot be made against the current, {current}, at {leg['speed_expected']:.2f} m/s; "
             "best "
         )
     if leg["heading"] is None:
-        said += "stay"
+        text += "stay"
     else:
-        said += f"heading {compass(leg['heading'])}"
+        text += f"heading {compass(leg['heading'])}"
         if leg["heading_magnetic"] is not None:
-            said += f" (magnetic {compass(leg['heading_magnetic'])})"
+            text += f" (magnetic {compass(leg['heading_magnetic'])})"
         if leg["crab"] is not None:
-            said += f", crab {leg['crab']:+.0f}"
+            text += f", crab {leg['crab']:+.0f}"
     full = f"{leg['through_water_full']:.0f} m"
     if leg["state"] == REACHED:
         end = clock(leg["end"])
-        said += f", {leg['through_water']:.0f} of {full} through the water; there at {end}"
+        text += f", {leg['through_water']:.0f} of {full} through the water; there at {end}"
     else:
         made = leg["made_good"]
-        said += f", {made:.0f} m made good of {full}" if made >= 0 else f", {-made:.0f} m are lost"
-        said += f", then {leg['left'] / 1000:.1f} km"
-        said += "" if against else f"; there in {leg['dives']:.1f} dives, {leg['hours']:.0f} h"
-    return f"{said}; expected miss {leg['expected_miss']:.0f} m, 90 % within {half_axes(leg)} m"
+        text += f", {made:.0f} m made good of {full}" if made >= 0 else f", {-made:.0f} m are lost"
+        text += f", then {leg['left'] / 1000:.1f} km"
+        text += "" if against else f"; there in {leg['dives']:.1f} dives, {leg['hours']:.0f} h"
+    return f"{text}; expected miss {leg['expected_miss']:.0f} m, 90 % within {half_axes(leg)} m"
 
 
-def routed(route: dict[str, Any]) -> list[str]:
+def route_sentences(route: dict[str, Any]) -> list[str]:
     """Return a sentence for each waypoint of a route, and for each area."""
     lines = []
     for one in route["waypoints"]:
         times = [clock(one[key]) if one[key] else "" for key in ("not_before", "time", "by")]
         early, middle, late = times
-        said = f"there {middle}" if middle else "not there"
-        said += f"; cannot be made before {early} (90 %)" if early else ""
-        said += f", made by {late} (90 %)" if late else ""
+        text = f"there {middle}" if middle else "not there"
+        text += f"; cannot be made before {early} (90 %)" if early else ""
+        text += f", made by {late} (90 %)" if late else ""
         if one["made"] < 1:
             within = f"within {route['dives']} dives"
-            said += f"; made {within} in {100 * one['made']:.0f} % of {route['draws']} draws"
-        lines.append(f"route to {one['place']}: {said}")
+            text += f"; made {within} in {100 * one['made']:.0f} % of {route['draws']} draws"
+        lines.append(f"route to {one['place']}: {text}")
     entered = ((area["name"], 100 * area["entered"]) for area in route["areas"])
     return lines + [f"{name}: entered in {share:.0f} % of the draws" for name, share in entered]
 
@@ -331,7 +340,7 @@ def remarks(summary: dict[str, Any]) -> list[str]:
             f"{1000 * summary['dac_identity_median']:.2g} mm/s (median)"
         )
     if summary["each_dive"]:
-        lines.append(record(summary["headlines"]))
+        lines.append(record_sentence(summary["headlines"]))
         lines.append(f"surfaced in the 90 % ellipse: {100 * summary['inside_90']:.0f} %")
         if summary["parts"]:
             chances = ", ".join(f"{name} {p:.2f}" for name, p in summary["parts"].items())
@@ -357,20 +366,20 @@ def shortened(names: list[str]) -> str:
     return ", ".join([*plain, *([f"{places} of gaussians"] if places else [])])
 
 
-def coverage(given: dict[str, Any], used: int) -> list[str]:
+def coverage(model: dict[str, Any], used: int) -> list[str]:
     """Return lines that say which dives a flow model covers, and why not the others.
 
     >>> none = {"dive": 7, "why": "outside the forecast's area"}
-    >>> given = {"source": "f.nc", "about": "gridded", "covered": 3, "uncovered": [none]}
-    >>> for line in coverage(given, 4):
+    >>> model = {"source": "f.nc", "about": "gridded", "covered": 3, "uncovered": [none]}
+    >>> for line in coverage(model, 4):
     ...     print(line)
     flow model f.nc (gridded) covers 3 of 4 dives
     no flow model for dive 7: outside the forecast's area
     """
     lines = [
-        f"flow model {given['source']} ({given['about']}) covers {given['covered']} of {used} dives"
+        f"flow model {model['source']} ({model['about']}) covers {model['covered']} of {used} dives"
     ]
-    return [*lines, *by_reason(given["uncovered"], "why", "no flow model for ")]
+    return [*lines, *by_reason(model["uncovered"], "why", "no flow model for ")]
 
 
 def by_reason(entries: list[dict[str, Any]], key: str, before: str = "") -> list[str]:

@@ -72,7 +72,7 @@ def test_ellipses_hold_what_they_promise(case):
 def test_what_is_not_excited_is_held():
     dives = [replace(d, dr_east=600.0, dr_north=300.0) for d in vehicle(1, 6, fix=400.0)]
     last = replay_dives(dives).steps[-1]
-    assert {"speed", "compass"} <= set(last.held)
+    assert {"speed", "compass"} <= set(last.not_learned)
     assert last.speed == pytest.approx(1, abs=0.02)
     assert "current_east" in last.learned
 

@@ -142,4 +142,4 @@ def test_a_dive_that_no_model_covers_teaches_nothing_of_it():
     model = FixModel(("steady", "model"))
     dives = vehicle(3, 6)
     last = replay_dives(dives, model=model).steps[-1]
-    assert "model" in last.held
+    assert "model" in last.not_learned

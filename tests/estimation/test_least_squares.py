@@ -264,6 +264,6 @@ def test_what_is_left_of_the_priors_error_is_said():
     still = [replace(d, dr_east=0.0, dr_north=0.0) for d in vehicle(1, 20, noise=0.01)]
     step = replay_dives(still).steps[-1]
     assert step.left["speed"] == pytest.approx(1, abs=0.05)
-    assert {"speed", "compass"} == set(step.held)
+    assert {"speed", "compass"} == set(step.not_learned)
     none = replay_dives(still, model=FixModel(learn_speed=False)).steps[-1]
     assert "speed" not in none.parts

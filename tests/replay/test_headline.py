@@ -96,20 +96,24 @@ def test_in_the_long_run_nine_of_ten_hold(wild):
 
 def test_the_record_is_of_what_was_said_before_each_dive():
     replay = replay_dives(DIVES)
-    assert (replay.steps[0].said, replay.steps[0].as_said) == (None, None)
+    assert (replay.steps[0].headline, replay.steps[0].headline_held) == (None, None)
     for k in (3, 9):
         said = replay_dives(DIVES[:k]).surfacing()
-        own = replay.steps[k].said
+        own = replay.steps[k].headline
         assert own.latitude == said.latitude
         assert np.array_equal(own.covariance, said.covariance)
-        assert replay.steps[k].as_said == said.held(DIVES[k])
+        assert replay.steps[k].headline_held == said.holds(DIVES[k])
     found = clpt.replay.summary(replay)
     assert found["headlines"]["judged"] == 13
     rows = [row["headline"] for row in found["each_dive"][1:]]
     assert found["headlines"]["place_held"] == sum(row["place_held"] for row in rows)
     assert found["headlines"]["time_held"] == sum(row["time_held"] for row in rows)
     holed = usable([*DIVES[:5], *DIVES[6:]])[0]
-    assert [step.as_said is None for step in replay_dives(holed).steps[4:7]] == [False, True, False]
+    assert [step.headline_held is None for step in replay_dives(holed).steps[4:7]] == [
+        False,
+        True,
+        False,
+    ]
 
 
 def test_a_wrong_fix_is_judged_again_when_it_is_known():
@@ -121,8 +125,8 @@ def test_a_wrong_fix_is_judged_again_when_it_is_known():
         (dives[8].t_gpse, *away),
         (dives[8].dr_east, dives[8].dr_north),
     )
-    assert replay_dives(dives[:9]).steps[8].as_said == (False, True)
-    assert replay_dives(dives[:10]).steps[8].as_said == (True, True)
+    assert replay_dives(dives[:9]).steps[8].headline_held == (False, True)
+    assert replay_dives(dives[:10]).steps[8].headline_held == (True, True)
 
 
 def test_terminal_page_and_files_say_the_same(clpt, tmp_path):
@@ -192,7 +196,7 @@ def test_a_hopeless_plan_and_a_page_of_an_earlier_version():
         )
     guess = habits.guess()
     assert guess.basis == REPEATED
-    assert habits.told[PLANNED].odds < -50
+    assert habits.evidence[PLANNED].odds < -50
     assert guess.way == pytest.approx([3000.0, 0.0], abs=1.0)
     found = {**clpt.replay.summary(replay_dives(DIVES[:3])), "next_dive": {}}
     del found["headlines"]

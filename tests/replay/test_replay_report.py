@@ -12,7 +12,7 @@ from typer.testing import CliRunner
 
 from clpt_control.estimation.fix_model import FixModel
 from clpt_control.gliders.dive_files import sample_dives
-from clpt_control.replay.outcome import learned, odds, speed_words, strengths, summary
+from clpt_control.replay.outcome import learned_report, odds, speed_words, strengths, summary
 from clpt_control.replay.replay import replay_dives
 
 
@@ -111,20 +111,20 @@ def test_the_command_prints_as_wide_as_columns_says(command, monkeypatch):
 
 def test_what_is_learned_is_said_as_it_is():
     steady = replay_dives(vehicle(1, 2))
-    said = learned(steady)["sentence"]
+    said = learned_report(steady)["sentence"]
     assert "learned" not in said
     assert "M2 0.0" in said
     assert "(odds 1:" in said or "(odds below 1:99)" in said
     tidal = replay_dives(vehicle(3, 40, flow="M2", fix=5.0))
     # the made tide turns by 0.15 m/s one way and 0.075 the other
     assert strengths(tidal)["M2"] == pytest.approx(0.15, abs=0.02)
-    assert "(odds above 99:1)" in learned(tidal)["sentence"]
-    assert learned(replay_dives([]))["sentence"] == "nothing"
-    bare = learned(replay_dives(vehicle(1, 3), "gradient", FixModel(("steady",), False)))
+    assert "(odds above 99:1)" in learned_report(tidal)["sentence"]
+    assert learned_report(replay_dives([]))["sentence"] == "nothing"
+    bare = learned_report(replay_dives(vehicle(1, 3), "gradient", FixModel(("steady",), False)))
     assert bare["sentence"].endswith("over the last dive")
-    assert json.dumps(learned(tidal), allow_nan=False)
+    assert json.dumps(learned_report(tidal), allow_nan=False)
     places = replay_dives(vehicle(1, 3), model=FixModel(("steady", "gaussians")))
-    assert "gaussians (odds " in learned(places)["sentence"]
+    assert "gaussians (odds " in learned_report(places)["sentence"]
 
 
 def test_odds_are_of_whole_numbers():

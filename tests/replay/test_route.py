@@ -14,7 +14,7 @@ from clpt_control.errors import DataError
 from clpt_control.geodesy import place_from
 from clpt_control.replay import route
 from clpt_control.replay.replay import replay_dives
-from clpt_control.replay.wording import routed
+from clpt_control.replay.wording import route_sentences
 
 STAY, V = 600.0, 0.25  # s, m/s of the made vehicle
 
@@ -55,8 +55,8 @@ def test_a_known_current_carries_it_there_when_the_triangle_says(known):
     assert 0.85 * due < took["not_before"] < took["time"] < took["by"] < 1.15 * due
     assert one["made"] == 1
     assert [area["entered"] for area in found["areas"]] == [1, 0]
-    assert "cannot be made before" in routed(found)[0]
-    assert routed(found)[1:] == [
+    assert "cannot be made before" in route_sentences(found)[0]
+    assert route_sentences(found)[1:] == [
         "across: entered in 100 % of the draws",
         "beside: entered in 0 % of the draws",
     ]
@@ -78,7 +78,7 @@ def test_a_waypoint_against_the_current_is_not_made(known, monkeypatch):
     found = route.arrivals(known, route.Route([target], []), 0.05, 14400.0)
     (one,) = found["waypoints"]
     assert (one["made"], one["time"], one["not_before"]) == (0, None, None)
-    assert routed(found)[0].endswith("not there; made within 5 dives in 0 % of 3 draws")
+    assert route_sentences(found)[0].endswith("not there; made within 5 dives in 0 % of 3 draws")
 
 
 def test_the_same_draws_say_the_same(known):
