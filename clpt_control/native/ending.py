@@ -56,8 +56,8 @@ ADVICE = "check the parameters of that block"  # where a signal is not finite
 class Solution:
     """States x (n, nstates) at the times t (n,) that were reached.
 
-    `status` is ``"finished"``, or ``"stopped"`` if a guard ended the run; `message` is a sentence on
-    it.  `statistics` are the numbers of steps, evaluations and restarts.  `engine` is ``"native"``
+    `status` is ``"finished"``, or ``"stopped"`` if a guard ended the run; `message` is a sentence
+    on it.  `statistics` are the numbers of steps, evaluations and restarts.  `engine` is ``"native"``
     or ``"python"``, `method` the method, and from which time on another one.  `pieces` are the
     diagram that ran, its inputs, and the pieces of time.
     """
