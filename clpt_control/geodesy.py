@@ -39,6 +39,11 @@ def displacement(lat1: float, lon1: float, lat2: float, lon2: float) -> tuple[fl
     return length * sin(radians(azimuth)), length * cos(radians(azimuth))
 
 
+def distance(lat1: float, lon1: float, lat2: float, lon2: float) -> float:
+    """Return the length (m) of the geodesic between two places (degrees), NaN where one is none."""
+    return hypot(*displacement(lat1, lon1, lat2, lon2))
+
+
 def place_from(lat: float, lon: float, east: float, north: float) -> tuple[float, float]:
     """Return the place (degrees) at the end of a displacement (m) from a place.
 

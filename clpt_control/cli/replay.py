@@ -20,12 +20,12 @@ from ..errors import ClptError, DataError, ScenarioError
 from ..files import make_folder, write_file
 from ..html import Result
 from ..progress import progress_bar, tell
-from .printing import Formats, Json, arg, finish, flag, opt, terminal_width
+from .printing import Formats, Json, arg, finish, flag, opt
 from .replay_report import (
     Ahead,
     Take,
     check_pace,
-    fitting,
+    fitted,
     results,
     summary_with_next,
     watch,
@@ -152,7 +152,7 @@ def replay(
         () if plan is None else (3600 * plan[0], plan[1:]),
         [waypoint(text) for text in aim or ()] if way is None else way.targets,
         speed,
-        hours,
+        None if hours is None else 3600 * hours,
         variation,
         follow is not None,
         None if way is None else way.areas,
@@ -309,7 +309,5 @@ def fleet_results(found: dict[str, Any]) -> list[Result]:
     from ..replay.fleet import FLEET, fleet_cells, fleet_sentence
 
     cells = [fleet_cells(row) for row in found["vehicles"]]
-    titles = fitting(cells, terminal_width(), FLEET)
-    lines = [[row[title] for title in titles] for row in cells]
     sentences = [f"{row['vehicle']}: {one}" for row in found["vehicles"] for one in row["said"]]
-    return [Result("Fleet", titles, lines, [*sentences, fleet_sentence(found["vehicles"])])]
+    return [fitted("Fleet", cells, FLEET, [*sentences, fleet_sentence(found["vehicles"])])]

@@ -9,7 +9,7 @@ import re
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from math import hypot, isfinite
+from math import isfinite
 from pathlib import Path
 from typing import Any
 
@@ -29,12 +29,6 @@ ROWS = {
     "clpe_rms": "after the first dive",
     "clpe_rms_all": "all, the first with no flow",
     "clpe_rms_after_3": "after the third dive",
-}
-NAMES = {
-    "no_flow": "no flow",
-    "previous_dive": "previous",
-    "adaptive": "adaptive",
-    "flow_model": "model",
 }
 LONGEST = 86400.0  # s between looks
 Take = Callable[[Any, Any], tuple[Any, list]]  # dives and what was unread -> replay, skipped
@@ -80,15 +74,15 @@ def waypoint(text: str) -> tuple[float, float]:
 class Ahead:
     """Plan of the next dive (s; m east, m north), and waypoints to aim at, in their order.
 
-    Speed (m/s), hours and variation (degrees east) are for aiming. The way is drawn (`route`) where
-    there is a list of areas to stay out of, if an empty one. `follows`: what the dives so
-    far do not allow is told, and work goes on.
+    Speed (m/s), duration (s) and variation (degrees east) are for aiming. The way is drawn
+    (`route`) where there is a list of areas to stay out of, if an empty one. `follows`: what the
+    dives so far do not allow is told, and work goes on.
     """
 
     plan: tuple = ()
     targets: list[tuple[float, float]] = field(default_factory=list)
     speed: float | None = None
-    hours: float | None = None
+    duration: float | None = None
     variation: float | None = None
     follows: bool = False
     areas: list[Any] | None = None
@@ -100,17 +94,12 @@ class Ahead:
 
         if self.plan:
             check_plan(*self.plan)
-        if not self.targets and (self.speed, self.hours) != (None, None):
+        if not self.targets and (self.speed, self.duration) != (None, None):
             raise ScenarioError("--speed and --hours are for --aim LAT LON; give a waypoint")
         for target in self.targets:
             checked_target(*target)
-        hours = 1.0 if self.hours is None else self.hours
-        check_speed(1.0 if self.speed is None else self.speed, 3600 * hours)
-
-    @property
-    def duration(self) -> float | None:
-        """Duration of a dive that is aimed, s."""
-        return None if self.hours is None else 3600 * self.hours
+        duration = 3600.0 if self.duration is None else self.duration
+        check_speed(1.0 if self.speed is None else self.speed, duration)
 
     def next_and_aims(self, replay: Any) -> tuple[Any, list[Any]]:
         """Return the `NextDive` of a replay, as planned, aimed or else guessed, and its aims."""
@@ -120,12 +109,12 @@ class Ahead:
 
     def aims(self, replay: Any) -> list[Any]:
         """Return an `Aim` for each waypoint ahead; those that were come close to are dropped."""
-        from ..geodesy import displacement
+        from ..geodesy import distance
         from ..replay.aim import ARRIVED
 
         last = replay.steps[-1].dive
         fix = last.lat_gpse, last.lon_gpse
-        while len(self.targets) > 1 and hypot(*displacement(*fix, *self.targets[0])) < ARRIVED:
+        while len(self.targets) > 1 and distance(*fix, *self.targets[0]) < ARRIVED:
             self.targets.pop(0)
         if not self.targets:
             return []
@@ -151,9 +140,18 @@ def fitting(rows: list[dict[str, str]], width: int, ranks: dict[str, int]) -> li
     return [title for title in size if title in chosen]
 
 
+def fitted(
+    title: str, rows: list[dict[str, str]], ranks: dict[str, int], sentences: Sequence[str] = ()
+) -> Result:
+    """Return rows of cells by title as a table that fits the terminal."""
+    titles = fitting(rows, terminal_width(), ranks)
+    return Result(title, titles, [[row[one] for one in titles] for row in rows], [*sentences])
+
+
 def results(summary: dict[str, Any]) -> list[Result]:
     """Return a summary as tables and sentences: dives, misses, what was learned, what comes."""
     from ..replay.wording import (
+        MODELS,
         RANKS,
         aim_sentence,
         cells,
@@ -176,15 +174,13 @@ def results(summary: dict[str, Any]) -> list[Result]:
     dives = [cells(row) for row in each]
     if summary["next_dive"]:
         dives.append(cells_ahead(summary["next_dive"]))
-    titles = fitting(dives, terminal_width(), RANKS)
-    lines = [[row[title] for title in titles] for row in dives]
     means = {name: summary[key] for key, name in ROWS.items()}
     if "flow_model" in summary and 0 < summary["flow_model"]["covered"] < summary["used"]:
         means["covered, after the first dive"] = summary["flow_model"]["clpe_rms"]
-    models = [NAMES[key] for key in each[0]["clpe"]]
+    models = [MODELS[key] for key in each[0]["clpe"]]
     rows = [[name, *map(metres, rms.values())] for name, rms in means.items()]
     return [
-        Result("Miss (CLPE, m) one dive ahead; currents in m/s", titles, lines),
+        fitted("Miss (CLPE, m) one dive ahead; currents in m/s", dives, RANKS),
         Result("Miss, rms (m)", ["over", *models], rows, sentences),
     ]
 

@@ -344,15 +344,10 @@ def save_fit(fit: Fit, out: str | Path) -> Scenario:
         "comment": _gaps(report),
         "fit_report": json.dumps(report),
     }
-    text = _header(report) + _named(scenario, field.name)
+    flow = scenario.flow.model_copy(update={"field": field.name})
+    text = _header(report) + scenario_to_text(scenario.model_copy(update={"flow": flow}))
     write_together({out: text, field: field_dataset(fit.field, scenario.units, attributes)})
     return load_scenario(out)
-
-
-def _named(scenario: Scenario, field: str) -> str:
-    """Return the TOML text with the field's name put in."""
-    flow = scenario.flow.model_copy(update={"field": field})
-    return scenario_to_text(scenario.model_copy(update={"flow": flow}))
 
 
 def _gaps(report: dict) -> str:

@@ -62,9 +62,10 @@ and says how far to trust it.  A fix beyond the 99.9 % ellipse moves the law les
 how far beyond it lies, and a fix that is doubted by the share of its variance that is not doubt.
 """
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable
 from itertools import product
-from typing import NamedTuple, Protocol
+from typing import NamedTuple
 
 import numpy as np
 
@@ -95,7 +96,7 @@ class LastUpdate(NamedTuple):
     mean: np.ndarray
 
 
-class Bank:
+class Estimator(ABC):
     """What m filters know: each a kind of sea, with its choice of the optional parts.
 
     `mean` (m, n) and `covariance` (m, n, n) are those at the middle of the last dive.
@@ -174,6 +175,14 @@ class Bank:
         H = with_hidden(model.regressor(dive))
         return mixed(mean @ H.T, H @ P @ H.T + self.noise(dive), self.weights)
 
+    @abstractmethod
+    def update(self, dive: Dive) -> None:
+        """Learn from a dive that has ended."""
+
+    def parts(self) -> dict[str, float]:
+        """Return the probability that each part of the flow is present; empty if not known."""
+        return {}
+
     def estimate(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Return mean (n,), covariance (n, n) and how much of the prior's error is left (n,).
 
@@ -195,7 +204,7 @@ class Bank:
             self.covariance[:, k, k] += 0.5 * self.priors.speed**2
 
 
-class KalmanBank(Bank):
+class KalmanBank(Estimator):
     """A Kalman filter for each kind of sea with each choice of parts, and their probabilities."""
 
     def __init__(self, model: FixModel) -> None:
@@ -284,7 +293,7 @@ def with_hidden_matched(old: np.ndarray, new: np.ndarray) -> tuple[np.ndarray, n
     return np.concatenate([hidden, HIDDEN + old]), np.concatenate([hidden, HIDDEN + new])
 
 
-class Gradient(Bank):
+class Gradient(Estimator):
     """The paper's gradient law in integral form, in one sea that has all parts."""
 
     def __init__(self, model: FixModel) -> None:
@@ -322,31 +331,6 @@ class Gradient(Bank):
         self.mean = p + (miss(dive) - p @ H.T) @ gain.transpose(0, 2, 1)[0]
         self.covariance, _ = corrected(P, H, R, gain)
         self.time = mid_time(dive)
-
-    def parts(self) -> dict[str, float]:
-        """Return nothing: the law does not ask which parts are present."""
-        return {}
-
-
-class Estimator(Protocol):
-    """What an estimator can do; its `model` has the parameters so far."""
-
-    model: FixModel
-
-    def predict(self, dive: Dive) -> tuple[np.ndarray, np.ndarray]:
-        """Forecast a dive's miss: mean (2,) and covariance (2, 2), m."""
-
-    def update(self, dive: Dive) -> None:
-        """Learn from a dive that has ended."""
-
-    def estimate(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Return mean (n,), covariance (n, n) and how much of the prior's error is left (n,)."""
-
-    def parts(self) -> dict[str, float]:
-        """Return the probability that each part of the flow is present; empty if not asked."""
-
-    def forget_speed(self) -> None:
-        """Make the speed factor uncertain again, after a fault."""
 
 
 ESTIMATORS: dict[str, Callable[[FixModel], Estimator]] = {

@@ -26,7 +26,7 @@ import numpy as np
 
 from ..arguments import public
 from ..currents.constituents import YEARS
-from ..geodesy import displacement, is_place
+from ..geodesy import distance, is_place
 from .dives import NUMBERS, Dive, Skipped, changes_noted
 
 LEAST_DURATION = 1000.0  # s: shelf gliders dive for half an hour, trials for minutes
@@ -36,7 +36,7 @@ DAY = 86400.0  # s
 SMALLER = {"milliseconds": 1e3, "microseconds": 1e6, "nanoseconds": 1e9}  # in one second
 OVERLAP = 60.0  # s that neighbours may share by rounding
 MISSION = 1000  # dives: a larger step in the numbers is another mission
-SHARE = 0.5  # of the shorter neighbour's time that a missing dive takes; some number surfacings
+SHARE = 0.5  # of the shorter neighbour's time: a missing dive takes more; some number surfacings
 NEAR, ASTRAY = 5e3, 50e3  # m: what is noted, and refused, however short the time
 ANOTHER = "another vehicle? replay each on its own"
 
@@ -111,11 +111,16 @@ def usable(
             dive = _noted(dive, odd)
         stray = None
         missing = dive.number - before.number - 1
-        since = dive.t_gps2 - before.t_gpse
-        if 0 < missing < MISSION and since > SHARE * min(dive.duration, before.duration):
+        if 0 < missing < MISSION and not follows(dive, before):
             dive = _noted(dive, f"{missing} dive(s) missing after dive {before.number}")
         used.append(dive)
     return changes_noted(used), skipped
+
+
+def follows(dive: Dive, before: Dive) -> bool:
+    """Whether a dive is the next one, as far as numbers and times tell."""
+    since = dive.t_gps2 - before.t_gpse
+    return dive.number == before.number + 1 or since <= SHARE * min(dive.duration, before.duration)
 
 
 def _noted(dive: Dive, note: str) -> Dive:
@@ -209,7 +214,7 @@ def _overlap(dive: Dive, before: Dive) -> str:
     """Return how a dive overlaps one that is used and ended before it, empty where not."""
     if dive.t_gps2 >= before.t_gpse - OVERLAP:
         return ""
-    starts = _between(dive.lat_gps2, dive.lon_gps2, before.lat_gps2, before.lon_gps2)
+    starts = distance(dive.lat_gps2, dive.lon_gps2, before.lat_gps2, before.lon_gps2)
     if (dive.t_gps2, dive.t_gpse) != (before.t_gps2, before.t_gpse):
         other = starts > max(FASTEST * abs(dive.t_gps2 - before.t_gps2), ASTRAY)
         return (
@@ -217,7 +222,7 @@ def _overlap(dive: Dive, before: Dive) -> str:
             f"{before.t_gpse - dive.t_gps2:.0f} s before that ends"
             f"{f' and {starts / 1000:.0f} km from where it started; {ANOTHER}' if other else ''}"
         )
-    ends = _between(dive.lat_gpse, dive.lon_gpse, before.lat_gpse, before.lon_gpse)
+    ends = distance(dive.lat_gpse, dive.lon_gpse, before.lat_gpse, before.lon_gpse)
     apart = max(starts, ends)
     if apart > 0:
         return f"duplicate of dive {before.number}, which is used, with other fixes ({_far(apart)})"
@@ -233,18 +238,13 @@ def _overlap(dive: Dive, before: Dive) -> str:
 def _too_far(dive: Dive, before: Dive, least: float | None = None) -> str:
     """Return how far from the end of the one before a dive starts, empty where it can."""
     since = dive.t_gps2 - before.t_gpse
-    apart = _between(before.lat_gpse, before.lon_gpse, dive.lat_gps2, dive.lon_gps2)
+    apart = distance(before.lat_gpse, before.lon_gpse, dive.lat_gps2, dive.lon_gps2)
     if apart <= max(FASTEST * since, ASTRAY if least is None else least):
         return ""
     return (
         f"starts {apart / 1000:.0f} km from where dive {before.number} ended "
         f"{max(since, 0.0) / 3600:.1f} h before"
     )
-
-
-def _between(lat1: float, lon1: float, lat2: float, lon2: float) -> float:
-    """Return the length of the geodesic between two places, m."""
-    return hypot(*displacement(lat1, lon1, lat2, lon2))
 
 
 def _far(length: float) -> str:

@@ -29,7 +29,7 @@ import numpy as np
 
 from ..arguments import public
 from ..errors import ScenarioError
-from ..geodesy import displacement, is_place, near
+from ..geodesy import displacement, distance, is_place, near
 from ..gliders.dives import Dive, Fix
 from ..gliders.samples import variation as igrf
 from ..gliders.usable_dives import FASTEST
@@ -89,7 +89,7 @@ class Aim:
     @property
     def left(self) -> float:
         """Return how far from the waypoint the dive should end, m."""
-        return hypot(*displacement(self.ahead.latitude, self.ahead.longitude, *self.target))
+        return distance(self.ahead.latitude, self.ahead.longitude, *self.target)
 
     @property
     def magnetic(self) -> float | None:
@@ -171,17 +171,6 @@ def checked_target(lat: float, lon: float) -> Place:
     )
 
 
-def last_speed(dives: Sequence[Dive]) -> float:
-    """Return the median speed through water of the last dives, m/s, as they reckon it."""
-    V = float(median(hypot(d.dr_east, d.dr_north) / d.duration for d in dives[-DIVES:]))
-    if V == 0.0:
-        raise ScenarioError(
-            f"--aim: by dead reckoning the last {len(dives[-DIVES:])} dives went nowhere; give "
-            "--speed in m/s"
-        )
-    return V
-
-
 @public
 def aims(
     replay: Replay,
@@ -250,7 +239,13 @@ def aims(
 def usual(replay: Replay, speed: float | None, duration: float | None) -> tuple[float, float]:
     """Return the speed, m/s, and the duration, s, of a dive: as given, else as of the last ones."""
     dives = [step.dive for step in replay.steps[-DIVES:]]
-    V = last_speed(dives) if speed is None else speed
+    reckoned = float(median(hypot(d.dr_east, d.dr_north) / d.duration for d in dives))
+    if speed is None and reckoned == 0.0:
+        raise ScenarioError(
+            f"--aim: by dead reckoning the last {len(dives)} dives went nowhere; give --speed in "
+            "m/s"
+        )
+    V = reckoned if speed is None else speed
     T = float(median(dive.duration for dive in dives)) if duration is None else duration
     check_speed(V, T)
     return V, T
@@ -284,7 +279,7 @@ def aim(replay: Replay, start: Fix, target: Place, V: float, T: float, shorten: 
     d = full * g / max(hypot(*g), 1e-9)
     c = np.full(2, np.inf)
     for _ in range(ITERATIONS):
-        ahead = replay.surfacing(replay.guess_of((float(d[0]), float(d[1])), T), start)
+        ahead = replay.surfacing(replay.habits.guess_of((float(d[0]), float(d[1])), T), start)
         before, c = c, ahead.forecast + d - response @ d
         w, state, tau = triangle(g, c, s)
         if hypot(*(c - before)) < CLOSE:

@@ -136,19 +136,14 @@ class Chart:
         size = max(east - west, north - south, LEAST)
         wide, high = (max(b - a, NARROWEST * size) + 2 * MARGIN * size for a, b in spans)
         x, y = (west + east) / 2, (south + north) / 2
-        self.west, self.east, self.south, self.north = (
-            x - wide / 2,
-            x + wide / 2,
-            y - high / 2,
-            y + high / 2,
-        )
+        self.west, self.east = x - wide / 2, x + wide / 2
+        self.south, self.north = y - high / 2, y + high / 2
 
     def xy(self, lat: Any, lon: Any) -> tuple[Any, Any]:
         """Return where a place (degrees) lies, m, or where many do."""
         x = self._degree * (near(lon, self.first) - self.first)
-        lat = np.asarray(
-            _below_the_poles(lat)
-        )  # as lists: pyproj takes an array of one for a number
+        lat = np.asarray(_below_the_poles(lat))
+        # as lists: pyproj takes an array of one for a number
         y = np.asarray(self._proj((0.0 * lat).tolist(), lat.tolist())[1])[()]
         return x, y - self._zero
 

@@ -48,7 +48,7 @@ from ..errors import DataError
 from ..estimation.dive import Dive, miss
 from ..estimation.estimators import HIDDEN, KalmanBank
 from ..estimation.fix_model import FixModel
-from ..geodesy import displacement
+from ..geodesy import displacement, distance
 from ..gliders.usable_dives import FASTEST
 
 MARGIN = 300.0  # m: two fixes, a poor one among them, and how long a stay is rounded
@@ -70,7 +70,7 @@ def disagreement(before: Dive, dive: Dive) -> float:
     >>> round(disagreement(one, two)), disagreement(one, replace(two, t_gps2=9300.0))
     (1110, 0.0)
     """
-    apart = hypot(*displacement(before.lat_gpse, before.lon_gpse, dive.lat_gps2, dive.lon_gps2))
+    apart = distance(before.lat_gpse, before.lon_gpse, dive.lat_gps2, dive.lon_gps2)
     return apart if apart > FASTEST * max(_between(before, dive), 0.0) + MARGIN else 0.0
 
 

@@ -41,6 +41,7 @@ from ..estimation.estimators import Estimator, KalmanBank, make_estimator
 from ..estimation.fix_model import OTHERS, FixModel
 from ..geodesy import place_from
 from ..gliders.dives import Dive, Fix
+from ..gliders.usable_dives import follows
 from ..html import facts, fragment, paragraphs
 from ..progress.interrupt import check
 from .doubts import Anomaly, SpeedFactorWatch, doubt_one_fix
@@ -55,7 +56,6 @@ from .surfacing import (
     Way,
     check_plan,
     drift,
-    follows,
 )
 
 MODELS = ("no_flow", "previous_dive", "adaptive")
@@ -162,6 +162,8 @@ class Replay:
         What the dives were `carried` by; it gets a CLPE of its own.
     steps : list of Step
         One per dive so far.
+    habits : Habits
+        How the vehicle dives.
 
     Examples
     --------
@@ -182,8 +184,8 @@ class Replay:
         self._learner = make_estimator(self.estimator, self.model)
         bank = self._learner if isinstance(self._learner, KalmanBank) else None
         self._watch = SpeedFactorWatch(self.model, bank) if self.model.learn_speed else None
-        self._habits = Habits()
-        self._before = self._learner, self._watch, self._habits  # the last dive
+        self.habits = Habits()
+        self._before = self._learner, self._watch, self.habits  # the last dive
 
     def __repr__(self) -> str:
         return f"<Replay of {_in_words(self)}>"
@@ -248,8 +250,8 @@ class Replay:
         As it should; where `rng` is given, as it is drawn.
         """
         last = self.steps[-1].dive
-        stay, late = self._habits.stay()
-        drift, spread = self._habits.drift()
+        stay, late = self.habits.stay()
+        drift, spread = self.habits.drift()
         if rng is not None:
             stay = max(rng.normal(stay, late), 0.0)
             drift = rng.multivariate_normal(drift, spread)
@@ -274,7 +276,7 @@ class Replay:
 
         It begins at `start`, by default as the vehicle should be when it dives.
         """
-        last, habits = self.steps[-1], self._habits
+        last, habits = self.steps[-1], self.habits
         guess = habits.guess() if guess is None else guess
         begin = self.start() if start is None else start
         plan = _plan(last.dive, begin, guess)
@@ -299,10 +301,6 @@ class Replay:
             guess.basis,
         )
 
-    def guess_of(self, way: tuple[float, float], duration: float) -> Guess:
-        """Return a dive of a way (m) and a duration (s), with its spread."""
-        return self._habits.guess_of(way, duration)
-
     def _ahead(self, dive: Dive) -> tuple[np.ndarray, np.ndarray]:
         """Forecast a dive's miss by what is known: mean (2,), covariance (2, 2)."""
         mean, covariance = self._learner.predict(dive)
@@ -319,21 +317,21 @@ class Replay:
     def _learn_again(self, dive: Dive) -> None:
         """Learn the last dive again, as it is now known, its forecast as it was."""
         was = self.steps.pop()
-        self._learner, self._watch, self._habits = self._before
+        self._learner, self._watch, self.habits = self._before
         self._take(dive, was.forecast, was.covariance, was.headline)
 
     def _take(
         self, dive: Dive, mean: np.ndarray, covariance: np.ndarray, headline: NextDive | None
     ) -> None:
         """Compare a dive's forecast and headline with its end, and learn from it."""
-        self._before = copy.deepcopy((self._learner, self._watch, self._habits))
+        self._before = copy.deepcopy((self._learner, self._watch, self.habits))
         y = miss(dive)
         last = self.steps[-1].dive if self.steps else None
         way = drift(dive, last)
         held = None
         if headline is not None and last is not None and follows(dive, last):
             held = headline.holds(dive)
-        self._habits.learn(dive, way, held or ())
+        self.habits.learn(dive, way, held or ())
         previous = np.zeros(2) if last is None else miss(last) * (dive.duration / last.duration)
         away = y - mean
         modelled = None
@@ -419,7 +417,7 @@ def next_dive(
     T = guess.duration if duration is None else duration
     way = (guess.dr_east, guess.dr_north) if through_water is None else through_water
     check_plan(T, way)
-    return replay.surfacing(replay.guess_of(way, T))
+    return replay.surfacing(replay.habits.guess_of(way, T))
 
 
 def _check(dive: Dive, last: Dive | None) -> None:

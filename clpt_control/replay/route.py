@@ -27,7 +27,7 @@ import numpy as np
 
 from ..errors import DataError
 from ..files.reading import read_text
-from ..geodesy import displacement, is_place, near, place_from
+from ..geodesy import distance, is_place, near, place_from
 from ..gliders.dives import Fix, make_dive
 from ..progress.interrupt import check
 from .aim import ARRIVED, aim, usual
@@ -164,7 +164,7 @@ def _draw(
         k, target = to_come[0]
         leg = aim(learned, start, target, V, T)
         plan = leg.ahead.plan
-        guess = learned.guess_of((plan.dr_east, plan.dr_north), plan.duration)
+        guess = learned.habits.guess_of((plan.dr_east, plan.dr_north), plan.duration)
         east, north, late = rng.multivariate_normal(np.zeros(3), guess.scatter)
         flown = replace(
             plan,
@@ -176,7 +176,7 @@ def _draw(
         through = flown.dr_east, flown.dr_north
         end: Fix = (flown.t_gpse, *place_from(*start[1:], *(through + miss)))
         entered |= np.array([_meets(start[1:], end[1:], ring) for ring in rings], bool)
-        if leg.state == REACHED or np.hypot(*displacement(*end[1:], *target)) < ARRIVED:
+        if leg.state == REACHED or distance(*end[1:], *target) < ARRIVED:
             times[k] = end[0]
             to_come.pop(0)
             if not to_come:

@@ -74,7 +74,6 @@ TAILS = 4.0  # degrees of freedom of the density by which guesses are weighed
 OFF_SPEED, OFF_COURSE = 0.1, 0.17  # of a given dive: standard deviations, share and rad
 STAY, DRIFT = 600.0, 200.0  # s, m: standard deviations before any dive
 LEAST = 1.0  # m of a guess
-SAME = 0.5  # of the shorter dive's time: after a longer stay, a dive between may be missing
 RATE, NARROWEST, WIDEST = 0.3, 0.5, 5.0  # of the width by its own record
 CHI_SQUARED = 4.605170185988092  # of two components, 90 %: 2 ln 10
 NORMAL = 1.6448536269514722  # 90 % of a normal number lies within so many standard deviations
@@ -112,12 +111,6 @@ def drift(dive: Dive, before: Dive | None) -> Way | None:
     way = displacement(*fix[1:], dive.lat_gps2, dive.lon_gps2)
     known = 0.0 <= seconds <= LONGEST_STAY and isfinite(way[0])
     return Way(*way, seconds) if known else None
-
-
-def follows(dive: Dive, before: Dive) -> bool:
-    """Whether a dive is the next one, as far as numbers and times tell."""
-    since = dive.t_gps2 - before.t_gpse
-    return dive.number == before.number + 1 or since <= SAME * min(dive.duration, before.duration)
 
 
 class Guess(NamedTuple):

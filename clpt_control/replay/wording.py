@@ -144,6 +144,12 @@ BASES = {  # what the next dive is guessed by
     "repeated": "as the last dives went, with their spread",
     "given": "as given or aimed, with the spread of the last dives",
 }
+MODELS = {  # name of a flow model: its column
+    "no_flow": "no flow",
+    "previous_dive": "previous",
+    "adaptive": "adaptive",
+    "flow_model": "model",
+}
 RANKS = {  # title of a column: its rank
     "dive": 0,
     "ended (UTC)": 1,
@@ -173,25 +179,17 @@ def cells(row: dict[str, Any]) -> dict[str, str]:
     found = {
         "dive": str(row["dive"]),
         "ended (UTC)": date(row["end"]),
-        "no flow": metres(clpe["no_flow"]),
-        "previous": metres(clpe["previous_dive"]),
-        "adaptive": metres(clpe["adaptive"]),
-        "model": metres(clpe.get("flow_model")),
-        "current to": _toward(row["current_speed"], row["current_direction"]),
+        **{MODELS[name]: metres(size) for name, size in clpe.items()},
+        "current to": _toward(row, "current_"),
         "current E N (m/s)": " ".join(current),
         "speed": "",
-        "over ground": _toward(row["over_ground"]["speed"], row["over_ground"]["direction"]),
-        "drift (m) to": "-",
+        "over ground": _toward(row["over_ground"]),
+        "drift (m) to": "-" if drift is None else f"{drift['distance']:.0f}, {_toward(drift)}",
         "E N of DR (m)": f"{row['forecast_east']:+.0f} {row['forecast_north']:+.0f}",
         "90 % ellipse (m, deg)": _ellipse(row),
         "90 %": "in" if row["inside_90"] else "OUT",
         "mark": speed_mark(row["anomaly"]),
     }
-    if drift is not None:
-        way = _toward(drift["speed"], drift["direction"])
-        found["drift (m) to"] = f"{drift['distance']:.0f}, {way}"
-    if "flow_model" not in clpe:
-        del found["model"]
     if row["speed_factor"] is None:
         del found["speed"]
     else:
@@ -210,8 +208,9 @@ def metres(size: float | None) -> str:
     return "-" if size is None else f"{size:.0f}"
 
 
-def _toward(speed: float | None, direction: float | None) -> str:
+def _toward(way: dict[str, Any], prefix: str = "") -> str:
     """Return a speed, m/s, and where to, degrees."""
+    speed, direction = way[f"{prefix}speed"], way[f"{prefix}direction"]
     known = "-" if speed is None else f"{speed:.2f}"
     return known if direction is None else f"{known} {compass(direction)}"
 
