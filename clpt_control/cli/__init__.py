@@ -70,7 +70,7 @@ def _run() -> int:
     if sys.stdout is None:
         raise OSError(errno.EBADF, "standard output")
     logging.disable()  # commands print sentences, no logs
-    words = sys.argv[1:] or ["--help"]  # who types `clpt` alone wants its page
+    words = sys.argv[1:] or ["--help"]  # `clpt` alone prints its page
     status = application()(args=words, standalone_mode=False, prog_name="clpt")
     return status if isinstance(status, int) else 0
 

@@ -1,4 +1,4 @@
-"""What readers make of a file: dives (`estimation.dive`), and what is no dive.
+"""The dives of a file (`estimation.dive`), and lines and files that hold none.
 
 The depth-averaged current c that a file reports should be
 

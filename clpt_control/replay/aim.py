@@ -40,7 +40,7 @@ from .wording import AGAINST, REACHED, UNDER_WAY, Place, direction, in_minutes, 
 SHORTEST = 1.0  # s, of a dive that is aimed
 YEAR = 365 * 86400.0  # s
 DIVES = 5  # the last ones, of which speed and duration are the medians
-ARRIVED = 1000.0  # m; who is so close to a waypoint goes on to the next one
+ARRIVED = 1000.0  # m; a vehicle this close to a waypoint goes on to the next one
 ITERATIONS, CLOSE = 20, 1.0  # of d and c, and m by which the last may change c
 
 

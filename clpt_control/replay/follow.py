@@ -1,13 +1,13 @@
 """Dives as their files arrive in a folder, and dives whose files are gone.
 
 At each look the files are read whose size or times have changed.  What was read
-of FILE is kept in a folder, the state, as FILE.json, so that it is known after a
+of FILE is stored in a folder, the state, as FILE.json, so that it is known after a
 restart, and where FILE is gone or cannot be opened.  JSON keeps every digit, NaN
 and Infinity.
 
 A file that is still being copied reads as damaged, and is read again when it has
 changed; one that cannot be opened is tried at each look.  Dives of a file that is
-gone are kept, unless another file has dives with the same times and fixes: then
+gone remain, unless another file has dives with the same times and fixes: then
 the file was renamed.
 """
 
@@ -169,12 +169,12 @@ class Follower:
 
 
 def _is_as(known: tuple[int, int, int], stamp: tuple[int, int, int]) -> bool:
-    """Whether a file is as it was; one that is older now has lost one that was joined to it."""
+    """Whether a file is as it was; one that is older now has lost one that was merged with it."""
     return known == stamp or (known[0] == stamp[0] and max(stamp[1:]) < max(known[1:]))
 
 
 def _stamp(status: os.stat_result, before: list[Path]) -> tuple[int, int, int]:
-    """Return a file's size and times, as new as the newest of those that may be joined to it."""
+    """Return a file's size and times, as new as the newest of those that may be merged with it."""
     every = [status]
     for file in before:
         with suppress(OSError):
@@ -184,7 +184,7 @@ def _stamp(status: os.stat_result, before: list[Path]) -> tuple[int, int, int]:
 
 
 def _stored_dive(dive: Dive) -> Any:
-    """Return a dive as its record keeps it."""
+    """Return a dive as its record stores it."""
     track = dive.track and tuple(np.asarray(column, float).tolist() for column in dive.track)
     return StoredDive(**{**vars(dive), "track": track})
 
@@ -211,7 +211,7 @@ def following(folder: Path, out: Path) -> Iterator[Follower]:
         if os.path.exists(place) and os.path.samefile(place, folder):  # noqa: PTH110, PTH121
             raise DataError(
                 f"--out {out}: results would lie in the followed folder {folder} and count as new "
-                "files there; give another folder, or leave --out away"
+                "files there; give another folder, or leave --out out"
             )
     filelock = needed("filelock")
     state = make_folder(out / "state")

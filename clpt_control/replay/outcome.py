@@ -1,4 +1,4 @@
-"""What a replay comes to, by name: a row for each dive, root mean squares, what was learned.
+"""The results of a replay by name: a row for each dive, root mean squares, what was learned.
 
     rms = sqrt(mean |x - z|^2)
 

@@ -30,7 +30,7 @@ from .wording import (
 )
 
 ALARM = ' class="alarm"'
-LOUD = ("OUT", "SPEED", "overdue", "cannot be read")  # how cells begin that are seen first
+LOUD = ("OUT", "SPEED", "overdue", "cannot be read")  # beginnings of cells that are alarms
 AGAIN = 60  # s, until a page of a folder that is followed is loaded again
 NARROW = 5.8  # inches of a chart, whose letters a telephone shows
 PHONE, PAPER = 2, 6  # greatest rank of a column that a telephone shows, and a printed page

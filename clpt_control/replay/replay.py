@@ -247,7 +247,7 @@ class Replay:
     def start(self, rng: np.random.Generator | None = None) -> Fix:
         """Return when and where the next dive begins, as a fix.
 
-        As it should; where `rng` is given, as it is drawn.
+        By its habits; where `rng` is given, drawn from them.
         """
         last = self.steps[-1].dive
         stay, late = self.habits.stay()

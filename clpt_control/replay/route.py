@@ -7,10 +7,9 @@ drawn is learned before the next dive is aimed: drawn one after the other, each 
 it, the misses are drawn from their joint distribution, with what lasts from dive to dive in them.
 A waypoint is made by the dive that is to end there, or ends within `ARRIVED` of it.
 
-Of the draws' times of arrival, the one before which a tenth of them are, the middle and the one
-before which nine tenths are; a draw that does not arrive within `DIVES` dives counts as later than
-all.  An area is entered where the straight way of a dive meets its outer ring, on the plane of
-longitude and latitude.
+The times of arrival are the 10 %, 50 % and 90 % quantiles of the draws; a draw that does not arrive
+within `DIVES` dives counts as later than all.  An area is entered where the straight way of a dive
+meets its outer ring, on the plane of longitude and latitude.
 
 A file of a route is GeoJSON (RFC 7946): points and lines are waypoints in their order, polygons
 areas to stay out of, with their property `name`; or a text with a latitude and a longitude a line.

@@ -78,7 +78,7 @@ RATE, NARROWEST, WIDEST = 0.3, 0.5, 5.0  # of the width by its own record
 CHI_SQUARED = 4.605170185988092  # of two components, 90 %: 2 ln 10
 NORMAL = 1.6448536269514722  # 90 % of a normal number lies within so many standard deviations
 SHORTEST_STAY = 60.0  # s; a fix of 4 m makes more than 0.1 m/s of less
-LONGEST_STAY = 86400.0  # s; who is longer at the surface does not only wait for a fix
+LONGEST_STAY = 86400.0  # s; a longer stay is more than waiting for a fix
 
 
 class Way(NamedTuple):
@@ -283,7 +283,7 @@ def _frame(ahead: np.ndarray, length: float) -> np.ndarray:
 
 
 LONGEST = 30 * 86400.0  # s, of a plan
-RECENT = 30 * 86400.0  # s; who heard nothing for longer looks at an old record
+RECENT = 30 * 86400.0  # s; a record whose last dive ended earlier is old
 CLOCK, LAST_END = "clock", "end of the last dive"
 ELLIPSE = ("ellipse_90_long", "ellipse_90_short", "ellipse_90_bearing")  # as `ellipse` has them
 
