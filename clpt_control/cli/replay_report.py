@@ -199,10 +199,10 @@ def write(
     put in place last: where it is new, the others are.  The page loads itself `again` where it
     will be written anew.
     """
-    from ..replay.dataset import with_summary
     from ..replay.exchange import next_geojson, track_kml
-    from ..replay.page import replay_page
+    from ..replay.facts import with_summary
     from ..replay.plots import replay_figures
+    from ..replay.replay_page import replay_page
 
     results: dict[str, Any] = {
         "replay.nc": with_summary(

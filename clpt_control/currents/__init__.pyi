@@ -1,9 +1,9 @@
 from .constituents import check_separable
+from .current_record import read_record
 from .fit import fit_scenario, save_fit
 from .grid_file import read_currents, sample_currents
-from .record import read_record
 from .tidal_constants import tidal_basis, tides_plot
-from .tides import fit_tides, predict
+from .tidal_fit import fit_tides, predict
 
 __all__ = [
     "check_separable",

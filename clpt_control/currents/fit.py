@@ -12,7 +12,7 @@ next.  Kernels are 0.6 times as wide as their places are apart, so that neighbou
 0.7 of their height, and the learner's track is a circle of 0.32 of the way to the field's
 nearest edge: 15 km and 10 km on a box of 72 x 75 km.  The fit sees measured samples only.
 The scenario's true flow is the field itself, gaps filled; the learner has the basis and
-starts without theta.  The share of the variance explained is that of `tides`, about the mean.
+starts without theta.  The share of the variance explained is that of `tidal_fit`, about the mean.
 
 A fit on disk is SCENARIO.toml and its field beside it, both or none.  The scenario refers
 to the field by its name alone, so that the two files can be moved together.
@@ -39,7 +39,7 @@ from ..units import seconds_since_1970
 from .constituents import check_nyquist, check_separable, nodal_report
 from .grid_file import Currents, read_currents
 from .plane import GriddedField, LocalPlane, field_dataset, fill_gaps, regular_grid
-from .tides import share_explained
+from .tidal_fit import share_explained
 
 SINE = -np.pi / 2
 SPEED = "km h-1"

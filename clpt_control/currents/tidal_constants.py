@@ -1,6 +1,6 @@
 """Tidal constants of one place: what `fit_tides` returns, as JSON, NetCDF, theta and a picture.
 
-Amplitudes in m/s, phases in degrees of Greenwich lag, as `tides` says.  In a file
+Amplitudes in m/s, phases in degrees of Greenwich lag, as `tidal_fit` says.  In a file
 `amplitude` and `phase` have the dims (constituent, axis), the ellipse's numbers
 (constituent); each has its standard error beside it under `..._standard_error`.  `f`,
 `u` and `V` are the nodal corrections at the record's middle.  Latitude and longitude are
@@ -32,8 +32,8 @@ from ..figures import BLUE, GREY, RED, axes_for
 from ..scenario.tidal_periods import SPEEDS
 from ..units import speed_in_metres_per_second
 from .constituents import checked_times, nodal_corrections, nodal_report
-from .record import CurrentRecord
-from .tides import Constituent, TidalFit, predict
+from .current_record import CurrentRecord
+from .tidal_fit import Constituent, TidalFit, predict
 
 if TYPE_CHECKING:
     import xarray
@@ -180,7 +180,7 @@ def tidal_basis(fit: TidalFit, epoch: Any, unit: str = "m s-1") -> TidalBasis:
 
     Examples
     --------
-    >>> from clpt_control.currents.tides import fit_tides
+    >>> from clpt_control.currents.tidal_fit import fit_tides
     >>> time = np.datetime64("2019-01-01") + np.arange(72) * np.timedelta64(1, "h")
     >>> wave = np.cos(np.radians(28.9841042) * np.arange(72))
     >>> basis = tidal_basis(fit_tides(time, wave, 0.5 * wave, 41.0, ["M2"]), time[0])

@@ -125,7 +125,7 @@ def page_of(data: "xarray.Dataset", title: str | None = None) -> "Page":
 
 def _replay(found: dict[str, Any], title: str | None) -> tuple[str, list[str]]:
     """Return the page for one on watch with a glider, and its sentence."""
-    from ..replay.page import replay_page
+    from ..replay.replay_page import replay_page
     from ..replay.wording import next_surfacing
 
     try:
@@ -190,7 +190,7 @@ def _netcdf(path: Path) -> Any:
 
 def checked_replay(found: Any, name: str) -> dict[str, Any]:
     """Return the JSON of a replay or of its dataset; refuse other JSON, and one without a dive."""
-    from ..replay.dataset import summary_in
+    from ..replay.facts import summary_in
     from ..replay.outcome import summary
     from ..replay.replay import next_dive
 

@@ -1,5 +1,5 @@
 from .aim import aims
-from .dataset import replay_dataset
+from .facts import replay_dataset
 from .flow_models import carried, read_flow_model
 from .outcome import clpe_rms, summary
 from .plots import current_plot, dive_clpe_plot, map_plot, replay_plot, save_replay_figures

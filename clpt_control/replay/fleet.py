@@ -38,7 +38,7 @@ from ..files.reading import read_text
 from ..html import document, paragraphs
 from ..progress import tell
 from .doubts import SETTLED, Anomaly
-from .page import cell_table
+from .replay_page import cell_table
 from .surfacing import RECENT
 from .wording import clock, date, half_axes, in_minutes, speed_mark, within
 

@@ -26,7 +26,7 @@ from ..figures import (
 )
 from ..files import write_together
 from .chart import Chart, dive_layers, layers_ahead, length_of, mark, with_room
-from .dataset import Source, plot_data
+from .facts import Source, plot_data
 from .outcome import rms_of
 from .replay import Replay
 from .surfacing import NextDive

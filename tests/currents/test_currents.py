@@ -10,6 +10,7 @@ from pyproj import Geod
 from scipy.interpolate import make_interp_spline
 
 from clpt_control.blocks.field import gridded_flow
+from clpt_control.currents.current_record import read_record
 from clpt_control.currents.grid_file import read_currents
 from clpt_control.currents.plane import (
     GriddedField,
@@ -19,7 +20,6 @@ from clpt_control.currents.plane import (
     read_field,
     regular_grid,
 )
-from clpt_control.currents.record import read_record
 from clpt_control.equations import evaluate
 from clpt_control.errors import DataError
 from clpt_control.files import write_file

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 import xarray
 
+from clpt_control.currents.current_record import read_record
 from clpt_control.currents.fit import fit_scenario
 from clpt_control.currents.grid_file import read_currents
-from clpt_control.currents.record import read_record
 from clpt_control.errors import DataError
 from clpt_control.replay.flow_models import read_flow_model
 

@@ -25,7 +25,7 @@ from clpt_control.currents.constituents import (
 )
 from clpt_control.currents.fit import fit_scenario
 from clpt_control.currents.tidal_constants import tidal_basis
-from clpt_control.currents.tides import fit_tides, predict
+from clpt_control.currents.tidal_fit import fit_tides, predict
 from clpt_control.errors import DataError, ScenarioError
 from clpt_control.scenario.tidal_periods import SPEEDS, period, speed
 

@@ -22,8 +22,8 @@ from tidal_records import (
     write_table,
 )
 
-from clpt_control.currents.record import read_record
-from clpt_control.currents.tides import fit_tides
+from clpt_control.currents.current_record import read_record
+from clpt_control.currents.tidal_fit import fit_tides
 from clpt_control.errors import DataError
 
 

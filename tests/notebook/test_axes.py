@@ -22,7 +22,7 @@ def made():
     time = np.datetime64("2019-01-01") + hours * np.timedelta64(3600000, "ms")
     u, v = np.cos(hours / 1.9775), 0.5 * np.sin(hours / 1.9775)
     fit = clpt.currents.fit_tides(time, u, v, 41.0, ["M2"])
-    from clpt_control.currents.record import CurrentRecord
+    from clpt_control.currents.current_record import CurrentRecord
 
     return {
         "run": clpt.simulate(SCENARIO),

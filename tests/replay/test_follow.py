@@ -19,7 +19,7 @@ from clpt_control.estimation.fix_model import FixModel
 from clpt_control.gliders.dive_files import read_dives, sample_dives
 from clpt_control.gliders.usable_dives import usable
 from clpt_control.replay import follow
-from clpt_control.replay.dataset import replay_dataset
+from clpt_control.replay.facts import replay_dataset
 from clpt_control.replay.follow import Follower, following
 from clpt_control.replay.replay import Growing, replay_dives
 

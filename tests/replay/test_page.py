@@ -12,7 +12,7 @@ from synthetic_vehicle import fixes_of
 import clpt_control as clpt
 from clpt_control.gliders.dives import Skipped
 from clpt_control.replay.chart import Chart, mark
-from clpt_control.replay.page import replay_page
+from clpt_control.replay.replay_page import replay_page
 
 EVIL = "</title></script><script>alert(1)</script><img src=x onerror='alert(2)'>\x00\udc80\"&amp;"
 

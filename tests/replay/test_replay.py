@@ -12,7 +12,7 @@ from clpt_control.estimation.estimators import ESTIMATORS, make_estimator
 from clpt_control.estimation.fix_model import FixModel
 from clpt_control.gliders.dive_files import sample_dives
 from clpt_control.gliders.usable_dives import usable
-from clpt_control.replay.dataset import replay_dataset
+from clpt_control.replay.facts import replay_dataset
 from clpt_control.replay.outcome import clpe_rms, summary
 from clpt_control.replay.replay import Replay, replay_dives
 

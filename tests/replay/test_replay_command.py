@@ -238,7 +238,7 @@ def test_wordings(command, tmp_path):
 def test_a_huge_number_of_a_dive_is_written(tmp_path):
     from dataclasses import replace
 
-    from clpt_control.replay.dataset import replay_dataset
+    from clpt_control.replay.facts import replay_dataset
     from clpt_control.replay.replay import replay_dives
 
     dives = sample_dives()[:2]

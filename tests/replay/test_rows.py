@@ -15,7 +15,7 @@ from clpt_control.geodesy import displacement
 from clpt_control.gliders.dive_files import sample_dives
 from clpt_control.gliders.dives import make_dive
 from clpt_control.replay import surfacing, wording
-from clpt_control.replay.dataset import replay_dataset
+from clpt_control.replay.facts import replay_dataset
 from clpt_control.replay.outcome import summary
 from clpt_control.replay.replay import next_dive, replay_dives
 
