@@ -81,7 +81,7 @@ def application() -> "typer.Typer":
 
     from .laws_and_proofs import laws, prove, refute
     from .measurements import estimate, fit, tides
-    from .printing import Command, Page, clpt
+    from .printing import Command, HelpPage, clpt
     from .replay import replay
     from .replay_report import WithPlaces
     from .runs import animate, diagram, ensemble, export, init, paper, report, run, tune
@@ -89,7 +89,7 @@ def application() -> "typer.Typer":
 
     app = typer.Typer(
         name="clpt",
-        cls=Page,
+        cls=HelpPage,
         context_settings={"help_option_names": ["-h", "--help"]},
         rich_markup_mode=None,
         pretty_exceptions_enable=False,

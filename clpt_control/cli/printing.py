@@ -62,7 +62,7 @@ class Command(TyperCommand):
         _write_lines(formatter, "Example", _split(self.help)[1])
 
 
-class Page(TyperGroup):
+class HelpPage(TyperGroup):
     """All commands, under the titles of their groups."""
 
     def format_help_text(self, ctx: Any, formatter: Any) -> None:

@@ -278,6 +278,8 @@ def _constituent(
         "inclination": (both, "theta", ratio[0]),
         "phase": (both, "g", ratio[0]),
     }
-    values = {key: float(fit[own][k]) for key, (fit, own, _) in parts.items()}
-    errors = {key: float(fit[f"{own}_ci"][k] / CI * by) for key, (fit, own, by) in parts.items()}
+    values = {key: float(fit[symbol][k]) for key, (fit, symbol, _) in parts.items()}
+    errors = {
+        key: float(fit[f"{symbol}_ci"][k] / CI * by) for key, (fit, symbol, by) in parts.items()
+    }
     return Constituent(name=name, errors=errors, **values)

@@ -72,7 +72,7 @@ import numpy as np
 from ..arguments import public
 from ..errors import ScenarioError
 from .dive import Dive, mid_time, miss
-from .fix_model import DAY, FAR, FixModel, Kind
+from .fix_model import DAY, FAR, FixModel, Sea
 
 HIDDEN = 4  # states before the parameters: the slow current and its slope
 
@@ -102,9 +102,9 @@ class Estimator(ABC):
     `mean` (m, n) and `covariance` (m, n, n) are those at the middle of the last dive.
     """
 
-    def __init__(self, model: FixModel, kinds: tuple[Kind, ...], present: np.ndarray) -> None:
+    def __init__(self, model: FixModel, kinds: tuple[Sea, ...], present: np.ndarray) -> None:
         self.model, self.priors = model, model.priors
-        self.kinds, self.present = Kind(*np.array(kinds).T), present
+        self.kinds, self.present = Sea(*np.array(kinds).T), present
         sd = self.prior_sd(model)
         self.mean, self.covariance = np.zeros(sd.shape), sd[:, :, None] ** 2 * np.eye(sd.shape[1])
         self.log_prior = self.log_weight = np.zeros(len(sd))

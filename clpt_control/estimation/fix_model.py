@@ -146,7 +146,7 @@ def places_columns(places: Places, dive: Dive, ended: bool = False) -> np.ndarra
 DAY = 86400.0  # s
 
 
-class Kind(NamedTuple):
+class Sea(NamedTuple):
     """How a sea changes, as a bank has it: numbers, or arrays (m,) for m filters."""
 
     size: Any  # S, m/s, of the slow current
@@ -205,16 +205,16 @@ class Priors(NamedTuple):
     # from currents that hardly change to a jet's edge: chosen on the made seas of `analysis` and
     # the real vehicles of `docs/gliders_method.md`, the fewest that forecast as well, and see a
     # lost speed as often, as forty filters with other covariances did
-    kinds: tuple[Kind, ...] = (
-        Kind(0.05, 8 * DAY),
-        Kind(0.05, 8 * DAY, scatter=0.01),
-        Kind(0.1, DAY / 2),
-        Kind(0.35, 2 * DAY),
-        Kind(0.35, 4 * DAY, scatter=0.02),
-        Kind(0.1, 8 * DAY, scatter=0.05),
-        Kind(0.08, 8 * DAY, smooth=0.0),
-        Kind(0.16, 8 * DAY, smooth=0.0),
-        Kind(0.35, 8 * DAY, smooth=0.0),
+    kinds: tuple[Sea, ...] = (
+        Sea(0.05, 8 * DAY),
+        Sea(0.05, 8 * DAY, scatter=0.01),
+        Sea(0.1, DAY / 2),
+        Sea(0.35, 2 * DAY),
+        Sea(0.35, 4 * DAY, scatter=0.02),
+        Sea(0.1, 8 * DAY, scatter=0.05),
+        Sea(0.08, 8 * DAY, smooth=0.0),
+        Sea(0.16, 8 * DAY, smooth=0.0),
+        Sea(0.35, 8 * DAY, smooth=0.0),
     )
 
     # judgement: a missed front counts little (Lange, Little, Taylor, J. Am. Stat. Assoc. 84, 1989)
@@ -225,7 +225,7 @@ class Priors(NamedTuple):
     # the gradient's.  With 1 the parameters explain the last dive (Goodwin, Sin 1984, projection)
     gain: float = 1.0  # mu, between 0 and 2 for stability
     # judgement: the gradient's one sea; a current that it forgets walks 0.04 m/s in six hours
-    gradient: Kind = Kind(0.0, 28.125 * DAY, scatter=0.04)
+    gradient: Sea = Sea(0.0, 28.125 * DAY, scatter=0.04)
     miss: float = 0.1  # m/s, a miss over its time, before any dive
     miss_weight: float = 4.0  # dives that this guess weighs
     miss_memory: float = 20.0  # dives that are remembered of it
@@ -248,7 +248,7 @@ def swing(dive: Dive, w: float) -> float:
     return T * float(np.sinc(w * T / (2 * math.pi)))
 
 
-class Part(NamedTuple):
+class Term(NamedTuple):
     """What moves a vehicle: its parameters, their size before any dive, and how long they last.
 
     `columns` of H, (2, k), are of a dive, and whether its end may be read.
@@ -357,44 +357,44 @@ class FixModel:
             )
 
     @property
-    def table(self) -> tuple[Part, ...]:
-        """The parts, in the order of the parameters."""
+    def terms(self) -> tuple[Term, ...]:
+        """The terms, in the order of the parameters."""
         p = self.priors
-        parts = [Part("current", _axes("current"), p.current, math.inf, steady)]
+        terms = [Term("current", _axes("current"), p.current, math.inf, steady)]
         for name in self.flow[1:]:
             if name == "inertial":
-                parts.append(Part(name, _axes(name), p.inertial, p.inertial_fading, inertial))
+                terms.append(Term(name, _axes(name), p.inertial, p.inertial_fading, inertial))
             elif name == "shear":
-                parts.append(Part(name, _axes(name), p.shear, math.inf, shear))
+                terms.append(Term(name, _axes(name), p.shear, math.inf, shear))
             elif name == "model":
-                parts.append(Part(name, (name,), p.model, math.inf, modelled))
+                terms.append(Term(name, (name,), p.model, math.inf, modelled))
             elif name != "gaussians":
                 pair = _axes(f"{name}_cos") + _axes(f"{name}_sin")
-                parts.append(Part("tides", pair, p.tide, p.tide_fading, partial(tide, name)))
+                terms.append(Term("tides", pair, p.tide, p.tide_fading, partial(tide, name)))
         if self.learn_speed:
-            parts.append(Part("speed", ("speed",), p.speed, p.speed_fading, speed_column))
-            parts.append(Part("compass", ("compass",), p.compass, p.compass_fading, compass_column))
+            terms.append(Term("speed", ("speed",), p.speed, p.speed_fading, speed_column))
+            terms.append(Term("compass", ("compass",), p.compass, p.compass_fading, compass_column))
         if self.places:
             cells = [f"gaussian[{i},{j}]" for i, j in self.places.cells]
             names = tuple(name for cell in cells for name in _axes(cell))
             columns = partial(places_columns, self.places)
-            parts.append(Part("gaussians", names, p.gaussian, math.inf, columns))
-        return tuple(parts)
+            terms.append(Term("gaussians", names, p.gaussian, math.inf, columns))
+        return tuple(terms)
 
     @property
     def names(self) -> tuple[str, ...]:
         """Names of the n parameters, in their order."""
-        return tuple(name for part in self.table for name in part.parameters)
+        return tuple(name for term in self.terms for name in term.parameters)
 
     @property
     def parts(self) -> tuple[str, ...]:
         """Part of each of the n parameters; all tides are one part."""
-        return tuple(part.name for part in self.table for _ in part.parameters)
+        return tuple(term.name for term in self.terms for _ in term.parameters)
 
     @property
     def prior_sd(self) -> np.ndarray:
         """Standard deviations before any dive, (n,), m/s, 1 and rad."""
-        return np.array([part.sd for part in self.table for _ in part.parameters])
+        return np.array([term.sd for term in self.terms for _ in term.parameters])
 
     @property
     def optional(self) -> tuple[str, ...]:
@@ -425,7 +425,7 @@ class FixModel:
         Its columns are in s for currents, in m for the others. A dive's end is read
         only where it has `ended`: for gaussians along the bent track.
         """
-        return np.hstack([part.columns(dive, ended) for part in self.table])
+        return np.hstack([term.columns(dive, ended) for term in self.terms])
 
     def noise(self, dive: Dive, scatter: Any) -> Any:
         """Return FIX^2 + doubt^2 + (s T)^2, the variance of y, m^2."""
@@ -436,7 +436,7 @@ class FixModel:
 
         (n, n), `dt` in s; inertial currents rotate.
         """
-        fading = [part.fading for part in self.table for _ in part.parameters]
+        fading = [term.fading for term in self.terms for _ in term.parameters]
         F = np.diag(np.exp(-dt / np.array(fading)))
         if "inertial" in self.flow:
             k, angle = self.names.index("inertial_east"), inertial_frequency(latitude) * dt

@@ -45,7 +45,7 @@ REQUIRED: dict[str, Any] = {name: (kind, ...) for name, kind in TYPES.items()}
 StoredDive: Any = pydantic.create_model("StoredDive", __config__=STRICT, **REQUIRED)
 
 
-class Record(pydantic.BaseModel):
+class StoredFile(pydantic.BaseModel):
     """What was read of one file: its folder, dives, and lines without a dive.
 
     Its stamp is its size and times of change, ns; None where it could not be opened.
@@ -65,18 +65,18 @@ class Follower:
     def __init__(self, folder: str | Path, state: str | Path) -> None:
         self.folder, self.state = Path(folder), make_folder(state)
         self._where = os.path.realpath(folder)
-        self.files: dict[str, Record] = {}
+        self.files: dict[str, StoredFile] = {}
         for path in _inside(self.state, "cannot be read"):
             if path.suffix == ".json" and not path.name.startswith("."):
                 self.files[path.name.removesuffix(".json")] = self._stored(path)
         self.here = set(self.files)
         self.unnamed: list[tuple[Path, Skipped]] = []  # under whose names nothing can be kept
 
-    def _stored(self, path: Path) -> Record:
+    def _stored(self, path: Path) -> StoredFile:
         """Return a record of the state, or refuse the state."""
         away = f"move the folder {self.state} away to read all files again"
         try:
-            record = Record.model_validate_json(read_bytes(path))
+            record = StoredFile.model_validate_json(read_bytes(path))
         except (DataError, pydantic.ValidationError):
             raise DataError(
                 f"{path}: is no state of this version's clpt replay --follow; {away}"
@@ -121,7 +121,7 @@ class Follower:
         """Return where what was read of a file is kept."""
         return self.state / f"{name}.json"
 
-    def _read(self, path: Path, before: list[Path]) -> Record | None:
+    def _read(self, path: Path, before: list[Path]) -> StoredFile | None:
         """Return the record of a file, behind those before it, as it is now; None if it is none."""
         known = self.files.get(path.name)
         try:
@@ -146,9 +146,9 @@ class Follower:
             dives, skipped = [], [Skipped(None, str(error))]
         return self._record(stamp, map(_stored_dive, dives), skipped)
 
-    def _record(self, stamp: Any, dives: Iterable[Dive], skipped: list[Skipped]) -> Record:
+    def _record(self, stamp: Any, dives: Iterable[Dive], skipped: list[Skipped]) -> StoredFile:
         where = self._where
-        return Record(format=5, folder=where, stamp=stamp, dives=list(dives), skipped=skipped)
+        return StoredFile(format=5, folder=where, stamp=stamp, dives=list(dives), skipped=skipped)
 
     def dives(self) -> tuple[list[Dive], list[Skipped]]:
         """Return all dives so far, by the name of their file, and what was left out."""
@@ -157,13 +157,13 @@ class Follower:
         skipped = [*self.unnamed]
         for name in sorted(self.files, key=lambda name: in_order(Path(name))):
             record = self.files[name]
-            own = record.dives
+            its = record.dives
             if name not in self.here:
-                own = [dive for dive in own if _fixes(dive) not in seen]
-                seen.update(map(_fixes, own))
-                if not own:
+                its = [dive for dive in its if _fixes(dive) not in seen]
+                seen.update(map(_fixes, its))
+                if not its:
                     continue  # nothing is lost with it
-            dives += [Dive(**dict(dive)) for dive in own]
+            dives += [Dive(**dict(dive)) for dive in its]
             skipped += [(self.folder / name, one) for one in record.skipped]
         return dives, alike(skipped)
 

@@ -215,16 +215,16 @@ def dive_clpe_plot(replay: Source, *, dates: bool = False, ax: "Axes | None" = N
     >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
     >>> ax = clpt.replay.dive_clpe_plot(replay)
     """
-    seen = plot_data(replay)
+    data = plot_data(replay)
     ax = axes_for(ax, 6.8, 4.0)
-    x = _along(seen.rows, dates)
-    clpe = [row["clpe"] for row in seen.rows]
-    for model, rms in rms_of(clpe[1:], seen.models).items():
+    x = _along(data.rows, dates)
+    clpe = [row["clpe"] for row in data.rows]
+    for model, rms in rms_of(clpe[1:], data.models).items():
         colour, mark, style = LINES[model]
         size = [np.nan if e is None else e / 1000 for e in (one[model] for one in clpe)]
         label = model.replace("_", " ") + ("" if rms is None else f", rms {rms / 1000:.2f} km")
         ax.plot(x, size, mark, ls=style, color=colour, label=label, **_fine(x))
-    for k, here in enumerate(x[[bool(row["anomaly"]) for row in seen.rows]]):
+    for k, here in enumerate(x[[bool(row["anomaly"]) for row in data.rows]]):
         ax.axvline(here, color=RED, lw=1, label=None if k else "speed anomaly")
     ax.set(ylabel="miss (CLPE) at the surfacing (km)", ylim=(0, None))
     _mark(ax, x, dates)
@@ -265,16 +265,16 @@ def current_plot(replay: Source, *, dates: bool = False, ax: Any = None) -> np.n
     >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
     >>> east, north, speed = clpt.replay.current_plot(replay)
     """
-    seen = plot_data(replay)
-    found, learned = seen.rows, seen.learns_speed
+    data = plot_data(replay)
+    found, learned = data.rows, data.learns_speed
     axes = axes_for(ax, 6.8, 6.4 if learned else 4.6, nrows=2 + learned, sharex=True)
     x = _along(found, dates)
     for one, axis in zip(axes, ("east", "north"), strict=False):
         value, error = (_column(found, key) for key in (f"current_{axis}", f"current_{axis}_error"))
         _band(one, x, value, error, BLUE, "learned, 2 standard errors")
-        own = _column(found, f"file_current_{axis}")
-        if np.isfinite(own).any():
-            one.plot(x, own, "--^", color=ORANGE, label="the file's own", **_fine(x))
+        of_file = _column(found, f"file_current_{axis}")
+        if np.isfinite(of_file).any():
+            one.plot(x, of_file, "--^", color=ORANGE, label="the file's own", **_fine(x))
         one.axhline(0, color="black", lw=0.5)
         one.set_ylabel(f"current {axis} (m/s)")
     axes[0].legend(fontsize=8, frameon=False, ncols=2, loc="lower left", bbox_to_anchor=(0, 1))

@@ -13,7 +13,7 @@ from clpt_control.equations import evaluate
 from clpt_control.errors import DataError
 from clpt_control.estimation.dive import mid_time, miss
 from clpt_control.estimation.estimators import KalmanBank, mixed, with_hidden
-from clpt_control.estimation.fix_model import DAY, FixModel, Kind, Priors
+from clpt_control.estimation.fix_model import DAY, FixModel, Priors, Sea
 from clpt_control.estimation.least_squares import explained_share, least_squares
 from clpt_control.replay.replay import replay_dives
 
@@ -224,7 +224,7 @@ def test_weights_are_those_of_the_density_before_the_fix():
 @pytest.mark.parametrize("factor", [1.0, 1.06])
 def test_the_probability_of_a_speed_factor_is_that_of_its_evidence(factor):
     """All dives at once, with a factor and without: the ratio of two normal densities."""
-    still = Kind(0.0, DAY, scatter=0.01)
+    still = Sea(0.0, DAY, scatter=0.01)
     priors = Priors(kinds=(still,), speed_fading=np.inf, compass_fading=np.inf)
     model = FixModel(("steady",), priors=priors)
     dives = vehicle(4, 10, factor=factor, noise=0.01, fix=30.0)
