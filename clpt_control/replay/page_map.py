@@ -64,7 +64,7 @@ def _numbers(x: float, y: float) -> str:
 
 def replay_map(found: dict[str, Any]) -> str:
     """Return the map of what `clpt replay --json` prints, with one dive at least."""
-    rows, legs = found["each_dive"], found.get("aim") or []
+    rows, legs = found["each_dive"], found["aim"]
     dives, ahead = dive_layers(rows), layers_ahead(found["next_dive"], legs)
     targets = [layer for layer in ahead if layer.kind == "target"]
     near = [*(layer for each in dives for layer in each if layer.kind != "ring")]

@@ -272,9 +272,9 @@ class Replay:
         self.steps = [replace(self.steps[-1], dive=dive, **estimates(self._learner, dive))]
 
     def surfacing(self, guess: Guess | None = None, start: Fix | None = None) -> NextDive:
-        """Forecast the end of the next dive, by a guess, else by the vehicle's habits.
+        """Forecast the end of the next dive.
 
-        It begins at `start`, by default as the vehicle should be when it dives.
+        It goes by a guess, by default that of the vehicle's habits.  It begins at `start`, by default as the vehicle should be when it dives.
         """
         last, habits = self.steps[-1], self.habits
         guess = habits.guess() if guess is None else guess

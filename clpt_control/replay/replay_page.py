@@ -92,7 +92,7 @@ def _cards(found: dict[str, Any]) -> list[str]:
             f"{half_axes(ahead)} m; {safe(record_sentence(found['headlines']))}",
             "first",
         ),
-        *(_aim(leg) for leg in (found.get("aim") or [])[:1]),
+        *(_aim(leg) for leg in found["aim"][:1]),
     ]
     error = max(last["current_east_error"], last["current_north_error"])
     current = velocity(last["current_east"], last["current_north"])
@@ -143,12 +143,10 @@ def _keys(found: dict[str, Any]) -> str:
     """Return the legend of the map."""
     keys = [("c", "fix to fix"), ("miss", "miss, from x, the dead-reckoned end")]
     keys += [("ring", "+ forecast, 90 %"), ("next", "next surfacing, 90 %")]
-    keys += (
-        [("aim", "to the waypoint"), ("made", "aimed: way made good, 90 %")]
-        if found.get("aim")
-        else []
-    )
-    keys += [("area", "to stay out of")] if "route" in found else []
+    if found["aim"]:
+        keys += [("aim", "to the waypoint"), ("made", "aimed: way made good, 90 %")]
+    if "route" in found:
+        keys.append(("area", "to stay out of"))
     return (
         '<p class="keys">'
         + " ".join(f'<span class="key {style}">{safe(name)}</span>' for style, name in keys)

@@ -91,11 +91,10 @@ class Way(NamedTuple):
     def as_dict(self) -> dict[str, float | None]:
         """Return length (m), speed (m/s), direction (degrees) and time (s), None if unknown."""
         length = hypot(self.east, self.north)
-        long = self.seconds >= SHORTEST_STAY
         return {
             "distance": length,
             "duration": self.seconds,
-            "speed": length / self.seconds if long else None,
+            "speed": length / self.seconds if self.seconds >= SHORTEST_STAY else None,
             "direction": direction(self.east, self.north),
         }
 

@@ -176,13 +176,16 @@ def cells(row: dict[str, Any]) -> dict[str, str]:
         f"{row[f'current_{axis}']:+.3f}({1000 * row[f'current_{axis}_error']:.0f})"
         for axis in ("east", "north")
     ]
-    found = {
+    speed = {}
+    if row["speed_factor"] is not None:
+        speed["speed"] = f"{row['speed_factor']:.3f}({1000 * row['speed_factor_error']:.0f})"
+    return {
         "dive": str(row["dive"]),
         "ended (UTC)": date(row["end"]),
         **{MODELS[name]: metres(size) for name, size in clpe.items()},
         "current to": _toward(row, "current_"),
         "current E N (m/s)": " ".join(current),
-        "speed": "",
+        **speed,
         "over ground": _toward(row["over_ground"]),
         "drift (m) to": "-" if drift is None else f"{drift['distance']:.0f}, {_toward(drift)}",
         "E N of DR (m)": f"{row['forecast_east']:+.0f} {row['forecast_north']:+.0f}",
@@ -190,11 +193,6 @@ def cells(row: dict[str, Any]) -> dict[str, str]:
         "90 %": "in" if row["inside_90"] else "OUT",
         "mark": speed_mark(row["anomaly"]),
     }
-    if row["speed_factor"] is None:
-        del found["speed"]
-    else:
-        found["speed"] = f"{row['speed_factor']:.3f}({1000 * row['speed_factor_error']:.0f})"
-    return found
 
 
 def cells_ahead(ahead: dict[str, Any]) -> dict[str, str]:
