@@ -274,7 +274,8 @@ class Replay:
     def surfacing(self, guess: Guess | None = None, start: Fix | None = None) -> NextDive:
         """Forecast the end of the next dive.
 
-        It goes by a guess, by default that of the vehicle's habits.  It begins at `start`, by default as the vehicle should be when it dives.
+        It goes by a guess, by default that of the vehicle's habits, and begins at `start`, by
+        default as the vehicle should be when it dives.
         """
         last, habits = self.steps[-1], self.habits
         guess = habits.guess() if guess is None else guess
