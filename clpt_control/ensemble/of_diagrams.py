@@ -38,6 +38,7 @@ from .drawn_values import Vary, unknown_name
 from .members import Ensemble, Member, Members, States, Values
 from .summaries import StoredArrays, ends_of
 
+RESULT = "time", "member", "status", "end"  # names of a result, beside those of ports
 SUMMARIES = {"final": "at the end", "rms": "root mean square", "max": "largest magnitude"}
 
 
@@ -166,7 +167,11 @@ class VariedDiagram:
         return {"units": units.pop()} if len(units) == 1 and units != {""} else {}
 
     def _check_apart(self) -> None:
-        """Refuse two names of one number."""
+        """Refuse two names of one number, and those of the result."""
+        ports, axes = self.variables
+        taken = {*RESULT, *axes, *(f"{port}_{what}" for port in ports for what in SUMMARIES)}
+        if own := taken & self.places.keys():
+            raise ScenarioError(f"vary: {min(own)} is a name of the result; rename it")
         names: dict[tuple, str] = {}
         for key, (fields, states, inputs, element) in self.places.items():
             numbers: list[tuple] = [("state", k) for k in states]
@@ -231,7 +236,7 @@ class VariedDiagram:
     @cached_property
     def variables(self) -> tuple[dict[str, Series], dict[str, tuple[Any, Mapping[str, str]]]]:
         """The variables of outputs, and their axes."""
-        taken = ("time", "member", "status", "end", *self.values)
+        taken = (*RESULT, *self.values)
         units, ports = signal_units(self.wiring), ports_of(self.outputs)
         return port_variables(
             ports, {}, taken, {port: units[own[0]] for port, own in ports.items()}

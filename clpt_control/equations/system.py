@@ -142,8 +142,12 @@ class System(Block):
         """Return the params that python-control would hand to the functions."""
         if p is self._parameters:
             return self._params
-        numbers = {key: getattr(p, name) for key, name in self.number_names.items()}
-        return {**self._params, **numbers}
+        changed = {
+            key: _as_given(getattr(p, name), self._params[key])
+            for key, name in self.number_names.items()
+            if getattr(p, name) is not getattr(self._parameters, name)
+        }
+        return {**self._params, **changed}
 
     # --- ports ------------------------------------------------------------------------------
 
@@ -249,6 +253,14 @@ def _size(system: Any, what: str, declared: int | None, of_run: int | None) -> i
 
 def _leaf(value: Any) -> Any:
     return np.asarray(value, dtype=float) if np.ndim(value) else np.float64(value)
+
+
+def _as_given(value: Any, like: Any) -> Any:
+    """Return a number as Python's, whole where the one in its place is."""
+    if np.ndim(value):
+        return value
+    whole = isinstance(like, int | np.integer) and float(value).is_integer()
+    return int(value) if whole else float(value)
 
 
 def _names(params: Mapping[str, Any]) -> dict[str, str]:

@@ -82,9 +82,12 @@ def run_compared(runner: NativeDiagram, start: Any, times: Any, **given: Any) ->
     try:
         solution = runner.run(start, times, **given)
     except SimulationError as error:
-        if Status.NOT_FINITE.sentence not in str(error):  # Python's blocks find nothing there
+        begun, inputs = Solution(np.asarray(times[:1]), np.reshape(start, (1, -1))), given["inputs"]
+        why = difference(runner, begun, runner.signals(begun, inputs, check=False), inputs)
+        if not why and Status.NOT_FINITE.sentence in str(error):  # Python's blocks find nothing
+            why = "what was read gives a number that is not finite, where Python gives one"
+        if not why:
             raise
-        why = "what was read gives a number that is not finite, where Python gives one"
         return None, None, why
     signals = runner.signals(solution, given["inputs"], check=False)
     return solution, signals, difference(runner, solution, signals, given["inputs"]) or ""

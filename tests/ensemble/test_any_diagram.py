@@ -316,6 +316,23 @@ def test_what_cannot_be_compiled_runs_in_python_and_says_so(key):
     np.testing.assert_allclose(data.y_final, np.exp(-5 * np.array(rates)), rtol=0, atol=1e-9)
 
 
+@pytest.mark.parametrize(
+    ("key", "rates"), [("k", [3.0, 6.0]), ("n", [1.0, 2.0]), ("c[0]", [3.0, 6.0])]
+)
+def test_whole_numbers_stay_whole_in_python(key, rates, monkeypatch):
+    def update(t, x, u, p):
+        return [-p["k"] * p["c"][0] * x[0] * len(range(p["n"]))]
+
+    params = {"k": 1.0, "n": 3, "c": [1, 2]}
+    system = control.nlsys(update, None, name="turns", states=1, inputs=0, outputs=1, params=params)
+    for engine in ("native", "python"):
+        monkeypatch.setenv("CLPT_CONTROL_ENGINE", engine)
+        with warnings.catch_warnings():
+            warnings.filterwarnings("ignore", "turns runs in Python")
+            data = clpt.run_ensemble(system, {key: [1, 2]}, timepts=TIMES, initial_state=1.0)
+        np.testing.assert_allclose(data.y_final, np.exp(-np.array(rates) * TIMES[-1]), atol=1e-8)
+
+
 def test_what_is_read_otherwise_is_found_before_members_run():
     class Counting:
         """Read as a constant, which the second call is not."""
@@ -542,6 +559,11 @@ def test_more_mistakes():
                            params={"x": 1.0}, name="same")  # fmt: skip
     with pytest.raises(ClptError, match="x is more than one of a parameter, an initial state and"):
         clpt.run_ensemble(system, {"x": [1.0]}, timepts=TIMES)
+    for name in ("time", "member", "status", "end", "y_final", "y_index"):
+        system = control.nlsys(lambda t, x, u, p: -x, None, inputs=0, outputs=["y[0]", "y[1]"],
+                               states=2, params={name: 1.0}, name="same")  # fmt: skip
+        with pytest.raises(ClptError, match=f"vary: {name} is a name of the result; rename it"):
+            clpt.run_ensemble(system, {name: [1.0]}, timepts=TIMES)
 
 
 @pytest.mark.parametrize("two", [np.array([1.0, 2.0]), [1, 2]])

@@ -180,6 +180,26 @@ def test_a_state_that_is_none_is_not_laid_to_a_jump_of_another_run(engine):
         clpt.simulate(saw, [0.0, 4.0], initial_state=[math.nan], engine=engine)
 
 
+def caught(t, x, u, p):
+    """Python's float raises where a double is infinite, and the function goes on."""
+    try:
+        rate = 1.0 / p["k"]
+    except ZeroDivisionError:
+        rate = 2.0
+    return -rate * x
+
+
+@ENGINES
+def test_what_a_function_catches_itself(engine):
+    model = system(caught)
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", "q runs in Python.*q.update was read otherwise")
+        run = clpt.simulate(model, TIMES, 1.0, [1.0], params={"k": 0.0}, engine=engine)
+        data = clpt.run_ensemble(model, {"k": [0.0, 1.0]}, timepts=TIMES, initial_state=[1.0])
+    assert run.y.values.ravel() == pytest.approx(np.exp(-2.0 * TIMES), abs=1e-8)
+    assert data.y_final.values == pytest.approx(np.exp([-8.0, -4.0]), abs=1e-8)
+
+
 def text(t, x, u, p):
     return [u[0] + "1"]
 
