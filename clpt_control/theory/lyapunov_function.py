@@ -317,8 +317,8 @@ def _at_jumps(case: SystemWithV, search: PointSearch, near: bool) -> tuple[Step,
             return exact(claim, False, "not shown"), None
         if not case.never_positive(rise):
             found = search.rises_after(rise)
-            shown = claim if found is None else f"V rises by {found[1]:.3g} at a jump"
-            return exact(shown, False, "" if found else "not shown"), found
+            outcome = claim if found is None else f"V rises by {found[1]:.3g} at a jump"
+            return exact(outcome, False, "" if found else "not shown"), found
     return exact(claim, True), None
 
 

@@ -224,14 +224,14 @@ def design_track(
             f"{scenario.units.time}, but {reached * scenario.run.duration:.4g}: shorten "
             "run.duration, or move its waypoints so that it stays within flow.field"
         )
-    own = scenario.waypoints
+    points_before = scenario.waypoints
     limits = Limits(
-        float(closed_length(own)) if length is None else float(length),
+        float(closed_length(points_before)) if length is None else float(length),
         max_speed,
-        area or field or filled_area(own, before[1]),
+        area or field or filled_area(points_before, before[1]),
     )
     report = progress or (lambda share: None)
-    planned = with_waypoints(scenario, around(own, count or len(own)), dwell)
+    planned = with_waypoints(scenario, around(points_before, count or len(points_before)), dwell)
     gains = linear_gains(scenario) if goal == "law" else None
     best, runs = best_waypoints(planned, limits, span, seed, generations, report, gains)
     tracks = [with_waypoints(scenario, one, dwell) for one in best[: None if goal == "law" else 1]]
@@ -248,7 +248,7 @@ def design_track(
         "law": scenario.learning.law,
         "goal": goal,
         "own_track_kept": designed.reference.dwell == scenario.reference.dwell
-        and np.array_equal(points, own),
+        and np.array_equal(points, points_before),
         "window": span[0],
         "start": span[1],
         "trajectory": TRAJECTORY,

@@ -58,9 +58,9 @@ def design_plot(design: Design, *, ax: Any = None) -> np.ndarray:
 
 
 def _frame(design: Design) -> tuple[np.ndarray, np.ndarray]:
-    seen = [one.run.position.values for one in design.tracks]
-    seen += [one.scenario.waypoints for one in design.tracks]
-    places = np.vstack(seen)
+    shown_places = [one.run.position.values for one in design.tracks]
+    shown_places += [one.scenario.waypoints for one in design.tracks]
+    places = np.vstack(shown_places)
     low, high = places.min(axis=0), places.max(axis=0)
     area = np.array(design.report["limits"]["area"])
     wide = 3 * max(high - low)  # a far larger area is not drawn whole

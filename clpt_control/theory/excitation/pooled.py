@@ -141,10 +141,10 @@ def team_gramian(
 
 def _placed(pieces: np.ndarray, vehicle: int, vehicles: int, N: int) -> np.ndarray:
     """Return a vehicle's factors with its own gains in their columns among all vehicles'."""
-    own = pieces.shape[-1] - N
-    wide = np.zeros((*pieces.shape[:-1], N + own * vehicles))
+    gains = pieces.shape[-1] - N
+    wide = np.zeros((*pieces.shape[:-1], N + gains * vehicles))
     wide[..., :N] = pieces[..., :N]
-    wide[..., N + own * vehicle : N + own * (vehicle + 1)] = pieces[..., N:]
+    wide[..., N + gains * vehicle : N + gains * (vehicle + 1)] = pieces[..., N:]
     return wide
 
 
@@ -180,11 +180,11 @@ def vehicle_run(run: "xarray.Dataset", team: Team, name: str) -> "xarray.Dataset
     """Return what one vehicle of a team did, as a run of its own scenario."""
     if "vehicle" not in run.dims or name not in run.vehicle:
         raise DataError(f"the run holds no vehicle {name}; `clpt run` writes all of a team")
-    own = run.sel(vehicle=name, drop=True)
+    alone = run.sel(vehicle=name, drop=True)
     attributes = {key: value for key, value in run.attrs.items() if key != TEAM}
-    own.attrs = {**attributes, "scenario": scenario_to_text(team.members[name])}
-    own.encoding.update(run.encoding)
-    return own
+    alone.attrs = {**attributes, "scenario": scenario_to_text(team.members[name])}
+    alone.encoding.update(run.encoding)
+    return alone
 
 
 def team_excitation_report(

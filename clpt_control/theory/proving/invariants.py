@@ -61,12 +61,12 @@ from .words import MAXIMUM, WHERE
 Claims = dict[str, Callable[[InvariantLoop], bool | str]]
 
 
-def invariant_steps(law: Law, points: int, own: InvariantLoop | None = None) -> list[Step]:
-    """Check a law whose row has invariants, for N = 1, 2, 3; or the loop of a law of your own."""
-    cases = [own] if own else [InvariantLoop(law, N) for N in invariant_loop.SIZES]
-    start = InvariantLoop.off_at_zero if own else InvariantLoop.off_at_the_start
+def invariant_steps(law: Law, points: int, single: InvariantLoop | None = None) -> list[Step]:
+    """Check a law whose row has invariants, for N = 1, 2, 3; or a single loop, of your own law."""
+    cases = [single] if single else [InvariantLoop(law, N) for N in invariant_loop.SIZES]
+    start = InvariantLoop.off_at_zero if single else InvariantLoop.off_at_the_start
     claims: Claims = {
-        f"what the law's states keep is kept{' where it begins so' * bool(own)}": (
+        f"what the law's states keep is kept{' where it begins so' * bool(single)}": (
             lambda case: case.broken() or start(case)
         )
     }
@@ -74,7 +74,7 @@ def invariant_steps(law: Law, points: int, own: InvariantLoop | None = None) -> 
         claims |= shrinking_claims(law)
     else:
         claims |= jump_claims(law) if cases[0].loop.jumps else {}
-        falls = partial(falling_claims, sizes=f"N = {own.N}" if own else "N = 1, 2, 3")
+        falls = partial(falling_claims, sizes=f"N = {single.N}" if single else "N = 1, 2, 3")
         claims |= estimate_claims(law) if law.makes_estimate else falls(law)
     steps = [exact_step(cases, claim, check) for claim, check in claims.items()]
     steps += [young_step()] if law.error_left else []

@@ -43,9 +43,9 @@ def element_name(port: str, declared: Shape, index: Index) -> str:
 
 def _indexed(name: str, index: Index, axis: bool) -> str:
     """Return a name with its index, counted from 1; the first may be the paper's axis."""
-    shown = [place if isinstance(place, str) else str(place + 1) for place in index]
-    first = f"_{shown.pop(0)}" if axis and shown else ""
-    return name + first + "".join(f"[{place}]" for place in shown)
+    places = [place if isinstance(place, str) else str(place + 1) for place in index]
+    first = f"_{places.pop(0)}" if axis and places else ""
+    return name + first + "".join(f"[{place}]" for place in places)
 
 
 def state_names(blocks: Iterable[Block]) -> dict[tuple[str, str], str]:
