@@ -18,8 +18,7 @@ import sympy
 from ...blocks.laws.law import Law
 from ...diagrams.interconnection import connect
 from ...simulation.loops import paper_blocks
-from .invariant_loop import exact_step
-from .proof import Step, checked
+from .proof import Step, checked, exact_step
 from .signs import vanishes
 from .symbolic_loop import SymbolicLoop, symbolic_loop
 from .theorem_loop import law_and_V, rate_of_V, theorem_scenario

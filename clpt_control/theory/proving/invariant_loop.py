@@ -6,7 +6,7 @@ checks each for one N; `invariants` makes the proof of the checks.
 """
 
 import math
-from collections.abc import Callable, Iterable, Set
+from collections.abc import Callable, Set
 from functools import cached_property
 from itertools import combinations_with_replacement
 from typing import Any
@@ -18,7 +18,7 @@ from sympy.core.function import AppliedUndef
 from ...blocks.laws.law import LEARNED, Law, Truth
 from ..promises import truth_of
 from .array_loop import TIME
-from .proof import Step, checked, short
+from .proof import short
 from .signs import left_over, nonpositive, positive_maximum, vanishes
 from .symbolic_loop import SymbolicLoop, flat, symbolic_loop
 from .symbols import extent
@@ -280,21 +280,3 @@ def _free_symbols_for(values: np.ndarray) -> dict[Any, Any]:
         fresh = sympy.Symbol(f"over_{k + 1}", real=True)
         found[symbol] = (fresh - value.subs(symbol, 0)) / sympy.diff(value, symbol)
     return found
-
-
-def exact_step(cases: Iterable[Any], claim: str, check: Callable[[Any], bool | str]) -> Step:
-    """Check a claim for each number of functions.
-
-    A check returns whether it holds; or what is wrong, and nothing where it holds.
-    """
-
-    def holds() -> tuple[bool, str]:
-        for case in cases:
-            answer = check(case)
-            if answer is False:
-                return False, ""
-            if answer is not True and answer:
-                return False, f"N = {case.loop.N}: {answer}"
-        return True, ""
-
-    return checked(claim, "exact", holds, False)

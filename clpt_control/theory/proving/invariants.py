@@ -50,9 +50,9 @@ import sympy
 
 from ...blocks.laws.law import Law
 from . import invariant_loop
-from .invariant_loop import InvariantLoop, exact_step
+from .invariant_loop import InvariantLoop
 from .lemmas import young_step
-from .proof import Step, short
+from .proof import Step, exact_step, short
 from .running_rate import running_step
 from .signs import vanishes
 from .theorem_loop import KNOWN_ERROR, decay, decay_and_known_error

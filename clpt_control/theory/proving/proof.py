@@ -144,6 +144,24 @@ def checked(claim: str, how: How, check: Callable[[], Any], every_N: bool = True
     return Step(claim, bool(truth), how, str(detail), every_N)
 
 
+def exact_step(cases: Iterable[Any], claim: str, check: Callable[[Any], bool | str]) -> Step:
+    """Check a claim for each number of functions.
+
+    A check returns whether it holds; or what is wrong, and nothing where it holds.
+    """
+
+    def holds() -> tuple[bool, str]:
+        for case in cases:
+            answer = check(case)
+            if answer is False:
+                return False, ""
+            if answer is not True and answer:
+                return False, f"N = {case.loop.N}: {answer}"
+        return True, ""
+
+    return checked(claim, "exact", holds, False)
+
+
 def first_failure(steps: Iterable[Step]) -> str:
     """Return the claim and the detail of the first step that does not hold, or nothing."""
     return next((f"{step.claim} ({step.detail})" for step in steps if not step.holds), "")
