@@ -194,7 +194,7 @@ class Law(NamedTuple):
     rates: Callable[..., Any]  # the rates of its states; their docstring is its page
     family: Callable[..., Any] | None = None  # whose docstring is the page of several laws
     needs: str = ""  # one line
-    # a key of its own table; a name of what is known, as it is; or what makes it of what is known
+    # a key of its own table; the name of what is known, as it is; or what makes it of what is known
     parameters: Mapping[str, Any] = GAINS
     one_gain: bool = False  # whether one gain for all is one parameter, as in the paper
     keys: Mapping[str, Setting] = {}  # of its own table, that are no parameters
@@ -297,10 +297,8 @@ class Law(NamedTuple):
         self.check(self, known)
         values: dict[str, Any] = {}
         for name, source in self.parameters.items():
-            if isinstance(source, Setting):
-                values[name] = source.of(known, name)
-            else:
-                values[name] = (attrgetter(source) if isinstance(source, str) else source)(known)
+            make = attrgetter(source) if isinstance(source, str) else source
+            values[name] = make.of(known, name) if isinstance(make, Setting) else make(known)
         if self.one_gain and known.gains.one:
             rest = {name: value for name, value in values.items() if name not in GAINS}
             values = {"gain": known.gains.feedback} | rest
