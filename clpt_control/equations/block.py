@@ -287,17 +287,17 @@ class Block(control.NonlinearIOSystem):
 
     def _name_ports(self, names: Mapping[str, Mapping[str, str]]) -> None:
         """Rename ports, ``{"inputs": {old: new}}``; the equations keep their names."""
-        for kind, moved in names.items():
-            own, ports = self._inner.get(kind, {}), self.declared[kind]
-            self._inner[kind] = {moved.get(p, p): own.get(p, p) for p in ports}
-            self.declared[kind] = {moved.get(p, p): shape for p, shape in ports.items()}
-            own_units = {moved[p]: unit for p, unit in self.units.items() if p in moved}
+        for kind, new_names in names.items():
+            old_names, ports = self._inner.get(kind, {}), self.declared[kind]
+            self._inner[kind] = {new_names.get(p, p): old_names.get(p, p) for p in ports}
+            self.declared[kind] = {new_names.get(p, p): shape for p, shape in ports.items()}
+            own_units = {new_names[p]: unit for p, unit in self.units.items() if p in new_names}
             self.units = {**self.units, **own_units}
         self.parameters = self.parameters
         for kind, rename in (("input", self.set_inputs), ("output", self.set_outputs)):
-            moved = names.get(f"{kind}s", {})
+            new_names = names.get(f"{kind}s", {})
             parts = [label.partition("[") for label in getattr(self, f"{kind}_labels")]
-            rename(["".join((moved.get(port, port), *rest)) for port, *rest in parts])
+            rename(["".join((new_names.get(port, port), *rest)) for port, *rest in parts])
         self.set_states(labels(self.state_ports) or 0)
 
     @property
@@ -363,14 +363,14 @@ class Block(control.NonlinearIOSystem):
             out = {"guard": bound_out, "output": y}.get(role, x)
             p = {**shapes, **self.parameter_shapes} if stay_open else shapes
             try:
-                found = read(function, name, x, u, values, p, out)
+                result = read(function, name, x, u, values, p, out)
             except (Unread, BlockError) as error:
                 if not stay_open and isinstance(error, BlockError):
                     raise
                 why = str(error)
                 continue
-            self.read_with[role] = found.pinned, why
-            return self._outside(found.record)
+            self.read_with[role] = result.pinned, why
+            return self._outside(result.record)
         return Unread(f"{name}: {why}")
 
     @property

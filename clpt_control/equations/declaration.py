@@ -274,10 +274,10 @@ def sizes_of(shapes: Mapping[str, Shape]) -> dict[str, int]:
 
 def places(shapes: Mapping[str, Shape]) -> dict[str, tuple[slice, Shape]]:
     """Return where each port lies in the vector of all, and its shape."""
-    found, at = {}, 0
+    where, at = {}, 0
     for port, shape in shapes.items():
-        found[port] = (slice(at, at := at + prod(shape)), shape)
-    return found
+        where[port] = (slice(at, at := at + prod(shape)), shape)
+    return where
 
 
 class Vector(np.ndarray):
@@ -376,11 +376,11 @@ def renamed(
     states: Mapping[str, str] | None = None,
 ) -> Any:
     """Return a block under another name, some of its ports under others: {old: new}."""
-    made = block.copy(name=name)
+    copy = block.copy(name=name)
     by_states = block.states_are_outputs
     kinds = {"inputs": inputs, "outputs": outputs, "states": outputs if by_states else states or {}}
-    made._name_ports(kinds)
-    return made
+    copy._name_ports(kinds)
+    return copy
 
 
 # --- in a line, and in a notebook --------------------------------------------------------------

@@ -87,8 +87,8 @@ class Sampled(Block):
         )
         self.first_held, self.raised = inner.nstates if inner.ninputs else None, inner.raised
         self._first_parameters = self.parameters  # those that the inner block has itself
-        for own, rename in (("input", self.set_inputs), ("output", self.set_outputs)):
-            rename(getattr(inner, f"{own}_labels"))
+        for kind, rename in (("input", self.set_inputs), ("output", self.set_outputs)):
+            rename(getattr(inner, f"{kind}_labels"))
         if states:
             self.set_states([*inner.state_labels, *self.state_labels[inner.nstates :]])
 
@@ -123,16 +123,16 @@ class Sampled(Block):
             for field in inner.parameters._fields
             if getattr(p, field) is not getattr(self._first_parameters, field)
         }
-        own = inner.parameters._replace(**changed) if changed else inner.parameters
+        parameters = inner.parameters._replace(**changed) if changed else inner.parameters
         states, held = x[: inner.nstates], x[inner.nstates :]
         if role == "output":
             if inner.states_are_outputs:
                 return states
-            return inner.values(role, size, p.interval * self.period, states, held, own)
+            return inner.values(role, size, p.interval * self.period, states, held, parameters)
         if not inner.nstates:
             return np.array(u)
         before = (p.interval - 1.0) * self.period
-        new = inner.values("update", inner.nstates, before, states, held, own)
+        new = inner.values("update", inner.nstates, before, states, held, parameters)
         self.raised["jump"] = self.raised.get("update", "")
         return np.append(new * self.period + states if self.stepped else new, u)
 
@@ -158,13 +158,13 @@ class Sampled(Block):
             shapes = [*self.declared["states"].values()]
             return compact([], [0.0] * len(shapes), shapes)
         if role == "output":
-            found, shapes = replayed("output", 0.0), [*inner.array_record("output").shapes]
+            values, shapes = replayed("output", 0.0), [*inner.array_record("output").shapes]
         else:
-            found = replayed("update", 1.0) if inner.nstates else []
+            values = replayed("update", 1.0) if inner.nstates else []
             own = [*inner.array_record("update").shapes] if inner.nstates else []  # N may be bound
             if self.stepped:
                 before = [leaf("x", port, shape) for port, shape in zip(states, own, strict=True)]
-                found = [r * self.period + x for r, x in zip(found, before, strict=True)]
-            found += [leaf("u", *port) for port in inputs.items()]
+                values = [r * self.period + x for r, x in zip(values, before, strict=True)]
+            values += [leaf("u", *port) for port in inputs.items()]
             shapes = [*own, *inputs.values()]
-        return self._outside(compact(tape.operations, [operand(one) for one in found], shapes))
+        return self._outside(compact(tape.operations, [operand(one) for one in values], shapes))

@@ -164,15 +164,15 @@ class System(Block):
         shapes = {key: np.shape(self._params[key]) for key in self.number_names}
         ports = self.declared["states"], self.declared["inputs"]
         try:
-            found = read_once(function, role, *ports, self._params, shapes, out)
+            result = read_once(function, role, *ports, self._params, shapes, out)
         except Unread as error:
             return Unread(f"{self.name}.{role}: {error}")
         except BlockError as error:  # which begins with the role
             return Unread(f"{self.name}.{error}")
-        self._reads[role] = found.names
-        self.pinned[role] = frozenset(self.number_names[key] for key in found.pinned)
+        self._reads[role] = result.names
+        self.pinned[role] = frozenset(self.number_names[key] for key in result.pinned)
         names = self.number_names.items()
-        return found.record.renamed({("p", key): ("p", own) for key, own in names})
+        return result.record.renamed({("p", key): ("p", own) for key, own in names})
 
     def _try_equations(self) -> None:
         """Leave it to the run, as python-control does."""
@@ -200,8 +200,8 @@ def read_once(
     def read_now() -> Read:
         names: set[Any] = set()
         request = states, inputs, params, shapes, out
-        found = read(function, role, *request, lambda fields: Params(fields, names))
-        return found._replace(names=frozenset(names))
+        result = read(function, role, *request, lambda fields: Params(fields, names))
+        return result._replace(names=frozenset(names))
 
     try:
         key = keys.of(function), role, *map(keys.named, (states, inputs, shapes, out, others))
@@ -210,12 +210,12 @@ def read_once(
     if len(_READ) > MOST_READ:
         _READ.clear()
     known = _READ.setdefault(key, [])
-    for values, _, found in known:
-        if values == _values(params, found.pinned):
-            return found
-    found = read_now()
-    known[MOST_VALUES:] = [(_values(params, found.pinned), keys.held, found)]
-    return found
+    for values, _, result in known:
+        if values == _values(params, result.pinned):
+            return result
+    result = read_now()
+    known[MOST_VALUES:] = [(_values(params, result.pinned), keys.held, result)]
+    return result
 
 
 def _values(params: Mapping[str, Any], names: Iterable[str]) -> Any:
@@ -320,16 +320,16 @@ def linear(system: control.StateSpace | control.TransferFunction) -> Block:
     """Make a block of a linear system, with its name, labels and time."""
     parameters = dict(zip("ABCD", _matrices(system), strict=True))
     n, (outputs, inputs) = len(parameters["A"]), parameters["D"].shape
-    function = output if n else output_of_inputs
+    equation = output if n else output_of_inputs
     if n and not np.any(parameters["D"]):
-        function = output_of_states
+        equation = output_of_states
         del parameters["D"]
     for name in "ABC" if not n else "":
         del parameters[name]
     block = Block(
         system.name,
         update=rate if n else None,
-        output=function,
+        output=equation,
         inputs={"u": "m"},
         outputs={"y": "q"},
         states={"x": "n"} if n else None,
@@ -337,7 +337,7 @@ def linear(system: control.StateSpace | control.TransferFunction) -> Block:
         shapes={name: SHAPES[name] for name in parameters},
         sizes={"m": inputs, "q": outputs},
     )
-    block.__dict__["_read_records"] = RECORDS.setdefault(function, {})  # the same for all sizes
+    block.__dict__["_read_records"] = RECORDS.setdefault(equation, {})  # the same for all sizes
     block.set_inputs(system.input_labels)
     block.set_outputs(system.output_labels)
     if isinstance(system, control.StateSpace):
@@ -348,8 +348,8 @@ def linear(system: control.StateSpace | control.TransferFunction) -> Block:
 
 def is_linear(part: control.NonlinearIOSystem) -> bool:
     """Return whether a part is a block that `linear` made."""
-    own = getattr(part, "inner", part)  # of one that is sampled
-    return getattr(own, "output_function", None) in (output, output_of_states, output_of_inputs)
+    block = getattr(part, "inner", part)  # of one that is sampled
+    return getattr(block, "output_function", None) in (output, output_of_states, output_of_inputs)
 
 
 def _matrices(system: control.StateSpace | control.TransferFunction) -> tuple[np.ndarray, ...]:
@@ -377,8 +377,8 @@ def _matrices(system: control.StateSpace | control.TransferFunction) -> tuple[np
 def on_each_axis(block: Block, count: int) -> Block:
     """Return a linear block of one signal for so many signals, each with states of its own."""
     p = block.parameters
-    own = [getattr(p, "A", np.zeros((0, 0))), getattr(p, "B", np.zeros((0, 1)))]
-    own += [getattr(p, "C", np.zeros((1, 0))), getattr(p, "D", np.zeros((1, 1)))]
-    A, B, C, D = (np.kron(np.eye(count), matrix) for matrix in own)
-    made = linear(control.ss(A, B, C, D, name=block.name))
-    return Sampled(made, block.period) if isinstance(block, Sampled) else made
+    matrices = [getattr(p, "A", np.zeros((0, 0))), getattr(p, "B", np.zeros((0, 1)))]
+    matrices += [getattr(p, "C", np.zeros((1, 0))), getattr(p, "D", np.zeros((1, 1)))]
+    A, B, C, D = (np.kron(np.eye(count), matrix) for matrix in matrices)
+    linear_block = linear(control.ss(A, B, C, D, name=block.name))
+    return Sampled(linear_block, block.period) if isinstance(block, Sampled) else linear_block
