@@ -44,8 +44,7 @@ from .declaration import (
     vector,
 )
 from .reading import RAISED, read, record_of_states
-from .record import Record as ArrayRecord
-from .record import Shape
+from .record import Record, Shape
 
 READ = ("_read_records", "feedthrough")  # attributes that hold what was read
 
@@ -329,7 +328,7 @@ class Block(control.NonlinearIOSystem):
         }
         return {role: (f, shapes) for role, (f, shapes) in roles.items() if f is not None}
 
-    def array_record(self, role: str) -> ArrayRecord:
+    def array_record(self, role: str) -> Record:
         """Return the record of "update", "output", "guard" or "jump".
 
         Raises `Unread` where the function cannot be read; sizes that have names are open.
@@ -345,7 +344,7 @@ class Block(control.NonlinearIOSystem):
             raise record
         return record
 
-    def _read(self, role: str) -> ArrayRecord | Unread:
+    def _read(self, role: str) -> Record | Unread:
         """Read a function with open sizes; where that fails, with the sizes of this block."""
         if role == "output" and self.output_function is None:
             return record_of_states(self.declared["outputs"])
@@ -394,7 +393,7 @@ class Block(control.NonlinearIOSystem):
         for known in READ:
             self.__dict__.pop(known, None)
 
-    def _outside(self, record: ArrayRecord) -> ArrayRecord:
+    def _outside(self, record: Record) -> Record:
         """Return a record whose leaves have the names of the ports."""
         names = {
             (group, inner): (group, outer)
@@ -404,7 +403,7 @@ class Block(control.NonlinearIOSystem):
         return record.renamed(names) if names else record
 
     @property
-    def records(self) -> dict[str, ArrayRecord]:
+    def records(self) -> dict[str, Record]:
         """Return the record of each of its functions, by role."""
         return {role: self.array_record(role) for role in {**self._roles, "output": None}}
 
@@ -413,7 +412,7 @@ class Block(control.NonlinearIOSystem):
         return {name: value for name, value in self.__dict__.items() if name not in left_out}
 
     @property
-    def _records(self) -> dict[str, ArrayRecord | Unread]:
+    def _records(self) -> dict[str, Record | Unread]:
         return self.__dict__.setdefault("_read_records", {})
 
     @property
