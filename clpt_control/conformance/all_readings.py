@@ -30,7 +30,7 @@ from ..equations.at_many import leaf_values
 from ..equations.block import Block
 from ..equations.elements import Elements, Index
 from ..equations.record import Ref, Shape
-from ..equations.symbolic import NUMBERS, Symbols
+from ..equations.symbolic import ON_NUMBERS, Symbols
 from ..errors import BlockError, DiagramError
 from ..native.machine import LANES
 from ..native.native_diagram import NativeDiagram
@@ -195,7 +195,7 @@ LONG = 20  # operations; a longer expression is a symbol of its own
 # what loses its digits, or its range, written out: log1p(a) as log(1 + a)
 PRECISE = {name: sympy.Function(f"{name}_", real=True) for name in ("hypot", "log1p", "expm1")}
 NAMES: dict[str, Callable[..., Any]] = {
-    **NUMBERS,
+    **ON_NUMBERS,
     **{f"{name}_": numbers.OPERATIONS[name] for name in PRECISE},
     **{name: numbers.OPERATIONS[name] for name in ("sin", "cos", "tan")},  # NaN beyond MOST_ANGLE
     "picked": numbers.picked,

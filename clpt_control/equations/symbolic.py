@@ -38,8 +38,7 @@ import sympy
 from .arrays import Unread, operand
 from .block import Block
 from .elements import Elements, Index
-from .record import OPERATIONS as ON_NUMBERS
-from .record import Operation, Ref, Shape, picked
+from .record import OPERATIONS, Operation, Ref, Shape, picked
 
 ROUNDED = Fraction(1, 2**50)  # of a number: what a few roundings change
 Leaf = Callable[[tuple[str, str], Shape, Index], Any]  # (group, name), its shape, a place -> symbol
@@ -69,7 +68,7 @@ UNEXPANDED = {
     },
     **{name: f"{name}_" for name in ("and", "or", "not")},
 }
-OPERATIONS: dict[str, Callable[..., Any]] = {
+SYMPY: dict[str, Callable[..., Any]] = {
     "add": lambda a, b: a + b,
     "sum": sympy.Add,
     "sub": lambda a, b: a - b,
@@ -124,14 +123,14 @@ class Symbols(Elements):
         """Return what SymPy makes of an operation."""
         self.watch(ref, kind, arguments)
         if kind in ("eq", "ne"):
-            same = OPERATIONS["and"](OPERATIONS["le"](*arguments), OPERATIONS["ge"](*arguments))
-            return same if kind == "eq" else OPERATIONS["not"](same)
+            same = SYMPY["and"](SYMPY["le"](*arguments), SYMPY["ge"](*arguments))
+            return same if kind == "eq" else SYMPY["not"](same)
         if kind == "minimum":  # np.clip(u, low, high) is minimum(maximum(u, low), high)
             for inner, high in (arguments, arguments[::-1]):
-                if getattr(inner, "func", None) == OPERATIONS["maximum"]:
+                if getattr(inner, "func", None) == SYMPY["maximum"]:
                     u, low = inner.args if inner.args[0].free_symbols else inner.args[::-1]
-                    return OPERATIONS["clip"](u, low, high)
-        return OPERATIONS[kind](*arguments)
+                    return SYMPY["clip"](u, low, high)
+        return SYMPY[kind](*arguments)
 
 
 def expressions(block: Block, role: str, leaf: Leaf) -> list[sympy.Expr]:
@@ -146,8 +145,8 @@ def _picked(place: Any, *row: Any) -> Any:
 
 
 # UNEXPANDED on numbers
-NUMBERS: dict[str, Callable[..., Any]] = {
-    **{own: ON_NUMBERS[name] for name, own in UNEXPANDED.items() if name not in ("clip", "pick")},
+ON_NUMBERS: dict[str, Callable[..., Any]] = {
+    **{own: OPERATIONS[name] for name, own in UNEXPANDED.items() if name not in ("clip", "pick")},
     "clip": lambda a, low, high: np.minimum(np.maximum(a, low), high),
     "pick": _picked,
 }

@@ -25,7 +25,7 @@ import sympy
 from sympy.core.function import AppliedUndef
 
 from ...diagrams.on_symbols import TIME
-from ...equations.symbolic import NUMBERS, SUM
+from ...equations.symbolic import ON_NUMBERS, SUM
 from .proof import short
 
 INSIDE = sympy.Function("inside", real=True)  # 1 where clip(s, a, b) is s, else 0
@@ -51,7 +51,7 @@ ODD: dict[Any, tuple] = {  # odd and rising: h -> the range of h(s)/s
     sympy.sinh: (1, sympy.oo),
 }
 
-NUMBERS_OF = {**NUMBERS, "inside": lambda u, low, high: (low < u) & (u < high)}
+NUMBERS_OF = {**ON_NUMBERS, "inside": lambda u, low, high: (low < u) & (u < high)}
 
 
 def decided(expression: sympy.Expr) -> sympy.Expr:
