@@ -25,7 +25,7 @@ from ..arguments import public
 from ..equations.arrays import Tape, Unread, operand
 from ..equations.declaration import Parameters, ports_of
 from ..equations.record import Shape
-from ..equations.symbolic import Symbols, exact
+from ..equations.symbolic import Symbols, rational
 from ..equations.system import System, is_linear
 from ..errors import DiagramError
 from .merged_record import merged_record
@@ -243,7 +243,7 @@ class Names:
         """Return the symbol of a parameter's element, which has the sign of its value."""
         number = float(value[index])
         if is_linear(node.system) or not np.isfinite(number):
-            return exact(number)
+            return rational(number)
         sign = "positive" if number > 0 else "negative" if number < 0 else "real"
         sign = "real" if own == "interval" else sign  # its own value, -1, says that it is counted
         name = element_name(self.port(node, own, "parameter"), value.shape, index)
@@ -255,7 +255,7 @@ class Numbers(Names):
 
     def parameter(self, node: Node, own: str, value: np.ndarray, index: tuple) -> sympy.Expr:
         """Return the number of a parameter's element."""
-        return exact(float(value[index]))
+        return rational(float(value[index]))
 
 
 class _Read:
@@ -303,7 +303,7 @@ class _Read:
         for index in np.ndindex(value.shape):
             found[index] = self.names.parameter(node, own, value, index)
             if isinstance(found[index], sympy.Symbol) and own != "interval":
-                self.made.values[found[index]] = exact(float(value[index]))
+                self.made.values[found[index]] = rational(float(value[index]))
         return found
 
     def given(self, port: str, shape: Shape, declared: Shape) -> Any:

@@ -25,7 +25,7 @@ from .arrays import (
     stacked,
     where,
 )
-from .ufuncs import accumulated, exact, matmul, reduced, rounded
+from .ufuncs import accumulated, check_doubles, matmul, reduced, rounded
 from .views import depends, into, of_numbers, on_objects, refuse, tape_of, tape_viewed
 
 IMPLEMENTED: dict[Any, Callable] = {}  # NumPy's: what writes them down
@@ -102,7 +102,7 @@ def norm(a: Any, ord: Any = None, axis: Any = None, keepdims: Any = False) -> An
 @implements(np.mean)
 def mean(a: Any, axis: Any = None, dtype: Any = None, **more: Any) -> Any:
     """Return the mean."""
-    exact(dtype)
+    check_doubles(dtype)
     total = np.sum(a, axis, **more)
     return total / (a.size // total.size)
 
@@ -110,7 +110,7 @@ def mean(a: Any, axis: Any = None, dtype: Any = None, **more: Any) -> Any:
 @implements(np.var)
 def variance(a: Any, axis: Any = None, dtype: Any = None, ddof: float = 0, **more: Any) -> Any:
     """Return the mean square of what differs from the mean."""
-    exact(dtype)
+    check_doubles(dtype)
     apart = a - mean(a, axis, keepdims=axis is not None)
     total = np.sum(apart * apart, axis, **more)
     return total / (a.size // total.size - ddof)
@@ -277,7 +277,7 @@ def implements_reduction(ufunc: Any, *functions: Any) -> None:
 
     def reduction(a: Any, axis: Any = None, *, dtype: Any = None, **more: Any) -> Any:
         if not is_truth(a):
-            exact(dtype)
+            check_doubles(dtype)
         return reduced(ufunc, a, axis, **more)
 
     implements(*functions)(reduction)
@@ -287,7 +287,7 @@ def implements_accumulation(ufunc: Any, function: Any) -> None:
     """Register the function of what a reduction gives on the way."""
 
     def accumulation(a: Any, axis: Any = None, dtype: Any = None) -> Any:
-        exact(dtype)
+        check_doubles(dtype)
         return accumulated(ufunc, a, axis)
 
     implements(function)(accumulation)
@@ -297,7 +297,7 @@ def alike(a: Array, value: float, dtype: Any = None, **named: Any) -> Any:
     """Return a number everywhere in an array of the shape and kind of another."""
     if a._is_condition and dtype is None:
         return refuse("an array like one of truth values")
-    exact(dtype)
+    check_doubles(dtype)
     return filled(a._tape, value, a.shape)
 
 

@@ -45,7 +45,7 @@ Leaf = Callable[[tuple[str, str], Shape, Index], Any]  # (group, name), its shap
 
 
 @lru_cache(maxsize=10_000)
-def exact(number: float) -> sympy.Expr:
+def rational(number: float) -> sympy.Expr:
     """Return a constant as a rational: 0.1 is 1/10, 0.333... is 1/3, 1 + 1e-12 is not 1.
 
     It is a simple fraction that a few roundings give, else the decimal number that is printed.
@@ -108,7 +108,7 @@ class Symbols(Elements):
 
     def number(self, value: float) -> Any:
         """Return a rational."""
-        return exact(value)
+        return rational(value)
 
     def leaf(self, at: tuple[str, str], shape: Shape, index: Index) -> Any:
         """Return the symbol of an element of a leaf."""

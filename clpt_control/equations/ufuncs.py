@@ -31,7 +31,7 @@ def apply_ufunc(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) ->
     if method == "__call__" and len(inputs) > ufunc.nin:
         *inputs, out = inputs
     condition = more.pop("where", True) if method == "__call__" else True
-    exact(more.pop("dtype", None))
+    check_doubles(more.pop("dtype", None))
     for unused in ("casting", "subok", "order"):
         more.pop(unused, None)
     result = _apply(tape, ufunc, method, inputs, more)
@@ -40,7 +40,7 @@ def apply_ufunc(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) ->
     return into(out, result)
 
 
-def exact(dtype: Any) -> None:
+def check_doubles(dtype: Any) -> None:
     """Refuse numbers other than NumPy's own doubles."""
     if dtype is not None and np.dtype(dtype) != float:
         refuse(f"numbers of {np.dtype(dtype)}")

@@ -18,8 +18,7 @@ from ..arguments import check_holds, numbers
 from ..diagrams.on_symbols import TIME, Equations, element_name, readable_equations
 from ..equations.arrays import Unread
 from ..equations.block import Block
-from ..equations.symbolic import exact as number_of
-from ..equations.symbolic import expressions
+from ..equations.symbolic import expressions, rational
 from ..errors import DiagramError
 from .proving.array_loop import no_value
 from .proving.proof import Step, exact, short
@@ -88,7 +87,7 @@ class SystemWithV:
             found = sympy.sympify(self.eq[source] if isinstance(source, str) else source)
         if not isinstance(found, sympy.Expr):
             raise DiagramError(f"{self.system.name}: {short(source, 60)} is no single number")
-        found = found.xreplace({q: number_of(float(q)) for q in found.atoms(sympy.Float)})
+        found = found.xreplace({q: rational(float(q)) for q in found.atoms(sympy.Float)})
         known = {s.name: s for s in (TIME, *self.states, *self.fixed)}
         known |= {str(f.func): f for f in self.inputs}
         for s in found.free_symbols - {TIME, *self.states, *self.fixed}:
@@ -110,9 +109,9 @@ class SystemWithV:
         for name, value in at.items():
             if not np.isfinite(float(value)):
                 raise DiagramError(f"at: {name} = {value}: must be finite")
-            turns = number_of(float(value) / pi)
+            turns = rational(float(value) / pi)
             found[names[name]] = (
-                number_of(float(value)) if turns.q > MOST_TURNS else turns * sympy.pi
+                rational(float(value)) if turns.q > MOST_TURNS else turns * sympy.pi
             )
         return found
 

@@ -6,7 +6,7 @@ import pytest
 import sympy
 
 import clpt_control as clpt
-from clpt_control.equations.symbolic import exact
+from clpt_control.equations.symbolic import rational
 
 
 def first_order(t, x, u, params):
@@ -104,8 +104,8 @@ CONSTANTS |= {2**0.5: "14142135623730951/10000000000000000", -100 / 7: "-100/7",
 
 @pytest.mark.parametrize("number", CONSTANTS)
 def test_a_constant_is_what_it_is_but_for_a_few_roundings(number):
-    assert str(exact(number)) == CONSTANTS[number]
-    assert float(exact(number)) == pytest.approx(number, rel=2**-50)
+    assert str(rational(number)) == CONSTANTS[number]
+    assert float(rational(number)) == pytest.approx(number, rel=2**-50)
 
 
 def test_discrete_time_has_next_states_and_no_derivative():
