@@ -42,8 +42,7 @@ class Copies:
 
     def __init__(self, tape: Tape) -> None:
         self.tape, self.snapshot = tape, Snapshot()
-        self._known: dict[int, Any] = {}
-        self._alive: list[Any] = []  # alive, so that places stay theirs
+        self._known: dict[int, tuple[Any, Any]] = {}  # a value, alive, and what stands for it
         self._spaces: dict[int, tuple[dict, dict]] = {}  # names of a module: copied, as they began
         self._cells: list[tuple[CellType, Any, str]] = []
 
@@ -52,10 +51,9 @@ class Copies:
         if isinstance(value, int | float | str):
             return value
         if id(value) not in self._known:
-            self._alive.append(value)
-            self._known[id(value)] = value  # of a value that holds itself
-            self._known[id(value)] = self._stand_in_of(value)
-        return self._known[id(value)]
+            self._known[id(value)] = value, value  # of a value that holds itself
+            self._known[id(value)] = value, self._stand_in_of(value)
+        return self._known[id(value)][1]
 
     def _stand_in_of(self, value: Any) -> Any:
         if isinstance(value, FunctionType):
@@ -100,7 +98,7 @@ class Copies:
         cells = tuple(CellType() for _ in function.__closure__ or ())
         copy = FunctionType(function.__code__, space, function.__name__, None, cells or None)
         copy.__module__, copy.__qualname__ = function.__module__, function.__qualname__
-        self._known[id(function)] = copy
+        self._known[id(function)] = function, copy
         attributes = {name: v for name, v in vars(function).items() if not name.startswith("__")}
         vars(copy).update({name: self.of(value) for name, value in attributes.items()})
         self._spaces[id(copy)] = vars(copy), dict(vars(copy))
