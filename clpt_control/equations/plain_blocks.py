@@ -22,6 +22,7 @@ from .sampled import Sampled
 
 KINDS = ("input", "output", "state")
 LARGEST = 10**7  # numbers of one value of a record
+MOST = 10**8  # of all values of a record together
 
 
 class Unrecorded(ClptError):
@@ -287,6 +288,8 @@ def check_record(
         if prod(shape) > LARGEST or not _fits(operation, shape, arguments, leaves):
             raise BlockError(f"line {k} of a record, {operation.kind!s:.20}, is none")
         shapes.append(shape)
+    if (count := sum(map(prod, shapes))) > MOST:
+        raise BlockError(f"a record has {count:.3g} numbers; at most {MOST:g} can be held")
     for outputs in (record.outputs, record.shapes):
         if len(outputs) != len(out):
             raise BlockError(f"a record has {len(outputs)} outputs; must have {len(out)}")

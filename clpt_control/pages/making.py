@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from .page import Page
 
 KNOWN = "give run.nc, the folder of an ensemble, or a replay's replay.nc or JSON"
+LARGEST = 2 * 10**7  # bytes of a replay's JSON: thousands of dives
 NEEDED = (  # variables of a run
     *("time", "position", "predicted_position", "clpe", "feedback_gain", "feedforward_gain"),
     "flow_parameters_estimate",
@@ -145,7 +146,7 @@ def read(path: Path) -> Any:
     """Return what lies there: a run or an ensemble as a Dataset, a replay as its JSON."""
     if os.path.isdir(path):  # noqa: PTH112 - never raises
         return _folder(path)
-    raw = read_bytes(path, NETCDF, KNOWN)
+    raw = read_bytes(path, NETCDF, KNOWN, LARGEST)
     if raw in NETCDF:
         return _netcdf(path)
     text = text_of(raw, path, f"is nothing that clpt writes; {KNOWN}")

@@ -208,7 +208,7 @@ def summary_in(data: "xarray.Dataset", name: str) -> Any:
     """Return what `with_summary` put into a dataset."""
     try:
         return json.loads(str(data[SUMMARY].values))
-    except (KeyError, ValueError):
+    except (KeyError, ValueError, RecursionError):
         raise DataError(
             f"{name}: is a replay's NetCDF without its summary; run `clpt replay --out` again, or "
             "give what `clpt replay --json` prints"

@@ -6,6 +6,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+import xarray
 from html_reader import Reader
 from synthetic_vehicle import fixes_of
 from typer.testing import CliRunner
@@ -334,6 +335,19 @@ def test_figures_have_the_formats_that_are_asked_for(run, tmp_path):
     assert ran.exit_code == 0
     names = sorted(path.name for path in (tmp_path / "f").iterdir())
     assert names == [f"figure{k}.svg" for k in (1, 2, 3, 4)]
+
+
+def test_a_replay_that_is_too_large_is_one_sentence(tmp_path):
+    (tmp_path / "replay.json").write_text("{" + " " * 2 * 10**7)
+    with pytest.raises(DataError, match=r"replay.json: is larger than 20 MB"):
+        clpt.report(tmp_path / "replay.json", tmp_path / "page.html")
+
+
+def test_a_replay_whose_summary_is_too_deep_is_one_sentence(tmp_path):
+    deep = xarray.Dataset({"summary": ((), "[" * 10**5), "clpe_adaptive": ("dive", [1.0])})
+    deep.to_netcdf(tmp_path / "replay.nc")
+    with pytest.raises(DataError, match=r"replay.nc: is a replay's NetCDF without its summary"):
+        clpt.report(tmp_path / "replay.nc", tmp_path / "page.html")
 
 
 def test_what_cannot_be_read_is_one_sentence(run, command, tmp_path):

@@ -414,6 +414,14 @@ def test_a_line_of_a_record_that_is_none_is_refused(line, at):
         diagram_of_text(json.dumps(plain))
 
 
+def test_a_record_that_no_memory_holds_is_refused():
+    plain = json.loads(equations_text(RUNS["samples"]())[0])
+    record = plain["diagram"]["blocks"][1]["records"]["output"]
+    record["operations"] += [["fill", [0.5], [5_000_000], None]] * 21
+    with pytest.raises(clpt.DataError, match=r"has 1.05e\+08 numbers; at most 1e\+08"):
+        diagram_of_text(json.dumps(plain))
+
+
 def test_damaged_numbers_of_a_run_are_one_sentence(tmp_path):
     run = RUNS["samples"]()
     clpt.save_run(run, tmp_path / "run.nc")
