@@ -18,7 +18,7 @@ from test_documentation import methods, rooms
 import clpt_control as clpt
 from clpt_control.arguments import Seed, fits, kinds_of, plain, public
 from clpt_control.blocks.clpe import clpe
-from clpt_control.simulation.report import run_and_report
+from clpt_control.simulation.summary import run_and_report
 
 SCENARIO = clpt.paper_scenario().with_values({"run.duration": 40})
 LAP = clpt.paper_scenario().with_values({"run.duration": 2000, "run.output_step": 20})

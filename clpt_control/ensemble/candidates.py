@@ -84,12 +84,12 @@ def candidate(scenario: Scenario, law: Law, held: bool, gain: float, pole: float
         values |= {"learning.feedback": car.feedback, "learning.feedforward": car.feedforward}
     used = gain * _gain(scenario, law) if law.alpha_by_gain or not held else None
     values["learning.gain"] = used
-    base, found = scenario.with_values(values), None
+    base, own_filter = scenario.with_values(values), None
     if "filter" in law.settings:
-        found = pole * float(law.block(base.known_to_law).parameters.filter)
+        own_filter = pole * float(law.block(base.known_to_law).parameters.filter)
         if pole != 1.0:
-            values[f"learning.{law.table}.filter"] = found
-    return Candidate(law.name, used, held, found, values)
+            values[f"learning.{law.table}.filter"] = own_filter
+    return Candidate(law.name, used, held, own_filter, values)
 
 
 def _gain(scenario: Scenario, law: Law) -> float:

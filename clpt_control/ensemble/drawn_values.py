@@ -36,7 +36,7 @@ import numpy as np
 from ..arguments import brief, public
 from ..errors import ScenarioError
 from ..html import shortened
-from .members import VariedSystem
+from .members import Variants
 
 FORMS = "KEY=LOW:HIGH, KEY~normal:DEVIATION or KEY=[VALUE, ...]"
 IN_A_DICT = "a list of values, a range '0.2:2.0', or a distribution, such as scipy.stats.norm(1, 2)"
@@ -164,9 +164,7 @@ def _of_item(key: str, given: Any) -> Vary:
     raise ScenarioError(f"vary: {key} = {brief(given)}: must be {IN_A_DICT}")
 
 
-def read_varies(
-    vary: str | Vary | Iterable[str | Vary] | Mapping[str, Any],
-) -> tuple[Vary, ...]:
+def read_varies(vary: str | Vary | Iterable[str | Vary] | Mapping[str, Any]) -> tuple[Vary, ...]:
     """Read what varies, in any of its forms."""
     if isinstance(vary, Mapping):
         several: Iterable[str | Vary] = [_of_item(key, value) for key, value in vary.items()]
@@ -178,7 +176,7 @@ def read_varies(
     return varies
 
 
-def check_varies(varied: VariedSystem, varies: Sequence[Vary]) -> None:
+def check_varies(varied: Variants, varies: Sequence[Vary]) -> None:
     """Refuse what cannot vary in a system."""
     values, keys = varied.values, [one.key for one in varies]
     for one in varies:
@@ -223,7 +221,7 @@ def grid_count(varies: Sequence[Vary]) -> int:
 
 
 def draw_members(
-    varied: VariedSystem, varies: Sequence[Vary], members: int, design: str = "lhs", seed: int = 0
+    varied: Variants, varies: Sequence[Vary], members: int, design: str = "lhs", seed: int = 0
 ) -> dict[str, np.ndarray]:
     """Draw the members' values: key -> array, shape (members,) + the key's shape."""
     if design not in DESIGNS:
@@ -305,9 +303,7 @@ def _values(one: Vary, base: np.ndarray, shares: np.ndarray) -> np.ndarray:
     return shares.reshape(len(shares), *base.shape)
 
 
-def check_members(
-    varied: VariedSystem, varies: Sequence[Vary], values: dict[str, np.ndarray]
-) -> None:
+def check_members(varied: Variants, varies: Sequence[Vary], values: dict[str, np.ndarray]) -> None:
     """Refuse members with values that are not allowed.
 
     What is allowed are intervals: where the least and the largest of all members
@@ -326,7 +322,7 @@ def check_members(
             raise ScenarioError(f"member {first}: {sentence}; narrow {one.text}") from None
 
 
-def _refused(varied: VariedSystem, key: str, values: np.ndarray, last: int) -> bool:
+def _refused(varied: Variants, key: str, values: np.ndarray, last: int) -> bool:
     """Return whether a member up to the last is refused."""
     try:
         for extreme in (np.min, np.max):

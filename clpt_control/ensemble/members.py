@@ -5,7 +5,7 @@ initial state, and fill whole columns for all members.  Members are made one by 
 which others are computed (frequencies from periods), of those that move breakpoints, and of inputs.
 What cannot be compiled runs in Python, one member after the other; so does discrete time.
 
-A thread and a far machine run and summarise members in the same way; a `VariedSystem` travels
+A thread and a far machine run and summarise members in the same way; a system's `Variants` travels
 pickled.
 """
 
@@ -38,7 +38,7 @@ Values = Mapping[str, np.ndarray]  # what varies, each with a row for each membe
 Member = tuple[Sequence[Any], np.ndarray, Any]  # parameters of all blocks, start, inputs
 
 
-class VariedSystem(Protocol):
+class Variants(Protocol):
     """A system that is run many times: what may vary in it, how it runs, and its summaries."""
 
     name: str
@@ -119,11 +119,7 @@ class Ensemble:
     """
 
     def __init__(
-        self,
-        varied: VariedSystem,
-        keys: Iterable[str],
-        engine: str | None = None,
-        lanes: bool = True,
+        self, varied: Variants, keys: Iterable[str], engine: str | None = None, lanes: bool = True
     ):
         self.varied, self.places = varied, {key: varied.place(key) for key in keys}
         self.native = self._runner(engine)  # machine code, or Python
@@ -183,9 +179,8 @@ class Ensemble:
         members.schedules.append(self._schedule(self.native, varied.inputs))
         known = dict[tuple, int]()
         for m in range(count if self.one_by_one else 0):
-            parameters, x0[m], inputs = varied.member(
-                {key: values[key][m] for key in self.one_by_one}
-            )
+            own = {key: values[key][m] for key in self.one_by_one}
+            parameters, x0[m], inputs = varied.member(own)
             one = self.native.with_parameters(parameters)
             P[m] = one.parameters()
             pieces = self._schedule(one, inputs)
@@ -298,7 +293,7 @@ class Ensemble:
         return runner, (start, self.varied.state_times), {"inputs": inputs, **options}
 
 
-def checked_ensemble(varied: VariedSystem, values: Values) -> Ensemble:
+def checked_ensemble(varied: Variants, values: Values) -> Ensemble:
     """Return an ensemble; in Python where machine code runs some of its members otherwise."""
     ensemble, count = Ensemble(varied, values), len(next(iter(values.values())))
     known = all(node.system.of_package for node in varied.wiring.nodes)

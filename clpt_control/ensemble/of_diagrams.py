@@ -36,7 +36,7 @@ from ..simulation.integrate import as_diagram
 from ..simulation.running import labels_of, signal_units
 from .drawn_values import Vary, unknown_name
 from .members import Ensemble, Member, Members, States, Values
-from .summaries import StoredArrays, ends_of
+from .summaries import Arrays, ends_of
 
 RESULT = "time", "member", "status", "end"  # names of a result, beside those of ports
 SUMMARIES = {"final": "at the end", "rms": "root mean square", "max": "largest magnitude"}
@@ -242,12 +242,12 @@ class VariedDiagram:
             ports, {}, taken, {port: units[own[0]] for port, own in ports.items()}
         )
 
-    def arrays(self, values: Values) -> StoredArrays:
+    def arrays(self, values: Values) -> Arrays:
         """Return all arrays of the store, for the values of all members."""
         ports, axes = self.variables
         sizes = {dim: len(numbers) for dim, (numbers, _) in axes.items()}
         sizes["time"] = len(self.state_times)
-        arrays = StoredArrays(len(next(iter(values.values()))), sizes)
+        arrays = Arrays(len(next(iter(values.values()))), sizes)
         for port, one in ports.items():
             for what, words in SUMMARIES.items():
                 arrays.add(f"{port}_{what}", one.dims[1:], f"{port}, {words}", **one.attributes)

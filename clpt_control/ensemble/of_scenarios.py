@@ -23,15 +23,8 @@ from ..scenario.tables import Table
 from ..simulation.loops import changed_blocks
 from ..simulation.starts import state_columns, state_of
 from .drawn_values import unknown_name
-from .members import Ensemble, Member, Members, States, Values
-from .summaries import (
-    StoredArrays,
-    arrays_of,
-    marks_of,
-    sample_times_of,
-    samples_per_cycle,
-    summarise_members,
-)
+from .members import Member, Values
+from .summaries import arrays_of, marks_of, sample_times_of, samples_per_cycle, summarise
 
 
 class VariedScenario:
@@ -163,15 +156,8 @@ class VariedScenario:
 
     # --- its summaries --------------------------------------------------------------------
 
-    def arrays(self, values: Values) -> StoredArrays:
-        """Return all arrays of the store, for the values of all members."""
-        return arrays_of(self, values)
-
-    def summarise(
-        self, ensemble: Ensemble, members: Members, values: Values, run: States
-    ) -> dict[str, np.ndarray]:
-        """Return the summaries of members."""
-        return summarise_members(self, ensemble, members, values, run)
+    arrays = arrays_of
+    summarise = summarise
 
 
 def variable_values(scenario: Scenario) -> dict[str, np.ndarray]:

@@ -56,7 +56,7 @@ from .store import (
     remove_empty,
     software,
 )
-from .summaries import STATUS, StoredArrays
+from .summaries import STATUS, Arrays
 
 if TYPE_CHECKING:
     import xarray
@@ -379,7 +379,7 @@ def run_chunk(index: int, recipe: bytes, code: str, path: str) -> None:
 # --- before it runs -------------------------------------------------------------------------------
 
 
-def _chunk(chunk: int | None, arrays: StoredArrays) -> int:
+def _chunk(chunk: int | None, arrays: Arrays) -> int:
     """Return how many members are written at once."""
     if chunk is None:
         each = sum(8 * int(np.prod(v.shape[1:])) for v in arrays.values() if "time" in v.dims)
@@ -390,11 +390,18 @@ def _chunk(chunk: int | None, arrays: StoredArrays) -> int:
 
 
 def _store(
-    path: Path | None, ensemble: Ensemble, arguments: dict[str, Any], arrays: StoredArrays
+    path: Path | None, ensemble: Ensemble, arguments: dict[str, Any], arrays: Arrays
 ) -> Store:
     """Make the store, or open one that holds a part of the same ensemble."""
     if path is None or not path.exists() or (path.is_dir() and not any(path.iterdir())):
-        attrs = {**_attributes(ensemble.varied.title, arguments), CODE: ensemble.code}
+        attrs = {
+            "Conventions": "CF-1.11",
+            "title": ensemble.varied.title,
+            "source": f"clpt-control {version('clpt-control')}",
+            "software": software(),
+            **{name: arguments[name] for name in REPEATED if name in arguments},
+            CODE: ensemble.code,
+        }
         return create_store(path, arguments, arrays, attrs)
     store = open_store(path)
     check_same(store, arguments)
@@ -405,13 +412,3 @@ def _store(
             ", whose numbers may differ in the last bit; give another --out"
         )
     return store
-
-
-def _attributes(title: str, arguments: dict[str, Any]) -> dict[str, Any]:
-    return {
-        "Conventions": "CF-1.11",
-        "title": title,
-        "source": f"clpt-control {version('clpt-control')}",
-        "software": software(),
-        **{name: arguments[name] for name in REPEATED if name in arguments},
-    }

@@ -121,6 +121,12 @@ def refuse_diagram(function: str, data: "xarray.Dataset") -> None:
         )
 
 
+def unit_of(values: "xarray.DataArray") -> str:
+    """Return CF units as a reader writes them: m s-1 as m/s."""
+    length, _, per = values.attrs.get("units", "").rpartition(" ")
+    return f"{length or '1'}/{per.removesuffix('-1')}" if per.endswith("-1") else per
+
+
 def _listed(column: np.ndarray) -> list[float] | None:
     return column.tolist() if np.isfinite(column).all() else None
 
@@ -184,9 +190,7 @@ def ensemble_plot(data: "xarray.Dataset", *, ax: Any = None) -> np.ndarray:
     bottom.set_title(f"Largest error of a {what}", loc="left", fontsize=10)
     bottom.set(
         xlabel=f"time ({data['mark'].attrs['units']})",
-        ylabel=f"error ({data[name].attrs['units'].replace(' ', '/').replace('-1', '')})"
-        if name == "flow_parameter_error"
-        else f"error (1/{data['mark'].attrs['units']})",
+        ylabel=f"error ({unit_of(data[name])})",
         xlim=(time[0], time[-1]) if len(time) > 1 else None,
     )
     if np.nanmin(bands, initial=1.0) > 0:

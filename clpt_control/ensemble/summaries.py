@@ -23,7 +23,7 @@ from ..scenario.quantities import QUANTITIES
 from ..simulation.dataset import VARIABLES
 from ..simulation.flows import SpeedTimer
 from ..simulation.integrate import sample_times
-from ..simulation.report import SAMPLES_PER_CYCLE, nearest
+from ..simulation.summary import SAMPLES_PER_CYCLE, nearest
 from .members import Ensemble, Members, States, Values
 
 FEWEST = 20  # samples a cycle
@@ -108,7 +108,7 @@ class StoredArray(NamedTuple):
     values: np.ndarray | None = None
 
 
-class StoredArrays(dict[str, StoredArray]):
+class Arrays(dict[str, StoredArray]):
     """The arrays of a store by name: the summaries of members, and fixed ones."""
 
     def __init__(self, members: int, sizes: Mapping[str, int]):
@@ -151,13 +151,13 @@ def ends_of(run: States, times: np.ndarray) -> dict[str, np.ndarray]:
 # --- of a scenario: `varied` is a `VariedScenario` -----------------------------------------------
 
 
-def arrays_of(varied: Any, values: Values) -> StoredArrays:
+def arrays_of(varied: Any, values: Values) -> Arrays:
     """Return all arrays of an ensemble: summaries, the members' values, and coordinates."""
     scenario, times = varied.scenario, varied.times
     length, time = scenario.units.length, scenario.units.time
     rate, N, cycles = f"{time}-1", scenario.basis.N, len(times.starts) - 1
     sizes = {"cycle": cycles, "mark": len(times.marks), "axis": 2, "basis": N}
-    arrays = StoredArrays(len(next(iter(values.values()))), sizes | {"time": len(times.own)})
+    arrays = Arrays(len(next(iter(values.values()))), sizes | {"time": len(times.own)})
 
     def add(name: str, dims: str, long_name: str, units: str) -> None:
         arrays.add(name, dims.split(), long_name, units=units)
@@ -204,7 +204,7 @@ def followed(varied: Any) -> list[str]:
     return [name for name in TRAJECTORIES if varied.trajectories and name not in absent]
 
 
-def summarise_members(
+def summarise(
     varied: Any, ensemble: Ensemble, members: Members, values: Values, run: States
 ) -> dict[str, np.ndarray]:
     """Return the summaries of members; NaN after the end of one that failed."""

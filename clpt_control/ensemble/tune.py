@@ -165,13 +165,13 @@ def tune_law(
     learning, own = scenario.learning, None
     with suppress(ClptError):
         if not learning.row.given_estimate:
-            told = f"{learning.law}, {OWN}", learning.used_gains.parameters
-            as_it_is = Candidate(*told, not learning.adapt_gains, None, {})
+            name_and_gain = f"{learning.law}, {OWN}", learning.used_gains.parameters
+            as_it_is = Candidate(*name_and_gain, not learning.adapt_gains, None, {})
             own = score_of(unknown, as_it_is, members, seed)
     report(1.0)
     chosen, enough = best[0], NEAR * min(one.score for one in best)
     failed = sorted((one for one in scores if one.failed), key=lambda one: one.candidate.text)
-    found: dict[str, Any] = {
+    summary: dict[str, Any] = {
         "title": scenario.title,
         "units": scenario.units.model_dump(),
         "members": members,
@@ -180,15 +180,15 @@ def tune_law(
         "belief": belief(scenario).tolist(),
         "unmodelled": unknown.unmodelled,
         "noise": unknown.noise,
-        **seen(unknown.scenario),
-        "chosen": listed(chosen),
+        **excitation_of_track(unknown.scenario),
+        "chosen": as_json(chosen),
         "as_good": sum(one.score <= enough for one in best),
-        "own": None if own is None else listed(own),
-        "candidates": [listed(one) for one in (*best, *failed)],
+        "own": None if own is None else as_json(own),
+        "candidates": [as_json(one) for one in (*best, *failed)],
         "skipped": skipped,
     }
-    found["because"] = because(found, chosen.candidate.text)
-    return Tuned(scenario.with_values(chosen.candidate.values), found)
+    summary["because"] = because(summary, chosen.candidate.text)
+    return Tuned(scenario.with_values(chosen.candidate.values), summary)
 
 
 def ranked(scores: list[Score]) -> list[Score]:
@@ -251,7 +251,7 @@ def _below(times: np.ndarray, values: np.ndarray, level: float) -> float:
 # --- why a law was chosen -------------------------------------------------------------------------
 
 
-def seen(scenario: Scenario) -> dict[str, Any]:
+def excitation_of_track(scenario: Scenario) -> dict[str, Any]:
     """Return the smallest eigenvalue over the second cycle, in the scenario's flow."""
     end = scenario.run.duration
     window = min(scenario.cycle, end)
@@ -260,12 +260,12 @@ def seen(scenario: Scenario) -> dict[str, Any]:
     return {"window": window, "start": start, "smallest_eigenvalue": float(least.min())}
 
 
-def listed(one: Score) -> dict[str, Any]:
+def as_json(one: Score) -> dict[str, Any]:
     """Return a score ready for JSON; None for what is infinite."""
-    told = one.candidate._asdict() | one._asdict()
+    values = one.candidate._asdict() | one._asdict()
     return {
         key: None if isinstance(value, float) and not np.isfinite(value) else value
-        for key, value in told.items()
+        for key, value in values.items()
         if key not in ("values", "candidate")
     }
 

@@ -1,4 +1,4 @@
-"""The house style of figures, and whose axes a plot draws on.
+"""The house style of figures, and the axes on which a plot draws.
 
 Colours are those of Okabe and Ito, told apart by the colour-blind; line styles tell them
 apart in black and white.  A function `*_plot` draws on the axes that it is given, or on those
@@ -61,7 +61,7 @@ DROPPED = {"font-family", "stroke-miterlimit", "white-space"}
 ROOT = {"stroke-linejoin": "round", "stroke-linecap": "butt", "fill": "currentColor"}
 
 _for_a_file: ContextVar[bool] = ContextVar("for_a_file", default=False)
-_unseen: list[Any] = []  # the last figure of pyplot's where no backend shows it
+_not_displayed: list[Any] = []  # the last figure of pyplot's where no backend shows it
 
 
 def new_figure(width: float = 6.4, height: float = 4.2, **subplots: Any) -> "tuple[Figure, Any]":
@@ -90,37 +90,37 @@ def axes_for(ax: Any, width: float, height: float, mosaic: Any = None, **subplot
     Given ones may come in any shape, and are refused where they are too few or too many.
     """
     if ax is None:
-        figure = _bare(width, height) if _for_a_file.get() else _shown(width, height)
+        figure = _bare(width, height) if _for_a_file.get() else _displayed(width, height)
         if mosaic is not None:
             return styled(np.array(list(figure.subplot_mosaic(mosaic).values())))
         return styled(figure.subplots(**subplots))
     shape = tuple(n for n in (subplots.get("nrows", 1), subplots.get("ncols", 1)) if n > 1)
     if mosaic is not None:
         shape = (len({name for row in mosaic for name in row}),)
-    return _given(ax, shape)
+    return _checked_axes(ax, shape)
 
 
-def _given(ax: Any, shape: tuple[int, ...]) -> Any:
-    """Return the axes that were given in a shape, or say what is wrong with them."""
+def _checked_axes(ax: Any, shape: tuple[int, ...]) -> Any:
+    """Return given axes in a shape; refuse what is none, and another number of them."""
     from matplotlib.axes import Axes
 
-    given = np.empty(1, dtype=object)
-    given[0] = ax
+    several = np.empty(1, dtype=object)
+    several[0] = ax
     if isinstance(ax, list | tuple | np.ndarray):
-        given = np.ravel(np.asarray(ax, dtype=object))
+        several = np.ravel(np.asarray(ax, dtype=object))
     count = int(np.prod(shape))
-    for one in given:
+    for one in several:
         if not isinstance(one, Axes):
             raise ArgumentError(
                 f"ax = {brief(one)}: must be matplotlib Axes, as pyplot.subplots makes"
             )
-    if len(given) != count:
+    if len(several) != count:
         size = ", ".join(map(str, shape)) or "1"
         raise ClptError(
-            f"ax: has {len(given)} Axes; this plot draws on {count}, as pyplot.subplots({size}) "
+            f"ax: has {len(several)} Axes; this plot draws on {count}, as pyplot.subplots({size}) "
             "makes"
         )
-    return given.reshape(shape) if shape else given[0]
+    return several.reshape(shape) if shape else several[0]
 
 
 def _bare(width: float, height: float) -> "Figure":
@@ -129,7 +129,7 @@ def _bare(width: float, height: float) -> "Figure":
     return Figure(figsize=(width, height), dpi=150, layout="constrained")
 
 
-def _shown(width: float, height: float) -> "Figure":
+def _displayed(width: float, height: float) -> "Figure":
     """Return a new figure of pyplot's, or one alone where pyplot's backend cannot start.
 
     Where no backend shows figures, pyplot holds the last one that was drawn and no more.
@@ -140,8 +140,8 @@ def _shown(width: float, height: float) -> "Figure":
     try:
         from matplotlib import pyplot
 
-        while _unseen:
-            pyplot.close(_unseen.pop())
+        while _not_displayed:
+            pyplot.close(_not_displayed.pop())
         most = matplotlib.rcParams["figure.max_open_warning"]
         matplotlib.rcParams["figure.max_open_warning"] = 0
         try:  # no rc_context, as a notebook's backend sets parameters when it begins
@@ -152,18 +152,18 @@ def _shown(width: float, height: float) -> "Figure":
         return _bare(width, height)
     unseen = backend_registry.list_builtin(BackendFilter.NON_INTERACTIVE)
     if matplotlib.get_backend().lower() in unseen:
-        _unseen.append(figure)
+        _not_displayed.append(figure)
     return figure
 
 
-def figure_of(plot: Callable[..., Any], *given: Any, **keywords: Any) -> "Figure":
+def figure_of(plot: Callable[..., Any], *arguments: Any, **keywords: Any) -> "Figure":
     """Return the figure that a plot draws, unknown to pyplot: for a file or a page."""
     token = _for_a_file.set(True)
     try:
-        drawn = plot(*given, **keywords)
+        axes = plot(*arguments, **keywords)
     finally:
         _for_a_file.reset(token)
-    figure: Figure = np.ravel(np.asarray(drawn, dtype=object))[0].figure
+    figure: Figure = np.ravel(np.asarray(axes, dtype=object))[0].figure
     return figure
 
 
@@ -204,41 +204,41 @@ def save_figure(figure: "Figure", target: Path | IO[bytes], kind: str, **options
 # --- inside a page -------------------------------------------------------------------------------
 
 
-def inline_svg(figure: "Figure", name: str, said: str) -> str:
-    """Return a figure as an element of a page; `name` is its own, `said` is read aloud."""
-    made = BytesIO()
-    save_figure(figure, made, "svg", transparent=True)
-    root = ElementTree.fromstring(plain(made.getvalue().decode()))
+def inline_svg(figure: "Figure", name: str, words: str) -> str:
+    """Return a figure as an element of a page; a screen reader reads the `words`."""
+    content = BytesIO()
+    save_figure(figure, content, "svg", transparent=True)
+    root = ElementTree.fromstring(plain(content.getvalue().decode()))
     for parent in root.iter():
         for child in list(parent):
             if child.tag.rpartition("}")[2] in ("metadata", "style"):
                 parent.remove(child)
-    wanted = _references(root)
+    referenced = _references(root)
     for element in root.iter():
         element.tag = element.tag.rpartition("}")[2]
         _restyle(element)
-        _rename(element, name, wanted)
+        _rename(element, name, referenced)
     box = root.attrib["viewBox"]
     width, height = (f"{ENLARGED * float(size):.0f}" for size in box.split()[2:])
     root.attrib.clear()
     if float(width) > HUGE:
         root.set("class", "huge")
     root.attrib.update({"viewBox": box, "width": width, "height": height, **ROOT})
-    root[:] = list(_drawn(root))
+    root[:] = list(_without_groups(root))
     text = ElementTree.tostring(root, "unicode", short_empty_elements=True)
     text = re.sub(r">\s+<", "><", text)
-    return text.replace("<svg", f'<svg role="img" aria-label="{safe(said)}"', 1)
+    return text.replace("<svg", f'<svg role="img" aria-label="{safe(words)}"', 1)
 
 
 def _references(root: ElementTree.Element) -> set[str]:
     """Return the identifiers that something in a figure refers to."""
-    found = set()
+    names = set()
     for element in root.iter():
         for key, value in element.attrib.items():
             if key == f"{XLINK}href":
-                found.add(value[1:])
-            found.update(REFERENCE.findall(value))
-    return found
+                names.add(value[1:])
+            names.update(REFERENCE.findall(value))
+    return names
 
 
 def _restyle(element: ElementTree.Element) -> None:
@@ -267,12 +267,12 @@ def _rename(element: ElementTree.Element, name: str, wanted: set[str]) -> None:
         element.set(key, REFERENCE.sub(rf"url(#{name}-\1)", value))
 
 
-def _drawn(element: ElementTree.Element) -> Iterator[ElementTree.Element]:
-    """Yield what is in an element, without groups that say nothing."""
+def _without_groups(element: ElementTree.Element) -> Iterator[ElementTree.Element]:
+    """Yield the elements within an element, without groups that have no attributes."""
     for child in element:
-        kept = list(_drawn(child))
+        inner = list(_without_groups(child))
         if child.tag == "g" and not child.attrib:
-            yield from kept
-        elif child.tag != "defs" or kept:
-            child[:] = kept
+            yield from inner
+        elif child.tag != "defs" or inner:
+            child[:] = inner
             yield child

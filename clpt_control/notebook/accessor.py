@@ -1,9 +1,9 @@
-"""`dataset.clpt`: what clpt does with a run, an ensemble or a replay of its own.
+"""`dataset.clpt`: what clpt does with its own runs, ensembles and replays.
 
-Each of them says by its attributes what it is.  Nothing is imported before it is used.
+Their attributes tell which of them a dataset is.
 
-A run is a wide table, too: one column a signal, units in its header; as CSV and for MATLAB, which
-gets a matrix for each port, whose columns are its signals.  Nothing of pandas is needed.
+A run is a wide table too, one column a signal, units in its header.  It is written as CSV, or for
+MATLAB with a matrix for each port, whose columns are its signals.  It does not need pandas.
 """
 
 import csv
@@ -22,7 +22,7 @@ from ..errors import DataError
 from ..files import beside, check_writable, write_file
 from ..html import facts, fragment
 from ..scenario.file import CHANGED, OWN_LAW, OWN_PARTS
-from ..simulation.plots import STATES, named, signals_of
+from ..simulation.plots import named, ports_along, signals_of
 
 if TYPE_CHECKING:
     import xarray
@@ -83,16 +83,16 @@ class SignalTable:
     """
 
     def __init__(self, run: "xarray.Dataset"):
-        ports = [one for n, one in run.data_vars.items() if "time" in one.dims and n != STATES]
+        ports = [run[name] for name in ports_along(run)]
         if "time" not in run.dims or not ports:
             raise DataError("the dataset has no signal along time, of which a table could be made")
         self._title = str(run.attrs.get("title", ""))
         self._ports = [(run.time, {"time": run.time.values})]
         self._ports += [(one, signals_of(one)) for one in ports]
         self.columns = [
-            named(name, one.attrs.get("units")) for one, own in self._ports for name in own
+            named(name, one.attrs.get("units")) for one, signals in self._ports for name in signals
         ]
-        self.values = np.column_stack([v for _, own in self._ports for v in own.values()])
+        self.values = np.column_stack([v for _, signals in self._ports for v in signals.values()])
 
     def __repr__(self) -> str:
         times, count = self.values.shape
@@ -119,15 +119,15 @@ class SignalTable:
         """
         from scipy.io import savemat
 
-        found: dict[str, Any] = {"title": self._title, "units": {}, "signals": {}}
-        for port, own in self._ports:
-            name = _valid(str(port.name), found)
-            found[name] = np.column_stack([*own.values()])
-            found["units"][name] = str(port.attrs.get("units", ""))
-            found["signals"][name] = np.array([*own], dtype=object)
+        arrays: dict[str, Any] = {"title": self._title, "units": {}, "signals": {}}
+        for port, signals in self._ports:
+            name = _valid(str(port.name), arrays)
+            arrays[name] = np.column_stack([*signals.values()])
+            arrays["units"][name] = str(port.attrs.get("units", ""))
+            arrays["signals"][name] = np.array([*signals], dtype=object)
         check_writable(path)
         with beside(path) as made:
-            savemat(made, found, appendmat=False, long_field_names=True)
+            savemat(made, arrays, appendmat=False, long_field_names=True)
 
     def write(self, path: str | Path) -> None:
         """Write the table as the ending of the file says, ``.csv`` or ``.mat``."""
@@ -141,13 +141,13 @@ def _valid(name: str, taken: Any) -> str:
     >>> _valid("K", []), _valid("2nd flow", []), _valid("end", []), _valid("e", ["e", "e_2"])
     ('K', 'x_2nd_flow', 'x_end', 'e_3')
     """
-    found = re.sub(r"[^A-Za-z0-9_]", "_", name)
-    found = found if found[:1].isalpha() and found not in WORDS else f"x_{found}"
-    first, k = found[:LONGEST], 2
-    found = first
-    while found in taken:
-        found, k = f"{first[: LONGEST - len(str(k)) - 1]}_{k}", k + 1
-    return found
+    word = re.sub(r"[^A-Za-z0-9_]", "_", name)
+    word = word if word[:1].isalpha() and word not in WORDS else f"x_{word}"
+    first, k = word[:LONGEST], 2
+    word = first
+    while word in taken:
+        word, k = f"{first[: LONGEST - len(str(k)) - 1]}_{k}", k + 1
+    return word
 
 
 # --- what a dataset has ---------------------------------------------------------------------------
@@ -191,11 +191,11 @@ class ClptAccessor:
         from ..diagrams.linearization import linearize, minimal_of, state_space
 
         at, attributes = self.state_at(t), self._data.attrs
-        own = [attributes[name] for name in (CHANGED, OWN_LAW, OWN_PARTS) if name in attributes]
-        if self.kind != "run" or own:
+        beyond = [attributes[name] for name in (CHANGED, OWN_LAW, OWN_PARTS) if name in attributes]
+        if self.kind != "run" or beyond:
             raise DataError(
-                f"a {self.kind}{f' with {own[0]}' if own else ''} does not hold its diagram; give "
-                "it, and the state of `run.clpt.state_at`, to clpt.linearize"
+                f"a {self.kind}{f' with {beyond[0]}' if beyond else ''} does not hold its diagram; "
+                "give it, and the state of `run.clpt.state_at`, to clpt.linearize"
             )
         scenario: Any = self.scenario
         whole = simulation.closed_loop(scenario)
@@ -203,20 +203,20 @@ class ClptAccessor:
         states = dict(zip(whole.state_labels, at, strict=True))
         signals = dict(zip(whole.output_labels, whole.output(t, at, []), strict=True))
         x = [states[label] for label in system.state_labels]
-        made = linearize(system, x, [signals[label] for label in system.input_labels], t)
+        linear = linearize(system, x, [signals[label] for label in system.input_labels], t)
         if output is not None:
             ports = ports_of(system.output_labels)
             check_holds("output", ports, [output], f"it has {', '.join(ports)}")
             rows = ports[output]
-            made = state_space(
-                *(made.A, made.B, made.C[rows], made.D[rows]),
+            linear = state_space(
+                *(linear.A, linear.B, linear.C[rows], linear.D[rows]),
                 0,
                 states=system.state_labels or None,
                 inputs=system.input_labels,
                 outputs=[system.output_labels[k] for k in rows],
-                name=made.name,
+                name=linear.name,
             )
-        return minimal_of(made) if minimal else made
+        return minimal_of(linear) if minimal else linear
 
     def animate(self, path: Any = None, **options: Any) -> Any:
         """Make a film of a run, as `clpt_control.animate`."""
@@ -229,24 +229,25 @@ class ClptAccessor:
     @public
     def table(self, path: str | PathLike[str] | None = None) -> SignalTable:
         """Return a run as a table, one column a signal; with a path it is written, .csv or .mat."""
-        found = SignalTable(self._data)
+        table = SignalTable(self._data)
         if path is not None:
-            found.write(Path(path))
-        return found
+            table.write(Path(path))
+        return table
 
     def __repr__(self) -> str:
-        return f"<clpt of a dataset: {_said(self._data)}>"
+        return f"<clpt of a dataset: {_what(self._data)}>"
 
     def _repr_html_(self) -> str:
-        return fragment("clpt", _said(self._data), facts([("can", ", ".join(_can(self._data)))]))
+        methods = facts([("can", ", ".join(_methods(self._data)))])
+        return fragment("clpt", _what(self._data), methods)
 
 
-def _said(data: "xarray.Dataset") -> str:
+def _what(data: "xarray.Dataset") -> str:
     kind = _kind(data)
     return f"{kind} {data.attrs.get('title', '')}".strip() if kind else "none of clpt's"
 
 
-def _can(data: "xarray.Dataset") -> list[str]:
+def _methods(data: "xarray.Dataset") -> list[str]:
     if not (kind := _kind(data)):
         return ["nothing"]
     if kind == "ensemble" and "scenario" not in data.attrs:
@@ -268,24 +269,24 @@ class Plots:
     def __init__(self, data: "xarray.Dataset"):
         self._data = data
 
-    def __call__(self, *, ax: Any = None, **told: Any) -> Any:
+    def __call__(self, *, ax: Any = None, **options: Any) -> Any:
         """Draw a run's track, CLPE and learning; a team; a diagram's ports; percentiles; dives."""
         kind = KINDS[kind_of(self._data)]
-        return getattr(kind.room, kind.whole)(self._data, ax=ax, **told)
+        return getattr(kind.room, kind.whole)(self._data, ax=ax, **options)
 
-    def track(self, *, ax: Any = None, **told: Any) -> Any:
+    def track(self, *, ax: Any = None, **options: Any) -> Any:
         """Draw a run's waypoints, track and flow."""
-        return simulation.track_plot(self._data, ax=ax, **told)
+        return simulation.track_plot(self._data, ax=ax, **options)
 
-    def clpe(self, *, ax: Any = None, **told: Any) -> Any:
+    def clpe(self, *, ax: Any = None, **options: Any) -> Any:
         """Draw the CLPE of a run, or of a replay's dives."""
         if kind_of(self._data) == "replay":
             return replay.dive_clpe_plot(self._data, ax=ax)
-        return simulation.clpe_plot(self._data, ax=ax, **told)
+        return simulation.clpe_plot(self._data, ax=ax, **options)
 
-    def learning(self, axis: int = 1, *, ax: Any = None, **told: Any) -> Any:
+    def learning(self, axis: int = 1, *, ax: Any = None, **options: Any) -> Any:
         """Draw a run's flow parameters and gains of one axis."""
-        return simulation.learning_plot(self._data, axis, ax=ax, **told)
+        return simulation.learning_plot(self._data, axis, ax=ax, **options)
 
     def excitation(
         self, window: float | None = None, start: float | None = None, *, ax: Any = None

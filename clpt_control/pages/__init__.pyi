@@ -1,3 +1,3 @@
-from .making import report
+from .writing import report
 
 __all__ = ["report"]

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..ensemble.drawn_values import Vary, read_vary
-from ..ensemble.spread import ensemble_plot, ensemble_summary
+from ..ensemble.spread import ensemble_plot, ensemble_summary, unit_of
 from ..html import Result, folded, listing
 from .page import Card, Page, Section, again_section, drawn
 from .results import number
@@ -22,7 +22,7 @@ MOST_ROUNDS = 12
 
 def ensemble_page(data: "xarray.Dataset", title: str | None = None) -> Page:
     """Return the page of an ensemble, whole or begun."""
-    made = json.loads(data.attrs["ensemble"])
+    request = json.loads(data.attrs["ensemble"])
     summary = ensemble_summary(data)
     members, status = summary["members"], data["status"].values
     done, finished = int(np.sum(status != 0)), int(np.sum(status == 1))
@@ -36,30 +36,30 @@ def ensemble_page(data: "xarray.Dataset", title: str | None = None) -> Page:
         warnings.append(
             f"{done - finished} of {done} runs did not come to their end; what they reached counts."
         )
-    sections = [_spread(data, summary, done), _varied(data, made), *_failed(data, made, status)]
-    text = str(made["scenario"])
-    sections += [
-        Section(
-            "scenario", "Scenario", more=folded("The scenario that varied, TOML", listing(text))
-        ),
-        _again(data, made),
+    text = folded("The scenario that varied, TOML", listing(str(request["scenario"])))
+    sections = [
+        _spread(data, summary, done),
+        _varied(data, request),
+        *_failed(data, request, status),
+        Section("scenario", "Scenario", more=text),
+        _again(data, request),
     ]
     return Page(
         "Ensemble",
         title or str(data.attrs.get("title") or "An ensemble without a title"),
-        [_asked(made), *_found(data, summary, done)],
+        [_asked(request), *_found(data, summary, done)],
         warnings,
         _cards(data, summary, done, finished),
         sections,
     )
 
 
-def _asked(made: dict[str, Any]) -> str:
-    ways = [_varies(read_vary(one)) for one in made["vary"]]
-    shown = "; ".join(ways) if len(ways) <= MOST_KEYS else f"{len(ways)} keys of the scenario vary"
+def _asked(request: dict[str, Any]) -> str:
+    ways = [_varies(read_vary(one)) for one in request["vary"]]
+    varies = "; ".join(ways) if len(ways) <= MOST_KEYS else f"{len(ways)} keys of the scenario vary"
     return (
-        f"Asked: how much does the outcome change over {made['members']} runs, in which {shown} "
-        f"({DESIGNS.get(made['design'], made['design'])}, seed {made['seed']})?"
+        f"Asked: how much does the outcome change over {request['members']} runs, in which "
+        f"{varies} ({DESIGNS.get(request['design'], request['design'])}, seed {request['seed']})?"
     )
 
 
@@ -78,30 +78,24 @@ def _found(data: "xarray.Dataset", summary: dict[str, Any], done: int) -> list[s
     if not done:
         return ["Found: nothing yet, no member is done."]
     unit = data["clpe_rms"].attrs["units"]
-    said = []
+    sentences = []
     rounds = [one for one in summary["clpe_rms_per_cycle"] if one is not None]
     if (rms := rounds[-1] if rounds else summary["clpe_rms"]) is not None:
         what = "the CLPE over the run, root mean square,"
         if rounds:
             what = f"in round {len(rounds)} of the waypoints, the last, the CLPE, root mean square,"
-        said.append(
+        sentences.append(
             f"Found: {what} is {number(rms[2])} {unit} in the median run, and nine in ten runs "
             f"lie between {number(rms[0])} and {number(rms[-1])} {unit}."
         )
     error = summary.get("flow_parameter_error_at_end")
     if error is not None:
-        per = _unit(data["flow_parameter_error"])
-        said.append(
+        per = unit_of(data["flow_parameter_error"])
+        sentences.append(
             f"At the end the largest error of a flow parameter is {number(error[2])} {per} in the "
             f"median run, and at most {number(error[-1])} {per} in 95 of 100."
         )
-    return said or ["Found: no run came to the end of a round, nor to its own."]
-
-
-def _unit(values: "xarray.DataArray") -> str:
-    """Return CF units as they are said: m s-1 as m/s."""
-    length, _, per = values.attrs.get("units", "").rpartition(" ")
-    return f"{length or '1'}/{per.removesuffix('-1')}" if per.endswith("-1") else per
+    return sentences or ["Found: no run came to the end of a round, nor to its own."]
 
 
 def _cards(data: "xarray.Dataset", summary: dict[str, Any], done: int, finished: int) -> list[Card]:
@@ -114,7 +108,7 @@ def _cards(data: "xarray.Dataset", summary: dict[str, Any], done: int, finished:
         ("gain_error_at_end", "gain_error", "Gain error, median"),
     ):
         if (column := summary.get(key)) is not None:
-            unit = _unit(data[variable])
+            unit = unit_of(data[variable])
             below = f"5 to 95 %: {number(column[0])} to {number(column[-1])}"
             cards.append(Card(what, f"{number(column[2])} {unit}", below))
     return cards
@@ -124,14 +118,15 @@ def _spread(data: "xarray.Dataset", summary: dict[str, Any], done: int) -> Secti
     """Return percentiles, drawn and as a table."""
     heading = "How the runs differ"
     if not done:
-        found = Result(sentences=["No member is done: nothing to draw"])
-        return Section("spread", heading, found)
+        result = Result(sentences=["No member is done: nothing to draw"])
+        return Section("spread", heading, result)
     caption = (
         "Above, the CLPE in each round of the waypoints; below, the largest error of what was "
         "learned: the median run, half of all runs, and nine in ten."
     )
-    found = ensemble_result(data, summary, "Percentiles over the members", MOST_ROUNDS)
-    return Section("spread", heading, found, [drawn("ensemble", 5.4, caption, ensemble_plot, data)])
+    result = ensemble_result(data, summary, "Percentiles over the members", MOST_ROUNDS)
+    figure = drawn("ensemble", 5.4, caption, ensemble_plot, data)
+    return Section("spread", heading, result, [figure])
 
 
 def ensemble_result(
@@ -149,28 +144,28 @@ def ensemble_result(
         if f"{key}_at_end" in summary:
             rows.append([f"largest {what} error, {end}", *_cells(summary[f"{key}_at_end"])])
     ended = ", ".join(f"{n} {how.replace('_', ' ')}" for how, n in summary["ended"].items())
-    said = []
+    sentences = []
     if "faster_flow" in summary and summary["faster_flow"]["members"]:
         faster = summary["faster_flow"]
-        said.append(
+        sentences.append(
             f"in {faster['members']} members the flow was faster than the vehicle, for at most "
             f"{100 * faster['largest_share']:.3g} % of the time and {faster['longest']:.3g} {time} "
             "in a stretch"
         )
     if summary["first_failed"] is not None:
-        said.append(f"the first member that did not finish is {summary['first_failed']}")
+        sentences.append(f"the first member that did not finish is {summary['first_failed']}")
     columns = ["percentile", *(f"{p} %" for p in summary["percents"])]
-    return Result(f"{name}: {ended}", columns, rows, said)
+    return Result(f"{name}: {ended}", columns, rows, sentences)
 
 
 def _cells(column: list[float] | None) -> list[str]:
     return ["-"] * 5 if column is None else [f"{value:.4g}" for value in column]
 
 
-def _varied(data: "xarray.Dataset", made: dict[str, Any]) -> Section:
+def _varied(data: "xarray.Dataset", request: dict[str, Any]) -> Section:
     rows = []
-    for key, text in zip(made["keys"], made["vary"], strict=True):
-        values = data[key].values.reshape(made["members"], -1)
+    for key, text in zip(request["keys"], request["vary"], strict=True):
+        values = data[key].values.reshape(request["members"], -1)
         count = values.shape[1]
         low, middle, high = np.percentile(values, (0, 50, 100))
         of = f"{count} numbers" if count > 1 else "one number"
@@ -179,13 +174,13 @@ def _varied(data: "xarray.Dataset", made: dict[str, Any]) -> Section:
     return Section("varied", "What varied", Result("Values of all members", columns, rows))
 
 
-def _failed(data: "xarray.Dataset", made: dict[str, Any], status: np.ndarray) -> list[Section]:
+def _failed(data: "xarray.Dataset", request: dict[str, Any], status: np.ndarray) -> list[Section]:
     """Return the members that did not come to their end."""
     failed = np.flatnonzero(status > 1)
     if not len(failed):
         return []
     names = data["status"].attrs.get("flag_meanings", "").split()
-    keys = [key for key in made["keys"] if data[key].ndim == 1]
+    keys = [key for key in request["keys"] if data[key].ndim == 1]
     rows = []
     for k in failed[:MOST_FAILED]:
         name = names[status[k]] if status[k] < len(names) else str(status[k])
@@ -194,25 +189,25 @@ def _failed(data: "xarray.Dataset", made: dict[str, Any], status: np.ndarray) ->
         rows.append([str(k), name.replace("_", " "), end, *values])
     columns = ["member", "ended by", f"at t ({data['end'].attrs['units']})", *keys]
     more = len(failed) - MOST_FAILED
-    said = f"{len(failed)} runs did not come to their end"
-    said += f"; the first {MOST_FAILED} are listed" if more > 0 else ""
-    listed = Result("Runs that did not come to their end", columns, rows, [said])
+    sentence = f"{len(failed)} runs did not come to their end"
+    sentence += f"; the first {MOST_FAILED} are listed" if more > 0 else ""
+    listed = Result("Runs that did not come to their end", columns, rows, [sentence])
     return [Section("failed", "Runs that failed", listed)]
 
 
-def _again(data: "xarray.Dataset", made: dict[str, Any]) -> Section:
-    words = [f"--vary '{one}'" for one in made["vary"]]
+def _again(data: "xarray.Dataset", request: dict[str, Any]) -> Section:
+    words = [f"--vary '{one}'" for one in request["vary"]]
     command = " ".join(
         [
-            f"clpt ensemble scenario.toml --members {made['members']}",
+            f"clpt ensemble scenario.toml --members {request['members']}",
             *words,
-            f"--design {made['design']} --seed {made['seed']} --samples {made['samples']}",
+            f"--design {request['design']} --seed {request['seed']} --samples {request['samples']}",
             "--out ensemble.zarr",
         ]
     )
-    said = "Save the scenario above as <code>scenario.toml</code>, and type:"
+    how = "Save the scenario above as <code>scenario.toml</code>, and type:"
     commands = [command, "clpt report ensemble.zarr -o report.html"]
-    if made.get("law"):
-        said = "The runs had a law given in Python, which no file holds:"
-        commands = [f"# {made['law']}"]
-    return again_section(said, commands, data.attrs)
+    if request.get("law"):
+        how = "The runs had a law given in Python, which no file holds:"
+        commands = [f"# {request['law']}"]
+    return again_section(how, commands, data.attrs)

@@ -1,8 +1,8 @@
-"""What a page to send is made of, and how it is written as HTML.
+"""The parts of a page to send, and its HTML.
 
-Sentences first, then numbers, then sections: what was found, beside its figures.  The figures stay
-figures until the page is written, so that they can be written as files of their own too.  At its
-end a page says with what it was made, and how it is made again.
+Sentences come first, then numbers, then sections: results beside their figures.  Figures stay
+figures until the page is written, so that they can be files of their own too.  The last section
+tells which versions made the page, and how to make it again.
 """
 
 import platform
@@ -35,11 +35,11 @@ class Drawn(NamedTuple):
 
 
 class Section(NamedTuple):
-    """A part of a page under a heading: HTML, what was found beside its figures, wide figures."""
+    """A part of a page under a heading: HTML, a result beside its figures, wide figures."""
 
     name: str
     heading: str
-    found: Result = Result()
+    result: Result = Result()
     figures: Sequence[Drawn] = ()
     more: str = ""
 
@@ -53,7 +53,7 @@ class Card(NamedTuple):
 
 
 class Page(NamedTuple):
-    """A page: what it is of, what was asked and found, what to be careful of, and all else."""
+    """A page: its kind, its title, what was asked and found, warnings, numbers and sections."""
 
     kind: str
     title: str
@@ -68,9 +68,9 @@ class Page(NamedTuple):
         return [one for section in self.sections for one in section.figures]
 
 
-def drawn(name: str, height: float, caption: str, plot: Callable[..., Any], *given: Any) -> Drawn:
-    """Return what a plot draws, as wide as a telephone's screen, and so many inches high."""
-    figure = figure_of(plot, *given)
+def drawn(name: str, height: float, caption: str, plot: Callable[..., Any], *data: Any) -> Drawn:
+    """Return the figure of a plot, as wide as a telephone's screen, and so many inches high."""
+    figure = figure_of(plot, *data)
     figure.set_size_inches(WIDTH, height)
     for ax in figure.axes:
         ax.set_title(fill(ax.get_title(loc="left"), LETTERS), loc="left", fontsize=10)
@@ -106,21 +106,21 @@ def _card(card: Card) -> str:
 
 
 def _section(section: Section) -> str:
-    found, name = section.found, section.name
+    result, name = section.result, section.name
     wide = [_figure(one) for one in section.figures if one.wide]
     beside = [_figure(one) for one in section.figures if not one.wide]
-    listed = table(*found[:3]) if found.columns else ""
-    if len(found.rows) > MOST_ROWS and beside:
-        listed = folded(f"All {len(found.rows)} values", listed)
+    table_html = table(*result[:3]) if result.columns else ""
+    if len(result.rows) > MOST_ROWS and beside:
+        table_html = folded(f"All {len(result.rows)} values", table_html)
     if beside:
-        listed = f"<div>{listed}</div>" if listed else ""
-        listed = f'<div class="figures">{"".join(beside)}{listed}</div>'
-    said = paragraphs([f"{one.removesuffix('.')}." for one in found.sentences])
-    if len(said) > MOST_SAID:
-        said = folded(f"{len(found.sentences)} remarks", said)
+        table_html = f"<div>{table_html}</div>" if table_html else ""
+        table_html = f'<div class="figures">{"".join(beside)}{table_html}</div>'
+    sentences = paragraphs([f"{one.removesuffix('.')}." for one in result.sentences])
+    if len(sentences) > MOST_SAID:
+        sentences = folded(f"{len(result.sentences)} remarks", sentences)
     return (
         f'<section aria-labelledby="{name}"><h2 id="{name}">{safe(section.heading)}</h2>'
-        + "\n".join([section.more, listed, said, *wide])
+        + "\n".join([section.more, table_html, sentences, *wide])
         + "</section>"
     )
 
@@ -128,22 +128,22 @@ def _section(section: Section) -> str:
 def _figure(drawn: Drawn) -> str:
     svg = inline_svg(drawn.figure, drawn.name, drawn.caption)
     if drawn.wide:
-        said = safe(drawn.caption)
-        svg = f'<div class="wide" role="region" aria-label="{said}" tabindex="0">{svg}</div>'
+        caption = safe(drawn.caption)
+        svg = f'<div class="wide" role="region" aria-label="{caption}" tabindex="0">{svg}</div>'
     return f"<figure>{svg}<figcaption>{safe(drawn.caption)}</figcaption></figure>"
 
 
-def again_section(said: str, commands: Sequence[str], made: Mapping[Any, Any]) -> Section:
-    """Return how a page is made again, and what is recorded of how what it shows was `made`."""
+def again_section(how: str, commands: Sequence[str], attrs: Mapping[Any, Any]) -> Section:
+    """Return how to make a page again, and what the attributes record of versions and solver."""
     here = ", ".join(f"{name} {version(name)}" for name in PACKAGES)
     rows = [
-        ["run with", str(made.get("software") or "not recorded")],
+        ["run with", str(attrs.get("software") or "not recorded")],
         ["page made with", f"Python {platform.python_version()}, {here}"],
-        *([what, str(made[name])] for name, what in RECORDED.items() if name in made),
+        *([what, str(attrs[name])] for name, what in RECORDED.items() if name in attrs),
     ]
-    solver = {str(name): value for name, value in made.items() if str(name).startswith("solver_")}
+    solver = {str(name): value for name, value in attrs.items() if str(name).startswith("solver_")}
     if solver:
         counts = (f"{value} {name.removeprefix('solver_')}" for name, value in solver.items())
         rows.append(["solver", ", ".join(counts)])
-    more = f"<p>{said}</p>{listing(chr(10).join(commands)) if commands else ''}"
+    more = f"<p>{how}</p>{listing(chr(10).join(commands)) if commands else ''}"
     return Section("again", "Make it again", Result("Versions", ["", ""], rows), more=more)

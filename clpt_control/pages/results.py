@@ -13,7 +13,7 @@ from ..html import Result
 from ..scenario.experiment import Scenario
 from ..scenario.file import TEAM
 from ..scenario.team import Team
-from ..simulation.report import SUMMARY, clpe_of_samples, errors, team_summary
+from ..simulation.summary import SUMMARY, clpe_of_samples, errors, team_summary
 from ..theory.excitation.excitation_report import excitation_report
 from ..theory.excitation.pooled import team_excitation_report
 
@@ -49,8 +49,8 @@ def number(value: float) -> str:
     >>> number(0.000123456), number(1234.5), number(0.0)
     ('0.000123', '1230', '0')
     """
-    shown = f"{value:.3g}"
-    return f"{float(shown):.0f}" if "e+" in shown and abs(value) < 1e6 else shown
+    text = f"{value:.3g}"
+    return f"{float(text):.0f}" if "e+" in text and abs(value) < 1e6 else text
 
 
 def numbers_of(run: "xarray.Dataset", system: Scenario | Team) -> dict[str, Any]:
@@ -58,12 +58,12 @@ def numbers_of(run: "xarray.Dataset", system: Scenario | Team) -> dict[str, Any]
     if isinstance(system, Team):
         return {"of_samples": False, **team_summary(system, run, run)}
     try:
-        found = Figures.model_validate_json(str(run.attrs.get(SUMMARY, "")), strict=True)
+        summary = Figures.model_validate_json(str(run.attrs.get(SUMMARY, "")), strict=True)
     except pydantic.ValidationError:  # none, or damaged
-        found = None
+        summary = None
     end = float(run.time[-1])
-    if found is not None and found.end == end:
-        numbers = {"of_samples": False, **found.model_dump(exclude_unset=True)}
+    if summary is not None and summary.end == end:
+        numbers = {"of_samples": False, **summary.model_dump(exclude_unset=True)}
     else:
         numbers = {"of_samples": True, "end": end, **clpe_of_samples(system, run)}
     if f"{end:g}" not in numbers.get("max_gain_error", {}):
@@ -74,17 +74,17 @@ def numbers_of(run: "xarray.Dataset", system: Scenario | Team) -> dict[str, Any]
 
 def of_the_worst(numbers: dict[str, Any]) -> dict[str, Any]:
     """Return the figures of a team as those of one vehicle, each of the vehicle that is worst."""
-    found = {**numbers, "clpe_rms_per_cycle": []}
+    worst = {**numbers, "clpe_rms_per_cycle": []}
     for key in ("clpe_rms", "clpe_rms_last_quarter"):
-        found[key] = max(numbers[key].values())
+        worst[key] = max(numbers[key].values())
     for key in ("max_flow_parameter_error", "max_gain_error"):
         if key in numbers:
             each = list(numbers[key].values())
-            found[key] = {time: max(one[time] for one in each) for time in each[0]}
+            worst[key] = {time: max(one[time] for one in each) for time in each[0]}
     if "explained_variance" in numbers:
         each = list(numbers["explained_variance"].values())
-        found["explained_variance"] = {p: min(one[p] for one in each) for p in ("track", "box")}
-    return found
+        worst["explained_variance"] = {p: min(one[p] for one in each) for p in ("track", "box")}
+    return worst
 
 
 def at_end(by_time: dict[str, float]) -> float:
@@ -166,7 +166,7 @@ def found_of_clpe(numbers: dict[str, Any], length: str) -> str:
 def found_of_flow(numbers: dict[str, Any], scenario: Scenario) -> str:
     """Return what was learned of the flow by the end."""
     unit = scenario.units
-    said = f"At the end, t = {numbers['end']:g} {unit.time}, "
+    begin = f"At the end, t = {numbers['end']:g} {unit.time}, "
     parts = []
     if errors := numbers.get("max_flow_parameter_error"):
         largest = max(abs(value) for row in scenario.flow.parameters or () for value in row)
@@ -190,7 +190,7 @@ def found_of_flow(numbers: dict[str, Any], scenario: Scenario) -> str:
     if apart := numbers.get("max_disagreement"):
         per = f"{unit.length}/{unit.time}"
         parts.append(f"two vehicles differ by at most {number(at_end(apart))} {per}")
-    return said + "; ".join(parts) + "."
+    return begin + "; ".join(parts) + "."
 
 
 def run_result(summary: dict[str, Any], title: str, most: int = MOST_VEHICLES) -> Result:
@@ -203,9 +203,10 @@ def run_result(summary: dict[str, Any], title: str, most: int = MOST_VEHICLES) -
     graph = f"{summary['coupling']:g}, {summary['connectivity']:.3g}"
     apart = f"{at_end(summary['max_disagreement']):.3g} at t = {summary['end']:g} {time}"
     rows += [["coupling kappa, connectivity lambda_2", graph], ["largest disagreement", apart]]
+    by_vehicle = {key: of for key, of in summary.items() if isinstance(of, dict)}
     for name in summary["vehicles"][:most]:
-        own = {key: of[name] for key, of in summary.items() if isinstance(of, dict) and name in of}
-        rows += [[f"{name}: {what}", value] for what, value in _achieved(own, length, time)]
+        numbers = {key: of[name] for key, of in by_vehicle.items() if name in of}
+        rows += [[f"{name}: {what}", value] for what, value in _achieved(numbers, length, time)]
     if left := summary["vehicles"][most:]:
         rows.append(["...", f"{len(left)} more vehicles in --json"])
     return Result(title, ["", ""], rows)
@@ -215,11 +216,11 @@ def _achieved(numbers: dict[str, Any], length: str, time: str) -> list[list[str]
     """Return rows of what one vehicle achieved."""
     rows = []
     if rms := numbers.get("clpe_rms_per_cycle"):
-        shown = [
+        values = [
             *(f"{value:.3g}" for value in rms[:MOST_CYCLES]),
             *["..."][: len(rms) > MOST_CYCLES],
         ]
-        rows.append([f"CLPE rms per cycle ({length})", ", ".join(shown)])
+        rows.append([f"CLPE rms per cycle ({length})", ", ".join(values)])
     rows.append([f"CLPE rms, whole run ({length})", f"{numbers['clpe_rms']:.3g}"])
     late = f"{numbers['clpe_rms_last_quarter']:.3g}"
     rows.append([f"CLPE rms, last quarter ({length})", late])
@@ -256,7 +257,7 @@ def excitation_of(source: Any, window: float | None = None, start: float | None 
 
 
 def excitation_result(report: dict[str, Any]) -> Result:
-    """Return what a track can teach, or the tracks of a team, each alone and together."""
+    """Return the excitation of a track, or of the tracks of a team, each alone and together."""
     end, unit = report["start"] + report["window"], report["time_unit"]
     title = f"Excitation from {report['start']:g} to {end:g} {unit}, {report['trajectory']}"
     if "vehicles" in report:
@@ -264,10 +265,10 @@ def excitation_result(report: dict[str, Any]) -> Result:
         return Result(title, columns, *_of_a_team(report))
     rows = []
     for axis, values in report["eigenvalues"].items():
-        shown = [f"{value:.4g}" for value in values]
-        if len(shown) > MOST_EIGENVALUES:
-            shown = [*shown[:6], "...", *shown[-3:], f"({len(values)} in all)"]
-        rows.append([f"{axis}: eigenvalues", ", ".join(shown)])
+        cells = [f"{value:.4g}" for value in values]
+        if len(cells) > MOST_EIGENVALUES:
+            cells = [*cells[:6], "...", *cells[-3:], f"({len(values)} in all)"]
+        rows.append([f"{axis}: eigenvalues", ", ".join(cells)])
         if axis in report["ceilings"]:
             rows.append([f"{axis}: ceiling of the smallest", f"{report['ceilings'][axis]:.4g}"])
         parts = sorted(report["least_excited"][axis].items(), key=lambda part: -abs(part[1]))[:8]
@@ -285,22 +286,22 @@ def excitation_result(report: dict[str, Any]) -> Result:
         ]
     if "accuracy" in report:
         rows.append(["accuracy of the eigenvalues", f"{report['accuracy']:.2g} relative"])
-    said = list(report["not_learnable"])
+    sentences = list(report["not_learnable"])
     if report["ceilings"]:
-        said.append(
+        sentences.append(
             "the ceiling of an axis is int (x' + KD e)^2 dt / (|theta - alpha_M|^2 + KD^2 + "
             "GammaD^2): a vehicle that waits teaches nothing"
         )
-    return Result(title, ["", ""], rows, said)
+    return Result(title, ["", ""], rows, sentences)
 
 
 def _of_a_team(report: dict[str, Any]) -> tuple[list[list[str]], list[str]]:
     """Return a row for each axis of each vehicle and of the team, and sentences."""
-    rows, said = [], [f"measured: {report['measured']}"]
+    rows, sentences = [], [f"measured: {report['measured']}"]
     for name, one in [*report["vehicles"].items(), ("team", report["team"])]:
         for axis, values in one["eigenvalues"].items():
-            learned = f"{one['dimension'][axis]} of {len(values)}"
-            rows.append([name, axis, f"{values[0]:.4g}", f"{values[-1]:.4g}", learned])
+            count = f"{one['dimension'][axis]} of {len(values)}"
+            rows.append([name, axis, f"{values[0]:.4g}", f"{values[-1]:.4g}", count])
         who = "the team" if one is report["team"] else f"{name} alone"
-        said += [f"{who}: {sentence}" for sentence in one["not_learnable"]]
-    return rows, said
+        sentences += [f"{who}: {sentence}" for sentence in one["not_learnable"]]
+    return rows, sentences

@@ -10,18 +10,10 @@ from ..scenario.experiment import Scenario
 from ..scenario.file import CHANGED, NOT_REPEATED, OWN_LAW, OWN_PARTS, TEAM, paper_scenario
 from ..scenario.recorded_run import waypoints_of
 from ..scenario.team import Team
-from ..simulation.plots import STATES, named, response_plot, signals_of
-from ..simulation.report import claims
+from ..simulation.plots import named, ports_along, response_plot, signals_of
 from ..simulation.run_file import diagram_of_text, equations_text
+from ..simulation.summary import claims
 from .page import Card, Drawn, Page, Section, again_section, drawn
-from .pictures import (
-    ONE_SAMPLE,
-    excitation_section,
-    figure_sections,
-    loop_section,
-    shown_samples,
-    team_section,
-)
 from .results import (
     asked,
     asked_of_team,
@@ -34,6 +26,14 @@ from .results import (
     numbers_of,
     of_the_worst,
 )
+from .run_sections import (
+    ONE_SAMPLE,
+    excitation_section,
+    figure_sections,
+    loop_section,
+    samples_to_draw,
+    team_section,
+)
 
 if TYPE_CHECKING:
     import xarray
@@ -41,7 +41,7 @@ if TYPE_CHECKING:
     from ..diagrams.interconnection import Diagram
 
 KINDS = ("Run of a scenario", "Run of a diagram")
-GIVEN = {OWN_LAW: "law", CHANGED: "parameters", OWN_PARTS: "parts"}
+IN_PYTHON = {OWN_LAW: "law", CHANGED: "parameters", OWN_PARTS: "parts"}
 ALL = "<p>All that was asked, as a file for <code>clpt run</code>:</p>"
 UNTITLED = "A run without a title"
 EACH = 5  # ports of a figure
@@ -58,7 +58,7 @@ def run_page(run: "xarray.Dataset", system: Scenario | Team, title: str | None =
     text = listing(str(run.attrs.get(TEAM, run.attrs.get("scenario"))))
     if isinstance(system, Team):
         kind, scenario, alone = "Run of a team", system.first, of_the_worst(numbers)
-        said = [asked_of_team(system), found_of_clpes(numbers, scenario.units.length)]
+        sentences = [asked_of_team(system), found_of_clpes(numbers, scenario.units.length)]
         per = f"1/{scenario.units.time}"
         below = f"coupling {system.coupling:g} {per}; below, of the worst"
         cards = [Card("Vehicles", str(len(system.members)), below)]
@@ -70,7 +70,8 @@ def run_page(run: "xarray.Dataset", system: Scenario | Team, title: str | None =
         if not count:  # there are no rounds
             numbers = alone = {**numbers, "clpe_rms_per_cycle": []}
         begin = "Asked, as far as the scenario says" if parts else "Asked"
-        said = [asked(scenario, law, count, begin), found_of_clpe(numbers, scenario.units.length)]
+        question = asked(scenario, law, count, begin)
+        sentences = [question, found_of_clpe(numbers, scenario.units.length)]
         cards, sections = [], figure_sections(run, scenario, numbers)
     if not parts:
         sections = [*loop_section(system, own), *sections]
@@ -81,7 +82,7 @@ def run_page(run: "xarray.Dataset", system: Scenario | Team, title: str | None =
     return Page(
         "Section IV of the paper" if paper else kind,
         title or str(run.attrs.get("title") or UNTITLED),
-        [*said, found_of_flow(alone, scenario)],
+        [*sentences, found_of_flow(alone, scenario)],
         [*_ended(run), *_warnings(run, scenario, numbers)],
         [*cards, *_cards(alone, scenario)],
         [
@@ -104,29 +105,29 @@ def _ended(run: "xarray.Dataset") -> list[str]:
 def _warnings(run: "xarray.Dataset", scenario: Scenario, numbers: dict[str, Any]) -> list[str]:
     """Return what a reader must know before the figures."""
     changed, parts = run.attrs.get(CHANGED), run.attrs.get(OWN_PARTS)
-    said = []
+    sentences = []
     first, last = float(run.time[0]), float(run.time[-1])
     if not _ended(run) and (first > 0 or last < scenario.run.duration * (1 - 1e-9)):
         unit = scenario.units.time
-        said.append(f"What is shown covers t = {first:g} to {last:g} {unit} of the run.")
+        sentences.append(f"What is shown covers t = {first:g} to {last:g} {unit} of the run.")
     if changed:
-        said.append(
+        sentences.append(
             "The run had parameters that its scenario does not hold, so that waypoints and the "
             f"true flow may be others than drawn: {changed}."
         )
     if parts:
-        said.append(
+        sentences.append(
             f"The run is of a diagram with parts given in Python, {parts}: what it followed, the "
             "true flow and the law may be others than the scenario says."
         )
     if "measured_position" in run:
-        said.append(
+        sentences.append(
             "The CLPE is drawn of the measured position, which the vehicle reads with noise; mean "
             "squares are of the true one."
         )
     if numbers["of_samples"]:
-        said.append(f"Mean squares here are over the {run.sizes['time']} samples of the file.")
-    return said
+        sentences.append(f"Mean squares here are over the {run.sizes['time']} samples of the file.")
+    return sentences
 
 
 def _cards(numbers: dict[str, Any], scenario: Scenario) -> list[Card]:
@@ -159,28 +160,28 @@ def _cards(numbers: dict[str, Any], scenario: Scenario) -> list[Card]:
 
 def _again(run: "xarray.Dataset", scenario: Scenario | None, paper: bool = False) -> Section:
     """Return how a run is made again: from its file's equations, from its scenario, or not."""
-    given, commands = [what for name, what in GIVEN.items() if name in run.attrs], list[str]()
-    if (given or scenario is None) and equations_text(run)[0]:
-        said = "The file holds the equations that ran, with inputs, start and method. Type:"
+    missing, commands = [what for name, what in IN_PYTHON.items() if name in run.attrs], list[str]()
+    if (missing or scenario is None) and equations_text(run)[0]:
+        how = "The file holds the equations that ran, with inputs, start and method. Type:"
         commands = ["clpt run run.nc --out again.nc", "clpt report again.nc -o report.html"]
-    elif given:
-        said = f"The run cannot be made again from its file alone: its {' and '.join(given)}"
-        said = f"{said} were given in Python."
+    elif missing:
+        how = f"The run cannot be made again from its file alone: its {' and '.join(missing)}"
+        how = f"{how} were given in Python."
     elif scenario is None:
-        said = "The run cannot be made again from its file."
+        how = "The run cannot be made again from its file."
     elif paper:
-        said = "The scenario comes with clpt-control; type:"
+        how = "The scenario comes with clpt-control; type:"
         commands = ["clpt paper --out paper", "clpt report paper/run.nc -o report.html"]
     else:
-        said = "Save the scenario above as <code>scenario.toml</code>, and type:"
+        how = "Save the scenario above as <code>scenario.toml</code>, and type:"
         if scenario.flow.field is not None:
             field = f"<code>{safe(scenario.flow.field)}</code>"
-            said = f"With the file of the current, {field}, where the scenario says. {said}"
+            how = f"With the file of the current, {field}, where the scenario says. {how}"
         commands = [
             "clpt run scenario.toml --out run.nc --figures figures",
             "clpt report run.nc -o report.html",
         ]
-    return again_section(said, commands, run.attrs)
+    return again_section(how, commands, run.attrs)
 
 
 # --- of any diagram ------------------------------------------------------------------------------
@@ -237,8 +238,7 @@ def extent_of(run: "xarray.Dataset") -> dict[str, dict[str, float]]:
             "least": float(values.min()),
             "most": float(values.max()),
         }
-        for port, one in run.data_vars.items()
-        if port != STATES and "time" in one.dims
+        for one in (run[port] for port in ports_along(run))
         for name, values in signals_of(one).items()
     }
 
@@ -246,10 +246,10 @@ def extent_of(run: "xarray.Dataset") -> dict[str, dict[str, float]]:
 def response_result(run: "xarray.Dataset") -> Result:
     """Return where the signals of a diagram's run began and ended, and how far they went."""
     rows = [[name, *(f"{v:.6g}" for v in own.values())] for name, own in extent_of(run).items()]
-    said = [f"{more} more signals"] if (more := len(rows) - MOST_SIGNALS) > 0 else []
+    sentences = [f"{more} more signals"] if (more := len(rows) - MOST_SIGNALS) > 0 else []
     title = f"{run.attrs.get('title', 'A run')}, {span_of(run)}"
     columns = ["signal", "first", "last", "least", "most"]
-    return Result(title, columns, rows[:MOST_SIGNALS], said)
+    return Result(title, columns, rows[:MOST_SIGNALS], sentences)
 
 
 def _loop(diagram: "Diagram") -> list[Section]:
@@ -284,11 +284,14 @@ def _over_time(run: "xarray.Dataset") -> Section:
     heading = "Signals over time"
     if run.sizes["time"] < 2:
         return Section("response", heading, ONE_SAMPLE)
-    few, thin = shown_samples(run)
-    ports = [port for port in run.data_vars if port != STATES]
+    few, thin = samples_to_draw(run)
+    ports = ports_along(run)
     figures = []
     for first in range(0, len(ports), EACH):
-        own = ports[first : first + EACH]
-        name, said = f"response-{first // EACH + 1}", f"{', '.join(map(str, own))} over time.{thin}"
-        figures.append(drawn(name, 1.0 + 1.2 * len(own), said, response_plot, few[own]))
+        some = ports[first : first + EACH]
+        name, caption = (
+            f"response-{first // EACH + 1}",
+            f"{', '.join(map(str, some))} over time.{thin}",
+        )
+        figures.append(drawn(name, 1.0 + 1.2 * len(some), caption, response_plot, few[some]))
     return Section("response", heading, figures=figures)

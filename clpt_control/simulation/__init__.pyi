@@ -5,9 +5,9 @@ from .flows import explained_variance, flow_velocity
 from .integrate import sample_times, simulate
 from .loops import closed_loop, error_loop, paper_blocks, team_loop
 from .plots import clpe_plot, compare, learning_plot, response_plot, run_plot, track_plot
-from .report import claims, run_and_report
 from .run_file import load_diagram, load_run, save_run
 from .starts import initial_state, state_at
+from .summary import claims, run_and_report
 from .tangents import sensitivity
 from .team_plots import team_plot
 

@@ -21,7 +21,7 @@ from ..progress import progress_bar
 from ..progress.interrupt import check
 from ..scenario.experiment import Scenario
 from ..scenario.recorded_run import is_response, waypoints_of
-from .plots import TITLE, scenario_with
+from .plots import TITLE, arrow_grid, scenario_with
 
 if TYPE_CHECKING:
     import xarray
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 ENDINGS = (".gif", ".mp4")
 MOST = 3000  # frames
-HELD = 5e8  # pixels that a GIF's frames have together, at most
+MOST_PIXELS = 5e8  # pixels that a GIF's frames have together, at most
 NARROW, WIDE = 200, 2000  # pixels
 SHADES = 5  # of each colour towards white, in a GIF
 
@@ -106,12 +106,12 @@ def animate(
     figure, frames = draw_frames(film, 2 * (width // 2))
     with progress_bar("drawing", len(times), "frames") as report:
         if path is None:
-            made = BytesIO()
-            _write_gif(made, figure, _reported(frames, report), pause)
-            return Movie(made.getvalue(), len(times), len(times) * pause)
+            content = BytesIO()
+            _write_gif(content, figure, _checked(frames, report), pause)
+            return Movie(content.getvalue(), len(times), len(times) * pause)
         with beside(path) as part:
             write = _write_gif if suffix == ".gif" else _write_mp4
-            write(part, figure, _reported(frames, report), pause)
+            write(part, figure, _checked(frames, report), pause)
     return None
 
 
@@ -134,7 +134,7 @@ def check_options(path: str | Path | None, seconds: float, fps: float, width: in
             raise ClptError(f"{name} = {value!r:.60}: must be a number from {low:g} to {high:g}")
     if seconds * fps > MOST:
         raise ClptError(f"seconds x fps = {seconds * fps:.0f} frames; at most {MOST} are made")
-    if suffix == ".gif" and (size := seconds * fps * width**2) > HELD:
+    if suffix == ".gif" and (size := seconds * fps * width**2) > MOST_PIXELS:
         raise ClptError(
             f"a GIF of {seconds * fps:.0f} frames of {width} pixels would take {size / 1e9:.1f} "
             "GB of memory: make it shorter or narrower, or an .mp4"
@@ -156,17 +156,17 @@ def _times(
         )
     scenario = scenario_with(run, *SIGNALS)
     first, last = float(run.time[0]), float(run.time[-1])
-    begin, over = first if start is None else start, last if end is None else end
-    if not first <= begin < over <= last:
+    begin, finish = first if start is None else start, last if end is None else end
+    if not first <= begin < finish <= last:
         raise DataError(
-            f"start = {begin:g}, end = {over:g}: must lie one after the other within the run, "
+            f"start = {begin:g}, end = {finish:g}: must lie one after the other within the run, "
             f"{first:g} to {last:g} {scenario.units.time}"
         )
     pause = round(100 / fps) / 100 if suffix == ".gif" else 1 / fps
-    return np.linspace(begin, over, max(2, round(seconds / pause))), pause
+    return np.linspace(begin, finish, max(2, round(seconds / pause))), pause
 
 
-def _reported(frames: Iterator[int], report: Any) -> Iterator[int]:
+def _checked(frames: Iterator[int], report: Any) -> Iterator[int]:
     for k in frames:
         check()
         report(k)
@@ -186,8 +186,8 @@ def _write_gif(file: Any, figure: "Figure", frames: Iterator[int], pause: float)
         image = Image.fromarray(np.asarray(canvas.buffer_rgba())).convert("RGB")
         images.append(image.quantize(palette=palette, dither=Image.Dither.NONE))
     first, *rest = images
-    shown = {"duration": round(1000 * pause), "loop": 0, "disposal": 1, "optimize": False}
-    first.save(file, format="GIF", save_all=True, append_images=rest, **shown)
+    options = {"duration": round(1000 * pause), "loop": 0, "disposal": 1, "optimize": False}
+    first.save(file, format="GIF", save_all=True, append_images=rest, **options)
 
 
 def _palette() -> list[int]:
@@ -260,19 +260,10 @@ def film_of(run: "xarray.Dataset", times: np.ndarray) -> Film:
 
 def _grid(scenario: Scenario, run: "xarray.Dataset") -> np.ndarray:
     """Return the places of the arrows: over waypoints and track, within the true flow's field."""
-    seen = np.vstack([run.position.values, waypoints_of(run, scenario)])
-    low, high = seen.min(0), seen.max(0)
+    places = np.vstack([run.position.values, waypoints_of(run, scenario)])
+    low, high = places.min(0), places.max(0)
     rim = 0.12 * max(*(high - low), 1e-9)
-    low, high = low - rim, high + rim
-    if scenario.field_path is not None:
-        from ..currents.plane import read_field
-
-        field = read_field(scenario.field_path, scenario.units)
-        low = np.maximum(low, [field.x1[0], field.x2[0]])
-        high = np.minimum(high, [field.x1[-1], field.x2[-1]])
-    step = max(high - low) / ARROWS
-    sides = [np.arange(a + step / 2, b, step) for a, b in zip(low, high, strict=True)]
-    return np.stack(np.meshgrid(*sides), -1).reshape(-1, 2)
+    return arrow_grid(scenario, low - rim, high + rim, ARROWS)
 
 
 def draw_frames(film: Film, width: int) -> "tuple[Figure, Iterator[int]]":
@@ -293,7 +284,7 @@ def draw_frames(film: Film, width: int) -> "tuple[Figure, Iterator[int]]":
     legend_below(chart, 3, 30.0)
     figure.draw_without_rendering()
     figure.set_layout_engine("none")  # nothing moves from frame to frame
-    return figure, _turning(film, moving, step)
+    return figure, _frames(film, moving, step)
 
 
 def _chart(ax: Any, film: Film, step: float) -> dict[str, Any]:
@@ -321,30 +312,30 @@ def _chart(ax: Any, film: Film, step: float) -> dict[str, Any]:
     ax.plot([], [], color=ORANGE, lw=2, label="learned flow")
     longest = np.hypot(*film.true.reshape(-1, 2).T).max()
     ax.set(xlabel=f"$x_1$ ({units.length})", ylabel=f"$x_2$ ({units.length})")
-    said = f"longest true arrow {longest:.2g} {units.length}/{units.time}"
-    ax.set_title(said, loc="right", fontsize=8, color=GREY)
+    note = f"longest true arrow {longest:.2g} {units.length}/{units.time}"
+    ax.set_title(note, loc="right", fontsize=8, color=GREY)
     return moving
 
 
 def _trace(ax: Any, film: Film) -> dict[str, Any]:
     """Draw |e| over the film's time; return what moves."""
     t, size = film.run.time.values, np.hypot(*film.run.clpe.values.T)
-    shown = (t >= film.times[0]) & (t <= film.times[-1])
-    size = np.where(size > LEAST * size[shown].max(), size, np.nan)
-    ax.semilogy(t[shown], size[shown], color=RED, lw=0.8)
+    inside = (t >= film.times[0]) & (t <= film.times[-1])
+    size = np.where(size > LEAST * size[inside].max(), size, np.nan)
+    ax.semilogy(t[inside], size[inside], color=RED, lw=0.8)
     units = film.scenario.units
     ax.set(xlabel=f"time ({units.time})", ylabel=f"|CLPE| ({units.length})")
     ax.set_xlim(film.times[0], film.times[-1])
     return {"now": ax.axvline(film.times[0], color="black", lw=1.0)}
 
 
-def _turning(film: Film, moving: dict[str, Any], step: float) -> Iterator[int]:
+def _frames(film: Film, moving: dict[str, Any], step: float) -> Iterator[int]:
     t, units = film.run.time.values, film.scenario.units
     longest = max(float(np.hypot(*film.true.reshape(-1, 2).T).max()), 1e-300)
     digits = max(0, int(np.ceil(-np.log10(max(np.ptp(film.times), 1e-9) / len(film.times)))))
     for k, now in enumerate(film.times):
         for name in ("true", "learned"):
-            moving[name].set_UVC(*_drawn(getattr(film, name)[k], longest, step).T)
+            moving[name].set_UVC(*_on_chart(getattr(film, name)[k], longest, step).T)
         before = (t >= film.times[0]) & (t <= now)
         moving["track"].set_data(*np.vstack([film.run.position.values[before], film.x[k]]).T)
         moving["e"].set_data(*np.vstack([film.x[k], film.z[k]]).T)
@@ -355,7 +346,7 @@ def _turning(film: Film, moving: dict[str, Any], step: float) -> Iterator[int]:
         yield k
 
 
-def _drawn(flow: np.ndarray, longest: float, step: float) -> np.ndarray:
+def _on_chart(flow: np.ndarray, longest: float, step: float) -> np.ndarray:
     """Return arrows on the chart, the longest true one `LENGTH` steps, none over `LONGEST`."""
     arrows = flow / longest * LENGTH * step
     size = np.maximum(np.hypot(*arrows.T) / (LONGEST * step), 1.0)

@@ -18,7 +18,7 @@ from ..equations.declaration import ports_of
 from ..errors import ArgumentError, SimulationError
 from ..native.schedule import checked_times
 from ..scenario.experiment import Scenario
-from .tangents import Sensitive, Varying, ways_of
+from .tangents import RunWithDerivatives, Sensitive, varied_places
 
 UNFELT = 1e-6  # of the strongest direction of relative changes: a weaker one is not identified
 TAKES_PART = 1e-2  # share of a direction from which on a parameter is named
@@ -76,8 +76,8 @@ class Fit:
             f"({self.intervals[name][0]:.6g} to {self.intervals[name][1]:.6g})"
             for name, value in self.values.items()
         ]
-        said = ", ".join(f"{name}: {size:.3g}" for name, size in self.noise.items())
-        return "\n".join([*lines, f"noise of {said}", *self.unidentified])
+        noises = ", ".join(f"{name}: {size:.3g}" for name, size in self.noise.items())
+        return "\n".join([*lines, f"noise of {noises}", *self.unidentified])
 
 
 @public
@@ -140,7 +140,7 @@ def fit_parameters(
     times, measured, inputs = _read(data, timepts, inputs)
     solver = {"rtol": rtol, "atol": atol, "method": method}
     ready = Sensitive(system, times, list(parameters), inputs, initial_state, params, **solver)
-    if not ready.ways:
+    if not ready.places:
         raise ArgumentError("parameters: name at least one")
     return _Fitting(ready, measured, parameters, noise).fit()
 
@@ -157,9 +157,9 @@ def _read(data: Any, times: Any, inputs: Any) -> tuple[np.ndarray, dict[str, np.
     if hasattr(data, "data_vars"):
         if "time" not in data.dims:
             raise ArgumentError("data: has no dimension `time`")
-        found = {str(name): one for name, one in data.data_vars.items() if "time" in one.dims}
-        own = {name: one.transpose("time", ...).values for name, one in found.items()}
-        return checked_times("data.time", data.time.values), own, inputs
+        variables = {str(name): one for name, one in data.data_vars.items() if "time" in one.dims}
+        arrays = {name: one.transpose("time", ...).values for name, one in variables.items()}
+        return checked_times("data.time", data.time.values), arrays, inputs
     if not isinstance(data, Mapping):
         raise ArgumentError(
             "data: must be an xarray.Dataset, a control.TimeResponseData, or arrays by name"
@@ -177,7 +177,7 @@ class _Fitting:
     """A diagram, what was measured of it, and where a fit begins."""
 
     def __init__(self, ready: Sensitive, measured: Mapping[str, Any], begin: Any, noise: Any):
-        self.ready, self.names = ready, [*ready.ways]
+        self.ready, self.names = ready, [*ready.places]
         ports = ports_of(ready.labels) | {one: [k] for k, one in enumerate(ready.labels)}
         n, places, columns = len(ready.times) - ready.skipped, list[int](), list[np.ndarray]()
         self.outputs: list[str] = []
@@ -206,41 +206,41 @@ class _Fitting:
         self.begin, self.low, self.high = self._bounds(begin)
         self.noise = noise
         self.runs = 0
-        self.last: tuple[np.ndarray, Varying] | None = None
+        self.last: tuple[np.ndarray, RunWithDerivatives] | None = None
 
-    def _bounds(self, given: Mapping[str, Any]) -> list[np.ndarray]:
+    def _bounds(self, parameters: Mapping[str, Any]) -> list[np.ndarray]:
         """Return where each number begins, and its bounds."""
         rows = []
-        for name, one in given.items():
+        for name, one in parameters.items():
             begin, *bounds = one if isinstance(one, tuple) else (one,)
             if len(bounds) not in (0, 2):
                 raise ArgumentError(f"parameters: {name} must be a start, or (start, low, high)")
-            count = len(ways_of(name, self.ready.wiring, self.ready.states))
-            own = [np.broadcast_to(np.ravel(numbers(name, v)), count)
+            count = len(varied_places(name, self.ready.wiring, self.ready.states))
+            row = [np.broadcast_to(np.ravel(numbers(name, v)), count)
                    for v in (begin, *(bounds or (-np.inf, np.inf)))]  # fmt: skip
-            rows.append(np.array(own))
-            if not np.all((own[1] <= own[0]) & (own[0] <= own[2]) & (own[1] < own[2])):
+            rows.append(np.array(row))
+            if not np.all((row[1] <= row[0]) & (row[0] <= row[2]) & (row[1] < row[2])):
                 raise ArgumentError(f"parameters: {name} begins outside of its bounds {bounds}")
         return list(np.hstack(rows))
 
-    def run(self, values: np.ndarray) -> Varying:
+    def run(self, values: np.ndarray) -> RunWithDerivatives:
         """Return the run at these values, of the last ones again."""
         if self.last is None or not np.array_equal(values, self.last[0]):
             self.runs += 1
             try:
-                found = self.ready.run(values)
+                result = self.ready.run(values)
             except SimulationError as error:
                 said = ", ".join(f"{n} = {v:.6g}" for n, v in zip(self.names, values, strict=True))
                 raise SimulationError(f"at {said}: {error}; begin closer, or give bounds") from None
-            if len(found.outputs) < len(self.measured):
-                raise SimulationError(f"the run ends before the data: {found.solution.message}")
-            self.last = values.copy(), found
+            if len(result.outputs) < len(self.measured):
+                raise SimulationError(f"the run ends before the data: {result.solution.message}")
+            self.last = values.copy(), result
         return self.last[1]
 
     def residuals(self, values: np.ndarray, noise: np.ndarray) -> np.ndarray:
         """Return what is left, in units of the noise."""
-        left = self.run(values).outputs[:, self.places, 0] - self.measured
-        return (left / noise)[self.there]
+        residuals = self.run(values).outputs[:, self.places, 0] - self.measured
+        return (residuals / noise)[self.there]
 
     def jacobian(self, values: np.ndarray, noise: np.ndarray) -> np.ndarray:
         """Return the derivatives of what is left."""
@@ -255,54 +255,57 @@ class _Fitting:
         noise = self._given_noise() if self.noise is not None else np.where(size > 0, size, 1.0)
         values, least = self.begin, 1e-9 * noise
         for _ in range(ROUNDS):
-            found = least_squares(
+            result = least_squares(
                 self.residuals, values, self.jacobian, (self.low, self.high), x_scale="jac",
                 ftol=CLOSE, xtol=CLOSE, gtol=CLOSE, args=(noise,),
             )  # fmt: skip
-            values = found.x
+            values = result.x
             if self.noise is not None:
                 break
-            left = np.zeros(self.there.shape)
-            left[self.there] = self.residuals(values, np.ones(len(noise)))
+            residuals = np.zeros(self.there.shape)
+            residuals[self.there] = self.residuals(values, np.ones(len(noise)))
             freedom = count * (1.0 - unknowns / count.sum())
-            before, noise = noise, np.maximum(np.sqrt((left**2).sum(axis=0) / freedom), least)
+            before, noise = noise, np.maximum(np.sqrt((residuals**2).sum(axis=0) / freedom), least)
             if len(noise) == 1 or np.all(np.abs(noise / before - 1.0) < SETTLED):
                 break
         self.ready.check(values, self.run(values))
-        return self._found(values, noise, found.active_mask == 0)
+        return self._found(values, noise, result.active_mask == 0)
 
     def _given_noise(self) -> np.ndarray:
         one = self.noise
-        given = one if isinstance(one, Mapping) else dict.fromkeys(self.outputs, one)
-        found = {name: given.get(name, given.get(name.partition("[")[0])) for name in self.outputs}
-        if missing := [name for name, size in found.items() if not size]:
+        by_output = one if isinstance(one, Mapping) else dict.fromkeys(self.outputs, one)
+        sizes = {
+            name: by_output.get(name, by_output.get(name.partition("[")[0]))
+            for name in self.outputs
+        }
+        if missing := [name for name, size in sizes.items() if not size]:
             raise ArgumentError(f"noise: does not say that of {', '.join(missing)}; above 0")
-        return np.array([*found.values()], dtype=float)
+        return np.array([*sizes.values()], dtype=float)
 
     def _found(self, values: np.ndarray, noise: np.ndarray, free: np.ndarray) -> Fit:
         """Return the estimates with what the Jacobian says of them."""
         from scipy.stats import norm, t
 
-        left, J = self.residuals(values, noise), self.jacobian(values, noise)
-        freedom, given = len(left) - int(free.sum()), self.noise is not None
-        variance = 1.0 if given else float(left @ left) / freedom
+        residuals, J = self.residuals(values, noise), self.jacobian(values, noise)
+        freedom, noise_known = len(residuals) - int(free.sum()), self.noise is not None
+        variance = 1.0 if noise_known else float(residuals @ residuals) / freedom
         scale = np.where(values == 0.0, 1.0, np.abs(values))[free]
-        _, strength, turned = np.linalg.svd(J[:, free] * scale, full_matrices=False)
-        felt = strength > UNFELT * strength.max(initial=0.0)
-        half = turned[felt].T / strength[felt] * scale[:, None]
+        _, strength, directions = np.linalg.svd(J[:, free] * scale, full_matrices=False)
+        identified = strength > UNFELT * strength.max(initial=0.0)
+        half = directions[identified].T / strength[identified] * scale[:, None]
         inner = variance * half @ half.T
-        lost = np.any(np.abs(turned[~felt]) > TAKES_PART, axis=0)
+        lost = np.any(np.abs(directions[~identified]) > TAKES_PART, axis=0)
         inner[lost, :] = inner[:, lost] = np.nan
         covariance = np.full((len(values), len(values)), np.nan)
         covariance[np.ix_(free, free)] = inner
         errors = np.sqrt(np.diag(covariance))
         errors[np.flatnonzero(free)[lost]] = np.inf
-        times = norm.ppf(0.975) if given else t.ppf(0.975, freedom)
+        times = norm.ppf(0.975) if noise_known else t.ppf(0.975, freedom)
         free_names = [name for name, one in zip(self.names, free, strict=True) if one]
-        start, blocks = self.ready.moved(values)
+        start, blocks = self.ready.with_values(values)
         params = {
             name.partition("[")[0]: getattr(blocks[k], field)
-            for name, place in self.ready.ways.items()
+            for name, place in self.ready.places.items()
             for k, field in place.fields[:1]
         }
         return Fit(
@@ -312,10 +315,10 @@ class _Fitting:
              for name, v, e in zip(self.names, values, errors, strict=True)},
             covariance,
             dict(zip(self.outputs, map(float, noise), strict=True)),
-            (*(_sentence(free_names, one) for one in turned[~felt]),
+            (*(_sentence(free_names, one) for one in directions[~identified]),
              *(f"{name} lies on a bound" for name in self.names if name not in free_names)),
             {name: one if one.ndim else float(one) for name, one in params.items()},
-            start, len(left), self.runs,
+            start, len(residuals), self.runs
         )  # fmt: skip
 
 

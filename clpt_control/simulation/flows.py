@@ -40,10 +40,7 @@ if TYPE_CHECKING:
 
 @public
 def flow_velocity(
-    scenario: Scenario,
-    points: ArrayLike,
-    timepts: ArrayLike,
-    parameters: np.ndarray | None = None,
+    scenario: Scenario, points: ArrayLike, timepts: ArrayLike, parameters: np.ndarray | None = None
 ) -> np.ndarray:
     """Return the flow at places and times, true or learned.
 
@@ -76,8 +73,8 @@ def flow_velocity(
         calm = scenario.with_values({"flow.disturbance": None})
         block = next(b for b in paper_blocks(calm) if b.name == "true_flow")
         return evaluate(block, timepts, points)
-    given = scenario.flow.parameters if parameters is None else parameters
-    theta = numbers("parameters", given, 2, scenario.basis.N)
+    either = scenario.flow.parameters if parameters is None else parameters
+    theta = numbers("parameters", either, 2, scenario.basis.N)
     phi = evaluate(scenario.basis_block(), timepts, points)
     return np.einsum("...ik,...k->...i", theta, phi)
 
@@ -191,13 +188,13 @@ class SpeedTimer:
 
 def faster_flow(figures: dict[str, Any], units: Units) -> str:
     """Return a sentence where the flow was faster than the vehicle, or nothing."""
-    found, time = figures["faster_flow"], units.time
-    if found is None:
+    faster, time = figures["faster_flow"], units.time
+    if faster is None:
         return ""
     return (
         f"the flow was faster than the vehicle ({figures['max_speed']:g} {units.length}/{time}), "
-        f"which cannot hold its place there: first at t = {found['first']:g} {time}, "
-        f"{100 * found['share']:.3g} % of the time, at most {found['longest']:.3g} {time} long"
+        f"which cannot hold its place there: first at t = {faster['first']:g} {time}, "
+        f"{100 * faster['share']:.3g} % of the time, at most {faster['longest']:.3g} {time} long"
     )
 
 

@@ -88,7 +88,7 @@ def track_plot(
 
     ax = axes_for(ax, 5.6, 5.2)
     unit = scenario.units.length
-    grid, _ = square_chart(ax, scenario, np.concatenate([points, path]), 13)
+    grid = square_chart(ax, scenario, np.concatenate([points, path]), 13)
     flow = flow_velocity(scenario, grid, 0.0)
     size = float(f"{np.hypot(*flow.T).max():.1g}")
     if size > 0:  # where all is at rest there are no arrows
@@ -119,14 +119,14 @@ def _track_among(
     ax: Any, scenario: Scenario, points: np.ndarray, run: Any, label: str, color: Any
 ) -> Any:
     """Draw a track, the predicted one and waypoints beside those of other runs."""
-    path, before = run.position.values, ax.lines
+    path, earlier = run.position.values, ax.lines
     predicted = run.predicted_position.values if "predicted_position" in run else path[:0]
-    seen = [points, path, predicted, *(line.get_xydata() for line in before)]
-    square_chart(ax, scenario, np.concatenate(seen), 2)
-    own = {"color": color, "linewidth": 1.1}
-    own["color"] = ax.plot(*path.T, label=label, **own)[0].get_color()
-    ax.plot(*predicted.T, linestyle="--", **own | {"linewidth": 0.8})
-    rings = {"color": own["color"], "markersize": 6 + 3 * (len(ax.lines) // 3)}
+    places = [points, path, predicted, *(line.get_xydata() for line in earlier)]
+    square_chart(ax, scenario, np.concatenate(places), 2)
+    line = {"color": color, "linewidth": 1.1}
+    line["color"] = ax.plot(*path.T, label=label, **line)[0].get_color()
+    ax.plot(*predicted.T, linestyle="--", **line | {"linewidth": 0.8})
+    rings = {"color": line["color"], "markersize": 6 + 3 * (len(ax.lines) // 3)}
     ax.plot(*points.T, "o", markerfacecolor="none", **rings)
     named = "Tracks, predicted ones dashed" if len(predicted) else "Tracks"
     ax.set_title(f"{named}, waypoints as rings" if len(points) else named, **TITLE)
@@ -134,17 +134,32 @@ def _track_among(
     return ax
 
 
-def square_chart(
-    ax: Any, scenario: Scenario, seen: np.ndarray, count: int
-) -> tuple[np.ndarray, float]:
-    """Make axes a square about places; return places on it, and half its side."""
+def square_chart(ax: Any, scenario: Scenario, places: np.ndarray, count: int) -> np.ndarray:
+    """Make axes a square about places; return where arrows of the flow begin, `count` a side."""
     unit = scenario.units.length
-    low, high = seen.min(0), seen.max(0)
+    low, high = places.min(0), places.max(0)
     middle, half = (low + high) / 2, 0.62 * (max(high - low) or 1.0)
+    low, high = middle - half, middle + half
     ax.set(xlabel=f"$x_1$, east ({unit})", ylabel=f"$x_2$, north ({unit})", aspect="equal")
-    ax.set(xlim=(middle[0] - half, middle[0] + half), ylim=(middle[1] - half, middle[1] + half))
-    grid = np.stack(np.meshgrid(*(np.linspace(m - half, m + half, count) for m in middle)), -1)
-    return grid.reshape(-1, 2), half
+    ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
+    return arrow_grid(scenario, low, high, count)
+
+
+def arrow_grid(scenario: Scenario, low: np.ndarray, high: np.ndarray, count: int) -> np.ndarray:
+    """Return places (n, 2) in a box, `count` along its longer side, within the flow's field."""
+    if scenario.field_path is not None:
+        from ..currents.plane import read_field
+
+        field = read_field(scenario.field_path, scenario.units)
+        within = (
+            np.maximum(low, [field.x1[0], field.x2[0]]),
+            np.minimum(high, [field.x1[-1], field.x2[-1]]),
+        )
+        if np.all(within[0] < within[1]):  # a clipped run may be beyond it all the time
+            low, high = within
+    step = max(high - low) / count
+    sides = [np.arange(a + step / 2, b, step) for a, b in zip(low, high, strict=True)]
+    return np.stack(np.meshgrid(*sides), -1).reshape(-1, 2)
 
 
 @public
@@ -196,31 +211,31 @@ def clpe_plot(
     top.set(ylabel=f"CLPE ({units.length})", xlim=(0, _wider(top, last, label)))
     top.legend(**_legend(label), fontsize=8)
     top.set_title("CLPE", **TITLE)
-    size, before = np.hypot(*e.T), bottom.get_ylim()[0] if bottom.lines else np.inf
-    drawn = np.maximum(size, 1e-12)
+    size, lowest = np.hypot(*e.T), bottom.get_ylim()[0] if bottom.lines else np.inf
+    positive = np.maximum(size, 1e-12)
     shade: dict[str, Any] = {
         "color": color or BLUE,
         "linewidth": 0.5,
         "alpha": 0.5 if label is None else 0.25,
     }
-    said = "|e|" if label is None else label if not count else None
+    name = "|e|" if label is None else label if not count else None
     shade |= {} if count else {"alpha": 1}
-    bottom.semilogy(time, drawn, label=said, **shade)
+    bottom.semilogy(time, positive, label=name, **shade)
     if count:
         number = np.floor(time / dwell + 1e-9).astype(int)
         counts = np.bincount(number)
         rms = np.sqrt(np.bincount(number, size**2) / np.where(counts > 0, counts, np.nan))
         few = len(size) < MANY * len(counts)  # the pictures of a long run have fewer samples
-        said = f"rms of each {dwell:g} {units.time}, a waypoint" + (
+        name = f"rms of each {dwell:g} {units.time}, a waypoint" + (
             ", of the samples shown" if few else ""
         )
-        shade = {"color": color or "black", "linewidth": 1.2, "label": _among(label, said)}
+        shade = {"color": color or "black", "linewidth": 1.2, "label": _among(label, name)}
         bottom.step(dwell * np.arange(len(counts)), np.maximum(rms, 1e-12), where="post", **shade)
     bottom.set(xlabel=f"time ({units.time})", ylabel=f"|CLPE| ({units.length})")
     bottom.set_xlim(0, _wider(bottom, time[-1], label))
     if size.max() > 0:
         least = max(1e-12, np.nanmin(np.where(size > 0, size, np.nan)) / 2)
-        bottom.set_ylim(bottom=least if label is None else min(least, before))
+        bottom.set_ylim(bottom=least if label is None else min(least, lowest))
     bottom.legend(**_legend(label), fontsize=8)
     if count and not (top.child_axes or bottom.child_axes):
         for one in axes:
@@ -252,8 +267,8 @@ def _legend(label: str | None) -> dict[str, Any]:
 
 def _wider(ax: Any, last: float, label: str | None) -> float:
     """Return where axes end: with this run, or with the longest of those on them."""
-    drawn = [line.get_xdata() for line in ax.lines if line.get_label()[0] != "_"]
-    ends = [max(one) for one in drawn if label is not None and len(one)]
+    lines = [line.get_xdata() for line in ax.lines if line.get_label()[0] != "_"]
+    ends = [max(one) for one in lines if label is not None and len(one)]
     return max([float(last), *ends])
 
 
@@ -385,11 +400,11 @@ def run_plot(
     """
     scenario_with(run, "position", "clpe", "flow_parameters_estimate")
     axes = axes_for(ax, 11.0, 10.0, mosaic=OVERVIEW)
-    told: dict[str, Any] = {"label": label, "color": color}
-    track_plot(run, ax=axes[0], **told)
-    clpe_plot(run, ax=axes[1:3], **told)
+    options: dict[str, Any] = {"label": label, "color": color}
+    track_plot(run, ax=axes[0], **options)
+    clpe_plot(run, ax=axes[1:3], **options)
     for axis in (1, 2):
-        learning_plot(run, axis, ax=axes[[2 + axis, 4 + axis]], **told)
+        learning_plot(run, axis, ax=axes[[2 + axis, 4 + axis]], **options)
     return axes
 
 
@@ -428,7 +443,7 @@ def response_plot(
     >>> run = clpt.simulate(loop, [0.0, 1.0, 2.0])
     >>> x, e = clpt.simulation.response_plot(run[["position", "clpe"]])
     """
-    ports = _ports(run)
+    ports = ports_along(run)
     if "time" not in run.dims:
         raise DataError("the run is of one time, over which nothing is drawn; cut it by a slice")
     if not 0 < len(ports) <= PORTS:
@@ -493,22 +508,24 @@ def compare(
     >>> [line.get_label() for line in top.lines if line.get_label()[0] != "_"]
     ['0.8: $e_1$', '0.8: $e_2$', '0.2: $e_1$', '0.2: $e_2$']
     """
-    given = dict(pairs_of_runs(runs))
+    by_name = dict(pairs_of_runs(runs))
     if plot is None:
-        of_scenarios = all("scenario" in run.attrs for run in given.values())
+        of_scenarios = all("scenario" in run.attrs for run in by_name.values())
         plot = "run" if of_scenarios else "response"
     if plot not in COMPARED:
         raise ClptError(f"plot = {plot!r:.40}: must be one of {', '.join(COMPARED)}")
     if plot == "response":
-        first, *others = ({*_ports(run)} for run in given.values())
+        first, *others = ({*ports_along(run)} for run in by_name.values())
         if any(ports != first for ports in others):
             every = ", ".join(
                 sorted(first.union(*others) - (common := first.intersection(*others)))
             )
-            some = [name for name in _ports(next(iter(given.values()))) if name in common][:2]
+            some = [name for name in ports_along(next(iter(by_name.values()))) if name in common][
+                :2
+            ]
             cure = f"choose some: run[{some}]" if some else "there is none that all have"
             raise DataError(f"not all runs have the signals {every}; {cure}")
-    for colour, (name, run) in zip(COLOURS, given.items(), strict=False):
+    for colour, (name, run) in zip(COLOURS, by_name.items(), strict=False):
         ax = COMPARED[plot](run, ax=ax, label=str(name), color=colour, **options)
     return ax
 
@@ -535,31 +552,31 @@ COMPARED: dict[str, Callable[..., Any]] = {
 }
 
 
-def _ports(run: "xarray.Dataset") -> list[str]:
-    """Return the names of the signals along time."""
+def ports_along(run: "xarray.Dataset") -> list[str]:
+    """Return the names of the ports along time; states are none."""
     return [str(n) for n, one in run.data_vars.items() if "time" in one.dims and n != STATES]
 
 
 def signals_of(port: "xarray.DataArray") -> dict[str, np.ndarray]:
     """Return the signals of a port along time, by name: ``e``, ``e[0]``, ``position axis 1``."""
     name = str(port.name)
-    own = f"{name.rstrip('_')}_{INDEX}"
-    dims = sorted((str(d) for d in port.dims if d != "time"), key=lambda d: d.rstrip("_") != own)
+    index = f"{name.rstrip('_')}_{INDEX}"
+    dims = sorted((str(d) for d in port.dims if d != "time"), key=lambda d: d.rstrip("_") != index)
     whole = port.transpose("time", *dims).values.reshape(port.sizes["time"], -1)
-    found = {}
+    signals = {}
     for k, at in enumerate(np.ndindex(*(port.sizes[dim] for dim in dims))):
-        told = []
+        words = []
         for dim, i in zip(dims, at, strict=True):
             value = port[dim].values[i]
-            if dim.rstrip("_") == own:
-                told.append(f"[{value}]")
+            if dim.rstrip("_") == index:
+                words.append(f"[{value}]")
             elif isinstance(value, tuple):  # of a member, of which each varied name has one
                 names = port.indexes[dim].names
-                told += [f" {name} {one}" for name, one in zip(names, value, strict=True)]
+                words += [f" {name} {one}" for name, one in zip(names, value, strict=True)]
             else:
-                told.append(f" {dim} {value}")
-        found[name + "".join(told)] = whole[:, k]
-    return found
+                words.append(f" {dim} {value}")
+        signals[name + "".join(words)] = whole[:, k]
+    return signals
 
 
 def named(name: str, units: str | None) -> str:

@@ -48,7 +48,7 @@ CLOSE, SHARE = 1e-2, 0.02  # how far off they may be, and at which share of the 
 EXACT = {"rtol": 1e-10, "atol": 1e-13}  # of their runs
 
 
-class Varying(NamedTuple):
+class RunWithDerivatives(NamedTuple):
     """Outputs and states of a run, and then how they vary: of shape (nt, count, 1 + ways)."""
 
     solution: Solution
@@ -61,14 +61,16 @@ class Varying(NamedTuple):
         return np.concatenate([self.outputs, self.states], axis=1)
 
 
-def ways_of(names: str | Iterable[str], wiring: Wiring, states: Sequence[str]) -> dict[str, Place]:
+def varied_places(
+    names: str | Iterable[str], wiring: Wiring, states: Sequence[str]
+) -> dict[str, Place]:
     """Return what is varied by these names, number by number: parameters, states of the start."""
-    given, found = [node.system.parameters for node in wiring.nodes], dict[str, Place]()
-    known = places_of(wiring, given, states)
+    parameters, places = [node.system.parameters for node in wiring.nodes], dict[str, Place]()
+    known = places_of(wiring, parameters, states)
     starts = {f"{START}.{name}": own[-1] for name, own in known.items() if own[-1].states}
     starts[START] = Place(states=tuple(range(len(states))))
     for name in [names] if isinstance(names, str) else names:
-        place = starts.get(name) or place_of(name, known, given)
+        place = starts.get(name) or place_of(name, known, parameters)
         if place is None and f"{START}.{name}" in starts:
             raise SimulationError(
                 f"{name}: is a parameter and a state; {START}.{name} is the state"
@@ -80,21 +82,21 @@ def ways_of(names: str | Iterable[str], wiring: Wiring, states: Sequence[str]) -
                 f"{name}: must be among {', '.join(several)}, or an element, counted from 0"
                 + (f"; did you mean {close}?" if close else "")
             )
-        found |= {f"{START}.{states[k]}": Place(states=(k,)) for k in place.states}
+        places |= {f"{START}.{states[k]}": Place(states=(k,)) for k in place.states}
         if place.fields:
-            value, whole = value_at(place, given, np.zeros(0)), name.partition("[")[0]
+            value, whole = value_at(place, parameters, np.zeros(0)), name.partition("[")[0]
             every = np.ndindex(np.shape(value)) if place.element is ... else [place.element]
             for at in every:
                 label = f"{whole}[{','.join(map(str, at))}]" if at else name
-                found[label] = place._replace(element=at)
-    for name, place in found.items():
+                places[label] = place._replace(element=at)
+    for name, place in places.items():
         for k, field in place.fields:
             if role := read_as_number(wiring.nodes[k].system, field):
                 raise SimulationError(
                     f"{name}: {wiring.nodes[k].name}.{role} asks for its value (a count, an "
                     "index, an `if`, or a library that is no NumPy), so its derivative is not known"
                 )
-    return found
+    return places
 
 
 class Sensitive:
@@ -110,81 +112,81 @@ class Sensitive:
         params: Mapping[str, Any] | None,
         **solver: Any,
     ):
-        own = request_of(system, timepts, inputs, initial_state, **solver)
-        system, self.times, self.skipped = own.diagram, own.times, own.skipped
-        self.name, self.solver = system.name, own.how
-        if callable(own.inputs):
+        request = request_of(system, timepts, inputs, initial_state, **solver)
+        system, self.times, self.skipped = request.diagram, request.times, request.skipped
+        self.name, self.solver = system.name, request.how
+        if callable(request.inputs):
             raise SimulationError("inputs: a sensitivity takes no function; give samples")
         try:
-            run = compiled(system, params, own.sizes)
+            run = compiled(system, params, request.sizes)
             self.wiring, self.given, self.states = (
                 run.wiring,
                 run.runner.sweep.parameters,
                 run.states,
             )
-            self.ways = ways_of(to, self.wiring, self.states)
-            self.made, self.runner = self._made()
+            self.places = varied_places(to, self.wiring, self.states)
+            self.varied, self.runner = self._made()
         except (Uncompiled, Unread) as error:
             raise SimulationError(f"{self.name}: has no known derivative: {error}") from None
         outputs = slice(len(self.wiring.outputs))
         self.labels, self.units = run.signal_labels[outputs], signal_units(run.wiring)[outputs]
-        self.inputs = read_inputs(own.inputs, own.times, run.wiring.ninputs)
-        state = 0.0 if own.start is None else own.start
+        self.inputs = read_inputs(request.inputs, request.times, run.wiring.ninputs)
+        state = 0.0 if request.start is None else request.start
         self.start = stacked_state("initial_state", state, run.runner.nstates)
 
     def _made(self) -> tuple[VariedWiring, NativeDiagram]:
         """Return the diagram beside how it varies, and ready to run."""
         seeds: list[dict[str, np.ndarray]] = [{} for _ in self.wiring.nodes]
-        for j, place in enumerate(self.ways.values()):
+        for j, place in enumerate(self.places.values()):
             for k, field in place.fields:
                 shape = np.shape(getattr(self.given[k], field))
-                seed = seeds[k].setdefault(field, np.zeros((len(self.ways), *shape)))
+                seed = seeds[k].setdefault(field, np.zeros((len(self.places), *shape)))
                 seed[(j, *place.element)] = 1.0
         self.doubtful = [  # blocks in which something may jump
             node.name
             for node, seed in zip(self.wiring.nodes, seeds, strict=True)
             if may_jump(node.system) or (seed and node.system.breakpoints_function is not None)
         ]
-        made = varied(self.wiring, self.given, seeds, len(self.ways))
-        apart = {one: one for place in self.ways.values() for one in place.fields}
+        made = varied(self.wiring, self.given, seeds, len(self.places))
+        apart = {one: one for place in self.places.values() for one in place.fields}
         return made, NativeDiagram(made.wiring, apart=apart)
 
     @property
     def values(self) -> np.ndarray:
         """What is varied, as it was given."""
-        return np.array([value_at(place, self.given, self.start) for place in self.ways.values()])
+        return np.array([value_at(place, self.given, self.start) for place in self.places.values()])
 
-    def moved(self, values: np.ndarray) -> tuple[np.ndarray, list[Any]]:
+    def with_values(self, values: np.ndarray) -> tuple[np.ndarray, list[Any]]:
         """Return the start, and parameters of blocks, with other values of what is varied."""
         start, given = self.start.copy(), list(self.given)
-        for place, value in zip(self.ways.values(), values, strict=True):
+        for place, value in zip(self.places.values(), values, strict=True):
             put(place, value, given, start)
         return start, given
 
-    def run(self, values: np.ndarray, **solver: Any) -> Varying:
+    def run(self, values: np.ndarray, **solver: Any) -> RunWithDerivatives:
         """Run with other values of what is varied."""
-        start, given = self.moved(values)
-        x = np.zeros(self.made.states.size)
-        x[self.made.states[0]] = start
-        starts = [(1 + j, k) for j, place in enumerate(self.ways.values()) for k in place.states]
-        x[self.made.states[tuple(np.array(starts, dtype=int).reshape(-1, 2).T)]] = 1.0
+        start, given = self.with_values(values)
+        x = np.zeros(self.varied.states.size)
+        x[self.varied.states[0]] = start
+        starts = [(1 + j, k) for j, place in enumerate(self.places.values()) for k in place.states]
+        x[self.varied.states[tuple(np.array(starts, dtype=int).reshape(-1, 2).T)]] = 1.0
         runner, solver = self.runner.with_parameters(given), {**self.solver, **solver}
         solution, signals, why = run_compared(runner, x, self.times, inputs=self.inputs, **solver)
         if why:
             raise SimulationError(f"{self.name}: its derivative is not known: {why}")
         every = runner.finite(solution, signals, self.inputs)
-        every = every[:, self.made.signals].transpose(0, 2, 1)
+        every = every[:, self.varied.signals].transpose(0, 2, 1)
         u = np.zeros((len(every), self.wiring.ninputs, every.shape[2]))
         u[..., 0] = self.inputs.along(solution.t).T
         rows = np.concatenate([every, u], axis=1)[self.skipped :]
         outputs = np.array([self.wiring.output_map @ row for row in rows])
-        states = solution.x[self.skipped :, self.made.states].transpose(0, 2, 1)
+        states = solution.x[self.skipped :, self.varied.states].transpose(0, 2, 1)
         done = replace(solution, t=solution.t[self.skipped :], x=states[..., 0])
-        return Varying(done, outputs, states)
+        return RunWithDerivatives(done, outputs, states)
 
-    def check(self, values: np.ndarray, found: Varying) -> None:
+    def check(self, values: np.ndarray, found: RunWithDerivatives) -> None:
         """Refuse what differences do not confirm, where a function may jump."""
-        if not self.doubtful or not self.ways:
+        if not self.doubtful or not self.places:
             return
         solver = {} if self.wiring.dt else EXACT
         size = np.where(values == 0.0, 1.0, np.abs(values))
@@ -272,7 +274,7 @@ def sensitivity(
 
 
 def dataset_of(
-    ready: Sensitive, found: Varying, of: str | Sequence[str] | None
+    ready: Sensitive, found: RunWithDerivatives, of: str | Sequence[str] | None
 ) -> "xarray.Dataset":
     """Return the derivatives of ports, signals and states as a Dataset."""
     import xarray
@@ -280,27 +282,27 @@ def dataset_of(
     frame = diagram_frame(ready.name, *map(tuple, (ready.labels, ready.units, ready.states)))
     each = [
         frame.filled(replace(found.solution, x=found.states[..., j]), found.outputs[..., j])
-        for j in range(1, 1 + len(ready.ways))
+        for j in range(1, 1 + len(ready.places))
     ]
-    names = xarray.Variable("parameter", [*ready.ways])
-    every = xarray.concat(each, names, combine_attrs="override").transpose(..., "parameter")
-    every.attrs["title"] = f"Sensitivities of {ready.name}"
-    for name, one in every.data_vars.items():
+    names = xarray.Variable("parameter", [*ready.places])
+    data = xarray.concat(each, names, combine_attrs="override").transpose(..., "parameter")
+    data.attrs["title"] = f"Sensitivities of {ready.name}"
+    for name, one in data.data_vars.items():
         one.attrs["long_name"] = f"derivative of {name} by each parameter"
         if unit := one.attrs.get("units"):
             one.attrs["units"] = f"{unit} per unit of the parameter"
     if of is None:
-        return every
+        return data
     chosen = {}
     for name in [of] if isinstance(of, str) else of:
         port = name.partition("[")[0]
-        if name in every:
-            chosen[name] = every[name]
-        elif name in ready.labels and port in every:
+        if name in data:
+            chosen[name] = data[name]
+        elif name in ready.labels and port in data:
             place = ports_of(ready.labels)[port].index(ready.labels.index(name))
-            at = dict.fromkeys(every[port].dims[1:-1], place)
-            chosen[name] = every[port].isel(at, drop=True)
+            at = dict.fromkeys(data[port].dims[1:-1], place)
+            chosen[name] = data[port].isel(at, drop=True)
         else:
-            shown = ", ".join(map(str, every.data_vars))
-            raise SimulationError(f"of = {name!r}: must be among {shown}, or a signal of them")
-    return xarray.Dataset(chosen, attrs=every.attrs)
+            known = ", ".join(map(str, data.data_vars))
+            raise SimulationError(f"of = {name!r}: must be among {known}, or a signal of them")
+    return xarray.Dataset(chosen, attrs=data.attrs)

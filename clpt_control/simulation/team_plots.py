@@ -11,7 +11,7 @@ from ..errors import DataError
 from ..figures import GREY, axes_for, figure_of, legend_below, line_style
 from ..scenario.file import TEAM
 from ..scenario.team import Team, team_of_run
-from .plots import TITLE, clpe_plot, learning_plot, response_plot, track_plot
+from .plots import TITLE, arrow_grid, clpe_plot, learning_plot, response_plot, track_plot
 
 if TYPE_CHECKING:
     import xarray
@@ -94,9 +94,7 @@ def _tracks(ax: Any, run: "xarray.Dataset", team: Team, lines: dict[str, dict[st
     paths = np.concatenate([points, run.position.values.reshape(-1, 2)])
     low, high = paths.min(0), paths.max(0)
     rim = 0.08 * max(high - low)
-    count = np.clip(np.round(16 * (high - low + 2 * rim) / max(high - low)), 3, 20).astype(int)
-    edges = zip(low - rim, high + rim, count, strict=True)
-    grid = np.stack(np.meshgrid(*(np.linspace(*edge) for edge in edges)), -1).reshape(-1, 2)
+    grid = arrow_grid(first, low - rim, high + rim, 18)
     flow = flow_velocity(first, grid, 0.0)
     if flow.any():
         ax.quiver(*grid.T, *flow.T, color=GREY, alpha=0.6, width=0.003)

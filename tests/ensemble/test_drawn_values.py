@@ -12,7 +12,7 @@ from clpt_control.ensemble.drawn_values import draw_members, read_varies
 from clpt_control.ensemble.of_scenarios import VariedScenario, variable_values
 from clpt_control.ensemble.run import run_ensemble
 from clpt_control.ensemble.spread import ensemble_summary
-from clpt_control.simulation.report import run_and_report
+from clpt_control.simulation.summary import run_and_report
 
 HERE = Path(__file__).parents[1]
 

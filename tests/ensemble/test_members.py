@@ -13,7 +13,7 @@ from clpt_control.ensemble.summaries import STATUS
 from clpt_control.native import solver
 from clpt_control.native.batch import Batch
 from clpt_control.native.ending import Status
-from clpt_control.simulation.report import run_and_report
+from clpt_control.simulation.summary import run_and_report
 
 
 def members_of(count):

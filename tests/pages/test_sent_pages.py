@@ -16,9 +16,9 @@ from clpt_control.cli import application
 from clpt_control.ensemble.store import Store, open_store
 from clpt_control.errors import ClptError, DataError
 from clpt_control.figures import inline_svg, new_figure
-from clpt_control.pages.making import page_of
 from clpt_control.pages.page import page_html
-from clpt_control.simulation.report import run_and_report
+from clpt_control.pages.writing import page_of
+from clpt_control.simulation.summary import run_and_report
 
 EVIL = "</title></style><script>alert(1)</script><img src=x onerror='alert(2)'>\"&amp;"
 SECTIONS = ["loop", "track", "clpe", "learning", "excitation", "scenario", "again"]
@@ -91,7 +91,7 @@ def checked(text):
 def words(data):
     """What a page says, without its figures."""
     page = page_of(data)
-    parts = [f"{one.more} {' '.join(map(str, one.found))}" for one in page.sections]
+    parts = [f"{one.more} {' '.join(map(str, one.result))}" for one in page.sections]
     return "\n".join([*page.sentences, *page.warnings, *parts])
 
 

@@ -13,7 +13,7 @@ from clpt_control.errors import DataError
 from clpt_control.geodesy import displacement, place_from
 from clpt_control.gliders import make_dive, read_dives, sample_dives, usable, write_dive_table
 from clpt_control.gliders.dives import planned_course
-from clpt_control.pages.making import checked_replay
+from clpt_control.pages.writing import checked_replay
 from clpt_control.replay.exchange import next_geojson, track_kml
 from clpt_control.replay.replay import replay_dives
 from clpt_control.replay.replay_page import replay_page

@@ -1,4 +1,4 @@
-"""Sections of a run's page that are drawn: loop, way, CLPE, what was learned, what can be."""
+"""Sections of a run's page that are drawn: loop, track, CLPE, learning, excitation."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -32,22 +32,25 @@ ONE_SAMPLE = Result(sentences=["The run has one sample: nothing can be drawn ove
 
 def team_section(run: "xarray.Dataset", numbers: dict[str, Any]) -> Section:
     """Return a team's figure and what each vehicle achieved."""
-    found, figures = run_result(numbers, "What the vehicles achieved", len(numbers["vehicles"])), []
+    result, figures = (
+        run_result(numbers, "What the vehicles achieved", len(numbers["vehicles"])),
+        [],
+    )
     if run.sizes["time"] > 1:
-        few, thin = shown_samples(run)
-        said = (
+        few, thin = samples_to_draw(run)
+        caption = (
             "Tracks and waypoints over the flow at the start; the size of each prediction error; "
             "the largest error of what each vehicle learned." + thin
         )
-        figures = [drawn("team", 7.6, said, team_plot, few)]
+        figures = [drawn("team", 7.6, caption, team_plot, few)]
     else:
-        found = found._replace(sentences=ONE_SAMPLE.sentences)
-    return Section("team", "Tracks, errors, what was learned", found, figures)
+        result = result._replace(sentences=ONE_SAMPLE.sentences)
+    return Section("team", "Tracks, errors, what was learned", result, figures)
 
 
 def loop_section(system: Scenario | Team, own: str | None) -> list[Section]:
     """Return the diagram that ran; nothing of a team that is too large to be drawn."""
-    said = f"The law that ran, {own}, was given in Python and takes the place of adaptation"
+    sentence = f"The law that ran, {own}, was given in Python and takes the place of adaptation"
     if isinstance(system, Team):
         if len(system.members) > MOST_DRAWN:
             return []
@@ -59,8 +62,8 @@ def loop_section(system: Scenario | Team, own: str | None) -> list[Section]:
             "below. The number under a name is the equation of the paper."
         )
         figure = block_figure(closed_loop(system))
-    found = Result(sentences=[said] if own else [])
-    return [Section("loop", "The loop", found, [Drawn("loop", figure, caption, wide=True)])]
+    result = Result(sentences=[sentence] if own else [])
+    return [Section("loop", "The loop", result, [Drawn("loop", figure, caption, wide=True)])]
 
 
 def excitation_section(run: "xarray.Dataset", why: str = "") -> Section:
@@ -71,7 +74,7 @@ def excitation_section(run: "xarray.Dataset", why: str = "") -> Section:
         if why:
             raise ClptError(why)
         report = excitation_of(run)
-        found = excitation_result(report)
+        result = excitation_result(report)
         if not team:
             figure = figure_of(excitation_plot, run, report["window"], report["start"])
             caption = (
@@ -81,31 +84,31 @@ def excitation_section(run: "xarray.Dataset", why: str = "") -> Section:
             )
             figures = [Drawn("excitation", figure, caption, wide=True)]
     except ClptError as error:
-        found = Result(sentences=[f"Not measured: {error}"])
-    return Section("excitation", heading, found, figures)
+        result = Result(sentences=[f"Not measured: {error}"])
+    return Section("excitation", heading, result, figures)
 
 
 def figure_sections(
     run: "xarray.Dataset", scenario: Scenario, numbers: dict[str, Any]
 ) -> list[Section]:
     """Return what is drawn along the run."""
-    heading, learned = "Prediction error", _learned(run, scenario)
+    heading, learning = "Prediction error", _learned(run, scenario)
     if run.sizes["time"] < 2:
-        return [Section("clpe", heading, ONE_SAMPLE), learned]
-    few, thin = shown_samples(run)
+        return [Section("clpe", heading, ONE_SAMPLE), learning]
+    few, thin = samples_to_draw(run)
     where = "Where it was to be, the track, and the true flow at the start." + thin
     flows = (
         "The true flow and what was learned of it by the end. Where the vehicle never was, "
         "what is learned is a guess."
     )
     unit = scenario.units
-    said = (
+    caption = (
         "The prediction error over the first two rounds; below, its size over the whole run, and "
         f"its root mean square at each waypoint ({scenario.reference.dwell:g} {unit.time}), "
         "logarithmic."
     )
     if not len(waypoints_of(run, scenario)):
-        said = "The prediction error over time; below, its size, logarithmic."
+        caption = "The prediction error over time; below, its size, logarithmic."
     rms, rounds = numbers["clpe_rms_per_cycle"], Result()
     if rms:
         title = f"CLPE, root mean square in each round ({unit.length})"
@@ -129,11 +132,11 @@ def figure_sections(
         drawn("track", 4.9, where, track_plot, few),
         drawn("flows", 4.9, flows, flows_plot, few, scenario),
     ]
-    clpe = drawn("clpe", 4.9, said + thin, clpe_plot, few)
+    clpe = drawn("clpe", 4.9, caption + thin, clpe_plot, few)
     return [
         Section("track", "Track and flow", figures=track),
         Section("clpe", heading, rounds, [clpe]),
-        learned._replace(figures=figures),
+        learning._replace(figures=figures),
     ]
 
 
@@ -159,9 +162,9 @@ def _learned(run: "xarray.Dataset", scenario: Scenario) -> Section:
     ]
     title = f"Learned by t = {float(last.time):g} {unit.time}"
     promise = f"What {row.name} promises, where its theorem holds: {row.promise}"
-    said = [] if run.attrs.get(OWN_LAW) else [promise]
-    found = Result(title, ["", "learned", "true", "error"], rows, said)
-    return Section("learning", "What was learned", found)
+    sentences = [] if run.attrs.get(OWN_LAW) else [promise]
+    result = Result(title, ["", "learned", "true", "error"], rows, sentences)
+    return Section("learning", "What was learned", result)
 
 
 def _row(name: str, learned: float, true: float) -> list[str]:
@@ -173,21 +176,19 @@ def flows_plot(run: "xarray.Dataset", scenario: Scenario) -> Any:
     """Draw the true flow and the learned one at the end of a run, at the same places."""
     _, ax = new_figure(4.8, 4.8)
     time, path = float(run.time[-1]), run.position.values
-    grid, half = square_chart(
-        ax, scenario, np.concatenate([waypoints_of(run, scenario), path]), PLACES
-    )
+    grid = square_chart(ax, scenario, np.concatenate([waypoints_of(run, scenario), path]), PLACES)
     learned = flow_velocity(scenario, grid, time, run.flow_parameters_estimate.values[-1])
     true = flow_velocity(scenario, grid, time)
     most = np.nanmax(np.hypot(*np.concatenate([true, learned]).T)) or 1.0
-    size = {"angles": "xy", "scale_units": "xy", "scale": most * PLACES / (2 * half)}
+    size = {"angles": "xy", "scale_units": "xy", "scale": most * PLACES / np.ptp(ax.get_xlim())}
     ax.plot(*path.T, color=GREY, linewidth=0.4, alpha=0.6, label="track")
     if true.any():
         ax.quiver(*grid.T, *true.T, color=BLUE, alpha=0.45, width=0.009, label="true", **size)
     if learned.any():
         ax.quiver(*grid.T, *learned.T, color=RED, width=0.003, label="learned", **size)
     unit = scenario.units
-    said = f"Flow at t = {time:g} {unit.time}, at most {most:.2g} {unit.length}/{unit.time}"
-    ax.set_title(said, **TITLE)
+    title = f"Flow at t = {time:g} {unit.time}, at most {most:.2g} {unit.length}/{unit.time}"
+    ax.set_title(title, **TITLE)
     ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12), ncols=3, fontsize=8, frameon=False)
     return ax
 
@@ -203,7 +204,7 @@ def lyapunov_plot(run: "xarray.Dataset", units: Units) -> Any:
     return ax
 
 
-def shown_samples(run: "xarray.Dataset") -> "tuple[xarray.Dataset, str]":
+def samples_to_draw(run: "xarray.Dataset") -> "tuple[xarray.Dataset, str]":
     """Return as many samples of a run as a figure shows, and a sentence if they are not all."""
     count = run.sizes["time"]
     step = -(-count // MOST_SAMPLES)

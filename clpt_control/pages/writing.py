@@ -1,6 +1,6 @@
-"""A page to send of anything that clpt writes: the file is asked what it is.
+"""Write a page to send of anything that clpt writes: a run, a team's, an ensemble or a replay.
 
-It may be a run, a team's run, an ensemble or a replay.
+The file itself tells which of them it is.
 """
 
 import json
@@ -79,18 +79,30 @@ def report(
 
     path, kinds = Path(path), checked_formats(formats)
     check_writable(path, "a page", (".html", ".htm"))
-    found: Any = read(Path(run)) if isinstance(run, str | Path) else run
+    source: Any = read(Path(run)) if isinstance(run, str | Path) else run
     results: dict[Path, Any] = {}
-    if hasattr(found, "steps") or isinstance(found, dict) or "dive" in getattr(found, "dims", ()):
+    if (
+        hasattr(source, "steps")
+        or isinstance(source, dict)
+        or "dive" in getattr(source, "dims", ())
+    ):
         if figures is not None:
             raise DataError("figures: a replay's are written by `clpt replay --out`; leave it out")
-        found = checked_replay(found, "the replay")
-        kind, named = "Replay of a glider's dives", f"{found['vehicle']}: where it comes up next"
-        text, said = _replay(found, title)
+        source = checked_replay(source, "the replay")
+        kind, own_title = (
+            "Replay of a glider's dives",
+            f"{source['vehicle']}: where it comes up next",
+        )
+        text, sentences = _replay(source, title)
     else:
         folder = None if figures is None else make_folder(figures)
-        page = page_of(found, title)
-        kind, named, said, text = page.kind, page.title, list(page.sentences), page_html(page)
+        page = page_of(source, title)
+        kind, own_title, sentences, text = (
+            page.kind,
+            page.title,
+            list(page.sentences),
+            page_html(page),
+        )
         if folder is not None:
             results = {
                 folder / f"{one.name}.{end}": one.figure for one in page.figures for end in kinds
@@ -100,8 +112,8 @@ def report(
         "file": str(path),
         "bytes": len(text.encode()),
         "kind": kind,
-        "title": title or named,
-        "sentences": said,
+        "title": title or own_title,
+        "sentences": sentences,
         "figures": [str(one) for one in results],
     }
 
@@ -124,13 +136,13 @@ def page_of(data: "xarray.Dataset", title: str | None = None) -> "Page":
     return run_page(data, system, title)
 
 
-def _replay(found: dict[str, Any], title: str | None) -> tuple[str, list[str]]:
-    """Return the page for one on watch with a glider, and its sentence."""
+def _replay(replay: dict[str, Any], title: str | None) -> tuple[str, list[str]]:
+    """Return the page of a replay and its sentence."""
     from ..replay.replay_page import replay_page
     from ..replay.wording import next_surfacing
 
     try:
-        return replay_page(found, title=title), [next_surfacing(found["next_dive"])]
+        return replay_page(replay, title=title), [next_surfacing(replay["next_dive"])]
     except (LookupError, ArithmeticError, TypeError, ValueError, AttributeError) as error:
         what = f"{type(error).__name__}: {error}"
         raise DataError(
@@ -156,10 +168,10 @@ def read(path: Path) -> Any:
         )
         raise DataError(f"{path}: {hint or 'is nothing that clpt report reads; '}{KNOWN}")
     try:
-        found = json.loads(text, parse_constant=_no_number)
+        content = json.loads(text, parse_constant=_no_number)
     except (ValueError, RecursionError) as error:
         raise DataError(f"{path}: is no whole JSON: {str(error)[:80]}; {KNOWN}") from None
-    return checked_replay(found, str(path))
+    return checked_replay(content, str(path))
 
 
 def _no_number(name: str) -> None:
@@ -189,24 +201,24 @@ def _netcdf(path: Path) -> Any:
     return load_run(path)
 
 
-def checked_replay(found: Any, name: str) -> dict[str, Any]:
+def checked_replay(replay: Any, name: str) -> dict[str, Any]:
     """Return the JSON of a replay or of its dataset; refuse other JSON, and one without a dive."""
     from ..replay.facts import summary_in
     from ..replay.outcome import summary
     from ..replay.replay import next_dive
 
-    if "dive" in getattr(found, "dims", ()):
-        found = summary_in(found, name)
-    elif hasattr(found, "steps"):
-        ahead = next_dive(found).as_dict() if found.steps else None
-        found = {**summary(found), "next_dive": ahead}
-    if not (isinstance(found, dict) and "each_dive" in found and "next_dive" in found):
+    if "dive" in getattr(replay, "dims", ()):
+        replay = summary_in(replay, name)
+    elif hasattr(replay, "steps"):
+        ahead = next_dive(replay).as_dict() if replay.steps else None
+        replay = {**summary(replay), "next_dive": ahead}
+    if not (isinstance(replay, dict) and "each_dive" in replay and "next_dive" in replay):
         raise DataError(f"{name}: is JSON, but not what `clpt replay --json` prints; {KNOWN}")
-    if found["each_dive"] and "headlines" not in found:
+    if replay["each_dive"] and "headlines" not in replay:
         raise DataError(f"{name}: is a replay of an earlier version; run `clpt replay` again")
-    if not found["each_dive"] or found["next_dive"] is None:
+    if not replay["each_dive"] or replay["next_dive"] is None:
         raise DataError(f"{name}: is a replay without a dive; there is nothing to show yet")
-    return {"vehicle": "glider", "aim": [], **found}
+    return {"vehicle": "glider", "aim": [], **replay}
 
 
 def is_ensemble(data: "xarray.Dataset") -> bool:

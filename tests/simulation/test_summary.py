@@ -5,7 +5,7 @@ import pytest
 from made_fields import uniform_field
 
 import clpt_control as clpt
-from clpt_control.simulation import report
+from clpt_control.simulation import summary
 
 PAPER = clpt.paper_scenario()
 CASES = {
@@ -34,8 +34,8 @@ def rms(scenario):
 def test_mean_squares_are_over_every_sample(case, pieces, monkeypatch):
     scenario = PAPER.with_values(CASES[case])
     if pieces == "many":
-        monkeypatch.setattr(report, "PIECE", 2000)
-    found = report.run_and_report(scenario)
+        monkeypatch.setattr(summary, "PIECE", 2000)
+    found = summary.run_and_report(scenario)
     each, whole = rms(scenario)
     assert found.summary["clpe_rms_per_cycle"] == pytest.approx(each, rel=1e-6)
     assert found.summary["clpe_rms"] == pytest.approx(whole, rel=2e-4)
@@ -58,8 +58,8 @@ def test_a_run_that_stops_is_kept_to_where_it_stops(end, pieces, monkeypatch, tm
     flow = {"field": str(tmp_path / "field.nc"), "outside": "stop"}
     scenario = PAPER.with_values({"flow": flow, "run.duration": 1000.0})
     if pieces == "many":
-        monkeypatch.setattr(report, "PIECE", 2000)
-    found = report.run_and_report(scenario)
+        monkeypatch.setattr(summary, "PIECE", 2000)
+    found = summary.run_and_report(scenario)
     own = clpt.simulate(scenario, np.append(np.arange(int(end) + 1.0), 1000.0))
     assert found.summary["status"] == "stopped"
     assert found.summary["end"] == pytest.approx(end)
@@ -73,8 +73,8 @@ def test_a_run_that_stops_is_kept_to_where_it_stops(end, pieces, monkeypatch, tm
 def test_a_run_of_many_cycles_is_sampled_as_finely():
     """The first of 150 cycles has the rms that it has alone; pictures have fewer samples."""
     scenario = PAPER.with_values({"run.duration": 30_000.0, "run.output_step": 100.0})
-    found = report.run_and_report(scenario)
-    alone = report.run_and_report(PAPER.with_values({"run.duration": 200.0}))
+    found = summary.run_and_report(scenario)
+    alone = summary.run_and_report(PAPER.with_values({"run.duration": 200.0}))
     (first,) = alone.summary["clpe_rms_per_cycle"]
     assert len(found.summary["clpe_rms_per_cycle"]) == 150
     assert found.summary["clpe_rms_per_cycle"][0] == pytest.approx(first, rel=1e-9)
@@ -86,7 +86,7 @@ def test_a_run_of_many_cycles_is_sampled_as_finely():
 
 def test_what_is_no_axis_and_no_run_of_the_paper_is_refused():
     scenario = PAPER.with_values({"run.duration": 20.0})
-    found = report.run_and_report(scenario)
+    found = summary.run_and_report(scenario)
     for axis in (0, 3):
         with pytest.raises(clpt.ClptError, match="must be 1, east, or 2, north"):
             clpt.simulation.learning_plot(found.run, axis)

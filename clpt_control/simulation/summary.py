@@ -5,11 +5,11 @@
     disagreement           of a team: max |alpha_i - alpha_j| over all pairs
 
 Mean squares are over 2000 samples a cycle, each 0.1 of the paper's cycle of 200, a team's over its
-recorded samples.  A run of more than 100 cycles goes on in pieces of 100 cycles, of which nothing
-else is kept, so that memory does not grow with samples that nobody sees.
-Errors and disagreement stand at some times (`TIMES`) and at the end.
-The claims judge the paper's sentences about figures 2 to 4, each with its
-criterion, what was measured, and a verdict.
+recorded samples.  A run of more than 100 cycles goes on in pieces of 100 cycles, so that memory
+does not grow with samples that are used for mean squares alone.
+Errors and disagreement are given at some times (`TIMES`) and at the end.
+The claims are the paper's sentences about figures 2 to 4, each with its criterion, what was
+measured, and a verdict.
 """
 
 import json
@@ -57,14 +57,14 @@ class Grid(NamedTuple):
 
     @property
     def every(self) -> int:
-        """Return which of the times pictures show: one of so many, at most a piece's number."""
+        """Return how many times there are for each one in pictures, which show a piece at most."""
         return -(-self.last // PIECE)
 
 
 def run_in_pieces(
-    scenario: Scenario, kept: np.ndarray, grid: Grid, progress: Callable[[float], None] | None
+    scenario: Scenario, required: np.ndarray, grid: Grid, progress: Callable[[float], None] | None
 ) -> "tuple[xarray.Dataset, dict[str, Any], SpeedTimer | None]":
-    """Run a scenario; return it at the times that are kept or shown, its CLPE and speeds."""
+    """Run a scenario; return it at times that are required or drawn, its CLPE and speeds."""
     run, pieces = ScenarioRun(scenario), list(pairwise([*range(0, grid.last, PIECE), grid.last]))
     group = 1 if len(pieces) == 1 else GROUP
     squares, parts = [], []
@@ -75,7 +75,7 @@ def run_in_pieces(
     for first, last in pieces:
         numbers = np.arange(first, last + 1)
         even = grid.times(numbers)
-        inside = kept[(kept >= even[0]) & (kept <= even[-1])]
+        inside = required[(required >= even[0]) & (required <= even[-1])]
         times = union(inside, even)
         times[0], times[-1] = even[0], even[-1]
         solution = run.runner.run(state, times, progress=progress, **scenario.run.solver)
@@ -84,11 +84,11 @@ def run_in_pieces(
             statistics[name] = statistics.get(name, 0) + count
         final = last == grid.last or solution.status == "stopped"
         at = nearest(solution.t, even)
-        shown = at[numbers[: len(at)] % grid.every == 0]
+        pictured = at[numbers[: len(at)] % grid.every == 0]
         end = [len(solution.t) - 1]
-        held = np.unique(np.concatenate([nearest(solution.t, inside), shown, end]))
+        stored = np.unique(np.concatenate([nearest(solution.t, inside), pictured, end]))
         if not final:  # the next piece begins there
-            at, held = at[:-1], held[:-1]
+            at, stored = at[:-1], stored[:-1]
         x, z = (signals[at][:, places] for places in x_z)
         size = np.sum((x - z) ** 2, axis=1)
         if timer is not None:
@@ -97,15 +97,15 @@ def run_in_pieces(
         starts = np.arange(0, len(at), group)
         counts = np.diff(np.append(starts, len(at)))
         squares.append((solution.t[at][starts], np.add.reduceat(size, starts), counts))
-        parts.append((solution.t[held], solution.x[held], signals[held]))
+        parts.append((solution.t[stored], solution.x[stored], signals[stored]))
         engines[solution.engine] = methods[solution.method] = None
         if final:
             break
     t, states, signals = (np.concatenate(one) for one in zip(*parts, strict=True))
     ran = ", ".join(engines), ", ".join(methods)  # a long run may begin in Python
-    joined = Solution(t, states, solution.status, solution.message, statistics, *ran)
+    whole = Solution(t, states, solution.status, solution.message, statistics, *ran)
     times, sums, counts = (np.concatenate(one) for one in zip(*squares, strict=True))
-    return run.dataset(joined, signals), clpe_rms(scenario, times, sums, counts), timer
+    return run.dataset(whole, signals), clpe_rms(scenario, times, sums, counts), timer
 
 
 def union(first: np.ndarray, more: np.ndarray) -> np.ndarray:
@@ -190,8 +190,8 @@ def run_and_report(
     if timer is not None:
         note_speeds(dense, timer.figures(), system.units)
     run = _at_own_samples(dense, own)
-    shown = np.append(np.arange(0, grid.last, grid.every), grid.last)
-    even = dense.isel(time=nearest(dense.time.values, grid.times(shown)))
+    pictured = np.append(np.arange(0, grid.last, grid.every), grid.last)
+    even = dense.isel(time=nearest(dense.time.values, grid.times(pictured)))
     figures = {**clpe, **errors(system, run, at_times(dense))}
     if timer is not None:
         figures["speed"] = timer.figures()
@@ -270,22 +270,22 @@ def errors(
     scenario: Scenario, run: "xarray.Dataset", at: "dict[str, xarray.Dataset]"
 ) -> dict[str, Any]:
     """Return how far a vehicle is from the truth; `at` are samples of its run by time."""
-    found: dict[str, Any] = {}
+    figures: dict[str, Any] = {}
     if scenario.flow.parameters is not None:
         theta = np.array(scenario.flow.parameters)
-        found["max_flow_parameter_error"] = {
+        figures["max_flow_parameter_error"] = {
             key: float(np.abs(one.flow_parameters_estimate - theta).max())
             for key, one in at.items()
         }
     car = scenario.vehicle
     gains = {"feedback_gain": car.feedback, "feedforward_gain": car.feedforward}
-    found["max_gain_error"] = {
+    figures["max_gain_error"] = {
         key: max(float(np.abs(one[name] - np.array(true)).max()) for name, true in gains.items())
         for key, one in at.items()
     }
     if scenario.flow.field is not None:
-        found["explained_variance"] = explained_variance(scenario, run)
-    return found
+        figures["explained_variance"] = explained_variance(scenario, run)
+    return figures
 
 
 def team_summary(team: Team, run: "xarray.Dataset", dense: "xarray.Dataset") -> dict[str, Any]:
@@ -293,13 +293,14 @@ def team_summary(team: Team, run: "xarray.Dataset", dense: "xarray.Dataset") -> 
     at = at_times(dense)
     figures: dict[str, Any] = {}
     for name, scenario in team.members.items():
-        own = run.sel(vehicle=name)
-        found = clpe_of_samples(scenario, own)
-        del found["clpe_rms_per_cycle"]  # rounds of several vehicles are no rounds of the team
-        found |= errors(scenario, own, {key: one.sel(vehicle=name) for key, one in at.items()})
+        vehicle_run = run.sel(vehicle=name)
+        of_vehicle = clpe_of_samples(scenario, vehicle_run)
+        del of_vehicle["clpe_rms_per_cycle"]  # rounds of several vehicles are no rounds of the team
+        own_at = {key: one.sel(vehicle=name) for key, one in at.items()}
+        of_vehicle |= errors(scenario, vehicle_run, own_at)
         if (limit := scenario.vehicle.max_speed) is not None:
-            found["speed"] = speeds_of(own, limit)
-        for key, value in found.items():
+            of_vehicle["speed"] = speeds_of(vehicle_run, limit)
+        for key, value in of_vehicle.items():
             figures.setdefault(key, {})[name] = value
     apart = {key: one.alpha.max("vehicle") - one.alpha.min("vehicle") for key, one in at.items()}
     of_the_team = {
@@ -313,7 +314,7 @@ def team_summary(team: Team, run: "xarray.Dataset", dense: "xarray.Dataset") -> 
 
 @public
 def claims(summary: dict[str, Any]) -> list[dict[str, str]]:
-    """Judge the three claims of section IV on a run of its scenario.
+    """Check the three claims of section IV on a run of its scenario.
 
     Parameters
     ----------
@@ -351,7 +352,7 @@ def claims(summary: dict[str, Any]) -> list[dict[str, str]]:
         )
     share = rms[1] / rms[0]
     measured = f"{rms[0]:.3f}, then {rms[1]:.3f} ({100 * share:.0f} %); last cycle {rms[-1]:.4f}"
-    judged = [
+    rows = [
         (
             "CLPE goes to zero over about one cycle",
             "rms |e| in the second cycle at most 10 % of the first",
@@ -366,8 +367,6 @@ def claims(summary: dict[str, Any]) -> list[dict[str, str]]:
         if late <= 0.05:
             verdict = "holds" if early <= 0.05 else "holds by t = 2000, not in one cycle"
         criterion = "largest error at most 0.05 after one cycle, t = 200"
-        judged.append(
-            (claim, criterion, f"{early:.3f} at t = 200, {late:.3f} at t = 2000", verdict)
-        )
+        rows.append((claim, criterion, f"{early:.3f} at t = 200, {late:.3f} at t = 2000", verdict))
     names = ("claim", "criterion", "measured", "verdict")
-    return [dict(zip(names, row, strict=True)) for row in judged]
+    return [dict(zip(names, row, strict=True)) for row in rows]
