@@ -245,7 +245,7 @@ class Ensemble:
         def run(some: Any, callee: Callee, implicit: Any) -> tuple[np.ndarray, ...]:
             begin = members.x0[some], members.P[some]
             batch = Batch(callee, *begin, times, members.schedules, members.group[some])
-            run_to_end(batch, (rtol, atol), implicit if method == "auto" else None)
+            run_to_end(batch, rtol, atol, implicit if method == "auto" else None)
             return batch.results
 
         for part, callee, implicit in parts:

@@ -57,9 +57,9 @@ class Solution:
     """States x (n, nstates) at the times t (n,) that were reached.
 
     `status` is ``"finished"``, or ``"stopped"`` if a guard ended the run; `message` is a sentence
-    on it.  `statistics` are the numbers of steps, evaluations and restarts.  `engine` is ``"native"``
-    or ``"python"``, `method` the method, and from which time on another one.  `pieces` are the
-    diagram that ran, its inputs, and the pieces of time.
+    on it.  `statistics` are the numbers of steps, evaluations and restarts.  `engine` is
+    ``"native"`` or ``"python"``, `method` the method, and from which time on another one.  `pieces`
+    are the diagram that ran, its inputs, and the pieces of time.
     """
 
     t: np.ndarray
@@ -195,7 +195,8 @@ def checked_method(method: str | None) -> str:
 
 def run_to_end(
     batch: Batch,
-    tolerances: tuple[float, float],
+    rtol: float,
+    atol: float,
     implicit: Implicit | None,
     watch: Callable[[Batch], None] = lambda batch: None,
     most: int = MEMBER_STEPS,
@@ -209,15 +210,15 @@ def run_to_end(
     def stiff(batch: Batch, k: int) -> bool:
         assert implicit is not None
         one = rest[int(batch.lane[1][solver.MEMBER, k])] = _rest(batch, k, implicit())
-        one.advance(*tolerances, 1)
+        one.advance(rtol, atol, 1)
         h = float(batch.numbers[solver.STEP, k])
         n = one.callee.nstates
         return h * radius(one.linear[0].reshape(n, n)) > LARGE[batch.callee.method]
 
-    batch.adaptive(*tolerances, watch, most, None if implicit is None else stiff)
+    batch.adaptive(rtol, atol, watch, most, None if implicit is None else stiff)
     stiff_runs = {int(m): rest[int(m)] for m in np.flatnonzero(batch.status == solver.STIFF)}
     for m, one in stiff_runs.items():
-        one.adaptive(*tolerances, watch, most)
+        one.adaptive(rtol, atol, watch, most)
         done = len(batch.times) - len(one.times) + 1
         batch.out[m, done:] = one.out[0, 1:]
         batch.status[m], batch.reached[m] = one.status[0], done + one.reached[0] - 1
@@ -266,7 +267,7 @@ def check_spacing(times: np.ndarray, dt: Any) -> None:
 
 
 def sampled_start(callee: Callee, start: Any, t: float, pieces: Schedule, P: Any) -> np.ndarray:
-    """Return the state with which a run begins: blocks that sample then have sampled their inputs."""
+    """Return the state with which a run begins; blocks that sample then have sampled inputs."""
     if not pieces.begins:
         return start
     return callee.evaluate(solver.JUMP, [t], start, pieces, P, np.empty((1, len(start))))[0]

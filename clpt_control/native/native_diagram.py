@@ -1,4 +1,4 @@
-"""A diagram as machine code, which is made once a process for all diagrams of one structure."""
+"""A diagram as machine code, which is compiled once a process for all diagrams of one structure."""
 
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
@@ -26,10 +26,10 @@ from .plan import Program, program_of
 from .python_diagram import PythonDiagram
 from .schedule import Inputs
 
-ABREAST = 256  # states of runs that are taken side by side; more do not fit the first cache
+ABREAST = 256  # states of runs in lanes; more do not fit the first cache
 FUNCTIONS = ("derivative", "prepare", "margin", "signals", "jump", "decide", "slope")
-# how long an axis without and with a name is that loops; the others are there to be compared
-# and whether decisions are locked for a step
+# the lengths from which on an axis without and with a name loops, and whether decisions are locked
+# for a step; all forms but None are there to be compared
 FORMS = {
     None: (SHORT + 1, NAMED, True),
     "unrolled": (10**9, 10**9, True),
@@ -40,7 +40,7 @@ FORMS = {
 
 @dataclass(frozen=True)
 class Structure:
-    """All that machine code depends on, but for parameters, and one diagram to make it from.
+    """All that machine code depends on, without parameters, and a diagram of that structure.
 
     `key` holds records, shapes and sizes of the blocks; what feeds each; the order of evaluation,
     the kind of time, which blocks pass inputs on at once and which sample; where parameters lie;
@@ -68,14 +68,14 @@ class Code:
         apart = name in ("margin", "jump", "decide", "slope")  # only some diagrams need them
         together = (name,) if apart else ("derivative", "prepare", "signals")
 
-        def printed() -> object:
+        def module() -> object:
             from .nests import print_program
 
             return print_program(self.program, together, lanes)
 
         if (name, lanes) not in self._machines:
-            made = Machine(together, repr((self.program, together, lanes)), printed)
-            self._machines.update({(one, lanes): made for one in together})
+            machine = Machine(together, repr((self.program, together, lanes)), module)
+            self._machines.update({(one, lanes): machine for one in together})
         return self._machines[name, lanes].addresses[name]
 
 
@@ -84,9 +84,9 @@ def code_of(
 ) -> Code:
     """Return the code of a diagram, the same for diagrams of one structure.
 
-    With `implicit` it is for an implicit method: rates have slopes.  Where `form` is not None, all
-    axes are ``"unrolled"`` or ``"looped"``, or decisions are ``"free"``.  What cannot be compiled
-    is an `Uncompiled` error.
+    With `implicit` rates have slopes, for an implicit method.  `form` says whether all axes are
+    ``"unrolled"`` or ``"looped"``, or decisions ``"free"``.  An `Uncompiled` error says what cannot
+    be compiled.
     """
     if form not in FORMS:
         raise DiagramError(f"form = {form!r}: must be 'unrolled', 'looped' or 'free', or left out")
@@ -116,7 +116,7 @@ def _code(structure: Structure, form: str | None, implicit: bool) -> Code:
     if not implicit:
         return Code(program_of(record, *room))
     reach = reach_of(record, wiring.nodes[-1].states.stop)
-    with suppress(Unread, Uncompiled):  # rates are then differentiated by differences
+    with suppress(Unread, Uncompiled):  # else rates are differentiated by differences
         return Code(program_of(record, *room, slopes_of(record, len(reach))), jacobian(reach, True))
     return Code(program_of(record, *room), jacobian(reach, False))
 
@@ -181,22 +181,22 @@ class NativeDiagram(PythonDiagram):
         self._callees: dict[tuple[int, int], Callee] = {}
 
     def parameters(self) -> np.ndarray:
-        """Return P, with room for inputs and for what is prepared."""
+        """Return P, with room for inputs and prepared numbers."""
         P = self.layout.P
         return np.append(P, np.zeros(self.code.program.parameters - len(P)))
 
     def with_parameters(self, parameters: Sequence[Any]) -> Self:
         """Return the same code with other parameters of its blocks."""
-        made = super().with_parameters(parameters)
-        made.layout = replace(self.layout, P=self.layout.packed(parameters))
-        return made
+        other = super().with_parameters(parameters)
+        other.layout = replace(self.layout, P=self.layout.packed(parameters))
+        return other
 
     def unlocked(self) -> Self:
-        """Return it with decisions that may change within a step."""
-        made = copy(self)
-        made._form, made._callees = "free", {}
-        made.code = code_of(self.wiring, self.layout, "free")
-        return made
+        """Return the diagram with decisions that may change within a step."""
+        other = copy(self)
+        other._form, other._callees = "free", {}
+        other.code = code_of(self.wiring, self.layout, "free")
+        return other
 
     def _code(self, method: int) -> Code:
         """Return the code for a method; in steps of one length decisions are not locked."""
@@ -207,13 +207,13 @@ class NativeDiagram(PythonDiagram):
         return self.code
 
     def breaks(self, t0: float, t1: float) -> Any:
-        """Return times at which time alone decides, also for a moment."""
-        found = [
+        """Return the times of decisions that depend on time alone, even for a moment."""
+        times = [
             times_of_change(node.system, record, p, t0, t1)
             for node, p in zip(self.wiring.nodes, self.sweep.parameters, strict=True)
             for record in self._decided_by_time[node.name]
         ]
-        return np.unique(np.concatenate([np.zeros(0), *found]))
+        return np.unique(np.concatenate([np.zeros(0), *times]))
 
     @cached_property
     def _decided_by_time(self) -> dict[str, list]:

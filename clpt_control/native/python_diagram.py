@@ -1,4 +1,4 @@
-"""Run a diagram block by block in Python.
+"""A diagram that runs block by block in Python.
 
 The solver is machine code, as for any diagram; it calls functions of Python.
 """
@@ -49,8 +49,6 @@ from .schedule import (
 )
 from .sweep import Sweep
 
-FREE = (np.inf, 0.0)  # no longest step, nor a first one
-
 
 class PythonDiagram:
     """A diagram ready to run, block by block in Python.
@@ -77,14 +75,14 @@ class PythonDiagram:
 
     def with_parameters(self, parameters: Sequence[Any]) -> Self:
         """Return the diagram with other parameters of its blocks."""
-        made = copy(self)
-        made.sweep = Sweep(self.wiring, parameters)
-        return made
+        other = copy(self)
+        other.sweep = Sweep(self.wiring, parameters)
+        return other
 
-    # --- what machine code does otherwise -------------------------------------------------
+    # --- what machine code overrides ------------------------------------------------------
 
     def parameters(self) -> np.ndarray:
-        """Return P, which the solver carries; in Python it says which blocks jump."""
+        """Return P; in Python it says which blocks jump."""
         return np.zeros(len(self.jumps))
 
     def schedule(
@@ -95,7 +93,7 @@ class PythonDiagram:
         breaks: Any = (),
         felt: float = 0.0,
     ) -> Schedule:
-        """Return the pieces of a run: they end at `breaks` and where inputs bend, if it is felt."""
+        """Return the pieces of a run; they end at `breaks` and at bends of inputs that are felt."""
         kinks = np.zeros(0)
         if inputs is not None and inputs.samples is not None:
             kinks = sharp_bends(*inputs.samples, felt) if self.ramp < 0 else inputs.kinks
@@ -109,38 +107,29 @@ class PythonDiagram:
     ) -> Callee:
         """Return what the solver calls, for one of its methods."""
         n, sweep, raised = self.nstates, self.sweep, list[BaseException]()
-        at: Any = (lambda t: None) if inputs is None else inputs.at
+        u: Any = (lambda t: None) if inputs is None else inputs.at
 
         def jump(t: float, x: np.ndarray, P: np.ndarray) -> np.ndarray:
             jumping, beginning = (
                 [k for k, place in self.jumps.items() if P[place] == how] for how in (JUMPS, BEGINS)
             )
-            return sweep.jump(t, x, at(t), jumping, beginning)
+            return sweep.jump(t, x, u(t), jumping, beginning)
 
         functions: list[tuple[Any, str, int]] = [  # in the solver's order, and what they write
-            (lambda t, x, P: sweep.rates(t, x, at(t)), "D", n),
+            (lambda t, x, P: sweep.rates(t, x, u(t)), "D", n),
             (lambda t, x, P: sweep.enter(t), "D", 0),
-            (lambda t, x, P: sweep.margin(t, x, at(t))[0], "D", 1),
-            (lambda t, x, P: sweep.evaluate(t, x, at(t)), "W", self.nsignals),
+            (lambda t, x, P: sweep.margin(t, x, u(t))[0], "D", 1),
+            (lambda t, x, P: sweep.evaluate(t, x, u(t)), "W", self.nsignals),
             (jump, "D", n),
         ]
-        given = n, max(self.jumps.values(), default=-1) + 1
-        own = [
-            callback(function, *given, array, size, raised) for function, array, size in functions
-        ]
+        places = max(self.jumps.values(), default=-1) + 1
+        own = [callback(function, n, places, *written, raised) for function, *written in functions]
         formulas = kernels(n, 1, method) if n else None
         more = formulas.addresses.values() if formulas else ()
         addresses = [*(cast(one, c_void_p).value for one in own), 0, 0, *more]
         watched = method != solver.MAP
-        shape = (
-            1,
-            n,
-            method,
-            int(watched and sweep.guarded),
-            int(watched and bool(self.jumps)),
-            0,
-            0,
-        )
+        flags = int(watched and sweep.guarded), int(watched and bool(self.jumps))
+        shape = 1, n, method, *flags, 0, 0
         sizes, linear = (len(self.jumps), self.nsignals, np.zeros(1)), Jacobian()
         if method == solver.RODAS5P:
             linear = jacobian(np.ones((n, n + 1), dtype=bool), False)
@@ -148,7 +137,7 @@ class PythonDiagram:
         return Callee("python", code, *shape, *sizes, linear, alive, raised)
 
     def implicit(self, inputs: Inputs | None = None) -> Callee:
-        """Return what the solver calls of its implicit method."""
+        """Return what the solver calls for its implicit method."""
         return self.callee(1, inputs, solver.RODAS5P)
 
     # --- runs -----------------------------------------------------------------------------
@@ -174,13 +163,13 @@ class PythonDiagram:
         x0 : array_like, shape (nstates,)
             State at ``times[0]``.
         times : array_like, shape (n,)
-            Increasing times at which states are wanted.
+            Increasing times at which states are returned.
         rtol, atol : float, optional
             Tolerances on the local error of each state; 1e-8 and 1e-10.
         inputs : optional
             Inputs of the diagram, as `simulate` takes them; zero without.
         progress : callable, optional
-            Called with the time reached, some times a second.
+            Called with the time reached, several times a second.
         step : float, optional
             A fixed step: Runge and Kutta's classical method of order 4 in
             place of DOP853, without tolerances and progress; steps end at
@@ -204,17 +193,18 @@ class PythonDiagram:
             step becomes too small, the end is out of reach, or a guard with
             the policy ``"raise"`` is crossed.
         """
-        found = checked_steps(
+        relative, absolute, longest, opening = checked_steps(
             step, rtol=rtol, atol=atol, max_step=None if max_step == np.inf else max_step,
             first_step=first_step, method=method, progress=progress,
         )  # fmt: skip
-        tolerances, limits, method = (found[0], found[1]), found[2:], checked_method(method)
+        method = checked_method(method)
         times, start = checked_times("times", times), checked_state("x0", x0, (self.nstates,))
         times = self.sweep.at_jumps(times)
         t0, t1 = float(times[0]), float(times[-1])
         inputs = self._inputs(inputs, times)
         if self.wiring.dt:
-            if (step, rtol, atol) != (None, None, None) or limits != FREE or method != "auto":
+            limits = longest, opening, method
+            if (step, rtol, atol) != (None, None, None) or limits != (np.inf, 0.0, "auto"):
                 raise SimulationError(
                     "step, max_step, first_step, method, rtol and atol: a diagram of discrete time "
                     "has none; leave them out"
@@ -223,16 +213,16 @@ class PythonDiagram:
         if not self.nstates:
             return Solution(times, np.zeros((len(times), 0)), engine=self.engine)
         by, auto = self.method_number(method, step), method == "auto" and step is None
-        if by == solver.DOP853 and auto and tolerances[0] >= self.loose:
+        if by == solver.DOP853 and auto and relative >= self.loose:
             by = solver.DOPRI5
-        felt = tolerances[0] * (FELT_BY_ORDER_5 if by == solver.DOPRI5 else FELT)
+        felt = relative * (FELT_BY_ORDER_5 if by == solver.DOPRI5 else FELT)
         pieces = self.schedule(t0, t1, inputs, self.breaks(t0, t1), felt)
         callee, P = self.callee(1, inputs, by), self.parameters()
         start = sampled_start(callee, start, t0, pieces, P)
-        batch = Batch(callee, start[None], P[None], times, [pieces], None, *limits)
+        batch = Batch(callee, start[None], P[None], times, [pieces], None, longest, opening)
         most = self.most if by > solver.RK4 else ANY
         implicit = partial(self.implicit, inputs) if auto else None
-        rest = run_to_end(batch, tolerances, implicit, pace(most, t0, t1, progress), most)
+        rest = run_to_end(batch, relative, absolute, implicit, pace(most, t0, t1, progress), most)
         if batch.status[0] in STUCK and callee.decided:
             with suppress(SimulationError):  # then the error is that of the first run
                 across = self.unlocked().run(
@@ -251,22 +241,22 @@ class PythonDiagram:
         return METHODS[method] if step is None else solver.RK4
 
     def unlocked(self) -> Self:
-        """Return it with decisions that may change within a step.
+        """Return the diagram with decisions that may change within a step.
 
-        A root of what comes to rest at zero, -sqrt(max(x, 0)), has no value on the other side of
-        the switch, and steps that hold the decision do not come across it.
+        A root of a state that comes to rest at zero, -sqrt(max(x, 0)), has no value beyond the
+        switch, so steps with a locked decision cannot cross it.
         """
         return self
 
     def pieces_of(self, solution: Solution, inputs: Inputs | None) -> Schedule:
-        """Return the pieces of time of a solution, of another's made again."""
-        own, given, pieces = solution.pieces
-        if own is self and given is inputs:
+        """Return the pieces of time of a solution; they are made again for another diagram."""
+        diagram, its_inputs, pieces = solution.pieces
+        if diagram is self and its_inputs is inputs:
             return pieces
         return self.schedule(float(solution.t[0]), float(solution.t[-1]), inputs)
 
     def breaks(self, t0: float, t1: float) -> Any:
-        """Return the times at which time alone decides; in Python none is looked for."""
+        """Return the times of decisions that depend on time alone; none in Python."""
         return ()
 
     def run_many(
@@ -306,7 +296,7 @@ class PythonDiagram:
         return batch.out
 
     def lanes(self, count: int) -> int:
-        """Return how many of so many runs are taken at once."""
+        """Return how many of `count` runs are taken at once."""
         return 1
 
     def _inputs(self, inputs: Any, times: np.ndarray) -> Inputs | None:
@@ -329,32 +319,34 @@ class PythonDiagram:
     def finite(
         self, solution: Solution, signals: np.ndarray, inputs: Inputs | None = None
     ) -> np.ndarray:
-        """Return a solution's signals; refuse what is not finite."""
+        """Return a solution's signals; refuse one that is not finite."""
         bad = np.flatnonzero(~np.all(np.isfinite(signals), axis=1))
         if len(bad):
             t, x = float(solution.t[bad[0]]), solution.x[bad[0]]
             self.sweep.enter(t)
             advice = "check the parameters of that block, or keep its arguments in range"
-            found = self.sweep.first_trouble(t, x, None if inputs is None else inputs.at(t), advice)
-            raise SimulationError(f"at t = {t:.9g}: {found or f'a signal is not finite; {advice}'}")
+            u = None if inputs is None else inputs.at(t)
+            trouble = self.sweep.first_trouble(t, x, u, advice)
+            trouble = trouble or f"a signal is not finite; {advice}"
+            raise SimulationError(f"at t = {t:.9g}: {trouble}")
         return signals
 
 
-BESIDE = {  # what a fixed step is told beside
+ALONE = {  # why an option does not go with a fixed step
     **dict.fromkeys(("rtol", "atol"), "has no tolerance"),
     **dict.fromkeys(("max_step", "first_step"), "is what it is"),
     **{"method": "has a method", "progress": "reports none"},
 }
 
 
-def checked_steps(step: float | None, **given: Any) -> tuple[float, ...]:
+def checked_steps(step: float | None, **options: Any) -> tuple[float, ...]:
     """Return rtol and atol, the longest step, and the first or 0.
 
-    What is none is refused, and what is given beside a fixed step.
+    Refuse values out of range, and options that do not go with a fixed step.
     """
-    for name, value in given.items():
+    for name, value in options.items():
         if step is not None and value is not None:
-            raise SimulationError(f"step and {name}: a fixed step {BESIDE[name]}; leave one out")
+            raise SimulationError(f"step and {name}: a fixed step {ALONE[name]}; leave one out")
         if value is None or name in ("method", "progress"):
             continue
         size = np.float64(value) if type(value) is float else numbers(name, value)
@@ -362,8 +354,8 @@ def checked_steps(step: float | None, **given: Any) -> tuple[float, ...]:
             raise SimulationError(f"{name} = {value}: must be a number, 0 or more")
         if name in ("max_step", "first_step") and (size.ndim or not size > 0.0):
             raise SimulationError(f"{name} = {value}: must be a number above 0")
-    own = {"rtol": 1e-8, "atol": 1e-10, "max_step": np.inf if step is None else step}
-    own |= {"first_step": 0.0} | {name: v for name, v in given.items() if v is not None}
-    if own["rtol"] == own["atol"] == 0.0:
+    chosen = {"rtol": 1e-8, "atol": 1e-10, "max_step": np.inf if step is None else step}
+    chosen |= {"first_step": 0.0} | {name: v for name, v in options.items() if v is not None}
+    if chosen["rtol"] == chosen["atol"] == 0.0:
         raise SimulationError("rtol = atol = 0: one of them must be above 0")
-    return tuple(float(own[name]) for name in ("rtol", "atol", "max_step", "first_step"))
+    return tuple(float(chosen[name]) for name in ("rtol", "atol", "max_step", "first_step"))

@@ -38,9 +38,9 @@ RUNNING, FINISHED, TOO_SMALL, NOT_FINITE, LEFT, TOO_MANY, CHATTERS, STIFF = rang
 # In place of the last rates: a state within the step, and the rates there, with the decisions in
 # force (LOCKED) and with those made there (FREE)
 STATE, RATE, ARGUMENT, TERMS, ROWS, LOOKED, LOCKED, FREE = 0, 1, 17, 18, 25, 16, 14, 15
-# the methods, each known by the number of its stages, the new state among them; DOP853 has three
-# more stages for its interpolant; the last stage of DOPRI5 is the new state, in the row of its rate;
-# MAP is discrete time, where the rate is the state at the next sample
+# the methods, each known by the number of its stages, the new state among them.  DOP853 has three
+# more stages for its interpolant.  The last stage of DOPRI5 is the new state, in the row of its
+# rate.  MAP is discrete time, where the rate is the state at the next sample
 DOP853, RODAS5P, DOPRI5, RK4, MAP = 12, 9, 7, 4, 1
 # rows of Z for Rodas5P: solutions of its stages begin at SOLVED; then the term that is added to a
 # rate on the right-hand side, df/dt, and room, two rows
