@@ -25,8 +25,8 @@ from .interconnection import changed_parameters
 from .merged_record import merged_record
 from .wiring import Node, Wiring, read_unsampled
 
-CLOSE = 1e-12  # of their size: numbers that differ by less tie
-REACHED = 1e-9  # of the largest: what counts less is not reached
+CLOSE = 1e-12  # relative: numbers that differ by less are equal
+REACHED = 1e-9  # of the largest: a smaller component is not reached
 
 
 class _About:
@@ -50,47 +50,47 @@ class _About:
             if node.system.breakpoints_function is not None and p.interval < 0:
                 k = node.system.interval_at(t, p)
                 self.parameters[node.name] = p._replace(interval=k)
-        self.found = merged_record(
-            diagram, wiring, self.leaf, self.given, tape=self.tape, closed=True
+        self.record = merged_record(
+            diagram, wiring, self.leaf, self.input_of, tape=self.tape, closed=True
         )
         self.direction = Direction(self.tape, self.along)
 
     def leaf(self, group: str, node: Node, name: str, shape: Shape) -> Any:
-        """Return a parameter, or a state, which moves."""
+        """Return a parameter, or a state, which varies."""
         at = group, (node.name, name)
         if group == "x":
-            return self.moving(at, shape, self.states[at[1]])
+            return self.varying(at, shape, self.states[at[1]])
         self.values[at] = np.asarray(getattr(self.parameters[node.name], name), float)[..., None]
         return self.tape.add("leaf", (), shape, at)
 
-    def given(self, port: str, shape: Shape, declared: Shape) -> Any:
-        """Return an input, which moves."""
-        return self.moving(("u", port), shape, self.inputs[port])
+    def input_of(self, port: str, shape: Shape, declared: Shape) -> Any:
+        """Return an input, which varies."""
+        return self.varying(("u", port), shape, self.inputs[port])
 
-    def moving(self, at: tuple, shape: Shape, place: slice) -> Any:
+    def varying(self, at: tuple, shape: Shape, place: slice) -> Any:
         """Return an array at its point, with its own directions."""
-        made = self.tape.add("leaf", (), shape, at)
-        self.along[operand(made)] = self.tape.add("leaf", (), shape, ("d", at))
+        leaf = self.tape.add("leaf", (), shape, at)
+        self.along[operand(leaf)] = self.tape.add("leaf", (), shape, ("d", at))
         self.values[at] = self.point[place].reshape(*shape, 1)
         self.values["d", at] = self.every[place].reshape(*shape, len(self.every))
-        return made
+        return leaf
 
-    def numbers(self, found: Iterable[Any], like: Iterable[Any] | None = None) -> list[np.ndarray]:
-        """Return values of the tape as numbers, the last axis for each direction."""
-        own = [lifted(self.tape, one) for one in found]
-        shapes = [getattr(one, "shape", ()) for one in (own if like is None else like)]
-        record = compact(self.tape.operations, [operand(one) for one in own], shapes)
-        made = computed(record, lambda *at: self.values[at], {})
-        return [np.broadcast_to(one, (*one.shape[:-1], len(self.every))) for one in made]
+    def numbers(self, values: Iterable[Any], like: Iterable[Any] | None = None) -> list[np.ndarray]:
+        """Return values of the tape as numbers; the last axis is that of the directions."""
+        values = [lifted(self.tape, one) for one in values]
+        shapes = [getattr(one, "shape", ()) for one in (values if like is None else like)]
+        record = compact(self.tape.operations, [operand(one) for one in values], shapes)
+        numbers = computed(record, lambda *at: self.values[at], {})
+        return [np.broadcast_to(one, (*one.shape[:-1], len(self.every))) for one in numbers]
 
     def slopes(self, values: list[Any]) -> np.ndarray:
         """Return the derivatives of values, a row for each element."""
-        own = self.numbers([self.direction.of(value) for value in values], values)
-        flat = [one.reshape(-1, len(self.every)) for one in own]
+        slopes = self.numbers([self.direction.of(value) for value in values], values)
+        flat = [one.reshape(-1, len(self.every)) for one in slopes]
         return np.concatenate([np.zeros((0, len(self.every))), *flat])
 
-    def apart(self, a: Any, b: Any, *_: Any) -> tuple[np.ndarray, np.ndarray]:
-        """Return where two values tie, and where their slopes differ then."""
+    def ties(self, a: Any, b: Any, *_: Any) -> tuple[np.ndarray, np.ndarray]:
+        """Return where two values are equal, and where their slopes differ there."""
         one, other, slope = self.numbers([a, b, self.direction.of(a - b)])
         ties = np.abs(one - other) <= CLOSE * np.maximum(
             1.0, np.maximum(np.abs(one), np.abs(other))
@@ -100,39 +100,39 @@ class _About:
     def check(self, values: Iterable[Any]) -> None:
         """Warn of each kink at the point; refuse a jump."""
         lines = list(self.tape.operations)
-        undecided: dict[int, Any] = {}  # condition -> where it may be either
+        undecided: dict[int, Any] = {}  # condition -> where both answers are possible
         for k in sorted(reached(lines, [operand(value) for value in values])):
             kind, arguments, _, _ = lines[k]
             doubtful = [undecided[a] for a in arguments if a in undecided]
-            own, said = [self.direction.value(a) for a in arguments], ""
+            operands, verdict = [self.direction.value(a) for a in arguments], ""
             if kind in ("lt", "le", "gt", "ge", "eq", "ne"):
-                _, undecided[k] = self.apart(*own)
+                _, undecided[k] = self.ties(*operands)
             elif kind in CONDITIONS and doubtful:
                 undecided[k] = np.logical_or.reduce(np.broadcast_arrays(*doubtful))
             elif (kind in MOVED or kind == "fill") and doubtful:
                 undecided[k] = np.any([np.any(one) for one in doubtful])
             elif kind == "where" and arguments[0] in undecided:
-                ties, bends = self.apart(*own[1:])
-                said = "jumps" if np.any(undecided[arguments[0]] & ~ties) else ""
-                said = said or ("bends" if np.any(undecided[arguments[0]] & bends) else "")
+                ties, bends = self.ties(*operands[1:])
+                verdict = "jumps" if np.any(undecided[arguments[0]] & ~ties) else ""
+                verdict = verdict or ("bends" if np.any(undecided[arguments[0]] & bends) else "")
             elif any(np.any(one) for one in doubtful):
-                said = "jumps"
+                verdict = "jumps"
             elif kind in ("minimum", "maximum", "fabs"):
-                said = "bends" if np.any(self.apart(*own, 0.0)[1]) else ""
+                verdict = "bends" if np.any(self.ties(*operands, 0.0)[1]) else ""
             elif kind in JUMPS or kind in ("mod", "pick"):
-                place = own[0] / own[1] if kind in ("mod", "floordiv") else own[-1]
+                place = operands[0] / operands[1] if kind in ("mod", "floordiv") else operands[-1]
                 near = 0.0 if kind == "sign" else np.round(self.numbers([place])[0][..., 0])
-                said = "jumps" if np.any(self.apart(place, near)[1]) else ""
-            self.said(self.found.owners.get(k, ""), kind, said)
+                verdict = "jumps" if np.any(self.ties(place, near)[1]) else ""
+            self.report(self.record.owners.get(k, ""), kind, verdict)
 
-    def said(self, owner: str, kind: str, said: str) -> None:
-        """Warn of what was found, or refuse it."""
-        if said == "jumps":
+    def report(self, owner: str, kind: str, verdict: str) -> None:
+        """Warn of a kink; refuse a jump."""
+        if verdict == "jumps":
             raise DiagramError(
                 f"{owner}: `{kind}` jumps at this point, so nothing is linear there; linearize on "
                 "one side of it"
             )
-        if said:
+        if verdict:
             warn(f"{owner}: `{kind}` has a kink at this point; the slope is that of one side")
 
 
@@ -194,12 +194,12 @@ def linearize(
     n, m = wiring.nodes[-1].states.stop, wiring.ninputs
     if not n + m:
         raise DiagramError(f"{system.name}: has no states and no inputs to linearize along")
-    x, u = (_numbers(*own) for own in (("x", x, n), ("u", u, m)))
+    x, u = (_vector(*one) for one in (("x", x, n), ("u", u, m)))
     try:
         at = _About(system, wiring, changed_parameters(wiring, params), t, x, u)
         ports = [(node, port) for node in wiring.nodes for port in node.system.declared["outputs"]]
-        signals = [at.found.signals[node.name, port] for node, port in ports]
-        rates = [at.found.rates[port] for port in at.states]
+        signals = [at.record.signals[node.name, port] for node, port in ports]
+        rates = [at.record.rates[port] for port in at.states]
         AB, Y = at.slopes(rates), at.slopes(signals)
         at.check([*rates, *signals])
     except Unread as error:
@@ -212,7 +212,7 @@ def linearize(
                 f"{system.name}: what {names[i]} does along {labels[j]} has no finite slope at "
                 "this point"
             )
-    made = state_space(
+    linear = state_space(
         *(AB[:, :n], AB[:, n:], CD[:, :n], CD[:, n:]),
         wiring.dt,
         states=labels[:n] or None,
@@ -220,7 +220,7 @@ def linearize(
         outputs=system.output_labels,
         name=f"{system.name}$linearized",
     )
-    return minimal_of(made) if minimal else made
+    return minimal_of(linear) if minimal else linear
 
 
 def state_space(A: Any, B: Any, C: Any, D: Any, dt: Any, **labels: Any) -> control.StateSpace:
@@ -230,24 +230,24 @@ def state_space(A: Any, B: Any, C: Any, D: Any, dt: Any, **labels: Any) -> contr
     """
     if labels["inputs"]:
         return control.StateSpace(A, B, C, D, dt, **labels)
-    made = control.StateSpace(
+    system = control.StateSpace(
         A, np.zeros((len(A), 1)), C, np.zeros((len(C), 1)), dt, **labels | {"inputs": 1}
     )
-    made.B, made.D = B, D
-    made.set_inputs(0)
-    return made
+    system.B, system.D = B, D
+    system.set_inputs(0)
+    return system
 
 
-def _numbers(name: str, given: Any, size: int) -> np.ndarray:
-    """Return the numbers of states or inputs."""
-    found = np.zeros(size) if given is None else np.atleast_1d(numbers(name, given))
-    if found.shape != (size,):
-        raise ArgumentError(f"{name} has shape {found.shape}; must be ({size},)")
-    return found
+def _vector(name: str, value: Any, size: int) -> np.ndarray:
+    """Return states or inputs as a vector; zeros for None."""
+    vector = np.zeros(size) if value is None else np.atleast_1d(numbers(name, value))
+    if vector.shape != (size,):
+        raise ArgumentError(f"{name} has shape {vector.shape}; must be ({size},)")
+    return vector
 
 
 def _reached(A: np.ndarray, B: np.ndarray) -> np.ndarray:
-    """Return a basis of the states that inputs reach; the states themselves where it can be."""
+    """Return a basis of the states that inputs reach: single states where that is possible."""
 
     def columns(M: np.ndarray) -> np.ndarray:
         return orth(M, rcond=REACHED) if M.size else M[:, :0]  # which SciPy 1.13 refuses
@@ -261,10 +261,10 @@ def _reached(A: np.ndarray, B: np.ndarray) -> np.ndarray:
 
 
 def minimal_of(system: control.StateSpace) -> control.StateSpace:
-    """Return the states that inputs reach and outputs see; mixed ones are called x[k]."""
+    """Return a system of the states that inputs and outputs reach; mixed states are x[k]."""
     (A, B, C), names = (system.A, system.B, system.C), system.state_labels
-    for turned in (False, True):
-        V = _reached(A.T, C.T) if turned else _reached(A, B)
+    for transposed in (False, True):
+        V = _reached(A.T, C.T) if transposed else _reached(A, B)
         A, B, C = V.T @ A @ V, V.T @ B, C @ V
         plain = np.all((V == 0.0) | (V == 1.0))
         names = [names[np.argmax(v)] if plain else f"x[{k}]" for k, v in enumerate(V.T)]

@@ -24,9 +24,9 @@ from ..equations.record import Operation, Record, Ref, Shape
 from .wiring import Node, Wire, Wiring
 
 Values = dict[tuple[str, str], Any]  # (block, port) -> Array or number
-# what makes the values with which a record begins
+# functions that make the values with which a record begins
 Leaf = Callable[[str, Node, str, Shape], Any]  # of group x or p, a block, its port or field, shape
-Given = Callable[[str, Shape, Shape], Any]  # an input of the diagram: port, shape, as declared
+Input = Callable[[str, Shape, Shape], Any]  # an input of the diagram: port, shape, as declared
 # outputs of a block that is not read, of what feeds it and their shapes; None where it is read
 StandIn = Callable[[Node, dict[str, Any], dict[str, Shape]], dict[str, Any] | None]
 
@@ -36,7 +36,7 @@ class MergedRecord:
     """The values of a diagram on one tape, by block and port."""
 
     inputs: dict[str, Any] = field(default_factory=dict)  # of the diagram, by port
-    signals: Values = field(default_factory=dict)  # what they put out
+    signals: Values = field(default_factory=dict)  # outputs of blocks
     rates: Values = field(default_factory=dict)
     jumps: Values = field(default_factory=dict)  # what states jump to
     fields: dict[str, dict[str, Shape]] = field(default_factory=dict)  # of parameters, by block
@@ -54,13 +54,13 @@ def open_sizes(wiring: Wiring) -> dict[str, int]:
 
 
 class RecordMerger:
-    """A diagram's blocks, written down one after the other on what feeds them."""
+    """Writes the records of a diagram's blocks one after the other, each on what feeds it."""
 
     def __init__(self, wiring: Wiring, outside: Mapping[int, int]):
-        """Join what is wired; `outside` has the sizes of the diagram's inputs by first signal."""
+        """Begin without values; `outside` has the sizes of the diagram's inputs by first signal."""
         self.wiring = wiring
-        self.given: dict[int, Ref] = {}  # the diagram's inputs, by first signal
-        self.made: dict[int, Ref] = {}  # what blocks put out so far, by first signal
+        self.inputs: dict[int, Ref] = {}  # of the diagram, by first signal
+        self.outputs: dict[int, Ref] = {}  # of blocks so far, by first signal
         sizes = {
             part.start + node.outputs.start: part.stop - part.start
             for node in wiring.nodes
@@ -70,14 +70,14 @@ class RecordMerger:
             ([at for at, size in own.items() if size], own) for own in (sizes, outside)
         ]
 
-    # --- what is written down, as who asks has it ---------------------------------------------
+    # --- what each user writes in its own way -------------------------------------------------
 
     def add(self, kind: str, arguments: Sequence[Ref], shape: Shape, at: Any = None) -> Ref:
-        """Write down an operation of no block."""
+        """Write an operation of no block."""
         raise NotImplementedError
 
     def put(self, k: int, role: str, record: Record, operation: Operation, own: list[Ref]) -> Ref:
-        """Write down an operation of a block's record on these arguments."""
+        """Write an operation of a block's record, on these arguments."""
         raise NotImplementedError
 
     def leaf(self, k: int, group: str, name: str, shape: Shape) -> Ref:
@@ -89,13 +89,13 @@ class RecordMerger:
         raise NotImplementedError
 
     def shape(self, block: Block, shape: Shape) -> Shape:
-        """Return a block's shape as it has it here."""
+        """Return a shape of a block as this record has it."""
         raise NotImplementedError
 
     # --- a block ------------------------------------------------------------------------------
 
     def run(self, k: int, role: str, fed: Mapping[str, Ref]) -> list[Ref]:
-        """Write down a block's record on what feeds it; return what each port is."""
+        """Write a block's record on what feeds it; return the value of each port."""
         record = self.wiring.nodes[k].system.array_record(role)
         values: list[Ref] = []
         for operation in record.operations:
@@ -108,16 +108,16 @@ class RecordMerger:
         return [values[ref] if type(ref) is int else ref for ref in record.outputs]
 
     def fed(self, k: int) -> dict[str, Ref]:
-        """Return what feeds each input port of a block."""
-        node, found, first = self.wiring.nodes[k], {}, 0
+        """Return the value that feeds each input port of a block."""
+        node, values, first = self.wiring.nodes[k], {}, 0
         for port, shape in node.system.declared["inputs"].items():
             size = prod(node.system.input_shapes[port])
-            found[port] = self.brought(node, port, first, size, self.shape(node.system, shape))
+            values[port] = self.brought(node, port, first, size, self.shape(node.system, shape))
             first += size
-        return found
+        return values
 
     def brought(self, node: Node, port: str, first: int, size: int, shape: Shape) -> Ref:
-        """Return what wires bring to a port: arrays where they lie whole, else pieces joined."""
+        """Return what wires bring to a port: a whole array where they can, else joined pieces."""
         terms = [t for wire in node.wires for t in self._terms(wire, first, first + size)]
         cuts = sorted({0, size, *(at for t in terms for at in (t[0], t[0] + t[1]))})
         pieces: list[Ref] = []
@@ -139,14 +139,14 @@ class RecordMerger:
     def _terms(self, wire: Wire, first: int, last: int) -> list[tuple[int, int, float, Ref, int]]:
         """Return (place, count, gain, source port, place in it) of a wire within [first, last)."""
         found = []
-        known = self.given if wire.external else self.made
+        known = self.inputs if wire.external else self.outputs
         starts, sizes = self._ports[wire.external]
         at, stop = max(wire.to, first), min(wire.to + wire.size, last)
         while at < stop:
             source = wire.source + at - wire.to
             start = starts[bisect(starts, source) - 1]
             n = min(stop - at, start + sizes[start] - source)
-            if start in known:  # else its block is run twice, and now for what does not need it
+            if start in known:  # else its block is run twice, and this time does not need it
                 ref = known[start]
                 ref = ref if type(ref) is int else self.add("fill", (ref,), (sizes[start],))
                 found.append((at - first, n, wire.gain, ref, source - start))
@@ -169,12 +169,12 @@ class _TapeMerger(RecordMerger):
         self.open = {} if closed else open_sizes(wiring)
         self.found = MergedRecord()
 
-    def merge(self, given: Given, stand_in: StandIn) -> MergedRecord:
-        """Put the blocks on the tape in their order."""
+    def merge(self, input_of: Input, stand_in: StandIn) -> MergedRecord:
+        """Write the blocks on the tape in their order."""
         found, nodes = self.found, self.wiring.nodes
         for port, (first, size) in self.external.items():
-            found.inputs[port] = given(port, *self.outside_shape(first, size))
-            self.given[first] = operand(found.inputs[port])
+            found.inputs[port] = input_of(port, *self.outside_shape(first, size))
+            self.inputs[first] = operand(found.inputs[port])
         for k in self.wiring.order:
             node, at = nodes[k], nodes[k].outputs.start
             u = self.arrays(k) if node.system.feedthrough or node.system.opaque else {}
@@ -185,7 +185,7 @@ class _TapeMerger(RecordMerger):
                 made = self.ports(k, "output", u)
             for port, value in made.items():
                 found.signals[node.name, port] = value
-                self.made[at] = operand(value)
+                self.outputs[at] = operand(value)
                 at += prod(node.system.output_shapes[port])
         for k, node in enumerate(nodes):
             found.fields[node.name] = self.fields(node.system)
@@ -205,7 +205,7 @@ class _TapeMerger(RecordMerger):
         }
 
     def outside_shape(self, first: int, size: int) -> tuple[Shape, Shape]:
-        """Return the shape of an input of the diagram, and as the port that it feeds has it."""
+        """Return the shape of a diagram's input, also as the port that it feeds declares it."""
         for node in self.wiring.nodes:
             for wire in node.wires:
                 if wire.external and wire.source <= first < wire.source + wire.size:
@@ -224,7 +224,7 @@ class _TapeMerger(RecordMerger):
     # --- on the tape ----------------------------------------------------------------------------
 
     def add(self, kind: str, arguments: Sequence[Ref], shape: Shape, at: Any = None) -> Ref:
-        """Write down an operation."""
+        """Write an operation."""
         return self.tape.add(kind, arguments, shape, at)._node
 
     def put(self, k: int, role: str, record: Record, operation: Operation, own: list[Ref]) -> Ref:
@@ -233,14 +233,14 @@ class _TapeMerger(RecordMerger):
         return self.add(operation.kind, own, shape, operation.at)
 
     def leaf(self, k: int, group: str, name: str, shape: Shape) -> Ref:
-        """Return time, or what was given for a state or a parameter."""
+        """Return time, or the value of a state or a parameter."""
         if group == "t":
             return self.add("leaf", (), (), ("t", "t"))
         node = self.wiring.nodes[k]
         return operand(self.own_leaf(group, node, name, self.shape(node.system, shape)))
 
     def part(self, ref: Ref, first: int, shape: Shape) -> Ref:
-        """Return elements of a value from a place on; of an open size there are no parts."""
+        """Return elements of a value from a place on; an array of an open size has no parts."""
         value = self.array(ref)
         if first == 0 and value.shape == shape:
             return ref
@@ -266,7 +266,7 @@ class _TapeMerger(RecordMerger):
         return {port: self.array(ref) for port, ref in self.fed(k).items()}
 
     def ports(self, k: int, role: str, u: dict[str, Any]) -> dict[str, Any]:
-        """Return what a block's function returns on this tape, by port."""
+        """Return the results of a block's function on this tape, by port."""
         node = self.wiring.nodes[k]
         block, first = node.system, len(self.tape.operations)
         self.check_open(node, role, block.array_record(role))
@@ -299,11 +299,11 @@ def merged_record(
     diagram: control.NonlinearIOSystem,
     wiring: Wiring,
     leaf: Leaf,
-    given: Given,
+    input_of: Input,
     stand_in: StandIn = lambda node, u, shapes: None,
     tape: Tape | None = None,
     closed: bool = False,
 ) -> MergedRecord:
-    """Return a diagram's record; `leaf`, `given` and `stand_in` make what it begins with."""
+    """Return a diagram's record; `leaf`, `input_of` and `stand_in` make its first values."""
     external = {port: len(own) for port, own in ports_of(diagram.input_labels).items()}
-    return _TapeMerger(wiring, external, tape or Tape(), leaf, closed).merge(given, stand_in)
+    return _TapeMerger(wiring, external, tape or Tape(), leaf, closed).merge(input_of, stand_in)

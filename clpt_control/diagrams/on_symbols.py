@@ -1,10 +1,10 @@
-"""A diagram's equations on symbols, read off its record.
+"""A diagram's equations on symbols, made from its record.
 
     y' = -a y + b u            eq.rates["y"], eq["a"], eq.derivative(eq["y"] ** 2)
 
-A symbol is called what python-control calls it: "y", or "x[0]" of several, by the labels of states
-and inputs, and a parameter by its name; with its block before it, "plant.y", where two have one
-name.  `Names` says so, and a theory may call them otherwise.
+A state or input is called as python-control labels it, "y", or "x[0]" where there are several; a
+parameter has its own name.  If two have one name, the block comes first: "plant.y".  `Names` holds
+these rules; a theory may have others.
 """
 
 import re
@@ -32,9 +32,9 @@ from .merged_record import merged_record
 from .wiring import Node, Wiring, read_unsampled, wiring_of
 
 TIME = sympy.Symbol("t", real=True)
-# gets block.role, an operation and its arguments on symbols; returns what to say of it
+# takes block.role, an operation and its arguments on symbols; returns a remark on it, or None
 Watch = Callable[[str, str, tuple], str | None]
-SHOWN = 40  # equations in one picture
+MOST_EQUATIONS = 40  # in one picture
 
 
 @dataclass
@@ -49,13 +49,13 @@ class Equations:
     states : dict of ndarray
         Symbols, by port.
     rates : dict of ndarray
-        Time derivatives of the states; of a diagram of discrete time, what they are next.
+        Time derivatives of the states; in discrete time, the next states.
     signals : dict of ndarray
-        What blocks put out, in states, inputs and parameters.
+        Outputs of blocks, in states, inputs and parameters.
     inputs : dict of ndarray
         Functions of time.
     jumps : dict of dict
-        Block -> state -> what it jumps to at a breakpoint.
+        Block -> state -> its value after a jump at a breakpoint.
     parameters : dict of Parameters
         Block -> its parameters.
     fields : dict of ndarray
@@ -63,9 +63,9 @@ class Equations:
     values : dict
         Symbol of a parameter -> its number, an exact rational.
     undefined : list of str
-        Where there may be no value, in sentences, as proofs ask.
+        Where there may be no value, in sentences.
     pinned : list of tuple
-        Parameters, (block, name), whose value the functions asked for: they are numbers.
+        Parameters, (block, name), that are numbers, because functions depend on their value.
     discrete : bool
         Whether time is discrete.
 
@@ -100,7 +100,7 @@ class Equations:
 
     @cached_property
     def named(self) -> dict[str, np.ndarray]:
-        """All that has a name: signals, inputs, states, parameters."""
+        """All signals, inputs, states and parameters, by name."""
         return {**self.fields, **self.signals, **self.inputs, **self.states}
 
     @cached_property
@@ -126,7 +126,7 @@ class Equations:
         return sympy.Add(*(sympy.diff(found, s) * rate for s, rate in moving.items()))
 
     def jumps_at_once(self) -> Iterator[dict[Any, Any]]:
-        """Yield state -> what it jumps to, for each set of blocks."""
+        """Yield state -> its value after the jump, for each set of blocks that jump together."""
         for count in range(1, len(self.jumps) + 1):
             for together in combinations(self.jumps.values(), count):
                 yield {s: new for one in together for s, new in one.items()}
@@ -134,19 +134,23 @@ class Equations:
     # --- how they are shown -----------------------------------------------------------------
 
     def _lines(self, print_as: Callable[[Any], str], rate: str, jump: str) -> Iterator[str]:
-        """Yield an equation each: rates, signals that are no states, jumps."""
-        moved = jump if self.discrete else rate
-        own = [(moved, s, value) for s, value in self.motion.items()]
+        """Yield the equations one by one: rates, signals that are no states, jumps."""
+        next_or_rate = jump if self.discrete else rate
+        rows = [(next_or_rate, s, value) for s, value in self.motion.items()]
         plain = {*self.motion, *(s for port in self.inputs.values() for s in port.flat)}
         for port, values in self.signals.items():
             for index, value in np.ndenumerate(values):
                 if value not in plain:
-                    own.append(("{}", sympy.Symbol(element_name(port, values.shape, index)), value))
-        own += [(jump, s, new) for one in self.jumps.values() for s, new in one.items() if new != s]
-        for form, s, value in own[:SHOWN]:
+                    rows.append(
+                        ("{}", sympy.Symbol(element_name(port, values.shape, index)), value)
+                    )
+        rows += [
+            (jump, s, new) for one in self.jumps.values() for s, new in one.items() if new != s
+        ]
+        for form, s, value in rows[:MOST_EQUATIONS]:
             yield f"{form.format(print_as(s))} = {print_as(value)}"
-        if len(own) > SHOWN:
-            yield f"... {len(own) - SHOWN} more"
+        if len(rows) > MOST_EQUATIONS:
+            yield f"... {len(rows) - MOST_EQUATIONS} more"
 
     def __repr__(self) -> str:
         return "\n".join(self._lines(str, "{}'", "{}+"))
@@ -169,7 +173,7 @@ def typeset(expression: Any) -> str:
         f: sympy.Symbol(str(f.func)) for f in expression.atoms(AppliedUndef) if f.args == (TIME,)
     }
     expression = expression.xreplace(inputs)
-    shown = {}
+    latex = {}
     for symbol in expression.free_symbols:
         (parts,) = re.findall(r"^(?:(.*)\.)?([^.\[]*)(?:\[(.*)\])?$", str(symbol))
         space, name, place = parts
@@ -178,8 +182,8 @@ def typeset(expression: Any) -> str:
         base = f"{{{base}}}" if "_" in base and place else base
         base += f"_{{{place}}}" if place else ""
         space = space.replace("_", r"\_")
-        shown[symbol] = base + (rf"^{{\mathrm{{{space}}}}}" if space else "")
-    return sympy.latex(expression, symbol_names=shown)
+        latex[symbol] = base + (rf"^{{\mathrm{{{space}}}}}" if space else "")
+    return sympy.latex(expression, symbol_names=latex)
 
 
 def element_name(port: str, shape: Shape, index: tuple) -> str:
@@ -201,7 +205,7 @@ def groups(system: Any, kind: str) -> list[Group]:
 
 
 def fields_of(system: Any) -> list[str]:
-    """Return a block's parameters; of python-control's params those that its functions read."""
+    """Return a block's parameters; of python-control's params only those that functions read."""
     if not isinstance(system, System):
         return list(system.parameters._fields)
     records = [system.array_record(role) for role in {*system._roles, "output"}]
@@ -209,7 +213,7 @@ def fields_of(system: Any) -> list[str]:
 
 
 class Names:
-    """What ports and parameters of a diagram are called."""
+    """The names of ports and parameters of a diagram."""
 
     def __init__(self, wiring: Wiring, inputs: Iterable[str]):
         found, shared = [*inputs], dict[str, list[Any]]()
@@ -228,15 +232,15 @@ class Names:
         self.count = Counter(found)
 
     def port(self, node: Node, group: str, kind: str) -> str:
-        """Return what a port of a block is called, of kind state or output, or a parameter."""
+        """Return the name of a port of a block, of kind state or output, or of a parameter."""
         return group if self.count[group] == 1 else f"{node.name}.{group}"
 
     def block(self, node: Node) -> str:
-        """Return what a block is called."""
+        """Return the name of a block."""
         return node.name
 
     def element(self, port: str, shape: Shape, declared: Shape, index: tuple) -> str:
-        """Return what an element of a port is called."""
+        """Return the name of an element of a port."""
         return element_name(port, shape, index)
 
     def parameter(self, node: Node, own: str, value: np.ndarray, index: tuple) -> sympy.Expr:
@@ -259,13 +263,13 @@ class Numbers(Names):
 
 
 class _Read:
-    """The leaves of a diagram's record, and what becomes of them on symbols."""
+    """The leaves of a diagram's record, and its equations on symbols."""
 
     def __init__(self, diagram: Any, wiring: Wiring, names: Names, hidden: Iterable[str]):
         self.diagram, self.wiring, self.names, self.hidden = diagram, wiring, names, set(hidden)
         self.tape, self.table = Tape(), dict[Any, Any]()
-        self.made = Equations(diagram.name, {}, {}, {}, {}, {}, {}, {}, discrete=bool(wiring.dt))
-        self.arguments: dict[Any, list[Any]] = {}  # of what is undefined
+        self.result = Equations(diagram.name, {}, {}, {}, {}, {}, {}, {}, discrete=bool(wiring.dt))
+        self.arguments: dict[Any, list[Any]] = {}  # of undefined functions
         self.symbols: dict[str, dict[str, np.ndarray]] = {}  # of states, by block and port
 
     def states_of(self, node: Node) -> dict[str, np.ndarray]:
@@ -280,7 +284,7 @@ class _Read:
                     for index in np.ndindex(shape)
                 ]
                 flat[places] = own
-                self.made.states[port] = flat[places].reshape(shape)
+                self.result.states[port] = flat[places].reshape(shape)
             ends = np.cumsum([prod(shape) for shape in node.system.state_shapes.values()])
             parts = zip(node.system.state_shapes.items(), np.split(flat, ends[:-1]), strict=True)
             self.symbols[node.name] = {port: own.reshape(n) for (port, n), own in parts}
@@ -288,47 +292,47 @@ class _Read:
 
     def leaf(self, group: str, node: Node, name: str, shape: Shape) -> Any:
         """Return a state or a parameter of a block as an array."""
-        held = self.states_of(node)[name] if group == "x" else self.held(node, name)
-        return self.kept((group, (node.name, name)), held)
+        symbols = self.states_of(node)[name] if group == "x" else self.parameter(node, name)
+        return self.array((group, (node.name, name)), symbols)
 
-    def kept(self, at: tuple, symbols: np.ndarray) -> Any:
-        """Return an array of these symbols."""
+    def array(self, at: tuple, symbols: np.ndarray) -> Any:
+        """Return a leaf of the tape that has these symbols."""
         self.table[at] = symbols
         return self.tape.add("leaf", (), symbols.shape, at)
 
-    def held(self, node: Node, own: str) -> np.ndarray:
+    def parameter(self, node: Node, name: str) -> np.ndarray:
         """Return the symbols of a parameter."""
-        value = np.asarray(getattr(node.system.parameters, own), dtype=float)
-        found = np.empty(value.shape, dtype=object)
+        value = np.asarray(getattr(node.system.parameters, name), dtype=float)
+        symbols = np.empty(value.shape, dtype=object)
         for index in np.ndindex(value.shape):
-            found[index] = self.names.parameter(node, own, value, index)
-            if isinstance(found[index], sympy.Symbol) and own != "interval":
-                self.made.values[found[index]] = rational(float(value[index]))
-        return found
+            symbols[index] = self.names.parameter(node, name, value, index)
+            if isinstance(symbols[index], sympy.Symbol) and name != "interval":
+                self.result.values[symbols[index]] = rational(float(value[index]))
+        return symbols
 
-    def given(self, port: str, shape: Shape, declared: Shape) -> Any:
+    def input_of(self, port: str, shape: Shape, declared: Shape) -> Any:
         """Return an input of the diagram as an array."""
-        self.made.inputs[port] = self.functions(port, shape, declared)
-        return self.kept(("u", port), self.made.inputs[port])
+        self.result.inputs[port] = self.functions(port, shape, declared)
+        return self.array(("u", port), self.result.inputs[port])
 
     def functions(self, port: str, shape: Shape, declared: Shape, *of: Any) -> np.ndarray:
         """Return undefined functions of time, and of more."""
-        found = np.empty(shape, dtype=object)
+        functions = np.empty(shape, dtype=object)
         for index in np.ndindex(shape):
             name = self.names.element(port, shape, declared, index)
-            found[index] = sympy.Function(name, real=True)(TIME, *of)
-        return found
+            functions[index] = sympy.Function(name, real=True)(TIME, *of)
+        return functions
 
     def stand_in(self, node: Node, u: dict[str, Any], shapes: dict[str, Shape]) -> Any:
-        """Return what a block puts out that stays undefined."""
+        """Return the outputs of a block that stays undefined; None of another."""
         if not (node.system.opaque or node.system.name in self.hidden):
             return None
-        found = {}
+        outputs = {}
         for port, shape in shapes.items():
             at = "o", (node.name, port)
             self.arguments[at] = [node, port, shape, list(u.values())]
-            found[port] = self.tape.add("leaf", (), shape, at)
-        return found
+            outputs[port] = self.tape.add("leaf", (), shape, at)
+        return outputs
 
     def element(self, at: tuple, shape: Shape, index: tuple) -> Any:
         """Return the symbol of an element of a leaf."""
@@ -343,16 +347,18 @@ class _Read:
         return self.table[at][index]
 
     def equations(self, watch: Watch) -> Equations:
-        """Put the diagram on symbols."""
-        made, names, wiring = self.made, self.names, self.wiring
-        found = merged_record(
-            self.diagram, wiring, self.leaf, self.given, self.stand_in, self.tape, closed=True
+        """Return the equations of the diagram."""
+        result, names, wiring = self.result, self.names, self.wiring
+        record = merged_record(
+            self.diagram, wiring, self.leaf, self.input_of, self.stand_in, self.tape, closed=True
         )
 
         def watched(place: int, kind: str, arguments: tuple) -> None:
-            said = watch(found.owners[place], kind, arguments) if place in found.owners else None
-            if said:
-                made.undefined.append(f"{found.owners[place]} {said}")
+            remark = (
+                watch(record.owners[place], kind, arguments) if place in record.owners else None
+            )
+            if remark:
+                result.undefined.append(f"{record.owners[place]} {remark}")
 
         self.elements = Symbols(self.tape.operations, self.element, watched)
 
@@ -363,30 +369,30 @@ class _Read:
 
         for node in wiring.nodes:
             system, block = node.system, names.block(node)
-            values = flat(found.signals, node, system.declared["outputs"])
+            values = flat(record.signals, node, system.declared["outputs"])
             for group, places, shape in groups(system, "output"):
-                made.signals[names.port(node, group, "output")] = values[places].reshape(shape)
+                result.signals[names.port(node, group, "output")] = values[places].reshape(shape)
             if system.nstates:
                 symbols = np.concatenate([s.ravel() for s in self.states_of(node).values()])
-                rates = flat(found.rates, node, system.declared["states"])
+                rates = flat(record.rates, node, system.declared["states"])
                 for group, places, shape in groups(system, "state"):
-                    made.rates[names.port(node, group, "state")] = rates[places].reshape(shape)
+                    result.rates[names.port(node, group, "state")] = rates[places].reshape(shape)
             if system.jump_function is not None:
-                after = flat(found.jumps, node, system.declared["states"])
-                made.jumps[block] = dict(zip(symbols, after, strict=True))
-            held = {
-                own: value if isinstance(value, int) else self.held(node, own)[()]
-                for own in fields_of(system)
-                for value in [getattr(system.parameters, own)]
+                after = flat(record.jumps, node, system.declared["states"])
+                result.jumps[block] = dict(zip(symbols, after, strict=True))
+            fields = {
+                name: value if isinstance(value, int) else self.parameter(node, name)[()]
+                for name in fields_of(system)
+                for value in [getattr(system.parameters, name)]
             }
-            made.parameters[block] = Parameters(**held)
-            for own, value in held.items():
-                if own != "interval" and not is_linear(system):
-                    made.fields[names.port(node, own, "parameter")] = np.asarray(
+            result.parameters[block] = Parameters(**fields)
+            for name, value in fields.items():
+                if name != "interval" and not is_linear(system):
+                    result.fields[names.port(node, name, "parameter")] = np.asarray(
                         value, dtype=object
                     )
-        made.pinned = sorted(found.pinned)
-        return made
+        result.pinned = sorted(record.pinned)
+        return result
 
 
 def on_symbols(
@@ -441,7 +447,7 @@ def equations(system: control.NonlinearIOSystem, numbers: bool = False) -> Equat
 
 
 def readable_equations(system: Any, names: type[Names] = Names, **how: Any) -> Equations:
-    """Read a diagram as it is now; what samples or cannot be read is refused."""
+    """Return a diagram's equations as it is now; refuse parts that sample or cannot be read."""
     read_unsampled(system)
     try:
         return on_symbols(system, names, **how)

@@ -146,7 +146,7 @@ class DiagramRecord(RecordMerger):
         self.decided_by: dict[int, tuple] = {}  # entry that may decide -> its long axes, and where
         self.rates: list[Port] = []
         self._jumped: dict[int, dict[str, Ref]] = {}  # states of a block after jumps, once known
-        self.given[0] = self._inputs()
+        self.inputs[0] = self._inputs()
         self.signals = self._rates()
         guarded = [k for k, node in enumerate(wiring.nodes) if node.system.guard is not None]
         self.margins = [m for k in guarded for m in self.run(k, "guard", self.fed(k))]
@@ -177,7 +177,7 @@ class DiagramRecord(RecordMerger):
         node = self.wiring.nodes[k]
         values = self.run(k, "output", self.fed(k) if node.system.feedthrough else {})
         ports = [port for port in self._stored(k, "outputs", values) if prod(port.shape)]
-        self.made.update({port.first: port.ref for port in ports})
+        self.outputs.update({port.first: port.ref for port in ports})
         return ports
 
     def _rates(self) -> list[Port]:
@@ -208,7 +208,7 @@ class DiagramRecord(RecordMerger):
 
     def _sample(self) -> None:
         """Sample the inputs of blocks that sample, with the signals after all jumps."""
-        nodes, self.made = self.wiring.nodes, {}
+        nodes, self.outputs = self.wiring.nodes, {}
         sampling = [k for k, node in enumerate(nodes) if node.system.first_held is not None]
         for k in self.wiring.order if sampling else ():
             if k in sampling:

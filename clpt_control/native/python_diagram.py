@@ -123,7 +123,7 @@ class PythonDiagram:
             (jump, "D", n),
         ]
         places = max(self.jumps.values(), default=-1) + 1
-        own = [callback(function, n, places, *written, raised) for function, *written in functions]
+        own = [callback(one, n, places, array, count, raised) for one, array, count in functions]
         formulas = kernels(n, 1, method) if n else None
         more = formulas.addresses.values() if formulas else ()
         addresses = [*(cast(one, c_void_p).value for one in own), 0, 0, *more]

@@ -1,10 +1,10 @@
-"""What a run is given: times, states, inputs as python-control gives them, and the pieces of time.
+"""The arguments of a run: times, states, inputs as python-control takes them, and pieces of time.
 
 A run stops exactly where a piece ends: at a breakpoint of a block or at a sample of the diagram's
-inputs.  A piece sets in P the `interval` of blocks that jump, whether their states jump where it
-begins, and the straight line of each input.  States do not jump where a run begins: it begins
-after; but blocks that sample at that time hold what feeds them then.  In Python a run stops where a
-sampled input turns sharply; smaller bends, as of a sampled sine, are smooth to the tolerance.
+inputs.  A piece sets in P the `interval` of blocks that jump, whether their states jump at its
+beginning, and the straight line of each input.  A run begins after the jumps of that time, but
+blocks that sample then sample their inputs.  In Python a run stops at sharp bends of a sampled
+input; smaller bends, as of a sampled sine, are smooth to the tolerance.
 """
 
 from bisect import bisect_right
@@ -20,7 +20,7 @@ from ..errors import SimulationError
 from ..progress import warn
 from .sweep import Sweep
 
-STRAIGHT = 1e-14  # of the largest value, off a straight line, is rounding
+STRAIGHT = 1e-14  # of the largest value: a smaller distance from a straight line is rounding
 SHARP = 10.0  # a bend is sharp if it is so many times as large as most
 FELT = 200.0  # and if it is so many tolerances of the input, off the line before it
 FELT_BY_ORDER_5 = 2000.0  # the same for DOPRI5, whose steps are shorter
@@ -53,14 +53,14 @@ class Inputs:
 
     @cached_property
     def slopes(self) -> np.ndarray:
-        """The slopes between samples, shape (ninputs, nt - 1); 0 of inputs that are held."""
+        """The slopes between samples, shape (ninputs, nt - 1); 0 for inputs that are constant."""
         assert self.samples is not None
         at, u = self.samples
         return (u[:, 1:] - u[:, :-1]) / (at[1:] - at[:-1]) if len(at) > 1 else np.zeros_like(u)
 
     @cached_property
     def kinks(self) -> np.ndarray:
-        """Times at which the inputs bend: samples on one straight line are one piece."""
+        """Times at which the inputs bend; samples on one straight line are one piece."""
         at, u = self.samples or (np.zeros(0), np.zeros((0, 0)))
         if len(at) < 3:
             return at
@@ -68,10 +68,10 @@ class Inputs:
         size = STRAIGHT * np.abs(u).max(axis=1, initial=1e-300, keepdims=True)
         steps = at[1:] - at[:-1]
         bend = (np.abs(slopes[:, 1:] - slopes[:, :-1]) * steps[1:] > size).any(axis=0)
-        kept = np.flatnonzero(np.concatenate([[True], bend, [True]]))
-        ends = np.repeat(kept[:-1], np.diff(kept))  # the beginning of each sample's piece
-        line = u[:, ends] + slopes[:, ends] * (at[:-1] - at[ends])
-        return at[kept] if (np.abs(line - u[:, :-1]) <= 1e3 * size).all() else at
+        bends = np.flatnonzero(np.concatenate([[True], bend, [True]]))
+        begins = np.repeat(bends[:-1], np.diff(bends))  # of each sample's piece
+        line = u[:, begins] + slopes[:, begins] * (at[:-1] - at[begins])
+        return at[bends] if (np.abs(line - u[:, :-1]) <= 1e3 * size).all() else at
 
     def along(self, times: np.ndarray) -> np.ndarray:
         """Return the inputs at times, shape (ninputs, nt)."""
@@ -90,10 +90,10 @@ def sharp_bends(times: np.ndarray, values: np.ndarray, least: float) -> np.ndarr
         return times[:0]
     spans, size = times[1:] - times[:-1], np.max(np.abs(values), axis=1, keepdims=True)
     slopes = (values[:, 1:] - values[:, :-1]) / spans
-    turns = np.abs(slopes[:, 1:] - slopes[:, :-1])
+    bends = np.abs(slopes[:, 1:] - slopes[:, :-1])
     rounding = 1e-12 * np.max(np.abs(slopes), axis=1, keepdims=True)
-    sharper = turns > SHARP * np.median(turns, axis=1, keepdims=True) + rounding
-    felt = turns * np.minimum(spans[1:], spans[:-1]) > (least + 1e-12) * size
+    sharper = bends > SHARP * np.median(bends, axis=1, keepdims=True) + rounding
+    felt = bends * np.minimum(spans[1:], spans[:-1]) > (least + 1e-12) * size
     return times[1:-1][np.any(sharper | felt, axis=0)]
 
 
@@ -110,7 +110,7 @@ def checked_times(name: str, timepts: Any) -> np.ndarray:
 def stacked_state(name: str, state: Any, count: int, padded: bool = True) -> np.ndarray:
     """Return `count` states as python-control takes them.
 
-    A list, ``[x0, 0]``, holds numbers and arrays that follow each other; zeros follow a last zero.
+    A list, ``[x0, 0]``, holds numbers and arrays one after the other; a last zero is repeated.
     """
     if isinstance(state, list | tuple) and state and not all(map(np.isscalar, state)):
         state = np.concatenate([numbers(name, part).ravel() for part in state])
@@ -127,7 +127,7 @@ def stacked_state(name: str, state: Any, count: int, padded: bool = True) -> np.
 def sizes_of_run(
     diagram: Any, inputs: Any, x0: Any, times: np.ndarray
 ) -> tuple[int | None, int | None]:
-    """Return how many states and inputs a run gives, where its system leaves that open."""
+    """Return the numbers of states and inputs of a run, where its system leaves them open."""
     states = inputs_ = None
     if diagram.nstates is None:
         parts = x0 if isinstance(x0, list | tuple) else [0.0 if x0 is None else x0]
@@ -139,7 +139,7 @@ def sizes_of_run(
 
 
 def checked_state(name: str, state: Any, shape: tuple[int, ...]) -> np.ndarray:
-    """Return states as an array of a shape; a single number stands for all."""
+    """Return states as an array of a shape; a single number is the value of all."""
     values = numbers(name, state)
     if values.ndim == 0:
         values = np.full(shape, float(values))
@@ -151,7 +151,7 @@ def checked_state(name: str, state: Any, shape: tuple[int, ...]) -> np.ndarray:
 
 
 def _stacked(inputs: Sequence[Any], times: np.ndarray) -> np.ndarray:
-    """Return a list of inputs as rows: samples at the times, numbers that are held."""
+    """Return a list of inputs as rows: samples at the times, or constant numbers."""
     rows = []
     for one in inputs:
         values = numbers("inputs", one)
@@ -168,10 +168,10 @@ def _stacked(inputs: Sequence[Any], times: np.ndarray) -> np.ndarray:
 def read_inputs(inputs: Any, times: np.ndarray, count: int) -> Inputs:
     """Read `count` inputs in python-control's forms.
 
-    Values of shape (count, nt) at `times` are joined by straight lines; a number, or one for
-    each input, is held; a list may hold both, ``[u1, 0]``; a function is called with the time.
+    Straight lines join values of shape (count, nt) at `times`.  A number, or one for each input, is
+    constant.  A list may hold both, ``[u1, 0]``.  A function is called with the time.
     """
-    if isinstance(inputs, Inputs):  # they are read
+    if isinstance(inputs, Inputs):  # as read before
         return inputs
     if callable(inputs):
 
@@ -192,12 +192,12 @@ def read_inputs(inputs: Any, times: np.ndarray, count: int) -> Inputs:
         raise SimulationError("inputs: must be finite; fill the gaps before the run")
     if values.ndim <= 1 and not (count == 1 and values.shape == times.shape and len(times) > 1):
         try:
-            held = np.broadcast_to(values, count).astype(float)
+            constant = np.broadcast_to(values, count).astype(float)
         except ValueError:
             raise SimulationError(
                 f"inputs: shape {values.shape} does not fit {count} inputs at {len(times)} times"
             ) from None
-        return Inputs((times[:1], held[:, None]))
+        return Inputs((times[:1], constant[:, None]))
     values = np.atleast_2d(values)
     if values.shape != (count, len(times)):
         raise SimulationError(
@@ -208,7 +208,7 @@ def read_inputs(inputs: Any, times: np.ndarray, count: int) -> Inputs:
 
 # --- pieces of time ---------------------------------------------------------------------------
 
-JUMPS, BEGINS = 1.0, -1.0  # in P: a block jumps, or holds what feeds it where a run begins
+JUMPS, BEGINS = 1.0, -1.0  # in P: a block jumps, or samples its inputs as a run begins
 
 
 class Schedule(NamedTuple):
@@ -245,12 +245,10 @@ def make_schedule(
     kinks: np.ndarray,
     breaks: Any,
 ) -> Schedule:
-    """Return the pieces of a run from t0 to t1, which also stop at `kinks` and at `breaks`.
+    """Return the pieces of a run from t0 to t1, which also end at `kinks` and at `breaks`.
 
-    Rates bend at kinks and jump at breaks.
-
-    `intervals` holds the place in P of each block's `interval`, `jumps` the place that is `JUMPS`
-    where a piece begins with a jump of the block's states.
+    Rates bend at kinks and jump at breaks.  `intervals` holds the place in P of each block's
+    `interval`, `jumps` the place that is `JUMPS` in a piece that begins with a jump of its states.
     """
     jumping = np.union1d(sweep.breakpoints(t0, t1), breaks)
     edges = np.union1d(jumping, kinks)
@@ -261,16 +259,16 @@ def make_schedule(
     places = np.array([*intervals.values(), *jumps.values()], dtype=np.int64)
     values = np.zeros((len(starts), len(places)))
 
-    def numbers(k: int) -> np.ndarray:
-        block, given = sweep.nodes[k].system, sweep.parameters[k]
-        if given.interval >= 0:
-            return np.full(len(starts), given.interval)
-        return np.searchsorted(block.breakpoints(0.0, t1, given), starts, side="right")
+    def intervals_of(k: int) -> np.ndarray:
+        block, p = sweep.nodes[k].system, sweep.parameters[k]
+        if p.interval >= 0:
+            return np.full(len(starts), p.interval)
+        return np.searchsorted(block.breakpoints(0.0, t1, p), starts, side="right")
 
     for j, k in enumerate(intervals):
-        values[:, j] = numbers(k)
+        values[:, j] = intervals_of(k)
     for j, k in enumerate(jumps, len(intervals)):
-        values[1:, j] = JUMPS * (np.diff(numbers(k)) != 0)
+        values[1:, j] = JUMPS * (np.diff(intervals_of(k)) != 0)
         block = sweep.nodes[k].system
         if block.first_held is not None and block.samples_at(t0):
             values[0, j] = BEGINS
@@ -278,7 +276,7 @@ def make_schedule(
 
 
 def with_inputs(pieces: Schedule, t0: float, inputs: Inputs, ramp: int) -> Schedule:
-    """Add the diagram's inputs, straight within pieces that stop at every sample.
+    """Return pieces that also set the diagram's inputs, straight lines within each piece.
 
     `ramp` is their place in P: time, values, slopes.
     """
