@@ -79,7 +79,7 @@ def run_compared(runner: NativeDiagram, start: Any, times: Any, **options: Any) 
     try:
         solution = runner.run(start, times, **options)
     except SimulationError as error:
-        begun, inputs = Solution(np.asarray(times[:1]), np.reshape(start, (1, -1))), given["inputs"]
+        begun, inputs = Solution(np.asarray(times[:1]), np.reshape(start, (1, -1))), options["inputs"]
         why = difference(runner, begun, runner.signals(begun, inputs, check=False), inputs)
         if not why and Status.NOT_FINITE.sentence in str(error):  # Python's blocks find nothing
             why = "what was read gives a number that is not finite, where Python gives one"
