@@ -79,8 +79,9 @@ def run_compared(runner: NativeDiagram, start: Any, times: Any, **options: Any) 
     try:
         solution = runner.run(start, times, **options)
     except SimulationError as error:
-        begun, inputs = Solution(np.asarray(times[:1]), np.reshape(start, (1, -1))), options["inputs"]
-        why = difference(runner, begun, runner.signals(begun, inputs, check=False), inputs)
+        at_start = Solution(np.asarray(times[:1]), np.reshape(start, (1, -1)))
+        signals = runner.signals(at_start, options["inputs"], check=False)
+        why = difference(runner, at_start, signals, options["inputs"])
         if not why and Status.NOT_FINITE.sentence in str(error):  # Python's blocks find nothing
             why = "what was read gives a number that is not finite, where Python gives one"
         if not why:
