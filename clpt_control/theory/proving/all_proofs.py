@@ -223,10 +223,8 @@ class CachedOutcomes:
     """The outcomes in the user's cache, and the times at which they were reached."""
 
     def __init__(self) -> None:
-        self.digest, self.folder = digest(), cache_folder()
-        self.path = None
-        if self.folder is not None and self.digest:
-            self.path = self.folder / f"verdicts-{self.digest}.json"
+        self.digest, folder = digest(), cache_folder()
+        self.path = folder / f"verdicts-{self.digest}.json" if folder and self.digest else None
         self.outcomes: Outcomes = {}
         self.times: dict[Statement, str] = {}
         text = None if self.path is None else read_cached(self.path)
@@ -239,12 +237,12 @@ class CachedOutcomes:
         now = datetime.now(UTC).isoformat(timespec="seconds")
         self.outcomes |= new
         self.times |= dict.fromkeys(new, now)
-        if self.path is None or self.folder is None:
+        if self.path is None:
             return
         good = [(one, self.times[one], own) for one, own in self.outcomes.items() if holds(own)]
         write_cached(self.path, rows().dump_json(good))
         with suppress(OSError):
-            others = [one for one in self.folder.glob("verdicts-*.json") if one != self.path]
+            others = [one for one in self.path.parent.glob("verdicts-*.json") if one != self.path]
             others.sort(key=lambda one: one.stat().st_mtime, reverse=True)
             for one in others[OTHER_FILES:]:
                 one.unlink(missing_ok=True)

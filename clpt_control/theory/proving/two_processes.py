@@ -24,7 +24,9 @@ if TYPE_CHECKING:  # the other process starts before all this is imported
 @contextmanager
 def second_process() -> Iterator[Pool | None]:
     """Yield a pool of one process, where there is a core for it."""
-    os.environ.setdefault("SYMPY_CACHE_SIZE", "100000")  # 1,000 by default; asked by its import
+    os.environ.setdefault(
+        "SYMPY_CACHE_SIZE", "100000"
+    )  # 1,000 by default; SymPy reads it when it is imported
     if (os.cpu_count() or 1) < 2:
         yield None
         return
