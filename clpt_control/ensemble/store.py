@@ -24,7 +24,7 @@ import numpy as np
 from ..diagrams.parts import UNCHANGED
 from ..errors import ClptError, DataError, needed
 from ..files import beside
-from ..files.reading import zarr_store
+from ..files.reading import SLASH, renamed, zarr_store
 from ..html import shortened
 from ..scenario.experiment import Scenario
 from ..scenario.file import tables_of
@@ -50,9 +50,9 @@ class Store:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # of what is no array: `check_store` names it
             self.names = {name for name, _ in group.members()}
-            arrays = dict(group.arrays())
+            self.arrays = {name.replace(SLASH, "/"): one for name, one in group.arrays()}
         self.per_member = sorted(
-            name for name, one in arrays.items() if one.attrs.get("kept") == "per member"
+            name for name, one in self.arrays.items() if one.attrs.get("kept") == "per member"
         )
 
     def rows(self, index: int) -> slice:
@@ -65,14 +65,14 @@ class Store:
 
     def values(self, index: int) -> dict[str, np.ndarray]:
         """Return the values of what varies, for the members of a chunk."""
-        return {key: self.group[key][self.rows(index)] for key in self.arguments["keys"]}
+        return {key: self.arrays[key][self.rows(index)] for key in self.arguments["keys"]}
 
     def write(self, index: int, arrays: Mapping[str, np.ndarray]) -> None:
         """Write a chunk, then its checksum."""
         try:
             for name in self.per_member:
                 if arrays[name].size:
-                    self.group[name][self.rows(index)] = arrays[name]
+                    self.arrays[name][self.rows(index)] = arrays[name]
             self.group[DONE][index] = self.checksum(arrays)
         except OSError as error:
             reason = error.strerror or error
@@ -87,7 +87,7 @@ class Store:
         return check + 1
 
     def _dims(self, name: str) -> tuple[str, ...]:
-        return tuple(self.group[name].metadata.dimension_names)
+        return tuple(self.arrays[name].metadata.dimension_names)
 
     def missing(self) -> list[int]:
         """List the chunks without a checksum, or with one that does not fit."""
@@ -99,7 +99,7 @@ class Store:
             checksum = int(self.group[DONE][index])
             if not checksum:
                 return False
-            read = {name: self.group[name][self.rows(index)] for name in self.per_member}
+            read = {name: self.arrays[name][self.rows(index)] for name in self.per_member}
         except Exception:  # a damaged file can raise anything
             return False
         fits = self.checksum(read) == checksum
@@ -110,7 +110,9 @@ class Store:
         dims = self._dims(name)
         if self.path is None or "time" not in dims:
             return True
-        return self.path.joinpath(name, "c", str(index), *["0"] * (len(dims) - 1)).is_file()
+        return self.path.joinpath(
+            name.replace("/", SLASH), "c", str(index), *["0"] * (len(dims) - 1)
+        ).is_file()
 
     def finish(self) -> None:
         """Check that every chunk is there; remove what killed writers left beside files."""
@@ -132,7 +134,7 @@ class Store:
             decode_times=False,
             decode_timedelta=False,
         )
-        data = data.drop_vars(DONE).set_coords(self.arguments["keys"])
+        data = renamed(data.drop_vars(DONE), SLASH, "/").set_coords(self.arguments["keys"])
         for array in data.variables.values():
             array.attrs.pop("kept", None)
         if self.path is None:
@@ -184,12 +186,12 @@ def _filled(group: Any, arguments: Any, arrays: Mapping[str, StoredArray], attrs
     for name, one in {**arrays, DONE: done}.items():
         first = {"member": chunk, "chunk": 1}.get(one.dims[0], one.shape[0])
         array = group.create_array(
-            name,
+            name.replace("/", SLASH),
             shape=one.shape,
             dtype=one.dtype,
             chunks=tuple(max(1, n) for n in (min(first, one.shape[0]), *one.shape[1:])),
             attributes=one.attrs,
-            dimension_names=one.dims,
+            dimension_names=[dim.replace("/", SLASH) for dim in one.dims],
             fill_value=np.nan if np.dtype(one.dtype).kind == "f" else 0,
             compressors=(ZstdCodec(level=1), Crc32cCodec()),
         )
@@ -251,12 +253,12 @@ def check_store(store: Store, arrays: Mapping[str, StoredArray]) -> bool:
     for name in (*arrays, DONE):
         wrong = ""
         try:
-            layout, wanted = (_layout(one.group[name]) for one in (store, right))
+            layout, wanted = (_layout(one.arrays[name]) for one in (store, right))
             if name == "status" and _fewer(layout["attributes"], wanted["attributes"]):
                 older, wanted["attributes"] = True, layout["attributes"]
             wrong = next((what for what in wanted if layout[what] != wanted[what]), "")
             values = None if name == DONE else arrays[name].values
-            if not wrong and values is not None and np.any(store.group[name][:] != values):
+            if not wrong and values is not None and np.any(store.arrays[name][:] != values):
                 wrong = "values"
         except Exception:  # a damaged file can raise anything
             wrong = "files"

@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, Any
 
 from ..errors import ClptError, DataError
 from ..progress.interrupt import check, folders, remove, unfinished
-from .reading import OPENED, kind_of, netcdf_engine, opened, opened_name
+from .reading import OPENED, SLASH, kind_of, netcdf_engine, opened, opened_name, renamed
 
 if TYPE_CHECKING:
     import xarray
@@ -28,6 +28,7 @@ if TYPE_CHECKING:
 
 CACHE = "CLPT_CONTROL_CACHE"  # environment variable that names another folder for it
 LONGEST_NAME, LONGEST_PATH = 200, 3000  # bytes, with room for what is written beside
+NETCDF_NAME = re.compile(r"[^\x00-/:-@\[-^`{-\x7f][^\x00-\x1f/\x7f]{,200}(?<! )").fullmatch
 HERE = f"{zlib.crc32(platform.node().encode()):08x}"  # this machine
 PART = re.compile(rf"\..+\.{HERE}-(\d{{1,7}})-[0-9a-f]{{8}}\.part")  # of a process here
 
@@ -120,6 +121,13 @@ def _put(result: Any, part: Path, path: Path) -> None:
         save_figure(result, part, path.suffix[1:].lower())
         return
     engine, encoding = netcdf_engine(), {}
+    result = renamed(result, "/", SLASH)
+    wrong = next((name for name in map(str, result.variables) if not NETCDF_NAME(name)), None)
+    if wrong is not None:
+        raise DataError(
+            f"{path}: NetCDF has no name {wrong!r:.40}: names begin with a letter, a digit or _, "
+            "at most 200 more follow; call that signal otherwise"
+        )
     for name, values in result.variables.items():
         has_nan = values.dtype.kind == "f" and bool(values.isnull().any())
         encoding[name] = {"_FillValue": float("nan") if has_nan else None}

@@ -33,6 +33,9 @@ OPEN_PIPE = re.compile(r"/dev/stdin|(/dev|/proc/self)/fd/\d+")  # any other pipe
 OPENED = "/proc/self/fd"  # the folder in which a system names the descriptors of a process
 NETCDF = (b"CDF\x01", b"CDF\x02", b"CDF\x05", b"\x89HDF")  # first bytes
 UTF_16 = (b"\xff\xfe", b"\xfe\xff")  # its byte order marks
+SLASH = (
+    "\N{DIVISION SLASH}"  # in a file, for a / of a name, which NetCDF and Zarr take for a folder
+)
 NO_FILES = {  # what is no file, by the first letter that `ls -l` shows
     **{"d": "a folder", "p": "a pipe with a name", "l": "a link", "s": "a socket"},
     **dict.fromkeys("cb", "a device"),
@@ -182,10 +185,16 @@ def open_netcdf(path: str | Path, most: float = inf) -> "Iterator[xarray.Dataset
                     f"{most / 1e9:g} are read at once"
                 )
             try:
-                yield data
+                yield renamed(data, SLASH, "/")
             except (OSError, RuntimeError) as error:
                 reason = _reason(error)
                 raise DataError(f"{path}: damaged: a variable cannot be read: {reason}") from None
+
+
+def renamed(data: "xarray.Dataset", old: str, new: str) -> "xarray.Dataset":
+    """Return a dataset with one letter for another in the names of variables and dimensions."""
+    names = {str(name) for name in (*data.variables, *data.dims) if old in str(name)}
+    return data.rename({name: name.replace(old, new) for name in names}) if names else data
 
 
 def netcdf_engine() -> Literal["netcdf4", "scipy"]:

@@ -316,6 +316,30 @@ def test_what_cannot_be_compiled_runs_in_python_and_says_so(key):
     np.testing.assert_allclose(data.y_final, np.exp(-5 * np.array(rates)), rtol=0, atol=1e-9)
 
 
+def test_a_slash_in_a_name_is_kept_in_files(tmp_path):
+    """A team's diagram has the ports west/x and east/x."""
+    system = control.nlsys(
+        lambda t, x, u, p: -x, None, name="west/lag", inputs=0, outputs=["west/y[0]", "west/y[1]"],
+        states=["west/x[0]", "west/x[1]"],
+    )  # fmt: skip
+    run = clpt.simulate(system, TIMES, 0, [1.0, 2.0])
+    clpt.save_run(run, tmp_path / "run.nc")
+    assert clpt.load_run(tmp_path / "run.nc").equals(run)
+    assert clpt.simulate(clpt.load_diagram(tmp_path / "run.nc")).equals(run)
+    vary, folder = {"west/x": [[1.0, 2.0], [2.0, 1.0]]}, tmp_path / "e.zarr"
+    given = {"timepts": TIMES, "trajectories": True}
+    here, there, again = (
+        clpt.run_ensemble(system, vary, out=out, **given) for out in (None, folder, folder)
+    )
+    assert here.equals(there)
+    assert here.equals(again)
+    np.testing.assert_array_equal(here["west/y"].isel(member=0), run["west/y"])
+    for name in (" y", "<y>", "y" * 300):
+        run = clpt.simulate(control.ss(-1, 1, 1, 0, outputs=name), TIMES, 1.0)
+        with pytest.raises(ClptError, match=r"run.nc: NetCDF has no name '.*call that signal othe"):
+            clpt.save_run(run, tmp_path / "run.nc")
+
+
 @pytest.mark.parametrize(
     ("key", "rates"), [("k", [3.0, 6.0]), ("n", [1.0, 2.0]), ("c[0]", [3.0, 6.0])]
 )
