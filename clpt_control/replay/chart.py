@@ -173,13 +173,14 @@ def step_of(minutes: float) -> float:
     return next((step for step in STEPS if step >= minutes), STEPS[-1])
 
 
-def length_of(metres: float) -> float:
-    """Return the length of a scale bar, at most so many metres.
+def scale_bar(metres: float) -> tuple[float, str]:
+    """Return the length of a scale bar, at most so many metres, and its name.
 
-    >>> length_of(3400.0)
-    2000
+    >>> scale_bar(3400.0)
+    (2000, '2 km')
     """
-    return next((length for length in reversed(LENGTHS) if length <= metres), LENGTHS[0])
+    length = next((length for length in reversed(LENGTHS) if length <= metres), LENGTHS[0])
+    return length, f"{length / 1000:g} km" if length >= 1000 else f"{length:g} m"
 
 
 def _marks(low: float, high: float, step: float) -> list[float]:
@@ -187,10 +188,10 @@ def _marks(low: float, high: float, step: float) -> list[float]:
     return [k * step / 60 for k in range(first, last + 1)]
 
 
-def mark(angle: float, names: str, step: float) -> str:
+def grid_label(angle: float, names: str, step: float) -> str:
     """Return degrees and minutes of a parallel ("NS") or meridian ("EW") of a grid.
 
-    >>> mark(-42.9, "NS", 2), mark(190.505, "EW", 0.1), mark(8.0, "EW", 60)
+    >>> grid_label(-42.9, "NS", 2), grid_label(190.505, "EW", 0.1), grid_label(8.0, "EW", 60)
     ("42°54'S", "169°29.7'W", '8°E')
     """
     angle = east_of(angle) if names == "EW" else angle

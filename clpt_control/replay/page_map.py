@@ -13,7 +13,16 @@ import numpy as np
 
 from ..geodesy import displacement
 from ..html import safe
-from .chart import Chart, Layer, dive_layers, layers_ahead, length_of, mark, place_in, with_room
+from .chart import (
+    Chart,
+    Layer,
+    dive_layers,
+    grid_label,
+    layers_ahead,
+    place_in,
+    scale_bar,
+    with_room,
+)
 from .wording import Place, compass
 
 WIDTH = 1000.0
@@ -171,11 +180,11 @@ def _grid(drawing: Drawing) -> list[str]:
         y = drawing.at((lat, drawing.chart.first))[1]
         lines.append(f'<path class="grid" d="M0 {y:.1f}H{WIDTH:.0f}"/>')
         if y < drawing.height - CORNER:
-            lines.append(_label(0, y, 4, -4, mark(lat, "NS", up)))
+            lines.append(_label(0, y, 4, -4, grid_label(lat, "NS", up)))
     for lon in lons:
         x = (drawing.chart.xy(drawing.chart.middle, lon)[0] - drawing.chart.west) / drawing.metres
         lines.append(f'<path class="grid" d="M{x:.1f} 0V{drawing.height:.0f}"/>')
-        lines.append(_label(x, drawing.height, 4, -5, mark(lon, "EW", along)))
+        lines.append(_label(x, drawing.height, 4, -5, grid_label(lon, "EW", along)))
     return [*lines, "</g>"]
 
 
@@ -185,9 +194,8 @@ def _label(x: float, y: float, dx: float, dy: float, text: str) -> str:
 
 
 def _scale(drawing: Drawing) -> str:
-    length = length_of(0.25 * WIDTH * drawing.metres)
+    length, name = scale_bar(0.25 * WIDTH * drawing.metres)
     long, y = length / drawing.metres, drawing.height - 60
-    name = f"{length / 1000:g} km" if length >= 1000 else f"{length:g} m"
     x = WIDTH - 30 - long
     return (
         f'<g id="scale"><path class="scale" d="M{x:.1f} {y - 8:.1f}V{y:.1f}h{long:.1f}v-8"/>'

@@ -25,7 +25,7 @@ from ..figures import (
     literal,
 )
 from ..files import write_together
-from .chart import Chart, dive_layers, layers_ahead, length_of, mark, with_room
+from .chart import Chart, dive_layers, grid_label, layers_ahead, scale_bar, with_room
 from .facts import Source, plot_data
 from .outcome import rms_of
 from .replay import Replay
@@ -166,9 +166,9 @@ def _degrees(ax: "Axes", chart: Chart) -> None:
     """Mark parallels and meridians by degrees and minutes."""
     up, lats, along, lons = chart.grid(5)
     ax.set_xticks([chart.xy(chart.middle, lon)[0] for lon in lons])
-    ax.set_xticklabels([mark(lon, "EW", along) for lon in lons], fontsize=8)
+    ax.set_xticklabels([grid_label(lon, "EW", along) for lon in lons], fontsize=8)
     ax.set_yticks([chart.xy(lat, chart.first)[1] for lat in lats])
-    ax.set_yticklabels([mark(lat, "NS", up) for lat in lats], fontsize=8)
+    ax.set_yticklabels([grid_label(lat, "NS", up) for lat in lats], fontsize=8)
     ax.set(xlim=(chart.west, chart.east), ylim=(chart.south, chart.north))
     ax.set(xlabel="longitude", ylabel="latitude")
     ax.set_aspect("equal", adjustable="box")
@@ -177,10 +177,9 @@ def _degrees(ax: "Axes", chart: Chart) -> None:
 def _scale_bar(ax: "Axes", chart: Chart) -> None:
     """Draw a length at the lower right."""
     wide = chart.east - chart.west
-    length = length_of(0.25 * wide)
+    length, name = scale_bar(0.25 * wide)
     x, y = chart.east - 0.04 * wide - length, chart.south + 0.03 * wide
     ax.plot([x, x + length], [y, y], color="black", lw=2, solid_capstyle="butt")
-    name = f"{length / 1000:g} km" if length >= 1000 else f"{length:g} m"
     ax.annotate(name, (x + length / 2, y), xytext=(0, 3), textcoords="offset points", ha="center")
 
 

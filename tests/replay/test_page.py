@@ -11,7 +11,7 @@ from synthetic_vehicle import fixes_of
 
 import clpt_control as clpt
 from clpt_control.gliders.dives import Skipped
-from clpt_control.replay.chart import Chart, mark
+from clpt_control.replay.chart import Chart, grid_label
 from clpt_control.replay.replay_page import replay_page
 
 EVIL = "</title></script><script>alert(1)</script><img src=x onerror='alert(2)'>\x00\udc80\"&amp;"
@@ -112,14 +112,14 @@ def test_a_far_waypoint_leaves_the_chart_as_it_is():
 def test_grid_names_its_lines():
     _, _, step, lons = Chart([(-43.1, 179.9), (-42.9, -179.8)]).grid(5)
     assert step == 5
-    assert [mark(lon, "EW", step) for lon in lons[:4]] == [
+    assert [grid_label(lon, "EW", step) for lon in lons[:4]] == [
         "179°55'E",
         "180°00'E",
         "179°55'W",
         "179°50'W",
     ]
-    assert mark(-0.999999, "NS", 0.1) == "1°00.0'S"
-    assert mark(59.9999 / 60, "NS", 1) == "1°00'N"
+    assert grid_label(-0.999999, "NS", 0.1) == "1°00.0'S"
+    assert grid_label(59.9999 / 60, "NS", 1) == "1°00'N"
 
 
 @pytest.mark.parametrize("count", [1, 3])
