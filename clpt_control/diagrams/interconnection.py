@@ -295,7 +295,9 @@ def with_stop(wiring: Wiring, stop: Callable[[float, Any, Any], Any]) -> Wiring:
         )
 
     def distance(t, x, u, p):
-        return stop(t, u.y, u.u)
+        found = stop(t, u.y, u.u)
+        truth = isinstance(found, bool) or getattr(found, "dtype", None) == np.bool_
+        return np.where(found, 1.0, -1.0) if truth else found
 
     def sentence(t: float, u: np.ndarray, p: Any) -> str:
         return f"`{getattr(stop, '__name__', 'stop')}` fell to 0 at t = {t:.9g}"

@@ -76,7 +76,7 @@ def simulate(
         ``engine`` says what ran.
     stop : callable, optional
         For a diagram: ``stop(t, y, u)``, a number of its outputs y and inputs u; the run ends where
-        it falls to 0.
+        it falls to 0. Of a truth value it ends where that is no longer true.
     method : str, optional
         ``"dop853"``, explicit, of order 8; ``"dopri5"``, of order 5; ``"rodas5p"``, for stiff
         equations, of order 5; or ``"auto"``: DOP853 (DOPRI5 for what runs in Python where rtol is

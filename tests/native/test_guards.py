@@ -128,6 +128,23 @@ def test_a_condition_of_ones_own_ends_a_run():
     assert float(with_input.time[-1]) == pytest.approx(np.log(2.0), abs=1e-7)
 
 
+@pytest.mark.parametrize("engine", ["native", "python"])
+@pytest.mark.parametrize(
+    "stop",
+    [
+        lambda t, y, u: y[0] > 0.5,
+        lambda t, y, u: bool(y[0] > 0.5 and t < 4),
+        lambda t, y, u: np.logical_and(t < 4, y > 0.5),
+        lambda t, y, u: t < np.log(2.0),
+    ],
+)
+def test_a_run_ends_where_a_condition_is_no_longer_true(stop, engine):
+    lag = control.nlsys(lambda t, x, u, p: -x, None, inputs=0, outputs=1, states=1, name="lag")
+    run = clpt.simulate(lag, [0.0, 5.0], None, [1.0], stop=stop, engine=engine)
+    assert run.attrs["status"] == "stopped"
+    assert float(run.time[-1]) == pytest.approx(np.log(2.0), abs=1e-7)
+
+
 def test_a_ball_bounces_by_runs_that_end_where_it_lands():
     """v = sqrt(2 g h) at the first landing, 0.8 of it after each; t between landings 2 v/g."""
     g, kept, v = 10.0, 0.8, np.sqrt(2 * 10.0 * 5.0)
