@@ -1,4 +1,4 @@
-; sha256 5f5832a78c1fb5b28d3a1521db8ac85c6df8ec2feb00f485cc78a4548db76a4a
+; sha256 f50f840b2f96b974c6332533d3c49e01ab54912571f146dffb9d27b6d2e20021
 
 define dso_local noundef i32 @advance(ptr noalias %retptr, ptr noalias readnone %excinfo, ptr readnone %arg.code.0, ptr readnone %arg.code.1, i64 %arg.code.2, i64 %arg.code.3, ptr readonly %arg.code.4, i64 %arg.code.5.0, i64 %arg.code.6.0, i64 %arg.shape.0, i64 %arg.shape.1, i64 %arg.shape.2, i64 %arg.shape.3, i64 %arg.shape.4, i64 %arg.shape.5, i64 %arg.shape.6, ptr readnone %arg.tolerances.0, ptr readnone %arg.tolerances.1, i64 %arg.tolerances.2, i64 %arg.tolerances.3, ptr %arg.tolerances.4, i64 %arg.tolerances.5.0, i64 %arg.tolerances.6.0, ptr readnone %arg.batch.0.0.0, ptr readnone %arg.batch.0.0.1, i64 %arg.batch.0.0.2, i64 %arg.batch.0.0.3, ptr readonly %arg.batch.0.0.4, i64 %arg.batch.0.0.5.0, i64 %arg.batch.0.0.5.1, i64 %arg.batch.0.0.6.0, i64 %arg.batch.0.0.6.1, ptr readnone %arg.batch.0.1.0, ptr readnone %arg.batch.0.1.1, i64 %arg.batch.0.1.2, i64 %arg.batch.0.1.3, ptr readonly %arg.batch.0.1.4, i64 %arg.batch.0.1.5.0, i64 %arg.batch.0.1.5.1, i64 %arg.batch.0.1.6.0, i64 %arg.batch.0.1.6.1, ptr readnone %arg.batch.0.2.0, ptr readnone %arg.batch.0.2.1, i64 %arg.batch.0.2.2, i64 %arg.batch.0.2.3, ptr readonly %arg.batch.0.2.4, i64 %arg.batch.0.2.5.0, i64 %arg.batch.0.2.6.0, ptr readnone %arg.batch.1.0.0, ptr readnone %arg.batch.1.0.1, i64 %arg.batch.1.0.2, i64 %arg.batch.1.0.3, ptr readonly %arg.batch.1.0.4, i64 %arg.batch.1.0.5.0, i64 %arg.batch.1.0.6.0, ptr readnone %arg.batch.1.1.0, ptr readnone %arg.batch.1.1.1, i64 %arg.batch.1.1.2, i64 %arg.batch.1.1.3, ptr readonly %arg.batch.1.1.4, i64 %arg.batch.1.1.5.0, i64 %arg.batch.1.1.6.0, ptr readnone %arg.batch.1.2.0, ptr readnone %arg.batch.1.2.1, i64 %arg.batch.1.2.2, i64 %arg.batch.1.2.3, ptr readonly %arg.batch.1.2.4, i64 %arg.batch.1.2.5.0, i64 %arg.batch.1.2.6.0, ptr readnone %arg.batch.1.3.0, ptr readnone %arg.batch.1.3.1, i64 %arg.batch.1.3.2, i64 %arg.batch.1.3.3, ptr readonly %arg.batch.1.3.4, i64 %arg.batch.1.3.5.0, i64 %arg.batch.1.3.5.1, i64 %arg.batch.1.3.6.0, i64 %arg.batch.1.3.6.1, ptr readnone %arg.batch.1.4.0, ptr readnone %arg.batch.1.4.1, i64 %arg.batch.1.4.2, i64 %arg.batch.1.4.3, ptr readonly %arg.batch.1.4.4, i64 %arg.batch.1.4.5.0, i64 %arg.batch.1.4.6.0, ptr readnone %arg.batch.2.0, ptr readnone %arg.batch.2.1, i64 %arg.batch.2.2, i64 %arg.batch.2.3, ptr readonly %arg.batch.2.4, i64 %arg.batch.2.5.0, i64 %arg.batch.2.6.0, ptr readnone %arg.batch.3.0.0, ptr readnone %arg.batch.3.0.1, i64 %arg.batch.3.0.2, i64 %arg.batch.3.0.3, ptr %arg.batch.3.0.4, i64 %arg.batch.3.0.5.0, i64 %arg.batch.3.0.5.1, i64 %arg.batch.3.0.5.2, i64 %arg.batch.3.0.6.0, i64 %arg.batch.3.0.6.1, i64 %arg.batch.3.0.6.2, ptr readnone %arg.batch.3.1.0, ptr readnone %arg.batch.3.1.1, i64 %arg.batch.3.1.2, i64 %arg.batch.3.1.3, ptr %arg.batch.3.1.4, i64 %arg.batch.3.1.5.0, i64 %arg.batch.3.1.6.0, ptr readnone %arg.batch.3.2.0, ptr readnone %arg.batch.3.2.1, i64 %arg.batch.3.2.2, i64 %arg.batch.3.2.3, ptr %arg.batch.3.2.4, i64 %arg.batch.3.2.5.0, i64 %arg.batch.3.2.6.0, ptr readnone %arg.batch.3.3.0, ptr readnone %arg.batch.3.3.1, i64 %arg.batch.3.3.2, i64 %arg.batch.3.3.3, ptr %arg.batch.3.3.4, i64 %arg.batch.3.3.5.0, i64 %arg.batch.3.3.5.1, i64 %arg.batch.3.3.6.0, i64 %arg.batch.3.3.6.1, ptr readnone %arg.batch.4.0.0, ptr readnone %arg.batch.4.0.1, i64 %arg.batch.4.0.2, i64 %arg.batch.4.0.3, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.0, i64 %arg.batch.4.0.5.1, i64 %arg.batch.4.0.6.0, i64 %arg.batch.4.0.6.1, ptr readnone %arg.batch.4.1.0, ptr readnone %arg.batch.4.1.1, i64 %arg.batch.4.1.2, i64 %arg.batch.4.1.3, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.0, i64 %arg.batch.4.1.5.1, i64 %arg.batch.4.1.6.0, i64 %arg.batch.4.1.6.1, ptr readnone %arg.batch.4.2.0, ptr readnone %arg.batch.4.2.1, i64 %arg.batch.4.2.2, i64 %arg.batch.4.2.3, ptr %arg.batch.4.2.4, i64 %arg.batch.4.2.5.0, i64 %arg.batch.4.2.6.0, ptr readnone %arg.batch.5.0.0, ptr readnone %arg.batch.5.0.1, i64 %arg.batch.5.0.2, i64 %arg.batch.5.0.3, ptr %arg.batch.5.0.4, i64 %arg.batch.5.0.5.0, i64 %arg.batch.5.0.6.0, ptr readnone %arg.batch.5.1.0, ptr readnone %arg.batch.5.1.1, i64 %arg.batch.5.1.2, i64 %arg.batch.5.1.3, ptr %arg.batch.5.1.4, i64 %arg.batch.5.1.5.0, i64 %arg.batch.5.1.6.0, ptr readnone %arg.batch.5.2.0, ptr readnone %arg.batch.5.2.1, i64 %arg.batch.5.2.2, i64 %arg.batch.5.2.3, ptr %arg.batch.5.2.4, i64 %arg.batch.5.2.5.0, i64 %arg.batch.5.2.6.0, ptr readnone %arg.batch.5.3.0, ptr readnone %arg.batch.5.3.1, i64 %arg.batch.5.3.2, i64 %arg.batch.5.3.3, ptr %arg.batch.5.3.4, i64 %arg.batch.5.3.5.0, i64 %arg.batch.5.3.6.0, ptr readnone %arg.batch.5.4.0, ptr readnone %arg.batch.5.4.1, i64 %arg.batch.5.4.2, i64 %arg.batch.5.4.3, ptr %arg.batch.5.4.4, i64 %arg.batch.5.4.5.0, i64 %arg.batch.5.4.6.0, ptr readnone %arg.linear.0.0, ptr readnone %arg.linear.0.1, i64 %arg.linear.0.2, i64 %arg.linear.0.3, ptr %arg.linear.0.4, i64 %arg.linear.0.5.0, i64 %arg.linear.0.6.0, ptr readnone %arg.linear.1.0, ptr readnone %arg.linear.1.1, i64 %arg.linear.1.2, i64 %arg.linear.1.3, ptr %arg.linear.1.4, i64 %arg.linear.1.5.0, i64 %arg.linear.1.6.0, ptr readnone %arg.linear.2.0, ptr readnone %arg.linear.2.1, i64 %arg.linear.2.2, i64 %arg.linear.2.3, ptr %arg.linear.2.4, i64 %arg.linear.2.5.0, i64 %arg.linear.2.6.0, i64 %arg.linear.3.0, i64 %arg.linear.3.1, i64 %arg.linear.3.2, ptr readnone %arg.linear.4.0, ptr readnone %arg.linear.4.1, i64 %arg.linear.4.2, i64 %arg.linear.4.3, ptr readonly %arg.linear.4.4, i64 %arg.linear.4.5.0, i64 %arg.linear.4.6.0, ptr readnone %arg.linear.5.0, ptr readnone %arg.linear.5.1, i64 %arg.linear.5.2, i64 %arg.linear.5.3, ptr readonly %arg.linear.5.4, i64 %arg.linear.5.5.0, i64 %arg.linear.5.6.0, ptr readnone %arg.linear.6.0, ptr readnone %arg.linear.6.1, i64 %arg.linear.6.2, i64 %arg.linear.6.3, ptr readonly %arg.linear.6.4, i64 %arg.linear.6.5.0, i64 %arg.linear.6.6.0, ptr readnone %arg.linear.7.0, ptr readnone %arg.linear.7.1, i64 %arg.linear.7.2, i64 %arg.linear.7.3, ptr readonly %arg.linear.7.4, i64 %arg.linear.7.5.0, i64 %arg.linear.7.6.0, ptr readnone %arg.linear.8.0, ptr readnone %arg.linear.8.1, i64 %arg.linear.8.2, i64 %arg.linear.8.3, ptr readonly %arg.linear.8.4, i64 %arg.linear.8.5.0, i64 %arg.linear.8.6.0, ptr readnone %arg.linear.9.0, ptr readnone %arg.linear.9.1, i64 %arg.linear.9.2, i64 %arg.linear.9.3, ptr readonly %arg.linear.9.4, i64 %arg.linear.9.5.0, i64 %arg.linear.9.6.0, i64 %arg.budget, i64 %arg.most) local_unnamed_addr {
 entry:
@@ -430,12 +430,12 @@ B498.preheader:                                   ; preds = %B470
   %59 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10543
   %.idx10536 = shl i64 %arg.batch.4.1.5.1, 5
   %60 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10536
-  %.671.i3839 = getelementptr i8, ptr %arg.code.4, i64 40
-  %.742.i3895 = mul i64 %arg.shape.1, %arg.shape.0
+  %.671.i3838 = getelementptr i8, ptr %arg.code.4, i64 40
+  %.742.i3894 = mul i64 %arg.shape.1, %arg.shape.0
   %.idx10533 = mul i64 %arg.batch.4.0.5.1, 48
   %61 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10533
-  %.287.i.i468310942.not = icmp slt i64 %arg.shape.1, 1
-  %.358.i.i4836 = shl nsw i64 %arg.shape.1, 4
+  %.287.i.i468210942.not = icmp slt i64 %arg.shape.1, 1
+  %.358.i.i4835 = shl nsw i64 %arg.shape.1, 4
   %.idx10528 = mul i64 %arg.batch.4.0.5.1, 40
   %62 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10528
   %.idx10529 = shl i64 %arg.batch.4.1.5.1, 5
@@ -600,7 +600,7 @@ B498.preheader:                                   ; preds = %B470
   %107 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.1
   %.idx10508 = mul i64 %arg.batch.4.0.5.1, 24
   %108 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10508
-  %.175.i.i799111043.not = icmp slt i64 %arg.batch.1.1.5.0, 1
+  %.175.i.i799211043.not = icmp slt i64 %arg.batch.1.1.5.0, 1
   %.idx10511 = shl i64 %arg.batch.4.1.5.1, 4
   %109 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10511
   %.idx.i10718 = mul i64 %arg.batch.4.0.5.1, 24
@@ -673,13 +673,13 @@ B498.preheader:                                   ; preds = %B470
   %129 = getelementptr i8, ptr %arg.code.4, i64 240
   %.4447.2.idx = shl i64 %.463, 7
   %.4447.2 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.4447.2.idx
-  %.155.i.i.i4873 = mul nsw i64 %arg.shape.1, 24
-  %.155.i.i.i4873.1 = mul nsw i64 %arg.shape.1, 23
-  %.155.i.i.i4873.2 = mul nsw i64 %arg.shape.1, 22
-  %.155.i.i.i4873.3 = mul nsw i64 %arg.shape.1, 21
-  %.155.i.i.i4873.4 = mul nsw i64 %arg.shape.1, 20
-  %.155.i.i.i4873.5 = mul nsw i64 %arg.shape.1, 19
-  %.155.i.i.i4873.6 = mul nsw i64 %arg.shape.1, 18
+  %.155.i.i.i4872 = mul nsw i64 %arg.shape.1, 24
+  %.155.i.i.i4872.1 = mul nsw i64 %arg.shape.1, 23
+  %.155.i.i.i4872.2 = mul nsw i64 %arg.shape.1, 22
+  %.155.i.i.i4872.3 = mul nsw i64 %arg.shape.1, 21
+  %.155.i.i.i4872.4 = mul nsw i64 %arg.shape.1, 20
+  %.155.i.i.i4872.5 = mul nsw i64 %arg.shape.1, 19
+  %.155.i.i.i4872.6 = mul nsw i64 %arg.shape.1, 18
   br label %B498
 
 B498:                                             ; preds = %B498.preheader, %B4640
@@ -892,10 +892,10 @@ B630.i:                                           ; preds = %B134.i.i, %B596.i, 
   br i1 %.220.i, label %B64.if.i, label %B1216
 
 B64.if.i:                                         ; preds = %B1174, %B630.i
-  %.164.i70.010883 = phi i64 [ %.229.i381, %B630.i ], [ %storemerge, %B1174 ]
-  %.161.i.010882 = phi i64 [ %.233.i384, %B630.i ], [ 0, %B1174 ]
-  %.229.i381 = add nsw i64 %.164.i70.010883, -1
-  %.233.i384 = add nsw i64 %.161.i.010882, 1
+  %.164.i70.010883 = phi i64 [ %.229.i380, %B630.i ], [ %storemerge, %B1174 ]
+  %.161.i.010882 = phi i64 [ %.233.i383, %B630.i ], [ 0, %B1174 ]
+  %.229.i380 = add nsw i64 %.164.i70.010883, -1
+  %.233.i383 = add nsw i64 %.161.i.010882, 1
   %.314.i134 = getelementptr double, ptr %20, i64 %.161.i.010882
   %.315.i135 = load double, ptr %.314.i134, align 8, !noalias !11
   %.316.i136 = fcmp ogt double %.315.i135, 5.000000e-01
@@ -1612,51 +1612,51 @@ B1966.preheader:                                  ; preds = %B568.i
   br i1 %.689, label %B2474, label %B1966.if
 
 B126.i:                                           ; preds = %B80.if.i
-  %.318.i589 = getelementptr double, ptr %35, i64 %.105.i435.010899
-  %.319.i = load double, ptr %.318.i589, align 8, !noalias !46
+  %.318.i588 = getelementptr double, ptr %35, i64 %.105.i434.010899
+  %.319.i = load double, ptr %.318.i588, align 8, !noalias !46
   %.5.i.i = fptosi double %.319.i to i64
-  %.397.i634 = getelementptr double, ptr %36, i64 %.105.i435.010899
-  %.398.i635 = load double, ptr %.397.i634, align 8, !noalias !46
-  %.5.i1.i = fptosi double %.398.i635 to i64
-  %.478.i682 = mul i64 %.258.i, %arg.batch.3.3.5.1
-  %.482.i = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.478.i682
-  %.483.i686 = load i64, ptr %.482.i, align 8, !noalias !46
-  %.485.i = add nsw i64 %.483.i686, %.5.i.i
+  %.397.i633 = getelementptr double, ptr %36, i64 %.105.i434.010899
+  %.398.i634 = load double, ptr %.397.i633, align 8, !noalias !46
+  %.5.i1.i = fptosi double %.398.i634 to i64
+  %.478.i681 = mul i64 %.258.i, %arg.batch.3.3.5.1
+  %.482.i = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.478.i681
+  %.483.i685 = load i64, ptr %.482.i, align 8, !noalias !46
+  %.485.i = add nsw i64 %.483.i685, %.5.i.i
   store i64 %.485.i, ptr %.482.i, align 8, !noalias !46
-  %.591.i772 = getelementptr i8, ptr %.482.i, i64 24
-  %.592.i773 = load i64, ptr %.591.i772, align 8, !noalias !46
-  %.594.i775 = add nsw i64 %.592.i773, %.5.i1.i
-  store i64 %.594.i775, ptr %.591.i772, align 8, !noalias !46
-  %.700.i864 = getelementptr i8, ptr %.482.i, i64 8
-  %.701.i865 = load i64, ptr %.700.i864, align 8, !noalias !46
-  %.706.i870 = add nsw i64 %.5.i1.i, %.5.i.i
-  %.707.i871 = mul nsw i64 %.706.i870, %.2073
+  %.591.i771 = getelementptr i8, ptr %.482.i, i64 24
+  %.592.i772 = load i64, ptr %.591.i771, align 8, !noalias !46
+  %.594.i774 = add nsw i64 %.592.i772, %.5.i1.i
+  store i64 %.594.i774, ptr %.591.i771, align 8, !noalias !46
+  %.700.i863 = getelementptr i8, ptr %.482.i, i64 8
+  %.701.i864 = load i64, ptr %.700.i863, align 8, !noalias !46
+  %.706.i869 = add nsw i64 %.5.i1.i, %.5.i.i
+  %.707.i870 = mul nsw i64 %.706.i869, %.2073
   %..5.i.i = select i1 %.625, i64 0, i64 %.5.i.i
-  %.708.i872 = add i64 %.707.i871, %..5.i.i
-  %.841.i959 = add i64 %.708.i872, %.701.i865
-  store i64 %.841.i959, ptr %.700.i864, align 8, !noalias !46
-  store double 0.000000e+00, ptr %.318.i589, align 8, !noalias !46
-  store double 0.000000e+00, ptr %.397.i634, align 8, !noalias !46
-  %.1072.i = getelementptr double, ptr %37, i64 %.105.i435.010899
+  %.708.i871 = add i64 %.707.i870, %..5.i.i
+  %.841.i959 = add i64 %.708.i871, %.701.i864
+  store i64 %.841.i959, ptr %.700.i863, align 8, !noalias !46
+  store double 0.000000e+00, ptr %.318.i588, align 8, !noalias !46
+  store double 0.000000e+00, ptr %.397.i633, align 8, !noalias !46
+  %.1072.i = getelementptr double, ptr %37, i64 %.105.i434.010899
   %.1073.i1076 = load double, ptr %.1072.i, align 8, !noalias !46
-  %.1081.i1081 = sitofp i64 %.706.i870 to double
+  %.1081.i1081 = sitofp i64 %.706.i869 to double
   %.1082.i1082 = fsub double %.1073.i1076, %.1081.i1081
   store double %.1082.i1082, ptr %.1072.i, align 8, !noalias !46
   br label %B568.i
 
 B568.i:                                           ; preds = %B126.i, %B80.if.i
-  %.163.i493 = icmp sgt i64 %.108.i.010900, 1
-  br i1 %.163.i493, label %B80.if.i, label %B1966.preheader
+  %.163.i492 = icmp sgt i64 %.108.i.010900, 1
+  br i1 %.163.i492, label %B80.if.i, label %B1966.preheader
 
 B80.if.i:                                         ; preds = %B1896, %B568.i
   %.108.i.010900 = phi i64 [ %.172.i1119, %B568.i ], [ %storemerge, %B1896 ]
-  %.105.i435.010899 = phi i64 [ %.176.i1122, %B568.i ], [ 0, %B1896 ]
+  %.105.i434.010899 = phi i64 [ %.176.i1122, %B568.i ], [ 0, %B1896 ]
   %.172.i1119 = add nsw i64 %.108.i.010900, -1
-  %.176.i1122 = add nsw i64 %.105.i435.010899, 1
-  %202 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.105.i435.010899
+  %.176.i1122 = add nsw i64 %.105.i434.010899, 1
+  %202 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.105.i434.010899
   %.258.i = load i64, ptr %202, align 8, !noalias !46
-  %.263.i545 = icmp sgt i64 %.258.i, -1
-  br i1 %.263.i545, label %B126.i, label %B568.i
+  %.263.i544 = icmp sgt i64 %.258.i, -1
+  br i1 %.263.i544, label %B126.i, label %B568.i
 
 B2066:                                            ; preds = %B1966.if
   %.3221 = getelementptr double, ptr %40, i64 %.2887.010902
@@ -1771,7 +1771,7 @@ B186.i.loopexit.critedge:                         ; preds = %B188.if.i
 
 B186.i.loopexit:                                  ; preds = %B770.i, %B186.i.loopexit.critedge
   %some.2.i.1.lcssa = phi i1 [ %some.4.i.010927, %B186.i.loopexit.critedge ], [ %some.3.i.2, %B770.i ]
-  %exitcond11082.not = icmp eq i64 %.431.i3146, 9
+  %exitcond11082.not = icmp eq i64 %.431.i3145, 9
   br i1 %exitcond11082.not, label %B806.i.preheader, label %B188.if.i
 
 B806.i.preheader:                                 ; preds = %B186.i.loopexit
@@ -1792,30 +1792,30 @@ B284.i:                                           ; preds = %B222.i.loopexit
   %.1181.i = add nsw i64 %.361.i2305.010925, -1
   %.1182.i = sitofp i64 %.1181.i to double
   %.1187.i = fmul double %.1182.i, 1.250000e-01
-  %.1189.i2867 = uitofp i64 %.361.i2305.010925 to double
-  %.1194.i = fmul double %.1189.i2867, 1.250000e-01
+  %.1189.i2866 = uitofp i64 %.361.i2305.010925 to double
+  %.1194.i = fmul double %.1189.i2866, 1.250000e-01
   br label %B466.if.i
 
 B508.i:                                           ; preds = %B466.if.i
-  %.1028.i2744 = getelementptr double, ptr %47, i64 %.814.i2334.010921
-  %.1029.i = load double, ptr %.1028.i2744, align 8, !noalias !53
+  %.1028.i2743 = getelementptr double, ptr %47, i64 %.814.i2334.010921
+  %.1029.i = load double, ptr %.1028.i2743, align 8, !noalias !53
   %.1030.i = fcmp ogt double %.1029.i, 5.000000e-01
   br i1 %.1030.i, label %B546.i, label %B770.i
 
 B546.i:                                           ; preds = %B508.i
-  %.1088.i2788 = getelementptr i64, ptr %48, i64 %.814.i2334.010921
-  %.1089.i = load i64, ptr %.1088.i2788, align 8, !noalias !53
-  %.1090.i2789 = icmp slt i64 %.1089.i, 0
-  br i1 %.1090.i2789, label %B34.i.i, label %B770.i
+  %.1088.i2787 = getelementptr i64, ptr %48, i64 %.814.i2334.010921
+  %.1089.i = load i64, ptr %.1088.i2787, align 8, !noalias !53
+  %.1090.i2788 = icmp slt i64 %.1089.i, 0
+  br i1 %.1090.i2788, label %B34.i.i, label %B770.i
 
 B34.i.i:                                          ; preds = %B546.i, %B36.i.i
   %.48.i.i2177.0 = phi i64 [ %.119.i88.i, %B36.i.i ], [ 0, %B546.i ]
-  %.51.i12.i.0 = phi i64 [ %.115.i.i2891, %B36.i.i ], [ %arg.shape.6, %B546.i ]
-  %.106.i.i2820 = icmp sgt i64 %.51.i12.i.0, 0
-  br i1 %.106.i.i2820, label %B36.i.i, label %B584.endif.i
+  %.51.i12.i.0 = phi i64 [ %.115.i.i2890, %B36.i.i ], [ %arg.shape.6, %B546.i ]
+  %.106.i.i2819 = icmp sgt i64 %.51.i12.i.0, 0
+  br i1 %.106.i.i2819, label %B36.i.i, label %B584.endif.i
 
 B36.i.i:                                          ; preds = %B34.i.i
-  %.115.i.i2891 = add nsw i64 %.51.i12.i.0, -1
+  %.115.i.i2890 = add nsw i64 %.51.i12.i.0, -1
   %.119.i88.i = add i64 %.48.i.i2177.0, 1
   %.149.i53.i = add nsw i64 %.48.i.i2177.0, %arg.shape.6
   %.151.i55.i = mul nsw i64 %.149.i53.i, %arg.shape.0
@@ -1829,20 +1829,20 @@ B36.i.i:                                          ; preds = %B34.i.i
   br i1 %.184.i.i, label %B584.endif.i, label %B34.i.i
 
 B732.i:                                           ; preds = %B584.endif.i
-  %.1369.i = load i64, ptr %.1088.i2788, align 8, !noalias !53
+  %.1369.i = load i64, ptr %.1088.i2787, align 8, !noalias !53
   %.1370.i = icmp sgt i64 %.1369.i, -1
   br label %B770.i
 
 B770.i:                                           ; preds = %B732.i, %B584.endif.i, %B546.i, %B508.i, %B466.if.i
   %some.3.i.2 = phi i1 [ %some.2.i.110923, %B466.if.i ], [ %some.2.i.110923, %B546.i ], [ %some.2.i.110923, %B508.i ], [ true, %B584.endif.i ], [ %.1370.i, %B732.i ]
-  %.870.i2647 = icmp sgt i64 %.817.i2335.010922, 1
-  br i1 %.870.i2647, label %B466.if.i, label %B186.i.loopexit
+  %.870.i2646 = icmp sgt i64 %.817.i2335.010922, 1
+  br i1 %.870.i2646, label %B466.if.i, label %B186.i.loopexit
 
 B108.if.i:                                        ; preds = %B2702, %B108.if.i
-  %.179.i2295.010910 = phi i64 [ %.243.i3202, %B108.if.i ], [ %storemerge, %B2702 ]
-  %.176.i2294.010909 = phi i64 [ %.247.i3205, %B108.if.i ], [ 0, %B2702 ]
-  %.243.i3202 = add nsw i64 %.179.i2295.010910, -1
-  %.247.i3205 = add nsw i64 %.176.i2294.010909, 1
+  %.179.i2295.010910 = phi i64 [ %.243.i3201, %B108.if.i ], [ %storemerge, %B2702 ]
+  %.176.i2294.010909 = phi i64 [ %.247.i3204, %B108.if.i ], [ 0, %B2702 ]
+  %.243.i3201 = add nsw i64 %.179.i2295.010910, -1
+  %.247.i3204 = add nsw i64 %.176.i2294.010909, 1
   %206 = getelementptr i64, ptr %45, i64 %.176.i2294.010909
   store i64 -1, ptr %206, align 8, !noalias !53
   %.234.i2410 = icmp sgt i64 %.179.i2295.010910, 1
@@ -1853,29 +1853,29 @@ B188.if.i.preheader:                              ; preds = %B108.if.i, %B2702
 
 B188.if.i:                                        ; preds = %B188.if.i.preheader, %B186.i.loopexit
   %some.4.i.010927 = phi i1 [ %some.2.i.1.lcssa, %B186.i.loopexit ], [ false, %B188.if.i.preheader ]
-  %.361.i2305.010925 = phi i64 [ %.431.i3146, %B186.i.loopexit ], [ 1, %B188.if.i.preheader ]
-  %.431.i3146 = add nsw i64 %.361.i2305.010925, 1
+  %.361.i2305.010925 = phi i64 [ %.431.i3145, %B186.i.loopexit ], [ 1, %B188.if.i.preheader ]
+  %.431.i3145 = add nsw i64 %.361.i2305.010925, 1
   br i1 %.689, label %B186.i.loopexit.critedge, label %B222.if.i.lr.ph
 
 B222.if.i.lr.ph:                                  ; preds = %B188.if.i
-  %.579.i2908 = uitofp i64 %.361.i2305.010925 to double
-  %.584.i2909 = fmul double %.579.i2908, 1.250000e-01
-  %.247.i.i.i = fsub double 1.000000e+00, %.584.i2909
+  %.579.i2907 = uitofp i64 %.361.i2305.010925 to double
+  %.584.i2908 = fmul double %.579.i2907, 1.250000e-01
+  %.247.i.i.i = fsub double 1.000000e+00, %.584.i2908
   br label %B222.if.i
 
 B222.if.i:                                        ; preds = %B222.if.i.lr.ph, %B222.i.loopexit
-  %.486.i2315.010919 = phi i64 [ %storemerge, %B222.if.i.lr.ph ], [ %.548.i3130, %B222.i.loopexit ]
-  %.483.i2314.010918 = phi i64 [ 0, %B222.if.i.lr.ph ], [ %.552.i3133, %B222.i.loopexit ]
-  %.548.i3130 = add nsw i64 %.486.i2315.010919, -1
-  %.552.i3133 = add nsw i64 %.483.i2314.010918, 1
-  %.92.i.i2984 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.483.i2314.010918
-  %.93.i.i2985 = load double, ptr %.92.i.i2984, align 8, !noalias !61
-  %.146.i.i3019 = getelementptr double, ptr %46, i64 %.483.i2314.010918
-  %.147.i.i3020 = load double, ptr %.146.i.i3019, align 8, !noalias !61
-  %.149.i.i3022 = fmul double %.584.i2909, %.147.i.i3020
-  %.150.i.i3023 = fadd double %.93.i.i2985, %.149.i.i3022
-  %.203.i.i3050 = getelementptr double, ptr %.571, i64 %.483.i2314.010918
-  store double %.150.i.i3023, ptr %.203.i.i3050, align 8, !noalias !61
+  %.486.i2315.010919 = phi i64 [ %storemerge, %B222.if.i.lr.ph ], [ %.548.i3129, %B222.i.loopexit ]
+  %.483.i2314.010918 = phi i64 [ 0, %B222.if.i.lr.ph ], [ %.552.i3132, %B222.i.loopexit ]
+  %.548.i3129 = add nsw i64 %.486.i2315.010919, -1
+  %.552.i3132 = add nsw i64 %.483.i2314.010918, 1
+  %.92.i.i2983 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.483.i2314.010918
+  %.93.i.i2984 = load double, ptr %.92.i.i2983, align 8, !noalias !61
+  %.146.i.i3018 = getelementptr double, ptr %46, i64 %.483.i2314.010918
+  %.147.i.i3019 = load double, ptr %.146.i.i3018, align 8, !noalias !61
+  %.149.i.i3021 = fmul double %.584.i2908, %.147.i.i3019
+  %.150.i.i3022 = fadd double %.93.i.i2984, %.149.i.i3021
+  %.203.i.i3049 = getelementptr double, ptr %.571, i64 %.483.i2314.010918
+  store double %.150.i.i3022, ptr %.203.i.i3049, align 8, !noalias !61
   br i1 %.287.i.i10914.not, label %B222.i.loopexit, label %B122.if.i.i.preheader
 
 B122.if.i.i.preheader:                            ; preds = %B222.if.i
@@ -1891,13 +1891,13 @@ B122.if.i.i.preheader:                            ; preds = %B222.if.i
   br label %B122.if.i.i
 
 B122.if.i.i:                                      ; preds = %B122.if.i.i.preheader, %B122.if.i.i
-  %.229.i.i.010915 = phi i64 [ %.300.i.i3120, %B122.if.i.i ], [ 0, %B122.if.i.i.preheader ]
+  %.229.i.i.010915 = phi i64 [ %.300.i.i3119, %B122.if.i.i ], [ 0, %B122.if.i.i.preheader ]
   %.157.i.i.i = add nsw i64 %.155.i.i.i, %.229.i.i.010915
   %.159.i.i.i = mul nsw i64 %.157.i.i.i, %arg.shape.0
   %gep11105 = getelementptr double, ptr %invariant.gep11104, i64 %.159.i.i.i
   %.191.i.i.i = load double, ptr %gep11105, align 8, !noalias !65
   %.193.i.i.i = fadd double %.191.i.i.i, 0.000000e+00
-  %.253.i.i.i = fmul double %.584.i2909, %.193.i.i.i
+  %.253.i.i.i = fmul double %.584.i2908, %.193.i.i.i
   %.157.i.i.i.1 = add nsw i64 %.155.i.i.i.1, %.229.i.i.010915
   %.159.i.i.i.1 = mul nsw i64 %.157.i.i.i.1, %arg.shape.0
   %gep11107 = getelementptr double, ptr %invariant.gep11106, i64 %.159.i.i.i.1
@@ -1909,7 +1909,7 @@ B122.if.i.i:                                      ; preds = %B122.if.i.i.prehead
   %gep11109 = getelementptr double, ptr %invariant.gep11108, i64 %.159.i.i.i.2
   %.191.i.i.i.2 = load double, ptr %gep11109, align 8, !noalias !65
   %.193.i.i.i.2 = fadd double %.253.i.i.i.1, %.191.i.i.i.2
-  %.253.i.i.i.2 = fmul double %.584.i2909, %.193.i.i.i.2
+  %.253.i.i.i.2 = fmul double %.584.i2908, %.193.i.i.i.2
   %.157.i.i.i.3 = add nsw i64 %.155.i.i.i.3, %.229.i.i.010915
   %.159.i.i.i.3 = mul nsw i64 %.157.i.i.i.3, %arg.shape.0
   %gep11111 = getelementptr double, ptr %invariant.gep11110, i64 %.159.i.i.i.3
@@ -1921,7 +1921,7 @@ B122.if.i.i:                                      ; preds = %B122.if.i.i.prehead
   %gep11113 = getelementptr double, ptr %invariant.gep11112, i64 %.159.i.i.i.4
   %.191.i.i.i.4 = load double, ptr %gep11113, align 8, !noalias !65
   %.193.i.i.i.4 = fadd double %.253.i.i.i.3, %.191.i.i.i.4
-  %.253.i.i.i.4 = fmul double %.584.i2909, %.193.i.i.i.4
+  %.253.i.i.i.4 = fmul double %.584.i2908, %.193.i.i.i.4
   %.157.i.i.i.5 = add nsw i64 %.155.i.i.i.5, %.229.i.i.010915
   %.159.i.i.i.5 = mul nsw i64 %.157.i.i.i.5, %arg.shape.0
   %gep11115 = getelementptr double, ptr %invariant.gep11114, i64 %.159.i.i.i.5
@@ -1933,33 +1933,33 @@ B122.if.i.i:                                      ; preds = %B122.if.i.i.prehead
   %gep11117 = getelementptr double, ptr %invariant.gep11116, i64 %.159.i.i.i.6
   %.191.i.i.i.6 = load double, ptr %gep11117, align 8, !noalias !65
   %.193.i.i.i.6 = fadd double %.253.i.i.i.5, %.191.i.i.i.6
-  %.253.i.i.i.6 = fmul double %.584.i2909, %.193.i.i.i.6
-  %.300.i.i3120 = add nsw i64 %.229.i.i.010915, 1
+  %.253.i.i.i.6 = fmul double %.584.i2908, %.193.i.i.i.6
+  %.300.i.i3119 = add nsw i64 %.229.i.i.010915, 1
   %.271.i.i.i = mul nsw i64 %.229.i.i.010915, %arg.shape.0
   %gep11119 = getelementptr double, ptr %invariant.gep11118, i64 %.271.i.i.i
   %.309.i.i.i = load double, ptr %gep11119, align 8, !noalias !65
   %.313.i.i.i = fadd double %.253.i.i.i.6, %.309.i.i.i
-  %.359.i.i3099 = add nsw i64 %.229.i.i.010915, %.358.i.i
-  %.361.i.i3100 = mul nsw i64 %.359.i.i3099, %arg.shape.0
-  %gep11121 = getelementptr double, ptr %invariant.gep11120, i64 %.361.i.i3100
+  %.359.i.i3098 = add nsw i64 %.229.i.i.010915, %.358.i.i
+  %.361.i.i3099 = mul nsw i64 %.359.i.i3098, %arg.shape.0
+  %gep11121 = getelementptr double, ptr %invariant.gep11120, i64 %.361.i.i3099
   store double %.313.i.i.i, ptr %gep11121, align 8, !noalias !61
-  %exitcond11081.not = icmp eq i64 %arg.shape.1, %.300.i.i3120
+  %exitcond11081.not = icmp eq i64 %arg.shape.1, %.300.i.i3119
   br i1 %exitcond11081.not, label %B222.i.loopexit, label %B122.if.i.i
 
 B466.if.i:                                        ; preds = %B284.i, %B770.i
   %some.2.i.110923 = phi i1 [ %some.4.i.010927, %B284.i ], [ %some.3.i.2, %B770.i ]
-  %.817.i2335.010922 = phi i64 [ %storemerge, %B284.i ], [ %.879.i2894, %B770.i ]
-  %.814.i2334.010921 = phi i64 [ 0, %B284.i ], [ %.883.i2897, %B770.i ]
-  %.879.i2894 = add nsw i64 %.817.i2335.010922, -1
-  %.883.i2897 = add nsw i64 %.814.i2334.010921, 1
-  %.968.i2701 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.814.i2334.010921
-  %.969.i2702 = load i64, ptr %.968.i2701, align 8, !noalias !53
-  %.970.i2703 = icmp sgt i64 %.969.i2702, -1
-  br i1 %.970.i2703, label %B508.i, label %B770.i
+  %.817.i2335.010922 = phi i64 [ %storemerge, %B284.i ], [ %.879.i2893, %B770.i ]
+  %.814.i2334.010921 = phi i64 [ 0, %B284.i ], [ %.883.i2896, %B770.i ]
+  %.879.i2893 = add nsw i64 %.817.i2335.010922, -1
+  %.883.i2896 = add nsw i64 %.814.i2334.010921, 1
+  %.968.i2700 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.814.i2334.010921
+  %.969.i2701 = load i64, ptr %.968.i2700, align 8, !noalias !53
+  %.970.i2702 = icmp sgt i64 %.969.i2701, -1
+  br i1 %.970.i2702, label %B508.i, label %B770.i
 
 B584.endif.i:                                     ; preds = %B36.i.i, %B34.i.i
   %.1099.i2343.0 = phi i64 [ %.48.i.i2177.0, %B36.i.i ], [ -1, %B34.i.i ]
-  store i64 %.1099.i2343.0, ptr %.1088.i2788, align 8, !noalias !53
+  store i64 %.1099.i2343.0, ptr %.1088.i2787, align 8, !noalias !53
   %.1248.i = getelementptr double, ptr %49, i64 %.814.i2334.010921
   store double %.1187.i, ptr %.1248.i, align 8, !noalias !53
   %.1303.i = getelementptr double, ptr %50, i64 %.814.i2334.010921
@@ -1987,83 +1987,83 @@ B2818:                                            ; preds = %B2808
   br i1 %.614, label %B2866.if, label %B3234.critedge
 
 B140.i:                                           ; preds = %B64.if.i6067
-  %.409.i5400 = getelementptr double, ptr %53, i64 %.138.i5167.010935
-  %.410.i5401 = load double, ptr %.409.i5400, align 8, !noalias !69
-  %.411.i5402 = fcmp uge double %.410.i5401, 5.000000e-01
-  %.424.i5410.not = icmp slt i64 %.346.i5349, %arg.batch.2.5.0
-  %or.cond10586 = select i1 %.411.i5402, i1 %.424.i5410.not, i1 false
+  %.409.i5399 = getelementptr double, ptr %53, i64 %.138.i5166.010935
+  %.410.i5400 = load double, ptr %.409.i5399, align 8, !noalias !69
+  %.411.i5401 = fcmp uge double %.410.i5400, 5.000000e-01
+  %.424.i5409.not = icmp slt i64 %.346.i5348, %arg.batch.2.5.0
+  %or.cond10586 = select i1 %.411.i5401, i1 %.424.i5409.not, i1 false
   br i1 %or.cond10586, label %B216.i, label %B453.i
 
 B216.i:                                           ; preds = %B140.i
-  %.440.i = icmp slt i64 %.346.i5349, 0
-  %.441.i5421 = select i1 %.440.i, i64 %arg.batch.2.5.0, i64 0
-  %207 = getelementptr double, ptr %arg.batch.2.4, i64 %.346.i5349
-  %.455.i5435 = getelementptr double, ptr %207, i64 %.441.i5421
-  %.456.i5436 = load double, ptr %.455.i5435, align 8, !noalias !69
-  %.510.i5484 = getelementptr double, ptr %54, i64 %.138.i5167.010935
-  %.511.i5485 = load double, ptr %.510.i5484, align 8, !noalias !69
-  %.512.i5486 = fcmp ult double %.456.i5436, %.511.i5485
-  br i1 %.512.i5486, label %B268.i5487, label %B453.i
+  %.440.i = icmp slt i64 %.346.i5348, 0
+  %.441.i5420 = select i1 %.440.i, i64 %arg.batch.2.5.0, i64 0
+  %207 = getelementptr double, ptr %arg.batch.2.4, i64 %.346.i5348
+  %.455.i5434 = getelementptr double, ptr %207, i64 %.441.i5420
+  %.456.i5435 = load double, ptr %.455.i5434, align 8, !noalias !69
+  %.510.i5483 = getelementptr double, ptr %54, i64 %.138.i5166.010935
+  %.511.i5484 = load double, ptr %.510.i5483, align 8, !noalias !69
+  %.512.i5485 = fcmp ult double %.456.i5435, %.511.i5484
+  br i1 %.512.i5485, label %B268.i5486, label %B453.i
 
-B268.i5487:                                       ; preds = %B216.i
-  %.574.i5533 = getelementptr double, ptr %55, i64 %.138.i5167.010935
-  %.575.i5534 = load double, ptr %.574.i5533, align 8, !noalias !69
-  %.576.i5535 = fcmp ogt double %.575.i5534, 1.000000e+00
-  br i1 %.576.i5535, label %B306.i5539, label %B453.i
+B268.i5486:                                       ; preds = %B216.i
+  %.574.i5532 = getelementptr double, ptr %55, i64 %.138.i5166.010935
+  %.575.i5533 = load double, ptr %.574.i5532, align 8, !noalias !69
+  %.576.i5534 = fcmp ogt double %.575.i5533, 1.000000e+00
+  br i1 %.576.i5534, label %B306.i5538, label %B453.i
 
-B306.i5539:                                       ; preds = %B268.i5487
-  %.632.i = getelementptr double, ptr %56, i64 %.138.i5167.010935
-  %.633.i5587 = load double, ptr %.632.i, align 8, !noalias !69
-  store double 0.000000e+00, ptr %.409.i5400, align 8, !noalias !73
-  %.161.i.i5748 = getelementptr double, ptr %57, i64 %.138.i5167.010935
-  store double 0.000000e+00, ptr %.161.i.i5748, align 8, !noalias !73
-  %.214.i.i5783 = getelementptr double, ptr %58, i64 %.138.i5167.010935
-  store double %.633.i5587, ptr %.214.i.i5783, align 8, !noalias !73
-  %.268.i.i5816 = load i64, ptr %.290.i5302, align 8, !noalias !73
-  %.294.i.i5830 = icmp slt i64 %.268.i.i5816, 0
-  %.295.i.i = select i1 %.294.i.i5830, i64 %arg.batch.3.3.5.0, i64 0
-  %.296.i.i5831 = add i64 %.295.i.i, %.268.i.i5816
-  %.316.i.i5843 = mul i64 %.296.i.i5831, %arg.batch.3.3.5.1
-  %.320.i.i5844 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.316.i.i5843
-  %.321.i.i5845 = load i64, ptr %.320.i.i5844, align 8, !noalias !73
-  %.322.i.i5846 = add nsw i64 %.321.i.i5845, -1
-  store i64 %.322.i.i5846, ptr %.320.i.i5844, align 8, !noalias !73
-  %.426.i.i5892 = load i64, ptr %.290.i5302, align 8, !noalias !73
-  %.452.i.i = icmp slt i64 %.426.i.i5892, 0
+B306.i5538:                                       ; preds = %B268.i5486
+  %.632.i = getelementptr double, ptr %56, i64 %.138.i5166.010935
+  %.633.i5586 = load double, ptr %.632.i, align 8, !noalias !69
+  store double 0.000000e+00, ptr %.409.i5399, align 8, !noalias !73
+  %.161.i.i5747 = getelementptr double, ptr %57, i64 %.138.i5166.010935
+  store double 0.000000e+00, ptr %.161.i.i5747, align 8, !noalias !73
+  %.214.i.i5782 = getelementptr double, ptr %58, i64 %.138.i5166.010935
+  store double %.633.i5586, ptr %.214.i.i5782, align 8, !noalias !73
+  %.268.i.i5815 = load i64, ptr %.290.i5301, align 8, !noalias !73
+  %.294.i.i5829 = icmp slt i64 %.268.i.i5815, 0
+  %.295.i.i = select i1 %.294.i.i5829, i64 %arg.batch.3.3.5.0, i64 0
+  %.296.i.i5830 = add i64 %.295.i.i, %.268.i.i5815
+  %.316.i.i5842 = mul i64 %.296.i.i5830, %arg.batch.3.3.5.1
+  %.320.i.i5843 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.316.i.i5842
+  %.321.i.i5844 = load i64, ptr %.320.i.i5843, align 8, !noalias !73
+  %.322.i.i5845 = add nsw i64 %.321.i.i5844, -1
+  store i64 %.322.i.i5845, ptr %.320.i.i5843, align 8, !noalias !73
+  %.426.i.i5891 = load i64, ptr %.290.i5301, align 8, !noalias !73
+  %.452.i.i = icmp slt i64 %.426.i.i5891, 0
   %.453.i.i = select i1 %.452.i.i, i64 %arg.batch.3.3.5.0, i64 0
-  %.454.i.i = add i64 %.453.i.i, %.426.i.i5892
+  %.454.i.i = add i64 %.453.i.i, %.426.i.i5891
   %.474.i.i = mul i64 %.454.i.i, %arg.batch.3.3.5.1
   %208 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.474.i.i
   %.478.i.i = getelementptr i8, ptr %208, i64 24
   %.479.i.i = load i64, ptr %.478.i.i, align 8, !noalias !73
   %.480.i.i = add nsw i64 %.479.i.i, 1
   store i64 %.480.i.i, ptr %.478.i.i, align 8, !noalias !73
-  %.705.i5922 = load double, ptr %.455.i5435, align 8, !noalias !69
-  %.763.i5971 = getelementptr double, ptr %59, i64 %.138.i5167.010935
-  store double %.705.i5922, ptr %.763.i5971, align 8, !noalias !69
-  %.816.i6014 = mul i64 %.291.i5303, %arg.batch.3.3.5.1
-  %209 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.816.i6014
-  %.820.i6018 = getelementptr i8, ptr %209, i64 8
-  %.821.i6019 = load i64, ptr %.820.i6018, align 8, !noalias !69
-  %.822.i6020 = add nsw i64 %.821.i6019, 3
-  store i64 %.822.i6020, ptr %.820.i6018, align 8, !noalias !69
+  %.705.i5921 = load double, ptr %.455.i5434, align 8, !noalias !69
+  %.763.i5970 = getelementptr double, ptr %59, i64 %.138.i5166.010935
+  store double %.705.i5921, ptr %.763.i5970, align 8, !noalias !69
+  %.816.i6013 = mul i64 %.291.i5302, %arg.batch.3.3.5.1
+  %209 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.816.i6013
+  %.820.i6017 = getelementptr i8, ptr %209, i64 8
+  %.821.i6018 = load i64, ptr %.820.i6017, align 8, !noalias !69
+  %.822.i6019 = add nsw i64 %.821.i6018, 3
+  store i64 %.822.i6019, ptr %.820.i6017, align 8, !noalias !69
   br label %B453.i
 
-B453.i:                                           ; preds = %B268.i5487, %B306.i5539, %B64.if.i6067, %B140.i, %B216.i
-  %.196.i5236 = icmp sgt i64 %.141.i5168.010934, 1
-  br i1 %.196.i5236, label %B64.if.i6067, label %B3234
+B453.i:                                           ; preds = %B268.i5486, %B306.i5538, %B64.if.i6067, %B140.i, %B216.i
+  %.196.i5235 = icmp sgt i64 %.141.i5167.010934, 1
+  br i1 %.196.i5235, label %B64.if.i6067, label %B3234
 
 B64.if.i6067:                                     ; preds = %B2866.if, %B453.i
-  %.138.i5167.010935 = phi i64 [ %.209.i6074, %B453.i ], [ 0, %B2866.if ]
-  %.141.i5168.010934 = phi i64 [ %.205.i6071, %B453.i ], [ %storemerge, %B2866.if ]
-  %.205.i6071 = add nsw i64 %.141.i5168.010934, -1
-  %.209.i6074 = add nsw i64 %.138.i5167.010935, 1
-  %.290.i5302 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.138.i5167.010935
-  %.291.i5303 = load i64, ptr %.290.i5302, align 8, !noalias !69
-  %.345.i5348 = getelementptr i64, ptr %52, i64 %.138.i5167.010935
-  %.346.i5349 = load i64, ptr %.345.i5348, align 8, !noalias !69
-  %.354.i5353 = icmp slt i64 %.291.i5303, 0
-  br i1 %.354.i5353, label %B453.i, label %B140.i
+  %.138.i5166.010935 = phi i64 [ %.209.i6074, %B453.i ], [ 0, %B2866.if ]
+  %.141.i5167.010934 = phi i64 [ %.205.i6071, %B453.i ], [ %storemerge, %B2866.if ]
+  %.205.i6071 = add nsw i64 %.141.i5167.010934, -1
+  %.209.i6074 = add nsw i64 %.138.i5166.010935, 1
+  %.290.i5301 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.138.i5166.010935
+  %.291.i5302 = load i64, ptr %.290.i5301, align 8, !noalias !69
+  %.345.i5347 = getelementptr i64, ptr %52, i64 %.138.i5166.010935
+  %.346.i5348 = load i64, ptr %.345.i5347, align 8, !noalias !69
+  %.354.i5352 = icmp slt i64 %.291.i5302, 0
+  br i1 %.354.i5352, label %B453.i, label %B140.i
 
 B3234.critedge:                                   ; preds = %B2818
   %.4563.c = load i64, ptr %.4562.c, align 8
@@ -2072,227 +2072,227 @@ B3234.critedge:                                   ; preds = %B2818
   br label %B3234
 
 B3234:                                            ; preds = %B453.i, %B2866.if, %B3234.critedge
-  br i1 %beyond.2.1, label %B108.i3529.preheader, label %B3318
+  br i1 %beyond.2.1, label %B108.i3528.preheader, label %B3318
 
-B108.i3529.preheader:                             ; preds = %B3234
-  br i1 %.689, label %B188.if.i4980.preheader, label %B108.if.i5045
+B108.i3528.preheader:                             ; preds = %B3234
+  br i1 %.689, label %B188.if.i4979.preheader, label %B108.if.i5044
 
-B186.i3582.loopexit.critedge:                     ; preds = %B188.if.i4980
-  %.625.i3807.c = icmp ult i64 %.361.i3401.010953, 8
-  %.10587.c = select i1 %.625.i3807.c, i64 16, i64 17
-  %.672.i3840.c = load i64, ptr %.671.i3839, align 8, !noalias !76
-  %.744.i3897.c = mul i64 %.742.i3895, %.10587.c
-  %.762.i3907.c = getelementptr double, ptr %arg.batch.5.0.4, i64 %.744.i3897.c
-  %.788.i3917.c = inttoptr i64 %.672.i3840.c to ptr
-  tail call void %.788.i3917.c(ptr %.571, ptr %.762.i3907.c, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !76
-  br label %B186.i3582.loopexit
+B186.i3581.loopexit.critedge:                     ; preds = %B188.if.i4979
+  %.625.i3806.c = icmp ult i64 %.361.i3400.010953, 8
+  %.10587.c = select i1 %.625.i3806.c, i64 16, i64 17
+  %.672.i3839.c = load i64, ptr %.671.i3838, align 8, !noalias !76
+  %.744.i3896.c = mul i64 %.742.i3894, %.10587.c
+  %.762.i3906.c = getelementptr double, ptr %arg.batch.5.0.4, i64 %.744.i3896.c
+  %.788.i3916.c = inttoptr i64 %.672.i3839.c to ptr
+  tail call void %.788.i3916.c(ptr %.571, ptr %.762.i3906.c, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !76
+  br label %B186.i3581.loopexit
 
-B186.i3582.loopexit:                              ; preds = %B770.i4027, %B186.i3582.loopexit.critedge
-  %some.2.i3424.1.lcssa = phi i1 [ %some.4.i3397.010955, %B186.i3582.loopexit.critedge ], [ %some.3.i3445.2, %B770.i4027 ]
-  %exitcond11087.not = icmp eq i64 %.431.i4988, 9
-  br i1 %exitcond11087.not, label %B806.i3640.preheader, label %B188.if.i4980
+B186.i3581.loopexit:                              ; preds = %B770.i4026, %B186.i3581.loopexit.critedge
+  %some.2.i3423.1.lcssa = phi i1 [ %some.4.i3396.010955, %B186.i3581.loopexit.critedge ], [ %some.3.i3444.2, %B770.i4026 ]
+  %exitcond11087.not = icmp eq i64 %.431.i4987, 9
+  br i1 %exitcond11087.not, label %B806.i3639.preheader, label %B188.if.i4979
 
-B806.i3640.preheader:                             ; preds = %B186.i3582.loopexit
-  br i1 %.689, label %B3238.endif.endif, label %B806.if.i3736
+B806.i3639.preheader:                             ; preds = %B186.i3581.loopexit
+  br i1 %.689, label %B3238.endif.endif, label %B806.if.i3735
 
-B222.i3789.loopexit:                              ; preds = %B122.if.i.i4948, %B222.if.i4963
-  %.539.i3794 = icmp sgt i64 %.486.i3414.010947, 1
-  br i1 %.539.i3794, label %B222.if.i4963, label %B284.i3803
+B222.i3788.loopexit:                              ; preds = %B122.if.i.i4947, %B222.if.i4962
+  %.539.i3793 = icmp sgt i64 %.486.i3413.010947, 1
+  br i1 %.539.i3793, label %B222.if.i4962, label %B284.i3802
 
-B284.i3803:                                       ; preds = %B222.i3789.loopexit
-  %.625.i3807 = icmp ult i64 %.361.i3401.010953, 8
-  %.10587 = select i1 %.625.i3807, i64 16, i64 17
-  %.672.i3840 = load i64, ptr %.671.i3839, align 8, !noalias !76
-  %.744.i3897 = mul i64 %.742.i3895, %.10587
-  %.762.i3907 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.744.i3897
-  %.788.i3917 = inttoptr i64 %.672.i3840 to ptr
-  tail call void %.788.i3917(ptr %.571, ptr %.762.i3907, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !76
-  %.1181.i4270 = add nsw i64 %.361.i3401.010953, -1
-  %.1182.i4271 = sitofp i64 %.1181.i4270 to double
-  %.1187.i4272 = fmul double %.1182.i4271, 1.250000e-01
-  %.1189.i4274 = uitofp i64 %.361.i3401.010953 to double
-  %.1194.i4275 = fmul double %.1189.i4274, 1.250000e-01
-  br label %B466.if.i4465
+B284.i3802:                                       ; preds = %B222.i3788.loopexit
+  %.625.i3806 = icmp ult i64 %.361.i3400.010953, 8
+  %.10587 = select i1 %.625.i3806, i64 16, i64 17
+  %.672.i3839 = load i64, ptr %.671.i3838, align 8, !noalias !76
+  %.744.i3896 = mul i64 %.742.i3894, %.10587
+  %.762.i3906 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.744.i3896
+  %.788.i3916 = inttoptr i64 %.672.i3839 to ptr
+  tail call void %.788.i3916(ptr %.571, ptr %.762.i3906, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !76
+  %.1181.i4269 = add nsw i64 %.361.i3400.010953, -1
+  %.1182.i4270 = sitofp i64 %.1181.i4269 to double
+  %.1187.i4271 = fmul double %.1182.i4270, 1.250000e-01
+  %.1189.i4273 = uitofp i64 %.361.i3400.010953 to double
+  %.1194.i4274 = fmul double %.1189.i4273, 1.250000e-01
+  br label %B466.if.i4464
 
-B508.i4032:                                       ; preds = %B466.if.i4465
-  %.1028.i4081 = getelementptr double, ptr %62, i64 %.814.i3437.010949
-  %.1029.i4082 = load double, ptr %.1028.i4081, align 8, !noalias !76
-  %.1030.i4083 = fcmp ogt double %.1029.i4082, 5.000000e-01
-  br i1 %.1030.i4083, label %B546.i4084, label %B770.i4027
+B508.i4031:                                       ; preds = %B466.if.i4464
+  %.1028.i4080 = getelementptr double, ptr %62, i64 %.814.i3436.010949
+  %.1029.i4081 = load double, ptr %.1028.i4080, align 8, !noalias !76
+  %.1030.i4082 = fcmp ogt double %.1029.i4081, 5.000000e-01
+  br i1 %.1030.i4082, label %B546.i4083, label %B770.i4026
 
-B546.i4084:                                       ; preds = %B508.i4032
-  %.1088.i4133 = getelementptr i64, ptr %63, i64 %.814.i3437.010949
-  %.1089.i4134 = load i64, ptr %.1088.i4133, align 8, !noalias !76
-  %.1090.i4135 = icmp slt i64 %.1089.i4134, 0
-  br i1 %.1090.i4135, label %B34.i.i4192, label %B770.i4027
+B546.i4083:                                       ; preds = %B508.i4031
+  %.1088.i4132 = getelementptr i64, ptr %63, i64 %.814.i3436.010949
+  %.1089.i4133 = load i64, ptr %.1088.i4132, align 8, !noalias !76
+  %.1090.i4134 = icmp slt i64 %.1089.i4133, 0
+  br i1 %.1090.i4134, label %B34.i.i4191, label %B770.i4026
 
-B34.i.i4192:                                      ; preds = %B546.i4084, %B36.i.i4408
-  %.48.i.i3223.0 = phi i64 [ %.119.i88.i4456, %B36.i.i4408 ], [ 0, %B546.i4084 ]
-  %exitcond11086.not = icmp eq i64 %.48.i.i3223.0, %storemerge10530
-  br i1 %exitcond11086.not, label %B584.endif.i4224, label %B36.i.i4408
+B34.i.i4191:                                      ; preds = %B546.i4083, %B36.i.i4407
+  %.48.i.i3222.0 = phi i64 [ %.119.i88.i4455, %B36.i.i4407 ], [ 0, %B546.i4083 ]
+  %exitcond11086.not = icmp eq i64 %.48.i.i3222.0, %storemerge10530
+  br i1 %exitcond11086.not, label %B584.endif.i4223, label %B36.i.i4407
 
-B36.i.i4408:                                      ; preds = %B34.i.i4192
-  %.119.i88.i4456 = add i64 %.48.i.i3223.0, 1
-  %.149.i53.i4414 = add nsw i64 %.48.i.i3223.0, %arg.shape.6
-  %.151.i55.i4416 = mul nsw i64 %.149.i53.i4414, %arg.shape.0
-  %.153.i56.i4418 = add nsw i64 %.151.i55.i4416, %.814.i3437.010949
-  %.167.i61.i4426 = icmp slt i64 %.153.i56.i4418, 0
-  %.168.i62.i4427 = select i1 %.167.i61.i4426, i64 %arg.batch.5.4.5.0, i64 0
-  %210 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.153.i56.i4418
-  %.182.i74.i4437 = getelementptr double, ptr %210, i64 %.168.i62.i4427
-  %.183.i75.i4438 = load double, ptr %.182.i74.i4437, align 8, !noalias !80
-  %.184.i.i4439 = fcmp ogt double %.183.i75.i4438, 5.000000e-01
-  br i1 %.184.i.i4439, label %B584.endif.i4224, label %B34.i.i4192
+B36.i.i4407:                                      ; preds = %B34.i.i4191
+  %.119.i88.i4455 = add i64 %.48.i.i3222.0, 1
+  %.149.i53.i4413 = add nsw i64 %.48.i.i3222.0, %arg.shape.6
+  %.151.i55.i4415 = mul nsw i64 %.149.i53.i4413, %arg.shape.0
+  %.153.i56.i4417 = add nsw i64 %.151.i55.i4415, %.814.i3436.010949
+  %.167.i61.i4425 = icmp slt i64 %.153.i56.i4417, 0
+  %.168.i62.i4426 = select i1 %.167.i61.i4425, i64 %arg.batch.5.4.5.0, i64 0
+  %210 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.153.i56.i4417
+  %.182.i74.i4436 = getelementptr double, ptr %210, i64 %.168.i62.i4426
+  %.183.i75.i4437 = load double, ptr %.182.i74.i4436, align 8, !noalias !80
+  %.184.i.i4438 = fcmp ogt double %.183.i75.i4437, 5.000000e-01
+  br i1 %.184.i.i4438, label %B584.endif.i4223, label %B34.i.i4191
 
-B732.i4354:                                       ; preds = %B584.endif.i4224
-  %.1369.i4393 = load i64, ptr %.1088.i4133, align 8, !noalias !76
-  %.1370.i4394 = icmp sgt i64 %.1369.i4393, -1
-  br label %B770.i4027
+B732.i4353:                                       ; preds = %B584.endif.i4223
+  %.1369.i4392 = load i64, ptr %.1088.i4132, align 8, !noalias !76
+  %.1370.i4393 = icmp sgt i64 %.1369.i4392, -1
+  br label %B770.i4026
 
-B770.i4027:                                       ; preds = %B732.i4354, %B584.endif.i4224, %B546.i4084, %B508.i4032, %B466.if.i4465
-  %some.3.i3445.2 = phi i1 [ %some.2.i3424.110951, %B466.if.i4465 ], [ %some.2.i3424.110951, %B546.i4084 ], [ %some.2.i3424.110951, %B508.i4032 ], [ true, %B584.endif.i4224 ], [ %.1370.i4394, %B732.i4354 ]
-  %.870.i3957 = icmp sgt i64 %.817.i3438.010950, 1
-  br i1 %.870.i3957, label %B466.if.i4465, label %B186.i3582.loopexit
+B770.i4026:                                       ; preds = %B732.i4353, %B584.endif.i4223, %B546.i4083, %B508.i4031, %B466.if.i4464
+  %some.3.i3444.2 = phi i1 [ %some.2.i3423.110951, %B466.if.i4464 ], [ %some.2.i3423.110951, %B546.i4083 ], [ %some.2.i3423.110951, %B508.i4031 ], [ true, %B584.endif.i4223 ], [ %.1370.i4393, %B732.i4353 ]
+  %.870.i3956 = icmp sgt i64 %.817.i3437.010950, 1
+  br i1 %.870.i3956, label %B466.if.i4464, label %B186.i3581.loopexit
 
-B108.if.i5045:                                    ; preds = %B108.i3529.preheader, %B108.if.i5045
-  %.179.i3388.010938 = phi i64 [ %.243.i5050, %B108.if.i5045 ], [ %storemerge, %B108.i3529.preheader ]
-  %.176.i3387.010937 = phi i64 [ %.247.i5053, %B108.if.i5045 ], [ 0, %B108.i3529.preheader ]
-  %.243.i5050 = add nsw i64 %.179.i3388.010938, -1
-  %.247.i5053 = add nsw i64 %.176.i3387.010937, 1
-  %211 = getelementptr i64, ptr %60, i64 %.176.i3387.010937
+B108.if.i5044:                                    ; preds = %B108.i3528.preheader, %B108.if.i5044
+  %.179.i3387.010938 = phi i64 [ %.243.i5049, %B108.if.i5044 ], [ %storemerge, %B108.i3528.preheader ]
+  %.176.i3386.010937 = phi i64 [ %.247.i5052, %B108.if.i5044 ], [ 0, %B108.i3528.preheader ]
+  %.243.i5049 = add nsw i64 %.179.i3387.010938, -1
+  %.247.i5052 = add nsw i64 %.176.i3386.010937, 1
+  %211 = getelementptr i64, ptr %60, i64 %.176.i3386.010937
   store i64 -1, ptr %211, align 8, !noalias !76
-  %.234.i3534 = icmp sgt i64 %.179.i3388.010938, 1
-  br i1 %.234.i3534, label %B108.if.i5045, label %B188.if.i4980.preheader
+  %.234.i3533 = icmp sgt i64 %.179.i3387.010938, 1
+  br i1 %.234.i3533, label %B108.if.i5044, label %B188.if.i4979.preheader
 
-B188.if.i4980.preheader:                          ; preds = %B108.if.i5045, %B108.i3529.preheader
-  br label %B188.if.i4980
+B188.if.i4979.preheader:                          ; preds = %B108.if.i5044, %B108.i3528.preheader
+  br label %B188.if.i4979
 
-B188.if.i4980:                                    ; preds = %B188.if.i4980.preheader, %B186.i3582.loopexit
-  %some.4.i3397.010955 = phi i1 [ %some.2.i3424.1.lcssa, %B186.i3582.loopexit ], [ false, %B188.if.i4980.preheader ]
-  %.361.i3401.010953 = phi i64 [ %.431.i4988, %B186.i3582.loopexit ], [ 1, %B188.if.i4980.preheader ]
-  %.431.i4988 = add nsw i64 %.361.i3401.010953, 1
-  br i1 %.689, label %B186.i3582.loopexit.critedge, label %B222.if.i4963.lr.ph
+B188.if.i4979:                                    ; preds = %B188.if.i4979.preheader, %B186.i3581.loopexit
+  %some.4.i3396.010955 = phi i1 [ %some.2.i3423.1.lcssa, %B186.i3581.loopexit ], [ false, %B188.if.i4979.preheader ]
+  %.361.i3400.010953 = phi i64 [ %.431.i4987, %B186.i3581.loopexit ], [ 1, %B188.if.i4979.preheader ]
+  %.431.i4987 = add nsw i64 %.361.i3400.010953, 1
+  br i1 %.689, label %B186.i3581.loopexit.critedge, label %B222.if.i4962.lr.ph
 
-B222.if.i4963.lr.ph:                              ; preds = %B188.if.i4980
-  %.579.i4488 = uitofp i64 %.361.i3401.010953 to double
-  %.584.i4489 = fmul double %.579.i4488, 1.250000e-01
-  %.247.i.i.i4918 = fsub double 1.000000e+00, %.584.i4489
-  br label %B222.if.i4963
+B222.if.i4962.lr.ph:                              ; preds = %B188.if.i4979
+  %.579.i4487 = uitofp i64 %.361.i3400.010953 to double
+  %.584.i4488 = fmul double %.579.i4487, 1.250000e-01
+  %.247.i.i.i4917 = fsub double 1.000000e+00, %.584.i4488
+  br label %B222.if.i4962
 
-B222.if.i4963:                                    ; preds = %B222.if.i4963.lr.ph, %B222.i3789.loopexit
-  %.486.i3414.010947 = phi i64 [ %storemerge, %B222.if.i4963.lr.ph ], [ %.548.i4968, %B222.i3789.loopexit ]
-  %.483.i3413.010946 = phi i64 [ 0, %B222.if.i4963.lr.ph ], [ %.552.i4971, %B222.i3789.loopexit ]
-  %.548.i4968 = add nsw i64 %.486.i3414.010947, -1
-  %.552.i4971 = add nsw i64 %.483.i3413.010946, 1
-  %.92.i.i4569 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.483.i3413.010946
-  %.93.i.i4570 = load double, ptr %.92.i.i4569, align 8, !noalias !84
-  %.146.i.i4606 = getelementptr double, ptr %61, i64 %.483.i3413.010946
-  %.147.i.i4607 = load double, ptr %.146.i.i4606, align 8, !noalias !84
-  %.149.i.i4609 = fmul double %.584.i4489, %.147.i.i4607
-  %.150.i.i4610 = fadd double %.93.i.i4570, %.149.i.i4609
-  %.203.i.i4646 = getelementptr double, ptr %.571, i64 %.483.i3413.010946
-  store double %.150.i.i4610, ptr %.203.i.i4646, align 8, !noalias !84
-  br i1 %.287.i.i468310942.not, label %B222.i3789.loopexit, label %B122.if.i.i4948.preheader
+B222.if.i4962:                                    ; preds = %B222.if.i4962.lr.ph, %B222.i3788.loopexit
+  %.486.i3413.010947 = phi i64 [ %storemerge, %B222.if.i4962.lr.ph ], [ %.548.i4967, %B222.i3788.loopexit ]
+  %.483.i3412.010946 = phi i64 [ 0, %B222.if.i4962.lr.ph ], [ %.552.i4970, %B222.i3788.loopexit ]
+  %.548.i4967 = add nsw i64 %.486.i3413.010947, -1
+  %.552.i4970 = add nsw i64 %.483.i3412.010946, 1
+  %.92.i.i4568 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.483.i3412.010946
+  %.93.i.i4569 = load double, ptr %.92.i.i4568, align 8, !noalias !84
+  %.146.i.i4605 = getelementptr double, ptr %61, i64 %.483.i3412.010946
+  %.147.i.i4606 = load double, ptr %.146.i.i4605, align 8, !noalias !84
+  %.149.i.i4608 = fmul double %.584.i4488, %.147.i.i4606
+  %.150.i.i4609 = fadd double %.93.i.i4569, %.149.i.i4608
+  %.203.i.i4645 = getelementptr double, ptr %.571, i64 %.483.i3412.010946
+  store double %.150.i.i4609, ptr %.203.i.i4645, align 8, !noalias !84
+  br i1 %.287.i.i468210942.not, label %B222.i3788.loopexit, label %B122.if.i.i4947.preheader
 
-B122.if.i.i4948.preheader:                        ; preds = %B222.if.i4963
-  %invariant.gep11122 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3413.010946
-  %invariant.gep11124 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3413.010946
-  %invariant.gep11126 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3413.010946
-  %invariant.gep11128 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3413.010946
-  %invariant.gep11130 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3413.010946
-  %invariant.gep11132 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3413.010946
-  %invariant.gep11134 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3413.010946
-  %invariant.gep11136 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3413.010946
-  %invariant.gep11138 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3413.010946
-  br label %B122.if.i.i4948
+B122.if.i.i4947.preheader:                        ; preds = %B222.if.i4962
+  %invariant.gep11122 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3412.010946
+  %invariant.gep11124 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3412.010946
+  %invariant.gep11126 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3412.010946
+  %invariant.gep11128 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3412.010946
+  %invariant.gep11130 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3412.010946
+  %invariant.gep11132 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3412.010946
+  %invariant.gep11134 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3412.010946
+  %invariant.gep11136 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3412.010946
+  %invariant.gep11138 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3412.010946
+  br label %B122.if.i.i4947
 
-B122.if.i.i4948:                                  ; preds = %B122.if.i.i4948.preheader, %B122.if.i.i4948
-  %.229.i.i3272.010943 = phi i64 [ %.300.i.i4954, %B122.if.i.i4948 ], [ 0, %B122.if.i.i4948.preheader ]
-  %.157.i.i.i4875 = add nsw i64 %.155.i.i.i4873, %.229.i.i3272.010943
-  %.159.i.i.i4877 = mul nsw i64 %.157.i.i.i4875, %arg.shape.0
-  %gep11123 = getelementptr double, ptr %invariant.gep11122, i64 %.159.i.i.i4877
-  %.191.i.i.i4899 = load double, ptr %gep11123, align 8, !noalias !88
-  %.193.i.i.i4901 = fadd double %.191.i.i.i4899, 0.000000e+00
-  %.253.i.i.i4923 = fmul double %.584.i4489, %.193.i.i.i4901
-  %.157.i.i.i4875.1 = add nsw i64 %.155.i.i.i4873.1, %.229.i.i3272.010943
-  %.159.i.i.i4877.1 = mul nsw i64 %.157.i.i.i4875.1, %arg.shape.0
-  %gep11125 = getelementptr double, ptr %invariant.gep11124, i64 %.159.i.i.i4877.1
-  %.191.i.i.i4899.1 = load double, ptr %gep11125, align 8, !noalias !88
-  %.193.i.i.i4901.1 = fadd double %.253.i.i.i4923, %.191.i.i.i4899.1
-  %.253.i.i.i4923.1 = fmul double %.247.i.i.i4918, %.193.i.i.i4901.1
-  %.157.i.i.i4875.2 = add nsw i64 %.155.i.i.i4873.2, %.229.i.i3272.010943
-  %.159.i.i.i4877.2 = mul nsw i64 %.157.i.i.i4875.2, %arg.shape.0
-  %gep11127 = getelementptr double, ptr %invariant.gep11126, i64 %.159.i.i.i4877.2
-  %.191.i.i.i4899.2 = load double, ptr %gep11127, align 8, !noalias !88
-  %.193.i.i.i4901.2 = fadd double %.253.i.i.i4923.1, %.191.i.i.i4899.2
-  %.253.i.i.i4923.2 = fmul double %.584.i4489, %.193.i.i.i4901.2
-  %.157.i.i.i4875.3 = add nsw i64 %.155.i.i.i4873.3, %.229.i.i3272.010943
-  %.159.i.i.i4877.3 = mul nsw i64 %.157.i.i.i4875.3, %arg.shape.0
-  %gep11129 = getelementptr double, ptr %invariant.gep11128, i64 %.159.i.i.i4877.3
-  %.191.i.i.i4899.3 = load double, ptr %gep11129, align 8, !noalias !88
-  %.193.i.i.i4901.3 = fadd double %.253.i.i.i4923.2, %.191.i.i.i4899.3
-  %.253.i.i.i4923.3 = fmul double %.247.i.i.i4918, %.193.i.i.i4901.3
-  %.157.i.i.i4875.4 = add nsw i64 %.155.i.i.i4873.4, %.229.i.i3272.010943
-  %.159.i.i.i4877.4 = mul nsw i64 %.157.i.i.i4875.4, %arg.shape.0
-  %gep11131 = getelementptr double, ptr %invariant.gep11130, i64 %.159.i.i.i4877.4
-  %.191.i.i.i4899.4 = load double, ptr %gep11131, align 8, !noalias !88
-  %.193.i.i.i4901.4 = fadd double %.253.i.i.i4923.3, %.191.i.i.i4899.4
-  %.253.i.i.i4923.4 = fmul double %.584.i4489, %.193.i.i.i4901.4
-  %.157.i.i.i4875.5 = add nsw i64 %.155.i.i.i4873.5, %.229.i.i3272.010943
-  %.159.i.i.i4877.5 = mul nsw i64 %.157.i.i.i4875.5, %arg.shape.0
-  %gep11133 = getelementptr double, ptr %invariant.gep11132, i64 %.159.i.i.i4877.5
-  %.191.i.i.i4899.5 = load double, ptr %gep11133, align 8, !noalias !88
-  %.193.i.i.i4901.5 = fadd double %.253.i.i.i4923.4, %.191.i.i.i4899.5
-  %.253.i.i.i4923.5 = fmul double %.247.i.i.i4918, %.193.i.i.i4901.5
-  %.157.i.i.i4875.6 = add nsw i64 %.155.i.i.i4873.6, %.229.i.i3272.010943
-  %.159.i.i.i4877.6 = mul nsw i64 %.157.i.i.i4875.6, %arg.shape.0
-  %gep11135 = getelementptr double, ptr %invariant.gep11134, i64 %.159.i.i.i4877.6
-  %.191.i.i.i4899.6 = load double, ptr %gep11135, align 8, !noalias !88
-  %.193.i.i.i4901.6 = fadd double %.253.i.i.i4923.5, %.191.i.i.i4899.6
-  %.253.i.i.i4923.6 = fmul double %.584.i4489, %.193.i.i.i4901.6
-  %.300.i.i4954 = add nsw i64 %.229.i.i3272.010943, 1
-  %.271.i.i.i4796 = mul nsw i64 %.229.i.i3272.010943, %arg.shape.0
-  %gep11137 = getelementptr double, ptr %invariant.gep11136, i64 %.271.i.i.i4796
-  %.309.i.i.i4821 = load double, ptr %gep11137, align 8, !noalias !88
-  %.313.i.i.i4824 = fadd double %.253.i.i.i4923.6, %.309.i.i.i4821
-  %.359.i.i4837 = add nsw i64 %.229.i.i3272.010943, %.358.i.i4836
-  %.361.i.i4839 = mul nsw i64 %.359.i.i4837, %arg.shape.0
-  %gep11139 = getelementptr double, ptr %invariant.gep11138, i64 %.361.i.i4839
-  store double %.313.i.i.i4824, ptr %gep11139, align 8, !noalias !84
-  %exitcond11085.not = icmp eq i64 %arg.shape.1, %.300.i.i4954
-  br i1 %exitcond11085.not, label %B222.i3789.loopexit, label %B122.if.i.i4948
+B122.if.i.i4947:                                  ; preds = %B122.if.i.i4947.preheader, %B122.if.i.i4947
+  %.229.i.i3271.010943 = phi i64 [ %.300.i.i4953, %B122.if.i.i4947 ], [ 0, %B122.if.i.i4947.preheader ]
+  %.157.i.i.i4874 = add nsw i64 %.155.i.i.i4872, %.229.i.i3271.010943
+  %.159.i.i.i4876 = mul nsw i64 %.157.i.i.i4874, %arg.shape.0
+  %gep11123 = getelementptr double, ptr %invariant.gep11122, i64 %.159.i.i.i4876
+  %.191.i.i.i4898 = load double, ptr %gep11123, align 8, !noalias !88
+  %.193.i.i.i4900 = fadd double %.191.i.i.i4898, 0.000000e+00
+  %.253.i.i.i4922 = fmul double %.584.i4488, %.193.i.i.i4900
+  %.157.i.i.i4874.1 = add nsw i64 %.155.i.i.i4872.1, %.229.i.i3271.010943
+  %.159.i.i.i4876.1 = mul nsw i64 %.157.i.i.i4874.1, %arg.shape.0
+  %gep11125 = getelementptr double, ptr %invariant.gep11124, i64 %.159.i.i.i4876.1
+  %.191.i.i.i4898.1 = load double, ptr %gep11125, align 8, !noalias !88
+  %.193.i.i.i4900.1 = fadd double %.253.i.i.i4922, %.191.i.i.i4898.1
+  %.253.i.i.i4922.1 = fmul double %.247.i.i.i4917, %.193.i.i.i4900.1
+  %.157.i.i.i4874.2 = add nsw i64 %.155.i.i.i4872.2, %.229.i.i3271.010943
+  %.159.i.i.i4876.2 = mul nsw i64 %.157.i.i.i4874.2, %arg.shape.0
+  %gep11127 = getelementptr double, ptr %invariant.gep11126, i64 %.159.i.i.i4876.2
+  %.191.i.i.i4898.2 = load double, ptr %gep11127, align 8, !noalias !88
+  %.193.i.i.i4900.2 = fadd double %.253.i.i.i4922.1, %.191.i.i.i4898.2
+  %.253.i.i.i4922.2 = fmul double %.584.i4488, %.193.i.i.i4900.2
+  %.157.i.i.i4874.3 = add nsw i64 %.155.i.i.i4872.3, %.229.i.i3271.010943
+  %.159.i.i.i4876.3 = mul nsw i64 %.157.i.i.i4874.3, %arg.shape.0
+  %gep11129 = getelementptr double, ptr %invariant.gep11128, i64 %.159.i.i.i4876.3
+  %.191.i.i.i4898.3 = load double, ptr %gep11129, align 8, !noalias !88
+  %.193.i.i.i4900.3 = fadd double %.253.i.i.i4922.2, %.191.i.i.i4898.3
+  %.253.i.i.i4922.3 = fmul double %.247.i.i.i4917, %.193.i.i.i4900.3
+  %.157.i.i.i4874.4 = add nsw i64 %.155.i.i.i4872.4, %.229.i.i3271.010943
+  %.159.i.i.i4876.4 = mul nsw i64 %.157.i.i.i4874.4, %arg.shape.0
+  %gep11131 = getelementptr double, ptr %invariant.gep11130, i64 %.159.i.i.i4876.4
+  %.191.i.i.i4898.4 = load double, ptr %gep11131, align 8, !noalias !88
+  %.193.i.i.i4900.4 = fadd double %.253.i.i.i4922.3, %.191.i.i.i4898.4
+  %.253.i.i.i4922.4 = fmul double %.584.i4488, %.193.i.i.i4900.4
+  %.157.i.i.i4874.5 = add nsw i64 %.155.i.i.i4872.5, %.229.i.i3271.010943
+  %.159.i.i.i4876.5 = mul nsw i64 %.157.i.i.i4874.5, %arg.shape.0
+  %gep11133 = getelementptr double, ptr %invariant.gep11132, i64 %.159.i.i.i4876.5
+  %.191.i.i.i4898.5 = load double, ptr %gep11133, align 8, !noalias !88
+  %.193.i.i.i4900.5 = fadd double %.253.i.i.i4922.4, %.191.i.i.i4898.5
+  %.253.i.i.i4922.5 = fmul double %.247.i.i.i4917, %.193.i.i.i4900.5
+  %.157.i.i.i4874.6 = add nsw i64 %.155.i.i.i4872.6, %.229.i.i3271.010943
+  %.159.i.i.i4876.6 = mul nsw i64 %.157.i.i.i4874.6, %arg.shape.0
+  %gep11135 = getelementptr double, ptr %invariant.gep11134, i64 %.159.i.i.i4876.6
+  %.191.i.i.i4898.6 = load double, ptr %gep11135, align 8, !noalias !88
+  %.193.i.i.i4900.6 = fadd double %.253.i.i.i4922.5, %.191.i.i.i4898.6
+  %.253.i.i.i4922.6 = fmul double %.584.i4488, %.193.i.i.i4900.6
+  %.300.i.i4953 = add nsw i64 %.229.i.i3271.010943, 1
+  %.271.i.i.i4795 = mul nsw i64 %.229.i.i3271.010943, %arg.shape.0
+  %gep11137 = getelementptr double, ptr %invariant.gep11136, i64 %.271.i.i.i4795
+  %.309.i.i.i4820 = load double, ptr %gep11137, align 8, !noalias !88
+  %.313.i.i.i4823 = fadd double %.253.i.i.i4922.6, %.309.i.i.i4820
+  %.359.i.i4836 = add nsw i64 %.229.i.i3271.010943, %.358.i.i4835
+  %.361.i.i4838 = mul nsw i64 %.359.i.i4836, %arg.shape.0
+  %gep11139 = getelementptr double, ptr %invariant.gep11138, i64 %.361.i.i4838
+  store double %.313.i.i.i4823, ptr %gep11139, align 8, !noalias !84
+  %exitcond11085.not = icmp eq i64 %arg.shape.1, %.300.i.i4953
+  br i1 %exitcond11085.not, label %B222.i3788.loopexit, label %B122.if.i.i4947
 
-B466.if.i4465:                                    ; preds = %B284.i3803, %B770.i4027
-  %some.2.i3424.110951 = phi i1 [ %some.4.i3397.010955, %B284.i3803 ], [ %some.3.i3445.2, %B770.i4027 ]
-  %.817.i3438.010950 = phi i64 [ %storemerge, %B284.i3803 ], [ %.879.i4469, %B770.i4027 ]
-  %.814.i3437.010949 = phi i64 [ 0, %B284.i3803 ], [ %.883.i4472, %B770.i4027 ]
-  %.879.i4469 = add nsw i64 %.817.i3438.010950, -1
-  %.883.i4472 = add nsw i64 %.814.i3437.010949, 1
-  %.968.i4024 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.814.i3437.010949
-  %.969.i4025 = load i64, ptr %.968.i4024, align 8, !noalias !76
-  %.970.i4026 = icmp sgt i64 %.969.i4025, -1
-  br i1 %.970.i4026, label %B508.i4032, label %B770.i4027
+B466.if.i4464:                                    ; preds = %B284.i3802, %B770.i4026
+  %some.2.i3423.110951 = phi i1 [ %some.4.i3396.010955, %B284.i3802 ], [ %some.3.i3444.2, %B770.i4026 ]
+  %.817.i3437.010950 = phi i64 [ %storemerge, %B284.i3802 ], [ %.879.i4468, %B770.i4026 ]
+  %.814.i3436.010949 = phi i64 [ 0, %B284.i3802 ], [ %.883.i4471, %B770.i4026 ]
+  %.879.i4468 = add nsw i64 %.817.i3437.010950, -1
+  %.883.i4471 = add nsw i64 %.814.i3436.010949, 1
+  %.968.i4023 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.814.i3436.010949
+  %.969.i4024 = load i64, ptr %.968.i4023, align 8, !noalias !76
+  %.970.i4025 = icmp sgt i64 %.969.i4024, -1
+  br i1 %.970.i4025, label %B508.i4031, label %B770.i4026
 
-B584.endif.i4224:                                 ; preds = %B36.i.i4408, %B34.i.i4192
-  %.1099.i3450.0 = phi i64 [ %.48.i.i3223.0, %B36.i.i4408 ], [ -1, %B34.i.i4192 ]
-  store i64 %.1099.i3450.0, ptr %.1088.i4133, align 8, !noalias !76
-  %.1248.i4312 = getelementptr double, ptr %64, i64 %.814.i3437.010949
-  store double %.1187.i4272, ptr %.1248.i4312, align 8, !noalias !76
-  %.1303.i4349 = getelementptr double, ptr %65, i64 %.814.i3437.010949
-  store double %.1194.i4275, ptr %.1303.i4349, align 8, !noalias !76
-  br i1 %some.2.i3424.110951, label %B770.i4027, label %B732.i4354
+B584.endif.i4223:                                 ; preds = %B36.i.i4407, %B34.i.i4191
+  %.1099.i3449.0 = phi i64 [ %.48.i.i3222.0, %B36.i.i4407 ], [ -1, %B34.i.i4191 ]
+  store i64 %.1099.i3449.0, ptr %.1088.i4132, align 8, !noalias !76
+  %.1248.i4311 = getelementptr double, ptr %64, i64 %.814.i3436.010949
+  store double %.1187.i4271, ptr %.1248.i4311, align 8, !noalias !76
+  %.1303.i4348 = getelementptr double, ptr %65, i64 %.814.i3436.010949
+  store double %.1194.i4274, ptr %.1303.i4348, align 8, !noalias !76
+  br i1 %some.2.i3423.110951, label %B770.i4026, label %B732.i4353
 
-B806.if.i3736:                                    ; preds = %B806.i3640.preheader, %B806.if.i3736
-  %.1453.i3461.010958 = phi i64 [ %.1515.i3739, %B806.if.i3736 ], [ %storemerge, %B806.i3640.preheader ]
-  %.1450.i3460.010957 = phi i64 [ %.1519.i3742, %B806.if.i3736 ], [ 0, %B806.i3640.preheader ]
-  %.1515.i3739 = add nsw i64 %.1453.i3461.010958, -1
-  %.1519.i3742 = add nsw i64 %.1450.i3460.010957, 1
-  %.1596.i3698 = getelementptr double, ptr %66, i64 %.1450.i3460.010957
-  %.1597.i3699 = load double, ptr %.1596.i3698, align 8, !noalias !76
-  %.1650.i3735 = getelementptr double, ptr %.571, i64 %.1450.i3460.010957
-  store double %.1597.i3699, ptr %.1650.i3735, align 8, !noalias !76
-  %.1506.i3645 = icmp sgt i64 %.1453.i3461.010958, 1
-  br i1 %.1506.i3645, label %B806.if.i3736, label %B3238.endif.endif
+B806.if.i3735:                                    ; preds = %B806.i3639.preheader, %B806.if.i3735
+  %.1453.i3460.010958 = phi i64 [ %.1515.i3738, %B806.if.i3735 ], [ %storemerge, %B806.i3639.preheader ]
+  %.1450.i3459.010957 = phi i64 [ %.1519.i3741, %B806.if.i3735 ], [ 0, %B806.i3639.preheader ]
+  %.1515.i3738 = add nsw i64 %.1453.i3460.010958, -1
+  %.1519.i3741 = add nsw i64 %.1450.i3459.010957, 1
+  %.1596.i3697 = getelementptr double, ptr %66, i64 %.1450.i3459.010957
+  %.1597.i3698 = load double, ptr %.1596.i3697, align 8, !noalias !76
+  %.1650.i3734 = getelementptr double, ptr %.571, i64 %.1450.i3459.010957
+  store double %.1597.i3698, ptr %.1650.i3734, align 8, !noalias !76
+  %.1506.i3644 = icmp sgt i64 %.1453.i3460.010958, 1
+  br i1 %.1506.i3644, label %B806.if.i3735, label %B3238.endif.endif
 
 B3276:                                            ; preds = %B3238.endif.endif
   %.222.i = load double, ptr %.221.i, align 8, !noalias !92
@@ -3206,9 +3206,9 @@ B3490:                                            ; preds = %B3452, %B3440
 B3558:                                            ; preds = %B3490, %B3452
   %brmerge10583.not.not = xor i1 %brmerge10583.not, true
   %brmerge11060 = or i1 %.689, %brmerge10583.not.not
-  br i1 %brmerge11060, label %B3614, label %B80.if.i7175
+  br i1 %brmerge11060, label %B3614, label %B80.if.i7176
 
-B134.i:                                           ; preds = %B80.if.i7175
+B134.i:                                           ; preds = %B80.if.i7176
   %.351.i6422 = getelementptr double, ptr %95, i64 %.141.i6178.011038
   %.352.i6423 = load double, ptr %.351.i6422, align 8, !noalias !155
   %.353.i6424 = fcmp ogt double %.352.i6423, 5.000000e-01
@@ -3241,12 +3241,12 @@ B380.i:                                           ; preds = %B270.if.i, %B174.i
 
 B490.i:                                           ; preds = %B380.i
   %239 = getelementptr i64, ptr %98, i64 %.141.i6178.011038
-  %.838.i7111 = load i64, ptr %239, align 8, !noalias !155
-  %.839.i7112 = add nsw i64 %.838.i7111, 1
+  %.838.i7112 = load i64, ptr %239, align 8, !noalias !155
+  %.839.i7113 = add nsw i64 %.838.i7112, 1
   br label %B528.i
 
 B528.i:                                           ; preds = %B380.i, %B490.i
-  %"$phi528.1.2.i.2" = phi i64 [ %.839.i7112, %B490.i ], [ 0, %B380.i ]
+  %"$phi528.1.2.i.2" = phi i64 [ %.839.i7113, %B490.i ], [ 0, %B380.i ]
   %240 = getelementptr i64, ptr %99, i64 %.141.i6178.011038
   store i64 %"$phi528.1.2.i.2", ptr %240, align 8, !noalias !155
   %.959.i6758 = load double, ptr %.408.i6472, align 8, !noalias !155
@@ -3274,16 +3274,16 @@ B80.i.i7040:                                      ; preds = %B46.i.i7013
   store i64 6, ptr %.120.i.i7033, align 8, !noalias !159
   br label %B740.i
 
-B740.i:                                           ; preds = %B80.i.i7040, %B694.i, %B46.i.i7013, %B528.i, %B134.i, %B80.if.i7175
+B740.i:                                           ; preds = %B80.i.i7040, %B694.i, %B46.i.i7013, %B528.i, %B134.i, %B80.if.i7176
   store double 0.000000e+00, ptr %.294.i6333, align 8, !noalias !155
   %.200.i6264 = icmp sgt i64 %.144.i6179.011037, 1
-  br i1 %.200.i6264, label %B80.if.i7175, label %B3614
+  br i1 %.200.i6264, label %B80.if.i7176, label %B3614
 
-B80.if.i7175:                                     ; preds = %B3558, %B740.i
-  %.141.i6178.011038 = phi i64 [ %.213.i7183, %B740.i ], [ 0, %B3558 ]
-  %.144.i6179.011037 = phi i64 [ %.209.i7180, %B740.i ], [ %storemerge, %B3558 ]
-  %.209.i7180 = add nsw i64 %.144.i6179.011037, -1
-  %.213.i7183 = add nsw i64 %.141.i6178.011038, 1
+B80.if.i7176:                                     ; preds = %B3558, %B740.i
+  %.141.i6178.011038 = phi i64 [ %.213.i7184, %B740.i ], [ 0, %B3558 ]
+  %.144.i6179.011037 = phi i64 [ %.209.i7181, %B740.i ], [ %storemerge, %B3558 ]
+  %.209.i7181 = add nsw i64 %.144.i6179.011037, -1
+  %.213.i7184 = add nsw i64 %.141.i6178.011038, 1
   %.294.i6333 = getelementptr double, ptr %94, i64 %.141.i6178.011038
   %.295.i6334 = load double, ptr %.294.i6333, align 8, !noalias !155
   %.296.i6335 = fcmp oeq double %.295.i6334, 1.000000e+00
@@ -3291,16 +3291,16 @@ B80.if.i7175:                                     ; preds = %B3558, %B740.i
 
 B270.if.i:                                        ; preds = %B270.if.i.preheader, %B270.if.i
   %fastest.2.i.211034 = phi double [ %.11.i.i, %B270.if.i ], [ 0.000000e+00, %B270.if.i.preheader ]
-  %.496.i6195.011033 = phi i64 [ %.565.i7167, %B270.if.i ], [ 0, %B270.if.i.preheader ]
-  %.565.i7167 = add nsw i64 %.496.i6195.011033, 1
-  %.592.i7119 = add nsw i64 %.496.i6195.011033, %arg.shape.1
-  %.594.i7121 = mul nsw i64 %.592.i7119, %arg.shape.0
-  %gep11141 = getelementptr double, ptr %invariant.gep11140, i64 %.594.i7121
-  %.626.i7149 = load double, ptr %gep11141, align 8, !noalias !155
-  %.627.i7150 = tail call double @llvm.fabs.f64(double %.626.i7149)
-  %.10.i.i = fcmp ogt double %.627.i7150, %fastest.2.i.211034
-  %.11.i.i = select i1 %.10.i.i, double %.627.i7150, double %fastest.2.i.211034
-  %exitcond11088.not = icmp eq i64 %arg.shape.1, %.565.i7167
+  %.496.i6195.011033 = phi i64 [ %.565.i7168, %B270.if.i ], [ 0, %B270.if.i.preheader ]
+  %.565.i7168 = add nsw i64 %.496.i6195.011033, 1
+  %.592.i7120 = add nsw i64 %.496.i6195.011033, %arg.shape.1
+  %.594.i7122 = mul nsw i64 %.592.i7120, %arg.shape.0
+  %gep11141 = getelementptr double, ptr %invariant.gep11140, i64 %.594.i7122
+  %.626.i7150 = load double, ptr %gep11141, align 8, !noalias !155
+  %.627.i7151 = tail call double @llvm.fabs.f64(double %.626.i7150)
+  %.10.i.i = fcmp ogt double %.627.i7151, %fastest.2.i.211034
+  %.11.i.i = select i1 %.10.i.i, double %.627.i7151, double %fastest.2.i.211034
+  %exitcond11088.not = icmp eq i64 %arg.shape.1, %.565.i7168
   br i1 %exitcond11088.not, label %B380.i, label %B270.if.i
 
 B3614:                                            ; preds = %B740.i, %B3558
@@ -3544,21 +3544,21 @@ B3754:                                            ; preds = %B3706.if
 
 B3834:                                            ; preds = %B3754
   %256 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.5418.011047
-  %.84.i7264 = load i64, ptr %256, align 8, !noalias !181
-  %.89.i7267 = icmp sgt i64 %.84.i7264, -1
-  br i1 %.89.i7267, label %B46.i7272, label %B3880
+  %.84.i7265 = load i64, ptr %256, align 8, !noalias !181
+  %.89.i7268 = icmp sgt i64 %.84.i7265, -1
+  br i1 %.89.i7268, label %B46.i7273, label %B3880
 
-B46.i7272:                                        ; preds = %B3834
-  %.120.i7298 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i7264
-  %.121.i7299 = load i64, ptr %.120.i7298, align 8, !noalias !181
-  %.122.i7300 = icmp eq i64 %.121.i7299, 0
-  br i1 %.122.i7300, label %B80.i7305, label %B3880
+B46.i7273:                                        ; preds = %B3834
+  %.120.i7299 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i7265
+  %.121.i7300 = load i64, ptr %.120.i7299, align 8, !noalias !181
+  %.122.i7301 = icmp eq i64 %.121.i7300, 0
+  br i1 %.122.i7301, label %B80.i7306, label %B3880
 
-B80.i7305:                                        ; preds = %B46.i7272
-  store i64 5, ptr %.120.i7298, align 8, !noalias !181
+B80.i7306:                                        ; preds = %B46.i7273
+  store i64 5, ptr %.120.i7299, align 8, !noalias !181
   br label %B3880
 
-B3880:                                            ; preds = %B80.i7305, %B3834, %B46.i7272, %B3754
+B3880:                                            ; preds = %B80.i7306, %B3834, %B46.i7273, %B3754
   %.5811 = getelementptr double, ptr %105, i64 %.5418.011047
   %.5812 = load double, ptr %.5811, align 8
   %.5813 = fcmp ogt double %.5812, 5.000000e-01
@@ -3573,50 +3573,50 @@ B3918:                                            ; preds = %B3880
   br i1 %.5925, label %B3982, label %B4022
 
 B3982:                                            ; preds = %B3918
-  %.192.i7533 = load i64, ptr %.5579, align 8, !noalias !184
-  %.248.i7581 = getelementptr i64, ptr %107, i64 %.5418.011047
-  %.249.i7582 = load i64, ptr %.248.i7581, align 8, !noalias !184
-  %.250.i7583 = add nsw i64 %.249.i7582, 1
-  store i64 %.250.i7583, ptr %.248.i7581, align 8, !noalias !184
-  %.373.i7688 = icmp slt i64 %.249.i7582, -1
-  %.374.i7689 = select i1 %.373.i7688, i64 %arg.batch.1.2.5.0, i64 0
-  %257 = getelementptr double, ptr %arg.batch.1.2.4, i64 %.250.i7583
-  %.388.i7703 = getelementptr double, ptr %257, i64 %.374.i7689
-  %.389.i7704 = load double, ptr %.388.i7703, align 8, !noalias !184
-  %.390.i7705 = fcmp oeq double %.389.i7704, 0x7FF0000000000000
-  br i1 %.390.i7705, label %B182.i, label %B240.i
+  %.192.i7534 = load i64, ptr %.5579, align 8, !noalias !184
+  %.248.i7582 = getelementptr i64, ptr %107, i64 %.5418.011047
+  %.249.i7583 = load i64, ptr %.248.i7582, align 8, !noalias !184
+  %.250.i7584 = add nsw i64 %.249.i7583, 1
+  store i64 %.250.i7584, ptr %.248.i7582, align 8, !noalias !184
+  %.373.i7689 = icmp slt i64 %.249.i7583, -1
+  %.374.i7690 = select i1 %.373.i7689, i64 %arg.batch.1.2.5.0, i64 0
+  %257 = getelementptr double, ptr %arg.batch.1.2.4, i64 %.250.i7584
+  %.388.i7704 = getelementptr double, ptr %257, i64 %.374.i7690
+  %.389.i7705 = load double, ptr %.388.i7704, align 8, !noalias !184
+  %.390.i7706 = fcmp oeq double %.389.i7705, 0x7FF0000000000000
+  br i1 %.390.i7706, label %B182.i, label %B240.i
 
 B182.i:                                           ; preds = %B3982
-  %.424.i8232 = icmp slt i64 %.192.i7533, 0
-  %.425.i8233 = select i1 %.424.i8232, i64 %arg.batch.3.1.5.0, i64 0
-  %258 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.192.i7533
-  %.439.i8247 = getelementptr i64, ptr %258, i64 %.425.i8233
-  %.440.i8248 = load i64, ptr %.439.i8247, align 8, !noalias !184
-  %.441.i8249 = icmp eq i64 %.440.i8248, 0
-  br i1 %.441.i8249, label %B216.i8253, label %B4022
+  %.424.i8233 = icmp slt i64 %.192.i7534, 0
+  %.425.i8234 = select i1 %.424.i8233, i64 %arg.batch.3.1.5.0, i64 0
+  %258 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.192.i7534
+  %.439.i8248 = getelementptr i64, ptr %258, i64 %.425.i8234
+  %.440.i8249 = load i64, ptr %.439.i8248, align 8, !noalias !184
+  %.441.i8250 = icmp eq i64 %.440.i8249, 0
+  br i1 %.441.i8250, label %B216.i8254, label %B4022
 
-B216.i8253:                                       ; preds = %B182.i
-  store i64 1, ptr %.439.i8247, align 8, !noalias !184
+B216.i8254:                                       ; preds = %B182.i
+  store i64 1, ptr %.439.i8248, align 8, !noalias !184
   br label %B4022
 
 B240.i:                                           ; preds = %B3982
-  store double %.389.i7704, ptr %.5923, align 8, !noalias !184
-  %.592.i7795 = select i1 %.373.i7688, i64 %arg.batch.1.4.5.0, i64 0
-  %259 = getelementptr i64, ptr %arg.batch.1.4.4, i64 %.250.i7583
-  %.606.i7809 = getelementptr i64, ptr %259, i64 %.592.i7795
-  %.607.i7810 = load i64, ptr %.606.i7809, align 8, !noalias !184
-  %.610.i7812 = icmp eq i64 %.607.i7810, 0
-  br i1 %.610.i7812, label %B300.i, label %B348.i
+  store double %.389.i7705, ptr %.5923, align 8, !noalias !184
+  %.592.i7796 = select i1 %.373.i7689, i64 %arg.batch.1.4.5.0, i64 0
+  %259 = getelementptr i64, ptr %arg.batch.1.4.4, i64 %.250.i7584
+  %.606.i7810 = getelementptr i64, ptr %259, i64 %.592.i7796
+  %.607.i7811 = load i64, ptr %.606.i7810, align 8, !noalias !184
+  %.610.i7813 = icmp eq i64 %.607.i7811, 0
+  br i1 %.610.i7813, label %B300.i, label %B348.i
 
 B300.i:                                           ; preds = %B240.i
-  %.665.i8186 = getelementptr double, ptr %108, i64 %.5418.011047
-  store double 1.000000e+00, ptr %.665.i8186, align 8, !noalias !184
+  %.665.i8187 = getelementptr double, ptr %108, i64 %.5418.011047
+  store double 1.000000e+00, ptr %.665.i8187, align 8, !noalias !184
   br label %B392.i.sink.split
 
 B348.i:                                           ; preds = %B240.i
-  %.733.i7838 = load i64, ptr %.1061, align 8, !noalias !184
-  %.734.i7839 = icmp eq i64 %.733.i7838, 0
-  br i1 %.734.i7839, label %B392.i.sink.split, label %B392.i
+  %.733.i7839 = load i64, ptr %.1061, align 8, !noalias !184
+  %.734.i7840 = icmp eq i64 %.733.i7839, 0
+  br i1 %.734.i7840, label %B392.i.sink.split, label %B392.i
 
 B392.i.sink.split:                                ; preds = %B348.i, %B300.i
   %.sink = phi i64 [ 1, %B300.i ], [ 2, %B348.i ]
@@ -3624,33 +3624,33 @@ B392.i.sink.split:                                ; preds = %B348.i, %B300.i
   br label %B392.i
 
 B392.i:                                           ; preds = %B392.i.sink.split, %B348.i
-  br i1 %.175.i.i799111043.not, label %B4022, label %B76.if.i.i.lr.ph
+  br i1 %.175.i.i799211043.not, label %B4022, label %B76.if.i.i.lr.ph
 
 B76.if.i.i.lr.ph:                                 ; preds = %B392.i
-  %.237.i.i8039 = select i1 %.373.i7688, i64 %arg.batch.1.3.5.0, i64 0
-  %.238.i.i8040 = add i64 %.237.i.i8039, %.250.i7583
-  %.258.i.i8056 = mul i64 %.238.i.i8040, %arg.batch.1.3.5.1
-  %260 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i8056
+  %.237.i.i8040 = select i1 %.373.i7689, i64 %arg.batch.1.3.5.0, i64 0
+  %.238.i.i8041 = add i64 %.237.i.i8040, %.250.i7584
+  %.258.i.i8057 = mul i64 %.238.i.i8041, %arg.batch.1.3.5.1
+  %260 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i8057
   br label %B76.if.i.i
 
 B76.if.i.i:                                       ; preds = %B76.if.i.i.lr.ph, %B76.if.i.i
-  %.117.i.i7343.011045 = phi i64 [ 0, %B76.if.i.i.lr.ph ], [ %.188.i.i8105, %B76.if.i.i ]
-  %.188.i.i8105 = add nsw i64 %.117.i.i7343.011045, 1
-  %261 = getelementptr double, ptr %260, i64 %.117.i.i7343.011045
-  %.263.i.i8059 = load double, ptr %261, align 8, !noalias !188
-  %262 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.i7343.011045
-  %.293.i.i8077 = load i64, ptr %262, align 8, !noalias !188
-  %.295.i.i8079 = mul nsw i64 %.293.i.i8077, %arg.shape.0
-  %.297.i.i8081 = add nsw i64 %.295.i.i8079, %.5418.011047
-  %.311.i.i8088 = icmp slt i64 %.297.i.i8081, 0
-  %.312.i.i8089 = select i1 %.311.i.i8088, i64 %arg.batch.5.1.5.0, i64 0
-  %263 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i8081
-  %.326.i.i8099 = getelementptr double, ptr %263, i64 %.312.i.i8089
-  store double %.263.i.i8059, ptr %.326.i.i8099, align 8, !noalias !188
-  %exitcond11089.not = icmp eq i64 %arg.batch.1.1.5.0, %.188.i.i8105
+  %.117.i.i7344.011045 = phi i64 [ 0, %B76.if.i.i.lr.ph ], [ %.188.i.i8106, %B76.if.i.i ]
+  %.188.i.i8106 = add nsw i64 %.117.i.i7344.011045, 1
+  %261 = getelementptr double, ptr %260, i64 %.117.i.i7344.011045
+  %.263.i.i8060 = load double, ptr %261, align 8, !noalias !188
+  %262 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.i7344.011045
+  %.293.i.i8078 = load i64, ptr %262, align 8, !noalias !188
+  %.295.i.i8080 = mul nsw i64 %.293.i.i8078, %arg.shape.0
+  %.297.i.i8082 = add nsw i64 %.295.i.i8080, %.5418.011047
+  %.311.i.i8089 = icmp slt i64 %.297.i.i8082, 0
+  %.312.i.i8090 = select i1 %.311.i.i8089, i64 %arg.batch.5.1.5.0, i64 0
+  %263 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i8082
+  %.326.i.i8100 = getelementptr double, ptr %263, i64 %.312.i.i8090
+  store double %.263.i.i8060, ptr %.326.i.i8100, align 8, !noalias !188
+  %exitcond11089.not = icmp eq i64 %arg.batch.1.1.5.0, %.188.i.i8106
   br i1 %exitcond11089.not, label %B4022, label %B76.if.i.i
 
-B4022:                                            ; preds = %B76.if.i.i, %B392.i, %B216.i8253, %B182.i, %B3918, %B3880
+B4022:                                            ; preds = %B76.if.i.i, %B392.i, %B216.i8254, %B182.i, %B3918, %B3880
   %.6014 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.5580
   %.6015 = load i64, ptr %.6014, align 8
   %.6016.not = icmp eq i64 %.6015, 0
@@ -3882,25 +3882,25 @@ B4410:                                            ; preds = %B4372
   %"$phi4580.1.2.5" = select i1 %.6845, double 1.000000e+00, double %.6856
   %.6919 = getelementptr double, ptr %122, i64 %.5418.011047
   store double %"$phi4580.1.2.5", ptr %.6919, align 8
-  %.111.i8386 = getelementptr i64, ptr %123, i64 %.5418.011047
-  %.112.i8387 = load i64, ptr %.111.i8386, align 8, !noalias !199
-  %.169.i8436 = getelementptr double, ptr %124, i64 %.5418.011047
-  %.170.i8437 = load double, ptr %.169.i8436, align 8, !noalias !199
-  %.224.i8485 = getelementptr double, ptr %125, i64 %.5418.011047
-  store double %.170.i8437, ptr %.224.i8485, align 8, !noalias !199
-  %.237.i8493 = icmp slt i64 %.112.i8387, %arg.batch.2.5.0
-  br i1 %.237.i8493, label %B134.i8498, label %B4667
+  %.111.i8387 = getelementptr i64, ptr %123, i64 %.5418.011047
+  %.112.i8388 = load i64, ptr %.111.i8387, align 8, !noalias !199
+  %.169.i8437 = getelementptr double, ptr %124, i64 %.5418.011047
+  %.170.i8438 = load double, ptr %.169.i8437, align 8, !noalias !199
+  %.224.i8486 = getelementptr double, ptr %125, i64 %.5418.011047
+  store double %.170.i8438, ptr %.224.i8486, align 8, !noalias !199
+  %.237.i8494 = icmp slt i64 %.112.i8388, %arg.batch.2.5.0
+  br i1 %.237.i8494, label %B134.i8499, label %B4667
 
-B134.i8498:                                       ; preds = %B4410
-  %.253.i8509 = icmp slt i64 %.112.i8387, 0
-  %.254.i8510 = select i1 %.253.i8509, i64 %arg.batch.2.5.0, i64 0
-  %275 = getelementptr double, ptr %arg.batch.2.4, i64 %.112.i8387
-  %.268.i8524 = getelementptr double, ptr %275, i64 %.254.i8510
-  %.269.i8525 = load double, ptr %.268.i8524, align 8, !noalias !199
-  %.328.i8576 = load double, ptr %.169.i8436, align 8, !noalias !199
-  %.10.i.i8583 = fcmp olt double %.328.i8576, %.269.i8525
-  %.11.i.i8584 = select i1 %.10.i.i8583, double %.328.i8576, double %.269.i8525
-  store double %.11.i.i8584, ptr %.224.i8485, align 8, !noalias !199
+B134.i8499:                                       ; preds = %B4410
+  %.253.i8510 = icmp slt i64 %.112.i8388, 0
+  %.254.i8511 = select i1 %.253.i8510, i64 %arg.batch.2.5.0, i64 0
+  %275 = getelementptr double, ptr %arg.batch.2.4, i64 %.112.i8388
+  %.268.i8525 = getelementptr double, ptr %275, i64 %.254.i8511
+  %.269.i8526 = load double, ptr %.268.i8525, align 8, !noalias !199
+  %.328.i8577 = load double, ptr %.169.i8437, align 8, !noalias !199
+  %.10.i.i8584 = fcmp olt double %.328.i8577, %.269.i8526
+  %.11.i.i8585 = select i1 %.10.i.i8584, double %.328.i8577, double %.269.i8526
+  store double %.11.i.i8585, ptr %.224.i8486, align 8, !noalias !199
   br label %B4667
 
 B4640:                                            ; preds = %B4667, %B3664
@@ -3972,9 +3972,9 @@ B80.if.i2040:                                     ; preds = %B80.if.i2040.lr.ph,
   %.263.i1342 = icmp sgt i64 %.258.i1339, -1
   br i1 %.263.i1342, label %B126.i1346, label %B568.i1343
 
-B4667:                                            ; preds = %B4410, %B134.i8498, %B4372, %B3706.if
-  %budget.6.3 = phi i64 [ %budget.5.211049, %B3706.if ], [ %budget.7.4, %B4372 ], [ %budget.7.4, %B134.i8498 ], [ %budget.7.4, %B4410 ]
-  %active.6.3 = phi i64 [ %active.5.211050, %B3706.if ], [ %active.5.211050, %B4372 ], [ %.6599, %B134.i8498 ], [ %.6599, %B4410 ]
+B4667:                                            ; preds = %B4410, %B134.i8499, %B4372, %B3706.if
+  %budget.6.3 = phi i64 [ %budget.5.211049, %B3706.if ], [ %budget.7.4, %B4372 ], [ %budget.7.4, %B134.i8499 ], [ %budget.7.4, %B4410 ]
+  %active.6.3 = phi i64 [ %active.5.211050, %B3706.if ], [ %active.5.211050, %B4372 ], [ %.6599, %B134.i8499 ], [ %.6599, %B4410 ]
   %.5481 = icmp sgt i64 %.5421.011048, 1
   br i1 %.5481, label %B3706.if, label %B4640
 
@@ -4067,8 +4067,8 @@ B2866.if:                                         ; preds = %B2818
   tail call void %.4608(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.tolerances.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
   br i1 %.689, label %B3234, label %B64.if.i6067
 
-B3238.endif.endif:                                ; preds = %B806.if.i3736, %B806.i3640.preheader
-  br i1 %some.2.i3424.1.lcssa, label %B3276, label %B3318
+B3238.endif.endif:                                ; preds = %B806.if.i3735, %B806.i3639.preheader
+  br i1 %some.2.i3423.1.lcssa, label %B3276, label %B3318
 
 B3706.if:                                         ; preds = %B3664, %B4667
   %active.5.211050 = phi i64 [ %active.6.3, %B4667 ], [ 0, %B3664 ]

@@ -454,7 +454,7 @@ def enter_piece(k, lanes, schedule, status, lane, P):
 
 
 def jump(code, shape, schedule, times, results, lane, arrays):
-    """Let states jump in lanes that are at the end of a piece; a sample there is after the jump.
+    """Make states jump in lanes that are at the end of a piece; a sample there is after the jump.
 
     The next piece, which says what jumps, is set in P; behind the last there is one for the end.
     """

@@ -87,7 +87,7 @@ class Case:
         self.residual = _or_zero(self.rate - self.fall)
 
     def fix_values(self) -> None:
-        """Give the law and V their own values; V's symbols of the truth stay."""
+        """Put the values of the law and of V in place; V's symbols of the truth stay."""
         self.fixed = self.names
         weights = {s: e.xreplace(self.values) for s, e in self.weights.items()}
         self.weights = self.values | weights
