@@ -31,7 +31,7 @@ class Diagram(control.InterconnectedSystem):
     Attributes
     ----------
     origin : object or None
-        What `closed_loop` made it of: its scenario, and what the user put into it.
+        The arguments of `closed_loop`: its scenario, and the user's own parts.
 
     Examples
     --------
@@ -41,7 +41,7 @@ class Diagram(control.InterconnectedSystem):
     """
 
     origin: Any = None
-    recorded: Any = None  # how it ran, of a diagram that a run's file holds
+    recorded: Any = None  # the run of a diagram that a run's file holds
 
     def __repr__(self) -> str:
         from .drawing.figure import diagram_line
@@ -54,7 +54,7 @@ class Diagram(control.InterconnectedSystem):
         return diagram_html(self)
 
     def _repr_markdown_(self) -> None:
-        """Leave python-control's, which would be the same again."""
+        """Return nothing in place of python-control's, which would repeat the drawing."""
 
     def _update_params(self, params: Mapping[str, Any] | None) -> None:
         given, own = dict(params or {}), f"{self.name}."
@@ -106,17 +106,17 @@ def changed_parameters(wiring: Wiring, params: Mapping[str, Any] | None) -> list
 
 
 class Matched(NamedTuple):
-    """Ports of parts that fit together by their names."""
+    """Ports of parts, matched by their names."""
 
-    makers: dict[str, tuple[int, list[int]]]  # port -> which block makes it, with which outputs
-    users: dict[str, list[tuple[int, list[int]]]]  # port -> who takes it, with which inputs
+    makers: dict[str, tuple[int, list[int]]]  # port -> the block that makes it, its outputs
+    users: dict[str, list[tuple[int, list[int]]]]  # port -> blocks that take it, their inputs
     outside: dict[str, int]  # port that comes from outside -> its size
 
 
 def match_ports(
     blocks: Sequence[control.NonlinearIOSystem], external: Iterable[str] = ()
 ) -> Matched:
-    """Check that parts fit together; a port that is doubled, missing or mis-sized is named."""
+    """Match the ports of parts; refuse one that is made twice, missing or of another size."""
     external = list(external)
     if not blocks:
         raise DiagramError("a diagram of no blocks: give at least one")
@@ -232,7 +232,7 @@ def connect(
     check_names(name)
     matched = match_ports(parts, external)
     fed, makes = (sum(part.ninputs for part in parts), sum(part.noutputs for part in parts))
-    size = 8 * (2 * fed + makes) * makes  # bytes of its full matrices of connections and outputs
+    size = 8 * (2 * fed + makes) * makes  # bytes of python-control's full matrices
     if size > MOST_BYTES:
         raise DiagramError(
             f"{name or 'the diagram'}: has {makes} signals, for which python-control needs "
@@ -242,10 +242,10 @@ def connect(
     diagram = control.interconnect(
         parts,
         connections=[
-            [(user, taken), (maker, made)]
+            [(user, to), (maker, source)]
             for port, (maker, places) in matched.makers.items()
             for user, takes in matched.users.get(port, ())
-            for taken, made in zip(takes, places, strict=True)
+            for to, source in zip(takes, places, strict=True)
         ]
         or False,
         inplist=[
@@ -266,16 +266,16 @@ def connect(
 def wiring_of_blocks(
     blocks: Sequence[control.NonlinearIOSystem], external: Iterable[str] = ()
 ) -> Wiring:
-    """Return `wiring_of(connect(blocks, external))`; of blocks alone, without its matrices."""
+    """Return `wiring_of(connect(blocks, external))`; if all are blocks, without its matrices."""
     if not all(isinstance(block, Block) for block in blocks):
         return wiring_of(connect(blocks, external))
     matched = match_ports(blocks, external)
-    made = [label for block in blocks for label in whole_labels(block.output_labels)]
-    given, systems = labels(matched.outside), [(block.name, block) for block in blocks]
-    place = {one: k for k, one in enumerate(made)} | {one: ~k for k, one in enumerate(given)}
-    taken = [label for block in blocks for label in whole_labels(block.input_labels)]
-    own = ({k: 1.0} for k in range(len(made)))
-    return ordered_wiring(systems, [{place[one]: 1.0} for one in taken], len(given), own)
+    outputs = [label for block in blocks for label in whole_labels(block.output_labels)]
+    external, systems = labels(matched.outside), [(block.name, block) for block in blocks]
+    place = {one: k for k, one in enumerate(outputs)} | {one: ~k for k, one in enumerate(external)}
+    inputs = [label for block in blocks for label in whole_labels(block.input_labels)]
+    rows = ({k: 1.0} for k in range(len(outputs)))
+    return ordered_wiring(systems, [{place[one]: 1.0} for one in inputs], len(external), rows)
 
 
 # --- a condition that ends a run: stop(t, y, u) > 0 goes on, the run ends where it falls to 0 -----
@@ -285,7 +285,7 @@ NAME = "stop"
 
 
 def with_stop(wiring: Wiring, stop: Callable[[float, Any, Any], Any]) -> Wiring:
-    """Return the wiring with a block that looks at outputs and inputs, and ends the run."""
+    """Return the wiring with a block that reads outputs and inputs, and ends the run."""
     if not callable(stop):
         raise DiagramError(f"stop = {brief(stop)}: must be a function of t, outputs and inputs")
     if wiring.dt:

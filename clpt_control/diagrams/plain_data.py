@@ -1,8 +1,8 @@
-"""A diagram as plain data, and back; and whether one would be read as before.
+"""A diagram as plain data, and back; and a key that changes if the diagram would be read otherwise.
 
-Plain data are the records of its blocks and what is wired to what.  What comes back is a diagram
-like any other: python-control runs it, it is drawn, linearized, varied and proved.  It is flat, the
-blocks of nested diagrams are called ``outer_inner``.
+Plain data are the records of the blocks and their wires.  The diagram made of them is like any
+other: python-control runs it, it is drawn, linearized, varied and proved.  It is flat; the blocks
+of nested diagrams are called ``outer_inner``.
 """
 
 from collections import Counter
@@ -26,14 +26,14 @@ Entry = tuple[int, int, float]  # row, column, gain
 
 def plain_diagram(
     wiring: Wiring,
-    given: Sequence[Any],
-    called: Mapping[str, Any],
+    parameters: Sequence[Any],
+    names: Mapping[str, Any],
     begin: float,
     end: float,
 ) -> dict[str, Any]:
     """Return a diagram as plain data, its blocks with these parameters, for runs between times.
 
-    `called` are its name, and the labels of its inputs, outputs and states.
+    `names` are its name, and the labels of its inputs, outputs and states.
     """
     wires: dict[bool, list[Entry]] = {
         external: [
@@ -45,49 +45,49 @@ def plain_diagram(
         ]
         for external in (False, True)
     }
-    names: list[str] = []
+    flat: list[str] = []  # names of blocks
     for node in wiring.nodes:
         name = node.name.replace(".", "_")
-        names.append(name + "_" * sum(name == one.rstrip("_") for one in names))
+        flat.append(name + "_" * sum(name == one.rstrip("_") for one in flat))
     blocks = [
         plain_block(node.system, name, p, begin, end)
-        for name, node, p in zip(names, wiring.nodes, given, strict=True)
+        for name, node, p in zip(flat, wiring.nodes, parameters, strict=True)
     ]
     return {
         "dt": wiring.dt,
-        **called,
+        **names,
         "blocks": blocks,
         "connections": wires[False],
         "feeds": wires[True],
-        "shown": _shown(wiring, wires),
+        "shown": _outputs(wiring, wires),
     }
 
 
-def _shown(wiring: Wiring, wires: Mapping[bool, list[Entry]]) -> list[Entry]:
-    """Return the diagram's outputs, of block outputs and, behind them, block inputs.
+def _outputs(wiring: Wiring, wires: Mapping[bool, list[Entry]]) -> list[Entry]:
+    """Return the entries of the output map, whose columns are block outputs, then block inputs.
 
-    So python-control has it; an input of the diagram is taken where it comes to a block alone.
+    An input of the diagram is represented by a block input that it alone feeds.
     """
     count = wiring.nodes[-1].outputs.stop
     fed = Counter(to for own in wires.values() for to, _, _ in own)
     alone = {source: to for to, source, gain in wires[True] if gain == 1.0 and fed[to] == 1}
-    found = []
+    entries = []
     for to, row in enumerate(wiring.outputs):
         for k, gain in row.items():
             if k < 0 and ~k not in alone:
                 raise Unrecorded(
                     "an input of the diagram is an output, and comes to no block alone"
                 )
-            found.append((to, k if k >= 0 else count + alone[~k], gain))
-    return found
+            entries.append((to, k if k >= 0 else count + alone[~k], gain))
+    return entries
 
 
 def diagram_of(plain: Mapping[str, Any]) -> Diagram:
     """Return the diagram that plain data hold."""
     blocks = [block_of(one) for one in plain["blocks"]]
-    fed, made = (sum(n) for n in zip(*((b.ninputs, b.noutputs) for b in blocks), strict=True))
-    taken, shown = len(plain["inputs"]), len(plain["outputs"])
-    if 8 * (fed * (made + taken) + shown * (made + fed)) > MOST_BYTES:
+    inputs, outputs = (sum(n) for n in zip(*((b.ninputs, b.noutputs) for b in blocks), strict=True))
+    external, shown = len(plain["inputs"]), len(plain["outputs"])
+    if 8 * (inputs * (outputs + external) + shown * (outputs + inputs)) > MOST_BYTES:
         raise DiagramError(f"{plain['name']}: is larger than python-control's matrices may be")
     diagram = control.InterconnectedSystem(
         blocks,
@@ -97,38 +97,38 @@ def diagram_of(plain: Mapping[str, Any]) -> Diagram:
         name=plain["name"],
         dt=plain["dt"],
     )
-    diagram.set_connect_map(_matrix(plain["connections"], (fed, made)))
-    diagram.set_input_map(_matrix(plain["feeds"], (fed, taken)))
-    diagram.set_output_map(_matrix(plain["shown"], (shown, made + fed)))
+    diagram.set_connect_map(_matrix(plain["connections"], (inputs, outputs)))
+    diagram.set_input_map(_matrix(plain["feeds"], (inputs, external)))
+    diagram.set_output_map(_matrix(plain["shown"], (shown, outputs + inputs)))
     diagram.__class__ = Diagram
     return diagram
 
 
-def _matrix(found: Sequence[Entry], shape: tuple[int, int]) -> np.ndarray:
+def _matrix(entries: Sequence[Entry], shape: tuple[int, int]) -> np.ndarray:
     matrix = np.zeros(shape)
-    for row, column, gain in found:
+    for row, column, gain in entries:
         if not (0 <= row < shape[0] and 0 <= column < shape[1]):
             raise DiagramError(f"a wire leads to the signal {row} from {column}, of {shape}")
         matrix[row, column] = gain
     return matrix
 
 
-# --- whether a diagram would be wired and read as before: a key of all that it is made of ---------
+# --- a key of all that a diagram consists of ------------------------------------------------------
 
 
 def diagram_key(
     diagram: Any, params: Mapping[str, Any] | None, *more: Any
 ) -> tuple[Any, Any] | None:
-    """Return the key of a diagram with such params and more, and what must live as long.
+    """Return the key of a diagram with params and more, and the objects that must live as long.
 
-    None where something in it could change unseen.
+    None where something in it could change without a trace.
     """
     keys = Keys()
     try:
-        found = _system(keys, diagram), keys.named(params or {}), keys.of(more)
+        key = _system(keys, diagram), keys.named(params or {}), keys.of(more)
     except Unkeyed:
         return None
-    return found, keys.held
+    return key, keys.held
 
 
 def _system(keys: Keys, system: Any) -> Any:

@@ -1,12 +1,12 @@
-"""A diagram beside how it varies along directions: parameters and states of its start.
+"""A diagram with its derivatives along directions: parameters and initial states.
 
     x' = f(t, x, u, p),     S' = df/dx S + df/du V + df/dp,     y = h(...),  W = dh/dx S + ...
 
-Each block becomes one that has, behind its own ports, how they vary: ``d_x`` of shape (directions,
-2) beside x.  So wires, breakpoints, jumps, samples and guards stay what they are, and every engine
-and method runs the whole; what is compared with Python's functions is still compared.  A jump in
-time carries S over as the derivative of what it does; a jump where a state crosses something would
-need one more term, which is not there: `may_jump` says where that may be.
+Each block becomes one that has the derivatives of its ports behind them: ``d_x`` of shape
+(directions, 2) beside x.  Wires, breakpoints, jumps, samples and guards stay as they are, so every
+engine and method runs the whole, and the record is still compared with Python's functions.  At a
+jump in time S is multiplied by the derivative of the jump.  A jump where a state crosses something
+would need one more term, which is missing: `may_jump` says where that may be.
 """
 
 import operator
@@ -29,14 +29,14 @@ from ..equations.sampled import Sampled, inner_equations
 from ..equations.system import System
 from .wiring import Node, Row, Wiring, joined_wires
 
-ALONG = "d_"  # with the name of a port: how it varies, a row for each direction
+ALONG = "d_"  # before the name of a port: its derivatives, a row for each direction
 KINDS = "states", "inputs", "outputs"
 JUMPING = STEPS | {"mod", "pick"}
-Seeds = Mapping[str, np.ndarray]  # field of a block -> how it varies, a row for each direction
+Seeds = Mapping[str, np.ndarray]  # field of a block -> its derivatives, a row for each direction
 
 
 class VariedBlock(Block):
-    """A block beside how it varies; `seeds` says how its parameters do."""
+    """A block with its derivatives; `seeds` are those of its parameters."""
 
     def __init__(self, inner: Block, parameters: Any, seeds: Seeds, count: int):
         self.inner, self.seeds, self.count = inner, seeds, count
@@ -73,19 +73,19 @@ class VariedBlock(Block):
         return self.inner.guard.sentence(t, u[: self.inner.ninputs], p)
 
     def _try_equations(self) -> None:
-        """Leave it to the inner block, which was tried."""
+        """Do nothing: the inner block was tried."""
 
     @property
     def of_package(self) -> bool:
-        """Whether the functions are the package's own."""
+        """Whether the functions belong to the package."""
         return self.inner.of_package
 
     def samples_at(self, t: float) -> bool:
-        """Whether a time is one at which inputs are sampled."""
+        """Whether inputs are sampled at a time."""
         return self.inner.samples_at(t)
 
     def values(self, role: str, size: int, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
-        """Return what the inner block's functions give, and how that varies."""
+        """Return the results of the inner block's functions, and their derivatives."""
         inner_x = np.asarray(x)[self.places["states"][0]]
         inner_u = np.asarray(u)[self.places["inputs"][0]]
         if role == "guard":
@@ -147,7 +147,7 @@ class _Along(Direction):
 
 
 def _groups(block: Block) -> list[dict[str, Shape]]:
-    """Return the states of a block; of one that samples those that it holds apart."""
+    """Return the states of a block in groups: of one that samples the samples are the second."""
     shapes = block.state_shapes
     if not isinstance(block, Sampled) or block.first_held is None:
         return [shapes]
@@ -172,7 +172,7 @@ def _places(groups: Sequence[Mapping[str, Shape]], count: int) -> np.ndarray:
 
 
 class VariedWiring(NamedTuple):
-    """A wiring beside how it varies, and where its states and signals stand.
+    """A wiring with its derivatives, and the places of its states and signals.
 
     Places have a row for their own, then one for each direction.
     """
@@ -185,9 +185,9 @@ class VariedWiring(NamedTuple):
 def varied(
     wiring: Wiring, given: Sequence[Any], seeds: Sequence[Seeds], count: int
 ) -> VariedWiring:
-    """Return a diagram beside how it varies along so many directions.
+    """Return a diagram with its derivatives along `count` directions.
 
-    `given` are the parameters of its blocks, `seeds` how they vary.
+    `given` are the parameters of its blocks, `seeds` their derivatives.
     """
     nodes: list[Node] = []
     ends = dict.fromkeys(KINDS, 0)
@@ -227,7 +227,7 @@ class Place(NamedTuple):
 def places_of(
     wiring: Wiring, given: Sequence[Any], states: Sequence[str], inputs: Sequence[str] = ()
 ) -> dict[str, list[Place]]:
-    """Return every name that may vary, with its place; what has two places is ambiguous.
+    """Return every name that may vary, with its places; a name with two places is ambiguous.
 
     `given` are the parameters of the blocks; states and inputs are labels.
     """
@@ -246,7 +246,7 @@ def places_of(
 
 
 def place_of(key: str, names: Mapping[str, list[Place]], given: Sequence[Any]) -> Place | None:
-    """Return where a name lies alone, or an element of an array, ``plant.A[0,1]``."""
+    """Return the only place of a name, or of an element of an array, ``plant.A[0,1]``."""
     whole, _, inside = key.removesuffix("]").rpartition("[")
     if key in names or len(names.get(whole, ())) != 1:
         own = names.get(key, ())
@@ -299,7 +299,7 @@ def _fields_by_name(wiring: Wiring) -> dict[str, list[tuple[int, str]]]:
 
 
 def read_as_number(block: Block, field: str) -> str | None:
-    """Return the function that was read with a parameter's value, in which none is left of it."""
+    """Return the function in which a parameter was read as a number, if there is one."""
     inner: Block = block.inner if isinstance(block, Sampled) else block
     for role in inner.records:
         pinned, _ = inner.read_with.get(role, ((), ""))

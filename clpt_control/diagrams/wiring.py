@@ -1,10 +1,9 @@
-"""What is wired to what in an interconnected system, in an order to compute it.
+"""The wires of an interconnected system, and the order in which to compute its blocks.
 
-python-control keeps a diagram as matrices: `connect_map` (block outputs to
-block inputs), `input_map` and `output_map`.  Here they become a list of blocks
-in the order in which one pass computes every signal once: a block's turn comes
-when all signals that reach its outputs at once are known.  The engine, the
-proofs and the drawing all take a diagram from here.
+python-control stores a diagram as matrices: `connect_map` (block outputs to block inputs),
+`input_map` and `output_map`.  Here they become a list of blocks, in an order in which one pass
+computes every signal once: a block comes when all signals that reach its outputs at once are known.
+The engine, the proofs and the drawing all take a diagram from here.
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -24,9 +23,9 @@ from ..equations.sampled import Sampled
 from ..equations.system import System, linear
 from ..errors import DiagramError
 
-TRIED = 3  # points at which what cannot be read is tried
-SMALL = 40_000  # entries of a matrix that is kept whole
-Row = dict[int, float]  # what something is of: signal, or ~k for the diagram's input k -> gain
+TRIED = 3  # points at which a function that cannot be read is tried
+SMALL = 40_000  # entries of the largest matrix that is not sparse
+Row = dict[int, float]  # a sum: signal, or ~k for the diagram's input k -> its gain
 
 
 class Wire(NamedTuple):
@@ -80,11 +79,11 @@ class Wiring:
 
 
 class _Flat(NamedTuple):
-    """A system as leaves: what feeds each of their inputs, and what each of its outputs is."""
+    """A system as leaves: the sum that feeds each of their inputs, and that each output is."""
 
     leaves: list[tuple[str, control.NonlinearIOSystem]]
-    fed: list[Row]
-    made: list[Row]
+    inputs: list[Row]
+    outputs: list[Row]
 
 
 def _flatten(system: control.NonlinearIOSystem, name: str) -> _Flat:
@@ -102,29 +101,29 @@ def _flatten(system: control.NonlinearIOSystem, name: str) -> _Flat:
         inner = _flatten(part, part.name)
         space = f"{part.name}." if isinstance(part, control.InterconnectedSystem) else ""
         leaves += [(space + leaf, one) for leaf, one in inner.leaves]
-        for rows, own in ((fed, inner.fed), (made, inner.made)):
+        for rows, own in ((fed, inner.inputs), (made, inner.outputs)):
             rows += [{k + signals if k >= 0 else k - taken: g for k, g in r.items()} for r in own]
         signals += sum(one.noutputs or 0 for _, one in inner.leaves)
         taken += part.ninputs or 0
-    wired, given, shown = map(_entries, (system.connect_map, system.input_map, system.output_map))
+    wires, inputs, shown = map(_entries, (system.connect_map, system.input_map, system.output_map))
     count, known = len(made), dict[int, Row | None]()
 
-    def is_of(k: int) -> Row:
-        """Return what output k of the parts is, or behind all outputs their input k - count."""
+    def flat(k: int) -> Row:
+        """Return the sum that output k of the parts is, or behind them their input k - count."""
         if k not in known:
             known[k], to = None, k - count
-            sources = [(is_of(source), gain) for source, gain in wired.get(to, ())]
-            outer: Row = {~source: gain for source, gain in given.get(to, ())}
+            sources = [(flat(source), gain) for source, gain in wires.get(to, ())]
+            outer: Row = {~source: gain for source, gain in inputs.get(to, ())}
             known[k] = closed(made[k]) if to < 0 else added([(outer, 1.0), *sources])
         if (row := known[k]) is None:
             raise DiagramError(f"{name}: nested diagrams feed each other without a block")
         return row
 
     def closed(row: Row) -> Row:
-        return added([({k: 1.0} if k >= 0 else is_of(count + ~k), gain) for k, gain in row.items()])
+        return added([({k: 1.0} if k >= 0 else flat(count + ~k), gain) for k, gain in row.items()])
 
     outputs = [
-        added([(is_of(k), gain) for k, gain in shown.get(to, ())])
+        added([(flat(k), gain) for k, gain in shown.get(to, ())])
         for to in range(len(system.output_map))
     ]
     return _Flat(leaves, [closed(row) for row in fed], outputs)
@@ -149,9 +148,9 @@ def _entries(matrix: np.ndarray) -> dict[int, list[tuple[int, float]]]:
 
 
 def units_of(wiring: Wiring) -> tuple[list[str], list[str]]:
-    """Return the units of all block outputs, and of the diagram's inputs; "" where none is said.
+    """Return the units of all block outputs, and of the diagram's inputs; "" where there is none.
 
-    An input of the diagram has the unit of what takes it.
+    An input of the diagram has the unit of a block input that takes it.
     """
     made = [unit for node in wiring.nodes for unit in node.system.units_of("output")]
     given = [""] * wiring.ninputs
@@ -164,8 +163,8 @@ def units_of(wiring: Wiring) -> tuple[list[str], list[str]]:
 
 
 def joined_wires(rows: Iterable[Row]) -> tuple[Wire, ...]:
-    """Join signals that feed inputs, a row each, where they are consecutive; outer ones last."""
-    following: dict[tuple, int] = {}  # what would continue a wire -> its place
+    """Return wires for rows of sources, one wire for consecutive signals; external ones last."""
+    following: dict[tuple, int] = {}  # the signal that would continue a wire -> the wire's place
     wires: list[Wire] = []
     for to, row in enumerate(rows):
         own = ((k < 0, ~k if k < 0 else k, gain) for k, gain in row.items() if gain != 0.0)
@@ -179,39 +178,39 @@ def joined_wires(rows: Iterable[Row]) -> tuple[Wire, ...]:
 
 
 def asked_at_once(block: Block) -> Block:
-    """Return the block whose equations say what reaches the outputs when all is sampled."""
+    """Return the block whose equations say what reaches the outputs as inputs are sampled."""
     return block.inner if isinstance(block, Sampled) else block
 
 
 def reaches_outputs(block: Block) -> bool:
-    """Return whether inputs reach outputs at once, or once sampled; what is not read is tried."""
+    """Return whether inputs reach outputs at once, or once sampled; an unread function is tried."""
     block = asked_at_once(block)
     return bool(block.ninputs and block.feedthrough and any(_through(block, by_signal=False)))
 
 
 def _through(block: Block, by_signal: bool = True) -> list[set[int]]:
-    """Return for each output the inputs that reach it at once; else whether any does."""
+    """Return for each output the inputs that reach it at once; else one set: whether any does."""
     block = asked_at_once(block)
     try:
         if not by_signal:
             return [{0}] if block.array_record("output").leaves("u") else []
         record = block.array_record("output")
-        reaching = InputsOf(record.operations, block.sizes).outputs(record)
+        ports = InputsOf(record.operations, block.sizes).outputs(record)
         places = {
             (port, k): own.start + k
             for port, (own, _) in inputs_of(block.input_shapes).items()
             for k in range(own.stop - own.start)
         }
-        return [{places[one] for one in own} for own in reaching]
+        return [{places[one] for one in port} for port in ports]
     except Unread:
-        found = _tried(block)
-    return found if by_signal else [set().union(*found)]
+        reaching = _tried(block)
+    return reaching if by_signal else [set().union(*reaching)]
 
 
 def _tried(block: Block) -> list[set[int]]:
     """Return the inputs that change each output at some points."""
     random, p = np.random.default_rng(0), block.parameters_at(0.0)
-    found: list[set[int]] = [set() for _ in range(block.noutputs)]
+    reaching: list[set[int]] = [set() for _ in range(block.noutputs)]
     for _ in range(TRIED):
         x, u = (random.standard_normal((n,)) for n in (block.nstates, block.ninputs))
         before = block.values("output", block.noutputs, 0.0, x, u, p)
@@ -220,8 +219,8 @@ def _tried(block: Block) -> list[set[int]]:
             moved[j] = random.standard_normal()
             after = block.values("output", block.noutputs, 0.0, x, moved, p)
             for i in np.flatnonzero((after != before) & ~(np.isnan(after) & np.isnan(before))):
-                found[i].add(j)
-    return found
+                reaching[i].add(j)
+    return reaching
 
 
 def wiring_of(
@@ -231,8 +230,8 @@ def wiring_of(
 ) -> Wiring:
     """Return the wiring of a diagram, nested ones included, of blocks alone.
 
-    python-control's systems become blocks, given `params` as python-control hands them down, and
-    `sizes`, of states and inputs, where they leave them open.  What is truly circular is refused.
+    python-control's systems become blocks, with `params` as python-control hands them down, and
+    `sizes`, of states and inputs, where they leave them open.  An algebraic loop is refused.
     """
     flat = _flatten(diagram, getattr(diagram, "name", repr(diagram)))
     if not flat.leaves:
@@ -246,11 +245,11 @@ def wiring_of(
         ((name, block),) = systems
         flat = _flatten(block, name)
         diagram = block
-    return ordered_wiring(systems, flat.fed, diagram.ninputs or 0, flat.made, diagram.dt or 0)
+    return ordered_wiring(systems, flat.inputs, diagram.ninputs or 0, flat.outputs, diagram.dt or 0)
 
 
 def read_anew(system: Any) -> None:
-    """Read the functions of a diagram's blocks again: what they name may have changed."""
+    """Read the functions of a diagram's blocks again: objects that they name may have changed."""
     for part in getattr(system, "syslist", [system]):
         if isinstance(part, control.InterconnectedSystem):
             read_anew(part)
@@ -308,7 +307,7 @@ def ordered_wiring(
     shown: Iterable[Row],
     dt: Any = 0,
 ) -> Wiring:
-    """Return the wiring of named systems, given what feeds each block input, in order."""
+    """Return the wiring of named systems; `fed` has the sources of each block input, in order."""
     nodes, x, u, y = [], 0, 0, 0
     for name, system in systems:
         states = slice(x, x := x + (system.nstates or 0))
@@ -320,7 +319,7 @@ def ordered_wiring(
 
 
 def _order(nodes: list[Node]) -> tuple[int, ...]:
-    """Return the order in which blocks are computed; one stands twice if half of it comes first."""
+    """Return the order in which blocks are computed; a block that is computed in parts is twice."""
     owner = [k for k, node in enumerate(nodes) for _ in range(node.system.noutputs or 0)]
     waits = {
         k: {owner[w.source + j] for w in node.wires if not w.external for j in range(w.size)}
@@ -341,7 +340,7 @@ def _order(nodes: list[Node]) -> tuple[int, ...]:
 
 
 def _by_signals(nodes: list[Node], order: list[int], waits: dict[int, set[int]]) -> tuple[int, ...]:
-    """Return the order of what is circular by block: an output comes after its own inputs."""
+    """Return the order of blocks in a circle: each output comes after the inputs that reach it."""
     known = {s for k in order for s in range(nodes[k].outputs.start, nodes[k].outputs.stop)}
     needed: dict[int, dict[int, set[int]]] = {}  # block -> signal -> the signals that it waits for
     for k in waits:
@@ -355,17 +354,17 @@ def _by_signals(nodes: list[Node], order: list[int], waits: dict[int, set[int]])
             for i, inputs in enumerate(_through(nodes[k].system))
         }
     while needed:
-        turns = {k: {s for s, own in needed[k].items() if own <= known} for k in needed}
-        ready = next((k for k in needed if len(turns[k]) == len(needed[k])), None)
+        computable = {k: {s for s, own in needed[k].items() if own <= known} for k in needed}
+        ready = next((k for k in needed if len(computable[k]) == len(needed[k])), None)
         if ready is None:
-            ready = next((k for k in needed if turns[k]), None)
+            ready = next((k for k in needed if computable[k]), None)
         if ready is None:
             raise DiagramError(
                 f"algebraic loop: {_circle(waits, nodes)} feed each other at once; "
                 "break the circle with a block that has states"
             )
         order.append(ready)
-        known |= turns[ready]
+        known |= computable[ready]
         needed[ready] = {s: own for s, own in needed[ready].items() if s not in known}
         if not needed[ready]:
             del needed[ready], waits[ready]
