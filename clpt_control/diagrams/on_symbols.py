@@ -126,7 +126,7 @@ class Equations:
         return sympy.Add(*(sympy.diff(found, s) * rate for s, rate in moving.items()))
 
     def jumps_at_once(self) -> Iterator[dict[Any, Any]]:
-        """Yield state -> its value after the jump, for each set of blocks that jump together."""
+        """Yield state -> value after a jump, for each set that may jump."""
         for count in range(1, len(self.jumps) + 1):
             for together in combinations(self.jumps.values(), count):
                 yield {s: new for one in together for s, new in one.items()}

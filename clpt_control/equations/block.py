@@ -274,7 +274,7 @@ class Block(control.NonlinearIOSystem):
         return sizes_of(self.state_shapes)
 
     def units_of(self, kind: str) -> list[str]:
-        """Return the unit of each "input" or "output"; "" where it has none."""
+        """Return the unit of each "input" or "output", "" for none."""
         return [
             self.units.get(label.partition("[")[0], "") for label in getattr(self, f"{kind}_labels")
         ]

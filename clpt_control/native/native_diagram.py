@@ -192,7 +192,7 @@ class NativeDiagram(PythonDiagram):
         return other
 
     def unlocked(self) -> Self:
-        """Return the diagram with decisions that may change within a step."""
+        """Return the diagram with decisions that change within a step."""
         other = copy(self)
         other._form, other._callees = "free", {}
         other.code = code_of(self.wiring, self.layout, "free")
@@ -207,7 +207,7 @@ class NativeDiagram(PythonDiagram):
         return self.code
 
     def breaks(self, t0: float, t1: float) -> Any:
-        """Return the times of decisions that depend on time alone, even for a moment."""
+        """Return the times at which time alone decides."""
         times = [
             times_of_change(node.system, record, p, t0, t1)
             for node, p in zip(self.wiring.nodes, self.sweep.parameters, strict=True)

@@ -241,7 +241,7 @@ class PythonDiagram:
         return METHODS[method] if step is None else solver.RK4
 
     def unlocked(self) -> Self:
-        """Return the diagram with decisions that may change within a step.
+        """Return the diagram with decisions that change within a step.
 
         A root of a state that comes to rest at zero, -sqrt(max(x, 0)), has no value beyond the
         switch, so steps with a locked decision cannot cross it.

@@ -194,7 +194,7 @@ class Scenario(Table):
 
     @property
     def hedged(self) -> bool:
-        """Whether the learner knows what of its command the speed limit took away."""
+        """Whether the learner knows what the speed limit took away."""
         knows = self.learning.hedging is not False and not self.learning.row.at_fixes
         return self.vehicle.max_speed is not None and knows
 

@@ -149,7 +149,7 @@ class Team(Table):
 
     @property
     def first(self) -> Scenario:
-        """The scenario of the first vehicle; it has all that the vehicles share."""
+        """The first vehicle's scenario, with all that vehicles share."""
         return next(iter(self.members.values()))
 
     @property
