@@ -60,7 +60,7 @@ class Series(NamedTuple):
 
     dims: tuple[str, ...]
     of: Callable[[np.ndarray], np.ndarray]
-    attributes: Mapping[str, str] = {}
+    attributes: dict[str, str]
 
 
 class Frame:
@@ -230,41 +230,39 @@ def run_frame(
     def of(port: str, *shape: int) -> Any:
         return columns([column[f"{port}[{k}]"] for k in range(int(np.prod(shape)))], *shape)
 
+    def add(name: str, dims: tuple[str, ...], series: Any, long_name: str, unit: str) -> None:
+        variables[name] = Series(dims, series, {"long_name": long_name, "units": unit})
+
     for name, (port, long_name, lengths, rates) in wanted.items():
         if f"{port}[0]" not in column:
             continue
         unit = " ".join([units.length] * lengths + [f"{units.time}-1"] * rates)
         dims, shape = (by_functions, (2, N)) if port == "alpha" else (("time", "axis"), (2,))
-        attributes = {"long_name": long_name, "units": unit}
-        variables[name] = Series(dims, of(port, *shape), attributes)
-    speed = {"units": f"{units.length} {units.time}-1"}
-    estimate = {"long_name": "estimate of the flow parameters theta", **speed}
-    variables["flow_parameters_estimate"] = Series(
-        by_functions, _estimate(scenario, signals, of), estimate
-    )
+        add(name, dims, of(port, *shape), long_name, unit)
+    estimate, speed = _estimate(scenario, signals, of), f"{units.length} {units.time}-1"
+    long_name = "estimate of the flow parameters theta"
+    add("flow_parameters_estimate", by_functions, estimate, long_name, speed)
     if row.readout and LAW not in own:
         until = f"theta_hat until {row.error_left} is small enough"
-        readout = {"long_name": f"readout of the flow parameters theta; {until}", **speed}
+        long_name = f"readout of the flow parameters theta; {until}"
+        add("flow_parameters_readout", by_functions, of(row.readout, 2, N), long_name, speed)
         if beside := _beside_the_basis(scenario):
-            readout["comment"] = f"not theta exactly: {beside} is taken for flow of the basis"
-        variables["flow_parameters_readout"] = Series(by_functions, of(row.readout, 2, N), readout)
-        left = {"long_name": "share of the first error of theta_hat that is left", "units": "1"}
-        variables["error_left"] = Series(("time",), of(row.error_left), left)
+            comment = f"not theta exactly: {beside} is taken for flow of the basis"
+            variables["flow_parameters_readout"].attributes["comment"] = comment
+        long_name = "share of the first error of theta_hat that is left"
+        add("error_left", ("time",), of(row.error_left), long_name, "1")
     ours = set(parameters) - own if scenario.flow.parameters is not None else set()
     if "true_flow" in ours:
-        true, theta = (
-            {"long_name": "true flow parameters theta", **speed},
-            parameters["true_flow"].theta,
-        )
-        variables["flow_parameters"] = Series(("axis", "basis"), lambda signals: theta.copy(), true)
+        theta, dims = parameters["true_flow"].theta, ("axis", "basis")
+        long_name = "true flow parameters theta"
+        add("flow_parameters", dims, lambda signals: theta.copy(), long_name, speed)
     doubt = ""
     if {"true_flow", "vehicle_controller", LAW} <= ours:
         car, p = parameters["vehicle_controller"], parameters[LAW]
         truth = Truth(parameters["true_flow"].theta, car.KD, car.GammaD)
         doubt = row.doubt(p, truth)
-        candidate = {"long_name": "Lyapunov candidate V", "units": f"{units.length}2"}
         V = _lyapunov(row.V(p, truth), column)
-        variables["lyapunov"] = Series(("time",), V, candidate)
+        add("lyapunov", ("time",), V, "Lyapunov candidate V", f"{units.length}2")
     there = {port for port, *_ in wanted.values()}
     others = {k: at for k, at in ports_of(column).items() if k in more and k not in there}
     more_variables, more_axes = port_variables(

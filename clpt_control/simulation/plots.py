@@ -151,10 +151,8 @@ def arrow_grid(scenario: Scenario, low: np.ndarray, high: np.ndarray, count: int
         from ..currents.plane import read_field
 
         field = read_field(scenario.field_path, scenario.units)
-        within = (
-            np.maximum(low, [field.x1[0], field.x2[0]]),
-            np.minimum(high, [field.x1[-1], field.x2[-1]]),
-        )
+        first, last = ([x[k] for x in (field.x1, field.x2)] for k in (0, -1))
+        within = np.clip([low, high], first, last)
         if np.all(within[0] < within[1]):  # a clipped run may be beyond it all the time
             low, high = within
     step = max(high - low) / count

@@ -128,9 +128,8 @@ class TeamRun(SystemRun):
         velocity that is commanded is flown.
         """
         vehicles: dict[str, Signals] = {name: Signals({}, {}) for name in self.team.members}
-        for kind, every in enumerate(
-            signals_in(self.labels, self.wiring, self.runner.sweep.parameters)
-        ):
+        signals = signals_in(self.labels, self.wiring, self.runner.sweep.parameters)
+        for kind, every in enumerate(signals):
             for name, value in every.items():
                 vehicle, own = split(name)
                 vehicles[vehicle][kind][own] = value
