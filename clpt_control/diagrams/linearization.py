@@ -50,9 +50,8 @@ class _About:
             if node.system.breakpoints_function is not None and p.interval < 0:
                 k = node.system.interval_at(t, p)
                 self.parameters[node.name] = p._replace(interval=k)
-        self.record = merged_record(
-            diagram, wiring, self.leaf, self.input_of, tape=self.tape, closed=True
-        )
+        values = self.leaf, self.input_of
+        self.record = merged_record(diagram, wiring, *values, tape=self.tape, closed=True)
         self.direction = Direction(self.tape, self.along)
 
     def leaf(self, group: str, node: Node, name: str, shape: Shape) -> Any:

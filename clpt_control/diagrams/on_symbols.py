@@ -12,7 +12,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from itertools import combinations
+from itertools import chain, combinations
 from math import prod
 from typing import Any
 
@@ -141,12 +141,10 @@ class Equations:
         for port, values in self.signals.items():
             for index, value in np.ndenumerate(values):
                 if value not in plain:
-                    rows.append(
-                        ("{}", sympy.Symbol(element_name(port, values.shape, index)), value)
-                    )
-        rows += [
-            (jump, s, new) for one in self.jumps.values() for s, new in one.items() if new != s
-        ]
+                    name = element_name(port, values.shape, index)
+                    rows.append(("{}", sympy.Symbol(name), value))
+        changes = (change for block in self.jumps.values() for change in block.items())
+        rows += [(jump, s, new) for s, new in changes if new != s]
         for form, s, value in rows[:MOST_EQUATIONS]:
             yield f"{form.format(print_as(s))} = {print_as(value)}"
         if len(rows) > MOST_EQUATIONS:
@@ -363,9 +361,8 @@ class _Read:
         self.elements = Symbols(self.tape.operations, self.element, watched)
 
         def flat(values: Mapping[Any, Any], node: Node, ports: Iterable[str]) -> np.ndarray:
-            own = [self.elements.all_of(operand(values[node.name, port])) for port in ports]
-            one = [e for elements in own for e in elements]
-            return np.array([*one, None], dtype=object)[:-1]
+            arrays = (self.elements.all_of(operand(values[node.name, port])) for port in ports)
+            return np.array([*chain.from_iterable(arrays), None], dtype=object)[:-1]
 
         for node in wiring.nodes:
             system, block = node.system, names.block(node)
@@ -380,17 +377,14 @@ class _Read:
             if system.jump_function is not None:
                 after = flat(record.jumps, node, system.declared["states"])
                 result.jumps[block] = dict(zip(symbols, after, strict=True))
-            fields = {
-                name: value if isinstance(value, int) else self.parameter(node, name)[()]
-                for name in fields_of(system)
-                for value in [getattr(system.parameters, name)]
-            }
-            result.parameters[block] = Parameters(**fields)
-            for name, value in fields.items():
+            fields: dict[str, Any] = {}
+            for name in fields_of(system):
+                value = getattr(system.parameters, name)
+                fields[name] = value if isinstance(value, int) else self.parameter(node, name)[()]
                 if name != "interval" and not is_linear(system):
-                    result.fields[names.port(node, name, "parameter")] = np.asarray(
-                        value, dtype=object
-                    )
+                    symbol = names.port(node, name, "parameter")
+                    result.fields[symbol] = np.asarray(fields[name], dtype=object)
+            result.parameters[block] = Parameters(**fields)
         result.pinned = sorted(record.pinned)
         return result
 

@@ -51,8 +51,8 @@ def sampled(
         return Sampled(part, period)
     params = {**part.params, **(params or {})}
     if not isinstance(part, control.InterconnectedSystem):
-        is_state_space = isinstance(part, control.StateSpace)
-        return Sampled(linear(part) if is_state_space else System(part, params), period)
+        plain = isinstance(part, control.StateSpace)
+        return Sampled(linear(part) if plain else System(part, params), period)
     diagram = control.InterconnectedSystem(
         [sampled(one, period, params) for one in part.syslist],
         inputs=part.input_labels,

@@ -116,9 +116,7 @@ def _matrix(entries: Sequence[Entry], shape: tuple[int, int]) -> np.ndarray:
 # --- a key of all that a diagram consists of ------------------------------------------------------
 
 
-def diagram_key(
-    diagram: Any, params: Mapping[str, Any] | None, *more: Any
-) -> tuple[Any, Any] | None:
+def diagram_key(diagram: Any, params: Mapping[str, Any] | None, *more: Any) -> tuple | None:
     """Return the key of a diagram with params and more, and the objects that must live as long.
 
     None where something in it could change without a trace.

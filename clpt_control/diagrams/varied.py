@@ -182,9 +182,7 @@ class VariedWiring(NamedTuple):
     signals: np.ndarray
 
 
-def varied(
-    wiring: Wiring, given: Sequence[Any], seeds: Sequence[Seeds], count: int
-) -> VariedWiring:
+def varied(wiring: Wiring, given: Sequence, seeds: Sequence[Seeds], count: int) -> VariedWiring:
     """Return a diagram with its derivatives along `count` directions.
 
     `given` are the parameters of its blocks, `seeds` their derivatives.
