@@ -144,6 +144,15 @@ def test_modes_are_those_of_the_umask_or_of_what_is_replaced(tmp_path, umask, fi
 
 
 @POSIX
+def test_a_folder_whose_name_is_no_text_is_named(tmp_path, monkeypatch):
+    folder = tmp_path / "\udcff"
+    folder.mkdir()
+    monkeypatch.chdir(folder)
+    with pytest.raises(DataError, match=r"run.nc: cannot be written: the name of its folder"):
+        write_together({Path("run.nc"): xarray.Dataset({"a": 1.0})})
+    assert list(folder.iterdir()) == []
+
+
 def test_a_link_is_followed_and_stays(tmp_path):
     (tmp_path / "far").mkdir()
     place, link = tmp_path / "far" / "run.txt", tmp_path / "run.txt"

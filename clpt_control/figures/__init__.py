@@ -34,7 +34,12 @@ COLOURS = (BLUE, RED, GREEN, ORANGE, PURPLE, "#56B4E9")
 STYLES = ("-", "--", "-.", (0, (1, 1)), (0, (5, 1, 1, 1, 1, 1)), (0, (8, 2)))
 
 FORMATS = ("png", "pdf", "svg")
-SAME: dict[Any, Any] = {"svg.hashsalt": "clpt-control", "svg.fonttype": "none", "pdf.fonttype": 42}
+SAME: dict[Any, Any] = {  # whatever the user's matplotlibrc says
+    "svg.hashsalt": "clpt-control",
+    "svg.fonttype": "none",
+    "pdf.fonttype": 42,
+    "text.usetex": False,
+}
 DATES: dict[str, dict[str, Any]] = {"svg": {"Date": None}, "pdf": {"CreationDate": None}}
 
 XLINK = "{http://www.w3.org/1999/xlink}"
@@ -158,9 +163,12 @@ def _displayed(width: float, height: float) -> "Figure":
 
 def figure_of(plot: Callable[..., Any], *arguments: Any, **keywords: Any) -> "Figure":
     """Return the figure that a plot draws, unknown to pyplot: for a file or a page."""
+    from matplotlib import rc_context
+
     token = _for_a_file.set(True)
     try:
-        axes = plot(*arguments, **keywords)
+        with rc_context(SAME):
+            axes = plot(*arguments, **keywords)
     finally:
         _for_a_file.reset(token)
     figure: Figure = np.ravel(np.asarray(axes, dtype=object))[0].figure

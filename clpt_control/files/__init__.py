@@ -140,6 +140,8 @@ def _put(result: Any, part: Path, path: Path) -> None:
         full = shutil.disk_usage(part.parent).free < 2**20
         reason = getattr(error, "strerror", None) or str(error)
         reason = "no space left" if full else f"{reason}; is there a limit on the size of files?"
+        if isinstance(error, UnicodeError):
+            reason = "the name of its folder, or a text in it, holds bytes that are no text"
         raise DataError(f"{path}: cannot be written: {reason}") from None
 
 

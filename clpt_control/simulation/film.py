@@ -14,7 +14,7 @@ import numpy as np
 
 from ..arguments import public
 from ..errors import ClptError, DataError
-from ..figures import BLUE, GREEN, GREY, ORANGE, RED, legend_below, new_figure
+from ..figures import BLUE, GREEN, GREY, ORANGE, RED, SAME, legend_below, new_figure
 from ..files import beside, check_writable
 from ..html import fragment
 from ..progress import progress_bar
@@ -103,8 +103,10 @@ def animate(
     check_options(path, seconds, fps, width)
     times, pause = _times(run, start, end, seconds, fps, suffix)
     film = film_of(run, times)
-    figure, frames = draw_frames(film, 2 * (width // 2))
-    with progress_bar("drawing", len(times), "frames") as report:
+    from matplotlib import rc_context
+
+    with rc_context(SAME), progress_bar("drawing", len(times), "frames") as report:
+        figure, frames = draw_frames(film, 2 * (width // 2))
         if path is None:
             content = BytesIO()
             _write_gif(content, figure, _checked(frames, report), pause)

@@ -9,7 +9,7 @@ import pytest
 from matplotlib.axes import Axes
 
 import clpt_control as clpt
-from clpt_control.figures import figure_of
+from clpt_control.figures import figure_of, inline_svg
 
 SCENARIO = clpt.paper_scenario().with_values({"run.duration": 40.0})
 
@@ -165,3 +165,11 @@ def test_what_is_no_run_is_one_sentence(made):
     for plot in (clpt.ensemble.ensemble_plot, clpt.simulation.team_plot, clpt.replay.map_plot):
         with pytest.raises(clpt.ClptError):
             plot(made["run"])
+
+
+def test_texts_of_figures_are_no_latex_whatever_the_users_style(tmp_path):
+    run = clpt.simulate(SCENARIO)
+    with plt.rc_context({"text.usetex": True}):
+        text = inline_svg(figure_of(clpt.simulation.clpe_plot, run), "clpe", "CLPE")
+        clpt.animate(run, tmp_path / "run.gif", seconds=0.2, fps=5, width=200)
+    assert ">CLPE (m)<" in text
