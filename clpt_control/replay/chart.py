@@ -173,10 +173,10 @@ def step_of(minutes: float) -> float:
     return next((step for step in STEPS if step >= minutes), STEPS[-1])
 
 
-def scale_bar(metres: float) -> tuple[float, str]:
+def bar_of(metres: float) -> tuple[float, str]:
     """Return the length of a scale bar, at most so many metres, and its name.
 
-    >>> scale_bar(3400.0)
+    >>> bar_of(3400.0)
     (2000, '2 km')
     """
     length = next((length for length in reversed(LENGTHS) if length <= metres), LENGTHS[0])

@@ -13,16 +13,7 @@ import numpy as np
 
 from ..geodesy import displacement
 from ..html import safe
-from .chart import (
-    Chart,
-    Layer,
-    dive_layers,
-    grid_label,
-    layers_ahead,
-    place_in,
-    scale_bar,
-    with_room,
-)
+from .chart import Chart, Layer, bar_of, dive_layers, grid_label, layers_ahead, place_in, with_room
 from .wording import Place, compass
 
 WIDTH = 1000.0
@@ -194,7 +185,7 @@ def _label(x: float, y: float, dx: float, dy: float, text: str) -> str:
 
 
 def _scale(drawing: Drawing) -> str:
-    length, name = scale_bar(0.25 * WIDTH * drawing.metres)
+    length, name = bar_of(0.25 * WIDTH * drawing.metres)
     long, y = length / drawing.metres, drawing.height - 60
     x = WIDTH - 30 - long
     return (

@@ -25,7 +25,7 @@ from ..figures import (
     literal,
 )
 from ..files import write_together
-from .chart import Chart, dive_layers, grid_label, layers_ahead, scale_bar, with_room
+from .chart import Chart, bar_of, dive_layers, grid_label, layers_ahead, with_room
 from .facts import Source, plot_data
 from .outcome import rms_of
 from .replay import Replay
@@ -177,7 +177,7 @@ def _degrees(ax: "Axes", chart: Chart) -> None:
 def _scale_bar(ax: "Axes", chart: Chart) -> None:
     """Draw a length at the lower right."""
     wide = chart.east - chart.west
-    length, name = scale_bar(0.25 * wide)
+    length, name = bar_of(0.25 * wide)
     x, y = chart.east - 0.04 * wide - length, chart.south + 0.03 * wide
     ax.plot([x, x + length], [y, y], color="black", lw=2, solid_capstyle="butt")
     ax.annotate(name, (x + length / 2, y), xytext=(0, 3), textcoords="offset points", ha="center")
