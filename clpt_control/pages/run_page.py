@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING, Any
 
 from ..diagrams.drawing.figure import MOST, block_figure
-from ..diagrams.on_symbols import equations
+from ..diagrams.on_symbols import readable_equations
 from ..errors import ClptError
 from ..html import Result, folded, listing, safe
 from ..scenario.experiment import Scenario
@@ -13,6 +13,7 @@ from ..scenario.team import Team
 from ..simulation.plots import named, ports_along, response_plot, signals_of
 from ..simulation.run_file import diagram_of_text, equations_text
 from ..simulation.summary import claims
+from ..theory.proving.array_loop import no_value
 from .page import Card, Drawn, Page, Section, again_section, drawn
 from .results import (
     asked,
@@ -270,7 +271,7 @@ def _equations(diagram: Any) -> list[str]:
     if (diagram.nstates or 0) + (diagram.noutputs or 0) > 2 * lines:
         return []
     try:
-        made = equations(diagram)
+        made = readable_equations(diagram, watch=no_value)  # which refuses what is long
     except ClptError:
         return []
     found, values = repr(made).splitlines(), made.values.items()

@@ -2,8 +2,10 @@
 
 import json
 import re
+import time
 from xml.etree import ElementTree
 
+import control
 import numpy as np
 import pytest
 import xarray
@@ -392,3 +394,18 @@ def test_a_text_that_no_page_may_hold_is_drawn_without_its_controls():
     drawn = inline_svg(figure, "own", "said")
     assert "lyapunov (\ufffd[31m)" in drawn
     ElementTree.fromstring(drawn)
+
+
+def test_equations_too_long_for_a_page_are_left_out_soon(tmp_path):
+    """A mass matrix of six axes: its inverse on symbols takes SymPy a minute."""
+
+    def arm(t, x, u, p):
+        mass = np.diag(2.0 + np.sin(x)) + 0.1 * np.outer(np.cos(x), np.sin(x))
+        return np.linalg.solve(mass + 0.1 * np.outer(x, x), -x)
+
+    model = control.nlsys(arm, None, inputs=0, states=6, outputs=6, name="arm")
+    run = clpt.simulate(model, [0.0, 1.0], 0, np.linspace(0.1, 0.5, 6))
+    begin = time.process_time()
+    clpt.report(run, tmp_path / "arm.html")
+    assert time.process_time() - begin < 15.0
+    assert ">Equations<" not in (tmp_path / "arm.html").read_text("utf-8")
