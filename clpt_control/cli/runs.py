@@ -118,6 +118,8 @@ def run(
     again = scenario.suffix == ".nc" and repeats_by_equations(scenario)
     system: Any = clpt.load_diagram(scenario) if again else load_either(scenario)
     check_writable(out)
+    if scenario.suffix != ".nc" and out.exists() and out.samefile(scenario):
+        raise ClptError(f"{out}: is the scenario; give its run another name, such as run.nc")
     folder = None if figures is None else make_folder(figures)
     if again:
         from ..pages.run_page import extent_of, response_result

@@ -59,6 +59,16 @@ def test_run_matches_the_independent_numbers(clpt, tmp_path, reference, name):
     assert_matches(json.loads(outcome.out), clpt_control.load_run(out), reference[name])
 
 
+def test_a_run_never_replaces_its_scenario(clpt, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert clpt("init", "mine.toml").status == 0
+    before = Path("mine.toml").read_bytes()
+    outcome = clpt("run", "mine.toml", "--out", tmp_path / "mine.toml")
+    assert (outcome.status, outcome.out) == (2, "")
+    assert "is the scenario; give its run another name" in outcome.err
+    assert Path("mine.toml").read_bytes() == before
+
+
 def test_run_prints_a_table_and_leaves_figures(clpt, tmp_path):
     scenario = clpt_control.paper_scenario().with_values({"run.duration": 40})
     clpt_control.save_scenario(scenario, tmp_path / "short.toml")
