@@ -96,6 +96,8 @@ def varied_places(
                     f"{name}: {wiring.nodes[k].name}.{role} asks for its value (a count, an "
                     "index, an `if`, or a library that is no NumPy), so its derivative is not known"
                 )
+    if not places:
+        raise SimulationError("to: nothing is varied; name a parameter, or a state of the start")
     return places
 
 
@@ -186,7 +188,7 @@ class Sensitive:
 
     def check(self, values: np.ndarray, found: RunWithDerivatives) -> None:
         """Refuse what differences do not confirm, where a function may jump."""
-        if not self.doubtful or not self.places:
+        if not self.doubtful:
             return
         solver = {} if self.wiring.dt else EXACT
         size = np.where(values == 0.0, 1.0, np.abs(values))
@@ -284,6 +286,8 @@ def dataset_of(
         frame.filled(replace(found.solution, x=found.states[..., j]), found.outputs[..., j])
         for j in range(1, 1 + len(ready.places))
     ]
+    if "parameter" in each[0].variables:
+        raise SimulationError("parameter: is a dimension of the result; rename it in the system")
     names = xarray.Variable("parameter", [*ready.places])
     data = xarray.concat(each, names, combine_attrs="override").transpose(..., "parameter")
     data.attrs["title"] = f"Sensitivities of {ready.name}"

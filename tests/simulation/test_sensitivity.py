@@ -249,6 +249,25 @@ def test_a_time_that_is_varied_is_refused():
     assert found.x[-1].values == pytest.approx([0.5 + 0.875, 0.125])  # S halves at each jump
 
 
+@pytest.mark.parametrize(
+    ("output", "to", "sentence"),
+    [
+        ("y", [], "to: nothing is varied"),
+        ("y", "x0", "to: nothing is varied"),  # there is no state
+        ("parameter", "k", "parameter: is a dimension"),
+    ],
+)
+def test_what_cannot_be_varied_or_named_is_said(output, to, sentence):
+    gain = control.nlsys(
+        None, lambda t, x, u, p: [p["k"] * u[0]], inputs=1, outputs=[output], params={"k": 2.0}
+    )
+    with pytest.raises(clpt.SimulationError, match=sentence):
+        clpt.sensitivity(gain, [0.0, 1.0], to=to, inputs=3.0)
+    if output == "y":
+        found = clpt.sensitivity(gain, [0.0, 1.0], to="k", inputs=3.0)
+        assert found.y.values.tolist() == [[3.0], [3.0]]
+
+
 def test_what_is_not_known_is_said():
     def update(t, x, u, p):
         return [-p["k"] * x[0] if p["n"] > 2 else -x[0]]
