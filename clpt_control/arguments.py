@@ -66,7 +66,7 @@ EXAMPLES = {  # of arguments whose kind alone does not show how they are written
 MAKERS = {  # what people make first, and by what; FILE is the path that they gave, or such a one
     "Scenario": ("clpt.load_scenario(FILE) reads a scenario's file", "mine.toml"),
     "Team": ("clpt.load_team(FILE) reads a team's file", "team.toml"),
-    "NonlinearIOSystem": ("clpt.closed_loop or clpt.connect makes a diagram", ""),
+    "NonlinearIOSystem": ("clpt.closed_loop, clpt.connect or control.ss makes one", ""),
     "InputOutputSystem": ("clpt.connect(blocks) makes a diagram, clpt.Block a block", ""),
     "Dataset": ("clpt.simulate(scenario) makes a run, clpt.load_run(FILE) reads one", "run.nc"),
     "Block": ("clpt.Block('gain', output=..., inputs={'u': 1}, outputs={'y': 1}) makes one", ""),
