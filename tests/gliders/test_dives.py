@@ -45,10 +45,13 @@ def rows(facts):
         return {int(row["dive"]): row for row in csv.DictReader(file)}
 
 
+PLANNED = {"next_course"}  # whole files alone hold the plan of the next dive
+
+
 def same_table(ones, others, tolerance=1e-6):
     assert [dive.number for dive in ones] == [dive.number for dive in others]
     for one, other in zip(ones, others, strict=True):
-        for name in TABLE:
+        for name in sorted(set(TABLE) - PLANNED):
             a, b = getattr(one, name), getattr(other, name)
             assert (a is None) == (b is None), name
             assert a is None or a == pytest.approx(b, abs=tolerance, rel=0, nan_ok=True), name
