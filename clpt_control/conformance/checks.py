@@ -283,16 +283,8 @@ def conformance(
 
     Parameters
     ----------
-    block : Block
-        Any block.
-    seed : int, optional
-        Seed of the random arguments.
-    samples : int, optional
-        Number of random arguments.
-    units : mapping of str to str, optional
-        Unit of each port and each parameter that is no whole number, such as
-        ``{"e": "m", "gain": "1/s"}``, and of the time ``t``, ``"s"`` by default. The equations
-        are then tried in other units, in which they must hold alike.
+    block, seed, samples, units
+        As `check_block` takes them.
 
     Raises
     ------
