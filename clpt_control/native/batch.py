@@ -19,7 +19,7 @@ from .machine import LANES, compiled_solver
 from .schedule import Schedule
 
 PAUSE = 0.05  # seconds of a call
-BEGIN = 40_000  # numbers, times tries, of the first call of machine code
+BEGIN = 60_000  # numbers, times tries, of the first call of machine code
 GRAIN = 0.01  # of atol: a smaller difference passes no decision
 LATER = 64  # looks for stiffness that do not count, after a run was found not to be stiff
 ANY = 2**62

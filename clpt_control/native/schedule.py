@@ -250,11 +250,11 @@ def make_schedule(
     Rates bend at kinks and jump at breaks.  `intervals` holds the place in P of each block's
     `interval`, `jumps` the place that is `JUMPS` in a piece that begins with a jump of its states.
     """
-    jumping = np.union1d(sweep.breakpoints(t0, t1), breaks)
-    edges = np.union1d(jumping, kinks)
-    edges = np.concatenate([edges[(edges > t0) & (edges < t1)], [t1]])
+    jumping = np.sort(np.concatenate([sweep.breakpoints(t0, t1), breaks]))
+    edges = np.unique(np.concatenate([jumping, kinks, [t1]]))
+    edges = edges[(edges > t0) & (edges <= t1)]
     starts = np.concatenate([[t0], edges])
-    smooth = ~np.isin(starts, jumping)
+    smooth = np.searchsorted(jumping, starts) == np.searchsorted(jumping, starts, side="right")
     smooth[0] = False
     places = np.array([*intervals.values(), *jumps.values()], dtype=np.int64)
     values = np.zeros((len(starts), len(places)))

@@ -78,7 +78,7 @@ class Sweep:
         ]
         if not jumps:
             return np.zeros(0)
-        times = np.unique(np.concatenate(jumps))
+        times = np.sort(np.concatenate(jumps))
         return times[np.diff(times, append=np.inf) > _rounding(times)]
 
     def at_jumps(self, times: np.ndarray) -> np.ndarray:
