@@ -10,7 +10,6 @@ from lyapunov_cases import (
     energy,
     half,
     mrac,
-    of,
     pendulum,
     system,
     textbook,
@@ -56,8 +55,8 @@ BESIDE = {  # V' <= 0 is right, and more is to be said
 
 @pytest.mark.parametrize("name", RIGHT)
 def test_a_right_one_is_proved(name):
-    system, V, more = RIGHT[name]
-    found = lyapunov(system, V, **more)
+    plant, V, *more = RIGHT[name]
+    found = lyapunov(plant, V, **dict(*more))
     assert found.status == "proved", found.claim
     assert all(step.holds for step in found.steps)
     assert found.point is None
@@ -70,8 +69,8 @@ LONG = ("no value at a point",)  # of several seconds: by `make test-slow`
     "name", [pytest.param(n, marks=pytest.mark.slow) if n in LONG else n for n in WRONG]
 )
 def test_a_wrong_one_is_not_proved(name):
-    system, V, more = WRONG[name]
-    found = lyapunov(system, V, **more)
+    plant, V, *more = WRONG[name]
+    found = lyapunov(plant, V, **dict(*more))
     if name in BESIDE:
         assert found.status == BESIDE[name]
     elif name in OPEN:
@@ -92,21 +91,21 @@ EXACT = {  # V' in the user's own signals
 
 @pytest.mark.parametrize("name", EXACT)
 def test_the_rate_is_exact_and_in_ones_own_signals(name):
-    system, V, more = RIGHT[name]
-    assert str(lyapunov(system, V, **more).rate) == EXACT[name]
+    plant, V, *more = RIGHT[name]
+    assert str(lyapunov(plant, V, **dict(*more)).rate) == EXACT[name]
 
 
 def test_a_point_of_refutation_is_one_of_the_running_blocks():
-    system = mrac(1.0, -1.0)
-    found = lyapunov(system, textbook)
-    eq = clpt.equations(system, numbers=True)
+    plant = mrac(1.0, -1.0)
+    found = lyapunov(plant, textbook)
+    eq = clpt.equations(plant, numbers=True)
     V = (eq["y"] - eq["ym"]) ** 2 / 2 + sympy.Rational(3, 4) * (
         (eq["kr"] - sympy.Rational(4, 3)) ** 2 + (eq["ky"] - sympy.Rational(5, 3)) ** 2
     )
     at = dict(zip(eq.motion, found.point.x, strict=True))
     slopes = [float(sympy.diff(V, s).subs(at)) for s in eq.motion]
     t, x, u, params = found.point
-    assert slopes @ system.dynamics(t, x, u, params) == pytest.approx(found.value, rel=1e-6)
+    assert slopes @ plant.dynamics(t, x, u, params) == pytest.approx(found.value, rel=1e-6)
     assert found.value > 0
 
 
@@ -118,7 +117,7 @@ def test_van_der_pol_says_where():
 
 
 def test_V_is_a_name_a_function_or_an_expression():
-    plant = of(lambda o: -2 * o["x"])
+    plant = system(lambda x: [-2 * x])
     x = clpt.equations(plant)["x"]
     for V in (half, x**2 / 2, sympy.Symbol("x") ** 2 / 2):
         assert str(lyapunov(plant, V).rate) == "-2*x**2"
@@ -132,13 +131,13 @@ def test_V_is_a_name_a_function_or_an_expression():
 
 
 def test_an_input_that_the_rate_depends_on_is_named():
-    found = lyapunov(of(lambda o: -o["x"] + o["d"], inputs=["d"]), half)
+    found = lyapunov(system(lambda x, d: [-x + d], "d"), half)
     assert (found.status, found.inputs) == ("proved where d = 0", ("d",))
     assert "d = 0" in found.claim
 
 
 def test_a_claim_is_compared_exactly():
-    plant = of(lambda o: -3 * o["x"])
+    plant = system(lambda x: [-3 * x])
     assert lyapunov(plant, half, claim=lambda s: -3 * s.x**2).status == "proved"
     wrong = lyapunov(plant, half, claim=lambda s: -3.0001 * s.x**2)
     assert (wrong.status, wrong.rate) == ("refuted", -3 * sympy.Symbol("x", real=True) ** 2)
@@ -147,7 +146,7 @@ def test_a_claim_is_compared_exactly():
 
 def test_what_is_only_not_found_does_not_fail():
     """A V of coupled powers, which is positive definite, and of which that is not shown."""
-    plant = of(lambda o: -o["x"] + o["y"], lambda o: -o["x"] - o["y"])
+    plant = system(lambda x, y: [-x + y, -x - y])
     V = lambda s: s.x**4 - 2 * s.x**3 * s.y + 3 * s.x**2 * s.y**2 + s.y**4  # noqa: E731
     found = lyapunov(plant, V)
     assert found.status in ("open", "refuted")
@@ -200,7 +199,7 @@ def test_the_papers_law_is_proved_as_by_prove():
 
 
 def test_mistakes_are_one_sentence():
-    plant = of(lambda o: -o["x"])
+    plant = system(lambda x: [-x])
     for points in (0, -1):
         with pytest.raises(clpt.ArgumentError, match=r"points = .*: must be a whole number, 1 or"):
             lyapunov(plant, sympy.Symbol("x") ** 2, points=points)
@@ -222,7 +221,7 @@ def test_mistakes_are_one_sentence():
         lyapunov(plant, sympy.Piecewise((x**2, x > 0), (0, True)))
     with pytest.raises(clpt.DiagramError, match="as time is called"):
         lyapunov(control.nlsys(lambda t, x, u, p: -x, inputs=0, states=["t"]), 0 * x)
-    divided = system(lambda t, x, u, p: [-x["x"] / p["k"]], ["x"], {"k": 0.0})
+    divided = system(lambda x, k: [-x / k], params={"k": 0.0})
     with pytest.raises(clpt.DiagramError, match="as they are x' has no value"):
         lyapunov(divided, half)
     with pytest.raises(clpt.DiagramError, match="discrete time"):

@@ -4,6 +4,7 @@ import control
 import numpy as np
 import pytest
 import sympy
+from lyapunov_cases import system
 
 import clpt_control as clpt
 from clpt_control.theory import lyapunov
@@ -50,13 +51,6 @@ SYSTEMS = {  # rates in states, a rest, and a state to start from
         [1.0, -1.0, 0.0, 2.0],
     ),
 }
-
-
-def system(rates, name="own", **more):
-    states = list(rates.__code__.co_varnames[: rates.__code__.co_argcount])
-    return control.nlsys(
-        lambda t, x, u, p: np.array(rates(*x)), states=states, inputs=0, name=name, **more
-    )
 
 
 @pytest.mark.parametrize("name", SYSTEMS)
@@ -155,15 +149,14 @@ def test_what_cannot_be_searched_for_is_refused():
 @pytest.mark.parametrize(
     ("rates", "proved"),
     [
-        (lambda t, x: -(1 + t) * x, True),
-        (lambda t, x: -x * np.exp(-t), True),
-        (lambda t, x: -x * np.abs(x), True),
-        (lambda t, x: -x / (1 + x**2), True),
-        (lambda t, x: -(1 - t) * x, False),
-        (lambda t, x: x * np.exp(-t), False),
-        (lambda t, x: -x * np.sin(t), False),
+        (lambda t, x: [-(1 + t) * x], True),
+        (lambda t, x: [-x * np.exp(-t)], True),
+        (lambda t, x: [-x * np.abs(x)], True),
+        (lambda t, x: [-x / (1 + x**2)], True),
+        (lambda t, x: [-(1 - t) * x], False),
+        (lambda t, x: [x * np.exp(-t)], False),
+        (lambda t, x: [-x * np.sin(t)], False),
     ],
 )
 def test_factors_that_are_never_negative_count_and_no_others(rates, proved):
-    own = control.nlsys(lambda t, x, u, p: [rates(t, x[0])], states=["x"], inputs=0, name="factor")
-    assert (lyapunov(own).status == "proved") is proved
+    assert (lyapunov(system(rates)).status == "proved") is proved
