@@ -18,7 +18,15 @@ from ..equations.system import System, is_linear
 from ..errors import BlockError, DiagramError
 from ..scenario.quantities import call_time_hint
 from .parts import as_part, input_ports, is_discrete, output_ports
-from .wiring import Node, Wiring, joined_wires, ordered_wiring, wiring_of
+from .wiring import (
+    Node,
+    Wiring,
+    joined_wires,
+    ordered_wiring,
+    own_params,
+    spaces_of,
+    wiring_of,
+)
 
 MOST_BYTES = 10**9  # of python-control's matrices
 
@@ -64,12 +72,18 @@ class Diagram(control.InterconnectedSystem):
             changed_parameters(wiring_of(self), given)
         given |= {key.removeprefix(own): given[key] for key in given if key.startswith(own)}
         super()._update_params(given)
+        for part in self.syslist:
+            if any(key.startswith(f"{part.name}.") for key in given) and not isinstance(
+                part, Block
+            ):
+                part._update_params({**self.params, **own_params(part.name, given)})
 
 
 def changed_parameters(wiring: Wiring, params: Mapping[str, Any] | None) -> list[Any]:
     """Return each system's parameters, changed by ``{"block.field": value}``.
 
-    Of nested diagrams ``"a.adaptation.gain"`` reaches one, ``"adaptation.gain"`` all.
+    Of nested diagrams ``"a.adaptation.gain"`` reaches one, ``"adaptation.gain"`` all; of
+    python-control's systems ``"m"`` reaches all, too, and ``"plant.m"`` one.
     """
     params = {} if params is None else params
     if not isinstance(params, Mapping):
@@ -81,8 +95,8 @@ def changed_parameters(wiring: Wiring, params: Mapping[str, Any] | None) -> list
     for node in wiring.nodes:
         system, path = node.system, node.name.split(".")
         if isinstance(system, System):
-            found.append(system.with_params(params))
-            asking.append((system, [".".join([*path[:k], ""]) for k in range(1, len(path))]))
+            found.append(system.with_params(own_params(node.name, params)))
+            asking.append((system, spaces_of(node.name)))
             continue
         fields = system.parameters._fields
         spaces = [".".join([*path[k:], ""]) for k in range(len(path) - 1, -1, -1)]

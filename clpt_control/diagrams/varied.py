@@ -284,8 +284,7 @@ def _fields_by_name(wiring: Wiring) -> dict[str, list[tuple[int, str]]]:
         if isinstance(block, System):
             own = block.number_names
             above = ["", *(".".join([*path[:j], ""]) for j in range(1, len(path)))]
-            many = len(wiring.nodes) > 1  # a name alone reaches all
-            asked = {name: f for name, f in own.items() if many and block.reads(name)}
+            asked = {name: f for name, f in own.items() if block.reads(name)}
         else:
             above, asked = [], dict(own)
         names = {space + name: field for name, field in own.items() for space in above}

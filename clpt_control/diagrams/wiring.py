@@ -281,23 +281,33 @@ def _own(params: Mapping[str, Any]) -> set[str]:
 def _handed_down(
     system: control.NonlinearIOSystem, given: Mapping[str, Any], path: str = ""
 ) -> Iterator[dict[str, Any]]:
-    """Yield the params of each leaf, as python-control's `_update_params` leaves them.
-
-    A key with the path of a nested diagram, ``"plant.mass"``, is for that diagram alone.
-    """
-    own = {k.removeprefix(path): v for k, v in given.items() if path and k.startswith(path)}
+    """Yield the params of each leaf, as python-control's `_update_params` leaves them."""
     if not isinstance(system, control.InterconnectedSystem):
-        yield {} if isinstance(system, Block) else {**system.params, **given, **own}
+        own = {**system.params, **own_params(path + system.name, given)}
+        yield {} if isinstance(system, Block) else own
         return
     for part in system.syslist:
         inner = f"{path}{part.name}." if isinstance(part, control.InterconnectedSystem) else path
-        above = {
-            **({} if isinstance(part, Block) else part.params),
-            **system.params,
-            **given,
-            **own,
-        }
-        yield from _handed_down(part, above, inner)
+        above = {} if isinstance(part, Block) else part.params
+        yield from _handed_down(part, {**above, **system.params, **given}, inner)
+
+
+def own_params(name: str, params: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the params of one system, a key under its name or that of a diagram around it too."""
+    found = dict(params)
+    for space in spaces_of(name):
+        found |= {k.removeprefix(space): v for k, v in params.items() if str(k).startswith(space)}
+    return found
+
+
+def spaces_of(name: str) -> list[str]:
+    """Return what may stand before a param of ``a.plant``: ``a.``, ``plant.``, ``a.plant.``.
+
+    The last counts.
+    """
+    path = name.split(".")
+    around = [".".join([*path[:k], ""]) for k in range(1, len(path))]
+    return around + [".".join([*path[k:], ""]) for k in range(len(path) - 1, -1, -1)]
 
 
 def ordered_wiring(

@@ -531,7 +531,7 @@ def test_a_dict_says_the_same_of_a_scenario():
 
 
 MISTAKES = [
-    ({"vary": {"tua": [1.0]}}, "unknown name tua; did you mean tau\\? May vary: tau, x"),
+    ({"vary": {"tua": [1.0]}}, "unknown name tua; did you mean tau\\? May vary: tau, lag.tau, x"),
     ({"vary": {"tau[0]": [1.0]}}, r"tau\[0\] is no element: tau has shape \(\), counted from 0"),
     ({"vary": {"tau": 2.0}}, "tau = 2.0: must be a list of values, a range '0.2:2.0', or a dis"),
     ({"vary": {"tau": []}}, "must be a list of values"),
@@ -571,8 +571,8 @@ def test_more_mistakes():
         clpt.run_ensemble(mrac(), {"a": [1], "plant.a": [1]}, timepts=TIMES)
     with pytest.raises(ClptError, match=r"unknown name plant\.aa; did you mean plant\.a\?"):
         clpt.run_ensemble(mrac(), {"plant.aa": [1]}, timepts=TIMES)
-    with pytest.raises(ClptError, match=r"unknown name lag\.tau; did you mean tau\?"):
-        clpt.run_ensemble(lag(), {"lag.tau": [1]}, timepts=TIMES)
+    with pytest.raises(ClptError, match=r"unknown name lag\.tua; did you mean lag\.tau\?"):
+        clpt.run_ensemble(lag(), {"lag.tua": [1]}, timepts=TIMES)
     with pytest.raises(ClptError, match=r"one\.turns = 3 cannot vary: a whole number is fixed"):
         clpt.run_ensemble(springs(), {"one.turns": [1.0]}, timepts=TIMES)
     with pytest.raises(ClptError, match=r"one\.K\[2\] is no element: one\.K has shape \(2,\)"):

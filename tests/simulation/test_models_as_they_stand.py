@@ -37,10 +37,8 @@ def rate(t, x, u, params):
 
 
 def pendulum(**more):
-    params = {"c": 0.2, "m": 2, "why": "a word"}
-    return control.nlsys(
-        rate, lambda t, x, u, p: x[0], inputs=1, outputs=1, states=2, params=params, **more
-    )
+    own = {"inputs": 1, "outputs": 1, "params": {"c": 0.2, "m": 2, "why": "a word"}}
+    return control.nlsys(rate, lambda t, x, u, p: x[0], states=2, **own | more)
 
 
 def test_params_are_python_controls():
@@ -74,7 +72,7 @@ def is_text(t, x, u, params):
 
 
 NAMES = {  # what may be given, and what no function reads
-    rate: ([{"m": 2.0}, {"c": 0.1}], ["M", "mm", "typo", "rod.m"]),
+    rate: ([{"m": 2.0}, {"c": 0.1}], ["M", "mm", "typo", "rood.m"]),
     Spring().rate: ([{"slack": 1.0}, {"mode": "soft", "slack": 2.0}], ["slak", "x"]),
     by_number: ([{"k2": 2.0}], ["k3", "l2"]),
     all_at_once: ([{"k": 2.0}, {"any": 1.0}], []),
@@ -120,7 +118,7 @@ def test_names_that_functions_read_are_known_and_no_others(update, made):
 
 
 def test_an_unknown_name_is_told_from_its_like():
-    for name in ("mm", "rod.m"):
+    for name in ("mm", "rood.m"):
         with pytest.raises(BlockError, match=r"did you mean m\? This diagram knows c, m"):
             clpt.simulate(as_it_is(rate), [0.0, 1.0], 0.0, 0.0, params={name: 1.0})
     with pytest.raises(BlockError, match=r"did you mean back\.D\?"):
@@ -130,11 +128,40 @@ def test_an_unknown_name_is_told_from_its_like():
 def test_names_of_nested_diagrams():
     parts = [in_a_loop(rate).copy(name=name) for name in "ab"]
     outer = control.interconnect(parts, outlist=["a.x[0]"], check_unused=False)
-    for name in ("m", "a.m", "b.c"):
+    for name in ("m", "a.m", "b.c", "a.rod.m", "rod.m"):
         clpt.simulate(outer, [0.0, 0.2], 0.0, [0.3, 0.1, 0.2, 0.0], params={name: 2.0})
     for name in ("typo", "a.typo", "c.m", "back"):
         with pytest.raises(BlockError, match=f"unknown parameter '{name}'"):
             clpt.simulate(outer, [0.0, 0.2], 0.0, [0.3, 0.1, 0.2, 0.0], params={name: 2.0})
+
+
+def test_a_param_under_the_name_of_its_system_is_for_that_one_alone():
+    parts = [pendulum(name=name, inputs=["u"], outputs=[f"y{name}"]) for name in "ab"]
+    two = control.interconnect(parts, inputs="u", outputs=["ya", "yb"], name="two")
+    wired = clpt.connect(parts, external="u")
+    around = control.interconnect([two], inputs="u", outputs=["ya", "yb"], name="around")
+    a, b = (
+        clpt.simulate(pendulum(name="a"), T, 0.3, [0.3, 0.0], params={"m": m}).states.values
+        for m in (3.0, 5.0)
+    )
+
+    def run(system, params):
+        return clpt.simulate(system, T, 0.3, [0.3, 0.0, 0.3, 0.0], params=params).states.values
+
+    named = {"m": 3.0, "b.m": 5.0}
+    for system in (two, wired, around):
+        for params in (named, dict(reversed(named.items())), {"a.m": 3.0, "b.m": 5.0}):
+            np.testing.assert_allclose(run(system, params), np.hstack([a, b]), rtol=1e-6, atol=1e-8)
+    for params in ({"two.m": 3.0, "b.m": 5.0}, {"a.m": 3.0, "b.m": 9.0, "two.b.m": 5.0}):
+        np.testing.assert_allclose(run(around, params), np.hstack([a, b]), rtol=1e-6, atol=1e-8)
+    theirs = control.input_output_response(
+        wired, T, 0.3, [0.3, 0.0, 0.3, 0.0], params=named, solve_ivp_kwargs={"rtol": 1e-9}
+    )
+    np.testing.assert_allclose(theirs.states.T, np.hstack([a, b]), atol=1e-5)
+    alone = clpt.run_ensemble(
+        parts[0], {"a.m": [3.0]}, timepts=T, inputs=0.3, initial_state=[0.3, 0.0]
+    )
+    np.testing.assert_allclose(alone.ya_final.values[0], a[-1, 0], rtol=1e-6)
 
 
 def test_params_reach_nested_diagrams_as_python_control_hands_them_down():

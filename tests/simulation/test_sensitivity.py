@@ -273,11 +273,11 @@ def test_what_is_not_known_is_said():
         return [-p["k"] * x[0] if p["n"] > 2 else -x[0]]
 
     asking = control.nlsys(
-        update, None, states=["x"], inputs=0, outputs=["x"], params={"k": 1.0, "n": 3.0}
+        update, None, name="lag", states=["x"], inputs=0, outputs=["x"], params={"k": 1.0, "n": 3.0}
     )
     with pytest.raises(clpt.SimulationError, match=r"n: .*asks for its value"):
         clpt.sensitivity(asking, [0.0, 1.0], to="n")
-    with pytest.raises(clpt.SimulationError, match="must be among k, n, x, x0"):
+    with pytest.raises(clpt.SimulationError, match=r"must be among k, lag\.k, lag\.n, n, x, x0"):
         clpt.sensitivity(asking, [0.0, 1.0], to="q")
     with pytest.raises(clpt.SimulationError, match=r"did you mean k\?"):
         clpt.sensitivity(asking, [0.0, 1.0], to="plant.k")
