@@ -6,9 +6,9 @@ Forms f are taken as the user wrote them, or squares are completed, symbol by sy
 form: where V does not rise, no f leaves a bound, but one of the kind sin(s/2), of 1 - cos(s).
 """
 
+from itertools import zip_longest
 from typing import Any, NamedTuple
 
-import numpy as np
 import sympy
 from sympy.core.function import AppliedUndef
 
@@ -186,15 +186,23 @@ def states_beside(forms: list[sympy.Expr], eq: Equations) -> tuple[str, Step]:
     jumps = [new for s, new in after if s in free and new != s]
     J = rates.jacobian(free)
     rest, A = rates - J * sympy.Matrix(free), J.xreplace(eq.values)
-    if not (jumps or A.free_symbols or rest.has(TIME, *free)):
-        poles = np.linalg.eigvals(np.array(A, dtype=float))
-        if np.all(poles.real < 0):
-            return "", exact(f"{names}: linear and stable, driven by what V holds", True)
+    if not (jumps or A.free_symbols or rest.has(TIME, *free)) and hurwitz(A):
+        return "", exact(f"{names}: linear and stable, driven by what V holds", True)
     if all(degree(rate, free.__contains__) <= 1 for rate in (*rates, *jumps)):
         grows = exact(f"{names}: not held by V, may grow, and exist for all t", True)
         return f"but for {names}", grows
     faster = exact(f"{names}: not held by V, exist for all t", False, "not shown")
     return f"as long as {names} exist", faster
+
+
+def hurwitz(A: sympy.Matrix) -> bool:
+    """Return whether all eigenvalues have a negative real part, by Routh's table, exactly."""
+    one, next_one = (A.charpoly().all_coeffs()[k::2] for k in (0, 1))
+    while next_one and next_one[0].is_positive:
+        share = one[0] / next_one[0]
+        rest = [a - share * b for a, b in zip_longest(one[1:], next_one[1:], fillvalue=0)]
+        one, next_one = next_one, rest
+    return not next_one
 
 
 def _how_it_moves(s: Any, rate: sympy.Expr, among: list, fixed: set) -> tuple[bool, float]:

@@ -323,6 +323,10 @@ WRONG = {
     "a needle": (system(lambda x: [-x + 2 * x * np.exp(-1e8 * (x - 1) ** 2)]), half),
     "a force below all numbers": (system(lambda x: [x * np.exp(-1000 - x**2)]), half),
     "V that misses a state": (system(lambda x, y: [-x, y]), half),
+    "V that misses two integrators": (  # whose eigenvalues are -1e-10 in floating point
+        system(lambda x, y, z: [-x, (3 * y + x) / 10 - 9 * z / 100, y - 3 * z / 10]),
+        half,
+    ),
     "V that misses a state that ends": (system(lambda x, y: [-x, 1 + y**2]), half),
     "V of the sum alone": (system(lambda x, y: [-x + y**3, -y - y**3]), lambda s: (s.x + s.y) ** 2),
     "a gain that turns": (system(lambda t, x: [-np.cos(t) * x]), half),

@@ -40,6 +40,7 @@ OPEN = {  # of the wrong ones: no point shows it, or none is looked for
 }
 BESIDE = {  # V' <= 0 is right, and more is to be said
     "V that misses a state": "proved but for y",
+    "V that misses two integrators": "proved but for y, z",
     "V that misses a state that ends": "proved as long as y exist",
     "V of the sum alone": "proved as long as x exist",
     "V of what runs with time": "proved but for x",
