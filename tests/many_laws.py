@@ -24,9 +24,14 @@ TICKS = {"breakpoints": lambda p, t0, t1: np.arange(np.floor(t0) + 1.0, np.floor
 SIGNS = {"alpha": (2, N), "K": (2,), "Gamma": (2,)}
 
 
-def with_V(level):
-    """What else `prove` is given: a V."""
-    return {"V": V_of(level)}
+def case(make, **more):
+    """A law, and what else `prove` is given."""
+    return make, more
+
+
+def family(form, make, rows):
+    """A case of each row: a name, and what its law is made of."""
+    return {form.format(name): case(make(own)) for name, own in rows.items()}
 
 
 def scaled(factor, port=None):
@@ -80,25 +85,24 @@ def flip(port, index):
 
 turned = changed(lambda t, x, u, p, r: {port: -own for port, own in r.items()})
 EYE = np.eye(2)
-WRONG = {  # name -> (law, what else is given)
+WRONG = {
     **{
         f"sign of {port} at {index}": (flip(port, index), {})
         for port, shape in SIGNS.items()
         for index in np.ndindex(shape)
     },
-    "axes swapped in all": (driven(lambda t, x, u, p: u.e[::-1]), {}),
-    **{
-        f"axes swapped in {port}": (
-            changed(lambda t, x, u, p, r, port=port: r | {port: r[port][::-1]}),
-            {},
-        )
-        for port in LEARNED
-    },
-    "the mean of e": (driven(lambda t, x, u, p: 0 * u.e + np.sum(u.e) / 2), {}),
-    "the difference of e": (driven(lambda t, x, u, p: u.e - u.e[::-1] * 2), {}),
-    **{
-        f"{name} in place of e": (driven(lambda t, x, u, p, f=f: f(u.e)), {})
-        for name, f in {
+    "axes swapped in all": case(driven(lambda t, x, u, p: u.e[::-1])),
+    **family(
+        "axes swapped in {}",
+        lambda port: changed(lambda t, x, u, p, r: r | {port: r[port][::-1]}),
+        {port: port for port in LEARNED},
+    ),
+    "the mean of e": case(driven(lambda t, x, u, p: 0 * u.e + np.sum(u.e) / 2)),
+    "the difference of e": case(driven(lambda t, x, u, p: u.e - u.e[::-1] * 2)),
+    **family(
+        "{} in place of e",
+        lambda f: driven(lambda t, x, u, p: f(u.e)),
+        {
             "-tanh(e)": lambda e: -np.tanh(e),
             "sin(e)": np.sin,
             "e - e^3": lambda e: e - e**3,
@@ -108,11 +112,12 @@ WRONG = {  # name -> (law, what else is given)
             "clip(e, 0.1, 1)": lambda e: np.clip(e, 0.1, 1),
             "e + 0.1": lambda e: e + 0.1,
             "e exp(-e^2)": lambda e: -e * np.exp(-(e**2)),
-        }.items()
-    },
-    **{
-        f"a gain times {name}": (scaled(f), {})
-        for name, f in {
+        },
+    ),
+    **family(
+        "a gain times {}",
+        scaled,
+        {
             "cos t": lambda t, x, u: np.cos(t),
             "1 - t/50": lambda t, x, u: 1 - t / 50,
             "exp(-t)": lambda t, x, u: np.exp(-t),
@@ -134,18 +139,17 @@ WRONG = {  # name -> (law, what else is given)
             "alpha": lambda t, x, u: x.alpha[0, 0],
             "tanh(K)": lambda t, x, u: np.tanh(x.K[0]),
             "clip(alpha, -1, 1)": lambda t, x, u: np.clip(x.alpha[0, 0], -1, 1),
-        }.items()
-    },
-    **{
-        f"{port} learned backwards where e is large": (
-            scaled(lambda t, x, u: np.where(np.abs(u.e) > 1, -1.0, 1.0), port),
-            {},
-        )
-        for port in ("K", "Gamma")
-    },
-    **{
-        f"{name} of eps": (book.seen(f), {})
-        for name, f in {
+        },
+    ),
+    **family(
+        "{} learned backwards where e is large",
+        lambda port: scaled(lambda t, x, u: np.where(np.abs(u.e) > 1, -1.0, 1.0), port),
+        {"K": "K", "Gamma": "Gamma"},
+    ),
+    **family(
+        "{} of eps",
+        book.seen,
+        {
             "-tanh": lambda s: -np.tanh(s),
             "sin": np.sin,
             "cos": np.cos,
@@ -156,11 +160,12 @@ WRONG = {  # name -> (law, what else is given)
             "eps swapped": lambda s: s[::-1],
             "max(eps, -eps)": lambda s: np.maximum(s, -s),
             "a step": lambda s: np.where(s > 0, 1.0, 0.5),
-        }.items()
-    },
-    **{
-        f"a leak {name}": (leak(f), {})
-        for name, f in {
+        },
+    ),
+    **family(
+        "a leak {}",
+        leak,
+        {
             "-0.1": lambda t, x, u, p: -0.1,
             "0.05 + 0.1 sin t turned": lambda t, x, u, p: -0.05 - 0.1 * np.sin(t),
             "of |alpha| - 3, turned": lambda t, x, u, p: 0.1 * (3 - np.sum(x.alpha**2)),
@@ -168,58 +173,55 @@ WRONG = {  # name -> (law, what else is given)
             "-|e|": lambda t, x, u, p: -0.1 * np.hypot(u.e[0], u.e[1]),
             "-|e|^2": lambda t, x, u, p: -0.1 * u.e @ u.e,
             "where e > 0, turned": lambda t, x, u, p: np.where(u.e[0] > 0, -0.1, 0.1),
-        }.items()
-    },
-    "pushed": (changed(lambda t, x, u, p, r: r | {"K": r["K"] + 0.01}), {}),
-    "pushed by time": (changed(lambda t, x, u, p, r: r | {"K": r["K"] + np.sin(t)}), {}),
-    "pushed by z": (changed(lambda t, x, u, p, r: r | {"Gamma": r["Gamma"] + 0.1 * u.z}), {}),
-    "K by the other z": (
-        changed(lambda t, x, u, p, r: r | {"K": -p.gain * u.z[::-1] * u.e}),
-        {},
+        },
     ),
-    "Gamma by z": (changed(lambda t, x, u, p, r: r | {"Gamma": p.gain * u.z * u.e}), {}),
-    "alpha by phi^2": (
-        changed(lambda t, x, u, p, r: r | {"alpha": -p.gain * np.outer(u.e, u.phi_x**2)}),
-        {},
+    "pushed": case(changed(lambda t, x, u, p, r: r | {"K": r["K"] + 0.01})),
+    "pushed by time": case(changed(lambda t, x, u, p, r: r | {"K": r["K"] + np.sin(t)})),
+    "pushed by z": case(changed(lambda t, x, u, p, r: r | {"Gamma": r["Gamma"] + 0.1 * u.z})),
+    "K by the other z": case(changed(lambda t, x, u, p, r: r | {"K": -p.gain * u.z[::-1] * u.e})),
+    "Gamma by z": case(changed(lambda t, x, u, p, r: r | {"Gamma": p.gain * u.z * u.e})),
+    "alpha by phi^2": case(
+        changed(lambda t, x, u, p, r: r | {"alpha": -p.gain * np.outer(u.e, u.phi_x**2)})
     ),
-    "alpha by phi turned round": (
-        changed(lambda t, x, u, p, r: r | {"alpha": -p.gain * np.outer(u.e, u.phi_x[::-1])}),
-        {},
+    "alpha by phi turned round": case(
+        changed(lambda t, x, u, p, r: r | {"alpha": -p.gain * np.outer(u.e, u.phi_x[::-1])})
     ),
-    "alpha by phi(z)": (
+    "alpha by phi(z)": case(
         changed(
             lambda t, x, u, p, r: r | {"alpha": -p.gain * np.outer(u.e, u.phi_z)},
             more={"phi_z": "N"},
-        ),
-        {},
+        )
     ),
-    **{
-        f"a matrix {name}": (by_matrix(M), {})
-        for name, M in {
+    **family(
+        "a matrix {}",
+        by_matrix,
+        {
             "indefinite": [[1.0, 2.0], [2.0, 1.0]],
             "turned": [[-1.0, 0.0], [0.0, 1.0]],
             "of a rotation": [[0.0, 1.0], [-1.0, 0.0]],
             "singular": [[1.0, 1.0], [1.0, 1.0]],
             "not symmetric": [[1.0, 3.0], [0.0, 1.0]],
-        }.items()
-    },
-    **{
-        f"alpha = {name}": (mapped(f), {})
-        for name, f in {
+        },
+    ),
+    **family(
+        "alpha = {}",
+        mapped,
+        {
             "-2 s": lambda s, u: -2 * s,
             "s^2": lambda s, u: s**2,
             "sin s": lambda s, u: np.sin(s),
             "-s - s^3": lambda s, u: -s - s**3,
             "s + e phi": lambda s, u: s + np.outer(u.e, u.phi_x),
-        }.items()
-    },
-    "alpha = tanh s": (
-        mapped(lambda s, u: np.tanh(s)),
-        {"V": book.of_state(lambda s, p: p.theta * s + np.log(np.cosh(s)))},
+        },
     ),
-    **{
-        f"jumps: {name}": (jumping(f), {})
-        for name, f in {
+    "alpha = tanh s": case(
+        mapped(lambda s, u: np.tanh(s)),
+        V=book.of_state(lambda s, p: p.theta * s + np.log(np.cosh(s))),
+    ),
+    **family(
+        "jumps: {}",
+        jumping,
+        {
             "all turned": lambda t, x, u: {port: -getattr(x, port) for port in LEARNED},
             "twice": lambda t, x, u: {"alpha": 2 * x.alpha},
             "one more": lambda t, x, u: {"K": x.K + 1},
@@ -227,8 +229,8 @@ WRONG = {  # name -> (law, what else is given)
             "by e": lambda t, x, u: {"Gamma": x.Gamma + u.e},
             "turned where large": lambda t, x, u: {"K": np.where(x.K > 3, -x.K, x.K)},
             "forgotten": lambda t, x, u: {"alpha": 0.0 * x.alpha},
-        }.items()
-    },
+        },
+    ),
     **{
         f"a state {name}": (with_state(f, size=size), {})
         for name, size, f in (
@@ -240,20 +242,15 @@ WRONG = {  # name -> (law, what else is given)
             ("s' = K s", 1, lambda x, u: x.s * x.s * np.tanh(x.K[0])),
         )
     },
-    "alpha is driven by a state": (
-        with_state(lambda x, u: x.s, lambda x, r: r | {"K": r["K"] + x.s}),
-        {},
+    "alpha is driven by a state": case(
+        with_state(lambda x, u: x.s, lambda x, r: r | {"K": r["K"] + x.s})
     ),
-    "alpha is driven by a filter": (
-        with_state(lambda x, u: u.e[0] - x.s, lambda x, r: r | {"K": r["K"] + x.s}),
-        {},
+    "alpha is driven by a filter": case(
+        with_state(lambda x, u: u.e[0] - x.s, lambda x, r: r | {"K": r["K"] + x.s})
     ),
-    "a tiny gain of e, then a large one": (
-        driven(lambda t, x, u, p: (u.e * 1e-200) * 1e-200),
-        {},
-    ),
-    "e to the 41st, turned": (driven(lambda t, x, u, p: -(u.e**41)), {}),
-    "wrong from N = 8 on": (
+    "a tiny gain of e, then a large one": case(driven(lambda t, x, u, p: (u.e * 1e-200) * 1e-200)),
+    "e to the 41st, turned": case(driven(lambda t, x, u, p: -(u.e**41))),
+    "wrong from N = 8 on": case(
         lambda: law(
             lambda t, x, u, p: {
                 port: own * (np.where(np.arange(len(u.phi_x)) == 7, -1.0, 1.0) if k == 0 else 1.0)
@@ -261,42 +258,40 @@ WRONG = {  # name -> (law, what else is given)
             },
             GAIN,
             n=8,
-        ),
-        {},
+        )
     ),
-    "turned, V turned": (turned, with_V(lambda t, u, p: u.e @ u.e / 2 - off(u, p))),
-    "turned, V without an end": (turned, with_V(lambda t, u, p: u.e @ u.e / (1 + u.e @ u.e))),
-    "turned, V of e alone": (turned, with_V(lambda t, u, p: u.e @ u.e / 2)),
-    "turned, V = 0": (turned, with_V(lambda t, u, p: 0.0 * u.e[0])),
-    "turned, V = -V": (turned, with_V(lambda t, u, p: -u.e @ u.e / 2 - off(u, p))),
-    "turned, V fades": (turned, with_V(lambda t, u, p: np.exp(-t) * (u.e @ u.e + off(u, p)))),
-    "e alone, V of e to 1": (
-        scaled(lambda t, x, u: 0.0),
-        with_V(lambda t, u, p: np.minimum(u.e @ u.e, 1.0)),
+    "turned, V turned": case(turned, V=V_of(lambda t, u, p: u.e @ u.e / 2 - off(u, p))),
+    "turned, V without an end": case(turned, V=V_of(lambda t, u, p: u.e @ u.e / (1 + u.e @ u.e))),
+    "turned, V of e alone": case(turned, V=V_of(lambda t, u, p: u.e @ u.e / 2)),
+    "turned, V = 0": case(turned, V=V_of(lambda t, u, p: 0.0 * u.e[0])),
+    "turned, V = -V": case(turned, V=V_of(lambda t, u, p: -u.e @ u.e / 2 - off(u, p))),
+    "turned, V fades": case(turned, V=V_of(lambda t, u, p: np.exp(-t) * (u.e @ u.e + off(u, p)))),
+    "e alone, V of e to 1": case(
+        scaled(lambda t, x, u: 0.0), V=V_of(lambda t, u, p: np.minimum(u.e @ u.e, 1.0))
     ),
-    "nothing learned, V without K": (
+    "nothing learned, V without K": case(
         scaled(lambda t, x, u: 0.0, "K"),
-        with_V(lambda t, u, p: u.e @ u.e / 2 + np.sum((p.theta + u.alpha) ** 2)),
+        V=V_of(lambda t, u, p: u.e @ u.e / 2 + np.sum((p.theta + u.alpha) ** 2)),
     ),
-    "sign(e), V = |e|": (
+    "sign(e), V = |e|": case(
         driven(lambda t, x, u, p: -np.sign(u.e)),
-        with_V(lambda t, u, p: np.sum(np.abs(u.e)) + off(u, p)),
+        V=V_of(lambda t, u, p: np.sum(np.abs(u.e)) + off(u, p)),
     ),
-    "a box left outward": (
+    "a box left outward": case(
         changed(
             lambda t, x, u, p, r: (
                 r | {"alpha": np.where((x.alpha >= 2) & (r["alpha"] < 0), 0.0, r["alpha"])}
             )
         ),
-        {"given": lambda s, p, truth: [*np.ravel(2 - truth.theta), *np.ravel(2 + truth.theta)]},
+        given=lambda s, p, truth: [*np.ravel(2 - truth.theta), *np.ravel(2 + truth.theta)],
     ),
-    "a box too small": (
+    "a box too small": case(
         lambda: law(book.in_a_box, two(2.0)),
-        {"given": lambda s, p, truth: [*np.ravel(3 - truth.theta), *np.ravel(3 + truth.theta)]},
+        given=lambda s, p, truth: [*np.ravel(3 - truth.theta), *np.ravel(3 + truth.theta)],
     ),
-    "a falling gain, V with it": (
+    "a falling gain, V with it": case(
         scaled(lambda t, x, u: 1 + np.exp(-t)),
-        with_V(lambda t, u, p: u.e @ u.e / 2 + off(u, p) / (1 + np.exp(-t))),
+        V=V_of(lambda t, u, p: u.e @ u.e / 2 + off(u, p) / (1 + np.exp(-t))),
     ),
 }
 
@@ -322,17 +317,18 @@ SMOOTH = {
 RIGHT = {
     **{name: (make, more) for name, (make, more, _) in book.LAWS.items()},
     **{f"{name} of eps": (book.seen(f), {}) for name, f in SMOOTH.items()},
-    **{
-        f"a leak {name}": (leak(f), {})
-        for name, f in {
+    **family(
+        "a leak {}",
+        leak,
+        {
             "2 + sin t": lambda t, x, u, p: 0.1 * (2 + np.sin(t)),
             "1 + exp(-t)": lambda t, x, u, p: 0.1 * (1 + np.exp(-t)),
             "clip of |alpha|": lambda t, x, u, p: 0.1 * np.clip(np.linalg.norm(x.alpha) - 1, 0, 1),
             "of |e|": lambda t, x, u, p: 0.1 * np.hypot(u.e[0], u.e[1]),
             "0": lambda t, x, u, p: 0.0,
             "1/(1 + t)": lambda t, x, u, p: 0.1 / (1 + t),
-        }.items()
-    },
+        },
+    ),
     **{
         f"gains {gains}": (lambda gains=gains: law(each, {"gains": np.array(gains)}), {})
         for gains in ([0.1, 2.0, 0.3], [1e-3, 1.0, 1e3], [5.0, 5.0, 5.0])
@@ -341,47 +337,46 @@ RIGHT = {
         f"a matrix {M}": (by_matrix(M), {})
         for M in ([[1.0, 0.5], [0.5, 1.0]], [[3.0, -1.0], [-1.0, 1.0]], [[0.1, 0.0], [0.0, 9.0]])
     },
-    **{
-        f"alpha = {name}": (mapped(f), {})
-        for name, f in {
+    **family(
+        "alpha = {}",
+        mapped,
+        {
             "0.1 s": lambda s, u: 0.1 * s,
             "s + 1": lambda s, u: s + 1,
             "s of two sizes": lambda s, u: np.array([[1.0, 2.0], [3.0, 4.0]]) * s,
-        }.items()
-    },
-    **{
-        f"jumps: {name}": (jumping(f), {})
-        for name, f in {
+        },
+    ),
+    **family(
+        "jumps: {}",
+        jumping,
+        {
             "nothing": lambda t, x, u: {},
             "half": lambda t, x, u: {"alpha": 0.5 * x.alpha},
             "into a box": lambda t, x, u: {"alpha": np.clip(x.alpha, -9, 9)},
-        }.items()
-    },
-    **{
-        f"a state {name}": (with_state(f), {})
-        for name, f in {
+        },
+    ),
+    **family(
+        "a state {}",
+        with_state,
+        {
             "s' = -s + e": lambda x, u: u.e[0] - x.s,
             "s' = sin s": lambda x, u: np.sin(x.s),
             "s' = s": lambda x, u: x.s,
             "s' = -s^3": lambda x, u: -(x.s**3),
-        }.items()
-    },
-    "V twice": (with_numbers(book.matrix_gain, M=EYE), {}),
-    "e + 2 e": (driven(lambda t, x, u, p: 3 * u.e), {}),
-    "sinh of e": (
-        driven(lambda t, x, u, p: np.sinh(np.clip(u.e, -5, 5))),
-        {},
+        },
     ),
-    "a sum of all gains": (
-        changed(lambda t, x, u, p, r: {port: (1 + 0.1 * 5) * own for port, own in r.items()}),
-        {},
+    "V twice": case(with_numbers(book.matrix_gain, M=EYE)),
+    "e + 2 e": case(driven(lambda t, x, u, p: 3 * u.e)),
+    "sinh of e": case(driven(lambda t, x, u, p: np.sinh(np.clip(u.e, -5, 5)))),
+    "a sum of all gains": case(
+        changed(lambda t, x, u, p, r: {port: (1 + 0.1 * 5) * own for port, own in r.items()})
     ),
-    "V of Eq. (24)": (
+    "V of Eq. (24)": case(
         changed(lambda t, x, u, p, r: r),
-        with_V(lambda t, u, p: u.e @ u.e / 2 + off(u, p) / (2 * p.gain)),
+        V=V_of(lambda t, u, p: u.e @ u.e / 2 + off(u, p) / (2 * p.gain)),
     ),
-    "V three times": (
+    "V three times": case(
         changed(lambda t, x, u, p, r: r),
-        with_V(lambda t, u, p: 3 * (u.e @ u.e / 2 + off(u, p) / (2 * p.gain))),
+        V=V_of(lambda t, u, p: 3 * (u.e @ u.e / 2 + off(u, p) / (2 * p.gain))),
     ),
 }

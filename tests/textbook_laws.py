@@ -146,99 +146,71 @@ EACH = {"gain": 0.5, "zone": np.array([0.1, 0.3])}
 matrix_gain = changed(
     lambda t, x, u, p, r: r | {"alpha": -np.outer(u.e, p.M @ u.phi_x)}, {**GAIN, "M": MATRIX}
 )
-LAWS = {  # name -> (the law, what else prove is given, what it says)
-    "a matrix of gains": (matrix_gain, {}, "proved"),
-    "axes mixed": (
+
+
+def shown(make, status="proved", **more):
+    """A law, what else `prove` is given, and what it says."""
+    return make, more, status
+
+
+LAWS = {
+    "a matrix of gains": shown(matrix_gain),
+    "axes mixed": shown(
         changed(
             lambda t, x, u, p, r: r | {"alpha": -np.outer(p.M @ u.e, u.phi_x)},
             {**GAIN, "M": MATRIX},
-        ),
-        {},
-        "proved",
+        )
     ),
-    "gains crossed": (
+    "gains crossed": shown(
         changed(
             lambda t, x, u, p, r: (
                 r | {"K": r["K"] + p.c * u.zc * u.e, "Gamma": r["Gamma"] - p.c * u.z * u.e}
             ),
             two(0.1),
-        ),
-        {},
-        "proved",
+        )
     ),
-    "tanh of eps": (seen(np.tanh), {}, "proved"),
-    "sign of eps": (seen(np.sign), {}, "proved"),
-    "clip of eps": (
-        seen(lambda s: np.clip(s, -0.2, 0.2)),
-        {},
-        "proved",
-    ),
-    "eps and its cube": (seen(lambda s: s + s**3), {}, "proved"),
-    "tanh of e": (
-        by(np.tanh),
-        {"V": of_e(lambda e, p: np.log(np.cosh(e)))},
-        "proved",
-    ),
-    "atan of e": (
-        by(np.arctan),
-        {"V": of_e(lambda e, p: e * np.arctan(e) - np.log1p(e**2) / 2)},
-        "proved",
-    ),
-    "clip of e": (
-        by(lambda e: np.clip(e, -1.0, 1.0)),
-        {"V": of_e(huber)},
-        "proved",
-    ),
-    "e and its cube": (
-        by(lambda e: e + e**3),
-        {"V": of_e(lambda e, p: e**2 / 2 + e**4 / 4)},
-        "proved",
-    ),
-    "the cube of e": (
-        by(lambda e: e**3),
-        {"V": of_e(lambda e, p: e**4 / 4)},
-        "proved",
-    ),
-    "a dead zone each": (
+    "tanh of eps": shown(seen(np.tanh)),
+    "sign of eps": shown(seen(np.sign)),
+    "clip of eps": shown(seen(lambda s: np.clip(s, -0.2, 0.2))),
+    "eps and its cube": shown(seen(lambda s: s + s**3)),
+    "tanh of e": shown(by(np.tanh), V=of_e(lambda e, p: np.log(np.cosh(e)))),
+    "atan of e": shown(by(np.arctan), V=of_e(lambda e, p: e * np.arctan(e) - np.log1p(e**2) / 2)),
+    "clip of e": shown(by(lambda e: np.clip(e, -1.0, 1.0)), V=of_e(huber)),
+    "e and its cube": shown(by(lambda e: e + e**3), V=of_e(lambda e, p: e**2 / 2 + e**4 / 4)),
+    "the cube of e": shown(by(lambda e: e**3), V=of_e(lambda e, p: e**4 / 4)),
+    "a dead zone each": shown(
         driven(lambda t, x, u, p: beyond(u.e, p.zone), EACH),
-        {"V": of_e(lambda e, p: beyond(e, p.zone) ** 2 / 2, zone=EACH["zone"])},
         "bounded",
+        V=of_e(lambda e, p: beyond(e, p.zone) ** 2 / 2, zone=EACH["zone"]),
     ),
-    "a box": (lambda: law(in_a_box, two(2.0)), {"given": within}, "proved"),
-    "a cubic leak": (
-        leak(lambda t, x, u, p: p.gain * p.c * x.alpha**2, ("alpha",), two(0.1)),
-        {},
-        "bounded",
+    "a box": shown(lambda: law(in_a_box, two(2.0)), given=within),
+    "a cubic leak": shown(
+        leak(lambda t, x, u, p: p.gain * p.c * x.alpha**2, ("alpha",), two(0.1)), "bounded"
     ),
-    "a periodic leak": (
-        leak(lambda t, x, u, p: p.gain * p.c * (1 + np.sin(t)), LEARNED, two(0.1)),
-        {},
-        "bounded",
+    "a periodic leak": shown(
+        leak(lambda t, x, u, p: p.gain * p.c * (1 + np.sin(t)), LEARNED, two(0.1)), "bounded"
     ),
-    "a leak by |e|^2": (
-        leak(lambda t, x, u, p: p.gain * p.c * (u.e @ u.e), ("alpha",), two(0.1)),
-        {"given": little},
-        "proved",
+    "a leak by |e|^2": shown(
+        leak(lambda t, x, u, p: p.gain * p.c * (u.e @ u.e), ("alpha",), two(0.1)), given=little
     ),
-    "alpha = 2 s": (lambda: law(behind, GAIN, **through(lambda x, u, p: 2 * x.s)), {}, "proved"),
-    "alpha = s + s^3": (
+    "alpha = 2 s": shown(lambda: law(behind, GAIN, **through(lambda x, u, p: 2 * x.s))),
+    "alpha = s + s^3": shown(
         lambda: law(behind, GAIN, **through(lambda x, u, p: x.s + x.s**3)),
-        {"V": of_state(lambda s, p: p.theta * s + s**2 / 2 + s**4 / 4)},
-        "proved",
+        V=of_state(lambda s, p: p.theta * s + s**2 / 2 + s**4 / 4),
     ),
-    "a part in proportion to e": (
+    "a part in proportion to e": shown(
         lambda: law(behind, two(0.2), **through(proportional)),
-        {"V": of_state(lambda s, p: (p.theta + s) ** 2 / 2)},
-        "proved",
+        V=of_state(lambda s, p: (p.theta + s) ** 2 / 2),
     ),
-    "a rising gain": (
+    "a rising gain": shown(
         changed(lambda t, x, u, p, r: {port: rising(t) * own for port, own in r.items()}),
-        {"V": V_of(lambda t, u, p: u.e @ u.e / 2 + off(u, p) / (2 * p.gain * rising(t)))},
-        "proved",
+        V=V_of(lambda t, u, p: u.e @ u.e / 2 + off(u, p) / (2 * p.gain * rising(t))),
     ),
-    "least squares": (
+    "least squares": shown(
         lambda: law(least_squares, GAIN, FLOW, **SQUARES),
-        {"V": over_P, "invariants": inverse, "semidefinite": ("R",), "losses": squares_lost},
-        "proved",
+        V=over_P,
+        invariants=inverse,
+        semidefinite=("R",),
+        losses=squares_lost,
     ),
 }
