@@ -301,4 +301,4 @@ def cell_text(value: Any) -> str:
         return f"{value:.4g}"
     if isinstance(value, list | tuple):
         return ", ".join(cell_text(inner) for inner in value)
-    return str(value)
+    return "none" if value is None else str(value)

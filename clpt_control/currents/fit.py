@@ -12,7 +12,7 @@ next.  Kernels are 0.6 times as wide as their places are apart, so that neighbou
 0.7 of their height, and the learner's track is a circle of 0.32 of the way to the field's
 nearest edge: 15 km and 10 km on a box of 72 x 75 km.  The fit sees measured samples only.
 The scenario's true flow is the field itself, gaps filled; the learner has the basis and
-starts without theta.  The share of the variance explained is that of `tidal_fit`, about the mean.
+starts without theta.
 
 A fit on disk is SCENARIO.toml and its field beside it, both or none.  The scenario refers
 to the field by its name alone, so that the two files can be moved together.
@@ -39,7 +39,6 @@ from ..units import seconds_since_1970
 from .constituents import check_nyquist, check_separable, nodal_report
 from .grid_file import Currents, read_currents
 from .plane import GriddedField, LocalPlane, field_dataset, fill_gaps, regular_grid
-from .tidal_fit import share_explained
 
 SINE = -np.pi / 2
 SPEED = "km h-1"
@@ -210,9 +209,7 @@ def fit_scenario(
         "cells_never_measured": int(gap.all(axis=0).sum()),
         "cells_of_zeros_taken_as_land": currents.land,
         "rms_speed": float(np.sqrt(np.mean(u[measured] ** 2 + v[measured] ** 2))),
-        "explained_variance": share_explained(
-            u[measured] + 1j * v[measured], fit.residuals @ [1, 1j]
-        ),
+        "explained_variance": None if np.isnan(fit.explained_variance) else fit.explained_variance,
         "residual_rms": fit.residual_rms,
         "residual_max": fit.residual_max,
         "speed_units": SPEED,
@@ -362,6 +359,10 @@ def _header(report: dict) -> str:
     """Return the comment lines that say where the scenario came from."""
     box = " ".join(f"{value:g}" for value in report["box"])
     rows, columns = report["places"]
+    share = report["explained_variance"]
+    learned = "The current hardly changes, so they have no variance to explain"
+    if share is not None:
+        learned = f"They explain {share:.1%} of the measured variance"
     lines = [
         f"Made by clpt-control {version('clpt-control')} from {report['source']}, "
         f"box {box} (degrees).",
@@ -371,8 +372,7 @@ def _header(report: dict) -> str:
         f"Basis: {rows} x {columns} places, width {report['width']:g} km, "
         f"{', '.join(report['constituents'])}: {report['functions']} functions; the track, a "
         f"circle of {report['track_radius']:g} km, feels {report['functions_felt_on_the_track']}.",
-        f"They explain {report['explained_variance']:.1%} of the measured variance "
-        f"({report['samples']} samples); the rest, Delta of Eq. (32), has rms "
+        f"{learned} ({report['samples']} samples); the rest, Delta of Eq. (32), has rms "
         f"{report['residual_rms']:.3g}, at most {report['residual_max']:.3g} km/h; "
         f"condition number {report['condition_number']:.3g}.",
         "The fitted theta is in the field file's attribute fit_report; the learner does not "

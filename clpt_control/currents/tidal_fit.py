@@ -22,6 +22,7 @@ from numpy.typing import ArrayLike
 
 from ..arguments import public
 from ..errors import DataError, ScenarioError, needed
+from ..estimation.least_squares import explained_share
 from .constituents import (
     check_increasing,
     check_nyquist,
@@ -146,7 +147,7 @@ def fit_tides(
     with np.errstate(all="ignore"):  # 0/0 where a tide or the residual is nought
         both = utide.solve(times, flow.real, flow.imag, **options)
         east, north = (utide.solve(times, part, **options) for part in (flow.real, flow.imag))
-    mean = both.umean + 1j * both.vmean
+    mean, middle = both.umean + 1j * both.vmean, flow.mean()
     model = _predicted(both, times)
     residual = flow - model
     tides = tuple(
@@ -156,7 +157,7 @@ def fit_tides(
     return TidalFit(
         constituents=tides,
         mean=(float(mean.real), float(mean.imag)),
-        explained_variance=share_explained(flow, residual),
+        explained_variance=explained_share(flow - middle, model - middle),
         residual_rms=float(np.sqrt(np.mean(np.abs(residual) ** 2))),
         start=times[0],
         end=times[-1],
@@ -164,18 +165,6 @@ def fit_tides(
         latitude=float(latitude),
         coefficients=both,
     )
-
-
-def share_explained(flow: np.ndarray, residual: np.ndarray) -> float:
-    """Return the share of the variance about the mean, u + iv, that a residual leaves explained.
-
-    It is 0 where the flow never changes: there is nothing to explain.
-
-    >>> share_explained(np.array([1.0, 3.0]), np.array([0.5, 0.5]))
-    0.75
-    """
-    variance = np.var(flow)
-    return float(1.0 - np.mean(np.abs(residual) ** 2) / variance) if variance > 0 else 0.0
 
 
 @public

@@ -16,6 +16,7 @@ import numpy as np
 
 from ..errors import DataError
 
+STEADY = 0.01  # of its rms: a flow whose changes are less hardly has a variance to explain
 WORST = 1e6  # largest condition number; beyond, measurement errors of 1 % decide theta alone
 
 
@@ -44,20 +45,19 @@ class LeastSquares:
 
 
 def explained_share(values: np.ndarray, model: np.ndarray) -> float:
-    """Return the share of the variance that a model (n, 2) explains, in the unit of the values.
+    """Return the share of a flow's variance that a model explains; both (n, 2), or (n,) u + iv.
 
-    1 - sum |values - model|^2 / sum |values|^2, both components together, about no flow: Eq. (3)
-    has no free constant, and a learner that knows nothing, theta = 0, has the share 0.
+    1 - sum |values - model|^2 / sum |values - mean|^2, both components together, each about its
+    mean: the mean alone has the share 0, and what is further off a negative one.  NaN of a steady
+    flow, whose changes are less than `STEADY` of it: one of the same number of m/s to the east
+    everywhere changes by as much on a plane map, where the east turns.
+
+    >>> explained_share(np.array([1.0, 3.0]), np.array([1.5, 2.5]))
+    0.75
     """
-    values, model = np.asarray(values, float), np.asarray(model, float)
-    total = np.sum(values**2)
-    share = 1.0 - np.sum((values - model) ** 2) / total if total > 0 else np.nan
-    if not np.isfinite(share):
-        raise DataError(
-            "the flow is zero throughout or holds a number that is not finite, so there is no "
-            "variance to explain; give samples of a flow"
-        )
-    return float(share)
+    each = values - values.mean(axis=0), values - model, values
+    off, left, size = (float(np.sum(np.abs(one) ** 2)) for one in each)
+    return 1.0 - left / off if off > STEADY**2 * size else np.nan
 
 
 def least_squares(

@@ -24,11 +24,21 @@ LEAST_SHARE = 0.01  # percent, that is said
 MOST_VEHICLES = 8  # in the table; the summary has all
 MOST_CYCLES = 10
 MOST_NAMED = 4  # vehicles in a sentence
+SHARES = {"track": "along the track", "box": "over all of the current's box"}
+WORSE = "worse than the current's mean"
 MOST_EIGENVALUES = 20  # in the table; the report has all
 
 
 Number = Annotated[float, pydantic.Field(allow_inf_nan=False)]
 Time = Annotated[str, pydantic.AfterValidator(lambda time: f"{float(time):g}")]
+
+
+class Shares(pydantic.BaseModel):
+    """The shares of a current's variance that are learned, as `explained_variance` has them."""
+
+    track: Number | None
+    box: Number | None
+    window: list[Number]
 
 
 class Figures(pydantic.BaseModel):
@@ -40,7 +50,7 @@ class Figures(pydantic.BaseModel):
     clpe_rms_last_quarter: Number
     max_flow_parameter_error: dict[Time, Number] = {}
     max_gain_error: dict[Time, Number]
-    explained_variance: dict[str, Number | list[Number]] = {}  # a share, and its window
+    explained_variance: Shares | None = None
 
 
 def number(value: float) -> str:
@@ -83,7 +93,10 @@ def of_the_worst(numbers: dict[str, Any]) -> dict[str, Any]:
             worst[key] = {time: max(one[time] for one in each) for time in each[0]}
     if "explained_variance" in numbers:
         each = list(numbers["explained_variance"].values())
-        worst["explained_variance"] = {p: min(one[p] for one in each) for p in ("track", "box")}
+        worst["explained_variance"] = {
+            place: min((one[place] for one in each if one[place] is not None), default=None)
+            for place in SHARES
+        }
     return worst
 
 
@@ -163,6 +176,13 @@ def found_of_clpe(numbers: dict[str, Any], length: str) -> str:
     )
 
 
+def shares_of(numbers: dict[str, Any]) -> list[tuple[str, float | None, str]]:
+    """Return where the learned flow explains which share of the variance; words if less than 0."""
+    shares = numbers.get("explained_variance") or {}
+    each = [(where, shares[place]) for place, where in SHARES.items() if place in shares]
+    return [(where, share, WORSE if (share or 0) < 0 else "") for where, share in each]
+
+
 def found_of_flow(numbers: dict[str, Any], scenario: Scenario) -> str:
     """Return what was learned of the flow by the end."""
     unit = scenario.units
@@ -176,15 +196,13 @@ def found_of_flow(numbers: dict[str, Any], scenario: Scenario) -> str:
             f"the largest error of a flow parameter is {number(at_end(errors))} "
             f"{unit.length}/{unit.time}{part}"
         )
-    shares = numbers.get("explained_variance") or {}
-    for place, where in (("track", "along the track"), ("box", "over all of the current's box")):
-        share = shares.get(place)
-        if isinstance(share, float):
-            worse = ", worse than no flow" if share < 0 else ""
-            parts.append(
-                f"the learned flow explains {100 * share:.0f} % of the current's variance {where}"
-                + worse
-            )
+    for where, share, worse in shares_of(numbers):
+        parts.append(
+            f"the current hardly changes {where}, so there is no variance to explain"
+            if share is None
+            else f"the learned flow explains {100 * share:.0f} % of the current's variance {where}"
+            f"{worse and ', '}{worse}"
+        )
     if errors := numbers.get("max_gain_error"):
         parts.append(f"the largest error of a gain is {number(at_end(errors))} 1/{unit.time}")
     if apart := numbers.get("max_disagreement"):
@@ -225,18 +243,18 @@ def _achieved(numbers: dict[str, Any], length: str, time: str) -> list[list[str]
     late = f"{numbers['clpe_rms_last_quarter']:.3g}"
     rows.append([f"CLPE rms, last quarter ({length})", late])
     if "speed" in numbers:
-        share = f"{numbers['speed']['share_at_limit']:.3g}"
-        rows.append(["share of time at the speed limit", share])
+        at_limit = f"{numbers['speed']['share_at_limit']:.3g}"
+        rows.append(["share of time at the speed limit", at_limit])
         if numbers["speed"]["faster_flow"] is None:
             rows.append(["flow faster than the vehicle", "never"])
     for what in ("flow parameter", "gain"):
         if errors := numbers.get(f"max_{what.replace(' ', '_')}_error"):
             end, error = list(errors.items())[-1]
             rows.append([f"largest {what} error", f"{error:.3g} at t = {end} {time}"])
-    for place, share in numbers.get("explained_variance", {}).items():
-        if isinstance(share, float):
-            worse = "; negative: worse than no flow" if share < 0 else ""
-            rows.append([f"share of the flow's variance learned, {place}", f"{share:.3f}{worse}"])
+    for where, share, worse in shares_of(numbers):
+        said = "none: the current hardly changes" if share is None else f"{share:.3f}"
+        said += f"; negative: {worse}" if worse else ""
+        rows.append([f"share of the flow's variance learned, {where}", said])
     return rows
 
 

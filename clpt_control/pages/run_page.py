@@ -26,6 +26,7 @@ from .results import (
     number,
     numbers_of,
     of_the_worst,
+    shares_of,
 )
 from .run_sections import (
     ONE_SAMPLE,
@@ -151,11 +152,10 @@ def _cards(numbers: dict[str, Any], scenario: Scenario) -> list[Card]:
             if after:
                 below += f"; at t = {after[0]} {unit.time}: {number(errors[after[0]])}"
             cards.append(Card(what, f"{number(at_end(errors))} {per}{unit.time}", below))
-    for place, share in (numbers.get("explained_variance") or {}).items():
-        if isinstance(share, float):
-            where = "along the track" if place == "track" else "over the whole box"
-            where += "; worse than no flow" if share < 0 else ""
-            cards.append(Card("Current's variance explained", f"{100 * share:.0f} %", where))
+    for where, share, worse in shares_of(numbers):
+        said = "none" if share is None else f"{100 * share:.0f} %"
+        why = "; it hardly changes there" if share is None else f"{worse and '; '}{worse}"
+        cards.append(Card("Current's variance explained", said, where + why))
     return cards
 
 

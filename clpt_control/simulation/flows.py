@@ -5,10 +5,12 @@
 
 How much of a gridded current F the learned flow explains is
 
-    share = 1 - sum |F - theta_hat phi|^2 / sum |F|^2
+    share = 1 - sum |F - theta_hat phi|^2 / sum |F - mean F|^2
 
-over the samples of a set, both components together: 0 for a learner that knows
-no flow, 1 for one that knows it all.  Two sets, because a small CLPE does not
+over the samples of a set, both components together, each about its mean: 0 for
+a learner that knows the mean alone, 1 for one that knows it all, less than 0
+for one that knows no flow; as of `clpt fit` and `clpt tides`.  A current that
+hardly changes, by less than 1 %, has no share.  Two sets, because a small CLPE does not
 mean a right flow (K and Gamma adapt too, and can stand in for it):
 
     track   F at x(t), with theta_hat(t) of that time, over a window of the run
@@ -98,8 +100,10 @@ def explained_variance(
     Returns
     -------
     dict
-        ``track`` and ``box``, shares without unit (at most 1; negative where
-        the learned flow is worse than none), and ``window``, units.time.
+        ``track`` and ``box``, shares of the variance about the mean, without
+        unit (at most 1; negative where the learned flow is worse than the
+        current's mean; None where the current hardly changes), and
+        ``window``, units.time.
 
     Raises
     ------
@@ -138,13 +142,15 @@ def explained_variance(
     times, places = t[inside], run.position.values[inside]
     estimate = run.flow_parameters_estimate.values
     learned = np.einsum("taN,tN->ta", estimate[inside], evaluate(phi, times, places))
-    track = explained_share(evaluate(truth, times, places), learned)
+    track = evaluate(truth, times, places), learned
 
     grid = np.meshgrid(field.time, field.x2, field.x1, indexing="ij")
     at, x2, x1 = (axis.ravel() for axis in grid)
     model = evaluate(phi, at, np.column_stack([x1, x2])) @ estimate[-1].T
-    box = explained_share(np.column_stack([field.u.ravel(), field.v.ravel()]), model)
-    return {"track": track, "box": box, "window": [float(first), float(last)]}
+    box = np.column_stack([field.u.ravel(), field.v.ravel()]), model
+    shares = {"track": explained_share(*track), "box": explained_share(*box)}
+    of = {place: None if np.isnan(share) else share for place, share in shares.items()}
+    return {**of, "window": [float(first), float(last)]}
 
 
 # --- how fast: |v_c| > v_max is at the limit; |F_R| > v_max faster than the vehicle, which cannot

@@ -114,6 +114,24 @@ def test_the_share_explained_is_about_the_mean(known, tmp_path):
     assert shares[0] < 0.6
 
 
+def test_a_uniform_current_has_no_share_and_says_so(clpt, known, tmp_path):
+    """On the plane it turns by 0.2 %: no variance that anybody asks about."""
+    u, scenario, run = np.full(known[2].shape, 0.5), tmp_path / "s.toml", tmp_path / "run.nc"
+    uniform = write(tmp_path / "c.nc", u, 0.4 * u)
+    _, out, _ = clpt("fit", uniform, "--out", scenario, "--json")
+    assert json.loads(out)["explained_variance"] is None
+    assert "# The current hardly changes, so they have no variance" in scenario.read_text()
+    _, out, _ = clpt("run", scenario, "--out", run)
+    assert out.count("none: the current hardly changes") == 2
+    _, out, _ = clpt("run", scenario, "--out", run, "--json")
+    shares = json.loads(out)["explained_variance"]
+    assert shares["track"] is shares["box"] is None
+    clpt("report", run, "-o", tmp_path / "run.html")
+    page = (tmp_path / "run.html").read_text()
+    assert page.count("the current hardly changes") == 2
+    assert page.count("it hardly changes there") == 2
+
+
 def test_centimetres_per_second_give_the_same_theta(known, tmp_path):
     path, _, _ = known
     with netCDF4.Dataset(path) as file:
@@ -281,13 +299,16 @@ def test_shares_of_a_learner_that_knows_theta_and_of_one_that_knows_none(known, 
     knows = knows.with_values({"learning.gain": 1e-12, "run.duration": 6.0})
     shares = explained_variance(knows, clpt.simulate(knows))
     assert shares["window"] == [4.5, 6.0]
+    shares = explained_variance(knows, clpt.simulate(knows), window=(0.0, 6.0))
     assert shares["track"] > 0.95  # the spline and the filled gaps take the rest
     assert shares["box"] > 0.95
     none = knows.with_values({"learning.parameters": None})
     run = clpt.simulate(none)
     shares = explained_variance(none, run, window=(0.0, 6.0))
-    assert shares["track"] == pytest.approx(0, abs=1e-9)
-    assert shares["box"] == pytest.approx(0, abs=1e-9)
+    flow = run.true_flow.values
+    no_flow = -(flow.mean(axis=0) ** 2).sum() / flow.var(axis=0).sum()
+    assert shares["track"] == pytest.approx(no_flow, rel=1e-9)
+    assert shares["box"] < 0
     with pytest.raises(DataError, match="holds no sample"):
         explained_variance(none, run, window=(7.0, 8.0))
     paper = clpt.paper_scenario()
@@ -319,7 +340,7 @@ def test_shares_are_what_their_definition_says(known, tmp_path):
     learned = np.einsum("tan,tn->ta", theta[late], phi(run.time.values[late], *x.T))
     truth = run.true_flow.values[late]
     shares = explained_variance(scenario, run)
-    track = 1 - np.sum((truth - learned) ** 2) / np.sum(truth**2)
+    track = 1 - np.sum((truth - learned) ** 2) / np.sum((truth - truth.mean(axis=0)) ** 2)
     assert shares["track"] == pytest.approx(track, rel=1e-9)
     with netCDF4.Dataset(scenario.field_path) as file:
         t, x2, x1 = np.meshgrid(
@@ -327,7 +348,8 @@ def test_shares_are_what_their_definition_says(known, tmp_path):
         )
         truth = np.stack([np.asarray(file[n][:]) for n in ("u", "v")], axis=-1)
     learned = phi(t, x1, x2) @ theta[-1].T
-    box = 1 - np.sum((truth - learned) ** 2) / np.sum(truth**2)
+    mean = truth.mean(axis=(0, 1, 2))
+    box = 1 - np.sum((truth - learned) ** 2) / np.sum((truth - mean) ** 2)
     assert shares["box"] == pytest.approx(box, rel=1e-9)
 
 

@@ -55,7 +55,7 @@ def test_residuals_are_orthogonal_and_their_figures_are_lengths():
     lengths = np.hypot(*fit.residuals.T)
     assert fit.residual_max == pytest.approx(lengths.max())
     assert fit.residual_rms == pytest.approx(np.sqrt((lengths**2).mean()))
-    share = 1 - (lengths**2).sum() / (flow**2).sum()
+    share = 1 - (lengths**2).sum() / ((flow - flow.mean(axis=0)) ** 2).sum()
     assert fit.explained_variance == pytest.approx(share)
     values = np.linalg.svd(phi, compute_uv=False)
     assert fit.condition_number == pytest.approx(values[0] / values[-1])
@@ -95,7 +95,6 @@ def test_dead_function_is_refused():
         (np.full((4, 1), np.nan), np.ones((4, 2)), "not finite"),
         (np.ones((4, 1)), np.full((4, 2), np.nan), "not finite"),
         (np.ones((4, 1)), np.ones((3, 2)), r"shapes \(n, N\) and \(n, 2\)"),
-        (np.ones((4, 1)), np.zeros((4, 2)), "zero throughout"),
     ],
 )
 def test_what_cannot_be_fitted_is_refused(phi, flow, sentence):
@@ -103,13 +102,23 @@ def test_what_cannot_be_fitted_is_refused(phi, flow, sentence):
         least_squares(phi, flow)
 
 
-def test_share_is_zero_for_no_flow_and_negative_for_worse():
-    flow = np.random.default_rng(8).normal(size=(30, 2))
-    assert explained_share(flow, 0 * flow) == 0
+def test_share_is_zero_for_the_mean_and_negative_for_worse():
+    flow = np.array([3.0, -5.0]) + np.random.default_rng(8).normal(size=(30, 2))
+    mean = np.broadcast_to(flow.mean(axis=0), flow.shape)
+    assert explained_share(flow, mean) == 0
     assert explained_share(flow, flow) == 1
-    assert explained_share(flow, -flow) == pytest.approx(-3.0)
-    with pytest.raises(DataError, match="not finite"):
-        explained_share(flow, flow * np.nan)
+    assert explained_share(flow, mean + (mean - flow)) == pytest.approx(-3.0)
+    more = (mean[0] ** 2).sum() / flow.var(axis=0).sum()
+    assert explained_share(flow, 0 * flow) == pytest.approx(-more)
+    assert explained_share(flow @ [1, 1j], 0 * flow @ [1, 1j]) == pytest.approx(-more)
+
+
+def test_a_steady_flow_has_no_share():
+    wave = np.column_stack([np.sin(np.arange(30.0)), np.cos(np.arange(30.0))])
+    for flow in (0 * wave, 0 * wave + 0.1, 1 + 0.013 * wave):
+        assert np.isnan(explained_share(flow, flow))
+        assert np.isnan(explained_share(flow, 0 * flow))
+    assert explained_share(1 + 0.015 * wave, 1 + 0.015 * wave) == 1
 
 
 KINDS = Priors().kinds

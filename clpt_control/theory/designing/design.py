@@ -60,7 +60,7 @@ class Learned(NamedTuple):
         """Less is better: learning time, last error, CLPE; with a field what is not explained."""
         rms = self.summary["clpe_rms_last_quarter"]
         if self.error is None:
-            return -self.summary["explained_variance"]["box"], rms
+            return -(self.summary["explained_variance"]["box"] or 0.0), rms
         time = self.summary["learning_time"]
         return np.inf if time is None else time, self.summary["error_at_end"], rms
 
