@@ -8,6 +8,7 @@ from lyapunov_cases import system
 
 import clpt_control as clpt
 from clpt_control.theory import lyapunov
+from clpt_control.theory.proving.theorem_loop import theorem_scenario
 
 SYSTEMS = {  # rates in states, a rest, and a state to start from
     "pendulum": (lambda q, w: [w, -9.8 * np.sin(q) - 0.1 * w], None, [2.0, 1.0]),
@@ -91,17 +92,19 @@ def test_of_a_model_reference_loop_it_is_the_textbooks():
     assert sympy.expand(found.rate + 4 * (y - ym) ** 2) == 0
 
 
-def test_of_the_papers_loop_it_is_its_eq_24():
-    scenario = clpt.paper_scenario()
+@pytest.mark.parametrize("N", [1, pytest.param(3, marks=pytest.mark.slow)])
+def test_of_the_papers_loop_it_is_its_eq_24(N):
+    scenario = theorem_scenario(N, "learned-flow")
     loop = clpt.closed_loop(scenario, external="zc")
-    theta, gain = np.array(scenario.flow.parameters), sympy.Rational(str(scenario.learning.gain))
-    truth = {f"alpha[{i},{j}]": -theta[i, j] for i in range(2) for j in range(3)}
-    truth |= {f"{one}[{i}]": 1.0 for one in ("K", "Gamma") for i in range(2)}
+    theta, gamma = np.array(scenario.flow.parameters), sympy.Rational(str(scenario.learning.gain))
+    truth = {f"alpha[{i},{j}]": -theta[i, j] for i in range(2) for j in range(N)}
+    truth |= {f"K[{i}]": gain for i, gain in enumerate(scenario.vehicle.feedback)}
+    truth |= {f"Gamma[{i}]": gain for i, gain in enumerate(scenario.vehicle.feedforward)}
     found = lyapunov(loop, at=truth)
     states = {str(s): s for s in clpt.equations(loop).motion}
     errors = [states[f"x[{i}]"] - states[f"z[{i}]"] for i in range(2)]
     apart = [states[name] - sympy.Rational(str(value)) for name, value in truth.items()]
-    printed = sum(e**2 for e in errors) / 2 + sum(one**2 for one in apart) / (2 * gain)
+    printed = sum(e**2 for e in errors) / 2 + sum(one**2 for one in apart) / (2 * gamma)
     assert sympy.expand(found.V - printed) == 0
     assert found.status == "proved as long as x[0], x[1] exist"
 
