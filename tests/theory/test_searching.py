@@ -92,12 +92,18 @@ def test_of_a_model_reference_loop_it_is_the_textbooks():
     assert sympy.expand(found.rate + 4 * (y - ym) ** 2) == 0
 
 
-@pytest.mark.parametrize("N", [1, pytest.param(3, marks=pytest.mark.slow)])
-def test_of_the_papers_loop_it_is_its_eq_24(N):
-    scenario = theorem_scenario(N, "learned-flow")
+@pytest.mark.parametrize(
+    "scenario",
+    [
+        theorem_scenario(1, "learned-flow"),
+        pytest.param(clpt.paper_scenario(), marks=pytest.mark.slow),
+    ],
+    ids=lambda scenario: f"N = {scenario.basis.N}",
+)
+def test_of_the_papers_loop_it_is_its_eq_24(scenario):
     loop = clpt.closed_loop(scenario, external="zc")
     theta, gamma = np.array(scenario.flow.parameters), sympy.Rational(str(scenario.learning.gain))
-    truth = {f"alpha[{i},{j}]": -theta[i, j] for i in range(2) for j in range(N)}
+    truth = {f"alpha[{i},{j}]": -theta[i, j] for i in range(2) for j in range(scenario.basis.N)}
     truth |= {f"K[{i}]": gain for i, gain in enumerate(scenario.vehicle.feedback)}
     truth |= {f"Gamma[{i}]": gain for i, gain in enumerate(scenario.vehicle.feedforward)}
     found = lyapunov(loop, at=truth)
