@@ -25,10 +25,11 @@ from .proving.proof import Step, exact, short
 from .proving.signs import MOST_FACTORED, factored, nonpositive, tidied, vanishes
 from .proving.symbolic_loop import NO_VALUE, positive_somewhere
 from .proving.symbols import undefined
-from .proving.words import along, interval, is_input, meets_smoothly
-from .squares import squares
+from .proving.words import ODD, along, interval, is_input, meets_smoothly
+from .squares import TURNS, squares
 
 MOST_TURNS = 360  # pi/360 is a share of pi
+SMOOTH = *TURNS, *ODD, sympy.exp, sympy.log, sympy.cosh
 LARGE = ("exp", "expm1", "sinh", "cosh")  # have a value wherever it is a number
 
 
@@ -138,7 +139,8 @@ class SystemWithV:
                 names = ", ".join(dict.fromkeys(map(str, self.in_signals(forms))))
                 self.valued |= bool(at)
                 return exact(f"V is positive definite in {names}", True), forms
-            if not set(self.states) <= V.free_symbols <= {*self.states, *self.fixed}:
+            known = set(self.states) <= V.free_symbols <= {*self.states, *self.fixed}
+            if not known or not _is_smooth(V, zero):
                 continue
             H = sympy.hessian(V, self.states).subs(zero)
             slopes = [sympy.diff(V, s).subs(zero) for s in self.states]
@@ -212,6 +214,13 @@ class SystemWithV:
         """Return the inputs that V' depends on."""
         rate = tidied(self.rate.xreplace(self.eq.values if self.valued else {}))
         return [str(f.func) for f in self.inputs if rate.has(f)]
+
+
+def _is_smooth(V: sympy.Expr, at: dict) -> bool:
+    """Return whether an expression is known to have all derivatives at a place."""
+    powers = [p for p in V.atoms(sympy.Pow) if not (p.exp.is_Integer and p.exp.is_positive)]
+    known = all(isinstance(f, SMOOTH) for f in V.atoms(sympy.Function))
+    return known and all(p.base.subs(at).is_nonzero for p in powers)
 
 
 def missing(V: sympy.Expr) -> list[str]:

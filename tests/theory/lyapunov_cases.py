@@ -203,6 +203,7 @@ RIGHT = {  # name -> system, V, what else is given
     "hardening spring": (spring(), stored),
     "a fourth power": (system(lambda x: [-(x**3)]), lambda s: s.x**4 / 4),
     "tanh": (system(lambda x: [-np.tanh(x)]), half),
+    "V that is linear far off": (system(lambda x: [-x]), lambda s: s.x**2 / (1 + np.abs(s.x))),
     "log cosh": (system(lambda x: [-np.tanh(x)]), lambda s: np.log(np.cosh(s.x))),
     "cosh": (system(lambda x: [-np.sinh(x)]), lambda s: np.cosh(s.x) - 1),
     "sliding": (system(lambda x: [-np.sign(x)]), half),
@@ -322,6 +323,7 @@ WRONG = {
     "two gains 1e-12 apart": (system(lambda x, y: [3.0 * y, -(3.0 + 1e-12) * x]), halves),
     "a needle": (system(lambda x: [-x + 2 * x * np.exp(-1e8 * (x - 1) ** 2)]), half),
     "a force below all numbers": (system(lambda x: [x * np.exp(-1000 - x**2)]), half),
+    "V that is zero on one side": (system(lambda x: [-x]), lambda s: np.abs(s.x) * s.x + s.x**2),
     "V that misses a state": (system(lambda x, y: [-x, y]), half),
     "V that misses two integrators": (  # whose eigenvalues are -1e-10 in floating point
         system(lambda x, y, z: [-x, (3 * y + x) / 10 - 9 * z / 100, y - 3 * z / 10]),

@@ -27,6 +27,7 @@ OPEN = {  # of the wrong ones: no point shows it, or none is looked for
     "V that fades",
     "V of nothing",
     "V that jumps",
+    "V that is zero on one side",
     "V of an angle",
     "a gain that turns at the fifth breakpoint",
     "wrong in a smaller region",

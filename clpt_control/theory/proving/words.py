@@ -180,7 +180,10 @@ def pieces_of(word: Any) -> list[Piece]:
         (u,) = args
         sides = ((u, 1, 1), (-u, -1, -1), (sympy.S.Zero, 0, 0))
         return [
-            ([side * u] if side else [u, -u], {sympy.Abs(u): size, SIGN(u): sympy.Integer(sign)})
+            (
+                [side * u] if side else [u, -u],
+                {sympy.Abs(u): size} | dict.fromkeys((SIGN(u), sympy.sign(u)), sympy.Integer(sign)),
+            )
             for size, sign, side in sides
         ]
     return []
