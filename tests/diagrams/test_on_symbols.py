@@ -9,10 +9,6 @@ import clpt_control as clpt
 from clpt_control.equations.symbolic import rational
 
 
-def first_order(t, x, u, params):
-    return -params["a"] * x[0] + u[0]
-
-
 def with_gain(name, **more):
     more = {"inputs": 1, "outputs": 1, "states": 1, **more}
     rate = lambda t, x, u, params: -params["k"] * x[0] ** 3 + u[0]  # noqa: E731
@@ -46,7 +42,12 @@ def agrees(diagram, eq, seed=0):
 
 def test_a_function_of_python_control():
     plant = control.nlsys(
-        first_order, inputs="u", outputs="y", states="y", params={"a": 2.0}, name="plant"
+        lambda t, x, u, params: -params["a"] * x[0] + u[0],
+        inputs="u",
+        outputs="y",
+        states="y",
+        params={"a": 2.0},
+        name="plant",
     )
     eq = clpt.equations(plant)
     assert str(eq) == "y' = -a*y + u(t)"

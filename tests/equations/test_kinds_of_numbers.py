@@ -84,10 +84,6 @@ def is_where_of_truths(t, x, u, p):
     return [np.sum(low), np.sum(np.where(x > 0, True, False)), np.sum(np.where(x > 0, False, low))]
 
 
-def adds_truths(t, x, u, p):
-    return [(x[0] > 0) + (x[1] > 0)]
-
-
 def writes_into_truths(t, x, u, p):
     y = np.array([x[0] > 0, x[1] > 0])
     y[0] = 2.5
@@ -135,10 +131,6 @@ def is_put_into_another(t, x, u, p):
     y = np.empty(3)
     np.multiply(x, 2.0, y)
     return y
-
-
-def looks_up(t, x, u, p):
-    return [RATIOS.get(int(x[0]), 9.0)]
 
 
 def catches_a_division(t, x, u, p):
@@ -339,7 +331,15 @@ def test_what_would_be_another_number_is_refused(name):
 
 
 @pytest.mark.filterwarnings("ignore:.*runs in Python")
-@pytest.mark.parametrize("function", [adds_truths, shortens, looks_up, keeps_in_params])
+@pytest.mark.parametrize(
+    "function",
+    [
+        lambda t, x, u, p: [(x[0] > 0) + (x[1] > 0)],
+        shortens,
+        lambda t, x, u, p: [RATIOS.get(int(x[0]), 9.0)],
+        keeps_in_params,
+    ],
+)
 def test_what_is_refused_runs_as_python_control_runs_it(function):
     def rate(t, x, u, p):
         return -x + np.sum(function(t, x, u, p))

@@ -28,26 +28,6 @@ def says_if(t, x, u, p):
     return y
 
 
-def says_ternary(t, x, u, p):
-    return u[1] if u[0] > 0 else -u[1]
-
-
-def says_and_or_not(t, x, u, p):
-    return 1.0 if (u[0] > 0 and not u[1] > 0) or u[2] > 1 else u[0]
-
-
-def says_chained(t, x, u, p):
-    return u[1] if 0 < u[0] <= 1 < u[2] else 0.0
-
-
-def says_numpy(t, x, u, p):
-    return np.exp(u[0]) + np.hypot(u[1], u[2]) - np.linalg.norm(u) + u.max() + u.sum()
-
-
-def says_builtins(t, x, u, p):
-    return max(u[0], u[1]) + min(u) + abs(u[2]) + sum(u) + sorted(u)[1] + round(u[0])
-
-
 def says_while(t, x, u, p):
     k, y = 3, 0.0
     while k > 0:
@@ -85,10 +65,6 @@ def says_break(t, x, u, p):
             continue
         y += a
     return y
-
-
-def says_globals(t, x, u, p):
-    return TABLE[0] * u[0] + NAMES["a"] * u[1] + RATE
 
 
 def says_import(t, x, u, p):
@@ -140,17 +116,9 @@ def says_match(t, x, u, p):
     return 0.0
 
 
-def says_string(t, x, u, p):
-    return u[0] * len(f"{RATE}")
-
-
 def says_math(t, x, u, p):
     y = math.sqrt(u[0] ** 2 + 1) + math.copysign(2.0, u[1]) + math.fmod(u[2], 0.7) + exp(-1.0)
     return y + math.degrees(u[0]) + math.dist([u[0], 0.0], [0.0, u[1]]) + math.floor(u[2])
-
-
-def says_generators(t, x, u, p):
-    return math.fsum(a * a for a in u) + math.prod(map(abs, u))
 
 
 def says_filled(t, x, u, p):
@@ -180,26 +148,10 @@ def says_solve(t, x, u, p):
     return [*np.linalg.solve(A, [1.0, u[0]]), np.linalg.inv(A)[1, 1]]
 
 
-def says_cross(t, x, u, p):
-    return np.cross(u, [1.0, 2.0, 3.0]) + np.cumsum(u) + np.roll(u, 1)
-
-
-def says_stacked(t, x, u, p):
-    return np.hstack([u[:1], np.vstack([u, 2 * u])[1, 1:]])
-
-
 def says_masked(t, x, u, p):
     y = 2.0 * u
     y[u > 0.5] = 0.0
     return np.where(u < 0, y, np.maximum(y, 0.1))
-
-
-def says_mapping(t, x, u, p):
-    return {"y": np.flip(u)}
-
-
-def says_float(t, x, u, p):
-    return float(u[0]) + float(np.sum(u)) + u[1].item()
 
 
 def says_in_place(t, x, u, p):
@@ -207,10 +159,6 @@ def says_in_place(t, x, u, p):
     u += 1.0
     u[0] -= 3.0
     return u
-
-
-def says_gear(t, x, u, p):
-    return [0.5, 0.25, 0.125][int(np.clip(u[2], 0.0, 2.0))] * u[0]
 
 
 class Motor:
@@ -227,10 +175,6 @@ class Motor:
 
     def output(self, t, x, u, p):
         return self.torque(u[1])
-
-
-def scaled(k, t, x, u, p):
-    return k * u[0]
 
 
 @np.vectorize
@@ -257,8 +201,25 @@ def closure(gain):
 
 FUNCTIONS = {name: f for name, f in dict(globals()).items() if name.startswith("says_")}
 FUNCTIONS |= {
+    "ternary": lambda t, x, u, p: u[1] if u[0] > 0 else -u[1],
+    "and or not": lambda t, x, u, p: 1.0 if (u[0] > 0 and not u[1] > 0) or u[2] > 1 else u[0],
+    "chained": lambda t, x, u, p: u[1] if 0 < u[0] <= 1 < u[2] else 0.0,
+    "numpy": lambda t, x, u, p: (
+        np.exp(u[0]) + np.hypot(u[1], u[2]) - np.linalg.norm(u) + u.max() + u.sum()
+    ),
+    "builtins": lambda t, x, u, p: (
+        max(u[0], u[1]) + min(u) + abs(u[2]) + sum(u) + sorted(u)[1] + round(u[0])
+    ),
+    "globals": lambda t, x, u, p: TABLE[0] * u[0] + NAMES["a"] * u[1] + RATE,
+    "string": lambda t, x, u, p: u[0] * len(f"{RATE}"),
+    "generators": lambda t, x, u, p: math.fsum(a * a for a in u) + math.prod(map(abs, u)),
+    "cross": lambda t, x, u, p: np.cross(u, [1.0, 2.0, 3.0]) + np.cumsum(u) + np.roll(u, 1),
+    "stacked": lambda t, x, u, p: np.hstack([u[:1], np.vstack([u, 2 * u])[1, 1:]]),
+    "mapping": lambda t, x, u, p: {"y": np.flip(u)},
+    "float": lambda t, x, u, p: float(u[0]) + float(np.sum(u)) + u[1].item(),
+    "gear": lambda t, x, u, p: [0.5, 0.25, 0.125][int(np.clip(u[2], 0.0, 2.0))] * u[0],
     "a closure": closure(2.5),
-    "a partial": functools.partial(scaled, 3.0),
+    "a partial": functools.partial(lambda k, t, x, u, p: k * u[0], 3.0),
     "a method": Motor(2.0).output,
     "an object": Motor(0.5),
     "a lambda": lambda t, x, u, p: u @ u,
@@ -437,15 +398,16 @@ def static_of(N):
     )
 
 
-def by_interval(t, x, u, p):
-    return -u if p.interval > 1.5 else u
-
-
 def test_the_interval_of_a_run_is_asked_both_ways():
     def ticks(p, t0, t1):
         return np.arange(np.floor(t0) + 1, np.floor(t1) + 1)
 
-    block = static(by_interval, 1, parameters={"interval": -1.0}, breakpoints=ticks)
+    block = static(
+        lambda t, x, u, p: -u if p.interval > 1.5 else u,
+        1,
+        parameters={"interval": -1.0},
+        breakpoints=ticks,
+    )
     record = block.array_record("output")
     for interval, wanted in ((0.0, 3.0), (1.0, 3.0), (2.0, -3.0)):
         given = {("p", "interval"): interval, ("u", "u"): np.array([3.0])}

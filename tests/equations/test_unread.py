@@ -32,18 +32,6 @@ def waits_for_a_signal(t, x, u, p):
     return y
 
 
-def draws(t, x, u, p):
-    return u[0] * random.random()
-
-
-def draws_noise(t, x, u, p):
-    return u[0] + NOISE.normal()
-
-
-def asks_the_clock(t, x, u, p):
-    return u[0] * time.perf_counter()
-
-
 def remembers(t, x, u, p):
     STATE[0] += 1.0
     return u[0] + STATE[0]
@@ -93,7 +81,13 @@ LINES = {  # the line is that of the comment
     is_text: "",
     takes_eigenvalues: "eigvals",
 }
-TWICE = (draws, draws_noise, asks_the_clock, remembers, keeps_the_last)
+TWICE = (
+    lambda t, x, u, p: u[0] * random.random(),
+    lambda t, x, u, p: u[0] + NOISE.normal(),
+    lambda t, x, u, p: u[0] * time.perf_counter(),
+    remembers,
+    keeps_the_last,
+)
 U = [0.3, -0.7, 2.0]
 
 
@@ -156,20 +150,12 @@ def beyond(t, x, u, p):
     return u[5]
 
 
-def unknown_port(t, x, u, p):
-    return u.speed
-
-
-def unknown_name(t, x, u, p):
-    return wibble(u[0])  # noqa: F821
-
-
 @pytest.mark.parametrize(
     ("function", "words"),
     [
         (beyond, r"beyond, line \d+: IndexError"),
-        (unknown_port, r"line \d+: .*no port 'speed'; there are u"),
-        (unknown_name, r"line \d+: NameError.*wibble"),
+        (lambda t, x, u, p: u.speed, r"line \d+: .*no port 'speed'; there are u"),
+        (lambda t, x, u, p: wibble(u[0]), r"line \d+: NameError.*wibble"),  # noqa: F821
         (lambda t, x, u: u, "<lambda>: TypeError"),
     ],
 )

@@ -83,10 +83,6 @@ def test_a_loop_over_ports_of_two_blocks():
         assert found[diagram.output_labels.index("y[0]")] == pytest.approx(wanted), name
 
 
-def ramp(t, x, u, p):
-    return np.arange(1.0, 21.0)
-
-
 def each(t, x, u, p):
     s = 0.0
     for i in range(20):
@@ -107,7 +103,7 @@ WIRINGS = {
 
 @pytest.mark.parametrize("case", WIRINGS)
 def test_a_loop_reads_the_wiring_as_it_is(case):
-    source = Block("source", output=ramp, outputs={"a": 20})
+    source = Block("source", output=lambda t, x, u, p: np.arange(1.0, 21.0), outputs={"a": 20})
     reader = Block("reader", output=each, inputs={"u": 20}, outputs={"y": 1})
     terms = WIRINGS[case]
     diagram = control.interconnect(
@@ -251,16 +247,8 @@ class Gain(NamedTuple):
     count: int
 
 
-def called_like_a_function(t, x, u, p):
-    return [p.gain * u[0], (p.count + 1 - p.count) * u[0]]
-
-
 def products(t, x, u, p):
     return [u @ u, np.sqrt(u @ u) + (2.0 * (p.m @ u))[1]]
-
-
-def from_a_long_table(t, x, u, p):
-    return [lookup(p.table, u[0]), lookup(p.table[::-3], u[0])]
 
 
 def by_a_small_number(t, x, u, p):
@@ -291,13 +279,18 @@ STATIC = {  # -> function, inputs, outputs, parameters
     "powers of a counter": (large_powers, [0.75], [1.5, 0.75 * 2.0**69]),
     "a table from its end": (looks_from_the_end, [0.3], [7.0, 5.0, 5.0], PLAIN),
     "a field called as a function": (
-        called_like_a_function,
+        lambda t, x, u, p: [p.gain * u[0], (p.count + 1 - p.count) * u[0]],
         [2.0],
         [6.0, 2.0],
         Gain(3.0, 2**70),
     ),
     "products of arrays": (products, [3.0, 4.0], [25.0, 5.0 + 36.0], PLAIN),
-    "a long table": (from_a_long_table, [150.5], [150.0, 199_999.0 - 450], LONG),
+    "a long table": (
+        lambda t, x, u, p: [lookup(p.table, u[0]), lookup(p.table[::-3], u[0])],
+        [150.5],
+        [150.0, 199_999.0 - 450],
+        LONG,
+    ),
     "a zero's sign": (by_a_small_number, [2.0], [math.pi, 1.0]),
     "the sign of -0": (by_a_small_number, [-2.0], [-math.pi, -1.0]),
     "digits and range": (of_small_numbers, [2.0], [2.0 - 2e-12, 2.0 + 2e-12, ROOT, ROOT]),
@@ -327,13 +320,14 @@ def negative(t, x, u, p):
     return -u[0]
 
 
-def divides(t, x, u, p):
-    return [np.minimum(1.0 / u[0], 5.0), math.atan2(u[0], -1.0)]
-
-
 def test_a_zero_that_comes_through_a_wire_has_no_sign():
     first = Block("first", output=negative, inputs={"u": 1}, outputs={"v": 1})
-    second = Block("second", output=divides, inputs={"v": 1}, outputs={"y": 2})
+    second = Block(
+        "second",
+        output=lambda t, x, u, p: [np.minimum(1.0 / u[0], 5.0), math.atan2(u[0], -1.0)],
+        inputs={"v": 1},
+        outputs={"y": 2},
+    )
     diagram = connect([first, second], external=["u"])
     alike(diagram, u=[0.0], outputs=[0.0, 5.0, math.pi])
 
@@ -345,32 +339,32 @@ class Large(NamedTuple):
     large: float
 
 
-def rounds(t, x, u, p):
-    return (u[0] + p.large) - p.large
-
-
-def quantiser(t, x, u, p):
-    return u[0] - ((x[0] + p.large) - p.large)
-
-
-def of_equals(t, x, u, p):
-    return x[0] + ((u[0] - u[1]) + (p.large - p.large))
-
-
-def rounds_in_a_sum(t, x, u, p):
-    return np.sum((u + p.large) - p.large)
-
-
-def empties(t, x, u, p):
-    return np.arctan2(-0.0 * np.prod(u[:0]), -1.0)
-
-
 ORDERS = {  # -> what Python says, worked out by hand
-    "a quantiser": (rounds, [0.0], [2.7], 3.0),
-    "less a quantiser": (quantiser, [2.7], [4.125], 1.125),
-    "k - k": (of_equals, [1.1], [3e16, 3e16], 1.1),
-    "a quantiser in a sum": (rounds_in_a_sum, [0.0], [2.7, 0.4, -1.2], 2.0),
-    "an empty product": (empties, [0.0], [1.0], -math.pi),
+    "a quantiser": (lambda t, x, u, p: (u[0] + p.large) - p.large, [0.0], [2.7], 3.0),
+    "less a quantiser": (
+        lambda t, x, u, p: u[0] - ((x[0] + p.large) - p.large),
+        [2.7],
+        [4.125],
+        1.125,
+    ),
+    "k - k": (
+        lambda t, x, u, p: x[0] + ((u[0] - u[1]) + (p.large - p.large)),
+        [1.1],
+        [3e16, 3e16],
+        1.1,
+    ),
+    "a quantiser in a sum": (
+        lambda t, x, u, p: np.sum((u + p.large) - p.large),
+        [0.0],
+        [2.7, 0.4, -1.2],
+        2.0,
+    ),
+    "an empty product": (
+        lambda t, x, u, p: np.arctan2(-0.0 * np.prod(u[:0]), -1.0),
+        [0.0],
+        [1.0],
+        -math.pi,
+    ),
 }
 
 
@@ -413,14 +407,10 @@ class Phase(NamedTuple):
     interval: float = -1.0
 
 
-def turns_round(t, x, u, p):
-    return np.where(p.interval > 0.5, -1.0, 1.0) + u[0]
-
-
 def jumping(breakpoints):
     return Block(
         "mine",
-        update=turns_round,
+        update=lambda t, x, u, p: np.where(p.interval > 0.5, -1.0, 1.0) + u[0],
         inputs={"u": 1},
         states={"x": 1},
         parameters=Phase(),

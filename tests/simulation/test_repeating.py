@@ -54,10 +54,6 @@ def parts():
     return error, pi, lag, plant
 
 
-def by_params(t, x, u, params):
-    return [-params["k"] * x[0] + np.sin(u[0])]
-
-
 def kicked(times):
     return clpt.Block(
         "kicked",
@@ -123,7 +119,13 @@ RUNS = {
     "tf": lambda: clpt.simulate(control.tf([1], [1, 2, 1], name="t"), TIMES, 1.0),
     "nlsys": lambda: clpt.simulate(
         control.nlsys(
-            by_params, None, states=1, inputs=1, outputs=1, name="n", params={"k": 2.0, "n": 3}
+            lambda t, x, u, params: [-params["k"] * x[0] + np.sin(u[0])],
+            None,
+            states=1,
+            inputs=1,
+            outputs=1,
+            name="n",
+            params={"k": 2.0, "n": 3},
         ),
         TIMES,
         1.0,
@@ -280,12 +282,13 @@ def leaves(plain):
         yield plain
 
 
-def unread(t, x, u, p):
-    return {"y": float(repr(float(u.q[0])))}
-
-
 def test_what_cannot_be_recorded_says_so(tmp_path):
-    by_python = clpt.Block("odd", output=unread, inputs={"q": 1}, outputs={"y": 1})
+    by_python = clpt.Block(
+        "odd",
+        output=lambda t, x, u, p: {"y": float(repr(float(u.q[0])))},
+        inputs={"q": 1},
+        outputs={"y": 1},
+    )
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         odd = clpt.simulate(by_python, TIMES, 1.0)
