@@ -91,9 +91,8 @@ class _About:
     def ties(self, a: Any, b: Any, *_: Any) -> tuple[np.ndarray, np.ndarray]:
         """Return where two values are equal, and where their slopes differ there."""
         one, other, slope = self.numbers([a, b, self.direction.of(a - b)])
-        ties = np.abs(one - other) <= CLOSE * np.maximum(
-            1.0, np.maximum(np.abs(one), np.abs(other))
-        )
+        size = np.maximum(1.0, np.minimum(np.abs(one), np.abs(other)))  # infinity has no neighbour
+        ties = (one == other) | (np.abs(one - other) <= CLOSE * size)
         return ties[..., 0], np.any(slope != 0.0, axis=-1) & ties[..., 0]
 
     def check(self, values: Iterable[Any]) -> None:

@@ -10,7 +10,7 @@ the samples; in discrete time the samples' mean) and its largest magnitude.
 """
 
 import hashlib
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 from typing import Any
@@ -70,7 +70,8 @@ class VariedDiagram:
         sizes = sizes_of_run(diagram, inputs, x0, self.times)
         self.params = dict(params or {})
         self.wiring = wiring_of(diagram, self.params, sizes)
-        if undeclared := self._undeclared(varies):
+        self.outputs, taken, states = labels_of(diagram, self.wiring)
+        if undeclared := self._undeclared(varies, {*taken, *states}):
             self.params |= undeclared
             self.wiring = wiring_of(diagram, self.params, sizes)
         self.given = changed_parameters(self.wiring, self.params)
@@ -83,7 +84,6 @@ class VariedDiagram:
                 raise SimulationError(
                     "method, rtol and atol: a diagram of discrete time has none; leave them out"
                 )
-        self.outputs, taken, states = labels_of(diagram, self.wiring)
         self.inputs = read_inputs(inputs, self.times, self.wiring.ninputs)
         self.start = stacked_state("initial_state", 0.0 if x0 is None else x0, len(states))
         self.names = places_of(self.wiring, self.given, states, taken)
@@ -97,8 +97,15 @@ class VariedDiagram:
             raise ScenarioError("vary: an input cannot vary where inputs are a function")
         self._check_apart()
 
-    def _undeclared(self, varies: Sequence[Vary]) -> dict[str, Any]:
-        """Return parameters of python-control's systems that vary, but are no floats."""
+    def _undeclared(self, varies: Sequence[Vary], labels: Collection[str]) -> dict[str, Any]:
+        """Return parameters of python-control's systems that vary, but are no floats.
+
+        One with the label of a state or an input counts if a function reads it.
+        """
+
+        def asked(s: System, key: str) -> bool:
+            return key not in s.params and (s.reads(key) if key in labels else s.mentions(key))
+
         params: dict[str, Any] = {}
         systems = [node.system for node in self.wiring.nodes if isinstance(node.system, System)]
         for one in varies:
@@ -116,7 +123,7 @@ class VariedDiagram:
                 )
             if lists:
                 params[key] = lists[0]
-            elif key == one.key and any(key not in s.params and s.mentions(key) for s in systems):
+            elif key == one.key and any(asked(s, key) for s in systems):
                 first = one.numbers[0] if one.kind == "levels" else 1.0
                 params[key] = np.asarray(first, dtype=float)[()]
         return params

@@ -102,6 +102,29 @@ def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None, rest: Batch | None)
     raise SimulationError(f"the {what} stopped at t = {last.now:.9g}: {reason}")
 
 
+def without_states(sweep: Sweep, times: np.ndarray, inputs: Inputs | None, engine: str) -> Solution:
+    """Return the solution of a diagram without states, up to where it leaves a guard."""
+    solution = Solution(times, np.zeros((len(times), 0)), engine=engine)
+
+    def guard(t: float) -> tuple[float, str, str]:
+        sweep.enter(t)
+        return sweep.margin(t, solution.x[0], None if inputs is None else inputs.at(t))
+
+    k = next((k for k, t in enumerate(times) if sweep.guarded and guard(t)[0] < 0.0), None)
+    if k is None:
+        return solution
+    low, high = times[max(k - 1, 0)], times[k]
+    while low < (middle := 0.5 * (low + high)) < high:
+        low, high = (low, middle) if guard(middle)[0] < 0.0 else (middle, high)
+    _, policy, sentence = guard(high)
+    if policy == "raise":
+        raise SimulationError(sentence)
+    solution.t = np.append(times[:k], high)
+    solution.x = np.zeros((k + 1, 0))
+    solution.status, solution.message = "stopped", f"stopped: {sentence}"
+    return solution
+
+
 def _switch(sweep: Sweep, batch: Batch) -> str:
     """Name the decision of a run that chatters: block, function and operation."""
     deciding, which = batch.callee.code[0].program.deciding, batch.lane[1][solver.WHICH, 0]

@@ -28,6 +28,7 @@ from .ending import (
     ended,
     run_to_end,
     sampled_start,
+    without_states,
 )
 from .jacobian import Jacobian, jacobian
 from .machine import callback
@@ -211,7 +212,7 @@ class PythonDiagram:
                 )
             check_spacing(times, self.wiring.dt)
         if not self.nstates:
-            return Solution(times, np.zeros((len(times), 0)), engine=self.engine)
+            return without_states(self.sweep, times, inputs, self.engine)
         by, auto = self.method_number(method, step), method == "auto" and step is None
         if by == solver.DOP853 and auto and relative >= self.loose:
             by = solver.DOPRI5

@@ -87,6 +87,8 @@ SMOOTH = {
     "beside a kink": (lambda y, v: v - abs(y), 1e-9),
     "beside a jump": (lambda y, v: v - np.sign(y), -1e-9),
     "two ways of one slope": (lambda y, v: v + np.where(y > 0, y * y, -y * y), 0.0),
+    "infinity": (lambda y, v: v - y if np.isfinite(y) else 0 * y, 0.5),
+    "no number": (lambda y, v: v - y if not np.isnan(y * v) else 0 * y, 0.5),
     "what is not moved": (lambda y, v: v - y * np.sign(0.0 * v), 0.5),
 }
 

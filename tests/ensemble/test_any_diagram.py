@@ -630,3 +630,17 @@ def test_the_accessor_says_what_it_is():
     for ask in (data.clpt.plot, lambda: data.clpt.report("page.html")):
         with pytest.raises(ClptError, match=r"is an ensemble of a diagram.*plot\.contourf"):
             ask()
+
+
+def test_a_state_whose_label_is_a_word_of_the_function_varies():
+    def rate(t, x, u, p):
+        own = dict(zip(("s", "i"), x, strict=True))
+        return [-own["s"] * own["i"], own["s"] * own["i"] - p.get("k", 0.3) * own["i"]]
+
+    spread = control.nlsys(rate, None, inputs=0, states=["s", "i"], outputs=["s", "i"], name="e")
+    found = clpt.run_ensemble(
+        spread, {"s": [0.8, 0.9]}, timepts=TIMES, initial_state=[0.5, 0.1], trajectories=True
+    )
+    assert found.s_.values[:, 0].tolist() == [0.8, 0.9]
+    one = clpt.simulate(spread, TIMES, initial_state=[0.9, 0.1])
+    np.testing.assert_allclose(found.i_final.values[-1], one.i.values[-1], rtol=1e-7)

@@ -129,6 +129,22 @@ def test_a_condition_of_ones_own_ends_a_run():
 
 
 @pytest.mark.parametrize("engine", ["native", "python"])
+def test_a_diagram_without_states_ends_where_the_condition_falls(engine):
+    gain = control.nlsys(None, lambda t, x, u, p: 2.0 * u, inputs=1, outputs=1, name="gain")
+    times, stops = np.linspace(0.0, 5.0, 11), {4.4: lambda t, y, u: 8.8 - y[0], 2.5: None}
+    stops[2.5] = lambda t, y, u: t < 2.5
+    for at, stop in stops.items():
+        run = clpt.simulate(gain, times, times, stop=stop, engine=engine)
+        assert float(run.time[-1]) == pytest.approx(at, abs=1e-9)
+        assert float(run.y[-1]) == pytest.approx(2 * at, abs=1e-9)
+        assert "fell to 0" in run.attrs["message"]
+    whole = clpt.simulate(gain, times, times, stop=lambda t, y, u: t + 1.0, engine=engine)
+    assert whole.sizes["time"] == len(times)
+    none = clpt.simulate(gain, times, times, stop=lambda t, y, u: False, engine=engine)
+    assert none.sizes["time"] == 1
+
+
+@pytest.mark.parametrize("engine", ["native", "python"])
 @pytest.mark.parametrize(
     "stop",
     [
