@@ -25,7 +25,7 @@ from ..arguments import public
 from ..equations.arrays import Tape, Unread, operand
 from ..equations.declaration import Parameters, ports_of
 from ..equations.record import Shape
-from ..equations.symbolic import Symbols, rational
+from ..equations.symbolic import LONG, Symbols, extent, rational
 from ..equations.system import System, is_linear
 from ..errors import DiagramError
 from .merged_record import merged_record
@@ -146,7 +146,9 @@ class Equations:
         changes = (change for block in self.jumps.values() for change in block.items())
         rows += [(jump, s, new) for s, new in changes if new != s]
         for form, s, value in rows[:MOST_EQUATIONS]:
-            yield f"{form.format(print_as(s))} = {print_as(value)}"
+            parts = extent(sympy.sympify(value))[0]
+            right = print_as(value if parts <= LONG else sympy.Symbol(f"({parts} parts)"))
+            yield f"{form.format(print_as(s))} = {right}"
         if len(rows) > MOST_EQUATIONS:
             yield f"... {len(rows) - MOST_EQUATIONS} more"
 

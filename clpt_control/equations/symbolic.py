@@ -57,6 +57,20 @@ def rational(number: float) -> sympy.Expr:
     return sympy.Rational(simple if abs(simple - fraction) <= abs(fraction) * ROUNDED else fraction)
 
 
+@lru_cache(maxsize=100_000)
+def extent(expression: sympy.Basic) -> tuple[int, int]:
+    """Return how many parts an expression has, written out, and how many levels."""
+    parts = [extent(part) for part in expression.args]
+    return 1 + sum(size for size, _ in parts), 1 + max((depth for _, depth in parts), default=0)
+
+
+LONG = 5_000  # parts of an expression; what has more SymPy takes too long to print or to simplify
+
+
+def _magnitude(a: sympy.Expr) -> sympy.Expr:
+    return sympy.Abs(a, evaluate=extent(a)[0] <= LONG)
+
+
 # what SymPy leaves as it stands, by the name it has there
 UNEXPANDED = {
     **{
@@ -76,7 +90,7 @@ SYMPY: dict[str, Callable[..., Any]] = {
     "div": lambda a, b: a / b,
     "pow": lambda a, b: a**b,
     "neg": lambda a: -a,
-    "fabs": sympy.Abs,
+    "fabs": _magnitude,
     "hypot": lambda a, b: sympy.sqrt(a**2 + b**2),
     "log1p": lambda a: sympy.log(1 + a),
     "expm1": lambda a: sympy.exp(a) - 1,

@@ -1,5 +1,8 @@
 """A diagram's equations on symbols: what python-control computes, under its own names."""
 
+import re
+import time
+
 import control
 import numpy as np
 import pytest
@@ -160,3 +163,17 @@ def test_the_room_is_still_a_module():
     from clpt_control.equations import lookup
 
     assert lookup is clpt.equations.lookup
+
+
+def test_equations_too_long_to_read_are_made_soon_and_counted():
+    def rate(t, x, u, p):
+        M = np.eye(5) + np.outer(np.cos(x), np.cos(x)) + np.outer(np.sin(x), x)
+        return -np.linalg.solve(M, x + np.array([p["k"], 0, 0, 0, 0]))
+
+    arm = control.nlsys(rate, None, inputs=0, states=5, outputs=5, params={"k": 1.0}, name="arm")
+    began = time.process_time()
+    eq = clpt.equations(arm)
+    lines = repr(eq).splitlines()
+    assert time.process_time() - began < 10.0  # without end it was
+    assert re.fullmatch(r"x\[0\]' = \(\d+ parts\)", lines[0])
+    assert r"\mathrm{(" in eq._repr_latex_()

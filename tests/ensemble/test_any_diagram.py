@@ -644,3 +644,12 @@ def test_a_state_whose_label_is_a_word_of_the_function_varies():
     assert found.s_.values[:, 0].tolist() == [0.8, 0.9]
     one = clpt.simulate(spread, TIMES, initial_state=[0.9, 0.1])
     np.testing.assert_allclose(found.i_final.values[-1], one.i.values[-1], rtol=1e-7)
+
+
+@pytest.mark.parametrize("label", ["\\", "a\\b"])
+def test_a_backslash_in_a_name_is_told(label, tmp_path):
+    block = clpt.Block("lag", update=lambda t, x, u, p: [-x[0]], states={label: 1})
+    for out in (None, tmp_path / "e.zarr"):
+        with pytest.raises(clpt.DataError, match=r"Zarr has no name .* call that signal otherwise"):
+            clpt.run_ensemble(block, {label: [1.0, 2.0]}, timepts=TIMES, out=out)
+        assert not (tmp_path / "e.zarr").exists()

@@ -25,19 +25,18 @@ from ...equations.declaration import Parameters
 from ...equations.derivative import Direction
 from ...equations.elements import Index
 from ...equations.record import Shape
-from ...equations.symbolic import EveryN
+from ...equations.symbolic import LONG, EveryN, extent
 from ...errors import DiagramError
 from .symbols import (
     SCALARS,
     element_name,
-    extent,
     parameter_names,
     parameter_symbol,
     state_names,
     undefined,
 )
 
-LONGEST, DEEPEST = 5_000, 30  # parts and levels of an expression
+DEEPEST = 30  # levels of an expression
 Known = Callable[[sympy.Expr, Index], Any]
 
 
@@ -199,9 +198,9 @@ def array_loop(
 def no_value(owner: str, name: str, arguments: tuple) -> str | None:
     """Return where an operation may have no value; refuse what is too long to be judged."""
     sizes = [extent(a) for a in arguments if isinstance(a, sympy.Basic)]
-    if any(parts > LONGEST or levels > DEEPEST for parts, levels in sizes):
+    if any(parts > LONG or levels > DEEPEST for parts, levels in sizes):
         raise DiagramError(
-            f"{owner} has more than {LONGEST} parts or {DEEPEST} levels on "
+            f"{owner} has more than {LONG} parts or {DEEPEST} levels on "
             "symbols, too long to prove anything of; make it simpler or its N smaller"
         )
     return undefined(name, arguments)

@@ -16,12 +16,12 @@ import sympy
 from sympy.core.function import AppliedUndef
 
 from ...blocks.laws.law import LEARNED, Law, Truth
+from ...equations.symbolic import extent
 from ..promises import truth_of
 from .array_loop import TIME
 from .proof import short
 from .signs import left_over, nonpositive, positive_maximum, vanishes
 from .symbolic_loop import SymbolicLoop, flat, symbolic_loop
-from .symbols import extent
 from .theorem_loop import (
     Claim,
     Hedging,

@@ -11,7 +11,6 @@ that has no value somewhere is checked (`DEMANDS`): may it get there?
 """
 
 from collections.abc import Callable, Iterable, Sequence
-from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -21,6 +20,7 @@ from ...equations.block import Block
 from ...equations.declaration import named, split
 from ...equations.elements import Index
 from ...equations.record import Shape
+from ...equations.symbolic import extent
 from ...scenario.quantities import QUANTITIES
 from .signs import positive_maximum
 from .words import interval
@@ -113,13 +113,6 @@ def _same(name: str, values: list) -> bool:
 
 MOST_EXP = 700  # of which exp is a number
 DEEPEST = 12  # levels of operations; deeper ones would take SymPy too long
-
-
-@lru_cache(maxsize=100_000)
-def extent(expression: sympy.Basic) -> tuple[int, int]:
-    """Return how many parts an expression has, written out, and how many levels."""
-    parts = [extent(part) for part in expression.args]
-    return 1 + sum(size for size, _ in parts), 1 + max((depth for _, depth in parts), default=0)
 
 
 def _parameters(expression: sympy.Expr) -> bool:
