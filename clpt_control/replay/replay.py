@@ -218,6 +218,9 @@ class Replay:
         Mean (2,), m, zero for the first dive, and covariance (2, 2), m^2; the dive's end fix and
         displacement are not read.
         """
+        return self._forecast(dive)
+
+    def _forecast(self, dive: Dive) -> tuple[np.ndarray, np.ndarray]:
         again, dive = self._doubt_one_fix(dive)
         if again is None:
             return self._ahead(dive)
@@ -254,7 +257,7 @@ class Replay:
         drift, spread = self.habits.drift()
         if rng is not None:
             stay = max(rng.normal(stay, late), 0.0)
-            drift = rng.multivariate_normal(drift, spread)
+            drift = rng.multivariate_normal(drift, spread, check_valid="ignore")
         return (last.t_gpse + stay, *place_from(last.lat_gpse, last.lon_gpse, *drift))
 
     def imagined(self) -> "Replay":
@@ -285,14 +288,14 @@ class Replay:
         if self.flow_model is not None:
             plan = carried(plan, self.flow_model)
             covers = plan.model_east is not None
-        mean, covariance = self.forecast(plan)
+        mean, covariance = self._forecast(plan)
         place = place_from(*begin[1:], *(guess.way + mean))
         scatter = last.response @ guess.scatter[:2, :2] @ last.response.T
         covariance = covariance + scatter + habits.drift()[1]
         late = np.hypot(guess.duration * np.sqrt(guess.scatter[2, 2]), habits.stay()[1])
         wide, long = (max(w, 1.0) if guess.basis == GIVEN else w for w in habits.width)
         return NextDive(
-            replace(plan, track=None),
+            plan if plan.track is None else replace(plan, track=None),
             mean,
             covariance * guess.tails * wide**2,
             *place,

@@ -164,14 +164,16 @@ def _draw(
         leg = aim(learned, start, target, V, T)
         plan = leg.ahead.plan
         guess = learned.habits.guess_of((plan.dr_east, plan.dr_north), plan.duration)
-        east, north, late = rng.multivariate_normal(np.zeros(3), guess.scatter)
+        east, north, late = rng.multivariate_normal(
+            np.zeros(3), guess.scatter, check_valid="ignore"
+        )
         flown = replace(
             plan,
             t_gpse=start[0] + plan.duration * exp(late),
             dr_east=plan.dr_east + east,
             dr_north=plan.dr_north + north,
         )
-        miss = rng.multivariate_normal(*learned.forecast(flown))
+        miss = rng.multivariate_normal(*learned.forecast(flown), check_valid="ignore")
         through = flown.dr_east, flown.dr_north
         end: Fix = (flown.t_gpse, *place_from(*start[1:], *(through + miss)))
         entered |= np.array([_meets(start[1:], end[1:], ring) for ring in rings], bool)
