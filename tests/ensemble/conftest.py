@@ -13,7 +13,7 @@ def scenario():
     return clpt_control.paper_scenario().with_values({"run.duration": 125, "reference.dwell": 5})
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")
 def quick(scenario):
     return scenario.with_values({"run.duration": 10})
 

@@ -408,10 +408,12 @@ def drawn(seed):
     return diagram, dict.fromkeys(picked, "0.5:0.9")
 
 
-@pytest.mark.parametrize("first", [0, *(pytest.param(k, marks=pytest.mark.slow) for k in (8, 16))])
+@pytest.mark.parametrize(
+    "first", [0, *(pytest.param(k, marks=pytest.mark.slow) for k in range(4, 24, 4))]
+)
 def test_threads_and_chunks_do_not_matter_to_any_diagram(first):
     compared = 0
-    for seed in range(first, first + 8):
+    for seed in range(first, first + 4):
         try:
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore")
@@ -423,7 +425,7 @@ def test_threads_and_chunks_do_not_matter_to_any_diagram(first):
             continue
         assert_identical(whole, cut)
         compared += 1
-    assert compared >= 4
+    assert compared >= 2
 
 
 @pytest.mark.parametrize("seed", [13, 15, 34, 42, 44])

@@ -67,6 +67,22 @@ MISTAKES = [
 ]
 
 
+@pytest.fixture(scope="module")
+def stored(quick, tmp_path_factory):
+    """An ensemble in a folder that is left as it is."""
+    out = tmp_path_factory.mktemp("stored") / "e.zarr"
+    run_ensemble(quick, VARY, 20, out=out)
+    return out
+
+
+@pytest.fixture(scope="module")
+def halves(quick, tmp_path_factory):
+    """The same in two chunks."""
+    out = tmp_path_factory.mktemp("halves") / "e.zarr"
+    run_ensemble(quick, VARY, 20, out=out, chunk=10)
+    return out
+
+
 @pytest.mark.parametrize(("given", "sentence"), MISTAKES)
 def test_mistakes_are_one_sentence(quick, tmp_path, given, sentence):
     given = {"members": 10, **given}
@@ -101,17 +117,15 @@ def test_the_first_member_that_is_not_allowed_is_named(quick):
         ({"system": 1}, "holds an ensemble of another scenario"),
     ],
 )
-def test_another_ensemble_is_refused(quick, tmp_path, given, sentence):
-    out = tmp_path / "e.zarr"
-    run_ensemble(quick, VARY, 20, out=out)
-    before = files(out)
+def test_another_ensemble_is_refused(quick, stored, given, sentence):
+    before = files(stored)
     arguments = {"system": quick, "vary": VARY, "members": 20, **given}
     if given == {"system": 1}:
         arguments["system"] = quick.with_values({"learning.gain": 0.9})
     with pytest.raises(DataError) as error:
-        run_ensemble(out=out, **arguments)
+        run_ensemble(out=stored, **arguments)
     assert sentence in str(error.value)
-    assert files(out) == before
+    assert files(stored) == before
 
 
 def test_folders_that_are_no_ensemble(quick, tmp_path):
@@ -150,9 +164,8 @@ def test_folders_that_are_no_ensemble(quick, tmp_path):
     assert run_ensemble(quick, VARY, 4, out=empty).sizes["member"] == 4
 
 
-def test_numbers_of_other_versions_are_not_mixed(quick, tmp_path):
-    out = tmp_path / "e.zarr"
-    run_ensemble(quick, VARY, 20, out=out, chunk=10)
+def test_numbers_of_other_versions_are_not_mixed(quick, halves, tmp_path):
+    out = shutil.copytree(halves, tmp_path / "e.zarr")
     store = open_store(out)
     store.group.attrs["code"] = "another"
     run_ensemble(quick, VARY, 20, out=out, chunk=10)
@@ -161,17 +174,18 @@ def test_numbers_of_other_versions_are_not_mixed(quick, tmp_path):
         run_ensemble(quick, VARY, 20, out=out, chunk=10)
 
 
-def lacking(quick, out):
-    """Write an ensemble of two chunks, of which the second is to be run again."""
-    run_ensemble(quick, VARY, 20, out=out, chunk=10)
-    store = open_store(out)
+@pytest.fixture
+def lacking(halves, tmp_path):
+    """An ensemble of two chunks, of which the second is to be run again."""
+    shutil.copytree(halves, tmp_path / "e.zarr")
+    store = open_store(tmp_path / "e.zarr")
     store.group["done"][1] = 0
     return store.group
 
 
-def test_a_foreign_array_is_refused_before_a_chunk_is_written(quick, tmp_path):
+def test_a_foreign_array_is_refused_before_a_chunk_is_written(quick, lacking, tmp_path):
     out = tmp_path / "e.zarr"
-    lacking(quick, out).create_array("mine", shape=(3,), dtype="f8", dimension_names=["member"])
+    lacking.create_array("mine", shape=(3,), dtype="f8", dimension_names=["member"])
     before = files(out)
     for go_on in (
         lambda: run_ensemble(quick, VARY, 20, out=out, chunk=10),
@@ -183,34 +197,31 @@ def test_a_foreign_array_is_refused_before_a_chunk_is_written(quick, tmp_path):
     assert not (tmp_path / "e.html").exists()
 
 
-def test_an_ensemble_of_an_older_version_is_not_called_damaged(quick, tmp_path):
+def test_an_ensemble_of_an_older_version_is_not_called_damaged(quick, lacking, tmp_path):
     out, older = tmp_path / "e.zarr", "not_run finished step_too_small"
-    group = lacking(quick, out)
-    group["status"].attrs.update({"flag_meanings": older, "flag_values": [0, 1, 2]})
+    lacking["status"].attrs.update({"flag_meanings": older, "flag_values": [0, 1, 2]})
     clpt_control.report(out, tmp_path / "e.html")
     with pytest.raises(DataError, match="begun by other versions"):
         run_ensemble(quick, VARY, 20, out=out, chunk=10)
-    group.attrs["software"] = "clpt-control 0.0.1"
-    group["gain_error"].attrs["long_name"] = "another"
+    lacking.attrs["software"] = "clpt-control 0.0.1"
+    lacking["gain_error"].attrs["long_name"] = "another"
     with pytest.raises(DataError, match=r"gain_error has other attributes .* by clpt-control 0\.0"):
         clpt_control.report(out, tmp_path / "e.html")
 
 
 @pytest.mark.parametrize("name", ["members", "chunk", "keys", "scenario", "samples"])
-def test_arguments_that_do_not_fit_are_told(quick, tmp_path, name):
-    out = tmp_path / "e.zarr"
-    group = lacking(quick, out)
+def test_arguments_that_do_not_fit_are_told(lacking, tmp_path, name):
+    out, text = tmp_path / "e.zarr", lacking.attrs["ensemble"]
     for value in (None, 10**12, [], "x", -1, 0):
-        group.attrs["ensemble"] = json.dumps({**json.loads(group.attrs["ensemble"]), name: value})
+        lacking.attrs["ensemble"] = json.dumps({**json.loads(text), name: value})
         with pytest.raises(DataError, match=r"is damaged"):
             clpt_control.report(out, tmp_path / "e.html")
 
 
-def test_numbers_that_are_not_those_of_a_chunk_are_told(quick, tmp_path):
-    out = tmp_path / "e.zarr"
-    lacking(quick, out)["clpe_rms_whole"][3] = 0.5
+def test_numbers_that_are_not_those_of_a_chunk_are_told(lacking, tmp_path):
+    lacking["clpe_rms_whole"][3] = 0.5
     with pytest.raises(DataError, match="chunk 0 is not as it was written"):
-        clpt_control.report(out, tmp_path / "e.html")
+        clpt_control.report(tmp_path / "e.zarr", tmp_path / "e.html")
 
 
 def test_vary_reads_back():

@@ -26,6 +26,11 @@ def paper():
     return clpt_control.paper_scenario().with_values({"run.duration": 200})
 
 
+@pytest.fixture(scope="module")
+def short(paper):
+    return paper.with_values({"run.duration": 40})
+
+
 def scored(law, score, time=np.inf, failed=0, error=1.0):
     return Score(Candidate(law, 1.0, False, None, {}), error, error, 1.0, time, score, failed)
 
@@ -48,9 +53,9 @@ def test_quantiles_and_crossings_count_what_never_came():
     assert _below(times, np.array([1.0, np.nan, 0.1]), 0.1) == 2.0
 
 
-def test_the_answer_is_not_seen(paper):
-    other = paper.with_values({"flow.parameters": [[5, 6, 7], [8, 9, 10]]})
-    found = [tune_law(one, members=3, laws=ROBUST[:1]) for one in (paper, other)]
+def test_the_answer_is_not_seen(short):
+    other = short.with_values({"flow.parameters": [[5, 6, 7], [8, 9, 10]]})
+    found = [tune_law(one, members=3, laws=ROBUST[:1]) for one in (short, other)]
     assert found[0].report == found[1].report
     assert found[0].scenario.learning == found[1].scenario.learning
     assert found[1].scenario.flow == other.flow  # it comes back with the choice
@@ -155,8 +160,7 @@ def test_what_cannot_be_tuned_is_refused(paper, arguments, said):
     assert "\n" not in str(caught.value)
 
 
-def test_candidates_run_by_the_scenarios_method(paper):
-    short = paper.with_values({"run.duration": 40})
+def test_candidates_run_by_the_scenarios_method(short):
     errors = [
         tune_law(short.with_values({"run.method": by}), members=3, laws=["sigma"]).report["chosen"]
         for by in ("rodas5p", "auto")
@@ -164,25 +168,17 @@ def test_candidates_run_by_the_scenarios_method(paper):
     assert 0 < abs(errors[0]["error"] - errors[1]["error"]) < 1e-6
 
 
-def test_the_command_writes_the_choice(clpt, paper, tmp_path):
-    clpt_control.save_scenario(paper, tmp_path / "mine.toml")
-    words = (
-        "tune",
-        tmp_path / "mine.toml",
-        "--members",
-        "3",
-        "--law",
-        "sigma",
-        "--law",
-        "dead-zone",
-    )
+def test_the_command_writes_the_choice(clpt, short, tmp_path):
+    clpt_control.save_scenario(short, tmp_path / "mine.toml")
+    words = ("tune", tmp_path / "mine.toml", "--members", "3", "--law", "sigma")
+    words = (*words, "--law", "dead-zone")
     outcome = clpt(*words, "--out", tmp_path / "tuned.toml", "--json")
     assert outcome.status == 0, outcome.err
     report = json.loads(outcome.out)
     made = clpt_control.load_scenario(tmp_path / "tuned.toml")
     assert made.learning.law == report["chosen"]["law"]
     assert made.learning.gain == report["chosen"]["gain"]
-    assert made.flow == paper.flow
+    assert made.flow == short.flow
     shown = clpt(*words)
     assert shown.status == 0, shown.err
     assert report["because"] in shown.out

@@ -19,7 +19,6 @@ SHORT = Statement("limited_speed", "without hedging")
 @pytest.fixture
 def folder(monkeypatch, tmp_path):
     monkeypatch.setenv(CACHE, str(tmp_path / "cache"))
-    return tmp_path / "cache"
 
 
 @pytest.fixture
@@ -28,19 +27,19 @@ def no_equations(monkeypatch):
     monkeypatch.setattr(all_proofs, "_proved_blocks", list)
 
 
-def test_the_second_time_says_the_same_and_that_it_was_judged_before(folder, clpt, monkeypatch):
+@pytest.mark.usefixtures("folder", "no_equations")
+def test_the_second_time_says_the_same_and_that_it_was_judged_before(clpt, monkeypatch):
     first = clpt("prove", "--theorem", "3.3")
     assert first.status == 0
-    monkeypatch.setattr(Statement, "prove", None)  # nothing is judged
-    second = clpt("prove", "--theorem", "3.3")
+    with monkeypatch.context() as patch:
+        patch.setattr(Statement, "prove", None)  # nothing is judged
+        second = clpt("prove", "--theorem", "3.3")
+        printed = json.loads(clpt("prove", "--theorem", "3.3", "--json").out)
     told, last = second.out.rstrip("\n").rsplit("\n", 1)
     assert told == first.out.rstrip("\n")
     assert last.startswith("judged on 2")
-    printed = json.loads(clpt("prove", "--theorem", "3.3", "--json").out)
     assert printed["judged"]["before"] is True
     assert printed["judged"]["time"] in last
-    monkeypatch.undo()
-    monkeypatch.setenv(CACHE, str(folder))
     printed = json.loads(clpt("prove", "--theorem", "3.3", "--json", "--again").out)
     assert printed["judged"]["before"] is False
 

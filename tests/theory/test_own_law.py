@@ -26,7 +26,7 @@ from clpt_control.theory.proving.own_law import prove
 from clpt_control.theory.proving.theorem_loop import theorem_scenario
 from clpt_control.theory.proving.theorems import audit
 
-POINTS = 200  # of running blocks in each case; the default is 10,000
+POINTS = 100  # of running blocks in each case; the default is 10,000
 
 
 @pytest.mark.parametrize("name", RIGHT)

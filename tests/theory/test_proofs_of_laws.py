@@ -15,7 +15,7 @@ from clpt_control.theory.proving import all_proofs, invariant_loop
 from clpt_control.theory.proving.all_proofs import proof_of_law
 from clpt_control.theory.proving.own_law import prove
 
-POINTS = 200
+POINTS = 100
 
 
 def gains(parameters, feedback, feedforward):

@@ -12,7 +12,7 @@ from clpt_control.blocks.lyapunov import lyapunov_candidate, one_gain
 from clpt_control.errors import ClptError, DiagramError
 from clpt_control.theory.proving.own_law import prove
 
-POINTS = 200
+POINTS = 100
 
 
 LONG = ("axes mixed", "a box")  # of several seconds: by `make test-slow`
