@@ -83,6 +83,9 @@ MAKERS = {  # what people make first, and by what; FILE is the path that they ga
 def public(target: Public) -> Public:
     """Return a function or class that refuses arguments which its annotations do not allow."""
     if not isinstance(target, type):
+        for one, kind in target.__annotations__.items():
+            if kind == ArrayLike:  # help() writes ten lines of what it may be
+                target.__annotations__[one] = "ArrayLike"
         call = _checking(target, target.__qualname__)
         # with the globals of its own module, in which doctest looks for it
         function = FunctionType(call.__code__, target.__globals__, closure=call.__closure__)

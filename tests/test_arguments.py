@@ -126,3 +126,9 @@ def test_an_unknown_keyword_is_refused_by_all():
     ):
         with pytest.raises(TypeError, match="unexpected keyword"):
             function(*given, unknown_keyword=1)
+
+
+def test_help_shows_signatures_that_can_be_read():
+    for name in clpt.parts.__all__:
+        signature = str(inspect.signature(getattr(clpt.parts, name)))
+        assert "_typing" not in signature, signature

@@ -45,6 +45,10 @@ class CurrentRecord:
     longitude: float | None  # degrees east, where the file says it
     source: str  # name of the file
 
+    def __repr__(self) -> str:
+        span = f"{self.time[0].astype('M8[m]')} to {self.time[-1].astype('M8[m]')} UTC"
+        return f"<CurrentRecord of {self.source}: {len(self.time)} times, {span}>"
+
 
 @public
 def read_record(

@@ -69,6 +69,14 @@ class TidalFit:
     latitude: float  # of the nodal corrections, degrees north
     coefficients: Any = field(repr=False, compare=False)  # as utide.solve gives them
 
+    def __repr__(self) -> str:
+        axes = ", ".join(f"{one.name} {one.major:.3g}" for one in self.constituents[:4])
+        return (
+            f"<TidalFit of {self.samples} samples over {self.hours:.5g} h: {axes}"
+            f"{', ...' if self.constituents[4:] else ''} m/s (major axes); explains "
+            f"{100 * self.explained_variance:.1f} % of the variance>"
+        )
+
     @property
     def hours(self) -> float:
         """Time from the first measurement to the last, h."""

@@ -117,7 +117,8 @@ def refuse_diagram(function: str, data: "xarray.Dataset") -> None:
     if ARGUMENTS in data.attrs and "scenario" not in data.attrs:
         raise DataError(
             f"{function}: data is an ensemble of a diagram, which xarray draws: of a grid of two "
-            "names data.unstack()['y_rms'].plot.contourf()"
+            "names data.unstack()['y_rms'].plot.contourf(), of drawn values "
+            "data.plot.scatter(x='NAME', y='y_rms')"
         )
 
 

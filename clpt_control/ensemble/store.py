@@ -135,6 +135,7 @@ class Store:
             decode_timedelta=False,
         )
         data = renamed(data.drop_vars(DONE), SLASH, "/").set_coords(self.arguments["keys"])
+        data = data[sorted(map(str, data.variables))]  # a folder has no order
         for array in data.variables.values():
             array.attrs.pop("kept", None)
         if self.path is None:

@@ -105,6 +105,7 @@ SYMPY: dict[str, Callable[..., Any]] = {
     },
     **{name: sympy.Function(own, real=True) for name, own in UNEXPANDED.items()},
 }
+NO_LIMIT = {"minimum": sympy.oo, "maximum": -sympy.oo}
 
 
 class Symbols(Elements):
@@ -139,6 +140,8 @@ class Symbols(Elements):
         if kind in ("eq", "ne"):
             same = SYMPY["and"](SYMPY["le"](*arguments), SYMPY["ge"](*arguments))
             return same if kind == "eq" else SYMPY["not"](same)
+        if kind in NO_LIMIT and NO_LIMIT[kind] in arguments:
+            return arguments[arguments[0] == NO_LIMIT[kind]]
         if kind == "minimum":  # np.clip(u, low, high) is minimum(maximum(u, low), high)
             for inner, high in (arguments, arguments[::-1]):
                 if getattr(inner, "func", None) == SYMPY["maximum"]:

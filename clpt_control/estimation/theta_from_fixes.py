@@ -193,6 +193,11 @@ class FlowEstimate:
     basis: Block = field(repr=False)
     origin: tuple[float, float] | None = None
 
+    def __repr__(self) -> str:
+        axes = (", ".join(f"{one:.4g}" for one in row) for row in self.theta)
+        apart = ", ".join(f"{one:.2g}" for one in self.standard_deviation)
+        return f"<FlowEstimate: theta {'; '.join(axes)}; standard deviation {apart} on both axes>"
+
     @property
     def standard_deviation(self) -> np.ndarray:
         """Of each theta, shape (N,): the same for both axes."""

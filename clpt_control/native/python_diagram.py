@@ -74,6 +74,10 @@ class PythonDiagram:
         self.intervals: dict[int, int] = {}  # places in P of each block's `interval`
         self.jumps = {k: place for place, k in enumerate(self.sweep.jumping)}  # 1 where it jumps
 
+    def __repr__(self) -> str:
+        count = f"{len(self.wiring.nodes)} blocks, {self.nstates} states"
+        return f"<{type(self).__name__}: {count}, {self.nsignals} signals>"
+
     def with_parameters(self, parameters: Sequence[Any]) -> Self:
         """Return the diagram with other parameters of its blocks."""
         other = copy(self)

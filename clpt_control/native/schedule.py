@@ -196,6 +196,7 @@ def read_inputs(inputs: Any, times: np.ndarray, count: int) -> Inputs:
         except ValueError:
             raise SimulationError(
                 f"inputs: shape {values.shape} does not fit {count} inputs at {len(times)} times"
+                + ("" if count else "; initial_state= is the start")
             ) from None
         return Inputs((times[:1], constant[:, None]))
     values = np.atleast_2d(values)

@@ -20,7 +20,7 @@ from ..arguments import check_holds, public
 from ..equations.declaration import ports_of
 from ..errors import DataError
 from ..files import beside, check_writable, write_file
-from ..html import facts, fragment
+from ..html import facts, fragment, shortened
 from ..scenario.file import CHANGED, OWN_LAW, OWN_PARTS
 from ..simulation.plots import named, ports_along, signals_of
 
@@ -96,7 +96,8 @@ class SignalTable:
 
     def __repr__(self) -> str:
         times, count = self.values.shape
-        return f"<SignalTable of {times} times and {count} columns: {', '.join(self.columns)}>"
+        columns = shortened(", ".join(self.columns), 100)
+        return f"<SignalTable of {times} times and {count} columns: {columns}>"
 
     def _repr_html_(self) -> str:
         rows = [[f"{one:.6g}" for one in row] for row in self.values[:SHOWN]]

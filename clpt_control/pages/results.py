@@ -220,7 +220,8 @@ def run_result(summary: dict[str, Any], title: str, most: int = MOST_VEHICLES) -
         return Result(title, ["", ""], rows)
     graph = f"{summary['coupling']:g}, {summary['connectivity']:.3g}"
     apart = f"{at_end(summary['max_disagreement']):.3g} at t = {summary['end']:g} {time}"
-    rows += [["coupling kappa, connectivity lambda_2", graph], ["largest disagreement", apart]]
+    rows.append([f"coupling kappa (1/{time}), connectivity lambda_2", graph])
+    rows.append([f"largest disagreement ({length}/{time})", apart])
     by_vehicle = {key: of for key, of in summary.items() if isinstance(of, dict)}
     for name in summary["vehicles"][:most]:
         numbers = {key: of[name] for key, of in by_vehicle.items() if name in of}
@@ -247,10 +248,10 @@ def _achieved(numbers: dict[str, Any], length: str, time: str) -> list[list[str]
         rows.append(["share of time at the speed limit", at_limit])
         if numbers["speed"]["faster_flow"] is None:
             rows.append(["flow faster than the vehicle", "never"])
-    for what in ("flow parameter", "gain"):
+    for what, unit in (("flow parameter", f"{length}/{time}"), ("gain", f"1/{time}")):
         if errors := numbers.get(f"max_{what.replace(' ', '_')}_error"):
             end, error = list(errors.items())[-1]
-            rows.append([f"largest {what} error", f"{error:.3g} at t = {end} {time}"])
+            rows.append([f"largest {what} error ({unit})", f"{error:.3g} at t = {end} {time}"])
     for where, share, worse in shares_of(numbers):
         said = "none: the current hardly changes" if share is None else f"{share:.3f}"
         said += f"; negative: {worse}" if worse else ""

@@ -117,7 +117,10 @@ def scenario_of_run(run: Any, files: bool = True) -> Scenario:
     if TEAM in run.attrs:
         raise DataError("the run is a team's; clpt.simulation.team_plot draws a team")
     if not isinstance(text := run.attrs.get("scenario"), str):
-        raise DataError("the run carries no scenario in its attributes; clpt.simulate writes one")
+        raise DataError(
+            "the run carries no scenario in its attributes, as that of a diagram does not; "
+            "clpt.simulate(scenario) writes one"
+        )
     return scenario_from_text(text, "the run", folder_of(run) if files else None)
 
 

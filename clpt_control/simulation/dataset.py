@@ -6,7 +6,7 @@ the versions and the solver's statistics, so that a run repeats from its file.
 
 import json
 import platform
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import cache, lru_cache
 from importlib.metadata import version
 from types import MappingProxyType
@@ -41,6 +41,7 @@ VARIABLES = {  # name -> (port, long name, unit of length or none, powers of 1/t
     "alpha": ("alpha", "adapted parameter alpha", 1, 1),
     "true_flow": ("flow_x", "true flow at the vehicle", 1, 1),
 }
+SPEEDS = ("flow_z", "v_x", "v_c", "v_z", "psi", "delta", "unflown")  # ports without a word above
 LIMITED = {  # where the vehicle's speed has a limit
     "velocity": ("v_x", "velocity through the water, as flown", 1, 1),
     "commanded_velocity": ("v_c", "velocity through the water, as commanded", 1, 1),
@@ -211,13 +212,14 @@ def run_frame(
     scenario: Scenario,
     signals: Signals,
     beyond: Mapping[str, str] = MappingProxyType({}),
-    more: Collection[str] = (),
+    more: Mapping[str, str] = MappingProxyType({}),
     states: Sequence[str] | None = None,
 ) -> Frame:
     """Return the Dataset of a scenario's runs, to be filled with signals, right limits at jumps.
 
     `beyond` has attributes for what no key holds: call-time parameters and the user's own parts;
-    `more` ports become variables of their own names; `states` are the labels of states.
+    `more` ports, each with its unit or "", become variables of their own names; `states` are the
+    labels of states.
     """
     units, N = scenario.units, scenario.basis.N
     column, parameters = signals
@@ -265,8 +267,9 @@ def run_frame(
         add("lyapunov", ("time",), V, "Lyapunov candidate V", f"{units.length}2")
     there = {port for port, *_ in wanted.values()}
     others = {k: at for k, at in ports_of(column).items() if k in more and k not in there}
+    in_units = {port: unit or (speed if port in SPEEDS else "") for port, unit in more.items()}
     more_variables, more_axes = port_variables(
-        others, {2: "axis", **({} if N == 2 else {N: "basis"})}, variables
+        others, {2: "axis", **({} if N == 2 else {N: "basis"})}, variables, in_units
     )
     variables |= more_variables
     axes = {

@@ -242,7 +242,8 @@ class DiagramRun(SystemRun):
             return diagram_frame(self.name, *map(tuple, (self.signal_labels, units, self.states)))
         signals = signals_in(self.signal_labels, self.wiring, self.runner.sweep.parameters)
         beyond = beyond_scenario_of(self.params, self.experiment.beyond_scenario)
-        ports = ports_of(self.signal_labels)
+        units = signal_units(self.wiring)
+        ports = {port: units[at[0]] for port, at in ports_of(self.signal_labels).items()}
         return run_frame(self.experiment.scenario, signals, beyond, ports, self.states)
 
 

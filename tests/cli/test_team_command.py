@@ -26,7 +26,9 @@ def test_a_team_runs_and_runs_again(clpt, tmp_path, file):
     out, figures = tmp_path / "run.nc", tmp_path / "figures"
     outcome = clpt("run", file, "--out", out, "--figures", figures)
     assert outcome.status == 0, outcome.err
-    assert re.search(r"b: largest flow parameter error +│ [-.\de]+ at t = 12 s", outcome.out)
+    assert re.search(
+        r"b: largest flow parameter error \(m/s\) +│ [-.\de]+ at t = 12 s", outcome.out
+    )
     assert (figures / "team.png").stat().st_size > 10_000
     found = json.loads(clpt("run", out, "--out", tmp_path / "again.nc", "--json").out)
     assert found == json.loads(clpt("run", file, "--out", out, "--json").out)

@@ -655,3 +655,8 @@ def test_a_backslash_in_a_name_is_told(label, tmp_path):
         with pytest.raises(clpt.DataError, match=r"Zarr has no name .* call that signal otherwise"):
             clpt.run_ensemble(block, {label: [1.0, 2.0]}, timepts=TIMES, out=out)
         assert not (tmp_path / "e.zarr").exists()
+
+
+def test_variables_stand_in_order():
+    data = clpt.run_ensemble(lag(), {"tau": [0.5, 1.0]}, timepts=TIMES, trajectories=True)
+    assert list(data.data_vars) == sorted(data.data_vars)

@@ -4,6 +4,7 @@ import re
 from dataclasses import replace
 from html.parser import HTMLParser
 
+import numpy as np
 import pytest
 
 import clpt_control as clpt
@@ -92,6 +93,26 @@ def test_a_thing_shows_itself(made, name):
         assert len(html) < 40_000
     own = r"(fill|stroke|color)[:=]\W?(black|white|000|fff)"
     assert not re.search(own, html)  # takes the page's colour
+
+
+def test_what_has_no_table_says_itself_in_one_line():
+    hours = np.arange(721.0)
+    dates = np.datetime64("2019-01-01") + hours.astype("m8[h]")
+    wave = np.cos(np.radians(28.984104) * hours)
+    run = clpt.simulate(clpt.paper_scenario().with_values({"run.duration": 20}))
+    of_sample = clpt.currents.read_record(clpt.currents.sample_currents(), at=(41.2, -69.5))
+    things = {
+        "CurrentRecord of maracoos_hfr_2019-01-01.nc: 24 times": of_sample,
+        "TidalFit of 721 samples over 720 h: M2": clpt.currents.fit_tides(
+            dates, wave, 0.5 * wave, 41.0, ["M2"]
+        ),
+        "FlowEstimate: theta ": clpt.estimation.flow_estimate(run, "kalman"),
+        "Search of learned-flow: not refuted in ": clpt.refute("learned-flow", budget=0.5),
+        "NativeDiagram: 1 blocks, 1 states": clpt.native.compile(clpt.parts.lag(1.0)),
+    }
+    for said, thing in things.items():
+        assert repr(thing).startswith(f"<{said}"), repr(thing)
+        assert len(repr(thing)) < 200
 
 
 def test_names_are_shown_as_they_are(made):

@@ -234,3 +234,12 @@ def test_a_result_says_itself():
     found = lyapunov(pendulum(), energy)
     assert repr(found).startswith("<Lyapunov proved: V' = -omega**2/10 <= 0; V is positive")
     assert "sampled" in found._repr_html_()
+
+
+def test_a_limit_at_infinity_is_none():
+    loop = clpt.connect([clpt.parts.pid(1, 0.1), clpt.parts.lag(10.0)], external="r")
+    rates = clpt.equations(loop).rates
+    assert not [rate for port in rates.values() for rate in port.flat if rate.has(sympy.oo)]
+    assert lyapunov(loop).status == "open"  # it was refused: "y' has no value"
+    one_sided = clpt.parts.saturation(0.0, np.inf)
+    assert str(clpt.equations(one_sided)) == "y = maximum(u(t), low)"
