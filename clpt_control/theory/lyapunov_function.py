@@ -25,16 +25,15 @@ from ..errors import DiagramError
 from ..html import fragment
 from ..progress.interrupt import check
 from .proving.proof import Step, as_html, checked, exact, first_failure, short, worked_out
+from .proving.running_rate import Drawn, Running, Slopes, compared, rate_of
 from .proving.signs import tidied, vanishes
 from .proving.symbolic_loop import Point, numeric
-from .proving.words import along
 from .searching import candidates
 from .squares import states_beside
 from .v_on_symbols import SystemWithV, missing
 
 SEARCHES, PER_SEARCH, ROUNDS, BEST = 20, 500, 15, 5
 SURE = 1e-7  # of the size of its terms: a sign that is no rounding
-CLOSE = 1e-9
 
 Failure = tuple[Point, float]  # a point, and what V', or what fails, is there
 
@@ -44,6 +43,17 @@ class PointSearch:
 
     def __init__(self, case: SystemWithV, seed: int):
         self.case, self.random = case, np.random.default_rng(seed)
+        self.blocks = Running(case.system, case.name)
+
+    def slopes_and(self, wanted: sympy.Expr) -> Slopes:
+        """Return V, what V' is said to be, and V's slopes, as numbers."""
+        V, wanted = (one.xreplace(self.case.eq.values) for one in (self.case.V, wanted))
+        return Slopes(V, wanted, self.case.states)
+
+    @cached_property
+    def slopes(self) -> Slopes:
+        """V and its slopes alone."""
+        return self.slopes_and(sympy.S.Zero)
 
     def numeric(self, expression: sympy.Expr) -> Callable[..., np.ndarray]:
         """Return an expression as a function of times, states and inputs, a column each."""
@@ -53,9 +63,9 @@ class PointSearch:
             raise DiagramError(f"{unknown.pop()} has no number")
 
         def at(t: np.ndarray, x: np.ndarray, u: np.ndarray) -> np.ndarray:
-            known = dict(zip(variables, [t, *x, *u], strict=True))
+            known = self.known(t, x, u)
             with np.errstate(all="ignore"):
-                found = np.asarray(function(*(known[s] for s in symbols)), dtype=float)
+                found = np.asarray(function(*(known[s] for s in symbols))[0], dtype=float)
             return np.broadcast_to(found, t.shape)
 
         return at
@@ -103,35 +113,24 @@ class PointSearch:
 
     # --- V' of the running blocks --------------------------------------------------------
 
-    @cached_property
-    def slopes(self) -> list[Callable[..., np.ndarray]]:
-        """dV/dt and dV/dx, as functions."""
-        variables = TIME, *self.case.states
-        return [self.numeric(along(self.case.V, {s: sympy.S.One})) for s in variables]
+    def known(self, t: np.ndarray, x: np.ndarray, u: np.ndarray) -> dict:
+        """Return symbol -> its numbers at points."""
+        return dict(zip([TIME, *self.case.states, *self.case.inputs], [t, *x, *u], strict=True))
 
     def rate_at(self, point: Point) -> tuple[float, float]:
         """Return V' along the rates that python-control gives, and the size of its terms."""
-        rates = np.ravel(self.case.system.dynamics(point.t, point.x, point.u))
-        terms = np.array([slope(*columns(point))[0] for slope in self.slopes]) * [1.0, *rates]
-        return float(terms.sum()), float(np.abs(terms).sum())
+        rates, _ = self.blocks.by_control(*(np.array([one]) for one in point[:3]))
+        at = self.slopes.at(self.known(*columns(point)), 1)
+        rate, size = rate_of(at[2:], rates)
+        return float(rate[0]), float(size[0])
 
     def running(self, points: int) -> Step:
         """Return the step that the running blocks give the same V', and V where it is an output."""
-        case = self.case
 
         def same() -> tuple[bool, str]:
-            apart, wanted, V = list[float](), self.numeric(case.rate), self.numeric(case.V)
-            t, x, u = self.draw(points, False)
-            for k, (right, level) in enumerate(zip(wanted(t, x, u), V(t, x, u), strict=True)):
-                value, size = self.rate_at(Point(t[k], x[:, k], u[:, k], {}))
-                off = [abs(value - right) / max(size, abs(right), 1e-300)]
-                if case.name:
-                    outputs = np.ravel(case.system.output(t[k], x[:, k], u[:, k]))
-                    put_out = outputs[case.system.output_labels.index(case.name)]
-                    off.append(abs(put_out - level) / max(abs(level), abs(put_out), 1e-300))
-                apart += [max(off)] if np.all(np.isfinite(off)) else []
-            detail = f"{len(apart)} points, largest difference {max(apart, default=np.inf):.0e}"
-            return len(apart) > points / 10 and max(apart) <= CLOSE, detail
+            at = self.draw(points, False)
+            drawn = Drawn({}, self.known(*at), at[0], at[1].T, at[2].T)
+            return compared(self.blocks, self.slopes_and(self.case.rate), [drawn], points)
 
         return checked("the running blocks give the same V'", "sampled", same, False)
 

@@ -14,7 +14,7 @@ from clpt_control.simulation.loops import paper_blocks
 from clpt_control.theory.proving import limited_speed
 from clpt_control.theory.proving.limited_speed import LIMITED_SPEED
 from clpt_control.theory.proving.proof import proof_or_failure
-from clpt_control.theory.proving.running_rate import RunningBlocks, rate_along
+from clpt_control.theory.proving.running_rate import Running
 
 PAPER = clpt.paper_scenario()
 ESTIMATE = {"learning.theta_estimate": [[0.9, 0.5, 0.7], [1.0, 0.3, 0.9]]}
@@ -33,11 +33,13 @@ def rates_of_V(scenario):
     loop = connect([*blocks, V], name="with_V")
     times = np.arange(0.0, scenario.run.duration, scenario.run.output_step)
     states = response(loop, times, initial_state=clpt.initial_state(scenario)).states.T
-    running = RunningBlocks(loop)
-    running.set({})
-    rates, _ = rate_along(running.functions, times, states, np.zeros((len(times), 0)), 2)
+    running, u = Running(loop), np.zeros((len(times), 0))
+    rates, _ = running.by_functions(times, states, u)
+    h = 0.1 * np.max(np.abs(states), axis=1) / np.max(np.abs(rates), axis=1)
+    step = h[:, None] * rates
+    ahead, behind = (running.by_functions(times, x, u)[1] for x in (states + step, states - step))
     e = states[:, 0:2] - states[:, 2:4]
-    return rates, -np.sum(np.array(car.feedback) * e**2, axis=1)
+    return (ahead - behind) / (2 * h), -np.sum(np.array(car.feedback) * e**2, axis=1)
 
 
 def test_V_falls_along_the_papers_run_as_without_a_limit():

@@ -9,10 +9,16 @@ from hypothesis import strategies as st
 
 import clpt_control as clpt
 from clpt_control.blocks.laws.table import LAWS
-from clpt_control.theory.proving.array_loop import TIME
+from clpt_control.theory.proving.array_loop import TIME, blocks_of
+from clpt_control.theory.proving.running_rate import Running, Slopes
 from clpt_control.theory.proving.signs import vanishes
-from clpt_control.theory.proving.symbolic_loop import symbolic_loop
-from clpt_control.theory.proving.theorem_loop import theorem_loop, theorem_scenario
+from clpt_control.theory.proving.symbolic_loop import Draw, symbolic_loop
+from clpt_control.theory.proving.theorem_loop import (
+    law_and_V,
+    law_loop,
+    theorem_loop,
+    theorem_scenario,
+)
 
 
 @pytest.mark.parametrize("N", [1, 2, 4])
@@ -35,6 +41,24 @@ def test_symbols_agree_with_python_control(N, law):
     known = {symbol: sympy.Float(float(value), 30) for symbol, value in places.items()}
     found = [float(rate.xreplace(known).evalf(30)) for rate in loop.motion.values()]
     np.testing.assert_allclose(found, diagram.dynamics(t, state, []), rtol=1e-10, atol=1e-12)
+
+
+@pytest.mark.parametrize(
+    "law", [law for law in LAWS.values() if not law.at_fixes], ids=lambda law: law.name
+)
+def test_slopes_of_V_are_those_of_the_running_blocks(law):
+    """Each by a difference of V of the blocks' functions."""
+    diagram = law_loop(law, *law_and_V(law, 2))
+    loop, running = symbolic_loop(diagram, jumps=True), Running(diagram)
+    draw = Draw(blocks_of(running.wiring), loop, 0)
+    x = draw.random.standard_normal((20, diagram.nstates))
+    along = draw.random.standard_normal(x.shape)
+    t, u, h = np.zeros(20), draw.random.standard_normal((20, diagram.ninputs)), 1e-5
+    known = draw.at(draw.parameters(draw.names), t, x, u)
+    _, _, _, *slopes = Slopes(loop.signals["V"][0], sympy.S.Zero, [*loop.motion]).at(known, 20)
+    ahead, behind = (running.by_functions(t, x + way * h * along, u)[1] for way in (1, -1))
+    wanted, size = np.sum(slopes * along.T, axis=0), np.sum(np.abs(slopes * along.T), axis=0)
+    assert np.all(np.abs((ahead - behind) / (2 * h) - wanted) < 1e-6 * size)
 
 
 def test_a_linear_part_is_wired_by_its_own_labels():

@@ -18,7 +18,7 @@ from ...equations.symbolic import base_and_term, reindexed
 from .array_loop import TIME, array_loop
 from .leaks import Bound, listed
 from .proof import Step, checked, exact, short
-from .running_rate import V_and_rates, running_step
+from .running_rate import running_step
 from .signs import (
     MOST_TERMS,
     Facts,
@@ -31,7 +31,6 @@ from .signs import (
 )
 from .symbolic_loop import (
     SymbolicLoop,
-    degree_of,
     flat,
     positive_somewhere,
     refuse_no_value,
@@ -39,8 +38,6 @@ from .symbolic_loop import (
 )
 from .theorem_loop import decay, rate_of_V, theorem_loop, truth_in
 from .words import along, faster_than_linear
-
-EXACT = 4  # the degree of a V of which V' is taken without a rounding
 
 
 @dataclass
@@ -259,17 +256,11 @@ class Case:
         return falls, fall
 
     def running(self) -> Step:
-        """Return the step that the running blocks have the same V', or V and rates."""
+        """Return the step that the running blocks have the same V'."""
+        square = sum(e**2 for e in self.loop.signals["e"])  # multiplied out it loses digits
+        fall = self.fall + self.residual.xreplace({sympy.expand(square): square})
         known: dict[str, Any] = {"seed": self.seed, "tied": self.tied, "fixed": self.fixed}
-        V = self.loop.signals["V"][0]
-        if degree_of(self.loop) <= EXACT and not V.has(TIME):
-            square = sum(e**2 for e in self.loop.signals["e"])  # multiplied out it loses digits
-            fall = self.fall + self.residual.xreplace({sympy.expand(square): square})
-            return running_step(lambda: (self.diagram, self.loop, fall), self.points, **known)
-        wanted = [V, *self.loop.motion.values()]
-        return running_step(
-            lambda: (self.diagram, self.loop, wanted), self.points, gauge=V_and_rates, **known
-        )
+        return running_step(lambda: (self.diagram, self.loop, fall), self.points, **known)
 
     def every(self) -> Step:
         """Return the step that the same holds for every N."""

@@ -116,6 +116,7 @@ class Draw:
 
     def __init__(self, blocks: Sequence[Block], loop: SymbolicLoop, seed: int):
         self.random, self.blocks, self.loop = np.random.default_rng(seed), blocks, loop
+        self.names = [block.name for block in blocks]
         lines = [o for b in blocks for r in b.records.values() for o in r.operations]
         numbers = {a for o in lines for a in o.arguments if type(a) is float and np.isfinite(a)}
         values = [np.ravel(v) for b in blocks for v in b.parameters if not isinstance(v, int)]
@@ -198,19 +199,20 @@ def refuse_no_value(loop: SymbolicLoop, name: str) -> None:
         )
 
 
-def numeric(expression: sympy.Expr) -> tuple[Any, list[Any]]:
-    """Return an expression as a function of arrays, and its symbols."""
-    applied = expression.atoms(sympy.core.function.AppliedUndef)
+def numeric(*expressions: sympy.Expr) -> tuple[Any, list[Any]]:
+    """Return expressions as a function of arrays, and their symbols."""
+    whole = sympy.Tuple(*expressions)
+    applied = whole.atoms(sympy.core.function.AppliedUndef)
     inputs = [f for f in applied if f.args == (TIME,)]
     words = {str(f.func) for f in applied} - {str(f.func) for f in inputs}
-    if expression.has(sympy.Derivative) or words - set(NUMBERS_OF):
+    if whole.has(sympy.Derivative) or words - set(NUMBERS_OF):
         unknown = ", ".join(sorted(words - set(NUMBERS_OF))) or "a derivative of an input"
         raise DiagramError(f"{unknown} has no numbers, so V' cannot be compared")
-    symbols = sorted(expression.free_symbols - {TIME}, key=str) + sorted(inputs, key=str)
-    if expression.has(TIME):
+    symbols = sorted(whole.free_symbols - {TIME}, key=str) + sorted(inputs, key=str)
+    if whole.has(TIME):
         symbols.append(TIME)
 
-    def function(*numbers: Any) -> Any:
+    def function(*numbers: Any) -> list[Any]:
         known: dict[sympy.Expr, Any] = dict(zip(symbols, numbers, strict=True))
 
         def value(e: sympy.Expr) -> Any:
@@ -218,7 +220,7 @@ def numeric(expression: sympy.Expr) -> tuple[Any, list[Any]]:
                 known[e] = _applied(e, [value(a) for a in e.args])
             return known[e]
 
-        return value(expression)
+        return [value(e) for e in expressions]
 
     return function, symbols
 
@@ -254,12 +256,6 @@ def positive_somewhere(expression: sympy.Expr, seed: int = 0) -> bool:
         if s.is_nonnegative or s.is_nonpositive or s == TIME:
             row[:] = np.abs(row) * (-1 if s.is_nonpositive else 1)
     with np.errstate(all="ignore"):
-        values = np.broadcast_to(function(*drawn), TRIED)
+        values = np.broadcast_to(function(*drawn)[0], TRIED)
     values = values[np.isfinite(values)]
     return bool(values.size and values.max() > SMALL * np.abs(values).max())
-
-
-def degree_of(loop: SymbolicLoop) -> float:
-    """Return the degree of V in the states; inf for no polynomial."""
-    V = loop.signals["V"][0]
-    return sympy.Poly(V, *loop.motion).total_degree() if V.is_polynomial(*loop.motion) else np.inf

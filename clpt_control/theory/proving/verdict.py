@@ -19,17 +19,18 @@ import sympy
 from ...diagrams.interconnection import Diagram
 from ...errors import DiagramError
 from ...html import facts, fragment
-from ...native.sweep import Sweep
 from ...progress.interrupt import check
+from .array_loop import blocks_of
 from .law_case import Case
 from .leaks import Bounding
 from .proof import Step, as_html, cited, exact, short
-from .running_rate import Evaluator, RunningBlocks, rate_along
-from .symbolic_loop import Draw, Point, degree_of, numbers_at, numeric
+from .running_rate import Running, Slopes, rate_of
+from .symbolic_loop import Draw, Point, numbers_at
 from .theorem_loop import truth_in
 
 DRAWS, PER_DRAW, TRIED = 100, 200, 3
 FARTHER = (1.0, 10.0, 100.0)
+SURE = 1e-6  # of the size of its terms: a sign that is no rounding
 JUMPS, UNTIL = 4, 1000.0  # draws for a law that jumps, and until when its jumps are looked for
 
 
@@ -38,37 +39,30 @@ def refuting_point(case: Case) -> tuple[Point, float] | None:
 
     Points are chosen by V' on symbols where it has numbers.
     """
-    degree = degree_of(case.loop)
+    V, states = case.loop.signals["V"][0], [*case.loop.motion]
     try:
-        function, symbols = numeric(case.rate)
+        slopes, draws = Slopes(V, case.rate, states), DRAWS
     except DiagramError:
-        function, symbols = None, []
-    draws = _draws(case, DRAWS if function is not None else 4)
-    for functions, params, known, x, far, u in draws:
+        slopes, draws = Slopes(V, sympy.nan, states), 4
+    for running, draw, values, x, far, u in _draws(case, draws):
+
+        def at(x: np.ndarray, u: np.ndarray, draw: Draw = draw, values: dict = values) -> Any:
+            return slopes.at(draw.at(values, np.zeros(len(x)), x, u), len(x))
+
+        rates = at(x, u)[1]
         order = list(range(PER_DRAW))
-        if function is not None:
-            with np.errstate(all="ignore"):
-                rates = np.broadcast_to(function(*(known[s] for s in symbols)), PER_DRAW)
+        if draws == DRAWS:
             steepest = np.argsort(-rates / np.sum(far**2, axis=1))
             order = [int(k) for k in steepest if rates[k] > 0][:TRIED]
         for k in order:
-            rate = _persists(functions, x[k] - far[k], far[k], u[k], degree)
-            if rate is not None:
-                return Point(0.0, x[k], u[k], params), rate
+            all_x = x[k] + np.outer([times - 1 for times in FARTHER], far[k])
+            all_u = np.tile(u[k], (len(all_x), 1))
+            rates, V = running.by_functions(np.zeros(len(all_x)), all_x, all_u)
+            rate, size = rate_of(at(all_x, all_u)[2:], rates)
+            positive = np.all((rate > SURE * size) & (V > 0))
+            if positive and rate[-1] / V[-1] >= 0.5 * rate[0] / V[0]:
+                return Point(0.0, x[k], u[k], running.params), float(rate[0])
     return None
-
-
-def _persists(
-    functions: Evaluator, truth: np.ndarray, far: np.ndarray, u: np.ndarray, degree: float
-) -> float | None:
-    """Return V' where it is positive at all distances and grows with V."""
-    x = np.array([truth + times * far for times in FARTHER])
-    point = np.zeros(len(x)), x, np.tile(u, (len(x), 1))
-    rate, scale = rate_along(functions, *point, degree)
-    V = functions.values(*point)
-    if not np.all((rate > 1e-6 * scale) & (V > 0)):
-        return None
-    return float(rate[0]) if rate[-1] / V[-1] >= 0.5 * rate[0] / V[0] else None
 
 
 def rising_jump(case: Case) -> tuple[Point, Point, float] | None:
@@ -77,8 +71,8 @@ def rising_jump(case: Case) -> tuple[Point, Point, float] | None:
     V rises there at all distances, the more the farther off.  It does not at a jump that forgets a
     share of everything: errors stay bounded by that.
     """
-    for functions, params, _, x, far, u in _draws(case, JUMPS):
-        sweep = Sweep(functions.wiring, functions.parameters)
+    for running, _, _, x, far, u in _draws(case, JUMPS):
+        sweep = running.sweep
         times = sweep.breakpoints(0.0, UNTIL)[: len(FARTHER)]
         for k in range(PER_DRAW if len(times) else 0):
             t = float(times[k % len(times)])
@@ -86,28 +80,26 @@ def rising_jump(case: Case) -> tuple[Point, Point, float] | None:
             before = np.array([x[k] + (off - 1) * far[k] for off in FARTHER])
             after = np.array([sweep.jump(t, one, u[k], sweep.jumping) for one in before])
             at = np.full(len(FARTHER), t), np.tile(u[k], (len(FARTHER), 1))
-            V = [functions.values(at[0], s, at[1]) for s in (before, after)]
+            V = [running.by_functions(at[0], s, at[1])[1] for s in (before, after)]
             rise = V[1] - V[0]
-            if np.all(rise > 1e-6 * np.abs(V[0])) and rise[-1] >= 10 * rise[0]:
-                points = [Point(t, s[0], u[k], params) for s in (before, after)]
+            if np.all(rise > SURE * np.abs(V[0])) and rise[-1] >= 10 * rise[0]:
+                points = [Point(t, s[0], u[k], running.params) for s in (before, after)]
                 return points[0], points[1], float(rise[0])
     return None
 
 
 def _draws(case: Case, count: int) -> Iterator[tuple]:
-    """Yield running blocks, their parameters, symbol -> number, states, their errors, inputs.
+    """Yield running blocks, a draw, its parameters' numbers, states, their errors, inputs.
 
     The law and V keep their own parameters.
     """
-    running = RunningBlocks(case.diagram)
-    draw = Draw(running.blocks, case.loop, case.seed)
+    running = Running(case.diagram)
+    draw = Draw(blocks_of(running.wiring), case.loop, case.seed)
     for _ in range(count):
         check()
         values = draw.parameters(case.names, largest=0.0)
-        running.set(params := draw.params(values))
-        x, far, u = _around_the_truth(draw, values)
-        known = draw.at(values, np.zeros(PER_DRAW), x, u)
-        yield running.functions, params, known, x, far, u
+        running.set(draw.params(values))
+        yield running, draw, values, *_around_the_truth(draw, values)
 
 
 def _around_the_truth(draw: Draw, values: dict) -> tuple:
