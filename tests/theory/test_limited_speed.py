@@ -35,7 +35,8 @@ def rates_of_V(scenario):
     states = response(loop, times, initial_state=clpt.initial_state(scenario)).states.T
     running, u = Running(loop), np.zeros((len(times), 0))
     rates, _ = running.by_functions(times, states, u)
-    h = 0.1 * np.max(np.abs(states), axis=1) / np.max(np.abs(rates), axis=1)
+    largest, fastest = (np.max(np.abs(one), axis=1) for one in (states, rates))
+    h = 0.1 * np.maximum(largest, 1e-3) / np.maximum(fastest, 1e-9)
     step = h[:, None] * rates
     ahead, behind = (running.by_functions(times, x, u)[1] for x in (states + step, states - step))
     e = states[:, 0:2] - states[:, 2:4]

@@ -112,7 +112,7 @@ def _stacked(one: Callable[..., tuple], t: np.ndarray, x: np.ndarray, u: np.ndar
 PER_DRAW = 100  # points for each draw of the parameters
 THROUGH_CONTROL, CALLED = 20, 2  # points of the first draw, and of others, that functions get
 CLOSE = 1e-9
-HUGE = 1e100  # beyond, numbers say nothing
+HUGE, TINY = 1e100, 1e-300  # beyond, numbers say nothing
 UNEVEN = 1e13  # a ratio of V's weights beyond which the greater hides the lesser
 
 
@@ -202,7 +202,7 @@ def _apart(wanted: np.ndarray, found: np.ndarray, size: np.ndarray) -> np.ndarra
     """Return the relative difference of numbers; 0 where both are too large to compare."""
     with np.errstate(all="ignore"):
         silent = ~(np.abs(wanted) < HUGE) & ~(np.abs(found) < HUGE)
-        off = np.abs(found - wanted) / np.maximum(size, np.abs(wanted))
+        off = np.abs(found - wanted) / np.maximum(np.maximum(size, np.abs(wanted)), TINY)
         return np.where(silent | (found == wanted), 0.0, off)
 
 
