@@ -25,9 +25,9 @@ from ..errors import DiagramError
 from ..html import fragment
 from ..progress.interrupt import check
 from .proving.proof import Step, as_html, checked, exact, first_failure, short, worked_out
-from .proving.running_rate import Drawn, Running, Slopes, compared, rate_of
+from .proving.running_rate import Drawn, Running, compared, rate_of, slopes_of
 from .proving.signs import tidied, vanishes
-from .proving.symbolic_loop import Point, numeric
+from .proving.symbolic_loop import Numbers, Point
 from .searching import candidates
 from .squares import states_beside
 from .v_on_symbols import SystemWithV, missing
@@ -45,30 +45,25 @@ class PointSearch:
         self.case, self.random = case, np.random.default_rng(seed)
         self.blocks = Running(case.system, case.name)
 
-    def slopes_and(self, wanted: sympy.Expr) -> Slopes:
-        """Return V, what V' is said to be, and V's slopes, as numbers."""
-        V, wanted = (one.xreplace(self.case.eq.values) for one in (self.case.V, wanted))
-        return Slopes(V, wanted, self.case.states)
-
     @cached_property
-    def slopes(self) -> Slopes:
-        """V and its slopes alone."""
-        return self.slopes_and(sympy.S.Zero)
+    def slopes(self) -> Numbers:
+        """dV/dt and dV/dx."""
+        return self.numbers(*slopes_of(self.case.V, self.case.states))
 
-    def numeric(self, expression: sympy.Expr) -> Callable[..., np.ndarray]:
-        """Return an expression as a function of times, states and inputs, a column each."""
-        variables = [TIME, *self.case.states, *self.case.inputs]
-        function, symbols = numeric(expression.xreplace(self.case.eq.values))
-        if unknown := set(symbols) - set(variables):
+    def numbers(self, *expressions: sympy.Expr) -> Numbers:
+        """Return expressions as numbers at points, with the parameters as they are."""
+        found = Numbers(*(one.xreplace(self.case.eq.values) for one in expressions))
+        if unknown := set(found.symbols) - {TIME, *self.case.states, *self.case.inputs}:
             raise DiagramError(f"{unknown.pop()} has no number")
+        return found
 
-        def at(t: np.ndarray, x: np.ndarray, u: np.ndarray) -> np.ndarray:
-            known = self.known(t, x, u)
-            with np.errstate(all="ignore"):
-                found = np.asarray(function(*(known[s] for s in symbols))[0], dtype=float)
-            return np.broadcast_to(found, t.shape)
+    def known(self, t: np.ndarray, x: np.ndarray, u: np.ndarray) -> dict:
+        """Return symbol -> its numbers at points."""
+        return dict(zip([TIME, *self.case.states, *self.case.inputs], [t, *x, *u], strict=True))
 
-        return at
+    def value_at(self, expression: sympy.Expr, point: Point) -> float:
+        """Return an expression at a point."""
+        return float(self.numbers(expression).at(self.known(*columns(point)), 1)[0, 0])
 
     def draw(self, count: int, still: bool) -> tuple:
         """Return times, states and inputs of wide ranges, some of them zero."""
@@ -86,15 +81,16 @@ class PointSearch:
         """Yield points at which an expression is positive, beside the size of its terms."""
         parts = sympy.Add.make_args(sympy.expand(expression))
         try:
-            value, *sizes = map(self.numeric, (expression, *parts))
+            numbers = self.numbers(expression, *parts)
         except DiagramError:  # what has no numbers, such as a source of time
             return
         for _ in range(SEARCHES):
             check()
             at, near = self.draw(PER_SEARCH, still), 1.0
             for _ in range(ROUNDS):
+                value, *terms = numbers.at(self.known(*at), PER_SEARCH)
                 with np.errstate(all="ignore"):
-                    share = value(*at) / sum(np.abs(size(*at)) for size in sizes)
+                    share = value / np.abs(terms).sum(axis=0)
                 share = np.where(np.isfinite(share), share, -np.inf)
                 best = np.argsort(-share)[:BEST]
                 if share[best[0]] > SURE:
@@ -113,24 +109,20 @@ class PointSearch:
 
     # --- V' of the running blocks --------------------------------------------------------
 
-    def known(self, t: np.ndarray, x: np.ndarray, u: np.ndarray) -> dict:
-        """Return symbol -> its numbers at points."""
-        return dict(zip([TIME, *self.case.states, *self.case.inputs], [t, *x, *u], strict=True))
-
     def rate_at(self, point: Point) -> tuple[float, float]:
         """Return V' along the rates that python-control gives, and the size of its terms."""
         rates, _ = self.blocks.by_control(*(np.array([one]) for one in point[:3]))
-        at = self.slopes.at(self.known(*columns(point)), 1)
-        rate, size = rate_of(at[2:], rates)
+        rate, size = rate_of(self.slopes.at(self.known(*columns(point)), 1), rates)
         return float(rate[0]), float(size[0])
 
     def running(self, points: int) -> Step:
         """Return the step that the running blocks give the same V', and V where it is an output."""
 
         def same() -> tuple[bool, str]:
+            V, rate = (one.xreplace(self.case.eq.values) for one in (self.case.V, self.case.rate))
             at = self.draw(points, False)
             drawn = Drawn({}, self.known(*at), at[0], at[1].T, at[2].T)
-            return compared(self.blocks, self.slopes_and(self.case.rate), [drawn], points)
+            return compared(self.blocks, self.case.states, V, rate, [drawn], points)
 
         return checked("the running blocks give the same V'", "sampled", same, False)
 
@@ -148,10 +140,10 @@ class PointSearch:
 
     def not_as_claimed(self) -> Failure | None:
         """Return a point at which V' of the running blocks is not as claimed, and V' there."""
-        residual, claimed = tidied(self.case.rate - self.case.claim), self.numeric(self.case.claim)
+        residual = tidied(self.case.rate - self.case.claim)
         for point in chain(self.highest(residual, False), self.highest(-residual, False)):
             value, size = self.rate_at(point)
-            right = claimed(*columns(point))[0]
+            right = self.value_at(self.case.claim, point)
             if abs(value - right) > SURE * max(size, abs(right)):
                 return point, value
         return None
@@ -182,7 +174,7 @@ class PointSearch:
         """Return the first of these points, and an expression there."""
         if (point := next(points, None)) is None:
             return None
-        return point, float(self.numeric(expression)(*columns(point))[0])
+        return point, self.value_at(expression, point)
 
 
 def columns(point: Point) -> tuple:

@@ -10,9 +10,9 @@ from hypothesis import strategies as st
 import clpt_control as clpt
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.theory.proving.array_loop import TIME, blocks_of
-from clpt_control.theory.proving.running_rate import Running, Slopes
+from clpt_control.theory.proving.running_rate import Running, slopes_of
 from clpt_control.theory.proving.signs import vanishes
-from clpt_control.theory.proving.symbolic_loop import Draw, symbolic_loop
+from clpt_control.theory.proving.symbolic_loop import Draw, Numbers, symbolic_loop
 from clpt_control.theory.proving.theorem_loop import (
     law_and_V,
     law_loop,
@@ -55,7 +55,7 @@ def test_slopes_of_V_are_those_of_the_running_blocks(law):
     along = draw.random.standard_normal(x.shape)
     t, u, h = np.zeros(20), draw.random.standard_normal((20, diagram.ninputs)), 1e-5
     known = draw.at(draw.parameters(draw.names), t, x, u)
-    _, _, _, *slopes = Slopes(loop.signals["V"][0], sympy.S.Zero, [*loop.motion]).at(known, 20)
+    slopes = Numbers(*slopes_of(loop.signals["V"][0], [*loop.motion])[1:]).at(known, 20)
     ahead, behind = (running.by_functions(t, x + way * h * along, u)[1] for way in (1, -1))
     wanted, size = np.sum(slopes * along.T, axis=0), np.sum(np.abs(slopes * along.T), axis=0)
     assert np.all(np.abs((ahead - behind) / (2 * h) - wanted) < 1e-6 * size)

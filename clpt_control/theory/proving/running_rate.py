@@ -25,7 +25,7 @@ from ...native.sweep import Sweep
 from ...progress.interrupt import check
 from .array_loop import blocks_of
 from .proof import Step, checked
-from .symbolic_loop import Draw, Point, equate_x_and_z, numeric
+from .symbolic_loop import Draw, Numbers, Point, equate_x_and_z
 from .words import along
 
 Found = tuple[np.ndarray, np.ndarray]  # rates (n, nx) and V (n,); NaN where there are none
@@ -116,23 +116,16 @@ HUGE, TINY = 1e100, 1e-300  # beyond, numbers say nothing
 UNEVEN = 1e13  # a ratio of V's weights beyond which the greater hides the lesser
 
 
-class Slopes:
-    """V on symbols, what V' is said to be, and V's slopes, as numbers at points."""
-
-    def __init__(self, V: sympy.Expr, wanted: sympy.Expr, states: list):
-        slopes = [along(V, {s: sympy.S.One}) for s in (TIME, *states)]
-        self.function, self.symbols = numeric(V, wanted, *slopes)
-
-    def at(self, known: Mapping[Any, Any], size: int) -> np.ndarray:
-        """Return V, what V' is said to be, dV/dt and dV/dx_i at points, (3 + nx, n)."""
-        with np.errstate(all="ignore"):
-            found = self.function(*(known[s] for s in self.symbols))
-        return np.array([np.broadcast_to(np.asarray(one, dtype=float), size) for one in found])
+def slopes_of(V: sympy.Expr, states: list) -> list[sympy.Expr]:
+    """Return dV/dt and dV/dx_i, words with kinks as well."""
+    return [along(V, {s: sympy.S.One}) for s in (TIME, *states)]
 
 
 def rate_of(slopes: Any, rates: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return V' of slopes (1 + nx, n) along rates (n, nx), and the size of its terms."""
-    terms = slopes * np.vstack([np.ones(len(rates)), rates.T])
+    with np.errstate(all="ignore"):
+        terms = slopes * np.vstack([np.ones(len(rates)), rates.T])
+    terms = np.where(np.equal(slopes, 0.0), 0.0, terms)
     return terms.sum(axis=0), np.abs(terms).sum(axis=0)
 
 
@@ -170,40 +163,52 @@ class Drawn(NamedTuple):
 
 
 def compared(
-    running: Running, slopes: Slopes, draws: Iterable[Drawn], first: int = THROUGH_CONTROL
+    running: Running,
+    states: list[Any],
+    V: sympy.Expr,
+    wanted: sympy.Expr,
+    draws: Iterable[Drawn],
+    first: int = THROUGH_CONTROL,
 ) -> tuple[bool, str]:
-    """Compare V' and V of the running blocks with those on symbols, at points that are drawn.
+    """Compare V and V' of the running blocks with V and what V' is to be, at points drawn.
 
-    At `first` points of the first draw python-control calls the blocks.
+    V is compared where it is an output.  At `first` points of the first draw python-control calls
+    the blocks.
     """
-    worst, points, told = 0.0, 0, 0
+    worst, points, told, parts = 0.0, 0, 0, sympy.Add.make_args(wanted)
+    numbers = Numbers(*parts, V, *slopes_of(V, states))
     for params, known, *at in draws:
         check()
         running.set(params)
-        symbols = slopes.at(known, len(at[0]))
+        symbols = numbers.at(known, len(at[0]))
         some = (running.by_functions, CALLED) if points else (running.by_control, first)
         for evaluate, most in (some, (running.by_records, len(at[0]))):
             here = [one[:most] for one in at]
-            rates, V = evaluate(*here)
-            of_V, right, *slope = symbols[:, :most]
-            pairs = [(right, *rate_of(slope, rates))]
-            pairs += [(of_V, V, np.abs(of_V))] if running.V else []
-            off = np.max([_apart(*pair) for pair in pairs], axis=0)
+            rates, level = evaluate(*here)
+            terms, (of_V, *slopes) = np.split(symbols[:, :most], [len(parts)])
+            rate, size = rate_of(slopes, rates)
+            right, size = terms.sum(axis=0), np.maximum(size, np.abs(terms).sum(axis=0))
+            level = level if running.V else of_V
+            off = np.maximum(_apart(right, rate, size), _apart(of_V, level, np.abs(of_V)))
+            off = np.where(_too_large(of_V, level), 0.0, off)
             for k in np.flatnonzero(~(off <= CLOSE))[:1]:
                 t, x, u = (one[k] for one in here)
                 return False, f"differs by {off[k]:.1e} of V at {Point(t, x, u, params)}"
             worst = max(worst, float(off.max()))
         points += len(at[0])
-        told += int(np.sum(np.abs(symbols[1]) < HUGE))
+        told += int(np.sum(np.abs(symbols[: len(parts) + 1]).max(axis=0) < HUGE))
     return told > points / 10, f"{points} points, largest difference {worst:.0e} of V"
 
 
 def _apart(wanted: np.ndarray, found: np.ndarray, size: np.ndarray) -> np.ndarray:
     """Return the relative difference of numbers; 0 where both are too large to compare."""
     with np.errstate(all="ignore"):
-        silent = ~(np.abs(wanted) < HUGE) & ~(np.abs(found) < HUGE)
         off = np.abs(found - wanted) / np.maximum(np.maximum(size, np.abs(wanted)), TINY)
-        return np.where(silent | (found == wanted), 0.0, off)
+    return np.where(_too_large(wanted, found), 0.0, off)
+
+
+def _too_large(wanted: np.ndarray, found: np.ndarray) -> np.ndarray:
+    return ~(np.abs(wanted) < HUGE) & ~(np.abs(found) < HUGE)
 
 
 def running_step(
@@ -225,7 +230,7 @@ def running_step(
     def same() -> tuple[bool, str]:
         diagram, loop, wanted = read()
         V, states, running = loop.signals["V"][0], [*loop.motion], Running(diagram)
-        draw, slopes = Draw(blocks_of(running.wiring), loop, seed), Slopes(V, wanted, states)
+        draw = Draw(blocks_of(running.wiring), loop, seed)
 
         def drawn(done: int) -> Drawn:
             values = draw.parameters(fixed if done else draw.names)
@@ -236,12 +241,14 @@ def running_step(
                 n, half = len(states), size // 2
                 axes = np.vstack([np.zeros(n), np.eye(n)])
                 known = draw.at(values, 0.0, axes, np.zeros((n + 1, diagram.ninputs)))
-                x[half:] = near_least(slopes.at(known, n + 1)[3:].T, x[half:], draw.random)
+                slopes = Numbers(*slopes_of(V, states)[1:]).at(known, n + 1)
+                x[half:] = near_least(slopes.T, x[half:], draw.random)
             equate_x_and_z(loop, x, draw.random)
             t = draw.random.uniform(0.0, 100.0, size)
             return Drawn(draw.params(values), draw.at(values, t, x, u), t, x, u)
 
-        holds, detail = compared(running, slopes, map(drawn, range(0, points, PER_DRAW)))
+        draws = map(drawn, range(0, points, PER_DRAW))
+        holds, detail = compared(running, states, V, wanted, draws)
         return holds, of + detail
 
     return checked(f"the running blocks give the same V'{which}", "sampled", same, False)

@@ -199,30 +199,32 @@ def refuse_no_value(loop: SymbolicLoop, name: str) -> None:
         )
 
 
-def numeric(*expressions: sympy.Expr) -> tuple[Any, list[Any]]:
-    """Return expressions as a function of arrays, and their symbols."""
-    whole = sympy.Tuple(*expressions)
-    applied = whole.atoms(sympy.core.function.AppliedUndef)
-    inputs = [f for f in applied if f.args == (TIME,)]
-    words = {str(f.func) for f in applied} - {str(f.func) for f in inputs}
-    if whole.has(sympy.Derivative) or words - set(NUMBERS_OF):
-        unknown = ", ".join(sorted(words - set(NUMBERS_OF))) or "a derivative of an input"
-        raise DiagramError(f"{unknown} has no numbers, so V' cannot be compared")
-    symbols = sorted(whole.free_symbols - {TIME}, key=str) + sorted(inputs, key=str)
-    if whole.has(TIME):
-        symbols.append(TIME)
+class Numbers:
+    """Expressions as numbers at points."""
 
-    def function(*numbers: Any) -> list[Any]:
-        known: dict[sympy.Expr, Any] = dict(zip(symbols, numbers, strict=True))
+    def __init__(self, *expressions: sympy.Expr):
+        self.expressions, whole = expressions, sympy.Tuple(*expressions)
+        applied = whole.atoms(sympy.core.function.AppliedUndef)
+        inputs = [f for f in applied if f.args == (TIME,)]
+        words = {str(f.func) for f in applied} - {str(f.func) for f in inputs}
+        if whole.has(sympy.Derivative) or words - set(NUMBERS_OF):
+            unknown = ", ".join(sorted(words - set(NUMBERS_OF))) or "a derivative of an input"
+            raise DiagramError(f"{unknown} has no numbers, so V' cannot be compared")
+        self.symbols = sorted(whole.free_symbols - {TIME}, key=str) + sorted(inputs, key=str)
+        self.symbols += [TIME] if whole.has(TIME) else []
+
+    def at(self, known: Mapping[Any, Any], count: int) -> np.ndarray:
+        """Return the numbers of the expressions, (expressions, count), of those of symbols."""
+        numbers: dict[sympy.Expr, Any] = {s: known[s] for s in self.symbols}
 
         def value(e: sympy.Expr) -> Any:
-            if e not in known:
-                known[e] = _applied(e, [value(a) for a in e.args])
-            return known[e]
+            if e not in numbers:
+                numbers[e] = _applied(e, [value(a) for a in e.args])
+            return numbers[e]
 
-        return [value(e) for e in expressions]
-
-    return function, symbols
+        with np.errstate(all="ignore"):
+            found = [np.asarray(value(e), dtype=float) for e in self.expressions]
+        return np.array([np.broadcast_to(one, count) for one in found])
 
 
 def _applied(e: sympy.Expr, numbers: list[Any]) -> Any:
@@ -246,16 +248,15 @@ def _function(word: Any, count: int) -> Callable[..., Any]:
 def positive_somewhere(expression: sympy.Expr, seed: int = 0) -> bool:
     """Return whether an expression is positive at a random point: no proof is tried then."""
     try:
-        function, symbols = numeric(expression)
+        numbers = Numbers(expression)
     except DiagramError:
         return False
     random = np.random.default_rng(seed)
-    drawn = random.standard_normal((len(symbols), TRIED))
+    drawn = random.standard_normal((len(numbers.symbols), TRIED))
     drawn *= 10.0 ** random.uniform(-1, 1, (1, TRIED))
-    for row, s in zip(drawn, symbols, strict=True):
+    for row, s in zip(drawn, numbers.symbols, strict=True):
         if s.is_nonnegative or s.is_nonpositive or s == TIME:
             row[:] = np.abs(row) * (-1 if s.is_nonpositive else 1)
-    with np.errstate(all="ignore"):
-        values = np.broadcast_to(function(*drawn)[0], TRIED)
+    (values,) = numbers.at(dict(zip(numbers.symbols, drawn, strict=True)), TRIED)
     values = values[np.isfinite(values)]
     return bool(values.size and values.max() > SMALL * np.abs(values).max())

@@ -24,8 +24,8 @@ from .array_loop import blocks_of
 from .law_case import Case
 from .leaks import Bounding
 from .proof import Step, as_html, cited, exact, short
-from .running_rate import Running, Slopes, rate_of
-from .symbolic_loop import Draw, Point, numbers_at
+from .running_rate import Running, rate_of, slopes_of
+from .symbolic_loop import Draw, Numbers, Point, numbers_at
 from .theorem_loop import truth_in
 
 DRAWS, PER_DRAW, TRIED = 100, 200, 3
@@ -39,29 +39,24 @@ def refuting_point(case: Case) -> tuple[Point, float] | None:
 
     Points are chosen by V' on symbols where it has numbers.
     """
-    V, states = case.loop.signals["V"][0], [*case.loop.motion]
+    slopes = Numbers(*slopes_of(case.loop.signals["V"][0], [*case.loop.motion]))
     try:
-        slopes, draws = Slopes(V, case.rate, states), DRAWS
+        rate = Numbers(case.rate)
     except DiagramError:
-        slopes, draws = Slopes(V, sympy.nan, states), 4
-    for running, draw, values, x, far, u in _draws(case, draws):
-
-        def at(x: np.ndarray, u: np.ndarray, draw: Draw = draw, values: dict = values) -> Any:
-            return slopes.at(draw.at(values, np.zeros(len(x)), x, u), len(x))
-
-        rates = at(x, u)[1]
+        rate = None
+    for running, draw, values, x, far, u in _draws(case, 4 if rate is None else DRAWS):
         order = list(range(PER_DRAW))
-        if draws == DRAWS:
+        if rate is not None:
+            (rates,) = rate.at(draw.at(values, np.zeros(PER_DRAW), x, u), PER_DRAW)
             steepest = np.argsort(-rates / np.sum(far**2, axis=1))
             order = [int(k) for k in steepest if rates[k] > 0][:TRIED]
         for k in order:
-            all_x = x[k] + np.outer([times - 1 for times in FARTHER], far[k])
-            all_u = np.tile(u[k], (len(all_x), 1))
-            rates, V = running.by_functions(np.zeros(len(all_x)), all_x, all_u)
-            rate, size = rate_of(at(all_x, all_u)[2:], rates)
-            positive = np.all((rate > SURE * size) & (V > 0))
-            if positive and rate[-1] / V[-1] >= 0.5 * rate[0] / V[0]:
-                return Point(0.0, x[k], u[k], running.params), float(rate[0])
+            at = x[k] + np.outer([times - 1 for times in FARTHER], far[k]), np.tile(u[k], (3, 1))
+            rates, V = running.by_functions(np.zeros(3), *at)
+            rises, size = rate_of(slopes.at(draw.at(values, np.zeros(3), *at), 3), rates)
+            positive = np.all((rises > SURE * size) & (V > 0))
+            if positive and rises[-1] / V[-1] >= 0.5 * rises[0] / V[0]:
+                return Point(0.0, x[k], u[k], running.params), float(rises[0])
     return None
 
 
