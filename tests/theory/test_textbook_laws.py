@@ -74,6 +74,12 @@ def test_what_is_given_must_not_exclude_itself():
             prove(own, points=POINTS, given=lambda s, p, truth, facts=facts: facts)
     with pytest.raises(DiagramError, match="excludes itself"):
         prove(own, points=POINTS, given=lambda s, p, truth: [truth.KD[0] - 3, 2 - truth.KD[0]])
+    for of_K in (  # no two of three exclude each other; a square does
+        lambda K, M: [K - 1, M - K, 0.5 - M],
+        lambda K, M: [K - 3, 4 - K**2],
+    ):
+        with pytest.raises(DiagramError, match="excludes itself"):
+            prove(own, points=POINTS, given=lambda s, p, truth, of_K=of_K: of_K(*s["K"]))
 
 
 def test_no_law_is_told_the_truth_by_what_it_keeps():

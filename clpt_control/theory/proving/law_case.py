@@ -189,7 +189,8 @@ class Case:
         residual = residual.xreplace(self.apart)
         if terms_of(residual) > MOST_TERMS:
             return False
-        apart = self.moving - {TIME} | residual.free_symbols - set(self.values) - {TIME}
+        known = residual.free_symbols.union(*(fact.free_symbols for fact in self.facts))
+        apart = self.moving - {TIME} | known - set(self.values) - {TIME}
         if residual == 0:
             return True
         if not self.facts and positive_somewhere(residual.xreplace(self.values), self.seed):

@@ -260,7 +260,7 @@ def _verdict_by_V(
     if given is not None:
         facts = given({**loop.inputs, **loop.states}, loop.parameters[law.name], truth)
         case.facts = tuple(sympy.expand(sympy.sympify(fact).xreplace(case.apart)) for fact in facts)
-        if vacuous(case.facts):
+        if vacuous(case.facts) or case.falls(sympy.S.One):  # or 1 <= 0 follows of it
             raise DiagramError(
                 f"{law.name}: what is given excludes itself, so nothing follows of it"
             )
