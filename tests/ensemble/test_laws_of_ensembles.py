@@ -49,7 +49,13 @@ def test_gains_vary_one_by_one(quick, values, key):
     assert len(set(data.flow_parameter_error.values[:, -1])) == 3
 
 
-@pytest.mark.parametrize("name", LAWS)
+BESIDE = {"switching-sigma", "e-modification", "dead-zone", "normalised-gradient"}
+BESIDE |= {"least-squares", "composite-least-squares"}  # like another law: by `make test-slow`
+
+
+@pytest.mark.parametrize(
+    "name", [pytest.param(n, marks=pytest.mark.slow) if n in BESIDE else n for n in LAWS]
+)
 def test_every_law_makes_ensembles_and_its_settings_vary(quick, name):
     law = LAWS[name]
     values = {

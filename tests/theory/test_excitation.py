@@ -231,35 +231,17 @@ def test_the_circle_is_what_a_run_measures(paper):
         assert matrix[-1, -1] == pytest.approx(10 * 20 * 9 / 2, rel=1e-12)
 
 
-def test_the_command_prints_the_eigenvalues(clpt, tmp_path):
-    paper = clpt_package.paper_scenario()
-    for kernel, wanted in (("exponential", (4.3331, 4.6692)), ("gaussian", (0.19002, 0.19353))):
-        scenario = started_true(paper.with_values({"basis.kernel": kernel, "run.duration": 400}))
-        clpt_package.save_scenario(scenario, tmp_path / "true.toml")
-        outcome = clpt(
-            "excitation",
-            tmp_path / "true.toml",
-            "--window",
-            "200",
-            "--start",
-            "200",
-            "--figure",
-            tmp_path / "true.png",
-            "--json",
-        )
-        assert outcome.status == 0, outcome.err
-        printed = json.loads(outcome.out)
-        smallest = [printed["eigenvalues"][axis][0] for axis in ("x1", "x2")]
-        np.testing.assert_allclose(smallest, wanted, rtol=5e-3)
-        assert 0 < printed["rho"] <= 1 - printed["contraction"]
-        assert set(printed["least_excited"]["x1"]) == {
-            "theta_1[1]",
-            "theta_1[2]",
-            "theta_1[3]",
-            "K_1",
-            "Gamma_1",
-        }
-        assert inked(tmp_path / "true.png") > 0.01
+def test_the_command_prints_the_report(clpt, tmp_path, true_paper):
+    clpt_package.save_scenario(true_paper, tmp_path / "true.toml")
+    words = (tmp_path / "true.toml", "--window", "200", "--start", "200", "--json")
+    outcome = clpt("excitation", *words, "--figure", tmp_path / "true.png")
+    assert outcome.status == 0, outcome.err
+    report, printed = excitation_report(true_paper, 200.0, 200.0), json.loads(outcome.out)
+    assert {key: printed[key] for key in report} == json.loads(json.dumps(report))
+    smallest = [printed["eigenvalues"][axis][0] for axis in ("x1", "x2")]
+    np.testing.assert_allclose(smallest, KERNELS["exponential"], rtol=5e-5)
+    assert list(printed["least_excited"]["x1"]) == parameter_names(3)["x1"]
+    assert inked(tmp_path / "true.png") > 0.01
 
 
 def test_the_command_names_what_is_not_learnable(clpt, tmp_path):
