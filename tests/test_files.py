@@ -143,14 +143,21 @@ def test_modes_are_those_of_the_umask_or_of_what_is_replaced(tmp_path, umask, fi
     assert closed.read_text() == "after"
 
 
-@POSIX
-def test_a_folder_whose_name_is_no_text_is_named(tmp_path, monkeypatch):
-    folder = tmp_path / "\udcff"
-    folder.mkdir()
-    monkeypatch.chdir(folder)
-    with pytest.raises(DataError, match=r"run.nc: cannot be written: the name of its folder"):
-        write_together({Path("run.nc"): xarray.Dataset({"a": 1.0})})
-    assert list(folder.iterdir()) == []
+@pytest.mark.skipif(not Path("/proc/self/fd").is_dir(), reason="written by name there")
+@pytest.mark.parametrize("name", ["\udcff", "a\\b", "a\nb", "%s #?"])
+def test_netcdf_is_written_into_folders_of_any_name(tmp_path, monkeypatch, name):
+    (tmp_path / name).mkdir()
+    monkeypatch.chdir(tmp_path / name)
+    write_together({Path("run.nc"): xarray.Dataset({"a": 1.0})})
+    assert [path.name for path in Path().iterdir()] == ["run.nc"]
+    with open_netcdf("run.nc") as data:
+        assert data.a == 1.0
+
+
+def test_a_text_in_netcdf_that_is_no_text_is_named(tmp_path):
+    with pytest.raises(DataError, match=r"run.nc: cannot be written: .* a text in it, holds bytes"):
+        write_together({tmp_path / "run.nc": xarray.Dataset({"a": 1.0}, attrs={"b": "\udcff"})})
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_a_link_is_followed_and_stays(tmp_path):

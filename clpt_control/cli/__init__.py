@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 OUTPUT = {  # what can be wrong with standard output
     errno.ENOSPC: "no space left; give it a place with more",
     errno.EBADF: "is closed; give it a file or a terminal",
+    errno.EFBIG: "may not become larger; allow more (ulimit -f)",
 }
 COMPLETES = "_CLPT_COMPLETE"  # set by a shell that asks how a word may go on
 LONGEST = 1200  # letters of a sentence; longer ones lose their middle
@@ -128,6 +129,8 @@ def _answer(error: BaseException) -> int:
         if sys.stdout is not None:
             discard(sys.stdout)
         return _complain(f"standard output: {OUTPUT[error.errno]}", 2)
+    if isinstance(error, OSError) and error.errno in (errno.EMFILE, errno.ENFILE):
+        return _complain("too many files are open at once; allow more (ulimit -n)", 1)
     import typer
 
     if isinstance(error, typer.Abort):

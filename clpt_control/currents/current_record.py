@@ -22,7 +22,7 @@ import numpy as np
 
 from ..arguments import public
 from ..errors import DataError
-from ..files.reading import open_netcdf
+from ..files.reading import open_netcdf, shown_name
 from ..geodesy import near
 from .cf import AXES, VELOCITY, check_speed, dates_of, find_axis, find_variable, velocity_values
 from .constituents import check_increasing
@@ -121,7 +121,7 @@ def read_record(
         )
     if not (np.isfinite(found) and -90 <= found <= 90):
         raise DataError(f"{path}: latitude = {found}: must be degrees north, from -90 to 90")
-    return CurrentRecord(times, u, v, float(found), place[1], path.name)
+    return CurrentRecord(times, u, v, float(found), place[1], shown_name(path))
 
 
 def _from_netcdf(

@@ -21,7 +21,7 @@ import numpy as np
 
 from ..arguments import public
 from ..errors import ClptError, DataError
-from ..files.reading import open_netcdf, zarr_store
+from ..files.reading import open_netcdf, shown_name, zarr_store
 from ..units import length_in_metres, seconds_since_1970
 from . import cf
 
@@ -186,7 +186,7 @@ def _concatenated(path: Path, parts: list[Currents]) -> Currents:
     rows = len(u) - 1 - last
     start = min(parts, key=lambda part: seconds_since_1970(part.start)).start
     merged = {"time": hours - hours[0], "start": start, "u": u[rows], "v": v[rows]}
-    return replace(first, **merged, source=path.name)
+    return replace(first, **merged, source=shown_name(path))
 
 
 def _read(
@@ -261,7 +261,7 @@ def _read(
         u,
         v,
         (lat0, lat1, lon0, lon1),
-        path.name,
+        shown_name(path),
     )
 
 

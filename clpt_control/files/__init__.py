@@ -134,8 +134,9 @@ def _put(result: Any, part: Path, path: Path) -> None:
         if engine == "netcdf4" and values.ndim and values.dtype.kind in "fiu":
             encoding[name]["fletcher32"] = True  # a checksum that the library asks when it reads
     try:
-        with _no_cluster():
-            result.to_netcdf(part, engine=engine, encoding=encoding)
+        with _no_cluster(), part.open("rb") as held:  # its library takes a \\ for a folder
+            place = opened_name(held.fileno(), part)
+            result.to_netcdf(place, engine=engine, encoding=encoding)
     except (RuntimeError, PermissionError, UnicodeError) as error:  # of a full disk, too
         full = shutil.disk_usage(part.parent).free < 2**20
         reason = getattr(error, "strerror", None) or str(error)

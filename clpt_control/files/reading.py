@@ -70,6 +70,15 @@ def _check(file: BinaryIO, path: str | Path, most: float) -> None:
         raise DataError(_too_large(path, most))
 
 
+def shown_name(path: Path) -> str:
+    r"""Return the name of a file as a line of text, which any file can hold.
+
+    >>> shown_name(Path("a\n\udcff.nc"))
+    'a\\n\\udcff.nc'
+    """
+    return "".join(one if one.isprintable() else ascii(one)[1:-1] for one in path.name)
+
+
 def at_once(name: str, flags: int, more: int = 0) -> int:
     """Open as the opener of `open`, but do not wait for a writer of a pipe."""
     return os.open(name, flags | more | getattr(os, "O_NONBLOCK", 0))

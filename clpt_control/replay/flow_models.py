@@ -60,7 +60,7 @@ from ..currents.plane import LocalPlane
 from ..equations.block import Block
 from ..errors import ClptError, DataError
 from ..estimation.dive import reckoned
-from ..files.reading import open_netcdf
+from ..files.reading import open_netcdf, shown_name
 from ..gliders.dives import Dive
 from ..units import METRES, SECONDS, seconds_since_1970
 
@@ -396,7 +396,7 @@ def read_fitted(path: str | Path) -> Fitted:
             "`clpt fit`"
         )
     about = f"fitted basis of {scenario.basis.N} functions, {tides}"
-    return Fitted(scenario, theta, plane, start, (lat0, lat1, lon0, lon1), path.name, about)
+    return Fitted(scenario, theta, plane, start, (lat0, lat1, lon0, lon1), shown_name(path), about)
 
 
 @public

@@ -1,5 +1,6 @@
 """The command line: figures within 1e-6 of independent numbers, and what it leaves."""
 
+import errno
 import json
 import os
 import shlex
@@ -14,6 +15,7 @@ import pytest
 from processes import CLPT, CODE, GUARD, await_line, interrupt, started, without_progress
 
 import clpt_control
+from clpt_control import cli
 
 HERE = Path(__file__).parents[1]
 NAMES = sorted(path.stem for path in (HERE / "reference").glob("*.toml"))
@@ -197,6 +199,23 @@ def test_streams_that_are_closed_full_or_not_read(tmp_path, words, stream):
     new = {path.name for path in tmp_path.iterdir()} - before
     assert new == {name.split("/")[0] for name in whole}
     assert all((tmp_path / name).stat().st_size for name in whole)
+
+
+@pytest.mark.skipif(os.name != "posix", reason="limits of a shell")
+def test_an_output_at_the_limit_of_its_size_is_named(tmp_path):
+    line = 'ulimit -f 1; "$0" -c "$1" laws > laws.txt'
+    done = subprocess.run(
+        ["bash", "-c", line, sys.executable, CODE], cwd=tmp_path, capture_output=True, text=True
+    )
+    said = "clpt: standard output: may not become larger; allow more (ulimit -f)\n"
+    assert (done.returncode, done.stderr) == (2, said)
+
+
+def test_too_many_open_files_are_one_sentence(capsys):
+    error = OSError(errno.EMFILE, "Too many open files", "DejaVuSans.ttf")
+    assert cli._answer(error) == 1
+    said = "clpt: too many files are open at once; allow more (ulimit -n)\n"
+    assert capsys.readouterr().err == said
 
 
 WATCHED = """

@@ -1,6 +1,7 @@
 """A scenario from a measured current: known theta, files, and the real field."""
 
 import json
+import os
 import re
 
 import netCDF4
@@ -202,6 +203,17 @@ def test_saved_scenario_and_field_belong_together(known, tmp_path):
     short = clpt.load_scenario(moved / "north.toml").with_values({"run.duration": 0.2})
     run = clpt.simulate(short)
     np.testing.assert_allclose(run.clpe[0], 0)
+
+
+@pytest.mark.skipif(os.name != "posix", reason="names of files hold any bytes there")
+@pytest.mark.parametrize("name", ["a\nb.nc", "a\x1b[2J.nc", "\udcff.nc", "a\u202eb.nc"])
+def test_a_scenario_of_a_file_with_any_name_is_read_back(known, tmp_path, name):
+    (tmp_path / name).write_bytes(known[0].read_bytes())
+    fit = fit_scenario(tmp_path / name, BOX, rows=2, columns=2, width_km=20.0)
+    shown = ascii(name)[1:-1]
+    scenario = save_fit(fit, tmp_path / "north.toml")
+    assert scenario.title == f"Measured current of {shown} from 2020-06-01T00:00:00"
+    assert shown in (tmp_path / "north.toml").read_text().split("\n")[0]
 
 
 def test_files_are_written_whole_or_not_at_all(known, tmp_path, monkeypatch):
