@@ -91,7 +91,7 @@ class AnsweringTape(Tape):
         """Return the numbers that Python asks for; only parameters have any."""
         if type(ref) is float or not self.free[ref]:
             return self.known(ref)
-        frame = _asking_frame()
+        frame, word = _asking_frame()
         space, where_ = frame.f_globals, f"{frame.f_code.co_name}, line {frame.f_lineno}"
         library = (space.get("__name__") or "").partition(".")[0]
         if library in LIBRARIES:
@@ -100,6 +100,10 @@ class AnsweringTape(Tape):
                 "NumPy"
             )
         if space.get("__builtins__") is BUILTINS or any(space is one for one in self.spaces):
+            if word:
+                raise Unread(
+                    f"NumPy's {word} asks for the value of a signal; write what it computes"
+                )
             raise Unread(
                 "needs the value of a signal; write NumPy, and fill arrays where they are made"
             )
@@ -150,12 +154,14 @@ class AnsweringTape(Tape):
             self.rows.setdefault(*self.last_asked)
 
 
-def _asking_frame() -> FrameType:
-    """Return the frame in which a number is asked for, past NumPy and the record's own."""
-    frame = sys._getframe(2)
+def _asking_frame() -> tuple[FrameType, str]:
+    """Return the frame in which a number is asked for, and NumPy's function that it called."""
+    frame, word = sys._getframe(2), ""
     while frame.f_back is not None and _is_own(frame):
+        if not (frame.f_globals.get("__name__") or "").startswith(__package__):
+            word = frame.f_code.co_qualname
         frame = frame.f_back
-    return frame
+    return frame, word
 
 
 def _is_own(frame: FrameType) -> bool:

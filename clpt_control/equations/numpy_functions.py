@@ -116,6 +116,49 @@ def variance(a: Any, axis: Any = None, dtype: Any = None, ddof: float = 0, **mor
     return total / (a.size // total.size - ddof)
 
 
+@implements(np.average)
+def average(a: Any, axis: Any = None, weights: Any = None, **more: Any) -> Any:
+    """Return np.average, each number by its weight."""
+    if weights is None:
+        return mean(a, axis, **more)
+    if more or (axis is not None and np.shape(weights) != a.shape):
+        return refuse("np.average with weights along an axis")
+    return np.sum(a * weights) / np.sum(weights)
+
+
+@implements(np.gradient)
+def gradient(f: Any, *spacing: Any, axis: Any = None, edge_order: int = 1) -> Any:
+    """Return np.gradient, by a step or by places, along one axis or each."""
+    axes = range(f.ndim) if axis is None else np.atleast_1d(axis).tolist()
+    steps = spacing * len(axes) if len(spacing) == 1 else spacing or (1.0,) * len(axes)
+    if edge_order != 1 or len(steps) != len(axes):
+        return refuse("np.gradient of another order")
+    slopes = [_slope(f, *along) for along in zip(axes, steps, strict=True)]
+    return slopes[0] if len(slopes) == 1 else tuple(slopes)
+
+
+def _slope(f: Any, axis: int, step: Any) -> Any:
+    f = np.moveaxis(f, axis, 0)
+    h = (
+        np.diff(step if isinstance(step, Array) else np.asarray(step, float))
+        if np.ndim(step)
+        else 0
+    )
+    if isinstance(h, np.ndarray) and np.all(h == h[0]):
+        step = h[0]
+    if np.ndim(step):
+        h = h.reshape(-1, *[1] * (f.ndim - 1))
+        back, on = h[:-1], h[1:]
+        before, ahead = -on / (back * (back + on)), back / (on * (back + on))
+        here = (on - back) / (back * on)
+        inner = before * f[:-2] + here * f[1:-1] + ahead * f[2:]
+        first, last = h[0], h[-1]
+    else:
+        inner, first, last = (f[2:] - f[:-2]) / (2.0 * step), step, step
+    ends = (f[1:2] - f[:1]) / first, (f[-1:] - f[-2:-1]) / last
+    return np.moveaxis(np.concatenate([ends[0], inner, ends[1]]), 0, axis)
+
+
 @implements(np.diagonal)
 def diagonal(a: Array, offset: int = 0, **more: Any) -> Any:
     """Return the diagonal of a matrix."""
@@ -181,6 +224,20 @@ def determinant(A: Any) -> Any:
     rows = _rows(A)
     sign = _eliminated(rows, lambda a: where(a == 0.0, 1.0, a))  # below it all are 0
     return reduce(lambda v, w: v * w, (rows[k][k] for k in range(len(rows)))) * sign
+
+
+@implements(np.linalg.cholesky)
+def cholesky(A: Any, upper: bool = False) -> Any:
+    """Return the triangle L of A = L L^T, or L^T; of A its lower triangle counts, or its upper."""
+    A, n = (A.T if upper else A), len(_rows(A))
+    refuse_in_a_try(A._tape, A)  # where it has none
+    L: list[list[Any]] = [[0.0] * n for _ in range(n)]
+    for i in range(n):
+        for j in range(i + 1):
+            rest = reduce(lambda v, k: v - L[i][k] * L[j][k], range(j), A[i, j])
+            L[i][j] = np.sqrt(rest) if i == j else rest / L[j][j]
+    triangle = lifted(A._tape, np.array(L, dtype=object))
+    return triangle.T if upper else triangle
 
 
 # --- limits and choices -----------------------------------------------------------------------

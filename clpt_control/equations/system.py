@@ -188,13 +188,13 @@ class System(Block):
         return values
 
 
-_READ: dict[Any, list[tuple[Any, Any, Read]]] = {}  # by what a function reaches, where it has a key
+_READ: dict[Any, list[tuple]] = {}  # by what a function reaches, where it has a key
 
 
 def read_once(
     function: Callable, role: str, states: Any, inputs: Any, params: Any, shapes: Any, out: Any
 ) -> Read:
-    """Return the record of a function, that of an earlier reading where all is alike."""
+    """Return the record of a function, or raise why; as an earlier reading did, if all is alike."""
     keys, others = Keys(alike=True), {k: v for k, v in params.items() if k not in shapes}
 
     def read_now() -> Read:
@@ -210,12 +210,23 @@ def read_once(
     if len(_READ) > MOST_READ:
         _READ.clear()
     known = _READ.setdefault(key, [])
-    for values, _, result in known:
-        if values == _values(params, result.pinned):
-            return result
-    result = read_now()
-    known[MOST_VALUES:] = [(_values(params, result.pinned), keys.held, result)]
+    alike = (one for names, values, _, one in known if values == _values(params, names))
+    result = next(alike, None)
+    if result is None:
+        result, names = _result(read_now, shapes)
+        known[MOST_VALUES:] = [(names, _values(params, names), keys.held, result)]
+    if isinstance(result, str):
+        raise Unread(result)
     return result
+
+
+def _result(read_now: Callable[[], Read], params: Iterable[str]) -> tuple[Any, Collection[str]]:
+    """Return a record, or why there is none, and the params whose values make it so."""
+    try:
+        result = read_now()
+    except Unread as error:
+        return str(error), set(params)
+    return result, result.pinned
 
 
 def _values(params: Mapping[str, Any], names: Iterable[str]) -> Any:

@@ -81,7 +81,13 @@ ARRAYS = """
     np.select([[u[0] > 1, u[1] > 0, True]], [u], -1.0)[1] ; np.ravel([u[0], u[1]])[1] ;
     np.mean(np.outer(u, v), axis=(0, 1)) ; np.array([0.0, 1.0]).searchsorted(u[0]) + u[1] ;
     u.repeat(2)[3] ; np.stack([u, v], axis=1)[2, 1] ; np.sum(u, dtype=float) ;
-    np.ix_([0], [1])[0][0, 0] + u[0]
+    np.ix_([0], [1])[0][0, 0] + u[0] ; np.average(u) ; np.average(np.outer(u, v), axis=1)[2] ;
+    np.gradient(u)[1] ; np.gradient(u, 0.5)[2] ; np.gradient(u, [0.0, 1.0, 3.0])[1] ;
+    np.gradient(u, np.linspace(0, 1, 3))[1] ; np.gradient(u, np.array([1, 2, 4]))[0] ;
+    np.gradient(np.outer(u, v), 0.1)[1][2, 1] ; np.gradient(np.outer(u, v), 0.1, axis=0)[1, 2] ;
+    np.gradient(np.outer(u, v), [0.0, 1.0, 3.0], axis=-1)[1, 1] ; np.gradient(v, u + 9 * v)[1] ;
+    np.linalg.cholesky(np.outer(u, u) + np.eye(3))[2, 1] ;
+    np.linalg.cholesky(np.outer(u, u) + np.eye(3))[0, 1] + u[0]
 """
 
 

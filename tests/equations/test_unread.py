@@ -4,14 +4,17 @@ import inspect
 import random
 import time
 
+import control
 import numpy as np
 import pytest
 from recorded import run, static
 from scipy.integrate import quad
 from scipy.optimize import brentq
 
-from clpt_control.equations import Block
+import clpt_control as clpt
+from clpt_control.equations import Block, system
 from clpt_control.equations.arrays import Unread
+from clpt_control.equations.reading import read
 from clpt_control.errors import BlockError
 
 STATE = [0.0]
@@ -163,3 +166,32 @@ def test_a_mistake_is_told_where_the_block_is_made(function, words):
     with pytest.raises(BlockError, match=rf"^mine\.output.*{words}") as caught:
         static(function)
     assert "\n" not in str(caught.value)
+
+
+def test_numpys_function_that_asks_is_named():
+    block = static(lambda t, x, u, p: np.median(u), 3)
+    with pytest.raises(Unread, match="NumPy's median asks for the value of a signal"):
+        block.array_record("output")
+
+
+def test_why_a_function_cannot_be_read_is_kept_as_its_record_is(monkeypatch):
+    asked = []
+
+    def counted(*given):
+        asked.append(1)
+        return read(*given)
+
+    monkeypatch.setattr(system, "read", counted)
+    halve = control.nlsys(waits, None, inputs=0, states=1, outputs=1, params={"k": 1.0}, name="h")
+    for params, count in ((None, 1), (None, 1), ({"k": 0.7}, 2), ({"k": 0.7}, 2)):
+        with pytest.warns(UserWarning, match="h runs in Python.*no `while` on a signal"):
+            run = clpt.simulate(halve, [0.0, 0.1], 0.0, [1.0], params)
+        assert len(asked) == count
+        assert run.attrs["engine"] == "python"
+
+
+def waits(t, x, u, params):
+    y = abs(x[0]) + 1.0
+    while y > 0.001:
+        y = y / 2.0
+    return -params["k"] * y
