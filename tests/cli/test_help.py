@@ -124,10 +124,15 @@ def completed(tmp_path, *words):
     [
         (["re"], ["refute", "replay", "report"]),
         (["run", "--fi"], ["--figures"]),
-        (["replay", "--estimator", ""], ["kalman", "gradient"]),
         (["fit", "a.nc", "--constituents", "steady,K"], ["steady,K2", "steady,K1"]),
-        (["tune", "a.toml", "--law", "sig"], ["sigma"]),
         (["run", "mine"], []),  # files, by bash itself
+        *(
+            pytest.param(*case, marks=pytest.mark.processes)
+            for case in (
+                (["replay", "--estimator", ""], ["kalman", "gradient"]),
+                (["tune", "a.toml", "--law", "sig"], ["sigma"]),
+            )
+        ),
     ],
 )
 def test_bash_completes(tmp_path, words, offered):
