@@ -42,6 +42,15 @@ def clpt(monkeypatch, capsys):
     return run
 
 
+@pytest.fixture
+def undrawn(monkeypatch):
+    """Figures are made and not drawn, which takes most of the time."""
+    from matplotlib.figure import Figure
+
+    monkeypatch.setattr(Figure, "savefig", lambda self, file, **_: Path(file).write_bytes(b"drawn"))
+    monkeypatch.setattr("clpt_control.replay.replay_page.inline_svg", lambda *_: "")
+
+
 @pytest.fixture(scope="session")
 def reference():
     """Independent numbers: scenario name -> states and figures."""

@@ -71,6 +71,7 @@ def test_a_run_never_replaces_its_scenario(clpt, tmp_path, monkeypatch):
     assert Path("mine.toml").read_bytes() == before
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_run_prints_a_table_and_leaves_figures(clpt, tmp_path):
     scenario = clpt_control.paper_scenario().with_values({"run.duration": 40})
     clpt_control.save_scenario(scenario, tmp_path / "short.toml")

@@ -113,6 +113,7 @@ def tree(tmp_path, facts):
     return top
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_a_row_each_what_asks_for_a_pilot_first_and_is_told_once(tree, command, monkeypatch):
     monkeypatch.setenv("COLUMNS", "80")
     told = tree.parent / "told"
@@ -143,6 +144,7 @@ def test_a_row_each_what_asks_for_a_pilot_first_and_is_told_once(tree, command, 
     assert "a <b> & '#1%3f'" in page.texts  # as a text, no markup
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_a_second_look_reads_no_file_again(tmp_path, command, monkeypatch):
     from clpt_control.replay import follow
 
@@ -296,6 +298,7 @@ def test_a_watch_killed_twice_tells_each_event_once(tmp_path):
     assert told_in(told) == [("glider", "OUT", 7)]
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_the_results_of_a_replay_are_no_vehicle(tmp_path, command):
     (tmp_path / "well").mkdir()
     one_file_each(tmp_path / "well", recent(4, 1.0))
@@ -316,7 +319,7 @@ def test_what_was_told_and_cannot_be_read_is_told_again(tmp_path, kept):
     assert fleet.Alerts([sys.executable], tmp_path).told == []
 
 
-def test_names_of_vehicles_lead_to_folders_of_their_own(tmp_path, command):
+def test_names_of_vehicles_lead_to_folders_of_their_own(tmp_path, command, request):
     names = ["..", "state", "a b", "a_b", "$\\frac$"]
     (tmp_path / "top" / "many").mkdir(parents=True)
     for k, name in enumerate(names):
@@ -325,7 +328,9 @@ def test_names_of_vehicles_lead_to_folders_of_their_own(tmp_path, command):
         head, *rows = table.read_text().splitlines()
         lines = [f"{head},vehicle", *(f"{row},{name}" for row in rows)]
         table.write_text("\n".join(lines))
-    for _ in range(2):
+    for again in (False, True):
+        if again:
+            request.getfixturevalue("undrawn")
         done = command("--fleet", tmp_path / "top", "--format", "png", "--json")
         rows = json.loads(done.stdout)["vehicles"]
         assert sorted(row["vehicle"] for row in rows) == sorted(names)
