@@ -25,7 +25,7 @@ from ..diagrams.wiring import Wiring
 from ..errors import DiagramError, SimulationError
 from ..native import solver
 from ..native.batch import Batch, Callee
-from ..native.ending import STUCK, run_to_end, sampled_start
+from ..native.ending import STUCK, sampled_start
 from ..native.engines import make_runner, run_compared, warn_python
 from ..native.machine import LANES, processor
 from ..native.python_diagram import PythonDiagram
@@ -106,7 +106,7 @@ class States:
     """States of m runs, and how each ended."""
 
     states: np.ndarray  # (m, ntimes, nstates), NaN after the last sample reached
-    status: np.ndarray  # (m,), as `Status` numbers it
+    status: np.ndarray  # (m,), as the solver numbers it
     reached: np.ndarray  # (m,), samples reached
     counts: np.ndarray  # (m, 4): steps, evaluations, restarts, rejected steps
 
@@ -169,7 +169,7 @@ class Ensemble:
 
     def _schedule(self, runner: PythonDiagram, inputs: Any) -> Schedule:
         begin, end = self.varied.state_times[[0, -1]].tolist()
-        return runner.schedule(begin, end, inputs, runner.breaks(begin, end))
+        return runner.schedule(begin, end, inputs)
 
     def members(self, values: Values) -> Members:
         """Make members of values."""
@@ -245,7 +245,7 @@ class Ensemble:
         def run(some: Any, callee: Callee, implicit: Any) -> tuple[np.ndarray, ...]:
             begin = members.x0[some], members.P[some]
             batch = Batch(callee, *begin, times, members.schedules, members.group[some])
-            run_to_end(batch, rtol, atol, implicit if method == "auto" else None)
+            batch.adaptive(rtol, atol, implicit=implicit if method == "auto" else None)
             return batch.results
 
         for part, callee, implicit in parts:
@@ -262,10 +262,8 @@ class Ensemble:
     def signals(self, members: Members, run: States, m: int, times: np.ndarray) -> np.ndarray:
         """Return all signals of one member, at the times of its states that it reached."""
         reached = int(run.reached[m])
-        x, signals = run.states[m, :reached], np.empty((reached, self.native.nsignals))
-        pieces, P = members.schedule(m), members.P[m]
-        self._callee(members, m).evaluate(solver.SIGNALS, times[:reached], x, pieces, P, signals)
-        return signals
+        points = times[:reached], run.states[m, :reached], members.schedule(m), members.P[m]
+        return self._callee(members, m).evaluate(solver.SIGNALS, *points, self.native.nsignals)
 
     @property
     def batch(self) -> int:
@@ -302,7 +300,7 @@ def checked_ensemble(varied: Variants, values: Values) -> Ensemble:
             break
         runner, at, options = ensemble.single(values, m)
         try:
-            why = run_compared(runner, *at, **options)[2]
+            _, why = run_compared(runner, *at, **options)
         except SimulationError:  # the member fails; its status will say so
             continue
         if why:

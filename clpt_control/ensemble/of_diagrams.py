@@ -25,15 +25,15 @@ from ..equations.arrays import Unread
 from ..equations.at_many import decided_by_time
 from ..equations.declaration import ports_of
 from ..equations.system import System
-from ..errors import DiagramError, ScenarioError, SimulationError
+from ..errors import DiagramError, ScenarioError
 from ..native import solver
-from ..native.ending import check_spacing, checked_method
 from ..native.python_diagram import checked_steps
-from ..native.schedule import checked_times, read_inputs, sizes_of_run, stacked_state
+from ..native.schedule import checked_times, read_inputs
 from ..native.sweep import Sweep
 from ..simulation.dataset import Series, port_variables
-from ..simulation.integrate import as_diagram
+from ..simulation.integrate import as_diagram, sizes_of_run
 from ..simulation.running import labels_of, signal_units
+from ..simulation.starts import stacked_state
 from .drawn_values import Vary, unknown_name
 from .members import Ensemble, Member, Members, States, Values
 from .summaries import Arrays, ends_of
@@ -75,15 +75,10 @@ class VariedDiagram:
             self.params |= undeclared
             self.wiring = wiring_of(diagram, self.params, sizes)
         self.given = changed_parameters(self.wiring, self.params)
-        rtol_, atol_, *_ = checked_steps(None, rtol=rtol, atol=atol)
-        self.options = {"rtol": rtol_, "atol": atol_, "method": checked_method(method)}
+        given = {"method": method, "rtol": rtol, "atol": atol}
+        rtol, atol, _, _, method = checked_steps(self.wiring.dt, self.times, **given)
+        self.options = {"rtol": rtol, "atol": atol, "method": method}
         self.state_times = Sweep(self.wiring, self.given).at_jumps(self.times)
-        if self.wiring.dt:
-            check_spacing(self.times, self.wiring.dt)
-            if not rtol is atol is method is None:
-                raise SimulationError(
-                    "method, rtol and atol: a diagram of discrete time has none; leave them out"
-                )
         self.inputs = read_inputs(inputs, self.times, self.wiring.ninputs)
         self.start = stacked_state("initial_state", 0.0 if x0 is None else x0, len(states))
         self.names = places_of(self.wiring, self.given, states, taken)

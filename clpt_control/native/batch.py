@@ -2,6 +2,10 @@
 
 The solver takes steps for about `PAUSE` seconds a call.  Between calls Python watches the time
 reached, and whether the end can be reached at all.
+
+Stiff runs go on with an implicit method.  An explicit one stops if its own steps look stiff
+(`method`, Hairer's test) and many are ahead.  Steps look stiff as well if rates jump, but then the
+eigenvalues of df/dx are small.
 """
 
 import time
@@ -22,19 +26,17 @@ PAUSE = 0.05  # seconds of a call
 BEGIN = 60_000  # numbers, times tries, of the first call of machine code
 GRAIN = 0.01  # of atol: a smaller difference passes no decision
 LATER = 64  # looks for stiffness that do not count, after a run was found not to be stiff
+LARGE = {solver.DOP853: 3.0, solver.DOPRI5: 1.6}  # of step times eigenvalue: half of what is stable
+ROUNDS = 60  # of the power method
 ANY = 2**62
 MEMBER_STEPS = 5_000_000  # tries of a run among many
-METHODS = {
-    **{solver.DOP853: "DOP853", solver.DOPRI5: "DOPRI5"},
-    **{solver.RODAS5P: "Rodas5P", solver.RK4: "RK4", solver.MAP: "none"},
-}
 
 
 class Callee(NamedTuple):
     """What the solver calls, and how much room its arrays need; `shape` is the solver's."""
 
     engine: str  # whose functions they are: "native" or "python"
-    functions: np.ndarray  # in the solver's order: their addresses
+    functions: Any  # in the solver's order: their addresses, an array
     lanes: int  # runs that are taken at once
     nstates: int
     method: int  # as the solver numbers it
@@ -63,16 +65,16 @@ class Callee(NamedTuple):
         return result
 
     def evaluate(
-        self, role: int, times: Any, x: Any, pieces: Schedule, parameters: Any, out: Any
+        self, role: int, times: Any, x: Any, pieces: Schedule, parameters: Any, count: int
     ) -> np.ndarray:
-        """Call a function at times and states x (nt, n); write its results into `out`, a row each.
+        """Return the first `count` results of a function at times and states x (nt, n), a row each.
 
-        `parameters` are P, or its beginning.  The rows are as long as is wanted.
+        `parameters` are P, or its beginning.
         """
-        sizes = max(self.size, len(parameters)), self.room, max(out.shape[1], 2 * self.decided)
+        sizes = max(self.size, len(parameters)), self.room, max(count, 2 * self.decided)
         P, W, D = (np.zeros(size + 1) for size in sizes)
         P[: len(parameters)], times = parameters, np.ascontiguousarray(times)
-        which = np.searchsorted(pieces.edges, times, side="right")
+        out, which = np.empty((len(times), count)), np.searchsorted(pieces.edges, times, "right")
         points, each = (times, which, np.zeros(1), x.ravel()), (pieces.places, pieces.values)
         decisions, arrays = (self.decided_at, self.decided), (P, self.tables, W, D)
         self.call("evaluate", role, self.nstates, decisions, points, each, arrays, out)
@@ -84,7 +86,7 @@ class Batch:
 
     States are wanted at `times`; a run starts at the first and follows its schedule,
     ``schedules[group[k]]`` or the first.  In the end `out` (m, nt, n) holds states, NaN behind the
-    end of a run, `status` how runs ended (`Status`), `reached` how many samples are done, and
+    end of a run, `status` how runs ended, `reached` how many samples are done, and
     `counts` (m, 4) steps, evaluations, restarts and rejected steps.  No step is longer than
     `longest`, which is the step of RK4; the first step tried is `opening`, unless that is 0.
     """
@@ -101,9 +103,6 @@ class Batch:
         opening: float = 0.0,
     ):
         self.callee, self.times = callee, np.ascontiguousarray(times)
-        self.method = METHODS[callee.method]
-        if callee.method == solver.RK4 and not longest > 0:
-            raise SimulationError(f"step = {longest}: must be positive")
         if callee.method == solver.MAP:
             schedules = [one.in_samples(self.times) for one in schedules]
         (m, n), lanes = starts.shape, callee.lanes
@@ -114,6 +113,7 @@ class Batch:
             self.schedule[-1][:] = False  # every piece begins anew
         self.out = np.full((m, len(times), n), np.nan)
         self.out[:, 0] = starts
+        self.rests: dict[int, Batch] = {}  # of stiff runs
         self.status, self.reached = (np.zeros(m, dtype=np.int64) for _ in range(2))
         self.counts = np.zeros((m, 4), dtype=np.int64)
         self.results = self.out, self.status, self.reached, self.counts
@@ -143,15 +143,15 @@ class Batch:
         atol: float,
         watch: Callable[["Batch"], None] = lambda batch: None,
         most: int = MEMBER_STEPS,
-        stiff: Callable[["Batch", int], bool] | None = None,
+        implicit: Callable[[], Callee] | None = None,
     ) -> None:
         """Run to the end with steps chosen by tolerance, each run for at most `most` tries.
 
         Tries of RK4 and in discrete time are not limited.  `watch` is called between the solver's
-        calls, each of about `PAUSE`.  `stiff` says if a lane with stiff steps is stiff; the run
-        of one that is ends as `STIFF`.
+        calls, each of about `PAUSE`.  `implicit` returns what an implicit method calls, if stiff
+        runs are to go on with it, one after the other; `rests` are then these rests, by run.
         """
-        self.numbers[solver.STIFF_STEPS] = -np.inf if stiff is None else 0.0
+        self.numbers[solver.STIFF_STEPS] = -np.inf if implicit is None else 0.0
         first = 0 if self.callee.engine == "python" else BEGIN // self.callee.nstates
         active, budget = 1, max(64, first)
         most = ANY if self.callee.method in (solver.RK4, solver.MAP) else most
@@ -163,11 +163,17 @@ class Batch:
             active = self.advance(rtol, atol, budget, most)
             doubtful = np.flatnonzero(self.numbers[solver.STIFF_STEPS] >= solver.MANY)
             for k in doubtful:
-                self._end_if_stiff(int(k), stiff)
+                self._end_if_stiff(int(k), rtol, atol, implicit)
             budget = max(budget // 4, 1) if len(doubtful) else budget  # it was not used up
             share = PAUSE / max(time.perf_counter() - begin, 1e-6)
             budget = int(min(max(budget * share, budget / 2 + 1), 4 * budget))
             watch(self)
+        for m, rest in self.rests.items():
+            rest.adaptive(rtol, atol, watch, most)
+            done = len(self.times) - len(rest.times) + 1
+            self.out[m, done:] = rest.out[0, 1:]
+            self.status[m], self.reached[m] = rest.status[0], done + rest.reached[0] - 1
+            self.counts[m] += rest.counts[0]
 
     def advance(self, rtol: float, atol: float, budget: int, most: int = MEMBER_STEPS) -> int:
         """Take some steps in each lane; return how many lanes are at work."""
@@ -176,14 +182,37 @@ class Batch:
         arguments = self.callee.shape, tolerances, batch, self.linear, budget, most
         return self.callee.call("advance", *arguments)
 
-    def _end_if_stiff(self, k: int, stiff: Any) -> None:
-        """End the run of a lane if it is stiff."""
-        self.numbers[solver.STIFF_STEPS, k] = -LATER
-        whole = self.lane[1]
-        m = int(whole[solver.MEMBER, k])
-        if m >= 0 and stiff(self, k):
-            self.status[m], self.reached[m] = solver.STIFF, whole[solver.DONE, k]
+    def _end_if_stiff(self, k: int, rtol: float, atol: float, implicit: Any) -> None:
+        """End the run of a lane if it is stiff; its rest begins where it is."""
+        (numbers, whole, _), n = self.lane, self.callee.nstates
+        numbers[solver.STIFF_STEPS, k] = -LATER
+        m, _, done, *_ = whole[:, k].tolist()
+        if m < 0:
+            return
+        t, h, longest = numbers[[solver.TIME, solver.STEP, solver.LONGEST], k].tolist()
+        callee, state = implicit(), self.Z.reshape(-1, self.callee.lanes)[:n, k].copy()
+        P, pieces = self.runs[1][m, : callee.size], self.pieces[self.runs[2][m]].after(t)
+        times = np.append(t, self.times[done:])
+        rest = Batch(callee, state[None], P[None], times, [pieces], None, longest)
+        rest.advance(rtol, atol, 1)
+        if h * radius(rest.linear[0].reshape(n, n)) > LARGE[self.callee.method]:
+            self.rests[m] = rest
+            self.status[m], self.reached[m] = solver.STIFF, done
             whole[solver.MEMBER, k] = -1
+
+
+def radius(matrix: np.ndarray) -> float:
+    """Return nearly the size of a matrix's largest eigenvalue; 0.0 if the iteration finds none."""
+    v = np.random.default_rng(0).standard_normal(len(matrix))
+    growth = []
+    for _ in range(ROUNDS):
+        v = matrix @ v
+        size = float(np.linalg.norm(v))
+        if not 0.0 < size < np.inf:
+            return 0.0
+        growth.append(np.log(size))
+        v /= size
+    return float(np.exp(np.mean(growth[ROUNDS // 2 :])))
 
 
 def aligned(*sizes: int) -> list[np.ndarray]:

@@ -12,7 +12,6 @@ from math import copysign, inf, isnan
 from typing import Any
 
 from ..equations.arrays import CONDITIONS
-from ..errors import Uncompiled
 from .components import Components, deep, row_strides
 from .diagram_record import DiagramRecord, Layout
 from .plan import Nest, Planner
@@ -24,13 +23,6 @@ INFIX = {
     **{"lt": "<", "le": "<=", "gt": ">", "ge": ">=", "eq": "==", "ne": "!="},
 }
 PREFIX = {"neg": "-", "not": "!"}
-IN_MATH_H = frozenset(
-    (
-        *("exp", "expm1", "log", "log1p", "log2", "log10", "sqrt", "fabs", "floor", "ceil"),
-        *("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "hypot", "pow", "trunc"),
-        *("sinh", "cosh", "tanh", "asinh", "acosh", "atanh", "erf", "erfc"),
-    )
-)
 HELPERS = {  # functions of NumPy that C does not have, or defines otherwise
     "minimum": "(double a, double b) { return a < b || isnan(a) ? a : b; }",
     "maximum": "(double a, double b) { return a > b || isnan(a) ? a : b; }",
@@ -208,6 +200,4 @@ class _Function:
             return f"{PREFIX[name]}{values[0]}"
         if name == "where":
             return "{} ? {} : {}".format(*values)
-        if name not in HELPERS and name not in IN_MATH_H:
-            raise Uncompiled(f"`{name}` has no C")
         return f"{name}{'_' if name in HELPERS else ''}({', '.join(values)})"

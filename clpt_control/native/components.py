@@ -22,16 +22,12 @@ from ..equations.arrays import CONDITIONS
 from ..errors import Uncompiled
 from .decisions import Port
 from .diagram_record import Ref
+from .elementary import FUNCTIONS
 
 MOST = 60_000  # components; a larger diagram runs in Python
 BOUND = -1
-OUT_OF_LINE = frozenset(  # of many instructions: a function each, printed once a module
-    (
-        *("exp", "expm1", "log", "log1p", "log2", "log10", "hypot", "pow", "mod", "floordiv"),
-        *("sinh", "cosh", "tanh", "asinh", "acosh", "atanh"),
-        *("sin", "cos", "tan", "asin", "acos", "atan", "atan2"),
-    )
-)
+SHORT_ONES = {"minimum", "maximum", "sign", "place", "floor", "trunc", "ceil"}
+OUT_OF_LINE = FUNCTIONS.keys() - SHORT_ONES  # a function each, printed once a module
 LONG = OUT_OF_LINE | {"div", "sqrt", "erf", "erfc", "lookup"}  # costly
 Symbol = tuple[int, int]
 Index = Any  # a whole number, or (symbol, start, step)

@@ -87,34 +87,30 @@ def lay_out(
     `apart` maps fields that differ from run to run, (block, field), to a value; two of them share a
     slot only if these values are equal.
     """
-    layout = Layout()
-    parts: dict[str, list[np.ndarray]] = {"P": [], "T": []}
-    known: dict[tuple, Slot] = {}
+    layout, known = Layout(), dict[tuple, Slot]()
+    parts: dict[str, list[np.ndarray]] = {"P": [np.zeros(0)], "T": []}
+
+    def slot(array: str, numbers: np.ndarray) -> Slot:
+        parts[array].append(numbers.ravel())
+        return Slot(array, sum(part.size for part in parts[array][:-1]))
+
     for k, (node, p) in enumerate(zip(wiring.nodes, parameters, strict=True)):
-        if not isinstance(node.system, Block):
-            continue
         for name, value in zip(p._fields, p, strict=True):
             if isinstance(value, int):
                 continue
             array = np.asarray(value, dtype=float)
-            key: tuple = (name, array.shape, array.tobytes())
-            differs = (k, name) in apart
-            if differs:
-                key = (name, *key[1:], apart[k, name])
+            key: tuple = (name, array.shape, array.tobytes(), apart.get((k, name)))
             if name == "interval":
-                key = (f"{name} {k}", (), b"")
+                key = name, k
             if key not in known:
-                place = "T" if array.size > LARGE and not differs else "P"
-                known[key] = Slot(place, sum(part.size for part in parts[place]))
-                parts[place].append(array.ravel())
-            slot = layout.slots[k, name] = known[key]
+                shared = array.size > LARGE and (k, name) not in apart
+                known[key] = slot("T" if shared else "P", array)
+            layout.slots[k, name] = known[key]
             if name == "interval" and node.system.breakpoints_function is not None:
-                layout.intervals[k] = slot.offset
+                layout.intervals[k] = known[key].offset
         if node.system.jump_function is not None:
-            layout.jumps[k] = sum(part.size for part in parts["P"])
-            parts["P"].append(np.zeros(1))
-    layout.P = np.concatenate([np.zeros(0), *parts["P"]])
-    layout.T = np.concatenate([*parts["T"], np.zeros(1)])
+            layout.jumps[k] = slot("P", np.zeros(1)).offset
+    layout.P, layout.T = np.concatenate(parts["P"]), np.concatenate([*parts["T"], np.zeros(1)])
     return layout
 
 

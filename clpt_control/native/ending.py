@@ -1,43 +1,23 @@
-"""The end of a run: by which method it is reached, and with which states, or which sentence.
+"""The end of a run: with which states, or which sentence.
 
 When a run meets a guard, or a number that is not finite, the blocks are evaluated in Python to find
 the signal: the sentence names block, signal and time.
-
-`run_to_end` goes on with an implicit method if a run is stiff.  DOP853 stops if its own steps look
-stiff (`method`, Hairer's test) and many are ahead.  Steps look stiff as well if rates jump, but
-then the eigenvalues of df/dx are small.
-
-In discrete time x[k+1] = derivative(t_k, x[k], u_k), and the signals of sample k are those of x[k].
-The times are those that python-control takes: `dt` apart, or evenly spaced if dt is True.
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass, field
-from enum import IntEnum
 from typing import Any
 
 import numpy as np
+from scipy.optimize import brentq
 
 from ..errors import SimulationError
 from . import solver
-from .batch import MEMBER_STEPS, Batch, Callee
+from .batch import Batch, Callee
 from .schedule import Inputs, Schedule
 from .sweep import Sweep
 
-
-class Status(IntEnum):
-    """How a run ended; `sentence` says what it means, and what to try."""
-
-    RUNNING, FINISHED, TOO_SMALL, NOT_FINITE, LEFT, TOO_MANY, CHATTERS, STIFF = range(8)
-
-    @property
-    def sentence(self) -> str:
-        """What it means."""
-        return SENTENCES[self]
-
-
-STUCK = (Status.NOT_FINITE, Status.TOO_SMALL)  # ends that a locked decision may cause
-SENTENCES = (  # of each status
+STUCK = (solver.NOT_FINITE, solver.TOO_SMALL)  # ends that a locked decision may cause
+SENTENCES = (  # what it means that a run ended so, by the solver's numbers, and what to try
     "under way",
     "finished: the end of the span was reached",
     "the step became too small; loosen rtol and atol, or look for a singularity",
@@ -49,6 +29,10 @@ SENTENCES = (  # of each status
     "in place of np.sign), or sample it",
     "left to an implicit method",
 )
+NAMES = {  # of the solver's methods
+    **{solver.DOP853: "DOP853", solver.DOPRI5: "DOPRI5"},
+    **{solver.RODAS5P: "Rodas5P", solver.RK4: "RK4", solver.MAP: "none"},
+}
 ADVICE = "check the parameters of that block"  # where a signal is not finite
 
 
@@ -65,37 +49,37 @@ class Solution:
     t: np.ndarray
     x: np.ndarray
     status: str = "finished"
-    message: str = Status.FINISHED.sentence
+    message: str = SENTENCES[solver.FINISHED]
     statistics: dict[str, int] = field(default_factory=dict)
     engine: str = "python"
     method: str = "none"
     pieces: tuple[Any, ...] = field(default=(None, None, None), repr=False, compare=False)
 
 
-def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None, rest: Batch | None) -> Solution:
+def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> Solution:
     """Return the solution of a batch of one run, or raise an error on what stopped it.
 
-    `rest` is the rest of the run by another method; `sweep` evaluates the diagram in Python, with
-    the parameters of the run.
+    `sweep` evaluates the diagram in Python, with the parameters of the run.
     """
-    last, status = rest or batch, Status(batch.status[0])
-    solution = Solution(batch.times, batch.out[0], method=batch.method)
+    rest, status = batch.rests.get(0), int(batch.status[0])
+    last = rest or batch
+    solution = Solution(batch.times, batch.out[0], method=NAMES[batch.callee.method])
     if rest is not None:
-        solution.method += f", from t = {rest.times[0]:.9g} {rest.method}"
+        solution.method += f", from t = {rest.times[0]:.9g} {NAMES[rest.callee.method]}"
     counts = map(int, batch.counts[0])
     solution.statistics = dict(zip(("steps", "evaluations", "restarts"), counts, strict=False))
     solution.engine = batch.callee.engine
-    if status is Status.FINISHED:
+    if status == solver.FINISHED:
         return solution
-    if status is Status.LEFT:
+    if status == solver.LEFT:
         t, x, policy, sentence = _crossing(sweep, last, inputs)
         if policy == "raise":
             raise SimulationError(sentence)
         solution.status, solution.message = "stopped", f"stopped: {sentence}"
         solution.t, solution.x = _until(last, solution, t, x, int(batch.reached[0]))
         return solution
-    reason = status.sentence
-    if status is Status.CHATTERS:
+    reason = SENTENCES[status]
+    if status == solver.CHATTERS:
         reason = f"{_switch(sweep, last)} {reason}"
     reason = _trouble(sweep, last, inputs) or reason
     what = "run" if batch.callee.method == solver.MAP else "integration"
@@ -165,8 +149,6 @@ def _crossing(
     sweep: Sweep, batch: Batch, inputs: Inputs | None
 ) -> tuple[float, np.ndarray, str, str]:
     """Return time, state, policy and sentence where that step crosses a guard's edge."""
-    from scipy.optimize import brentq
-
     t, h = batch.now, float(batch.numbers[solver.TAKEN, 0])
     sweep.enter(t)
 
@@ -174,14 +156,11 @@ def _crossing(
         u = None if inputs is None else inputs.at(t + share * h)
         return sweep.margin(t + share * h, _state(batch, share), u)
 
-    def margin(share: float) -> float:
-        return guard(share)[0]
-
     share, beyond = (float(batch.numbers[row, 0]) for row in (solver.LOW, solver.HIGH))
-    if margin(0.0) <= 0.0:
+    if guard(0.0)[0] <= 0.0:
         share = 0.0
-    elif margin(share) > 0.0 > margin(beyond):  # else the edge itself was looked at
-        share = brentq(margin, share, beyond, xtol=1e-15, rtol=1e-14)
+    elif guard(share)[0] > 0.0 > guard(beyond)[0]:  # else the edge itself was looked at
+        share = brentq(lambda at: guard(at)[0], share, beyond, xtol=1e-15, rtol=1e-14)
     return (t + share * h, _state(batch, share), *guard(share)[1:])
 
 
@@ -198,99 +177,8 @@ def _until(
     return times, np.array(states)
 
 
-# --- stiff ------------------------------------------------------------------------------------
-
-METHODS = {
-    **{"auto": solver.DOP853, "dop853": solver.DOP853},
-    **{"dopri5": solver.DOPRI5, "rodas5p": solver.RODAS5P},
-}
-LARGE = {solver.DOP853: 3.0, solver.DOPRI5: 1.6}  # of step times eigenvalue: half of what is stable
-ROUNDS = 60  # of the power method
-Implicit = Callable[[], Callee]  # what an implicit method calls
-
-
-def checked_method(method: str | None) -> str:
-    """Return the name of a method; refuse an unknown one."""
-    if method is not None and method not in METHODS:
-        raise SimulationError(f"method = {method!r}: must be one of {', '.join(METHODS)}")
-    return method or "auto"
-
-
-def run_to_end(
-    batch: Batch,
-    rtol: float,
-    atol: float,
-    implicit: Implicit | None,
-    watch: Callable[[Batch], None] = lambda batch: None,
-    most: int = MEMBER_STEPS,
-) -> dict[int, Batch]:
-    """Run a batch to the end, stiff runs by an implicit method, one after the other.
-
-    Return the rests of the stiff runs, by run; `batch` has their results too.
-    """
-    rest: dict[int, Batch] = {}
-
-    def stiff(batch: Batch, k: int) -> bool:
-        assert implicit is not None
-        one = rest[int(batch.lane[1][solver.MEMBER, k])] = _rest(batch, k, implicit())
-        one.advance(rtol, atol, 1)
-        h = float(batch.numbers[solver.STEP, k])
-        n = one.callee.nstates
-        return h * radius(one.linear[0].reshape(n, n)) > LARGE[batch.callee.method]
-
-    batch.adaptive(rtol, atol, watch, most, None if implicit is None else stiff)
-    stiff_runs = {int(m): rest[int(m)] for m in np.flatnonzero(batch.status == solver.STIFF)}
-    for m, one in stiff_runs.items():
-        one.adaptive(rtol, atol, watch, most)
-        done = len(batch.times) - len(one.times) + 1
-        batch.out[m, done:] = one.out[0, 1:]
-        batch.status[m], batch.reached[m] = one.status[0], done + one.reached[0] - 1
-        batch.counts[m] += one.counts[0]
-    return stiff_runs
-
-
-def _rest(batch: Batch, k: int, callee: Callee) -> Batch:
-    """Return the run of a lane from where it is."""
-    lanes, n = batch.callee.lanes, batch.callee.nstates
-    member, _, done, *_ = batch.lane[1][:, k].tolist()
-    t, P = float(batch.numbers[solver.TIME, k]), batch.runs[1][member, : callee.size].copy()
-    state = batch.Z[: n * lanes].reshape(n, lanes)[:, k].copy()
-    times = np.append(t, batch.times[done:])
-    pieces = [batch.pieces[batch.runs[2][member]].after(t)]
-    longest = float(batch.numbers[solver.LONGEST, k])
-    return Batch(callee, state[None], P[None], times, pieces, None, longest)
-
-
-def radius(matrix: np.ndarray) -> float:
-    """Return nearly the size of a matrix's largest eigenvalue; 0.0 if the iteration finds none."""
-    v = np.random.default_rng(0).standard_normal(len(matrix))
-    growth = []
-    for _ in range(ROUNDS):
-        v = matrix @ v
-        size = float(np.linalg.norm(v))
-        if not 0.0 < size < np.inf:
-            return 0.0
-        growth.append(np.log(size))
-        v /= size
-    return float(np.exp(np.mean(growth[ROUNDS // 2 :])))
-
-
-# --- discrete time ----------------------------------------------------------------------------
-
-
-def check_spacing(times: np.ndarray, dt: Any) -> None:
-    """Refuse times that are not spaced by the step of a diagram of discrete time."""
-    apart = np.diff(times)
-    if not np.allclose(apart, apart[0] if dt is True else dt):
-        every = "evenly spaced" if dt is True else f"{dt:.9g} apart"
-        raise SimulationError(
-            f"timepts: a diagram of discrete time (dt = {dt}) takes times that are {every}; these "
-            f"are {apart.min():.9g} to {apart.max():.9g} apart"
-        )
-
-
 def sampled_start(callee: Callee, start: Any, t: float, pieces: Schedule, P: Any) -> np.ndarray:
     """Return the state with which a run begins; blocks that sample then have sampled inputs."""
     if not pieces.begins:
         return start
-    return callee.evaluate(solver.JUMP, [t], start, pieces, P, np.empty((1, len(start))))[0]
+    return callee.evaluate(solver.JUMP, [t], start, pieces, P, len(start))[0]

@@ -10,17 +10,15 @@ from collections.abc import Mapping
 from contextlib import suppress
 from typing import Any
 
-import control
 import numpy as np
 
-from ..diagrams.wiring import Wiring, wiring_of
+from ..diagrams.wiring import Wiring
 from ..equations.arrays import Unread
 from ..equations.at_many import leaf_values
 from ..errors import SimulationError, Uncompiled
 from ..progress import warn
 from . import solver
-from .batch import Callee
-from .ending import Solution, Status
+from .ending import SENTENCES, Solution
 from .native_diagram import NativeDiagram
 from .python_diagram import PythonDiagram
 from .schedule import JUMPS, Inputs, Schedule
@@ -30,7 +28,7 @@ VARIABLE = "CLPT_CONTROL_ENGINE"  # environment variable that names another defa
 
 
 def make_runner(
-    diagram: control.NonlinearIOSystem | Wiring,
+    wiring: Wiring,
     params: Mapping[str, Any] | None = None,
     by_function: bool = False,
     engine: str | None = None,
@@ -46,7 +44,6 @@ def make_runner(
     if wanted not in ENGINES:
         whose = "engine" if engine else f"the environment variable {VARIABLE}"
         raise SimulationError(f"{whose} = '{wanted}': must be one of {', '.join(ENGINES)}")
-    wiring = diagram if isinstance(diagram, Wiring) else wiring_of(diagram, params)
     by_function = by_function and bool(wiring.ninputs)
     if engine == "native" and by_function:
         raise SimulationError(
@@ -65,30 +62,28 @@ def run_checked(
 ) -> tuple[Solution, np.ndarray]:
     """Run a diagram, in Python if it was misread; return the solution and all signals along it."""
     if isinstance(runner, NativeDiagram):
-        solution, signals, why = run_compared(runner, start, times, **options)
+        solution, why = run_compared(runner, start, times, **options)
         if not why:
-            return solution, runner.finite(solution, signals, options["inputs"])
+            return solution, runner.signals(solution, options["inputs"])
         warn_python(name, why)
         runner = PythonDiagram(runner.wiring, params)
     solution = runner.run(start, times, **options)
     return solution, runner.signals(solution, options["inputs"])
 
 
-def run_compared(runner: NativeDiagram, start: Any, times: Any, **options: Any) -> tuple:
-    """Run a diagram; return solution, signals and, in words, what was misread."""
+def run_compared(runner: NativeDiagram, start: Any, times: Any, **options: Any) -> tuple[Any, str]:
+    """Run a diagram; return the solution and, in words, what was misread."""
     try:
         solution = runner.run(start, times, **options)
     except SimulationError as error:
         at_start = Solution(np.asarray(times[:1]), np.reshape(start, (1, -1)))
-        signals = runner.signals(at_start, options["inputs"], check=False)
-        why = difference(runner, at_start, signals, options["inputs"])
-        if not why and Status.NOT_FINITE.sentence in str(error):  # Python's blocks find nothing
+        why = difference(runner, at_start, options["inputs"])
+        if not why and SENTENCES[solver.NOT_FINITE] in str(error):  # Python's blocks find nothing
             why = "what was read gives a number that is not finite, where Python gives one"
         if not why:
             raise
-        return None, None, why
-    signals = runner.signals(solution, options["inputs"], check=False)
-    return solution, signals, difference(runner, solution, signals, options["inputs"]) or ""
+        return None, why
+    return solution, difference(runner, solution, options["inputs"])
 
 
 def warn_python(name: str, why: str) -> None:
@@ -102,69 +97,55 @@ CLOSE = 1e-7  # relative: rounding of terms that cancel, not another way through
 BESIDE = 1e-6, -1e-6  # relative: on a kink rounding decides, so a sample is compared beside it
 
 
-def difference(
-    runner: NativeDiagram, solution: Solution, signals: np.ndarray, inputs: Inputs | None
-) -> str | None:
-    """Return in words what was misread; None where all agrees."""
+def difference(runner: NativeDiagram, solution: Solution, inputs: Inputs | None) -> str:
+    """Return in words what was misread; "" where all agrees."""
     n = len(solution.t)
     if not n or all(node.system.of_package for node in runner.wiring.nodes):
-        return None
-    at = sorted({0, n // 3, 2 * n // 3, n - 1})
-    callee, pieces = runner.callee(1, inputs), runner.pieces_of(solution, inputs)
-    machine = _by_machine(runner, callee, pieces, solution.t[at], solution.x[at], signals[at])
-    same = _agrees(runner, machine, solution.t[at], solution.x[at], inputs)
+        return ""
+    at, pieces = sorted({0, n // 3, 2 * n // 3, n - 1}), runner.pieces_of(solution, inputs)
+    same = _agrees(runner, pieces, solution.t[at], solution.x[at], inputs)
     for k in np.array(at)[~same]:
         t, x = solution.t[k : k + 1], solution.x[k]
         for moved in (x + apart * (1.0 + np.abs(x)) for apart in BESIDE):
-            machine = _by_machine(runner, callee, pieces, t, moved[None])
-            if _agrees(runner, machine, t, moved[None], inputs)[0]:
+            if _agrees(runner, pieces, t, moved[None], inputs)[0]:
                 break
         else:
             runner.sweep.derivative(t[0], moved, None if inputs is None else inputs.at(t[0]))
             misread = misread_function(runner, float(t[0]), moved)
             return misread or f"at t = {t[0]:.6g} its rates are not those of its functions"
-    return None
-
-
-def _by_machine(
-    runner: NativeDiagram,
-    callee: Callee,
-    pieces: Schedule,
-    times: Any,
-    x: np.ndarray,
-    signals: np.ndarray | None = None,
-) -> list[np.ndarray]:
-    """Return by machine code: signals, unless they are known, rates, and states after all jumps."""
-    P, n = runner.parameters(), runner.nstates
-
-    def evaluate(role: int, count: int, pieces: Schedule = pieces) -> np.ndarray:
-        return callee.evaluate(role, times, x, pieces, P, np.empty((len(times), count)))
-
-    values = [evaluate(solver.SIGNALS, runner.nsignals) if signals is None else signals]
-    if n:
-        values.append(evaluate(solver.DERIVATIVE, n))
-    if callee.jumping:
-        every_jump = pieces.values.copy()
-        every_jump[:, np.isin(pieces.places, list(runner.jumps.values()))] = JUMPS
-        values.append(evaluate(solver.JUMP, n, pieces._replace(values=every_jump)))
-    return values
+    return ""
 
 
 def _agrees(
-    runner: NativeDiagram, machine: list[np.ndarray], times: Any, x: np.ndarray, inputs: Any
+    runner: NativeDiagram, pieces: Schedule, times: Any, x: np.ndarray, inputs: Inputs | None
 ) -> np.ndarray:
-    """Return at which times Python gives the same."""
-    sweep, python = runner.sweep, []
+    """Return at which times and states Python and machine code give the same.
+
+    That is the same signals, the same rates, and the same states after all jumps.
+    """
+    sweep, n, callee, P = (
+        runner.sweep,
+        runner.nstates,
+        runner.callee(1, inputs),
+        runner.parameters(),
+    )
+    asked = [(solver.SIGNALS, runner.nsignals, pieces)]
+    if n:
+        asked.append((solver.DERIVATIVE, n, pieces))
+    if sweep.jumping:
+        every_jump = pieces.values.copy()
+        every_jump[:, np.isin(pieces.places, list(runner.jumps.values()))] = JUMPS
+        asked.append((solver.JUMP, n, pieces._replace(values=every_jump)))
+    machine = [callee.evaluate(role, times, x, own, P, count) for role, count, own in asked]
+    python = []
     for t, state in zip(times.tolist(), x, strict=True):
         u = None if inputs is None else inputs.at(t)
         sweep.enter(t)
         rates = sweep.derivative(t, state, u)
-        own = [sweep.signals.copy(), rates][: len(machine)]
+        own = [sweep.signals.copy(), rates][: len(asked)]
         python.append([*own, sweep.jump(t, state, u, sweep.jumping)] if sweep.jumping else own)
-    same = np.ones(len(python), dtype=bool)
-    for ours, others in zip(zip(*python, strict=True), machine, strict=True):
-        same &= _same(np.array(ours), others)
-    return same
+    pairs = zip(zip(*python, strict=True), machine, strict=True)
+    return np.all([_same(np.array(own), others) for own, others in pairs], axis=0)
 
 
 def _same(a: np.ndarray, b: np.ndarray) -> np.ndarray:

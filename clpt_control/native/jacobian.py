@@ -14,6 +14,10 @@ from operator import or_
 from typing import Any, NamedTuple
 
 import numpy as np
+from scipy.linalg import bandwidth
+from scipy.optimize._numdiff import group_columns
+from scipy.sparse import csr_array
+from scipy.sparse.csgraph import reverse_cuthill_mckee
 
 from ..equations.arrays import CONDITIONS, Unread, operand
 from ..equations.derivative import JUMPS, Direction
@@ -50,8 +54,6 @@ def jacobian(reach: np.ndarray, exact: bool) -> Jacobian:
 
     `exact` says whether there is a function `slope`.
     """
-    from scipy.optimize._numdiff import group_columns
-
     n = len(reach)
     places, low, high = _ordered(reach[:, :n])
     groups = group_columns(reach, np.arange(n + 1))
@@ -66,20 +68,13 @@ def jacobian(reach: np.ndarray, exact: bool) -> Jacobian:
 
 def _ordered(reach: np.ndarray) -> tuple[np.ndarray, int, int]:
     """Return the place of each state, and the numbers of diagonals below and above the main one."""
-    from scipy.sparse import csr_array
-    from scipy.sparse.csgraph import reverse_cuthill_mckee
-
     n = len(reach)
     as_is = np.arange(n)
     if reach.mean() > FULL:
         return as_is, n - 1, n - 1
-    narrow = np.empty(n, dtype=int)
-    narrow[reverse_cuthill_mckee(csr_array(reach | reach.T), symmetric_mode=True)] = as_is
-    rows, columns = np.nonzero(reach)
-    bands = []
-    for places in (as_is, narrow):
-        below = places[rows] - places[columns]
-        bands.append((places, int(below.max(initial=0)), int(-below.min(initial=0))))
+    narrow = reverse_cuthill_mckee(csr_array(reach | reach.T), symmetric_mode=True)
+    orders = as_is, narrow
+    bands = [(np.argsort(own), *bandwidth(reach[np.ix_(own, own)])) for own in orders]
     return min(bands, key=lambda band: band[1] * (band[1] + band[2]))
 
 

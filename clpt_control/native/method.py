@@ -18,13 +18,17 @@ from typing import Any
 
 import numpy as np
 from numpy import ceil, maximum, minimum, power, sqrt, where
+from scipy.integrate import RK45
+from scipy.integrate._ivp import dop853_coefficients as table
 
 from ..equations.arrays import Tape, elementwise, operand
 from . import rosenbrock as rodas
 from . import solver as row
+from .batch import Callee
 from .components import Components
 from .decisions import Port
 from .machine import Machine, once
+from .nests import print_program
 from .plan import Planner, Program
 
 LAST_TERM = 1.23e-3  # share of the interpolant's last term that is its error in a stiff step
@@ -62,18 +66,6 @@ New = tuple[Rows, Rows]  # the new rows of Z, and the new numbers of the lane
 Formula = Callable[[StepTape], New]
 
 
-def _table() -> Any:
-    from scipy.integrate._ivp import dop853_coefficients
-
-    return dop853_coefficients
-
-
-def _table_of_dopri5() -> Any:
-    from scipy.integrate import RK45
-
-    return RK45
-
-
 def _sum(s: StepTape, weights: Any, first: int = row.RATE, total: Any = None) -> Any:
     """Return total + a_0 K_0 + a_1 K_1 + ..., with the rows from `first` on; zeros are left out."""
     for j, a in enumerate(np.asarray(weights).tolist(), first):
@@ -105,7 +97,7 @@ def _stage(weights: Any, c: float, s: StepTape, started: Any = None, starts: Any
 
 def _stage_of_dop853(number: int, s: StepTape) -> New:
     """Stage 1 to 15, counted from 0; stage 12 is the new state."""
-    table, last = _table(), EARLY[0] - 1
+    last = EARLY[0] - 1
     weights, c = table.A[number, :number], float(table.C[number])
     if number in EARLY:
         rest = np.where(np.arange(number) < last, 0.0, weights)
@@ -152,7 +144,6 @@ def _accept_or_reject(
 
 def _control(s: StepTape) -> New:
     """The new state, the estimate of its error, whether the step is good, and the next length."""
-    table = _table()
     beyond = table.E3[: row.DOP853] - table.B  # most of E3 is B
     rate = _sum(s, table.B)
     state = fmuladd(s.lane(row.TAKEN), rate, s.z(row.STATE))
@@ -179,10 +170,6 @@ def _sizes(s: StepTape) -> New:
 
 def _eighth_root(value: Any) -> Any:
     return sqrt(sqrt(sqrt(value)))
-
-
-def _fifth_root(value: Any) -> Any:
-    return power(value, 0.2)
 
 
 def _first(root: Callable, s: StepTape) -> New:
@@ -228,7 +215,7 @@ def _dense(s: StepTape) -> New:
     keeps the step short by stability alone, it is up to 10,000 times less exact; its last term
     estimates that.
     """
-    terms = [*_cubic(s), *(s.lane(row.TAKEN) * _sum(s, own) for own in _table().D)]
+    terms = [*_cubic(s), *(s.lane(row.TAKEN) * _sum(s, own) for own in table.D)]
     largest = maximum(abs(s.z(row.STATE)), abs(s.z(row.ARGUMENT)))
     part = (LAST_TERM / TRUSTED) * terms[-1] / s.tolerance(largest)
     return _terms(s, *terms), {row.WITHIN: sqrt(s.total(part * part))}
@@ -274,13 +261,13 @@ def _control_order_5(s: StepTape, error: Any, new: Any, largest: float, cut: boo
 
 def _control_dopri5(s: StepTape) -> New:
     """Whether the step is good, and the length of the next; the last stage is at the new state."""
-    error = s.lane(row.TAKEN) * _sum(s, _in_rows(_table_of_dopri5().E))
+    error = s.lane(row.TAKEN) * _sum(s, _in_rows(RK45.E))
     return {}, _control_order_5(s, error, s.z(row.ARGUMENT), 10.0)
 
 
 def _dense_dopri5(s: StepTape) -> New:
     """The terms of the interpolant of order 4."""
-    last = _sum(s, _in_rows(_table_of_dopri5().P[:, 3]))
+    last = _sum(s, _in_rows(RK45.P[:, 3]))
     return _terms(s, *_cubic(s), s.lane(row.TAKEN) * last), {}
 
 
@@ -360,36 +347,35 @@ def _dense_implicit(s: StepTape) -> New:
 
 def formulas(method: int) -> dict[str, Formula]:
     """Return the formulas of a method, by its number in the solver, in the solver's order."""
-    attempt: Formula = _attempt
-    control, accept, dense, root = _control, _accept, _dense, _eighth_root
-    last, limit = _table().A[row.DOP853 - 1, : row.DOP853 - 1], 6.1
-    stages = [partial(_stage_of_dop853, k) for k in range(1, row.DOP853 + 4)]
+    last = table.A[row.DOP853 - 1, : row.DOP853 - 1]
+    own: dict[str, Formula] = {
+        **{"attempt": _attempt, "control": _control, "sizes": _sizes},
+        **{"trial": partial(_stage, [0.0, 1.0], 1.0), "first": partial(_first, _eighth_root)},
+        **{"accept": _accept, "dense": _dense, "cubic": _only_cubic},
+        "stiffness": partial(_stiffness, last, 6.1),
+    }
+    stages: list[Formula] = [partial(_stage_of_dop853, k) for k in range(1, row.DOP853 + 4)]
     if method == row.DOPRI5:
-        table, control, dense, root = (
-            _table_of_dopri5(),
-            _control_dopri5,
-            _dense_dopri5,
-            _fifth_root,
-        )
-        last, limit = _in_rows(table.A[-1]), 3.25
-        stages = [partial(_stage, _in_rows(table.A[k, :k]), table.C[k]) for k in range(1, 6)]
-        stages += [partial(_stage, _in_rows(table.B), 1.0)]
+        own |= {
+            "control": _control_dopri5,
+            "first": partial(_first, lambda value: power(value, 0.2)),
+        }
+        own |= {
+            "dense": _dense_dopri5,
+            "stiffness": partial(_stiffness, _in_rows(RK45.A[-1]), 3.25),
+        }
+        stages = [partial(_stage, _in_rows(RK45.A[k, :k]), RK45.C[k]) for k in range(1, 6)]
+        stages += [partial(_stage, _in_rows(RK45.B), 1.0)]
     elif method == row.RODAS5P:
-        attempt, dense = partial(_attempt, implicit=True), _dense_implicit
-        control = _control_implicit
+        own |= {"attempt": partial(_attempt, implicit=True)}
+        own |= {"control": _control_implicit, "dense": _dense_implicit}
         stages = [partial(_stage_implicit, k) for k in range(row.RODAS5P - 1)]
     elif method in (row.RK4, row.MAP):
-        attempt, accept, dense = _attempt_fixed, _accept_fixed, _straight
-        control = _control_rk4 if method == row.RK4 else _control_map
+        own |= {"control": _control_rk4 if method == row.RK4 else _control_map}
+        own |= {"attempt": _attempt_fixed, "accept": _accept_fixed, "dense": _straight}
         halves = np.diag([0.5, 0.5, 1.0])
         stages = [partial(_stage, halves[k, : k + 1], halves[k, k]) for k in range(method - 1)]
-    trial, first = partial(_stage, [0.0, 1.0], 1.0), partial(_first, root)
-    return {
-        **{"attempt": attempt, "control": control, "sizes": _sizes, "trial": trial},
-        **{"first": first, "accept": accept, "dense": dense, "cubic": _only_cubic},
-        "stiffness": partial(_stiffness, last, limit),
-        **{f"stage_{k}": one for k, one in enumerate(stages, 1)},
-    }
+    return own | {f"stage_{k}": one for k, one in enumerate(stages, 1)}
 
 
 def program_of_formulas(formulas: dict[str, Formula], n: int) -> Program:
@@ -415,10 +401,16 @@ def program_of_formulas(formulas: dict[str, Formula], n: int) -> Program:
 def kernels(n: int, lanes: int, method: int) -> Machine:
     """Return the formulas of a method for n states as machine code."""
     named = formulas(method)
+    return Machine(
+        named,
+        f"formulas {n} {lanes} {method}",
+        lambda: print_program(program_of_formulas(named, n), tuple(named), lanes),
+    )
 
-    def module() -> object:
-        from .nests import print_program
 
-        return print_program(program_of_formulas(named, n), tuple(named), lanes)
-
-    return Machine(named, f"formulas {n} {lanes} {method}", module)
+def with_formulas(callee: Callee) -> Callee:
+    """Return what the solver calls, the formulas of its method behind the diagram's functions."""
+    formulas = kernels(callee.nstates, callee.lanes, callee.method) if callee.nstates else None
+    more = formulas.addresses.values() if formulas else ()
+    functions = np.array([*callee.functions, *more], dtype=np.int64)
+    return callee._replace(functions=functions, code=(*callee.code, formulas))

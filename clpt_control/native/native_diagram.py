@@ -14,14 +14,14 @@ from ..arguments import public
 from ..diagrams.wiring import Wiring
 from ..equations.arrays import Unread
 from ..equations.at_many import decided_by_time, times_of_change
-from ..equations.block import Block
 from ..errors import DiagramError, Uncompiled
 from . import solver
 from .batch import Callee
 from .diagram_record import NAMED, SHORT, DiagramRecord, Layout, lay_out
 from .jacobian import Jacobian, jacobian, reach_of, slopes_of
 from .machine import LANES, Machine, fuses, once, one_at_a_time
-from .method import kernels
+from .method import with_formulas
+from .nests import print_program
 from .plan import Program, program_of
 from .python_diagram import PythonDiagram
 from .schedule import Inputs
@@ -67,14 +67,9 @@ class Code:
         """Return where a function lies, compiled when first asked for."""
         apart = name in ("margin", "jump", "decide", "slope")  # only some diagrams need them
         together = (name,) if apart else ("derivative", "prepare", "signals")
-
-        def module() -> object:
-            from .nests import print_program
-
-            return print_program(self.program, together, lanes)
-
         if (name, lanes) not in self._machines:
-            machine = Machine(together, repr((self.program, together, lanes)), module)
+            wanted = self.program, together, lanes
+            machine = Machine(together, repr(wanted), lambda: print_program(*wanted))
             self._machines.update({(one, lanes): machine for one in together})
         return self._machines[name, lanes].addresses[name]
 
@@ -90,21 +85,16 @@ def code_of(
     """
     if form not in FORMS:
         raise DiagramError(f"form = {form!r}: must be 'unrolled', 'looped' or 'free', or left out")
-    blocks = []
-    for node in wiring.nodes:
-        block = node.system
-        if not isinstance(block, Block):
-            raise Uncompiled(f"{node.name} is no block and cannot be compiled")
-        try:
-            records = block.records.items()
-        except Unread as error:
-            raise Uncompiled(str(error)) from None
-        shapes: list[dict] = [*block.declared.values(), block.sizes]
-        blocks.append((*records, *(tuple(own.items()) for own in shapes)))
+    blocks: list[Any] = [node.system for node in wiring.nodes]
+    try:
+        records = tuple(tuple(block.records.items()) for block in blocks)
+    except Unread as error:
+        raise Uncompiled(str(error)) from None
+    declared = ((*block.declared.values(), block.sizes) for block in blocks)
+    shapes = tuple(tuple(tuple(own.items()) for own in one) for one in declared)
     wires = tuple((node.states.start, node.outputs.start, node.wires) for node in wiring.nodes)
-    own = ((node.system.feedthrough, node.system.first_held) for node in wiring.nodes)
-    order = (wiring.order, bool(wiring.dt), *own)
-    key = tuple(blocks), wires, order, layout.pattern, wiring.ninputs
+    order = wiring.order, *((block.feedthrough, block.first_held) for block in blocks)
+    key = records, shapes, wires, order, bool(wiring.dt), layout.pattern, wiring.ninputs
     return _code(Structure(key, wiring, layout), form, implicit)
 
 
@@ -151,7 +141,7 @@ class NativeDiagram(PythonDiagram):
     Raises
     ------
     Uncompiled
-        If a system is no block, or the diagram is too large.
+        If a function cannot be read, or the diagram is too large.
 
     Examples
     --------
@@ -228,20 +218,14 @@ class NativeDiagram(PythonDiagram):
         return self._callees[lanes, method]
 
     def _callee(self, lanes: int, method: int) -> Callee:
-        n, watched = self.nstates, method != solver.MAP
-        guarded, jumping = int(watched and self.sweep.guarded), int(watched and bool(self.jumps))
-        code = self._code(method)
+        code, watched = self._code(method), self.watched(method)
         program = code.program
-        unused = {"margin": not guarded, "jump": not jumping, "decide": not program.decided}
-        unused["slope"] = "slope" not in program.functions
-        own = [0 if unused.get(name) else code.address(name, lanes) for name in FUNCTIONS]
-        formulas = kernels(n, lanes, method) if n else None
-        more = formulas.addresses.values() if formulas else ()
-        functions = np.array([*own, *more], dtype=np.int64)
-        shape = lanes, n, method, guarded, jumping, self.decided_at, program.decided
+        used = dict(zip(("margin", "jump"), watched, strict=True))
+        used |= {"decide": program.decided, "slope": "slope" in program.functions}
+        own = [code.address(name, lanes) if used.get(name, True) else 0 for name in FUNCTIONS]
+        shape = lanes, self.nstates, method, *watched, self.decided_at, program.decided
         sizes = program.parameters, program.room, self.layout.T
-        alive = code, formulas
-        return Callee(self.engine, functions, *shape, *sizes, code.linear, alive)
+        return with_formulas(Callee(self.engine, own, *shape, *sizes, code.linear, (code,)))
 
     def lanes(self, count: int) -> int:
         """Return how many runs are taken at once: eight where it pays."""
@@ -269,8 +253,8 @@ def compile(
     Raises
     ------
     DiagramError
-        If a system is no block, the diagram is too large, or blocks feed each
-        other at once in a circle.
+        If a function cannot be read, the diagram is too large, or blocks feed
+        each other at once in a circle.
 
     Examples
     --------

@@ -1,6 +1,9 @@
 """A diagram that runs block by block in Python.
 
 The solver is machine code, as for any diagram; it calls functions of Python.
+
+In discrete time x[k+1] = derivative(t_k, x[k], u_k), and the signals of sample k are those of x[k].
+The times are those that python-control takes: `dt` apart, or evenly spaced if dt is True.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -14,41 +17,30 @@ from typing import Any, Self
 import control
 import numpy as np
 
+from ..arguments import numbers
 from ..diagrams.interconnection import changed_parameters
 from ..diagrams.wiring import Wiring, read_anew, wiring_of
 from ..errors import SimulationError
 from . import solver
 from .batch import ANY, Batch, Callee, pace
-from .ending import (
-    METHODS,
-    STUCK,
-    Solution,
-    check_spacing,
-    checked_method,
-    ended,
-    run_to_end,
-    sampled_start,
-    without_states,
-)
+from .ending import STUCK, Solution, ended, sampled_start, without_states
 from .jacobian import Jacobian, jacobian
 from .machine import callback
-from .method import kernels
+from .method import with_formulas
 from .schedule import (
     BEGINS,
-    FELT,
-    FELT_BY_ORDER_5,
     JUMPS,
     Inputs,
     Schedule,
     checked_state,
     checked_times,
     make_schedule,
-    numbers,
     read_inputs,
-    sharp_bends,
-    with_inputs,
 )
 from .sweep import Sweep
+
+FELT = 200.0  # tolerances of an input: a run stops where it bends off its line by more
+FELT_BY_ORDER_5 = 2000.0  # the same for DOPRI5, whose steps are shorter
 
 
 class PythonDiagram:
@@ -90,22 +82,15 @@ class PythonDiagram:
         """Return P; in Python it says which blocks jump."""
         return np.zeros(len(self.jumps))
 
+    def breaks(self, t0: float, t1: float) -> Any:
+        """Return the times of decisions that depend on time alone; none in Python."""
+        return ()
+
     def schedule(
-        self,
-        t0: float,
-        t1: float,
-        inputs: Inputs | None = None,
-        breaks: Any = (),
-        felt: float = 0.0,
+        self, t0: float, t1: float, inputs: Inputs | None = None, felt: float = 0.0
     ) -> Schedule:
         """Return the pieces of a run; they end at `breaks` and at bends of inputs that are felt."""
-        kinks = np.zeros(0)
-        if inputs is not None and inputs.samples is not None:
-            kinks = sharp_bends(*inputs.samples, felt) if self.ramp < 0 else inputs.kinks
-        pieces = make_schedule(self.sweep, self.intervals, self.jumps, t0, t1, kinks, breaks)
-        if self.ramp < 0 or inputs is None or not self.wiring.ninputs:
-            return pieces
-        return with_inputs(pieces, t0, inputs, self.ramp)
+        return make_schedule(self, t0, t1, inputs, felt)
 
     def callee(
         self, lanes: int = 1, inputs: Inputs | None = None, method: int = solver.DOP853
@@ -127,19 +112,21 @@ class PythonDiagram:
             (lambda t, x, P: sweep.evaluate(t, x, u(t)), "W", self.nsignals),
             (jump, "D", n),
         ]
-        places = max(self.jumps.values(), default=-1) + 1
+        places = len(self.jumps)
         own = [callback(one, n, places, array, count, raised) for one, array, count in functions]
-        formulas = kernels(n, 1, method) if n else None
-        more = formulas.addresses.values() if formulas else ()
-        addresses = [*(cast(one, c_void_p).value for one in own), 0, 0, *more]
-        watched = method != solver.MAP
-        flags = int(watched and sweep.guarded), int(watched and bool(self.jumps))
-        shape = 1, n, method, *flags, 0, 0
-        sizes, linear = (len(self.jumps), self.nsignals, np.zeros(1)), Jacobian()
+        addresses = [*(cast(one, c_void_p).value for one in own), 0, 0]
+        linear = Jacobian()
         if method == solver.RODAS5P:
             linear = jacobian(np.ones((n, n + 1), dtype=bool), False)
-        code, alive = np.array(addresses, dtype=np.int64), (own, formulas)
-        return Callee("python", code, *shape, *sizes, linear, alive, raised)
+        sizes = places, self.nsignals, np.zeros(1)
+        shape = 1, n, method, *self.watched(method), 0, 0
+        return with_formulas(Callee("python", addresses, *shape, *sizes, linear, (own,), raised))
+
+    def watched(self, method: int) -> tuple[int, int]:
+        """Return 1 if guards are watched, and 1 if states jump; neither in discrete time."""
+        if method == solver.MAP:
+            return 0, 0
+        return int(self.sweep.guarded), int(bool(self.jumps))
 
     def implicit(self, inputs: Inputs | None = None) -> Callee:
         """Return what the solver calls for its implicit method."""
@@ -198,44 +185,34 @@ class PythonDiagram:
             step becomes too small, the end is out of reach, or a guard with
             the policy ``"raise"`` is crossed.
         """
-        relative, absolute, longest, opening = checked_steps(
-            step, rtol=rtol, atol=atol, max_step=None if max_step == np.inf else max_step,
-            first_step=first_step, method=method, progress=progress,
-        )  # fmt: skip
-        method = checked_method(method)
+        options: dict[str, Any] = {
+            **{"step": step, "max_step": None if max_step == np.inf else max_step},
+            **{"first_step": first_step, "method": method, "rtol": rtol, "atol": atol},
+            "progress": progress,
+        }
         times, start = checked_times("times", times), checked_state("x0", x0, (self.nstates,))
+        rtol, atol, *limits, method = checked_steps(self.wiring.dt, times, **options)
         times = self.sweep.at_jumps(times)
         t0, t1 = float(times[0]), float(times[-1])
         inputs = self._inputs(inputs, times)
-        if self.wiring.dt:
-            limits = longest, opening, method
-            if (step, rtol, atol) != (None, None, None) or limits != (np.inf, 0.0, "auto"):
-                raise SimulationError(
-                    "step, max_step, first_step, method, rtol and atol: a diagram of discrete time "
-                    "has none; leave them out"
-                )
-            check_spacing(times, self.wiring.dt)
         if not self.nstates:
             return without_states(self.sweep, times, inputs, self.engine)
         by, auto = self.method_number(method, step), method == "auto" and step is None
-        if by == solver.DOP853 and auto and relative >= self.loose:
+        if auto and by == solver.DOP853 and rtol >= self.loose:
             by = solver.DOPRI5
-        felt = relative * (FELT_BY_ORDER_5 if by == solver.DOPRI5 else FELT)
-        pieces = self.schedule(t0, t1, inputs, self.breaks(t0, t1), felt)
+        felt = rtol * (FELT_BY_ORDER_5 if by == solver.DOPRI5 else FELT)
+        pieces = self.schedule(t0, t1, inputs, felt)
         callee, P = self.callee(1, inputs, by), self.parameters()
         start = sampled_start(callee, start, t0, pieces, P)
-        batch = Batch(callee, start[None], P[None], times, [pieces], None, longest, opening)
+        batch = Batch(callee, start[None], P[None], times, [pieces], None, *limits)
         most = self.most if by > solver.RK4 else ANY
         implicit = partial(self.implicit, inputs) if auto else None
-        rest = run_to_end(batch, relative, absolute, implicit, pace(most, t0, t1, progress), most)
+        batch.adaptive(rtol, atol, pace(most, t0, t1, progress), most, implicit)
         if batch.status[0] in STUCK and callee.decided:
             with suppress(SimulationError):  # then the error is that of the first run
-                across = self.unlocked().run(
-                    x0, times, rtol=rtol, atol=atol, method=method, inputs=inputs,
-                    max_step=max_step, first_step=first_step, progress=progress,
-                )  # fmt: skip
+                across = self.unlocked().run(x0, times, inputs=inputs, **options)
                 return replace(across, method=f"{across.method}, switches not located")
-        solution = ended(self.sweep, batch, inputs, rest.get(0))
+        solution = ended(self.sweep, batch, inputs)
         solution.pieces = self, inputs, pieces
         return solution
 
@@ -260,10 +237,6 @@ class PythonDiagram:
             return pieces
         return self.schedule(float(solution.t[0]), float(solution.t[-1]), inputs)
 
-    def breaks(self, t0: float, t1: float) -> Any:
-        """Return the times of decisions that depend on time alone; none in Python."""
-        return ()
-
     def run_many(
         self,
         starts: Sequence[Any] | np.ndarray,
@@ -287,11 +260,10 @@ class PythonDiagram:
         ndarray, shape (m, n, nstates)
             NaN from where a run could not go on.
         """
-        rtol, atol, longest, _ = checked_steps(step, rtol=rtol, atol=atol)
         times = checked_times("times", times)
+        options = {"step": step, "rtol": rtol, "atol": atol}
+        rtol, atol, longest, *_ = checked_steps(self.wiring.dt, times, **options)
         starts = checked_state("starts", starts, (len(starts), self.nstates))
-        if self.wiring.dt:
-            check_spacing(times, self.wiring.dt)
         P, by = self.parameters(), self.method_number(step=step)
         pieces = self.schedule(float(times[0]), float(times[-1]))
         starts = [sampled_start(self.callee(), one, float(times[0]), pieces, P) for one in starts]
@@ -307,60 +279,84 @@ class PythonDiagram:
     def _inputs(self, inputs: Any, times: np.ndarray) -> Inputs | None:
         return None if inputs is None else read_inputs(inputs, times, self.wiring.ninputs)
 
-    def signals(self, solution: Solution, inputs: Any = None, check: bool = True) -> np.ndarray:
+    def signals(self, solution: Solution, inputs: Any = None) -> np.ndarray:
         """Return all block outputs (nt, nsignals) at a solution's times, in the wiring's order.
 
-        Values at a jump are right limits; with `check` one that is not finite is an error.
+        Values at a jump are right limits; one that is not finite is an error.
         """
         times = solution.t
         if not len(times):  # stopped before the first
             return np.zeros((0, self.nsignals))
         inputs = self._inputs(inputs, times)
-        callee, pieces = self.callee(1, inputs), self.pieces_of(solution, inputs)
-        P, out = self.parameters(), np.empty((len(times), self.nsignals))
-        callee.evaluate(solver.SIGNALS, times, solution.x, pieces, P, out)
-        return self.finite(solution, out, inputs) if check else out
-
-    def finite(
-        self, solution: Solution, signals: np.ndarray, inputs: Inputs | None = None
-    ) -> np.ndarray:
-        """Return a solution's signals; refuse one that is not finite."""
-        bad = np.flatnonzero(~np.all(np.isfinite(signals), axis=1))
+        pieces, P = self.pieces_of(solution, inputs), self.parameters()
+        evaluate = self.callee(1, inputs).evaluate
+        out = evaluate(solver.SIGNALS, times, solution.x, pieces, P, self.nsignals)
+        bad = np.flatnonzero(~np.all(np.isfinite(out), axis=1))
         if len(bad):
-            t, x = float(solution.t[bad[0]]), solution.x[bad[0]]
+            t, x = float(times[bad[0]]), solution.x[bad[0]]
             self.sweep.enter(t)
             advice = "check the parameters of that block, or keep its arguments in range"
             u = None if inputs is None else inputs.at(t)
             trouble = self.sweep.first_trouble(t, x, u, advice)
             trouble = trouble or f"a signal is not finite; {advice}"
             raise SimulationError(f"at t = {t:.9g}: {trouble}")
-        return signals
+        return out
 
 
-ALONE = {  # why an option does not go with a fixed step
-    **dict.fromkeys(("rtol", "atol"), "has no tolerance"),
-    **dict.fromkeys(("max_step", "first_step"), "is what it is"),
-    **{"method": "has a method", "progress": "reports none"},
+METHODS = {
+    **{"auto": solver.DOP853, "dop853": solver.DOP853},
+    **{"dopri5": solver.DOPRI5, "rodas5p": solver.RODAS5P},
+}
+OPTIONS = {  # what is allowed, and why an option does not go with a fixed step
+    "step": ("positive", ""),
+    **dict.fromkeys(("rtol", "atol"), ("a number, 0 or more", "has no tolerance")),
+    **dict.fromkeys(("max_step", "first_step"), ("a number above 0", "is what it is")),
+    **{"method": ("", "has a method"), "progress": ("", "reports none")},
 }
 
 
-def checked_steps(step: float | None, **options: Any) -> tuple[float, ...]:
-    """Return rtol and atol, the longest step, and the first or 0.
+def checked_method(method: str | None) -> str:
+    """Return the name of a method; refuse an unknown one."""
+    if method is not None and method not in METHODS:
+        raise SimulationError(f"method = {method!r}: must be one of {', '.join(METHODS)}")
+    return method or "auto"
 
-    Refuse values out of range, and options that do not go with a fixed step.
+
+def check_spacing(times: np.ndarray, dt: Any) -> None:
+    """Refuse times that are not spaced by the step of a diagram of discrete time."""
+    apart = np.diff(times)
+    if not np.allclose(apart, apart[0] if dt is True else dt):
+        every = "evenly spaced" if dt is True else f"{dt:.9g} apart"
+        raise SimulationError(
+            f"timepts: a diagram of discrete time (dt = {dt}) takes times that are {every}; these "
+            f"are {apart.min():.9g} to {apart.max():.9g} apart"
+        )
+
+
+def checked_steps(dt: Any, times: np.ndarray, **options: Any) -> tuple:
+    """Return rtol and atol, the longest step, the first or 0, and the method of a run.
+
+    Refuse values out of range, and options that do not go with a fixed step or discrete time.
     """
-    for name, value in options.items():
-        if step is not None and value is not None:
-            raise SimulationError(f"step and {name}: a fixed step {ALONE[name]}; leave one out")
-        if value is None or name in ("method", "progress"):
-            continue
-        size = np.float64(value) if type(value) is float else numbers(name, value)
-        if name in ("rtol", "atol") and (size.ndim or not size >= 0.0):
-            raise SimulationError(f"{name} = {value}: must be a number, 0 or more")
-        if name in ("max_step", "first_step") and (size.ndim or not size > 0.0):
-            raise SimulationError(f"{name} = {value}: must be a number above 0")
-    chosen = {"rtol": 1e-8, "atol": 1e-10, "max_step": np.inf if step is None else step}
-    chosen |= {"first_step": 0.0} | {name: v for name, v in options.items() if v is not None}
+    given = {name: value for name, value in options.items() if value is not None}
+    method = checked_method(given.get("method"))
+    if dt:
+        check_spacing(times, dt)
+        if given.keys() - {"progress", "method"} or method != "auto":
+            *more, last = (name for name in options if name != "progress")
+            raise SimulationError(
+                f"{', '.join(more)} and {last}: a diagram of discrete time has none; leave them out"
+            )
+    for name, value in given.items():
+        allowed, alone = OPTIONS[name]
+        if "step" in given and alone:
+            raise SimulationError(f"step and {name}: a fixed step {alone}; leave one out")
+        if allowed:
+            size, least = numbers(name, value), 0.0 if name in ("rtol", "atol") else 5e-324
+            if size.ndim or not size >= least:
+                raise SimulationError(f"{name} = {value}: must be {allowed}")
+    chosen = {"rtol": 1e-8, "atol": 1e-10, "first_step": 0.0, "max_step": given.get("step", np.inf)}
+    chosen |= given
     if chosen["rtol"] == chosen["atol"] == 0.0:
         raise SimulationError("rtol = atol = 0: one of them must be above 0")
-    return tuple(float(chosen[name]) for name in ("rtol", "atol", "max_step", "first_step"))
+    return *(float(chosen[name]) for name in ("rtol", "atol", "max_step", "first_step")), method

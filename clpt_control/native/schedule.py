@@ -17,13 +17,9 @@ import numpy as np
 
 from ..arguments import numbers
 from ..errors import SimulationError
-from ..progress import warn
-from .sweep import Sweep
 
 STRAIGHT = 1e-14  # of the largest value: a smaller distance from a straight line is rounding
 SHARP = 10.0  # a bend is sharp if it is so many times as large as most
-FELT = 200.0  # and if it is so many tolerances of the input, off the line before it
-FELT_BY_ORDER_5 = 2000.0  # the same for DOPRI5, whose steps are shorter
 
 
 @dataclass(frozen=True)
@@ -58,13 +54,13 @@ class Inputs:
         at, u = self.samples
         return (u[:, 1:] - u[:, :-1]) / (at[1:] - at[:-1]) if len(at) > 1 else np.zeros_like(u)
 
-    @cached_property
+    @property
     def kinks(self) -> np.ndarray:
         """Times at which the inputs bend; samples on one straight line are one piece."""
-        at, u = self.samples or (np.zeros(0), np.zeros((0, 0)))
+        assert self.samples is not None
+        (at, u), slopes = self.samples, self.slopes
         if len(at) < 3:
             return at
-        slopes = self.slopes
         size = STRAIGHT * np.abs(u).max(axis=1, initial=1e-300, keepdims=True)
         steps = at[1:] - at[:-1]
         bend = (np.abs(slopes[:, 1:] - slopes[:, :-1]) * steps[1:] > size).any(axis=0)
@@ -73,28 +69,28 @@ class Inputs:
         line = u[:, begins] + slopes[:, begins] * (at[:-1] - at[begins])
         return at[bends] if (np.abs(line - u[:, :-1]) <= 1e3 * size).all() else at
 
+    def sharp_bends(self, least: float) -> np.ndarray:
+        """Return the times at which the inputs bend sharply.
+
+        A bend that leaves the line before it by `least` of the largest value is sharp, too.
+        """
+        assert self.samples is not None
+        (at, u), slopes = self.samples, self.slopes
+        if len(at) < 3:
+            return at[:0]
+        spans, size = at[1:] - at[:-1], np.max(np.abs(u), axis=1, keepdims=True)
+        bends = np.abs(slopes[:, 1:] - slopes[:, :-1])
+        rounding = 1e-12 * np.max(np.abs(slopes), axis=1, keepdims=True)
+        sharper = bends > SHARP * np.median(bends, axis=1, keepdims=True) + rounding
+        felt = bends * np.minimum(spans[1:], spans[:-1]) > (least + 1e-12) * size
+        return at[1:-1][np.any(sharper | felt, axis=0)]
+
     def along(self, times: np.ndarray) -> np.ndarray:
         """Return the inputs at times, shape (ninputs, nt)."""
         if self.samples is None:
             return np.array([self.at(t) for t in times]).reshape(len(times), -1).T
         at, u = self.samples
         return np.array([np.interp(times, at, row) for row in u]).reshape(len(u), len(times))
-
-
-def sharp_bends(times: np.ndarray, values: np.ndarray, least: float) -> np.ndarray:
-    """Return the times at which samples, joined by straight lines, bend sharply.
-
-    A bend that leaves the line before it by `least` of the largest value is sharp, too.
-    """
-    if len(times) < 3:
-        return times[:0]
-    spans, size = times[1:] - times[:-1], np.max(np.abs(values), axis=1, keepdims=True)
-    slopes = (values[:, 1:] - values[:, :-1]) / spans
-    bends = np.abs(slopes[:, 1:] - slopes[:, :-1])
-    rounding = 1e-12 * np.max(np.abs(slopes), axis=1, keepdims=True)
-    sharper = bends > SHARP * np.median(bends, axis=1, keepdims=True) + rounding
-    felt = bends * np.minimum(spans[1:], spans[:-1]) > (least + 1e-12) * size
-    return times[1:-1][np.any(sharper | felt, axis=0)]
 
 
 def checked_times(name: str, timepts: Any) -> np.ndarray:
@@ -105,37 +101,6 @@ def checked_times(name: str, timepts: Any) -> np.ndarray:
     if not np.isfinite(times[[0, -1]]).all():
         raise SimulationError(f"{name}: must be finite")
     return times
-
-
-def stacked_state(name: str, state: Any, count: int, padded: bool = True) -> np.ndarray:
-    """Return `count` states as python-control takes them.
-
-    A list, ``[x0, 0]``, holds numbers and arrays one after the other; a last zero is repeated.
-    """
-    if isinstance(state, list | tuple) and state and not all(map(np.isscalar, state)):
-        state = np.concatenate([numbers(name, part).ravel() for part in state])
-    else:
-        state = numbers(name, state)
-        state = state.ravel() if state.ndim else state
-    if 0 < np.size(state) < count and np.ndim(state) == 1 and (padded or state[-1] == 0):
-        if state[-1] != 0:
-            warn(f"{name} is too short: filled with zeros")
-        state = np.pad(numbers(name, state), (0, count - len(state)))
-    return checked_state(name, state, (count,))
-
-
-def sizes_of_run(
-    diagram: Any, inputs: Any, x0: Any, times: np.ndarray
-) -> tuple[int | None, int | None]:
-    """Return the numbers of states and inputs of a run, where its system leaves them open."""
-    states = inputs_ = None
-    if diagram.nstates is None:
-        parts = x0 if isinstance(x0, list | tuple) else [0.0 if x0 is None else x0]
-        states = sum(np.size(part) for part in parts)
-    if diagram.ninputs is None:
-        given = np.asarray(inputs, dtype=float) if not callable(inputs) else np.zeros(0)
-        inputs_ = given.shape[0] if given.ndim == 2 else 1
-    return states, inputs_
 
 
 def checked_state(name: str, state: Any, shape: tuple[int, ...]) -> np.ndarray:
@@ -218,15 +183,13 @@ class Schedule(NamedTuple):
     edges: np.ndarray  # ends of n pieces, increasing; the last is the end of the run
     places: np.ndarray  # m places in P
     values: np.ndarray  # (n + 1, m): what each piece sets there, and the time of the end
-    smooth: np.ndarray  # (n + 1,): whether rates do not jump where a piece begins
+    smooth: np.ndarray  # (n + 1,): whether rates do not jump where a piece begins, but the first
     begins: bool = False  # whether blocks sample where the run begins
 
     def after(self, t: float) -> "Schedule":
         """Return the pieces from a time on."""
         k = int(np.searchsorted(self.edges, t, side="right"))
-        smooth = self.smooth[k:].copy()
-        smooth[:1] = False
-        return Schedule(self.edges[k:], self.places, self.values[k:], smooth)
+        return Schedule(self.edges[k:], self.places, self.values[k:], self.smooth[k:])
 
     def in_samples(self, times: np.ndarray) -> "Schedule":
         """Return the pieces of a run in discrete time: each begins at a sample."""
@@ -238,27 +201,21 @@ class Schedule(NamedTuple):
 
 
 def make_schedule(
-    sweep: Sweep,
-    intervals: dict[int, int],
-    jumps: dict[int, int],
-    t0: float,
-    t1: float,
-    kinks: np.ndarray,
-    breaks: Any,
+    diagram: Any, t0: float, t1: float, inputs: Inputs | None, felt: float
 ) -> Schedule:
-    """Return the pieces of a run from t0 to t1, which also end at `kinks` and at `breaks`.
+    """Return the pieces of a run of a diagram from t0 to t1, as `PythonDiagram.schedule` has it.
 
-    Rates bend at kinks and jump at breaks.  `intervals` holds the place in P of each block's
-    `interval`, `jumps` the place that is `JUMPS` in a piece that begins with a jump of its states.
+    Rates bend at kinks of inputs, and jump where blocks do and where time alone decides.  Behind
+    each block's `interval` lies what is `JUMPS` in a piece that begins with a jump of its states;
+    then come the straight lines of the inputs: time, values, slopes.
     """
-    jumping = np.sort(np.concatenate([sweep.breakpoints(t0, t1), breaks]))
+    sweep, compiled, kinks = diagram.sweep, diagram.ramp >= 0, np.zeros(0)
+    if inputs is not None and inputs.samples is not None:
+        kinks = inputs.kinks if compiled else inputs.sharp_bends(felt)
+    jumping = np.sort(np.concatenate([sweep.breakpoints(t0, t1), diagram.breaks(t0, t1)]))
     edges = np.unique(np.concatenate([jumping, kinks, [t1]]))
     edges = edges[(edges > t0) & (edges <= t1)]
     starts = np.concatenate([[t0], edges])
-    smooth = np.searchsorted(jumping, starts) == np.searchsorted(jumping, starts, side="right")
-    smooth[0] = False
-    places = np.array([*intervals.values(), *jumps.values()], dtype=np.int64)
-    values = np.zeros((len(starts), len(places)))
 
     def intervals_of(k: int) -> np.ndarray:
         block, p = sweep.nodes[k].system, sweep.parameters[k]
@@ -266,27 +223,22 @@ def make_schedule(
             return np.full(len(starts), p.interval)
         return np.searchsorted(block.breakpoints(0.0, t1, p), starts, side="right")
 
-    for j, k in enumerate(intervals):
-        values[:, j] = intervals_of(k)
-    for j, k in enumerate(jumps, len(intervals)):
-        values[1:, j] = JUMPS * (np.diff(intervals_of(k)) != 0)
+    columns, begins = [intervals_of(k) for k in diagram.intervals], False
+    for k in diagram.jumps:
         block = sweep.nodes[k].system
-        if block.first_held is not None and block.samples_at(t0):
-            values[0, j] = BEGINS
-    return Schedule(edges, places, values, smooth, bool(np.any(values[0, len(intervals) :])))
-
-
-def with_inputs(pieces: Schedule, t0: float, inputs: Inputs, ramp: int) -> Schedule:
-    """Return pieces that also set the diagram's inputs, straight lines within each piece.
-
-    `ramp` is their place in P: time, values, slopes.
-    """
-    if inputs.samples is None:
-        raise SimulationError("inputs: machine code takes no function; give samples")
-    (at, u), slopes = inputs.samples, inputs.slopes
-    starts = np.concatenate([[t0], pieces.edges])
-    k = np.searchsorted(at, starts, side="right") - 1
-    k = np.minimum(np.maximum(k, 0), slopes.shape[1] - 1)
-    rows = [pieces.values, at[k, None], u[:, k].T, slopes[:, k].T]
-    places = np.concatenate([pieces.places, np.arange(ramp, ramp + 1 + 2 * len(u))])
-    return pieces._replace(places=places, values=np.concatenate(rows, axis=1))
+        samples = block.first_held is not None and block.samples_at(t0)
+        jumps = JUMPS * (np.diff(intervals_of(k)) != 0)
+        columns.append(np.append(BEGINS if samples else 0.0, jumps))
+        begins = begins or samples
+    places = [*diagram.intervals.values(), *diagram.jumps.values()]
+    if compiled and inputs is not None and sweep.wiring.ninputs:
+        if inputs.samples is None:
+            raise SimulationError("inputs: machine code takes no function; give samples")
+        (at, u), slopes = inputs.samples, inputs.slopes
+        k = np.searchsorted(at, starts, side="right") - 1
+        k = np.minimum(np.maximum(k, 0), slopes.shape[1] - 1)
+        columns += [at[k], *u[:, k], *slopes[:, k]]
+        places += range(diagram.ramp, diagram.ramp + 1 + 2 * len(u))
+    values = np.ascontiguousarray(np.reshape(columns, (len(columns), len(starts))).T, dtype=float)
+    smooth = np.searchsorted(jumping, starts) == np.searchsorted(jumping, starts, side="right")
+    return Schedule(edges, np.array(places, dtype=np.int64), values, smooth, begins)

@@ -21,10 +21,10 @@ from ..files import write_file
 from ..native.c_text import CProgram, CRecord, c_number
 from ..native.diagram_record import LARGE, lay_out
 from ..native.engines import misread_function
-from ..native.schedule import stacked_state
 from ..scenario.experiment import Scenario
 from .integrate import as_diagram
 from .running import DiagramRun, compiled
+from .starts import stacked_state
 
 FIXED = " fixed"
 ROUNDING = "1e-9"  # of a period, by which a time may be off a sample

@@ -13,8 +13,8 @@ from ..arguments import public
 from ..diagrams.plain_data import diagram_key
 from ..equations.system import linear
 from ..errors import SimulationError
-from ..native.ending import checked_method
-from ..native.schedule import checked_times, sizes_of_run
+from ..native.python_diagram import checked_method
+from ..native.schedule import checked_times
 from ..scenario.experiment import Scenario
 from ..scenario.team import Team
 from .flows import note_speeds, speeds_of
@@ -167,6 +167,20 @@ class Request(NamedTuple):
     def sizes(self) -> tuple[int | None, int | None]:
         """Numbers of states and inputs, where the system leaves them open."""
         return sizes_of_run(self.diagram, self.inputs, self.start, self.times)
+
+
+def sizes_of_run(
+    diagram: Any, inputs: Any, x0: Any, times: np.ndarray
+) -> tuple[int | None, int | None]:
+    """Return the numbers of states and inputs of a run, where its system leaves them open."""
+    states = inputs_ = None
+    if diagram.nstates is None:
+        parts = x0 if isinstance(x0, list | tuple) else [0.0 if x0 is None else x0]
+        states = sum(np.size(part) for part in parts)
+    if diagram.ninputs is None:
+        given = np.asarray(inputs, dtype=float) if not callable(inputs) else np.zeros(0)
+        inputs_ = given.shape[0] if given.ndim == 2 else 1
+    return states, inputs_
 
 
 def as_diagram(system: Any) -> tuple[Any, dict[str, Any]]:

@@ -21,7 +21,7 @@ from ..equations.declaration import ports_of, split, whole_labels
 from ..native.ending import Solution
 from ..native.engines import VARIABLE, make_runner, run_checked
 from ..native.native_diagram import NativeDiagram
-from ..native.schedule import read_inputs, stacked_state
+from ..native.schedule import read_inputs
 from ..scenario.experiment import Scenario
 from ..scenario.file import EQUATIONS, OWN_PARTS, REFERENCE, TEAM
 from ..scenario.team import Team, team_to_text
@@ -37,7 +37,7 @@ from .dataset import (
 from .flows import faster_flow, speeds_of
 from .loops import LoopOf, paper_blocks, team_blocks
 from .run_file import CONDITIONS, RunRecord
-from .starts import into_keys, state_labels, state_of
+from .starts import into_keys, stacked_state, state_labels, state_of
 
 if TYPE_CHECKING:
     import xarray

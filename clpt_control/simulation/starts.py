@@ -7,14 +7,15 @@ from typing import TYPE_CHECKING, Any
 import control
 import numpy as np
 
-from ..arguments import public
+from ..arguments import numbers, public
 from ..blocks.localization import TRUE
 from ..diagrams.interconnection import Diagram
 from ..diagrams.parts import Part, output_ports
 from ..equations.block import Block
 from ..equations.system import is_linear
 from ..errors import BlockError, DataError, DiagramError, ScenarioError, SimulationError
-from ..native.schedule import stacked_state
+from ..native.schedule import checked_state
+from ..progress import warn
 from ..scenario.experiment import Scenario
 from ..scenario.quantities import STARTS, keys_of, parameters_of_keys
 from ..scenario.team import Team
@@ -22,6 +23,23 @@ from .loops import paper_blocks
 
 if TYPE_CHECKING:
     import xarray
+
+
+def stacked_state(name: str, state: Any, count: int, padded: bool = True) -> np.ndarray:
+    """Return `count` states as python-control takes them.
+
+    A list, ``[x0, 0]``, holds numbers and arrays one after the other; a last zero is repeated.
+    """
+    if isinstance(state, list | tuple) and state and not all(map(np.isscalar, state)):
+        state = np.concatenate([numbers(name, part).ravel() for part in state])
+    else:
+        state = numbers(name, state)
+        state = state.ravel() if state.ndim else state
+    if 0 < np.size(state) < count and np.ndim(state) == 1 and (padded or state[-1] == 0):
+        if state[-1] != 0:
+            warn(f"{name} is too short: filled with zeros")
+        state = np.pad(numbers(name, state), (0, count - len(state)))
+    return checked_state(name, state, (count,))
 
 
 def starting_values(scenario: Scenario) -> dict[str, np.ndarray]:

@@ -33,11 +33,12 @@ from ..errors import SimulationError, Uncompiled
 from ..native.ending import Solution
 from ..native.engines import run_compared
 from ..native.native_diagram import NativeDiagram
-from ..native.schedule import read_inputs, stacked_state
+from ..native.schedule import read_inputs
 from ..scenario.experiment import Scenario
 from .dataset import diagram_frame
 from .integrate import request_of
 from .running import compiled, signal_units
+from .starts import stacked_state
 
 if TYPE_CHECKING:
     import xarray
@@ -173,11 +174,10 @@ class Sensitive:
         starts = [(1 + j, k) for j, place in enumerate(self.places.values()) for k in place.states]
         x[self.varied.states[tuple(np.array(starts, dtype=int).reshape(-1, 2).T)]] = 1.0
         runner, solver = self.runner.with_parameters(given), {**self.solver, **solver}
-        solution, signals, why = run_compared(runner, x, self.times, inputs=self.inputs, **solver)
+        solution, why = run_compared(runner, x, self.times, inputs=self.inputs, **solver)
         if why:
             raise SimulationError(f"{self.name}: its derivative is not known: {why}")
-        every = runner.finite(solution, signals, self.inputs)
-        every = every[:, self.varied.signals].transpose(0, 2, 1)
+        every = runner.signals(solution, self.inputs)[:, self.varied.signals].transpose(0, 2, 1)
         u = np.zeros((len(every), self.wiring.ninputs, every.shape[2]))
         u[..., 0] = self.inputs.along(solution.t).T
         rows = np.concatenate([every, u], axis=1)[self.skipped :]

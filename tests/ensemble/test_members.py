@@ -12,7 +12,6 @@ from clpt_control.ensemble.spread import ensemble_summary
 from clpt_control.ensemble.summaries import STATUS
 from clpt_control.native import solver
 from clpt_control.native.batch import Batch
-from clpt_control.native.ending import Status
 from clpt_control.simulation.summary import run_and_report
 
 
@@ -101,7 +100,7 @@ def test_a_stiff_member_does_not_hold_up_the_rest(lanes):
         members.group,
     )
     runs.adaptive(1e-8, 1e-10, most=40)
-    assert list(runs.status) == [Status.FINISHED, Status.TOO_MANY, Status.FINISHED]
+    assert list(runs.status) == [solver.FINISHED, solver.TOO_MANY, solver.FINISHED]
     assert runs.counts[1, [0, 3]].sum() == 40
     assert np.isnan(runs.out[1, -1]).all()
 

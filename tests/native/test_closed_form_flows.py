@@ -8,7 +8,6 @@ import pytest
 from clpt_control.equations import Block
 from clpt_control.native import solver
 from clpt_control.native.batch import Batch
-from clpt_control.native.ending import Status
 from clpt_control.native.machine import LANES
 from clpt_control.native.native_diagram import NativeDiagram
 from clpt_control.native.python_diagram import PythonDiagram
@@ -95,7 +94,7 @@ def states(engine, block, x0, step):
     pieces = [runner.schedule(0.0, TIMES[-1])]
     runs = Batch(callee, starts, P, TIMES, pieces, None, np.inf if step is None else step)
     runs.adaptive(1e-11, 1e-12)
-    assert set(runs.status) == {Status.FINISHED}
+    assert set(runs.status) == {solver.FINISHED}
     np.testing.assert_array_equal(runs.out, runs.out[:1].repeat(count, 0))
     return runs.out[0]
 

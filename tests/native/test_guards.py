@@ -14,7 +14,6 @@ from clpt_control.equations.declaration import Guard
 from clpt_control.errors import ClptError, SimulationError
 from clpt_control.native import solver
 from clpt_control.native.batch import Batch
-from clpt_control.native.ending import Status
 from clpt_control.native.machine import LANES
 from clpt_control.native.native_diagram import NativeDiagram
 from clpt_control.native.python_diagram import PythonDiagram
@@ -228,7 +227,7 @@ def test_beside_others_a_run_keeps_what_it_reached(lanes, step):
     pieces, longest = [native.schedule(0.0, 1.1)], np.inf if step is None else step
     runs = Batch(callee, starts, P, times, pieces, None, longest)
     runs.adaptive(1e-8, 1e-10)
-    bad = (Status.NOT_FINITE, Status.TOO_SMALL)
+    bad = (solver.NOT_FINITE, solver.TOO_SMALL)
     assert [status in bad for status in runs.status] == [False, False, True, True, True]
     assert list(runs.reached) == [3, 3, 2, 2, 2]
     assert np.isnan(runs.out[2:, 2]).all()

@@ -14,7 +14,7 @@ from clpt_control.native import rosenbrock, solver
 from clpt_control.native.batch import Batch
 from clpt_control.native.native_diagram import NativeDiagram
 from clpt_control.native.python_diagram import PythonDiagram
-from clpt_control.native.schedule import sharp_bends
+from clpt_control.native.schedule import Inputs
 
 START, TIMES = np.array([1.0, 0.4]), np.linspace(0.0, 9.0, 91)
 
@@ -103,9 +103,10 @@ def run(function, name, rtol, engine=None):
 
 @pytest.mark.parametrize("name", INPUTS)
 def test_a_run_stops_where_its_input_turns_sharply(name):
-    assert len(sharp_bends(SAMPLES, INPUTS[name][None], 0.2)) == STOPS[name]
-    smooth = len(sharp_bends(SAMPLES, INPUTS["smooth"][None], 2e-5))
-    assert smooth > 190  # what is smooth to one tolerance is not to another
+    sharp = Inputs((SAMPLES, INPUTS[name][None])).sharp_bends(0.2)
+    assert len(sharp) == STOPS[name]
+    smooth = Inputs((SAMPLES, INPUTS["smooth"][None])).sharp_bends(2e-5)
+    assert len(smooth) > 190  # what is smooth to one tolerance is not to another
 
 
 @pytest.mark.filterwarnings("ignore:pendulum runs in Python")

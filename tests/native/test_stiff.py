@@ -14,8 +14,7 @@ from clpt_control.ensemble.of_scenarios import VariedScenario
 from clpt_control.equations import Block, Guard
 from clpt_control.errors import SimulationError
 from clpt_control.native import batch, solver
-from clpt_control.native.batch import Batch
-from clpt_control.native.ending import Status, radius
+from clpt_control.native.batch import Batch, radius
 from clpt_control.native.native_diagram import NativeDiagram
 from clpt_control.native.python_diagram import PythonDiagram
 
@@ -343,7 +342,7 @@ def test_stiff_members_are_run_one_by_one_and_change_no_other(lanes):
     gains = np.array([0.01, 1e6, 0.02, 3e5])
     members = ensemble.members({"learning.gain": gains})
     found = ensemble.run(members, np.array([0.0, 10.0, 20.0]), 1e-6, 1e-8)
-    assert list(found.status) == [Status.FINISHED] * 4
+    assert list(found.status) == [solver.FINISHED] * 4
     own = ensemble.members({"learning.gain": gains[[0, 2]]})
     alone = ensemble.run(own, np.array([0.0, 10.0, 20.0]), 1e-6, 1e-8)
     np.testing.assert_array_equal(found.states[[0, 2]], alone.states)
