@@ -167,23 +167,19 @@ class Ensemble:
 
     # --- members made of values -----------------------------------------------------------
 
-    def _schedule(self, runner: PythonDiagram, inputs: Any) -> Schedule:
-        begin, end = self.varied.state_times[[0, -1]].tolist()
-        return runner.schedule(begin, end, inputs)
-
     def members(self, values: Values) -> Members:
         """Make members of values."""
         varied, count = self.varied, len(next(iter(values.values())))
         P, x0 = np.tile(self.native.parameters(), (count, 1)), np.tile(varied.start, (count, 1))
         members = Members(P, x0, np.zeros(count, dtype=np.int64), [])
-        members.schedules.append(self._schedule(self.native, varied.inputs))
+        members.schedules.append(self.native.schedule(varied.state_times, varied.inputs))
         known = dict[tuple, int]()
         for m in range(count if self.one_by_one else 0):
             own = {key: values[key][m] for key in self.one_by_one}
             parameters, x0[m], inputs = varied.member(own)
             one = self.native.with_parameters(parameters)
             P[m] = one.parameters()
-            pieces = self._schedule(one, inputs)
+            pieces = one.schedule(varied.state_times, inputs)
             name = (pieces.edges.tobytes(), pieces.values.tobytes())
             if name not in known:
                 known[name] = len(members.schedules)

@@ -103,8 +103,6 @@ class Batch:
         opening: float = 0.0,
     ):
         self.callee, self.times = callee, np.ascontiguousarray(times)
-        if callee.method == solver.MAP:
-            schedules = [one.in_samples(self.times) for one in schedules]
         (m, n), lanes = starts.shape, callee.lanes
         group = np.zeros(m, dtype=np.int64) if group is None else group
         self.runs = tuple(map(np.ascontiguousarray, (starts, parameters, group)))

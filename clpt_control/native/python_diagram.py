@@ -86,11 +86,9 @@ class PythonDiagram:
         """Return the times of decisions that depend on time alone; none in Python."""
         return ()
 
-    def schedule(
-        self, t0: float, t1: float, inputs: Inputs | None = None, felt: float = 0.0
-    ) -> Schedule:
+    def schedule(self, times: Any, inputs: Inputs | None = None, felt: float = 0.0) -> Schedule:
         """Return the pieces of a run; they end at `breaks` and at bends of inputs that are felt."""
-        return make_schedule(self, t0, t1, inputs, felt)
+        return make_schedule(self, times, inputs, felt)
 
     def callee(
         self, lanes: int = 1, inputs: Inputs | None = None, method: int = solver.DOP853
@@ -201,7 +199,7 @@ class PythonDiagram:
         if auto and by == solver.DOP853 and rtol >= self.loose:
             by = solver.DOPRI5
         felt = rtol * (FELT_BY_ORDER_5 if by == solver.DOPRI5 else FELT)
-        pieces = self.schedule(t0, t1, inputs, felt)
+        pieces = self.schedule(times, inputs, felt)
         callee, P = self.callee(1, inputs, by), self.parameters()
         start = sampled_start(callee, start, t0, pieces, P)
         batch = Batch(callee, start[None], P[None], times, [pieces], None, *limits)
@@ -235,7 +233,7 @@ class PythonDiagram:
         diagram, its_inputs, pieces = solution.pieces
         if diagram is self and its_inputs is inputs:
             return pieces
-        return self.schedule(float(solution.t[0]), float(solution.t[-1]), inputs)
+        return self.schedule(solution.t, inputs)
 
     def run_many(
         self,
@@ -265,7 +263,7 @@ class PythonDiagram:
         rtol, atol, longest, *_ = checked_steps(self.wiring.dt, times, **options)
         starts = checked_state("starts", starts, (len(starts), self.nstates))
         P, by = self.parameters(), self.method_number(step=step)
-        pieces = self.schedule(float(times[0]), float(times[-1]))
+        pieces = self.schedule(times)
         starts = [sampled_start(self.callee(), one, float(times[0]), pieces, P) for one in starts]
         callee, every = self.callee(self.lanes(len(starts)), None, by), np.tile(P, (len(starts), 1))
         batch = Batch(callee, np.array(starts), every, times, [pieces], None, longest)

@@ -191,30 +191,24 @@ class Schedule(NamedTuple):
         k = int(np.searchsorted(self.edges, t, side="right"))
         return Schedule(self.edges[k:], self.places, self.values[k:], self.smooth[k:])
 
-    def in_samples(self, times: np.ndarray) -> "Schedule":
-        """Return the pieces of a run in discrete time: each begins at a sample."""
-        piece = np.searchsorted(self.edges, times, side="right")
-        begins = np.flatnonzero(np.append(True, np.diff(piece[:-1]) > 0))
-        edges = np.append(times[begins[1:]], times[-1])
-        values = self.values[[*piece[begins], piece[-1]]]
-        return Schedule(edges, self.places, values, np.arange(len(values)) > 0)
 
-
-def make_schedule(
-    diagram: Any, t0: float, t1: float, inputs: Inputs | None, felt: float
-) -> Schedule:
-    """Return the pieces of a run of a diagram from t0 to t1, as `PythonDiagram.schedule` has it.
+def make_schedule(diagram: Any, times: Any, inputs: Inputs | None, felt: float) -> Schedule:
+    """Return the pieces of a run of a diagram, as `PythonDiagram.schedule` has it.
 
     Rates bend at kinks of inputs, and jump where blocks do and where time alone decides.  Behind
     each block's `interval` lies what is `JUMPS` in a piece that begins with a jump of its states;
-    then come the straight lines of the inputs: time, values, slopes.
+    then come the straight lines of the inputs: time, values, slopes.  In discrete time each piece
+    begins at a sample.
     """
+    t0, t1 = float(times[0]), float(times[-1])
     sweep, compiled, kinks = diagram.sweep, diagram.ramp >= 0, np.zeros(0)
     if inputs is not None and inputs.samples is not None:
         kinks = inputs.kinks if compiled else inputs.sharp_bends(felt)
     jumping = np.sort(np.concatenate([sweep.breakpoints(t0, t1), diagram.breaks(t0, t1)]))
     edges = np.unique(np.concatenate([jumping, kinks, [t1]]))
     edges = edges[(edges > t0) & (edges <= t1)]
+    if sweep.wiring.dt:
+        edges = np.unique(np.asarray(times)[np.searchsorted(times, edges)])
     starts = np.concatenate([[t0], edges])
 
     def intervals_of(k: int) -> np.ndarray:

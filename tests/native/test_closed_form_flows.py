@@ -91,7 +91,7 @@ def states(engine, block, x0, step):
     P, starts = np.tile(runner.parameters(), (count, 1)), np.tile(x0, (count, 1))
     method = solver.DOP853 if step is None else solver.RK4
     callee = runner.callee(LANES if engine == "lanes" else 1, None, method)
-    pieces = [runner.schedule(0.0, TIMES[-1])]
+    pieces = [runner.schedule(TIMES)]
     runs = Batch(callee, starts, P, TIMES, pieces, None, np.inf if step is None else step)
     runs.adaptive(1e-11, 1e-12)
     assert set(runs.status) == {solver.FINISHED}

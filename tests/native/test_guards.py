@@ -224,7 +224,7 @@ def test_beside_others_a_run_keeps_what_it_reached(lanes, step):
     P = np.tile(native.parameters(), (5, 1))
     times = np.array([0.0, 0.4, 1.1])
     callee = native.callee(lanes, None, solver.DOP853 if step is None else solver.RK4)
-    pieces, longest = [native.schedule(0.0, 1.1)], np.inf if step is None else step
+    pieces, longest = [native.schedule((0.0, 1.1))], np.inf if step is None else step
     runs = Batch(callee, starts, P, times, pieces, None, longest)
     runs.adaptive(1e-8, 1e-10)
     bad = (solver.NOT_FINITE, solver.TOO_SMALL)

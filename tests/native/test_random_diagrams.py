@@ -83,7 +83,7 @@ def run(runner, lanes, x, times):
     """Return the states of one run, in lanes beside others."""
     starts = x * np.linspace(1.0, 1.1, LANES + 3 if lanes > 1 else 1)[:, None]
     P = np.tile(runner.parameters(), (len(starts), 1))
-    callee, pieces = runner.callee(lanes, None, solver.RK4), [runner.schedule(0.0, times[-1])]
+    callee, pieces = runner.callee(lanes, None, solver.RK4), [runner.schedule(times)]
     runs = Batch(callee, starts, P, times, pieces, None, 0.5)
     runs.adaptive(0.0, 0.0)
     return runs.out[0]

@@ -128,7 +128,7 @@ def test_every_engine_follows_matrix_exponentials(seed):
     for row, own in zip(P, members, strict=True):
         packed = runner.layout.packed(own)
         row[: len(packed)] = packed
-    schedules = [NativeDiagram(diagram_of(sizes, p, jumping)).schedule(0.0, END) for p in members]
+    schedules = [NativeDiagram(diagram_of(sizes, p, jumping)).schedule((0.0, END)) for p in members]
     group = np.arange(len(members))
     for lanes in (1, LANES):
         batch = Batch(runner.callee(lanes), starts, P, times, schedules, group)

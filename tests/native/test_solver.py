@@ -231,7 +231,7 @@ def test_the_interpolant_shows_order_four():
         times = h * shares
         exact = runner.run(start, times, rtol=1e-13, atol=1e-14, method="dop853").x
         callee = runner.implicit()
-        pieces = [runner.schedule(0.0, h)]
+        pieces = [runner.schedule((0.0, h))]
         batch = Batch(callee, start[None], np.zeros((1, 0)), times[[0, -1]], pieces, None, h, h)
         batch.advance(1e6, 0.0, 1)
         assert batch.now == h

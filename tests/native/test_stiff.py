@@ -136,7 +136,7 @@ def slopes_of(runner, t, x):
     """df/dx and df/dt as the solver has them at the first step of a run."""
     callee = runner.implicit()
     n, end = len(x), t + 1e-9
-    pieces = [runner.schedule(t, end)]
+    pieces = [runner.schedule((t, end))]
     P = runner.parameters()
     batch = Batch(callee, x[None], P[None], np.array([t, end]), pieces)
     batch.advance(1e-3, 1e-3, 1)

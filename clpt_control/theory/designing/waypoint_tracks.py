@@ -67,7 +67,7 @@ class Tracks:
         self.blocks = _blocks_of_the_vehicle(self.scenario)
         self.native = NativeDiagram(wiring_of_blocks(self.blocks))
         self.callee = self.native.callee(self.native.lanes(LANES))
-        self.schedule = self.native.schedule(0.0, end)
+        self.schedule = self.native.schedule((0.0, end))
         self.start = state_of(self.scenario, self.blocks)
         self.gains, edges = gains, None
         if gains is not None:  # pieces within which e and eta do not turn too often
