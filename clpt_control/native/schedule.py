@@ -156,13 +156,12 @@ def read_inputs(inputs: Any, times: np.ndarray, count: int) -> Inputs:
     if not np.isfinite(values).all():
         raise SimulationError("inputs: must be finite; fill the gaps before the run")
     if values.ndim <= 1 and not (count == 1 and values.shape == times.shape and len(times) > 1):
-        try:
-            constant = np.broadcast_to(values, count).astype(float)
-        except ValueError:
+        if values.shape not in {(), (1,), (count,)}:
             raise SimulationError(
                 f"inputs: shape {values.shape} does not fit {count} inputs at {len(times)} times"
                 + ("" if count else "; initial_state= is the start")
-            ) from None
+            )
+        constant = np.broadcast_to(values, count).astype(float)
         return Inputs((times[:1], constant[:, None]))
     values = np.atleast_2d(values)
     if values.shape != (count, len(times)):
