@@ -228,32 +228,27 @@ class Ensemble:
         if not self.native.nstates:
             nothing, counts = np.zeros((count, nt, 0)), np.zeros((count, 4), dtype=np.int64)
             return States(nothing, np.full(count, solver.FINISHED), np.full(count, nt), counts)
-        if self.compiled:
-            callee = self.native.callee(1 if by == solver.RODAS5P else self.lanes, None, by)
-            parts = [(slice(None), callee, self.native.implicit)]
-        else:
-            parts = [
-                (slice(m, m + 1), self._callee(members, m, by), partial(runner.implicit, inputs))
-                for m, (runner, inputs) in enumerate(members.runners)
-            ]
-        results = []
 
-        def run(some: Any, callee: Callee, implicit: Any) -> tuple[np.ndarray, ...]:
-            begin = members.x0[some], members.P[some]
-            batch = Batch(callee, *begin, times, members.schedules, members.group[some])
-            batch.adaptive(rtol, atol, implicit=implicit if method == "auto" else None)
+        def run(
+            some: Any, runner: PythonDiagram, inputs: Any, lanes: int
+        ) -> tuple[np.ndarray, ...]:
+            runs, group = (members.x0[some], members.P[some]), members.group[some]
+            callee = runner.callee(lanes, inputs, by)
+            batch = Batch(callee, *runs, times, members.schedules, group)
+            implicit = partial(runner.implicit, inputs) if method == "auto" else None
+            batch.adaptive(rtol, atol, implicit=implicit)
             return batch.results
 
-        for part, callee, implicit in parts:
-            result = run(part, callee, implicit)
-            if callee.decided and (stuck := np.flatnonzero(np.isin(result[1], STUCK))).size:
-                across = self.native.unlocked()
-                some = np.arange(len(members.x0))[part][stuck]
-                again = run(some, across.callee(1, None, by), across.implicit)
-                for array, rows in zip(result, again, strict=True):
-                    array[stuck] = rows
-            results.append(result)
-        return States(*map(np.concatenate, zip(*results, strict=True)))
+        if not self.compiled:
+            results = [run(slice(m, m + 1), *own, 1) for m, own in enumerate(members.runners)]
+            return States(*map(np.concatenate, zip(*results, strict=True)))
+        result = run(slice(None), self.native, None, 1 if by == solver.RODAS5P else self.lanes)
+        stuck = np.flatnonzero(np.isin(result[1], STUCK))
+        if self.native.code.program.decided and len(stuck):
+            again = run(stuck, self.native.unlocked(), None, 1)
+            for array, rows in zip(result, again, strict=True):
+                array[stuck] = rows
+        return States(*result)
 
     def signals(self, members: Members, run: States, m: int, times: np.ndarray) -> np.ndarray:
         """Return all signals of one member, at the times of its states that it reached."""
