@@ -142,7 +142,7 @@ def _trouble(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> str | None:
 def _state(batch: Batch, share: float) -> np.ndarray:
     """Return the state at a share of the step that was not taken."""
     n = batch.callee.nstates
-    return np.array([solver.interpolate(batch.Z, n, 1, 0, i, share) for i in range(n)])
+    return solver.interpolate(batch.Z, n, 1, 0, np.arange(n), share)
 
 
 def _crossing(
@@ -169,12 +169,10 @@ def _until(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the samples up to the end of a run that a guard stopped, and that end."""
     start, h = batch.now, float(batch.numbers[solver.TAKEN, 0])
-    within = solution.t[done:][solution.t[done:] <= t]
-    times = np.concatenate([solution.t[:done], within])
-    states = [*solution.x[:done], *(_state(batch, (time - start) / h) for time in within)]
-    if times[-1] < t:
-        times, states = np.append(times, t), [*states, x]
-    return times, np.array(states)
+    times = solution.t[solution.t < t]
+    known = solution.x[: min(done, len(times))]
+    within = [_state(batch, (time - start) / h) for time in times[done:]]
+    return np.append(times, t), np.array([*known, *within, x])
 
 
 def sampled_start(callee: Callee, start: Any, t: float, pieces: Schedule, P: Any) -> np.ndarray:
