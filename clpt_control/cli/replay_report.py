@@ -214,7 +214,7 @@ def write(
     }
     if found["paste"]:
         results[found["paste"]["file"]] = found["paste"]["text"]
-    figures = replay_figures(result, ahead, found["aim"]) if kinds else {}
+    figures = replay_figures(found, ahead, found["aim"]) if kinds else {}
     for name, figure in figures.items():
         results |= {f"{name}.{kind}": figure for kind in kinds}
     placed = {folder / name: one for name, one in results.items()}

@@ -36,7 +36,6 @@ from ..currents.text_table import other_marks, table_of
 from ..errors import DataError
 from ..files import write_file
 from ..files.reading import NETCDF, open_netcdf, read_bytes, text_of
-from ..geodesy import displacement
 from ..progress.interrupt import check
 from ..units import seconds_since_1970
 from . import og1, seaexplorer, seaglider, slocum
@@ -44,7 +43,6 @@ from .dives import (
     NUMBERS,
     SLOCUM_FILES,
     Dive,
-    Fix,
     Skipped,
     in_order,
     is_segment,
@@ -54,6 +52,7 @@ from .dives import (
     name_of_file,
     named,
     whole_number,
+    without_current,
 )
 
 START = ("t_gps2", "lat_gps2", "lon_gps2")
@@ -151,8 +150,13 @@ def _dive(row: dict[str, str], where: str) -> Dive | Skipped:
         tuple(found[column] for column in columns) for columns in (START, END, THROUGH_WATER)
     )
     if not set(THROUGH_WATER) & set(row):
-        through_water, why = _of_current(start, end, found["dac_east"], found["dac_north"])
-        notes.append(why)
+        current = found["dac_east"], found["dac_north"]
+        if None in current:
+            through_water = nan, nan
+            notes.append("dac_east or dac_north is no number, and there is no dead reckoning")
+        else:
+            through_water = without_current(start, end, current)
+            notes.append("dead reckoning computed from dac_east, dac_north")
     return make_dive(
         number,
         start,
@@ -180,23 +184,6 @@ def _time(text: str) -> float | None:
         except ValueError:
             return None
     return number
-
-
-def _of_current(
-    start: Fix, end: Fix, east: float | None, north: float | None
-) -> tuple[tuple[float, float], str]:
-    """Return the displacement through the water that a depth-averaged current leaves, and a note.
-
-    NaN where the current (m/s) is not known.
-    """
-    if east is None or north is None:
-        return (nan, nan), "dac_east or dac_north is no number, and there is no dead reckoning"
-    gps = displacement(*start[1:], *end[1:])
-    duration = end[0] - start[0]
-    return (
-        (gps[0] - east * duration, gps[1] - north * duration),
-        "dead reckoning computed from dac_east, dac_north",
-    )
 
 
 @public

@@ -126,6 +126,13 @@ def planned_course(
     return None if hypot(east, north) <= reached else degrees(atan2(east, north)) % 360.0
 
 
+def without_current(start: Fix, end: Fix, current: tuple[float, float]) -> tuple[float, float]:
+    """Return the displacement through the water that a depth-averaged current (m/s) leaves, m."""
+    east, north = displacement(*start[1:], *end[1:])
+    duration = end[0] - start[0]
+    return east - current[0] * duration, north - current[1] * duration
+
+
 def dive_between(
     number: int, fixes: Three, through_water: tuple[float, float], **optional: Any
 ) -> Dive:

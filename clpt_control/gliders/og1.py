@@ -33,8 +33,7 @@ import numpy as np
 
 from ..errors import DataError
 from ..estimation.dive import Track
-from ..geodesy import displacement
-from .dives import LEAST_DEPTH, Dive, Fix, Skipped, Three, cut_dives, dive_between
+from .dives import LEAST_DEPTH, Dive, Fix, Skipped, Three, cut_dives, dive_between, without_current
 from .og1_columns import Columns, DiveFixes, columns_of, fixes_in, has_ends, segments_of
 from .og1_columns import is_known as is_known
 from .samples import LAST, deepest, hole_under_water, track_of, variation
@@ -74,8 +73,7 @@ def through_water(
     found = _along_heading(columns, rows, start, end) if sure else None
     u, v = current
     if found is None and u is not None and v is not None:
-        east, north = displacement(*start[1:], *end[1:])
-        total = east - u * duration, north - v * duration
+        total = without_current(start, end, (u, v))
         note = "dead reckoning computed from the file's depth-averaged current"
         return ThroughWater(total, None, [note])
     found = found or _along_heading(columns, rows, start, end)

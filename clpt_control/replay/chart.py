@@ -1,6 +1,6 @@
 """Places on charts: layers of a replay, whole or cut at 180 degrees east, and Mercator charts.
 
-What is drawn of a replay is a list of layers, made of what `clpt replay --json` prints.  A layer
+What is drawn of a replay are layers, made of what `clpt replay --json` prints.  A layer
 is a point, a line or a ring, by the name of a GeoJSON geometry; its kind says what it is.  Four
 writers take them: the map of the page, map.png, GeoJSON and KML.
 
@@ -17,9 +17,10 @@ manual", USGS 1395, 1987, section 7).  Longitudes are counted from that of the f
 that no chart is cut at 180 degrees.
 """
 
+from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from functools import lru_cache
-from itertools import pairwise
+from itertools import pairwise, product
 from math import ceil, cos, floor, pi, radians, sin
 from typing import Any, NamedTuple
 
@@ -31,6 +32,7 @@ from .wording import Place, compass, degrees_minutes, east_of, half_axes, veloci
 
 DIVE, NEXT, AIMED = ("start_", "forecast_"), ("from_", ""), ("from_", "end_")  # start, centre
 CORNERS = 48
+LAST = 12  # dives whose ellipses are always drawn
 HALF = 180.0
 STEPS = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 1800)  # minutes
 LENGTHS = tuple(m * 10**n for n in range(1, 7) for m in (1, 2, 5))  # m, of scale bars
@@ -49,11 +51,7 @@ def ring_of(row: dict[str, Any], kind: tuple[str, str] = DIVE) -> list[Place]:
     """Return the closed ring of the 90 % ellipse of a dive, of the next one or of an aimed one."""
     begin, end = (place_in(row, which) for which in kind)
     long, short = row["ellipse_90_long"], row["ellipse_90_short"]
-    return [*_ring(begin, end, long, short, row["ellipse_90_bearing"])]
-
-
-@lru_cache(10_000)  # a watch draws the rings of all its dives again with each new one
-def _ring(begin: Place, end: Place, long: float, short: float, bearing: float) -> tuple[Place, ...]:
+    bearing = row["ellipse_90_bearing"]
     east, north = displacement(*begin, *end)
     sine, cosine = sin(radians(bearing)), cos(radians(bearing))
     places = []
@@ -61,7 +59,7 @@ def _ring(begin: Place, end: Place, long: float, short: float, bearing: float) -
         along, across = long * cos(2 * pi * k / CORNERS), short * sin(2 * pi * k / CORNERS)
         away = along * sine - across * cosine, along * cosine + across * sine
         places.append(place_from(*begin, east + away[0], north + away[1]))
-    return (*places, places[0])
+    return [*places, places[0]]
 
 
 def unbroken(places: Sequence[Place]) -> list[Place]:
@@ -208,11 +206,19 @@ def with_room(
 
     It is clear of others, points of shape (n, 2), those `before` among them.
     """
-    found = list(before)
+    cells = np.floor(points / room).astype(int).tolist()
+    there: dict[tuple[int, int], list[int]] = defaultdict(list)
+    for k in before:
+        there[tuple(cells[k])].append(k)
+    found = []
     for k in tried:
-        if (np.abs(points[found] - points[k]) >= room).any(1).all():
+        i, j = cells[k]
+        beside = product((i - 1, i, i + 1), (j - 1, j, j + 1))
+        around = [n for cell in beside for n in there.get(cell, ())]
+        if (np.abs(points[around] - points[k]) >= room).any(1).all():
             found.append(k)
-    return found[len(before) :]
+            there[i, j].append(k)
+    return found
 
 
 class Layer(NamedTuple):
@@ -243,11 +249,18 @@ def words_of_dive(row: dict[str, Any]) -> str:
     )
 
 
-def dive_layers(rows: Sequence[dict[str, Any]], rings: int | None = None) -> list[list[Layer]]:
-    """Return what is drawn of each dive, `rings` of the last ones; the first has no forecast."""
-    found, before = [], None
-    first = 0 if rings is None else len(rows) - rings
-    for k, row in enumerate(rows):
+DRAWN = (  # what of a row is drawn, beside its miss
+    *(f"{which}_latitude" for which in ("start", "end", "reckoned", "forecast")),
+    *(f"{which}_longitude" for which in ("start", "end", "reckoned", "forecast")),
+    *("ellipse_90_long", "ellipse_90_short", "ellipse_90_bearing"),
+    *("dive", "end", "inside_90", "current_east", "current_north"),
+)
+
+
+class DrawnDive:
+    """What is drawn of a dive, by kind; `places` are those of all its layers, (n, 2)."""
+
+    def __init__(self, row: dict[str, Any], before: Place | None) -> None:
         start, end, reckoned, forecast = (
             place_in(row, which) for which in ("start_", "end_", "reckoned_", "forecast_")
         )
@@ -259,12 +272,26 @@ def dive_layers(rows: Sequence[dict[str, Any]], rings: int | None = None) -> lis
         ]
         if before is not None:
             each.insert(0, Layer("drift", "LineString", [before, start], row))
-            if k >= first:
-                each.insert(0, Layer("ring", "Polygon", ring_of(row), row))
+            each.insert(0, Layer("ring", "Polygon", ring_of(row), row))
             each.insert(-1, Layer("forecast", "Point", [forecast], row))
-        found.append(each)
-        before = end
-    return found
+        self.layers = {layer.kind: layer for layer in each}
+        self.places = np.array([place for layer in each for place in layer.places])
+        ring = self.layers.get("ring")
+        self.without_ring = self.places[len(ring.places) if ring else 0 :]
+
+
+def drawn_dives(rows: Sequence[dict[str, Any]]) -> list[DrawnDive]:
+    """Return what is drawn of each dive; the first has no forecast."""
+    ends = [None, *(place_in(row, "end_") for row in rows)]
+    return [
+        _drawn(before, row["clpe"]["adaptive"], *(row[key] for key in DRAWN))
+        for before, row in zip(ends, rows, strict=False)
+    ]
+
+
+@lru_cache(10_000)  # a watch draws all its dives again with each new one
+def _drawn(before: Place | None, miss: float, *values: Any) -> DrawnDive:
+    return DrawnDive({"clpe": {"adaptive": miss}, **dict(zip(DRAWN, values, strict=True))}, before)
 
 
 def layers_ahead(ahead: dict[str, Any] | None, legs: Sequence[dict[str, Any]]) -> list[Layer]:

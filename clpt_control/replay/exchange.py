@@ -23,15 +23,15 @@ navigation files have them (DesiredH, Lat, Lon), to be typed.
 """
 
 import json
+from functools import lru_cache
 from math import cos, radians, sin
 from typing import Any
-from xml.etree import ElementTree
 
 from ..geodesy import place_from
 from ..gliders.slocum import HOLDS
-from ..html import plain
+from ..html import safe
 from .aim import ARRIVED
-from .chart import Layer, dive_layers, layers_ahead, line_pieces, place_in, ring_pieces
+from .chart import DrawnDive, Layer, drawn_dives, layers_ahead, line_pieces, place_in, ring_pieces
 from .wording import REACHED, Place, compass, east_of, minutes
 
 DIGITS = 6  # decimals of a degree: 0.1 m
@@ -51,6 +51,14 @@ FEATURES = {  # kind of a layer: its name in GeoJSON
     "target": "waypoint",
     "made": "way made good",
     "ring aimed": "90 % ellipse, aimed",
+}
+SHAPES = {  # of KML, around coordinates
+    "Point": ("<Point>", "</Point>"),
+    "LineString": ("<LineString><tessellate>1</tessellate>", "</LineString>"),
+    "Polygon": (
+        "<Polygon><outerBoundaryIs><LinearRing>",
+        "</LinearRing></outerBoundaryIs></Polygon>",
+    ),
 }
 PLACEMARKS = {  # kind of a layer: its name in KML and its style
     "next": ("next surfacing", "next"),
@@ -102,54 +110,58 @@ def _feature(layer: Layer) -> dict[str, Any]:
 
 def track_kml(found: dict[str, Any], name: str) -> str:
     """Return the whole track as KML: fixes with times, forecasts, the next surfacing."""
-    kml = ElementTree.Element("kml", xmlns=KML)
-    document = _within(kml, "Document", name=name)
-    for key, colour in STYLES.items():
-        style = ElementTree.SubElement(document, "Style", id=key)
-        _within(style, "IconStyle", color=colour, scale="0.8")
-        _within(style, "LineStyle", color=colour, width="2")
-        _within(style, "PolyStyle", fill="0")
-    dives = [{layer.kind: layer for layer in each} for each in dive_layers(found["each_dive"])]
-    track = [dives[0]["track"].places[0], *(each["fix"].places[0] for each in dives)]
-    _placemark(document, "track", "track", Layer("track", "LineString", track, {}))
-    fixes = _within(document, "Folder", name="surfacings")
-    rings = _within(document, "Folder", name="forecasts, 90 %", visibility="0")
-    for each in dives:
-        label = f"dive {each['fix'].of['dive']}"
-        _placemark(fixes, label, "fix", each["fix"])
-        if "ring" in each:
-            _placemark(rings, label, "forecast", each["ring"], hidden=True)
-    for layer in layers_ahead(found["next_dive"], found.get("aim") or []):
-        if layer.kind in PLACEMARKS:
-            _placemark(document, *PLACEMARKS[layer.kind], layer)
-    ElementTree.indent(kml)
-    return '<?xml version="1.0" encoding="UTF-8"?>\n' + ElementTree.tostring(kml, "unicode") + "\n"
+    dives = drawn_dives(found["each_dive"])
+    fixes, forecasts = zip(*map(_fix_and_forecast, dives), strict=True)
+    places = [dives[0].layers["track"].places[0]]
+    places += [each.layers["fix"].places[0] for each in dives]
+    track = Layer("track", "LineString", places, {})
+    ahead = layers_ahead(found["next_dive"], found.get("aim") or [])
+    marks = [(layer, PLACEMARKS[layer.kind]) for layer in ahead if layer.kind in PLACEMARKS]
+    lines = [
+        '<?xml version="1.0" encoding="UTF-8"?>',
+        f'<kml xmlns="{KML}"><Document><name>{safe(name)}</name>',
+        *(
+            f'<Style id="{key}"><IconStyle><color>{colour}</color><scale>0.8</scale></IconStyle>'
+            f"<LineStyle><color>{colour}</color><width>2</width></LineStyle>"
+            "<PolyStyle><fill>0</fill></PolyStyle></Style>"
+            for key, colour in STYLES.items()
+        ),
+        _placemark("track", "track", track),
+        "<Folder><name>surfacings</name>",
+        *fixes,
+        "</Folder><Folder><name>forecasts, 90 %</name><visibility>0</visibility>",
+        *filter(None, forecasts),
+        "</Folder>",
+        *(_placemark(*name_and_style, layer) for layer, name_and_style in marks),
+        "</Document></kml>",
+    ]
+    return "\n".join(lines) + "\n"
 
 
-def _within(parent: Any, tag: str, **texts: str) -> Any:
-    """Add an element, and an element with a text in it for each further argument."""
-    element = ElementTree.SubElement(parent, tag)
-    for key, text in texts.items():
-        ElementTree.SubElement(element, key).text = plain(text)
-    return element
+@lru_cache(10_000)  # a watch writes all its dives again with each new one
+def _fix_and_forecast(dive: DrawnDive) -> tuple[str, str]:
+    fix, ring = dive.layers["fix"], dive.layers.get("ring")
+    name = f"dive {fix.of['dive']}"
+    forecast = _placemark(name, "forecast", ring, hidden=True) if ring else ""
+    return _placemark(name, "fix", fix), forecast
 
 
-def _placemark(parent: Any, name: str, style: str, layer: Layer, hidden: bool = False) -> None:
-    texts = {"name": name, "visibility": "0" if hidden else "", "description": layer.words}
-    mark = _within(parent, "Placemark", **{key: text for key, text in texts.items() if text})
+def _placemark(name: str, style: str, layer: Layer, hidden: bool = False) -> str:
+    """Return a place, line or ring as KML, in pieces where it crosses 180 degrees."""
+    texts = [f"<name>{safe(name)}</name>", "<visibility>0</visibility>" if hidden else ""]
+    if layer.words:
+        texts.append(f"<description>{safe(layer.words)}</description>")
     if layer.when and layer.shape == "Point":
-        _within(mark, "TimeStamp", when=layer.when)
-    _within(mark, "styleUrl").text = f"#{style}"
-    pieces = _pieces(layer)
-    parent = ElementTree.SubElement(mark, "MultiGeometry") if len(pieces) > 1 else mark
-    for piece in pieces:
-        shape = ElementTree.SubElement(parent, layer.shape)
-        if layer.shape == "LineString":
-            _within(shape, "tessellate").text = "1"
-        if layer.shape == "Polygon":
-            shape = _within(_within(shape, "outerBoundaryIs"), "LinearRing")
-        pairs = piece[:1] if layer.shape == "Point" else piece
-        _within(shape, "coordinates").text = " ".join(f"{x},{y}" for x, y in pairs)
+        texts.append(f"<TimeStamp><when>{safe(layer.when)}</when></TimeStamp>")
+    texts.append(f"<styleUrl>#{style}</styleUrl>")
+    begin, end = SHAPES[layer.shape]
+    shapes = [
+        f"{begin}<coordinates>{' '.join(f'{x},{y}' for x, y in piece)}</coordinates>{end}"
+        for piece in _pieces(layer)
+    ]
+    if len(shapes) > 1:
+        shapes = ["<MultiGeometry>", *shapes, "</MultiGeometry>"]
+    return f"<Placemark>{''.join(texts + shapes)}</Placemark>"
 
 
 FAR = 20_000.0  # m along the heading, as Seaglider has it

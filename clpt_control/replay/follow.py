@@ -15,6 +15,7 @@ import os
 import stat
 from collections.abc import Iterable, Iterator
 from contextlib import ExitStack, contextmanager, suppress
+from functools import cached_property
 from pathlib import Path
 from typing import Annotated, Any, Literal, get_type_hints
 
@@ -57,6 +58,11 @@ class StoredFile(pydantic.BaseModel):
     stamp: tuple[int, int, int] | None
     dives: list[StoredDive]
     skipped: list[Skipped]
+
+    @cached_property
+    def as_dives(self) -> list[Dive]:
+        """The dives, made once."""
+        return [Dive(**dict(dive)) for dive in self.dives]
 
 
 class Follower:
@@ -152,18 +158,18 @@ class Follower:
 
     def dives(self) -> tuple[list[Dive], list[Skipped]]:
         """Return all dives so far, by the name of their file, and what was left out."""
-        seen = {_fixes(dive) for name in self.here for dive in self.files[name].dives}
+        seen = {_fixes(dive) for name in self.here for dive in self.files[name].as_dives}
         dives: list[Dive] = []
         skipped = [*self.unnamed]
         for name in sorted(self.files, key=lambda name: in_order(Path(name))):
             record = self.files[name]
-            its = record.dives
+            its = record.as_dives
             if name not in self.here:
                 its = [dive for dive in its if _fixes(dive) not in seen]
                 seen.update(map(_fixes, its))
                 if not its:
                     continue  # nothing is lost with it
-            dives += [Dive(**dict(dive)) for dive in its]
+            dives += its
             skipped += [(self.folder / name, one) for one in record.skipped]
         return dives, alike(skipped)
 

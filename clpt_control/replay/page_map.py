@@ -5,7 +5,8 @@ style sheet.  Numbers of dives have the zoom from which they have room: `n0` on 
 next one at twice the scale.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from itertools import islice
 from math import atan2, degrees, hypot
 from typing import Any
 
@@ -13,7 +14,17 @@ import numpy as np
 
 from ..geodesy import displacement
 from ..html import safe
-from .chart import Chart, Layer, bar_of, dive_layers, grid_label, layers_ahead, place_in, with_room
+from .chart import (
+    LAST,
+    Chart,
+    Layer,
+    bar_of,
+    drawn_dives,
+    grid_label,
+    layers_ahead,
+    place_in,
+    with_room,
+)
 from .wording import Place, compass
 
 WIDTH = 1000.0
@@ -24,7 +35,6 @@ LEVELS = 7
 CORNER = 60.0  # units above the lower edge, where meridians have their names
 LARGER = 1.6  # times, that a waypoint may make the chart
 EDGE = 26.0  # units, of an arrow from the edge
-LAST = 12  # dives whose ellipses are always drawn
 ARROW = "M0-11 7 6 0 2-7 6Z"
 STAR = "M0-10 2.4-3.2 9.5-3.1 3.8 1.2 5.9 8.1 0 4 -5.9 8.1 -3.8 1.2 -9.5-3.1 -2.4-3.2Z"
 MARKS = {  # kind of a point: its style and its shape
@@ -48,14 +58,17 @@ class Drawing:
         x, y = self.chart.xy(*place)
         return (x - self.chart.west) / self.metres, (self.chart.north - y) / self.metres
 
-    def line(self, places: Sequence[Place], style: str, closed: bool = False) -> str:
-        """Return a line through places."""
-        points = "L".join(map(_numbers, *self.at(np.transpose(places))))
-        return f'<path class="{style}" d="M{points}{"Z" if closed else ""}"/>'
+    def points(self, places: Any) -> list[str]:
+        """Return where places, (n, 2), are drawn, as SVG has it."""
+        return list(map(_numbers, *(axis.tolist() for axis in self.at(np.transpose(places)))))
 
-    def group(self, place: Place, style: str, inner: str) -> str:
-        """Return a group at a place."""
-        return f'<g class="{style}" transform="translate({_numbers(*self.at(place))})">{inner}</g>'
+
+def _line(points: Iterable[str], style: str, closed: bool = False) -> str:
+    return f'<path class="{style}" d="M{"L".join(points)}{"Z" if closed else ""}"/>'
+
+
+def _group(point: str, style: str, inner: str) -> str:
+    return f'<g class="{style}" transform="translate({point})">{inner}</g>'
 
 
 def _numbers(x: float, y: float) -> str:
@@ -65,20 +78,29 @@ def _numbers(x: float, y: float) -> str:
 def replay_map(found: dict[str, Any]) -> str:
     """Return the map of what `clpt replay --json` prints, with one dive at least."""
     rows, legs = found["each_dive"], found["aim"]
-    dives, ahead = dive_layers(rows), layers_ahead(found["next_dive"], legs)
+    dives, ahead = drawn_dives(rows), layers_ahead(found["next_dive"], legs)
     targets = [layer for layer in ahead if layer.kind == "target"]
-    near = [*(layer for each in dives for layer in each if layer.kind != "ring")]
-    near += [layer for each in dives[-LAST:] for layer in each if layer.kind == "ring"]
-    near += [layer for layer in ahead if layer.of is found["next_dive"]]
-    places = [place for layer in near for place in layer.places]
+    near = [layer for layer in ahead if layer.of is found["next_dive"]]
+    drawn_near = np.vstack(
+        [
+            *(each.without_ring for each in dives[:-LAST]),
+            *(each.places for each in dives[-LAST:]),
+            *(layer.places for layer in near),
+        ]
+    )
+    places: list[Place] = [*map(tuple, drawn_near.tolist())]
     drawing = Drawing([*places, *_in_reach(places, [layer.places[0] for layer in targets])])
     areas = found["route"]["areas"] if "route" in found else []
-    drawn = [drawing.line(area["ring"], "area", closed=True) for area in areas]
+    drawn = [_line(drawing.points(area["ring"]), "area", closed=True) for area in areas]
     drawn += [*_grid(drawing), '<g id="dives">']
+    points = iter(drawing.points(np.vstack([each.places for each in dives])))
     for k, each in enumerate(dives):
         number, recent = safe(rows[k]["dive"]), k >= len(rows) - LAST
-        title = f"<title>dive {number}: {safe(each[-1].words)}</title>"
-        inside = "".join(_drawn(drawing, layer, recent=recent) for layer in each)
+        title = f"<title>dive {number}: {safe(each.layers['fix'].words)}</title>"
+        inside = "".join(
+            _drawn(layer, [*islice(points, len(layer.places))], recent=recent)
+            for layer in each.layers.values()
+        )
         drawn.append(f'<g class="dive" data-dive="{number}">{title}{inside}</g>')
     drawn += ["</g>", *_numbered(drawing, rows)]
     for k, leg in enumerate(legs):
@@ -98,19 +120,22 @@ def replay_map(found: dict[str, Any]) -> str:
 def _painted(drawing: Drawing, layers: list[Layer], name: str) -> list[str]:
     """Return layers, points above lines and with their name."""
     points = sorted(layers, key=lambda layer: layer.shape == "Point")
-    return [_drawn(drawing, layer, f"<title>{name}{safe(layer.words)}</title>") for layer in points]
+    return [
+        _drawn(layer, drawing.points(layer.places), f"<title>{name}{safe(layer.words)}</title>")
+        for layer in points
+    ]
 
 
-def _drawn(drawing: Drawing, layer: Layer, title: str = "", recent: bool = True) -> str:
+def _drawn(layer: Layer, points: list[str], title: str = "", recent: bool = True) -> str:
     if layer.shape != "Point":
         style = layer.kind if recent or layer.kind != "ring" else "ring old"
-        return drawing.line(layer.places, style, closed=layer.shape == "Polygon")
+        return _line(points, style, closed=layer.shape == "Polygon")
     if layer.kind == "fix":
         mark = f'<circle class="{"fix" if layer.of["inside_90"] else "fix out"}" r="3.6"/>'
     else:
         style, shape = MARKS[layer.kind]
         mark = f'<path class="{style}" d="{shape}"/>'
-    return drawing.group(layer.places[0], "m", title + mark)
+    return _group(points[0], "m", title + mark)
 
 
 def _in_reach(places: Sequence[Place], targets: Sequence[Place]) -> list[Place]:
@@ -148,8 +173,7 @@ def _beyond(drawing: Drawing, number: int, aim: list[Place]) -> str:
 
 def _numbered(drawing: Drawing, rows: list[dict[str, Any]]) -> list[str]:
     """Return the numbers of dives, each with the least zoom at which it has room."""
-    ends = [place_in(row, "end_") for row in rows]
-    points = np.transpose(drawing.at(np.transpose(ends)))
+    points = np.transpose(drawing.at(np.transpose([place_in(row, "end_") for row in rows])))
     free = list(range(len(rows) - 1, -1, -1))  # the last dive first
     drawn: list[str] = []
     placed: list[int] = []
@@ -158,7 +182,7 @@ def _numbered(drawing: Drawing, rows: list[dict[str, Any]]) -> list[str]:
         for k in with_room(points * PHONE * 2**level, free, room, placed):
             placed.append(k)
             text = f'<text class="n{level}" x="7" y="-5">{safe(rows[k]["dive"])}</text>'
-            drawn.append(drawing.group(ends[k], "m number", text))
+            drawn.append(_group(_numbers(*points[k]), "m number", text))
         free = sorted(set(free) - set(placed), reverse=True)
     return ['<g id="numbers">', *drawn, "</g>"]
 

@@ -25,7 +25,7 @@ from ..figures import (
     literal,
 )
 from ..files import write_together
-from .chart import Chart, bar_of, dive_layers, grid_label, layers_ahead, with_room
+from .chart import LAST, Chart, bar_of, drawn_dives, grid_label, layers_ahead, with_room
 from .facts import Source, plot_data
 from .outcome import rms_of
 from .replay import Replay
@@ -37,7 +37,6 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 FEW = 20  # dives, whose marks are large
-LAST = 12  # dives whose ellipses are drawn
 SIZE = 6.5  # inches of the longer side
 ROOM = (0.34, 0.14)  # inches of a number
 DRAWN: tuple[tuple[str, str, float, float, dict[str, Any]], ...] = (
@@ -60,7 +59,7 @@ LINES = {
     "flow_model": (GREEN, "D", "-."),
 }
 MANY = 40  # dives; beyond, marks are small
-MARKS = 300  # of a line, about, at most
+MARKS = 100  # of a line, about, at most
 
 
 @public
@@ -105,9 +104,9 @@ def map_plot(
     vehicle, _, _, found = plot_data(replay)
     rest = layers_ahead(None if ahead is None else ahead.as_dict(), legs[:1])
     of: dict[str, list[list[Place]]] = defaultdict(list)
-    for layer in (*chain(*dive_layers(found, LAST)), *rest):
+    for layer in (*chain(*(each.layers.values() for each in drawn_dives(found))), *rest):
         of[layer.kind].append(layer.places)
-    rings = of.pop("ring", [])
+    rings = of.pop("ring", [])[-LAST:]
     far = [*of["track"], *of["miss"], *rings, *of["ring next"], *of["ring aimed"]]
     chart = Chart([place for places in far for place in places])
     wide, high = chart.east - chart.west, chart.north - chart.south
@@ -325,7 +324,7 @@ def replay_plot(replay: Source, *, ax: Any = None) -> np.ndarray:
 
 
 def replay_figures(
-    replay: Replay, ahead: NextDive | None = None, legs: Sequence[dict[str, Any]] = ()
+    replay: Source, ahead: NextDive | None = None, legs: Sequence[dict[str, Any]] = ()
 ) -> "dict[str, Figure]":
     """Draw all figures, by name; `legs` are as `Aim.as_dict` has them."""
     return {

@@ -10,8 +10,9 @@ from synthetic_vehicle import fixes_of
 
 import clpt_control as clpt
 from clpt_control.gliders.dives import make_dive
+from clpt_control.html import plain
 from clpt_control.replay.chart import NEXT, line_pieces, ring_of, ring_pieces
-from clpt_control.replay.exchange import next_geojson, plain, track_kml
+from clpt_control.replay.exchange import next_geojson, track_kml
 
 KML = {"k": "http://www.opengis.net/kml/2.2"}
 GEOD = Geod(ellps="WGS84")

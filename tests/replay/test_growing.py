@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 from synthetic_vehicle import vehicle
 
+from clpt_control.cli.replay_report import Ahead, summary_with_next, write
 from clpt_control.estimation.fix_model import FixModel
 from clpt_control.gliders import sample_dives, usable
-from clpt_control.replay import replay_dives, summary
+from clpt_control.replay import chart, exchange, replay_dives, summary
 from clpt_control.replay.replay import Growing, Replay
 
 DIVES = usable(sample_dives())[0]
@@ -86,3 +87,26 @@ def test_an_interrupt_leaves_what_was_learned(steps, monkeypatch):
         growing.feed(DIVES, cut)
     assert said(growing.feed(DIVES)) == said(replay_dives(DIVES))
     assert steps[:14] == [dive.number for dive in DIVES]
+
+
+def test_a_watch_draws_each_dive_once(tmp_path):
+    """What is drawn of the dives before a new one, on page, map and KML, is kept."""
+    growing = Growing("kalman", FixModel(), None)
+    for count in (5, 6):
+        found, goal = summary_with_next(growing.feed(DIVES[:count]), [], Ahead())
+        before = [one.cache_info().misses for one in (chart._drawn, exchange._fix_and_forecast)]
+        write(growing.replay, found, tmp_path, goal, ["png"], again=True)
+    assert [one.cache_info().misses for one in (chart._drawn, exchange._fix_and_forecast)] == [
+        misses + 1 for misses in before
+    ]
+
+
+@pytest.mark.parametrize("room", [(0.3, 0.1), (5.0, 5.0), (-1.0, -1.0)])
+def test_numbers_have_room_as_if_each_was_compared_with_all(room):
+    points = np.random.default_rng(3).normal(size=(200, 2))
+    tried, before = range(199, 9, -1), list(range(10))
+    found = list(before)
+    for k in tried:
+        if all((np.abs(points[other] - points[k]) >= room).any() for other in found):
+            found.append(k)
+    assert chart.with_room(points, tried, room, before) == found[10:]
