@@ -1,6 +1,7 @@
 """The proof desk: what is printed, what holds, what fails when an equation is wrong."""
 
 import json
+import os
 
 import numpy as np
 import pytest
@@ -8,6 +9,7 @@ import pytest
 from analysis.theorems import page
 from clpt_control.blocks import vehicle
 from clpt_control.blocks.laws.table import LAWS
+from clpt_control.theory.proving.all_proofs import GRAPHS
 from clpt_control.theory.proving.misprints import misprints
 from clpt_control.theory.proving.proof import Step, checked, cited, theorem
 from clpt_control.theory.proving.theorems import audit
@@ -48,7 +50,7 @@ def test_what_is_cited_is_said(proofs):
 def test_the_running_blocks_are_called(proofs):
     for number, points in (("3.1", 1000), ("3.2", 10_000), ("3.4", 1000)):
         step = next(s for s in proofs[number].steps if s.how == "sampled")
-        assert step.detail.startswith(f"{points} points")
+        assert step.detail.startswith(f"N = 3, {points} points")
 
 
 def test_false_statements_meet_a_counterexample_and_carry_a_correction(proofs):
@@ -72,7 +74,9 @@ def test_a_misprint_fails_as_printed_and_passes_corrected(number):
     assert misprint.confirmed
 
 
-def test_prove_prints_json(clpt):
+def test_prove_prints_json(clpt, monkeypatch):
+    """By this process alone; `test_cached_proofs` asks two."""
+    monkeypatch.setattr(os, "cpu_count", lambda: 1)
     outcome = clpt("prove", "--json")
     assert outcome.status == 0
     printed = json.loads(outcome.out)
@@ -82,10 +86,21 @@ def test_prove_prints_json(clpt):
         for step in found["steps"]:
             assert step["how"] in ("exact", "cited", "counterexample", "sampled")
     assert {"equation", "printed", "corrected", "check"} <= set(printed["misprints"][0])
-    limited = printed["limited_speed"]
-    assert limited["with hedging"]["status"] == "proved"
+    limited, team = printed["limited_speed"], printed["team"]
+    assert {name: (one["status"], one["for_every_N"]) for name, one in limited.items()} == {
+        "with hedging": ("proved", True),
+        "every law with hedging": ("proved", False),
+        "without hedging": ("corrected", True),
+    }
+    (laws,) = limited["every law with hedging"]["steps"]
+    assert set(laws["detail"].split(", ")) == {
+        law.name for law in LAWS.values() if not law.at_fixes
+    }
     assert limited["without hedging"]["corrected"].startswith("int |e|^2")
-    assert (printed["team"]["status"], printed["team"]["for_every_N"]) == ("proved", True)
+    assert (team["status"], team["for_every_N"]) == ("proved", True)
+    kinds = [step["how"] for step in team["steps"]]
+    assert kinds.count("exact") == len(GRAPHS)
+    assert "sampled" in kinds
     assert list(printed["laws"]) == list(LAWS)
     for found in printed["laws"].values():
         assert found["status"] in ("proved", "bounded")
