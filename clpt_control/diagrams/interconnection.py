@@ -101,6 +101,10 @@ def changed_parameters(wiring: Wiring, params: Mapping[str, Any] | None) -> list
         fields = system.parameters._fields
         spaces = [".".join([*path[k:], ""]) for k in range(len(path) - 1, -1, -1)]
         keys = {space + field: field for space in spaces for field in fields}
+        if isinstance(inner := getattr(system, "inner", None), System):  # which is sampled
+            for_it = ["", *spaces_of(node.name)]
+            numbers = inner.number_names.items()
+            keys = {space + key: field for space in for_it for key, field in numbers} | keys
         changes = {keys[key]: params[key] for key in keys if key in params}  # the longest counts
         found.append(system.with_values(changes))
         known |= set(keys)

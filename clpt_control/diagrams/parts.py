@@ -32,8 +32,8 @@ def as_part(system: Any, discrete: bool = False) -> control.NonlinearIOSystem:
 
 def is_discrete(*systems: Any) -> bool:
     """Return whether systems are of one discrete time, as python-control wires them."""
-    times = {getattr(system, "dt", 0) for system in systems} - {None}
-    return bool(times) and 0 not in times and len(times - {True}) < 2
+    times = [dt for dt in (getattr(system, "dt", 0) for system in systems) if dt is not None]
+    return bool(times) and 0 not in times and len({dt for dt in times if dt is not True}) < 2
 
 
 def sampled(

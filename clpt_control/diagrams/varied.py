@@ -281,10 +281,11 @@ def _fields_by_name(wiring: Wiring) -> dict[str, list[tuple[int, str]]]:
         block, path = node.system, node.name.split(".")
         own: Mapping[str, str] = {name: name for name in block.parameters._fields}
         spaces = [".".join([*path[j:], ""]) for j in range(len(path))]
-        if isinstance(block, System):
-            own = block.number_names
+        inner = getattr(block, "inner", block)  # of one that is sampled
+        if isinstance(inner, System):
+            own = inner.number_names
             above = ["", *(".".join([*path[:j], ""]) for j in range(1, len(path)))]
-            asked = {name: f for name, f in own.items() if block.reads(name)}
+            asked = {name: f for name, f in own.items() if inner.reads(name)}
         else:
             above, asked = [], dict(own)
         names = {space + name: field for name, field in own.items() for space in above}

@@ -138,23 +138,18 @@ def gradient(f: Any, *spacing: Any, axis: Any = None, edge_order: int = 1) -> An
 
 
 def _slope(f: Any, axis: int, step: Any) -> Any:
-    f = np.moveaxis(f, axis, 0)
-    h = (
-        np.diff(step if isinstance(step, Array) else np.asarray(step, float))
-        if np.ndim(step)
-        else 0
-    )
-    if isinstance(h, np.ndarray) and np.all(h == h[0]):
-        step = h[0]
-    if np.ndim(step):
-        h = h.reshape(-1, *[1] * (f.ndim - 1))
+    f, step = np.moveaxis(f, axis, 0), step if isinstance(step, Array) else np.asarray(step, float)
+    h: Any = np.diff(step).reshape(-1, *[1] * (f.ndim - 1)) if step.ndim else step
+    if step.ndim and not isinstance(h, Array) and np.all(h == h[0]):
+        h = h[0]
+    if np.ndim(h) == f.ndim:
         back, on = h[:-1], h[1:]
         before, ahead = -on / (back * (back + on)), back / (on * (back + on))
         here = (on - back) / (back * on)
         inner = before * f[:-2] + here * f[1:-1] + ahead * f[2:]
         first, last = h[0], h[-1]
     else:
-        inner, first, last = (f[2:] - f[:-2]) / (2.0 * step), step, step
+        inner, first, last = (f[2:] - f[:-2]) / (2.0 * h), h, h
     ends = (f[1:2] - f[:1]) / first, (f[-1:] - f[-2:-1]) / last
     return np.moveaxis(np.concatenate([ends[0], inner, ends[1]]), 0, axis)
 

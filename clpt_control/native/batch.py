@@ -248,8 +248,8 @@ def pace(
             needed = span / ahead if ahead > 0 else np.inf
             raise SimulationError(
                 f"too many steps: {tries:,} by t = {now:.9g}, at which pace the run would take "
-                f"{needed:.0e}; rates change too fast there: lower the gains, or loosen rtol and "
-                "atol"
+                f"{needed:.0e}; rates change too fast there, or a switch goes to and fro: lower "
+                "the gains, give a switch a hysteresis, or loosen rtol and atol"
             )
         last[:] = [tries, now]
 

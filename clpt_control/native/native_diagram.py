@@ -197,7 +197,9 @@ class NativeDiagram(PythonDiagram):
         return self.code
 
     def breaks(self, t0: float, t1: float) -> Any:
-        """Return the times at which time alone decides."""
+        """Return the times at which time alone decides; none where there are only samples."""
+        if self.wiring.dt:
+            return ()
         times = [
             times_of_change(node.system, record, p, t0, t1)
             for node, p in zip(self.wiring.nodes, self.sweep.parameters, strict=True)

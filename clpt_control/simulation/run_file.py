@@ -79,6 +79,8 @@ def save_run(run: "xarray.Dataset", path: str | Path) -> None:
     """
     if "clpe" not in run.variables and not is_response(run):
         raise DataError(f"{path}: {NO_RUN}; clpt.simulate gives runs")
+    if not set(run.data_vars) - {"states"}:
+        raise DataError(f"{path}: the run has no signal; give its system outputs")
     write_file(path, as_written(run, Path(path)))
 
 

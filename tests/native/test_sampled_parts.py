@@ -352,3 +352,36 @@ def test_conformance_holds():
     for block in loop.syslist[1:3]:
         report = clpt.conformance.check_block(block)
         assert not report.failures, report
+
+
+def test_a_sampled_nlsys_takes_its_own_params():
+    plant = control.ss(-1, 1, 1, 0, inputs="u", outputs="y", name="plant")
+    gains = {"kp": 1.0, "ki": 0.1}
+    pi = control.nlsys(
+        lambda t, x, u, p: [x[0] + p["ki"] * (u[0] - u[1])],
+        lambda t, x, u, p: [p["kp"] * (u[0] - u[1]) + x[0]],
+        inputs=["r", "y"], outputs="u", states=1, params=gains, dt=0.5, name="pi",
+    )  # fmt: skip
+    loop, times = clpt.connect([plant, pi], external="r"), np.linspace(0, 5, 11)
+
+    def end(params):
+        return float(clpt.simulate(loop, times, 1.0, params=params).y[-1])
+
+    assert end({"kp": 2.0}) == end({"pi.kp": 2.0}) == end({"kp": 9.0, "pi.kp": 2.0}) != end(None)
+    for name in ("kp", "pi.kp"):
+        runs = clpt.run_ensemble(loop, {name: [1.0, 2.0]}, timepts=times, inputs=1.0)
+        assert runs.y_final.values.tolist() == pytest.approx([end(None), end({"kp": 2.0})])
+    with pytest.raises(clpt.BlockError, match="unknown parameter 'kd'"):
+        end({"kd": 1.0})
+
+
+def test_a_period_of_one_is_no_period_left_open():
+    slow, fast = (
+        control.ss(0.5, 1, 1, 0, dt=dt, inputs=u, outputs=y, name=y)
+        for dt, u, y in ((2, "a", "b"), (1, "r", "a"))
+    )
+    run = clpt.simulate(clpt.connect([fast, slow], external="r"), np.arange(10.0), 1.0)
+    b, a = [0.0], 2 - 2 * 0.5 ** np.arange(10)
+    for k in range(0, 8, 2):
+        b.append(0.5 * b[-1] + a[k])
+    assert run.b.values.tolist() == pytest.approx(np.repeat(b, 2).tolist())

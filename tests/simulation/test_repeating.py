@@ -424,6 +424,16 @@ def test_a_record_that_no_memory_holds_is_refused():
         diagram_of_text(json.dumps(plain))
 
 
+def test_a_run_without_signals_is_no_file(tmp_path):
+    still = control.nlsys(
+        lambda t, x, u, p: -x, lambda t, x, u, p: [], inputs=0, outputs=0, states=1
+    )
+    run = clpt.simulate(still, TIMES, initial_state=[1.0])
+    with pytest.raises(clpt.DataError, match="the run has no signal; give its system outputs"):
+        clpt.save_run(run, tmp_path / "run.nc")
+    assert not (tmp_path / "run.nc").exists()
+
+
 def test_damaged_numbers_of_a_run_are_one_sentence(tmp_path):
     run = RUNS["samples"]()
     clpt.save_run(run, tmp_path / "run.nc")
