@@ -99,7 +99,8 @@ def test_init_writes_a_scenario_and_never_over_one(clpt, tmp_path, monkeypatch):
 def test_init_writes_a_measured_current(clpt, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     assert clpt("init", "--example", "currents").status == 0
-    assert clpt("fit", "currents.nc", "--out", "mine.toml").status == 0
+    few = ("--rows", "2", "--columns", "2")
+    assert clpt("fit", "currents.nc", *few, "--out", "mine.toml").status == 0
     outcome = clpt("init", "--example", "current")
     assert outcome.status == 2
     assert "--example current: must be one of paper, team, currents" in outcome.err

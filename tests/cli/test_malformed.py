@@ -312,10 +312,14 @@ RUN_DAMAGES = {
 NEEDED_BY_ESTIMATE = ("no waypoints", "a gap", "one sample")
 
 
+@pytest.fixture(scope="module")
+def run():
+    return simulate(paper_scenario().with_values({"run.duration": 400, "run.output_step": 20}))
+
+
 @pytest.mark.parametrize("name", RUN_DAMAGES)
-def test_a_damaged_run_is_refused_by_all_that_open_runs(clpt, tmp_path, name):
+def test_a_damaged_run_is_refused_by_all_that_open_runs(clpt, tmp_path, run, name):
     damage, said = RUN_DAMAGES[name]
-    run = simulate(paper_scenario().with_values({"run.duration": 400, "run.output_step": 20}))
     damage(run).to_netcdf(tmp_path / "run.nc")
     others = (
         ("report", "-o", tmp_path / "out.html"),
