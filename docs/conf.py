@@ -69,6 +69,7 @@ html_copy_source = False
 html_show_search_summary = False  # it would fetch pages, which a browser refuses a file
 html_static_path = ["_static"]
 html_css_files = ["site.css"]
+html_js_files = ["tables.js"]
 html_theme_options = {
     "logo": {"text": "clpt-control"},
     "navbar_end": ["theme-switcher"],

@@ -142,7 +142,8 @@ def ensemble_result(
     end = f"t = {float(data['mark'][-1]):g} {time}"
     for key, what in (("flow_parameter_error", "flow parameter"), ("gain_error", "gain")):
         if f"{key}_at_end" in summary:
-            rows.append([f"largest {what} error, {end}", *_cells(summary[f"{key}_at_end"])])
+            row = f"largest {what} error ({unit_of(data[key])}), {end}"
+            rows.append([row, *_cells(summary[f"{key}_at_end"])])
     ended = ", ".join(f"{n} {how.replace('_', ' ')}" for how, n in summary["ended"].items())
     sentences = []
     if "faster_flow" in summary and summary["faster_flow"]["members"]:

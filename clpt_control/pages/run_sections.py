@@ -102,13 +102,13 @@ def figure_sections(
         "what is learned is a guess."
     )
     unit = scenario.units
-    caption = (
+    errors = (
         "The prediction error over the first two rounds; below, its size over the whole run, and "
         f"its root mean square at each waypoint ({scenario.reference.dwell:g} {unit.time}), "
         "logarithmic."
     )
     if not len(waypoints_of(run, scenario)):
-        caption = "The prediction error over time; below, its size, logarithmic."
+        errors = "The prediction error over time; below, its size, logarithmic."
     rms, rounds = numbers["clpe_rms_per_cycle"], Result()
     if rms:
         title = f"CLPE, root mean square in each round ({unit.length})"
@@ -132,7 +132,7 @@ def figure_sections(
         drawn("track", 4.9, where, track_plot, few),
         drawn("flows", 4.9, flows, flows_plot, few, scenario),
     ]
-    clpe = drawn("clpe", 4.9, caption + thin, clpe_plot, few)
+    clpe = drawn("clpe", 4.9, errors + thin, clpe_plot, few)
     return [
         Section("track", "Track and flow", figures=track),
         Section("clpe", heading, rounds, [clpe]),

@@ -32,6 +32,8 @@ function look(frame) {
       .map((one) => one.src),
     foreign: frame.contentWindow.performance.getEntriesByType("resource")
       .map((one) => one.name).filter((name) => !name.startsWith(location.origin)),
+    scrolls: [...page.querySelectorAll(".pst-scrollable-table-container")]
+      .filter((one) => one.scrollWidth > one.clientWidth).map((one) => one.textContent),
     hits: page.querySelectorAll("#search-results li").length,
   };
 }
@@ -117,6 +119,7 @@ def test_every_page_fits_its_screen(served, tmp_path, width, theme):
     found = json.loads(re.search(r"<body>(.*?)</body>", done.stdout, re.S)[1])
     assert list(found) == json.loads(pages)
     assert {name: one["wide"] for name, one in found.items() if one["wide"] > one["inner"]} == {}
+    assert {name: one["scrolls"] for name, one in found.items() if one["scrolls"]} == {}
     assert {one["inner"] for one in found.values()} <= {width, width - 15}  # less its scroll bar
     assert {one["theme"] for one in found.values()} == {theme}
     assert {name for one in found.values() for name in one["broken"] + one["foreign"]} == set()

@@ -109,6 +109,13 @@ def test_a_run_has_its_page(page):
     assert len(page) < 1_000_000
 
 
+def test_each_figure_of_a_run_has_words_of_its_own(run):
+    captions = {one.name: one.caption for one in page_of(run).figures if one.caption}
+    assert captions["clpe"].startswith("The prediction error over ")
+    assert captions["lyapunov"].startswith("V, a weighted sum")
+    assert len(captions) == len(set(captions.values()))
+
+
 def test_texts_of_a_figure_stay_texts(page):
     texts = Reader(page).texts
     assert "adaptation" in texts
