@@ -291,7 +291,8 @@ def tide(name: str, dive: Dive, ended: bool) -> np.ndarray:
     """Return the columns of a tide by its name."""
     w = 2 * math.pi / period(name, "s")
     phase = w * mid_time(dive)
-    return swing(dive, w) * np.kron([math.cos(phase), math.sin(phase)], np.eye(2))
+    c, s = math.cos(phase), math.sin(phase)
+    return swing(dive, w) * np.array([[c, 0.0, s, 0.0], [0.0, c, 0.0, s]])
 
 
 def speed_column(dive: Dive, ended: bool) -> np.ndarray:

@@ -252,7 +252,7 @@ def segments_of(data: "xarray.Dataset", path: Path) -> list[DiveFixes]:
         end = _fix(ends, rows)
         start, middle = _fix(of[START], rows), _fix(of[MIDDLE], rows)
         notes = []
-        if not _whole(start) and _whole(middle):
+        if not all(map(isfinite, start)) and all(map(isfinite, middle)):
             start = 2 * middle[0] - end[0], 2 * middle[1] - end[1], 2 * middle[2] - end[2]
             notes.append("the fix before the dive computed from the segment's middle and its end")
         if flags.shape == ends[0].shape and flags[rows[0]] in DOUBTFUL:
@@ -286,7 +286,3 @@ def _fix(columns: np.ndarray, rows: np.ndarray) -> Fix:
         return nan, nan, nan
     time, lat, lon = whole[:, 0].tolist()
     return time, lat, lon
-
-
-def _whole(fix: Fix) -> bool:
-    return all(isfinite(number) for number in fix)
