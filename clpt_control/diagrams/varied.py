@@ -136,11 +136,14 @@ class VariedBlock(Block):
 
 
 class _Along(Direction):
-    """A direction along which |x| at x = 0, a root of squares, has the slope 0 and not 0/0."""
+    """A direction along which |x| at x = 0, a root of squares, has the slope 0 and not 0/0.
+
+    So has a power of |x|, as in |x|^0.5 x.
+    """
 
     def _along(self, k: int) -> Any:
         found, kind = super()._along(k), self.tape.operations[k].kind
-        if found is None or kind not in ("sqrt", "hypot"):
+        if found is None or kind not in ("sqrt", "hypot", "pow"):
             return found
         nothing = (self.value(k) == 0.0) & (found != found)
         return elementwise("where", nothing, 0.0, found)

@@ -7,6 +7,7 @@ derivative of what was read.  Where functions may jump, the same run is taken a 
 sides, and what the differences do not confirm is refused.
 """
 
+import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -16,6 +17,7 @@ import numpy as np
 
 from ..arguments import nearest, public
 from ..diagrams.varied import (
+    ALONG,
     Place,
     VariedWiring,
     may_jump,
@@ -174,7 +176,15 @@ class Sensitive:
         starts = [(1 + j, k) for j, place in enumerate(self.places.values()) for k in place.states]
         x[self.varied.states[tuple(np.array(starts, dtype=int).reshape(-1, 2).T)]] = 1.0
         runner, solver = self.runner.with_parameters(given), {**self.solver, **solver}
-        solution, why = run_compared(runner, x, self.times, inputs=self.inputs, **solver)
+        try:
+            solution, why = run_compared(runner, x, self.times, inputs=self.inputs, **solver)
+        except SimulationError as error:
+            if not re.search(rf"derivative of {ALONG}\S+ of block", str(error)):
+                raise
+            raise SimulationError(
+                f"{error}; {ALONG}x is the derivative of x along what is varied, which a root or a "
+                "power may not have at 0: begin beside it"
+            ) from None
         if why:
             raise SimulationError(f"{self.name}: its derivative is not known: {why}")
         every = runner.signals(solution, self.inputs)[:, self.varied.signals].transpose(0, 2, 1)

@@ -295,3 +295,21 @@ def test_what_is_not_known_is_said():
     odd = control.nlsys(unread, None, name="odd", states=["x"], inputs=0, outputs=["x"])
     with pytest.raises(clpt.SimulationError, match=r"odd: has no known derivative.*unread"):
         clpt.sensitivity(odd, [0.0, 1.0])
+
+
+def test_a_power_of_a_magnitude_that_begins_at_zero():
+    def update(t, x, u, p):
+        return [p["b"] - np.abs(x[0]) ** 0.3 * x[0]]
+
+    system = control.nlsys(update, None, inputs=0, states=1, outputs=1, params={"b": 0.6}, name="s")
+    times = np.linspace(0.0, 2.0, 9)
+    found = clpt.sensitivity(system, times, of="states", to=["b"]).states.values[:, 0, 0]
+    more, less = (
+        clpt.simulate(system, times, params={"b": b}, rtol=1e-11, atol=1e-13).states.values[:, 0]
+        for b in (0.6001, 0.5999)
+    )
+    np.testing.assert_allclose(found, (more - less) / 2e-4, atol=1e-6)
+    with pytest.raises(
+        clpt.SimulationError, match=r"d_x is the derivative of x .* begin beside it"
+    ):
+        clpt.sensitivity(system, times, of="states", to=["x0"])
