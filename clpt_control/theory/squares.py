@@ -14,11 +14,11 @@ from sympy.core.function import AppliedUndef
 
 from ..diagrams.on_symbols import TIME, Equations
 from .proving.proof import Step, exact
-from .proving.signs import factored, nonpositive, vanishes
-from .proving.words import degree
+from .proving.signs import factored, nonpositive, rising_in, tidied, vanishes
+from .proving.words import along, decided, degree, interval, is_input, meets_smoothly, words_of
 
 TURNS = (sympy.sin, sympy.cos)
-MOST = 24  # squares that are completed, in all orders that are tried
+MOST = 24  # squares that are completed beside one for each symbol, in all orders that are tried
 
 
 class Squares(NamedTuple):
@@ -29,9 +29,13 @@ class Squares(NamedTuple):
     forms: list[sympy.Expr]
 
 
-def squares(V: sympy.Expr, fixed: set) -> Squares | None:
-    """Return an expression as a sum of terms that are not negative; None where none is known."""
-    words = {f: sympy.Dummy(str(f.func), real=True) for f in V.atoms(AppliedUndef)}
+def squares(V: sympy.Expr, fixed: set, words_are_free: bool = True) -> Squares | None:
+    """Return an expression as a sum of terms that are not negative; None where none is known.
+
+    Words with kinks stand for any number, or only those of time and not of states.
+    """
+    free = (f for f in V.atoms(AppliedUndef) if words_are_free or is_input(f))
+    words = {f: sympy.Dummy(str(f.func), real=True) for f in free}
     back = {dummy: f for f, dummy in words.items()}
     V = V.xreplace(words)
     moving = sorted(V.free_symbols - fixed, key=str)
@@ -69,7 +73,7 @@ def squares(V: sympy.Expr, fixed: set) -> Squares | None:
         plain = [term for term in form_of if term.is_polynomial(*moving)]
         low += plain
         form_of = {term: form for term, form in form_of.items() if term not in plain}
-    whole = _completed(sympy.expand(sympy.Add(*low)), moving, [MOST])
+    whole = _completed(sympy.expand(sympy.Add(*low)), moving, [MOST + len(moving)])
     if whole is None:
         return None
     both = [*form_of, *more, *whole.terms], [*form_of.values(), *whole.forms]
@@ -123,17 +127,21 @@ def _of_one(poly: sympy.Poly, s: sympy.Symbol) -> Squares | None:
 
 
 def _positive(a: sympy.Expr) -> bool:
-    return bool(a.is_positive or factored(a).is_positive)
+    return bool(a.is_positive or factored(a).is_positive or interval(a)[0].is_positive)
 
 
 def _rising(g: sympy.Expr, s: sympy.Symbol) -> tuple[sympy.Expr, sympy.Expr] | None:
     """Return g(0), and a form that is zero where g - g(0) >= 0 is, of a function of one symbol."""
-    least = g.subs(s, 0)
+    least = decided(g.subs(s, 0))
     k, m = sympy.Wild("k", exclude=[s, 0]), sympy.Wild("m", exclude=[s, 0])
     cosine = g.match(-k * sympy.cos(m * s))
     if cosine is not None and cosine[k].is_positive:
         return least, sympy.sin(cosine[m] * s / 2)
-    slope = sympy.diff(g, s)
+    slope = along(g, {s: sympy.S.One})
+    if least.is_finite and rising_in(tidied(s * slope), s):
+        return least, s
+    if g.atoms(AppliedUndef):
+        return None
     bend = factored(sympy.diff(slope, s))
     if not least.is_finite or not vanishes(slope.subs(s, 0)) or bend == 0:
         return None
@@ -143,6 +151,24 @@ def _rising(g: sympy.Expr, s: sympy.Symbol) -> tuple[sympy.Expr, sympy.Expr] | N
     if rises and sympy.limit(g, s, sympy.oo) == sympy.oo:
         return (least, s) if sympy.limit(g, s, -sympy.oo) == sympy.oo else None
     return None
+
+
+def positive_definite(V: sympy.Expr, states: list) -> bool:
+    """Return whether V is known to be positive definite in its states, without end.
+
+    V is zero at zero, as the forms are that it holds, and the linear ones of these hold each state.
+    """
+    if words_of(V) and not meets_smoothly(V):
+        return False
+    total = squares(V, V.free_symbols - set(states), words_are_free=False)
+    if total is None or not vanishes(total.constant):
+        return False
+    zero = dict.fromkeys(states, 0)
+    if not all(vanishes(form.subs(zero)) for form in total.forms):
+        return False
+    J = sympy.Matrix(total.forms).jacobian(states)
+    linear = [row for row in J.tolist() if all(slope.is_Rational for slope in row)]
+    return sympy.Matrix(linear).rank() == len(states)
 
 
 # --- states that V does not hold ----------------------------------------------------------------

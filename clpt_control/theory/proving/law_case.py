@@ -15,6 +15,7 @@ from ...diagrams.interconnection import Diagram
 from ...equations.block import Block
 from ...equations.elements import Index
 from ...equations.symbolic import base_and_term, reindexed
+from ..squares import positive_definite
 from .array_loop import TIME, array_loop
 from .leaks import Bound, listed
 from .proof import Step, checked, exact, short
@@ -24,7 +25,6 @@ from .signs import (
     Facts,
     dead_zone,
     nonpositive,
-    positive_definite,
     terms_of,
     tidied,
     vanishes,
@@ -37,7 +37,7 @@ from .symbolic_loop import (
     symbolic_loop,
 )
 from .theorem_loop import decay, rate_of_V, theorem_loop, truth_in
-from .words import along, faster_than_linear
+from .words import along, faster_than_linear, interval
 
 
 @dataclass
@@ -126,7 +126,6 @@ class Case:
 
     def definite(self) -> Step:
         """Return the step that V is positive definite, or so beyond dead zones."""
-        there = dict.fromkeys(self.e, sympy.S.Zero) | dict(list(self.truth.items())[2:])
         mapped = {
             of[0]: error for of, error in self.errors if len(of) == 1 and of[0] not in self.truth
         }
@@ -136,7 +135,17 @@ class Case:
             V, states = self.V_of_D, [*self.e, *self.learned]
             if any(s.name.endswith(".interval") for s in V.free_symbols):
                 return False  # V itself may jump
-            return positive_definite(V, states, there, self.values, mapped)
+            at = self.values
+            shift = {s: (s + true).xreplace(at) for s, true in list(self.truth.items())[2:]}
+            V = tidied(V.xreplace(at).xreplace(shift))
+            for s, error in mapped.items():  # alpha = s + s^3: V is least where its error is zero
+                rest, own = V.as_independent(s, as_Add=True)
+                share = sympy.cancel(sympy.diff(own, s) / error.xreplace(at))
+                rises = interval(sympy.diff(error.xreplace(at), s))[0]
+                if not (share.is_number and share.is_positive and rises.is_positive):
+                    return False
+                V, states = rest, [one for one in states if one != s]
+            return positive_definite(V, states)
 
         claim = f"V is positive definite in {named} and the parameter errors"
         return checked(f"{claim}, at the blocks' own values", "exact", holds, False)

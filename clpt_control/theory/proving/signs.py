@@ -9,11 +9,9 @@ each with the facts there: expressions that are not negative.  A fact that is li
 takes s out, any other one its leading monomial.
 """
 
-from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from itertools import combinations_with_replacement
 from math import comb, prod
-from types import MappingProxyType
 from typing import Any
 
 import sympy
@@ -25,10 +23,8 @@ from .proof import short
 from .words import (
     CLIP,
     INSIDE,
-    along,
     decided,
     interval,
-    meets_smoothly,
     pieces_of,
     sector_of,
     words_of,
@@ -152,57 +148,6 @@ def terms_of(expression: sympy.Expr) -> int:
     return 1
 
 
-def positive_definite(
-    V: sympy.Expr,
-    states: Sequence[sympy.Symbol],
-    truth: dict,
-    values: dict,
-    mapped: Mapping[Any, sympy.Expr] = MappingProxyType({}),
-) -> bool:
-    """Return whether V is known to be positive definite in the errors of the states, without end.
-
-    `truth` says where the error of a state is zero; `mapped` has the error of a state s from which
-    something learned is made, alpha = s + s^3: where dV/ds is a positive share of that error, which
-    rises with s, V is least where it is zero.  Terms that share no state are examined apart:
-    V may be quadratic, with a Hessian that is positive definite; or s dV/ds is a sum of even powers
-    and products s h(s), h odd and rising.
-    """
-    V = V.xreplace(values)
-    if words_of(V) and not meets_smoothly(V.xreplace({s: s + truth.get(s, 0) for s in states})):
-        return False
-    shifted = {s: s + truth[s].xreplace(values) for s in states if s in truth}
-    V = tidied(V.xreplace(shifted))
-    rest, covered = sympy.S.Zero, set[Any]()
-    for group in groups_of(V, set(states)):
-        mine = sorted(group.free_symbols & set(states), key=str)
-        if len(mine) == 1 and mine[0] in mapped:
-            error = mapped[mine[0]].xreplace(values)
-            share = sympy.cancel(sympy.diff(group, mine[0]) / error)
-            rises = interval(sympy.diff(error, mine[0]))[0]
-            if not (share.is_number and share.is_positive and rises.is_positive):
-                return False
-        elif mine and not _least_at_zero(group, mine):
-            return False
-        rest, covered = rest + (0 if mine else group), covered | set(mine)
-    return rest == 0 and covered == set(states)
-
-
-def _least_at_zero(V: sympy.Expr, states: list) -> bool:
-    """Return whether V is positive definite in its states, zero at zero, and without end."""
-    zero = dict.fromkeys(states, sympy.S.Zero)
-    if V.is_polynomial(*states):
-        H = sympy.hessian(V, states)
-        slopes = [V, *(sympy.diff(V, s) for s in states)]
-        if not H.free_symbols and not H.atoms(sympy.Function):
-            return all(tidied(v.xreplace(zero)) == 0 for v in slopes) and bool(
-                H.is_positive_definite
-            )
-    if tidied(decided(V.xreplace(zero))) != 0:
-        return False
-    slope = tidied(sum(s * along(V, {s: sympy.S.One}) for s in states))
-    return set(states) == rising_in(slope, states)
-
-
 def dead_zone(V: sympy.Expr, e: sympy.Symbol) -> tuple[sympy.Expr, sympy.Expr]:
     """Return d where V holds e as e - clip(e, -d, d) alone, and V with e in its place; else 0."""
     clips = [w for w in words_of(V) if w.func == CLIP and w.args[0] == e]
@@ -218,30 +163,29 @@ def dead_zone(V: sympy.Expr, e: sympy.Symbol) -> tuple[sympy.Expr, sympy.Expr]:
     return sympy.S.Zero, V
 
 
-def rising_in(E: sympy.Expr, states: list) -> set:
-    """Return the states s in which s dV/ds is positive but at s = 0; none where it may be below 0.
+def rising_in(E: sympy.Expr, s: sympy.Symbol) -> bool:
+    """Return whether s dV/ds is positive but at s = 0, and V has no end.
 
-    Each term is an even power of each state, times s h(s), and what is not negative.
+    Each term is an even power of s, or s h(s), times what is not negative; one of them rises.
     """
-    rising = set()
+    rises = False
     for term in sympy.Add.make_args(sympy.expand(E)):
-        rest, strict, powers = sympy.S.One, True, dict.fromkeys(states, 0)
+        rest, strict, n = sympy.S.One, True, 0
         for factor in sympy.Mul.make_args(term):
             base, power = factor.as_base_exp()
             sector = sector_of(factor) if words_of(factor) and power == 1 else None
-            if base in powers and power.is_Integer and power > 0:
-                powers[base] += int(power)
-            elif sector is not None and sector.factor in powers and sector.low >= 0:
-                powers[sector.factor] += 1
+            if base == s and power.is_Integer and power > 0:
+                n += int(power)
+            elif sector is not None and sector.factor == s and sector.low >= 0:
+                n += 1
                 strict &= sector.rises
             else:
                 rest *= factor
         low = interval(rest)[0]
-        if low.is_negative or any(power % 2 for power in powers.values()):
-            return set()
-        if strict and low.is_positive:
-            rising |= {s for s in states if powers[s] and sum(map(bool, powers.values())) == 1}
-    return rising
+        if low.is_negative or n % 2:
+            return False
+        rises |= bool(n and strict and low.is_positive)
+    return rises
 
 
 def nonpositive(
