@@ -75,10 +75,16 @@ def survey(seed, count=48, speed=0.3, T=14400.0):
     return dives
 
 
-@pytest.mark.parametrize("estimator", ["kalman", pytest.param("gradient", marks=pytest.mark.slow)])
-def test_a_map_learned_helps_where_the_flow_stays(estimator):
+@pytest.mark.parametrize(
+    ("estimator", "count"),
+    [
+        ("kalman", 2),
+        *(pytest.param(name, 4, marks=pytest.mark.slow) for name in ("kalman", "gradient")),
+    ],
+)
+def test_a_map_learned_helps_where_the_flow_stays(estimator, count):
     gains = []
-    for seed in range(4):
+    for seed in range(count):
         dives = survey(seed)
         plain, mapped = (
             clpe_rms(replay_dives(dives, estimator, FixModel(flow)), 10)["adaptive"]
