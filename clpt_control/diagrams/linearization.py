@@ -117,6 +117,10 @@ class _About:
                 verdict = "jumps"
             elif kind in ("minimum", "maximum", "fabs"):
                 verdict = "bends" if np.any(self.ties(*operands, 0.0)[1]) else ""
+            elif kind == "atan2":  # by a turn where its first argument changes sign
+                _, turns = self.ties(operands[0], 0.0)
+                behind = self.numbers([operands[1]])[0][..., 0] < 0
+                verdict = "jumps" if np.any(turns & behind) else ""
             elif kind in JUMPS or kind in ("mod", "pick"):
                 place = operands[0] / operands[1] if kind in ("mod", "floordiv") else operands[-1]
                 near = 0.0 if kind == "sign" else np.round(self.numbers([place])[0][..., 0])

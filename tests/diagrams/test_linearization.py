@@ -80,11 +80,13 @@ TORN = {
     "sign": (lambda y, v: v - np.sign(y), 0.0),
     "floor": (lambda y, v: v - np.floor(y), 2.0),
     "mod": (lambda y, v: v - y % 1.0, 3.0),
+    "atan2": (lambda y, v: v - np.arctan2(y, -1.0), 0.0),
     "where": (lambda y, v: v - np.where(y > 0, 1.0, -1.0), 0.0),
     "where ": (lambda y, v: v - (y > 0) * 1.0, 0.0),
 }
 SMOOTH = {
     "beside a kink": (lambda y, v: v - abs(y), 1e-9),
+    "an angle ahead": (lambda y, v: v - np.arctan2(y, 1.0), 0.0),
     "beside a jump": (lambda y, v: v - np.sign(y), -1e-9),
     "two ways of one slope": (lambda y, v: v + np.where(y > 0, y * y, -y * y), 0.0),
     "infinity": (lambda y, v: v - y if np.isfinite(y) else 0 * y, 0.5),

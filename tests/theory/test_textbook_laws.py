@@ -1,5 +1,7 @@
 """Right laws of textbooks are proved or bounded, and not their wrong twins."""
 
+import time
+
 import many_laws
 import numpy as np
 import own_laws
@@ -105,6 +107,13 @@ def test_a_V_with_what_states_keep_may_be_made_of_parameters_too():
     make, more, status = LAWS["least squares"]
     own = more | {"V": lambda truth, p: more["V"](truth)}
     assert prove(make(), points=POINTS, **own).status == status
+
+
+def test_a_V_that_saturates_is_judged_soon():
+    saturated = own_laws.V_of(lambda t, u, p: np.tanh(u.e @ u.e / 2 + own_laws.off(u, p)))
+    began = time.process_time()
+    assert prove(own_laws.paper(), saturated, points=POINTS).status == "open"
+    assert time.process_time() - began < 15
 
 
 def test_exp_of_a_large_bound_has_no_value():

@@ -266,10 +266,15 @@ def _in_sectors(group: sympy.Expr, words: set, apart: set, values: dict, facts: 
     if len(outer) > MOST_WORDS or len(sectors) < len(outer):
         return False
     q = sympy.symbols(f"q_:{len(outer)}", real=True)
-    known = zip(outer, sectors, q, strict=True)
-    linear = sympy.expand(group.xreplace({w: sector.factor * one for w, sector, one in known}))
-    if not linear.is_polynomial(*q) or any(sympy.Poly(linear, *q).degree(one) > 1 for one in q):
+    plain = group.xreplace(dict(zip(outer, q, strict=True)))
+    if not plain.is_polynomial(*q) or any(sympy.Poly(plain, *q).degree(one) > 1 for one in q):
         return False
+    linear = plain.xreplace(
+        {one: sector.factor * one for sector, one in zip(sectors, q, strict=True)}
+    )
+    if terms_of(linear) > MOST_TERMS:
+        return False
+    linear = sympy.expand(linear)
     ends = [linear]
     for one, sector in zip(q, sectors, strict=True):
         last = [sympy.diff(f, one) for f in ends] if sector.high == sympy.oo else None

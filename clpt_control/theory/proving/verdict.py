@@ -31,6 +31,7 @@ from .theorem_loop import truth_in
 DRAWS, PER_DRAW, TRIED = 100, 200, 3
 FARTHER = (1.0, 10.0, 100.0)
 SURE = 1e-6  # of the size of its terms: a sign that is no rounding
+HIDDEN = {"flow_x": "the true flow", "V": "made of the truth"}
 JUMPS, UNTIL = 4, 1000.0  # draws for a law that jumps, and until when its jumps are looked for
 
 
@@ -232,8 +233,8 @@ def verdict_of(case: Case) -> Verdict:
 def _complete(case: Case, status: str, steps: list[Step], **more: Any) -> Verdict:
     """Return a verdict with the steps about its inputs, other states and jumps."""
     known = status in ("proved", "bounded")
-    if "flow_x" in case.law.input_ports:
-        claim = "the law reads flow_x, the true flow, which no vehicle measures by itself"
+    for port in HIDDEN.keys() & case.law.input_ports.keys():
+        claim = f"the law reads {port}, {HIDDEN[port]}, which no vehicle measures by itself"
         steps = [*steps, exact(claim, True)]
     if known and case.others:
         steps = [*steps, case.existing()]
