@@ -1,5 +1,7 @@
 """A Lyapunov function of one's own: right ones are proved, wrong ones never are."""
 
+import warnings
+
 import control
 import numpy as np
 import pytest
@@ -243,3 +245,10 @@ def test_a_limit_at_infinity_is_none():
     assert lyapunov(loop).status == "open"  # it was refused: "y' has no value"
     one_sided = clpt.parts.saturation(0.0, np.inf)
     assert str(clpt.equations(one_sided)) == "y = maximum(u(t), low)"
+
+
+def test_a_linear_system_says_nothing_of_params():
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        lag = control.ss([[0, 1], [-1, -2]], [[0], [1]], [[1, 0]], 0, name="lag")
+        assert lyapunov(lag).status == "proved where u = 0"

@@ -59,8 +59,9 @@ class Running:
         def one(*point: Any) -> tuple:
             try:
                 with np.errstate(all="ignore"):
-                    rates = self.system.dynamics(*point, self.params)
-                    V = self.system.output(*point, self.params)[self.V] if self.V else [0.0]
+                    point += (self.params or None,)  # linear systems say that they take none
+                    rates = self.system.dynamics(*point)
+                    V = self.system.output(*point)[self.V] if self.V else [0.0]
                     return rates, *V
             except RuntimeError:  # python-control's word for a NaN on its way
                 return np.full(self.system.nstates, np.nan), np.nan
