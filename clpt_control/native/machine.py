@@ -71,17 +71,10 @@ def fuses() -> bool:
     return "+fma" in processor()[1] or "+neon" in processor()[1]
 
 
-@cache
-def _prepare() -> None:
-    with suppress(RuntimeError):  # new versions of LLVM do not need it
-        llvm.initialize()
-    llvm.initialize_native_target()
-    llvm.initialize_native_asmprinter()
-
-
 def target_machine() -> Any:
     """Return LLVM's description of the processor."""
-    _prepare()
+    llvm.initialize_native_target()
+    llvm.initialize_native_asmprinter()
     name, features = processor()
     target = llvm.Target.from_default_triple()
     return target.create_target_machine(cpu=name, features=features, opt=3, jit=True)

@@ -23,7 +23,7 @@ from ..diagrams.wiring import Wiring, read_anew, wiring_of
 from ..errors import SimulationError
 from . import solver
 from .batch import ANY, Batch, Callee, pace
-from .ending import STUCK, Solution, ended, sampled_start, without_states
+from .ending import NAMES, STUCK, Solution, ended, sampled_start, without_states
 from .jacobian import Jacobian, jacobian
 from .machine import callback
 from .method import with_formulas
@@ -113,9 +113,8 @@ class PythonDiagram:
         places = len(self.jumps)
         own = [callback(one, n, places, array, count, raised) for one, array, count in functions]
         addresses = [*(cast(one, c_void_p).value for one in own), 0, 0]
-        linear = Jacobian()
-        if method == solver.RODAS5P:
-            linear = jacobian(np.ones((n, n + 1), dtype=bool), False)
+        full = np.ones((n, n + 1), dtype=bool)
+        linear = jacobian(full, False) if method == solver.RODAS5P else Jacobian()
         sizes = places, self.nsignals, np.zeros(1)
         shape = 1, n, method, *self.watched(method), 0, 0
         return with_formulas(Callee("python", addresses, *shape, *sizes, linear, (own,), raised))
@@ -301,10 +300,8 @@ class PythonDiagram:
         return out
 
 
-METHODS = {
-    **{"auto": solver.DOP853, "dop853": solver.DOP853},
-    **{"dopri5": solver.DOPRI5, "rodas5p": solver.RODAS5P},
-}
+ADAPTIVE = {name.lower(): k for k, name in NAMES.items() if k > solver.RK4}
+METHODS = {"auto": solver.DOP853, **ADAPTIVE}
 OPTIONS = {  # what is allowed, and why an option does not go with a fixed step
     "step": ("positive", ""),
     **dict.fromkeys(("rtol", "atol"), ("a number, 0 or more", "has no tolerance")),
