@@ -28,16 +28,18 @@ def main(path="team.png"):
     """Run, compare, draw."""
     team = clpt.load_team(Path(clpt.__file__).parent / "data" / "team.toml")
     end, units = team.run.duration, team.first.units
+    speed = f"{units.length}/{units.time}"
     run = clpt.simulate(team)
     alone = {name: clpt.simulate(scenario) for name, scenario in team.members.items()}
     smallest = clpt.theory.team_gramian(team, end, 0.0).smallest()
     for name, own in alone.items():
         print(
             f"{name} alone: smallest eigenvalue {smallest[name]:.1e}, largest error of a flow "
-            f"parameter {float(largest_error(own)[-1]):.2g} {units.length}/{units.time}"
+            f"parameter {float(largest_error(own)[-1]):.2g} {speed}"
         )
     together = float(largest_error(run)[:, -1].max())
-    print(f"the team: smallest eigenvalue {smallest['team']:.3g}, largest error {together:.1e}")
+    least = f"smallest eigenvalue {smallest['team']:.3g}"
+    print(f"the team: {least}, largest error {together:.1e} {speed}")
     drawn = figure(team, run, alone)
     drawn.savefig(Path(path))
     plt.close(drawn)

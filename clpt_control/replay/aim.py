@@ -35,7 +35,7 @@ from ..gliders.samples import variation as igrf
 from ..gliders.usable_dives import FASTEST
 from .replay import Replay
 from .surfacing import ELLIPSE, LONGEST, NextDive, ellipse
-from .wording import AGAINST, REACHED, UNDER_WAY, Place, direction, in_minutes, utc
+from .wording import AGAINST, REACHED, UNDER_WAY, Place, aim_sentence, direction, in_minutes, utc
 
 SHORTEST = 1.0  # s, of a dive that is aimed
 YEAR = 365 * 86400.0  # s
@@ -67,6 +67,9 @@ class Aim:
     current: tuple[float, float]
     speed: float
     variation: float | None = None
+
+    def __repr__(self) -> str:
+        return f"<Aim: {aim_sentence(self.as_dict())}>"
 
     @property
     def crab(self) -> float | None:

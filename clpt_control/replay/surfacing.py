@@ -60,7 +60,7 @@ from ..geodesy import displacement
 from ..gliders.dives import Dive, Fix
 from ..gliders.usable_dives import FASTEST
 from .flow_models import why_uncovered
-from .wording import direction, in_minutes, utc
+from .wording import clock, direction, in_minutes, utc
 
 PLANNED, REPEATED, ANYWHERE, GIVEN = "planned", "repeated", "anywhere", "given"
 PRIORS = {  # c, and standard deviations of S0
@@ -318,6 +318,10 @@ class NextDive:
     fix: Fix = (nan, nan, nan)
     time_90: float = nan
     basis: str = REPEATED
+
+    def __repr__(self) -> str:
+        when = f"{clock(utc(self.plan.t_gpse))} +- {self.time_90 / 60:.0f} min"
+        return f"<NextDive: up {when} at {in_minutes(self.latitude, self.longitude)}>"
 
     def now(self) -> tuple[float, str]:
         """Return now, s since 1970, and which: the clock, or the end of a dive not just ended."""
