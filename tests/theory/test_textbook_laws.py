@@ -147,6 +147,7 @@ def status(name, laws):
         return "refused"
 
 
+@pytest.mark.usefixtures("few_draws")
 @pytest.mark.parametrize("name", list(many_laws.WRONG)[SAMPLE])
 def test_a_wrong_law_is_not_proved(name):
     assert status(name, many_laws.WRONG) not in ("proved", "bounded")
@@ -157,6 +158,7 @@ def test_a_right_law_is_not_refuted(name):
     assert not status(name, many_laws.RIGHT).startswith("refuted")
 
 
+@pytest.mark.usefixtures("few_draws")
 @pytest.mark.slow
 def test_no_wrong_law_of_a_hundred_is_proved():
     assert len(many_laws.WRONG) >= 100
