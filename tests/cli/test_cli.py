@@ -133,20 +133,6 @@ def test_export_of_a_diagrams_run_has_its_start(clpt, tmp_path):
     assert "diagram_x0[] = {3.0};" in (tmp_path / "run.c").read_text()
 
 
-def test_help_imports_nothing_heavy():
-    code = (
-        "import sys; sys.argv = ['clpt', '--help']\n"
-        "from clpt_control.cli import main\n"
-        "try: main()\n"
-        "except SystemExit: pass\n"
-        "heavy = {'control', 'numpy', 'sympy', 'matplotlib', 'xarray', 'scipy'}\n"
-        "print(sorted(heavy & set(sys.modules)), file=sys.stderr)\n"
-    )
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert done.stderr.strip() == "[]"
-    assert "paper" in done.stdout
-
-
 def test_interrupt_ends_cleanly(tmp_path):
     longer = {"run.duration": 2e7, "run.output_step": 1e4}
     scenario = clpt_control.paper_scenario().with_values(longer)
