@@ -175,7 +175,7 @@ LIGHT = {  # code, and what it says
 def test_nothing_heavy_is_imported_for(name):
     code, said = LIGHT[name]
     heavy = {"control", "numpy", "sympy", "matplotlib", "xarray", "pandas", "scipy"}
-    heavy |= {"pydantic"} if name != "completion" else set()  # which asks what a scenario allows
+    heavy |= {"pydantic"} if name != "completion" else set()  # Typer brings it
     code = f"import os, sys\ntry: {code}\nexcept SystemExit: pass\n"
     code += f"print(sorted({heavy} & set(sys.modules)), file=sys.stderr)"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
