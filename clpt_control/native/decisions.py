@@ -15,6 +15,7 @@ The gridded current, which is smooth, stays as it is.  Discontinuity locking: Ce
 Kofman, Continuous System Simulation, 2006, chapter 9.
 """
 
+from collections.abc import Callable
 from math import prod
 from typing import Any, NamedTuple
 
@@ -91,7 +92,7 @@ class Decisions:
             if name in COMPARED:
                 now = add("where", now, 1.0, -1.0)
             H = self.record.load("P", self.grain + 1 + self.count, shape)
-            beyond = self._passed(name, _operands(name, arguments), H, shape)
+            beyond = self._passed(name, _operands(name, arguments), H, add)
             self.now.append(Port(self.count, shape, long, now))
             self.passed.append(Port(self.count, shape, long, beyond))
             self.of.append((self.count, of))
@@ -111,12 +112,8 @@ class Decisions:
             return add("pick", arguments[0], answers[0])
         return add("where", answers[0], *arguments)
 
-    def _passed(self, name: str, operands: tuple, H: Ref, shape: tuple) -> Ref:
+    def _passed(self, name: str, operands: tuple, H: Ref, add: Callable[..., Ref]) -> Ref:
         """Return 1 where a step has passed a decision, else 0."""
-
-        def add(kind: str, *arguments: Ref) -> Ref:
-            return self.record.add(kind, arguments, shape)
-
         size = add("fabs", operands[0])
         if name in COMPARED and operands[1] != 0.0:
             size = add("add", size, add("fabs", operands[1]))

@@ -66,16 +66,14 @@ class Layout:
 
     def packed(self, parameters: Sequence[Any]) -> np.ndarray:
         """Return P for other parameters of the same blocks; fields that share stay equal."""
-        P = self.P.copy()
-        values: dict[int, Any] = {}
-        for (k, name), slot in self.slots.items():
-            value = np.asarray(getattr(parameters[k], name), dtype=float).ravel()
-            if slot.array == "T":
+        P, known = self.P.copy(), dict[int, np.ndarray]()
+        for (k, name), (array, offset) in self.slots.items():
+            if array == "T":
                 continue
-            if slot.offset in values and not np.array_equal(values[slot.offset], value):
+            value = np.asarray(getattr(parameters[k], name), dtype=float).ravel()
+            if not np.array_equal(known.setdefault(offset, value), value):
                 raise ValueError(f"{name} of block {k} no longer equals the field it stands with")
-            values[slot.offset] = value
-            P[slot.offset : slot.offset + len(value)] = value
+            P[offset : offset + len(value)] = value
         return P
 
 

@@ -191,9 +191,8 @@ def _accept(s: StepTape) -> New:
     good = s.lane(row.GOOD) > 0.5
     state = where(good, s.z(row.ARGUMENT), s.z(row.STATE))
     rate = where(good, s.z(row.RATE + row.DOP853), s.z(row.RATE))
-    return {row.STATE: state, row.RATE: rate}, {
-        row.TIME: where(good, s.lane(row.NEW), s.lane(row.TIME))
-    }
+    time = where(good, s.lane(row.NEW), s.lane(row.TIME))
+    return {row.STATE: state, row.RATE: rate}, {row.TIME: time}
 
 
 def _cubic(s: StepTape) -> tuple[Any, Any, Any]:
@@ -287,9 +286,8 @@ def _control_rk4(s: StepTape) -> New:
     """The new state, and whether it is finite."""
     outer = s.z(row.RATE) + s.z(row.RATE + 3)
     inner = s.z(row.RATE + 1) + s.z(row.RATE + 2)
-    return _control_fixed(
-        s, fmuladd(s.lane(row.TAKEN) / 6.0, fmuladd(2.0, inner, outer), s.z(row.STATE))
-    )
+    sixth = s.lane(row.TAKEN) / 6.0
+    return _control_fixed(s, fmuladd(sixth, fmuladd(2.0, inner, outer), s.z(row.STATE)))
 
 
 def _control_map(s: StepTape) -> New:
