@@ -297,6 +297,10 @@ TOO_MUCH = {  # -> what is said
         "V' has more than 20000 terms",
     ),
     "choices of choices": (lambda: law(without_end, GAIN), "own.update has more than 5000"),
+    "a throw": (
+        driven(lambda t, x, u, p: u.e * np.random.default_rng().random()),
+        "^own.update: .* draws by chance",
+    ),
     "one z": (lambda: law(of_other_ports, GAIN, {"zc": 3, "z": 1}), "'z' has 2 signals"),
     "no name": (lambda: Block("", update=memory, states=MORE), "must not be empty"),
     "a port with a dot": (driven(lambda t, x, u, p: u.e, more={"a.b": 1}), "'a.b' of a block"),

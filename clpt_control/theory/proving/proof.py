@@ -10,6 +10,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any, Literal
 
+from ...equations.arrays import Unread
 from ...errors import ClptError, DiagramError
 from ...html import facts
 
@@ -118,6 +119,8 @@ def worked_out(name: str) -> Iterator[None]:
         yield
     except ClptError:
         raise
+    except Unread as error:
+        raise DiagramError(f"{error}") from None
     except Exception as error:
         kind = type(error).__name__
         raise DiagramError(f"{name}: V' cannot be worked out: {kind}: {error}") from None
@@ -139,7 +142,8 @@ def checked(claim: str, how: How, check: Callable[[], Any], every_N: bool = True
     try:
         answer = check()
     except Exception as error:  # whatever a wrong equation raises, the claim is not shown
-        return Step(claim, False, how, f"cannot be checked: {type(error).__name__}: {error}")
+        kind = "" if isinstance(error, ClptError | Unread) else f"{type(error).__name__}: "
+        return Step(claim, False, how, f"cannot be checked: {kind}{error}")
     truth, detail = answer if isinstance(answer, tuple) else (answer, "")
     return Step(claim, bool(truth), how, str(detail), every_N)
 
