@@ -158,7 +158,11 @@ DEMANDS: dict[str, tuple[str, Callable[..., bool]]] = {
     ),
     **dict.fromkeys(("exp", "expm1"), ("takes exp of {0}, which may be too large", _not_huge)),
     **dict.fromkeys(
-        ("sinh", "cosh"), ("takes sinh or cosh of {0}, which may be too large", _parameters)
+        ("sinh", "cosh"),
+        (
+            "takes sinh or cosh of {0}, which may be too large",
+            lambda a: _not_huge(a) and _not_huge(-a),
+        ),
     ),
     **dict.fromkeys(
         ("log", "log2", "log10"),
