@@ -233,7 +233,7 @@ def verdict_of(case: Case) -> Verdict:
 def _complete(case: Case, status: str, steps: list[Step], **more: Any) -> Verdict:
     """Return a verdict with the steps about its inputs, other states and jumps."""
     known = status in ("proved", "bounded")
-    for port in HIDDEN.keys() & case.law.input_ports.keys():
+    for port in (one for one in HIDDEN if one in case.law.input_ports):
         claim = f"the law reads {port}, {HIDDEN[port]}, which no vehicle measures by itself"
         steps = [*steps, exact(claim, True)]
     if known and case.others:
