@@ -25,7 +25,7 @@ MOST_VEHICLES = 8  # in the table; the summary has all
 MOST_CYCLES = 10
 MOST_NAMED = 4  # vehicles in a sentence
 SHARES = {"track": "along the track", "box": "over all of the current's box"}
-WORSE = "worse than the current's mean"
+WORSE = "worse than the mean current"
 MOST_EIGENVALUES = 20  # in the table; the report has all
 
 
@@ -179,8 +179,8 @@ def found_of_clpe(numbers: dict[str, Any], length: str) -> str:
 def shares_of(numbers: dict[str, Any]) -> list[tuple[str, float | None, str]]:
     """Return where the learned flow explains which share of the variance; words if less than 0."""
     shares = numbers.get("explained_variance") or {}
-    each = [(where, shares[place]) for place, where in SHARES.items() if place in shares]
-    return [(where, share, WORSE if (share or 0) < 0 else "") for where, share in each]
+    each = [(place, shares[place]) for place in SHARES if place in shares]
+    return [(place, share, WORSE if (share or 0) < 0 else "") for place, share in each]
 
 
 def found_of_flow(numbers: dict[str, Any], scenario: Scenario) -> str:
@@ -196,7 +196,8 @@ def found_of_flow(numbers: dict[str, Any], scenario: Scenario) -> str:
             f"the largest error of a flow parameter is {number(at_end(errors))} "
             f"{unit.length}/{unit.time}{part}"
         )
-    for where, share, worse in shares_of(numbers):
+    for place, share, worse in shares_of(numbers):
+        where = SHARES[place]
         parts.append(
             f"the current hardly changes {where}, so there is no variance to explain"
             if share is None
@@ -252,10 +253,10 @@ def _achieved(numbers: dict[str, Any], length: str, time: str) -> list[list[str]
         if errors := numbers.get(f"max_{what.replace(' ', '_')}_error"):
             end, error = list(errors.items())[-1]
             rows.append([f"largest {what} error ({unit})", f"{error:.3g} at t = {end} {time}"])
-    for where, share, worse in shares_of(numbers):
+    for place, share, worse in shares_of(numbers):
         said = "none: the current hardly changes" if share is None else f"{share:.3f}"
         said += f"; negative: {worse}" if worse else ""
-        rows.append([f"share of the flow's variance learned, {where}", said])
+        rows.append([f"share of the flow's variance learned, {place}", said])
     return rows
 
 

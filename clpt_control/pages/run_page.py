@@ -16,6 +16,7 @@ from ..simulation.summary import claims
 from ..theory.proving.array_loop import no_value
 from .page import Card, Drawn, Page, Section, again_section, drawn
 from .results import (
+    SHARES,
     asked,
     asked_of_team,
     at_end,
@@ -152,10 +153,10 @@ def _cards(numbers: dict[str, Any], scenario: Scenario) -> list[Card]:
             if after:
                 below += f"; at t = {after[0]} {unit.time}: {number(errors[after[0]])}"
             cards.append(Card(what, f"{number(at_end(errors))} {per}{unit.time}", below))
-    for where, share, worse in shares_of(numbers):
+    for place, share, worse in shares_of(numbers):
         said = "none" if share is None else f"{100 * share:.0f} %"
         why = "; it hardly changes there" if share is None else f"{worse and '; '}{worse}"
-        cards.append(Card("Current's variance explained", said, where + why))
+        cards.append(Card("Current's variance explained", said, SHARES[place] + why))
     return cards
 
 
