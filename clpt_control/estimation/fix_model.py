@@ -6,7 +6,7 @@ The regression is
 
 the integral of Eq. (1) with the flow of Eq. (3); int v dt is the dead-reckoned
 displacement d, f a factor on speed through water, R(psi) a compass error.
-Less d on both sides and to first order in f - 1 and psi it is linear, y = H p.
+Less d on both sides it is linear, y = H p, in f cos psi and f sin psi.
 Gaussian places join the parameters when a track first comes near
 them, so that n grows.
 
@@ -17,8 +17,8 @@ The columns of H, what one unit of a parameter does:
     inertial current    T s(c)                        two, m/s, at mid-dive
     shear               T log(depth / 100 m)          two, m/s, each e times as deep
     flow model          its displacement (east, north)    one, a factor
-    speed               (d_east, d_north)             f - 1
-    compass             (d_north, -d_east)            psi, rad, clockwise
+    speed               (d_east, d_north)             f cos psi - 1
+    compass             (d_north, -d_east)            f sin psi, psi clockwise
 
 with T the duration, tm mid-dive, d the dead reckoning and s(w) = sin(w T/2)/(w T/2),
 the mean of a tide over a dive.  Between dives the inertial current rotates by

@@ -3,10 +3,10 @@
 A dive of duration T ends, from its start, at w + c: c is what the forecast current does,
 tides at that time with it, and w the way through the water,
 
-    w = (I + M) d,   M = [[f - 1, psi], [-psi, f - 1]],   |d| <= D = V T,
+    w = (I + M) d,   I + M = f [[cos psi, sin psi], [-sin psi, cos psi]],   |d| <= D = V T,
 
-d as the vehicle reckons it, f its speed factor and psi its compass error.  So |w| <= s,
-s = hypot(f, psi) D.  For a waypoint at g from the start:
+d as the vehicle reckons it, f its speed factor and psi its compass error.  So |w| <= s = f D.
+For a waypoint at g from the start:
 
 1. |g - c| <= s: the dive ends there, by w = g - c.
 2. Else the vehicle keeps to the line, as in the triangle of currents, and is there after

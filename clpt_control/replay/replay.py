@@ -101,8 +101,9 @@ class Step:
     @property
     def response(self) -> np.ndarray:
         """I + M, the way through the water of a unit of dead reckoning, (2, 2)."""
-        f, psi = self.speed, np.radians(self.compass)
-        return np.array([[f, psi], [-psi, f]])
+        psi = np.radians(self.compass)
+        a, b = self.speed * np.cos(psi), self.speed * np.sin(psi)
+        return np.array([[a, b], [-b, a]])
 
     @property
     def learned(self) -> tuple[str, ...]:
@@ -129,11 +130,14 @@ def estimates(learner: Estimator, dive: Dive) -> dict[str, Any]:
     }
     if model.learn_speed:
         k = model.names.index("speed")
-        factor, compass = np.sqrt(np.diag(P)[k : k + 2])
+        a, b = 1.0 + p[k], p[k + 1]  # f cos psi, f sin psi
+        f = np.hypot(a, b)
+        by = np.array([[a, b], [-b / f, a / f]]) / f  # derivatives of f and psi
+        factor, compass = np.sqrt(np.diag(by @ P[k : k + 2, k : k + 2] @ by.T))
         known |= {
-            "speed": 1.0 + float(p[k]),
+            "speed": float(f),
             "speed_error": float(factor),
-            "compass": float(np.degrees(p[k + 1])),
+            "compass": float(np.degrees(np.arctan2(b, a))),
             "compass_error": float(np.degrees(compass)),
         }
     return known

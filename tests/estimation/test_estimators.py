@@ -120,6 +120,23 @@ def test_a_compass_error_is_clockwise(degrees):
     assert step.compass == pytest.approx(degrees, abs=0.4)
 
 
+@pytest.mark.parametrize(("factor", "degrees"), [(0.8, 12.0), (1.15, -8.0)])
+def test_speed_and_compass_are_told_apart_however_large(factor, degrees):
+    c, s = factor * math.cos(math.radians(degrees)), factor * math.sin(math.radians(degrees))
+    dives = [
+        replace(
+            d,
+            gps_east=d.gps_east - d.dr_east + c * d.dr_east + s * d.dr_north,
+            gps_north=d.gps_north - d.dr_north + c * d.dr_north - s * d.dr_east,
+        )
+        for d in vehicle(2, 40)
+    ]
+    step = replay_dives(dives, model=FixModel(("steady",))).steps[-1]
+    assert step.speed == pytest.approx(factor, abs=3 * step.speed_error)
+    assert step.compass == pytest.approx(degrees, abs=3 * step.compass_error)
+    np.testing.assert_allclose(step.response, [[c, s], [-s, c]], atol=0.02)
+
+
 @pytest.mark.parametrize("latitude", [40.0, -40.0])
 def test_inertial_currents_turn_with_the_hemisphere(latitude):
     dives = vehicle(1, flow="inertial", latitude=latitude)
