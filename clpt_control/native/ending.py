@@ -16,7 +16,8 @@ from .batch import Batch, Callee
 from .schedule import Inputs, Schedule
 from .sweep import Sweep
 
-STUCK = (solver.NOT_FINITE, solver.TOO_SMALL)  # ends that a locked decision may cause
+# ends that a locked decision may cause
+STUCK = (solver.NOT_FINITE, solver.TOO_SMALL, solver.TOO_MANY)
 SENTENCES = (  # what it means that a run ended so, by the solver's numbers, and what to try
     "under way",
     "finished: the end of the span was reached",

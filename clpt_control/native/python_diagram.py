@@ -204,11 +204,17 @@ class PythonDiagram:
         batch = Batch(callee, start[None], P[None], times, [pieces], None, *limits)
         most = self.most if by > solver.RK4 else ANY
         implicit = partial(self.implicit, inputs) if auto else None
-        batch.adaptive(rtol, atol, pace(most, t0, t1, progress), most, implicit)
-        if batch.status[0] in STUCK and callee.decided:
+        slow = None
+        try:
+            batch.adaptive(rtol, atol, pace(most, t0, t1, progress), most, implicit)
+        except SimulationError as error:
+            slow = error
+        if callee.decided and (slow or batch.status[0] in STUCK):
             with suppress(SimulationError):  # then the error is that of the first run
                 across = self.unlocked().run(x0, times, inputs=inputs, **options)
                 return replace(across, method=f"{across.method}, switches not located")
+        if slow:
+            raise slow
         solution = ended(self.sweep, batch, inputs)
         solution.pieces = self, inputs, pieces
         return solution
@@ -222,8 +228,8 @@ class PythonDiagram:
     def unlocked(self) -> Self:
         """Return the diagram with decisions that change within a step.
 
-        A root of a state that comes to rest at zero, -sqrt(max(x, 0)), has no value beyond the
-        switch, so steps with a locked decision cannot cross it.
+        A root of a state that comes to rest at zero, -sqrt(max(x, 0)), or that begins there,
+        sqrt(|x|), has no value beyond the switch, so steps with a locked decision cannot cross it.
         """
         return self
 

@@ -328,3 +328,24 @@ def test_what_has_no_value_on_either_side_is_still_told():
     )  # fmt: skip
     with pytest.raises(SimulationError, match="derivative of x of block falling is not finite"):
         clpt.simulate(f, [0.0, 3.0], initial_state=[0.5])
+
+
+def test_a_root_of_a_magnitude_that_begins_at_zero_goes_on():
+    """Bouc and Wen's hysteresis at rest: |z|^0.5 has no value where the sign of z is held."""
+
+    def rate(t, x, u, p):
+        q, v, z = x
+        slip = 0.6 * np.abs(v) * np.abs(z) ** 0.5 * z + 0.3 * v * np.abs(z) ** 1.5
+        return [v, np.sin(t) - 0.2 * v - q - 0.5 * z, v - slip]
+
+    system = control.nlsys(rate, None, inputs=0, outputs=3, states=["q", "v", "z"], name="bouc")
+    times = np.linspace(0.0, 5.0, 51)
+    run = clpt.simulate(system, times, None, [0.01, 0.0, 0.0])
+    assert "switches not located" in run.attrs["method"]
+    close = {"rtol": 1e-10, "atol": 1e-12}
+    theirs = control.input_output_response(
+        system, times, 0, [0.01, 0.0, 0.0], solve_ivp_kwargs=close
+    )
+    np.testing.assert_allclose(run.states.values, theirs.states.T, atol=1e-6)
+    many = clpt.run_ensemble(system, {"q": [0.01]}, timepts=times, initial_state=[0.0, 0.0, 0.0])
+    np.testing.assert_allclose(many.y_final.values[0], run.states.values[-1], atol=1e-7)
