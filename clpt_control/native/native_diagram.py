@@ -197,7 +197,7 @@ class NativeDiagram(PythonDiagram):
         return self.code
 
     def breaks(self, t0: float, t1: float) -> Any:
-        """Return the times at which time alone decides; none where there are only samples."""
+        """Return the times at which time alone decides."""
         if self.wiring.dt:
             return ()
         times = [
