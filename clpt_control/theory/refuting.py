@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from ..arguments import public
+from ..arguments import Seed, public
 from ..blocks.laws.table import LAWS
 from ..errors import ScenarioError, SimulationError
 from ..scenario.experiment import Scenario
@@ -63,7 +63,7 @@ def refute(
     law: str,
     *,
     budget: float = 60.0,
-    seed: int = 0,
+    seed: Seed = 0,
     progress: Callable[[float], None] | None = None,
 ) -> Search:
     """Search for a run that breaks a promise of a law.

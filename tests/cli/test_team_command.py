@@ -229,6 +229,10 @@ def test_mistakes_are_one_sentence(clpt, run, tmp_path):
         assert said in outcome.err
         assert outcome.err.count("\n") == 1
         assert not (tmp_path / "out.toml").exists()
+    before = run.read_bytes()
+    outcome = clpt("estimate", run, "--out", run)
+    assert (outcome.status, run.read_bytes() == before) == (2, True)
+    assert "a scenario's name must end in .toml" in outcome.err
 
 
 @pytest.mark.parametrize("method", ["least-squares", "kalman", "tomography"])

@@ -183,6 +183,9 @@ def test_the_command_says_that_nothing_was_found(clpt, tmp_path):
     assert outcome.status == 0
     assert "known-flow: not refuted by" in outcome.out
     assert not (tmp_path / "none.toml").exists()
+    outcome = clpt("refute", "known-flow", "--budget", 1, "--seed", -5)
+    assert (outcome.status, outcome.err.count("\n")) == (2, 1)
+    assert "seed = -5" in outcome.err
 
 
 def test_what_the_solver_leaves_breaks_no_promise():
