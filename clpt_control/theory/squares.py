@@ -14,7 +14,16 @@ from sympy.core.function import AppliedUndef
 
 from ..diagrams.on_symbols import TIME, Equations
 from .proving.proof import Step, exact
-from .proving.signs import factored, nonpositive, rising_in, tidied, vanishes
+from .proving.signs import (
+    MOST_TERMS,
+    factored,
+    nonpositive,
+    rising_in,
+    terms_of,
+    tidied,
+    vanishes,
+)
+from .proving.symbolic_loop import positive_somewhere
 from .proving.words import along, decided, degree, interval, is_input, meets_smoothly, words_of
 
 TURNS = (sympy.sin, sympy.cos)
@@ -169,6 +178,26 @@ def positive_definite(V: sympy.Expr, states: list) -> bool:
     J = sympy.Matrix(total.forms).jacobian(states)
     linear = [row for row in J.tolist() if all(slope.is_Rational for slope in row)]
     return sympy.Matrix(linear).rank() == len(states)
+
+
+def never_positive(
+    e: sympy.Expr, fixed: set, ways: tuple, values: dict, facts: tuple = (), seed: int = 0
+) -> bool:
+    """Return whether an expression is known never to be positive, t >= 0, no fact negative.
+
+    Symbols that are `fixed` are parameters, of which some have `values`; `ways` are symbols by
+    which terms are examined apart.  Nothing is tried where it is positive at a random point.
+    """
+    if terms_of(e) > MOST_TERMS or (not facts and positive_somewhere(e.xreplace(values), seed)):
+        return False
+    free = e.free_symbols.union(*(fact.free_symbols for fact in facts)) - {TIME, *fixed}
+    e = e.xreplace({TIME: sympy.Symbol("t", nonnegative=True)})
+    if vanishes(e) or any(nonpositive(e, free, values, facts, by) for by in ways):
+        return True
+    total = None if facts else squares(-e, fixed)  # which know nothing of facts
+    if total and total.constant.is_nonnegative:
+        return True
+    return any(interval(one)[1].is_nonpositive for one in (factored(e), sympy.factor_terms(e)))
 
 
 # --- states that V does not hold ----------------------------------------------------------------

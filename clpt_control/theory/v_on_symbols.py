@@ -22,11 +22,11 @@ from ..equations.symbolic import expressions, rational
 from ..errors import DiagramError
 from .proving.array_loop import no_value
 from .proving.proof import Step, exact, short
-from .proving.signs import MOST_FACTORED, factored, nonpositive, tidied, vanishes
-from .proving.symbolic_loop import NO_VALUE, positive_somewhere
+from .proving.signs import MOST_FACTORED, factored, tidied, vanishes
+from .proving.symbolic_loop import NO_VALUE
 from .proving.symbols import undefined
-from .proving.words import ODD, along, interval, is_input, meets_smoothly
-from .squares import TURNS, squares
+from .proving.words import ODD, along, is_input, meets_smoothly
+from .squares import TURNS, never_positive, squares
 
 MOST_TURNS = 360  # pi/360 is a share of pi
 SMOOTH = *TURNS, *ODD, sympy.exp, sympy.log, sympy.cosh
@@ -152,23 +152,12 @@ class SystemWithV:
 
     def never_positive(self, expression: sympy.Expr) -> bool:
         """Return whether an expression is known never to be positive, for t >= 0."""
-        expression, later = tidied(expression), {TIME: sympy.Dummy("t", nonnegative=True)}
+        expression = tidied(expression)
         for at in ({}, self.eq.values):
-            one = tidied(expression.xreplace(at))
-            if not positive_somewhere(one) and self.below_zero(one.xreplace(later)):
+            if never_positive(tidied(expression.xreplace(at)), self.fixed, (None,), {}):
                 self.valued |= bool(at)
                 return True
         return False
-
-    def below_zero(self, expression: sympy.Expr) -> bool:
-        """Return whether an expression is known never to be positive, as it stands."""
-        total = squares(-expression, self.fixed)
-        if vanishes(expression) or (total and total.constant.is_nonnegative):
-            return True
-        ways = factored(expression), sympy.factor_terms(expression)
-        if any(interval(one)[1].is_nonpositive for one in ways):
-            return True
-        return nonpositive(expression, expression.free_symbols - self.fixed, {})
 
     # --- in the user's words -------------------------------------------------------------------
 

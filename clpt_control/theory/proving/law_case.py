@@ -15,24 +15,20 @@ from ...diagrams.interconnection import Diagram
 from ...equations.block import Block
 from ...equations.elements import Index
 from ...equations.symbolic import base_and_term, reindexed
-from ..squares import positive_definite
+from ..squares import never_positive, positive_definite
 from .array_loop import TIME, array_loop
 from .leaks import Bound, listed
 from .proof import Step, checked, exact, short
 from .running_rate import running_step
 from .signs import (
-    MOST_TERMS,
     Facts,
     dead_zone,
-    nonpositive,
-    terms_of,
     tidied,
     vanishes,
 )
 from .symbolic_loop import (
     SymbolicLoop,
     flat,
-    positive_somewhere,
     refuse_no_value,
     symbolic_loop,
 )
@@ -195,18 +191,10 @@ class Case:
 
     def falls(self, residual: sympy.Expr) -> bool:
         """Return whether what V' has beyond its fall is known not to be positive."""
-        residual = residual.xreplace(self.apart)
-        if terms_of(residual) > MOST_TERMS:
-            return False
-        known = residual.free_symbols.union(*(fact.free_symbols for fact in self.facts))
-        apart = self.moving - {TIME} | known - set(self.values) - {TIME}
-        if residual == 0:
-            return True
-        if not self.facts and positive_somewhere(residual.xreplace(self.values), self.seed):
-            return False
-        e = set(self.e)
-        ways = apart - set(self.loop.states["z"]) - e, e, apart
-        return any(nonpositive(residual, apart, self.values, self.facts, by) for by in ways)
+        residual, e = residual.xreplace(self.apart), {*self.e}
+        others = residual.free_symbols - {TIME, *self.values, *self.loop.states["z"]} - e
+        ways = others, e, None
+        return never_positive(residual, {*self.values}, ways, self.values, self.facts, self.seed)
 
     def across_jumps(self) -> Step:
         """Return the step that V does not rise where states jump, whichever jump at once."""
