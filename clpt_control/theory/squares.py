@@ -1,4 +1,4 @@
-"""An expression as a sum of terms that are not negative: what a V holds.
+"""An expression as a sum of terms that are not negative: what a V holds, and whether V' <= 0.
 
     V = c + sum_k a_k f_k^2 + sum_i g_i(s_i)        a_k > 0,  g_i convex or rising away from 0
 

@@ -1,4 +1,4 @@
-"""What is known of an expression: whether it is zero, never positive, or positive definite.
+"""What is known of an expression: whether it is zero, or never positive.
 
 An expression is zero if as one fraction p/q, of polynomials over the rationals in its symbols and
 words, p = 0 and q is not.  Roots and rounded numbers are left to SymPy's own rules.  An expression
