@@ -136,7 +136,9 @@ def _of_one(poly: sympy.Poly, s: sympy.Symbol) -> Squares | None:
 
 
 def _positive(a: sympy.Expr) -> bool:
-    return bool(a.is_positive or factored(a).is_positive or interval(a)[0].is_positive)
+    """Return whether a factor is positive, and stays away from zero, which exp(-t) does not."""
+    alone = not a.has(TIME) and (a.is_positive or factored(a).is_positive)
+    return bool(alone or interval(a)[0].is_positive)
 
 
 def _rising(g: sympy.Expr, s: sympy.Symbol) -> tuple[sympy.Expr, sympy.Expr] | None:
@@ -149,7 +151,7 @@ def _rising(g: sympy.Expr, s: sympy.Symbol) -> tuple[sympy.Expr, sympy.Expr] | N
     slope = along(g, {s: sympy.S.One})
     if least.is_finite and rising_in(tidied(s * slope), s):
         return least, s
-    if g.atoms(AppliedUndef):
+    if g.atoms(AppliedUndef) or g.has(TIME):
         return None
     bend = factored(sympy.diff(slope, s))
     if not least.is_finite or not vanishes(slope.subs(s, 0)) or bend == 0:

@@ -173,3 +173,10 @@ def test_no_right_law_of_sixty_is_refuted():
     assert len(found) >= 60
     assert [name for name, own in found.items() if own.startswith("refuted")] == []
     assert sum(own in SHOWN for own in found.values()) >= 50
+
+
+def test_a_V_that_fades_with_time_holds_nothing():
+    make, more = many_laws.WRONG["turned, V fades"]
+    first, *_ = prove(make(), points=POINTS, **more).steps
+    assert first.claim.startswith("V is positive definite")
+    assert not first.holds
