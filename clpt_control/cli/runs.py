@@ -171,6 +171,7 @@ def export(
     """
     from ..simulation.run_file import repeats_by_equations
 
+    check_writable(out, "a program", (".c", ".h"))
     again = scenario.suffix == ".nc" and repeats_by_equations(scenario)
     clpt.export_c(clpt.load_diagram(scenario) if again else clpt.load_scenario(scenario), out)
     say(f"{out}: written")

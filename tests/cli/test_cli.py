@@ -120,6 +120,10 @@ def test_diagram_prints_mermaid_and_writes_svg(clpt, tmp_path):
 
 def test_export_writes_c(clpt, tmp_path):
     clpt("init", tmp_path / "p.toml")
+    before = (tmp_path / "p.toml").read_text()
+    outcome = clpt("export", tmp_path / "p.toml", "-o", tmp_path / "p.toml")
+    assert (outcome.status, (tmp_path / "p.toml").read_text()) == (2, before)
+    assert "a program's name must end in .c or .h" in outcome.err
     outcome = clpt("export", tmp_path / "p.toml", "-o", tmp_path / "p.c")
     assert outcome.out == f"{tmp_path / 'p.c'}: written\n"
     assert "void closed_loop_step(" in (tmp_path / "p.c").read_text()
