@@ -13,29 +13,11 @@ from typing import Any
 from llvmlite import ir
 
 from .machine import LANES
-from .vectors import (
-    BIT,
-    DOUBLE,
-    INT32,
-    WORD,
-    constant,
-    declared,
-    elements,
-    gathered,
-    splat,
-    vector,
-    widened,
-    width_of,
-)
+from .vectors import BIT, DOUBLE, INT32, WORD, constant, declared, elements, gathered, splat, vector
 
 Moves = Sequence[tuple[Any, int]]  # the indices of loops, each with its stride
 Body = Callable[[Any, list], list]  # prints an iteration: index, sums before it -> sums after it
 ARRAYS = ("t", "X", "P", "T", "W", "D")
-
-
-def at_once(count: int) -> int:
-    """Return how many iterations are done at once: half a register's where no more are left."""
-    return LANES // 2 if count <= LANES // 2 else LANES
 
 
 class Function:
@@ -131,9 +113,7 @@ class Function:
         """Return a sum with one more value, of the active iterations."""
         if self.active < self.wide:
             value = self.builder.select(self.mask(), value, constant(0.0, self.wide))
-        if total is None:
-            return value
-        return self.builder.fadd(total, widened(self.builder, value, width_of(total)))
+        return value if total is None else self.builder.fadd(total, value)
 
     # --- loops ----------------------------------------------------------------------------
 
@@ -143,9 +123,9 @@ class Function:
         whole = count // width * width
         sums = self.loop(range(0, whole, width), unrolled, body, sums)
         if count > whole:
-            self.wide, self.active = at_once(count - whole), count - whole
+            self.active = count - whole
             sums = body(whole, sums)
-            self.wide = self.active = width
+            self.active = width
         return sums
 
     def loop(self, indices: range, unrolled: int, body: Body, sums: list) -> list:

@@ -6,13 +6,14 @@ from typing import Any
 from llvmlite import ir
 
 from .components import Write, deep, row_strides
-from .llvm_function import Function, at_once
+from .llvm_function import Function
+from .machine import LANES
 from .plan import Nest, Program
 from .vectors import WORD, calculate, constant, elements, gathered, horizontal_sum, splat, width_of
 
 UNROLLED, UNROLLED_RUNS = 4, 8  # the longest loop that unrolls: most loops, inner ones in lanes
 ABREAST = 4  # unrolled iterations that are computed side by side
-Key = tuple[int, tuple[int, ...], int]  # component, loops of its axes, iterations at once or 0
+Key = tuple[int, tuple[int, ...], bool]  # component, loops of its axes, for eight iterations
 
 
 def print_program(program: Program, names: tuple[str, ...], lanes: int) -> ir.Module:
@@ -49,7 +50,9 @@ class _Nests(Function):
         self.begins: list[Any] = [None] * (len(nest.lengths) + 1)
         self.values: list[dict[Key, list]] = [{} for _ in self.begins]
         self.vector = nest.vector if nest.lengths and self.lanes == 1 else -1
-        self.wide = self.active = at_once(nest.lengths[self.vector]) if self.vector >= 0 else 0
+        if self.vector >= 0:
+            few = nest.lengths[self.vector] <= LANES // 2
+            self.wide = self.active = LANES // 2 if few else LANES
         self.totals = [item for item in nest.items if item.summed]
         self.within(0, [])
         for item in nest.items:
@@ -72,7 +75,7 @@ class _Nests(Function):
             return self.items(sums)
         # iterations that are masked add zeros
         masked = depth == self.vector and self.now.lengths[depth] < self.wide
-        zero = None if masked else constant(0.0, self.width(self.wide))
+        zero = None if masked else constant(0.0, self.width(self.vector >= 0))
         sums = self.print_loop(depth, [zero] * len(self.totals) if depth == self.inner else [])
         for total, value in zip(self.totals, sums, strict=False):
             self.write_sum(total, value)
@@ -97,8 +100,8 @@ class _Nests(Function):
 
     def items(self, sums: list) -> list:
         """Print what an iteration of all loops writes and adds; return the sums."""
-        loops = tuple(range(self.inner + 1))
-        values = [self.argument(item.value, loops, self.wide) for item in self.now.items]
+        loops, wide = tuple(range(self.inner + 1)), self.vector >= 0
+        values = [self.argument(item.value, loops, wide) for item in self.now.items]
         for k, index in enumerate(self.abreast(self.inner)):
             new: list[Any] = []
             for item, some in zip(self.now.items, values, strict=True):
@@ -117,13 +120,13 @@ class _Nests(Function):
         if self.inner:
             self.write(value, total)
         else:
-            self.numbers[total.saves, (), 0] = [value]
+            self.numbers[total.saves, (), False] = [value]
 
     # --- values ---------------------------------------------------------------------------
 
-    def width(self, wide: int) -> int:
+    def width(self, wide: bool) -> int:
         """Return how many numbers a value is."""
-        return wide or self.lanes
+        return self.wide if wide else self.lanes
 
     def abreast(self, *loops: int) -> tuple:
         """Return the indices of the inner loop that are side by side; one of what is outside it."""
@@ -141,11 +144,11 @@ class _Nests(Function):
                 known[key] = printer()
         return known[key]
 
-    def printer(self, c: int, loops: tuple[int, ...], wide: int) -> Callable[[], list]:
+    def printer(self, c: int, loops: tuple[int, ...], wide: bool) -> Callable[[], list]:
         """Return a function that prints a value, whose arguments are printed by now."""
         builder, width = self.builder, self.width(wide)
         if wide and self.vector not in loops:
-            narrow = self.value((c, loops, 0))
+            narrow = self.value((c, loops, False))
             return lambda: [splat(builder, one, width) for one in narrow]
         read = self.read(c)
         if read is not None:
@@ -159,14 +162,14 @@ class _Nests(Function):
         values = [self.argument(a, loops, wide) for a in arguments]
         return lambda: calculate(builder, name, width, values)
 
-    def argument(self, a: Any, loops: tuple[int, ...], wide: int) -> list:
+    def argument(self, a: Any, loops: tuple[int, ...], wide: bool) -> list:
         """Return an argument: a constant, or a computed value."""
         if type(a) is not tuple:
             return [constant(a, self.width(wide))]
         return self.value((a[0], tuple([loops[k] for k in a[1]]), wide))
 
     def moves(
-        self, loops: Sequence[int], strides: tuple[int, ...], wide: int, inner: Any
+        self, loops: Sequence[int], strides: tuple[int, ...], wide: bool, inner: Any
     ) -> tuple[list[tuple[Any, int]], int | None]:
         """Return index and stride of each loop, and the stride of eight iterations at once.
 

@@ -69,15 +69,6 @@ def elements(builder: ir.IRBuilder, value: Any) -> list[Any]:
     return [builder.extract_element(value, ir.Constant(INT32, k)) for k in range(width)]
 
 
-def widened(builder: ir.IRBuilder, value: Any, width: int) -> Any:
-    """Return a vector with zeros behind it."""
-    narrow = width_of(value)
-    if width == narrow:
-        return value
-    places = ir.Constant(vector(width, INT32), list(range(width)))
-    return builder.shuffle_vector(value, constant(0.0, narrow), places)
-
-
 def horizontal_sum(builder: ir.IRBuilder, value: Any, count: int) -> Any:
     """Return the sum of a vector, of `count` numbers at most; halves are added first."""
     width = width_of(value)
