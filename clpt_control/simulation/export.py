@@ -1,6 +1,6 @@
 """A diagram as one file of C99, for a board or another simulator.
 
-What runs here as machine code is printed as C (`native.c_text`): outputs, rates or the next state,
+What runs here as machine code is printed as C (`c_text`): outputs, rates or the next state,
 a step of Runge and Kutta's method of order 4 or of the diagram's own time, and what sampled parts
 do between two steps.  Nothing is allocated, and of the C library only math.h is used.
 """
@@ -18,10 +18,10 @@ from ..diagrams.varied import read_as_number
 from ..equations.declaration import Each, ports_of
 from ..errors import DiagramError, Uncompiled
 from ..files import write_file
-from ..native.c_text import CProgram, CRecord, c_number
 from ..native.diagram_record import LARGE, lay_out
 from ..native.engines import misread_function
 from ..scenario.experiment import Scenario
+from .c_text import CProgram, CRecord, c_number
 from .integrate import as_diagram
 from .running import DiagramRun, compiled
 from .starts import stacked_state

@@ -12,9 +12,9 @@ from math import copysign, inf, isnan
 from typing import Any
 
 from ..equations.arrays import CONDITIONS
-from .components import Components, deep, row_strides
-from .diagram_record import DiagramRecord, Layout
-from .plan import Nest, Planner
+from ..native.components import Components, deep, row_strides
+from ..native.diagram_record import DiagramRecord, Layout
+from ..native.plan import Nest, Planner
 
 SIGNATURE = "double t, const double *x, const double *u, const double *p, const double *kept"
 ARRAYS = {"X": "x", "U": "u", "P": "p", "I": "kept", "T": "T_", "K": "K_", "W": "w", "D": "out"}
