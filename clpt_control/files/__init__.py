@@ -273,10 +273,21 @@ def read_cached(path: Path) -> bytes | None:
     return None
 
 
-def write_cached(path: Path, data: bytes) -> None:
-    """Write a file of the cache for the user alone; where that fails, go on without."""
+def write_cached(path: Path, data: bytes, most: int) -> None:
+    """Write a file of the cache for the user alone; where that fails, go on without.
+
+    Of files FAMILY-NAME with its ending the newest `most` stay.
+    """
     with suppress(DataError, OSError), _through_folder(path) as safe:
         safe.unlink(missing_ok=True)  # its mode may be another
         with beside(safe) as part:
             part.chmod(0o600)
             part.write_bytes(data)
+    with suppress(OSError):
+        family = path.stem.rpartition("-")[0]
+        files = path.parent.glob(f"*{path.suffix}")
+        own = [file for file in files if file.stem.rpartition("-")[0] == family]
+        if len(own) > most:
+            own.sort(key=lambda file: file.stat().st_mtime, reverse=True)
+        for file in own[most:]:
+            file.unlink(missing_ok=True)

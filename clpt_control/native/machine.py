@@ -106,16 +106,9 @@ def cached_code(name: str) -> bytes | None:
 def cache_code(name: str, code: bytes) -> None:
     """Write code into the cache, if there is one; code of diagrams does not remove the solver's."""
     folder = cache_folder()
-    if folder is None:
-        return
-    write_cached(folder / f"{name}.o", hashlib.sha256(code).digest() + code)
-    with suppress(OSError):
-        family = name.rpartition("-")[0]
-        files = [file for file in folder.glob("*.o") if file.stem.rpartition("-")[0] == family]
-        if len(files) > MOST_FILES:
-            files.sort(key=lambda file: file.stat().st_mtime, reverse=True)
-        for file in files[MOST_FILES:]:
-            file.unlink(missing_ok=True)
+    if folder is not None:
+        content = hashlib.sha256(code).digest() + code
+        write_cached(folder / f"{name}.o", content, MOST_FILES)
 
 
 # --- code -----------------------------------------------------------------------------------

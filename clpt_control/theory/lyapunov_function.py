@@ -11,109 +11,34 @@ says, V' there is that along the rates that python-control itself gives.
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from itertools import chain
 from typing import Any
 
 import control
-import numpy as np
 import sympy
 
 from ..arguments import Count, Seed, public
 from ..diagrams.on_symbols import TIME
 from ..errors import DiagramError
 from ..html import fragment
-from ..progress.interrupt import check
+from .proving.point_search import SURE, PointSearch
 from .proving.proof import Step, as_html, checked, exact, first_failure, short, worked_out
-from .proving.running_rate import Drawn, Running, compared, rate_of, slopes_of
+from .proving.running_rate import Drawn, compared
 from .proving.signs import tidied, vanishes
-from .proving.symbolic_loop import Numbers, Point
+from .proving.symbolic_loop import Point
 from .searching import candidates
 from .squares import states_beside
 from .v_on_symbols import SystemWithV, missing
 
-SEARCHES, PER_SEARCH, ROUNDS, BEST = 20, 500, 15, 5
-SURE = 1e-7  # of the size of its terms: a sign that is no rounding
-
 Failure = tuple[Point, float]  # a point, and what V', or what fails, is there
 
 
-class PointSearch:
+class FailureSearch(PointSearch):
     """Points at which a V fails, and V' of the running blocks at points."""
 
     def __init__(self, case: SystemWithV, seed: int):
-        self.case, self.random = case, np.random.default_rng(seed)
-        self.blocks = Running(case.system, case.name)
-
-    @cached_property
-    def slopes(self) -> Numbers:
-        """dV/dt and dV/dx."""
-        return self.numbers(*slopes_of(self.case.V, self.case.states))
-
-    def numbers(self, *expressions: sympy.Expr) -> Numbers:
-        """Return expressions as numbers at points, with the parameters as they are."""
-        found = Numbers(*(one.xreplace(self.case.eq.values) for one in expressions))
-        if unknown := set(found.symbols) - {TIME, *self.case.states, *self.case.inputs}:
-            raise DiagramError(f"{unknown.pop()} has no number")
-        return found
-
-    def known(self, t: np.ndarray, x: np.ndarray, u: np.ndarray) -> dict:
-        """Return symbol -> its numbers at points."""
-        return dict(zip([TIME, *self.case.states, *self.case.inputs], [t, *x, *u], strict=True))
-
-    def value_at(self, expression: sympy.Expr, point: Point) -> float:
-        """Return an expression at a point."""
-        return float(self.numbers(expression).at(self.known(*columns(point)), 1)[0, 0])
-
-    def draw(self, count: int, still: bool) -> tuple:
-        """Return times, states and inputs of wide ranges, some of them zero."""
-        n, m, random = len(self.case.states), len(self.case.inputs), self.random
-        wide = 10.0 ** random.uniform(-2.5, 2.0, (2, count))
-        x = random.standard_normal((n, count)) * wide[0] * (random.random((n, count)) > 0.15)
-        u = random.standard_normal((m, count)) * wide[1] * (not still)
-        if self.case.rest is not None:
-            rest = [float(self.case.rest[s].subs(self.case.eq.values)) for s in self.case.states]
-            x += np.array(rest)[:, None]
-        late = 10.0 ** (3 * random.random(count) * (random.random(count) < 0.3))
-        return random.uniform(0, 20, count) * late * (random.random(count) > 0.1), x, u
-
-    def highest(self, expression: sympy.Expr, still: bool) -> Iterator[Point]:
-        """Yield points at which an expression is positive, beside the size of its terms."""
-        parts = sympy.Add.make_args(sympy.expand(expression))
-        try:
-            numbers = self.numbers(expression, *parts)
-        except DiagramError:  # what has no numbers, such as a source of time
-            return
-        for _ in range(SEARCHES):
-            check()
-            at, near = self.draw(PER_SEARCH, still), 1.0
-            for _ in range(ROUNDS):
-                value, *terms = numbers.at(self.known(*at), PER_SEARCH)
-                with np.errstate(all="ignore"):
-                    share = value / np.abs(terms).sum(axis=0)
-                share = np.where(np.isfinite(share), share, -np.inf)
-                best = np.argsort(-share)[:BEST]
-                if share[best[0]] > SURE:
-                    t, x, u = (one[..., best[0]] for one in at)
-                    yield Point(float(t), np.array(x), np.array(u), {})
-                    break
-                keep, near = np.resize(best, PER_SEARCH), 0.7 * near
-                at = tuple(self.beside(one[..., keep], near) for one in at)
-                at = np.abs(at[0]), at[1], at[2] * (not still)
-
-    def beside(self, values: np.ndarray, near: float) -> np.ndarray:
-        """Return numbers beside these, the first as they are."""
-        size = near * (np.abs(values) + 0.1 * np.max(np.abs(values), axis=0, initial=0.0) + 1e-3)
-        step = size * self.random.standard_normal(values.shape)
-        return values + step * (np.arange(values.shape[-1]) >= BEST)
-
-    # --- V' of the running blocks --------------------------------------------------------
-
-    def rate_at(self, point: Point) -> tuple[float, float]:
-        """Return V' along the rates that python-control gives, and the size of its terms."""
-        rates, _ = self.blocks.by_control(*(np.array([one]) for one in point[:3]))
-        rate, size = rate_of(self.slopes.at(self.known(*columns(point)), 1), rates)
-        return float(rate[0]), float(size[0])
+        super().__init__(case.system, case.eq, case.V, case.name, case.rest or {}, seed)
+        self.case = case
 
     def running(self, points: int) -> Step:
         """Return the step that the running blocks give the same V', and V where it is an output."""
@@ -122,11 +47,9 @@ class PointSearch:
             V, rate = (one.xreplace(self.case.eq.values) for one in (self.case.V, self.case.rate))
             at = self.draw(points, False)
             drawn = Drawn({}, self.known(*at), at[0], at[1].T, at[2].T)
-            return compared(self.blocks, self.case.states, V, rate, [drawn], points)
+            return compared(self.blocks, self.states, V, rate, [drawn], points)
 
         return checked("the running blocks give the same V'", "sampled", same, False)
-
-    # --- where a V fails ----------------------------------------------------------------------
 
     def rises_at(self) -> Failure | None:
         """Return a point at which the running blocks have V' > 0, and V' there."""
@@ -175,11 +98,6 @@ class PointSearch:
         if (point := next(points, None)) is None:
             return None
         return point, self.value_at(expression, point)
-
-
-def columns(point: Point) -> tuple:
-    """Return one point as columns of times, states and inputs."""
-    return np.array([point.t]), point.x[:, None], point.u[:, None]
 
 
 @dataclass(frozen=True)
@@ -237,7 +155,7 @@ class Lyapunov:
         return fragment("Lyapunov", f"{self.status}: {self.claim}", as_html(self.steps))
 
 
-def _verdict(case: SystemWithV, search: PointSearch, count: int) -> Lyapunov:
+def _verdict(case: SystemWithV, search: FailureSearch, count: int) -> Lyapunov:
     """Return what is known of a V."""
     (V,) = case.in_signals([case.V])
     undefined = "".join((case.eq.undefined or missing(case.V))[:1])
@@ -299,7 +217,7 @@ def _as_claimed(case: SystemWithV, steps: list[Step]) -> bool:
 NEAR = "near the rest", exact("V holds every state near the rest", True)
 
 
-def _at_jumps(case: SystemWithV, search: PointSearch, near: bool) -> tuple[Step, Failure | None]:
+def _at_jumps(case: SystemWithV, search: FailureSearch, near: bool) -> tuple[Step, Failure | None]:
     """Return the step that V rises at no jump, and a point at which it does."""
     claim = f"V does not rise where states of {' and '.join(case.eq.jumps)} jump"
     for after in case.eq.jumps_at_once():
@@ -317,7 +235,7 @@ def _best_candidate(system: control.NonlinearIOSystem, at: Any, count: int, seed
     """Return the best of the functions that are searched for."""
     best, case = None, SystemWithV(system, sympy.S.Zero, None, at)
     for V in candidates(case):
-        found = _verdict(one := SystemWithV(system, V, None, at), PointSearch(one, seed), count)
+        found = _verdict(one := SystemWithV(system, V, None, at), FailureSearch(one, seed), count)
         if found.status == "proved":
             return found
         if best is None and found.status.startswith("proved"):
@@ -388,4 +306,4 @@ def lyapunov(
                 raise DiagramError(f"{system.name}: a claim is of a V that is given; V is missing")
             return _best_candidate(system, at, points, seed)
         case = SystemWithV(system, V, claim, at)
-        return _verdict(case, PointSearch(case, seed), points)
+        return _verdict(case, FailureSearch(case, seed), points)

@@ -14,7 +14,7 @@ Algebra and Geometry 3(2), 193-230; Khalil, H. K. (2002), Nonlinear Systems, The
 from collections import defaultdict
 from collections.abc import Iterator
 from fractions import Fraction
-from itertools import chain, combinations, combinations_with_replacement
+from itertools import chain, combinations, combinations_with_replacement, product
 
 import numpy as np
 import scipy.optimize
@@ -53,11 +53,8 @@ def candidates(case: SystemWithV) -> Iterator[sympy.Expr]:
             f"{case.system.name}: has {len(rates)} states; a V is searched for of at most {MOST}: "
             "give one"
         )
-    ahead = _ahead(rates, case.inputs)
     found = chain(
-        _of_program(rates, None),
-        _of_program(rates, ahead),
-        _of_linear_part(rates, case.inputs),
+        _of_program(rates, _ahead(rates, case.inputs)), _of_linear_part(rates, case.inputs)
     )
     for V in dict.fromkeys(found):
         yield V.xreplace({s: s - rest[s] for s in rest})
@@ -89,8 +86,8 @@ def _ahead(rates: Rates, inputs: list) -> set:
 def _of_linear_part(rates: Rates, inputs: list) -> Iterator[sympy.Expr]:
     """Yield z^T P z with A^T P + P A = -I where A is Hurwitz."""
     states = list(rates)
-    zero = dict.fromkeys([*states, *inputs], 0)
-    A = sympy.Matrix(list(rates.values())).jacobian(states).subs(zero)
+    zero = dict.fromkeys([*states, *inputs], sympy.S.Zero)
+    A = sympy.Matrix(list(rates.values())).jacobian(states).xreplace(zero)
     if not all(one.is_Rational for one in A):
         return
     if np.linalg.eigvals(np.array(A, dtype=float)).real.max() < -1e-9:
@@ -139,14 +136,18 @@ def _roots(monomials: dict, gens: list) -> dict[Monomial, Monomial | None]:
     return found
 
 
-def _of_program(rates: Rates, left_out: set | None) -> Iterator[sympy.Expr]:
+def _of_program(rates: Rates, ahead: set) -> Iterator[sympy.Expr]:
     """Yield V of few terms, then V of a wide margin.
 
     Unknown are the coefficients of V, the cross terms of -V', the sizes of both, and the margin.
-    V is to hold every state, or only to have a square of every state that is not left out.
+    V is to hold every state; or else only to have a square of every state that is not ahead.
     """
     terms = _terms(rates)
     slopes = [sympy.expand(along(term, dict(rates))) for term in terms]
+    whole = {  # exp(1e8 x) is no power of exp(x)
+        e: sympy.Dummy(str(e), positive=True) for e in sympy.Tuple(*slopes).atoms(sympy.exp)
+    }
+    slopes = [one.xreplace(whole) for one in slopes]
     gens = sorted({*rates}.union(*(sympy.Poly(one).gens for one in slopes if one)), key=str)
     falls = defaultdict[Monomial, dict](dict)  # -V', monomial by monomial: term -> its share
     for k, slope in enumerate(slopes):
@@ -158,9 +159,9 @@ def _of_program(rates: Rates, left_out: set | None) -> Iterator[sympy.Expr]:
     products, squares = defaultdict[Monomial, dict](dict), defaultdict[Monomial, dict](dict)
     n, m = len(terms), 0  # terms, and products that two squares can make up for
     for (a, root), (b, other) in combinations(roots.items(), 2):
-        product = tuple(map(int.__add__, root or (), other or ()))
-        if product in falls and product not in roots:
-            products[product][n + m] = -1
+        both = tuple(map(int.__add__, root or (), other or ()))
+        if both in falls and both not in roots:
+            products[both][n + m] = -1
             for powers in (a, b):
                 squares[powers][m] = 0.5
             m += 1
@@ -174,16 +175,15 @@ def _of_program(rates: Rates, left_out: set | None) -> Iterator[sympy.Expr]:
         row = {k: -c for k, c in falls[powers].items()}
         row |= {size + n + q: half for q, half in squares[powers].items()}
         below.append(({**row, margin: 1}, 0.0))
+    below.append(({size + k: 1 for k in range(n)}, LARGEST))
+    every, some = list[tuple[dict, float]](), list[tuple[dict, float]]()
     for s in rates:  # and each of V
         square = {k: -1.0 for k in range(n) if places[k] == (s, s)}
         whole = {k: -1.0 for k in range(n) if places[k] == (s,)}
         cross = {size + k: 0.5 for k in range(n) if s in places[k] and len({*places[k]}) == 2}
         below += [({**square, **cross}, 0.0), *(({k: -1}, 0.0) for k in whole)]
-        if left_out is None:
-            below.append(({**square, **cross, **whole}, -0.5))
-        elif s not in left_out:
-            below.append(({**square, **whole}, -0.5))
-    below.append(({size + k: 1 for k in range(n)}, LARGEST))
+        every.append(({**square, **cross, **whole}, -0.5))
+        some += [({**square, **whole}, -0.5)] * (s not in ahead)
 
     def matrix(rows: list[dict]) -> scipy.sparse.csr_array:
         at = [k for k, row in enumerate(rows) for _ in row]
@@ -192,9 +192,10 @@ def _of_program(rates: Rates, left_out: set | None) -> Iterator[sympy.Expr]:
         return scipy.sparse.csr_array((values, (at, columns)), (len(rows), margin + 1))
 
     few, wide = matrix([{size + k: 1 for k in range(n)}, {margin: -1}]).toarray()
-    upper, limits = matrix([row for row, _ in below]), [limit for _, limit in below]
     equal = matrix(exact + made_up)
-    for goal, most in ((few, 0.0), (wide, 1.0)):
+    goals = (few, 0.0), (wide, 1.0)
+    for held, (goal, most) in product((every, some), goals):
+        upper, limits = matrix([row for row, _ in below + held]), [end for _, end in below + held]
         within = [(None, None)] * size + [(0, None)] * size + [(0, most)]
         found = scipy.optimize.linprog(goal, upper, limits, equal, np.zeros(equal.shape[0]), within)
         if found.status == 0:

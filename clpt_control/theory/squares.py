@@ -112,7 +112,9 @@ def _completed(p: sympy.Expr, moving: list, left: list[int]) -> Squares | None:
             continue
         left[0] -= 1
         form = s + sympy.expand(b / (2 * a))
-        rest = _completed(sympy.expand(sympy.cancel(c - b**2 / (4 * a))), moving, left)
+        below = c - b**2 / (4 * a)
+        below = sympy.expand(below if a.is_number else sympy.cancel(below))
+        rest = _completed(below, moving, left)
         if rest is not None:
             return Squares(rest.constant, [a * form**2, *rest.terms], [form, *rest.forms])
     if len(symbols) == 1 and (poly.domain.is_QQ or poly.domain.is_ZZ):

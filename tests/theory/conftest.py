@@ -2,10 +2,10 @@
 
 import pytest
 
-from clpt_control.theory.proving import verdict
+from clpt_control.theory.proving import point_search
 
 
 @pytest.fixture
 def few_draws(monkeypatch):
     """A refuting point is looked for at few draws: refuted or open, both are not proved."""
-    monkeypatch.setattr(verdict, "DRAWS", 2)
+    monkeypatch.setattr(point_search, "SEARCHES", 2)

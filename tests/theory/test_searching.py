@@ -137,6 +137,7 @@ def test_a_stable_linear_system_always_has_one_and_no_other_does(seed):
         lambda x, k: [x - k * x, -(x**2)],
         lambda q, w: [w, 9.8 * np.sin(q) - 0.1 * w],
         lambda x, y: [y, -x + 0.1 * y**3],
+        lambda x: [-x + 2 * x * np.exp(-1e8 * (x - 1) ** 2)],  # no power 1e8 of exp(x) is made
     ],
 )
 def test_of_what_leaves_its_rest_nothing_is_proved(rates):

@@ -56,7 +56,7 @@ def test_slopes_of_V_are_those_of_the_running_blocks(law):
     t, u, h = np.zeros(20), draw.random.standard_normal((20, diagram.ninputs)), 1e-5
     known = draw.at(draw.parameters(draw.names), t, x, u)
     slopes = Numbers(*slopes_of(loop.signals["V"][0], [*loop.motion])[1:]).at(known, 20)
-    ahead, behind = (running.by_functions(t, x + way * h * along, u)[1] for way in (1, -1))
+    ahead, behind = (running.by_control(t, x + way * h * along, u)[1] for way in (1, -1))
     wanted, size = np.sum(slopes * along.T, axis=0), np.sum(np.abs(slopes * along.T), axis=0)
     assert np.all(np.abs((ahead - behind) / (2 * h) - wanted) < 1e-6 * size)
 

@@ -181,7 +181,7 @@ def claimed_rate(loop: Loop, edges: tuple[tuple[str, str], ...]) -> Any:
 
 PACKAGE = Path(__file__).parents[2]
 REQUIRED = ("clpt-control", "control", "numpy", "scipy", "sympy", "llvmlite")
-OTHER_FILES = 4  # of other versions that stay
+MOST_FILES = 5  # of this and other versions that stay
 Outcome = Proof | list[dict[str, Any]]  # of misprints the rows of a table
 
 
@@ -240,12 +240,7 @@ class CachedOutcomes:
         if self.path is None:
             return
         good = [(one, self.times[one], own) for one, own in self.outcomes.items() if holds(own)]
-        write_cached(self.path, rows().dump_json(good))
-        with suppress(OSError):
-            others = [one for one in self.path.parent.glob("verdicts-*.json") if one != self.path]
-            others.sort(key=lambda one: one.stat().st_mtime, reverse=True)
-            for one in others[OTHER_FILES:]:
-                one.unlink(missing_ok=True)
+        write_cached(self.path, rows().dump_json(good), MOST_FILES)
 
 
 @cache

@@ -286,29 +286,18 @@ class Case:
         generic = [one for one in index if isinstance(one, str)]
         weight = self.weights.get(symbol, symbol)
         if weight == symbol and len(generic) == 1:
-            names = [{generic[0]: str(k + 1)} for k in range(self.loop.N or 0)]
-            mine = [reindexed(symbol, name) for name in names]
-            theirs = [self.weights.get(s, s) for s in mine]
-            if self.fixed:
-                theirs = [gain.xreplace(self.values) for gain in theirs]
-            each = [_of_function(gain, generic[0]) for gain in theirs[:1]]
-            for gain in (*each, *theirs[:1]):  # a gain each, or one for all
+            names = [{generic[0]: str(k + 1)} for k in range(self.loop.N or 1)]
+            theirs = [self.weights.get(s, s) for s in (reindexed(symbol, name) for name in names)]
+            for gain in (
+                reindexed(theirs[0], {"1": generic[0]}),
+                theirs[0],
+            ):  # one each, or for all
                 if [reindexed(gain, name) for name in names] == theirs:
                     weight = gain
-        return weight.xreplace(self.values) if self.fixed else weight
+        return weight
 
 
 def _or_zero(expression: sympy.Expr) -> sympy.Expr:
     """Return an expression multiplied out, zero where its divisions cancel."""
     sums = tidied(expression)
     return sympy.S.Zero if sums.atoms(sympy.Pow) and vanishes(sums) else sums
-
-
-def _of_function(expression: sympy.Expr, index: str) -> sympy.Expr:
-    """Return the expression for another basis function, of that for the first."""
-    names = {
-        s: sympy.Symbol(f"{s.name.removesuffix('[1]')}[{index}]", **s.assumptions0)
-        for s in expression.free_symbols
-        if s.name.endswith("[1]")
-    }
-    return expression.xreplace(names)

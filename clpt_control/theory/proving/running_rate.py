@@ -6,7 +6,7 @@ symbols:
     V' = dV/dt + sum_i (dV/dx_i) x_i',    x_i' and V of the blocks that run
 
 The blocks' records, which machine code runs, are evaluated at all points at once; their functions
-at some points, at first through python-control.
+at some points, through python-control.
 """
 
 from collections.abc import Callable, Iterable, Mapping
@@ -40,18 +40,12 @@ class Running:
     def __init__(self, system: control.NonlinearIOSystem, V: str = "V[0]"):
         self.system, self.wiring = system, wiring_of(system)
         self.V = [system.output_labels.index(V)] if V else []
-        self.sums = [self.wiring.outputs[k] for k in self.V]
         self.set({})
 
     def set(self, params: Mapping[str, Any]) -> None:
         """Set call-time parameters with which it runs."""
         self.params = dict(params)
         self.sweep = Sweep(self.wiring, changed_parameters(self.wiring, params))
-
-    def _V_of(self, signals: np.ndarray, u: np.ndarray) -> Any:
-        """Return V of the outputs of all blocks and of the inputs."""
-        rows = (row.items() for row in self.sums)
-        return sum(gain * (signals[k] if k >= 0 else u[~k]) for row in rows for k, gain in row)
 
     def by_control(self, t: np.ndarray, x: np.ndarray, u: np.ndarray) -> Found:
         """Evaluate it as python-control does; the system's parameters are its own at the end."""
@@ -67,19 +61,10 @@ class Running:
                 return np.full(self.system.nstates, np.nan), np.nan
 
         try:
-            return _stacked(one, t, x, u)
+            rates, V = zip(*map(one, t, x, u), strict=True)
         finally:
             self.system._update_params({})
-
-    def by_functions(self, t: np.ndarray, x: np.ndarray, u: np.ndarray) -> Found:
-        """Evaluate the blocks' functions."""
-
-        def one(t: float, x: np.ndarray, u: np.ndarray) -> tuple:
-            self.sweep.enter(t)
-            rates = self.sweep.derivative(t, x, u)
-            return rates, self._V_of(self.sweep.signals, u)
-
-        return _stacked(one, t, x, u)
+        return np.array(rates), np.array(V, dtype=float)
 
     def by_records(self, t: np.ndarray, x: np.ndarray, u: np.ndarray) -> Found:
         """Evaluate the blocks' records at all points at once."""
@@ -102,16 +87,15 @@ class Running:
         for k, node in enumerate(nodes):
             if node.system.nstates:
                 rates.T[node.states] = made(k, "update")
-        return rates, self._V_of(signals, u.T) + np.zeros(len(t))
-
-
-def _stacked(one: Callable[..., tuple], t: np.ndarray, x: np.ndarray, u: np.ndarray) -> Found:
-    rates, V = zip(*(one(*point) for point in zip(t, x, u, strict=True)), strict=True)
-    return np.array(rates), np.array(V, dtype=float)
+        V = np.zeros(len(t))
+        for place in self.V:
+            for k, gain in self.wiring.outputs[place].items():
+                V += gain * (signals[k] if k >= 0 else u.T[~k])
+        return rates, V
 
 
 PER_DRAW = 100  # points for each draw of the parameters
-THROUGH_CONTROL, CALLED = 20, 2  # points of the first draw, and of others, that functions get
+THROUGH_CONTROL, CALLED = 20, 2  # points of the first draw, and of others, that it calls
 CLOSE = 1e-9
 HUGE, TINY = 1e100, 1e-300  # beyond, numbers say nothing
 UNEVEN = 1e13  # a ratio of V's weights beyond which the greater hides the lesser
@@ -182,8 +166,8 @@ def compared(
         check()
         running.set(params)
         symbols = numbers.at(known, len(at[0]))
-        some = (running.by_functions, CALLED) if points else (running.by_control, first)
-        for evaluate, most in (some, (running.by_records, len(at[0]))):
+        some = CALLED if points else first
+        for evaluate, most in ((running.by_control, some), (running.by_records, len(at[0]))):
             here = [one[:most] for one in at]
             rates, level = evaluate(*here)
             terms, (of_V, *slopes) = np.split(symbols[:, :most], [len(parts)])

@@ -100,17 +100,6 @@ def flat(parameters: Any) -> list[Any]:
     return [symbol for field in parameters for symbol in np.ravel(np.asarray(field, dtype=object))]
 
 
-def parameter_numbers(loop: SymbolicLoop, block: Block) -> dict[Any, float]:
-    """Return symbol -> its number, of a block's parameters."""
-    values: dict[Any, float] = {}
-    for name, value in block.parameters._asdict().items():
-        symbols = getattr(loop.parameters[block.name], name)
-        if not isinstance(value, int) and name != "interval":
-            numbers = np.broadcast_to(np.asarray(value, dtype=float), np.shape(symbols))
-            values.update(zip(np.ravel(symbols), numbers.ravel().tolist(), strict=True))
-    return {symbol: number for symbol, number in values.items() if symbol.is_Symbol}
-
-
 class Draw:
     """A source of random parameters and points for the blocks of a diagram."""
 
@@ -124,16 +113,17 @@ class Draw:
         kinks = kinks[np.abs(kinks) <= LARGEST]
         self.kinks = np.concatenate([kinks, -kinks])
 
-    def parameters(self, fixed: Collection[str] = (), largest: float = 1.5) -> dict[Any, float]:
-        """Return symbol -> a number of its sign, of the size 10^-1.5 to 10^largest.
+    def parameters(self, fixed: Collection[str]) -> dict[Any, float]:
+        """Return symbol -> a number of its sign, of the size 10^-1.5 to 10^1.5.
 
         The blocks in `fixed` keep their own.
         """
         values: dict[Any, float] = {}
         for block in self.blocks:
-            own = parameter_numbers(self.loop, block)
+            known, symbols = self.loop.values, flat(self.loop.parameters[block.name])
+            own = {s: float(known[s]) for s in symbols if s in known}
             if block.name not in fixed:
-                sizes = 10.0 ** self.random.uniform(-1.5, largest, len(own))
+                sizes = 10.0 ** self.random.uniform(-1.5, 1.5, len(own))
                 signs = self.random.choice([-1.0, 1.0], len(own))
                 for s, size, sign in zip(own, sizes.tolist(), signs.tolist(), strict=True):
                     own[s] = size if s.is_positive else -size if s.is_negative else sign * size
@@ -146,8 +136,10 @@ class Draw:
         for block in self.blocks:
             for name, value in block.parameters._asdict().items():
                 if not isinstance(value, int) and name != "interval":
-                    numbers = numbers_at(values, getattr(self.loop.parameters[block.name], name))
-                    params[f"{block.name}.{name}"] = numbers if np.ndim(value) else float(numbers)
+                    symbols = np.asarray(getattr(self.loop.parameters[block.name], name))
+                    numbers = [float(values.get(s, s)) for s in symbols.flat]  # 0 is no symbol
+                    shaped = np.reshape(numbers, symbols.shape)
+                    params[f"{block.name}.{name}"] = shaped if np.ndim(value) else numbers[0]
         return params
 
     def points(self, count: int, n: int) -> np.ndarray:
@@ -168,21 +160,15 @@ class Draw:
         return known
 
 
-def numbers_at(values: Mapping[Any, float], symbols: Any) -> np.ndarray:
-    """Return the numbers of symbols, in their shape; what is zero is no symbol."""
-    flat = [float(values.get(s, s)) for s in np.ravel(symbols)]
-    return np.reshape(flat, np.shape(symbols))
-
-
 def equate_x_and_z(loop: SymbolicLoop, x: np.ndarray, random: np.random.Generator) -> None:
     """Set x = z at some points: e = 0."""
     flat = {str(s): k for k, s in enumerate(loop.motion)}
     for name, a in flat.items():
-        b = flat.get(named(split(name)[0], f"z_{name[-1]}").lstrip(BETWEEN))
-        if split(name)[1] not in ("x_1", "x_2") or b is None:
-            continue
-        equal = random.random(len(x)) < 0.1
-        x[equal, a] = x[equal, b]
+        vehicle, kind = split(name)
+        b = flat.get(named(vehicle, f"z_{name[-1]}").lstrip(BETWEEN))
+        if kind in ("x_1", "x_2") and b is not None:
+            equal = random.random(len(x)) < 0.1
+            x[equal, a] = x[equal, b]
 
 
 def refuse_no_value(loop: SymbolicLoop, name: str) -> None:

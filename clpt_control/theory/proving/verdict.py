@@ -9,7 +9,6 @@ the truth; one that is wrong has it however far off.  So a point counts where V'
 hundred times as far from the truth, and V' grows with V.
 """
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -17,47 +16,30 @@ import numpy as np
 import sympy
 
 from ...diagrams.interconnection import Diagram
-from ...errors import DiagramError
 from ...html import facts, fragment
-from ...progress.interrupt import check
-from .array_loop import blocks_of
 from .law_case import Case
 from .leaks import Bounding
+from .point_search import PointSearch
 from .proof import Step, as_html, cited, exact, short
-from .running_rate import Running, rate_of, slopes_of
-from .symbolic_loop import Draw, Numbers, Point, numbers_at
-from .theorem_loop import truth_in
+from .running_rate import rate_of
+from .symbolic_loop import Point
 
-DRAWS, PER_DRAW, TRIED = 100, 200, 3
 FARTHER = (1.0, 10.0, 100.0)
 SURE = 1e-6  # of the size of its terms: a sign that is no rounding
 HIDDEN = {"flow_x": "the true flow", "V": "made of the truth"}
-JUMPS, UNTIL = 4, 1000.0  # draws for a law that jumps, and until when its jumps are looked for
+TRIED, UNTIL = 300, 1000.0  # points for each jump of a law, and until when jumps are looked for
 
 
 def refuting_point(case: Case) -> tuple[Point, float] | None:
-    """Return a point with V' > 0, and V' of the running blocks there, or None.
-
-    Points are chosen by V' on symbols where it has numbers.
-    """
-    slopes = Numbers(*slopes_of(case.loop.signals["V"][0], [*case.loop.motion]))
-    try:
-        rate = Numbers(case.rate)
-    except DiagramError:
-        rate = None
-    for running, draw, values, x, far, u in _draws(case, 4 if rate is None else DRAWS):
-        order = list(range(PER_DRAW))
-        if rate is not None:
-            (rates,) = rate.at(draw.at(values, np.zeros(PER_DRAW), x, u), PER_DRAW)
-            steepest = np.argsort(-rates / np.sum(far**2, axis=1))
-            order = [int(k) for k in steepest if rates[k] > 0][:TRIED]
-        for k in order:
-            at = x[k] + np.outer([times - 1 for times in FARTHER], far[k]), np.tile(u[k], (3, 1))
-            rates, V = running.by_functions(np.zeros(3), *at)
-            rises, size = rate_of(slopes.at(draw.at(values, np.zeros(3), *at), 3), rates)
-            positive = np.all((rises > SURE * size) & (V > 0))
-            if positive and rises[-1] / V[-1] >= 0.5 * rises[0] / V[0]:
-                return Point(0.0, x[k], u[k], running.params), float(rises[0])
+    """Return a point with V' > 0, and V' of the running blocks there, or None."""
+    search = search_of(case)
+    for point in search.highest(case.rate, still=False):
+        at = np.full(3, point.t), search.farther(point.x, FARTHER), np.tile(point.u, (3, 1))
+        rates, V = search.blocks.by_records(*at)
+        rises, size = rate_of(search.slopes.at(search.known(*(one.T for one in at)), 3), rates)
+        positive = np.all((rises > SURE * size) & (V > 0))
+        if positive and rises[-1] / V[-1] >= 0.5 * rises[0] / V[0]:
+            return point, float(rises[0])
     return None
 
 
@@ -67,56 +49,27 @@ def rising_jump(case: Case) -> tuple[Point, Point, float] | None:
     V rises there at all distances, the more the farther off.  It does not at a jump that forgets a
     share of everything: errors stay bounded by that.
     """
-    for running, _, _, x, far, u in _draws(case, JUMPS):
-        sweep = running.sweep
-        times = sweep.breakpoints(0.0, UNTIL)[: len(FARTHER)]
-        for k in range(PER_DRAW if len(times) else 0):
-            t = float(times[k % len(times)])
-            sweep.enter(t)
-            before = np.array([x[k] + (off - 1) * far[k] for off in FARTHER])
-            after = np.array([sweep.jump(t, one, u[k], sweep.jumping) for one in before])
-            at = np.full(len(FARTHER), t), np.tile(u[k], (len(FARTHER), 1))
-            V = [running.by_functions(at[0], s, at[1])[1] for s in (before, after)]
+    search = search_of(case)
+    sweep = search.blocks.sweep
+    for t in sweep.breakpoints(0.0, UNTIL)[: len(FARTHER)].tolist():
+        sweep.enter(t)
+        _, states, inputs = search.draw(TRIED, still=False)
+        for x, u in zip(states.T, inputs.T, strict=True):
+            before = search.farther(x, FARTHER)
+            after = np.array([sweep.jump(t, one, u, sweep.jumping) for one in before])
+            at = np.full(len(FARTHER), t), np.tile(u, (len(FARTHER), 1))
+            V = [search.blocks.by_records(at[0], s, at[1])[1] for s in (before, after)]
             rise = V[1] - V[0]
             if np.all(rise > SURE * np.abs(V[0])) and rise[-1] >= 10 * rise[0]:
-                points = [Point(t, s[0], u[k], running.params) for s in (before, after)]
+                points = [Point(t, s[0], u, {}) for s in (before, after)]
                 return points[0], points[1], float(rise[0])
     return None
 
 
-def _draws(case: Case, count: int) -> Iterator[tuple]:
-    """Yield running blocks, a draw, its parameters' numbers, states, their errors, inputs.
-
-    The law and V keep their own parameters.
-    """
-    running = Running(case.diagram)
-    draw = Draw(blocks_of(running.wiring), case.loop, case.seed)
-    for _ in range(count):
-        check()
-        values = draw.parameters(case.names, largest=0.0)
-        running.set(draw.params(values))
-        yield running, draw, values, *_around_the_truth(draw, values)
-
-
-def _around_the_truth(draw: Draw, values: dict) -> tuple:
-    """Return states, their errors, and inputs."""
-    random, loop = draw.random, draw.loop
-    theta, KD, GammaD = (numbers_at(values, symbols) for symbols in truth_in(loop))
-    ports = [port for port, symbols in loop.states.items() for _ in symbols.flat]
-    n, inputs = len(ports), sum(np.size(symbols) for symbols in loop.inputs.values())
-    u = random.standard_normal((PER_DRAW, inputs)) * 10.0 ** random.uniform(-1, 0.5, (PER_DRAW, 1))
-    x = random.standard_normal((PER_DRAW, n)) * 10.0 ** random.uniform(-1, 0.5, (PER_DRAW, 1))
-    far = random.standard_normal((PER_DRAW, n)) * 10.0 ** random.uniform(-1, 1, (PER_DRAW, n))
-    at = {port: [k for k, one in enumerate(ports) if one == port] for port in set(ports)}
-    true = {"alpha": -theta.ravel(), "K": KD, "Gamma": GammaD}
-    for port, where in at.items():
-        if port == "x":
-            x[:, where] = x[:, at["z"]]
-        elif port in true:
-            x[:, where] = true[port]
-        else:
-            far[:, where] = 0.0
-    return x + far, far, u
+def search_of(case: Case) -> PointSearch:
+    """Return the search for points, about the truth."""
+    V = case.loop.signals["V"][0]
+    return PointSearch(case.diagram, case.loop, V, "V[0]", case.truth, case.seed)
 
 
 @dataclass(frozen=True)
