@@ -62,6 +62,7 @@ EXAMPLES = {  # of arguments whose kind alone does not show how they are written
     "replace": "{'vehicle': block}",
     "insert": "{('v_x', 'vehicle'): lag}",
     "box": "(40.9, 41.55, -69.9, -69.0)",
+    "law_block": "clpt.blocks.table_of_laws()['learned-flow'].of(2, gain=0.5)",
 }
 MAKERS = {  # what people make first, and by what; FILE is the path that they gave, or such a one
     "Scenario": ("clpt.load_scenario(FILE) reads a scenario's file", "mine.toml"),

@@ -66,6 +66,9 @@ class PrintedBound:
     length: str = "m"
     time: str = "s"
 
+    def __repr__(self) -> str:
+        return f"<PrintedBound {self.equation}: largest |e| is {self.ratio:.4g} of what is printed>"
+
     @property
     def late(self) -> np.ndarray:
         """Mask of the measured samples, shape (nt,)."""

@@ -8,7 +8,7 @@ from clpt_control.errors import ClptError
 from clpt_control.theory.excitation import certificates
 from clpt_control.theory.excitation.certificates import (
     certificate,
-    time_to_error,
+    time_to_tenth,
     ultimate_bound,
     window_drops,
 )
@@ -262,11 +262,10 @@ def test_times_and_bounds_at_their_limits():
     assert ultimate_bound(10.0, 0.1, 0.0) == np.inf
     assert ultimate_bound(10.0, 0.1, 1.0) == pytest.approx(2.0)
     assert ultimate_bound(1.0, 1.0, 1e-20) == pytest.approx(2e20)
-    assert time_to_error(10.0, 0.0, 1.0, 0.1) == np.inf
-    assert time_to_error(10.0, 0.5, 0.1, 1.0) == 0.0
-    assert time_to_error(10.0, 1.0, 1.0, 0.1) == 10.0
+    assert time_to_tenth(10.0, 0.0) == np.inf
+    assert time_to_tenth(10.0, 0.5) == 70.0  # of V a half each: 2^-7 < 0.01 < 2^-6
+    assert time_to_tenth(10.0, 0.99) == 10.0
+    assert time_to_tenth(10.0, 1.0) == 10.0
     for drop in (-0.1, 1.1, np.nan):
         with pytest.raises(ClptError, match="drop"):
             ultimate_bound(10.0, 0.1, drop)
-        with pytest.raises(ClptError, match="drop"):
-            time_to_error(10.0, drop, 1.0, 0.1)

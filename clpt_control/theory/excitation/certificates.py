@@ -261,22 +261,8 @@ def ultimate_bound(window: float, largest_disturbance: float, drop: float) -> fl
     return float(window * largest_disturbance * (1 + (1 + np.sqrt(1 - drop)) / drop))
 
 
-def time_to_error(window: float, drop: float, start: float, error: float) -> float:
-    """Return the time until |eta| must be `error`: whole windows times T; inf for no drop.
-
-    `drop` is the exact drop of V over each window of length T = `window`; `start` is
-    sqrt(2 gamma V) at the start, |eta(0)| where e(0) = 0, in the unit of `error`.
-    """
-    if not (0 <= drop <= 1 and start > 0 and error > 0):
-        raise ScenarioError(
-            f"drop = {drop:g}, start = {start:g}, error = {error:g}: "
-            "the drop must lie in [0, 1], the errors be positive"
-        )
-    if error >= start:
-        return 0.0
-    if drop == 0:
-        return float("inf")
-    if drop == 1:
-        return float(window)
-    windows = 2 * np.log(start / error) / -np.log1p(-drop)
-    return float(window * np.ceil(windows * (1 - 1e-12)))
+def time_to_tenth(window: float, drop: float) -> float:
+    """Return the time until |eta| must be a tenth: whole windows of this drop; inf for none."""
+    with np.errstate(divide="ignore"):
+        windows = 2 * np.log(0.1) / np.log1p(-np.float64(drop))
+    return float(window * max(1.0, np.ceil(windows * (1 - 1e-12))))

@@ -17,7 +17,7 @@ from ...arguments import public
 from ...errors import ScenarioError
 from ...figures import BLUE, GREY, RED, axes_for
 from ...scenario.experiment import Scenario
-from .certificates import certificate, time_to_error
+from .certificates import certificate, time_to_tenth
 from .gramian import Excitation, SlidingExcitation, gramian, sliding_excitation
 from .regressor import Source, joint_regressor, thinned
 
@@ -53,7 +53,7 @@ def excitation_report(
         nothing = dict.fromkeys(("rho", "contraction", "drop", "time_to_tenth"))
         report |= {**nothing, "not_certified": str(error)}
     else:
-        time = time_to_error(found.window, min(certified.drop, 1.0), 1.0, 0.1)
+        time = time_to_tenth(found.window, min(certified.drop, 1.0))
         report |= {
             "rho": certified.rho,
             "contraction": certified.contraction,
