@@ -203,11 +203,10 @@ def design_track(
     if goal not in GOALS:
         raise ScenarioError(f"goal {goal!r}: must be one of {', '.join(GOALS)}")
     check_numbers(scenario, count, length=length, max_speed=max_speed, dwell=dwell, level=level)
-    for name, value, least in (("seed", seed, 0), ("generations", generations, 1)):
-        if not isinstance(value, int) or not least <= value <= MOST_GENERATIONS:
-            raise ScenarioError(
-                f"{name} = {value}: must be a whole number, {least} to {MOST_GENERATIONS}"
-            )
+    if not 1 <= generations <= MOST_GENERATIONS:
+        raise ScenarioError(
+            f"generations = {generations}: must be a whole number, 1 to {MOST_GENERATIONS}"
+        )
     if area is not None and box is not None:
         raise ScenarioError("area: give either area or box, one of the two")
     span = checked_window(scenario, window, start)

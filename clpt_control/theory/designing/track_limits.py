@@ -95,8 +95,7 @@ def check_numbers(scenario: Scenario, count: int | None, **numbers: float | None
         if value is not None and not 0 < value < np.inf:
             own_unit = units.get(name, f"{unit}/{time}")
             raise ScenarioError(f"{name} = {value:g}: must be a positive number of {own_unit}")
-    whole = isinstance(count, int) and not isinstance(count, bool)
-    if count is not None and not (whole and 2 <= count <= MOST_WAYPOINTS):
+    if count is not None and not 2 <= count <= MOST_WAYPOINTS:
         raise ScenarioError(f"count = {count}: must be a whole number, 2 to {MOST_WAYPOINTS}")
     if count is None and (n := len(scenario.waypoints)) > MOST_WAYPOINTS:
         raise ScenarioError(f"reference: has {n} waypoints; give count, 2 to {MOST_WAYPOINTS}")

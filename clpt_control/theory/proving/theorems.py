@@ -229,6 +229,13 @@ THEOREMS: dict[str, Callable[[], Proof]] = {
 }
 
 
+def numbers_of(theorem: str | None) -> list[str]:
+    """Return the theorem that is asked for, or all."""
+    if theorem is not None and theorem not in THEOREMS:
+        raise ClptError(f"theorem {theorem}: must be one of {', '.join(THEOREMS)}")
+    return list(THEOREMS) if theorem is None else [theorem]
+
+
 @public
 def audit(
     theorem: str | None = None, progress: Callable[[float], None] | None = None
@@ -259,11 +266,8 @@ def audit(
     >>> clpt.theory.audit("3.2")["3.2"].status
     'proved'
     """
-    if theorem is not None and theorem not in THEOREMS:
-        raise ClptError(f"theorem {theorem}: must be one of {', '.join(THEOREMS)}")
-    wanted = list(THEOREMS) if theorem is None else [theorem]
     proofs = {}
-    for done, number in enumerate(wanted, 1):
+    for done, number in enumerate(numbers_of(theorem), 1):
         check()
         proofs[number] = proof_or_failure("failed", THEOREMS[number])
         if progress is not None:
