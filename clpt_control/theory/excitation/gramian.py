@@ -25,7 +25,7 @@ run, and where the smallest eigenvalue falls to zero, the track stops teaching.
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -33,7 +33,7 @@ from ...arguments import public
 from ...errors import ClptError, ScenarioError
 from ...html import facts, fragment, paragraphs
 from ...scenario.experiment import Scenario
-from .regressor import Regressor, Source, checked_window, joint_regressor, scenario_of, span_of
+from .regressor import Regressor, Source, joint_regressor, scenario_of, span_of
 
 NOT_LEARNABLE = 1e-9  # eigenvalues below this share of the largest say: not learnable
 NAMED = 4  # parameters in one sentence
@@ -334,38 +334,23 @@ def _truth(scenario: Scenario) -> dict[str, np.ndarray]:
     return {axis: row for axis, row in zip(("x1", "x2"), c, strict=True) if row.any()}
 
 
-@dataclass(frozen=True)
-class SlidingExcitation:
-    """One Excitation per start of the window."""
+class SlidingExcitation(NamedTuple):
+    """Eigenvalues in a window that slides over a run."""
 
     window: float  # its length T, units.time
     starts: np.ndarray  # (count,), units.time
-    at: tuple[Excitation, ...]  # one per start
-
-    @property
-    def eigenvalues(self) -> dict[str, np.ndarray]:
-        """Eigenvalues in time, each axis (count, N + 2), ascending."""
-        return {
-            axis: np.array([found.eigenvalues[axis] for found in self.at])
-            for axis in self.at[0].names
-        }
+    eigenvalues: dict[str, np.ndarray]  # axis -> (count, N + 2), ascending
 
 
-def sliding_excitation(
-    source: Source, window: float | None = None, count: int = 100, tolerance: float = NOT_LEARNABLE
-) -> SlidingExcitation:
+def sliding_excitation(source: Source, window: float, count: int = 100) -> SlidingExcitation:
     """Measure the excitation in a window that slides over a run, `count` starts evenly."""
-    scenario = scenario_of(source)
     first, last = span_of(source)
-    window, _ = checked_window(source, window, first)
-    starts = np.unique(np.linspace(first, max(first, last - window), max(1, count)))
+    starts = np.unique(np.linspace(first, max(first, last - window), count))
     along = joint_regressor(source, last - first, first, np.concatenate([starts, starts + window]))
-    pieces, names = piece_factors(along), parameter_names(scenario.basis.N)
     left = np.searchsorted(along.cuts, starts - 1e-9 * window)
     right = np.searchsorted(along.cuts, starts + window * (1 - 1e-9))
-    unit = scenario.units.time
-    found = []
-    for start, a, b in zip(starts.tolist(), left, right, strict=True):
-        factors = {axis: whole_factor(pieces[i, a:b]) for i, axis in enumerate(names)}
-        found.append(Excitation(start, window, along.trajectory, unit, names, factors, tolerance))
-    return SlidingExcitation(window, starts, tuple(found))
+    found = {}
+    for axis, pieces in zip(("x1", "x2"), piece_factors(along), strict=True):
+        whole = [whole_factor(pieces[a:b]) for a, b in zip(left, right, strict=True)]
+        found[axis] = np.linalg.svd(whole, compute_uv=False)[:, ::-1] ** 2
+    return SlidingExcitation(window, starts, found)
