@@ -12,7 +12,7 @@ import re
 import reprlib
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from functools import update_wrapper
+from functools import cache, update_wrapper
 from inspect import CO_VARKEYWORDS
 from itertools import zip_longest
 from numbers import Integral, Real
@@ -213,6 +213,7 @@ def _is(value: Any, kind: Any) -> bool:
     return isinstance(value, own)
 
 
+@cache
 def _parts(kind: Any) -> tuple[Any, tuple[Any, ...]]:
     """Return Sequence and (str,) for Sequence[str]."""
     if get_origin(kind) is Annotated:
@@ -305,6 +306,8 @@ def cure(value: Any, kinds: Kinds) -> str:
 
 def numbers(argument: str, value: Any, *last: int | None) -> np.ndarray:
     """Return an array of numbers; its last dimensions have the sizes given, None is any."""
+    if type(value) is np.ndarray and value.dtype == float and not last:
+        return value
     with suppress(TypeError, ValueError):
         if getattr(getattr(value, "dtype", None), "kind", "") == "c":
             raise TypeError  # NumPy would drop what is imaginary

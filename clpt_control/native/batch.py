@@ -223,10 +223,9 @@ def aligned(*sizes: int) -> list[np.ndarray]:
 
 def _stacked(schedules: list[Schedule]) -> tuple[np.ndarray, ...]:
     """Return schedules as the solver takes them: first pieces, places, ends, values, smoothness."""
-    rows = [(np.append(one.edges, np.inf), one.values, one.smooth) for one in schedules]
-    edges, values, smooth = map(np.concatenate, zip(*rows, strict=True))
-    firsts = np.cumsum([0, *(len(one.edges) + 1 for one in schedules)])
-    return firsts, schedules[0].places, edges, values, smooth.astype(np.int64)
+    rows = [(one.edges, one.values, one.smooth) for one in schedules]
+    firsts = np.cumsum([0, *(len(one.edges) for one in schedules)])
+    return firsts, schedules[0].places, *map(np.concatenate, zip(*rows, strict=True))
 
 
 def pace(

@@ -44,7 +44,8 @@ class Solution:
     `status` is ``"finished"``, or ``"stopped"`` if a guard ended the run; `message` is a sentence
     on it.  `statistics` are the numbers of steps, evaluations and restarts.  `engine` is
     ``"native"`` or ``"python"``, `method` the method, and from which time on another one.  `pieces`
-    are the diagram that ran, its inputs, and the pieces of time.
+    are the diagram that ran, its inputs, and the pieces of time; `signals` a diagram, its inputs,
+    and all signals, once they were asked for.
     """
 
     t: np.ndarray
@@ -55,6 +56,7 @@ class Solution:
     engine: str = "python"
     method: str = "none"
     pieces: tuple[Any, ...] = field(default=(None, None, None), repr=False, compare=False)
+    signals: tuple[Any, ...] = field(default=(None, None, None), repr=False, compare=False)
 
 
 def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> Solution:

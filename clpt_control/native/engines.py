@@ -103,7 +103,8 @@ def difference(runner: NativeDiagram, solution: Solution, inputs: Inputs | None)
     if not n or all(node.system.of_package for node in runner.wiring.nodes):
         return ""
     at, pieces = sorted({0, n // 3, 2 * n // 3, n - 1}), runner.pieces_of(solution, inputs)
-    same = _agrees(runner, pieces, solution.t[at], solution.x[at], inputs)
+    signals = runner.unchecked_signals(solution, inputs)[at]
+    same = _agrees(runner, pieces, solution.t[at], solution.x[at], inputs, signals)
     for k in np.array(at)[~same]:
         t, x = solution.t[k : k + 1], solution.x[k]
         for moved in (x + apart * (1.0 + np.abs(x)) for apart in BESIDE):
@@ -117,32 +118,37 @@ def difference(runner: NativeDiagram, solution: Solution, inputs: Inputs | None)
 
 
 def _agrees(
-    runner: NativeDiagram, pieces: Schedule, times: Any, x: np.ndarray, inputs: Inputs | None
+    runner: NativeDiagram,
+    pieces: Schedule,
+    times: Any,
+    x: np.ndarray,
+    inputs: Inputs | None,
+    signals: np.ndarray | None = None,
 ) -> np.ndarray:
     """Return at which times and states Python and machine code give the same.
 
-    That is the same signals, the same rates, and the same states after all jumps.
+    That is the same signals, the same rates, and the same states after all jumps; `signals` are
+    those of machine code, where they are known.
     """
-    sweep, n, callee, P = (
-        runner.sweep,
-        runner.nstates,
-        runner.callee(1, inputs),
-        runner.parameters(),
-    )
-    asked = [(solver.SIGNALS, runner.nsignals, pieces)]
-    if n:
-        asked.append((solver.DERIVATIVE, n, pieces))
+    sweep, P = runner.sweep, runner.parameters()
+
+    def evaluated(role: int, count: int, own: Schedule = pieces) -> np.ndarray:
+        return runner.callee(1, inputs).evaluate(role, times, x, own, P, count)
+
+    machine = [evaluated(solver.SIGNALS, runner.nsignals) if signals is None else signals]
+    if runner.nstates:
+        machine.append(evaluated(solver.DERIVATIVE, runner.nstates))
     if sweep.jumping:
         every_jump = pieces.values.copy()
         every_jump[:, np.isin(pieces.places, list(runner.jumps.values()))] = JUMPS
-        asked.append((solver.JUMP, n, pieces._replace(values=every_jump)))
-    machine = [callee.evaluate(role, times, x, own, P, count) for role, count, own in asked]
+        every = pieces._replace(values=every_jump)
+        machine.append(evaluated(solver.JUMP, runner.nstates, every))
     python = []
     for t, state in zip(times.tolist(), x, strict=True):
         u = None if inputs is None else inputs.at(t)
         sweep.enter(t)
         rates = sweep.derivative(t, state, u)
-        own = [sweep.signals.copy(), rates][: len(asked)]
+        own = [sweep.signals.copy(), rates][: len(machine)]
         python.append([*own, sweep.jump(t, state, u, sweep.jumping)] if sweep.jumping else own)
     pairs = zip(zip(*python, strict=True), machine, strict=True)
     return np.all([_same(np.array(own), others) for own, others in pairs], axis=0)
@@ -152,6 +158,8 @@ def _same(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     """Return which rows are equal up to rounding."""
     with np.errstate(invalid="ignore"):
         size = np.abs(a)
+        if (np.abs(a - b) <= CLOSE * size).all():
+            return np.ones(len(a), dtype=bool)
         largest = size.max(axis=-1, initial=1e-300, where=size < np.inf, keepdims=True)
         near = np.abs(a - b) <= CLOSE * (size + 1e-3 * largest)
     return np.all(near | (a == b) | (np.isnan(a) & np.isnan(b)), axis=-1)

@@ -161,11 +161,14 @@ def _printers() -> str:
 def _entry(address: int) -> Callable[..., int]:
     """Return a function of the solver; it takes whole numbers, and contiguous arrays."""
 
+    @cache
+    def taking(count: int) -> Callable:
+        return CFUNCTYPE(c_int32, c_void_p, c_void_p, *[c_int64] * count)(address)
+
     def call(*arguments: Any) -> int:
         numbers = flattened(arguments)
-        kind = CFUNCTYPE(c_int32, c_void_p, c_void_p, *[c_int64] * len(numbers))
         result, error = c_int64(), c_void_p()
-        kind(address)(byref(result), byref(error), *numbers)
+        taking(len(numbers))(byref(result), byref(error), *numbers)
         return result.value
 
     return call
@@ -180,7 +183,9 @@ def flattened(arguments: tuple) -> list[Any]:
         elif type(one) is np.ndarray:
             if not one.flags.c_contiguous or one.dtype.char not in "dl":
                 raise TypeError(f"the solver takes no array of {one.dtype}, {one.strides}")
-            if one.flags.writeable and one.size:  # three times as quick as the other
+            if not one.size:
+                address = 0
+            elif one.flags.writeable:  # six times as quick as the other
                 address = addressof(c_char.from_buffer(one.data))
             else:
                 address = one.__array_interface__["data"][0]

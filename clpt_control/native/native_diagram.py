@@ -199,13 +199,13 @@ class NativeDiagram(PythonDiagram):
     def breaks(self, t0: float, t1: float) -> Any:
         """Return the times at which time alone decides."""
         if self.wiring.dt:
-            return ()
+            return super().breaks(t0, t1)
         times = [
             times_of_change(node.system, record, p, t0, t1)
             for node, p in zip(self.wiring.nodes, self.sweep.parameters, strict=True)
             for record in self._decided_by_time[node.name]
         ]
-        return np.unique(np.concatenate([np.zeros(0), *times]))
+        return np.unique(np.concatenate(times)) if times else np.zeros(0)
 
     @cached_property
     def _decided_by_time(self) -> dict[str, list]:

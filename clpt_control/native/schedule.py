@@ -64,6 +64,8 @@ class Inputs:
         size = STRAIGHT * np.abs(u).max(axis=1, initial=1e-300, keepdims=True)
         steps = at[1:] - at[:-1]
         bend = (np.abs(slopes[:, 1:] - slopes[:, :-1]) * steps[1:] > size).any(axis=0)
+        if bend.all():
+            return at
         bends = np.flatnonzero(np.concatenate([[True], bend, [True]]))
         begins = np.repeat(bends[:-1], np.diff(bends))  # of each sample's piece
         line = u[:, begins] + slopes[:, begins] * (at[:-1] - at[begins])
@@ -179,16 +181,21 @@ JUMPS, BEGINS = 1.0, -1.0  # in P: a block jumps, or samples its inputs as a run
 class Schedule(NamedTuple):
     """The pieces of a run."""
 
-    edges: np.ndarray  # ends of n pieces, increasing; the last is the end of the run
+    edges: np.ndarray  # ends of n pieces, increasing; the last is the end of the run; then inf
     places: np.ndarray  # m places in P
     values: np.ndarray  # (n + 1, m): what each piece sets there, and the time of the end
-    smooth: np.ndarray  # (n + 1,): whether rates do not jump where a piece begins, but the first
+    smooth: np.ndarray  # (n + 1,): 1 if rates do not jump where a piece begins, but the first
     begins: bool = False  # whether blocks sample where the run begins
 
     def after(self, t: float) -> "Schedule":
         """Return the pieces from a time on."""
         k = int(np.searchsorted(self.edges, t, side="right"))
         return Schedule(self.edges[k:], self.places, self.values[k:], self.smooth[k:])
+
+
+def _merged(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """Return the times of two increasing arrays, each once."""
+    return np.unique(np.concatenate([a, b])) if len(a) and len(b) else a if len(a) else b
 
 
 def make_schedule(diagram: Any, times: Any, inputs: Inputs | None, felt: float) -> Schedule:
@@ -203,12 +210,11 @@ def make_schedule(diagram: Any, times: Any, inputs: Inputs | None, felt: float) 
     sweep, compiled, kinks = diagram.sweep, diagram.ramp >= 0, np.zeros(0)
     if inputs is not None and inputs.samples is not None:
         kinks = inputs.kinks if compiled else inputs.sharp_bends(felt)
-    jumping = np.sort(np.concatenate([sweep.breakpoints(t0, t1), diagram.breaks(t0, t1)]))
-    edges = np.unique(np.concatenate([jumping, kinks, [t1]]))
-    edges = edges[(edges > t0) & (edges <= t1)]
+    jumping = _merged(sweep.breakpoints(t0, t1), diagram.breaks(t0, t1))
+    edges = _merged(jumping, kinks)
+    starts = np.concatenate([[t0], edges[(edges > t0) & (edges < t1)], [t1]])
     if sweep.wiring.dt:
-        edges = np.unique(np.asarray(times)[np.searchsorted(times, edges)])
-    starts = np.concatenate([[t0], edges])
+        starts = np.unique(np.asarray(times)[np.searchsorted(times, starts)])
 
     def intervals_of(k: int) -> np.ndarray:
         block, p = sweep.nodes[k].system, sweep.parameters[k]
@@ -234,4 +240,5 @@ def make_schedule(diagram: Any, times: Any, inputs: Inputs | None, felt: float) 
         places += range(diagram.ramp, diagram.ramp + 1 + 2 * len(u))
     values = np.ascontiguousarray(np.reshape(columns, (len(columns), len(starts))).T, dtype=float)
     smooth = np.searchsorted(jumping, starts) == np.searchsorted(jumping, starts, side="right")
-    return Schedule(edges, np.array(places, dtype=np.int64), values, smooth, begins)
+    edges, places = np.append(starts[1:], np.inf), np.array(places, dtype=np.int64)
+    return Schedule(edges, places, values, smooth.astype(np.int64), begins)
