@@ -180,20 +180,6 @@ class Array(NDArrayOperatorsMixin):
                 self._store = np.asarray(self._select(above), dtype=object)
         return self._store
 
-    def _part(self, select: Callable[[np.ndarray], Any], view: Callable[[], Any]) -> Any:
-        """Return a part: `view`, until an element of either is written."""
-        if (store := self._written()) is not None:
-            elements = select(store)
-            if not isinstance(elements, np.ndarray):
-                return elements
-            part = Array(self._tape, -1, elements.shape, self, select)
-            part._store = elements
-            return part
-        part = view()
-        if not isinstance(part, Array) or not part.shape:
-            return part
-        return Array(self._tape, part._node, part.shape, self, select)
-
     @property
     def ndim(self) -> int:
         """Number of axes."""

@@ -4,7 +4,7 @@ What is not here is tried on arrays of objects, element by element, by NumPy's o
 """
 
 from collections.abc import Callable
-from functools import partial, reduce
+from functools import reduce
 from typing import Any
 
 import numpy as np
@@ -26,7 +26,7 @@ from .arrays import (
     where,
 )
 from .ufuncs import accumulated, check_doubles, matmul, reduced, rounded
-from .views import depends, into, of_numbers, on_objects, refuse, tape_of, tape_viewed
+from .views import depends, into, of_numbers, on_objects, refuse, tape_of
 
 IMPLEMENTED: dict[Any, Callable] = {}  # NumPy's: what writes them down
 MOST_ROWS = 24  # of linear equations
@@ -154,18 +154,10 @@ def _slope(f: Any, axis: int, step: Any) -> Any:
     return np.moveaxis(np.concatenate([ends[0], inner, ends[1]]), 0, axis)
 
 
-@implements(np.diagonal)
-def diagonal(a: Array, offset: int = 0, **more: Any) -> Any:
-    """Return the diagonal of a matrix."""
-    if a.ndim != 2 or offset or a.shape[0] != a.shape[1] or a._written() is not None:
-        return lifted(a._tape, objects(a).diagonal(offset))
-    return tape_viewed(a._tape, a._node, ((0, 0, 1), (0, 0, 1)), a.shape[:1])
-
-
 @implements(np.diag)
 def diag(a: Array, k: int = 0) -> Any:
     """Return the diagonal of a matrix, or the matrix of a diagonal."""
-    return diagonal(a, k) if a.ndim == 2 else on_objects(a._tape, np.diag, (a, k), {})
+    return np.diagonal(a, k) if a.ndim == 2 else on_objects(a._tape, np.diag, (a, k), {})
 
 
 # --- linear equations: elimination, with pivots by `where` -----------------------------------
@@ -360,7 +352,7 @@ implements_reduction(np.minimum, np.min, np.amin)
 implements_reduction(np.logical_or, np.any)
 implements_reduction(np.logical_and, np.all)
 implements(np.std)(lambda a, *more, **named: np.sqrt(np.var(a, *more, **named)))
-implements(np.trace)(lambda a, *more, **named: np.sum(diagonal(a, *more, **named)))
+implements(np.trace)(lambda a, *more, **named: np.sum(np.diagonal(a, *more, **named)))
 implements(np.linalg.inv)(lambda A: solve(A, np.eye(A.shape[0])))
 implements_accumulation(np.add, np.cumsum)
 implements_accumulation(np.multiply, np.cumprod)
@@ -383,20 +375,27 @@ implements(np.size)(lambda a, axis=None: a.size if axis is None else a._counted(
 
 # --- parts, which share what is written -----------------------------------------------------
 
+
+def sharing(function: Any) -> Callable:
+    """Return what does a function of NumPy whose result shares what is written."""
+
+    def shared(a: Any, *more: Any, **named: Any) -> Any:
+        if {"F", "A", "K"} & {v for v in (*more, *named.values()) if isinstance(v, str)}:
+            return refuse("elements in another order than row by row")
+        return views.part(a, lambda places: function(places, *more, **named))
+
+    return shared
+
+
 SHARES: dict[Any, Callable] = {
-    np.reshape: views.reshaped,
-    np.ravel: lambda a, order="C": views.reshaped(a, -1, order=order),
-    np.squeeze: views.squeezed,
-    np.transpose: views.transposed,
-    np.swapaxes: views.swapped,
-    np.expand_dims: views.expanded,
-    np.atleast_1d: partial(views.at_least, 1),
-    np.atleast_2d: partial(views.at_least, 2),
-    np.flipud: lambda a: a[::-1],
-    np.fliplr: lambda a: a[:, ::-1],
+    function: sharing(function)
+    for function in (
+        *(np.reshape, np.ravel, np.squeeze, np.transpose, np.swapaxes, np.moveaxis),
+        *(np.expand_dims, np.atleast_1d, np.atleast_2d, np.flip, np.flipud, np.fliplr, np.diagonal),
+    )
 }
 OWN: tuple[Any, ...] = (  # of these NumPy's own code does
-    *(np.split, np.array_split, np.hsplit, np.vsplit, np.dsplit, np.flip, np.moveaxis),
+    *(np.split, np.array_split, np.hsplit, np.vsplit, np.dsplit),
     *(np.real, np.imag, np.isreal, np.ndim, np.iscomplexobj, np.isrealobj),
 )
 SHARES.update({function: function._implementation for function in OWN})
@@ -412,9 +411,9 @@ def floats(value: Any) -> Any:
 
 
 METHODS: dict[str, Callable] = {  # that are not NumPy's functions
-    "reshape": views.reshaped,
-    "transpose": views.transposed,
-    "flatten": lambda a, order="C": views.copied(views.reshaped(a, -1, order=order)),
+    "reshape": sharing(np.ndarray.reshape),
+    "transpose": sharing(np.ndarray.transpose),
+    "flatten": lambda a, order="C": views.copied(np.ravel(a, order)),
     "__copy__": views.copied,
     "__deepcopy__": views.copied,
     "astype": views.converted,

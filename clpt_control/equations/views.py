@@ -7,6 +7,7 @@ At times they are NumPy's own: as numbers where they depend on nothing, else as 
 """
 
 from collections.abc import Callable, Sequence
+from functools import lru_cache
 from itertools import pairwise
 from operator import itemgetter
 from typing import Any
@@ -123,6 +124,7 @@ def tape_of(values: Any) -> Any:
 
 
 LONG = 64  # an array that is joined to others as it is
+MANY = 2**16 + 1  # places along an axis of unknown length
 
 
 def tape_view(tape: Tape, refs: Sequence[Ref]) -> Any:
@@ -152,40 +154,72 @@ def item(array: Array, index: tuple) -> Any:
         return _picked(array, *index)
     if any(isinstance(i, list | tuple | np.ndarray) and np.ndim(i) for i in index):
         return lifted(array._tape, array._elements()[index])
-    return array._part(
-        itemgetter(index),
-        lambda: tape_viewed(array._tape, array._node, *_mapped(index, array.shape)),
-    )
+    return part(array, itemgetter(index))
 
 
-def _mapped(index: tuple, shape: Shape) -> tuple[tuple, Shape]:
-    """Return what a basic index makes of each axis, and the shape of the view."""
-    named = sum(i is not None and i is not Ellipsis for i in index)
-    if named > len(shape):
-        raise IndexError("too many indices for array")
-    at = index.index(Ellipsis) if Ellipsis in index else len(index)
+def part(a: Any, function: Callable[[np.ndarray], Any]) -> Any:
+    """Return what NumPy's function makes of an array, with which it shares what is written.
+
+    Until an element of either is written it is a view, if NumPy's function makes one.
+    """
+    if not isinstance(a, Array):
+        return function(a)
+    if (store := a._written()) is not None:
+        elements = function(store)
+        if not isinstance(elements, np.ndarray):
+            return elements
+        new = Array(a._tape, -1, elements.shape, a, function)
+        new._store = elements
+        return new
+    node, seen = a._node, _mapped(a.shape, function)
+    if seen is None:
+        new = lifted(a._tape, function(a._elements()))
+    else:
+        new = tape_viewed(a._tape, node, *seen)
+    if not isinstance(new, Array) or not new.shape:
+        return new
+    return Array(a._tape, new._node, new.shape, a, function)
+
+
+def _mapped(shape: Shape, function: Callable) -> tuple[tuple, Shape] | None:
+    """Return what NumPy's function makes of each axis, and the shape of the view; None of a copy.
+
+    It is run on the places along each axis: where a part begins, and its strides, say what it is.
+    """
+    open_sizes = [n for n in shape if not isinstance(n, int)]
+    try:
+        parts = [(places, np.asarray(function(places))) for places in _places(shape)]
+    except IndexError:
+        if open_sizes:
+            raise Unread(f"a part of the open size {open_sizes[0]}") from None
+        raise
+    new_shape: list[Any] = [*parts[0][1].shape]
     mapped: list[Any] = []
-    new_shape: list[Any] = []
-    for i in (*index[:at], *[slice(None)] * (len(shape) - named), *index[at + 1 :]):
-        if i is None:
-            new_shape.append(1)
-            continue
-        n = shape[len(mapped)]
-        if i == slice(None):
-            mapped.append((len(new_shape), 0, 1))
-            new_shape.append(n)
-        elif not isinstance(n, int):
-            raise Unread(f"a part of the open size {n}")
-        elif isinstance(i, slice):
-            places = range(*i.indices(n))
-            mapped.append((len(new_shape), places.start, places.step))
-            new_shape.append(len(places))
-        else:
-            k = i.__index__()
-            if not -n <= k < n:
-                raise IndexError(f"index {k} is out of bounds for axis with size {n}")
-            mapped.append(k % n)
+    for n, (places, seen) in zip(shape, parts, strict=False):
+        if seen.ndim and seen.base is not places.base:
+            return None
+        moving = [d for d, stride in enumerate(seen.strides) if stride]
+        moving = [d for d in moving if new_shape[d] != 1] or moving[:1]  # of one any stride is good
+        if len(moving) > 1:
+            return None
+        start = int(seen[(0,) * seen.ndim]) if seen.size else 0
+        step = [(d, start, seen.strides[d] // seen.itemsize) for d in moving]
+        mapped += step or [start]
+        if n in open_sizes:
+            if not step or step[0][1:] != (0, 1) or new_shape[moving[0]] not in (MANY, n):
+                raise Unread(f"a part of the open size {n}")
+            new_shape[moving[0]] = n
     return tuple(mapped), tuple(new_shape)
+
+
+@lru_cache(maxsize=256)
+def _places(shape: Shape) -> list[np.ndarray]:
+    """Return for each axis an array of the places along it; one of no axes for a number."""
+    counts = [n if isinstance(n, int) else MANY for n in shape]
+    return [
+        np.ndarray(counts, int, np.arange(max(n, 1)), 0, [8 * (d == k) for d in range(len(counts))])
+        for k, n in enumerate(counts or [1])
+    ]
 
 
 def _picked(array: Array, k: Any, *rest: Any) -> Any:
@@ -200,15 +234,6 @@ def _picked(array: Array, k: Any, *rest: Any) -> Any:
         if counts and k._tape.free[k._node] and array._written() is None:
             return array._tape.add("pick", (operand(array), k._ref), ())
     return array[whole((k, *rest))]
-
-
-def permuted(a: Array, order: Sequence[int]) -> Any:
-    """Return a with its axes in another order."""
-    mapped = tuple((order.index(d), 0, 1) for d in range(a.ndim))
-    shape = tuple(a.shape[d] for d in order)
-    return a._part(
-        lambda store: store.transpose(order), lambda: tape_viewed(a._tape, a._node, mapped, shape)
-    )
 
 
 def tape_viewed(tape: Tape, node: int, mapped: tuple, shape: Shape) -> Any:
@@ -279,56 +304,6 @@ def join(parts: Any, axis: Any = 0, **more: Any) -> Any:
         shape = (sum(p.shape[0] for p in arrays), *arrays[0].shape[1:])
         return tape.add("join", [operand(p) for p in arrays], shape)
     return lifted(tape, np.concatenate([objects(p) for p in arrays], axis=axis))
-
-
-def reshaped(a: Array, *shape: Any, **more: Any) -> Any:
-    """Return the same elements in another shape."""
-    if more.get("order", "C") != "C":
-        return refuse("elements in another order than row by row")
-    new = more.get("shape", shape[0] if len(shape) == 1 else shape)
-    new = tuple(new) if isinstance(new, tuple | list) else (new,)
-    if a.ndim < 2 and tuple(n for n in new if n != 1) in ((-1,), a.shape):  # new axes alone
-        return a[tuple(slice(None) if n != 1 and a.ndim else None for n in new)]
-    return a._part(
-        lambda store: store.reshape(new), lambda: lifted(a._tape, objects(a).reshape(new))
-    )
-
-
-def squeezed(a: Array, axis: Any = None) -> Any:
-    """Return a without axes of length 1."""
-    axes = range(a.ndim) if axis is None else [axis] if isinstance(axis, int) else axis
-    dropped = {d % a.ndim for d in axes if a.shape[d] == 1}
-    return a[tuple(0 if d in dropped else slice(None) for d in range(a.ndim))] if dropped else a
-
-
-def transposed(a: Array, *axes: Any, **named: Any) -> Any:
-    """Return a with its axes in another order."""
-    order = named.get("axes", axes[0] if len(axes) == 1 else axes)
-    return permuted(a, [d % a.ndim for d in order] if order else list(range(a.ndim))[::-1])
-
-
-def swapped(a: Array, first: int, second: int) -> Any:
-    """Return a with two axes in each other's place."""
-    order = list(range(a.ndim))
-    order[first], order[second] = order[second], order[first]
-    return permuted(a, order)
-
-
-def expanded(a: Array, axis: Any) -> Any:
-    """Return a with new axes."""
-    axes = axis if isinstance(axis, tuple) else (axis,)
-    n = a.ndim + len(axes)
-    new = {d % n for d in axes}
-    return a[tuple(None if d in new else slice(None) for d in range(n))]
-
-
-def at_least(axes: int, *values: Any) -> Any:
-    """Return np.atleast_1d or np.atleast_2d."""
-    arrays = [lifted(tape_of(values), one) for one in values]
-    result = [
-        (np.asarray(a) if type(a) is float else a)[(None,) * (axes - np.ndim(a))] for a in arrays
-    ]
-    return result[0] if len(result) == 1 else tuple(result)
 
 
 def copied(a: Any, *arguments: Any, **more: Any) -> Any:
