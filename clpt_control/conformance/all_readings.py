@@ -17,7 +17,7 @@ SymPy's expressions are called with numbers; what is long is a symbol of its own
 import ctypes
 from collections.abc import Callable, Mapping
 from functools import cache
-from math import copysign, isfinite
+from math import copysign, isfinite, prod
 from typing import Any, NamedTuple
 
 import control
@@ -192,6 +192,7 @@ class _SymbolicSweep(Sweep):
 
 
 LONG = 20  # operations; a longer expression is a symbol of its own
+MOST = 20_000  # operations on single numbers; SymPy takes a thousandth of a second for each
 # what loses its digits, or its range, written out: log1p(a) as log(1 + a)
 PRECISE = {name: sympy.Function(f"{name}_", real=True) for name in ("hypot", "log1p", "expm1")}
 NAMES: dict[str, Callable[..., Any]] = {
@@ -208,6 +209,12 @@ class SymbolicFunction(Symbols):
     def __init__(self, block: Block, role: str):
         record = block.array_record(role)
         super().__init__(record.operations, self._leaf, sizes=block.sizes)
+        made = [o for o in record.operations if o.kind not in ("leaf", "constant", "view")]
+        if sum(prod(self.sized(o.shape)) for o in made) > MOST:
+            raise BlockError(
+                f"{block.name}.{role} takes more than {MOST} operations on single numbers, for "
+                "which SymPy needs minutes; ask it at a smaller size"
+            )
         self.leaves: dict[tuple, sympy.Symbol] = {}
         self.steps: list[tuple[sympy.Symbol, sympy.Expr]] = []
         values = self.outputs(record)

@@ -106,6 +106,24 @@ SYMPY: dict[str, Callable[..., Any]] = {
     **{name: sympy.Function(own, real=True) for name, own in UNEXPANDED.items()},
 }
 NO_LIMIT = {"minimum": sympy.oo, "maximum": -sympy.oo}
+TRUTHS = {sympy.true, sympy.false}
+COMPARED = {name: getattr(sympy, name.title()) for name in ("lt", "le", "gt", "ge", "eq", "ne")}
+
+
+def _decided(kind: str, arguments: tuple) -> Any:
+    """Return what a comparison with infinity decides, of symbols that are numbers; else None."""
+    if kind in COMPARED and {sympy.oo, -sympy.oo}.intersection(arguments):
+        found = COMPARED[kind](*arguments)
+        return found if found in TRUTHS else None
+    if not TRUTHS.intersection(arguments):
+        return None
+    if kind == "where":
+        return arguments[1 if arguments[0] else 2]
+    if kind == "not":
+        return ~arguments[0]
+    ends = sympy.sympify(kind == "or")
+    rest = [one for one in arguments if one not in TRUTHS]
+    return ends if ends in arguments else [*rest, ~ends][0]
 
 
 class Symbols(Elements):
@@ -136,6 +154,8 @@ class Symbols(Elements):
 
     def apply(self, ref: int, kind: str, arguments: tuple) -> Any:
         """Return what SymPy makes of an operation."""
+        if (decided := _decided(kind, arguments)) is not None:
+            return decided
         self.watch(ref, kind, arguments)
         if kind in ("eq", "ne"):
             same = SYMPY["and"](SYMPY["le"](*arguments), SYMPY["ge"](*arguments))
