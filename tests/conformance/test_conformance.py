@@ -4,15 +4,17 @@ import math
 import re
 from typing import NamedTuple
 
+import control
 import numpy as np
 import pytest
 from package_blocks import BLOCKS, EACH
 
 from clpt_control.blocks import clpe, vehicle
 from clpt_control.blocks.laws.paper import LEARNED_FLOW as LAW
-from clpt_control.conformance import ConformanceReport, check_block, conformance
+from clpt_control.conformance import ConformanceReport, check_block, conformance, readings
 from clpt_control.conformance.equation_checks import roles
 from clpt_control.equations import Block
+from clpt_control.equations.system import linear
 from clpt_control.errors import ArgumentError, BlockError
 from clpt_control.native import vectors
 
@@ -374,3 +376,9 @@ def test_good_user_blocks_pass():
 def test_a_domain_smaller_than_the_draws_is_allowed():
     # sqrt is finite for half of the random inputs: enough to ask everything
     assert check_block(siso(root)).ok
+
+
+def test_a_block_too_large_for_sympy_is_told_so():
+    block = linear(control.ss(-np.eye(150), np.ones((150, 1)), np.ones((1, 150)), 0, name="long"))
+    with pytest.raises(BlockError, match=r"long\.update takes more than 20000 operations"):
+        readings(block)["symbolic"](0.0, np.ones(150), [1.0])

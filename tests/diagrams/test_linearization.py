@@ -75,6 +75,7 @@ BENT = {
     "maximum": (lambda y, v: v + np.clip(-y, -1, 1), 1.0),
     "where": (lambda y, v: v + np.where(y > 0, y, 0.0), 0.0),
     "where ": (lambda y, v: v + (y if y > 0 else 3 * y), 0.0),
+    "where  ": (lambda y, v: v + np.interp(y, [0.0, 1.0, 2.0], [0.0, 1.0, 5.0]), 1.0),
 }
 TORN = {
     "sign": (lambda y, v: v - np.sign(y), 0.0),
@@ -83,12 +84,15 @@ TORN = {
     "atan2": (lambda y, v: v - np.arctan2(y, -1.0), 0.0),
     "where": (lambda y, v: v - np.where(y > 0, 1.0, -1.0), 0.0),
     "where ": (lambda y, v: v - (y > 0) * 1.0, 0.0),
+    "where  ": (lambda y, v: v - np.where((y > 0) & (y + v > 0), 1.0, 0.0), 0.0),
+    "trunc": (lambda y, v: v - np.trunc(y), 1.0),
 }
 SMOOTH = {
     "beside a kink": (lambda y, v: v - abs(y), 1e-9),
     "an angle ahead": (lambda y, v: v - np.arctan2(y, 1.0), 0.0),
     "beside a jump": (lambda y, v: v - np.sign(y), -1e-9),
     "two ways of one slope": (lambda y, v: v + np.where(y > 0, y * y, -y * y), 0.0),
+    "a whole number cut at zero": (lambda y, v: v - y - np.trunc(y), 0.0),
     "infinity": (lambda y, v: v - y if np.isfinite(y) else 0 * y, 0.5),
     "no number": (lambda y, v: v - y if not np.isnan(y * v) else 0 * y, 0.5),
     "what is not moved": (lambda y, v: v - y * np.sign(0.0 * v), 0.5),
