@@ -44,11 +44,7 @@ def _copies(block: Block, drawn: list[Sample]) -> Iterator[str]:
     twin = block.copy(name=f"{block.name}_copy")
     if twin.name != f"{block.name}_copy" or list(twin.params) != [twin.name]:
         yield f"{block.name}: a copy with a new name keeps the old one in its parameters"
-    for sample in drawn[:3]:
-        for role in roles(block):
-            ours, theirs = (python_values(one, role, sample) for one in (block, twin))
-            if not np.array_equal(ours, theirs):
-                yield f"{block.name}: a copy gives other values"
+    yield from _twins(block, twin, drawn, "a copy")
     for value in twin.parameters:
         if isinstance(value, np.ndarray):
             value.flags.writeable = True
@@ -68,12 +64,16 @@ def _pickles(block: Block, drawn: list[Sample]) -> Iterator[str]:
             "top of a module"
         )
         return
+    yield from _twins(block, twin, drawn, "pickling")
+
+
+def _twins(block: Block, twin: Block, drawn: list[Sample], what: str) -> Iterator[str]:
     for sample in drawn[:3]:
         for role in roles(block):
             ask = python_values if role == "jump" else control_values
             ours, theirs = (ask(one, role, sample) for one in (block, twin))
             if not np.array_equal(ours, theirs, equal_nan=True):
-                yield f"{block.name}: pickling gives other values"
+                yield f"{block.name}: {what} gives other values"
 
 
 def _linearizes(block: Block, drawn: list[Sample]) -> Iterator[str]:

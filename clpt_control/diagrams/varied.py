@@ -23,7 +23,6 @@ from ..equations.at_many import STEPS, leaf_values
 from ..equations.block import Block
 from ..equations.declaration import ports_of
 from ..equations.derivative import Direction
-from ..equations.reading import record_of_states
 from ..equations.record import Record, Shape, compact
 from ..equations.sampled import Sampled, inner_equations
 from ..equations.system import System
@@ -98,8 +97,6 @@ class VariedBlock(Block):
         return found
 
     def _read(self, role: str) -> Record:
-        if role == "output" and self.output_function is None:
-            return record_of_states(self.declared["outputs"])
         record = self.inner.array_record(role)
         if role == "guard":
             return record
@@ -303,8 +300,7 @@ def read_as_number(block: Block, field: str) -> str | None:
     """Return the function in which a parameter was read as a number, if there is one."""
     inner: Block = block.inner if isinstance(block, Sampled) else block
     for role in inner.records:
-        pinned, _ = inner.read_with.get(role, ((), ""))
-        if field in pinned or field in getattr(inner, "pinned", {}).get(role, ()):
+        if field in inner.read_with.get(role, ((), ""))[0]:
             return role
     return None
 

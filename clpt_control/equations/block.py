@@ -338,16 +338,19 @@ class Block(control.NonlinearIOSystem):
                 f"{self.name}: role = {role!r}: must be among {', '.join(self._roles)}"
             )
         if role not in self._records:
-            self._records[role] = self._read(role)
+            self._records[role] = self._read_now(role)
         record = self._records[role]
         if isinstance(record, Unread):
             raise record
         return record
 
+    def _read_now(self, role: str) -> Record | Unread:
+        if role == "output" and self.states_are_outputs:
+            return record_of_states(self.declared["outputs"])
+        return self._read(role)
+
     def _read(self, role: str) -> Record | Unread:
         """Read a function with open sizes; where that fails, with the sizes of this block."""
-        if role == "output" and self.output_function is None:
-            return record_of_states(self.declared["outputs"])
         function, bound_out = self._roles[role]
         name, values, why = f"{self.name}.{role}", self._parameters._asdict(), ""
         shapes = {f: np.shape(v) for f, v in values.items() if not isinstance(v, int)}
@@ -383,13 +386,15 @@ class Block(control.NonlinearIOSystem):
         if self.of_package:
             return
         for role, old in list(self._records.items()):
-            new = self._read(role)
+            new = self._read_now(role)
             if new != old and str(new) != str(old):
                 self._forget()
                 return
 
     def _forget(self) -> None:
         """Forget what was read."""
+        # by role: parameters whose values were read, and why no size is open
+        self.read_with: dict[str, tuple[frozenset[str], str]] = {}
         for known in READ:
             self.__dict__.pop(known, None)
 
@@ -414,11 +419,6 @@ class Block(control.NonlinearIOSystem):
     @property
     def _records(self) -> dict[str, Record | Unread]:
         return self.__dict__.setdefault("_read_records", {})
-
-    @property
-    def read_with(self) -> dict[str, tuple[frozenset[str], str]]:
-        """Parameters whose values were read, and why no size is open."""
-        return self.__dict__.setdefault("_read_with", {})
 
     # --- parameters -------------------------------------------------------------------
 

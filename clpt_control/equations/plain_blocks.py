@@ -78,7 +78,7 @@ class RecordedBlock(Block):
         """Leave it to the checks of the record."""
 
     def _read(self, role: str) -> Record | Unread:
-        return self._plain_records[role] if role in self._plain_records else super()._read(role)
+        return self._plain_records[role]
 
     @property
     def of_package(self) -> bool:
@@ -120,7 +120,6 @@ def plain_block(block: Block, name: str, p: Any, begin: float, end: float) -> di
     except Unread as error:
         raise Unrecorded(str(error)) from None
     pinned = {name for found, _ in block.read_with.values() for name in found}
-    pinned |= {name for found in getattr(block, "pinned", {}).values() for name in found}
     jumps, listed = block.breakpoints_function, None
     if isinstance(jumps, Each):
         listed = {"period": jumps.period, "part": jumps.part}

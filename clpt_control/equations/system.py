@@ -26,7 +26,7 @@ from .answers import EVERY, Params
 from .arrays import Unread
 from .block import Block
 from .declaration import Parameters, sizes_of
-from .reading import Read, read, record_of_states
+from .reading import Read, read
 from .record import Record
 from .sampled import Sampled
 from .unchanged import Keys, Unkeyed, texts_of
@@ -52,7 +52,6 @@ class System(Block):
         self._params = dict(system.params if params is None else params)
         self.declared_names = {*system.params, *declared}  # which a run may set
         self._reads: dict[str, frozenset[Any]] = {}  # role -> names of params
-        self.pinned: dict[str, frozenset[str]] = {}  # parameters with whose values it was read
         self._update, self._output = _functions(system)
         q = system.noutputs if system.noutputs is not None else self._count(n, m)
         first = self._output is None and q < n  # of the states, as python-control takes them
@@ -158,8 +157,6 @@ class System(Block):
     # --- readings ---------------------------------------------------------------------------
 
     def _read(self, role: str) -> Record | Unread:
-        if role == "output" and self._output is None:
-            return record_of_states(self.declared["outputs"])
         function, out = self._roles[role]
         shapes = {key: np.shape(self._params[key]) for key in self.number_names}
         ports = self.declared["states"], self.declared["inputs"]
@@ -170,7 +167,7 @@ class System(Block):
         except BlockError as error:  # which begins with the role
             return Unread(f"{self.name}.{error}")
         self._reads[role] = result.names
-        self.pinned[role] = frozenset(self.number_names[key] for key in result.pinned)
+        self.read_with[role] = frozenset(self.number_names[key] for key in result.pinned), ""
         names = self.number_names.items()
         return result.record.renamed({("p", key): ("p", own) for key, own in names})
 
