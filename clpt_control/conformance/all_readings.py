@@ -178,8 +178,6 @@ class _SymbolicSweep(Sweep):
 
     def _call(self, role: str, k: int, t: float, x: np.ndarray, u: np.ndarray, out: Any) -> None:
         block = self.nodes[k].system
-        if not isinstance(block, Block):
-            raise DiagramError(f"{self.nodes[k].name} is no block, so it has no expressions")
         if block.opaque:
             super()._call(role, k, t, x, u, out)
             return

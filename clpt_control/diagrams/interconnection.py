@@ -24,6 +24,7 @@ from .wiring import (
     joined_wires,
     ordered_wiring,
     own_params,
+    paths_to,
     spaces_of,
     wiring_of,
 )
@@ -93,14 +94,13 @@ def changed_parameters(wiring: Wiring, params: Mapping[str, Any] | None) -> list
     found: list[Any] = []
     asking: list[tuple[System, list[str]]] = []  # with the paths to it
     for node in wiring.nodes:
-        system, path = node.system, node.name.split(".")
+        system = node.system
         if isinstance(system, System):
             found.append(system.with_params(own_params(node.name, params)))
             asking.append((system, spaces_of(node.name)))
             continue
         fields = system.parameters._fields
-        spaces = [".".join([*path[k:], ""]) for k in range(len(path) - 1, -1, -1)]
-        keys = {space + field: field for space in spaces for field in fields}
+        keys = {space + field: field for space in paths_to(node.name) for field in fields}
         if isinstance(inner := getattr(system, "inner", None), System):  # which is sampled
             for_it = ["", *spaces_of(node.name)]
             numbers = inner.number_names.items()

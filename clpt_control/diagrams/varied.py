@@ -26,7 +26,7 @@ from ..equations.derivative import Direction
 from ..equations.record import Record, Shape, compact
 from ..equations.sampled import Sampled, inner_equations
 from ..equations.system import System
-from .wiring import Node, Row, Wiring, joined_wires
+from .wiring import Node, Row, Wiring, joined_wires, paths_to, spaces_around
 
 ALONG = "d_"  # before the name of a port: its derivatives, a row for each direction
 KINDS = "states", "inputs", "outputs"
@@ -278,18 +278,18 @@ def _fields_by_name(wiring: Wiring) -> dict[str, list[tuple[int, str]]]:
     """Return the blocks' parameters by the names that a call gives them: (block, field)."""
     found: dict[str, list[tuple[int, str]]] = {}
     for k, node in enumerate(wiring.nodes):
-        block, path = node.system, node.name.split(".")
+        block, above = node.system, list[str]()
         own: Mapping[str, str] = {name: name for name in block.parameters._fields}
-        spaces = [".".join([*path[j:], ""]) for j in range(len(path))]
         inner = getattr(block, "inner", block)  # of one that is sampled
         if isinstance(inner, System):
             own = inner.number_names
-            above = ["", *(".".join([*path[:j], ""]) for j in range(1, len(path)))]
+            above = ["", *spaces_around(node.name)]
             asked = {name: f for name, f in own.items() if inner.reads(name)}
         else:
-            above, asked = [], dict(own)
+            asked = dict(own)
         names = {space + name: field for name, field in own.items() for space in above}
-        names |= {space + name: field for name, field in asked.items() for space in spaces}
+        paths = paths_to(node.name)[::-1]
+        names |= {space + name: field for name, field in asked.items() for space in paths}
         for name, field in names.items():
             if field != "interval" and not isinstance(getattr(block.parameters, field), int):
                 found.setdefault(name, []).append((k, field))

@@ -305,9 +305,19 @@ def spaces_of(name: str) -> list[str]:
 
     The last counts.
     """
+    return spaces_around(name) + paths_to(name)
+
+
+def spaces_around(name: str) -> list[str]:
+    """Return the diagrams around a block, ``a.`` of ``a.plant``, as they stand before a name."""
     path = name.split(".")
-    around = [".".join([*path[:k], ""]) for k in range(1, len(path))]
-    return around + [".".join([*path[k:], ""]) for k in range(len(path) - 1, -1, -1)]
+    return [".".join([*path[:k], ""]) for k in range(1, len(path))]
+
+
+def paths_to(name: str) -> list[str]:
+    """Return what calls a block, ``plant.`` and ``a.plant.`` of ``a.plant``."""
+    path = name.split(".")
+    return [".".join([*path[k:], ""]) for k in range(len(path) - 1, -1, -1)]
 
 
 def ordered_wiring(

@@ -316,25 +316,15 @@ def sort(a: Any, axis: int = -1, **more: Any) -> Any:
     return stacked(a._tape, in_order(list(a._elements()), after))
 
 
-def implements_reduction(ufunc: Any, *functions: Any) -> None:
-    """Register functions that reduce an array by a ufunc."""
+def along(join: Callable, ufunc: Any) -> Callable:
+    """Return what joins the elements of an array by a ufunc, all, or those along an axis."""
 
-    def reduction(a: Any, axis: Any = None, *, dtype: Any = None, **more: Any) -> Any:
+    def joined(a: Any, axis: Any = None, dtype: Any = None, **more: Any) -> Any:
         if not is_truth(a):
             check_doubles(dtype)
-        return reduced(ufunc, a, axis, **more)
+        return join(ufunc, a, axis, **more)
 
-    implements(*functions)(reduction)
-
-
-def implements_accumulation(ufunc: Any, function: Any) -> None:
-    """Register the function of what a reduction gives on the way."""
-
-    def accumulation(a: Any, axis: Any = None, dtype: Any = None) -> Any:
-        check_doubles(dtype)
-        return accumulated(ufunc, a, axis)
-
-    implements(function)(accumulation)
+    return joined
 
 
 def alike(a: Array, value: float, dtype: Any = None, **named: Any) -> Any:
@@ -345,17 +335,17 @@ def alike(a: Array, value: float, dtype: Any = None, **named: Any) -> Any:
     return filled(a._tape, value, a.shape)
 
 
-implements_reduction(np.add, np.sum)
-implements_reduction(np.multiply, np.prod)
-implements_reduction(np.maximum, np.max, np.amax)
-implements_reduction(np.minimum, np.min, np.amin)
-implements_reduction(np.logical_or, np.any)
-implements_reduction(np.logical_and, np.all)
+implements(np.sum)(along(reduced, np.add))
+implements(np.prod)(along(reduced, np.multiply))
+implements(np.max, np.amax)(along(reduced, np.maximum))
+implements(np.min, np.amin)(along(reduced, np.minimum))
+implements(np.any)(along(reduced, np.logical_or))
+implements(np.all)(along(reduced, np.logical_and))
 implements(np.std)(lambda a, *more, **named: np.sqrt(np.var(a, *more, **named)))
 implements(np.trace)(lambda a, *more, **named: np.sum(np.diagonal(a, *more, **named)))
 implements(np.linalg.inv)(lambda A: solve(A, np.eye(A.shape[0])))
-implements_accumulation(np.add, np.cumsum)
-implements_accumulation(np.multiply, np.cumprod)
+implements(np.cumsum)(along(accumulated, np.add))
+implements(np.cumprod)(along(accumulated, np.multiply))
 implements(np.allclose, arrays=2)(lambda *given, **more: np.all(close(*given, **more)))
 implements(np.interp)(lookup_tables.interpolated)
 implements(np.searchsorted, arrays=0)(lookup_tables.searched)
