@@ -55,6 +55,11 @@ def roles(block: Block) -> list[str]:
     return ["output", *(role for role, function in own.items() if function is not None)]
 
 
+def called_roles(block: Block) -> list[str]:
+    """Return the roles that python-control calls."""
+    return [role for role in roles(block) if role != "jump"]
+
+
 def python_values(block: Block, role: str, sample: Sample) -> np.ndarray:
     """Return what Python computes for one sample, whose arguments are copied."""
     if role == "output" and block.states_are_outputs:
@@ -108,9 +113,7 @@ def _zero(block: Block, drawn: list[Sample]) -> Iterator[str]:
     """Equations are finite where states and inputs are zero."""
     x, u = np.zeros(block.nstates or 0), np.zeros(block.ninputs or 0)
     zero = Sample(0.0, x, u, block.parameters_at(0.0, block.parameters))
-    for role in roles(block):
-        if role == "jump":  # which python-control does not call
-            continue
+    for role in called_roles(block):
         if not np.all(np.isfinite(python_values(block, role, zero))):
             yield (
                 f"{block.name}.{role} is not finite at zero states and inputs, with which "
