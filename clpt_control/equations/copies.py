@@ -24,7 +24,7 @@ import numpy as np
 from .arrays import Array, Tape, Unread
 from .lookup_tables import is_table
 from .stand_ins import BUILTINS, SHADOWS, stand_in, vectorized
-from .unchanged import names_in
+from .unchanged import names_in, texts_in
 from .views import fresh
 
 LIBRARIES = ("numpy", "scipy", "matplotlib")  # run as they are
@@ -45,10 +45,12 @@ class Copies:
         self._known: dict[int, tuple[Any, Any]] = {}  # a value, alive, and what stands for it
         self._spaces: dict[int, tuple[dict, dict]] = {}  # names of a module: copied, as they began
         self._cells: list[tuple[CellType, Any, str]] = []
+        self.texts: set[Any] = set()  # in the functions, which may be names of params
 
     def of(self, value: Any) -> Any:
         """Return what stands for a value: a copy of a function, a stand-in, or itself."""
         if isinstance(value, int | float | str):
+            self.texts.add(value)
             return value
         if id(value) not in self._known:
             self._known[id(value)] = value, value  # of a value that holds itself
@@ -65,6 +67,9 @@ class Copies:
         self.snapshot.add(value)
         if isinstance(value, MethodType):
             self.snapshot.add(value.__self__)
+            for kind in type(value.__self__).__mro__:
+                own = (one for one in vars(kind).values() if isinstance(one, FunctionType))
+                self.texts.update(*(texts_in(one.__code__) for one in own))
             return MethodType(self.of(value.__func__), value.__self__)
         if isinstance(value, functools.partial):
             keywords = {name: self.of(one) for name, one in value.keywords.items()}
@@ -78,6 +83,7 @@ class Copies:
             changed = any(a is not b for a, b in zip(own_items, value, strict=True))
             return type(value)(own_items) if changed else value
         if type(value) is dict and len(value) < 100:
+            self.texts.update(value)
             items = {key: self.of(one) for key, one in value.items()}
             return items if any(items[key] is not value[key] for key in value) else value
         return stand_in(value)
@@ -94,6 +100,7 @@ class Copies:
             return stand_in(function)
         if function.__module__ in READERS:
             return function
+        self.texts.update(texts_in(function.__code__))
         space, first = self._space(function.__globals__)
         cells = tuple(CellType() for _ in function.__closure__ or ())
         copy = FunctionType(function.__code__, space, function.__name__, None, cells or None)

@@ -43,6 +43,7 @@ class Read(NamedTuple):
     record: Record
     pinned: frozenset[str]  # parameters with whose values it was made
     raised: tuple[str, ...] = ()  # what ways that are NaN raised
+    texts: frozenset[Any] = frozenset()  # in the functions
     names: frozenset[Any] = frozenset()  # for which python-control's params were asked
 
 
@@ -141,7 +142,8 @@ class _Ways:
             tape.way = [*way[:-1], False]
         refs = [operand(one) for one in _merged(tape, self.ways, 0)]
         record = compact(tape.operations, refs, request.out.values())
-        return Read(record, frozenset(tape.pinned), tuple(self.raised))
+        texts = frozenset(self.copies.texts)
+        return Read(record, frozenset(tape.pinned), tuple(self.raised), texts)
 
     def _unknown(self, name: Any) -> Array:
         """Return what stands for what the first reading changed."""

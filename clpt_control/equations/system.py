@@ -29,7 +29,7 @@ from .declaration import Parameters, sizes_of
 from .reading import Read, read
 from .record import Record
 from .sampled import Sampled
-from .unchanged import Keys, Unkeyed, texts_of
+from .unchanged import Keys, Unkeyed
 
 MOST_NUMBERS = 20_000  # of an array that is a parameter
 MOST_READ = 256  # functions whose records are kept
@@ -51,7 +51,8 @@ class System(Block):
         self.name = system.name
         self._params = dict(system.params if params is None else params)
         self.declared_names = {*system.params, *declared}  # which a run may set
-        self._reads: dict[str, frozenset[Any]] = {}  # role -> names of params
+        # role -> params that it asks for, texts in its code
+        self._reads: dict[str, tuple[frozenset[Any], frozenset[Any]]] = {}
         self._update, self._output = _functions(system)
         q = system.noutputs if system.noutputs is not None else self._count(n, m)
         first = self._output is None and q < n  # of the states, as python-control takes them
@@ -110,28 +111,27 @@ class System(Block):
     def mentions(self, name: str) -> bool:
         """Return whether the functions could read a param of a name."""
         return name in self.declared_names or any(
-            name in names or EVERY in names or name in texts_of(function)
-            for function, names in self._names_read()
+            name in names or EVERY in names or name in texts for names, texts in self._names_read()
         )
 
     def reads(self, name: str) -> bool:
         """Return whether a function read a param of a name, or was not read itself."""
-        return any(name in names or EVERY in names for _, names in self._names_read())
+        return any(name in names or EVERY in names for names, _ in self._names_read())
 
     @property
     def names(self) -> set[str]:
         """Return the params that it declares, or reads."""
-        return self.declared_names.union(*(names for _, names in self._names_read())) - {EVERY}
+        return self.declared_names.union(*(names for names, _ in self._names_read())) - {EVERY}
 
-    def _names_read(self) -> Iterator[tuple[Callable, frozenset[Any]]]:
-        """Yield each function and the params that it reads: any, where it is not read itself."""
-        for role, (function, _) in self._roles.items():
+    def _names_read(self) -> Iterator[tuple[frozenset[Any], frozenset[Any]]]:
+        """Yield the params that each function reads, any where it is not read itself, and texts."""
+        for role in self._roles:
             try:
                 self.array_record(role)
             except Unread:
-                yield function, frozenset([EVERY])
+                yield frozenset([EVERY]), frozenset()
             else:
-                yield function, self._reads[role]
+                yield self._reads[role]
 
     def with_values(self, changes: Mapping[str, Any]) -> Any:
         """Return the parameters with some fields changed."""
@@ -166,7 +166,7 @@ class System(Block):
             return Unread(f"{self.name}.{role}: {error}")
         except BlockError as error:  # which begins with the role
             return Unread(f"{self.name}.{error}")
-        self._reads[role] = result.names
+        self._reads[role] = result.names, result.texts
         self.read_with[role] = frozenset(self.number_names[key] for key in result.pinned), ""
         names = self.number_names.items()
         return result.record.renamed({("p", key): ("p", own) for key, own in names})

@@ -10,7 +10,6 @@ itself, files.  Then it is read anew.
 import cmath
 import dis
 import math
-import sys
 from collections.abc import Iterator, Mapping
 from functools import lru_cache
 from types import CodeType, FunctionType, ModuleType, NoneType
@@ -30,7 +29,6 @@ OPENED = ("globals", "vars", "eval", "exec", "compile", "__import__", "__dict__"
 SEES = frozenset((*READ, *OPENED))  # names by which a function reaches more than it names
 FIXED = {"math": math, "cmath": cmath, "numpy": np, "numpy.linalg": np.linalg}  # never changed
 TABLE = ("x", "y", "c", "points", "values")  # what an interpolator is made of
-WRAPS = ("cell_contents", "__func__", "__self__", "__wrapped__", "func", "args", "keywords", "fget")
 CALLED = (FunctionType, type(math.sin), type(np.sin), type(np.dot), type)
 
 
@@ -159,41 +157,10 @@ def _imports(code: CodeType) -> Iterator[bool]:
         yield from _imports(inner)
 
 
-def texts_of(value: Any, seen: dict[int, Any] | None = None) -> set[str]:
-    """Return the texts in the code that a function reaches: names that it may read."""
-    seen = {} if seen is None else seen
-    if isinstance(value, str):
-        return {value}
-    if id(value) in seen or is_fixed(value) or len(seen) > MOST:
-        return set()
-    seen[id(value)] = value  # alive, so that its place stays its own
-    return set().union(*(texts_of(inner, seen) for inner in _reached(value)))
-
-
-def _reached(value: Any) -> Iterator[Any]:
-    """Yield what a value holds, or reaches by name."""
-    if isinstance(value, CodeType):
-        yield from value.co_consts
-    elif isinstance(value, FunctionType):
-        yield from (value.__code__, value.__defaults__, value.__kwdefaults__, value.__closure__)
-        names = {*names_in(value.__code__)}
-        yield from _named(value.__globals__, names)
-        yield from _named(sys.modules, names)  # what it imports by itself
-    elif isinstance(value, dict):
-        yield from (*value, *value.values())
-    elif isinstance(value, list | tuple | set | frozenset):
-        yield from value
-    elif isinstance(value, type):
-        yield from (one for kind in value.__mro__ for one in vars(kind).values())
-    elif not isinstance(value, np.ndarray | ModuleType):
-        yield from (getattr(value, name) for name in WRAPS if hasattr(value, name))
-        yield from (type(value), getattr(value, "__dict__", None))
-
-
-def _named(space: Mapping[str, Any], names: set[str]) -> Iterator[Any]:
-    """Yield what names stand for, in modules that they name too."""
-    for name in names & space.keys():
-        value = space[name]
-        if isinstance(value, ModuleType) and not is_fixed(value) and vars(value) is not space:
-            yield from _named(vars(value), names - {name})
-        yield value
+def texts_in(code: CodeType) -> Iterator[Any]:
+    """Yield the texts in code, and its other constants, with those of the functions in it."""
+    for one in code.co_consts:
+        if isinstance(one, CodeType):
+            yield from texts_in(one)
+        else:
+            yield from one if isinstance(one, tuple | frozenset) else [one]
