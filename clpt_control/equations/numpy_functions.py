@@ -377,11 +377,22 @@ def sharing(function: Any) -> Callable:
     return shared
 
 
+def of_each(function: Any) -> Callable:
+    """Return what does such a function for each of its arguments."""
+
+    def made(*values: Any) -> Any:
+        tape = tape_of(values)
+        found = [views.part(lifted(tape, value), function) for value in values]
+        return found[0] if len(found) == 1 else tuple(found)
+
+    return made
+
+
 SHARES: dict[Any, Callable] = {
     function: sharing(function)
     for function in (
         *(np.reshape, np.ravel, np.squeeze, np.transpose, np.swapaxes, np.moveaxis),
-        *(np.expand_dims, np.atleast_1d, np.atleast_2d, np.flip, np.flipud, np.fliplr, np.diagonal),
+        *(np.expand_dims, np.flip, np.flipud, np.fliplr, np.diagonal),
     )
 }
 OWN: tuple[Any, ...] = (  # of these NumPy's own code does
@@ -389,6 +400,7 @@ OWN: tuple[Any, ...] = (  # of these NumPy's own code does
     *(np.real, np.imag, np.isreal, np.ndim, np.iscomplexobj, np.isrealobj),
 )
 SHARES.update({function: function._implementation for function in OWN})
+SHARES.update({function: of_each(function) for function in (np.atleast_1d, np.atleast_2d)})
 for real, made in SHARES.items():
     implements(real)(made)
 

@@ -81,6 +81,7 @@ ARRAYS = """
     np.select([[u[0] > 1, u[1] > 0, True]], [u], -1.0)[1] ; np.ravel([u[0], u[1]])[1] ;
     np.mean(np.outer(u, v), axis=(0, 1)) ; np.array([0.0, 1.0]).searchsorted(u[0]) + u[1] ;
     u.repeat(2)[3] ; np.stack([u, v], axis=1)[2, 1] ; np.sum(u, dtype=float) ;
+    np.atleast_1d(u[0], u[1])[1][0] ; np.atleast_2d(u[:1], 7.0)[1][0, 0] + u[0] ;
     np.ix_([0], [1])[0][0, 0] + u[0] ; np.average(u) ; np.average(np.outer(u, v), axis=1)[2] ;
     np.gradient(u)[1] ; np.gradient(u, 0.5)[2] ; np.gradient(u, [0.0, 1.0, 3.0])[1] ;
     np.gradient(u, np.linspace(0, 1, 3))[1] ; np.gradient(u, np.array([1, 2, 4]))[0] ;
