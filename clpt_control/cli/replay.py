@@ -8,6 +8,7 @@ import os
 import re
 import time
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 from math import inf
 from pathlib import Path
 from typing import Any
@@ -26,6 +27,7 @@ from .replay_report import (
     Take,
     check_pace,
     fitted,
+    learn,
     results,
     summary_with_next,
     watch,
@@ -225,15 +227,27 @@ RESULTS, STATE = "replay.nc", "state"  # in a folder of results
 
 
 def folders(top: Path, out: Path) -> Iterator[tuple[Path, str]]:
-    """Return each folder of dives below one, and why it cannot be looked into, if so."""
+    """Return each folder of dives below one, and why it cannot be looked into, if so.
+
+    A link to a folder elsewhere is followed, each place once.
+    """
     from ..gliders.dive_files import may_hold_dives
 
+    root = top.resolve()
+    seen = {root, out.resolve()}
+
+    def is_new(folder: Path) -> bool:
+        place = folder.resolve()
+        of_tree = place.is_relative_to(root) or root.is_relative_to(place)
+        if place in seen or (folder.is_symlink() and of_tree):
+            return False
+        seen.add(place)
+        return True
+
     faults: list[OSError] = []
-    for where, inner, names in os.walk(top, onerror=faults.append):
+    for where, inner, names in os.walk(top, onerror=faults.append, followlinks=True):
         here = Path(where)
-        inner[:] = sorted(
-            name for name in inner if name[0] != "." and (here / name).resolve() != out.resolve()
-        )
+        inner[:] = [name for name in sorted(inner) if name[0] != "." and is_new(here / name)]
         if RESULTS in names:
             inner.clear()
         elif any(may_hold_dives(Path(name)) for name in names):
@@ -285,13 +299,11 @@ def look_at(
                 if not dives:
                     raise DataError(bad[0].why if bad else f"{folder}: no file is there any more")
                 places = pages_of({dive.vehicle or name for dive in dives}, place)
+                dives = [replace(dive, vehicle=dive.vehicle or name) for dive in dives]
                 alerts = Alerts(alert, place)
                 for vehicle, page in places.items():
-                    its = [dive for dive in dives if (dive.vehicle or name) == vehicle]
-                    replay, skipped = take(its, bad)
-                    found, goal = summary_with_next(replay, skipped, Ahead())
-                    found["vehicle"] = vehicle
-                    write(replay, found, make_folder(page), goal, kinds, again=True)
+                    its = [dive for dive in dives if dive.vehicle == vehicle]
+                    found, _ = learn(take, (its, bad), 0, make_folder(page), Ahead(), kinds)
                     link = (page / "replay.html").relative_to(out).as_posix()
                     rows.append(standing(found, link, time.time()))
                     alerts.tell(found)

@@ -106,6 +106,13 @@ class Dive:
     track: Track | None = field(default=None, compare=False, repr=False)
     notes: tuple[str, ...] = field(default=(), compare=False)
 
+    def __repr__(self) -> str:
+        whose = f" of {self.vehicle}" if self.vehicle else ""
+        return (
+            f"<Dive {self.number}{whose}: {self.duration / 3600:.2f} h, miss "
+            f"{self.miss_east:.0f} m east, {self.miss_north:.0f} m north>"
+        )
+
     @property
     def duration(self) -> float:
         """Time between the two fixes, s."""

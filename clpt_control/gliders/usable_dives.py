@@ -32,7 +32,7 @@ from .dives import NUMBERS, Dive, Skipped, changes_noted
 LEAST_DURATION = 1000.0  # s: shelf gliders dive for half an hour, trials for minutes
 FASTEST = 5.0  # m/s: no current and no glider is faster, so a fix or a sum is wrong
 LATEST = datetime(YEARS[1], 1, 1, tzinfo=UTC).timestamp()  # s since 1970
-DAY = 86400.0  # s
+DAY, YEAR = 86400.0, 365.25 * 86400.0  # s
 SMALLER = {"milliseconds": 1e3, "microseconds": 1e6, "nanoseconds": 1e9}  # in one second
 OVERLAP = 60.0  # s that neighbours may share by rounding
 MISSION = 1000  # dives: a larger step in the numbers is another mission
@@ -86,7 +86,9 @@ def usable(
             skipped.append(Skipped(dive.number, "; ".join((why, *dive.notes))))
             continue
         if dive.t_gpse < latest:
-            dive = _noted(dive, "came after a later dive, sorted by time")
+            years = (latest - dive.t_gpse) / YEAR
+            back = f": {years:.0f} years before it, was a clock set back?" if years > 1 else ""
+            dive = _noted(dive, f"came after a later dive, sorted by time{back}")
         latest = max(latest, dive.t_gpse)
         fit.append(dive)
     used: list[Dive] = []
@@ -207,7 +209,8 @@ def _in_minutes(lat: float, lon: float) -> str:
 def _by_time(dive: Dive) -> tuple:
     """Return the key that puts dives in one order: end, start, number, then all else."""
     through_water = (dive.dr_east, dive.dr_north)
-    return (dive.t_gpse, dive.t_gps2, dive.number, *through_water, dive.track is None, repr(dive))
+    rest = repr(vars(dive))
+    return (dive.t_gpse, dive.t_gps2, dive.number, *through_water, dive.track is None, rest)
 
 
 def _overlap(dive: Dive, before: Dive) -> str:

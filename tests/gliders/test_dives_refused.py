@@ -118,6 +118,19 @@ def numbers(dives):
     return [dive.number for dive in used], [one.dive for one in skipped]
 
 
+def test_a_clock_set_back_years_is_said():
+    """A receiver's weeks start again after 1024 of them: 19.6 years."""
+    weeks = 1024 * 7 * 86400.0
+    before = [
+        replace(dive, t_gps2=dive.t_gps2 + weeks, t_gpse=dive.t_gpse + weeks)
+        for dive in (later(10), later(11))
+    ]
+    used, _ = usable([*before, later(12)])
+    assert [dive.number for dive in used] == [12, 10, 11]
+    assert "20 years before it, was a clock set back?" in used[0].notes[0]
+    assert used[1].notes == used[2].notes == ()
+
+
 def test_vehicles_years_apart_are_noted():
     names = ("SG1", "sg1", None, "rosie", "rosie")
     dives = [later(10 + k, vehicle=name) for k, name in enumerate(names)]

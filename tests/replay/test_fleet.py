@@ -308,6 +308,26 @@ def test_the_results_of_a_replay_are_no_vehicle(tmp_path, command):
         assert [row["vehicle"] for row in found["vehicles"]] == ["well"]
 
 
+@pytest.mark.usefixtures("undrawn")
+def test_linked_folders_are_followed_once_and_never_in_a_circle(tmp_path, command):
+    top, elsewhere = tmp_path / "top", tmp_path / "elsewhere"
+    for folder in (top / "here", elsewhere / "there"):
+        folder.mkdir(parents=True)
+        one_file_each(folder, recent(4, 1.0))
+    (top / "linked").symlink_to(elsewhere)
+    (top / "again").symlink_to(elsewhere / "there")
+    (top / "a").symlink_to(top / "here")
+    (top / "here" / "up").symlink_to(tmp_path)
+    (elsewhere / "there" / "circle").symlink_to(elsewhere)
+    found = json.loads(command("--fleet", top, "--json").stdout)
+    assert sorted(row["vehicle"] for row in found["vehicles"]) == ["here", "there"]
+    assert sorted(path.name for path in (top / "replay").iterdir()) == [
+        "again",
+        "fleet.html",
+        "here",
+    ]
+
+
 @pytest.mark.parametrize("kept", ["5", '{"a": 1}', "[", "a pipe"])
 def test_what_was_told_and_cannot_be_read_is_told_again(tmp_path, kept):
     place = tmp_path / "state" / fleet.TOLD
