@@ -6,6 +6,8 @@ sentence and ends with status 2, or with 1 where a run was under way.
 """
 
 import types
+from collections.abc import Iterator
+from contextlib import contextmanager
 from importlib import import_module
 
 EXTRA = {"dask": "ensemble", "distributed": "ensemble", "zarr": "ensemble"}  # all others: sea
@@ -41,6 +43,15 @@ class DataError(ClptError, ValueError):
 
 class SimulationError(ClptError, RuntimeError):
     """A run that was under way could not go on."""
+
+
+@contextmanager
+def naming(file: object) -> Iterator[None]:
+    """Begin the sentence of what is wrong with the name of the file that it is about."""
+    try:
+        yield
+    except ClptError as error:
+        raise DataError(f"{file}: {error}") from None
 
 
 def needed(module: str) -> types.ModuleType:

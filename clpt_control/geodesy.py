@@ -19,9 +19,9 @@ def _ellipsoid() -> Any:
     return needed("pyproj").Geod(ellps="WGS84")
 
 
-def is_place(lat: float, lon: float) -> bool:
-    """Whether two numbers are a place on Earth, degrees."""
-    return abs(lat) <= 90.0 and abs(lon) <= 360.0  # False where not a number
+def is_place(lat: Any, lon: Any) -> Any:
+    """Whether two numbers, or many, are a place on Earth, degrees."""
+    return (abs(lat) <= 90.0) & (abs(lon) <= 360.0)  # False where not a number
 
 
 def displacement(lat1: float, lon1: float, lat2: float, lon2: float) -> tuple[float, float]:

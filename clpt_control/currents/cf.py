@@ -11,7 +11,6 @@ speed that no sea has is refused instead.
 
 import re
 import warnings
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -50,7 +49,7 @@ CALENDARS = (*REAL, "julian", "noleap", "365_day", "all_leap", "366_day", "360_d
 SINCE_A_DATE = re.compile(r"\s*(\w+)\s+since\s+(\d+-\d+-\d+.*)", re.IGNORECASE)
 
 
-def find_variable(data: "xarray.Dataset", table: dict[str, Any], what: str, path: Path) -> str:
+def find_variable(data: "xarray.Dataset", table: dict[str, Any], what: str) -> str:
     """Return the name of a variable of `VELOCITY` or `AXES`, by standard name and by name.
 
     One with both comes first, then one with the standard name, then one with the name.
@@ -67,41 +66,41 @@ def find_variable(data: "xarray.Dataset", table: dict[str, Any], what: str, path
     if table is AXES and any(
         data[n].attrs.get("standard_name") in PROJECTED for n in data.variables
     ):
-        raise DataError(f"{path}: has a projected grid, of x and y, and no {what}; {CURE}")
+        raise DataError(f"has a projected grid, of x and y, and no {what}; {CURE}")
     kind = f"{what} velocity" if table is VELOCITY else what
     raise DataError(
-        f"{path}: no {kind}; a variable with standard_name '{standard[0]}' or one of the names "
+        f"no {kind}; a variable with standard_name '{standard[0]}' or one of the names "
         f"{', '.join(names)} is needed, the file has "
         f"{', '.join(map(str, data.variables)) or 'none'}"
     )
 
 
-def find_axis(data: "xarray.Dataset", velocity: str, what: str, path: Path) -> "xarray.DataArray":
+def find_axis(data: "xarray.Dataset", velocity: str, what: str) -> "xarray.DataArray":
     """Return the coordinate, of one dimension that a velocity has, for a key of `AXES`."""
-    name = find_variable(data, AXES, what, path)
+    name = find_variable(data, AXES, what)
     axis = data[name]
     if what != "time" and axis.ndim == 2:
         raise DataError(
-            f"{path}: {name} has the dimensions ({', '.join(map(str, axis.dims))}): a curvilinear "
+            f"{name} has the dimensions ({', '.join(map(str, axis.dims))}): a curvilinear "
             f"grid; {CURE}"
         )
     if axis.ndim != 1 or axis.dims[0] not in data[velocity].dims:
         raise DataError(
-            f"{path}: {name} has the dimensions ({', '.join(map(str, axis.dims))}); must be one "
+            f"{name} has the dimensions ({', '.join(map(str, axis.dims))}); must be one "
             f"of those of {velocity} ({', '.join(map(str, data[velocity].dims))})"
             + ("" if what == "time" else ": a grid of latitudes and longitudes")
         )
     if what == "time":
         return axis
     if not axis.size:
-        raise DataError(f"{path}: {name} has the length zero; must hold at least one {what}")
+        raise DataError(f"{name} has the length zero; must hold at least one {what}")
     most = 90.0 if what == "latitude" else 720.0
-    degrees = numbers_of(axis, f"{path}: {name}")
+    degrees = numbers_of(axis)
     if not np.all(np.isfinite(degrees)):
-        raise DataError(f"{path}: {name} has values that are not finite")
+        raise DataError(f"{name} has values that are not finite")
     if np.any(np.abs(degrees) > most + 1e-6):
         raise DataError(
-            f"{path}: {name} goes from {degrees.min():.6g} to {degrees.max():.6g}; must be "
+            f"{name} goes from {degrees.min():.6g} to {degrees.max():.6g}; must be "
             f"a {what} in degrees"
         )
     return axis
@@ -115,11 +114,11 @@ def is_depth(data: "xarray.Dataset", dim: Any) -> bool:
     return str(dim).lower() in DEPTH_NAMES or standard.startswith(DEPTHS)
 
 
-def numbers_of(variable: "xarray.DataArray", where: str) -> np.ndarray:
+def numbers_of(variable: "xarray.DataArray") -> np.ndarray:
     """Return a variable's values as floats; characters and ragged rows are refused."""
     values = variable.values  # where rows are ragged, the variable says numbers and these do not
     if values.dtype.kind not in "iuf":
-        raise DataError(f"{where} holds {values.dtype}; must hold numbers")
+        raise DataError(f"{variable.name} holds {values.dtype}; must hold numbers")
     return values.astype(float)
 
 
@@ -148,51 +147,47 @@ def decoded(numbers: np.ndarray, unit: str, calendar: str = "standard") -> np.nd
         return None
 
 
-def dates_of(when: "xarray.DataArray", path: Path, real: bool = True, least: int = 2) -> np.ndarray:
+def dates_of(when: "xarray.DataArray", real: bool = True, least: int = 2) -> np.ndarray:
     """Return the times of a file as `decoded` has them, in ns where dates must be `real`.
 
     A dive and a tide need real dates, a current alone does not.
     """
-    where = f"{path}: {when.name}"
     unit = str(when.attrs.get("units", ""))
     calendar = str(when.attrs.get("calendar", "standard"))
     if len(when) < least:
-        raise DataError(
-            f"{where} has {len(when)} step{'s' if len(when) != 1 else ''}; at least {least} are "
-            "needed"
-        )
-    numbers = numbers_of(when, where)
+        steps = f"{len(when)} step{'s' if len(when) != 1 else ''}"
+        raise DataError(f"{when.name} has {steps}; at least {least} are needed")
+    numbers = numbers_of(when)
     if calendar.lower() not in (REAL if real else CALENDARS):
         raise DataError(
-            f"{where} has the calendar '{calendar}'; must be one of "
+            f"{when.name} has the calendar '{calendar}'; must be one of "
             + (f"real dates: {', '.join(REAL)}" if real else ", ".join(CALENDARS))
         )
     if not np.all(np.isfinite(numbers)):
-        raise DataError(f"{where} has values that are not finite")
+        raise DataError(f"{when.name} has values that are not finite")
     dates = decoded(when.values, unit, calendar)
     if dates is None or (real and dates.dtype.kind != "M"):
         years = "" if dates is None else ", with years from 1678 to 2261"
-        raise DataError(
-            f"{where} has units '{unit}'; must be such as 'hours since 2019-01-01 00:00:00'{years}"
-        )
+        such = f"'hours since 2019-01-01 00:00:00'{years}"
+        raise DataError(f"{when.name} has units '{unit}'; must be such as {such}")
     return dates
 
 
-def check_speed(values: np.ndarray, what: str, path: Path) -> None:
+def check_speed(values: np.ndarray, what: str) -> None:
     """Refuse a speed, m/s with NaN in gaps, that no sea has; one at least is finite."""
     most = np.nanmax(np.abs(values))
     if most > FASTEST:
         raise DataError(
-            f"{path}: {what} reaches {most:.4g} m/s; at most {FASTEST} are allowed: check its "
+            f"{what} reaches {most:.4g} m/s; at most {FASTEST} are allowed: check its "
             "units and fill value"
         )
 
 
-def check_places(lat: "xarray.DataArray", lon: "xarray.DataArray", path: Path) -> None:
+def check_places(lat: "xarray.DataArray", lon: "xarray.DataArray") -> None:
     """Refuse latitudes and longitudes of the same dimension: places, and no grid of them."""
     if lat.dims == lon.dims:
         raise DataError(
-            f"{path}: {lat.name} and {lon.name} are those of each {lat.dims[0]}: a triangular grid "
+            f"{lat.name} and {lon.name} are those of each {lat.dims[0]}: a triangular grid "
             f"or a track; {CURE}"
         )
 
@@ -201,7 +196,6 @@ def velocity_values(
     data: "xarray.Dataset",
     name: str,
     index: dict[Any, np.ndarray],
-    path: Path,
     units: str | None = None,
 ) -> np.ndarray:
     """Return a velocity in m/s, NaN where missing, at the `index` of each dimension.
@@ -213,18 +207,18 @@ def velocity_values(
     stated = values.attrs.get("units")
     if stated is None and units is None:
         raise DataError(
-            f"{path}: {name} has no units; must be such as 'm/s' or 'cm s-1': give --units to clpt "
+            f"{name} has no units; must be such as 'm/s' or 'cm s-1': give --units to clpt "
             "fit, tides or replay, or write the attribute"
         )
-    size = speed_in_metres_per_second(str(units if stated is None else stated), f"{path}: {name}")
+    size = speed_in_metres_per_second(str(units if stated is None else stated), name)
     if stated and units and speed_in_metres_per_second(units, "--units") != size:
-        raise DataError(f"{path}: {name} is in '{stated}'; units = '{units}' is for a file without")
+        raise DataError(f"{name} is in '{stated}'; units = '{units}' is for a file without")
     for dim in set(values.dims) - set(index):
         level = 0
         if values.sizes[dim] != 1:
             if not is_depth(data, dim):
                 raise DataError(
-                    f"{path}: {name} has the dimension {dim} of {values.sizes[dim]}; allowed are "
+                    f"{name} has the dimension {dim} of {values.sizes[dim]}; allowed are "
                     "time, latitude, longitude and a depth: choose one and write it alone"
                 )
             depth = data[dim].values.astype(float)
@@ -232,15 +226,15 @@ def velocity_values(
         values = values.isel({dim: level})
     if set(values.dims) != set(index):
         raise DataError(
-            f"{path}: {name} has the dimensions ({', '.join(map(str, values.dims))}); must have "
+            f"{name} has the dimensions ({', '.join(map(str, values.dims))}); must have "
             f"({', '.join(map(str, index))})"
         )
     try:
         chosen = _in_blocks(values, index).transpose(*index)
     except (ValueError, TypeError):  # of letters that are to be scaled
-        raise DataError(f"{path}: {name} holds what is no number; must hold numbers") from None
-    numbers = numbers_of(chosen, f"{path}: {name}")
-    _check_packing(chosen, numbers, f"{path}: {name}")
+        raise DataError(f"{name} holds what is no number; must hold numbers") from None
+    numbers = numbers_of(chosen)
+    _check_packing(chosen, numbers, name)
     return numbers * size
 
 

@@ -21,11 +21,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..arguments import public
-from ..errors import DataError
+from ..errors import DataError, naming
 from ..files.reading import open_netcdf, shown_name
 from ..geodesy import near
 from .cf import AXES, VELOCITY, check_speed, dates_of, find_axis, find_variable, velocity_values
-from .constituents import check_increasing
+from .constituents import check_increasing, checked_latitude
 from .text_table import is_table, read_table
 
 if TYPE_CHECKING:
@@ -104,41 +104,39 @@ def read_record(
                 u, v = (_over_ranges(w.reshape(each.shape)) for w in (u, v))
         place: tuple[float | None, float | None] = (stated, None)
     else:
-        with open_netcdf(path) as data:
-            times, u, v, place = _from_netcdf(of_profiler(data, path), path, at, units)
+        with open_netcdf(path) as data, naming(path):
+            times, u, v, place = _from_netcdf(of_profiler(data), at, units)
     check_increasing(times, str(path))
-    gap = ~(np.isfinite(u) & np.isfinite(v))
-    if gap.all():
-        raise DataError(f"{path}: no time has a finite value of both components of the current")
-    u, v = np.where(gap, np.nan, u), np.where(gap, np.nan, v)
-    for name, values in (("eastward", u), ("northward", v)):
-        check_speed(values, f"the {name} current", path)
-    found = place[0] if latitude is None else latitude
-    if found is None:
-        raise DataError(
-            f"{path}: does not say its latitude, which the nodal corrections need; give "
-            "--latitude DEG"
-        )
-    if not (np.isfinite(found) and -90 <= found <= 90):
-        raise DataError(f"{path}: latitude = {found}: must be degrees north, from -90 to 90")
+    with naming(path):
+        gap = ~(np.isfinite(u) & np.isfinite(v))
+        if gap.all():
+            raise DataError("no time has a finite value of both components of the current")
+        u, v = np.where(gap, np.nan, u), np.where(gap, np.nan, v)
+        for name, values in (("eastward", u), ("northward", v)):
+            check_speed(values, f"the {name} current")
+        found = place[0] if latitude is None else latitude
+        if found is None:
+            raise DataError(
+                "does not say its latitude, which the nodal corrections need; give --latitude DEG"
+            )
+        checked_latitude(found)
     return CurrentRecord(times, u, v, float(found), place[1], shown_name(path))
 
 
 def _from_netcdf(
-    data: "xarray.Dataset", path: Path, at: tuple[float, float] | None, units: str | None
+    data: "xarray.Dataset", at: tuple[float, float] | None, units: str | None
 ) -> tuple:
     """Return times, u, v and (latitude, longitude)."""
-    east = find_variable(data, VELOCITY, "eastward", path)
-    north = find_variable(data, VELOCITY, "northward", path)
-    when = find_axis(data, east, "time", path)
-    times = (dates_of(when, path) + np.timedelta64(500, "us")).astype("datetime64[ms]")
+    east, north = (find_variable(data, VELOCITY, what) for what in ("eastward", "northward"))
+    when = find_axis(data, east, "time")
+    times = (dates_of(when) + np.timedelta64(500, "us")).astype("datetime64[ms]")
     index: dict[Any, np.ndarray] = {when.dims[0]: np.arange(len(times))}
     place = _own_place(data)
     if at is not None:
         place = []
         for what, wanted in zip(("latitude", "longitude"), at, strict=True):
-            axis = find_axis(data, east, what, path)
-            k = _nearest(axis.values.astype(float), wanted, what, path)
+            axis = find_axis(data, east, what)
+            k = _nearest(axis.values.astype(float), wanted, what)
             index[axis.dims[0]] = np.array([k])
             place.append(float(axis.values[k]))
     others = {dim: data[east].sizes[dim] for dim in data[east].dims if dim not in index}
@@ -146,23 +144,23 @@ def _from_netcdf(
     grid = [n for n, size in others.items() if size > 1 and str(n).lower() in horizontal]
     if at is None and grid:
         raise DataError(
-            f"{path}: is a grid of {' x '.join(str(others[n]) for n in grid)} places; --at LAT LON "
-            "takes the nearest"
+            f"is a grid of {' x '.join(str(others[n]) for n in grid)} places; --at LAT LON takes "
+            "the nearest"
         )
-    u, v = (velocity_values(data, name, index, path, units).ravel() for name in (east, north))
+    u, v = (velocity_values(data, name, index, units).ravel() for name in (east, north))
     return times, u, v, tuple(place)
 
 
-def _nearest(axis: np.ndarray, wanted: float, what: str, path: Path) -> int:
+def _nearest(axis: np.ndarray, wanted: float, what: str) -> int:
     """Return the cell nearest to a place that lies in the grid."""
     if not np.isfinite(wanted):
-        raise DataError(f"{path}: {what} {wanted}: must be finite degrees")
+        raise DataError(f"{what} {wanted}: must be finite degrees")
     apart = near(axis - wanted, 0.0) if what == "longitude" else axis - wanted
     k = int(np.argmin(np.abs(apart)))
     cell = np.abs(np.diff(np.sort(axis))).max() if len(axis) > 1 else 1.0
     if abs(apart[k]) > cell:
         raise DataError(
-            f"{path}: {what} {wanted:g} lies outside the grid, which covers {axis.min():.6g} to "
+            f"{what} {wanted:g} lies outside the grid, which covers {axis.min():.6g} to "
             f"{axis.max():.6g}"
         )
     return k
@@ -201,7 +199,7 @@ def _over_ranges(values: np.ndarray) -> np.ndarray:
         return np.where(known, often, 0.0).sum(axis=1) / known.sum(axis=1)
 
 
-def of_profiler(data: "xarray.Dataset", path: Path) -> "xarray.Dataset":
+def of_profiler(data: "xarray.Dataset") -> "xarray.Dataset":
     """Return u and v of a profiler's file; another file as it is."""
     if "vel" not in data.variables or "dir" not in data.variables or "dir" not in data["vel"].dims:
         return data
@@ -209,19 +207,19 @@ def of_profiler(data: "xarray.Dataset", path: Path) -> "xarray.Dataset":
     names = [str(name) for name in data["dir"].values]
     if system != "earth" or not {"E", "N"} <= set(names):
         raise DataError(
-            f"{path}: vel has the coordinates '{system}' ({', '.join(names)}); must be earth: "
+            f"vel has the coordinates '{system}' ({', '.join(names)}); must be earth: "
             "dolfyn.rotate2(data, 'earth'), and save it again"
         )
     if "declination" not in data.attrs:
         raise DataError(
-            f"{path}: does not say its declination, so north is that of the compass; "
+            "does not say its declination, so north is that of the compass; "
             "dolfyn.set_declination(data, DEGREES EAST), and save it again"
         )
     parts = {}
     for name, direction in (("u", "E"), ("v", "N")):
         part = data["vel"].isel(dir=names.index(direction), drop=True)
         if "time" not in part.dims or part.ndim > 2:
-            raise DataError(f"{path}: vel is on {', '.join(map(str, data['vel'].dims))}")
+            raise DataError(f"vel is on {', '.join(map(str, data['vel'].dims))}")
         mean = _over_ranges(part.transpose("time", ...).values.reshape(part.sizes["time"], -1))
         units = {key: value for key, value in data["vel"].attrs.items() if key == "units"}
         parts[name] = ("time", mean, units)

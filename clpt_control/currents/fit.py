@@ -29,7 +29,7 @@ import numpy as np
 
 from ..arguments import public
 from ..equations.at_many import evaluate
-from ..errors import DataError
+from ..errors import DataError, naming
 from ..estimation.least_squares import least_squares
 from ..files import check_writable, write_together
 from ..scenario import tidal_periods
@@ -181,10 +181,8 @@ def fit_scenario(
         )
     ]
     phi = evaluate(scenario.basis_block(), t, np.column_stack([s1, s2]))
-    try:
+    with naming(path):
         fit = least_squares(phi, np.column_stack([u[measured], v[measured]]), names)
-    except DataError as error:
-        raise DataError(f"{path}: {error}") from None
     if start_from_fit:
         alpha = tuple(map(tuple, (-fit.theta).tolist()))
         learning = scenario.learning.model_copy(update={"parameters": alpha})

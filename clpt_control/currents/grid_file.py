@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..arguments import public
-from ..errors import ClptError, DataError
+from ..errors import ClptError, DataError, naming
 from ..files.reading import open_netcdf, shown_name, zarr_store
 from ..units import length_in_metres, seconds_since_1970
 from . import cf
@@ -33,6 +33,7 @@ DEEPEST = 1000.0  # m; no level of a column further down is read, except the nex
 AROUND = 1.5  # times the median step: no longer step is missing in a grid around the Earth
 MOST = 10**8  # values of one component: 0.8 GB
 SUFFIXES = (".nc", ".nc4", ".cdf", ".netcdf")
+Box = tuple[float, float, float, float]
 ZARR = ("zarr.json", ".zgroup", ".zmetadata")  # one is in each folder of Zarr
 
 
@@ -65,7 +66,7 @@ class Currents:
     start: str  # the first step, ISO 8601, as the file counts it (UTC unless it says)
     u: np.ndarray  # to the east, m/s, NaN in gaps, shape (nt, ny, nx), or (nt, nz, ny, nx)
     v: np.ndarray  # to the north
-    box: tuple[float, float, float, float]  # lat0, lat1, lon0, lon1 asked for, degrees
+    box: Box  # lat0, lat1, lon0, lon1 asked for, degrees
     source: str  # name of the file or folder
     land: int = 0  # cells, of all levels, whose zeros were taken as land
 
@@ -127,14 +128,14 @@ def read_currents(
     >>> currents.start, currents.time, float(currents.u[0, 0, 0])
     ('2019-01-01T00:00:00', array([0., 1.]), 0.25)
     """
-    path = Path(path)
+    path, span = Path(path), None if box is None else _checked_box(box)
     if not path.is_dir() or any((path / name).exists() for name in ZARR):
-        found = _read(path, box, column, units, 2)
+        found = _read(path, span, column, units, 2)
     else:
         files = sorted(f for f in path.iterdir() if f.suffix.lower() in SUFFIXES)
         if not files:
             raise DataError(f"{path}: holds neither Zarr nor a NetCDF file ({', '.join(SUFFIXES)})")
-        found = _concatenated(path, [_read(file, box, column, units, 1) for file in files])
+        found = _concatenated(path, [_read(file, span, column, units, 1) for file in files])
     still = ~((found.u != 0.0) | (found.v != 0.0)).any(axis=0)
     if still.all() or not still.any():
         return found
@@ -189,45 +190,36 @@ def _concatenated(path: Path, parts: list[Currents]) -> Currents:
     return replace(first, **merged, source=shown_name(path))
 
 
-def _read(
-    path: Path,
-    box: tuple[float, float, float, float] | None,
-    column: bool,
-    units: str | None,
-    least: int,
-) -> Currents:
+def _read(path: Path, span: Box | None, column: bool, units: str | None, least: int) -> Currents:
     """Read one file, or Zarr folder, of so many steps at least."""
-    with _opened(path) as data:
+    with _opened(path) as data, naming(path):
         if "fit_report" in data.attrs:
             raise DataError(
-                f"{path}: is the field of a `clpt fit`; give the .toml file beside it as a flow "
-                "model, or the file that was fitted"
+                "is the field of a `clpt fit`; give the .toml file beside it as a flow model, or "
+                "the file that was fitted"
             )
-        names = [
-            cf.find_variable(data, cf.VELOCITY, what, path) for what in ("eastward", "northward")
-        ]
+        names = [cf.find_variable(data, cf.VELOCITY, what) for what in ("eastward", "northward")]
         lat, lon, when = (
-            cf.find_axis(data, names[0], what, path) for what in ("latitude", "longitude", "time")
+            cf.find_axis(data, names[0], what) for what in ("latitude", "longitude", "time")
         )
-        cf.check_places(lat, lon, path)
-        hours, start = _since_first(cf.dates_of(when, path, column, least))
+        cf.check_places(lat, lon)
+        hours, start = _since_first(cf.dates_of(when, column, least))
         latitudes, longitudes = lat.values.astype(float), lon.values.astype(float)
-        span = None if box is None else _checked_box(box)
         longitudes = _unwrapped(longitudes, span)
         wanted = span or (latitudes.min(), latitudes.max(), longitudes.min(), longitudes.max())
-        rows = _inside(latitudes, wanted[:2], f"{path}: {lat.name}", box is None)
-        columns = _inside(longitudes, wanted[2:], f"{path}: {lon.name}", box is None)
+        rows = _inside(latitudes, wanted[:2], str(lat.name), span is None)
+        columns = _inside(longitudes, wanted[2:], str(lon.name), span is None)
         lon_read = longitudes[columns]
         if column and lon_read[0] + 360.0 - lon_read[-1] < AROUND * np.median(np.diff(lon_read)):
             columns = np.append(columns, columns[0])
             lon_read = np.append(lon_read, lon_read[0] + 360.0)
         steps = np.argsort(hours)
         if not np.all(np.diff(hours[steps]) > 0):
-            raise DataError(f"{path}: {when.name} has a step twice; keep each time once")
+            raise DataError(f"{when.name} has a step twice; keep each time once")
         index = {when.dims[0]: steps, lat.dims[0]: rows, lon.dims[0]: columns}
         depth = np.zeros(1)
         if column:
-            level, depth = _levels(data, names[0], set(index), path)
+            level, depth = _levels(data, names[0], set(index))
             order = np.argsort(depth)
             order = order[: int(np.searchsorted(depth[order], DEEPEST)) + 1]
             depth = depth[order]
@@ -236,33 +228,33 @@ def _read(
         size = np.prod([len(places) for places in index.values()], dtype=float)
         if size > MOST:
             raise DataError(
-                f"{path}: {names[0]} has {size:.3g} values; at most {MOST:.0g} can be held, cut "
+                f"{names[0]} has {size:.3g} values; at most {MOST:.0g} can be held, cut "
                 "the file to the area and days that are needed"
             )
-        u, v = (cf.velocity_values(data, name, index, path, units) for name in names)
-    gap = ~(np.isfinite(u) & np.isfinite(v))
-    if gap.all():
-        raise DataError(
-            f"{path}: {names[0]} and {names[1]} have no finite value in the box {_edges(wanted)}; "
-            "choose a box where the current was measured"
+        u, v = (cf.velocity_values(data, name, index, units) for name in names)
+        gap = ~(np.isfinite(u) & np.isfinite(v))
+        if gap.all():
+            raise DataError(
+                f"{names[0]} and {names[1]} have no finite value in the box {_edges(wanted)}; "
+                "choose a box where the current was measured"
+            )
+        u[gap] = v[gap] = np.nan
+        for name, values in zip(names, (u, v), strict=True):
+            cf.check_speed(values, name)
+        if column and u.ndim == 3:
+            u, v = u[:, None], v[:, None]
+        lat0, lat1, lon0, lon1 = map(float, wanted)
+        return Currents(
+            latitudes[rows],
+            lon_read,
+            depth,
+            hours[steps],
+            start,
+            u,
+            v,
+            (lat0, lat1, lon0, lon1),
+            shown_name(path),
         )
-    u[gap] = v[gap] = np.nan
-    for name, values in zip(names, (u, v), strict=True):
-        cf.check_speed(values, name, path)
-    if column and u.ndim == 3:
-        u, v = u[:, None], v[:, None]
-    lat0, lat1, lon0, lon1 = map(float, wanted)
-    return Currents(
-        latitudes[rows],
-        lon_read,
-        depth,
-        hours[steps],
-        start,
-        u,
-        v,
-        (lat0, lat1, lon0, lon1),
-        shown_name(path),
-    )
 
 
 def _since_first(dates: np.ndarray) -> tuple[np.ndarray, str]:
@@ -277,7 +269,7 @@ def _since_first(dates: np.ndarray) -> tuple[np.ndarray, str]:
     return np.array([(date - first).total_seconds() / 3600.0 for date in dates]), start
 
 
-def _checked_box(box: Any) -> tuple[float, float, float, float]:
+def _checked_box(box: Any) -> Box:
     """Return lat0, lat1, lon0, lon1 with lon1 > lon0, also across 180 degrees."""
     if len(box) != 4 or not np.all(np.isfinite(box)):
         raise DataError(f"box = {tuple(box)}: must be 4 finite numbers, LAT0 LAT1 LON0 LON1")
@@ -291,7 +283,7 @@ def _checked_box(box: Any) -> tuple[float, float, float, float]:
     return lat0, lat1, lon0, lon0 + width
 
 
-def _unwrapped(lon: np.ndarray, box: tuple[float, float, float, float] | None) -> np.ndarray:
+def _unwrapped(lon: np.ndarray, box: Box | None) -> np.ndarray:
     """Return longitudes without a jump: cut opposite a box, or at the circle's largest gap.
 
     A grid around the Earth has none and is cut where the file begins.
@@ -323,9 +315,7 @@ def _inside(axis: np.ndarray, span: tuple, where: str, whole: bool) -> np.ndarra
     return inside
 
 
-def _levels(
-    data: "xarray.Dataset", name: str, axes: set, path: Path
-) -> tuple[Any | None, np.ndarray]:
+def _levels(data: "xarray.Dataset", name: str, axes: set) -> tuple[Any | None, np.ndarray]:
     """Return the dimension of depth, if any, and its levels, m."""
     others = [dim for dim in data[name].dims if dim not in axes]
     dims = [dim for dim in others if data[name].sizes[dim] != 1]
@@ -335,11 +325,11 @@ def _levels(
         return None, np.nan_to_num(alone)
     if len(dims) > 1 or not cf.is_depth(data, dims[0]):
         raise DataError(
-            f"{path}: {name} has the dimensions ({', '.join(map(str, data[name].dims))}); allowed "
+            f"{name} has the dimensions ({', '.join(map(str, data[name].dims))}); allowed "
             "are time, latitude, longitude and a depth"
         )
-    where = f"{path}: {dims[0]}"
-    depth = np.abs(cf.numbers_of(data[dims[0]], where))
+    where = str(dims[0])
+    depth = np.abs(cf.numbers_of(data[dims[0]]))
     unit = str(data[dims[0]].attrs.get("units", "")).strip()
     if unit or not str(dims[0]).lower().startswith(("depth", "z")):  # else taken as m
         depth *= length_in_metres(unit, where)

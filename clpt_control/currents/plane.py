@@ -32,13 +32,12 @@ CF units; `read_field` converts it to the scenario's units of length and time.
 """
 
 from dataclasses import dataclass
-from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..errors import DataError, needed
+from ..errors import DataError, naming, needed
 from ..files.reading import open_netcdf
 from ..geodesy import near
 from ..units import METRES, SECONDS, length_in_metres, speed_in_metres_per_second, time_in_seconds
@@ -51,9 +50,8 @@ WIDEST = 1000.0  # km from the origin; beyond, lengths across are off by more th
 SPEED = 10.0  # km/h: what one hour of distance in time is worth in space
 
 
-@dataclass(frozen=True)
 class LocalPlane:
-    """The plane around one place.
+    """The plane around one place: latitude and longitude of its origin, degrees.
 
     >>> plane = LocalPlane(41.0, -69.0)
     >>> x1, x2 = plane.to_plane(41.1, -69.0)
@@ -61,21 +59,15 @@ class LocalPlane:
     (0.0, 11.11)
     """
 
-    lat: float  # of the origin, degrees north
-    lon: float  # degrees east
-
-    def __post_init__(self):
-        if not (abs(self.lat) <= 90 and np.isfinite(self.lon)):
+    def __init__(self, lat: float, lon: float) -> None:
+        if not (abs(lat) <= 90 and np.isfinite(lon)):
             raise DataError(
-                f"origin ({self.lat}, {self.lon}): must be a latitude of -90 to 90 and a "
-                "finite longitude, degrees"
+                f"origin ({lat}, {lon}): must be a latitude of -90 to 90 and a finite longitude, "
+                "degrees"
             )
-
-    @cached_property
-    def _projection(self) -> Any:
-        return needed("pyproj").Proj(
-            proj="aeqd", ellps="WGS84", lat_0=self.lat, lon_0=self.lon, units="km"
-        )
+        self.lat, self.lon = lat, lon
+        aeqd = {"proj": "aeqd", "ellps": "WGS84", "units": "km"}
+        self._projection = needed("pyproj").Proj(aeqd, lat_0=lat, lon_0=lon)
 
     def to_plane(self, lat: Any, lon: Any) -> tuple[np.ndarray, np.ndarray]:
         """Return x1 and x2 in km of places in degrees, 1000 km from the origin at most."""
@@ -121,17 +113,12 @@ class GriddedField:
 
 
 def fill_gaps(
-    time: np.ndarray,
-    x2: np.ndarray,
-    x1: np.ndarray,
-    u: np.ndarray,
-    v: np.ndarray,
-    speed: float = SPEED,
+    time: np.ndarray, x2: np.ndarray, x1: np.ndarray, u: np.ndarray, v: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return a current with its gaps filled harmonically in space and time, and where they were.
 
     `time` in h, `x2` and `x1` in km increase; `u` and `v`, shape (nt, ny, nx), are NaN where
-    missing; one hour is worth `speed` in space, km/h.
+    missing, and finite somewhere.
 
     >>> axis = np.arange(3.0)
     >>> u = np.broadcast_to(axis, (3, 3, 3)).copy()
@@ -140,37 +127,21 @@ def fill_gaps(
     >>> float(full[1, 1, 1].round(12)), int(gap.sum())
     (1.0, 1)
     """
-    from scipy.sparse import coo_array
+    from scipy.sparse import diags_array, kronsum
     from scipy.sparse.linalg import splu
 
-    u, v = np.asarray(u, float), np.asarray(v, float)
     gap = ~(np.isfinite(u) & np.isfinite(v))
-    if gap.all():
-        raise DataError("the current has no finite value to fill gaps from; choose another box")
-    index = np.arange(gap.size).reshape(gap.shape)
-    rows, columns, weights = [], [], []
-    for axis, scale in zip(range(3), (speed * np.asarray(time), x2, x1), strict=True):
-        d = np.diff(np.asarray(scale, float))
+    alone = []  # weights of the neighbours along each axis
+    for axis in (SPEED * time, x2, x1):
+        d = np.diff(axis)
         size = np.concatenate([d[:1], (d[1:] + d[:-1]) / 2, d[-1:]])
-        shape = [1, 1, 1]
-        shape[axis] = -1
-        before = np.take(index, range(len(d)), axis)
-        after = np.take(index, range(1, len(d) + 1), axis)
-        for row, column, h in ((before, after, size[:-1]), (after, before, size[1:])):
-            rows.append(row.ravel())
-            columns.append(column.ravel())
-            weights.append(np.broadcast_to((1 / (d * h)).reshape(shape), row.shape).ravel())
-    links = coo_array(
-        (np.concatenate(weights), (np.concatenate(rows), np.concatenate(columns))),
-        shape=(gap.size, gap.size),
-    ).tocsr()
+        alone.append(diags_array([1 / (d * size[:-1]), 1 / (d * size[1:])], offsets=[1, -1]))
+    links = kronsum(kronsum(alone[2], alone[1]), alone[0]).tocsr()
     missing, known = np.flatnonzero(gap), np.flatnonzero(~gap)
     values = np.column_stack([u.ravel(), v.ravel()])
     if len(missing):
-        total = np.asarray(links.sum(axis=1)).ravel()[missing]
         among = links[missing]
-        matrix = coo_array((total, (range(len(missing)), range(len(missing)))))
-        solver = splu((matrix - among[:, missing]).tocsc())
+        solver = splu((diags_array(among.sum(axis=1)) - among[:, missing]).tocsc())
         values[missing] = solver.solve(among[:, known] @ values[known])
     return values[:, 0].reshape(gap.shape), values[:, 1].reshape(gap.shape), gap
 
@@ -212,29 +183,23 @@ def regular_grid(
 
 def read_field(path: Path, units) -> GriddedField:
     """Return the field of a file, such as `clpt fit` writes, in the units of a scenario."""
-    with open_netcdf(path) as data:
+    with open_netcdf(path) as data, naming(path):
         for name in ("time", "y", "x", "u", "v"):
             if name not in data.variables:
-                raise DataError(f"{path}: no variable '{name}'; a field has time, y, x, u and v")
-        axes = []
-        for name in ("time", "y", "x"):
-            where, unit = f"{path}: {name}", str(data[name].attrs.get("units", ""))
-            if name == "time":
-                size = time_in_seconds(unit, where) / SECONDS[units.time]
-            else:
-                size = length_in_metres(unit, where) / METRES[units.length]
-            axes.append(_regular(numbers_of(data[name], where) * size, name, path))
-        speed = METRES[units.length] / SECONDS[units.time]
+                raise DataError(f"no variable '{name}'; a field has time, y, x, u and v")
+        stated = {name: str(one.attrs.get("units", "")) for name, one in data.variables.items()}
+        length, time = METRES[units.length], SECONDS[units.time]
+        sizes = {name: length_in_metres(stated[name], name) / length for name in ("y", "x")}
+        sizes["time"] = time_in_seconds(stated["time"], "time") / time
+        axes = [_regular(numbers_of(data[n]) * sizes[n], n) for n in ("time", "y", "x")]
         values = []
         for name in ("u", "v"):
             if data[name].dims != ("time", "y", "x"):
-                raise DataError(f"{path}: {name} must have the dimensions time, y, x")
-            size = speed_in_metres_per_second(
-                str(data[name].attrs.get("units", "")), f"{path}: {name}"
-            )
-            values.append(numbers_of(data[name], f"{path}: {name}") * (size / speed))
+                raise DataError(f"{name} must have the dimensions time, y, x")
+            size = speed_in_metres_per_second(stated[name], name)
+            values.append(numbers_of(data[name]) * (size / (length / time)))
             if not np.all(np.isfinite(values[-1])):
-                raise DataError(f"{path}: {name} has gaps; `clpt fit` fills them")
+                raise DataError(f"{name} has gaps; `clpt fit` fills them")
     return GriddedField(*axes, *values)
 
 
@@ -245,13 +210,13 @@ def time_origin(path: Path) -> dict[str, str]:
     return {} if origin is None else {"time_origin": str(origin)}
 
 
-def _regular(axis: np.ndarray, name: str, path: Path) -> np.ndarray:
+def _regular(axis: np.ndarray, name: str) -> np.ndarray:
     step = np.diff(axis)
     if axis.ndim != 1 or len(axis) < 2 or not np.all(step > 0):
-        raise DataError(f"{path}: {name} must increase and have at least two points")
+        raise DataError(f"{name} must increase and have at least two points")
     if np.ptp(step) > 1e-6 * step.mean():
-        raise DataError(f"{path}: {name} must be evenly spaced; `clpt fit` writes such a field")
-    return axis.astype(float)
+        raise DataError(f"{name} must be evenly spaced; `clpt fit` writes such a field")
+    return axis
 
 
 def field_dataset(field: GriddedField, units, attributes: dict) -> "xarray.Dataset":

@@ -29,7 +29,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from ..errors import DataError
+from ..errors import DataError, naming
 from ..files.reading import read_text
 from ..units import speed_in_metres_per_second
 from .cf import VELOCITY
@@ -212,10 +212,8 @@ def _times(cells: "pandas.Series", path: Path) -> np.ndarray:
     _refuse(seconds.abs() >= 1e11, cells, "time", "seconds since 1970", path)
     counted = np.round(1000 * seconds.fillna(0.0)).to_numpy("datetime64[ms]")
     read = dates.dt.tz_localize(None).dt.round("ms").to_numpy("datetime64[ms]")
-    try:
+    with naming(path):
         return checked_times(np.where(seconds.isna(), read, counted))
-    except DataError as error:
-        raise DataError(f"{path}: {error}") from None
 
 
 def _numbers(cells: "pandas.Series", what: str, path: Path) -> np.ndarray:

@@ -205,9 +205,8 @@ class Estimator(ABC):
 
     def forget_speed(self) -> None:
         """Make the speed factor uncertain by half its prior variance."""
-        if self.model.learn_speed:
-            k = HIDDEN + self.model.names.index("speed")
-            self.covariance[:, k, k] += 0.5 * self.priors.speed**2
+        k = HIDDEN + self.model.names.index("speed")
+        self.covariance[:, k, k] += 0.5 * self.priors.speed**2
 
 
 class KalmanBank(Estimator):

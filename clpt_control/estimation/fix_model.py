@@ -48,6 +48,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
+from itertools import product
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -98,24 +99,17 @@ def near(places: Places | None, dive: Dive, width: float) -> Places:
         np.rint((end(x, axis=0) + side * reach) / pitch).astype(int)
         for end, side in ((np.min, -1), (np.max, 1))
     )
-    around = [
-        (i, j)
-        for i in range(low[0], high[0] + 1)
-        for j in range(low[1], high[1] + 1)
-        if (i, j) not in old.cells
-    ]
-    if not around:
-        return old
-    tried = Places(old.latitude, old.longitude, old.width, tuple(around))
-    support = places_columns(tried, dive)[0, ::2]
-    fresh = [cell for cell, s in zip(around, support, strict=True) if s > REACHED * dive.duration]
+    columns, rows = (range(first, last + 1) for first, last in zip(low, high, strict=True))
+    around = tuple(product(columns, rows))
+    support = places_columns(replace(old, cells=around), dive)[0, ::2]
+    reached = [cell for cell, s in zip(around, support, strict=True) if s > REACHED * dive.duration]
+    fresh = [cell for cell in reached if cell not in old.cells]
     if places is not None and not fresh:
         return places
     cells = [*old.cells, *fresh]
     away = np.hypot(*(pitch * np.array(cells) - x.mean(axis=0)).T)
     nearest = set(np.argsort(away, kind="stable")[:MOST].tolist())
-    cells = [cell for k, cell in enumerate(cells) if k in nearest]
-    return Places(old.latitude, old.longitude, old.width, tuple(cells))
+    return replace(old, cells=tuple(cell for k, cell in enumerate(cells) if k in nearest))
 
 
 def _along(places: Places, dive: Dive, ended: bool) -> tuple[np.ndarray, np.ndarray]:
@@ -415,8 +409,6 @@ class FixModel:
 
     def matched(self, before: "FixModel") -> tuple[np.ndarray, np.ndarray]:
         """Return where parameters stood in a model before, and now."""
-        if before is self:
-            return (np.arange(len(self.names)),) * 2
         here = {name: k for k, name in enumerate(self.names)}
         pairs = [(k, here[name]) for k, name in enumerate(before.names) if name in here]
         old, new = np.array(pairs, int).T

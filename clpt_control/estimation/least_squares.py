@@ -60,32 +60,16 @@ def explained_share(values: np.ndarray, model: np.ndarray) -> float:
     return 1.0 - left / off if off > STEADY**2 * size else np.nan
 
 
-def least_squares(
-    phi: np.ndarray, flow: np.ndarray, names: Sequence[str] | None = None, worst: float = WORST
-) -> LeastSquares:
-    """Fit theta of Eq. (3) to measured flow (n, 2), with phi (n, N) of `blocks.evaluate`.
+def least_squares(phi: np.ndarray, flow: np.ndarray, names: Sequence[str]) -> LeastSquares:
+    """Fit theta of Eq. (3) to measured flow (n, 2), with phi (n, N) of `blocks.evaluate`, n >= N.
 
-    `names` are those of the N functions in messages, `worst` the largest condition number.
+    `names` are those of the N functions in messages.
     """
     from scipy.linalg import lstsq, svd
 
-    phi, flow = np.asarray(phi, float), np.asarray(flow, float)
-    if phi.ndim != 2 or flow.shape != (len(phi), 2):
-        raise DataError(
-            f"phi {phi.shape} and flow {flow.shape}: must have the shapes (n, N) and (n, 2)"
-        )
-    n, N = phi.shape
-    names = [f"function {k + 1}" for k in range(N)] if names is None else list(names)
-    if n < N:
-        raise DataError(
-            f"{n} samples cannot determine {N} basis functions; at least {N} are needed: "
-            "use a larger box, fewer centers or fewer constituents"
-        )
-    if not (np.all(np.isfinite(phi)) and np.all(np.isfinite(flow))):
-        raise DataError("phi or flow holds a number that is not finite; leave such samples out")
-    theta, _, _, singular = lstsq(phi, flow, lapack_driver="gelsd", check_finite=False)
+    theta, _, _, singular = lstsq(phi, flow)
     condition = float(singular[0] / singular[-1]) if singular[-1] > 0 else np.inf
-    if not condition <= worst:
+    if not condition <= WORST:
         weakest = np.abs(svd(phi, full_matrices=False)[2][-1])
         involved = np.flatnonzero(weakest > 0.3 * weakest.max())
         listed = ", ".join(names[k] for k in involved[:6]) + (", ..." if len(involved) > 6 else "")
@@ -93,12 +77,12 @@ def least_squares(
         if np.all(strength[involved] < 1e-3 * strength.max()):
             raise DataError(
                 f"the samples are too far from the places of {listed} to fit them: condition "
-                f"number {condition:.3g}, at most {worst:g} is allowed; use a larger width, fewer "
+                f"number {condition:.3g}, at most {WORST:g} is allowed; use a larger width, fewer "
                 "centers or a smaller box"
             )
         raise DataError(
             f"the samples cannot separate the basis functions {listed}: condition number "
-            f"{condition:.3g}, at most {worst:g} is allowed; use a longer record, fewer "
+            f"{condition:.3g}, at most {WORST:g} is allowed; use a longer record, fewer "
             "constituents, fewer centers or a smaller width"
         )
     residuals = flow - phi @ theta

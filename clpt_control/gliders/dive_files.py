@@ -5,8 +5,9 @@ below, found by its content.  A damaged file among good ones is left out with it
 reason and the good dives are used; what was named and does not exist is an error.
 
 A dialect is a module with two functions: `is_known(content)`, and
-`dives_of(content, path)`, which returns its dives and what was skipped.  The content is
-an open xarray.Dataset or a text.  A further format is a module and its row here.
+`dives_of(content)`, which returns its dives and what was skipped, with the path where a dialect
+asks its name.  The content is an open xarray.Dataset or a text.  A further format is a module and
+its place in `read_dive_file`.
 
 A text that is of no dialect is a plain table of dives, CSV: one row per dive under a header.
 Required columns: `dive`, `t_gps2`, `lat_gps2`, `lon_gps2`, `t_gpse`, `lat_gpse`, `lon_gpse` (s
@@ -28,12 +29,11 @@ from importlib import resources
 from math import isfinite, nan
 from pathlib import Path
 from stat import S_ISDIR
-from types import ModuleType
 from typing import Any
 
 from ..arguments import public
 from ..currents.text_table import other_marks, table_of
-from ..errors import DataError
+from ..errors import DataError, naming
 from ..files import write_file
 from ..files.reading import NETCDF, open_netcdf, read_bytes, text_of
 from ..progress.interrupt import check
@@ -87,15 +87,12 @@ def table_dives(text: str, path: str | Path) -> tuple[list[Dive], list[Skipped]]
     cells = table_of(text, path, f"NetCDF or a table with {', '.join(REQUIRED)}").cells
     header = list(cells.columns)
     _check_header(header, path)
-    dives: list[Dive] = []
-    skipped: list[Skipped] = []
-    for line, row in zip(cells.index, cells.to_numpy(), strict=True):
-        found = _dive(dict(zip(header, row, strict=True)), f"{path}, line {line}")
-        if isinstance(found, Dive):
-            dives.append(found)
-        else:
-            skipped.append(found)
-    return dives, skipped
+    found = [
+        _dive(dict(zip(header, row, strict=True)), f"{path}, line {line}")
+        for line, row in zip(cells.index, cells.to_numpy(), strict=True)
+    ]
+    dives = [one for one in found if isinstance(one, Dive)]
+    return dives, [one for one in found if isinstance(one, Skipped)]
 
 
 def _check_header(header: list[str], name: str | Path) -> None:
@@ -248,13 +245,6 @@ def sample_dives() -> list[Dive]:
 
 
 MOST_BYTES = 4 * 10**9  # of memory that the dives of a file may take
-OF_NETCDF = (seaglider, og1)
-OF_TEXT = (seaexplorer,)  # any other text is taken for a table
-VEHICLES: dict[ModuleType | None, str] = {  # known by these
-    seaglider: "Seaglider",
-    slocum: "Slocum",
-    seaexplorer: "SeaExplorer",
-}
 KINDS = (
     "Seaglider or OG1 NetCDF files, .sbd, .mbd or .dbd of a Slocum, .gli of a SeaExplorer, "
     "a CSV table of dives"
@@ -303,23 +293,30 @@ def read_dive_file(path: str | Path) -> tuple[list[Dive], list[Skipped]]:
     raw = read_bytes(path, (*NETCDF, slocum.MAGIC))
     if not raw:
         raise DataError(f"{path}: is empty; must be one of {KINDS}")
+    if raw in NETCDF:
+        return _of_netcdf(path)
+    kind = None
     if raw == slocum.MAGIC or slocum.MAGIC in raw[3:9]:  # the first letters of a compressed block
-        dives, skipped = slocum.dives_of(path)
-        return named(dives, name_of_file(path.name), VEHICLES[slocum]), skipped
-    if raw not in NETCDF:
-        known: ModuleType | None = seaexplorer
-        if raw.startswith(seaexplorer.GZIP):
-            text = seaexplorer.unzipped(raw, path)
+        kind, (dives, skipped) = "Slocum", slocum.dives_of(path)
+    else:
+        packed = raw.startswith(seaexplorer.GZIP)
+        no_text = f"is neither NetCDF nor text; must be one of {KINDS}"
+        text = seaexplorer.unzipped(raw, path) if packed else text_of(raw, path, no_text)
+        if packed or seaexplorer.is_known(text):
+            kind, (dives, skipped) = "SeaExplorer", seaexplorer.dives_of(text, path)
         else:
-            text = text_of(raw, path, f"is neither NetCDF nor text; must be one of {KINDS}")
-            known = next((one for one in OF_TEXT if one.is_known(text)), None)
-        dives, skipped = known.dives_of(text, path) if known else table_dives(text, path)
-        return named(dives, name_of_file(path.name), VEHICLES.get(known)), skipped
-    with open_netcdf(path, MOST_BYTES) as data:
-        for dialect in OF_NETCDF:
-            if dialect.is_known(data):
-                dives, skipped = dialect.dives_of(data, path)
-                return named(dives, name_in(data), VEHICLES.get(dialect)), skipped
+            dives, skipped = table_dives(text, path)
+    return named(dives, name_of_file(path.name), kind), skipped
+
+
+def _of_netcdf(path: Path) -> tuple[list[Dive], list[Skipped]]:
+    with open_netcdf(path, MOST_BYTES) as data, naming(path):
+        if seaglider.is_known(data):
+            dives, skipped = seaglider.dives_of(data, path)
+            return named(dives, name_in(data), "Seaglider"), skipped
+        if og1.is_known(data):
+            dives, skipped = og1.dives_of(data)
+            return named(dives, name_in(data), None), skipped
         names = ", ".join(map(str, list(data.variables)[:8])) or "no variables"
     raise DataError(
         f"{path}: neither a Seaglider file (with log_gps_time) nor OG1 (with LATITUDE_GPS): it has "

@@ -25,7 +25,7 @@ from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from math import atan2, degrees, hypot, isfinite, nan
+from math import atan2, degrees, hypot, isfinite
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -81,9 +81,9 @@ def whole_number(value: float | str | None) -> int | None:
     return int(number) if number.is_integer() and abs(number) < NUMBERS else None
 
 
-def is_fix(lat: float, lon: float) -> bool:
-    """Whether two numbers, degrees, can be a fix; 0 N 0 E is what a receiver without one gives."""
-    return is_place(lat, lon) and not lat == lon == 0.0
+def is_fix(lat: Any, lon: Any) -> Any:
+    """Whether numbers, degrees, can be a fix; 0 N 0 E is what a receiver without one gives."""
+    return is_place(lat, lon) & ((lat != 0.0) | (lon != 0.0))
 
 
 def cut_dives(fixes: Sequence[Fix], wet: np.ndarray | None, least_gap: float) -> list[Three]:
@@ -105,25 +105,24 @@ def cut_dives(fixes: Sequence[Fix], wet: np.ndarray | None, least_gap: float) ->
     return found
 
 
-def planned_course(
-    fix: Fix, target: tuple[float, float], reached: float = 0.0, heading: float = nan
-) -> float | None:
-    """Return the course of the next dive, degrees: a commanded heading, else towards a target.
+def planned_course(fix: Fix, target: Sequence[float], reached: float = 0.0) -> float | None:
+    """Return the course of the next dive towards a target, degrees.
 
-    None where neither is known, or the fix after the dive is within `reached`, m, of the target.
+    None where it is not known, or the fix after the dive is within `reached`, m, of the target.
 
     >>> fix = (0.0, -43.0, 8.0)
     >>> planned_course(fix, (-42.0, 8.0)), planned_course(fix, (-43.001, 8.0), 1000.0)
     (0.0, None)
-    >>> planned_course(fix, (-42.0, 8.0), heading=270.0), planned_course(fix, (nan, nan))
-    (270.0, None)
     """
-    if isfinite(heading):
-        return heading % 360.0
     if not (is_place(*target) and is_fix(*fix[1:])):
         return None
     east, north = displacement(*fix[1:], *target)
     return None if hypot(east, north) <= reached else degrees(atan2(east, north)) % 360.0
+
+
+def fixes_at(rows: np.ndarray, *columns: np.ndarray) -> list[Fix]:
+    """Return the fixes in some rows of columns: time, latitude, longitude."""
+    return list(zip(*(column[rows].tolist() for column in columns), strict=True))
 
 
 def without_current(start: Fix, end: Fix, current: tuple[float, float]) -> tuple[float, float]:

@@ -26,15 +26,24 @@ The dive's notes say which it was where it was not the first.
 """
 
 from math import isfinite, nan
-from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from ..errors import DataError
 from ..estimation.dive import Track
-from .dives import LEAST_DEPTH, Dive, Fix, Skipped, Three, cut_dives, dive_between, without_current
-from .og1_columns import Columns, DiveFixes, columns_of, fixes_in, has_ends, segments_of
+from .dives import (
+    LEAST_DEPTH,
+    Dive,
+    Fix,
+    Skipped,
+    Three,
+    cut_dives,
+    dive_between,
+    fixes_at,
+    without_current,
+)
+from .og1_columns import Columns, columns_of, fixes_in, has_ends, segments_of
 from .og1_columns import is_known as is_known
 from .samples import LAST, deepest, hole_under_water, track_of, variation
 
@@ -110,7 +119,7 @@ def _variation_of(
         return found, f"{north}, turned by the file's variation of {found:g} degrees"
     if not columns.north:
         return 0.0, ("of a north that the file does not name, taken as true (--variation turns it)")
-    found = float(variation(0.5 * (start[0] + end[0]), *start[1:])[0])
+    found = variation(0.5 * (start[0] + end[0]), *start[1:])
     if not isfinite(found):
         return 0.0, f"magnetic, taken as true: IGRF ends in {LAST} (--variation turns it)"
     return found, (
@@ -160,16 +169,15 @@ def _summed(
     return ThroughWater(total, track_of(since, east, north, duration), notes)
 
 
-def dives_of(data: "xarray.Dataset", path: Path) -> tuple[list[Dive], list[Skipped]]:
+def dives_of(data: "xarray.Dataset") -> tuple[list[Dive], list[Skipped]]:
     """Return the dives of a file by time, between fixes that are far apart in time."""
-    columns = columns_of(data, path)
+    columns = columns_of(data)
     if has_ends(data):
-        return _of_segments(columns, segments_of(data, path))
+        return _of_segments(columns, segments_of(data))
     of = columns.of
-    rows, failed = fixes_in(of, path)
+    rows, failed = fixes_in(of)
     wet, time = _under_water(of), of["time"]
-    columns_of_fixes = (of[key][rows].tolist() for key in ("t_fix", "lat", "lon"))
-    fixes: list[Fix] = list(zip(*columns_of_fixes, strict=True))
+    fixes = fixes_at(rows, of["t_fix"], of["lat"], of["lon"])
     under = np.sort(time[wet & np.isfinite(time)])
     found = cut_dives(fixes, under, LEAST_GAP) or cut_dives(fixes, None, LEAST_GAP)
     dives: list[Dive] = []
@@ -184,13 +192,15 @@ def dives_of(data: "xarray.Dataset", path: Path) -> tuple[list[Dive], list[Skipp
         dives.append(_dive(columns, wet, (first, start, end), count, notes))
     if not dives:
         raise DataError(
-            f"{path}: no two fixes more than {LEAST_GAP:g} s apart in LATITUDE_GPS, LONGITUDE_GPS; "
+            f"no two fixes more than {LEAST_GAP:g} s apart in LATITUDE_GPS, LONGITUDE_GPS; "
             "a dive needs one before and one after it"
         )
     return dives, []
 
 
-def _of_segments(columns: Columns, segments: list[DiveFixes]) -> tuple[list[Dive], list[Skipped]]:
+def _of_segments(
+    columns: Columns, segments: list[tuple[Fix, Fix, list[str]]]
+) -> tuple[list[Dive], list[Skipped]]:
     """Return the dives of segments with a measurement under water, and the others."""
     of = columns.of
     wet = _under_water(of)
@@ -238,7 +248,7 @@ def _dive(
     found = through_water(columns, rows, start, end, current)
     greatest = of_dive("depth_max")
     return dive_between(
-        otherwise if number is None or not isfinite(number) else int(number),
+        otherwise if number is None else int(number),
         fixes,
         found.total,
         dac_east=current[0],

@@ -24,8 +24,7 @@ between both fixes (Scripps Institution of Oceanography, comments of sp028_20230
 good to twice the last digit of the file, some 10 m.
 """
 
-from math import isfinite, nan
-from pathlib import Path
+from math import nan
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -75,11 +74,11 @@ def is_known(data: "xarray.Dataset") -> bool:
     return "N_MEASUREMENTS" in data.dims or any(name in known for name in FIXES)
 
 
-def columns_of(data: "xarray.Dataset", path: Path) -> Columns:
+def columns_of(data: "xarray.Dataset") -> Columns:
     """Return the columns of a file, of one length."""
     known = known_names(data)
-    fixes, t_name = _fix_columns(data, known, path)
-    time = seconds(data, known["TIME"], path) if "TIME" in known else fixes[0]
+    fixes, t_name = _fix_columns(data, known)
+    time = seconds(data, known["TIME"]) if "TIME" in known else fixes[0]
     notes: list[str] = []
     if t_name in known and not str(data[known[t_name]].attrs.get("units", "")).strip():
         unit = unit_of_times(fixes[0], time)
@@ -104,7 +103,7 @@ def columns_of(data: "xarray.Dataset", path: Path) -> Columns:
     ):
         of[key] = np.full(time.size, nan)
         for name in (known[one] for one in candidates if one in known):
-            found = read(data, name, path)
+            found = read(data, name)
             if data[name].ndim == 0:  # one number for the mission
                 found = np.full(time.size, found[0])
             if found.shape == time.shape and np.isfinite(found).any():
@@ -123,31 +122,27 @@ def columns_of(data: "xarray.Dataset", path: Path) -> Columns:
     return Columns(of, _frame(data, known), name, tuple(notes))
 
 
-def _fix_columns(
-    data: "xarray.Dataset", known: dict[str, str], path: Path
-) -> tuple[list[np.ndarray], str]:
+def _fix_columns(data: "xarray.Dataset", known: dict[str, str]) -> tuple[list[np.ndarray], str]:
     """Return time (s), latitude and longitude of the fixes, and the name of that time."""
     latitude = known.get("LATITUDE_GPS")
     bare = latitude is None or not np.isfinite(values(data, latitude)).any()
     if bare and {"TIME", "LATITUDE", "LONGITUDE", FLAG} <= set(known):
         fixed = values(data, known[FLAG]) == 0
         columns = [values(data, known[name]) for name in ("LATITUDE", "LONGITUDE")]
-        time = seconds(data, known["TIME"], path)
+        time = seconds(data, known["TIME"])
         if all(column.shape == fixed.shape == time.shape for column in columns):
             return [time, *(np.where(fixed, column, nan) for column in columns)], "TIME"
     t_name = next((name for name in ("TIME_GPS", "TIME") if name in known), "TIME_GPS")
     missing = [name for name in (t_name, *FIXES[1:]) if name not in known]
     if missing:
         raise DataError(
-            f"{path}: no variable {' and no '.join(missing)}; OG1 has the fixes there, which are "
+            f"no variable {' and no '.join(missing)}; OG1 has the fixes there, which are "
             "needed, as is the displacement through the water; a CSV table of dives can give both"
         )
-    fixes = [seconds(data, known[t_name], path)]
+    fixes = [seconds(data, known[t_name])]
     fixes += [values(data, known[name]) for name in FIXES[1:]]
     if any(fix.shape != fixes[0].shape or fix.ndim != 1 for fix in fixes):
-        raise DataError(
-            f"{path}: {t_name}, {', '.join(FIXES[1:])} differ in length; must be one per fix"
-        )
+        raise DataError(f"{t_name}, {', '.join(FIXES[1:])} differ in length; must be one per fix")
     return fixes, t_name
 
 
@@ -166,7 +161,7 @@ def unit_of_times(fixes: np.ndarray, time: np.ndarray) -> str:
     return next((unit for unit, size in SMALLER.items() if first <= middle / size <= last), "")
 
 
-def fixes_in(of: dict[str, np.ndarray], path: Path) -> tuple[np.ndarray, np.ndarray]:
+def fixes_in(of: dict[str, np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
     """Return rows of the fixes by time, and times of fixes that are left out.
 
     These are half a fix, one off the Earth, and one under water: in a row deeper than
@@ -175,9 +170,7 @@ def fixes_in(of: dict[str, np.ndarray], path: Path) -> tuple[np.ndarray, np.ndar
     next; the first of each is taken.
     """
     some = np.isfinite(of["lat"]) | np.isfinite(of["lon"])
-    places = zip(of["lat"].tolist(), of["lon"].tolist(), strict=True)
-    good = np.array([is_fix(*place) for place in places], dtype=bool)
-    good &= some & np.isfinite(of["t_fix"]) & (of["t_fix"] > 0)
+    good = is_fix(of["lat"], of["lon"]) & np.isfinite(of["t_fix"]) & (of["t_fix"] > 0)
     rows = np.flatnonzero(good)
     failed = of["t_fix"][some & ~good]
     deep = of["depth"][rows] > SURFACE
@@ -190,7 +183,7 @@ def fixes_in(of: dict[str, np.ndarray], path: Path) -> tuple[np.ndarray, np.ndar
         if wrong.size > first.sum() / 2:
             others = f" and {wrong.size - 1} more rows" if wrong.size > 1 else ""
             raise DataError(
-                f"{path}: LATITUDE_GPS, LONGITUDE_GPS have a new fix {of['depth'][wrong[0]]:.0f} m "
+                f"LATITUDE_GPS, LONGITUDE_GPS have a new fix {of['depth'][wrong[0]]:.0f} m "
                 f"under water in row {wrong[0]}{others} (the first row is 0); fixes are made at "
                 "the surface: set both to NaN there"
             )
@@ -204,11 +197,11 @@ def known_names(data: "xarray.Dataset") -> dict[str, str]:
     return {str(name).upper(): str(name) for name in sorted(map(str, data.variables), reverse=True)}
 
 
-def _plain(data: "xarray.Dataset", name: str, _: Path) -> np.ndarray:
+def _plain(data: "xarray.Dataset", name: str) -> np.ndarray:
     return values(data, name)
 
 
-def _degrees(data: "xarray.Dataset", name: str, _: Path) -> np.ndarray:
+def _degrees(data: "xarray.Dataset", name: str) -> np.ndarray:
     radians = str(data[name].attrs.get("units", "")).lower().startswith("rad")
     return np.degrees(values(data, name)) if radians else values(data, name)
 
@@ -222,67 +215,50 @@ def _frame(data: "xarray.Dataset", known: dict[str, str]) -> str:
     return "magnetic" if "magnetic" in words else "true" if "true" in words else ""
 
 
-class DiveFixes(NamedTuple):
-    """The fixes of a dive, NaN where there is none, and notes."""
-
-    start: Fix
-    end: Fix
-    notes: list[str]
-
-
 def has_ends(data: "xarray.Dataset") -> bool:
     """Whether the file has a fix after the dive for each measurement."""
     return all(name.format(END) in known_names(data) for name in NAMES)
 
 
-def segments_of(data: "xarray.Dataset", path: Path) -> list[DiveFixes]:
-    """Return the segments between fixes by time, one for each fix after a dive."""
+def segments_of(data: "xarray.Dataset") -> list[tuple[Fix, Fix, list[str]]]:
+    """Return the fixes before and after each dive by time, NaN where there is none, and notes."""
+    import pandas
+
     known = known_names(data)
-    of = {suffix: _fixes(data, known, suffix, path) for suffix in (END, START, MIDDLE)}
-    ends = of[END]
-    if not np.isfinite(ends).all(axis=0).any():
+    ends, *others = (_fixes(data, known, suffix) for suffix in (END, START, MIDDLE))
+    if not np.isfinite(ends).any():
         raise DataError(
-            f"{path}: TIME_GPS_END, LATITUDE_GPS_END, LONGITUDE_GPS_END have no fix; a dive needs "
+            "TIME_GPS_END, LATITUDE_GPS_END, LONGITUDE_GPS_END have no fix; a dive needs "
             "one before and one after it"
         )
-    flags = values(data, known[END_FLAG]) if END_FLAG in known else np.full(ends.shape[1], nan)
+    flags = values(data, known[END_FLAG]) if END_FLAG in known else np.empty(0)
+    if flags.shape != ends[0].shape:
+        flags = np.full(ends[0].shape, nan)
+    columns = pandas.DataFrame(np.vstack([ends, *others, flags]).T)
     found = []
-    for time in np.unique(ends[0][np.isfinite(ends).all(axis=0)]):
-        rows = np.flatnonzero(ends[0] == time)
-        end = _fix(ends, rows)
-        start, middle = _fix(of[START], rows), _fix(of[MIDDLE], rows)
+    for row in columns.groupby(0, as_index=False).first().to_numpy():  # what is there, of each end
+        end, start, middle, flag = row[:3], row[3:6], row[6:9], row[9]
         notes = []
-        if not all(map(isfinite, start)) and all(map(isfinite, middle)):
-            start = 2 * middle[0] - end[0], 2 * middle[1] - end[1], 2 * middle[2] - end[2]
+        if np.isnan(start).any() and not np.isnan(middle).any():
+            start = 2 * middle - end
             notes.append("the fix before the dive computed from the segment's middle and its end")
-        if flags.shape == ends[0].shape and flags[rows[0]] in DOUBTFUL:
-            notes.append(f"the file flags the fix after the dive {flags[rows[0]]:g}")
-        found.append(DiveFixes(start, end, notes))
+        if flag in DOUBTFUL:
+            notes.append(f"the file flags the fix after the dive {flag:g}")
+        found.append((tuple(start.tolist()), tuple(end.tolist()), notes))
     return found
 
 
-def _fixes(data: "xarray.Dataset", known: dict[str, str], suffix: str, path: Path) -> np.ndarray:
-    """Return time (s), latitude and longitude with a suffix, (3, n); what is no place is NaN.
+def _fixes(data: "xarray.Dataset", known: dict[str, str], suffix: str) -> np.ndarray:
+    """Return time (s), latitude and longitude with a suffix, (3, n); what is no fix is NaN.
 
     A file that has none has one of NaN for each end.
     """
     names = [name.format(suffix) for name in NAMES]
+    size = data[known[NAMES[0].format(END)]].size
     if not all(name in known for name in names):
-        return np.full((3, data[known[NAMES[0].format(END)]].size), nan)
-    time = seconds(data, known[names[0]], path)
+        return np.full((3, size), nan)
+    time = seconds(data, known[names[0]])
     lat, lon = (values(data, known[name]) for name in names[1:])
-    if not (time.ndim == 1 and time.shape == lat.shape == lon.shape):
-        raise DataError(f"{path}: {', '.join(names)} differ in length; must be one per measurement")
-    places = zip(lat.tolist(), lon.tolist(), strict=True)
-    good = np.array([is_fix(*place) for place in places], dtype=bool)
-    return np.where(good, [time, lat, lon], nan)
-
-
-def _fix(columns: np.ndarray, rows: np.ndarray) -> Fix:
-    """Return the first fix that is whole among rows, else NaN."""
-    each = columns[:, rows]
-    whole = each[:, np.isfinite(each).all(axis=0)]
-    if not whole.size:
-        return nan, nan, nan
-    time, lat, lon = whole[:, 0].tolist()
-    return time, lat, lon
+    if not time.shape == lat.shape == lon.shape == (size,):
+        raise DataError(f"{', '.join(names)} differ in length; must be one per measurement")
+    return np.where(is_fix(lat, lon) & np.isfinite(time), [time, lat, lon], nan)

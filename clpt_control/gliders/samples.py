@@ -11,19 +11,19 @@ Magnetic variation is how far a compass points from true north, by IGRF,
     D = atan2(B_east, B_north), degrees, positive east
 
 of the International Geomagnetic Reference Field, 14th generation (IAGA, 2024), whose
-coefficients `ppigrf` carries: epochs of five years from 1900, between which the
-field is linear in time.  Good to about half a degree at sea; near the magnetic poles
-no compass is of use.
+coefficients `ppigrf` carries.  Good to about half a degree at sea; near the magnetic poles no
+compass is of use.
 """
 
 import re
+from collections.abc import Sequence
 from dataclasses import replace
 from datetime import UTC, datetime
-from math import nan
-from pathlib import Path
+from math import isfinite, nan
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ..currents.cf import decoded
 from ..errors import DataError, needed
@@ -46,7 +46,8 @@ def degrees(ddmm: np.ndarray) -> np.ndarray:
     >>> degrees(np.array([5138.0368, -12818.26, 69696969.0])).round(5)
     array([  51.63395, -128.30433,          nan])
     """
-    whole, minutes = np.divmod(np.abs(ddmm), 100.0)
+    with np.errstate(invalid="ignore"):  # of what is endless
+        whole, minutes = np.divmod(np.abs(ddmm), 100.0)
     return np.where((minutes < 60.0) & (whole < 400.0), np.sign(ddmm) * (whole + minutes / 60), nan)
 
 
@@ -80,13 +81,13 @@ def scalar(data: "xarray.Dataset", name: str) -> float | None:
     return float(found.flat[0]) if found.size and np.isfinite(found.flat[0]) else None
 
 
-def seconds(data: "xarray.Dataset", name: str, path: Path) -> np.ndarray:
+def seconds(data: "xarray.Dataset", name: str) -> np.ndarray:
     """Return times as seconds since 1970 UTC, NaN where missing.
 
     >>> import xarray
     >>> units = {"units": "nanoseconds since 2010-07-29 13:31:04"}
     >>> data = xarray.Dataset({"TIME": ("n", np.array([0, 234_000_000_000]), units)})
-    >>> seconds(data, "TIME", Path("mission.nc")) - 1280410264.0
+    >>> seconds(data, "TIME") - 1280410264.0
     array([  0., 234.])
     """
     numbers = values(data, name)
@@ -98,30 +99,30 @@ def seconds(data: "xarray.Dataset", name: str, path: Path) -> np.ndarray:
     dates = decoded(np.array([0.0, 1.0]), bare)  # of two numbers, so that digits stay
     if dates is None or dates.dtype.kind != "M":
         raise DataError(
-            f"{path}: {name} is in '{units}'; must be such as 'seconds since 1970-01-01 00:00:00'"
+            f"{name} is in '{units}'; must be such as 'seconds since 1970-01-01 00:00:00'"
         )
     first, step = (dates - [np.datetime64("1970-01-01"), dates[0]]) / np.timedelta64(1, "s")
     return first + step * numbers
 
 
-def metres(data: "xarray.Dataset", name: str, path: Path) -> np.ndarray:
+def metres(data: "xarray.Dataset", name: str) -> np.ndarray:
     """Return lengths in m, depths positive down, NaN where missing.
 
     >>> import xarray
     >>> data = xarray.Dataset({"eng_depth": ("n", [150.0], {"units": "cm"})})
-    >>> metres(data, "eng_depth", Path("p0010001.nc"))
+    >>> metres(data, "eng_depth")
     array([1.5])
     """
     units = str(data[name].attrs.get("units", "")).strip() or "m"
-    size = length_in_metres(units, f"{path}: {name}")
+    size = length_in_metres(units, name)
     up = str(data[name].attrs.get("positive", "")).lower() == "up"
     return values(data, name) * (-size if up else size)
 
 
-def metres_per_second(data: "xarray.Dataset", name: str, path: Path) -> np.ndarray:
+def metres_per_second(data: "xarray.Dataset", name: str) -> np.ndarray:
     """Return speeds in m/s, NaN where missing."""
     units = str(data[name].attrs.get("units", "")).strip() or "m/s"
-    return values(data, name) * speed_in_metres_per_second(units, f"{path}: {name}")
+    return values(data, name) * speed_in_metres_per_second(units, name)
 
 
 def fill(time: np.ndarray, steps: np.ndarray, bad: np.ndarray) -> np.ndarray:
@@ -185,37 +186,36 @@ def deepest(depth: np.ndarray) -> float | None:
 
 
 FIRST, LAST = 1900, 2030  # years of IGRF-14
-EPOCH = 5  # years
 NEAREST = 89.9  # degrees: at a pole itself there is no north
 
 
-def variation(
-    time: np.ndarray | float, lat: np.ndarray | float, lon: np.ndarray | float
-) -> np.ndarray:
-    """Return the variation at times (s since 1970 UTC) and places (degrees), shape (n,).
+def variation(time: float, lat: float, lon: float) -> float:
+    """Return the variation at a time (s since 1970 UTC) and a place (degrees), degrees east.
 
-    Degrees east; NaN outside the years that IGRF covers, or where anything is not finite.
+    NaN outside the years that IGRF covers, or where anything is not finite.
 
-    >>> variation(1.0963e9, 66.9, -57.1).round(1).tolist()  # Labrador Sea, September 2004
-    [-36.9]
-    >>> variation(4.0e9, 66.9, -57.1).tolist()  # the year 2096
-    [nan]
+    >>> round(variation(1.0963e9, 66.9, -57.1), 1)  # Labrador Sea, September 2004
+    -36.9
+    >>> variation(4.0e9, 66.9, -57.1)  # the year 2096
+    nan
     """
-    columns = np.broadcast_arrays(*(np.atleast_1d(np.asarray(a, float)) for a in (time, lat, lon)))
-    time, lat, lon = (column.ravel() for column in columns)
-    found = np.full(time.shape, np.nan)
-    edges = [datetime(year, 1, 1, tzinfo=UTC).timestamp() for year in range(FIRST, LAST + 1, EPOCH)]
-    good = np.isfinite(lat) & np.isfinite(lon) & (time >= edges[0]) & (time <= edges[-1])
-    epoch = np.searchsorted(edges[1:-1], time, side="right")
-    for k in np.unique(epoch[good]):
-        rows = np.flatnonzero(good & (epoch == k))
-        share = (time[rows] - edges[k]) / (edges[k + 1] - edges[k])
-        ends = [datetime(FIRST + EPOCH * int(year), 1, 1) for year in (k, k + 1)]
-        igrf = needed("ppigrf").igrf  # it reads pandas
-        east, north, _ = igrf(lon[rows], np.clip(lat[rows], -NEAREST, NEAREST), 0.0, ends)
-        east, north = ((1 - share) * b[0] + share * b[1] for b in (east, north))
-        found[rows] = np.degrees(np.arctan2(east, north))
-    return found
+    first, last = (datetime(year, 1, 1, tzinfo=UTC).timestamp() for year in (FIRST, LAST))
+    if not (first <= time <= last and isfinite(lat) and isfinite(lon)):
+        return nan
+    when = datetime.fromtimestamp(time, UTC).replace(tzinfo=None)
+    igrf = needed("ppigrf").igrf  # it reads pandas
+    east, north, _ = igrf(lon, np.clip(lat, -NEAREST, NEAREST), 0.0, when)
+    return np.degrees(np.arctan2(east, north)).item()
+
+
+def turned(vectors: Sequence[ArrayLike], clockwise: float) -> np.ndarray:
+    """Rotate vectors, east and north, by an angle in degrees: from magnetic to true axes.
+
+    >>> turned((0.0, 1.0), 90.0).round(9)
+    array([1., 0.])
+    """
+    sine, cosine = np.sin(np.radians(clockwise)), np.cos(np.radians(clockwise))
+    return np.array([[cosine, sine], [-sine, cosine]]) @ np.asarray(vectors)
 
 
 def with_variation(dive: Dive, degrees: float) -> Dive:
@@ -230,10 +230,9 @@ def with_variation(dive: Dive, degrees: float) -> Dive:
     """
     if dive.turned is None:
         return dive
-    angle = np.radians(degrees - dive.turned)
-    rotation = np.array([[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]])
-    east, north = rotation @ (dive.dr_east, dive.dr_north)
-    track = dive.track and (dive.track[0], *(rotation @ np.stack(dive.track[1:])))
+    angle = degrees - dive.turned
+    east, north = turned((dive.dr_east, dive.dr_north), angle)
+    track = dive.track and (dive.track[0], *turned(dive.track[1:], angle))
     return replace(
         dive,
         dr_east=float(east),

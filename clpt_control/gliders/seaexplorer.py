@@ -33,8 +33,8 @@ from .dives import (
     Three,
     dive_between,
     dives_across_files,
+    fixes_at,
     is_fix,
-    planned_course,
 )
 from .samples import deepest, degrees, hole_under_water, number, track_of
 
@@ -122,15 +122,11 @@ def _merged(parts: list[Rows]) -> Rows:
 
 def _fixes_and_wet(rows: Rows) -> tuple[list[Fix], np.ndarray]:
     """Return the fixes, places that are new at the surface, and times under water."""
-    fixes: list[Fix] = []
     lat, lon = degrees(rows[:, 6]), degrees(rows[:, 7])
-    for k in range(1, len(rows)):
-        fix = float(rows[k, 0]), float(lat[k]), float(lon[k])
-        new = rows[k, 6] != rows[k - 1, 6] or rows[k, 7] != rows[k - 1, 7]
-        afloat = rows[k, 1] == AT_SURFACE and not rows[k, 8] > 0
-        if new and afloat and is_fix(*fix[1:]):
-            fixes.append(fix)
-    return fixes, rows[rows[:, 5] > LEAST_DEPTH, 0]
+    afloat = (rows[:, 1] == AT_SURFACE) & ~(rows[:, 8] > 0)
+    new = np.any(rows[1:, 6:8] != rows[:-1, 6:8], axis=1)
+    good = np.append(False, new) & afloat & is_fix(lat, lon)
+    return fixes_at(good, rows[:, 0], lat, lon), rows[rows[:, 5] > LEAST_DEPTH, 0]
 
 
 def _dive(rows: Rows, fixes: Three, which: int) -> Dive:
@@ -160,6 +156,6 @@ def _dive(rows: Rows, fixes: Three, which: int) -> Dive:
         magvar=float(np.median(declination)) if declination.size else None,
         depth_max=deepest(depth),
         track=track,
-        next_course=planned_course(end, (nan, nan), heading=steered[-1]) if steered.size else None,
+        next_course=steered[-1].item() % 360.0 if steered.size else None,
         notes=tuple(notes),
     )

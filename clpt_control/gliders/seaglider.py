@@ -47,6 +47,7 @@ from .samples import (
     fill,
     hole_under_water,
     metres,
+    number,
     scalar,
     seconds,
     track_of,
@@ -68,7 +69,7 @@ DEPTHS = ("depth", "ctd_depth", "eng_depth")
 NOT_KNOWN = (nan, nan)
 
 
-def fixes_of(data: "xarray.Dataset", path: Path, first_sample: float) -> tuple[Three, list[str]]:
+def fixes_of(data: "xarray.Dataset", first_sample: float) -> tuple[Three, list[str]]:
     """Return the fixes of a file whose first sample is at a time (s, NaN where not known).
 
     A fix that failed is NaN, and its note says so; the first is None where it cannot be used.
@@ -76,14 +77,12 @@ def fixes_of(data: "xarray.Dataset", path: Path, first_sample: float) -> tuple[T
     missing = [name for name in FIXES if name not in data.variables]
     if missing:
         raise DataError(
-            f"{path}: no variable {' and no '.join(missing)}; a Seaglider basestation file has "
+            f"no variable {' and no '.join(missing)}; a Seaglider basestation file has "
             "its fixes there"
         )
-    columns = [seconds(data, FIXES[0], path), *(values(data, name) for name in FIXES[1:])]
+    columns = [seconds(data, FIXES[0]), *(values(data, name) for name in FIXES[1:])]
     if any(column.shape != (3,) for column in columns):
-        raise DataError(
-            f"{path}: {columns[0].size} fixes in {FIXES[0]}; must be 3: GPS1, GPS2 and GPSE"
-        )
+        raise DataError(f"{columns[0].size} fixes in {FIXES[0]}; must be 3: GPS1, GPS2 and GPSE")
     notes: list[str] = []
     fixes = [_checked(data, k, columns, notes) for k in range(3)]
     first: Fix | None
@@ -104,21 +103,24 @@ def fixes_of(data: "xarray.Dataset", path: Path, first_sample: float) -> tuple[T
 def _checked(data: "xarray.Dataset", k: int, columns: list[np.ndarray], notes: list[str]) -> Fix:
     time, lat, lon = (float(column[k]) for column in columns)
     name = NAMES[k]
-    flags = [scalar(data, f"{name}_qc")]
-    for other in ("log_gps_qc", "log_gps_hdop"):
-        found = values(data, other) if other in data.variables else np.array([])
-        flags.append(float(found[k]) if found.shape == (3,) else None)
-    flag = flags[0] if flags[0] is not None else flags[1]
-    hdop = flags[2]
-    if name != "GPS1" and flag is not None and isfinite(flag) and flag not in GOOD:
+    flag, hdop = scalar(data, f"{name}_qc"), _of_fix(data, "log_gps_hdop", k)
+    if flag is None:
+        flag = _of_fix(data, "log_gps_qc", k)
+    if name != "GPS1" and isfinite(flag) and flag not in GOOD:
         notes.append(f"the file flags {name} {flag:g}")
-    if hdop is None or not hdop > POOR:
+    if not hdop > POOR:
         return time, lat, lon
     if hdop < FAILED:
         notes.append(f"{name} has a hdop of {hdop:g}: up to some {10 * hdop:.0f} m off")
         return time, lat, lon
     notes.append(f"{name} has a hdop of {hdop:g}: the receiver found no fix")
     return nan, nan, nan
+
+
+def _of_fix(data: "xarray.Dataset", name: str, k: int) -> float:
+    """Return the number of one of three fixes, NaN where there is none."""
+    found = values(data, name) if name in data.variables else np.empty(0)
+    return float(found[k]) if found.shape == (3,) else nan
 
 
 def is_known(data: "xarray.Dataset") -> bool:
@@ -129,13 +131,13 @@ def is_known(data: "xarray.Dataset") -> bool:
 def dives_of(data: "xarray.Dataset", path: Path) -> tuple[list[Dive], list[Skipped]]:
     """Return the one dive of a file, NaN where a fix or the displacement is missing."""
     names = _displacement(data)
-    time, why_not = _times(data, names[0], path) if names else (None, "")
-    fixes, doubts = fixes_of(data, path, nan if time is None else float(time[0]))
-    through_water, track, notes = _dead_reckoning(data, names, time, fixes[1][0], fixes[2][0], path)
-    depths = (deepest(metres(data, name, path)) for name in DEPTHS if name in data.variables)
-    number, misnumbered = _number(data, path)
+    time, why_not = _times(data, names[0]) if names else (None, "")
+    fixes, doubts = fixes_of(data, nan if time is None else float(time[0]))
+    through_water, track, notes = _dead_reckoning(data, names, time, fixes[1][0], fixes[2][0])
+    depths = (deepest(metres(data, name)) for name in DEPTHS if name in data.variables)
+    which, misnumbered = _number(data, path)
     dive = dive_between(
-        number,
+        which,
         fixes,
         through_water,
         dac_east=scalar(data, "depth_avg_curr_east"),
@@ -164,13 +166,13 @@ def _number(data: "xarray.Dataset", path: Path) -> tuple[int, list[str]]:
         ("log_DIVE", scalar(data, "log_DIVE")),
         ("name", number_in_name(path)),
     ):
-        number = whole_number(value)
-        if number is not None:
-            return number, [f"{note}; taken from {name}" for note in notes]
+        whole = whole_number(value)
+        if whole is not None:
+            return whole, [f"{note}; taken from {name}" for note in notes]
         if value is not None:
             notes.append(f"{name} is {str(value)[:20]!r}, no whole number below {NUMBERS}")
     raise DataError(
-        f"{path}: {notes[0] if notes else 'no attribute dive_number'}, and the name is not such as "
+        f"{notes[0] if notes else 'no attribute dive_number'}, and the name is not such as "
         "p5420304.nc"
     )
 
@@ -178,27 +180,22 @@ def _number(data: "xarray.Dataset", path: Path) -> tuple[int, list[str]]:
 def _variation(data: "xarray.Dataset") -> float | None:
     """Return the magnetic variation, that of GPS2 where the file has one per fix."""
     found = scalar(data, "magnetic_variation")
-    if found is not None or "log_gps_magvar" not in data.variables:
-        return found
-    each = values(data, "log_gps_magvar")
-    return float(each[1]) if each.shape == (3,) and np.isfinite(each[1]) else None
+    if found is None:
+        found = _of_fix(data, "log_gps_magvar", 1)
+    return found if isfinite(found) else None
 
 
 def _next_course(data: "xarray.Dataset", end: Fix) -> float | None:
     """Return the course of the next dive by the plan of this one, None where there is none."""
     heading = scalar(data, "log_HEADING")
     if heading is not None and heading >= 0:
-        return planned_course(end, NOT_KNOWN, heading=heading)
+        return heading % 360.0
     text = data["log_TGT_LATLONG"].values if "log_TGT_LATLONG" in data else np.array("")
     words = text.astype(str).item().split(",") if text.size == 1 else []
-    try:
-        target = np.array(words, float)
-    except ValueError:
+    if len(words) != 2:
         return None
-    if target.shape != (2,) or not np.isfinite(target).all():
-        return None
-    lat, lon = degrees(target).tolist()
-    return planned_course(end, (lat, lon), scalar(data, "log_TGT_RADIUS") or 0.0)
+    target = degrees(np.array([*map(number, words)])).tolist()
+    return planned_course(end, target, scalar(data, "log_TGT_RADIUS") or 0.0)
 
 
 def _displacement(data: "xarray.Dataset") -> tuple[str, str] | None:
@@ -210,7 +207,7 @@ def _displacement(data: "xarray.Dataset") -> tuple[str, str] | None:
     return None
 
 
-def _times(data: "xarray.Dataset", like: str, path: Path) -> tuple[np.ndarray | None, str]:
+def _times(data: "xarray.Dataset", like: str) -> tuple[np.ndarray | None, str]:
     """Return times of the samples that a variable has, or why there are none."""
     times = [name for name in map(str, data.variables) if name.endswith("_time")]
     same = [
@@ -219,7 +216,7 @@ def _times(data: "xarray.Dataset", like: str, path: Path) -> tuple[np.ndarray | 
         if name in data.variables and data[name].dims == data[like].dims
     ]
     for name in same:
-        time = seconds(data, name, path)
+        time = seconds(data, name)
         if time.size and np.all(np.isfinite(time)) and np.all(np.diff(time) > 0):
             return time, ""
     if not same:
@@ -233,7 +230,6 @@ def _dead_reckoning(
     time: np.ndarray | None,
     start: float,
     end: float,
-    path: Path,
 ) -> tuple[tuple[float, float], Track | None, list[str]]:
     """Sum the displacement through the water; return it, its track and notes."""
     if names is None:
@@ -241,7 +237,7 @@ def _dead_reckoning(
     notes = []
     if names[0].endswith("_gsm"):
         notes.append(f"dead reckoning of the glide-slope model ({names[0]})")
-    east, north = (metres(data, name, path) for name in names)
+    east, north = (metres(data, name) for name in names)
     if east.shape != north.shape or east.ndim != 1 or not east.size:
         return NOT_KNOWN, None, [*notes, f"{names[0]} and {names[1]} differ in length or are empty"]
     bad = ~((np.abs(east) < LONGEST_STEP) & (np.abs(north) < LONGEST_STEP))
@@ -257,15 +253,15 @@ def _dead_reckoning(
     if time.size > 1 and np.max(np.diff(time)) > LONGEST_GAP:
         notes.append(f"a gap of {np.max(np.diff(time)):.0f} s in the samples")
     since = time - start
-    hole = hole_under_water(since, _depths(data, names[0], path), end - start)
+    hole = hole_under_water(since, _depths(data, names[0]), end - start)
     if hole:
         return NOT_KNOWN, None, [*notes, hole]
     return total, track_of(since, east, north, end - start), notes
 
 
-def _depths(data: "xarray.Dataset", like: str, path: Path) -> np.ndarray:
+def _depths(data: "xarray.Dataset", like: str) -> np.ndarray:
     """Return depths of the samples that a variable has, NaN where there are none."""
     for name in DEPTHS:
         if name in data.variables and data[name].dims == data[like].dims:
-            return metres(data, name, path)
+            return metres(data, name)
     return np.full(data[like].shape, nan)

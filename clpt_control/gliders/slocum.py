@@ -30,13 +30,11 @@ The plan of the next dive is the way to the waypoint c_wpt_lat, c_wpt_lon (ddmm.
 c_heading (rad from magnetic north), as last logged.
 """
 
-from collections.abc import Sequence
 from dataclasses import replace
 from math import nan
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from ..geodesy import displacement
 from .dives import (
@@ -47,10 +45,11 @@ from .dives import (
     Three,
     dive_between,
     dives_across_files,
+    fixes_at,
     is_fix,
     planned_course,
 )
-from .samples import deepest, degrees, hole_under_water, variation
+from .samples import deepest, degrees, hole_under_water, turned, variation
 from .slocum_file import MAGIC as MAGIC
 from .slocum_file import NAMES, Segment, Series, read_segment
 
@@ -68,16 +67,6 @@ def between(series: Series, start: float, end: float) -> Series:
     return series[0][rows], series[1][rows]
 
 
-def to_true_north(vectors: Sequence[ArrayLike], east_of_north: float) -> np.ndarray:
-    """Rotate vectors from axes along magnetic north to true ones.
-
-    >>> to_true_north((0.0, 1.0), 90.0).round(9)
-    array([1., 0.])
-    """
-    sine, cosine = np.sin(np.radians(east_of_north)), np.cos(np.radians(east_of_north))
-    return np.array([[cosine, sine], [-sine, cosine]]) @ np.asarray(vectors)
-
-
 def paired(first: Series, second: Series) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return the times at which two sensors have a value, and these values."""
     time, at, other = np.intersect1d(first[0], second[0], return_indices=True)
@@ -90,7 +79,7 @@ def own_currents(of: Of, dived: float, end: float, east_of_north: float) -> np.n
     A file repeats the former in its first cycle until the latter is worked out.
     """
     time, *water = paired(of["m_water_vx"], of["m_water_vy"])
-    each = np.column_stack([[nan, nan], to_true_north(water, east_of_north)])
+    each = np.column_stack([[nan, nan], turned(water, east_of_north)])
     last = each[:, np.searchsorted(time, end - SHORT, "right")]
     after = each[:, 1:][:, (time > end - SHORT) & (time <= end + OWN_CURRENT)]
     new = after[:, (after != last[:, None]).any(axis=0)]
@@ -144,7 +133,7 @@ def _places(
         np.interp(start[0], times, c) - np.diff(c)[0] / np.diff(times)[0] * later for c in (x, y)
     ]
     rows = times > start[0]
-    east, north = to_true_north((x[rows] - origin[0], y[rows] - origin[1]), east_of_north)
+    east, north = turned((x[rows] - origin[0], y[rows] - origin[1]), east_of_north)
     return times[rows], east, north
 
 
@@ -204,7 +193,7 @@ def dives_of(path: Path) -> tuple[list[Dive], list[Skipped]]:
     """Return the dives that end in a file."""
     segment = read_segment(path)
     of, found = dives_across_files(path, segment, read_segment, _merged, _fixes_and_wet)
-    ends = set(segment.of["m_gps_lat"][0].tolist()) if "m_gps_lat" in segment.of else set()
+    ends = set(segment.of["m_gps_lat"][0].tolist())
     dives = [_dive(of, segment, three) for three in found if three[2][0] in ends]
     if len(dives) > 1:
         which = [f"dive {k} of {len(dives)} in {path.name}" for k in range(1, len(dives) + 1)]
@@ -216,10 +205,7 @@ def _merged(parts: list[Segment]) -> Of:
     """Return the sensors of segments by time; what has no time, or no number, is left out."""
     of: Of = {}
     for name in NAMES:
-        found = [part.of[name] for part in parts if name in part.of]
-        time, value = (
-            np.concatenate([series[k] for series in found] or [np.empty(0)]) for k in (0, 1)
-        )
+        time, value = (np.concatenate([part.of[name][k] for part in parts]) for k in (0, 1))
         good = np.isfinite(value) & (time > YEARS[0]) & (time < YEARS[1])
         time, value = time[good], value[good]
         _, first = np.unique(time, return_index=True)
@@ -231,10 +217,10 @@ def _fixes_and_wet(of: Of) -> tuple[list[Fix], np.ndarray]:
     """Return the valid fixes and the times under water."""
     time, lat, lon = paired(of["m_gps_lat"], of["m_gps_lon"])
     failed = np.isin(time, of["m_gps_status"][0][of["m_gps_status"][1] != 0])
-    each = np.column_stack([time, degrees(lat), degrees(lon)])[~failed].tolist()
-    fixes = [(t, a, b) for t, a, b in each if is_fix(a, b)]
+    lat, lon = degrees(lat), degrees(lon)
+    good = is_fix(lat, lon) & ~failed
     when, depth = of["m_depth"]
-    return fixes, when[depth > LEAST_DEPTH]
+    return fixes_at(good, time, lat, lon), when[depth > LEAST_DEPTH]
 
 
 def _dive(of: Of, segment: Segment, fixes: Three) -> Dive:
@@ -284,9 +270,7 @@ def _next_course(of: Of, end: Fix, east_of_north: float) -> float | None:
     if lat.size and lon.size:
         return planned_course(end, (float(degrees(lat)[0]), float(degrees(lon)[0])))
     if heading.size and 0.0 <= heading[0] < 2 * np.pi:
-        return planned_course(
-            end, (nan, nan), heading=float(np.degrees(heading[0])) + east_of_north
-        )
+        return (float(np.degrees(heading[0])) + east_of_north) % 360.0
     return None
 
 
@@ -296,4 +280,4 @@ def _variation(of: Of, fix: Fix) -> float:
     rows = np.flatnonzero(time <= fix[0] + SHORT)
     if rows.size and abs(west[rows[-1]]) < np.pi:
         return float(-np.degrees(west[rows[-1]]))
-    return float(variation(*fix)[0])
+    return variation(*fix)

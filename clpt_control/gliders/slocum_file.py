@@ -71,7 +71,7 @@ class Segment(NamedTuple):
 
 
 def read_segment(path: Path) -> Segment:
-    """Read those of `NAMES` that a file has."""
+    """Read the sensors of `NAMES`, without values where a file has them not."""
     raw, whole = read_bytes(path), True
     if not raw.startswith(MAGIC):
         raw, whole = uncompressed(raw)
@@ -288,13 +288,13 @@ def _table(raw: bytes, at: int, labels: int, path: Path) -> tuple[dict[str, np.n
 
 def _series_of(columns: dict[str, np.ndarray]) -> dict[str, Series]:
     """Return the times and values of each sensor."""
-    of = {}
+    of, none = {}, np.full(columns[TIME].shape, nan)
     for name in NAMES:
-        if name in columns:
-            rows = np.isfinite(columns[name])
-            if name in FIX:
-                rows[:1] = False
-            of[name] = columns[TIME][rows], columns[name][rows]
+        column = columns.get(name, none)
+        rows = np.isfinite(column)
+        if name in FIX:
+            rows[:1] = False
+        of[name] = columns[TIME][rows], column[rows]
     return of
 
 

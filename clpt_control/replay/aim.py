@@ -259,7 +259,7 @@ def _variation(last: Dive, start: Fix, stated: float | None) -> float | None:
     for known in (stated, last.magvar):
         if known is not None and isfinite(known):
             return known
-    found = float(igrf(start[0], *start[1:])[0])
+    found = igrf(*start)
     return found if isfinite(found) else None
 
 

@@ -38,13 +38,12 @@ On one heading a lost speed and a current from ahead look the same: then a loss 
 a plausible size is flagged as one or the other.
 """
 
-from dataclasses import asdict, dataclass, replace
+from dataclasses import replace
 from math import hypot
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..errors import DataError
 from ..estimation.dive import Dive, miss
 from ..estimation.estimators import HIDDEN, KalmanBank
 from ..estimation.fix_model import FixModel
@@ -115,8 +114,7 @@ def _doubted(dive: Dive, doubt: float, note: str) -> Dive:
     return replace(dive, doubt=hypot(dive.doubt, doubt), notes=(*dive.notes, note))
 
 
-@dataclass(frozen=True)
-class Anomaly:
+class Anomaly(NamedTuple):
     """A dive at which the speed factor left its credible range.
 
     `change` of the factor on speed, with its standard error, holds from dive `since` on; the factor
@@ -144,20 +142,16 @@ class Anomaly:
             + ("" if self.certain else "; on these headings a current from ahead looks the same")
         )
 
-    def as_dict(self) -> dict[str, Any]:
-        """Return the attributes by name, for JSON."""
-        return asdict(self)
-
 
 class SpeedFactorWatch:
-    """Watches the speed factor dive by dive, by a bank that learns the speed.
+    """Watches the speed factor dive by dive, by a bank of a model that learns the speed.
 
     The bank must see each dive before `step` does; by default it is one of its own.
     """
 
     def __init__(self, model: FixModel, bank: KalmanBank | None = None) -> None:
         self.has_own_bank = bank is None
-        self.bank = KalmanBank(replace(model, learn_speed=True)) if bank is None else bank
+        self.bank = KalmanBank(model) if bank is None else bank
         self.windows: list[dict[str, Any]] = []
         self.count = 0
 
@@ -166,8 +160,7 @@ class SpeedFactorWatch:
         if self.has_own_bank:
             self.bank.update(dive)
         update = self.bank.last_update
-        if update is None:
-            raise DataError(f"dive {dive.number}: its bank must learn from it before the watch")
+        assert update is not None
         F, H = update.F, update.H
         m, n = F.shape[:2]
         speed = HIDDEN + self.bank.model.names.index("speed")

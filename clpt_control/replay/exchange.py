@@ -32,7 +32,7 @@ from ..gliders.slocum import HOLDS
 from ..html import safe
 from .aim import ARRIVED
 from .chart import DrawnDive, Layer, drawn_dives, layers_ahead, line_pieces, place_in, ring_pieces
-from .wording import REACHED, Place, compass, east_of, minutes
+from .wording import REACHED, compass, east_of, minutes
 
 DIGITS = 6  # decimals of a degree: 0.1 m
 KML = "http://www.opengis.net/kml/2.2"
@@ -72,11 +72,8 @@ PLACEMARKS = {  # kind of a layer: its name in KML and its style
 def _pieces(layer: Layer) -> list[list[list[float]]]:
     """Return longitudes and latitudes of a layer, cut at 180 degrees."""
     cut = ring_pieces if layer.shape == "Polygon" else line_pieces
-    return [[_pair(place) for place in piece] for piece in cut(layer.places)]
-
-
-def _pair(place: Place) -> list[float]:
-    return [round(place[1], DIGITS), round(place[0], DIGITS)]
+    pieces = cut(layer.places)
+    return [[[round(lon, DIGITS), round(lat, DIGITS)] for lat, lon in piece] for piece in pieces]
 
 
 def next_geojson(found: dict[str, Any]) -> str:

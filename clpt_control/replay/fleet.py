@@ -25,7 +25,6 @@ import subprocess
 import time
 from collections.abc import Sequence
 from contextlib import suppress
-from datetime import datetime
 from itertools import takewhile
 from pathlib import Path
 from tempfile import TemporaryFile
@@ -37,6 +36,7 @@ from ..files import write_file
 from ..files.reading import read_text
 from ..html import document, paragraphs
 from ..progress import tell
+from ..units import seconds_since_1970
 from .doubts import SETTLED, Anomaly
 from .replay_page import cell_table
 from .surfacing import RECENT
@@ -71,8 +71,8 @@ def events(found: dict[str, Any], now: float) -> list[Event]:
     """Return what asks for a pilot, s since 1970, of what `--json` prints of a vehicle."""
     each, ahead = found["each_dive"], found["next_dive"]
     happened = []
-    last, late = each[-1]["dive"], now - _seconds(ahead["time"])
-    if late > ahead["time_90"] and now - _seconds(each[-1]["end"]) <= RECENT:
+    last, late = each[-1]["dive"], now - seconds_since_1970(ahead["time"])
+    if late > ahead["time_90"] and now - seconds_since_1970(each[-1]["end"]) <= RECENT:
         due = f"after dive {last}: should have come up at {clock(ahead['time'])} {within(ahead)}"
         happened.append(Event(OVERDUE, last, f"{OVERDUE} {due}"))
     if (running := _running(each)) > 1:
@@ -97,7 +97,7 @@ def standing(found: dict[str, Any], page: str, now: float) -> dict[str, Any]:
         "time": last["end"],
         "latitude": last["end_latitude"],
         "longitude": last["end_longitude"],
-        "age_hours": (now - _seconds(last["end"])) / 3600,
+        "age_hours": (now - seconds_since_1970(last["end"])) / 3600,
         "next_dive": found["next_dive"],
         "headlines": found["headlines"],
         "out_running": _running(found["each_dive"]),
@@ -174,10 +174,6 @@ def _running(each: list[dict[str, Any]]) -> int:
 def _anomaly(each: list[dict[str, Any]]) -> dict[str, Any] | None:
     """Return the last anomaly of the speed among the last dives."""
     return next((row["anomaly"] for row in each[: -SETTLED - 1 : -1] if row["anomaly"]), None)
-
-
-def _seconds(time: str) -> float:
-    return datetime.fromisoformat(time).timestamp()
 
 
 LONGEST = 60.0  # s that a command may take

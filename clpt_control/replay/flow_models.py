@@ -47,7 +47,6 @@ import json
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from functools import cached_property
 from math import cos, isfinite, radians
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -57,7 +56,6 @@ import numpy as np
 from ..arguments import public
 from ..currents.grid_file import DEEPEST, SUFFIXES, Currents, read_currents
 from ..currents.plane import LocalPlane
-from ..equations.block import Block
 from ..errors import ClptError, DataError
 from ..estimation.dive import reckoned
 from ..files.reading import open_netcdf, shown_name
@@ -82,6 +80,9 @@ class FlowModel(ABC):
 
     source: str  # the name of its file
     about: str  # what it is, in a few words
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__} {self.source}: {self.about}>"
 
     @abstractmethod
     def along(self, dive: Dive) -> Flow:
@@ -214,28 +215,14 @@ def gaps_of(time: np.ndarray) -> np.ndarray:
     return gaps
 
 
-@dataclass(frozen=True)
 class Forecast(FlowModel):
     """A gridded current, read by `read_currents`, that carries dead reckoning."""
 
-    column: Currents
-    source: str
-    about: str
-
-    @cached_property
-    def fastest(self) -> float:
-        """Greatest speed anywhere in the file, m/s."""
-        return float(np.sqrt(np.nanmax(self.column.u**2 + self.column.v**2)))
-
-    @cached_property
-    def time(self) -> np.ndarray:
-        """Steps, s since 1970 UTC, shape (nt,)."""
-        return seconds_since_1970(self.column.start) + 3600.0 * self.column.time
-
-    @cached_property
-    def gaps(self) -> np.ndarray:
-        """Which intervals of the steps are gaps, shape (nt - 1,)."""
-        return gaps_of(self.time)
+    def __init__(self, column: Currents, about: str) -> None:
+        self.column, self.source, self.about = column, column.source, about
+        self.fastest = float(np.sqrt(np.nanmax(column.u**2 + column.v**2)))  # m/s, anywhere
+        self.time = seconds_since_1970(column.start) + 3600.0 * column.time  # s since 1970 UTC
+        self.gaps = gaps_of(self.time)
 
     def along(self, dive: Dive) -> Flow:
         """Return the flow for one dive, averaged over its depths.
@@ -314,7 +301,7 @@ def read_forecast(path: str | Path, units: str | None = None) -> Forecast:
         about = f"gridded, one level only ({where}), not what a glider feels over its depths"
     if column.land:
         about += f"; {column.land} cells of nothing but zeros are taken as land"
-    return Forecast(column, column.source, about)
+    return Forecast(column, about)
 
 
 def _bracket(axis: np.ndarray, low: float, high: float) -> slice:
@@ -324,7 +311,7 @@ def _bracket(axis: np.ndarray, low: float, high: float) -> slice:
     return slice(first, last + 1)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Fitted(FlowModel):
     """A basis with its parameters, on the plane of its fit."""
 
@@ -333,19 +320,14 @@ class Fitted(FlowModel):
     plane: LocalPlane  # about the origin of the fit
     start: float  # its t = 0, s since 1970 UTC
     box: tuple[float, float, float, float]  # lat0, lat1, lon0, lon1 that was fitted, degrees
-    source: str = ""
-    about: str = "fitted basis"
-
-    @cached_property
-    def basis(self) -> Block:
-        """The block phi(x, t), Eq. (5)."""
-        return self.scenario.basis_block()
+    source: str
+    about: str
 
     def along(self, dive: Dive) -> Flow:
         """Return theta phi for one dive; `Uncovered` if it begins outside the fit's area."""
         here, units = LocalPlane(dive.lat_gps2, dive.lon_gps2), self.scenario.units
         long, second = METRES[units.length], SECONDS[units.time]
-        basis, N, no_state = self.basis, self.scenario.basis.N, np.zeros(0)
+        basis, N, no_state = self.scenario.basis_block(), self.scenario.basis.N, np.zeros(0)
 
         def flow(t: float, east: float, north: float) -> tuple[float, float]:
             lat, lon = here.to_earth(east / 1000, north / 1000)

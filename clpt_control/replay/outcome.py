@@ -115,7 +115,7 @@ def _row(step: Step, models: tuple[str, ...]) -> dict[str, Any]:
         "drift": None if step.drift is None else step.drift.as_dict(),
         "over_ground": Way(dive.gps_east, dive.gps_north, dive.duration).as_dict(),
         "headline": None if step.headline is None else _headline(step.headline, step.headline_held),
-        "anomaly": None if step.anomaly is None else step.anomaly.as_dict(),
+        "anomaly": None if step.anomaly is None else step.anomaly._asdict(),
         "depth_max": dive.depth_max,
         "notes": list(dive.notes),
     }
@@ -188,19 +188,15 @@ def learned_report(replay: Replay) -> dict[str, Any]:
 def speed_words(step: Step) -> str:
     """Return the factor on speed, and what it means where it is far from 1."""
     words = f"speed {step.speed:.2f} +- {step.speed_error:.2f}"
-    if abs(step.speed - 1) <= FAR * step.speed_error:
-        return words
-    slow = "slow" if step.speed > 1 else "fast"
-    return f"{words}: your flight model is too {slow}"
+    means = f": your flight model is too {'slow' if step.speed > 1 else 'fast'}"
+    return f"{words}{means}" if abs(step.speed - 1) > FAR * step.speed_error else words
 
 
 def compass_words(step: Step) -> str:
     """Return the error of the compass, and what it means where it is far from 0."""
     words = f"compass {step.compass:+.1f} +- {step.compass_error:.1f} degrees"
-    if abs(step.compass) <= FAR * step.compass_error:
-        return words
-    side = "right" if step.compass > 0 else "left"
-    return f"{words}: it goes to the {side} of its heading"
+    means = f": it goes to the {'right' if step.compass > 0 else 'left'} of its heading"
+    return f"{words}{means}" if abs(step.compass) > FAR * step.compass_error else words
 
 
 @public
@@ -280,7 +276,7 @@ def summary(replay: Replay, skipped: Sequence[Skipped] = ()) -> dict[str, Any]:
     ]
     headlines = [step.headline_held for step in steps if step.headline_held]
     last = steps[-1] if steps else None
-    factor = last is not None and replay.model.learn_speed
+    factor = last if replay.model.learn_speed else None
     modelled = {} if replay.flow_model is None else {"flow_model": _of_flow_model(replay)}
     return {
         "vehicle": (last.dive.vehicle if last else "") or "glider",
@@ -299,15 +295,15 @@ def summary(replay: Replay, skipped: Sequence[Skipped] = ()) -> dict[str, Any]:
         },
         "inside_90": float(np.mean([step.inside for step in steps])) if steps else None,
         "speed_factor": {
-            "value": last.speed if last and factor else None,
-            "standard_error": last.speed_error if last and factor else None,
+            "value": factor and factor.speed,
+            "standard_error": factor and factor.speed_error,
         },
         "parts": dict(last.parts) if last else {},
         "said": learned_report(replay),
         "learned": list(last.learned) if last else [],
         "held": list(last.not_learned) if last else [],
         "standard_error_left": dict(last.left) if last else {},
-        "anomalies": [step.anomaly.as_dict() for step in steps if step.anomaly],
+        "anomalies": [step.anomaly._asdict() for step in steps if step.anomaly],
         "notes": [
             {"dive": step.dive.number, "note": note}
             for step in steps

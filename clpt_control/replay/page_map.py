@@ -107,8 +107,7 @@ def replay_map(found: dict[str, Any]) -> str:
         of_leg = [layer for layer in ahead if layer.of is leg]
         drawn += _painted(drawing, of_leg, f"waypoint {k + 1}: ")
         drawn.append(_beyond(drawing, k + 1, of_leg[1].places))
-    of_next = [layer for layer in ahead if layer.of is found["next_dive"]]
-    drawn += [*_painted(drawing, of_next, "next surfacing: "), _scale(drawing)]
+    drawn += [*_painted(drawing, near, "next surfacing: "), _scale(drawing)]
     return (
         f'<svg id="map" viewBox="0 0 {WIDTH:.0f} {drawing.height:.0f}" role="img" '
         f'aria-label="map of the track and of the next surfacing" {_facts(drawing)}>'
@@ -163,12 +162,12 @@ def _beyond(drawing: Drawing, number: int, aim: list[Place]) -> str:
     label = f"waypoint {number}, {hypot(east, north) / 1000:.0f} km to "
     label += compass(degrees(atan2(east, north)))
     angle, left = degrees(atan2(x1 - x0, y0 - y1)), x < WIDTH / 2
-    return (
-        f'<g class="m" transform="translate({_numbers(x, y)})"><g class="beyond">'
-        f'<path class="star" d="{ARROW}" transform="rotate({angle:.0f})"/>'
+    inner = (
+        f'<g class="beyond"><path class="star" d="{ARROW}" transform="rotate({angle:.0f})"/>'
         f'<text x="{14 if left else -14}" y="{18 if y < EDGE + 1 else -8}" '
-        f'text-anchor="{"start" if left else "end"}">{safe(label)}</text></g></g>'
+        f'text-anchor="{"start" if left else "end"}">{safe(label)}</text></g>'
     )
+    return _group(_numbers(x, y), "m", inner)
 
 
 def _numbered(drawing: Drawing, rows: list[dict[str, Any]]) -> list[str]:
@@ -205,7 +204,7 @@ def _grid(drawing: Drawing) -> list[str]:
 
 def _label(x: float, y: float, dx: float, dy: float, text: str) -> str:
     inner = f'<text class="degrees" x="{dx}" y="{dy}">{safe(text)}</text>'
-    return f'<g class="m" transform="translate({_numbers(x, y)})">{inner}</g>'
+    return _group(_numbers(x, y), "m", inner)
 
 
 def _scale(drawing: Drawing) -> str:

@@ -222,9 +222,6 @@ class Replay:
         Mean (2,), m, zero for the first dive, and covariance (2, 2), m^2; the dive's end fix and
         displacement are not read.
         """
-        return self._forecast(dive)
-
-    def _forecast(self, dive: Dive) -> tuple[np.ndarray, np.ndarray]:
         again, dive = self._doubt_one_fix(dive)
         if again is None:
             return self._ahead(dive)
@@ -292,7 +289,7 @@ class Replay:
         if self.flow_model is not None:
             plan = carried(plan, self.flow_model)
             covers = plan.model_east is not None
-        mean, covariance = self._forecast(plan)
+        mean, covariance = self.forecast(plan)
         place = place_from(*begin[1:], *(guess.way + mean))
         scatter = last.response @ guess.scatter[:2, :2] @ last.response.T
         covariance = covariance + scatter + habits.drift()[1]

@@ -47,7 +47,7 @@ last dive, else from that end, as for a record of years ago.
 
 import time
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from math import exp, hypot, isfinite, log, nan, radians
 from statistics import median
 from typing import Any, NamedTuple
@@ -148,7 +148,6 @@ class Evidence(NamedTuple):
         return m, (scatter - k * np.outer(m, m)) / (SPREADS + self.dives) * (1.0 + 1.0 / k)
 
 
-@dataclass
 class Habits:
     """What is known of how a vehicle dives, dive by dive; `last` is the last dive.
 
@@ -156,16 +155,12 @@ class Habits:
     `width` is how many times wider the next headline's place and time are by its record.
     """
 
-    last: Dive | None = None
-    evidence: dict[str, Evidence] = field(
-        default_factory=lambda: {
-            name: Evidence(0.0, np.zeros(3), np.zeros((3, 3)), 0.0) for name in PRIORS
-        }
-    )
-    means: np.ndarray = field(default_factory=lambda: np.zeros(3))
-    drifts: np.ndarray = field(default_factory=lambda: np.zeros(4))
-    stays: list[float] = field(default_factory=list)
-    width: tuple[float, ...] = (1.0, 1.0)
+    def __init__(self) -> None:
+        self.last: Dive | None = None
+        self.evidence = dict.fromkeys(PRIORS, Evidence(0.0, np.zeros(3), np.zeros((3, 3)), 0.0))
+        self.means, self.drifts = np.zeros(3), np.zeros(4)
+        self.stays: list[float] = []
+        self.width: tuple[float, ...] = (1.0, 1.0)
 
     def _frames(self, last: Dive) -> dict[str, tuple[np.ndarray, float]]:
         """Return, for each guess, the matrix from z to m, (3, 3), and the log of its duration."""

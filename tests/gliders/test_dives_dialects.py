@@ -158,7 +158,7 @@ def test_og1_dead_reckoning_of_speed_and_heading(tmp_path):
         assert dive.notes == ("dead reckoning computed from the file's depth-averaged current",)
     for dive in dives_in(og1(tmp_path / "c.nc", drop=(*STEPS, *OWN))):
         middle = 0.5 * (dive.t_gps2 + dive.t_gpse)
-        (igrf,) = variation(middle, dive.lat_gps2, dive.lon_gps2)
+        igrf = variation(middle, dive.lat_gps2, dive.lon_gps2)
         bearing = np.radians(BEARING - VARIATION + igrf)
         there = SPEED * (DURATION - 200.0) * np.array([np.sin(bearing), np.cos(bearing)])
         assert (dive.dr_east, dive.dr_north) == pytest.approx(tuple(there))
