@@ -9,7 +9,7 @@ from clpt_control.equations.arrays import Tape, Unread
 from clpt_control.equations.block import Block
 from clpt_control.equations.derivative import derivative
 from clpt_control.equations.symbolic import SUM, EveryN, base_and_term
-from clpt_control.theory.proving.array_loop import array_loop
+from clpt_control.theory.proving.array_loop import ArrayLoop
 from clpt_control.theory.proving.symbolic_loop import symbolic_loop
 from clpt_control.theory.proving.theorem_loop import rate_of_V, theorem_loop, vanish
 
@@ -86,7 +86,7 @@ def test_the_derivative_is_that_of_each_N(form):
 @pytest.mark.parametrize("law", ["learned-flow", "known-flow"])
 @pytest.mark.parametrize("N", [1, 3])
 def test_every_N_agrees_with_each_N(law, N):
-    every, one = array_loop(theorem_loop(3, law)), symbolic_loop(theorem_loop(N, law))
+    every, one = ArrayLoop(theorem_loop(3, law)), symbolic_loop(theorem_loop(N, law))
     plain = {f: sympy.Symbol(str(f.func), real=True) for port in one.inputs.values() for f in port}
 
     def written_out(expression):
@@ -115,7 +115,7 @@ def loop_of(function, claim, N=7):
         states={"s": 1},
         sizes={"N": N},
     )
-    loop = array_loop(connect([block], external=["e", "phi_x"], name="own"))
+    loop = ArrayLoop(connect([block], external=["e", "phi_x"], name="own"))
     return loop, [loop.rates["s"][0] - claim(loop.inputs["e"], loop.inputs["phi_x"])]
 
 
@@ -244,12 +244,12 @@ def test_a_signal_that_is_not_fed_function_by_function_is_refused():
     )
     diagram = connect([block, turned], external=["e"], name="own")
     with pytest.raises(Unread, match=r"own\.phi_x is not fed function by function"):
-        array_loop(diagram)
+        ArrayLoop(diagram)
     assert len(symbolic_loop(diagram).rates["s"]) == 1
 
 
 def test_V_of_the_papers_loop_falls_for_every_N_and_a_changed_sign_is_seen():
-    loop = array_loop(theorem_loop(2, "learned-flow"))
+    loop = ArrayLoop(theorem_loop(2, "learned-flow"))
     e, KD = loop.signals["e"], loop.parameters["vehicle_controller"].KD
     assert vanish(loop, [rate_of_V(loop) + np.sum(KD * e**2)]) == (True, "")
     assert not vanish(loop, [rate_of_V(loop) - np.sum(KD * e**2)])[0]

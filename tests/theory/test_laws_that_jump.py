@@ -12,7 +12,7 @@ from clpt_control.blocks.laws.table import LAWS
 from clpt_control.equations import Block
 from clpt_control.errors import DiagramError
 from clpt_control.theory.proving import fixes
-from clpt_control.theory.proving.array_loop import array_loop
+from clpt_control.theory.proving.array_loop import ArrayLoop
 from clpt_control.theory.proving.fixes import AtAFix, fix_steps
 from clpt_control.theory.proving.own_law import prove
 from clpt_control.theory.proving.symbolic_loop import symbolic_loop
@@ -95,7 +95,7 @@ def test_a_wrong_law_is_refuted_all_the_same():
     assert prove(jumping(remember, reverse), points=200).status == "refuted"
 
 
-@pytest.mark.parametrize("read", [symbolic_loop, array_loop])
+@pytest.mark.parametrize("read", [symbolic_loop, ArrayLoop])
 def test_other_proofs_refuse_jumps(read):
     diagram = theorem_loop(N, "learned-flow", law_block=jumping(remember))
     with pytest.raises(DiagramError, match=r"^own: its states jump, and this proof speaks of no"):

@@ -8,7 +8,6 @@ holds for all of them.
 """
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
@@ -40,22 +39,64 @@ DEEPEST = 30  # levels of an expression
 Known = Callable[[sympy.Expr, Index], Any]
 
 
-@dataclass
 class ArrayLoop:
     """A diagram's equations as arrays, by port.
 
-    A state that is no port of the diagram stands under ``"block:port"``.
+    A state that is no port of the diagram stands under ``"block:port"``.  Sizes that have names
+    stay open unless `closed`.  States that jump are refused unless `jumps`: the caller then checks
+    what V does there.  `known` gives what stands for a parameter's element.
     """
 
-    tape: Tape = field(default_factory=Tape)
-    states: dict[str, Any] = field(default_factory=dict)
-    signals: dict[str, Any] = field(default_factory=dict)
-    rates: dict[str, Any] = field(default_factory=dict)  # time derivatives of the states
-    jumps: dict[str, dict[str, Any]] = field(default_factory=dict)  # block -> state: its new value
-    inputs: dict[str, Any] = field(default_factory=dict)  # of the diagram
-    parameters: dict[str, Parameters] = field(default_factory=dict)  # block -> arrays
-    elements: EveryN = field(init=False)
-    undefined_so_far: list[str] = field(default_factory=list)  # in what was read
+    def __init__(
+        self,
+        diagram: control.NonlinearIOSystem,
+        jumps: bool = False,
+        closed: bool = False,
+        known: Known = lambda symbol, index: symbol,
+    ):
+        wiring = wiring_of(diagram)
+        refuse_unproved(wiring, jumps)
+        blocks = blocks_of(wiring)
+        self.tape, self.known = Tape(), known
+        self.fields, self.names = parameter_names(blocks), state_names(blocks)
+        self.values: dict[str, Any] = {}  # of parameters
+        for block in blocks:
+            for name, value in block.parameters._asdict().items():
+                self.values.setdefault(self.fields[block.name, name], value)
+        self.declared: dict[str, Shape] = {}
+        self.states: dict[str, Any] = {}
+        found = merged_record(
+            diagram, wiring, self._leaf, self._input, self._stand_in, tape=self.tape, closed=closed
+        )
+        refuse_pinned(found.pinned)
+        self.inputs = found.inputs
+        self.signals = {port: value for (_, port), value in found.signals.items()}
+        of = {node.name: node.system.name for node in wiring.nodes}
+        self.rates = {
+            self.names[of[node], port]: value for (node, port), value in found.rates.items()
+        }
+        self.jumps: dict[str, dict[str, Any]] = {}  # block -> state: its new value
+        for (node, port), value in found.jumps.items():
+            self.jumps.setdefault(of[node], {})[self.names[of[node], port]] = value
+        self.parameters: dict[str, Parameters] = {}  # block -> arrays
+        for one in wiring.nodes:
+            block = one.system
+            fields = {
+                field: value
+                if isinstance(value, int)
+                else self._parameter(block, field, found.fields[one.name][field])
+                for field, value in block.parameters._asdict().items()
+            }
+            self.parameters[block.name] = Parameters(**fields)
+        self.undefined_so_far: list[str] = []  # in what was read
+
+        def watch(place: int, name: str, arguments: tuple) -> None:
+            owner = found.owners.get(place)
+            sentence = owner and no_value(owner, name, arguments)
+            if sentence:
+                self.undefined_so_far.append(f"{owner} {sentence}")
+
+        self.elements = EveryN(self.tape.operations, self._element, watch)
 
     @property
     def undefined(self) -> list[str]:
@@ -91,44 +132,38 @@ class ArrayLoop:
                 along[k] = 1.0
         return Direction(self.tape, along, smooth=True)
 
+    # --- the leaves, by the paper's names ----------------------------------------------------
 
-class _Names:
-    """The leaves of a loop, by the paper's names, and their elements on symbols."""
-
-    def __init__(self, blocks: list[Block], loop: ArrayLoop, known: Known):
-        self.loop, self.known = loop, known
-        self.fields, self.states = parameter_names(blocks), state_names(blocks)
-        self.values: dict[str, Any] = {}  # of parameters
-        self.declared: dict[str, Shape] = {}
-        for block in blocks:
-            for name, value in block.parameters._asdict().items():
-                self.values.setdefault(self.fields[block.name, name], value)
-
-    def parameter(self, block: Block, parameter: str, shape: Shape) -> Any:
-        """Return a parameter as an array of the loop."""
-        name, tape = self.fields[block.name, parameter], self.loop.tape
+    def _parameter(self, block: Block, parameter: str, shape: Shape) -> Any:
+        name = self.fields[block.name, parameter]
         if name not in SCALARS:
-            return tape.add("leaf", (), shape, ("p", name))
-        one = tape.add("leaf", (), (), ("p", name))
-        return tape.add("fill", (operand(one),), shape) if shape else one
+            return self.tape.add("leaf", (), shape, ("p", name))
+        one = self.tape.add("leaf", (), (), ("p", name))
+        return self.tape.add("fill", (operand(one),), shape) if shape else one
 
-    def leaf(self, group: str, node: Node, name: str, shape: Shape) -> Any:
+    def _leaf(self, group: str, node: Node, name: str, shape: Shape) -> Any:
         """Return a state or a parameter of a block."""
         block = node.system
         if group == "p":
-            return self.parameter(block, name, shape)
-        state = self.states[block.name, name]
+            return self._parameter(block, name, shape)
+        state = self.names[block.name, name]
         self.declared[state] = block.declared["states"][name]
-        return self.loop.states.setdefault(
-            state, self.loop.tape.add("leaf", (), shape, ("x", state))
-        )
+        return self.states.setdefault(state, self.tape.add("leaf", (), shape, ("x", state)))
 
-    def input(self, port: str, shape: Shape, declared: Shape) -> Any:
-        """Return an input of the diagram."""
+    def _input(self, port: str, shape: Shape, declared: Shape) -> Any:
         self.declared[port] = declared
-        return self.loop.tape.add("leaf", (), shape, ("u", port))
+        return self.tape.add("leaf", (), shape, ("u", port))
 
-    def element(self, at: tuple, shape: Shape, index: Index) -> Any:
+    def _stand_in(self, node: Node, u: dict[str, Any], shapes: dict[str, Shape]) -> Any:
+        """Return the outputs of a block that stays undefined; None of another."""
+        if not node.system.opaque:
+            return None
+        self.declared |= node.system.declared["outputs"]
+        return {
+            port: self.tape.add("leaf", (), shape, ("o", port)) for port, shape in shapes.items()
+        }
+
+    def _element(self, at: tuple, shape: Shape, index: Index) -> Any:
         """Return the symbol of an element, or what is known of it."""
         group, name = at
         if group == "t":
@@ -137,62 +172,6 @@ class _Names:
             return self.known(parameter_symbol(name, self.values[name], index), index)
         port = ("d " if group == "d" else "") + name + ("'" if group.endswith("'") else "")
         return sympy.Symbol(element_name(port, self.declared[name], index), real=True)
-
-
-def array_loop(
-    diagram: control.NonlinearIOSystem,
-    jumps: bool = False,
-    closed: bool = False,
-    known: Known = lambda symbol, index: symbol,
-) -> ArrayLoop:
-    """Read a diagram's equations as arrays.
-
-    Sizes that have names stay open unless `closed`.  States that jump are refused unless `jumps`:
-    the caller then checks what V does there.  `known` gives what stands for a parameter's element.
-    """
-    wiring = wiring_of(diagram)
-    refuse_unproved(wiring, jumps)
-    loop = ArrayLoop()
-    names = _Names(blocks_of(wiring), loop, known)
-
-    def stand_in(node: Node, u: dict[str, Any], shapes: dict[str, Shape]) -> dict[str, Any] | None:
-        if not node.system.opaque:
-            return None
-        for port, shape in node.system.declared["outputs"].items():
-            names.declared[port] = shape
-        return {
-            port: loop.tape.add("leaf", (), shape, ("o", port)) for port, shape in shapes.items()
-        }
-
-    found = merged_record(
-        diagram, wiring, names.leaf, names.input, stand_in, tape=loop.tape, closed=closed
-    )
-    refuse_pinned(found.pinned)
-    loop.inputs = found.inputs
-    loop.signals = {port: value for (_, port), value in found.signals.items()}
-    block_of = {node.name: node.system for node in wiring.nodes}
-    for name, block in block_of.items():
-        fields = {
-            field: value
-            if isinstance(value, int)
-            else names.parameter(block, field, found.fields[name][field])
-            for field, value in block.parameters._asdict().items()
-        }
-        loop.parameters[block.name] = Parameters(**fields)
-    for (name, port), value in found.rates.items():
-        loop.rates[names.states[block_of[name].name, port]] = value
-    for (name, port), value in found.jumps.items():
-        jumped = loop.jumps.setdefault(block_of[name].name, {})
-        jumped[names.states[block_of[name].name, port]] = value
-
-    def watch(place: int, name: str, arguments: tuple) -> None:
-        owner = found.owners.get(place)
-        sentence = owner and no_value(owner, name, arguments)
-        if sentence:
-            loop.undefined_so_far.append(f"{owner} {sentence}")
-
-    loop.elements = EveryN(loop.tape.operations, names.element, watch)
-    return loop
 
 
 def no_value(owner: str, name: str, arguments: tuple) -> str | None:

@@ -57,7 +57,7 @@ class AtAFix:
     """A law's states on symbols right before an exact fix, x - z = eta m, and right after."""
 
     def __init__(self, law: Law, N: int, late: bool):
-        self.late, self.loop = late, loop_of(law, N, late)
+        self.late, self.N, self.loop = late, N, loop_of(law, N, late)
         s, p = self.loop.states, self.loop.parameters
         self.theta, self.r = p["true_flow"].theta, p["adaptation"].noise
         self.m = s["m_sent"] if late else s["m"]  # of the fix that arrives

@@ -73,9 +73,8 @@ class InvariantLoop:
             tuple(sympy.sympify(factor).xreplace(self.tied) for factor in product)
             for product in law.losses(every, p, truth)
         ]
-        n = self.loop.N or N
-        c = sympy.symbols(f"c_1:{2 * n + 1}", real=True)
-        self.c = np.array(c, dtype=object).reshape(2, n)  # d P^-1, d = theta_hat - theta
+        c = sympy.symbols(f"c_1:{2 * N + 1}", real=True)
+        self.c = np.array(c, dtype=object).reshape(2, N)  # d P^-1, d = theta_hat - theta
         every["d P^-1"] = self.c
         self.error_growth = sympy.sympify(law.error_growth(every, p, truth))
         perturbation = law.perturbation(every, p, truth) if law.perturbation else 0

@@ -16,7 +16,7 @@ from ...equations.block import Block
 from ...equations.elements import Index
 from ...equations.symbolic import base_and_term, reindexed
 from ..squares import never_positive, positive_definite
-from .array_loop import TIME, array_loop
+from .array_loop import TIME, ArrayLoop
 from .leaks import Bound, listed
 from .proof import Step, checked, exact, short
 from .running_rate import running_step
@@ -54,6 +54,7 @@ class Case:
         """Read V and V'."""
         loop, law, weights = self.loop, self.law, self.weights
         refuse_no_value(loop, self.V.name)
+        self.N = len(loop.inputs["phi_x"])
         self.tied = {s: weight for s, weight in weights.items() if s != weight}
         self.names = law.name, self.V.name
         others = (p for name, p in loop.parameters.items() if name not in self.names)
@@ -151,7 +152,7 @@ class Case:
         """The loop with the disturbance of Eq. (32) as an input."""
         law, V = self.law, self.V
         return symbolic_loop(
-            theorem_loop(self.loop.N or 1, "learned-flow", True, law_block=law, candidate=V),
+            theorem_loop(self.N, "learned-flow", True, law_block=law, candidate=V),
             jumps=True,
         )
 
@@ -264,7 +265,7 @@ class Case:
         """Return the step that the same holds for every N."""
 
         def holds() -> tuple[bool, str]:
-            loop = array_loop(self.diagram, known=self.of_every_N)
+            loop = ArrayLoop(self.diagram, known=self.of_every_N)
             residual = tidied(loop.elements.of(rate_of_V(loop) - decay(loop)))
             if loop.undefined:
                 return False, loop.undefined[0]
@@ -286,7 +287,7 @@ class Case:
         generic = [one for one in index if isinstance(one, str)]
         weight = self.weights.get(symbol, symbol)
         if weight == symbol and len(generic) == 1:
-            names = [{generic[0]: str(k + 1)} for k in range(self.loop.N or 1)]
+            names = [{generic[0]: str(k + 1)} for k in range(self.N)]
             theirs = [self.weights.get(s, s) for s in (reindexed(symbol, name) for name in names)]
             for gain in (
                 reindexed(theirs[0], {"1": generic[0]}),

@@ -42,7 +42,7 @@ from ...diagrams.interconnection import Diagram
 from ...equations.arrays import operand
 from ...equations.derivative import derivative
 from ...simulation.loops import error_loop
-from .array_loop import ArrayLoop, array_loop
+from .array_loop import ArrayLoop
 from .proof import Step, checked, cited
 from .theorem_loop import (
     WIRED,
@@ -187,7 +187,7 @@ def error_system_rates(parts: ArrayLoop) -> Errors:
 
 def same_dynamics() -> tuple[bool, str]:
     """Return whether Eqs. (27)-(28) are the closed loop's own, and the error system's, every N."""
-    loop, parts = array_loop(learned_loop()), array_loop(error_diagram())
+    loop, parts = ArrayLoop(learned_loop()), ArrayLoop(error_diagram())
     wanted, printed = wanted_rates(loop), error_system_rates(parts)
     pairs = (loop.derivative(error) - wanted[name] for name, error in errors(loop).items())
     holds, left = vanish(loop, pairs)

@@ -25,7 +25,7 @@ from ...blocks.vehicle import speed_limit
 from ...diagrams.interconnection import connect
 from ...equations.arrays import Unread
 from ..counterexamples import limited_speed_counterexample
-from .array_loop import ArrayLoop, array_loop
+from .array_loop import ArrayLoop
 from .invariant_loop import InvariantLoop
 from .lemmas import definite_step, dissipation_step, learned_loop, wanted_rates, young_step
 from .proof import Proof, checked, theorem
@@ -53,7 +53,7 @@ def pair_of(law: Law) -> tuple[ArrayLoop, ArrayLoop]:
     def both(closed: bool) -> tuple[ArrayLoop, ...]:
         speeds: tuple[Hedging, ...] = ("no limit", "hedged")
         diagrams = (law_loop(law, *law_and_V(law, N, speed), speed) for speed in speeds)
-        return tuple(array_loop(one, jumps=True, closed=closed) for one in diagrams)
+        return tuple(ArrayLoop(one, jumps=True, closed=closed) for one in diagrams)
 
     try:
         free, hedged = both(closed=False)

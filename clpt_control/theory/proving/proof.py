@@ -160,7 +160,7 @@ def exact_step(cases: Iterable[Any], claim: str, check: Callable[[Any], bool | s
             if answer is False:
                 return False, ""
             if answer is not True and answer:
-                return False, f"N = {case.loop.N}: {answer}"
+                return False, f"N = {case.N}: {answer}"
         return True, ""
 
     return checked(claim, "exact", holds, False)

@@ -5,7 +5,6 @@ zeros and kinks; a parameter keeps its sign, and one that is zero stays zero.
 """
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from functools import cache
 from math import prod
 from typing import Any, NamedTuple
@@ -14,7 +13,6 @@ import control
 import numpy as np
 import sympy
 
-from ...diagrams.merged_record import open_sizes
 from ...diagrams.on_symbols import TIME, Equations, Names, on_symbols
 from ...diagrams.wiring import Node, Wiring, wiring_of
 from ...equations.block import Block
@@ -30,14 +28,11 @@ SMALL = 1e-6  # of the largest value there; less may be rounding
 NO_VALUE = (sympy.zoo, sympy.nan, sympy.oo, -sympy.oo, sympy.I)
 
 
-@dataclass
 class SymbolicLoop(Equations):
     """A diagram's equations on the paper's symbols.
 
     A state that is no port of the diagram stands under ``"block:port"``.
     """
-
-    N: int | None = None  # number of basis functions, where the blocks have one
 
     def derivative(self, expression: Any) -> sympy.Expr:
         """Differentiate an expression along the equations, words with kinks as well."""
@@ -76,11 +71,10 @@ def symbolic_loop(
 
     States that jump are refused unless `jumps`: the caller then checks what V does there.
     """
-    wiring = wiring_of(diagram)
-    refuse_unproved(wiring, jumps)
+    refuse_unproved(wiring_of(diagram), jumps)
     loop = on_symbols(diagram, PaperNames, opaque, no_value)
     refuse_pinned(loop.pinned)
-    return SymbolicLoop(**vars(loop), N=open_sizes(wiring).get("N"))
+    return SymbolicLoop(**vars(loop))
 
 
 LARGEST = 1e6  # of the kinks that are tried

@@ -26,7 +26,7 @@ from ...scenario.experiment import Scenario
 from ...scenario.file import paper_scenario
 from ...simulation.loops import paper_blocks
 from ..promises import truth_of
-from .array_loop import ArrayLoop, array_loop
+from .array_loop import ArrayLoop
 from .proof import Step, checked
 from .running_rate import running_step
 from .signs import left_over
@@ -239,7 +239,7 @@ def zero_step(
     """Check that residuals of a diagram's loop are zero for every N."""
 
     def holds() -> tuple[bool, str]:
-        loop = array_loop(diagram())
+        loop = ArrayLoop(diagram())
         return vanish(loop, residuals(loop))
 
     return checked(claim, "exact", holds)

@@ -152,7 +152,7 @@ def verdict_of(case: Case) -> Verdict:
     definite, total = case.definite(), case.valued()
     (falls, fall), zones = case.settled(), any(case.zones)
     at = " and the parameters as they are" if case.fixed else ""
-    claim = f"V' {'=' if case.residual == 0 else '<='} {fall}, N = {case.loop.N}{at}"
+    claim = f"V' {'=' if case.residual == 0 else '<='} {fall}, N = {case.N}{at}"
     left = "" if case.residual == 0 else f"left over: {short(case.residual)}"
     steps = [definite, total, exact(claim, falls, left)]
     if case.facts:
