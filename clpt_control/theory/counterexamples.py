@@ -181,8 +181,8 @@ class Piece(NamedTuple):
     """A stretch of time in which only the state moves."""
 
     duration: float
-    A: np.ndarray  # (..., n, n); leading axes are members of an ensemble
-    drive: np.ndarray  # (..., n), added to the derivative
+    A: np.ndarray  # (n, n)
+    drive: np.ndarray  # (n,), added to the derivative
     samples: int  # states recorded, evenly spaced, the last at its end
 
 
@@ -193,25 +193,19 @@ def scalar_matrix(w: float, gain: float = 1.0) -> np.ndarray:
 
 
 def exact_run(pieces: Iterable[Piece], start: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return times (nt,), 0 and those sampled, and states (nt, ..., n) from a start (..., n)."""
+    """Return times (nt,), 0 and those sampled, and states (nt, n) from a start (n,)."""
     from scipy.linalg import expm
 
-    state = np.asarray(start, dtype=float)
-    times, states = [np.zeros(1)], [state[None]]
-    n = state.shape[-1]
+    times, states, n = [0.0], [np.asarray(start, dtype=float)], len(start)
     for piece in pieces:
-        extended = np.zeros((*state.shape[:-1], n + 1, n + 1))
-        extended[..., :n, :n] = piece.A
-        extended[..., :n, n] = piece.drive
-        step = expm(extended * (piece.duration / piece.samples))
-        reached = np.empty((piece.samples, *state.shape))
-        for j in range(piece.samples):
-            state = np.einsum("...ij,...j->...i", step[..., :n, :n], state) + step[..., :n, n]
-            reached[j] = state
+        extended = np.zeros((n + 1, n + 1))
+        extended[:n] = np.column_stack([piece.A, piece.drive])
+        step = expm(extended * (piece.duration / piece.samples))[:n]
         share = np.arange(1, piece.samples + 1) / piece.samples
-        times.append(times[-1][-1] + piece.duration * share)
-        states.append(reached)
-    return np.concatenate(times), np.concatenate(states)
+        times += (times[-1] + piece.duration * share).tolist()
+        for _ in share:
+            states.append(step @ np.append(states[-1], 1.0))
+    return np.array(times), np.array(states)
 
 
 def square_wave_counterexample(gain: float = 100.0, periods: int = 60) -> PrintedBound:

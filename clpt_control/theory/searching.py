@@ -92,13 +92,12 @@ def _of_linear_part(rates: Rates, inputs: list) -> Iterator[sympy.Expr]:
         return
     if np.linalg.eigvals(np.array(A, dtype=float)).real.max() < -1e-9:
         n = len(states)
-        places = combinations_with_replacement(range(n), 2)
+        places = list(combinations_with_replacement(range(n), 2))
         known = {at: sympy.Symbol("p_{}_{}".format(*at)) for at in places}
         P = sympy.Matrix(n, n, lambda i, j: known[min(i, j), max(i, j)])
         (found,) = sympy.linsolve(list(A.T * P + P * A + sympy.eye(n)), *known.values())
-        z = sympy.Matrix(states)
-        V = (z.T * P.subs(dict(zip(known.values(), found, strict=True))) * z)[0]
-        yield sympy.expand(V)
+        shares = zip(places, found, strict=True)
+        yield sympy.Add(*(p * states[i] * states[j] * (1 + (i < j)) for (i, j), p in shares))
 
 
 def _terms(rates: Rates) -> dict[sympy.Expr, tuple]:

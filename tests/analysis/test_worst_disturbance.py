@@ -118,7 +118,10 @@ def random_runs(rng, count):
         push = np.where(state[:, 0] < 0, -1.0, 1.0) * 2 * k
         drive[:, 0] = np.where(pushing, push, rng.normal(size=count))
         A = error_matrices(phi, z, zc, [k, k], gain)[0]
-        piece_times, reached = exact_run([Piece(rng.uniform(0.1, 2), A, drive, 100)], state)
+        duration = rng.uniform(0.1, 2)
+        each = zip(A, drive, state, strict=True)
+        runs = [exact_run([Piece(duration, *one, 100)], own) for *one, own in each]
+        piece_times, reached = runs[0][0], np.stack([run for _, run in runs], axis=1)
         times.append(end + piece_times)
         states.append(reached)
         drives.append(np.broadcast_to(drive, reached.shape))
