@@ -56,19 +56,19 @@ class FailureSearch(PointSearch):
         rate = tidied(self.case.rate)
         for still in (True, False)[: 1 if self.case.depends_on() else 2]:
             for point in self.highest(rate, still):
-                value, size = self.rate_at(point)
+                (value,), (size,), _ = self.rates_at(point, point.x[None])
                 if value > SURE * size:
-                    return point, value
+                    return point, float(value)
         return None
 
     def not_as_claimed(self) -> Failure | None:
         """Return a point at which V' of the running blocks is not as claimed, and V' there."""
         residual = tidied(self.case.rate - self.case.claim)
         for point in chain(self.highest(residual, False), self.highest(-residual, False)):
-            value, size = self.rate_at(point)
+            (value,), (size,), _ = self.rates_at(point, point.x[None])
             right = self.value_at(self.case.claim, point)
             if abs(value - right) > SURE * max(size, abs(right)):
-                return point, value
+                return point, float(value)
         return None
 
     def no_least(self) -> Failure | None:

@@ -61,7 +61,8 @@ class PointSearch:
 
     def value_at(self, expression: sympy.Expr, point: Point) -> float:
         """Return an expression at a point."""
-        return float(self.numbers(expression).at(self.known(*columns(point)), 1)[0, 0])
+        at = self.known(np.array([point.t]), point.x[:, None], point.u[:, None])
+        return float(self.numbers(expression).at(at, 1)[0, 0])
 
     def draw(self, count: int, still: bool) -> tuple:
         """Return times, states and inputs of wide ranges, some of them zero."""
@@ -115,13 +116,11 @@ class PointSearch:
         step = size * self.random.standard_normal(values.shape)
         return values + step * (np.arange(values.shape[-1]) >= BEST)
 
-    def rate_at(self, point: Point) -> tuple[float, float]:
-        """Return V' along the rates that python-control gives, and the size of its terms."""
-        rates, _ = self.blocks.by_control(*(np.array([one]) for one in point[:3]))
-        rate, size = rate_of(self.slopes.at(self.known(*columns(point)), 1), rates)
-        return float(rate[0]), float(size[0])
+    def rates_at(self, point: Point, x: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Return V' along the rates that python-control gives, the size of its terms, and V.
 
-
-def columns(point: Point) -> tuple:
-    """Return one point as columns of times, states and inputs."""
-    return np.array([point.t]), point.x[:, None], point.u[:, None]
+        They are at a point with states (n, states) in the place of its own.
+        """
+        t, u = np.full(len(x), point.t), np.tile(point.u, (len(x), 1))
+        rates, V = self.blocks.by_control(t, x, u)
+        return *rate_of(self.slopes.at(self.known(t, x.T, u.T), len(x)), rates), V

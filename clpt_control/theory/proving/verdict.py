@@ -19,13 +19,11 @@ from ...diagrams.interconnection import Diagram
 from ...html import facts, fragment
 from .law_case import Case
 from .leaks import Bounding
-from .point_search import PointSearch
+from .point_search import SURE, PointSearch
 from .proof import Step, as_html, cited, exact, short
-from .running_rate import rate_of
 from .symbolic_loop import Point
 
 FARTHER = (1.0, 10.0, 100.0)
-SURE = 1e-6  # of the size of its terms: a sign that is no rounding
 HIDDEN = {"flow_x": "the true flow", "V": "made of the truth"}
 TRIED, UNTIL = 300, 1000.0  # points for each jump of a law, and until when jumps are looked for
 
@@ -34,9 +32,7 @@ def refuting_point(case: Case) -> tuple[Point, float] | None:
     """Return a point with V' > 0, and V' of the running blocks there, or None."""
     search = search_of(case)
     for point in search.highest(case.rate, still=False):
-        at = np.full(3, point.t), search.farther(point.x, FARTHER), np.tile(point.u, (3, 1))
-        rates, V = search.blocks.by_records(*at)
-        rises, size = rate_of(search.slopes.at(search.known(*(one.T for one in at)), 3), rates)
+        rises, size, V = search.rates_at(point, search.farther(point.x, FARTHER))
         positive = np.all((rises > SURE * size) & (V > 0))
         if positive and rises[-1] / V[-1] >= 0.5 * rises[0] / V[0]:
             return point, float(rises[0])
