@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 import clpt_control as clpt
 from clpt_control.blocks.laws.table import LAWS
-from clpt_control.theory.proving.array_loop import TIME, blocks_of
+from clpt_control.theory.proving.array_loop import TIME
 from clpt_control.theory.proving.running_rate import Running, slopes_of
 from clpt_control.theory.proving.signs import vanishes
 from clpt_control.theory.proving.symbolic_loop import Draw, Numbers, symbolic_loop
@@ -50,7 +50,7 @@ def test_slopes_of_V_are_those_of_the_running_blocks(law):
     """Each by a difference of V of the blocks' functions."""
     diagram = law_loop(law, *law_and_V(law, 2))
     loop, running = symbolic_loop(diagram, jumps=True), Running(diagram)
-    draw = Draw(blocks_of(running.wiring), loop, 0)
+    draw = Draw(running.wiring, loop, 0)
     x = draw.random.standard_normal((20, diagram.nstates))
     along = draw.random.standard_normal(x.shape)
     t, u, h = np.zeros(20), draw.random.standard_normal((20, diagram.ninputs)), 1e-5

@@ -56,7 +56,7 @@ class ArrayLoop:
     ):
         wiring = wiring_of(diagram)
         refuse_unproved(wiring, jumps)
-        blocks = blocks_of(wiring)
+        blocks = [node.system for node in wiring.nodes]
         self.tape, self.known = Tape(), known
         self.fields, self.names = parameter_names(blocks), state_names(blocks)
         self.values: dict[str, Any] = {}  # of parameters
@@ -196,7 +196,7 @@ def refuse_pinned(pinned: Iterable[tuple[str, str]]) -> None:
 
 def refuse_unproved(wiring: Wiring, jumps: bool) -> None:
     """Refuse discrete time, blocks that sample, and jumps unless `jumps`: no proof is of them."""
-    blocks = blocks_of(wiring)
+    blocks = [node.system for node in wiring.nodes]
     name = next((block.name for block in blocks if block.first_held is not None or wiring.dt), None)
     if name is not None:
         raise DiagramError(
@@ -209,21 +209,3 @@ def refuse_unproved(wiring: Wiring, jumps: bool) -> None:
                 f"{block.name}: its states jump, and this proof speaks of no jumps; prove the "
                 "block without its `jump`"
             )
-
-
-def blocks_of(wiring: Wiring) -> list[Block]:
-    """Return the blocks of a wiring; refuse what has no equations."""
-    blocks = []
-    for node in wiring.nodes:
-        if not isinstance(node.system, Block):
-            raise DiagramError(
-                f"{node.name} is no block, so its equations cannot be read; make it a Block"
-            )
-        blocks.append(node.system)
-    names = [block.name for block in blocks] + [p for block in blocks for p in block.output_ports]
-    twice = sorted({name for name in names if names.count(name) > 1 and name})
-    if len({block.name for block in blocks}) < len(blocks) or any(
-        sum(port in block.output_ports for block in blocks) > 1 for port in twice
-    ):
-        raise DiagramError(f"'{twice[0]}' is the name of two; rename one to tell them apart")
-    return blocks

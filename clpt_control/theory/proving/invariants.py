@@ -184,15 +184,12 @@ def _reads(case: InvariantLoop) -> bool:
 
 
 def _is_readout(case: InvariantLoop, read: Any, alpha: Any, theta: Any, w: Any) -> bool:
-    if not isinstance(read, WHERE):
-        return False
     condition, then, before = read.args
-    if str(getattr(condition, "func", "")) != "ge" or condition.args[0] != 1 - w:
-        return False
-    margin = condition.args[1]
+    gone, margin = condition.args
+    asked = isinstance(read, WHERE) and str(condition.func) == "ge" and gone == 1 - w
     known = {MAXIMUM(*pair): 1 - w for pair in ((margin, 1 - w), (1 - w, margin))}
     right = vanishes(case.reduced(then.subs(known)) - theta)
-    return bool(margin.is_positive) and right and sympy.expand(before + alpha) == 0
+    return bool(asked and margin.is_positive and right and sympy.expand(before + alpha) == 0)
 
 
 def covariance_claims(driven: bool) -> Claims:

@@ -103,15 +103,11 @@ def limits() -> bool:
     v, c = loop.signals["v_x"], loop.inputs["v_c"]
     largest = loop.parameters["speed_limit"].max_speed
     speed = sympy.sqrt(c[0] ** 2 + c[1] ** 2)
-    words = {f for one in v for f in one.atoms(sympy.core.function.AppliedUndef)} - set(c)
-    if len(words) != 1:
-        return False
-    (larger,) = words
-    if str(larger.func) != "maximum" or set(larger.args) != {speed, largest}:
-        return False
+    (larger,) = {f for one in v for f in one.atoms(sympy.core.function.AppliedUndef)} - set(c)
+    whole = str(larger.func) == "maximum" and set(larger.args) == {speed, largest}
     below = all(sympy.simplify(a.subs(larger, largest) - b) == 0 for a, b in zip(v, c, strict=True))
     beyond = [a.subs(larger, speed) - largest * b / speed for a, b in zip(v, c, strict=True)]
-    return below and all(sympy.simplify(left) == 0 for left in beyond)
+    return whole and below and all(sympy.simplify(left) == 0 for left in beyond)
 
 
 def commanded_back(loop: ArrayLoop) -> list[Any]:

@@ -23,7 +23,6 @@ from ...equations.at_many import on_arrays
 from ...errors import DiagramError
 from ...native.sweep import Sweep
 from ...progress.interrupt import check
-from .array_loop import blocks_of
 from .proof import Step, checked
 from .symbolic_loop import Draw, Numbers, Point, equate_x_and_z
 from .words import along
@@ -215,7 +214,7 @@ def running_step(
     def same() -> tuple[bool, str]:
         diagram, loop, wanted = read()
         V, states, running = loop.signals["V"][0], [*loop.motion], Running(diagram)
-        draw = Draw(blocks_of(running.wiring), loop, seed)
+        draw = Draw(running.wiring, loop, seed)
 
         def drawn(done: int) -> Drawn:
             values = draw.parameters(fixed if done else draw.names)

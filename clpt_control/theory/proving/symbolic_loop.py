@@ -4,7 +4,7 @@ The elements of its arrays are expressions each.  Random points and parameters h
 zeros and kinks; a parameter keeps its sign, and one that is zero stays zero.
 """
 
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping
 from functools import cache
 from math import prod
 from typing import Any, NamedTuple
@@ -15,11 +15,10 @@ import sympy
 
 from ...diagrams.on_symbols import TIME, Equations, Names, on_symbols
 from ...diagrams.wiring import Node, Wiring, wiring_of
-from ...equations.block import Block
 from ...equations.declaration import BETWEEN, named, split
 from ...equations.record import Shape
 from ...errors import DiagramError
-from .array_loop import blocks_of, no_value, refuse_pinned, refuse_unproved
+from .array_loop import no_value, refuse_pinned, refuse_unproved
 from .symbols import element_name, parameter_names, parameter_symbol, state_names
 from .words import NUMBERS_OF, along
 
@@ -43,7 +42,7 @@ class PaperNames(Names):
     """What the paper calls ports and parameters, as in the reading for every N."""
 
     def __init__(self, wiring: Wiring, inputs: Iterable[str]):
-        blocks = blocks_of(wiring)
+        blocks = [node.system for node in wiring.nodes]
         self.fields, self.states = parameter_names(blocks), state_names(blocks)
 
     def port(self, node: Node, group: str, kind: str) -> str:
@@ -97,8 +96,9 @@ def flat(parameters: Any) -> list[Any]:
 class Draw:
     """A source of random parameters and points for the blocks of a diagram."""
 
-    def __init__(self, blocks: Sequence[Block], loop: SymbolicLoop, seed: int):
-        self.random, self.blocks, self.loop = np.random.default_rng(seed), blocks, loop
+    def __init__(self, wiring: Wiring, loop: SymbolicLoop, seed: int):
+        self.random, self.loop = np.random.default_rng(seed), loop
+        self.blocks = blocks = [node.system for node in wiring.nodes]
         self.names = [block.name for block in blocks]
         lines = [o for b in blocks for r in b.records.values() for o in r.operations]
         numbers = {a for o in lines for a in o.arguments if type(a) is float and np.isfinite(a)}
