@@ -121,8 +121,7 @@ def exponential(along: LawRun) -> float:
 
 def level(along: LawRun) -> float:
     """Return the largest V over that of V(0) and the level of the disturbance."""
-    delta = along.scenario.flow.disturbance
-    largest = 0.0 if delta is None else float(np.hypot(*delta.amplitude))
+    largest = largest_disturbance(along.scenario)
     bound = along.row.level(along.p, truth_of(along.scenario), largest)
     return float(np.max(along.V) / max(along.V[0] + FLOOR, bound))
 
@@ -234,6 +233,12 @@ def promises_in_words(row: Law) -> dict[str, str]:
         + "; ".join(CONDITIONS[name][0] for name in promise.where)
         for promise in row.promises
     }
+
+
+def largest_disturbance(scenario: Scenario) -> float:
+    """Return the largest |Delta| of a scenario, length per time."""
+    delta = scenario.flow.disturbance
+    return 0.0 if delta is None else float(np.hypot(*delta.amplitude))
 
 
 def truth_of(scenario: Scenario) -> Truth:

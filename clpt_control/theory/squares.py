@@ -184,15 +184,13 @@ def positive_definite(V: sympy.Expr, states: list) -> bool:
     return sympy.Matrix(linear).rank() == len(states)
 
 
-def never_positive(
-    e: sympy.Expr, fixed: set, ways: tuple, values: dict, facts: tuple = (), seed: int = 0
-) -> bool:
+def never_positive(e: sympy.Expr, fixed: set, ways: tuple, values: dict, facts: tuple = ()) -> bool:
     """Return whether an expression is known never to be positive, t >= 0, no fact negative.
 
     Symbols that are `fixed` are parameters, of which some have `values`; `ways` are symbols by
     which terms are examined apart.  Nothing is tried where it is positive at a random point.
     """
-    if terms_of(e) > MOST_TERMS or (not facts and positive_somewhere(e.xreplace(values), seed)):
+    if terms_of(e) > MOST_TERMS or (not facts and positive_somewhere(e.xreplace(values))):
         return False
     free = e.free_symbols.union(*(fact.free_symbols for fact in facts)) - {TIME, *fixed}
     e = e.xreplace({TIME: sympy.Symbol("t", nonnegative=True)})

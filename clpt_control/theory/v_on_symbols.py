@@ -16,7 +16,6 @@ from sympy.core.function import AppliedUndef
 
 from ..arguments import check_holds, numbers
 from ..diagrams.on_symbols import TIME, Equations, element_name, readable_equations
-from ..equations.arrays import Unread
 from ..equations.block import Block
 from ..equations.symbolic import expressions, rational
 from ..errors import DiagramError
@@ -78,12 +77,7 @@ class SystemWithV:
             block = Block(
                 "V", output=lambda t, x, u, p: {"V": source(u)}, inputs=ports, outputs={"V": 1}
             )
-            try:
-                (found,) = expressions(
-                    block, "output", lambda at, shape, place: named[at[1]][place]
-                )
-            except Unread as error:
-                raise DiagramError(f"{error}") from None
+            (found,) = expressions(block, "output", lambda at, shape, place: named[at[1]][place])
         else:
             found = sympy.sympify(self.eq[source] if isinstance(source, str) else source)
         if not isinstance(found, sympy.Expr):

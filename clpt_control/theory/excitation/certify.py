@@ -42,6 +42,7 @@ from ...arguments import public
 from ...errors import ScenarioError
 from ...html import facts, fragment
 from ...scenario.experiment import Scenario
+from ..promises import bounded, largest_disturbance
 from .certificates import TURN, gains_of_w, refuse_unproved, worst_drop
 from .regressor import checked_window, finished_run, quadrature, w_along
 
@@ -164,6 +165,10 @@ def certify(
             "no certificate: it is of the learned-flow law in a flow with parameters theta"
         )
     refuse_unproved(scenario)
+    if not bounded(scenario):
+        raise ScenarioError(
+            'no certificate: flow.disturbance.kind = "noise" is normal, so |Delta| has no bound'
+        )
     for name, value in (("radius", radius), ("error", error)):
         if value is not None and not (np.isfinite(value) and value > 0):
             raise ScenarioError(f"{name} = {value:g}: must be a positive number")
@@ -178,7 +183,7 @@ def certify(
     drops, start = _drops(scenario, window)
     R = float(start if radius is None else radius)
     error = 0.01 * np.sqrt(2 * R) if error is None else float(error)
-    d = _largest(scenario)
+    d = largest_disturbance(scenario)
     k, D = min(car.feedback), d * np.sqrt(window)
     more = D**2 / (4 * k)  # of V within a window
     c = (drops / np.array(car.feedback)).min(axis=1)
@@ -227,15 +232,3 @@ def _drops(scenario: Scenario, window: float) -> tuple[np.ndarray, float]:
     cuts = np.searchsorted(nodes.cuts, ends - 1e-9 * window)
     drops = [worst_drop(w[:, a:b], k, gains, nodes.weights[a:b]) for a, b in pairwise(cuts)]
     return np.array(drops), float(run.lyapunov.values[0])
-
-
-def _largest(scenario: Scenario) -> float:
-    """Return the largest |Delta| of the scenario."""
-    delta = scenario.flow.disturbance
-    if delta is None:
-        return 0.0
-    if delta.kind == "noise":
-        raise ScenarioError(
-            'no certificate: flow.disturbance.kind = "noise" is normal, so |Delta| has no bound'
-        )
-    return float(np.hypot(*delta.amplitude))

@@ -195,7 +195,7 @@ class Case:
         residual, e = residual.xreplace(self.apart), {*self.e}
         others = residual.free_symbols - {TIME, *self.values, *self.loop.states["z"]} - e
         ways = others, e, None
-        return never_positive(residual, {*self.values}, ways, self.values, self.facts, self.seed)
+        return never_positive(residual, {*self.values}, ways, self.values, self.facts)
 
     def across_jumps(self) -> Step:
         """Return the step that V does not rise where states jump, whichever jump at once."""
