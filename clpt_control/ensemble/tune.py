@@ -22,6 +22,7 @@ from ..arguments import public
 from ..blocks.laws.table import LAWS
 from ..errors import ClptError, ScenarioError, needed
 from ..scenario.experiment import Scenario
+from ..theory.designing.design import time_below
 from ..theory.designing.waypoint_tracks import Tracks
 from .candidates import Candidate, Unknown, belief, candidates, laws_to_try, unknown_of
 from .run import run_ensemble
@@ -220,7 +221,7 @@ def score_of(unknown: Unknown, candidate: Candidate, members: int, seed: int) ->
     clpe = cycles[:, -1] if cycles.shape[1] else data["clpe_rms_whole"].values
     last = np.where(np.isfinite(error[:, -1]), error[:, -1], np.inf)
     astray = np.where(np.isfinite(clpe), clpe, np.inf)
-    times = [_below(data["mark"].values, row, TENTH * row[0]) for row in error]
+    times = [time_below(data["mark"].values, row, TENTH * row[0]) for row in error]
     k = float(np.mean(scenario.vehicle.feedback))
     middle, rms = _middle(last), _middle(astray)
     shares = (middle / max(_middle(error[:, 0]), 1e-300), rms * k / unknown.prior)
@@ -229,7 +230,7 @@ def score_of(unknown: Unknown, candidate: Candidate, members: int, seed: int) ->
         middle,
         _middle(last, 0.95),
         rms,
-        _middle(np.array(times)),
+        _middle(np.array([np.inf if one is None else one for one in times])),
         float(np.sqrt(np.prod(np.maximum(shares, ENOUGH)))),
         failed,
     )
@@ -238,14 +239,6 @@ def score_of(unknown: Unknown, candidate: Candidate, members: int, seed: int) ->
 def _middle(values: np.ndarray, share: float = 0.5) -> float:
     """Return a quantile of values that may be infinite."""
     return float(np.sort(values)[min(len(values) - 1, int(np.ceil(share * len(values)) - 1))])
-
-
-def _below(times: np.ndarray, values: np.ndarray, level: float) -> float:
-    """Return the first mark from which on all values are at most a level, or inf."""
-    above = np.flatnonzero(~(values <= level))
-    if not len(above):
-        return float(times[0])
-    return float(times[above[-1] + 1]) if above[-1] < len(times) - 1 else np.inf
 
 
 # --- why a law was chosen -------------------------------------------------------------------------

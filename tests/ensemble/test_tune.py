@@ -15,7 +15,7 @@ from clpt_control.ensemble.candidates import (
     laws_to_try,
     unknown_of,
 )
-from clpt_control.ensemble.tune import Score, _below, _middle, ranked
+from clpt_control.ensemble.tune import Score, _middle, ranked
 from clpt_control.errors import ScenarioError
 
 ROBUST = ["learned-flow", "sigma", "e-modification"]
@@ -43,14 +43,10 @@ def test_of_those_as_good_as_the_best_the_quickest_is_taken():
     assert ranked([broken, endless]) == []
 
 
-def test_quantiles_and_crossings_count_what_never_came():
+def test_quantiles_count_what_never_came():
     assert _middle(np.array([np.inf, 1.0, 2.0])) == 2.0
     assert _middle(np.array([np.inf, np.inf, 2.0])) == np.inf
     assert _middle(np.arange(1.0, 21.0), 0.95) == 19.0
-    times = np.array([0.0, 1.0, 2.0])
-    assert _below(times, np.array([1.0, 0.1, 0.1]), 0.1) == 1.0
-    assert _below(times, np.array([0.1, 0.1, 0.2]), 0.1) == np.inf
-    assert _below(times, np.array([1.0, np.nan, 0.1]), 0.1) == 2.0
 
 
 def test_the_answer_is_not_seen(short):
