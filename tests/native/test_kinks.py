@@ -1,7 +1,6 @@
 """Runs over kinks and switches, against closed forms."""
 
 import itertools
-import time
 
 import control
 import numpy as np
@@ -10,6 +9,7 @@ from scipy.integrate import solve_ivp
 
 import clpt_control as clpt
 from clpt_control.errors import SimulationError
+from clpt_control.native import python_diagram
 from clpt_control.native.python_diagram import PythonDiagram
 from clpt_control.theory import refuting
 
@@ -223,15 +223,18 @@ def test_a_switch_that_chatters_slides_at_loose_tolerances_and_is_said_at_tight_
     ("f", "x0"),
     [(sliding, [0.5]), (lambda t, x, u, p: [x[1], -2.0 if x[0] + x[1] > 0 else 2.0], [1.0, 0.0])],
 )
-def test_a_sliding_mode_is_told_or_run_within_two_seconds(f, x0, rtol):
+def test_a_sliding_mode_is_told_or_run_soon(f, x0, rtol, monkeypatch):
+    batches, said, ended = [], "", python_diagram.ended
+    monkeypatch.setattr(
+        python_diagram, "ended", lambda s, batch, u: batches.append(batch) or ended(s, batch, u)
+    )
     made = system(f, len(x0))
-    clpt.native.compile(made).callee()
-    begin, said = time.process_time(), ""
     try:
         found = clpt.simulate(made, T, None, x0, rtol=rtol, atol=1e-2 * rtol)
     except SimulationError as error:
         said = str(error)
-    assert time.process_time() - begin < 2.0
+    _, evaluations, *_ = batches[0].counts[0]
+    assert evaluations < 20_000_000
     if said:
         assert "switches to and fro without going on; give the switch a hysteresis" in said
     else:
