@@ -120,7 +120,7 @@ def arguments() -> dict[str, tuple]:
 
 
 def printed(function: Any, given: tuple, name: str) -> Any:
-    """Return a function as LLVM's module, called by its own name."""
+    """Return a function as LLVM's module; it takes the numbers of its arguments one by one."""
     kinds = tuple(map(typeof, given))
     function.compile(kinds)
     parsed = llvm.parse_assembly(function.inspect_llvm(kinds))
@@ -128,7 +128,7 @@ def printed(function: Any, given: tuple, name: str) -> Any:
         if not one.is_declaration:
             one.linkage = "internal"
     entry = parsed.get_function(function.overloads[kinds].fndesc.mangled_name)
-    entry.linkage, entry.name = "external", name
+    entry.linkage, entry.name = "external", f"{name}_of_many"
     machine = llvm.Target.from_default_triple().create_target_machine()
     options = llvm.create_pipeline_tuning_options(speed_level=1)  # to drop what is not called
     options.loop_vectorization = options.slp_vectorization = False  # each machine has its own
@@ -137,6 +137,24 @@ def printed(function: Any, given: tuple, name: str) -> Any:
     asked = [one.name for one in parsed.functions if one.is_declaration]
     assert all(one.startswith(("llvm.", "mem")) for one in asked), asked
     return parsed
+
+
+def of_one_array(name: str, text: str) -> str:
+    """Return the text of a function that takes these numbers as one array: it is quicker to call.
+
+    It returns the result, behind whose address and the error's the arguments begin.
+    """
+    own = re.search(rf"i32 @{name}_of_many\((.*?)\)", text)
+    assert own is not None
+    kinds = [one.split()[0] for one in own[1].split(", ")[2:]]
+    lines = ["%result = alloca i64", "%error = alloca ptr"]
+    for k, kind in enumerate(kinds):
+        lines.append(f"%at.{k} = getelementptr i64, ptr %numbers, i64 {k}")
+        lines.append(f"%number.{k} = load {kind}, ptr %at.{k}")
+    numbers = "".join(f", {kind} %number.{k}" for k, kind in enumerate(kinds))
+    lines.append(f"%status = call i32 @{name}_of_many(ptr %result, ptr %error{numbers})")
+    lines += ["%value = load i64, ptr %result", "ret i64 %value"]
+    return f"define i64 @{name}(ptr %numbers) {{\n" + "".join(f"  {one}\n" for one in lines) + "}\n"
 
 
 def main() -> None:
@@ -149,6 +167,7 @@ def main() -> None:
         first.link_in(one)
     own = r"^(target|source_filename|; ModuleID|attributes).*\n"
     text = re.sub(NEWER, "", re.sub(own, "", str(first), flags=re.M))
+    text += "\n" + "\n".join(of_one_array(name, text) for name in arguments())
     TEXT.write_text(f"; sha256 {digest()}\n{text}", encoding="utf-8")
     print(f"{TEXT.relative_to(ROOT)}: {len(text):,} bytes")
 

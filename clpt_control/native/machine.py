@@ -5,16 +5,16 @@ stale.  A file begins with the hash of its content, so one that was cut short is
 thread at a time uses LLVM.
 
 The solver's text, `solver.ll`, is `solver.py` as Numba compiles it for no processor in particular
-(`tools/print_solver.py`).  Its functions follow Numba's convention of calls: the addresses of
-result and error, then the numbers of the arguments one by one.  The numbers of an array are two
-references that it does not own, count, size of an item, address, shape and strides.
+(`tools/print_solver.py`).  Its functions take one array: the numbers of their arguments, as Numba
+has them.  Those of an array are two references that it does not own, count, size of an item,
+address, shape and strides.
 """
 
 import hashlib
 import os
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
-from ctypes import CFUNCTYPE, addressof, byref, c_char, c_double, c_int32, c_int64, c_void_p
+from ctypes import CFUNCTYPE, addressof, c_char, c_double, c_int64, c_void_p
 from functools import cache, lru_cache
 from importlib.metadata import version
 from pathlib import Path
@@ -160,16 +160,11 @@ def _printers() -> str:
 
 def _entry(address: int) -> Callable[..., int]:
     """Return a function of the solver; it takes whole numbers, and contiguous arrays."""
-
-    @cache
-    def taking(count: int) -> Callable:
-        return CFUNCTYPE(c_int32, c_void_p, c_void_p, *[c_int64] * count)(address)
+    function = CFUNCTYPE(c_int64, c_void_p)(address)
 
     def call(*arguments: Any) -> int:
-        numbers = flattened(arguments)
-        result, error = c_int64(), c_void_p()
-        taking(len(numbers))(byref(result), byref(error), *numbers)
-        return result.value
+        numbers = np.array(flattened(arguments), dtype=np.int64)
+        return function(addressof(c_char.from_buffer(numbers.data)))
 
     return call
 

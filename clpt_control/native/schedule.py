@@ -234,11 +234,10 @@ def make_schedule(diagram: Any, times: Any, inputs: Inputs | None, felt: float) 
         if inputs.samples is None:
             raise SimulationError("inputs: machine code takes no function; give samples")
         (at, u), slopes = inputs.samples, inputs.slopes
-        k = np.searchsorted(at, starts, side="right") - 1
-        k = np.minimum(np.maximum(k, 0), slopes.shape[1] - 1)
+        k = np.searchsorted(at[1:-1], starts, side="right")  # the line from at[k] on
         columns += [at[k], *u[:, k], *slopes[:, k]]
         places += range(diagram.ramp, diagram.ramp + 1 + 2 * len(u))
-    values = np.ascontiguousarray(np.reshape(columns, (len(columns), len(starts))).T, dtype=float)
+    values = np.array(columns, dtype=float).reshape(len(columns), len(starts)).T.copy()
     smooth = np.searchsorted(jumping, starts) == np.searchsorted(jumping, starts, side="right")
-    edges, places = np.append(starts[1:], np.inf), np.array(places, dtype=np.int64)
-    return Schedule(edges, places, values, smooth.astype(np.int64), begins)
+    edges, at_places = np.append(starts[1:], np.inf), np.array(places, dtype=np.int64)
+    return Schedule(edges, at_places, values, smooth.astype(np.int64), begins)

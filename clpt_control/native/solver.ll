@@ -1,6 +1,6 @@
-; sha256 f50f840b2f96b974c6332533d3c49e01ab54912571f146dffb9d27b6d2e20021
+; sha256 c957b2ec0b0c8f850403f38243454b7299271025f7a85bf430d7a490832d9a76
 
-define dso_local noundef i32 @advance(ptr noalias %retptr, ptr noalias readnone %excinfo, ptr readnone %arg.code.0, ptr readnone %arg.code.1, i64 %arg.code.2, i64 %arg.code.3, ptr readonly %arg.code.4, i64 %arg.code.5.0, i64 %arg.code.6.0, i64 %arg.shape.0, i64 %arg.shape.1, i64 %arg.shape.2, i64 %arg.shape.3, i64 %arg.shape.4, i64 %arg.shape.5, i64 %arg.shape.6, ptr readnone %arg.tolerances.0, ptr readnone %arg.tolerances.1, i64 %arg.tolerances.2, i64 %arg.tolerances.3, ptr %arg.tolerances.4, i64 %arg.tolerances.5.0, i64 %arg.tolerances.6.0, ptr readnone %arg.batch.0.0.0, ptr readnone %arg.batch.0.0.1, i64 %arg.batch.0.0.2, i64 %arg.batch.0.0.3, ptr readonly %arg.batch.0.0.4, i64 %arg.batch.0.0.5.0, i64 %arg.batch.0.0.5.1, i64 %arg.batch.0.0.6.0, i64 %arg.batch.0.0.6.1, ptr readnone %arg.batch.0.1.0, ptr readnone %arg.batch.0.1.1, i64 %arg.batch.0.1.2, i64 %arg.batch.0.1.3, ptr readonly %arg.batch.0.1.4, i64 %arg.batch.0.1.5.0, i64 %arg.batch.0.1.5.1, i64 %arg.batch.0.1.6.0, i64 %arg.batch.0.1.6.1, ptr readnone %arg.batch.0.2.0, ptr readnone %arg.batch.0.2.1, i64 %arg.batch.0.2.2, i64 %arg.batch.0.2.3, ptr readonly %arg.batch.0.2.4, i64 %arg.batch.0.2.5.0, i64 %arg.batch.0.2.6.0, ptr readnone %arg.batch.1.0.0, ptr readnone %arg.batch.1.0.1, i64 %arg.batch.1.0.2, i64 %arg.batch.1.0.3, ptr readonly %arg.batch.1.0.4, i64 %arg.batch.1.0.5.0, i64 %arg.batch.1.0.6.0, ptr readnone %arg.batch.1.1.0, ptr readnone %arg.batch.1.1.1, i64 %arg.batch.1.1.2, i64 %arg.batch.1.1.3, ptr readonly %arg.batch.1.1.4, i64 %arg.batch.1.1.5.0, i64 %arg.batch.1.1.6.0, ptr readnone %arg.batch.1.2.0, ptr readnone %arg.batch.1.2.1, i64 %arg.batch.1.2.2, i64 %arg.batch.1.2.3, ptr readonly %arg.batch.1.2.4, i64 %arg.batch.1.2.5.0, i64 %arg.batch.1.2.6.0, ptr readnone %arg.batch.1.3.0, ptr readnone %arg.batch.1.3.1, i64 %arg.batch.1.3.2, i64 %arg.batch.1.3.3, ptr readonly %arg.batch.1.3.4, i64 %arg.batch.1.3.5.0, i64 %arg.batch.1.3.5.1, i64 %arg.batch.1.3.6.0, i64 %arg.batch.1.3.6.1, ptr readnone %arg.batch.1.4.0, ptr readnone %arg.batch.1.4.1, i64 %arg.batch.1.4.2, i64 %arg.batch.1.4.3, ptr readonly %arg.batch.1.4.4, i64 %arg.batch.1.4.5.0, i64 %arg.batch.1.4.6.0, ptr readnone %arg.batch.2.0, ptr readnone %arg.batch.2.1, i64 %arg.batch.2.2, i64 %arg.batch.2.3, ptr readonly %arg.batch.2.4, i64 %arg.batch.2.5.0, i64 %arg.batch.2.6.0, ptr readnone %arg.batch.3.0.0, ptr readnone %arg.batch.3.0.1, i64 %arg.batch.3.0.2, i64 %arg.batch.3.0.3, ptr %arg.batch.3.0.4, i64 %arg.batch.3.0.5.0, i64 %arg.batch.3.0.5.1, i64 %arg.batch.3.0.5.2, i64 %arg.batch.3.0.6.0, i64 %arg.batch.3.0.6.1, i64 %arg.batch.3.0.6.2, ptr readnone %arg.batch.3.1.0, ptr readnone %arg.batch.3.1.1, i64 %arg.batch.3.1.2, i64 %arg.batch.3.1.3, ptr %arg.batch.3.1.4, i64 %arg.batch.3.1.5.0, i64 %arg.batch.3.1.6.0, ptr readnone %arg.batch.3.2.0, ptr readnone %arg.batch.3.2.1, i64 %arg.batch.3.2.2, i64 %arg.batch.3.2.3, ptr %arg.batch.3.2.4, i64 %arg.batch.3.2.5.0, i64 %arg.batch.3.2.6.0, ptr readnone %arg.batch.3.3.0, ptr readnone %arg.batch.3.3.1, i64 %arg.batch.3.3.2, i64 %arg.batch.3.3.3, ptr %arg.batch.3.3.4, i64 %arg.batch.3.3.5.0, i64 %arg.batch.3.3.5.1, i64 %arg.batch.3.3.6.0, i64 %arg.batch.3.3.6.1, ptr readnone %arg.batch.4.0.0, ptr readnone %arg.batch.4.0.1, i64 %arg.batch.4.0.2, i64 %arg.batch.4.0.3, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.0, i64 %arg.batch.4.0.5.1, i64 %arg.batch.4.0.6.0, i64 %arg.batch.4.0.6.1, ptr readnone %arg.batch.4.1.0, ptr readnone %arg.batch.4.1.1, i64 %arg.batch.4.1.2, i64 %arg.batch.4.1.3, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.0, i64 %arg.batch.4.1.5.1, i64 %arg.batch.4.1.6.0, i64 %arg.batch.4.1.6.1, ptr readnone %arg.batch.4.2.0, ptr readnone %arg.batch.4.2.1, i64 %arg.batch.4.2.2, i64 %arg.batch.4.2.3, ptr %arg.batch.4.2.4, i64 %arg.batch.4.2.5.0, i64 %arg.batch.4.2.6.0, ptr readnone %arg.batch.5.0.0, ptr readnone %arg.batch.5.0.1, i64 %arg.batch.5.0.2, i64 %arg.batch.5.0.3, ptr %arg.batch.5.0.4, i64 %arg.batch.5.0.5.0, i64 %arg.batch.5.0.6.0, ptr readnone %arg.batch.5.1.0, ptr readnone %arg.batch.5.1.1, i64 %arg.batch.5.1.2, i64 %arg.batch.5.1.3, ptr %arg.batch.5.1.4, i64 %arg.batch.5.1.5.0, i64 %arg.batch.5.1.6.0, ptr readnone %arg.batch.5.2.0, ptr readnone %arg.batch.5.2.1, i64 %arg.batch.5.2.2, i64 %arg.batch.5.2.3, ptr %arg.batch.5.2.4, i64 %arg.batch.5.2.5.0, i64 %arg.batch.5.2.6.0, ptr readnone %arg.batch.5.3.0, ptr readnone %arg.batch.5.3.1, i64 %arg.batch.5.3.2, i64 %arg.batch.5.3.3, ptr %arg.batch.5.3.4, i64 %arg.batch.5.3.5.0, i64 %arg.batch.5.3.6.0, ptr readnone %arg.batch.5.4.0, ptr readnone %arg.batch.5.4.1, i64 %arg.batch.5.4.2, i64 %arg.batch.5.4.3, ptr %arg.batch.5.4.4, i64 %arg.batch.5.4.5.0, i64 %arg.batch.5.4.6.0, ptr readnone %arg.linear.0.0, ptr readnone %arg.linear.0.1, i64 %arg.linear.0.2, i64 %arg.linear.0.3, ptr %arg.linear.0.4, i64 %arg.linear.0.5.0, i64 %arg.linear.0.6.0, ptr readnone %arg.linear.1.0, ptr readnone %arg.linear.1.1, i64 %arg.linear.1.2, i64 %arg.linear.1.3, ptr %arg.linear.1.4, i64 %arg.linear.1.5.0, i64 %arg.linear.1.6.0, ptr readnone %arg.linear.2.0, ptr readnone %arg.linear.2.1, i64 %arg.linear.2.2, i64 %arg.linear.2.3, ptr %arg.linear.2.4, i64 %arg.linear.2.5.0, i64 %arg.linear.2.6.0, i64 %arg.linear.3.0, i64 %arg.linear.3.1, i64 %arg.linear.3.2, ptr readnone %arg.linear.4.0, ptr readnone %arg.linear.4.1, i64 %arg.linear.4.2, i64 %arg.linear.4.3, ptr readonly %arg.linear.4.4, i64 %arg.linear.4.5.0, i64 %arg.linear.4.6.0, ptr readnone %arg.linear.5.0, ptr readnone %arg.linear.5.1, i64 %arg.linear.5.2, i64 %arg.linear.5.3, ptr readonly %arg.linear.5.4, i64 %arg.linear.5.5.0, i64 %arg.linear.5.6.0, ptr readnone %arg.linear.6.0, ptr readnone %arg.linear.6.1, i64 %arg.linear.6.2, i64 %arg.linear.6.3, ptr readonly %arg.linear.6.4, i64 %arg.linear.6.5.0, i64 %arg.linear.6.6.0, ptr readnone %arg.linear.7.0, ptr readnone %arg.linear.7.1, i64 %arg.linear.7.2, i64 %arg.linear.7.3, ptr readonly %arg.linear.7.4, i64 %arg.linear.7.5.0, i64 %arg.linear.7.6.0, ptr readnone %arg.linear.8.0, ptr readnone %arg.linear.8.1, i64 %arg.linear.8.2, i64 %arg.linear.8.3, ptr readonly %arg.linear.8.4, i64 %arg.linear.8.5.0, i64 %arg.linear.8.6.0, ptr readnone %arg.linear.9.0, ptr readnone %arg.linear.9.1, i64 %arg.linear.9.2, i64 %arg.linear.9.3, ptr readonly %arg.linear.9.4, i64 %arg.linear.9.5.0, i64 %arg.linear.9.6.0, i64 %arg.budget, i64 %arg.most) local_unnamed_addr {
+define dso_local noundef i32 @advance_of_many(ptr noalias %retptr, ptr noalias readnone %excinfo, ptr readnone %arg.code.0, ptr readnone %arg.code.1, i64 %arg.code.2, i64 %arg.code.3, ptr readonly %arg.code.4, i64 %arg.code.5.0, i64 %arg.code.6.0, i64 %arg.shape.0, i64 %arg.shape.1, i64 %arg.shape.2, i64 %arg.shape.3, i64 %arg.shape.4, i64 %arg.shape.5, i64 %arg.shape.6, ptr readnone %arg.tolerances.0, ptr readnone %arg.tolerances.1, i64 %arg.tolerances.2, i64 %arg.tolerances.3, ptr %arg.tolerances.4, i64 %arg.tolerances.5.0, i64 %arg.tolerances.6.0, ptr readnone %arg.batch.0.0.0, ptr readnone %arg.batch.0.0.1, i64 %arg.batch.0.0.2, i64 %arg.batch.0.0.3, ptr readonly %arg.batch.0.0.4, i64 %arg.batch.0.0.5.0, i64 %arg.batch.0.0.5.1, i64 %arg.batch.0.0.6.0, i64 %arg.batch.0.0.6.1, ptr readnone %arg.batch.0.1.0, ptr readnone %arg.batch.0.1.1, i64 %arg.batch.0.1.2, i64 %arg.batch.0.1.3, ptr readonly %arg.batch.0.1.4, i64 %arg.batch.0.1.5.0, i64 %arg.batch.0.1.5.1, i64 %arg.batch.0.1.6.0, i64 %arg.batch.0.1.6.1, ptr readnone %arg.batch.0.2.0, ptr readnone %arg.batch.0.2.1, i64 %arg.batch.0.2.2, i64 %arg.batch.0.2.3, ptr readonly %arg.batch.0.2.4, i64 %arg.batch.0.2.5.0, i64 %arg.batch.0.2.6.0, ptr readnone %arg.batch.1.0.0, ptr readnone %arg.batch.1.0.1, i64 %arg.batch.1.0.2, i64 %arg.batch.1.0.3, ptr readonly %arg.batch.1.0.4, i64 %arg.batch.1.0.5.0, i64 %arg.batch.1.0.6.0, ptr readnone %arg.batch.1.1.0, ptr readnone %arg.batch.1.1.1, i64 %arg.batch.1.1.2, i64 %arg.batch.1.1.3, ptr readonly %arg.batch.1.1.4, i64 %arg.batch.1.1.5.0, i64 %arg.batch.1.1.6.0, ptr readnone %arg.batch.1.2.0, ptr readnone %arg.batch.1.2.1, i64 %arg.batch.1.2.2, i64 %arg.batch.1.2.3, ptr readonly %arg.batch.1.2.4, i64 %arg.batch.1.2.5.0, i64 %arg.batch.1.2.6.0, ptr readnone %arg.batch.1.3.0, ptr readnone %arg.batch.1.3.1, i64 %arg.batch.1.3.2, i64 %arg.batch.1.3.3, ptr readonly %arg.batch.1.3.4, i64 %arg.batch.1.3.5.0, i64 %arg.batch.1.3.5.1, i64 %arg.batch.1.3.6.0, i64 %arg.batch.1.3.6.1, ptr readnone %arg.batch.1.4.0, ptr readnone %arg.batch.1.4.1, i64 %arg.batch.1.4.2, i64 %arg.batch.1.4.3, ptr readonly %arg.batch.1.4.4, i64 %arg.batch.1.4.5.0, i64 %arg.batch.1.4.6.0, ptr readnone %arg.batch.2.0, ptr readnone %arg.batch.2.1, i64 %arg.batch.2.2, i64 %arg.batch.2.3, ptr readonly %arg.batch.2.4, i64 %arg.batch.2.5.0, i64 %arg.batch.2.6.0, ptr readnone %arg.batch.3.0.0, ptr readnone %arg.batch.3.0.1, i64 %arg.batch.3.0.2, i64 %arg.batch.3.0.3, ptr %arg.batch.3.0.4, i64 %arg.batch.3.0.5.0, i64 %arg.batch.3.0.5.1, i64 %arg.batch.3.0.5.2, i64 %arg.batch.3.0.6.0, i64 %arg.batch.3.0.6.1, i64 %arg.batch.3.0.6.2, ptr readnone %arg.batch.3.1.0, ptr readnone %arg.batch.3.1.1, i64 %arg.batch.3.1.2, i64 %arg.batch.3.1.3, ptr %arg.batch.3.1.4, i64 %arg.batch.3.1.5.0, i64 %arg.batch.3.1.6.0, ptr readnone %arg.batch.3.2.0, ptr readnone %arg.batch.3.2.1, i64 %arg.batch.3.2.2, i64 %arg.batch.3.2.3, ptr %arg.batch.3.2.4, i64 %arg.batch.3.2.5.0, i64 %arg.batch.3.2.6.0, ptr readnone %arg.batch.3.3.0, ptr readnone %arg.batch.3.3.1, i64 %arg.batch.3.3.2, i64 %arg.batch.3.3.3, ptr %arg.batch.3.3.4, i64 %arg.batch.3.3.5.0, i64 %arg.batch.3.3.5.1, i64 %arg.batch.3.3.6.0, i64 %arg.batch.3.3.6.1, ptr readnone %arg.batch.4.0.0, ptr readnone %arg.batch.4.0.1, i64 %arg.batch.4.0.2, i64 %arg.batch.4.0.3, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.0, i64 %arg.batch.4.0.5.1, i64 %arg.batch.4.0.6.0, i64 %arg.batch.4.0.6.1, ptr readnone %arg.batch.4.1.0, ptr readnone %arg.batch.4.1.1, i64 %arg.batch.4.1.2, i64 %arg.batch.4.1.3, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.0, i64 %arg.batch.4.1.5.1, i64 %arg.batch.4.1.6.0, i64 %arg.batch.4.1.6.1, ptr readnone %arg.batch.4.2.0, ptr readnone %arg.batch.4.2.1, i64 %arg.batch.4.2.2, i64 %arg.batch.4.2.3, ptr %arg.batch.4.2.4, i64 %arg.batch.4.2.5.0, i64 %arg.batch.4.2.6.0, ptr readnone %arg.batch.5.0.0, ptr readnone %arg.batch.5.0.1, i64 %arg.batch.5.0.2, i64 %arg.batch.5.0.3, ptr %arg.batch.5.0.4, i64 %arg.batch.5.0.5.0, i64 %arg.batch.5.0.6.0, ptr readnone %arg.batch.5.1.0, ptr readnone %arg.batch.5.1.1, i64 %arg.batch.5.1.2, i64 %arg.batch.5.1.3, ptr %arg.batch.5.1.4, i64 %arg.batch.5.1.5.0, i64 %arg.batch.5.1.6.0, ptr readnone %arg.batch.5.2.0, ptr readnone %arg.batch.5.2.1, i64 %arg.batch.5.2.2, i64 %arg.batch.5.2.3, ptr %arg.batch.5.2.4, i64 %arg.batch.5.2.5.0, i64 %arg.batch.5.2.6.0, ptr readnone %arg.batch.5.3.0, ptr readnone %arg.batch.5.3.1, i64 %arg.batch.5.3.2, i64 %arg.batch.5.3.3, ptr %arg.batch.5.3.4, i64 %arg.batch.5.3.5.0, i64 %arg.batch.5.3.6.0, ptr readnone %arg.batch.5.4.0, ptr readnone %arg.batch.5.4.1, i64 %arg.batch.5.4.2, i64 %arg.batch.5.4.3, ptr %arg.batch.5.4.4, i64 %arg.batch.5.4.5.0, i64 %arg.batch.5.4.6.0, ptr readnone %arg.linear.0.0, ptr readnone %arg.linear.0.1, i64 %arg.linear.0.2, i64 %arg.linear.0.3, ptr %arg.linear.0.4, i64 %arg.linear.0.5.0, i64 %arg.linear.0.6.0, ptr readnone %arg.linear.1.0, ptr readnone %arg.linear.1.1, i64 %arg.linear.1.2, i64 %arg.linear.1.3, ptr %arg.linear.1.4, i64 %arg.linear.1.5.0, i64 %arg.linear.1.6.0, ptr readnone %arg.linear.2.0, ptr readnone %arg.linear.2.1, i64 %arg.linear.2.2, i64 %arg.linear.2.3, ptr %arg.linear.2.4, i64 %arg.linear.2.5.0, i64 %arg.linear.2.6.0, i64 %arg.linear.3.0, i64 %arg.linear.3.1, i64 %arg.linear.3.2, ptr readnone %arg.linear.4.0, ptr readnone %arg.linear.4.1, i64 %arg.linear.4.2, i64 %arg.linear.4.3, ptr readonly %arg.linear.4.4, i64 %arg.linear.4.5.0, i64 %arg.linear.4.6.0, ptr readnone %arg.linear.5.0, ptr readnone %arg.linear.5.1, i64 %arg.linear.5.2, i64 %arg.linear.5.3, ptr readonly %arg.linear.5.4, i64 %arg.linear.5.5.0, i64 %arg.linear.5.6.0, ptr readnone %arg.linear.6.0, ptr readnone %arg.linear.6.1, i64 %arg.linear.6.2, i64 %arg.linear.6.3, ptr readonly %arg.linear.6.4, i64 %arg.linear.6.5.0, i64 %arg.linear.6.6.0, ptr readnone %arg.linear.7.0, ptr readnone %arg.linear.7.1, i64 %arg.linear.7.2, i64 %arg.linear.7.3, ptr readonly %arg.linear.7.4, i64 %arg.linear.7.5.0, i64 %arg.linear.7.6.0, ptr readnone %arg.linear.8.0, ptr readnone %arg.linear.8.1, i64 %arg.linear.8.2, i64 %arg.linear.8.3, ptr readonly %arg.linear.8.4, i64 %arg.linear.8.5.0, i64 %arg.linear.8.6.0, ptr readnone %arg.linear.9.0, ptr readnone %arg.linear.9.1, i64 %arg.linear.9.2, i64 %arg.linear.9.3, ptr readonly %arg.linear.9.4, i64 %arg.linear.9.5.0, i64 %arg.linear.9.6.0, i64 %arg.budget, i64 %arg.most) local_unnamed_addr {
 entry:
   %.463 = mul i64 %arg.shape.1, %arg.shape.0
   %.571.idx = shl i64 %arg.batch.4.0.5.1, 6
@@ -430,12 +430,12 @@ B498.preheader:                                   ; preds = %B470
   %59 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10543
   %.idx10536 = shl i64 %arg.batch.4.1.5.1, 5
   %60 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10536
-  %.671.i3838 = getelementptr i8, ptr %arg.code.4, i64 40
-  %.742.i3894 = mul i64 %arg.shape.1, %arg.shape.0
+  %.671.i3840 = getelementptr i8, ptr %arg.code.4, i64 40
+  %.742.i3896 = mul i64 %arg.shape.1, %arg.shape.0
   %.idx10533 = mul i64 %arg.batch.4.0.5.1, 48
   %61 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10533
-  %.287.i.i468210942.not = icmp slt i64 %arg.shape.1, 1
-  %.358.i.i4835 = shl nsw i64 %arg.shape.1, 4
+  %.287.i.i468410942.not = icmp slt i64 %arg.shape.1, 1
+  %.358.i.i4838 = shl nsw i64 %arg.shape.1, 4
   %.idx10528 = mul i64 %arg.batch.4.0.5.1, 40
   %62 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10528
   %.idx10529 = shl i64 %arg.batch.4.1.5.1, 5
@@ -564,10 +564,10 @@ B498.preheader:                                   ; preds = %B470
   %95 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10518
   %.idx10519 = mul i64 %arg.batch.4.0.5.1, 120
   %96 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10519
-  %.552.i656111031.not = icmp slt i64 %arg.shape.1, 1
-  %.697.i6598 = getelementptr i8, ptr %arg.tolerances.4, i64 8
+  %.552.i656511031.not = icmp slt i64 %arg.shape.1, 1
+  %.697.i6602 = getelementptr i8, ptr %arg.tolerances.4, i64 8
   %97 = getelementptr double, ptr %arg.batch.2.4, i64 %arg.batch.2.5.0
-  %.742.i6628 = getelementptr i8, ptr %97, i64 -8
+  %.742.i6632 = getelementptr i8, ptr %97, i64 -8
   %.idx10521 = mul i64 %arg.batch.4.1.5.1, 24
   %98 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10521
   %.idx10522 = mul i64 %arg.batch.4.1.5.1, 24
@@ -600,7 +600,7 @@ B498.preheader:                                   ; preds = %B470
   %107 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.1
   %.idx10508 = mul i64 %arg.batch.4.0.5.1, 24
   %108 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10508
-  %.175.i.i799211043.not = icmp slt i64 %arg.batch.1.1.5.0, 1
+  %.175.i.i799611043.not = icmp slt i64 %arg.batch.1.1.5.0, 1
   %.idx10511 = shl i64 %arg.batch.4.1.5.1, 4
   %109 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10511
   %.idx.i10718 = mul i64 %arg.batch.4.0.5.1, 24
@@ -673,13 +673,13 @@ B498.preheader:                                   ; preds = %B470
   %129 = getelementptr i8, ptr %arg.code.4, i64 240
   %.4447.2.idx = shl i64 %.463, 7
   %.4447.2 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.4447.2.idx
-  %.155.i.i.i4872 = mul nsw i64 %arg.shape.1, 24
-  %.155.i.i.i4872.1 = mul nsw i64 %arg.shape.1, 23
-  %.155.i.i.i4872.2 = mul nsw i64 %arg.shape.1, 22
-  %.155.i.i.i4872.3 = mul nsw i64 %arg.shape.1, 21
-  %.155.i.i.i4872.4 = mul nsw i64 %arg.shape.1, 20
-  %.155.i.i.i4872.5 = mul nsw i64 %arg.shape.1, 19
-  %.155.i.i.i4872.6 = mul nsw i64 %arg.shape.1, 18
+  %.155.i.i.i4875 = mul nsw i64 %arg.shape.1, 24
+  %.155.i.i.i4875.1 = mul nsw i64 %arg.shape.1, 23
+  %.155.i.i.i4875.2 = mul nsw i64 %arg.shape.1, 22
+  %.155.i.i.i4875.3 = mul nsw i64 %arg.shape.1, 21
+  %.155.i.i.i4875.4 = mul nsw i64 %arg.shape.1, 20
+  %.155.i.i.i4875.5 = mul nsw i64 %arg.shape.1, 19
+  %.155.i.i.i4875.6 = mul nsw i64 %arg.shape.1, 18
   br label %B498
 
 B498:                                             ; preds = %B498.preheader, %B4640
@@ -892,10 +892,10 @@ B630.i:                                           ; preds = %B134.i.i, %B596.i, 
   br i1 %.220.i, label %B64.if.i, label %B1216
 
 B64.if.i:                                         ; preds = %B1174, %B630.i
-  %.164.i70.010883 = phi i64 [ %.229.i380, %B630.i ], [ %storemerge, %B1174 ]
-  %.161.i.010882 = phi i64 [ %.233.i383, %B630.i ], [ 0, %B1174 ]
-  %.229.i380 = add nsw i64 %.164.i70.010883, -1
-  %.233.i383 = add nsw i64 %.161.i.010882, 1
+  %.164.i70.010883 = phi i64 [ %.229.i381, %B630.i ], [ %storemerge, %B1174 ]
+  %.161.i.010882 = phi i64 [ %.233.i384, %B630.i ], [ 0, %B1174 ]
+  %.229.i381 = add nsw i64 %.164.i70.010883, -1
+  %.233.i384 = add nsw i64 %.161.i.010882, 1
   %.314.i134 = getelementptr double, ptr %20, i64 %.161.i.010882
   %.315.i135 = load double, ptr %.314.i134, align 8, !noalias !11
   %.316.i136 = fcmp ogt double %.315.i135, 5.000000e-01
@@ -1612,51 +1612,51 @@ B1966.preheader:                                  ; preds = %B568.i
   br i1 %.689, label %B2474, label %B1966.if
 
 B126.i:                                           ; preds = %B80.if.i
-  %.318.i588 = getelementptr double, ptr %35, i64 %.105.i434.010899
-  %.319.i = load double, ptr %.318.i588, align 8, !noalias !46
+  %.318.i589 = getelementptr double, ptr %35, i64 %.105.i435.010899
+  %.319.i = load double, ptr %.318.i589, align 8, !noalias !46
   %.5.i.i = fptosi double %.319.i to i64
-  %.397.i633 = getelementptr double, ptr %36, i64 %.105.i434.010899
-  %.398.i634 = load double, ptr %.397.i633, align 8, !noalias !46
-  %.5.i1.i = fptosi double %.398.i634 to i64
-  %.478.i681 = mul i64 %.258.i, %arg.batch.3.3.5.1
-  %.482.i = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.478.i681
-  %.483.i685 = load i64, ptr %.482.i, align 8, !noalias !46
-  %.485.i = add nsw i64 %.483.i685, %.5.i.i
+  %.397.i634 = getelementptr double, ptr %36, i64 %.105.i435.010899
+  %.398.i635 = load double, ptr %.397.i634, align 8, !noalias !46
+  %.5.i1.i = fptosi double %.398.i635 to i64
+  %.478.i682 = mul i64 %.258.i, %arg.batch.3.3.5.1
+  %.482.i = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.478.i682
+  %.483.i686 = load i64, ptr %.482.i, align 8, !noalias !46
+  %.485.i = add nsw i64 %.483.i686, %.5.i.i
   store i64 %.485.i, ptr %.482.i, align 8, !noalias !46
-  %.591.i771 = getelementptr i8, ptr %.482.i, i64 24
-  %.592.i772 = load i64, ptr %.591.i771, align 8, !noalias !46
-  %.594.i774 = add nsw i64 %.592.i772, %.5.i1.i
-  store i64 %.594.i774, ptr %.591.i771, align 8, !noalias !46
+  %.591.i772 = getelementptr i8, ptr %.482.i, i64 24
+  %.592.i773 = load i64, ptr %.591.i772, align 8, !noalias !46
+  %.594.i775 = add nsw i64 %.592.i773, %.5.i1.i
+  store i64 %.594.i775, ptr %.591.i772, align 8, !noalias !46
   %.700.i863 = getelementptr i8, ptr %.482.i, i64 8
   %.701.i864 = load i64, ptr %.700.i863, align 8, !noalias !46
   %.706.i869 = add nsw i64 %.5.i1.i, %.5.i.i
   %.707.i870 = mul nsw i64 %.706.i869, %.2073
   %..5.i.i = select i1 %.625, i64 0, i64 %.5.i.i
   %.708.i871 = add i64 %.707.i870, %..5.i.i
-  %.841.i959 = add i64 %.708.i871, %.701.i864
-  store i64 %.841.i959, ptr %.700.i863, align 8, !noalias !46
-  store double 0.000000e+00, ptr %.318.i588, align 8, !noalias !46
-  store double 0.000000e+00, ptr %.397.i633, align 8, !noalias !46
-  %.1072.i = getelementptr double, ptr %37, i64 %.105.i434.010899
-  %.1073.i1076 = load double, ptr %.1072.i, align 8, !noalias !46
-  %.1081.i1081 = sitofp i64 %.706.i869 to double
-  %.1082.i1082 = fsub double %.1073.i1076, %.1081.i1081
-  store double %.1082.i1082, ptr %.1072.i, align 8, !noalias !46
+  %.841.i958 = add i64 %.708.i871, %.701.i864
+  store i64 %.841.i958, ptr %.700.i863, align 8, !noalias !46
+  store double 0.000000e+00, ptr %.318.i589, align 8, !noalias !46
+  store double 0.000000e+00, ptr %.397.i634, align 8, !noalias !46
+  %.1072.i = getelementptr double, ptr %37, i64 %.105.i435.010899
+  %.1073.i1075 = load double, ptr %.1072.i, align 8, !noalias !46
+  %.1081.i1080 = sitofp i64 %.706.i869 to double
+  %.1082.i1081 = fsub double %.1073.i1075, %.1081.i1080
+  store double %.1082.i1081, ptr %.1072.i, align 8, !noalias !46
   br label %B568.i
 
 B568.i:                                           ; preds = %B126.i, %B80.if.i
-  %.163.i492 = icmp sgt i64 %.108.i.010900, 1
-  br i1 %.163.i492, label %B80.if.i, label %B1966.preheader
+  %.163.i493 = icmp sgt i64 %.108.i.010900, 1
+  br i1 %.163.i493, label %B80.if.i, label %B1966.preheader
 
 B80.if.i:                                         ; preds = %B1896, %B568.i
-  %.108.i.010900 = phi i64 [ %.172.i1119, %B568.i ], [ %storemerge, %B1896 ]
-  %.105.i434.010899 = phi i64 [ %.176.i1122, %B568.i ], [ 0, %B1896 ]
-  %.172.i1119 = add nsw i64 %.108.i.010900, -1
-  %.176.i1122 = add nsw i64 %.105.i434.010899, 1
-  %202 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.105.i434.010899
+  %.108.i.010900 = phi i64 [ %.172.i1118, %B568.i ], [ %storemerge, %B1896 ]
+  %.105.i435.010899 = phi i64 [ %.176.i1121, %B568.i ], [ 0, %B1896 ]
+  %.172.i1118 = add nsw i64 %.108.i.010900, -1
+  %.176.i1121 = add nsw i64 %.105.i435.010899, 1
+  %202 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.105.i435.010899
   %.258.i = load i64, ptr %202, align 8, !noalias !46
-  %.263.i544 = icmp sgt i64 %.258.i, -1
-  br i1 %.263.i544, label %B126.i, label %B568.i
+  %.263.i545 = icmp sgt i64 %.258.i, -1
+  br i1 %.263.i545, label %B126.i, label %B568.i
 
 B2066:                                            ; preds = %B1966.if
   %.3221 = getelementptr double, ptr %40, i64 %.2887.010902
@@ -1771,7 +1771,7 @@ B186.i.loopexit.critedge:                         ; preds = %B188.if.i
 
 B186.i.loopexit:                                  ; preds = %B770.i, %B186.i.loopexit.critedge
   %some.2.i.1.lcssa = phi i1 [ %some.4.i.010927, %B186.i.loopexit.critedge ], [ %some.3.i.2, %B770.i ]
-  %exitcond11082.not = icmp eq i64 %.431.i3145, 9
+  %exitcond11082.not = icmp eq i64 %.431.i3147, 9
   br i1 %exitcond11082.not, label %B806.i.preheader, label %B188.if.i
 
 B806.i.preheader:                                 ; preds = %B186.i.loopexit
@@ -1792,30 +1792,30 @@ B284.i:                                           ; preds = %B222.i.loopexit
   %.1181.i = add nsw i64 %.361.i2305.010925, -1
   %.1182.i = sitofp i64 %.1181.i to double
   %.1187.i = fmul double %.1182.i, 1.250000e-01
-  %.1189.i2866 = uitofp i64 %.361.i2305.010925 to double
-  %.1194.i = fmul double %.1189.i2866, 1.250000e-01
+  %.1189.i2867 = uitofp i64 %.361.i2305.010925 to double
+  %.1194.i = fmul double %.1189.i2867, 1.250000e-01
   br label %B466.if.i
 
 B508.i:                                           ; preds = %B466.if.i
-  %.1028.i2743 = getelementptr double, ptr %47, i64 %.814.i2334.010921
-  %.1029.i = load double, ptr %.1028.i2743, align 8, !noalias !53
+  %.1028.i2744 = getelementptr double, ptr %47, i64 %.814.i2334.010921
+  %.1029.i = load double, ptr %.1028.i2744, align 8, !noalias !53
   %.1030.i = fcmp ogt double %.1029.i, 5.000000e-01
   br i1 %.1030.i, label %B546.i, label %B770.i
 
 B546.i:                                           ; preds = %B508.i
-  %.1088.i2787 = getelementptr i64, ptr %48, i64 %.814.i2334.010921
-  %.1089.i = load i64, ptr %.1088.i2787, align 8, !noalias !53
-  %.1090.i2788 = icmp slt i64 %.1089.i, 0
-  br i1 %.1090.i2788, label %B34.i.i, label %B770.i
+  %.1088.i2788 = getelementptr i64, ptr %48, i64 %.814.i2334.010921
+  %.1089.i = load i64, ptr %.1088.i2788, align 8, !noalias !53
+  %.1090.i2789 = icmp slt i64 %.1089.i, 0
+  br i1 %.1090.i2789, label %B34.i.i, label %B770.i
 
 B34.i.i:                                          ; preds = %B546.i, %B36.i.i
   %.48.i.i2177.0 = phi i64 [ %.119.i88.i, %B36.i.i ], [ 0, %B546.i ]
-  %.51.i12.i.0 = phi i64 [ %.115.i.i2890, %B36.i.i ], [ %arg.shape.6, %B546.i ]
-  %.106.i.i2819 = icmp sgt i64 %.51.i12.i.0, 0
-  br i1 %.106.i.i2819, label %B36.i.i, label %B584.endif.i
+  %.51.i12.i.0 = phi i64 [ %.115.i.i2891, %B36.i.i ], [ %arg.shape.6, %B546.i ]
+  %.106.i.i2820 = icmp sgt i64 %.51.i12.i.0, 0
+  br i1 %.106.i.i2820, label %B36.i.i, label %B584.endif.i
 
 B36.i.i:                                          ; preds = %B34.i.i
-  %.115.i.i2890 = add nsw i64 %.51.i12.i.0, -1
+  %.115.i.i2891 = add nsw i64 %.51.i12.i.0, -1
   %.119.i88.i = add i64 %.48.i.i2177.0, 1
   %.149.i53.i = add nsw i64 %.48.i.i2177.0, %arg.shape.6
   %.151.i55.i = mul nsw i64 %.149.i53.i, %arg.shape.0
@@ -1829,20 +1829,20 @@ B36.i.i:                                          ; preds = %B34.i.i
   br i1 %.184.i.i, label %B584.endif.i, label %B34.i.i
 
 B732.i:                                           ; preds = %B584.endif.i
-  %.1369.i = load i64, ptr %.1088.i2787, align 8, !noalias !53
+  %.1369.i = load i64, ptr %.1088.i2788, align 8, !noalias !53
   %.1370.i = icmp sgt i64 %.1369.i, -1
   br label %B770.i
 
 B770.i:                                           ; preds = %B732.i, %B584.endif.i, %B546.i, %B508.i, %B466.if.i
   %some.3.i.2 = phi i1 [ %some.2.i.110923, %B466.if.i ], [ %some.2.i.110923, %B546.i ], [ %some.2.i.110923, %B508.i ], [ true, %B584.endif.i ], [ %.1370.i, %B732.i ]
-  %.870.i2646 = icmp sgt i64 %.817.i2335.010922, 1
-  br i1 %.870.i2646, label %B466.if.i, label %B186.i.loopexit
+  %.870.i2647 = icmp sgt i64 %.817.i2335.010922, 1
+  br i1 %.870.i2647, label %B466.if.i, label %B186.i.loopexit
 
 B108.if.i:                                        ; preds = %B2702, %B108.if.i
-  %.179.i2295.010910 = phi i64 [ %.243.i3201, %B108.if.i ], [ %storemerge, %B2702 ]
-  %.176.i2294.010909 = phi i64 [ %.247.i3204, %B108.if.i ], [ 0, %B2702 ]
-  %.243.i3201 = add nsw i64 %.179.i2295.010910, -1
-  %.247.i3204 = add nsw i64 %.176.i2294.010909, 1
+  %.179.i2295.010910 = phi i64 [ %.243.i3203, %B108.if.i ], [ %storemerge, %B2702 ]
+  %.176.i2294.010909 = phi i64 [ %.247.i3206, %B108.if.i ], [ 0, %B2702 ]
+  %.243.i3203 = add nsw i64 %.179.i2295.010910, -1
+  %.247.i3206 = add nsw i64 %.176.i2294.010909, 1
   %206 = getelementptr i64, ptr %45, i64 %.176.i2294.010909
   store i64 -1, ptr %206, align 8, !noalias !53
   %.234.i2410 = icmp sgt i64 %.179.i2295.010910, 1
@@ -1853,29 +1853,29 @@ B188.if.i.preheader:                              ; preds = %B108.if.i, %B2702
 
 B188.if.i:                                        ; preds = %B188.if.i.preheader, %B186.i.loopexit
   %some.4.i.010927 = phi i1 [ %some.2.i.1.lcssa, %B186.i.loopexit ], [ false, %B188.if.i.preheader ]
-  %.361.i2305.010925 = phi i64 [ %.431.i3145, %B186.i.loopexit ], [ 1, %B188.if.i.preheader ]
-  %.431.i3145 = add nsw i64 %.361.i2305.010925, 1
+  %.361.i2305.010925 = phi i64 [ %.431.i3147, %B186.i.loopexit ], [ 1, %B188.if.i.preheader ]
+  %.431.i3147 = add nsw i64 %.361.i2305.010925, 1
   br i1 %.689, label %B186.i.loopexit.critedge, label %B222.if.i.lr.ph
 
 B222.if.i.lr.ph:                                  ; preds = %B188.if.i
-  %.579.i2907 = uitofp i64 %.361.i2305.010925 to double
-  %.584.i2908 = fmul double %.579.i2907, 1.250000e-01
-  %.247.i.i.i = fsub double 1.000000e+00, %.584.i2908
+  %.579.i2908 = uitofp i64 %.361.i2305.010925 to double
+  %.584.i2909 = fmul double %.579.i2908, 1.250000e-01
+  %.247.i.i.i = fsub double 1.000000e+00, %.584.i2909
   br label %B222.if.i
 
 B222.if.i:                                        ; preds = %B222.if.i.lr.ph, %B222.i.loopexit
-  %.486.i2315.010919 = phi i64 [ %storemerge, %B222.if.i.lr.ph ], [ %.548.i3129, %B222.i.loopexit ]
-  %.483.i2314.010918 = phi i64 [ 0, %B222.if.i.lr.ph ], [ %.552.i3132, %B222.i.loopexit ]
-  %.548.i3129 = add nsw i64 %.486.i2315.010919, -1
-  %.552.i3132 = add nsw i64 %.483.i2314.010918, 1
-  %.92.i.i2983 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.483.i2314.010918
-  %.93.i.i2984 = load double, ptr %.92.i.i2983, align 8, !noalias !61
-  %.146.i.i3018 = getelementptr double, ptr %46, i64 %.483.i2314.010918
-  %.147.i.i3019 = load double, ptr %.146.i.i3018, align 8, !noalias !61
-  %.149.i.i3021 = fmul double %.584.i2908, %.147.i.i3019
-  %.150.i.i3022 = fadd double %.93.i.i2984, %.149.i.i3021
-  %.203.i.i3049 = getelementptr double, ptr %.571, i64 %.483.i2314.010918
-  store double %.150.i.i3022, ptr %.203.i.i3049, align 8, !noalias !61
+  %.486.i2315.010919 = phi i64 [ %storemerge, %B222.if.i.lr.ph ], [ %.548.i3131, %B222.i.loopexit ]
+  %.483.i2314.010918 = phi i64 [ 0, %B222.if.i.lr.ph ], [ %.552.i3134, %B222.i.loopexit ]
+  %.548.i3131 = add nsw i64 %.486.i2315.010919, -1
+  %.552.i3134 = add nsw i64 %.483.i2314.010918, 1
+  %.92.i.i2984 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.483.i2314.010918
+  %.93.i.i2985 = load double, ptr %.92.i.i2984, align 8, !noalias !61
+  %.146.i.i3019 = getelementptr double, ptr %46, i64 %.483.i2314.010918
+  %.147.i.i3020 = load double, ptr %.146.i.i3019, align 8, !noalias !61
+  %.149.i.i3022 = fmul double %.584.i2909, %.147.i.i3020
+  %.150.i.i3023 = fadd double %.93.i.i2985, %.149.i.i3022
+  %.203.i.i3050 = getelementptr double, ptr %.571, i64 %.483.i2314.010918
+  store double %.150.i.i3023, ptr %.203.i.i3050, align 8, !noalias !61
   br i1 %.287.i.i10914.not, label %B222.i.loopexit, label %B122.if.i.i.preheader
 
 B122.if.i.i.preheader:                            ; preds = %B222.if.i
@@ -1891,13 +1891,13 @@ B122.if.i.i.preheader:                            ; preds = %B222.if.i
   br label %B122.if.i.i
 
 B122.if.i.i:                                      ; preds = %B122.if.i.i.preheader, %B122.if.i.i
-  %.229.i.i.010915 = phi i64 [ %.300.i.i3119, %B122.if.i.i ], [ 0, %B122.if.i.i.preheader ]
+  %.229.i.i.010915 = phi i64 [ %.300.i.i3121, %B122.if.i.i ], [ 0, %B122.if.i.i.preheader ]
   %.157.i.i.i = add nsw i64 %.155.i.i.i, %.229.i.i.010915
   %.159.i.i.i = mul nsw i64 %.157.i.i.i, %arg.shape.0
   %gep11105 = getelementptr double, ptr %invariant.gep11104, i64 %.159.i.i.i
   %.191.i.i.i = load double, ptr %gep11105, align 8, !noalias !65
   %.193.i.i.i = fadd double %.191.i.i.i, 0.000000e+00
-  %.253.i.i.i = fmul double %.584.i2908, %.193.i.i.i
+  %.253.i.i.i = fmul double %.584.i2909, %.193.i.i.i
   %.157.i.i.i.1 = add nsw i64 %.155.i.i.i.1, %.229.i.i.010915
   %.159.i.i.i.1 = mul nsw i64 %.157.i.i.i.1, %arg.shape.0
   %gep11107 = getelementptr double, ptr %invariant.gep11106, i64 %.159.i.i.i.1
@@ -1909,7 +1909,7 @@ B122.if.i.i:                                      ; preds = %B122.if.i.i.prehead
   %gep11109 = getelementptr double, ptr %invariant.gep11108, i64 %.159.i.i.i.2
   %.191.i.i.i.2 = load double, ptr %gep11109, align 8, !noalias !65
   %.193.i.i.i.2 = fadd double %.253.i.i.i.1, %.191.i.i.i.2
-  %.253.i.i.i.2 = fmul double %.584.i2908, %.193.i.i.i.2
+  %.253.i.i.i.2 = fmul double %.584.i2909, %.193.i.i.i.2
   %.157.i.i.i.3 = add nsw i64 %.155.i.i.i.3, %.229.i.i.010915
   %.159.i.i.i.3 = mul nsw i64 %.157.i.i.i.3, %arg.shape.0
   %gep11111 = getelementptr double, ptr %invariant.gep11110, i64 %.159.i.i.i.3
@@ -1921,7 +1921,7 @@ B122.if.i.i:                                      ; preds = %B122.if.i.i.prehead
   %gep11113 = getelementptr double, ptr %invariant.gep11112, i64 %.159.i.i.i.4
   %.191.i.i.i.4 = load double, ptr %gep11113, align 8, !noalias !65
   %.193.i.i.i.4 = fadd double %.253.i.i.i.3, %.191.i.i.i.4
-  %.253.i.i.i.4 = fmul double %.584.i2908, %.193.i.i.i.4
+  %.253.i.i.i.4 = fmul double %.584.i2909, %.193.i.i.i.4
   %.157.i.i.i.5 = add nsw i64 %.155.i.i.i.5, %.229.i.i.010915
   %.159.i.i.i.5 = mul nsw i64 %.157.i.i.i.5, %arg.shape.0
   %gep11115 = getelementptr double, ptr %invariant.gep11114, i64 %.159.i.i.i.5
@@ -1933,33 +1933,33 @@ B122.if.i.i:                                      ; preds = %B122.if.i.i.prehead
   %gep11117 = getelementptr double, ptr %invariant.gep11116, i64 %.159.i.i.i.6
   %.191.i.i.i.6 = load double, ptr %gep11117, align 8, !noalias !65
   %.193.i.i.i.6 = fadd double %.253.i.i.i.5, %.191.i.i.i.6
-  %.253.i.i.i.6 = fmul double %.584.i2908, %.193.i.i.i.6
-  %.300.i.i3119 = add nsw i64 %.229.i.i.010915, 1
+  %.253.i.i.i.6 = fmul double %.584.i2909, %.193.i.i.i.6
+  %.300.i.i3121 = add nsw i64 %.229.i.i.010915, 1
   %.271.i.i.i = mul nsw i64 %.229.i.i.010915, %arg.shape.0
   %gep11119 = getelementptr double, ptr %invariant.gep11118, i64 %.271.i.i.i
   %.309.i.i.i = load double, ptr %gep11119, align 8, !noalias !65
   %.313.i.i.i = fadd double %.253.i.i.i.6, %.309.i.i.i
-  %.359.i.i3098 = add nsw i64 %.229.i.i.010915, %.358.i.i
-  %.361.i.i3099 = mul nsw i64 %.359.i.i3098, %arg.shape.0
-  %gep11121 = getelementptr double, ptr %invariant.gep11120, i64 %.361.i.i3099
+  %.359.i.i3100 = add nsw i64 %.229.i.i.010915, %.358.i.i
+  %.361.i.i3101 = mul nsw i64 %.359.i.i3100, %arg.shape.0
+  %gep11121 = getelementptr double, ptr %invariant.gep11120, i64 %.361.i.i3101
   store double %.313.i.i.i, ptr %gep11121, align 8, !noalias !61
-  %exitcond11081.not = icmp eq i64 %arg.shape.1, %.300.i.i3119
+  %exitcond11081.not = icmp eq i64 %arg.shape.1, %.300.i.i3121
   br i1 %exitcond11081.not, label %B222.i.loopexit, label %B122.if.i.i
 
 B466.if.i:                                        ; preds = %B284.i, %B770.i
   %some.2.i.110923 = phi i1 [ %some.4.i.010927, %B284.i ], [ %some.3.i.2, %B770.i ]
-  %.817.i2335.010922 = phi i64 [ %storemerge, %B284.i ], [ %.879.i2893, %B770.i ]
-  %.814.i2334.010921 = phi i64 [ 0, %B284.i ], [ %.883.i2896, %B770.i ]
-  %.879.i2893 = add nsw i64 %.817.i2335.010922, -1
-  %.883.i2896 = add nsw i64 %.814.i2334.010921, 1
-  %.968.i2700 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.814.i2334.010921
-  %.969.i2701 = load i64, ptr %.968.i2700, align 8, !noalias !53
-  %.970.i2702 = icmp sgt i64 %.969.i2701, -1
-  br i1 %.970.i2702, label %B508.i, label %B770.i
+  %.817.i2335.010922 = phi i64 [ %storemerge, %B284.i ], [ %.879.i2894, %B770.i ]
+  %.814.i2334.010921 = phi i64 [ 0, %B284.i ], [ %.883.i2897, %B770.i ]
+  %.879.i2894 = add nsw i64 %.817.i2335.010922, -1
+  %.883.i2897 = add nsw i64 %.814.i2334.010921, 1
+  %.968.i2701 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.814.i2334.010921
+  %.969.i2702 = load i64, ptr %.968.i2701, align 8, !noalias !53
+  %.970.i2703 = icmp sgt i64 %.969.i2702, -1
+  br i1 %.970.i2703, label %B508.i, label %B770.i
 
 B584.endif.i:                                     ; preds = %B36.i.i, %B34.i.i
   %.1099.i2343.0 = phi i64 [ %.48.i.i2177.0, %B36.i.i ], [ -1, %B34.i.i ]
-  store i64 %.1099.i2343.0, ptr %.1088.i2787, align 8, !noalias !53
+  store i64 %.1099.i2343.0, ptr %.1088.i2788, align 8, !noalias !53
   %.1248.i = getelementptr double, ptr %49, i64 %.814.i2334.010921
   store double %.1187.i, ptr %.1248.i, align 8, !noalias !53
   %.1303.i = getelementptr double, ptr %50, i64 %.814.i2334.010921
@@ -1986,84 +1986,84 @@ B2808:                                            ; preds = %B806.if.i, %B806.i.
 B2818:                                            ; preds = %B2808
   br i1 %.614, label %B2866.if, label %B3234.critedge
 
-B140.i:                                           ; preds = %B64.if.i6067
-  %.409.i5399 = getelementptr double, ptr %53, i64 %.138.i5166.010935
-  %.410.i5400 = load double, ptr %.409.i5399, align 8, !noalias !69
-  %.411.i5401 = fcmp uge double %.410.i5400, 5.000000e-01
-  %.424.i5409.not = icmp slt i64 %.346.i5348, %arg.batch.2.5.0
-  %or.cond10586 = select i1 %.411.i5401, i1 %.424.i5409.not, i1 false
+B140.i:                                           ; preds = %B64.if.i6071
+  %.409.i5402 = getelementptr double, ptr %53, i64 %.138.i5169.010935
+  %.410.i5403 = load double, ptr %.409.i5402, align 8, !noalias !69
+  %.411.i5404 = fcmp uge double %.410.i5403, 5.000000e-01
+  %.424.i5412.not = icmp slt i64 %.346.i5351, %arg.batch.2.5.0
+  %or.cond10586 = select i1 %.411.i5404, i1 %.424.i5412.not, i1 false
   br i1 %or.cond10586, label %B216.i, label %B453.i
 
 B216.i:                                           ; preds = %B140.i
-  %.440.i = icmp slt i64 %.346.i5348, 0
-  %.441.i5420 = select i1 %.440.i, i64 %arg.batch.2.5.0, i64 0
-  %207 = getelementptr double, ptr %arg.batch.2.4, i64 %.346.i5348
-  %.455.i5434 = getelementptr double, ptr %207, i64 %.441.i5420
-  %.456.i5435 = load double, ptr %.455.i5434, align 8, !noalias !69
-  %.510.i5483 = getelementptr double, ptr %54, i64 %.138.i5166.010935
-  %.511.i5484 = load double, ptr %.510.i5483, align 8, !noalias !69
-  %.512.i5485 = fcmp ult double %.456.i5435, %.511.i5484
-  br i1 %.512.i5485, label %B268.i5486, label %B453.i
+  %.440.i = icmp slt i64 %.346.i5351, 0
+  %.441.i5423 = select i1 %.440.i, i64 %arg.batch.2.5.0, i64 0
+  %207 = getelementptr double, ptr %arg.batch.2.4, i64 %.346.i5351
+  %.455.i5437 = getelementptr double, ptr %207, i64 %.441.i5423
+  %.456.i5438 = load double, ptr %.455.i5437, align 8, !noalias !69
+  %.510.i5486 = getelementptr double, ptr %54, i64 %.138.i5169.010935
+  %.511.i5487 = load double, ptr %.510.i5486, align 8, !noalias !69
+  %.512.i5488 = fcmp ult double %.456.i5438, %.511.i5487
+  br i1 %.512.i5488, label %B268.i5489, label %B453.i
 
-B268.i5486:                                       ; preds = %B216.i
-  %.574.i5532 = getelementptr double, ptr %55, i64 %.138.i5166.010935
-  %.575.i5533 = load double, ptr %.574.i5532, align 8, !noalias !69
-  %.576.i5534 = fcmp ogt double %.575.i5533, 1.000000e+00
-  br i1 %.576.i5534, label %B306.i5538, label %B453.i
+B268.i5489:                                       ; preds = %B216.i
+  %.574.i5535 = getelementptr double, ptr %55, i64 %.138.i5169.010935
+  %.575.i5536 = load double, ptr %.574.i5535, align 8, !noalias !69
+  %.576.i5537 = fcmp ogt double %.575.i5536, 1.000000e+00
+  br i1 %.576.i5537, label %B306.i5541, label %B453.i
 
-B306.i5538:                                       ; preds = %B268.i5486
-  %.632.i = getelementptr double, ptr %56, i64 %.138.i5166.010935
-  %.633.i5586 = load double, ptr %.632.i, align 8, !noalias !69
-  store double 0.000000e+00, ptr %.409.i5399, align 8, !noalias !73
-  %.161.i.i5747 = getelementptr double, ptr %57, i64 %.138.i5166.010935
-  store double 0.000000e+00, ptr %.161.i.i5747, align 8, !noalias !73
-  %.214.i.i5782 = getelementptr double, ptr %58, i64 %.138.i5166.010935
-  store double %.633.i5586, ptr %.214.i.i5782, align 8, !noalias !73
-  %.268.i.i5815 = load i64, ptr %.290.i5301, align 8, !noalias !73
-  %.294.i.i5829 = icmp slt i64 %.268.i.i5815, 0
-  %.295.i.i = select i1 %.294.i.i5829, i64 %arg.batch.3.3.5.0, i64 0
-  %.296.i.i5830 = add i64 %.295.i.i, %.268.i.i5815
-  %.316.i.i5842 = mul i64 %.296.i.i5830, %arg.batch.3.3.5.1
-  %.320.i.i5843 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.316.i.i5842
-  %.321.i.i5844 = load i64, ptr %.320.i.i5843, align 8, !noalias !73
-  %.322.i.i5845 = add nsw i64 %.321.i.i5844, -1
-  store i64 %.322.i.i5845, ptr %.320.i.i5843, align 8, !noalias !73
-  %.426.i.i5891 = load i64, ptr %.290.i5301, align 8, !noalias !73
-  %.452.i.i = icmp slt i64 %.426.i.i5891, 0
+B306.i5541:                                       ; preds = %B268.i5489
+  %.632.i = getelementptr double, ptr %56, i64 %.138.i5169.010935
+  %.633.i5590 = load double, ptr %.632.i, align 8, !noalias !69
+  store double 0.000000e+00, ptr %.409.i5402, align 8, !noalias !73
+  %.161.i.i5751 = getelementptr double, ptr %57, i64 %.138.i5169.010935
+  store double 0.000000e+00, ptr %.161.i.i5751, align 8, !noalias !73
+  %.214.i.i5786 = getelementptr double, ptr %58, i64 %.138.i5169.010935
+  store double %.633.i5590, ptr %.214.i.i5786, align 8, !noalias !73
+  %.268.i.i5819 = load i64, ptr %.290.i5304, align 8, !noalias !73
+  %.294.i.i5833 = icmp slt i64 %.268.i.i5819, 0
+  %.295.i.i = select i1 %.294.i.i5833, i64 %arg.batch.3.3.5.0, i64 0
+  %.296.i.i5834 = add i64 %.295.i.i, %.268.i.i5819
+  %.316.i.i5846 = mul i64 %.296.i.i5834, %arg.batch.3.3.5.1
+  %.320.i.i5847 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.316.i.i5846
+  %.321.i.i5848 = load i64, ptr %.320.i.i5847, align 8, !noalias !73
+  %.322.i.i5849 = add nsw i64 %.321.i.i5848, -1
+  store i64 %.322.i.i5849, ptr %.320.i.i5847, align 8, !noalias !73
+  %.426.i.i5895 = load i64, ptr %.290.i5304, align 8, !noalias !73
+  %.452.i.i = icmp slt i64 %.426.i.i5895, 0
   %.453.i.i = select i1 %.452.i.i, i64 %arg.batch.3.3.5.0, i64 0
-  %.454.i.i = add i64 %.453.i.i, %.426.i.i5891
+  %.454.i.i = add i64 %.453.i.i, %.426.i.i5895
   %.474.i.i = mul i64 %.454.i.i, %arg.batch.3.3.5.1
   %208 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.474.i.i
   %.478.i.i = getelementptr i8, ptr %208, i64 24
   %.479.i.i = load i64, ptr %.478.i.i, align 8, !noalias !73
   %.480.i.i = add nsw i64 %.479.i.i, 1
   store i64 %.480.i.i, ptr %.478.i.i, align 8, !noalias !73
-  %.705.i5921 = load double, ptr %.455.i5434, align 8, !noalias !69
-  %.763.i5970 = getelementptr double, ptr %59, i64 %.138.i5166.010935
-  store double %.705.i5921, ptr %.763.i5970, align 8, !noalias !69
-  %.816.i6013 = mul i64 %.291.i5302, %arg.batch.3.3.5.1
-  %209 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.816.i6013
-  %.820.i6017 = getelementptr i8, ptr %209, i64 8
-  %.821.i6018 = load i64, ptr %.820.i6017, align 8, !noalias !69
-  %.822.i6019 = add nsw i64 %.821.i6018, 3
-  store i64 %.822.i6019, ptr %.820.i6017, align 8, !noalias !69
+  %.705.i5925 = load double, ptr %.455.i5437, align 8, !noalias !69
+  %.763.i5974 = getelementptr double, ptr %59, i64 %.138.i5169.010935
+  store double %.705.i5925, ptr %.763.i5974, align 8, !noalias !69
+  %.816.i6018 = mul i64 %.291.i5305, %arg.batch.3.3.5.1
+  %209 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.816.i6018
+  %.820.i6022 = getelementptr i8, ptr %209, i64 8
+  %.821.i6023 = load i64, ptr %.820.i6022, align 8, !noalias !69
+  %.822.i6024 = add nsw i64 %.821.i6023, 3
+  store i64 %.822.i6024, ptr %.820.i6022, align 8, !noalias !69
   br label %B453.i
 
-B453.i:                                           ; preds = %B268.i5486, %B306.i5538, %B64.if.i6067, %B140.i, %B216.i
-  %.196.i5235 = icmp sgt i64 %.141.i5167.010934, 1
-  br i1 %.196.i5235, label %B64.if.i6067, label %B3234
+B453.i:                                           ; preds = %B268.i5489, %B306.i5541, %B64.if.i6071, %B140.i, %B216.i
+  %.196.i5238 = icmp sgt i64 %.141.i5170.010934, 1
+  br i1 %.196.i5238, label %B64.if.i6071, label %B3234
 
-B64.if.i6067:                                     ; preds = %B2866.if, %B453.i
-  %.138.i5166.010935 = phi i64 [ %.209.i6074, %B453.i ], [ 0, %B2866.if ]
-  %.141.i5167.010934 = phi i64 [ %.205.i6071, %B453.i ], [ %storemerge, %B2866.if ]
-  %.205.i6071 = add nsw i64 %.141.i5167.010934, -1
-  %.209.i6074 = add nsw i64 %.138.i5166.010935, 1
-  %.290.i5301 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.138.i5166.010935
-  %.291.i5302 = load i64, ptr %.290.i5301, align 8, !noalias !69
-  %.345.i5347 = getelementptr i64, ptr %52, i64 %.138.i5166.010935
-  %.346.i5348 = load i64, ptr %.345.i5347, align 8, !noalias !69
-  %.354.i5352 = icmp slt i64 %.291.i5302, 0
-  br i1 %.354.i5352, label %B453.i, label %B140.i
+B64.if.i6071:                                     ; preds = %B2866.if, %B453.i
+  %.138.i5169.010935 = phi i64 [ %.209.i6078, %B453.i ], [ 0, %B2866.if ]
+  %.141.i5170.010934 = phi i64 [ %.205.i6075, %B453.i ], [ %storemerge, %B2866.if ]
+  %.205.i6075 = add nsw i64 %.141.i5170.010934, -1
+  %.209.i6078 = add nsw i64 %.138.i5169.010935, 1
+  %.290.i5304 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.138.i5169.010935
+  %.291.i5305 = load i64, ptr %.290.i5304, align 8, !noalias !69
+  %.345.i5350 = getelementptr i64, ptr %52, i64 %.138.i5169.010935
+  %.346.i5351 = load i64, ptr %.345.i5350, align 8, !noalias !69
+  %.354.i5355 = icmp slt i64 %.291.i5305, 0
+  br i1 %.354.i5355, label %B453.i, label %B140.i
 
 B3234.critedge:                                   ; preds = %B2818
   %.4563.c = load i64, ptr %.4562.c, align 8
@@ -2072,227 +2072,227 @@ B3234.critedge:                                   ; preds = %B2818
   br label %B3234
 
 B3234:                                            ; preds = %B453.i, %B2866.if, %B3234.critedge
-  br i1 %beyond.2.1, label %B108.i3528.preheader, label %B3318
+  br i1 %beyond.2.1, label %B108.i3530.preheader, label %B3318
 
-B108.i3528.preheader:                             ; preds = %B3234
-  br i1 %.689, label %B188.if.i4979.preheader, label %B108.if.i5044
+B108.i3530.preheader:                             ; preds = %B3234
+  br i1 %.689, label %B188.if.i4982.preheader, label %B108.if.i5047
 
-B186.i3581.loopexit.critedge:                     ; preds = %B188.if.i4979
-  %.625.i3806.c = icmp ult i64 %.361.i3400.010953, 8
-  %.10587.c = select i1 %.625.i3806.c, i64 16, i64 17
-  %.672.i3839.c = load i64, ptr %.671.i3838, align 8, !noalias !76
-  %.744.i3896.c = mul i64 %.742.i3894, %.10587.c
-  %.762.i3906.c = getelementptr double, ptr %arg.batch.5.0.4, i64 %.744.i3896.c
-  %.788.i3916.c = inttoptr i64 %.672.i3839.c to ptr
-  tail call void %.788.i3916.c(ptr %.571, ptr %.762.i3906.c, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !76
-  br label %B186.i3581.loopexit
+B186.i3583.loopexit.critedge:                     ; preds = %B188.if.i4982
+  %.625.i3808.c = icmp ult i64 %.361.i3402.010953, 8
+  %.10587.c = select i1 %.625.i3808.c, i64 16, i64 17
+  %.672.i3841.c = load i64, ptr %.671.i3840, align 8, !noalias !76
+  %.744.i3898.c = mul i64 %.742.i3896, %.10587.c
+  %.762.i3908.c = getelementptr double, ptr %arg.batch.5.0.4, i64 %.744.i3898.c
+  %.788.i3918.c = inttoptr i64 %.672.i3841.c to ptr
+  tail call void %.788.i3918.c(ptr %.571, ptr %.762.i3908.c, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !76
+  br label %B186.i3583.loopexit
 
-B186.i3581.loopexit:                              ; preds = %B770.i4026, %B186.i3581.loopexit.critedge
-  %some.2.i3423.1.lcssa = phi i1 [ %some.4.i3396.010955, %B186.i3581.loopexit.critedge ], [ %some.3.i3444.2, %B770.i4026 ]
-  %exitcond11087.not = icmp eq i64 %.431.i4987, 9
-  br i1 %exitcond11087.not, label %B806.i3639.preheader, label %B188.if.i4979
+B186.i3583.loopexit:                              ; preds = %B770.i4028, %B186.i3583.loopexit.critedge
+  %some.2.i3425.1.lcssa = phi i1 [ %some.4.i3398.010955, %B186.i3583.loopexit.critedge ], [ %some.3.i3446.2, %B770.i4028 ]
+  %exitcond11087.not = icmp eq i64 %.431.i4990, 9
+  br i1 %exitcond11087.not, label %B806.i3641.preheader, label %B188.if.i4982
 
-B806.i3639.preheader:                             ; preds = %B186.i3581.loopexit
-  br i1 %.689, label %B3238.endif.endif, label %B806.if.i3735
+B806.i3641.preheader:                             ; preds = %B186.i3583.loopexit
+  br i1 %.689, label %B3238.endif.endif, label %B806.if.i3737
 
-B222.i3788.loopexit:                              ; preds = %B122.if.i.i4947, %B222.if.i4962
-  %.539.i3793 = icmp sgt i64 %.486.i3413.010947, 1
-  br i1 %.539.i3793, label %B222.if.i4962, label %B284.i3802
+B222.i3790.loopexit:                              ; preds = %B122.if.i.i4950, %B222.if.i4965
+  %.539.i3795 = icmp sgt i64 %.486.i3415.010947, 1
+  br i1 %.539.i3795, label %B222.if.i4965, label %B284.i3804
 
-B284.i3802:                                       ; preds = %B222.i3788.loopexit
-  %.625.i3806 = icmp ult i64 %.361.i3400.010953, 8
-  %.10587 = select i1 %.625.i3806, i64 16, i64 17
-  %.672.i3839 = load i64, ptr %.671.i3838, align 8, !noalias !76
-  %.744.i3896 = mul i64 %.742.i3894, %.10587
-  %.762.i3906 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.744.i3896
-  %.788.i3916 = inttoptr i64 %.672.i3839 to ptr
-  tail call void %.788.i3916(ptr %.571, ptr %.762.i3906, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !76
-  %.1181.i4269 = add nsw i64 %.361.i3400.010953, -1
-  %.1182.i4270 = sitofp i64 %.1181.i4269 to double
-  %.1187.i4271 = fmul double %.1182.i4270, 1.250000e-01
-  %.1189.i4273 = uitofp i64 %.361.i3400.010953 to double
-  %.1194.i4274 = fmul double %.1189.i4273, 1.250000e-01
-  br label %B466.if.i4464
+B284.i3804:                                       ; preds = %B222.i3790.loopexit
+  %.625.i3808 = icmp ult i64 %.361.i3402.010953, 8
+  %.10587 = select i1 %.625.i3808, i64 16, i64 17
+  %.672.i3841 = load i64, ptr %.671.i3840, align 8, !noalias !76
+  %.744.i3898 = mul i64 %.742.i3896, %.10587
+  %.762.i3908 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.744.i3898
+  %.788.i3918 = inttoptr i64 %.672.i3841 to ptr
+  tail call void %.788.i3918(ptr %.571, ptr %.762.i3908, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !76
+  %.1181.i4271 = add nsw i64 %.361.i3402.010953, -1
+  %.1182.i4272 = sitofp i64 %.1181.i4271 to double
+  %.1187.i4273 = fmul double %.1182.i4272, 1.250000e-01
+  %.1189.i4275 = uitofp i64 %.361.i3402.010953 to double
+  %.1194.i4276 = fmul double %.1189.i4275, 1.250000e-01
+  br label %B466.if.i4466
 
-B508.i4031:                                       ; preds = %B466.if.i4464
-  %.1028.i4080 = getelementptr double, ptr %62, i64 %.814.i3436.010949
-  %.1029.i4081 = load double, ptr %.1028.i4080, align 8, !noalias !76
-  %.1030.i4082 = fcmp ogt double %.1029.i4081, 5.000000e-01
-  br i1 %.1030.i4082, label %B546.i4083, label %B770.i4026
+B508.i4033:                                       ; preds = %B466.if.i4466
+  %.1028.i4082 = getelementptr double, ptr %62, i64 %.814.i3438.010949
+  %.1029.i4083 = load double, ptr %.1028.i4082, align 8, !noalias !76
+  %.1030.i4084 = fcmp ogt double %.1029.i4083, 5.000000e-01
+  br i1 %.1030.i4084, label %B546.i4085, label %B770.i4028
 
-B546.i4083:                                       ; preds = %B508.i4031
-  %.1088.i4132 = getelementptr i64, ptr %63, i64 %.814.i3436.010949
-  %.1089.i4133 = load i64, ptr %.1088.i4132, align 8, !noalias !76
-  %.1090.i4134 = icmp slt i64 %.1089.i4133, 0
-  br i1 %.1090.i4134, label %B34.i.i4191, label %B770.i4026
+B546.i4085:                                       ; preds = %B508.i4033
+  %.1088.i4134 = getelementptr i64, ptr %63, i64 %.814.i3438.010949
+  %.1089.i4135 = load i64, ptr %.1088.i4134, align 8, !noalias !76
+  %.1090.i4136 = icmp slt i64 %.1089.i4135, 0
+  br i1 %.1090.i4136, label %B34.i.i4193, label %B770.i4028
 
-B34.i.i4191:                                      ; preds = %B546.i4083, %B36.i.i4407
-  %.48.i.i3222.0 = phi i64 [ %.119.i88.i4455, %B36.i.i4407 ], [ 0, %B546.i4083 ]
-  %exitcond11086.not = icmp eq i64 %.48.i.i3222.0, %storemerge10530
-  br i1 %exitcond11086.not, label %B584.endif.i4223, label %B36.i.i4407
+B34.i.i4193:                                      ; preds = %B546.i4085, %B36.i.i4409
+  %.48.i.i3224.0 = phi i64 [ %.119.i88.i4457, %B36.i.i4409 ], [ 0, %B546.i4085 ]
+  %exitcond11086.not = icmp eq i64 %.48.i.i3224.0, %storemerge10530
+  br i1 %exitcond11086.not, label %B584.endif.i4225, label %B36.i.i4409
 
-B36.i.i4407:                                      ; preds = %B34.i.i4191
-  %.119.i88.i4455 = add i64 %.48.i.i3222.0, 1
-  %.149.i53.i4413 = add nsw i64 %.48.i.i3222.0, %arg.shape.6
-  %.151.i55.i4415 = mul nsw i64 %.149.i53.i4413, %arg.shape.0
-  %.153.i56.i4417 = add nsw i64 %.151.i55.i4415, %.814.i3436.010949
-  %.167.i61.i4425 = icmp slt i64 %.153.i56.i4417, 0
-  %.168.i62.i4426 = select i1 %.167.i61.i4425, i64 %arg.batch.5.4.5.0, i64 0
-  %210 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.153.i56.i4417
-  %.182.i74.i4436 = getelementptr double, ptr %210, i64 %.168.i62.i4426
-  %.183.i75.i4437 = load double, ptr %.182.i74.i4436, align 8, !noalias !80
-  %.184.i.i4438 = fcmp ogt double %.183.i75.i4437, 5.000000e-01
-  br i1 %.184.i.i4438, label %B584.endif.i4223, label %B34.i.i4191
+B36.i.i4409:                                      ; preds = %B34.i.i4193
+  %.119.i88.i4457 = add i64 %.48.i.i3224.0, 1
+  %.149.i53.i4415 = add nsw i64 %.48.i.i3224.0, %arg.shape.6
+  %.151.i55.i4417 = mul nsw i64 %.149.i53.i4415, %arg.shape.0
+  %.153.i56.i4419 = add nsw i64 %.151.i55.i4417, %.814.i3438.010949
+  %.167.i61.i4427 = icmp slt i64 %.153.i56.i4419, 0
+  %.168.i62.i4428 = select i1 %.167.i61.i4427, i64 %arg.batch.5.4.5.0, i64 0
+  %210 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.153.i56.i4419
+  %.182.i74.i4438 = getelementptr double, ptr %210, i64 %.168.i62.i4428
+  %.183.i75.i4439 = load double, ptr %.182.i74.i4438, align 8, !noalias !80
+  %.184.i.i4440 = fcmp ogt double %.183.i75.i4439, 5.000000e-01
+  br i1 %.184.i.i4440, label %B584.endif.i4225, label %B34.i.i4193
 
-B732.i4353:                                       ; preds = %B584.endif.i4223
-  %.1369.i4392 = load i64, ptr %.1088.i4132, align 8, !noalias !76
-  %.1370.i4393 = icmp sgt i64 %.1369.i4392, -1
-  br label %B770.i4026
+B732.i4355:                                       ; preds = %B584.endif.i4225
+  %.1369.i4394 = load i64, ptr %.1088.i4134, align 8, !noalias !76
+  %.1370.i4395 = icmp sgt i64 %.1369.i4394, -1
+  br label %B770.i4028
 
-B770.i4026:                                       ; preds = %B732.i4353, %B584.endif.i4223, %B546.i4083, %B508.i4031, %B466.if.i4464
-  %some.3.i3444.2 = phi i1 [ %some.2.i3423.110951, %B466.if.i4464 ], [ %some.2.i3423.110951, %B546.i4083 ], [ %some.2.i3423.110951, %B508.i4031 ], [ true, %B584.endif.i4223 ], [ %.1370.i4393, %B732.i4353 ]
-  %.870.i3956 = icmp sgt i64 %.817.i3437.010950, 1
-  br i1 %.870.i3956, label %B466.if.i4464, label %B186.i3581.loopexit
+B770.i4028:                                       ; preds = %B732.i4355, %B584.endif.i4225, %B546.i4085, %B508.i4033, %B466.if.i4466
+  %some.3.i3446.2 = phi i1 [ %some.2.i3425.110951, %B466.if.i4466 ], [ %some.2.i3425.110951, %B546.i4085 ], [ %some.2.i3425.110951, %B508.i4033 ], [ true, %B584.endif.i4225 ], [ %.1370.i4395, %B732.i4355 ]
+  %.870.i3958 = icmp sgt i64 %.817.i3439.010950, 1
+  br i1 %.870.i3958, label %B466.if.i4466, label %B186.i3583.loopexit
 
-B108.if.i5044:                                    ; preds = %B108.i3528.preheader, %B108.if.i5044
-  %.179.i3387.010938 = phi i64 [ %.243.i5049, %B108.if.i5044 ], [ %storemerge, %B108.i3528.preheader ]
-  %.176.i3386.010937 = phi i64 [ %.247.i5052, %B108.if.i5044 ], [ 0, %B108.i3528.preheader ]
-  %.243.i5049 = add nsw i64 %.179.i3387.010938, -1
-  %.247.i5052 = add nsw i64 %.176.i3386.010937, 1
-  %211 = getelementptr i64, ptr %60, i64 %.176.i3386.010937
+B108.if.i5047:                                    ; preds = %B108.i3530.preheader, %B108.if.i5047
+  %.179.i3389.010938 = phi i64 [ %.243.i5052, %B108.if.i5047 ], [ %storemerge, %B108.i3530.preheader ]
+  %.176.i3388.010937 = phi i64 [ %.247.i5055, %B108.if.i5047 ], [ 0, %B108.i3530.preheader ]
+  %.243.i5052 = add nsw i64 %.179.i3389.010938, -1
+  %.247.i5055 = add nsw i64 %.176.i3388.010937, 1
+  %211 = getelementptr i64, ptr %60, i64 %.176.i3388.010937
   store i64 -1, ptr %211, align 8, !noalias !76
-  %.234.i3533 = icmp sgt i64 %.179.i3387.010938, 1
-  br i1 %.234.i3533, label %B108.if.i5044, label %B188.if.i4979.preheader
+  %.234.i3535 = icmp sgt i64 %.179.i3389.010938, 1
+  br i1 %.234.i3535, label %B108.if.i5047, label %B188.if.i4982.preheader
 
-B188.if.i4979.preheader:                          ; preds = %B108.if.i5044, %B108.i3528.preheader
-  br label %B188.if.i4979
+B188.if.i4982.preheader:                          ; preds = %B108.if.i5047, %B108.i3530.preheader
+  br label %B188.if.i4982
 
-B188.if.i4979:                                    ; preds = %B188.if.i4979.preheader, %B186.i3581.loopexit
-  %some.4.i3396.010955 = phi i1 [ %some.2.i3423.1.lcssa, %B186.i3581.loopexit ], [ false, %B188.if.i4979.preheader ]
-  %.361.i3400.010953 = phi i64 [ %.431.i4987, %B186.i3581.loopexit ], [ 1, %B188.if.i4979.preheader ]
-  %.431.i4987 = add nsw i64 %.361.i3400.010953, 1
-  br i1 %.689, label %B186.i3581.loopexit.critedge, label %B222.if.i4962.lr.ph
+B188.if.i4982:                                    ; preds = %B188.if.i4982.preheader, %B186.i3583.loopexit
+  %some.4.i3398.010955 = phi i1 [ %some.2.i3425.1.lcssa, %B186.i3583.loopexit ], [ false, %B188.if.i4982.preheader ]
+  %.361.i3402.010953 = phi i64 [ %.431.i4990, %B186.i3583.loopexit ], [ 1, %B188.if.i4982.preheader ]
+  %.431.i4990 = add nsw i64 %.361.i3402.010953, 1
+  br i1 %.689, label %B186.i3583.loopexit.critedge, label %B222.if.i4965.lr.ph
 
-B222.if.i4962.lr.ph:                              ; preds = %B188.if.i4979
-  %.579.i4487 = uitofp i64 %.361.i3400.010953 to double
-  %.584.i4488 = fmul double %.579.i4487, 1.250000e-01
-  %.247.i.i.i4917 = fsub double 1.000000e+00, %.584.i4488
-  br label %B222.if.i4962
+B222.if.i4965.lr.ph:                              ; preds = %B188.if.i4982
+  %.579.i4489 = uitofp i64 %.361.i3402.010953 to double
+  %.584.i4490 = fmul double %.579.i4489, 1.250000e-01
+  %.247.i.i.i4920 = fsub double 1.000000e+00, %.584.i4490
+  br label %B222.if.i4965
 
-B222.if.i4962:                                    ; preds = %B222.if.i4962.lr.ph, %B222.i3788.loopexit
-  %.486.i3413.010947 = phi i64 [ %storemerge, %B222.if.i4962.lr.ph ], [ %.548.i4967, %B222.i3788.loopexit ]
-  %.483.i3412.010946 = phi i64 [ 0, %B222.if.i4962.lr.ph ], [ %.552.i4970, %B222.i3788.loopexit ]
-  %.548.i4967 = add nsw i64 %.486.i3413.010947, -1
-  %.552.i4970 = add nsw i64 %.483.i3412.010946, 1
-  %.92.i.i4568 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.483.i3412.010946
-  %.93.i.i4569 = load double, ptr %.92.i.i4568, align 8, !noalias !84
-  %.146.i.i4605 = getelementptr double, ptr %61, i64 %.483.i3412.010946
-  %.147.i.i4606 = load double, ptr %.146.i.i4605, align 8, !noalias !84
-  %.149.i.i4608 = fmul double %.584.i4488, %.147.i.i4606
-  %.150.i.i4609 = fadd double %.93.i.i4569, %.149.i.i4608
-  %.203.i.i4645 = getelementptr double, ptr %.571, i64 %.483.i3412.010946
-  store double %.150.i.i4609, ptr %.203.i.i4645, align 8, !noalias !84
-  br i1 %.287.i.i468210942.not, label %B222.i3788.loopexit, label %B122.if.i.i4947.preheader
+B222.if.i4965:                                    ; preds = %B222.if.i4965.lr.ph, %B222.i3790.loopexit
+  %.486.i3415.010947 = phi i64 [ %storemerge, %B222.if.i4965.lr.ph ], [ %.548.i4970, %B222.i3790.loopexit ]
+  %.483.i3414.010946 = phi i64 [ 0, %B222.if.i4965.lr.ph ], [ %.552.i4973, %B222.i3790.loopexit ]
+  %.548.i4970 = add nsw i64 %.486.i3415.010947, -1
+  %.552.i4973 = add nsw i64 %.483.i3414.010946, 1
+  %.92.i.i4570 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.483.i3414.010946
+  %.93.i.i4571 = load double, ptr %.92.i.i4570, align 8, !noalias !84
+  %.146.i.i4607 = getelementptr double, ptr %61, i64 %.483.i3414.010946
+  %.147.i.i4608 = load double, ptr %.146.i.i4607, align 8, !noalias !84
+  %.149.i.i4610 = fmul double %.584.i4490, %.147.i.i4608
+  %.150.i.i4611 = fadd double %.93.i.i4571, %.149.i.i4610
+  %.203.i.i4647 = getelementptr double, ptr %.571, i64 %.483.i3414.010946
+  store double %.150.i.i4611, ptr %.203.i.i4647, align 8, !noalias !84
+  br i1 %.287.i.i468410942.not, label %B222.i3790.loopexit, label %B122.if.i.i4950.preheader
 
-B122.if.i.i4947.preheader:                        ; preds = %B222.if.i4962
-  %invariant.gep11122 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3412.010946
-  %invariant.gep11124 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3412.010946
-  %invariant.gep11126 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3412.010946
-  %invariant.gep11128 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3412.010946
-  %invariant.gep11130 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3412.010946
-  %invariant.gep11132 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3412.010946
-  %invariant.gep11134 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3412.010946
-  %invariant.gep11136 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3412.010946
-  %invariant.gep11138 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3412.010946
-  br label %B122.if.i.i4947
+B122.if.i.i4950.preheader:                        ; preds = %B222.if.i4965
+  %invariant.gep11122 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3414.010946
+  %invariant.gep11124 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3414.010946
+  %invariant.gep11126 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3414.010946
+  %invariant.gep11128 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3414.010946
+  %invariant.gep11130 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3414.010946
+  %invariant.gep11132 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3414.010946
+  %invariant.gep11134 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3414.010946
+  %invariant.gep11136 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3414.010946
+  %invariant.gep11138 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3414.010946
+  br label %B122.if.i.i4950
 
-B122.if.i.i4947:                                  ; preds = %B122.if.i.i4947.preheader, %B122.if.i.i4947
-  %.229.i.i3271.010943 = phi i64 [ %.300.i.i4953, %B122.if.i.i4947 ], [ 0, %B122.if.i.i4947.preheader ]
-  %.157.i.i.i4874 = add nsw i64 %.155.i.i.i4872, %.229.i.i3271.010943
-  %.159.i.i.i4876 = mul nsw i64 %.157.i.i.i4874, %arg.shape.0
-  %gep11123 = getelementptr double, ptr %invariant.gep11122, i64 %.159.i.i.i4876
-  %.191.i.i.i4898 = load double, ptr %gep11123, align 8, !noalias !88
-  %.193.i.i.i4900 = fadd double %.191.i.i.i4898, 0.000000e+00
-  %.253.i.i.i4922 = fmul double %.584.i4488, %.193.i.i.i4900
-  %.157.i.i.i4874.1 = add nsw i64 %.155.i.i.i4872.1, %.229.i.i3271.010943
-  %.159.i.i.i4876.1 = mul nsw i64 %.157.i.i.i4874.1, %arg.shape.0
-  %gep11125 = getelementptr double, ptr %invariant.gep11124, i64 %.159.i.i.i4876.1
-  %.191.i.i.i4898.1 = load double, ptr %gep11125, align 8, !noalias !88
-  %.193.i.i.i4900.1 = fadd double %.253.i.i.i4922, %.191.i.i.i4898.1
-  %.253.i.i.i4922.1 = fmul double %.247.i.i.i4917, %.193.i.i.i4900.1
-  %.157.i.i.i4874.2 = add nsw i64 %.155.i.i.i4872.2, %.229.i.i3271.010943
-  %.159.i.i.i4876.2 = mul nsw i64 %.157.i.i.i4874.2, %arg.shape.0
-  %gep11127 = getelementptr double, ptr %invariant.gep11126, i64 %.159.i.i.i4876.2
-  %.191.i.i.i4898.2 = load double, ptr %gep11127, align 8, !noalias !88
-  %.193.i.i.i4900.2 = fadd double %.253.i.i.i4922.1, %.191.i.i.i4898.2
-  %.253.i.i.i4922.2 = fmul double %.584.i4488, %.193.i.i.i4900.2
-  %.157.i.i.i4874.3 = add nsw i64 %.155.i.i.i4872.3, %.229.i.i3271.010943
-  %.159.i.i.i4876.3 = mul nsw i64 %.157.i.i.i4874.3, %arg.shape.0
-  %gep11129 = getelementptr double, ptr %invariant.gep11128, i64 %.159.i.i.i4876.3
-  %.191.i.i.i4898.3 = load double, ptr %gep11129, align 8, !noalias !88
-  %.193.i.i.i4900.3 = fadd double %.253.i.i.i4922.2, %.191.i.i.i4898.3
-  %.253.i.i.i4922.3 = fmul double %.247.i.i.i4917, %.193.i.i.i4900.3
-  %.157.i.i.i4874.4 = add nsw i64 %.155.i.i.i4872.4, %.229.i.i3271.010943
-  %.159.i.i.i4876.4 = mul nsw i64 %.157.i.i.i4874.4, %arg.shape.0
-  %gep11131 = getelementptr double, ptr %invariant.gep11130, i64 %.159.i.i.i4876.4
-  %.191.i.i.i4898.4 = load double, ptr %gep11131, align 8, !noalias !88
-  %.193.i.i.i4900.4 = fadd double %.253.i.i.i4922.3, %.191.i.i.i4898.4
-  %.253.i.i.i4922.4 = fmul double %.584.i4488, %.193.i.i.i4900.4
-  %.157.i.i.i4874.5 = add nsw i64 %.155.i.i.i4872.5, %.229.i.i3271.010943
-  %.159.i.i.i4876.5 = mul nsw i64 %.157.i.i.i4874.5, %arg.shape.0
-  %gep11133 = getelementptr double, ptr %invariant.gep11132, i64 %.159.i.i.i4876.5
-  %.191.i.i.i4898.5 = load double, ptr %gep11133, align 8, !noalias !88
-  %.193.i.i.i4900.5 = fadd double %.253.i.i.i4922.4, %.191.i.i.i4898.5
-  %.253.i.i.i4922.5 = fmul double %.247.i.i.i4917, %.193.i.i.i4900.5
-  %.157.i.i.i4874.6 = add nsw i64 %.155.i.i.i4872.6, %.229.i.i3271.010943
-  %.159.i.i.i4876.6 = mul nsw i64 %.157.i.i.i4874.6, %arg.shape.0
-  %gep11135 = getelementptr double, ptr %invariant.gep11134, i64 %.159.i.i.i4876.6
-  %.191.i.i.i4898.6 = load double, ptr %gep11135, align 8, !noalias !88
-  %.193.i.i.i4900.6 = fadd double %.253.i.i.i4922.5, %.191.i.i.i4898.6
-  %.253.i.i.i4922.6 = fmul double %.584.i4488, %.193.i.i.i4900.6
-  %.300.i.i4953 = add nsw i64 %.229.i.i3271.010943, 1
-  %.271.i.i.i4795 = mul nsw i64 %.229.i.i3271.010943, %arg.shape.0
-  %gep11137 = getelementptr double, ptr %invariant.gep11136, i64 %.271.i.i.i4795
-  %.309.i.i.i4820 = load double, ptr %gep11137, align 8, !noalias !88
-  %.313.i.i.i4823 = fadd double %.253.i.i.i4922.6, %.309.i.i.i4820
-  %.359.i.i4836 = add nsw i64 %.229.i.i3271.010943, %.358.i.i4835
-  %.361.i.i4838 = mul nsw i64 %.359.i.i4836, %arg.shape.0
-  %gep11139 = getelementptr double, ptr %invariant.gep11138, i64 %.361.i.i4838
-  store double %.313.i.i.i4823, ptr %gep11139, align 8, !noalias !84
-  %exitcond11085.not = icmp eq i64 %arg.shape.1, %.300.i.i4953
-  br i1 %exitcond11085.not, label %B222.i3788.loopexit, label %B122.if.i.i4947
+B122.if.i.i4950:                                  ; preds = %B122.if.i.i4950.preheader, %B122.if.i.i4950
+  %.229.i.i3273.010943 = phi i64 [ %.300.i.i4956, %B122.if.i.i4950 ], [ 0, %B122.if.i.i4950.preheader ]
+  %.157.i.i.i4877 = add nsw i64 %.155.i.i.i4875, %.229.i.i3273.010943
+  %.159.i.i.i4879 = mul nsw i64 %.157.i.i.i4877, %arg.shape.0
+  %gep11123 = getelementptr double, ptr %invariant.gep11122, i64 %.159.i.i.i4879
+  %.191.i.i.i4901 = load double, ptr %gep11123, align 8, !noalias !88
+  %.193.i.i.i4903 = fadd double %.191.i.i.i4901, 0.000000e+00
+  %.253.i.i.i4925 = fmul double %.584.i4490, %.193.i.i.i4903
+  %.157.i.i.i4877.1 = add nsw i64 %.155.i.i.i4875.1, %.229.i.i3273.010943
+  %.159.i.i.i4879.1 = mul nsw i64 %.157.i.i.i4877.1, %arg.shape.0
+  %gep11125 = getelementptr double, ptr %invariant.gep11124, i64 %.159.i.i.i4879.1
+  %.191.i.i.i4901.1 = load double, ptr %gep11125, align 8, !noalias !88
+  %.193.i.i.i4903.1 = fadd double %.253.i.i.i4925, %.191.i.i.i4901.1
+  %.253.i.i.i4925.1 = fmul double %.247.i.i.i4920, %.193.i.i.i4903.1
+  %.157.i.i.i4877.2 = add nsw i64 %.155.i.i.i4875.2, %.229.i.i3273.010943
+  %.159.i.i.i4879.2 = mul nsw i64 %.157.i.i.i4877.2, %arg.shape.0
+  %gep11127 = getelementptr double, ptr %invariant.gep11126, i64 %.159.i.i.i4879.2
+  %.191.i.i.i4901.2 = load double, ptr %gep11127, align 8, !noalias !88
+  %.193.i.i.i4903.2 = fadd double %.253.i.i.i4925.1, %.191.i.i.i4901.2
+  %.253.i.i.i4925.2 = fmul double %.584.i4490, %.193.i.i.i4903.2
+  %.157.i.i.i4877.3 = add nsw i64 %.155.i.i.i4875.3, %.229.i.i3273.010943
+  %.159.i.i.i4879.3 = mul nsw i64 %.157.i.i.i4877.3, %arg.shape.0
+  %gep11129 = getelementptr double, ptr %invariant.gep11128, i64 %.159.i.i.i4879.3
+  %.191.i.i.i4901.3 = load double, ptr %gep11129, align 8, !noalias !88
+  %.193.i.i.i4903.3 = fadd double %.253.i.i.i4925.2, %.191.i.i.i4901.3
+  %.253.i.i.i4925.3 = fmul double %.247.i.i.i4920, %.193.i.i.i4903.3
+  %.157.i.i.i4877.4 = add nsw i64 %.155.i.i.i4875.4, %.229.i.i3273.010943
+  %.159.i.i.i4879.4 = mul nsw i64 %.157.i.i.i4877.4, %arg.shape.0
+  %gep11131 = getelementptr double, ptr %invariant.gep11130, i64 %.159.i.i.i4879.4
+  %.191.i.i.i4901.4 = load double, ptr %gep11131, align 8, !noalias !88
+  %.193.i.i.i4903.4 = fadd double %.253.i.i.i4925.3, %.191.i.i.i4901.4
+  %.253.i.i.i4925.4 = fmul double %.584.i4490, %.193.i.i.i4903.4
+  %.157.i.i.i4877.5 = add nsw i64 %.155.i.i.i4875.5, %.229.i.i3273.010943
+  %.159.i.i.i4879.5 = mul nsw i64 %.157.i.i.i4877.5, %arg.shape.0
+  %gep11133 = getelementptr double, ptr %invariant.gep11132, i64 %.159.i.i.i4879.5
+  %.191.i.i.i4901.5 = load double, ptr %gep11133, align 8, !noalias !88
+  %.193.i.i.i4903.5 = fadd double %.253.i.i.i4925.4, %.191.i.i.i4901.5
+  %.253.i.i.i4925.5 = fmul double %.247.i.i.i4920, %.193.i.i.i4903.5
+  %.157.i.i.i4877.6 = add nsw i64 %.155.i.i.i4875.6, %.229.i.i3273.010943
+  %.159.i.i.i4879.6 = mul nsw i64 %.157.i.i.i4877.6, %arg.shape.0
+  %gep11135 = getelementptr double, ptr %invariant.gep11134, i64 %.159.i.i.i4879.6
+  %.191.i.i.i4901.6 = load double, ptr %gep11135, align 8, !noalias !88
+  %.193.i.i.i4903.6 = fadd double %.253.i.i.i4925.5, %.191.i.i.i4901.6
+  %.253.i.i.i4925.6 = fmul double %.584.i4490, %.193.i.i.i4903.6
+  %.300.i.i4956 = add nsw i64 %.229.i.i3273.010943, 1
+  %.271.i.i.i4798 = mul nsw i64 %.229.i.i3273.010943, %arg.shape.0
+  %gep11137 = getelementptr double, ptr %invariant.gep11136, i64 %.271.i.i.i4798
+  %.309.i.i.i4823 = load double, ptr %gep11137, align 8, !noalias !88
+  %.313.i.i.i4826 = fadd double %.253.i.i.i4925.6, %.309.i.i.i4823
+  %.359.i.i4839 = add nsw i64 %.229.i.i3273.010943, %.358.i.i4838
+  %.361.i.i4841 = mul nsw i64 %.359.i.i4839, %arg.shape.0
+  %gep11139 = getelementptr double, ptr %invariant.gep11138, i64 %.361.i.i4841
+  store double %.313.i.i.i4826, ptr %gep11139, align 8, !noalias !84
+  %exitcond11085.not = icmp eq i64 %arg.shape.1, %.300.i.i4956
+  br i1 %exitcond11085.not, label %B222.i3790.loopexit, label %B122.if.i.i4950
 
-B466.if.i4464:                                    ; preds = %B284.i3802, %B770.i4026
-  %some.2.i3423.110951 = phi i1 [ %some.4.i3396.010955, %B284.i3802 ], [ %some.3.i3444.2, %B770.i4026 ]
-  %.817.i3437.010950 = phi i64 [ %storemerge, %B284.i3802 ], [ %.879.i4468, %B770.i4026 ]
-  %.814.i3436.010949 = phi i64 [ 0, %B284.i3802 ], [ %.883.i4471, %B770.i4026 ]
-  %.879.i4468 = add nsw i64 %.817.i3437.010950, -1
-  %.883.i4471 = add nsw i64 %.814.i3436.010949, 1
-  %.968.i4023 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.814.i3436.010949
-  %.969.i4024 = load i64, ptr %.968.i4023, align 8, !noalias !76
-  %.970.i4025 = icmp sgt i64 %.969.i4024, -1
-  br i1 %.970.i4025, label %B508.i4031, label %B770.i4026
+B466.if.i4466:                                    ; preds = %B284.i3804, %B770.i4028
+  %some.2.i3425.110951 = phi i1 [ %some.4.i3398.010955, %B284.i3804 ], [ %some.3.i3446.2, %B770.i4028 ]
+  %.817.i3439.010950 = phi i64 [ %storemerge, %B284.i3804 ], [ %.879.i4470, %B770.i4028 ]
+  %.814.i3438.010949 = phi i64 [ 0, %B284.i3804 ], [ %.883.i4473, %B770.i4028 ]
+  %.879.i4470 = add nsw i64 %.817.i3439.010950, -1
+  %.883.i4473 = add nsw i64 %.814.i3438.010949, 1
+  %.968.i4025 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.814.i3438.010949
+  %.969.i4026 = load i64, ptr %.968.i4025, align 8, !noalias !76
+  %.970.i4027 = icmp sgt i64 %.969.i4026, -1
+  br i1 %.970.i4027, label %B508.i4033, label %B770.i4028
 
-B584.endif.i4223:                                 ; preds = %B36.i.i4407, %B34.i.i4191
-  %.1099.i3449.0 = phi i64 [ %.48.i.i3222.0, %B36.i.i4407 ], [ -1, %B34.i.i4191 ]
-  store i64 %.1099.i3449.0, ptr %.1088.i4132, align 8, !noalias !76
-  %.1248.i4311 = getelementptr double, ptr %64, i64 %.814.i3436.010949
-  store double %.1187.i4271, ptr %.1248.i4311, align 8, !noalias !76
-  %.1303.i4348 = getelementptr double, ptr %65, i64 %.814.i3436.010949
-  store double %.1194.i4274, ptr %.1303.i4348, align 8, !noalias !76
-  br i1 %some.2.i3423.110951, label %B770.i4026, label %B732.i4353
+B584.endif.i4225:                                 ; preds = %B36.i.i4409, %B34.i.i4193
+  %.1099.i3451.0 = phi i64 [ %.48.i.i3224.0, %B36.i.i4409 ], [ -1, %B34.i.i4193 ]
+  store i64 %.1099.i3451.0, ptr %.1088.i4134, align 8, !noalias !76
+  %.1248.i4313 = getelementptr double, ptr %64, i64 %.814.i3438.010949
+  store double %.1187.i4273, ptr %.1248.i4313, align 8, !noalias !76
+  %.1303.i4350 = getelementptr double, ptr %65, i64 %.814.i3438.010949
+  store double %.1194.i4276, ptr %.1303.i4350, align 8, !noalias !76
+  br i1 %some.2.i3425.110951, label %B770.i4028, label %B732.i4355
 
-B806.if.i3735:                                    ; preds = %B806.i3639.preheader, %B806.if.i3735
-  %.1453.i3460.010958 = phi i64 [ %.1515.i3738, %B806.if.i3735 ], [ %storemerge, %B806.i3639.preheader ]
-  %.1450.i3459.010957 = phi i64 [ %.1519.i3741, %B806.if.i3735 ], [ 0, %B806.i3639.preheader ]
-  %.1515.i3738 = add nsw i64 %.1453.i3460.010958, -1
-  %.1519.i3741 = add nsw i64 %.1450.i3459.010957, 1
-  %.1596.i3697 = getelementptr double, ptr %66, i64 %.1450.i3459.010957
-  %.1597.i3698 = load double, ptr %.1596.i3697, align 8, !noalias !76
-  %.1650.i3734 = getelementptr double, ptr %.571, i64 %.1450.i3459.010957
-  store double %.1597.i3698, ptr %.1650.i3734, align 8, !noalias !76
-  %.1506.i3644 = icmp sgt i64 %.1453.i3460.010958, 1
-  br i1 %.1506.i3644, label %B806.if.i3735, label %B3238.endif.endif
+B806.if.i3737:                                    ; preds = %B806.i3641.preheader, %B806.if.i3737
+  %.1453.i3462.010958 = phi i64 [ %.1515.i3740, %B806.if.i3737 ], [ %storemerge, %B806.i3641.preheader ]
+  %.1450.i3461.010957 = phi i64 [ %.1519.i3743, %B806.if.i3737 ], [ 0, %B806.i3641.preheader ]
+  %.1515.i3740 = add nsw i64 %.1453.i3462.010958, -1
+  %.1519.i3743 = add nsw i64 %.1450.i3461.010957, 1
+  %.1596.i3699 = getelementptr double, ptr %66, i64 %.1450.i3461.010957
+  %.1597.i3700 = load double, ptr %.1596.i3699, align 8, !noalias !76
+  %.1650.i3736 = getelementptr double, ptr %.571, i64 %.1450.i3461.010957
+  store double %.1597.i3700, ptr %.1650.i3736, align 8, !noalias !76
+  %.1506.i3646 = icmp sgt i64 %.1453.i3462.010958, 1
+  br i1 %.1506.i3646, label %B806.if.i3737, label %B3238.endif.endif
 
 B3276:                                            ; preds = %B3238.endif.endif
   %.222.i = load double, ptr %.221.i, align 8, !noalias !92
@@ -3206,101 +3206,101 @@ B3490:                                            ; preds = %B3452, %B3440
 B3558:                                            ; preds = %B3490, %B3452
   %brmerge10583.not.not = xor i1 %brmerge10583.not, true
   %brmerge11060 = or i1 %.689, %brmerge10583.not.not
-  br i1 %brmerge11060, label %B3614, label %B80.if.i7176
+  br i1 %brmerge11060, label %B3614, label %B80.if.i7180
 
-B134.i:                                           ; preds = %B80.if.i7176
-  %.351.i6422 = getelementptr double, ptr %95, i64 %.141.i6178.011038
-  %.352.i6423 = load double, ptr %.351.i6422, align 8, !noalias !155
-  %.353.i6424 = fcmp ogt double %.352.i6423, 5.000000e-01
-  br i1 %.353.i6424, label %B174.i, label %B740.i
+B134.i:                                           ; preds = %B80.if.i7180
+  %.351.i6426 = getelementptr double, ptr %95, i64 %.141.i6182.011038
+  %.352.i6427 = load double, ptr %.351.i6426, align 8, !noalias !155
+  %.353.i6428 = fcmp ogt double %.352.i6427, 5.000000e-01
+  br i1 %.353.i6428, label %B174.i, label %B740.i
 
 B174.i:                                           ; preds = %B134.i
-  %.408.i6472 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.141.i6178.011038
-  %.409.i6473 = load double, ptr %.408.i6472, align 8, !noalias !155
-  %.463.i6521 = getelementptr double, ptr %96, i64 %.141.i6178.011038
-  %.464.i6522 = load double, ptr %.463.i6521, align 8, !noalias !155
-  %.465.i6523 = fsub double %.409.i6473, %.464.i6522
-  br i1 %.552.i656111031.not, label %B380.i, label %B270.if.i.preheader
+  %.408.i6476 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.141.i6182.011038
+  %.409.i6477 = load double, ptr %.408.i6476, align 8, !noalias !155
+  %.463.i6525 = getelementptr double, ptr %96, i64 %.141.i6182.011038
+  %.464.i6526 = load double, ptr %.463.i6525, align 8, !noalias !155
+  %.465.i6527 = fsub double %.409.i6477, %.464.i6526
+  br i1 %.552.i656511031.not, label %B380.i, label %B270.if.i.preheader
 
 B270.if.i.preheader:                              ; preds = %B174.i
-  %invariant.gep11140 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.141.i6178.011038
+  %invariant.gep11140 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.141.i6182.011038
   br label %B270.if.i
 
 B380.i:                                           ; preds = %B270.if.i, %B174.i
   %fastest.2.i.2.lcssa = phi double [ 0.000000e+00, %B174.i ], [ %.11.i.i, %B270.if.i ]
-  %.666.i6573 = fmul double %.465.i6523, %fastest.2.i.2.lcssa
-  %.698.i6599 = load double, ptr %.697.i6598, align 8, !noalias !155
-  %.699.i6600 = fcmp ogt double %.666.i6573, %.698.i6599
-  %.10595 = select i1 %.699.i6600, double 0x3E7AD7F29ABCAF48, double 5.000000e-06
-  %.743.i6629 = load double, ptr %.742.i6628, align 8, !noalias !155
-  %.773.i6654 = load double, ptr %arg.batch.2.4, align 8, !noalias !155
-  %.774.i6655 = fsub double %.743.i6629, %.773.i6654
-  %.776.i6657 = fmul double %.10595, %.774.i6655
-  %.780.i6660 = fcmp olt double %.465.i6523, %.776.i6657
-  br i1 %.780.i6660, label %B490.i, label %B528.i
+  %.666.i6577 = fmul double %.465.i6527, %fastest.2.i.2.lcssa
+  %.698.i6603 = load double, ptr %.697.i6602, align 8, !noalias !155
+  %.699.i6604 = fcmp ogt double %.666.i6577, %.698.i6603
+  %.10595 = select i1 %.699.i6604, double 0x3E7AD7F29ABCAF48, double 5.000000e-06
+  %.743.i6633 = load double, ptr %.742.i6632, align 8, !noalias !155
+  %.773.i6658 = load double, ptr %arg.batch.2.4, align 8, !noalias !155
+  %.774.i6659 = fsub double %.743.i6633, %.773.i6658
+  %.776.i6661 = fmul double %.10595, %.774.i6659
+  %.780.i6664 = fcmp olt double %.465.i6527, %.776.i6661
+  br i1 %.780.i6664, label %B490.i, label %B528.i
 
 B490.i:                                           ; preds = %B380.i
-  %239 = getelementptr i64, ptr %98, i64 %.141.i6178.011038
-  %.838.i7112 = load i64, ptr %239, align 8, !noalias !155
-  %.839.i7113 = add nsw i64 %.838.i7112, 1
+  %239 = getelementptr i64, ptr %98, i64 %.141.i6182.011038
+  %.838.i7116 = load i64, ptr %239, align 8, !noalias !155
+  %.839.i7117 = add nsw i64 %.838.i7116, 1
   br label %B528.i
 
 B528.i:                                           ; preds = %B380.i, %B490.i
-  %"$phi528.1.2.i.2" = phi i64 [ %.839.i7113, %B490.i ], [ 0, %B380.i ]
-  %240 = getelementptr i64, ptr %99, i64 %.141.i6178.011038
+  %"$phi528.1.2.i.2" = phi i64 [ %.839.i7117, %B490.i ], [ 0, %B380.i ]
+  %240 = getelementptr i64, ptr %99, i64 %.141.i6182.011038
   store i64 %"$phi528.1.2.i.2", ptr %240, align 8, !noalias !155
-  %.959.i6758 = load double, ptr %.408.i6472, align 8, !noalias !155
-  store double %.959.i6758, ptr %.463.i6521, align 8, !noalias !155
-  %.1068.i6851 = getelementptr double, ptr %100, i64 %.141.i6178.011038
-  store double 1.000000e+00, ptr %.1068.i6851, align 8, !noalias !155
+  %.959.i6762 = load double, ptr %.408.i6476, align 8, !noalias !155
+  store double %.959.i6762, ptr %.463.i6525, align 8, !noalias !155
+  %.1068.i6855 = getelementptr double, ptr %100, i64 %.141.i6182.011038
+  store double 1.000000e+00, ptr %.1068.i6855, align 8, !noalias !155
   store i64 1, ptr %.1061, align 8, !noalias !155
-  %.1154.i6921 = load i64, ptr %240, align 8, !noalias !155
-  %.1155.i6922 = icmp sgt i64 %.1154.i6921, 1000
-  br i1 %.1155.i6922, label %B694.i, label %B740.i
+  %.1154.i6925 = load i64, ptr %240, align 8, !noalias !155
+  %.1155.i6926 = icmp sgt i64 %.1154.i6925, 1000
+  br i1 %.1155.i6926, label %B694.i, label %B740.i
 
 B694.i:                                           ; preds = %B528.i
-  %241 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.141.i6178.011038
-  %.84.i.i7002 = load i64, ptr %241, align 8, !noalias !159
-  %.89.i.i7005 = icmp sgt i64 %.84.i.i7002, -1
-  br i1 %.89.i.i7005, label %B46.i.i7013, label %B740.i
+  %241 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.141.i6182.011038
+  %.84.i.i7006 = load i64, ptr %241, align 8, !noalias !159
+  %.89.i.i7009 = icmp sgt i64 %.84.i.i7006, -1
+  br i1 %.89.i.i7009, label %B46.i.i7017, label %B740.i
 
-B46.i.i7013:                                      ; preds = %B694.i
-  %.120.i.i7033 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i.i7002
-  %.121.i.i7034 = load i64, ptr %.120.i.i7033, align 8, !noalias !159
-  %.122.i.i7035 = icmp eq i64 %.121.i.i7034, 0
-  br i1 %.122.i.i7035, label %B80.i.i7040, label %B740.i
+B46.i.i7017:                                      ; preds = %B694.i
+  %.120.i.i7037 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i.i7006
+  %.121.i.i7038 = load i64, ptr %.120.i.i7037, align 8, !noalias !159
+  %.122.i.i7039 = icmp eq i64 %.121.i.i7038, 0
+  br i1 %.122.i.i7039, label %B80.i.i7044, label %B740.i
 
-B80.i.i7040:                                      ; preds = %B46.i.i7013
-  store i64 6, ptr %.120.i.i7033, align 8, !noalias !159
+B80.i.i7044:                                      ; preds = %B46.i.i7017
+  store i64 6, ptr %.120.i.i7037, align 8, !noalias !159
   br label %B740.i
 
-B740.i:                                           ; preds = %B80.i.i7040, %B694.i, %B46.i.i7013, %B528.i, %B134.i, %B80.if.i7176
-  store double 0.000000e+00, ptr %.294.i6333, align 8, !noalias !155
-  %.200.i6264 = icmp sgt i64 %.144.i6179.011037, 1
-  br i1 %.200.i6264, label %B80.if.i7176, label %B3614
+B740.i:                                           ; preds = %B80.i.i7044, %B694.i, %B46.i.i7017, %B528.i, %B134.i, %B80.if.i7180
+  store double 0.000000e+00, ptr %.294.i6337, align 8, !noalias !155
+  %.200.i6268 = icmp sgt i64 %.144.i6183.011037, 1
+  br i1 %.200.i6268, label %B80.if.i7180, label %B3614
 
-B80.if.i7176:                                     ; preds = %B3558, %B740.i
-  %.141.i6178.011038 = phi i64 [ %.213.i7184, %B740.i ], [ 0, %B3558 ]
-  %.144.i6179.011037 = phi i64 [ %.209.i7181, %B740.i ], [ %storemerge, %B3558 ]
-  %.209.i7181 = add nsw i64 %.144.i6179.011037, -1
-  %.213.i7184 = add nsw i64 %.141.i6178.011038, 1
-  %.294.i6333 = getelementptr double, ptr %94, i64 %.141.i6178.011038
-  %.295.i6334 = load double, ptr %.294.i6333, align 8, !noalias !155
-  %.296.i6335 = fcmp oeq double %.295.i6334, 1.000000e+00
-  br i1 %.296.i6335, label %B134.i, label %B740.i
+B80.if.i7180:                                     ; preds = %B3558, %B740.i
+  %.141.i6182.011038 = phi i64 [ %.213.i7188, %B740.i ], [ 0, %B3558 ]
+  %.144.i6183.011037 = phi i64 [ %.209.i7185, %B740.i ], [ %storemerge, %B3558 ]
+  %.209.i7185 = add nsw i64 %.144.i6183.011037, -1
+  %.213.i7188 = add nsw i64 %.141.i6182.011038, 1
+  %.294.i6337 = getelementptr double, ptr %94, i64 %.141.i6182.011038
+  %.295.i6338 = load double, ptr %.294.i6337, align 8, !noalias !155
+  %.296.i6339 = fcmp oeq double %.295.i6338, 1.000000e+00
+  br i1 %.296.i6339, label %B134.i, label %B740.i
 
 B270.if.i:                                        ; preds = %B270.if.i.preheader, %B270.if.i
   %fastest.2.i.211034 = phi double [ %.11.i.i, %B270.if.i ], [ 0.000000e+00, %B270.if.i.preheader ]
-  %.496.i6195.011033 = phi i64 [ %.565.i7168, %B270.if.i ], [ 0, %B270.if.i.preheader ]
-  %.565.i7168 = add nsw i64 %.496.i6195.011033, 1
-  %.592.i7120 = add nsw i64 %.496.i6195.011033, %arg.shape.1
-  %.594.i7122 = mul nsw i64 %.592.i7120, %arg.shape.0
-  %gep11141 = getelementptr double, ptr %invariant.gep11140, i64 %.594.i7122
-  %.626.i7150 = load double, ptr %gep11141, align 8, !noalias !155
-  %.627.i7151 = tail call double @llvm.fabs.f64(double %.626.i7150)
-  %.10.i.i = fcmp ogt double %.627.i7151, %fastest.2.i.211034
-  %.11.i.i = select i1 %.10.i.i, double %.627.i7151, double %fastest.2.i.211034
-  %exitcond11088.not = icmp eq i64 %arg.shape.1, %.565.i7168
+  %.496.i6199.011033 = phi i64 [ %.565.i7172, %B270.if.i ], [ 0, %B270.if.i.preheader ]
+  %.565.i7172 = add nsw i64 %.496.i6199.011033, 1
+  %.592.i7124 = add nsw i64 %.496.i6199.011033, %arg.shape.1
+  %.594.i7126 = mul nsw i64 %.592.i7124, %arg.shape.0
+  %gep11141 = getelementptr double, ptr %invariant.gep11140, i64 %.594.i7126
+  %.626.i7154 = load double, ptr %gep11141, align 8, !noalias !155
+  %.627.i7155 = tail call double @llvm.fabs.f64(double %.626.i7154)
+  %.10.i.i = fcmp ogt double %.627.i7155, %fastest.2.i.211034
+  %.11.i.i = select i1 %.10.i.i, double %.627.i7155, double %fastest.2.i.211034
+  %exitcond11088.not = icmp eq i64 %arg.shape.1, %.565.i7172
   br i1 %exitcond11088.not, label %B380.i, label %B270.if.i
 
 B3614:                                            ; preds = %B740.i, %B3558
@@ -3544,21 +3544,21 @@ B3754:                                            ; preds = %B3706.if
 
 B3834:                                            ; preds = %B3754
   %256 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.5418.011047
-  %.84.i7265 = load i64, ptr %256, align 8, !noalias !181
-  %.89.i7268 = icmp sgt i64 %.84.i7265, -1
-  br i1 %.89.i7268, label %B46.i7273, label %B3880
+  %.84.i7269 = load i64, ptr %256, align 8, !noalias !181
+  %.89.i7272 = icmp sgt i64 %.84.i7269, -1
+  br i1 %.89.i7272, label %B46.i7277, label %B3880
 
-B46.i7273:                                        ; preds = %B3834
-  %.120.i7299 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i7265
-  %.121.i7300 = load i64, ptr %.120.i7299, align 8, !noalias !181
-  %.122.i7301 = icmp eq i64 %.121.i7300, 0
-  br i1 %.122.i7301, label %B80.i7306, label %B3880
+B46.i7277:                                        ; preds = %B3834
+  %.120.i7303 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i7269
+  %.121.i7304 = load i64, ptr %.120.i7303, align 8, !noalias !181
+  %.122.i7305 = icmp eq i64 %.121.i7304, 0
+  br i1 %.122.i7305, label %B80.i7310, label %B3880
 
-B80.i7306:                                        ; preds = %B46.i7273
-  store i64 5, ptr %.120.i7299, align 8, !noalias !181
+B80.i7310:                                        ; preds = %B46.i7277
+  store i64 5, ptr %.120.i7303, align 8, !noalias !181
   br label %B3880
 
-B3880:                                            ; preds = %B80.i7306, %B3834, %B46.i7273, %B3754
+B3880:                                            ; preds = %B80.i7310, %B3834, %B46.i7277, %B3754
   %.5811 = getelementptr double, ptr %105, i64 %.5418.011047
   %.5812 = load double, ptr %.5811, align 8
   %.5813 = fcmp ogt double %.5812, 5.000000e-01
@@ -3573,50 +3573,50 @@ B3918:                                            ; preds = %B3880
   br i1 %.5925, label %B3982, label %B4022
 
 B3982:                                            ; preds = %B3918
-  %.192.i7534 = load i64, ptr %.5579, align 8, !noalias !184
-  %.248.i7582 = getelementptr i64, ptr %107, i64 %.5418.011047
-  %.249.i7583 = load i64, ptr %.248.i7582, align 8, !noalias !184
-  %.250.i7584 = add nsw i64 %.249.i7583, 1
-  store i64 %.250.i7584, ptr %.248.i7582, align 8, !noalias !184
-  %.373.i7689 = icmp slt i64 %.249.i7583, -1
-  %.374.i7690 = select i1 %.373.i7689, i64 %arg.batch.1.2.5.0, i64 0
-  %257 = getelementptr double, ptr %arg.batch.1.2.4, i64 %.250.i7584
-  %.388.i7704 = getelementptr double, ptr %257, i64 %.374.i7690
-  %.389.i7705 = load double, ptr %.388.i7704, align 8, !noalias !184
-  %.390.i7706 = fcmp oeq double %.389.i7705, 0x7FF0000000000000
-  br i1 %.390.i7706, label %B182.i, label %B240.i
+  %.192.i7538 = load i64, ptr %.5579, align 8, !noalias !184
+  %.248.i7586 = getelementptr i64, ptr %107, i64 %.5418.011047
+  %.249.i7587 = load i64, ptr %.248.i7586, align 8, !noalias !184
+  %.250.i7588 = add nsw i64 %.249.i7587, 1
+  store i64 %.250.i7588, ptr %.248.i7586, align 8, !noalias !184
+  %.373.i7693 = icmp slt i64 %.249.i7587, -1
+  %.374.i7694 = select i1 %.373.i7693, i64 %arg.batch.1.2.5.0, i64 0
+  %257 = getelementptr double, ptr %arg.batch.1.2.4, i64 %.250.i7588
+  %.388.i7708 = getelementptr double, ptr %257, i64 %.374.i7694
+  %.389.i7709 = load double, ptr %.388.i7708, align 8, !noalias !184
+  %.390.i7710 = fcmp oeq double %.389.i7709, 0x7FF0000000000000
+  br i1 %.390.i7710, label %B182.i, label %B240.i
 
 B182.i:                                           ; preds = %B3982
-  %.424.i8233 = icmp slt i64 %.192.i7534, 0
-  %.425.i8234 = select i1 %.424.i8233, i64 %arg.batch.3.1.5.0, i64 0
-  %258 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.192.i7534
-  %.439.i8248 = getelementptr i64, ptr %258, i64 %.425.i8234
-  %.440.i8249 = load i64, ptr %.439.i8248, align 8, !noalias !184
-  %.441.i8250 = icmp eq i64 %.440.i8249, 0
-  br i1 %.441.i8250, label %B216.i8254, label %B4022
+  %.424.i8238 = icmp slt i64 %.192.i7538, 0
+  %.425.i8239 = select i1 %.424.i8238, i64 %arg.batch.3.1.5.0, i64 0
+  %258 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.192.i7538
+  %.439.i8253 = getelementptr i64, ptr %258, i64 %.425.i8239
+  %.440.i8254 = load i64, ptr %.439.i8253, align 8, !noalias !184
+  %.441.i8255 = icmp eq i64 %.440.i8254, 0
+  br i1 %.441.i8255, label %B216.i8259, label %B4022
 
-B216.i8254:                                       ; preds = %B182.i
-  store i64 1, ptr %.439.i8248, align 8, !noalias !184
+B216.i8259:                                       ; preds = %B182.i
+  store i64 1, ptr %.439.i8253, align 8, !noalias !184
   br label %B4022
 
 B240.i:                                           ; preds = %B3982
-  store double %.389.i7705, ptr %.5923, align 8, !noalias !184
-  %.592.i7796 = select i1 %.373.i7689, i64 %arg.batch.1.4.5.0, i64 0
-  %259 = getelementptr i64, ptr %arg.batch.1.4.4, i64 %.250.i7584
-  %.606.i7810 = getelementptr i64, ptr %259, i64 %.592.i7796
-  %.607.i7811 = load i64, ptr %.606.i7810, align 8, !noalias !184
-  %.610.i7813 = icmp eq i64 %.607.i7811, 0
-  br i1 %.610.i7813, label %B300.i, label %B348.i
+  store double %.389.i7709, ptr %.5923, align 8, !noalias !184
+  %.592.i7800 = select i1 %.373.i7693, i64 %arg.batch.1.4.5.0, i64 0
+  %259 = getelementptr i64, ptr %arg.batch.1.4.4, i64 %.250.i7588
+  %.606.i7814 = getelementptr i64, ptr %259, i64 %.592.i7800
+  %.607.i7815 = load i64, ptr %.606.i7814, align 8, !noalias !184
+  %.610.i7817 = icmp eq i64 %.607.i7815, 0
+  br i1 %.610.i7817, label %B300.i, label %B348.i
 
 B300.i:                                           ; preds = %B240.i
-  %.665.i8187 = getelementptr double, ptr %108, i64 %.5418.011047
-  store double 1.000000e+00, ptr %.665.i8187, align 8, !noalias !184
+  %.665.i8192 = getelementptr double, ptr %108, i64 %.5418.011047
+  store double 1.000000e+00, ptr %.665.i8192, align 8, !noalias !184
   br label %B392.i.sink.split
 
 B348.i:                                           ; preds = %B240.i
-  %.733.i7839 = load i64, ptr %.1061, align 8, !noalias !184
-  %.734.i7840 = icmp eq i64 %.733.i7839, 0
-  br i1 %.734.i7840, label %B392.i.sink.split, label %B392.i
+  %.733.i7843 = load i64, ptr %.1061, align 8, !noalias !184
+  %.734.i7844 = icmp eq i64 %.733.i7843, 0
+  br i1 %.734.i7844, label %B392.i.sink.split, label %B392.i
 
 B392.i.sink.split:                                ; preds = %B348.i, %B300.i
   %.sink = phi i64 [ 1, %B300.i ], [ 2, %B348.i ]
@@ -3624,33 +3624,33 @@ B392.i.sink.split:                                ; preds = %B348.i, %B300.i
   br label %B392.i
 
 B392.i:                                           ; preds = %B392.i.sink.split, %B348.i
-  br i1 %.175.i.i799211043.not, label %B4022, label %B76.if.i.i.lr.ph
+  br i1 %.175.i.i799611043.not, label %B4022, label %B76.if.i.i.lr.ph
 
 B76.if.i.i.lr.ph:                                 ; preds = %B392.i
-  %.237.i.i8040 = select i1 %.373.i7689, i64 %arg.batch.1.3.5.0, i64 0
-  %.238.i.i8041 = add i64 %.237.i.i8040, %.250.i7584
-  %.258.i.i8057 = mul i64 %.238.i.i8041, %arg.batch.1.3.5.1
-  %260 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i8057
+  %.237.i.i8045 = select i1 %.373.i7693, i64 %arg.batch.1.3.5.0, i64 0
+  %.238.i.i8046 = add i64 %.237.i.i8045, %.250.i7588
+  %.258.i.i8062 = mul i64 %.238.i.i8046, %arg.batch.1.3.5.1
+  %260 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i8062
   br label %B76.if.i.i
 
 B76.if.i.i:                                       ; preds = %B76.if.i.i.lr.ph, %B76.if.i.i
-  %.117.i.i7344.011045 = phi i64 [ 0, %B76.if.i.i.lr.ph ], [ %.188.i.i8106, %B76.if.i.i ]
-  %.188.i.i8106 = add nsw i64 %.117.i.i7344.011045, 1
-  %261 = getelementptr double, ptr %260, i64 %.117.i.i7344.011045
-  %.263.i.i8060 = load double, ptr %261, align 8, !noalias !188
-  %262 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.i7344.011045
-  %.293.i.i8078 = load i64, ptr %262, align 8, !noalias !188
-  %.295.i.i8080 = mul nsw i64 %.293.i.i8078, %arg.shape.0
-  %.297.i.i8082 = add nsw i64 %.295.i.i8080, %.5418.011047
-  %.311.i.i8089 = icmp slt i64 %.297.i.i8082, 0
-  %.312.i.i8090 = select i1 %.311.i.i8089, i64 %arg.batch.5.1.5.0, i64 0
-  %263 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i8082
-  %.326.i.i8100 = getelementptr double, ptr %263, i64 %.312.i.i8090
-  store double %.263.i.i8060, ptr %.326.i.i8100, align 8, !noalias !188
-  %exitcond11089.not = icmp eq i64 %arg.batch.1.1.5.0, %.188.i.i8106
+  %.117.i.i7348.011045 = phi i64 [ 0, %B76.if.i.i.lr.ph ], [ %.188.i.i8111, %B76.if.i.i ]
+  %.188.i.i8111 = add nsw i64 %.117.i.i7348.011045, 1
+  %261 = getelementptr double, ptr %260, i64 %.117.i.i7348.011045
+  %.263.i.i8065 = load double, ptr %261, align 8, !noalias !188
+  %262 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.i7348.011045
+  %.293.i.i8083 = load i64, ptr %262, align 8, !noalias !188
+  %.295.i.i8085 = mul nsw i64 %.293.i.i8083, %arg.shape.0
+  %.297.i.i8087 = add nsw i64 %.295.i.i8085, %.5418.011047
+  %.311.i.i8094 = icmp slt i64 %.297.i.i8087, 0
+  %.312.i.i8095 = select i1 %.311.i.i8094, i64 %arg.batch.5.1.5.0, i64 0
+  %263 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i8087
+  %.326.i.i8105 = getelementptr double, ptr %263, i64 %.312.i.i8095
+  store double %.263.i.i8065, ptr %.326.i.i8105, align 8, !noalias !188
+  %exitcond11089.not = icmp eq i64 %arg.batch.1.1.5.0, %.188.i.i8111
   br i1 %exitcond11089.not, label %B4022, label %B76.if.i.i
 
-B4022:                                            ; preds = %B76.if.i.i, %B392.i, %B216.i8254, %B182.i, %B3918, %B3880
+B4022:                                            ; preds = %B76.if.i.i, %B392.i, %B216.i8259, %B182.i, %B3918, %B3880
   %.6014 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.5580
   %.6015 = load i64, ptr %.6014, align 8
   %.6016.not = icmp eq i64 %.6015, 0
@@ -3882,25 +3882,25 @@ B4410:                                            ; preds = %B4372
   %"$phi4580.1.2.5" = select i1 %.6845, double 1.000000e+00, double %.6856
   %.6919 = getelementptr double, ptr %122, i64 %.5418.011047
   store double %"$phi4580.1.2.5", ptr %.6919, align 8
-  %.111.i8387 = getelementptr i64, ptr %123, i64 %.5418.011047
-  %.112.i8388 = load i64, ptr %.111.i8387, align 8, !noalias !199
-  %.169.i8437 = getelementptr double, ptr %124, i64 %.5418.011047
-  %.170.i8438 = load double, ptr %.169.i8437, align 8, !noalias !199
-  %.224.i8486 = getelementptr double, ptr %125, i64 %.5418.011047
-  store double %.170.i8438, ptr %.224.i8486, align 8, !noalias !199
-  %.237.i8494 = icmp slt i64 %.112.i8388, %arg.batch.2.5.0
-  br i1 %.237.i8494, label %B134.i8499, label %B4667
+  %.111.i8392 = getelementptr i64, ptr %123, i64 %.5418.011047
+  %.112.i8393 = load i64, ptr %.111.i8392, align 8, !noalias !199
+  %.169.i8442 = getelementptr double, ptr %124, i64 %.5418.011047
+  %.170.i8443 = load double, ptr %.169.i8442, align 8, !noalias !199
+  %.224.i8491 = getelementptr double, ptr %125, i64 %.5418.011047
+  store double %.170.i8443, ptr %.224.i8491, align 8, !noalias !199
+  %.237.i8499 = icmp slt i64 %.112.i8393, %arg.batch.2.5.0
+  br i1 %.237.i8499, label %B134.i8504, label %B4667
 
-B134.i8499:                                       ; preds = %B4410
-  %.253.i8510 = icmp slt i64 %.112.i8388, 0
-  %.254.i8511 = select i1 %.253.i8510, i64 %arg.batch.2.5.0, i64 0
-  %275 = getelementptr double, ptr %arg.batch.2.4, i64 %.112.i8388
-  %.268.i8525 = getelementptr double, ptr %275, i64 %.254.i8511
-  %.269.i8526 = load double, ptr %.268.i8525, align 8, !noalias !199
-  %.328.i8577 = load double, ptr %.169.i8437, align 8, !noalias !199
-  %.10.i.i8584 = fcmp olt double %.328.i8577, %.269.i8526
-  %.11.i.i8585 = select i1 %.10.i.i8584, double %.328.i8577, double %.269.i8526
-  store double %.11.i.i8585, ptr %.224.i8486, align 8, !noalias !199
+B134.i8504:                                       ; preds = %B4410
+  %.253.i8515 = icmp slt i64 %.112.i8393, 0
+  %.254.i8516 = select i1 %.253.i8515, i64 %arg.batch.2.5.0, i64 0
+  %275 = getelementptr double, ptr %arg.batch.2.4, i64 %.112.i8393
+  %.268.i8530 = getelementptr double, ptr %275, i64 %.254.i8516
+  %.269.i8531 = load double, ptr %.268.i8530, align 8, !noalias !199
+  %.328.i8582 = load double, ptr %.169.i8442, align 8, !noalias !199
+  %.10.i.i8589 = fcmp olt double %.328.i8582, %.269.i8531
+  %.11.i.i8590 = select i1 %.10.i.i8589, double %.328.i8582, double %.269.i8531
+  store double %.11.i.i8590, ptr %.224.i8491, align 8, !noalias !199
   br label %B4667
 
 B4640:                                            ; preds = %B4667, %B3664
@@ -3920,61 +3920,61 @@ B80.if.i2040.lr.ph:                               ; preds = %B4666
   %276 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx
   %.idx10504 = mul i64 %arg.batch.4.0.5.1, 184
   %277 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10504
-  %.703.i1699 = add nsw i64 %arg.shape.2, -1
+  %.703.i1698 = add nsw i64 %arg.shape.2, -1
   %.idx10505 = mul i64 %arg.batch.4.0.5.1, 160
   %278 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10505
   br label %B80.if.i2040
 
-B126.i1346:                                       ; preds = %B80.if.i2040
-  %.318.i1393 = getelementptr double, ptr %276, i64 %.105.i1191.011056
-  %.319.i1394 = load double, ptr %.318.i1393, align 8, !noalias !203
-  %.5.i.i1395 = fptosi double %.319.i1394 to i64
-  %.397.i1444 = getelementptr double, ptr %277, i64 %.105.i1191.011056
-  %.398.i1445 = load double, ptr %.397.i1444, align 8, !noalias !203
-  %.5.i1.i1446 = fptosi double %.398.i1445 to i64
-  %.478.i1497 = mul i64 %.258.i1339, %arg.batch.3.3.5.1
-  %.482.i1501 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.478.i1497
-  %.483.i1502 = load i64, ptr %.482.i1501, align 8, !noalias !203
-  %.485.i1504 = add nsw i64 %.483.i1502, %.5.i.i1395
-  store i64 %.485.i1504, ptr %.482.i1501, align 8, !noalias !203
-  %.591.i1599 = getelementptr i8, ptr %.482.i1501, i64 24
-  %.592.i1600 = load i64, ptr %.591.i1599, align 8, !noalias !203
-  %.594.i1602 = add nsw i64 %.592.i1600, %.5.i1.i1446
-  store i64 %.594.i1602, ptr %.591.i1599, align 8, !noalias !203
-  %.700.i1696 = getelementptr i8, ptr %.482.i1501, i64 8
-  %.701.i1697 = load i64, ptr %.700.i1696, align 8, !noalias !203
-  %.706.i1702 = add nsw i64 %.5.i1.i1446, %.5.i.i1395
-  %.707.i1703 = mul nsw i64 %.706.i1702, %.703.i1699
-  %..5.i.i1395 = select i1 %.625, i64 0, i64 %.5.i.i1395
-  %.708.i1704 = add i64 %.707.i1703, %..5.i.i1395
-  %.841.i1808 = add i64 %.708.i1704, %.701.i1697
-  store i64 %.841.i1808, ptr %.700.i1696, align 8, !noalias !203
-  store double 0.000000e+00, ptr %.318.i1393, align 8, !noalias !203
-  store double 0.000000e+00, ptr %.397.i1444, align 8, !noalias !203
-  %.1072.i1986 = getelementptr double, ptr %278, i64 %.105.i1191.011056
+B126.i1345:                                       ; preds = %B80.if.i2040
+  %.318.i1392 = getelementptr double, ptr %276, i64 %.105.i1190.011056
+  %.319.i1393 = load double, ptr %.318.i1392, align 8, !noalias !203
+  %.5.i.i1394 = fptosi double %.319.i1393 to i64
+  %.397.i1443 = getelementptr double, ptr %277, i64 %.105.i1190.011056
+  %.398.i1444 = load double, ptr %.397.i1443, align 8, !noalias !203
+  %.5.i1.i1445 = fptosi double %.398.i1444 to i64
+  %.478.i1496 = mul i64 %.258.i1338, %arg.batch.3.3.5.1
+  %.482.i1500 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.478.i1496
+  %.483.i1501 = load i64, ptr %.482.i1500, align 8, !noalias !203
+  %.485.i1503 = add nsw i64 %.483.i1501, %.5.i.i1394
+  store i64 %.485.i1503, ptr %.482.i1500, align 8, !noalias !203
+  %.591.i1598 = getelementptr i8, ptr %.482.i1500, i64 24
+  %.592.i1599 = load i64, ptr %.591.i1598, align 8, !noalias !203
+  %.594.i1601 = add nsw i64 %.592.i1599, %.5.i1.i1445
+  store i64 %.594.i1601, ptr %.591.i1598, align 8, !noalias !203
+  %.700.i1695 = getelementptr i8, ptr %.482.i1500, i64 8
+  %.701.i1696 = load i64, ptr %.700.i1695, align 8, !noalias !203
+  %.706.i1701 = add nsw i64 %.5.i1.i1445, %.5.i.i1394
+  %.707.i1702 = mul nsw i64 %.706.i1701, %.703.i1698
+  %..5.i.i1394 = select i1 %.625, i64 0, i64 %.5.i.i1394
+  %.708.i1703 = add i64 %.707.i1702, %..5.i.i1394
+  %.841.i1808 = add i64 %.708.i1703, %.701.i1696
+  store i64 %.841.i1808, ptr %.700.i1695, align 8, !noalias !203
+  store double 0.000000e+00, ptr %.318.i1392, align 8, !noalias !203
+  store double 0.000000e+00, ptr %.397.i1443, align 8, !noalias !203
+  %.1072.i1986 = getelementptr double, ptr %278, i64 %.105.i1190.011056
   %.1073.i1987 = load double, ptr %.1072.i1986, align 8, !noalias !203
-  %.1081.i1993 = sitofp i64 %.706.i1702 to double
+  %.1081.i1993 = sitofp i64 %.706.i1701 to double
   %.1082.i1994 = fsub double %.1073.i1987, %.1081.i1993
   store double %.1082.i1994, ptr %.1072.i1986, align 8, !noalias !203
-  br label %B568.i1343
+  br label %B568.i1342
 
-B568.i1343:                                       ; preds = %B126.i1346, %B80.if.i2040
-  %.163.i1272 = icmp sgt i64 %.108.i1192.011057, 1
-  br i1 %.163.i1272, label %B80.if.i2040, label %B4666.endif
+B568.i1342:                                       ; preds = %B126.i1345, %B80.if.i2040
+  %.163.i1271 = icmp sgt i64 %.108.i1191.011057, 1
+  br i1 %.163.i1271, label %B80.if.i2040, label %B4666.endif
 
-B80.if.i2040:                                     ; preds = %B80.if.i2040.lr.ph, %B568.i1343
-  %.108.i1192.011057 = phi i64 [ %storemerge, %B80.if.i2040.lr.ph ], [ %.172.i2044, %B568.i1343 ]
-  %.105.i1191.011056 = phi i64 [ 0, %B80.if.i2040.lr.ph ], [ %.176.i2047, %B568.i1343 ]
-  %.172.i2044 = add nsw i64 %.108.i1192.011057, -1
-  %.176.i2047 = add nsw i64 %.105.i1191.011056, 1
-  %279 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.105.i1191.011056
-  %.258.i1339 = load i64, ptr %279, align 8, !noalias !203
-  %.263.i1342 = icmp sgt i64 %.258.i1339, -1
-  br i1 %.263.i1342, label %B126.i1346, label %B568.i1343
+B80.if.i2040:                                     ; preds = %B80.if.i2040.lr.ph, %B568.i1342
+  %.108.i1191.011057 = phi i64 [ %storemerge, %B80.if.i2040.lr.ph ], [ %.172.i2044, %B568.i1342 ]
+  %.105.i1190.011056 = phi i64 [ 0, %B80.if.i2040.lr.ph ], [ %.176.i2047, %B568.i1342 ]
+  %.172.i2044 = add nsw i64 %.108.i1191.011057, -1
+  %.176.i2047 = add nsw i64 %.105.i1190.011056, 1
+  %279 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.105.i1190.011056
+  %.258.i1338 = load i64, ptr %279, align 8, !noalias !203
+  %.263.i1341 = icmp sgt i64 %.258.i1338, -1
+  br i1 %.263.i1341, label %B126.i1345, label %B568.i1342
 
-B4667:                                            ; preds = %B4410, %B134.i8499, %B4372, %B3706.if
-  %budget.6.3 = phi i64 [ %budget.5.211049, %B3706.if ], [ %budget.7.4, %B4372 ], [ %budget.7.4, %B134.i8499 ], [ %budget.7.4, %B4410 ]
-  %active.6.3 = phi i64 [ %active.5.211050, %B3706.if ], [ %active.5.211050, %B4372 ], [ %.6599, %B134.i8499 ], [ %.6599, %B4410 ]
+B4667:                                            ; preds = %B4410, %B134.i8504, %B4372, %B3706.if
+  %budget.6.3 = phi i64 [ %budget.5.211049, %B3706.if ], [ %budget.7.4, %B4372 ], [ %budget.7.4, %B134.i8504 ], [ %budget.7.4, %B4410 ]
+  %active.6.3 = phi i64 [ %active.5.211050, %B3706.if ], [ %active.5.211050, %B4372 ], [ %.6599, %B134.i8504 ], [ %.6599, %B4410 ]
   %.5481 = icmp sgt i64 %.5421.011048, 1
   br i1 %.5481, label %B3706.if, label %B4640
 
@@ -4065,10 +4065,10 @@ B2866.if:                                         ; preds = %B2818
   %.4563 = load i64, ptr %.4562, align 8
   %.4608 = inttoptr i64 %.4563 to ptr
   tail call void %.4608(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.tolerances.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
-  br i1 %.689, label %B3234, label %B64.if.i6067
+  br i1 %.689, label %B3234, label %B64.if.i6071
 
-B3238.endif.endif:                                ; preds = %B806.if.i3735, %B806.i3639.preheader
-  br i1 %some.2.i3423.1.lcssa, label %B3276, label %B3318
+B3238.endif.endif:                                ; preds = %B806.if.i3737, %B806.i3641.preheader
+  br i1 %some.2.i3425.1.lcssa, label %B3276, label %B3318
 
 B3706.if:                                         ; preds = %B3664, %B4667
   %active.5.211050 = phi i64 [ %active.6.3, %B4667 ], [ 0, %B3664 ]
@@ -4082,7 +4082,7 @@ B3706.if:                                         ; preds = %B3664, %B4667
   %.5585 = icmp slt i64 %.5580, 0
   br i1 %.5585, label %B4667, label %B3754
 
-B4666.endif:                                      ; preds = %B568.i1343, %B4666
+B4666.endif:                                      ; preds = %B568.i1342, %B4666
   store i64 %active.10.0, ptr %retptr, align 8
   ret i32 0
 }
@@ -4099,7 +4099,7 @@ declare i64 @llvm.smax.i64(i64, i64)
 ; Function Attrs: nocallback nofree nounwind willreturn memory(argmem: write)
 declare void @llvm.memset.p0.i64(ptr, i8, i64, i1)
 
-define dso_local noundef i32 @evaluate(ptr noalias %retptr, ptr noalias readnone %excinfo, ptr readnone %arg.code.0, ptr readnone %arg.code.1, i64 %arg.code.2, i64 %arg.code.3, ptr readonly %arg.code.4, i64 %arg.code.5.0, i64 %arg.code.6.0, i64 %arg.role, i64 %arg.n, i64 %arg.decisions.0, i64 %arg.decisions.1, ptr readnone %arg.points.0.0, ptr readnone %arg.points.0.1, i64 %arg.points.0.2, i64 %arg.points.0.3, ptr readonly %arg.points.0.4, i64 %arg.points.0.5.0, i64 %arg.points.0.6.0, ptr readnone %arg.points.1.0, ptr readnone %arg.points.1.1, i64 %arg.points.1.2, i64 %arg.points.1.3, ptr readonly %arg.points.1.4, i64 %arg.points.1.5.0, i64 %arg.points.1.6.0, ptr readnone %arg.points.2.0, ptr readnone %arg.points.2.1, i64 %arg.points.2.2, i64 %arg.points.2.3, ptr %arg.points.2.4, i64 %arg.points.2.5.0, i64 %arg.points.2.6.0, ptr readnone %arg.points.3.0, ptr readnone %arg.points.3.1, i64 %arg.points.3.2, i64 %arg.points.3.3, ptr %arg.points.3.4, i64 %arg.points.3.5.0, i64 %arg.points.3.6.0, ptr readnone %arg.pieces.0.0, ptr readnone %arg.pieces.0.1, i64 %arg.pieces.0.2, i64 %arg.pieces.0.3, ptr readonly %arg.pieces.0.4, i64 %arg.pieces.0.5.0, i64 %arg.pieces.0.6.0, ptr readnone %arg.pieces.1.0, ptr readnone %arg.pieces.1.1, i64 %arg.pieces.1.2, i64 %arg.pieces.1.3, ptr readonly %arg.pieces.1.4, i64 %arg.pieces.1.5.0, i64 %arg.pieces.1.5.1, i64 %arg.pieces.1.6.0, i64 %arg.pieces.1.6.1, ptr readnone %arg.arrays.0.0, ptr readnone %arg.arrays.0.1, i64 %arg.arrays.0.2, i64 %arg.arrays.0.3, ptr %arg.arrays.0.4, i64 %arg.arrays.0.5.0, i64 %arg.arrays.0.6.0, ptr readnone %arg.arrays.1.0, ptr readnone %arg.arrays.1.1, i64 %arg.arrays.1.2, i64 %arg.arrays.1.3, ptr %arg.arrays.1.4, i64 %arg.arrays.1.5.0, i64 %arg.arrays.1.6.0, ptr readnone %arg.arrays.2.0, ptr readnone %arg.arrays.2.1, i64 %arg.arrays.2.2, i64 %arg.arrays.2.3, ptr %arg.arrays.2.4, i64 %arg.arrays.2.5.0, i64 %arg.arrays.2.6.0, ptr readnone %arg.arrays.3.0, ptr readnone %arg.arrays.3.1, i64 %arg.arrays.3.2, i64 %arg.arrays.3.3, ptr %arg.arrays.3.4, i64 %arg.arrays.3.5.0, i64 %arg.arrays.3.6.0, ptr readnone %arg.out.0, ptr readnone %arg.out.1, i64 %arg.out.2, i64 %arg.out.3, ptr %arg.out.4, i64 %arg.out.5.0, i64 %arg.out.5.1, i64 %arg.out.6.0, i64 %arg.out.6.1) local_unnamed_addr {
+define dso_local noundef i32 @evaluate_of_many(ptr noalias %retptr, ptr noalias readnone %excinfo, ptr readnone %arg.code.0, ptr readnone %arg.code.1, i64 %arg.code.2, i64 %arg.code.3, ptr readonly %arg.code.4, i64 %arg.code.5.0, i64 %arg.code.6.0, i64 %arg.role, i64 %arg.n, i64 %arg.decisions.0, i64 %arg.decisions.1, ptr readnone %arg.points.0.0, ptr readnone %arg.points.0.1, i64 %arg.points.0.2, i64 %arg.points.0.3, ptr readonly %arg.points.0.4, i64 %arg.points.0.5.0, i64 %arg.points.0.6.0, ptr readnone %arg.points.1.0, ptr readnone %arg.points.1.1, i64 %arg.points.1.2, i64 %arg.points.1.3, ptr readonly %arg.points.1.4, i64 %arg.points.1.5.0, i64 %arg.points.1.6.0, ptr readnone %arg.points.2.0, ptr readnone %arg.points.2.1, i64 %arg.points.2.2, i64 %arg.points.2.3, ptr %arg.points.2.4, i64 %arg.points.2.5.0, i64 %arg.points.2.6.0, ptr readnone %arg.points.3.0, ptr readnone %arg.points.3.1, i64 %arg.points.3.2, i64 %arg.points.3.3, ptr %arg.points.3.4, i64 %arg.points.3.5.0, i64 %arg.points.3.6.0, ptr readnone %arg.pieces.0.0, ptr readnone %arg.pieces.0.1, i64 %arg.pieces.0.2, i64 %arg.pieces.0.3, ptr readonly %arg.pieces.0.4, i64 %arg.pieces.0.5.0, i64 %arg.pieces.0.6.0, ptr readnone %arg.pieces.1.0, ptr readnone %arg.pieces.1.1, i64 %arg.pieces.1.2, i64 %arg.pieces.1.3, ptr readonly %arg.pieces.1.4, i64 %arg.pieces.1.5.0, i64 %arg.pieces.1.5.1, i64 %arg.pieces.1.6.0, i64 %arg.pieces.1.6.1, ptr readnone %arg.arrays.0.0, ptr readnone %arg.arrays.0.1, i64 %arg.arrays.0.2, i64 %arg.arrays.0.3, ptr %arg.arrays.0.4, i64 %arg.arrays.0.5.0, i64 %arg.arrays.0.6.0, ptr readnone %arg.arrays.1.0, ptr readnone %arg.arrays.1.1, i64 %arg.arrays.1.2, i64 %arg.arrays.1.3, ptr %arg.arrays.1.4, i64 %arg.arrays.1.5.0, i64 %arg.arrays.1.6.0, ptr readnone %arg.arrays.2.0, ptr readnone %arg.arrays.2.1, i64 %arg.arrays.2.2, i64 %arg.arrays.2.3, ptr %arg.arrays.2.4, i64 %arg.arrays.2.5.0, i64 %arg.arrays.2.6.0, ptr readnone %arg.arrays.3.0, ptr readnone %arg.arrays.3.1, i64 %arg.arrays.3.2, i64 %arg.arrays.3.3, ptr %arg.arrays.3.4, i64 %arg.arrays.3.5.0, i64 %arg.arrays.3.6.0, ptr readnone %arg.out.0, ptr readnone %arg.out.1, i64 %arg.out.2, i64 %arg.out.3, ptr %arg.out.4, i64 %arg.out.5.0, i64 %arg.out.5.1, i64 %arg.out.6.0, i64 %arg.out.6.1) local_unnamed_addr {
 entry:
   %.281834.not = icmp slt i64 %arg.points.0.5.0, 1
   br i1 %.281834.not, label %B794, label %B118.if.lr.ph
@@ -4439,3 +4439,707 @@ B720.if:                                          ; preds = %B720.if.lr.ph, %B72
 !204 = distinct !{!204, !205, !"_ZN12clpt_control6native9for_numba11count_stepsB3v21B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE8UniTupleIxLi7EE5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %retptr"}
 !205 = distinct !{!205, !"_ZN12clpt_control6native9for_numba11count_stepsB3v21B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE8UniTupleIxLi7EE5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE"}
 !206 = distinct !{!206, !205, !"_ZN12clpt_control6native9for_numba11count_stepsB3v21B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE8UniTupleIxLi7EE5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %excinfo"}
+
+define i64 @advance(ptr %numbers) {
+  %result = alloca i64
+  %error = alloca ptr
+  %at.0 = getelementptr i64, ptr %numbers, i64 0
+  %number.0 = load ptr, ptr %at.0
+  %at.1 = getelementptr i64, ptr %numbers, i64 1
+  %number.1 = load ptr, ptr %at.1
+  %at.2 = getelementptr i64, ptr %numbers, i64 2
+  %number.2 = load i64, ptr %at.2
+  %at.3 = getelementptr i64, ptr %numbers, i64 3
+  %number.3 = load i64, ptr %at.3
+  %at.4 = getelementptr i64, ptr %numbers, i64 4
+  %number.4 = load ptr, ptr %at.4
+  %at.5 = getelementptr i64, ptr %numbers, i64 5
+  %number.5 = load i64, ptr %at.5
+  %at.6 = getelementptr i64, ptr %numbers, i64 6
+  %number.6 = load i64, ptr %at.6
+  %at.7 = getelementptr i64, ptr %numbers, i64 7
+  %number.7 = load i64, ptr %at.7
+  %at.8 = getelementptr i64, ptr %numbers, i64 8
+  %number.8 = load i64, ptr %at.8
+  %at.9 = getelementptr i64, ptr %numbers, i64 9
+  %number.9 = load i64, ptr %at.9
+  %at.10 = getelementptr i64, ptr %numbers, i64 10
+  %number.10 = load i64, ptr %at.10
+  %at.11 = getelementptr i64, ptr %numbers, i64 11
+  %number.11 = load i64, ptr %at.11
+  %at.12 = getelementptr i64, ptr %numbers, i64 12
+  %number.12 = load i64, ptr %at.12
+  %at.13 = getelementptr i64, ptr %numbers, i64 13
+  %number.13 = load i64, ptr %at.13
+  %at.14 = getelementptr i64, ptr %numbers, i64 14
+  %number.14 = load ptr, ptr %at.14
+  %at.15 = getelementptr i64, ptr %numbers, i64 15
+  %number.15 = load ptr, ptr %at.15
+  %at.16 = getelementptr i64, ptr %numbers, i64 16
+  %number.16 = load i64, ptr %at.16
+  %at.17 = getelementptr i64, ptr %numbers, i64 17
+  %number.17 = load i64, ptr %at.17
+  %at.18 = getelementptr i64, ptr %numbers, i64 18
+  %number.18 = load ptr, ptr %at.18
+  %at.19 = getelementptr i64, ptr %numbers, i64 19
+  %number.19 = load i64, ptr %at.19
+  %at.20 = getelementptr i64, ptr %numbers, i64 20
+  %number.20 = load i64, ptr %at.20
+  %at.21 = getelementptr i64, ptr %numbers, i64 21
+  %number.21 = load ptr, ptr %at.21
+  %at.22 = getelementptr i64, ptr %numbers, i64 22
+  %number.22 = load ptr, ptr %at.22
+  %at.23 = getelementptr i64, ptr %numbers, i64 23
+  %number.23 = load i64, ptr %at.23
+  %at.24 = getelementptr i64, ptr %numbers, i64 24
+  %number.24 = load i64, ptr %at.24
+  %at.25 = getelementptr i64, ptr %numbers, i64 25
+  %number.25 = load ptr, ptr %at.25
+  %at.26 = getelementptr i64, ptr %numbers, i64 26
+  %number.26 = load i64, ptr %at.26
+  %at.27 = getelementptr i64, ptr %numbers, i64 27
+  %number.27 = load i64, ptr %at.27
+  %at.28 = getelementptr i64, ptr %numbers, i64 28
+  %number.28 = load i64, ptr %at.28
+  %at.29 = getelementptr i64, ptr %numbers, i64 29
+  %number.29 = load i64, ptr %at.29
+  %at.30 = getelementptr i64, ptr %numbers, i64 30
+  %number.30 = load ptr, ptr %at.30
+  %at.31 = getelementptr i64, ptr %numbers, i64 31
+  %number.31 = load ptr, ptr %at.31
+  %at.32 = getelementptr i64, ptr %numbers, i64 32
+  %number.32 = load i64, ptr %at.32
+  %at.33 = getelementptr i64, ptr %numbers, i64 33
+  %number.33 = load i64, ptr %at.33
+  %at.34 = getelementptr i64, ptr %numbers, i64 34
+  %number.34 = load ptr, ptr %at.34
+  %at.35 = getelementptr i64, ptr %numbers, i64 35
+  %number.35 = load i64, ptr %at.35
+  %at.36 = getelementptr i64, ptr %numbers, i64 36
+  %number.36 = load i64, ptr %at.36
+  %at.37 = getelementptr i64, ptr %numbers, i64 37
+  %number.37 = load i64, ptr %at.37
+  %at.38 = getelementptr i64, ptr %numbers, i64 38
+  %number.38 = load i64, ptr %at.38
+  %at.39 = getelementptr i64, ptr %numbers, i64 39
+  %number.39 = load ptr, ptr %at.39
+  %at.40 = getelementptr i64, ptr %numbers, i64 40
+  %number.40 = load ptr, ptr %at.40
+  %at.41 = getelementptr i64, ptr %numbers, i64 41
+  %number.41 = load i64, ptr %at.41
+  %at.42 = getelementptr i64, ptr %numbers, i64 42
+  %number.42 = load i64, ptr %at.42
+  %at.43 = getelementptr i64, ptr %numbers, i64 43
+  %number.43 = load ptr, ptr %at.43
+  %at.44 = getelementptr i64, ptr %numbers, i64 44
+  %number.44 = load i64, ptr %at.44
+  %at.45 = getelementptr i64, ptr %numbers, i64 45
+  %number.45 = load i64, ptr %at.45
+  %at.46 = getelementptr i64, ptr %numbers, i64 46
+  %number.46 = load ptr, ptr %at.46
+  %at.47 = getelementptr i64, ptr %numbers, i64 47
+  %number.47 = load ptr, ptr %at.47
+  %at.48 = getelementptr i64, ptr %numbers, i64 48
+  %number.48 = load i64, ptr %at.48
+  %at.49 = getelementptr i64, ptr %numbers, i64 49
+  %number.49 = load i64, ptr %at.49
+  %at.50 = getelementptr i64, ptr %numbers, i64 50
+  %number.50 = load ptr, ptr %at.50
+  %at.51 = getelementptr i64, ptr %numbers, i64 51
+  %number.51 = load i64, ptr %at.51
+  %at.52 = getelementptr i64, ptr %numbers, i64 52
+  %number.52 = load i64, ptr %at.52
+  %at.53 = getelementptr i64, ptr %numbers, i64 53
+  %number.53 = load ptr, ptr %at.53
+  %at.54 = getelementptr i64, ptr %numbers, i64 54
+  %number.54 = load ptr, ptr %at.54
+  %at.55 = getelementptr i64, ptr %numbers, i64 55
+  %number.55 = load i64, ptr %at.55
+  %at.56 = getelementptr i64, ptr %numbers, i64 56
+  %number.56 = load i64, ptr %at.56
+  %at.57 = getelementptr i64, ptr %numbers, i64 57
+  %number.57 = load ptr, ptr %at.57
+  %at.58 = getelementptr i64, ptr %numbers, i64 58
+  %number.58 = load i64, ptr %at.58
+  %at.59 = getelementptr i64, ptr %numbers, i64 59
+  %number.59 = load i64, ptr %at.59
+  %at.60 = getelementptr i64, ptr %numbers, i64 60
+  %number.60 = load ptr, ptr %at.60
+  %at.61 = getelementptr i64, ptr %numbers, i64 61
+  %number.61 = load ptr, ptr %at.61
+  %at.62 = getelementptr i64, ptr %numbers, i64 62
+  %number.62 = load i64, ptr %at.62
+  %at.63 = getelementptr i64, ptr %numbers, i64 63
+  %number.63 = load i64, ptr %at.63
+  %at.64 = getelementptr i64, ptr %numbers, i64 64
+  %number.64 = load ptr, ptr %at.64
+  %at.65 = getelementptr i64, ptr %numbers, i64 65
+  %number.65 = load i64, ptr %at.65
+  %at.66 = getelementptr i64, ptr %numbers, i64 66
+  %number.66 = load i64, ptr %at.66
+  %at.67 = getelementptr i64, ptr %numbers, i64 67
+  %number.67 = load ptr, ptr %at.67
+  %at.68 = getelementptr i64, ptr %numbers, i64 68
+  %number.68 = load ptr, ptr %at.68
+  %at.69 = getelementptr i64, ptr %numbers, i64 69
+  %number.69 = load i64, ptr %at.69
+  %at.70 = getelementptr i64, ptr %numbers, i64 70
+  %number.70 = load i64, ptr %at.70
+  %at.71 = getelementptr i64, ptr %numbers, i64 71
+  %number.71 = load ptr, ptr %at.71
+  %at.72 = getelementptr i64, ptr %numbers, i64 72
+  %number.72 = load i64, ptr %at.72
+  %at.73 = getelementptr i64, ptr %numbers, i64 73
+  %number.73 = load i64, ptr %at.73
+  %at.74 = getelementptr i64, ptr %numbers, i64 74
+  %number.74 = load i64, ptr %at.74
+  %at.75 = getelementptr i64, ptr %numbers, i64 75
+  %number.75 = load i64, ptr %at.75
+  %at.76 = getelementptr i64, ptr %numbers, i64 76
+  %number.76 = load ptr, ptr %at.76
+  %at.77 = getelementptr i64, ptr %numbers, i64 77
+  %number.77 = load ptr, ptr %at.77
+  %at.78 = getelementptr i64, ptr %numbers, i64 78
+  %number.78 = load i64, ptr %at.78
+  %at.79 = getelementptr i64, ptr %numbers, i64 79
+  %number.79 = load i64, ptr %at.79
+  %at.80 = getelementptr i64, ptr %numbers, i64 80
+  %number.80 = load ptr, ptr %at.80
+  %at.81 = getelementptr i64, ptr %numbers, i64 81
+  %number.81 = load i64, ptr %at.81
+  %at.82 = getelementptr i64, ptr %numbers, i64 82
+  %number.82 = load i64, ptr %at.82
+  %at.83 = getelementptr i64, ptr %numbers, i64 83
+  %number.83 = load ptr, ptr %at.83
+  %at.84 = getelementptr i64, ptr %numbers, i64 84
+  %number.84 = load ptr, ptr %at.84
+  %at.85 = getelementptr i64, ptr %numbers, i64 85
+  %number.85 = load i64, ptr %at.85
+  %at.86 = getelementptr i64, ptr %numbers, i64 86
+  %number.86 = load i64, ptr %at.86
+  %at.87 = getelementptr i64, ptr %numbers, i64 87
+  %number.87 = load ptr, ptr %at.87
+  %at.88 = getelementptr i64, ptr %numbers, i64 88
+  %number.88 = load i64, ptr %at.88
+  %at.89 = getelementptr i64, ptr %numbers, i64 89
+  %number.89 = load i64, ptr %at.89
+  %at.90 = getelementptr i64, ptr %numbers, i64 90
+  %number.90 = load ptr, ptr %at.90
+  %at.91 = getelementptr i64, ptr %numbers, i64 91
+  %number.91 = load ptr, ptr %at.91
+  %at.92 = getelementptr i64, ptr %numbers, i64 92
+  %number.92 = load i64, ptr %at.92
+  %at.93 = getelementptr i64, ptr %numbers, i64 93
+  %number.93 = load i64, ptr %at.93
+  %at.94 = getelementptr i64, ptr %numbers, i64 94
+  %number.94 = load ptr, ptr %at.94
+  %at.95 = getelementptr i64, ptr %numbers, i64 95
+  %number.95 = load i64, ptr %at.95
+  %at.96 = getelementptr i64, ptr %numbers, i64 96
+  %number.96 = load i64, ptr %at.96
+  %at.97 = getelementptr i64, ptr %numbers, i64 97
+  %number.97 = load i64, ptr %at.97
+  %at.98 = getelementptr i64, ptr %numbers, i64 98
+  %number.98 = load i64, ptr %at.98
+  %at.99 = getelementptr i64, ptr %numbers, i64 99
+  %number.99 = load i64, ptr %at.99
+  %at.100 = getelementptr i64, ptr %numbers, i64 100
+  %number.100 = load i64, ptr %at.100
+  %at.101 = getelementptr i64, ptr %numbers, i64 101
+  %number.101 = load ptr, ptr %at.101
+  %at.102 = getelementptr i64, ptr %numbers, i64 102
+  %number.102 = load ptr, ptr %at.102
+  %at.103 = getelementptr i64, ptr %numbers, i64 103
+  %number.103 = load i64, ptr %at.103
+  %at.104 = getelementptr i64, ptr %numbers, i64 104
+  %number.104 = load i64, ptr %at.104
+  %at.105 = getelementptr i64, ptr %numbers, i64 105
+  %number.105 = load ptr, ptr %at.105
+  %at.106 = getelementptr i64, ptr %numbers, i64 106
+  %number.106 = load i64, ptr %at.106
+  %at.107 = getelementptr i64, ptr %numbers, i64 107
+  %number.107 = load i64, ptr %at.107
+  %at.108 = getelementptr i64, ptr %numbers, i64 108
+  %number.108 = load ptr, ptr %at.108
+  %at.109 = getelementptr i64, ptr %numbers, i64 109
+  %number.109 = load ptr, ptr %at.109
+  %at.110 = getelementptr i64, ptr %numbers, i64 110
+  %number.110 = load i64, ptr %at.110
+  %at.111 = getelementptr i64, ptr %numbers, i64 111
+  %number.111 = load i64, ptr %at.111
+  %at.112 = getelementptr i64, ptr %numbers, i64 112
+  %number.112 = load ptr, ptr %at.112
+  %at.113 = getelementptr i64, ptr %numbers, i64 113
+  %number.113 = load i64, ptr %at.113
+  %at.114 = getelementptr i64, ptr %numbers, i64 114
+  %number.114 = load i64, ptr %at.114
+  %at.115 = getelementptr i64, ptr %numbers, i64 115
+  %number.115 = load ptr, ptr %at.115
+  %at.116 = getelementptr i64, ptr %numbers, i64 116
+  %number.116 = load ptr, ptr %at.116
+  %at.117 = getelementptr i64, ptr %numbers, i64 117
+  %number.117 = load i64, ptr %at.117
+  %at.118 = getelementptr i64, ptr %numbers, i64 118
+  %number.118 = load i64, ptr %at.118
+  %at.119 = getelementptr i64, ptr %numbers, i64 119
+  %number.119 = load ptr, ptr %at.119
+  %at.120 = getelementptr i64, ptr %numbers, i64 120
+  %number.120 = load i64, ptr %at.120
+  %at.121 = getelementptr i64, ptr %numbers, i64 121
+  %number.121 = load i64, ptr %at.121
+  %at.122 = getelementptr i64, ptr %numbers, i64 122
+  %number.122 = load i64, ptr %at.122
+  %at.123 = getelementptr i64, ptr %numbers, i64 123
+  %number.123 = load i64, ptr %at.123
+  %at.124 = getelementptr i64, ptr %numbers, i64 124
+  %number.124 = load ptr, ptr %at.124
+  %at.125 = getelementptr i64, ptr %numbers, i64 125
+  %number.125 = load ptr, ptr %at.125
+  %at.126 = getelementptr i64, ptr %numbers, i64 126
+  %number.126 = load i64, ptr %at.126
+  %at.127 = getelementptr i64, ptr %numbers, i64 127
+  %number.127 = load i64, ptr %at.127
+  %at.128 = getelementptr i64, ptr %numbers, i64 128
+  %number.128 = load ptr, ptr %at.128
+  %at.129 = getelementptr i64, ptr %numbers, i64 129
+  %number.129 = load i64, ptr %at.129
+  %at.130 = getelementptr i64, ptr %numbers, i64 130
+  %number.130 = load i64, ptr %at.130
+  %at.131 = getelementptr i64, ptr %numbers, i64 131
+  %number.131 = load i64, ptr %at.131
+  %at.132 = getelementptr i64, ptr %numbers, i64 132
+  %number.132 = load i64, ptr %at.132
+  %at.133 = getelementptr i64, ptr %numbers, i64 133
+  %number.133 = load ptr, ptr %at.133
+  %at.134 = getelementptr i64, ptr %numbers, i64 134
+  %number.134 = load ptr, ptr %at.134
+  %at.135 = getelementptr i64, ptr %numbers, i64 135
+  %number.135 = load i64, ptr %at.135
+  %at.136 = getelementptr i64, ptr %numbers, i64 136
+  %number.136 = load i64, ptr %at.136
+  %at.137 = getelementptr i64, ptr %numbers, i64 137
+  %number.137 = load ptr, ptr %at.137
+  %at.138 = getelementptr i64, ptr %numbers, i64 138
+  %number.138 = load i64, ptr %at.138
+  %at.139 = getelementptr i64, ptr %numbers, i64 139
+  %number.139 = load i64, ptr %at.139
+  %at.140 = getelementptr i64, ptr %numbers, i64 140
+  %number.140 = load i64, ptr %at.140
+  %at.141 = getelementptr i64, ptr %numbers, i64 141
+  %number.141 = load i64, ptr %at.141
+  %at.142 = getelementptr i64, ptr %numbers, i64 142
+  %number.142 = load ptr, ptr %at.142
+  %at.143 = getelementptr i64, ptr %numbers, i64 143
+  %number.143 = load ptr, ptr %at.143
+  %at.144 = getelementptr i64, ptr %numbers, i64 144
+  %number.144 = load i64, ptr %at.144
+  %at.145 = getelementptr i64, ptr %numbers, i64 145
+  %number.145 = load i64, ptr %at.145
+  %at.146 = getelementptr i64, ptr %numbers, i64 146
+  %number.146 = load ptr, ptr %at.146
+  %at.147 = getelementptr i64, ptr %numbers, i64 147
+  %number.147 = load i64, ptr %at.147
+  %at.148 = getelementptr i64, ptr %numbers, i64 148
+  %number.148 = load i64, ptr %at.148
+  %at.149 = getelementptr i64, ptr %numbers, i64 149
+  %number.149 = load ptr, ptr %at.149
+  %at.150 = getelementptr i64, ptr %numbers, i64 150
+  %number.150 = load ptr, ptr %at.150
+  %at.151 = getelementptr i64, ptr %numbers, i64 151
+  %number.151 = load i64, ptr %at.151
+  %at.152 = getelementptr i64, ptr %numbers, i64 152
+  %number.152 = load i64, ptr %at.152
+  %at.153 = getelementptr i64, ptr %numbers, i64 153
+  %number.153 = load ptr, ptr %at.153
+  %at.154 = getelementptr i64, ptr %numbers, i64 154
+  %number.154 = load i64, ptr %at.154
+  %at.155 = getelementptr i64, ptr %numbers, i64 155
+  %number.155 = load i64, ptr %at.155
+  %at.156 = getelementptr i64, ptr %numbers, i64 156
+  %number.156 = load ptr, ptr %at.156
+  %at.157 = getelementptr i64, ptr %numbers, i64 157
+  %number.157 = load ptr, ptr %at.157
+  %at.158 = getelementptr i64, ptr %numbers, i64 158
+  %number.158 = load i64, ptr %at.158
+  %at.159 = getelementptr i64, ptr %numbers, i64 159
+  %number.159 = load i64, ptr %at.159
+  %at.160 = getelementptr i64, ptr %numbers, i64 160
+  %number.160 = load ptr, ptr %at.160
+  %at.161 = getelementptr i64, ptr %numbers, i64 161
+  %number.161 = load i64, ptr %at.161
+  %at.162 = getelementptr i64, ptr %numbers, i64 162
+  %number.162 = load i64, ptr %at.162
+  %at.163 = getelementptr i64, ptr %numbers, i64 163
+  %number.163 = load ptr, ptr %at.163
+  %at.164 = getelementptr i64, ptr %numbers, i64 164
+  %number.164 = load ptr, ptr %at.164
+  %at.165 = getelementptr i64, ptr %numbers, i64 165
+  %number.165 = load i64, ptr %at.165
+  %at.166 = getelementptr i64, ptr %numbers, i64 166
+  %number.166 = load i64, ptr %at.166
+  %at.167 = getelementptr i64, ptr %numbers, i64 167
+  %number.167 = load ptr, ptr %at.167
+  %at.168 = getelementptr i64, ptr %numbers, i64 168
+  %number.168 = load i64, ptr %at.168
+  %at.169 = getelementptr i64, ptr %numbers, i64 169
+  %number.169 = load i64, ptr %at.169
+  %at.170 = getelementptr i64, ptr %numbers, i64 170
+  %number.170 = load ptr, ptr %at.170
+  %at.171 = getelementptr i64, ptr %numbers, i64 171
+  %number.171 = load ptr, ptr %at.171
+  %at.172 = getelementptr i64, ptr %numbers, i64 172
+  %number.172 = load i64, ptr %at.172
+  %at.173 = getelementptr i64, ptr %numbers, i64 173
+  %number.173 = load i64, ptr %at.173
+  %at.174 = getelementptr i64, ptr %numbers, i64 174
+  %number.174 = load ptr, ptr %at.174
+  %at.175 = getelementptr i64, ptr %numbers, i64 175
+  %number.175 = load i64, ptr %at.175
+  %at.176 = getelementptr i64, ptr %numbers, i64 176
+  %number.176 = load i64, ptr %at.176
+  %at.177 = getelementptr i64, ptr %numbers, i64 177
+  %number.177 = load ptr, ptr %at.177
+  %at.178 = getelementptr i64, ptr %numbers, i64 178
+  %number.178 = load ptr, ptr %at.178
+  %at.179 = getelementptr i64, ptr %numbers, i64 179
+  %number.179 = load i64, ptr %at.179
+  %at.180 = getelementptr i64, ptr %numbers, i64 180
+  %number.180 = load i64, ptr %at.180
+  %at.181 = getelementptr i64, ptr %numbers, i64 181
+  %number.181 = load ptr, ptr %at.181
+  %at.182 = getelementptr i64, ptr %numbers, i64 182
+  %number.182 = load i64, ptr %at.182
+  %at.183 = getelementptr i64, ptr %numbers, i64 183
+  %number.183 = load i64, ptr %at.183
+  %at.184 = getelementptr i64, ptr %numbers, i64 184
+  %number.184 = load ptr, ptr %at.184
+  %at.185 = getelementptr i64, ptr %numbers, i64 185
+  %number.185 = load ptr, ptr %at.185
+  %at.186 = getelementptr i64, ptr %numbers, i64 186
+  %number.186 = load i64, ptr %at.186
+  %at.187 = getelementptr i64, ptr %numbers, i64 187
+  %number.187 = load i64, ptr %at.187
+  %at.188 = getelementptr i64, ptr %numbers, i64 188
+  %number.188 = load ptr, ptr %at.188
+  %at.189 = getelementptr i64, ptr %numbers, i64 189
+  %number.189 = load i64, ptr %at.189
+  %at.190 = getelementptr i64, ptr %numbers, i64 190
+  %number.190 = load i64, ptr %at.190
+  %at.191 = getelementptr i64, ptr %numbers, i64 191
+  %number.191 = load ptr, ptr %at.191
+  %at.192 = getelementptr i64, ptr %numbers, i64 192
+  %number.192 = load ptr, ptr %at.192
+  %at.193 = getelementptr i64, ptr %numbers, i64 193
+  %number.193 = load i64, ptr %at.193
+  %at.194 = getelementptr i64, ptr %numbers, i64 194
+  %number.194 = load i64, ptr %at.194
+  %at.195 = getelementptr i64, ptr %numbers, i64 195
+  %number.195 = load ptr, ptr %at.195
+  %at.196 = getelementptr i64, ptr %numbers, i64 196
+  %number.196 = load i64, ptr %at.196
+  %at.197 = getelementptr i64, ptr %numbers, i64 197
+  %number.197 = load i64, ptr %at.197
+  %at.198 = getelementptr i64, ptr %numbers, i64 198
+  %number.198 = load ptr, ptr %at.198
+  %at.199 = getelementptr i64, ptr %numbers, i64 199
+  %number.199 = load ptr, ptr %at.199
+  %at.200 = getelementptr i64, ptr %numbers, i64 200
+  %number.200 = load i64, ptr %at.200
+  %at.201 = getelementptr i64, ptr %numbers, i64 201
+  %number.201 = load i64, ptr %at.201
+  %at.202 = getelementptr i64, ptr %numbers, i64 202
+  %number.202 = load ptr, ptr %at.202
+  %at.203 = getelementptr i64, ptr %numbers, i64 203
+  %number.203 = load i64, ptr %at.203
+  %at.204 = getelementptr i64, ptr %numbers, i64 204
+  %number.204 = load i64, ptr %at.204
+  %at.205 = getelementptr i64, ptr %numbers, i64 205
+  %number.205 = load i64, ptr %at.205
+  %at.206 = getelementptr i64, ptr %numbers, i64 206
+  %number.206 = load i64, ptr %at.206
+  %at.207 = getelementptr i64, ptr %numbers, i64 207
+  %number.207 = load i64, ptr %at.207
+  %at.208 = getelementptr i64, ptr %numbers, i64 208
+  %number.208 = load ptr, ptr %at.208
+  %at.209 = getelementptr i64, ptr %numbers, i64 209
+  %number.209 = load ptr, ptr %at.209
+  %at.210 = getelementptr i64, ptr %numbers, i64 210
+  %number.210 = load i64, ptr %at.210
+  %at.211 = getelementptr i64, ptr %numbers, i64 211
+  %number.211 = load i64, ptr %at.211
+  %at.212 = getelementptr i64, ptr %numbers, i64 212
+  %number.212 = load ptr, ptr %at.212
+  %at.213 = getelementptr i64, ptr %numbers, i64 213
+  %number.213 = load i64, ptr %at.213
+  %at.214 = getelementptr i64, ptr %numbers, i64 214
+  %number.214 = load i64, ptr %at.214
+  %at.215 = getelementptr i64, ptr %numbers, i64 215
+  %number.215 = load ptr, ptr %at.215
+  %at.216 = getelementptr i64, ptr %numbers, i64 216
+  %number.216 = load ptr, ptr %at.216
+  %at.217 = getelementptr i64, ptr %numbers, i64 217
+  %number.217 = load i64, ptr %at.217
+  %at.218 = getelementptr i64, ptr %numbers, i64 218
+  %number.218 = load i64, ptr %at.218
+  %at.219 = getelementptr i64, ptr %numbers, i64 219
+  %number.219 = load ptr, ptr %at.219
+  %at.220 = getelementptr i64, ptr %numbers, i64 220
+  %number.220 = load i64, ptr %at.220
+  %at.221 = getelementptr i64, ptr %numbers, i64 221
+  %number.221 = load i64, ptr %at.221
+  %at.222 = getelementptr i64, ptr %numbers, i64 222
+  %number.222 = load ptr, ptr %at.222
+  %at.223 = getelementptr i64, ptr %numbers, i64 223
+  %number.223 = load ptr, ptr %at.223
+  %at.224 = getelementptr i64, ptr %numbers, i64 224
+  %number.224 = load i64, ptr %at.224
+  %at.225 = getelementptr i64, ptr %numbers, i64 225
+  %number.225 = load i64, ptr %at.225
+  %at.226 = getelementptr i64, ptr %numbers, i64 226
+  %number.226 = load ptr, ptr %at.226
+  %at.227 = getelementptr i64, ptr %numbers, i64 227
+  %number.227 = load i64, ptr %at.227
+  %at.228 = getelementptr i64, ptr %numbers, i64 228
+  %number.228 = load i64, ptr %at.228
+  %at.229 = getelementptr i64, ptr %numbers, i64 229
+  %number.229 = load ptr, ptr %at.229
+  %at.230 = getelementptr i64, ptr %numbers, i64 230
+  %number.230 = load ptr, ptr %at.230
+  %at.231 = getelementptr i64, ptr %numbers, i64 231
+  %number.231 = load i64, ptr %at.231
+  %at.232 = getelementptr i64, ptr %numbers, i64 232
+  %number.232 = load i64, ptr %at.232
+  %at.233 = getelementptr i64, ptr %numbers, i64 233
+  %number.233 = load ptr, ptr %at.233
+  %at.234 = getelementptr i64, ptr %numbers, i64 234
+  %number.234 = load i64, ptr %at.234
+  %at.235 = getelementptr i64, ptr %numbers, i64 235
+  %number.235 = load i64, ptr %at.235
+  %at.236 = getelementptr i64, ptr %numbers, i64 236
+  %number.236 = load ptr, ptr %at.236
+  %at.237 = getelementptr i64, ptr %numbers, i64 237
+  %number.237 = load ptr, ptr %at.237
+  %at.238 = getelementptr i64, ptr %numbers, i64 238
+  %number.238 = load i64, ptr %at.238
+  %at.239 = getelementptr i64, ptr %numbers, i64 239
+  %number.239 = load i64, ptr %at.239
+  %at.240 = getelementptr i64, ptr %numbers, i64 240
+  %number.240 = load ptr, ptr %at.240
+  %at.241 = getelementptr i64, ptr %numbers, i64 241
+  %number.241 = load i64, ptr %at.241
+  %at.242 = getelementptr i64, ptr %numbers, i64 242
+  %number.242 = load i64, ptr %at.242
+  %at.243 = getelementptr i64, ptr %numbers, i64 243
+  %number.243 = load ptr, ptr %at.243
+  %at.244 = getelementptr i64, ptr %numbers, i64 244
+  %number.244 = load ptr, ptr %at.244
+  %at.245 = getelementptr i64, ptr %numbers, i64 245
+  %number.245 = load i64, ptr %at.245
+  %at.246 = getelementptr i64, ptr %numbers, i64 246
+  %number.246 = load i64, ptr %at.246
+  %at.247 = getelementptr i64, ptr %numbers, i64 247
+  %number.247 = load ptr, ptr %at.247
+  %at.248 = getelementptr i64, ptr %numbers, i64 248
+  %number.248 = load i64, ptr %at.248
+  %at.249 = getelementptr i64, ptr %numbers, i64 249
+  %number.249 = load i64, ptr %at.249
+  %at.250 = getelementptr i64, ptr %numbers, i64 250
+  %number.250 = load i64, ptr %at.250
+  %at.251 = getelementptr i64, ptr %numbers, i64 251
+  %number.251 = load i64, ptr %at.251
+  %status = call i32 @advance_of_many(ptr %result, ptr %error, ptr %number.0, ptr %number.1, i64 %number.2, i64 %number.3, ptr %number.4, i64 %number.5, i64 %number.6, i64 %number.7, i64 %number.8, i64 %number.9, i64 %number.10, i64 %number.11, i64 %number.12, i64 %number.13, ptr %number.14, ptr %number.15, i64 %number.16, i64 %number.17, ptr %number.18, i64 %number.19, i64 %number.20, ptr %number.21, ptr %number.22, i64 %number.23, i64 %number.24, ptr %number.25, i64 %number.26, i64 %number.27, i64 %number.28, i64 %number.29, ptr %number.30, ptr %number.31, i64 %number.32, i64 %number.33, ptr %number.34, i64 %number.35, i64 %number.36, i64 %number.37, i64 %number.38, ptr %number.39, ptr %number.40, i64 %number.41, i64 %number.42, ptr %number.43, i64 %number.44, i64 %number.45, ptr %number.46, ptr %number.47, i64 %number.48, i64 %number.49, ptr %number.50, i64 %number.51, i64 %number.52, ptr %number.53, ptr %number.54, i64 %number.55, i64 %number.56, ptr %number.57, i64 %number.58, i64 %number.59, ptr %number.60, ptr %number.61, i64 %number.62, i64 %number.63, ptr %number.64, i64 %number.65, i64 %number.66, ptr %number.67, ptr %number.68, i64 %number.69, i64 %number.70, ptr %number.71, i64 %number.72, i64 %number.73, i64 %number.74, i64 %number.75, ptr %number.76, ptr %number.77, i64 %number.78, i64 %number.79, ptr %number.80, i64 %number.81, i64 %number.82, ptr %number.83, ptr %number.84, i64 %number.85, i64 %number.86, ptr %number.87, i64 %number.88, i64 %number.89, ptr %number.90, ptr %number.91, i64 %number.92, i64 %number.93, ptr %number.94, i64 %number.95, i64 %number.96, i64 %number.97, i64 %number.98, i64 %number.99, i64 %number.100, ptr %number.101, ptr %number.102, i64 %number.103, i64 %number.104, ptr %number.105, i64 %number.106, i64 %number.107, ptr %number.108, ptr %number.109, i64 %number.110, i64 %number.111, ptr %number.112, i64 %number.113, i64 %number.114, ptr %number.115, ptr %number.116, i64 %number.117, i64 %number.118, ptr %number.119, i64 %number.120, i64 %number.121, i64 %number.122, i64 %number.123, ptr %number.124, ptr %number.125, i64 %number.126, i64 %number.127, ptr %number.128, i64 %number.129, i64 %number.130, i64 %number.131, i64 %number.132, ptr %number.133, ptr %number.134, i64 %number.135, i64 %number.136, ptr %number.137, i64 %number.138, i64 %number.139, i64 %number.140, i64 %number.141, ptr %number.142, ptr %number.143, i64 %number.144, i64 %number.145, ptr %number.146, i64 %number.147, i64 %number.148, ptr %number.149, ptr %number.150, i64 %number.151, i64 %number.152, ptr %number.153, i64 %number.154, i64 %number.155, ptr %number.156, ptr %number.157, i64 %number.158, i64 %number.159, ptr %number.160, i64 %number.161, i64 %number.162, ptr %number.163, ptr %number.164, i64 %number.165, i64 %number.166, ptr %number.167, i64 %number.168, i64 %number.169, ptr %number.170, ptr %number.171, i64 %number.172, i64 %number.173, ptr %number.174, i64 %number.175, i64 %number.176, ptr %number.177, ptr %number.178, i64 %number.179, i64 %number.180, ptr %number.181, i64 %number.182, i64 %number.183, ptr %number.184, ptr %number.185, i64 %number.186, i64 %number.187, ptr %number.188, i64 %number.189, i64 %number.190, ptr %number.191, ptr %number.192, i64 %number.193, i64 %number.194, ptr %number.195, i64 %number.196, i64 %number.197, ptr %number.198, ptr %number.199, i64 %number.200, i64 %number.201, ptr %number.202, i64 %number.203, i64 %number.204, i64 %number.205, i64 %number.206, i64 %number.207, ptr %number.208, ptr %number.209, i64 %number.210, i64 %number.211, ptr %number.212, i64 %number.213, i64 %number.214, ptr %number.215, ptr %number.216, i64 %number.217, i64 %number.218, ptr %number.219, i64 %number.220, i64 %number.221, ptr %number.222, ptr %number.223, i64 %number.224, i64 %number.225, ptr %number.226, i64 %number.227, i64 %number.228, ptr %number.229, ptr %number.230, i64 %number.231, i64 %number.232, ptr %number.233, i64 %number.234, i64 %number.235, ptr %number.236, ptr %number.237, i64 %number.238, i64 %number.239, ptr %number.240, i64 %number.241, i64 %number.242, ptr %number.243, ptr %number.244, i64 %number.245, i64 %number.246, ptr %number.247, i64 %number.248, i64 %number.249, i64 %number.250, i64 %number.251)
+  %value = load i64, ptr %result
+  ret i64 %value
+}
+
+define i64 @evaluate(ptr %numbers) {
+  %result = alloca i64
+  %error = alloca ptr
+  %at.0 = getelementptr i64, ptr %numbers, i64 0
+  %number.0 = load ptr, ptr %at.0
+  %at.1 = getelementptr i64, ptr %numbers, i64 1
+  %number.1 = load ptr, ptr %at.1
+  %at.2 = getelementptr i64, ptr %numbers, i64 2
+  %number.2 = load i64, ptr %at.2
+  %at.3 = getelementptr i64, ptr %numbers, i64 3
+  %number.3 = load i64, ptr %at.3
+  %at.4 = getelementptr i64, ptr %numbers, i64 4
+  %number.4 = load ptr, ptr %at.4
+  %at.5 = getelementptr i64, ptr %numbers, i64 5
+  %number.5 = load i64, ptr %at.5
+  %at.6 = getelementptr i64, ptr %numbers, i64 6
+  %number.6 = load i64, ptr %at.6
+  %at.7 = getelementptr i64, ptr %numbers, i64 7
+  %number.7 = load i64, ptr %at.7
+  %at.8 = getelementptr i64, ptr %numbers, i64 8
+  %number.8 = load i64, ptr %at.8
+  %at.9 = getelementptr i64, ptr %numbers, i64 9
+  %number.9 = load i64, ptr %at.9
+  %at.10 = getelementptr i64, ptr %numbers, i64 10
+  %number.10 = load i64, ptr %at.10
+  %at.11 = getelementptr i64, ptr %numbers, i64 11
+  %number.11 = load ptr, ptr %at.11
+  %at.12 = getelementptr i64, ptr %numbers, i64 12
+  %number.12 = load ptr, ptr %at.12
+  %at.13 = getelementptr i64, ptr %numbers, i64 13
+  %number.13 = load i64, ptr %at.13
+  %at.14 = getelementptr i64, ptr %numbers, i64 14
+  %number.14 = load i64, ptr %at.14
+  %at.15 = getelementptr i64, ptr %numbers, i64 15
+  %number.15 = load ptr, ptr %at.15
+  %at.16 = getelementptr i64, ptr %numbers, i64 16
+  %number.16 = load i64, ptr %at.16
+  %at.17 = getelementptr i64, ptr %numbers, i64 17
+  %number.17 = load i64, ptr %at.17
+  %at.18 = getelementptr i64, ptr %numbers, i64 18
+  %number.18 = load ptr, ptr %at.18
+  %at.19 = getelementptr i64, ptr %numbers, i64 19
+  %number.19 = load ptr, ptr %at.19
+  %at.20 = getelementptr i64, ptr %numbers, i64 20
+  %number.20 = load i64, ptr %at.20
+  %at.21 = getelementptr i64, ptr %numbers, i64 21
+  %number.21 = load i64, ptr %at.21
+  %at.22 = getelementptr i64, ptr %numbers, i64 22
+  %number.22 = load ptr, ptr %at.22
+  %at.23 = getelementptr i64, ptr %numbers, i64 23
+  %number.23 = load i64, ptr %at.23
+  %at.24 = getelementptr i64, ptr %numbers, i64 24
+  %number.24 = load i64, ptr %at.24
+  %at.25 = getelementptr i64, ptr %numbers, i64 25
+  %number.25 = load ptr, ptr %at.25
+  %at.26 = getelementptr i64, ptr %numbers, i64 26
+  %number.26 = load ptr, ptr %at.26
+  %at.27 = getelementptr i64, ptr %numbers, i64 27
+  %number.27 = load i64, ptr %at.27
+  %at.28 = getelementptr i64, ptr %numbers, i64 28
+  %number.28 = load i64, ptr %at.28
+  %at.29 = getelementptr i64, ptr %numbers, i64 29
+  %number.29 = load ptr, ptr %at.29
+  %at.30 = getelementptr i64, ptr %numbers, i64 30
+  %number.30 = load i64, ptr %at.30
+  %at.31 = getelementptr i64, ptr %numbers, i64 31
+  %number.31 = load i64, ptr %at.31
+  %at.32 = getelementptr i64, ptr %numbers, i64 32
+  %number.32 = load ptr, ptr %at.32
+  %at.33 = getelementptr i64, ptr %numbers, i64 33
+  %number.33 = load ptr, ptr %at.33
+  %at.34 = getelementptr i64, ptr %numbers, i64 34
+  %number.34 = load i64, ptr %at.34
+  %at.35 = getelementptr i64, ptr %numbers, i64 35
+  %number.35 = load i64, ptr %at.35
+  %at.36 = getelementptr i64, ptr %numbers, i64 36
+  %number.36 = load ptr, ptr %at.36
+  %at.37 = getelementptr i64, ptr %numbers, i64 37
+  %number.37 = load i64, ptr %at.37
+  %at.38 = getelementptr i64, ptr %numbers, i64 38
+  %number.38 = load i64, ptr %at.38
+  %at.39 = getelementptr i64, ptr %numbers, i64 39
+  %number.39 = load ptr, ptr %at.39
+  %at.40 = getelementptr i64, ptr %numbers, i64 40
+  %number.40 = load ptr, ptr %at.40
+  %at.41 = getelementptr i64, ptr %numbers, i64 41
+  %number.41 = load i64, ptr %at.41
+  %at.42 = getelementptr i64, ptr %numbers, i64 42
+  %number.42 = load i64, ptr %at.42
+  %at.43 = getelementptr i64, ptr %numbers, i64 43
+  %number.43 = load ptr, ptr %at.43
+  %at.44 = getelementptr i64, ptr %numbers, i64 44
+  %number.44 = load i64, ptr %at.44
+  %at.45 = getelementptr i64, ptr %numbers, i64 45
+  %number.45 = load i64, ptr %at.45
+  %at.46 = getelementptr i64, ptr %numbers, i64 46
+  %number.46 = load ptr, ptr %at.46
+  %at.47 = getelementptr i64, ptr %numbers, i64 47
+  %number.47 = load ptr, ptr %at.47
+  %at.48 = getelementptr i64, ptr %numbers, i64 48
+  %number.48 = load i64, ptr %at.48
+  %at.49 = getelementptr i64, ptr %numbers, i64 49
+  %number.49 = load i64, ptr %at.49
+  %at.50 = getelementptr i64, ptr %numbers, i64 50
+  %number.50 = load ptr, ptr %at.50
+  %at.51 = getelementptr i64, ptr %numbers, i64 51
+  %number.51 = load i64, ptr %at.51
+  %at.52 = getelementptr i64, ptr %numbers, i64 52
+  %number.52 = load i64, ptr %at.52
+  %at.53 = getelementptr i64, ptr %numbers, i64 53
+  %number.53 = load i64, ptr %at.53
+  %at.54 = getelementptr i64, ptr %numbers, i64 54
+  %number.54 = load i64, ptr %at.54
+  %at.55 = getelementptr i64, ptr %numbers, i64 55
+  %number.55 = load ptr, ptr %at.55
+  %at.56 = getelementptr i64, ptr %numbers, i64 56
+  %number.56 = load ptr, ptr %at.56
+  %at.57 = getelementptr i64, ptr %numbers, i64 57
+  %number.57 = load i64, ptr %at.57
+  %at.58 = getelementptr i64, ptr %numbers, i64 58
+  %number.58 = load i64, ptr %at.58
+  %at.59 = getelementptr i64, ptr %numbers, i64 59
+  %number.59 = load ptr, ptr %at.59
+  %at.60 = getelementptr i64, ptr %numbers, i64 60
+  %number.60 = load i64, ptr %at.60
+  %at.61 = getelementptr i64, ptr %numbers, i64 61
+  %number.61 = load i64, ptr %at.61
+  %at.62 = getelementptr i64, ptr %numbers, i64 62
+  %number.62 = load ptr, ptr %at.62
+  %at.63 = getelementptr i64, ptr %numbers, i64 63
+  %number.63 = load ptr, ptr %at.63
+  %at.64 = getelementptr i64, ptr %numbers, i64 64
+  %number.64 = load i64, ptr %at.64
+  %at.65 = getelementptr i64, ptr %numbers, i64 65
+  %number.65 = load i64, ptr %at.65
+  %at.66 = getelementptr i64, ptr %numbers, i64 66
+  %number.66 = load ptr, ptr %at.66
+  %at.67 = getelementptr i64, ptr %numbers, i64 67
+  %number.67 = load i64, ptr %at.67
+  %at.68 = getelementptr i64, ptr %numbers, i64 68
+  %number.68 = load i64, ptr %at.68
+  %at.69 = getelementptr i64, ptr %numbers, i64 69
+  %number.69 = load ptr, ptr %at.69
+  %at.70 = getelementptr i64, ptr %numbers, i64 70
+  %number.70 = load ptr, ptr %at.70
+  %at.71 = getelementptr i64, ptr %numbers, i64 71
+  %number.71 = load i64, ptr %at.71
+  %at.72 = getelementptr i64, ptr %numbers, i64 72
+  %number.72 = load i64, ptr %at.72
+  %at.73 = getelementptr i64, ptr %numbers, i64 73
+  %number.73 = load ptr, ptr %at.73
+  %at.74 = getelementptr i64, ptr %numbers, i64 74
+  %number.74 = load i64, ptr %at.74
+  %at.75 = getelementptr i64, ptr %numbers, i64 75
+  %number.75 = load i64, ptr %at.75
+  %at.76 = getelementptr i64, ptr %numbers, i64 76
+  %number.76 = load ptr, ptr %at.76
+  %at.77 = getelementptr i64, ptr %numbers, i64 77
+  %number.77 = load ptr, ptr %at.77
+  %at.78 = getelementptr i64, ptr %numbers, i64 78
+  %number.78 = load i64, ptr %at.78
+  %at.79 = getelementptr i64, ptr %numbers, i64 79
+  %number.79 = load i64, ptr %at.79
+  %at.80 = getelementptr i64, ptr %numbers, i64 80
+  %number.80 = load ptr, ptr %at.80
+  %at.81 = getelementptr i64, ptr %numbers, i64 81
+  %number.81 = load i64, ptr %at.81
+  %at.82 = getelementptr i64, ptr %numbers, i64 82
+  %number.82 = load i64, ptr %at.82
+  %at.83 = getelementptr i64, ptr %numbers, i64 83
+  %number.83 = load ptr, ptr %at.83
+  %at.84 = getelementptr i64, ptr %numbers, i64 84
+  %number.84 = load ptr, ptr %at.84
+  %at.85 = getelementptr i64, ptr %numbers, i64 85
+  %number.85 = load i64, ptr %at.85
+  %at.86 = getelementptr i64, ptr %numbers, i64 86
+  %number.86 = load i64, ptr %at.86
+  %at.87 = getelementptr i64, ptr %numbers, i64 87
+  %number.87 = load ptr, ptr %at.87
+  %at.88 = getelementptr i64, ptr %numbers, i64 88
+  %number.88 = load i64, ptr %at.88
+  %at.89 = getelementptr i64, ptr %numbers, i64 89
+  %number.89 = load i64, ptr %at.89
+  %at.90 = getelementptr i64, ptr %numbers, i64 90
+  %number.90 = load i64, ptr %at.90
+  %at.91 = getelementptr i64, ptr %numbers, i64 91
+  %number.91 = load i64, ptr %at.91
+  %status = call i32 @evaluate_of_many(ptr %result, ptr %error, ptr %number.0, ptr %number.1, i64 %number.2, i64 %number.3, ptr %number.4, i64 %number.5, i64 %number.6, i64 %number.7, i64 %number.8, i64 %number.9, i64 %number.10, ptr %number.11, ptr %number.12, i64 %number.13, i64 %number.14, ptr %number.15, i64 %number.16, i64 %number.17, ptr %number.18, ptr %number.19, i64 %number.20, i64 %number.21, ptr %number.22, i64 %number.23, i64 %number.24, ptr %number.25, ptr %number.26, i64 %number.27, i64 %number.28, ptr %number.29, i64 %number.30, i64 %number.31, ptr %number.32, ptr %number.33, i64 %number.34, i64 %number.35, ptr %number.36, i64 %number.37, i64 %number.38, ptr %number.39, ptr %number.40, i64 %number.41, i64 %number.42, ptr %number.43, i64 %number.44, i64 %number.45, ptr %number.46, ptr %number.47, i64 %number.48, i64 %number.49, ptr %number.50, i64 %number.51, i64 %number.52, i64 %number.53, i64 %number.54, ptr %number.55, ptr %number.56, i64 %number.57, i64 %number.58, ptr %number.59, i64 %number.60, i64 %number.61, ptr %number.62, ptr %number.63, i64 %number.64, i64 %number.65, ptr %number.66, i64 %number.67, i64 %number.68, ptr %number.69, ptr %number.70, i64 %number.71, i64 %number.72, ptr %number.73, i64 %number.74, i64 %number.75, ptr %number.76, ptr %number.77, i64 %number.78, i64 %number.79, ptr %number.80, i64 %number.81, i64 %number.82, ptr %number.83, ptr %number.84, i64 %number.85, i64 %number.86, ptr %number.87, i64 %number.88, i64 %number.89, i64 %number.90, i64 %number.91)
+  %value = load i64, ptr %result
+  ret i64 %value
+}
