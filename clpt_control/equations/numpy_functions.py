@@ -381,6 +381,7 @@ def of_each(function: Any) -> Callable:
     """Return what does such a function for each of its arguments."""
 
     def made(*values: Any) -> Any:
+        """Return what the function makes of the one argument, or a tuple for several."""
         tape = tape_of(values)
         found = [views.part(lifted(tape, value), function) for value in values]
         return found[0] if len(found) == 1 else tuple(found)
