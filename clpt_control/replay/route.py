@@ -24,7 +24,7 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import DataError
+from ..errors import DataError, naming
 from ..files.reading import read_text
 from ..geodesy import distance, is_place, near, place_from
 from ..gliders.dives import Fix, make_dive
@@ -51,27 +51,27 @@ class Route:
 def read_route(path: File) -> Route:
     """Return the route in a file."""
     text = read_text(path, "is no text; must be GeoJSON or lines of places", LARGEST)
+    with naming(path):
+        return _route(text)
+
+
+def _route(text: str) -> Route:
     try:
         found = list(_shapes(json.loads(text)) if text.lstrip().startswith("{") else _lines(text))
     except Exception as error:  # what is neither can raise anything
-        raise DataError(
-            f"{path}: is neither GeoJSON nor a latitude and a longitude a line: {error}"
-        ) from None
+        why = f"is neither GeoJSON nor a latitude and a longitude a line: {error}"
+        raise DataError(why) from None
     for lat, lon in (place for _, places in found for place in places):
         if not is_place(lat, lon):
-            raise DataError(f"{path}: latitude {lat:g}, longitude {lon:g} is no place")
+            raise DataError(f"latitude {lat:g}, longitude {lon:g} is no place")
     targets = [place for name, places in found if name is None for place in places]
     if not targets:
-        raise DataError(f"{path}: has no waypoint; give points, or a line of them")
-    if len(targets) > DIVES:
-        raise DataError(
-            f"{path}: has {len(targets)} waypoints; at most {DIVES}, as so many dives are drawn"
-        )
+        raise DataError("has no waypoint; give points, or a line of them")
+    if (count := len(targets)) > DIVES:
+        raise DataError(f"has {count} waypoints; at most {DIVES}, as so many dives are drawn")
     areas = [(name, places) for name, places in found if name is not None]
     if (count := sum(len(ring) for _, ring in areas)) > MOST_PLACES:
-        raise DataError(
-            f"{path}: its areas have {count} places; at most {MOST_PLACES}: simplify them"
-        )
+        raise DataError(f"its areas have {count} places; at most {MOST_PLACES}: simplify them")
     return Route(targets, areas)
 
 
