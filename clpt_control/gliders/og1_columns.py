@@ -94,12 +94,12 @@ def columns_of(data: "xarray.Dataset") -> Columns:
         ("heading", HEADING, _degrees),
         ("u", EAST, metres_per_second),
         ("v", NORTH, metres_per_second),
-        ("number", NUMBER, _plain),
-        ("qc", QUALITY, _plain),
-        ("magvar", ("MAGNETIC_VARIATION",), _plain),
+        ("number", NUMBER, values),
+        ("qc", QUALITY, values),
+        ("magvar", ("MAGNETIC_VARIATION",), values),
         ("depth", ("DEPTH", "GLIDER_DEPTH"), metres),
         ("depth_max", ("DEPTH_MAX",), metres),
-        ("phase", ("PHASE",), _plain),
+        ("phase", ("PHASE",), values),
     ):
         of[key] = np.full(time.size, nan)
         for name in (known[one] for one in candidates if one in known):
@@ -109,17 +109,13 @@ def columns_of(data: "xarray.Dataset") -> Columns:
             if found.shape == time.shape and np.isfinite(found).any():
                 of[key] = found
                 break
-    of |= dict(zip(("t_fix", "lat", "lon"), fixes, strict=True))
+    of_fixes = dict(zip(("t_fix", "lat", "lon"), fixes, strict=True))
     if time.shape != fixes[0].shape:  # fixes on a dimension of their own
-        count, further = time.size, fixes[0].size
-        of = {
-            key: np.concatenate([np.full(count, nan), column])
-            if key in ("t_fix", "lat", "lon")
-            else np.concatenate([column, np.full(further, nan)])
-            for key, column in of.items()
-        }
-    name = f"{known.get(steps[0], steps[0])}"
-    return Columns(of, _frame(data, known), name, tuple(notes))
+        before, after = np.full(time.size, nan), np.full(fixes[0].size, nan)
+        of_fixes = {key: np.append(before, column) for key, column in of_fixes.items()}
+        of = {key: np.append(column, after) for key, column in of.items()}
+    name = known.get(steps[0], steps[0])
+    return Columns(of | of_fixes, _frame(data, known), name, tuple(notes))
 
 
 def _fix_columns(data: "xarray.Dataset", known: dict[str, str]) -> tuple[list[np.ndarray], str]:
@@ -195,10 +191,6 @@ def fixes_in(of: dict[str, np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
 def known_names(data: "xarray.Dataset") -> dict[str, str]:
     """Return names in the file by their capitals; a name in capitals goes before others."""
     return {str(name).upper(): str(name) for name in sorted(map(str, data.variables), reverse=True)}
-
-
-def _plain(data: "xarray.Dataset", name: str) -> np.ndarray:
-    return values(data, name)
 
 
 def _degrees(data: "xarray.Dataset", name: str) -> np.ndarray:
