@@ -60,7 +60,7 @@ def test_a_folder_takes_the_place_of_no_other(tmp_path):
     (tmp_path / "taken").mkdir()
     (tmp_path / "taken" / "inner").write_text("before")
     with (
-        pytest.raises(DataError, match="taken: cannot be written"),
+        pytest.raises(DataError, match="taken: cannot be written: another command made"),
         beside(tmp_path / "taken", folder=True) as made,
     ):
         fill(made, "after")

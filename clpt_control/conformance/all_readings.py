@@ -51,6 +51,9 @@ class Reading(NamedTuple):
         """Return state derivative and outputs."""
         return self.evaluate(t, x, u)
 
+    def __repr__(self) -> str:
+        return "<Reading: (t, x, u) -> state derivative, outputs>"
+
 
 @public
 def readings(

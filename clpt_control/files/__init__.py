@@ -4,6 +4,7 @@ A file is written beside its place first and renamed there, so that an interrupt
 file or none.  `files.reading` opens files.
 """
 
+import errno
 import glob
 import os
 import platform
@@ -60,7 +61,10 @@ def beside(path: str | Path, folder: bool = False) -> Iterator[Path]:
             part.chmod(mode)
         part.replace(place)
     except OSError as error:
-        raise DataError(f"{path}: cannot be written: {error.strerror or error}") from None
+        why = error.strerror or error
+        if error.errno in (errno.ENOTEMPTY, errno.EEXIST):
+            why = "another command made that folder meanwhile; let it end, or give another name"
+        raise DataError(f"{path}: cannot be written: {why}") from None
     finally:
         remove(part)
         unfinished.discard(part)

@@ -291,7 +291,9 @@ class Scenario(Table):
         >>> clpt.paper_scenario().with_values({"learning.gain": 2.0}).learning.gain
         2.0
         """
-        tables = scenario_tables(self)
+        tables, reference = scenario_tables(self), self.reference
+        if values.get("reference.kind", reference.kind) != reference.kind:  # its keys are others
+            tables["reference"] = {"dwell": reference.dwell}
         for key, value in values.items():
             *path, last = str(key).split(".")
             table = tables

@@ -35,7 +35,9 @@ from ..equations.declaration import Parameters, within
 from ..errors import DiagramError
 from ..scenario.experiment import Scenario
 from ..scenario.file import OWN_LAW, OWN_PARTS
+from ..scenario.tables import Units
 from ..scenario.team import TEAM_LAW, Team
+from .dataset import LIMITED, MEASURED, SPEEDS, VARIABLES
 
 
 @public
@@ -128,7 +130,22 @@ def changed_blocks(
         clpe.clpe(),
         scenario.law_block,
     ]
+    units = units_of_ports(scenario.units)
+    for block in blocks:
+        ports = (*block.input_ports, *block.output_ports)
+        block.units = {port: units[port] for port in ports if port in units}
     return inserted(replaced(blocks, changes.replace), changes.insert)
+
+
+def units_of_ports(units: Units) -> dict[str, str]:
+    """Return the unit of each port of the paper's blocks that has one."""
+    rate = f"{units.time}-1"
+    of_rows = {
+        port: " ".join([units.length] * lengths + [rate] * rates)
+        for rows in (VARIABLES, MEASURED, LIMITED)
+        for port, _, lengths, rates in rows.values()
+    }
+    return of_rows | dict.fromkeys(SPEEDS, f"{units.length} {rate}")
 
 
 def _localized(scenario: Scenario) -> list[Block]:

@@ -60,6 +60,11 @@ def test_a_table_of_its_own_is_checked_too():
     wait_for_error(lambda: clpt.Scenario(basis={}), "missing key basis.kernel .and")
     wait_for_error(lambda: clpt.Scenario.model_validate(3), "3: must be a table of keys")
     wait_for_error(lambda: PAPER.with_values([2]), "must be a dict")
+    other = {"reference.kind": "waypoints"}
+    wait_for_error(lambda: PAPER.with_values(other), "missing key reference.points")
+    given = PAPER.with_values({**other, "reference.points": [[0, 1]]}).reference
+    assert given.points == ((0, 1),)
+    assert given.dwell == PAPER.reference.dwell
     wait_for_error(lambda: PAPER.with_values({"learning.gain.x": 2}), "gain is no table")
 
 

@@ -99,6 +99,16 @@ def test_units_of_ports_are_those_of_the_run():
     assert "mean (" not in clpt.draw(loop()).svg
 
 
+def test_a_loop_beside_another_part_keeps_the_units_of_its_signals():
+    scenario = clpt.paper_scenario().with_values({"units.length": "km", "units.time": "h"})
+    lag = control.tf(1, [0.5, 1], name="lag", inputs="r", outputs="q")
+    both = clpt.connect([clpt.closed_loop(scenario), lag], external="r")
+    run = clpt.simulate(both, [0.0, 0.1], 1.0)
+    units = {"x": "km", "e": "km", "K": "h-1", "alpha": "km h-1", "v_z": "km h-1"}
+    assert {port: run[port].attrs["units"] for port in units} == units
+    assert "units" not in run.q.attrs | run.phi_x.attrs
+
+
 def test_units_go_along_with_a_copy_a_new_name_and_samples():
     moved = clpt.equations.Sampled(gauge(), 0.5)
     run = clpt.simulate(clpt.connect([tank(), moved], external="q"), TIMES, 1.0)
