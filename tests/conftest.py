@@ -29,13 +29,13 @@ def clpt(monkeypatch, capsys):
 
     # no lines that only a slow machine shows
     monkeypatch.setattr("clpt_control.progress.PATIENCE", float("inf"))
+    monkeypatch.setattr(interrupt, "_ended", False)  # at the end of the test, too
 
     def run(*arguments):
         monkeypatch.setattr(sys, "argv", ["clpt", *map(str, arguments)])
         capsys.readouterr()
         with pytest.raises(SystemExit) as ended:
-            main()
-        interrupt.forget()
+            main(before=None)  # the handler of interrupts stays pytest's
         text = capsys.readouterr()
         return Outcome(ended.value.code or 0, text.out, text.err)
 

@@ -36,7 +36,7 @@ resume_hint = ""  # ends the sentence: what is stored by now, and how to go on
 _pending = False  # whether an interrupt waits for its answer
 _ended = False  # whether the command has ended: an interrupt changes nothing any more
 _printed = False  # whether the sentence was printed
-_before: list[Any] = []  # the handler, hooks and descriptors to put back
+_writer = -1  # the descriptor by which the thread hears; -1 where there is none
 
 
 def listen(before: Any = signal.default_int_handler) -> None:
@@ -44,37 +44,20 @@ def listen(before: Any = signal.default_int_handler) -> None:
 
     A process that was started with interrupts ignored goes on ignoring them.
     """
-    global _pending, _ended, _printed
+    global _pending, _ended, _printed, _writer
     _pending = _ended = _printed = False
     set_resume_hint("")
-    if _before or threading.current_thread() is not threading.main_thread():
+    main = threading.current_thread() is threading.main_thread()
+    if not main or signal.getsignal(signal.SIGINT) is not before:
         return
-    handler = signal.getsignal(signal.SIGINT)
-    if handler is not before:
-        return
-    _before[:] = [handler, sys.excepthook, sys.unraisablehook, -1, -1]
     atexit.register(_last)
     sys.excepthook, sys.unraisablehook = _uncaught, _dropped
     signal.signal(signal.SIGINT, _on_signal)
     if os.name == "posix":
-        reader, writer = os.pipe()
-        os.set_blocking(writer, False)
-        _before[3:] = writer, signal.set_wakeup_fd(writer, warn_on_full_buffer=False)
+        reader, _writer = os.pipe()
+        os.set_blocking(_writer, False)
+        signal.set_wakeup_fd(_writer, warn_on_full_buffer=False)
         threading.Thread(target=_watch, args=(reader,), daemon=True).start()
-
-
-def forget() -> None:
-    """Put everything back, for a caller that goes on after a command."""
-    global _pending, _ended
-    _pending = _ended = False
-    if _before:
-        handler, sys.excepthook, sys.unraisablehook, writer, descriptor = _before
-        signal.signal(signal.SIGINT, handler)
-        atexit.unregister(_last)
-        if writer >= 0:
-            signal.set_wakeup_fd(descriptor)
-            os.close(writer)
-        _before.clear()
 
 
 def pending() -> bool:
@@ -101,8 +84,8 @@ def answer() -> None:
     """Take the interrupt for the end of a wait, and go on."""
     global _pending
     _pending = False
-    if _before and _before[3] >= 0:
-        os.write(_before[3], ANSWERED)
+    if _writer >= 0:
+        os.write(_writer, ANSWERED)
 
 
 def set_resume_hint(sentence: str) -> None:
@@ -216,11 +199,7 @@ def _watch(reader: int) -> None:
         left = None if last is None else max(0.0, last - time.monotonic())
         if not select([reader], [], [], left)[0]:
             leave()
-        heard = os.read(reader, 64)
-        if not heard:
-            os.close(reader)
-            return
-        for byte in heard:
+        for byte in os.read(reader, 64):
             if byte == ANSWERED[0]:
                 last = None
             elif byte in SIGNALS and last is None:
