@@ -58,7 +58,7 @@ def members(scenario):
             "learning.position": states[:, 2:4],
         }
         made = ensemble.members(values)
-        return ensemble.run(made, times, run.rtol, run.atol).states[:, -1]
+        return ensemble.run(made, times).states[:, -1]
 
     return lambda parameters, states: timed(all_of_them, parameters, states)
 

@@ -207,23 +207,17 @@ class Ensemble:
         """Return what runs one member by itself, and its inputs."""
         return members.runners[m] if members.runners else (self.native, self.varied.inputs)
 
-    def _callee(self, members: Members, m: int, method: int = solver.DOP853) -> Callee:
+    def _callee(self, members: Members, m: int) -> Callee:
         """Return the callee of one member by itself."""
         runner, inputs = self.alone(members, m)
-        return runner.callee(1, inputs, method)
+        return runner.callee(1, inputs)
 
     # --- run and summarised ---------------------------------------------------------------
 
-    def run(
-        self,
-        members: Members,
-        times: np.ndarray,
-        rtol: float = 1e-8,
-        atol: float = 1e-10,
-        method: str = "auto",
-    ) -> States:
+    def run(self, members: Members, times: np.ndarray) -> States:
         """Run members, each by itself, in the calling thread, at times up to their end."""
-        times, by = np.asarray(times, dtype=float), self.native.method_number(method)
+        rtol, atol, method = (self.varied.options[name] for name in ("rtol", "atol", "method"))
+        by = self.native.method_number(method)
         count, nt = len(members.x0), len(times)
         if not self.native.nstates:
             nothing, counts = np.zeros((count, nt, 0)), np.zeros((count, 4), dtype=np.int64)
@@ -270,7 +264,7 @@ class Ensemble:
             members = self.members(values)
             for lanes in {self.lanes, 1 if varied.needs_signals else self.lanes}:
                 self.native.callee(lanes)
-        states = self.run(members, varied.state_times, **varied.options)
+        states = self.run(members, varied.state_times)
         with np.errstate(all="ignore"):  # a member that failed may hold anything
             return varied.summarise(self, members, values, states)
 

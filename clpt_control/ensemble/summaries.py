@@ -18,11 +18,14 @@ import numpy as np
 
 from ..equations.declaration import ports_of
 from ..errors import ScenarioError
+from ..native import solver
+from ..native.ending import ENDS
 from ..scenario.experiment import Scenario
 from ..scenario.quantities import QUANTITIES
 from ..simulation.dataset import VARIABLES
 from ..simulation.flows import SpeedTimer
 from ..simulation.integrate import sample_times
+from ..simulation.loops import units_of_ports
 from ..simulation.summary import SAMPLES_PER_CYCLE, nearest
 from .members import Ensemble, Members, States, Values
 
@@ -31,10 +34,7 @@ MOST_TIMES = 10**8  # samples of a run
 MOST_SAMPLES = 20_000  # a member, unless they are given; at least 200 a cycle
 MARKS = 41  # times of errors, unless they are given
 TRAJECTORIES = ("position", "predicted_position", "alpha", "feedback_gain", "feedforward_gain")
-STATUS = (  # as the solver numbers them
-    *("not_run", "finished", "step_too_small", "not_finite"),
-    *("left_the_field", "too_many_steps", "chatters"),
-)
+STATUS = tuple(ENDS)[: solver.STIFF]  # a member goes on by itself where it is stiff
 
 SPEEDS = {  # name -> (long name, whether it is a time)
     "share_at_speed_limit": ("share of time at the speed limit", False),
@@ -173,9 +173,9 @@ def arrays_of(varied: Any, values: Values) -> Arrays:
         add(name, "", long_name, time if is_time else "1")
     arrays.add_ends(units=time)
     for name in followed(varied):
-        port, long_name, lengths, rates = VARIABLES[name]
+        port, long_name, *_ = VARIABLES[name]
         dims = "time axis basis" if port == "alpha" else "time axis"
-        add(name, dims, long_name, " ".join([length] * lengths + [rate] * rates))
+        add(name, dims, long_name, units_of_ports(scenario.units)[port])
     for key, array in values.items():
         of_key = QUANTITIES[key].axes.split() if key in QUANTITIES else []
         axes_of_key = of_key or ["axis", "basis"][: array.ndim - 1]

@@ -18,18 +18,19 @@ from .sweep import Sweep
 
 # ends that a locked decision may cause
 STUCK = (solver.NOT_FINITE, solver.TOO_SMALL, solver.TOO_MANY)
-SENTENCES = (  # what it means that a run ended so, by the solver's numbers, and what to try
-    "under way",
-    "finished: the end of the span was reached",
-    "the step became too small; loosen rtol and atol, or look for a singularity",
-    "a number is not finite; check parameters and the initial state",
-    "a guard was left",
-    "too many steps: rates change much faster than the run is long; lower the gains, or loosen "
-    "rtol and atol",
-    "switches to and fro without going on; give the switch a hysteresis, a boundary layer (np.clip "
-    "in place of np.sign), or sample it",
-    "left to an implicit method",
-)
+ENDS = {  # by the solver's numbers: its name, what it means that a run ended so, and what to try
+    "not_run": "under way",
+    "finished": "finished: the end of the span was reached",
+    "step_too_small": "the step became too small; loosen rtol and atol, or look for a singularity",
+    "not_finite": "a number is not finite; check parameters and the initial state",
+    "left_the_field": "a guard was left",
+    "too_many_steps": "too many steps: rates change much faster than the run is long; lower the "
+    "gains, or loosen rtol and atol",
+    "chatters": "switches to and fro without going on; give the switch a hysteresis, a boundary "
+    "layer (np.clip in place of np.sign), or sample it",
+    "stiff": "left to an implicit method",
+}
+SENTENCES = tuple(ENDS.values())
 NAMES = {  # of the solver's methods
     **{solver.DOP853: "DOP853", solver.DOPRI5: "DOPRI5"},
     **{solver.RODAS5P: "Rodas5P", solver.RK4: "RK4", solver.MAP: "none"},

@@ -7,6 +7,7 @@ import numpy as np
 
 from ..ensemble.drawn_values import Vary, read_vary
 from ..ensemble.spread import ensemble_plot, ensemble_summary, unit_of
+from ..ensemble.summaries import STATUS
 from ..html import Result, folded, listing
 from .page import Card, Page, Section, again_section, drawn
 from .results import number
@@ -180,14 +181,12 @@ def _failed(data: "xarray.Dataset", request: dict[str, Any], status: np.ndarray)
     failed = np.flatnonzero(status > 1)
     if not len(failed):
         return []
-    names = data["status"].attrs.get("flag_meanings", "").split()
     keys = [key for key in request["keys"] if data[key].ndim == 1]
     rows = []
     for k in failed[:MOST_FAILED]:
-        name = names[status[k]] if status[k] < len(names) else str(status[k])
         values = [number(float(data[key][k])) for key in keys]
         end = number(float(data["end"][k]))
-        rows.append([str(k), name.replace("_", " "), end, *values])
+        rows.append([str(k), STATUS[status[k]].replace("_", " "), end, *values])
     columns = ["member", "ended by", f"at t ({data['end'].attrs['units']})", *keys]
     more = len(failed) - MOST_FAILED
     sentence = f"{len(failed)} runs did not come to their end"

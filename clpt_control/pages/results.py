@@ -5,6 +5,7 @@ carries its figures, or they are those of its samples: nothing is run again.  `c
 `clpt paper` leave mean squares over 2000 samples a cycle in the run.
 """
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Annotated, Any
 
 import pydantic
@@ -183,6 +184,15 @@ def shares_of(numbers: dict[str, Any]) -> list[tuple[str, float | None, str]]:
     return [(place, share, WORSE if (share or 0) < 0 else "") for place, share in each]
 
 
+def errors_by_time(
+    numbers: dict[str, Any], length: str, time: str
+) -> Iterator[tuple[str, str, dict[str, float]]]:
+    """Yield what has an error, its unit, and the largest error by time."""
+    for what, unit in (("flow parameter", f"{length}/{time}"), ("gain", f"1/{time}")):
+        if errors := numbers.get(f"max_{what.replace(' ', '_')}_error"):
+            yield what, unit, errors
+
+
 def found_of_flow(numbers: dict[str, Any], scenario: Scenario) -> str:
     """Return what was learned of the flow by the end."""
     unit = scenario.units
@@ -236,10 +246,8 @@ def _achieved(numbers: dict[str, Any], length: str, time: str) -> list[list[str]
     """Return rows of what one vehicle achieved."""
     rows = []
     if rms := numbers.get("clpe_rms_per_cycle"):
-        values = [
-            *(f"{value:.3g}" for value in rms[:MOST_CYCLES]),
-            *["..."][: len(rms) > MOST_CYCLES],
-        ]
+        values = [f"{value:.3g}" for value in rms[:MOST_CYCLES]]
+        values += ["..."] if len(rms) > MOST_CYCLES else []
         rows.append([f"CLPE rms per cycle ({length})", ", ".join(values)])
     rows.append([f"CLPE rms, whole run ({length})", f"{numbers['clpe_rms']:.3g}"])
     late = f"{numbers['clpe_rms_last_quarter']:.3g}"
@@ -249,10 +257,9 @@ def _achieved(numbers: dict[str, Any], length: str, time: str) -> list[list[str]
         rows.append(["share of time at the speed limit", at_limit])
         if numbers["speed"]["faster_flow"] is None:
             rows.append(["flow faster than the vehicle", "never"])
-    for what, unit in (("flow parameter", f"{length}/{time}"), ("gain", f"1/{time}")):
-        if errors := numbers.get(f"max_{what.replace(' ', '_')}_error"):
-            end, error = list(errors.items())[-1]
-            rows.append([f"largest {what} error ({unit})", f"{error:.3g} at t = {end} {time}"])
+    for what, unit, by_time in errors_by_time(numbers, length, time):
+        end, error = list(by_time.items())[-1]
+        rows.append([f"largest {what} error ({unit})", f"{error:.3g} at t = {end} {time}"])
     for place, share, worse in shares_of(numbers):
         said = "none: the current hardly changes" if share is None else f"{share:.3f}"
         said += f"; negative: {worse}" if worse else ""

@@ -21,6 +21,7 @@ from .results import (
     asked_of_team,
     at_end,
     claims_result,
+    errors_by_time,
     found_of_clpe,
     found_of_clpes,
     found_of_flow,
@@ -143,16 +144,12 @@ def _cards(numbers: dict[str, Any], scenario: Scenario) -> list[Card]:
         late = f"over the last quarter {number(numbers['clpe_rms_last_quarter'])} {unit.length}"
         whole = f"{number(numbers['clpe_rms'])} {unit.length}"
         cards.append(Card("CLPE rms, whole run", whole, late))
-    for key, what, per in (
-        ("max_flow_parameter_error", "Largest error of a flow parameter", f"{unit.length}/"),
-        ("max_gain_error", "Largest error of a gain", "1/"),
-    ):
-        if errors := numbers.get(key):
-            below = f"at t = {numbers['end']:g} {unit.time}"
-            after = [time for time in errors if scenario.cycle <= float(time) < numbers["end"]]
-            if after:
-                below += f"; at t = {after[0]} {unit.time}: {number(errors[after[0]])}"
-            cards.append(Card(what, f"{number(at_end(errors))} {per}{unit.time}", below))
+    for what, per, errors in errors_by_time(numbers, unit.length, unit.time):
+        below = f"at t = {numbers['end']:g} {unit.time}"
+        after = [time for time in errors if scenario.cycle <= float(time) < numbers["end"]]
+        if after:
+            below += f"; at t = {after[0]} {unit.time}: {number(errors[after[0]])}"
+        cards.append(Card(f"Largest error of a {what}", f"{number(at_end(errors))} {per}", below))
     for place, share, worse in shares_of(numbers):
         said = "none" if share is None else f"{100 * share:.0f} %"
         why = "; it hardly changes there" if share is None else f"{worse and '; '}{worse}"
@@ -291,9 +288,6 @@ def _over_time(run: "xarray.Dataset") -> Section:
     figures = []
     for first in range(0, len(ports), EACH):
         some = ports[first : first + EACH]
-        name, caption = (
-            f"response-{first // EACH + 1}",
-            f"{', '.join(map(str, some))} over time.{thin}",
-        )
+        name, caption = f"response-{first // EACH + 1}", f"{', '.join(some)} over time.{thin}"
         figures.append(drawn(name, 1.0 + 1.2 * len(some), caption, response_plot, few[some]))
     return Section("response", heading, figures=figures)

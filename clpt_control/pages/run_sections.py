@@ -32,10 +32,8 @@ ONE_SAMPLE = Result(sentences=["The run has one sample: nothing can be drawn ove
 
 def team_section(run: "xarray.Dataset", numbers: dict[str, Any]) -> Section:
     """Return a team's figure and what each vehicle achieved."""
-    result, figures = (
-        run_result(numbers, "What the vehicles achieved", len(numbers["vehicles"])),
-        [],
-    )
+    figures = []
+    result = run_result(numbers, "What the vehicles achieved", len(numbers["vehicles"]))
     if run.sizes["time"] > 1:
         few, thin = samples_to_draw(run)
         caption = (

@@ -79,30 +79,22 @@ def report(
 
     path, kinds = Path(path), checked_formats(formats)
     check_writable(path, "a page", (".html", ".htm"))
-    source: Any = read(Path(run)) if isinstance(run, str | Path) else run
+    source: Any = run
+    name = "the replay"
+    if isinstance(run, str | Path):
+        source, name = read(Path(run)), str(Path(run))
     results: dict[Path, Any] = {}
-    if (
-        hasattr(source, "steps")
-        or isinstance(source, dict)
-        or "dive" in getattr(source, "dims", ())
-    ):
+    if hasattr(source, "steps") or isinstance(source, dict) or "dive" in source.dims:
+        replay = checked_replay(source, name)
         if figures is not None:
             raise DataError("figures: a replay's are written by `clpt replay --out`; leave it out")
-        source = checked_replay(source, "the replay")
-        kind, own_title = (
-            "Replay of a glider's dives",
-            f"{source['vehicle']}: where it comes up next",
-        )
-        text, sentences = _replay(source, title)
+        kind = "Replay of a glider's dives"
+        title_used = title or f"{replay['vehicle']}: where it comes up next"
+        text, sentences = _replay(replay, title)
     else:
         folder = None if figures is None else make_folder(figures)
         page = page_of(source, title)
-        kind, own_title, sentences, text = (
-            page.kind,
-            page.title,
-            list(page.sentences),
-            page_html(page),
-        )
+        kind, title_used, sentences, text = page.kind, page.title, page.sentences, page_html(page)
         if folder is not None:
             results = {
                 folder / f"{one.name}.{end}": one.figure for one in page.figures for end in kinds
@@ -112,8 +104,8 @@ def report(
         "file": str(path),
         "bytes": len(text.encode()),
         "kind": kind,
-        "title": title or own_title,
-        "sentences": sentences,
+        "title": title_used,
+        "sentences": [*sentences],
         "figures": [str(one) for one in results],
     }
 
@@ -155,7 +147,7 @@ def _replay(replay: dict[str, Any], title: str | None) -> tuple[str, list[str]]:
 
 
 def read(path: Path) -> Any:
-    """Return what lies there: a run or an ensemble as a Dataset, a replay as its JSON."""
+    """Return what lies there: a run, an ensemble or a replay as a Dataset, or JSON."""
     if os.path.isdir(path):  # noqa: PTH112 - never raises
         return _folder(path)
     raw = read_bytes(path, NETCDF, KNOWN, LARGEST)
@@ -171,7 +163,7 @@ def read(path: Path) -> Any:
         content = json.loads(text, parse_constant=_no_number)
     except (ValueError, RecursionError) as error:
         raise DataError(f"{path}: is no whole JSON: {str(error)[:80]}; {KNOWN}") from None
-    return checked_replay(content, str(path))
+    return content
 
 
 def _no_number(name: str) -> None:
@@ -195,7 +187,7 @@ def _netcdf(path: Path) -> Any:
 
     with open_netcdf(path) as data:
         if "dive" in data.dims:
-            return checked_replay(data, str(path))
+            return data.load()
         if "clpe" not in data.variables and not is_response(data):
             raise DataError(f"{path}: is NetCDF, but no run and no replay; {KNOWN}")
     return load_run(path)

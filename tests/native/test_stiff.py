@@ -337,22 +337,23 @@ def test_what_no_method_takes_is_refused(given, sentence):
 
 @pytest.mark.parametrize("lanes", [False, True])
 def test_stiff_members_are_run_one_by_one_and_change_no_other(lanes):
-    scenario = clpt.paper_scenario().with_values({"run.duration": 20})
+    run = {"run.duration": 20, "run.rtol": 1e-6, "run.atol": 1e-8}
+    scenario = clpt.paper_scenario().with_values(run)
     ensemble = Ensemble(VariedScenario(scenario), ["learning.gain"], lanes=lanes)
     gains = np.array([0.01, 1e6, 0.02, 3e5])
     members = ensemble.members({"learning.gain": gains})
-    found = ensemble.run(members, np.array([0.0, 10.0, 20.0]), 1e-6, 1e-8)
+    found = ensemble.run(members, np.array([0.0, 10.0, 20.0]))
     assert list(found.status) == [solver.FINISHED] * 4
     own = ensemble.members({"learning.gain": gains[[0, 2]]})
-    alone = ensemble.run(own, np.array([0.0, 10.0, 20.0]), 1e-6, 1e-8)
+    alone = ensemble.run(own, np.array([0.0, 10.0, 20.0]))
     np.testing.assert_array_equal(found.states[[0, 2]], alone.states)
     beside = np.array([3e5, *np.geomspace(1e4, 1e7, 9), 1e6])  # others, each stiff in its time
     again = ensemble.run(
-        ensemble.members({"learning.gain": beside}), np.array([0.0, 10.0, 20.0]), 1e-6, 1e-8
+        ensemble.members({"learning.gain": beside}), np.array([0.0, 10.0, 20.0])
     )
     np.testing.assert_array_equal(again.states[[-1, 0]], found.states[[1, 3]])
     same = ensemble.members({"learning.gain": np.full(8, 1e6)})  # stiff all at once
-    again = ensemble.run(same, np.array([0.0, 10.0, 20.0]), 1e-6, 1e-8)
+    again = ensemble.run(same, np.array([0.0, 10.0, 20.0]))
     np.testing.assert_array_equal(again.states, np.tile(found.states[1], (8, 1, 1)))
     one = scenario.with_values({"learning.gain": 1e6})
     runner = NativeDiagram(clpt.closed_loop(one))
