@@ -292,6 +292,8 @@ class Block(control.NonlinearIOSystem):
             self.declared[kind] = {new_names.get(p, p): shape for p, shape in ports.items()}
             own_units = {new_names[p]: unit for p, unit in self.units.items() if p in new_names}
             self.units = {**self.units, **own_units}
+        there = set().union(*self.declared.values())
+        self.units = {port: unit for port, unit in self.units.items() if port in there}
         self.parameters = self.parameters
         for kind, rename in (("input", self.set_inputs), ("output", self.set_outputs)):
             new_names = names.get(f"{kind}s", {})
