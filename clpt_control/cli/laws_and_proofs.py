@@ -39,11 +39,14 @@ def laws(
         raise ClptError(f"{name}: is no law; `clpt laws` lists them")
     wanted = list(LAWS.values()) if name is None else [LAWS[name]]
     listed: dict[str, Any] = {}
+    rows, keys = [], []
     for law in wanted:
-        settings = {
-            key: {"default": one.default, "allowed": one.allowed, "meaning": one.meaning}
-            for key, one in law.settings.items()
-        }
+        settings = {}
+        for key, one in law.settings.items():
+            settings[key] = {name: getattr(one, name) for name in ("default", "allowed", "meaning")}
+            default = "of the scenario" if one.default is None else f"{one.default:g}"
+            keys.append([f"learning.{law.table}.{key}", one.allowed, default, one.meaning])
+        rows.append([law.name, law.promise, law.needs])
         listed[law.name] = {
             "promise": law.promise,
             "promises": list(promises_in_words(law).values()),
@@ -52,17 +55,6 @@ def laws(
             "table": f"learning.{law.table}" if settings else None,
             "settings": settings,
         }
-    rows = [[law.name, law.promise, law.needs] for law in wanted]
-    keys = [
-        [
-            f"learning.{law.table}.{key}",
-            one.allowed,
-            "of the scenario" if one.default is None else f"{one.default:g}",
-            one.meaning,
-        ]
-        for law in wanted
-        for key, one in law.settings.items()
-    ]
     found = [
         Result("Laws (learning.law)", ["law", "promise", "needs"], rows, [""]),
         Result("Settings", ["key", "allowed", "default", "what it is"], keys),

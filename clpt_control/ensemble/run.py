@@ -25,7 +25,6 @@ from concurrent.futures import (
     wait,
 )
 from contextlib import contextmanager
-from importlib.metadata import version
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -45,17 +44,7 @@ from .drawn_values import Vary, check_varies, draw_members, grid_count, read_var
 from .members import Ensemble, checked_ensemble, concatenated, cut, ensemble_of
 from .of_diagrams import VariedDiagram
 from .of_scenarios import VariedScenario
-from .store import (
-    CODE,
-    REPEATED,
-    Store,
-    check_same,
-    check_store,
-    create_store,
-    open_store,
-    remove_empty,
-    software,
-)
+from .store import Store, begun_or_made, open_store, remove_empty
 from .summaries import STATUS, Arrays
 
 if TYPE_CHECKING:
@@ -218,7 +207,7 @@ def run_ensemble(
         "chunk": min(_chunk(chunk, arrays), members),
         "trajectories": trajectories,
     }
-    store = _store(path, ensemble, arguments, arrays)
+    store = begun_or_made(path, varied.title, ensemble.code, arguments, arrays)
     count = threads or available_threads()
 
     def report(done: int) -> None:
@@ -386,28 +375,3 @@ def _chunk(chunk: int | None, arrays: Arrays) -> int:
     if chunk < 1:
         raise ScenarioError(f"chunk = {chunk}: must be a whole number, at least 1")
     return chunk
-
-
-def _store(
-    path: Path | None, ensemble: Ensemble, arguments: dict[str, Any], arrays: Arrays
-) -> Store:
-    """Make the store, or open one that holds a part of the same ensemble."""
-    if path is None or not path.exists() or (path.is_dir() and not any(path.iterdir())):
-        attrs = {
-            "Conventions": "CF-1.11",
-            "title": ensemble.varied.title,
-            "source": f"clpt-control {version('clpt-control')}",
-            "software": software(),
-            **{name: arguments[name] for name in REPEATED if name in arguments},
-            CODE: ensemble.code,
-        }
-        return create_store(path, arguments, arrays, attrs)
-    store = open_store(path)
-    check_same(store, arguments)
-    older = check_store(store, arrays)
-    if (older or store.group.attrs[CODE] != ensemble.code) and store.missing():
-        raise DataError(
-            f"{path}: was begun by other versions of the code ({store.group.attrs['software']})"
-            ", whose numbers may differ in the last bit; give another --out"
-        )
-    return store

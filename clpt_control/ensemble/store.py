@@ -159,6 +159,35 @@ def software() -> str:
     return ", ".join(f"{name} {version(name)}" for name in SOFTWARE)
 
 
+def begun_or_made(
+    path: Path | None,
+    title: str,
+    code: str,
+    arguments: Mapping[str, Any],
+    arrays: Mapping[str, StoredArray],
+) -> Store:
+    """Open the store of the same ensemble that the same `code` began, or make it."""
+    if path is None or not path.exists() or (path.is_dir() and not any(path.iterdir())):
+        attrs = {
+            "Conventions": "CF-1.11",
+            "title": title,
+            "source": f"clpt-control {version('clpt-control')}",
+            "software": software(),
+            **{name: arguments[name] for name in REPEATED if name in arguments},
+            CODE: code,
+        }
+        return create_store(path, arguments, arrays, attrs)
+    store = open_store(path)
+    check_same(store, arguments)
+    older = check_store(store, arrays)
+    if (older or store.group.attrs[CODE] != code) and store.missing():
+        raise DataError(
+            f"{path}: was begun by other versions of the code ({store.group.attrs['software']})"
+            ", whose numbers may differ in the last bit; give another --out"
+        )
+    return store
+
+
 def create_store(
     path: Path | None,
     arguments: Mapping[str, Any],

@@ -78,23 +78,8 @@ def changed_blocks(
         raise DiagramError(
             f"{law.name}: makes alpha of N = {functions_of(law)} functions; the scenario has {N}"
         )
-    car = scenario.vehicle
-    learning = scenario.learning
-    if learning.row.given_estimate:
-        injection = learner.known_flow_injection(learning.theta_estimate, alpha_M)
-    elif learning.row.makes_estimate and (law is None or "theta_hat" in output_ports(law)):
-        injection = learner.estimated_flow_injection(alpha_M)
-    else:
-        injection = learner.learned_flow_injection(alpha_M)
-    limits = [vehicle.speed_limit(car.max_speed)] if car.max_speed is not None else []
-    if scenario.hedged:
-        limits.append(vehicle.hedging())
-    delta, disturbances = scenario.flow.disturbance, []
-    if delta is not None:
-        numbers = delta.amplitude, delta.period or 1.0, float(delta.seed or 0)
-        disturbances.append(disturbance.disturbance(delta.kind, *numbers))
+    car, learning, delta = scenario.vehicle, scenario.learning, scenario.flow.disturbance
     at_fixes = learning.row.at_fixes
-    desired = alpha_M, car.feedback, car.feedforward
     if at_fixes and law is not None:
         raise DiagramError(
             f"{law.name}: a law of your own reads the position at all times; set "
@@ -107,29 +92,35 @@ def changed_blocks(
         )
     localized = _localized(scenario)
     true = TRUE if any(block.name == "measurement" for block in localized) else "x"
-    modeled, model = [], []
-    if not at_fixes:  # else the law predicts by itself
-        modeled = [flow.modeled_flow(alpha_M)]
-        model = [
-            learner.learning_controller(N),
-            learner.learning_model(hedged=scenario.hedged),
-            injection,
-        ]
+    steered = alpha_M, car.feedback, car.feedforward, car.max_speed is not None
     blocks = [
         reference.reference(scenario.waypoints, scenario.reference.dwell),
         scenario.basis_block("x"),
         scenario.basis_block("z"),
         *localized,
-        *disturbances,
-        _true_flow(scenario, delta is not None or "delta" in external, true),
-        *modeled,
-        vehicle.vehicle_controller(*desired, car.max_speed is not None, "z" if at_fixes else "x"),
-        *limits,
-        vehicle.vehicle(true),
-        *model,
-        clpe.clpe(),
-        scenario.law_block,
     ]
+    if delta is not None:
+        numbers = delta.amplitude, delta.period or 1.0, float(delta.seed or 0)
+        blocks.append(disturbance.disturbance(delta.kind, *numbers))
+    blocks.append(_true_flow(scenario, delta is not None or "delta" in external, true))
+    if not at_fixes:  # else the law predicts by itself
+        blocks.append(flow.modeled_flow(alpha_M))
+    blocks.append(vehicle.vehicle_controller(*steered, "z" if at_fixes else "x"))
+    if car.max_speed is not None:
+        blocks.append(vehicle.speed_limit(car.max_speed))
+    if scenario.hedged:
+        blocks.append(vehicle.hedging())
+    blocks.append(vehicle.vehicle(true))
+    if not at_fixes:
+        blocks.append(learner.learning_controller(N))
+        blocks.append(learner.learning_model(hedged=scenario.hedged))
+        if learning.row.given_estimate:
+            blocks.append(learner.known_flow_injection(learning.theta_estimate, alpha_M))
+        elif learning.row.makes_estimate and (law is None or "theta_hat" in output_ports(law)):
+            blocks.append(learner.estimated_flow_injection(alpha_M))
+        else:
+            blocks.append(learner.learned_flow_injection(alpha_M))
+    blocks += [clpe.clpe(), scenario.law_block]
     units = units_of_ports(scenario.units)
     for block in blocks:
         ports = (*block.input_ports, *block.output_ports)

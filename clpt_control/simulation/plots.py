@@ -506,30 +506,27 @@ def compare(
     >>> [line.get_label() for line in top.lines if line.get_label()[0] != "_"]
     ['0.8: $e_1$', '0.8: $e_2$', '0.2: $e_1$', '0.2: $e_2$']
     """
-    by_name = dict(pairs_of_runs(runs))
+    check_runs(runs)
     if plot is None:
-        of_scenarios = all("scenario" in run.attrs for run in by_name.values())
+        of_scenarios = all("scenario" in run.attrs for run in runs.values())
         plot = "run" if of_scenarios else "response"
     if plot not in COMPARED:
         raise ClptError(f"plot = {plot!r:.40}: must be one of {', '.join(COMPARED)}")
     if plot == "response":
-        first, *others = ({*ports_along(run)} for run in by_name.values())
-        if any(ports != first for ports in others):
-            every = ", ".join(
-                sorted(first.union(*others) - (common := first.intersection(*others)))
-            )
-            some = [name for name in ports_along(next(iter(by_name.values()))) if name in common][
-                :2
-            ]
+        ports = [ports_along(run) for run in runs.values()]
+        common, every = set(ports[0]).intersection(*ports), set[str]().union(*ports)
+        if common != every:
+            some = [name for name in ports[0] if name in common][:2]
             cure = f"choose some: run[{some}]" if some else "there is none that all have"
-            raise DataError(f"not all runs have the signals {every}; {cure}")
-    for colour, (name, run) in zip(COLOURS, by_name.items(), strict=False):
+            apart = ", ".join(sorted(every - common))
+            raise DataError(f"not all runs have the signals {apart}; {cure}")
+    for colour, (name, run) in zip(COLOURS, runs.items(), strict=False):
         ax = COMPARED[plot](run, ax=ax, label=str(name), color=colour, **options)
     return ax
 
 
-def pairs_of_runs(runs: Any) -> list[tuple[Any, Any]]:
-    """Return the runs of a mapping by name; refuse what is none, and more than colours tell."""
+def check_runs(runs: Any) -> None:
+    """Refuse what is no mapping of runs by name, and more than colours tell."""
     if not isinstance(runs, Mapping) or not 0 < len(runs) <= len(COLOURS):
         what = f"{len(runs)} runs" if isinstance(runs, Mapping) else f"a {type(runs).__name__}"
         raise DataError(
@@ -538,7 +535,6 @@ def pairs_of_runs(runs: Any) -> list[tuple[Any, Any]]:
     for name, run in runs.items():
         if not hasattr(run, "data_vars"):
             raise DataError(f"compare: {name!s:.40} is a {type(run).__name__}; must be a run")
-    return [*runs.items()]
 
 
 COMPARED: dict[str, Callable[..., Any]] = {

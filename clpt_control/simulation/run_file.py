@@ -156,17 +156,9 @@ def load_run(path: str | Path) -> "xarray.Dataset":
 # --- what repeats a diagram's run ---------------------------------------------------------------
 
 CONDITIONS = (
-    "timepts",
-    "initial_state",
-    "inputs",
-    "rtol",
-    "atol",
-    "method",
-    "max_step",
-    "first_step",
+    *("timepts", "initial_state", "inputs"),
+    *("rtol", "atol", "method", "max_step", "first_step"),
 )
-
-
 BEYOND = OWN_LAW, OWN_PARTS, CHANGED  # attributes for what a scenario does not hold
 
 
