@@ -114,17 +114,14 @@ class States:
 class Ensemble:
     """A varied system, ready to make and run members.
 
-    `keys` are the names of what varies.  With `lanes` eight members run at once where that is
-    quicker.
+    `keys` are the names of what varies; `lanes` members run at once, eight where that is quicker.
     """
 
-    def __init__(
-        self, varied: Variants, keys: Iterable[str], engine: str | None = None, lanes: bool = True
-    ):
+    def __init__(self, varied: Variants, keys: Iterable[str], engine: str | None = None):
         self.varied, self.places = varied, {key: varied.place(key) for key in keys}
         self.native = self._runner(engine)  # machine code, or Python
         self.compiled = self.native.engine == "native"
-        self.lanes = self.native.lanes(LANES) if lanes else 1
+        self.lanes = self.native.lanes(LANES)
         self.one_by_one = [k for k in self.places if not self.compiled or varied.one_by_one(k)]
         self._lock = threading.Lock()
 

@@ -51,9 +51,11 @@ class Store:
             warnings.simplefilter("ignore")  # of what is no array: `check_store` names it
             self.names = {name for name, _ in group.members()}
             self.arrays = {name.replace(SLASH, "/"): one for name, one in group.arrays()}
-        self.per_member = sorted(
-            name for name, one in self.arrays.items() if one.attrs.get("kept") == "per member"
-        )
+        kept = {name: one for name, one in self.arrays.items() if one.attrs.get("kept")}
+        dims = {name: one.metadata.dimension_names or () for name, one in kept.items()}
+        self.per_member = sorted(kept)
+        self.summaries = [name for name in self.per_member if "time" not in dims[name]]
+        self.trajectories = [name for name in self.per_member if "time" in dims[name]]
 
     def rows(self, index: int) -> slice:
         """Return the members of a chunk."""
@@ -81,13 +83,9 @@ class Store:
     def checksum(self, arrays: Mapping[str, np.ndarray]) -> int:
         """Return a checksum of the summaries, above zero."""
         check = 0
-        for name in self.per_member:
-            if "time" not in self._dims(name):
-                check = zlib.crc32(np.ascontiguousarray(arrays[name]).tobytes(), check)
+        for name in self.summaries:
+            check = zlib.crc32(np.ascontiguousarray(arrays[name]).tobytes(), check)
         return check + 1
-
-    def _dims(self, name: str) -> tuple[str, ...]:
-        return tuple(self.arrays[name].metadata.dimension_names)
 
     def missing(self) -> list[int]:
         """List the chunks without a checksum, or with one that does not fit."""
@@ -103,16 +101,12 @@ class Store:
         except Exception:  # a damaged file can raise anything
             return False
         fits = self.checksum(read) == checksum
-        return fits and all(self._there(name, index) for name in self.per_member)
+        return fits and all(self._file(name, index).is_file() for name in self.trajectories)
 
-    def _there(self, name: str, index: int) -> bool:
-        """Return whether a chunk's file of trajectories exists."""
-        dims = self._dims(name)
-        if self.path is None or "time" not in dims:
-            return True
-        return self.path.joinpath(
-            name.replace("/", SLASH), "c", str(index), *["0"] * (len(dims) - 1)
-        ).is_file()
+    def _file(self, name: str, index: int) -> Path:
+        """Return the file of a chunk of trajectories; Zarr reads NaN where there is none."""
+        inner = ["0"] * (self.arrays[name].ndim - 1)
+        return Path(self.path or "", name.replace("/", SLASH), "c", str(index), *inner)
 
     def finish(self) -> None:
         """Check that every chunk is there; remove what killed writers left beside files."""
@@ -349,8 +343,8 @@ def open_ensemble(path: Path) -> "xarray.Dataset":
         done = store.group[DONE][:]
     for chunk in np.flatnonzero(done).tolist():
         rows = store.rows(chunk)
-        names = [name for name in store.per_member if "time" not in data[name].dims]
-        if store.checksum({name: data[name].values[rows] for name in names}) != done[chunk]:
+        read = {name: data[name].values[rows] for name in store.summaries}
+        if store.checksum(read) != done[chunk]:
             raise DataError(f"{path}: is damaged: chunk {chunk} is not as it was written")
     if not np.isin(data["status"], range(len(STATUS))).all():
         raise DataError(f"{path}: is damaged: status holds numbers that no end of a run has")

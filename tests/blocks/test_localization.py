@@ -104,7 +104,8 @@ def test_noise_varies_in_ensembles(lanes):
         "localization.noise": np.linspace(0.0, 0.1, 9),
         "localization.noise_period": np.tile([0.5, 0.7, 1.1], 3),
     }
-    ensemble = Ensemble(VariedScenario(NOISY), values, lanes=lanes)
+    ensemble = Ensemble(VariedScenario(NOISY), values)
+    ensemble.lanes = ensemble.lanes if lanes else 1
     times = np.array([0.0, 7.3, 20.0])
     found = ensemble.run(ensemble.members(values), times)
     for m in (0, 4, 8):

@@ -26,9 +26,11 @@ def members_of(count):
     }
 
 
-def ensemble_of(values, lanes):
-    scenario = clpt.paper_scenario().with_values({"run.duration": 60})
-    return Ensemble(VariedScenario(scenario), values, lanes=lanes)
+def ensemble_of(values, lanes, duration=60):
+    scenario = clpt.paper_scenario().with_values({"run.duration": duration})
+    ensemble = Ensemble(VariedScenario(scenario), values)
+    ensemble.lanes = ensemble.lanes if lanes else 1
+    return ensemble
 
 
 TIMES = np.array([0.0, 3.3, 3.4, 17.0, 42.0, 60.0])
@@ -71,10 +73,7 @@ def test_a_member_has_the_same_bits_in_any_company(lanes):
 @pytest.mark.parametrize("lanes", [False, True])
 def test_a_member_that_fails_leaves_the_others_alone(lanes):
     values = {"learning.position": np.zeros((9, 2)), "learning.gain": np.full(9, 0.8)}
-    scenario = clpt.paper_scenario().with_values({"run.duration": 20})
-    ensemble = Ensemble(
-        VariedScenario(scenario), ["learning.position", "learning.gain"], lanes=lanes
-    )
+    ensemble = ensemble_of(values, lanes, 20)
     members = ensemble.members(values)
     healthy = ensemble.run(members, np.array([0.0, 20.0]))
     members.x0[4, 2] = np.nan
@@ -89,7 +88,8 @@ def test_a_member_that_fails_leaves_the_others_alone(lanes):
 @pytest.mark.parametrize("lanes", [False, True])
 def test_a_stiff_member_does_not_hold_up_the_rest(lanes):
     scenario = clpt.paper_scenario().with_values({"run.duration": 5})
-    ensemble = Ensemble(VariedScenario(scenario), ["learning.gain"], lanes=lanes)
+    ensemble = Ensemble(VariedScenario(scenario), ["learning.gain"])
+    ensemble.lanes = ensemble.lanes if lanes else 1
     members = ensemble.members({"learning.gain": np.array([0.01, 1e9, 0.01])})
     runs = Batch(
         ensemble.native.callee(ensemble.lanes),

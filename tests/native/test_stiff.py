@@ -339,7 +339,8 @@ def test_what_no_method_takes_is_refused(given, sentence):
 def test_stiff_members_are_run_one_by_one_and_change_no_other(lanes):
     run = {"run.duration": 20, "run.rtol": 1e-6, "run.atol": 1e-8}
     scenario = clpt.paper_scenario().with_values(run)
-    ensemble = Ensemble(VariedScenario(scenario), ["learning.gain"], lanes=lanes)
+    ensemble = Ensemble(VariedScenario(scenario), ["learning.gain"])
+    ensemble.lanes = ensemble.lanes if lanes else 1
     gains = np.array([0.01, 1e6, 0.02, 3e5])
     members = ensemble.members({"learning.gain": gains})
     found = ensemble.run(members, np.array([0.0, 10.0, 20.0]))
@@ -348,9 +349,7 @@ def test_stiff_members_are_run_one_by_one_and_change_no_other(lanes):
     alone = ensemble.run(own, np.array([0.0, 10.0, 20.0]))
     np.testing.assert_array_equal(found.states[[0, 2]], alone.states)
     beside = np.array([3e5, *np.geomspace(1e4, 1e7, 9), 1e6])  # others, each stiff in its time
-    again = ensemble.run(
-        ensemble.members({"learning.gain": beside}), np.array([0.0, 10.0, 20.0])
-    )
+    again = ensemble.run(ensemble.members({"learning.gain": beside}), np.array([0.0, 10.0, 20.0]))
     np.testing.assert_array_equal(again.states[[-1, 0]], found.states[[1, 3]])
     same = ensemble.members({"learning.gain": np.full(8, 1e6)})  # stiff all at once
     again = ensemble.run(same, np.array([0.0, 10.0, 20.0]))

@@ -181,7 +181,8 @@ def test_members_of_an_ensemble_are_runs(lanes):
         "localization.noise": np.linspace(0.0, 0.05, 9),
         "localization.dropouts": np.linspace(0.0, 0.5, 9),
     }
-    ensemble = Ensemble(VariedScenario(base), values, lanes=lanes)
+    ensemble = Ensemble(VariedScenario(base), values)
+    ensemble.lanes = ensemble.lanes if lanes else 1
     times = np.array([0.0, 5.0, 13.7, 40.0])
     found = ensemble.run(ensemble.members(values), times)
     for m in range(9):
