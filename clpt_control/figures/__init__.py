@@ -195,10 +195,10 @@ def legend_below(ax: Any, columns: int, points: float = 34.0) -> None:
 
 def checked_formats(formats: Sequence[str]) -> tuple[str, ...]:
     """Return formats of figures, each once; refuse those that are none of `FORMATS`."""
-    for kind in [formats] if isinstance(formats, str) else formats:
+    for kind in formats:
         if kind not in FORMATS:
             raise ClptError(f"format {kind!r:.40}: must be one of {', '.join(FORMATS)}")
-    return tuple(dict.fromkeys([formats] if isinstance(formats, str) else formats))
+    return tuple(dict.fromkeys(formats))
 
 
 def save_figure(figure: "Figure", target: Path | IO[bytes], kind: str, **options: Any) -> None:

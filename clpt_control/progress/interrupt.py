@@ -40,15 +40,14 @@ _writer = -1  # the descriptor by which the thread hears; -1 where there is none
 
 
 def listen(before: Any = signal.default_int_handler) -> None:
-    """Take interrupts from here on, from the handler `before`; only the main thread can.
+    """Take interrupts from here on, from the handler `before`.
 
     A process that was started with interrupts ignored goes on ignoring them.
     """
     global _pending, _ended, _printed, _writer
     _pending = _ended = _printed = False
     set_resume_hint("")
-    main = threading.current_thread() is threading.main_thread()
-    if not main or signal.getsignal(signal.SIGINT) is not before:
+    if signal.getsignal(signal.SIGINT) is not before:
         return
     atexit.register(_last)
     sys.excepthook, sys.unraisablehook = _uncaught, _dropped
@@ -147,9 +146,6 @@ def leave() -> NoReturn:
 @contextmanager
 def terminated() -> Iterator[None]:
     """Take SIGTERM, sent by a machine that stops, for an interrupt."""
-    if threading.current_thread() is not threading.main_thread():
-        yield  # handlers are the main thread's
-        return
     before = signal.signal(signal.SIGTERM, _on_signal)
     try:
         yield
