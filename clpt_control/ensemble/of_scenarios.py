@@ -173,15 +173,8 @@ def variable_values(scenario: Scenario) -> dict[str, np.ndarray]:
         if number.dtype.kind == "f" and number.size:
             values.setdefault(key, number)
 
-    def walk(part: Table, prefix: str) -> None:
-        for name in type(part).model_fields:
-            value, key = getattr(part, name), f"{prefix}{name}"
-            if isinstance(value, Table):
-                walk(value, f"{key}.")
-            else:
-                add(key, float(value or 0) if name == "seed" else defaults.get(key, value))
-
-    walk(scenario, "")
+    for key, value, _ in scenario.every_key():
+        add(key, float(value or 0) if key.endswith(".seed") else defaults.get(key, value))
     for name, value in learning.settings.items():  # the law's defaults may vary too
         add(f"learning.{learning.row.table}.{name}", value)
     if learning.gain is None and learning.gains is None:

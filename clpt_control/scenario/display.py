@@ -1,13 +1,10 @@
 """How a scenario and a team are displayed: in a line, and in a notebook."""
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from ..html import facts, fragment, shortened, unfolding
 from .tables import Circle
-
-if TYPE_CHECKING:
-    from pydantic import BaseModel
 
 MOST_VEHICLES = 20
 
@@ -24,10 +21,9 @@ def scenario_line(scenario: Any) -> str:
 
 def scenario_html(scenario: Any) -> str:
     """Return a scenario as a table, with its keys to unfold."""
-    keys = "\n".join(f"{key} = {value!r}" for key, value in _keys(scenario))
-    return fragment(
-        "Scenario", scenario.title, facts(_facts(scenario)), unfolding("every key given", keys)
-    )
+    keys = (f"{key} = {value!r}" for key, value, given in scenario.every_key() if given)
+    listed = unfolding("every key given", "\n".join(keys))
+    return fragment("Scenario", scenario.title, facts(_facts(scenario)), listed)
 
 
 def team_line(team: Any) -> str:
@@ -98,14 +94,3 @@ def _run(scenario: Any) -> str:
 
 def _pair(pair: Any) -> str:
     return f"({pair[0]:g}, {pair[1]:g})"
-
-
-def _keys(table: "BaseModel", before: str = "") -> Iterator[tuple[str, Any]]:
-    """Yield the keys that were given, dotted as `with_values` takes them."""
-    for key, value in table:
-        if key not in table.model_fields_set or value is None:
-            continue
-        if hasattr(value, "model_fields_set"):
-            yield from _keys(value, f"{before}{key}.")
-        else:
-            yield f"{before}{key}", value

@@ -67,6 +67,15 @@ class Table(BaseModel, metaclass=_Checked):
             raise ValueError(mistake)
         return self
 
+    def every_key(self, before: str = "") -> Iterator[tuple[str, Any, bool]]:
+        """Yield each key, dotted as `with_values` takes it, its value, whether it was given."""
+        for name, value in self:
+            if isinstance(value, Table):
+                yield from value.every_key(f"{before}{name}.")
+            else:
+                given = value is not None and name in self.model_fields_set
+                yield f"{before}{name}", value, given
+
     @classmethod
     def model_validate(cls, obj: Any, **options: Any) -> Self:
         """Make a table of nested dicts; ``context["name"]`` is its name in errors."""
