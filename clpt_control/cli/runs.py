@@ -343,9 +343,6 @@ def animate(
     Example:
         clpt animate run.nc -o run.gif
     """
-    from ..simulation.film import check_options
-
-    check_options(out, seconds, fps, width)
     data = clpt.load_run(run)
     clpt.animate(data, out, start=start, end=end, seconds=seconds, fps=fps, width=width)
     say(f"{out}: written")
