@@ -273,7 +273,8 @@ class Scenario(Table):
         Parameters
         ----------
         values : mapping
-            ``{"learning.gain": 2.0}``: dotted keys as in the TOML file.
+            ``{"learning.gain": 2.0}``: dotted keys as in the TOML file; another
+            ``reference.kind`` leaves out the keys of the old one, but for its dwell.
 
         Returns
         -------
