@@ -6,6 +6,7 @@ name the block and the port.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 import control
@@ -41,6 +42,8 @@ class Diagram(control.InterconnectedSystem):
     ----------
     origin : object or None
         The arguments of `closed_loop`: its scenario, and the user's own parts.
+    units : mapping
+        Port -> unit, of blocks that say none, where the diagram is a part of another.
 
     Examples
     --------
@@ -50,6 +53,7 @@ class Diagram(control.InterconnectedSystem):
     """
 
     origin: Any = None
+    units: Mapping[str, str] = MappingProxyType({})
     recorded: Any = None  # the run of a diagram that a run's file holds
 
     def __repr__(self) -> str:
@@ -340,4 +344,4 @@ def with_stop(wiring: Wiring, stop: Callable[[float, Any, Any], Any]) -> Wiring:
         joined_wires(fed),
     )
     order = (*wiring.order, len(wiring.nodes))
-    return Wiring((*wiring.nodes, node), order, m, wiring.outputs)
+    return Wiring((*wiring.nodes, node), order, m, wiring.outputs, units=wiring.units)

@@ -7,7 +7,7 @@ The engine, the proofs and the drawing all take a diagram from here.
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any, NamedTuple
 
@@ -59,6 +59,7 @@ class Wiring:
     ninputs: int  # inputs of the diagram
     outputs: tuple[Row, ...]  # of the diagram
     dt: Any = 0  # of discrete time: from one step to the next, or True
+    units: Mapping[str, Any] = field(default_factory=dict)  # of ports, by nested diagram
 
     @cached_property
     def output_map(self) -> Any:
@@ -152,10 +153,17 @@ def units_of(wiring: Wiring) -> tuple[list[str], list[str]]:
 
     An input of the diagram has the unit of a block input that takes it.
     """
-    made = [unit for node in wiring.nodes for unit in node.system.units_of("output")]
+
+    def units(node: Node, kind: str) -> list[str]:
+        known = wiring.units.get(node.name.rpartition(".")[0], {})
+        ports = (label.partition("[")[0] for label in getattr(node.system, f"{kind}_labels"))
+        own = zip(node.system.units_of(kind), ports, strict=True)
+        return [unit or known.get(port, "") for unit, port in own]
+
+    made = [unit for node in wiring.nodes for unit in units(node, "output")]
     given = [""] * wiring.ninputs
     for node in wiring.nodes:
-        taken = node.system.units_of("input")
+        taken = units(node, "input")
         for wire in (one for one in node.wires if one.external and one.gain == 1.0):
             for k in range(wire.size):
                 given[wire.source + k] = given[wire.source + k] or taken[wire.to + k]
@@ -245,7 +253,17 @@ def wiring_of(
         ((name, block),) = systems
         flat = _flatten(block, name)
         diagram = block
-    return ordered_wiring(systems, flat.inputs, diagram.ninputs or 0, flat.outputs, diagram.dt or 0)
+    fed, shown, dt = flat.inputs, flat.outputs, diagram.dt or 0
+    wiring = ordered_wiring(systems, fed, diagram.ninputs or 0, shown, dt)
+    return replace(wiring, units=dict(_units_within(diagram)))
+
+
+def _units_within(system: Any, space: str = "") -> Iterator[tuple[str, Mapping[str, str]]]:
+    """Yield the names of nested diagrams, as their blocks' names begin, and units of ports."""
+    for part in getattr(system, "syslist", ()):
+        if isinstance(part, control.InterconnectedSystem):
+            yield space + part.name, getattr(part, "units", {})
+            yield from _units_within(part, f"{space}{part.name}.")
 
 
 def read_anew(system: Any) -> None:

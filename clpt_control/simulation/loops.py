@@ -121,10 +121,6 @@ def changed_blocks(
         else:
             blocks.append(learner.learned_flow_injection(alpha_M))
     blocks += [clpe.clpe(), scenario.law_block]
-    units = units_of_ports(scenario.units)
-    for block in blocks:
-        ports = (*block.input_ports, *block.output_ports)
-        block.units = {port: units[port] for port in ports if port in units}
     return inserted(replaced(blocks, changes.replace), changes.insert)
 
 
@@ -267,7 +263,7 @@ def closed_loop(
     external = (external,) if isinstance(external, str) else tuple(external)
     loop = LoopOf(scenario, changes_of(law, replace, insert), external)
     diagram = connect(*remaining_parts(*loop), name="closed_loop")
-    diagram.origin = loop
+    diagram.origin, diagram.units = loop, units_of_ports(scenario.units)
     return diagram
 
 
@@ -363,7 +359,9 @@ def team_loop(team: Team) -> Diagram:
     >>> clpt.team_loop(team).nstates
     28
     """
-    return connect(team_blocks(team), name="team")
+    diagram, units = connect(team_blocks(team), name="team"), units_of_ports(team.first.units)
+    diagram.units = {f"{name}/{port}": units[port] for name in team.members for port in units}
+    return diagram
 
 
 def team_blocks(team: Team) -> list[Block]:
