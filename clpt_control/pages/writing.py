@@ -128,7 +128,7 @@ def page_of(data: "xarray.Dataset", title: str | None = None) -> "Page":
     return run_page(data, system, title)
 
 
-def _replay(replay: dict[str, Any], title: str | None) -> tuple[str, list[str]]:
+def _replay(replay: dict[str, Any], title: str | None) -> tuple[str, Sequence[str]]:
     """Return the page of a replay and its sentence."""
     from ..replay.replay_page import replay_page
     from ..replay.wording import next_surfacing
