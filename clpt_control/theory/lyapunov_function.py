@@ -9,7 +9,7 @@ Points of wide ranges are drawn, and drawn again beside the best of them.  Whate
 says, V' there is that along the rates that python-control itself gives.
 """
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import chain
 from typing import Any
@@ -85,19 +85,12 @@ class FailureSearch(PointSearch):
             rise = sympy.Poly(V.xreplace({s: far * s for s in states}), far).LC()
         else:
             return None
-        return self._first(self.highest(-rise, True), rise)
+        return self.where(rise, -1)
 
-    def rises_after(self, rise: sympy.Expr) -> Failure | None:
-        """Return a point from which V rises at a jump, and by how much."""
-        if rise.has(TIME):  # it jumps at some times only
-            return None
-        return self._first(self.highest(rise, True), rise)
-
-    def _first(self, points: Iterator[Point], expression: sympy.Expr) -> Failure | None:
-        """Return the first of these points, and an expression there."""
-        if (point := next(points, None)) is None:
-            return None
-        return point, self.value_at(expression, point)
+    def where(self, expression: sympy.Expr, sign: int) -> Failure | None:
+        """Return a point at which an expression has a sign, and what it is there."""
+        point = next(self.highest(sign * expression, True), None)
+        return None if point is None else (point, self.value_at(expression, point))
 
 
 @dataclass(frozen=True)
@@ -225,7 +218,7 @@ def _at_jumps(case: SystemWithV, search: FailureSearch, near: bool) -> tuple[Ste
         if near:  # it may jump to where V says nothing
             return exact(claim, False, "not shown"), None
         if not case.never_positive(rise):
-            found = search.rises_after(rise)
+            found = None if rise.has(TIME) else search.where(rise, 1)  # it jumps at some times
             outcome = claim if found is None else f"V rises by {found[1]:.3g} at a jump"
             return exact(outcome, False, "" if found else "not shown"), found
     return exact(claim, True), None

@@ -147,15 +147,6 @@ class Case:
         claim = f"V is positive definite in {named} and the parameter errors"
         return checked(f"{claim}, at the blocks' own values", "exact", holds, False)
 
-    @cached_property
-    def disturbed(self) -> SymbolicLoop:
-        """The loop with the disturbance of Eq. (32) as an input."""
-        law, V = self.law, self.V
-        return symbolic_loop(
-            theorem_loop(self.N, "learned-flow", True, law_block=law, candidate=V),
-            jumps=True,
-        )
-
     def valued(self) -> Step:
         """Return the step that the equations have a value everywhere."""
         mine = f"{self.V.name}."  # a V that leaves the range of numbers is a V
@@ -174,7 +165,8 @@ class Case:
 
     def takes_delta(self) -> bool:
         """Return whether a disturbance adds (dV/de)^T Delta to V' and nothing else."""
-        loop = self.disturbed
+        known: dict[str, Any] = {"law_block": self.law, "candidate": self.V}
+        loop = symbolic_loop(theorem_loop(self.N, "learned-flow", True, **known), jumps=True)
         rate = rate_of_V(loop).xreplace(self.weights)
         V, delta = self.Vs.xreplace(self.apart), zip(self.e, loop.inputs["delta"], strict=True)
         pushed = sympy.Add(*(along(V, {e: sympy.S.One}) * d for e, d in delta)).xreplace(
