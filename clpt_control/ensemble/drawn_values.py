@@ -221,7 +221,7 @@ def grid_count(varies: Sequence[Vary]) -> int:
 
 
 def draw_members(
-    varied: Variants, varies: Sequence[Vary], members: int, design: str = "lhs", seed: int = 0
+    varied: Variants, varies: Sequence[Vary], members: int, design: str, seed: int
 ) -> dict[str, np.ndarray]:
     """Draw the members' values: key -> array, shape (members,) + the key's shape."""
     if design not in DESIGNS:

@@ -53,7 +53,7 @@ class SampleTimes(NamedTuple):
     own: np.ndarray  # the scenario's own, for trajectories; empty without them
 
 
-def samples_per_cycle(scenario: Scenario, samples: int | None = None) -> int:
+def samples_per_cycle(scenario: Scenario, samples: int | None) -> int:
     """Return the number of samples a cycle for mean squares.
 
     2000, as in `clpt run`, up to ten cycles; fewer in longer runs, but at least 200.
@@ -68,7 +68,7 @@ def samples_per_cycle(scenario: Scenario, samples: int | None = None) -> int:
     return samples
 
 
-def marks_of(scenario: Scenario, times: Sequence[float] | None = None) -> tuple[float, ...]:
+def marks_of(scenario: Scenario, times: Sequence[float] | None) -> tuple[float, ...]:
     """Return the times of errors, increasing; the end is one."""
     end = scenario.run.duration
     if times is None:

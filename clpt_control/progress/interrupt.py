@@ -39,7 +39,7 @@ _printed = False  # whether the sentence was printed
 _writer = -1  # the descriptor by which the thread hears; -1 where there is none
 
 
-def listen(before: Any = signal.default_int_handler) -> None:
+def listen(before: Any) -> None:
     """Take interrupts from here on, from the handler `before`.
 
     A process that was started with interrupts ignored goes on ignoring them.

@@ -229,13 +229,12 @@ def _summary(run: "xarray.Dataset", units: Units, figures: dict[str, Any]) -> di
 
 
 def clpe_rms(
-    scenario: Scenario, times: np.ndarray, squares: np.ndarray, counts: Any = None
+    scenario: Scenario, times: np.ndarray, squares: np.ndarray, counts: np.ndarray
 ) -> dict[str, Any]:
     """Return roots of mean squares: of each round, of all, of the last quarter.
 
-    `squares` are |e|^2 at the times, or sums of so many, `counts`, from each time on.
+    `squares` are sums of so many |e|^2, `counts`, from each time on.
     """
-    counts = np.ones(len(times)) if counts is None else counts
     first, end = float(times[0]), float(times[-1])
     slack = 1e-9 * max(1.0, end)
     number = np.floor((times + slack) / scenario.cycle)  # of the round
@@ -256,7 +255,7 @@ def clpe_rms(
 def clpe_of_samples(scenario: Scenario, run: "xarray.Dataset") -> dict[str, Any]:
     """Return roots of mean squares over the samples of a vehicle's run."""
     squares = ((run.position - run.predicted_position).values ** 2).sum(-1)
-    return clpe_rms(scenario, run.time.values, squares)
+    return clpe_rms(scenario, run.time.values, squares, np.ones(len(squares)))
 
 
 def at_times(run: "xarray.Dataset") -> "dict[str, xarray.Dataset]":
