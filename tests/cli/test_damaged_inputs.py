@@ -1,4 +1,4 @@
-"""Whatever an input is, each command answers rightly or in one sentence, in bounded time.
+"""Whatever an input is, each command answers rightly or in one sentence, in bounded memory.
 
 The cases are made in `damaged_inputs`, which says what an answer is.
 """
