@@ -48,7 +48,8 @@ def undrawn(monkeypatch):
     from matplotlib.figure import Figure
 
     monkeypatch.setattr(Figure, "savefig", lambda self, file, **_: Path(file).write_bytes(b"drawn"))
-    monkeypatch.setattr("clpt_control.replay.replay_page.inline_svg", lambda *_: "")
+    for page in ("replay.replay_page", "pages.page"):
+        monkeypatch.setattr(f"clpt_control.{page}.inline_svg", lambda *_: "")
 
 
 @pytest.fixture(scope="session")

@@ -115,6 +115,7 @@ def test_the_share_explained_is_about_the_mean(known, tmp_path):
     assert shares[0] < 0.6
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_a_uniform_current_has_no_share_and_says_so(clpt, known, tmp_path):
     """On the plane it turns by 0.2 %: no variance that anybody asks about."""
     u, scenario, run = np.full(known[2].shape, 0.5), tmp_path / "s.toml", tmp_path / "run.nc"

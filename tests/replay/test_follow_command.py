@@ -104,6 +104,7 @@ def test_a_full_disk_leaves_the_results_as_they_were(tmp_path, sizes, name):
     )
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_a_folder_in_the_place_of_a_result_leaves_all_others_as_they_were(clpt, tmp_path):
     inbox, out = tmp_path / "in", tmp_path / "out"
     inbox.mkdir()
@@ -167,6 +168,7 @@ def test_patience_is_time(clpt, tmp_path, monkeypatch):
         assert waits == expected
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_files_that_are_skipped_for_one_reason_are_one_line(tmp_path):
     folder, out = tmp_path / "in", tmp_path / "out"
     folder.mkdir()

@@ -55,6 +55,7 @@ def test_nothing_is_fetched():
     assert policy == f"default-src 'none'; style-src {hashes[0]}; script-src {hashes[1]}"
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_a_page_that_is_written_again_is_loaded_again():
     replay = clpt.replay.replay_dives(fixes_of(3))
     found = {**clpt.replay.summary(replay), "aim": []}
@@ -87,6 +88,7 @@ def test_a_chart_is_true_to_scale_and_angle(lat, lon):
     assert back == pytest.approx((lat + 0.1, lon + 0.1), abs=1e-9)
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_a_far_waypoint_leaves_the_chart_as_it_is():
     replay = clpt.replay.replay_dives(fixes_of(6))
     found = {**clpt.replay.summary(replay), "aim": []}

@@ -109,6 +109,7 @@ def test_without_a_known_vehicle_or_a_waypoint_there_is_nothing_to_paste(kind, t
     assert found_of(kind, targets=targets)["paste"] is None
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_the_file_lies_beside_the_page_which_shows_it(tmp_path):
     replay = replay_dives(sample_dives())
     found, ahead = summary_with_next(replay, [], Ahead(targets=TARGETS[:1]))

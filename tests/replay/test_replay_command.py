@@ -73,6 +73,7 @@ def test_the_command(command, tmp_path):
         assert says in str(command(*words).exception)
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_the_command_follows(command, tmp_path):
     (tmp_path / "in").mkdir()
     words = (
@@ -146,6 +147,7 @@ def test_the_command_with_a_flow_model(command, forecast, tmp_path):
         assert says in str(command("--sample", "--flow-model", tmp_path / name).exception)
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_tides_need_a_record(command, tmp_path):
     words = ("--flow", "steady,M2,S2")
     failed = str(command("--sample", *words).exception)
@@ -174,6 +176,7 @@ def test_tides_need_a_record(command, tmp_path):
     assert found["clpe_rms_all"]["no_flow"] > 0
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_results_of_following_lie_in_the_folder_by_default(command, tmp_path):
     one_file_each(tmp_path, sample_dives()[:2])
     words = ("--follow", tmp_path, "--every", "0.01", "--patience", "0.01", "--json")

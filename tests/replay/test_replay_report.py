@@ -79,6 +79,7 @@ def test_the_next_dive_has_a_row(command):
     assert rows[-1][titles.index("adaptive")] == ""
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_following_goes_on_where_it_cannot_aim(command, tmp_path):
     still = [replace(dive, dr_east=0.0, dr_north=0.0) for dive in sample_dives()[:2]]
     one_file_each(tmp_path, still)
@@ -180,6 +181,7 @@ def test_mistakes_in_aiming(command):
         assert says in " ".join(f"{done.output} {done.exception}".replace("│", " ").split())
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_the_line_of_following(command, tmp_path):
     dives = sample_dives()[:3]
     one_file_each(tmp_path, dives)

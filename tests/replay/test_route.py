@@ -155,6 +155,7 @@ def test_what_is_no_route_is_one_sentence(text, says, tmp_path):
     assert says in str(caught.value)
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_the_command_draws_the_way(tmp_path):
     line = {"type": "LineString", "coordinates": [[8.47, -42.93], [8.47, -42.92]]}
     ring = [[8.46, -42.94], [8.48, -42.94], [8.48, -42.92], [8.46, -42.94]]
