@@ -9,7 +9,7 @@ import typer
 from ..errors import ClptError, SimulationError
 from ..html import Result
 from ..progress import progress_bar
-from .printing import Json, cell_text, check_scenario, finish, flag, names_of_laws, opt
+from .printing import Json, cell_text, check_out, finish, flag, names_of_laws, opt
 
 OF_THEOREM = "status for_every_N printed assumptions steps conclusion corrected cited not_proved"
 OF_LAW = "law status claim for_every_N steps"
@@ -161,7 +161,7 @@ def refute(
     from ..theory.promises import promises_in_words
     from ..theory.refuting import refute as search
 
-    check_scenario(out)
+    check_out(out, "a scenario")
     with progress_bar(f"searching {law}", 1.0) as report:
         found = search(law, budget=budget, seed=seed, progress=report)
     text = None if found.scenario is None else scenario_to_text(found.scenario)

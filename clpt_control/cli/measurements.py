@@ -8,7 +8,7 @@ import clpt_control as clpt
 from ..errors import DataError, ScenarioError
 from ..files import make_folder, write_together
 from ..html import Result
-from .printing import TIDES, Formats, Json, arg, cell_text, check_scenario, finish, flag, opt
+from .printing import TIDES, Formats, Json, arg, cell_text, check_out, finish, flag, opt
 
 
 def fit(
@@ -167,7 +167,7 @@ def estimate(
         raise ScenarioError(f"--method {method}: must be one of {', '.join(METHODS)}")
     if run.suffix != ".nc":
         raise DataError(f"{run}: is no run; `clpt run {run} --out run.nc` makes one of a scenario")
-    check_scenario(out)
+    check_out(out, "a scenario")
     data = clpt.load_run(run)
     scenario = run_scenario(data)
     if until is not None:

@@ -197,16 +197,13 @@ Formats = Annotated[
 ]
 
 
-def check_figure(path: Path | None) -> None:
-    """Refuse a figure that cannot be written, before work begins."""
-    if path is not None:
-        check_writable(path, "a figure", (".png", ".pdf", ".svg"))
+ENDINGS = {"a figure": (".png", ".pdf", ".svg"), "a scenario": (".toml",)}
 
 
-def check_scenario(path: Path | None) -> None:
-    """Refuse a scenario's file that cannot be written, before work begins."""
+def check_out(path: Path | None, what: str) -> None:
+    """Refuse what cannot be written, "a figure" or "a scenario", before work begins."""
     if path is not None:
-        check_writable(path, "a scenario", (".toml",))
+        check_writable(path, what, ENDINGS[what])
 
 
 def draw_figure(path: Path | None, plot: Callable[..., Any], *args: Any) -> None:

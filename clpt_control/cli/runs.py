@@ -21,8 +21,7 @@ from .printing import (
     ScenarioFile,
     arg,
     cell_text,
-    check_figure,
-    check_scenario,
+    check_out,
     draw_figure,
     finish,
     flag,
@@ -214,7 +213,7 @@ def ensemble(
     from ..pages.ensemble_page import ensemble_result
 
     experiment = clpt.load_scenario(scenario)
-    check_figure(figure)
+    check_out(figure, "a figure")
     with progress_bar(f"running {scenario.name}", members, "members") as report:
         data = clpt.run_ensemble(
             experiment,
@@ -256,7 +255,7 @@ def tune(
         clpt tune mine.toml --law learned-flow --law sigma --out tuned.toml
     """
     experiment = clpt.load_scenario(scenario)
-    check_scenario(out)
+    check_out(out, "a scenario")
     with progress_bar(f"tuning {scenario.name}", 1.0) as report:
         tuned = clpt.ensemble.tune_law(
             experiment,

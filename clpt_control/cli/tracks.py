@@ -15,8 +15,7 @@ from .printing import (
     Start,
     Window,
     cell_text,
-    check_figure,
-    check_scenario,
+    check_out,
     draw_figure,
     finish,
     opt,
@@ -45,7 +44,7 @@ def excitation(
     source = clpt.load_run(scenario) if scenario.suffix == ".nc" else load_either(scenario)
     if figure is not None and is_team(source):
         raise ClptError("--figure: is for one vehicle; leave it out for a team")
-    check_figure(figure)
+    check_out(figure, "a figure")
     report = excitation_of(source, window, start)
     draw_figure(figure, clpt.theory.excitation_plot, source, report["window"], report["start"])
     finish([excitation_result(report)], report, as_json, figure)
@@ -117,8 +116,8 @@ def design(
     from ..scenario.file import scenario_to_text
 
     experiment = clpt.load_scenario(scenario)
-    check_scenario(out)
-    check_figure(figure)
+    check_out(out, "a scenario")
+    check_out(figure, "a figure")
     with progress_bar(f"designing {scenario.name}", 1.0) as report:
         found = clpt.theory.design_track(
             experiment,
