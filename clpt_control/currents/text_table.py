@@ -131,18 +131,17 @@ def read_table(
     text = read_text(path, "is no text; must be a table of time, u and v, or NetCDF (.nc)")
     cells, comments = table_of(text, path, "a table of time, u and v")
     header = list(cells.columns)
-    names = {_name_and_unit(cell)[0] for cell in header}
-    polar = bool(names & set(POLAR["speed"])) and not names & set(NAMES["u"])
-    columns, sizes = _header(
-        header, comments.get("units") or units, path, POLAR if polar else NAMES
-    )
-    if cells.empty:
-        raise DataError(f"{path}: has a header and no rows; must be a table of time, u and v")
-    time, *flow = (cells.iloc[:, k] for k in columns)
-    times = _times(time, path)
+    stated = {_name_and_unit(cell)[0] for cell in header}
+    polar = bool(stated & set(POLAR["speed"])) and not stated & set(NAMES["u"])
+    wanted = POLAR if polar else NAMES
+    with naming(path):
+        columns, sizes = _header(header, comments.get("units") or units, wanted)
+        if cells.empty:
+            raise DataError("has a header and no rows; must be a table of time, u and v")
+    times, (_, *names) = _times(cells.iloc[:, columns[0]], path), wanted
     u, v = (
-        size * _numbers(each, name, path)
-        for each, name, size in zip(flow, list(POLAR)[1:] if polar else "uv", sizes, strict=True)
+        size * _numbers(cells.iloc[:, k], name, path)
+        for name, k, size in zip(names, columns[1:], sizes[1:], strict=True)
     )
     if polar:
         u, v = u * np.sin(np.radians(v)), u * np.cos(np.radians(v))
@@ -167,34 +166,32 @@ def _name_and_unit(cell: str) -> tuple[str, str | None]:
 
 
 def _header(
-    header: list[str], units: str | None, path: Path, wanted: dict[str, tuple[str, ...]]
+    header: list[str], units: str | None, wanted: dict[str, tuple[str, ...]]
 ) -> tuple[list[int], list[float]]:
-    """Return the columns of time and flow, and what one unit of each is in m/s or degrees."""
+    """Return the columns of time and flow, and what one unit of each is in s, m/s or degrees."""
     names, stated = zip(*map(_name_and_unit, header), strict=True)
     columns, sizes = [], []
     for what, allowed in wanted.items():
         found = [k for k, name in enumerate(names) if name in allowed]
         if not found and (marks := other_marks(",".join(header), NAMES["time"][0])):
-            raise DataError(f"{path}: {marks}")
+            raise DataError(marks)
         if len(found) != 1:
             raise DataError(
-                f"{path}: {'no column' if not found else 'more than one column'} {what}; the table "
+                f"{'no column' if not found else 'more than one column'} {what}; the table "
                 f"must begin with a line such as 'time,u (m/s),v (m/s)', this one does with "
                 f"{','.join(header)[:60]!r}"
             )
         columns.append(found[0])
-        if what == "time":
-            continue
-        if what == "direction":
+        if what in ("time", "direction"):
             sizes.append(1.0)
             continue
         unit = stated[found[0]] or units
         if unit is None:
             raise DataError(
-                f"{path}: {what} has no units; write them behind the name, such as 'u (m/s)', or "
-                "in a line '# units: m/s'"
+                f"{what} has no units; write them behind the name, such as 'u (m/s)', or in a line "
+                "'# units: m/s'"
             )
-        sizes.append(speed_in_metres_per_second(unit, f"{path}: {what}"))
+        sizes.append(speed_in_metres_per_second(unit, what))
     return columns, sizes
 
 
