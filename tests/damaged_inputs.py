@@ -2,8 +2,8 @@
 
 `python tests/damaged_inputs.py FIRST COUNT` prints a line of JSON for each case.  Case k is the
 same everywhere: a use (a command with its files), one of its files or options, and a damage.  A
-case is a process of its own, forked where all is imported, with a limit of memory and a guard
-against a hang, so that a crash or a hang of a library is an answer too.
+case is a process of its own, forked where all is imported, with limits of time and memory, so
+that a crash or a hang of a library is an answer too.
 """
 
 import gc
@@ -23,11 +23,11 @@ from pathlib import Path
 
 import numpy as np
 import xarray
-from processes import GUARD
 
 HERE = Path(__file__).parent
 DATA = HERE / "data"
-BYTES = 10**9  # of an answer's memory
+SECONDS, BYTES = 10, 10**9  # of an answer: time of the processor, and memory
+WAIT = 150  # s, after which a command waits for ever
 NUMBERS = (
     *("nan", "inf", "-inf", "1e308", "-1e308", "1e-300", "1e15", "-1", "0", "0.5", "1e9"),
     *("99999999999999999999", "9" * 400, "-2147483649", "true", '"word"', "[]", "[[1]]", "{}", ""),
@@ -509,7 +509,7 @@ def held(folder):
 
 
 def answer(folder, words):
-    """Run a command in a process of its own; return status, outputs and memory."""
+    """Run a command in a process of its own; return status, outputs, time and memory."""
     out, err = folder.parent / "out.txt", folder.parent / "err.txt"
     child = os.fork()
     if child == 0:
@@ -519,6 +519,7 @@ def answer(folder, words):
         "status": os.waitstatus_to_exitcode(status),
         "out": out.read_text("utf-8", "replace"),
         "err": err.read_text("utf-8", "replace"),
+        "seconds": used.ru_utime + used.ru_stime,
         "bytes": 1024 * used.ru_maxrss,
     }
 
@@ -527,7 +528,8 @@ def _run(folder, words, out, err):
     status = 70
     try:
         signal.signal(signal.SIGALRM, signal.SIG_DFL)
-        signal.alarm(GUARD)  # it hangs
+        signal.alarm(WAIT)
+        resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS + 1))
         resource.setrlimit(resource.RLIMIT_FSIZE, (BYTES, BYTES))
         pages = int(Path("/proc/self/statm").read_text().split()[0])
         most = pages * resource.getpagesize() + 3 * BYTES // 2
@@ -563,8 +565,8 @@ def fault(words, found, before, after):
         return f"status {status}"
     if "fault in clpt" in err or "Traceback" in err:
         return "a fault"
-    if found["bytes"] > BYTES:
-        return "too large"
+    if found["seconds"] > SECONDS or found["bytes"] > BYTES:
+        return "too long or too large"
     if status == 0:
         if "--json" in words:
             try:

@@ -1,4 +1,4 @@
-"""Whatever an input is, each command answers rightly or in one sentence, in bounded memory.
+"""Whatever an input is, each command answers rightly or in one sentence, in bounded time.
 
 The cases are made in `damaged_inputs`, which says what an answer is.
 """
