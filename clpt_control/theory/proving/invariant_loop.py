@@ -252,10 +252,6 @@ class InvariantLoop:
         trace = sum(self.matrices["P"].diagonal())
         return sympy.expand(expression - 1 + trace / self.parameters.largest) == 0
 
-    def loses(self) -> bool:
-        """Return whether each product that V' loses has factors that are not negative."""
-        return all(map(self.not_negative, {factor for loss in self.losses for factor in loss}))
-
 
 def _solved(relations: dict[Any, Any]) -> dict[Any, sympy.Expr]:
     """Return symbols -> what they are, where M = (M + M^T)/2 is M_jk = M_kj."""

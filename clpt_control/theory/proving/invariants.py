@@ -42,7 +42,7 @@ With lambda_0 = 0 rho is 1 at all times, and the second is P^-1 >= P(0)^-1.
 
 from collections.abc import Callable
 from functools import partial
-from itertools import combinations, filterfalse
+from itertools import chain, combinations, filterfalse
 from typing import Any
 
 import numpy as np
@@ -107,7 +107,7 @@ def falling_claims(law: Law, sizes: str) -> Claims:
         f"V' as claimed, {sizes}: {law.V_rate}": lambda case: case.left_over(decay, case.beside),
         **(covariance_claims(law.perturbation is None) if law.weighted_error else {}),
         f"with {names} >= 0 V and what V' loses are not negative": (
-            lambda case: case.not_negative(case.V) and case.loses()
+            lambda case: all(map(case.not_negative, {case.V, *chain.from_iterable(case.losses)}))
         ),
     }
 
