@@ -128,7 +128,7 @@ def read_currents(
     >>> currents.start, currents.time, float(currents.u[0, 0, 0])
     ('2019-01-01T00:00:00', array([0., 1.]), 0.25)
     """
-    path, span = Path(path), None if box is None else checked_box(box)
+    path, span = Path(path), None if box is None else _checked_box(box)
     if not path.is_dir() or any((path / name).exists() for name in ZARR):
         found = _read(path, span, column, units, 2)
     else:
@@ -269,7 +269,7 @@ def _since_first(dates: np.ndarray) -> tuple[np.ndarray, str]:
     return np.array([(date - first).total_seconds() / 3600.0 for date in dates]), start
 
 
-def checked_box(box: Any) -> Box:
+def _checked_box(box: Any) -> Box:
     """Return lat0, lat1, lon0, lon1 with lon1 > lon0, also across 180 degrees."""
     if len(box) != 4 or not np.all(np.isfinite(box)):
         raise DataError(f"box = {tuple(box)}: must be 4 finite numbers, LAT0 LAT1 LON0 LON1")

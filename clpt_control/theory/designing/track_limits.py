@@ -11,7 +11,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...currents.grid_file import checked_box
 from ...currents.plane import LocalPlane, read_field
 from ...errors import ScenarioError
 from ...files.reading import open_netcdf
@@ -146,7 +145,12 @@ def field_area(scenario: Scenario) -> Box | None:
 
 def area_of_degrees(scenario: Scenario, box: tuple[float, float, float, float]) -> Box:
     """Return the largest box of the plane within LAT0 LAT1 LON0 LON1, units.length."""
-    south, north, west, east = checked_box(box)
+    south, north, west, east = box
+    if not (np.isfinite(box).all() and south < north and west < east):
+        raise ScenarioError(
+            f"box = {south:g} {north:g} {west:g} {east:g}: must be LAT0 LAT1 LON0 LON1 in degrees, "
+            "each pair increasing"
+        )
     if scenario.field_path is None:
         raise ScenarioError(
             "box: is in degrees, and the scenario has no field that says where it lies; give area "
