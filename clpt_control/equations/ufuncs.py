@@ -155,11 +155,6 @@ def fmod(a: Any, b: Any) -> Any:
     return where(a < 0, -rest, rest)
 
 
-def power(a: Any, b: Any) -> Any:
-    """Return a**b; of a small whole power a product, as NumPy makes a square."""
-    return elementwise("mul", a, a) if type(b) is float and b == 2.0 else elementwise("pow", a, b)
-
-
 def logaddexp(a: Any, b: Any) -> Any:
     """Return log(exp a + exp b)."""
     return np.maximum(a, b) + np.log1p(np.exp(-np.fabs(a - b)))
@@ -174,7 +169,6 @@ BITWISE: dict[Any, Callable] = {  # of truth values
 COMPOSED: dict[str, Callable] = {  # by the ufunc's name; those of scipy.special too
     "vecdot": lambda a, b: total(a * b, a.ndim - 1),
     **dict.fromkeys(("matmul", "matvec"), matmul),
-    **dict.fromkeys(("power", "float_power"), power),
     "square": lambda a: elementwise("mul", a, a),
     "reciprocal": lambda a: elementwise("div", 1.0, a),
     **dict.fromkeys(("positive", "conjugate"), lambda a: a),
