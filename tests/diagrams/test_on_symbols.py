@@ -185,3 +185,17 @@ def test_a_symbol_is_no_infinity(asks):
 
     block = clpt.Block("lag", update=rate, inputs={"u": 1}, states={"y": 1})
     assert str(clpt.equations(block)) == "y' = -2*y"
+
+
+def test_a_param_whose_value_an_if_asks_is_as_it_is():
+    def rate(t, x, u, params):
+        return [(-1.0 if params["mode"] > 0 else 1.0) * params["k"] * x[0]]
+
+    plant = control.nlsys(
+        rate, inputs=0, outputs=["y"], states=["y"], params={"k": 2.0, "mode": 1.0}, name="plant"
+    )
+    equations = clpt.equations(plant)
+    assert str(equations) == "y' = -k*y"
+    assert equations.pinned == [("plant", "mode")]
+    verdict = clpt.theory.lyapunov(plant, sympy.Symbol("y", real=True) ** 2)
+    assert "with the parameters as they are" in str(verdict)
