@@ -15,7 +15,7 @@ import numpy as np
 from scipy.linalg import orth
 
 from ..arguments import numbers, public
-from ..equations.arrays import CONDITIONS, MOVED, Tape, Unread, lifted, operand
+from ..equations.arrays import COMPARISONS, CONDITIONS, MOVED, Tape, Unread, lifted, operand
 from ..equations.declaration import ports_of
 from ..equations.derivative import JUMPS, Direction
 from ..equations.record import Shape, compact, computed, reached
@@ -117,7 +117,7 @@ class _About:
             kind, arguments, _, _ = lines[k]
             doubtful = [undecided[a] for a in arguments if a in undecided]
             operands, verdict = [self.direction.value(a) for a in arguments], ""
-            if kind in ("lt", "le", "gt", "ge", "eq", "ne"):
+            if kind in COMPARISONS:
                 _, undecided[k] = self.ties(*operands)
             elif kind in CONDITIONS and doubtful:
                 undecided[k] = np.logical_or.reduce(np.broadcast_arrays(*doubtful))

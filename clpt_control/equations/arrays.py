@@ -20,7 +20,8 @@ from .record import UFUNCS, Operation, Record, Ref, Shape, key_of
 
 MOST_OPERATIONS = 200_000  # a longer record is given up
 LOGICAL = frozenset({"and", "or", "not"})  # of conditions
-CONDITIONS = LOGICAL | {"lt", "le", "gt", "ge", "eq", "ne"}
+COMPARISONS = frozenset({"lt", "le", "gt", "ge", "eq", "ne"})
+CONDITIONS = LOGICAL | COMPARISONS
 TRUTH = np.dtype(bool)
 TRUTHS_ALLOWED = CONDITIONS | {"where"}  # operations on truth values alone
 MOVED = frozenset({"view", "stack", "join"})  # hold what their arguments hold

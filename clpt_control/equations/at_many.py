@@ -13,13 +13,13 @@ from numpy.typing import ArrayLike
 
 from ..arguments import numbers, public
 from ..errors import ArgumentError
+from .arrays import COMPARISONS
 from .block import Block
 from .declaration import places
+from .derivative import JUMPS
 from .record import Operation, Record, Ref, Shape, compact, computed
 
-STEPS = frozenset(
-    ("lt", "le", "gt", "ge", "eq", "ne", "floor", "ceil", "trunc", "sign", "floordiv")
-)
+STEPS = COMPARISONS | JUMPS
 SIDES: dict[str, Callable[[tuple, Shape], Operation]] = {  # which side of a kink, or which place
     "mod": lambda a, shape: Operation("floordiv", a, shape),
     "minimum": lambda a, shape: Operation("lt", a, shape),

@@ -35,7 +35,7 @@ from typing import Any
 import numpy as np
 import sympy
 
-from .arrays import Unread, operand
+from .arrays import COMPARISONS, Unread, operand
 from .block import Block
 from .elements import Elements, Index
 from .record import OPERATIONS, Operation, Ref, Shape, picked
@@ -107,7 +107,7 @@ SYMPY: dict[str, Callable[..., Any]] = {
 }
 NO_LIMIT = {"minimum": sympy.oo, "maximum": -sympy.oo}
 TRUTHS = {sympy.true, sympy.false}
-COMPARED = {name: getattr(sympy, name.title()) for name in ("lt", "le", "gt", "ge", "eq", "ne")}
+COMPARED = {name: getattr(sympy, name.title()) for name in COMPARISONS}
 
 
 def _decided(kind: str, arguments: tuple) -> Any:
