@@ -186,12 +186,11 @@ def _mapped(shape: Shape, function: Callable) -> tuple[tuple, Shape] | None:
 
     It is run on the places along each axis: where a part begins, and its strides, say what it is.
     """
-    open_sizes = [n for n in shape if not isinstance(n, int)]
     try:
         parts = [(places, np.asarray(function(places))) for places in _places(shape)]
     except IndexError:
-        if open_sizes:
-            raise Unread(f"a part of the open size {open_sizes[0]}") from None
+        for n in shape:
+            _refuse_part_of(n)
         raise
     new_shape: list[Any] = [*parts[0][1].shape]
     mapped: list[Any] = []
@@ -199,17 +198,25 @@ def _mapped(shape: Shape, function: Callable) -> tuple[tuple, Shape] | None:
         if seen.ndim and seen.base is not places.base:
             return None
         moving = [d for d, stride in enumerate(seen.strides) if stride]
-        moving = [d for d in moving if new_shape[d] != 1] or moving[:1]  # of one any stride is good
+        if len(moving) > 1:  # an axis of length 1 may have any stride
+            moving = [d for d in moving if new_shape[d] != 1] or moving[:1]
         if len(moving) > 1:
             return None
-        start = int(seen[(0,) * seen.ndim]) if seen.size else 0
-        step = [(d, start, seen.strides[d] // seen.itemsize) for d in moving]
-        mapped += step or [start]
-        if n in open_sizes:
-            if not step or step[0][1:] != (0, 1) or new_shape[moving[0]] not in (MANY, n):
-                raise Unread(f"a part of the open size {n}")
+        start: Any = seen.item(0) if seen.size else 0
+        for d in moving:
+            start = d, start, seen.strides[d] // seen.itemsize
+        mapped.append(start)
+        if not isinstance(n, int):
+            if not moving or start[1:] != (0, 1) or new_shape[moving[0]] not in (MANY, n):
+                _refuse_part_of(n)
             new_shape[moving[0]] = n
     return tuple(mapped), tuple(new_shape)
+
+
+def _refuse_part_of(n: Any) -> None:
+    """Refuse a part of an axis of open size."""
+    if not isinstance(n, int):
+        raise Unread(f"a part of the open size {n}")
 
 
 @lru_cache(maxsize=256)
