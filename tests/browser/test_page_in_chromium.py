@@ -40,6 +40,7 @@ function used() {
 }
 addEventListener("load", () => parent.postMessage(JSON.stringify({
   inner: innerWidth, wide: document.documentElement.scrollWidth,
+  beyond: [...document.querySelectorAll(".table")].map((one) => one.scrollWidth - one.clientWidth),
   buttons: document.querySelectorAll(".buttons button").length,
   fetched: performance.getEntriesByType("resource").map((one) => one.name),
   k: getComputedStyle(map).getPropertyValue("--k"), ...used(),
@@ -99,6 +100,7 @@ def test_the_page_fits_its_screen(page, tmp_path, width):
     found = json.loads(re.search(r"<body>(.*?)</body>", tree, re.S)[1])
     assert found["inner"] == width
     assert found["wide"] <= width
+    assert found["beyond"] == [0]  # the table of dives
     assert found["fetched"] == []
     assert found["buttons"] == 3
     assert float(found["k"]) > 0
