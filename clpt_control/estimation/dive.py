@@ -75,6 +75,8 @@ class Dive:
     >>> dive = Dive(1, 0.0, 0.0, 8.0, 9000.0, 0.0, 8.1, 11132.0, 0.0, 9332.0, 0.0)
     >>> dive.miss_east / dive.duration  # m/s
     0.2
+    >>> dive
+    <Dive 1: 2.50 h, miss 1800 m east, 0 m north>
     """
 
     number: int

@@ -89,6 +89,7 @@ def test_a_fitted_basis(tmp_path):
     fit = known_fit(tmp_path)
     model = read_flow_model(tmp_path / "fit.toml")
     assert model.about.startswith("fitted basis of 48 functions")
+    assert repr(model) == f"<Fitted fit.toml: {model.about}>"
     for hour, place in ((3.0, (41.0, -69.3)), (20.0, (41.2, -68.9))):
         dive = dive_at(hour, lat=place[0], lon=place[1])
         expected = turned(dive) + np.array([0.2 * dive.duration, 0.0])
