@@ -44,7 +44,7 @@ def rates_of_V(scenario):
 
 
 def test_V_falls_along_the_papers_run_as_without_a_limit():
-    limited = PAPER.with_values({"vehicle.max_speed": 1.5, "run.duration": 400})
+    limited = PAPER.with_values({"vehicle.max_speed": 1.5, "run.duration": 200})
     rates, wanted = rates_of_V(limited)
     assert wanted.min() < -0.1
     np.testing.assert_allclose(rates, wanted, atol=1e-9)
