@@ -7,6 +7,10 @@ import numpy as np
 
 from clpt_control.equations import Block
 
+EACH = {"parameters": 0.8, "feedback": 0.3, "feedforward": 0.5}  # a gain for each part
+TRUE_GAINS = {"learning.feedback": [1, 1], "learning.feedforward": [1, 1]}
+HELD = {"learning.adapt_gains": False, **TRUE_GAINS}
+
 
 def remembering(t, x, u, p):
     """alpha' = -gamma e phi^T, K and Gamma held, and a count m' = p.start, section III."""

@@ -9,6 +9,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from law_blocks import HELD
 from responses import response
 from scipy.integrate import simpson
 
@@ -17,11 +18,6 @@ from clpt_control.blocks.laws.remembering import CONCURRENT as LAW
 from clpt_control.simulation.starts import state_columns
 
 PAPERS = 0.257  # largest error of the paper's law at t = 200, its gains adapted
-HELD = {
-    "learning.adapt_gains": False,
-    "learning.feedback": [1, 1],
-    "learning.feedforward": [1, 1],
-}
 INPUTS = {"e": 2, "phi_x": 1, "z": 2, "zc": 2, "x": 2, "v_x": 2}
 
 

@@ -2,14 +2,10 @@
 
 import numpy as np
 import pytest
+from law_blocks import HELD
 
 import clpt_control as clpt
 
-HELD = {
-    "learning.adapt_gains": False,
-    "learning.feedback": [1, 1],
-    "learning.feedforward": [1, 1],
-}
 CIRCLE = [[3 * np.cos(a), 3 * np.sin(a)] for a in 2 * np.pi * np.arange(10) / 10]
 
 

@@ -7,7 +7,7 @@ import json
 import re
 
 import pytest
-from test_page_in_chromium import CHROMIUM, shown
+from test_page_in_chromium import IN_CHROMIUM, shown
 
 import clpt_control as clpt
 
@@ -28,10 +28,7 @@ addEventListener("load", () => {{
 }});
 </script>
 """
-pytestmark = [
-    pytest.mark.browser,
-    pytest.mark.skipif(not CHROMIUM, reason="no Chromium is installed: chromium is not on PATH"),
-]
+pytestmark = IN_CHROMIUM
 
 
 @pytest.mark.parametrize(

@@ -52,7 +52,7 @@ FRAME = """
 <script>addEventListener("message", (event) => {{ document.body.textContent = event.data; }});
 </script>
 """
-pytestmark = [
+pytestmark = IN_CHROMIUM = [
     pytest.mark.browser,
     pytest.mark.skipif(not CHROMIUM, reason="no Chromium is installed: chromium is not on PATH"),
 ]

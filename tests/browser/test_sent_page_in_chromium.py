@@ -9,7 +9,7 @@ import subprocess
 
 import pytest
 from processes import CLPT, GUARD
-from test_page_in_chromium import CHROMIUM, FRAME, QUIET, shown
+from test_page_in_chromium import CHROMIUM, FRAME, IN_CHROMIUM, QUIET, shown
 
 DARK = "--blink-settings=preferredColorScheme=0"
 LEAST = 4.5  # contrast of text, WCAG 2.2, 1.4.3
@@ -52,10 +52,7 @@ SECTIONS = {
     "team": ["loop", "team", "excitation", "scenario", "again"],
     "ensemble": ["spread", "varied", "scenario", "again"],
 }
-pytestmark = [
-    pytest.mark.browser,
-    pytest.mark.skipif(not CHROMIUM, reason="no Chromium is installed: chromium is not on PATH"),
-]
+pytestmark = IN_CHROMIUM
 
 
 @pytest.fixture(scope="module")

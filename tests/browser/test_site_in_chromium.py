@@ -14,7 +14,7 @@ from pathlib import Path
 
 import pytest
 from processes import GUARD
-from test_page_in_chromium import CHROMIUM, QUIET
+from test_page_in_chromium import CHROMIUM, IN_CHROMIUM, QUIET
 
 SITE = Path(__file__).parents[2] / "build" / "docs"
 LARGEST = 3_000_000  # bytes of a page
@@ -52,8 +52,7 @@ visit();
 </script>
 """
 pytestmark = [
-    pytest.mark.browser,
-    pytest.mark.skipif(not CHROMIUM, reason="no Chromium is installed: chromium is not on PATH"),
+    *IN_CHROMIUM,
     pytest.mark.skipif(not SITE.is_dir(), reason="no site in build/docs: `make docs` builds it"),
 ]
 

@@ -7,6 +7,7 @@ import control
 import law_blocks
 import numpy as np
 import pytest
+from law_blocks import EACH, HELD
 
 import clpt_control as clpt
 from clpt_control.blocks.laws.table import LAWS
@@ -14,9 +15,6 @@ from clpt_control.ensemble.run import run_ensemble
 from clpt_control.equations import Block
 from clpt_control.errors import DataError, DiagramError, ScenarioError
 from clpt_control.theory.proving.theorem_loop import AT_FIXES
-
-EACH = {"parameters": 0.8, "feedback": 0.3, "feedforward": 0.5}
-HELD = {"learning.adapt_gains": False, "learning.feedback": [1, 1], "learning.feedforward": [1, 1]}
 
 
 def assert_members_are_runs(data, scenario, *keys):

@@ -7,6 +7,7 @@ from typing import get_args
 
 import numpy as np
 import pytest
+from law_blocks import EACH
 
 import clpt_control as clpt
 from clpt_control.blocks import disturbance, flow
@@ -145,7 +146,6 @@ def test_a_byte_order_mark_is_no_mistake(tmp_path):
     assert clpt.load_scenario(file) == PAPER
 
 
-EACH = {"parameters": 0.8, "feedback": 0.3, "feedforward": 0.5}
 NONE = {"learning.gain": None}
 
 

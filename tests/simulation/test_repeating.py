@@ -13,23 +13,13 @@ import numpy as np
 import pytest
 import xarray
 from random_diagrams import random_diagram
+from test_compare import lemniscate, tank
 
 import clpt_control as clpt
 from clpt_control.simulation.run_file import diagram_of_text, equations_text
 
 TIMES = np.linspace(0.0, 4.0, 21)
 SCENARIO = clpt.paper_scenario().with_values({"run.duration": 20.0})
-
-
-def tank():
-    return clpt.Block(
-        "tank",
-        update=lambda t, x, u, p: {"h": [u.q[0] - p.a * x.h[0], x.h[0] - x.h[1]]},
-        inputs={"q": 1},
-        states={"h": 2},
-        parameters={"a": 0.5},
-        units={"h": "m", "q": "m3/s"},
-    )
 
 
 def gauge():
@@ -85,14 +75,6 @@ def two_of_one_name():
     made = [clpt.connect([lag_of(name)], external=f"{name}_in", name=name) for name in "ab"]
     one = control.ss(-1, [[1, 1]], 1, 0, inputs=["a", "b"], outputs="y", name="last")
     return clpt.connect([*made, one], external=["a_in", "b_in"])
-
-
-def lemniscate():
-    return clpt.Block(
-        "lemniscate",
-        output=lambda t, x, u, p: {"zc": [2 * np.cos(t / 20), np.sin(t / 10)]},
-        outputs={"zc": 2},
-    )
 
 
 def oscillator():

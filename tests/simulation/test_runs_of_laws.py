@@ -5,6 +5,7 @@ from itertools import pairwise
 import law_blocks
 import numpy as np
 import pytest
+from law_blocks import EACH, TRUE_GAINS
 from responses import response
 
 import clpt_control as clpt
@@ -14,8 +15,6 @@ from clpt_control.scenario.file import OWN_PARTS
 from clpt_control.theory.proving.theorem_loop import AT_FIXES
 
 PAPER = clpt.paper_scenario().with_values({"run.duration": 40})
-EACH = {"parameters": 0.8, "feedback": 0.3, "feedforward": 0.5}
-TRUE_GAINS = {"learning.feedback": [1, 1], "learning.feedforward": [1, 1]}
 
 
 def with_law(name, **more):
