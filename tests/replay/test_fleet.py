@@ -15,9 +15,7 @@ import pytest
 from html_reader import Reader
 from processes import CLPT, GUARD, await_line, started
 from synthetic_vehicle import fixes_of, one_file_each, vehicle
-from typer.testing import CliRunner
 
-from clpt_control.cli import application
 from clpt_control.cli.replay_report import Ahead, summary_with_next
 from clpt_control.geodesy import place_from
 from clpt_control.gliders.dive_files import write_dive_table
@@ -28,11 +26,6 @@ from clpt_control.replay.replay import replay_dives
 
 HOUR = 3600.0
 TELL = "import sys; open(sys.argv[1], 'a').write(sys.stdin.read())"
-
-
-@pytest.fixture
-def command():
-    return lambda *words: CliRunner().invoke(application(), ["replay", *map(str, words)])
 
 
 def recent(count, hours, name=None, seed=1):

@@ -16,20 +16,6 @@ from clpt_control.gliders.dive_files import sample_dives
 PAGE = Path(__file__).parents[2] / "docs" / "gliders.md"
 
 
-@pytest.fixture
-def command():
-    """Run `clpt replay` without the rest of the command line."""
-    import typer
-    from typer.testing import CliRunner
-
-    from clpt_control.cli.replay import replay
-    from clpt_control.cli.replay_report import WithPlaces
-
-    app = typer.Typer()
-    app.command(cls=WithPlaces)(replay)
-    return lambda *words: CliRunner().invoke(app, list(map(str, words)))
-
-
 @pytest.mark.skipif(not PAGE.exists(), reason="installed without docs")
 def test_the_screen_that_is_read_aloud_is_what_the_command_says(command, monkeypatch):
     def plain(text):

@@ -8,7 +8,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from synthetic_vehicle import one_file_each, vehicle
-from typer.testing import CliRunner
 
 from clpt_control.estimation.fix_model import FixModel
 from clpt_control.gliders.dive_files import sample_dives
@@ -19,15 +18,6 @@ from clpt_control.replay.replay import replay_dives
 @pytest.fixture(scope="module")
 def sg542():
     return summary(replay_dives(sample_dives()))
-
-
-@pytest.fixture
-def command():
-    """Run `clpt replay` as the command line has it."""
-    from clpt_control.cli import application
-
-    app = application()
-    return lambda *words: CliRunner().invoke(app, ["replay", *map(str, words)])
 
 
 def rows_of(text):

@@ -7,9 +7,7 @@ from datetime import datetime
 import pytest
 from html_reader import Reader
 from synthetic_vehicle import STEADY, vehicle
-from typer.testing import CliRunner
 
-from clpt_control.cli import application
 from clpt_control.errors import DataError
 from clpt_control.geodesy import place_from
 from clpt_control.replay import route
@@ -156,7 +154,7 @@ def test_what_is_no_route_is_one_sentence(text, says, tmp_path):
 
 
 @pytest.mark.usefixtures("undrawn")
-def test_the_command_draws_the_way(tmp_path):
+def test_the_command_draws_the_way(command, tmp_path):
     line = {"type": "LineString", "coordinates": [[8.47, -42.93], [8.47, -42.92]]}
     ring = [[8.46, -42.94], [8.48, -42.94], [8.48, -42.92], [8.46, -42.94]]
     both = {
@@ -164,8 +162,8 @@ def test_the_command_draws_the_way(tmp_path):
         "geometries": [line, {"type": "Polygon", "coordinates": [ring]}],
     }
     (tmp_path / "route.json").write_text(json.dumps(both))
-    words = ["replay", "--sample", "--route", str(tmp_path / "route.json"), "--json"]
-    done = CliRunner().invoke(application(), [*words, "--out", str(tmp_path / "out")])
+    words = ("--sample", "--route", tmp_path / "route.json", "--json")
+    done = command(*words, "--out", tmp_path / "out")
     found = json.loads(done.stdout)
     assert found["aim"][0]["latitude"] == -42.93
     assert found["route"]["waypoints"][0]["made"] > 0.5
