@@ -275,6 +275,8 @@ def _arguments_of(V: Candidate) -> int:
 
 def _maker(V: Candidate) -> Callable[..., Block]:
     """Return a function that makes a candidate, under a name that no block of the paper has."""
+    if isinstance(V, control.InputOutputSystem) and not isinstance(V, Block):
+        raise DiagramError(f"{V.name}: a candidate is a Block with the output V[1]")
 
     def make(truth: Truth, *parameters: Any) -> Block:
         block = _with_truth(V, truth) if isinstance(V, Block) else V(truth, *parameters)
