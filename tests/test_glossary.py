@@ -79,6 +79,12 @@ def test_every_variable_is_one_of_a_run(scenarios):
 
 PACKAGE = Path(clpt_control.__file__).parent
 ROOMS = [name for name in clpt_control.__all__ if inspect.ismodule(getattr(clpt_control, name))]
+
+
+def is_error(value):
+    return inspect.isclass(value) and issubclass(value, Exception)
+
+
 FOUND = (  # by clpt.<tab>
     "theory.prove",
     "theory.audit",
@@ -87,7 +93,7 @@ FOUND = (  # by clpt.<tab>
     "draw",
     "connect",
     "simulation.explained_variance",
-    *(name for name, value in vars(clpt_control.errors).items() if inspect.isclass(value)),
+    *(one.__name__ for one in vars(clpt_control.errors).values() if is_error(one)),
 )
 
 
