@@ -207,7 +207,8 @@ def _rounded(values: np.ndarray, exact: list[dict[int, sympy.Expr]]) -> list[sym
     """Return rational numbers beside these; each exact row times them is zero."""
     used = [k for k, value in enumerate(values) if abs(value) > 1e-9]
     found = [sympy.Rational(Fraction(float(v)).limit_denominator(SHARE)) for v in values]
-    reduced, pivots = sympy.Matrix([[row.get(k, 0) for k in used] for row in exact]).rref()
+    numbers = [row.get(k, 0) for row in exact for k in used]
+    reduced, pivots = sympy.Matrix(len(exact), len(used), numbers).rref()
     free = [j for j in range(len(used)) if j not in pivots]
     for row, pivot in enumerate(pivots):
         found[used[pivot]] = -sympy.Add(*(reduced[row, j] * found[used[j]] for j in free))
