@@ -26,9 +26,7 @@ from .merged_record import merged_record
 from .wiring import Node, Wiring, read_unsampled
 
 CLOSE = 1e-12  # relative: numbers that differ by less are equal
-REACHED = 1e-9  # of the largest: a smaller component is not reached, a smaller jump none
-STEPS = 0.0, 1e-6, 1e-8  # relative: at a point and near it
-WAYS = 256  # in which points near it lie
+REACHED = 1e-9  # of the largest: a smaller component is not reached
 
 
 class _About:
@@ -36,8 +34,7 @@ class _About:
 
     def __init__(self, diagram: Any, wiring: Wiring, given: list[Any], t: float, x: Any, u: Any):
         self.tape, self.along = Tape(), dict[int, Any]()
-        self.point, self.every = np.concatenate([x, u])[:, None], np.eye(len(x) + len(u))
-        self.places = dict[Any, tuple[slice, Shape]]()  # of what varies
+        self.point, self.every = np.concatenate([x, u]), np.eye(len(x) + len(u))
         self.values: dict[Any, Any] = {("t", "t"): np.array([t])}
         self.parameters = {node.name: p for node, p in zip(wiring.nodes, given, strict=True)}
         self.inputs = {
@@ -73,28 +70,17 @@ class _About:
         """Return an array at its point, with its own directions."""
         leaf = self.tape.add("leaf", (), shape, at)
         self.along[operand(leaf)] = self.tape.add("leaf", (), shape, ("d", at))
-        self.places[at] = place, shape
+        self.values[at] = self.point[place].reshape(*shape, 1)
         self.values["d", at] = self.every[place].reshape(*shape, len(self.every))
         return leaf
-
-    def computed(self, values: list[Any], like: list[Any], points: np.ndarray) -> list[np.ndarray]:
-        """Return values of the tape, of the shapes of others, at points, which are columns."""
-
-        def leaf(*at: Any) -> np.ndarray:
-            if at not in self.places:
-                return self.values[at]
-            place, shape = self.places[at]
-            return points[place].reshape(*shape, points.shape[1])
-
-        shapes = [getattr(one, "shape", ()) for one in like]
-        record = compact(self.tape.operations, [operand(one) for one in values], shapes)
-        return computed(record, leaf, {})
 
     def numbers(self, values: Iterable[Any], like: Iterable[Any] | None = None) -> list[np.ndarray]:
         """Return values of the tape as numbers; the last axis is that of the directions."""
         values = [lifted(self.tape, one) for one in values]
-        found = self.computed(values, values if like is None else [*like], self.point)
-        return [np.broadcast_to(one, (*one.shape[:-1], len(self.every))) for one in found]
+        shapes = [getattr(one, "shape", ()) for one in (values if like is None else like)]
+        record = compact(self.tape.operations, [operand(one) for one in values], shapes)
+        numbers = computed(record, lambda *at: self.values[at], {})
+        return [np.broadcast_to(one, (*one.shape[:-1], len(self.every))) for one in numbers]
 
     def slopes(self, values: list[Any]) -> np.ndarray:
         """Return the derivatives of values, a row for each element."""
@@ -109,7 +95,7 @@ class _About:
         ties = (one == other) | (np.abs(one - other) <= CLOSE * size)
         return ties[..., 0], np.any(slope != 0.0, axis=-1) & ties[..., 0]
 
-    def check(self, values: list[Any]) -> None:
+    def check(self, values: Iterable[Any]) -> None:
         """Warn of each kink at the point; refuse a jump."""
         lines = list(self.tape.operations)
         undecided: dict[int, Any] = {}  # condition -> where both answers are possible
@@ -140,20 +126,7 @@ class _About:
                 near = 0.0 if kind == "sign" else np.round(self.numbers([place])[0][..., 0])
                 near = np.where(near == 0.0, np.nan, near) if kind in ("trunc", "pick") else near
                 verdict = "jumps" if np.any(self.ties(place, near)[1]) else ""
-            if verdict == "jumps" and not self.jump(values):
-                verdict = "bends"
             self.report(self.record.owners.get(k, ""), kind, verdict)
-
-    def jump(self, values: list[Any]) -> bool:
-        """Return whether values jump: nearer to the point they change by no less."""
-        size = np.maximum(1.0, np.abs(self.point))
-        ways = size * np.random.default_rng(0).standard_normal((len(size), WAYS))
-        here, far, near = (self.computed(values, values, self.point + by * ways) for by in STEPS)
-        for at, *ends in zip(here, far, near, strict=True):
-            away, left = (np.abs(one - at) for one in ends)
-            if np.any((left > 0.5 * away) & (left > REACHED * np.maximum(1.0, np.abs(at)))):
-                return True
-        return False
 
     def report(self, owner: str, kind: str, verdict: str) -> None:
         """Warn of a kink; refuse a jump."""

@@ -75,10 +75,11 @@ BENT = {
     "maximum": (lambda y, v: v + np.clip(-y, -1, 1), 1.0),
     "where": (lambda y, v: v + np.where(y > 0, y, 0.0), 0.0),
     "where ": (lambda y, v: v + (y if y > 0 else 3 * y), 0.0),
-    "where  ": (lambda y, v: v + np.interp(y, [0.0, 1.0, 2.0], [0.0, 1.0, 5.0]), 1.0),
 }
 TORN = {
     "sign": (lambda y, v: v - np.sign(y), 0.0),
+    "sign ": (lambda y, v: v - 1e6 * y - 1e-3 * np.sign(y), 0.0),  # beside a steep slope
+    "sign  ": (lambda y, v: v - y * np.sign(y), 0.0),  # 0 is the slope of neither side
     "floor": (lambda y, v: v - np.floor(y), 2.0),
     "mod": (lambda y, v: v - y % 1.0, 3.0),
     "atan2": (lambda y, v: v - np.arctan2(y, -1.0), 0.0),
