@@ -286,12 +286,16 @@ class DiagramRecord(RecordMerger):
         return fed
 
     def _signed(self, block: Block) -> bool:
-        """Return whether a block distinguishes -0.0 from 0.0."""
-        return any(
-            one.kind in SIGNED or (one.kind == "div" and type(one.arguments[1]) is int)
-            for record in block.records.values()
-            for one in record.operations
-        )
+        """Return whether a block distinguishes -0.0 from 0.0 in its inputs."""
+        for record in block.records.values():
+            fed: set[int] = set()  # operations that depend on inputs
+            for k, (kind, arguments, _, at) in enumerate(record.operations):
+                own = [type(a) is int and a in fed for a in arguments]
+                if any(own) or (kind == "leaf" and at[0] == "u"):
+                    fed.add(k)
+                    if kind in SIGNED or (kind == "div" and own[1]):
+                        return True
+        return False
 
     def part(self, ref: int, first: int, shape: tuple) -> int:
         """Return elements of a value from a place on, row by row, in a shape."""

@@ -77,11 +77,10 @@ def _exp_less_one(r):
 
 def exp(a):
     """Return e^a."""
-    a = where(a < -746.0, -746.0, a)
-    a = where(a > 710.0, 710.0, a)
     k, half = fma(a, LOG2_E, MAGIC), fma(a, 0.5 * LOG2_E, MAGIC)
     r = fma(k - MAGIC, -LN2_LOW, fma(k - MAGIC, -LN2, a))
-    return times_power_of_two(1.0 + _exp_less_one(r), k, half)
+    value = times_power_of_two(1.0 + _exp_less_one(r), k, half)
+    return where(a > 710.0, inf, where(a < -746.0, 0.0, value))
 
 
 def expm1(a):

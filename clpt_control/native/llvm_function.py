@@ -26,6 +26,8 @@ class Function:
     def __init__(self, module: ir.Module, name: str, lanes: int, constants: Sequence[float] = ()):
         pointer = DOUBLE.as_pointer()
         function = ir.Function(module, ir.FunctionType(ir.VoidType(), [pointer] * 6), name)
+        function.attributes.add("nounwind")
+        function.attributes.alignstack = 64  # a register that is saved lies in one line of cache
         self.arrays: dict[str, Any] = {}
         for argument, array in zip(function.args, ARRAYS, strict=True):
             argument.add_attribute("noalias")

@@ -40,7 +40,7 @@ class MergedSums:
                     terms.append((True, -1, self.components.total(body, symbol)))
             else:
                 terms += [(s, owner, self.components.total(v, symbol)) for s, owner, v in own]
-        merged = self.added(terms + rest)
+        merged = self.added(rest + terms)  # sums are known last
         return merged if self.work(merged) < self.work(plain) else plain
 
     def terms(

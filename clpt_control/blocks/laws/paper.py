@@ -28,7 +28,7 @@ def learned_flow(t, x, u, p):
 
 def driven_by(e, u, p):
     """Return the rates of Eqs. (21)-(23), driven by e."""
-    return {"alpha": -p.gain * np.outer(e, u.phi_x), **adapt_gains(p, e, u.z, u.zc)}
+    return {"alpha": np.outer(-p.gain * e, u.phi_x), **adapt_gains(p, e, u.z, u.zc)}
 
 
 LEARNED_FLOW = Law(

@@ -292,7 +292,7 @@ def normalised_gradient(t, x, u, p):
     per time), K[2], Gamma[2] (per time) and the states of `regressions`.
     """
     eps = p.regression_gain * unexplained(x, u, p) / (1 + x.phi_f @ x.phi_f)
-    alpha = -p.gain * np.outer(u.e, u.phi_x) - np.outer(eps, x.phi_f)
+    alpha = np.outer(-p.gain * u.e, u.phi_x) - np.outer(eps, x.phi_f)
     return {"alpha": alpha, **filter_rates(x, u, p), **gain_rates(x, u, p)}
 
 

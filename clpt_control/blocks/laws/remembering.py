@@ -55,7 +55,7 @@ def composite_memory(t, x, u, p):
     """
     missed = x.b + x.alpha @ x.Q.T
     return {
-        "alpha": -p.gain * np.outer(u.e, u.phi_x) - p.memory_gain * missed,
+        "alpha": np.outer(-p.gain * u.e, u.phi_x) - p.memory_gain * missed,
         **memory_rates(x, u, p),
         **filter_rates(x, u, p),
         **gain_rates(x, u, p),
@@ -116,7 +116,7 @@ def concurrent(t, x, u, p):
     size = p.window * (p.window**2 + shown @ shown)
     S, B = remembered(x.S, x.B, x.carried, shown, shown, size)
     return {
-        "alpha": -p.gain * np.outer(u.e, u.phi_x) - p.memory_gain * missed,
+        "alpha": np.outer(-p.gain * u.e, u.phi_x) - p.memory_gain * missed,
         "S": S,
         "B": B,
         "Phi": u.phi_x,
