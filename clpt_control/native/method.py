@@ -84,25 +84,43 @@ def _at(s: StepTape, c: float) -> Rows:
     return {row.AT: s.lane(row.TIME) + c * s.lane(row.TAKEN)}
 
 
-def _stage(weights: Any, c: float, s: StepTape, started: Any = None, starts: Any = ()) -> New:
+def _stage(
+    weights: Any,
+    c: float,
+    s: StepTape,
+    started: Any = None,
+    starts: Any = (),
+    ahead: bool = False,
+) -> New:
     """argument = x + h sum_j a_j K_j, at t + c h.
 
     The row `started` holds the beginning of the sum; `starts` are the weights of sums of later
-    stages, which begin here in the rows of terms.
+    stages, which begin here in the rows of terms.  With `ahead` the last term, h a_last K_last, is
+    left to `staged`, a function of the diagram.
     """
-    total = _sum(s, weights, total=None if started is None else s.z(started))
-    rows = {row.ARGUMENT: fmuladd(s.lane(row.TAKEN), total, s.z(row.STATE))}
-    return rows | {row.TERMS + k: _sum(s, other) for k, other in enumerate(starts)}, _at(s, c)
+    h, last = s.lane(row.TAKEN), np.flatnonzero(weights)[-1]
+    total = _sum(s, weights[:last], total=None if started is None else s.z(started))
+    argument = s.z(row.STATE) if total is None else fmuladd(h, total, s.z(row.STATE))
+    numbers, weight = _at(s, c), h * float(weights[last])
+    if ahead:
+        numbers[row.WEIGHT] = weight
+    else:
+        argument = fmuladd(weight, s.z(row.RATE + last), argument)
+    rows = {row.ARGUMENT: argument}
+    return rows | {row.TERMS + k: _sum(s, other) for k, other in enumerate(starts)}, numbers
 
 
-def _stage_of_dop853(number: int, s: StepTape) -> New:
-    """Stage 1 to 15, counted from 0; stage 12 is the new state."""
+def _stage_of_dop853(number: int, ahead: bool, s: StepTape) -> New:
+    """Stage 1 to 15, counted from 0; stage 12 is the new state, to the bit."""
+    if number == row.DOP853:
+        return {row.ARGUMENT: _new_state(s)[1]}, _at(s, 1.0)
     last = EARLY[0] - 1
     weights, c = table.A[number, :number], float(table.C[number])
     if number in EARLY:
         rest = np.where(np.arange(number) < last, 0.0, weights)
-        return _stage(rest, c, s, row.TERMS + number - EARLY[0])
-    return _stage(weights, c, s, starts=table.A[EARLY, :last] if number == last else ())
+        return _stage(rest, c, s, row.TERMS + number - EARLY[0], ahead=ahead)
+    starts = table.A[EARLY, :last] if number == last else ()
+    return _stage(weights, c, s, starts=starts, ahead=ahead and number < row.DOP853)
 
 
 def _attempt(s: StepTape, implicit: bool = False) -> New:
@@ -142,11 +160,16 @@ def _accept_or_reject(
     }
 
 
+def _new_state(s: StepTape) -> tuple[Any, Any]:
+    """Return the rate over the step, and the state at its end."""
+    rate = _sum(s, table.B)
+    return rate, fmuladd(s.lane(row.TAKEN), rate, s.z(row.STATE))
+
+
 def _control(s: StepTape) -> New:
     """The new state, the estimate of its error, whether the step is good, and the next length."""
     beyond = table.E3[: row.DOP853] - table.B  # most of E3 is B
-    rate = _sum(s, table.B)
-    state = fmuladd(s.lane(row.TAKEN), rate, s.z(row.STATE))
+    rate, state = _new_state(s)
     part = 1.0 / s.tolerance(maximum(abs(s.z(row.STATE)), abs(state)))
     fifth, third = _sum(s, table.E5) * part, _sum(s, beyond, total=rate) * part
     fifth, third = s.total(fifth * fifth), s.total(third * third)
@@ -343,7 +366,7 @@ def _dense_implicit(s: StepTape) -> New:
 # --- each a table ---------------------------------------------------------------------------
 
 
-def formulas(method: int) -> dict[str, Formula]:
+def formulas(method: int, ahead: bool = False) -> dict[str, Formula]:
     """Return the formulas of a method, by its number in the solver, in the solver's order."""
     last = table.A[row.DOP853 - 1, : row.DOP853 - 1]
     own: dict[str, Formula] = {
@@ -352,7 +375,7 @@ def formulas(method: int) -> dict[str, Formula]:
         **{"accept": _accept, "dense": _dense, "cubic": _only_cubic},
         "stiffness": partial(_stiffness, last, 6.1),
     }
-    stages: list[Formula] = [partial(_stage_of_dop853, k) for k in range(1, row.DOP853 + 4)]
+    stages: list[Formula] = [partial(_stage_of_dop853, k, ahead) for k in range(1, row.DOP853 + 4)]
     if method == row.DOPRI5:
         own |= {
             "control": _control_dopri5,
@@ -396,19 +419,21 @@ def program_of_formulas(formulas: dict[str, Formula], n: int) -> Program:
 
 
 @once(16)
-def kernels(n: int, lanes: int, method: int) -> Machine:
+def kernels(n: int, lanes: int, method: int, ahead: bool) -> Machine:
     """Return the formulas of a method for n states as machine code."""
-    named = formulas(method)
+    named = formulas(method, ahead)
     return Machine(
         named,
-        f"formulas {n} {lanes} {method}",
+        f"formulas {n} {lanes} {method} {ahead}",
         lambda: print_program(program_of_formulas(named, n), tuple(named), lanes),
     )
 
 
 def with_formulas(callee: Callee) -> Callee:
     """Return what the solver calls, the formulas of its method behind the diagram's functions."""
-    formulas = kernels(callee.nstates, callee.lanes, callee.method) if callee.nstates else None
+    ahead = bool(callee.functions[row.STAGED])
+    sizes = callee.nstates, callee.lanes, callee.method
+    formulas = kernels(*sizes, ahead) if callee.nstates else None
     more = formulas.addresses.values() if formulas else ()
     functions = np.array([*callee.functions, *more], dtype=np.int64)
     return callee._replace(functions=functions, code=(*callee.code, formulas))

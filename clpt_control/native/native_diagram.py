@@ -27,7 +27,7 @@ from .python_diagram import PythonDiagram
 from .schedule import Inputs
 
 ABREAST = 256  # states of runs in lanes; more do not fit the first cache
-FUNCTIONS = ("derivative", "prepare", "margin", "signals", "jump", "decide", "slope")
+FUNCTIONS = ("derivative", "prepare", "margin", "signals", "jump", "decide", "slope", "staged")
 # the lengths from which on an axis without and with a name loops, and whether decisions are locked
 # for a step; all forms but None are there to be compared
 FORMS = {
@@ -65,8 +65,9 @@ class Code:
     @one_at_a_time
     def address(self, name: str, lanes: int) -> int:
         """Return where a function lies, compiled when first asked for."""
-        apart = name in ("margin", "jump", "decide", "slope")  # only some diagrams need them
-        together = (name,) if apart else ("derivative", "prepare", "signals")
+        together: tuple[str, ...] = ("derivative", "prepare", "signals")
+        if name not in together:  # only some diagrams need it
+            together = (name,)
         if (name, lanes) not in self._machines:
             wanted = self.program, together, lanes
             machine = Machine(together, repr(wanted), lambda: print_program(*wanted))
@@ -224,6 +225,7 @@ class NativeDiagram(PythonDiagram):
         program = code.program
         used = dict(zip(("margin", "jump"), watched, strict=True))
         used |= {"decide": program.decided, "slope": "slope" in program.functions}
+        used["staged"] = method == solver.DOP853 and program.stages
         own = [code.address(name, lanes) if used.get(name, True) else 0 for name in FUNCTIONS]
         shape = lanes, self.nstates, method, *watched, self.decided_at, program.decided
         sizes = program.parameters, program.room, self.layout.T

@@ -1,6 +1,7 @@
 """Print the nests of a program as LLVM's code."""
 
 from collections.abc import Callable, Sequence
+from math import prod
 from typing import Any
 
 from llvmlite import ir
@@ -34,9 +35,12 @@ class _Nests(Function):
     def __init__(self, module: ir.Module, name: str, lanes: int, program: Program):
         super().__init__(module, name, lanes, program.constants)
         self.all, self.prepared = program.components, {} if name == "prepare" else program.prepared
+        nests = program.functions["derivative" if name == "staged" else name]
+        rates = [prod(one.lengths) for nest in nests for one in nest.items if one.array == "D"]
+        self.rates_at = -sum(rates) if name == "staged" else 0  # in D, of the stage before
         self.saved: dict[int, int] = {}  # component -> its place in W, once it is written
         self.numbers: dict[Key, list] = {}  # values outside all loops
-        for nest in program.functions[name]:
+        for nest in nests:
             self.nest(nest)
         self.builder.ret_void()
 
@@ -154,13 +158,22 @@ class _Nests(Function):
         if read is not None:
             array, first, strides = read
             moves = [self.moves(loops, strides, wide, index) for index in self.abreast(*loops)]
-            return lambda: [self.load(array, first, *one) for one in moves]
+            return lambda: [self.at_stage(array, first, *one) for one in moves]
         name, arguments, _ = self.all[c]
         if name == "lookup":
             table, places = self.all[arguments[1][0]], self.argument(arguments[0], loops, wide)
             return lambda: [self.lookup(one, *table.arguments[:4]) for one in places]
         values = [self.argument(a, loops, wide) for a in arguments]
         return lambda: calculate(builder, name, width, values)
+
+    def at_stage(self, array: str, first: int, moves: Any, stride: int | None) -> Any:
+        """Return a number that is read; `staged`, a state at the stage."""
+        value = self.load(array, first, moves, stride)
+        if array != "X" or not self.rates_at:
+            return value
+        weight = splat(self.builder, self.load("t", 1), width_of(value))
+        rate = self.load("D", self.rates_at + first, moves, stride)
+        return calculate(self.builder, "fmuladd", width_of(value), [[weight], [rate], [value]])[0]
 
     def argument(self, a: Any, loops: tuple[int, ...], wide: bool) -> list:
         """Return an argument: a constant, or a computed value."""

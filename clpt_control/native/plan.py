@@ -33,7 +33,9 @@ class Program(NamedTuple):
     derivative: D = dx/dt; signals: W = all block outputs; margin: D[0] = least distance to a
     guard's edge; jump: D = states after the jumps that P asks for, empty without any; decide: D =
     decisions, and which of them a step has passed (`decisions`); slope, in some: D = df/dx v +
-    df/dt s, where v and s lie behind the states.
+    df/dt s, where v and s lie behind the states.  `staged` is printed of the same nests: D = dx/dt
+    at X + w K, where w lies behind t and the rates K before D, so that the argument of a method's
+    stage waits for no store.
     """
 
     components: tuple[Component, ...]
@@ -44,6 +46,11 @@ class Program(NamedTuple):
     room: int  # length of W
     decided: int  # how many numbers are decided
     deciding: tuple[tuple, ...]  # of each decision: its first number, and where it is made
+
+    @property
+    def stages(self) -> bool:
+        """Whether there is `staged`: no state is looked up by its place."""
+        return all(c.name != "table" or c.arguments[0] != "X" for c in self.components)
 
 
 class Planner:

@@ -112,7 +112,7 @@ class PythonDiagram:
         ]
         places = len(self.jumps)
         own = [callback(one, n, places, array, count, raised) for one, array, count in functions]
-        addresses = [*(cast(one, c_void_p).value for one in own), 0, 0]
+        addresses = [*(cast(one, c_void_p).value for one in own), 0, 0, 0]
         full = np.ones((n, n + 1), dtype=bool)
         linear = jacobian(full, False) if method == solver.RODAS5P else Jacobian()
         sizes = places, self.nsignals, np.zeros(1)

@@ -1,4 +1,4 @@
-; sha256 c957b2ec0b0c8f850403f38243454b7299271025f7a85bf430d7a490832d9a76
+; sha256 38be35809a11197e8bb0526e6fabd28f29391acfc4bf7c992ee6cf5d98c0e8b2
 
 define dso_local noundef i32 @advance_of_many(ptr noalias %retptr, ptr noalias readnone %excinfo, ptr readnone %arg.code.0, ptr readnone %arg.code.1, i64 %arg.code.2, i64 %arg.code.3, ptr readonly %arg.code.4, i64 %arg.code.5.0, i64 %arg.code.6.0, i64 %arg.shape.0, i64 %arg.shape.1, i64 %arg.shape.2, i64 %arg.shape.3, i64 %arg.shape.4, i64 %arg.shape.5, i64 %arg.shape.6, ptr readnone %arg.tolerances.0, ptr readnone %arg.tolerances.1, i64 %arg.tolerances.2, i64 %arg.tolerances.3, ptr %arg.tolerances.4, i64 %arg.tolerances.5.0, i64 %arg.tolerances.6.0, ptr readnone %arg.batch.0.0.0, ptr readnone %arg.batch.0.0.1, i64 %arg.batch.0.0.2, i64 %arg.batch.0.0.3, ptr readonly %arg.batch.0.0.4, i64 %arg.batch.0.0.5.0, i64 %arg.batch.0.0.5.1, i64 %arg.batch.0.0.6.0, i64 %arg.batch.0.0.6.1, ptr readnone %arg.batch.0.1.0, ptr readnone %arg.batch.0.1.1, i64 %arg.batch.0.1.2, i64 %arg.batch.0.1.3, ptr readonly %arg.batch.0.1.4, i64 %arg.batch.0.1.5.0, i64 %arg.batch.0.1.5.1, i64 %arg.batch.0.1.6.0, i64 %arg.batch.0.1.6.1, ptr readnone %arg.batch.0.2.0, ptr readnone %arg.batch.0.2.1, i64 %arg.batch.0.2.2, i64 %arg.batch.0.2.3, ptr readonly %arg.batch.0.2.4, i64 %arg.batch.0.2.5.0, i64 %arg.batch.0.2.6.0, ptr readnone %arg.batch.1.0.0, ptr readnone %arg.batch.1.0.1, i64 %arg.batch.1.0.2, i64 %arg.batch.1.0.3, ptr readonly %arg.batch.1.0.4, i64 %arg.batch.1.0.5.0, i64 %arg.batch.1.0.6.0, ptr readnone %arg.batch.1.1.0, ptr readnone %arg.batch.1.1.1, i64 %arg.batch.1.1.2, i64 %arg.batch.1.1.3, ptr readonly %arg.batch.1.1.4, i64 %arg.batch.1.1.5.0, i64 %arg.batch.1.1.6.0, ptr readnone %arg.batch.1.2.0, ptr readnone %arg.batch.1.2.1, i64 %arg.batch.1.2.2, i64 %arg.batch.1.2.3, ptr readonly %arg.batch.1.2.4, i64 %arg.batch.1.2.5.0, i64 %arg.batch.1.2.6.0, ptr readnone %arg.batch.1.3.0, ptr readnone %arg.batch.1.3.1, i64 %arg.batch.1.3.2, i64 %arg.batch.1.3.3, ptr readonly %arg.batch.1.3.4, i64 %arg.batch.1.3.5.0, i64 %arg.batch.1.3.5.1, i64 %arg.batch.1.3.6.0, i64 %arg.batch.1.3.6.1, ptr readnone %arg.batch.1.4.0, ptr readnone %arg.batch.1.4.1, i64 %arg.batch.1.4.2, i64 %arg.batch.1.4.3, ptr readonly %arg.batch.1.4.4, i64 %arg.batch.1.4.5.0, i64 %arg.batch.1.4.6.0, ptr readnone %arg.batch.2.0, ptr readnone %arg.batch.2.1, i64 %arg.batch.2.2, i64 %arg.batch.2.3, ptr readonly %arg.batch.2.4, i64 %arg.batch.2.5.0, i64 %arg.batch.2.6.0, ptr readnone %arg.batch.3.0.0, ptr readnone %arg.batch.3.0.1, i64 %arg.batch.3.0.2, i64 %arg.batch.3.0.3, ptr %arg.batch.3.0.4, i64 %arg.batch.3.0.5.0, i64 %arg.batch.3.0.5.1, i64 %arg.batch.3.0.5.2, i64 %arg.batch.3.0.6.0, i64 %arg.batch.3.0.6.1, i64 %arg.batch.3.0.6.2, ptr readnone %arg.batch.3.1.0, ptr readnone %arg.batch.3.1.1, i64 %arg.batch.3.1.2, i64 %arg.batch.3.1.3, ptr %arg.batch.3.1.4, i64 %arg.batch.3.1.5.0, i64 %arg.batch.3.1.6.0, ptr readnone %arg.batch.3.2.0, ptr readnone %arg.batch.3.2.1, i64 %arg.batch.3.2.2, i64 %arg.batch.3.2.3, ptr %arg.batch.3.2.4, i64 %arg.batch.3.2.5.0, i64 %arg.batch.3.2.6.0, ptr readnone %arg.batch.3.3.0, ptr readnone %arg.batch.3.3.1, i64 %arg.batch.3.3.2, i64 %arg.batch.3.3.3, ptr %arg.batch.3.3.4, i64 %arg.batch.3.3.5.0, i64 %arg.batch.3.3.5.1, i64 %arg.batch.3.3.6.0, i64 %arg.batch.3.3.6.1, ptr readnone %arg.batch.4.0.0, ptr readnone %arg.batch.4.0.1, i64 %arg.batch.4.0.2, i64 %arg.batch.4.0.3, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.0, i64 %arg.batch.4.0.5.1, i64 %arg.batch.4.0.6.0, i64 %arg.batch.4.0.6.1, ptr readnone %arg.batch.4.1.0, ptr readnone %arg.batch.4.1.1, i64 %arg.batch.4.1.2, i64 %arg.batch.4.1.3, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.0, i64 %arg.batch.4.1.5.1, i64 %arg.batch.4.1.6.0, i64 %arg.batch.4.1.6.1, ptr readnone %arg.batch.4.2.0, ptr readnone %arg.batch.4.2.1, i64 %arg.batch.4.2.2, i64 %arg.batch.4.2.3, ptr %arg.batch.4.2.4, i64 %arg.batch.4.2.5.0, i64 %arg.batch.4.2.6.0, ptr readnone %arg.batch.5.0.0, ptr readnone %arg.batch.5.0.1, i64 %arg.batch.5.0.2, i64 %arg.batch.5.0.3, ptr %arg.batch.5.0.4, i64 %arg.batch.5.0.5.0, i64 %arg.batch.5.0.6.0, ptr readnone %arg.batch.5.1.0, ptr readnone %arg.batch.5.1.1, i64 %arg.batch.5.1.2, i64 %arg.batch.5.1.3, ptr %arg.batch.5.1.4, i64 %arg.batch.5.1.5.0, i64 %arg.batch.5.1.6.0, ptr readnone %arg.batch.5.2.0, ptr readnone %arg.batch.5.2.1, i64 %arg.batch.5.2.2, i64 %arg.batch.5.2.3, ptr %arg.batch.5.2.4, i64 %arg.batch.5.2.5.0, i64 %arg.batch.5.2.6.0, ptr readnone %arg.batch.5.3.0, ptr readnone %arg.batch.5.3.1, i64 %arg.batch.5.3.2, i64 %arg.batch.5.3.3, ptr %arg.batch.5.3.4, i64 %arg.batch.5.3.5.0, i64 %arg.batch.5.3.6.0, ptr readnone %arg.batch.5.4.0, ptr readnone %arg.batch.5.4.1, i64 %arg.batch.5.4.2, i64 %arg.batch.5.4.3, ptr %arg.batch.5.4.4, i64 %arg.batch.5.4.5.0, i64 %arg.batch.5.4.6.0, ptr readnone %arg.linear.0.0, ptr readnone %arg.linear.0.1, i64 %arg.linear.0.2, i64 %arg.linear.0.3, ptr %arg.linear.0.4, i64 %arg.linear.0.5.0, i64 %arg.linear.0.6.0, ptr readnone %arg.linear.1.0, ptr readnone %arg.linear.1.1, i64 %arg.linear.1.2, i64 %arg.linear.1.3, ptr %arg.linear.1.4, i64 %arg.linear.1.5.0, i64 %arg.linear.1.6.0, ptr readnone %arg.linear.2.0, ptr readnone %arg.linear.2.1, i64 %arg.linear.2.2, i64 %arg.linear.2.3, ptr %arg.linear.2.4, i64 %arg.linear.2.5.0, i64 %arg.linear.2.6.0, i64 %arg.linear.3.0, i64 %arg.linear.3.1, i64 %arg.linear.3.2, ptr readnone %arg.linear.4.0, ptr readnone %arg.linear.4.1, i64 %arg.linear.4.2, i64 %arg.linear.4.3, ptr readonly %arg.linear.4.4, i64 %arg.linear.4.5.0, i64 %arg.linear.4.6.0, ptr readnone %arg.linear.5.0, ptr readnone %arg.linear.5.1, i64 %arg.linear.5.2, i64 %arg.linear.5.3, ptr readonly %arg.linear.5.4, i64 %arg.linear.5.5.0, i64 %arg.linear.5.6.0, ptr readnone %arg.linear.6.0, ptr readnone %arg.linear.6.1, i64 %arg.linear.6.2, i64 %arg.linear.6.3, ptr readonly %arg.linear.6.4, i64 %arg.linear.6.5.0, i64 %arg.linear.6.6.0, ptr readnone %arg.linear.7.0, ptr readnone %arg.linear.7.1, i64 %arg.linear.7.2, i64 %arg.linear.7.3, ptr readonly %arg.linear.7.4, i64 %arg.linear.7.5.0, i64 %arg.linear.7.6.0, ptr readnone %arg.linear.8.0, ptr readnone %arg.linear.8.1, i64 %arg.linear.8.2, i64 %arg.linear.8.3, ptr readonly %arg.linear.8.4, i64 %arg.linear.8.5.0, i64 %arg.linear.8.6.0, ptr readnone %arg.linear.9.0, ptr readnone %arg.linear.9.1, i64 %arg.linear.9.2, i64 %arg.linear.9.3, ptr readonly %arg.linear.9.4, i64 %arg.linear.9.5.0, i64 %arg.linear.9.6.0, i64 %arg.budget, i64 %arg.most) local_unnamed_addr {
 entry:
@@ -10,11 +10,22 @@ entry:
   %.614 = icmp eq i64 %arg.shape.2, 12
   %.625 = icmp eq i64 %arg.shape.2, 7
   %. = select i1 %.625, i64 7, i64 1
-  %.689 = icmp slt i64 %arg.shape.0, 1
-  %storemerge = select i1 %.689, i64 0, i64 %arg.shape.0
-  br i1 %.689, label %B470, label %B330.if.lr.ph
+  %.676 = getelementptr i8, ptr %arg.code.4, i64 56
+  %.677 = load i64, ptr %.676, align 8
+  %.678.not = icmp eq i64 %.677, 0
+  br i1 %.678.not, label %B356, label %B380
 
-B330.if.lr.ph:                                    ; preds = %entry
+B356:                                             ; preds = %entry
+  %.743 = load i64, ptr %arg.code.4, align 8
+  br label %B380
+
+B380:                                             ; preds = %entry, %B356
+  %"$phi380.0.2.0" = phi i64 [ %.743, %B356 ], [ %.677, %entry ]
+  %.794 = icmp slt i64 %arg.shape.0, 1
+  %storemerge = select i1 %.794, i64 0, i64 %arg.shape.0
+  br i1 %.794, label %B556, label %B416.if.lr.ph
+
+B416.if.lr.ph:                                    ; preds = %B380
   %.idx.i = mul i64 %arg.batch.4.0.5.1, 24
   %0 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx.i
   %.323.i = getelementptr i8, ptr %arg.batch.4.2.4, i64 8
@@ -50,42 +61,43 @@ B330.if.lr.ph:                                    ; preds = %entry
   %gep.24.idx.i = mul i64 %arg.batch.4.0.5.1, 192
   %gep.25.idx.i = mul i64 %arg.batch.4.0.5.1, 200
   %gep.26.idx.i = mul i64 %arg.batch.4.0.5.1, 208
+  %gep.27.idx.i = mul i64 %arg.batch.4.0.5.1, 216
   %4 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.2.idx.i
-  %5 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.15.idx.i
-  %6 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.26.idx.i
-  %.idx1130.i = mul i64 %arg.batch.4.0.5.1, 216
+  %5 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.16.idx.i
+  %6 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.27.idx.i
+  %.idx1130.i = mul i64 %arg.batch.4.0.5.1, 224
   %7 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1130.i
-  br label %B330.if
+  br label %B416.if
 
-B372:                                             ; preds = %B330.if
+B458:                                             ; preds = %B416.if
   %.236.i = load i64, ptr %arg.batch.4.2.4, align 8, !noalias !0
-  %.293.i10601 = getelementptr double, ptr %0, i64 %.675.010872
-  store double 0.000000e+00, ptr %.293.i10601, align 8, !noalias !0
+  %.293.i10632 = getelementptr double, ptr %0, i64 %.780.010905
+  store double 0.000000e+00, ptr %.293.i10632, align 8, !noalias !0
   %.324.i = load i64, ptr %.323.i, align 8, !noalias !0
   %.326.i = icmp eq i64 %.236.i, %.324.i
-  br i1 %.326.i, label %B416, label %B132.i
+  br i1 %.326.i, label %B502, label %B132.i
 
-B132.i:                                           ; preds = %B372
-  %.359.i10602 = add nsw i64 %.236.i, 1
-  store i64 %.359.i10602, ptr %arg.batch.4.2.4, align 8, !noalias !0
+B132.i:                                           ; preds = %B458
+  %.359.i10633 = add nsw i64 %.236.i, 1
+  store i64 %.359.i10633, ptr %arg.batch.4.2.4, align 8, !noalias !0
   store i64 1, ptr %.418.i, align 8, !noalias !0
   %.438.i = icmp slt i64 %.236.i, 0
   %.439.i = select i1 %.438.i, i64 %arg.batch.0.2.5.0, i64 0
   %8 = getelementptr i64, ptr %arg.batch.0.2.4, i64 %.236.i
-  %.453.i10603 = getelementptr i64, ptr %8, i64 %.439.i
-  %.454.i10604 = load i64, ptr %.453.i10603, align 8, !noalias !0
-  %.469.i = icmp slt i64 %.454.i10604, 0
+  %.453.i10634 = getelementptr i64, ptr %8, i64 %.439.i
+  %.454.i10635 = load i64, ptr %.453.i10634, align 8, !noalias !0
+  %.469.i = icmp slt i64 %.454.i10635, 0
   %.470.i = select i1 %.469.i, i64 %arg.batch.1.0.5.0, i64 0
-  %9 = getelementptr i64, ptr %arg.batch.1.0.4, i64 %.454.i10604
-  %.484.i10605 = getelementptr i64, ptr %9, i64 %.470.i
-  %.485.i10606 = load i64, ptr %.484.i10605, align 8, !noalias !0
-  %.540.i = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.675.010872
+  %9 = getelementptr i64, ptr %arg.batch.1.0.4, i64 %.454.i10635
+  %.484.i10636 = getelementptr i64, ptr %9, i64 %.470.i
+  %.485.i10637 = load i64, ptr %.484.i10636, align 8, !noalias !0
+  %.540.i = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.780.010905
   store i64 %.236.i, ptr %.540.i, align 8, !noalias !0
-  %.595.i = getelementptr i64, ptr %1, i64 %.675.010872
-  store i64 %.485.i10606, ptr %.595.i, align 8, !noalias !0
-  %.654.i = getelementptr i64, ptr %2, i64 %.675.010872
+  %.595.i = getelementptr i64, ptr %1, i64 %.780.010905
+  store i64 %.485.i10637, ptr %.595.i, align 8, !noalias !0
+  %.654.i = getelementptr i64, ptr %2, i64 %.780.010905
   store i64 1, ptr %.654.i, align 8, !noalias !0
-  %.709.i = getelementptr i64, ptr %3, i64 %.675.010872
+  %.709.i = getelementptr i64, ptr %3, i64 %.780.010905
   store i64 0, ptr %.709.i, align 8, !noalias !0
   br i1 %.8051131.not.i, label %B402.i, label %B358.if.lr.ph.i
 
@@ -94,7 +106,7 @@ B358.if.lr.ph.i:                                  ; preds = %B132.i
   %.868.i = add i64 %.867.i, %.236.i
   %.888.i = mul i64 %.868.i, %arg.batch.0.1.5.1
   %10 = getelementptr double, ptr %arg.batch.0.1.4, i64 %.888.i
-  %invariant.gep11098 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.675.010872
+  %invariant.gep11131 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.780.010905
   br label %B358.if.i
 
 B402.i:                                           ; preds = %B358.if.i, %B132.i
@@ -103,32 +115,32 @@ B402.i:                                           ; preds = %B358.if.i, %B132.i
 B76.if.i.lr.ph.i:                                 ; preds = %B402.i
   %.990.i = load i64, ptr %.595.i, align 8, !noalias !0
   %.236.i.i = icmp slt i64 %.990.i, 0
-  %.237.i.i10608 = select i1 %.236.i.i, i64 %arg.batch.1.3.5.0, i64 0
-  %.238.i.i = add i64 %.237.i.i10608, %.990.i
+  %.237.i.i10639 = select i1 %.236.i.i, i64 %arg.batch.1.3.5.0, i64 0
+  %.238.i.i = add i64 %.237.i.i10639, %.990.i
   %.258.i.i = mul i64 %.238.i.i, %arg.batch.1.3.5.1
   %11 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i
-  br label %B76.if.i.i10609
+  br label %B76.if.i.i10640
 
-B76.if.i.i10609:                                  ; preds = %B76.if.i.i10609, %B76.if.i.lr.ph.i
-  %.117.i.01135.i = phi i64 [ 0, %B76.if.i.lr.ph.i ], [ %.188.i.i, %B76.if.i.i10609 ]
+B76.if.i.i10640:                                  ; preds = %B76.if.i.i10640, %B76.if.i.lr.ph.i
+  %.117.i.01135.i = phi i64 [ 0, %B76.if.i.lr.ph.i ], [ %.188.i.i, %B76.if.i.i10640 ]
   %.188.i.i = add nsw i64 %.117.i.01135.i, 1
   %12 = getelementptr double, ptr %11, i64 %.117.i.01135.i
   %.263.i.i = load double, ptr %12, align 8, !noalias !3
   %13 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.01135.i
   %.293.i.i = load i64, ptr %13, align 8, !noalias !3
-  %.295.i.i10610 = mul nsw i64 %.293.i.i, %arg.shape.0
-  %.297.i.i = add nsw i64 %.295.i.i10610, %.675.010872
+  %.295.i.i10641 = mul nsw i64 %.293.i.i, %arg.shape.0
+  %.297.i.i = add nsw i64 %.295.i.i10641, %.780.010905
   %.311.i.i = icmp slt i64 %.297.i.i, 0
   %.312.i.i = select i1 %.311.i.i, i64 %arg.batch.5.1.5.0, i64 0
   %14 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i
   %.326.i.i = getelementptr double, ptr %14, i64 %.312.i.i
   store double %.263.i.i, ptr %.326.i.i, align 8, !noalias !3
   %exitcond1142.not.i = icmp eq i64 %.188.i.i, %arg.batch.1.1.5.0
-  br i1 %exitcond1142.not.i, label %B402.endif.i, label %B76.if.i.i10609
+  br i1 %exitcond1142.not.i, label %B402.endif.i, label %B76.if.i.i10640
 
 B888.i:                                           ; preds = %B580.if.i
   store double 0.000000e+00, ptr %.1877.i, align 8, !noalias !0
-  br label %B416
+  br label %B502
 
 B358.if.i:                                        ; preds = %B358.if.i, %B358.if.lr.ph.i
   %.747.01132.i = phi i64 [ 0, %B358.if.lr.ph.i ], [ %.818.i, %B358.if.i ]
@@ -136,12 +148,12 @@ B358.if.i:                                        ; preds = %B358.if.i, %B358.if
   %15 = getelementptr double, ptr %10, i64 %.747.01132.i
   %.893.i = load double, ptr %15, align 8, !noalias !0
   %.895.i = mul nsw i64 %.747.01132.i, %arg.shape.0
-  %gep11099 = getelementptr double, ptr %invariant.gep11098, i64 %.895.i
-  store double %.893.i, ptr %gep11099, align 8, !noalias !0
+  %gep11132 = getelementptr double, ptr %invariant.gep11131, i64 %.895.i
+  store double %.893.i, ptr %gep11132, align 8, !noalias !0
   %exitcond.not.i = icmp eq i64 %.818.i, %arg.batch.0.1.5.1
   br i1 %exitcond.not.i, label %B402.i, label %B358.if.i
 
-B402.endif.i:                                     ; preds = %B76.if.i.i10609, %B402.i
+B402.endif.i:                                     ; preds = %B76.if.i.i10640, %B402.i
   br i1 %.11171137.not.i, label %B580.if.i, label %B496.if.lr.ph.i
 
 B496.if.lr.ph.i:                                  ; preds = %B402.endif.i
@@ -149,7 +161,7 @@ B496.if.lr.ph.i:                                  ; preds = %B402.endif.i
   %.1180.i = add i64 %.1179.i, %.236.i
   %.1200.i = mul i64 %.1180.i, %arg.batch.0.0.5.1
   %16 = getelementptr double, ptr %arg.batch.0.0.4, i64 %.1200.i
-  %invariant.gep11100 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.675.010872
+  %invariant.gep11133 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.780.010905
   br label %B496.if.i
 
 B496.if.i:                                        ; preds = %B496.if.i, %B496.if.lr.ph.i
@@ -158,13 +170,13 @@ B496.if.i:                                        ; preds = %B496.if.i, %B496.if
   %17 = getelementptr double, ptr %16, i64 %.1061.01138.i
   %.1205.i = load double, ptr %17, align 8, !noalias !0
   %.1207.i = mul nsw i64 %.1061.01138.i, %arg.shape.0
-  %gep11101 = getelementptr double, ptr %invariant.gep11100, i64 %.1207.i
-  store double %.1205.i, ptr %gep11101, align 8, !noalias !0
+  %gep11134 = getelementptr double, ptr %invariant.gep11133, i64 %.1207.i
+  store double %.1205.i, ptr %gep11134, align 8, !noalias !0
   %exitcond1143.not.i = icmp eq i64 %.1130.i, %arg.shape.1
   br i1 %exitcond1143.not.i, label %B580.if.i, label %B496.if.i
 
 B580.if.i:                                        ; preds = %B496.if.i, %B402.endif.i
-  %invariant.gep.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.675.010872
+  %invariant.gep.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.780.010905
   store double 0.000000e+00, ptr %invariant.gep.i, align 8, !noalias !0
   %gep.1.i = getelementptr double, ptr %invariant.gep.i, i64 %arg.batch.4.0.5.1
   store double 0.000000e+00, ptr %gep.1.i, align 8, !noalias !0
@@ -218,6 +230,8 @@ B580.if.i:                                        ; preds = %B496.if.i, %B402.en
   store double 0.000000e+00, ptr %gep.25.i, align 8, !noalias !0
   %gep.26.i = getelementptr i8, ptr %invariant.gep.i, i64 %gep.26.idx.i
   store double 0.000000e+00, ptr %gep.26.i, align 8, !noalias !0
+  %gep.27.i = getelementptr i8, ptr %invariant.gep.i, i64 %gep.27.idx.i
+  store double 0.000000e+00, ptr %gep.27.i, align 8, !noalias !0
   %.1455.i = load double, ptr %arg.batch.2.4, align 8, !noalias !0
   %.1516.i = load i64, ptr %.595.i, align 8, !noalias !0
   %.1531.i = icmp slt i64 %.1516.i, 0
@@ -226,77 +240,77 @@ B580.if.i:                                        ; preds = %B496.if.i, %B402.en
   %.1546.i = getelementptr double, ptr %18, i64 %.1532.i
   %.1547.i = load double, ptr %.1546.i, align 8, !noalias !0
   store double %.1455.i, ptr %invariant.gep.i, align 8, !noalias !0
-  %.1656.i = getelementptr double, ptr %4, i64 %.675.010872
+  %.1656.i = getelementptr double, ptr %4, i64 %.780.010905
   store double %.1547.i, ptr %.1656.i, align 8, !noalias !0
-  store double 1.000000e+00, ptr %.293.i10601, align 8, !noalias !0
-  %.1767.i = getelementptr double, ptr %5, i64 %.675.010872
+  store double 1.000000e+00, ptr %.293.i10632, align 8, !noalias !0
+  %.1767.i = getelementptr double, ptr %5, i64 %.780.010905
   store double 0xFFF0000000000000, ptr %.1767.i, align 8, !noalias !0
-  %.1822.i = getelementptr double, ptr %6, i64 %.675.010872
+  %.1822.i = getelementptr double, ptr %6, i64 %.780.010905
   store double 0x7FF0000000000000, ptr %.1822.i, align 8, !noalias !0
-  %.1877.i = getelementptr double, ptr %7, i64 %.675.010872
+  %.1877.i = getelementptr double, ptr %7, i64 %.780.010905
   %.1878.i = load double, ptr %.1877.i, align 8, !noalias !0
   %.1880.i = fcmp ueq double %.1878.i, 0xFFF0000000000000
-  br i1 %.1880.i, label %B416, label %B888.i
+  br i1 %.1880.i, label %B502, label %B888.i
 
-B416:                                             ; preds = %B888.i, %B372, %B580.if.i, %B330.if
-  %.966 = load i64, ptr %280, align 8
-  %.967 = icmp sgt i64 %.966, -1
-  %.10576 = zext i1 %.967 to i64
-  %.984 = add nsw i64 %active.4.010874, %.10576
-  %.733 = icmp sgt i64 %.678.010873, 1
-  br i1 %.733, label %B330.if, label %B470
+B502:                                             ; preds = %B888.i, %B458, %B580.if.i, %B416.if
+  %.1071 = load i64, ptr %280, align 8
+  %.1072 = icmp sgt i64 %.1071, -1
+  %.10607 = zext i1 %.1072 to i64
+  %.1089 = add nsw i64 %active.4.010907, %.10607
+  %.838 = icmp sgt i64 %.783.010906, 1
+  br i1 %.838, label %B416.if, label %B556
 
-B470:                                             ; preds = %B416, %entry
-  %active.4.0.lcssa = phi i64 [ 0, %entry ], [ %.984, %B416 ]
-  %.1001.not = icmp ne i64 %active.4.0.lcssa, 0
-  %.1017 = icmp sgt i64 %arg.budget, 0
-  %or.cond = select i1 %.1001.not, i1 %.1017, i1 false
-  br i1 %or.cond, label %B498.preheader, label %B4666
+B556:                                             ; preds = %B502, %B380
+  %active.4.0.lcssa = phi i64 [ 0, %B380 ], [ %.1089, %B502 ]
+  %.1106.not = icmp ne i64 %active.4.0.lcssa, 0
+  %.1122 = icmp sgt i64 %arg.budget, 0
+  %or.cond = select i1 %.1106.not, i1 %.1122, i1 false
+  br i1 %or.cond, label %B584.preheader, label %B4730
 
-B498.preheader:                                   ; preds = %B470
-  %.1061 = getelementptr i8, ptr %arg.batch.4.2.4, i64 16
+B584.preheader:                                   ; preds = %B556
+  %.1166 = getelementptr i8, ptr %arg.batch.4.2.4, i64 16
   %factor.op.mul = mul i64 %arg.shape.1, 14
-  %factor.op.mul11053 = mul i64 %arg.shape.1, 15
-  %factor.op.mul11054 = shl i64 %arg.shape.1, 4
-  %.1157 = getelementptr i8, ptr %arg.code.4, i64 8
-  %.1209 = icmp sgt i64 %arg.shape.6, 0
+  %factor.op.mul11086 = mul i64 %arg.shape.1, 15
+  %factor.op.mul11087 = shl i64 %arg.shape.1, 4
+  %.1262 = getelementptr i8, ptr %arg.code.4, i64 8
+  %.1314 = icmp sgt i64 %arg.shape.6, 0
   %.162.i = getelementptr i8, ptr %arg.code.4, i64 40
-  %.idx10575 = mul i64 %arg.batch.4.0.5.1, 24
-  %19 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10575
-  %.537.i10875 = icmp slt i64 %arg.shape.6, 1
+  %.idx10606 = mul i64 %arg.batch.4.0.5.1, 24
+  %19 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10606
+  %.537.i10908 = icmp slt i64 %arg.shape.6, 1
   %.691.i = getelementptr i8, ptr %arg.code.4, i64 8
-  %.1270.not = icmp eq i64 %arg.shape.3, 0
-  %.1300 = getelementptr i8, ptr %arg.code.4, i64 16
-  %.1427.idx = shl i64 %.463, 4
-  %.1427 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.1427.idx
-  %.1458 = getelementptr i8, ptr %arg.code.4, i64 72
-  %.1534 = getelementptr i8, ptr %arg.code.4, i64 80
-  %.1635.idx = mul i64 %.463, 136
-  %.1635 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.1635.idx
-  %.1660.idx = mul i64 %.463, 24
-  %.1660 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.1660.idx
-  %.1691 = getelementptr i8, ptr %arg.code.4, i64 88
-  %.idx10567 = mul i64 %arg.batch.4.0.5.1, 24
-  %20 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10567
-  %.idx10568 = shl i64 %arg.batch.4.0.5.1, 5
-  %21 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10568
-  %.idx10569 = mul i64 %arg.batch.4.0.5.1, 232
-  %22 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10569
-  %.10577 = select i1 %.612, i64 0, i64 2
+  %.1375.not = icmp eq i64 %arg.shape.3, 0
+  %.1405 = getelementptr i8, ptr %arg.code.4, i64 16
+  %.1532.idx = shl i64 %.463, 4
+  %.1532 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.1532.idx
+  %.1563 = getelementptr i8, ptr %arg.code.4, i64 80
+  %.1639 = getelementptr i8, ptr %arg.code.4, i64 88
+  %.1740.idx = mul i64 %.463, 136
+  %.1740 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.1740.idx
+  %.1765.idx = mul i64 %.463, 24
+  %.1765 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.1765.idx
+  %.1796 = getelementptr i8, ptr %arg.code.4, i64 96
+  %.idx10598 = mul i64 %arg.batch.4.0.5.1, 24
+  %20 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10598
+  %.idx10599 = shl i64 %arg.batch.4.0.5.1, 5
+  %21 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10599
+  %.idx10600 = mul i64 %arg.batch.4.0.5.1, 240
+  %22 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10600
+  %.10608 = select i1 %.612, i64 0, i64 2
   %.792.i = icmp ne i64 %arg.shape.2, 1
   %"$phi364.4.2.i.2" = zext i1 %.792.i to i64
-  %.idx10570 = mul i64 %arg.batch.4.0.5.1, 88
-  %23 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10570
-  %.idx10571 = shl i64 %arg.batch.4.0.5.1, 4
-  %24 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10571
-  %.idx10572 = shl i64 %arg.batch.4.1.5.1, 4
-  %25 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10572
-  %.idx10573 = shl i64 %arg.batch.4.0.5.1, 4
-  %26 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10573
-  %.idx10574 = mul i64 %arg.batch.4.0.5.1, 152
-  %27 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10574
-  %.1829 = getelementptr i8, ptr %arg.code.4, i64 56
-  %.1954 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.463
+  %.idx10601 = mul i64 %arg.batch.4.0.5.1, 96
+  %23 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10601
+  %.idx10602 = shl i64 %arg.batch.4.0.5.1, 4
+  %24 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10602
+  %.idx10603 = shl i64 %arg.batch.4.1.5.1, 4
+  %25 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10603
+  %.idx10604 = shl i64 %arg.batch.4.0.5.1, 4
+  %26 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10604
+  %.idx10605 = mul i64 %arg.batch.4.0.5.1, 160
+  %27 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10605
+  %.1934 = getelementptr i8, ptr %arg.code.4, i64 64
+  %.2059 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.463
   %.266.idx.i = shl i64 %arg.batch.4.0.5.1, 5
   %.266.i = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.266.idx.i
   %.317.i2117.not.i = icmp slt i64 %arg.shape.1, 1
@@ -322,8 +336,8 @@ B498.preheader:                                   ; preds = %B470
   %.586.i.i.i = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.586.i.i.idx.i
   %.597.i.i.i = mul nsw i64 %arg.shape.1, 18
   %.615.i.i.i = select i1 %.510.i.i.i, i64 %arg.batch.5.0.5.0, i64 0
-  %.idx.i10616 = mul i64 %arg.shape.1, 152
-  %30 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.idx.i10616
+  %.idx.i10647 = mul i64 %arg.shape.1, 152
+  %30 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.idx.i10647
   %.629.i.i.i = getelementptr double, ptr %30, i64 %.615.i.i.i
   %.944.i.i.i = mul nsw i64 %arg.shape.1, 17
   %.1748.i.i = mul nsw i64 %arg.shape.1, 11
@@ -338,118 +352,119 @@ B498.preheader:                                   ; preds = %B470
   %.1276.i.i.1.i = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.1276.i.i.1.idx.i
   %.idx2164.i = mul i64 %arg.shape.1, 96
   %.402.i = icmp sgt i64 %arg.shape.1, 0
-  %.520.i10611 = add i64 %arg.linear.3.0, 1
+  %.520.i10642 = add i64 %arg.linear.3.0, 1
   %.434.sroa.0.02106.i = add i64 %arg.shape.1, 1
-  %.831.idx.i = mul i64 %arg.batch.4.0.5.1, 144
+  %.831.idx.i = mul i64 %arg.batch.4.0.5.1, 152
   %.831.i = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.831.idx.i
   %31 = add i64 %arg.linear.3.1, %arg.linear.3.0
   %.199.i.i = add i64 %arg.linear.3.1, 1
-  %.2073 = add i64 %arg.shape.2, -1
-  %storemerge10492 = tail call i64 @llvm.smax.i64(i64 %.2073, i64 0)
-  %.211610888.not = icmp slt i64 %.2073, 1
-  %.2290.idx = mul i64 %.463, 136
-  %.2290 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.2290.idx
+  %.2178 = add i64 %arg.shape.2, -1
+  %storemerge10523 = tail call i64 @llvm.smax.i64(i64 %.2178, i64 0)
+  %.222110921.not = icmp slt i64 %.2178, 1
+  %.2366.idx = mul i64 %.463, 136
+  %.2366 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.2366.idx
+  %.2392 = inttoptr i64 %"$phi380.0.2.0" to ptr
   %.218614.not.i = icmp sgt i64 %arg.shape.1, 0
-  %or.cond10866.not = select i1 %.610, i1 %.218614.not.i, i1 false
-  %.326.i10617 = mul nsw i64 %arg.shape.1, 17
-  %.idx.i10619 = mul i64 %arg.shape.1, 80
-  %invariant.gep10884 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.idx.i10619
+  %or.cond10899.not = select i1 %.610, i1 %.218614.not.i, i1 false
+  %.326.i10648 = mul nsw i64 %arg.shape.1, 17
+  %.idx.i10650 = mul i64 %arg.shape.1, 80
+  %invariant.gep10917 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.idx.i10650
   %.395.i = mul nsw i64 %arg.shape.1, 17
   %.339.i.i = add i64 %arg.linear.3.0, 1
-  %invariant.gep10886 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.395.i
+  %invariant.gep10919 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.395.i
   %32 = add i64 %arg.linear.3.1, %arg.linear.3.0
-  %.2410 = getelementptr i8, ptr %arg.code.4, i64 64
-  %.2487 = icmp sgt i64 %arg.shape.3, 0
-  %.2492 = icmp sgt i64 %arg.shape.6, 0
-  %.idx10565 = mul i64 %arg.batch.4.0.5.1, 40
-  %33 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10565
-  %.idx10566 = mul i64 %arg.batch.4.0.5.1, 168
-  %34 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10566
-  %.idx10562 = mul i64 %arg.batch.4.0.5.1, 176
-  %35 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10562
-  %.idx10563 = mul i64 %arg.batch.4.0.5.1, 184
-  %36 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10563
-  %.idx10564 = mul i64 %arg.batch.4.0.5.1, 160
-  %37 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10564
-  %.idx10556 = shl i64 %arg.batch.4.1.5.1, 4
-  %38 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10556
-  %.idx10557 = mul i64 %arg.batch.4.0.5.1, 192
-  %39 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10557
-  %.idx10558 = mul i64 %arg.batch.4.0.5.1, 72
-  %40 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10558
-  %.idx10559 = mul i64 %arg.batch.4.0.5.1, 40
-  %41 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10559
-  %.idx10560 = mul i64 %arg.batch.4.0.5.1, 216
-  %42 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10560
-  %.idx10561 = mul i64 %arg.batch.4.0.5.1, 56
-  %43 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10561
+  %.2486 = getelementptr i8, ptr %arg.code.4, i64 72
+  %.2563 = icmp sgt i64 %arg.shape.3, 0
+  %.2568 = icmp sgt i64 %arg.shape.6, 0
+  %.idx10596 = mul i64 %arg.batch.4.0.5.1, 40
+  %33 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10596
+  %.idx10597 = mul i64 %arg.batch.4.0.5.1, 176
+  %34 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10597
+  %.idx10593 = mul i64 %arg.batch.4.0.5.1, 184
+  %35 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10593
+  %.idx10594 = mul i64 %arg.batch.4.0.5.1, 192
+  %36 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10594
+  %.idx10595 = mul i64 %arg.batch.4.0.5.1, 168
+  %37 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10595
+  %.idx10587 = shl i64 %arg.batch.4.1.5.1, 4
+  %38 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10587
+  %.idx10588 = mul i64 %arg.batch.4.0.5.1, 200
+  %39 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10588
+  %.idx10589 = mul i64 %arg.batch.4.0.5.1, 80
+  %40 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10589
+  %.idx10590 = mul i64 %arg.batch.4.0.5.1, 40
+  %41 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10590
+  %.idx10591 = mul i64 %arg.batch.4.0.5.1, 224
+  %42 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10591
+  %.idx10592 = mul i64 %arg.batch.4.0.5.1, 56
+  %43 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10592
   %44 = or i1 %.612, %.625
-  %.3882.idx = mul i64 %.463, 136
-  %.3882 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.3882.idx
-  %.3907.idx = mul i64 %.463, 104
-  %.3907 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.3907.idx
-  %.3947 = getelementptr i8, ptr %arg.code.4, i64 120
-  %.4041 = getelementptr i8, ptr %arg.code.4, i64 112
-  %.idx10555 = shl i64 %arg.batch.4.1.5.1, 5
-  %45 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10555
-  %.671.i2541 = getelementptr i8, ptr %arg.code.4, i64 40
-  %.742.i2595 = mul i64 %arg.shape.1, %arg.shape.0
-  %.idx10552 = mul i64 %arg.batch.4.0.5.1, 48
-  %46 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10552
-  %.287.i.i10914.not = icmp slt i64 %arg.shape.1, 1
+  %.3958.idx = mul i64 %.463, 136
+  %.3958 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.3958.idx
+  %.3983.idx = mul i64 %.463, 104
+  %.3983 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.3983.idx
+  %.4023 = getelementptr i8, ptr %arg.code.4, i64 128
+  %.4117 = getelementptr i8, ptr %arg.code.4, i64 120
+  %.idx10586 = shl i64 %arg.batch.4.1.5.1, 5
+  %45 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10586
+  %.671.i2540 = getelementptr i8, ptr %arg.code.4, i64 40
+  %.742.i2594 = mul i64 %arg.shape.1, %arg.shape.0
+  %.idx10583 = mul i64 %arg.batch.4.0.5.1, 48
+  %46 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10583
+  %.287.i.i10947.not = icmp slt i64 %arg.shape.1, 1
   %.358.i.i = shl nsw i64 %arg.shape.1, 4
-  %.idx10548 = mul i64 %arg.batch.4.0.5.1, 40
-  %47 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10548
-  %.idx10549 = shl i64 %arg.batch.4.1.5.1, 5
-  %48 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10549
-  %.idx10550 = mul i64 %arg.batch.4.0.5.1, 104
-  %49 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10550
-  %.idx10551 = mul i64 %arg.batch.4.0.5.1, 112
-  %50 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10551
-  %.idx10544 = mul i64 %arg.batch.4.0.5.1, 56
-  %51 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10544
-  %.4562.c = getelementptr i8, ptr %arg.code.4, i64 104
-  %.4422.idx = mul i64 %.463, 136
-  %.4422 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.4422.idx
-  %.4485 = getelementptr i8, ptr %arg.code.4, i64 216
-  %.4562 = getelementptr i8, ptr %arg.code.4, i64 104
-  %.idx10537 = shl i64 %arg.batch.4.1.5.1, 4
-  %52 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10537
-  %.idx10538 = mul i64 %arg.batch.4.0.5.1, 40
-  %53 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10538
-  %.idx10539 = mul i64 %arg.batch.4.0.5.1, 56
-  %54 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10539
-  %.idx10540 = mul i64 %arg.batch.4.0.5.1, 200
-  %55 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10540
-  %.idx10541 = mul i64 %arg.batch.4.0.5.1, 48
-  %56 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10541
-  %.idx10542 = shl i64 %arg.batch.4.0.5.1, 5
-  %57 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10542
+  %.idx10579 = mul i64 %arg.batch.4.0.5.1, 40
+  %47 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10579
+  %.idx10580 = shl i64 %arg.batch.4.1.5.1, 5
+  %48 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10580
+  %.idx10581 = mul i64 %arg.batch.4.0.5.1, 112
+  %49 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10581
+  %.idx10582 = mul i64 %arg.batch.4.0.5.1, 120
+  %50 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10582
+  %.idx10575 = mul i64 %arg.batch.4.0.5.1, 56
+  %51 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10575
+  %.4638.c = getelementptr i8, ptr %arg.code.4, i64 112
+  %.4498.idx = mul i64 %.463, 136
+  %.4498 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.4498.idx
+  %.4561 = getelementptr i8, ptr %arg.code.4, i64 224
+  %.4638 = getelementptr i8, ptr %arg.code.4, i64 112
+  %.idx10568 = shl i64 %arg.batch.4.1.5.1, 4
+  %52 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10568
+  %.idx10569 = mul i64 %arg.batch.4.0.5.1, 40
+  %53 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10569
+  %.idx10570 = mul i64 %arg.batch.4.0.5.1, 56
+  %54 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10570
+  %.idx10571 = mul i64 %arg.batch.4.0.5.1, 208
+  %55 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10571
+  %.idx10572 = mul i64 %arg.batch.4.0.5.1, 48
+  %56 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10572
+  %.idx10573 = shl i64 %arg.batch.4.0.5.1, 5
+  %57 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10573
   %58 = getelementptr double, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1
-  %.idx10543 = mul i64 %arg.batch.4.0.5.1, 208
-  %59 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10543
-  %.idx10536 = shl i64 %arg.batch.4.1.5.1, 5
-  %60 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10536
-  %.671.i3840 = getelementptr i8, ptr %arg.code.4, i64 40
-  %.742.i3896 = mul i64 %arg.shape.1, %arg.shape.0
-  %.idx10533 = mul i64 %arg.batch.4.0.5.1, 48
-  %61 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10533
-  %.287.i.i468410942.not = icmp slt i64 %arg.shape.1, 1
-  %.358.i.i4838 = shl nsw i64 %arg.shape.1, 4
-  %.idx10528 = mul i64 %arg.batch.4.0.5.1, 40
-  %62 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10528
-  %.idx10529 = shl i64 %arg.batch.4.1.5.1, 5
-  %63 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10529
-  %storemerge10530 = tail call i64 @llvm.smax.i64(i64 %arg.shape.6, i64 0)
-  %.idx10531 = mul i64 %arg.batch.4.0.5.1, 104
-  %64 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10531
-  %.idx10532 = mul i64 %arg.batch.4.0.5.1, 112
-  %65 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10532
-  %.idx10524 = mul i64 %arg.batch.4.0.5.1, 56
-  %66 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10524
+  %.idx10574 = mul i64 %arg.batch.4.0.5.1, 216
+  %59 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10574
+  %.idx10567 = shl i64 %arg.batch.4.1.5.1, 5
+  %60 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10567
+  %.671.i3838 = getelementptr i8, ptr %arg.code.4, i64 40
+  %.742.i3894 = mul i64 %arg.shape.1, %arg.shape.0
+  %.idx10564 = mul i64 %arg.batch.4.0.5.1, 48
+  %61 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10564
+  %.287.i.i468210975.not = icmp slt i64 %arg.shape.1, 1
+  %.358.i.i4836 = shl nsw i64 %arg.shape.1, 4
+  %.idx10559 = mul i64 %arg.batch.4.0.5.1, 40
+  %62 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10559
+  %.idx10560 = shl i64 %arg.batch.4.1.5.1, 5
+  %63 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10560
+  %storemerge10561 = tail call i64 @llvm.smax.i64(i64 %arg.shape.6, i64 0)
+  %.idx10562 = mul i64 %arg.batch.4.0.5.1, 112
+  %64 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10562
+  %.idx10563 = mul i64 %arg.batch.4.0.5.1, 120
+  %65 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10563
+  %.idx10555 = mul i64 %arg.batch.4.0.5.1, 56
+  %66 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10555
   %67 = getelementptr double, ptr %arg.batch.2.4, i64 %arg.batch.2.5.0
   %.221.i = getelementptr i8, ptr %67, i64 -8
-  %.idx2889.i = shl i64 %arg.batch.4.0.5.1, 7
+  %.idx2889.i = mul i64 %arg.batch.4.0.5.1, 136
   %68 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2889.i
   %.657.i.i = getelementptr i8, ptr %arg.code.4, i64 40
   %.idx2886.i = mul i64 %arg.batch.4.0.5.1, 48
@@ -461,11 +476,11 @@ B498.preheader:                                   ; preds = %B470
   %.922.i.i = mul nsw i64 %arg.shape.5, %arg.shape.0
   %.925.i.i = mul i64 %arg.shape.6, %arg.shape.0
   %.111.i49.i2906.not.i = icmp slt i64 %.925.i.i, 1
-  %.984.i.i10633 = getelementptr i8, ptr %arg.code.4, i64 8
-  %factor.op.mul2918.i.reass = mul i64 %factor.op.mul11053, %arg.shape.0
+  %.984.i.i10664 = getelementptr i8, ptr %arg.code.4, i64 8
+  %factor.op.mul2918.i.reass = mul i64 %factor.op.mul11086, %arg.shape.0
   %.1243.i.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %factor.op.mul2918.i.reass
   %.1803.i.i = getelementptr i8, ptr %arg.tolerances.4, i64 8
-  %.idx2885.i = shl i64 %arg.batch.4.0.5.1, 7
+  %.idx2885.i = mul i64 %arg.batch.4.0.5.1, 136
   %70 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2885.i
   %.155.i.i.i.i = mul nsw i64 %arg.shape.1, 24
   %.155.i.i.i.1.i = mul nsw i64 %arg.shape.1, 23
@@ -477,65 +492,65 @@ B498.preheader:                                   ; preds = %B470
   %.idx2875.i = shl i64 %arg.batch.4.1.5.1, 5
   %71 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx2875.i
   %storemerge2877.i = tail call i64 @llvm.smax.i64(i64 %arg.shape.6, i64 0)
-  %.idx2878.i = mul i64 %arg.batch.4.0.5.1, 96
+  %.idx2878.i = mul i64 %arg.batch.4.0.5.1, 104
   %72 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2878.i
-  %.idx2870.i = mul i64 %arg.batch.4.0.5.1, 104
+  %.idx2870.i = mul i64 %arg.batch.4.0.5.1, 112
   %73 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2870.i
-  %.idx2871.i = mul i64 %arg.batch.4.0.5.1, 112
+  %.idx2871.i = mul i64 %arg.batch.4.0.5.1, 120
   %74 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2871.i
   %.1254.reass.i = mul i64 %.358.i.i.i, %arg.shape.0
   %.1274.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1254.reass.i
   %.idx2865.i = shl i64 %arg.batch.4.1.5.1, 5
   %75 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx2865.i
   %storemerge2869.i = tail call i64 @llvm.smax.i64(i64 %arg.shape.6, i64 0)
-  %.155.i.i.i10649 = mul nsw i64 %arg.shape.1, 24
+  %.155.i.i.i10680 = mul nsw i64 %arg.shape.1, 24
   %.155.i.i.1.i = mul nsw i64 %arg.shape.1, 23
   %.155.i.i.2.i = mul nsw i64 %arg.shape.1, 22
   %.155.i.i.3.i = mul nsw i64 %arg.shape.1, 21
   %.155.i.i.4.i = mul nsw i64 %arg.shape.1, 20
   %.155.i.i.5.i = mul nsw i64 %arg.shape.1, 19
   %.155.i.i.6.i = mul nsw i64 %arg.shape.1, 18
-  %.idx.i10640 = mul i64 %arg.batch.4.0.5.1, 56
-  %76 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx.i10640
+  %.idx.i10671 = mul i64 %arg.batch.4.0.5.1, 56
+  %76 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx.i10671
   %.idx2855.i = shl i64 %arg.batch.4.1.5.1, 5
   %77 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx2855.i
-  %.idx2858.i = mul i64 %arg.batch.4.0.5.1, 104
+  %.idx2858.i = mul i64 %arg.batch.4.0.5.1, 112
   %78 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2858.i
-  %.idx2862.i = mul i64 %arg.batch.4.0.5.1, 96
+  %.idx2862.i = mul i64 %arg.batch.4.0.5.1, 104
   %79 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2862.i
-  %.idx2859.i = mul i64 %arg.batch.4.0.5.1, 112
+  %.idx2859.i = mul i64 %arg.batch.4.0.5.1, 120
   %80 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2859.i
   %.idx2860.i = mul i64 %arg.batch.4.0.5.1, 40
   %81 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2860.i
   %.idx2861.i = shl i64 %arg.batch.4.0.5.1, 5
   %82 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2861.i
   %83 = getelementptr double, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1
-  %.4830.not = icmp eq i64 %arg.shape.3, 0
-  %.10588 = select i1 %.612, i64 1, i64 16
+  %.4906.not = icmp eq i64 %arg.shape.3, 0
+  %.10619 = select i1 %.612, i64 1, i64 16
   %.524.i = getelementptr i8, ptr %arg.code.4, i64 16
-  %.595.i10656.reass = mul i64 %factor.op.mul11054, %arg.shape.0
-  %.615.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %.595.i10656.reass
-  %.452.i = uitofp i64 %.10588 to double
+  %.595.i10687.reass = mul i64 %factor.op.mul11087, %arg.shape.0
+  %.615.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %.595.i10687.reass
+  %.452.i = uitofp i64 %.10619 to double
   %.idx719.i = mul i64 %arg.batch.4.0.5.1, 48
   %84 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx719.i
   %.287.i725.not.i = icmp slt i64 %arg.shape.1, 1
-  %.358.i.i10657 = shl nsw i64 %arg.shape.1, 4
-  %.idx.i10658 = mul i64 %arg.batch.4.0.5.1, 40
-  %85 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx.i10658
-  %.idx717.i = mul i64 %arg.batch.4.0.5.1, 104
+  %.358.i.i10688 = shl nsw i64 %arg.shape.1, 4
+  %.idx.i10689 = mul i64 %arg.batch.4.0.5.1, 40
+  %85 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx.i10689
+  %.idx717.i = mul i64 %arg.batch.4.0.5.1, 112
   %86 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx717.i
-  %.idx718.i = mul i64 %arg.batch.4.0.5.1, 112
+  %.idx718.i = mul i64 %arg.batch.4.0.5.1, 120
   %87 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx718.i
-  %.155.i.i.i10662 = mul nsw i64 %arg.shape.1, 24
-  %.155.i.i.1.i10669 = mul nsw i64 %arg.shape.1, 23
-  %.155.i.i.2.i10670 = mul nsw i64 %arg.shape.1, 22
-  %.155.i.i.3.i10671 = mul nsw i64 %arg.shape.1, 21
-  %.155.i.i.4.i10672 = mul nsw i64 %arg.shape.1, 20
-  %.155.i.i.5.i10673 = mul nsw i64 %arg.shape.1, 19
-  %.155.i.i.6.i10674 = mul nsw i64 %arg.shape.1, 18
+  %.155.i.i.i10693 = mul nsw i64 %arg.shape.1, 24
+  %.155.i.i.1.i10700 = mul nsw i64 %arg.shape.1, 23
+  %.155.i.i.2.i10701 = mul nsw i64 %arg.shape.1, 22
+  %.155.i.i.3.i10702 = mul nsw i64 %arg.shape.1, 21
+  %.155.i.i.4.i10703 = mul nsw i64 %arg.shape.1, 20
+  %.155.i.i.5.i10704 = mul nsw i64 %arg.shape.1, 19
+  %.155.i.i.6.i10705 = mul nsw i64 %arg.shape.1, 18
   %factor.op.mul652.i = mul i64 %arg.batch.3.0.5.2, %arg.batch.3.0.5.1
-  %.idx.i10687 = shl i64 %arg.batch.4.1.5.1, 4
-  %88 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx.i10687
+  %.idx.i10718 = shl i64 %arg.batch.4.1.5.1, 4
+  %88 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx.i10718
   %.idx640.i = mul i64 %arg.batch.4.0.5.1, 40
   %89 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx640.i
   %.idx641.i = mul i64 %arg.batch.4.0.5.1, 48
@@ -543,9 +558,9 @@ B498.preheader:                                   ; preds = %B470
   %.idx642.i = mul i64 %arg.batch.4.0.5.1, 56
   %91 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx642.i
   %.924649.not.i = icmp slt i64 %arg.shape.1, 1
-  %.idx644.i = mul i64 %arg.batch.4.0.5.1, 208
+  %.idx644.i = mul i64 %arg.batch.4.0.5.1, 216
   %92 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx644.i
-  %.1000.i10688 = mul nsw i64 %arg.shape.1, 17
+  %.1000.i10719 = mul nsw i64 %arg.shape.1, 17
   %93 = add i64 %arg.batch.2.5.0, -1
   %.155.i.i = mul nsw i64 %arg.shape.1, 24
   %.155.i.1.i = mul nsw i64 %arg.shape.1, 23
@@ -554,27 +569,27 @@ B498.preheader:                                   ; preds = %B470
   %.155.i.4.i = mul nsw i64 %arg.shape.1, 20
   %.155.i.5.i = mul nsw i64 %arg.shape.1, 19
   %.155.i.6.i = mul nsw i64 %arg.shape.1, 18
-  %.5066 = icmp sgt i64 %arg.shape.0, 1
-  %.5120.idx = mul i64 %arg.batch.4.0.5.1, 40
-  %.5120 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.5120.idx
-  %.5152 = getelementptr i8, ptr %arg.code.4, i64 96
-  %.idx10517 = mul i64 %arg.batch.4.0.5.1, 96
-  %94 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10517
-  %.idx10518 = mul i64 %arg.batch.4.0.5.1, 40
-  %95 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10518
-  %.idx10519 = mul i64 %arg.batch.4.0.5.1, 120
-  %96 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10519
-  %.552.i656511031.not = icmp slt i64 %arg.shape.1, 1
-  %.697.i6602 = getelementptr i8, ptr %arg.tolerances.4, i64 8
+  %.5142 = icmp sgt i64 %arg.shape.0, 1
+  %.5196.idx = mul i64 %arg.batch.4.0.5.1, 40
+  %.5196 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.5196.idx
+  %.5228 = getelementptr i8, ptr %arg.code.4, i64 104
+  %.idx10548 = mul i64 %arg.batch.4.0.5.1, 104
+  %94 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10548
+  %.idx10549 = mul i64 %arg.batch.4.0.5.1, 40
+  %95 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10549
+  %.idx10550 = shl i64 %arg.batch.4.0.5.1, 7
+  %96 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10550
+  %.552.i656311064.not = icmp slt i64 %arg.shape.1, 1
+  %.697.i6600 = getelementptr i8, ptr %arg.tolerances.4, i64 8
   %97 = getelementptr double, ptr %arg.batch.2.4, i64 %arg.batch.2.5.0
-  %.742.i6632 = getelementptr i8, ptr %97, i64 -8
-  %.idx10521 = mul i64 %arg.batch.4.1.5.1, 24
-  %98 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10521
-  %.idx10522 = mul i64 %arg.batch.4.1.5.1, 24
-  %99 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10522
-  %.idx10523 = mul i64 %arg.batch.4.0.5.1, 24
-  %100 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10523
-  %.5268.not = icmp ne i64 %arg.shape.4, 0
+  %.742.i6630 = getelementptr i8, ptr %97, i64 -8
+  %.idx10552 = mul i64 %arg.batch.4.1.5.1, 24
+  %98 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10552
+  %.idx10553 = mul i64 %arg.batch.4.1.5.1, 24
+  %99 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10553
+  %.idx10554 = mul i64 %arg.batch.4.0.5.1, 24
+  %100 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10554
+  %.5344.not = icmp ne i64 %arg.shape.4, 0
   %storemerge.i = tail call i64 @llvm.smax.i64(i64 %arg.shape.0, i64 0)
   %.idx1632.i = mul i64 %arg.batch.4.0.5.1, 40
   %101 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1632.i
@@ -586,76 +601,77 @@ B498.preheader:                                   ; preds = %B470
   %.779.i = getelementptr i8, ptr %arg.code.4, i64 32
   %.850.i = mul nsw i64 %arg.shape.1, 17
   %.852.i = mul nsw i64 %.850.i, %arg.shape.0
-  %.895.i10704 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.852.i
+  %.895.i10735 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.852.i
   %.900.not.i = icmp eq i64 %arg.shape.3, 0
-  %.930.i10705 = getelementptr i8, ptr %arg.code.4, i64 16
+  %.930.i10736 = getelementptr i8, ptr %arg.code.4, i64 16
   %.idx1630.i = shl i64 %arg.batch.4.1.5.1, 4
   %104 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx1630.i
   %.15441642.not.i = icmp slt i64 %arg.shape.1, 1
   %.1739.i = mul i64 %arg.batch.3.0.5.2, %arg.batch.3.0.5.1
-  %.idx10506 = mul i64 %arg.batch.4.0.5.1, 40
-  %105 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10506
-  %.idx10507 = shl i64 %arg.batch.4.0.5.1, 4
-  %106 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10507
+  %.idx10537 = mul i64 %arg.batch.4.0.5.1, 40
+  %105 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10537
+  %.idx10538 = shl i64 %arg.batch.4.0.5.1, 4
+  %106 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10538
   %107 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.1
-  %.idx10508 = mul i64 %arg.batch.4.0.5.1, 24
-  %108 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10508
-  %.175.i.i799611043.not = icmp slt i64 %arg.batch.1.1.5.0, 1
-  %.idx10511 = shl i64 %arg.batch.4.1.5.1, 4
-  %109 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10511
-  %.idx.i10718 = mul i64 %arg.batch.4.0.5.1, 24
-  %110 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx.i10718
-  %.323.i10720 = getelementptr i8, ptr %arg.batch.4.2.4, i64 8
+  %.idx10539 = mul i64 %arg.batch.4.0.5.1, 24
+  %108 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10539
+  %.175.i.i799411076.not = icmp slt i64 %arg.batch.1.1.5.0, 1
+  %.idx10542 = shl i64 %arg.batch.4.1.5.1, 4
+  %109 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10542
+  %.idx.i10749 = mul i64 %arg.batch.4.0.5.1, 24
+  %110 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx.i10749
+  %.323.i10751 = getelementptr i8, ptr %arg.batch.4.2.4, i64 8
   %111 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.1
-  %.idx1124.i10740 = mul i64 %arg.batch.4.1.5.1, 24
-  %112 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx1124.i10740
-  %.8051131.not.i10742 = icmp slt i64 %arg.batch.0.1.5.1, 1
-  %.175.i1134.not.i10758 = icmp slt i64 %arg.batch.1.1.5.0, 1
-  %.11171137.not.i10777 = icmp slt i64 %arg.shape.1, 1
-  %gep.2.idx.i10795 = shl i64 %arg.batch.4.0.5.1, 4
-  %gep.4.idx.i10799 = shl i64 %arg.batch.4.0.5.1, 5
-  %gep.6.idx.i10803 = mul i64 %arg.batch.4.0.5.1, 48
-  %gep.7.idx.i10805 = mul i64 %arg.batch.4.0.5.1, 56
-  %gep.9.idx.i10809 = mul i64 %arg.batch.4.0.5.1, 72
-  %gep.10.idx.i10811 = mul i64 %arg.batch.4.0.5.1, 80
-  %gep.11.idx.i10813 = mul i64 %arg.batch.4.0.5.1, 88
-  %gep.12.idx.i10815 = mul i64 %arg.batch.4.0.5.1, 96
-  %gep.13.idx.i10817 = mul i64 %arg.batch.4.0.5.1, 104
-  %gep.14.idx.i10819 = mul i64 %arg.batch.4.0.5.1, 112
-  %gep.15.idx.i10821 = mul i64 %arg.batch.4.0.5.1, 120
-  %gep.16.idx.i10823 = shl i64 %arg.batch.4.0.5.1, 7
-  %gep.17.idx.i10825 = mul i64 %arg.batch.4.0.5.1, 136
-  %gep.18.idx.i10827 = mul i64 %arg.batch.4.0.5.1, 144
-  %gep.19.idx.i10829 = mul i64 %arg.batch.4.0.5.1, 152
-  %gep.20.idx.i10831 = mul i64 %arg.batch.4.0.5.1, 160
-  %gep.21.idx.i10833 = mul i64 %arg.batch.4.0.5.1, 168
-  %gep.22.idx.i10835 = mul i64 %arg.batch.4.0.5.1, 176
-  %gep.23.idx.i10837 = mul i64 %arg.batch.4.0.5.1, 184
-  %gep.24.idx.i10839 = mul i64 %arg.batch.4.0.5.1, 192
-  %gep.25.idx.i10841 = mul i64 %arg.batch.4.0.5.1, 200
-  %gep.26.idx.i10843 = mul i64 %arg.batch.4.0.5.1, 208
-  %113 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.2.idx.i10795
-  %114 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.15.idx.i10821
-  %115 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.26.idx.i10843
-  %.idx1130.i10858 = mul i64 %arg.batch.4.0.5.1, 216
-  %116 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1130.i10858
-  %.idx10510 = mul i64 %arg.batch.4.0.5.1, 216
-  %117 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10510
-  %.6336 = tail call i64 @llvm.smin.i64(i64 %arg.batch.2.5.0, i64 0)
+  %.idx1124.i10771 = mul i64 %arg.batch.4.1.5.1, 24
+  %112 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx1124.i10771
+  %.8051131.not.i10773 = icmp slt i64 %arg.batch.0.1.5.1, 1
+  %.175.i1134.not.i10789 = icmp slt i64 %arg.batch.1.1.5.0, 1
+  %.11171137.not.i10808 = icmp slt i64 %arg.shape.1, 1
+  %gep.2.idx.i10826 = shl i64 %arg.batch.4.0.5.1, 4
+  %gep.4.idx.i10830 = shl i64 %arg.batch.4.0.5.1, 5
+  %gep.6.idx.i10834 = mul i64 %arg.batch.4.0.5.1, 48
+  %gep.7.idx.i10836 = mul i64 %arg.batch.4.0.5.1, 56
+  %gep.9.idx.i10840 = mul i64 %arg.batch.4.0.5.1, 72
+  %gep.10.idx.i10842 = mul i64 %arg.batch.4.0.5.1, 80
+  %gep.11.idx.i10844 = mul i64 %arg.batch.4.0.5.1, 88
+  %gep.12.idx.i10846 = mul i64 %arg.batch.4.0.5.1, 96
+  %gep.13.idx.i10848 = mul i64 %arg.batch.4.0.5.1, 104
+  %gep.14.idx.i10850 = mul i64 %arg.batch.4.0.5.1, 112
+  %gep.15.idx.i10852 = mul i64 %arg.batch.4.0.5.1, 120
+  %gep.16.idx.i10854 = shl i64 %arg.batch.4.0.5.1, 7
+  %gep.17.idx.i10856 = mul i64 %arg.batch.4.0.5.1, 136
+  %gep.18.idx.i10858 = mul i64 %arg.batch.4.0.5.1, 144
+  %gep.19.idx.i10860 = mul i64 %arg.batch.4.0.5.1, 152
+  %gep.20.idx.i10862 = mul i64 %arg.batch.4.0.5.1, 160
+  %gep.21.idx.i10864 = mul i64 %arg.batch.4.0.5.1, 168
+  %gep.22.idx.i10866 = mul i64 %arg.batch.4.0.5.1, 176
+  %gep.23.idx.i10868 = mul i64 %arg.batch.4.0.5.1, 184
+  %gep.24.idx.i10870 = mul i64 %arg.batch.4.0.5.1, 192
+  %gep.25.idx.i10872 = mul i64 %arg.batch.4.0.5.1, 200
+  %gep.26.idx.i10874 = mul i64 %arg.batch.4.0.5.1, 208
+  %gep.27.idx.i10876 = mul i64 %arg.batch.4.0.5.1, 216
+  %113 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.2.idx.i10826
+  %114 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.16.idx.i10854
+  %115 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.27.idx.i10876
+  %.idx1130.i10891 = mul i64 %arg.batch.4.0.5.1, 224
+  %116 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1130.i10891
+  %.idx10541 = mul i64 %arg.batch.4.0.5.1, 224
+  %117 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10541
+  %.6412 = tail call i64 @llvm.smin.i64(i64 %arg.batch.2.5.0, i64 0)
   %118 = getelementptr double, ptr %arg.batch.2.4, i64 %arg.batch.2.5.0
   %119 = getelementptr i8, ptr %118, i64 -8
-  %.6350 = getelementptr double, ptr %119, i64 %.6336
+  %.6426 = getelementptr double, ptr %119, i64 %.6412
   %120 = getelementptr double, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1
-  %.idx10512 = mul i64 %arg.batch.4.0.5.1, 216
-  %121 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10512
-  %.idx10513 = mul i64 %arg.batch.4.0.5.1, 160
-  %122 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10513
-  %.idx10514 = shl i64 %arg.batch.4.1.5.1, 4
-  %123 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10514
-  %.idx10515 = shl i64 %arg.batch.4.0.5.1, 4
-  %124 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10515
-  %.idx10516 = mul i64 %arg.batch.4.0.5.1, 152
-  %125 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10516
+  %.idx10543 = mul i64 %arg.batch.4.0.5.1, 224
+  %121 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10543
+  %.idx10544 = mul i64 %arg.batch.4.0.5.1, 168
+  %122 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10544
+  %.idx10545 = shl i64 %arg.batch.4.1.5.1, 4
+  %123 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx10545
+  %.idx10546 = shl i64 %arg.batch.4.0.5.1, 4
+  %124 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10546
+  %.idx10547 = mul i64 %arg.batch.4.0.5.1, 160
+  %125 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10547
   %126 = shl i64 %arg.shape.0, 3
   %.155.i.i.i = mul nsw i64 %arg.shape.1, 24
   %.155.i.i.i.1 = mul nsw i64 %arg.shape.1, 23
@@ -664,86 +680,86 @@ B498.preheader:                                   ; preds = %B470
   %.155.i.i.i.4 = mul nsw i64 %arg.shape.1, 20
   %.155.i.i.i.5 = mul nsw i64 %arg.shape.1, 19
   %.155.i.i.i.6 = mul nsw i64 %arg.shape.1, 18
-  %127 = getelementptr i8, ptr %arg.code.4, i64 224
-  %.4447.idx = mul i64 %.463, 112
-  %.4447 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.4447.idx
-  %128 = getelementptr i8, ptr %arg.code.4, i64 232
-  %.4447.1.idx = mul i64 %.463, 120
-  %.4447.1 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.4447.1.idx
-  %129 = getelementptr i8, ptr %arg.code.4, i64 240
-  %.4447.2.idx = shl i64 %.463, 7
-  %.4447.2 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.4447.2.idx
-  %.155.i.i.i4875 = mul nsw i64 %arg.shape.1, 24
-  %.155.i.i.i4875.1 = mul nsw i64 %arg.shape.1, 23
-  %.155.i.i.i4875.2 = mul nsw i64 %arg.shape.1, 22
-  %.155.i.i.i4875.3 = mul nsw i64 %arg.shape.1, 21
-  %.155.i.i.i4875.4 = mul nsw i64 %arg.shape.1, 20
-  %.155.i.i.i4875.5 = mul nsw i64 %arg.shape.1, 19
-  %.155.i.i.i4875.6 = mul nsw i64 %arg.shape.1, 18
-  br label %B498
+  %127 = getelementptr i8, ptr %arg.code.4, i64 232
+  %.4523.idx = mul i64 %.463, 112
+  %.4523 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.4523.idx
+  %128 = getelementptr i8, ptr %arg.code.4, i64 240
+  %.4523.1.idx = mul i64 %.463, 120
+  %.4523.1 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.4523.1.idx
+  %129 = getelementptr i8, ptr %arg.code.4, i64 248
+  %.4523.2.idx = shl i64 %.463, 7
+  %.4523.2 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.4523.2.idx
+  %.155.i.i.i4873 = mul nsw i64 %arg.shape.1, 24
+  %.155.i.i.i4873.1 = mul nsw i64 %arg.shape.1, 23
+  %.155.i.i.i4873.2 = mul nsw i64 %arg.shape.1, 22
+  %.155.i.i.i4873.3 = mul nsw i64 %arg.shape.1, 21
+  %.155.i.i.i4873.4 = mul nsw i64 %arg.shape.1, 20
+  %.155.i.i.i4873.5 = mul nsw i64 %arg.shape.1, 19
+  %.155.i.i.i4873.6 = mul nsw i64 %arg.shape.1, 18
+  br label %B584
 
-B498:                                             ; preds = %B498.preheader, %B4640
-  %budget.3.1 = phi i64 [ %budget.4.2, %B4640 ], [ %arg.budget, %B498.preheader ]
-  %active.9.1 = phi i64 [ %active.8.2, %B4640 ], [ %active.4.0.lcssa, %B498.preheader ]
-  %.1027 = add nsw i64 %budget.3.1, -1
-  %.1062 = load i64, ptr %.1061, align 8
-  %.1063 = icmp eq i64 %.1062, 1
-  %.1097 = icmp sgt i64 %.1062, 0
-  br i1 %.1097, label %B566, label %B644
+B584:                                             ; preds = %B584.preheader, %B4704
+  %budget.3.1 = phi i64 [ %budget.4.2, %B4704 ], [ %arg.budget, %B584.preheader ]
+  %active.9.1 = phi i64 [ %active.8.2, %B4704 ], [ %active.4.0.lcssa, %B584.preheader ]
+  %.1132 = add nsw i64 %budget.3.1, -1
+  %.1167 = load i64, ptr %.1166, align 8
+  %.1168 = icmp eq i64 %.1167, 1
+  %.1202 = icmp sgt i64 %.1167, 0
+  br i1 %.1202, label %B652, label %B730
 
-B566:                                             ; preds = %B498
-  store i64 0, ptr %.1061, align 8
-  %.1158 = load i64, ptr %.1157, align 8
-  %.1203 = inttoptr i64 %.1158 to ptr
-  tail call void %.1203(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
-  br label %B644
+B652:                                             ; preds = %B584
+  store i64 0, ptr %.1166, align 8
+  %.1263 = load i64, ptr %.1262, align 8
+  %.1308 = inttoptr i64 %.1263 to ptr
+  tail call void %.1308(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
+  br label %B730
 
-B644:                                             ; preds = %B566, %B498
-  br i1 %.1063, label %B650, label %B1216
+B730:                                             ; preds = %B652, %B584
+  br i1 %.1168, label %B736, label %B1302
 
-B650:                                             ; preds = %B644
-  br i1 %.1209, label %B662, label %B698
+B736:                                             ; preds = %B730
+  br i1 %.1314, label %B748, label %B784
 
-B662:                                             ; preds = %B650
+B748:                                             ; preds = %B736
   %.163.i = load i64, ptr %.162.i, align 8, !noalias !7
   %.275.i = inttoptr i64 %.163.i to ptr
   tail call void %.275.i(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !7
-  br i1 %.689, label %B326.i, label %B194.if.i
+  br i1 %.794, label %B326.i, label %B194.if.i
 
 B324.i:                                           ; preds = %B266.if.i, %B194.if.i
-  %.359.i = icmp sgt i64 %.304.i.010880, 1
+  %.359.i = icmp sgt i64 %.304.i.010913, 1
   br i1 %.359.i, label %B194.if.i, label %B326.i
 
-B326.i:                                           ; preds = %B324.i, %B662
+B326.i:                                           ; preds = %B324.i, %B748
   %.692.i = load i64, ptr %.691.i, align 8, !noalias !7
   %.808.i = inttoptr i64 %.692.i to ptr
   tail call void %.808.i(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !7
-  br label %B698
+  br label %B784
 
-B194.if.i:                                        ; preds = %B662, %B324.i
-  %.304.i.010880 = phi i64 [ %.368.i, %B324.i ], [ %storemerge, %B662 ]
-  %.301.i.010879 = phi i64 [ %.372.i, %B324.i ], [ 0, %B662 ]
-  %.368.i = add nsw i64 %.304.i.010880, -1
-  %.372.i = add nsw i64 %.301.i.010879, 1
-  %130 = getelementptr double, ptr %19, i64 %.301.i.010879
+B194.if.i:                                        ; preds = %B748, %B324.i
+  %.304.i.010913 = phi i64 [ %.368.i, %B324.i ], [ %storemerge, %B748 ]
+  %.301.i.010912 = phi i64 [ %.372.i, %B324.i ], [ 0, %B748 ]
+  %.368.i = add nsw i64 %.304.i.010913, -1
+  %.372.i = add nsw i64 %.301.i.010912, 1
+  %130 = getelementptr double, ptr %19, i64 %.301.i.010912
   %.454.i = load double, ptr %130, align 8, !noalias !7
   %.455.i = fcmp ule double %.454.i, 5.000000e-01
-  %brmerge11058 = select i1 %.455.i, i1 true, i1 %.537.i10875
-  br i1 %brmerge11058, label %B324.i, label %B266.if.i.preheader
+  %brmerge11091 = select i1 %.455.i, i1 true, i1 %.537.i10908
+  br i1 %brmerge11091, label %B324.i, label %B266.if.i.preheader
 
 B266.if.i.preheader:                              ; preds = %B194.if.i
-  %invariant.gep11102 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.301.i.010879
+  %invariant.gep11135 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.301.i.010912
   br label %B266.if.i
 
 B266.if.i:                                        ; preds = %B266.if.i.preheader, %B266.if.i
-  %.481.i.010876 = phi i64 [ %.550.i, %B266.if.i ], [ 0, %B266.if.i.preheader ]
-  %.550.i = add nsw i64 %.481.i.010876, 1
-  %.576.i = mul nsw i64 %.481.i.010876, %arg.shape.0
-  %gep11103 = getelementptr double, ptr %invariant.gep11102, i64 %.576.i
-  %.608.i = load double, ptr %gep11103, align 8, !noalias !7
-  %.610.i = add nsw i64 %.481.i.010876, %arg.shape.5
+  %.481.i.010909 = phi i64 [ %.550.i, %B266.if.i ], [ 0, %B266.if.i.preheader ]
+  %.550.i = add nsw i64 %.481.i.010909, 1
+  %.576.i = mul nsw i64 %.481.i.010909, %arg.shape.0
+  %gep11136 = getelementptr double, ptr %invariant.gep11135, i64 %.576.i
+  %.608.i = load double, ptr %gep11136, align 8, !noalias !7
+  %.610.i = add nsw i64 %.481.i.010909, %arg.shape.5
   %.612.i = mul nsw i64 %.610.i, %arg.shape.0
-  %.614.i = add nsw i64 %.612.i, %.301.i.010879
+  %.614.i = add nsw i64 %.612.i, %.301.i.010912
   %.628.i = icmp slt i64 %.614.i, 0
   %.629.i = select i1 %.628.i, i64 %arg.batch.5.1.5.0, i64 0
   %131 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.614.i
@@ -752,46 +768,46 @@ B266.if.i:                                        ; preds = %B266.if.i.preheader
   %exitcond.not = icmp eq i64 %.550.i, %arg.shape.6
   br i1 %exitcond.not, label %B324.i, label %B266.if.i
 
-B698:                                             ; preds = %B326.i, %B650
-  br i1 %.1270.not, label %B770, label %B702
+B784:                                             ; preds = %B326.i, %B736
+  br i1 %.1375.not, label %B856, label %B788
 
-B702:                                             ; preds = %B698
-  %.1301 = load i64, ptr %.1300, align 8
-  %.1346 = inttoptr i64 %.1301 to ptr
-  tail call void %.1346(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
-  br label %B770
+B788:                                             ; preds = %B784
+  %.1406 = load i64, ptr %.1405, align 8
+  %.1451 = inttoptr i64 %.1406 to ptr
+  tail call void %.1451(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
+  br label %B856
 
-B770:                                             ; preds = %B702, %B698
-  br i1 %.612, label %B1174, label %B774
+B856:                                             ; preds = %B788, %B784
+  br i1 %.612, label %B1260, label %B860
 
-B774:                                             ; preds = %B770
-  %.1380 = load i64, ptr %arg.code.4, align 8
-  %.1428 = inttoptr i64 %.1380 to ptr
-  tail call void %.1428(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.1427)
-  %.1459 = load i64, ptr %.1458, align 8
-  %.1504 = inttoptr i64 %.1459 to ptr
-  tail call void %.1504(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.tolerances.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
-  %.1535 = load i64, ptr %.1534, align 8
-  %.1580 = inttoptr i64 %.1535 to ptr
-  tail call void %.1580(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
-  %.1611 = load i64, ptr %arg.code.4, align 8
-  %.1661 = inttoptr i64 %.1611 to ptr
-  tail call void %.1661(ptr %.571, ptr %.1635, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.1660)
-  %.1692 = load i64, ptr %.1691, align 8
-  %.1737 = inttoptr i64 %.1692 to ptr
-  tail call void %.1737(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.tolerances.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
-  br label %B1174
+B860:                                             ; preds = %B856
+  %.1485 = load i64, ptr %arg.code.4, align 8
+  %.1533 = inttoptr i64 %.1485 to ptr
+  tail call void %.1533(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.1532)
+  %.1564 = load i64, ptr %.1563, align 8
+  %.1609 = inttoptr i64 %.1564 to ptr
+  tail call void %.1609(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.tolerances.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
+  %.1640 = load i64, ptr %.1639, align 8
+  %.1685 = inttoptr i64 %.1640 to ptr
+  tail call void %.1685(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
+  %.1716 = load i64, ptr %arg.code.4, align 8
+  %.1766 = inttoptr i64 %.1716 to ptr
+  tail call void %.1766(ptr %.571, ptr %.1740, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.1765)
+  %.1797 = load i64, ptr %.1796, align 8
+  %.1842 = inttoptr i64 %.1797 to ptr
+  tail call void %.1842(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.tolerances.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
+  br label %B1260
 
-B1174:                                            ; preds = %B774, %B770
-  br i1 %.689, label %B1216, label %B64.if.i
+B1260:                                            ; preds = %B860, %B856
+  br i1 %.794, label %B1302, label %B64.if.i
 
 B108.i:                                           ; preds = %B64.if.i
   store double 0.000000e+00, ptr %.314.i134, align 8, !noalias !11
-  %.432.i191 = getelementptr double, ptr %21, i64 %.161.i.010882
+  %.432.i191 = getelementptr double, ptr %21, i64 %.161.i.010915
   store double 0.000000e+00, ptr %.432.i191, align 8, !noalias !11
-  %.487.i = getelementptr double, ptr %22, i64 %.161.i.010882
+  %.487.i = getelementptr double, ptr %22, i64 %.161.i.010915
   store double 0.000000e+00, ptr %.487.i, align 8, !noalias !11
-  %.542.i244 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i.010882
+  %.542.i244 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i.010915
   %.543.i245 = load i64, ptr %.542.i244, align 8, !noalias !11
   %.570.i = icmp slt i64 %.543.i245, 0
   %.571.i = select i1 %.570.i, i64 %arg.batch.3.3.5.0, i64 0
@@ -800,7 +816,7 @@ B108.i:                                           ; preds = %B64.if.i
   %132 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.592.i271
   %.596.i = getelementptr i8, ptr %132, i64 8
   %.597.i275 = load i64, ptr %.596.i, align 8, !noalias !11
-  %.620.i282 = add nsw i64 %.597.i275, %.10577
+  %.620.i282 = add nsw i64 %.597.i275, %.10608
   store i64 %.620.i282, ptr %.596.i, align 8, !noalias !11
   %.736.i = load i64, ptr %.542.i244, align 8, !noalias !11
   %.763.i354 = icmp slt i64 %.736.i, 0
@@ -812,13 +828,13 @@ B108.i:                                           ; preds = %B64.if.i
   %.790.i = load i64, ptr %.789.i369, align 8, !noalias !11
   %.813.i = add nsw i64 %.790.i, %"$phi364.4.2.i.2"
   store i64 %.813.i, ptr %.789.i369, align 8, !noalias !11
-  %.928.i = getelementptr double, ptr %23, i64 %.161.i.010882
+  %.928.i = getelementptr double, ptr %23, i64 %.161.i.010915
   %.929.i = load double, ptr %.928.i, align 8, !noalias !11
   %.930.i = fcmp une double %.929.i, 0.000000e+00
   br i1 %.930.i, label %B414.i, label %B460.i
 
 B414.i:                                           ; preds = %B108.i
-  %134 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i.010882
+  %134 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i.010915
   %.84.i.i = load i64, ptr %134, align 8, !noalias !15
   %.89.i.i = icmp sgt i64 %.84.i.i, -1
   br i1 %.89.i.i, label %B46.i.i, label %B460.i
@@ -834,16 +850,16 @@ B80.i.i:                                          ; preds = %B46.i.i
   br label %B460.i
 
 B460.i:                                           ; preds = %B80.i.i, %B414.i, %B46.i.i, %B108.i
-  br i1 %.1270.not, label %B596.i, label %B464.i
+  br i1 %.1375.not, label %B596.i, label %B464.i
 
 B464.i:                                           ; preds = %B460.i
-  %135 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.161.i.010882
+  %135 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.161.i.010915
   %.1000.i = load double, ptr %135, align 8, !noalias !11
   %.1002.i = fcmp olt double %.1000.i, -1.000000e-09
   br i1 %.1002.i, label %B500.i, label %B596.i
 
 B500.i:                                           ; preds = %B464.i
-  %136 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i.010882
+  %136 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i.010915
   %.84.i63.i = load i64, ptr %136, align 8, !noalias !18
   %.89.i66.i = icmp sgt i64 %.84.i63.i, -1
   br i1 %.89.i66.i, label %B46.i71.i, label %_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29.exit.i
@@ -859,18 +875,18 @@ B80.i98.i:                                        ; preds = %B46.i71.i
   br label %_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29.exit.i
 
 _ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29.exit.i: ; preds = %B46.i71.i, %B500.i, %B80.i98.i
-  %.1091.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.161.i.010882
+  %.1091.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.161.i.010915
   %.1092.i = load double, ptr %.1091.i, align 8, !noalias !11
-  %.1146.i = getelementptr double, ptr %24, i64 %.161.i.010882
+  %.1146.i = getelementptr double, ptr %24, i64 %.161.i.010915
   store double %.1092.i, ptr %.1146.i, align 8, !noalias !11
   br label %B596.i
 
 B596.i:                                           ; preds = %_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29.exit.i, %B464.i, %B460.i
-  %.111.i183.i = getelementptr i64, ptr %25, i64 %.161.i.010882
+  %.111.i183.i = getelementptr i64, ptr %25, i64 %.161.i.010915
   %.112.i.i = load i64, ptr %.111.i183.i, align 8, !noalias !21
-  %.169.i.i = getelementptr double, ptr %26, i64 %.161.i.010882
+  %.169.i.i = getelementptr double, ptr %26, i64 %.161.i.010915
   %.170.i.i = load double, ptr %.169.i.i, align 8, !noalias !21
-  %.224.i.i = getelementptr double, ptr %27, i64 %.161.i.010882
+  %.224.i.i = getelementptr double, ptr %27, i64 %.161.i.010915
   store double %.170.i.i, ptr %.224.i.i, align 8, !noalias !21
   %.237.i.i = icmp slt i64 %.112.i.i, %arg.batch.2.5.0
   br i1 %.237.i.i, label %B134.i.i, label %B630.i
@@ -888,40 +904,40 @@ B134.i.i:                                         ; preds = %B596.i
   br label %B630.i
 
 B630.i:                                           ; preds = %B134.i.i, %B596.i, %B64.if.i
-  %.220.i = icmp sgt i64 %.164.i70.010883, 1
-  br i1 %.220.i, label %B64.if.i, label %B1216
+  %.220.i = icmp sgt i64 %.164.i70.010916, 1
+  br i1 %.220.i, label %B64.if.i, label %B1302
 
-B64.if.i:                                         ; preds = %B1174, %B630.i
-  %.164.i70.010883 = phi i64 [ %.229.i381, %B630.i ], [ %storemerge, %B1174 ]
-  %.161.i.010882 = phi i64 [ %.233.i384, %B630.i ], [ 0, %B1174 ]
-  %.229.i381 = add nsw i64 %.164.i70.010883, -1
-  %.233.i384 = add nsw i64 %.161.i.010882, 1
-  %.314.i134 = getelementptr double, ptr %20, i64 %.161.i.010882
+B64.if.i:                                         ; preds = %B1260, %B630.i
+  %.164.i70.010916 = phi i64 [ %.229.i381, %B630.i ], [ %storemerge, %B1260 ]
+  %.161.i.010915 = phi i64 [ %.233.i384, %B630.i ], [ 0, %B1260 ]
+  %.229.i381 = add nsw i64 %.164.i70.010916, -1
+  %.233.i384 = add nsw i64 %.161.i.010915, 1
+  %.314.i134 = getelementptr double, ptr %20, i64 %.161.i.010915
   %.315.i135 = load double, ptr %.314.i134, align 8, !noalias !11
   %.316.i136 = fcmp ogt double %.315.i135, 5.000000e-01
   br i1 %.316.i136, label %B108.i, label %B630.i
 
-B1216:                                            ; preds = %B630.i, %B1174, %B644
-  %.1830 = load i64, ptr %.1829, align 8
-  %.1875 = inttoptr i64 %.1830 to ptr
-  tail call void %.1875(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
-  br i1 %.612, label %B1288, label %B1372
+B1302:                                            ; preds = %B630.i, %B1260, %B730
+  %.1935 = load i64, ptr %.1934, align 8
+  %.1980 = inttoptr i64 %.1935 to ptr
+  tail call void %.1980(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
+  br i1 %.612, label %B1374, label %B1458
 
-B1288:                                            ; preds = %B1216
-  %.1908 = load i64, ptr %arg.code.4, align 8
-  %.1955 = inttoptr i64 %.1908 to ptr
-  tail call void %.1955(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.1954)
-  br label %B1372
+B1374:                                            ; preds = %B1302
+  %.2013 = load i64, ptr %arg.code.4, align 8
+  %.2060 = inttoptr i64 %.2013 to ptr
+  tail call void %.2060(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.2059)
+  br label %B1458
 
-B1372:                                            ; preds = %B1288, %B1216
-  br i1 %.610, label %B1376, label %B1416
+B1458:                                            ; preds = %B1374, %B1302
+  br i1 %.610, label %B1462, label %B1502
 
-B1376:                                            ; preds = %B1372
+B1462:                                            ; preds = %B1458
   %.267.i = load double, ptr %.266.i, align 8, !noalias !25
   %.268.i = fcmp olt double %.267.i, 5.000000e-01
   br i1 %.268.i, label %B76.i, label %B116.i
 
-B76.i:                                            ; preds = %B1376
+B76.i:                                            ; preds = %B1462
   br i1 %.317.i2117.not.i, label %B166.i.i, label %B84.if.i.i
 
 B166.i.i:                                         ; preds = %B84.if.i.i, %B76.i
@@ -1169,8 +1185,8 @@ B84.if.i.i:                                       ; preds = %B76.i, %B84.if.i.i
   store double %.384.i.i, ptr %165, align 8, !noalias !28
   %166 = getelementptr i8, ptr %164, i64 %.idx2160.i
   store double 0.000000e+00, ptr %166, align 8, !noalias !28
-  %exitcond.not.i10615 = icmp eq i64 %arg.shape.1, %.330.i.i
-  br i1 %exitcond.not.i10615, label %B166.i.i, label %B84.if.i.i
+  %exitcond.not.i10646 = icmp eq i64 %arg.shape.1, %.330.i.i
+  br i1 %exitcond.not.i10646, label %B166.i.i, label %B84.if.i.i
 
 B286.if.i.i:                                      ; preds = %B250.i.i, %B286.if.i.i
   %.629.i.02122.i = phi i64 [ %.691.i.i, %B286.if.i.i ], [ %storemerge2107.i, %B250.i.i ]
@@ -1227,8 +1243,8 @@ B764.if.i.i:                                      ; preds = %B702.i.i, %B995.i.i
   %.1745.i.i = icmp eq i64 %.1651.i.i, %arg.shape.1
   br i1 %.1745.i.i, label %B920.i.i, label %B966.i.i
 
-B116.i:                                           ; preds = %B228.i.loopexit.i, %B166.i.i, %B1376
-  br i1 %.402.i, label %B146.if.i, label %B1416
+B116.i:                                           ; preds = %B228.i.loopexit.i, %B166.i.i, %B1462
+  br i1 %.402.i, label %B146.if.i, label %B1502
 
 B316.i:                                           ; preds = %B262.if.i, %B146.if.i
   %.746.i = mul i64 %.388.02152.i, %.434.sroa.0.02106.i
@@ -1245,7 +1261,7 @@ B316.i:                                           ; preds = %B262.if.i, %B146.if
 
 B34.loopexit.i.i:                                 ; preds = %B790.i.i, %B528.i.i
   %exitcond.not.i.i = icmp eq i64 %.131.i.i, %arg.shape.1
-  br i1 %exitcond.not.i.i, label %B1416, label %B36.if.i.i
+  br i1 %exitcond.not.i.i, label %B1502, label %B36.if.i.i
 
 B348.i.i:                                         ; preds = %B234.if.i.i, %B36.if.i.i
   %p.2.1.lcssa.i.i = phi i64 [ %.59.0509.i.i, %B36.if.i.i ], [ %p.3.2.i.i, %B234.if.i.i ]
@@ -1277,12 +1293,12 @@ B36.if.i.i:                                       ; preds = %B316.i, %B34.loopex
   %.161.i.i = mul nsw i64 %.59.0509.i.i, %arg.shape.1
   %.164.i.i = add nsw i64 %.59.0509.i.i, %arg.linear.3.0
   %.165.i.i = add nsw i64 %.164.i.i, 1
-  %.11.i.i.i10614 = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %.165.i.i, i64 %arg.shape.1)
+  %.11.i.i.i10645 = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %.165.i.i, i64 %arg.shape.1)
   %.200.i.i = add i64 %.199.i.i, %.164.i.i
   %.11.i492.i.i = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %.200.i.i, i64 %arg.shape.1)
   %175 = getelementptr double, ptr %arg.linear.1.4, i64 %.161.i.i
   %176 = getelementptr double, ptr %175, i64 %.59.0509.i.i
-  %.319.i.i = sub i64 %.11.i.i.i10614, %.131.i.i
+  %.319.i.i = sub i64 %.11.i.i.i10645, %.131.i.i
   %storemerge488.i.i = tail call i64 @llvm.smax.i64(i64 %.319.i.i, i64 0)
   %.362493.not.i.i = icmp slt i64 %.319.i.i, 1
   br i1 %.362493.not.i.i, label %B348.i.i, label %B234.if.preheader.i.i
@@ -1380,10 +1396,10 @@ B146.if.i:                                        ; preds = %B116.i, %B316.i
   %.388.02152.i = phi i64 [ %.457.i, %B316.i ], [ 0, %B116.i ]
   %.457.i = add nsw i64 %.388.02152.i, 1
   %.489.i = sub i64 %.388.02152.i, %31
-  %.11.i.i10612 = tail call i64 @llvm.smax.i64(i64 %.489.i, i64 0)
-  %.521.i = add i64 %.520.i10611, %.388.02152.i
+  %.11.i.i10643 = tail call i64 @llvm.smax.i64(i64 %.489.i, i64 0)
+  %.521.i = add i64 %.520.i10642, %.388.02152.i
   %.11.i2116.i = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %.521.i, i64 %arg.shape.1)
-  %.587.i = sub i64 %.11.i2116.i, %.11.i.i10612
+  %.587.i = sub i64 %.11.i2116.i, %.11.i.i10643
   %.6302148.not.i = icmp slt i64 %.587.i, 1
   br i1 %.6302148.not.i, label %B316.i, label %B262.if.lr.ph.i
 
@@ -1393,9 +1409,9 @@ B262.if.lr.ph.i:                                  ; preds = %B146.if.i
 
 B262.if.i:                                        ; preds = %B262.if.i, %B262.if.lr.ph.i
   %.577.02150.i = phi i64 [ %.587.i, %B262.if.lr.ph.i ], [ %.639.i, %B262.if.i ]
-  %.574.02149.i = phi i64 [ %.11.i.i10612, %B262.if.lr.ph.i ], [ %.643.i10613, %B262.if.i ]
+  %.574.02149.i = phi i64 [ %.11.i.i10643, %B262.if.lr.ph.i ], [ %.643.i10644, %B262.if.i ]
   %.639.i = add nsw i64 %.577.02150.i, -1
-  %.643.i10613 = add i64 %.574.02149.i, 1
+  %.643.i10644 = add i64 %.574.02149.i, 1
   %.671.i = add nsw i64 %.574.02149.i, %.670.i
   %.685.i = icmp slt i64 %.671.i, 0
   %.686.i = select i1 %.685.i, i64 %arg.linear.0.5.0, i64 0
@@ -1410,26 +1426,26 @@ B262.if.i:                                        ; preds = %B262.if.i, %B262.if
   %.630.i = icmp sgt i64 %.577.02150.i, 1
   br i1 %.630.i, label %B262.if.i, label %B316.i
 
-B1416:                                            ; preds = %B34.loopexit.i.i, %B116.i, %B1372
-  br i1 %.211610888.not, label %B1664, label %B1448.if
+B1502:                                            ; preds = %B34.loopexit.i.i, %B116.i, %B1458
+  br i1 %.222110921.not, label %B1728, label %B1534.if
 
-B68.if.lr.ph.i:                                   ; preds = %B1448.if
-  %.259.i = mul nsw i64 %.2129, %arg.shape.1
+B68.if.lr.ph.i:                                   ; preds = %B1534.if
+  %.259.i = mul nsw i64 %.2234, %arg.shape.1
   br label %B68.if.i
 
-B34.i.loopexit.i:                                 ; preds = %B198.if.i.i, %B34.if.i.i10624
+B34.i.loopexit.i:                                 ; preds = %B198.if.i.i, %B34.if.i.i10655
   %exitcond633.not.i = icmp eq i64 %arg.shape.1, %.144.i.i
-  br i1 %exitcond633.not.i, label %B314.if.i.i, label %B34.if.i.i10624
+  br i1 %exitcond633.not.i, label %B314.if.i.i, label %B34.if.i.i10655
 
 B314.i.loopexit.i:                                ; preds = %B474.if.i.i, %B314.if.i.i
   %.683.i.i = icmp sgt i64 %.627.i.0629.in.i, 1
   br i1 %.683.i.i, label %B314.if.i.i, label %B286.if.lr.ph.i
 
 B286.if.lr.ph.i:                                  ; preds = %B314.i.loopexit.i
-  %.624.i = mul nsw i64 %.2129, %arg.shape.1
+  %.624.i = mul nsw i64 %.2234, %arg.shape.1
   br label %B286.if.i
 
-B34.if.i.i10624:                                  ; preds = %B68.if.i, %B34.i.loopexit.i
+B34.if.i.i10655:                                  ; preds = %B68.if.i, %B34.i.loopexit.i
   %.73.i.0621.i = phi i64 [ %.144.i.i, %B34.i.loopexit.i ], [ 0, %B68.if.i ]
   %.144.i.i = add nsw i64 %.73.i.0621.i, 1
   %186 = getelementptr i64, ptr %arg.linear.2.4, i64 %.73.i.0621.i
@@ -1440,17 +1456,17 @@ B34.if.i.i10624:                                  ; preds = %B68.if.i, %B34.i.lo
   %187 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.204.i.i
   %.233.i.i = getelementptr double, ptr %187, i64 %.219.i.i
   %.234.i.i = load double, ptr %.233.i.i, align 8, !noalias !39
-  %gep10887 = getelementptr double, ptr %invariant.gep10886, i64 %.73.i.0621.i
-  %.270.i.i = load double, ptr %gep10887, align 8, !noalias !39
+  %gep10920 = getelementptr double, ptr %invariant.gep10919, i64 %.73.i.0621.i
+  %.270.i.i = load double, ptr %gep10920, align 8, !noalias !39
   store double %.270.i.i, ptr %.233.i.i, align 8, !noalias !39
-  store double %.234.i.i, ptr %gep10887, align 8, !noalias !39
+  store double %.234.i.i, ptr %gep10920, align 8, !noalias !39
   %.340.i.i = add i64 %.339.i.i, %.73.i.0621.i
-  %.11.i.i.i10625 = tail call i64 @llvm.smin.i64(i64 %.340.i.i, i64 %arg.shape.1)
-  %.406.i.i = sub i64 %.11.i.i.i10625, %.144.i.i
+  %.11.i.i.i10656 = tail call i64 @llvm.smin.i64(i64 %.340.i.i, i64 %arg.shape.1)
+  %.406.i.i = sub i64 %.11.i.i.i10656, %.144.i.i
   %.449.i617.not.i = icmp slt i64 %.406.i.i, 1
   br i1 %.449.i617.not.i, label %B34.i.loopexit.i, label %B198.if.i.lr.ph.i
 
-B198.if.i.lr.ph.i:                                ; preds = %B34.if.i.i10624
+B198.if.i.lr.ph.i:                                ; preds = %B34.if.i.i10655
   %.521.i.i = mul nsw i64 %.73.i.0621.i, %arg.shape.1
   br label %B198.if.i.i
 
@@ -1484,17 +1500,17 @@ B314.if.i.i:                                      ; preds = %B34.i.loopexit.i, %
   %.740.i.i = icmp slt i64 %.726.i.i, 0
   %.741.i.i = select i1 %.740.i.i, i64 %arg.batch.5.0.5.0, i64 0
   %190 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.726.i.i
-  %.755.i.i10626 = getelementptr double, ptr %190, i64 %.741.i.i
-  %.756.i.i = load double, ptr %.755.i.i10626, align 8, !noalias !39
-  %.759.i.i10627 = mul nsw i64 %.627.i.0629.i, %arg.shape.1
-  %.761.i.i = add nsw i64 %.759.i.i10627, %.627.i.0629.i
+  %.755.i.i10657 = getelementptr double, ptr %190, i64 %.741.i.i
+  %.756.i.i = load double, ptr %.755.i.i10657, align 8, !noalias !39
+  %.759.i.i10658 = mul nsw i64 %.627.i.0629.i, %arg.shape.1
+  %.761.i.i = add nsw i64 %.759.i.i10658, %.627.i.0629.i
   %.775.i.i = icmp slt i64 %.761.i.i, 0
   %.776.i.i = select i1 %.775.i.i, i64 %arg.linear.1.5.0, i64 0
   %191 = getelementptr double, ptr %arg.linear.1.4, i64 %.761.i.i
   %.790.i.i = getelementptr double, ptr %191, i64 %.776.i.i
   %.791.i.i = load double, ptr %.790.i.i, align 8, !noalias !39
   %.795.i.i = fdiv double %.756.i.i, %.791.i.i
-  store double %.795.i.i, ptr %.755.i.i10626, align 8, !noalias !39
+  store double %.795.i.i, ptr %.755.i.i10657, align 8, !noalias !39
   %.866.i.i = sub i64 %.627.i.0629.i, %32
   %.11.i4.i.i = tail call i64 @llvm.smax.i64(i64 %.866.i.i, i64 0)
   %.932.i.i = sub i64 %.627.i.0629.i, %.11.i4.i.i
@@ -1511,41 +1527,41 @@ B474.if.i.i:                                      ; preds = %B314.if.i.i, %B474.
   %.1029.i.i = select i1 %.1028.i.i, i64 %arg.batch.5.0.5.0, i64 0
   %192 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1014.i.i
   %.1043.i.i = getelementptr double, ptr %192, i64 %.1029.i.i
-  %.1044.i.i10628 = load double, ptr %.1043.i.i, align 8, !noalias !39
-  %.1048.i.i = add nsw i64 %.919.i.0624.i, %.759.i.i10627
+  %.1044.i.i10659 = load double, ptr %.1043.i.i, align 8, !noalias !39
+  %.1048.i.i = add nsw i64 %.919.i.0624.i, %.759.i.i10658
   %.1062.i.i = icmp slt i64 %.1048.i.i, 0
   %.1063.i.i = select i1 %.1062.i.i, i64 %arg.linear.1.5.0, i64 0
   %193 = getelementptr double, ptr %arg.linear.1.4, i64 %.1048.i.i
   %.1077.i.i = getelementptr double, ptr %193, i64 %.1063.i.i
   %.1078.i.i = load double, ptr %.1077.i.i, align 8, !noalias !39
   %.1080.i.i = fmul double %.795.i.i, %.1078.i.i
-  %.1081.i.i = fsub double %.1044.i.i10628, %.1080.i.i
+  %.1081.i.i = fsub double %.1044.i.i10659, %.1080.i.i
   store double %.1081.i.i, ptr %.1043.i.i, align 8, !noalias !39
-  %.975.i.i10629 = icmp sgt i64 %.922.i.0625.i, 1
-  br i1 %.975.i.i10629, label %B474.if.i.i, label %B314.i.loopexit.i
+  %.975.i.i10660 = icmp sgt i64 %.922.i.0625.i, 1
+  br i1 %.975.i.i10660, label %B474.if.i.i, label %B314.i.loopexit.i
 
 B68.if.i:                                         ; preds = %B68.if.i, %B68.if.lr.ph.i
   %.160.0615.i = phi i64 [ 0, %B68.if.lr.ph.i ], [ %.231.i, %B68.if.i ]
   %.231.i = add nsw i64 %.160.0615.i, 1
   %.260.i = add nsw i64 %.160.0615.i, %.259.i
   %.274.i = icmp slt i64 %.260.i, 0
-  %.275.i10618 = select i1 %.274.i, i64 %arg.batch.5.0.5.0, i64 0
+  %.275.i10649 = select i1 %.274.i, i64 %arg.batch.5.0.5.0, i64 0
   %194 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.260.i
-  %.289.i = getelementptr double, ptr %194, i64 %.275.i10618
+  %.289.i = getelementptr double, ptr %194, i64 %.275.i10649
   %.290.i = load double, ptr %.289.i, align 8, !noalias !45
-  %gep10885 = getelementptr double, ptr %invariant.gep10884, i64 %.160.0615.i
-  %.323.i10620 = load double, ptr %gep10885, align 8, !noalias !45
-  %.324.i10621 = fadd double %.290.i, %.323.i10620
+  %gep10918 = getelementptr double, ptr %invariant.gep10917, i64 %.160.0615.i
+  %.323.i10651 = load double, ptr %gep10918, align 8, !noalias !45
+  %.324.i10652 = fadd double %.290.i, %.323.i10651
   %195 = getelementptr i64, ptr %arg.linear.4.4, i64 %.160.0615.i
   %.356.i = load i64, ptr %195, align 8, !noalias !45
-  %.357.i = add nsw i64 %.356.i, %.326.i10617
+  %.357.i = add nsw i64 %.356.i, %.326.i10648
   %.371.i = icmp slt i64 %.357.i, 0
-  %.372.i10622 = select i1 %.371.i, i64 %arg.batch.5.0.5.0, i64 0
+  %.372.i10653 = select i1 %.371.i, i64 %arg.batch.5.0.5.0, i64 0
   %196 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.357.i
-  %.386.i = getelementptr double, ptr %196, i64 %.372.i10622
-  store double %.324.i10621, ptr %.386.i, align 8, !noalias !45
-  %exitcond.not.i10623 = icmp eq i64 %arg.shape.1, %.231.i
-  br i1 %exitcond.not.i10623, label %B34.if.i.i10624, label %B68.if.i
+  %.386.i = getelementptr double, ptr %196, i64 %.372.i10653
+  store double %.324.i10652, ptr %.386.i, align 8, !noalias !45
+  %exitcond.not.i10654 = icmp eq i64 %arg.shape.1, %.231.i
+  br i1 %exitcond.not.i10654, label %B34.if.i.i10655, label %B68.if.i
 
 B286.if.i:                                        ; preds = %B286.if.i, %B286.if.lr.ph.i
   %.464.0631.i = phi i64 [ 0, %B286.if.lr.ph.i ], [ %.533.i, %B286.if.i ]
@@ -1559,63 +1575,63 @@ B286.if.i:                                        ; preds = %B286.if.i, %B286.if
   %.619.i = getelementptr double, ptr %198, i64 %.605.i
   %.620.i = load double, ptr %.619.i, align 8, !noalias !45
   %.625.i = add nsw i64 %.464.0631.i, %.624.i
-  %.639.i10630 = icmp slt i64 %.625.i, 0
-  %.640.i = select i1 %.639.i10630, i64 %arg.batch.5.0.5.0, i64 0
+  %.639.i10661 = icmp slt i64 %.625.i, 0
+  %.640.i = select i1 %.639.i10661, i64 %arg.batch.5.0.5.0, i64 0
   %199 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.625.i
-  %.654.i10631 = getelementptr double, ptr %199, i64 %.640.i
-  store double %.620.i, ptr %.654.i10631, align 8, !noalias !45
+  %.654.i10662 = getelementptr double, ptr %199, i64 %.640.i
+  store double %.620.i, ptr %.654.i10662, align 8, !noalias !45
   %exitcond634.not.i = icmp eq i64 %arg.shape.1, %.533.i
-  br i1 %exitcond634.not.i, label %B1662, label %B286.if.i
+  br i1 %exitcond634.not.i, label %B1726, label %B286.if.i
 
-B1662:                                            ; preds = %B286.if.i, %B1448.if
-  %exitcond11079.not = icmp eq i64 %.2060.010889, %storemerge10492
-  br i1 %exitcond11079.not, label %B1664, label %B1448.if
+B1726:                                            ; preds = %B286.if.i, %B1534.if
+  %exitcond11112.not = icmp eq i64 %.2165.010922, %storemerge10523
+  br i1 %exitcond11112.not, label %B1728, label %B1534.if
 
-B1664:                                            ; preds = %B1662, %B1416
-  %.2411 = load i64, ptr %.2410, align 8
-  %.2456 = inttoptr i64 %.2411 to ptr
-  tail call void %.2456(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.tolerances.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
-  %brmerge = select i1 %.1063, i1 true, i1 %.610
-  %or.cond10578 = select i1 %brmerge, i1 true, i1 %.2487
-  %spec.select10599 = select i1 %or.cond10578, i1 true, i1 %.2492
-  br i1 %.689, label %B1896, label %B1806.if
+B1728:                                            ; preds = %B1726, %B1502
+  %.2487 = load i64, ptr %.2486, align 8
+  %.2532 = inttoptr i64 %.2487 to ptr
+  tail call void %.2532(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.tolerances.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
+  %brmerge = select i1 %.1168, i1 true, i1 %.610
+  %or.cond10609 = select i1 %brmerge, i1 true, i1 %.2563
+  %spec.select10630 = select i1 %or.cond10609, i1 true, i1 %.2568
+  br i1 %.794, label %B1960, label %B1870.if
 
-B1814:                                            ; preds = %B1806.if
-  %200 = getelementptr double, ptr %33, i64 %.2532.010892
-  %.2691 = load double, ptr %200, align 8
-  %.2692 = fcmp ogt double %.2691, 5.000000e-01
-  br label %B1850
+B1878:                                            ; preds = %B1870.if
+  %200 = getelementptr double, ptr %33, i64 %.2608.010925
+  %.2767 = load double, ptr %200, align 8
+  %.2768 = fcmp ogt double %.2767, 5.000000e-01
+  br label %B1914
 
-B1850:                                            ; preds = %B1814, %B1806.if
-  %"$phi1850.1.2.2" = phi i1 [ true, %B1806.if ], [ %.2692, %B1814 ]
-  br i1 %looked.2.110895, label %B1892, label %B1856
+B1914:                                            ; preds = %B1878, %B1870.if
+  %"$phi1914.1.2.2" = phi i1 [ true, %B1870.if ], [ %.2768, %B1878 ]
+  br i1 %looked.2.110928, label %B1956, label %B1920
 
-B1856:                                            ; preds = %B1850
-  %201 = getelementptr double, ptr %34, i64 %.2532.010892
-  %.2766 = load double, ptr %201, align 8
-  %.2767 = fcmp ogt double %.2766, 5.000000e-01
-  br label %B1892
+B1920:                                            ; preds = %B1914
+  %201 = getelementptr double, ptr %34, i64 %.2608.010925
+  %.2842 = load double, ptr %201, align 8
+  %.2843 = fcmp ogt double %.2842, 5.000000e-01
+  br label %B1956
 
-B1892:                                            ; preds = %B1856, %B1850
-  %"$phi1892.1.2.2" = phi i1 [ true, %B1850 ], [ %.2767, %B1856 ]
-  %.2588 = icmp sgt i64 %.2535.010893, 1
-  br i1 %.2588, label %B1806.if, label %B1896
+B1956:                                            ; preds = %B1920, %B1914
+  %"$phi1956.1.2.2" = phi i1 [ true, %B1914 ], [ %.2843, %B1920 ]
+  %.2664 = icmp sgt i64 %.2611.010926, 1
+  br i1 %.2664, label %B1870.if, label %B1960
 
-B1896:                                            ; preds = %B1892, %B1664
-  %good.2.1.lcssa = phi i1 [ false, %B1664 ], [ %"$phi1850.1.2.2", %B1892 ]
-  %looked.2.1.lcssa = phi i1 [ %spec.select10599, %B1664 ], [ %"$phi1892.1.2.2", %B1892 ]
-  %looked.2.1.lcssa.not11090 = xor i1 %looked.2.1.lcssa, true
-  %brmerge11091 = or i1 %.689, %looked.2.1.lcssa.not11090
-  br i1 %brmerge11091, label %B2474, label %B80.if.i
+B1960:                                            ; preds = %B1956, %B1728
+  %good.2.1.lcssa = phi i1 [ false, %B1728 ], [ %"$phi1914.1.2.2", %B1956 ]
+  %looked.2.1.lcssa = phi i1 [ %spec.select10630, %B1728 ], [ %"$phi1956.1.2.2", %B1956 ]
+  %looked.2.1.lcssa.not11123 = xor i1 %looked.2.1.lcssa, true
+  %brmerge11124 = or i1 %.794, %looked.2.1.lcssa.not11123
+  br i1 %brmerge11124, label %B2538, label %B80.if.i
 
-B1966.preheader:                                  ; preds = %B568.i
-  br i1 %.689, label %B2474, label %B1966.if
+B2030.preheader:                                  ; preds = %B568.i
+  br i1 %.794, label %B2538, label %B2030.if
 
 B126.i:                                           ; preds = %B80.if.i
-  %.318.i589 = getelementptr double, ptr %35, i64 %.105.i435.010899
+  %.318.i589 = getelementptr double, ptr %35, i64 %.105.i435.010932
   %.319.i = load double, ptr %.318.i589, align 8, !noalias !46
   %.5.i.i = fptosi double %.319.i to i64
-  %.397.i634 = getelementptr double, ptr %36, i64 %.105.i435.010899
+  %.397.i634 = getelementptr double, ptr %36, i64 %.105.i435.010932
   %.398.i635 = load double, ptr %.397.i634, align 8, !noalias !46
   %.5.i1.i = fptosi double %.398.i635 to i64
   %.478.i682 = mul i64 %.258.i, %arg.batch.3.3.5.1
@@ -1630,14 +1646,14 @@ B126.i:                                           ; preds = %B80.if.i
   %.700.i863 = getelementptr i8, ptr %.482.i, i64 8
   %.701.i864 = load i64, ptr %.700.i863, align 8, !noalias !46
   %.706.i869 = add nsw i64 %.5.i1.i, %.5.i.i
-  %.707.i870 = mul nsw i64 %.706.i869, %.2073
+  %.707.i870 = mul nsw i64 %.706.i869, %.2178
   %..5.i.i = select i1 %.625, i64 0, i64 %.5.i.i
   %.708.i871 = add i64 %.707.i870, %..5.i.i
   %.841.i958 = add i64 %.708.i871, %.701.i864
   store i64 %.841.i958, ptr %.700.i863, align 8, !noalias !46
   store double 0.000000e+00, ptr %.318.i589, align 8, !noalias !46
   store double 0.000000e+00, ptr %.397.i634, align 8, !noalias !46
-  %.1072.i = getelementptr double, ptr %37, i64 %.105.i435.010899
+  %.1072.i = getelementptr double, ptr %37, i64 %.105.i435.010932
   %.1073.i1075 = load double, ptr %.1072.i, align 8, !noalias !46
   %.1081.i1080 = sitofp i64 %.706.i869 to double
   %.1082.i1081 = fsub double %.1073.i1075, %.1081.i1080
@@ -1645,181 +1661,181 @@ B126.i:                                           ; preds = %B80.if.i
   br label %B568.i
 
 B568.i:                                           ; preds = %B126.i, %B80.if.i
-  %.163.i493 = icmp sgt i64 %.108.i.010900, 1
-  br i1 %.163.i493, label %B80.if.i, label %B1966.preheader
+  %.163.i493 = icmp sgt i64 %.108.i.010933, 1
+  br i1 %.163.i493, label %B80.if.i, label %B2030.preheader
 
-B80.if.i:                                         ; preds = %B1896, %B568.i
-  %.108.i.010900 = phi i64 [ %.172.i1118, %B568.i ], [ %storemerge, %B1896 ]
-  %.105.i435.010899 = phi i64 [ %.176.i1121, %B568.i ], [ 0, %B1896 ]
-  %.172.i1118 = add nsw i64 %.108.i.010900, -1
-  %.176.i1121 = add nsw i64 %.105.i435.010899, 1
-  %202 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.105.i435.010899
+B80.if.i:                                         ; preds = %B1960, %B568.i
+  %.108.i.010933 = phi i64 [ %.172.i1118, %B568.i ], [ %storemerge, %B1960 ]
+  %.105.i435.010932 = phi i64 [ %.176.i1121, %B568.i ], [ 0, %B1960 ]
+  %.172.i1118 = add nsw i64 %.108.i.010933, -1
+  %.176.i1121 = add nsw i64 %.105.i435.010932, 1
+  %202 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.105.i435.010932
   %.258.i = load i64, ptr %202, align 8, !noalias !46
   %.263.i545 = icmp sgt i64 %.258.i, -1
   br i1 %.263.i545, label %B126.i, label %B568.i
 
-B2066:                                            ; preds = %B1966.if
-  %.3221 = getelementptr double, ptr %40, i64 %.2887.010902
-  %.3222 = load double, ptr %.3221, align 8
-  %.3223 = fcmp ogt double %.3222, 5.000000e-01
-  br i1 %.3223, label %B2104, label %B2204
+B2130:                                            ; preds = %B2030.if
+  %.3297 = getelementptr double, ptr %40, i64 %.2963.010935
+  %.3298 = load double, ptr %.3297, align 8
+  %.3299 = fcmp ogt double %.3298, 5.000000e-01
+  br i1 %.3299, label %B2168, label %B2268
 
-B2104:                                            ; preds = %B2066
-  %.5.i = fptosi double %.3222 to i64
-  %203 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.2887.010902
-  %.84.i2116 = load i64, ptr %203, align 8, !noalias !50
-  %.89.i2119 = icmp sgt i64 %.84.i2116, -1
-  br i1 %.89.i2119, label %B46.i, label %B2204
+B2168:                                            ; preds = %B2130
+  %.5.i = fptosi double %.3298 to i64
+  %203 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.2963.010935
+  %.84.i2115 = load i64, ptr %203, align 8, !noalias !50
+  %.89.i2118 = icmp sgt i64 %.84.i2115, -1
+  br i1 %.89.i2118, label %B46.i, label %B2268
 
-B2204:                                            ; preds = %B2066, %B46.i, %B2104, %B80.i2148
-  %.3409 = getelementptr double, ptr %41, i64 %.2887.010902
-  %.3410 = load double, ptr %.3409, align 8
-  %.3411 = fcmp ogt double %.3410, 5.000000e-01
-  br i1 %.3411, label %B2242, label %B2472
+B2268:                                            ; preds = %B2130, %B46.i, %B2168, %B80.i2147
+  %.3485 = getelementptr double, ptr %41, i64 %.2963.010935
+  %.3486 = load double, ptr %.3485, align 8
+  %.3487 = fcmp ogt double %.3486, 5.000000e-01
+  br i1 %.3487, label %B2306, label %B2536
 
-B2242:                                            ; preds = %B2204
-  %spec.select = select i1 %within.3.210904, i1 true, i1 %.2487
-  %.3487 = mul i64 %.3048, %arg.batch.3.3.5.1
-  %.3491 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.3487
-  %.3492 = load i64, ptr %.3491, align 8
-  %.3503.0 = and i64 %.3492, 127
-  %.3533 = icmp eq i64 %.3503.0, 0
-  br i1 %.3533, label %B2350, label %B2312
+B2306:                                            ; preds = %B2268
+  %spec.select = select i1 %within.3.210937, i1 true, i1 %.2563
+  %.3563 = mul i64 %.3124, %arg.batch.3.3.5.1
+  %.3567 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.3563
+  %.3568 = load i64, ptr %.3567, align 8
+  %.3579.0 = and i64 %.3568, 127
+  %.3609 = icmp eq i64 %.3579.0, 0
+  br i1 %.3609, label %B2414, label %B2376
 
-B2312:                                            ; preds = %B2242
-  %.3594 = getelementptr double, ptr %42, i64 %.2887.010902
-  %.3595 = load double, ptr %.3594, align 8
-  %.3597 = fcmp ogt double %.3595, 0.000000e+00
-  br i1 %.3597, label %B2350, label %B2380
+B2376:                                            ; preds = %B2306
+  %.3670 = getelementptr double, ptr %42, i64 %.2963.010935
+  %.3671 = load double, ptr %.3670, align 8
+  %.3673 = fcmp ogt double %.3671, 0.000000e+00
+  br i1 %.3673, label %B2414, label %B2444
 
-B2350:                                            ; preds = %B2242, %B2312
-  store double 1.000000e+00, ptr %.3163, align 8
-  br label %B2380
+B2414:                                            ; preds = %B2306, %B2376
+  store double 1.000000e+00, ptr %.3239, align 8
+  br label %B2444
 
-B2380:                                            ; preds = %B2350, %B2312
-  %checked.5.5 = phi i1 [ true, %B2350 ], [ %checked.3.210905, %B2312 ]
-  %.3680 = icmp slt i64 %.3103, %arg.batch.2.5.0
-  br i1 %.3680, label %B2418, label %B2472
+B2444:                                            ; preds = %B2414, %B2376
+  %checked.5.5 = phi i1 [ true, %B2414 ], [ %checked.3.210938, %B2376 ]
+  %.3756 = icmp slt i64 %.3179, %arg.batch.2.5.0
+  br i1 %.3756, label %B2482, label %B2536
 
-B2418:                                            ; preds = %B2380
-  %.3704 = icmp slt i64 %.3103, 0
-  %.3705 = select i1 %.3704, i64 %arg.batch.2.5.0, i64 0
-  %204 = getelementptr double, ptr %arg.batch.2.4, i64 %.3103
-  %.3719 = getelementptr double, ptr %204, i64 %.3705
-  %.3720 = load double, ptr %.3719, align 8
-  %.3778 = getelementptr double, ptr %43, i64 %.2887.010902
-  %.3779 = load double, ptr %.3778, align 8
-  %.3780 = fcmp olt double %.3720, %.3779
-  br i1 %.3780, label %B2468, label %B2472
+B2482:                                            ; preds = %B2444
+  %.3780 = icmp slt i64 %.3179, 0
+  %.3781 = select i1 %.3780, i64 %arg.batch.2.5.0, i64 0
+  %204 = getelementptr double, ptr %arg.batch.2.4, i64 %.3179
+  %.3795 = getelementptr double, ptr %204, i64 %.3781
+  %.3796 = load double, ptr %.3795, align 8
+  %.3854 = getelementptr double, ptr %43, i64 %.2963.010935
+  %.3855 = load double, ptr %.3854, align 8
+  %.3856 = fcmp olt double %.3796, %.3855
+  br i1 %.3856, label %B2532, label %B2536
 
-B2468:                                            ; preds = %B2418
-  br label %B2472
+B2532:                                            ; preds = %B2482
+  br label %B2536
 
-B2472:                                            ; preds = %B1966.if, %B2468, %B2418, %B2380, %B2204
-  %within.4.3 = phi i1 [ true, %B2468 ], [ %spec.select, %B2418 ], [ %spec.select, %B2380 ], [ %within.3.210904, %B2204 ], [ %within.3.210904, %B1966.if ]
-  %checked.4.3 = phi i1 [ %checked.5.5, %B2468 ], [ %checked.5.5, %B2418 ], [ %checked.5.5, %B2380 ], [ %checked.3.210905, %B2204 ], [ %checked.3.210905, %B1966.if ]
-  %.2949 = icmp sgt i64 %.2890.010903, 1
-  br i1 %.2949, label %B1966.if, label %B2474
+B2536:                                            ; preds = %B2030.if, %B2532, %B2482, %B2444, %B2268
+  %within.4.3 = phi i1 [ true, %B2532 ], [ %spec.select, %B2482 ], [ %spec.select, %B2444 ], [ %within.3.210937, %B2268 ], [ %within.3.210937, %B2030.if ]
+  %checked.4.3 = phi i1 [ %checked.5.5, %B2532 ], [ %checked.5.5, %B2482 ], [ %checked.5.5, %B2444 ], [ %checked.3.210938, %B2268 ], [ %checked.3.210938, %B2030.if ]
+  %.3025 = icmp sgt i64 %.2966.010936, 1
+  br i1 %.3025, label %B2030.if, label %B2538
 
-B2474:                                            ; preds = %B2472, %B1896, %B1966.preheader
-  %within.5.1 = phi i1 [ false, %B1896 ], [ false, %B1966.preheader ], [ %within.4.3, %B2472 ]
-  %checked.2.1 = phi i1 [ false, %B1896 ], [ false, %B1966.preheader ], [ %checked.4.3, %B2472 ]
+B2538:                                            ; preds = %B2536, %B1960, %B2030.preheader
+  %within.5.1 = phi i1 [ false, %B1960 ], [ false, %B2030.preheader ], [ %within.4.3, %B2536 ]
+  %checked.2.1 = phi i1 [ false, %B1960 ], [ false, %B2030.preheader ], [ %checked.4.3, %B2536 ]
   %good.2.1.not = xor i1 %good.2.1.lcssa, true
-  %brmerge10580 = select i1 %good.2.1.not, i1 true, i1 %44
-  br i1 %brmerge10580, label %B2602, label %B2486
+  %brmerge10611 = select i1 %good.2.1.not, i1 true, i1 %44
+  br i1 %brmerge10611, label %B2666, label %B2550
 
-B2486:                                            ; preds = %B2474
-  %.3858 = load i64, ptr %arg.code.4, align 8
-  %.3908 = inttoptr i64 %.3858 to ptr
-  tail call void %.3908(ptr %.571, ptr %.3882, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.3907)
-  br label %B2602
+B2550:                                            ; preds = %B2538
+  %.3934 = load i64, ptr %arg.code.4, align 8
+  %.3984 = inttoptr i64 %.3934 to ptr
+  tail call void %.3984(ptr %.571, ptr %.3958, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.3983)
+  br label %B2666
 
-B2602:                                            ; preds = %B2474, %B2486
-  br i1 %checked.2.1, label %B2606, label %B2682
+B2666:                                            ; preds = %B2538, %B2550
+  br i1 %checked.2.1, label %B2670, label %B2746
 
-B2606:                                            ; preds = %B2602
-  switch i64 %arg.shape.2, label %B2682 [
-    i64 12, label %B2614
-    i64 7, label %B2614
+B2670:                                            ; preds = %B2666
+  switch i64 %arg.shape.2, label %B2746 [
+    i64 12, label %B2678
+    i64 7, label %B2678
   ]
 
-B2614:                                            ; preds = %B2606, %B2606
-  %.3948 = load i64, ptr %.3947, align 8
-  %.3993 = inttoptr i64 %.3948 to ptr
-  tail call void %.3993(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
-  br label %B2682
+B2678:                                            ; preds = %B2670, %B2670
+  %.4024 = load i64, ptr %.4023, align 8
+  %.4069 = inttoptr i64 %.4024 to ptr
+  tail call void %.4069(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
+  br label %B2746
 
-B2682:                                            ; preds = %B2606, %B2614, %B2602
-  %brmerge10583.not = and i1 %.2492, %good.2.1.lcssa
-  br i1 %brmerge10583.not, label %B2702, label %B2808
+B2746:                                            ; preds = %B2670, %B2678, %B2666
+  %brmerge10614.not = and i1 %.2568, %good.2.1.lcssa
+  br i1 %brmerge10614.not, label %B2766, label %B2872
 
-B2702:                                            ; preds = %B2682
-  %.4042 = load i64, ptr %.4041, align 8
-  %.4087 = inttoptr i64 %.4042 to ptr
-  tail call void %.4087(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
-  br i1 %.689, label %B188.if.i.preheader, label %B108.if.i
+B2766:                                            ; preds = %B2746
+  %.4118 = load i64, ptr %.4117, align 8
+  %.4163 = inttoptr i64 %.4118 to ptr
+  tail call void %.4163(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
+  br i1 %.794, label %B188.if.i.preheader, label %B108.if.i
 
 B186.i.loopexit.critedge:                         ; preds = %B188.if.i
-  %.625.i2511.c = icmp ult i64 %.361.i2305.010925, 8
-  %.10584.c = select i1 %.625.i2511.c, i64 16, i64 17
-  %.672.i2542.c = load i64, ptr %.671.i2541, align 8, !noalias !53
-  %.744.i2597.c = mul i64 %.742.i2595, %.10584.c
-  %.762.i2605.c = getelementptr double, ptr %arg.batch.5.0.4, i64 %.744.i2597.c
-  %.788.i2615.c = inttoptr i64 %.672.i2542.c to ptr
-  tail call void %.788.i2615.c(ptr %.571, ptr %.762.i2605.c, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !53
+  %.625.i2510.c = icmp ult i64 %.361.i2304.010958, 8
+  %.10615.c = select i1 %.625.i2510.c, i64 16, i64 17
+  %.672.i2541.c = load i64, ptr %.671.i2540, align 8, !noalias !53
+  %.744.i2596.c = mul i64 %.742.i2594, %.10615.c
+  %.762.i2604.c = getelementptr double, ptr %arg.batch.5.0.4, i64 %.744.i2596.c
+  %.788.i2614.c = inttoptr i64 %.672.i2541.c to ptr
+  tail call void %.788.i2614.c(ptr %.571, ptr %.762.i2604.c, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !53
   br label %B186.i.loopexit
 
 B186.i.loopexit:                                  ; preds = %B770.i, %B186.i.loopexit.critedge
-  %some.2.i.1.lcssa = phi i1 [ %some.4.i.010927, %B186.i.loopexit.critedge ], [ %some.3.i.2, %B770.i ]
-  %exitcond11082.not = icmp eq i64 %.431.i3147, 9
-  br i1 %exitcond11082.not, label %B806.i.preheader, label %B188.if.i
+  %some.2.i.1.lcssa = phi i1 [ %some.4.i.010960, %B186.i.loopexit.critedge ], [ %some.3.i.2, %B770.i ]
+  %exitcond11115.not = icmp eq i64 %.431.i3145, 9
+  br i1 %exitcond11115.not, label %B806.i.preheader, label %B188.if.i
 
 B806.i.preheader:                                 ; preds = %B186.i.loopexit
-  br i1 %.689, label %B2808, label %B806.if.i
+  br i1 %.794, label %B2872, label %B806.if.i
 
 B222.i.loopexit:                                  ; preds = %B122.if.i.i, %B222.if.i
-  %.539.i2501 = icmp sgt i64 %.486.i2315.010919, 1
-  br i1 %.539.i2501, label %B222.if.i, label %B284.i
+  %.539.i2500 = icmp sgt i64 %.486.i2314.010952, 1
+  br i1 %.539.i2500, label %B222.if.i, label %B284.i
 
 B284.i:                                           ; preds = %B222.i.loopexit
-  %.625.i2511 = icmp ult i64 %.361.i2305.010925, 8
-  %.10584 = select i1 %.625.i2511, i64 16, i64 17
-  %.672.i2542 = load i64, ptr %.671.i2541, align 8, !noalias !53
-  %.744.i2597 = mul i64 %.742.i2595, %.10584
-  %.762.i2605 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.744.i2597
-  %.788.i2615 = inttoptr i64 %.672.i2542 to ptr
-  tail call void %.788.i2615(ptr %.571, ptr %.762.i2605, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !53
-  %.1181.i = add nsw i64 %.361.i2305.010925, -1
+  %.625.i2510 = icmp ult i64 %.361.i2304.010958, 8
+  %.10615 = select i1 %.625.i2510, i64 16, i64 17
+  %.672.i2541 = load i64, ptr %.671.i2540, align 8, !noalias !53
+  %.744.i2596 = mul i64 %.742.i2594, %.10615
+  %.762.i2604 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.744.i2596
+  %.788.i2614 = inttoptr i64 %.672.i2541 to ptr
+  tail call void %.788.i2614(ptr %.571, ptr %.762.i2604, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !53
+  %.1181.i = add nsw i64 %.361.i2304.010958, -1
   %.1182.i = sitofp i64 %.1181.i to double
   %.1187.i = fmul double %.1182.i, 1.250000e-01
-  %.1189.i2867 = uitofp i64 %.361.i2305.010925 to double
-  %.1194.i = fmul double %.1189.i2867, 1.250000e-01
+  %.1189.i2865 = uitofp i64 %.361.i2304.010958 to double
+  %.1194.i = fmul double %.1189.i2865, 1.250000e-01
   br label %B466.if.i
 
 B508.i:                                           ; preds = %B466.if.i
-  %.1028.i2744 = getelementptr double, ptr %47, i64 %.814.i2334.010921
-  %.1029.i = load double, ptr %.1028.i2744, align 8, !noalias !53
+  %.1028.i2742 = getelementptr double, ptr %47, i64 %.814.i2333.010954
+  %.1029.i = load double, ptr %.1028.i2742, align 8, !noalias !53
   %.1030.i = fcmp ogt double %.1029.i, 5.000000e-01
   br i1 %.1030.i, label %B546.i, label %B770.i
 
 B546.i:                                           ; preds = %B508.i
-  %.1088.i2788 = getelementptr i64, ptr %48, i64 %.814.i2334.010921
-  %.1089.i = load i64, ptr %.1088.i2788, align 8, !noalias !53
-  %.1090.i2789 = icmp slt i64 %.1089.i, 0
-  br i1 %.1090.i2789, label %B34.i.i, label %B770.i
+  %.1088.i2786 = getelementptr i64, ptr %48, i64 %.814.i2333.010954
+  %.1089.i = load i64, ptr %.1088.i2786, align 8, !noalias !53
+  %.1090.i2787 = icmp slt i64 %.1089.i, 0
+  br i1 %.1090.i2787, label %B34.i.i, label %B770.i
 
 B34.i.i:                                          ; preds = %B546.i, %B36.i.i
-  %.48.i.i2177.0 = phi i64 [ %.119.i88.i, %B36.i.i ], [ 0, %B546.i ]
-  %.51.i12.i.0 = phi i64 [ %.115.i.i2891, %B36.i.i ], [ %arg.shape.6, %B546.i ]
-  %.106.i.i2820 = icmp sgt i64 %.51.i12.i.0, 0
-  br i1 %.106.i.i2820, label %B36.i.i, label %B584.endif.i
+  %.48.i.i2176.0 = phi i64 [ %.119.i88.i, %B36.i.i ], [ 0, %B546.i ]
+  %.51.i12.i.0 = phi i64 [ %.115.i.i2889, %B36.i.i ], [ %arg.shape.6, %B546.i ]
+  %.106.i.i2818 = icmp sgt i64 %.51.i12.i.0, 0
+  br i1 %.106.i.i2818, label %B36.i.i, label %B584.endif.i
 
 B36.i.i:                                          ; preds = %B34.i.i
-  %.115.i.i2891 = add nsw i64 %.51.i12.i.0, -1
-  %.119.i88.i = add i64 %.48.i.i2177.0, 1
-  %.149.i53.i = add nsw i64 %.48.i.i2177.0, %arg.shape.6
+  %.115.i.i2889 = add nsw i64 %.51.i12.i.0, -1
+  %.119.i88.i = add i64 %.48.i.i2176.0, 1
+  %.149.i53.i = add nsw i64 %.48.i.i2176.0, %arg.shape.6
   %.151.i55.i = mul nsw i64 %.149.i53.i, %arg.shape.0
-  %.153.i56.i = add nsw i64 %.151.i55.i, %.814.i2334.010921
+  %.153.i56.i = add nsw i64 %.151.i55.i, %.814.i2333.010954
   %.167.i61.i = icmp slt i64 %.153.i56.i, 0
   %.168.i62.i = select i1 %.167.i61.i, i64 %arg.batch.5.4.5.0, i64 0
   %205 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.153.i56.i
@@ -1829,483 +1845,483 @@ B36.i.i:                                          ; preds = %B34.i.i
   br i1 %.184.i.i, label %B584.endif.i, label %B34.i.i
 
 B732.i:                                           ; preds = %B584.endif.i
-  %.1369.i = load i64, ptr %.1088.i2788, align 8, !noalias !53
+  %.1369.i = load i64, ptr %.1088.i2786, align 8, !noalias !53
   %.1370.i = icmp sgt i64 %.1369.i, -1
   br label %B770.i
 
 B770.i:                                           ; preds = %B732.i, %B584.endif.i, %B546.i, %B508.i, %B466.if.i
-  %some.3.i.2 = phi i1 [ %some.2.i.110923, %B466.if.i ], [ %some.2.i.110923, %B546.i ], [ %some.2.i.110923, %B508.i ], [ true, %B584.endif.i ], [ %.1370.i, %B732.i ]
-  %.870.i2647 = icmp sgt i64 %.817.i2335.010922, 1
-  br i1 %.870.i2647, label %B466.if.i, label %B186.i.loopexit
+  %some.3.i.2 = phi i1 [ %some.2.i.110956, %B466.if.i ], [ %some.2.i.110956, %B546.i ], [ %some.2.i.110956, %B508.i ], [ true, %B584.endif.i ], [ %.1370.i, %B732.i ]
+  %.870.i2645 = icmp sgt i64 %.817.i2334.010955, 1
+  br i1 %.870.i2645, label %B466.if.i, label %B186.i.loopexit
 
-B108.if.i:                                        ; preds = %B2702, %B108.if.i
-  %.179.i2295.010910 = phi i64 [ %.243.i3203, %B108.if.i ], [ %storemerge, %B2702 ]
-  %.176.i2294.010909 = phi i64 [ %.247.i3206, %B108.if.i ], [ 0, %B2702 ]
-  %.243.i3203 = add nsw i64 %.179.i2295.010910, -1
-  %.247.i3206 = add nsw i64 %.176.i2294.010909, 1
-  %206 = getelementptr i64, ptr %45, i64 %.176.i2294.010909
+B108.if.i:                                        ; preds = %B2766, %B108.if.i
+  %.179.i2294.010943 = phi i64 [ %.243.i3201, %B108.if.i ], [ %storemerge, %B2766 ]
+  %.176.i2293.010942 = phi i64 [ %.247.i3204, %B108.if.i ], [ 0, %B2766 ]
+  %.243.i3201 = add nsw i64 %.179.i2294.010943, -1
+  %.247.i3204 = add nsw i64 %.176.i2293.010942, 1
+  %206 = getelementptr i64, ptr %45, i64 %.176.i2293.010942
   store i64 -1, ptr %206, align 8, !noalias !53
-  %.234.i2410 = icmp sgt i64 %.179.i2295.010910, 1
-  br i1 %.234.i2410, label %B108.if.i, label %B188.if.i.preheader
+  %.234.i2409 = icmp sgt i64 %.179.i2294.010943, 1
+  br i1 %.234.i2409, label %B108.if.i, label %B188.if.i.preheader
 
-B188.if.i.preheader:                              ; preds = %B108.if.i, %B2702
+B188.if.i.preheader:                              ; preds = %B108.if.i, %B2766
   br label %B188.if.i
 
 B188.if.i:                                        ; preds = %B188.if.i.preheader, %B186.i.loopexit
-  %some.4.i.010927 = phi i1 [ %some.2.i.1.lcssa, %B186.i.loopexit ], [ false, %B188.if.i.preheader ]
-  %.361.i2305.010925 = phi i64 [ %.431.i3147, %B186.i.loopexit ], [ 1, %B188.if.i.preheader ]
-  %.431.i3147 = add nsw i64 %.361.i2305.010925, 1
-  br i1 %.689, label %B186.i.loopexit.critedge, label %B222.if.i.lr.ph
+  %some.4.i.010960 = phi i1 [ %some.2.i.1.lcssa, %B186.i.loopexit ], [ false, %B188.if.i.preheader ]
+  %.361.i2304.010958 = phi i64 [ %.431.i3145, %B186.i.loopexit ], [ 1, %B188.if.i.preheader ]
+  %.431.i3145 = add nsw i64 %.361.i2304.010958, 1
+  br i1 %.794, label %B186.i.loopexit.critedge, label %B222.if.i.lr.ph
 
 B222.if.i.lr.ph:                                  ; preds = %B188.if.i
-  %.579.i2908 = uitofp i64 %.361.i2305.010925 to double
-  %.584.i2909 = fmul double %.579.i2908, 1.250000e-01
-  %.247.i.i.i = fsub double 1.000000e+00, %.584.i2909
+  %.579.i2906 = uitofp i64 %.361.i2304.010958 to double
+  %.584.i2907 = fmul double %.579.i2906, 1.250000e-01
+  %.247.i.i.i = fsub double 1.000000e+00, %.584.i2907
   br label %B222.if.i
 
 B222.if.i:                                        ; preds = %B222.if.i.lr.ph, %B222.i.loopexit
-  %.486.i2315.010919 = phi i64 [ %storemerge, %B222.if.i.lr.ph ], [ %.548.i3131, %B222.i.loopexit ]
-  %.483.i2314.010918 = phi i64 [ 0, %B222.if.i.lr.ph ], [ %.552.i3134, %B222.i.loopexit ]
-  %.548.i3131 = add nsw i64 %.486.i2315.010919, -1
-  %.552.i3134 = add nsw i64 %.483.i2314.010918, 1
-  %.92.i.i2984 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.483.i2314.010918
-  %.93.i.i2985 = load double, ptr %.92.i.i2984, align 8, !noalias !61
-  %.146.i.i3019 = getelementptr double, ptr %46, i64 %.483.i2314.010918
-  %.147.i.i3020 = load double, ptr %.146.i.i3019, align 8, !noalias !61
-  %.149.i.i3022 = fmul double %.584.i2909, %.147.i.i3020
-  %.150.i.i3023 = fadd double %.93.i.i2985, %.149.i.i3022
-  %.203.i.i3050 = getelementptr double, ptr %.571, i64 %.483.i2314.010918
-  store double %.150.i.i3023, ptr %.203.i.i3050, align 8, !noalias !61
-  br i1 %.287.i.i10914.not, label %B222.i.loopexit, label %B122.if.i.i.preheader
+  %.486.i2314.010952 = phi i64 [ %storemerge, %B222.if.i.lr.ph ], [ %.548.i3129, %B222.i.loopexit ]
+  %.483.i2313.010951 = phi i64 [ 0, %B222.if.i.lr.ph ], [ %.552.i3132, %B222.i.loopexit ]
+  %.548.i3129 = add nsw i64 %.486.i2314.010952, -1
+  %.552.i3132 = add nsw i64 %.483.i2313.010951, 1
+  %.92.i.i2982 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.483.i2313.010951
+  %.93.i.i2983 = load double, ptr %.92.i.i2982, align 8, !noalias !61
+  %.146.i.i3017 = getelementptr double, ptr %46, i64 %.483.i2313.010951
+  %.147.i.i3018 = load double, ptr %.146.i.i3017, align 8, !noalias !61
+  %.149.i.i3020 = fmul double %.584.i2907, %.147.i.i3018
+  %.150.i.i3021 = fadd double %.93.i.i2983, %.149.i.i3020
+  %.203.i.i3048 = getelementptr double, ptr %.571, i64 %.483.i2313.010951
+  store double %.150.i.i3021, ptr %.203.i.i3048, align 8, !noalias !61
+  br i1 %.287.i.i10947.not, label %B222.i.loopexit, label %B122.if.i.i.preheader
 
 B122.if.i.i.preheader:                            ; preds = %B222.if.i
-  %invariant.gep11104 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i2314.010918
-  %invariant.gep11106 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i2314.010918
-  %invariant.gep11108 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i2314.010918
-  %invariant.gep11110 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i2314.010918
-  %invariant.gep11112 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i2314.010918
-  %invariant.gep11114 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i2314.010918
-  %invariant.gep11116 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i2314.010918
-  %invariant.gep11118 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i2314.010918
-  %invariant.gep11120 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i2314.010918
+  %invariant.gep11137 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i2313.010951
+  %invariant.gep11139 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i2313.010951
+  %invariant.gep11141 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i2313.010951
+  %invariant.gep11143 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i2313.010951
+  %invariant.gep11145 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i2313.010951
+  %invariant.gep11147 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i2313.010951
+  %invariant.gep11149 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i2313.010951
+  %invariant.gep11151 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i2313.010951
+  %invariant.gep11153 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i2313.010951
   br label %B122.if.i.i
 
 B122.if.i.i:                                      ; preds = %B122.if.i.i.preheader, %B122.if.i.i
-  %.229.i.i.010915 = phi i64 [ %.300.i.i3121, %B122.if.i.i ], [ 0, %B122.if.i.i.preheader ]
-  %.157.i.i.i = add nsw i64 %.155.i.i.i, %.229.i.i.010915
+  %.229.i.i.010948 = phi i64 [ %.300.i.i3119, %B122.if.i.i ], [ 0, %B122.if.i.i.preheader ]
+  %.157.i.i.i = add nsw i64 %.155.i.i.i, %.229.i.i.010948
   %.159.i.i.i = mul nsw i64 %.157.i.i.i, %arg.shape.0
-  %gep11105 = getelementptr double, ptr %invariant.gep11104, i64 %.159.i.i.i
-  %.191.i.i.i = load double, ptr %gep11105, align 8, !noalias !65
+  %gep11138 = getelementptr double, ptr %invariant.gep11137, i64 %.159.i.i.i
+  %.191.i.i.i = load double, ptr %gep11138, align 8, !noalias !65
   %.193.i.i.i = fadd double %.191.i.i.i, 0.000000e+00
-  %.253.i.i.i = fmul double %.584.i2909, %.193.i.i.i
-  %.157.i.i.i.1 = add nsw i64 %.155.i.i.i.1, %.229.i.i.010915
+  %.253.i.i.i = fmul double %.584.i2907, %.193.i.i.i
+  %.157.i.i.i.1 = add nsw i64 %.155.i.i.i.1, %.229.i.i.010948
   %.159.i.i.i.1 = mul nsw i64 %.157.i.i.i.1, %arg.shape.0
-  %gep11107 = getelementptr double, ptr %invariant.gep11106, i64 %.159.i.i.i.1
-  %.191.i.i.i.1 = load double, ptr %gep11107, align 8, !noalias !65
+  %gep11140 = getelementptr double, ptr %invariant.gep11139, i64 %.159.i.i.i.1
+  %.191.i.i.i.1 = load double, ptr %gep11140, align 8, !noalias !65
   %.193.i.i.i.1 = fadd double %.253.i.i.i, %.191.i.i.i.1
   %.253.i.i.i.1 = fmul double %.247.i.i.i, %.193.i.i.i.1
-  %.157.i.i.i.2 = add nsw i64 %.155.i.i.i.2, %.229.i.i.010915
+  %.157.i.i.i.2 = add nsw i64 %.155.i.i.i.2, %.229.i.i.010948
   %.159.i.i.i.2 = mul nsw i64 %.157.i.i.i.2, %arg.shape.0
-  %gep11109 = getelementptr double, ptr %invariant.gep11108, i64 %.159.i.i.i.2
-  %.191.i.i.i.2 = load double, ptr %gep11109, align 8, !noalias !65
+  %gep11142 = getelementptr double, ptr %invariant.gep11141, i64 %.159.i.i.i.2
+  %.191.i.i.i.2 = load double, ptr %gep11142, align 8, !noalias !65
   %.193.i.i.i.2 = fadd double %.253.i.i.i.1, %.191.i.i.i.2
-  %.253.i.i.i.2 = fmul double %.584.i2909, %.193.i.i.i.2
-  %.157.i.i.i.3 = add nsw i64 %.155.i.i.i.3, %.229.i.i.010915
+  %.253.i.i.i.2 = fmul double %.584.i2907, %.193.i.i.i.2
+  %.157.i.i.i.3 = add nsw i64 %.155.i.i.i.3, %.229.i.i.010948
   %.159.i.i.i.3 = mul nsw i64 %.157.i.i.i.3, %arg.shape.0
-  %gep11111 = getelementptr double, ptr %invariant.gep11110, i64 %.159.i.i.i.3
-  %.191.i.i.i.3 = load double, ptr %gep11111, align 8, !noalias !65
+  %gep11144 = getelementptr double, ptr %invariant.gep11143, i64 %.159.i.i.i.3
+  %.191.i.i.i.3 = load double, ptr %gep11144, align 8, !noalias !65
   %.193.i.i.i.3 = fadd double %.253.i.i.i.2, %.191.i.i.i.3
   %.253.i.i.i.3 = fmul double %.247.i.i.i, %.193.i.i.i.3
-  %.157.i.i.i.4 = add nsw i64 %.155.i.i.i.4, %.229.i.i.010915
+  %.157.i.i.i.4 = add nsw i64 %.155.i.i.i.4, %.229.i.i.010948
   %.159.i.i.i.4 = mul nsw i64 %.157.i.i.i.4, %arg.shape.0
-  %gep11113 = getelementptr double, ptr %invariant.gep11112, i64 %.159.i.i.i.4
-  %.191.i.i.i.4 = load double, ptr %gep11113, align 8, !noalias !65
+  %gep11146 = getelementptr double, ptr %invariant.gep11145, i64 %.159.i.i.i.4
+  %.191.i.i.i.4 = load double, ptr %gep11146, align 8, !noalias !65
   %.193.i.i.i.4 = fadd double %.253.i.i.i.3, %.191.i.i.i.4
-  %.253.i.i.i.4 = fmul double %.584.i2909, %.193.i.i.i.4
-  %.157.i.i.i.5 = add nsw i64 %.155.i.i.i.5, %.229.i.i.010915
+  %.253.i.i.i.4 = fmul double %.584.i2907, %.193.i.i.i.4
+  %.157.i.i.i.5 = add nsw i64 %.155.i.i.i.5, %.229.i.i.010948
   %.159.i.i.i.5 = mul nsw i64 %.157.i.i.i.5, %arg.shape.0
-  %gep11115 = getelementptr double, ptr %invariant.gep11114, i64 %.159.i.i.i.5
-  %.191.i.i.i.5 = load double, ptr %gep11115, align 8, !noalias !65
+  %gep11148 = getelementptr double, ptr %invariant.gep11147, i64 %.159.i.i.i.5
+  %.191.i.i.i.5 = load double, ptr %gep11148, align 8, !noalias !65
   %.193.i.i.i.5 = fadd double %.253.i.i.i.4, %.191.i.i.i.5
   %.253.i.i.i.5 = fmul double %.247.i.i.i, %.193.i.i.i.5
-  %.157.i.i.i.6 = add nsw i64 %.155.i.i.i.6, %.229.i.i.010915
+  %.157.i.i.i.6 = add nsw i64 %.155.i.i.i.6, %.229.i.i.010948
   %.159.i.i.i.6 = mul nsw i64 %.157.i.i.i.6, %arg.shape.0
-  %gep11117 = getelementptr double, ptr %invariant.gep11116, i64 %.159.i.i.i.6
-  %.191.i.i.i.6 = load double, ptr %gep11117, align 8, !noalias !65
+  %gep11150 = getelementptr double, ptr %invariant.gep11149, i64 %.159.i.i.i.6
+  %.191.i.i.i.6 = load double, ptr %gep11150, align 8, !noalias !65
   %.193.i.i.i.6 = fadd double %.253.i.i.i.5, %.191.i.i.i.6
-  %.253.i.i.i.6 = fmul double %.584.i2909, %.193.i.i.i.6
-  %.300.i.i3121 = add nsw i64 %.229.i.i.010915, 1
-  %.271.i.i.i = mul nsw i64 %.229.i.i.010915, %arg.shape.0
-  %gep11119 = getelementptr double, ptr %invariant.gep11118, i64 %.271.i.i.i
-  %.309.i.i.i = load double, ptr %gep11119, align 8, !noalias !65
+  %.253.i.i.i.6 = fmul double %.584.i2907, %.193.i.i.i.6
+  %.300.i.i3119 = add nsw i64 %.229.i.i.010948, 1
+  %.271.i.i.i = mul nsw i64 %.229.i.i.010948, %arg.shape.0
+  %gep11152 = getelementptr double, ptr %invariant.gep11151, i64 %.271.i.i.i
+  %.309.i.i.i = load double, ptr %gep11152, align 8, !noalias !65
   %.313.i.i.i = fadd double %.253.i.i.i.6, %.309.i.i.i
-  %.359.i.i3100 = add nsw i64 %.229.i.i.010915, %.358.i.i
-  %.361.i.i3101 = mul nsw i64 %.359.i.i3100, %arg.shape.0
-  %gep11121 = getelementptr double, ptr %invariant.gep11120, i64 %.361.i.i3101
-  store double %.313.i.i.i, ptr %gep11121, align 8, !noalias !61
-  %exitcond11081.not = icmp eq i64 %arg.shape.1, %.300.i.i3121
-  br i1 %exitcond11081.not, label %B222.i.loopexit, label %B122.if.i.i
+  %.359.i.i3098 = add nsw i64 %.229.i.i.010948, %.358.i.i
+  %.361.i.i3099 = mul nsw i64 %.359.i.i3098, %arg.shape.0
+  %gep11154 = getelementptr double, ptr %invariant.gep11153, i64 %.361.i.i3099
+  store double %.313.i.i.i, ptr %gep11154, align 8, !noalias !61
+  %exitcond11114.not = icmp eq i64 %arg.shape.1, %.300.i.i3119
+  br i1 %exitcond11114.not, label %B222.i.loopexit, label %B122.if.i.i
 
 B466.if.i:                                        ; preds = %B284.i, %B770.i
-  %some.2.i.110923 = phi i1 [ %some.4.i.010927, %B284.i ], [ %some.3.i.2, %B770.i ]
-  %.817.i2335.010922 = phi i64 [ %storemerge, %B284.i ], [ %.879.i2894, %B770.i ]
-  %.814.i2334.010921 = phi i64 [ 0, %B284.i ], [ %.883.i2897, %B770.i ]
-  %.879.i2894 = add nsw i64 %.817.i2335.010922, -1
-  %.883.i2897 = add nsw i64 %.814.i2334.010921, 1
-  %.968.i2701 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.814.i2334.010921
-  %.969.i2702 = load i64, ptr %.968.i2701, align 8, !noalias !53
-  %.970.i2703 = icmp sgt i64 %.969.i2702, -1
-  br i1 %.970.i2703, label %B508.i, label %B770.i
+  %some.2.i.110956 = phi i1 [ %some.4.i.010960, %B284.i ], [ %some.3.i.2, %B770.i ]
+  %.817.i2334.010955 = phi i64 [ %storemerge, %B284.i ], [ %.879.i2892, %B770.i ]
+  %.814.i2333.010954 = phi i64 [ 0, %B284.i ], [ %.883.i2895, %B770.i ]
+  %.879.i2892 = add nsw i64 %.817.i2334.010955, -1
+  %.883.i2895 = add nsw i64 %.814.i2333.010954, 1
+  %.968.i2699 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.814.i2333.010954
+  %.969.i2700 = load i64, ptr %.968.i2699, align 8, !noalias !53
+  %.970.i2701 = icmp sgt i64 %.969.i2700, -1
+  br i1 %.970.i2701, label %B508.i, label %B770.i
 
 B584.endif.i:                                     ; preds = %B36.i.i, %B34.i.i
-  %.1099.i2343.0 = phi i64 [ %.48.i.i2177.0, %B36.i.i ], [ -1, %B34.i.i ]
-  store i64 %.1099.i2343.0, ptr %.1088.i2788, align 8, !noalias !53
-  %.1248.i = getelementptr double, ptr %49, i64 %.814.i2334.010921
+  %.1099.i2342.0 = phi i64 [ %.48.i.i2176.0, %B36.i.i ], [ -1, %B34.i.i ]
+  store i64 %.1099.i2342.0, ptr %.1088.i2786, align 8, !noalias !53
+  %.1248.i = getelementptr double, ptr %49, i64 %.814.i2333.010954
   store double %.1187.i, ptr %.1248.i, align 8, !noalias !53
-  %.1303.i = getelementptr double, ptr %50, i64 %.814.i2334.010921
+  %.1303.i = getelementptr double, ptr %50, i64 %.814.i2333.010954
   store double %.1194.i, ptr %.1303.i, align 8, !noalias !53
-  br i1 %some.2.i.110923, label %B770.i, label %B732.i
+  br i1 %some.2.i.110956, label %B770.i, label %B732.i
 
 B806.if.i:                                        ; preds = %B806.i.preheader, %B806.if.i
-  %.1453.i.010930 = phi i64 [ %.1515.i, %B806.if.i ], [ %storemerge, %B806.i.preheader ]
-  %.1450.i.010929 = phi i64 [ %.1519.i, %B806.if.i ], [ 0, %B806.i.preheader ]
-  %.1515.i = add nsw i64 %.1453.i.010930, -1
-  %.1519.i = add nsw i64 %.1450.i.010929, 1
-  %.1596.i = getelementptr double, ptr %51, i64 %.1450.i.010929
+  %.1453.i.010963 = phi i64 [ %.1515.i, %B806.if.i ], [ %storemerge, %B806.i.preheader ]
+  %.1450.i.010962 = phi i64 [ %.1519.i, %B806.if.i ], [ 0, %B806.i.preheader ]
+  %.1515.i = add nsw i64 %.1453.i.010963, -1
+  %.1519.i = add nsw i64 %.1450.i.010962, 1
+  %.1596.i = getelementptr double, ptr %51, i64 %.1450.i.010962
   %.1597.i = load double, ptr %.1596.i, align 8, !noalias !53
-  %.1650.i = getelementptr double, ptr %.571, i64 %.1450.i.010929
+  %.1650.i = getelementptr double, ptr %.571, i64 %.1450.i.010962
   store double %.1597.i, ptr %.1650.i, align 8, !noalias !53
-  %.1506.i = icmp sgt i64 %.1453.i.010930, 1
-  br i1 %.1506.i, label %B806.if.i, label %B2808
+  %.1506.i = icmp sgt i64 %.1453.i.010963, 1
+  br i1 %.1506.i, label %B806.if.i, label %B2872
 
-B2808:                                            ; preds = %B806.if.i, %B806.i.preheader, %B2682
-  %beyond.2.1 = phi i1 [ false, %B2682 ], [ %some.2.i.1.lcssa, %B806.i.preheader ], [ %some.2.i.1.lcssa, %B806.if.i ]
-  %brmerge10585 = select i1 %within.5.1, i1 true, i1 %beyond.2.1
-  br i1 %brmerge10585, label %B2818, label %B3380
+B2872:                                            ; preds = %B806.if.i, %B806.i.preheader, %B2746
+  %beyond.2.1 = phi i1 [ false, %B2746 ], [ %some.2.i.1.lcssa, %B806.i.preheader ], [ %some.2.i.1.lcssa, %B806.if.i ]
+  %brmerge10616 = select i1 %within.5.1, i1 true, i1 %beyond.2.1
+  br i1 %brmerge10616, label %B2882, label %B3444
 
-B2818:                                            ; preds = %B2808
-  br i1 %.614, label %B2866.if, label %B3234.critedge
+B2882:                                            ; preds = %B2872
+  br i1 %.614, label %B2930.if, label %B3298.critedge
 
-B140.i:                                           ; preds = %B64.if.i6071
-  %.409.i5402 = getelementptr double, ptr %53, i64 %.138.i5169.010935
-  %.410.i5403 = load double, ptr %.409.i5402, align 8, !noalias !69
-  %.411.i5404 = fcmp uge double %.410.i5403, 5.000000e-01
-  %.424.i5412.not = icmp slt i64 %.346.i5351, %arg.batch.2.5.0
-  %or.cond10586 = select i1 %.411.i5404, i1 %.424.i5412.not, i1 false
-  br i1 %or.cond10586, label %B216.i, label %B453.i
+B140.i:                                           ; preds = %B64.if.i6069
+  %.409.i5400 = getelementptr double, ptr %53, i64 %.138.i5167.010968
+  %.410.i5401 = load double, ptr %.409.i5400, align 8, !noalias !69
+  %.411.i5402 = fcmp uge double %.410.i5401, 5.000000e-01
+  %.424.i5410.not = icmp slt i64 %.346.i5349, %arg.batch.2.5.0
+  %or.cond10617 = select i1 %.411.i5402, i1 %.424.i5410.not, i1 false
+  br i1 %or.cond10617, label %B216.i, label %B453.i
 
 B216.i:                                           ; preds = %B140.i
-  %.440.i = icmp slt i64 %.346.i5351, 0
-  %.441.i5423 = select i1 %.440.i, i64 %arg.batch.2.5.0, i64 0
-  %207 = getelementptr double, ptr %arg.batch.2.4, i64 %.346.i5351
-  %.455.i5437 = getelementptr double, ptr %207, i64 %.441.i5423
-  %.456.i5438 = load double, ptr %.455.i5437, align 8, !noalias !69
-  %.510.i5486 = getelementptr double, ptr %54, i64 %.138.i5169.010935
-  %.511.i5487 = load double, ptr %.510.i5486, align 8, !noalias !69
-  %.512.i5488 = fcmp ult double %.456.i5438, %.511.i5487
-  br i1 %.512.i5488, label %B268.i5489, label %B453.i
+  %.440.i = icmp slt i64 %.346.i5349, 0
+  %.441.i5421 = select i1 %.440.i, i64 %arg.batch.2.5.0, i64 0
+  %207 = getelementptr double, ptr %arg.batch.2.4, i64 %.346.i5349
+  %.455.i5435 = getelementptr double, ptr %207, i64 %.441.i5421
+  %.456.i5436 = load double, ptr %.455.i5435, align 8, !noalias !69
+  %.510.i5484 = getelementptr double, ptr %54, i64 %.138.i5167.010968
+  %.511.i5485 = load double, ptr %.510.i5484, align 8, !noalias !69
+  %.512.i5486 = fcmp ult double %.456.i5436, %.511.i5485
+  br i1 %.512.i5486, label %B268.i5487, label %B453.i
 
-B268.i5489:                                       ; preds = %B216.i
-  %.574.i5535 = getelementptr double, ptr %55, i64 %.138.i5169.010935
-  %.575.i5536 = load double, ptr %.574.i5535, align 8, !noalias !69
-  %.576.i5537 = fcmp ogt double %.575.i5536, 1.000000e+00
-  br i1 %.576.i5537, label %B306.i5541, label %B453.i
+B268.i5487:                                       ; preds = %B216.i
+  %.574.i5533 = getelementptr double, ptr %55, i64 %.138.i5167.010968
+  %.575.i5534 = load double, ptr %.574.i5533, align 8, !noalias !69
+  %.576.i5535 = fcmp ogt double %.575.i5534, 1.000000e+00
+  br i1 %.576.i5535, label %B306.i5539, label %B453.i
 
-B306.i5541:                                       ; preds = %B268.i5489
-  %.632.i = getelementptr double, ptr %56, i64 %.138.i5169.010935
-  %.633.i5590 = load double, ptr %.632.i, align 8, !noalias !69
-  store double 0.000000e+00, ptr %.409.i5402, align 8, !noalias !73
-  %.161.i.i5751 = getelementptr double, ptr %57, i64 %.138.i5169.010935
-  store double 0.000000e+00, ptr %.161.i.i5751, align 8, !noalias !73
-  %.214.i.i5786 = getelementptr double, ptr %58, i64 %.138.i5169.010935
-  store double %.633.i5590, ptr %.214.i.i5786, align 8, !noalias !73
-  %.268.i.i5819 = load i64, ptr %.290.i5304, align 8, !noalias !73
-  %.294.i.i5833 = icmp slt i64 %.268.i.i5819, 0
-  %.295.i.i = select i1 %.294.i.i5833, i64 %arg.batch.3.3.5.0, i64 0
-  %.296.i.i5834 = add i64 %.295.i.i, %.268.i.i5819
-  %.316.i.i5846 = mul i64 %.296.i.i5834, %arg.batch.3.3.5.1
-  %.320.i.i5847 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.316.i.i5846
-  %.321.i.i5848 = load i64, ptr %.320.i.i5847, align 8, !noalias !73
-  %.322.i.i5849 = add nsw i64 %.321.i.i5848, -1
-  store i64 %.322.i.i5849, ptr %.320.i.i5847, align 8, !noalias !73
-  %.426.i.i5895 = load i64, ptr %.290.i5304, align 8, !noalias !73
-  %.452.i.i = icmp slt i64 %.426.i.i5895, 0
+B306.i5539:                                       ; preds = %B268.i5487
+  %.632.i = getelementptr double, ptr %56, i64 %.138.i5167.010968
+  %.633.i5588 = load double, ptr %.632.i, align 8, !noalias !69
+  store double 0.000000e+00, ptr %.409.i5400, align 8, !noalias !73
+  %.161.i.i5749 = getelementptr double, ptr %57, i64 %.138.i5167.010968
+  store double 0.000000e+00, ptr %.161.i.i5749, align 8, !noalias !73
+  %.214.i.i5784 = getelementptr double, ptr %58, i64 %.138.i5167.010968
+  store double %.633.i5588, ptr %.214.i.i5784, align 8, !noalias !73
+  %.268.i.i5817 = load i64, ptr %.290.i5302, align 8, !noalias !73
+  %.294.i.i5831 = icmp slt i64 %.268.i.i5817, 0
+  %.295.i.i = select i1 %.294.i.i5831, i64 %arg.batch.3.3.5.0, i64 0
+  %.296.i.i5832 = add i64 %.295.i.i, %.268.i.i5817
+  %.316.i.i5844 = mul i64 %.296.i.i5832, %arg.batch.3.3.5.1
+  %.320.i.i5845 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.316.i.i5844
+  %.321.i.i5846 = load i64, ptr %.320.i.i5845, align 8, !noalias !73
+  %.322.i.i5847 = add nsw i64 %.321.i.i5846, -1
+  store i64 %.322.i.i5847, ptr %.320.i.i5845, align 8, !noalias !73
+  %.426.i.i5893 = load i64, ptr %.290.i5302, align 8, !noalias !73
+  %.452.i.i = icmp slt i64 %.426.i.i5893, 0
   %.453.i.i = select i1 %.452.i.i, i64 %arg.batch.3.3.5.0, i64 0
-  %.454.i.i = add i64 %.453.i.i, %.426.i.i5895
+  %.454.i.i = add i64 %.453.i.i, %.426.i.i5893
   %.474.i.i = mul i64 %.454.i.i, %arg.batch.3.3.5.1
   %208 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.474.i.i
   %.478.i.i = getelementptr i8, ptr %208, i64 24
   %.479.i.i = load i64, ptr %.478.i.i, align 8, !noalias !73
   %.480.i.i = add nsw i64 %.479.i.i, 1
   store i64 %.480.i.i, ptr %.478.i.i, align 8, !noalias !73
-  %.705.i5925 = load double, ptr %.455.i5437, align 8, !noalias !69
-  %.763.i5974 = getelementptr double, ptr %59, i64 %.138.i5169.010935
-  store double %.705.i5925, ptr %.763.i5974, align 8, !noalias !69
-  %.816.i6018 = mul i64 %.291.i5305, %arg.batch.3.3.5.1
-  %209 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.816.i6018
-  %.820.i6022 = getelementptr i8, ptr %209, i64 8
-  %.821.i6023 = load i64, ptr %.820.i6022, align 8, !noalias !69
-  %.822.i6024 = add nsw i64 %.821.i6023, 3
-  store i64 %.822.i6024, ptr %.820.i6022, align 8, !noalias !69
+  %.705.i5923 = load double, ptr %.455.i5435, align 8, !noalias !69
+  %.763.i5972 = getelementptr double, ptr %59, i64 %.138.i5167.010968
+  store double %.705.i5923, ptr %.763.i5972, align 8, !noalias !69
+  %.816.i6015 = mul i64 %.291.i5303, %arg.batch.3.3.5.1
+  %209 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.816.i6015
+  %.820.i6019 = getelementptr i8, ptr %209, i64 8
+  %.821.i6020 = load i64, ptr %.820.i6019, align 8, !noalias !69
+  %.822.i6021 = add nsw i64 %.821.i6020, 3
+  store i64 %.822.i6021, ptr %.820.i6019, align 8, !noalias !69
   br label %B453.i
 
-B453.i:                                           ; preds = %B268.i5489, %B306.i5541, %B64.if.i6071, %B140.i, %B216.i
-  %.196.i5238 = icmp sgt i64 %.141.i5170.010934, 1
-  br i1 %.196.i5238, label %B64.if.i6071, label %B3234
+B453.i:                                           ; preds = %B268.i5487, %B306.i5539, %B64.if.i6069, %B140.i, %B216.i
+  %.196.i5236 = icmp sgt i64 %.141.i5168.010967, 1
+  br i1 %.196.i5236, label %B64.if.i6069, label %B3298
 
-B64.if.i6071:                                     ; preds = %B2866.if, %B453.i
-  %.138.i5169.010935 = phi i64 [ %.209.i6078, %B453.i ], [ 0, %B2866.if ]
-  %.141.i5170.010934 = phi i64 [ %.205.i6075, %B453.i ], [ %storemerge, %B2866.if ]
-  %.205.i6075 = add nsw i64 %.141.i5170.010934, -1
-  %.209.i6078 = add nsw i64 %.138.i5169.010935, 1
-  %.290.i5304 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.138.i5169.010935
-  %.291.i5305 = load i64, ptr %.290.i5304, align 8, !noalias !69
-  %.345.i5350 = getelementptr i64, ptr %52, i64 %.138.i5169.010935
-  %.346.i5351 = load i64, ptr %.345.i5350, align 8, !noalias !69
-  %.354.i5355 = icmp slt i64 %.291.i5305, 0
-  br i1 %.354.i5355, label %B453.i, label %B140.i
+B64.if.i6069:                                     ; preds = %B2930.if, %B453.i
+  %.138.i5167.010968 = phi i64 [ %.209.i6076, %B453.i ], [ 0, %B2930.if ]
+  %.141.i5168.010967 = phi i64 [ %.205.i6073, %B453.i ], [ %storemerge, %B2930.if ]
+  %.205.i6073 = add nsw i64 %.141.i5168.010967, -1
+  %.209.i6076 = add nsw i64 %.138.i5167.010968, 1
+  %.290.i5302 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.138.i5167.010968
+  %.291.i5303 = load i64, ptr %.290.i5302, align 8, !noalias !69
+  %.345.i5348 = getelementptr i64, ptr %52, i64 %.138.i5167.010968
+  %.346.i5349 = load i64, ptr %.345.i5348, align 8, !noalias !69
+  %.354.i5353 = icmp slt i64 %.291.i5303, 0
+  br i1 %.354.i5353, label %B453.i, label %B140.i
 
-B3234.critedge:                                   ; preds = %B2818
-  %.4563.c = load i64, ptr %.4562.c, align 8
-  %.4608.c = inttoptr i64 %.4563.c to ptr
-  tail call void %.4608.c(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.tolerances.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
-  br label %B3234
+B3298.critedge:                                   ; preds = %B2882
+  %.4639.c = load i64, ptr %.4638.c, align 8
+  %.4684.c = inttoptr i64 %.4639.c to ptr
+  tail call void %.4684.c(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.tolerances.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
+  br label %B3298
 
-B3234:                                            ; preds = %B453.i, %B2866.if, %B3234.critedge
-  br i1 %beyond.2.1, label %B108.i3530.preheader, label %B3318
+B3298:                                            ; preds = %B453.i, %B2930.if, %B3298.critedge
+  br i1 %beyond.2.1, label %B108.i3528.preheader, label %B3382
 
-B108.i3530.preheader:                             ; preds = %B3234
-  br i1 %.689, label %B188.if.i4982.preheader, label %B108.if.i5047
+B108.i3528.preheader:                             ; preds = %B3298
+  br i1 %.794, label %B188.if.i4980.preheader, label %B108.if.i5045
 
-B186.i3583.loopexit.critedge:                     ; preds = %B188.if.i4982
-  %.625.i3808.c = icmp ult i64 %.361.i3402.010953, 8
-  %.10587.c = select i1 %.625.i3808.c, i64 16, i64 17
-  %.672.i3841.c = load i64, ptr %.671.i3840, align 8, !noalias !76
-  %.744.i3898.c = mul i64 %.742.i3896, %.10587.c
-  %.762.i3908.c = getelementptr double, ptr %arg.batch.5.0.4, i64 %.744.i3898.c
-  %.788.i3918.c = inttoptr i64 %.672.i3841.c to ptr
-  tail call void %.788.i3918.c(ptr %.571, ptr %.762.i3908.c, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !76
-  br label %B186.i3583.loopexit
+B186.i3581.loopexit.critedge:                     ; preds = %B188.if.i4980
+  %.625.i3806.c = icmp ult i64 %.361.i3400.010986, 8
+  %.10618.c = select i1 %.625.i3806.c, i64 16, i64 17
+  %.672.i3839.c = load i64, ptr %.671.i3838, align 8, !noalias !76
+  %.744.i3896.c = mul i64 %.742.i3894, %.10618.c
+  %.762.i3906.c = getelementptr double, ptr %arg.batch.5.0.4, i64 %.744.i3896.c
+  %.788.i3916.c = inttoptr i64 %.672.i3839.c to ptr
+  tail call void %.788.i3916.c(ptr %.571, ptr %.762.i3906.c, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !76
+  br label %B186.i3581.loopexit
 
-B186.i3583.loopexit:                              ; preds = %B770.i4028, %B186.i3583.loopexit.critedge
-  %some.2.i3425.1.lcssa = phi i1 [ %some.4.i3398.010955, %B186.i3583.loopexit.critedge ], [ %some.3.i3446.2, %B770.i4028 ]
-  %exitcond11087.not = icmp eq i64 %.431.i4990, 9
-  br i1 %exitcond11087.not, label %B806.i3641.preheader, label %B188.if.i4982
+B186.i3581.loopexit:                              ; preds = %B770.i4026, %B186.i3581.loopexit.critedge
+  %some.2.i3423.1.lcssa = phi i1 [ %some.4.i3396.010988, %B186.i3581.loopexit.critedge ], [ %some.3.i3444.2, %B770.i4026 ]
+  %exitcond11120.not = icmp eq i64 %.431.i4988, 9
+  br i1 %exitcond11120.not, label %B806.i3639.preheader, label %B188.if.i4980
 
-B806.i3641.preheader:                             ; preds = %B186.i3583.loopexit
-  br i1 %.689, label %B3238.endif.endif, label %B806.if.i3737
+B806.i3639.preheader:                             ; preds = %B186.i3581.loopexit
+  br i1 %.794, label %B3302.endif.endif, label %B806.if.i3735
 
-B222.i3790.loopexit:                              ; preds = %B122.if.i.i4950, %B222.if.i4965
-  %.539.i3795 = icmp sgt i64 %.486.i3415.010947, 1
-  br i1 %.539.i3795, label %B222.if.i4965, label %B284.i3804
+B222.i3788.loopexit:                              ; preds = %B122.if.i.i4948, %B222.if.i4963
+  %.539.i3793 = icmp sgt i64 %.486.i3413.010980, 1
+  br i1 %.539.i3793, label %B222.if.i4963, label %B284.i3802
 
-B284.i3804:                                       ; preds = %B222.i3790.loopexit
-  %.625.i3808 = icmp ult i64 %.361.i3402.010953, 8
-  %.10587 = select i1 %.625.i3808, i64 16, i64 17
-  %.672.i3841 = load i64, ptr %.671.i3840, align 8, !noalias !76
-  %.744.i3898 = mul i64 %.742.i3896, %.10587
-  %.762.i3908 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.744.i3898
-  %.788.i3918 = inttoptr i64 %.672.i3841 to ptr
-  tail call void %.788.i3918(ptr %.571, ptr %.762.i3908, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !76
-  %.1181.i4271 = add nsw i64 %.361.i3402.010953, -1
-  %.1182.i4272 = sitofp i64 %.1181.i4271 to double
-  %.1187.i4273 = fmul double %.1182.i4272, 1.250000e-01
-  %.1189.i4275 = uitofp i64 %.361.i3402.010953 to double
-  %.1194.i4276 = fmul double %.1189.i4275, 1.250000e-01
-  br label %B466.if.i4466
+B284.i3802:                                       ; preds = %B222.i3788.loopexit
+  %.625.i3806 = icmp ult i64 %.361.i3400.010986, 8
+  %.10618 = select i1 %.625.i3806, i64 16, i64 17
+  %.672.i3839 = load i64, ptr %.671.i3838, align 8, !noalias !76
+  %.744.i3896 = mul i64 %.742.i3894, %.10618
+  %.762.i3906 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.744.i3896
+  %.788.i3916 = inttoptr i64 %.672.i3839 to ptr
+  tail call void %.788.i3916(ptr %.571, ptr %.762.i3906, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !76
+  %.1181.i4269 = add nsw i64 %.361.i3400.010986, -1
+  %.1182.i4270 = sitofp i64 %.1181.i4269 to double
+  %.1187.i4271 = fmul double %.1182.i4270, 1.250000e-01
+  %.1189.i4273 = uitofp i64 %.361.i3400.010986 to double
+  %.1194.i4274 = fmul double %.1189.i4273, 1.250000e-01
+  br label %B466.if.i4464
 
-B508.i4033:                                       ; preds = %B466.if.i4466
-  %.1028.i4082 = getelementptr double, ptr %62, i64 %.814.i3438.010949
-  %.1029.i4083 = load double, ptr %.1028.i4082, align 8, !noalias !76
-  %.1030.i4084 = fcmp ogt double %.1029.i4083, 5.000000e-01
-  br i1 %.1030.i4084, label %B546.i4085, label %B770.i4028
+B508.i4031:                                       ; preds = %B466.if.i4464
+  %.1028.i4080 = getelementptr double, ptr %62, i64 %.814.i3436.010982
+  %.1029.i4081 = load double, ptr %.1028.i4080, align 8, !noalias !76
+  %.1030.i4082 = fcmp ogt double %.1029.i4081, 5.000000e-01
+  br i1 %.1030.i4082, label %B546.i4083, label %B770.i4026
 
-B546.i4085:                                       ; preds = %B508.i4033
-  %.1088.i4134 = getelementptr i64, ptr %63, i64 %.814.i3438.010949
-  %.1089.i4135 = load i64, ptr %.1088.i4134, align 8, !noalias !76
-  %.1090.i4136 = icmp slt i64 %.1089.i4135, 0
-  br i1 %.1090.i4136, label %B34.i.i4193, label %B770.i4028
+B546.i4083:                                       ; preds = %B508.i4031
+  %.1088.i4132 = getelementptr i64, ptr %63, i64 %.814.i3436.010982
+  %.1089.i4133 = load i64, ptr %.1088.i4132, align 8, !noalias !76
+  %.1090.i4134 = icmp slt i64 %.1089.i4133, 0
+  br i1 %.1090.i4134, label %B34.i.i4191, label %B770.i4026
 
-B34.i.i4193:                                      ; preds = %B546.i4085, %B36.i.i4409
-  %.48.i.i3224.0 = phi i64 [ %.119.i88.i4457, %B36.i.i4409 ], [ 0, %B546.i4085 ]
-  %exitcond11086.not = icmp eq i64 %.48.i.i3224.0, %storemerge10530
-  br i1 %exitcond11086.not, label %B584.endif.i4225, label %B36.i.i4409
+B34.i.i4191:                                      ; preds = %B546.i4083, %B36.i.i4407
+  %.48.i.i3222.0 = phi i64 [ %.119.i88.i4455, %B36.i.i4407 ], [ 0, %B546.i4083 ]
+  %exitcond11119.not = icmp eq i64 %.48.i.i3222.0, %storemerge10561
+  br i1 %exitcond11119.not, label %B584.endif.i4223, label %B36.i.i4407
 
-B36.i.i4409:                                      ; preds = %B34.i.i4193
-  %.119.i88.i4457 = add i64 %.48.i.i3224.0, 1
-  %.149.i53.i4415 = add nsw i64 %.48.i.i3224.0, %arg.shape.6
-  %.151.i55.i4417 = mul nsw i64 %.149.i53.i4415, %arg.shape.0
-  %.153.i56.i4419 = add nsw i64 %.151.i55.i4417, %.814.i3438.010949
-  %.167.i61.i4427 = icmp slt i64 %.153.i56.i4419, 0
-  %.168.i62.i4428 = select i1 %.167.i61.i4427, i64 %arg.batch.5.4.5.0, i64 0
-  %210 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.153.i56.i4419
-  %.182.i74.i4438 = getelementptr double, ptr %210, i64 %.168.i62.i4428
-  %.183.i75.i4439 = load double, ptr %.182.i74.i4438, align 8, !noalias !80
-  %.184.i.i4440 = fcmp ogt double %.183.i75.i4439, 5.000000e-01
-  br i1 %.184.i.i4440, label %B584.endif.i4225, label %B34.i.i4193
+B36.i.i4407:                                      ; preds = %B34.i.i4191
+  %.119.i88.i4455 = add i64 %.48.i.i3222.0, 1
+  %.149.i53.i4413 = add nsw i64 %.48.i.i3222.0, %arg.shape.6
+  %.151.i55.i4415 = mul nsw i64 %.149.i53.i4413, %arg.shape.0
+  %.153.i56.i4417 = add nsw i64 %.151.i55.i4415, %.814.i3436.010982
+  %.167.i61.i4425 = icmp slt i64 %.153.i56.i4417, 0
+  %.168.i62.i4426 = select i1 %.167.i61.i4425, i64 %arg.batch.5.4.5.0, i64 0
+  %210 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.153.i56.i4417
+  %.182.i74.i4436 = getelementptr double, ptr %210, i64 %.168.i62.i4426
+  %.183.i75.i4437 = load double, ptr %.182.i74.i4436, align 8, !noalias !80
+  %.184.i.i4438 = fcmp ogt double %.183.i75.i4437, 5.000000e-01
+  br i1 %.184.i.i4438, label %B584.endif.i4223, label %B34.i.i4191
 
-B732.i4355:                                       ; preds = %B584.endif.i4225
-  %.1369.i4394 = load i64, ptr %.1088.i4134, align 8, !noalias !76
-  %.1370.i4395 = icmp sgt i64 %.1369.i4394, -1
-  br label %B770.i4028
+B732.i4353:                                       ; preds = %B584.endif.i4223
+  %.1369.i4392 = load i64, ptr %.1088.i4132, align 8, !noalias !76
+  %.1370.i4393 = icmp sgt i64 %.1369.i4392, -1
+  br label %B770.i4026
 
-B770.i4028:                                       ; preds = %B732.i4355, %B584.endif.i4225, %B546.i4085, %B508.i4033, %B466.if.i4466
-  %some.3.i3446.2 = phi i1 [ %some.2.i3425.110951, %B466.if.i4466 ], [ %some.2.i3425.110951, %B546.i4085 ], [ %some.2.i3425.110951, %B508.i4033 ], [ true, %B584.endif.i4225 ], [ %.1370.i4395, %B732.i4355 ]
-  %.870.i3958 = icmp sgt i64 %.817.i3439.010950, 1
-  br i1 %.870.i3958, label %B466.if.i4466, label %B186.i3583.loopexit
+B770.i4026:                                       ; preds = %B732.i4353, %B584.endif.i4223, %B546.i4083, %B508.i4031, %B466.if.i4464
+  %some.3.i3444.2 = phi i1 [ %some.2.i3423.110984, %B466.if.i4464 ], [ %some.2.i3423.110984, %B546.i4083 ], [ %some.2.i3423.110984, %B508.i4031 ], [ true, %B584.endif.i4223 ], [ %.1370.i4393, %B732.i4353 ]
+  %.870.i3956 = icmp sgt i64 %.817.i3437.010983, 1
+  br i1 %.870.i3956, label %B466.if.i4464, label %B186.i3581.loopexit
 
-B108.if.i5047:                                    ; preds = %B108.i3530.preheader, %B108.if.i5047
-  %.179.i3389.010938 = phi i64 [ %.243.i5052, %B108.if.i5047 ], [ %storemerge, %B108.i3530.preheader ]
-  %.176.i3388.010937 = phi i64 [ %.247.i5055, %B108.if.i5047 ], [ 0, %B108.i3530.preheader ]
-  %.243.i5052 = add nsw i64 %.179.i3389.010938, -1
-  %.247.i5055 = add nsw i64 %.176.i3388.010937, 1
-  %211 = getelementptr i64, ptr %60, i64 %.176.i3388.010937
+B108.if.i5045:                                    ; preds = %B108.i3528.preheader, %B108.if.i5045
+  %.179.i3387.010971 = phi i64 [ %.243.i5050, %B108.if.i5045 ], [ %storemerge, %B108.i3528.preheader ]
+  %.176.i3386.010970 = phi i64 [ %.247.i5053, %B108.if.i5045 ], [ 0, %B108.i3528.preheader ]
+  %.243.i5050 = add nsw i64 %.179.i3387.010971, -1
+  %.247.i5053 = add nsw i64 %.176.i3386.010970, 1
+  %211 = getelementptr i64, ptr %60, i64 %.176.i3386.010970
   store i64 -1, ptr %211, align 8, !noalias !76
-  %.234.i3535 = icmp sgt i64 %.179.i3389.010938, 1
-  br i1 %.234.i3535, label %B108.if.i5047, label %B188.if.i4982.preheader
+  %.234.i3533 = icmp sgt i64 %.179.i3387.010971, 1
+  br i1 %.234.i3533, label %B108.if.i5045, label %B188.if.i4980.preheader
 
-B188.if.i4982.preheader:                          ; preds = %B108.if.i5047, %B108.i3530.preheader
-  br label %B188.if.i4982
+B188.if.i4980.preheader:                          ; preds = %B108.if.i5045, %B108.i3528.preheader
+  br label %B188.if.i4980
 
-B188.if.i4982:                                    ; preds = %B188.if.i4982.preheader, %B186.i3583.loopexit
-  %some.4.i3398.010955 = phi i1 [ %some.2.i3425.1.lcssa, %B186.i3583.loopexit ], [ false, %B188.if.i4982.preheader ]
-  %.361.i3402.010953 = phi i64 [ %.431.i4990, %B186.i3583.loopexit ], [ 1, %B188.if.i4982.preheader ]
-  %.431.i4990 = add nsw i64 %.361.i3402.010953, 1
-  br i1 %.689, label %B186.i3583.loopexit.critedge, label %B222.if.i4965.lr.ph
+B188.if.i4980:                                    ; preds = %B188.if.i4980.preheader, %B186.i3581.loopexit
+  %some.4.i3396.010988 = phi i1 [ %some.2.i3423.1.lcssa, %B186.i3581.loopexit ], [ false, %B188.if.i4980.preheader ]
+  %.361.i3400.010986 = phi i64 [ %.431.i4988, %B186.i3581.loopexit ], [ 1, %B188.if.i4980.preheader ]
+  %.431.i4988 = add nsw i64 %.361.i3400.010986, 1
+  br i1 %.794, label %B186.i3581.loopexit.critedge, label %B222.if.i4963.lr.ph
 
-B222.if.i4965.lr.ph:                              ; preds = %B188.if.i4982
-  %.579.i4489 = uitofp i64 %.361.i3402.010953 to double
-  %.584.i4490 = fmul double %.579.i4489, 1.250000e-01
-  %.247.i.i.i4920 = fsub double 1.000000e+00, %.584.i4490
-  br label %B222.if.i4965
+B222.if.i4963.lr.ph:                              ; preds = %B188.if.i4980
+  %.579.i4487 = uitofp i64 %.361.i3400.010986 to double
+  %.584.i4488 = fmul double %.579.i4487, 1.250000e-01
+  %.247.i.i.i4918 = fsub double 1.000000e+00, %.584.i4488
+  br label %B222.if.i4963
 
-B222.if.i4965:                                    ; preds = %B222.if.i4965.lr.ph, %B222.i3790.loopexit
-  %.486.i3415.010947 = phi i64 [ %storemerge, %B222.if.i4965.lr.ph ], [ %.548.i4970, %B222.i3790.loopexit ]
-  %.483.i3414.010946 = phi i64 [ 0, %B222.if.i4965.lr.ph ], [ %.552.i4973, %B222.i3790.loopexit ]
-  %.548.i4970 = add nsw i64 %.486.i3415.010947, -1
-  %.552.i4973 = add nsw i64 %.483.i3414.010946, 1
-  %.92.i.i4570 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.483.i3414.010946
-  %.93.i.i4571 = load double, ptr %.92.i.i4570, align 8, !noalias !84
-  %.146.i.i4607 = getelementptr double, ptr %61, i64 %.483.i3414.010946
-  %.147.i.i4608 = load double, ptr %.146.i.i4607, align 8, !noalias !84
-  %.149.i.i4610 = fmul double %.584.i4490, %.147.i.i4608
-  %.150.i.i4611 = fadd double %.93.i.i4571, %.149.i.i4610
-  %.203.i.i4647 = getelementptr double, ptr %.571, i64 %.483.i3414.010946
-  store double %.150.i.i4611, ptr %.203.i.i4647, align 8, !noalias !84
-  br i1 %.287.i.i468410942.not, label %B222.i3790.loopexit, label %B122.if.i.i4950.preheader
+B222.if.i4963:                                    ; preds = %B222.if.i4963.lr.ph, %B222.i3788.loopexit
+  %.486.i3413.010980 = phi i64 [ %storemerge, %B222.if.i4963.lr.ph ], [ %.548.i4968, %B222.i3788.loopexit ]
+  %.483.i3412.010979 = phi i64 [ 0, %B222.if.i4963.lr.ph ], [ %.552.i4971, %B222.i3788.loopexit ]
+  %.548.i4968 = add nsw i64 %.486.i3413.010980, -1
+  %.552.i4971 = add nsw i64 %.483.i3412.010979, 1
+  %.92.i.i4568 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.483.i3412.010979
+  %.93.i.i4569 = load double, ptr %.92.i.i4568, align 8, !noalias !84
+  %.146.i.i4605 = getelementptr double, ptr %61, i64 %.483.i3412.010979
+  %.147.i.i4606 = load double, ptr %.146.i.i4605, align 8, !noalias !84
+  %.149.i.i4608 = fmul double %.584.i4488, %.147.i.i4606
+  %.150.i.i4609 = fadd double %.93.i.i4569, %.149.i.i4608
+  %.203.i.i4645 = getelementptr double, ptr %.571, i64 %.483.i3412.010979
+  store double %.150.i.i4609, ptr %.203.i.i4645, align 8, !noalias !84
+  br i1 %.287.i.i468210975.not, label %B222.i3788.loopexit, label %B122.if.i.i4948.preheader
 
-B122.if.i.i4950.preheader:                        ; preds = %B222.if.i4965
-  %invariant.gep11122 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3414.010946
-  %invariant.gep11124 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3414.010946
-  %invariant.gep11126 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3414.010946
-  %invariant.gep11128 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3414.010946
-  %invariant.gep11130 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3414.010946
-  %invariant.gep11132 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3414.010946
-  %invariant.gep11134 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3414.010946
-  %invariant.gep11136 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3414.010946
-  %invariant.gep11138 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3414.010946
-  br label %B122.if.i.i4950
+B122.if.i.i4948.preheader:                        ; preds = %B222.if.i4963
+  %invariant.gep11155 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3412.010979
+  %invariant.gep11157 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3412.010979
+  %invariant.gep11159 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3412.010979
+  %invariant.gep11161 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3412.010979
+  %invariant.gep11163 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3412.010979
+  %invariant.gep11165 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3412.010979
+  %invariant.gep11167 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3412.010979
+  %invariant.gep11169 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3412.010979
+  %invariant.gep11171 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.483.i3412.010979
+  br label %B122.if.i.i4948
 
-B122.if.i.i4950:                                  ; preds = %B122.if.i.i4950.preheader, %B122.if.i.i4950
-  %.229.i.i3273.010943 = phi i64 [ %.300.i.i4956, %B122.if.i.i4950 ], [ 0, %B122.if.i.i4950.preheader ]
-  %.157.i.i.i4877 = add nsw i64 %.155.i.i.i4875, %.229.i.i3273.010943
-  %.159.i.i.i4879 = mul nsw i64 %.157.i.i.i4877, %arg.shape.0
-  %gep11123 = getelementptr double, ptr %invariant.gep11122, i64 %.159.i.i.i4879
-  %.191.i.i.i4901 = load double, ptr %gep11123, align 8, !noalias !88
-  %.193.i.i.i4903 = fadd double %.191.i.i.i4901, 0.000000e+00
-  %.253.i.i.i4925 = fmul double %.584.i4490, %.193.i.i.i4903
-  %.157.i.i.i4877.1 = add nsw i64 %.155.i.i.i4875.1, %.229.i.i3273.010943
-  %.159.i.i.i4879.1 = mul nsw i64 %.157.i.i.i4877.1, %arg.shape.0
-  %gep11125 = getelementptr double, ptr %invariant.gep11124, i64 %.159.i.i.i4879.1
-  %.191.i.i.i4901.1 = load double, ptr %gep11125, align 8, !noalias !88
-  %.193.i.i.i4903.1 = fadd double %.253.i.i.i4925, %.191.i.i.i4901.1
-  %.253.i.i.i4925.1 = fmul double %.247.i.i.i4920, %.193.i.i.i4903.1
-  %.157.i.i.i4877.2 = add nsw i64 %.155.i.i.i4875.2, %.229.i.i3273.010943
-  %.159.i.i.i4879.2 = mul nsw i64 %.157.i.i.i4877.2, %arg.shape.0
-  %gep11127 = getelementptr double, ptr %invariant.gep11126, i64 %.159.i.i.i4879.2
-  %.191.i.i.i4901.2 = load double, ptr %gep11127, align 8, !noalias !88
-  %.193.i.i.i4903.2 = fadd double %.253.i.i.i4925.1, %.191.i.i.i4901.2
-  %.253.i.i.i4925.2 = fmul double %.584.i4490, %.193.i.i.i4903.2
-  %.157.i.i.i4877.3 = add nsw i64 %.155.i.i.i4875.3, %.229.i.i3273.010943
-  %.159.i.i.i4879.3 = mul nsw i64 %.157.i.i.i4877.3, %arg.shape.0
-  %gep11129 = getelementptr double, ptr %invariant.gep11128, i64 %.159.i.i.i4879.3
-  %.191.i.i.i4901.3 = load double, ptr %gep11129, align 8, !noalias !88
-  %.193.i.i.i4903.3 = fadd double %.253.i.i.i4925.2, %.191.i.i.i4901.3
-  %.253.i.i.i4925.3 = fmul double %.247.i.i.i4920, %.193.i.i.i4903.3
-  %.157.i.i.i4877.4 = add nsw i64 %.155.i.i.i4875.4, %.229.i.i3273.010943
-  %.159.i.i.i4879.4 = mul nsw i64 %.157.i.i.i4877.4, %arg.shape.0
-  %gep11131 = getelementptr double, ptr %invariant.gep11130, i64 %.159.i.i.i4879.4
-  %.191.i.i.i4901.4 = load double, ptr %gep11131, align 8, !noalias !88
-  %.193.i.i.i4903.4 = fadd double %.253.i.i.i4925.3, %.191.i.i.i4901.4
-  %.253.i.i.i4925.4 = fmul double %.584.i4490, %.193.i.i.i4903.4
-  %.157.i.i.i4877.5 = add nsw i64 %.155.i.i.i4875.5, %.229.i.i3273.010943
-  %.159.i.i.i4879.5 = mul nsw i64 %.157.i.i.i4877.5, %arg.shape.0
-  %gep11133 = getelementptr double, ptr %invariant.gep11132, i64 %.159.i.i.i4879.5
-  %.191.i.i.i4901.5 = load double, ptr %gep11133, align 8, !noalias !88
-  %.193.i.i.i4903.5 = fadd double %.253.i.i.i4925.4, %.191.i.i.i4901.5
-  %.253.i.i.i4925.5 = fmul double %.247.i.i.i4920, %.193.i.i.i4903.5
-  %.157.i.i.i4877.6 = add nsw i64 %.155.i.i.i4875.6, %.229.i.i3273.010943
-  %.159.i.i.i4879.6 = mul nsw i64 %.157.i.i.i4877.6, %arg.shape.0
-  %gep11135 = getelementptr double, ptr %invariant.gep11134, i64 %.159.i.i.i4879.6
-  %.191.i.i.i4901.6 = load double, ptr %gep11135, align 8, !noalias !88
-  %.193.i.i.i4903.6 = fadd double %.253.i.i.i4925.5, %.191.i.i.i4901.6
-  %.253.i.i.i4925.6 = fmul double %.584.i4490, %.193.i.i.i4903.6
-  %.300.i.i4956 = add nsw i64 %.229.i.i3273.010943, 1
-  %.271.i.i.i4798 = mul nsw i64 %.229.i.i3273.010943, %arg.shape.0
-  %gep11137 = getelementptr double, ptr %invariant.gep11136, i64 %.271.i.i.i4798
-  %.309.i.i.i4823 = load double, ptr %gep11137, align 8, !noalias !88
-  %.313.i.i.i4826 = fadd double %.253.i.i.i4925.6, %.309.i.i.i4823
-  %.359.i.i4839 = add nsw i64 %.229.i.i3273.010943, %.358.i.i4838
-  %.361.i.i4841 = mul nsw i64 %.359.i.i4839, %arg.shape.0
-  %gep11139 = getelementptr double, ptr %invariant.gep11138, i64 %.361.i.i4841
-  store double %.313.i.i.i4826, ptr %gep11139, align 8, !noalias !84
-  %exitcond11085.not = icmp eq i64 %arg.shape.1, %.300.i.i4956
-  br i1 %exitcond11085.not, label %B222.i3790.loopexit, label %B122.if.i.i4950
+B122.if.i.i4948:                                  ; preds = %B122.if.i.i4948.preheader, %B122.if.i.i4948
+  %.229.i.i3271.010976 = phi i64 [ %.300.i.i4954, %B122.if.i.i4948 ], [ 0, %B122.if.i.i4948.preheader ]
+  %.157.i.i.i4875 = add nsw i64 %.155.i.i.i4873, %.229.i.i3271.010976
+  %.159.i.i.i4877 = mul nsw i64 %.157.i.i.i4875, %arg.shape.0
+  %gep11156 = getelementptr double, ptr %invariant.gep11155, i64 %.159.i.i.i4877
+  %.191.i.i.i4899 = load double, ptr %gep11156, align 8, !noalias !88
+  %.193.i.i.i4901 = fadd double %.191.i.i.i4899, 0.000000e+00
+  %.253.i.i.i4923 = fmul double %.584.i4488, %.193.i.i.i4901
+  %.157.i.i.i4875.1 = add nsw i64 %.155.i.i.i4873.1, %.229.i.i3271.010976
+  %.159.i.i.i4877.1 = mul nsw i64 %.157.i.i.i4875.1, %arg.shape.0
+  %gep11158 = getelementptr double, ptr %invariant.gep11157, i64 %.159.i.i.i4877.1
+  %.191.i.i.i4899.1 = load double, ptr %gep11158, align 8, !noalias !88
+  %.193.i.i.i4901.1 = fadd double %.253.i.i.i4923, %.191.i.i.i4899.1
+  %.253.i.i.i4923.1 = fmul double %.247.i.i.i4918, %.193.i.i.i4901.1
+  %.157.i.i.i4875.2 = add nsw i64 %.155.i.i.i4873.2, %.229.i.i3271.010976
+  %.159.i.i.i4877.2 = mul nsw i64 %.157.i.i.i4875.2, %arg.shape.0
+  %gep11160 = getelementptr double, ptr %invariant.gep11159, i64 %.159.i.i.i4877.2
+  %.191.i.i.i4899.2 = load double, ptr %gep11160, align 8, !noalias !88
+  %.193.i.i.i4901.2 = fadd double %.253.i.i.i4923.1, %.191.i.i.i4899.2
+  %.253.i.i.i4923.2 = fmul double %.584.i4488, %.193.i.i.i4901.2
+  %.157.i.i.i4875.3 = add nsw i64 %.155.i.i.i4873.3, %.229.i.i3271.010976
+  %.159.i.i.i4877.3 = mul nsw i64 %.157.i.i.i4875.3, %arg.shape.0
+  %gep11162 = getelementptr double, ptr %invariant.gep11161, i64 %.159.i.i.i4877.3
+  %.191.i.i.i4899.3 = load double, ptr %gep11162, align 8, !noalias !88
+  %.193.i.i.i4901.3 = fadd double %.253.i.i.i4923.2, %.191.i.i.i4899.3
+  %.253.i.i.i4923.3 = fmul double %.247.i.i.i4918, %.193.i.i.i4901.3
+  %.157.i.i.i4875.4 = add nsw i64 %.155.i.i.i4873.4, %.229.i.i3271.010976
+  %.159.i.i.i4877.4 = mul nsw i64 %.157.i.i.i4875.4, %arg.shape.0
+  %gep11164 = getelementptr double, ptr %invariant.gep11163, i64 %.159.i.i.i4877.4
+  %.191.i.i.i4899.4 = load double, ptr %gep11164, align 8, !noalias !88
+  %.193.i.i.i4901.4 = fadd double %.253.i.i.i4923.3, %.191.i.i.i4899.4
+  %.253.i.i.i4923.4 = fmul double %.584.i4488, %.193.i.i.i4901.4
+  %.157.i.i.i4875.5 = add nsw i64 %.155.i.i.i4873.5, %.229.i.i3271.010976
+  %.159.i.i.i4877.5 = mul nsw i64 %.157.i.i.i4875.5, %arg.shape.0
+  %gep11166 = getelementptr double, ptr %invariant.gep11165, i64 %.159.i.i.i4877.5
+  %.191.i.i.i4899.5 = load double, ptr %gep11166, align 8, !noalias !88
+  %.193.i.i.i4901.5 = fadd double %.253.i.i.i4923.4, %.191.i.i.i4899.5
+  %.253.i.i.i4923.5 = fmul double %.247.i.i.i4918, %.193.i.i.i4901.5
+  %.157.i.i.i4875.6 = add nsw i64 %.155.i.i.i4873.6, %.229.i.i3271.010976
+  %.159.i.i.i4877.6 = mul nsw i64 %.157.i.i.i4875.6, %arg.shape.0
+  %gep11168 = getelementptr double, ptr %invariant.gep11167, i64 %.159.i.i.i4877.6
+  %.191.i.i.i4899.6 = load double, ptr %gep11168, align 8, !noalias !88
+  %.193.i.i.i4901.6 = fadd double %.253.i.i.i4923.5, %.191.i.i.i4899.6
+  %.253.i.i.i4923.6 = fmul double %.584.i4488, %.193.i.i.i4901.6
+  %.300.i.i4954 = add nsw i64 %.229.i.i3271.010976, 1
+  %.271.i.i.i4796 = mul nsw i64 %.229.i.i3271.010976, %arg.shape.0
+  %gep11170 = getelementptr double, ptr %invariant.gep11169, i64 %.271.i.i.i4796
+  %.309.i.i.i4821 = load double, ptr %gep11170, align 8, !noalias !88
+  %.313.i.i.i4824 = fadd double %.253.i.i.i4923.6, %.309.i.i.i4821
+  %.359.i.i4837 = add nsw i64 %.229.i.i3271.010976, %.358.i.i4836
+  %.361.i.i4839 = mul nsw i64 %.359.i.i4837, %arg.shape.0
+  %gep11172 = getelementptr double, ptr %invariant.gep11171, i64 %.361.i.i4839
+  store double %.313.i.i.i4824, ptr %gep11172, align 8, !noalias !84
+  %exitcond11118.not = icmp eq i64 %arg.shape.1, %.300.i.i4954
+  br i1 %exitcond11118.not, label %B222.i3788.loopexit, label %B122.if.i.i4948
 
-B466.if.i4466:                                    ; preds = %B284.i3804, %B770.i4028
-  %some.2.i3425.110951 = phi i1 [ %some.4.i3398.010955, %B284.i3804 ], [ %some.3.i3446.2, %B770.i4028 ]
-  %.817.i3439.010950 = phi i64 [ %storemerge, %B284.i3804 ], [ %.879.i4470, %B770.i4028 ]
-  %.814.i3438.010949 = phi i64 [ 0, %B284.i3804 ], [ %.883.i4473, %B770.i4028 ]
-  %.879.i4470 = add nsw i64 %.817.i3439.010950, -1
-  %.883.i4473 = add nsw i64 %.814.i3438.010949, 1
-  %.968.i4025 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.814.i3438.010949
-  %.969.i4026 = load i64, ptr %.968.i4025, align 8, !noalias !76
-  %.970.i4027 = icmp sgt i64 %.969.i4026, -1
-  br i1 %.970.i4027, label %B508.i4033, label %B770.i4028
+B466.if.i4464:                                    ; preds = %B284.i3802, %B770.i4026
+  %some.2.i3423.110984 = phi i1 [ %some.4.i3396.010988, %B284.i3802 ], [ %some.3.i3444.2, %B770.i4026 ]
+  %.817.i3437.010983 = phi i64 [ %storemerge, %B284.i3802 ], [ %.879.i4468, %B770.i4026 ]
+  %.814.i3436.010982 = phi i64 [ 0, %B284.i3802 ], [ %.883.i4471, %B770.i4026 ]
+  %.879.i4468 = add nsw i64 %.817.i3437.010983, -1
+  %.883.i4471 = add nsw i64 %.814.i3436.010982, 1
+  %.968.i4023 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.814.i3436.010982
+  %.969.i4024 = load i64, ptr %.968.i4023, align 8, !noalias !76
+  %.970.i4025 = icmp sgt i64 %.969.i4024, -1
+  br i1 %.970.i4025, label %B508.i4031, label %B770.i4026
 
-B584.endif.i4225:                                 ; preds = %B36.i.i4409, %B34.i.i4193
-  %.1099.i3451.0 = phi i64 [ %.48.i.i3224.0, %B36.i.i4409 ], [ -1, %B34.i.i4193 ]
-  store i64 %.1099.i3451.0, ptr %.1088.i4134, align 8, !noalias !76
-  %.1248.i4313 = getelementptr double, ptr %64, i64 %.814.i3438.010949
-  store double %.1187.i4273, ptr %.1248.i4313, align 8, !noalias !76
-  %.1303.i4350 = getelementptr double, ptr %65, i64 %.814.i3438.010949
-  store double %.1194.i4276, ptr %.1303.i4350, align 8, !noalias !76
-  br i1 %some.2.i3425.110951, label %B770.i4028, label %B732.i4355
+B584.endif.i4223:                                 ; preds = %B36.i.i4407, %B34.i.i4191
+  %.1099.i3449.0 = phi i64 [ %.48.i.i3222.0, %B36.i.i4407 ], [ -1, %B34.i.i4191 ]
+  store i64 %.1099.i3449.0, ptr %.1088.i4132, align 8, !noalias !76
+  %.1248.i4311 = getelementptr double, ptr %64, i64 %.814.i3436.010982
+  store double %.1187.i4271, ptr %.1248.i4311, align 8, !noalias !76
+  %.1303.i4348 = getelementptr double, ptr %65, i64 %.814.i3436.010982
+  store double %.1194.i4274, ptr %.1303.i4348, align 8, !noalias !76
+  br i1 %some.2.i3423.110984, label %B770.i4026, label %B732.i4353
 
-B806.if.i3737:                                    ; preds = %B806.i3641.preheader, %B806.if.i3737
-  %.1453.i3462.010958 = phi i64 [ %.1515.i3740, %B806.if.i3737 ], [ %storemerge, %B806.i3641.preheader ]
-  %.1450.i3461.010957 = phi i64 [ %.1519.i3743, %B806.if.i3737 ], [ 0, %B806.i3641.preheader ]
-  %.1515.i3740 = add nsw i64 %.1453.i3462.010958, -1
-  %.1519.i3743 = add nsw i64 %.1450.i3461.010957, 1
-  %.1596.i3699 = getelementptr double, ptr %66, i64 %.1450.i3461.010957
-  %.1597.i3700 = load double, ptr %.1596.i3699, align 8, !noalias !76
-  %.1650.i3736 = getelementptr double, ptr %.571, i64 %.1450.i3461.010957
-  store double %.1597.i3700, ptr %.1650.i3736, align 8, !noalias !76
-  %.1506.i3646 = icmp sgt i64 %.1453.i3462.010958, 1
-  br i1 %.1506.i3646, label %B806.if.i3737, label %B3238.endif.endif
+B806.if.i3735:                                    ; preds = %B806.i3639.preheader, %B806.if.i3735
+  %.1453.i3460.010991 = phi i64 [ %.1515.i3738, %B806.if.i3735 ], [ %storemerge, %B806.i3639.preheader ]
+  %.1450.i3459.010990 = phi i64 [ %.1519.i3741, %B806.if.i3735 ], [ 0, %B806.i3639.preheader ]
+  %.1515.i3738 = add nsw i64 %.1453.i3460.010991, -1
+  %.1519.i3741 = add nsw i64 %.1450.i3459.010990, 1
+  %.1596.i3697 = getelementptr double, ptr %66, i64 %.1450.i3459.010990
+  %.1597.i3698 = load double, ptr %.1596.i3697, align 8, !noalias !76
+  %.1650.i3734 = getelementptr double, ptr %.571, i64 %.1450.i3459.010990
+  store double %.1597.i3698, ptr %.1650.i3734, align 8, !noalias !76
+  %.1506.i3644 = icmp sgt i64 %.1453.i3460.010991, 1
+  br i1 %.1506.i3644, label %B806.if.i3735, label %B3302.endif.endif
 
-B3276:                                            ; preds = %B3238.endif.endif
+B3340:                                            ; preds = %B3302.endif.endif
   %.222.i = load double, ptr %.221.i, align 8, !noalias !92
   %.251.i = load double, ptr %arg.batch.2.4, align 8, !noalias !92
   %.252.i = fsub double %.222.i, %.251.i
   %.253.i = fmul double %.252.i, 1.000000e-13
-  br i1 %.689, label %B150.if.i.i.preheader, label %B70.if.i.i.preheader
+  br i1 %.794, label %B150.if.i.i.preheader, label %B70.if.i.i.preheader
 
-B70.if.i.i.preheader:                             ; preds = %B3276
+B70.if.i.i.preheader:                             ; preds = %B3340
   tail call void @llvm.memset.p0.i64(ptr align 8 %68, i8 0, i64 %126, i1 false), !noalias !95
   br label %B150.if.i.i.preheader
 
-B150.if.i.i.preheader:                            ; preds = %B70.if.i.i.preheader, %B3276
+B150.if.i.i.preheader:                            ; preds = %B70.if.i.i.preheader, %B3340
   br label %B150.if.i.i
 
 B148.i.loopexit.i:                                ; preds = %B928.i.loopexit.i, %B294.endif.endif.i.i
@@ -2313,7 +2329,7 @@ B148.i.loopexit.i:                                ; preds = %B928.i.loopexit.i, 
   br i1 %exitcond2952.not.i, label %B220.preheader.i, label %B150.if.i.i
 
 B220.preheader.i:                                 ; preds = %B148.i.loopexit.i
-  br i1 %.689, label %B478.preheader.i, label %B220.if.i
+  br i1 %.794, label %B478.preheader.i, label %B220.if.i
 
 B184.i.loopexit.i:                                ; preds = %B122.if.i.i.i, %B184.if.i.i
   %exitcond2947.not.i = icmp eq i64 %arg.shape.0, %.538.i.i
@@ -2321,8 +2337,8 @@ B184.i.loopexit.i:                                ; preds = %B122.if.i.i.i, %B18
 
 B246.i.i:                                         ; preds = %B184.i.loopexit.i, %B150.if.i.i
   %.611.i.i = icmp ult i64 %.347.i.02919.i, 8
-  %..i10635 = select i1 %.611.i.i, i64 16, i64 17
-  %.628.i.i = mul i64 %..i10635, %.463
+  %..i10666 = select i1 %.611.i.i, i64 16, i64 17
+  %.628.i.i = mul i64 %..i10666, %.463
   %.658.i.i = load i64, ptr %.657.i.i, align 8, !noalias !95
   %.744.i.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %.628.i.i
   %.770.i.i = inttoptr i64 %.658.i.i to ptr
@@ -2355,7 +2371,7 @@ B928.i.loopexit.i:                                ; preds = %B962.if.i.i, %B928.
 B150.if.i.i:                                      ; preds = %B150.if.i.i.preheader, %B148.i.loopexit.i
   %.347.i.02919.i = phi i64 [ %.417.i.i, %B148.i.loopexit.i ], [ 1, %B150.if.i.i.preheader ]
   %.417.i.i = add nsw i64 %.347.i.02919.i, 1
-  br i1 %.689, label %B246.i.i, label %B184.if.i.lr.ph.i
+  br i1 %.794, label %B246.i.i, label %B184.if.i.lr.ph.i
 
 B184.if.i.lr.ph.i:                                ; preds = %B150.if.i.i
   %.565.i.i = uitofp i64 %.347.i.02919.i to double
@@ -2371,83 +2387,83 @@ B184.if.i.i:                                      ; preds = %B184.if.i.lr.ph.i, 
   %.146.i.i.i = getelementptr double, ptr %69, i64 %.469.i.02904.i
   %.147.i.i.i = load double, ptr %.146.i.i.i, align 8, !noalias !103
   %.149.i.i.i = fmul double %.570.i.i, %.147.i.i.i
-  %.150.i.i.i10634 = fadd double %.93.i.i.i, %.149.i.i.i
+  %.150.i.i.i10665 = fadd double %.93.i.i.i, %.149.i.i.i
   %.203.i.i.i = getelementptr double, ptr %.571, i64 %.469.i.02904.i
-  store double %.150.i.i.i10634, ptr %.203.i.i.i, align 8, !noalias !103
+  store double %.150.i.i.i10665, ptr %.203.i.i.i, align 8, !noalias !103
   br i1 %.287.i.i2900.not.i, label %B184.i.loopexit.i, label %B122.if.i.i.preheader.i
 
 B122.if.i.i.preheader.i:                          ; preds = %B184.if.i.i
-  %invariant.gep10959 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02904.i
-  %invariant.gep10961 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02904.i
-  %invariant.gep10963 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02904.i
-  %invariant.gep10965 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02904.i
-  %invariant.gep10967 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02904.i
-  %invariant.gep10969 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02904.i
-  %invariant.gep10971 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02904.i
-  %invariant.gep10973 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02904.i
-  %invariant.gep10975 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02904.i
+  %invariant.gep10992 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02904.i
+  %invariant.gep10994 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02904.i
+  %invariant.gep10996 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02904.i
+  %invariant.gep10998 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02904.i
+  %invariant.gep11000 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02904.i
+  %invariant.gep11002 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02904.i
+  %invariant.gep11004 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02904.i
+  %invariant.gep11006 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02904.i
+  %invariant.gep11008 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02904.i
   br label %B122.if.i.i.i
 
 B122.if.i.i.i:                                    ; preds = %B122.if.i.i.i, %B122.if.i.i.preheader.i
   %.229.i.i.02901.i = phi i64 [ %.300.i.i.i, %B122.if.i.i.i ], [ 0, %B122.if.i.i.preheader.i ]
   %.157.i.i.i.i = add nsw i64 %.229.i.i.02901.i, %.155.i.i.i.i
   %.159.i.i.i.i = mul nsw i64 %.157.i.i.i.i, %arg.shape.0
-  %gep10960 = getelementptr double, ptr %invariant.gep10959, i64 %.159.i.i.i.i
-  %.191.i.i.i.i = load double, ptr %gep10960, align 8, !noalias !107
+  %gep10993 = getelementptr double, ptr %invariant.gep10992, i64 %.159.i.i.i.i
+  %.191.i.i.i.i = load double, ptr %gep10993, align 8, !noalias !107
   %.193.i.i.i.i = fadd double %.191.i.i.i.i, 0.000000e+00
   %.253.i.i.i.i = fmul double %.570.i.i, %.193.i.i.i.i
   %.157.i.i.i.1.i = add nsw i64 %.229.i.i.02901.i, %.155.i.i.i.1.i
   %.159.i.i.i.1.i = mul nsw i64 %.157.i.i.i.1.i, %arg.shape.0
-  %gep10962 = getelementptr double, ptr %invariant.gep10961, i64 %.159.i.i.i.1.i
-  %.191.i.i.i.1.i = load double, ptr %gep10962, align 8, !noalias !107
+  %gep10995 = getelementptr double, ptr %invariant.gep10994, i64 %.159.i.i.i.1.i
+  %.191.i.i.i.1.i = load double, ptr %gep10995, align 8, !noalias !107
   %.193.i.i.i.1.i = fadd double %.191.i.i.i.1.i, %.253.i.i.i.i
   %.253.i.i.i.1.i = fmul double %.247.i.i.i.i, %.193.i.i.i.1.i
   %.157.i.i.i.2.i = add nsw i64 %.229.i.i.02901.i, %.155.i.i.i.2.i
   %.159.i.i.i.2.i = mul nsw i64 %.157.i.i.i.2.i, %arg.shape.0
-  %gep10964 = getelementptr double, ptr %invariant.gep10963, i64 %.159.i.i.i.2.i
-  %.191.i.i.i.2.i = load double, ptr %gep10964, align 8, !noalias !107
+  %gep10997 = getelementptr double, ptr %invariant.gep10996, i64 %.159.i.i.i.2.i
+  %.191.i.i.i.2.i = load double, ptr %gep10997, align 8, !noalias !107
   %.193.i.i.i.2.i = fadd double %.191.i.i.i.2.i, %.253.i.i.i.1.i
   %.253.i.i.i.2.i = fmul double %.570.i.i, %.193.i.i.i.2.i
   %.157.i.i.i.3.i = add nsw i64 %.229.i.i.02901.i, %.155.i.i.i.3.i
   %.159.i.i.i.3.i = mul nsw i64 %.157.i.i.i.3.i, %arg.shape.0
-  %gep10966 = getelementptr double, ptr %invariant.gep10965, i64 %.159.i.i.i.3.i
-  %.191.i.i.i.3.i = load double, ptr %gep10966, align 8, !noalias !107
+  %gep10999 = getelementptr double, ptr %invariant.gep10998, i64 %.159.i.i.i.3.i
+  %.191.i.i.i.3.i = load double, ptr %gep10999, align 8, !noalias !107
   %.193.i.i.i.3.i = fadd double %.191.i.i.i.3.i, %.253.i.i.i.2.i
   %.253.i.i.i.3.i = fmul double %.247.i.i.i.i, %.193.i.i.i.3.i
   %.157.i.i.i.4.i = add nsw i64 %.229.i.i.02901.i, %.155.i.i.i.4.i
   %.159.i.i.i.4.i = mul nsw i64 %.157.i.i.i.4.i, %arg.shape.0
-  %gep10968 = getelementptr double, ptr %invariant.gep10967, i64 %.159.i.i.i.4.i
-  %.191.i.i.i.4.i = load double, ptr %gep10968, align 8, !noalias !107
+  %gep11001 = getelementptr double, ptr %invariant.gep11000, i64 %.159.i.i.i.4.i
+  %.191.i.i.i.4.i = load double, ptr %gep11001, align 8, !noalias !107
   %.193.i.i.i.4.i = fadd double %.191.i.i.i.4.i, %.253.i.i.i.3.i
   %.253.i.i.i.4.i = fmul double %.570.i.i, %.193.i.i.i.4.i
   %.157.i.i.i.5.i = add nsw i64 %.229.i.i.02901.i, %.155.i.i.i.5.i
   %.159.i.i.i.5.i = mul nsw i64 %.157.i.i.i.5.i, %arg.shape.0
-  %gep10970 = getelementptr double, ptr %invariant.gep10969, i64 %.159.i.i.i.5.i
-  %.191.i.i.i.5.i = load double, ptr %gep10970, align 8, !noalias !107
+  %gep11003 = getelementptr double, ptr %invariant.gep11002, i64 %.159.i.i.i.5.i
+  %.191.i.i.i.5.i = load double, ptr %gep11003, align 8, !noalias !107
   %.193.i.i.i.5.i = fadd double %.191.i.i.i.5.i, %.253.i.i.i.4.i
   %.253.i.i.i.5.i = fmul double %.247.i.i.i.i, %.193.i.i.i.5.i
   %.157.i.i.i.6.i = add nsw i64 %.229.i.i.02901.i, %.155.i.i.i.6.i
   %.159.i.i.i.6.i = mul nsw i64 %.157.i.i.i.6.i, %arg.shape.0
-  %gep10972 = getelementptr double, ptr %invariant.gep10971, i64 %.159.i.i.i.6.i
-  %.191.i.i.i.6.i = load double, ptr %gep10972, align 8, !noalias !107
+  %gep11005 = getelementptr double, ptr %invariant.gep11004, i64 %.159.i.i.i.6.i
+  %.191.i.i.i.6.i = load double, ptr %gep11005, align 8, !noalias !107
   %.193.i.i.i.6.i = fadd double %.191.i.i.i.6.i, %.253.i.i.i.5.i
   %.253.i.i.i.6.i = fmul double %.570.i.i, %.193.i.i.i.6.i
   %.300.i.i.i = add nsw i64 %.229.i.i.02901.i, 1
   %.271.i.i.i.i = mul nsw i64 %.229.i.i.02901.i, %arg.shape.0
-  %gep10974 = getelementptr double, ptr %invariant.gep10973, i64 %.271.i.i.i.i
-  %.309.i.i.i.i = load double, ptr %gep10974, align 8, !noalias !107
+  %gep11007 = getelementptr double, ptr %invariant.gep11006, i64 %.271.i.i.i.i
+  %.309.i.i.i.i = load double, ptr %gep11007, align 8, !noalias !107
   %.313.i.i.i.i = fadd double %.309.i.i.i.i, %.253.i.i.i.6.i
   %.359.i.i.i = add nsw i64 %.229.i.i.02901.i, %.358.i.i.i
   %.361.i.i.i = mul nsw i64 %.359.i.i.i, %arg.shape.0
-  %gep10976 = getelementptr double, ptr %invariant.gep10975, i64 %.361.i.i.i
-  store double %.313.i.i.i.i, ptr %gep10976, align 8, !noalias !103
+  %gep11009 = getelementptr double, ptr %invariant.gep11008, i64 %.361.i.i.i
+  store double %.313.i.i.i.i, ptr %gep11009, align 8, !noalias !103
   %exitcond2946.not.i = icmp eq i64 %arg.shape.1, %.300.i.i.i
   br i1 %exitcond2946.not.i, label %B184.i.loopexit.i, label %B122.if.i.i.i
 
 B294.endif.i.i:                                   ; preds = %B34.if.i.i.i
-  %.985.i.i10636 = load i64, ptr %.984.i.i10633, align 8, !noalias !95
-  %.1097.i.i10637 = inttoptr i64 %.985.i.i10636 to ptr
-  tail call void %.1097.i.i10637(ptr %.571, ptr %.744.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !95
+  %.985.i.i10667 = load i64, ptr %.984.i.i10664, align 8, !noalias !95
+  %.1097.i.i10668 = inttoptr i64 %.985.i.i10667 to ptr
+  tail call void %.1097.i.i10668(ptr %.571, ptr %.744.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !95
   %.1128.i.i = load i64, ptr %arg.code.4, align 8, !noalias !95
   %.1244.i.i = inttoptr i64 %.1128.i.i to ptr
   tail call void %.1244.i.i(ptr %.571, ptr %.744.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.1243.i.i), !noalias !95
@@ -2470,19 +2486,19 @@ B34.if.i321.i.i:                                  ; preds = %B294.endif.i.i, %B3
   br i1 %exitcond2949.not.i, label %B294.endif.endif.i.i, label %B34.if.i321.i.i
 
 B294.endif.endif.i.i.critedge:                    ; preds = %B246.i.i
-  %.985.i.i10636.c = load i64, ptr %.984.i.i10633, align 8, !noalias !95
-  %.1097.i.i10637.c = inttoptr i64 %.985.i.i10636.c to ptr
-  tail call void %.1097.i.i10637.c(ptr %.571, ptr %.744.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !95
+  %.985.i.i10667.c = load i64, ptr %.984.i.i10664, align 8, !noalias !95
+  %.1097.i.i10668.c = inttoptr i64 %.985.i.i10667.c to ptr
+  tail call void %.1097.i.i10668.c(ptr %.571, ptr %.744.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !95
   %.1128.i.i.c = load i64, ptr %arg.code.4, align 8, !noalias !95
   %.1244.i.i.c = inttoptr i64 %.1128.i.i.c to ptr
   tail call void %.1244.i.i.c(ptr %.571, ptr %.744.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.1243.i.i), !noalias !95
   br label %B294.endif.endif.i.i
 
 B294.endif.endif.i.i:                             ; preds = %B34.if.i321.i.i, %B294.endif.endif.i.i.critedge
-  %.1312.i.i = load i64, ptr %.984.i.i10633, align 8, !noalias !95
+  %.1312.i.i = load i64, ptr %.984.i.i10664, align 8, !noalias !95
   %.1424.i.i = inttoptr i64 %.1312.i.i to ptr
   tail call void %.1424.i.i(ptr %.571, ptr %.744.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !95
-  br i1 %.689, label %B148.i.loopexit.i, label %B928.if.i.i
+  br i1 %.794, label %B148.i.loopexit.i, label %B928.if.i.i
 
 B928.if.i.i:                                      ; preds = %B294.endif.endif.i.i, %B928.i.loopexit.i
   %.1450.i.02916.i = phi i64 [ %.1519.i.i, %B928.i.loopexit.i ], [ 0, %B294.endif.endif.i.i ]
@@ -2527,9 +2543,9 @@ B962.if.i.i:                                      ; preds = %B962.if.i.i, %B962.
   %.1904.i.i = fcmp oeq double %.1903.i.i, 0.000000e+00
   %.1897.i..i = select i1 %.1904.i.i, double %.1897.i.i, double 0x7FF0000000000000
   %.1975.i.i = load double, ptr %.1974.i.i, align 8, !noalias !95
-  %.10.i.i.i10638 = fcmp ogt double %.1897.i..i, %.1975.i.i
-  %.11.i.i.i10639 = select i1 %.10.i.i.i10638, double %.1897.i..i, double %.1975.i.i
-  store double %.11.i.i.i10639, ptr %.1974.i.i, align 8, !noalias !95
+  %.10.i.i.i10669 = fcmp ogt double %.1897.i..i, %.1975.i.i
+  %.11.i.i.i10670 = select i1 %.10.i.i.i10669, double %.1897.i..i, double %.1975.i.i
+  store double %.11.i.i.i10670, ptr %.1974.i.i, align 8, !noalias !95
   %exitcond2950.not.i = icmp eq i64 %arg.shape.1, %.1640.i.i
   br i1 %exitcond2950.not.i, label %B928.i.loopexit.i, label %B962.if.i.i
 
@@ -2543,19 +2559,19 @@ B262.i:                                           ; preds = %B220.if.i
   %.585.i = load double, ptr %220, align 8, !noalias !92
   %.586.i = fcmp ogt double %.585.i, 1.000000e-01
   %.mux.i = select i1 %.586.i, i64 50, i64 %halvings.2.02924.i
-  br i1 %.586.i, label %B1557.i, label %B34.i.i10653
+  br i1 %.586.i, label %B1557.i, label %B34.i.i10684
 
-B34.i.i10653:                                     ; preds = %B262.i, %B34.if.i.i10654
-  %.48.i.0.i = phi i64 [ %.119.i60.i, %B34.if.i.i10654 ], [ 0, %B262.i ]
+B34.i.i10684:                                     ; preds = %B262.i, %B34.if.i.i10685
+  %.48.i.0.i = phi i64 [ %.119.i60.i, %B34.if.i.i10685 ], [ 0, %B262.i ]
   %exitcond2953.not.i = icmp eq i64 %.48.i.0.i, %storemerge2877.i
-  br i1 %exitcond2953.not.i, label %B364.endif.i, label %B34.if.i.i10654
+  br i1 %exitcond2953.not.i, label %B364.endif.i, label %B34.if.i.i10685
 
-B80.i.i10655:                                     ; preds = %B34.if.i.i10654
+B80.i.i10686:                                     ; preds = %B34.if.i.i10685
   %221 = icmp sgt i64 %.48.i.0.i, -1
   %222 = select i1 %221, double 1.000000e+00, double 0.000000e+00
   br label %B364.endif.i
 
-B34.if.i.i10654:                                  ; preds = %B34.i.i10653
+B34.if.i.i10685:                                  ; preds = %B34.i.i10684
   %.119.i60.i = add i64 %.48.i.0.i, 1
   %.149.i.i = add nsw i64 %.48.i.0.i, %arg.shape.6
   %.151.i.i = mul nsw i64 %.149.i.i, %arg.shape.0
@@ -2566,7 +2582,7 @@ B34.if.i.i10654:                                  ; preds = %B34.i.i10653
   %.182.i52.i = getelementptr double, ptr %223, i64 %.168.i46.i
   %.183.i53.i = load double, ptr %.182.i52.i, align 8, !noalias !115
   %.184.i54.i = fcmp ogt double %.183.i53.i, 5.000000e-01
-  br i1 %.184.i54.i, label %B80.i.i10655, label %B34.i.i10653
+  br i1 %.184.i54.i, label %B80.i.i10686, label %B34.i.i10684
 
 B478.loopexit.i.critedge:                         ; preds = %B480.if.i
   %.1184.i.c = load i64, ptr %.657.i.i, align 8, !noalias !92
@@ -2579,71 +2595,71 @@ B478.loopexit.i:                                  ; preds = %B1559.i, %B478.loop
   br i1 %.849.i, label %B480.if.i, label %B1058.preheader.i
 
 B1058.preheader.i:                                ; preds = %B478.loopexit.i, %B478.preheader.i
-  br i1 %.689, label %B3318, label %B1058.if.lr.ph.i
+  br i1 %.794, label %B3382, label %B1058.if.lr.ph.i
 
 B1058.if.lr.ph.i:                                 ; preds = %B1058.preheader.i
   %.2389.i = fmul double %.253.i, 2.000000e+00
   br label %B1058.if.i
 
-B514.loopexit.i:                                  ; preds = %B122.if.i.i10650, %B514.if.i
+B514.loopexit.i:                                  ; preds = %B122.if.i.i10681, %B514.if.i
   %exitcond2957.not.i = icmp eq i64 %arg.shape.0, %.980.i
   br i1 %exitcond2957.not.i, label %B628.i, label %B514.if.i
 
-B122.if.i.i10650:                                 ; preds = %B122.if.i.lr.ph.i, %B122.if.i.i10650
-  %.229.i.02929.i = phi i64 [ 0, %B122.if.i.lr.ph.i ], [ %.300.i567.i, %B122.if.i.i10650 ]
-  %.157.i.i501.i = add nsw i64 %.229.i.02929.i, %.155.i.i.i10649
+B122.if.i.i10681:                                 ; preds = %B122.if.i.lr.ph.i, %B122.if.i.i10681
+  %.229.i.02929.i = phi i64 [ 0, %B122.if.i.lr.ph.i ], [ %.300.i567.i, %B122.if.i.i10681 ]
+  %.157.i.i501.i = add nsw i64 %.229.i.02929.i, %.155.i.i.i10680
   %.159.i.i503.i = mul nsw i64 %.157.i.i501.i, %arg.shape.0
-  %gep10978 = getelementptr double, ptr %invariant.gep10977, i64 %.159.i.i503.i
-  %.191.i.i523.i = load double, ptr %gep10978, align 8, !noalias !119
+  %gep11011 = getelementptr double, ptr %invariant.gep11010, i64 %.159.i.i503.i
+  %.191.i.i523.i = load double, ptr %gep11011, align 8, !noalias !119
   %.193.i.i525.i = fadd double %.191.i.i523.i, 0.000000e+00
   %.253.i.i540.i = fmul double %.1114.i, %.193.i.i525.i
   %.157.i.i501.1.i = add nsw i64 %.229.i.02929.i, %.155.i.i.1.i
   %.159.i.i503.1.i = mul nsw i64 %.157.i.i501.1.i, %arg.shape.0
-  %gep10980 = getelementptr double, ptr %invariant.gep10979, i64 %.159.i.i503.1.i
-  %.191.i.i523.1.i = load double, ptr %gep10980, align 8, !noalias !119
+  %gep11013 = getelementptr double, ptr %invariant.gep11012, i64 %.159.i.i503.1.i
+  %.191.i.i523.1.i = load double, ptr %gep11013, align 8, !noalias !119
   %.193.i.i525.1.i = fadd double %.191.i.i523.1.i, %.253.i.i540.i
-  %.253.i.i540.1.i = fmul double %.247.i.i.i10648, %.193.i.i525.1.i
+  %.253.i.i540.1.i = fmul double %.247.i.i.i10679, %.193.i.i525.1.i
   %.157.i.i501.2.i = add nsw i64 %.229.i.02929.i, %.155.i.i.2.i
   %.159.i.i503.2.i = mul nsw i64 %.157.i.i501.2.i, %arg.shape.0
-  %gep10982 = getelementptr double, ptr %invariant.gep10981, i64 %.159.i.i503.2.i
-  %.191.i.i523.2.i = load double, ptr %gep10982, align 8, !noalias !119
+  %gep11015 = getelementptr double, ptr %invariant.gep11014, i64 %.159.i.i503.2.i
+  %.191.i.i523.2.i = load double, ptr %gep11015, align 8, !noalias !119
   %.193.i.i525.2.i = fadd double %.191.i.i523.2.i, %.253.i.i540.1.i
   %.253.i.i540.2.i = fmul double %.1114.i, %.193.i.i525.2.i
   %.157.i.i501.3.i = add nsw i64 %.229.i.02929.i, %.155.i.i.3.i
   %.159.i.i503.3.i = mul nsw i64 %.157.i.i501.3.i, %arg.shape.0
-  %gep10984 = getelementptr double, ptr %invariant.gep10983, i64 %.159.i.i503.3.i
-  %.191.i.i523.3.i = load double, ptr %gep10984, align 8, !noalias !119
+  %gep11017 = getelementptr double, ptr %invariant.gep11016, i64 %.159.i.i503.3.i
+  %.191.i.i523.3.i = load double, ptr %gep11017, align 8, !noalias !119
   %.193.i.i525.3.i = fadd double %.191.i.i523.3.i, %.253.i.i540.2.i
-  %.253.i.i540.3.i = fmul double %.247.i.i.i10648, %.193.i.i525.3.i
+  %.253.i.i540.3.i = fmul double %.247.i.i.i10679, %.193.i.i525.3.i
   %.157.i.i501.4.i = add nsw i64 %.229.i.02929.i, %.155.i.i.4.i
   %.159.i.i503.4.i = mul nsw i64 %.157.i.i501.4.i, %arg.shape.0
-  %gep10986 = getelementptr double, ptr %invariant.gep10985, i64 %.159.i.i503.4.i
-  %.191.i.i523.4.i = load double, ptr %gep10986, align 8, !noalias !119
+  %gep11019 = getelementptr double, ptr %invariant.gep11018, i64 %.159.i.i503.4.i
+  %.191.i.i523.4.i = load double, ptr %gep11019, align 8, !noalias !119
   %.193.i.i525.4.i = fadd double %.191.i.i523.4.i, %.253.i.i540.3.i
   %.253.i.i540.4.i = fmul double %.1114.i, %.193.i.i525.4.i
   %.157.i.i501.5.i = add nsw i64 %.229.i.02929.i, %.155.i.i.5.i
   %.159.i.i503.5.i = mul nsw i64 %.157.i.i501.5.i, %arg.shape.0
-  %gep10988 = getelementptr double, ptr %invariant.gep10987, i64 %.159.i.i503.5.i
-  %.191.i.i523.5.i = load double, ptr %gep10988, align 8, !noalias !119
+  %gep11021 = getelementptr double, ptr %invariant.gep11020, i64 %.159.i.i503.5.i
+  %.191.i.i523.5.i = load double, ptr %gep11021, align 8, !noalias !119
   %.193.i.i525.5.i = fadd double %.191.i.i523.5.i, %.253.i.i540.4.i
-  %.253.i.i540.5.i = fmul double %.247.i.i.i10648, %.193.i.i525.5.i
+  %.253.i.i540.5.i = fmul double %.247.i.i.i10679, %.193.i.i525.5.i
   %.157.i.i501.6.i = add nsw i64 %.229.i.02929.i, %.155.i.i.6.i
   %.159.i.i503.6.i = mul nsw i64 %.157.i.i501.6.i, %arg.shape.0
-  %gep10990 = getelementptr double, ptr %invariant.gep10989, i64 %.159.i.i503.6.i
-  %.191.i.i523.6.i = load double, ptr %gep10990, align 8, !noalias !119
+  %gep11023 = getelementptr double, ptr %invariant.gep11022, i64 %.159.i.i503.6.i
+  %.191.i.i523.6.i = load double, ptr %gep11023, align 8, !noalias !119
   %.193.i.i525.6.i = fadd double %.191.i.i523.6.i, %.253.i.i540.5.i
   %.253.i.i540.6.i = fmul double %.1114.i, %.193.i.i525.6.i
   %.300.i567.i = add nsw i64 %.229.i.02929.i, 1
   %.271.i.i451.i = mul nsw i64 %.229.i.02929.i, %arg.shape.0
-  %gep10992 = getelementptr double, ptr %invariant.gep10991, i64 %.271.i.i451.i
-  %.309.i.i.i10651 = load double, ptr %gep10992, align 8, !noalias !119
-  %.313.i.i.i10652 = fadd double %.309.i.i.i10651, %.253.i.i540.6.i
+  %gep11025 = getelementptr double, ptr %invariant.gep11024, i64 %.271.i.i451.i
+  %.309.i.i.i10682 = load double, ptr %gep11025, align 8, !noalias !119
+  %.313.i.i.i10683 = fadd double %.309.i.i.i10682, %.253.i.i540.6.i
   %.359.i.i = add nsw i64 %.229.i.02929.i, %.358.i.i.i
   %.361.i477.i = mul nsw i64 %.359.i.i, %arg.shape.0
-  %gep10994 = getelementptr double, ptr %invariant.gep10993, i64 %.361.i477.i
-  store double %.313.i.i.i10652, ptr %gep10994, align 8, !noalias !126
+  %gep11027 = getelementptr double, ptr %invariant.gep11026, i64 %.361.i477.i
+  store double %.313.i.i.i10683, ptr %gep11027, align 8, !noalias !126
   %exitcond2956.not.i = icmp eq i64 %arg.shape.1, %.300.i567.i
-  br i1 %exitcond2956.not.i, label %B514.loopexit.i, label %B122.if.i.i10650
+  br i1 %exitcond2956.not.i, label %B514.loopexit.i, label %B122.if.i.i10681
 
 B628.i:                                           ; preds = %B514.loopexit.i
   %.1184.i = load i64, ptr %.657.i.i, align 8, !noalias !92
@@ -2711,11 +2727,11 @@ B1198.i:                                          ; preds = %B1150.i
   %.2351.i = getelementptr double, ptr %78, i64 %.1861.02941.i
   %.2352.i = load double, ptr %.2351.i, align 8, !noalias !92
   %.2357.i = fmul double %.2236.i, 0x3D719799812DEA11
-  %.10.i.i10641 = fcmp ogt double %.2294.i, %.2357.i
-  %.11.i.i10642 = select i1 %.10.i.i10641, double %.2294.i, double %.2357.i
+  %.10.i.i10672 = fcmp ogt double %.2294.i, %.2357.i
+  %.11.i.i10673 = select i1 %.10.i.i10672, double %.2294.i, double %.2357.i
   %.2353.i = fsub double 1.000000e+00, %.2352.i
   %.2355.i = fmul double %.2236.i, %.2353.i
-  %.2386.i = fcmp ugt double %.2355.i, %.11.i.i10642
+  %.2386.i = fcmp ugt double %.2355.i, %.11.i.i10673
   %.2391.i = fcmp ugt double %.2236.i, %.2389.i
   %or.cond.i = select i1 %.2386.i, i1 %.2391.i, i1 false
   br i1 %or.cond.i, label %B1458.i, label %B1422.i
@@ -2748,14 +2764,14 @@ B1458.i:                                          ; preds = %B1198.i
   %.322.i826.i = add nsw i64 %.321.i825.i, -1
   store i64 %.322.i826.i, ptr %.320.i.i, align 8, !noalias !131
   %.426.i.i = load i64, ptr %.267.i785.i, align 8, !noalias !131
-  %.452.i.i10643 = icmp slt i64 %.426.i.i, 0
-  %.453.i904.i = select i1 %.452.i.i10643, i64 %arg.batch.3.3.5.0, i64 0
-  %.454.i.i10644 = add i64 %.453.i904.i, %.426.i.i
-  %.474.i.i10645 = mul i64 %.454.i.i10644, %arg.batch.3.3.5.1
-  %226 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.474.i.i10645
+  %.452.i.i10674 = icmp slt i64 %.426.i.i, 0
+  %.453.i904.i = select i1 %.452.i.i10674, i64 %arg.batch.3.3.5.0, i64 0
+  %.454.i.i10675 = add i64 %.453.i904.i, %.426.i.i
+  %.474.i.i10676 = mul i64 %.454.i.i10675, %arg.batch.3.3.5.1
+  %226 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.474.i.i10676
   %.478.i916.i = getelementptr i8, ptr %226, i64 24
-  %.479.i.i10646 = load i64, ptr %.478.i916.i, align 8, !noalias !131
-  %.480.i917.i = add nsw i64 %.479.i.i10646, 1
+  %.479.i.i10677 = load i64, ptr %.478.i916.i, align 8, !noalias !131
+  %.480.i917.i = add nsw i64 %.479.i.i10677, 1
   store i64 %.480.i917.i, ptr %.478.i916.i, align 8, !noalias !131
   br label %B1558.i
 
@@ -2766,7 +2782,7 @@ B1557.i:                                          ; preds = %B364.endif.i, %B220
 
 B1558.i:                                          ; preds = %B1058.if.i, %B1458.i, %B1422.i, %B1150.i
   %exitcond2960.not.i = icmp eq i64 %arg.shape.0, %.1930.i
-  br i1 %exitcond2960.not.i, label %B3318, label %B1058.if.i
+  br i1 %exitcond2960.not.i, label %B3382, label %B1058.if.i
 
 B1559.i:                                          ; preds = %B770.if.i, %B998.i, %B972.i, %B812.i
   %exitcond2959.not.i = icmp eq i64 %arg.shape.0, %.1395.i
@@ -2781,8 +2797,8 @@ B220.if.i:                                        ; preds = %B220.preheader.i, %
   %.529.i = icmp sgt i64 %.528.i, -1
   br i1 %.529.i, label %B262.i, label %B1557.i
 
-B364.endif.i:                                     ; preds = %B34.i.i10653, %B80.i.i10655
-  %.658.0.i = phi double [ %222, %B80.i.i10655 ], [ 0.000000e+00, %B34.i.i10653 ]
+B364.endif.i:                                     ; preds = %B34.i.i10684, %B80.i.i10686
+  %.658.0.i = phi double [ %222, %B80.i.i10686 ], [ 0.000000e+00, %B34.i.i10684 ]
   %228 = getelementptr double, ptr %72, i64 %.377.02922.i
   store double %.658.0.i, ptr %228, align 8, !noalias !92
   br label %B1557.i
@@ -2790,7 +2806,7 @@ B364.endif.i:                                     ; preds = %B34.i.i10653, %B80.
 B480.if.i:                                        ; preds = %B478.preheader.i, %B478.loopexit.i
   %.795.02939.i = phi i64 [ %.858.i, %B478.loopexit.i ], [ %halvings.2.0.lcssa.i, %B478.preheader.i ]
   %.858.i = add nsw i64 %.795.02939.i, -1
-  br i1 %.689, label %B478.loopexit.i.critedge, label %B514.if.i
+  br i1 %.794, label %B478.loopexit.i.critedge, label %B514.if.i
 
 B514.if.i:                                        ; preds = %B480.if.i, %B514.loopexit.i
   %.911.02932.i = phi i64 [ %.980.i, %B514.loopexit.i ], [ 0, %B480.if.i ]
@@ -2812,17 +2828,17 @@ B514.if.i:                                        ; preds = %B480.if.i, %B514.lo
   br i1 %.287.i.i2900.not.i, label %B514.loopexit.i, label %B122.if.i.lr.ph.i
 
 B122.if.i.lr.ph.i:                                ; preds = %B514.if.i
-  %.247.i.i.i10648 = fsub double 1.000000e+00, %.1114.i
-  %invariant.gep10977 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02932.i
-  %invariant.gep10979 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02932.i
-  %invariant.gep10981 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02932.i
-  %invariant.gep10983 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02932.i
-  %invariant.gep10985 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02932.i
-  %invariant.gep10987 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02932.i
-  %invariant.gep10989 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02932.i
-  %invariant.gep10991 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02932.i
-  %invariant.gep10993 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02932.i
-  br label %B122.if.i.i10650
+  %.247.i.i.i10679 = fsub double 1.000000e+00, %.1114.i
+  %invariant.gep11010 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02932.i
+  %invariant.gep11012 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02932.i
+  %invariant.gep11014 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02932.i
+  %invariant.gep11016 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02932.i
+  %invariant.gep11018 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02932.i
+  %invariant.gep11020 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02932.i
+  %invariant.gep11022 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02932.i
+  %invariant.gep11024 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02932.i
+  %invariant.gep11026 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02932.i
+  br label %B122.if.i.i10681
 
 B770.if.i:                                        ; preds = %B628.i, %B1559.i
   %.1326.02935.i = phi i64 [ %.1395.i, %B1559.i ], [ 0, %B628.i ]
@@ -2844,8 +2860,8 @@ B1058.if.i:                                       ; preds = %B1558.i, %B1058.if.
   %.2123.i = icmp sgt i64 %.2122.i, -1
   br i1 %.2123.i, label %B1150.i, label %B1558.i
 
-B3318:                                            ; preds = %B1558.i, %B1058.preheader.i, %B3238.endif.endif, %B3234
-  br i1 %.4830.not, label %B3380, label %B120.if.i
+B3382:                                            ; preds = %B1558.i, %B1058.preheader.i, %B3302.endif.endif, %B3298
+  br i1 %.4906.not, label %B3444, label %B120.if.i
 
 B120.loopexit.i.critedge:                         ; preds = %B120.if.i
   %.525.i.c = load i64, ptr %.524.i, align 8, !noalias !134
@@ -2854,10 +2870,10 @@ B120.loopexit.i.critedge:                         ; preds = %B120.if.i
   br label %B120.loopexit.i
 
 B120.loopexit.i:                                  ; preds = %B564.i, %B120.loopexit.i.critedge
-  %exitcond738.not.i = icmp eq i64 %.231.0734.i, %.10588
-  br i1 %exitcond738.not.i, label %B3380, label %B120.if.i
+  %exitcond738.not.i = icmp eq i64 %.231.0734.i, %.10619
+  br i1 %exitcond738.not.i, label %B3444, label %B120.if.i
 
-B154.loopexit.i:                                  ; preds = %B122.if.i.i10663, %B154.if.i
+B154.loopexit.i:                                  ; preds = %B122.if.i.i10694, %B154.if.i
   %exitcond736.not.i = icmp eq i64 %arg.shape.0, %.423.i
   br i1 %exitcond736.not.i, label %B206.i, label %B154.if.i
 
@@ -2881,32 +2897,32 @@ B390.i:                                           ; preds = %B348.if.i
 B426.i:                                           ; preds = %B390.i
   %231 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.667.0732.i
   %.84.i51.i = load i64, ptr %231, align 8, !noalias !137
-  %.89.i.i10683 = icmp sgt i64 %.84.i51.i, -1
-  br i1 %.89.i.i10683, label %B46.i.i10684, label %B426.endif.i
+  %.89.i.i10714 = icmp sgt i64 %.84.i51.i, -1
+  br i1 %.89.i.i10714, label %B46.i.i10715, label %B426.endif.i
 
-B46.i.i10684:                                     ; preds = %B426.i
+B46.i.i10715:                                     ; preds = %B426.i
   %.120.i73.i = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i51.i
   %.121.i74.i = load i64, ptr %.120.i73.i, align 8, !noalias !137
   %.122.i75.i = icmp eq i64 %.121.i74.i, 0
-  br i1 %.122.i75.i, label %B80.i.i10685, label %B426.endif.i
+  br i1 %.122.i75.i, label %B80.i.i10716, label %B426.endif.i
 
-B80.i.i10685:                                     ; preds = %B46.i.i10684
+B80.i.i10716:                                     ; preds = %B46.i.i10715
   store i64 4, ptr %.120.i73.i, align 8, !noalias !137
   br label %B426.endif.i
 
 B564.i:                                           ; preds = %B426.endif.i, %B348.if.i, %B390.i
-  %exitcond737.not.i = icmp eq i64 %arg.shape.0, %.736.i10680
+  %exitcond737.not.i = icmp eq i64 %arg.shape.0, %.736.i10711
   br i1 %exitcond737.not.i, label %B120.loopexit.i, label %B348.if.i
 
-B120.if.i:                                        ; preds = %B3318, %B120.loopexit.i
-  %.231.0734.i = phi i64 [ %.302.i, %B120.loopexit.i ], [ 1, %B3318 ]
+B120.if.i:                                        ; preds = %B3382, %B120.loopexit.i
+  %.231.0734.i = phi i64 [ %.302.i, %B120.loopexit.i ], [ 1, %B3382 ]
   %.302.i = add nsw i64 %.231.0734.i, 1
-  br i1 %.689, label %B120.loopexit.i.critedge, label %B154.if.lr.ph.i
+  br i1 %.794, label %B120.loopexit.i.critedge, label %B154.if.lr.ph.i
 
 B154.if.lr.ph.i:                                  ; preds = %B120.if.i
   %.451.i = uitofp i64 %.231.0734.i to double
   %.456.i = fdiv double %.451.i, %.452.i
-  %.247.i.i.i10659 = fsub double 1.000000e+00, %.456.i
+  %.247.i.i.i10690 = fsub double 1.000000e+00, %.456.i
   br label %B154.if.i
 
 B154.if.i:                                        ; preds = %B154.if.lr.ph.i, %B154.loopexit.i
@@ -2914,91 +2930,91 @@ B154.if.i:                                        ; preds = %B154.if.lr.ph.i, %B
   %.423.i = add nsw i64 %.354.0729.i, 1
   %.92.i.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.354.0729.i
   %.93.i.i = load double, ptr %.92.i.i, align 8, !noalias !140
-  %.146.i.i10660 = getelementptr double, ptr %84, i64 %.354.0729.i
-  %.147.i.i = load double, ptr %.146.i.i10660, align 8, !noalias !140
-  %.149.i.i10661 = fmul double %.456.i, %.147.i.i
-  %.150.i.i = fadd double %.93.i.i, %.149.i.i10661
+  %.146.i.i10691 = getelementptr double, ptr %84, i64 %.354.0729.i
+  %.147.i.i = load double, ptr %.146.i.i10691, align 8, !noalias !140
+  %.149.i.i10692 = fmul double %.456.i, %.147.i.i
+  %.150.i.i = fadd double %.93.i.i, %.149.i.i10692
   %.203.i.i = getelementptr double, ptr %.571, i64 %.354.0729.i
   store double %.150.i.i, ptr %.203.i.i, align 8, !noalias !140
   br i1 %.287.i725.not.i, label %B154.loopexit.i, label %B122.if.i.preheader.i
 
 B122.if.i.preheader.i:                            ; preds = %B154.if.i
-  %invariant.gep10995 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
-  %invariant.gep10997 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
-  %invariant.gep10999 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
-  %invariant.gep11001 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
-  %invariant.gep11003 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
-  %invariant.gep11005 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
-  %invariant.gep11007 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
-  %invariant.gep11009 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
-  %invariant.gep11011 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
-  br label %B122.if.i.i10663
+  %invariant.gep11028 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
+  %invariant.gep11030 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
+  %invariant.gep11032 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
+  %invariant.gep11034 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
+  %invariant.gep11036 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
+  %invariant.gep11038 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
+  %invariant.gep11040 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
+  %invariant.gep11042 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
+  %invariant.gep11044 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
+  br label %B122.if.i.i10694
 
-B122.if.i.i10663:                                 ; preds = %B122.if.i.i10663, %B122.if.i.preheader.i
-  %.229.i.0726.i = phi i64 [ %.300.i.i, %B122.if.i.i10663 ], [ 0, %B122.if.i.preheader.i ]
-  %.157.i.i.i10664 = add nsw i64 %.229.i.0726.i, %.155.i.i.i10662
-  %.159.i.i.i10665 = mul nsw i64 %.157.i.i.i10664, %arg.shape.0
-  %gep10996 = getelementptr double, ptr %invariant.gep10995, i64 %.159.i.i.i10665
-  %.191.i.i.i10666 = load double, ptr %gep10996, align 8, !noalias !144
-  %.193.i.i.i10667 = fadd double %.191.i.i.i10666, 0.000000e+00
-  %.253.i.i.i10668 = fmul double %.456.i, %.193.i.i.i10667
-  %.157.i.i.1.i = add nsw i64 %.229.i.0726.i, %.155.i.i.1.i10669
+B122.if.i.i10694:                                 ; preds = %B122.if.i.i10694, %B122.if.i.preheader.i
+  %.229.i.0726.i = phi i64 [ %.300.i.i, %B122.if.i.i10694 ], [ 0, %B122.if.i.preheader.i ]
+  %.157.i.i.i10695 = add nsw i64 %.229.i.0726.i, %.155.i.i.i10693
+  %.159.i.i.i10696 = mul nsw i64 %.157.i.i.i10695, %arg.shape.0
+  %gep11029 = getelementptr double, ptr %invariant.gep11028, i64 %.159.i.i.i10696
+  %.191.i.i.i10697 = load double, ptr %gep11029, align 8, !noalias !144
+  %.193.i.i.i10698 = fadd double %.191.i.i.i10697, 0.000000e+00
+  %.253.i.i.i10699 = fmul double %.456.i, %.193.i.i.i10698
+  %.157.i.i.1.i = add nsw i64 %.229.i.0726.i, %.155.i.i.1.i10700
   %.159.i.i.1.i = mul nsw i64 %.157.i.i.1.i, %arg.shape.0
-  %gep10998 = getelementptr double, ptr %invariant.gep10997, i64 %.159.i.i.1.i
-  %.191.i.i.1.i = load double, ptr %gep10998, align 8, !noalias !144
-  %.193.i.i.1.i = fadd double %.191.i.i.1.i, %.253.i.i.i10668
-  %.253.i.i.1.i = fmul double %.247.i.i.i10659, %.193.i.i.1.i
-  %.157.i.i.2.i = add nsw i64 %.229.i.0726.i, %.155.i.i.2.i10670
+  %gep11031 = getelementptr double, ptr %invariant.gep11030, i64 %.159.i.i.1.i
+  %.191.i.i.1.i = load double, ptr %gep11031, align 8, !noalias !144
+  %.193.i.i.1.i = fadd double %.191.i.i.1.i, %.253.i.i.i10699
+  %.253.i.i.1.i = fmul double %.247.i.i.i10690, %.193.i.i.1.i
+  %.157.i.i.2.i = add nsw i64 %.229.i.0726.i, %.155.i.i.2.i10701
   %.159.i.i.2.i = mul nsw i64 %.157.i.i.2.i, %arg.shape.0
-  %gep11000 = getelementptr double, ptr %invariant.gep10999, i64 %.159.i.i.2.i
-  %.191.i.i.2.i = load double, ptr %gep11000, align 8, !noalias !144
+  %gep11033 = getelementptr double, ptr %invariant.gep11032, i64 %.159.i.i.2.i
+  %.191.i.i.2.i = load double, ptr %gep11033, align 8, !noalias !144
   %.193.i.i.2.i = fadd double %.191.i.i.2.i, %.253.i.i.1.i
   %.253.i.i.2.i = fmul double %.456.i, %.193.i.i.2.i
-  %.157.i.i.3.i = add nsw i64 %.229.i.0726.i, %.155.i.i.3.i10671
+  %.157.i.i.3.i = add nsw i64 %.229.i.0726.i, %.155.i.i.3.i10702
   %.159.i.i.3.i = mul nsw i64 %.157.i.i.3.i, %arg.shape.0
-  %gep11002 = getelementptr double, ptr %invariant.gep11001, i64 %.159.i.i.3.i
-  %.191.i.i.3.i = load double, ptr %gep11002, align 8, !noalias !144
+  %gep11035 = getelementptr double, ptr %invariant.gep11034, i64 %.159.i.i.3.i
+  %.191.i.i.3.i = load double, ptr %gep11035, align 8, !noalias !144
   %.193.i.i.3.i = fadd double %.191.i.i.3.i, %.253.i.i.2.i
-  %.253.i.i.3.i = fmul double %.247.i.i.i10659, %.193.i.i.3.i
-  %.157.i.i.4.i = add nsw i64 %.229.i.0726.i, %.155.i.i.4.i10672
+  %.253.i.i.3.i = fmul double %.247.i.i.i10690, %.193.i.i.3.i
+  %.157.i.i.4.i = add nsw i64 %.229.i.0726.i, %.155.i.i.4.i10703
   %.159.i.i.4.i = mul nsw i64 %.157.i.i.4.i, %arg.shape.0
-  %gep11004 = getelementptr double, ptr %invariant.gep11003, i64 %.159.i.i.4.i
-  %.191.i.i.4.i = load double, ptr %gep11004, align 8, !noalias !144
+  %gep11037 = getelementptr double, ptr %invariant.gep11036, i64 %.159.i.i.4.i
+  %.191.i.i.4.i = load double, ptr %gep11037, align 8, !noalias !144
   %.193.i.i.4.i = fadd double %.191.i.i.4.i, %.253.i.i.3.i
   %.253.i.i.4.i = fmul double %.456.i, %.193.i.i.4.i
-  %.157.i.i.5.i = add nsw i64 %.229.i.0726.i, %.155.i.i.5.i10673
+  %.157.i.i.5.i = add nsw i64 %.229.i.0726.i, %.155.i.i.5.i10704
   %.159.i.i.5.i = mul nsw i64 %.157.i.i.5.i, %arg.shape.0
-  %gep11006 = getelementptr double, ptr %invariant.gep11005, i64 %.159.i.i.5.i
-  %.191.i.i.5.i = load double, ptr %gep11006, align 8, !noalias !144
+  %gep11039 = getelementptr double, ptr %invariant.gep11038, i64 %.159.i.i.5.i
+  %.191.i.i.5.i = load double, ptr %gep11039, align 8, !noalias !144
   %.193.i.i.5.i = fadd double %.191.i.i.5.i, %.253.i.i.4.i
-  %.253.i.i.5.i = fmul double %.247.i.i.i10659, %.193.i.i.5.i
-  %.157.i.i.6.i = add nsw i64 %.229.i.0726.i, %.155.i.i.6.i10674
+  %.253.i.i.5.i = fmul double %.247.i.i.i10690, %.193.i.i.5.i
+  %.157.i.i.6.i = add nsw i64 %.229.i.0726.i, %.155.i.i.6.i10705
   %.159.i.i.6.i = mul nsw i64 %.157.i.i.6.i, %arg.shape.0
-  %gep11008 = getelementptr double, ptr %invariant.gep11007, i64 %.159.i.i.6.i
-  %.191.i.i.6.i = load double, ptr %gep11008, align 8, !noalias !144
+  %gep11041 = getelementptr double, ptr %invariant.gep11040, i64 %.159.i.i.6.i
+  %.191.i.i.6.i = load double, ptr %gep11041, align 8, !noalias !144
   %.193.i.i.6.i = fadd double %.191.i.i.6.i, %.253.i.i.5.i
   %.253.i.i.6.i = fmul double %.456.i, %.193.i.i.6.i
   %.300.i.i = add nsw i64 %.229.i.0726.i, 1
-  %.271.i.i.i10675 = mul nsw i64 %.229.i.0726.i, %arg.shape.0
-  %gep11010 = getelementptr double, ptr %invariant.gep11009, i64 %.271.i.i.i10675
-  %.309.i.i.i10676 = load double, ptr %gep11010, align 8, !noalias !144
-  %.313.i.i.i10677 = fadd double %.309.i.i.i10676, %.253.i.i.6.i
-  %.359.i.i10678 = add nsw i64 %.229.i.0726.i, %.358.i.i10657
-  %.361.i.i = mul nsw i64 %.359.i.i10678, %arg.shape.0
-  %gep11012 = getelementptr double, ptr %invariant.gep11011, i64 %.361.i.i
-  store double %.313.i.i.i10677, ptr %gep11012, align 8, !noalias !140
-  %exitcond.not.i10679 = icmp eq i64 %arg.shape.1, %.300.i.i
-  br i1 %exitcond.not.i10679, label %B154.loopexit.i, label %B122.if.i.i10663
+  %.271.i.i.i10706 = mul nsw i64 %.229.i.0726.i, %arg.shape.0
+  %gep11043 = getelementptr double, ptr %invariant.gep11042, i64 %.271.i.i.i10706
+  %.309.i.i.i10707 = load double, ptr %gep11043, align 8, !noalias !144
+  %.313.i.i.i10708 = fadd double %.309.i.i.i10707, %.253.i.i.6.i
+  %.359.i.i10709 = add nsw i64 %.229.i.0726.i, %.358.i.i10688
+  %.361.i.i = mul nsw i64 %.359.i.i10709, %arg.shape.0
+  %gep11045 = getelementptr double, ptr %invariant.gep11044, i64 %.361.i.i
+  store double %.313.i.i.i10708, ptr %gep11045, align 8, !noalias !140
+  %exitcond.not.i10710 = icmp eq i64 %arg.shape.1, %.300.i.i
+  br i1 %exitcond.not.i10710, label %B154.loopexit.i, label %B122.if.i.i10694
 
 B348.if.i:                                        ; preds = %B564.i, %B206.i
-  %.667.0732.i = phi i64 [ 0, %B206.i ], [ %.736.i10680, %B564.i ]
-  %.736.i10680 = add nsw i64 %.667.0732.i, 1
+  %.667.0732.i = phi i64 [ 0, %B206.i ], [ %.736.i10711, %B564.i ]
+  %.736.i10711 = add nsw i64 %.667.0732.i, 1
   %.817.i = getelementptr double, ptr %85, i64 %.667.0732.i
-  %.818.i10681 = load double, ptr %.817.i, align 8, !noalias !134
-  %.819.i = fcmp ogt double %.818.i10681, 5.000000e-01
+  %.818.i10712 = load double, ptr %.817.i, align 8, !noalias !134
+  %.819.i = fcmp ogt double %.818.i10712, 5.000000e-01
   br i1 %.819.i, label %B390.i, label %B564.i
 
-B426.endif.i:                                     ; preds = %B80.i.i10685, %B46.i.i10684, %B426.i
+B426.endif.i:                                     ; preds = %B80.i.i10716, %B46.i.i10715, %B426.i
   store double 0.000000e+00, ptr %.817.i, align 8, !noalias !134
   %.1014.i = getelementptr double, ptr %86, i64 %.667.0732.i
   store double %.952.i, ptr %.1014.i, align 8, !noalias !134
@@ -3006,24 +3022,24 @@ B426.endif.i:                                     ; preds = %B80.i.i10685, %B46.
   store double %.960.i, ptr %.1071.i, align 8, !noalias !134
   br label %B564.i
 
-B3380:                                            ; preds = %B120.loopexit.i, %B2808, %B3318
-  %brmerge10590.not = and i1 %good.2.1.lcssa, %looked.2.1.lcssa
-  br i1 %brmerge10590.not, label %B3388, label %B3440
+B3444:                                            ; preds = %B120.loopexit.i, %B2872, %B3382
+  %brmerge10621.not = and i1 %good.2.1.lcssa, %looked.2.1.lcssa
+  br i1 %brmerge10621.not, label %B3452, label %B3504
 
-B3388:                                            ; preds = %B3380
-  %brmerge10591.not = select i1 %within.5.1, i1 %.614, i1 false
-  %"$phi3424.7.2.2" = select i1 %brmerge10591.not, i64 3, i64 0
-  br i1 %.689, label %B3440, label %B96.if.i
+B3452:                                            ; preds = %B3444
+  %brmerge10622.not = select i1 %within.5.1, i1 %.614, i1 false
+  %"$phi3488.7.2.2" = select i1 %brmerge10622.not, i64 3, i64 0
+  br i1 %.794, label %B3504, label %B96.if.i
 
 B172.i:                                           ; preds = %B96.if.i
-  %.452.i10690 = getelementptr double, ptr %89, i64 %.180.0654.i
-  %.453.i10691 = load double, ptr %.452.i10690, align 8, !noalias !148
-  %.454.i10692 = fcmp olt double %.453.i10691, 5.000000e-01
-  br i1 %.454.i10692, label %B789.i, label %B210.i
+  %.452.i10721 = getelementptr double, ptr %89, i64 %.180.0654.i
+  %.453.i10722 = load double, ptr %.452.i10721, align 8, !noalias !148
+  %.454.i10723 = fcmp olt double %.453.i10722, 5.000000e-01
+  br i1 %.454.i10723, label %B789.i, label %B210.i
 
 B210.i:                                           ; preds = %B172.i
-  %.485.i10693 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.334.i
-  %.486.i = load i64, ptr %.485.i10693, align 8, !noalias !148
+  %.485.i10724 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.334.i
+  %.486.i = load i64, ptr %.485.i10724, align 8, !noalias !148
   %.487.not.i = icmp eq i64 %.486.i, 0
   br i1 %.487.not.i, label %B246.i, label %B789.i
 
@@ -3032,7 +3048,7 @@ B246.i:                                           ; preds = %B210.i
   %232 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.549.i
   %.553.i = getelementptr i8, ptr %232, i64 8
   %.554.i = load i64, ptr %.553.i, align 8, !noalias !148
-  %.556.i = add nsw i64 %.554.i, %"$phi3424.7.2.2"
+  %.556.i = add nsw i64 %.554.i, %"$phi3488.7.2.2"
   store i64 %.556.i, ptr %.553.i, align 8, !noalias !148
   %.662.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.180.0654.i
   %.663.i = load double, ptr %.662.i, align 8, !noalias !148
@@ -3044,27 +3060,27 @@ B246.i:                                           ; preds = %B210.i
   br i1 %.794.i, label %B420.i, label %B760.i
 
 B420.i:                                           ; preds = %B246.i
-  %.817.i10694 = icmp slt i64 %.389.i, 0
-  %.818.i10695 = select i1 %.817.i10694, i64 %arg.batch.2.5.0, i64 0
+  %.817.i10725 = icmp slt i64 %.389.i, 0
+  %.818.i10726 = select i1 %.817.i10725, i64 %arg.batch.2.5.0, i64 0
   %233 = getelementptr double, ptr %arg.batch.2.4, i64 %.389.i
-  %.832.i10696 = getelementptr double, ptr %233, i64 %.818.i10695
-  %.833.i10697 = load double, ptr %.832.i10696, align 8, !noalias !148
-  %.837.i = fcmp ugt double %.833.i10697, %.773.i
+  %.832.i10727 = getelementptr double, ptr %233, i64 %.818.i10726
+  %.833.i10728 = load double, ptr %.832.i10727, align 8, !noalias !148
+  %.837.i = fcmp ugt double %.833.i10728, %.773.i
   br i1 %.837.i, label %B760.i, label %B444.preheader.i
 
 B444.preheader.i:                                 ; preds = %B420.i
   %factor.op.mul.reass.i = mul i64 %factor.op.mul652.i, %.334.i
   %.1324.i = getelementptr double, ptr %92, i64 %.180.0654.i
   %234 = getelementptr double, ptr %arg.batch.3.0.4, i64 %factor.op.mul.reass.i
-  %invariant.gep11013 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep11015 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep11017 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep11019 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep11021 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep11023 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep11025 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep11027 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep11029 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep11046 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep11048 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep11050 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep11052 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep11054 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep11056 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep11058 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep11060 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep11062 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
   br label %B444.i
 
 B444.i:                                           ; preds = %B736.i, %B444.preheader.i
@@ -3073,9 +3089,9 @@ B444.i:                                           ; preds = %B736.i, %B444.prehe
 
 B474.if.lr.ph.i:                                  ; preds = %B444.i
   %.979.i = icmp slt i64 %done.2.3.i, 0
-  %.980.i10698 = select i1 %.979.i, i64 %arg.batch.2.5.0, i64 0
+  %.980.i10729 = select i1 %.979.i, i64 %arg.batch.2.5.0, i64 0
   %235 = getelementptr double, ptr %arg.batch.2.4, i64 %done.2.3.i
-  %.994.i = getelementptr double, ptr %235, i64 %.980.i10698
+  %.994.i = getelementptr double, ptr %235, i64 %.980.i10729
   %.1220.i = select i1 %.979.i, i64 %arg.batch.3.0.5.1, i64 0
   %.1221.i = add i64 %.1220.i, %done.2.3.i
   %.1250.i = mul i64 %.1221.i, %arg.batch.3.0.5.2
@@ -3083,10 +3099,10 @@ B474.if.lr.ph.i:                                  ; preds = %B444.i
   br label %B474.if.i
 
 B502.i:                                           ; preds = %B474.if.i
-  %.1002.i10702 = add nsw i64 %.868.0650.i, %.1000.i10688
-  %.1004.i = mul nsw i64 %.1002.i10702, %arg.shape.0
-  %gep11030 = getelementptr double, ptr %invariant.gep11029, i64 %.1004.i
-  %.1036.i = load double, ptr %gep11030, align 8, !noalias !148
+  %.1002.i10733 = add nsw i64 %.868.0650.i, %.1000.i10719
+  %.1004.i = mul nsw i64 %.1002.i10733, %arg.shape.0
+  %gep11063 = getelementptr double, ptr %invariant.gep11062, i64 %.1004.i
+  %.1036.i = load double, ptr %gep11063, align 8, !noalias !148
   br label %B790.i
 
 B644.i:                                           ; preds = %B790.i, %B444.i
@@ -3110,19 +3126,19 @@ B760.i:                                           ; preds = %B736.i, %B644.i, %B
   br label %B789.i
 
 B789.i:                                           ; preds = %B96.if.i, %B760.i, %B210.i, %B172.i
-  %exitcond657.not.i = icmp eq i64 %.252.i10689, %arg.shape.0
-  br i1 %exitcond657.not.i, label %B3440, label %B96.if.i
+  %exitcond657.not.i = icmp eq i64 %.252.i10720, %arg.shape.0
+  br i1 %exitcond657.not.i, label %B3504, label %B96.if.i
 
 B790.i:                                           ; preds = %B38.if.i.i, %B502.i
   %.313.i.i.sink = phi double [ %.313.i.i, %B38.if.i.i ], [ %.1036.i, %B502.i ]
   %238 = getelementptr double, ptr %236, i64 %.868.0650.i
   store double %.313.i.i.sink, ptr %238, align 8, !noalias !148
-  %exitcond.not.i10701 = icmp eq i64 %arg.shape.1, %.937.i
-  br i1 %exitcond.not.i10701, label %B644.i, label %B474.if.i
+  %exitcond.not.i10732 = icmp eq i64 %arg.shape.1, %.937.i
+  br i1 %exitcond.not.i10732, label %B644.i, label %B474.if.i
 
-B96.if.i:                                         ; preds = %B3388, %B789.i
-  %.180.0654.i = phi i64 [ %.252.i10689, %B789.i ], [ 0, %B3388 ]
-  %.252.i10689 = add nsw i64 %.180.0654.i, 1
+B96.if.i:                                         ; preds = %B3452, %B789.i
+  %.180.0654.i = phi i64 [ %.252.i10720, %B789.i ], [ 0, %B3452 ]
+  %.252.i10720 = add nsw i64 %.180.0654.i, 1
   %.333.i = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.180.0654.i
   %.334.i = load i64, ptr %.333.i, align 8, !noalias !148
   %.388.i = getelementptr i64, ptr %88, i64 %.180.0654.i
@@ -3143,185 +3159,185 @@ B38.if.i.i:                                       ; preds = %B474.if.i
   %.247.i.i = fsub double 1.000000e+00, %.1150.i
   %.157.i.i = add nsw i64 %.868.0650.i, %.155.i.i
   %.159.i.i = mul nsw i64 %.157.i.i, %arg.shape.0
-  %gep11014 = getelementptr double, ptr %invariant.gep11013, i64 %.159.i.i
-  %.191.i.i = load double, ptr %gep11014, align 8, !noalias !151
+  %gep11047 = getelementptr double, ptr %invariant.gep11046, i64 %.159.i.i
+  %.191.i.i = load double, ptr %gep11047, align 8, !noalias !151
   %.193.i.i = fadd double %.191.i.i, 0.000000e+00
-  %.253.i.i10699 = fmul double %.1150.i, %.193.i.i
+  %.253.i.i10730 = fmul double %.1150.i, %.193.i.i
   %.157.i.1.i = add nsw i64 %.868.0650.i, %.155.i.1.i
   %.159.i.1.i = mul nsw i64 %.157.i.1.i, %arg.shape.0
-  %gep11016 = getelementptr double, ptr %invariant.gep11015, i64 %.159.i.1.i
-  %.191.i.1.i = load double, ptr %gep11016, align 8, !noalias !151
-  %.193.i.1.i = fadd double %.191.i.1.i, %.253.i.i10699
+  %gep11049 = getelementptr double, ptr %invariant.gep11048, i64 %.159.i.1.i
+  %.191.i.1.i = load double, ptr %gep11049, align 8, !noalias !151
+  %.193.i.1.i = fadd double %.191.i.1.i, %.253.i.i10730
   %.253.i.1.i = fmul double %.247.i.i, %.193.i.1.i
   %.157.i.2.i = add nsw i64 %.868.0650.i, %.155.i.2.i
   %.159.i.2.i = mul nsw i64 %.157.i.2.i, %arg.shape.0
-  %gep11018 = getelementptr double, ptr %invariant.gep11017, i64 %.159.i.2.i
-  %.191.i.2.i = load double, ptr %gep11018, align 8, !noalias !151
+  %gep11051 = getelementptr double, ptr %invariant.gep11050, i64 %.159.i.2.i
+  %.191.i.2.i = load double, ptr %gep11051, align 8, !noalias !151
   %.193.i.2.i = fadd double %.191.i.2.i, %.253.i.1.i
   %.253.i.2.i = fmul double %.1150.i, %.193.i.2.i
   %.157.i.3.i = add nsw i64 %.868.0650.i, %.155.i.3.i
   %.159.i.3.i = mul nsw i64 %.157.i.3.i, %arg.shape.0
-  %gep11020 = getelementptr double, ptr %invariant.gep11019, i64 %.159.i.3.i
-  %.191.i.3.i = load double, ptr %gep11020, align 8, !noalias !151
+  %gep11053 = getelementptr double, ptr %invariant.gep11052, i64 %.159.i.3.i
+  %.191.i.3.i = load double, ptr %gep11053, align 8, !noalias !151
   %.193.i.3.i = fadd double %.191.i.3.i, %.253.i.2.i
   %.253.i.3.i = fmul double %.247.i.i, %.193.i.3.i
   %.157.i.4.i = add nsw i64 %.868.0650.i, %.155.i.4.i
   %.159.i.4.i = mul nsw i64 %.157.i.4.i, %arg.shape.0
-  %gep11022 = getelementptr double, ptr %invariant.gep11021, i64 %.159.i.4.i
-  %.191.i.4.i = load double, ptr %gep11022, align 8, !noalias !151
+  %gep11055 = getelementptr double, ptr %invariant.gep11054, i64 %.159.i.4.i
+  %.191.i.4.i = load double, ptr %gep11055, align 8, !noalias !151
   %.193.i.4.i = fadd double %.191.i.4.i, %.253.i.3.i
   %.253.i.4.i = fmul double %.1150.i, %.193.i.4.i
   %.157.i.5.i = add nsw i64 %.868.0650.i, %.155.i.5.i
   %.159.i.5.i = mul nsw i64 %.157.i.5.i, %arg.shape.0
-  %gep11024 = getelementptr double, ptr %invariant.gep11023, i64 %.159.i.5.i
-  %.191.i.5.i = load double, ptr %gep11024, align 8, !noalias !151
+  %gep11057 = getelementptr double, ptr %invariant.gep11056, i64 %.159.i.5.i
+  %.191.i.5.i = load double, ptr %gep11057, align 8, !noalias !151
   %.193.i.5.i = fadd double %.191.i.5.i, %.253.i.4.i
   %.253.i.5.i = fmul double %.247.i.i, %.193.i.5.i
   %.157.i.6.i = add nsw i64 %.868.0650.i, %.155.i.6.i
   %.159.i.6.i = mul nsw i64 %.157.i.6.i, %arg.shape.0
-  %gep11026 = getelementptr double, ptr %invariant.gep11025, i64 %.159.i.6.i
-  %.191.i.6.i = load double, ptr %gep11026, align 8, !noalias !151
+  %gep11059 = getelementptr double, ptr %invariant.gep11058, i64 %.159.i.6.i
+  %.191.i.6.i = load double, ptr %gep11059, align 8, !noalias !151
   %.193.i.6.i = fadd double %.191.i.6.i, %.253.i.5.i
   %.253.i.6.i = fmul double %.1150.i, %.193.i.6.i
-  %.271.i.i10700 = mul nsw i64 %.868.0650.i, %arg.shape.0
-  %gep11028 = getelementptr double, ptr %invariant.gep11027, i64 %.271.i.i10700
-  %.309.i.i = load double, ptr %gep11028, align 8, !noalias !151
+  %.271.i.i10731 = mul nsw i64 %.868.0650.i, %arg.shape.0
+  %gep11061 = getelementptr double, ptr %invariant.gep11060, i64 %.271.i.i10731
+  %.309.i.i = load double, ptr %gep11061, align 8, !noalias !151
   %.313.i.i = fadd double %.309.i.i, %.253.i.6.i
   br label %B790.i
 
-B3440:                                            ; preds = %B789.i, %B3388, %B3380
-  br i1 %.5066, label %B3490, label %B3452
+B3504:                                            ; preds = %B789.i, %B3452, %B3444
+  br i1 %.5142, label %B3554, label %B3516
 
-B3452:                                            ; preds = %B3440
-  %.5121 = load double, ptr %.5120, align 8
-  %.5122 = fcmp ogt double %.5121, 5.000000e-01
-  br i1 %.5122, label %B3490, label %B3558
+B3516:                                            ; preds = %B3504
+  %.5197 = load double, ptr %.5196, align 8
+  %.5198 = fcmp ogt double %.5197, 5.000000e-01
+  br i1 %.5198, label %B3554, label %B3622
 
-B3490:                                            ; preds = %B3452, %B3440
-  %.5153 = load i64, ptr %.5152, align 8
-  %.5198 = inttoptr i64 %.5153 to ptr
-  tail call void %.5198(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
-  br label %B3558
+B3554:                                            ; preds = %B3516, %B3504
+  %.5229 = load i64, ptr %.5228, align 8
+  %.5274 = inttoptr i64 %.5229 to ptr
+  tail call void %.5274(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
+  br label %B3622
 
-B3558:                                            ; preds = %B3490, %B3452
-  %brmerge10583.not.not = xor i1 %brmerge10583.not, true
-  %brmerge11060 = or i1 %.689, %brmerge10583.not.not
-  br i1 %brmerge11060, label %B3614, label %B80.if.i7180
+B3622:                                            ; preds = %B3554, %B3516
+  %brmerge10614.not.not = xor i1 %brmerge10614.not, true
+  %brmerge11093 = or i1 %.794, %brmerge10614.not.not
+  br i1 %brmerge11093, label %B3678, label %B80.if.i7178
 
-B134.i:                                           ; preds = %B80.if.i7180
-  %.351.i6426 = getelementptr double, ptr %95, i64 %.141.i6182.011038
-  %.352.i6427 = load double, ptr %.351.i6426, align 8, !noalias !155
-  %.353.i6428 = fcmp ogt double %.352.i6427, 5.000000e-01
-  br i1 %.353.i6428, label %B174.i, label %B740.i
+B134.i:                                           ; preds = %B80.if.i7178
+  %.351.i6424 = getelementptr double, ptr %95, i64 %.141.i6180.011071
+  %.352.i6425 = load double, ptr %.351.i6424, align 8, !noalias !155
+  %.353.i6426 = fcmp ogt double %.352.i6425, 5.000000e-01
+  br i1 %.353.i6426, label %B174.i, label %B740.i
 
 B174.i:                                           ; preds = %B134.i
-  %.408.i6476 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.141.i6182.011038
-  %.409.i6477 = load double, ptr %.408.i6476, align 8, !noalias !155
-  %.463.i6525 = getelementptr double, ptr %96, i64 %.141.i6182.011038
-  %.464.i6526 = load double, ptr %.463.i6525, align 8, !noalias !155
-  %.465.i6527 = fsub double %.409.i6477, %.464.i6526
-  br i1 %.552.i656511031.not, label %B380.i, label %B270.if.i.preheader
+  %.408.i6474 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.141.i6180.011071
+  %.409.i6475 = load double, ptr %.408.i6474, align 8, !noalias !155
+  %.463.i6523 = getelementptr double, ptr %96, i64 %.141.i6180.011071
+  %.464.i6524 = load double, ptr %.463.i6523, align 8, !noalias !155
+  %.465.i6525 = fsub double %.409.i6475, %.464.i6524
+  br i1 %.552.i656311064.not, label %B380.i, label %B270.if.i.preheader
 
 B270.if.i.preheader:                              ; preds = %B174.i
-  %invariant.gep11140 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.141.i6182.011038
+  %invariant.gep11173 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.141.i6180.011071
   br label %B270.if.i
 
 B380.i:                                           ; preds = %B270.if.i, %B174.i
   %fastest.2.i.2.lcssa = phi double [ 0.000000e+00, %B174.i ], [ %.11.i.i, %B270.if.i ]
-  %.666.i6577 = fmul double %.465.i6527, %fastest.2.i.2.lcssa
-  %.698.i6603 = load double, ptr %.697.i6602, align 8, !noalias !155
-  %.699.i6604 = fcmp ogt double %.666.i6577, %.698.i6603
-  %.10595 = select i1 %.699.i6604, double 0x3E7AD7F29ABCAF48, double 5.000000e-06
-  %.743.i6633 = load double, ptr %.742.i6632, align 8, !noalias !155
-  %.773.i6658 = load double, ptr %arg.batch.2.4, align 8, !noalias !155
-  %.774.i6659 = fsub double %.743.i6633, %.773.i6658
-  %.776.i6661 = fmul double %.10595, %.774.i6659
-  %.780.i6664 = fcmp olt double %.465.i6527, %.776.i6661
-  br i1 %.780.i6664, label %B490.i, label %B528.i
+  %.666.i6575 = fmul double %.465.i6525, %fastest.2.i.2.lcssa
+  %.698.i6601 = load double, ptr %.697.i6600, align 8, !noalias !155
+  %.699.i6602 = fcmp ogt double %.666.i6575, %.698.i6601
+  %.10626 = select i1 %.699.i6602, double 0x3E7AD7F29ABCAF48, double 5.000000e-06
+  %.743.i6631 = load double, ptr %.742.i6630, align 8, !noalias !155
+  %.773.i6656 = load double, ptr %arg.batch.2.4, align 8, !noalias !155
+  %.774.i6657 = fsub double %.743.i6631, %.773.i6656
+  %.776.i6659 = fmul double %.10626, %.774.i6657
+  %.780.i6662 = fcmp olt double %.465.i6525, %.776.i6659
+  br i1 %.780.i6662, label %B490.i, label %B528.i
 
 B490.i:                                           ; preds = %B380.i
-  %239 = getelementptr i64, ptr %98, i64 %.141.i6182.011038
-  %.838.i7116 = load i64, ptr %239, align 8, !noalias !155
-  %.839.i7117 = add nsw i64 %.838.i7116, 1
+  %239 = getelementptr i64, ptr %98, i64 %.141.i6180.011071
+  %.838.i7114 = load i64, ptr %239, align 8, !noalias !155
+  %.839.i7115 = add nsw i64 %.838.i7114, 1
   br label %B528.i
 
 B528.i:                                           ; preds = %B380.i, %B490.i
-  %"$phi528.1.2.i.2" = phi i64 [ %.839.i7117, %B490.i ], [ 0, %B380.i ]
-  %240 = getelementptr i64, ptr %99, i64 %.141.i6182.011038
+  %"$phi528.1.2.i.2" = phi i64 [ %.839.i7115, %B490.i ], [ 0, %B380.i ]
+  %240 = getelementptr i64, ptr %99, i64 %.141.i6180.011071
   store i64 %"$phi528.1.2.i.2", ptr %240, align 8, !noalias !155
-  %.959.i6762 = load double, ptr %.408.i6476, align 8, !noalias !155
-  store double %.959.i6762, ptr %.463.i6525, align 8, !noalias !155
-  %.1068.i6855 = getelementptr double, ptr %100, i64 %.141.i6182.011038
-  store double 1.000000e+00, ptr %.1068.i6855, align 8, !noalias !155
-  store i64 1, ptr %.1061, align 8, !noalias !155
-  %.1154.i6925 = load i64, ptr %240, align 8, !noalias !155
-  %.1155.i6926 = icmp sgt i64 %.1154.i6925, 1000
-  br i1 %.1155.i6926, label %B694.i, label %B740.i
+  %.959.i6760 = load double, ptr %.408.i6474, align 8, !noalias !155
+  store double %.959.i6760, ptr %.463.i6523, align 8, !noalias !155
+  %.1068.i6853 = getelementptr double, ptr %100, i64 %.141.i6180.011071
+  store double 1.000000e+00, ptr %.1068.i6853, align 8, !noalias !155
+  store i64 1, ptr %.1166, align 8, !noalias !155
+  %.1154.i6923 = load i64, ptr %240, align 8, !noalias !155
+  %.1155.i6924 = icmp sgt i64 %.1154.i6923, 1000
+  br i1 %.1155.i6924, label %B694.i, label %B740.i
 
 B694.i:                                           ; preds = %B528.i
-  %241 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.141.i6182.011038
-  %.84.i.i7006 = load i64, ptr %241, align 8, !noalias !159
-  %.89.i.i7009 = icmp sgt i64 %.84.i.i7006, -1
-  br i1 %.89.i.i7009, label %B46.i.i7017, label %B740.i
+  %241 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.141.i6180.011071
+  %.84.i.i7004 = load i64, ptr %241, align 8, !noalias !159
+  %.89.i.i7007 = icmp sgt i64 %.84.i.i7004, -1
+  br i1 %.89.i.i7007, label %B46.i.i7015, label %B740.i
 
-B46.i.i7017:                                      ; preds = %B694.i
-  %.120.i.i7037 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i.i7006
-  %.121.i.i7038 = load i64, ptr %.120.i.i7037, align 8, !noalias !159
-  %.122.i.i7039 = icmp eq i64 %.121.i.i7038, 0
-  br i1 %.122.i.i7039, label %B80.i.i7044, label %B740.i
+B46.i.i7015:                                      ; preds = %B694.i
+  %.120.i.i7035 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i.i7004
+  %.121.i.i7036 = load i64, ptr %.120.i.i7035, align 8, !noalias !159
+  %.122.i.i7037 = icmp eq i64 %.121.i.i7036, 0
+  br i1 %.122.i.i7037, label %B80.i.i7042, label %B740.i
 
-B80.i.i7044:                                      ; preds = %B46.i.i7017
-  store i64 6, ptr %.120.i.i7037, align 8, !noalias !159
+B80.i.i7042:                                      ; preds = %B46.i.i7015
+  store i64 6, ptr %.120.i.i7035, align 8, !noalias !159
   br label %B740.i
 
-B740.i:                                           ; preds = %B80.i.i7044, %B694.i, %B46.i.i7017, %B528.i, %B134.i, %B80.if.i7180
-  store double 0.000000e+00, ptr %.294.i6337, align 8, !noalias !155
-  %.200.i6268 = icmp sgt i64 %.144.i6183.011037, 1
-  br i1 %.200.i6268, label %B80.if.i7180, label %B3614
+B740.i:                                           ; preds = %B80.i.i7042, %B694.i, %B46.i.i7015, %B528.i, %B134.i, %B80.if.i7178
+  store double 0.000000e+00, ptr %.294.i6335, align 8, !noalias !155
+  %.200.i6266 = icmp sgt i64 %.144.i6181.011070, 1
+  br i1 %.200.i6266, label %B80.if.i7178, label %B3678
 
-B80.if.i7180:                                     ; preds = %B3558, %B740.i
-  %.141.i6182.011038 = phi i64 [ %.213.i7188, %B740.i ], [ 0, %B3558 ]
-  %.144.i6183.011037 = phi i64 [ %.209.i7185, %B740.i ], [ %storemerge, %B3558 ]
-  %.209.i7185 = add nsw i64 %.144.i6183.011037, -1
-  %.213.i7188 = add nsw i64 %.141.i6182.011038, 1
-  %.294.i6337 = getelementptr double, ptr %94, i64 %.141.i6182.011038
-  %.295.i6338 = load double, ptr %.294.i6337, align 8, !noalias !155
-  %.296.i6339 = fcmp oeq double %.295.i6338, 1.000000e+00
-  br i1 %.296.i6339, label %B134.i, label %B740.i
+B80.if.i7178:                                     ; preds = %B3622, %B740.i
+  %.141.i6180.011071 = phi i64 [ %.213.i7186, %B740.i ], [ 0, %B3622 ]
+  %.144.i6181.011070 = phi i64 [ %.209.i7183, %B740.i ], [ %storemerge, %B3622 ]
+  %.209.i7183 = add nsw i64 %.144.i6181.011070, -1
+  %.213.i7186 = add nsw i64 %.141.i6180.011071, 1
+  %.294.i6335 = getelementptr double, ptr %94, i64 %.141.i6180.011071
+  %.295.i6336 = load double, ptr %.294.i6335, align 8, !noalias !155
+  %.296.i6337 = fcmp oeq double %.295.i6336, 1.000000e+00
+  br i1 %.296.i6337, label %B134.i, label %B740.i
 
 B270.if.i:                                        ; preds = %B270.if.i.preheader, %B270.if.i
-  %fastest.2.i.211034 = phi double [ %.11.i.i, %B270.if.i ], [ 0.000000e+00, %B270.if.i.preheader ]
-  %.496.i6199.011033 = phi i64 [ %.565.i7172, %B270.if.i ], [ 0, %B270.if.i.preheader ]
-  %.565.i7172 = add nsw i64 %.496.i6199.011033, 1
-  %.592.i7124 = add nsw i64 %.496.i6199.011033, %arg.shape.1
-  %.594.i7126 = mul nsw i64 %.592.i7124, %arg.shape.0
-  %gep11141 = getelementptr double, ptr %invariant.gep11140, i64 %.594.i7126
-  %.626.i7154 = load double, ptr %gep11141, align 8, !noalias !155
-  %.627.i7155 = tail call double @llvm.fabs.f64(double %.626.i7154)
-  %.10.i.i = fcmp ogt double %.627.i7155, %fastest.2.i.211034
-  %.11.i.i = select i1 %.10.i.i, double %.627.i7155, double %fastest.2.i.211034
-  %exitcond11088.not = icmp eq i64 %arg.shape.1, %.565.i7172
-  br i1 %exitcond11088.not, label %B380.i, label %B270.if.i
+  %fastest.2.i.211067 = phi double [ %.11.i.i, %B270.if.i ], [ 0.000000e+00, %B270.if.i.preheader ]
+  %.496.i6197.011066 = phi i64 [ %.565.i7170, %B270.if.i ], [ 0, %B270.if.i.preheader ]
+  %.565.i7170 = add nsw i64 %.496.i6197.011066, 1
+  %.592.i7122 = add nsw i64 %.496.i6197.011066, %arg.shape.1
+  %.594.i7124 = mul nsw i64 %.592.i7122, %arg.shape.0
+  %gep11174 = getelementptr double, ptr %invariant.gep11173, i64 %.594.i7124
+  %.626.i7152 = load double, ptr %gep11174, align 8, !noalias !155
+  %.627.i7153 = tail call double @llvm.fabs.f64(double %.626.i7152)
+  %.10.i.i = fcmp ogt double %.627.i7153, %fastest.2.i.211067
+  %.11.i.i = select i1 %.10.i.i, double %.627.i7153, double %fastest.2.i.211067
+  %exitcond11121.not = icmp eq i64 %arg.shape.1, %.565.i7170
+  br i1 %exitcond11121.not, label %B380.i, label %B270.if.i
 
-B3614:                                            ; preds = %B740.i, %B3558
-  %brmerge10597.not = and i1 %.5268.not, %looked.2.1.lcssa
-  %brmerge10597.not.not = xor i1 %brmerge10597.not, true
-  %brmerge11059 = or i1 %.689, %brmerge10597.not.not
-  br i1 %brmerge11059, label %B3664, label %B114.if.i
+B3678:                                            ; preds = %B740.i, %B3622
+  %brmerge10628.not = and i1 %.5344.not, %looked.2.1.lcssa
+  %brmerge10628.not.not = xor i1 %brmerge10628.not, true
+  %brmerge11092 = or i1 %.794, %brmerge10628.not.not
+  br i1 %brmerge11092, label %B3728, label %B114.if.i
 
-B46.i.i10703:                                     ; preds = %B114.if.i
+B46.i.i10734:                                     ; preds = %B114.if.i
   %.135.i.i = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.99.i.i
   %.136.i.i = load i64, ptr %.135.i.i, align 8, !noalias !162
   %.141.i.not.i = icmp eq i64 %.136.i.i, 0
-  br i1 %.141.i.not.i, label %B80.i.i10709, label %B228.i
+  br i1 %.141.i.not.i, label %B80.i.i10740, label %B228.i
 
-B80.i.i10709:                                     ; preds = %B46.i.i10703
+B80.i.i10740:                                     ; preds = %B46.i.i10734
   %.196.i.i = getelementptr double, ptr %101, i64 %.302.01639.i
   %.197.i.i = load double, ptr %.196.i.i, align 8, !noalias !162
   %.198.i.i = fcmp olt double %.197.i.i, 5.000000e-01
-  br i1 %.198.i.i, label %B228.i, label %B122.i.i10710
+  br i1 %.198.i.i, label %B228.i, label %B122.i.i10741
 
-B122.i.i10710:                                    ; preds = %B80.i.i10709
+B122.i.i10741:                                    ; preds = %B80.i.i10740
   %.264.i.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.302.01639.i
   %.265.i.i = load double, ptr %.264.i.i, align 8, !noalias !162
   %.321.i.i = getelementptr double, ptr %102, i64 %.302.01639.i
@@ -3330,9 +3346,9 @@ B122.i.i10710:                                    ; preds = %B80.i.i10709
   %brmerge.i = select i1 %.325.i.i, i1 true, i1 %.175.i3061635.not.i
   %not..325.i.i = xor i1 %.325.i.i, true
   %some.2.01641.mux.i = select i1 %not..325.i.i, i1 true, i1 %some.2.01641.i
-  br i1 %brmerge.i, label %B228.i, label %B76.if.i.lr.ph.i10711
+  br i1 %brmerge.i, label %B228.i, label %B76.if.i.lr.ph.i10742
 
-B76.if.i.lr.ph.i10711:                            ; preds = %B122.i.i10710
+B76.if.i.lr.ph.i10742:                            ; preds = %B122.i.i10741
   %242 = getelementptr i64, ptr %103, i64 %.302.01639.i
   %.513.i = load i64, ptr %242, align 8, !noalias !167
   %.514.i = add nsw i64 %.513.i, 1
@@ -3341,10 +3357,10 @@ B76.if.i.lr.ph.i10711:                            ; preds = %B122.i.i10710
   %.238.i325.i = add i64 %.514.i, %.237.i324.i
   %.258.i342.i = mul i64 %.238.i325.i, %arg.batch.1.3.5.1
   %243 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i342.i
-  br label %B76.if.i.i10712
+  br label %B76.if.i.i10743
 
-B76.if.i.i10712:                                  ; preds = %B76.if.i.i10712, %B76.if.i.lr.ph.i10711
-  %.117.i268.01636.i = phi i64 [ 0, %B76.if.i.lr.ph.i10711 ], [ %.188.i390.i, %B76.if.i.i10712 ]
+B76.if.i.i10743:                                  ; preds = %B76.if.i.i10743, %B76.if.i.lr.ph.i10742
+  %.117.i268.01636.i = phi i64 [ 0, %B76.if.i.lr.ph.i10742 ], [ %.188.i390.i, %B76.if.i.i10743 ]
   %.188.i390.i = add nsw i64 %.117.i268.01636.i, 1
   %244 = getelementptr double, ptr %243, i64 %.117.i268.01636.i
   %.263.i344.i = load double, ptr %244, align 8, !noalias !168
@@ -3357,16 +3373,16 @@ B76.if.i.i10712:                                  ; preds = %B76.if.i.i10712, %B
   %246 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i364.i
   %.326.i383.i = getelementptr double, ptr %246, i64 %.312.i373.i
   store double %.263.i344.i, ptr %.326.i383.i, align 8, !noalias !168
-  %exitcond.not.i10713 = icmp eq i64 %arg.batch.1.1.5.0, %.188.i390.i
-  br i1 %exitcond.not.i10713, label %B228.i, label %B76.if.i.i10712
+  %exitcond.not.i10744 = icmp eq i64 %arg.batch.1.1.5.0, %.188.i390.i
+  br i1 %exitcond.not.i10744, label %B228.i, label %B76.if.i.i10743
 
-B228.i:                                           ; preds = %B76.if.i.i10712, %B114.if.i, %B122.i.i10710, %B80.i.i10709, %B46.i.i10703
-  %some.3.1.i = phi i1 [ %some.2.01641.mux.i, %B122.i.i10710 ], [ %some.2.01641.i, %B80.i.i10709 ], [ %some.2.01641.i, %B114.if.i ], [ %some.2.01641.i, %B46.i.i10703 ], [ true, %B76.if.i.i10712 ]
+B228.i:                                           ; preds = %B76.if.i.i10743, %B114.if.i, %B122.i.i10741, %B80.i.i10740, %B46.i.i10734
+  %some.3.1.i = phi i1 [ %some.2.01641.mux.i, %B122.i.i10741 ], [ %some.2.01641.i, %B80.i.i10740 ], [ %some.2.01641.i, %B114.if.i ], [ %some.2.01641.i, %B46.i.i10734 ], [ true, %B76.if.i.i10743 ]
   %exitcond1650.not.i = icmp eq i64 %arg.shape.0, %.373.i
   br i1 %exitcond1650.not.i, label %B230.i, label %B114.if.i
 
 B230.i:                                           ; preds = %B228.i
-  br i1 %some.3.1.i, label %B238.i, label %B3664
+  br i1 %some.3.1.i, label %B238.i, label %B3728
 
 B238.i:                                           ; preds = %B230.i
   %.637.i = load i64, ptr %.636.i, align 8, !noalias !167
@@ -3374,13 +3390,13 @@ B238.i:                                           ; preds = %B230.i
   tail call void %.749.i(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !167
   %.780.i = load i64, ptr %.779.i, align 8, !noalias !167
   %.896.i = inttoptr i64 %.780.i to ptr
-  tail call void %.896.i(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.895.i10704), !noalias !167
+  tail call void %.896.i(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.895.i10735), !noalias !167
   br i1 %.900.not.i, label %B598.if.i.preheader, label %B456.i
 
 B456.i:                                           ; preds = %B238.i
-  %.931.i = load i64, ptr %.930.i10705, align 8, !noalias !167
+  %.931.i = load i64, ptr %.930.i10736, align 8, !noalias !167
   %.1049.i = inttoptr i64 %.931.i to ptr
-  tail call void %.1049.i(ptr %arg.batch.4.0.4, ptr %.895.i10704, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !167
+  tail call void %.1049.i(ptr %arg.batch.4.0.4, ptr %.895.i10735, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !167
   br label %B598.if.i.preheader
 
 B598.if.i.preheader:                              ; preds = %B456.i, %B238.i
@@ -3431,8 +3447,8 @@ B800.if.lr.ph.i:                                  ; preds = %B768.i
   %.1743.i = mul i64 %.1714.i, %arg.batch.3.0.5.2
   %248 = getelementptr double, ptr %arg.batch.3.0.4, i64 %.1741.i
   %249 = getelementptr double, ptr %248, i64 %.1743.i
-  %invariant.gep11039 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1090.01648.i
-  %invariant.gep11041 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1090.01648.i
+  %invariant.gep11072 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1090.01648.i
+  %invariant.gep11074 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1090.01648.i
   br label %B800.if.i
 
 B896.i:                                           ; preds = %B800.if.i
@@ -3488,17 +3504,17 @@ B80.i623.i:                                       ; preds = %B46.i591.i
   br label %B1076.i
 
 B1076.i:                                          ; preds = %B598.if.i, %B80.i623.i, %B46.i591.i, %B1030.i, %B994.i, %B978.i, %B122.i147.i, %B80.i107.i, %B46.i82.i
-  %.1146.i10707 = icmp sgt i64 %.1093.01649.i, 1
-  br i1 %.1146.i10707, label %B598.if.i, label %B3664
+  %.1146.i10738 = icmp sgt i64 %.1093.01649.i, 1
+  br i1 %.1146.i10738, label %B598.if.i, label %B3728
 
-B114.if.i:                                        ; preds = %B3614, %B228.i
-  %some.2.01641.i = phi i1 [ %some.3.1.i, %B228.i ], [ false, %B3614 ]
-  %.302.01639.i = phi i64 [ %.373.i, %B228.i ], [ 0, %B3614 ]
+B114.if.i:                                        ; preds = %B3678, %B228.i
+  %some.2.01641.i = phi i1 [ %some.3.1.i, %B228.i ], [ false, %B3678 ]
+  %.302.01639.i = phi i64 [ %.373.i, %B228.i ], [ 0, %B3678 ]
   %.373.i = add nsw i64 %.302.01639.i, 1
   %253 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.302.01639.i
   %.99.i.i = load i64, ptr %253, align 8, !noalias !162
   %.104.i.i = icmp slt i64 %.99.i.i, 0
-  br i1 %.104.i.i, label %B228.i, label %B46.i.i10703
+  br i1 %.104.i.i, label %B228.i, label %B46.i.i10734
 
 B598.if.i:                                        ; preds = %B598.if.i.preheader, %B1076.i
   %.1093.01649.i = phi i64 [ %.1155.i, %B1076.i ], [ %storemerge.i, %B598.if.i.preheader ]
@@ -3515,421 +3531,423 @@ B800.if.i:                                        ; preds = %B918.i, %B800.if.lr
   %.1488.01643.i = phi i64 [ 0, %B800.if.lr.ph.i ], [ %.1557.i, %B918.i ]
   %.1557.i = add nsw i64 %.1488.01643.i, 1
   %.1588.i = add nsw i64 %.1488.01643.i, %.850.i
-  %.1590.i10708 = mul nsw i64 %.1588.i, %arg.shape.0
-  %gep11040 = getelementptr double, ptr %invariant.gep11039, i64 %.1590.i10708
-  %.1622.i = load double, ptr %gep11040, align 8, !noalias !167
+  %.1590.i10739 = mul nsw i64 %.1588.i, %arg.shape.0
+  %gep11073 = getelementptr double, ptr %invariant.gep11072, i64 %.1590.i10739
+  %.1622.i = load double, ptr %gep11073, align 8, !noalias !167
   %.1627.i = fmul double %.1622.i, 0.000000e+00
   %.1629.i = fadd double %trouble.2.11645.i, %.1627.i
   %.1637.i = mul nsw i64 %.1488.01643.i, %arg.shape.0
-  %gep11042 = getelementptr double, ptr %invariant.gep11041, i64 %.1637.i
-  store double %.1622.i, ptr %gep11042, align 8, !noalias !167
+  %gep11075 = getelementptr double, ptr %invariant.gep11074, i64 %.1637.i
+  store double %.1622.i, ptr %gep11075, align 8, !noalias !167
   br i1 %"$phi768.1.2.1.i", label %B896.i, label %B918.i
 
-B3664:                                            ; preds = %B1076.i, %B3614, %B230.i
+B3728:                                            ; preds = %B1076.i, %B3678, %B230.i
   %looked.2.1.lcssa.not = xor i1 %looked.2.1.lcssa, true
-  %brmerge11061 = or i1 %.689, %looked.2.1.lcssa.not
+  %brmerge11094 = or i1 %.794, %looked.2.1.lcssa.not
   %active.9.1.mux = select i1 %looked.2.1.lcssa, i64 0, i64 %active.9.1
-  br i1 %brmerge11061, label %B4640, label %B3706.if
+  br i1 %brmerge11094, label %B4704, label %B3770.if
 
-B3754:                                            ; preds = %B3706.if
-  %.5653 = mul i64 %.5580, %arg.batch.3.3.5.1
-  %.5657 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.5653
-  %.5658 = load i64, ptr %.5657, align 8
-  %.5714 = getelementptr i8, ptr %.5657, i64 24
-  %.5715 = load i64, ptr %.5714, align 8
-  %255 = add i64 %.5658, %.5715
-  %.5716 = sub i64 %arg.most, %255
-  %.5721 = icmp slt i64 %.5716, 1
-  br i1 %.5721, label %B3834, label %B3880
+B3818:                                            ; preds = %B3770.if
+  %.5729 = mul i64 %.5656, %arg.batch.3.3.5.1
+  %.5733 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.5729
+  %.5734 = load i64, ptr %.5733, align 8
+  %.5790 = getelementptr i8, ptr %.5733, i64 24
+  %.5791 = load i64, ptr %.5790, align 8
+  %255 = add i64 %.5734, %.5791
+  %.5792 = sub i64 %arg.most, %255
+  %.5797 = icmp slt i64 %.5792, 1
+  br i1 %.5797, label %B3898, label %B3944
 
-B3834:                                            ; preds = %B3754
-  %256 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.5418.011047
-  %.84.i7269 = load i64, ptr %256, align 8, !noalias !181
-  %.89.i7272 = icmp sgt i64 %.84.i7269, -1
-  br i1 %.89.i7272, label %B46.i7277, label %B3880
+B3898:                                            ; preds = %B3818
+  %256 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.5494.011080
+  %.84.i7267 = load i64, ptr %256, align 8, !noalias !181
+  %.89.i7270 = icmp sgt i64 %.84.i7267, -1
+  br i1 %.89.i7270, label %B46.i7275, label %B3944
 
-B46.i7277:                                        ; preds = %B3834
-  %.120.i7303 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i7269
-  %.121.i7304 = load i64, ptr %.120.i7303, align 8, !noalias !181
-  %.122.i7305 = icmp eq i64 %.121.i7304, 0
-  br i1 %.122.i7305, label %B80.i7310, label %B3880
+B46.i7275:                                        ; preds = %B3898
+  %.120.i7301 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i7267
+  %.121.i7302 = load i64, ptr %.120.i7301, align 8, !noalias !181
+  %.122.i7303 = icmp eq i64 %.121.i7302, 0
+  br i1 %.122.i7303, label %B80.i7308, label %B3944
 
-B80.i7310:                                        ; preds = %B46.i7277
-  store i64 5, ptr %.120.i7303, align 8, !noalias !181
-  br label %B3880
+B80.i7308:                                        ; preds = %B46.i7275
+  store i64 5, ptr %.120.i7301, align 8, !noalias !181
+  br label %B3944
 
-B3880:                                            ; preds = %B80.i7310, %B3834, %B46.i7277, %B3754
-  %.5811 = getelementptr double, ptr %105, i64 %.5418.011047
-  %.5812 = load double, ptr %.5811, align 8
-  %.5813 = fcmp ogt double %.5812, 5.000000e-01
-  br i1 %.5813, label %B3918, label %B4022
+B3944:                                            ; preds = %B80.i7308, %B3898, %B46.i7275, %B3818
+  %.5887 = getelementptr double, ptr %105, i64 %.5494.011080
+  %.5888 = load double, ptr %.5887, align 8
+  %.5889 = fcmp ogt double %.5888, 5.000000e-01
+  br i1 %.5889, label %B3982, label %B4086
 
-B3918:                                            ; preds = %B3880
-  %.5868 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5418.011047
-  %.5869 = load double, ptr %.5868, align 8
-  %.5923 = getelementptr double, ptr %106, i64 %.5418.011047
-  %.5924 = load double, ptr %.5923, align 8
-  %.5925 = fcmp oeq double %.5869, %.5924
-  br i1 %.5925, label %B3982, label %B4022
+B3982:                                            ; preds = %B3944
+  %.5944 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5494.011080
+  %.5945 = load double, ptr %.5944, align 8
+  %.5999 = getelementptr double, ptr %106, i64 %.5494.011080
+  %.6000 = load double, ptr %.5999, align 8
+  %.6001 = fcmp oeq double %.5945, %.6000
+  br i1 %.6001, label %B4046, label %B4086
 
-B3982:                                            ; preds = %B3918
-  %.192.i7538 = load i64, ptr %.5579, align 8, !noalias !184
-  %.248.i7586 = getelementptr i64, ptr %107, i64 %.5418.011047
-  %.249.i7587 = load i64, ptr %.248.i7586, align 8, !noalias !184
-  %.250.i7588 = add nsw i64 %.249.i7587, 1
-  store i64 %.250.i7588, ptr %.248.i7586, align 8, !noalias !184
-  %.373.i7693 = icmp slt i64 %.249.i7587, -1
-  %.374.i7694 = select i1 %.373.i7693, i64 %arg.batch.1.2.5.0, i64 0
-  %257 = getelementptr double, ptr %arg.batch.1.2.4, i64 %.250.i7588
-  %.388.i7708 = getelementptr double, ptr %257, i64 %.374.i7694
-  %.389.i7709 = load double, ptr %.388.i7708, align 8, !noalias !184
-  %.390.i7710 = fcmp oeq double %.389.i7709, 0x7FF0000000000000
-  br i1 %.390.i7710, label %B182.i, label %B240.i
+B4046:                                            ; preds = %B3982
+  %.192.i7536 = load i64, ptr %.5655, align 8, !noalias !184
+  %.248.i7584 = getelementptr i64, ptr %107, i64 %.5494.011080
+  %.249.i7585 = load i64, ptr %.248.i7584, align 8, !noalias !184
+  %.250.i7586 = add nsw i64 %.249.i7585, 1
+  store i64 %.250.i7586, ptr %.248.i7584, align 8, !noalias !184
+  %.373.i7691 = icmp slt i64 %.249.i7585, -1
+  %.374.i7692 = select i1 %.373.i7691, i64 %arg.batch.1.2.5.0, i64 0
+  %257 = getelementptr double, ptr %arg.batch.1.2.4, i64 %.250.i7586
+  %.388.i7706 = getelementptr double, ptr %257, i64 %.374.i7692
+  %.389.i7707 = load double, ptr %.388.i7706, align 8, !noalias !184
+  %.390.i7708 = fcmp oeq double %.389.i7707, 0x7FF0000000000000
+  br i1 %.390.i7708, label %B182.i, label %B240.i
 
-B182.i:                                           ; preds = %B3982
-  %.424.i8238 = icmp slt i64 %.192.i7538, 0
-  %.425.i8239 = select i1 %.424.i8238, i64 %arg.batch.3.1.5.0, i64 0
-  %258 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.192.i7538
-  %.439.i8253 = getelementptr i64, ptr %258, i64 %.425.i8239
-  %.440.i8254 = load i64, ptr %.439.i8253, align 8, !noalias !184
-  %.441.i8255 = icmp eq i64 %.440.i8254, 0
-  br i1 %.441.i8255, label %B216.i8259, label %B4022
+B182.i:                                           ; preds = %B4046
+  %.424.i8235 = icmp slt i64 %.192.i7536, 0
+  %.425.i8236 = select i1 %.424.i8235, i64 %arg.batch.3.1.5.0, i64 0
+  %258 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.192.i7536
+  %.439.i8250 = getelementptr i64, ptr %258, i64 %.425.i8236
+  %.440.i8251 = load i64, ptr %.439.i8250, align 8, !noalias !184
+  %.441.i8252 = icmp eq i64 %.440.i8251, 0
+  br i1 %.441.i8252, label %B216.i8256, label %B4086
 
-B216.i8259:                                       ; preds = %B182.i
-  store i64 1, ptr %.439.i8253, align 8, !noalias !184
-  br label %B4022
+B216.i8256:                                       ; preds = %B182.i
+  store i64 1, ptr %.439.i8250, align 8, !noalias !184
+  br label %B4086
 
-B240.i:                                           ; preds = %B3982
-  store double %.389.i7709, ptr %.5923, align 8, !noalias !184
-  %.592.i7800 = select i1 %.373.i7693, i64 %arg.batch.1.4.5.0, i64 0
-  %259 = getelementptr i64, ptr %arg.batch.1.4.4, i64 %.250.i7588
-  %.606.i7814 = getelementptr i64, ptr %259, i64 %.592.i7800
-  %.607.i7815 = load i64, ptr %.606.i7814, align 8, !noalias !184
-  %.610.i7817 = icmp eq i64 %.607.i7815, 0
-  br i1 %.610.i7817, label %B300.i, label %B348.i
+B240.i:                                           ; preds = %B4046
+  store double %.389.i7707, ptr %.5999, align 8, !noalias !184
+  %.592.i7798 = select i1 %.373.i7691, i64 %arg.batch.1.4.5.0, i64 0
+  %259 = getelementptr i64, ptr %arg.batch.1.4.4, i64 %.250.i7586
+  %.606.i7812 = getelementptr i64, ptr %259, i64 %.592.i7798
+  %.607.i7813 = load i64, ptr %.606.i7812, align 8, !noalias !184
+  %.610.i7815 = icmp eq i64 %.607.i7813, 0
+  br i1 %.610.i7815, label %B300.i, label %B348.i
 
 B300.i:                                           ; preds = %B240.i
-  %.665.i8192 = getelementptr double, ptr %108, i64 %.5418.011047
-  store double 1.000000e+00, ptr %.665.i8192, align 8, !noalias !184
+  %.665.i8189 = getelementptr double, ptr %108, i64 %.5494.011080
+  store double 1.000000e+00, ptr %.665.i8189, align 8, !noalias !184
   br label %B392.i.sink.split
 
 B348.i:                                           ; preds = %B240.i
-  %.733.i7843 = load i64, ptr %.1061, align 8, !noalias !184
-  %.734.i7844 = icmp eq i64 %.733.i7843, 0
-  br i1 %.734.i7844, label %B392.i.sink.split, label %B392.i
+  %.733.i7841 = load i64, ptr %.1166, align 8, !noalias !184
+  %.734.i7842 = icmp eq i64 %.733.i7841, 0
+  br i1 %.734.i7842, label %B392.i.sink.split, label %B392.i
 
 B392.i.sink.split:                                ; preds = %B348.i, %B300.i
   %.sink = phi i64 [ 1, %B300.i ], [ 2, %B348.i ]
-  store i64 %.sink, ptr %.1061, align 8, !noalias !184
+  store i64 %.sink, ptr %.1166, align 8, !noalias !184
   br label %B392.i
 
 B392.i:                                           ; preds = %B392.i.sink.split, %B348.i
-  br i1 %.175.i.i799611043.not, label %B4022, label %B76.if.i.i.lr.ph
+  br i1 %.175.i.i799411076.not, label %B4086, label %B76.if.i.i.lr.ph
 
 B76.if.i.i.lr.ph:                                 ; preds = %B392.i
-  %.237.i.i8045 = select i1 %.373.i7693, i64 %arg.batch.1.3.5.0, i64 0
-  %.238.i.i8046 = add i64 %.237.i.i8045, %.250.i7588
-  %.258.i.i8062 = mul i64 %.238.i.i8046, %arg.batch.1.3.5.1
-  %260 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i8062
+  %.237.i.i8042 = select i1 %.373.i7691, i64 %arg.batch.1.3.5.0, i64 0
+  %.238.i.i8043 = add i64 %.237.i.i8042, %.250.i7586
+  %.258.i.i8059 = mul i64 %.238.i.i8043, %arg.batch.1.3.5.1
+  %260 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i8059
   br label %B76.if.i.i
 
 B76.if.i.i:                                       ; preds = %B76.if.i.i.lr.ph, %B76.if.i.i
-  %.117.i.i7348.011045 = phi i64 [ 0, %B76.if.i.i.lr.ph ], [ %.188.i.i8111, %B76.if.i.i ]
-  %.188.i.i8111 = add nsw i64 %.117.i.i7348.011045, 1
-  %261 = getelementptr double, ptr %260, i64 %.117.i.i7348.011045
-  %.263.i.i8065 = load double, ptr %261, align 8, !noalias !188
-  %262 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.i7348.011045
-  %.293.i.i8083 = load i64, ptr %262, align 8, !noalias !188
-  %.295.i.i8085 = mul nsw i64 %.293.i.i8083, %arg.shape.0
-  %.297.i.i8087 = add nsw i64 %.295.i.i8085, %.5418.011047
-  %.311.i.i8094 = icmp slt i64 %.297.i.i8087, 0
-  %.312.i.i8095 = select i1 %.311.i.i8094, i64 %arg.batch.5.1.5.0, i64 0
-  %263 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i8087
-  %.326.i.i8105 = getelementptr double, ptr %263, i64 %.312.i.i8095
-  store double %.263.i.i8065, ptr %.326.i.i8105, align 8, !noalias !188
-  %exitcond11089.not = icmp eq i64 %arg.batch.1.1.5.0, %.188.i.i8111
-  br i1 %exitcond11089.not, label %B4022, label %B76.if.i.i
+  %.117.i.i7346.011078 = phi i64 [ 0, %B76.if.i.i.lr.ph ], [ %.188.i.i8108, %B76.if.i.i ]
+  %.188.i.i8108 = add nsw i64 %.117.i.i7346.011078, 1
+  %261 = getelementptr double, ptr %260, i64 %.117.i.i7346.011078
+  %.263.i.i8062 = load double, ptr %261, align 8, !noalias !188
+  %262 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.i7346.011078
+  %.293.i.i8080 = load i64, ptr %262, align 8, !noalias !188
+  %.295.i.i8082 = mul nsw i64 %.293.i.i8080, %arg.shape.0
+  %.297.i.i8084 = add nsw i64 %.295.i.i8082, %.5494.011080
+  %.311.i.i8091 = icmp slt i64 %.297.i.i8084, 0
+  %.312.i.i8092 = select i1 %.311.i.i8091, i64 %arg.batch.5.1.5.0, i64 0
+  %263 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i8084
+  %.326.i.i8102 = getelementptr double, ptr %263, i64 %.312.i.i8092
+  store double %.263.i.i8062, ptr %.326.i.i8102, align 8, !noalias !188
+  %exitcond11122.not = icmp eq i64 %arg.batch.1.1.5.0, %.188.i.i8108
+  br i1 %exitcond11122.not, label %B4086, label %B76.if.i.i
 
-B4022:                                            ; preds = %B76.if.i.i, %B392.i, %B216.i8259, %B182.i, %B3918, %B3880
-  %.6014 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.5580
-  %.6015 = load i64, ptr %.6014, align 8
-  %.6016.not = icmp eq i64 %.6015, 0
-  br i1 %.6016.not, label %B4164, label %B4056
+B4086:                                            ; preds = %B76.if.i.i, %B392.i, %B216.i8256, %B182.i, %B3982, %B3944
+  %.6090 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.5656
+  %.6091 = load i64, ptr %.6090, align 8
+  %.6092.not = icmp eq i64 %.6091, 0
+  br i1 %.6092.not, label %B4228, label %B4120
 
-B4056:                                            ; preds = %B4022
-  %.6077 = getelementptr i64, ptr %109, i64 %.5418.011047
-  %.6078 = load i64, ptr %.6077, align 8
-  %.6108 = getelementptr i64, ptr %arg.batch.3.2.4, i64 %.5580
-  store i64 %.6078, ptr %.6108, align 8
-  store i64 -1, ptr %.5579, align 8
-  %.236.i10714 = load i64, ptr %arg.batch.4.2.4, align 8, !noalias !192
-  %.293.i10719 = getelementptr double, ptr %110, i64 %.5418.011047
-  store double 0.000000e+00, ptr %.293.i10719, align 8, !noalias !192
-  %.324.i10721 = load i64, ptr %.323.i10720, align 8, !noalias !192
-  %.326.i10722 = icmp eq i64 %.236.i10714, %.324.i10721
-  br i1 %.326.i10722, label %B4372, label %B132.i10723
+B4120:                                            ; preds = %B4086
+  %.6153 = getelementptr i64, ptr %109, i64 %.5494.011080
+  %.6154 = load i64, ptr %.6153, align 8
+  %.6184 = getelementptr i64, ptr %arg.batch.3.2.4, i64 %.5656
+  store i64 %.6154, ptr %.6184, align 8
+  store i64 -1, ptr %.5655, align 8
+  %.236.i10745 = load i64, ptr %arg.batch.4.2.4, align 8, !noalias !192
+  %.293.i10750 = getelementptr double, ptr %110, i64 %.5494.011080
+  store double 0.000000e+00, ptr %.293.i10750, align 8, !noalias !192
+  %.324.i10752 = load i64, ptr %.323.i10751, align 8, !noalias !192
+  %.326.i10753 = icmp eq i64 %.236.i10745, %.324.i10752
+  br i1 %.326.i10753, label %B4436, label %B132.i10754
 
-B132.i10723:                                      ; preds = %B4056
-  %.359.i10724 = add nsw i64 %.236.i10714, 1
-  store i64 %.359.i10724, ptr %arg.batch.4.2.4, align 8, !noalias !192
-  store i64 1, ptr %.1061, align 8, !noalias !192
-  %.438.i10726 = icmp slt i64 %.236.i10714, 0
-  %.439.i10727 = select i1 %.438.i10726, i64 %arg.batch.0.2.5.0, i64 0
-  %264 = getelementptr i64, ptr %arg.batch.0.2.4, i64 %.236.i10714
-  %.453.i10728 = getelementptr i64, ptr %264, i64 %.439.i10727
-  %.454.i10729 = load i64, ptr %.453.i10728, align 8, !noalias !192
-  %.469.i10730 = icmp slt i64 %.454.i10729, 0
-  %.470.i10731 = select i1 %.469.i10730, i64 %arg.batch.1.0.5.0, i64 0
-  %265 = getelementptr i64, ptr %arg.batch.1.0.4, i64 %.454.i10729
-  %.484.i10732 = getelementptr i64, ptr %265, i64 %.470.i10731
-  %.485.i10733 = load i64, ptr %.484.i10732, align 8, !noalias !192
-  store i64 %.236.i10714, ptr %.5579, align 8, !noalias !192
-  %.595.i10737 = getelementptr i64, ptr %111, i64 %.5418.011047
-  store i64 %.485.i10733, ptr %.595.i10737, align 8, !noalias !192
-  store i64 1, ptr %.6077, align 8, !noalias !192
-  %.709.i10741 = getelementptr i64, ptr %112, i64 %.5418.011047
-  store i64 0, ptr %.709.i10741, align 8, !noalias !192
-  br i1 %.8051131.not.i10742, label %B402.i10757, label %B358.if.lr.ph.i10743
+B132.i10754:                                      ; preds = %B4120
+  %.359.i10755 = add nsw i64 %.236.i10745, 1
+  store i64 %.359.i10755, ptr %arg.batch.4.2.4, align 8, !noalias !192
+  store i64 1, ptr %.1166, align 8, !noalias !192
+  %.438.i10757 = icmp slt i64 %.236.i10745, 0
+  %.439.i10758 = select i1 %.438.i10757, i64 %arg.batch.0.2.5.0, i64 0
+  %264 = getelementptr i64, ptr %arg.batch.0.2.4, i64 %.236.i10745
+  %.453.i10759 = getelementptr i64, ptr %264, i64 %.439.i10758
+  %.454.i10760 = load i64, ptr %.453.i10759, align 8, !noalias !192
+  %.469.i10761 = icmp slt i64 %.454.i10760, 0
+  %.470.i10762 = select i1 %.469.i10761, i64 %arg.batch.1.0.5.0, i64 0
+  %265 = getelementptr i64, ptr %arg.batch.1.0.4, i64 %.454.i10760
+  %.484.i10763 = getelementptr i64, ptr %265, i64 %.470.i10762
+  %.485.i10764 = load i64, ptr %.484.i10763, align 8, !noalias !192
+  store i64 %.236.i10745, ptr %.5655, align 8, !noalias !192
+  %.595.i10768 = getelementptr i64, ptr %111, i64 %.5494.011080
+  store i64 %.485.i10764, ptr %.595.i10768, align 8, !noalias !192
+  store i64 1, ptr %.6153, align 8, !noalias !192
+  %.709.i10772 = getelementptr i64, ptr %112, i64 %.5494.011080
+  store i64 0, ptr %.709.i10772, align 8, !noalias !192
+  br i1 %.8051131.not.i10773, label %B402.i10788, label %B358.if.lr.ph.i10774
 
-B358.if.lr.ph.i10743:                             ; preds = %B132.i10723
-  %.867.i10744 = select i1 %.438.i10726, i64 %arg.batch.0.1.5.0, i64 0
-  %.868.i10745 = add i64 %.867.i10744, %.236.i10714
-  %.888.i10746 = mul i64 %.868.i10745, %arg.batch.0.1.5.1
-  %266 = getelementptr double, ptr %arg.batch.0.1.4, i64 %.888.i10746
-  %invariant.gep11142 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.5418.011047
-  br label %B358.if.i10747
+B358.if.lr.ph.i10774:                             ; preds = %B132.i10754
+  %.867.i10775 = select i1 %.438.i10757, i64 %arg.batch.0.1.5.0, i64 0
+  %.868.i10776 = add i64 %.867.i10775, %.236.i10745
+  %.888.i10777 = mul i64 %.868.i10776, %arg.batch.0.1.5.1
+  %266 = getelementptr double, ptr %arg.batch.0.1.4, i64 %.888.i10777
+  %invariant.gep11175 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.5494.011080
+  br label %B358.if.i10778
 
-B402.i10757:                                      ; preds = %B358.if.i10747, %B132.i10723
-  br i1 %.175.i1134.not.i10758, label %B402.endif.i10776, label %B76.if.i.lr.ph.i10759
+B402.i10788:                                      ; preds = %B358.if.i10778, %B132.i10754
+  br i1 %.175.i1134.not.i10789, label %B402.endif.i10807, label %B76.if.i.lr.ph.i10790
 
-B76.if.i.lr.ph.i10759:                            ; preds = %B402.i10757
-  %.990.i10760 = load i64, ptr %.595.i10737, align 8, !noalias !192
-  %.236.i.i10761 = icmp slt i64 %.990.i10760, 0
-  %.237.i.i10762 = select i1 %.236.i.i10761, i64 %arg.batch.1.3.5.0, i64 0
-  %.238.i.i10763 = add i64 %.237.i.i10762, %.990.i10760
-  %.258.i.i10764 = mul i64 %.238.i.i10763, %arg.batch.1.3.5.1
-  %267 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i10764
-  br label %B76.if.i.i10765
+B76.if.i.lr.ph.i10790:                            ; preds = %B402.i10788
+  %.990.i10791 = load i64, ptr %.595.i10768, align 8, !noalias !192
+  %.236.i.i10792 = icmp slt i64 %.990.i10791, 0
+  %.237.i.i10793 = select i1 %.236.i.i10792, i64 %arg.batch.1.3.5.0, i64 0
+  %.238.i.i10794 = add i64 %.237.i.i10793, %.990.i10791
+  %.258.i.i10795 = mul i64 %.238.i.i10794, %arg.batch.1.3.5.1
+  %267 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i10795
+  br label %B76.if.i.i10796
 
-B76.if.i.i10765:                                  ; preds = %B76.if.i.i10765, %B76.if.i.lr.ph.i10759
-  %.117.i.01135.i10766 = phi i64 [ 0, %B76.if.i.lr.ph.i10759 ], [ %.188.i.i10767, %B76.if.i.i10765 ]
-  %.188.i.i10767 = add nsw i64 %.117.i.01135.i10766, 1
-  %268 = getelementptr double, ptr %267, i64 %.117.i.01135.i10766
-  %.263.i.i10768 = load double, ptr %268, align 8, !noalias !195
-  %269 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.01135.i10766
-  %.293.i.i10769 = load i64, ptr %269, align 8, !noalias !195
-  %.295.i.i10770 = mul nsw i64 %.293.i.i10769, %arg.shape.0
-  %.297.i.i10771 = add nsw i64 %.295.i.i10770, %.5418.011047
-  %.311.i.i10772 = icmp slt i64 %.297.i.i10771, 0
-  %.312.i.i10773 = select i1 %.311.i.i10772, i64 %arg.batch.5.1.5.0, i64 0
-  %270 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i10771
-  %.326.i.i10774 = getelementptr double, ptr %270, i64 %.312.i.i10773
-  store double %.263.i.i10768, ptr %.326.i.i10774, align 8, !noalias !195
-  %exitcond1142.not.i10775 = icmp eq i64 %.188.i.i10767, %arg.batch.1.1.5.0
-  br i1 %exitcond1142.not.i10775, label %B402.endif.i10776, label %B76.if.i.i10765
+B76.if.i.i10796:                                  ; preds = %B76.if.i.i10796, %B76.if.i.lr.ph.i10790
+  %.117.i.01135.i10797 = phi i64 [ 0, %B76.if.i.lr.ph.i10790 ], [ %.188.i.i10798, %B76.if.i.i10796 ]
+  %.188.i.i10798 = add nsw i64 %.117.i.01135.i10797, 1
+  %268 = getelementptr double, ptr %267, i64 %.117.i.01135.i10797
+  %.263.i.i10799 = load double, ptr %268, align 8, !noalias !195
+  %269 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.01135.i10797
+  %.293.i.i10800 = load i64, ptr %269, align 8, !noalias !195
+  %.295.i.i10801 = mul nsw i64 %.293.i.i10800, %arg.shape.0
+  %.297.i.i10802 = add nsw i64 %.295.i.i10801, %.5494.011080
+  %.311.i.i10803 = icmp slt i64 %.297.i.i10802, 0
+  %.312.i.i10804 = select i1 %.311.i.i10803, i64 %arg.batch.5.1.5.0, i64 0
+  %270 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i10802
+  %.326.i.i10805 = getelementptr double, ptr %270, i64 %.312.i.i10804
+  store double %.263.i.i10799, ptr %.326.i.i10805, align 8, !noalias !195
+  %exitcond1142.not.i10806 = icmp eq i64 %.188.i.i10798, %arg.batch.1.1.5.0
+  br i1 %exitcond1142.not.i10806, label %B402.endif.i10807, label %B76.if.i.i10796
 
-B888.i10862:                                      ; preds = %B580.if.i10792
-  store double 0.000000e+00, ptr %.1877.i10859, align 8, !noalias !192
-  br label %B4372
+B888.i10895:                                      ; preds = %B580.if.i10823
+  store double 0.000000e+00, ptr %.1877.i10892, align 8, !noalias !192
+  br label %B4436
 
-B358.if.i10747:                                   ; preds = %B358.if.i10747, %B358.if.lr.ph.i10743
-  %.747.01132.i10748 = phi i64 [ 0, %B358.if.lr.ph.i10743 ], [ %.818.i10749, %B358.if.i10747 ]
-  %.818.i10749 = add nsw i64 %.747.01132.i10748, 1
-  %271 = getelementptr double, ptr %266, i64 %.747.01132.i10748
-  %.893.i10750 = load double, ptr %271, align 8, !noalias !192
-  %.895.i10751 = mul nsw i64 %.747.01132.i10748, %arg.shape.0
-  %gep11143 = getelementptr double, ptr %invariant.gep11142, i64 %.895.i10751
-  store double %.893.i10750, ptr %gep11143, align 8, !noalias !192
-  %exitcond.not.i10756 = icmp eq i64 %.818.i10749, %arg.batch.0.1.5.1
-  br i1 %exitcond.not.i10756, label %B402.i10757, label %B358.if.i10747
+B358.if.i10778:                                   ; preds = %B358.if.i10778, %B358.if.lr.ph.i10774
+  %.747.01132.i10779 = phi i64 [ 0, %B358.if.lr.ph.i10774 ], [ %.818.i10780, %B358.if.i10778 ]
+  %.818.i10780 = add nsw i64 %.747.01132.i10779, 1
+  %271 = getelementptr double, ptr %266, i64 %.747.01132.i10779
+  %.893.i10781 = load double, ptr %271, align 8, !noalias !192
+  %.895.i10782 = mul nsw i64 %.747.01132.i10779, %arg.shape.0
+  %gep11176 = getelementptr double, ptr %invariant.gep11175, i64 %.895.i10782
+  store double %.893.i10781, ptr %gep11176, align 8, !noalias !192
+  %exitcond.not.i10787 = icmp eq i64 %.818.i10780, %arg.batch.0.1.5.1
+  br i1 %exitcond.not.i10787, label %B402.i10788, label %B358.if.i10778
 
-B402.endif.i10776:                                ; preds = %B76.if.i.i10765, %B402.i10757
-  br i1 %.11171137.not.i10777, label %B580.if.i10792, label %B496.if.lr.ph.i10778
+B402.endif.i10807:                                ; preds = %B76.if.i.i10796, %B402.i10788
+  br i1 %.11171137.not.i10808, label %B580.if.i10823, label %B496.if.lr.ph.i10809
 
-B496.if.lr.ph.i10778:                             ; preds = %B402.endif.i10776
-  %.1179.i10779 = select i1 %.438.i10726, i64 %arg.batch.0.0.5.0, i64 0
-  %.1180.i10780 = add i64 %.1179.i10779, %.236.i10714
-  %.1200.i10781 = mul i64 %.1180.i10780, %arg.batch.0.0.5.1
-  %272 = getelementptr double, ptr %arg.batch.0.0.4, i64 %.1200.i10781
-  %invariant.gep11144 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.5418.011047
-  br label %B496.if.i10782
+B496.if.lr.ph.i10809:                             ; preds = %B402.endif.i10807
+  %.1179.i10810 = select i1 %.438.i10757, i64 %arg.batch.0.0.5.0, i64 0
+  %.1180.i10811 = add i64 %.1179.i10810, %.236.i10745
+  %.1200.i10812 = mul i64 %.1180.i10811, %arg.batch.0.0.5.1
+  %272 = getelementptr double, ptr %arg.batch.0.0.4, i64 %.1200.i10812
+  %invariant.gep11177 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.5494.011080
+  br label %B496.if.i10813
 
-B496.if.i10782:                                   ; preds = %B496.if.i10782, %B496.if.lr.ph.i10778
-  %.1061.01138.i10783 = phi i64 [ 0, %B496.if.lr.ph.i10778 ], [ %.1130.i10784, %B496.if.i10782 ]
-  %.1130.i10784 = add nsw i64 %.1061.01138.i10783, 1
-  %273 = getelementptr double, ptr %272, i64 %.1061.01138.i10783
-  %.1205.i10785 = load double, ptr %273, align 8, !noalias !192
-  %.1207.i10786 = mul nsw i64 %.1061.01138.i10783, %arg.shape.0
-  %gep11145 = getelementptr double, ptr %invariant.gep11144, i64 %.1207.i10786
-  store double %.1205.i10785, ptr %gep11145, align 8, !noalias !192
-  %exitcond1143.not.i10791 = icmp eq i64 %.1130.i10784, %arg.shape.1
-  br i1 %exitcond1143.not.i10791, label %B580.if.i10792, label %B496.if.i10782
+B496.if.i10813:                                   ; preds = %B496.if.i10813, %B496.if.lr.ph.i10809
+  %.1061.01138.i10814 = phi i64 [ 0, %B496.if.lr.ph.i10809 ], [ %.1130.i10815, %B496.if.i10813 ]
+  %.1130.i10815 = add nsw i64 %.1061.01138.i10814, 1
+  %273 = getelementptr double, ptr %272, i64 %.1061.01138.i10814
+  %.1205.i10816 = load double, ptr %273, align 8, !noalias !192
+  %.1207.i10817 = mul nsw i64 %.1061.01138.i10814, %arg.shape.0
+  %gep11178 = getelementptr double, ptr %invariant.gep11177, i64 %.1207.i10817
+  store double %.1205.i10816, ptr %gep11178, align 8, !noalias !192
+  %exitcond1143.not.i10822 = icmp eq i64 %.1130.i10815, %arg.shape.1
+  br i1 %exitcond1143.not.i10822, label %B580.if.i10823, label %B496.if.i10813
 
-B580.if.i10792:                                   ; preds = %B496.if.i10782, %B402.endif.i10776
-  %invariant.gep.i10793 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5418.011047
-  store double 0.000000e+00, ptr %invariant.gep.i10793, align 8, !noalias !192
-  %gep.1.i10794 = getelementptr double, ptr %invariant.gep.i10793, i64 %arg.batch.4.0.5.1
-  store double 0.000000e+00, ptr %gep.1.i10794, align 8, !noalias !192
-  %gep.2.i10796 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.2.idx.i10795
-  store double 0.000000e+00, ptr %gep.2.i10796, align 8, !noalias !192
-  %gep.3.i10798 = getelementptr i8, ptr %invariant.gep.i10793, i64 %.idx.i10718
-  store double 0.000000e+00, ptr %gep.3.i10798, align 8, !noalias !192
-  %gep.4.i10800 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.4.idx.i10799
-  store double 0.000000e+00, ptr %gep.4.i10800, align 8, !noalias !192
-  %gep.5.i10802 = getelementptr i8, ptr %invariant.gep.i10793, i64 %.idx10506
-  store double 0.000000e+00, ptr %gep.5.i10802, align 8, !noalias !192
-  %gep.6.i10804 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.6.idx.i10803
-  store double 0.000000e+00, ptr %gep.6.i10804, align 8, !noalias !192
-  %gep.7.i10806 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.7.idx.i10805
-  store double 0.000000e+00, ptr %gep.7.i10806, align 8, !noalias !192
-  %gep.8.i10808 = getelementptr i8, ptr %invariant.gep.i10793, i64 %.571.idx
-  store double 0.000000e+00, ptr %gep.8.i10808, align 8, !noalias !192
-  %gep.9.i10810 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.9.idx.i10809
-  store double 0.000000e+00, ptr %gep.9.i10810, align 8, !noalias !192
-  %gep.10.i10812 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.10.idx.i10811
-  store double 0.000000e+00, ptr %gep.10.i10812, align 8, !noalias !192
-  %gep.11.i10814 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.11.idx.i10813
-  store double 0.000000e+00, ptr %gep.11.i10814, align 8, !noalias !192
-  %gep.12.i10816 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.12.idx.i10815
-  store double 0.000000e+00, ptr %gep.12.i10816, align 8, !noalias !192
-  %gep.13.i10818 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.13.idx.i10817
-  store double 0.000000e+00, ptr %gep.13.i10818, align 8, !noalias !192
-  %gep.14.i10820 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.14.idx.i10819
-  store double 0.000000e+00, ptr %gep.14.i10820, align 8, !noalias !192
-  %gep.15.i10822 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.15.idx.i10821
-  store double 0.000000e+00, ptr %gep.15.i10822, align 8, !noalias !192
-  %gep.16.i10824 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.16.idx.i10823
-  store double 0.000000e+00, ptr %gep.16.i10824, align 8, !noalias !192
-  %gep.17.i10826 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.17.idx.i10825
-  store double 0.000000e+00, ptr %gep.17.i10826, align 8, !noalias !192
-  %gep.18.i10828 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.18.idx.i10827
-  store double 0.000000e+00, ptr %gep.18.i10828, align 8, !noalias !192
-  %gep.19.i10830 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.19.idx.i10829
-  store double 0.000000e+00, ptr %gep.19.i10830, align 8, !noalias !192
-  %gep.20.i10832 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.20.idx.i10831
-  store double 0.000000e+00, ptr %gep.20.i10832, align 8, !noalias !192
-  %gep.21.i10834 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.21.idx.i10833
-  store double 0.000000e+00, ptr %gep.21.i10834, align 8, !noalias !192
-  %gep.22.i10836 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.22.idx.i10835
-  store double 0.000000e+00, ptr %gep.22.i10836, align 8, !noalias !192
-  %gep.23.i10838 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.23.idx.i10837
-  store double 0.000000e+00, ptr %gep.23.i10838, align 8, !noalias !192
-  %gep.24.i10840 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.24.idx.i10839
-  store double 0.000000e+00, ptr %gep.24.i10840, align 8, !noalias !192
-  %gep.25.i10842 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.25.idx.i10841
-  store double 0.000000e+00, ptr %gep.25.i10842, align 8, !noalias !192
-  %gep.26.i10844 = getelementptr i8, ptr %invariant.gep.i10793, i64 %gep.26.idx.i10843
-  store double 0.000000e+00, ptr %gep.26.i10844, align 8, !noalias !192
-  %.1455.i10845 = load double, ptr %arg.batch.2.4, align 8, !noalias !192
-  %.1516.i10846 = load i64, ptr %.595.i10737, align 8, !noalias !192
-  %.1531.i10847 = icmp slt i64 %.1516.i10846, 0
-  %.1532.i10848 = select i1 %.1531.i10847, i64 %arg.batch.1.2.5.0, i64 0
-  %274 = getelementptr double, ptr %arg.batch.1.2.4, i64 %.1516.i10846
-  %.1546.i10849 = getelementptr double, ptr %274, i64 %.1532.i10848
-  %.1547.i10850 = load double, ptr %.1546.i10849, align 8, !noalias !192
-  store double %.1455.i10845, ptr %invariant.gep.i10793, align 8, !noalias !192
-  %.1656.i10853 = getelementptr double, ptr %113, i64 %.5418.011047
-  store double %.1547.i10850, ptr %.1656.i10853, align 8, !noalias !192
-  store double 1.000000e+00, ptr %.293.i10719, align 8, !noalias !192
-  %.1767.i10855 = getelementptr double, ptr %114, i64 %.5418.011047
-  store double 0xFFF0000000000000, ptr %.1767.i10855, align 8, !noalias !192
-  %.1822.i10857 = getelementptr double, ptr %115, i64 %.5418.011047
-  store double 0x7FF0000000000000, ptr %.1822.i10857, align 8, !noalias !192
-  %.1877.i10859 = getelementptr double, ptr %116, i64 %.5418.011047
-  %.1878.i10860 = load double, ptr %.1877.i10859, align 8, !noalias !192
-  %.1880.i10861 = fcmp ueq double %.1878.i10860, 0xFFF0000000000000
-  br i1 %.1880.i10861, label %B4372, label %B888.i10862
+B580.if.i10823:                                   ; preds = %B496.if.i10813, %B402.endif.i10807
+  %invariant.gep.i10824 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5494.011080
+  store double 0.000000e+00, ptr %invariant.gep.i10824, align 8, !noalias !192
+  %gep.1.i10825 = getelementptr double, ptr %invariant.gep.i10824, i64 %arg.batch.4.0.5.1
+  store double 0.000000e+00, ptr %gep.1.i10825, align 8, !noalias !192
+  %gep.2.i10827 = getelementptr i8, ptr %invariant.gep.i10824, i64 %gep.2.idx.i10826
+  store double 0.000000e+00, ptr %gep.2.i10827, align 8, !noalias !192
+  %gep.3.i10829 = getelementptr i8, ptr %invariant.gep.i10824, i64 %.idx.i10749
+  store double 0.000000e+00, ptr %gep.3.i10829, align 8, !noalias !192
+  %gep.4.i10831 = getelementptr i8, ptr %invariant.gep.i10824, i64 %gep.4.idx.i10830
+  store double 0.000000e+00, ptr %gep.4.i10831, align 8, !noalias !192
+  %gep.5.i10833 = getelementptr i8, ptr %invariant.gep.i10824, i64 %.idx10537
+  store double 0.000000e+00, ptr %gep.5.i10833, align 8, !noalias !192
+  %gep.6.i10835 = getelementptr i8, ptr %invariant.gep.i10824, i64 %gep.6.idx.i10834
+  store double 0.000000e+00, ptr %gep.6.i10835, align 8, !noalias !192
+  %gep.7.i10837 = getelementptr i8, ptr %invariant.gep.i10824, i64 %gep.7.idx.i10836
+  store double 0.000000e+00, ptr %gep.7.i10837, align 8, !noalias !192
+  %gep.8.i10839 = getelementptr i8, ptr %invariant.gep.i10824, i64 %.571.idx
+  store double 0.000000e+00, ptr %gep.8.i10839, align 8, !noalias !192
+  %gep.9.i10841 = getelementptr i8, ptr %invariant.gep.i10824, i64 %gep.9.idx.i10840
+  store double 0.000000e+00, ptr %gep.9.i10841, align 8, !noalias !192
+  %gep.10.i10843 = getelementptr i8, ptr %invariant.gep.i10824, i64 %gep.10.idx.i10842
+  store double 0.000000e+00, ptr %gep.10.i10843, align 8, !noalias !192
+  %gep.11.i10845 = getelementptr i8, ptr %invariant.gep.i10824, i64 %gep.11.idx.i10844
+  store double 0.000000e+00, ptr %gep.11.i10845, align 8, !noalias !192
+  %gep.12.i10847 = getelementptr i8, ptr %invariant.gep.i10824, i64 %gep.12.idx.i10846
+  store double 0.000000e+00, ptr %gep.12.i10847, align 8, !noalias !192
+  %gep.13.i10849 = getelementptr i8, ptr %invariant.gep.i10824, i64 %gep.13.idx.i10848
+  store double 0.000000e+00, ptr %gep.13.i10849, align 8, !noalias !192
+  %gep.14.i10851 = getelementptr i8, ptr %invariant.gep.i10824, i64 %gep.14.idx.i10850
+  store double 0.000000e+00, ptr %gep.14.i10851, align 8, !noalias !192
+  %gep.15.i10853 = getelementptr i8, ptr %invariant.gep.i10824, i64 %gep.15.idx.i10852
+  store double 0.000000e+00, ptr %gep.15.i10853, align 8, !noalias !192
+  %gep.16.i10855 = getelementptr i8, ptr %invariant.gep.i10824, i64 %gep.16.idx.i10854
+  store double 0.000000e+00, ptr %gep.16.i10855, align 8, !noalias !192
+  %gep.17.i10857 = getelementptr i8, ptr %invariant.gep.i10824, i64 %gep.17.idx.i10856
+  store double 0.000000e+00, ptr %gep.17.i10857, align 8, !noalias !192
+  %gep.18.i10859 = getelementptr i8, ptr %invariant.gep.i10824, i64 %gep.18.idx.i10858
+  store double 0.000000e+00, ptr %gep.18.i10859, align 8, !noalias !192
+  %gep.19.i10861 = getelementptr i8, ptr %invariant.gep.i10824, i64 %gep.19.idx.i10860
+  store double 0.000000e+00, ptr %gep.19.i10861, align 8, !noalias !192
+  %gep.20.i10863 = getelementptr i8, ptr %invariant.gep.i10824, i64 %gep.20.idx.i10862
+  store double 0.000000e+00, ptr %gep.20.i10863, align 8, !noalias !192
+  %gep.21.i10865 = getelementptr i8, ptr %invariant.gep.i10824, i64 %gep.21.idx.i10864
+  store double 0.000000e+00, ptr %gep.21.i10865, align 8, !noalias !192
+  %gep.22.i10867 = getelementptr i8, ptr %invariant.gep.i10824, i64 %gep.22.idx.i10866
+  store double 0.000000e+00, ptr %gep.22.i10867, align 8, !noalias !192
+  %gep.23.i10869 = getelementptr i8, ptr %invariant.gep.i10824, i64 %gep.23.idx.i10868
+  store double 0.000000e+00, ptr %gep.23.i10869, align 8, !noalias !192
+  %gep.24.i10871 = getelementptr i8, ptr %invariant.gep.i10824, i64 %gep.24.idx.i10870
+  store double 0.000000e+00, ptr %gep.24.i10871, align 8, !noalias !192
+  %gep.25.i10873 = getelementptr i8, ptr %invariant.gep.i10824, i64 %gep.25.idx.i10872
+  store double 0.000000e+00, ptr %gep.25.i10873, align 8, !noalias !192
+  %gep.26.i10875 = getelementptr i8, ptr %invariant.gep.i10824, i64 %gep.26.idx.i10874
+  store double 0.000000e+00, ptr %gep.26.i10875, align 8, !noalias !192
+  %gep.27.i10877 = getelementptr i8, ptr %invariant.gep.i10824, i64 %gep.27.idx.i10876
+  store double 0.000000e+00, ptr %gep.27.i10877, align 8, !noalias !192
+  %.1455.i10878 = load double, ptr %arg.batch.2.4, align 8, !noalias !192
+  %.1516.i10879 = load i64, ptr %.595.i10768, align 8, !noalias !192
+  %.1531.i10880 = icmp slt i64 %.1516.i10879, 0
+  %.1532.i10881 = select i1 %.1531.i10880, i64 %arg.batch.1.2.5.0, i64 0
+  %274 = getelementptr double, ptr %arg.batch.1.2.4, i64 %.1516.i10879
+  %.1546.i10882 = getelementptr double, ptr %274, i64 %.1532.i10881
+  %.1547.i10883 = load double, ptr %.1546.i10882, align 8, !noalias !192
+  store double %.1455.i10878, ptr %invariant.gep.i10824, align 8, !noalias !192
+  %.1656.i10886 = getelementptr double, ptr %113, i64 %.5494.011080
+  store double %.1547.i10883, ptr %.1656.i10886, align 8, !noalias !192
+  store double 1.000000e+00, ptr %.293.i10750, align 8, !noalias !192
+  %.1767.i10888 = getelementptr double, ptr %114, i64 %.5494.011080
+  store double 0xFFF0000000000000, ptr %.1767.i10888, align 8, !noalias !192
+  %.1822.i10890 = getelementptr double, ptr %115, i64 %.5494.011080
+  store double 0x7FF0000000000000, ptr %.1822.i10890, align 8, !noalias !192
+  %.1877.i10892 = getelementptr double, ptr %116, i64 %.5494.011080
+  %.1878.i10893 = load double, ptr %.1877.i10892, align 8, !noalias !192
+  %.1880.i10894 = fcmp ueq double %.1878.i10893, 0xFFF0000000000000
+  br i1 %.1880.i10894, label %B4436, label %B888.i10895
 
-B4164:                                            ; preds = %B4022
-  %.6304 = getelementptr double, ptr %117, i64 %.5418.011047
-  %.6305 = load double, ptr %.6304, align 8
-  %.6307 = fcmp ult double %.6305, 1.500000e+01
-  br i1 %.6307, label %B4372, label %B4212
+B4228:                                            ; preds = %B4086
+  %.6380 = getelementptr double, ptr %117, i64 %.5494.011080
+  %.6381 = load double, ptr %.6380, align 8
+  %.6383 = fcmp ult double %.6381, 1.500000e+01
+  br i1 %.6383, label %B4436, label %B4276
 
-B4212:                                            ; preds = %B4164
-  %.6351 = load double, ptr %.6350, align 8
-  %.6405 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5418.011047
-  %.6406 = load double, ptr %.6405, align 8
-  %.6407 = fsub double %.6351, %.6406
-  %.6461 = getelementptr double, ptr %120, i64 %.5418.011047
-  %.6462 = load double, ptr %.6461, align 8
-  %.6464 = fmul double %.6462, 5.000000e+03
-  %.6465 = fcmp ogt double %.6407, %.6464
-  br i1 %.6465, label %B4372, label %B4348
+B4276:                                            ; preds = %B4228
+  %.6427 = load double, ptr %.6426, align 8
+  %.6481 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5494.011080
+  %.6482 = load double, ptr %.6481, align 8
+  %.6483 = fsub double %.6427, %.6482
+  %.6537 = getelementptr double, ptr %120, i64 %.5494.011080
+  %.6538 = load double, ptr %.6537, align 8
+  %.6540 = fmul double %.6538, 5.000000e+03
+  %.6541 = fcmp ogt double %.6483, %.6540
+  br i1 %.6541, label %B4436, label %B4412
 
-B4348:                                            ; preds = %B4212
-  store double 0.000000e+00, ptr %.6304, align 8
-  br label %B4372
+B4412:                                            ; preds = %B4276
+  store double 0.000000e+00, ptr %.6380, align 8
+  br label %B4436
 
-B4372:                                            ; preds = %B888.i10862, %B4056, %B580.if.i10792, %B4212, %B4348, %B4164
-  %budget.7.4 = phi i64 [ %budget.5.211049, %B4164 ], [ 0, %B4212 ], [ %budget.5.211049, %B4348 ], [ %budget.5.211049, %B580.if.i10792 ], [ %budget.5.211049, %B4056 ], [ %budget.5.211049, %B888.i10862 ]
-  %.6593 = load i64, ptr %.5579, align 8
-  %.6594 = icmp sgt i64 %.6593, -1
-  br i1 %.6594, label %B4410, label %B4667
+B4436:                                            ; preds = %B888.i10895, %B4120, %B580.if.i10823, %B4276, %B4412, %B4228
+  %budget.7.4 = phi i64 [ %budget.5.211082, %B4228 ], [ 0, %B4276 ], [ %budget.5.211082, %B4412 ], [ %budget.5.211082, %B580.if.i10823 ], [ %budget.5.211082, %B4120 ], [ %budget.5.211082, %B888.i10895 ]
+  %.6669 = load i64, ptr %.5655, align 8
+  %.6670 = icmp sgt i64 %.6669, -1
+  br i1 %.6670, label %B4474, label %B4731
 
-B4410:                                            ; preds = %B4372
-  %.6599 = add nsw i64 %active.5.211050, 1
-  %.6708 = mul i64 %.6593, %arg.batch.3.3.5.1
-  %.6712 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.6708
-  %.6713 = load i64, ptr %.6712, align 8
-  %.6724.0 = and i64 %.6713, 127
-  %.6754 = sub nsw i64 128, %.6724.0
-  %.11.i = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %.6754, i64 %.5716)
-  %.6842 = getelementptr double, ptr %121, i64 %.5418.011047
-  %.6843 = load double, ptr %.6842, align 8
-  %.6845 = fcmp ogt double %.6843, 0.000000e+00
-  %.6856 = sitofp i64 %.11.i to double
-  %"$phi4580.1.2.5" = select i1 %.6845, double 1.000000e+00, double %.6856
-  %.6919 = getelementptr double, ptr %122, i64 %.5418.011047
-  store double %"$phi4580.1.2.5", ptr %.6919, align 8
-  %.111.i8392 = getelementptr i64, ptr %123, i64 %.5418.011047
-  %.112.i8393 = load i64, ptr %.111.i8392, align 8, !noalias !199
-  %.169.i8442 = getelementptr double, ptr %124, i64 %.5418.011047
-  %.170.i8443 = load double, ptr %.169.i8442, align 8, !noalias !199
-  %.224.i8491 = getelementptr double, ptr %125, i64 %.5418.011047
-  store double %.170.i8443, ptr %.224.i8491, align 8, !noalias !199
-  %.237.i8499 = icmp slt i64 %.112.i8393, %arg.batch.2.5.0
-  br i1 %.237.i8499, label %B134.i8504, label %B4667
+B4474:                                            ; preds = %B4436
+  %.6675 = add nsw i64 %active.5.211083, 1
+  %.6784 = mul i64 %.6669, %arg.batch.3.3.5.1
+  %.6788 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.6784
+  %.6789 = load i64, ptr %.6788, align 8
+  %.6800.0 = and i64 %.6789, 127
+  %.6830 = sub nsw i64 128, %.6800.0
+  %.11.i = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %.6830, i64 %.5792)
+  %.6918 = getelementptr double, ptr %121, i64 %.5494.011080
+  %.6919 = load double, ptr %.6918, align 8
+  %.6921 = fcmp ogt double %.6919, 0.000000e+00
+  %.6932 = sitofp i64 %.11.i to double
+  %"$phi4644.1.2.5" = select i1 %.6921, double 1.000000e+00, double %.6932
+  %.6995 = getelementptr double, ptr %122, i64 %.5494.011080
+  store double %"$phi4644.1.2.5", ptr %.6995, align 8
+  %.111.i8389 = getelementptr i64, ptr %123, i64 %.5494.011080
+  %.112.i8390 = load i64, ptr %.111.i8389, align 8, !noalias !199
+  %.169.i8439 = getelementptr double, ptr %124, i64 %.5494.011080
+  %.170.i8440 = load double, ptr %.169.i8439, align 8, !noalias !199
+  %.224.i8488 = getelementptr double, ptr %125, i64 %.5494.011080
+  store double %.170.i8440, ptr %.224.i8488, align 8, !noalias !199
+  %.237.i8496 = icmp slt i64 %.112.i8390, %arg.batch.2.5.0
+  br i1 %.237.i8496, label %B134.i8501, label %B4731
 
-B134.i8504:                                       ; preds = %B4410
-  %.253.i8515 = icmp slt i64 %.112.i8393, 0
-  %.254.i8516 = select i1 %.253.i8515, i64 %arg.batch.2.5.0, i64 0
-  %275 = getelementptr double, ptr %arg.batch.2.4, i64 %.112.i8393
-  %.268.i8530 = getelementptr double, ptr %275, i64 %.254.i8516
-  %.269.i8531 = load double, ptr %.268.i8530, align 8, !noalias !199
-  %.328.i8582 = load double, ptr %.169.i8442, align 8, !noalias !199
-  %.10.i.i8589 = fcmp olt double %.328.i8582, %.269.i8531
-  %.11.i.i8590 = select i1 %.10.i.i8589, double %.328.i8582, double %.269.i8531
-  store double %.11.i.i8590, ptr %.224.i8491, align 8, !noalias !199
-  br label %B4667
+B134.i8501:                                       ; preds = %B4474
+  %.253.i8512 = icmp slt i64 %.112.i8390, 0
+  %.254.i8513 = select i1 %.253.i8512, i64 %arg.batch.2.5.0, i64 0
+  %275 = getelementptr double, ptr %arg.batch.2.4, i64 %.112.i8390
+  %.268.i8527 = getelementptr double, ptr %275, i64 %.254.i8513
+  %.269.i8528 = load double, ptr %.268.i8527, align 8, !noalias !199
+  %.328.i8579 = load double, ptr %.169.i8439, align 8, !noalias !199
+  %.10.i.i8586 = fcmp olt double %.328.i8579, %.269.i8528
+  %.11.i.i8587 = select i1 %.10.i.i8586, double %.328.i8579, double %.269.i8528
+  store double %.11.i.i8587, ptr %.224.i8488, align 8, !noalias !199
+  br label %B4731
 
-B4640:                                            ; preds = %B4667, %B3664
-  %budget.4.2 = phi i64 [ %.1027, %B3664 ], [ %budget.6.3, %B4667 ]
-  %active.8.2 = phi i64 [ %active.9.1.mux, %B3664 ], [ %active.6.3, %B4667 ]
-  %.6997 = icmp sgt i64 %active.8.2, 0
-  %.7011 = icmp sgt i64 %budget.4.2, 0
-  %or.cond10598 = select i1 %.6997, i1 %.7011, i1 false
-  br i1 %or.cond10598, label %B498, label %B4666
+B4704:                                            ; preds = %B4731, %B3728
+  %budget.4.2 = phi i64 [ %.1132, %B3728 ], [ %budget.6.3, %B4731 ]
+  %active.8.2 = phi i64 [ %active.9.1.mux, %B3728 ], [ %active.6.3, %B4731 ]
+  %.7073 = icmp sgt i64 %active.8.2, 0
+  %.7087 = icmp sgt i64 %budget.4.2, 0
+  %or.cond10629 = select i1 %.7073, i1 %.7087, i1 false
+  br i1 %or.cond10629, label %B584, label %B4730
 
-B4666:                                            ; preds = %B4640, %B470
-  %active.10.0 = phi i64 [ %active.4.0.lcssa, %B470 ], [ %active.8.2, %B4640 ]
-  br i1 %.689, label %B4666.endif, label %B80.if.i2040.lr.ph
+B4730:                                            ; preds = %B4704, %B556
+  %active.10.0 = phi i64 [ %active.4.0.lcssa, %B556 ], [ %active.8.2, %B4704 ]
+  br i1 %.794, label %B4730.endif, label %B80.if.i2039.lr.ph
 
-B80.if.i2040.lr.ph:                               ; preds = %B4666
-  %.idx = mul i64 %arg.batch.4.0.5.1, 176
+B80.if.i2039.lr.ph:                               ; preds = %B4730
+  %.idx = mul i64 %arg.batch.4.0.5.1, 184
   %276 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx
-  %.idx10504 = mul i64 %arg.batch.4.0.5.1, 184
-  %277 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10504
+  %.idx10535 = mul i64 %arg.batch.4.0.5.1, 192
+  %277 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10535
   %.703.i1698 = add nsw i64 %arg.shape.2, -1
-  %.idx10505 = mul i64 %arg.batch.4.0.5.1, 160
-  %278 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10505
-  br label %B80.if.i2040
+  %.idx10536 = mul i64 %arg.batch.4.0.5.1, 168
+  %278 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx10536
+  br label %B80.if.i2039
 
-B126.i1345:                                       ; preds = %B80.if.i2040
-  %.318.i1392 = getelementptr double, ptr %276, i64 %.105.i1190.011056
+B126.i1345:                                       ; preds = %B80.if.i2039
+  %.318.i1392 = getelementptr double, ptr %276, i64 %.105.i1190.011089
   %.319.i1393 = load double, ptr %.318.i1392, align 8, !noalias !203
   %.5.i.i1394 = fptosi double %.319.i1393 to i64
-  %.397.i1443 = getelementptr double, ptr %277, i64 %.105.i1190.011056
+  %.397.i1443 = getelementptr double, ptr %277, i64 %.105.i1190.011089
   %.398.i1444 = load double, ptr %.397.i1443, align 8, !noalias !203
   %.5.i1.i1445 = fptosi double %.398.i1444 to i64
   %.478.i1496 = mul i64 %.258.i1338, %arg.batch.3.3.5.1
@@ -3947,142 +3965,140 @@ B126.i1345:                                       ; preds = %B80.if.i2040
   %.707.i1702 = mul nsw i64 %.706.i1701, %.703.i1698
   %..5.i.i1394 = select i1 %.625, i64 0, i64 %.5.i.i1394
   %.708.i1703 = add i64 %.707.i1702, %..5.i.i1394
-  %.841.i1808 = add i64 %.708.i1703, %.701.i1696
-  store i64 %.841.i1808, ptr %.700.i1695, align 8, !noalias !203
+  %.841.i1807 = add i64 %.708.i1703, %.701.i1696
+  store i64 %.841.i1807, ptr %.700.i1695, align 8, !noalias !203
   store double 0.000000e+00, ptr %.318.i1392, align 8, !noalias !203
   store double 0.000000e+00, ptr %.397.i1443, align 8, !noalias !203
-  %.1072.i1986 = getelementptr double, ptr %278, i64 %.105.i1190.011056
-  %.1073.i1987 = load double, ptr %.1072.i1986, align 8, !noalias !203
-  %.1081.i1993 = sitofp i64 %.706.i1701 to double
-  %.1082.i1994 = fsub double %.1073.i1987, %.1081.i1993
-  store double %.1082.i1994, ptr %.1072.i1986, align 8, !noalias !203
+  %.1072.i1985 = getelementptr double, ptr %278, i64 %.105.i1190.011089
+  %.1073.i1986 = load double, ptr %.1072.i1985, align 8, !noalias !203
+  %.1081.i1992 = sitofp i64 %.706.i1701 to double
+  %.1082.i1993 = fsub double %.1073.i1986, %.1081.i1992
+  store double %.1082.i1993, ptr %.1072.i1985, align 8, !noalias !203
   br label %B568.i1342
 
-B568.i1342:                                       ; preds = %B126.i1345, %B80.if.i2040
-  %.163.i1271 = icmp sgt i64 %.108.i1191.011057, 1
-  br i1 %.163.i1271, label %B80.if.i2040, label %B4666.endif
+B568.i1342:                                       ; preds = %B126.i1345, %B80.if.i2039
+  %.163.i1271 = icmp sgt i64 %.108.i1191.011090, 1
+  br i1 %.163.i1271, label %B80.if.i2039, label %B4730.endif
 
-B80.if.i2040:                                     ; preds = %B80.if.i2040.lr.ph, %B568.i1342
-  %.108.i1191.011057 = phi i64 [ %storemerge, %B80.if.i2040.lr.ph ], [ %.172.i2044, %B568.i1342 ]
-  %.105.i1190.011056 = phi i64 [ 0, %B80.if.i2040.lr.ph ], [ %.176.i2047, %B568.i1342 ]
-  %.172.i2044 = add nsw i64 %.108.i1191.011057, -1
-  %.176.i2047 = add nsw i64 %.105.i1190.011056, 1
-  %279 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.105.i1190.011056
+B80.if.i2039:                                     ; preds = %B80.if.i2039.lr.ph, %B568.i1342
+  %.108.i1191.011090 = phi i64 [ %storemerge, %B80.if.i2039.lr.ph ], [ %.172.i2043, %B568.i1342 ]
+  %.105.i1190.011089 = phi i64 [ 0, %B80.if.i2039.lr.ph ], [ %.176.i2046, %B568.i1342 ]
+  %.172.i2043 = add nsw i64 %.108.i1191.011090, -1
+  %.176.i2046 = add nsw i64 %.105.i1190.011089, 1
+  %279 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.105.i1190.011089
   %.258.i1338 = load i64, ptr %279, align 8, !noalias !203
   %.263.i1341 = icmp sgt i64 %.258.i1338, -1
   br i1 %.263.i1341, label %B126.i1345, label %B568.i1342
 
-B4667:                                            ; preds = %B4410, %B134.i8504, %B4372, %B3706.if
-  %budget.6.3 = phi i64 [ %budget.5.211049, %B3706.if ], [ %budget.7.4, %B4372 ], [ %budget.7.4, %B134.i8504 ], [ %budget.7.4, %B4410 ]
-  %active.6.3 = phi i64 [ %active.5.211050, %B3706.if ], [ %active.5.211050, %B4372 ], [ %.6599, %B134.i8504 ], [ %.6599, %B4410 ]
-  %.5481 = icmp sgt i64 %.5421.011048, 1
-  br i1 %.5481, label %B3706.if, label %B4640
+B4731:                                            ; preds = %B4474, %B134.i8501, %B4436, %B3770.if
+  %budget.6.3 = phi i64 [ %budget.5.211082, %B3770.if ], [ %budget.7.4, %B4436 ], [ %budget.7.4, %B134.i8501 ], [ %budget.7.4, %B4474 ]
+  %active.6.3 = phi i64 [ %active.5.211083, %B3770.if ], [ %active.5.211083, %B4436 ], [ %.6675, %B134.i8501 ], [ %.6675, %B4474 ]
+  %.5557 = icmp sgt i64 %.5497.011081, 1
+  br i1 %.5557, label %B3770.if, label %B4704
 
-B330.if:                                          ; preds = %B330.if.lr.ph, %B416
-  %active.4.010874 = phi i64 [ 0, %B330.if.lr.ph ], [ %.984, %B416 ]
-  %.678.010873 = phi i64 [ %storemerge, %B330.if.lr.ph ], [ %.742, %B416 ]
-  %.675.010872 = phi i64 [ 0, %B330.if.lr.ph ], [ %.746, %B416 ]
-  %.742 = add nsw i64 %.678.010873, -1
-  %.746 = add nsw i64 %.675.010872, 1
-  %280 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.675.010872
-  %.828 = load i64, ptr %280, align 8
-  %.829 = icmp slt i64 %.828, 0
-  br i1 %.829, label %B372, label %B416
+B416.if:                                          ; preds = %B416.if.lr.ph, %B502
+  %active.4.010907 = phi i64 [ 0, %B416.if.lr.ph ], [ %.1089, %B502 ]
+  %.783.010906 = phi i64 [ %storemerge, %B416.if.lr.ph ], [ %.847, %B502 ]
+  %.780.010905 = phi i64 [ 0, %B416.if.lr.ph ], [ %.851, %B502 ]
+  %.847 = add nsw i64 %.783.010906, -1
+  %.851 = add nsw i64 %.780.010905, 1
+  %280 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.780.010905
+  %.933 = load i64, ptr %280, align 8
+  %.934 = icmp slt i64 %.933, 0
+  br i1 %.934, label %B458, label %B502
 
-B1448.if:                                         ; preds = %B1416, %B1662
-  %.2060.010889 = phi i64 [ %.2129, %B1662 ], [ 1, %B1416 ]
-  %.2129 = add i64 %.2060.010889, 1
-  %281 = getelementptr i64, ptr %arg.code.4, i64 %.2060.010889
-  %282 = getelementptr i8, ptr %281, i64 120
-  %.2188 = load i64, ptr %282, align 8
-  %.2233 = inttoptr i64 %.2188 to ptr
-  tail call void %.2233(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
-  %.2264 = load i64, ptr %arg.code.4, align 8
-  %.2269 = add nsw i64 %.2060.010889, %.
-  %.2271 = mul nsw i64 %.2269, %.463
-  %.2315 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.2271
-  %.2316 = inttoptr i64 %.2264 to ptr
-  tail call void %.2316(ptr %.571, ptr %.2290, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.2315)
-  br i1 %or.cond10866.not, label %B68.if.lr.ph.i, label %B1662
+B1534.if:                                         ; preds = %B1502, %B1726
+  %.2165.010922 = phi i64 [ %.2234, %B1726 ], [ 1, %B1502 ]
+  %.2234 = add i64 %.2165.010922, 1
+  %281 = getelementptr i64, ptr %arg.code.4, i64 %.2165.010922
+  %282 = getelementptr i8, ptr %281, i64 128
+  %.2293 = load i64, ptr %282, align 8
+  %.2338 = inttoptr i64 %.2293 to ptr
+  tail call void %.2338(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
+  %.2344 = add nsw i64 %.2165.010922, %.
+  %.2346 = mul nsw i64 %.2344, %.463
+  %.2391 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.2346
+  tail call void %.2392(ptr %.571, ptr %.2366, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.2391)
+  br i1 %or.cond10899.not, label %B68.if.lr.ph.i, label %B1726
 
-B1806.if:                                         ; preds = %B1664, %B1892
-  %looked.2.110895 = phi i1 [ %"$phi1892.1.2.2", %B1892 ], [ %spec.select10599, %B1664 ]
-  %good.2.110894 = phi i1 [ %"$phi1850.1.2.2", %B1892 ], [ false, %B1664 ]
-  %.2535.010893 = phi i64 [ %.2597, %B1892 ], [ %storemerge, %B1664 ]
-  %.2532.010892 = phi i64 [ %.2601, %B1892 ], [ 0, %B1664 ]
-  %.2597 = add nsw i64 %.2535.010893, -1
-  %.2601 = add nsw i64 %.2532.010892, 1
-  br i1 %good.2.110894, label %B1850, label %B1814
+B1870.if:                                         ; preds = %B1728, %B1956
+  %looked.2.110928 = phi i1 [ %"$phi1956.1.2.2", %B1956 ], [ %spec.select10630, %B1728 ]
+  %good.2.110927 = phi i1 [ %"$phi1914.1.2.2", %B1956 ], [ false, %B1728 ]
+  %.2611.010926 = phi i64 [ %.2673, %B1956 ], [ %storemerge, %B1728 ]
+  %.2608.010925 = phi i64 [ %.2677, %B1956 ], [ 0, %B1728 ]
+  %.2673 = add nsw i64 %.2611.010926, -1
+  %.2677 = add nsw i64 %.2608.010925, 1
+  br i1 %good.2.110927, label %B1914, label %B1878
 
-B1966.if:                                         ; preds = %B1966.preheader, %B2472
-  %checked.3.210905 = phi i1 [ %checked.4.3, %B2472 ], [ false, %B1966.preheader ]
-  %within.3.210904 = phi i1 [ %within.4.3, %B2472 ], [ false, %B1966.preheader ]
-  %.2890.010903 = phi i64 [ %.2958, %B2472 ], [ %storemerge, %B1966.preheader ]
-  %.2887.010902 = phi i64 [ %.2962, %B2472 ], [ 0, %B1966.preheader ]
-  %.2958 = add nsw i64 %.2890.010903, -1
-  %.2962 = add nsw i64 %.2887.010902, 1
-  %.3047 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.2887.010902
-  %.3048 = load i64, ptr %.3047, align 8
-  %.3102 = getelementptr i64, ptr %38, i64 %.2887.010902
-  %.3103 = load i64, ptr %.3102, align 8
-  %.3163 = getelementptr double, ptr %39, i64 %.2887.010902
-  store double 0.000000e+00, ptr %.3163, align 8
-  %.3166 = icmp sgt i64 %.3048, -1
-  br i1 %.3166, label %B2066, label %B2472
+B2030.if:                                         ; preds = %B2030.preheader, %B2536
+  %checked.3.210938 = phi i1 [ %checked.4.3, %B2536 ], [ false, %B2030.preheader ]
+  %within.3.210937 = phi i1 [ %within.4.3, %B2536 ], [ false, %B2030.preheader ]
+  %.2966.010936 = phi i64 [ %.3034, %B2536 ], [ %storemerge, %B2030.preheader ]
+  %.2963.010935 = phi i64 [ %.3038, %B2536 ], [ 0, %B2030.preheader ]
+  %.3034 = add nsw i64 %.2966.010936, -1
+  %.3038 = add nsw i64 %.2963.010935, 1
+  %.3123 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.2963.010935
+  %.3124 = load i64, ptr %.3123, align 8
+  %.3178 = getelementptr i64, ptr %38, i64 %.2963.010935
+  %.3179 = load i64, ptr %.3178, align 8
+  %.3239 = getelementptr double, ptr %39, i64 %.2963.010935
+  store double 0.000000e+00, ptr %.3239, align 8
+  %.3242 = icmp sgt i64 %.3124, -1
+  br i1 %.3242, label %B2130, label %B2536
 
-B46.i:                                            ; preds = %B2104
-  %.120.i2142 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i2116
-  %.121.i2143 = load i64, ptr %.120.i2142, align 8, !noalias !50
-  %.122.i2144 = icmp eq i64 %.121.i2143, 0
-  br i1 %.122.i2144, label %B80.i2148, label %B2204
+B46.i:                                            ; preds = %B2168
+  %.120.i2141 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i2115
+  %.121.i2142 = load i64, ptr %.120.i2141, align 8, !noalias !50
+  %.122.i2143 = icmp eq i64 %.121.i2142, 0
+  br i1 %.122.i2143, label %B80.i2147, label %B2268
 
-B80.i2148:                                        ; preds = %B46.i
-  store i64 %.5.i, ptr %.120.i2142, align 8, !noalias !50
-  br label %B2204
+B80.i2147:                                        ; preds = %B46.i
+  store i64 %.5.i, ptr %.120.i2141, align 8, !noalias !50
+  br label %B2268
 
-B2866.if:                                         ; preds = %B2818
-  %.4322 = load i64, ptr %127, align 8
-  %.4367 = inttoptr i64 %.4322 to ptr
-  tail call void %.4367(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
-  %.4398 = load i64, ptr %arg.code.4, align 8
-  %.4448 = inttoptr i64 %.4398 to ptr
-  tail call void %.4448(ptr %.571, ptr %.4422, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.4447)
-  %.4322.1 = load i64, ptr %128, align 8
-  %.4367.1 = inttoptr i64 %.4322.1 to ptr
-  tail call void %.4367.1(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
-  %.4398.1 = load i64, ptr %arg.code.4, align 8
-  %.4448.1 = inttoptr i64 %.4398.1 to ptr
-  tail call void %.4448.1(ptr %.571, ptr %.4422, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.4447.1)
-  %.4322.2 = load i64, ptr %129, align 8
-  %.4367.2 = inttoptr i64 %.4322.2 to ptr
-  tail call void %.4367.2(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
-  %.4398.2 = load i64, ptr %arg.code.4, align 8
-  %.4448.2 = inttoptr i64 %.4398.2 to ptr
-  tail call void %.4448.2(ptr %.571, ptr %.4422, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.4447.2)
-  %.4486 = load i64, ptr %.4485, align 8
-  %.4531 = inttoptr i64 %.4486 to ptr
-  tail call void %.4531(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
-  %.4563 = load i64, ptr %.4562, align 8
-  %.4608 = inttoptr i64 %.4563 to ptr
-  tail call void %.4608(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.tolerances.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
-  br i1 %.689, label %B3234, label %B64.if.i6071
+B2930.if:                                         ; preds = %B2882
+  %.4398 = load i64, ptr %127, align 8
+  %.4443 = inttoptr i64 %.4398 to ptr
+  tail call void %.4443(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
+  %.4474 = load i64, ptr %arg.code.4, align 8
+  %.4524 = inttoptr i64 %.4474 to ptr
+  tail call void %.4524(ptr %.571, ptr %.4498, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.4523)
+  %.4398.1 = load i64, ptr %128, align 8
+  %.4443.1 = inttoptr i64 %.4398.1 to ptr
+  tail call void %.4443.1(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
+  %.4474.1 = load i64, ptr %arg.code.4, align 8
+  %.4524.1 = inttoptr i64 %.4474.1 to ptr
+  tail call void %.4524.1(ptr %.571, ptr %.4498, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.4523.1)
+  %.4398.2 = load i64, ptr %129, align 8
+  %.4443.2 = inttoptr i64 %.4398.2 to ptr
+  tail call void %.4443.2(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
+  %.4474.2 = load i64, ptr %arg.code.4, align 8
+  %.4524.2 = inttoptr i64 %.4474.2 to ptr
+  tail call void %.4524.2(ptr %.571, ptr %.4498, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.4523.2)
+  %.4562 = load i64, ptr %.4561, align 8
+  %.4607 = inttoptr i64 %.4562 to ptr
+  tail call void %.4607(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
+  %.4639 = load i64, ptr %.4638, align 8
+  %.4684 = inttoptr i64 %.4639 to ptr
+  tail call void %.4684(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.tolerances.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
+  br i1 %.794, label %B3298, label %B64.if.i6069
 
-B3238.endif.endif:                                ; preds = %B806.if.i3737, %B806.i3641.preheader
-  br i1 %some.2.i3425.1.lcssa, label %B3276, label %B3318
+B3302.endif.endif:                                ; preds = %B806.if.i3735, %B806.i3639.preheader
+  br i1 %some.2.i3423.1.lcssa, label %B3340, label %B3382
 
-B3706.if:                                         ; preds = %B3664, %B4667
-  %active.5.211050 = phi i64 [ %active.6.3, %B4667 ], [ 0, %B3664 ]
-  %budget.5.211049 = phi i64 [ %budget.6.3, %B4667 ], [ %.1027, %B3664 ]
-  %.5421.011048 = phi i64 [ %.5490, %B4667 ], [ %storemerge, %B3664 ]
-  %.5418.011047 = phi i64 [ %.5494, %B4667 ], [ 0, %B3664 ]
-  %.5490 = add nsw i64 %.5421.011048, -1
-  %.5494 = add nsw i64 %.5418.011047, 1
-  %.5579 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.5418.011047
-  %.5580 = load i64, ptr %.5579, align 8
-  %.5585 = icmp slt i64 %.5580, 0
-  br i1 %.5585, label %B4667, label %B3754
+B3770.if:                                         ; preds = %B3728, %B4731
+  %active.5.211083 = phi i64 [ %active.6.3, %B4731 ], [ 0, %B3728 ]
+  %budget.5.211082 = phi i64 [ %budget.6.3, %B4731 ], [ %.1132, %B3728 ]
+  %.5497.011081 = phi i64 [ %.5566, %B4731 ], [ %storemerge, %B3728 ]
+  %.5494.011080 = phi i64 [ %.5570, %B4731 ], [ 0, %B3728 ]
+  %.5566 = add nsw i64 %.5497.011081, -1
+  %.5570 = add nsw i64 %.5494.011080, 1
+  %.5655 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.5494.011080
+  %.5656 = load i64, ptr %.5655, align 8
+  %.5661 = icmp slt i64 %.5656, 0
+  br i1 %.5661, label %B4731, label %B3818
 
-B4666.endif:                                      ; preds = %B568.i1342, %B4666
+B4730.endif:                                      ; preds = %B568.i1342, %B4730
   store i64 %active.10.0, ptr %retptr, align 8
   ret i32 0
 }

@@ -46,27 +46,28 @@ DOP853, RODAS5P, DOPRI5, RK4, MAP = 12, 9, 7, 4, 1
 # rate on the right-hand side, df/dt, and room, two rows
 SOLVED, ADDEND, TIME_SLOPE, ROOM = 2, 10, 11, 12
 # rows of a lane's numbers
-TIME, STEP, END, FRESH, REJECTED, GOOD, TAKEN, NEW, AT, FAILING, SIZE, TROUBLE = range(12)
+# WEIGHT, of the last rate in the argument of a stage, lies behind AT: `staged` reads both
+TIME, STEP, END, FRESH, REJECTED, GOOD, TAKEN, NEW, AT, WEIGHT, FAILING, SIZE, TROUBLE = range(13)
 # a step that passes a decision (`decisions`) or leaves a guard: whether it ends behind a kink, the
 # shares of the step between which that is, and the time of the last kink
-KINK, LOW, HIGH, LAST = range(12, 16)
-EFFECT = 16  # of a new decision on the step, in tolerances
-OTHER_STEPS, DIAGONAL = 17, 18  # checked steps since a stiff one; the matrix's diagonal, 1/(h g)
+KINK, LOW, HIGH, LAST = range(13, 17)
+EFFECT = 17  # of a new decision on the step, in tolerances
+OTHER_STEPS, DIAGONAL = 18, 19  # checked steps since a stiff one; the matrix's diagonal, 1/(h g)
 # the time of the next look at a lane, or the tries until then; whether it is now; good and rejected
 # steps since the last look
-NEXT, TRIES_LEFT, LOOK, GOOD_ONES, BAD_ONES = range(19, 24)
-CHECKED = 24  # whether a lane's step is checked for stiffness
+NEXT, TRIES_LEFT, LOOK, GOOD_ONES, BAD_ONES = range(20, 25)
+CHECKED = 25  # whether a lane's step is checked for stiffness
 # the error of the interpolant; above 1 no sample is taken from it, and the step is tried again, up
 # to STOP_AT
-WITHIN, STOP_AT = 25, 26
-STIFF_STEPS, LONGEST, FIRST_STEP = 27, 28, 29  # a run that begins in a lane keeps these
-NUMBERS = 30  # rows of numbers
+WITHIN, STOP_AT = 26, 27
+STIFF_STEPS, LONGEST, FIRST_STEP = 28, 29, 30  # a run that begins in a lane keeps these
+NUMBERS = 31  # rows of numbers
 MEMBER, EDGE, DONE, BURST, WHICH = range(5)  # rows of a lane's whole numbers
 STEPS, EVALUATIONS, RESTARTS, REJECTIONS = range(4)  # of the counts
 # places of `code`: the diagram's functions, then the method's; stage s stands at STAGE + s
-DERIVATIVE, PREPARE, MARGIN, SIGNALS, JUMP, DECIDE, SLOPE = range(7)
-ATTEMPT, CONTROL, SIZES, TRIAL, FIRST, ACCEPT, DENSE, CUBIC, STIFFNESS = range(7, 16)
-STAGE = 15
+DERIVATIVE, PREPARE, MARGIN, SIGNALS, JUMP, DECIDE, SLOPE, STAGED = range(8)
+ATTEMPT, CONTROL, SIZES, TRIAL, FIRST, ACCEPT, DENSE, CUBIC, STIFFNESS = range(8, 17)
+STAGE = 16
 ANEW, ON = 1, 2  # a piece begins with new rates and a new step, or goes on with those of the last
 OUTSIDE = 1e-9  # grid steps beyond the edge that count as outside
 LOOKS, GLANCES = 16, 8  # places within a step at which guards are looked at, and decisions
@@ -98,6 +99,7 @@ def advance(code, shape, tolerances, batch, linear, budget, most):
     implicit, fixed, dense = stages == RODAS5P, stages <= RK4, stages == DOP853
     fsal = stages == DOPRI5  # its last stage is the first of the next step
     first = RATE + DOP853 + 1 - stages if fsal else RATE  # behind it are the stages' rates
+    rates = code[STAGED] if code[STAGED] != 0 else code[DERIVATIVE]
     active = 0
     for k in range(lanes):
         if whole[MEMBER, k] < 0:
@@ -128,7 +130,7 @@ def advance(code, shape, tolerances, batch, linear, budget, most):
             linearise(code, n, tolerances, numbers, linear, arrays)
         for s in range(1, stages):
             call(code[STAGE + s], numbers, Z, 0, P, T, W, D, 0)
-            call(code[DERIVATIVE], at, Z, ARGUMENT * span, P, T, W, Z, (first + s) * span)
+            call(rates, at, Z, ARGUMENT * span, P, T, W, Z, (first + s) * span)
             if implicit:
                 solve_stage(n, s, linear, Z)
         call(code[CONTROL], numbers, Z, 0, P, tolerances, W, D, 0)

@@ -156,3 +156,14 @@ def test_a_large_matrix_is_a_loop():
         np.testing.assert_allclose(
             readings(system)[name](0.0, x, [0.5])[0], system.A @ x + 0.5, rtol=1e-12, atol=1e-12
         )
+
+
+def test_a_state_that_is_looked_up_by_its_place_moves_within_a_step():
+    def rates(t, x, u, p):  # y' = z[k], where z = (1 + t, 2 - 3 t) and k rests at 1
+        return {"z": [1.0, -3.0], "k": 0.0, "y": x.z[int(x.k[0])]}
+
+    block = Block("b", update=rates, states={"z": 2, "k": 1, "y": 1})
+    native, times = NativeDiagram(wiring_of(block)), np.array([0.0, 0.7, 3.0])
+    y = native.run([1.0, 2.0, 1.0, 0.0], times).x[:, 3]
+    assert not native.code.program.stages
+    np.testing.assert_allclose(y, 2.0 * times - 1.5 * times**2, rtol=0, atol=1e-12)
