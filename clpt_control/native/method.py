@@ -33,7 +33,6 @@ from .plan import Planner, Program
 
 LAST_TERM = 1.23e-3  # share of the interpolant's last term that is its error in a stiff step
 TRUSTED = 100.0  # tolerances: the largest error of the interpolant
-EARLY = range(9, 12)  # stages whose sums stage 8 begins, because it reads the same rates
 Rows = dict[int, Any]
 fmuladd = partial(elementwise, "fmuladd")  # a b + c, rounded once where the processor can
 
@@ -84,43 +83,28 @@ def _at(s: StepTape, c: float) -> Rows:
     return {row.AT: s.lane(row.TIME) + c * s.lane(row.TAKEN)}
 
 
-def _stage(
-    weights: Any,
-    c: float,
-    s: StepTape,
-    started: Any = None,
-    starts: Any = (),
-    ahead: bool = False,
-) -> New:
+def _stage(weights: Any, c: float, s: StepTape, ahead: bool = False) -> New:
     """argument = x + h sum_j a_j K_j, at t + c h.
 
-    The row `started` holds the beginning of the sum; `starts` are the weights of sums of later
-    stages, which begin here in the rows of terms.  With `ahead` the last term, h a_last K_last, is
-    left to `staged`, a function of the diagram.
+    With `ahead` the last term, h a_last K_last, is left to `staged`, a function of the diagram.
     """
     h, last = s.lane(row.TAKEN), np.flatnonzero(weights)[-1]
-    total = _sum(s, weights[:last], total=None if started is None else s.z(started))
+    total = _sum(s, weights[:last])
     argument = s.z(row.STATE) if total is None else fmuladd(h, total, s.z(row.STATE))
     numbers, weight = _at(s, c), h * float(weights[last])
     if ahead:
         numbers[row.WEIGHT] = weight
     else:
         argument = fmuladd(weight, s.z(row.RATE + last), argument)
-    rows = {row.ARGUMENT: argument}
-    return rows | {row.TERMS + k: _sum(s, other) for k, other in enumerate(starts)}, numbers
+    return {row.ARGUMENT: argument}, numbers
 
 
 def _stage_of_dop853(number: int, ahead: bool, s: StepTape) -> New:
     """Stage 1 to 15, counted from 0; stage 12 is the new state, to the bit."""
     if number == row.DOP853:
         return {row.ARGUMENT: _new_state(s)[1]}, _at(s, 1.0)
-    last = EARLY[0] - 1
     weights, c = table.A[number, :number], float(table.C[number])
-    if number in EARLY:
-        rest = np.where(np.arange(number) < last, 0.0, weights)
-        return _stage(rest, c, s, row.TERMS + number - EARLY[0], ahead=ahead)
-    starts = table.A[EARLY, :last] if number == last else ()
-    return _stage(weights, c, s, starts=starts, ahead=ahead and number < row.DOP853)
+    return _stage(weights, c, s, ahead and number < row.DOP853)
 
 
 def _attempt(s: StepTape, implicit: bool = False) -> New:
