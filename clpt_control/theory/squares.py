@@ -24,7 +24,7 @@ from .proving.signs import (
     vanishes,
 )
 from .proving.symbolic_loop import positive_somewhere
-from .proving.words import along, decided, degree, interval, is_input, meets_smoothly, words_of
+from .proving.words import along, decided, degree, interval, is_input, meets_smoothly
 
 TURNS = (sympy.sin, sympy.cos)
 MOST = 24  # squares that are completed beside one for each symbol, in all orders that are tried
@@ -99,11 +99,11 @@ def _completed(p: sympy.Expr, moving: list, left: list[int]) -> Squares | None:
         return None
     even, high = Squares(poly.coeff_monomial(1), [], []), Squares(sympy.Integer(0), [], [])
     for powers, c in poly.terms():
-        if any(powers) and not any(n % 2 for n in powers) and _positive(c):
+        if any(powers) and not any(n % 2 for n in powers) and (_positive(c) or c.is_nonnegative):
             root = sympy.Mul(*(s ** (n // 2) for s, n in zip(symbols, powers, strict=True)))
             for one in [even, high] if sum(powers) > 2 else [even]:
                 one.terms.append(c * root**2)
-                one.forms.append(root.as_base_exp()[0])
+                one.forms.extend([root.as_base_exp()[0]] * _positive(c))
     if len(even.terms) == sum(any(powers) for powers in poly.monoms()):
         return even
     for s in symbols:
@@ -171,10 +171,10 @@ def positive_definite(V: sympy.Expr, states: list) -> bool:
 
     V is zero at zero, as the forms are that it holds, and the linear ones of these hold each state.
     """
-    if words_of(V) and not meets_smoothly(V):
+    if not meets_smoothly(V):
         return False
     total = squares(V, V.free_symbols - set(states), words_are_free=False)
-    if total is None or not vanishes(total.constant):
+    if total is None or not (total.forms and vanishes(total.constant)):
         return False
     zero = dict.fromkeys(states, 0)
     if not all(vanishes(form.subs(zero)) for form in total.forms):
@@ -205,18 +205,20 @@ def never_positive(e: sympy.Expr, fixed: set, ways: tuple, values: dict, facts: 
 # --- states that V does not hold ----------------------------------------------------------------
 
 
-def states_beside(forms: list[sympy.Expr], eq: Equations) -> tuple[str, Step]:
+def states_beside(forms: list[sympy.Expr], eq: Equations, values: dict) -> tuple[str, Step]:
     """Return what a verdict adds of the states that V does not hold, and the step.
+
+    It holds for all parameters of their signs, but for those that have `values`.
 
     A form in one state holds it; where each has several, the one that moves most simply is not
     held, and the forms hold the others beside it.  Inputs are bounded; a form that grows with time
     holds nothing.
     """
     still = {f: sympy.Dummy(real=True) for port in eq.inputs.values() for f in port.flat}
-    motion = {s: rate.xreplace(still) for s, rate in eq.motion.items()}
+    motion = {s: rate.xreplace(values).xreplace(still) for s, rate in eq.motion.items()}
     turning = {w: sympy.Dummy(real=True) for r in motion.values() for w in r.atoms(*TURNS)}
     fixed = set(eq.values)
-    forms = [form.xreplace(still) for form in forms]
+    forms = [form.xreplace(values).xreplace(still) for form in forms]
     for k, form in enumerate(one.as_coeff_Mul()[1] for one in forms):
         if isinstance(form, sympy.sin):  # its angle up to whole turns, which is all that moves it
             forms[k] = form.args[0]
@@ -239,11 +241,11 @@ def states_beside(forms: list[sympy.Expr], eq: Equations) -> tuple[str, Step]:
     if not free:
         return "", exact("V holds every state", True)
     rates = sympy.Matrix([sympy.expand(motion[s].xreplace(at)) for s in free])
-    after = [(s, new.xreplace(at)) for jump in eq.jumps.values() for s, new in jump.items()]
-    jumps = [new for s, new in after if s in free and new != s]
+    after = [change for jump in eq.jumps.values() for change in jump.items()]
+    jumps = [new.xreplace(values).xreplace(at) for s, new in after if s in free and new != s]
     J = rates.jacobian(free)
-    rest, A = rates - J * sympy.Matrix(free), J.xreplace(eq.values)
-    if not (jumps or A.free_symbols or rest.has(TIME, *free)) and hurwitz(A):
+    rest = rates - J * sympy.Matrix(free)
+    if not (jumps or J.free_symbols - fixed or rest.has(TIME, *free)) and hurwitz(J):
         return "", exact(f"{names}: linear and stable, driven by what V holds", True)
     if all(degree(rate, free.__contains__) <= 1 for rate in (*rates, *jumps)):
         grows = exact(f"{names}: not held by V, may grow, and exist for all t", True)
@@ -257,7 +259,8 @@ def hurwitz(A: sympy.Matrix) -> bool:
     one, next_one = (A.charpoly().all_coeffs()[k::2] for k in (0, 1))
     while next_one and next_one[0].is_positive:
         share = one[0] / next_one[0]
-        rest = [a - share * b for a, b in zip_longest(one[1:], next_one[1:], fillvalue=0)]
+        pairs = zip_longest(one[1:], next_one[1:], fillvalue=0)
+        rest = [sympy.cancel(a - share * b) for a, b in pairs]
         one, next_one = next_one, rest
     return not next_one
 
@@ -274,7 +277,7 @@ def _state_of(form: sympy.Expr, left: list, fixed: set) -> dict[Any, sympy.Expr]
         return None
     (s,), bounded = states, sympy.Dummy("held", real=True)
     a, *rest = sympy.Poly(form, s).all_coeffs()
-    if vanishes(a) or a.free_symbols - fixed:
+    if not a.is_nonzero or a.free_symbols - fixed:
         return None
     if len(rest) > 1:  # of higher degree it holds s where nothing else in it moves freely
         alone = all(isinstance(one, sympy.Dummy) for one in form.free_symbols - fixed - {s})

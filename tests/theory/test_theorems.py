@@ -9,9 +9,10 @@ import pytest
 from analysis.theorems import page
 from clpt_control.blocks import vehicle
 from clpt_control.blocks.laws.table import LAWS
+from clpt_control.errors import DiagramError
 from clpt_control.theory.proving.all_proofs import GRAPHS
 from clpt_control.theory.proving.misprints import misprints
-from clpt_control.theory.proving.proof import Step, checked, cited, theorem
+from clpt_control.theory.proving.proof import Step, checked, cited, proof_or_failure, theorem
 from clpt_control.theory.proving.theorems import audit
 
 
@@ -160,9 +161,18 @@ def test_a_law_that_turns_at_the_papers_gain_is_not_proved(monkeypatch, turn, sa
 
 
 def test_a_step_that_cannot_be_checked_fails():
-    step = checked("one over zero", "exact", lambda: 1 / 0)
-    assert not step.holds
-    assert "ZeroDivisionError" in step.detail
+    def refused():
+        raise DiagramError("alpha' has no value")
+
+    step = checked("V falls", "exact", refused)
+    assert (step.holds, step.detail) == (False, "cannot be checked: alpha' has no value")
+
+
+def test_an_error_of_the_package_says_nothing_of_a_claim():
+    with pytest.raises(ZeroDivisionError):
+        checked("one over zero", "exact", lambda: 1 / 0)
+    with pytest.raises(ZeroDivisionError):
+        proof_or_failure("open", lambda: 1 / 0)
 
 
 def test_sampled_steps_alone_prove_nothing():

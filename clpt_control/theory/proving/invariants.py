@@ -184,12 +184,14 @@ def _reads(case: InvariantLoop) -> bool:
 
 
 def _is_readout(case: InvariantLoop, read: Any, alpha: Any, theta: Any, w: Any) -> bool:
+    if not isinstance(read, WHERE) or str(read.args[0].func) != "ge":
+        return False
     condition, then, before = read.args
     gone, margin = condition.args
-    asked = isinstance(read, WHERE) and str(condition.func) == "ge" and gone == 1 - w
     known = {MAXIMUM(*pair): 1 - w for pair in ((margin, 1 - w), (1 - w, margin))}
     right = vanishes(case.reduced(then.subs(known)) - theta)
-    return bool(asked and margin.is_positive and right and sympy.expand(before + alpha) == 0)
+    asked = bool(gone == 1 - w and margin.is_positive)
+    return asked and right and bool(sympy.expand(before + alpha) == 0)
 
 
 def covariance_claims(driven: bool) -> Claims:

@@ -103,7 +103,8 @@ def limits() -> bool:
     v, c = loop.signals["v_x"], loop.inputs["v_c"]
     largest = loop.parameters["speed_limit"].max_speed
     speed = sympy.sqrt(c[0] ** 2 + c[1] ** 2)
-    (larger,) = {f for one in v for f in one.atoms(sympy.core.function.AppliedUndef)} - set(c)
+    words = {f for one in v for f in one.atoms(sympy.core.function.AppliedUndef)} - set(c)
+    larger = next(iter(words), sympy.S.Zero)
     whole = str(larger.func) == "maximum" and set(larger.args) == {speed, largest}
     below = all(sympy.simplify(a.subs(larger, largest) - b) == 0 for a, b in zip(v, c, strict=True))
     beyond = [a.subs(larger, speed) - largest * b / speed for a, b in zip(v, c, strict=True)]

@@ -13,7 +13,9 @@ import numpy as np
 import sympy
 
 from ...blocks import flow
+from ...equations.arrays import Unread
 from ...equations.symbolic import expressions
+from ...errors import ClptError
 from ...simulation.loops import error_loop
 from .lemmas import errors, wanted_rates
 from .symbolic_loop import SymbolicLoop, symbolic_loop
@@ -37,7 +39,7 @@ class Misprint:
         """Whether the check fails on the print, passes corrected."""
         try:
             return not self.holds(True) and self.holds(False)
-        except Exception:  # equations so changed that the check cannot run
+        except (ClptError, Unread):  # equations so changed that the check cannot run
             return False
 
 

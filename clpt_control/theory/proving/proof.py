@@ -107,7 +107,7 @@ def proof_or_failure(status: str, proof: Callable[[], Proof]) -> Proof:
     """Return a proof, or one with this status and a failed step where equations cannot be read."""
     try:
         return proof()
-    except Exception as error:  # an equation so changed that it cannot be traced
+    except (ClptError, Unread) as error:  # an equation so changed that it cannot be traced
         step = Step("the equations can be read", False, "exact", f"{error}")
         return Proof(status, f"{error}", False, (step,))
 
@@ -137,13 +137,13 @@ def as_html(steps: Iterable[Step]) -> str:
 def checked(claim: str, how: How, check: Callable[[], Any], every_N: bool = True) -> Step:
     """Return a step from a check that returns a truth, or (truth, detail).
 
-    An exception in the check is a step that does not hold, and says why.
+    Equations that are refused in it are a step that does not hold, and says why; any other error is
+    one of the package itself, and says nothing of the claim.
     """
     try:
         answer = check()
-    except Exception as error:  # whatever a wrong equation raises, the claim is not shown
-        kind = "" if isinstance(error, ClptError | Unread) else f"{type(error).__name__}: "
-        return Step(claim, False, how, f"cannot be checked: {kind}{error}")
+    except (ClptError, Unread) as error:
+        return Step(claim, False, how, f"cannot be checked: {error}")
     truth, detail = answer if isinstance(answer, tuple) else (answer, "")
     return Step(claim, bool(truth), how, str(detail), every_N)
 
@@ -168,7 +168,8 @@ def exact_step(cases: Iterable[Any], claim: str, check: Callable[[Any], bool | s
 
 def first_failure(steps: Iterable[Step]) -> str:
     """Return the claim and the detail of the first step that does not hold, or nothing."""
-    return next((f"{step.claim} ({step.detail})" for step in steps if not step.holds), "")
+    failed = (step for step in steps if not step.holds)
+    return next((f"{one.claim} ({one.detail or 'not shown'})" for one in failed), "")
 
 
 def short(expression: Any, most: int = 160) -> str:
