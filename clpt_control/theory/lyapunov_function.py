@@ -45,7 +45,7 @@ class FailureSearch(PointSearch):
 
         def same() -> tuple[bool, str]:
             V, rate = (one.xreplace(self.case.eq.values) for one in (self.case.V, self.case.rate))
-            at = self.draw(points, False)
+            at = self.draw(points, False, widest=4.0)  # where exp is too large
             drawn = Drawn({}, self.known(*at), at[0], at[1].T, at[2].T)
             return compared(self.blocks, self.states, V, rate, [drawn], points)
 
@@ -183,7 +183,10 @@ def _verdict(case: SystemWithV, search: FailureSearch, count: int) -> Lyapunov:
             return result("refuted", claim, found)
     if not all(step.holds for step in steps):
         return result("open", f"V' = {short(rate)}; {first_failure(steps)}")
-    apart, others = NEAR if forms is None else states_beside(forms, case.eq)
+    ways = ({}, case.eq.values)
+    of_any, beside = (forms and states_beside(forms, case.eq, at) for at in ways)
+    case.valued |= of_any != beside
+    apart, others = beside or NEAR
     steps += [running := search.running(count), others]
     jump, rise = _at_jumps(case, search, near=forms is None)
     steps += [jump] if case.eq.jumps else []

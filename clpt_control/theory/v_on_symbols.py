@@ -12,7 +12,6 @@ from typing import Any
 
 import numpy as np
 import sympy
-from sympy.core.function import AppliedUndef
 
 from ..arguments import check_holds, numbers
 from ..diagrams.on_symbols import TIME, Equations, element_name, readable_equations
@@ -24,11 +23,10 @@ from .proving.proof import Step, exact, short
 from .proving.signs import MOST_FACTORED, factored, tidied, vanishes
 from .proving.symbolic_loop import NO_VALUE
 from .proving.symbols import undefined
-from .proving.words import ODD, along, is_input, meets_smoothly
-from .squares import TURNS, never_positive, squares
+from .proving.words import SMOOTH, along, is_continuous, meets_smoothly
+from .squares import never_positive, squares
 
 MOST_TURNS = 360  # pi/360 is a share of pi
-SMOOTH = *TURNS, *ODD, sympy.exp, sympy.log, sympy.cosh
 LARGE = ("exp", "expm1", "sinh", "cosh")  # have a value wherever it is a number
 
 
@@ -117,8 +115,8 @@ class SystemWithV:
 
         The forms are None where V is positive definite only near the rest.
         """
-        words = [f for f in self.V.atoms(AppliedUndef) if not is_input(f)]
-        if self.V.has(sympy.atan2) or (words and not meets_smoothly(self.V)):
+        parts = self.V, *self.eq.motion.values()
+        if not meets_smoothly(self.V) and not all(map(is_continuous, parts)):
             return exact("V is positive definite", False, "V may jump or bend"), []
         moved = {s: s + v for s, v in (self.rest or {}).items()}
         back = {s: s - v for s, v in (self.rest or {}).items()}

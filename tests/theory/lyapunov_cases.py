@@ -235,6 +235,18 @@ RIGHT = {  # name -> system, V, what else is given
         {"at": {"th": 2 * np.pi}},
     ),
     "V with what fades": (system(lambda x: [-x]), (1 + sympy.exp(-t)) * x**2),
+    "V with a power that fades": (
+        system(lambda x: [-x]),
+        x**4 * sympy.exp(-t) + x**2,
+    ),
+    "V of sizes": (
+        system(lambda x, y: [y - 2 * x, x - 2 * y]),
+        lambda s: np.abs(s.x) + np.abs(s.y),
+    ),
+    "a form that parameters hold": (
+        system(lambda x, y, k: [-x, -y + 0.0 * k], params={"k": 2.0}),
+        lambda s: (s.y + s.k * s.x) ** 2 + s.x**2,
+    ),
     "V of what follows a wave": (
         system(lambda t, x: [np.cos(t) + np.sin(t) - x]),
         (x - sympy.sin(t)) ** 2,
@@ -343,6 +355,28 @@ WRONG = {
     "no value at a point": (system(lambda x: [-x / np.abs(x - 2)]), half),
     "no value at the rest": (system(lambda x: [-1 / x]), half),
     "V without a value": (system(lambda x: [-(x**3)]), lambda s: s.x**2 + 1 / (s.x - 1) ** 2),
+    "V of sizes, a slide": (  # along x = 0, where y runs off
+        system(lambda x, y: [-2 * np.sign(x), np.sign(x) ** 2]),
+        lambda s: np.abs(s.x) + np.abs(s.y),
+    ),
+    "V of a size, a slide": (
+        system(lambda x, y: [-2 * np.sign(x) * (1 + y**2), np.sign(x) ** 2 * y]),
+        lambda s: np.sqrt(s.x**2) + s.y**2 / 2,
+    ),
+    "V that rises where a sign turns": (
+        system(lambda x: [1 - x]),
+        (x - 1) ** 2 + (2 + sympy.sign(x)) ** 2,
+    ),
+    "V that a parameter of zero lets go": (
+        system(lambda x, y, k: [x, -y + 0.0 * k], params={"k": 0.0}),
+        lambda s: (s.y + s.k * s.x) ** 2 + s.y**2,
+    ),
+    "V that two like parameters let go": (
+        system(lambda x, y, k, m: [1 + x**2, -y + 0.0 * k * m], params={"k": 2.0, "m": 2.0}),
+        lambda s: (s.y + (s.k - s.m) * s.x) ** 2 + s.y**2,
+    ),
+    "a pull of inf/inf": (system(lambda x: [-x * np.cosh(x) / np.cosh(x)]), half),
+    "a pull of powers without a number": (system(lambda x: [-x * x**80 / (1 + x**80)]), half),
     "V of a logarithm": (system(lambda x: [-x]), lambda s: np.log(s.x) ** 2),
     "unstable": (system(lambda x: [x]), half),
     "unstable, V' claimed as it is": (system(lambda x: [x]), half, {"claim": lambda s: s.x**2}),

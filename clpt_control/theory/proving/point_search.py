@@ -64,10 +64,10 @@ class PointSearch:
         at = self.known(np.array([point.t]), point.x[:, None], point.u[:, None])
         return float(self.numbers(expression).at(at, 1)[0, 0])
 
-    def draw(self, count: int, still: bool) -> tuple:
+    def draw(self, count: int, still: bool, widest: float = 2.0) -> tuple:
         """Return times, states and inputs of wide ranges, some of them zero."""
         n, m, random = len(self.states), len(self.inputs), self.random
-        wide = 10.0 ** random.uniform(-2.5, 2.0, (2, count))
+        wide = 10.0 ** random.uniform(-2.5, widest, (2, count))
         x = random.standard_normal((n, count)) * wide[0] * (random.random((n, count)) > 0.15)
         u = random.standard_normal((m, count)) * wide[1] * (not still)
         late = 10.0 ** (3 * random.random(count) * (random.random(count) < 0.3))

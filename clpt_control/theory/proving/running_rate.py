@@ -174,10 +174,12 @@ def compared(
             right, size = terms.sum(axis=0), np.maximum(size, np.abs(terms).sum(axis=0))
             level = level if running.V else of_V
             off = np.maximum(_apart(right, rate, size), _apart(of_V, level, np.abs(of_V)))
+            off = np.where(np.isnan(rates).any(axis=1), np.nan, off)  # as of inf/inf
             off = np.where(_too_large(of_V, level), 0.0, off)
             for k in np.flatnonzero(~(off <= CLOSE))[:1]:
                 t, x, u = (one[k] for one in here)
-                return False, f"differs by {off[k]:.1e} of V at {Point(t, x, u, params)}"
+                apart = f"differs by {off[k]:.1e} of V" if off[k] >= 0 else "is no number"
+                return False, f"{apart} at {Point(t, x, u, params)}"
             worst = max(worst, float(off.max()))
         points += len(at[0])
         told += int(np.sum(np.abs(symbols[: len(parts) + 1]).max(axis=0) < HUGE))

@@ -7,8 +7,9 @@ A word is a function in an expression that is no polynomial: tanh(s), clip(s, -a
   where it is not at the ends of q's range.
 - **Pieces.**  clip(s, a, b) is s where s - a >= 0 and b - s >= 0, a where a - s >= 0, b where
   s - b >= 0; a comparison is 1 or 0.  What holds in each piece holds.
-- **Slopes.**  Where pieces meet with one slope, V' is that of each piece; so a V with a kink is
-  taken only if they do (`meets_smoothly`).
+- **Slopes.**  Where pieces meet with one slope, V' is that of each piece (`meets_smoothly`).  A V
+  with a kink falls too where its own pieces say so, if rates are continuous: a motion that stays on
+  the kink has the slope of both sides.  Where rates jump it may slide along the kink, and V rise.
 
 A state s that V does not hold, with |s'| <= a (1 + |s|) where a is bounded on bounded times, exists
 for all t (Gronwall's lemma); s' = 1 + s^2 ends at t = pi/2, and with it the run.  How fast an
@@ -50,6 +51,12 @@ ODD: dict[Any, tuple] = {  # odd and rising: h -> the range of h(s)/s
     sympy.erf: (0, 2),
     sympy.sinh: (1, sympy.oo),
 }
+
+SMOOTH = (  # where they have a value
+    *(sympy.sin, sympy.cos, sympy.tan, sympy.asin, sympy.acos, sympy.exp, sympy.log, sympy.erfc),
+    *(sympy.cosh, sympy.acosh, sympy.atanh, *ODD),
+)
+CONTINUOUS = ("Abs", "clip", "minimum", "maximum")
 
 NUMBERS_OF = {**ON_NUMBERS, "inside": lambda u, low, high: (low < u) & (u < high)}
 
@@ -234,8 +241,9 @@ def along(expression: sympy.Expr, known: dict[Any, sympy.Expr]) -> sympy.Expr:
 
 def meets_smoothly(V: sympy.Expr) -> bool:
     """Return whether V and its slopes agree where the pieces of its words meet."""
-    words = [w for w in words_of(V) if isinstance(w, AppliedUndef | sympy.Abs)]
-    for word in words:
+    if any(not p.exp.is_Integer and not p.base.is_positive for p in V.atoms(sympy.Pow)):
+        return False
+    for word in (w for w in words_of(V) if not isinstance(w, SMOOTH)):
         if word.func.__name__ in ("where", *YES_OR_NO):
             continue  # by the comparisons in it
         pieces = pieces_of(word)
@@ -250,9 +258,16 @@ def meets_smoothly(V: sympy.Expr) -> bool:
     return True
 
 
+def is_continuous(expression: sympy.Expr) -> bool:
+    """Return whether an expression is known to jump nowhere where it has a value."""
+    words = words_of(expression)
+    return all(isinstance(w, SMOOTH) or w.func.__name__ in CONTINUOUS for w in words)
+
+
 def _smooth(apart: sympy.Expr, u: sympy.Expr) -> bool:
     """Return whether a difference vanishes with its slopes where u = 0."""
     u, gens = sympy.expand(u), sorted(u.free_symbols, key=str)
+    apart, _ = sympy.fraction(sympy.together(apart))
     try:
         return sympy.rem(sympy.expand(apart), sympy.expand(u**2), *gens) == 0
     except sympy.PolynomialError:
