@@ -184,12 +184,48 @@ def of_polynomials(f: Any) -> Callable:
         raise Unread(f"scipy's {type(f).__name__} of several columns, or a periodic one")
     ends = (None, None) if f.extrapolate else (np.nan, np.nan)
 
-    def table(tape: Tape, x: Any) -> Any:
+    def table(tape: Tape, x: Any, nu: int = 0) -> Any:
         x = lifted(tape, x)
         k = place_in(xs[1:-1], x)
         s = x - lookup(xs, k)
-        value = reduce(lambda v, w: v * s + w, [lookup(row, k) for row in coefficients])
+        rows = f.derivative(nu).c if nu else coefficients
+        value = reduce(lambda v, w: v * s + w, [lookup(row, k) for row in rows])
         return outside(value, x, xs, *ends)
+
+    return table
+
+
+def of_spline(f: Any) -> Callable:
+    """Return scipy.interpolate.BSpline as a function of signals."""
+    from scipy.interpolate import PPoly
+
+    return of_polynomials(PPoly.from_spline(f))
+
+
+def of_grid(f: Any) -> Callable:
+    """Return scipy.interpolate.RegularGridInterpolator as a function of signals."""
+    grid, ys = [np.asarray(one, dtype=float) for one in f.grid], np.asarray(f.values)
+    if f.method != "linear" or ys.ndim != len(grid) or ys.dtype.kind not in "fiu":
+        raise Unread("scipy's RegularGridInterpolator that is not linear, or of several columns")
+    ends = np.nan if f.bounds_error else f.fill_value
+
+    def table(tape: Tape, given: Any) -> Any:
+        x = lifted(tape, list(given) if isinstance(given, tuple) else given)
+        x = np.moveaxis(x, 0, -1) if isinstance(given, tuple) else x.reshape(-1, len(grid))
+        total: Any = 0.0
+        along = [x[..., k] for k in range(len(grid))]
+        places = [place_in(xs[1:-1], own) for xs, own in zip(grid, along, strict=True)]
+        for corner in np.ndindex(*[2] * len(grid)):
+            place: Any = 0.0
+            share: Any = 1.0
+            for xs, own, k, upper in zip(grid, along, places, corner, strict=True):
+                part = (own - lookup(xs, k)) / lookup(np.diff(xs), k)
+                share = share * (part if upper else 1.0 - part)
+                place = place * len(xs) + k + upper
+            total = total + lookup(ys.ravel(), place) * share
+        for xs, own in zip(grid, along, strict=True):
+            total = outside(total, own, xs, ends, ends)
+        return total
 
     return table
 
@@ -244,6 +280,8 @@ TABLES: dict[str, Callable[[Any], Callable]] = {
     "scipy.interpolate._cubic.PchipInterpolator": of_polynomials,
     "scipy.interpolate._cubic.Akima1DInterpolator": of_polynomials,
     "scipy.interpolate._interpolate.PPoly": of_polynomials,
+    "scipy.interpolate._bsplines.BSpline": of_spline,
+    "scipy.interpolate._rgi.RegularGridInterpolator": of_grid,
     "scipy.interpolate._interpnd.LinearNDInterpolator": of_simplices,
     "scipy.interpolate.interpnd.LinearNDInterpolator": of_simplices,
     "scipy.interpolate._ndgriddata.NearestNDInterpolator": of_nearest,
@@ -264,4 +302,4 @@ def function_of(value: Any) -> Callable | None:
     if not is_table(value):
         return None
     table = cache(TABLES[_kind(value)])
-    return lambda tape, *x: table(value)(tape, *x)
+    return lambda tape, *x, **more: table(value)(tape, *x, **more)

@@ -314,6 +314,16 @@ def sort(a: Any, axis: int = -1, **more: Any) -> Any:
     return stacked(a._tape, in_order(list(a._elements()), after))
 
 
+@implements(np.median)
+def median(a: Any, axis: Any = None, **more: Any) -> Any:
+    """Return the number in the middle, or the mean of the two there; NaN if any is."""
+    if more or (axis is not None and a.ndim > 1):
+        return refuse("np.median along an axis")
+    ordered = sort(np.ravel(a))
+    middle = mean(ordered[(a.size - 1) // 2 : a.size // 2 + 1])
+    return where(ordered[-1] != ordered[-1], np.nan, middle)
+
+
 def along(join: Callable, ufunc: Any) -> Callable:
     """Return what joins the elements of an array by a ufunc, all, or those along an axis."""
 

@@ -28,7 +28,7 @@ READ = ("open", "input", "load", "loadtxt", "genfromtxt", "fromfile", "memmap", 
 OPENED = ("globals", "vars", "eval", "exec", "compile", "__import__", "__dict__", "__globals__")
 SEES = frozenset((*READ, *OPENED))  # names by which a function reaches more than it names
 FIXED = {"math": math, "cmath": cmath, "numpy": np, "numpy.linalg": np.linalg}  # never changed
-TABLE = ("x", "y", "c", "points", "values")  # what an interpolator is made of
+TABLE = ("x", "y", "c", "t", "points", "grid", "values", "method", "fill_value")  # what makes one
 CALLED = (FunctionType, type(math.sin), type(np.sin), type(np.dot), type)
 
 

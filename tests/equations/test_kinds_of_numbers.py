@@ -11,7 +11,12 @@ from collections.abc import Iterable, Sized
 import control
 import numpy as np
 import pytest
-from scipy.interpolate import interp1d
+from scipy.interpolate import (
+    CubicSpline,
+    RegularGridInterpolator,
+    interp1d,
+    make_interp_spline,
+)
 
 import clpt_control as clpt
 from clpt_control.diagrams.wiring import wiring_of
@@ -33,6 +38,16 @@ SWITCH = False
 with warnings.catch_warnings(action="ignore"):
     SQUARE = np.asmatrix([[1.0, 2.0], [3.0, 4.0]])
 CUBIC = interp1d([0.0, 1.0, 2.0, 3.0], [0.0, 1.0, 4.0, 2.0], kind="cubic")  # no reading has it
+SPLINE = CubicSpline([-1.0, 0.0, 0.5, 2.0], [0.0, 1.0, -1.0, 2.0])
+BASIS = make_interp_spline([-1.0, 0.0, 0.5, 1.0, 2.0], [0.0, 1.0, -1.0, 0.5, 2.0], k=3)
+GRID = [-1.0, 0.0, 0.5, 2.0], [-0.5, 1.0, 1.5]
+HEIGHTS = np.random.default_rng(0).standard_normal((4, 3))
+CHART = RegularGridInterpolator(GRID, HEIGHTS, bounds_error=False, fill_value=None)
+COAST = RegularGridInterpolator(GRID, HEIGHTS, bounds_error=False, fill_value=-7.0)
+COLUMN = RegularGridInterpolator(
+    [[0.0, 1.0], [-1.0, 1.0], [0.0, 3.0]], np.arange(8.0).reshape(2, 2, 2) ** 2, "linear", False
+)
+STEPPED = RegularGridInterpolator(GRID, HEIGHTS, "nearest", bounds_error=False)
 
 
 class Lever:
@@ -273,8 +288,30 @@ ONE_LINE = {  # as Python has them
         math.copysign(1.0, round(0.3 * x[0])),
     ],
     "beside another table": lambda t, x, u, p: [LEVER.arm(x[0])],
+    "the middle one": lambda t, x, u, p: [
+        np.median(x),
+        np.median([x[0], u[0], x[2], u[1]]),
+        np.median(np.outer(u, x)),
+        np.median([x[0], np.nan * x[1], x[2]]),
+    ],
+    # tables
+    "slopes of splines": lambda t, x, u, p: [
+        *SPLINE(x),
+        *SPLINE(x, 1),
+        SPLINE(x[0], nu=2),
+        *BASIS(x),
+        BASIS(u[0], 1),
+    ],
+    "a chart": lambda t, x, u, p: [
+        *CHART(x[:2]),
+        CHART((x[1], u[0])),
+        *CHART([[x[0], x[1]], [x[2], u[1]]]),
+        *COAST((x, x[::-1])),
+        COLUMN([x[0], u[1], x[1]])[0],
+    ],
 }
 ONE_LINE_REFUSED = {  # what would be another number
+    "takes the nearest of a chart": lambda t, x, u, p: STEPPED(x[:2]),
     # truth values
     "adds arrays of truths": lambda t, x, u, p: (x > 0) + (x > 1),
     "adds stacked truths": lambda t, x, u, p: (

@@ -169,8 +169,8 @@ def test_a_mistake_is_told_where_the_block_is_made(function, words):
 
 
 def test_numpys_function_that_asks_is_named():
-    block = static(lambda t, x, u, p: np.median(u), 3)
-    with pytest.raises(Unread, match="NumPy's median asks for the value of a signal"):
+    block = static(lambda t, x, u, p: np.histogram(u)[0][:1], 3)
+    with pytest.raises(Unread, match="NumPy's histogram asks for the value of a signal"):
         block.array_record("output")
 
 
