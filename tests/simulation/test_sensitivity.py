@@ -313,3 +313,24 @@ def test_a_power_of_a_magnitude_that_begins_at_zero():
         clpt.SimulationError, match=r"d_x is the derivative of x .* begin beside it"
     ):
         clpt.sensitivity(system, times, of="states", to=["x0"])
+
+
+def test_vehicles_that_have_met_are_not_misread():
+    """At rest rates are rounding alone, and stay so where all move by the same."""
+
+    def update(t, x, u, p):
+        place = x.reshape(-1, 2)
+        apart = place[:, None, :] - place[None, :, :]
+        near = ((apart**2).sum(-1) + 0.1) ** 1.5
+        pull = (apart / near[..., None]).sum(1)
+        return (0.3 * (np.mean(place, axis=0) - place) - p["g"] * pull).ravel()
+
+    meeting = control.nlsys(
+        update, None, name="meeting", inputs=0, states=6, outputs=6, params={"g": 0.2}
+    )
+    start, times = [0, 0, 1, 0.2, 0.3, 1], np.linspace(0.0, 2.0, 21)
+    for to in ("g", "x0"):
+        found = clpt.sensitivity(meeting, times, to=to, initial_state=start, **EXACT)
+        end = found.y[-1].values
+        mean = 0.0 if to == "g" else np.tile(np.eye(2), (3, 3)) / 3.0
+        np.testing.assert_allclose(end, mean + 0.0 * end, atol=1e-9)
