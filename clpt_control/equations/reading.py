@@ -164,7 +164,7 @@ class _Ways:
             raise
         except RecursionError:
             raise Unread(f"{request.name} calls itself without end") from None
-        except (*RAISED, RuntimeError, Outside) as error:
+        except (*RAISED, RuntimeError, SystemError, Outside) as error:
             tape.ended(error)
             raised.append(error)
             sentence = f"{located(request.function, error)}{type(error).__name__}: {error}"

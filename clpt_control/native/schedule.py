@@ -8,7 +8,7 @@ input; smaller bends, as of a sampled sine, are smooth to the tolerance.
 """
 
 from bisect import bisect_right
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -117,8 +117,11 @@ def checked_state(name: str, state: Any, shape: tuple[int, ...]) -> np.ndarray:
     return values.copy()
 
 
-def _stacked(inputs: Sequence[Any], times: np.ndarray) -> np.ndarray:
-    """Return a list of inputs as rows: samples at the times, or constant numbers."""
+def stacked(inputs: Any, times: np.ndarray) -> Any:
+    """Return inputs, a list as rows if it holds any: samples at the times, or constant numbers."""
+    listed = isinstance(inputs, list | tuple) and any(hasattr(one, "__len__") for one in inputs)
+    if not listed:
+        return inputs
     rows = []
     for one in inputs:
         values = numbers("inputs", one)
@@ -152,8 +155,7 @@ def read_inputs(inputs: Any, times: np.ndarray, count: int) -> Inputs:
 
         given(times[0])
         return Inputs(None, given)
-    if isinstance(inputs, list | tuple) and any(hasattr(one, "__len__") for one in inputs):
-        inputs = _stacked(inputs, times)
+    inputs = stacked(inputs, times)
     values = np.zeros(count) if inputs is None else numbers("inputs", inputs)
     if not np.isfinite(values).all():
         raise SimulationError("inputs: must be finite; fill the gaps before the run")

@@ -14,7 +14,7 @@ from ..diagrams.plain_data import diagram_key
 from ..equations.system import linear
 from ..errors import SimulationError
 from ..native.python_diagram import checked_method
-from ..native.schedule import checked_times
+from ..native.schedule import checked_times, stacked
 from ..scenario.experiment import Scenario
 from ..scenario.team import Team
 from .flows import note_speeds, speeds_of
@@ -178,8 +178,8 @@ def sizes_of_run(
         parts = x0 if isinstance(x0, list | tuple) else [0.0 if x0 is None else x0]
         states = sum(np.size(part) for part in parts)
     if diagram.ninputs is None:
-        given = np.asarray(inputs, dtype=float) if not callable(inputs) else np.zeros(0)
-        inputs_ = given.shape[0] if given.ndim == 2 else 1
+        shape = np.shape(None if callable(inputs) else stacked(inputs, times))
+        inputs_ = shape[0] if shape and shape != times.shape else 1
     return states, inputs_
 
 

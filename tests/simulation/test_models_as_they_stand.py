@@ -192,9 +192,10 @@ def test_params_reach_nested_diagrams_as_python_control_hands_them_down():
         against_control(outer, np.cos(T), 0.1, params, close=1e-6)
 
 
-def test_sizes_that_a_system_leaves_open():
-    open_ = control.nlsys(lambda t, x, u, p: -x + u[0] * np.array([1.0, 2.0]), None)
-    against_control(open_, np.vstack([np.sin(T), T]), [1.0, 0.5])
+@pytest.mark.parametrize("inputs", [np.vstack([np.sin(T), T]), [np.sin(T), 0.5], [0.5, 2.0]])
+def test_sizes_that_a_system_leaves_open(inputs):
+    open_ = control.nlsys(lambda t, x, u, p: -x + u[0] * np.array([1.0, 2.0]) + u[-1], None)
+    against_control(open_, inputs, [1.0, 0.5])
 
 
 def test_a_short_start_is_filled_with_zeros():
@@ -226,6 +227,13 @@ def test_feedback_that_python_control_makes():
         plant, (gains, [-1.0, 1.0]), gainsched_indices=[0], gainsched_method="linear"
     )
     against_control(loop, [0.5 * np.sin(T), 0.0, 0.0], [0.1, 0.0], close=1e-6)
+    _, loop = control.create_statefbk_iosystem(
+        plant,
+        (gains, [[-1.0, 0.0], [1.0, 0.0]]),
+        gainsched_indices=[0, 1],
+        gainsched_method="nearest",
+    )
+    against_control(loop, [0.2 * np.sin(T) - 1.0, 0.0, 0.0], [-1.0, 0.0], close=1e-6)
 
 
 class Counter:
