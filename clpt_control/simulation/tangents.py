@@ -47,7 +47,7 @@ if TYPE_CHECKING:
 
 START = "x0"  # all states of the start
 STEPS = (1e-3, 1e-5)  # of the differences, of what is varied
-CLOSE, SHARE = 1e-2, 0.02  # how far off they may be, and at which share of the samples
+CLOSE, SHARE = 1e-3, 0.02  # how far off they may be, and at which share of the samples
 EXACT = {"rtol": 1e-10, "atol": 1e-13}  # of their runs
 
 

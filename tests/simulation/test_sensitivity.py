@@ -228,6 +228,17 @@ def test_a_jump_that_is_crossed_is_refused():
     assert not before.x.values.any()
 
 
+def test_a_jump_of_half_a_percent_is_refused_too():
+    """Of x' = -1, -1.005 below k, x + k changes by 0.995 with k; without the jump by 1."""
+    slower = control.nlsys(
+        lambda t, x, u, p: [-1.0 - 0.005 * (x[0] < p["k"])],
+        lambda t, x, u, p: x + p["k"],
+        **{"name": "slower", "inputs": 0, "outputs": ["y"], "states": ["x"], "params": {"k": 0.5}},
+    )
+    with pytest.raises(clpt.SimulationError, match=r"^y: differences of runs do not confirm"):
+        clpt.sensitivity(slower, np.linspace(0.0, 2.0, 21), to="k", initial_state=[1.0])
+
+
 def test_a_time_that_is_varied_is_refused():
     def update(t, x, u, p):
         return [1.0 if t < p["until"] else 0.0]
