@@ -29,7 +29,7 @@ SIDES: dict[str, Callable[[tuple, Shape], Operation]] = {  # which side of a kin
 }
 MOST = 2_000  # times at which time decides, in one function
 LOOKS = 4_096  # evenly spaced times between which one change is looked for
-HALVINGS = 64
+CUTS, ROUNDS = 64, 11  # of the piece in which a change is, each time
 
 
 def leaf_values(block: Block, t: Any, x: Any, u: Any, p: Any) -> Callable[[str, str], np.ndarray]:
@@ -145,10 +145,11 @@ def times_of_change(block: Block, record: Record, p: Any, t0: float, t1: float) 
     which, at = np.nonzero((new != old) & ~np.isnan(new + old))
     if not len(at) or len(at) > MOST:
         return np.zeros(0)
-    low, high, before = times[at], times[at + 1], values[which, at]
-    for _ in range(HALVINGS):
-        middle = 0.5 * (low + high)
-        same = decided_at(middle)[which, np.arange(len(at))] == before
-        low, high = np.where(same, middle, low), np.where(same, high, middle)
+    low, high, each = times[at], times[at + 1], np.arange(len(at))
+    for _ in range(ROUNDS):
+        cuts = np.linspace(low, high, CUTS + 1)
+        values = decided_at(cuts.ravel()).reshape(-1, *cuts.shape)[which, :, each]
+        first = np.argmax(values[:, 1:] != values[:, :1], axis=1)
+        low, high = cuts[first, each], cuts[first + 1, each]
     changes = np.unique([low, high])  # the last time before a change, and the first after
     return changes[(changes > t0) & (changes < t1)]
