@@ -167,10 +167,9 @@ def plain(value: Any, kinds: Kinds) -> Any:
     """Return a value, made plain where one of the kinds asks for it."""
     if getattr(value, "ndim", None) == 0 and getattr(value, "dtype", EMPTY).kind in "iufb":
         return value.item() if {float, int, bool} & set(kinds) else value
-    origins = {get_origin(kind) for kind in kinds}
-    if isinstance(value, Iterator) and Iterable in origins:
+    if isinstance(value, Iterator) and Iterable in map(get_origin, kinds):
         return list(value)
-    if isinstance(value, list) and tuple in origins:
+    if isinstance(value, list) and tuple in map(get_origin, kinds):
         return tuple(value)
     listed = isinstance(value, list | tuple) or hasattr(value, "__array__")
     if listed and np.ndarray in kinds and not isinstance(value, np.ndarray):

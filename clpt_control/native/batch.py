@@ -224,7 +224,7 @@ def aligned(*sizes: int) -> list[np.ndarray]:
 def _stacked(schedules: list[Schedule]) -> tuple[np.ndarray, ...]:
     """Return schedules as the solver takes them: first pieces, places, ends, values, smoothness."""
     rows = [(one.edges, one.values, one.smooth) for one in schedules]
-    firsts = np.cumsum([0, *(len(one.edges) for one in schedules)])
+    firsts = np.array([*accumulate((len(one.edges) for one in schedules), initial=0)])
     return firsts, schedules[0].places, *map(np.concatenate, zip(*rows, strict=True))
 
 

@@ -173,8 +173,9 @@ class NativeDiagram(PythonDiagram):
 
     def parameters(self) -> np.ndarray:
         """Return P, with room for inputs and prepared numbers."""
-        P = self.layout.P
-        return np.append(P, np.zeros(self.code.program.parameters - len(P)))
+        P = np.zeros(self.code.program.parameters)
+        P[: len(self.layout.P)] = self.layout.P
+        return P
 
     def with_parameters(self, parameters: Sequence[Any]) -> Self:
         """Return the same code with other parameters of its blocks."""

@@ -87,10 +87,10 @@ class Sweep:
         A sample at a jump is then taken after the jump.
         """
         first, last = float(times[0]), float(times[-1] + _rounding(times[-1]))
-        jumps = np.append(self.breakpoints(first, last), np.inf)
-        if len(jumps) == 1:
+        jumps = self.breakpoints(first, last)
+        if not len(jumps):
             return times.copy()
-        following = jumps[np.searchsorted(jumps, times)]
+        following = np.append(jumps, np.inf)[np.searchsorted(jumps, times)]
         moved = np.where(following - times <= _rounding(times), following, times)
         return moved if np.all(np.diff(moved) > 0) else times
 
