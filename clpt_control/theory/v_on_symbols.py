@@ -174,7 +174,8 @@ class SystemWithV:
         total = squares(-rate, self.fixed)
         ways = [rate, factored(rate)]
         if total and not total.constant.free_symbols - self.fixed:
-            ways.append(sympy.Add(*(-factored(term) for term in total.terms)) - total.constant)
+            terms = (-sympy.factor_terms(term) for term in total.terms)
+            ways.append(sympy.Add(*terms) - total.constant)
         return min(self.in_signals(ways), key=sympy.count_ops)
 
     def where(self) -> str:

@@ -248,12 +248,14 @@ def _in_forms(group: sympy.Expr, apart: set, values: dict) -> bool:
     if not symbols or not group.is_polynomial(*symbols):
         return False
     degrees: dict[int, sympy.Expr] = {}
-    for monomial, share in sympy.Poly(group, *symbols).terms():
+    whole = sympy.Poly(group, *symbols)
+    for monomial, share in whole.terms():
         term = share * sympy.prod(s**n for s, n in zip(symbols, monomial, strict=True))
         degrees[sum(monomial)] = degrees.get(sum(monomial), sympy.S.Zero) + term
     if len(degrees) > 1:
         return all(_negative(d, apart, values, ()) for d in degrees.values())
-    H = sympy.hessian(group, symbols).xreplace(values)
+    H = sympy.Matrix([[whole.diff(a, b).as_expr() for a in symbols] for b in symbols])
+    H = H.xreplace(values)
     known = not H.free_symbols and not H.atoms(sympy.Function)
     return 2 in degrees and known and bool((-H).is_positive_semidefinite)
 
