@@ -156,7 +156,7 @@ def _verdict(case: SystemWithV, search: FailureSearch, count: int) -> Lyapunov:
     definite, forms = case.definite()
     steps, where, zero = [valued, definite], "", {}
     identity = case.claim is None or _as_claimed(case, steps)
-    falls = case.never_positive(case.rate)
+    falls = case.never_positive(case.rate) or case.falls_by_state()
     inputs = case.depends_on()
     if not falls and inputs:
         zero = {f: sympy.Integer(0) for f in case.inputs if str(f.func) in inputs}

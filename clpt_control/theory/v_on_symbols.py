@@ -58,7 +58,7 @@ class SystemWithV:
         self.V, labels = self.expression(V), {V, f"{V}[0]"} if isinstance(V, str) else set()
         self.name = next((one for one in system.output_labels if one in labels), "")
         self.claim = None if claim is None else self.expression(claim)
-        self.rate = along(self.V, {TIME: sympy.Integer(1), **self.eq.motion})
+        self.rate = reduced(along(self.V, {TIME: sympy.Integer(1), **self.eq.motion}))
         self.rest = None if at is None else self.place(at)
         self.valued = False  # whether the parameters' own values are used
 
@@ -151,6 +151,13 @@ class SystemWithV:
                 return True
         return False
 
+    def falls_by_state(self) -> bool:
+        """Return whether each rate is -dV/dx_i times what is not negative, as of a gradient."""
+        slopes = (along(self.V, {s: sympy.S.One}) for s in (TIME, *self.states))
+        pairs = zip(slopes, [sympy.S.One, *self.eq.motion.values()], strict=True)
+        moved = ((a, f) for a, f in pairs if a != 0 and f != 0)
+        return all(self.never_positive(sympy.cancel(f / a)) for a, f in moved)
+
     # --- in the user's words -------------------------------------------------------------------
 
     def in_signals(self, expressions: list[sympy.Expr]) -> list[sympy.Expr]:
@@ -196,6 +203,15 @@ class SystemWithV:
         """Return the inputs that V' depends on."""
         rate = tidied(self.rate.xreplace(self.eq.values if self.valued else {}))
         return [str(f.func) for f in self.inputs if rate.has(f)]
+
+
+def reduced(rate: sympy.Expr) -> sympy.Expr:
+    """Return an expression whose divisors hold angles as one fraction, without common factors."""
+    below = sympy.Mul(*(p.base for p in rate.atoms(sympy.Pow) if p.exp.is_negative))
+    if not below.has(sympy.sin, sympy.cos):
+        return rate
+    p, q = map(tidied, sympy.fraction(sympy.together(tidied(rate))))
+    return sympy.cancel(p / q)
 
 
 def _is_smooth(V: sympy.Expr, at: dict) -> bool:

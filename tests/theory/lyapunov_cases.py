@@ -184,6 +184,22 @@ def spinning(damping=0.2):
     )
 
 
+def arm(q1, q2, v1, v2):
+    """Two links of mass and length 1, springs and friction in the joints, without gravity."""
+    c, s = np.cos(q2), np.sin(q2)
+    first = -2 * q1 - v1 + s * (2 * v1 * v2 + v2**2)
+    second = -2 * q2 - v2 - s * v1**2
+    M11, M12 = 3 + 2 * c, 1 + c
+    det = M11 - M12**2
+    return [v1, v2, (first - M12 * second) / det, (M11 * second - M12 * first) / det]
+
+
+def of_the_arm(s):
+    c = np.cos(s.q2)
+    moving = (3 + 2 * c) * s.v1**2 + 2 * (1 + c) * s.v1 * s.v2 + s.v2**2
+    return moving / 2 + s.q1**2 + s.q2**2
+
+
 def high_gain(growth=2.0):
     return system(lambda x, k, a: [a * x - k * x, x**2], params={"a": growth})
 
@@ -238,6 +254,10 @@ RIGHT = {  # name -> system, V, what else is given
     "V with a power that fades": (
         system(lambda x: [-x]),
         x**4 * sympy.exp(-t) + x**2,
+    ),
+    "a gradient's flow": (
+        system(lambda x, y: [-(x**3 + x - y), -(y - x + y**3)]),
+        lambda s: s.x**4 / 4 + (s.x - s.y) ** 2 / 2 + s.y**4 / 4,
     ),
     "V of sizes": (
         system(lambda x, y: [y - 2 * x, x - 2 * y]),

@@ -9,9 +9,11 @@ import sympy
 from lyapunov_cases import (
     RIGHT,
     WRONG,
+    arm,
     energy,
     half,
     mrac,
+    of_the_arm,
     pendulum,
     system,
     textbook,
@@ -104,6 +106,13 @@ EXACT = {  # V' in the user's own signals
 def test_the_rate_is_exact_and_in_ones_own_signals(name):
     plant, V, *more = RIGHT[name]
     assert str(lyapunov(plant, V, **dict(*more)).rate) == EXACT[name]
+
+
+def test_of_an_arm_the_rate_is_its_friction():
+    """The masses divide the rates by 2 - cos(q2)^2, which is never zero."""
+    found = lyapunov(system(arm), of_the_arm)
+    v1, v2 = sympy.symbols("v1 v2", real=True)
+    assert (found.status, found.rate) == ("proved near the rest", -(v1**2) - v2**2)
 
 
 def test_a_point_of_refutation_is_one_of_the_running_blocks():
