@@ -246,7 +246,8 @@ def states_beside(forms: list[sympy.Expr], eq: Equations, values: dict) -> tuple
     J = rates.jacobian(free)
     rest = rates - J * sympy.Matrix(free)
     if not (jumps or J.free_symbols - fixed or rest.has(TIME, *free)) and hurwitz(J):
-        return "", exact(f"{names}: linear and stable, driven by what V holds", True)
+        inputs = " and bounded inputs" if rest.has(*still.values()) else ""
+        return "", exact(f"{names}: linear and stable, driven by what V holds{inputs}", True)
     if all(degree(rate, free.__contains__) <= 1 for rate in (*rates, *jumps)):
         grows = exact(f"{names}: not held by V, may grow, and exist for all t", True)
         return f"but for {names}", grows

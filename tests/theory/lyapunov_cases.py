@@ -259,6 +259,17 @@ RIGHT = {  # name -> system, V, what else is given
         system(lambda x, y: [-(x**3 + x - y), -(y - x + y**3)]),
         lambda s: s.x**4 / 4 + (s.x - s.y) ** 2 / 2 + s.y**4 / 4,
     ),
+    "a sine beside squares": (system(lambda x, y: [-x + 0.5 * np.sin(y), -y]), halves),
+    "a jump to its tanh": (
+        clpt.Block(
+            "memory",
+            update=lambda t, x, u, p: {"m": -x.m},
+            jump=lambda t, x, u, p: {"m": np.tanh(x.m)},
+            states={"m": 1},
+            **TICKS,
+        ),
+        lambda s: s.m**2,
+    ),
     "V of sizes": (
         system(lambda x, y: [y - 2 * x, x - 2 * y]),
         lambda s: np.abs(s.x) + np.abs(s.y),
@@ -375,6 +386,20 @@ WRONG = {
     "no value at a point": (system(lambda x: [-x / np.abs(x - 2)]), half),
     "no value at the rest": (system(lambda x: [-1 / x]), half),
     "V without a value": (system(lambda x: [-(x**3)]), lambda s: s.x**2 + 1 / (s.x - 1) ** 2),
+    "a sine too large beside squares": (
+        system(lambda x, y: [-x + 2.1 * np.sin(y), -y]),
+        halves,
+    ),
+    "a jump to more than its tanh": (
+        clpt.Block(
+            "memory",
+            update=lambda t, x, u, p: {"m": -x.m},
+            jump=lambda t, x, u, p: {"m": 1.01 * np.tanh(x.m)},
+            states={"m": 1},
+            **TICKS,
+        ),
+        lambda s: s.m**2,
+    ),
     "V of sizes, a slide": (  # along x = 0, where y runs off
         system(lambda x, y: [-2 * np.sign(x), np.sign(x) ** 2]),
         lambda s: np.abs(s.x) + np.abs(s.y),

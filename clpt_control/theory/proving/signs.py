@@ -264,21 +264,36 @@ def _in_sectors(group: sympy.Expr, words: set, apart: set, values: dict, facts: 
     """Return whether an expression is not positive wherever its words lie in their sectors."""
     inner = {one for word in words for a in word.args for one in words_of(a)}
     outer = sorted(words - inner, key=str)
-    sectors = [sector for word in outer if (sector := sector_of(word.xreplace(values))) is not None]
-    if len(outer) > MOST_WORDS or len(sectors) < len(outer):
+    if len(outer) > MOST_WORDS:
         return False
     q = sympy.symbols(f"q_:{len(outer)}", real=True)
     plain = group.xreplace(dict(zip(outer, q, strict=True)))
-    if not plain.is_polynomial(*q) or any(sympy.Poly(plain, *q).degree(one) > 1 for one in q):
+    if not plain.is_polynomial(*q):
         return False
-    linear = plain.xreplace(
-        {one: sector.factor * one for sector, one in zip(sectors, q, strict=True)}
-    )
-    if terms_of(linear) > MOST_TERMS:
+    known = [word.xreplace(values) for word in outer]
+    ways = (False, True)[: 1 + any(isinstance(word, sympy.sin) for word in outer)]
+    for sectors in ([sector_of(word, slope) for word in known] for slope in ways):
+        if None not in sectors:
+            bends = (sympy.diff(plain, one, 2) for one in q)
+            ends = (sector.high for sector in sectors)
+            convex = all(
+                bend == 0 or (high != sympy.oo and (-bend).is_nonpositive)
+                for bend, high in zip(bends, ends, strict=True)
+            )
+            if convex and _at_the_ends(
+                plain, dict(zip(q, sectors, strict=True)), apart, values, facts
+            ):
+                return True
+    return False
+
+
+def _at_the_ends(plain: sympy.Expr, sectors: dict, apart: set, values: dict, facts: Facts) -> bool:
+    """Return whether an expression, convex in each q, is not positive where q is at its ends."""
+    q_times = plain.xreplace({one: sector.factor * one for one, sector in sectors.items()})
+    if terms_of(q_times) > MOST_TERMS:
         return False
-    linear = sympy.expand(linear)
-    ends = [linear]
-    for one, sector in zip(q, sectors, strict=True):
+    ends = [sympy.expand(q_times)]
+    for one, sector in sectors.items():
         last = [sympy.diff(f, one) for f in ends] if sector.high == sympy.oo else None
         more = last or [f.xreplace({one: sector.high}) for f in ends]
         ends = [f.xreplace({one: sector.low}) for f in ends] + more

@@ -3,8 +3,8 @@
 A word is a function in an expression that is no polynomial: tanh(s), clip(s, -a, a), ...
 
 - **Sector.**  An odd rising h has s h(s) >= 0: h(s) = q s, q in a range, so tanh(s) = q s with
-  0 <= q <= 1.  sin(s) is q in -1 ... 1, |s| is q >= 0.  An expression linear in q is never positive
-  where it is not at the ends of q's range.
+  0 <= q <= 1.  sin(s) is q in -1 ... 1, and q s too; |s| is q >= 0.  An expression convex in q is
+  never positive where it is not at the ends of q's range.
 - **Pieces.**  clip(s, a, b) is s where s - a >= 0 and b - s >= 0, a where a - s >= 0, b where
   s - b >= 0; a comparison is 1 or 0.  What holds in each piece holds.
 - **Slopes.**  Where pieces meet with one slope, V' is that of each piece (`meets_smoothly`).  A V
@@ -103,9 +103,11 @@ class Sector(NamedTuple):
     rises: bool = False  # whether q > 0 but at s = 0, and s h(s) never falls with |s|
 
 
-def sector_of(word: Any) -> Sector | None:
-    """Return the sector that a word lies in, if that is known."""
+def sector_of(word: Any, slope: bool = False) -> Sector | None:
+    """Return the sector that a word lies in, if that is known; by its slope that of a sine."""
     name, s = word.func.__name__, word.args[0]
+    if slope and isinstance(word, sympy.sin):
+        return Sector(s, -1, 1)
     if isinstance(word, tuple(ODD)):
         low, high = next(ends for kind, ends in ODD.items() if isinstance(word, kind))
         return Sector(s, low, high, True)
