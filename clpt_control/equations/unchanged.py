@@ -8,10 +8,13 @@ itself, files.  Then it is read anew.
 """
 
 import cmath
+import copy
 import dis
+import functools
+import itertools
 import math
+import operator
 from collections.abc import Iterator, Mapping
-from functools import lru_cache
 from types import CodeType, FunctionType, ModuleType, NoneType
 from typing import Any
 
@@ -27,7 +30,9 @@ DIGITS = (int, bool, str, bytes, NoneType)
 READ = ("open", "input", "load", "loadtxt", "genfromtxt", "fromfile", "memmap", "random")
 OPENED = ("globals", "vars", "eval", "exec", "compile", "__import__", "__dict__", "__globals__")
 SEES = frozenset((*READ, *OPENED))  # names by which a function reaches more than it names
-FIXED = {"math": math, "cmath": cmath, "numpy": np, "numpy.linalg": np.linalg}  # never changed
+FIXED = {  # modules that nobody changes
+    one.__name__: one for one in (math, cmath, copy, functools, itertools, operator, np, np.linalg)
+}
 TABLE = ("x", "y", "c", "t", "points", "grid", "values", "method", "fill_value")  # what makes one
 CALLED = (FunctionType, type(math.sin), type(np.sin), type(np.dot), type)
 
@@ -72,6 +77,8 @@ class Keys:
             key = kind, *self.named(value)
         elif kind is FunctionType:
             key = self._function(value)
+        elif kind is functools.partial:
+            key = self.of(value.func), self.of(value.args), *self.named(value.keywords)
         elif is_table(value):
             parts = (getattr(value, name, None) for name in TABLE)
             key = self.place(value), *map(self.of, parts)
@@ -128,7 +135,7 @@ def is_fixed(value: Any) -> bool:
     )
 
 
-@lru_cache(maxsize=1024)
+@functools.lru_cache(maxsize=1024)
 def named(code: CodeType) -> tuple[str, ...] | None:
     """Return the names that code reads; None where it reaches more than it names."""
     names = tuple(dict.fromkeys(names_in(code)))

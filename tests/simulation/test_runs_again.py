@@ -1,5 +1,6 @@
 """A second run of a diagram is ready at once; whatever changed in between counts."""
 
+import functools
 import sys
 import types
 
@@ -45,6 +46,10 @@ def by_math(t, x, u, params):
     return [-fabs(RATE) * x[0]]
 
 
+def by_reduce(t, x, u, params):
+    return [functools.reduce(lambda a, b: a * b, [-RATE, x[0]])]
+
+
 def by_import(t, x, u, params):
     from numbers_of_mine import rate
 
@@ -75,6 +80,7 @@ CHANGES = {
     by_global: lambda patch: patch.setitem(globals(), "RATE", 2.0),
     by_helper: lambda patch: patch.setitem(globals(), "RATE", 2.0),
     by_math: lambda patch: patch.setitem(globals(), "RATE", 2.0),
+    by_reduce: lambda patch: patch.setitem(globals(), "RATE", 2.0),
     by_list: lambda patch: TABLE.__setitem__(0, 2.0),
     by_array: lambda patch: ROW.__setitem__(0, 2.0),
     by_default: lambda patch: patch.setattr(by_default, "__defaults__", (2.0,)),
@@ -106,6 +112,20 @@ def test_a_closure_that_is_alike_does_not_stand_for_another():
     assert end(one) == pytest.approx(np.exp(-2.0), rel=1e-7)
     first[0] = 1.0
     assert end(one) == end(other)
+
+
+def test_a_partial_counts_as_what_it_holds():
+    def held(rate, t, x, u, params, *, less):
+        return [(less[0] - rate[0]) * x[0]]
+
+    rate, less = [1.0], np.zeros(1)
+    diagram = system(functools.partial(held, rate, less=less))
+    assert diagram_key(diagram, None) is not None
+    assert end(diagram) == pytest.approx(np.exp(-1.0), rel=1e-7)
+    rate[0] = 3.0
+    assert end(diagram) == pytest.approx(np.exp(-3.0), rel=1e-7)
+    less[0] = 1.0
+    assert end(diagram) == pytest.approx(np.exp(-2.0), rel=1e-7)
 
 
 def test_params_matrices_and_names_count_as_they_are():
@@ -149,6 +169,7 @@ def test_what_could_change_unseen_has_no_key(monkeypatch):
     assert diagram_key(diagram, None) is None
     assert diagram_key(system(by_import), None) is None
     assert diagram_key(system(by_math), None) is not None
+    assert diagram_key(system(by_reduce), None) is not None
     assert end(diagram) == pytest.approx(np.exp(-1.0), rel=1e-7)
     plant.rate = 2.0
     assert end(diagram) == pytest.approx(np.exp(-2.0), rel=1e-7)
