@@ -259,6 +259,7 @@ RIGHT = {  # name -> system, V, what else is given
         system(lambda x, y: [-(x**3 + x - y), -(y - x + y**3)]),
         lambda s: s.x**4 / 4 + (s.x - s.y) ** 2 / 2 + s.y**4 / 4,
     ),
+    "a gain of its own in each interval": (counting(lambda k: -2 - np.sin(k)), half),
     "a sine beside squares": (system(lambda x, y: [-x + 0.5 * np.sin(y), -y]), halves),
     "a jump to its tanh": (
         clpt.Block(

@@ -42,6 +42,12 @@ class PointSearch:
         self.states = [*eq.motion]
         self.inputs = [s for port in eq.inputs.values() for s in port.flat]
         self.random, self.blocks = np.random.default_rng(seed), Running(system, name)
+        own = zip(self.blocks.wiring.nodes, eq.parameters.values(), strict=True)
+        self.jumping = {  # the symbol that says between which breakpoints a block is -> its place
+            p.interval: k
+            for k, (node, p) in enumerate(own)
+            if node.system.breakpoints_function is not None and "interval" in p._fields
+        }
 
     @cached_property
     def slopes(self) -> Numbers:
@@ -51,13 +57,17 @@ class PointSearch:
     def numbers(self, *expressions: sympy.Expr) -> Numbers:
         """Return expressions as numbers at points, with the parameters as they are."""
         found = Numbers(*(one.xreplace(self.eq.values) for one in expressions))
-        if unknown := set(found.symbols) - {TIME, *self.states, *self.inputs}:
+        if unknown := set(found.symbols) - {TIME, *self.states, *self.inputs, *self.jumping}:
             raise DiagramError(f"{unknown.pop()} has no number")
         return found
 
     def known(self, t: np.ndarray, x: np.ndarray, u: np.ndarray) -> dict:
         """Return symbol -> its numbers at points."""
-        return dict(zip([TIME, *self.states, *self.inputs], [t, *x, *u], strict=True))
+        known = dict(zip([TIME, *self.states, *self.inputs], [t, *x, *u], strict=True))
+        for symbol, k in self.jumping.items():
+            block, p = self.blocks.wiring.nodes[k].system, self.blocks.sweep.parameters[k]
+            known[symbol] = np.array([block.interval_at(one, p) for one in t])
+        return known
 
     def value_at(self, expression: sympy.Expr, point: Point) -> float:
         """Return an expression at a point."""
