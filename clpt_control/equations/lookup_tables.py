@@ -179,18 +179,25 @@ def of_interp1d(f: Any) -> Callable:
 
 def of_polynomials(f: Any) -> Callable:
     """Return a piecewise polynomial of SciPy, such as CubicSpline, as a function of signals."""
-    coefficients, xs = np.asarray(f.c), np.asarray(f.x, dtype=float)
-    if coefficients.ndim != 2 or coefficients.dtype.kind != "f" or f.extrapolate == "periodic":
-        raise Unread(f"scipy's {type(f).__name__} of several columns, or a periodic one")
+    xs, tail, periodic = np.asarray(f.x, dtype=float), f.c.shape[2:], f.extrapolate == "periodic"
+    if f.c.dtype.kind != "f" or f.axis:
+        raise Unread(f"scipy's {type(f).__name__} of complex numbers, or along another axis")
     ends = (None, None) if f.extrapolate else (np.nan, np.nan)
 
     def table(tape: Tape, x: Any, nu: int = 0) -> Any:
         x = lifted(tape, x)
+        if periodic:
+            x = xs[0] + (x - xs[0]) % (xs[-1] - xs[0])
         k = place_in(xs[1:-1], x)
         s = x - lookup(xs, k)
-        rows = f.derivative(nu).c if nu else coefficients
-        value = reduce(lambda v, w: v * s + w, [lookup(row, k) for row in rows])
-        return outside(value, x, xs, *ends)
+        rows = f.derivative(nu).c if nu else np.asarray(f.c)
+        values = []
+        for column in np.moveaxis(rows.reshape(*rows.shape[:2], -1), 2, 0):
+            value = reduce(lambda v, w: v * s + w, [lookup(row, k) for row in column])
+            values.append(outside(value, x, xs, *ends))
+        if not tail:
+            return values[0]
+        return np.moveaxis(np.stack(values), 0, -1).reshape((*x.shape, *tail))
 
     return table
 
@@ -199,6 +206,8 @@ def of_spline(f: Any) -> Callable:
     """Return scipy.interpolate.BSpline as a function of signals."""
     from scipy.interpolate import PPoly
 
+    if f.c.ndim > 1:
+        raise Unread("scipy's BSpline of several columns")
     return of_polynomials(PPoly.from_spline(f))
 
 

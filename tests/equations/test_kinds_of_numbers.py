@@ -39,6 +39,8 @@ with warnings.catch_warnings(action="ignore"):
     SQUARE = np.asmatrix([[1.0, 2.0], [3.0, 4.0]])
 CUBIC = interp1d([0.0, 1.0, 2.0, 3.0], [0.0, 1.0, 4.0, 2.0], kind="cubic")  # no reading has it
 SPLINE = CubicSpline([-1.0, 0.0, 0.5, 2.0], [0.0, 1.0, -1.0, 2.0])
+TRACK = CubicSpline([-1.0, 0.0, 0.5, 2.0], [[0.0, 1.0], [1.0, 3.0], [-1.0, 2.0], [0.0, 1.0]])
+LAP = CubicSpline([0.0, 1.0, 1.5, 3.0], [[0.0, 1.0], [1, 3], [-1, 2], [0, 1]], bc_type="periodic")
 BASIS = make_interp_spline([-1.0, 0.0, 0.5, 1.0, 2.0], [0.0, 1.0, -1.0, 0.5, 2.0], k=3)
 GRID = [-1.0, 0.0, 0.5, 2.0], [-0.5, 1.0, 1.5]
 HEIGHTS = np.random.default_rng(0).standard_normal((4, 3))
@@ -301,6 +303,13 @@ ONE_LINE = {  # as Python has them
         SPLINE(x[0], nu=2),
         *BASIS(x),
         BASIS(u[0], 1),
+    ],
+    "a track": lambda t, x, u, p: [
+        *TRACK(t),
+        *TRACK(x[0], 1),
+        *TRACK(x).ravel(),
+        *LAP(t),
+        *LAP(x[1], 2),
     ],
     "a chart": lambda t, x, u, p: [
         *CHART(x[:2]),
