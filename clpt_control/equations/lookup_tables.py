@@ -203,12 +203,12 @@ def of_polynomials(f: Any) -> Callable:
 
 
 def of_spline(f: Any) -> Callable:
-    """Return scipy.interpolate.BSpline as a function of signals."""
+    """Return SciPy's BSpline, or UnivariateSpline, as a function of signals."""
     from scipy.interpolate import PPoly
 
-    if f.c.ndim > 1:
-        raise Unread("scipy's BSpline of several columns")
-    return of_polynomials(PPoly.from_spline(f))
+    if getattr(f, "ext", 0) or np.ndim(getattr(f, "c", ())) > 1:
+        raise Unread(f"scipy's {type(f).__name__} of several columns, or with ends of its own")
+    return of_polynomials(PPoly.from_spline(getattr(f, "_eval_args", f)))
 
 
 def of_grid(f: Any) -> Callable:
@@ -290,6 +290,8 @@ TABLES: dict[str, Callable[[Any], Callable]] = {
     "scipy.interpolate._cubic.Akima1DInterpolator": of_polynomials,
     "scipy.interpolate._interpolate.PPoly": of_polynomials,
     "scipy.interpolate._bsplines.BSpline": of_spline,
+    "scipy.interpolate._fitpack2.UnivariateSpline": of_spline,
+    "scipy.interpolate._fitpack2.InterpolatedUnivariateSpline": of_spline,
     "scipy.interpolate._rgi.RegularGridInterpolator": of_grid,
     "scipy.interpolate._interpnd.LinearNDInterpolator": of_simplices,
     "scipy.interpolate.interpnd.LinearNDInterpolator": of_simplices,

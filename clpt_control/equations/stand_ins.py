@@ -30,7 +30,7 @@ from .arrays import (
     where,
     whole,
 )
-from .lookup_tables import function_of
+from .lookup_tables import function_of, is_table
 from .numpy_functions import apply_function, in_order
 from .ufuncs import apply_ufunc
 from .views import converted, copied, fresh, tape_of
@@ -63,6 +63,8 @@ class StandIn:
             return StandIn(
                 attribute, lambda tape, *a, **more: apply_ufunc(tape, self.real, name, a, more)
             )
+        if is_table(self.real) and callable(attribute):  # as derivative() makes another
+            return lambda *arguments: stand_in(attribute(*arguments))
         return attribute
 
 

@@ -33,7 +33,9 @@ SEES = frozenset((*READ, *OPENED))  # names by which a function reaches more tha
 FIXED = {  # modules that nobody changes
     one.__name__: one for one in (math, cmath, copy, functools, itertools, operator, np, np.linalg)
 }
-TABLE = ("x", "y", "c", "t", "points", "grid", "values", "method", "fill_value")  # what makes one
+TABLE = (  # what an interpolator is made of
+    *("x", "y", "c", "t", "points", "grid", "values", "method", "fill_value", "ext", "_eval_args"),
+)
 CALLED = (FunctionType, type(math.sin), type(np.sin), type(np.dot), type)
 
 

@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from scipy.interpolate import (
     CubicSpline,
+    InterpolatedUnivariateSpline,
     RegularGridInterpolator,
     interp1d,
     make_interp_spline,
@@ -42,6 +43,7 @@ SPLINE = CubicSpline([-1.0, 0.0, 0.5, 2.0], [0.0, 1.0, -1.0, 2.0])
 TRACK = CubicSpline([-1.0, 0.0, 0.5, 2.0], [[0.0, 1.0], [1.0, 3.0], [-1.0, 2.0], [0.0, 1.0]])
 LAP = CubicSpline([0.0, 1.0, 1.5, 3.0], [[0.0, 1.0], [1, 3], [-1, 2], [0, 1]], bc_type="periodic")
 BASIS = make_interp_spline([-1.0, 0.0, 0.5, 1.0, 2.0], [0.0, 1.0, -1.0, 0.5, 2.0], k=3)
+FITTED = InterpolatedUnivariateSpline([-1.0, 0.0, 0.5, 1.0, 2.0], [0.0, 1.0, -1.0, 0.5, 2.0])
 GRID = [-1.0, 0.0, 0.5, 2.0], [-0.5, 1.0, 1.5]
 HEIGHTS = np.random.default_rng(0).standard_normal((4, 3))
 CHART = RegularGridInterpolator(GRID, HEIGHTS, bounds_error=False, fill_value=None)
@@ -303,6 +305,9 @@ ONE_LINE = {  # as Python has them
         SPLINE(x[0], nu=2),
         *BASIS(x),
         BASIS(u[0], 1),
+        *FITTED(x),
+        FITTED(u[0], 1),
+        SPLINE.derivative()(x[0]),
     ],
     "a track": lambda t, x, u, p: [
         *TRACK(t),
