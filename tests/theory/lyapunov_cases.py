@@ -401,6 +401,10 @@ WRONG = {
         ),
         lambda s: s.m**2,
     ),
+    "a state named q_0": (  # where y is small
+        system(lambda y, q_0: [-1e6 * np.tanh(y) + q_0, 0 * q_0]),
+        lambda s: s.y**2 / 2 + s.q_0**2 / 2,
+    ),
     "V of sizes, a slide": (  # along x = 0, where y runs off
         system(lambda x, y: [-2 * np.sign(x), np.sign(x) ** 2]),
         lambda s: np.abs(s.x) + np.abs(s.y),

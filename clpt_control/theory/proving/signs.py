@@ -266,29 +266,30 @@ def _in_sectors(group: sympy.Expr, words: set, apart: set, values: dict, facts: 
     outer = sorted(words - inner, key=str)
     if len(outer) > MOST_WORDS:
         return False
-    q = sympy.symbols(f"q_:{len(outer)}", real=True)
+    q = sympy.symbols(f"q_:{len(outer)}", real=True, cls=sympy.Dummy)
     plain = group.xreplace(dict(zip(outer, q, strict=True)))
     if not plain.is_polynomial(*q):
         return False
     known = [word.xreplace(values) for word in outer]
-    ways = (False, True)[: 1 + any(isinstance(word, sympy.sin) for word in outer)]
-    for sectors in ([sector_of(word, slope) for word in known] for slope in ways):
-        if None not in sectors:
-            bends = (sympy.diff(plain, one, 2) for one in q)
-            ends = (sector.high for sector in sectors)
-            convex = all(
-                bend == 0 or (high != sympy.oo and (-bend).is_nonpositive)
-                for bend, high in zip(bends, ends, strict=True)
-            )
-            if convex and _at_the_ends(
-                plain, dict(zip(q, sectors, strict=True)), apart, values, facts
-            ):
-                return True
-    return False
+    return any(
+        _at_the_ends(plain, q, [sector_of(word, slope) for word in known], apart, values, facts)
+        for slope in (False, True)[: 1 + group.has(sympy.sin)]
+    )
 
 
-def _at_the_ends(plain: sympy.Expr, sectors: dict, apart: set, values: dict, facts: Facts) -> bool:
+def _at_the_ends(
+    plain: sympy.Expr, q: tuple, found: list, apart: set, values: dict, facts: Facts
+) -> bool:
     """Return whether an expression, convex in each q, is not positive where q is at its ends."""
+    if None in found:
+        return False
+    sectors = dict(zip(q, found, strict=True))
+    bends = {one: sympy.diff(plain, one, 2) for one in q}
+    if any(
+        b != 0 and not (b.is_nonnegative and sectors[one].high < sympy.oo)
+        for one, b in bends.items()
+    ):
+        return False
     q_times = plain.xreplace({one: sector.factor * one for one, sector in sectors.items()})
     if terms_of(q_times) > MOST_TERMS:
         return False
