@@ -73,7 +73,7 @@ class InvariantLoop:
             tuple(sympy.sympify(factor).xreplace(self.tied) for factor in product)
             for product in law.losses(every, p, truth)
         ]
-        c = sympy.symbols(f"c_1:{2 * N + 1}", real=True)
+        c = sympy.symbols(f"c_1:{2 * N + 1}", real=True, cls=sympy.Dummy)
         self.c = np.array(c, dtype=object).reshape(2, N)  # d P^-1, d = theta_hat - theta
         every["d P^-1"] = self.c
         self.error_growth = sympy.sympify(law.error_growth(every, p, truth))
@@ -169,7 +169,9 @@ class InvariantLoop:
         """Return whether c^T M c is not negative after a jump, for every M >= 0 and c."""
         for after in self.loop.jumps_at_once():
             for M in self.matrices.values():
-                c = np.array(sympy.symbols(f"a_1:{len(M) + 1}", real=True), dtype=object)
+                c = np.array(
+                    sympy.symbols(f"a_1:{len(M) + 1}", real=True, cls=sympy.Dummy), dtype=object
+                )
                 new = np.array([[after.get(m, m) for m in row] for row in M], dtype=object)
                 if not self.not_negative(self.masked(sympy.expand(c @ new @ c)), set(c)):
                     return False
@@ -206,7 +208,9 @@ class InvariantLoop:
         little.
         """
         M, n = self.symmetric[port].copy(), len(self.matrices[port])
-        c = np.array([*sympy.symbols(f"c_1:{n}", real=True), sympy.Integer(1)], dtype=object)
+        c = np.array(
+            [*sympy.symbols(f"c_1:{n}", real=True, cls=sympy.Dummy), sympy.Integer(1)], dtype=object
+        )
         M[:-1, -1] = M[-1, :-1] = -(M[:-1, :-1] @ c[:-1])
         M[-1, -1] = -np.dot(M[-1, :-1], c[:-1])
         at = dict(zip(self.matrices[port].ravel(), M.ravel(), strict=True))
@@ -239,7 +243,7 @@ class InvariantLoop:
             return False
         of = {s: shares.get(tuple(int(s == one) for one in symbols), 0) for s in symbols}
         for M in matrices.values():
-            c = sympy.symbols(f"c_1:{len(M) + 1}", real=True)
+            c = sympy.symbols(f"c_1:{len(M) + 1}", real=True, cls=sympy.Dummy)
             pairs = combinations_with_replacement(range(len(M)), 2)  # M_jk stands for M_kj too
             parts.append(sympy.Add(*(sympy.expand(c[j] * c[k] * of[M[j, k]]) for j, k in pairs)))
         parts.append(shares.get((0,) * len(symbols), sympy.S.Zero))
