@@ -23,7 +23,7 @@ from .proving.proof import Step, exact, short
 from .proving.signs import MOST_FACTORED, factored, tidied, vanishes
 from .proving.symbolic_loop import NO_VALUE
 from .proving.symbols import undefined
-from .proving.words import SMOOTH, along, is_continuous, meets_smoothly
+from .proving.words import NUMBERS_OF, SMOOTH, along, is_continuous, meets_smoothly
 from .squares import never_positive, squares
 
 MOST_TURNS = 360  # pi/360 is a share of pi
@@ -48,6 +48,12 @@ class SystemWithV:
             raise DiagramError(f"{system.name}: has no states, so V' says nothing")
         if TIME in self.eq.motion:
             raise DiagramError(f"{system.name}: has a state t, as time is called; rename it")
+        ports = {**self.eq.signals, **self.eq.inputs}
+        for name in NUMBERS_OF.keys() & ports.keys():
+            if any(str(one.func) == name for one in ports[name].flat):
+                raise DiagramError(
+                    f"{system.name}: has a signal {name}, as a function is called; rename it"
+                )
         for s, rate in self.eq.motion.items():
             if rate.xreplace(self.eq.values).has(*NO_VALUE):
                 raise DiagramError(

@@ -240,6 +240,14 @@ def test_mistakes_are_one_sentence():
         lyapunov(plant, sympy.Piecewise((x**2, x > 0), (0, True)))
     with pytest.raises(clpt.DiagramError, match="as time is called"):
         lyapunov(control.nlsys(lambda t, x, u, p: -x, inputs=0, states=["t"]), 0 * x)
+    for name in ("sign", "inside", "clip"):
+        pulled = control.nlsys(
+            lambda t, x, u, p: [x[0] * (u[0] - 1e6)], inputs=[name], states=["x"]
+        )
+        with pytest.raises(
+            clpt.DiagramError, match=f"has a signal {name}, as a function is called"
+        ):
+            lyapunov(pulled, half)
     divided = system(lambda x, k: [-x / k], params={"k": 0.0})
     with pytest.raises(clpt.DiagramError, match="as they are x' has no value"):
         lyapunov(divided, half)
