@@ -155,8 +155,8 @@ def _verdict(case: SystemWithV, search: FailureSearch, count: int) -> Lyapunov:
     valued = exact("V and the equations have a value everywhere", not undefined, undefined)
     definite, forms = case.definite()
     steps, where, zero = [valued, definite], "", {}
+    falls = case.falls()
     identity = case.claim is None or _as_claimed(case, steps)
-    falls = case.never_positive(case.rate) or case.falls_by_state()
     inputs = case.depends_on()
     if not falls and inputs:
         zero = {f: sympy.Integer(0) for f in case.inputs if str(f.func) in inputs}

@@ -64,7 +64,7 @@ class SystemWithV:
         self.V, labels = self.expression(V), {V, f"{V}[0]"} if isinstance(V, str) else set()
         self.name = next((one for one in system.output_labels if one in labels), "")
         self.claim = None if claim is None else self.expression(claim)
-        self.rate = reduced(along(self.V, {TIME: sympy.Integer(1), **self.eq.motion}))
+        self.rate = along(self.V, {TIME: sympy.Integer(1), **self.eq.motion})
         self.rest = None if at is None else self.place(at)
         self.valued = False  # whether the parameters' own values are used
 
@@ -157,7 +157,14 @@ class SystemWithV:
                 return True
         return False
 
-    def falls_by_state(self) -> bool:
+    def falls(self) -> bool:
+        """Return whether V' is known never to be positive, as it stands, reduced, or by states."""
+        if self.never_positive(self.rate):
+            return True
+        self.rate = reduced(self.rate)
+        return self.never_positive(self.rate) or self._falls_by_state()
+
+    def _falls_by_state(self) -> bool:
         """Return whether each rate is -dV/dx_i times what is not negative, as of a gradient."""
         slopes = (along(self.V, {s: sympy.S.One}) for s in (TIME, *self.states))
         pairs = zip(slopes, [sympy.S.One, *self.eq.motion.values()], strict=True)

@@ -219,6 +219,8 @@ RIGHT = {  # name -> system, V, what else is given
     "hardening spring": (spring(), stored),
     "a fourth power": (system(lambda x: [-(x**3)]), lambda s: s.x**4 / 4),
     "tanh": (system(lambda x: [-np.tanh(x)]), half),
+    "a divisor with an angle": (system(lambda x: [-x - x**3 / (2 - np.cos(x))]), half),
+    "a divisor below zero": (system(lambda x: [x * (3 + np.cos(x)) / (np.sin(x) - 2)]), half),
     "V that is linear far off": (system(lambda x: [-x]), lambda s: s.x**2 / (1 + np.abs(s.x))),
     "log cosh": (system(lambda x: [-np.tanh(x)]), lambda s: np.log(np.cosh(s.x))),
     "cosh": (system(lambda x: [-np.sinh(x)]), lambda s: np.cosh(s.x) - 1),

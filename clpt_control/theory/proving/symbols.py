@@ -121,9 +121,12 @@ def _parameters(expression: sympy.Expr) -> bool:
 
 def _nonzero(b: sympy.Expr) -> bool:
     """Return whether a divisor is known not to be zero; maximum(a, b) is not where b > 0."""
-    factors = sympy.Mul.make_args(b)
-    known = positive_maximum(b) or all(f.is_nonzero or interval(f)[0].is_positive for f in factors)
-    return known or bool(interval(sympy.expand(b))[0].is_positive)
+
+    def apart(f: sympy.Expr) -> bool:
+        low, high = interval(f)
+        return bool(f.is_nonzero or low.is_positive or high.is_negative)
+
+    return positive_maximum(b) or apart(sympy.expand(b)) or all(map(apart, sympy.Mul.make_args(b)))
 
 
 def _not_huge(a: sympy.Expr) -> bool:
