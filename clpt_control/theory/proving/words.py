@@ -158,8 +158,9 @@ def interval(e: sympy.Expr) -> tuple[Any, Any]:
             corners = [sympy.S.Zero if c is sympy.nan else c for c in corners]
             product = sympy.Min(*corners), sympy.Max(*corners)
         low, high = sympy.Max(low, product[0]), sympy.Min(high, product[1])
-    elif e.is_Pow and e.exp.is_negative and of[0][0].is_positive:
-        low, high = of[0][1] ** e.exp, of[0][0] ** e.exp
+    elif e.is_Pow and e.exp.is_negative:
+        if of[0][0].is_positive or (e.exp.is_odd and of[0][1].is_negative):  # falls there
+            low, high = of[0][1] ** e.exp, of[0][0] ** e.exp
     return low, high
 
 
