@@ -167,9 +167,9 @@ def plain(value: Any, kinds: Kinds) -> Any:
     """Return a value, made plain where one of the kinds asks for it."""
     if getattr(value, "ndim", None) == 0 and getattr(value, "dtype", EMPTY).kind in "iufb":
         return value.item() if {float, int, bool} & set(kinds) else value
-    if isinstance(value, Iterator) and Iterable in map(get_origin, kinds):
+    if isinstance(value, Iterator) and any(get_origin(kind) is Iterable for kind in kinds):
         return list(value)
-    if isinstance(value, list) and tuple in map(get_origin, kinds):
+    if isinstance(value, list) and any(get_origin(kind) is tuple for kind in kinds):
         return tuple(value)
     listed = isinstance(value, list | tuple) or hasattr(value, "__array__")
     if listed and np.ndarray in kinds and not isinstance(value, np.ndarray):

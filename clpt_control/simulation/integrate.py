@@ -178,7 +178,7 @@ def sizes_of_run(
         parts = x0 if isinstance(x0, list | tuple) else [0.0 if x0 is None else x0]
         states = sum(np.size(part) for part in parts)
     if diagram.ninputs is None:
-        shape = np.shape(None if callable(inputs) else stacked(inputs, times))
+        shape = () if callable(inputs) else np.shape(np.asarray(stacked(inputs, times)))
         inputs_ = shape[0] if shape and shape != times.shape else 1
     return states, inputs_
 

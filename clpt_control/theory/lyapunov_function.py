@@ -183,7 +183,7 @@ def _verdict(case: SystemWithV, search: FailureSearch, count: int) -> Lyapunov:
             return result("refuted", claim, found)
     if not all(step.holds for step in steps):
         return result("open", f"V' = {short(rate)}; {first_failure(steps)}")
-    ways = ({}, case.eq.values)
+    ways: tuple[dict, ...] = ({}, case.eq.values)
     of_any, beside = (forms and states_beside(forms, case.eq, at) for at in ways)
     case.valued |= of_any != beside
     apart, others = beside or NEAR

@@ -121,6 +121,11 @@ def sector_of(word: Any, slope: bool = False) -> Sector | None:
     return None if low == -inf else Sector(sympy.Integer(1), low, high)
 
 
+def _falls(exponent: sympy.Expr, low: Any, high: Any) -> bool:
+    """Return whether a power with an exponent below zero falls from `low` to `high`."""
+    return bool(low.is_positive or (exponent.is_odd and high.is_negative))
+
+
 def interval(e: sympy.Expr) -> tuple[Any, Any]:
     """Return the numbers between which an expression lies, whatever its symbols are."""
     if e.is_number and e.is_real:
@@ -158,9 +163,8 @@ def interval(e: sympy.Expr) -> tuple[Any, Any]:
             corners = [sympy.S.Zero if c is sympy.nan else c for c in corners]
             product = sympy.Min(*corners), sympy.Max(*corners)
         low, high = sympy.Max(low, product[0]), sympy.Min(high, product[1])
-    elif e.is_Pow and e.exp.is_negative:
-        if of[0][0].is_positive or (e.exp.is_odd and of[0][1].is_negative):  # falls there
-            low, high = of[0][1] ** e.exp, of[0][0] ** e.exp
+    elif e.is_Pow and e.exp.is_negative and _falls(e.exp, *of[0]):
+        low, high = of[0][1] ** e.exp, of[0][0] ** e.exp
     return low, high
 
 
