@@ -240,7 +240,8 @@ def states_beside(forms: list[sympy.Expr], eq: Equations, values: dict) -> tuple
     names = ", ".join(map(str, free))
     if not free:
         return "", exact("V holds every state", True)
-    rates = sympy.Matrix([sympy.expand(motion[s].xreplace(at)) for s in free])
+    plain = [motion[s].xreplace(at) for s in free]
+    rates = sympy.Matrix([sympy.expand(rate) for rate in plain])
     after = [change for jump in eq.jumps.values() for change in jump.items()]
     jumps = [new.xreplace(values).xreplace(at) for s, new in after if s in free and new != s]
     J = rates.jacobian(free)
@@ -248,7 +249,8 @@ def states_beside(forms: list[sympy.Expr], eq: Equations, values: dict) -> tuple
     if not (jumps or J.free_symbols - fixed or rest.has(TIME, *free)) and hurwitz(J):
         inputs = " and bounded inputs" if rest.has(*still.values()) else ""
         return "", exact(f"{names}: linear and stable, driven by what V holds{inputs}", True)
-    if all(degree(rate, free.__contains__) <= 1 for rate in (*rates, *jumps)):
+    both = [*zip(plain, rates, strict=True), *((new,) for new in jumps)]  # expansion hides roots
+    if all(min(degree(f, free.__contains__) for f in one) <= 1 for one in both):
         grows = exact(f"{names}: not held by V, may grow, and exist for all t", True)
         return f"but for {names}", grows
     faster = exact(f"{names}: not held by V, exist for all t", False, "not shown")
