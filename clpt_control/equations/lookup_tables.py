@@ -220,7 +220,10 @@ def of_grid(f: Any) -> Callable:
 
     def table(tape: Tape, given: Any) -> Any:
         x = lifted(tape, list(given) if isinstance(given, tuple) else given)
-        x = np.moveaxis(x, 0, -1) if isinstance(given, tuple) else x.reshape(-1, len(grid))
+        if isinstance(given, tuple):  # of one array along each axis
+            x = np.moveaxis(x, 0, -1)
+        elif x.ndim < 2:
+            x = x.reshape(-1, len(grid))
         total: Any = 0.0
         along = [x[..., k] for k in range(len(grid))]
         places = [place_in(xs[1:-1], own) for xs, own in zip(grid, along, strict=True)]

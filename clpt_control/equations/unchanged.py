@@ -34,7 +34,8 @@ FIXED = {  # modules that nobody changes
     one.__name__: one for one in (math, cmath, copy, functools, itertools, operator, np, np.linalg)
 }
 TABLE = (  # what an interpolator is made of
-    *("x", "y", "c", "t", "points", "grid", "values", "method", "fill_value", "ext", "_eval_args"),
+    *("x", "y", "c", "t", "k", "points", "grid", "values", "method", "fill_value", "ext"),
+    *("extrapolate", "bounds_error", "_eval_args"),
 )
 CALLED = (FunctionType, type(math.sin), type(np.sin), type(np.dot), type)
 

@@ -286,12 +286,12 @@ class DiagramRecord(RecordMerger):
         return fed
 
     def _signed(self, block: Block) -> bool:
-        """Return whether a block distinguishes -0.0 from 0.0 in its inputs."""
+        """Return whether a block distinguishes -0.0 from 0.0, of inputs or states that hold one."""
         for record in block.records.values():
-            fed: set[int] = set()  # operations that depend on inputs
+            fed: set[int] = set()  # operations that depend on inputs or states
             for k, (kind, arguments, _, at) in enumerate(record.operations):
                 own = [type(a) is int and a in fed for a in arguments]
-                if any(own) or (kind == "leaf" and at[0] == "u"):
+                if any(own) or (kind == "leaf" and at[0] in "ux"):
                     fed.add(k)
                     if kind in SIGNED or (kind == "div" and own[1]):
                         return True

@@ -320,6 +320,7 @@ ONE_LINE = {  # as Python has them
         *CHART(x[:2]),
         CHART((x[1], u[0])),
         *CHART([[x[0], x[1]], [x[2], u[1]]]),
+        *CHART([[[x[0], x[1]], [x[2], u[1]]], [[u[0], x[1]], [x[1], x[2]]]])[1],
         *COAST((x, x[::-1])),
         COLUMN([x[0], u[1], x[1]])[0],
     ],

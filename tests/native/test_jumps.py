@@ -230,6 +230,21 @@ def test_a_jump_may_branch(engine):
     np.testing.assert_allclose(found[:, 0], [-1.75, 0.0, 1.0, 1.5], atol=1e-12)
 
 
+@every_engine
+def test_a_wire_carries_no_minus_zero_into_a_state(engine):
+    """What a wire feeds is a sum that begins at 0.0, and atan2(-0.0, -1) would be -pi."""
+    source = Block("source", output=lambda t, x, u, p: -0.0 * np.cos(t), outputs={"r": 1})
+    turned = saw(
+        jump=lambda t, x, u, p: u.r,
+        inputs={"r": 1},
+        output=lambda t, x, u, p: np.arctan2(x.s, -1.0),
+        outputs={"angle": 1},
+    )
+    run = ENGINES[engine](clpt.connect([source, turned]))
+    found = run.signals(run.run([0.0], [0.0, 1.0]), None)
+    assert found[-1, -1] == np.pi
+
+
 def test_a_block_that_jumps_conforms_is_copied_and_pickled():
     block = saw(jump=read, inputs={"r": 1})
     clpt.conformance.conformance(block)
