@@ -226,7 +226,7 @@ class NativeDiagram(PythonDiagram):
         program = code.program
         used = dict(zip(("margin", "jump"), watched, strict=True))
         used |= {"decide": program.decided, "slope": "slope" in program.functions}
-        used["staged"] = method == solver.DOP853 and program.stages
+        used["staged"] = method == solver.DOP853 and program.staged
         own = [code.address(name, lanes) if used.get(name, True) else 0 for name in FUNCTIONS]
         shape = lanes, self.nstates, method, *watched, self.decided_at, program.decided
         sizes = program.parameters, program.room, self.layout.T

@@ -48,7 +48,7 @@ class Program(NamedTuple):
     deciding: tuple[tuple, ...]  # of each decision: its first number, and where it is made
 
     @property
-    def stages(self) -> bool:
+    def staged(self) -> bool:
         """Whether there is `staged`: no state is looked up by its place."""
         return all(c.name != "table" or c.arguments[0] != "X" for c in self.components)
 
