@@ -30,16 +30,18 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from ..errors import DataError
-from .dives import Fix, is_fix
+from .dives import Fix, fixes_at, is_fix
 from .samples import SURFACE, metres, metres_per_second, seconds, values
 from .usable_dives import DAY, SMALLER
 
 if TYPE_CHECKING:
+    import pandas
     import xarray
 
 FIXES = ("TIME_GPS", "LATITUDE_GPS", "LONGITUDE_GPS")
 STEPS = ("EAST_DISPLACEMENT", "NORTH_DISPLACEMENT")
 STEPS_GSM = ("EAST_DISPLACEMENT_GSM", "NORTH_DISPLACEMENT_GSM")
+PLACE = ("lat", "lon")
 FLAG = "DEAD_RECKONING"  # 0 where a place is a fix
 HEADING = ("HEADING", "GLIDER_HEADING", "ENG_HEAD")
 SPEED = ("GLIDER_HORZ_VELO_MODEL", "HORZ_SPEED", "HORZ_SPEED_GSM", "HORZ_GLIDER_SPEED")
@@ -62,7 +64,7 @@ class Columns(NamedTuple):
     `phase` of the measurements.
     """
 
-    of: dict[str, np.ndarray]
+    of: "pandas.DataFrame"
     north: str  # "magnetic", "true" or "" where the file does not say
     steps: str  # name of the displacement
     notes: tuple[str, ...]  # on all of its dives
@@ -76,6 +78,8 @@ def is_known(data: "xarray.Dataset") -> bool:
 
 def columns_of(data: "xarray.Dataset") -> Columns:
     """Return the columns of a file, of one length."""
+    import pandas
+
     known = known_names(data)
     fixes, t_name = _fix_columns(data, known)
     time = seconds(data, known["TIME"]) if "TIME" in known else fixes[0]
@@ -109,13 +113,14 @@ def columns_of(data: "xarray.Dataset") -> Columns:
             if found.shape == time.shape and np.isfinite(found).any():
                 of[key] = found
                 break
-    of_fixes = dict(zip(("t_fix", "lat", "lon"), fixes, strict=True))
-    if time.shape != fixes[0].shape:  # fixes on a dimension of their own
-        before, after = np.full(time.size, nan), np.full(fixes[0].size, nan)
-        of_fixes = {key: np.append(before, column) for key, column in of_fixes.items()}
-        of = {key: np.append(column, after) for key, column in of.items()}
+    tables = (
+        pandas.DataFrame(of),
+        pandas.DataFrame(dict(zip(("t_fix", *PLACE), fixes, strict=True))),
+    )
+    beside = time.shape == fixes[0].shape  # else fixes on a dimension of their own
+    whole = pandas.concat(tables, axis=1 if beside else 0).reset_index(drop=True)
     name = known.get(steps[0], steps[0])
-    return Columns(of | of_fixes, _frame(data, known), name, tuple(notes))
+    return Columns(whole.where(np.isfinite(whole)), _frame(data, known), name, tuple(notes))
 
 
 def _fix_columns(data: "xarray.Dataset", known: dict[str, str]) -> tuple[list[np.ndarray], str]:
@@ -157,35 +162,34 @@ def unit_of_times(fixes: np.ndarray, time: np.ndarray) -> str:
     return next((unit for unit, size in SMALLER.items() if first <= middle / size <= last), "")
 
 
-def fixes_in(of: dict[str, np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
-    """Return rows of the fixes by time, and times of fixes that are left out.
+def fixes_in(of: "pandas.DataFrame") -> tuple[list[Fix], np.ndarray]:
+    """Return the fixes by time, and times of fixes that are left out.
 
     These are half a fix, one off the Earth, and one under water: in a row deeper than
     20 m, at a time at which the vehicle cannot be up from there.  Where most fixes are,
     the file is refused.  Where fixes stand under water too, each was repeated until the
     next; the first of each is taken.
     """
-    some = np.isfinite(of["lat"]) | np.isfinite(of["lon"])
-    good = is_fix(of["lat"], of["lon"]) & np.isfinite(of["t_fix"]) & (of["t_fix"] > 0)
-    rows = np.flatnonzero(good)
-    failed = of["t_fix"][some & ~good]
-    deep = of["depth"][rows] > SURFACE
+    lat, lon, when, time, depth = of[[*PLACE, "t_fix", "time", "depth"]].to_numpy().T
+    some = np.isfinite(lat) | np.isfinite(lon)
+    good = is_fix(lat, lon) & (when > 0)
+    rows, failed = np.flatnonzero(good), when[some & ~good]
+    deep = depth[rows] > SURFACE
     if deep.any():
-        moved = [np.diff(of[key][rows], prepend=np.inf) != 0 for key in ("lat", "lon")]
+        moved = [np.diff(axis[rows], prepend=np.inf) != 0 for axis in (lat, lon)]
         first = moved[0] | moved[1]
-        later = of["t_fix"][rows] - of["time"][rows]
-        afloat = ~deep | (later >= of["depth"][rows] / FASTEST_CLIMB)
+        afloat = ~deep | (when[rows] - time[rows] >= depth[rows] / FASTEST_CLIMB)
         wrong = rows[first & ~afloat]
         if wrong.size > first.sum() / 2:
             others = f" and {wrong.size - 1} more rows" if wrong.size > 1 else ""
             raise DataError(
-                f"LATITUDE_GPS, LONGITUDE_GPS have a new fix {of['depth'][wrong[0]]:.0f} m "
+                f"LATITUDE_GPS, LONGITUDE_GPS have a new fix {depth[wrong[0]]:.0f} m "
                 f"under water in row {wrong[0]}{others} (the first row is 0); fixes are made at "
                 "the surface: set both to NaN there"
             )
-        failed = np.concatenate([failed, of["t_fix"][wrong]])
+        failed = np.concatenate([failed, when[wrong]])
         rows = rows[first & afloat]
-    return rows[np.argsort(of["t_fix"][rows], kind="stable")], failed
+    return fixes_at(rows[np.argsort(when[rows], kind="stable")], when, lat, lon), failed
 
 
 def known_names(data: "xarray.Dataset") -> dict[str, str]:
