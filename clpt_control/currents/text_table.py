@@ -65,8 +65,10 @@ class TextTable(NamedTuple):
     comments: dict[str, str]
 
 
-def table_of(text: str, name: str | Path, must_be: str) -> TextTable:
+def table_of(text: str, name: str | Path, must_be: str, mark: str = ",") -> TextTable:
     r"""Return the cells of a table, without spaces about them, '' where a line is too short.
+
+    A `mark` stands between cells.
 
     >>> cells, comments = table_of("# latitude: 41.2\n\ntime,u\n0, 1,2\n3", "mine.csv", "a table")
     >>> comments, list(cells.columns), list(cells.index), cells.values.tolist()
@@ -82,7 +84,7 @@ def table_of(text: str, name: str | Path, must_be: str) -> TextTable:
             comments[found[1].lower()] = found[2].strip()
         elif line and not line.startswith("#"):
             try:
-                cells = next(reader([line], skipinitialspace=True, strict=True))
+                cells = next(reader([line], delimiter=mark, skipinitialspace=True, strict=True))
             except Error:  # a quotation mark that is not closed: one cell, of this line alone
                 cells = [line]
             rows[k] = [cell.strip() for cell in cells]

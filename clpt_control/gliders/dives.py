@@ -27,7 +27,7 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import atan2, degrees, hypot, isfinite
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -36,6 +36,9 @@ from ..estimation.dive import Dive as Dive
 from ..estimation.dive import Fix as Fix
 from ..estimation.dive import make_dive as make_dive
 from ..geodesy import displacement, is_place
+
+if TYPE_CHECKING:
+    import pandas
 
 MENTIONED = 0.01  # m/s
 LEAST_DEPTH = 5.0  # m that a dive reaches
@@ -47,8 +50,6 @@ FILES = (
     re.compile(r"(sea\d+)\.\d+\.", re.IGNORECASE),  # of a SeaExplorer: sea035.10.gli.sub.12.gz
 )
 DATED = re.compile(r"(.+?)_\d{8}")  # SG015_20040929T140907_delayed
-Part = TypeVar("Part")
-Whole = TypeVar("Whole")
 LEAST_GAP = 300.0  # s between two fixes with a dive between them
 BACK = 6  # files before one that are merged with it at most
 SLOCUM_FILES = (".sbd", ".mbd", ".dbd", ".scd", ".mcd", ".dcd", ".sba", ".mba", ".dba", ".asc")
@@ -269,25 +270,37 @@ def before_each(files: Iterable[Path]) -> dict[Path, list[Path]]:
 
 def dives_across_files(
     path: Path,
-    last: Part,
-    read: Callable[[Path], Part],
-    merge: Callable[[list[Part]], Whole],
-    fixes_and_wet: Callable[[Whole], tuple[list[Fix], np.ndarray]],
-) -> tuple[Whole, list[Three]]:
-    """Return a file's contents, `last`, merged with those of files before it, and all dives' fixes.
+    last: "pandas.DataFrame",
+    read: Callable[[Path], "pandas.DataFrame"],
+    fixes_and_wet: Callable[["pandas.DataFrame"], tuple[list[Fix], np.ndarray]],
+) -> tuple["pandas.DataFrame", list[Three]]:
+    """Return a file's log, `last`, merged with those of files before it, and all dives' fixes.
 
-    It goes back until a fix stands before the first time under water; `fixes_and_wet` returns the
-    fixes and the times under water.
+    A log is a table by time, s since 1970.  It goes back until a fix stands before the first time
+    under water; `fixes_and_wet` returns the fixes and the times under water.
     """
     parts = [last]
     for before in reversed(files_before(path)):
-        fixes, wet = fixes_and_wet(merge(parts))
+        fixes, wet = fixes_and_wet(_merged(parts))
         if fixes and (wet.size == 0 or fixes[0][0] <= wet[0]):
             break
         with suppress(DataError):  # named where it is read for itself
             parts.insert(0, read(before))
-    whole = merge(parts)
+    whole = _merged(parts)
     return whole, cut_dives(*fixes_and_wet(whole), LEAST_GAP)
+
+
+def _merged(parts: list["pandas.DataFrame"]) -> "pandas.DataFrame":
+    """Return logs as one, by time; at each time the first number of each column, NaN if none."""
+    import pandas
+
+    whole = pandas.concat(parts)
+    return whole.where(np.isfinite(whole)).groupby(level=0).first()
+
+
+def logged(log: "pandas.DataFrame", *names: str) -> np.ndarray:
+    """Return the times at which some columns of a log all have a number, and these numbers."""
+    return log[[*names]].dropna().reset_index().to_numpy().T
 
 
 def _order(path: Path) -> tuple[str, list[int]]:

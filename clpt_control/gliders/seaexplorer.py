@@ -17,12 +17,13 @@ The plan of the next dive is the last DesiredH (degrees), taken from true north.
 """
 
 import zlib
-from datetime import UTC, datetime
 from math import nan
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..currents.text_table import table_of
 from ..errors import DataError
 from ..files.reading import LARGEST, read_bytes, text_of
 from .dives import (
@@ -35,8 +36,12 @@ from .dives import (
     dives_across_files,
     fixes_at,
     is_fix,
+    logged,
 )
-from .samples import deepest, degrees, hole_under_water, number, track_of
+from .samples import deepest, degrees, hole_under_water, track_of
+
+if TYPE_CHECKING:
+    import pandas
 
 GZIP = b"\x1f\x8b"
 FIRST = "Timestamp;"
@@ -48,7 +53,6 @@ OPTIONAL = (
 AT_SURFACE = 116
 LEAST_PITCH = 10.0  # degrees
 FASTEST = 1.5  # m/s
-Rows = np.ndarray  # a row each: time, NEEDED, OPTIONAL
 
 
 def is_known(text: str) -> bool:
@@ -68,74 +72,65 @@ def unzipped(raw: bytes, path: Path) -> str:
 
 def dives_of(text: str, path: Path) -> tuple[list[Dive], list[Skipped]]:
     """Return the dives that end in a file."""
-    last = _rows(text, path)
+    last = _log(text, path)
 
-    def read(before: Path) -> Rows:
+    def read(before: Path) -> "pandas.DataFrame":
         raw = read_bytes(before)
         plain = unzipped(raw, before) if raw[:2] == GZIP else text_of(raw, before, "no text")
-        return _rows(plain, before)
+        return _log(plain, before)
 
-    rows, found = dives_across_files(path, last, read, _merged, _fixes_and_wet)
-    if not _fixes_and_wet(rows)[0]:
+    log, found = dives_across_files(path, last, read, _fixes_and_wet)
+    if not _fixes_and_wet(log)[0]:
         raise DataError(f"{path}: no row with a fix (NavState {AT_SURFACE})")
     digits = [part for part in path.name.split(".") if part.isdecimal()]
     which = int(digits[-1]) if digits else 0
     return [
-        _dive(rows[(rows[:, 0] >= three[1][0]) & (rows[:, 0] <= three[2][0])], three, which)
+        _dive(log.loc[three[1][0] : three[2][0]], three, which)
         for three in found
-        if three[2][0] >= last[:, 0].min()
+        if three[2][0] >= last.index.min()
     ], []
 
 
-def _rows(text: str, path: Path) -> Rows:
-    """Return the rows of a file that have a time, NaN where a number is missing."""
-    lines = text.splitlines() or [""]
-    if not text.endswith("\n") and len(lines) > 1:
-        lines.pop()  # cut short, so its last number may be another
-    header = [name.strip() for name in lines[0].split(";")]
-    missing = [name for name in NEEDED if name not in header]
+def _log(text: str, path: Path) -> "pandas.DataFrame":
+    """Return the rows of a file that have a time, by it, NaN where a number is missing."""
+    import pandas
+
+    if not text.endswith("\n"):  # cut short, so its last number may be another
+        text = text.rpartition("\n")[0] or text
+    cells = table_of(text, path, "a SeaExplorer's .gli file", ";").cells
+    cells = cells.loc[:, ~cells.columns.duplicated()]
+    missing = [name for name in NEEDED if name not in cells]
     if missing:
         raise DataError(f"{path}: no column {', '.join(missing)} in the SeaExplorer file")
-    places = [header.index(name) if name in header else -1 for name in (*NEEDED, *OPTIONAL)]
-    rows = []
-    for line in lines[1:]:
-        cells = line.split(";")
-        try:
-            when = datetime.strptime(cells[0].strip(), "%d/%m/%Y %H:%M:%S").replace(tzinfo=UTC)
-        except ValueError:
-            continue
-        rows.append(
-            [when.timestamp(), *(number(cells[k]) if 0 <= k < len(cells) else nan for k in places)]
-        )
-    if not rows:
+    form = {"format": "%d/%m/%Y %H:%M:%S", "errors": "coerce", "utc": True}
+    when = pandas.to_datetime(cells.iloc[:, 0], **form) - pandas.Timestamp(0, tz="UTC")
+    log = cells.reindex(columns=[*NEEDED, *OPTIONAL]).apply(pandas.to_numeric, errors="coerce")
+    log = log.set_axis(when.dt.total_seconds())[when.notna().to_numpy()]
+    if log.empty:
         raise DataError(
             f"{path}: no line has a Timestamp such as 13/06/2019 18:21:39 in the SeaExplorer file"
         )
-    return np.array(rows)
+    return log
 
 
-def _merged(parts: list[Rows]) -> Rows:
-    """Return rows by time."""
-    rows = np.concatenate(parts)
-    return rows[np.unique(rows[:, 0], return_index=True)[1]]
-
-
-def _fixes_and_wet(rows: Rows) -> tuple[list[Fix], np.ndarray]:
+def _fixes_and_wet(log: "pandas.DataFrame") -> tuple[list[Fix], np.ndarray]:
     """Return the fixes, places that are new at the surface, and times under water."""
-    lat, lon = degrees(rows[:, 6]), degrees(rows[:, 7])
-    afloat = (rows[:, 1] == AT_SURFACE) & ~(rows[:, 8] > 0)
-    new = np.any(rows[1:, 6:8] != rows[:-1, 6:8], axis=1)
-    good = np.append(False, new) & afloat & is_fix(lat, lon)
-    return fixes_at(good, rows[:, 0], lat, lon), rows[rows[:, 5] > LEAST_DEPTH, 0]
+    place = log[["Lat", "Lon"]].to_numpy()
+    lat, lon = map(degrees, place.T)
+    afloat = (log.NavState == AT_SURFACE) & ~(log.DeadReckoning > 0)
+    new = np.any(place[1:] != place[:-1], axis=1)
+    good = np.append(False, new) & afloat.to_numpy() & is_fix(lat, lon)
+    time = log.index.to_numpy()
+    return fixes_at(good, time, lat, lon), time[log.Depth > LEAST_DEPTH]
 
 
-def _dive(rows: Rows, fixes: Three, which: int) -> Dive:
+def _dive(log: "pandas.DataFrame", fixes: Three, which: int) -> Dive:
     _, start, end = fixes
     duration, notes = end[0] - start[0], []
-    steered = rows[np.isfinite(rows[:, 9]), 9]
-    good = np.isfinite(rows[:, [2, 3, 4, 5]]).all(axis=1)
-    rows = rows[good]
-    time, heading, declination, pitch, depth = rows[:, [0, 2, 3, 4, 5]].T
+    steered = log.DesiredH.dropna()
+    time, heading, declination, pitch, depth = logged(
+        log, "Heading", "Declination", "Pitch", "Depth"
+    )
     hole = "no samples" if time.size < 3 else hole_under_water(time - start[0], depth, duration)
     total, track = (nan, nan), None
     if hole:
@@ -156,6 +151,6 @@ def _dive(rows: Rows, fixes: Three, which: int) -> Dive:
         magvar=float(np.median(declination)) if declination.size else None,
         depth_max=deepest(depth),
         track=track,
-        next_course=steered[-1].item() % 360.0 if steered.size else None,
+        next_course=steered.iloc[-1].item() % 360.0 if steered.size else None,
         notes=tuple(notes),
     )

@@ -31,8 +31,9 @@ c_heading (rad from magnetic north), as last logged.
 """
 
 from dataclasses import replace
-from math import nan
+from math import isfinite, nan
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -47,38 +48,35 @@ from .dives import (
     dives_across_files,
     fixes_at,
     is_fix,
+    logged,
     planned_course,
 )
 from .samples import deepest, degrees, hole_under_water, turned, variation
 from .slocum_file import MAGIC as MAGIC
-from .slocum_file import NAMES, Segment, Series, read_segment
+from .slocum_file import Segment, read_segment
+
+if TYPE_CHECKING:
+    import pandas
 
 SHORT = 60.0  # s of a dive's end without a place that are left alone
 HOLDS = "the glider's dead reckoning holds the current of the dive before"
 CLEAR = 0.03  # m/s: from here on w tells whether a current was added
-Of = dict[str, Series]
 OWN_CURRENT = 1800.0  # s after the fix in which the glider has worked its current out
-YEARS = (0.0, 7.3e9)  # s since 1970: to 2200
 
 
-def between(series: Series, start: float, end: float) -> Series:
+def between(of: "pandas.DataFrame", start: float, end: float) -> "pandas.DataFrame":
     """Return what was logged after a time, to another."""
-    rows = (series[0] > start) & (series[0] <= end)
-    return series[0][rows], series[1][rows]
+    return of[(of.index > start) & (of.index <= end)]
 
 
-def paired(first: Series, second: Series) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the times at which two sensors have a value, and these values."""
-    time, at, other = np.intersect1d(first[0], second[0], return_indices=True)
-    return time, first[1][at], second[1][other]
-
-
-def own_currents(of: Of, dived: float, end: float, east_of_north: float) -> np.ndarray:
+def own_currents(
+    of: "pandas.DataFrame", dived: float, end: float, east_of_north: float
+) -> np.ndarray:
     """Return the own current of the dive before and of that to a fix, (2, 2), NaN if not known.
 
     A file repeats the former in its first cycle until the latter is worked out.
     """
-    time, *water = paired(of["m_water_vx"], of["m_water_vy"])
+    time, *water = logged(of, "m_water_vx", "m_water_vy")
     each = np.column_stack([[nan, nan], turned(water, east_of_north)])
     last = each[:, np.searchsorted(time, end - SHORT, "right")]
     after = each[:, 1:][:, (time > end - SHORT) & (time <= end + OWN_CURRENT)]
@@ -88,7 +86,7 @@ def own_currents(of: Of, dived: float, end: float, east_of_north: float) -> np.n
 
 
 def dead_reckoning(
-    of: Of, start: Fix, wet: np.ndarray, east_of_north: float
+    of: "pandas.DataFrame", start: Fix, wet: np.ndarray, east_of_north: float
 ) -> tuple[np.ndarray | None, str]:
     """Return time since the fix (s), metres east and north of it to the end under water; or why."""
     time, east, north = _places(of, start, wet, east_of_north)
@@ -100,7 +98,7 @@ def dead_reckoning(
     east, north = np.concatenate([[0.0], east]), np.concatenate([[0.0], north])
     rest = wet[-1] - time[-1]
     if rest > SHORT:
-        log, heading = between(of["m_heading"], start[0], wet[-1] + SHORT)
+        log, heading = logged(between(of, start[0], wet[-1] + SHORT), "m_heading")
         if not log.size:
             return None, f"no heading for the last {rest:.0f} s under water"
         later = np.append(log[(log > time[-1]) & (log < wet[-1])], wet[-1])
@@ -113,13 +111,12 @@ def dead_reckoning(
 
 
 def _places(
-    of: Of, start: Fix, wet: np.ndarray, east_of_north: float
+    of: "pandas.DataFrame", start: Fix, wet: np.ndarray, east_of_north: float
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return times of the dead reckoning and its places east and north of the fix, m."""
-    (time, lat, lon), (times, x, y) = (
-        paired(*(between(of[name], start[0] - SHORT, wet[-1]) for name in names))
-        for names in (("m_lat", "m_lon"), ("m_x_lmc", "m_y_lmc"))
-    )
+    near = between(of, start[0] - SHORT, wet[-1])
+    time, lat, lon = logged(near, "m_lat", "m_lon")
+    times, x, y = logged(near, "m_x_lmc", "m_y_lmc")
     lat, lon = degrees(lat), degrees(lon)
     good = np.isfinite(lat) & np.isfinite(lon) & (time > start[0])
     if good.sum() >= 2:
@@ -192,8 +189,9 @@ def reconciled(
 def dives_of(path: Path) -> tuple[list[Dive], list[Skipped]]:
     """Return the dives that end in a file."""
     segment = read_segment(path)
-    of, found = dives_across_files(path, segment, read_segment, _merged, _fixes_and_wet)
-    ends = set(segment.of["m_gps_lat"][0].tolist())
+    log = segment.of
+    of, found = dives_across_files(path, log, lambda file: read_segment(file).of, _fixes_and_wet)
+    ends = set(log.index[log.m_gps_lat.notna()])
     dives = [_dive(of, segment, three) for three in found if three[2][0] in ends]
     if len(dives) > 1:
         which = [f"dive {k} of {len(dives)} in {path.name}" for k in range(1, len(dives) + 1)]
@@ -201,34 +199,20 @@ def dives_of(path: Path) -> tuple[list[Dive], list[Skipped]]:
     return dives, []
 
 
-def _merged(parts: list[Segment]) -> Of:
-    """Return the sensors of segments by time; what has no time, or no number, is left out."""
-    of: Of = {}
-    for name in NAMES:
-        time, value = (np.concatenate([part.of[name][k] for part in parts]) for k in (0, 1))
-        good = np.isfinite(value) & (time > YEARS[0]) & (time < YEARS[1])
-        time, value = time[good], value[good]
-        _, first = np.unique(time, return_index=True)
-        of[name] = time[first], value[first]
-    return of
-
-
-def _fixes_and_wet(of: Of) -> tuple[list[Fix], np.ndarray]:
+def _fixes_and_wet(of: "pandas.DataFrame") -> tuple[list[Fix], np.ndarray]:
     """Return the valid fixes and the times under water."""
-    time, lat, lon = paired(of["m_gps_lat"], of["m_gps_lon"])
-    failed = np.isin(time, of["m_gps_status"][0][of["m_gps_status"][1] != 0])
-    lat, lon = degrees(lat), degrees(lon)
-    good = is_fix(lat, lon) & ~failed
-    when, depth = of["m_depth"]
-    return fixes_at(good, time, lat, lon), when[depth > LEAST_DEPTH]
+    time, *place = logged(of[of.m_gps_status.fillna(0.0) == 0.0], "m_gps_lat", "m_gps_lon")
+    lat, lon = map(degrees, place)
+    wet = of.index[of.m_depth > LEAST_DEPTH].to_numpy()
+    return fixes_at(is_fix(lat, lon), time, lat, lon), wet
 
 
-def _dive(of: Of, segment: Segment, fixes: Three) -> Dive:
+def _dive(of: "pandas.DataFrame", segment: Segment, fixes: Three) -> Dive:
     """Make the dive between two fixes that is under water at some times."""
     _, start, end = fixes
     notes = list(segment.notes)
     east_of_north = _variation(of, start)
-    time, depth = between(of["m_depth"], start[0], end[0])
+    time, depth = logged(between(of, start[0], end[0]), "m_depth")
     wet = time[depth > LEAST_DEPTH]
     duration = end[0] - start[0]
     path, why = dead_reckoning(of, start, wet, east_of_north)
@@ -240,10 +224,8 @@ def _dive(of: Of, segment: Segment, fixes: Three) -> Dive:
     total = np.full(2, nan)
     if path is not None:
         gps = np.array(displacement(*start[1:], *end[1:]))
-        used = between(of["u_use_current_correction"], -np.inf, end[0])[1]
-        path, total, note = reconciled(
-            path, wet[0] - start[0], gps, duration, before, now, used[-1] if used.size else nan
-        )
+        used = of.u_use_current_correction[: end[0]].ffill().iloc[-1]
+        path, total, note = reconciled(path, wet[0] - start[0], gps, duration, before, now, used)
         notes += [note] if note else []
     return dive_between(
         segment.number,
@@ -261,23 +243,18 @@ def _dive(of: Of, segment: Segment, fixes: Three) -> Dive:
     )
 
 
-def _next_course(of: Of, end: Fix, east_of_north: float) -> float | None:
+def _next_course(of: "pandas.DataFrame", end: Fix, east_of_north: float) -> float | None:
     """Return the course of the next dive, degrees: to the last waypoint, else as last commanded."""
-    lat, lon, heading = (
-        of[name][1][of[name][0] <= end[0] + OWN_CURRENT][-1:]
-        for name in ("c_wpt_lat", "c_wpt_lon", "c_heading")
-    )
-    if lat.size and lon.size:
-        return planned_course(end, (float(degrees(lat)[0]), float(degrees(lon)[0])))
-    if heading.size and 0.0 <= heading[0] < 2 * np.pi:
-        return (float(np.degrees(heading[0])) + east_of_north) % 360.0
+    plan = of.loc[: end[0] + OWN_CURRENT, ["c_wpt_lat", "c_wpt_lon", "c_heading"]]
+    lat, lon, heading = plan.ffill().to_numpy()[-1]
+    if isfinite(lat) and isfinite(lon):
+        return planned_course(end, degrees(np.array([lat, lon])).tolist())
+    if 0.0 <= heading < 2 * np.pi:
+        return (float(np.degrees(heading)) + east_of_north) % 360.0
     return None
 
 
-def _variation(of: Of, fix: Fix) -> float:
+def _variation(of: "pandas.DataFrame", fix: Fix) -> float:
     """Return the variation at a fix, degrees east."""
-    time, west = of["m_gps_mag_var"]
-    rows = np.flatnonzero(time <= fix[0] + SHORT)
-    if rows.size and abs(west[rows[-1]]) < np.pi:
-        return float(-np.degrees(west[rows[-1]]))
-    return variation(*fix)
+    west = of.m_gps_mag_var[: fix[0] + SHORT].ffill().iloc[-1]
+    return float(-np.degrees(west)) if abs(west) < np.pi else variation(*fix)

@@ -19,7 +19,7 @@ from functools import lru_cache
 from math import nan
 from pathlib import Path
 from struct import unpack_from
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -27,6 +27,9 @@ from ..errors import DataError
 from ..files.reading import read_bytes
 from .dives import NotYet
 from .samples import number
+
+if TYPE_CHECKING:
+    import pandas
 
 MAGIC = b"dbd_"  # first bytes of `dbd_label:`
 TEXT = "DBD_ASC"  # first letters of its value in a text
@@ -55,23 +58,23 @@ NAMES = (
     "c_wpt_lon",
     "c_heading",
 )
-FIX = ("m_gps_lat", "m_gps_lon", "m_gps_status")
+OF_FIX = 3  # the first of them
+YEARS = (0.0, 7.3e9)  # s since 1970: to 2200
 MOST = 10**6  # cycles: 46 days of 4 s each
 WHOLE = ("total_num_sensors", "state_bytes_per_cycle", "sensor_list_factored")
 OF_TEXT = ("sensors_per_cycle", "num_label_lines")
-Series = tuple[np.ndarray, np.ndarray]  # s since 1970 UTC, values
 
 
 class Segment(NamedTuple):
-    """What a file holds: its number, sensors, and what is wrong with it."""
+    """What a file holds: its number, its log by time, s since 1970 UTC, and what is wrong."""
 
     number: int
-    of: dict[str, Series]
+    of: "pandas.DataFrame"
     notes: tuple[str, ...]
 
 
 def read_segment(path: Path) -> Segment:
-    """Read the sensors of `NAMES`, without values where a file has them not."""
+    """Read the sensors of `NAMES`, NaN where a file has them not."""
     raw, whole = read_bytes(path), True
     if not raw.startswith(MAGIC):
         raw, whole = uncompressed(raw)
@@ -87,7 +90,9 @@ def read_segment(path: Path) -> Segment:
         where = f"at byte {at} of {len(raw)}"
         notes = (f"{path.name} is cut short or damaged {where}: read up to there",)
     number = _number(tags.get("the8x3_filename", ""), path)
-    return Segment(number, _series_of(columns), notes)
+    log = columns.set_index(TIME).reindex(columns=NAMES)
+    log.iloc[:1, :OF_FIX] = nan
+    return Segment(number, log[(log.index > YEARS[0]) & (log.index < YEARS[1])], notes)
 
 
 def uncompressed(raw: bytes) -> tuple[bytes, bool]:
@@ -241,8 +246,10 @@ def _cycles(
     sensors: list[tuple[str, int]],
     states: int,
     path: Path,
-) -> tuple[dict[str, np.ndarray], int]:
+) -> tuple["pandas.DataFrame", int]:
     """Return the values of sensors in whole cycles, and where these end."""
+    import pandas
+
     order = ORDERS.get(raw[at : at + 4])
     if len(raw) < at + KNOWN or order is None:
         raise DataError(f"{path}: the Slocum file has no cycles behind its header, or is damaged")
@@ -268,12 +275,13 @@ def _cycles(
                 (last[name],) = unpack_from(f"{order}{KINDS[sizes[k]]}", raw, ends[k] - sizes[k])
         rows.append([last[name] if code[k] else nan for name, k in wanted.items()])
         at = int(ends[-1])
-    table = np.array(rows, float).reshape(-1, len(wanted))
-    return dict(zip(wanted, table.T, strict=True)), at
+    return pandas.DataFrame(rows, columns=[*wanted], dtype=float), at
 
 
-def _table(raw: bytes, at: int, labels: int, path: Path) -> tuple[dict[str, np.ndarray], int]:
+def _table(raw: bytes, at: int, labels: int, path: Path) -> tuple["pandas.DataFrame", int]:
     """Return the values of sensors in the whole lines of a text, and where these end."""
+    import pandas
+
     end = raw.rfind(b"\n") + 1
     lines = raw[at:end].decode("ascii", "replace").splitlines()
     sensors = lines[0].split() if lines else []
@@ -283,19 +291,7 @@ def _table(raw: bytes, at: int, labels: int, path: Path) -> tuple[dict[str, np.n
     places = [sensors.index(name) for name in wanted]
     cells = [line.split() for line in lines[labels:]]
     rows = [[number(row[k]) for k in places] for row in cells if len(row) == len(sensors)]
-    return dict(zip(wanted, np.array(rows, float).reshape(-1, len(wanted)).T, strict=True)), end
-
-
-def _series_of(columns: dict[str, np.ndarray]) -> dict[str, Series]:
-    """Return the times and values of each sensor."""
-    of, none = {}, np.full(columns[TIME].shape, nan)
-    for name in NAMES:
-        column = columns.get(name, none)
-        rows = np.isfinite(column)
-        if name in FIX:
-            rows[:1] = False
-        of[name] = columns[TIME][rows], column[rows]
-    return of
+    return pandas.DataFrame(rows, columns=wanted, dtype=float), end
 
 
 def _number(short: str, path: Path) -> int:
