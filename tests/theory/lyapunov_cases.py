@@ -158,14 +158,14 @@ def turned(s):
     return s.w**2 / 2 + 1 - np.cos(s.th)
 
 
-def sourced(source):
-    """A state that a source of time drives."""
+def sourced(source, rates=lambda x, u: {"x": -x.x, "y": -x.y + u.w}):
+    """A plant that a source of time drives."""
     made = clpt.Block(
         "source", output=lambda t, x, u, p: {"w": source(t)}, outputs={"w": 1}, opaque=True
     )
     plant = clpt.Block(
         "plant",
-        update=lambda t, x, u, p: {"x": -x.x, "y": -x.y + u.w},
+        update=lambda t, x, u, p: rates(x, u),
         states={"x": 1, "y": 1},
         inputs={"w": 1},
     )
@@ -227,6 +227,7 @@ RIGHT = {  # name -> system, V, what else is given
     "sliding": (system(lambda x: [-np.sign(x)]), half),
     "a turn and a pull": (system(lambda x, y: [y - x, -x - y**3]), halves),
     "gain of time": (system(lambda t, x: [-(2 + np.sin(t)) * x]), half),
+    "gain of a higher wave": (system(lambda t, x: [-(2 + np.sin(3 * t)) * x]), half),
     "gain that grows": (system(lambda t, x: [-t * x]), half),
     "a bounded pull": (system(lambda x: [-x / (1 + x**2)]), half),
     "a spinning body": (spinning(), lambda s: (s.x**2 + 2 * s.y**2 + 3 * s.z**2) / 2),
@@ -280,6 +281,10 @@ RIGHT = {  # name -> system, V, what else is given
     "a form that parameters hold": (
         system(lambda x, y, k: [-x, -y + 0.0 * k], params={"k": 2.0}),
         lambda s: (s.y + s.k * s.x) ** 2 + s.x**2,
+    ),
+    "a source that turns": (
+        sourced(np.cos, lambda x, u: {"x": u.w * x.y - x.x, "y": -u.w * x.x - x.y}),
+        halves,
     ),
     "V of what follows a wave": (
         system(lambda t, x: [np.cos(t) + np.sin(t) - x]),
@@ -353,6 +358,7 @@ WRONG = {
         turned,
     ),
     "an angle that drives": (system(lambda th, w, y: [w, -np.sin(th), th - y]), turned),
+    "a source that pushes": (sourced(np.cos), halves),
     "a source that drives": (sourced(lambda t: np.array([t**2])), half),
     "a jump of what V misses": (memory(0.5, 3.0), lambda s: s.m**2),
     "a jump by a little": (memory(1 + 1e-9), lambda s: s.m**2 + s.n**2),
@@ -379,6 +385,7 @@ WRONG = {
     "V of the sum alone": (system(lambda x, y: [-x + y**3, -y - y**3]), lambda s: (s.x + s.y) ** 2),
     "a gain that turns": (system(lambda t, x: [-np.cos(t) * x]), half),
     "a gain that turns a little": (system(lambda t, x: [-(1 + 1.01 * np.sin(t)) * x]), half),
+    "a gain of a fast wave": (system(lambda t, x: [-(1 + 1.01 * np.sin(1e6 * t)) * x]), half),
     "a gain that turns at 5": (system(lambda t, x: [-(5 - t) * x]), half),
     "a gain that turns at 900": (system(lambda t, x: [-(900 - t) * x]), half),
     "a gain that turns at the fifth breakpoint": (counting(lambda k: k - 5), half),

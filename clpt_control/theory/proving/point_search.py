@@ -48,6 +48,13 @@ class PointSearch:
             for k, (node, p) in enumerate(own)
             if node.system.breakpoints_function is not None and "interval" in p._fields
         }
+        made = [s for port in eq.signals.values() for s in port.flat]
+        self.sources = {  # the symbol of what an opaque block makes -> its place among signals
+            made[k]: k
+            for node in self.blocks.wiring.nodes
+            if node.system.opaque
+            for k in range(node.outputs.start, node.outputs.stop)
+        }
 
     @cached_property
     def slopes(self) -> Numbers:
@@ -57,7 +64,8 @@ class PointSearch:
     def numbers(self, *expressions: sympy.Expr) -> Numbers:
         """Return expressions as numbers at points, with the parameters as they are."""
         found = Numbers(*(one.xreplace(self.eq.values) for one in expressions))
-        if unknown := set(found.symbols) - {TIME, *self.states, *self.inputs, *self.jumping}:
+        own = {TIME, *self.states, *self.inputs, *self.jumping, *self.sources}
+        if unknown := set(found.symbols) - own:
             raise DiagramError(f"{unknown.pop()} has no number")
         return found
 
@@ -67,6 +75,9 @@ class PointSearch:
         for symbol, k in self.jumping.items():
             block, p = self.blocks.wiring.nodes[k].system, self.blocks.sweep.parameters[k]
             known[symbol] = np.array([block.interval_at(one, p) for one in t])
+        if self.sources:
+            signals = self.blocks.signals(t, x.T, u.T)
+            known |= {symbol: signals[k] for symbol, k in self.sources.items()}
         return known
 
     def value_at(self, expression: sympy.Expr, point: Point) -> float:

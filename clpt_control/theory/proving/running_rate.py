@@ -67,30 +67,37 @@ class Running:
 
     def by_records(self, t: np.ndarray, x: np.ndarray, u: np.ndarray) -> Found:
         """Evaluate the blocks' records at all points at once."""
-        nodes, rates = self.wiring.nodes, np.empty(x.shape)
-        signals = np.zeros((nodes[-1].outputs.stop, len(t)))
-
-        def made(k: int, role: str) -> np.ndarray:
-            block, p = nodes[k].system, self.sweep.parameters[k]
-            if block.breakpoints_function is not None and p.interval < 0:
-                p = p._replace(interval=np.array([block.interval_at(one, p) for one in t]))
-            fed = np.zeros((block.ninputs, len(t)))
-            for wire in nodes[k].wires:
-                source = (u.T if wire.external else signals)[wire.source : wire.source + wire.size]
-                fed[wire.to : wire.to + wire.size] += wire.gain * source
-            return on_arrays(block, role, t, x.T[nodes[k].states], fed, p)
-
-        for k in self.wiring.order:
-            own = nodes[k].system.states_are_outputs
-            signals[nodes[k].outputs] = x.T[nodes[k].states] if own else made(k, "output")
-        for k, node in enumerate(nodes):
+        signals, rates = self.signals(t, x, u), np.empty(x.shape)
+        for k, node in enumerate(self.wiring.nodes):
             if node.system.nstates:
-                rates.T[node.states] = made(k, "update")
+                rates.T[node.states] = self._made(k, "update", signals, t, x, u)
         V = np.zeros(len(t))
         for place in self.V:
             for k, gain in self.wiring.outputs[place].items():
                 V += gain * (signals[k] if k >= 0 else u.T[~k])
         return rates, V
+
+    def signals(self, t: np.ndarray, x: np.ndarray, u: np.ndarray) -> np.ndarray:
+        """Return the outputs of all blocks, block by block, shape (outputs, n)."""
+        nodes = self.wiring.nodes
+        signals = np.zeros((nodes[-1].outputs.stop, len(t)))
+        for k in self.wiring.order:
+            own = nodes[k].system.states_are_outputs
+            made = x.T[nodes[k].states] if own else self._made(k, "output", signals, t, x, u)
+            signals[nodes[k].outputs] = made
+        return signals
+
+    def _made(self, k: int, role: str, signals: np.ndarray, t: Any, x: Any, u: Any) -> np.ndarray:
+        """Return what block k makes in a role of signals that are known."""
+        node, p = self.wiring.nodes[k], self.sweep.parameters[k]
+        block = node.system
+        if block.breakpoints_function is not None and p.interval < 0:
+            p = p._replace(interval=np.array([block.interval_at(one, p) for one in t]))
+        fed = np.zeros((block.ninputs, len(t)))
+        for wire in node.wires:
+            source = (u.T if wire.external else signals)[wire.source : wire.source + wire.size]
+            fed[wire.to : wire.to + wire.size] += wire.gain * source
+        return on_arrays(block, role, t, x.T[node.states], fed, p)
 
 
 PER_DRAW = 100  # points for each draw of the parameters

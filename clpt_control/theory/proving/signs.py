@@ -88,8 +88,13 @@ MOST_WORDS, MOST_FACTS = 8, 16  # that are examined together
 Facts = tuple[sympy.Expr, ...]  # what is not negative
 
 
+@lru_cache(maxsize=1000)
 def tidied(expression: sympy.Expr) -> sympy.Expr:
-    """Return an expression multiplied out, cos^2 as 1 - sin^2, cosh^2 as 1 + sinh^2."""
+    """Return an expression multiplied out, cos^2 as 1 - sin^2, cosh^2 as 1 + sinh^2.
+
+    An angle's sums and multiples are written out only where others share its symbols: of sin(3 t)
+    alone more is known than of 3 sin(t) - 4 sin(t)^3.
+    """
     if terms_of(expression) > MOST_TERMS:
         raise DiagramError(f"V' has more than {MOST_TERMS} terms; make the law or its N smaller")
     masked = {e: sympy.Dummy(str(e), positive=True) for e in expression.atoms(sympy.exp)}
@@ -101,23 +106,29 @@ def tidied(expression: sympy.Expr) -> sympy.Expr:
         tanh = {sympy.sinh(a): sympy.tanh(a) * sympy.cosh(a) for a in angles}
         expression = sympy.expand(expression.xreplace(tanh))
     pairs = ((sympy.cos, sympy.sin, -1), (sympy.cosh, sympy.sinh, 1))
-    known = {
-        f(a): sympy.expand_trig(f(a))
-        for pair in pairs
-        for f in pair[:2]
-        for a in {one.args[0] for one in expression.atoms(f)}
-    }
+    known = dict[sympy.Expr, sympy.Expr]()
+    for even, odd, _ in pairs:
+        turns = expression.atoms(even, odd)
+        angles = {one.args[0] for one in turns}
+        known |= {one: sympy.expand_trig(one) for one in turns if _meets(one.args[0], angles)}
     expression = sympy.expand(expression.xreplace(known))
     for within in expression.atoms(INSIDE):  # where clip(s, a, b) is s
         ends = {at: expression.xreplace({within: sympy.Integer(at)}) for at in (0, 1)}
         inside = (ends[1] - ends[0]).xreplace({CLIP(*within.args): within.args[0]})
         expression = sympy.expand(ends[0] + within * inside)
+    powers = [p for p in expression.atoms(sympy.Pow) if p.exp.is_Integer and p.exp != -1]
     for even, odd, sign in pairs:
-        for one in expression.atoms(even):
-            square = 1 + sign * odd(one.args[0]) ** 2
-            for n in range(4, 1, -1):  # higher powers stay
-                expression = expression.subs(one**n, square ** (n // 2) * one ** (n % 2))
-    return sympy.expand(expression)
+        for one in (p for p in powers if isinstance(p.base, even)):
+            square = 1 + sign * odd(one.base.args[0]) ** 2
+            known[one] = square ** (one.exp // 2) * one.base ** (one.exp % 2)
+    return sympy.expand(expression.xreplace(known))
+
+
+def _meets(angle: sympy.Expr, others: set[sympy.Expr]) -> bool:
+    """Return whether sums and low multiples in an angle may cancel what others of them make."""
+    low = all(abs(n) <= HIGHEST for n in angle.atoms(sympy.Integer))
+    apart = others - {angle, -angle}
+    return low and any(angle.free_symbols & other.free_symbols for other in apart)
 
 
 def factored(expression: sympy.Expr, most: int = MOST_FACTORED) -> sympy.Expr:
