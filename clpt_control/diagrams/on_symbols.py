@@ -3,8 +3,8 @@
     y' = -a y + b u            eq.rates["y"], eq["a"], eq.derivative(eq["y"] ** 2)
 
 A state or input is called as python-control labels it, "y", or "x[0]" where there are several; a
-parameter has its own name.  If two have one name, the block comes first: "plant.y".  `Names` holds
-these rules; a theory may have others.
+parameter has its own name.  If two have one name, the block comes first: "plant.y"; of a state and
+another output of one block, before the state.  `Names` holds these rules; a theory may have others.
 """
 
 import re
@@ -217,11 +217,13 @@ class Names:
 
     def __init__(self, wiring: Wiring, inputs: Iterable[str]):
         found, shared = [*inputs], dict[str, list[Any]]()
+        self.behind = set[tuple[str, str]]()  # states that an output of their block is called as
         for node in wiring.nodes:
             made = [group for group, *_ in groups(node.system, "output")]
             own = [group for group, *_ in groups(node.system, "state")]
-            same = node.system.states_are_outputs and made == own
-            found += [*made, *([] if same else own)]
+            found += [*made, *(group for group in own if group not in made)]
+            if not (node.system.states_are_outputs and made == own):
+                self.behind |= {(node.name, group) for group in own if group in made}
             for name in fields_of(node.system):
                 shared.setdefault(name, []).append(node.system)
         for name, systems in shared.items():  # python-control hands one value down to all
@@ -233,7 +235,10 @@ class Names:
 
     def port(self, node: Node, group: str, kind: str) -> str:
         """Return the name of a port of a block, of kind state or output, or of a parameter."""
-        return group if self.count[group] == 1 else f"{node.name}.{group}"
+        alone = self.count[group] == 1
+        if kind == "state" and (node.name, group) in self.behind:
+            return f"{node.name}.{group}" if alone else f"{node.name}.state.{group}"
+        return group if alone else f"{node.name}.{group}"
 
     def block(self, node: Node) -> str:
         """Return the name of a block."""

@@ -60,6 +60,8 @@ class SystemWithV:
                     f"{system.name}: with the parameters as they are {s}' has no value"
                 )
         self.states, self.fixed = [*self.eq.motion], set(self.eq.values)
+        parameters = self.eq.parameters.values()
+        self.intervals = {p.interval for p in parameters if "interval" in p._fields}
         self.inputs = [s for port in self.eq.inputs.values() for s in port.flat]
         self.V, labels = self.expression(V), {V, f"{V}[0]"} if isinstance(V, str) else set()
         self.name = next((one for one in system.output_labels if one in labels), "")
@@ -87,9 +89,9 @@ class SystemWithV:
         if not isinstance(found, sympy.Expr):
             raise DiagramError(f"{self.system.name}: {short(source, 60)} is no single number")
         found = found.xreplace({q: rational(float(q)) for q in found.atoms(sympy.Float)})
-        known = {s.name: s for s in (TIME, *self.states, *self.fixed)}
-        known |= {str(f.func): f for f in self.inputs}
-        for s in found.free_symbols - {TIME, *self.states, *self.fixed}:
+        own = TIME, *self.states, *self.fixed
+        known = {s.name: s for s in own} | {str(f.func): f for f in self.inputs}
+        for s in found.free_symbols - {*own} - self.intervals:
             if s.name not in known:
                 raise DiagramError(
                     f"{self.system.name}: has no {s}; it has {', '.join(map(str, known))}"
@@ -122,7 +124,8 @@ class SystemWithV:
         The forms are None where V is positive definite only near the rest.
         """
         parts = self.V, *self.eq.motion.values()
-        if not meets_smoothly(self.V) and not all(map(is_continuous, parts)):
+        bends = not meets_smoothly(self.V) and not all(map(is_continuous, parts))
+        if bends or self.V.free_symbols & self.intervals:
             return exact("V is positive definite", False, "V may jump or bend"), []
         moved = {s: s + v for s, v in (self.rest or {}).items()}
         back = {s: s - v for s, v in (self.rest or {}).items()}

@@ -389,6 +389,23 @@ WRONG = {
     "a gain that turns at 5": (system(lambda t, x: [-(5 - t) * x]), half),
     "a gain that turns at 900": (system(lambda t, x: [-(900 - t) * x]), half),
     "a gain that turns at the fifth breakpoint": (counting(lambda k: k - 5), half),
+    "a spring stronger in each interval": (  # v rises with its strength
+        clpt.Block(
+            "spring",
+            update=lambda t, x, u, p: {"q": x.v, "v": -((1 + p.interval) ** 2) * x.q},
+            output=lambda t, x, u, p: {"V": x.v**2 + (1 + p.interval) ** 2 * x.q**2},
+            states={"q": 1, "v": 1},
+            outputs={"V": 1},
+            **TICKS,
+        ),
+        "V",
+    ),
+    "V of an output that is called as its state": (
+        control.nlsys(
+            lambda t, x, u, p: -x, lambda t, x, u, p: x - 1, inputs=0, states=["x"], outputs=["x"]
+        ),
+        lambda s: s.x**2,
+    ),
     "wrong in a small region": (system(lambda x: [-x * ((x - 1) ** 2 - 1e-3)]), half),
     "wrong in a smaller region": (system(lambda x: [-x * ((x - 7) ** 2 - 1e-9)]), half),
     "wrong in a strip": (system(lambda x, y: [-x * ((y - 2) ** 2 - 0.01), -y]), halves),

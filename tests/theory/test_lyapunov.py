@@ -33,6 +33,7 @@ OPEN = {  # of the wrong ones: no point shows it, or none is looked for
     "V that jumps",
     "V that is zero on one side",
     "V of an angle",
+    "a spring stronger in each interval",
     "wrong in a smaller region",
     "no value at a point",
     "no value at the rest",

@@ -50,15 +50,16 @@ def rising_jump(case: Case) -> tuple[Point, Point, float] | None:
     for t in sweep.breakpoints(0.0, UNTIL)[: len(FARTHER)].tolist():
         sweep.enter(t)
         _, states, inputs = search.draw(TRIED, still=False)
-        for x, u in zip(states.T, inputs.T, strict=True):
-            before = search.farther(x, FARTHER)
-            after = np.array([sweep.jump(t, one, u, sweep.jumping) for one in before])
-            at = np.full(len(FARTHER), t), np.tile(u, (len(FARTHER), 1))
-            V = [search.blocks.by_records(at[0], s, at[1])[1] for s in (before, after)]
-            rise = V[1] - V[0]
-            if np.all(rise > SURE * np.abs(V[0])) and rise[-1] >= 10 * rise[0]:
-                points = [Point(t, s[0], u, {}) for s in (before, after)]
-                return points[0], points[1], float(rise[0])
+        before = np.concatenate([search.farther(x, FARTHER) for x in states.T])
+        fed, at = np.repeat(inputs.T, len(FARTHER), axis=0), np.full(len(before), t)
+        pairs = zip(before, fed, strict=True)
+        after = np.array([sweep.jump(t, one, u, sweep.jumping) for one, u in pairs])
+        V = [search.blocks.by_records(at, s, fed)[1] for s in (before, after)]
+        rises = np.reshape(V[1] - V[0], (TRIED, -1))
+        sure = np.all(rises > SURE * np.abs(V[0]).reshape(rises.shape), axis=1)
+        for k in np.flatnonzero(sure & (rises[:, -1] >= 10 * rises[:, 0]))[:1]:
+            near = [s[k * len(FARTHER)] for s in (before, after)]
+            return *(Point(t, s, inputs.T[k], {}) for s in near), float(rises[k, 0])
     return None
 
 
