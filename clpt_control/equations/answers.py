@@ -189,7 +189,7 @@ def located(function: Any, *errors: Exception) -> str:
 class Ports(Array):
     """States or inputs without values: a vector, with its ports as views."""
 
-    __slots__ = ("_ports", "_vector")
+    __slots__ = ("_ports",)
 
     def __init__(self, tape: Tape, group: str, shapes: Mapping[str, Shape], fixed: bool = True):
         self._ports = {
@@ -197,35 +197,23 @@ class Ports(Array):
         }
         known = all(isinstance(n, int) for shape in shapes.values() for n in shape)
         size: Any = sum(map(prod, shapes.values())) if known else f"len({group})"
-        self._vector: int | None = None
         super().__init__(tape, -1, (size,))
+        del self._node  # until it is asked for
         self._fixed = fixed
         for leaf in self._ports.values():
             leaf._fixed = True
 
-    @property
-    def _node(self) -> int:
-        """Return the vector of all ports, one behind the other."""
-        if self._vector is None:
-            self._counted()
-            rows = [row for leaf in self._ports.values() for row in _rows(leaf)]
-            if not rows:
-                self._vector = self._tape.add("constant", (), (0,), b"")._node
-            elif len(rows) == 1:
-                self._vector = rows[0]._node
-            else:
-                refs = [row._ref for row in rows]
-                self._vector = self._tape.add("join", refs, self.shape)._node
-        return self._vector
-
-    @_node.setter
-    def _node(self, value: int) -> None:
-        pass
-
     def __getattr__(self, name: str) -> Any:
         if name in self._ports:
             return self._ports[name]
-        return super().__getattr__(name)
+        if name != "_node":
+            return super().__getattr__(name)
+        self._counted()
+        rows = [row._ref for leaf in self._ports.values() for row in _rows(leaf)]
+        if len(rows) > 1:  # of the vector of all ports, one behind the other
+            rows = [self._tape.add("join", rows, self.shape)._node]
+        self._node = rows[0] if rows else self._tape.add("constant", (), (0,), b"")._node
+        return self._node
 
 
 def _rows(array: Any) -> list[Array]:

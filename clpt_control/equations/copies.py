@@ -13,7 +13,7 @@ second (a leaf of its own): a record that depends on it is no function of time, 
 import functools
 import threading
 from collections import deque
-from collections.abc import Iterator, Mapping, MutableMapping, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from operator import is_
 from types import BuiltinFunctionType, CellType, FunctionType, MethodType, ModuleType
@@ -159,22 +159,22 @@ class Snapshot:
         inside = _container_of(value)
         if inside is None:
             return
-        self._objects[id(value)] = value, inside, inside.copy()
+        before = inside.copy()
+        self._objects[id(value)] = value, inside, before
         if deep:
-            within = inside.values() if isinstance(inside, Mapping) else inside
-            for one in list(within)[:MOST]:
+            for one in list(before.values() if isinstance(before, dict) else before)[:MOST]:
                 self.add(one, deep - 1)
 
     def hide(self, leaf: Any) -> None:
         """Put unknown numbers in the places that changed; what was appended stays."""
         for k, ((_, key), inside) in enumerate(self._changed.items()):
-            if isinstance(inside, Mapping) or key < len(inside):
+            if not isinstance(inside, list | deque) or key < len(inside):
                 inside[key] = leaf(k)
 
     def restore(self) -> None:
         """Make all as it was; note what had changed."""
         for place, (_, inside, before) in self._objects.items():
-            now, first = _entries(inside), _entries(before)
+            now, first = _entries(inside.copy()), _entries(before)
             changed = [k for k, one in now.items() if one is not first.get(k, _NONE)]
             if changed or len(now) != len(first) or isinstance(inside, set):
                 self._changed.update({(place, key): inside for key in changed})
@@ -183,30 +183,28 @@ class Snapshot:
                 fill(before)
 
 
-class Slots(MutableMapping):
-    """What an object keeps in `__slots__`."""
+class Slots:
+    """What an object keeps in `__slots__`, used as a dict is."""
 
     def __init__(self, value: Any, names: Sequence[str]) -> None:
         self.value, self.names = value, names
 
-    def __getitem__(self, name: str) -> Any:
-        return getattr(self.value, name)
-
     def __setitem__(self, name: str, value: Any) -> None:
         object.__setattr__(self.value, name, value)
 
-    def __delitem__(self, name: str) -> None:
-        object.__delattr__(self.value, name)
-
-    def __iter__(self) -> Iterator[str]:
-        return (name for name in self.names if hasattr(self.value, name))
-
-    def __len__(self) -> int:
-        return sum(1 for _ in self)
-
     def copy(self) -> dict[str, Any]:
         """Return the attributes as they are now."""
-        return dict(self)
+        return {name: getattr(self.value, name) for name in self.names if hasattr(self.value, name)}
+
+    def clear(self) -> None:
+        """Delete the attributes."""
+        for name in self.copy():
+            object.__delattr__(self.value, name)
+
+    def update(self, values: dict[str, Any]) -> None:
+        """Set attributes."""
+        for name, value in values.items():
+            self[name] = value
 
 
 def _container_of(value: Any) -> Any:
@@ -222,10 +220,10 @@ def _container_of(value: Any) -> Any:
 
 
 def _entries(inside: Any) -> dict:
-    """Return what a container holds in places that have keys."""
-    if isinstance(inside, list | deque):
-        return dict(enumerate(inside))
-    return dict(inside) if isinstance(inside, Mapping) else {}
+    """Return what a container holds in places that have keys; a set has none."""
+    if isinstance(inside, dict):
+        return inside
+    return {} if isinstance(inside, set) else dict(enumerate(inside))
 
 
 @contextmanager

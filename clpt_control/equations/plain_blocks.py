@@ -63,16 +63,47 @@ class Listed:
 class RecordedBlock(Block):
     """A block whose functions are records."""
 
-    def __init__(
-        self, name: str, records: dict[str, Record], fixed: Sequence[str], **declared: Any
-    ):
-        self._plain_records, self.fixed = records, frozenset(fixed)
-        self.package, policy = declared.pop("package"), declared.pop("guard")
+    def __init__(self, plain: Mapping[str, Any]):
+        name, jumps, policy = plain["name"], plain["jumps"], plain["guard"]
+        shapes: dict[str, Any] = {f"{kind}s": _shapes(plain[f"{kind}s"]) for kind in KINDS}
+        sizes = {str(size): _size(number) for size, number in plain["sizes"].items()}
+        values = {field: _value(value) for field, value in plain["parameters"].items()}
+        self._plain_records = {role: _record(lines) for role, lines in plain["records"].items()}
+        self.fixed, self.package = frozenset(plain["fixed"]), plain["package"]
+        for kind in KINDS:  # before anything of that size is made
+            ports = sized(name, shapes[f"{kind}s"], sizes)
+            if sum(sizes_of(ports).values()) != len(plain["labels"][kind]):
+                raise BlockError(f"{name}: its {kind}s are not as many as their labels")
         functions: dict[str, Any] = {
-            role: AsRecorded(record, declared["sizes"]) for role, record in records.items()
+            role: AsRecorded(record, sizes) for role, record in self._plain_records.items()
         }
+        if jumps is not None and "period" in jumps:
+            jumps = Each(**jumps)
+        elif jumps is not None:
+            jumps = Listed(tuple(map(float, jumps["times"])), float(jumps["until"]))
+        if "output" not in functions:
+            shapes["outputs"] = None
+        given = {field: plain[field] for field in ("opaque", "units")}
+        given |= {"parameters": values, "shapes": _shapes(plain["shapes"]), "breakpoints": jumps}
         guard = policy and Guard(functions["guard"], policy, partial(_left, name))
-        super().__init__(name, **declared, **{**functions, "guard": guard})
+        super().__init__(name, **shapes, sizes=sizes, **given, **{**functions, "guard": guard})
+        self.dt = plain["dt"]
+        self.breakpoints(0.0, 0.0)  # so that it is told here what cannot be asked
+        self._check_records()
+
+    def _check_records(self) -> None:
+        leaves = {
+            "t": {"t": ()},
+            "x": self.state_shapes,
+            "u": self.input_shapes,
+            "p": {
+                name: np.shape(value)
+                for name, value in self.parameters._asdict().items()
+                if not isinstance(value, int)  # which is structure
+            },
+        }
+        for role, record in self._plain_records.items():
+            check_record(record, leaves, self.sizes, self._roles[role][1])
 
     def _try_equations(self) -> None:
         """Leave it to the checks of the record."""
@@ -115,8 +146,7 @@ def plain_block(block: Block, name: str, p: Any, begin: float, end: float) -> di
             "labels": labels,
         }
     try:
-        roles = [role for role in block._roles if role != "guard" or block.guard]
-        records = {role: _plain_record(block.array_record(role)) for role in roles}
+        records = {role: _plain_record(block.array_record(role)) for role in block._roles}
     except Unread as error:
         raise Unrecorded(str(error)) from None
     pinned = {name for found, _ in block.read_with.values() for name in found}
@@ -171,7 +201,7 @@ def _plain_record(record: Record) -> dict[str, Any]:
 
 def block_of(plain: Mapping[str, Any]) -> Block:
     """Return the block that plain data hold; what they are not is a `BlockError`, or Python's."""
-    block = _sampled(plain) if "sampled" in plain else _recorded(plain)
+    block = _sampled(plain) if "sampled" in plain else RecordedBlock(plain)
     for kind in KINDS:
         labels, count = plain["labels"][kind], getattr(block, f"n{kind}s")
         if len(labels) != count or not all(isinstance(n, str) for n in labels):
@@ -185,56 +215,6 @@ def _sampled(plain: Mapping[str, Any]) -> Block:
     block._name_ports(
         {kind: {old: new for new, old in ports.items()} for kind, ports in plain["called"].items()}
     )
-    return block
-
-
-def _recorded(plain: Mapping[str, Any]) -> Block:
-    shapes: dict[str, Any] = {f"{kind}s": _shapes(plain[f"{kind}s"]) for kind in KINDS}
-    sizes = {str(name): _size(size) for name, size in plain["sizes"].items()}
-    values = {name: _value(value) for name, value in plain["parameters"].items()}
-    records = {role: _record(lines) for role, lines in plain["records"].items()}
-    for kind in KINDS:  # before anything of that size is made
-        ports = sized(plain["name"], shapes[f"{kind}s"], sizes)
-        if sum(sizes_of(ports).values()) != len(plain["labels"][kind]):
-            raise BlockError(f"{plain['name']}: its {kind}s are not as many as their labels")
-    jumps = plain["jumps"]
-    if jumps is not None:
-        jumps = (
-            Each(**jumps)
-            if "period" in jumps
-            else Listed(tuple(map(float, jumps["times"])), float(jumps["until"]))
-        )
-    if "output" not in records:
-        shapes["outputs"] = None
-    block = RecordedBlock(
-        plain["name"],
-        records,
-        plain["fixed"],
-        **shapes,
-        sizes=sizes,
-        parameters=values,
-        shapes=_shapes(plain["shapes"]),
-        opaque=plain["opaque"],
-        package=plain["package"],
-        breakpoints=jumps,
-        guard=plain["guard"],
-        units=plain["units"],
-    )
-    block.dt = plain["dt"]
-    block.breakpoints(0.0, 0.0)  # so that it is told here what cannot be asked
-    leaves = {
-        "t": {"t": ()},
-        "x": block.state_shapes,
-        "u": block.input_shapes,
-        "p": {
-            name: np.shape(value)
-            for name, value in block.parameters._asdict().items()
-            if not isinstance(value, int)  # which is structure
-        },
-    }
-    out = {"output": block.output_shapes, "guard": {"distance": ()}}
-    for role, record in records.items():
-        check_record(record, leaves, block.sizes, out.get(role, block.state_shapes))
     return block
 
 

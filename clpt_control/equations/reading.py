@@ -42,7 +42,6 @@ class Read(NamedTuple):
 
     record: Record
     pinned: frozenset[str]  # parameters with whose values it was made
-    raised: tuple[str, ...] = ()  # what ways that are NaN raised
     texts: frozenset[Any] = frozenset()  # in the functions
     names: frozenset[Any] = frozenset()  # for which python-control's params were asked
 
@@ -107,7 +106,6 @@ class _Ways:
         self.tape = AnsweringTape(request.parameters, spaces)
         self.copies = Copies(self.tape)
         self.ways: list[tuple[dict[int, bool], list[Any]]] = []
-        self.raised: dict[str, None] = {}
         self.written: set[str] = set()  # params that the function changed
 
     def read(self) -> Read:
@@ -142,8 +140,7 @@ class _Ways:
             tape.way = [*way[:-1], False]
         refs = [operand(one) for one in _merged(tape, self.ways, 0)]
         record = compact(tape.operations, refs, request.out.values())
-        texts = frozenset(self.copies.texts)
-        return Read(record, frozenset(tape.pinned), tuple(self.raised), texts)
+        return Read(record, frozenset(tape.pinned), frozenset(self.copies.texts))
 
     def _unknown(self, name: Any) -> Array:
         """Return what stands for what the first reading changed."""
@@ -167,10 +164,9 @@ class _Ways:
         except (*RAISED, RuntimeError, SystemError, Outside) as error:
             tape.ended(error)
             raised.append(error)
-            sentence = f"{located(request.function, error)}{type(error).__name__}: {error}"
-            self.raised[sentence] = None
             if not tape.answers and tape.stopped is None:
-                raise Unread(sentence) from None
+                place = located(request.function, error)
+                raise Unread(f"{place}{type(error).__name__}: {error}") from None
             outputs = [filled(tape, nan, shape) for shape in request.out.values()]
         except Exception as error:
             text = str(error) if isinstance(error, Unread) else f"{type(error).__name__}: {error}"

@@ -121,7 +121,6 @@ UFUNCS: dict[Any, str] = {
     np.true_divide: "div",
     np.floor_divide: "floordiv",
     np.remainder: "mod",
-    np.power: "pow",
     np.float_power: "pow",
     np.negative: "neg",
     np.absolute: "fabs",
@@ -134,38 +133,26 @@ UFUNCS: dict[Any, str] = {
     np.logical_and: "and",
     np.logical_or: "or",
     np.logical_not: "not",
-    np.arctan2: "atan2",
-    np.arcsin: "asin",
-    np.arccos: "acos",
-    np.arctan: "atan",
-    np.arcsinh: "asinh",
-    np.arccosh: "acosh",
-    np.arctanh: "atanh",
     **{
         getattr(np, name): name
         for name in (
-            *("exp", "expm1", "log", "log1p", "log2", "log10", "sqrt", "sin", "cos", "tan"),
-            *("sinh", "cosh", "tanh", "fabs", "hypot", "minimum", "maximum", "sign"),
-            *("floor", "ceil", "trunc"),
+            *("exp", "expm1", "log", "log1p", "log2", "log10", "sqrt", "pow", "hypot", "fabs"),
+            *("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh"),
+            *("asinh", "acosh", "atanh", "minimum", "maximum", "sign", "floor", "ceil", "trunc"),
         )
     },
 }
 
 
-def picked(numbers: np.ndarray, index: Any, many: bool = False) -> np.ndarray:
-    """Return numbers of a row at whole places, NaN outside; if `many`, of rows side by side."""
+def picked(numbers: np.ndarray, index: Any) -> np.ndarray:
+    """Return numbers of a row at whole places, NaN outside; of rows side by side, each its own."""
     if not len(numbers):
         return np.full(np.shape(index), np.nan)
     whole = np.trunc(index)
     whole = np.where(whole < 0, whole + len(numbers), whole)
     inside = (whole >= 0) & (whole < len(numbers))
-    at = np.where(inside, whole, 0).astype(int)
-    if many:
-        rows = np.broadcast_to(numbers, (len(numbers), at.shape[-1]))
-        values = np.take_along_axis(rows, at.reshape(-1, at.shape[-1]), 0).reshape(at.shape)
-    else:
-        values = numbers[at]
-    return np.where(inside, values, np.nan)
+    side_by_side = [np.arange(n) for n in numbers.shape[1:]]
+    return np.where(inside, numbers[np.where(inside, whole, 0).astype(int), *side_by_side], np.nan)
 
 
 def _circular(function: Callable) -> Callable:
@@ -174,14 +161,9 @@ def _circular(function: Callable) -> Callable:
 
 OPERATIONS: dict[str, Callable[..., Any]] = {
     **{name: ufunc for ufunc, name in UFUNCS.items()},
-    "and": np.logical_and,
-    "or": np.logical_or,
-    "not": np.logical_not,
-    "pow": np.power,
     "where": np.where,
     "erf": np.vectorize(erf, otypes=[float]),
     "erfc": np.vectorize(erfc, otypes=[float]),
-    "fabs": np.fabs,
     "sin": _circular(np.sin),
     "cos": _circular(np.cos),
     "tan": _circular(np.tan),
@@ -236,7 +218,7 @@ def computed(
                 count = max(a.shape[-1] for a in args)
                 value = np.concatenate([np.broadcast_to(a, (*a.shape[:-1], count)) for a in args])
             elif kind == "pick":
-                value = picked(args[0], args[1], many=True)
+                value = picked(args[0], args[1])
             elif kind in ("opaque", "fill"):
                 value = args[0]
             else:

@@ -157,8 +157,7 @@ TYPES = {  # of numbers: what stands for them
     for real, make in (
         (float, as_float),
         (np.float64, lambda value: value),
-        (int, lambda value: np.trunc(as_float(value))),
-        (np.int64, lambda value: np.trunc(as_float(value))),
+        *((whole, lambda value: np.trunc(as_float(value))) for whole in (int, np.int64)),
     )
 }
 

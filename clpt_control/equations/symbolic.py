@@ -178,7 +178,7 @@ def expressions(block: Block, role: str, leaf: Leaf) -> list[sympy.Expr]:
 
 def _picked(place: Any, *row: Any) -> Any:
     at, *values = np.broadcast_arrays(place, *row)
-    return picked(np.array(values), at, many=at.ndim > 0)
+    return picked(np.array(values), at)
 
 
 # UNEXPANDED on numbers

@@ -54,7 +54,10 @@ class System(Block):
         # role -> params that it asks for, texts in its code
         self._reads: dict[str, tuple[frozenset[Any], frozenset[Any]]] = {}
         self._update, self._output = _functions(system)
-        q = system.noutputs if system.noutputs is not None else self._count(n, m)
+        q = system.noutputs
+        if q is None:  # it is not declared
+            arguments = 0.0, np.zeros(n), np.zeros(m), dict(self._params)
+            q = n if self._output is None else np.size(self._output(*arguments))
         first = self._output is None and q < n  # of the states, as python-control takes them
         if first:
             self._output = lambda t, x, u, params: x[:q]
@@ -78,12 +81,6 @@ class System(Block):
             labels = getattr(system, f"{kind}_index")
             labels = labels if len(labels) == count else {f"{letter}[{k}]": k for k in range(count)}
             setattr(self, f"{kind}_index", dict(labels))
-
-    def _count(self, n: int, m: int) -> int:
-        """Return the number of outputs, where the system does not declare it."""
-        if self._output is None:
-            return n
-        return np.size(self._output(0.0, np.zeros(n), np.zeros(m), dict(self._params)))
 
     # --- parameters -------------------------------------------------------------------------
 
@@ -208,22 +205,18 @@ def read_once(
         _READ.clear()
     known = _READ.setdefault(key, [])
     alike = (one for names, values, _, one in known if values == _values(params, names))
-    result = next(alike, None)
+    result: Any = next(alike, None)
     if result is None:
-        result, names = _result(read_now, shapes)
+        names = set(shapes)  # of params whose values make it so
+        try:
+            result = read_now()
+            names = result.pinned
+        except Unread as error:
+            result = str(error)
         known[MOST_VALUES:] = [(names, _values(params, names), keys.held, result)]
     if isinstance(result, str):
         raise Unread(result)
     return result
-
-
-def _result(read_now: Callable[[], Read], params: Iterable[str]) -> tuple[Any, Collection[str]]:
-    """Return a record, or why there is none, and the params whose values make it so."""
-    try:
-        result = read_now()
-    except Unread as error:
-        return str(error), set(params)
-    return result, result.pinned
 
 
 def _values(params: Mapping[str, Any], names: Iterable[str]) -> Any:
@@ -328,11 +321,10 @@ def linear(system: control.StateSpace | control.TransferFunction) -> Block:
     """Make a block of a linear system, with its name, labels and time."""
     parameters = dict(zip("ABCD", _matrices(system), strict=True))
     n, (outputs, inputs) = len(parameters["A"]), parameters["D"].shape
-    equation = output if n else output_of_inputs
+    equation, left_out = (output, "") if n else (output_of_inputs, "ABC")
     if n and not np.any(parameters["D"]):
-        equation = output_of_states
-        del parameters["D"]
-    for name in "ABC" if not n else "":
+        equation, left_out = output_of_states, "D"
+    for name in left_out:
         del parameters[name]
     block = Block(
         system.name,

@@ -142,19 +142,27 @@ def is_fixed(value: Any) -> bool:
 def named(code: CodeType) -> tuple[str, ...] | None:
     """Return the names that code reads; None where it reaches more than it names."""
     names = tuple(dict.fromkeys(names_in(code)))
-    return None if SEES.intersection(names) or not all(_imports(code)) else names
+    fixed = all(all(_imports(one)) for one in _all_code(code))
+    return names if fixed and not SEES.intersection(names) else None
 
 
 def names_in(code: CodeType) -> Iterator[str]:
     """Yield the names that code reads, with those of the functions in it."""
-    yield from code.co_names
-    for inner in _inner(code):
-        yield from names_in(inner)
+    return (name for one in _all_code(code) for name in one.co_names)
 
 
-def _inner(code: CodeType) -> list[CodeType]:
-    """Return the code of the functions in it."""
-    return [one for one in code.co_consts if isinstance(one, CodeType)]
+def texts_in(code: CodeType) -> Iterator[Any]:
+    """Yield the texts in code, and its other constants, with those of the functions in it."""
+    for value in (value for one in _all_code(code) for value in one.co_consts):
+        yield from value if isinstance(value, tuple | frozenset) else [value]
+
+
+def _all_code(code: CodeType) -> Iterator[CodeType]:
+    """Yield code, and that of the functions in it."""
+    yield code
+    for one in code.co_consts:
+        if isinstance(one, CodeType):
+            yield from _all_code(one)
 
 
 def _imports(code: CodeType) -> Iterator[bool]:
@@ -163,14 +171,3 @@ def _imports(code: CodeType) -> Iterator[bool]:
     for k, line in enumerate(lines):
         if line.opname == "IMPORT_NAME":  # level and names are loaded before
             yield line.argval in FIXED and lines[k - 2].argval == 0
-    for inner in _inner(code):
-        yield from _imports(inner)
-
-
-def texts_in(code: CodeType) -> Iterator[Any]:
-    """Yield the texts in code, and its other constants, with those of the functions in it."""
-    for one in code.co_consts:
-        if isinstance(one, CodeType):
-            yield from texts_in(one)
-        else:
-            yield from one if isinstance(one, tuple | frozenset) else [one]
