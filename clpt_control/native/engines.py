@@ -102,9 +102,8 @@ def difference(runner: NativeDiagram, solution: Solution, inputs: Inputs | None)
     n = len(solution.t)
     if not n or all(node.system.of_package for node in runner.wiring.nodes):
         return ""
-    at, pieces = sorted({0, n // 3, 2 * n // 3, n - 1}), runner.pieces_of(solution, inputs)
-    signals = runner.unchecked_signals(solution, inputs)[at]
-    same = _agrees(runner, pieces, solution.t[at], solution.x[at], inputs, signals)
+    at, (pieces, signals) = sorted({0, n // 3, 2 * n // 3, n - 1}), runner.along(solution, inputs)
+    same = _agrees(runner, pieces, solution.t[at], solution.x[at], inputs, signals[at])
     for k in np.array(at)[~same]:
         t, x = solution.t[k : k + 1], solution.x[k]
         ways = (1.0 + np.abs(x)) * np.linspace(0.7, 1.0, len(x))  # all alike might stay at rest

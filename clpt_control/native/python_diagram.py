@@ -86,9 +86,7 @@ class PythonDiagram:
         """Return the times of decisions that depend on time alone; none in Python."""
         return np.zeros(0)
 
-    def schedule(self, times: Any, inputs: Inputs | None = None, felt: float = 0.0) -> Schedule:
-        """Return the pieces of a run; they end at `breaks` and at bends of inputs that are felt."""
-        return make_schedule(self, times, inputs, felt)
+    schedule = make_schedule
 
     def callee(
         self, lanes: int = 1, inputs: Inputs | None = None, method: int = solver.DOP853
@@ -216,7 +214,7 @@ class PythonDiagram:
         if slow:
             raise slow
         solution = ended(self.sweep, batch, inputs)
-        solution.pieces = self, inputs, pieces
+        solution.ran = self, inputs, pieces, None
         return solution
 
     def method_number(self, method: str = "auto", step: float | None = None) -> int:
@@ -232,13 +230,6 @@ class PythonDiagram:
         sqrt(|x|), has no value beyond the switch, so steps with a locked decision cannot cross it.
         """
         return self
-
-    def pieces_of(self, solution: Solution, inputs: Inputs | None) -> Schedule:
-        """Return the pieces of time of a solution; they are made again for another diagram."""
-        diagram, its_inputs, pieces = solution.pieces
-        if diagram is self and its_inputs is inputs:
-            return pieces
-        return self.schedule(solution.t, inputs)
 
     def run_many(
         self,
@@ -291,7 +282,7 @@ class PythonDiagram:
         if not len(times):  # stopped before the first
             return np.zeros((0, self.nsignals))
         inputs = self._inputs(inputs, times)
-        out = self.unchecked_signals(solution, inputs)
+        _, out = self.along(solution, inputs)
         bad = np.flatnonzero(~np.all(np.isfinite(out), axis=1))
         if len(bad):
             t, x = float(times[bad[0]]), solution.x[bad[0]]
@@ -303,15 +294,16 @@ class PythonDiagram:
             raise SimulationError(f"at t = {t:.9g}: {trouble}")
         return out
 
-    def unchecked_signals(self, solution: Solution, inputs: Inputs | None) -> np.ndarray:
-        """Return all block outputs as `signals` does, finite or not; they are computed once."""
-        diagram, its_inputs, signals = solution.signals
+    def along(self, solution: Solution, inputs: Inputs | None) -> tuple[Schedule, np.ndarray]:
+        """Return pieces of time and all block outputs, finite or not; they are computed once."""
+        diagram, its_inputs, pieces, signals = solution.ran
         if diagram is not self or its_inputs is not inputs:
-            pieces, P = self.pieces_of(solution, inputs), self.parameters()
-            evaluate = self.callee(1, inputs).evaluate
-            signals = evaluate(solver.SIGNALS, solution.t, solution.x, pieces, P, self.nsignals)
-            solution.signals = self, inputs, signals
-        return signals
+            pieces, signals = self.schedule(solution.t, inputs), None
+        if signals is None:
+            evaluate, at = self.callee(1, inputs).evaluate, (solution.t, solution.x, pieces)
+            signals = evaluate(solver.SIGNALS, *at, self.parameters(), self.nsignals)
+            solution.ran = self, inputs, pieces, signals
+        return pieces, signals
 
 
 ADAPTIVE = {name.lower(): k for k, name in NAMES.items() if k > solver.RK4}

@@ -200,10 +200,13 @@ def _merged(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     return np.unique(np.concatenate([a, b])) if len(a) and len(b) else a if len(a) else b
 
 
-def make_schedule(diagram: Any, times: Any, inputs: Inputs | None, felt: float) -> Schedule:
-    """Return the pieces of a run of a diagram, as `PythonDiagram.schedule` has it.
+def make_schedule(
+    diagram: Any, times: Any, inputs: Inputs | None = None, felt: float = 0.0
+) -> Schedule:
+    """Return the pieces of a run of a diagram; it is `PythonDiagram.schedule`.
 
-    Rates bend at kinks of inputs, and jump where blocks do and where time alone decides.  Behind
+    Rates bend at kinks of inputs, in Python at bends that are felt, and jump where blocks do and
+    where time alone decides, at `breaks`.  Behind
     each block's `interval` lies what is `JUMPS` in a piece that begins with a jump of its states;
     then come the straight lines of the inputs: time, values, slopes.  In discrete time each piece
     begins at a sample.
