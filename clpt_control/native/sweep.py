@@ -6,7 +6,7 @@ goes on; then it calls each update function.  It also knows which block and sign
 non-finite.
 """
 
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Sequence
 from typing import Any
 
 import numpy as np
@@ -101,11 +101,7 @@ class Sweep:
             self._current[k] = self.parameters[k]._replace(interval=interval)
 
     def evaluate(
-        self,
-        t: float,
-        x: np.ndarray,
-        u: np.ndarray | None = None,
-        sampling: Collection[int] = (),
+        self, t: float, x: np.ndarray, u: np.ndarray | None = None, sampling: Collection[int] = ()
     ) -> np.ndarray:
         """Return all block outputs at (t, x, u), in an array that the next pass overwrites.
 
@@ -208,28 +204,17 @@ class Sweep:
         """Return what is first not finite at (t, x, u), or the error that its block raised."""
         dx = self.derivative(t, x, u)
         ordered = [self.nodes[k] for k in self.wiring.order]
-        return (
-            _not_finite(self.nodes, "state", x, "jump", "state {} of block {}", advice)
-            or _not_finite(
-                ordered, "output", self.signals, "output", "signal {} of block {}", advice
-            )
-            or _not_finite(
-                self.nodes, "state", dx, "update", "derivative of {} of block {}", advice
-            )
-        )
-
-
-def _not_finite(
-    nodes: Iterable[Node], kind: str, values: np.ndarray, role: str, what: str, advice: str
-) -> str | None:
-    """Return a sentence on the first state, or output, that is not finite."""
-    for node in nodes:
-        labels = getattr(node.system, f"{kind}_labels")
-        for value, label in zip(values[getattr(node, f"{kind}s")], labels, strict=True):
-            if not np.isfinite(value):
-                sentence = f"{what.format(label, node.name)} is not finite; {advice}"
-                return node.system.raised.get(role) or sentence
-    return None
+        for nodes, kind, values, role, what in (
+            (self.nodes, "state", x, "jump", "state"),
+            (ordered, "output", self.signals, "output", "signal"),
+            (self.nodes, "state", dx, "update", "derivative of"),
+        ):
+            for node in nodes:
+                system, own = node.system, values[getattr(node, f"{kind}s")]
+                for label in np.array(getattr(system, f"{kind}_labels"))[~np.isfinite(own)]:
+                    sentence = f"{what} {label} of block {node.name} is not finite; {advice}"
+                    return system.raised.get(role) or sentence
+        return None
 
 
 def _rounding(times: np.ndarray) -> np.ndarray:
