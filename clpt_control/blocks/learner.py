@@ -74,10 +74,12 @@ def learning_controller(N: int) -> Block:
     )
 
 
+LEARNED = {"phi_x": "N", "phi_z": "N", "alpha": ROWS}
+
+
 def known_flow_injection(theta_hat: Any, alpha_M: Any) -> Block:
     """Make the injection of a given estimate, Eq. (13)."""
-    inputs = {"phi_x": "N", "phi_z": "N", "alpha": ROWS}
-    return _injection(known_flow_psi, inputs, theta_hat=theta_hat, alpha_M=alpha_M)
+    return _injection(known_flow_psi, LEARNED, theta_hat=theta_hat, alpha_M=alpha_M)
 
 
 def estimated_flow_injection(alpha_M: Any) -> Block:
@@ -87,9 +89,7 @@ def estimated_flow_injection(alpha_M: Any) -> Block:
 
 def learned_flow_injection(alpha_M: Any) -> Block:
     """Make the injection of the learned-flow law, Eq. (20)."""
-    return _injection(
-        learned_flow_psi, {"phi_x": "N", "phi_z": "N", "alpha": ROWS}, alpha_M=alpha_M
-    )
+    return _injection(learned_flow_psi, LEARNED, alpha_M=alpha_M)
 
 
 def _injection(output: Any, inputs: dict[str, Any], **parameters: Any) -> Block:

@@ -117,12 +117,10 @@ def readings(
 def _in_sweep(sweep: Sweep) -> Reading:
     def evaluate(t: float, x: Any, u: Any) -> Values:
         sweep.enter(t)
-        x, u = np.asarray(x, dtype=float), np.asarray(u, dtype=float)
         return sweep.derivative(t, x, u), sweep.outputs()
 
     def jump(t: float, x: Any, u: Any) -> np.ndarray:
         sweep.enter(t)
-        x, u = np.asarray(x, dtype=float), np.asarray(u, dtype=float)
         return sweep.jump(t, x, u, sweep.jumping)
 
     return Reading(evaluate, jump)

@@ -286,34 +286,27 @@ def of_nearest(f: Any) -> Callable:
     return table
 
 
+POLYNOMIALS = ("CubicSpline", "PchipInterpolator", "Akima1DInterpolator", "PPoly")
+SPLINES = ("BSpline", "UnivariateSpline", "InterpolatedUnivariateSpline")
 TABLES: dict[str, Callable[[Any], Callable]] = {
-    "scipy.interpolate._interpolate.interp1d": of_interp1d,
-    "scipy.interpolate._cubic.CubicSpline": of_polynomials,
-    "scipy.interpolate._cubic.PchipInterpolator": of_polynomials,
-    "scipy.interpolate._cubic.Akima1DInterpolator": of_polynomials,
-    "scipy.interpolate._interpolate.PPoly": of_polynomials,
-    "scipy.interpolate._bsplines.BSpline": of_spline,
-    "scipy.interpolate._fitpack2.UnivariateSpline": of_spline,
-    "scipy.interpolate._fitpack2.InterpolatedUnivariateSpline": of_spline,
-    "scipy.interpolate._rgi.RegularGridInterpolator": of_grid,
-    "scipy.interpolate._interpnd.LinearNDInterpolator": of_simplices,
-    "scipy.interpolate.interpnd.LinearNDInterpolator": of_simplices,
-    "scipy.interpolate._ndgriddata.NearestNDInterpolator": of_nearest,
+    "interp1d": of_interp1d,
+    **dict.fromkeys(POLYNOMIALS, of_polynomials),
+    **dict.fromkeys(SPLINES, of_spline),
+    "RegularGridInterpolator": of_grid,
+    "LinearNDInterpolator": of_simplices,
+    "NearestNDInterpolator": of_nearest,
 }
-
-
-def _kind(value: Any) -> str:
-    return f"{type(value).__module__}.{type(value).__name__}"
 
 
 def is_table(value: Any) -> bool:
     """Return whether a value is one of SciPy's interpolators."""
-    return _kind(value) in TABLES
+    kind = type(value)
+    return kind.__name__ in TABLES and kind.__module__.startswith("scipy.interpolate.")
 
 
 def function_of(value: Any) -> Callable | None:
     """Return an interpolator as a function of signals; None for any other value."""
     if not is_table(value):
         return None
-    table = cache(TABLES[_kind(value)])
+    table = cache(TABLES[type(value).__name__])
     return lambda tape, *x, **more: table(value)(tape, *x, **more)
