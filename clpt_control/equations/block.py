@@ -37,7 +37,6 @@ from .declaration import (
     labels,
     places,
     ports_of,
-    reused_vector,
     shapes_of,
     sized,
     sizes_of,
@@ -556,10 +555,6 @@ class Block(control.NonlinearIOSystem):
         words = [type(error).__name__, " ".join(str(error).splitlines())]
         text = ": ".join(filter(None, words))  # an assertion may have no text
         return f"{self.name}.{role}: {located(function, error)}{text}"
-
-    def _reused_vectors(self, x: np.ndarray, u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return arrays that are filled again and again as states and inputs with ports."""
-        return reused_vector(x, self._x), reused_vector(u, self._u)
 
     @np.errstate(all="ignore")
     def _evaluate(self, role: str, size: int, t: float, x: Any, u: Any, p: Any) -> np.ndarray:

@@ -326,11 +326,10 @@ def flattened(name: str, returned: Any, where: dict[str, tuple[slice, Shape]], s
         return out
     if returned is None:
         raise BlockError(f"{name}: returns nothing; must return {list(where)}")
-    if isinstance(returned, list | tuple):
-        parts = [np.ravel(one) for one in returned]
-        out = np.concatenate([np.zeros(0), *parts]).astype(float)
-    else:
+    try:
         out = np.asarray(returned, dtype=float).ravel()
+    except ValueError:  # parts of several shapes
+        out = np.concatenate([np.ravel(part) for part in returned]).astype(float)
     if len(out) != size:
         raise BlockError(f"{name}: returns {len(out)} numbers; must return {size}")
     return out

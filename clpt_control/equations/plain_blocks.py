@@ -83,25 +83,15 @@ class RecordedBlock(Block):
             jumps = Listed(tuple(map(float, jumps["times"])), float(jumps["until"]))
         if "output" not in functions:
             shapes["outputs"] = None
-        given = {field: plain[field] for field in ("opaque", "units")}
-        given |= {"parameters": values, "shapes": _shapes(plain["shapes"]), "breakpoints": jumps}
-        guard = policy and Guard(functions["guard"], policy, partial(_left, name))
-        super().__init__(name, **shapes, sizes=sizes, **given, **{**functions, "guard": guard})
+        declared = {field: plain[field] for field in ("opaque", "units")}
+        declared |= {"parameters": values, "shapes": _shapes(plain["shapes"]), "sizes": sizes}
+        functions["guard"] = policy and Guard(functions["guard"], policy, partial(_left, name))
+        super().__init__(name, **shapes, **declared, breakpoints=jumps, **functions)
         self.dt = plain["dt"]
         self.breakpoints(0.0, 0.0)  # so that it is told here what cannot be asked
-        self._check_records()
-
-    def _check_records(self) -> None:
-        leaves = {
-            "t": {"t": ()},
-            "x": self.state_shapes,
-            "u": self.input_shapes,
-            "p": {
-                name: np.shape(value)
-                for name, value in self.parameters._asdict().items()
-                if not isinstance(value, int)  # which is structure
-            },
-        }
+        given = self.parameters._asdict().items()
+        numbers = {field: np.shape(v) for field, v in given if not isinstance(v, int)}
+        leaves = {"t": {"t": ()}, "x": self.state_shapes, "u": self.input_shapes, "p": numbers}
         for role, record in self._plain_records.items():
             check_record(record, leaves, self.sizes, self._roles[role][1])
 

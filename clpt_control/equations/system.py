@@ -25,7 +25,7 @@ from ..errors import BlockError, DiagramError
 from .answers import EVERY, Params
 from .arrays import Unread
 from .block import Block
-from .declaration import Parameters, sizes_of
+from .declaration import Parameters, flattened, sizes_of
 from .reading import Read, read
 from .record import Record
 from .sampled import Sampled
@@ -53,23 +53,21 @@ class System(Block):
         self.declared_names = {*system.params, *declared}  # which a run may set
         # role -> params that it asks for, texts in its code
         self._reads: dict[str, tuple[frozenset[Any], frozenset[Any]]] = {}
-        self._update, self._output = _functions(system)
+        updfcn, outfcn = _functions(system)
         q = system.noutputs
         if q is None:  # it is not declared
             arguments = 0.0, np.zeros(n), np.zeros(m), dict(self._params)
-            q = n if self._output is None else np.size(self._output(*arguments))
-        first = self._output is None and q < n  # of the states, as python-control takes them
-        if first:
-            self._output = lambda t, x, u, params: x[:q]
-        self.update_function = self._update if n else None
-        self.output_function = self._output
+            q = n if outfcn is None else np.size(outfcn(*arguments))
+        first = outfcn is None and q < n  # of the states, as python-control takes them
+        self.update_function = updfcn if n else None
+        self.output_function = (lambda t, x, u, params: x[:q]) if first else outfcn
         self.jump_function = self.breakpoints_function = self.guard = None
         self.opaque, self._inner, self._sizes, self.parameter_shapes = False, {}, {}, {}
         self.raised: dict[str, str] = {}
         states = {"x": (n,)} if n else {}
         self.declared = {
             "inputs": {"u": (m,)} if m else {},
-            "outputs": states if self._output is None else {"y": (q,)} if q else {},
+            "outputs": states if self.output_function is None else {"y": (q,)} if q else {},
             "states": states,
         }
         self.number_names = _names(self._params)
@@ -172,14 +170,9 @@ class System(Block):
         """Leave it to the run, as python-control does."""
 
     def _evaluate(self, role: str, size: int, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
-        function: Any = self._update if role == "update" else self._output
+        function, where = self._plan[role]
         returned = function(t, np.array(x), np.array(u), self._params_with(p))
-        values = np.asarray(returned, dtype=float).reshape(-1)
-        if len(values) != size:
-            raise BlockError(
-                f"{self.name}.{role}: returns {len(values)} numbers; must return {size}"
-            )
-        return values
+        return flattened(f"{self.name}.{role}", returned, where, size)
 
 
 _READ: dict[Any, list[tuple]] = {}  # by what a function reaches, where it has a key

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from ..diagrams.wiring import Node, Wiring
+from ..equations.declaration import reused_vector
 
 
 class Sweep:
@@ -27,11 +28,9 @@ class Sweep:
         self._states, self._inputs = np.zeros(self.nstates), np.zeros(last.inputs.stop)
         self.signals, self._external = np.zeros(last.outputs.stop), np.zeros(wiring.ninputs)
         self._fed = [self._views(node) for node in self.nodes]
-        vectors = [
-            node.system._reused_vectors(self._states[node.states], self._inputs[node.inputs])
-            for node in self.nodes
-        ]
-        self._x, self._u = zip(*vectors, strict=True)
+        x, u = self._states, self._inputs  # are filled again and again
+        self._x = [reused_vector(x[node.states], node.system._x) for node in self.nodes]
+        self._u = [reused_vector(u[node.inputs], node.system._u) for node in self.nodes]
         feeding = np.zeros(len(self.signals), dtype=bool)
         for wire in (w for node in self.nodes for w in node.wires if not w.external):
             feeding[wire.source : wire.source + wire.size] = True
