@@ -172,9 +172,6 @@ class Block(control.NonlinearIOSystem):
             )
         check_guard(name, guard)
         check_units(name, units or {}, *declared.values())
-        for role, function in (("update", update), ("output", output), ("jump", jump)):
-            if function is not None and not callable(function):
-                raise BlockError(f"{name}.{role}: {brief(function)} must be a function")
         self.update_function, self.output_function, self.jump_function = update, output, jump
         self.opaque, self.breakpoints_function, self.guard = opaque, breakpoints, guard
         self.name, self.units = name, dict(units or {})

@@ -78,15 +78,14 @@ def check_names(name: str, *ports: Mapping[str, Any]) -> None:
     """Refuse names and sizes that python-control cannot wire."""
     words = [(name, ".\n"), *((port, ".[]\n") for one in ports for port in one)]
     for word, not_in in words:  # python-control itself calls a system sys[0]
-        if not isinstance(word, str) or not word or word[0] in "-+" or set(word) & set(not_in):
+        if not word or word[0] in "-+" or set(word) & set(not_in):
             raise BlockError(
                 f"the name {word!r} of a block or port must not be empty, begin with a sign or "
                 "hold . [ ] or a line end; use letters, digits and _"
             )
     for port, shape in (item for one in ports for item in one.items()):
         for size in shape:
-            whole = isinstance(size, int | np.integer) and size >= 0
-            if not whole and not (isinstance(size, str) and size):
+            if size == "" if isinstance(size, str) else size < 0:
                 raise BlockError(
                     f"{name}.{port}: size {brief(size)} must be a whole number, 0 or more, or a "
                     "name"
@@ -99,7 +98,7 @@ def check_units(name: str, units: Mapping[str, str], *ports: Mapping[str, Any]) 
         if not any(port in one for one in ports):
             known = ", ".join(dict.fromkeys(port for one in ports for port in one))
             raise BlockError(f"{name}: units names {port!r}, which is no port; it has {known}")
-        if not isinstance(unit, str) or not unit.strip() or not unit.isprintable():
+        if not unit.strip() or not unit.isprintable():
             raise BlockError(
                 f"{name}: units = {{{port!r}: {brief(unit)}}}: must be a text, such as 'm/s'"
             )
