@@ -13,7 +13,6 @@ from .plan import Nest, Program
 from .vectors import WORD, calculate, constant, elements, gathered, horizontal_sum, splat, width_of
 
 UNROLLED, UNROLLED_RUNS = 4, 8  # the longest loop that unrolls: most loops, inner ones in lanes
-ABREAST = 4  # unrolled iterations that are computed side by side
 Key = tuple[int, tuple[int, ...], bool]  # component, loops of its axes, for eight iterations
 
 
@@ -39,7 +38,7 @@ class _Nests(Function):
         rates = [prod(one.lengths) for nest in nests for one in nest.items if one.array == "D"]
         self.rates_at = -sum(rates) if name == "staged" else 0  # in D, of the stage before
         self.saved: dict[int, int] = {}  # component -> its place in W, once it is written
-        self.numbers: dict[Key, list] = {}  # values outside all loops
+        self.numbers: dict[Key, Any] = {}  # values outside all loops
         for nest in nests:
             self.nest(nest)
         self.builder.ret_void()
@@ -50,9 +49,9 @@ class _Nests(Function):
         """Print a nest of loops, or what is outside all of them."""
         self.now, self.inner = nest, len(nest.lengths) - 1
         self.indices: list[Any] = [None] * len(nest.lengths)  # of each loop
-        # of each loop: where an iteration begins, and values, one for each iteration side by side
+        # of each loop: where an iteration begins, and values
         self.begins: list[Any] = [None] * (len(nest.lengths) + 1)
-        self.values: list[dict[Key, list]] = [{} for _ in self.begins]
+        self.values: list[dict[Key, Any]] = [{} for _ in self.begins]
         self.vector = nest.vector if nest.lengths and self.lanes == 1 else -1
         if self.vector >= 0:
             few = nest.lengths[self.vector] <= LANES // 2
@@ -93,10 +92,6 @@ class _Nests(Function):
             return self.within(number + 1, sums)
 
         count = self.now.lengths[number]
-        if self.lanes > 1 and number == self.inner and count <= UNROLLED_RUNS:
-            for first in range(0, count, ABREAST):
-                sums = body(tuple(range(first, min(count, first + ABREAST))), sums)
-            return sums
         if number == self.vector:
             return self.vector_loop(count, UNROLLED_RUNS if number else 1, body, sums)
         unrolled = UNROLLED if self.lanes == 1 else UNROLLED_RUNS
@@ -105,17 +100,13 @@ class _Nests(Function):
     def items(self, sums: list) -> list:
         """Print what an iteration of all loops writes and adds; return the sums."""
         loops, wide = tuple(range(self.inner + 1)), self.vector >= 0
-        values = [self.argument(item.value, loops, wide) for item in self.now.items]
-        for k, index in enumerate(self.abreast(self.inner)):
-            new: list[Any] = []
-            for item, some in zip(self.now.items, values, strict=True):
-                value = some[k % len(some)]
-                if item.summed:
-                    new.append(self.add_to(sums[len(new)], value))
-                else:
-                    self.write(value, item, index)
-            sums = new
-        return sums
+        values, new = [self.argument(i.value, loops, wide) for i in self.now.items], list[Any]()
+        for item, value in zip(self.now.items, values, strict=True):
+            if item.summed:
+                new.append(self.add_to(sums[len(new)], value))
+            else:
+                self.write(value, item)
+        return new
 
     def write_sum(self, total: Write, value: Any) -> None:
         """Write a sum, or hold it as a number."""
@@ -124,7 +115,7 @@ class _Nests(Function):
         if self.inner:
             self.write(value, total)
         else:
-            self.numbers[total.saves, (), False] = [value]
+            self.numbers[total.saves, (), False] = value
 
     # --- values ---------------------------------------------------------------------------
 
@@ -132,13 +123,8 @@ class _Nests(Function):
         """Return how many numbers a value is."""
         return self.wide if wide else self.lanes
 
-    def abreast(self, *loops: int) -> tuple:
-        """Return the indices of the inner loop that are side by side; one of what is outside it."""
-        index = self.indices[-1] if self.inner in loops and self.indices else None
-        return index if type(index) is tuple else (index,)
-
-    def value(self, key: Key) -> list:
-        """Return a value, one for each iteration side by side; print it if it is new."""
+    def value(self, key: Key) -> Any:
+        """Return a value; print it if it is new."""
         _, loops, wide = key
         depth = max(loops, default=-1) + 1
         known = self.values[depth] if depth or wide else self.numbers
@@ -148,21 +134,21 @@ class _Nests(Function):
                 known[key] = printer()
         return known[key]
 
-    def printer(self, c: int, loops: tuple[int, ...], wide: bool) -> Callable[[], list]:
+    def printer(self, c: int, loops: tuple[int, ...], wide: bool) -> Callable[[], Any]:
         """Return a function that prints a value, whose arguments are printed by now."""
         builder, width = self.builder, self.width(wide)
         if wide and self.vector not in loops:
             narrow = self.value((c, loops, False))
-            return lambda: [splat(builder, one, width) for one in narrow]
+            return lambda: splat(builder, narrow, width)
         read = self.read(c)
         if read is not None:
             array, first, strides = read
-            moves = [self.moves(loops, strides, wide, index) for index in self.abreast(*loops)]
-            return lambda: [self.at_stage(array, first, *one) for one in moves]
+            moves = self.moves(loops, strides, wide)
+            return lambda: self.at_stage(array, first, *moves)
         name, arguments, _ = self.all[c]
         if name == "lookup":
-            table, places = self.all[arguments[1][0]], self.argument(arguments[0], loops, wide)
-            return lambda: [self.lookup(one, *table.arguments[:4]) for one in places]
+            table, place = self.all[arguments[1][0]], self.argument(arguments[0], loops, wide)
+            return lambda: self.lookup(place, *table.arguments[:4])
         values = [self.argument(a, loops, wide) for a in arguments]
         return lambda: calculate(builder, name, width, values)
 
@@ -173,39 +159,34 @@ class _Nests(Function):
             return value
         weight = splat(self.builder, self.load("t", 1), width_of(value))
         rate = self.load("D", self.rates_at + first, moves, stride)
-        return calculate(self.builder, "fmuladd", width_of(value), [[weight], [rate], [value]])[0]
+        return calculate(self.builder, "fmuladd", width_of(value), [weight, rate, value])
 
-    def argument(self, a: Any, loops: tuple[int, ...], wide: bool) -> list:
+    def argument(self, a: Any, loops: tuple[int, ...], wide: bool) -> Any:
         """Return an argument: a constant, or a computed value."""
         if type(a) is not tuple:
-            return [constant(a, self.width(wide))]
+            return constant(a, self.width(wide))
         return self.value((a[0], tuple([loops[k] for k in a[1]]), wide))
 
     def moves(
-        self, loops: Sequence[int], strides: tuple[int, ...], wide: bool, inner: Any
+        self, loops: Sequence[int], strides: tuple[int, ...], wide: bool
     ) -> tuple[list[tuple[Any, int]], int | None]:
-        """Return index and stride of each loop, and the stride of eight iterations at once.
-
-        `inner` is the index of the inner loop.
-        """
+        """Return index and stride of each loop, and the stride of eight iterations at once."""
         pairs = list(zip(loops, strides, strict=True))
         stride = sum(s for loop, s in pairs if loop == self.vector) if wide else None
-        moves = [(inner if loop == self.inner else self.indices[loop], s) for loop, s in pairs]
-        return moves, stride
+        return [(self.indices[loop], s) for loop, s in pairs], stride
 
-    def write(self, value: Any, item: Write, inner: Any = None) -> None:
+    def write(self, value: Any, item: Write) -> None:
         """Write a value, in an iteration of the inner loop or behind it."""
         array, first, strides, *_ = item
         wide = self.vector >= 0 and width_of(value) > 1
-        self.store(value, array, first, *self.moves(range(len(strides)), strides, wide, inner))
+        self.store(value, array, first, *self.moves(range(len(strides)), strides, wide))
 
     def lookup(self, index: Any, array: str, first: int, stride: int, count: int) -> Any:
         """Read array[first + stride * index], NaN where there is no such entry."""
         builder, width = self.builder, width_of(index)
 
         def number(name: str, *arguments: Any) -> Any:
-            values = [a if type(a) is float else [a] for a in arguments]
-            return calculate(builder, name, width, values)[0]
+            return calculate(builder, name, width, arguments)
 
         place = number("place", index, float(count))
         inside = number("ge", place, 0.0)

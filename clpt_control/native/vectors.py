@@ -206,42 +206,34 @@ def tape_of(name: str, count: int) -> list[Operation]:
     return tape.operations[: operand(value) + 1]
 
 
-def calculate(builder: ir.IRBuilder, name: str, width: int, arguments: Sequence[Any]) -> list[Any]:
-    """Return the values of an operation; a long one is a function, printed once a module.
-
-    Each argument is a constant or a list of values, one or as many as the results.  The results are
-    independent, so that none waits for another.
-    """
-    many = max([len(a) for a in arguments if type(a) is not float], default=1)
-    sets = [
-        [constant(a, width) if type(a) is float else a[k % len(a)] for a in arguments]
-        for k in range(many)
-    ]
+def calculate(builder: ir.IRBuilder, name: str, width: int, arguments: Sequence[Any]) -> Any:
+    """Return the value of an operation; a long one is a function, printed once a module."""
+    values = [constant(a, width) if type(a) is float else a for a in arguments]
     if name in PRIMITIVES:
-        return [PRIMITIVES[name](builder, *one) for one in sets]
-    operations = tape_of(name, len(arguments))
-    if name not in OUT_OF_LINE or (name in INLINE and many > 1):
-        return calculate_tape(builder, operations, width, sets)
+        return PRIMITIVES[name](builder, *values)
+    operations = tape_of(name, len(values))
+    if name not in OUT_OF_LINE:
+        return calculate_tape(builder, operations, width, values)
     function_name = f"{name}.{width}"
     if function_name not in builder.module.globals:
-        signature = ir.FunctionType(vector(width), [vector(width)] * len(arguments))
+        signature = ir.FunctionType(vector(width), [vector(width)] * len(values))
         function = ir.Function(builder.module, signature, function_name)
         function.linkage = "internal"
         if name in INLINE:
             function.attributes.add("alwaysinline")
         inner = ir.IRBuilder(function.append_basic_block())
-        inner.ret(*calculate_tape(inner, operations, width, [function.args]))
-    return [builder.call(builder.module.globals[function_name], one) for one in sets]
+        inner.ret(calculate_tape(inner, operations, width, function.args))
+    return builder.call(builder.module.globals[function_name], values)
 
 
 def calculate_tape(
-    builder: ir.IRBuilder, operations: Sequence[Operation], width: int, sets: Sequence[Any]
-) -> list[Any]:
-    """Return the last values of a tape, one for each set of leaves."""
-    values: list[list[Any]] = []
+    builder: ir.IRBuilder, operations: Sequence[Operation], width: int, leaves: Sequence[Any]
+) -> Any:
+    """Return the last value of a tape."""
+    values: list[Any] = []
     for name, arguments, _, at in operations:
         if name == "leaf":
-            values.append([leaves[at[1]] for leaves in sets])
+            values.append(leaves[at[1]])
         else:
             own = [values[a] if type(a) is int else a for a in arguments]
             values.append(calculate(builder, name, width, own))

@@ -35,10 +35,10 @@ def printed(name, count, form):
     function = Function(module, "f", COLUMNS if form == "lanes" else 1)
 
     def found(arguments):
-        width, own = width_of(arguments[0]), [[one] for one in arguments]
+        width, own = width_of(arguments[0]), list(arguments)
         if name == "where":
             own[0] = calculate(function.builder, "lt", width, own[:2])
-        return calculate(function.builder, name, width, own)[0]
+        return calculate(function.builder, name, width, own)
 
     def body(place, sums):
         at = [(place, 1)]
