@@ -82,18 +82,16 @@ def prove(
     Example:
         clpt prove --theorem 3.2
     """
-    from ..theory.proving.two_processes import nothing_cached, own_digest, prove_all, second_process
+    from ..theory.proving.two_processes import prove_all, second_process
 
     with second_process() as pool:
-        if pool is not None and theorem is None and (again or nothing_cached()):
-            pool.submit(own_digest)  # what it needs takes a while to be imported
         from ..theory.proving.all_proofs import CachedOutcomes, statements
 
         wanted, cached = statements(theorem), CachedOutcomes()
         new = [one for one in wanted if again or one not in cached.outcomes]
         if new:
             with progress_bar("proving", len(new)) as report:
-                cached.store(prove_all(new, cached.digest, report, pool))
+                cached.store(prove_all(new, report, pool))
     outcomes: dict[Any, Any] = {one: cached.outcomes[one] for one in wanted}
     rooms = {room: {s.name: v for s, v in outcomes.items() if s.room == room} for room in FIELDS}
     misprints = outcomes[wanted[-1]]

@@ -21,13 +21,7 @@ def folder(monkeypatch, tmp_path):
     monkeypatch.setenv(CACHE, str(tmp_path / "cache"))
 
 
-@pytest.fixture
-def no_equations(monkeypatch):
-    """A digest of no equations, made at once; `test_altered_equations` asks them."""
-    monkeypatch.setattr(all_proofs, "_proved_blocks", list)
-
-
-@pytest.mark.usefixtures("folder", "no_equations")
+@pytest.mark.usefixtures("folder")
 def test_the_second_time_says_the_same_and_that_it_was_judged_before(clpt, monkeypatch):
     first = clpt("prove", "--theorem", "3.3")
     assert first.status == 0
@@ -44,6 +38,22 @@ def test_the_second_time_says_the_same_and_that_it_was_judged_before(clpt, monke
     assert printed["judged"]["before"] is False
 
 
+@pytest.mark.usefixtures("folder")
+def test_what_other_files_gave_is_not_read(monkeypatch, tmp_path):
+    law = tmp_path / "package" / "law.py"
+    law.parent.mkdir()
+    monkeypatch.setattr(all_proofs, "PACKAGE", law.parent)
+    law.write_text("rate = -e * phi")
+    CachedOutcomes().store({part: good(part) for part in statements()})
+    assert set(CachedOutcomes().outcomes) == set(statements())
+    law.write_text("rate = e * phi")
+    assert CachedOutcomes().outcomes == {}
+    law.write_text("rate = -e * phi")
+    assert set(CachedOutcomes().outcomes) == set(statements())
+    law.rename(law.with_name("other.py"))
+    assert CachedOutcomes().outcomes == {}
+
+
 def wrong_kinematics(t, x, u, p, dx):
     """x' = F_R - v, not Eq. (1): u = flow_x[2], v_x[2], state x[2]."""
     for i in range(2):
@@ -51,16 +61,11 @@ def wrong_kinematics(t, x, u, p, dx):
 
 
 @pytest.mark.usefixtures("folder")
-def test_altered_equations_are_judged_anew(clpt, monkeypatch):
-    kept = CachedOutcomes()
-    kept.store({part: good(part) for part in statements()})
-    assert set(CachedOutcomes().outcomes) == set(statements())
-    before = digest()
+def test_what_failed_is_judged_anew(clpt, monkeypatch):
     monkeypatch.setattr(vehicle, "kinematics", wrong_kinematics)
-    assert digest() != before
-    assert CachedOutcomes().outcomes == {}
     assert clpt("prove", "--theorem", "3.2").status == 1
-    assert clpt("prove", "--theorem", "3.2").status == 1  # what failed is not kept
+    assert clpt("prove", "--theorem", "3.2").status == 1
+    assert Statement("theorems", "3.2") not in CachedOutcomes().outcomes
 
 
 def good(part):
@@ -70,7 +75,6 @@ def good(part):
     return theorem("printed", ("so",), (step,), "it holds", not_proved=("more",))
 
 
-@pytest.mark.usefixtures("no_equations")
 def test_versions_processor_and_engine_are_part_of_the_name(monkeypatch):
     names = {digest()}
     for name in all_proofs.REQUIRED:
@@ -86,7 +90,7 @@ def test_versions_processor_and_engine_are_part_of_the_name(monkeypatch):
     assert len(names) == len(all_proofs.REQUIRED) + 4
 
 
-@pytest.mark.usefixtures("folder", "no_equations")
+@pytest.mark.usefixtures("folder")
 def test_what_others_could_have_written_or_is_damaged_is_not_read():
     CachedOutcomes().store({SHORT: good(SHORT)})
     path = CachedOutcomes().path
@@ -101,7 +105,6 @@ def test_what_others_could_have_written_or_is_damaged_is_not_read():
         assert CachedOutcomes().outcomes == {}
 
 
-@pytest.mark.usefixtures("no_equations")
 def test_without_a_folder_nothing_is_kept_and_the_work_goes_on(monkeypatch):
     monkeypatch.setenv(CACHE, os.devnull + "/none/at/all")
     kept = CachedOutcomes()
@@ -110,7 +113,7 @@ def test_without_a_folder_nothing_is_kept_and_the_work_goes_on(monkeypatch):
     assert CachedOutcomes().outcomes == {}
 
 
-@pytest.mark.usefixtures("folder", "no_equations")
+@pytest.mark.usefixtures("folder")
 def test_a_verdict_comes_back_as_it_was():
     found = {
         part: part.prove()
@@ -123,20 +126,18 @@ def test_a_verdict_comes_back_as_it_was():
 @pytest.mark.processes
 @pytest.mark.usefixtures("folder")
 def test_two_processes_judge_the_same(monkeypatch):
-    wanted, own = [SHORT, Statement("misprints"), Statement("laws", "known-flow")], digest()
-    alone = prove_all(wanted, own)
+    wanted = [SHORT, Statement("misprints"), Statement("laws", "known-flow")]
+    alone = prove_all(wanted)
     asked = []
     with second_process() as pool:
         monkeypatch.setattr(Statement, "prove", lambda part: asked.append(part) or alone[part])
-        assert prove_all(wanted, own, pool=pool) == alone
+        assert prove_all(wanted, pool=pool) == alone
         assert asked != wanted  # the other was asked too
         asked.clear()
-        assert prove_all(wanted, "of other equations", pool=pool) == alone
-        assert sorted(asked) == sorted(wanted)  # one that judges otherwise says nothing
         for process in multiprocessing.active_children():
             process.kill()
         asked.clear()
-        assert prove_all(wanted, own, pool=pool) == alone
+        assert prove_all(wanted, pool=pool) == alone
         assert sorted(asked) == sorted(wanted)  # and one that ended neither
     assert multiprocessing.active_children() == []
     monkeypatch.setattr(os, "cpu_count", lambda: 1)

@@ -1,8 +1,7 @@
 """Statements proved by two processes: this one, and another that takes them one by one.
 
-The other answers only where it has the same equations: its digest may differ from ours, as where
-equations were changed in memory.  This process takes statements from the front, the other from
-behind, so that not both compile what the first ones run.
+This process takes statements from the front, the other from behind, so that not both compile what
+the first ones run.
 """
 
 import os
@@ -10,10 +9,8 @@ from collections import deque
 from collections.abc import Callable, Iterator
 from concurrent.futures import Future
 from contextlib import contextmanager, suppress
-from functools import cache
 from typing import TYPE_CHECKING
 
-from ...files import cache_folder
 from ...progress import interrupt
 from ...progress.processes import Pool, processes
 
@@ -34,41 +31,26 @@ def second_process() -> Iterator[Pool | None]:
         yield pool
 
 
-@cache
-def own_digest() -> str:
-    """Return the digest of what this process proves by."""
-    from .all_proofs import digest
-
-    return digest()
-
-
-def answer(statement: "Statement", digest: str) -> "Outcome | None":
-    """Return an outcome from the other process; None where its equations or files are others."""
-    return statement.prove() if digest == own_digest() else None
-
-
-def nothing_cached() -> bool:
-    """Whether no outcome was ever stored; to tell whose equations it is of takes long."""
-    folder = cache_folder()
-    return folder is None or not any(folder.glob("verdicts-*.json"))
+def answer(statement: "Statement") -> "Outcome":
+    """Return an outcome from the other process."""
+    return statement.prove()
 
 
 def prove_all(
     statements: "list[Statement]",
-    digest: str,
     report: Callable[[float], None] = lambda done: None,
     pool: Pool | None = None,
 ) -> "Outcomes":
     """Prove statements, some of them in a pool; `report` is called with the number done."""
-    left, mine = deque(statements), dict["Statement", "Outcome"]()
+    left, found = deque(statements), dict["Statement", "Outcome"]()
     theirs = dict["Statement", Future]()
 
     def hand_over(done: Future | None = None) -> None:
         """Hand the last statement that is left to the pool, and again when it is done."""
         with suppress(IndexError, RuntimeError):  # nothing is left, or the pool is broken
-            if pool is not None and digest:
+            if pool is not None:
                 one = left.pop()
-                theirs[one] = pool.submit(answer, one, digest)
+                theirs[one] = pool.submit(answer, one)
                 theirs[one].add_done_callback(hand_over)
 
     if len(left) > 2:
@@ -77,14 +59,12 @@ def prove_all(
         interrupt.check()
         with suppress(IndexError):  # the pool took the last one
             one = left.popleft()
-            mine[one] = one.prove()
-        report(len(mine) + sum(future.done() for future in list(theirs.values())))
+            found[one] = one.prove()
+        report(len(found) + sum(future.done() for future in list(theirs.values())))
     for one in statements:
         while one in theirs and not theirs[one].done():
             interrupt.wait(0.05)
-        if one not in mine:
-            outcome = None
-            if one in theirs and theirs[one].exception() is None:
-                outcome = theirs[one].result()
-            mine[one] = one.prove() if outcome is None else outcome
-    return {one: mine[one] for one in statements}
+        if one not in found:
+            proved = one in theirs and theirs[one].exception() is None
+            found[one] = theirs[one].result() if proved else one.prove()
+    return found
