@@ -14,15 +14,7 @@ from sympy.core.function import AppliedUndef
 
 from ..diagrams.on_symbols import TIME, Equations
 from .proving.proof import Step, exact
-from .proving.signs import (
-    MOST_TERMS,
-    factored,
-    nonpositive,
-    rising_in,
-    terms_of,
-    tidied,
-    vanishes,
-)
+from .proving.signs import MOST_TERMS, factored, nonpositive, rising_in, terms_of, tidied, vanishes
 from .proving.symbolic_loop import positive_somewhere
 from .proving.words import along, decided, degree, interval, is_input, meets_smoothly
 
@@ -234,8 +226,9 @@ def states_beside(forms: list[sympy.Expr], eq: Equations, values: dict) -> tuple
             at |= one
             left = [s for s in left if s not in one]
         else:
-            known = left + free
-            free.append(min(left, key=lambda s: _how_it_moves(s, motion[s], known, fixed)))
+            varies = {s: bool(sympy.diff(motion[s], s).free_symbols - fixed) for s in left}
+            degrees = {s: degree(motion[s], (left + free).__contains__) for s in left}
+            free.append(min(left, key=lambda s: (varies[s], degrees[s])))
             left.remove(free[-1])
     names = ", ".join(map(str, free))
     if not free:
@@ -266,11 +259,6 @@ def hurwitz(A: sympy.Matrix) -> bool:
         rest = [sympy.cancel(a - share * b) for a, b in pairs]
         one, next_one = next_one, rest
     return not next_one
-
-
-def _how_it_moves(s: Any, rate: sympy.Expr, among: list, fixed: set) -> tuple[bool, float]:
-    """Return how a state moves: whether its slope in itself varies, and its degree."""
-    return bool(sympy.diff(rate, s).free_symbols - fixed), degree(rate, among.__contains__)
 
 
 def _state_of(form: sympy.Expr, left: list, fixed: set) -> dict[Any, sympy.Expr] | None:

@@ -136,7 +136,7 @@ def test_two_processes_judge_the_same(monkeypatch):
         asked.clear()
         for process in multiprocessing.active_children():
             process.kill()
-        asked.clear()
+            process.join()
         assert prove_all(wanted, pool=pool) == alone
         assert sorted(asked) == sorted(wanted)  # and one that ended neither
     assert multiprocessing.active_children() == []

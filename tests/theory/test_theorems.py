@@ -129,7 +129,7 @@ def wrong_kinematics(t, x, u, p):
 
 def test_a_wrong_equation_fails_and_is_named(clpt, monkeypatch):
     monkeypatch.setattr(vehicle, "kinematics", wrong_kinematics)
-    outcome = clpt("prove", "--theorem", "3.2")
+    outcome = clpt("prove", "--theorem", "3.2", "--again")
     assert outcome.status == 1
     assert "the proof fails: 3.2 at step 'V' = -e^T KD e, for every N'" in (outcome.err)
 

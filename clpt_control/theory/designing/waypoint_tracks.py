@@ -28,7 +28,7 @@ from ...scenario.experiment import Scenario
 from ...simulation.loops import paper_blocks
 from ...simulation.starts import state_of
 from ..excitation.certificates import TURN, smallest_eigenvalue, worst_drop
-from ..excitation.regressor import quadrature, regressors
+from ..excitation.regressor import quadrature, w_along
 
 ANY = next(law for law in LAWS.values() if not (law.at_fixes or law.given_estimate))
 ATOL = 1e-2  # absolute tolerance over the relative one
@@ -128,11 +128,10 @@ class Tracks:
 
     def _least(self, x: np.ndarray, points: np.ndarray) -> np.ndarray:
         """Return the smallest eigenvalue of each axis or the drop of V, 0 where the run failed."""
-        basis = next(block for block in self.blocks if "phi_x" in block.output_ports)
         times = np.broadcast_to(self.nodes, x.shape[:-1])
-        phi = evaluate(basis, times.ravel(), x.reshape(-1, 2)).reshape(*x.shape[:-1], -1)
         zc = np.broadcast_to(points[:, self.waypoint_of_node, None], x.shape)
-        w, k = np.nan_to_num(regressors(phi, x, zc)), np.array(self.scenario.vehicle.feedback)
+        w = np.nan_to_num(w_along(self.scenario, times, x, x, zc))
+        k = np.array(self.scenario.vehicle.feedback)
         if self.gains is None:
             sizes = smallest_eigenvalue(w, self.weights)
         else:

@@ -18,7 +18,7 @@ from ...errors import ScenarioError
 from ...figures import BLUE, GREY, RED, axes_for
 from ...scenario.experiment import Scenario
 from .certificates import certificate, time_to_tenth
-from .gramian import Excitation, SlidingExcitation, gramian, sliding_excitation
+from .gramian import Excitation, gramian, sliding_excitation
 from .regressor import Source, joint_regressor, thinned
 
 if TYPE_CHECKING:
@@ -107,10 +107,10 @@ def excitation_plot(
     >>> axes = clpt.theory.excitation_plot(scenario, window=20.0)
     """
     at = gramian(source, window, start)
-    sliding = sliding_excitation(source, at.window)
+    starts, values = sliding_excitation(source, at.window)
     axes = axes_for(ax, 7.6, 6.0, nrows=2, ncols=2, sharey="row")
     for column, axis in enumerate(at.names):
-        _eigenvalues(axes[0, column], sliding, at, axis)
+        _eigenvalues(axes[0, column], starts, values[axis], at, axis)
         _direction(axes[1, column], at, axis)
     axes[0, 0].set_ylabel(r"eigenvalue of $\int w w^T dt$")
     axes[1, 0].set_ylabel("component")
@@ -130,10 +130,11 @@ def excitation_plot(
     return axes
 
 
-def _eigenvalues(ax: "Axes", sliding: SlidingExcitation, at: Excitation, axis: str) -> None:
-    values = sliding.eigenvalues[axis]
+def _eigenvalues(
+    ax: "Axes", starts: np.ndarray, values: np.ndarray, at: Excitation, axis: str
+) -> None:
     values = np.maximum(values, LOWEST * values.max())
-    mark = "." if len(sliding.starts) < 3 else None
+    mark = "." if len(starts) < 3 else None
     lines: dict[int, tuple[Any, ...]] = {
         k: (GREY, "-", 0.7, "between" if k == 1 else None) for k in range(1, values.shape[1] - 1)
     }
@@ -141,10 +142,10 @@ def _eigenvalues(ax: "Axes", sliding: SlidingExcitation, at: Excitation, axis: s
     lines[0] = (BLUE, "-", 1.8, r"$\kappa_1$, smallest")
     for k, (color, style, width, label) in lines.items():
         how: dict[str, Any] = {"color": color, "linewidth": width, "marker": mark, "label": label}
-        ax.semilogy(sliding.starts, values[:, k], style, **how)
+        ax.semilogy(starts, values[:, k], style, **how)
     ax.axvline(at.start, color="black", linestyle=":", linewidth=1.0, label="window below")
     ax.set_xlabel(f"start of the window ({at.time_unit})")
-    ax.set_title(f"{axis}: window of {sliding.window:g} {at.time_unit}", loc="left", fontsize=10)
+    ax.set_title(f"{axis}: window of {at.window:g} {at.time_unit}", loc="left", fontsize=10)
 
 
 def _direction(ax: "Axes", at: Excitation, axis: str) -> None:

@@ -25,7 +25,7 @@ run, and where the smallest eigenvalue falls to zero, the track stops teaching.
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -91,12 +91,12 @@ class Excitation:
     @property
     def eigenvalues(self) -> dict[str, np.ndarray]:
         """Eigenvalues of each axis, from kappa_1 to kappa_2."""
-        return {axis: values for axis, (values, _) in self._spectra.items()}
+        return {axis: sizes[::-1] ** 2 for axis, (_, sizes, _) in self._spectra.items()}
 
     @property
     def directions(self) -> dict[str, np.ndarray]:
         """Unit eigenvectors as columns, in the order of the eigenvalues."""
-        return {axis: vectors for axis, (_, vectors) in self._spectra.items()}
+        return {axis: rows[::-1].T for axis, (_, _, rows) in self._spectra.items()}
 
     @property
     def least_excited(self) -> dict[str, dict[str, float]]:
@@ -165,12 +165,8 @@ class Excitation:
             yield names[alone].tolist(), names[mixed].tolist()
 
     @cached_property
-    def _spectra(self) -> dict[str, tuple[np.ndarray, np.ndarray]]:
-        found = {}
-        for axis, R in self.factors.items():
-            _, sizes, rows = np.linalg.svd(R)
-            found[axis] = sizes[::-1] ** 2, rows[::-1].T
-        return found
+    def _spectra(self) -> dict[str, Any]:
+        return {axis: np.linalg.svd(R) for axis, R in self.factors.items()}
 
     def _idle(self) -> dict[str, np.ndarray]:
         return {a: values <= self.tolerance * values[-1] for a, values in self.eigenvalues.items()}
@@ -334,16 +330,13 @@ def _truth(scenario: Scenario) -> dict[str, np.ndarray]:
     return {axis: row for axis, row in zip(("x1", "x2"), c, strict=True) if row.any()}
 
 
-class SlidingExcitation(NamedTuple):
-    """Eigenvalues in a window that slides over a run."""
+def sliding_excitation(
+    source: Source, window: float, count: int = 100
+) -> tuple[np.ndarray, dict[str, np.ndarray]]:
+    """Return starts of a window that slides over a run, evenly, and the eigenvalues in it.
 
-    window: float  # its length T, units.time
-    starts: np.ndarray  # (count,), units.time
-    eigenvalues: dict[str, np.ndarray]  # axis -> (count, N + 2), ascending
-
-
-def sliding_excitation(source: Source, window: float, count: int = 100) -> SlidingExcitation:
-    """Measure the excitation in a window that slides over a run, `count` starts evenly."""
+    Of each axis they are (count, N + 2), ascending.
+    """
     first, last = span_of(source)
     starts = np.unique(np.linspace(first, max(first, last - window), count))
     along = joint_regressor(source, last - first, first, np.concatenate([starts, starts + window]))
@@ -353,4 +346,4 @@ def sliding_excitation(source: Source, window: float, count: int = 100) -> Slidi
     for axis, pieces in zip(("x1", "x2"), piece_factors(along), strict=True):
         whole = [whole_factor(pieces[a:b]) for a, b in zip(left, right, strict=True)]
         found[axis] = np.linalg.svd(whole, compute_uv=False)[:, ::-1] ** 2
-    return SlidingExcitation(window, starts, found)
+    return starts, found

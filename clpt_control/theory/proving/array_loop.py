@@ -26,14 +26,7 @@ from ...equations.elements import Index
 from ...equations.record import Shape
 from ...equations.symbolic import LONG, EveryN, extent
 from ...errors import DiagramError
-from .symbols import (
-    SCALARS,
-    element_name,
-    parameter_names,
-    parameter_symbol,
-    state_names,
-    undefined,
-)
+from .symbols import element_name, parameter_names, parameter_symbol, state_names, undefined
 
 DEEPEST = 30  # levels of an expression
 Known = Callable[[sympy.Expr, Index], Any]
@@ -59,10 +52,11 @@ class ArrayLoop:
         blocks = [node.system for node in wiring.nodes]
         self.tape, self.known = Tape(), known
         self.fields, self.names = parameter_names(blocks), state_names(blocks)
-        self.values: dict[str, Any] = {}  # of parameters
-        for block in blocks:
-            for name, value in block.parameters._asdict().items():
-                self.values.setdefault(self.fields[block.name, name], value)
+        self.values = {  # of parameters
+            self.fields[block.name, name]: value
+            for block in blocks
+            for name, value in block.parameters._asdict().items()
+        }
         self.declared: dict[str, Shape] = {}
         self.states: dict[str, Any] = {}
         found = merged_record(
@@ -92,8 +86,7 @@ class ArrayLoop:
 
         def watch(place: int, name: str, arguments: tuple) -> None:
             owner = found.owners.get(place)
-            sentence = owner and no_value(owner, name, arguments)
-            if sentence:
+            if owner and (sentence := no_value(owner, name, arguments)):
                 self.undefined_so_far.append(f"{owner} {sentence}")
 
         self.elements = EveryN(self.tape.operations, self._element, watch)
@@ -135,11 +128,7 @@ class ArrayLoop:
     # --- the leaves, by the paper's names ----------------------------------------------------
 
     def _parameter(self, block: Block, parameter: str, shape: Shape) -> Any:
-        name = self.fields[block.name, parameter]
-        if name not in SCALARS:
-            return self.tape.add("leaf", (), shape, ("p", name))
-        one = self.tape.add("leaf", (), (), ("p", name))
-        return self.tape.add("fill", (operand(one),), shape) if shape else one
+        return self.tape.add("leaf", (), shape, ("p", self.fields[block.name, parameter]))
 
     def _leaf(self, group: str, node: Node, name: str, shape: Shape) -> Any:
         """Return a state or a parameter of a block."""

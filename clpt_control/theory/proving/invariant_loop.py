@@ -6,7 +6,7 @@ checks each for one N; `invariants` makes the proof of the checks.
 """
 
 import math
-from collections.abc import Callable, Set
+from collections.abc import Callable, Mapping, Set
 from functools import cached_property
 from itertools import combinations_with_replacement
 from typing import Any
@@ -22,16 +22,7 @@ from .array_loop import TIME
 from .proof import short
 from .signs import left_over, nonpositive, positive_maximum, vanishes
 from .symbolic_loop import SymbolicLoop, flat, symbolic_loop
-from .theorem_loop import (
-    Claim,
-    Hedging,
-    law_and_V,
-    law_loop,
-    rate_of_V,
-    theorem_scenario,
-    tied,
-    truth_in,
-)
+from .theorem_loop import Hedging, law_and_V, law_loop, rate_of_V, theorem_scenario, tied, truth_in
 
 SIZES = (1, 2, 3)  # numbers of functions
 
@@ -143,27 +134,23 @@ class InvariantLoop:
                 expression = expression.xreplace({word: symbol})
         return expression
 
-    def left_over(self, claim: Claim, beside: Any = 0) -> str:
+    def left_over(self, claim: Callable[[SymbolicLoop], Any], beside: Any = 0) -> str:
         """Return what V' has beyond claim + beside, or where it has no value, or nothing."""
         rest = self.reduced(self.untied_rate.xreplace(self.tied) - claim(self.loop) - beside)
         return left_over(rest) or "".join(self.loop.undefined[:1])
 
-    def broken(self) -> str:
-        """Return which relation the states leave, or nothing."""
-        return self._broken_by(self.loop.derivative)
+    def broken(self, jump: Mapping[Any, Any] | None = None) -> str:
+        """Return which relation the states leave, by their rates or at a jump, or nothing."""
+        for symbol, value in self.relations.items():
+            off = symbol - value
+            left = self.reduced(self.loop.derivative(off) if jump is None else off.xreplace(jump))
+            if not vanishes(left):
+                return f"{symbol} leaves it by {short(sympy.expand(left))}"
+        return ""
 
     def broken_at_a_jump(self) -> str:
         """Return which relation the states leave where they jump, or nothing."""
-        jumps = (lambda off, new=new: off.xreplace(new) for new in self.loop.jumps_at_once())
-        return next(filter(None, map(self._broken_by, jumps)), "")
-
-    def _broken_by(self, after: Callable[[sympy.Expr], sympy.Expr]) -> str:
-        """Return which relation fails: `after` gives the change of a state less its expression."""
-        for symbol, value in self.relations.items():
-            off = self.reduced(after(symbol - value))
-            if not vanishes(off):
-                return f"{symbol} leaves it by {short(sympy.expand(off))}"
-        return ""
+        return next(filter(None, map(self.broken, self.loop.jumps_at_once())), "")
 
     def semidefinite_after_a_jump(self) -> bool:
         """Return whether c^T M c is not negative after a jump, for every M >= 0 and c."""
@@ -190,6 +177,8 @@ class InvariantLoop:
 
         d = theta_hat - theta.  With M = M^T and d = c M, whatever c is: 2 d' c^T - c M' c^T.
         """
+        if self.loop.jumps:
+            return "its states jump, and what its error does there is not judged"
         (port,) = self.matrices
         M, c = self.symmetric[port], self.c
         if np.any(M != M.T):

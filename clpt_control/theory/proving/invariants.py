@@ -114,18 +114,12 @@ def falling_claims(law: Law, sizes: str) -> Claims:
 
 def estimate_claims(law: Law) -> Claims:
     """Return what is to be shown of a law that makes an estimate."""
-
-    def falls(case: InvariantLoop) -> str:
-        return case.left_over(decay_and_known_error, case.beside)
-
-    def grows(case: InvariantLoop) -> str:
-        jumps = "its states jump, and what its error does there is not judged"
-        return jumps if case.loop.jumps else case.estimate_grows()
-
     return {
         **semidefinite_claims(law),
-        f"{KNOWN_ERROR}, N = 1, 2, 3": falls,
-        f"the error of the estimate never grows: {law.V_rate}": grows,
+        f"{KNOWN_ERROR}, N = 1, 2, 3": (
+            lambda case: case.left_over(decay_and_known_error, case.beside)
+        ),
+        f"the error of the estimate never grows: {law.V_rate}": InvariantLoop.estimate_grows,
     }
 
 
@@ -178,20 +172,17 @@ def _scales_all_errors(case: InvariantLoop) -> bool:
 def _reads(case: InvariantLoop) -> bool:
     """Return whether a readout where(1 - w >= m, a, -alpha) is theta in its first branch."""
     (w,) = case.states[case.law.error_left]
-    read, theta = case.loop.signals[case.law.readout], case.loop.parameters["true_flow"].theta
-    triples = zip(read.flat, case.states["alpha"].flat, theta.flat, strict=True)
-    return all(_is_readout(case, *triple, w) for triple in triples)
-
-
-def _is_readout(case: InvariantLoop, read: Any, alpha: Any, theta: Any, w: Any) -> bool:
-    if not isinstance(read, WHERE) or str(read.args[0].func) != "ge":
-        return False
-    condition, then, before = read.args
-    gone, margin = condition.args
-    known = {MAXIMUM(*pair): 1 - w for pair in ((margin, 1 - w), (1 - w, margin))}
-    right = vanishes(case.reduced(then.subs(known)) - theta)
-    asked = bool(gone == 1 - w and margin.is_positive)
-    return asked and right and bool(sympy.expand(before + alpha) == 0)
+    read, truth = case.loop.signals[case.law.readout], case.loop.parameters["true_flow"].theta
+    for one, alpha, theta in zip(read.flat, case.states["alpha"].flat, truth.flat, strict=True):
+        if not isinstance(one, WHERE) or str(one.args[0].func) != "ge":
+            return False
+        condition, then, before = one.args
+        gone, margin = condition.args
+        known = {MAXIMUM(*pair): 1 - w for pair in ((margin, 1 - w), (1 - w, margin))}
+        right = vanishes(case.reduced(then.subs(known)) - theta)
+        if not (right and gone == 1 - w and margin.is_positive and vanishes(before + alpha)):
+            return False
+    return True
 
 
 def covariance_claims(driven: bool) -> Claims:

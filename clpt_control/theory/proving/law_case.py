@@ -20,18 +20,8 @@ from .array_loop import TIME, ArrayLoop
 from .leaks import Bound, listed
 from .proof import Step, checked, exact, short
 from .running_rate import running_step
-from .signs import (
-    Facts,
-    dead_zone,
-    tidied,
-    vanishes,
-)
-from .symbolic_loop import (
-    SymbolicLoop,
-    flat,
-    refuse_no_value,
-    symbolic_loop,
-)
+from .signs import Facts, dead_zone, tidied, vanishes
+from .symbolic_loop import SymbolicLoop, flat, refuse_no_value, symbolic_loop
 from .theorem_loop import decay, rate_of_V, theorem_loop, truth_in
 from .words import along, faster_than_linear, interval
 

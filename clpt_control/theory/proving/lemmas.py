@@ -178,17 +178,12 @@ def error_diagram() -> Diagram:
     return error_loop(theorem_scenario(WIRED, "learned-flow"))
 
 
-def error_system_rates(parts: ArrayLoop) -> Errors:
-    """Return what Eqs. (27)-(28) say of the states of the error system."""
-    p, inputs = parts.parameters, parts.inputs
-    signals = inputs["phi_x"], inputs["z"], inputs["zc"]
-    return error_rates(parts.states, p["error_system"].KD, p["parameter_system"].gain, *signals)
-
-
 def same_dynamics() -> tuple[bool, str]:
     """Return whether Eqs. (27)-(28) are the closed loop's own, and the error system's, every N."""
     loop, parts = ArrayLoop(learned_loop()), ArrayLoop(error_diagram())
-    wanted, printed = wanted_rates(loop), error_system_rates(parts)
+    p, signals = parts.parameters, (parts.inputs[port] for port in ("phi_x", "z", "zc"))
+    constants = p["error_system"].KD, p["parameter_system"].gain
+    wanted, printed = wanted_rates(loop), error_rates(parts.states, *constants, *signals)
     pairs = (loop.derivative(error) - wanted[name] for name, error in errors(loop).items())
     holds, left = vanish(loop, pairs)
     if not holds or printed.keys() != parts.rates.keys():
@@ -247,25 +242,18 @@ def observability_steps() -> list[Step]:
     ]
 
 
-def rotation(angle: sympy.Expr) -> sympy.Matrix:
-    """Return the matrix that rotates a plane by an angle."""
-    return sympy.Matrix(
-        [[sympy.cos(angle), -sympy.sin(angle)], [sympy.sin(angle), sympy.cos(angle)]]
-    )
-
-
 def rotation_takes_each_point_to_the_next() -> bool:
     """Return whether rotating by 2 pi/n takes each point to the next, the last to the first."""
-    n = sympy.Symbol("n", positive=True)
+    n, rotation = sympy.Symbol("n", positive=True), sympy.rot_ccw_axis3
     a, b = sympy.symbols("a b", real=True)
     both = rotation(a + b).applyfunc(sympy.expand_trig)
-    return rotation(a) * rotation(b) == both and rotation(n * (2 * sympy.pi / n)) == sympy.eye(2)
+    return rotation(a) * rotation(b) == both and rotation(n * (2 * sympy.pi / n)) == sympy.eye(3)
 
 
 def only_multiples_of_one_commute() -> bool:
     """Return whether M = [[a, b], [b, d]] with M R = R M is a multiple of I, n > 2."""
     a, b, d, angle = sympy.symbols("a b d angle", real=True)
-    M, R = sympy.Matrix([[a, b], [b, d]]), rotation(angle)
+    M, R = sympy.Matrix([[a, b], [b, d]]), sympy.rot_ccw_axis3(angle)[:2, :2]
     moved = sympy.sin(angle) * sympy.Matrix([[-2 * b, a - d], [a - d, 2 * b]])
     m = sympy.Symbol("m", integer=True, nonnegative=True)
     step = 2 * sympy.pi / (m + 3)  # n = m + 3: between 0 and pi, where the sine is not zero

@@ -31,15 +31,7 @@ from .lemmas import definite_step, dissipation_step, learned_loop, wanted_rates,
 from .proof import Proof, checked, theorem
 from .signs import left_over, vanishes
 from .symbolic_loop import symbolic_loop
-from .theorem_loop import (
-    Hedging,
-    decay,
-    identity_steps,
-    law_and_V,
-    law_loop,
-    rate_of_V,
-    zero_step,
-)
+from .theorem_loop import Hedging, decay, identity_steps, law_and_V, law_loop, rate_of_V, zero_step
 
 POINTS = 1_000  # at which the running blocks are called
 N = 2  # functions, for each law of the table
@@ -47,19 +39,14 @@ OPEN = "Theorem 3.2 where the vehicle's speed is limited, which the paper leaves
 SLOWER = "|F_R| stays below some F < v_max"
 
 
-def pair_of(law: Law) -> tuple[ArrayLoop, ArrayLoop]:
+def pair_of(law: Law) -> list[ArrayLoop]:
     """Return a law's loop without a limit and hedged, for every N where that is read."""
-
-    def both(closed: bool) -> tuple[ArrayLoop, ...]:
-        speeds: tuple[Hedging, ...] = ("no limit", "hedged")
-        diagrams = (law_loop(law, *law_and_V(law, N, speed), speed) for speed in speeds)
-        return tuple(ArrayLoop(one, jumps=True, closed=closed) for one in diagrams)
-
+    speeds: tuple[Hedging, ...] = ("no limit", "hedged")
+    diagrams = [law_loop(law, *law_and_V(law, N, speed), speed) for speed in speeds]
     try:
-        free, hedged = both(closed=False)
+        return [ArrayLoop(one, jumps=True) for one in diagrams]
     except Unread:
-        free, hedged = both(closed=True)
-    return free, hedged
+        return [ArrayLoop(one, jumps=True, closed=True) for one in diagrams]
 
 
 def differs(law: Law) -> str:

@@ -11,7 +11,7 @@ the terms with e cancel; gains are read off the law's equations,
 
 from collections.abc import Callable, Sequence
 from inspect import signature
-from typing import Any, NamedTuple
+from typing import Any
 
 import control
 import numpy as np
@@ -50,20 +50,16 @@ ANY = "clpt.theory.lyapunov(diagram, V) judges a V of your own on any diagram"
 Candidate = Block | Callable[..., Block]  # V, or what makes it of the truth, and of parameters
 
 
-class FittedV(NamedTuple):
-    """V of Eq. (24), fitted to a law."""
-
-    gains: list[sympy.Expr]  # of alpha, row by row, K and Gamma, in the law's parameters
-    refutes: bool  # whether V' > 0 refutes the law
-    inverse: sympy.Matrix | None = None  # of a matrix of gains, in numbers
-
-
-def fitted_V(law: Block, N: int, loop: SymbolicLoop) -> FittedV:
+def fitted_V(
+    law: Block, N: int, loop: SymbolicLoop
+) -> tuple[list[sympy.Expr], bool, sympy.Matrix | None]:
     """Return the gains with which a law adapts alpha, K and Gamma, of a loop of it alone.
 
-    They are the factors of -e phi, -e z and e zc in the rates of alpha, K and Gamma, in the symbols
-    of the law's parameters, without their sign; 1 where there is none.  V refutes the law where
-    each that is not held has a gain, and a V of squares can take what is beside it; else V is a
+    With them stand whether V' > 0 refutes the law, and the inverse of a matrix of gains, in
+    numbers, or None.  The gains are the factors of -e phi, -e z and e zc in the rates of alpha, K
+    and Gamma, in the symbols of the law's parameters, without their sign; 1 where there is none.  V
+    refutes the law where each that is not held has a gain, and a V of squares can take what is
+    beside it; else V is a
     guess, and refutes nothing.  Where these products drive each other's rates, by a matrix that is
     symmetric and positive definite, V weighs the errors by its inverse.
     """
@@ -95,7 +91,7 @@ def fitted_V(law: Block, N: int, loop: SymbolicLoop) -> FittedV:
     rests = {s: rest.xreplace(still) for s, rest in rests.items() if s.is_Symbol}
     refutes = refutes and len(rests) == len(learned) and not inverse
     refutes = refutes and _weighed_by_squares(rests, {*values, *still.values()})
-    return FittedV(gains, refutes, inverse)
+    return gains, refutes, inverse
 
 
 def _weighed_by_squares(rests: dict, known: set) -> bool:

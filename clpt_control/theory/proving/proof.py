@@ -84,9 +84,8 @@ def theorem(
         status = "sampled"
     else:
         status = "cited" if "cited" in hows else "proved"
-    every = exact_for_every_N(steps)
     more = (cited, printed, assumptions, corrected or "", not_proved)
-    return Proof(status, conclusion, every, steps, *more)
+    return Proof(status, conclusion, exact_for_every_N(steps), steps, *more)
 
 
 def where_all_hold(status: str, claim: str, steps: Iterable[Step], cited: str = "") -> Proof:

@@ -167,12 +167,8 @@ def equate_x_and_z(loop: SymbolicLoop, x: np.ndarray, random: np.random.Generato
 
 def refuse_no_value(loop: SymbolicLoop, name: str) -> None:
     """Refuse equations that have no value whatever the states are."""
-    if any(
-        one.has(*NO_VALUE)
-        for ports in (loop.rates, loop.signals)
-        for port in ports.values()
-        for one in port.flat
-    ):
+    ports = *loop.rates.values(), *loop.signals.values()
+    if any(one.has(*NO_VALUE) for port in ports for one in port.flat):
         raise DiagramError(
             f"{name}: with the parameters as they are its equations have no value"
             + (f" ({loop.undefined[0]})" if loop.undefined else "")

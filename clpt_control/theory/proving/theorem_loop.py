@@ -12,6 +12,7 @@ that run.
 """
 
 from collections.abc import Callable, Iterable
+from functools import partial
 from typing import Any, Literal
 
 import numpy as np
@@ -105,16 +106,12 @@ def theorem_loop(
     `law_block` and `candidate` (with the output V[1]) take the place of the paper's.
     """
     scenario = theorem_scenario(N, law, disturbed, speed)
-    blocks = paper_blocks(scenario)
-    external = [SOURCES[block.name] for block in blocks if block.name in SOURCES]
-    blocks = [block for block in blocks if block.name not in SOURCES]
+    blocks = {block.name: block for block in paper_blocks(scenario)}
     if law_block is not None:
-        blocks = [law_block if block.name == "adaptation" else block for block in blocks]
-    if candidate is None:
-        candidate = theorem_candidate(scenario)
-    return connect(
-        [*blocks, candidate], sorted(external, key=list(SOURCES.values()).index), name="theorem"
-    )
+        blocks["adaptation"] = law_block
+    external = [port for name, port in SOURCES.items() if blocks.pop(name, None) is not None]
+    candidate = theorem_candidate(scenario) if candidate is None else candidate
+    return connect([*blocks.values(), candidate], external, name="theorem")
 
 
 def law_loop(law: Law, block: Block, V: Block, speed: Hedging = "no limit") -> Diagram:
@@ -255,9 +252,7 @@ def identity_steps(
 
     `text` is the claim in words.  A failed exact step says what does not cancel, the other where.
     """
-
-    def diagram() -> Diagram:
-        return theorem_loop(WIRED, law, disturbed, speed=speed)
+    diagram = partial(theorem_loop, WIRED, law, disturbed, speed=speed)
 
     def read() -> tuple:
         loop = symbolic_loop(built := diagram())

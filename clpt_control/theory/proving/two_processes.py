@@ -5,7 +5,6 @@ the first ones run.
 """
 
 import os
-from collections import deque
 from collections.abc import Callable, Iterator
 from concurrent.futures import Future
 from contextlib import contextmanager, suppress
@@ -42,29 +41,19 @@ def prove_all(
     pool: Pool | None = None,
 ) -> "Outcomes":
     """Prove statements, some of them in a pool; `report` is called with the number done."""
-    left, found = deque(statements), dict["Statement", "Outcome"]()
-    theirs = dict["Statement", Future]()
-
-    def hand_over(done: Future | None = None) -> None:
-        """Hand the last statement that is left to the pool, and again when it is done."""
-        with suppress(IndexError, RuntimeError):  # nothing is left, or the pool is broken
-            if pool is not None:
-                one = left.pop()
+    found, theirs = dict["Statement", "Outcome"](), dict["Statement", Future]()
+    if pool is not None and len(statements) > 2:
+        with suppress(RuntimeError):  # the pool is broken
+            for one in reversed(statements):
                 theirs[one] = pool.submit(answer, one)
-                theirs[one].add_done_callback(hand_over)
-
-    if len(left) > 2:
-        hand_over()
-    while left:
-        interrupt.check()
-        with suppress(IndexError):  # the pool took the last one
-            one = left.popleft()
-            found[one] = one.prove()
-        report(len(found) + sum(future.done() for future in list(theirs.values())))
     for one in statements:
-        while one in theirs and not theirs[one].done():
-            interrupt.wait(0.05)
-        if one not in found:
-            proved = one in theirs and theirs[one].exception() is None
-            found[one] = theirs[one].result() if proved else one.prove()
+        interrupt.check()
+        future = theirs.pop(one, None)
+        if future is None or future.cancel():  # the other has not begun it
+            found[one] = one.prove()
+        else:
+            while not future.done():
+                interrupt.wait(0.05)
+            found[one] = one.prove() if future.exception() else future.result()
+        report(len(found) + sum(future.done() for future in theirs.values()))
     return found
