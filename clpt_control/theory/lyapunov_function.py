@@ -45,9 +45,9 @@ class FailureSearch(PointSearch):
 
         def same() -> tuple[bool, str]:
             V, rate = (one.xreplace(self.case.eq.values) for one in (self.case.V, self.case.rate))
-            at = self.draw(points, False, widest=4.0)  # where exp is too large
-            drawn = Drawn({}, self.known(*at), at[0], at[1].T, at[2].T)
-            return compared(self.blocks, self.states, V, rate, [drawn], points)
+            t, x, u = at = self.draw(points, False, widest=4.0)  # where exp is too large
+            draws: list[Drawn] = [({}, self.known(*at), t, x.T, u.T)]
+            return compared(self.blocks, self.states, V, rate, draws, points)
 
         return checked("the running blocks give the same V'", "sampled", same, False)
 

@@ -8,6 +8,7 @@ import pytest
 
 from clpt_control.blocks import vehicle
 from clpt_control.files import CACHE
+from clpt_control.native import machine
 from clpt_control.theory.proving import all_proofs
 from clpt_control.theory.proving.all_proofs import CachedOutcomes, Statement, digest, statements
 from clpt_control.theory.proving.proof import Step, theorem
@@ -81,7 +82,7 @@ def test_versions_processor_and_engine_are_part_of_the_name(monkeypatch):
         with monkeypatch.context() as patch:
             patch.setattr(all_proofs, "version", lambda one, name=name: "9" if one == name else "1")
             names.add(digest())
-    monkeypatch.setattr(all_proofs, "processor", lambda: ("another", ""))
+    monkeypatch.setattr(machine, "processor", lambda: ("another", ""))
     names.add(digest())
     monkeypatch.setenv(all_proofs.VARIABLE, "python")
     names.add(digest())

@@ -12,26 +12,27 @@ without disturbance and noise of the position, which nobody knows beforehand.  T
 of one compiled diagram: only the waypoints in its parameters differ.
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
+from ...blocks.laws.law import LEARNED
 from ...blocks.laws.table import LAWS
 from ...diagrams.interconnection import wiring_of_blocks
 from ...equations.at_many import evaluate
-from ...equations.block import Block
 from ...errors import ScenarioError
 from ...native.batch import Batch
 from ...native.machine import LANES
 from ...native.native_diagram import NativeDiagram
 from ...scenario.experiment import Scenario
-from ...simulation.loops import paper_blocks
+from ...simulation.loops import LoopOf, remaining_parts
 from ...simulation.starts import state_of
 from ..excitation.certificates import TURN, smallest_eigenvalue, worst_drop
 from ..excitation.regressor import quadrature, w_along
 
 ANY = next(law for law in LAWS.values() if not (law.at_fixes or law.given_estimate))
 ATOL = 1e-2  # absolute tolerance over the relative one
+LEARNER = ("z", "e", *LEARNED)  # the vehicle alone is what feeds none of them
 BYTES = 100_000_000  # of one array of tracks that are taken together
 
 
@@ -64,7 +65,7 @@ class Tracks:
     ):
         self.scenario = vehicle_alone(scenario)
         self.end, self.rtol, self.speeds, self.runs = end, rtol, speeds, 0
-        self.blocks = _blocks_of_the_vehicle(self.scenario)
+        self.blocks: list[Any] = remaining_parts(*LoopOf(self.scenario, external=LEARNER))[0]
         self.native = NativeDiagram(wiring_of_blocks(self.blocks))
         self.callee = self.native.callee(self.native.lanes(LANES))
         self.schedule = self.native.schedule((0.0, end))
@@ -144,8 +145,12 @@ class Tracks:
             zc = np.broadcast_to(points[:, self.waypoint_of_look, None], x.shape)
             times = np.broadcast_to(self.looks, x.shape[:-1]).ravel()
             ports = {"x": x.reshape(-1, 2), "zc": zc.reshape(-1, 2)}
-            v = _signal("v_x", self.blocks, times, ports)
-            speed = np.hypot(*v.T).reshape(x.shape[:-1])
+            for block in self.blocks:  # in their order
+                if block.name in ("basis_x", "vehicle_controller", "speed_limit"):
+                    inputs = [ports[port] for port in block.input_ports]
+                    (made,) = block.output_ports
+                    ports[made] = evaluate(block, times, np.concatenate(inputs, axis=1))
+            speed = np.hypot(*ports["v_x"].T).reshape(x.shape[:-1])
         return Extremes(speed.max(axis=2), x.min(axis=2), x.max(axis=2), share)
 
 
@@ -166,29 +171,3 @@ def vehicle_alone(scenario: Scenario) -> Scenario:
             },
         }
     )
-
-
-def _blocks_of_the_vehicle(scenario: Scenario) -> list[Block]:
-    """Return the blocks that reach x, and no others."""
-    blocks = paper_blocks(scenario)
-    makers = {port: block for block in blocks for port in block.output_ports}
-    wanted, needed = ["x"], set[str]()
-    while wanted:
-        block = makers[wanted.pop()]
-        if block.name not in needed:
-            needed.add(block.name)
-            wanted += block.input_ports
-    return [block for block in blocks if block.name in needed]
-
-
-def _signal(
-    port: str, blocks: list[Block], times: np.ndarray, known: dict[str, np.ndarray]
-) -> np.ndarray:
-    """Return a signal of static blocks, (n, size), made of those known."""
-    if port not in known:
-        block = next(block for block in blocks if port in block.output_ports)
-        inputs = [_signal(name, blocks, times, known) for name in block.input_ports]
-        values = evaluate(block, times, np.concatenate(inputs, axis=1))
-        ends = np.cumsum(list(block.output_ports.values()))[:-1]
-        known |= dict(zip(block.output_ports, np.split(values, ends, axis=1), strict=True))
-    return known[port]

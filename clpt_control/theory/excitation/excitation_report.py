@@ -47,19 +47,14 @@ def excitation_report(
     found = gramian(along)
     more = {"ceilings": found.ceilings, "least_excited": found.least_excited}
     report: dict[str, Any] = {**found.span, **found.report, **more}
+    report |= dict.fromkeys(("rho", "contraction", "drop", "time_to_tenth"))
     try:
         certified = certificate(along)
-    except ScenarioError as error:
-        nothing = dict.fromkeys(("rho", "contraction", "drop", "time_to_tenth"))
-        report |= {**nothing, "not_certified": str(error)}
-    else:
         time = time_to_tenth(found.window, min(certified.drop, 1.0))
-        report |= {
-            "rho": certified.rho,
-            "contraction": certified.contraction,
-            "drop": certified.drop,
-            "time_to_tenth": time if np.isfinite(time) else None,
-        }
+        report |= {name: getattr(certified, name) for name in ("rho", "contraction", "drop")}
+        report["time_to_tenth"] = time if np.isfinite(time) else None
+    except ScenarioError as error:
+        report["not_certified"] = str(error)
     if not isinstance(source, Scenario):
         rough = gramian(thinned(source), found.window, found.start)
         floor = {a: found.tolerance * values[-1] for a, values in found.eigenvalues.items()}

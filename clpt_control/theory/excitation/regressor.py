@@ -166,13 +166,10 @@ def quadrature(
     inner = np.concatenate([inner, *(multiples(span, start, end) for span in spans.values())])
     near = 1e-9 * min(longest, end - start)
     inner = np.sort(inner[(inner > start + near) & (inner < end - near)])
-    ends = [start]
-    for edge in inner:
-        if edge - ends[-1] > near:
-            ends.append(edge)
+    ends = start, *inner[np.diff(inner, prepend=start) > near], end
     pieces = [
         np.linspace(a, b, int(np.ceil((b - a) / longest * (1 - 1e-12))) + 1)[:-1]
-        for a, b in pairwise([*ends, end])
+        for a, b in pairwise(ends)
     ]
     cuts = np.append(np.concatenate(pieces), end)
     node, weight = np.polynomial.legendre.leggauss(NODES)

@@ -18,7 +18,6 @@ processor and the engine, by which counterexamples are computed.  So the outcome
 is never read.
 """
 
-import hashlib
 import os
 import platform
 from collections.abc import Iterator
@@ -38,7 +37,7 @@ from ...diagrams.interconnection import Diagram, connect
 from ...equations.declaration import named, split, within
 from ...files import cache_folder, read_cached, write_cached
 from ...native.engines import VARIABLE
-from ...native.machine import processor
+from ...native.machine import code_name
 from ...scenario.team import TEAM_LAW, Team
 from ...simulation.loops import team_blocks
 from .fixes import fix_steps
@@ -256,9 +255,7 @@ def holds(outcome: Outcome) -> bool:
 
 def digest() -> str:
     """Return a name for all that an outcome depends on."""
-    sha = hashlib.sha256()
-    for path in sorted(PACKAGE.rglob("*.py")):
-        sha.update(f"{path.relative_to(PACKAGE)}\n".encode() + path.read_bytes())
-    more = [platform.python_version(), *(version(name) for name in REQUIRED)]
-    sha.update("\n".join([*more, *processor(), os.environ.get(VARIABLE, "")]).encode())
-    return sha.hexdigest()[:32]
+    paths = sorted(PACKAGE.rglob("*.py"))
+    files = (f"{path.relative_to(PACKAGE)}\n{path.read_text('utf-8')}" for path in paths)
+    versions = platform.python_version(), *map(version, REQUIRED)
+    return code_name(*files, *versions, os.environ.get(VARIABLE, ""))

@@ -2,9 +2,8 @@
 
 The blocks' records, joined at the diagram's own wires.  A claim about it is made of its signals,
 states, parameters and rates as NumPy's arrays are: ``-np.sum(KD * e**2)``; `elements` reads what
-comes of it, for every N where sizes are open, or for the diagram's own.
-Sources of time and tables stay undefined functions of time and their inputs: what is proved then
-holds for all of them.
+comes of it, for every N where sizes are open, or for the diagram's own.  Sources of time and tables
+are inputs of the diagram: what is proved then holds for all of them.
 """
 
 from collections.abc import Callable, Iterable
@@ -60,7 +59,7 @@ class ArrayLoop:
         self.declared: dict[str, Shape] = {}
         self.states: dict[str, Any] = {}
         found = merged_record(
-            diagram, wiring, self._leaf, self._input, self._stand_in, tape=self.tape, closed=closed
+            diagram, wiring, self._leaf, self._input, tape=self.tape, closed=closed
         )
         refuse_pinned(found.pinned)
         self.inputs = found.inputs
@@ -118,9 +117,8 @@ class ArrayLoop:
     def _direction(self) -> Direction:
         along: dict[Any, Any] = {operand(s): self.rates[name] for name, s in self.states.items()}
         for k, operation in enumerate(self.tape.operations):
-            if operation.kind == "leaf" and operation.at[0] in ("u", "o"):
-                at = (f"{operation.at[0]}'", operation.at[1])
-                along[k] = self.tape.add("leaf", (), operation.shape, at)
+            if operation.kind == "leaf" and operation.at[0] == "u":
+                along[k] = self.tape.add("leaf", (), operation.shape, ("u'", operation.at[1]))
             elif operation.kind == "leaf" and operation.at[0] == "t":
                 along[k] = 1.0
         return Direction(self.tape, along, smooth=True)
@@ -142,15 +140,6 @@ class ArrayLoop:
     def _input(self, port: str, shape: Shape, declared: Shape) -> Any:
         self.declared[port] = declared
         return self.tape.add("leaf", (), shape, ("u", port))
-
-    def _stand_in(self, node: Node, u: dict[str, Any], shapes: dict[str, Shape]) -> Any:
-        """Return the outputs of a block that stays undefined; None of another."""
-        if not node.system.opaque:
-            return None
-        self.declared |= node.system.declared["outputs"]
-        return {
-            port: self.tape.add("leaf", (), shape, ("o", port)) for port, shape in shapes.items()
-        }
 
     def _element(self, at: tuple, shape: Shape, index: Index) -> Any:
         """Return the symbol of an element, or what is known of it."""

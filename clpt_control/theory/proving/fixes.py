@@ -17,7 +17,7 @@ import sympy
 
 from ...blocks.laws.law import Law
 from ...diagrams.interconnection import connect
-from ...simulation.loops import paper_blocks
+from ...simulation.loops import LoopOf, remaining_parts
 from .proof import Step, checked, exact_step
 from .signs import vanishes
 from .symbolic_loop import SymbolicLoop, symbolic_loop
@@ -26,25 +26,18 @@ from .words import decided
 
 SIZES = (1, 2)  # numbers of functions; 3 takes half a minute, in a slow test
 SEND, ARRIVE = 1, 2  # intervals that begin with a fix, and with its arrival
-OUTSIDE: dict[str, tuple[str, ...]] = {  # blocks that are left out, and what they make
-    "basis_x": ("phi_x",),
-    "basis_z": ("phi_z",),
-    "vehicle_controller": ("v_x",),
-    "fixes": ("fix", "taken"),
-}
+OUTSIDE = "phi_x", "phi_z", "v_x", "fix", "taken"  # what comes from blocks that are left out
 MOVING = ("x", "z", "m")  # states that change between fixes
 States = dict[str, np.ndarray]
 
 
 def loop_of(law: Law, N: int, late: bool) -> SymbolicLoop:
     """Return the vehicle, the law and V on symbols; fixes and what moves the vehicle are inputs."""
-    blocks = paper_blocks(theorem_scenario(N, law.name))
     block, V = law_and_V(law, N)
-    p = {name: value for name, value in block.parameters._asdict().items() if name != "interval"}
-    block = law.of(N, **p | {"latency": 1.0 if late else 0.0})
-    inner = [b for b in blocks if b.name not in (*OUTSIDE, "reference", block.name)]
-    external = [port for ports in OUTSIDE.values() for port in ports]
-    return symbolic_loop(connect([*inner, block, V], external, name="between"), jumps=True)
+    block.parameters = block.parameters._replace(latency=float(late))
+    parts, _ = remaining_parts(*LoopOf(theorem_scenario(N, law.name), external=OUTSIDE))
+    inner = [one for one in parts if one.name != block.name]
+    return symbolic_loop(connect([*inner, block, V], OUTSIDE, name="between"), jumps=True)
 
 
 def changed(rows: dict[str, Any]) -> str:

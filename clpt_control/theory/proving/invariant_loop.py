@@ -64,8 +64,7 @@ class InvariantLoop:
             tuple(sympy.sympify(factor).xreplace(self.tied) for factor in product)
             for product in law.losses(every, p, truth)
         ]
-        c = sympy.symbols(f"c_1:{2 * N + 1}", real=True, cls=sympy.Dummy)
-        self.c = np.array(c, dtype=object).reshape(2, N)  # d P^-1, d = theta_hat - theta
+        self.c = _any(2 * N).reshape(2, N)  # d P^-1, d = theta_hat - theta
         every["d P^-1"] = self.c
         self.error_growth = sympy.sympify(law.error_growth(every, p, truth))
         perturbation = law.perturbation(every, p, truth) if law.perturbation else 0
@@ -75,10 +74,9 @@ class InvariantLoop:
         self.V = self.loop.signals["V"][0].xreplace(self.tied)
         self.truths = {*np.ravel(truth.theta), *truth.KD, *truth.GammaD}
         error = law.weighted_error(self.states, p, truth) if law.weighted_error else None
-        self.weighted_error = error
-        self.free = {} if error is None else _free_symbols_for(error)
-        fresh = [value.free_symbols for value in self.free.values()]
-        self.apart = {s for symbols in (self.loop.motion, self.truths, *fresh) for s in symbols}
+        self.weighted_error, self.free = error, {} if error is None else _free_symbols_for(error)
+        fresh = (value.free_symbols for value in self.free.values())
+        self.apart = {*self.loop.motion, *self.truths}.union(*fresh)
 
     def off_at_the_start(self) -> str:
         """Name the states whose relation does not hold where a run begins, whatever alpha is."""
@@ -89,11 +87,9 @@ class InvariantLoop:
         starts = {"alpha": alpha, **self.law.starts(known)}
         place = np.array(known.position, dtype=float)
         states = {"x": place, "z": place}
-        for name, state in self.law.states.items():
-            shape = state.shape if isinstance(state.shape, tuple) else (state.shape,)
-            whole = np.zeros([self.N if n == "N" else n for n in shape])
-            start = np.asarray(starts.get(name, 0.0), dtype=float)
-            states[name] = whole + (start.reshape(whole.shape) if start.ndim else start)
+        for name in self.law.states:
+            start, shape = starts.get(name, 0.0), self.states[name].shape
+            states[name] = np.zeros(shape) + np.reshape(start, shape if np.ndim(start) else ())
         assert self.law.invariants is not None
         values = self.law.invariants(states, self.law.parameters_of(known), truth)
         off = (name for name, value in values.items() if not np.allclose(value, states[name]))
@@ -156,9 +152,7 @@ class InvariantLoop:
         """Return whether c^T M c is not negative after a jump, for every M >= 0 and c."""
         for after in self.loop.jumps_at_once():
             for M in self.matrices.values():
-                c = np.array(
-                    sympy.symbols(f"a_1:{len(M) + 1}", real=True, cls=sympy.Dummy), dtype=object
-                )
+                c = _any(len(M))
                 new = np.array([[after.get(m, m) for m in row] for row in M], dtype=object)
                 if not self.not_negative(self.masked(sympy.expand(c @ new @ c)), set(c)):
                     return False
@@ -196,10 +190,8 @@ class InvariantLoop:
         As c^T M' c has the sign of c^T M' c/c_n^2, c_n is 1; where it is 0, M and c are rotated a
         little.
         """
-        M, n = self.symmetric[port].copy(), len(self.matrices[port])
-        c = np.array(
-            [*sympy.symbols(f"c_1:{n}", real=True, cls=sympy.Dummy), sympy.Integer(1)], dtype=object
-        )
+        M = self.symmetric[port].copy()
+        c = np.append(_any(len(M) - 1), sympy.Integer(1))
         M[:-1, -1] = M[-1, :-1] = -(M[:-1, :-1] @ c[:-1])
         M[-1, -1] = -np.dot(M[-1, :-1], c[:-1])
         at = dict(zip(self.matrices[port].ravel(), M.ravel(), strict=True))
@@ -220,8 +212,6 @@ class InvariantLoop:
         expression = sympy.sympify(expression)
         if expression.is_nonnegative or self.is_room(expression):
             return True
-        if all(term.is_nonnegative for term in sympy.Add.make_args(expression)):
-            return True
         expanded = sympy.expand(self.reduced(expression).xreplace(self.free))
         matrices, parts = self.symmetric, []
         symbols = sorted({s for M in matrices.values() for s in M.ravel()}, key=str)
@@ -232,7 +222,7 @@ class InvariantLoop:
             return False
         of = {s: shares.get(tuple(int(s == one) for one in symbols), 0) for s in symbols}
         for M in matrices.values():
-            c = sympy.symbols(f"c_1:{len(M) + 1}", real=True, cls=sympy.Dummy)
+            c = _any(len(M))
             pairs = combinations_with_replacement(range(len(M)), 2)  # M_jk stands for M_kj too
             parts.append(sympy.Add(*(sympy.expand(c[j] * c[k] * of[M[j, k]]) for j, k in pairs)))
         parts.append(shares.get((0,) * len(symbols), sympy.S.Zero))
@@ -244,6 +234,11 @@ class InvariantLoop:
             return False
         trace = sum(self.matrices["P"].diagonal())
         return sympy.expand(expression - 1 + trace / self.parameters.largest) == 0
+
+
+def _any(n: int) -> np.ndarray:
+    """Return n symbols that may be any numbers."""
+    return np.array(sympy.symbols(f"c_1:{n + 1}", real=True, cls=sympy.Dummy), dtype=object)
 
 
 def _solved(relations: dict[Any, Any]) -> dict[Any, sympy.Expr]:

@@ -10,7 +10,7 @@ at some points, through python-control.
 """
 
 from collections.abc import Callable, Iterable, Mapping
-from typing import Any, NamedTuple
+from typing import Any
 
 import control
 import numpy as np
@@ -143,14 +143,9 @@ def near_least(slopes: np.ndarray, x: np.ndarray, random: np.random.Generator) -
     return least + wide * sizes * random.standard_normal(x.shape)
 
 
-class Drawn(NamedTuple):
-    """Points at which blocks are called."""
-
-    params: dict[str, Any]  # call-time parameters, ``{"block.field": value}``
-    known: dict[Any, Any]  # symbol -> its numbers
-    t: np.ndarray  # (n,)
-    x: np.ndarray  # (n, states)
-    u: np.ndarray  # (n, inputs)
+# points at which blocks are called: call-time parameters, ``{"block.field": value}``, symbol -> its
+# numbers, t (n,), x (n, states) and u (n, inputs)
+Drawn = tuple[dict[str, Any], dict[Any, Any], np.ndarray, np.ndarray, np.ndarray]
 
 
 def compared(
@@ -238,7 +233,7 @@ def running_step(
                 x[half:] = near_least(slopes.T, x[half:], draw.random)
             equate_x_and_z(loop, x, draw.random)
             t = draw.random.uniform(0.0, 100.0, size)
-            return Drawn(draw.params(values), draw.at(values, t, x, u), t, x, u)
+            return draw.params(values), draw.at(values, t, x, u), t, x, u
 
         draws = map(drawn, range(0, points, PER_DRAW))
         holds, detail = compared(running, states, V, wanted, draws)

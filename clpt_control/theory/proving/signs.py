@@ -220,13 +220,10 @@ def _negative(group: sympy.Expr, apart: set, values: dict, facts: Facts) -> bool
         left = _without_squares(group)
         if left.is_nonpositive or (left != group and nonpositive(left, apart, values, facts)):
             return True
+    known = apart, values, facts
     if not words:
-        if _in_forms(group, apart, values):
-            return True
-        return bool(facts) and _below(group, apart, values, facts)
-    return _in_sectors(group, words, apart, values, facts) or _in_pieces(
-        group, words, apart, values, facts
-    )
+        return _in_forms(group, apart, values) or (bool(facts) and _below(group, *known))
+    return _in_sectors(group, words, *known) or _in_pieces(group, words, *known)
 
 
 def _in_forms(group: sympy.Expr, apart: set, values: dict) -> bool:

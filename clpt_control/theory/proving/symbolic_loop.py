@@ -147,11 +147,8 @@ class Draw:
 
     def at(self, values: Mapping[Any, float], t: Any, x: np.ndarray, u: np.ndarray) -> dict:
         """Return symbol -> number, of parameters and of points."""
-        known: dict[Any, Any] = {**values, TIME: t}
-        for ports, numbers in ((self.loop.states, x), (self.loop.inputs, u)):
-            flat = [s for symbols in ports.values() for s in symbols.flat]
-            known.update(zip(flat, numbers.T, strict=True))
-        return known
+        symbols = [*self.loop.motion, *(s for port in self.loop.inputs.values() for s in port.flat)]
+        return {**values, TIME: t, **dict(zip(symbols, [*x.T, *u.T], strict=True))}
 
 
 def equate_x_and_z(loop: SymbolicLoop, x: np.ndarray, random: np.random.Generator) -> None:

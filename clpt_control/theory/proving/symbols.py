@@ -115,10 +115,6 @@ MOST_EXP = 700  # of which exp is a number
 DEEPEST = 12  # levels of operations; deeper ones would take SymPy too long
 
 
-def _parameters(expression: sympy.Expr) -> bool:
-    return all("." in symbol.name for symbol in expression.free_symbols)
-
-
 def _nonzero(b: sympy.Expr) -> bool:
     """Return whether a divisor is known not to be zero; maximum(a, b) is not where b > 0."""
 
@@ -129,9 +125,10 @@ def _nonzero(b: sympy.Expr) -> bool:
     return positive_maximum(b) or apart(sympy.expand(b)) or all(map(apart, sympy.Mul.make_args(b)))
 
 
-def _not_huge(a: sympy.Expr) -> bool:
-    """Return whether exp(a) stays a number; parameters are what their block makes of them."""
-    return bool(interval(a)[1] <= MOST_EXP) or _parameters(a)
+def _not_huge(*exponents: sympy.Expr) -> bool:
+    """Return whether exp of each stays a number; parameters are what their block makes of them."""
+    moving = (a for a in exponents if not all("." in s.name for s in a.free_symbols))
+    return all(interval(a)[1] <= MOST_EXP for a in moving)
 
 
 def _power(base: sympy.Expr, exponent: sympy.Expr) -> bool:
@@ -143,39 +140,23 @@ def _power(base: sympy.Expr, exponent: sympy.Expr) -> bool:
     )
 
 
-# operation -> (what may fail, as a sentence; whether its arguments are known to be allowed)
-DEMANDS: dict[str, tuple[str, Callable[..., bool]]] = {
-    "div": ("divides by {1}, which may be zero", lambda a, b: _nonzero(b)),
-    "mod": ("takes the remainder by {1}, which may be zero", lambda a, b: _nonzero(b)),
-    "floordiv": ("divides by {1}, which may be zero", lambda a, b: _nonzero(b)),
-    "pow": ("raises {0} to the power {1}, which may have no value", _power),
-    "sqrt": ("takes the root of {0}, which may be negative", lambda a: bool(a.is_nonnegative)),
-    "log1p": ("takes log(1 + {0}), which may have no value", lambda a: bool((1 + a).is_positive)),
-    "tan": ("takes the tangent of {0}, which may have no value", lambda a: False),
-    "atanh": (
-        "takes atanh of {0}, which may have no value",
-        lambda a: bool((1 - a**2).is_positive),
-    ),
-    "acosh": (
-        "takes acosh of {0}, which may have no value",
-        lambda a: bool((a - 1).is_nonnegative),
-    ),
-    **dict.fromkeys(("exp", "expm1"), ("takes exp of {0}, which may be too large", _not_huge)),
-    **dict.fromkeys(
-        ("sinh", "cosh"),
-        (
-            "takes sinh or cosh of {0}, which may be too large",
-            lambda a: _not_huge(a) and _not_huge(-a),
-        ),
-    ),
-    **dict.fromkeys(
-        ("log", "log2", "log10"),
-        ("takes the logarithm of {0}, which may have no value", lambda a: bool(a.is_positive)),
-    ),
-    **dict.fromkeys(
-        ("asin", "acos"),
-        ("takes an angle of {0}, which may have none", lambda a: bool((1 - a**2).is_nonnegative)),
-    ),
+DEMANDS: dict[str, tuple[str, Callable[..., bool | None]]] = {
+    name: (f"{sentence}, which may {fails}", allowed)
+    for names, sentence, fails, allowed in (  # whether arguments are known to be allowed
+        ("div floordiv", "divides by {1}", "be zero", lambda a, b: _nonzero(b)),
+        ("mod", "takes the remainder by {1}", "be zero", lambda a, b: _nonzero(b)),
+        ("pow", "raises {0} to the power {1}", "have no value", _power),
+        ("sqrt", "takes the root of {0}", "be negative", lambda a: a.is_nonnegative),
+        ("log1p", "takes log(1 + {0})", "have no value", lambda a: (1 + a).is_positive),
+        ("tan", "takes the tangent of {0}", "have no value", lambda a: False),
+        ("atanh", "takes atanh of {0}", "have no value", lambda a: (1 - a**2).is_positive),
+        ("acosh", "takes acosh of {0}", "have no value", lambda a: (a - 1).is_nonnegative),
+        ("exp expm1", "takes exp of {0}", "be too large", lambda a: _not_huge(a)),
+        ("sinh cosh", "takes sinh or cosh of {0}", "be too large", lambda a: _not_huge(a, -a)),
+        ("log log2 log10", "takes the logarithm of {0}", "have no value", lambda a: a.is_positive),
+        ("asin acos", "takes an angle of {0}", "have none", lambda a: (1 - a**2).is_nonnegative),
+    )
+    for name in names.split()
 }
 
 

@@ -133,7 +133,7 @@ def interval(e: sympy.Expr) -> tuple[Any, Any]:
     name, of = e.func.__name__, [interval(a) for a in e.args]
     low: Any = sympy.S.Zero if e.is_nonnegative or e == TIME else -sympy.oo  # runs begin at 0
     high: Any = sympy.S.Zero if e.is_nonpositive else sympy.oo
-    if isinstance(e, sympy.sin | sympy.cos | sympy.tanh):
+    if isinstance(e, sympy.sin | sympy.cos | sympy.tanh) or name == "sign":
         low, high = sympy.S.NegativeOne, sympy.S.One
     elif name in ("clip", "maximum", "minimum", "where"):
         if name == "where":
@@ -148,8 +148,6 @@ def interval(e: sympy.Expr) -> tuple[Any, Any]:
             low, high = first(*lows), last(*highs)
     elif name in ("inside", *COMPARED, *YES_OR_NO):
         low, high = sympy.S.Zero, sympy.S.One
-    elif name == "sign":
-        low, high = sympy.S.NegativeOne, sympy.S.One
     elif isinstance(e, sympy.exp) and of[0][1] != sympy.oo:
         high = sympy.exp(of[0][1])
     elif e.is_Add:
