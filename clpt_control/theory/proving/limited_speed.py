@@ -32,6 +32,7 @@ from .proof import Proof, checked, theorem
 from .signs import left_over, vanishes
 from .symbolic_loop import symbolic_loop
 from .theorem_loop import Hedging, decay, identity_steps, law_and_V, law_loop, rate_of_V, zero_step
+from .words import MAXIMUM
 
 POINTS = 1_000  # at which the running blocks are called
 N = 2  # functions, for each law of the table
@@ -90,12 +91,8 @@ def limits() -> bool:
     v, c = loop.signals["v_x"], loop.inputs["v_c"]
     largest = loop.parameters["speed_limit"].max_speed
     speed = sympy.sqrt(c[0] ** 2 + c[1] ** 2)
-    words = {f for one in v for f in one.atoms(sympy.core.function.AppliedUndef)} - set(c)
-    larger = next(iter(words), sympy.S.Zero)
-    whole = str(larger.func) == "maximum" and set(larger.args) == {speed, largest}
-    below = all(sympy.simplify(a.subs(larger, largest) - b) == 0 for a, b in zip(v, c, strict=True))
-    beyond = [a.subs(larger, speed) - largest * b / speed for a, b in zip(v, c, strict=True)]
-    return whole and below and all(sympy.simplify(left) == 0 for left in beyond)
+    larger = MAXIMUM(speed, largest), MAXIMUM(largest, speed)
+    return any(all(map(vanishes, v - largest * c / one)) for one in larger)
 
 
 def commanded_back(loop: ArrayLoop) -> list[Any]:

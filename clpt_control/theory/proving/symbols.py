@@ -74,12 +74,13 @@ def parameter_names(blocks: Sequence[Block]) -> dict[tuple[str, str], str]:
             if name is not None:
                 values.setdefault(name, []).append(value)
     ports = {port for b in blocks for port in (*b.input_ports, *b.output_ports)}
-    one = {name for name, own in values.items() if name not in ports and _same(name, own)}
+    same = (name for name, own in values.items() if all(np.all(own[0] == one) for one in own))
+    shared = {*same} - ports
     names = {}
     for block in blocks:
         for field in block.parameters._fields:
             name = paper_name(block.name, field)
-            names[block.name, field] = name if name in one else f"{block.name}.{field}"
+            names[block.name, field] = name if name in shared else f"{block.name}.{field}"
     return names
 
 
@@ -103,12 +104,6 @@ def signed(name: str, value: Any) -> sympy.Expr:
     if value.size and np.all(value < 0):
         return sympy.Symbol(name, negative=True)
     return sympy.Symbol(name, real=True)
-
-
-def _same(name: str, values: list) -> bool:
-    if name in SCALARS:
-        return all(np.all(np.asarray(value) == np.ravel(values[0])[0]) for value in values)
-    return all(np.array_equal(value, values[0]) for value in values)
 
 
 MOST_EXP = 700  # of which exp is a number
