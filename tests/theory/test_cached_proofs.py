@@ -5,6 +5,7 @@ import multiprocessing
 import os
 
 import pytest
+from processes import GUARD
 
 from clpt_control.blocks import vehicle
 from clpt_control.files import CACHE
@@ -137,10 +138,11 @@ def test_two_processes_judge_the_same(monkeypatch):
         asked.clear()
         for process in multiprocessing.active_children():
             process.kill()
-            process.join()
         assert prove_all(wanted, pool=pool) == alone
         assert sorted(asked) == sorted(wanted)  # and one that ended neither
-    assert multiprocessing.active_children() == []
+    for process in (ended := multiprocessing.active_children()):
+        process.join(GUARD)
+    assert not any(process.is_alive() for process in ended)
     monkeypatch.setattr(os, "cpu_count", lambda: 1)
     with second_process() as pool:
         assert pool is None

@@ -7,7 +7,7 @@ the first ones run.
 import os
 from collections.abc import Callable, Iterator
 from concurrent.futures import Future
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager, nullcontext, suppress
 from typing import TYPE_CHECKING
 
 from ...progress import interrupt
@@ -20,13 +20,9 @@ if TYPE_CHECKING:  # the other process starts before all this is imported
 @contextmanager
 def second_process() -> Iterator[Pool | None]:
     """Yield a pool of one process, where there is a core for it."""
-    os.environ.setdefault(
-        "SYMPY_CACHE_SIZE", "100000"
-    )  # 1,000 by default; SymPy reads it when it is imported
-    if (os.cpu_count() or 1) < 2:
-        yield None
-        return
-    with processes(1) as pool:
+    # 1,000 by default; SymPy reads it when it is imported
+    os.environ.setdefault("SYMPY_CACHE_SIZE", "100000")
+    with processes(1) if (os.cpu_count() or 1) > 1 else nullcontext() as pool:
         yield pool
 
 
