@@ -23,8 +23,7 @@ from typing import Any
 import numpy as np
 
 from ..equations.block import Block
-
-ETA: dict[str, Any] = {"eta": (2, "N"), "eta_3": 2, "eta_4": 2}
+from .ports import paper_block
 
 
 def error(t, x, u, p):
@@ -43,26 +42,14 @@ def parameter(t, x, u, p):
 
 def error_system(N: int, KD: Any) -> Block:
     """Make the error system, Eq. (27); the gains KD are per time."""
-    return Block(
-        "error_system",
-        update=error,
-        inputs={"phi_x": "N", "z": 2, "zc": 2, **ETA},
-        states={"e": 2},
-        parameters={"KD": KD},
-        sizes={"N": N},
-    )
+    ports = "phi_x z zc eta eta_3 eta_4 -> e"
+    return paper_block("error_system", ports, {"KD": KD}, N, update=error)
 
 
 def parameter_system(N: int, gain: float) -> Block:
     """Make the parameter system, the lower rows of Eq. (28), with the gain gamma."""
-    return Block(
-        "parameter_system",
-        update=parameter,
-        inputs={"e": 2, "phi_x": "N", "z": 2, "zc": 2},
-        states=ETA,
-        parameters={"gain": gain},
-        sizes={"N": N},
-    )
+    ports = "e phi_x z zc -> eta eta_3 eta_4"
+    return paper_block("parameter_system", ports, {"gain": gain}, N, update=parameter)
 
 
 def prediction_error(t, x, u, p):
@@ -72,4 +59,4 @@ def prediction_error(t, x, u, p):
 
 def clpe() -> Block:
     """Make the block of the prediction error, Eq. (10)."""
-    return Block("clpe", output=prediction_error, inputs={"x": 2, "z": 2}, outputs={"e": 2})
+    return paper_block("clpe", "x z -> e", output=prediction_error)

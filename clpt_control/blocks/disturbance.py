@@ -20,6 +20,7 @@ import numpy as np
 
 from ..equations.block import Block
 from ..equations.declaration import Each
+from .ports import paper_block
 
 MODULUS = 67108859.0  # the largest prime below 2^26: products stay exact in a double
 AXES = np.arange(2.0)
@@ -86,16 +87,8 @@ def disturbance(
     Of noise the amplitude is the standard deviation, and the seed is a whole number.
     """
     output, breakpoints = KINDS[kind]
-    return Block(
-        "disturbance",
-        output=output,
-        outputs={"delta": 2},
-        parameters={
-            "amplitude": amplitude,
-            "period": float(period),
-            "seed": float(seed),
-            "interval": -1.0,
-        },
-        opaque=True,
-        breakpoints=breakpoints,
+    numbers = {"period": float(period), "seed": float(seed)}
+    given = {"amplitude": amplitude, **numbers, "interval": -1.0}
+    return paper_block(
+        "disturbance", "-> delta", given, output=output, opaque=True, breakpoints=breakpoints
     )

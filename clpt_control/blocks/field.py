@@ -17,6 +17,7 @@ import numpy as np
 from ..equations.block import Block
 from ..equations.declaration import Guard
 from ..equations.lookup_tables import lookup
+from .ports import paper_block
 
 ADVICE = 'flow.outside = "clip" or "stop" goes on or ends there'  # what a scenario may say
 FOUR = np.arange(4.0)  # the coefficients of a spline at a place
@@ -73,12 +74,10 @@ def gridded_flow(
     axes = (grid.time, grid.x2, grid.x1)
     length, time = (units.length, units.time) if units is not None else ("", "")
     guard = Guard(inside, outside, LeftTheField(length, time), ADVICE)
-    return Block(
+    return paper_block(
         "true_flow",
-        output=gridded_disturbed if disturbed else gridded,
-        inputs={position: 2} | ({"delta": 2} if disturbed else {}),
-        outputs={"flow_x": 2},
-        parameters={
+        f"{position} delta -> flow_x" if disturbed else f"{position} -> flow_x",
+        {
             "shape": [float(len(axis)) for axis in axes],  # grid points in time, x2 and x1
             "start": [axis[0] for axis in axes],  # the first of them
             "step": [(axis[-1] - axis[0]) / (len(axis) - 1) for axis in axes],
@@ -87,6 +86,7 @@ def gridded_flow(
             "u": spline_coefficients(grid.u),
             "v": spline_coefficients(grid.v),
         },
+        output=gridded_disturbed if disturbed else gridded,
         opaque=True,
         guard=None if outside == "clip" else guard,
     )

@@ -25,6 +25,7 @@ import numpy as np
 
 from ..equations.block import Block
 from ..equations.declaration import renamed
+from .ports import paper_block
 
 
 def squared_distance(u, p):
@@ -62,19 +63,8 @@ def flow_basis(
 
     Centres of shape (N, 2) and widths are lengths, frequencies rad per time, phases rad.
     """
-    return Block(
-        name,
-        output=KERNELS[kernel],
-        inputs={position: 2},
-        outputs={f"phi_{position}": "N"},
-        parameters={
-            "centers": centers,
-            "widths": widths,
-            "frequencies": frequencies,
-            "phases": phases,
-        },
-        shapes={"centers": ("N", 2), "widths": "N", "frequencies": "N", "phases": "N"},
-    )
+    given = {"centers": centers, "widths": widths, "frequencies": frequencies, "phases": phases}
+    return paper_block(name, f"{position} -> phi_{position}", given, output=KERNELS[kernel])
 
 
 def true(t, x, u, p):
@@ -94,16 +84,9 @@ def modeled(t, x, u, p):
 
 def true_flow(theta: Any, disturbed: bool = False, position: str = "x") -> Block:
     """Make the true flow at a position, Eq. (3), or with the input delta, Eq. (32)."""
-    inputs: dict[str, Any] = {"x": 2, "phi_x": "N"} | ({"delta": 2} if disturbed else {})
-    block = Block(
-        "true_flow",
-        output=true_disturbed if disturbed else true,
-        inputs=inputs,
-        outputs={"flow_x": 2},
-        parameters={"theta": theta},
-        shapes={"theta": (2, "N")},
-    )
-    return at_position(block, position)
+    ports = "x phi_x delta -> flow_x" if disturbed else "x phi_x -> flow_x"
+    output = true_disturbed if disturbed else true
+    return at_position(paper_block("true_flow", ports, {"theta": theta}, output=output), position)
 
 
 def at_position(block: Block, position: str) -> Block:
@@ -115,11 +98,4 @@ def at_position(block: Block, position: str) -> Block:
 
 def modeled_flow(alpha_M: Any) -> Block:
     """Make the modelled flow, Eq. (4)."""
-    return Block(
-        "modeled_flow",
-        output=modeled,
-        inputs={"phi_z": "N"},
-        outputs={"flow_z": 2},
-        parameters={"alpha_M": alpha_M},
-        shapes={"alpha_M": (2, "N")},
-    )
+    return paper_block("modeled_flow", "phi_z -> flow_z", {"alpha_M": alpha_M}, output=modeled)

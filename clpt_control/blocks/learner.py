@@ -22,8 +22,7 @@ from a law that estimates it.  d is what the vehicle could not fly of its comman
 from typing import Any
 
 from ..equations.block import Block
-
-ROWS = (2, "N")  # the shape of alpha, alpha_M and theta_hat
+from .ports import paper_block
 
 
 def model(t, x, u, p):
@@ -58,46 +57,30 @@ def learned_flow_psi(t, x, u, p):
 
 def learning_model(hedged: bool = False) -> Block:
     """Make the learning model, Eq. (2), or with the input unflown, hedged."""
-    inputs = {"flow_z": 2, "v_z": 2} | ({"unflown": 2} if hedged else {})
-    update = hedged_model if hedged else model
-    return Block("learning_model", update=update, inputs=inputs, states={"z": 2})
+    if hedged:
+        return paper_block("learning_model", "flow_z v_z unflown -> z", update=hedged_model)
+    return paper_block("learning_model", "flow_z v_z -> z", update=model)
 
 
 def learning_controller(N: int) -> Block:
     """Make the learning controller, Eq. (6), of N basis functions."""
-    return Block(
-        "learning_controller",
-        output=controller,
-        inputs={"z": 2, "zc": 2, "phi_z": "N", "alpha": ROWS, "K": 2, "Gamma": 2, "psi": 2},
-        outputs={"v_z": 2},
-        sizes={"N": N},
-    )
-
-
-LEARNED = {"phi_x": "N", "phi_z": "N", "alpha": ROWS}
+    ports = "z zc phi_z alpha K Gamma psi -> v_z"
+    return paper_block("learning_controller", ports, N=N, output=controller)
 
 
 def known_flow_injection(theta_hat: Any, alpha_M: Any) -> Block:
     """Make the injection of a given estimate, Eq. (13)."""
-    return _injection(known_flow_psi, LEARNED, theta_hat=theta_hat, alpha_M=alpha_M)
+    given = {"theta_hat": theta_hat, "alpha_M": alpha_M}
+    return paper_block("injection", "phi_x phi_z alpha -> psi", given, output=known_flow_psi)
 
 
 def estimated_flow_injection(alpha_M: Any) -> Block:
     """Make the injection of an estimate that a law makes, Eq. (13)."""
-    return _injection(estimated_flow_psi, {"phi_x": "N", "theta_hat": ROWS}, alpha_M=alpha_M)
+    given = {"alpha_M": alpha_M}
+    return paper_block("injection", "phi_x theta_hat -> psi", given, output=estimated_flow_psi)
 
 
 def learned_flow_injection(alpha_M: Any) -> Block:
     """Make the injection of the learned-flow law, Eq. (20)."""
-    return _injection(learned_flow_psi, LEARNED, alpha_M=alpha_M)
-
-
-def _injection(output: Any, inputs: dict[str, Any], **parameters: Any) -> Block:
-    return Block(
-        "injection",
-        output=output,
-        inputs=inputs,
-        outputs={"psi": 2},
-        parameters=parameters,
-        shapes=dict.fromkeys(parameters, ROWS),
-    )
+    given = {"alpha_M": alpha_M}
+    return paper_block("injection", "phi_x phi_z alpha -> psi", given, output=learned_flow_psi)

@@ -20,6 +20,7 @@ import numpy as np
 from ..equations.block import Block
 from ..equations.declaration import Each
 from .disturbance import AXES, hash_fraction, normal
+from .ports import paper_block
 
 TRUE = "x_true"  # the port of the true position
 MISSING = 4  # the number of dropouts in the hash
@@ -47,28 +48,17 @@ def fix(t, x, u, p):
 
 def fixes(noise: float, between: float, dropouts: float = 0.0, seed: float = 0.0) -> Block:
     """Make the block of the fixes: s, the time between two, the share that is missing."""
-    return Block(
-        "fixes",
-        output=fix,
-        inputs={"x": 2},
-        outputs={"fix": 2, "taken": 1},
-        parameters=_numbers(noise=noise, between=between, dropouts=dropouts, seed=seed),
-        opaque=True,
-        breakpoints=Each("between"),
+    given = _numbers(noise=noise, between=between, dropouts=dropouts, seed=seed)
+    return paper_block(
+        "fixes", "x -> fix taken", given, output=fix, opaque=True, breakpoints=Each("between")
     )
 
 
 def measurement(noise: float, period: float, seed: float = 0.0) -> Block:
     """Make the block of the measured position: s, and how long the noise is held."""
-    return Block(
-        "measurement",
-        output=measured,
-        inputs={TRUE: 2},
-        outputs={"x": 2},
-        parameters=_numbers(noise=noise, period=period, seed=seed),
-        opaque=True,
-        breakpoints=Each("period"),
-    )
+    given = _numbers(noise=noise, period=period, seed=seed)
+    jumps, ports = Each("period"), f"{TRUE} -> x"
+    return paper_block("measurement", ports, given, output=measured, opaque=True, breakpoints=jumps)
 
 
 def _numbers(**values: float) -> dict[str, float]:

@@ -17,6 +17,7 @@ import numpy as np
 from ..equations.block import Block
 from ..equations.declaration import Each
 from ..equations.lookup_tables import lookup
+from .ports import paper_block
 
 
 def waypoint(t, x, u, p):
@@ -34,11 +35,7 @@ def circle(radius: float, count: int) -> np.ndarray:
 def reference(points: Any, dwell: float) -> Block:
     """Make the reference: waypoints of shape (n, 2) in turn, each for the time `dwell`."""
     x1, x2 = np.asarray(points, dtype=float).T
-    return Block(
-        "reference",
-        output=waypoint,
-        outputs={"zc": 2},
-        parameters={"x1": x1, "x2": x2, "dwell": float(dwell), "interval": -1.0},
-        opaque=True,
-        breakpoints=Each("dwell"),
+    given = {"x1": x1, "x2": x2, "dwell": float(dwell), "interval": -1.0}
+    return paper_block(
+        "reference", "-> zc", given, output=waypoint, opaque=True, breakpoints=Each("dwell")
     )

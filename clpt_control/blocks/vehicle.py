@@ -26,6 +26,7 @@ import numpy as np
 
 from ..equations.block import Block
 from .flow import at_position
+from .ports import paper_block
 
 
 def kinematics(t, x, u, p):
@@ -45,10 +46,10 @@ def true_position(t, x, u, p):
 
 def vehicle(position: str = "x") -> Block:
     """Make the vehicle, Eq. (1); its position is the port ``"x"`` or ``"x_true"``."""
-    own: dict[str, Any] = {"inputs": {"flow_x": 2, "v_x": 2}, "states": {"x": 2}}
-    if position != "x":
-        own |= {"output": true_position, "outputs": {position: 2}}
-    return Block("vehicle", update=kinematics, **own)
+    if position == "x":
+        return paper_block("vehicle", "flow_x v_x -> x", update=kinematics)
+    own: dict[str, Any] = {"update": kinematics, "output": true_position, "states": {"x": 2}}
+    return paper_block("vehicle", f"flow_x v_x -> {position}", **own)
 
 
 def vehicle_controller(
@@ -59,14 +60,9 @@ def vehicle_controller(
     The gains KD and GammaD are per time; it steers on the port `position`: ``"x"``, or ``"z"``
     between fixes.
     """
-    block = Block(
-        "vehicle_controller",
-        output=controller,
-        inputs={"x": 2, "zc": 2, "phi_x": "N"},
-        outputs={"v_c" if limited else "v_x": 2},
-        parameters={"alpha_M": alpha_M, "KD": KD, "GammaD": GammaD},
-        shapes={"alpha_M": (2, "N")},
-    )
+    ports = "x zc phi_x -> v_c" if limited else "x zc phi_x -> v_x"
+    given = {"alpha_M": alpha_M, "KD": KD, "GammaD": GammaD}
+    block = paper_block("vehicle_controller", ports, given, output=controller)
     return at_position(block, position)
 
 
@@ -82,15 +78,10 @@ def difference(t, x, u, p):
 
 def speed_limit(max_speed: float) -> Block:
     """Make the limit of the vehicle's speed, length per time."""
-    return Block(
-        "speed_limit",
-        output=limited,
-        inputs={"v_c": 2},
-        outputs={"v_x": 2},
-        parameters={"max_speed": float(max_speed)},
-    )
+    given = {"max_speed": float(max_speed)}
+    return paper_block("speed_limit", "v_c -> v_x", given, output=limited)
 
 
 def hedging() -> Block:
     """Make the block that tells the learner what could not be flown."""
-    return Block("hedging", output=difference, inputs={"v_c": 2, "v_x": 2}, outputs={"unflown": 2})
+    return paper_block("hedging", "v_c v_x -> unflown", output=difference)
