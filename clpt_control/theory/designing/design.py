@@ -23,6 +23,7 @@ from ...html import facts, fragment
 from ...scenario.experiment import Scenario
 from ...simulation.flows import explained_variance
 from ...simulation.integrate import sample_times, simulate
+from ...simulation.summary import clpe_of_samples
 from ..excitation.certificates import gains_of_w
 from ..excitation.gramian import gramian, started_true
 from ..excitation.regressor import checked_window
@@ -70,9 +71,8 @@ def learned(scenario: Scenario, level: float | None) -> Learned:
     largest = max(scenario.reference.dwell / LOOKS, scenario.run.duration / MOST)
     step = min(scenario.run.output_step, largest)
     run = simulate(scenario, sample_times(scenario.run.duration, step))
-    size = np.sum(run.clpe.values**2, axis=1)
-    late = run.time.values >= 0.75 * scenario.run.duration
-    summary: dict[str, Any] = {"clpe_rms_last_quarter": float(np.sqrt(size[late].mean()))}
+    key = "clpe_rms_last_quarter"
+    summary: dict[str, Any] = {key: clpe_of_samples(scenario, run)[key]}
     if scenario.flow.parameters is None:
         shares = explained_variance(scenario, run)
         summary["explained_variance"] = {key: shares[key] for key in ("track", "box")}
@@ -90,10 +90,8 @@ def learned(scenario: Scenario, level: float | None) -> Learned:
 
 def time_below(times: np.ndarray, values: np.ndarray, level: float) -> float | None:
     """Return the first sample from which on all values are at most a level; None: there is none."""
-    above = np.flatnonzero(~(values <= level))
-    if len(above) and above[-1] == len(values) - 1:
-        return None
-    return float(times[above[-1] + 1 if len(above) else 0])
+    first = 1 + np.max(np.flatnonzero(~(values <= level)), initial=-1)
+    return float(times[first]) if first < len(values) else None
 
 
 GOALS = ("law", "kappa")
