@@ -263,7 +263,9 @@ class Numbers(Names):
     """The same, with parameters as their numbers."""
 
     def parameter(self, node: Node, own: str, value: np.ndarray, index: tuple) -> sympy.Expr:
-        """Return the number of a parameter's element."""
+        """Return the number of a parameter's element, but of which interval it is."""
+        if own == "interval":
+            return super().parameter(node, own, value, index)
         return rational(float(value[index]))
 
 

@@ -28,7 +28,7 @@ from .proving.signs import tidied, vanishes
 from .proving.symbolic_loop import Point
 from .searching import candidates
 from .squares import states_beside
-from .v_on_symbols import SystemWithV, missing
+from .v_on_symbols import SystemWithV
 
 Failure = tuple[Point, float]  # a point, and what V', or what fails, is there
 
@@ -151,8 +151,8 @@ class Lyapunov:
 def _verdict(case: SystemWithV, search: FailureSearch, count: int) -> Lyapunov:
     """Return what is known of a V."""
     (V,) = case.in_signals([case.V])
-    undefined = "".join((case.eq.undefined or missing(case.V))[:1])
-    valued = exact("V and the equations have a value everywhere", not undefined, undefined)
+    claim = "V and the equations have a value everywhere"
+    valued = exact(claim, not case.undefined, case.undefined)
     definite, forms = case.definite()
     steps, where, zero = [valued, definite], "", {}
     falls = case.falls()

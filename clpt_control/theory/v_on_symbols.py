@@ -14,7 +14,7 @@ import numpy as np
 import sympy
 
 from ..arguments import check_holds, numbers
-from ..diagrams.on_symbols import TIME, Equations, element_name, readable_equations
+from ..diagrams.on_symbols import TIME, Equations, Numbers, element_name, readable_equations
 from ..equations.block import Block
 from ..equations.symbolic import expressions, rational
 from ..errors import DiagramError
@@ -68,7 +68,12 @@ class SystemWithV:
         self.claim = None if claim is None else self.expression(claim)
         self.rate = along(self.V, {TIME: sympy.Integer(1), **self.eq.motion})
         self.rest = None if at is None else self.place(at)
-        self.valued = False  # whether the parameters' own values are used
+        undefined = self.eq.undefined or missing(self.V)
+        self.valued = bool(undefined)  # whether the parameters' own values are used
+        if undefined:
+            undefined = readable_equations(system, Numbers, watch=_watched).undefined
+            undefined = undefined or missing(self.V.xreplace(self.eq.values))
+        self.undefined = "".join(undefined[:1])
 
     def expression(self, source: Any) -> sympy.Expr:
         """Return a name, a function of signals or an expression in states and inputs."""

@@ -142,13 +142,15 @@ def test_discrete_time_has_next_states_and_no_derivative():
 def test_jumps_are_shown():
     block = clpt.Block(
         "memory",
-        update=lambda t, x, u, p: {"m": -x.m},
+        update=lambda t, x, u, p: {"m": -p.interval * x.m},
         jump=lambda t, x, u, p: {"m": x.m / 2},
         states={"m": 1},
         parameters={"interval": -1.0},
         breakpoints=lambda p, t0, t1: np.arange(np.floor(t0) + 1, np.floor(t1) + 1),
     )
-    assert str(clpt.equations(block)) == "m' = -m\nm+ = m/2"
+    for numbers in (False, True):  # the interval is none: it is counted
+        shown = str(clpt.equations(block, numbers=numbers))
+        assert shown == "m' = -interval*m\nm+ = m/2"
 
 
 def test_what_samples_is_refused():

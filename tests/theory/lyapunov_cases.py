@@ -230,6 +230,17 @@ RIGHT = {  # name -> system, V, what else is given
     "gain of a higher wave": (system(lambda t, x: [-(2 + np.sin(3 * t)) * x]), half),
     "gain that grows": (system(lambda t, x: [-t * x]), half),
     "a bounded pull": (system(lambda x: [-x / (1 + x**2)]), half),
+    "a divisor of masses": (
+        system(
+            lambda q, v, m, M, c: [v, -(q + v) / (M * m - c**2)],
+            params={"m": 1.0, "M": 2.0, "c": 0.5},
+        ),
+        lambda s: s.q**2 + (s.M * s.m - s.c**2) * s.v**2,
+    ),
+    "a power that a parameter gives": (
+        system(lambda x, n: [-(x**n)], params={"n": 3.0}),
+        half,
+    ),
     "a spinning body": (spinning(), lambda s: (s.x**2 + 2 * s.y**2 + 3 * s.z**2) / 2),
     "a gain that finds itself": (high_gain(), lambda s: s.x**2 / 2 + (s.k - 3.0) ** 2 / 2),
     "a cross term": (system(lambda x, y: [y, -x - y]), lambda s: 1.5 * s.x**2 + s.x * s.y + s.y**2),
@@ -405,6 +416,11 @@ WRONG = {
             lambda t, x, u, p: -x, lambda t, x, u, p: x - 1, inputs=0, states=["x"], outputs=["x"]
         ),
         lambda s: s.x**2,
+    ),
+    "no value in the third interval": (counting(lambda k: -(k - 3) / (k - 3)), half),
+    "no value for its parameters": (
+        system(lambda x, n: [-(x**n) * np.abs(x)], params={"n": 0.5}),
+        half,
     ),
     "wrong in a small region": (system(lambda x: [-x * ((x - 1) ** 2 - 1e-3)]), half),
     "wrong in a smaller region": (system(lambda x: [-x * ((x - 7) ** 2 - 1e-9)]), half),

@@ -37,6 +37,8 @@ OPEN = {  # of the wrong ones: no point shows it, or none is looked for
     "wrong in a smaller region",
     "no value at a point",
     "no value at the rest",
+    "no value in the third interval",
+    "no value for its parameters",
     "V that sinks with time",
     "V whose least is far away",
     "two gains 1e-12 apart",

@@ -96,17 +96,18 @@ def semidefinite_claims(law: Law) -> Claims:
     """Return what is to be shown of semidefinite states between jumps."""
     names = law.semidefinite
     claim = f"c^T M' c >= 0 where M c = 0, so M >= 0 is not left: {', '.join(names)}"
-    return {claim: lambda case: ", ".join(filterfalse(case.stays_semidefinite, names))}
+    left: Claims = {claim: lambda case: ", ".join(filterfalse(case.stays_semidefinite, names))}
+    return left if names else {}
 
 
 def falling_claims(law: Law, sizes: str) -> Claims:
     """Return what is to be shown of V' of a law without an estimate."""
-    names = ", ".join(law.semidefinite)
+    given = f"with {', '.join(law.semidefinite)} >= 0 " if law.semidefinite else ""
     return {
         **semidefinite_claims(law),
         f"V' as claimed, {sizes}: {law.V_rate}": lambda case: case.left_over(decay, case.beside),
         **(covariance_claims(law.perturbation is None) if law.weighted_error else {}),
-        f"with {names} >= 0 V and what V' loses are not negative": (
+        f"{given}V and what V' loses are not negative": (
             lambda case: all(map(case.not_negative, {case.V, *chain.from_iterable(case.losses)}))
         ),
     }
