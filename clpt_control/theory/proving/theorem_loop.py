@@ -240,19 +240,13 @@ def zero_step(
     return checked(claim, "exact", holds)
 
 
-def identity_steps(
-    text: str,
-    law: str,
-    claim: Claim,
-    points: int,
-    disturbed: bool = False,
-    speed: Hedging = "no limit",
-) -> list[Step]:
+def identity_steps(text: str, law: str, claim: Claim, points: int, **more: Any) -> list[Step]:
     """Check V' exactly for every N, and at points of the running blocks.
 
-    `text` is the claim in words.  A failed exact step says what does not cancel, the other where.
+    `text` is the claim in words, `more` what `theorem_loop` takes.  A failed exact step says what
+    does not cancel, the other where.
     """
-    diagram = partial(theorem_loop, WIRED, law, disturbed, speed=speed)
+    diagram = partial(theorem_loop, WIRED, law, **more)
 
     def read() -> tuple:
         loop = symbolic_loop(built := diagram())
