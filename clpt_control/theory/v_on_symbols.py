@@ -46,8 +46,8 @@ class SystemWithV:
             raise DiagramError(f"{system.name}: is of discrete time, in which nothing has a rate")
         if not self.eq.motion:
             raise DiagramError(f"{system.name}: has no states, so V' says nothing")
-        if TIME in self.eq.motion:
-            raise DiagramError(f"{system.name}: has a state t, as time is called; rename it")
+        if "t" in {**self.eq.states, **self.eq.inputs, **self.eq.fields}:
+            raise DiagramError(f"{system.name}: has a t, as time is called; rename it")
         ports = {**self.eq.signals, **self.eq.inputs}
         for name in NUMBERS_OF.keys() & ports.keys():
             if any(str(one.func) == name for one in ports[name].flat):

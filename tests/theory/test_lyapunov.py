@@ -239,10 +239,13 @@ def test_mistakes_are_one_sentence():
         lyapunov(control.nlsys(None, lambda t, x, u, p: u, inputs=1, outputs=1), 0 * x)
     with pytest.raises(clpt.DiagramError, match="x = nan: must be finite"):
         lyapunov(plant, half, at=[np.nan])
-    with pytest.raises(clpt.DiagramError, match="V' cannot be worked out"):
+    with pytest.raises(clpt.DiagramError, match="V' cannot be worked out.*Unsupported.*Set the"):
         lyapunov(plant, sympy.Piecewise((x**2, x > 0), (0, True)))
-    with pytest.raises(clpt.DiagramError, match="as time is called"):
-        lyapunov(control.nlsys(lambda t, x, u, p: -x, inputs=0, states=["t"]), 0 * x)
+    for names in ({"states": ["t"]}, {"inputs": ["t"]}, {"params": {"t": 2.0}}):
+        known = {"inputs": 0, "states": ["x"], "params": {}} | names
+        late = control.nlsys(lambda t, x, u, p: -x * p.get("t", 1.0), **known)
+        with pytest.raises(clpt.DiagramError, match="as time is called"):
+            lyapunov(late, 0 * x)
     for name in ("sign", "inside", "clip"):
         pulled = control.nlsys(
             lambda t, x, u, p: [x[0] * (u[0] - 1e6)], inputs=[name], states=["x"]

@@ -121,8 +121,8 @@ def worked_out(name: str) -> Iterator[None]:
     except Unread as error:
         raise DiagramError(f"{error}") from None
     except Exception as error:
-        kind = type(error).__name__
-        raise DiagramError(f"{name}: V' cannot be worked out: {kind}: {error}") from None
+        cause = " ".join(f"{type(error).__name__}: {error}".split())  # in one line
+        raise DiagramError(f"{name}: V' cannot be worked out: {cause}") from None
 
 
 def as_html(steps: Iterable[Step]) -> str:
