@@ -33,21 +33,10 @@ from ..scenario.tidal_periods import SPEEDS
 from ..units import speed_in_metres_per_second
 from .constituents import checked_times, nodal_corrections, nodal_report
 from .current_record import CurrentRecord
-from .tidal_fit import Constituent, TidalFit, predict
+from .tidal_fit import NUMBERS, Constituent, TidalFit, predict
 
 if TYPE_CHECKING:
     import xarray
-
-NUMBERS = {
-    "east": ("amplitude of the eastward component", "m s-1"),
-    "east_phase": ("Greenwich phase lag of the eastward component", "degree"),
-    "north": ("amplitude of the northward component", "m s-1"),
-    "north_phase": ("Greenwich phase lag of the northward component", "degree"),
-    "major": ("semi-major axis of the ellipse", "m s-1"),
-    "minor": ("semi-minor axis, negative where the current turns clockwise", "m s-1"),
-    "inclination": ("major axis, counter-clockwise from east", "degree"),
-    "phase": ("Greenwich phase lag of the greatest speed", "degree"),
-}
 
 
 def tides_report(fit: TidalFit) -> dict[str, Any]:
@@ -92,7 +81,7 @@ def tides_dataset(fit: TidalFit, record: CurrentRecord) -> "xarray.Dataset":
         ("phase", ("east_phase", "north_phase"), "Greenwich phase lag", "degree"),
     ]
     tables += [
-        (f"ellipse_{key}", (key,), *NUMBERS[key])
+        (f"ellipse_{key}", (key,), *NUMBERS[key][2:])
         for key in ("major", "minor", "inclination", "phase")
     ]
     variables: dict[str, tuple] = {}

@@ -37,6 +37,16 @@ from .constituents import (
 
 LEAST_CHANGE = 1e-9  # m/s in a record; less is no measured tide, and its squares vanish
 CI = 1.96  # UTide's half widths, in standard errors
+NUMBERS = {  # of a tide: which fit has it, as what, and in words with its unit
+    "east": (1, "A", "amplitude of the eastward component", "m s-1"),
+    "east_phase": (1, "g", "Greenwich phase lag of the eastward component", "degree"),
+    "north": (2, "A", "amplitude of the northward component", "m s-1"),
+    "north_phase": (2, "g", "Greenwich phase lag of the northward component", "degree"),
+    "major": (0, "Lsmaj", "semi-major axis of the ellipse", "m s-1"),
+    "minor": (0, "Lsmin", "semi-minor axis, negative where the current turns clockwise", "m s-1"),
+    "inclination": (0, "theta", "major axis, counter-clockwise from east", "degree"),
+    "phase": (0, "g", "Greenwich phase lag of the greatest speed", "degree"),
+}
 
 
 @dataclass(frozen=True)
@@ -159,7 +169,7 @@ def fit_tides(
     model = _predicted(both, times)
     residual = flow - model
     tides = tuple(
-        _constituent(name, k, both, east, north, noise_ratio(residual, hours, cycles, k))
+        _constituent(name, k, (both, east, north), noise_ratio(residual, hours, cycles, k))
         for k, name in enumerate(names)
     )
     return TidalFit(
@@ -262,21 +272,12 @@ def _names(constituents: Sequence[str] | str, hours: np.ndarray, where: str) -> 
     return names
 
 
-def _constituent(
-    name: str, k: int, both: Any, east: Any, north: Any, ratio: np.ndarray
-) -> Constituent:
-    parts = {
-        "east": (east, "A", ratio[1]),
-        "east_phase": (east, "g", ratio[1]),
-        "north": (north, "A", ratio[2]),
-        "north_phase": (north, "g", ratio[2]),
-        "major": (both, "Lsmaj", ratio[0]),
-        "minor": (both, "Lsmin", ratio[0]),
-        "inclination": (both, "theta", ratio[0]),
-        "phase": (both, "g", ratio[0]),
-    }
-    values = {key: float(fit[symbol][k]) for key, (fit, symbol, _) in parts.items()}
+def _constituent(name: str, k: int, fits: tuple, ratio: np.ndarray) -> Constituent:
+    """Return the tide of index k of the fits of both components, of the east and of the north."""
+    of = {key: (which, symbol) for key, (which, symbol, *_) in NUMBERS.items()}
+    values = {key: float(fits[which][symbol][k]) for key, (which, symbol) in of.items()}
     errors = {
-        key: float(fit[f"{symbol}_ci"][k] / CI * by) for key, (fit, symbol, by) in parts.items()
+        key: float(fits[which][f"{symbol}_ci"][k] / CI * ratio[which])
+        for key, (which, symbol) in of.items()
     }
     return Constituent(name=name, errors=errors, **values)

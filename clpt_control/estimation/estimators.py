@@ -105,11 +105,10 @@ class Estimator(ABC):
     def __init__(self, model: FixModel, kinds: tuple[Sea, ...], present: np.ndarray) -> None:
         self.model, self.priors = model, model.priors
         self.kinds, self.present = Sea(*np.array(kinds).T), present
-        sd = self._prior_sd(model)
+        sd = self.prior_sd(model)
         self.mean, self.covariance = np.zeros(sd.shape), sd[:, :, None] ** 2 * np.eye(sd.shape[1])
         self.log_prior = self.log_weight = np.zeros(len(sd))
         self.time: float | None = None
-        self._prior = model, sd  # of the last model that was asked of
 
     @property
     def weights(self) -> np.ndarray:
@@ -132,11 +131,6 @@ class Estimator(ABC):
 
     def prior_sd(self, model: FixModel) -> np.ndarray:
         """Return the standard deviations before any dive, (m, n); what is absent has zero."""
-        if model is not self._prior[0]:
-            self._prior = model, self._prior_sd(model)
-        return self._prior[1]
-
-    def _prior_sd(self, model: FixModel) -> np.ndarray:
         slow = np.stack([self.kinds.size, self.rates[1] * self.kinds.size], axis=1)
         return np.hstack([np.repeat(slow, 2, axis=1), model.prior_sd * self.has(model)])
 

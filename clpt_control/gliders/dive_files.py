@@ -4,8 +4,8 @@ Each path is a file or a folder of files; a file is of one of the dialects
 below, found by its content.  A damaged file among good ones is left out with its
 reason and the good dives are used; what was named and does not exist is an error.
 
-A dialect is a module with two functions: `is_known(content)`, and
-`dives_of(content)`, which returns its dives and what was skipped, with the path where a dialect
+A dialect is a module with two functions: `is_known(content)`, and `dives_of(content)`, which
+returns its dives and what holds none, with the path where a dialect
 asks its name.  The content is an open xarray.Dataset or a text.  A further format is a module and
 its place in `read_dive_file`.
 
@@ -24,7 +24,8 @@ comments, other columns are left alone, and the displacement between the fixes i
 never read.
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from importlib import resources
 from math import isfinite, nan
 from pathlib import Path
@@ -35,7 +36,7 @@ from ..arguments import public
 from ..currents.text_table import other_marks, table_of
 from ..errors import DataError, naming
 from ..files import write_file
-from ..files.reading import NETCDF, open_netcdf, read_bytes, text_of
+from ..files.reading import NETCDF, open_netcdf, read_bytes
 from ..progress.interrupt import check
 from ..units import seconds_since_1970
 from . import og1, seaexplorer, seaglider, slocum
@@ -50,7 +51,6 @@ from .dives import (
     name_in,
     name_of,
     name_of_file,
-    named,
     whole_number,
     without_current,
 )
@@ -76,23 +76,21 @@ OPTIONAL = (
 )
 
 
-def table_dives(text: str, path: str | Path) -> tuple[list[Dive], list[Skipped]]:
+def table_dives(text: str, path: str | Path) -> list[Dive | Skipped]:
     r"""Return the dives of a table, NaN where a number is missing, and lines that hold none.
 
     >>> header = "dive,t_gps2,lat_gps2,lon_gps2,t_gpse,lat_gpse,lon_gpse,dr_east_m,dr_north_m"
-    >>> dives, skipped = table_dives(header + "\n1,0,-43,8,9000,-43,8.1,8000,0", "mine.csv")
-    >>> round(dives[0].miss_east), dives[0].magvar, skipped
-    (154, None, [])
+    >>> (dive,) = table_dives(header + "\n1,0,-43,8,9000,-43,8.1,8000,0", "mine.csv")
+    >>> round(dive.miss_east), dive.magvar
+    (154, None)
     """
     cells = table_of(text, path, f"NetCDF or a table with {', '.join(REQUIRED)}").cells
     header = list(cells.columns)
     _check_header(header, path)
-    found = [
+    return [
         _dive(dict(zip(header, row, strict=True)), f"{path}, line {line}")
         for line, row in zip(cells.index, cells.to_numpy(), strict=True)
     ]
-    dives = [one for one in found if isinstance(one, Dive)]
-    return dives, [one for one in found if isinstance(one, Skipped)]
 
 
 def _check_header(header: list[str], name: str | Path) -> None:
@@ -241,7 +239,7 @@ def sample_dives() -> list[Dive]:
     (14, 304, 1371)
     """
     text = (resources.files("clpt_control.data") / "sg542_dives.csv").read_text("utf-8")
-    return named(table_dives(text, "sg542_dives.csv")[0], "SG542", "Seaglider")
+    return _told_apart(table_dives(text, "sg542_dives.csv"), "SG542", "Seaglider")[0]
 
 
 MOST_BYTES = 4 * 10**9  # of memory that the dives of a file may take
@@ -294,29 +292,33 @@ def read_dive_file(path: str | Path) -> tuple[list[Dive], list[Skipped]]:
     if not raw:
         raise DataError(f"{path}: is empty; must be one of {KINDS}")
     if raw in NETCDF:
-        return _of_netcdf(path)
-    kind = None
+        return _told_apart(*_of_netcdf(path))
+    name = name_of_file(path.name)
     if raw == slocum.MAGIC or slocum.MAGIC in raw[3:9]:  # the first letters of a compressed block
-        kind, (dives, skipped) = "Slocum", slocum.dives_of(path)
-    else:
-        packed = raw.startswith(seaexplorer.GZIP)
-        no_text = f"is neither NetCDF nor text; must be one of {KINDS}"
-        text = seaexplorer.unzipped(raw, path) if packed else text_of(raw, path, no_text)
-        if packed or seaexplorer.is_known(text):
-            kind, (dives, skipped) = "SeaExplorer", seaexplorer.dives_of(text, path)
-        else:
-            dives, skipped = table_dives(text, path)
-    return named(dives, name_of_file(path.name), kind), skipped
+        return _told_apart(slocum.dives_of(path), name, "Slocum")
+    no_text = f"is neither NetCDF nor text; must be one of {KINDS}"
+    text = seaexplorer.text_in(raw, path, no_text)
+    if raw.startswith(seaexplorer.GZIP) or seaexplorer.is_known(text):
+        return _told_apart(seaexplorer.dives_of(text, path), name, "SeaExplorer")
+    return _told_apart(table_dives(text, path), name, None)
 
 
-def _of_netcdf(path: Path) -> tuple[list[Dive], list[Skipped]]:
+def _told_apart(
+    found: Sequence[Dive | Skipped], name: str | None, kind: str | None
+) -> tuple[list[Dive], list[Skipped]]:
+    """Return dives with the name of their vehicle, unless they have one, and its kind; the rest."""
+    dives = [one for one in found if isinstance(one, Dive)]
+    named = [replace(dive, vehicle=dive.vehicle or name, kind=kind) for dive in dives]
+    return named, [one for one in found if isinstance(one, Skipped)]
+
+
+def _of_netcdf(path: Path) -> tuple[Sequence[Dive | Skipped], str | None, str | None]:
+    """Return what a file holds, the vehicle's name and its kind."""
     with open_netcdf(path, MOST_BYTES) as data, naming(path):
         if seaglider.is_known(data):
-            dives, skipped = seaglider.dives_of(data, path)
-            return named(dives, name_in(data), "Seaglider"), skipped
+            return [seaglider.dive_of(data, path)], name_in(data), "Seaglider"
         if og1.is_known(data):
-            dives, skipped = og1.dives_of(data)
-            return named(dives, name_in(data), None), skipped
+            return og1.dives_of(data), name_in(data), None
         names = ", ".join(map(str, list(data.variables)[:8])) or "no variables"
     raise DataError(
         f"{path}: neither a Seaglider file (with log_gps_time) nor OG1 (with LATITUDE_GPS): it has "

@@ -121,9 +121,10 @@ def planned_course(fix: Fix, target: Sequence[float], reached: float = 0.0) -> f
     return None if hypot(east, north) <= reached else degrees(atan2(east, north)) % 360.0
 
 
-def fixes_at(rows: np.ndarray, *columns: np.ndarray) -> list[Fix]:
-    """Return the fixes in some rows of columns: time, latitude, longitude."""
-    return list(zip(*(column[rows].tolist() for column in columns), strict=True))
+def fixes_in(time: np.ndarray, lat: np.ndarray, lon: np.ndarray) -> list[Fix]:
+    """Return the fixes of columns, of rows that can be one."""
+    good = is_fix(lat, lon)
+    return list(zip(*(column[good].tolist() for column in (time, lat, lon)), strict=True))
 
 
 def without_current(start: Fix, end: Fix, current: tuple[float, float]) -> tuple[float, float]:
@@ -165,11 +166,6 @@ def compared(dive: Dive) -> Dive:
         "depth-averaged current"
     )
     return replace(dive, notes=(*dive.notes, note))
-
-
-def named(dives: list[Dive], name: str | None, kind: str | None) -> list[Dive]:
-    """Return dives that bear the name of their vehicle, unless they have one, and its kind."""
-    return [replace(dive, vehicle=dive.vehicle or name, kind=kind) for dive in dives]
 
 
 def changes_noted(dives: list[Dive]) -> list[Dive]:

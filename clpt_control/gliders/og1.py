@@ -42,7 +42,7 @@ from .dives import (
     dive_between,
     without_current,
 )
-from .og1_columns import Columns, columns_of, fixes_in, has_ends, segments_of
+from .og1_columns import Columns, columns_of, fixes_and_others, has_ends, segments_of
 from .og1_columns import is_known as is_known
 from .samples import LAST, deepest, hole_under_water, track_of, variation
 
@@ -152,17 +152,17 @@ def _summed(rows: "pandas.DataFrame", start: Fix, end: Fix) -> ThroughWater | No
     return ThroughWater(total, track_of(since, east, north, duration), notes)
 
 
-def dives_of(data: "xarray.Dataset") -> tuple[list[Dive], list[Skipped]]:
+def dives_of(data: "xarray.Dataset") -> list[Dive | Skipped]:
     """Return the dives of a file by time, between fixes that are far apart in time."""
     columns = columns_of(data)
     of = columns.of
     of["wet"] = _under_water(of)
     if has_ends(data):
         return _of_segments(columns, segments_of(data))
-    fixes, failed = fixes_in(of)
+    fixes, failed = fixes_and_others(of)
     under = np.sort(of.time[of.wet].dropna())
     found = cut_dives(fixes, under, LEAST_GAP) or cut_dives(fixes, None, LEAST_GAP)
-    dives: list[Dive] = []
+    dives: list[Dive | Skipped] = []
     for count, three in enumerate(found, 1):
         notes, (_, start, end) = [], three
         if (_between(of, start, end).time.diff() < 0).any():
@@ -176,24 +176,23 @@ def dives_of(data: "xarray.Dataset") -> tuple[list[Dive], list[Skipped]]:
             f"no two fixes more than {LEAST_GAP:g} s apart in LATITUDE_GPS, LONGITUDE_GPS; "
             "a dive needs one before and one after it"
         )
-    return dives, []
+    return dives
 
 
 def _of_segments(
     columns: Columns, segments: list[tuple[Fix, Fix, list[str]]]
-) -> tuple[list[Dive], list[Skipped]]:
+) -> list[Dive | Skipped]:
     """Return the dives of segments with a measurement under water, and the others."""
-    dives: list[Dive] = []
-    skipped: list[Skipped] = []
+    found: list[Dive | Skipped] = []
     for count, (start, end, notes) in enumerate(segments, 1):
         inside = _between(columns.of, start, end)
         if isfinite(start[0]) and not inside.wet.any():
             known = inside.number.dropna().tolist()
             number = int(known[0]) if known else None
-            skipped.append(Skipped(number, "no measurement under water between its fixes"))
-            continue
-        dives.append(_dive(columns, (None, start, end), count, notes))
-    return dives, skipped
+            found.append(Skipped(number, "no measurement under water between its fixes"))
+        else:
+            found.append(_dive(columns, (None, start, end), count, notes))
+    return found
 
 
 def _between(of: "pandas.DataFrame", start: Fix, end: Fix) -> "pandas.DataFrame":

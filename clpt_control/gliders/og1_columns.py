@@ -30,7 +30,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from ..errors import DataError
-from .dives import Fix, fixes_at, is_fix
+from .dives import Fix, fixes_in, is_fix
 from .samples import SURFACE, metres, metres_per_second, seconds, values
 from .usable_dives import DAY, SMALLER
 
@@ -162,7 +162,7 @@ def unit_of_times(fixes: np.ndarray, time: np.ndarray) -> str:
     return next((unit for unit, size in SMALLER.items() if first <= middle / size <= last), "")
 
 
-def fixes_in(of: "pandas.DataFrame") -> tuple[list[Fix], np.ndarray]:
+def fixes_and_others(of: "pandas.DataFrame") -> tuple[list[Fix], np.ndarray]:
     """Return the fixes by time, and times of fixes that are left out.
 
     These are half a fix, one off the Earth, and one under water: in a row deeper than
@@ -189,7 +189,8 @@ def fixes_in(of: "pandas.DataFrame") -> tuple[list[Fix], np.ndarray]:
             )
         failed = np.concatenate([failed, when[wrong]])
         rows = rows[first & afloat]
-    return fixes_at(rows[np.argsort(when[rows], kind="stable")], when, lat, lon), failed
+    rows = rows[np.argsort(when[rows], kind="stable")]
+    return fixes_in(when[rows], lat[rows], lon[rows]), failed
 
 
 def known_names(data: "xarray.Dataset") -> dict[str, str]:

@@ -30,12 +30,10 @@ from .dives import (
     LEAST_DEPTH,
     Dive,
     Fix,
-    Skipped,
     Three,
     dive_between,
     dives_across_files,
-    fixes_at,
-    is_fix,
+    fixes_in,
     logged,
 )
 from .samples import deepest, degrees, hole_under_water, track_of
@@ -61,8 +59,10 @@ def is_known(text: str) -> bool:
     return line.startswith(FIRST) and "NavState" in line
 
 
-def unzipped(raw: bytes, path: Path) -> str:
-    """Return the text of a .gz, as far as it is whole."""
+def text_in(raw: bytes, path: Path, no_text: str = "no text") -> str:
+    """Return the text of a file, of a .gz as far as it is whole."""
+    if not raw.startswith(GZIP):
+        return text_of(raw, path, no_text)
     try:
         plain = zlib.decompressobj(31).decompress(raw, LARGEST)
     except zlib.error:
@@ -70,15 +70,13 @@ def unzipped(raw: bytes, path: Path) -> str:
     return text_of(plain, path, "is a gzip of no text; must be a SeaExplorer's .gli file")
 
 
-def dives_of(text: str, path: Path) -> tuple[list[Dive], list[Skipped]]:
+def dives_of(text: str, path: Path) -> list[Dive]:
     """Return the dives that end in a file."""
-    last = _log(text, path)
 
     def read(before: Path) -> "pandas.DataFrame":
-        raw = read_bytes(before)
-        plain = unzipped(raw, before) if raw[:2] == GZIP else text_of(raw, before, "no text")
-        return _log(plain, before)
+        return _log(text_in(read_bytes(before), before), before)
 
+    last = _log(text, path)
     log, found = dives_across_files(path, last, read, _fixes_and_wet)
     if not _fixes_and_wet(log)[0]:
         raise DataError(f"{path}: no row with a fix (NavState {AT_SURFACE})")
@@ -88,7 +86,7 @@ def dives_of(text: str, path: Path) -> tuple[list[Dive], list[Skipped]]:
         _dive(log.loc[three[1][0] : three[2][0]], three, which)
         for three in found
         if three[2][0] >= last.index.min()
-    ], []
+    ]
 
 
 def _log(text: str, path: Path) -> "pandas.DataFrame":
@@ -115,13 +113,10 @@ def _log(text: str, path: Path) -> "pandas.DataFrame":
 
 def _fixes_and_wet(log: "pandas.DataFrame") -> tuple[list[Fix], np.ndarray]:
     """Return the fixes, places that are new at the surface, and times under water."""
-    place = log[["Lat", "Lon"]].to_numpy()
-    lat, lon = map(degrees, place.T)
     afloat = (log.NavState == AT_SURFACE) & ~(log.DeadReckoning > 0)
-    new = np.any(place[1:] != place[:-1], axis=1)
-    good = np.append(False, new) & afloat.to_numpy() & is_fix(lat, lon)
-    time = log.index.to_numpy()
-    return fixes_at(good, time, lat, lon), time[log.Depth > LEAST_DEPTH]
+    new = (log[["Lat", "Lon"]].diff() != 0).any(axis=1) & (log.index > log.index[0])
+    time, *place = logged(log[afloat & new], "Lat", "Lon")
+    return fixes_in(time, *map(degrees, place)), log.index[log.Depth > LEAST_DEPTH].to_numpy()
 
 
 def _dive(log: "pandas.DataFrame", fixes: Three, which: int) -> Dive:

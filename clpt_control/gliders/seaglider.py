@@ -30,28 +30,16 @@ import numpy as np
 
 from ..errors import DataError
 from ..estimation.dive import Track
+from . import samples
 from .dives import (
     NUMBERS,
     Dive,
     Fix,
-    Skipped,
     Three,
     dive_between,
     is_fix,
     planned_course,
     whole_number,
-)
-from .samples import (
-    deepest,
-    degrees,
-    fill,
-    hole_under_water,
-    metres,
-    number,
-    scalar,
-    seconds,
-    track_of,
-    values,
 )
 
 if TYPE_CHECKING:
@@ -80,7 +68,7 @@ def fixes_of(data: "xarray.Dataset", first_sample: float) -> tuple[Three, list[s
             f"no variable {' and no '.join(missing)}; a Seaglider basestation file has "
             "its fixes there"
         )
-    columns = [seconds(data, FIXES[0]), *(values(data, name) for name in FIXES[1:])]
+    columns = [samples.seconds(data, FIXES[0]), *(samples.values(data, name) for name in FIXES[1:])]
     if any(column.shape != (3,) for column in columns):
         raise DataError(f"{columns[0].size} fixes in {FIXES[0]}; must be 3: GPS1, GPS2 and GPSE")
     notes: list[str] = []
@@ -103,7 +91,7 @@ def fixes_of(data: "xarray.Dataset", first_sample: float) -> tuple[Three, list[s
 def _checked(data: "xarray.Dataset", k: int, columns: list[np.ndarray], notes: list[str]) -> Fix:
     time, lat, lon = (float(column[k]) for column in columns)
     name = NAMES[k]
-    flag, hdop = scalar(data, f"{name}_qc"), _of_fix(data, "log_gps_hdop", k)
+    flag, hdop = samples.scalar(data, f"{name}_qc"), _of_fix(data, "log_gps_hdop", k)
     if flag is None:
         flag = _of_fix(data, "log_gps_qc", k)
     if name != "GPS1" and isfinite(flag) and flag not in GOOD:
@@ -119,7 +107,7 @@ def _checked(data: "xarray.Dataset", k: int, columns: list[np.ndarray], notes: l
 
 def _of_fix(data: "xarray.Dataset", name: str, k: int) -> float:
     """Return the number of one of three fixes, NaN where there is none."""
-    found = values(data, name) if name in data.variables else np.empty(0)
+    found = samples.values(data, name) if name in data.variables else np.empty(0)
     return float(found[k]) if found.shape == (3,) else nan
 
 
@@ -128,28 +116,29 @@ def is_known(data: "xarray.Dataset") -> bool:
     return any(name in data.variables for name in FIXES) or "sg_data_point" in data.dims
 
 
-def dives_of(data: "xarray.Dataset", path: Path) -> tuple[list[Dive], list[Skipped]]:
-    """Return the one dive of a file, NaN where a fix or the displacement is missing."""
+def dive_of(data: "xarray.Dataset", path: Path) -> Dive:
+    """Return the dive of a file, NaN where a fix or the displacement is missing."""
     names = _displacement(data)
     time, why_not = _times(data, names[0]) if names else (None, "")
     fixes, doubts = fixes_of(data, nan if time is None else float(time[0]))
     through_water, track, notes = _dead_reckoning(data, names, time, fixes[1][0], fixes[2][0])
-    depths = (deepest(metres(data, name)) for name in DEPTHS if name in data.variables)
+    depths = (
+        samples.deepest(samples.metres(data, name)) for name in DEPTHS if name in data.variables
+    )
     which, misnumbered = _number(data, path)
-    dive = dive_between(
+    return dive_between(
         which,
         fixes,
         through_water,
-        dac_east=scalar(data, "depth_avg_curr_east"),
-        dac_north=scalar(data, "depth_avg_curr_north"),
-        dac_qc=scalar(data, "depth_avg_curr_qc"),
+        dac_east=samples.scalar(data, "depth_avg_curr_east"),
+        dac_north=samples.scalar(data, "depth_avg_curr_north"),
+        dac_qc=samples.scalar(data, "depth_avg_curr_qc"),
         magvar=_variation(data),
         depth_max=next((depth for depth in depths if depth is not None), None),
         track=track,
         next_course=_next_course(data, fixes[2]),
         notes=(*notes, *([why_not] if why_not else []), *doubts, *misnumbered),
     )
-    return [dive], []
 
 
 def number_in_name(path: Path) -> int | None:
@@ -163,7 +152,7 @@ def _number(data: "xarray.Dataset", path: Path) -> tuple[int, list[str]]:
     notes: list[str] = []
     for name, value in (
         ("dive_number", data.attrs.get("dive_number")),
-        ("log_DIVE", scalar(data, "log_DIVE")),
+        ("log_DIVE", samples.scalar(data, "log_DIVE")),
         ("name", number_in_name(path)),
     ):
         whole = whole_number(value)
@@ -179,7 +168,7 @@ def _number(data: "xarray.Dataset", path: Path) -> tuple[int, list[str]]:
 
 def _variation(data: "xarray.Dataset") -> float | None:
     """Return the magnetic variation, that of GPS2 where the file has one per fix."""
-    found = scalar(data, "magnetic_variation")
+    found = samples.scalar(data, "magnetic_variation")
     if found is None:
         found = _of_fix(data, "log_gps_magvar", 1)
     return found if isfinite(found) else None
@@ -187,24 +176,21 @@ def _variation(data: "xarray.Dataset") -> float | None:
 
 def _next_course(data: "xarray.Dataset", end: Fix) -> float | None:
     """Return the course of the next dive by the plan of this one, None where there is none."""
-    heading = scalar(data, "log_HEADING")
+    heading = samples.scalar(data, "log_HEADING")
     if heading is not None and heading >= 0:
         return heading % 360.0
     text = data["log_TGT_LATLONG"].values if "log_TGT_LATLONG" in data else np.array("")
     words = text.astype(str).item().split(",") if text.size == 1 else []
     if len(words) != 2:
         return None
-    target = degrees(np.array([*map(number, words)])).tolist()
-    return planned_course(end, target, scalar(data, "log_TGT_RADIUS") or 0.0)
+    target = samples.degrees(np.array([*map(samples.number, words)])).tolist()
+    return planned_course(end, target, samples.scalar(data, "log_TGT_RADIUS") or 0.0)
 
 
 def _displacement(data: "xarray.Dataset") -> tuple[str, str] | None:
     """Return the names of the displacement, the better model first."""
-    for suffix in ("", "_gsm"):
-        east, north = f"east_displacement{suffix}", f"north_displacement{suffix}"
-        if east in data.variables and north in data.variables:
-            return east, north
-    return None
+    pairs = [(f"east_displacement{model}", f"north_displacement{model}") for model in ("", "_gsm")]
+    return next((pair for pair in pairs if set(pair) <= set(data.variables)), None)
 
 
 def _times(data: "xarray.Dataset", like: str) -> tuple[np.ndarray | None, str]:
@@ -216,7 +202,7 @@ def _times(data: "xarray.Dataset", like: str) -> tuple[np.ndarray | None, str]:
         if name in data.variables and data[name].dims == data[like].dims
     ]
     for name in same:
-        time = seconds(data, name)
+        time = samples.seconds(data, name)
         if time.size and np.all(np.isfinite(time)) and np.all(np.diff(time) > 0):
             return time, ""
     if not same:
@@ -237,7 +223,7 @@ def _dead_reckoning(
     notes = []
     if names[0].endswith("_gsm"):
         notes.append(f"dead reckoning of the glide-slope model ({names[0]})")
-    east, north = (metres(data, name) for name in names)
+    east, north = (samples.metres(data, name) for name in names)
     if east.shape != north.shape or east.ndim != 1 or not east.size:
         return NOT_KNOWN, None, [*notes, f"{names[0]} and {names[1]} differ in length or are empty"]
     bad = ~((np.abs(east) < LONGEST_STEP) & (np.abs(north) < LONGEST_STEP))
@@ -245,7 +231,7 @@ def _dead_reckoning(
         note = f"{bad.sum()} of {bad.size} samples of the displacement are not finite"
         if time is None or bad.mean() > REPAIRABLE:
             return NOT_KNOWN, None, [*notes, note]
-        east, north = (fill(time, steps, bad) for steps in (east, north))
+        east, north = (samples.fill(time, steps, bad) for steps in (east, north))
         notes.append(f"{note}, filled from their neighbours' speed")
     total = float(np.sum(east)), float(np.sum(north))
     if time is None:
@@ -253,15 +239,15 @@ def _dead_reckoning(
     if time.size > 1 and np.max(np.diff(time)) > LONGEST_GAP:
         notes.append(f"a gap of {np.max(np.diff(time)):.0f} s in the samples")
     since = time - start
-    hole = hole_under_water(since, _depths(data, names[0]), end - start)
+    hole = samples.hole_under_water(since, _depths(data, names[0]), end - start)
     if hole:
         return NOT_KNOWN, None, [*notes, hole]
-    return total, track_of(since, east, north, end - start), notes
+    return total, samples.track_of(since, east, north, end - start), notes
 
 
 def _depths(data: "xarray.Dataset", like: str) -> np.ndarray:
     """Return depths of the samples that a variable has, NaN where there are none."""
     for name in DEPTHS:
         if name in data.variables and data[name].dims == data[like].dims:
-            return metres(data, name)
+            return samples.metres(data, name)
     return np.full(data[like].shape, nan)

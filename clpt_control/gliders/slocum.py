@@ -42,12 +42,10 @@ from .dives import (
     LEAST_DEPTH,
     Dive,
     Fix,
-    Skipped,
     Three,
     dive_between,
     dives_across_files,
-    fixes_at,
-    is_fix,
+    fixes_in,
     logged,
     planned_course,
 )
@@ -186,7 +184,7 @@ def reconciled(
     return path, path[1:, -1], note
 
 
-def dives_of(path: Path) -> tuple[list[Dive], list[Skipped]]:
+def dives_of(path: Path) -> list[Dive]:
     """Return the dives that end in a file."""
     segment = read_segment(path)
     log = segment.of
@@ -196,15 +194,14 @@ def dives_of(path: Path) -> tuple[list[Dive], list[Skipped]]:
     if len(dives) > 1:
         which = [f"dive {k} of {len(dives)} in {path.name}" for k in range(1, len(dives) + 1)]
         dives = [replace(d, notes=(w, *d.notes)) for d, w in zip(dives, which, strict=True)]
-    return dives, []
+    return dives
 
 
 def _fixes_and_wet(of: "pandas.DataFrame") -> tuple[list[Fix], np.ndarray]:
     """Return the valid fixes and the times under water."""
     time, *place = logged(of[of.m_gps_status.fillna(0.0) == 0.0], "m_gps_lat", "m_gps_lon")
-    lat, lon = map(degrees, place)
     wet = of.index[of.m_depth > LEAST_DEPTH].to_numpy()
-    return fixes_at(is_fix(lat, lon), time, lat, lon), wet
+    return fixes_in(time, *map(degrees, place)), wet
 
 
 def _dive(of: "pandas.DataFrame", segment: Segment, fixes: Three) -> Dive:

@@ -19,7 +19,6 @@ that no chart is cut at 180 degrees.
 
 from collections import defaultdict
 from collections.abc import Iterable, Sequence
-from functools import lru_cache
 from itertools import pairwise, product
 from math import ceil, cos, floor, pi, radians, sin
 from typing import Any, NamedTuple
@@ -249,49 +248,27 @@ def words_of_dive(row: dict[str, Any]) -> str:
     )
 
 
-DRAWN = (  # what of a row is drawn, beside its miss
-    *(f"{which}_latitude" for which in ("start", "end", "reckoned", "forecast")),
-    *(f"{which}_longitude" for which in ("start", "end", "reckoned", "forecast")),
-    *("ellipse_90_long", "ellipse_90_short", "ellipse_90_bearing"),
-    *("dive", "end", "inside_90", "current_east", "current_north"),
-)
-
-
-class DrawnDive:
-    """What is drawn of a dive, by kind; `places` are those of all its layers, (n, 2)."""
-
-    def __init__(self, row: dict[str, Any], before: Place | None) -> None:
+def drawn_dives(rows: Sequence[dict[str, Any]]) -> list[dict[str, Layer]]:
+    """Return the layers of each dive by kind, as they are drawn; the first has no forecast."""
+    found: list[dict[str, Layer]] = []
+    before = None
+    for row in rows:
         start, end, reckoned, forecast = (
             place_in(row, which) for which in ("start_", "end_", "reckoned_", "forecast_")
         )
-        each = [
+        layers = [
+            Layer("ring", "Polygon", ring_of(row), row),
+            Layer("drift", "LineString", [before or start, start], row),
             Layer("miss", "LineString", [reckoned, end], row),
             Layer("track", "LineString", [start, end], row),
             Layer("reckoned", "Point", [reckoned], row),
+            Layer("forecast", "Point", [forecast], row),
             Layer("fix", "Point", [end], row, words_of_dive(row), row["end"]),
         ]
-        if before is not None:
-            each.insert(0, Layer("drift", "LineString", [before, start], row))
-            each.insert(0, Layer("ring", "Polygon", ring_of(row), row))
-            each.insert(-1, Layer("forecast", "Point", [forecast], row))
-        self.layers = {layer.kind: layer for layer in each}
-        self.places = np.array([place for layer in each for place in layer.places])
-        ring = self.layers.get("ring")
-        self.without_ring = self.places[len(ring.places) if ring else 0 :]
-
-
-def drawn_dives(rows: Sequence[dict[str, Any]]) -> list[DrawnDive]:
-    """Return what is drawn of each dive; the first has no forecast."""
-    ends = [None, *(place_in(row, "end_") for row in rows)]
-    return [
-        _drawn(before, row["clpe"]["adaptive"], *(row[key] for key in DRAWN))
-        for before, row in zip(ends, rows, strict=False)
-    ]
-
-
-@lru_cache(10_000)  # a watch draws all its dives again with each new one
-def _drawn(before: Place | None, miss: float, *values: Any) -> DrawnDive:
-    return DrawnDive({"clpe": {"adaptive": miss}, **dict(zip(DRAWN, values, strict=True))}, before)
+        none = () if before else ("ring", "drift", "forecast")
+        found.append({layer.kind: layer for layer in layers if layer.kind not in none})
+        before = end
+    return found
 
 
 def layers_ahead(ahead: dict[str, Any] | None, legs: Sequence[dict[str, Any]]) -> list[Layer]:

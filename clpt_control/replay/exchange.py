@@ -23,7 +23,6 @@ navigation files have them (DesiredH, Lat, Lon), to be typed.
 """
 
 import json
-from functools import lru_cache
 from math import cos, radians, sin
 from typing import Any
 
@@ -31,7 +30,7 @@ from ..geodesy import place_from
 from ..gliders.slocum import HOLDS
 from ..html import safe
 from .aim import ARRIVED
-from .chart import DrawnDive, Layer, drawn_dives, layers_ahead, line_pieces, place_in, ring_pieces
+from .chart import Layer, drawn_dives, layers_ahead, line_pieces, place_in, ring_pieces
 from .wording import REACHED, compass, east_of, minutes
 
 DIGITS = 6  # decimals of a degree: 0.1 m
@@ -108,9 +107,8 @@ def _feature(layer: Layer) -> dict[str, Any]:
 def track_kml(found: dict[str, Any], name: str) -> str:
     """Return the whole track as KML: fixes with times, forecasts, the next surfacing."""
     dives = drawn_dives(found["each_dive"])
-    fixes, forecasts = zip(*map(_fix_and_forecast, dives), strict=True)
-    places = [dives[0].layers["track"].places[0]]
-    places += [each.layers["fix"].places[0] for each in dives]
+    fixes, rings = [each["fix"] for each in dives], [each["ring"] for each in dives[1:]]
+    places = [dives[0]["track"].places[0], *(fix.places[0] for fix in fixes)]
     track = Layer("track", "LineString", places, {})
     ahead = layers_ahead(found["next_dive"], found.get("aim") or [])
     marks = [(layer, PLACEMARKS[layer.kind]) for layer in ahead if layer.kind in PLACEMARKS]
@@ -125,22 +123,14 @@ def track_kml(found: dict[str, Any], name: str) -> str:
         ),
         _placemark("track", "track", track),
         "<Folder><name>surfacings</name>",
-        *fixes,
+        *(_placemark(f"dive {fix.of['dive']}", "fix", fix) for fix in fixes),
         "</Folder><Folder><name>forecasts, 90 %</name><visibility>0</visibility>",
-        *filter(None, forecasts),
+        *(_placemark(f"dive {ring.of['dive']}", "forecast", ring, hidden=True) for ring in rings),
         "</Folder>",
         *(_placemark(*name_and_style, layer) for layer, name_and_style in marks),
         "</Document></kml>",
     ]
     return "\n".join(lines) + "\n"
-
-
-@lru_cache(10_000)  # a watch writes all its dives again with each new one
-def _fix_and_forecast(dive: DrawnDive) -> tuple[str, str]:
-    fix, ring = dive.layers["fix"], dive.layers.get("ring")
-    name = f"dive {fix.of['dive']}"
-    forecast = _placemark(name, "forecast", ring, hidden=True) if ring else ""
-    return _placemark(name, "fix", fix), forecast
 
 
 def _placemark(name: str, style: str, layer: Layer, hidden: bool = False) -> str:

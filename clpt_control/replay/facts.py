@@ -215,17 +215,8 @@ def summary_in(data: "xarray.Dataset", name: str) -> Any:
         ) from None
 
 
-class PlotData(NamedTuple):
-    """A replay with one dive at least, as plots need it."""
-
-    vehicle: str
-    models: tuple[str, ...]
-    learns_speed: bool
-    rows: list[dict[str, Any]]
-
-
-def plot_data(source: Source) -> PlotData:
-    """Return what plots draw; refuse what is no replay, or has no dive."""
+def plot_data(source: Source) -> tuple[str, list[dict[str, Any]]]:
+    """Return what plots draw, vehicle and rows; refuse what is no replay, or has no dive."""
     if isinstance(source, Replay):
         if not source.steps:
             raise DataError("the replay has no dive yet; feed one, as Replay.step does")
@@ -239,19 +230,19 @@ def plot_data(source: Source) -> PlotData:
             f"{type(source).__name__}: is no replay; clpt.replay.replay_dives(dives) gives one, "
             "`clpt replay` writes its dataset, replay.nc"
         )
-    learns = found[0].get("speed_factor") is not None
-    return PlotData(vehicle, tuple(found[0]["clpe"]), learns, found)
+    return vehicle, found
+
+
+def learns_speed(rows: list[dict[str, Any]]) -> bool:
+    """Whether a replay has learned a factor on speed."""
+    return rows[0].get("speed_factor") is not None
 
 
 def _facts_in(data: Any) -> list[dict[str, Any]]:
     """Return the facts of each dive of a dataset."""
-    columns = {
-        fact.of: list(map(known, data[fact.variable].values.tolist()))
-        for fact in (*parsed(FACTS), *parsed(FLAGS))
-        if fact.variable in data
-    }
-    columns["dive"] = data["dive"].values.tolist()
-    columns |= {f"end_{axis}": data[axis].values.tolist() for axis in ("latitude", "longitude")}
+    names = {fact.variable: fact.of for fact in (*parsed(FACTS), *parsed(FLAGS))}
+    names |= {"latitude": "end_latitude", "longitude": "end_longitude", "dive": "dive"}
+    columns = {of: [*map(known, data[k].values.tolist())] for k, of in names.items() if k in data}
     ends = data["time"].values
     if ends.dtype.kind == "M":  # decoded
         ends = (ends - START) / SECOND

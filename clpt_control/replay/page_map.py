@@ -81,25 +81,21 @@ def replay_map(found: dict[str, Any]) -> str:
     dives, ahead = drawn_dives(rows), layers_ahead(found["next_dive"], legs)
     targets = [layer for layer in ahead if layer.kind == "target"]
     near = [layer for layer in ahead if layer.of is found["next_dive"]]
-    drawn_near = np.vstack(
-        [
-            *(each.without_ring for each in dives[:-LAST]),
-            *(each.places for each in dives[-LAST:]),
-            *(layer.places for layer in near),
-        ]
-    )
-    places: list[Place] = [*map(tuple, drawn_near.tolist())]
+    layers = [layer for each in dives for layer in each.values()]
+    old = [layer for each in dives[:-LAST] for layer in each.values() if layer.kind != "ring"]
+    recent = [layer for each in dives[-LAST:] for layer in each.values()]
+    places = [place for layer in (*old, *recent, *near) for place in layer.places]
     drawing = Drawing([*places, *_in_reach(places, [layer.places[0] for layer in targets])])
     areas = found["route"]["areas"] if "route" in found else []
     drawn = [_line(drawing.points(area["ring"]), "area", closed=True) for area in areas]
     drawn += [*_grid(drawing), '<g id="dives">']
-    points = iter(drawing.points(np.vstack([each.places for each in dives])))
+    points = iter(drawing.points([place for layer in layers for place in layer.places]))
     for k, each in enumerate(dives):
         number, recent = safe(rows[k]["dive"]), k >= len(rows) - LAST
-        title = f"<title>dive {number}: {safe(each.layers['fix'].words)}</title>"
+        title = f"<title>dive {number}: {safe(each['fix'].words)}</title>"
         inside = "".join(
             _drawn(layer, [*islice(points, len(layer.places))], recent=recent)
-            for layer in each.layers.values()
+            for layer in each.values()
         )
         drawn.append(f'<g class="dive" data-dive="{number}">{title}{inside}</g>')
     drawn += ["</g>", *_numbered(drawing, rows)]

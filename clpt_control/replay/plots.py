@@ -26,7 +26,7 @@ from ..figures import (
 )
 from ..files import write_together
 from .chart import LAST, Chart, bar_of, drawn_dives, grid_label, layers_ahead, with_room
-from .facts import Source, plot_data
+from .facts import Source, learns_speed, plot_data
 from .outcome import rms_of
 from .replay import Replay
 from .surfacing import NextDive
@@ -101,10 +101,10 @@ def map_plot(
     >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
     >>> ax = clpt.replay.map_plot(replay, clpt.replay.next_dive(replay))
     """
-    vehicle, _, _, found = plot_data(replay)
+    vehicle, found = plot_data(replay)
     rest = layers_ahead(None if ahead is None else ahead.as_dict(), legs[:1])
     of: dict[str, list[list[Place]]] = defaultdict(list)
-    for layer in (*chain(*(each.layers.values() for each in drawn_dives(found))), *rest):
+    for layer in (*chain(*(each.values() for each in drawn_dives(found))), *rest):
         of[layer.kind].append(layer.places)
     rings = of.pop("ring", [])[-LAST:]
     far = [*of["track"], *of["miss"], *rings, *of["ring next"], *of["ring aimed"]]
@@ -213,16 +213,16 @@ def dive_clpe_plot(replay: Source, *, dates: bool = False, ax: "Axes | None" = N
     >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
     >>> ax = clpt.replay.dive_clpe_plot(replay)
     """
-    data = plot_data(replay)
+    found = plot_data(replay)[1]
     ax = axes_for(ax, 6.8, 4.0)
-    x = _along(data.rows, dates)
-    clpe = [row["clpe"] for row in data.rows]
-    for model, rms in rms_of(clpe[1:], data.models).items():
+    x = _along(found, dates)
+    clpe = [row["clpe"] for row in found]
+    for model, rms in rms_of(clpe[1:], list(clpe[0])).items():
         colour, mark, style = LINES[model]
         size = [np.nan if e is None else e / 1000 for e in (one[model] for one in clpe)]
         label = model.replace("_", " ") + ("" if rms is None else f", rms {rms / 1000:.2f} km")
         ax.plot(x, size, mark, ls=style, color=colour, label=label, **_fine(x))
-    for k, here in enumerate(x[[bool(row["anomaly"]) for row in data.rows]]):
+    for k, here in enumerate(x[[bool(row["anomaly"]) for row in found]]):
         ax.axvline(here, color=RED, lw=1, label=None if k else "speed anomaly")
     ax.set(ylabel="miss (CLPE) at the surfacing (km)", ylim=(0, None))
     _mark(ax, x, dates)
@@ -263,8 +263,8 @@ def current_plot(replay: Source, *, dates: bool = False, ax: Any = None) -> np.n
     >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
     >>> east, north, speed = clpt.replay.current_plot(replay)
     """
-    data = plot_data(replay)
-    found, learned = data.rows, data.learns_speed
+    found = plot_data(replay)[1]
+    learned = learns_speed(found)
     axes = axes_for(ax, 6.8, 6.4 if learned else 4.6, nrows=2 + learned, sharex=True)
     x = _along(found, dates)
     for one, axis in zip(axes, ("east", "north"), strict=False):
@@ -314,7 +314,7 @@ def replay_plot(replay: Source, *, ax: Any = None) -> np.ndarray:
     >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
     >>> axes = clpt.replay.replay_plot(replay)
     """
-    speed = [["map", "speed"]] if plot_data(replay).learns_speed else []
+    speed = [["map", "speed"]] if learns_speed(plot_data(replay)[1]) else []
     mosaic = [["map", "clpe"], ["map", "clpe"], ["map", "east"], ["map", "north"], *speed]
     axes = axes_for(ax, 12.0, 9.5, mosaic=mosaic)
     map_plot(replay, ax=axes[0])

@@ -10,24 +10,9 @@ from typing import Any
 
 from ..figures import figure_of, inline_svg
 from ..html import document, listing, paragraphs, safe
+from . import wording
 from .page_map import replay_map
 from .plots import current_plot, dive_clpe_plot
-from .wording import (
-    RANKS,
-    aim_sentence,
-    cells,
-    clock,
-    compass,
-    half_axes,
-    in_degrees,
-    next_surfacing,
-    record_sentence,
-    remarks,
-    route_sentences,
-    speed_mark,
-    velocity,
-    within,
-)
 
 ALARM = ' class="alarm"'
 LOUD = ("OUT", "SPEED", "overdue", "cannot be read")  # beginnings of cells that are alarms
@@ -46,8 +31,8 @@ def replay_page(found: dict[str, Any], again: bool = False, title: str | None = 
     if again:
         head = f'<noscript><meta http-equiv="refresh" content="{AGAIN}"></noscript>\n'
         mark = f' data-again="{AGAIN}"'
-    lines = [next_surfacing(found["next_dive"]), *map(aim_sentence, found["aim"])]
-    lines += route_sentences(found["route"]) if "route" in found else []
+    lines = [wording.next_surfacing(found["next_dive"]), *map(wording.aim_sentence, found["aim"])]
+    lines += wording.route_sentences(found["route"]) if "route" in found else []
     body = "\n".join(
         [
             f"<h1>{safe(title or f'{vehicle}: where it comes up next')}</h1>",
@@ -76,26 +61,26 @@ def _card(title: str, value: str, below: str, style: str = "") -> str:
 def _cards(found: dict[str, Any]) -> list[str]:
     """Return the headline: when, where, aim, current, speed, how good, marks."""
     ahead, last = found["next_dive"], found["each_dive"][-1]
-    time = clock(ahead["time"])
+    time = wording.clock(ahead["time"])
     if ahead["now_is"] == "clock":
         since = f'<span data-time="{safe(ahead["time"])}">{ahead["hours_from_now"]:+.1f} h</span>'
         since += f"; written {safe(ahead['now'][11:16])} UTC"
     else:
         since = f"{ahead['hours_from_now']:.1f} h after the {safe(ahead['now_is'])}"
-    since = f"{safe(within(ahead))}, {since}"
+    since = f"{safe(wording.within(ahead))}, {since}"
     cards = [
         _card("Next surfacing", time, since, "first"),
         _card(
             "Where",
             ahead["place"],
-            f"{safe(in_degrees(ahead['latitude'], ahead['longitude']))}; 90 % within "
-            f"{half_axes(ahead)} m; {safe(record_sentence(found['headlines']))}",
+            f"{safe(wording.in_degrees(ahead['latitude'], ahead['longitude']))}; 90 % within "
+            f"{wording.half_axes(ahead)} m; {safe(wording.record_sentence(found['headlines']))}",
             "first",
         ),
         *(_aim(leg) for leg in found["aim"][:1]),
     ]
     error = max(last["current_east_error"], last["current_north_error"])
-    current = velocity(last["current_east"], last["current_north"])
+    current = wording.velocity(last["current_east"], last["current_north"])
     cards.append(_card(f"Current, dive {last['dive']}", current, f"+- {error:.2f} m/s"))
     if last["speed_factor"] is not None:
         value = f"{last['speed_factor']:.2f} +- {last['speed_factor_error']:.2f}"
@@ -106,15 +91,17 @@ def _cards(found: dict[str, Any]) -> list[str]:
     cards.append(_card(f"Miss, dive {last['dive']}", miss, before + inside))
     for anomaly in found["anomalies"][-1:]:
         change = f"changed by {anomaly['change']:+.2f} since dive {anomaly['since']}"
-        cards.append(_card(f"Mark of dive {anomaly['dive']}", speed_mark(anomaly), change, "alarm"))
+        cards.append(
+            _card(f"Mark of dive {anomaly['dive']}", wording.speed_mark(anomaly), change, "alarm")
+        )
     return cards
 
 
 def _aim(leg: dict[str, Any]) -> str:
     heading, magnetic = leg["heading"], leg["heading_magnetic"]
-    value = "stay" if heading is None else f"heading {compass(heading)}"
+    value = "stay" if heading is None else f"heading {wording.compass(heading)}"
     if magnetic is not None:
-        value += f" (mag {compass(magnetic)})"
+        value += f" (mag {wording.compass(magnetic)})"
     below = f"to {safe(leg['place'])}; {leg['made_good']:.0f} m made good, {safe(leg['state'])}"
     return _card("Aim", value, below, "first")
 
@@ -157,8 +144,10 @@ def _keys(found: dict[str, Any]) -> str:
 def _table(found: dict[str, Any]) -> list[str]:
     """Return the table, the last dive first."""
     title = "Dives, the last one first: miss (CLPE, m) one dive ahead, currents in m/s"
-    rows = [cells(row) for row in found["each_dive"][::-1]]
-    return cell_table(title, rows, RANKS, [f' data-dive="{safe(row["dive"])}"' for row in rows])
+    rows = [wording.cells(row) for row in found["each_dive"][::-1]]
+    return cell_table(
+        title, rows, wording.RANKS, [f' data-dive="{safe(row["dive"])}"' for row in rows]
+    )
 
 
 def cell_table(
@@ -196,7 +185,7 @@ def _style(rank: int) -> str:
 
 
 def _remarks(found: dict[str, Any]) -> list[str]:
-    lines = [f"<li>{safe(remark)}</li>" for remark in remarks(found)]
+    lines = [f"<li>{safe(remark)}</li>" for remark in wording.remarks(found)]
     if not lines:
         return []
     return ["<h2>Learned, noted and skipped</h2>", "<ul>", *lines, "</ul>"]

@@ -91,7 +91,7 @@ def test_rosie_agrees_with_its_own_current(facts):
 @pytest.mark.parametrize("names", [("m_lat", "m_lon"), ("m_x_lmc", "m_y_lmc")])
 @pytest.mark.parametrize("added", [0.0, 1.0])
 def test_a_made_dive_is_that_of_its_sea(tmp_path, names, added, every):
-    (dive,) = dives_of(made(tmp_path, rows(names, added, every)) / "unit-2024-100-7-0.sbd")[0]
+    (dive,) = dives_of(made(tmp_path, rows(names, added, every)) / "unit-2024-100-7-0.sbd")
     # under water the first and last minute are at the surface
     assert (dive.dr_east, dive.dr_north) == pytest.approx(SWIM * LASTS, abs=60.0)
     assert (dive.dac_east, dive.dac_north) == pytest.approx(SEA, abs=1e-9)
@@ -108,16 +108,16 @@ def test_without_an_own_current_the_glider_says_whether_it_added_it(tmp_path):
         part = rows(("m_lat", "m_lon"), used, 60, used)
         for row in part[1:]:
             row.pop("m_water_vx", None)
-        (dive,) = dives_of(made(tmp_path, part) / "unit-2024-100-7-0.sbd")[0]
+        (dive,) = dives_of(made(tmp_path, part) / "unit-2024-100-7-0.sbd")
         assert (dive.dr_east, dive.dr_north) == pytest.approx(SWIM * LASTS, abs=60.0)
         assert dive.dac_east is None
 
 
 def test_a_dive_over_several_files_is_one(tmp_path):
     whole = rows(("m_lat", "m_lon"))
-    one = dives_of(made(tmp_path, whole) / "unit-2024-100-7-0.sbd")[0]
+    one = dives_of(made(tmp_path, whole) / "unit-2024-100-7-0.sbd")
     made(tmp_path, whole[:3], whole[3:50], whole[50:])
-    assert [len(dives_of(tmp_path / f"unit-2024-100-7-{k}.sbd")[0]) for k in range(3)] == [0, 0, 1]
+    assert [len(dives_of(tmp_path / f"unit-2024-100-7-{k}.sbd")) for k in range(3)] == [0, 0, 1]
     (dive,) = read_dives(tmp_path)[0]
     assert dive.dr_east == pytest.approx(one[0].dr_east, abs=1e-6)
     assert files_before(tmp_path / "unit-2024-100-7-2.sbd") == [

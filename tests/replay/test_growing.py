@@ -7,10 +7,9 @@ import numpy as np
 import pytest
 from synthetic_vehicle import vehicle
 
-from clpt_control.cli.replay_report import Ahead, summary_with_next, write
 from clpt_control.estimation.fix_model import FixModel
 from clpt_control.gliders import sample_dives, usable
-from clpt_control.replay import chart, exchange, replay_dives, summary
+from clpt_control.replay import chart, replay_dives, summary
 from clpt_control.replay.replay import Growing, Replay
 
 DIVES = usable(sample_dives())[0]
@@ -87,20 +86,6 @@ def test_an_interrupt_leaves_what_was_learned(steps, monkeypatch):
         growing.feed(DIVES, cut)
     assert said(growing.feed(DIVES)) == said(replay_dives(DIVES))
     assert steps[:14] == [dive.number for dive in DIVES]
-
-
-def test_a_watch_draws_each_dive_once(tmp_path):
-    """What is drawn of the dives before a new one, on page, map and KML, is kept."""
-    for one in (chart._drawn, exchange._fix_and_forecast):
-        one.cache_clear()  # another test may have drawn these dives
-    growing = Growing("kalman", FixModel(), None)
-    for count in (5, 6):
-        found, goal = summary_with_next(growing.feed(DIVES[:count]), [], Ahead())
-        before = [one.cache_info().misses for one in (chart._drawn, exchange._fix_and_forecast)]
-        write(growing.replay, found, tmp_path, goal, ["png"], again=True)
-    assert [one.cache_info().misses for one in (chart._drawn, exchange._fix_and_forecast)] == [
-        misses + 1 for misses in before
-    ]
 
 
 @pytest.mark.parametrize("room", [(0.3, 0.1), (5.0, 5.0), (-1.0, -1.0)])
