@@ -11,15 +11,14 @@ speed that no sea has is refused instead.
 
 import re
 import warnings
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+import xarray
+from xarray.coders import CFDatetimeCoder
 
 from ..errors import DataError
 from ..units import speed_in_metres_per_second
-
-if TYPE_CHECKING:
-    import xarray
 
 VELOCITY = {
     "eastward": (
@@ -49,7 +48,7 @@ CALENDARS = (*REAL, "julian", "noleap", "365_day", "all_leap", "366_day", "360_d
 SINCE_A_DATE = re.compile(r"\s*(\w+)\s+since\s+(\d+-\d+-\d+.*)", re.IGNORECASE)
 
 
-def find_variable(data: "xarray.Dataset", table: dict[str, Any], what: str) -> str:
+def find_variable(data: xarray.Dataset, table: dict[str, Any], what: str) -> str:
     """Return the name of a variable of `VELOCITY` or `AXES`, by standard name and by name.
 
     One with both comes first, then one with the standard name, then one with the name.
@@ -75,7 +74,7 @@ def find_variable(data: "xarray.Dataset", table: dict[str, Any], what: str) -> s
     )
 
 
-def find_axis(data: "xarray.Dataset", velocity: str, what: str) -> "xarray.DataArray":
+def find_axis(data: xarray.Dataset, velocity: str, what: str) -> xarray.DataArray:
     """Return the coordinate, of one dimension that a velocity has, for a key of `AXES`."""
     name = find_variable(data, AXES, what)
     axis = data[name]
@@ -106,7 +105,7 @@ def find_axis(data: "xarray.Dataset", velocity: str, what: str) -> "xarray.DataA
     return axis
 
 
-def is_depth(data: "xarray.Dataset", dim: Any) -> bool:
+def is_depth(data: xarray.Dataset, dim: Any) -> bool:
     """Return whether a dimension has a coordinate that is a depth by its names."""
     if dim not in data.variables:
         return False
@@ -114,7 +113,7 @@ def is_depth(data: "xarray.Dataset", dim: Any) -> bool:
     return str(dim).lower() in DEPTH_NAMES or standard.startswith(DEPTHS)
 
 
-def numbers_of(variable: "xarray.DataArray") -> np.ndarray:
+def numbers_of(variable: xarray.DataArray) -> np.ndarray:
     """Return a variable's values as floats; characters and ragged rows are refused."""
     values = variable.values  # where rows are ragged, the variable says numbers and these do not
     if values.dtype.kind not in "iuf":
@@ -131,14 +130,11 @@ def decoded(numbers: np.ndarray, unit: str, calendar: str = "standard") -> np.nd
     >>> decoded(np.array([36.0]), "hours since 2019-1-1")
     array(['2019-01-02T12:00:00.000000000'], dtype='datetime64[ns]')
     """
-    from xarray import Variable
-    from xarray.coders import CFDatetimeCoder
-
     found = SINCE_A_DATE.fullmatch(unit)
     if found is None:  # xarray would take 01/02/2019 too
         return None
     unit = " since ".join(found.groups())  # xarray knows the word in small letters only
-    variable = Variable("time", numbers, {"units": unit, "calendar": calendar})
+    variable = xarray.Variable("time", numbers, {"units": unit, "calendar": calendar})
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # of years that ns cannot count
@@ -147,7 +143,7 @@ def decoded(numbers: np.ndarray, unit: str, calendar: str = "standard") -> np.nd
         return None
 
 
-def dates_of(when: "xarray.DataArray", real: bool = True, least: int = 2) -> np.ndarray:
+def dates_of(when: xarray.DataArray, real: bool = True, least: int = 2) -> np.ndarray:
     """Return the times of a file as `decoded` has them, in ns where dates must be `real`.
 
     A dive and a tide need real dates, a current alone does not.
@@ -183,7 +179,7 @@ def check_speed(values: np.ndarray, what: str) -> None:
         )
 
 
-def check_places(lat: "xarray.DataArray", lon: "xarray.DataArray") -> None:
+def check_places(lat: xarray.DataArray, lon: xarray.DataArray) -> None:
     """Refuse latitudes and longitudes of the same dimension: places, and no grid of them."""
     if lat.dims == lon.dims:
         raise DataError(
@@ -193,7 +189,7 @@ def check_places(lat: "xarray.DataArray", lon: "xarray.DataArray") -> None:
 
 
 def velocity_values(
-    data: "xarray.Dataset",
+    data: xarray.Dataset,
     name: str,
     index: dict[Any, np.ndarray],
     units: str | None = None,
@@ -238,13 +234,11 @@ def velocity_values(
     return numbers * size
 
 
-def _in_blocks(values: "xarray.DataArray", index: dict[Any, np.ndarray]) -> "xarray.DataArray":
+def _in_blocks(values: xarray.DataArray, index: dict[Any, np.ndarray]) -> xarray.DataArray:
     """Return values at the `index` of each dimension, read as blocks of neighbours.
 
     A library reads places one by one, and unpacks the whole part of a file for each of them.
     """
-    import xarray
-
     for dim, places in index.items():
         wanted = np.unique(places)
         runs = np.split(wanted, np.flatnonzero(np.diff(wanted) > 1) + 1)
@@ -253,7 +247,7 @@ def _in_blocks(values: "xarray.DataArray", index: dict[Any, np.ndarray]) -> "xar
     return values.load().isel({d: np.searchsorted(np.unique(p), p) for d, p in index.items()})
 
 
-def _check_packing(packed: "xarray.DataArray", numbers: np.ndarray, where: str) -> None:
+def _check_packing(packed: xarray.DataArray, numbers: np.ndarray, where: str) -> None:
     """Refuse packed gaps that the fill value does not name.
 
     A gap is packed as an end of the integers.  Where such a number is left as

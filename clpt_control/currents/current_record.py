@@ -16,9 +16,10 @@ the times or more; so it is of a table that has a line for each range, as many a
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+import xarray
 
 from ..arguments import public
 from ..errors import DataError, naming
@@ -27,9 +28,6 @@ from ..geodesy import near
 from .cf import AXES, VELOCITY, check_speed, dates_of, find_axis, find_variable, velocity_values
 from .constituents import check_increasing, checked_latitude
 from .text_table import is_table, read_table
-
-if TYPE_CHECKING:
-    import xarray
 
 SHARE = 0.5  # of times at which a range must hold a number
 
@@ -123,9 +121,7 @@ def read_record(
     return CurrentRecord(times, u, v, float(found), place[1], shown_name(path))
 
 
-def _from_netcdf(
-    data: "xarray.Dataset", at: tuple[float, float] | None, units: str | None
-) -> tuple:
+def _from_netcdf(data: xarray.Dataset, at: tuple[float, float] | None, units: str | None) -> tuple:
     """Return times, u, v and (latitude, longitude)."""
     east, north = (find_variable(data, VELOCITY, what) for what in ("eastward", "northward"))
     when = find_axis(data, east, "time")
@@ -166,7 +162,7 @@ def _nearest(axis: np.ndarray, wanted: float, what: str) -> int:
     return k
 
 
-def _own_place(data: "xarray.Dataset") -> list[float | None]:
+def _own_place(data: xarray.Dataset) -> list[float | None]:
     """Return latitude and longitude of a file of one place, None where it is silent."""
     place: list[float | None] = []
     for what, short in (("latitude", "lat"), ("longitude", "lon")):
@@ -199,7 +195,7 @@ def _over_ranges(values: np.ndarray) -> np.ndarray:
         return np.where(known, often, 0.0).sum(axis=1) / known.sum(axis=1)
 
 
-def of_profiler(data: "xarray.Dataset") -> "xarray.Dataset":
+def of_profiler(data: xarray.Dataset) -> xarray.Dataset:
     """Return u and v of a profiler's file; another file as it is."""
     if "vel" not in data.variables or "dir" not in data.variables or "dir" not in data["vel"].dims:
         return data

@@ -15,18 +15,16 @@ from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from importlib import resources
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+import xarray
 
 from ..arguments import public
 from ..errors import ClptError, DataError, naming
 from ..files.reading import open_netcdf, shown_name, zarr_store
 from ..units import length_in_metres, seconds_since_1970
 from . import cf
-
-if TYPE_CHECKING:
-    import xarray
 
 NAME = "maracoos_hfr_2019-01-01.nc"
 DEEPEST = 1000.0  # m; no level of a column further down is read, except the next
@@ -144,14 +142,12 @@ def read_currents(
 
 
 @contextmanager
-def _opened(path: Path) -> "Iterator[xarray.Dataset]":
+def _opened(path: Path) -> Iterator[xarray.Dataset]:
     """Open a NetCDF file or a Zarr folder, whose values are read when used."""
     if not path.is_dir():
         with open_netcdf(path) as data:
             yield data
         return
-    import xarray
-
     store = zarr_store(path)
     try:
         with xarray.open_zarr(store, chunks=None, consolidated=False, decode_times=False) as data:
@@ -315,7 +311,7 @@ def _inside(axis: np.ndarray, span: tuple, where: str, whole: bool) -> np.ndarra
     return inside
 
 
-def _levels(data: "xarray.Dataset", name: str, axes: set) -> tuple[Any | None, np.ndarray]:
+def _levels(data: xarray.Dataset, name: str, axes: set) -> tuple[Any | None, np.ndarray]:
     """Return the dimension of depth, if any, and its levels, m."""
     others = [dim for dim in data[name].dims if dim not in axes]
     dims = [dim for dim in others if data[name].sizes[dim] != 1]

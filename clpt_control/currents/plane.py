@@ -33,18 +33,16 @@ CF units; `read_field` converts it to the scenario's units of length and time.
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+import xarray
 
 from ..errors import DataError, naming, needed
 from ..files.reading import open_netcdf
 from ..geodesy import near
 from ..units import METRES, SECONDS, length_in_metres, speed_in_metres_per_second, time_in_seconds
 from .cf import numbers_of
-
-if TYPE_CHECKING:
-    import xarray
 
 WIDEST = 1000.0  # km from the origin; beyond, lengths across are off by more than 0.4 %
 SPEED = 10.0  # km/h: what one hour of distance in time is worth in space
@@ -219,10 +217,8 @@ def _regular(axis: np.ndarray, name: str) -> np.ndarray:
     return axis
 
 
-def field_dataset(field: GriddedField, units, attributes: dict) -> "xarray.Dataset":
+def field_dataset(field: GriddedField, units, attributes: dict) -> xarray.Dataset:
     """Return a field in a scenario's units as CF data; attributes are title and source."""
-    import xarray
-
     speed = f"{units.length} {units.time}-1"
     dims = ("time", "y", "x")
     return xarray.Dataset(

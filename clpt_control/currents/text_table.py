@@ -25,18 +25,16 @@ Lines that begin with `#` are comments; `# latitude: DEG` is read.
 import re
 from csv import Error, reader
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
+import pandas
 
 from ..errors import DataError, naming
 from ..files.reading import read_text
 from ..units import speed_in_metres_per_second
 from .cf import VELOCITY
 from .constituents import checked_times
-
-if TYPE_CHECKING:
-    import pandas
 
 COMMENT = re.compile(r"#\s*(\w+)\s*[:=](.*)")
 MOST = 10**8  # cells
@@ -61,7 +59,7 @@ class TextTable(NamedTuple):
     The index of `cells` is the line in the file, from 1; its columns are the header.
     """
 
-    cells: "pandas.DataFrame"
+    cells: pandas.DataFrame
     comments: dict[str, str]
 
 
@@ -74,8 +72,6 @@ def table_of(text: str, name: str | Path, must_be: str, mark: str = ",") -> Text
     >>> comments, list(cells.columns), list(cells.index), cells.values.tolist()
     ({'latitude': '41.2'}, ['time', 'u'], [4, 5], [['0', '1'], ['3', '']])
     """
-    import pandas
-
     comments: dict[str, str] = {}
     rows: dict[int, list[str]] = {}
     for k, line in enumerate(map(str.strip, text.splitlines()), 1):
@@ -197,10 +193,8 @@ def _header(
     return columns, sizes
 
 
-def _times(cells: "pandas.Series", path: Path) -> np.ndarray:
+def _times(cells: pandas.Series, path: Path) -> np.ndarray:
     """Return times of ISO 8601, or seconds since 1970, as datetime64 in ms."""
-    import pandas
-
     seconds = pandas.to_numeric(cells, errors="coerce")
     dates = pandas.to_datetime(
         cells.where(seconds.isna(), "1970"), utc=True, format="ISO8601", errors="coerce"
@@ -215,10 +209,8 @@ def _times(cells: "pandas.Series", path: Path) -> np.ndarray:
         return checked_times(np.where(seconds.isna(), read, counted))
 
 
-def _numbers(cells: "pandas.Series", what: str, path: Path) -> np.ndarray:
+def _numbers(cells: pandas.Series, what: str, path: Path) -> np.ndarray:
     """Return a column's numbers, NaN in gaps."""
-    import pandas
-
     numbers = pandas.to_numeric(cells, errors="coerce")
     wrong = numbers.isna() & ~cells.str.lower().isin(("", "nan"))
     _refuse(wrong, cells, what, "a number; a gap is an empty cell or nan", path)
@@ -226,7 +218,7 @@ def _numbers(cells: "pandas.Series", what: str, path: Path) -> np.ndarray:
 
 
 def _refuse(
-    wrong: "pandas.Series", cells: "pandas.Series", what: str, must_be: str, path: Path
+    wrong: pandas.Series, cells: pandas.Series, what: str, must_be: str, path: Path
 ) -> None:
     """Raise an error that names the first line with a wrong cell."""
     if wrong.any():

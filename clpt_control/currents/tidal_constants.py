@@ -22,9 +22,10 @@ through counter-clockwise, a dashed one clockwise; the dot is where the current 
 
 from importlib.metadata import version
 from math import isfinite
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
+import xarray
 
 from ..arguments import public
 from ..errors import DataError
@@ -34,9 +35,6 @@ from ..units import speed_in_metres_per_second
 from .constituents import checked_times, nodal_corrections, nodal_report
 from .current_record import CurrentRecord
 from .tidal_fit import NUMBERS, Constituent, TidalFit, predict
-
-if TYPE_CHECKING:
-    import xarray
 
 
 def tides_report(fit: TidalFit) -> dict[str, Any]:
@@ -71,10 +69,8 @@ def _number(value: float) -> float | None:
     return value if isfinite(value) else None
 
 
-def tides_dataset(fit: TidalFit, record: CurrentRecord) -> "xarray.Dataset":
+def tides_dataset(fit: TidalFit, record: CurrentRecord) -> xarray.Dataset:
     """Return tidal constants and the place of their record as a dataset to write."""
-    import xarray
-
     names = [each.name for each in fit.constituents]
     tables: list[tuple[str, tuple[str, ...], str, str]] = [
         ("amplitude", ("east", "north"), "amplitude of each component", "m s-1"),

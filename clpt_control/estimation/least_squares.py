@@ -13,6 +13,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.linalg import lstsq, svd
 
 from ..errors import DataError
 
@@ -65,8 +66,6 @@ def least_squares(phi: np.ndarray, flow: np.ndarray, names: Sequence[str]) -> Le
 
     `names` are those of the N functions in messages.
     """
-    from scipy.linalg import lstsq, svd
-
     theta, _, _, singular = lstsq(phi, flow)
     condition = float(singular[0] / singular[-1]) if singular[-1] > 0 else np.inf
     if not condition <= WORST:

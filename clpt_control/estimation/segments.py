@@ -20,9 +20,10 @@ Neighbouring segments share a fix, and with it its noise: y_s has n(end) - n(sta
 
 from collections.abc import Sequence
 from itertools import pairwise
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
+import xarray
 from scipy.integrate import simpson
 from scipy.interpolate import CubicSpline
 
@@ -35,9 +36,6 @@ from ..geodesy import displacement
 from ..scenario.experiment import Scenario
 from ..scenario.recorded_run import check_run
 from .dive import Dive, reckoned
-
-if TYPE_CHECKING:
-    import xarray
 
 SAMPLES = 129  # of a segment's track, an odd number for Simpson's rule
 
@@ -160,7 +158,7 @@ COARSE = 0.05  # of the way through the water between fixes, in the mean; more i
 class RunTrack:
     """Position and displacement through the water at any time of a run."""
 
-    def __init__(self, run: "xarray.Dataset", scenario: Scenario):
+    def __init__(self, run: xarray.Dataset, scenario: Scenario):
         self.time, places = run.time.values, run.position.values
         self.scenario, self.basis = scenario, scenario.basis_block()
         self.places, self.water = [], []  # splines, one a piece
@@ -231,7 +229,7 @@ class RunTrack:
 
 
 def run_segments(
-    run: "xarray.Dataset", scenario: Scenario, every: float | None
+    run: xarray.Dataset, scenario: Scenario, every: float | None
 ) -> tuple[Segments, Block]:
     """Return the segments of a run, and the scenario's basis."""
     if scenario.localization is not None and scenario.localization.fixes is not None:
@@ -266,7 +264,7 @@ def run_segments(
     return segments, track.basis
 
 
-def run_scenario(run: "xarray.Dataset") -> Scenario:
+def run_scenario(run: xarray.Dataset) -> Scenario:
     """Return the scenario that a run carries."""
     from ..scenario.file import CHANGED, OWN_PARTS, scenario_of_run
 

@@ -36,9 +36,10 @@ underwater vehicles", International Journal of Robotics Research 36, 320-336, 20
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+import xarray
 
 from ..arguments import public
 from ..blocks.flow import flow_basis
@@ -51,9 +52,6 @@ from ..scenario.tidal_periods import period
 from .dive import Dive
 from .fix_model import SPACING, WIDTH, Priors, near
 from .segments import dive_segments, run_scenario, run_segments
-
-if TYPE_CHECKING:
-    import xarray
 
 MOST = 100  # iterations of the tomography
 SETTLED = 1e-9  # of the prior

@@ -27,18 +27,16 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import atan2, degrees, hypot, isfinite
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+import pandas
 
 from ..errors import DataError
 from ..estimation.dive import Dive as Dive
 from ..estimation.dive import Fix as Fix
 from ..estimation.dive import make_dive as make_dive
 from ..geodesy import displacement, is_place
-
-if TYPE_CHECKING:
-    import pandas
 
 MENTIONED = 0.01  # m/s
 LEAST_DEPTH = 5.0  # m that a dive reaches
@@ -266,10 +264,10 @@ def before_each(files: Iterable[Path]) -> dict[Path, list[Path]]:
 
 def dives_across_files(
     path: Path,
-    last: "pandas.DataFrame",
-    read: Callable[[Path], "pandas.DataFrame"],
-    fixes_and_wet: Callable[["pandas.DataFrame"], tuple[list[Fix], np.ndarray]],
-) -> tuple["pandas.DataFrame", list[Three]]:
+    last: pandas.DataFrame,
+    read: Callable[[Path], pandas.DataFrame],
+    fixes_and_wet: Callable[[pandas.DataFrame], tuple[list[Fix], np.ndarray]],
+) -> tuple[pandas.DataFrame, list[Three]]:
     """Return a file's log, `last`, merged with those of files before it, and all dives' fixes.
 
     A log is a table by time, s since 1970.  It goes back until a fix stands before the first time
@@ -286,15 +284,13 @@ def dives_across_files(
     return whole, cut_dives(*fixes_and_wet(whole), LEAST_GAP)
 
 
-def _merged(parts: list["pandas.DataFrame"]) -> "pandas.DataFrame":
+def _merged(parts: list[pandas.DataFrame]) -> pandas.DataFrame:
     """Return logs as one, by time; at each time the first number of each column, NaN if none."""
-    import pandas
-
     whole = pandas.concat(parts)
     return whole.where(np.isfinite(whole)).groupby(level=0).first()
 
 
-def logged(log: "pandas.DataFrame", *names: str) -> np.ndarray:
+def logged(log: pandas.DataFrame, *names: str) -> np.ndarray:
     """Return the times at which some columns of a log all have a number, and these numbers."""
     return log[[*names]].dropna().reset_index().to_numpy().T
 

@@ -26,9 +26,11 @@ The dive's notes say which it was where it was not the first.
 """
 
 from math import isfinite, isnan, nan
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
+import pandas
+import xarray
 
 from ..errors import DataError
 from ..estimation.dive import Track
@@ -46,10 +48,6 @@ from .og1_columns import Columns, columns_of, fixes_and_others, has_ends, segmen
 from .og1_columns import is_known as is_known
 from .samples import LAST, deepest, hole_under_water, track_of, variation
 
-if TYPE_CHECKING:
-    import pandas
-    import xarray
-
 LEAST_GAP = 600.0  # s between two fixes with a dive between them
 UNDER_WATER = (1, 2, 4, 5)  # PHASE: ascent, descent, parking, inflexion
 
@@ -65,7 +63,7 @@ class ThroughWater(NamedTuple):
 
 def through_water(
     columns: Columns,
-    rows: "pandas.DataFrame",
+    rows: pandas.DataFrame,
     start: Fix,
     end: Fix,
     current: tuple[float | None, float | None],
@@ -94,7 +92,7 @@ def through_water(
 
 
 def _along_heading(
-    columns: Columns, rows: "pandas.DataFrame", start: Fix, end: Fix
+    columns: Columns, rows: pandas.DataFrame, start: Fix, end: Fix
 ) -> ThroughWater | None:
     """Return the dead reckoning of speed and heading; None where a dive has neither.
 
@@ -113,7 +111,7 @@ def _along_heading(
 
 
 def _variation_of(
-    columns: Columns, rows: "pandas.DataFrame", start: Fix, end: Fix
+    columns: Columns, rows: pandas.DataFrame, start: Fix, end: Fix
 ) -> tuple[float | None, str]:
     """Return the variation of a dive's heading (degrees east), None if true; which north it has."""
     if columns.north == "true":
@@ -132,7 +130,7 @@ def _variation_of(
     )
 
 
-def _summed(rows: "pandas.DataFrame", start: Fix, end: Fix) -> ThroughWater | None:
+def _summed(rows: pandas.DataFrame, start: Fix, end: Fix) -> ThroughWater | None:
     """Sum the steps east and north of a dive; None where it has none."""
     rows = rows.dropna(subset=["east", "north"])
     if rows.empty:
@@ -152,7 +150,7 @@ def _summed(rows: "pandas.DataFrame", start: Fix, end: Fix) -> ThroughWater | No
     return ThroughWater(total, track_of(since, east, north, duration), notes)
 
 
-def dives_of(data: "xarray.Dataset") -> list[Dive | Skipped]:
+def dives_of(data: xarray.Dataset) -> list[Dive | Skipped]:
     """Return the dives of a file by time, between fixes that are far apart in time."""
     columns = columns_of(data)
     of = columns.of
@@ -195,11 +193,11 @@ def _of_segments(
     return found
 
 
-def _between(of: "pandas.DataFrame", start: Fix, end: Fix) -> "pandas.DataFrame":
+def _between(of: pandas.DataFrame, start: Fix, end: Fix) -> pandas.DataFrame:
     return of[(of.time > start[0]) & (of.time <= end[0])]
 
 
-def _under_water(of: "pandas.DataFrame") -> "pandas.Series":
+def _under_water(of: pandas.DataFrame) -> pandas.Series:
     """Return which rows are measurements under water."""
     wet = (of.phase.isna() | of.phase.isin((0, *UNDER_WATER))) & of.lat.isna()
     return wet.where(of.depth.isna(), of.depth > LEAST_DEPTH)

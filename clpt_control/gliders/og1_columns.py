@@ -25,18 +25,16 @@ good to twice the last digit of the file, some 10 m.
 """
 
 from math import nan
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
+import pandas
+import xarray
 
 from ..errors import DataError
 from .dives import Fix, fixes_in, is_fix
 from .samples import SURFACE, metres, metres_per_second, seconds, values
 from .usable_dives import DAY, SMALLER
-
-if TYPE_CHECKING:
-    import pandas
-    import xarray
 
 FIXES = ("TIME_GPS", "LATITUDE_GPS", "LONGITUDE_GPS")
 STEPS = ("EAST_DISPLACEMENT", "NORTH_DISPLACEMENT")
@@ -64,22 +62,20 @@ class Columns(NamedTuple):
     `phase` of the measurements.
     """
 
-    of: "pandas.DataFrame"
+    of: pandas.DataFrame
     north: str  # "magnetic", "true" or "" where the file does not say
     steps: str  # name of the displacement
     notes: tuple[str, ...]  # on all of its dives
 
 
-def is_known(data: "xarray.Dataset") -> bool:
+def is_known(data: xarray.Dataset) -> bool:
     """Whether a NetCDF file is an OG1 trajectory."""
     known = known_names(data)
     return "N_MEASUREMENTS" in data.dims or any(name in known for name in FIXES)
 
 
-def columns_of(data: "xarray.Dataset") -> Columns:
+def columns_of(data: xarray.Dataset) -> Columns:
     """Return the columns of a file, of one length."""
-    import pandas
-
     known = known_names(data)
     fixes, t_name = _fix_columns(data, known)
     time = seconds(data, known["TIME"]) if "TIME" in known else fixes[0]
@@ -123,7 +119,7 @@ def columns_of(data: "xarray.Dataset") -> Columns:
     return Columns(whole.where(np.isfinite(whole)), _frame(data, known), name, tuple(notes))
 
 
-def _fix_columns(data: "xarray.Dataset", known: dict[str, str]) -> tuple[list[np.ndarray], str]:
+def _fix_columns(data: xarray.Dataset, known: dict[str, str]) -> tuple[list[np.ndarray], str]:
     """Return time (s), latitude and longitude of the fixes, and the name of that time."""
     latitude = known.get("LATITUDE_GPS")
     bare = latitude is None or not np.isfinite(values(data, latitude)).any()
@@ -162,7 +158,7 @@ def unit_of_times(fixes: np.ndarray, time: np.ndarray) -> str:
     return next((unit for unit, size in SMALLER.items() if first <= middle / size <= last), "")
 
 
-def fixes_and_others(of: "pandas.DataFrame") -> tuple[list[Fix], np.ndarray]:
+def fixes_and_others(of: pandas.DataFrame) -> tuple[list[Fix], np.ndarray]:
     """Return the fixes by time, and times of fixes that are left out.
 
     These are half a fix, one off the Earth, and one under water: in a row deeper than
@@ -193,17 +189,17 @@ def fixes_and_others(of: "pandas.DataFrame") -> tuple[list[Fix], np.ndarray]:
     return fixes_in(when[rows], lat[rows], lon[rows]), failed
 
 
-def known_names(data: "xarray.Dataset") -> dict[str, str]:
+def known_names(data: xarray.Dataset) -> dict[str, str]:
     """Return names in the file by their capitals; a name in capitals goes before others."""
     return {str(name).upper(): str(name) for name in sorted(map(str, data.variables), reverse=True)}
 
 
-def _degrees(data: "xarray.Dataset", name: str) -> np.ndarray:
+def _degrees(data: xarray.Dataset, name: str) -> np.ndarray:
     radians = str(data[name].attrs.get("units", "")).lower().startswith("rad")
     return np.degrees(values(data, name)) if radians else values(data, name)
 
 
-def _frame(data: "xarray.Dataset", known: dict[str, str]) -> str:
+def _frame(data: xarray.Dataset, known: dict[str, str]) -> str:
     """Return which north the heading has, by the words of its attributes."""
     name = next((known[name] for name in HEADING if name in known), None)
     if name is None:
@@ -212,15 +208,13 @@ def _frame(data: "xarray.Dataset", known: dict[str, str]) -> str:
     return "magnetic" if "magnetic" in words else "true" if "true" in words else ""
 
 
-def has_ends(data: "xarray.Dataset") -> bool:
+def has_ends(data: xarray.Dataset) -> bool:
     """Whether the file has a fix after the dive for each measurement."""
     return all(name.format(END) in known_names(data) for name in NAMES)
 
 
-def segments_of(data: "xarray.Dataset") -> list[tuple[Fix, Fix, list[str]]]:
+def segments_of(data: xarray.Dataset) -> list[tuple[Fix, Fix, list[str]]]:
     """Return the fixes before and after each dive by time, NaN where there is none, and notes."""
-    import pandas
-
     known = known_names(data)
     ends, *others = (_fixes(data, known, suffix) for suffix in (END, START, MIDDLE))
     if not np.isfinite(ends).any():
@@ -245,7 +239,7 @@ def segments_of(data: "xarray.Dataset") -> list[tuple[Fix, Fix, list[str]]]:
     return found
 
 
-def _fixes(data: "xarray.Dataset", known: dict[str, str], suffix: str) -> np.ndarray:
+def _fixes(data: xarray.Dataset, known: dict[str, str], suffix: str) -> np.ndarray:
     """Return time (s), latitude and longitude with a suffix, (3, n); what is no fix is NaN.
 
     A file that has none has one of NaN for each end.

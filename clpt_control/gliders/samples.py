@@ -20,9 +20,9 @@ from collections.abc import Sequence
 from dataclasses import replace
 from datetime import UTC, datetime
 from math import isfinite, nan
-from typing import TYPE_CHECKING
 
 import numpy as np
+import xarray
 from numpy.typing import ArrayLike
 
 from ..currents.cf import decoded
@@ -30,9 +30,6 @@ from ..errors import DataError, needed
 from ..estimation.dive import Track
 from ..units import length_in_metres, speed_in_metres_per_second
 from .dives import Dive
-
-if TYPE_CHECKING:
-    import xarray
 
 SURFACE = 20.0  # m: a vehicle last seen above needs no samples until its fix
 LARGEST_HOLE = 0.1  # share of a dive that may be without samples under water
@@ -51,7 +48,7 @@ def degrees(ddmm: np.ndarray) -> np.ndarray:
     return np.where((minutes < 60.0) & (whole < 400.0), np.sign(ddmm) * (whole + minutes / 60), nan)
 
 
-def values(data: "xarray.Dataset", name: str) -> np.ndarray:
+def values(data: xarray.Dataset, name: str) -> np.ndarray:
     """Return a variable as floats, NaN where it is no number."""
     raw = np.atleast_1d(data[name].values)
     if raw.dtype.kind in "iufb":
@@ -73,7 +70,7 @@ def number(cell: str) -> float:
         return nan
 
 
-def scalar(data: "xarray.Dataset", name: str) -> float | None:
+def scalar(data: xarray.Dataset, name: str) -> float | None:
     """Return a single finite number, or None."""
     if name not in data.variables:
         return None
@@ -81,7 +78,7 @@ def scalar(data: "xarray.Dataset", name: str) -> float | None:
     return float(found.flat[0]) if found.size and np.isfinite(found.flat[0]) else None
 
 
-def seconds(data: "xarray.Dataset", name: str) -> np.ndarray:
+def seconds(data: xarray.Dataset, name: str) -> np.ndarray:
     """Return times as seconds since 1970 UTC, NaN where missing.
 
     >>> import xarray
@@ -105,7 +102,7 @@ def seconds(data: "xarray.Dataset", name: str) -> np.ndarray:
     return first + step * numbers
 
 
-def metres(data: "xarray.Dataset", name: str) -> np.ndarray:
+def metres(data: xarray.Dataset, name: str) -> np.ndarray:
     """Return lengths in m, depths positive down, NaN where missing.
 
     >>> import xarray
@@ -119,7 +116,7 @@ def metres(data: "xarray.Dataset", name: str) -> np.ndarray:
     return values(data, name) * (-size if up else size)
 
 
-def metres_per_second(data: "xarray.Dataset", name: str) -> np.ndarray:
+def metres_per_second(data: xarray.Dataset, name: str) -> np.ndarray:
     """Return speeds in m/s, NaN where missing."""
     units = str(data[name].attrs.get("units", "")).strip() or "m/s"
     return values(data, name) * speed_in_metres_per_second(units, name)

@@ -19,9 +19,9 @@ The plan of the next dive is the last DesiredH (degrees), taken from true north.
 import zlib
 from math import nan
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
+import pandas
 
 from ..currents.text_table import table_of
 from ..errors import DataError
@@ -37,9 +37,6 @@ from .dives import (
     logged,
 )
 from .samples import deepest, degrees, hole_under_water, track_of
-
-if TYPE_CHECKING:
-    import pandas
 
 GZIP = b"\x1f\x8b"
 FIRST = "Timestamp;"
@@ -73,7 +70,7 @@ def text_in(raw: bytes, path: Path, no_text: str = "no text") -> str:
 def dives_of(text: str, path: Path) -> list[Dive]:
     """Return the dives that end in a file."""
 
-    def read(before: Path) -> "pandas.DataFrame":
+    def read(before: Path) -> pandas.DataFrame:
         return _log(text_in(read_bytes(before), before), before)
 
     last = _log(text, path)
@@ -89,10 +86,8 @@ def dives_of(text: str, path: Path) -> list[Dive]:
     ]
 
 
-def _log(text: str, path: Path) -> "pandas.DataFrame":
+def _log(text: str, path: Path) -> pandas.DataFrame:
     """Return the rows of a file that have a time, by it, NaN where a number is missing."""
-    import pandas
-
     if not text.endswith("\n"):  # cut short, so its last number may be another
         text = text.rpartition("\n")[0] or text
     cells = table_of(text, path, "a SeaExplorer's .gli file", ";").cells
@@ -111,7 +106,7 @@ def _log(text: str, path: Path) -> "pandas.DataFrame":
     return log
 
 
-def _fixes_and_wet(log: "pandas.DataFrame") -> tuple[list[Fix], np.ndarray]:
+def _fixes_and_wet(log: pandas.DataFrame) -> tuple[list[Fix], np.ndarray]:
     """Return the fixes, places that are new at the surface, and times under water."""
     afloat = (log.NavState == AT_SURFACE) & ~(log.DeadReckoning > 0)
     new = (log[["Lat", "Lon"]].diff() != 0).any(axis=1) & (log.index > log.index[0])
@@ -119,7 +114,7 @@ def _fixes_and_wet(log: "pandas.DataFrame") -> tuple[list[Fix], np.ndarray]:
     return fixes_in(time, *map(degrees, place)), log.index[log.Depth > LEAST_DEPTH].to_numpy()
 
 
-def _dive(log: "pandas.DataFrame", fixes: Three, which: int) -> Dive:
+def _dive(log: pandas.DataFrame, fixes: Three, which: int) -> Dive:
     _, start, end = fixes
     duration, notes = end[0] - start[0], []
     steered = log.DesiredH.dropna()

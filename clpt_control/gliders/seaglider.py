@@ -24,9 +24,9 @@ until it is within `log_TGT_RADIUS` (m).
 import re
 from math import isfinite, nan
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
+import xarray
 
 from ..errors import DataError
 from ..estimation.dive import Track
@@ -42,9 +42,6 @@ from .dives import (
     whole_number,
 )
 
-if TYPE_CHECKING:
-    import xarray
-
 FIXES = ("log_gps_time", "log_gps_lat", "log_gps_lon")
 NAMES = ("GPS1", "GPS2", "GPSE")
 GOOD = (0.0, 1.0, 2.0)  # flags of a fix: no change, good, probably good
@@ -57,7 +54,7 @@ DEPTHS = ("depth", "ctd_depth", "eng_depth")
 NOT_KNOWN = (nan, nan)
 
 
-def fixes_of(data: "xarray.Dataset", first_sample: float) -> tuple[Three, list[str]]:
+def fixes_of(data: xarray.Dataset, first_sample: float) -> tuple[Three, list[str]]:
     """Return the fixes of a file whose first sample is at a time (s, NaN where not known).
 
     A fix that failed is NaN, and its note says so; the first is None where it cannot be used.
@@ -88,7 +85,7 @@ def fixes_of(data: "xarray.Dataset", first_sample: float) -> tuple[Three, list[s
     return (first, start, end), notes
 
 
-def _checked(data: "xarray.Dataset", k: int, columns: list[np.ndarray], notes: list[str]) -> Fix:
+def _checked(data: xarray.Dataset, k: int, columns: list[np.ndarray], notes: list[str]) -> Fix:
     time, lat, lon = (float(column[k]) for column in columns)
     name = NAMES[k]
     flag, hdop = samples.scalar(data, f"{name}_qc"), _of_fix(data, "log_gps_hdop", k)
@@ -105,18 +102,18 @@ def _checked(data: "xarray.Dataset", k: int, columns: list[np.ndarray], notes: l
     return nan, nan, nan
 
 
-def _of_fix(data: "xarray.Dataset", name: str, k: int) -> float:
+def _of_fix(data: xarray.Dataset, name: str, k: int) -> float:
     """Return the number of one of three fixes, NaN where there is none."""
     found = samples.values(data, name) if name in data.variables else np.empty(0)
     return float(found[k]) if found.shape == (3,) else nan
 
 
-def is_known(data: "xarray.Dataset") -> bool:
+def is_known(data: xarray.Dataset) -> bool:
     """Whether a NetCDF file is of the Seaglider basestation."""
     return any(name in data.variables for name in FIXES) or "sg_data_point" in data.dims
 
 
-def dive_of(data: "xarray.Dataset", path: Path) -> Dive:
+def dive_of(data: xarray.Dataset, path: Path) -> Dive:
     """Return the dive of a file, NaN where a fix or the displacement is missing."""
     names = _displacement(data)
     time, why_not = _times(data, names[0]) if names else (None, "")
@@ -147,7 +144,7 @@ def number_in_name(path: Path) -> int | None:
     return int(named[1]) if named else None
 
 
-def _number(data: "xarray.Dataset", path: Path) -> tuple[int, list[str]]:
+def _number(data: xarray.Dataset, path: Path) -> tuple[int, list[str]]:
     """Return the number of the dive and what was wrong with others."""
     notes: list[str] = []
     for name, value in (
@@ -166,7 +163,7 @@ def _number(data: "xarray.Dataset", path: Path) -> tuple[int, list[str]]:
     )
 
 
-def _variation(data: "xarray.Dataset") -> float | None:
+def _variation(data: xarray.Dataset) -> float | None:
     """Return the magnetic variation, that of GPS2 where the file has one per fix."""
     found = samples.scalar(data, "magnetic_variation")
     if found is None:
@@ -174,7 +171,7 @@ def _variation(data: "xarray.Dataset") -> float | None:
     return found if isfinite(found) else None
 
 
-def _next_course(data: "xarray.Dataset", end: Fix) -> float | None:
+def _next_course(data: xarray.Dataset, end: Fix) -> float | None:
     """Return the course of the next dive by the plan of this one, None where there is none."""
     heading = samples.scalar(data, "log_HEADING")
     if heading is not None and heading >= 0:
@@ -187,13 +184,13 @@ def _next_course(data: "xarray.Dataset", end: Fix) -> float | None:
     return planned_course(end, target, samples.scalar(data, "log_TGT_RADIUS") or 0.0)
 
 
-def _displacement(data: "xarray.Dataset") -> tuple[str, str] | None:
+def _displacement(data: xarray.Dataset) -> tuple[str, str] | None:
     """Return the names of the displacement, the better model first."""
     pairs = [(f"east_displacement{model}", f"north_displacement{model}") for model in ("", "_gsm")]
     return next((pair for pair in pairs if set(pair) <= set(data.variables)), None)
 
 
-def _times(data: "xarray.Dataset", like: str) -> tuple[np.ndarray | None, str]:
+def _times(data: xarray.Dataset, like: str) -> tuple[np.ndarray | None, str]:
     """Return times of the samples that a variable has, or why there are none."""
     times = [name for name in map(str, data.variables) if name.endswith("_time")]
     same = [
@@ -211,7 +208,7 @@ def _times(data: "xarray.Dataset", like: str) -> tuple[np.ndarray | None, str]:
 
 
 def _dead_reckoning(
-    data: "xarray.Dataset",
+    data: xarray.Dataset,
     names: tuple[str, str] | None,
     time: np.ndarray | None,
     start: float,
@@ -245,7 +242,7 @@ def _dead_reckoning(
     return total, samples.track_of(since, east, north, end - start), notes
 
 
-def _depths(data: "xarray.Dataset", like: str) -> np.ndarray:
+def _depths(data: xarray.Dataset, like: str) -> np.ndarray:
     """Return depths of the samples that a variable has, NaN where there are none."""
     for name in DEPTHS:
         if name in data.variables and data[name].dims == data[like].dims:

@@ -33,9 +33,9 @@ c_heading (rad from magnetic north), as last logged.
 from dataclasses import replace
 from math import isfinite, nan
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
+import pandas
 
 from ..geodesy import displacement
 from .dives import (
@@ -53,22 +53,19 @@ from .samples import deepest, degrees, hole_under_water, turned, variation
 from .slocum_file import MAGIC as MAGIC
 from .slocum_file import Segment, read_segment
 
-if TYPE_CHECKING:
-    import pandas
-
 SHORT = 60.0  # s of a dive's end without a place that are left alone
 HOLDS = "the glider's dead reckoning holds the current of the dive before"
 CLEAR = 0.03  # m/s: from here on w tells whether a current was added
 OWN_CURRENT = 1800.0  # s after the fix in which the glider has worked its current out
 
 
-def between(of: "pandas.DataFrame", start: float, end: float) -> "pandas.DataFrame":
+def between(of: pandas.DataFrame, start: float, end: float) -> pandas.DataFrame:
     """Return what was logged after a time, to another."""
     return of[(of.index > start) & (of.index <= end)]
 
 
 def own_currents(
-    of: "pandas.DataFrame", dived: float, end: float, east_of_north: float
+    of: pandas.DataFrame, dived: float, end: float, east_of_north: float
 ) -> np.ndarray:
     """Return the own current of the dive before and of that to a fix, (2, 2), NaN if not known.
 
@@ -84,7 +81,7 @@ def own_currents(
 
 
 def dead_reckoning(
-    of: "pandas.DataFrame", start: Fix, wet: np.ndarray, east_of_north: float
+    of: pandas.DataFrame, start: Fix, wet: np.ndarray, east_of_north: float
 ) -> tuple[np.ndarray | None, str]:
     """Return time since the fix (s), metres east and north of it to the end under water; or why."""
     time, east, north = _places(of, start, wet, east_of_north)
@@ -109,7 +106,7 @@ def dead_reckoning(
 
 
 def _places(
-    of: "pandas.DataFrame", start: Fix, wet: np.ndarray, east_of_north: float
+    of: pandas.DataFrame, start: Fix, wet: np.ndarray, east_of_north: float
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return times of the dead reckoning and its places east and north of the fix, m."""
     near = between(of, start[0] - SHORT, wet[-1])
@@ -197,14 +194,14 @@ def dives_of(path: Path) -> list[Dive]:
     return dives
 
 
-def _fixes_and_wet(of: "pandas.DataFrame") -> tuple[list[Fix], np.ndarray]:
+def _fixes_and_wet(of: pandas.DataFrame) -> tuple[list[Fix], np.ndarray]:
     """Return the valid fixes and the times under water."""
     time, *place = logged(of[of.m_gps_status.fillna(0.0) == 0.0], "m_gps_lat", "m_gps_lon")
     wet = of.index[of.m_depth > LEAST_DEPTH].to_numpy()
     return fixes_in(time, *map(degrees, place)), wet
 
 
-def _dive(of: "pandas.DataFrame", segment: Segment, fixes: Three) -> Dive:
+def _dive(of: pandas.DataFrame, segment: Segment, fixes: Three) -> Dive:
     """Make the dive between two fixes that is under water at some times."""
     _, start, end = fixes
     notes = list(segment.notes)
@@ -240,7 +237,7 @@ def _dive(of: "pandas.DataFrame", segment: Segment, fixes: Three) -> Dive:
     )
 
 
-def _next_course(of: "pandas.DataFrame", end: Fix, east_of_north: float) -> float | None:
+def _next_course(of: pandas.DataFrame, end: Fix, east_of_north: float) -> float | None:
     """Return the course of the next dive, degrees: to the last waypoint, else as last commanded."""
     plan = of.loc[: end[0] + OWN_CURRENT, ["c_wpt_lat", "c_wpt_lon", "c_heading"]]
     lat, lon, heading = plan.ffill().to_numpy()[-1]
@@ -251,7 +248,7 @@ def _next_course(of: "pandas.DataFrame", end: Fix, east_of_north: float) -> floa
     return None
 
 
-def _variation(of: "pandas.DataFrame", fix: Fix) -> float:
+def _variation(of: pandas.DataFrame, fix: Fix) -> float:
     """Return the variation at a fix, degrees east."""
     west = of.m_gps_mag_var[: fix[0] + SHORT].ffill().iloc[-1]
     return float(-np.degrees(west)) if abs(west) < np.pi else variation(*fix)

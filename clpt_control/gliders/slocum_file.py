@@ -19,17 +19,15 @@ from functools import lru_cache
 from math import nan
 from pathlib import Path
 from struct import unpack_from
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
+import pandas
 
 from ..errors import DataError
 from ..files.reading import read_bytes
 from .dives import NotYet
 from .samples import number
-
-if TYPE_CHECKING:
-    import pandas
 
 MAGIC = b"dbd_"  # first bytes of `dbd_label:`
 TEXT = "DBD_ASC"  # first letters of its value in a text
@@ -69,7 +67,7 @@ class Segment(NamedTuple):
     """What a file holds: its number, its log by time, s since 1970 UTC, and what is wrong."""
 
     number: int
-    of: "pandas.DataFrame"
+    of: pandas.DataFrame
     notes: tuple[str, ...]
 
 
@@ -246,10 +244,8 @@ def _cycles(
     sensors: list[tuple[str, int]],
     states: int,
     path: Path,
-) -> tuple["pandas.DataFrame", int]:
+) -> tuple[pandas.DataFrame, int]:
     """Return the values of sensors in whole cycles, and where these end."""
-    import pandas
-
     order = ORDERS.get(raw[at : at + 4])
     if len(raw) < at + KNOWN or order is None:
         raise DataError(f"{path}: the Slocum file has no cycles behind its header, or is damaged")
@@ -278,10 +274,8 @@ def _cycles(
     return pandas.DataFrame(rows, columns=[*wanted], dtype=float), at
 
 
-def _table(raw: bytes, at: int, labels: int, path: Path) -> tuple["pandas.DataFrame", int]:
+def _table(raw: bytes, at: int, labels: int, path: Path) -> tuple[pandas.DataFrame, int]:
     """Return the values of sensors in the whole lines of a text, and where these end."""
-    import pandas
-
     end = raw.rfind(b"\n") + 1
     lines = raw[at:end].decode("ascii", "replace").splitlines()
     sensors = lines[0].split() if lines else []

@@ -11,9 +11,10 @@ facts, of a replay, of its dataset or of what `clpt replay --json` prints.
 
 import json
 from importlib.metadata import version
-from typing import TYPE_CHECKING, Any, NamedTuple, Union
+from typing import Any, NamedTuple
 
 import numpy as np
+import xarray
 
 from ..arguments import public
 from ..errors import DataError
@@ -21,9 +22,6 @@ from .outcome import flat_rows, known
 from .replay import FLOW_MODEL, MODELS, Replay
 from .surfacing import ELLIPSE, NextDive, ellipse
 from .wording import utc
-
-if TYPE_CHECKING:
-    import xarray
 
 EPOCH = "seconds since 1970-01-01 00:00:00 UTC"
 SECOND, START = np.timedelta64(1, "s"), np.datetime64("1970-01-01")
@@ -75,7 +73,7 @@ FLAGS = """
 inside_90 | outside inside | whether the vehicle surfaced in the 90 % ellipse of its forecast
 speed_anomaly | none flagged | whether the speed factor left its credible range | | anomaly
 """
-Source = Union[Replay, "xarray.Dataset", dict[str, Any]]
+Source = Replay | xarray.Dataset | dict[str, Any]
 
 
 class Fact(NamedTuple):
@@ -102,7 +100,7 @@ def parsed(text: str) -> list[Fact]:
 @public
 def replay_dataset(
     replay: Replay, name: str = "glider", ahead: NextDive | None = None
-) -> "xarray.Dataset":
+) -> xarray.Dataset:
     """Return a replay as a dataset.
 
     Parameters
@@ -128,8 +126,6 @@ def replay_dataset(
     >>> data.sizes["dive"], data.clpe_adaptive.units
     (14, 'm')
     """
-    import xarray
-
     dives, rows = [step.dive for step in replay.steps], flat_rows(replay)
     numbers = np.array([d.number for d in dives], np.int64)
     if np.all(np.abs(numbers) < 2**31):
@@ -182,7 +178,7 @@ def replay_dataset(
     return data
 
 
-def _next(data: "xarray.Dataset", ahead: NextDive) -> None:
+def _next(data: xarray.Dataset, ahead: NextDive) -> None:
     """Add the next surfacing: when, where, and its 90 % ellipse."""
     long, short, bearing = ellipse(ahead.covariance)
     words = "of the next surfacing, as forecast"
@@ -198,13 +194,13 @@ def _next(data: "xarray.Dataset", ahead: NextDive) -> None:
         data[key] = ((), value, {"long_name": f"{name} {words}", **attributes})
 
 
-def with_summary(data: "xarray.Dataset", found: dict[str, Any]) -> "xarray.Dataset":
+def with_summary(data: xarray.Dataset, found: dict[str, Any]) -> xarray.Dataset:
     """Return a replay's dataset with what `clpt replay --json` prints."""
     named = {"long_name": "all that was found, as JSON: what clpt replay --json prints"}
     return data.assign({SUMMARY: ((), json.dumps(found, allow_nan=False), named)})
 
 
-def summary_in(data: "xarray.Dataset", name: str) -> Any:
+def summary_in(data: xarray.Dataset, name: str) -> Any:
     """Return what `with_summary` put into a dataset."""
     try:
         return json.loads(str(data[SUMMARY].values))

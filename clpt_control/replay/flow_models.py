@@ -52,6 +52,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
+from scipy.integrate import solve_ivp
+from scipy.interpolate import RegularGridInterpolator
 
 from ..arguments import public
 from ..currents.grid_file import DEEPEST, SUFFIXES, Currents, read_currents
@@ -98,8 +100,6 @@ def carried_by(dive: Dive, flow: Flow) -> tuple[float, float]:
 
     `Uncovered` is raised where the flow says nothing on the track.
     """
-    from scipy.integrate import solve_ivp
-
     T = dive.duration
     time, east, north = reckoned(dive)
     if not (isfinite(T) and T > 0 and all(np.isfinite(a).all() for a in (time, east, north))):
@@ -230,8 +230,6 @@ class Forecast(FlowModel):
         `Uncovered` is raised where the dive begins outside the area, is not within the
         steps or reaches into a gap of them.
         """
-        from scipy.interpolate import RegularGridInterpolator
-
         c, time = self.column, self.time
         if not self._inside(dive.lat_gps2, dive.lon_gps2):
             raise Uncovered("outside the forecast's area")

@@ -7,9 +7,14 @@ from collections import defaultdict
 from collections.abc import Sequence
 from itertools import chain
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.dates import AutoDateLocator, ConciseDateFormatter
+from matplotlib.figure import Figure
+from matplotlib.patheffects import withStroke
+from matplotlib.ticker import MaxNLocator
 
 from ..arguments import public
 from ..figures import (
@@ -31,10 +36,6 @@ from .outcome import rms_of
 from .replay import Replay
 from .surfacing import NextDive
 from .wording import Place, clock
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
 
 FEW = 20  # dives, whose marks are large
 SIZE = 6.5  # inches of the longer side
@@ -68,8 +69,8 @@ def map_plot(
     ahead: NextDive | None = None,
     legs: Sequence[dict[str, Any]] = (),
     *,
-    ax: "Axes | None" = None,
-) -> "Axes":
+    ax: Axes | None = None,
+) -> Axes:
     """Draw a replay's fixes, forecasts and where it aims.
 
     Parameters
@@ -137,10 +138,8 @@ def map_plot(
     return ax
 
 
-def _number(ax: "Axes", points: np.ndarray, names: list[str], inch: float) -> None:
+def _number(ax: Axes, points: np.ndarray, names: list[str], inch: float) -> None:
     """Write numbers beside points, m, shape (2, n): away from the track, where they have room."""
-    from matplotlib.patheffects import withStroke
-
     count = len(names)
     for k in with_room(points.T * inch, range(count - 1, -1, -1), ROOM):  # the last dive first
         before, here, after = points[:, [max(k - 1, 0), k, min(k + 1, count - 1)]].T
@@ -161,7 +160,7 @@ def _number(ax: "Axes", points: np.ndarray, names: list[str], inch: float) -> No
         text.set_path_effects([withStroke(linewidth=2, foreground="white")])
 
 
-def _degrees(ax: "Axes", chart: Chart) -> None:
+def _degrees(ax: Axes, chart: Chart) -> None:
     """Mark parallels and meridians by degrees and minutes."""
     up, lats, along, lons = chart.grid(5)
     ax.set_xticks([chart.xy(chart.middle, lon)[0] for lon in lons])
@@ -173,7 +172,7 @@ def _degrees(ax: "Axes", chart: Chart) -> None:
     ax.set_aspect("equal", adjustable="box")
 
 
-def _scale_bar(ax: "Axes", chart: Chart) -> None:
+def _scale_bar(ax: Axes, chart: Chart) -> None:
     """Draw a length at the lower right."""
     wide = chart.east - chart.west
     length, name = bar_of(0.25 * wide)
@@ -183,7 +182,7 @@ def _scale_bar(ax: "Axes", chart: Chart) -> None:
 
 
 @public
-def dive_clpe_plot(replay: Source, *, dates: bool = False, ax: "Axes | None" = None) -> "Axes":
+def dive_clpe_plot(replay: Source, *, dates: bool = False, ax: Axes | None = None) -> Axes:
     """Draw the CLPE of each dive for each flow model.
 
     Parameters
@@ -386,7 +385,7 @@ def _column(rows: list[dict[str, Any]], key: str) -> np.ndarray:
 
 
 def _band(
-    ax: "Axes",
+    ax: Axes,
     x: np.ndarray,
     value: np.ndarray,
     error: np.ndarray,
@@ -404,11 +403,8 @@ def _fine(x: np.ndarray) -> dict[str, Any]:
     return {**size, "markevery": 1 + len(x) // MARKS}
 
 
-def _mark(ax: "Axes", x: np.ndarray, dates: bool) -> None:
+def _mark(ax: Axes, x: np.ndarray, dates: bool) -> None:
     """Mark dates or whole numbers of dives, also where there is one."""
-    from matplotlib.dates import AutoDateLocator, ConciseDateFormatter
-    from matplotlib.ticker import MaxNLocator
-
     locator: Any = MaxNLocator(integer=True, min_n_ticks=1)
     if dates:
         locator = AutoDateLocator(maxticks=7)
