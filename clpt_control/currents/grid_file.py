@@ -212,15 +212,15 @@ def _read(path: Path, span: Box | None, column: bool, units: str | None, least: 
         steps = np.argsort(hours)
         if not np.all(np.diff(hours[steps]) > 0):
             raise DataError(f"{when.name} has a step twice; keep each time once")
-        index = {when.dims[0]: steps, lat.dims[0]: rows, lon.dims[0]: columns}
-        depth = np.zeros(1)
+        across = {lat.dims[0]: rows, lon.dims[0]: columns}
+        index, depth = {when.dims[0]: steps}, np.zeros(1)
         if column:
-            level, depth = _levels(data, names[0], set(index))
+            level, depth = _levels(data, names[0], {*index, *across})
             order = np.argsort(depth)
             order = order[: int(np.searchsorted(depth[order], DEEPEST)) + 1]
             depth = depth[order]
-            if level is not None:
-                index = {when.dims[0]: steps, level: order, lat.dims[0]: rows, lon.dims[0]: columns}
+            index |= {} if level is None else {level: order}
+        index |= across
         size = np.prod([len(places) for places in index.values()], dtype=float)
         if size > MOST:
             raise DataError(

@@ -23,9 +23,9 @@ Lines that begin with `#` are comments; `# latitude: DEG` is read.
 """
 
 import re
+from collections.abc import Hashable
 from csv import Error, reader
 from pathlib import Path
-from typing import NamedTuple
 
 import numpy as np
 import pandas
@@ -53,26 +53,19 @@ SUFFIXES = (".csv", ".txt", ".dat")
 HEADER = re.compile(r"([^([]*)(?:[(\[]([^)\]]*)[)\]])?")  # without spaces: they would be tried
 
 
-class TextTable(NamedTuple):
-    """Cells as text, and the texts of comments, by name in small letters.
-
-    The index of `cells` is the line in the file, from 1; its columns are the header.
-    """
-
-    cells: pandas.DataFrame
-    comments: dict[str, str]
-
-
-def table_of(text: str, name: str | Path, must_be: str, mark: str = ",") -> TextTable:
+def table_of(text: str, name: str | Path, must_be: str, mark: str = ",") -> pandas.DataFrame:
     r"""Return the cells of a table, without spaces about them, '' where a line is too short.
+
+    The index is the line in the file, from 1; the columns are the header; `attrs` has the texts of
+    comments, by name in small letters.
 
     A `mark` stands between cells.
 
-    >>> cells, comments = table_of("# latitude: 41.2\n\ntime,u\n0, 1,2\n3", "mine.csv", "a table")
-    >>> comments, list(cells.columns), list(cells.index), cells.values.tolist()
+    >>> cells = table_of("# latitude: 41.2\n\ntime,u\n0, 1,2\n3", "mine.csv", "a table")
+    >>> cells.attrs, list(cells.columns), list(cells.index), cells.values.tolist()
     ({'latitude': '41.2'}, ['time', 'u'], [4, 5], [['0', '1'], ['3', '']])
     """
-    comments: dict[str, str] = {}
+    comments: dict[Hashable, str] = {}
     rows: dict[int, list[str]] = {}
     for k, line in enumerate(map(str.strip, text.splitlines()), 1):
         found = COMMENT.fullmatch(line)
@@ -80,17 +73,19 @@ def table_of(text: str, name: str | Path, must_be: str, mark: str = ",") -> Text
             comments[found[1].lower()] = found[2].strip()
         elif line and not line.startswith("#"):
             try:
-                cells = next(reader([line], delimiter=mark, skipinitialspace=True, strict=True))
+                row = next(reader([line], delimiter=mark, skipinitialspace=True, strict=True))
             except Error:  # a quotation mark that is not closed: one cell, of this line alone
-                cells = [line]
-            rows[k] = [cell.strip() for cell in cells]
+                row = [line]
+            rows[k] = [cell.strip() for cell in row]
     if not rows:
         raise DataError(f"{name}: is empty; must be {must_be}")
     (_, *lines), (header, *rest) = rows, rows.values()
     if len(header) * len(rest) > MOST:
         raise DataError(f"{name}: has {len(rest)} lines of {len(header)} cells; split it")
     wide = [(row + [""] * len(header))[: len(header)] for row in rest]
-    return TextTable(pandas.DataFrame(wide, lines, header, dtype=str), comments)
+    cells = pandas.DataFrame(wide, lines, header, dtype=str)
+    cells.attrs = comments
+    return cells
 
 
 def other_marks(header: str, name: str) -> str:
@@ -127,8 +122,8 @@ def read_table(
     Rows stay in the file's order; the latitude, degrees north, is that of the comment or None.
     """
     text = read_text(path, "is no text; must be a table of time, u and v, or NetCDF (.nc)")
-    cells, comments = table_of(text, path, "a table of time, u and v")
-    header = list(cells.columns)
+    cells = table_of(text, path, "a table of time, u and v")
+    header, comments = list(cells.columns), cells.attrs
     stated = {_name_and_unit(cell)[0] for cell in header}
     polar = bool(stated & set(POLAR["speed"])) and not stated & set(NAMES["u"])
     wanted = POLAR if polar else NAMES

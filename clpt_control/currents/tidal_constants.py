@@ -235,11 +235,13 @@ def tides_plot(fit: TidalFit, record: CurrentRecord, *, ax: Any = None) -> np.nd
     >>> fit = fit_tides(record.time, record.u, record.v, 41.0)  # doctest: +SKIP
     >>> ellipses, east, north = tides_plot(fit, record)  # doctest: +SKIP
     """
-    ellipses = _chosen(fit)
-    inch = _inch(ellipses)
-    row = 2 * max(each.high for each in ellipses) / inch + 5 * LINE
+    tides, half, larger = _largest(fit)
+    wide, high = np.hypot(*half.real.T).sum(), np.hypot(*half.imag.T).max()
+    bar = float(f"{max(tide.major for tide in tides) / 2:.1g}")  # m/s, round
+    inch = max((2 * wide + bar) / (WIDE - ROOM * len(tides)), 2 * high / HIGH)  # m/s: the row full
+    row = 2 * high / inch + 5 * LINE
     axes = axes_for(ax, 7.2, 4.9 + row, nrows=3, height_ratios=(row, 2, 2))
-    _draw(axes[0], ellipses, inch)
+    _draw(axes[0], tides, half, larger, bar, inch)
     begin = max(fit.start, fit.middle - SPAN // 2)
     end = min(fit.end, fit.middle + SPAN // 2)
     near = (record.time >= begin) & (record.time <= end)
@@ -266,69 +268,46 @@ def tides_plot(fit: TidalFit, record: CurrentRecord, *, ax: Any = None) -> np.nd
     return axes
 
 
-class _Ellipse(NamedTuple):
-    """An ellipse as drawn: half its width and height, how much larger."""
+def _largest(fit: TidalFit) -> tuple[list[Constituent], np.ndarray, np.ndarray]:
+    """Return the greatest tides in the order of the fit, their half axes as they are drawn.
 
-    of: Constituent
-    wide: float
-    high: float
-    larger: int
-
-
-def _chosen(fit: TidalFit) -> list[_Ellipse]:
-    """Return the greatest tides in the order of the fit."""
+    The half axes are complex, (n, 2), m/s; the third is how much larger each is drawn, (n,).
+    """
     largest = sorted(fit.constituents, key=lambda each: -each.major)[:MOST]
-    ellipses = []
-    for each in (tide for tide in fit.constituents if tide in largest):
-        larger = LARGER if each.major < SMALL * largest[0].major else 1
-        c, s = (larger * part(np.radians(each.inclination)) for part in (np.cos, np.sin))
-        wide = float(np.hypot(each.major * c, each.minor * s))
-        high = float(np.hypot(each.major * s, each.minor * c))
-        ellipses.append(_Ellipse(each, wide, high, larger))
-    return ellipses
+    tides = [tide for tide in fit.constituents if tide in largest]
+    larger = np.array([LARGER if t.major < SMALL * largest[0].major else 1 for t in tides])
+    lean = larger * np.exp(1j * np.radians([tide.inclination for tide in tides]))
+    return tides, lean[:, None] * [[tide.major, 1j * tide.minor] for tide in tides], larger
 
 
-def _bar(ellipses: list[_Ellipse]) -> float:
-    """Return a round speed of half the greatest, m/s."""
-    return float(f"{max(each.of.major for each in ellipses) / 2:.1g}")
-
-
-def _inch(ellipses: list[_Ellipse]) -> float:
-    """Return the speed that an inch stands for, so that the row is full, m/s."""
-    length = 2 * sum(each.wide for each in ellipses) + _bar(ellipses)
-    high = 2 * max(each.high for each in ellipses)
-    return max(length / (WIDE - ROOM * len(ellipses)), high / HIGH)
-
-
-def _draw(ax, ellipses: list[_Ellipse], inch: float) -> None:
-    circle = np.exp(1j * np.linspace(0, 2 * np.pi, 181))
-    low = max(each.high for each in ellipses)
-    x = 0.0
-    for each in ellipses:
-        tide, x = each.of, x + each.wide
-        lean = each.larger * np.exp(1j * np.radians(tide.inclination))
-        path = x + lean * (tide.major * circle.real + 1j * tide.minor * circle.imag)
+def _draw(
+    ax: Any, tides: list[Constituent], axes: np.ndarray, larger: np.ndarray, bar: float, inch: float
+) -> None:
+    """Draw ellipses in a row, `inch` m/s to an inch, and a `bar` of so many m/s."""
+    turn = np.exp(1j * np.linspace(0, 2 * np.pi, 181))
+    wide, low, x = np.hypot(*axes.real.T), np.hypot(*axes.imag.T).max(), 0.0
+    for tide, half, out, times in zip(tides, axes, wide, larger, strict=True):
+        x += out
+        path = x + half @ [turn.real, turn.imag]
         lag = np.radians(-tide.phase)
-        dot = x + lean * (tide.major * np.cos(lag) + 1j * tide.minor * np.sin(lag))
-        thick = 1.5 if each.larger == 1 else 0.8
+        dot = x + half @ [np.cos(lag), np.sin(lag)]
+        thick = 1.5 if times == 1 else 0.8
         ax.plot(path.real, path.imag, color=BLUE, lw=thick, ls="-" if tide.minor >= 0 else "--")
         ax.plot([x, dot.real], [0, dot.imag], color=RED, lw=0.6 * thick)
         ax.plot(dot.real, dot.imag, "o", color=RED, ms=2 + thick)
-        label = f"{tide.name}\n{tide.major:.3f}" + (f"\n× {LARGER}" if each.larger > 1 else "")
+        label = f"{tide.name}\n{tide.major:.3f}" + (f"\n× {LARGER}" if times > 1 else "")
         ax.text(x, -low - LINE * inch, label, ha="center", va="top", fontsize=8)
-        x += each.wide + ROOM * inch
-    bar = _bar(ellipses)
+        x += out + ROOM * inch
     ax.plot([x, x + bar], [0, 0], color="black", lw=2)
     ax.text(x + bar / 2, LINE / 2 * inch, f"{bar:g} m/s", ha="center", va="bottom", fontsize=8)
     spare = (WIDE * inch - x - bar) / 2 + LINE * inch  # also for the width of lines
     ax.set_aspect("equal")
     ax.set(xlim=(-spare, x + bar + spare), ylim=(-low - 4 * LINE * inch, low + LINE * inch))
     ax.axis("off")
-    larger = any(each.larger > 1 for each in ellipses)
+    more = f"; × {LARGER}: drawn {LARGER} times as large as the others"
     ax.set_title(
         "Tidal ellipses, east to the right, semi-major axis in m/s\n"
-        "dashed: clockwise; dot: V + u = 0"
-        + (f"; × {LARGER}: drawn {LARGER} times as large as the others" if larger else ""),
+        "dashed: clockwise; dot: V + u = 0" + (more if larger.max() > 1 else ""),
         loc="left",
         fontsize=10,
     )

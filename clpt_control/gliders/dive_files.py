@@ -84,7 +84,7 @@ def table_dives(text: str, path: str | Path) -> list[Dive | Skipped]:
     >>> round(dive.miss_east), dive.magvar
     (154, None)
     """
-    cells = table_of(text, path, f"NetCDF or a table with {', '.join(REQUIRED)}").cells
+    cells = table_of(text, path, f"NetCDF or a table with {', '.join(REQUIRED)}")
     header = list(cells.columns)
     _check_header(header, path)
     return [

@@ -143,13 +143,10 @@ def _header(raw: bytes, path: Path) -> tuple[dict[str, str], int]:
     damaged = f"{path}: the header of the Slocum file is damaged or cut short"
     tags: dict[str, str] = {}
     at = 0
-    for _ in range(100):
-        end = raw.find(b"\n", at)
-        if end < 0:
-            break
-        name, _, value = raw[at:end].decode("ascii", "replace").partition(":")
+    for line in raw.split(b"\n", 100)[:-1]:
+        name, _, value = line.decode("ascii", "replace").partition(":")
         tags[name.strip()] = value.strip()
-        at = end + 1
+        at += len(line) + 1
         if tags.get("num_ascii_tags") == str(len(tags)):
             break
     if "dbd_label" not in tags or not raw[:at].isascii():

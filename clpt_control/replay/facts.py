@@ -180,18 +180,15 @@ def replay_dataset(
 
 def _next(data: xarray.Dataset, ahead: NextDive) -> None:
     """Add the next surfacing: when, where, and its 90 % ellipse."""
-    long, short, bearing = ellipse(ahead.covariance)
-    words = "of the next surfacing, as forecast"
-    for key, value, attributes in (
-        ("next_time", ahead.plan.t_gpse, {"units": EPOCH, "calendar": "standard"}),
-        ("next_latitude", ahead.latitude, {"units": "degrees_north"}),
-        ("next_longitude", ahead.longitude, {"units": "degrees_east"}),
-        ("next_ellipse_90_long", long, {"units": "m"}),
-        ("next_ellipse_90_short", short, {"units": "m"}),
-        ("next_ellipse_90_bearing", bearing, {"units": "degree"}),
-    ):
-        name = key.removeprefix("next_").replace("_90", " of 90 %").replace("_", " ")
-        data[key] = ((), value, {"long_name": f"{name} {words}", **attributes})
+    time = ahead.plan.t_gpse
+    values = time, ahead.latitude, ahead.longitude, *ellipse(ahead.covariance)
+    units = EPOCH, "degrees_north", "degrees_east", "m", "m", "degree"
+    names = "time", "latitude", "longitude", *ELLIPSE
+    for key, value, unit in zip(names, values, units, strict=True):
+        name = key.replace("_90", " of 90 %").replace("_", " ")
+        words = {"long_name": f"{name} of the next surfacing, as forecast", "units": unit}
+        data[f"next_{key}"] = ((), value, words)
+    data["next_time"].attrs["calendar"] = "standard"
 
 
 def with_summary(data: xarray.Dataset, found: dict[str, Any]) -> xarray.Dataset:

@@ -183,16 +183,16 @@ def learned_report(replay: Replay) -> dict[str, Any]:
 
 def speed_words(step: Step) -> str:
     """Return the factor on speed, and what it means where it is far from 1."""
-    words = f"speed {step.speed:.2f} +- {step.speed_error:.2f}"
-    means = f": your flight model is too {'slow' if step.speed > 1 else 'fast'}"
-    return f"{words}{means}" if abs(step.speed - 1) > FAR * step.speed_error else words
+    off, error = step.speed - 1, step.speed_error
+    means = f": your flight model is too {'slow' if off > 0 else 'fast'}"
+    return f"speed {step.speed:.2f} +- {error:.2f}{means if abs(off) > FAR * error else ''}"
 
 
 def compass_words(step: Step) -> str:
     """Return the error of the compass, and what it means where it is far from 0."""
-    words = f"compass {step.compass:+.1f} +- {step.compass_error:.1f} degrees"
-    means = f": it goes to the {'right' if step.compass > 0 else 'left'} of its heading"
-    return f"{words}{means}" if abs(step.compass) > FAR * step.compass_error else words
+    off, error = step.compass, step.compass_error
+    means = f": it goes to the {'right' if off > 0 else 'left'} of its heading"
+    return f"compass {off:+.1f} +- {error:.1f} degrees{means if abs(off) > FAR * error else ''}"
 
 
 @public

@@ -121,7 +121,9 @@ def arrivals(
     rings = [np.array([*ring, ring[0]]) for _, ring in route.areas]
     for draw in range(DRAWS):
         check()
-        _draw(replay, route.targets, rings, V, T, rng, times[draw], entered[draw])
+        came, ways = _draw(replay, route.targets, V, T, rng)
+        times[draw, : len(came)] = came
+        entered[draw] = [any(_meets(*way, ring) for way in ways) for ring in rings]
         report(draw + 1)
     waypoints = []
     for place, each in zip(route.targets, times.T, strict=True):
@@ -139,21 +141,15 @@ def arrivals(
 
 
 def _draw(
-    replay: Replay,
-    targets: list[Place],
-    rings: list[np.ndarray],
-    V: float,
-    T: float,
-    rng: np.random.Generator,
-    times: np.ndarray,
-    entered: np.ndarray,
-) -> None:
-    """Draw the dives to come once: write times of arrival, s since 1970, and areas entered."""
+    replay: Replay, targets: list[Place], V: float, T: float, rng: np.random.Generator
+) -> tuple[list[float], list[tuple[Place, Place]]]:
+    """Draw the dives to come once: times of arrival, s since 1970, and the ends of each way."""
     learned = replay.imagined()
     start = learned.start(rng)
-    to_come = list(enumerate(targets))
+    came: list[float] = []
+    ways: list[tuple[Place, Place]] = []
     for _ in range(DIVES):
-        k, target = to_come[0]
+        target = targets[len(came)]
         leg = aim(learned, start, target, V, T)
         plan = leg.ahead.plan
         guess = learned.habits.guess_of((plan.dr_east, plan.dr_north), plan.duration)
@@ -169,14 +165,14 @@ def _draw(
         miss = rng.multivariate_normal(*learned.forecast(flown), check_valid="ignore")
         through = flown.dr_east, flown.dr_north
         end: Fix = (flown.t_gpse, *place_from(*start[1:], *(through + miss)))
-        entered |= np.array([_meets(start[1:], end[1:], ring) for ring in rings], bool)
+        ways.append((start[1:], end[1:]))
         if leg.state == REACHED or distance(*end[1:], *target) < ARRIVED:
-            times[k] = end[0]
-            to_come.pop(0)
-            if not to_come:
-                return
+            came.append(end[0])
+            if len(came) == len(targets):
+                break
         learned.imagine(make_dive(plan.number, start, end, through))
         start = learned.start(rng)
+    return came, ways
 
 
 def _meets(one: Place, other: Place, ring: np.ndarray) -> bool:
