@@ -240,17 +240,8 @@ def _read(path: Path, span: Box | None, column: bool, units: str | None, least: 
         if column and u.ndim == 3:
             u, v = u[:, None], v[:, None]
         lat0, lat1, lon0, lon1 = map(float, wanted)
-        return Currents(
-            latitudes[rows],
-            lon_read,
-            depth,
-            hours[steps],
-            start,
-            u,
-            v,
-            (lat0, lat1, lon0, lon1),
-            shown_name(path),
-        )
+        of_grid = latitudes[rows], lon_read, depth, hours[steps], start, u, v
+        return Currents(*of_grid, (lat0, lat1, lon0, lon1), shown_name(path))
 
 
 def _since_first(dates: np.ndarray) -> tuple[np.ndarray, str]:

@@ -62,18 +62,9 @@ CURRENT = ("dac_east", "dac_north")
 REQUIRED = ("dive", *START, *END, *THROUGH_WATER)
 AS_TIME = "must be seconds since 1970 UTC, or a date such as 2016-01-31T22:04:50Z"
 OTHERWISE = "; dac_east, dac_north (m/s), the vehicle's own current, may stand instead"
-TIMES = ("t_gps1", "t_gps2", "t_gpse")
-OPTIONAL = (
-    "t_gps1",
-    "lat_gps1",
-    "lon_gps1",
-    "dac_east",
-    "dac_north",
-    "dac_qc",
-    "magvar",
-    "depth_max",
-    "next_course",
-)
+GPS1 = ("t_gps1", "lat_gps1", "lon_gps1")
+TIMES = (GPS1[0], START[0], END[0])
+OPTIONAL = (*GPS1, *CURRENT, "dac_qc", "magvar", "depth_max", "next_course")
 
 
 def table_dives(text: str, path: str | Path) -> list[Dive | Skipped]:

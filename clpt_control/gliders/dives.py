@@ -24,8 +24,9 @@ from bisect import bisect_left
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from itertools import pairwise
+from itertools import groupby, pairwise
 from math import atan2, degrees, hypot, isfinite
+from operator import itemgetter
 from pathlib import Path
 from typing import Any
 
@@ -248,17 +249,13 @@ def files_before(path: Path) -> list[Path]:
 
 def before_each(files: Iterable[Path]) -> dict[Path, list[Path]]:
     """Return for each file of a folder those before it of the same vehicle, the nearest last."""
-    vehicles: dict[str, list[tuple[list[int], Path]]] = {}
-    for file in files:
-        vehicle, place = _order(file)
-        vehicles.setdefault(vehicle, []).append((place, file))
     found = {}
-    for known in vehicles.values():
-        known.sort()
-        places = [place for place, _ in known]
-        for place, file in known:
-            k = bisect_left(places, place)
-            found[file] = [other for _, other in known[max(k - BACK, 0) : k]]
+    ordered = sorted((*_order(file), file) for file in files)
+    for _, same in groupby(ordered, itemgetter(0)):
+        known = list(same)
+        for _, place, file in known:
+            k = bisect_left(known, place, key=itemgetter(1))
+            found[file] = [other for *_, other in known[max(k - BACK, 0) : k]]
     return found
 
 

@@ -140,7 +140,8 @@ def _summed(rows: pandas.DataFrame, start: Fix, end: Fix) -> ThroughWater | None
     if rows.loc[again, ["east", "north"]].any(axis=None):
         notes.append(f"{again.sum()} samples have the time of the one before, left out")
     rows = rows[~again]
-    since, east, north = (rows.time - start[0]).to_numpy(), *rows[["east", "north"]].to_numpy().T
+    since = (rows.time - start[0]).to_numpy()
+    east, north = rows[["east", "north"]].to_numpy().T
     total = float(np.sum(east)), float(np.sum(north))
     if np.any(np.diff(since) <= 0) or since[0] < 0:
         return ThroughWater(total, None, [*notes, "no track: the times are not in order"])

@@ -50,8 +50,8 @@ from .dives import (
     planned_course,
 )
 from .samples import deepest, degrees, hole_under_water, turned, variation
+from .slocum_file import FIX, LOCAL, PLACE, PLAN, WATER, Segment, read_segment
 from .slocum_file import MAGIC as MAGIC
-from .slocum_file import Segment, read_segment
 
 SHORT = 60.0  # s of a dive's end without a place that are left alone
 HOLDS = "the glider's dead reckoning holds the current of the dive before"
@@ -71,7 +71,7 @@ def own_currents(
 
     A file repeats the former in its first cycle until the latter is worked out.
     """
-    time, *water = logged(of, "m_water_vx", "m_water_vy")
+    time, *water = logged(of, *WATER)
     each = np.column_stack([[nan, nan], turned(water, east_of_north)])
     last = each[:, np.searchsorted(time, end - SHORT, "right")]
     after = each[:, 1:][:, (time > end - SHORT) & (time <= end + OWN_CURRENT)]
@@ -110,8 +110,7 @@ def _places(
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return times of the dead reckoning and its places east and north of the fix, m."""
     near = between(of, start[0] - SHORT, wet[-1])
-    time, lat, lon = logged(near, "m_lat", "m_lon")
-    times, x, y = logged(near, "m_x_lmc", "m_y_lmc")
+    (time, lat, lon), (times, x, y) = logged(near, *PLACE), logged(near, *LOCAL)
     lat, lon = degrees(lat), degrees(lon)
     good = np.isfinite(lat) & np.isfinite(lon) & (time > start[0])
     if good.sum() >= 2:
@@ -196,7 +195,7 @@ def dives_of(path: Path) -> list[Dive]:
 
 def _fixes_and_wet(of: pandas.DataFrame) -> tuple[list[Fix], np.ndarray]:
     """Return the valid fixes and the times under water."""
-    time, *place = logged(of[of.m_gps_status.fillna(0.0) == 0.0], "m_gps_lat", "m_gps_lon")
+    time, *place = logged(of[of.m_gps_status.fillna(0.0) == 0.0], *FIX[:2])
     wet = of.index[of.m_depth > LEAST_DEPTH].to_numpy()
     return fixes_in(time, *map(degrees, place)), wet
 
@@ -239,8 +238,7 @@ def _dive(of: pandas.DataFrame, segment: Segment, fixes: Three) -> Dive:
 
 def _next_course(of: pandas.DataFrame, end: Fix, east_of_north: float) -> float | None:
     """Return the course of the next dive, degrees: to the last waypoint, else as last commanded."""
-    plan = of.loc[: end[0] + OWN_CURRENT, ["c_wpt_lat", "c_wpt_lon", "c_heading"]]
-    lat, lon, heading = plan.ffill().to_numpy()[-1]
+    lat, lon, heading = of.loc[: end[0] + OWN_CURRENT, [*PLAN]].ffill().to_numpy()[-1]
     if isfinite(lat) and isfinite(lon):
         return planned_course(end, degrees(np.array([lat, lon])).tolist())
     if 0.0 <= heading < 2 * np.pi:

@@ -38,25 +38,12 @@ KNOWN = 16  # bytes: b"sa", 4660 in 2, 123.456 in 4, 123456789.12345 in 8
 ORDERS = {b"sa\x34\x12": "<", b"sa\x12\x34": ">"}  # as `KNOWN` has it: how bytes are ordered
 KINDS = {1: "b", 2: "h", 4: "f", 8: "d"}  # of a value, by its bytes
 TIME = "m_present_time"
-NAMES = (
-    "m_gps_lat",
-    "m_gps_lon",
-    "m_gps_status",
-    "m_gps_mag_var",
-    "m_lat",
-    "m_lon",
-    "m_x_lmc",
-    "m_y_lmc",
-    "m_water_vx",
-    "m_water_vy",
-    "m_depth",
-    "m_heading",
-    "u_use_current_correction",
-    "c_wpt_lat",
-    "c_wpt_lon",
-    "c_heading",
-)
-OF_FIX = 3  # the first of them
+FIX = ("m_gps_lat", "m_gps_lon", "m_gps_status")
+PLACE, LOCAL = ("m_lat", "m_lon"), ("m_x_lmc", "m_y_lmc")  # by dead reckoning
+WATER = ("m_water_vx", "m_water_vy")
+PLAN = ("c_wpt_lat", "c_wpt_lon", "c_heading")
+STATE = ("m_depth", "m_heading", "m_gps_mag_var", "u_use_current_correction")
+NAMES = (*FIX, *PLACE, *LOCAL, *WATER, *PLAN, *STATE)
 YEARS = (0.0, 7.3e9)  # s since 1970: to 2200
 MOST = 10**6  # cycles: 46 days of 4 s each
 WHOLE = ("total_num_sensors", "state_bytes_per_cycle", "sensor_list_factored")
@@ -89,7 +76,7 @@ def read_segment(path: Path) -> Segment:
         notes = (f"{path.name} is cut short or damaged {where}: read up to there",)
     number = _number(tags.get("the8x3_filename", ""), path)
     log = columns.set_index(TIME).reindex(columns=NAMES)
-    log.iloc[:1, :OF_FIX] = nan
+    log.iloc[:1, : len(FIX)] = nan
     return Segment(number, log[(log.index > YEARS[0]) & (log.index < YEARS[1])], notes)
 
 

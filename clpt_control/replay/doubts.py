@@ -218,18 +218,8 @@ class SpeedFactorWatch:
         error = float(np.sqrt(1.0 / (w @ A[:, 0, 0])))
         certain = ratio - current > NESTED
         doubtful = current - ratio <= NESTED and -PLAUSIBLE < change < 0
-        if not (ratio >= SURE and rest <= SCATTER and abs(change) >= MATTERS):
+        clear = ratio >= SURE and rest <= SCATTER and abs(change) >= MATTERS
+        if not (clear and (certain or doubtful)):
             return None
-        if not (certain or doubtful):
-            return None
-        return Anomaly(
-            dive.number,
-            window["since"],
-            change,
-            error,
-            window["expected"],
-            ratio,
-            current,
-            rest,
-            certain,
-        )
+        since, expected = window["since"], window["expected"]
+        return Anomaly(dive.number, since, change, error, expected, ratio, current, rest, certain)

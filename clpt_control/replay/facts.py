@@ -233,9 +233,9 @@ def learns_speed(rows: list[dict[str, Any]]) -> bool:
 
 def _facts_in(data: Any) -> list[dict[str, Any]]:
     """Return the facts of each dive of a dataset."""
-    names = {fact.variable: fact.of for fact in (*parsed(FACTS), *parsed(FLAGS))}
-    names |= {"latitude": "end_latitude", "longitude": "end_longitude", "dive": "dive"}
-    columns = {of: [*map(known, data[k].values.tolist())] for k, of in names.items() if k in data}
+    facts = {fact.variable: fact.of for fact in (*parsed(FACTS), *parsed(FLAGS))}
+    facts |= {"latitude": "end_latitude", "longitude": "end_longitude", "dive": "dive"}
+    columns = {of: [*map(known, data[k].values.tolist())] for k, of in facts.items() if k in data}
     ends = data["time"].values
     if ends.dtype.kind == "M":  # decoded
         ends = (ends - START) / SECOND

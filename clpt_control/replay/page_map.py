@@ -83,8 +83,8 @@ def replay_map(found: dict[str, Any]) -> str:
     near = [layer for layer in ahead if layer.of is found["next_dive"]]
     layers = [layer for each in dives for layer in each.values()]
     old = [layer for each in dives[:-LAST] for layer in each.values() if layer.kind != "ring"]
-    recent = [layer for each in dives[-LAST:] for layer in each.values()]
-    places = [place for layer in (*old, *recent, *near) for place in layer.places]
+    last = [layer for each in dives[-LAST:] for layer in each.values()]
+    places = [place for layer in (*old, *last, *near) for place in layer.places]
     drawing = Drawing([*places, *_in_reach(places, [layer.places[0] for layer in targets])])
     areas = found["route"]["areas"] if "route" in found else []
     drawn = [_line(drawing.points(area["ring"]), "area", closed=True) for area in areas]

@@ -267,8 +267,7 @@ def current_plot(replay: Source, *, dates: bool = False, ax: Any = None) -> np.n
     axes = axes_for(ax, 6.8, 6.4 if learned else 4.6, nrows=2 + learned, sharex=True)
     x = _along(found, dates)
     for one, axis in zip(axes, ("east", "north"), strict=False):
-        value, error = (_column(found, key) for key in (f"current_{axis}", f"current_{axis}_error"))
-        _band(one, x, value, error, BLUE, "learned, 2 standard errors")
+        _band(one, x, found, f"current_{axis}", BLUE, "learned, 2 standard errors")
         of_file = _column(found, f"file_current_{axis}")
         if np.isfinite(of_file).any():
             one.plot(x, of_file, "--^", color=ORANGE, label="the file's own", **_fine(x))
@@ -276,8 +275,7 @@ def current_plot(replay: Source, *, dates: bool = False, ax: Any = None) -> np.n
         one.set_ylabel(f"current {axis} (m/s)")
     axes[0].legend(fontsize=8, frameon=False, ncols=2, loc="lower left", bbox_to_anchor=(0, 1))
     if learned:
-        value, error = (_column(found, key) for key in ("speed_factor", "speed_factor_error"))
-        _band(axes[2], x, value, error, GREEN)
+        _band(axes[2], x, found, "speed_factor", GREEN)
         axes[2].axhline(1, color="black", lw=0.5)
         axes[2].set_ylabel("factor on speed")
     _mark(axes[-1], x, dates)
@@ -384,15 +382,9 @@ def _column(rows: list[dict[str, Any]], key: str) -> np.ndarray:
     return np.array([row.get(key) for row in rows], dtype=float)
 
 
-def _band(
-    ax: Axes,
-    x: np.ndarray,
-    value: np.ndarray,
-    error: np.ndarray,
-    colour: str,
-    label: str | None = None,
-) -> None:
-    """Draw numbers with two standard errors."""
+def _band(ax: Axes, x: np.ndarray, rows: list, key: str, colour: str, label: str = "") -> None:
+    """Draw a number of each dive with two standard errors."""
+    value, error = _column(rows, key), _column(rows, f"{key}_error")
     ax.fill_between(x, value - 2 * error, value + 2 * error, color=colour, alpha=0.15, lw=0)
     ax.plot(x, value, "-o", color=colour, label=label, **_fine(x))
 
