@@ -119,7 +119,7 @@ def replay(
     from ..gliders.samples import with_variation
     from ..gliders.usable_dives import LEAST_DURATION
     from ..replay.fleet import checked_command
-    from ..replay.replay import Growing, check_tides
+    from ..replay.replay import check_tides
     from ..replay.route import read_route
 
     if bool(files) + sample + (follow is not None) + (fleet is not None) != 1:
@@ -160,7 +160,7 @@ def replay(
         None if way is None else way.areas,
     )
     ahead.check()
-    growing = Growing(estimator, model, forecast)
+    growing = clpt.replay.Replay(estimator, model, forecast)
     faults: list[str] = []  # of which the first alone is told: the record grows
 
     def take(dives: Any, unread: Any) -> tuple[Any, list]:

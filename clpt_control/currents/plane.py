@@ -220,24 +220,13 @@ def _regular(axis: np.ndarray, name: str) -> np.ndarray:
 def field_dataset(field: GriddedField, units, attributes: dict) -> xarray.Dataset:
     """Return a field in a scenario's units as CF data; attributes are title and source."""
     speed = f"{units.length} {units.time}-1"
-    dims = ("time", "y", "x")
-    return xarray.Dataset(
-        {
-            "u": (dims, field.u, {"long_name": "flow along x1 (east)", "units": speed}),
-            "v": (dims, field.v, {"long_name": "flow along x2 (north)", "units": speed}),
-        },
-        {
-            "time": ("time", field.time, {"long_name": "time since start", "units": units.time}),
-            "y": (
-                "y",
-                field.x2,
-                {"standard_name": "projection_y_coordinate", "units": units.length},
-            ),
-            "x": (
-                "x",
-                field.x1,
-                {"standard_name": "projection_x_coordinate", "units": units.length},
-            ),
-        },
-        {"Conventions": "CF-1.11", **attributes},
-    )
+    dims, start = ("time", "y", "x"), {"long_name": "time since start", "units": units.time}
+    axes: dict[str, tuple] = {"time": ("time", field.time, start)}
+    for name, axis in (("y", field.x2), ("x", field.x1)):
+        words = {"standard_name": f"projection_{name}_coordinate", "units": units.length}
+        axes[name] = (name, axis, words)
+    flow = {
+        "u": (dims, field.u, {"long_name": "flow along x1 (east)", "units": speed}),
+        "v": (dims, field.v, {"long_name": "flow along x2 (north)", "units": speed}),
+    }
+    return xarray.Dataset(flow, axes, {"Conventions": "CF-1.11", **attributes})

@@ -31,7 +31,7 @@ from ..gliders.dives import Skipped
 from .flow_models import NOTE, why_uncovered
 from .replay import FLOW_MODEL, Replay, Step
 from .surfacing import ELLIPSE, NextDive, Way, ellipse
-from .wording import direction, utc, velocity
+from .wording import direction, placed, utc, velocity
 
 SPEED = ("speed_factor", "speed_factor_error", "compass", "compass_error")
 FAR = 3.0  # standard errors
@@ -83,14 +83,10 @@ def _row(step: Step, models: tuple[str, ...]) -> dict[str, Any]:
         "start": utc(dive.t_gps2),
         "end": utc(dive.t_gpse),
         "duration": dive.duration,
-        "start_latitude": dive.lat_gps2,
-        "start_longitude": dive.lon_gps2,
-        "end_latitude": dive.lat_gpse,
-        "end_longitude": dive.lon_gpse,
-        "reckoned_latitude": reckoned[0],
-        "reckoned_longitude": reckoned[1],
-        "forecast_latitude": forecast[0],
-        "forecast_longitude": forecast[1],
+        **placed("start_", *start),
+        **placed("end_", dive.lat_gpse, dive.lon_gpse),
+        **placed("reckoned_", *reckoned),
+        **placed("forecast_", *forecast),
         "dr_east": dive.dr_east,
         "dr_north": dive.dr_north,
         "forecast_east": float(step.forecast[0]),

@@ -187,6 +187,7 @@ class Replay:
         bank = self._learner if isinstance(self._learner, KalmanBank) else None
         self._watch = SpeedFactorWatch(self.model, bank) if self.model.learn_speed else None
         self.habits = Habits()
+        self._fed: list[Dive] = []
         self._before = self._learner, self._watch, self.habits  # the last dive
 
     def __repr__(self) -> str:
@@ -245,6 +246,23 @@ class Replay:
             self._learn_again(again)
         self._take(dive, *self._ahead(dive), headline)
         return self.steps[-1]
+
+    def feed(
+        self, dives: Sequence[Dive], report: Callable[[int], None] = lambda done: None
+    ) -> "Replay":
+        """Take all dives of a record, carried by the flow model, and return the replay of them.
+
+        Of a record that grows, dives that come first again are not learned again.
+        """
+        if len(dives) < len(self._fed) or not all(map(_same, self._fed, dives)):
+            self.steps = []
+            self.__post_init__()
+        for dive in dives[len(self._fed) :]:
+            check()
+            self.step(dive if self.flow_model is None else carried(dive, self.flow_model))
+            self._fed.append(dive)
+            report(len(self._fed))
+        return self
 
     def start(self, rng: np.random.Generator | None = None) -> Fix:
         """Return when and where the next dive begins, as a fix.
@@ -455,29 +473,6 @@ def check_tides(flow: Sequence[str], dives: Sequence[Dive]) -> None:
         check_separable(tides, hours, f"flow {','.join(flow)}")
 
 
-class Growing:
-    """A replay of a record that grows: dives that come first again are not learned again."""
-
-    def __init__(self, estimator: str, model: FixModel, flow_model: FlowModel | None) -> None:
-        self.settings = estimator, model, flow_model
-        self.fed: list[Dive] = []
-        self.replay = Replay(*self.settings)
-
-    def feed(
-        self, dives: Sequence[Dive], report: Callable[[int], None] = lambda done: None
-    ) -> Replay:
-        """Return the replay of all dives, carried by its flow model, as if fed to a new one."""
-        if len(dives) < len(self.fed) or not all(map(_same, self.fed, dives)):
-            self.fed, self.replay = [], Replay(*self.settings)
-        for dive in dives[len(self.fed) :]:
-            check()
-            model = self.replay.flow_model
-            self.replay.step(dive if model is None else carried(dive, model))
-            self.fed.append(dive)
-            report(len(self.fed))
-        return self.replay
-
-
 def _same(one: Dive, other: Dive) -> bool:
     """Whether two dives are the same, tracks, names and notes with them."""
     if (one, one.vehicle, one.notes) != (other, other.vehicle, other.notes):
@@ -529,6 +524,6 @@ def replay_dives(
     (14, True)
     """
     dives = list(dives)
-    growing = Growing(estimator, model or FixModel(), flow_model)
-    check_tides(growing.replay.model.flow, dives)
-    return growing.feed(dives)
+    replay = Replay(estimator, model or FixModel(), flow_model)
+    check_tides(replay.model.flow, dives)
+    return replay.feed(dives)

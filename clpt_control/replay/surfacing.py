@@ -60,7 +60,7 @@ from ..geodesy import displacement
 from ..gliders.dives import Dive, Fix
 from ..gliders.usable_dives import FASTEST
 from .flow_models import why_uncovered
-from .wording import clock, direction, in_minutes, utc
+from .wording import clock, direction, in_minutes, placed, utc
 
 PLANNED, REPEATED, ANYWHERE, GIVEN = "planned", "repeated", "anywhere", "given"
 PRIORS = {  # c, and standard deviations of S0
@@ -339,16 +339,13 @@ class NextDive:
             "now_is": which,
             "hours_from_now": (self.plan.t_gpse - now) / 3600,
             "surface_time": self.plan.t_gps2 - self.fix[0],
-            "from_latitude": self.fix[1],
-            "from_longitude": self.fix[2],
-            "start_latitude": self.plan.lat_gps2,
-            "start_longitude": self.plan.lon_gps2,
+            **placed("from_", *self.fix[1:]),
+            **placed("start_", self.plan.lat_gps2, self.plan.lon_gps2),
             "basis": self.basis,
             "duration": self.plan.duration,
             "dr_east": self.plan.dr_east,
             "dr_north": self.plan.dr_north,
-            "latitude": self.latitude,
-            "longitude": self.longitude,
+            **placed("", self.latitude, self.longitude),
             "place": in_minutes(self.latitude, self.longitude),
             **dict(zip(ELLIPSE, ellipse(self.covariance), strict=True)),
             "flow_model_covers": self.flow_model_covers,

@@ -130,6 +130,15 @@ def place(lat: float, lon: float) -> str:
     return f"{in_minutes(lat, lon)} ({in_degrees(lat, lon)})"
 
 
+def placed(which: str, lat: float, lon: float) -> dict[str, float]:
+    """Return a place as rows have it, by the name of the place.
+
+    >>> placed("end_", -42.9, 8.4)
+    {'end_latitude': -42.9, 'end_longitude': 8.4}
+    """
+    return {f"{which}latitude": lat, f"{which}longitude": lon}
+
+
 def from_now(hours: float) -> str:
     """Return when something is, in hours from now.
 

@@ -16,8 +16,9 @@ from clpt_control.geodesy import displacement, place_from
 from clpt_control.gliders.dive_files import sample_dives
 from clpt_control.gliders.dives import make_dive
 from clpt_control.gliders.usable_dives import usable
-from clpt_control.replay.aim import AGAINST, REACHED, UNDER_WAY, aim, aims, triangle
+from clpt_control.replay.aim import aim, aims, triangle
 from clpt_control.replay.replay import replay_dives
+from clpt_control.replay.wording import AGAINST, REACHED, UNDER_WAY
 
 ways = st.floats(-5000, 5000)
 

@@ -15,13 +15,12 @@ from processes import CLPT, await_line, started
 from synthetic_vehicle import one_file_each, vehicle
 
 from clpt_control.errors import DataError
-from clpt_control.estimation.fix_model import FixModel
 from clpt_control.gliders.dive_files import read_dives, sample_dives
 from clpt_control.gliders.usable_dives import usable
 from clpt_control.replay import follow
 from clpt_control.replay.facts import replay_dataset
 from clpt_control.replay.follow import Follower, following
-from clpt_control.replay.replay import Growing, replay_dives
+from clpt_control.replay.replay import Replay, replay_dives
 
 
 def test_following_a_folder_equals_reading_it(tmp_path):
@@ -285,7 +284,7 @@ def test_files_are_in_the_order_of_their_numbers(tmp_path):
     """Else what is noted of dives, and the whole replay with it, changes with later files."""
     (tmp_path / "in").mkdir()
     follower = Follower(tmp_path / "in", tmp_path / "state")
-    growing = Growing("kalman", FixModel(), None)
+    growing = Replay()
     dives = [replace(dive, number=k) for k, dive in enumerate(sample_dives()[:12], 1)]
     for dive in dives:
         one_file_each(tmp_path / "in", [dive])
@@ -294,8 +293,8 @@ def test_files_are_in_the_order_of_their_numbers(tmp_path):
         assert [one.number for one in used] == [*range(1, dive.number + 1)]
         assert [one.notes for one in used] == [one.notes for one in dives[: dive.number]]
         assert [one.notes for one in read_dives(tmp_path / "in")[0]] == [one.notes for one in used]
-        first = growing.replay
-        assert growing.feed(used) is first
+        first = growing.steps
+        assert growing.feed(used).steps is first
 
 
 @pytest.mark.parametrize("name", ["x" * 240 + ".csv", "\udcff.csv"])

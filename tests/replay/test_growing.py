@@ -7,10 +7,9 @@ import numpy as np
 import pytest
 from synthetic_vehicle import vehicle
 
-from clpt_control.estimation.fix_model import FixModel
 from clpt_control.gliders import sample_dives, usable
 from clpt_control.replay import chart, replay_dives, summary
-from clpt_control.replay.replay import Growing, Replay
+from clpt_control.replay.replay import Replay
 
 DIVES = usable(sample_dives())[0]
 
@@ -42,17 +41,17 @@ def steps(monkeypatch):
 
 
 def test_dive_by_dive_is_all_at_once(steps):
-    growing = Growing("kalman", FixModel(), None)
+    growing = Replay()
     for count in (1, 2, 5, 5, 9, 14):
         grown = growing.feed(DIVES[:count])
         assert said(grown) == said(replay_dives(DIVES[:count]))
     steps.clear()
-    growing = Growing("kalman", FixModel(), None)
+    growing = Replay()
     for count in range(1, 15):
         growing.feed([tracked(dive) for dive in DIVES[:count]][:])
     assert steps != [dive.number for dive in DIVES]  # NaN is not itself: never taken as the same
     steps.clear()
-    growing = Growing("kalman", FixModel(), None)
+    growing = Replay()
     for count in range(1, 15):
         growing.feed([replace(tracked(dive), dac_east=0.1) for dive in DIVES[:count]])
     assert steps == [dive.number for dive in DIVES]
@@ -67,7 +66,7 @@ def test_what_changed_is_learned_anew(steps):
         [*eight[:3], *eight[4:]],
         eight[:4],
     ):
-        growing = Growing("kalman", FixModel(), None)
+        growing = Replay()
         growing.feed(eight)
         steps.clear()
         grown = growing.feed(changed)
@@ -76,7 +75,7 @@ def test_what_changed_is_learned_anew(steps):
 
 
 def test_an_interrupt_leaves_what_was_learned(steps, monkeypatch):
-    growing = Growing("kalman", FixModel(), None)
+    growing = Replay()
 
     def cut(done):
         if done == 6:
