@@ -121,6 +121,14 @@ def numbers_of(variable: xarray.DataArray) -> np.ndarray:
     return values.astype(float)
 
 
+def number(cell: Any) -> float:
+    """Return the number that a cell or an attribute is, NaN where it is none."""
+    try:
+        return float(cell)
+    except (TypeError, ValueError, OverflowError):
+        return np.nan
+
+
 def decoded(numbers: np.ndarray, unit: str, calendar: str = "standard") -> np.ndarray | None:
     """Return dates of numbers such as hours since a date, by xarray; None where they are none.
 

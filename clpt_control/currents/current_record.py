@@ -25,7 +25,7 @@ from ..arguments import public
 from ..errors import DataError, naming
 from ..files.reading import open_netcdf, shown_name
 from ..geodesy import near
-from .cf import AXES, VELOCITY, check_speed, dates_of, find_axis, find_variable, velocity_values
+from . import cf
 from .constituents import check_increasing, checked_latitude
 from .text_table import is_table, read_table
 
@@ -111,7 +111,7 @@ def read_record(
             raise DataError("no time has a finite value of both components of the current")
         u, v = np.where(gap, np.nan, u), np.where(gap, np.nan, v)
         for name, values in (("eastward", u), ("northward", v)):
-            check_speed(values, f"the {name} current")
+            cf.check_speed(values, f"the {name} current")
         found = place[0] if latitude is None else latitude
         if found is None:
             raise DataError(
@@ -123,27 +123,27 @@ def read_record(
 
 def _from_netcdf(data: xarray.Dataset, at: tuple[float, float] | None, units: str | None) -> tuple:
     """Return times, u, v and (latitude, longitude)."""
-    east, north = (find_variable(data, VELOCITY, what) for what in ("eastward", "northward"))
-    when = find_axis(data, east, "time")
-    times = (dates_of(when) + np.timedelta64(500, "us")).astype("datetime64[ms]")
+    east, north = (cf.find_variable(data, cf.VELOCITY, what) for what in ("eastward", "northward"))
+    when = cf.find_axis(data, east, "time")
+    times = (cf.dates_of(when) + np.timedelta64(500, "us")).astype("datetime64[ms]")
     index: dict[Any, np.ndarray] = {when.dims[0]: np.arange(len(times))}
     place = _own_place(data)
     if at is not None:
         place = []
         for what, wanted in zip(("latitude", "longitude"), at, strict=True):
-            axis = find_axis(data, east, what)
+            axis = cf.find_axis(data, east, what)
             k = _nearest(axis.values.astype(float), wanted, what)
             index[axis.dims[0]] = np.array([k])
             place.append(float(axis.values[k]))
     others = {dim: data[east].sizes[dim] for dim in data[east].dims if dim not in index}
-    horizontal = AXES["latitude"][1] + AXES["longitude"][1]
+    horizontal = cf.AXES["latitude"][1] + cf.AXES["longitude"][1]
     grid = [n for n, size in others.items() if size > 1 and str(n).lower() in horizontal]
     if at is None and grid:
         raise DataError(
             f"is a grid of {' x '.join(str(others[n]) for n in grid)} places; --at LAT LON takes "
             "the nearest"
         )
-    u, v = (velocity_values(data, name, index, units).ravel() for name in (east, north))
+    u, v = (cf.velocity_values(data, name, index, units).ravel() for name in (east, north))
     return times, u, v, tuple(place)
 
 
@@ -166,25 +166,18 @@ def _own_place(data: xarray.Dataset) -> list[float | None]:
     """Return latitude and longitude of a file of one place, None where it is silent."""
     place: list[float | None] = []
     for what, short in (("latitude", "lat"), ("longitude", "lon")):
+        names = cf.AXES[what][1]
+        single = [name for name in data.variables if data[name].size == 1]
         values: list[Any] = [
             data[name].values.ravel()[0]
-            for name in data.variables
-            if (data[name].attrs.get("standard_name") == what or str(name).lower() in AXES[what][1])
-            and data[name].size == 1
+            for name in single
+            if data[name].attrs.get("standard_name") == what or str(name).lower() in names
         ]
         low, high = (data.attrs.get(f"geospatial_{short}_{end}") for end in ("min", "max"))
         values += [low] if low is not None and low == high else []
         values += [data.attrs[name] for name in (what, short) if name in data.attrs]
-        place.append(next(filter(lambda number: number is not None, map(_number, values)), None))
+        place.append(next(filter(np.isfinite, map(cf.number, values)), None))
     return place
-
-
-def _number(value: Any) -> float | None:
-    try:
-        number = float(value)
-    except (TypeError, ValueError):
-        return None
-    return number if np.isfinite(number) else None
 
 
 def _over_ranges(values: np.ndarray) -> np.ndarray:

@@ -14,6 +14,7 @@ Technol. 35, 1665-1673, 2018).  Displacements are WGS84 geodesics by
 """
 
 from dataclasses import dataclass, field
+from math import nan
 from typing import Any
 
 import numpy as np
@@ -172,6 +173,13 @@ def mid_time(dive: Dive) -> float:
 def miss(dive: Dive) -> np.ndarray:
     """Return y, fix less dead reckoning at a dive's end, (2,), m."""
     return np.array([dive.miss_east, dive.miss_north])
+
+
+def dac_difference(dive: Dive) -> float:
+    """Return how far miss over duration is from the file's own current, m/s; NaN if not known."""
+    if dive.dac_east is None or dive.dac_north is None or not dive.duration > 0:
+        return nan
+    return float(np.hypot(*(miss(dive) / dive.duration - (dive.dac_east, dive.dac_north))))
 
 
 def reckoned(dive: Dive) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

@@ -25,7 +25,7 @@ from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import groupby, pairwise
-from math import atan2, degrees, hypot, isfinite
+from math import atan2, degrees, hypot, inf
 from operator import itemgetter
 from pathlib import Path
 from typing import Any
@@ -33,9 +33,11 @@ from typing import Any
 import numpy as np
 import pandas
 
+from ..currents.cf import number
 from ..errors import DataError
 from ..estimation.dive import Dive as Dive
 from ..estimation.dive import Fix as Fix
+from ..estimation.dive import dac_difference
 from ..estimation.dive import make_dive as make_dive
 from ..geodesy import displacement, is_place
 
@@ -74,11 +76,8 @@ def whole_number(value: float | str | None) -> int | None:
     >>> whole_number("7"), whole_number(7.5), whole_number("1e10"), whole_number("x")
     (7, None, None, None)
     """
-    try:
-        number = float(value)  # type: ignore[arg-type]
-    except (TypeError, ValueError, OverflowError):
-        return None
-    return int(number) if number.is_integer() and abs(number) < NUMBERS else None
+    found = number(value)
+    return int(found) if found.is_integer() and abs(found) < NUMBERS else None
 
 
 def is_fix(lat: Any, lon: Any) -> Any:
@@ -152,13 +151,8 @@ def compared(dive: Dive) -> Dive:
     >>> compared(make_dive(1, *fixes, (0.0, 450.0), dac_east=0.03, dac_north=-0.05)).notes
     ("miss over duration differs by 30 mm/s from the file's depth-averaged current",)
     """
-    if dive.dac_east is None or dive.dac_north is None or not dive.duration > 0:
-        return dive
-    difference = hypot(
-        dive.miss_east / dive.duration - dive.dac_east,
-        dive.miss_north / dive.duration - dive.dac_north,
-    )
-    if not (isfinite(difference) and difference > MENTIONED):
+    difference = dac_difference(dive)
+    if not MENTIONED < difference < inf:
         return dive
     note = (
         f"miss over duration differs by {1e3 * difference:.0f} mm/s from the file's "

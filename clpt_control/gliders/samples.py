@@ -25,7 +25,7 @@ import numpy as np
 import xarray
 from numpy.typing import ArrayLike
 
-from ..currents.cf import decoded
+from ..currents.cf import decoded, number
 from ..errors import DataError, needed
 from ..estimation.dive import Track
 from ..units import length_in_metres, speed_in_metres_per_second
@@ -53,21 +53,7 @@ def values(data: xarray.Dataset, name: str) -> np.ndarray:
     raw = np.atleast_1d(data[name].values)
     if raw.dtype.kind in "iufb":
         return raw.astype(float)
-    numbers = np.full(raw.shape, nan)
-    for place, item in np.ndenumerate(raw):
-        try:
-            numbers[place] = float(item)
-        except (TypeError, ValueError):
-            continue
-    return numbers
-
-
-def number(cell: str) -> float:
-    """Return the number in a cell of text, NaN where there is none."""
-    try:
-        return float(cell)
-    except ValueError:
-        return nan
+    return np.reshape([number(item) for item in raw.ravel()], raw.shape)
 
 
 def scalar(data: xarray.Dataset, name: str) -> float | None:

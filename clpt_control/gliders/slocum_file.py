@@ -24,10 +24,10 @@ from typing import NamedTuple
 import numpy as np
 import pandas
 
+from ..currents.cf import number
 from ..errors import DataError
 from ..files.reading import read_bytes
 from .dives import NotYet
-from .samples import number
 
 MAGIC = b"dbd_"  # first bytes of `dbd_label:`
 TEXT = "DBD_ASC"  # first letters of its value in a text

@@ -56,7 +56,7 @@ from scipy.integrate import solve_ivp
 from scipy.interpolate import RegularGridInterpolator
 
 from ..arguments import public
-from ..currents.grid_file import DEEPEST, SUFFIXES, Currents, read_currents
+from ..currents.grid_file import DEEPEST, SUFFIXES, read_currents
 from ..currents.plane import LocalPlane
 from ..errors import ClptError, DataError
 from ..estimation.dive import reckoned
@@ -216,10 +216,18 @@ def gaps_of(time: np.ndarray) -> np.ndarray:
 
 
 class Forecast(FlowModel):
-    """A gridded current, read by `read_currents`, that carries dead reckoning."""
+    """A current on time, latitude, longitude and perhaps depth, of a NetCDF file."""
 
-    def __init__(self, column: Currents, about: str) -> None:
-        self.column, self.source, self.about = column, column.source, about
+    def __init__(self, path: Path, units: str | None) -> None:
+        self.column = column = read_currents(path, column=True, units=units)
+        self.source, levels = column.source, len(column.depth)
+        about = f"gridded, averaged over a dive's depth, {levels} levels"
+        if levels == 1:
+            where = "surface" if column.depth[0] < 1 else f"{column.depth[0]:g} m deep"
+            about = f"gridded, one level only ({where}), not what a glider feels over its depths"
+        if column.land:
+            about += f"; {column.land} cells of nothing but zeros are taken as land"
+        self.about = about
         self.fastest = float(np.sqrt(np.nanmax(column.u**2 + column.v**2)))  # m/s, anywhere
         self.time = seconds_since_1970(column.start) + 3600.0 * column.time  # s since 1970 UTC
         self.gaps = gaps_of(self.time)
@@ -288,18 +296,6 @@ class Forecast(FlowModel):
             _bracket(c.lat, lat - high, lat + high),
             _bracket(c.lon, lon - wide, lon + wide),
         )
-
-
-def read_forecast(path: str | Path, units: str | None = None) -> Forecast:
-    """Read a NetCDF of a current on time, latitude, longitude and perhaps depth."""
-    column = read_currents(path, column=True, units=units)
-    about = f"gridded, averaged over a dive's depth, {len(column.depth)} levels"
-    if len(column.depth) == 1:
-        where = "surface" if column.depth[0] < 1 else f"{column.depth[0]:g} m deep"
-        about = f"gridded, one level only ({where}), not what a glider feels over its depths"
-    if column.land:
-        about += f"; {column.land} cells of nothing but zeros are taken as land"
-    return Forecast(column, about)
 
 
 def _bracket(axis: np.ndarray, low: float, high: float) -> slice:
@@ -423,4 +419,4 @@ def read_flow_model(path: str | Path, units: str | None = None) -> FlowModel:
         )
     if kind == ".toml" and units is not None:
         raise DataError(f"{path}: a fit has its units in the file; leave out units ({units})")
-    return read_fitted(path) if kind == ".toml" else read_forecast(path, units)
+    return read_fitted(path) if kind == ".toml" else Forecast(path, units)

@@ -24,7 +24,7 @@ from typing import Any
 import numpy as np
 
 from ..arguments import public
-from ..estimation.dive import miss
+from ..estimation.dive import dac_difference
 from ..estimation.fix_model import OTHERS
 from ..geodesy import place_from
 from ..gliders.dives import Skipped
@@ -261,11 +261,8 @@ def summary(replay: Replay, skipped: Sequence[Skipped] = ()) -> dict[str, Any]:
     (14, ['compass'], ['compass', 'eddies', 'inertial'])
     """
     steps = replay.steps
-    differences = [
-        float(np.hypot(*(miss(d) / d.duration - (d.dac_east, d.dac_north))))
-        for d in (step.dive for step in steps)
-        if d.dac_east is not None and d.dac_north is not None
-    ]
+    each = (dac_difference(step.dive) for step in steps)
+    differences = [one for one in each if isfinite(one)]
     headlines = [step.headline_held for step in steps if step.headline_held]
     last = steps[-1] if steps else None
     factor = last if replay.model.learn_speed else None

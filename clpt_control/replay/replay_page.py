@@ -186,6 +186,4 @@ def _style(rank: int) -> str:
 
 def _remarks(found: dict[str, Any]) -> list[str]:
     lines = [f"<li>{safe(remark)}</li>" for remark in wording.remarks(found)]
-    if not lines:
-        return []
-    return ["<h2>Learned, noted and skipped</h2>", "<ul>", *lines, "</ul>"]
+    return ["<h2>Learned, noted and skipped</h2>", "<ul>", *lines, "</ul>"] if lines else []
