@@ -42,14 +42,14 @@ STYLES = {  # colours as KML has them: alpha, blue, green, red
     "next": "ffa779cc",
     "aim": "ff009fe6",
 }
-FEATURES = {  # kind of a layer: its name in GeoJSON
-    "last": "last fix",
-    "way": "way to the next surfacing",
-    "next": "next surfacing",
-    "ring next": "90 % ellipse",
-    "target": "waypoint",
-    "made": "way made good",
-    "ring aimed": "90 % ellipse, aimed",
+NAMES = {  # kind of a layer: its name in GeoJSON; its name and style in KML
+    "last": ("last fix", "", ""),
+    "way": ("way to the next surfacing", "", ""),
+    "next": ("next surfacing", "next surfacing", "next"),
+    "ring next": ("90 % ellipse", "next surfacing, 90 %", "next"),
+    "target": ("waypoint", "waypoint", "aim"),
+    "made": ("way made good", "way made good", "aim"),
+    "ring aimed": ("90 % ellipse, aimed", "aimed, 90 %", "aim"),
 }
 SHAPES = {  # of KML, around coordinates
     "Point": ("<Point>", "</Point>"),
@@ -58,13 +58,6 @@ SHAPES = {  # of KML, around coordinates
         "<Polygon><outerBoundaryIs><LinearRing>",
         "</LinearRing></outerBoundaryIs></Polygon>",
     ),
-}
-PLACEMARKS = {  # kind of a layer: its name in KML and its style
-    "next": ("next surfacing", "next"),
-    "ring next": ("next surfacing, 90 %", "next"),
-    "target": ("waypoint", "aim"),
-    "made": ("way made good", "aim"),
-    "ring aimed": ("aimed, 90 %", "aim"),
 }
 
 
@@ -80,9 +73,7 @@ def next_geojson(found: dict[str, Any]) -> str:
     way, goal, ring, *legs = layers_ahead(found["next_dive"], found.get("aim") or [])
     end = found["each_dive"][-1]
     last = Layer("last", "Point", way.places[:1], {"dive": end["dive"], "time": end["end"]})
-    features = [
-        _feature(layer) for layer in (last, way, ring, goal, *legs) if layer.kind in FEATURES
-    ]
+    features = [_feature(layer) for layer in (last, way, ring, goal, *legs) if layer.kind in NAMES]
     lines = ",\n".join(json.dumps(feature, allow_nan=False) for feature in features)
     return f'{{"type": "FeatureCollection", "features": [\n{lines}\n]}}\n'
 
@@ -100,7 +91,7 @@ def _feature(layer: Layer) -> dict[str, Any]:
     return {
         "type": "Feature",
         "geometry": {"type": kind, "coordinates": coordinates},
-        "properties": {"name": FEATURES[layer.kind], **more},
+        "properties": {"name": NAMES[layer.kind][0], **more},
     }
 
 
@@ -111,7 +102,7 @@ def track_kml(found: dict[str, Any], name: str) -> str:
     places = [dives[0]["track"].places[0], *(fix.places[0] for fix in fixes)]
     track = Layer("track", "LineString", places, {})
     ahead = layers_ahead(found["next_dive"], found.get("aim") or [])
-    marks = [(layer, PLACEMARKS[layer.kind]) for layer in ahead if layer.kind in PLACEMARKS]
+    marks = [(NAMES[layer.kind][1:], layer) for layer in ahead if layer.kind in NAMES]
     lines = [
         '<?xml version="1.0" encoding="UTF-8"?>',
         f'<kml xmlns="{KML}"><Document><name>{safe(name)}</name>',
@@ -127,7 +118,7 @@ def track_kml(found: dict[str, Any], name: str) -> str:
         "</Folder><Folder><name>forecasts, 90 %</name><visibility>0</visibility>",
         *(_placemark(f"dive {ring.of['dive']}", "forecast", ring, hidden=True) for ring in rings),
         "</Folder>",
-        *(_placemark(*name_and_style, layer) for layer, name_and_style in marks),
+        *(_placemark(name, style, layer) for (name, style), layer in marks if style),
         "</Document></kml>",
     ]
     return "\n".join(lines) + "\n"

@@ -14,17 +14,7 @@ import numpy as np
 
 from ..geodesy import displacement
 from ..html import safe
-from .chart import (
-    LAST,
-    Chart,
-    Layer,
-    bar_of,
-    drawn_dives,
-    grid_label,
-    layers_ahead,
-    place_in,
-    with_room,
-)
+from . import chart
 from .wording import Place, compass
 
 WIDTH = 1000.0
@@ -49,7 +39,7 @@ class Drawing:
     """A chart in units of the SVG."""
 
     def __init__(self, places: Sequence[Place]) -> None:
-        self.chart = Chart(places)
+        self.chart = chart.Chart(places)
         self.metres = (self.chart.east - self.chart.west) / WIDTH  # per unit
         self.height = (self.chart.north - self.chart.south) / self.metres
 
@@ -78,12 +68,14 @@ def _numbers(x: float, y: float) -> str:
 def replay_map(found: dict[str, Any]) -> str:
     """Return the map of what `clpt replay --json` prints, with one dive at least."""
     rows, legs = found["each_dive"], found["aim"]
-    dives, ahead = drawn_dives(rows), layers_ahead(found["next_dive"], legs)
+    dives, ahead = chart.drawn_dives(rows), chart.layers_ahead(found["next_dive"], legs)
     targets = [layer for layer in ahead if layer.kind == "target"]
     near = [layer for layer in ahead if layer.of is found["next_dive"]]
     layers = [layer for each in dives for layer in each.values()]
-    old = [layer for each in dives[:-LAST] for layer in each.values() if layer.kind != "ring"]
-    last = [layer for each in dives[-LAST:] for layer in each.values()]
+    old = [
+        layer for each in dives[: -chart.LAST] for layer in each.values() if layer.kind != "ring"
+    ]
+    last = [layer for each in dives[-chart.LAST :] for layer in each.values()]
     places = [place for layer in (*old, *last, *near) for place in layer.places]
     drawing = Drawing([*places, *_in_reach(places, [layer.places[0] for layer in targets])])
     areas = found["route"]["areas"] if "route" in found else []
@@ -91,7 +83,7 @@ def replay_map(found: dict[str, Any]) -> str:
     drawn += [*_grid(drawing), '<g id="dives">']
     points = iter(drawing.points([place for layer in layers for place in layer.places]))
     for k, each in enumerate(dives):
-        number, recent = safe(rows[k]["dive"]), k >= len(rows) - LAST
+        number, recent = safe(rows[k]["dive"]), k >= len(rows) - chart.LAST
         title = f"<title>dive {number}: {safe(each['fix'].words)}</title>"
         inside = "".join(
             _drawn(layer, [*islice(points, len(layer.places))], recent=recent)
@@ -112,7 +104,7 @@ def replay_map(found: dict[str, Any]) -> str:
     )
 
 
-def _painted(drawing: Drawing, layers: list[Layer], name: str) -> list[str]:
+def _painted(drawing: Drawing, layers: list[chart.Layer], name: str) -> list[str]:
     """Return layers, points above lines and with their name."""
     points = sorted(layers, key=lambda layer: layer.shape == "Point")
     return [
@@ -121,7 +113,7 @@ def _painted(drawing: Drawing, layers: list[Layer], name: str) -> list[str]:
     ]
 
 
-def _drawn(layer: Layer, points: list[str], title: str = "", recent: bool = True) -> str:
+def _drawn(layer: chart.Layer, points: list[str], title: str = "", recent: bool = True) -> str:
     if layer.shape != "Point":
         style = layer.kind if recent or layer.kind != "ring" else "ring old"
         return _line(points, style, closed=layer.shape == "Polygon")
@@ -137,8 +129,8 @@ def _in_reach(places: Sequence[Place], targets: Sequence[Place]) -> list[Place]:
     """Return the waypoints that do not make the chart much larger; to others an arrow points."""
 
     def size(of: Sequence[Place]) -> float:
-        chart = Chart(of)
-        return max(chart.east - chart.west, chart.north - chart.south)
+        of_all = chart.Chart(of)
+        return max(of_all.east - of_all.west, of_all.north - of_all.south)
 
     most = LARGER * size(places)
     return [target for target in targets if size([*places, target]) <= most]
@@ -168,13 +160,13 @@ def _beyond(drawing: Drawing, number: int, aim: list[Place]) -> str:
 
 def _numbered(drawing: Drawing, rows: list[dict[str, Any]]) -> list[str]:
     """Return the numbers of dives, each with the least zoom at which it has room."""
-    points = np.transpose(drawing.at(np.transpose([place_in(row, "end_") for row in rows])))
+    points = np.transpose(drawing.at(np.transpose([chart.place_in(row, "end_") for row in rows])))
     free = list(range(len(rows) - 1, -1, -1))  # the last dive first
     drawn: list[str] = []
     placed: list[int] = []
     for level in range(LEVELS + 1):
         room = ROOM if level < LEVELS else (-1.0, -1.0)
-        for k in with_room(points * PHONE * 2**level, free, room, placed):
+        for k in chart.with_room(points * PHONE * 2**level, free, room, placed):
             placed.append(k)
             text = f'<text class="n{level}" x="7" y="-5">{safe(rows[k]["dive"])}</text>'
             drawn.append(_group(_numbers(*points[k]), "m number", text))
@@ -190,11 +182,11 @@ def _grid(drawing: Drawing) -> list[str]:
         y = drawing.at((lat, drawing.chart.first))[1]
         lines.append(f'<path class="grid" d="M0 {y:.1f}H{WIDTH:.0f}"/>')
         if y < drawing.height - CORNER:
-            lines.append(_label(0, y, 4, -4, grid_label(lat, "NS", up)))
+            lines.append(_label(0, y, 4, -4, chart.grid_label(lat, "NS", up)))
     for lon in lons:
         x = (drawing.chart.xy(drawing.chart.middle, lon)[0] - drawing.chart.west) / drawing.metres
         lines.append(f'<path class="grid" d="M{x:.1f} 0V{drawing.height:.0f}"/>')
-        lines.append(_label(x, drawing.height, 4, -5, grid_label(lon, "EW", along)))
+        lines.append(_label(x, drawing.height, 4, -5, chart.grid_label(lon, "EW", along)))
     return [*lines, "</g>"]
 
 
@@ -204,7 +196,7 @@ def _label(x: float, y: float, dx: float, dy: float, text: str) -> str:
 
 
 def _scale(drawing: Drawing) -> str:
-    length, name = bar_of(0.25 * WIDTH * drawing.metres)
+    length, name = chart.bar_of(0.25 * WIDTH * drawing.metres)
     long, y = length / drawing.metres, drawing.height - 60
     x = WIDTH - 30 - long
     return (
@@ -216,11 +208,11 @@ def _scale(drawing: Drawing) -> str:
 
 def _facts(drawing: Drawing) -> str:
     """Return what a script needs to draw the grid: metres, longitudes, a table of latitudes."""
-    chart = drawing.chart
-    south, west = chart.place(chart.west, chart.south)
-    north, east = chart.place(chart.east, chart.north)
+    edges = drawing.chart
+    south, west = edges.place(edges.west, edges.south)
+    north, east = edges.place(edges.east, edges.north)
     lats = [south + (north - south) * k / 32 for k in range(33)]
-    heights = " ".join(f"{drawing.at((lat, chart.first))[1]:.3f}" for lat in lats)
+    heights = " ".join(f"{drawing.at((lat, edges.first))[1]:.3f}" for lat in lats)
     return (
         f'data-metres="{drawing.metres!r}" data-west="{west!r}" data-east="{east!r}" '
         f'data-south="{south!r}" data-north="{north!r}" data-heights="{heights}"'
