@@ -26,16 +26,7 @@ import pandas
 from ..currents.text_table import table_of
 from ..errors import DataError
 from ..files.reading import LARGEST, read_bytes, text_of
-from .dives import (
-    LEAST_DEPTH,
-    Dive,
-    Fix,
-    Three,
-    dive_between,
-    dives_across_files,
-    fixes_in,
-    logged,
-)
+from .dives import LEAST_DEPTH, Dive, Fix, Three, dive_between, dives_across_files, fixes_in, logged
 from .samples import deepest, degrees, hole_under_water, track_of
 
 GZIP = b"\x1f\x8b"

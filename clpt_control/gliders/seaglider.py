@@ -31,16 +31,7 @@ import xarray
 from ..errors import DataError
 from ..estimation.dive import Track
 from . import samples
-from .dives import (
-    NUMBERS,
-    Dive,
-    Fix,
-    Three,
-    dive_between,
-    is_fix,
-    planned_course,
-    whole_number,
-)
+from .dives import NUMBERS, Dive, Fix, Three, dive_between, is_fix, planned_course, whole_number
 
 FIXES = ("log_gps_time", "log_gps_lat", "log_gps_lon")
 NAMES = ("GPS1", "GPS2", "GPSE")

@@ -46,17 +46,7 @@ from ..html import facts, fragment, paragraphs
 from ..progress.interrupt import check
 from .doubts import Anomaly, SpeedFactorWatch, doubt_one_fix
 from .flow_models import FlowModel, carried
-from .surfacing import (
-    CHI_SQUARED,
-    GIVEN,
-    NORMAL,
-    Guess,
-    Habits,
-    NextDive,
-    Way,
-    check_plan,
-    drift,
-)
+from .surfacing import CHI_SQUARED, GIVEN, NORMAL, Guess, Habits, NextDive, Way, check_plan, drift
 
 MODELS = ("no_flow", "previous_dive", "adaptive")
 FLOW_MODEL = "flow_model"  # a forecast or a fit that was given
