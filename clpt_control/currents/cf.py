@@ -197,10 +197,7 @@ def check_places(lat: xarray.DataArray, lon: xarray.DataArray) -> None:
 
 
 def velocity_values(
-    data: xarray.Dataset,
-    name: str,
-    index: dict[Any, np.ndarray],
-    units: str | None = None,
+    data: xarray.Dataset, name: str, index: dict[Any, np.ndarray], units: str | None = None
 ) -> np.ndarray:
     """Return a velocity in m/s, NaN where missing, at the `index` of each dimension.
 

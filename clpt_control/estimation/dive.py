@@ -165,6 +165,13 @@ def make_dive(
     )
 
 
+def without_current(start: Fix, end: Fix, current: tuple[float, float]) -> tuple[float, float]:
+    """Return the displacement through the water that a depth-averaged current (m/s) leaves, m."""
+    east, north = displacement(*start[1:], *end[1:])
+    duration = end[0] - start[0]
+    return east - current[0] * duration, north - current[1] * duration
+
+
 def mid_time(dive: Dive) -> float:
     """Return the middle of a dive, s since 1970 UTC."""
     return 0.5 * (dive.t_gps2 + dive.t_gpse)

@@ -385,9 +385,7 @@ def known_flow_scenario(scenario: Scenario, theta: np.ndarray) -> Scenario:
 
 @public
 def dive_basis(
-    dives: Sequence[Dive],
-    width: float | None = WIDTH,
-    constituents: Sequence[str] = ("steady",),
+    dives: Sequence[Dive], width: float | None = WIDTH, constituents: Sequence[str] = ("steady",)
 ) -> tuple[Block, np.ndarray]:
     """Make a flow basis for dives, and what is believed of it before.
 

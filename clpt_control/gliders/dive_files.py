@@ -24,6 +24,7 @@ comments, other columns are left alone, and the displacement between the fixes i
 never read.
 """
 
+import re
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from importlib import resources
@@ -35,25 +36,13 @@ from typing import Any
 from ..arguments import public
 from ..currents.text_table import other_marks, table_of
 from ..errors import DataError, naming
+from ..estimation.dive import Dive, make_dive, without_current
 from ..files import write_file
 from ..files.reading import NETCDF, open_netcdf, read_bytes
 from ..progress.interrupt import check
 from ..units import seconds_since_1970
 from . import og1, seaexplorer, seaglider, slocum
-from .dives import (
-    NUMBERS,
-    SLOCUM_FILES,
-    Dive,
-    Skipped,
-    in_order,
-    is_segment,
-    make_dive,
-    name_in,
-    name_of,
-    name_of_file,
-    whole_number,
-    without_current,
-)
+from .dives import NUMBERS, SLOCUM_FILES, Skipped, in_order, is_segment, whole_number
 
 START = ("t_gps2", "lat_gps2", "lon_gps2")
 END = ("t_gpse", "lat_gpse", "lon_gpse")
@@ -65,6 +54,13 @@ OTHERWISE = "; dac_east, dac_north (m/s), the vehicle's own current, may stand i
 GPS1 = ("t_gps1", "lat_gps1", "lon_gps1")
 TIMES = (GPS1[0], START[0], END[0])
 OPTIONAL = (*GPS1, *CURRENT, "dac_qc", "magvar", "depth_max", "next_course")
+
+LONGEST = 40  # letters; a longer one is no name
+FILES = (
+    re.compile(r"(.+?)-\d{4}-\d+-\d+-\d+"),  # of a Slocum: rosie_713-2019-166-0-156
+    re.compile(r"(sea\d+)\.\d+\.", re.IGNORECASE),  # of a SeaExplorer: sea035.10.gli.sub.12.gz
+)
+DATED = re.compile(r"(.+?)_\d{8}")  # SG015_20040929T140907_delayed
 
 
 def table_dives(text: str, path: str | Path) -> list[Dive | Skipped]:
@@ -316,6 +312,45 @@ def _of_netcdf(path: Path) -> tuple[Sequence[Dive | Skipped], str | None, str | 
         f"{names}, not the fixes and the displacement through the water that a dive needs; a CSV "
         "table of dives can give both"
     )
+
+
+def name_in(data: Any) -> str | None:
+    """Return the vehicle's name in an open xarray.Dataset: its identifier, or its serial number.
+
+    >>> import xarray
+    >>> name_in(xarray.Dataset(attrs={"id": "SG015_20040929T140907_delayed"}))
+    'SG015'
+    >>> name_in(xarray.Dataset(attrs={"id": "x", "platform_id": " SG171 "}))
+    'SG171'
+    """
+    serial = data.get("platform_serial_number")
+    values = [data.attrs.get("platform_id"), None]
+    if serial is not None and serial.ndim == 0 and serial.dtype.kind in "SUO":
+        value = serial.values.item()
+        values[1] = value.decode("utf-8", "replace") if isinstance(value, bytes) else value
+    dated = DATED.match(str(data.attrs.get("id", "")))
+    return name_of(*values, dated and dated[1])
+
+
+def name_of_file(file: str) -> str | None:
+    """Return the vehicle's name in that of a file of a Slocum or a SeaExplorer.
+
+    >>> name_of_file("rosie_713-2019-166-0-156.sbd"), name_of_file("sea035.10.gli.sub.12.gz")
+    ('rosie_713', 'sea035')
+    >>> name_of_file("dives.csv") is None
+    True
+    """
+    matches = (pattern.match(file) for pattern in FILES)
+    return name_of(*(found[1] for found in matches if found))
+
+
+def name_of(*values: Any) -> str | None:
+    """Return the first value that is a name, None where none is."""
+    for value in values:
+        name = value.strip() if isinstance(value, str) else ""
+        if 0 < len(name) <= LONGEST and name.isprintable():
+            return name
+    return None
 
 
 def alike(faults: Iterable[tuple[Path, Skipped]]) -> list[Skipped]:

@@ -45,12 +45,6 @@ MENTIONED = 0.01  # m/s
 LEAST_DEPTH = 5.0  # m that a dive reaches
 Three = tuple[Fix | None, Fix, Fix]  # of a dive: first of the stay before it, before, after it
 NUMBERS = 2**31  # dive numbers are smaller, as files keep them in 32 bits
-LONGEST = 40  # letters; a longer one is no name
-FILES = (
-    re.compile(r"(.+?)-\d{4}-\d+-\d+-\d+"),  # of a Slocum: rosie_713-2019-166-0-156
-    re.compile(r"(sea\d+)\.\d+\.", re.IGNORECASE),  # of a SeaExplorer: sea035.10.gli.sub.12.gz
-)
-DATED = re.compile(r"(.+?)_\d{8}")  # SG015_20040929T140907_delayed
 LEAST_GAP = 300.0  # s between two fixes with a dive between them
 BACK = 6  # files before one that are merged with it at most
 SLOCUM_FILES = (".sbd", ".mbd", ".dbd", ".scd", ".mcd", ".dcd", ".sba", ".mba", ".dba", ".asc")
@@ -125,13 +119,6 @@ def fixes_in(time: np.ndarray, lat: np.ndarray, lon: np.ndarray) -> list[Fix]:
     return list(zip(*(column[good].tolist() for column in (time, lat, lon)), strict=True))
 
 
-def without_current(start: Fix, end: Fix, current: tuple[float, float]) -> tuple[float, float]:
-    """Return the displacement through the water that a depth-averaged current (m/s) leaves, m."""
-    east, north = displacement(*start[1:], *end[1:])
-    duration = end[0] - start[0]
-    return east - current[0] * duration, north - current[1] * duration
-
-
 def dive_between(
     number: int, fixes: Three, through_water: tuple[float, float], **optional: Any
 ) -> Dive:
@@ -172,45 +159,6 @@ def changes_noted(dives: list[Dive]) -> list[Dive]:
         last = name or last
         noted.append(dive)
     return noted
-
-
-def name_in(data: Any) -> str | None:
-    """Return the vehicle's name in an open xarray.Dataset: its identifier, or its serial number.
-
-    >>> import xarray
-    >>> name_in(xarray.Dataset(attrs={"id": "SG015_20040929T140907_delayed"}))
-    'SG015'
-    >>> name_in(xarray.Dataset(attrs={"id": "x", "platform_id": " SG171 "}))
-    'SG171'
-    """
-    serial = data.get("platform_serial_number")
-    values = [data.attrs.get("platform_id"), None]
-    if serial is not None and serial.ndim == 0 and serial.dtype.kind in "SUO":
-        value = serial.values.item()
-        values[1] = value.decode("utf-8", "replace") if isinstance(value, bytes) else value
-    dated = DATED.match(str(data.attrs.get("id", "")))
-    return name_of(*values, dated and dated[1])
-
-
-def name_of_file(file: str) -> str | None:
-    """Return the vehicle's name in that of a file of a Slocum or a SeaExplorer.
-
-    >>> name_of_file("rosie_713-2019-166-0-156.sbd"), name_of_file("sea035.10.gli.sub.12.gz")
-    ('rosie_713', 'sea035')
-    >>> name_of_file("dives.csv") is None
-    True
-    """
-    matches = (pattern.match(file) for pattern in FILES)
-    return name_of(*(found[1] for found in matches if found))
-
-
-def name_of(*values: Any) -> str | None:
-    """Return the first value that is a name, None where none is."""
-    for value in values:
-        name = value.strip() if isinstance(value, str) else ""
-        if 0 < len(name) <= LONGEST and name.isprintable():
-            return name
-    return None
 
 
 def is_segment(path: Path) -> bool:

@@ -33,8 +33,8 @@ import pandas
 import xarray
 
 from ..errors import DataError
-from ..estimation.dive import Track
-from .dives import LEAST_DEPTH, Dive, Fix, Skipped, Three, cut_dives, dive_between, without_current
+from ..estimation.dive import Track, without_current
+from .dives import LEAST_DEPTH, Dive, Fix, Skipped, Three, cut_dives, dive_between
 from .og1_columns import Columns, columns_of, fixes_and_others, has_ends, segments_of
 from .og1_columns import is_known as is_known
 from .samples import LAST, deepest, hole_under_water, track_of, variation

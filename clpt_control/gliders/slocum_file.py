@@ -223,11 +223,7 @@ def _listed(listed: bytes, total: int, path: Path) -> list[tuple[str, int]]:
 
 
 def _cycles(
-    raw: bytes,
-    at: int,
-    sensors: list[tuple[str, int]],
-    states: int,
-    path: Path,
+    raw: bytes, at: int, sensors: list[tuple[str, int]], states: int, path: Path
 ) -> tuple[pandas.DataFrame, int]:
     """Return the values of sensors in whole cycles, and where these end."""
     order = ORDERS.get(raw[at : at + 4])
