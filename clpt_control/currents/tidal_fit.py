@@ -23,17 +23,7 @@ from numpy.typing import ArrayLike
 from ..arguments import public
 from ..errors import DataError, ScenarioError, needed
 from ..estimation.least_squares import explained_share
-from .constituents import (
-    check_increasing,
-    check_nyquist,
-    check_sampling,
-    check_separable,
-    checked_latitude,
-    checked_times,
-    noise_ratio,
-    nyquist,
-    utide_names,
-)
+from . import constituents as tidal
 
 LEAST_CHANGE = 1e-9  # m/s in a record; less is no measured tide, and its squares vanish
 CI = 1.96  # UTide's half widths, in standard errors
@@ -149,16 +139,16 @@ def fit_tides(
     times, flow = _measured(time, u, v, where)
     hours = (times - times[0]).astype(float) / 3.6e6
     names = _names(constituents, hours, where)
-    cycles = np.array([utide.cycles_per_hour[name] for name in utide_names(names)])
+    cycles = np.array([utide.cycles_per_hour[name] for name in tidal.utide_names(names)])
     speeds = {"steady": 0.0} | dict(zip(names, 360.0 * cycles, strict=True))
-    check_separable(tuple(speeds), hours[-1], where, speeds)
-    check_sampling(hours, cycles, names, where)
-    check_nyquist(hours, cycles, names, where)
+    tidal.check_separable(tuple(speeds), hours[-1], where, speeds)
+    tidal.check_sampling(hours, cycles, names, where)
+    tidal.check_nyquist(hours, cycles, names, where)
     options = {
-        "lat": checked_latitude(latitude),
-        "constit": utide_names(names),
+        "lat": tidal.checked_latitude(latitude),
+        "constit": tidal.utide_names(names),
         "white": True,
-        "order_constit": utide_names(names),
+        "order_constit": tidal.utide_names(names),
         "trend": False,
         "verbose": False,
     }
@@ -169,7 +159,7 @@ def fit_tides(
     model = _predicted(both, times)
     residual = flow - model
     tides = tuple(
-        _constituent(name, k, (both, east, north), noise_ratio(residual, hours, cycles, k))
+        _constituent(name, k, (both, east, north), tidal.noise_ratio(residual, hours, cycles, k))
         for k, name in enumerate(names)
     )
     return TidalFit(
@@ -214,7 +204,7 @@ def predict(fit: TidalFit, time: ArrayLike) -> np.ndarray:
     >>> bool(abs(predict(fit, time)[0] - wave).max() < 1e-3)
     True
     """
-    times = checked_times(time)
+    times = tidal.checked_times(time)
     if times.ndim != 1:
         raise DataError(f"time: has {times.ndim} dimensions; must be a list of times")
     flow = _predicted(fit.coefficients, times)
@@ -228,13 +218,13 @@ def _predicted(coefficients: Any, times: np.ndarray) -> np.ndarray:
 
 def _measured(time: Any, u: Any, v: Any, where: str) -> tuple[np.ndarray, np.ndarray]:
     """Return the times and u + iv where both were measured."""
-    times = checked_times(time)
+    times = tidal.checked_times(time)
     u, v = np.asarray(u, float), np.asarray(v, float)
     if not u.shape == v.shape == times.shape or times.ndim != 1:
         raise DataError(
             f"{where}: time {times.shape}, u {u.shape} and v {v.shape}: must be one row, as long"
         )
-    check_increasing(times, where)
+    tidal.check_increasing(times, where)
     whole = np.isfinite(u) & np.isfinite(v)
     if whole.sum() < 2:
         raise DataError(
@@ -254,7 +244,7 @@ def _measured(time: Any, u: Any, v: Any, where: str) -> tuple[np.ndarray, np.nda
 def _names(constituents: Sequence[str] | str, hours: np.ndarray, where: str) -> tuple[str, ...]:
     if constituents in ("auto", ["auto"], ("auto",)):
         const = needed("utide").ut_constants.const  # df: cycles per hour to the next greater tide
-        fastest = nyquist(hours)
+        fastest = tidal.nyquist(hours)
         names = tuple(
             str(name)
             for name, df, cycles in zip(const.name, const.df, const.freq, strict=True)
@@ -264,7 +254,7 @@ def _names(constituents: Sequence[str] | str, hours: np.ndarray, where: str) -> 
             raise DataError(f"{where}: no tide can be told from the mean in {hours[-1]:.4g} h")
         return names
     names = tuple(name for name in constituents if name != "steady")  # the mean, always there
-    if not names or len(set(utide_names(names))) != len(names):
+    if not names or len(set(tidal.utide_names(names))) != len(names):
         raise ScenarioError(
             f"constituents = {','.join(constituents)}: must be at least one tide, each once, such "
             "as M2,S2"

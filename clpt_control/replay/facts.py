@@ -18,6 +18,7 @@ import xarray
 
 from ..arguments import public
 from ..errors import DataError
+from ..figures import literal
 from .outcome import flat_rows, known
 from .replay import FLOW_MODEL, MODELS, Replay
 from .surfacing import ELLIPSE, NextDive, ellipse
@@ -209,7 +210,7 @@ def summary_in(data: xarray.Dataset, name: str) -> Any:
 
 
 def plot_data(source: Source) -> tuple[str, list[dict[str, Any]]]:
-    """Return what plots draw, vehicle and rows; refuse what is no replay, or has no dive."""
+    """Return what plots draw, a vehicle as it is written and rows, or refuse what has no dive."""
     if isinstance(source, Replay):
         if not source.steps:
             raise DataError("the replay has no dive yet; feed one, as Replay.step does")
@@ -223,7 +224,7 @@ def plot_data(source: Source) -> tuple[str, list[dict[str, Any]]]:
             f"{type(source).__name__}: is no replay; clpt.replay.replay_dives(dives) gives one, "
             "`clpt replay` writes its dataset, replay.nc"
         )
-    return vehicle, found
+    return literal(vehicle), found
 
 
 def learns_speed(rows: list[dict[str, Any]]) -> bool:

@@ -17,18 +17,7 @@ from matplotlib.patheffects import withStroke
 from matplotlib.ticker import MaxNLocator
 
 from ..arguments import public
-from ..figures import (
-    BLUE,
-    GREEN,
-    GREY,
-    ORANGE,
-    PURPLE,
-    RED,
-    axes_for,
-    figure_of,
-    legend_below,
-    literal,
-)
+from ..figures import BLUE, GREEN, GREY, ORANGE, PURPLE, RED, axes_for, figure_of, legend_below
 from ..files import write_together
 from .chart import LAST, Chart, bar_of, drawn_dives, grid_label, layers_ahead, with_room
 from .facts import Source, learns_speed, plot_data
@@ -132,7 +121,7 @@ def map_plot(
     _scale_bar(ax, chart)
     last_row = found[-1]
     when = clock(last_row["end"])
-    title = f"{literal(vehicle)}: dive {last_row['dive']} surfaced {when}"
+    title = f"{vehicle}: dive {last_row['dive']} surfaced {when}"
     ax.set_title(title, loc="left", fontsize=10)
     legend_below(ax, 3)
     return ax
