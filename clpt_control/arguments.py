@@ -43,6 +43,7 @@ NOUNS = {
     "bool": "True or False",
     "NoneType": "None",
     "ndarray": "an array of numbers",
+    "Dataset": "an xarray.Dataset",
     "Any": "anything",
     "NonlinearIOSystem": "a diagram",
     "InputOutputSystem": "a diagram",
