@@ -65,7 +65,7 @@ how far beyond it lies, and a fix that is doubted by the share of its variance t
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from itertools import product
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -86,7 +86,7 @@ class LastUpdate(NamedTuple):
     (m, n, n) is I - K H, `weights` and `mean` were before the dive.
     """
 
-    matched: tuple[np.ndarray, np.ndarray]
+    matched: list[np.ndarray]
     F: np.ndarray
     H: np.ndarray
     innovation: np.ndarray
@@ -147,11 +147,14 @@ class Estimator(ABC):
             F[:, s, v], F[:, s, s] = -left * g**2 * dt, left * (1 - g * dt)
         return F
 
-    def ahead(self, dive: Dive) -> tuple[FixModel, np.ndarray, np.ndarray, np.ndarray]:
-        """Return model, F, mean and covariance at a dive, before its end."""
+    def ahead(self, dive: Dive) -> tuple[FixModel, Any, Any, np.ndarray, np.ndarray]:
+        """Return model, where states stood and stand, F, mean and covariance before its end."""
         model = self.model.reached(dive)
         F = self.transition(model, self.since(dive), dive.lat_gps2)
-        old, new = with_hidden_matched(*model.matched(self.model))
+        matched = [
+            np.concatenate([np.arange(HIDDEN), HIDDEN + k]) for k in model.matched(self.model)
+        ]
+        old, new = matched
         known, was = self.prior_sd(model) ** 2, self.prior_sd(self.model) ** 2
         prior = known[:, :, None] * np.eye(known.shape[1])
         mean, gained = np.zeros(known.shape), np.zeros(prior.shape)
@@ -159,7 +162,7 @@ class Estimator(ABC):
         more = self.covariance - was[:, :, None] * np.eye(was.shape[1])
         gained[:, new[:, None], new] = more[:, old[:, None], old]
         mean = np.einsum("mij,mj->mi", F, mean)
-        return model, F, mean, prior + F @ gained @ F.transpose(0, 2, 1)
+        return model, matched, F, mean, prior + F @ gained @ F.transpose(0, 2, 1)
 
     def since(self, dive: Dive) -> float:
         """Return the time from the middle of the last dive to that of this one, s."""
@@ -171,7 +174,7 @@ class Estimator(ABC):
 
     def predict(self, dive: Dive) -> tuple[np.ndarray, np.ndarray]:
         """Forecast fix less dead reckoning of a dive: mean (2,), covariance (2, 2), m."""
-        model, _, mean, P = self.ahead(dive)
+        model, _, _, mean, P = self.ahead(dive)
         H = with_hidden(model.regressor(dive))
         return mixed(mean @ H.T, H @ P @ H.T + self.noise(dive), self.weights)
 
@@ -221,10 +224,8 @@ class KalmanBank(Estimator):
 
     def update(self, dive: Dive) -> None:
         """Learn from a dive that has ended."""
-        weights, before, model = self.weights, self.mean, self.model
-        dt = self.since(dive)
-        self.model, F, mean, P = self.ahead(dive)
-        matched = with_hidden_matched(*self.model.matched(model))
+        weights, before, dt = self.weights, self.mean, self.since(dive)
+        self.model, matched, F, mean, P = self.ahead(dive)
         H, R = with_hidden(self.model.regressor(dive, ended=True)), self.noise(dive)
         innovation = miss(dive) - mean @ H.T
         S = H @ P @ H.T + R
@@ -286,12 +287,6 @@ def with_hidden(H: np.ndarray) -> np.ndarray:
     return np.hstack([H[:, :2], np.zeros((len(H), 2)), H])
 
 
-def with_hidden_matched(old: np.ndarray, new: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return where states stand, from where parameters do."""
-    hidden = np.arange(HIDDEN)
-    return np.concatenate([hidden, HIDDEN + old]), np.concatenate([hidden, HIDDEN + new])
-
-
 class Gradient(Estimator):
     """The paper's gradient law in integral form, in one sea that has all parts."""
 
@@ -322,7 +317,7 @@ class Gradient(Estimator):
         observed = 0.5 * min(far, FAR) * S[0, 0] / dive.duration**2
         self.variance = (self.count * self.variance + trust * observed) / (self.count + trust)
         self.count = min(self.count + 1, self.priors.miss_memory)
-        self.model, _, p, P = self.ahead(dive)
+        self.model, _, _, p, P = self.ahead(dive)
         H, R = with_hidden(self.model.regressor(dive, ended=True)), self.noise(dive)
         weight = self.prior_sd(self.model)[0][:, None] ** 2 * H.T
         mu = trust * self.priors.gain * FAR / max(far, FAR)

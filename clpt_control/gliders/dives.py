@@ -122,22 +122,18 @@ def fixes_in(time: np.ndarray, lat: np.ndarray, lon: np.ndarray) -> list[Fix]:
 def dive_between(
     number: int, fixes: Three, through_water: tuple[float, float], **optional: Any
 ) -> Dive:
-    """Make a dive of its three fixes, `compared` with the current of its file."""
+    """Make a dive; note where miss / duration differs from the file's current by over 10 mm/s.
+
+    >>> fixes = None, (1e9, -43.0, 8.0), (1e9 + 9000, -43.0, 8.0)
+    >>> dive_between(1, fixes, (0.0, 450.0), dac_east=0.0, dac_north=-0.05).notes
+    ()
+    >>> dive_between(1, fixes, (0.0, 450.0), dac_east=0.03, dac_north=-0.05).notes
+    ("miss over duration differs by 30 mm/s from the file's depth-averaged current",)
+    """
     first: dict[str, Any] = dict(
         zip(("t_gps1", "lat_gps1", "lon_gps1"), fixes[0] or (None,) * 3, strict=True)
     )
-    return compared(make_dive(number, fixes[1], fixes[2], through_water, **first, **optional))
-
-
-def compared(dive: Dive) -> Dive:
-    """Add a note where miss / duration differs from the file's current by over 10 mm/s.
-
-    >>> fixes = (1e9, -43.0, 8.0), (1e9 + 9000, -43.0, 8.0)
-    >>> compared(make_dive(1, *fixes, (0.0, 450.0), dac_east=0.0, dac_north=-0.05)).notes
-    ()
-    >>> compared(make_dive(1, *fixes, (0.0, 450.0), dac_east=0.03, dac_north=-0.05)).notes
-    ("miss over duration differs by 30 mm/s from the file's depth-averaged current",)
-    """
+    dive = make_dive(number, fixes[1], fixes[2], through_water, **first, **optional)
     difference = dac_difference(dive)
     if not MENTIONED < difference < inf:
         return dive

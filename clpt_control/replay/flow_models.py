@@ -167,6 +167,7 @@ DEGREE = 110500.0  # m; no degree of latitude is shorter
 GAP = 2.5  # times the intervals around one: beyond, steps are missing
 
 
+@np.errstate(invalid="ignore", divide="ignore")
 def depth_mean(depth: np.ndarray, values: np.ndarray, deepest: float) -> np.ndarray:
     """Average a profile, shape (nt, nz, ...), from the surface to a depth, m.
 
@@ -184,17 +185,13 @@ def depth_mean(depth: np.ndarray, values: np.ndarray, deepest: float) -> np.ndar
         use = np.isfinite(value) & (first | (last < deepest))
         if z > max(deepest, depth[0]):
             use &= ~first  # nothing was seen above that end
-        if not use.any():
-            continue
         end = min(z, deepest)
-        with np.errstate(invalid="ignore", divide="ignore"):
-            slope = np.where(first | (z == last), 0.0, (value - above) / (z - last))
+        slope = np.where(first | (z == last), 0.0, (value - above) / (z - last))
         top = np.where(first, value, above)
         thick = end - last
         total = np.where(use, total + thick * (top + slope * thick / 2), total)
         above, last = np.where(use, value, above), np.where(use, end, last)
-    with np.errstate(invalid="ignore", divide="ignore"):
-        return np.where(last > 0, total / last, above)
+    return np.where(last > 0, total / last, above)
 
 
 def gaps_of(time: np.ndarray) -> np.ndarray:
