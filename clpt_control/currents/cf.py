@@ -187,15 +187,6 @@ def check_speed(values: np.ndarray, what: str) -> None:
         )
 
 
-def check_places(lat: xarray.DataArray, lon: xarray.DataArray) -> None:
-    """Refuse latitudes and longitudes of the same dimension: places, and no grid of them."""
-    if lat.dims == lon.dims:
-        raise DataError(
-            f"{lat.name} and {lon.name} are those of each {lat.dims[0]}: a triangular grid "
-            f"or a track; {CURE}"
-        )
-
-
 def velocity_values(
     data: xarray.Dataset, name: str, index: dict[Any, np.ndarray], units: str | None = None
 ) -> np.ndarray:

@@ -198,7 +198,11 @@ def _read(path: Path, span: Box | None, column: bool, units: str | None, least: 
         lat, lon, when = (
             cf.find_axis(data, names[0], what) for what in ("latitude", "longitude", "time")
         )
-        cf.check_places(lat, lon)
+        if lat.dims == lon.dims:  # places, and no grid of them
+            raise DataError(
+                f"{lat.name} and {lon.name} are those of each {lat.dims[0]}: a triangular grid "
+                f"or a track; {cf.CURE}"
+            )
         hours, start = _since_first(cf.dates_of(when, column, least))
         latitudes, longitudes = lat.values.astype(float), lon.values.astype(float)
         longitudes = _unwrapped(longitudes, span)

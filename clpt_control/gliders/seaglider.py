@@ -106,7 +106,8 @@ def is_known(data: xarray.Dataset) -> bool:
 
 def dive_of(data: xarray.Dataset, path: Path) -> Dive:
     """Return the dive of a file, NaN where a fix or the displacement is missing."""
-    names = _displacement(data)
+    pairs = [(f"east_displacement{model}", f"north_displacement{model}") for model in ("", "_gsm")]
+    names = next((pair for pair in pairs if set(pair) <= set(data.variables)), None)
     time, why_not = _times(data, names[0]) if names else (None, "")
     fixes, doubts = fixes_of(data, nan if time is None else float(time[0]))
     through_water, track, notes = _dead_reckoning(data, names, time, fixes[1][0], fixes[2][0])
@@ -173,12 +174,6 @@ def _next_course(data: xarray.Dataset, end: Fix) -> float | None:
         return None
     target = samples.degrees(np.array([*map(samples.number, words)])).tolist()
     return planned_course(end, target, samples.scalar(data, "log_TGT_RADIUS") or 0.0)
-
-
-def _displacement(data: xarray.Dataset) -> tuple[str, str] | None:
-    """Return the names of the displacement, the better model first."""
-    pairs = [(f"east_displacement{model}", f"north_displacement{model}") for model in ("", "_gsm")]
-    return next((pair for pair in pairs if set(pair) <= set(data.variables)), None)
 
 
 def _times(data: xarray.Dataset, like: str) -> tuple[np.ndarray | None, str]:

@@ -91,13 +91,11 @@ def usable(
             dive = _noted(dive, f"came after a later dive, sorted by time{back}")
         latest = max(latest, dive.t_gpse)
         fit.append(dive)
-    used: list[Dive] = []
+    ordered = sorted(fit, key=_by_time)
+    used = ordered[:1]
     stray: Dive | None = None  # the last one, if it starts too far from the used one
-    for dive in sorted(fit, key=_by_time):
-        before = used[-1] if used else None
-        if before is None:
-            used.append(dive)
-            continue
+    for dive in ordered[1:]:
+        before = used[-1]
         why = _overlap(dive, before)
         if why:
             skipped.append(Skipped(dive.number, why))

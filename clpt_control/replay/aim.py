@@ -288,7 +288,8 @@ def aim(
             break
         d = np.linalg.solve(response, w)
     if state == wording.UNDER_WAY and tau is not None and tau < 1.0 and shorten:
-        return aim(replay, start, target, V, T * _middle(g, c, s), shorten=False)
+        middle = float(g @ c) / (float(c @ c) - s * s)  # of two roots, both below 1
+        return aim(replay, start, target, V, T * middle, shorten=False)
     plan = ahead.plan  # as it was forecast, whether or not c came to rest
     return Aim(
         target,
@@ -303,8 +304,3 @@ def aim(
         (float(c[0]) / T, float(c[1]) / T),
         s / T,
     )
-
-
-def _middle(g: np.ndarray, c: np.ndarray, s: float) -> float:
-    """Return the middle of two roots, both below 1: a dive of so much of its time can end at g."""
-    return float(g @ c) / (float(c @ c) - s * s)
