@@ -72,16 +72,13 @@ def _number(value: float) -> float | None:
 def tides_dataset(fit: TidalFit, record: CurrentRecord) -> xarray.Dataset:
     """Return tidal constants and the place of their record as a dataset to write."""
     names = [each.name for each in fit.constituents]
-    tables: list[tuple[str, tuple[str, ...], str, str]] = [
-        ("amplitude", ("east", "north"), "amplitude of each component", "m s-1"),
-        ("phase", ("east_phase", "north_phase"), "Greenwich phase lag", "degree"),
-    ]
-    tables += [
-        (f"ellipse_{key}", (key,), *NUMBERS[key][2:])
-        for key in ("major", "minor", "inclination", "phase")
-    ]
+    tables = {"amplitude": ("east", "north"), "phase": ("east_phase", "north_phase")}
+    tables |= {f"ellipse_{key}": (key,) for key in ("major", "minor", "inclination", "phase")}
+    both = {"amplitude": "amplitude of each component", "phase": "Greenwich phase lag"}
     variables: dict[str, tuple] = {}
-    for name, keys, long_name, unit in tables:
+    for name, keys in tables.items():
+        long_name, unit = NUMBERS[keys[0]][2:]
+        long_name = both.get(name, long_name)
         dims = ("constituent", "axis")[: len(keys)]
         shape = (len(names), 2)[: len(keys)]
         values = [[getattr(each, key) for key in keys] for each in fit.constituents]

@@ -160,7 +160,7 @@ class RunTrack:
 
     def __init__(self, run: xarray.Dataset, scenario: Scenario):
         self.time, places = run.time.values, run.position.values
-        self.scenario, self.basis = scenario, scenario.basis_block()
+        self.basis = scenario.basis_block()
         self.places, self.water = [], []  # splines, one a piece
         self.doubt = 0.0  # of the displacement over a piece, length
         self.periods = {"waypoint": scenario.reference.dwell}  # how long what lasts
@@ -194,7 +194,12 @@ class RunTrack:
         every = np.concatenate([np.arange(a, b + 1) for a, b in pairwise(at)])
         began = np.repeat(at[:-1], np.diff(at) + 1)  # a piece ends with the noise it began with
         x = places[every] + (read - places)[began]
-        way = self._velocity(self.time[every], x, run.reference.values[began])
+        t, car = self.time[every], scenario.vehicle
+        gains = scenario.model_parameters, car.feedback, car.feedforward
+        seen = np.hstack([x, run.reference.values[began], evaluate(self.basis, t, x)])
+        way = evaluate(vehicle.vehicle_controller(*gains), t, seen)  # through the water
+        if car.max_speed is not None:
+            way = evaluate(vehicle.speed_limit(car.max_speed), t, way)
         gone = np.zeros(2)
         for rows in np.split(np.arange(len(every)), np.flatnonzero(np.diff(began)) + 1):
             t, v = self.time[every[rows]], way[rows]
@@ -204,17 +209,6 @@ class RunTrack:
             self.places.append(CubicSpline(t, x[rows]))
             self.water.append((whole.antiderivative(), gone))
             gone = gone + whole.integrate(t[0], t[-1])
-
-    def _velocity(self, t: np.ndarray, x: np.ndarray, zc: np.ndarray) -> np.ndarray:
-        """Return the velocity through the water at samples, (n, 2)."""
-        car = self.scenario.vehicle
-        alpha_M = self.scenario.model_parameters
-        controller = vehicle.vehicle_controller(alpha_M, car.feedback, car.feedforward)
-        phi = evaluate(self.basis, t, x)
-        v = evaluate(controller, t, np.hstack([x, zc, phi]))
-        if car.max_speed is None:
-            return v
-        return evaluate(vehicle.speed_limit(car.max_speed), t, v)
 
     def at(self, times: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return the position as read and the displacement since the start, (..., 2) each."""

@@ -294,7 +294,10 @@ def flow_estimate(
         fix = 0.0 if scenario.localization is None else scenario.localization.noise
         usual_noise = np.full(len(segments.start), np.hypot(segments.alone, np.sqrt(2) * fix))
         usual_start = known.alpha_M if basis is of_run else None
-    n, N = len(segments.start), _functions(basis)
+    n, sizes = len(segments.start), list(basis.output_ports.values())
+    if basis.state_ports or list(basis.input_ports.values()) != [2] or len(sizes) != 1:
+        raise ScenarioError(f"{basis.name}: is no basis, a block x[2] -> phi_x[N] without states")
+    N = sizes[0]
     sd = _numbers("prior", usual_prior if prior is None else prior, (N,))
     r = _numbers("noise", usual_noise if noise is None else noise, (n,))
     if walk is not None and method != "kalman":
@@ -316,13 +319,6 @@ def flow_estimate(
     s = np.linalg.svd(scaled, compute_uv=False)
     condition = float(s[0] / s[-1]) if len(s) == len(P) and s[-1] > 0 else np.inf
     return FlowEstimate(theta, P, left, condition, steps, basis, origin)
-
-
-def _functions(basis: Block) -> int:
-    sizes = list(basis.output_ports.values())
-    if basis.state_ports or list(basis.input_ports.values()) != [2] or len(sizes) != 1:
-        raise ScenarioError(f"{basis.name}: is no basis, a block x[2] -> phi_x[N] without states")
-    return sizes[0]
 
 
 def _numbers(name: str, value: Any, shape: tuple[int], zero: bool = False) -> np.ndarray:
