@@ -13,9 +13,10 @@ Technol. 35, 1665-1673, 2018).  Displacements are WGS84 geodesics by
 `pyproj.Geod`, resolved east and north at the start fix.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from math import nan
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -24,6 +25,15 @@ from ..geodesy import displacement
 
 Fix = tuple[OrNaN, OrNaN, OrNaN]  # s since 1970 UTC, degrees north, degrees east
 Track = tuple[np.ndarray, np.ndarray, np.ndarray]  # s since the fix, m east, m north
+
+
+class ThroughWater(NamedTuple):
+    """Displacement east and north (m), NaN where it is not known, its track, notes."""
+
+    total: tuple[float, float] = (nan, nan)
+    track: Track | None = None
+    notes: Sequence[str] = ()
+    turned: float | None = None  # by which a magnetic heading was turned, degrees east
 
 
 @public

@@ -37,7 +37,7 @@ from ..currents.cf import number
 from ..errors import DataError
 from ..estimation.dive import Dive as Dive
 from ..estimation.dive import Fix as Fix
-from ..estimation.dive import dac_difference
+from ..estimation.dive import ThroughWater, dac_difference
 from ..estimation.dive import make_dive as make_dive
 from ..geodesy import displacement, is_place
 
@@ -119,21 +119,21 @@ def fixes_in(time: np.ndarray, lat: np.ndarray, lon: np.ndarray) -> list[Fix]:
     return list(zip(*(column[good].tolist() for column in (time, lat, lon)), strict=True))
 
 
-def dive_between(
-    number: int, fixes: Three, through_water: tuple[float, float], **optional: Any
-) -> Dive:
+def dive_between(number: int, fixes: Three, through: ThroughWater, **optional: Any) -> Dive:
     """Make a dive; note where miss / duration differs from the file's current by over 10 mm/s.
 
     >>> fixes = None, (1e9, -43.0, 8.0), (1e9 + 9000, -43.0, 8.0)
-    >>> dive_between(1, fixes, (0.0, 450.0), dac_east=0.0, dac_north=-0.05).notes
+    >>> through = ThroughWater((0.0, 450.0))
+    >>> dive_between(1, fixes, through, dac_east=0.0, dac_north=-0.05).notes
     ()
-    >>> dive_between(1, fixes, (0.0, 450.0), dac_east=0.03, dac_north=-0.05).notes
+    >>> dive_between(1, fixes, through, dac_east=0.03, dac_north=-0.05).notes
     ("miss over duration differs by 30 mm/s from the file's depth-averaged current",)
     """
     first: dict[str, Any] = dict(
         zip(("t_gps1", "lat_gps1", "lon_gps1"), fixes[0] or (None,) * 3, strict=True)
     )
-    dive = make_dive(number, fixes[1], fixes[2], through_water, **first, **optional)
+    more = {"track": through.track, "turned": through.turned, **first, **optional}
+    dive = make_dive(number, fixes[1], fixes[2], through.total, **more)
     difference = dac_difference(dive)
     if not MENTIONED < difference < inf:
         return dive

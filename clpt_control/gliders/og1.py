@@ -25,31 +25,21 @@ The displacement dr through the water is the first that the file allows of
 The dive's notes say which it was where it was not the first.
 """
 
-from math import isfinite, isnan, nan
-from typing import NamedTuple
+from math import isfinite, isnan
 
 import numpy as np
 import pandas
 import xarray
 
 from ..errors import DataError
-from ..estimation.dive import Track, without_current
-from .dives import LEAST_DEPTH, Dive, Fix, Skipped, Three, cut_dives, dive_between
+from ..estimation.dive import Dive, Fix, ThroughWater, without_current
+from .dives import LEAST_DEPTH, Skipped, Three, cut_dives, dive_between
 from .og1_columns import Columns, columns_of, fixes_and_others, has_ends, segments_of
 from .og1_columns import is_known as is_known
-from .samples import LAST, deepest, hole_under_water, track_of, variation
+from .samples import LAST, deepest, summed, variation
 
 LEAST_GAP = 600.0  # s between two fixes with a dive between them
 UNDER_WATER = (1, 2, 4, 5)  # PHASE: ascent, descent, parking, inflexion
-
-
-class ThroughWater(NamedTuple):
-    """Displacement east and north (m), NaN where the file has none, its track, notes."""
-
-    total: tuple[float, float]
-    track: Track | None
-    notes: list[str]
-    turned: float | None = None  # by which a magnetic heading was turned, degrees east
 
 
 def through_water(
@@ -63,7 +53,8 @@ def through_water(
     found = _summed(rows, start, end)
     if found is not None:
         if columns.steps.upper().endswith("_GSM"):
-            found.notes.append(f"dead reckoning of the glide-slope model ({columns.steps})")
+            note = f"dead reckoning of the glide-slope model ({columns.steps})"
+            return found._replace(notes=(*found.notes, note))
         return found
     sure = columns.north == "true" or rows.magvar.notna().any()
     u, v = current
@@ -72,13 +63,13 @@ def through_water(
     if found is None and u is not None and v is not None:
         total = without_current(start, end, (u, v))
         note = "dead reckoning computed from the file's depth-averaged current"
-        return ThroughWater(total, None, [note])
+        return ThroughWater(total, notes=[note])
     if found is None:
         lacking = (
             "no EAST_DISPLACEMENT, NORTH_DISPLACEMENT, no speed and heading, no depth-averaged "
             "current"
         )
-        return ThroughWater((nan, nan), None, [lacking])
+        return ThroughWater(notes=[lacking])
     return found
 
 
@@ -97,8 +88,8 @@ def _along_heading(
     found = _summed(flown, start, end)
     if found is None or not isfinite(found.total[0]):
         return found
-    found.notes.append(f"dead reckoning of the flight model's speed and the heading, {north}")
-    return found._replace(turned=turned)
+    note = f"dead reckoning of the flight model's speed and the heading, {north}"
+    return found._replace(turned=turned, notes=(*found.notes, note))
 
 
 def _variation_of(
@@ -132,14 +123,11 @@ def _summed(rows: pandas.DataFrame, start: Fix, end: Fix) -> ThroughWater | None
         notes.append(f"{again.sum()} samples have the time of the one before, left out")
     rows = rows[~again]
     since = (rows.time - start[0]).to_numpy()
-    east, north = rows[["east", "north"]].to_numpy().T
-    total = float(np.sum(east)), float(np.sum(north))
+    steps = rows[["east", "north"]].to_numpy().T
     if np.any(np.diff(since) <= 0) or since[0] < 0:
-        return ThroughWater(total, None, [*notes, "no track: the times are not in order"])
-    hole = hole_under_water(since, rows.depth.to_numpy(), duration)
-    if hole:
-        return ThroughWater((nan, nan), None, [*notes, hole])
-    return ThroughWater(total, track_of(since, east, north, duration), notes)
+        total = float(np.sum(steps[0])), float(np.sum(steps[1]))
+        return ThroughWater(total, notes=[*notes, "no track: the times are not in order"])
+    return summed(since, steps, rows.depth.to_numpy(), duration, notes)
 
 
 def dives_of(data: xarray.Dataset) -> list[Dive | Skipped]:
@@ -212,13 +200,11 @@ def _dive(columns: Columns, fixes: Three, otherwise: int, notes: list[str]) -> D
     return dive_between(
         otherwise if number is None else int(number),
         fixes,
-        found.total,
+        found,
         dac_east=current[0],
         dac_north=current[1],
         dac_qc=middle["qc"],
         magvar=middle["magvar"] if found.turned is None else found.turned,
-        turned=found.turned,
         depth_max=deepest(rows.depth.to_numpy()) if greatest is None else greatest,
-        track=found.track,
         notes=(*notes, *found.notes, *columns.notes),
     )

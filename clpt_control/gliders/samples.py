@@ -27,9 +27,8 @@ from numpy.typing import ArrayLike
 
 from ..currents.cf import decoded, number
 from ..errors import DataError, needed
-from ..estimation.dive import Track
+from ..estimation.dive import Dive, ThroughWater, Track
 from ..units import length_in_metres, speed_in_metres_per_second
-from .dives import Dive
 
 SURFACE = 20.0  # m: a vehicle last seen above needs no samples until its fix
 LARGEST_HOLE = 0.1  # share of a dive that may be without samples under water
@@ -156,6 +155,21 @@ def hole_under_water(since: np.ndarray, depth: np.ndarray, duration: float) -> s
         return ""
     hole = f"no samples for {holes[longest]:.0f} s of {duration:.0f} s"
     return f"{hole}, from {depths[longest]:.0f} m depth on" if depths[longest] > SURFACE else hole
+
+
+def summed(
+    since: np.ndarray, steps: np.ndarray, depth: np.ndarray, duration: float, notes: Sequence[str]
+) -> ThroughWater:
+    """Sum steps east and north (m) at times since the fix before the dive (s).
+
+    Unless samples are missing.
+    """
+    hole = hole_under_water(since, depth, duration)
+    if hole:
+        return ThroughWater(notes=(*notes, hole))
+    east, north = steps
+    total = float(np.sum(east)), float(np.sum(north))
+    return ThroughWater(total, track_of(since, east, north, duration), notes)
 
 
 def deepest(depth: np.ndarray) -> float | None:

@@ -17,7 +17,6 @@ The plan of the next dive is the last DesiredH (degrees), taken from true north.
 """
 
 import zlib
-from math import nan
 from pathlib import Path
 
 import numpy as np
@@ -25,9 +24,10 @@ import pandas
 
 from ..currents.text_table import table_of
 from ..errors import DataError
+from ..estimation.dive import Dive, Fix, ThroughWater
 from ..files.reading import LARGEST, read_bytes, text_of
-from .dives import LEAST_DEPTH, Dive, Fix, Three, dive_between, dives_across_files, fixes_in, logged
-from .samples import deepest, degrees, hole_under_water, track_of
+from .dives import LEAST_DEPTH, Three, dive_between, dives_across_files, fixes_in, logged
+from .samples import deepest, degrees, summed
 
 GZIP = b"\x1f\x8b"
 FIRST = "Timestamp;"
@@ -107,31 +107,25 @@ def _fixes_and_wet(log: pandas.DataFrame) -> tuple[list[Fix], np.ndarray]:
 
 def _dive(log: pandas.DataFrame, fixes: Three, which: int) -> Dive:
     _, start, end = fixes
-    duration, notes = end[0] - start[0], []
     steered = log.DesiredH.dropna()
     time, heading, declination, pitch, depth = logged(
         log, "Heading", "Declination", "Pitch", "Depth"
     )
-    hole = "no samples" if time.size < 3 else hole_under_water(time - start[0], depth, duration)
-    total, track = (nan, nan), None
-    if hole:
-        notes.append(hole)
-    else:
+    found = ThroughWater(notes=["no samples"])
+    if time.size > 2:
         nose, true = np.radians(pitch), np.radians(heading + declination)
         with np.errstate(divide="ignore", invalid="ignore"):
             speed = -np.gradient(depth, time) / np.tan(nose)
         flies = (np.abs(pitch) > LEAST_PITCH) & (speed > 0) & (speed < FASTEST)
         step = np.where(flies, speed, 0.0) * np.diff(time, prepend=time[0])
-        east, north = step * np.sin(true), step * np.cos(true)
-        total = float(east.sum()), float(north.sum())
-        track = track_of(time - start[0], east, north, duration)
+        steps = step * np.array([np.sin(true), np.cos(true)])
+        found = summed(time - start[0], steps, depth, end[0] - start[0], [])
     return dive_between(
         which,
         fixes,
-        total,
+        found,
         magvar=float(np.median(declination)) if declination.size else None,
         depth_max=deepest(depth),
-        track=track,
         next_course=steered.iloc[-1].item() % 360.0 if steered.size else None,
-        notes=tuple(notes),
+        notes=tuple(found.notes),
     )

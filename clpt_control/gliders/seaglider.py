@@ -29,9 +29,9 @@ import numpy as np
 import xarray
 
 from ..errors import DataError
-from ..estimation.dive import Track
+from ..estimation.dive import Dive, Fix, ThroughWater
 from . import samples
-from .dives import NUMBERS, Dive, Fix, Three, dive_between, is_fix, planned_course, whole_number
+from .dives import NUMBERS, Three, dive_between, is_fix, planned_course, whole_number
 
 FIXES = ("log_gps_time", "log_gps_lat", "log_gps_lon")
 NAMES = ("GPS1", "GPS2", "GPSE")
@@ -42,7 +42,6 @@ LONGEST_STEP = 1e5  # m in one sample: beyond, a fill value
 REPAIRABLE = 0.05  # largest share of samples that is filled from their neighbours
 LONGEST_GAP = 900.0  # s between samples that is mentioned
 DEPTHS = ("depth", "ctd_depth", "eng_depth")
-NOT_KNOWN = (nan, nan)
 
 
 def fixes_of(data: xarray.Dataset, first_sample: float) -> tuple[Three, list[str]]:
@@ -110,7 +109,7 @@ def dive_of(data: xarray.Dataset, path: Path) -> Dive:
     names = next((pair for pair in pairs if set(pair) <= set(data.variables)), None)
     time, why_not = _times(data, names[0]) if names else (None, "")
     fixes, doubts = fixes_of(data, nan if time is None else float(time[0]))
-    through_water, track, notes = _dead_reckoning(data, names, time, fixes[1][0], fixes[2][0])
+    found = _dead_reckoning(data, names, time, fixes[1][0], fixes[2][0])
     depths = (
         samples.deepest(samples.metres(data, name)) for name in DEPTHS if name in data.variables
     )
@@ -118,15 +117,14 @@ def dive_of(data: xarray.Dataset, path: Path) -> Dive:
     return dive_between(
         which,
         fixes,
-        through_water,
+        found,
         dac_east=samples.scalar(data, "depth_avg_curr_east"),
         dac_north=samples.scalar(data, "depth_avg_curr_north"),
         dac_qc=samples.scalar(data, "depth_avg_curr_qc"),
         magvar=_variation(data),
         depth_max=next((depth for depth in depths if depth is not None), None),
-        track=track,
         next_course=_next_course(data, fixes[2]),
-        notes=(*notes, *([why_not] if why_not else []), *doubts, *misnumbered),
+        notes=(*found.notes, *([why_not] if why_not else []), *doubts, *misnumbered),
     )
 
 
@@ -199,33 +197,30 @@ def _dead_reckoning(
     time: np.ndarray | None,
     start: float,
     end: float,
-) -> tuple[tuple[float, float], Track | None, list[str]]:
-    """Sum the displacement through the water; return it, its track and notes."""
+) -> ThroughWater:
+    """Sum the displacement through the water."""
     if names is None:
-        return NOT_KNOWN, None, ["no variables east_displacement, north_displacement"]
+        return ThroughWater(notes=["no variables east_displacement, north_displacement"])
     notes = []
     if names[0].endswith("_gsm"):
         notes.append(f"dead reckoning of the glide-slope model ({names[0]})")
     east, north = (samples.metres(data, name) for name in names)
     if east.shape != north.shape or east.ndim != 1 or not east.size:
-        return NOT_KNOWN, None, [*notes, f"{names[0]} and {names[1]} differ in length or are empty"]
+        wrong = f"{names[0]} and {names[1]} differ in length or are empty"
+        return ThroughWater(notes=[*notes, wrong])
     bad = ~((np.abs(east) < LONGEST_STEP) & (np.abs(north) < LONGEST_STEP))
     if bad.any():
         note = f"{bad.sum()} of {bad.size} samples of the displacement are not finite"
         if time is None or bad.mean() > REPAIRABLE:
-            return NOT_KNOWN, None, [*notes, note]
+            return ThroughWater(notes=[*notes, note])
         east, north = (samples.fill(time, steps, bad) for steps in (east, north))
         notes.append(f"{note}, filled from their neighbours' speed")
-    total = float(np.sum(east)), float(np.sum(north))
     if time is None:
-        return total, None, notes
+        return ThroughWater((float(np.sum(east)), float(np.sum(north))), notes=notes)
     if time.size > 1 and np.max(np.diff(time)) > LONGEST_GAP:
         notes.append(f"a gap of {np.max(np.diff(time)):.0f} s in the samples")
-    since = time - start
-    hole = samples.hole_under_water(since, _depths(data, names[0]), end - start)
-    if hole:
-        return NOT_KNOWN, None, [*notes, hole]
-    return total, samples.track_of(since, east, north, end - start), notes
+    depth = _depths(data, names[0])
+    return samples.summed(time - start, np.array([east, north]), depth, end - start, notes)
 
 
 def _depths(data: xarray.Dataset, like: str) -> np.ndarray:

@@ -37,7 +37,7 @@ from pathlib import Path
 import numpy as np
 import pandas
 
-from ..estimation.dive import Dive, Fix
+from ..estimation.dive import Dive, Fix, ThroughWater
 from ..geodesy import displacement
 from .dives import LEAST_DEPTH, dive_between, dives_across_files, fixes_in, logged, planned_course
 from .samples import deepest, degrees, hole_under_water, turned, variation
@@ -211,17 +211,17 @@ def _dive(of: pandas.DataFrame, segment: Segment, fixes: tuple[Fix | None, Fix, 
         used = of.u_use_current_correction[: end[0]].ffill().iloc[-1]
         path, total, note = reconciled(path, wet[0] - start[0], gps, duration, before, now, used)
         notes += [note] if note else []
+    track = None
+    if path is not None:
+        track = np.append(path[0], duration), *path[1:, [*range(path.shape[1]), -1]]
     return dive_between(
         segment.number,
         fixes,
-        (float(total[0]), float(total[1])),
+        ThroughWater((float(total[0]), float(total[1])), track),
         dac_east=None if np.isnan(now[0]) else float(now[0]),
         dac_north=None if np.isnan(now[1]) else float(now[1]),
         magvar=east_of_north,
         depth_max=deepest(depth),
-        track=None
-        if path is None
-        else (np.append(path[0], duration), *path[1:, [*range(path.shape[1]), -1]]),
         next_course=_next_course(of, end, east_of_north),
         notes=tuple(notes),
     )
