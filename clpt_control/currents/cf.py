@@ -59,9 +59,8 @@ def find_variable(data: xarray.Dataset, table: dict[str, Any], what: str) -> str
         (n for n in data.variables if str(n).lower() in names),
         key=lambda n: names.index(str(n).lower()),
     )
-    for candidates in ([n for n in by_name if n in by_standard], by_standard, by_name):
-        if candidates:
-            return str(candidates[0])
+    if found := [*(n for n in by_name if n in by_standard), *by_standard, *by_name]:
+        return str(found[0])
     if table is AXES and any(
         data[n].attrs.get("standard_name") in PROJECTED for n in data.variables
     ):

@@ -128,14 +128,11 @@ def read_table(
     polar = bool(stated & set(POLAR["speed"])) and not stated & set(NAMES["u"])
     wanted = POLAR if polar else NAMES
     with naming(path):
-        columns, sizes = _header(header, comments.get("units") or units, wanted)
+        columns = _header(header, comments.get("units") or units, wanted)
         if cells.empty:
             raise DataError("has a header and no rows; must be a table of time, u and v")
-    times, (_, *names) = _times(cells.iloc[:, columns[0]], path), wanted
-    u, v = (
-        size * _numbers(cells.iloc[:, k], name, path)
-        for name, k, size in zip(names, columns[1:], sizes[1:], strict=True)
-    )
+    times = _times(cells.iloc[:, columns.pop("time")[0]], path)
+    u, v = (size * _numbers(cells.iloc[:, k], name, path) for name, (k, size) in columns.items())
     if polar:
         u, v = u * np.sin(np.radians(v)), u * np.cos(np.radians(v))
     latitude = None
@@ -160,10 +157,10 @@ def _name_and_unit(cell: str) -> tuple[str, str | None]:
 
 def _header(
     header: list[str], units: str | None, wanted: dict[str, tuple[str, ...]]
-) -> tuple[list[int], list[float]]:
+) -> dict[str, tuple[int, float]]:
     """Return the columns of time and flow, and what one unit of each is in s, m/s or degrees."""
     names, stated = zip(*map(_name_and_unit, header), strict=True)
-    columns, sizes = [], []
+    columns = {}
     for what, allowed in wanted.items():
         found = [k for k, name in enumerate(names) if name in allowed]
         if not found and (marks := other_marks(",".join(header), NAMES["time"][0])):
@@ -174,18 +171,14 @@ def _header(
                 f"must begin with a line such as 'time,u (m/s),v (m/s)', this one does with "
                 f"{','.join(header)[:60]!r}"
             )
-        columns.append(found[0])
-        if what in ("time", "direction"):
-            sizes.append(1.0)
-            continue
-        unit = stated[found[0]] or units
+        unit = "m/s" if what in ("time", "direction") else stated[found[0]] or units
         if unit is None:
             raise DataError(
                 f"{what} has no units; write them behind the name, such as 'u (m/s)', or in a line "
                 "'# units: m/s'"
             )
-        sizes.append(speed_in_metres_per_second(unit, what))
-    return columns, sizes
+        columns[what] = found[0], speed_in_metres_per_second(unit, what)
+    return columns
 
 
 def _times(cells: pandas.Series, path: Path) -> np.ndarray:

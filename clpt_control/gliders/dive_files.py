@@ -118,16 +118,15 @@ def _dive(row: dict[str, str], where: str) -> Dive | Skipped:
     for column in (*REQUIRED[1:], *OPTIONAL):
         text = row.get(column, "")
         value = _time(text) if column in TIMES else _number(text)
-        if value is None and text and column in (START[0], END[0]):
-            return Skipped(number, f"{where}: {column} is {text[:30]!r}; {AS_TIME}")
         if value is None and text:
+            if column in (START[0], END[0]):
+                return Skipped(number, f"{where}: {column} is {text[:30]!r}; {AS_TIME}")
             notes.append(f"{where}: {column} is {text[:20]!r}, no number")
         elif column in REQUIRED and not text and column in row:
             notes.append(f"{where}: {column} is empty")
-        if column in REQUIRED:
-            found[column] = nan if value is None else value
-        else:
-            found[column] = value if value is not None and isfinite(value) else None
+        missing = nan if column in REQUIRED else None
+        known = value is not None and (column in REQUIRED or isfinite(value))
+        found[column] = value if known else missing
     start, end, through_water = (
         tuple(found[column] for column in columns) for columns in (START, END, THROUGH_WATER)
     )
@@ -197,15 +196,9 @@ def write_dive_table(dives: Iterable[Dive], path: str | Path, comment: str = "")
     """
     lines = [f"# {line}".rstrip() for line in comment.splitlines()]
     lines.append(",".join((*REQUIRED, "gps_east_m", "gps_north_m", *OPTIONAL)))
+    columns = (*START, *END, "dr_east", "dr_north", "gps_east", "gps_north", *OPTIONAL)
     for dive in dives:
-        numbers = (
-            *(getattr(dive, name) for name in (*START, *END)),
-            dive.dr_east,
-            dive.dr_north,
-            dive.gps_east,
-            dive.gps_north,
-            *(getattr(dive, name) for name in OPTIONAL),
-        )
+        numbers = (getattr(dive, column) for column in columns)
         cells = ("" if value is None else repr(float(value)) for value in numbers)
         lines.append(",".join((str(dive.number), *cells)))
     write_file(path, "\n".join(lines) + "\n")

@@ -93,8 +93,7 @@ def parsed(text: str) -> list[Fact]:
     for line in text.strip().splitlines():
         cells = [cell.strip() for cell in line.split("|")]
         cells += [""] * (len(Fact._fields) - len(cells))
-        variable, units, words, standard_name, of = cells
-        facts.append(Fact(variable, units, words, standard_name, of or variable))
+        facts.append(Fact(*cells[:-1], cells[-1] or cells[0]))
     return facts
 
 
@@ -128,9 +127,8 @@ def replay_dataset(
     (14, 'm')
     """
     dives, rows = [step.dive for step in replay.steps], flat_rows(replay)
-    numbers = np.array([d.number for d in dives], np.int64)
-    if np.all(np.abs(numbers) < 2**31):
-        numbers = numbers.astype(np.int32)
+    small = all(abs(d.number) < 2**31 for d in dives)
+    numbers = np.array([d.number for d in dives], np.int32 if small else np.int64)
     time = {"units": EPOCH, "calendar": "standard", "standard_name": "time", "axis": "T"}
     north = {"units": "degrees_north", "standard_name": "latitude", "axis": "Y"}
     east = {"units": "degrees_east", "standard_name": "longitude", "axis": "X"}

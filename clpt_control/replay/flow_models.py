@@ -49,7 +49,6 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from math import cos, isfinite, radians
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
 from scipy.integrate import solve_ivp
@@ -62,10 +61,9 @@ from ..errors import ClptError, DataError
 from ..estimation.dive import reckoned
 from ..files.reading import open_netcdf, shown_name
 from ..gliders.dives import Dive
+from ..scenario.experiment import Scenario
+from ..scenario.file import load_scenario
 from ..units import METRES, SECONDS, seconds_since_1970
-
-if TYPE_CHECKING:
-    from ..scenario.experiment import Scenario
 
 Flow = Callable[[float, float, float], tuple[float, float]]
 NOTE = "flow model: "
@@ -306,7 +304,7 @@ def _bracket(axis: np.ndarray, low: float, high: float) -> slice:
 class Fitted(FlowModel):
     """A basis with its parameters, on the plane of its fit."""
 
-    scenario: "Scenario"
+    scenario: Scenario
     theta: np.ndarray  # shape (2, N), along x1 and x2, the scenario's length per time
     plane: LocalPlane  # about the origin of the fit
     start: float  # its t = 0, s since 1970 UTC
@@ -339,8 +337,6 @@ class Fitted(FlowModel):
 
 def read_fitted(path: str | Path) -> Fitted:
     """Read the TOML file that `clpt fit` wrote, its field beside it; theta is the fitted one."""
-    from ..scenario.file import load_scenario
-
     path = Path(path)
     scenario = load_scenario(path)
     if scenario.field_path is None:

@@ -31,7 +31,7 @@ from ..gliders.dives import Skipped
 from .flow_models import NOTE, why_uncovered
 from .replay import FLOW_MODEL, Replay, Step
 from .surfacing import ELLIPSE, NextDive, Way, ellipse
-from .wording import direction, placed, utc, velocity
+from .wording import direction, placed, utc, vector, velocity
 
 SPEED = ("speed_factor", "speed_factor_error", "compass", "compass_error")
 FAR = 3.0  # standard errors
@@ -87,15 +87,12 @@ def _row(step: Step, models: tuple[str, ...]) -> dict[str, Any]:
         **placed("end_", dive.lat_gpse, dive.lon_gpse),
         **placed("reckoned_", *reckoned),
         **placed("forecast_", *forecast),
-        "dr_east": dive.dr_east,
-        "dr_north": dive.dr_north,
-        "forecast_east": float(step.forecast[0]),
-        "forecast_north": float(step.forecast[1]),
+        **vector("dr_", dive.dr_east, dive.dr_north),
+        **vector("forecast_", *step.forecast),
         "clpe": {name: step.clpe[name] for name in models},
         **dict(zip(ELLIPSE, ellipse(step.covariance), strict=True)),
         "inside_90": step.inside,
-        "current_east": east,
-        "current_north": north,
+        **vector("current_", east, north),
         "current_east_error": float(step.current_error[0]),
         "current_north_error": float(step.current_error[1]),
         "current_speed": hypot(east, north),

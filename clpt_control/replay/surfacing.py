@@ -60,7 +60,7 @@ from ..geodesy import displacement
 from ..gliders.dives import Dive, Fix
 from ..gliders.usable_dives import FASTEST
 from .flow_models import why_uncovered
-from .wording import clock, direction, in_minutes, placed, utc
+from .wording import clock, direction, in_minutes, placed, utc, vector
 
 PLANNED, REPEATED, ANYWHERE, GIVEN = "planned", "repeated", "anywhere", "given"
 PRIORS = {  # c, and standard deviations of S0
@@ -343,8 +343,7 @@ class NextDive:
             **placed("start_", self.plan.lat_gps2, self.plan.lon_gps2),
             "basis": self.basis,
             "duration": self.plan.duration,
-            "dr_east": self.plan.dr_east,
-            "dr_north": self.plan.dr_north,
+            **vector("dr_", self.plan.dr_east, self.plan.dr_north),
             **placed("", self.latitude, self.longitude),
             "place": in_minutes(self.latitude, self.longitude),
             **dict(zip(ELLIPSE, ellipse(self.covariance), strict=True)),

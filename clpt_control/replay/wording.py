@@ -139,6 +139,11 @@ def placed(which: str, lat: float, lon: float) -> dict[str, float]:
     return {f"{which}latitude": lat, f"{which}longitude": lon}
 
 
+def vector(which: str, east: float, north: float) -> dict[str, float]:
+    """Return a vector as rows have it, by its name."""
+    return {f"{which}east": float(east), f"{which}north": float(north)}
+
+
 def from_now(hours: float) -> str:
     """Return when something is, in hours from now.
 
