@@ -25,7 +25,7 @@ from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import groupby, pairwise
-from math import atan2, degrees, hypot, inf
+from math import atan2, degrees, hypot, inf, isnan
 from operator import itemgetter
 from pathlib import Path
 from typing import Any
@@ -120,7 +120,7 @@ def fixes_in(time: np.ndarray, lat: np.ndarray, lon: np.ndarray) -> list[Fix]:
 
 
 def dive_between(number: int, fixes: Three, through: ThroughWater, **optional: Any) -> Dive:
-    """Make a dive; note where miss / duration differs from the file's current by over 10 mm/s.
+    """Make a dive, NaN as None; note where miss / duration is 10 mm/s off the file's own current.
 
     >>> fixes = None, (1e9, -43.0, 8.0), (1e9 + 9000, -43.0, 8.0)
     >>> through = ThroughWater((0.0, 450.0))
@@ -132,7 +132,10 @@ def dive_between(number: int, fixes: Three, through: ThroughWater, **optional: A
     first: dict[str, Any] = dict(
         zip(("t_gps1", "lat_gps1", "lon_gps1"), fixes[0] or (None,) * 3, strict=True)
     )
-    more = {"track": through.track, "turned": through.turned, **first, **optional}
+    known = {
+        key: None if isinstance(one, float) and isnan(one) else one for key, one in optional.items()
+    }
+    more = {"track": through.track, "turned": through.turned, **first, **known}
     dive = make_dive(number, fixes[1], fixes[2], through.total, **more)
     difference = dac_difference(dive)
     if not MENTIONED < difference < inf:

@@ -25,7 +25,7 @@ The displacement dr through the water is the first that the file allows of
 The dive's notes say which it was where it was not the first.
 """
 
-from math import isfinite, isnan
+from math import isfinite, isnan, nan
 
 import numpy as np
 import pandas
@@ -34,7 +34,7 @@ import xarray
 from ..errors import DataError
 from ..estimation.dive import Dive, Fix, ThroughWater, without_current
 from .dives import LEAST_DEPTH, Skipped, Three, cut_dives, dive_between
-from .og1_columns import Columns, columns_of, fixes_and_others, has_ends, segments_of
+from .og1_columns import columns_of, fixes_and_others, has_ends, segments_of
 from .og1_columns import is_known as is_known
 from .samples import LAST, deepest, summed, variation
 
@@ -43,25 +43,21 @@ UNDER_WATER = (1, 2, 4, 5)  # PHASE: ascent, descent, parking, inflexion
 
 
 def through_water(
-    columns: Columns,
-    rows: pandas.DataFrame,
-    start: Fix,
-    end: Fix,
-    current: tuple[float | None, float | None],
+    rows: pandas.DataFrame, start: Fix, end: Fix, current: tuple[float, float]
 ) -> ThroughWater:
     """Return the displacement through the water of one dive from its rows, by time."""
-    found = _summed(rows, start, end)
+    found, steps = _summed(rows, start, end), rows.attrs["steps"]
     if found is not None:
-        if columns.steps.upper().endswith("_GSM"):
-            note = f"dead reckoning of the glide-slope model ({columns.steps})"
+        if steps.upper().endswith("_GSM"):
+            note = f"dead reckoning of the glide-slope model ({steps})"
             return found._replace(notes=(*found.notes, note))
         return found
-    sure = columns.north == "true" or rows.magvar.notna().any()
-    u, v = current
-    if sure or u is None or v is None:
-        found = _along_heading(columns, rows, start, end)
-    if found is None and u is not None and v is not None:
-        total = without_current(start, end, (u, v))
+    sure = rows.attrs["north"] == "true" or rows.magvar.notna().any()
+    own = all(map(isfinite, current))
+    if sure or not own:
+        found = _along_heading(rows, start, end)
+    if found is None and own:
+        total = without_current(start, end, current)
         note = "dead reckoning computed from the file's depth-averaged current"
         return ThroughWater(total, notes=[note])
     if found is None:
@@ -73,14 +69,12 @@ def through_water(
     return found
 
 
-def _along_heading(
-    columns: Columns, rows: pandas.DataFrame, start: Fix, end: Fix
-) -> ThroughWater | None:
+def _along_heading(rows: pandas.DataFrame, start: Fix, end: Fix) -> ThroughWater | None:
     """Return the dead reckoning of speed and heading; None where a dive has neither.
 
     A row with a heading and no speed is a stall of the flight model: no step.
     """
-    turned, north = _variation_of(columns, rows, start, end)
+    turned, north = _variation_of(rows, start, end)
     steered = rows.dropna(subset="heading")
     step = steered.speed * steered.time.diff().fillna(0.0)
     heading = np.radians(steered.heading + (turned or 0.0))
@@ -92,17 +86,16 @@ def _along_heading(
     return found._replace(turned=turned, notes=(*found.notes, note))
 
 
-def _variation_of(
-    columns: Columns, rows: pandas.DataFrame, start: Fix, end: Fix
-) -> tuple[float | None, str]:
+def _variation_of(rows: pandas.DataFrame, start: Fix, end: Fix) -> tuple[float | None, str]:
     """Return the variation of a dive's heading (degrees east), None if true; which north it has."""
-    if columns.north == "true":
-        return None, "true"
+    north = rows.attrs["north"]
+    if north == "true":
+        return None, north
     found = float(rows.magvar.median())
     if isfinite(found):
-        north = columns.north or "of a north that the file does not name"
-        return found, f"{north}, turned by the file's variation of {found:g} degrees"
-    if not columns.north:
+        which = north or "of a north that the file does not name"
+        return found, f"{which}, turned by the file's variation of {found:g} degrees"
+    if not north:
         return 0.0, ("of a north that the file does not name, taken as true (--variation turns it)")
     found = variation(0.5 * (start[0] + end[0]), *start[1:])
     if not isfinite(found):
@@ -132,11 +125,10 @@ def _summed(rows: pandas.DataFrame, start: Fix, end: Fix) -> ThroughWater | None
 
 def dives_of(data: xarray.Dataset) -> list[Dive | Skipped]:
     """Return the dives of a file by time, between fixes that are far apart in time."""
-    columns = columns_of(data)
-    of = columns.of
+    of = columns_of(data)
     of["wet"] = _under_water(of)
     if has_ends(data):
-        return _of_segments(columns, segments_of(data))
+        return _of_segments(of, segments_of(data))
     fixes, failed = fixes_and_others(of)
     under = np.sort(of.time[of.wet].dropna())
     found = cut_dives(fixes, under, LEAST_GAP) or cut_dives(fixes, None, LEAST_GAP)
@@ -148,7 +140,7 @@ def dives_of(data: xarray.Dataset) -> list[Dive | Skipped]:
         bad = int(np.sum((failed >= start[0]) & (failed <= end[0])))
         if bad:
             notes.append(f"{bad} fix(es) that are no place, 0 N 0 E or under water left out")
-        dives.append(_dive(columns, three, count, notes))
+        dives.append(_dive(of, three, count, notes))
     if not dives:
         raise DataError(
             f"no two fixes more than {LEAST_GAP:g} s apart in LATITUDE_GPS, LONGITUDE_GPS; "
@@ -158,18 +150,18 @@ def dives_of(data: xarray.Dataset) -> list[Dive | Skipped]:
 
 
 def _of_segments(
-    columns: Columns, segments: list[tuple[Fix, Fix, list[str]]]
+    of: pandas.DataFrame, segments: list[tuple[Fix, Fix, list[str]]]
 ) -> list[Dive | Skipped]:
     """Return the dives of segments with a measurement under water, and the others."""
     found: list[Dive | Skipped] = []
     for count, (start, end, notes) in enumerate(segments, 1):
-        inside = _between(columns.of, start, end)
+        inside = _between(of, start, end)
         if isfinite(start[0]) and not inside.wet.any():
             known = inside.number.dropna().tolist()
             number = int(known[0]) if known else None
             found.append(Skipped(number, "no measurement under water between its fixes"))
         else:
-            found.append(_dive(columns, (None, start, end), count, notes))
+            found.append(_dive(of, (None, start, end), count, notes))
     return found
 
 
@@ -183,28 +175,27 @@ def _under_water(of: pandas.DataFrame) -> pandas.Series:
     return wet.where(of.depth.isna(), of.depth > LEAST_DEPTH)
 
 
-def _dive(columns: Columns, fixes: Three, otherwise: int, notes: list[str]) -> Dive:
+def _dive(of: pandas.DataFrame, fixes: Three, otherwise: int, notes: list[str]) -> Dive:
     """Make the dive between fixes; `otherwise` is its number where none is known."""
     _, start, end = fixes
-    rows = _between(columns.of, start, end).sort_values("time", kind="stable")
-    wet = rows[rows.wet]
-    middle = {key: None if isnan(one) else one for key, one in rows.median().items()}
-    current = middle["u"], middle["v"]
+    rows = _between(of, start, end).sort_values("time", kind="stable")
+    wet, middle = rows[rows.wet], rows.median()
+    current = middle.u, middle.v
     numbers = np.unique(wet.number.dropna())
-    number = wet.number.median() if numbers.size else middle["number"]
+    number = wet.number.median() if numbers.size else middle.number
     if numbers.size > 1:
         notes.append(f"no fix between dives {numbers[0]:.0f} and {numbers[-1]:.0f}: taken as one")
-        current = None, None
-    found = through_water(columns, rows, start, end, current)
-    greatest = middle["depth_max"]
+        current = nan, nan
+    found = through_water(rows, start, end, current)
+    greatest = middle.depth_max
     return dive_between(
-        otherwise if number is None else int(number),
+        otherwise if isnan(number) else int(number),
         fixes,
         found,
         dac_east=current[0],
         dac_north=current[1],
-        dac_qc=middle["qc"],
-        magvar=middle["magvar"] if found.turned is None else found.turned,
-        depth_max=deepest(rows.depth.to_numpy()) if greatest is None else greatest,
-        notes=(*notes, *found.notes, *columns.notes),
+        dac_qc=middle.qc,
+        magvar=middle.magvar if found.turned is None else found.turned,
+        depth_max=deepest(rows.depth.to_numpy()) if isnan(greatest) else greatest,
+        notes=(*notes, *found.notes, *of.attrs["notes"]),
     )

@@ -25,7 +25,6 @@ good to twice the last digit of the file, some 10 m.
 """
 
 from math import nan
-from typing import NamedTuple
 
 import numpy as np
 import pandas
@@ -54,31 +53,23 @@ END_FLAG = "GPS_END_QC"
 DOUBTFUL = (3.0, 4.0)  # flags of a fix: questionable, bad
 
 
-class Columns(NamedTuple):
-    """Columns by name, and what the file says of its heading.
-
-    `t_fix`, `lat`, `lon` are of the fixes; `time`, `east`, `north` (steps, m), `speed`,
-    `heading` (degrees), `u`, `v`, `number`, `qc`, `magvar`, `depth`, `depth_max` and
-    `phase` of the measurements.
-    """
-
-    of: pandas.DataFrame
-    north: str  # "magnetic", "true" or "" where the file does not say
-    steps: str  # name of the displacement
-    notes: tuple[str, ...]  # on all of its dives
-
-
 def is_known(data: xarray.Dataset) -> bool:
     """Whether a NetCDF file is an OG1 trajectory."""
     known = known_names(data)
     return "N_MEASUREMENTS" in data.dims or any(name in known for name in FIXES)
 
 
-def columns_of(data: xarray.Dataset) -> Columns:
-    """Return the columns of a file, of one length."""
+def columns_of(data: xarray.Dataset) -> pandas.DataFrame:
+    """Return the columns of a file by name, and in `attrs` what it says of them.
+
+    `t_fix`, `lat`, `lon` are of the fixes; `time`, `east`, `north` (steps, m), `speed`,
+    `heading` (degrees), `u`, `v`, `number`, `qc`, `magvar`, `depth`, `depth_max` and
+    `phase` of the measurements.  `attrs` has the `north` of the heading, "magnetic", "true" or ""
+    where the file does not say, the name of the `steps`, and `notes` on all dives.
+    """
     known = known_names(data)
     fixes, t_name = _fix_columns(data, known)
-    time = seconds(data, known["TIME"]) if "TIME" in known else fixes[0]
+    time = seconds(data, known["TIME"]).ravel() if "TIME" in known else fixes[0]
     notes: list[str] = []
     if t_name in known and not str(data[known[t_name]].attrs.get("units", "")).strip():
         unit = unit_of_times(fixes[0], time)
@@ -103,20 +94,19 @@ def columns_of(data: xarray.Dataset) -> Columns:
     ):
         of[key] = np.full(time.size, nan)
         for name in (known[one] for one in candidates if one in known):
-            found = read(data, name)
+            found = read(data, name).ravel()
             if data[name].ndim == 0:  # one number for the mission
                 found = np.full(time.size, found[0])
             if found.shape == time.shape and np.isfinite(found).any():
                 of[key] = found
                 break
-    tables = (
-        pandas.DataFrame(of),
-        pandas.DataFrame(dict(zip(("t_fix", *PLACE), fixes, strict=True))),
-    )
+    of_fixes = pandas.DataFrame(dict(zip(("t_fix", *PLACE), fixes, strict=True)))
     beside = time.shape == fixes[0].shape  # else fixes on a dimension of their own
-    whole = pandas.concat(tables, axis=1 if beside else 0).reset_index(drop=True)
+    whole = pandas.concat([pandas.DataFrame(of), of_fixes], axis=1 if beside else 0)
+    whole = whole.where(np.isfinite(whole)).reset_index(drop=True)
     name = known.get(steps[0], steps[0])
-    return Columns(whole.where(np.isfinite(whole)), _frame(data, known), name, tuple(notes))
+    whole.attrs = {"north": _frame(data, known), "steps": name, "notes": tuple(notes)}
+    return whole
 
 
 def _fix_columns(data: xarray.Dataset, known: dict[str, str]) -> tuple[list[np.ndarray], str]:
