@@ -114,6 +114,7 @@ OF_THE_ENGINE = (  # called at each step, and checked by no one
     *("NativeDiagram.parameters", "NativeDiagram.breaks", "NativeDiagram.with_parameters"),
     *("Sampled.samples_at", "Sampled.values", "Block.units_of"),
     *("Replay.surfacing", "Replay.given", "Replay.start", "Replay.imagine"),
+    "Replay.feed",
 )
 RESULTS = ("Verdict", "ConformanceReport", "FlowEstimate", "Diagram")  # which nobody makes by hand
 

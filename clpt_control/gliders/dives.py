@@ -132,9 +132,10 @@ def dive_between(number: int, fixes: Three, through: ThroughWater, **optional: A
     first: dict[str, Any] = dict(
         zip(("t_gps1", "lat_gps1", "lon_gps1"), fixes[0] or (None,) * 3, strict=True)
     )
-    known = {
-        key: None if isinstance(one, float) and isnan(one) else one for key, one in optional.items()
-    }
+    known = dict(optional)
+    for key, one in optional.items():
+        if isinstance(one, float):
+            known[key] = None if isnan(one) else float(one)
     more = {"track": through.track, "turned": through.turned, **first, **known}
     dive = make_dive(number, fixes[1], fixes[2], through.total, **more)
     difference = dac_difference(dive)

@@ -240,9 +240,10 @@ class Replay:
     def feed(
         self, dives: Sequence[Dive], report: Callable[[int], None] = lambda done: None
     ) -> "Replay":
-        """Take all dives of a record, carried by the flow model, and return the replay of them.
+        """Take all dives of a record, and return the replay of them.
 
-        Of a record that grows, dives that come first again are not learned again.
+        Each is carried by the flow model.  Of a record that grows, dives that come first again
+        are not learned again.
         """
         if len(dives) < len(self._fed) or not all(map(_same, self._fed, dives)):
             self.steps = []
