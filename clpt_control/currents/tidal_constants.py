@@ -72,6 +72,7 @@ def _number(value: float) -> float | None:
 def tides_dataset(fit: TidalFit, record: CurrentRecord) -> xarray.Dataset:
     """Return tidal constants and the place of their record as a dataset to write."""
     names = [each.name for each in fit.constituents]
+    tables: dict[str, tuple[str, ...]]
     tables = {"amplitude": ("east", "north"), "phase": ("east_phase", "north_phase")}
     tables |= {f"ellipse_{key}": (key,) for key in ("major", "minor", "inclination", "phase")}
     both = {"amplitude": "amplitude of each component", "phase": "Greenwich phase lag"}

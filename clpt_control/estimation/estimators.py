@@ -210,10 +210,8 @@ class KalmanBank(Estimator):
     """A Kalman filter for each kind of sea with each choice of parts, and their probabilities."""
 
     def __init__(self, model: FixModel) -> None:
-        chances = [
-            model.priors.shelf if part == "tides" else model.priors.present
-            for part in model.optional
-        ]
+        p = model.priors
+        chances = [p.shelf if part == "tides" else p.present for part in model.optional]
         choices = list(product((False, True), repeat=len(chances)))
         present = np.array(choices * len(model.priors.kinds), bool)
         kinds = [kind for kind in model.priors.kinds for _ in choices]

@@ -93,7 +93,7 @@ def parsed(text: str) -> list[Fact]:
     for line in text.strip().splitlines():
         cells = [cell.strip() for cell in line.split("|")]
         cells += [""] * (len(Fact._fields) - len(cells))
-        facts.append(Fact(*cells[:-1], cells[-1] or cells[0]))
+        facts.append(Fact._make([*cells[:-1], cells[-1] or cells[0]]))
     return facts
 
 
