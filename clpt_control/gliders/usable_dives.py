@@ -194,9 +194,8 @@ def _in_minutes(lat: float, lon: float) -> str:
     """
     large = abs(lat) > 360.0 or (abs(lat) > 90.0 and abs(lon) > 360.0)
     degrees = [np.sign(part) * (abs(part) // 100 + abs(part) % 100 / 60) for part in (lat, lon)]
-    if not (large and abs(lat) % 100 < 60 and abs(lon) % 100 < 60):
-        return ""
-    if not (is_place(*degrees) and abs(degrees[1]) <= 180.0):
+    minutes = large and abs(lat) % 100 < 60 and abs(lon) % 100 < 60
+    if not (minutes and is_place(*degrees) and abs(degrees[1]) <= 180.0):
         return ""
     return (
         "looks like ddmm.mmm, degrees and minutes; give decimal degrees, "

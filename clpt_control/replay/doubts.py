@@ -100,10 +100,8 @@ def doubt_one_fix(
     drift = model.priors.current * since
     settled = _doubted(before, drift, f"{note}, and off its forecast: that start is taken instead")
     lat, lon = dive.lat_gps2, dive.lon_gps2
-    return (
-        replace(settled, lat_gpse=lat, lon_gpse=lon, gps_east=there[0], gps_north=there[1]),
-        dive,
-    )
+    east, north = there
+    return replace(settled, lat_gpse=lat, lon_gpse=lon, gps_east=east, gps_north=north), dive
 
 
 def _between(before: Dive, dive: Dive) -> float:
@@ -182,14 +180,14 @@ class SpeedFactorWatch:
             "dives": 0,
         }
         self.windows = [*self.windows[1 - DIVES :], fresh]
+        nu, inverse = update.innovation, update.inverse
+        chi = np.einsum("mi,mij,mj->m", nu, inverse, nu)
         for window in self.windows:
             g = H @ window["e"]
-            gS = g.transpose(0, 2, 1) @ update.inverse
+            gS = g.transpose(0, 2, 1) @ inverse
             window["A"] = window["A"] + gS @ g
-            window["b"] = window["b"] + np.einsum("mij,mj->mi", gS, update.innovation)
-            window["chi"] = window["chi"] + np.einsum(
-                "mi,mij,mj->m", update.innovation, update.inverse, update.innovation
-            )
+            window["b"] = window["b"] + np.einsum("mij,mj->mi", gS, nu)
+            window["chi"] = window["chi"] + chi
             window["e"] = update.rest @ window["e"]
             window["dives"] += 1
         self.count += 1
@@ -209,9 +207,8 @@ class SpeedFactorWatch:
         if not (A[:, 0, 0] > 0).all():  # no way through the water, no speed
             return None
         speed = b[:, 0] ** 2 / A[:, 0, 0]
-        flow = np.einsum(
-            "mi,mi->m", b[:, 1:], np.linalg.solve(A[:, 1:, 1:], b[:, 1:, None])[..., 0]
-        )
+        jump = np.linalg.solve(A[:, 1:, 1:], b[:, 1:, None])[..., 0]
+        flow = np.einsum("mi,mi->m", b[:, 1:], jump)
         ratio, current = float(w @ speed), float(w @ flow)
         rest = float(w @ (window["chi"] - speed)) / (2 * window["dives"] - 1)
         change = float(w @ (b[:, 0] / A[:, 0, 0]))

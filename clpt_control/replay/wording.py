@@ -290,9 +290,8 @@ def when(ahead: dict[str, Any]) -> str:
 
 def aim_sentence(leg: dict[str, Any]) -> str:
     """Return the sentence on `Aim.as_dict`."""
-    if leg["bearing"] is None:
-        bears = "here"
-    else:
+    bears = "here"
+    if leg["bearing"] is not None:
         bears = f"{leg['distance'] / 1000:.1f} km to {compass(leg['bearing'])}"
     text = f"aim at {place(leg['latitude'], leg['longitude'])}, {bears}: "
     against = leg["state"] == AGAINST
