@@ -8,6 +8,7 @@ the colour of the text around it, so that it reads on light and on dark.
 import re
 from base64 import b64encode
 from collections.abc import Iterable, Sequence
+from functools import cache
 from hashlib import sha256
 from html import escape
 from importlib import resources
@@ -16,18 +17,6 @@ from typing import NamedTuple
 NO_TEXT = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 WORDS = ' class="words"'
 LONGEST, MOST = 300, 6000  # letters of a cell, and of a text that unfolds
-STYLE = (
-    ".clpt{font:13px/1.45 system-ui,sans-serif;max-width:72em;overflow-x:auto;--paper:transparent;"
-    "--card:rgb(128 128 128/.25);--soft:currentColor;--rule:rgb(128 128 128/.35)}"
-    ".clpt table{border-collapse:collapse;margin:.3em 0;font-size:inherit}"
-    ".clpt tr{background:none!important;border-top:1px solid var(--rule)}"
-    ".clpt th,.clpt td{text-align:left!important;vertical-align:top;padding:.15em 1em .15em 0;"
-    "font-weight:normal;max-width:46em;overflow-wrap:break-word;white-space:normal}"
-    ".clpt th{opacity:.7;white-space:nowrap}"
-    ".clpt pre{max-height:24em;overflow:auto;background:none;color:inherit}"
-    ".clpt svg,.clpt img{max-width:100%;height:auto;background:none}"
-    ".clpt svg{font-family:DejaVu Sans,Verdana,Arial,sans-serif}"
-)
 
 
 class Result(NamedTuple):
@@ -122,6 +111,11 @@ def document(title: str, body: str, style: str, script: str = "", head: str = ""
     )
 
 
+@cache
+def _notebook_style() -> str:
+    return _asset("notebook.css").replace("\n", "")
+
+
 def _asset(name: str) -> str:
     return (resources.files("clpt_control") / "data" / name).read_text(encoding="utf-8")
 
@@ -133,7 +127,7 @@ def _hash(text: str) -> str:
 def fragment(kind: str, name: object, *pieces: str) -> str:
     """Return what a notebook shows of a thing: its kind, its name, and pieces of HTML."""
     head = f"<div><strong>{safe(kind)}</strong> {safe(shortened(name))}</div>" if kind else ""
-    return f'<div class="clpt"><style>{STYLE}</style>{head}{"".join(pieces)}</div>'
+    return f'<div class="clpt"><style>{_notebook_style()}</style>{head}{"".join(pieces)}</div>'
 
 
 def facts(rows: Iterable[Sequence[object]], columns: Sequence[str] = ()) -> str:

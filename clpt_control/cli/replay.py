@@ -21,19 +21,8 @@ from ..errors import ClptError, DataError, ScenarioError
 from ..files import make_folder, write_file
 from ..html import Result
 from ..progress import progress_bar, tell
+from . import replay_report
 from .printing import Formats, Json, arg, finish, flag, opt
-from .replay_report import (
-    Ahead,
-    Take,
-    check_pace,
-    fitted,
-    learn,
-    results,
-    summary_with_next,
-    watch,
-    waypoint,
-    write,
-)
 
 
 def folder_named(text: str) -> Path:
@@ -135,7 +124,7 @@ def replay(
         raise ScenarioError("--alert is for --follow FOLDER or --fleet FOLDER")
     command = [] if alert is None else checked_command(alert)
     kinds = checked_formats(formats or ([] if fleet else ["png"]))
-    check_pace(every, patience)
+    replay_report.check_pace(every, patience)
     if estimator not in ESTIMATORS:
         raise ScenarioError(f"--estimator {estimator}: must be one of {', '.join(ESTIMATORS)}")
     least = LEAST_DURATION if least_duration is None else least_duration
@@ -150,9 +139,9 @@ def replay(
         raise ScenarioError(f"--units {units}: is for --flow-model FILE; give one, or leave it out")
     forecast = None if flow_model is None else clpt.replay.read_flow_model(flow_model, units)
     way = None if route is None else read_route(route)
-    ahead = Ahead(
+    ahead = replay_report.Ahead(
         () if plan is None else (3600 * plan[0], plan[1:]),
-        [waypoint(text) for text in aim or ()] if way is None else way.targets,
+        [replay_report.waypoint(text) for text in aim or ()] if way is None else way.targets,
         speed,
         None if hours is None else 3600 * hours,
         variation,
@@ -195,15 +184,15 @@ def replay(
     written: list[Path] = []
     if follow is not None:
         place = follow / "replay" if out is None else out
-        summary = watch(take, follow, place, ahead, kinds, every, patience, command)
+        summary = replay_report.watch(take, follow, place, ahead, kinds, every, patience, command)
     else:
         gliders = clpt.gliders
         dives = (gliders.sample_dives(), []) if sample else gliders.read_dives(files or [])
         result, skipped = take(*dives)
-        summary, goal = summary_with_next(result, skipped, ahead)
+        summary, goal = replay_report.summary_with_next(result, skipped, ahead)
         if out is not None:
-            written = write(result, summary, make_folder(out), goal, kinds)
-    finish(results(summary), summary, as_json, *written)
+            written = replay_report.write(result, summary, make_folder(out), goal, kinds)
+    finish(replay_report.results(summary), summary, as_json, *written)
 
 
 def chosen_model(
@@ -274,7 +263,7 @@ def pages_of(vehicles: Iterable[str], place: Path) -> dict[str, Path]:
 
 
 def look_at(
-    take: Take, top: Path, out: Path, kinds: Sequence[str], alert: Sequence[str]
+    take: replay_report.Take, top: Path, out: Path, kinds: Sequence[str], alert: Sequence[str]
 ) -> tuple[dict[str, Any], Path]:
     """Replay each vehicle below a folder and write the fleet's page; return what is found."""
     from ..gliders.dive_files import FROM_GLIDER
@@ -303,7 +292,9 @@ def look_at(
                 alerts = Alerts(alert, place)
                 for vehicle, page in places.items():
                     its = [dive for dive in dives if dive.vehicle == vehicle]
-                    found, _ = learn(take, (its, bad), 0, make_folder(page), Ahead(), kinds)
+                    found, _ = replay_report.learn(
+                        take, (its, bad), 0, make_folder(page), replay_report.Ahead(), kinds
+                    )
                     link = (page / "replay.html").relative_to(out).as_posix()
                     rows.append(standing(found, link, time.time()))
                     alerts.tell(found)
@@ -322,4 +313,6 @@ def fleet_results(found: dict[str, Any]) -> list[Result]:
 
     cells = [fleet_cells(row) for row in found["vehicles"]]
     sentences = [f"{row['vehicle']}: {one}" for row in found["vehicles"] for one in row["said"]]
-    return [fitted("Fleet", cells, FLEET, [*sentences, fleet_sentence(found["vehicles"])])]
+    return [
+        replay_report.fitted("Fleet", cells, FLEET, [*sentences, fleet_sentence(found["vehicles"])])
+    ]

@@ -62,17 +62,17 @@ def laws_to_try(names: tuple[str, ...]) -> tuple[list[Law], dict[str, str]]:
     return tried, skipped
 
 
-def candidates(scenario: Scenario, law: Law, held: bool) -> Iterator[Candidate]:
-    """Yield a law with its defaults, and then the grid about them."""
-    one = candidate(scenario, law, held, 1.0, 1.0)
-    yield one
+def grid_about(scenario: Scenario, one: Candidate) -> Iterator[Candidate]:
+    """Yield a law with gains and filters about those of a candidate with its defaults."""
     for gain in GAINS if one.gain is not None else (1.0,):
         for pole in FILTERS if one.filter is not None else (1.0,):
             if (gain, pole) != (1.0, 1.0):
-                yield candidate(scenario, law, held, gain, pole)
+                yield candidate(scenario, LAWS[one.law], one.held, gain, pole)
 
 
-def candidate(scenario: Scenario, law: Law, held: bool, gain: float, pole: float) -> Candidate:
+def candidate(
+    scenario: Scenario, law: Law, held: bool, gain: float = 1.0, pole: float = 1.0
+) -> Candidate:
     """Return a law with its gain and filter times a factor each."""
     car = scenario.vehicle
     others = [one for one in LAWS.values() if one.settings and one.name != law.name]

@@ -36,7 +36,7 @@ import numpy as np
 from ..arguments import brief, public
 from ..errors import ScenarioError
 from ..html import shortened
-from .members import Variants
+from .members import Varied
 
 FORMS = "KEY=LOW:HIGH, KEY~normal:DEVIATION or KEY=[VALUE, ...]"
 IN_A_DICT = "a list of values, a range '0.2:2.0', or a distribution, such as scipy.stats.norm(1, 2)"
@@ -176,7 +176,7 @@ def read_varies(vary: str | Vary | Iterable[str | Vary] | Mapping[str, Any]) -> 
     return varies
 
 
-def check_varies(varied: Variants, varies: Sequence[Vary]) -> None:
+def check_varies(varied: Varied, varies: Sequence[Vary]) -> None:
     """Refuse what cannot vary in a system."""
     values, keys = varied.values, [one.key for one in varies]
     for one in varies:
@@ -221,7 +221,7 @@ def grid_count(varies: Sequence[Vary]) -> int:
 
 
 def draw_members(
-    varied: Variants, varies: Sequence[Vary], members: int, design: str, seed: int
+    varied: Varied, varies: Sequence[Vary], members: int, design: str, seed: int
 ) -> dict[str, np.ndarray]:
     """Draw the members' values: key -> array, shape (members,) + the key's shape."""
     if design not in DESIGNS:
@@ -303,7 +303,7 @@ def _values(one: Vary, base: np.ndarray, shares: np.ndarray) -> np.ndarray:
     return shares.reshape(len(shares), *base.shape)
 
 
-def check_members(varied: Variants, varies: Sequence[Vary], values: dict[str, np.ndarray]) -> None:
+def check_members(varied: Varied, varies: Sequence[Vary], values: dict[str, np.ndarray]) -> None:
     """Refuse members with values that are not allowed.
 
     What is allowed are intervals: where the least and the largest of all members
@@ -322,7 +322,7 @@ def check_members(varied: Variants, varies: Sequence[Vary], values: dict[str, np
             raise ScenarioError(f"member {first}: {sentence}; narrow {one.text}") from None
 
 
-def _refused(varied: Variants, key: str, values: np.ndarray, last: int) -> bool:
+def _refused(varied: Varied, key: str, values: np.ndarray, last: int) -> bool:
     """Return whether a member up to the last is refused."""
     try:
         for extreme in (np.min, np.max):

@@ -11,7 +11,7 @@ What the track shows: a parameter error of length 1 is a flow of rms (kappa_1/T)
 along a window T, kappa_1 being the smallest eigenvalue of the joint Gramian over it.
 """
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable
 from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any, NamedTuple
@@ -24,7 +24,7 @@ from ..errors import ClptError, ScenarioError, needed
 from ..scenario.experiment import Scenario
 from ..theory.designing.design import time_below
 from ..theory.designing.waypoint_tracks import Tracks
-from .candidates import Candidate, Unknown, belief, candidates, laws_to_try, unknown_of
+from .candidates import Candidate, Unknown, belief, candidate, grid_about, laws_to_try, unknown_of
 from .run import run_ensemble
 
 NEAR = 1.2  # times the best score: as good
@@ -130,7 +130,6 @@ def tune_law(
         raise ScenarioError(f"laws: none of {', '.join(names)} learns the flow; name another")
     report = progress or (lambda share: None)
     scores: list[Score] = []
-    more: dict[str, Iterator[Candidate]] = {}  # of the grid about a candidate
 
     def score(one: Candidate) -> None:
         try:
@@ -140,19 +139,18 @@ def tune_law(
 
     for k, law in enumerate(tried):
         report(0.5 * k / len(tried))
-        grids = [candidates(scenario, law, held) for held in (False, True)]
         try:
-            both = [next(one) for one in grids]
+            both = [candidate(scenario, law, held) for held in (False, True)]
         except ClptError as error:
             skipped[law.name] = str(error).removeprefix("scenario: ")
             continue
-        for one, about in zip(both, grids, strict=True):
-            more[one.text] = about
+        for one in both:
             score(one)
     finalists: dict[str, Candidate] = {}  # the best of each law
     for each in ranked(scores):
         finalists.setdefault(each.candidate.law, each.candidate)
-    grid = [one for best in list(finalists.values())[:FINALISTS] for one in more[best.text]]
+    few = list(finalists.values())[:FINALISTS]
+    grid = [one for best in few for one in grid_about(scenario, best)]
     for k, one in enumerate(grid):
         report(0.5 + 0.5 * k / len(grid))
         score(one)

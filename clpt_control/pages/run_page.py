@@ -14,6 +14,7 @@ from ..simulation.plots import named, ports_along, response_plot, signals_of
 from ..simulation.run_file import diagram_of_text, equations_text
 from ..simulation.summary import claims
 from ..theory.proving.array_loop import no_value
+from . import run_sections
 from .page import Card, Drawn, Page, Section, again_section, drawn
 from .results import (
     SHARES,
@@ -29,14 +30,6 @@ from .results import (
     numbers_of,
     of_the_worst,
     shares_of,
-)
-from .run_sections import (
-    ONE_SAMPLE,
-    excitation_section,
-    figure_sections,
-    loop_section,
-    samples_to_draw,
-    team_section,
 )
 
 if TYPE_CHECKING:
@@ -66,7 +59,7 @@ def run_page(run: "xarray.Dataset", system: Scenario | Team, title: str | None =
         per = f"1/{scenario.units.time}"
         below = f"coupling {system.coupling:g} {per}; below, of the worst"
         cards = [Card("Vehicles", str(len(system.members)), below)]
-        sections = [team_section(run, numbers)]
+        sections = [run_sections.team_section(run, numbers)]
     else:
         kind, scenario, alone = KINDS[parts is not None], system, numbers
         law = f"{own}, given in Python," if own else scenario.learning.law
@@ -76,9 +69,9 @@ def run_page(run: "xarray.Dataset", system: Scenario | Team, title: str | None =
         begin = "Asked, as far as the scenario says" if parts else "Asked"
         question = asked(scenario, law, count, begin)
         sentences = [question, found_of_clpe(numbers, scenario.units.length)]
-        cards, sections = [], figure_sections(run, scenario, numbers)
+        cards, sections = [], run_sections.figure_sections(run, scenario, numbers)
     if not parts:
-        sections = [*loop_section(system, own), *sections]
+        sections = [*run_sections.loop_section(system, own), *sections]
     if paper and not numbers["of_samples"]:  # else the run does not carry its figures
         judged = claims_result(claims(numbers))
         sections = [Section("claims", judged.title, judged), *sections]
@@ -91,7 +84,7 @@ def run_page(run: "xarray.Dataset", system: Scenario | Team, title: str | None =
         [*cards, *_cards(alone, scenario)],
         [
             *sections,
-            excitation_section(run, unmeasured),
+            run_sections.excitation_section(run, unmeasured),
             Section("scenario", "Scenario", more=ALL + folded("The scenario, TOML", text)),
             _again(run, scenario, paper),
         ],
@@ -282,8 +275,8 @@ def _over_time(run: "xarray.Dataset") -> Section:
     """Return each port over time."""
     heading = "Signals over time"
     if run.sizes["time"] < 2:
-        return Section("response", heading, ONE_SAMPLE)
-    few, thin = samples_to_draw(run)
+        return Section("response", heading, run_sections.ONE_SAMPLE)
+    few, thin = run_sections.samples_to_draw(run)
     ports = ports_along(run)
     figures = []
     for first in range(0, len(ports), EACH):

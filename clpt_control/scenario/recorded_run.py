@@ -15,22 +15,16 @@ from .team import Team
 if TYPE_CHECKING:
     import xarray
 
-PLANE, BY_FUNCTION = ("time", "axis"), ("time", "axis", "basis")
+ON_THE_PLANE = (  # variables of a run
+    *("position", "predicted_position", "measured_position", "clpe", "reference"),
+    *("feedback_gain", "feedforward_gain", "true_flow", "velocity", "commanded_velocity"),
+)
 DIMS = {  # variable of a run -> its dimensions, after those of a team
     "time": ("time",),
-    "position": PLANE,
-    "predicted_position": PLANE,
-    "measured_position": PLANE,
-    "clpe": PLANE,
-    "reference": PLANE,
-    "feedback_gain": PLANE,
-    "feedforward_gain": PLANE,
-    "true_flow": PLANE,
-    "velocity": PLANE,
-    "commanded_velocity": PLANE,
-    "alpha": BY_FUNCTION,
-    "flow_parameters_estimate": BY_FUNCTION,
-    "flow_parameters_readout": BY_FUNCTION,
+    **dict.fromkeys(ON_THE_PLANE, ("time", "axis")),
+    "alpha": ("time", "axis", "basis"),
+    "flow_parameters_estimate": ("time", "axis", "basis"),
+    "flow_parameters_readout": ("time", "axis", "basis"),
     "flow_parameters": ("axis", "basis"),
     "lyapunov": ("time",),
 }

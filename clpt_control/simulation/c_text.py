@@ -8,6 +8,7 @@ locked.  Inputs are one array.  Intervals and jumps, which an integrator sets, a
 """
 
 from collections.abc import Iterator
+from importlib import resources
 from math import copysign, inf, isnan
 from typing import Any
 
@@ -23,29 +24,8 @@ INFIX = {
     **{"lt": "<", "le": "<=", "gt": ">", "ge": ">=", "eq": "==", "ne": "!="},
 }
 PREFIX = {"neg": "-", "not": "!"}
-HELPERS = {  # functions of NumPy that C does not have, or defines otherwise
-    "minimum": "(double a, double b) { return a < b || isnan(a) ? a : b; }",
-    "maximum": "(double a, double b) { return a > b || isnan(a) ? a : b; }",
-    "sign": "(double a) { return a > 0.0 ? 1.0 : a < 0.0 ? -1.0 : 0.0 * a + 0.0; }",
-    "mod": """(double a, double b) {
-    const double left = fmod(a, b);
-    if (left == 0.0) return copysign(0.0, b);
-    return (left < 0.0) != (b < 0.0) ? left + b : left;
-}""",
-    "floordiv": """(double a, double b) {
-    const double left = fmod(a, b);
-    double ratio = (a - left) / b, whole;
-    if (b == 0.0) return a / b;
-    if (left != 0.0 && (left < 0.0) != (b < 0.0)) ratio -= 1.0;
-    whole = floor(ratio);
-    return ratio - whole > 0.5 ? whole + 1.0 : whole;
-}""",
-    "lookup": """(const double *row, int stride, int count, double place) {
-    double whole = trunc(place);
-    if (whole < 0.0) whole += count;
-    return whole >= 0.0 && whole < count ? row[stride * (int)whole] : NAN;
-}""",
-}
+FUNCTIONS = (resources.files("clpt_control.data") / "numpy.c").read_text("utf-8").split("\n\n")
+HELPERS = {one.split()[2].partition("_(")[0]: one.strip() for one in FUNCTIONS}
 
 
 class CRecord(DiagramRecord):
@@ -95,7 +75,7 @@ class CProgram:
     def shared(self, T: Any) -> Iterator[str]:
         """Yield the functions that C does not have, and arrays of numbers."""
         for name in self.helpers:
-            yield f"static double {name}_{HELPERS[name]}\n"
+            yield f"{HELPERS[name]}\n"
         text = "".join(self.functions.values())
         for array, values in (("T_", T), ("K_", self.components.constants)):
             if array in text:

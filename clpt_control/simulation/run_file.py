@@ -21,21 +21,8 @@ from ..files import write_file
 from ..files.reading import open_netcdf
 from ..native.native_diagram import NativeDiagram
 from ..native.schedule import Inputs
+from ..scenario import file
 from ..scenario.experiment import MOST_BYTES, Scenario
-from ..scenario.file import (
-    CHANGED,
-    EQUATIONS,
-    FORM,
-    LATEST,
-    NOT_REPEATED,
-    OWN_LAW,
-    OWN_PARTS,
-    TEAM,
-    check_form,
-    load_scenario,
-    scenario_from_text,
-    scenario_to_text,
-)
 from ..scenario.recorded_run import check_response, check_run, is_response
 from ..scenario.team import Team, system_of_run, team_to_text
 from .loops import closed_loop
@@ -89,18 +76,18 @@ def as_written(run: "xarray.Dataset", path: Path) -> "xarray.Dataset":
 
     The scenario's paths are relative to the file.
     """
-    if {"scenario", TEAM} & run.attrs.keys():
+    if {"scenario", file.TEAM} & run.attrs.keys():
         system = system_of_run(run)
         if isinstance(system, Team):
-            run = run.assign_attrs({TEAM: team_to_text(system, path.parent)})
+            run = run.assign_attrs({file.TEAM: team_to_text(system, path.parent)})
         else:
-            run = run.assign_attrs(scenario=scenario_to_text(system, path.parent))
+            run = run.assign_attrs(scenario=file.scenario_to_text(system, path.parent))
     text, why = equations_text(run)
     if text:
-        run = run.assign_attrs({EQUATIONS: text})
+        run = run.assign_attrs({file.EQUATIONS: text})
     elif is_response(run):
-        run = run.assign_attrs({NOT_REPEATED: why or run.attrs.get(NOT_REPEATED, LOST)})
-    return run.assign_attrs({FORM: LATEST})
+        run = run.assign_attrs({file.NOT_REPEATED: why or run.attrs.get(file.NOT_REPEATED, LOST)})
+    return run.assign_attrs({file.FORM: file.LATEST})
 
 
 @public
@@ -133,7 +120,7 @@ def load_run(path: str | Path) -> "xarray.Dataset":
     6
     """
     with open_netcdf(Path(path), MOST_BYTES) as data:
-        check_form(data.attrs, path)
+        file.check_form(data.attrs, path)
         if "clpe" not in data.variables and not is_response(data):
             raise DataError(f"{path}: {NO_RUN}; `clpt run` writes one")
         run = data.load()
@@ -143,12 +130,12 @@ def load_run(path: str | Path) -> "xarray.Dataset":
         else:
             system = system_of_run(run, files=False)
             check_run(run, system, "time", "position", "predicted_position", "clpe")
-        if text := str(run.attrs.pop(EQUATIONS, "")):
+        if text := str(run.attrs.pop(file.EQUATIONS, "")):
             diagram_of_text(text)
-            run.encoding[EQUATIONS] = text
+            run.encoding[file.EQUATIONS] = text
     except ClptError as error:
         raise DataError(f"{path}: {error}") from None
-    run.attrs.pop(FORM, None)  # of the file, not of the run
+    run.attrs.pop(file.FORM, None)  # of the file, not of the run
     run.encoding["folder"] = str(Path(path).parent)
     return run
 
@@ -159,7 +146,7 @@ CONDITIONS = (
     *("timepts", "initial_state", "inputs"),
     *("rtol", "atol", "method", "max_step", "first_step"),
 )
-BEYOND = OWN_LAW, OWN_PARTS, CHANGED  # attributes for what a scenario does not hold
+BEYOND = file.OWN_LAW, file.OWN_PARTS, file.CHANGED  # attributes for what a scenario does not hold
 
 
 class RecordedScenario(NamedTuple):
@@ -214,7 +201,7 @@ class RunRecord:
 
 def equations_text(run: "xarray.Dataset") -> tuple[str, str]:
     """Return the equations that repeat a run, or "" and why there are none."""
-    record = run.encoding.get(EQUATIONS) or run.attrs.get(EQUATIONS, "")
+    record = run.encoding.get(file.EQUATIONS) or run.attrs.get(file.EQUATIONS, "")
     try:
         return (record.text if isinstance(record, RunRecord) else str(record)), ""
     except Unrecorded as error:
@@ -249,7 +236,7 @@ def repeats_by_equations(path: Path) -> bool:
     """Return whether a file holds equations, and no scenario that repeats the run alone."""
     with open_netcdf(path) as data:
         beyond = data.attrs.keys() & {*BEYOND}
-        return EQUATIONS in data.attrs and bool(beyond or "scenario" not in data.attrs)
+        return file.EQUATIONS in data.attrs and bool(beyond or "scenario" not in data.attrs)
 
 
 @public
@@ -285,17 +272,17 @@ def load_diagram(path: str | Path) -> Diagram:
     True
     """
     with open_netcdf(Path(path)) as data:
-        check_form(data.attrs, path)
+        file.check_form(data.attrs, path)
         attributes = {name: str(value) for name, value in data.attrs.items()}
-    text, why = (attributes.get(name, "") for name in (EQUATIONS, NOT_REPEATED))
+    text, why = (attributes.get(name, "") for name in (file.EQUATIONS, file.NOT_REPEATED))
     if not text and "scenario" in attributes:
-        return closed_loop(load_scenario(path))
+        return closed_loop(file.load_scenario(path))
     if not text:
         raise DataError(f"{path}: holds no equations{f': {why}' if why else ''}")
     try:
         diagram = diagram_of_text(text)
         if "scenario" in attributes:
-            scenario = scenario_from_text(attributes["scenario"], "the run", Path(path).parent)
+            scenario = file.scenario_from_text(attributes["scenario"], "the run", Path(path).parent)
             beyond = {name: attributes[name] for name in BEYOND if name in attributes}
             diagram.recorded["experiment"] = RecordedScenario(scenario, beyond)
     except ClptError as error:

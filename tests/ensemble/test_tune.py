@@ -11,7 +11,8 @@ from clpt_control.ensemble import tune_law
 from clpt_control.ensemble.candidates import (
     Candidate,
     belief,
-    candidates,
+    candidate,
+    grid_about,
     laws_to_try,
     unknown_of,
 )
@@ -79,7 +80,8 @@ def test_what_is_drawn_is_drawn_about_the_belief(paper):
 @pytest.mark.parametrize("name", [law.name for law in laws_to_try(())[0]])
 def test_every_law_that_learns_is_a_candidate(paper, name):
     law = LAWS[name]
-    found = [one for held in (False, True) for one in candidates(paper, law, held)]
+    own = [candidate(paper, law, held) for held in (False, True)]
+    found = [*own, *(one for base in own for one in grid_about(paper, base))]
     assert len({one.text for one in found}) == len(found)
     for one in found:
         made = paper.with_values(one.values)
