@@ -78,9 +78,8 @@ class Diagram(control.InterconnectedSystem):
         given |= {key.removeprefix(own): given[key] for key in given if key.startswith(own)}
         super()._update_params(given)
         for part in self.syslist:
-            if any(key.startswith(f"{part.name}.") for key in given) and not isinstance(
-                part, Block
-            ):
+            of_part = any(key.startswith(f"{part.name}.") for key in given)
+            if of_part and not isinstance(part, Block):
                 part._update_params({**self.params, **own_params(part.name, given)})
 
 

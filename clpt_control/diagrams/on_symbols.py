@@ -156,13 +156,10 @@ class Equations:
         return "\n".join(self._lines(str, "{}'", "{}+"))
 
     def _repr_latex_(self) -> str:
-        lines = (
-            f"{left} &= {right}"
-            for left, right in (
-                line.split(" = ", 1) if " = " in line else (r"\dots", "")
-                for line in self._lines(typeset, r"\dot{{{}}}", "{}^{{+}}")
-            )
-        )
+        lines = [
+            line.replace(" = ", " &= ", 1) if " = " in line else r"\dots &= "
+            for line in self._lines(typeset, r"\dot{{{}}}", "{}^{{+}}")
+        ]
         return "$\\displaystyle\\begin{aligned}" + r" \\ ".join(lines) + "\\end{aligned}$"
 
 
@@ -361,11 +358,9 @@ class _Read:
         )
 
         def watched(place: int, kind: str, arguments: tuple) -> None:
-            remark = (
-                watch(record.owners[place], kind, arguments) if place in record.owners else None
-            )
-            if remark:
-                result.undefined.append(f"{record.owners[place]} {remark}")
+            owner = record.owners.get(place)
+            if owner is not None and (remark := watch(owner, kind, arguments)):
+                result.undefined.append(f"{owner} {remark}")
 
         self.elements = Symbols(self.tape.operations, self.element, watched)
 

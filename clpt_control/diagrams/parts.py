@@ -276,11 +276,8 @@ def _between(part: Part, taken: tuple[str, int], made: tuple[str, int], argument
     """Return a part that takes one port and makes another, each with its number of signals."""
     takes, makes = input_ports(part), output_ports(part)
     to = taken[0] if len(takes) != 1 else next(iter(takes))
-    out = (
-        next(iter(makes))
-        if len(makes) == 1
-        else next((port for port in (made[0], taken[0]) if port in makes), made[0])
-    )
+    meant = [*makes] if len(makes) == 1 else [port for port in (made[0], taken[0]) if port in makes]
+    out = next(iter(meant), made[0])
     for which, port, ports in (("takes", to, takes), ("makes", out, makes)):
         if port not in ports:
             raise DiagramError(

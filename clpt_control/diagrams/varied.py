@@ -232,9 +232,8 @@ def places_of(
     found: dict[str, list[Place]] = {}
     for name, fields in _fields_by_name(wiring).items():
         shapes = {np.shape(getattr(given[k], field)) for k, field in fields}
-        found[name] = (
-            [Place((one,)) for one in fields] if len(shapes) > 1 else [Place(tuple(fields))]
-        )
+        apart = [(one,) for one in fields] if len(shapes) > 1 else [tuple(fields)]
+        found[name] = [Place(own) for own in apart]
     for kind, labels in (("states", states), ("inputs", inputs)):
         named = {label: [k] for k, label in enumerate(labels)} | ports_of(labels)
         for name, places in named.items():

@@ -305,9 +305,8 @@ class Scenario(Table):
             if value is None:
                 table.pop(last, None)
             else:
-                table[last] = (
-                    value.tolist() if isinstance(value, np.ndarray | np.generic) else value
-                )
+                by_numpy = isinstance(value, np.ndarray | np.generic)
+                table[last] = value.tolist() if by_numpy else value
         return checked_scenario(tables, "scenario", self._folder)
 
 

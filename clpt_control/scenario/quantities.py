@@ -93,9 +93,8 @@ def _parameters(scenario: Any, key: str) -> list[str]:
     names, learning = CALL_TIME_NAMES.get(key, []), scenario.learning
     if key == "learning.gain" and not learning.adapt_gains:
         names = names[:1]  # the others are 0
-    if key.startswith("learning.gain") and key.startswith("learning.gains.") == (
-        learning.gains is None
-    ):
+    of_a_gain, of_one_each = map(key.startswith, ("learning.gain", "learning.gains."))
+    if of_a_gain and of_one_each == (learning.gains is None):
         names = []
     return names
 

@@ -166,11 +166,8 @@ def _read(data: Any, times: Any, inputs: Any) -> tuple[np.ndarray, dict[str, np.
         )
     if times is None:
         raise ArgumentError("timepts: is required with arrays")
-    return (
-        checked_times("timepts", times),
-        {k: np.asarray(v, float) for k, v in data.items()},
-        inputs,
-    )
+    arrays = {name: np.asarray(values, float) for name, values in data.items()}
+    return checked_times("timepts", times), arrays, inputs
 
 
 class _Fitting:

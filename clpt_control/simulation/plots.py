@@ -211,22 +211,16 @@ def clpe_plot(
     top.set_title("CLPE", **TITLE)
     size, lowest = np.hypot(*e.T), bottom.get_ylim()[0] if bottom.lines else np.inf
     positive = np.maximum(size, 1e-12)
-    shade: dict[str, Any] = {
-        "color": color or BLUE,
-        "linewidth": 0.5,
-        "alpha": 0.5 if label is None else 0.25,
-    }
     name = "|e|" if label is None else label if not count else None
-    shade |= {} if count else {"alpha": 1}
-    bottom.semilogy(time, positive, label=name, **shade)
+    alpha = 0.5 if label is None else 0.25  # behind the steps of the waypoints
+    shade: dict[str, Any] = {"color": color or BLUE, "alpha": alpha if count else 1}
+    bottom.semilogy(time, positive, label=name, linewidth=0.5, **shade)
     if count:
         number = np.floor(time / dwell + 1e-9).astype(int)
         counts = np.bincount(number)
         rms = np.sqrt(np.bincount(number, size**2) / np.where(counts > 0, counts, np.nan))
         few = len(size) < MANY * len(counts)  # the pictures of a long run have fewer samples
-        name = f"rms of each {dwell:g} {units.time}, a waypoint" + (
-            ", of the samples shown" if few else ""
-        )
+        name = f"rms of each {dwell:g} {units.time}, a waypoint{', of the samples shown' * few}"
         shade = {"color": color or "black", "linewidth": 1.2, "label": _among(label, name)}
         bottom.step(dwell * np.arange(len(counts)), np.maximum(rms, 1e-12), where="post", **shade)
     bottom.set(xlabel=f"time ({units.time})", ylabel=f"|CLPE| ({units.length})")
@@ -336,13 +330,9 @@ def learning_plot(
         estimated = "given estimate" if row.given_estimate else "estimate of the filter"
     top.set_title(f"Flow to the {DIRECTIONS[i]}, {estimated}{truth}", **TITLE)
     top.set_ylabel(f"flow parameter ({units.length}/{units.time})")
-    gains = (
-        ("feedback_gain", "K", scenario.vehicle.feedback),
-        ("feedforward_gain", r"\Gamma", scenario.vehicle.feedforward),
-    )
-    for k, (gain, symbol, known) in enumerate(gains):
-        line = {**line_style(k), **of_run}
-        values, name = run[gain].values[:, i], _among(label, f"${symbol}_{axis}$")
+    for k, (gain, symbol) in enumerate((("feedback", "K"), ("feedforward", r"\Gamma"))):
+        line, known = {**line_style(k), **of_run}, getattr(scenario.vehicle, gain)
+        values, name = run[f"{gain}_gain"].values[:, i], _among(label, f"${symbol}_{axis}$")
         bottom.plot(time, values, label=name, linewidth=1.2, **line)
         bottom.axhline(known[i], color=line["color"], linewidth=0.7, alpha=0.7)
     bottom.set_title("Gains, true values thin", **TITLE)

@@ -124,11 +124,8 @@ class Sensitive:
             raise SimulationError("inputs: a sensitivity takes no function; give samples")
         try:
             run = compiled(system, params, request.sizes)
-            self.wiring, self.given, self.states = (
-                run.wiring,
-                run.runner.sweep.parameters,
-                run.states,
-            )
+            self.wiring, self.states = run.wiring, run.states
+            self.given = run.runner.sweep.parameters
             self.places = varied_places(to, self.wiring, self.states)
             self.varied, self.runner = self._made()
         except (Uncompiled, Unread) as error:
@@ -206,9 +203,8 @@ class Sensitive:
         along = found.every[..., 1:] @ size
         wrong = np.ones(along.shape[1], dtype=bool)
         for h in STEPS:
-            more, less = (
-                self.run(values + step * size, **solver).every[..., 0] for step in (h, -h)
-            )
+            sides = (self.run(values + step * size, **solver) for step in (h, -h))
+            more, less = (side.every[..., 0] for side in sides)
             n = min(len(more), len(less), len(along))
             rounding = 10 * EXACT["rtol"] / h * np.abs(more).max(axis=0)
             off = np.abs((more[:n] - less[:n]) / (2.0 * h) - along[:n])

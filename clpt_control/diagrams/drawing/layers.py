@@ -76,9 +76,8 @@ def gather(diagram: control.NonlinearIOSystem, wiring: Wiring) -> list[Net]:
         source = f"in:{arrow.source}" if arrow.external else arrow.source
         targets = reached.setdefault((source, arrow.port), {})
         gain = "" if arrow.gain == 1 else f"{arrow.gain:g} "
-        targets[arrow.target] = (
-            f"{targets[arrow.target]}, {gain}" if arrow.target in targets else gain
-        )
+        before = f"{targets[arrow.target]}, " if arrow.target in targets else ""
+        targets[arrow.target] = before + gain
     made, given = (iter(one) for one in units_of(wiring))
     units = {
         (n.name, p): next(made) for n in wiring.nodes for p in map(port_of, n.system.output_labels)
