@@ -150,37 +150,27 @@ def fitted(
 
 def results(summary: dict[str, Any]) -> list[Result]:
     """Return a summary as tables and sentences: dives, misses, what was learned, what comes."""
-    from ..replay.wording import (
-        MODELS,
-        RANKS,
-        aim_sentence,
-        cells,
-        cells_ahead,
-        metres,
-        next_surfacing,
-        remarks,
-        route_sentences,
-    )
+    from ..replay import wording
 
-    each, sentences = summary["each_dive"], list(remarks(summary))
+    each, sentences = summary["each_dive"], list(wording.remarks(summary))
     if summary["next_dive"]:
-        sentences.append(next_surfacing(summary["next_dive"]))
-    sentences += [aim_sentence(leg) for leg in summary["aim"]]
-    sentences += route_sentences(summary["route"]) if "route" in summary else []
+        sentences.append(wording.next_surfacing(summary["next_dive"]))
+    sentences += [wording.aim_sentence(leg) for leg in summary["aim"]]
+    sentences += wording.route_sentences(summary["route"]) if "route" in summary else []
     if summary.get("paste"):
         sentences += [f"to paste, {summary['paste']['file']}:", summary["paste"]["text"].rstrip()]
     if not each:
         return [Result(sentences=["no dives yet", *sentences])]
-    dives = [cells(row) for row in each]
+    dives = [wording.cells(row) for row in each]
     if summary["next_dive"]:
-        dives.append(cells_ahead(summary["next_dive"]))
+        dives.append(wording.cells_ahead(summary["next_dive"]))
     means = {name: summary[key] for key, name in ROWS.items()}
     if "flow_model" in summary and 0 < summary["flow_model"]["covered"] < summary["used"]:
         means["covered, after the first dive"] = summary["flow_model"]["clpe_rms"]
-    models = [MODELS[key] for key in each[0]["clpe"]]
-    rows = [[name, *map(metres, rms.values())] for name, rms in means.items()]
+    models = [wording.MODELS[key] for key in each[0]["clpe"]]
+    rows = [[name, *map(wording.metres, rms.values())] for name, rms in means.items()]
     return [
-        fitted("Miss (CLPE, m) one dive ahead; currents in m/s", dives, RANKS),
+        fitted("Miss (CLPE, m) one dive ahead; currents in m/s", dives, wording.RANKS),
         Result("Miss, rms (m)", ["over", *models], rows, sentences),
     ]
 

@@ -7,7 +7,9 @@ do between two steps.  Nothing is allocated, and of the C library only math.h is
 
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from importlib import resources
 from pathlib import Path
+from string import Template
 from typing import Any
 
 import control
@@ -28,6 +30,8 @@ from .starts import stacked_state
 
 FIXED = " fixed"
 ROUNDING = "1e-9"  # of a period, by which a time may be off a sample
+STEPS = (resources.files("clpt_control.data") / "steps.c").read_text("utf-8").split("//\n")
+RUNGE_KUTTA, DISCRETE, JUMP = map(Template, STEPS)  # ends of a step of each kind
 
 
 @public
@@ -148,7 +152,7 @@ class _File:
         yield "    rates_(t, x, u, p, kept, dx);\n}\n"
         yield f"\nvoid {self.name}_step(double t, double dt, double *x, const double *u, "
         yield f"const double *p) {{\n{made}"
-        yield (DISCRETE if discrete else RUNGE_KUTTA).format(n=n, count=len(self.start))
+        yield (DISCRETE if discrete else RUNGE_KUTTA).substitute(n=n, count=len(self.start))
         if self.layout.jumps:
             yield self.jumping()
         yield "}\n"
@@ -231,7 +235,7 @@ class _File:
             ": 0.0;"
             for k in self.layout.jumps if self.wiring.nodes[k].system.first_held is not None
         ]  # fmt: skip
-        return JUMP.format(
+        return JUMP.substitute(
             count=count, n=n, asked=step, some=some, name=self.name, states=len(self.start),
             begin="".join(f"    {line}\n" for line in begin),
         )  # fmt: skip
@@ -259,41 +263,6 @@ class _File:
         lines.append("Where there are none of these, pass any array. Guards are not in this file.")
         body = "".join(f" * {line}".rstrip() + "\n" for line in lines)
         return f"/*\n{body} */\n#include <math.h>\n\n"
-
-
-RUNGE_KUTTA = """\
-    double k[4][{n}], z[{n}];
-    rates_(t, x, u, p, kept, k[0]);
-    for (int i = 0; i < {count}; i++) z[i] = x[i] + 0.5 * dt * k[0][i];
-    rates_(t + 0.5 * dt, z, u, p, kept, k[1]);
-    for (int i = 0; i < {count}; i++) z[i] = x[i] + 0.5 * dt * k[1][i];
-    rates_(t + 0.5 * dt, z, u, p, kept, k[2]);
-    for (int i = 0; i < {count}; i++) z[i] = x[i] + dt * k[2][i];
-    rates_(t + dt, z, u, p, kept, k[3]);
-    for (int i = 0; i < {count}; i++)
-        x[i] += dt / 6.0 * (k[0][i] + 2.0 * k[1][i] + 2.0 * k[2][i] + k[3][i]);
-"""
-DISCRETE = """\
-    double z[{n}];
-    (void)dt;
-    rates_(t, x, u, p, kept, z);
-    for (int i = 0; i < {count}; i++) x[i] = z[i];
-"""
-JUMP = """\
-    double after[{count}];
-    kept_(t + dt, p, after);
-{asked}    if ({some} > 0.0) {{
-        jump_(t + dt, x, u, p, after, z);
-        for (int i = 0; i < {states}; i++) x[i] = z[i];
-    }}
-}}
-
-void {name}_begin(double t, double *x, const double *u, const double *p) {{
-    double kept[{count}], z[{n}];
-    kept_(t, p, kept);
-{begin}    jump_(t, x, u, p, kept, z);
-    for (int i = 0; i < {states}; i++) x[i] = z[i];
-"""
 
 
 def _word(text: str) -> str:
