@@ -7,7 +7,7 @@ name the block and the port.
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from types import MappingProxyType
-from typing import Any, NamedTuple
+from typing import Any
 
 import control
 import numpy as np
@@ -126,18 +126,17 @@ def changed_parameters(wiring: Wiring, params: Mapping[str, Any] | None) -> list
     return found
 
 
-class Matched(NamedTuple):
-    """Ports of parts, matched by their names."""
-
-    makers: dict[str, tuple[int, list[int]]]  # port -> the block that makes it, its outputs
-    users: dict[str, list[tuple[int, list[int]]]]  # port -> blocks that take it, their inputs
-    outside: dict[str, int]  # port that comes from outside -> its size
+Makers = dict[str, tuple[int, list[int]]]  # port -> the block that makes it, its outputs
+Users = dict[str, list[tuple[int, list[int]]]]  # port -> blocks that take it, their inputs
 
 
 def match_ports(
     blocks: Sequence[control.NonlinearIOSystem], external: Iterable[str] = ()
-) -> Matched:
-    """Match the ports of parts; refuse one that is made twice, missing or of another size."""
+) -> tuple[Makers, Users, dict[str, int]]:
+    """Match the ports of parts; refuse one that is made twice, missing or of another size.
+
+    Return who makes and who takes each, and the sizes of those that come from outside.
+    """
     external = list(external)
     if not blocks:
         raise DiagramError("a diagram of no blocks: give at least one")
@@ -145,7 +144,7 @@ def match_ports(
     for name_ in names:
         if names.count(name_) > 1:
             raise DiagramError(f"two blocks are called '{name_}': rename one")
-    makers: dict[str, tuple[int, list[int]]] = {}
+    makers: Makers = {}
     for k, block in enumerate(blocks):
         for port, places in output_ports(block).items():
             if port in makers:
@@ -156,7 +155,7 @@ def match_ports(
                     + (", or wire the diagrams by control.interconnect" if nested else "")
                 )
             makers[port] = (k, places)
-    users: dict[str, list[tuple[int, list[int]]]] = {}
+    users: Users = {}
     sizes: dict[str, int] = {}
     for k, block in enumerate(blocks):
         for port, places in input_ports(block).items():
@@ -198,7 +197,7 @@ def match_ports(
                 f"'{port}' cannot come from outside: no block takes it; blocks take "
                 f"{', '.join(sorted(users))}"
             )
-    return Matched(makers, users, {port: sizes[port] for port in external})
+    return makers, users, {port: sizes[port] for port in external}
 
 
 @public
@@ -251,7 +250,7 @@ def connect(
     discrete = is_discrete(*blocks)
     parts = [as_part(block, discrete) for block in blocks]
     check_names(name)
-    matched = match_ports(parts, external)
+    makers, users, outside = match_ports(parts, external)
     fed, makes = (sum(part.ninputs for part in parts), sum(part.noutputs for part in parts))
     size = 8 * (2 * fed + makes) * makes  # bytes of python-control's full matrices
     if size > MOST_BYTES:
@@ -264,19 +263,19 @@ def connect(
         parts,
         connections=[
             [(user, to), (maker, source)]
-            for port, (maker, places) in matched.makers.items()
-            for user, takes in matched.users.get(port, ())
+            for port, (maker, places) in makers.items()
+            for user, takes in users.get(port, ())
             for to, source in zip(takes, places, strict=True)
         ]
         or False,
         inplist=[
-            [(user, takes[k]) for user, takes in matched.users[port]]
-            for port, size in matched.outside.items()
+            [(user, takes[k]) for user, takes in users[port]]
+            for port, size in outside.items()
             for k in range(size)
         ],
-        outlist=[(k, place) for k, places in matched.makers.values() for place in places],
-        inputs=labels(matched.outside),
-        outputs=labels({port: len(places) for port, (_, places) in matched.makers.items()}),
+        outlist=[(k, place) for k, places in makers.values() for place in places],
+        inputs=labels(outside),
+        outputs=labels({port: len(places) for port, (_, places) in makers.items()}),
         name=name,
         check_unused=False,
     )
@@ -290,9 +289,9 @@ def wiring_of_blocks(
     """Return `wiring_of(connect(blocks, external))`; if all are blocks, without its matrices."""
     if not all(isinstance(block, Block) for block in blocks):
         return wiring_of(connect(blocks, external))
-    matched = match_ports(blocks, external)
+    *_, outside = match_ports(blocks, external)
     outputs = [label for block in blocks for label in whole_labels(block.output_labels)]
-    external, systems = labels(matched.outside), [(block.name, block) for block in blocks]
+    external, systems = labels(outside), [(block.name, block) for block in blocks]
     place = {one: k for k, one in enumerate(outputs)} | {one: ~k for k, one in enumerate(external)}
     inputs = [label for block in blocks for label in whole_labels(block.input_labels)]
     rows = ({k: 1.0} for k in range(len(outputs)))

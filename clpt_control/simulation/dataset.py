@@ -7,6 +7,7 @@ the versions and the solver's statistics, so that a run repeats from its file.
 import json
 import platform
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from functools import cache, lru_cache
 from importlib.metadata import version
 from types import MappingProxyType
@@ -64,6 +65,7 @@ class Series(NamedTuple):
     attributes: dict[str, str]
 
 
+@dataclass(eq=False)
 class Frame:
     """A Dataset without numbers, to be filled again and again.
 
@@ -72,21 +74,18 @@ class Frame:
     `doubt` ends the message of each run.
     """
 
-    def __init__(
-        self,
-        variables: Mapping[str, Series],
-        axes: Mapping[str, tuple[Any, Mapping[str, str]]],
-        attributes: dict[str, Any],
-        since: Mapping[str, str] | None = None,
-        states: Sequence[str] | None = None,
-        folder: str | None = None,
-        doubt: str = "",
-    ):
-        self.variables, self.attributes, self.since = variables, attributes, since
-        self.folder, self.states, self.doubt = folder, states, doubt
-        self.axes = {name: _index(name, *one) for name, one in axes.items()}
-        if states is not None:
-            self.axes["state"] = _index("state", np.array(states, dtype=object), STATE)
+    variables: Mapping[str, Series]
+    axes: Mapping[str, tuple[Any, Any]]
+    attributes: dict[str, Any]
+    since: Mapping[str, str] | None = None
+    states: Sequence[str] | None = None
+    folder: str | None = None
+    doubt: str = ""
+
+    def __post_init__(self) -> None:
+        self.axes = {name: _index(name, *one) for name, one in self.axes.items()}
+        if self.states is not None:
+            self.axes["state"] = _index("state", np.array(self.states, dtype=object), STATE)
         self._last: tuple[np.ndarray, Any] | None = None  # times, and their index
 
     def filled(self, solution: Solution, signals: np.ndarray) -> "xarray.Dataset":

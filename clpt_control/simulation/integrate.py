@@ -4,7 +4,7 @@ A run is an `xarray.Dataset`; that of a scenario has CF attributes, from which i
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import control
 import numpy as np
@@ -133,11 +133,13 @@ def simulate(
             result = run.run(times, **system.run.solver, **limits)
     else:
         overrides = any(one is not None for one in (inputs, initial_state, stop, *how.values()))
-        request = request_of(system, timepts, inputs, initial_state, **how, **limits)
-        skipped, sizes = request.skipped, (request.sizes, callable(request.inputs), engine)
-        key = diagram_key(request.diagram, params, *sizes) if stop is None else None
-        with ready(key, lambda: DiagramRun(request.diagram, params, *sizes, stop)) as run:
-            result = run.run(request.times, request.inputs, request.start, **request.how)
+        diagram, times, skipped, inputs, start, options = request_of(
+            system, timepts, inputs, initial_state, **how, **limits
+        )
+        asked = sizes_of_run(diagram, inputs, start, times), callable(inputs), engine
+        key = diagram_key(diagram, params, *asked) if stop is None else None
+        with ready(key, lambda: DiagramRun(diagram, params, *asked, stop)) as run:
+            result = run.run(times, inputs, start, **options)
             result.attrs |= run.beyond_scenario if overrides or not run.is_unchanged else {}
     result = result.isel(time=slice(skipped, None)) if skipped else result
     if run.max_speed is not None and {"commanded_velocity", "true_flow"} <= set(result):
@@ -151,22 +153,6 @@ def _from_zero(experiment: Scenario | Team, timepts: Any) -> tuple[np.ndarray, i
     times = sample_times(run.duration, run.output_step) if timepts is None else timepts
     times = checked_times("timepts", times)
     return (times, 0) if times[0] == 0 else (np.concatenate([[0.0], times]), 1)
-
-
-class Request(NamedTuple):
-    """How a diagram is to run: as the caller says, else as the diagram itself knows."""
-
-    diagram: Any
-    times: np.ndarray
-    skipped: int  # times before the caller's own
-    inputs: Any
-    start: Any
-    how: dict[str, Any]  # solver and steps
-
-    @property
-    def sizes(self) -> tuple[int | None, int | None]:
-        """Numbers of states and inputs, where the system leaves them open."""
-        return sizes_of_run(self.diagram, self.inputs, self.start, self.times)
 
 
 def sizes_of_run(
@@ -194,8 +180,14 @@ def as_diagram(system: Any) -> tuple[Any, dict[str, Any]]:
     return system, getattr(system, "recorded", None) or {}
 
 
-def request_of(system: Any, timepts: Any, inputs: Any, initial_state: Any, **how: Any) -> Request:
-    """Return how a system is to run; a closed loop without inputs and start runs from t = 0."""
+def request_of(
+    system: Any, timepts: Any, inputs: Any, initial_state: Any, **how: Any
+) -> tuple[Any, np.ndarray, int, Any, Any, dict[str, Any]]:
+    """Return how a system is to run: as the caller says, else as the diagram itself knows.
+
+    These are the diagram, the times, how many of them come before the caller's own, inputs, start,
+    and options of solver and steps.  A closed loop without inputs and start runs from t = 0.
+    """
     diagram, known = as_diagram(system)
     loop = getattr(diagram, "origin", None)
     timepts, skipped = known.get("timepts") if timepts is None else timepts, 0
@@ -205,14 +197,10 @@ def request_of(system: Any, timepts: Any, inputs: Any, initial_state: Any, **how
         raise SimulationError("timepts: is required to simulate a diagram")
     else:
         times = checked_times("timepts", timepts)
-    return Request(
-        diagram,
-        times,
-        skipped,
-        known.get("inputs") if inputs is None else inputs,
-        known.get("initial_state") if initial_state is None else initial_state,
-        {k: known.get(k, one) if one is None or one is np.inf else one for k, one in how.items()},
-    )
+    inputs = known.get("inputs") if inputs is None else inputs
+    start = known.get("initial_state") if initial_state is None else initial_state
+    how = {k: known.get(k, one) if one is None or one is np.inf else one for k, one in how.items()}
+    return diagram, times, skipped, inputs, start, how
 
 
 def _key(system: Scenario | Team, *more: Any) -> tuple[Any, Any] | None:

@@ -38,7 +38,7 @@ from ..native.native_diagram import NativeDiagram
 from ..native.schedule import read_inputs
 from ..scenario.experiment import Scenario
 from .dataset import diagram_frame
-from .integrate import request_of
+from .integrate import request_of, sizes_of_run
 from .running import compiled, signal_units
 from .starts import stacked_state
 
@@ -117,13 +117,14 @@ class Sensitive:
         params: Mapping[str, Any] | None,
         **solver: Any,
     ):
-        request = request_of(system, timepts, inputs, initial_state, **solver)
-        system, self.times, self.skipped = request.diagram, request.times, request.skipped
-        self.name, self.solver = system.name, request.how
-        if callable(request.inputs):
+        system, times, self.skipped, inputs, start, self.solver = request_of(
+            system, timepts, inputs, initial_state, **solver
+        )
+        self.name, self.times = system.name, times
+        if callable(inputs):
             raise SimulationError("inputs: a sensitivity takes no function; give samples")
         try:
-            run = compiled(system, params, request.sizes)
+            run = compiled(system, params, sizes_of_run(system, inputs, start, times))
             self.wiring, self.states = run.wiring, run.states
             self.given = run.runner.sweep.parameters
             self.places = varied_places(to, self.wiring, self.states)
@@ -132,8 +133,8 @@ class Sensitive:
             raise SimulationError(f"{self.name}: has no known derivative: {error}") from None
         outputs = slice(len(self.wiring.outputs))
         self.labels, self.units = run.signal_labels[outputs], signal_units(run.wiring)[outputs]
-        self.inputs = read_inputs(request.inputs, request.times, run.wiring.ninputs)
-        state = 0.0 if request.start is None else request.start
+        self.inputs = read_inputs(inputs, times, run.wiring.ninputs)
+        state = 0.0 if start is None else start
         self.start = stacked_state("initial_state", state, run.runner.nstates)
 
     def _made(self) -> tuple[VariedWiring, NativeDiagram]:
