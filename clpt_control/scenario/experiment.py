@@ -20,21 +20,9 @@ from ..blocks.laws.table import LAWS
 from ..equations.block import Block
 from ..equations.sampled import Sampled
 from ..errors import ScenarioError
+from . import tables
 from .display import scenario_html, scenario_line
 from .learning import Learning
-from .tables import (
-    Basis,
-    Circle,
-    Flow,
-    Localization,
-    Model,
-    Run,
-    Table,
-    TwoRows,
-    Units,
-    Vehicle,
-    Waypoints,
-)
 from .tidal_periods import period
 
 MOST_JUMPS = 10**7  # of one block in a run
@@ -44,7 +32,7 @@ NUMBERS = 110, 24  # of a sample, and of a sample for each function: measured, t
 AT_FIXES = " or ".join(law.name for law in LAWS.values() if law.at_fixes)
 
 
-class Scenario(Table):
+class Scenario(tables.Table):
     """One experiment: flow, vehicle, waypoints, law and run.
 
     Made by `load_scenario`, or from keywords of the same names as the tables
@@ -59,15 +47,15 @@ class Scenario(Table):
     """
 
     title: str = ""
-    units: Units = Units()
-    basis: Basis
-    flow: Flow
-    model: Model = Model()
-    vehicle: Vehicle
-    reference: Annotated[Circle | Waypoints, Field(discriminator="kind")]
+    units: tables.Units = tables.Units()
+    basis: tables.Basis
+    flow: tables.Flow
+    model: tables.Model = tables.Model()
+    vehicle: tables.Vehicle
+    reference: Annotated[tables.Circle | tables.Waypoints, Field(discriminator="kind")]
     learning: Learning
-    localization: Localization | None = None
-    run: Run
+    localization: tables.Localization | None = None
+    run: tables.Run
     _folder: Path = PrivateAttr(default_factory=Path)
 
     def _mistakes(self) -> Iterator[str]:
@@ -181,12 +169,12 @@ class Scenario(Table):
         return self.basis.phases or (0.0,) * self.basis.N
 
     @property
-    def model_parameters(self) -> TwoRows:
+    def model_parameters(self) -> tables.TwoRows:
         """alpha_M of Eq. (4), zero where the scenario leaves it out."""
         return self.model.parameters or ((0.0,) * self.basis.N,) * 2
 
     @property
-    def learning_parameters(self) -> TwoRows:
+    def learning_parameters(self) -> tables.TwoRows:
         """alpha(0); alpha_M with a law that holds alpha."""
         if self.learning.row.alpha_is_constant:
             return self.model_parameters
@@ -252,7 +240,7 @@ class Scenario(Table):
         """Waypoints, shape (n, 2), units.length."""
         from ..blocks.reference import circle
 
-        if isinstance(self.reference, Circle):
+        if isinstance(self.reference, tables.Circle):
             return circle(self.reference.radius, self.reference.count)
         return np.array(self.reference.points)
 
@@ -292,12 +280,12 @@ class Scenario(Table):
         >>> clpt.paper_scenario().with_values({"learning.gain": 2.0}).learning.gain
         2.0
         """
-        tables, reference = scenario_tables(self), self.reference
+        nested, reference = scenario_tables(self), self.reference
         if values.get("reference.kind", reference.kind) != reference.kind:  # its keys are others
-            tables["reference"] = {"dwell": reference.dwell}
+            nested["reference"] = {"dwell": reference.dwell}
         for key, value in values.items():
             *path, last = str(key).split(".")
-            table = tables
+            table = nested
             for name in path:
                 table = table.setdefault(name, {})
                 if not isinstance(table, dict):
@@ -307,15 +295,15 @@ class Scenario(Table):
             else:
                 by_numpy = isinstance(value, np.ndarray | np.generic)
                 table[last] = value.tolist() if by_numpy else value
-        return checked_scenario(tables, "scenario", self._folder)
+        return checked_scenario(nested, "scenario", self._folder)
 
 
-def checked_scenario(tables: dict[str, Any], name: str, folder: Path | None = Path()) -> Scenario:
+def checked_scenario(nested: dict[str, Any], name: str, folder: Path | None = Path()) -> Scenario:
     """Return a scenario of nested dicts; `name` begins each error.
 
     Its files must lie in the `folder`; with None they are not looked for.
     """
-    return Scenario.model_validate(tables, context={"name": name, "folder": folder})
+    return Scenario.model_validate(nested, context={"name": name, "folder": folder})
 
 
 def scenario_tables(scenario: Scenario) -> dict[str, Any]:

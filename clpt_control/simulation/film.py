@@ -101,7 +101,8 @@ def animate(
     """
     suffix = ".gif" if path is None else Path(path).suffix.lower()
     check_options(path, seconds, fps, width)
-    times, pause = _times(run, start, end, seconds, fps, suffix)
+    pause = round(100 / fps) / 100 if suffix == ".gif" else 1 / fps
+    times = np.linspace(*_span(run, start, end), max(2, round(seconds / pause)))
     film = film_of(run, times)
     from matplotlib import rc_context
 
@@ -143,15 +144,8 @@ def check_options(path: str | Path | None, seconds: float, fps: float, width: in
         )
 
 
-def _times(
-    run: "xarray.Dataset",
-    start: float | None,
-    end: float | None,
-    seconds: float,
-    fps: float,
-    suffix: str,
-) -> tuple[np.ndarray, float]:
-    """Return the times of the frames, and how long each is shown, s."""
+def _span(run: "xarray.Dataset", start: float | None, end: float | None) -> tuple[float, float]:
+    """Return the first and the last time shown."""
     if is_response(run):
         raise DataError(
             "the run is of a diagram, which has no track to film; run.clpt.plot() draws its signals"
@@ -164,8 +158,7 @@ def _times(
             f"start = {begin:g}, end = {finish:g}: must lie one after the other within the run, "
             f"{first:g} to {last:g} {scenario.units.time}"
         )
-    pause = round(100 / fps) / 100 if suffix == ".gif" else 1 / fps
-    return np.linspace(begin, finish, max(2, round(seconds / pause))), pause
+    return begin, finish
 
 
 def _checked(frames: Iterator[int], report: Any) -> Iterator[int]:
