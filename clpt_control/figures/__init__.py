@@ -45,6 +45,7 @@ DATES: dict[str, dict[str, Any]] = {"svg": {"Date": None}, "pdf": {"CreationDate
 XLINK = "{http://www.w3.org/1999/xlink}"
 NUMBER = re.compile(r"-?\d+\.\d+")
 REFERENCE = re.compile(r"url\(#(.+?)\)")
+REFERRED = re.compile(r"(?:url\(#|xlink:href=\"#)([^)\"]+)")
 THEME = {  # colour -> the page's
     "#000000": "currentColor",
     "#ffffff": "var(--paper)",
@@ -216,12 +217,12 @@ def inline_svg(figure: "Figure", name: str, words: str) -> str:
     """Return a figure as an element of a page; a screen reader reads the `words`."""
     content = BytesIO()
     save_figure(figure, content, "svg", transparent=True)
-    root = ElementTree.fromstring(plain(content.getvalue().decode()))
+    text = plain(content.getvalue().decode())
+    referenced, root = {*REFERRED.findall(text)}, ElementTree.fromstring(text)
     for parent in root.iter():
         for child in list(parent):
             if child.tag.rpartition("}")[2] in ("metadata", "style"):
                 parent.remove(child)
-    referenced = _references(root)
     for element in root.iter():
         element.tag = element.tag.rpartition("}")[2]
         _restyle(element)
@@ -236,17 +237,6 @@ def inline_svg(figure: "Figure", name: str, words: str) -> str:
     text = ElementTree.tostring(root, "unicode", short_empty_elements=True)
     text = re.sub(r">\s+<", "><", text)
     return text.replace("<svg", f'<svg role="img" aria-label="{safe(words)}"', 1)
-
-
-def _references(root: ElementTree.Element) -> set[str]:
-    """Return the identifiers that something in a figure refers to."""
-    names = set()
-    for element in root.iter():
-        for key, value in element.attrib.items():
-            if key == f"{XLINK}href":
-                names.add(value[1:])
-            names.update(REFERENCE.findall(value))
-    return names
 
 
 def _restyle(element: ElementTree.Element) -> None:
