@@ -7,6 +7,7 @@ of it.
 
 import os
 from collections.abc import Iterator, Mapping
+from operator import attrgetter
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -23,6 +24,7 @@ from ..errors import ScenarioError
 from . import tables
 from .display import scenario_html, scenario_line
 from .learning import Learning
+from .quantities import QUANTITIES
 from .tidal_periods import period
 
 MOST_JUMPS = 10**7  # of one block in a run
@@ -59,16 +61,11 @@ class Scenario(tables.Table):
     _folder: Path = PrivateAttr(default_factory=Path)
 
     def _mistakes(self) -> Iterator[str]:
-        for table, key in (
-            ("flow", "parameters"),
-            ("model", "parameters"),
-            ("learning", "parameters"),
-            ("learning", "theta_estimate"),
-        ):
-            rows = getattr(getattr(self, table), key)
+        for key in (key for key, one in QUANTITIES.items() if one.axes == "axis basis"):
+            rows = attrgetter(key)(self)
             if rows is not None and any(len(row) != self.basis.N for row in rows):
                 yield (
-                    f"{table}.{key}: must be 2 rows of {self.basis.N} numbers, one per basis "
+                    f"{key}: must be 2 rows of {self.basis.N} numbers, one per basis "
                     f"function; the rows have {len(rows[0])} and {len(rows[1])}"
                 )
         if self.learning.hedging is not None and self.vehicle.max_speed is None:
