@@ -21,6 +21,8 @@ from ..scenario.quantities import call_time_hint
 from .parts import as_part, input_ports, is_discrete, output_ports
 from .wiring import (
     Node,
+    Params,
+    Part,
     Wiring,
     joined_wires,
     ordered_wiring,
@@ -83,7 +85,7 @@ class Diagram(control.InterconnectedSystem):
                 part._update_params({**self.params, **own_params(part.name, given)})
 
 
-def changed_parameters(wiring: Wiring, params: Mapping[str, Any] | None) -> list[Any]:
+def changed_parameters(wiring: Wiring, params: Params) -> list[Any]:
     """Return each system's parameters, changed by ``{"block.field": value}``.
 
     Of nested diagrams ``"a.adaptation.gain"`` reaches one, ``"adaptation.gain"`` all; of
@@ -131,7 +133,7 @@ Users = dict[str, list[tuple[int, list[int]]]]  # port -> blocks that take it, t
 
 
 def match_ports(
-    blocks: Sequence[control.NonlinearIOSystem], external: Iterable[str] = ()
+    blocks: Sequence[Part], external: Iterable[str] = ()
 ) -> tuple[Makers, Users, dict[str, int]]:
     """Match the ports of parts; refuse one that is made twice, missing or of another size.
 
@@ -283,9 +285,7 @@ def connect(
     return diagram
 
 
-def wiring_of_blocks(
-    blocks: Sequence[control.NonlinearIOSystem], external: Iterable[str] = ()
-) -> Wiring:
+def wiring_of_blocks(blocks: Sequence[Part], external: Iterable[str] = ()) -> Wiring:
     """Return `wiring_of(connect(blocks, external))`; if all are blocks, without its matrices."""
     if not all(isinstance(block, Block) for block in blocks):
         return wiring_of(connect(blocks, external))

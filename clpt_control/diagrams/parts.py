@@ -9,7 +9,7 @@ a signal, and its output goes to the blocks that took the signal, whose name sta
 """
 
 from collections.abc import Mapping, Sequence
-from typing import Any, NamedTuple, TypeAlias
+from typing import Any, NamedTuple
 
 import control
 
@@ -18,7 +18,7 @@ from ..equations.declaration import labels, ports_of, renamed
 from ..equations.sampled import Sampled
 from ..equations.system import System, is_linear, linear, on_each_axis
 from ..errors import DiagramError
-from .wiring import read_anew
+from .wiring import Params, Part, read_anew
 
 
 def as_part(system: Any, discrete: bool = False) -> control.NonlinearIOSystem:
@@ -36,9 +36,7 @@ def is_discrete(*systems: Any) -> bool:
     return bool(times) and 0 not in times and len({dt for dt in times if dt is not True}) < 2
 
 
-def sampled(
-    part: control.NonlinearIOSystem, period: float, params: Mapping[str, Any] | None = None
-) -> control.NonlinearIOSystem:
+def sampled(part: Part, period: float, params: Params = None) -> Part:
     """Return a part of discrete time as one of continuous time, a diagram block by block.
 
     `params` come from the diagram around it.
@@ -122,9 +120,7 @@ def functions_of(law: control.NonlinearIOSystem) -> int:
     return N
 
 
-def with_ports(
-    part: control.NonlinearIOSystem, inputs: Mapping[str, str], outputs: Mapping[str, str]
-) -> control.NonlinearIOSystem:
+def with_ports(part: Part, inputs: Mapping[str, str], outputs: Mapping[str, str]) -> Part:
     """Return a part whose inputs and outputs have other names: {old: new}."""
     if isinstance(part, Block):
         return renamed(part, part.name, inputs, outputs)
@@ -143,7 +139,6 @@ def with_ports(
 # --- parts replaced and inserted, by name ---------------------------------------------------------
 
 
-Part: TypeAlias = control.NonlinearIOSystem
 LAW = "adaptation"  # the part that is the adaptive law
 
 

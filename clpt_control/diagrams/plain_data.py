@@ -25,11 +25,7 @@ Entry = tuple[int, int, float]  # row, column, gain
 
 
 def plain_diagram(
-    wiring: Wiring,
-    parameters: Sequence[Any],
-    names: Mapping[str, Any],
-    begin: float,
-    end: float,
+    wiring: Wiring, parameters: Sequence[Any], names: Mapping[str, Any], begin: float, end: float
 ) -> dict[str, Any]:
     """Return a diagram as plain data, its blocks with these parameters, for runs between times.
 

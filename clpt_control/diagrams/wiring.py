@@ -9,7 +9,7 @@ The engine, the proofs and the drawing all take a diagram from here.
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeAlias
 
 import control
 import numpy as np
@@ -25,6 +25,9 @@ from ..errors import DiagramError
 
 TRIED = 3  # points at which a function that cannot be read is tried
 SMALL = 40_000  # entries of the largest matrix that is not sparse
+Part: TypeAlias = control.NonlinearIOSystem  # of a diagram
+Params = Mapping[str, Any] | None  # at call time, as python-control takes them
+Sizes = tuple[int | None, int | None]  # of states and inputs, for a system that leaves them open
 Row = dict[int, float]  # a sum: signal, or ~k for the diagram's input k -> its gain
 
 
@@ -231,11 +234,7 @@ def _tried(block: Block) -> list[set[int]]:
     return reaching
 
 
-def wiring_of(
-    diagram: control.NonlinearIOSystem,
-    params: Mapping[str, Any] | None = None,
-    sizes: tuple[int | None, int | None] = (None, None),
-) -> Wiring:
+def wiring_of(diagram: Part, params: Params = None, sizes: Sizes = (None, None)) -> Wiring:
     """Return the wiring of a diagram, nested ones included, of blocks alone.
 
     python-control's systems become blocks, with `params` as python-control hands them down, and
@@ -297,7 +296,7 @@ def _own(params: Mapping[str, Any]) -> set[str]:
 
 
 def _handed_down(
-    system: control.NonlinearIOSystem, given: Mapping[str, Any], path: str = ""
+    system: Part, given: Mapping[str, Any], path: str = ""
 ) -> Iterator[dict[str, Any]]:
     """Yield the params of each leaf, as python-control's `_update_params` leaves them."""
     if not isinstance(system, control.InterconnectedSystem):
@@ -339,7 +338,7 @@ def paths_to(name: str) -> list[str]:
 
 
 def ordered_wiring(
-    systems: Sequence[tuple[str, control.NonlinearIOSystem]],
+    systems: Sequence[tuple[str, Part]],
     fed: Sequence[Row],
     ninputs: int,
     shown: Iterable[Row],

@@ -36,7 +36,7 @@ import numpy as np
 from ..arguments import brief, public
 from ..errors import ScenarioError
 from ..html import shortened
-from .members import Varied
+from .members import Values, Varied
 
 FORMS = "KEY=LOW:HIGH, KEY~normal:DEVIATION or KEY=[VALUE, ...]"
 IN_A_DICT = "a list of values, a range '0.2:2.0', or a distribution, such as scipy.stats.norm(1, 2)"
@@ -222,7 +222,7 @@ def grid_count(varies: Sequence[Vary]) -> int:
 
 def draw_members(
     varied: Varied, varies: Sequence[Vary], members: int, design: str, seed: int
-) -> dict[str, np.ndarray]:
+) -> Values:
     """Draw the members' values: key -> array, shape (members,) + the key's shape."""
     if design not in DESIGNS:
         raise ScenarioError(f"design = '{design}': must be one of {', '.join(DESIGNS)}")

@@ -47,6 +47,7 @@ CHUNK_BYTES = 64_000_000  # trajectories of a chunk
 PATIENCE = 30  # seconds to wait for a scheduler and its first worker
 RETRIES = 3  # times a chunk is given to a worker again
 STORED = "what is done is kept"
+Report = Callable[[int], None]  # of how many members are done
 
 
 @public
@@ -252,9 +253,7 @@ def available_threads() -> int:
     return os.cpu_count() or 1
 
 
-def _run_here(
-    ensemble: Ensemble, store: Store, threads: int, report: Callable[[int], None]
-) -> None:
+def _run_here(ensemble: Ensemble, store: Store, threads: int, report: Report) -> None:
     missing = store.missing()
     done = store.members - store.count(missing)
     report(done)
@@ -313,9 +312,7 @@ def pool_of(address: str, workers: int) -> Iterator[futures.Executor]:
             raise futures.BrokenExecutor from error
 
 
-def _run_elsewhere(
-    work: tuple, store: Store, address: str, workers: int, report: Callable[[int], None]
-) -> None:
+def _run_elsewhere(work: tuple, store: Store, address: str, workers: int, report: Report) -> None:
     """Run the chunks that are missing; `report` is called with the number of members done."""
     missing = store.missing()
     done = store.members - store.count(missing)

@@ -30,7 +30,7 @@ from ..scenario.experiment import Scenario
 from ..scenario.file import tables_of
 from .drawn_values import check_varies, read_varies
 from .of_scenarios import VariedScenario
-from .summaries import STATUS, StoredArray
+from .summaries import STATUS, Arrays, StoredArray
 
 if TYPE_CHECKING:
     import xarray
@@ -154,11 +154,7 @@ def software() -> str:
 
 
 def begun_or_made(
-    path: Path | None,
-    title: str,
-    code: str,
-    arguments: Mapping[str, Any],
-    arrays: Mapping[str, StoredArray],
+    path: Path | None, title: str, code: str, arguments: Mapping[str, Any], arrays: Arrays
 ) -> Store:
     """Open the store of the same ensemble that the same `code` began, or make it."""
     if path is None or not path.exists() or (path.is_dir() and not any(path.iterdir())):
@@ -183,10 +179,7 @@ def begun_or_made(
 
 
 def create_store(
-    path: Path | None,
-    arguments: Mapping[str, Any],
-    arrays: Mapping[str, StoredArray],
-    attrs: Mapping[str, Any],
+    path: Path | None, arguments: Mapping[str, Any], arrays: Arrays, attrs: Mapping[str, Any]
 ) -> Store:
     """Make a store without any chunk, in a folder or in memory.
 
@@ -201,7 +194,7 @@ def create_store(
     return Store(zarr.open_group(path, mode="r+"), path)
 
 
-def _filled(group: Any, arguments: Any, arrays: Mapping[str, StoredArray], attrs: Any) -> Any:
+def _filled(group: Any, arguments: Any, arrays: Arrays, attrs: Any) -> Any:
     from zarr.codecs import Crc32cCodec, ZstdCodec
 
     group.attrs.update({**attrs, ARGUMENTS: json.dumps(arguments)})
@@ -268,7 +261,7 @@ def _short(value: Any) -> str:
     return shortened(", ".join(map(str, value)) if isinstance(value, list) else value, 60)
 
 
-def check_store(store: Store, arrays: Mapping[str, StoredArray]) -> bool:
+def check_store(store: Store, arrays: Arrays) -> bool:
     """Refuse a store that is not as `create_store` makes it of these arrays.
 
     Return whether an older version made it, which knew fewer ways in which a member can end.
@@ -351,7 +344,7 @@ def open_ensemble(path: Path) -> "xarray.Dataset":
     return data
 
 
-def _arrays_of_arguments(store: Store) -> Mapping[str, StoredArray]:
+def _arrays_of_arguments(store: Store) -> Arrays:
     """Return the arrays of a store's arguments; raise anything where these do not fit it."""
     arguments, group = store.arguments, store.group
     scenario = Scenario.model_validate(tables_of(arguments["scenario"], ""), context={"name": ""})

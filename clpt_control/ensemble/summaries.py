@@ -206,7 +206,7 @@ def followed(varied: Any) -> list[str]:
 
 def summarise(
     varied: Any, ensemble: Ensemble, members: Members, values: Values, run: States
-) -> dict[str, np.ndarray]:
+) -> Values:
     """Return the summaries of members; NaN after the end of one that failed."""
     scenario, times, y = varied.scenario, varied.times, run.states
     row, m, N = scenario.learning.row, len(run.states), scenario.basis.N
@@ -252,7 +252,7 @@ def summarise(
 
 def _speeds(
     varied: Any, ensemble: Ensemble, members: Members, values: Values, run: States
-) -> dict[str, np.ndarray]:
+) -> Values:
     """Return `SPEEDS` of members, by the samples that each reached."""
     speeds, times = np.full((len(run.states), len(SPEEDS)), np.nan), varied.state_times
     limits = values.get("vehicle.max_speed", itertools.repeat(varied.scenario.vehicle.max_speed))

@@ -10,7 +10,7 @@ from ..ensemble.spread import ensemble_plot, ensemble_summary, unit_of
 from ..ensemble.summaries import STATUS
 from ..html import Result, folded, listing
 from .page import Card, Page, Section, again_section, drawn
-from .results import number
+from .results import Numbers, number
 
 if TYPE_CHECKING:
     import xarray
@@ -130,9 +130,7 @@ def _spread(data: "xarray.Dataset", summary: dict[str, Any], done: int) -> Secti
     return Section("spread", heading, result, [figure])
 
 
-def ensemble_result(
-    data: "xarray.Dataset", summary: dict[str, Any], name: str, most: int
-) -> Result:
+def ensemble_result(data: "xarray.Dataset", summary: Numbers, name: str, most: int) -> Result:
     """Return percentiles over the members; of more cycles than `most`, the first and the last."""
     length, time = data["clpe_rms"].attrs["units"], data["mark"].attrs["units"]
     rows, cycles = [], summary["clpe_rms_per_cycle"]

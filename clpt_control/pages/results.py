@@ -30,6 +30,7 @@ WORSE = "worse than the mean current"
 MOST_EIGENVALUES = 20  # in the table; the report has all
 
 
+Numbers = dict[str, Any]  # figures of a run by name, as `run_and_report` has them
 Number = Annotated[float, pydantic.Field(allow_inf_nan=False)]
 Time = Annotated[str, pydantic.AfterValidator(lambda time: f"{float(time):g}")]
 
@@ -83,7 +84,7 @@ def numbers_of(run: "xarray.Dataset", system: Scenario | Team) -> dict[str, Any]
     return numbers
 
 
-def of_the_worst(numbers: dict[str, Any]) -> dict[str, Any]:
+def of_the_worst(numbers: Numbers) -> dict[str, Any]:
     """Return the figures of a team as those of one vehicle, each of the vehicle that is worst."""
     worst = {**numbers, "clpe_rms_per_cycle": []}
     for key in ("clpe_rms", "clpe_rms_last_quarter"):
@@ -139,7 +140,7 @@ def asked_of_team(team: Team) -> str:
     )
 
 
-def found_of_clpes(numbers: dict[str, Any], length: str) -> str:
+def found_of_clpes(numbers: Numbers, length: str) -> str:
     """Return what became of the prediction errors of a team."""
     late = numbers["clpe_rms_last_quarter"]
     worst = max(late, key=late.__getitem__)
@@ -161,7 +162,7 @@ def _water(scenario: Scenario) -> str:
     return water + (" and a disturbance" if scenario.flow.disturbance is not None else "")
 
 
-def found_of_clpe(numbers: dict[str, Any], length: str) -> str:
+def found_of_clpe(numbers: Numbers, length: str) -> str:
     """Return what became of the prediction error."""
     rms = numbers["clpe_rms_per_cycle"]
     if len(rms) > 1 and rms[0] > 0:
@@ -177,7 +178,7 @@ def found_of_clpe(numbers: dict[str, Any], length: str) -> str:
     )
 
 
-def shares_of(numbers: dict[str, Any]) -> list[tuple[str, float | None, str]]:
+def shares_of(numbers: Numbers) -> list[tuple[str, float | None, str]]:
     """Return where the learned flow explains which share of the variance; words if less than 0."""
     shares = numbers.get("explained_variance") or {}
     each = [(place, shares[place]) for place in SHARES if place in shares]
@@ -185,7 +186,7 @@ def shares_of(numbers: dict[str, Any]) -> list[tuple[str, float | None, str]]:
 
 
 def errors_by_time(
-    numbers: dict[str, Any], length: str, time: str
+    numbers: Numbers, length: str, time: str
 ) -> Iterator[tuple[str, str, dict[str, float]]]:
     """Yield what has an error, its unit, and the largest error by time."""
     for what, unit in (("flow parameter", f"{length}/{time}"), ("gain", f"1/{time}")):
@@ -193,7 +194,7 @@ def errors_by_time(
             yield what, unit, errors
 
 
-def found_of_flow(numbers: dict[str, Any], scenario: Scenario) -> str:
+def found_of_flow(numbers: Numbers, scenario: Scenario) -> str:
     """Return what was learned of the flow by the end."""
     unit = scenario.units
     begin = f"At the end, t = {numbers['end']:g} {unit.time}, "
@@ -242,7 +243,7 @@ def run_result(summary: dict[str, Any], title: str, most: int = MOST_VEHICLES) -
     return Result(title, ["", ""], rows)
 
 
-def _achieved(numbers: dict[str, Any], length: str, time: str) -> list[list[str]]:
+def _achieved(numbers: Numbers, length: str, time: str) -> list[list[str]]:
     """Return rows of what one vehicle achieved."""
     rows = []
     if rms := numbers.get("clpe_rms_per_cycle"):

@@ -18,6 +18,7 @@ from . import run_sections
 from .page import Card, Drawn, Page, Section, again_section, drawn
 from .results import (
     SHARES,
+    Numbers,
     asked,
     asked_of_team,
     at_end,
@@ -99,7 +100,7 @@ def _ended(run: "xarray.Dataset") -> list[str]:
     return [f"{message}."] if "; " in str(message) else []
 
 
-def _warnings(run: "xarray.Dataset", scenario: Scenario, numbers: dict[str, Any]) -> list[str]:
+def _warnings(run: "xarray.Dataset", scenario: Scenario, numbers: Numbers) -> list[str]:
     """Return what a reader must know before the figures."""
     changed, parts = run.attrs.get(CHANGED), run.attrs.get(OWN_PARTS)
     sentences = []
@@ -127,7 +128,7 @@ def _warnings(run: "xarray.Dataset", scenario: Scenario, numbers: dict[str, Any]
     return sentences
 
 
-def _cards(numbers: dict[str, Any], scenario: Scenario) -> list[Card]:
+def _cards(numbers: Numbers, scenario: Scenario) -> list[Card]:
     unit, rms = scenario.units, numbers["clpe_rms_per_cycle"]
     cards = []
     if len(rms) > 1:

@@ -19,7 +19,7 @@ from ..simulation.plots import DIRECTIONS, TITLE, clpe_plot, learning_plot, squa
 from ..simulation.team_plots import team_plot
 from ..theory.excitation.excitation_report import excitation_plot
 from .page import Drawn, Section, drawn
-from .results import excitation_of, excitation_result, is_team, number, run_result
+from .results import Numbers, excitation_of, excitation_result, is_team, number, run_result
 
 if TYPE_CHECKING:
     import xarray
@@ -30,7 +30,7 @@ MOST_DRAWN = 3  # vehicles in a drawing of the loop
 ONE_SAMPLE = Result(sentences=["The run has one sample: nothing can be drawn over time"])
 
 
-def team_section(run: "xarray.Dataset", numbers: dict[str, Any]) -> Section:
+def team_section(run: "xarray.Dataset", numbers: Numbers) -> Section:
     """Return a team's figure and what each vehicle achieved."""
     figures = []
     result = run_result(numbers, "What the vehicles achieved", len(numbers["vehicles"]))
@@ -86,9 +86,7 @@ def excitation_section(run: "xarray.Dataset", why: str = "") -> Section:
     return Section("excitation", heading, result, figures)
 
 
-def figure_sections(
-    run: "xarray.Dataset", scenario: Scenario, numbers: dict[str, Any]
-) -> list[Section]:
+def figure_sections(run: "xarray.Dataset", scenario: Scenario, numbers: Numbers) -> list[Section]:
     """Return what is drawn along the run."""
     heading, learning = "Prediction error", _learned(run, scenario)
     if run.sizes["time"] < 2:

@@ -22,7 +22,7 @@ from numpy.typing import ArrayLike
 from ..arguments import brief, numbers, public
 from ..equations.block import Block
 from ..errors import BlockError
-from .part import each, part, positive, remembering, rising
+from .part import Ports, each, part, positive, remembering, rising
 
 
 def limited(t, x, u, p):
@@ -105,9 +105,7 @@ def dead_zone(
     return _static(name, beyond, signals, ports, **limits)
 
 
-def _static(
-    name: str, output: Any, signals: int, ports: dict[str, str], **parameters: Any
-) -> Block:
+def _static(name: str, output: Any, signals: int, ports: Ports, **parameters: Any) -> Block:
     declared = {"inputs": {"u": signals}, "outputs": {"y": signals}}
     return part(name, ports, parameters, output=output, **declared)
 

@@ -10,10 +10,10 @@ from ..equations.block import Block
 from ..equations.declaration import renamed
 from ..errors import BlockError
 
+Ports = Mapping[str, str]  # name of a port -> the user's own
 
-def part(
-    name: str, ports: Mapping[str, str], parameters: Mapping[str, Any], **declared: Any
-) -> Block:
+
+def part(name: str, ports: Ports, parameters: Mapping[str, Any], **declared: Any) -> Block:
     """Make a part; `ports` calls some of its ports otherwise, {"u": "v_c"}."""
     values = {key: numbers(f"{name}: {key}", value)[()] for key, value in parameters.items()}
     block = Block(name, parameters=values, **declared)
@@ -68,7 +68,7 @@ def remembering(
     rate: Any,
     step: Any,
     signals: int,
-    ports: dict[str, str],
+    ports: Ports,
     lag: float | None,
     dt: float | None,
     **parameters: Any,

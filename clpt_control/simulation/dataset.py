@@ -18,7 +18,7 @@ import numpy as np
 from ..blocks.laws.law import Truth
 from ..blocks.localization import TRUE
 from ..diagrams.parts import LAW
-from ..diagrams.wiring import Wiring
+from ..diagrams.wiring import Params, Wiring
 from ..equations.at_many import on_arrays
 from ..equations.block import Block
 from ..equations.declaration import ports_of
@@ -55,6 +55,9 @@ MEASURED = {  # where the vehicle reads its position with noise
 
 
 # --- what all Datasets of one system share --------------------------------------------------------
+
+
+Labels = tuple[str, ...]
 
 
 class Series(NamedTuple):
@@ -326,9 +329,7 @@ def _estimate(scenario: Scenario, signals: Signals, of: Any) -> Any:
 
 
 @lru_cache(maxsize=64)
-def diagram_frame(
-    name: str, labels: tuple[str, ...], units: tuple[str, ...], states: tuple[str, ...]
-) -> Frame:
+def diagram_frame(name: str, labels: Labels, units: Labels, states: Labels) -> Frame:
     """Return the Dataset of any diagram: a variable for each port, named as it is, and its states.
 
     `labels` and `units` are those of the signals with which it is filled.
@@ -347,9 +348,7 @@ def with_states(
     return run.assign_coords(coordinate).assign(states=(("time", "state"), solution.x, STATES))
 
 
-def beyond_scenario_of(
-    params: Mapping[str, Any] | None, attributes: Mapping[str, str] = MappingProxyType({})
-) -> dict[str, str]:
+def beyond_scenario_of(params: Params, attributes: Mapping[str, str] = {}) -> dict[str, str]:
     """Return attributes for what the scenario does not hold, with call-time parameters added."""
     plain = {name: np.asarray(value).tolist() for name, value in (params or {}).items()}
     before = json.loads(attributes.get(CHANGED, "{}"))

@@ -11,6 +11,7 @@ import numpy as np
 
 from ..arguments import public
 from ..diagrams.plain_data import diagram_key
+from ..diagrams.wiring import Sizes
 from ..equations.system import linear
 from ..errors import SimulationError
 from ..native.python_diagram import checked_method
@@ -155,9 +156,7 @@ def _from_zero(experiment: Scenario | Team, timepts: Any) -> tuple[np.ndarray, i
     return (times, 0) if times[0] == 0 else (np.concatenate([[0.0], times]), 1)
 
 
-def sizes_of_run(
-    diagram: Any, inputs: Any, x0: Any, times: np.ndarray
-) -> tuple[int | None, int | None]:
+def sizes_of_run(diagram: Any, inputs: Any, x0: Any, times: np.ndarray) -> Sizes:
     """Return the numbers of states and inputs of a run, where its system leaves them open."""
     states = inputs_ = None
     if diagram.nstates is None:

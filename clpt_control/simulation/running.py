@@ -16,7 +16,7 @@ import numpy as np
 
 from ..blocks.localization import TRUE
 from ..diagrams.interconnection import wiring_of_blocks, with_stop
-from ..diagrams.wiring import Wiring, read_anew, units_of, wiring_of
+from ..diagrams.wiring import Params, Part, Sizes, Wiring, read_anew, units_of, wiring_of
 from ..equations.declaration import ports_of, split, whole_labels
 from ..native.ending import Solution
 from ..native.engines import VARIABLE, make_runner, run_checked
@@ -269,11 +269,7 @@ def signal_units(wiring: Wiring) -> list[str]:
     return outputs + inputs
 
 
-def compiled(
-    diagram: control.NonlinearIOSystem,
-    params: Mapping[str, Any] | None,
-    sizes: tuple[int | None, int | None] = (None, None),
-) -> DiagramRun:
+def compiled(diagram: Part, params: Params, sizes: Sizes = (None, None)) -> DiagramRun:
     """Return a diagram that runs as machine code; raise `Uncompiled` where it cannot."""
     with catch_warnings():
         simplefilter("ignore")  # that it runs in Python

@@ -10,7 +10,8 @@ import numpy as np
 from ..arguments import numbers, public
 from ..blocks.localization import TRUE
 from ..diagrams.interconnection import Diagram
-from ..diagrams.parts import Part, output_ports
+from ..diagrams.parts import output_ports
+from ..diagrams.wiring import Params, Part
 from ..equations.block import Block
 from ..equations.system import is_linear
 from ..errors import BlockError, DataError, DiagramError, ScenarioError, SimulationError
@@ -207,9 +208,7 @@ def _with_value(scenario: Scenario, name: str, value: Any) -> Scenario:
     return changed
 
 
-def into_keys(
-    scenario: Scenario, params: Mapping[str, Any] | None, x0: Any
-) -> tuple[Scenario, dict[str, Any]]:
+def into_keys(scenario: Scenario, params: Params, x0: Any) -> tuple[Scenario, dict[str, Any]]:
     """Return a scenario with call-time values in its keys, and the values that have no key."""
     left = dict(params or {})
     if x0 is None and not left:

@@ -216,9 +216,11 @@ class Box:
         return self.y + (side.index(net) - (len(side) - 1) / 2) * PITCH
 
 
-def place(
-    layered: Layered, sizes: dict[str, tuple[float, float]]
-) -> tuple[dict[str, Box], dict[int, bool]]:
+Sizes = dict[str, tuple[float, float]]  # of boxes by name, points
+Boxes = dict[str, Box]
+
+
+def place(layered: Layered, sizes: Sizes) -> tuple[Boxes, dict[int, bool]]:
     """Return boxes at their heights, ports in order, and which feedback returns above them."""
     boxes = _boxes(layered, sizes)
     above: dict[int, bool] = {}
@@ -230,7 +232,7 @@ def place(
     return boxes, above
 
 
-def _boxes(layered: Layered, sizes: dict[str, tuple[float, float]]) -> dict[str, Box]:
+def _boxes(layered: Layered, sizes: Sizes) -> Boxes:
     """Return boxes with all their ports, of the size of their text or more."""
     boxes = {name: Box(*sizes.get(name, (0.0, 0.0))) for layer in layered.layers for name in layer}
     for k, net in enumerate(layered.nets):
@@ -244,7 +246,7 @@ def _boxes(layered: Layered, sizes: dict[str, tuple[float, float]]) -> dict[str,
     return boxes
 
 
-def _level(layered: Layered, boxes: dict[str, Box]) -> None:
+def _level(layered: Layered, boxes: Boxes) -> None:
     """Move the boxes to heights at which arrows climb and fall least, and else near the middle."""
     from scipy.optimize import linprog
     from scipy.sparse import coo_array
@@ -274,7 +276,7 @@ def _level(layered: Layered, boxes: dict[str, Box]) -> None:
         box.y = GRID * round(y)
 
 
-def _returns_above(layered: Layered, boxes: dict[str, Box]) -> dict[int, bool]:
+def _returns_above(layered: Layered, boxes: Boxes) -> dict[int, bool]:
     """Return for each net with feedback whether its lane is above the boxes."""
     middle = mean([box.y for name, box in boxes.items() if not name.startswith("pass:")])
     return {
@@ -284,7 +286,7 @@ def _returns_above(layered: Layered, boxes: dict[str, Box]) -> dict[int, bool]:
     }
 
 
-def _sort_ports(layered: Layered, boxes: dict[str, Box], above: dict[int, bool]) -> None:
+def _sort_ports(layered: Layered, boxes: Boxes, above: dict[int, bool]) -> None:
     """Sort ports by where their nets come from and go; feedback to its lane's side."""
     came: dict[tuple[str, int], float] = {}
     went: dict[int, float] = {}

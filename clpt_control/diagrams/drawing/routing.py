@@ -11,11 +11,12 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
 
-from .layers import GRID, Box, Layered, Net, place
+from .layers import GRID, Boxes, Layered, Net, Sizes, place
 
 TRACK, ARROW = 7.0, 9.0  # points between tracks, and of an arrow's head
 LANE, APART = 10.0, 7.0  # points between lanes, and between turns of one track
 Point = tuple[float, float]
+Width = Callable[[str], float]  # of a text
 Paths = dict[tuple[int, str], list[Point]]  # net and target, or "" without one -> corners
 
 
@@ -35,7 +36,10 @@ class Turn:
         return self.lefts + self.rights + ([] if self.lane is None else [self.lane])
 
 
-def lanes_of(layered: Layered, boxes: dict[str, Box], above: dict[int, bool]) -> dict[int, float]:
+Channels = dict[int, list[Turn]]  # channel c, behind layer c -> what nets do in it
+
+
+def lanes_of(layered: Layered, boxes: Boxes, above: dict[int, bool]) -> dict[int, float]:
     """Return the height of each feedback net's lane; short ones run inside."""
     top = min(box.y - box.height / 2 for box in boxes.values()) - LANE
     bottom = max(box.y + box.height / 2 for box in boxes.values()) + LANE
@@ -58,11 +62,9 @@ def lanes_of(layered: Layered, boxes: dict[str, Box], above: dict[int, bool]) ->
     return lanes
 
 
-def channels_of(
-    layered: Layered, boxes: dict[str, Box], lanes: dict[int, float]
-) -> dict[int, list[Turn]]:
+def channels_of(layered: Layered, boxes: Boxes, lanes: dict[int, float]) -> Channels:
     """Return what each net does in each channel; channel c lies behind layer c."""
-    channels: dict[int, list[Turn]] = {c: [] for c in range(-1, len(layered.layers))}
+    channels: Channels = {c: [] for c in range(-1, len(layered.layers))}
     for k, net in enumerate(layered.nets):
         out = boxes[net.source].port(k, True)
         for c, turns in channels.items():
@@ -112,16 +114,14 @@ def overlap(a: Turn, b: Turn) -> bool:
 class Routed:
     """A finished layout."""
 
-    boxes: dict[str, Box]  # with passages among them
+    boxes: Boxes  # with passages among them
     paths: Paths
     dots: list[Point]  # where a net branches
     width: float
     height: float
 
 
-def route(
-    layered: Layered, sizes: dict[str, tuple[float, float]], text_width: Callable[[str], float]
-) -> Routed:
+def route(layered: Layered, sizes: Sizes, text_width: Width) -> Routed:
     """Place the boxes and lead the arrows around them."""
     boxes, above = place(layered, sizes)
     lanes = lanes_of(layered, boxes, above)
@@ -137,12 +137,7 @@ def route(
     return Routed(boxes, paths, branchings(paths), right - left, bottom - top)
 
 
-def _columns(
-    layered: Layered,
-    boxes: dict[str, Box],
-    channels: dict[int, list[Turn]],
-    text_width: Callable[[str], float],
-) -> None:
+def _columns(layered: Layered, boxes: Boxes, channels: Channels, text_width: Width) -> None:
     """Set x of the boxes and of the tracks, from left to right."""
     x = 0.0
     for c, turns in channels.items():
@@ -171,12 +166,7 @@ def _columns(
         x += max(into, default=0.0) + (ARROW if into else 0.0)
 
 
-def _paths(
-    layered: Layered,
-    boxes: dict[str, Box],
-    channels: dict[int, list[Turn]],
-    text_width: Callable[[str], float],
-) -> Paths:
+def _paths(layered: Layered, boxes: Boxes, channels: Channels, text_width: Width) -> Paths:
     paths: Paths = {}
     for k, net in enumerate(layered.nets):
         source, rank = boxes[net.source], layered.rank[net.source]
@@ -205,7 +195,7 @@ def _paths(
     return paths
 
 
-def _extent(boxes: dict[str, Box], paths: Paths) -> tuple[float, float, float, float]:
+def _extent(boxes: Boxes, paths: Paths) -> tuple[float, float, float, float]:
     drawn = [box for name, box in boxes.items() if not name.startswith("pass:")]
     corners = [point for path in paths.values() for point in path]
     corners += [(box.x, box.y - box.height / 2) for box in drawn]
