@@ -1,6 +1,5 @@
 """Pictures of a diagram: `draw` draws for a notebook or into a file, `mermaid` gives text."""
 
-from .arrows import mermaid
-from .figure import draw
+from .figure import draw, mermaid
 
 __all__ = ["draw", "mermaid"]

@@ -1,5 +1,7 @@
 """A diagram drawn as on paper: into a file, for a notebook, for a page; and said in a line.
 
+`mermaid` gives the arrows between its blocks as text.
+
 Thick frame and integral sign: a block with states.  Grey: a source of time or
 tables (`Block.opaque`).  Dashed: feedback.  The number under a name is the
 equation of the paper that the block's function names.
@@ -21,8 +23,7 @@ from ...figures import inline_svg, literal
 from ...files import check_name, write_file
 from ...html import fragment, paragraphs, shortened
 from ..wiring import Node, wiring_of
-from .arrows import mermaid
-from .layers import arrange, gather
+from .layers import arrange, arrows, gather, ports
 from .routing import Routed, route, strokes
 
 NAME, NOTE, PORT = 8.0, 6.5, 7.0  # sizes of text, points
@@ -140,6 +141,65 @@ def diagram_html(diagram: control.InterconnectedSystem) -> str:
 
 def _size(diagram: control.InterconnectedSystem) -> str:
     return f"{len(diagram.syslist)} blocks, {diagram.nstates or 0} states"
+
+
+@public
+def mermaid(diagram: control.NonlinearIOSystem) -> str:
+    """Write a diagram as a Mermaid flowchart.
+
+    Parameters
+    ----------
+    diagram : control.NonlinearIOSystem
+        An interconnected system; blocks of nested ones are drawn one by one.
+
+    Returns
+    -------
+    str
+        Text that Mermaid, and every page that knows it, shows as a picture:
+        a box for each block with the ports that it makes, a rounded box for
+        each input of the diagram.
+
+    Raises
+    ------
+    DiagramError
+        If blocks feed each other at once in a circle.
+
+    Examples
+    --------
+    >>> from clpt_control import connect
+    >>> from clpt_control.blocks import clpe, vehicle
+    >>> loop = connect([vehicle.vehicle(), clpe.clpe()], external=["flow_x", "v_x", "z"])
+    >>> print(mermaid(loop), end="")
+    flowchart LR
+        in0(["flow_x"])
+        in1(["v_x"])
+        in2(["z"])
+        b0["vehicle<br/>x"]
+        b1["clpe<br/>e"]
+        in0 -->|"flow_x"| b0
+        in1 -->|"v_x"| b0
+        b0 -->|"x"| b1
+        in2 -->|"z"| b1
+    """
+    wiring = wiring_of(diagram)
+    outside = {port: f"in{k}" for k, port in enumerate(ports(diagram.input_labels))}
+    inside = {node.name: f"b{k}" for k, node in enumerate(wiring.nodes)}
+    lines = ["flowchart LR"]
+    lines += [f'    {key}(["{_quoted(port)}"])' for port, key in outside.items()]
+    for node in wiring.nodes:
+        signals = _quoted(", ".join(ports(node.system.output_labels)))
+        lines.append(f'    {inside[node.name]}["{_quoted(node.name)}<br/>{signals}"]')
+    carried: dict[tuple[str, str], list[str]] = {}
+    for arrow in arrows(diagram, wiring):
+        start = outside[arrow.source] if arrow.external else inside[arrow.source]
+        carried.setdefault((start, inside[arrow.target]), []).append(arrow.label)
+    for (start, end), names in carried.items():
+        lines.append(f'    {start} -->|"{_quoted(", ".join(names))}"| {end}')
+    return "\n".join(lines) + "\n"
+
+
+def _quoted(text: str) -> str:
+    return text.replace("#", "#35;").replace('"', "#quot;").replace("<", "#lt;")
 
 
 # --- the figure ----------------------------------------------------------------------------------

@@ -17,12 +17,67 @@ from typing import NamedTuple
 
 import control
 
-from ..wiring import Wiring, units_of
-from .arrows import arrows, port_of, ports
+from ..wiring import Node, Wiring, units_of
 
 GRID, PITCH, GAP = 7.0, 14.0, 14.0  # points; of heights, of ports, between boxes
 WEIGHTS = 1.0, 2.0, 8.0  # of an arrow with so many passages at its ends
 NEAR = 0.01  # of the distance from the middle
+
+
+# --- an arrow joins the block, or the outside, that makes a port to a block that takes it.  Where
+# only some signals of a port are taken, they are named ------------------------------------------
+
+
+class Arrow(NamedTuple):
+    """What one block takes of one port."""
+
+    source: str  # name of the block that makes the port; of the port if external
+    target: str  # name of the block that takes it
+    port: str  # the port, such as ``"phi_x"``, or some of its signals, ``"y[1]"``
+    gain: float  # factor on each signal
+    external: bool  # true where the port is an input of the diagram
+
+    @property
+    def label(self) -> str:
+        """Return the port, with its gain unless that is 1."""
+        return self.port if self.gain == 1 else f"{self.gain:g} {self.port}"
+
+
+def port_of(label: str) -> str:
+    """Return the port of a signal's label."""
+    return label.partition("[")[0]
+
+
+def ports(labels: list[str]) -> list[str]:
+    """Return the ports of signal labels, each once, in order."""
+    return list(dict.fromkeys(map(port_of, labels)))
+
+
+def arrows(diagram: control.NonlinearIOSystem, wiring: Wiring) -> list[Arrow]:
+    """Return one arrow for each source, target, port and gain, nested diagrams included."""
+    made = [(n.name, label) for n in wiring.nodes for label in n.system.output_labels]
+    given = [(port_of(label), label) for label in diagram.input_labels]
+    return [arrow for node in wiring.nodes for arrow in _into(node, made, given)]
+
+
+def _into(node: Node, made: list[tuple[str, str]], given: list[tuple[str, str]]) -> list[Arrow]:
+    """Return the arrows into a node; where a port is not taken whole, its signals are named."""
+    taken: dict[tuple[bool, str, str, float], list[str]] = {}
+    for wire in sorted(node.wires):
+        origins = given if wire.external else made
+        for source, label in origins[wire.source : wire.source + wire.size]:
+            key = (wire.external, source, port_of(label), wire.gain)
+            taken.setdefault(key, []).append(label)
+    result = []
+    for (external, source, port, gain), signals in taken.items():
+        origins = given if external else made
+        whole = {label for owner, label in origins if owner == source and port_of(label) == port}
+        names = [port] if whole == set(signals) else dict.fromkeys(signals)
+        result += [Arrow(source, node.name, name, gain, external) for name in names]
+    return result
+
+
+# --- nets, and the layers of blocks -------------------------------------------------------------
 
 
 @dataclass
