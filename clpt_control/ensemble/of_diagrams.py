@@ -30,7 +30,7 @@ from ..native import solver
 from ..native.python_diagram import checked_steps
 from ..native.schedule import checked_times, read_inputs
 from ..native.sweep import Sweep
-from ..simulation.dataset import Series, port_variables
+from ..simulation.dataset import Axes, Series, port_variables
 from ..simulation.integrate import as_diagram, sizes_of_run
 from ..simulation.running import labels_of, signal_units
 from ..simulation.starts import stacked_state
@@ -236,7 +236,7 @@ class VariedDiagram:
         return given, start, inputs
 
     @cached_property
-    def variables(self) -> tuple[dict[str, Series], dict[str, tuple[Any, Mapping[str, str]]]]:
+    def variables(self) -> tuple[dict[str, Series], Axes]:
         """The variables of outputs, and their axes."""
         taken = (*RESULT, *self.values)
         units, ports = signal_units(self.wiring), ports_of(self.outputs)

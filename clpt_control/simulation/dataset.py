@@ -58,6 +58,7 @@ MEASURED = {  # where the vehicle reads its position with noise
 
 
 Labels = tuple[str, ...]
+Axes = dict[str, tuple[Any, Mapping[str, str]]]  # dimension -> values, attributes
 
 
 class Series(NamedTuple):
@@ -139,18 +140,15 @@ def _index(name: str, values: Any, attributes: Any) -> tuple[Any, Any]:
 
 
 def port_variables(
-    ports: Mapping[str, Sequence[int]],
-    dims: Mapping[int, str],
-    taken: Any,
-    units: Mapping[str, str] = {},
-) -> tuple[dict[str, Series], dict[str, tuple[Any, Mapping[str, str]]]]:
+    ports: dict[str, list[int]], dims: Mapping[int, str], taken: Any, units: Mapping[str, str]
+) -> tuple[dict[str, Series], Axes]:
     """Return the variables of ports, each with the columns of its signals, and their axes.
 
     `dims` names dimensions by size; others are named after their port, and count from 0.  A name
     that is taken gets a _.
     """
     variables: dict[str, Series] = {}
-    axes: dict[str, tuple[Any, Mapping[str, str]]] = {}
+    axes: Axes = {}
     for port, places in ports.items():
         size = len(places)
         more: tuple[str, ...] = ()
