@@ -154,6 +154,12 @@ def each(t, x, u, p, r):
     return {"alpha": alpha, "K": -np.array([1.0, 2.0]) * u.z * u.e, "Gamma": 0.3 * u.zc * u.e}
 
 
+def each_axis(t, x, u, p, r):
+    """A gain for each function, and one for K and Gamma of each axis."""
+    alpha = -p.gains * np.outer(u.e, u.phi_x)
+    return {"alpha": alpha, "K": -p.axes * u.z * u.e, "Gamma": p.axes * u.zc * u.e}
+
+
 def three(t, x, u, p, r):
     """A gain each for alpha, K and Gamma."""
     return {port: p.gains[k] * r[port] for k, port in enumerate(LEARNED)}
@@ -210,6 +216,10 @@ RIGHT = {  # name -> (law, whether for every N too)
     ),
     "three gains": (changed(three, {"gains": [0.5, 0.2, 0.7]}), True),
     "a gain each": (changed(each, {"gains": [0.5, 2.0]}, **EACH), True),
+    "one list of gains for functions and for axes": (
+        changed(each_axis, {"gains": [1.0, 2.0], "axes": [1.0, 2.0]}, **EACH),
+        True,
+    ),
     "x - z and exp(c)": (
         driven(lambda t, x, u, p: np.exp(p.c) * (u.x - u.z), {"c": 0.3}, more={"x": 2}),
         True,

@@ -422,6 +422,22 @@ WRONG = {
         system(lambda x, n: [-(x**n) * np.abs(x)], params={"n": 0.5}),
         half,
     ),
+    "V of a table": (
+        system(lambda x: [0.1 * x]),
+        lambda s: np.interp(np.abs(s.x), [0.0, 1.0, 2.0], [0.0, 1.0, 3.0]),
+    ),
+    "V of a floor of time": (
+        control.nlsys(
+            lambda t, x, u, p: 0 * x,
+            lambda t, x, u, p: x**2 * (1 + np.floor(t) ** 2),
+            inputs=0,
+            states=["x"],
+            outputs=["V"],
+        ),
+        "V",
+    ),
+    "a gain of a floor": (system(lambda t, x: [(np.floor(t) - 3) * x]), half),
+    "V of a floor": (system(lambda x: [0 * x + 1]), lambda s: s.x * np.floor(s.x)),
     "wrong in a small region": (system(lambda x: [-x * ((x - 1) ** 2 - 1e-3)]), half),
     "wrong in a smaller region": (system(lambda x: [-x * ((x - 7) ** 2 - 1e-9)]), half),
     "wrong in a strip": (system(lambda x, y: [-x * ((y - 2) ** 2 - 0.01), -y]), halves),

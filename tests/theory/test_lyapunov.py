@@ -33,6 +33,7 @@ OPEN = {  # of the wrong ones: no point shows it, or none is looked for
     "V that jumps",
     "V that is zero on one side",
     "V of an angle",
+    "V of a floor of time",
     "a spring stronger in each interval",
     "wrong in a smaller region",
     "no value at a point",
@@ -239,7 +240,7 @@ def test_mistakes_are_one_sentence():
         lyapunov(control.nlsys(None, lambda t, x, u, p: u, inputs=1, outputs=1), 0 * x)
     with pytest.raises(clpt.DiagramError, match="x = nan: must be finite"):
         lyapunov(plant, half, at=[np.nan])
-    with pytest.raises(clpt.DiagramError, match="V' cannot be worked out.*Unsupported.*Set the"):
+    with pytest.raises(clpt.DiagramError, match=r"V' cannot be worked out.*Unsupported.*Set the"):
         lyapunov(plant, sympy.Piecewise((x**2, x > 0), (0, True)))
     for names in ({"states": ["t"]}, {"inputs": ["t"]}, {"params": {"t": 2.0}}):
         known = {"inputs": 0, "states": ["x"], "params": {}} | names

@@ -20,7 +20,7 @@ from ...equations.record import Shape
 from ...errors import DiagramError
 from .array_loop import no_value, refuse_pinned, refuse_unproved
 from .symbols import element_name, parameter_names, parameter_symbol, state_names
-from .words import NUMBERS_OF, along
+from .words import NUMBERS_OF, along, is_input
 
 TRIED = 500  # points at which a sign is looked at before it is proved
 SMALL = 1e-6  # of the largest value there; less may be rounding
@@ -178,7 +178,7 @@ class Numbers:
     def __init__(self, *expressions: sympy.Expr):
         self.expressions, whole = expressions, sympy.Tuple(*expressions)
         applied = whole.atoms(sympy.core.function.AppliedUndef)
-        inputs = [f for f in applied if f.args == (TIME,)]
+        inputs = list(filter(is_input, applied))
         words = {str(f.func) for f in applied} - {str(f.func) for f in inputs}
         if whole.has(sympy.Derivative) or words - set(NUMBERS_OF):
             unknown = ", ".join(sorted(words - set(NUMBERS_OF))) or "a derivative of an input"

@@ -74,8 +74,7 @@ def parameter_names(blocks: Sequence[Block]) -> dict[tuple[str, str], str]:
             if name is not None:
                 values.setdefault(name, []).append(value)
     ports = {port for b in blocks for port in (*b.input_ports, *b.output_ports)}
-    same = (name for name, own in values.items() if all(np.all(own[0] == one) for one in own))
-    shared = {*same} - ports
+    shared = {name for name, own in values.items() if _same(name, own)} - ports
     names = {}
     for block in blocks:
         for field in block.parameters._fields:
@@ -104,6 +103,12 @@ def signed(name: str, value: Any) -> sympy.Expr:
     if value.size and np.all(value < 0):
         return sympy.Symbol(name, negative=True)
     return sympy.Symbol(name, real=True)
+
+
+def _same(name: str, values: list) -> bool:
+    if name in SCALARS:  # in whatever shape
+        return all(np.all(np.asarray(value) == np.ravel(values[0])[0]) for value in values)
+    return all(np.array_equal(value, values[0]) for value in values)
 
 
 MOST_EXP = 700  # of which exp is a number

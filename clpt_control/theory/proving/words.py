@@ -57,6 +57,7 @@ SMOOTH = (  # where they have a value
     *(sympy.cosh, sympy.acosh, sympy.atanh, *ODD),
 )
 CONTINUOUS = ("Abs", "clip", "minimum", "maximum")
+STEPS = ("sign", "inside", "floor", "trunc", "ceil")  # constant but where they jump
 
 NUMBERS_OF = {**ON_NUMBERS, "inside": lambda u, low, high: (low < u) & (u < high)}
 
@@ -90,8 +91,9 @@ def words_of(expression: sympy.Expr) -> set[Any]:
 
 
 def is_input(word: Any) -> bool:
-    """Return whether a word is a function of time alone, as the inputs are."""
-    return isinstance(word, AppliedUndef) and [str(a) for a in word.args] == ["t"]
+    """Return whether a word is an unknown function of time alone, as the inputs are."""
+    of_time = isinstance(word, AppliedUndef) and [str(a) for a in word.args] == ["t"]
+    return of_time and word.func.__name__ not in NUMBERS_OF
 
 
 class Sector(NamedTuple):
@@ -209,12 +211,12 @@ def slope_of(word: Any, along: Callable[[sympy.Expr], sympy.Expr]) -> sympy.Expr
         return INSIDE(*args) * rates[0]
     if name == "Abs":
         return SIGN(args[0]) * rates[0]
-    if name == "where":
-        return WHERE(args[0], *rates[1:])
+    if name in ("where", "pick"):
+        return word.func(args[0], *rates[1:])
     if name in ("maximum", "minimum"):
         a, b = args if name == "maximum" else args[::-1]
         return WHERE(GT(a, b), rates[0], rates[1])
-    return sympy.S.Zero if name in ("sign", "inside", *COMPARED, *YES_OR_NO) else None
+    return sympy.S.Zero if name in (*STEPS, *COMPARED, *YES_OR_NO) else None
 
 
 def along(expression: sympy.Expr, known: dict[Any, sympy.Expr]) -> sympy.Expr:
