@@ -4,10 +4,12 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
+import typer
+
 from ..errors import ClptError, SimulationError
 from ..html import Result
 from ..progress import progress_bar
-from .printing import Json, arg, cell_text, check_out, finish, flag, names_of_laws, opt
+from .printing import Json, cell_text, check_out, finish, flag, names_of_laws, opt
 
 OF_THEOREM = "status for_every_N printed assumptions steps conclusion corrected cited not_proved"
 OF_LAW = "law status claim for_every_N steps"
@@ -20,13 +22,12 @@ FIELDS = {  # of each room's proofs, in JSON
 
 
 def laws(
-    name: str | None = arg("LAW", default=None, autocompletion=names_of_laws),
+    name: str | None = typer.Argument(
+        None, metavar="LAW", help="Its page; default: the table.", autocompletion=names_of_laws
+    ),
     as_json: Json = False,
 ) -> None:
     """List the adaptive laws; of one, print its page.
-
-    Args:
-        name: Its page; default: the table.
 
     Example:
         clpt laws concurrent
@@ -66,17 +67,17 @@ def laws(
 
 
 def prove(
-    theorem: str | None = opt("NUMBER", words=("3.1", "3.2", "3.3", "3.4")),
-    again: bool = flag("--again"),
+    theorem: str | None = opt(
+        "NUMBER",
+        "3.1 to 3.4; default: all, limits and every law.",
+        words=("3.1", "3.2", "3.3", "3.4"),
+    ),
+    again: bool = flag("Judge what was judged before.", "--again"),
     as_json: Json = False,
 ) -> None:
     """Check the paper's theorems, and every law, by symbols.
 
     The equations are those that run, read from the same blocks.
-
-    Args:
-        theorem: 3.1 to 3.4; default: all, limits and every law.
-        again: Judge what was judged before.
 
     Example:
         clpt prove --theorem 3.2
@@ -139,21 +140,15 @@ def prove(
 
 
 def refute(
-    law: str = arg("LAW", autocompletion=names_of_laws),
-    budget: float = opt("SECONDS", default=60.0),
-    seed: int = opt("NUMBER", default=0),
-    out: Path | None = opt("FILE"),
+    law: str = typer.Argument(..., metavar="LAW", help="Its name.", autocompletion=names_of_laws),
+    budget: float = opt("SECONDS", "How long to search.", default=60.0),
+    seed: int = opt("NUMBER", "Seed of the search.", default=0),
+    out: Path | None = opt("FILE", "Scenario that breaks the promise, to write."),
     as_json: Json = False,
 ) -> None:
     """Search for a run that breaks what a law promises.
 
     Not to find one is no proof.
-
-    Args:
-        law: Its name.
-        budget: How long to search.
-        seed: Seed of the search.
-        out: Scenario that breaks the promise, to write.
 
     Example:
         clpt refute concurrent --budget 20 --out broken.toml

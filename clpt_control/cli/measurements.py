@@ -12,29 +12,27 @@ from .printing import TIDES, Formats, Json, arg, cell_text, check_out, finish, f
 
 
 def fit(
-    currents: Path = arg("FILE"),
-    out: Path = opt("SCENARIO", default=...),
-    box: tuple[float, float, float, float] | None = opt("LAT0 LAT1 LON0 LON1"),
-    rows: int = opt("COUNT", default=3),
-    columns: int = opt("COUNT", default=3),
-    width_km: float | None = opt("KM"),
-    constituents: str = opt("NAMES", default="steady,M2", words=("steady", *TIDES)),
-    start_from_fit: bool = flag("--start-from-fit"),
-    units: str | None = opt("UNIT"),
+    currents: Path = arg("FILE", "NetCDF file of a gridded current, Zarr, or a folder of files."),
+    out: Path = opt("SCENARIO", "Scenario file to write; the field lies beside it.", default=...),
+    box: tuple[float, float, float, float] | None = opt(
+        "LAT0 LAT1 LON0 LON1", "Degrees; default: the whole grid."
+    ),
+    rows: int = opt("COUNT", "Places of functions, south to north.", default=3),
+    columns: int = opt("COUNT", "Places of functions, west to east.", default=3),
+    width_km: float | None = opt(
+        "KM", "Width of the Gaussians, km; default: 0.6 of the distance between places."
+    ),
+    constituents: str = opt(
+        "NAMES",
+        "steady and named tides, such as steady,M2.",
+        default="steady,M2",
+        words=("steady", *TIDES),
+    ),
+    start_from_fit: bool = flag("Let the learner start with the fit.", "--start-from-fit"),
+    units: str | None = opt("UNIT", "Of u and v, such as m/s, where the file has none."),
     as_json: Json = False,
 ) -> None:
     """Make a scenario in a measured current, and fit its flow.
-
-    Args:
-        currents: NetCDF file of a gridded current, Zarr, or a folder of files.
-        out: Scenario file to write; the field lies beside it.
-        box: Degrees; default: the whole grid.
-        rows: Places of functions, south to north.
-        columns: Places of functions, west to east.
-        width_km: Width of the Gaussians, km; default: 0.6 of the distance between places.
-        constituents: steady and named tides, such as steady,M2.
-        start_from_fit: Let the learner start with the fit.
-        units: Of u and v, such as m/s, where the file has none.
 
     Example:
         clpt fit currents.nc --box 40.9 41.55 -69.9 -69.0 --out mine.toml
@@ -67,24 +65,21 @@ def fit(
 
 
 def tides(
-    record: Path = arg("FILE"),
-    constituents: str = opt("NAMES", default=..., words=("auto", *TIDES)),
-    latitude: float | None = opt("DEGREES"),
-    at: tuple[float, float] | None = opt("LAT LON"),
-    units: str | None = opt("UNIT"),
-    out: Path | None = opt("FOLDER"),
+    record: Path = arg("FILE", "NetCDF, or CSV with time, u and v."),
+    constituents: str = opt(
+        "NAMES",
+        "Named tides, such as M2,S2,K1; auto: all that can be told apart.",
+        default=...,
+        words=("auto", *TIDES),
+    ),
+    latitude: float | None = opt("DEGREES", "Degrees north; default: the file's own."),
+    at: tuple[float, float] | None = opt("LAT LON", "Degrees: the nearest cell of a grid."),
+    units: str | None = opt("UNIT", "Of u and v, such as m/s, where the file has none."),
+    out: Path | None = opt("FOLDER", "Folder for tides.nc and its figure."),
     formats: Formats = None,
     as_json: Json = False,
 ) -> None:
     """Fit tidal constituents to a current record.
-
-    Args:
-        record: NetCDF, or CSV with time, u and v.
-        constituents: Named tides, such as M2,S2,K1; auto: all that can be told apart.
-        latitude: Degrees north; default: the file's own.
-        at: Degrees: the nearest cell of a grid.
-        units: Of u and v, such as m/s, where the file has none.
-        out: Folder for tides.nc and its figure.
 
     Example:
         clpt tides record.nc --constituents M2,S2,K1 --out tides
@@ -144,27 +139,21 @@ def tides_result(report: dict[str, Any]) -> Result:
 
 
 def estimate(
-    run: Path = arg("RUN"),
+    run: Path = arg("RUN", "A run's NetCDF, as clpt run writes it."),
     method: str = opt(
-        "NAME", default="least-squares", words=("least-squares", "kalman", "tomography")
+        "NAME",
+        "least-squares, kalman or tomography.",
+        default="least-squares",
+        words=("least-squares", "kalman", "tomography"),
     ),
-    every: float | None = opt("TIME"),
-    prior: float | None = opt("SPEED"),
-    noise: float | None = opt("LENGTH"),
-    until: float | None = opt("TIME"),
-    out: Path | None = opt("FILE"),
+    every: float | None = opt("TIME", "Time between fixes; a tenth of reference.dwell."),
+    prior: float | None = opt("SPEED", "Standard deviation of each theta before any fix."),
+    noise: float | None = opt("LENGTH", "Standard deviation of a miss between fixes."),
+    until: float | None = opt("TIME", "Use the run up to this time."),
+    out: Path | None = opt("FILE", "Scenario file to write: the run's, with the estimate given."),
     as_json: Json = False,
 ) -> None:
     """Estimate the flow from fix to fix, for the known-flow law.
-
-    Args:
-        run: A run's NetCDF, as clpt run writes it.
-        method: least-squares, kalman or tomography.
-        every: Time between fixes; a tenth of reference.dwell.
-        prior: Standard deviation of each theta before any fix.
-        noise: Standard deviation of a miss between fixes.
-        until: Use the run up to this time.
-        out: Scenario file to write: the run's, with the estimate given.
 
     Example:
         clpt estimate run.nc --method kalman --out known.toml

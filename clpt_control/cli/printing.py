@@ -29,15 +29,7 @@ PACKAGES = ("control", "numpy", "scipy", "llvmlite", "xarray", "sympy")
 
 
 class Command(TyperCommand):
-    """A command whose help is written as above; its docstring says what its arguments are."""
-
-    def __init__(self, *args: Any, **options: Any):
-        super().__init__(*args, **options)
-        listed = (self.help or "").partition("\nArgs:\n")[2].partition("\n\n")[0]
-        own = dict(re.findall(r"^    (\w+): (.*(?:\n {8}.*)*)", listed, re.MULTILINE))
-        for param in self.params:
-            if words := (ABOUT | own).get(param.name or ""):
-                param.help = " ".join(words.split())  # type: ignore[attr-defined]
+    """A command whose help is written as above."""
 
     def collect_usage_pieces(self, ctx: Any) -> list[str]:
         """Return arguments, then options that are required, as they are typed."""
@@ -97,9 +89,9 @@ class HelpPage(TyperGroup):
 
 
 def _split(text: str | None) -> tuple[str, list[str]]:
-    """Return what a docstring says of the whole command, and the lines of its example."""
+    """Return a docstring before its example, and the example's lines."""
     about, _, example = inspect.cleandoc(text or "").partition("\nExample:\n")
-    return about.partition("\nArgs:\n")[0].strip(), dedent(example).splitlines()
+    return about.strip(), dedent(example).splitlines()
 
 
 def _write_lines(formatter: Any, title: str, lines: list[str]) -> None:
@@ -142,24 +134,24 @@ def clpt(
     """
 
 
-def opt(metavar: str, *names: str, default: Any = None, **more: Any) -> Any:
-    """Return an option: the word for its value, names other than the parameter's.
+def opt(metavar: str, about: str, *names: str, default: Any = None, **more: Any) -> Any:
+    """Return an option: the word for its value, its help, names other than the parameter's.
 
     One whose default is ... is required; `words` complete what is typed.
     """
     if words := more.pop("words", ()):
         more["autocompletion"] = one_of(*words)
-    return typer.Option(default, *names, metavar=metavar, **more)
+    return typer.Option(default, *names, metavar=metavar, help=about, **more)
 
 
-def flag(*names: str, default: Any = False, **more: Any) -> Any:
-    """Return an option without a value: names other than the parameter's."""
-    return typer.Option(default, *names, **more)
+def flag(about: str, *names: str, default: Any = False) -> Any:
+    """Return an option without a value: its help, names other than the parameter's."""
+    return typer.Option(default, *names, help=about)
 
 
-def arg(metavar: str, default: Any = ..., **more: Any) -> Any:
-    """Return an argument: its word; one whose default is ... is required."""
-    return typer.Argument(default, metavar=metavar, **more)
+def arg(metavar: str, about: str, default: Any = ...) -> Any:
+    """Return an argument: its word and its help; one whose default is ... is required."""
+    return typer.Argument(default, metavar=metavar, help=about)
 
 
 def one_of(*words: str) -> Callable[[str], Iterable[str]]:
@@ -181,21 +173,29 @@ def names_of_laws() -> list[str]:
 
 # --- what commands take, and print ---------------------------------------------------------------
 
-# what several commands take: the docstring of one may say it in other words
-ABOUT = {
-    "scenario": "A scenario's TOML file, or a run's NetCDF.",
-    "window": "Length of the window; default: one cycle of waypoints.",
-    "start": "Start of the window; default: the second cycle.",
-    "formats": "Format of the figures: png, svg, pdf; repeat it.",
-    "as_json": "Print one JSON object and nothing else; a mistake is told on standard error.",
-}
-ScenarioFile = Annotated[Path, arg("SCENARIO")]
-Window = Annotated[float | None, opt("TIME", default=...)]
-Start = Annotated[float | None, opt("TIME", default=...)]
-Json = Annotated[bool, flag("--json", default=...)]
-Formats = Annotated[list[str] | None, opt("FORMAT", "--format", default=...)]
+ScenarioFile = Annotated[Path, arg("SCENARIO", "A scenario's TOML file, or a run's NetCDF.")]
+Window = Annotated[
+    float | None, opt("TIME", "Length of the window; default: one cycle of waypoints.", default=...)
+]
+Start = Annotated[
+    float | None, opt("TIME", "Start of the window; default: the second cycle.", default=...)
+]
 PIPED = 140  # letters of a line that goes to no terminal
 LONG = 40  # characters; longer cells are broken into lines
+Json = Annotated[
+    bool,
+    flag(
+        "Print one JSON object and nothing else; a mistake is told on standard error.",
+        "--json",
+        default=...,
+    ),
+]
+
+Formats = Annotated[
+    list[str] | None,
+    opt("FORMAT", "Format of the figures: png, svg, pdf; repeat it.", "--format", default=...),
+]
+
 
 ENDINGS = {"a figure": (".png", ".pdf", ".svg"), "a scenario": (".toml",)}
 

@@ -33,59 +33,72 @@ def folder_named(text: str) -> Path:
 
 
 def replay(
-    files: list[Path] | None = arg("FILES", default=None),
-    sample: bool = flag("--sample"),
-    estimator: str = opt("NAME", default="kalman", words=("kalman", "gradient")),
-    flow: str | None = opt(
-        "PARTS", words=("steady", "tides", "M2", "inertial", "shear", "gaussians", "model")
+    files: list[Path] | None = arg(
+        "FILES", "Files of one vehicle, or folders of them.", default=None
     ),
-    width_km: float | None = opt("KM"),
-    learn_speed: bool = flag(default=True),
-    flow_model: Path | None = opt("FILE"),
-    units: str | None = opt("UNIT"),
-    plan: tuple[float, float, float] | None = opt("HOURS EAST NORTH", "--next"),
-    aim: list[str] | None = opt("LAT LON"),
-    route: Path | None = opt("FILE"),
-    speed: float | None = opt("M/S"),
-    hours: float | None = opt("HOURS"),
-    least_duration: float | None = opt("SECONDS"),
-    variation: float | None = opt("DEGREES"),
-    out: Path | None = opt("FOLDER", parser=folder_named),
-    follow: Path | None = opt("FOLDER", parser=folder_named),
-    fleet: Path | None = opt("FOLDER", parser=folder_named),
-    alert: str | None = opt("CMD"),
-    every: float = opt("SECONDS", default=10.0),
-    patience: float = opt("SECONDS", default=inf, show_default=False),
+    sample: bool = flag("Replay the dives that come with clpt.", "--sample"),
+    estimator: str = opt(
+        "NAME", "kalman or gradient.", default="kalman", words=("kalman", "gradient")
+    ),
+    flow: str | None = opt(
+        "PARTS",
+        "steady, then any of tides, inertial, shear, gaussians, model, such as steady,M2,K1.",
+        words=("steady", "tides", "M2", "inertial", "shear", "gaussians", "model"),
+    ),
+    width_km: float | None = opt("KM", "Width of the gaussians."),
+    learn_speed: bool = flag("Learn a factor on speed and a compass error.", default=True),
+    flow_model: Path | None = opt(
+        "FILE", "Forecast (NetCDF) or fit (TOML) to compare with and learn from."
+    ),
+    units: str | None = opt("UNIT", "Of u and v of a forecast, such as m/s, where it has none."),
+    plan: tuple[float, float, float] | None = opt(
+        "HOURS EAST NORTH",
+        "Plan of the next dive: hours, m east, m north through the water.",
+        "--next",
+    ),
+    aim: list[str] | None = opt(
+        "LAT LON",
+        "Waypoint to aim at, degrees: the heading that the current carries there. Give "
+        "it again for those that follow.",
+    ),
+    route: Path | None = opt(
+        "FILE",
+        "Waypoints to aim at in their order, GeoJSON or lines LAT LON: when each is made. Its "
+        "polygons are areas to stay out of: how likely they are entered.",
+    ),
+    speed: float | None = opt("M/S", "Speed through water for --aim; else that of the last dives."),
+    hours: float | None = opt("HOURS", "Length of a dive for --aim; else that of the last dives."),
+    least_duration: float | None = opt("SECONDS", "Dives must last longer than this."),
+    variation: float | None = opt(
+        "DEGREES", "Variation of magnetic headings, degrees east; else the file's or IGRF."
+    ),
+    out: Path | None = opt("FOLDER", "Folder for NetCDF and figures.", parser=folder_named),
+    follow: Path | None = opt(
+        "FOLDER",
+        "Folder to watch for new files; --out is FOLDER/replay by default.",
+        parser=folder_named,
+    ),
+    fleet: Path | None = opt(
+        "FOLDER",
+        "Look once at each vehicle of a folder tree; --out is FOLDER/replay by default.",
+        parser=folder_named,
+    ),
+    alert: str | None = opt(
+        "CMD",
+        "Run this when a vehicle is OUT twice running, changes its speed or is overdue, once "
+        "each; {} is the sentence, which is on its standard input too.",
+    ),
+    every: float = opt("SECONDS", "Time between looks at that folder.", default=10.0),
+    patience: float = opt(
+        "SECONDS",
+        "End after this time without a new file; default: never.",
+        default=inf,
+        show_default=False,
+    ),
     formats: Formats = None,
     as_json: Json = False,
 ) -> None:
     """Replay a glider's dives, each forecast before its end.
-
-    Args:
-        files: Files of one vehicle, or folders of them.
-        sample: Replay the dives that come with clpt.
-        estimator: kalman or gradient.
-        flow: steady, then any of tides, inertial, shear, gaussians, model, such as steady,M2,K1.
-        width_km: Width of the gaussians.
-        learn_speed: Learn a factor on speed and a compass error.
-        flow_model: Forecast (NetCDF) or fit (TOML) to compare with and learn from.
-        units: Of u and v of a forecast, such as m/s, where it has none.
-        plan: Plan of the next dive: hours, m east, m north through the water.
-        aim: Waypoint to aim at, degrees: the heading that the current carries there. Give it again
-            for those that follow.
-        route: Waypoints to aim at in their order, GeoJSON or lines LAT LON: when each is made. Its
-            polygons are areas to stay out of: how likely they are entered.
-        speed: Speed through water for --aim; else that of the last dives.
-        hours: Length of a dive for --aim; else that of the last dives.
-        least_duration: Dives must last longer than this.
-        variation: Variation of magnetic headings, degrees east; else the file's or IGRF.
-        out: Folder for NetCDF and figures.
-        follow: Folder to watch for new files; --out is FOLDER/replay by default.
-        fleet: Look once at each vehicle of a folder tree; --out is FOLDER/replay by default.
-        alert: Run this when a vehicle is OUT twice running, changes its speed or is overdue, once
-            each; {} is the sentence, which is on its standard input too.
-        every: Time between looks at that folder.
-        patience: End after this time without a new file; default: never.
 
     Example:
         clpt replay p542*.nc --aim 41.05 -69.40 --out replay

@@ -42,16 +42,16 @@ EXAMPLES = {  # of `clpt init`: the name that it is given, the file in the packa
 
 
 def init(
-    file: Path | None = arg("FILE", default=None),
-    example: str = opt("NAME", default="paper", words=(*EXAMPLES,)),
+    file: Path | None = arg(
+        "FILE", "Where to write it; default: the name of the example.", default=None
+    ),
+    example: str = opt(
+        "NAME", f"What to write: {', '.join(EXAMPLES)}.", default="paper", words=(*EXAMPLES,)
+    ),
 ) -> None:
     """Write an example to start from: a scenario, by default.
 
     The paper's scenario, commented; a team's; or a measured current for `clpt fit`.
-
-    Args:
-        file: Where to write it; default: the name of the example.
-        example: What to write: paper, team, currents.
 
     Example:
         clpt init mine.toml
@@ -67,14 +67,11 @@ def init(
 
 
 def paper(
-    out: Path = opt("FOLDER", default=Path("paper")),
+    out: Path = opt("FOLDER", "Folder for figures and run.nc.", default=Path("paper")),
     formats: Formats = None,
     as_json: Json = False,
 ) -> None:
     """Run section IV of the paper and judge its claims.
-
-    Args:
-        out: Folder for figures and run.nc.
 
     Example:
         clpt paper --out paper
@@ -98,18 +95,14 @@ def paper(
 
 def run(
     scenario: ScenarioFile,
-    out: Path = opt("FILE", default=...),
-    figures: Path | None = opt("FOLDER"),
+    out: Path = opt("FILE", "NetCDF file for the run.", default=...),
+    figures: Path | None = opt("FOLDER", "Folder for the figures."),
     formats: Formats = None,
     as_json: Json = False,
 ) -> None:
     """Run a scenario, or a team: a scenario with a table [team].
 
     The file of a diagram's run is run again, from the equations that it holds.
-
-    Args:
-        out: NetCDF file for the run.
-        figures: Folder for the figures.
 
     Example:
         clpt run mine.toml --out run.nc --figures figures
@@ -148,14 +141,12 @@ def run(
 
 def diagram(
     scenario: ScenarioFile,
-    out: Path | None = opt("FILE", "-o", "--out"),
-    external: list[str] | None = opt("PORT"),
+    out: Path | None = opt(
+        "FILE", ".svg, .png, .pdf or .mmd; default: Mermaid text.", "-o", "--out"
+    ),
+    external: list[str] | None = opt("PORT", "A port to take from outside, such as zc."),
 ) -> None:
     """Draw a scenario's block diagram.
-
-    Args:
-        out: .svg, .png, .pdf or .mmd; default: Mermaid text.
-        external: A port to take from outside, such as zc.
 
     Example:
         clpt diagram mine.toml -o loop.svg
@@ -170,12 +161,9 @@ def diagram(
 
 def export(
     scenario: ScenarioFile,
-    out: Path = opt("FILE", "-o", "--out", default=...),
+    out: Path = opt("FILE", "The file of C.", "-o", "--out", default=...),
 ) -> None:
     """Write a scenario's loop, or a run's diagram, as one C99 file.
-
-    Args:
-        out: The file of C.
 
     Example:
         clpt export mine.toml -o loop.c
@@ -193,34 +181,30 @@ def export(
 
 def ensemble(
     scenario: ScenarioFile,
-    members: int = opt("COUNT", default=...),
-    vary: list[str] = opt("KEY=LOW:HIGH", default=...),
-    out: Path = opt("FOLDER", default=...),
-    design: str = opt("NAME", default="lhs", words=("lhs", "grid", "random")),
-    seed: int = opt("NUMBER", default=0),
-    threads: int | None = opt("COUNT"),
-    trajectories: bool = flag("--trajectories"),
-    figure: Path | None = opt("FILE"),
-    dask: str | None = opt("ADDRESS"),
-    chunk: int | None = opt("COUNT"),
-    samples: int | None = opt("COUNT"),
+    members: int = opt("COUNT", "How many runs.", default=...),
+    vary: list[str] = opt(
+        "KEY=LOW:HIGH",
+        "A range, KEY~normal:DEVIATION, KEY~gamma(2) or another of scipy.stats, KEY=[VALUE, ...]; "
+        "repeat it.",
+        default=...,
+    ),
+    out: Path = opt("FOLDER", "Zarr folder; if it holds a part, go on from there.", default=...),
+    design: str = opt(
+        "NAME",
+        "lhs (Latin hypercube), grid or random.",
+        default="lhs",
+        words=("lhs", "grid", "random"),
+    ),
+    seed: int = opt("NUMBER", "Seed of the draws.", default=0),
+    threads: int | None = opt("COUNT", "Default: all processors."),
+    trajectories: bool = flag("Keep the states too.", "--trajectories"),
+    figure: Path | None = opt("FILE", ".png, .pdf or .svg: percentiles of CLPE and errors."),
+    dask: str | None = opt("ADDRESS", "Run on a cluster: tcp://HOST:PORT, or local."),
+    chunk: int | None = opt("COUNT", "Members written at once."),
+    samples: int | None = opt("COUNT", "Samples a cycle for CLPE rms."),
     as_json: Json = False,
 ) -> None:
     r"""Run a scenario many times with values that vary.
-
-    Args:
-        members: How many runs.
-        vary: A range, KEY~normal:DEVIATION, KEY~gamma(2) or another of scipy.stats, KEY=[VALUE,
-            ...]; repeat it.
-        out: Zarr folder; if it holds a part, go on from there.
-        design: lhs (Latin hypercube), grid or random.
-        seed: Seed of the draws.
-        threads: Default: all processors.
-        trajectories: Keep the states too.
-        figure: .png, .pdf or .svg: percentiles of CLPE and errors.
-        dask: Run on a cluster: tcp://HOST:PORT, or local.
-        chunk: Members written at once.
-        samples: Samples a cycle for CLPE rms.
 
     Example:
         clpt ensemble mine.toml --members 1000 --vary learning.gain=0.2:2.0 \
@@ -253,23 +237,19 @@ def ensemble(
 
 def tune(
     scenario: ScenarioFile,
-    out: Path | None = opt("FILE"),
-    members: int = opt("COUNT", default=24),
-    prior: float | None = opt("SPEED"),
-    unmodelled: float | None = opt("SPEED"),
-    law: list[str] | None = opt("NAME", autocompletion=names_of_laws),
-    seed: int = opt("NUMBER", default=0),
+    out: Path | None = opt("FILE", "Scenario file to write, with the choice in it."),
+    members: int = opt("COUNT", "How many flows are drawn.", default=24),
+    prior: float | None = opt("SPEED", "Standard deviation of flow parameters; default: 0.3 k R."),
+    unmodelled: float | None = opt(
+        "SPEED", "Rms of flow beside the basis; default: the scenario's."
+    ),
+    law: list[str] | None = opt(
+        "NAME", "A law to compare; repeat it; default: all.", autocompletion=names_of_laws
+    ),
+    seed: int = opt("NUMBER", "Seed of the draws.", default=0),
     as_json: Json = False,
 ) -> None:
     """Choose law, gains and filter for a flow that is not known.
-
-    Args:
-        out: Scenario file to write, with the choice in it.
-        members: How many flows are drawn.
-        prior: Standard deviation of flow parameters; default: 0.3 k R.
-        unmodelled: Rms of flow beside the basis; default: the scenario's.
-        law: A law to compare; repeat it; default: all.
-        seed: Seed of the draws.
 
     Example:
         clpt tune mine.toml --law learned-flow --law sigma --out tuned.toml
@@ -323,20 +303,14 @@ def _choice(one: dict[str, Any]) -> list[str]:
 
 
 def report(
-    run: Path = arg("RUN"),
-    out: Path = opt("FILE", "-o", "--out", default=Path("report.html")),
-    title: str | None = opt("TITLE"),
-    figures: Path | None = opt("FOLDER"),
+    run: Path = arg("RUN", "run.nc, a team's too; an ensemble's folder; replay.nc or its JSON."),
+    out: Path = opt("FILE", "The page, .html.", "-o", "--out", default=Path("report.html")),
+    title: str | None = opt("TITLE", "In place of the scenario's."),
+    figures: Path | None = opt("FOLDER", "Folder for the figures too, as SVG and PDF."),
     formats: Formats = None,
     as_json: Json = False,
 ) -> None:
     """Write a page to send: one HTML file that needs nothing else.
-
-    Args:
-        run: run.nc, a team's too; an ensemble's folder; replay.nc or its JSON.
-        out: The page, .html.
-        title: In place of the scenario's.
-        figures: Folder for the figures too, as SVG and PDF.
 
     Example:
         clpt report run.nc -o report.html
@@ -347,26 +321,23 @@ def report(
 
 
 def animate(
-    run: Path = arg("RUN"),
-    out: Path = opt("FILE", "-o", "--out", default=Path("run.gif")),
-    start: float | None = opt("TIME"),
-    end: float | None = opt("TIME"),
-    seconds: float = opt("SECONDS", default=12.0),
-    fps: float = opt("NUMBER", default=12.5),
-    width: int = opt("PIXELS", default=560),
+    run: Path = arg("RUN", "A run's NetCDF."),
+    out: Path = opt(
+        "FILE",
+        "The film: .gif, or .mp4 where ffmpeg is installed.",
+        "-o",
+        "--out",
+        default=Path("run.gif"),
+    ),
+    start: float | None = opt("TIME", "First time shown; default: the run's."),
+    end: float | None = opt("TIME", "Last time shown; default: the run's."),
+    seconds: float = opt("SECONDS", "How long the film lasts.", default=12.0),
+    fps: float = opt("NUMBER", "Frames a second.", default=12.5),
+    width: int = opt("PIXELS", "Pixels.", default=560),
 ) -> None:
     """Make a moving picture of a run.
 
     It shows the vehicle and its prediction, the true and the learned flow, and CLPE.
-
-    Args:
-        run: A run's NetCDF.
-        out: The film: .gif, or .mp4 where ffmpeg is installed.
-        start: First time shown; default: the run's.
-        end: Last time shown; default: the run's.
-        seconds: How long the film lasts.
-        fps: Frames a second.
-        width: Pixels.
 
     Example:
         clpt animate run.nc -o run.gif

@@ -28,15 +28,12 @@ def excitation(
     scenario: ScenarioFile,
     window: Window = None,
     start: Start = None,
-    figure: Path | None = opt("FILE"),
+    figure: Path | None = opt("FILE", ".png, .pdf or .svg: eigenvalues and directions."),
     as_json: Json = False,
 ) -> None:
     """Measure what can be learned on a track, and how fast.
 
     Of a team: by each vehicle alone, and by all together.
-
-    Args:
-        figure: .png, .pdf or .svg: eigenvalues and directions.
 
     Example:
         clpt excitation mine.toml --figure excitation.png
@@ -55,16 +52,12 @@ def excitation(
 
 def certify(
     scenario: ScenarioFile,
-    radius: float | None = opt("R"),
-    error: float | None = opt("LENGTH"),
+    radius: float | None = opt("R", "Largest V(0); default: that of the scenario's own start."),
+    error: float | None = opt("LENGTH", "CLPE to come to; default: a hundredth of what R allows."),
     window: Window = None,
     as_json: Json = False,
 ) -> None:
     """Bound CLPE and errors for every start of the learner.
-
-    Args:
-        radius: Largest V(0); default: that of the scenario's own start.
-        error: CLPE to come to; default: a hundredth of what R allows.
 
     Example:
         clpt certify mine.toml --radius 0.1 --error 0.01
@@ -91,37 +84,31 @@ def certify(
 
 def design(
     scenario: ScenarioFile,
-    out: Path = opt("FILE", default=...),
-    length: float | None = opt("LENGTH"),
-    max_speed: float | None = opt("SPEED"),
-    area: Four | None = opt("X1FROM X1TO X2FROM X2TO"),
-    box: Four | None = opt("LAT0 LAT1 LON0 LON1"),
-    count: int | None = opt("COUNT"),
-    dwell: float | None = opt("TIME"),
+    out: Path = opt("FILE", "Scenario file to write, with the new waypoints.", default=...),
+    length: float | None = opt("LENGTH", "Longest closed polygon; default: the scenario's own."),
+    max_speed: float | None = opt("SPEED", "Largest speed through the water; default: any."),
+    area: Four | None = opt(
+        "X1FROM X1TO X2FROM X2TO", "Where it may drive; default: where it drives now."
+    ),
+    box: Four | None = opt("LAT0 LAT1 LON0 LON1", "The area in degrees, in a measured current."),
+    count: int | None = opt("COUNT", "Waypoints; default: as many as now."),
+    dwell: float | None = opt("TIME", "Time at each; default: as now."),
     window: Window = None,
     start: Start = None,
-    level: float | None = opt("ERROR"),
-    goal: str = opt("GOAL", "--for", default="law", words=("law", "kappa")),
-    seed: int = opt("NUMBER", default=0),
-    generations: int = opt("COUNT", default=60),
-    figure: Path | None = opt("FILE"),
+    level: float | None = opt("ERROR", "Error that ends the learning time; default: a tenth."),
+    goal: str = opt(
+        "GOAL",
+        "law: the scenario's own learns soonest; kappa: the largest smallest eigenvalue.",
+        "--for",
+        default="law",
+        words=("law", "kappa"),
+    ),
+    seed: int = opt("NUMBER", "Seed of the search.", default=0),
+    generations: int = opt("COUNT", "Generations of the search.", default=60),
+    figure: Path | None = opt("FILE", ".png, .pdf or .svg: old and new track."),
     as_json: Json = False,
 ) -> None:
     """Find waypoints from which most can be learned.
-
-    Args:
-        out: Scenario file to write, with the new waypoints.
-        length: Longest closed polygon; default: the scenario's own.
-        max_speed: Largest speed through the water; default: any.
-        area: Where it may drive; default: where it drives now.
-        box: The area in degrees, in a measured current.
-        count: Waypoints; default: as many as now.
-        dwell: Time at each; default: as now.
-        level: Error that ends the learning time; default: a tenth.
-        goal: law: the scenario's own learns soonest; kappa: the largest smallest eigenvalue.
-        seed: Seed of the search.
-        generations: Generations of the search.
-        figure: .png, .pdf or .svg: old and new track.
 
     Example:
         clpt design mine.toml --out better.toml --max-speed 1.5

@@ -8,7 +8,6 @@ import sys
 from pathlib import Path
 
 import pytest
-import typer
 from processes import CLPT
 
 import clpt_control
@@ -53,15 +52,6 @@ def test_help_ends_in_an_example_of_the_command(clpt, name):
     assert example[:2] == ["clpt", name]
     options = re.findall(r"^  (-\S+?)[ ,]", text, re.M) + re.findall(r" (--[\w-]+)", text)
     assert {word for word in example if re.match("--?[a-z]", word)} - set(options) == set()
-
-
-@pytest.mark.parametrize("name", COMMANDS)
-def test_each_argument_is_told_in_the_docstring_and_nothing_else(name):
-    command = typer.main.get_command(application()).commands[name]
-    names = {param.name for param in command.params}
-    listed = command.help.partition("\nArgs:\n")[2].partition("\n\n")[0]
-    assert set(re.findall(r"^    (\w+):", listed, re.M)) <= names
-    assert [param.name for param in command.params if not param.help] == []
 
 
 def test_the_version_is_that_of_the_package(clpt):
