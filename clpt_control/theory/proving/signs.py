@@ -16,7 +16,7 @@ from typing import Any
 
 import sympy
 from sympy.core.function import AppliedUndef
-from sympy.polys.fields import field
+from sympy.polys.rings import PolyElement, PolyRing, ring
 
 from ...errors import DiagramError
 from .proof import short
@@ -29,13 +29,10 @@ def vanishes(expression: Any) -> bool:
     parts = _parts(expression)
     if not parts:
         return expression == 0
-    fractions, *_ = field(sorted(parts, key=str), sympy.QQ)
-    try:
-        zero = fractions.from_expr(expression) == 0
-    except ZeroDivisionError:
-        return False
-    if zero or all(isinstance(part, sympy.Symbol | AppliedUndef) for part in parts):
-        return zero
+    polynomials, *_ = ring(sorted(parts, key=str), sympy.QQ)
+    p, q = _fraction(expression, polynomials)
+    if p == 0 or q == 0 or all(isinstance(part, sympy.Symbol | AppliedUndef) for part in parts):
+        return p == 0 and q != 0
     p, q = map(sympy.expand, sympy.fraction(sympy.together(expression)))
     return p == 0 and q != 0
 
@@ -52,6 +49,25 @@ def _parts(expression: sympy.Expr) -> set[sympy.Expr]:
     if expression.is_Pow and expression.exp.is_Integer:
         return _parts(expression.base)
     return set() if expression.is_Rational else {expression}
+
+
+def _fraction(e: sympy.Expr, polynomials: PolyRing) -> tuple[PolyElement, PolyElement]:
+    """Return p and q of an expression p/q; SymPy's own field takes much longer, with divisors."""
+    if e.is_Add:
+        numerators: dict[PolyElement, list[PolyElement]] = {}  # by their denominator
+        for p, q in (_fraction(one, polynomials) for one in e.args):
+            numerators.setdefault(q, []).append(p)
+        p, q = polynomials.zero, polynomials.one
+        for other, shares in numerators.items():
+            p, q = p * other + polynomials.add(*shares) * q, q * other
+        return p, q
+    if e.is_Mul:
+        tops, bottoms = zip(*(_fraction(one, polynomials) for one in e.args), strict=True)
+        return polynomials.mul(*tops), polynomials.mul(*bottoms)
+    if e.is_Pow and e.exp.is_Integer:
+        p, q = _fraction(e.base, polynomials)[:: 1 if e.exp > 0 else -1]
+        return p ** abs(int(e.exp)), q ** abs(int(e.exp))
+    return polynomials.from_expr(e), polynomials.one
 
 
 MOST_TERMS = 20_000  # more are not multiplied out
