@@ -19,6 +19,7 @@ that no chart is cut at 180 degrees.
 
 from collections import defaultdict
 from collections.abc import Iterable, Sequence
+from functools import lru_cache
 from itertools import pairwise, product
 from math import ceil, cos, floor, pi, radians, sin
 from typing import Any, NamedTuple
@@ -48,9 +49,12 @@ def place_in(row: dict[str, Any], which: str) -> Place:
 
 def ring_of(row: dict[str, Any], kind: tuple[str, str] = DIVE) -> list[Place]:
     """Return the closed ring of the 90 % ellipse of a dive, of the next one or of an aimed one."""
-    begin, end = (place_in(row, which) for which in kind)
-    long, short = row["ellipse_90_long"], row["ellipse_90_short"]
-    bearing = row["ellipse_90_bearing"]
+    sizes = (row[f"ellipse_90_{name}"] for name in ("long", "short", "bearing"))
+    return _ring(*(place_in(row, which) for which in kind), *sizes)
+
+
+@lru_cache(10_000)  # a watch draws all its dives again with each new one
+def _ring(begin: Place, end: Place, long: float, short: float, bearing: float) -> list[Place]:
     east, north = displacement(*begin, *end)
     sine, cosine = sin(radians(bearing)), cos(radians(bearing))
     places = []

@@ -41,8 +41,11 @@ SURE = 99  # odds beyond which more digits say nothing
 def rows(replay: Replay) -> list[dict[str, Any]]:
     """Return a row for each dive of a replay."""
     unknown = {} if replay.model.learn_speed else dict.fromkeys(SPEED)
-    each = (_row(step, replay.models) | unknown for step in replay.steps)
-    return [{key: known(value) for key, value in row.items()} for row in each]
+    for step in replay.steps:
+        if not step.row:
+            row = _row(step, replay.models) | unknown
+            step.row.update({key: known(value) for key, value in row.items()})
+    return [dict(step.row) for step in replay.steps]
 
 
 def flat_rows(replay: Replay) -> list[dict[str, Any]]:

@@ -65,7 +65,8 @@ class Step:
     `parts` has the probability that each part of the flow is present, `left` the share of the
     prior's standard error that the dives so far leave of each parameter. `headline` is the
     surfacing as forecast before the dive, `headline_held` whether its place and its time held: None
-    for the first dive, and where dives between may be missing. `drift` is that before the dive.
+    for the first dive, and where dives between may be missing. `drift` is that before the dive,
+    `row` all of this by name, once `outcome.rows` has made it.
     """
 
     dive: Dive
@@ -85,6 +86,7 @@ class Step:
     speed_error: float = 0.0
     compass: float = 0.0
     compass_error: float = 0.0
+    row: dict[str, Any] = field(default_factory=dict, compare=False, repr=False)
 
     @property
     def response(self) -> np.ndarray:

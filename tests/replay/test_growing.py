@@ -87,6 +87,14 @@ def test_an_interrupt_leaves_what_was_learned(steps, monkeypatch):
     assert steps[:14] == [dive.number for dive in DIVES]
 
 
+def test_a_watch_draws_each_ellipse_once():
+    growing = Replay()
+    for count in (5, 6):
+        before = chart._ring.cache_info().misses
+        chart.drawn_dives(summary(growing.feed(DIVES[:count]))["each_dive"])
+    assert chart._ring.cache_info().misses <= before + 1  # another test may have drawn them
+
+
 @pytest.mark.parametrize("room", [(0.3, 0.1), (5.0, 5.0), (-1.0, -1.0)])
 def test_numbers_have_room_as_if_each_was_compared_with_all(room):
     points = np.random.default_rng(3).normal(size=(200, 2))
