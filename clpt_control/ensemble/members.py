@@ -16,11 +16,12 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property, lru_cache, partial
 from importlib.metadata import version
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 
-from ..diagrams.varied import read_as_number
+from ..diagrams.varied import Place, read_as_number
+from ..diagrams.wiring import Wiring
 from ..errors import DiagramError, SimulationError
 from ..native import solver
 from ..native.batch import Batch, Callee
@@ -28,17 +29,61 @@ from ..native.ending import STUCK, sampled_start
 from ..native.engines import make_runner, run_compared, warn_python
 from ..native.machine import LANES, processor
 from ..native.python_diagram import PythonDiagram
-from ..native.schedule import Schedule
+from ..native.schedule import Inputs, Schedule
 
 BATCH_BYTES = 64_000_000  # states in flight, a thread
 MOST_MEMBERS = 512  # a batch
 TRIED = 5  # members whose records are compared with Python, before any runs
 Values = Mapping[str, np.ndarray]  # what varies, each with a row for each member
 Member = tuple[Sequence[Any], np.ndarray, Any]  # parameters of all blocks, start, inputs
-# A system that is run many times, a `VariedScenario` or a `VariedDiagram`: `values` of all that may
-# vary, `why_not` and `check` of a key; `wiring`, `params`, `inputs`, `start`, `state_times` and
-# `options` of a run; `place`, `one_by_one` and `member` of values; `arrays` and `summarise`.
-Varied = Any
+
+
+class Varied(Protocol):
+    """A system that is run many times: what may vary in it, how it runs, and its summaries."""
+
+    name: str
+    title: str
+    values: dict[str, np.ndarray]  # of all that may vary, in the system itself
+    params: Mapping[str, Any]
+    inputs: Inputs | None
+    state_times: np.ndarray  # the times of members' states
+    options: Mapping[str, Any]  # tolerances and method
+    needs_signals: bool  # whether summaries need the signals too, member by member
+    encoding: Mapping[str, Any]  # of the dataset
+
+    @property
+    def wiring(self) -> Wiring:
+        """The diagram."""
+
+    @property
+    def start(self) -> np.ndarray:
+        """The initial state."""
+
+    def why_not(self, key: str) -> str:
+        """Return why a key cannot vary."""
+
+    def check(self, key: str, value: np.ndarray) -> None:
+        """Refuse a value that is not allowed."""
+
+    def place(self, key: str) -> Place:
+        """Return where the value of a key that varies lies."""
+
+    def one_by_one(self, key: str) -> bool:
+        """Return whether members are made one by one of a key's values."""
+
+    def member(self, values: Values) -> Member:
+        """Return one member with some values of its own."""
+
+    def arguments(self, path: Any) -> dict[str, Any]:
+        """Return what identifies it, for a store at a path."""
+
+    def arrays(self, values: Values) -> Any:
+        """Return all arrays of the store, for the values of all members."""
+
+    def summarise(
+        self, ensemble: "Ensemble", members: "Members", values: Values, run: "States"
+    ) -> dict[str, np.ndarray]:
+        """Return the summaries of members; those that failed may hold any number."""
 
 
 @dataclass

@@ -268,7 +268,7 @@ class VariedDiagram:
 
     def summarise(
         self, ensemble: Ensemble, members: Members, values: Values, run: States
-    ) -> Values:
+    ) -> dict[str, np.ndarray]:
         """Return the summaries of members."""
         y = np.full((len(run.status), len(self.outputs), len(self.state_times)), np.nan)
         ports = self.variables[0]

@@ -206,7 +206,7 @@ def followed(varied: Any) -> list[str]:
 
 def summarise(
     varied: Any, ensemble: Ensemble, members: Members, values: Values, run: States
-) -> Values:
+) -> dict[str, np.ndarray]:
     """Return the summaries of members; NaN after the end of one that failed."""
     scenario, times, y = varied.scenario, varied.times, run.states
     row, m, N = scenario.learning.row, len(run.states), scenario.basis.N
