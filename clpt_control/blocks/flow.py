@@ -25,7 +25,7 @@ import numpy as np
 
 from ..equations.block import Block
 from ..equations.declaration import renamed
-from .ports import paper_block
+from .ports import SHAPES, paper_block
 
 
 def squared_distance(u, p):
@@ -59,12 +59,14 @@ KERNELS = {"exponential": exponential, "gaussian": gaussian, "gaussian-sigma": g
 def flow_basis(
     name: str, position: str, kernel: str, centers: Any, widths: Any, frequencies: Any, phases: Any
 ) -> Block:
-    """Make the block phi of Eq. (5) at ``"x"``, the vehicle, or ``"z"``, its prediction.
+    """Make the block phi of Eq. (5) at ``"x"``, the vehicle, ``"z"``, its prediction, or any port.
 
     Centres of shape (N, 2) and widths are lengths, frequencies rad per time, phases rad.
     """
     given = {"centers": centers, "widths": widths, "frequencies": frequencies, "phases": phases}
-    return paper_block(name, f"{position} -> phi_{position}", given, output=KERNELS[kernel])
+    ports: dict[str, Any] = {"inputs": {position: 2}, "outputs": {f"phi_{position}": "N"}}
+    shapes = {field: SHAPES[field] for field in given}
+    return Block(name, output=KERNELS[kernel], **ports, parameters=given, shapes=shapes)
 
 
 def true(t, x, u, p):
