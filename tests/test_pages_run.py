@@ -12,6 +12,7 @@ import contextlib
 import io
 import os
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -22,12 +23,15 @@ from typing import NamedTuple
 
 import pytest
 from processes import GUARD
+from typer.main import get_command
+
+from clpt_control.cli import application
 
 ROOT = Path(__file__).parent.parent
 # `clpt tune` and `clpt design` look for minutes; cluster, watch, film and pages to send take a
-# quarter of one
+# quarter of one; test_core_install runs the ten lines of README
 SLOW = {"laws.md", "theory.md", "ensembles.md", "gliders.md", "measured_current.md"}
-SLOW |= {"start.md", "report.md", "team.md"}
+SLOW |= {"start.md", "report.md", "team.md", "README.md"}
 FILM = "docs/index.md"
 FENCE = re.compile(r"^(`{3,})([^\n`]*)\n(.*?)^\1[ ]*$", re.M | re.S)
 FILE = re.compile(r"# ([\w.-]+\.(?:py|toml|csv))\n")
@@ -70,6 +74,16 @@ def test_a_console_that_says_something_else_is_found():
     for wrong in ("one three", "one two\nfour", "one two\n...\nfive", "four\n...\nthree"):
         with pytest.raises(AssertionError, match="here: echo"):
             check_console(f"$ echo one two; echo three; echo four\n{wrong}\n", "here")
+
+
+@pytest.mark.parametrize("path", [page.values[0] for page in pages()], ids=lambda path: path.name)
+def test_commands_have_the_words_that_they_need(path):
+    """Those of blocks that are not run, too."""
+    clpt = get_command(application())
+    shells = "\n".join(one.text for one in blocks(path) if one.language in ("sh", "console"))
+    for line in re.findall(r"^(?:\$ )?clpt (.*)", shells.replace("\\\n", ""), re.M):
+        name, *words = shlex.split(line.split(" |")[0], comments=True)
+        clpt.commands[name].make_context(name, words)
 
 
 @pytest.mark.parametrize("path", list(pages()))
