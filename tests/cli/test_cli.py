@@ -18,6 +18,7 @@ import clpt_control
 from clpt_control import cli
 
 HERE = Path(__file__).parents[1]
+HEARD = CODE.replace("; main()", "; import clpt_control.progress as p; p.PATIENCE = 0.0; main()")
 NAMES = sorted(path.stem for path in (HERE / "reference").glob("*.toml"))
 
 
@@ -142,7 +143,7 @@ def test_interrupt_ends_cleanly(tmp_path):
     scenario = clpt_control.paper_scenario().with_values(longer)
     clpt_control.save_scenario(scenario, tmp_path / "long.toml")
     words = ("run", tmp_path / "long.toml", "--out", tmp_path / "run.nc")
-    with started([*CLPT, *words]) as process:
+    with started([sys.executable, "-c", HEARD, *words]) as process:
         await_line(process, process.stderr, "running long.toml")  # its progress
         assert interrupt(process) == ("", "clpt: interrupted; nothing half-written was left\n")
     assert process.returncode == 130
@@ -180,10 +181,9 @@ def test_streams_that_are_closed_full_or_not_read(tmp_path, words, stream):
     clpt_control.save_scenario(scenario, tmp_path / "s.toml")
     clpt_control.save_run(clpt_control.simulate(scenario), tmp_path / "r.nc")
     before = {path.name for path in tmp_path.iterdir()}
-    hear = CODE.replace("; main()", "; import clpt_control.progress as p; p.PATIENCE = 0.0; main()")
     line = f'"$0" -c "$1" {shlex.join(words)} {stream}; exit ${{PIPESTATUS[0]}}'
     done = subprocess.run(
-        ["bash", "-c", line, sys.executable, hear], cwd=tmp_path, capture_output=True, text=True
+        ["bash", "-c", line, sys.executable, HEARD], cwd=tmp_path, capture_output=True, text=True
     )
     status, said = STREAMS[stream]
     assert (done.returncode, without_progress(done.stderr)) == (status, said)
@@ -195,7 +195,8 @@ def test_streams_that_are_closed_full_or_not_read(tmp_path, words, stream):
 
 @pytest.mark.skipif(os.name != "posix", reason="limits of a shell")
 def test_an_output_at_the_limit_of_its_size_is_named(tmp_path):
-    line = 'ulimit -f 1; "$0" -c "$1" laws > laws.txt'
+    buffered = "unset PYTHONUNBUFFERED"  # else Python itself forgets the rest of a write
+    line = f'ulimit -f 1; {buffered}; "$0" -c "$1" --help > help.txt'
     done = subprocess.run(
         ["bash", "-c", line, sys.executable, CODE], cwd=tmp_path, capture_output=True, text=True
     )
@@ -259,6 +260,7 @@ def steers(text):
     return {one for one in text if unicodedata.category(one) in ("Cc", "Cf")} - {"\n", "\t"}
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_nothing_that_is_printed_steers_the_terminal(clpt, tmp_path, monkeypatch):
     monkeypatch.setattr("clpt_control.progress.LOG_EVERY", 0.0)
     values = {"run.duration": 20, "title": f"title {HOSTILE}"}

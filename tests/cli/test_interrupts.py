@@ -213,7 +213,7 @@ COMMANDS = {  # -> what it writes: all of it, or nothing; None: a part may be th
     FOLLOW: None,
     ("animate", "r.nc", "-o", "r.gif", "--seconds", "1"): ("r.gif",),
 }
-TRIED = 10  # interrupts of one test; all thirty are 300
+TRIED = 5  # interrupts of one test; all sixty are 300
 
 
 @pytest.fixture
@@ -241,7 +241,7 @@ def interrupted_after(seconds, words, folder):
 
 @pytest.mark.skipif(not hasattr(os, "killpg"), reason="no groups of processes")
 @pytest.mark.parametrize(
-    "part", [0, *(pytest.param(k, marks=pytest.mark.processes) for k in range(1, 30))]
+    "part", [0, *(pytest.param(k, marks=pytest.mark.processes) for k in range(1, 60))]
 )
 def test_interrupts_at_random_from_the_first_import_on(all_files, part):
     chance = random.Random(part)

@@ -3,11 +3,9 @@
 import os
 import shutil
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
-from processes import CODE, GUARD
 
 HOOK = Path(__file__).parents[2] / "examples" / "basestation3_post_dive.sh"
 
@@ -24,39 +22,25 @@ def mission(tmp_path, facts):
     return home / "mission"
 
 
-@pytest.fixture
-def run(tmp_path):
-    """Run a command line as `Utils.run_cmd_shell` does; `clpt` is on the path."""
-    (tmp_path / "bin").mkdir()
-    clpt = tmp_path / "bin" / "clpt"
-    clpt.write_text(f'#!/bin/sh\nexec {sys.executable} -c "{CODE}" "$@"\n')
+def logged(line, folder):
+    """Run a line as `Utils.run_cmd_shell` does, where `clpt` tells its words; return the log."""
+    clpt = folder / "clpt"
+    clpt.write_text('#!/bin/sh\necho a table; echo "$@" >&2\n')
     clpt.chmod(0o755)
-    path = f"{clpt.parent}:{os.environ['PATH']}"
-
-    def as_basestation(line):
-        out = subprocess.STDOUT
-        done = subprocess.run(
-            line,
-            shell=True,
-            stdout=subprocess.PIPE,
-            stderr=out,
-            text=True,
-            timeout=GUARD,
-            cwd="/",
-            env={**os.environ, "PATH": path},
-        )
-        assert done.returncode == 0, done.stdout
-        return done.stdout
-
-    return as_basestation
+    path = f"{folder}:{os.environ['PATH']}"
+    options = {"shell": True, "text": True, "check": True, "env": {**os.environ, "PATH": path}}
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT}
+    return subprocess.run(line, cwd="/", **options, **pipes).stdout
 
 
-def test_the_page_is_written_after_each_dive(mission, run, tmp_path):
-    said = run(f"{mission}/.post_dive ")  # as older versions do
-    assert "7 new files, 6 dives used; dive 309: miss " in said
-    assert said.count("\n") == 1  # a line of the log
+@pytest.mark.usefixtures("undrawn")
+def test_the_page_is_written_after_each_dive(mission, clpt, tmp_path):
+    words = logged(f"{mission}/.post_dive ", tmp_path)  # as older versions do
+    assert logged(f"{mission}/.post_dive {tmp_path}/basestation {mission} ", tmp_path) == words
+    asked = f"replay --follow {mission} --patience 0 --out {mission}/clpt\n"
+    assert words == asked  # and nothing of standard output
+    outcome = clpt(*words.split())
+    assert outcome.status == 0
+    assert "7 new files, 6 dives used; dive 309: miss " in outcome.err
+    assert outcome.err.count("\n") == 1  # a line of the log
     assert "dive 309" in (mission / "clpt" / "replay.html").read_text("utf-8")
-    (tmp_path / "bin" / "clpt").write_text('#!/bin/sh\necho "$@" >&2\n')
-    told = run(f"{mission}/.post_dive {tmp_path}/basestation {mission} ")  # as newer ones do
-    assert told == f"replay --follow {mission} --patience 0 --out {mission}/clpt\n"
-    assert run(f"{mission}/.post_dive ") == told

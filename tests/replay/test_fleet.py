@@ -335,22 +335,29 @@ def test_what_was_told_and_cannot_be_read_is_told_again(tmp_path, kept):
     assert fleet.Alerts([sys.executable], tmp_path).told == []
 
 
-def test_names_of_vehicles_lead_to_folders_of_their_own(tmp_path, command, request):
+def named(path, name, seed):
+    """Write a table of dives that names their vehicle."""
+    write_dive_table(recent(3, 1.0, seed=seed), path)
+    head, *rows = path.read_text().splitlines()
+    path.write_text("\n".join([f"{head},vehicle", *(f"{row},{name}" for row in rows)]))
+
+
+@pytest.mark.usefixtures("undrawn")
+def test_names_of_vehicles_lead_to_folders_of_their_own(tmp_path, command):
     names = ["..", "state", "a b", "a_b", "$\\frac$"]
     (tmp_path / "top" / "many").mkdir(parents=True)
     for k, name in enumerate(names):
-        table = tmp_path / "top" / "many" / f"{k}.csv"
-        write_dive_table(recent(3, 1.0, seed=k), table)
-        head, *rows = table.read_text().splitlines()
-        lines = [f"{head},vehicle", *(f"{row},{name}" for row in rows)]
-        table.write_text("\n".join(lines))
-    for again in (False, True):
-        if again:
-            request.getfixturevalue("undrawn")
-        done = command("--fleet", tmp_path / "top", "--format", "png", "--json")
-        rows = json.loads(done.stdout)["vehicles"]
+        named(tmp_path / "top" / "many" / f"{k}.csv", name, k)
+    for _ in range(2):
+        rows = json.loads(command("--fleet", tmp_path / "top", "--json").stdout)["vehicles"]
         assert sorted(row["vehicle"] for row in rows) == sorted(names)
         assert {row["page"].count("/") for row in rows} == {2}
         assert len({row["page"] for row in rows}) == len(names)
     inside = [path.name for path in (tmp_path / "top" / "replay" / "many").iterdir()]
     assert sorted(inside) == ["_.", "__frac_", "a_b", "a_b_", "state", "state_"]
+
+
+def test_a_name_that_is_no_formula_is_drawn(tmp_path, command):
+    named(tmp_path / "dives.csv", "$\\frac$", 0)
+    assert command(tmp_path / "dives.csv", "--out", tmp_path / "out").exit_code == 0
+    assert "$\\frac$" in (tmp_path / "out" / "replay.html").read_text("utf-8")

@@ -4,7 +4,7 @@ import json
 import signal
 import subprocess
 import sys
-from contextlib import contextmanager
+from signal import SIGTERM as TERM
 from types import SimpleNamespace
 
 import pytest
@@ -26,22 +26,16 @@ RESULTS = (
 )
 
 
-@contextmanager
-def following(folder, out, *words):
-    """A follower that has learned what is there, and what it said."""
-    words = ("replay", "--follow", folder, "--out", out, "--every", "0.05", *words)
-    with started([*CLPT, *words]) as process:
-        yield process, await_line(process, process.stderr, " used")
-
-
-def test_sigterm_ends_following_with_its_results(tmp_path):
+@pytest.mark.usefixtures("undrawn")
+def test_sigterm_ends_following_with_its_results(clpt, tmp_path, monkeypatch):
     one_file_each(tmp_path, sample_dives()[:1])
-    with following(tmp_path, tmp_path / "out", "--json") as (process, said):
-        assert said.startswith("1 new file, 1 dive used; dive 304")
-        process.send_signal(signal.SIGTERM)
-        printed, _ = process.communicate(timeout=GUARD)
-    assert process.returncode == 0
-    assert json.loads(printed)["used"] == 1
+    before = signal.getsignal(TERM)
+    monkeypatch.setattr(replay_report.interrupt, "wait", lambda _: signal.raise_signal(TERM))
+    outcome = clpt("replay", "--follow", tmp_path, "--out", tmp_path / "out", "--json")
+    assert outcome.err.startswith("1 new file, 1 dive used; dive 304")
+    assert outcome.status == 0
+    assert json.loads(outcome.out)["used"] == 1
+    assert signal.getsignal(TERM) is before
 
 
 @pytest.mark.processes
@@ -49,7 +43,8 @@ def test_a_folder_that_is_removed_ends_following(tmp_path):
     folder, out = tmp_path / "in", tmp_path / "out"
     folder.mkdir()
     one_file_each(folder, sample_dives()[:2])
-    with following(folder, out) as (process, _):
+    with started([*CLPT, "replay", "--follow", folder, "--out", out, "--every", "0.05"]) as process:
+        await_line(process, process.stderr, " used")
         folder.rename(tmp_path / "away")
         _, said = process.communicate(timeout=GUARD)
     assert process.returncode == 2
