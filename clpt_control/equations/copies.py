@@ -8,13 +8,19 @@ the length of a reading, under a lock, and then puts the module's own names back
 Objects and containers that a function reaches could keep something from one call to the next
 (`Snapshot`): a reading leaves them as they were.  What the first reading changed is unknown to the
 second (a leaf of its own): a record that depends on it is no function of time, states and inputs.
+What holds no leaf, an array or a generator of chance, may not change at all.
 """
 
 import functools
+import pickle
+import random
+import sys
 import threading
+from array import array
 from collections import deque
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
+from io import IOBase
 from operator import is_
 from types import BuiltinFunctionType, CellType, FunctionType, MethodType, ModuleType
 from typing import Any
@@ -23,7 +29,8 @@ import numpy as np
 
 from .arrays import Array, Tape, Unread
 from .lookup_tables import is_table
-from .stand_ins import BUILTINS, SHADOWS, stand_in, vectorized
+from .stand_ins import BUILTINS, SHADOWS, UNSEEDED, stand_in, vectorized
+from .unchanged import MOST as MOST_NUMBERS
 from .unchanged import names_in, texts_in
 from .views import fresh
 
@@ -34,14 +41,32 @@ _NONE = object()
 OF_WARNINGS = "__warningregistry__"  # which Python puts into the module that it warns of
 DEEP = 3  # objects within objects
 MOST = 200  # objects that are remembered
-PLAIN = (int, float, str, bytes, tuple, type, ModuleType, FunctionType, MethodType)
+OWN = __package__.partition(".")[0]
+FOREIGN = (sys.stdlib_module_names | {*LIBRARIES, "control", OWN}) - {"__main__"}
+GROWN = 1000  # unknown numbers behind what was appended
+PLAIN = (int, float, str, bytes, tuple, Array)
+CHANCE: dict[type, tuple[Callable, Callable]] = {  # its state, to be compared, and put back
+    np.random.Generator: (
+        lambda own: pickle.dumps(own.bit_generator.state),
+        lambda own, state: setattr(own.bit_generator, "state", pickle.loads(state)),
+    ),
+    np.random.RandomState: (
+        lambda own: [v if np.isscalar(v) else v.tobytes() for v in own.get_state()],
+        lambda own, state: own.set_state((state[0], np.frombuffer(state[1], "u4"), *state[2:])),
+    ),
+    random.Random: (random.Random.getstate, random.Random.setstate),
+}
+OF_ALL: tuple[Any, ...] = (  # whose numbers the functions of these modules draw
+    vars(random)["random"].__self__,
+    vars(np.random)["random"].__self__,
+)
 
 
 class Copies:
     """The copies of one reading; `check` refuses a function that changed a name outside it."""
 
-    def __init__(self, tape: Tape) -> None:
-        self.tape, self.snapshot = tape, Snapshot()
+    def __init__(self, tape: Tape, snapshot: "Snapshot") -> None:
+        self.tape, self.snapshot = tape, snapshot
         self._known: dict[int, tuple[Any, Any]] = {}  # a value, alive, and what stands for it
         self._spaces: dict[int, tuple[dict, dict]] = {}  # names of a module: copied, as they began
         self._cells: list[tuple[CellType, Any, str]] = []
@@ -64,6 +89,8 @@ class Copies:
             return self._numbers(value)
         if is_table(value):
             return stand_in(value)
+        if isinstance(value, Iterator) and not isinstance(value, IOBase):
+            raise Unread("reads an iterator, which goes on at the next call; make it a list")
         self.snapshot.add(value)
         if isinstance(value, MethodType):
             self.snapshot.add(value.__self__)
@@ -90,10 +117,10 @@ class Copies:
 
     def _numbers(self, value: np.ndarray) -> Any:
         """Return numbers as an array of the record, which takes signals where NumPy's does not."""
-        array = fresh(self.tape, value)
-        if isinstance(array, Array):
-            array._fixed = True
-        return array
+        numbers = fresh(self.tape, value)
+        if isinstance(numbers, Array):
+            numbers._fixed = True
+        return numbers
 
     def _function(self, function: FunctionType) -> Any:
         if (function.__module__ or "").partition(".")[0] in LIBRARIES:
@@ -149,12 +176,21 @@ class Snapshot:
     def __init__(self) -> None:
         self._objects: dict[int, tuple[Any, Any, Any]] = {}  # object, what holds its state, before
         self._changed: dict[tuple[int, Any], Any] = {}  # by object and key: what holds it
+        self._rows: dict[int, Any] = {}  # lists that changed
+        self._kept: dict[int, tuple[Any, Any]] = {}  # what holds no leaf, as it was
+        self.refused = ""  # why, where one of these changed
+        for one in OF_ALL:
+            self.add(one)
 
     def add(self, value: Any, deep: int = DEEP) -> None:
         """Remember an object, and those within it."""
-        if value is None or isinstance(value, (*PLAIN, BuiltinFunctionType, np.ndarray)):
+        value = getattr(value, "__func__", value)  # of a method
+        if value is None or isinstance(value, (*PLAIN, BuiltinFunctionType)):
             return
-        if id(value) in self._objects or len(self._objects) >= MOST:
+        if id(value) in self._objects or len(self._objects) + len(self._kept) >= MOST:
+            return
+        if (kept := _kept_in(value)) is not None:
+            self._kept[id(value)] = value, kept
             return
         inside = _container_of(value)
         if inside is None:
@@ -164,33 +200,79 @@ class Snapshot:
         if deep:
             for one in list(before.values() if isinstance(before, dict) else before)[:MOST]:
                 self.add(one, deep - 1)
+            if not isinstance(value, list | dict | deque | type | ModuleType | FunctionType):
+                self.add(type(value), deep)
+            for function in vars(value).values() if isinstance(value, type) else ():
+                self.add(function, deep - 1)
 
     def hide(self, leaf: Any) -> None:
-        """Put unknown numbers in the places that changed; what was appended stays."""
+        """Put unknown numbers in the places that changed; a list may be any, and longer."""
         for k, ((_, key), inside) in enumerate(self._changed.items()):
-            if not isinstance(inside, list | deque) or key < len(inside):
-                inside[key] = leaf(k)
+            inside[key] = leaf(k)
+        for place, row in self._rows.items():
+            count = len(row) + GROWN
+            row.clear()
+            row.extend([leaf(place)] * count)
 
     def restore(self) -> None:
         """Make all as it was; note what had changed."""
+        for value, kept in self._kept.values():
+            if _kept_in(value) != kept:
+                self.refused = _put_back(value, kept)
         for place, (_, inside, before) in self._objects.items():
-            now, first = _entries(inside.copy()), _entries(before)
-            changed = [k for k, one in now.items() if one is not first.get(k, _NONE)]
-            if changed or len(now) != len(first) or isinstance(inside, set):
+            now = inside.copy()
+            if isinstance(inside, list | deque):
+                if len(now) != len(before) or not all(map(is_, now, before)):
+                    self._rows[place] = inside
+                    inside.clear()
+                    inside.extend(before)
+                continue
+            changed = [k for k, one in now.items() if one is not before.get(k, _NONE)]
+            if changed or len(now) != len(before):
                 self._changed.update({(place, key): inside for key in changed})
                 inside.clear()
-                fill = inside.extend if isinstance(inside, list | deque) else inside.update
-                fill(before)
+                inside.update(before)
 
 
-class Slots:
-    """What an object keeps in `__slots__`, used as a dict is."""
+def _kept_in(value: Any) -> Any:
+    """Return what a thing keeps that can hold no leaf, to be compared; None for any other."""
+    if not isinstance(value, (*CHANCE, set, np.ndarray, array)):
+        return None
+    for kind, (state_of, _) in CHANCE.items():
+        if isinstance(value, kind):
+            return state_of(value)
+    if isinstance(value, set):
+        return frozenset(value)
+    numbers = np.asarray(value)
+    kept = numbers.dtype.kind in "fiubc" and numbers.size <= MOST_NUMBERS
+    return numbers.tobytes() if kept else None
 
-    def __init__(self, value: Any, names: Sequence[str]) -> None:
+
+def _put_back(value: Any, kept: Any) -> str:
+    """Make a thing as it was; return what is said of a function that changed it."""
+    for kind, (_, give) in CHANCE.items():
+        if isinstance(value, kind):
+            if value not in OF_ALL:  # from which other threads draw
+                give(value, kept)
+            return UNSEEDED
+    if isinstance(value, set):
+        value.clear()
+        value.update(kept)
+    else:
+        numbers = np.asarray(value)
+        np.copyto(numbers, np.frombuffer(kept, numbers.dtype).reshape(numbers.shape))
+    return f"changes a {type(value).__name__} that its next call reads; make it a state"
+
+
+class Names:
+    """Some names of an object, a class or a module, used as a dict is."""
+
+    def __init__(self, value: Any, names: Iterable[str]) -> None:
         self.value, self.names = value, names
+        self.fixed = isinstance(value, type | ModuleType)  # keeps its names
 
     def __setitem__(self, name: str, value: Any) -> None:
-        object.__setattr__(self.value, name, value)
+        (setattr if self.fixed else object.__setattr__)(self.value, name, value)
 
     def copy(self) -> dict[str, Any]:
         """Return the attributes as they are now."""
@@ -198,7 +280,7 @@ class Slots:
 
     def clear(self) -> None:
         """Delete the attributes."""
-        for name in self.copy():
+        for name in () if self.fixed else self.copy():
             object.__delattr__(self.value, name)
 
     def update(self, values: dict[str, Any]) -> None:
@@ -209,21 +291,28 @@ class Slots:
 
 def _container_of(value: Any) -> Any:
     """Return the container that holds what an object keeps, or None."""
-    if isinstance(value, list | dict | set | deque):
+    if isinstance(value, list | dict | deque):
         return value
+    if isinstance(value, type | ModuleType | FunctionType):
+        return _names_of(value)
     attributes = getattr(value, "__dict__", None)
     if type(attributes) is dict:
         return attributes
     slots = [vars(kind).get("__slots__", ()) for kind in type(value).__mro__]
     names = [name for one in slots for name in ([one] if isinstance(one, str) else one)]
-    return Slots(value, names) if names else None
+    return Names(value, names) if names else None
 
 
-def _entries(inside: Any) -> dict:
-    """Return what a container holds in places that have keys; a set has none."""
-    if isinstance(inside, dict):
-        return inside
-    return {} if isinstance(inside, set) else dict(enumerate(inside))
+def _names_of(value: Any) -> Names | None:
+    """Return names of a user's class or module, or of the module of a user's function."""
+    name = value.__name__ if isinstance(value, ModuleType) else value.__module__
+    if (name or "").partition(".")[0] in FOREIGN:
+        return None
+    if isinstance(value, FunctionType):
+        module = sys.modules.get(name)
+        return Names(module, frozenset(names_in(value.__code__))) if module else None
+    own = vars(value).items()
+    return Names(value, [k for k, one in own if k[:2] != "__" and not hasattr(one, "__get__")])
 
 
 @contextmanager

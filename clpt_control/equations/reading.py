@@ -28,7 +28,7 @@ from .arrays import (
     reading_on,
     where,
 )
-from .copies import Copies, borrowed
+from .copies import Copies, Snapshot, borrowed
 from .declaration import Parameters, places
 from .record import Record, Shape, compact
 
@@ -87,7 +87,7 @@ def read(*arguments: Any) -> Read:
                 continue
             before = before or ways
     finally:
-        (before or ways).copies.snapshot.restore()
+        ways.copies.snapshot.restore()
     first, again = (one.record for one in reads)
     if first != again and str(first) != str(again):  # NaN differs from itself
         raise Unread(
@@ -104,7 +104,7 @@ class _Ways:
     ) -> None:
         self.request, self.spaces, self.before = request, spaces, before
         self.tape = AnsweringTape(request.parameters, spaces)
-        self.copies = Copies(self.tape)
+        self.copies: Copies = Copies(self.tape, before.copies.snapshot if before else Snapshot())
         self.ways: list[tuple[dict[int, bool], list[Any]]] = []
         self.written: set[str] = set()  # params that the function changed
 
@@ -117,17 +117,20 @@ class _Ways:
             for name, value in request.parameters.items()
         }
         named = request.wrap is None  # else x and u are the function's own
+        snapshot = self.copies.snapshot
         while True:
             tape.answers, tape.last_asked = {}, None
             if self.before is not None:
-                self.before.copies.snapshot.hide(self._unknown)
+                snapshot.hide(self._unknown)
                 fields.update({name: self._unknown(name) for name in self.before.written})
             x, u = Ports(tape, "x", request.states, named), Ports(tape, "u", request.inputs, named)
             p = request.wrap(dict(fields)) if request.wrap else Parameters(**fields)
             outputs = self._way(lambda: copied(t, x, u, p))  # noqa: B023
             self.ways.append((tape.answers, outputs))
+            snapshot.restore()
+            if snapshot.refused:
+                raise Unread(f"{request.name} {snapshot.refused}")
             self.copies.check()
-            (self.before or self).copies.snapshot.restore()
             if isinstance(p, dict):
                 self.written |= {k for k, v in dict.items(p) if v is not fields.get(k, self)}
             if len(self.ways) > MOST_WAYS:
@@ -193,6 +196,8 @@ def _merged(tape: Tape, ways: list, depth: int) -> list[Any]:
     if len(ways) == 1:
         return ways[0][1]
     question = list(ways[0][0])[depth]
+    if any(question not in answers for answers, _ in ways):
+        raise Unread("asks otherwise from call to call; make what it keeps a state")
     yes = [way for way in ways if way[0][question]]
     no = [way for way in ways if not way[0][question]]
     if not no or not yes:

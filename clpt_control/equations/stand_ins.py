@@ -9,6 +9,7 @@ nothing is read, or where no signal is among their arguments.
 import builtins
 import functools
 import math
+import time
 from collections.abc import Callable
 from types import GeneratorType, ModuleType
 from typing import Any
@@ -363,7 +364,28 @@ def errstate(**arguments: Any) -> Any:
     return np.errstate(**arguments)
 
 
+def _refused(real: Callable, sentence: str) -> Callable:
+    """Return what stands for a function whose answer no record holds."""
+
+    def function(*arguments: Any, **more: Any) -> Any:
+        if active() is not None and not arguments and not more:
+            raise Unread(sentence)
+        return real(*arguments, **more)
+
+    return function
+
+
+UNSEEDED = "draws by chance; draw before the run, or take it as an input"
+CLOCKS = ("time", "monotonic", "perf_counter", "process_time")
 _KNOWN: dict[int, Any] = {
+    id(np.random): Module(np.random),
+    id(np.random.default_rng): _refused(np.random.default_rng, UNSEEDED),
+    id(time): Module(time),
+    **{
+        id(clock := getattr(time, name + end)): _refused(clock, "asks a clock; t is the run's time")
+        for name in CLOCKS
+        for end in ("", "_ns")
+    },
     id(np.errstate): errstate,
     id(math): Module(math),
     id(np): Module(np),

@@ -1,8 +1,12 @@
 """What cannot be read says which function, line and cause, and runs in Python."""
 
+import array
 import inspect
+import itertools
 import random
 import time
+import types
+from collections import deque
 
 import control
 import numpy as np
@@ -91,6 +95,77 @@ TWICE = (
     remembers,
     keeps_the_last,
 )
+PLACE, HIT, OFTEN = np.array([0]), np.zeros(1, dtype=bool), array.array("d", [0.0])
+HISTORY, LATE, SEEN = [], deque([0.0] * 3, maxlen=3), set()
+COUNT, MODULE = itertools.count(), types.ModuleType("kept")
+MODULE.calls = 0
+
+
+def aims(t, x, u, p):
+    if u[0] > 0.1:
+        PLACE[0] += 1
+    return u[0] - (1.0 if PLACE[0] > 9 else 2.0)
+
+
+def latches(t, x, u, p):
+    if u[0] > 0.1:
+        HIT[0] = True
+    return 0.0 if HIT[0] else 1.0
+
+
+def adds_up(t, x, u, p):
+    OFTEN[0] += 1.0
+    return 0.0 if OFTEN[0] > 99 else 1.0
+
+
+def looks_back(t, x, u, p):
+    HISTORY.append(u[0])
+    return u[0] if len(HISTORY) < 50 else HISTORY[-50]
+
+
+def delays(t, x, u, p):
+    LATE.append(u[0])
+    return LATE[0]
+
+
+def visits(t, x, u, p):
+    if u[0] > 0.1:
+        SEEN.add("here")
+    return 1.0 if SEEN else 0.0
+
+
+def counts_calls_in_a_module(t, x, u, p):
+    MODULE.calls += 1
+    return 1.0 if MODULE.calls > 999 else 0.0
+
+
+class Sensor:
+    calls = 0
+
+    def lost(self):
+        return NOISE.random() < 1e-9
+
+    def late(self):
+        Sensor.calls += 1
+        return Sensor.calls > 999
+
+    def chance(self, t, x, u, p):
+        return 0.0 if self.lost() else u[0]
+
+    def memory(self, t, x, u, p):
+        return 0.0 if self.late() else u[0]
+
+
+SELDOM = (  # two readings alike
+    lambda t, x, u, p: 0.0 if NOISE.random() < 1e-9 else u[0],
+    lambda t, x, u, p: 0.0 if np.random.rand() < 1e-9 else u[0],  # noqa: NPY002
+    lambda t, x, u, p: 0.0 if random.random() < 1e-9 else u[0],
+    lambda t, x, u, p: 0.0 if np.random.default_rng().random() < 1e-9 else u[0],
+    lambda t, x, u, p: 0.0 if time.time() > 1e11 else u[0],
+    lambda t, x, u, p: u[0] if next(COUNT) < 999 else 0.0,
+    *(aims, latches, adds_up, looks_back, delays, visits, counts_calls_in_a_module),
+    *(Sensor().chance, Sensor().memory),
+)
 U = [0.3, -0.7, 2.0]
 
 
@@ -123,6 +198,30 @@ def test_a_helper_is_named_with_its_own_line():
 @pytest.mark.parametrize("function", TWICE, ids=lambda f: f.__name__)
 def test_a_state_or_chance_that_hides_is_seen_by_reading_twice(function):
     assert said(function)
+
+
+def kept():
+    calls = (PLACE[0], HIT[0], OFTEN[0], MODULE.calls, Sensor.calls)
+    return calls, [*HISTORY], [*LATE], {*SEEN}, NOISE.bit_generator.state
+
+
+@pytest.mark.parametrize("function", SELDOM, ids=lambda f: f.__name__)
+def test_what_two_readings_seldom_tell_apart_is_seen_by_what_they_change(function):
+    block, before = static(function), kept()
+    with pytest.raises(Unread):
+        block.array_record("output")
+    assert kept() == before
+
+
+def test_what_is_kept_and_not_read_may_be():
+    def logs(t, x, u, p):
+        HISTORY.append(float(u[0]))
+        MODULE.calls += 1
+        return 2.0 * u[0]
+
+    block, before = static(logs), kept()
+    assert block.array_record("output").operations
+    assert kept() == before
 
 
 def test_too_many_ways_are_not_read():
