@@ -3,7 +3,7 @@
 V and V' are exact, on the equations that run (`v_on_symbols`).  V >= 0 is shown by a sum of terms
 that are not negative (`squares`), V' <= 0 by the signs of `proving`.  What is not shown is open;
 what is refuted is refuted by a point.  Where no V is given, one is searched for (`searching`) and
-checked as any other is.
+checked as any other is.  In a region (`region`) V' < 0 is enough.
 
 Points of wide ranges are drawn, and drawn again beside the best of them.  Whatever an expression
 says, V' there is that along the rates that python-control itself gives.
@@ -26,6 +26,7 @@ from .proving.proof import Step, as_html, checked, exact, first_failure, short, 
 from .proving.running_rate import Drawn, compared
 from .proving.signs import tidied, vanishes
 from .proving.symbolic_loop import Point
+from .region import Region
 from .searching import candidates
 from .squares import states_beside
 from .v_on_symbols import SystemWithV
@@ -103,7 +104,7 @@ class Lyapunov:
         ``"proved"``: V holds the states and V' <= 0. With what is beside it: ``"proved but for
         z"``, where V does not hold z, which may grow; ``"proved as long as z exists"``;
         ``"proved near the rest"``, where V is bounded; ``"proved where d = 0"``, of an input that
-        V' depends on; ``"proved between jumps"``.
+        V' depends on; ``"proved between jumps"``; ``"proved in a region"``: V' < 0 below `level`.
         ``"refuted"``: there is a `point` at which V' > 0, V' is not as claimed, or V is no least
         value. ``"open"``: none of these is known.
     claim : str
@@ -120,6 +121,8 @@ class Lyapunov:
         Of a refutation: ``system.dynamics(*point)``.
     value : float or None
         What V', or what fails, is there.
+    level : float
+        Of a region: what begins in the box where V, less its value at rest, is below comes to rest.
 
     Examples
     --------
@@ -140,6 +143,7 @@ class Lyapunov:
     steps: tuple[Step, ...] = ()
     point: Point | None = None
     value: float | None = None
+    level: float = 0.0
 
     def __repr__(self) -> str:
         return f"<Lyapunov {self.status}: {self.claim}>"
@@ -227,12 +231,36 @@ def _at_jumps(case: SystemWithV, search: FailureSearch, near: bool) -> tuple[Ste
     return exact(claim, True), None
 
 
-def _best_candidate(system: control.NonlinearIOSystem, at: Any, count: int, seed: int) -> Lyapunov:
+def _in_region(case: SystemWithV, search: FailureSearch, within: Any, count: int) -> Lyapunov:
+    """Return in which part of a box V' < 0, with inputs of 0."""
+    region = Region(case, within)
+    level = region.level()
+    less = f" - {short(region.least)}" if region.least else ""
+    inputs = [str(f.func) for f in case.inputs]
+    at = f" where {' = '.join(inputs)} = 0" if inputs else ""
+    below = f"where V{less} < {level:g} in the box" if level else "near the rest"
+    claim = f"V' < 0 {below}, but at the rest"
+    steps = (
+        exact("V and the equations have a value everywhere", not case.undefined, case.undefined),
+        Step(claim, level > 0.0, "enclosed"),
+        search.running(count),
+    )
+    failed, (V,), rate = first_failure(steps), case.in_signals([case.V]), case.readable_rate()
+    if failed:
+        return Lyapunov("open", f"V' = {short(rate)}; {failed}", V, rate, steps=steps)
+    claim += ": what begins there comes to rest"
+    where = f"V{less} < {level:g}", tuple(inputs)
+    return Lyapunov(f"proved in a region{at}", claim, V, rate, *where, steps, level=level)
+
+
+def _best_candidate(
+    system: control.NonlinearIOSystem, at: Any, judged: Callable[[sympy.Expr], Lyapunov]
+) -> Lyapunov:
     """Return the best of the functions that are searched for."""
     best, case = None, SystemWithV(system, sympy.S.Zero, None, at)
     for V in candidates(case):
-        found = _verdict(one := SystemWithV(system, V, None, at), FailureSearch(one, seed), count)
-        if found.status == "proved":
+        found = judged(V)
+        if found.status == "proved" or found.level:
             return found
         if best is None and found.status.startswith("proved"):
             best = found
@@ -248,6 +276,7 @@ def lyapunov(
     at: Mapping[str, float] | Sequence[float] | None = None,
     points: Count = 200,
     seed: Seed = 0,
+    within: Mapping[str, Sequence[float]] | None = None,
 ) -> Lyapunov:
     """Judge a Lyapunov function of your own on any diagram.
 
@@ -269,6 +298,9 @@ def lyapunov(
         Random points at which the running blocks are asked.
     seed : int, optional
         Of the random points.
+    within : mapping, optional
+        The ends of each state, ``{"theta": (-1, 1), "omega": (-2, 2)}``: where V' < 0 in this box,
+        and from where every run comes to rest, inputs 0. For few states, some four.
 
     Returns
     -------
@@ -296,10 +328,16 @@ def lyapunov(
     >>> clpt.theory.lyapunov(pendulum).V
     omega**2/2 - 49*cos(theta)/5 + 49/5
     """
-    with worked_out(system.name):
-        if V is None:
-            if claim is not None:
-                raise DiagramError(f"{system.name}: a claim is of a V that is given; V is missing")
-            return _best_candidate(system, at, points, seed)
+
+    def judged(V: Any) -> Lyapunov:
         case = SystemWithV(system, V, claim, at)
-        return _verdict(case, FailureSearch(case, seed), points)
+        search = FailureSearch(case, seed)
+        return (
+            _in_region(case, search, within, points) if within else _verdict(case, search, points)
+        )
+
+    if claim is not None and (V is None or within):
+        why = "in a box V' < 0 is judged" if within else "it is of a V that is given"
+        raise DiagramError(f"{system.name}: leave the claim out: {why}")
+    with worked_out(system.name):
+        return _best_candidate(system, at, judged) if V is None else judged(V)

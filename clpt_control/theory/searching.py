@@ -25,7 +25,7 @@ from ..diagrams.on_symbols import TIME
 from ..errors import DiagramError
 from .proving.proof import short
 from .proving.signs import vanishes
-from .proving.words import ODD, along
+from .proving.words import ODD, along, decided
 from .v_on_symbols import SystemWithV
 
 MOST = 16  # states
@@ -88,7 +88,7 @@ def _of_linear_part(rates: Rates, inputs: list) -> Iterator[sympy.Expr]:
     states = list(rates)
     zero = dict.fromkeys([*states, *inputs], sympy.S.Zero)
     A = sympy.Matrix([[along(rate, {s: sympy.S.One}) for s in states] for rate in rates.values()])
-    A = A.xreplace(zero)
+    A = A.xreplace(zero).applyfunc(decided)
     if not all(one.is_Rational for one in A):
         return
     if np.linalg.eigvals(np.array(A, dtype=float)).real.max() < -1e-9:

@@ -14,14 +14,15 @@ from ...equations.arrays import Unread
 from ...errors import ClptError, DiagramError
 from ...html import facts
 
-How = Literal["exact", "counterexample", "sampled", "cited"]
+How = Literal["exact", "enclosed", "counterexample", "sampled", "cited"]
 
 
 @dataclass(frozen=True)
 class Step:
     """One claim, and how it was established.
 
-    ``"exact"``: derived by SymPy, without rounding; ``"counterexample"``: a case that was
+    ``"exact"``: derived by SymPy, without rounding; ``"enclosed"``: in each of some boxes, by
+    numbers rounded outward; ``"counterexample"``: a case that was
     computed; ``"sampled"``: seen at random points; ``"cited"``: taken from a book, not checked.
     """
 

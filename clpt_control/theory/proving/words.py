@@ -39,6 +39,7 @@ COMPARED: dict[str, Callable[..., Any]] = {"gt": gt, "ge": ge, "lt": lt, "le": l
 DECIDED: dict[str, Callable[..., Any]] = {  # carried out where their arguments are numbers
     "mod": lambda a, b: a % b,
     "clip": lambda a, low, high: sympy.Min(sympy.Max(a, low), high),
+    "inside": lambda a, low, high: sympy.Integer(bool(low < a) and bool(a < high)),
     **{"maximum": sympy.Max, "minimum": sympy.Min, "sign": sympy.sign},
 }
 YES_OR_NO: dict[str, Callable[..., Any]] = {

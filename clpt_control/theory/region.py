@@ -1,0 +1,192 @@
+"""A region from which every run comes to rest, by a V whose V' < 0 there, part by part.
+
+    x in the box, x not the rest, V(x) <= c  =>  V'(x) < 0,        c < V on the edge of the box
+
+Then no run leaves {V <= c}, V is least at the rest alone, and what begins there comes to rest
+(Khalil 2002, Theorem 4.1).  V' is enclosed in parts of the box, rounded outward (`enclosures`).
+Near the rest, where V' and its slopes are zero, V' = z^T H z / 2 with H its second derivatives at a
+point between: V' < 0 where all that H may be is negative definite.  Where pieces meet with one
+slope, as of v |v|, H lies between those of the pieces (Hiriart-Urruty et al. 1984).  The parts of
+the lowest V come first, and what is not decided is halved: c rises until V' >= 0 stands at it.
+
+Sources: Khalil, H. K. (2002), Nonlinear Systems, 3rd ed.; Rohn, J. (1994), Positive definiteness
+and stability of interval matrices, SIAM Journal on Matrix Analysis 15(1), 175-184; Hiriart-Urruty,
+J.-B., Strodiot, J.-J., Nguyen, V. H. (1984), Generalized Hessian matrix and second-order optimality
+conditions for problems with C1,1 data, Applied Mathematics and Optimization 11, 43-56.
+"""
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+import sympy
+
+from ..arguments import check_holds, numbers
+from ..diagrams.on_symbols import TIME
+from ..errors import DiagramError
+from .enclosures import Interval, enclosed, plus, times
+from .proving.proof import short
+from .proving.signs import tidied, vanishes
+from .proving.words import (
+    SMOOTH,
+    along,
+    decided,
+    is_continuous,
+    meets_smoothly,
+    pieces_of,
+    words_of,
+)
+from .v_on_symbols import SystemWithV
+
+MOST = 200_000  # parts that are looked at
+BATCH = 512  # at once
+ENOUGH = 1e-3  # of the level: it is not known better
+ROUNDING = 1e-10  # as a share: more than a matrix's eigenvalues are off
+NEAREST = 2.0**-24  # of the box: the smallest part about the rest that is tried
+Ends = tuple[np.ndarray, np.ndarray]  # of boxes, low and high: (boxes, n), or (n,)
+
+
+class Region:
+    """V - V(rest) and V' in a box of states, with parameters as they are and inputs of 0."""
+
+    def __init__(self, case: SystemWithV, within: Any):
+        self.states = case.states
+        self.rest = case.rest or dict.fromkeys(case.states, sympy.S.Zero)
+        self.low, self.high = _box(self.rest, within)
+        zero = dict.fromkeys(case.inputs, sympy.S.Zero)
+        zero |= {sympy.Derivative(f, TIME): sympy.S.Zero for f in zero}
+        V, rate, *self.motion = (
+            decided(e.xreplace(case.eq.values).xreplace(zero))
+            for e in (case.V, case.rate, *case.eq.motion.values())
+        )
+        moving = sympy.Tuple(V, *self.motion).free_symbols - {*self.states}
+        if moving or case.eq.jumps:
+            why = "it jumps" if case.eq.jumps else f"it moves with {', '.join(map(str, moving))}"
+            raise DiagramError(f"within: {case.system.name} has no region that lasts, for {why}")
+        if not _is_smooth(V):
+            raise DiagramError(f"within: V = {short(V, 60)} bends; give one that is smooth")
+        self.least = V.xreplace(self.rest)
+        both = ((e, tidied(e)) for e in (V - self.least, rate))
+        self.V, self.rate = (min(ways, key=sympy.count_ops) for ways in both)
+        self.slopes = {e: self.slopes_of(e) for e in (self.V, self.rate) if is_continuous(e)}
+
+    def slopes_of(self, e: sympy.Expr) -> list[sympy.Expr]:
+        """Return the derivatives of an expression by each state; at a kink, of one side."""
+        return [along(e, {s: sympy.S.One}) for s in self.states]
+
+    def boxes(self, low: np.ndarray, high: np.ndarray) -> dict[Any, Interval]:
+        """Return what is known of each state in boxes."""
+        return dict(zip(self.states, zip(low.T, high.T, strict=True), strict=True))
+
+    def range(self, e: sympy.Expr, low: np.ndarray, high: np.ndarray) -> Interval:
+        """Return the range of V or V' as it stands, or of e(m) + slopes (x - m), if narrower."""
+        boxes, middle = self.boxes(low, high), 0.5 * low + 0.5 * high
+        least, most = enclosed(e, boxes)
+        if e in self.slopes:
+            about = enclosed(e, self.boxes(middle, middle))
+            for s, slope, m in zip(self.states, self.slopes[e], middle.T, strict=True):
+                change = times(enclosed(slope, boxes), plus(boxes[s], (-m, -m)))
+                about = plus(about, change)
+            least, most = np.fmax(least, about[0]), np.fmin(most, about[1])
+        return np.broadcast_to(least, len(low)), np.broadcast_to(most, len(low))
+
+    def near_the_rest(self) -> Ends | None:
+        """Return a box about the rest in which V' < 0 but there, by its second derivatives."""
+        rest, share = np.array([float(value) for value in self.rest.values()]), 1.0
+        while share > NEAREST:
+            low, high = (rest + share * (end - rest) for end in (self.low, self.high))
+            boxes, share = self.boxes(low[None], high[None]), share / 2
+            rate, *motion = (_in_one_piece(e, boxes) for e in (self.rate, *self.motion))
+            if not (_is_smooth(rate) or (is_continuous(rate) and meets_smoothly(rate))):
+                continue
+            slopes = self.slopes_of(rate)
+            if not all(vanishes(decided(e.xreplace(self.rest))) for e in (rate, *motion, *slopes)):
+                return None
+            second = [[enclosed(e, boxes) for e in self.slopes_of(slope)] for slope in slopes]
+            if _is_negative(np.array(second)[..., 0]):
+                return low, high
+        return None
+
+    def level(self) -> float:
+        """Return c, below which V' < 0 but at the rest, and V stays off the edge; 0 for none.
+
+        It has four digits, rounded down.
+        """
+        near = self.near_the_rest()
+        if near is None:
+            return 0.0
+        edges = [(k, end[k]) for end in (self.low, self.high) for k in range(len(end))]
+        low, high = (np.array([end] * (1 + len(edges))) for end in (self.low, self.high))
+        for row, (k, value) in enumerate(edges, 1):
+            low[row, k] = high[row, k] = value
+        floor, cap, looked = self.range(self.V, low, high)[0], np.inf, 0
+        while looked < MOST and len(floor) and cap > 0 and floor.min() < (1 - ENOUGH) * cap:
+            order = np.argsort(floor, kind="stable")
+            first, later = order[:BATCH], order[BATCH:]
+            a, b = low[first], high[first]
+            edge = (a == b).any(axis=1)
+            falls = ((near[0] <= a) & (b <= near[1])).all(axis=1)
+            falls |= self.range(self.rate, a, b)[1] < 0.0
+            left = edge | ~falls
+            a, b, edge, floors = a[left], b[left], edge[left], floor[first][left]
+            middle = 0.5 * a + 0.5 * b
+            above = edge | (self.range(self.rate, middle, middle)[0] >= 0.0)
+            cap = min([cap, *self.range(self.V, middle, middle)[1][above]])
+            parts = _halved(a, b, self.high - self.low)
+            floors = np.maximum(self.range(self.V, *parts)[0], np.tile(floors, 2))
+            low, high = (
+                np.vstack([own[later], more]) for own, more in zip((low, high), parts, strict=True)
+            )
+            floor = np.append(floor[later], floors)
+            low, high, floor = (one[floor <= cap] for one in (low, high, floor))
+            looked += len(first)
+        most = min([cap, *floor])
+        unit = 10.0 ** np.floor(np.log10(most) - 3) if most > 0.0 else 1.0
+        return max(0.0, float(np.floor(most / unit) * unit))
+
+
+def _box(rest: Mapping[Any, Any], within: Any) -> Ends:
+    """Return the ends of a box of states, about the rest."""
+    labels = [str(s) for s in rest]
+    check_holds("within", labels, within, f"states are {', '.join(labels)}")
+    check_holds("within", within, labels, "give each state its two ends")
+    ends = np.array([numbers("within", within[name], 2) for name in labels])
+    for name, (low, high), value in zip(labels, ends, rest.values(), strict=True):
+        if not (np.isfinite([low, high]).all() and low < value < high):
+            raise DiagramError(
+                f"within: {name} from {low:g} to {high:g}; must be finite, with the rest, "
+                f"{float(value):g}, between"
+            )
+    return ends[:, 0], ends[:, 1]
+
+
+def _halved(low: np.ndarray, high: np.ndarray, whole: np.ndarray) -> Ends:
+    """Return both halves of boxes, each cut across its side that is the largest of the whole."""
+    side, rows = np.argmax((high - low) / whole, axis=1), np.arange(len(low))
+    lows, highs = np.vstack([low, low]), np.vstack([high, high])
+    highs[rows, side] = lows[rows + len(low), side] = (0.5 * low + 0.5 * high)[rows, side]
+    return lows, highs
+
+
+def _is_smooth(e: sympy.Expr) -> bool:
+    """Return whether an expression has no words with pieces or jumps."""
+    return all(isinstance(word, SMOOTH) for word in words_of(e))
+
+
+def _in_one_piece(e: sympy.Expr, boxes: dict[Any, Interval]) -> sympy.Expr:
+    """Return an expression without the words that are of one piece in all of a box."""
+    for word in words_of(e):
+        for facts, known in pieces_of(word):
+            if all((enclosed(fact, boxes)[0] > 0.0).all() for fact in facts):
+                return _in_one_piece(decided(e.xreplace(known)), boxes)
+    return e
+
+
+def _is_negative(second: np.ndarray) -> bool:
+    """Return whether all symmetric matrices between two, (n, n, 2), are negative definite."""
+    if not np.isfinite(second).all():
+        return False
+    middle = 0.25 * (second + second.transpose(1, 0, 2)).sum(axis=-1)
+    apart = np.maximum(second[..., 1] - middle, middle - second[..., 0])
+    radius = np.linalg.norm(apart) + ROUNDING * np.linalg.norm(second)
+    return bool(np.linalg.eigvalsh(middle).max() + radius < 0.0)

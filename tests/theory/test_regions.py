@@ -1,0 +1,193 @@
+"""Regions from which every run comes to rest, against samples of V' in plain NumPy and runs."""
+
+import control
+import numpy as np
+import pytest
+import sympy
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import clpt_control as clpt
+from clpt_control.errors import ClptError
+from clpt_control.theory import lyapunov
+from clpt_control.theory.enclosures import enclosed
+from clpt_control.theory.proving.words import CLIP, GT, MAXIMUM, SIGN, WHERE
+
+X, Y = sympy.symbols("x y", real=True)
+
+
+def diagram(rates, states, **params):
+    return control.nlsys(lambda t, x, u, p: rates(*x), states=states, inputs=0, **params)
+
+
+def reversed_oscillator(x1, x2):
+    """Return the rates of Khalil's example 8.9."""
+    return [-x2, x1 + (x1**2 - 1) * x2]
+
+
+def held_up(angle, speed):
+    """Return the rates of a pendulum at the top, with a limited torque."""
+    return [speed, np.sin(angle) - np.clip(8 * angle + 4 * speed, -2, 2)]
+
+
+def dragged(a, b):
+    """Return rates with a drag of the second power, which has a kink in its slope at rest."""
+    return [-2 * a + np.abs(b) * b, -b - 0.1 * np.abs(b) * b]
+
+
+def pocket(a, b):
+    """Return the rates of what is stable but in a pocket that is hard to see."""
+    inside = (np.abs(a - 0.5) < 1e-3) & (np.abs(b - 0.25) < 1e-3)
+    return [np.where(inside, 9.0, -a), -b]
+
+
+CASES = {  # rates, V, box, whether V' changes its sign in the box
+    "Khalil's oscillator": (reversed_oscillator, lambda a, b: 1.5 * a**2 - a * b + b**2, 3.0),
+    "a limited torque": (held_up, lambda a, b: (9 * a**2 + a * b + b**2) / 7, 2.0),
+    "a cubic": (lambda a, b: [-a + a**3 * b, -b - a * b], lambda a, b: a**2 + b**2 / 2, 4.0),
+    "an angle": (
+        lambda a, b: [b, -9.8 * np.sin(a) - 0.5 * b],
+        lambda a, b: 60 * (1 - np.cos(a)) + 0.6 * a * b + 3 * b**2,
+        3.0,
+    ),
+    "a drag": (dragged, lambda a, b: a**2 + b**2, 9.0),
+    "a pocket": (pocket, lambda a, b: a**2 + b**2, 1.0),
+}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_the_level_is_where_samples_of_the_rate_first_fail(name):
+    rates, V, half = CASES[name]
+    system = diagram(rates, ["a", "b"], name="plant")
+    found = lyapunov(system, lambda s: V(s.a, s.b), within={"a": (-half, half), "b": (-half, half)})
+    assert found.status == "proved in a region"
+    a, b = np.meshgrid(*[np.linspace(-half, half, 2001)] * 2)
+    h = 1e-6
+    slopes = (V(a + h, b) - V(a - h, b)) / (2 * h), (V(a, b + h) - V(a, b - h)) / (2 * h)
+    rate = sum(slope * own for slope, own in zip(slopes, rates(a, b), strict=True))
+    away = np.hypot(a, b) > 1e-3
+    edge = (np.abs(a) == half) | (np.abs(b) == half)
+    fails = V(a, b)[edge | (away & (rate >= 0))].min()
+    assert 0.98 * fails < found.level <= fails
+
+
+def test_khalils_oscillator_is_found_without_a_v_and_its_region_ends_within_the_cycle():
+    system = diagram(reversed_oscillator, ["x1", "x2"], name="oscillator")
+    found = lyapunov(system, within={"x1": (-3, 3), "x2": (-3, 3)})
+    assert str(found.V) == "3*x1**2/2 - x1*x2 + x2**2"  # P of A'P + PA = -I, by hand
+    assert 2.25 < found.level < 2.31  # Khalil reads 2.25 off a contour
+    around = np.linspace(0, 2 * np.pi, 9)[:-1]
+    for way in np.stack([np.cos(around), np.sin(around)], axis=1):
+        size = np.sqrt(0.999 * found.level / (1.5 * way[0] ** 2 - way[0] * way[1] + way[1] ** 2))
+        assert np.abs(clpt.simulate(system, [0, 40.0], 0, size * way).states[-1]).max() < 1e-4
+
+
+def test_a_level_is_exact_where_it_is_known_by_hand():
+    cubic = diagram(lambda x: [-x + x**3], ["x"], name="cubic")  # V' < 0 for 0 < x^2 < 1
+    assert 0.999 <= lyapunov(cubic, lambda s: s.x**2, within={"x": (-3, 2)}).level <= 1.0
+    near = lyapunov(cubic, lambda s: s.x**2, within={"x": (-0.5, 2)})
+    assert 0.249 <= near.level <= 0.25  # V on the nearer edge
+    turn = diagram(lambda x: [np.sin(x)], ["x"], name="turn")  # V' = -sin(x)^2
+    found = lyapunov(turn, lambda s: 1 + np.cos(s.x), at={"x": np.pi}, within={"x": (1, 5)})
+    assert 0.999 * (1 + np.cos(5)) <= found.level <= 1 + np.cos(5)
+
+
+def test_inputs_are_zero_and_said():
+    pushed = control.nlsys(
+        lambda t, x, u, p: [-x[0] + x[0] ** 3 + u[0]], states=["x"], inputs=["d"], name="pushed"
+    )
+    found = lyapunov(pushed, lambda s: s.x**2, within={"x": (-2, 2)})
+    assert (found.status, found.inputs) == ("proved in a region where d = 0", ("d",))
+
+
+NOT_SHOWN = {
+    "unstable": (lambda x: [x], lambda s: s.x**2),
+    "no rest": (lambda x: [1 - x], lambda s: s.x**2),
+    "falls too slowly": (lambda x: [-(x**3)], lambda s: s.x**2),
+    "V rises to the rest": (lambda x: [-x], lambda s: -(s.x**2)),
+    "an edge at the rest": (lambda x: [-np.sign(x)], lambda s: s.x**2),
+    "no value beside it": (lambda x: [-x + x / (x - 1)], lambda s: s.x**2),
+}
+
+
+@pytest.mark.parametrize("name", NOT_SHOWN)
+def test_what_is_not_shown_is_open(name):
+    rates, V = NOT_SHOWN[name]
+    found = lyapunov(diagram(rates, ["x"], name="plant"), V, within={"x": (-2, 2)})
+    assert (found.status, found.level) == ("open", 0.0)
+
+
+@pytest.mark.parametrize(
+    ("within", "sentence"),
+    [
+        ({"q": (-1, 1)}, "has no 'q'; states are x"),
+        ({"x": (1, 2)}, "x from 1 to 2; must be finite, with the rest, 0, between"),
+        ({"x": (-1, np.inf)}, "must be finite"),
+        ({"x": (-1, 0, 1)}, "must be an array of numbers"),
+    ],
+)
+def test_a_box_that_is_none_is_refused(within, sentence):
+    with pytest.raises(ClptError, match=sentence):
+        lyapunov(diagram(lambda x: [-x], ["x"], name="plant"), lambda s: s.x**2, within=within)
+
+
+def test_what_moves_with_time_or_jumps_has_no_region():
+    driven = control.nlsys(lambda t, x, u, p: [-x[0] * (2 + np.sin(t))], states=["x"], inputs=0)
+    with pytest.raises(ClptError, match="no region that lasts, for it moves with t"):
+        lyapunov(driven, lambda s: s.x**2, within={"x": (-1, 1)})
+
+
+# --- enclosures ----------------------------------------------------------------------------------
+
+LEAVES = st.one_of(
+    st.sampled_from([X, Y]), st.integers(-3, 3).map(sympy.Integer), st.just(sympy.Rational(1, 7))
+)
+ONE = [sympy.sin, sympy.cos, sympy.exp, sympy.tanh, sympy.atan, sympy.cosh, SIGN, sympy.Abs]
+ONE += [lambda a: a**2, lambda a: a**3, lambda a: 1 / (2 + a**2), lambda a: sympy.sqrt(1 + a**2)]
+TWO = [
+    sympy.Add,
+    sympy.Mul,
+    MAXIMUM,
+    lambda a, b: CLIP(a, -1, b),
+    lambda a, b: WHERE(GT(a, b), a, 2),
+]
+EXPRESSIONS = st.recursive(
+    LEAVES,
+    lambda inner: st.one_of(
+        st.tuples(st.sampled_from(ONE), inner).map(lambda p: p[0](p[1])),
+        st.tuples(st.sampled_from(TWO), inner, inner).map(lambda p: p[0](p[1], p[2])),
+    ),
+    max_leaves=8,
+)
+WORDS = {
+    "clip": lambda a, low, high: np.minimum(np.maximum(a, low), high),
+    "maximum": np.maximum,
+    "sign": np.sign,
+    "gt": lambda a, b: np.where(a > b, 1.0, 0.0),
+    "where": lambda c, a, b: np.where(c != 0, a, b),
+}
+
+
+@settings(max_examples=60, deadline=None, derandomize=True)
+@given(EXPRESSIONS, st.floats(-3, 3), st.floats(-3, 3), st.floats(0, 2), st.floats(0, 2))
+def test_an_enclosure_holds_every_sample(expression, x, y, wide, high):
+    boxes = {
+        s: (np.array([at]), np.array([at + size])) for s, at, size in ((X, x, wide), (Y, y, high))
+    }
+    low, top = (float(end[0]) for end in enclosed(expression, boxes))
+    share = np.linspace(0, 1, 7)
+    a, b = np.meshgrid(x + wide * share, y + high * share)
+    with np.errstate(all="ignore"):
+        values = sympy.lambdify([X, Y], expression, [WORDS, "numpy"])(a, b) + 0 * a
+    known = values[np.isfinite(values)]
+    slack = 1e-13 * (1 + np.abs(known))  # the samples are rounded, too
+    assert np.all((known >= low - slack) & (known <= top + slack))
+
+
+def test_what_has_no_value_in_a_box_is_not_enclosed():
+    box = {X: (np.array([-1.0, 0.5]), np.array([1.0, 2.0]))}
+    for e in (1 / X, sympy.log(X), sympy.sqrt(X), X ** sympy.Rational(-1, 3), 0 * Y + X**-2):
+        low, high = enclosed(e, box)
+        assert np.isfinite([low, high]).all(axis=0).tolist() == [False, True]
+    with pytest.raises(ClptError, match="no function whose range in a box is known"):
+        enclosed(sympy.gamma(X), box)
