@@ -26,6 +26,7 @@ import sympy
 
 from ..arguments import public
 from ..equations import record as numbers
+from ..equations.arrays import Unread
 from ..equations.at_many import leaf_values
 from ..equations.block import Block
 from ..equations.elements import Elements, Index
@@ -206,7 +207,10 @@ class SymbolicFunction(Symbols):
     """A block's equations as SymPy's expressions; what is long is a symbol of its own."""
 
     def __init__(self, block: Block, role: str):
-        record = block.array_record(role)
+        try:
+            record = block.array_record(role)
+        except Unread as error:
+            raise BlockError(str(error)) from None
         super().__init__(record.operations, self._leaf, sizes=block.sizes)
         made = [o for o in record.operations if o.kind not in ("leaf", "constant", "view")]
         if sum(prod(self.sized(o.shape)) for o in made) > MOST:

@@ -207,7 +207,9 @@ def linearize(
         at.check([*rates, *signals])
     except Unread as error:
         raise DiagramError(f"{error}") from None
-    CD = wiring.output_map @ np.vstack([Y, at.every[n:]])
+    all_slopes, known = np.vstack([Y, at.every[n:]]), np.isfinite(np.vstack([Y, at.every[n:]]))
+    CD = wiring.output_map @ np.where(known, all_slopes, 0.0)
+    CD[(wiring.output_map != 0.0) @ ~known] = np.nan
     labels = [*system.state_labels, *system.input_labels]
     for rows, names in ((AB, system.state_labels), (CD, system.output_labels)):
         for i, j in np.argwhere(~np.isfinite(rows))[:1]:

@@ -15,7 +15,7 @@ from clpt_control.conformance import ConformanceReport, check_block, conformance
 from clpt_control.conformance.equation_checks import roles
 from clpt_control.equations import Block
 from clpt_control.equations.system import linear
-from clpt_control.errors import ArgumentError, BlockError
+from clpt_control.errors import ArgumentError, BlockError, ClptError
 from clpt_control.native import vectors
 
 
@@ -382,3 +382,11 @@ def test_a_block_too_large_for_sympy_is_told_so():
     block = linear(control.ss(-np.eye(150), np.ones((150, 1)), np.ones((1, 150)), 0, name="long"))
     with pytest.raises(BlockError, match=r"long\.update takes more than 20000 operations"):
         readings(block)["symbolic"](0.0, np.ones(150), [1.0])
+
+
+def test_what_cannot_be_read_is_refused_by_each_reading_of_records():
+    block = siso(lambda t, x, u, p: np.roots([1.0, u[0]]).real)
+    asked = readings(block)
+    for name in asked.keys() - {"python", "control"}:
+        with pytest.raises(ClptError, match=r"mine\.output: .*line \d+"):
+            asked[name](0.0, [], [1.0])

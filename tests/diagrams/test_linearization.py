@@ -130,6 +130,16 @@ def test_a_slope_without_end_is_refused():
         clpt.linearize(block(lambda y, v: np.sqrt(y) + v), [0.0])
 
 
+def test_the_output_without_a_slope_is_named_and_no_other():
+    angles = control.nlsys(
+        lambda t, x, u, p: -x,
+        lambda t, x, u, p: [x[0], np.linalg.norm(x[1:]), x[2]],
+        inputs=0, outputs=["a", "b", "c"], states=["p", "q", "r"], name="angles",
+    )  # fmt: skip
+    with pytest.raises(clpt.DiagramError, match=r"what b does along . has no finite slope"):
+        clpt.linearize(angles, [1.0, 0.0, 0.0])
+
+
 def test_minimal_leaves_out_what_is_not_reached_or_not_seen():
     apart = control.ss(np.diag([-1.0, -2.0, -3.0]), [[1], [0], [1]], [[1, 1, 0]], 0)
     made = clpt.linearize(apart, minimal=True)
