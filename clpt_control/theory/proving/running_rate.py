@@ -51,10 +51,9 @@ class Running:
 
         def one(*point: Any) -> tuple:
             try:
-                with np.errstate(all="ignore"):
-                    point += (self.params or None,)  # linear systems say that they take none
-                    rates = self.system.dynamics(*point)
-                    V = self.system.output(*point)[self.V] if self.V else [0.0]
+                with np.errstate(all="ignore"):  # linear systems say that they take no params
+                    rates = self.system.dynamics(*point, self.params or None)
+                    V = self.system._out(*point)[self.V] if self.V else [0.0]  # with the same
                     return rates, *V
             except RuntimeError:  # python-control's word for a NaN on its way
                 return np.full(self.system.nstates, np.nan), np.nan
