@@ -10,7 +10,7 @@ from scipy.integrate import trapezoid
 from synthetic_vehicle import STEADY, vehicle
 
 from clpt_control.estimation.dive import make_dive, mid_time
-from clpt_control.estimation.estimators import ESTIMATORS
+from clpt_control.estimation.estimators import ESTIMATORS, KalmanBank
 from clpt_control.estimation.fix_model import FixModel, Priors, inertial_frequency
 from clpt_control.replay.flow_models import Uncovered, carried_by, read_flow_model
 from clpt_control.replay.outcome import clpe_rms, summary
@@ -25,18 +25,19 @@ def ratio(dives, estimator="kalman", model=None):
     return rms["adaptive"] / rms["previous_dive"]
 
 
-@pytest.mark.parametrize("count", [40, pytest.param(200, marks=pytest.mark.slow)])
-def test_estimates_lie_within_three_standard_errors(count):
-    """Current and speed factor of so many vehicles: within three errors in 95 %."""
-    inside = 0
+@pytest.mark.parametrize("count", [20, pytest.param(200, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("estimator", ESTIMATORS)
+def test_errors_are_no_larger_than_is_said(estimator, count):
+    """Of so many vehicles: the mean square of what is off, in standard errors, is at most 1."""
+    off = []
     for seed in range(count):
         factor = 1 + 0.1 * np.random.default_rng(1000 + seed).normal()
-        step = replay_dives(vehicle(seed, 16, factor=factor), model=FixModel(("steady",))).steps[-1]
-        inside += bool(
-            abs(step.speed - factor) < 3 * step.speed_error
-            and np.all(np.abs(step.current - STEADY) < 3 * step.current_error)
-        )
-    assert inside >= 0.95 * count
+        dives = vehicle(seed, 16, factor=factor, noise=0.01)
+        step = replay_dives(dives, estimator, FixModel(("steady",))).steps[-1]
+        current = (step.current - STEADY) / step.current_error
+        off.append([(step.speed - factor) / step.speed_error, *current])
+        assert np.all(step.current_error < 0.1)  # it says something: the prior has 0.3
+    assert np.all(np.mean(np.square(off), axis=0) < 1)
 
 
 def test_learns_what_there_is():
@@ -66,7 +67,7 @@ def test_against_the_previous_dives_current(case, most, count):
 
 @pytest.mark.parametrize("case", [{"walk": 0.03}, {"noise": 0.05}, {"flow": "M2"}])
 def test_ellipses_hold_what_they_promise(case):
-    inside = [summary(replay_dives(vehicle(seed, **case)))["inside_90"] for seed in range(6)]
+    inside = [summary(replay_dives(vehicle(seed, **case)))["inside_90"] for seed in range(4)]
     assert 0.83 < np.mean(inside) <= 1
 
 
@@ -100,10 +101,10 @@ def test_the_tides_integral_is_right():
     assert mid_time(dive) == pytest.approx(t.mean())
 
 
-def turned(dives, degrees):
-    """Dead reckoning of a compass that reads `degrees` too little: the vehicle goes clockwise."""
+def turned(dives, degrees, factor=1.0):
+    """Dives that go clockwise of what they reckon, and so many times as fast."""
     angle = math.radians(degrees)
-    c, s = math.cos(angle), math.sin(angle)
+    c, s = factor * math.cos(angle), factor * math.sin(angle)
     return [
         replace(
             d,
@@ -122,15 +123,8 @@ def test_a_compass_error_is_clockwise(degrees):
 
 @pytest.mark.parametrize(("factor", "degrees"), [(0.8, 12.0), (1.15, -8.0)])
 def test_speed_and_compass_are_told_apart_however_large(factor, degrees):
+    dives = turned(vehicle(2, 40), degrees, factor)
     c, s = factor * math.cos(math.radians(degrees)), factor * math.sin(math.radians(degrees))
-    dives = [
-        replace(
-            d,
-            gps_east=d.gps_east - d.dr_east + c * d.dr_east + s * d.dr_north,
-            gps_north=d.gps_north - d.dr_north + c * d.dr_north - s * d.dr_east,
-        )
-        for d in vehicle(2, 40)
-    ]
     step = replay_dives(dives, model=FixModel(("steady",))).steps[-1]
     assert step.speed == pytest.approx(factor, abs=3 * step.speed_error)
     assert step.compass == pytest.approx(degrees, abs=3 * step.compass_error)
@@ -157,7 +151,7 @@ def in_shear(seed, size):
 
 def test_shear_is_learned_where_dives_change_their_depth():
     model, gains = FixModel(("steady", "shear")), []
-    for seed in range(4):
+    for seed in range(2):
         dives = in_shear(seed, -0.08)
         replay = replay_dives(dives, model=model)
         assert replay.known()["shear_east"] == pytest.approx(-0.08, abs=0.02)
@@ -201,7 +195,7 @@ def test_one_wild_fix_does_little_harm(estimator):
 def test_ellipses_hold_after_a_turn():
     """Eight dives on one heading cannot tell speed from current; then the vehicle turns."""
     inside = []
-    for seed in range(40):
+    for seed in range(20):
         factor = 1 + 0.15 * np.random.default_rng(seed).normal()
         dives = vehicle(seed, 9, factor=factor, heading="one")
         back = dives[-1]
@@ -217,8 +211,6 @@ def test_ellipses_hold_after_a_turn():
 
 
 def test_forgetting_the_speed_makes_it_uncertain():
-    from clpt_control.estimation.estimators import KalmanBank
-
     bank = KalmanBank(FixModel(("steady",)))
     for dive in vehicle(1, 15, factor=0.9):
         bank.update(dive)
@@ -228,22 +220,6 @@ def test_forgetting_the_speed_makes_it_uncertain():
     assert q[2] == pytest.approx(p[2], abs=0.01)
     assert learned[2]
     assert Q[2, 2] > P[2, 2] + 0.4 * 0.15**2
-
-
-@pytest.mark.parametrize("count", [40, pytest.param(100, marks=pytest.mark.slow)])
-def test_the_gradients_errors_are_as_large_as_it_says(count):
-    """Current and speed of so many vehicles: within three standard errors in 95 %."""
-    inside = 0
-    for seed in range(count):
-        factor = 1 + 0.1 * np.random.default_rng(seed).normal()
-        dives = vehicle(seed, 16, factor=factor, noise=0.01)
-        step = replay_dives(dives, "gradient", FixModel(("steady",))).steps[-1]
-        inside += bool(
-            abs(step.speed - factor) < 3 * step.speed_error
-            and np.all(np.abs(step.current - STEADY) < 3 * step.current_error)
-        )
-        assert np.all(step.current_error < 0.1)  # it says something: the prior has 0.3
-    assert inside >= 0.95 * count
 
 
 def flight(model, seed, hours=2.0, speed=0.3):
