@@ -199,15 +199,15 @@ def test_a_track_for_a_law_is_one_on_which_it_learns_sooner(law, level, times):
     assert found["after"]["closed_length"] <= found["limits"]["length"] * (1 + 1e-9)
 
 
-def test_no_design_for_a_law_learns_later(paper):
+@pytest.mark.parametrize("law", ["learned-flow", pytest.param("sigma", marks=pytest.mark.slow)])
+def test_no_design_for_a_law_learns_later(paper, law):
     """One generation finds little: then the scenario's own track stays, and that is said."""
-    for law in ("learned-flow", "sigma"):
-        scenario = paper.with_values({"learning.law": law, "run.duration": 200})
-        found = design_for(scenario, generations=1, window=60.0, level=0.02)
-        first, last = found.tracks
-        assert last.cost <= first.cost
-        same = found.scenario.waypoints.tolist() == paper.waypoints.tolist()
-        assert found.report["own_track_kept"] == same
+    scenario = paper.with_values({"learning.law": law, "run.duration": 200})
+    found = design_for(scenario, generations=1, window=60.0, level=0.02)
+    first, last = found.tracks
+    assert last.cost <= first.cost
+    same = found.scenario.waypoints.tolist() == paper.waypoints.tolist()
+    assert found.report["own_track_kept"] == same
 
 
 @pytest.mark.parametrize(
@@ -237,7 +237,7 @@ def test_what_is_searched_for_is_what_v_falls_by(paper, change):
     gains = linear_gains(scenario)
     found, _ = Tracks(scenario, (40.0, 60.0), 100.0, 3, 1e-10, gains=gains)(paper.waypoints[None])
     along = joint_regressor(started_true(vehicle_alone(scenario)), 40.0, 60.0)
-    fine = np.linspace(60.0, 100.0, 40 * 400 + 1)
+    fine = np.linspace(60.0, 100.0, 40 * 100 + 1)
     times = (fine[1:] + fine[:-1]) / 2
     run = clpt_package.simulate(along.scenario, times)
     w = w_along(along.scenario, times, *[run.position.values] * 2, run.reference.values)
@@ -304,7 +304,7 @@ def test_of_very_many_waypoints_a_number_is_asked_for(paper):
         design_track(scenario)
 
 
-@settings(max_examples=60, deadline=None, derandomize=True)
+@settings(max_examples=30, deadline=None, derandomize=True)
 @given(
     arrays(float, (5, 2), elements=st.floats(-1e3, 1e3, allow_subnormal=False)),
     st.floats(1e-3, 1e3),

@@ -26,7 +26,7 @@ def few_points(monkeypatch):
 
 
 def rates_of_V(scenario):
-    """V' along a run by the diagram's own rates, and -e^T KD e, at its samples."""
+    """V' along a run by the records of its blocks, and -e^T KD e, at its samples."""
     blocks, car = paper_blocks(scenario), scenario.vehicle
     truth = Truth(*map(np.array, (scenario.flow.parameters, car.feedback, car.feedforward)))
     V = scenario.learning.row.V(blocks[-1].parameters, truth)
@@ -34,11 +34,11 @@ def rates_of_V(scenario):
     times = np.arange(0.0, scenario.run.duration, scenario.run.output_step)
     states = response(loop, times, initial_state=clpt.initial_state(scenario)).states.T
     running, u = Running(loop), np.zeros((len(times), 0))
-    rates, _ = running.by_control(times, states, u)
+    rates, _ = running.by_records(times, states, u)
     largest, fastest = (np.max(np.abs(one), axis=1) for one in (states, rates))
     h = 0.1 * np.maximum(largest, 1e-3) / np.maximum(fastest, 1e-9)
     step = h[:, None] * rates
-    ahead, behind = (running.by_control(times, x, u)[1] for x in (states + step, states - step))
+    ahead, behind = (running.by_records(times, x, u)[1] for x in (states + step, states - step))
     e = states[:, 0:2] - states[:, 2:4]
     return (ahead - behind) / (2 * h), -np.sum(np.array(car.feedback) * e**2, axis=1)
 

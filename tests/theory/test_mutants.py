@@ -5,7 +5,6 @@ by hand.  Equations of the paper are the theorems' to defend, those of a law its
 those of a team its proof's, sources of time and tables those of `source_checks`.
 """
 
-import random
 from functools import cache
 from types import FunctionType
 
@@ -61,9 +60,6 @@ def functions():
     """Every function that a block of the package runs."""
     laws = [b for law in LAWS.values() for b in theorem_loop.law_and_V(law, all_proofs.N)]
     return reached([*BLOCKS.values(), *laws])
-
-
-PAGES = sorted({key.rpartition(".")[0] for key in functions() if key.startswith("laws.")})
 
 
 def mutants():
@@ -148,14 +144,10 @@ def few_points(monkeypatch):
     monkeypatch.setattr(invariant_loop, "SIZES", (1, 2))  # `clpt prove` asks all three
 
 
-@pytest.mark.parametrize(
-    "room",
-    ["vehicle", "learner", "field", *PAGES[::2], "consensus", "clpe", "lyapunov"],
-)
+@pytest.mark.parametrize("room", ["vehicle", "learner", "field", "laws", "consensus", "clpe"])
 def test_altered_signs_fail_the_proof(room):
-    listed = [mutant for mutant in mutants() if mutant[0].startswith(f"{room}.")]
-    chosen = random.Random(1).sample(listed, 1)
-    assert survivors(chosen) == []
+    first = next(mutant for mutant in mutants() if mutant[0].startswith(f"{room}."))
+    assert survivors([first]) == []
 
 
 @pytest.mark.slow

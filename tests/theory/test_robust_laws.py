@@ -27,6 +27,7 @@ from clpt_control.theory.proving.own_law import prove
 from clpt_control.theory.proving.theorem_loop import theorem_scenario
 
 LIMITS = {"largest_flow": 2.0, "largest_feedback": 3.0, "largest_feedforward": 3.0}
+PAPER, ONE_EACH = clpt.paper_scenario(), ("centers", "widths", "periods", "phases")
 LAWS = {
     "sigma": {"leak": 0.1},
     "switching-sigma": {"leak": 0.1, **LIMITS},
@@ -36,39 +37,38 @@ LAWS = {
 }
 
 
-def law_of(name, N=2, gain=0.5, gains=None):
+def law_of(name, N=2, gain=0.5):
     """Return a law of the table with the settings above."""
     known = theorem_scenario(N, name).known_to_law
-    gains = gains or Gains(gain, gain, gain, one=True)
-    known = known._replace(gains=gains, settings=LAWS[name])
+    known = known._replace(gains=Gains(gain, gain, gain, one=True), settings=LAWS[name])
     return TABLE[name].block(known)
 
 
-def candidate_of(name, N=2, gain=0.5):
+def candidate_of(name, N=2):
     """Return the law's V at the truth of the theorems' scenario."""
     truth = truth_of(theorem_scenario(N, "learned-flow"))
-    return TABLE[name].V(law_of(name, N, gain).parameters, truth)
+    return TABLE[name].V(law_of(name, N).parameters, truth)
 
 
-def judged_now(name, N, gain=0.5):
-    return prove(law_of(name, N, gain), candidate_of(name, N, gain), points=300)
+def judged_now(name, N):
+    return prove(law_of(name, N), candidate_of(name, N), points=300)
 
 
 judged = cache(judged_now)  # of laws as they are
 
 
-def level(name, N, gain, theta, KD, GammaD, delta):
-    """V of the set that is reached, as a number."""
+def level(name, theta, KD, GammaD, delta):
+    """V of the set that is reached, as a number, of one function."""
     values = dict(zip(("Delta_1", "Delta_2"), delta, strict=True))
     for i in range(2):
-        values |= {f"theta_{i + 1}[{k + 1}]": theta[i][k] for k in range(N)}
+        values |= {f"theta_{i + 1}[1]": theta[i][0]}
         values |= {f"KD_{i + 1}": KD[i], f"GammaD_{i + 1}": GammaD[i]}
-    found = judged(name, N, gain).level
+    found = judged(name, 1).level
     return float(found.subs({s: values[s.name] for s in found.free_symbols}))
 
 
 @pytest.mark.parametrize("name", LAWS)
-@pytest.mark.parametrize("N", [1, 3])
+@pytest.mark.parametrize("N", [1, pytest.param(3, marks=pytest.mark.slow)])
 def test_a_robust_law_is_bounded(name, N):
     verdict = judged(name, N)
     assert verdict.status == "bounded"
@@ -106,10 +106,7 @@ def burst(law, faint, quiet, cycles=2, theta=0.5):
 
 @pytest.mark.parametrize(
     ("faint", "quiet"),
-    [
-        *(pytest.param(*case, marks=pytest.mark.slow) for case in ((0.2, 250.0), (0.1, 1000.0))),
-        (0.05, 4000.0),
-    ],
+    [(0.2, 250.0), pytest.param(0.05, 4000.0, marks=pytest.mark.slow)],
 )
 def test_no_burst_after_a_drift_and_the_bound_does_not_know_the_regressor(faint, quiet):
     """Largest |e|: the paper's 0.52/faint; with a robust law Delta/k, as without learning."""
@@ -117,40 +114,33 @@ def test_no_burst_after_a_drift_and_the_bound_does_not_know_the_regressor(faint,
     without = burst(paper, faint, quiet)
     assert without == pytest.approx(burst_counterexample(faint, quiet).peak, rel=1e-3)
     for name in LAWS:
-        largest = burst(law_of(name, 1, 1.0), faint, quiet)
+        largest = burst(law_of(name, 1), faint, quiet)
         assert largest < 1.0 + 1e-6 < without / 2
-        if name != "dead-zone" and quiet == 4000.0:
-            reached = level(name, 1, 1.0, [[0.5], [0.0]], [1.0, 1.0], [0.0, 0.0], [1.0, 0.0])
+        if name != "dead-zone":
+            reached = level(name, [[0.5], [0.0]], [1.0, 1.0], [0.0, 0.0], [1.0, 0.0])
             assert largest <= np.sqrt(2 * reached)
 
 
-def disturbed_run(name, gain=0.5):
-    """The paper's system under a square wave with one of the laws, and its V."""
-    scenario = with_square_wave(clpt.paper_scenario(), 0.05, 3.5)
-    N, car = scenario.basis.N, scenario.vehicle
-    truth = (scenario.flow.parameters, car.feedback, car.feedforward)
-    own = law_of(name, N, gain)
+@pytest.mark.parametrize("name", LAWS)
+def test_a_run_stays_in_the_set(name):
+    """Against runs of the whole diagram with one function under Delta, started off the truth."""
+    values = {f"basis.{key}": [getattr(PAPER.basis, key)[0]] for key in ONE_EACH}
+    flow = {f"{key}.parameters": [[1.0], [0.9]] for key in ("flow", "model", "learning")}
+    scenario = with_square_wave(PAPER.with_values(values | flow), 0.05, 3.5)
+    car, own = scenario.vehicle, law_of(name, 1)
+    truth = Truth(*map(np.array, (scenario.flow.parameters, car.feedback, car.feedforward)))
     blocks = [own if b.name == "adaptation" else b for b in paper_blocks(scenario)]
-    V = TABLE[name].V(own.parameters, Truth(*map(np.array, truth)))
+    V = TABLE[name].V(own.parameters, truth)
     loop = clpt.connect([*blocks, V])
     state = clpt.initial_state(scenario)
     state[:2] += 2.0
     state[4:] *= 0.5
     run = response(loop, np.linspace(0, 60, 601), initial_state=state)
-    return scenario, run.outputs[loop.output_labels.index("V[0]")]
-
-
-@pytest.mark.parametrize("name", LAWS)
-def test_a_run_stays_in_the_set(name):
-    """Against runs of the paper's whole diagram under Delta, started off the truth."""
-    scenario, values = disturbed_run(name)
+    values = run.outputs[loop.output_labels.index("V[0]")]
     if name == "dead-zone":
         assert np.all(np.diff(values) <= 1e-9)
-        return
-    car = scenario.vehicle
-    truth = (scenario.flow.parameters, car.feedback, car.feedforward)
-    reached = level(name, scenario.basis.N, 0.5, *truth, [0.05, 0.0])
-    assert np.all(values <= max(values[0], reached) + 1e-9)
+    else:
+        assert np.all(values <= max(values[0], level(name, *truth, [0.05, 0.0])) + 1e-9)
 
 
 # --- altered laws ---------------------------------------------------------------------
@@ -165,8 +155,13 @@ FUNCTIONS = {
 
 
 @pytest.mark.usefixtures("few_draws")
-@pytest.mark.parametrize("N", [1, pytest.param(2, marks=pytest.mark.slow)])
-@pytest.mark.parametrize("name", LAWS)
+@pytest.mark.parametrize(
+    ("name", "N"),
+    [
+        *((name, 1) for name in ("sigma", "projection", "dead-zone")),  # the others leak, too
+        *(pytest.param(name, 2, marks=pytest.mark.slow) for name in LAWS),
+    ],
+)
 def test_no_altered_law_passes_for_it(name, N):
     """Every sign flipped and every term dropped: refuted, open, refused, or another set."""
     right = judged(name, N)

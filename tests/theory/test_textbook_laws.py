@@ -17,7 +17,7 @@ from clpt_control.theory.proving.signs import MOST_TERMS, terms_of
 POINTS = 100
 
 
-LONG = ("axes mixed", "a box")  # of several seconds: by `make test-slow`
+LONG = ("axes mixed", "a box", "a matrix of gains", "a periodic leak", "eps and its cube")
 
 
 @pytest.mark.parametrize(
@@ -35,7 +35,8 @@ def test_V_of_the_paper_with_the_papers_numbers_is_proved():
     own = own_laws.driven(lambda t, x, u, p: u.e, {"gain": 0.8}, n=N)()
     V = lyapunov_candidate("learned-flow", one_gain(0.8, *truth))
     assert prove(own, V, points=POINTS).status == "proved"
-    found = prove(own, lambda truth: lyapunov_candidate("learned-flow", one_gain(0.8, *truth)))
+    V = lambda truth: lyapunov_candidate("learned-flow", one_gain(0.8, *truth))  # noqa: E731
+    found = prove(own, V, points=POINTS)
     assert (found.status, found.for_every_N) == ("proved", True)
 
 
@@ -157,7 +158,7 @@ def test_a_wrong_law_is_not_proved(name):
     assert status(name, many_laws.WRONG) not in ("proved", "bounded")
 
 
-@pytest.mark.parametrize("name", list(many_laws.RIGHT)[SAMPLE])
+@pytest.mark.parametrize("name", [n for n in many_laws.RIGHT if n not in LAWS][SAMPLE])
 def test_a_right_law_is_not_refuted(name):
     assert not status(name, many_laws.RIGHT).startswith("refuted")
 

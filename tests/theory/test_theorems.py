@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 
 from analysis.theorems import page
-from clpt_control.blocks import vehicle
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.errors import DiagramError
 from clpt_control.theory.proving.all_proofs import GRAPHS
@@ -120,18 +119,6 @@ def test_prove_one_theorem_and_refuse_another(clpt):
     outcome = clpt("prove", "--theorem", "4.1")
     assert outcome.status == 2
     assert "3.1, 3.2, 3.3, 3.4" in outcome.err
-
-
-def wrong_kinematics(t, x, u, p):
-    """x' = F_R - v, not Eq. (1)."""
-    return u.flow_x - u.v_x
-
-
-def test_a_wrong_equation_fails_and_is_named(clpt, monkeypatch):
-    monkeypatch.setattr(vehicle, "kinematics", wrong_kinematics)
-    outcome = clpt("prove", "--theorem", "3.2", "--again")
-    assert outcome.status == 1
-    assert "the proof fails: 3.2 at step 'V' = -e^T KD e, for every N'" in (outcome.err)
 
 
 def of_the_papers_gain(turn):

@@ -153,7 +153,7 @@ def compared(
     V: sympy.Expr,
     wanted: sympy.Expr,
     draws: Iterable[Drawn],
-    first: int = THROUGH_CONTROL,
+    first: int,
 ) -> tuple[bool, str]:
     """Compare V and V' of the running blocks with V and what V' is to be, at points drawn.
 
@@ -235,7 +235,7 @@ def running_step(
             return draw.params(values), draw.at(values, t, x, u), t, x, u
 
         draws = map(drawn, range(0, points, PER_DRAW))
-        holds, detail = compared(running, states, V, wanted, draws)
+        holds, detail = compared(running, states, V, wanted, draws, THROUGH_CONTROL)
         return holds, of + detail
 
     return checked(f"the running blocks give the same V'{which}", "sampled", same, False)
