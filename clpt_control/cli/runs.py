@@ -161,18 +161,19 @@ def diagram(
 
 def export(
     scenario: ScenarioFile,
-    out: Path = opt("FILE", "The file of C.", "-o", "--out", default=...),
+    out: Path = opt("FILE", "The file: C (.c) or an FMU (.fmu).", "-o", "--out", default=...),
 ) -> None:
-    """Write a scenario's loop, or a run's diagram, as one C99 file.
+    """Write a scenario's loop, or a run's diagram, as one C99 file, or as an FMU.
 
     Example:
         clpt export mine.toml -o loop.c
     """
     from ..simulation.run_file import repeats_by_equations
 
-    check_writable(out, "a program", (".c", ".h"))
+    check_writable(out, "a program", (".c", ".h", ".fmu"))
     again = scenario.suffix == ".nc" and repeats_by_equations(scenario)
-    clpt.export_c(clpt.load_diagram(scenario) if again else clpt.load_scenario(scenario), out)
+    write = clpt.export_fmu if out.suffix == ".fmu" else clpt.export_c
+    write(clpt.load_diagram(scenario) if again else clpt.load_scenario(scenario), out)
     say(f"{out}: written")
 
 

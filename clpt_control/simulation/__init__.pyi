@@ -2,6 +2,7 @@ from .export import export_c
 from .film import animate
 from .fitting import Fit, fit_parameters
 from .flows import explained_variance, flow_velocity
+from .fmu import export_fmu
 from .integrate import sample_times, simulate
 from .loops import closed_loop, error_loop, paper_blocks, team_loop
 from .plots import clpe_plot, compare, learning_plot, response_plot, run_plot, track_plot
@@ -21,6 +22,7 @@ __all__ = [
     "error_loop",
     "explained_variance",
     "export_c",
+    "export_fmu",
     "fit_parameters",
     "flow_velocity",
     "initial_state",

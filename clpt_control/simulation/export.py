@@ -6,11 +6,11 @@ do between two steps.  Nothing is allocated, and of the C library only math.h is
 """
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from importlib import resources
 from pathlib import Path
 from string import Template
-from typing import Any
+from typing import Any, TypeVar
 
 import control
 import numpy as np
@@ -28,6 +28,7 @@ from .integrate import as_diagram
 from .running import DiagramRun, compiled
 from .starts import stacked_state
 
+Text = TypeVar("Text")
 FIXED = " fixed"
 ROUNDING = "1e-9"  # of a period, by which a time may be off a sample
 STEPS = (resources.files("clpt_control.data") / "steps.c").read_text("utf-8").split("//\n")
@@ -74,6 +75,14 @@ def export_c(
     >>> [line for line in text.splitlines() if line.startswith("void lag_step")]
     ['void lag_step(double t, double dt, double *x, const double *u, const double *p) {']
     """
+    text = in_c(system, initial_state, params, lambda file: "".join(file.parts()))
+    if path is not None:
+        write_file(path, text)
+    return text
+
+
+def in_c(system: Any, initial_state: Any, params: Any, written: Callable[["CFile"], Text]) -> Text:
+    """Return what is written of a diagram's C; one that has none is an error."""
     system, known = as_diagram(system)
     own = known.get("initial_state", 0.0) if initial_state is None else initial_state
     try:
@@ -85,12 +94,9 @@ def export_c(
                 _check_finite(f"{node.name}.{name}", np.where(np.isinf(value), 0.0, value))
         start = stacked_state("initial_state", own, run.runner.nstates)
         _check_finite("initial_state", start)
-        text = "".join(_File(run, start).parts())
+        return written(CFile(run, start))
     except Uncompiled as error:
         raise DiagramError(f"{system.name}: has no C: {error}") from None
-    if path is not None:
-        write_file(path, text)
-    return text
 
 
 def _check_finite(name: str, value: Any) -> None:
@@ -100,8 +106,8 @@ def _check_finite(name: str, value: Any) -> None:
         raise DiagramError(f"{name} = {value}: must be finite, to be written as C")
 
 
-class _File:
-    """The parts of a file."""
+class CFile:
+    """The parts of a file of C."""
 
     def __init__(self, run: DiagramRun, start: np.ndarray):
         self.run, self.wiring, self.start = run, run.wiring, start
@@ -121,6 +127,8 @@ class _File:
         self.record = CRecord(self.wiring, self.layout)
         self.program = CProgram(self.record, run.runner.nsignals)
         self.name = _word(run.name)
+        self.room = max(1, self.program.components.room)
+        self.kept = max(1, len(self.record.set_by_integrator))
         outputs = len(self.wiring.outputs)
         self.labels = {
             "x": _labels(run.states),
@@ -130,7 +138,7 @@ class _File:
 
     def parts(self) -> Iterator[str]:
         """Yield the text."""
-        discrete, kept = bool(self.wiring.dt), self.record.set_by_integrator
+        discrete = bool(self.wiring.dt)
         named, values = self.parameters()
         yield self.head(discrete)
         for letter, labels in {**self.labels, "p": named}.items():
@@ -142,11 +150,11 @@ class _File:
         for name in self.program.functions:
             yield "\n" + self.program.function(name)
         yield "\n" + self.intervals()
-        made = f"    double kept[{max(1, len(kept))}];\n    kept_(t, p, kept);\n"
-        n, room = max(1, len(self.start)), self.program.components.room
+        made = f"    double kept[{self.kept}];\n    kept_(t, p, kept);\n"
+        n = max(1, len(self.start))
         public = "double t, const double *x, const double *u, const double *p"
         yield f"\nvoid {self.name}_outputs({public}, double *y) {{\n{made}"
-        yield f"    double w[{max(1, room)}];\n    signals_(t, x, u, p, kept, w);\n"
+        yield f"    double w[{self.room}];\n    signals_(t, x, u, p, kept, w);\n"
         yield "".join(f"    {line}\n" for line in self.outputs()) + "}\n"
         yield f"\nvoid {self.name}_rates({public}, double *dx) {{\n{made}"
         yield "    rates_(t, x, u, p, kept, dx);\n}\n"
@@ -194,12 +202,22 @@ class _File:
 
     def intervals(self) -> str:
         """Return the function that says in which interval each block is."""
-        lines = []
-        for j, k in enumerate(self.layout.intervals):
-            node, fixed = self.wiring.nodes[k], float(self.given[k].interval)
-            each = node.system.breakpoints_function
-            if fixed >= 0.0:
-                lines.append(f"kept[{j}] = {c_number(fixed)};")
+        lines = [
+            f"kept[{j}] = floor(t / ({period}) + {ROUNDING});"
+            if period
+            else f"kept[{j}] = {c_number(float(self.given[k].interval))};"
+            for j, (k, period) in enumerate(self.periods())
+        ]
+        lines += [f"kept[{self.place(k)}] = 0.0;" for k in self.layout.jumps]
+        body = "".join(f"    {line}\n" for line in [*lines, "(void)t; (void)p; (void)kept;"])
+        return f"static void kept_(double t, const double *p, double *kept) {{\n{body}}}\n"
+
+    def periods(self) -> Iterator[tuple[int, str]]:
+        """Yield each block that has intervals, and its period; "" where its interval is fixed."""
+        for k in self.layout.intervals:
+            node, each = self.wiring.nodes[k], self.wiring.nodes[k].system.breakpoints_function
+            if self.given[k].interval >= 0.0:
+                yield k, ""
                 continue
             if not isinstance(each, Each):
                 raise Uncompiled(
@@ -211,24 +229,23 @@ class _File:
                 period = f"p[{self.record.place(self.layout.slots[k, period].offset)}]"
             else:
                 period = c_number(float(period))
-            part = "" if each.part == 1.0 else f"{c_number(each.part)} * "
-            lines.append(f"kept[{j}] = floor(t / ({part}{period}) + {ROUNDING});")
-        lines += [f"kept[{self.place(k)}] = 0.0;" for k in self.layout.jumps]
-        body = "".join(f"    {line}\n" for line in [*lines, "(void)t; (void)p; (void)kept;"])
-        return f"static void kept_(double t, const double *p, double *kept) {{\n{body}}}\n"
+            yield k, period if each.part == 1.0 else f"{c_number(each.part)} * {period}"
 
     def place(self, k: int) -> int:
         """Return where it stands whether a block jumps."""
         return len(self.layout.intervals) + list(self.layout.jumps).index(k)
 
+    def asked(self) -> list[str]:
+        """Return what asks of each block whether it jumps."""
+        at = {k: j for j, k in enumerate(self.layout.intervals)}
+        return [
+            f"after[{self.place(k)}] = after[{at[k]}] != kept[{at[k]}];" for k in self.layout.jumps
+        ]
+
     def jumping(self) -> str:
         """Return the end of a step, at which blocks jump, and the beginning of a run."""
-        at = {k: j for j, k in enumerate(self.layout.intervals)}
-        count, n = len(self.record.set_by_integrator), max(1, len(self.start))
-        asked = [f"after[{self.place(k)}] = after[{at[k]}] != kept[{at[k]}];"
-                 for k in self.layout.jumps]  # fmt: skip
+        n, step = max(1, len(self.start)), "".join(f"    {line}\n" for line in self.asked())
         some = " + ".join(f"after[{self.place(k)}]" for k in self.layout.jumps)
-        step = "".join(f"    {line}\n" for line in asked)
         begin = [
             f"kept[{self.place(k)}] = fabs(t / {c_number(self.wiring.nodes[k].system.period)} - "
             f"floor(t / {c_number(self.wiring.nodes[k].system.period)} + 0.5)) < {ROUNDING} ? -1.0 "
@@ -236,7 +253,7 @@ class _File:
             for k in self.layout.jumps if self.wiring.nodes[k].system.first_held is not None
         ]  # fmt: skip
         return JUMP.substitute(
-            count=count, n=n, asked=step, some=some, name=self.name, states=len(self.start),
+            count=self.kept, n=n, asked=step, some=some, name=self.name, states=len(self.start),
             begin="".join(f"    {line}\n" for line in begin),
         )  # fmt: skip
 

@@ -7,6 +7,7 @@ import shlex
 import subprocess
 import sys
 import unicodedata
+import zipfile
 from pathlib import Path
 
 import control
@@ -124,10 +125,12 @@ def test_export_writes_c(clpt, tmp_path):
     before = (tmp_path / "p.toml").read_text()
     outcome = clpt("export", tmp_path / "p.toml", "-o", tmp_path / "p.toml")
     assert (outcome.status, (tmp_path / "p.toml").read_text()) == (2, before)
-    assert "a program's name must end in .c or .h" in outcome.err
+    assert "a program's name must end in .c, .h or .fmu" in outcome.err
     outcome = clpt("export", tmp_path / "p.toml", "-o", tmp_path / "p.c")
     assert outcome.out == f"{tmp_path / 'p.c'}: written\n"
     assert "void closed_loop_step(" in (tmp_path / "p.c").read_text()
+    assert clpt("export", tmp_path / "p.toml", "-o", tmp_path / "p.fmu").status == 0
+    assert "sources/closed_loop.c" in zipfile.ZipFile(tmp_path / "p.fmu").namelist()
 
 
 def test_export_of_a_diagrams_run_has_its_start(clpt, tmp_path):

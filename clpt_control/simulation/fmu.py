@@ -1,0 +1,220 @@
+"""A diagram as a functional mock-up unit (FMU) for Simulink, Modelica and other simulators.
+
+It is the file of C of `export_c`, with the functions of FMI 3.0 for model exchange (`fmi3.c`): the
+importer integrates, and stops where parts sample or blocks jump.  The FMU holds the source, and
+what this machine's C compiler makes of it.
+
+Source: Modelica Association (2022), Functional Mock-up Interface 3.0.
+"""
+
+import hashlib
+import io
+import os
+import platform
+import shutil
+import subprocess
+import tempfile
+import zipfile
+from collections.abc import Iterator, Mapping
+from importlib import resources
+from pathlib import Path
+from string import Template
+from typing import Any
+from xml.etree.ElementTree import Element, SubElement, indent, tostring
+
+import control
+
+from ..arguments import public
+from ..errors import Uncompiled
+from ..files import write_file
+from ..html import plain
+from ..progress import warn
+from ..scenario.experiment import Scenario
+from .export import FIXED, CFile, in_c
+from .running import signal_units
+
+FUNCTIONS = Template((resources.files("clpt_control.data") / "fmi3.c").read_text("utf-8"))
+FLAGS = ("-std=c99", "-O2", "-shared", "-fPIC", "-fvisibility=hidden")
+PROCESSORS = {"AMD64": "x86_64", "arm64": "aarch64"}
+ENDINGS = {"Linux": ".so", "Darwin": ".dylib", "Windows": ".dll"}
+MOVING = {"variability": "continuous"}
+KINDS = {  # of variables, and what is said of them
+    "time": {"causality": "independent", **MOVING},
+    "state": {"causality": "local", **MOVING, "initial": "exact"},
+    "rate": {"causality": "local", **MOVING, "initial": "calculated"},
+    "input": {"causality": "input", **MOVING},
+    "output": {"causality": "output", **MOVING, "initial": "calculated"},
+    "parameter": {"causality": "parameter", "variability": "tunable", "initial": "exact"},
+    "constant": {"causality": "local", "variability": "constant", "initial": "exact"},
+}
+STRUCTURE = {  # of modelDescription.xml: which variables are listed
+    "Output": ("output",),
+    "ContinuousStateDerivative": ("rate",),
+    "InitialUnknown": ("output", "rate"),
+}
+LONG_AGO = (1980, 1, 1, 0, 0, 0)  # the time of each file within: the same diagram, the same bytes
+
+
+@public
+def export_fmu(
+    system: Scenario | control.InputOutputSystem,
+    path: str | Path,
+    initial_state: Any = None,
+    params: Mapping[str, Any] | None = None,
+) -> None:
+    """Write a diagram as an FMU of FMI 3.0, for model exchange.
+
+    Parameters
+    ----------
+    system : Scenario or control.InputOutputSystem
+        A scenario, a diagram, a block or a system of python-control, of continuous time; sampled
+        parts are events.
+    path : str or Path
+        The file, ``"loop.fmu"``.
+    initial_state : array_like, optional
+        The start of its states, as for `export_c`.
+    params : mapping, optional
+        Call-time parameters that it has as its own; the importer may change those that no
+        function asks for their value.
+
+    Raises
+    ------
+    DiagramError
+        If a function is not read, time is discrete, or a block jumps at times that only a function
+        of Python knows.
+
+    Examples
+    --------
+    >>> import control, pathlib, tempfile, zipfile
+    >>> import clpt_control as clpt
+    >>> file = pathlib.Path(tempfile.mkdtemp()) / "lag.fmu"
+    >>> clpt.export_fmu(control.tf(1, [0.5, 1], name="lag"), file)
+    >>> sorted(zipfile.ZipFile(file).namelist())[-2:]
+    ['sources/buildDescription.xml', 'sources/lag.c']
+    """
+    write_file(path, in_c(system, initial_state, params, _packed))
+
+
+def _packed(file: CFile) -> bytes:
+    """Return the FMU."""
+    if file.wiring.dt:
+        raise Uncompiled("an importer integrates; its time is discrete, and export_c has its step")
+    plain = "".join(file.parts())
+    token = hashlib.sha256(plain.encode()).hexdigest()[:32]
+    text = plain + _functions(file, token)
+    held = {
+        "modelDescription.xml": _document(_description(file, token)),
+        "sources/buildDescription.xml": _document(_build(file.name)),
+        f"sources/{file.name}.c": text.encode(),
+        **_binary(file.name, text),
+    }
+    packed = io.BytesIO()
+    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as folder:
+        for name, content in held.items():
+            folder.writestr(zipfile.ZipInfo(name, LONG_AGO), content)
+    return packed.getvalue()
+
+
+def _functions(file: CFile, token: str) -> str:
+    """Return the functions that an importer calls."""
+    lines = {
+        "asked": [f"{line} some |= {line.split(' =')[0]} > 0.0;" for line in file.asked()],
+        "next": [
+            f"at = {period} * (kept[{j}] + 1.0); if (at < next) next = at;"
+            for j, (_, period) in enumerate(file.periods())
+            if period
+        ],
+        "outputs": file.outputs(),
+    }
+    body = {name: "".join(f"    {line}\n" for line in own) for name, own in lines.items()}
+    sizes = {"count": file.kept, "room": file.room, "jumps": int(bool(file.layout.jumps))}
+    return FUNCTIONS.substitute(name=file.name, token=token, **sizes, **body)
+
+
+def _binary(name: str, text: str) -> dict[str, bytes]:
+    """Return what this machine's C compiler makes, by its place; nothing where there is none."""
+    compiler = shutil.which(os.environ.get("CC", "cc"))
+    system = platform.system()
+    if compiler is None or system not in ENDINGS:
+        warn("the FMU holds its source alone: there is no C compiler (cc, or the variable CC)")
+        return {}
+    machine = PROCESSORS.get(platform.machine(), platform.machine())
+    with tempfile.TemporaryDirectory() as folder:
+        source, made = Path(folder) / "model.c", Path(folder) / "made"
+        source.write_text(text, "utf-8")
+        done = subprocess.run(
+            [compiler, *FLAGS, "-o", made, source, "-lm"], capture_output=True, text=True
+        )
+        if done.returncode:
+            warn(f"the FMU holds its source alone: {compiler} failed: {done.stderr:.200}")
+            return {}
+        place = f"binaries/{machine}-{system.lower()}/{name}{ENDINGS[system]}"
+        return {place: made.read_bytes()}
+
+
+def _variables(file: CFile) -> Iterator[tuple[str, str, dict[str, str]]]:
+    """Yield kind, name and own attributes of each variable, in the order of value references."""
+    x, u, y = (file.labels[letter] for letter in "xuy")
+    units = [{"unit": unit} if unit else {} for unit in signal_units(file.wiring)]
+    yield "time", "time", {}
+    for label, start in zip(x, file.start, strict=True):
+        yield "state", f"state.{label}", {"start": repr(float(start))}
+    for k, label in enumerate(x):
+        yield "rate", f"der(state.{label})", {"derivative": f"{1 + k}"}
+    for label, unit in zip(u, units[len(y) :], strict=True):
+        yield "input", label, {"start": "0.0", **unit}
+    for label, unit in zip(y, units, strict=False):
+        yield "output", label, unit
+    for label, value in zip(*file.parameters(), strict=True):
+        kind = "constant" if FIXED in label else "parameter"
+        yield kind, label.replace(FIXED, ""), {"start": repr(float(value))}
+
+
+def _description(file: CFile, token: str) -> Element:
+    """Return modelDescription.xml: the variables, and which of them depend on others."""
+    root = Element(
+        "fmiModelDescription",
+        fmiVersion="3.0",
+        modelName=_name(file.run.name),
+        instantiationToken=token,
+        generationTool="clpt-control",
+    )
+    SubElement(root, "ModelExchange", modelIdentifier=file.name)
+    rows = [*_variables(file)]
+    if units := sorted({own["unit"] for *_, own in rows if "unit" in own}):
+        defined = SubElement(root, "UnitDefinitions")
+        for unit in units:
+            SubElement(defined, "Unit", name=unit)
+    variables, taken = SubElement(root, "ModelVariables"), set[str]()
+    for place, (kind, name, own) in enumerate(rows):
+        name = _name(name)
+        while name in taken:
+            name += "_"
+        taken.add(name)
+        attributes = {"name": name, "valueReference": f"{place}", **KINDS[kind], **own}
+        SubElement(variables, "Float64", attributes)
+    structure = SubElement(root, "ModelStructure")
+    for tag, kinds in STRUCTURE.items():
+        for place, (kind, *_) in enumerate(rows):
+            if kind in kinds:
+                SubElement(structure, tag, valueReference=f"{place}")
+    return root
+
+
+def _name(text: str) -> str:
+    """Return a name in one line, of letters that XML may hold."""
+    return " ".join(plain(text).split())
+
+
+def _build(name: str) -> Element:
+    """Return buildDescription.xml: how the source becomes a library."""
+    root = Element("fmiBuildDescription", fmiVersion="3.0")
+    build = SubElement(root, "BuildConfiguration", modelIdentifier=name)
+    files = SubElement(build, "SourceFileSet", language="C99")
+    SubElement(files, "SourceFile", name=f"{name}.c")
+    return root
+
+
+def _document(root: Element) -> bytes:
+    indent(root)
+    return tostring(root, "UTF-8", xml_declaration=True)

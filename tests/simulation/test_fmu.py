@@ -1,0 +1,180 @@
+"""Functional mock-up units: what an importer reads and calls, and the numbers that it gets.
+
+FMI's public checker, FMPy, is asked where it is installed (`pip install fmpy`).
+"""
+
+import ctypes
+import subprocess
+import zipfile
+from xml.etree import ElementTree
+
+import control
+import numpy as np
+import pytest
+from test_export import COMPILER, FLAGS, discrete, mrac, needs_cc, oddly_named, sampled_tank, teeth
+
+import clpt_control as clpt
+from clpt_control.errors import ClptError
+
+
+class Importer:
+    """A small importer: it integrates by Runge and Kutta's method, and stops at events."""
+
+    def __init__(self, path, folder):
+        with zipfile.ZipFile(path) as file:
+            self.model = ElementTree.fromstring(file.read("modelDescription.xml"))
+            (source,) = (name for name in file.namelist() if name.endswith(".c"))
+            text = file.read(source)
+        made = folder / "made.so"
+        (folder / "made.c").write_bytes(text)
+        subprocess.run([COMPILER, *FLAGS, "-o", made, folder / "made.c", "-lm"], check=True)
+        self.library = ctypes.CDLL(str(made))
+        self.places = {one.get("name"): k for k, one in enumerate(self.model.iter("Float64"))}
+        self.states = [name for name in self.places if name.startswith("state.")]
+        self.begin(self.model.get("instantiationToken").encode())
+
+    def begin(self, token):
+        make = self.library.fmi3InstantiateModelExchange
+        make.restype = ctypes.c_void_p
+        assert make(b"", b"of another", b"", False, False, None, None) is None
+        self.at = ctypes.c_void_p(make(b"", token, b"", False, False, None, None))
+
+    def call(self, name, *arguments):
+        assert getattr(self.library, f"fmi3{name}")(self.at, *arguments) == 0
+
+    def exchange(self, kind, names, values):
+        places = (ctypes.c_uint32 * len(names))(*(self.places[name] for name in names))
+        count, data = ctypes.c_size_t(len(names)), np.array(values, dtype=float)
+        self.call(f"{kind}Float64", places, count, data.ctypes.data_as(ctypes.c_void_p), count)
+        return data
+
+    def get(self, *names):
+        return self.exchange("Get", names, np.zeros(len(names)))
+
+    def initialize(self, **given):
+        no = ctypes.c_double(0.0)
+        self.call("EnterInitializationMode", False, no, no, False, no)
+        self.exchange("Set", [*given], [*given.values()])
+        self.call("ExitInitializationMode")
+        return self.update()
+
+    def update(self):
+        flags, following = [ctypes.c_bool() for _ in range(5)], ctypes.c_double()
+        self.call("UpdateDiscreteStates", *map(ctypes.byref, (*flags, following)))
+        return following.value if flags[4].value else np.inf
+
+    def rates(self, t, x):
+        self.call("SetTime", ctypes.c_double(t))
+        pointer, n = ctypes.c_void_p, ctypes.c_size_t(len(x))
+        self.call("SetContinuousStates", x.ctypes.data_as(pointer), n)
+        dx = np.zeros(len(x))
+        self.call("GetContinuousStateDerivatives", dx.ctypes.data_as(pointer), n)
+        return dx
+
+    def run(self, until, following, h):
+        t, x = 0.0, self.get(*self.states)
+        while t < until - 1e-12:
+            stop = min(until, following)
+            step = (stop - t) / np.ceil((stop - t) / h - 1e-9)
+            a = self.rates(t, x)
+            b = self.rates(t + step / 2, x + step / 2 * a)
+            c = self.rates(t + step / 2, x + step / 2 * b)
+            d = self.rates(t + step, x + step * c)
+            t, x = t + step, x + step / 6 * (a + 2 * b + 2 * c + d)
+            self.rates(t, x)
+            if t >= following - 1e-12:
+                following, x = self.update(), self.get(*self.states)
+        return x
+
+
+def switching():
+    """Return a scenario's loop, which changes waypoint each 20 s."""
+    return clpt.closed_loop(clpt.paper_scenario())
+
+
+def inputs_of(system, values):
+    """Return constant inputs by their ports."""
+    return [values.get(label.partition("[")[0], 0.0) for label in system.input_labels]
+
+
+MODELS = {
+    "the paper's loop": (switching, 45.0, {}),
+    "model reference": (mrac, 4.0, {"r": 1.0}),
+    "a sampled controller": (sampled_tank, 6.0, {}),
+    "jumps": (teeth, 2.0, {"v": 0.3}),
+}
+
+
+@needs_cc
+@pytest.mark.parametrize("name", MODELS)
+def test_an_importer_gets_the_run(name, tmp_path):
+    make, until, inputs = MODELS[name]
+    system = make()
+    clpt.export_fmu(system, tmp_path / "model.fmu")
+    found = Importer(tmp_path / "model.fmu", tmp_path)
+    following = found.initialize(**inputs)
+    x0 = clpt.initial_state(clpt.paper_scenario()) if name == "the paper's loop" else 0.0
+    run = clpt.simulate(system, [0.0, until], inputs_of(system, inputs), x0, rtol=1e-11, atol=1e-13)
+    assert np.allclose(found.run(until, following, 2e-3), run.states[-1], rtol=1e-7, atol=1e-9)
+
+
+@needs_cc
+def test_values_are_set_and_what_is_fixed_is_not(tmp_path):
+    system = control.nlsys(
+        lambda t, x, u, p: [-p["k"] * x[0] if p["fast"] > 0 else 0 * x[0]], states=["x"],
+        inputs=["u"], outputs=["y"], params={"k": 2.0, "fast": 1.0}, name="lag",
+    )  # fmt: skip
+    clpt.export_fmu(system, tmp_path / "lag.fmu", initial_state=[3.0], params={"k": 4.0})
+    found = Importer(tmp_path / "lag.fmu", tmp_path)
+    kinds = {one.get("name"): one.attrib for one in found.model.iter("Float64")}
+    assert kinds["lag.fast"]["variability"] == "constant"
+    assert kinds["lag.k"]["causality"] == "parameter"
+    assert found.get("state.x", "der(state.x)", "lag.k", "y").tolist() == [3.0, -12.0, 4.0, 3.0]
+    found.initialize(**{"lag.k": 0.5, "state.x": 2.0})
+    assert found.get("der(state.x)", "y").tolist() == [-1.0, 2.0]
+    found.call("Reset")
+    assert found.get("der(state.x)").tolist() == [-12.0]
+    assert found.library.fmi3GetFloat32(found.at) == 3  # an error: there is none
+
+
+@needs_cc
+def test_the_same_diagram_makes_the_same_description(tmp_path):
+    texts = []
+    for name in ("a", "b"):
+        clpt.export_fmu(sampled_tank(), tmp_path / name)
+        with zipfile.ZipFile(tmp_path / name) as file:
+            texts.append([(one, file.read(one)) for one in file.namelist() if "bin" not in one])
+    assert texts[0] == texts[1]
+
+
+def test_without_a_compiler_it_holds_its_source(tmp_path, monkeypatch):
+    monkeypatch.setenv("CC", "no-compiler-of-this-name")
+    with pytest.warns(UserWarning, match="holds its source alone"):
+        clpt.export_fmu(control.tf(1, [1, 1], name="lag"), tmp_path / "lag.fmu")
+    with zipfile.ZipFile(tmp_path / "lag.fmu") as file:
+        assert "sources/lag.c" in file.namelist()
+
+
+def test_what_has_no_model_exchange_is_refused(tmp_path):
+    with pytest.raises(ClptError, match="its time is discrete, and export_c has its step"):
+        clpt.export_fmu(discrete(), tmp_path / "model.fmu")
+    assert not (tmp_path / "model.fmu").exists()
+
+
+@needs_cc
+@pytest.mark.parametrize("name", [*MODELS, "names"])
+def test_the_public_checker_finds_nothing(name, tmp_path):
+    fmpy = pytest.importorskip("fmpy", reason="FMPy is not installed")
+    from fmpy.validation import validate_fmu
+
+    make, until, inputs = MODELS.get(name, (oddly_named, 1.0, {}))
+    system, file = make(), str(tmp_path / "model.fmu")
+    clpt.export_fmu(system, file)
+    assert validate_fmu(file) == []
+    variables = ElementTree.fromstring(zipfile.ZipFile(file).read("modelDescription.xml"))
+    states = [v.get("name") for v in variables.iter("Float64") if v.get("name")[:6] == "state."]
+    options = {"relative_tolerance": 1e-10, "start_values": inputs, "output": states}
+    last = fmpy.simulate_fmu(file, start_time=0.0, stop_time=until, **options)[-1]
+    x0 = clpt.initial_state(clpt.paper_scenario()) if name == "the paper's loop" else 0.0
+    run = clpt.simulate(system, [0.0, until], inputs_of(system, inputs), x0, rtol=1e-11, atol=1e-13)
+    assert np.allclose([*last][1:], run.states[-1], rtol=1e-6, atol=1e-8)
