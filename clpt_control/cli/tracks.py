@@ -70,7 +70,8 @@ def certify(
     numbers = zip(found.time, found.V, found.clpe, found.flow_error, strict=True)
     rows = [[f"{one:.6g}" for one in row] for row in numbers]
     title = f"For every start with V(0) <= {found.radius:.6g}, windows of {found.window:g} {time}"
-    sentences = [found.said, f"CLPE is never above {found.largest_clpe:.4g} {length}"]
+    most = f"{found.largest_clpe:.4g} {length}{found.known_until}"
+    sentences = [found.said, f"CLPE is never above {most}"]
     if found.disturbance > 0:
         end = "is not shown to end below a bound"
         if found.ultimate is not None:

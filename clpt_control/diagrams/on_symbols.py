@@ -4,7 +4,8 @@
 
 A state or input is called as python-control labels it, "y", or "x[0]" where there are several; a
 parameter has its own name.  If two have one name, the block comes first: "plant.y"; of a state and
-another output of one block, before the state.  `Names` holds these rules; a theory may have others.
+another output of one block, before the state; "plant.parameter.y" is a parameter called as a state
+or an output of its block.  `Names` holds these rules; a theory may have others.
 """
 
 import re
@@ -215,10 +216,12 @@ class Names:
     def __init__(self, wiring: Wiring, inputs: Iterable[str]):
         found, shared = [*inputs], dict[str, list[Any]]()
         self.behind = set[tuple[str, str]]()  # states that an output of their block is called as
+        self.ports = set[tuple[str, str]]()  # states and outputs, of which parameters are told
         for node in wiring.nodes:
             made = [group for group, *_ in groups(node.system, "output")]
             own = [group for group, *_ in groups(node.system, "state")]
             found += [*made, *(group for group in own if group not in made)]
+            self.ports |= {(node.name, group) for group in made + own}
             if not (node.system.states_are_outputs and made == own):
                 self.behind |= {(node.name, group) for group in own if group in made}
             for name in fields_of(node.system):
@@ -235,6 +238,8 @@ class Names:
         alone = self.count[group] == 1
         if kind == "state" and (node.name, group) in self.behind:
             return f"{node.name}.{group}" if alone else f"{node.name}.state.{group}"
+        if kind == "parameter" and (node.name, group) in self.ports:
+            return f"{node.name}.parameter.{group}"
         return group if alone else f"{node.name}.{group}"
 
     def block(self, node: Node) -> str:
@@ -390,6 +395,10 @@ class _Read:
                     result.fields[symbol] = np.asarray(fields[name], dtype=object)
             result.parameters[block] = Parameters(**fields)
         result.pinned = sorted(record.pinned)
+        own = chain.from_iterable(ports.values() for ports in self.symbols.values())
+        twice = [s for s, n in Counter(s for port in own for s in port.flat).items() if n > 1]
+        if twice:
+            raise DiagramError(f"{result.name}: two states are called {twice[0]}; rename one")
         return result
 
 

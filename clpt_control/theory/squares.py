@@ -152,7 +152,7 @@ def _rising(g: sympy.Expr, s: sympy.Symbol) -> tuple[sympy.Expr, sympy.Expr] | N
         return None
     if bend.is_nonnegative:  # so g rises without bound
         return least, s
-    rises = nonpositive(-s * slope, {s}, {})
+    rises = nonpositive(-s * slope, {s})
     if rises and sympy.limit(g, s, sympy.oo) == sympy.oo:
         return (least, s) if sympy.limit(g, s, -sympy.oo) == sympy.oo else None
     return None
@@ -166,27 +166,30 @@ def positive_definite(V: sympy.Expr, states: list) -> bool:
     if not meets_smoothly(V):
         return False
     total = squares(V, V.free_symbols - set(states), words_are_free=False)
-    if total is None or not (total.forms and vanishes(total.constant)):
+    if total is None or not vanishes(total.constant):
         return False
     zero = dict.fromkeys(states, 0)
-    if not all(vanishes(form.subs(zero)) for form in total.forms):
-        return False
-    J = sympy.Matrix(total.forms).jacobian(states)
+    return all(vanishes(form.subs(zero)) for form in total.forms) and holds_all(total, states)
+
+
+def holds_all(total: Squares, states: list) -> bool:
+    """Return whether the linear forms of a sum of squares hold each state."""
+    J = sympy.Matrix(total.forms).jacobian(states) if total.forms else sympy.Matrix()
     linear = [row for row in J.tolist() if all(slope.is_Rational for slope in row)]
     return sympy.Matrix(linear).rank() == len(states)
 
 
-def never_positive(e: sympy.Expr, fixed: set, ways: tuple, values: dict, facts: tuple = ()) -> bool:
+def never_positive(e: sympy.Expr, fixed: set, ways: tuple = (None,), facts: tuple = ()) -> bool:
     """Return whether an expression is known never to be positive, t >= 0, no fact negative.
 
-    Symbols that are `fixed` are parameters, of which some have `values`; `ways` are symbols by
-    which terms are examined apart.  Nothing is tried where it is positive at a random point.
+    Symbols that are `fixed` are parameters; `ways` are symbols by which terms are examined apart.
+    Nothing is tried where it is positive at a random point.
     """
-    if terms_of(e) > MOST_TERMS or (not facts and positive_somewhere(e.xreplace(values))):
+    if terms_of(e) > MOST_TERMS or (not facts and positive_somewhere(e)):
         return False
     free = e.free_symbols.union(*(fact.free_symbols for fact in facts)) - {TIME, *fixed}
     e = e.xreplace({TIME: sympy.Symbol("t", nonnegative=True)})
-    if vanishes(e) or any(nonpositive(e, free, values, facts, by) for by in ways):
+    if vanishes(e) or any(nonpositive(e, free, facts, by) for by in ways):
         return True
     total = None if facts else squares(-e, fixed)  # which know nothing of facts
     if total and total.constant.is_nonnegative:

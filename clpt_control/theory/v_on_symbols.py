@@ -160,7 +160,7 @@ class SystemWithV:
         """Return whether an expression is known never to be positive, for t >= 0."""
         expression = tidied(expression)
         for at in ({}, self.eq.values):
-            if never_positive(tidied(expression.xreplace(at)), self.fixed, (None,), {}):
+            if never_positive(tidied(expression.xreplace(at)), self.fixed):
                 self.valued |= bool(at)
                 return True
         return False
@@ -249,6 +249,6 @@ def missing(V: sympy.Expr) -> list[str]:
         if one.is_Pow and not (one.exp.is_Integer and one.exp.is_nonnegative):
             below = one.exp.is_Integer or one.exp.could_extract_minus_sign()
             found += [undefined("div", (1, one.base)) if below else undefined("pow", one.args)]
-        elif isinstance(one, sympy.log | sympy.tan | sympy.asin | sympy.acos | sympy.atanh):
+        elif isinstance(one, sympy.Function) and type(one).__name__ not in LARGE:
             found.append(undefined(type(one).__name__, one.args))
     return [f"V {one}" for one in found if one]

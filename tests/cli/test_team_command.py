@@ -289,6 +289,7 @@ def test_a_disturbance_has_its_end_and_a_mistake_one_sentence(clpt, short):
     clpt_control.save_scenario(pushed, short)
     said = " ".join(clpt("certify", short, "--radius", "0.05").out.split())
     assert "with |Delta| <= 0.005 m/s it ends at most at" in said
+    assert re.search("CLPE is never above .* m, within the run", said)
     outcome = clpt("certify", short, "--radius", "-1")
     assert outcome.status == 2
     assert outcome.err == "clpt: radius = -1: must be a positive number\n"

@@ -93,6 +93,16 @@ def test_a_state_behind_an_output_of_its_name_has_its_block_before_it():
     assert both["b.x"] == 2 * both["b.state.x"] + 1
 
 
+def test_a_parameter_called_as_a_state_of_its_block_is_told_from_it():
+    plant = clpt.Block(
+        "plant",
+        update=lambda t, x, u, p: {"k": p.k - x.k},
+        states={"k": 1},
+        parameters={"k": 0.0},
+    )
+    assert repr(clpt.equations(plant)) == "plant.k' = -plant.k + plant.parameter.k"
+
+
 def test_arrays_have_their_places():
     eq = clpt.equations(PENDULUM)
     assert [str(s) for s in eq["w"]] == ["w[0]", "w[1]"]

@@ -5,6 +5,7 @@ import numpy as np
 import sympy
 
 import clpt_control as clpt
+from clpt_control.equations import lookup
 
 t, x = sympy.symbols("t x", real=True)
 
@@ -254,6 +255,10 @@ RIGHT = {  # name -> system, V, what else is given
     "a pull that is limited": (system(lambda x: [-np.clip(x, -1, 1)]), half),
     "a pull of two strengths": (system(lambda x: [np.where(x > 0, -x, -2 * x)]), half),
     "no force": (system(lambda x, y: [y, -x]), halves),
+    "a pull of a table": (
+        system(lambda x: [-x * (1 + lookup([1.0, 2.0], np.clip(x, 0, 1)))]),
+        half,
+    ),
     "a pull with a dent": (system(lambda x: [-x + x * np.exp(-((x - 2) ** 2))]), half),
     "a circle": (
         system(lambda x, y: [x * (1 - x**2 - y**2) - y, y * (1 - x**2 - y**2) + x]),
@@ -485,6 +490,20 @@ WRONG = {
     ),
     "a pull of inf/inf": (system(lambda x: [-x * np.cosh(x) / np.cosh(x)]), half),
     "a pull of powers without a number": (system(lambda x: [-x * x**80 / (1 + x**80)]), half),
+    "a state called as its parameter": (  # k' = k, and the parameter is 0
+        clpt.Block(
+            "plant",
+            update=lambda t, x, u, p: {"k": x.k + p.k},
+            states={"k": 1},
+            parameters={"k": 0.0},
+        ),
+        lambda s: s.plant_k**2,
+    ),
+    "a place outside of a table": (
+        system(lambda x: [-x * (1 + lookup([1.0, 2.0], np.where(x > 1e6, 5, 0)) ** 2)]),
+        half,
+    ),
+    "V of an area cosine": (system(lambda x: [0 * x]), sympy.acosh(x) ** 2 + x**2),
     "V of a logarithm": (system(lambda x: [-x]), lambda s: np.log(s.x) ** 2),
     "unstable": (system(lambda x: [x]), half),
     "unstable, V' claimed as it is": (system(lambda x: [x]), half, {"claim": lambda s: s.x**2}),

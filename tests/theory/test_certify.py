@@ -94,6 +94,17 @@ def start_within(scenario, R, rng):
     )
 
 
+def test_what_a_disturbance_may_undo_is_said_of_the_run_alone():
+    """A learner that begins true is pushed for good: V ends at most far above the run's."""
+    push = {"flow.disturbance": {"kind": "constant", "amplitude": [0.02, 0.02]}}
+    found = certify(PAPER.with_values({"run.duration": 400, **push}), 1e-6, error=5.0)
+    assert found.within_run
+    assert found.ultimate > 5.0
+    assert found.said == "CLPE is at most 5 m after 0 s, within the run"
+    calm = certify(PAPER.with_values({"run.duration": 400}), 1e-6, error=5.0)
+    assert calm.said == "CLPE is at most 5 m after 0 s"
+
+
 DISTURBED = {"flow.disturbance": {"kind": "square", "amplitude": [0.004, 0.003], "period": 1.8}}
 
 

@@ -37,6 +37,8 @@ OPEN = {  # of the wrong ones: no point shows it, or none is looked for
     "V that is zero on one side",
     "V of an angle",
     "V of a floor of time",
+    "V of an area cosine",
+    "a place outside of a table",
     "a spring stronger in each interval",
     "wrong in a smaller region",
     "no value at a point",

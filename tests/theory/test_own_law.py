@@ -17,6 +17,7 @@ from own_laws import (
     filled,
     law,
 )
+from textbook_laws import by, of_e, with_R
 
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.blocks.lyapunov import lyapunov_candidate, one_gain
@@ -228,6 +229,81 @@ def test_a_law_called_as_a_block_that_holds_the_truth_is_refused():
     )
     with pytest.raises(DiagramError, match=r"^error_system: its parameter KD would be taken for"):
         prove(named, points=POINTS)
+
+
+def test_two_states_of_one_symbol_are_refused():
+    """K[2] is K_1 and K_2, and so is a state K_1."""
+
+    def update(t, x, u, p):
+        return own_laws.filled(u, p.gain, u.e) | {"K_1": x.K_1}
+
+    with pytest.raises(DiagramError, match="two states are called K_1; rename one"):
+        prove(law(update, GAIN, states={**own_laws.LEARNED, "K_1": ()}), points=POINTS)
+
+
+def test_a_V_that_falls_where_e_grows_proves_nothing():
+    """Of V = 0.05 e^2 + 1 - cos(e) the fall -KD e dV/de is 2.1 at e = 4.49, all else true."""
+    measure = of_e(lambda e, p: 0.05 * e**2 + 1 - np.cos(e))
+    found = prove(by(lambda e: 0.1 * e + np.sin(e))(), measure, points=POINTS)
+    assert found.status == "open"
+    (step,) = [step for step in found.steps if step.claim.startswith("V' =")]
+    assert (step.holds, step.detail) == (False, "V is not known to rise with |e|")
+
+
+def test_what_holds_for_the_parameters_as_they_are_says_so():
+    """-c (eps_1^2 + eps_2^2) - 2 b eps_1 eps_2 is never positive for b < c alone."""
+
+    def composite(t, x, u, p):
+        """Eqs. (21)-(23) and the flow's own prediction errors, of both axes, section III."""
+        eps = u.flow_x + x.alpha @ u.phi_x
+        both = np.stack([p.c * eps[0] + p.b * eps[1], p.b * eps[0] + p.c * eps[1]])
+        rates = own_laws.filled(u, p.gain, u.e)
+        return rates | {"alpha": rates["alpha"] - np.outer(both, u.phi_x)}
+
+    for b, status, said in ((0.5, "proved", True), (2.0, "refuted", False)):
+        parameters = {"gain": 0.5, "c": 1.0, "b": b}
+        found = prove(law(composite, parameters, own_laws.FLOW, n=1), points=POINTS)
+        (step,) = [step for step in found.steps if step.claim.startswith("V' <=")]
+        assert found.status == status
+        assert ("and the parameters as they are" in step.claim) == said
+
+
+def test_the_level_of_a_V_that_weighs_e_is_reached():
+    """With phi = zc = z = 0 and Delta_1 = 100 e_1 comes to 100/KD_1, and 5 e^2 to 50000."""
+    make = own_laws.leak(lambda t, x, u, p: 2.0)
+    weighed = own_laws.V_of(lambda t, u, p: 5 * (u.e @ u.e + own_laws.off(u, p) / p.gain))
+    found = prove(make(), weighed, points=POINTS)
+    assert found.status == "bounded"
+    known = {"KD_1": 1.0, "KD_2": 1.0, "Delta_1": 100.0}
+    at = {s: known.get(s.name, 0.0) for s in found.level.free_symbols}
+    assert found.level.subs(at) >= 50_000
+
+
+def test_a_law_that_keeps_relations_is_asked_for_states_that_end():
+    """r' = 1 + r^2 ends at pi/2; P = 1/R ends where R' = -R^(1/2) comes to 0."""
+
+    def ends(t, x, u, p):
+        return own_laws.filled(u, p.gain, u.e) | {"r": 1 + x.r**2}
+
+    own = law(ends, GAIN, states={**own_laws.LEARNED, "r": 1})
+    squares = of_e(lambda e, p: e**2 / 2)
+    kept = {"invariants": lambda s, p, truth: {}, "losses": lambda s, p, truth: []}
+    assert prove(own, squares, points=POINTS, **kept).status == "proved as long as r exist"
+
+    def forgets(t, x, u, p):
+        rates = own_laws.filled(u, p.gain, u.e)
+        alpha, root = -p.gain * np.outer(u.e, x.P @ u.phi_x), np.sqrt(np.abs(x.R))
+        return rates | {"alpha": alpha, "P": x.P**2 * root, "R": -root}
+
+    def lost(s, p, truth):
+        R, eta = s["R"][0, 0], truth.theta + s["alpha"]
+        return [(np.sum(eta**2), sympy.sqrt(sympy.Abs(R)), 1 / (2 * p.gain))]
+
+    kept = {"invariants": lambda s, p, truth: {"P": 1 / s["R"]}, "losses": lost}
+    own = law(forgets, GAIN, n=1, states={**own_laws.LEARNED, "P": (1, 1), "R": (1, 1)})
+    V = own_laws.V_of(with_R, {**own_laws.LEARNED, "R": (1, 1)})
+    found = prove(own, V, points=POINTS, semidefinite=("R",), **kept)
+    assert found.status.startswith("proved as long as x, z, alpha")
 
 
 def test_a_proof_says_what_no_vehicle_measures():

@@ -59,13 +59,13 @@ class Bounds:
     drops: np.ndarray  # delta of each window of the run, the smaller of both axes
     time: np.ndarray  # 0, T, 2 T, ... as far as the run
     V: np.ndarray  # at most, then and until the next
-    clpe: np.ndarray  # |e| at most from then on, length
-    flow_error: np.ndarray  # |theta_k + alpha_k| at most from then on, length per time
-    largest_clpe: float  # at any time, length
+    clpe: np.ndarray  # |e| at most from then on, length; with a disturbance, within the run
+    flow_error: np.ndarray  # |theta_k + alpha_k| likewise, length per time
+    largest_clpe: float  # likewise, from the start on, length
     ultimate: float | None  # limsup |e| at most, length, in windows like the weakest; None: nothing
     disturbance: float  # largest |Delta| of the scenario, length per time
     error: float  # the CLPE that is to be reached, length
-    time_to_error: float | None  # from then on CLPE is at most `error`; None: never
+    time_to_error: float | None  # from then on CLPE is likewise at most `error`; None: never
     units: dict[str, str]
 
     @property
@@ -87,8 +87,14 @@ class Bounds:
         if self.time_to_error is None:
             return f"CLPE is not shown to come below {self.error:.4g} {self.units['length']}"
         when = f"{self.time_to_error:.6g} {self.units['time']}"
-        beyond = "" if self.within_run else ", if later windows excite like the run's weakest"
+        beyond = ", if later windows excite like the run's weakest"
+        beyond = self.known_until if self.within_run else beyond
         return f"CLPE is at most {self.error:.4g} {self.units['length']} after {when}{beyond}"
+
+    @property
+    def known_until(self) -> str:
+        """Until when what holds in the run holds: for good where nothing disturbs, so V falls."""
+        return ", within the run" if self.disturbance > 0 else ""
 
     def report(self) -> dict[str, Any]:
         """Return it ready for JSON."""

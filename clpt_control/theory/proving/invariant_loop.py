@@ -7,6 +7,7 @@ checks each for one N; `invariants` makes the proof of the checks.
 
 import math
 from collections.abc import Callable, Mapping, Set
+from dataclasses import replace
 from functools import cached_property
 from itertools import combinations_with_replacement
 from typing import Any
@@ -18,8 +19,9 @@ from sympy.core.function import AppliedUndef
 from ...blocks.laws.law import LEARNED, Law, Truth
 from ...equations.symbolic import extent
 from ..promises import truth_of
+from ..squares import holds_all, squares
 from .array_loop import TIME
-from .proof import short
+from .proof import Step, short
 from .signs import left_over, nonpositive, positive_maximum, vanishes
 from .symbolic_loop import SymbolicLoop, flat, symbolic_loop
 from .theorem_loop import Hedging, law_and_V, law_loop, rate_of_V, theorem_scenario, tied, truth_in
@@ -226,7 +228,32 @@ class InvariantLoop:
             pairs = combinations_with_replacement(range(len(M)), 2)  # M_jk stands for M_kj too
             parts.append(sympy.Add(*(sympy.expand(c[j] * c[k] * of[M[j, k]]) for j, k in pairs)))
         parts.append(shares.get((0,) * len(symbols), sympy.S.Zero))
-        return all(nonpositive(-part, self.apart | others, {}) for part in parts)
+        return all(nonpositive(-part, self.apart | others) for part in parts)
+
+    def existing(self) -> Step:
+        """Return the step that all states exist for all times.
+
+        V holds e and what is learned, of M that never shrinks with a multiple of I in its place:
+        it began above one.  What the relations make of the others exists with them.
+        """
+        loop, V, grown = self.loop, self.V, list[str]()
+        for port, M in self.matrices.items():
+            c = _any(len(M))
+            grows = not loop.jumps and self.not_negative(c @ self.rates[port] @ c, set(c))
+            grown += [port] * grows
+            like = sympy.eye(len(M)) if port in grown else sympy.zeros(len(M))
+            V = V.xreplace(dict(zip(M.flat, like, strict=True)))
+        e = sympy.symbols("e_1:3", real=True, cls=sympy.Dummy)
+        x, z = loop.states["x"], loop.states["z"]
+        V = V.xreplace({a: b + c for a, b, c in zip(x, e, z, strict=True)})
+        states = [*e, *(s for port in LEARNED for s in loop.states.get(port, np.array([])).flat)]
+        total = squares(V, V.free_symbols - set(states), words_are_free=False)
+        made = {*self.relations} if len(grown) == len(self.matrices) else set()
+        held = {*x, *z, *states, *made} if total and holds_all(total, states) else set[Any]()
+        others = [port for port, own in loop.states.items() if {*own.flat} - held]
+        step = loop.existing(others, self.relations)
+        begun = f", where {' and '.join(grown)} > 0 at the start" if grown else ""
+        return replace(step, claim=f"{step.claim}{begun}")
 
     def is_room(self, expression: sympy.Expr) -> bool:
         """Return whether an expression is 1 - tr P/k_0, which never gets negative."""

@@ -74,7 +74,8 @@ def invariant_steps(law: Law, points: int, single: InvariantLoop | None = None) 
         claims |= shrinking_claims(law)
     else:
         claims |= jump_claims(law) if cases[0].loop.jumps else {}
-        falls = partial(falling_claims, sizes=f"N = {single.N}" if single else "N = 1, 2, 3")
+        own = f"N = {single.N} and the parameters as they are" if single else "N = 1, 2, 3"
+        falls = partial(falling_claims, sizes=own)
         claims |= estimate_claims(law) if law.makes_estimate else falls(law)
     steps = [exact_step(cases, claim, check) for claim, check in claims.items()]
     steps += [young_step()] if law.error_left else []

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-import numpy as np
 import sympy
 from sympy.core.function import AppliedUndef
 
@@ -20,10 +19,10 @@ from .array_loop import TIME, ArrayLoop
 from .leaks import Bound, listed
 from .proof import Step, checked, exact, short
 from .running_rate import running_step
-from .signs import Facts, dead_zone, tidied, vanishes
+from .signs import Facts, dead_zone, rising_in, tidied, vanishes
 from .symbolic_loop import SymbolicLoop, flat, refuse_no_value, symbolic_loop
 from .theorem_loop import decay, rate_of_V, theorem_loop, truth_in
-from .words import along, faster_than_linear, interval
+from .words import CLIP, along, faster_than_linear, interval
 
 
 @dataclass
@@ -144,12 +143,17 @@ class Case:
         undefined = next(none, "")
         return exact("the equations have a value everywhere", not undefined, undefined)
 
-    def comes_to_zones(self) -> Bound:
-        """Return the zones that e comes to, outside of which V falls."""
+    def comes_to_zones(self, fall: str) -> Bound:
+        """Return the zones that e comes to, outside of which V falls.
+
+        As e_i dV/de_i > 0 there, (Delta_i - KD_i e_i) dV/de_i <= 0 where |Delta_i| <= zone KD_i.
+        """
         first, second = (f"{float(zone.xreplace(self.values)):.4g}" for zone in self.zones)
         zones = {"i": first} if first == second else {"1": first, "2": second}
-        below = listed([f"|Delta_{i}| <= {zone} KD_{i}" for i, zone in zones.items()])
-        where = f"V' <= -D^T KD D where {below}" if self.takes_delta() else "V' <= -D^T KD e"
+        half = "/2" * fall.endswith("/2")
+        below = listed([f"|Delta_{i}| <= {zone} KD_{i}{half}" for i, zone in zones.items()])
+        most = f"-D^T KD D{half}" if fall.startswith("-D^T") else "0"
+        where = f"V' <= {most} where {below}" if self.takes_delta() else f"V' <= {fall}"
         ends = listed([f"|e_{i}| comes to {zone}" for i, zone in zones.items()])
         return Bound(f"{where}: V never rises, {ends}")
 
@@ -172,29 +176,41 @@ class Case:
             return False
         return all(sympy.diff(residual, s, 2).is_nonpositive for s in x)
 
-    def falls(self, residual: sympy.Expr) -> bool:
-        """Return whether what V' has beyond its fall is known not to be positive."""
-        residual, e = residual.xreplace(self.apart), {*self.e}
+    @cached_property
+    def rises(self) -> bool:
+        """Whether V rises with each |e_i|, beyond its zone, so that its fall is one."""
+        V = self.V_of_D.xreplace(self.values)
+        return all(rising_in(tidied(e * along(V, {e: sympy.S.One})), e) for e in self.e)
+
+    def falls(self, residual: sympy.Expr, at: dict[Any, sympy.Expr] | None = None) -> bool:
+        """Return whether what V' has beyond its fall is known not to be positive.
+
+        It is so for all parameters of their signs, but for those that have values `at`.
+        """
+        residual, e = residual.xreplace(at or {}).xreplace(self.apart), {*self.e}
         others = residual.free_symbols - {TIME, *self.values, *self.loop.states["z"]} - e
-        ways = others, e, None
-        return never_positive(residual, {*self.values}, ways, self.values, self.facts)
+        facts = tuple(fact.xreplace(at or {}) for fact in self.facts)
+        return never_positive(residual, {*self.values}, (others, e, None), facts)
 
     def across_jumps(self) -> Step:
         """Return the step that V does not rise where states jump, whichever jump at once."""
 
-        def no_rise() -> tuple[bool, str]:
+        def no_rise(at: dict[Any, sympy.Expr]) -> tuple[bool, str]:
             V, parameters = self.Vs, self.loop.parameters.values()
             intervals = {p.interval for p in parameters if "interval" in p._fields}
             if V.free_symbols & intervals or V.atoms(AppliedUndef):
                 return False, "V itself depends on time"
             for after in self.loop.jumps_at_once():
-                rise = tidied(V.xreplace(after) - V).xreplace(self.values)
-                if not self.falls(rise):
+                rise = tidied(V.xreplace(after) - V).xreplace(at)
+                if not self.falls(rise, at):
                     return False, f"V changes by {short(rise)}"
             return True, ""
 
         claim = f"V does not rise where states of {' and '.join(self.loop.jumps)} jump"
-        return checked(claim, "exact", no_rise, False)
+        always = checked(claim, "exact", lambda: no_rise({}), False)
+        claim = f"{claim}, with the parameters as they are"
+        now = checked(claim, "exact", lambda: no_rise(self.values), False)
+        return now if now.holds and not always.holds else always
 
     @property
     def others(self) -> list[str]:
@@ -204,37 +220,34 @@ class Case:
 
     def existing(self) -> Step:
         """Return the step that the other states exist for all times."""
-        loop = self.loop
-        moves = {f"{port}'": loop.rates[port] for port in self.others}
-        moves |= {
-            f"{s} after a jump": new
-            for jump in loop.jumps.values()
-            for s, new in jump.items()
-            if any(s in loop.states[port] for port in self.others)
-        }
-        at = {what: [m.xreplace(self.values) for m in np.ravel(one)] for what, one in moves.items()}
-        detail = faster_than_linear(at, {port: loop.states[port] for port in self.others})
-        claim = f"{', '.join(self.others)}: not in V, may grow, and exist for all t"
-        return exact(claim, not detail, detail)
+        return self.loop.existing(self.others, self.values)
 
     def settled(self) -> tuple[bool, str]:
         """Settle how V falls; return whether the rest of V' is not positive, and the fall in words.
 
         The parameters have their own values where that shows more; half of the fall may do.
         """
-        fall = "-D^T KD e" if all(self.zones) else "-sum KD_i e_i dV/de_i"
-        if tidied(self.fall - decay(self.loop)) == 0:
-            fall = "-e^T KD e"
-        falls, at_values = self.falls(self.residual), _or_zero(self.residual.xreplace(self.values))
-        if at_values == 0 or not (falls or at_values == self.residual):
-            falls = self.falls(at_values)
-            if falls and self.residual != 0:  # for the values that they have
-                self.residual = at_values
-                self.fix_values()
-        if not falls and self.falls(self.residual + self.fall / 2):
-            self.residual, self.fall = self.residual + self.fall / 2, self.fall / 2
-            return True, f"{fall}/2"
-        return falls, fall
+        KD, D = self.loop.parameters["vehicle_controller"].KD, zip(self.e, self.zones, strict=True)
+        beyond = [e * (e - CLIP(e, -zone, zone) if zone else e) for e, zone in D]
+        squares = sympy.Add(*(k * one for k, one in zip(KD, beyond, strict=True)))
+        fall = "-D^T KD e" if any(self.zones) else "-e^T KD e"
+        if tidied(self.fall.xreplace(self.apart) + squares) != 0:
+            fall = "-sum KD_i e_i dV/de_i"
+        if not self.rises:
+            return False, fall
+        ways = [(dict[Any, sympy.Expr](), self.residual)]
+        at_values = _or_zero(self.residual.xreplace(self.values))
+        if at_values != self.residual or self.facts:
+            ways.insert(at_values != 0 or self.residual == 0, (self.values, at_values))
+        for share, part in (("", sympy.S.Zero), ("/2", sympy.S.Half)):
+            for at, residual in ways:
+                if self.falls(residual + part * self.fall, at):
+                    self.residual = residual + part * self.fall
+                    self.fall -= part * self.fall
+                    if at:  # for the values that they have
+                        self.fix_values()
+                    return True, fall + share
+        return False, fall
 
     def running(self) -> Step:
         """Return the step that the running blocks have the same V'."""
@@ -258,7 +271,8 @@ class Case:
             if faster := faster_than_linear(moves, states):
                 return False, faster
             base, term = map(tidied, base_and_term(residual))
-            if self.falls(base) and self.falls(term):
+            at = self.values if self.fixed else {}
+            if self.falls(base, at) and self.falls(term, at):
                 return True, ""
             return False, f"left over: {short(base)}; summand {short(term)}"
 

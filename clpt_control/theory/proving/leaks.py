@@ -129,6 +129,8 @@ def pulled(rate: sympy.Expr, V: sympy.Expr, truth: dict, moving: set) -> Pull | 
     groups = {tuple(g.free_symbols & set(states)): g for g in groups_of(rate, set(states))}
     if not weights.is_diagonal() or any(len(symbols) != 1 for symbols in groups):
         return None
+    if any(_moves(weight, moves) for weight in weights.diagonal()):
+        return None
     push, rates = sympy.Integer(0), []
     for k, s in enumerate(states):
         part = groups.get((s,), sympy.S.Zero)
@@ -192,9 +194,9 @@ class Bounding:
         H, self.k = sympy.hessian(self.V, list(self.truth)), sympy.Min(*self.KD)
         self.weights = {s: H[j, j] for j, s in enumerate(self.truth)}
         self.errors, learned = list(self.truth)[:2], list(self.truth)[2:]  # x, whose truth is z
-        square = all(self.weights[s] == 1 for s in self.errors) and H.is_diagonal()
+        self.square = all(self.weights[s] == 1 for s in self.errors) and H.is_diagonal()
         one_each = [s for leak in self.leaks for s in leak.states]
-        self.all_leak = square and sorted(one_each, key=str) == sorted(learned, key=str)
+        self.all_leak = self.square and sorted(one_each, key=str) == sorted(learned, key=str)
         deltas = sympy.symbols("Delta_1:3", positive=True)  # the bounds of |Delta_i|
         self.delta = deltas if case.takes_delta() else (sympy.S.Zero, sympy.S.Zero)
         self.push = sympy.sqrt(sympy.Add(*(d**2 for d in self.delta)))
@@ -204,13 +206,14 @@ class Bounding:
         pull = None
         if self.decays:
             pull = pulled(self.rate, self.V, self.truth, self.moving)
-        if pull is not None:
+        if pull is not None and (pull.rate != 0 or self.square):
             return self.pulled_to(pull)
         return self.rising() or self.by_error() or self.within_balls() if self.leaks else None
 
     def pulled_to(self, pull: Pull) -> Bound:
         """Return what V or e comes to, with Delta: e Delta <= KD e^2/2 + Delta^2/(2 KD)."""
-        push = pull.push + sum(d**2 / (2 * k) for d, k in zip(self.delta, self.KD, strict=True))
+        shares = zip(self.errors, self.delta, self.KD, strict=True)
+        push = pull.push + sum(self.weights[e] * d**2 / (2 * k) for e, d, k in shares)
         number, rate = push.n(4), pull.rate.n(4)
         if rate == 0:
             return Bound(

@@ -214,9 +214,11 @@ def prove(
         make, own = _maker(V), (law_block.parameters,)[: _arguments_of(V) - 1]
         blocks = law_block, lambda truth: make(truth, *own)
         case = InvariantLoop(row := row.with_parts(part), N, blocks=blocks)
-        steps = tuple(invariant_steps(row, points, case))
+        steps, existing = invariant_steps(row, points, case), case.existing()
         status = "open" if first_failure(steps) else "proved"
-        return Verdict(status, -case.beside, steps, case.diagram)
+        if status == "proved" and not existing.holds:
+            status = f"proved as long as {existing.claim.partition(':')[0]} exist"
+        return Verdict(status, -case.beside, (*steps, existing), case.diagram)
 
 
 def _verdict_by_V(
@@ -256,7 +258,7 @@ def _verdict_by_V(
     if given is not None:
         facts = given({**loop.inputs, **loop.states}, loop.parameters[law.name], truth)
         case.facts = tuple(sympy.expand(sympy.sympify(fact).xreplace(case.apart)) for fact in facts)
-        if vacuous(case.facts) or case.falls(sympy.S.One):  # or 1 <= 0 follows of it
+        if vacuous(case.facts) or case.falls(sympy.S.One, case.values):  # or 1 <= 0 follows of it
             raise DiagramError(
                 f"{law.name}: what is given excludes itself, so nothing follows of it"
             )

@@ -192,14 +192,14 @@ def rising_in(E: sympy.Expr, s: sympy.Symbol) -> bool:
 
 
 def nonpositive(
-    expression: sympy.Expr, apart: set, values: dict, facts: Facts = (), by: set | None = None
+    expression: sympy.Expr, apart: set, facts: Facts = (), by: set | None = None
 ) -> bool:
     """Return whether an expression is known never to be positive where no fact is negative.
 
     Terms that share no symbol of `apart`, the states and truths, or of `by`, are examined apart.
     """
     groups = groups_of(expression, apart if by is None else by)
-    return all(_negative(group, apart, values, facts) for group in groups)
+    return all(_negative(group, apart, facts) for group in groups)
 
 
 def groups_of(expression: sympy.Expr, apart: set) -> list[sympy.Expr]:
@@ -223,7 +223,7 @@ def _without_squares(group: sympy.Expr) -> sympy.Expr:
     return sympy.expand(sympy.Mul(*rest))
 
 
-def _negative(group: sympy.Expr, apart: set, values: dict, facts: Facts) -> bool:
+def _negative(group: sympy.Expr, apart: set, facts: Facts) -> bool:
     if len(sympy.Add.make_args(group)) > MOST_EXAMINED:
         return False
     if group == 0:
@@ -234,15 +234,14 @@ def _negative(group: sympy.Expr, apart: set, values: dict, facts: Facts) -> bool
     simple = not words or len(sympy.Add.make_args(group)) <= FEW
     if low and simple:
         left = _without_squares(group)
-        if left.is_nonpositive or (left != group and nonpositive(left, apart, values, facts)):
+        if left.is_nonpositive or (left != group and nonpositive(left, apart, facts)):
             return True
-    known = apart, values, facts
     if not words:
-        return _in_forms(group, apart, values) or (bool(facts) and _below(group, *known))
-    return _in_sectors(group, words, *known) or _in_pieces(group, words, *known)
+        return _in_forms(group, apart) or (bool(facts) and _below(group, apart, facts))
+    return _in_sectors(group, words, apart, facts) or _in_pieces(group, words, apart, facts)
 
 
-def _in_forms(group: sympy.Expr, apart: set, values: dict) -> bool:
+def _in_forms(group: sympy.Expr, apart: set) -> bool:
     """Return whether no part of a degree is positive; of degree 2 it is -s^T M s with M >= 0."""
     symbols = sorted(group.free_symbols & apart, key=str)
     if not symbols or not group.is_polynomial(*symbols):
@@ -253,14 +252,13 @@ def _in_forms(group: sympy.Expr, apart: set, values: dict) -> bool:
         term = share * sympy.prod(s**n for s, n in zip(symbols, monomial, strict=True))
         degrees[sum(monomial)] = degrees.get(sum(monomial), sympy.S.Zero) + term
     if len(degrees) > 1:
-        return all(_negative(d, apart, values, ()) for d in degrees.values())
+        return all(_negative(d, apart, ()) for d in degrees.values())
     H = sympy.Matrix([[whole.diff(a, b).as_expr() for a in symbols] for b in symbols])
-    H = H.xreplace(values)
     known = not H.free_symbols and not H.atoms(sympy.Function)
     return 2 in degrees and known and bool((-H).is_positive_semidefinite)
 
 
-def _in_sectors(group: sympy.Expr, words: set, apart: set, values: dict, facts: Facts) -> bool:
+def _in_sectors(group: sympy.Expr, words: set, apart: set, facts: Facts) -> bool:
     """Return whether an expression is not positive wherever its words lie in their sectors."""
     inner = {one for word in words for a in word.args for one in words_of(a)}
     outer = sorted(words - inner, key=str)
@@ -270,16 +268,13 @@ def _in_sectors(group: sympy.Expr, words: set, apart: set, values: dict, facts: 
     plain = group.xreplace(dict(zip(outer, q, strict=True)))
     if not plain.is_polynomial(*q):
         return False
-    known = [word.xreplace(values) for word in outer]
     return any(
-        _at_the_ends(plain, q, [sector_of(word, slope) for word in known], apart, values, facts)
+        _at_the_ends(plain, q, [sector_of(word, slope) for word in outer], apart, facts)
         for slope in (False, True)[: 1 + group.has(sympy.sin)]
     )
 
 
-def _at_the_ends(
-    plain: sympy.Expr, q: tuple, found: list, apart: set, values: dict, facts: Facts
-) -> bool:
+def _at_the_ends(plain: sympy.Expr, q: tuple, found: list, apart: set, facts: Facts) -> bool:
     """Return whether an expression, convex in each q, is not positive where q is at its ends."""
     if None in found:
         return False
@@ -298,22 +293,20 @@ def _at_the_ends(
         last = [sympy.diff(f, one) for f in ends] if sector.high == sympy.oo else None
         more = last or [f.xreplace({one: sector.high}) for f in ends]
         ends = [f.xreplace({one: sector.low}) for f in ends] + more
-    return all(nonpositive(sympy.expand(f), apart, values, facts) for f in set(ends))
+    return all(nonpositive(sympy.expand(f), apart, facts) for f in set(ends))
 
 
-def _in_pieces(group: sympy.Expr, words: set, apart: set, values: dict, facts: Facts) -> bool:
+def _in_pieces(group: sympy.Expr, words: set, apart: set, facts: Facts) -> bool:
     """Return whether an expression is not positive in any piece of its words."""
     if len(facts) > MOST_FACTS:
         return False
     for word in sorted(words, key=str):
-        pieces = [] if any(map(words_of, word.args)) else pieces_of(word.xreplace(values))
+        pieces = [] if any(map(words_of, word.args)) else pieces_of(word)
         if not pieces:
             continue
-        if word not in pieces[0][1]:
-            group = group.xreplace({w: w.xreplace(values) for w in words})
         return all(
             vacuous((*facts, *here))
-            or nonpositive(decided(group.xreplace(known)), apart, values, (*facts, *here))
+            or nonpositive(decided(group.xreplace(known)), apart, (*facts, *here))
             for here, known in pieces
         )
     return False
@@ -324,10 +317,10 @@ def vacuous(facts: Facts) -> bool:
     return any(sympy.expand(a + b).is_negative for a, b in combinations_with_replacement(facts, 2))
 
 
-def _below(group: sympy.Expr, apart: set, values: dict, facts: Facts) -> bool:
+def _below(group: sympy.Expr, apart: set, facts: Facts) -> bool:
     """Return whether an expression is not positive where facts are not negative."""
     inputs = {f: sympy.Dummy(real=True) for f in group.atoms(AppliedUndef)}
-    group, *left = (sympy.expand(e.xreplace(values).xreplace(inputs)) for e in (group, *facts))
+    group, *left = (sympy.expand(e.xreplace(inputs)) for e in (group, *facts))
     return _less_facts(group, left, apart | set(inputs.values()), frozenset())
 
 
@@ -341,7 +334,7 @@ def _less_facts(group: sympy.Expr, left: list, apart: set, fresh: frozenset) -> 
     left = [f for f in left if f.free_symbols & apart - fresh and f.is_polynomial(*apart)]
     if not left or group == 0:
         terms = sympy.Add.make_args(group)
-        return all(term.is_nonpositive for term in terms) or nonpositive(group, apart | fresh, {})
+        return all(term.is_nonpositive for term in terms) or nonpositive(group, apart | fresh)
     more = sympy.Dummy("more", nonnegative=True)
     alone = [(f, s) for f in left for s in f.free_symbols & apart if sympy.diff(f, s).is_number]
     first = min(alone, key=str)[1] if alone else None

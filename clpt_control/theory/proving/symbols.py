@@ -140,6 +140,13 @@ def _power(base: sympy.Expr, exponent: sympy.Expr) -> bool:
     )
 
 
+def _in_table(place: sympy.Expr, *row: sympy.Expr) -> bool:
+    """Return whether a place is known to be one of a row; places below zero count from its end."""
+    low, high = interval(place)
+    counted = place.func.__name__ == "mod" and place.args[1] == len(row)
+    return bool(counted or ((low + len(row) + 1).is_positive and (len(row) - high).is_positive))
+
+
 DEMANDS: dict[str, tuple[str, Callable[..., bool | None]]] = {
     name: (f"{sentence}, which may {fails}", allowed)
     for names, sentence, fails, allowed in (  # whether arguments are known to be allowed
@@ -154,6 +161,7 @@ DEMANDS: dict[str, tuple[str, Callable[..., bool | None]]] = {
         ("exp expm1", "takes exp of {0}", "be too large", lambda a: _not_huge(a)),
         ("sinh cosh", "takes sinh or cosh of {0}", "be too large", lambda a: _not_huge(a, -a)),
         ("log log2 log10", "takes the logarithm of {0}", "have no value", lambda a: a.is_positive),
+        ("pick", "reads a table at {0}", "be outside of it", _in_table),
         ("asin acos", "takes an angle of {0}", "have none", lambda a: (1 - a**2).is_nonnegative),
     )
     for name in names.split()
@@ -171,5 +179,5 @@ def undefined(name: str, arguments: tuple) -> str | None:
     arguments = tuple(map(sympy.sympify, arguments))
     if name == "div" and positive_maximum(arguments[1]):
         return None
-    shallow = all(extent(a)[1] <= DEEPEST for a in arguments)
+    shallow = name == "pick" or all(extent(a)[1] <= DEEPEST for a in arguments)
     return None if shallow and allowed(*arguments) else sentence.format(*arguments)

@@ -151,6 +151,7 @@ def verdict_of(case: Case) -> Verdict:
     at = " and the parameters as they are" if case.fixed else ""
     claim = f"V' {'=' if case.residual == 0 else '<='} {fall}, N = {case.N}{at}"
     left = "" if case.residual == 0 else f"left over: {short(case.residual)}"
+    left = left if case.rises else "V is not known to rise with |e|"
     steps = [definite, total, exact(claim, falls, left)]
     if case.facts:
         facts = ", ".join(f"{short(fact, 40)} >= 0" for fact in case.facts)
@@ -159,7 +160,7 @@ def verdict_of(case: Case) -> Verdict:
     if definite.holds and not (falls or zones):
         bound = Bounding(case).bound()
     elif falls and zones:
-        bound = case.comes_to_zones()
+        bound = case.comes_to_zones(fall)
     if definite.holds and total.holds and (falls or bound is not None):
         running = case.running()
         steps.append(running)

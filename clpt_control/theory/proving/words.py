@@ -133,14 +133,15 @@ def interval(e: sympy.Expr) -> tuple[Any, Any]:
     """Return the numbers between which an expression lies, whatever its symbols are."""
     if e.is_number and e.is_real:
         return e, e
-    name, of = e.func.__name__, [interval(a) for a in e.args]
+    name = e.func.__name__
+    if name in ("inside", *COMPARED, *YES_OR_NO):
+        return sympy.S.Zero, sympy.S.One
+    of = [interval(a) for a in (e.args[1:] if name in ("where", "pick") else e.args)]
     low: Any = sympy.S.Zero if e.is_nonnegative or e == TIME else -sympy.oo  # runs begin at 0
     high: Any = sympy.S.Zero if e.is_nonpositive else sympy.oo
     if isinstance(e, sympy.sin | sympy.cos | sympy.tanh) or name == "sign":
         low, high = sympy.S.NegativeOne, sympy.S.One
-    elif name in ("clip", "maximum", "minimum", "where"):
-        if name == "where":
-            of = of[1:]
+    elif name in ("clip", "maximum", "minimum", "where", "pick"):
         lows, highs = zip(*of, strict=True)
         if name == "clip":
             low, high = sympy.Max(lows[0], lows[1]), sympy.Min(highs[0], highs[2])
@@ -149,8 +150,6 @@ def interval(e: sympy.Expr) -> tuple[Any, Any]:
             first = sympy.Max if name == "maximum" else sympy.Min
             last = sympy.Min if name == "minimum" else sympy.Max
             low, high = first(*lows), last(*highs)
-    elif name in ("inside", *COMPARED, *YES_OR_NO):
-        low, high = sympy.S.Zero, sympy.S.One
     elif isinstance(e, sympy.exp) and of[0][1] != sympy.oo:
         high = sympy.exp(of[0][1])
     elif e.is_Add:
