@@ -37,6 +37,7 @@ WORDS = {  # also in the plural
     "microsecond": "us",
     "nanosecond": "ns",
     "kt": "knot",
+    "kn": "knot",
 }
 
 

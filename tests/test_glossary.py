@@ -131,7 +131,7 @@ def test_no_name_is_a_file_too(room):
         *((text, 1.0) for text in ("m/s", "m s-1", "m.s-1", "m s^-1", "m s**-1", "metres per sec")),
         *((text, 0.01) for text in ("cm/s", "cm s-1", "cm/sec", " cm / second ")),
         *((text, 1 / 3.6) for text in ("km/h", "km h-1", "km/hr", "kilometers per hour")),
-        *((text, 1852 / 3600) for text in ("knot", "Knots", "kt", "kts")),
+        *((text, 1852 / 3600) for text in ("knot", "Knots", "kt", "kts", "kn")),
         ("m/day", 1 / 86400),
     ],
 )

@@ -51,12 +51,17 @@ SINCE_A_DATE = re.compile(r"\s*(\w+)\s+since\s+(\d+-\d+-\d+.*)", re.IGNORECASE)
 def find_variable(data: xarray.Dataset, table: dict[str, Any], what: str) -> str:
     """Return the name of a variable of `VELOCITY` or `AXES`, by standard name and by name.
 
-    One with both comes first, then one with the standard name, then one with the name.
+    One with both comes first, then one with the standard name, then one with the name; a wind is
+    no current, whatever its name.
     """
     standard, names = table[what]
     by_standard = [n for n in data.variables if data[n].attrs.get("standard_name") in standard]
     by_name = sorted(
-        (n for n in data.variables if str(n).lower() in names),
+        (
+            n
+            for n in data.variables
+            if str(n).lower() in names and "wind" not in str(data[n].attrs.get("standard_name"))
+        ),
         key=lambda n: names.index(str(n).lower()),
     )
     if found := [*(n for n in by_name if n in by_standard), *by_standard, *by_name]:

@@ -29,6 +29,7 @@ from . import cf
 NAME = "maracoos_hfr_2019-01-01.nc"
 DEEPEST = 1000.0  # m; no level of a column further down is read, except the next
 AROUND = 1.5  # times the median step: no longer step is missing in a grid around the Earth
+SAME = 1e-6  # degrees: no cells are so near; 0.1 m
 MOST = 10**8  # values of one component: 0.8 GB
 SUFFIXES = (".nc", ".nc4", ".cdf", ".netcdf")
 Box = tuple[float, float, float, float]
@@ -301,8 +302,10 @@ def _inside(axis: np.ndarray, span: tuple, where: str, whole: bool) -> np.ndarra
             f"{where} holds {len(inside)} cells of the box, {span[0]:g} to {span[1]:g}; at least 2 "
             f"are needed, the file covers {axis.min():.6g} to {axis.max():.6g}"
         )
-    if not np.all(np.diff(axis[inside]) > 0):
-        raise DataError(f"{where} has a value twice; keep each cell once")
+    if not np.all(np.diff(axis[inside]) > SAME):
+        raise DataError(
+            f"{where} has a value twice (0 and 360 degrees are one); keep each cell once"
+        )
     return inside
 
 

@@ -171,7 +171,10 @@ def _header(
                 f"must begin with a line such as 'time,u (m/s),v (m/s)', this one does with "
                 f"{','.join(header)[:60]!r}"
             )
-        unit = "m/s" if what in ("time", "direction") else stated[found[0]] or units
+        unit = stated[found[0]]
+        if what == "direction" and unit and not unit.lower().startswith(("deg", "°")):
+            raise DataError(f"direction is in '{unit}'; must be in degrees from true north")
+        unit = "m/s" if what in ("time", "direction") else unit or units
         if unit is None:
             raise DataError(
                 f"{what} has no units; write them behind the name, such as 'u (m/s)', or in a line "

@@ -100,7 +100,7 @@ def _log(text: str, path: Path) -> pandas.DataFrame:
 def _fixes_and_wet(log: pandas.DataFrame) -> tuple[list[Fix], np.ndarray]:
     """Return the fixes, places that are new at the surface, and times under water."""
     afloat = (log.NavState == AT_SURFACE) & ~(log.DeadReckoning > 0)
-    new = (log[["Lat", "Lon"]].diff() != 0).any(axis=1) & (log.index > log.index[0])
+    new = (log[["Lat", "Lon"]].ffill().diff() != 0).any(axis=1) & (log.index > log.index[0])
     time, *place = logged(log[afloat & new], "Lat", "Lon")
     return fixes_in(time, *map(degrees, place)), log.index[log.Depth > LEAST_DEPTH].to_numpy()
 

@@ -60,6 +60,7 @@ from ..currents.plane import LocalPlane
 from ..errors import ClptError, DataError
 from ..estimation.dive import reckoned
 from ..files.reading import open_netcdf, shown_name
+from ..geodesy import near
 from ..gliders.dives import Dive
 from ..scenario.experiment import Scenario
 from ..scenario.file import load_scenario
@@ -226,6 +227,11 @@ class Forecast(FlowModel):
         self.fastest = float(np.sqrt(np.nanmax(column.u**2 + column.v**2)))  # m/s, anywhere
         self.time = seconds_since_1970(column.start) + 3600.0 * column.time  # s since 1970 UTC
         self.gaps = gaps_of(self.time)
+        self.lon, self.columns = column.lon, np.arange(len(column.lon))
+        if column.lon[-1] == column.lon[0] + 360.0:  # around the Earth: a turn on either side
+            n = len(column.lon) - 1
+            turns, self.columns = np.divmod(np.arange(-n, 2 * n + 1), n)
+            self.lon = column.lon[self.columns] + 360.0 * turns
 
     def along(self, dive: Dive) -> Flow:
         """Return the flow for one dive, averaged over its depths.
@@ -244,13 +250,14 @@ class Forecast(FlowModel):
         if self.gaps[within.start : within.stop - 1].any():
             raise Uncovered("in a gap of the forecast's steps")
         plane = LocalPlane(dive.lat_gps2, dive.lon_gps2)
-        steps, rows, columns = self._reached(dive)
+        steps, rows, across = self._reached(dive)
+        start, columns = self._unwrapped(dive.lon_gps2), self.columns[across]
         deepest = dive.depth_max
         if deepest is None or not (isfinite(deepest) and deepest > 0):
             deepest = DEEPEST
         u, v = (depth_mean(c.depth, w[steps, :, rows, columns], deepest) for w in (c.u, c.v))
         look = RegularGridInterpolator(
-            (time[steps] - dive.t_gps2, c.lat[rows], c.lon[columns]),
+            (time[steps] - dive.t_gps2, c.lat[rows], self.lon[across]),
             np.stack([u, v], axis=-1),
             bounds_error=False,
             fill_value=np.nan,
@@ -258,7 +265,7 @@ class Forecast(FlowModel):
 
         def flow(t: float, east: float, north: float) -> tuple[float, float]:
             lat, lon = map(float, plane.to_earth(east / 1000, north / 1000))
-            eastward, northward = look([[t, lat, self._unwrapped(lon)]])[0]
+            eastward, northward = look([[t, lat, near(lon, start)]])[0]
             if not (isfinite(eastward) and isfinite(northward)):
                 raise Uncovered(
                     "in a gap of the forecast"
@@ -289,7 +296,7 @@ class Forecast(FlowModel):
         return (
             _bracket(self.time, dive.t_gps2, dive.t_gpse),
             _bracket(c.lat, lat - high, lat + high),
-            _bracket(c.lon, lon - wide, lon + wide),
+            _bracket(self.lon, lon - wide, lon + wide),
         )
 
 

@@ -244,6 +244,7 @@ def test_years_that_are_far_away(tmp_path):
         ({"calendar": "mayan"}, BOX, "time has the calendar 'mayan'; must be one of standard"),
         ({"lat": 1e300 * LAT}, BOX, "lat goes from 4.1e.301 to 4.15e.301; must be a latitude"),
         ({"lat": np.full(6, 41.2)}, BOX, "lat has a value twice"),
+        ({"lon": np.append(LON[:-1], LON[2] + 360.0 + 1e-10)}, BOX, "lon has a value twice .0 and"),
         ({}, (50, 51, -69.9, -69), "lat holds 0 cells of the box, 50 to 51; .*covers 41 to 41.5"),
         ({}, (41, 41.5, 10, 11), "lon holds 0 cells of the box, 10 to 11"),
         ({}, (41.0, 41.05, -69.9, -69), "lat holds 1 cells of the box, 41 to 41.05; at least 2"),
@@ -257,6 +258,19 @@ def test_each_mistake_is_one_sentence(tmp_path, options, box, sentence):
     with pytest.raises(DataError, match=sentence) as caught:
         read_currents(path, box)
     assert "\n" not in str(caught.value)
+
+
+def test_a_wind_is_no_current_whatever_its_name(tmp_path):
+    path = write(tmp_path / "c.nc", *sample())
+    with netCDF4.Dataset(path, "a") as file:
+        file["u"].standard_name = "eastward_wind"
+    with pytest.raises(DataError, match="no eastward velocity"):
+        read_currents(path)
+    with netCDF4.Dataset(path, "a") as file:
+        file.createVariable("uo", "f8", file["v"].dimensions)[:] = file["v"][:]
+        file["uo"].units = "m/s"
+    currents = read_currents(path)
+    np.testing.assert_array_equal(currents.u, currents.v)
 
 
 @pytest.mark.parametrize("name", ["lat", "lon"])

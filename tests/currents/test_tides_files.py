@@ -109,6 +109,7 @@ def test_records_are_read_alike_from_every_file(tmp_path):
         (HEADER.replace(",", ";") + "0;1;2\n", "columns are separated by semicolons; use commas"),
         (HEADER.replace(",", "\t") + "0\t1\t2\n", "columns are separated by tabs; use commas"),
         (HEADER + ROW.format(1), "1 of 1 times have both components"),
+        ("time,speed (m/s),direction (rad)\n" + ROW.format(1), "direction is in 'rad'; must be in"),
     ],
 )
 def test_each_bad_table_is_one_sentence(clpt, tmp_path, text, sentence):

@@ -199,6 +199,21 @@ def test_a_v_of_constant_slope_is_depth_over_tangent(tmp_path, heading, declinat
     assert dive.duration == 2020.0
 
 
+def test_a_place_that_is_repeated_behind_a_row_without_one_is_no_new_fix(tmp_path):
+    """At 13:21 the vehicle is up with the place that it left; the first new fix is of 13:25."""
+    rows = [(0, 116, 0, "4500.000"), (1, 116, 0, "4500.100"), (2, 110, 9, "4500.100")]
+    rows += [(k, 110 if k < 40 else 117, 9, "4500.100") for k in range(3, 80)]
+    rows += [(80, 116, 0, ""), (81, 116, 0, "4500.100"), (85, 116, 0, "4500.900")]
+    text = HEADER + "".join(
+        f"09/04/2024 {12 + k // 60}:{k % 60:02d}:00;{state};0;0;{-20 if k < 40 else 20};{depth};"
+        f"{lat};-3000.000;\n"
+        for k, state, depth, lat in rows
+    )
+    (tmp_path / "sea001.1.gli.sub.1").write_text(text)
+    ((dive,), _) = read_dives(tmp_path)
+    assert (dive.duration, dive.lat_gpse) == (84 * 60.0, pytest.approx(45 + 0.9 / 60))
+
+
 def test_a_file_without_a_fix_says_so(facts, tmp_path):
     text = (facts / "glider/sea035/SEA035.10.gli.sub.003").read_text()
     (tmp_path / "sea035.10.gli.sub.003").write_text(text.replace(";116;", ";117;"))

@@ -121,6 +121,21 @@ def test_a_gradient_on_a_grid_and_longitudes_of_any_kind(tmp_path):
     assert model_way(replace(dive, lon_gps2=358.0), around)[0] == pytest.approx(3600.0, abs=5)
 
 
+@pytest.mark.parametrize("west", [0.0, -180.0, -180.3])
+@pytest.mark.parametrize("to", [-8000.0, 8000.0])
+def test_a_dive_goes_over_the_seam_of_a_grid_around_the_earth(tmp_path, west, to):
+    """A current of 0.2 + 0.1 cos(lon), the same wherever it is cut; meridians lean a little."""
+    globe = west + np.arange(0.0, 360.0, 0.5)
+    shape = len(HOURS), len(LAT), len(globe)
+    u = np.broadcast_to(0.2 + 0.1 * np.cos(np.radians(globe)), shape)
+    model = read_flow_model(write(tmp_path / "g.nc", u, -u, lon=globe))
+    start = west - 0.03 * np.sign(to)  # 2.5 km before the seam
+    expected = (0.2 + 0.1 * math.cos(math.radians(west))) * 5 * 3600
+    for turn in (0.0, 360.0):
+        dive = dive_at(way=(to, 0.0), hours=5.0, lon=start + (turn if start < 0 else 0.0))
+        assert model_way(dive, model) == pytest.approx([expected, -expected], abs=15)
+
+
 def test_what_is_not_covered(tmp_path):
     u, v = (w.copy() for w in turning(HOURS, (len(LAT), len(LON))))
     u[:, 12, 15] = np.nan
