@@ -4,8 +4,12 @@ u = e[2], phi_x[N], z[2], zc[2]; states alpha[2N], K[2], Gamma[2], section III.
 """
 
 import numpy as np
+from responses import response
 
+import clpt_control as clpt
 from clpt_control.equations import Block
+from clpt_control.equations.declaration import places
+from clpt_control.simulation.starts import state_columns
 
 EACH = {"parameters": 0.8, "feedback": 0.3, "feedforward": 0.5}  # a gain for each part
 TRUE_GAINS = {"learning.feedback": [1, 1], "learning.feedforward": [1, 1]}
@@ -47,3 +51,21 @@ def papers_law(N=3, gain=0.8, name="mine"):
         parameters={"gain": gain},
         sizes={"N": N},
     )
+
+
+def alone(law, t, phi, theta, **start):
+    """Run a law of one without CLPE: states by port, where theta phi carries a vehicle from 0.
+
+    phi (N, times), theta (2, N); v = 0, and states begin at 0 but for those in `start`.
+    """
+    inputs = places({port: (size,) for port, size in law.input_ports.items()})
+    u, flow, columns = np.zeros((law.ninputs, len(t))), theta @ phi, state_columns([law])
+    u[inputs["phi_x"][0]] = phi
+    steps = np.diff(t) * (flow[:, 1:] + flow[:, :-1]) / 2  # inputs are straight lines
+    u[inputs["x"][0], 1:] = np.cumsum(steps, axis=1)
+    state = np.zeros(law.nstates)
+    for port, value in start.items():
+        state[columns[port]] = np.ravel(value)
+    loop = clpt.connect([law], external=list(law.input_ports))
+    run = response(loop, t, u, state, rtol=1e-11, atol=1e-13)
+    return {port: run.states[column] for port, column in columns.items()}, run

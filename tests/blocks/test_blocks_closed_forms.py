@@ -14,6 +14,7 @@ from clpt_control.blocks import (
     field,
     flow,
     learner,
+    localization,
     lyapunov,
     reference,
 )
@@ -187,7 +188,7 @@ def noise_values(seed, count=20000, first=0):
 def noise_at(block, **numbers):
     """What the block's function gives for columns of parameters."""
     p = SimpleNamespace(**{**block.parameters._asdict(), **numbers})
-    return block.output_function(0.0, [], [], p)
+    return block.output_function(0.0, [], SimpleNamespace(x_true=0.0), p)
 
 
 @pytest.fixture(scope="module")
@@ -241,9 +242,22 @@ def test_noise_across_seeds_at_one_interval():
         assert abs(np.corrcoef(values[1:], values[:-1])[0, 1]) < 5 / math.sqrt(5000)
 
 
-@pytest.mark.parametrize("apart", [7919, 104729, 40503, 7919 + 104729])
-def test_seeds_and_axes_do_not_share_noise(apart):
-    one, other = noise_values(3, count=4000), noise_values(3 + apart, count=4000)
+def noise_of_a_position(seed, count):
+    block = localization.measurement(1.0, 1.0, float(seed))
+    return noise_at(block, interval=np.arange(float(count))[:, None])
+
+
+APART = (7919, 104729, 40503, 7919 + 104729)
+
+
+@pytest.mark.parametrize(
+    ("make", "seed"),
+    [*((noise_values, 3 + apart) for apart in APART), *((noise_of_a_position, k) for k in (3, 4))],
+)
+def test_seeds_axes_and_a_position_do_not_share_noise(make, seed):
+    one, other = noise_values(3, count=4000), make(seed, 4000)
+    assert abs(other.std() - 1) < 5 / math.sqrt(2 * other.size)
+    assert abs(np.corrcoef(*other.T)[0, 1]) < 5 / math.sqrt(4000)
     for a in (0, 1):
         for b in (0, 1):
             assert not np.any(one[:, a] == other[:, b])

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from law_blocks import HELD, alone
 from responses import response
 from scipy.integrate import cumulative_simpson, quad
 
@@ -51,34 +52,20 @@ def least_squares(forgetting):
     )
 
 
+THETA = np.array([[0.6], [-0.4]])
+
+
 def changed(law, **more):
     """The paper's scenario with this law, K and Gamma held true."""
-    paper = clpt.paper_scenario()
-    car = paper.vehicle
-    held = {"learning.feedback": car.feedback, "learning.feedforward": car.feedforward}
     own = {key.replace("__", "."): value for key, value in more.items()}
-    return paper.with_values({"learning.law": law, "learning.adapt_gains": False, **held, **own})
-
-
-def drifting(law, theta, t, **start):
-    """Run a law of one function alone: phi = 1, e = 0, v = 0, a vehicle that drifts from 0."""
-    inputs = {"e": 2, "phi_x": 1, "z": 2, "zc": 2, "x": 2, "v_x": 2}
-    u = np.zeros((sum(inputs.values()), len(t)))
-    u[2] = 1.0
-    u[7:9] = theta[:, None] * t
-    loop, columns = clpt.connect([law], external=list(inputs)), state_columns([law])
-    state = np.zeros(law.nstates)
-    for port, value in start.items():
-        state[columns[port]] = value
-    run = response(loop, t, u, state, rtol=1e-11, atol=1e-13).states
-    return {port: run[column] for port, column in columns.items()}
+    return clpt.paper_scenario().with_values({"learning.law": law, **HELD, **own})
 
 
 @pytest.mark.parametrize("forgetting", [0.0, 0.2])
 def test_least_squares_of_one_function_is_the_closed_form(forgetting):
     """With one function 1/P forgets to 1/P(0): (1/P)' = -lambda_0 (1/P - 1/P(0)) + phi_f^2/r^2."""
-    theta, t = np.array([0.6, -0.4]), np.linspace(0, 8, 161)
-    s = drifting(least_squares(forgetting), theta, t, P=0.8**2, rho=1.0)
+    t = np.linspace(0, 8, 161)
+    s, _ = alone(least_squares(forgetting), t, np.ones((1, 161)), THETA, P=0.8**2, rho=1.0)
 
     def seen(s, end):
         return np.exp(-forgetting * (end - s)) * (1 - np.exp(-1.5 * s)) ** 2
@@ -88,20 +75,19 @@ def test_least_squares_of_one_function_is_the_closed_form(forgetting):
     np.testing.assert_allclose(s["P"][0], P, rtol=1e-9)
     left = np.exp(-cumulative_simpson(forgetting * (1 - P / 0.8**2), x=t, initial=0.0))
     np.testing.assert_allclose(s["rho"][0], left, rtol=1e-5)
-    wanted = theta[:, None] * (1 - s["rho"] * P / 0.8**2)
-    np.testing.assert_allclose(-s["alpha"], wanted, atol=1e-9)
+    np.testing.assert_allclose(-s["alpha"], THETA * (1 - s["rho"] * P / 0.8**2), atol=1e-9)
 
 
 def test_memory_of_one_function_is_its_integral():
-    theta, t = np.array([0.6, -0.4]), np.linspace(0, 8, 9)
-    states = drifting(MEMORY, theta, t)
+    t = np.linspace(0, 8, 9)
+    states, _ = alone(MEMORY, t, np.ones((1, 9)), THETA)
 
     def seen(s):
         return (1 - np.exp(-1.5 * s)) ** 2 / (1 + (1 - np.exp(-1.5 * s)) ** 2)
 
     Q = [quad(seen, 0, end, epsabs=1e-13)[0] for end in t]
     np.testing.assert_allclose(states["Q"][0], Q, atol=1e-9)
-    np.testing.assert_allclose(states["b"], theta[:, None] * np.array(Q), atol=1e-9)
+    np.testing.assert_allclose(states["b"], THETA * np.array(Q), atol=1e-9)
 
 
 def along(law, duration, step, **more):
@@ -134,7 +120,12 @@ def adapted(law, **more):
 
 @pytest.mark.parametrize("make", [changed, adapted], ids=["held", "adapted"])
 @pytest.mark.parametrize(
-    ("law", "at_200"), [(LAWS[0], 2.5e-3), (LAWS[1], 1e-5), (LAWS[2], 1e-2), (LAWS[3], 2.5e-3)]
+    ("law", "at_200"),
+    [
+        *zip(LAWS, (2.5e-3, 1e-5, 1e-2, 2.5e-3), strict=True),
+        ("concurrent", 2.5e-3),
+        ("drem", 2.5e-3),
+    ],
 )
 def test_the_flow_is_learned(make, law, at_200):
     """At t = 200 the largest error of the paper's law is 0.257; at 2000 0.027."""

@@ -2,12 +2,12 @@
 
 import numpy as np
 import pytest
+from law_blocks import alone
 from responses import response
 
 import clpt_control as clpt
 from clpt_control.blocks.laws import paper, regressions
 from clpt_control.errors import ScenarioError
-from clpt_control.simulation.starts import state_columns
 
 PAPER = clpt.paper_scenario()
 THETA = np.array(PAPER.flow.parameters)
@@ -30,23 +30,18 @@ def states(scenario, times):
 
 @pytest.mark.parametrize("walk", [0.2, 0.5])
 def test_one_function_is_the_closed_form(walk):
-    r, pole, P0, theta, t = 0.3, 1.5, 0.64, np.array([0.6, -0.4]), np.linspace(0, 3, 7)
+    r, pole, P0, theta, t = 0.3, 1.5, 0.64, np.array([[0.6], [-0.4]]), np.linspace(0, 3, 7)
     own = {"noise": r, "walk": walk, "filter": pole, "alpha_M": np.zeros((2, 1))}
     law = paper.KALMAN_FLOW.of(1, gain_K=0.0, gain_Gamma=0.0, **own)
-    inputs = law.input_ports
-    u = np.zeros((sum(inputs.values()), len(t)))
-    u[2] = 1.0
-    u[7:9] = theta[:, None] * t  # a vehicle that drifts
-    start = [0, 0, 0, 0, 0.1, 0.2, P0, 1.0, *-theta]  # K, Gamma, theta_hat, P, phi_f, q = -theta
-    loop = clpt.connect([law], external=list(inputs))
-    found = response(loop, t, u, start, rtol=1e-11, atol=1e-13).states
+    first = np.array([[0.1], [0.2]])
+    start = {"theta_hat": first, "P": P0, "phi_f": 1.0, "q": -theta}
+    found, _ = alone(law, t, np.ones((1, 7)), theta, **start)
     p, s = walk * r, walk * t / r
     np.testing.assert_allclose(
-        found[6], p * (P0 + p * np.tanh(s)) / (p + P0 * np.tanh(s)), rtol=1e-9
+        found["P"][0], p * (P0 + p * np.tanh(s)) / (p + P0 * np.tanh(s)), rtol=1e-9
     )
-    left = np.array([0.1, 0.2])[:, None] - theta[:, None]
-    left = left / (np.cosh(s) + P0 / p * np.sinh(s))
-    np.testing.assert_allclose(found[4:6] - theta[:, None], left, atol=1e-9)
+    left = (first - theta) / (np.cosh(s) + P0 / p * np.sinh(s))
+    np.testing.assert_allclose(found["theta_hat"] - theta, left, atol=1e-9)
 
 
 def test_without_a_walk_the_error_is_the_prior_error_weighed_by_P():
@@ -128,14 +123,8 @@ LAW = regressions.NORMALISED_GRADIENT.of(
 @pytest.mark.parametrize("regressor", [0.1, 1.0, 30.0])
 def test_a_constant_regressor_is_learned_at_its_rate(regressor):
     """phi_f(0) = phi stays, e = 0: eta = theta e^(-gamma_n phi^2 t/(1 + phi^2))."""
-    theta, t = np.array([0.6, -0.4]), np.linspace(0, 8, 9)
-    u, state = np.zeros((LAW.ninputs, len(t))), np.zeros(LAW.nstates)
-    u[2], u[7:9] = regressor, theta[:, None] * regressor * t
-    columns = state_columns([LAW])
-    state[columns["phi_f"]], state[columns["q"]] = regressor, -theta * regressor
-    loop = clpt.connect([LAW], external=list(LAW.input_ports))
-    found = response(loop, t, u, state, rtol=1e-11, atol=1e-13).states[columns["alpha"]]
+    theta, t = np.array([[0.6], [-0.4]]), np.linspace(0, 8, 9)
+    start = {"phi_f": regressor, "q": -theta * regressor}
+    found, _ = alone(LAW, t, np.full((1, 9), regressor), theta, **start)
     rate = 0.7 * regressor**2 / (1 + regressor**2)
-    np.testing.assert_allclose(
-        theta[:, None] + found, np.outer(theta, np.exp(-rate * t)), atol=1e-8
-    )
+    np.testing.assert_allclose(theta + found["alpha"], theta * np.exp(-rate * t), atol=1e-8)

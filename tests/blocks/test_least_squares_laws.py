@@ -8,6 +8,7 @@ and phi_f is constant, 1/P = 1/P(0) + phi_f^2 t/r^2;
 
 import numpy as np
 import pytest
+from law_blocks import alone
 from responses import response
 from scipy.integrate import quad, simpson
 
@@ -17,7 +18,7 @@ from clpt_control.simulation.loops import paper_blocks
 from clpt_control.simulation.starts import state_columns
 
 LAWS = ("least-squares", "composite-least-squares")
-THETA = np.array([0.6, -0.4])
+THETA = np.array([[0.6], [-0.4]])
 PARAMETERS = {
     "gain_K": 0.0,
     "gain_Gamma": 0.0,
@@ -32,30 +33,18 @@ PARAMETERS = {
 }
 
 
-def drifting(p, t, **start):
-    """The law of one function alone: phi = 1, v = 0, a vehicle that drifts from 0 by THETA."""
-    law = LEAST_SQUARES.of(1, **p)
-    columns, inputs = state_columns([law]), law.input_ports
-    u, state = np.zeros((sum(inputs.values()), len(t))), np.zeros(law.nstates)
-    u[2], u[7:9] = 1.0, THETA[:, None] * t
-    for port, value in {"P": p["largest"], "rho": 1.0, **start}.items():
-        state[columns[port]] = value
-    loop = clpt.connect([law], external=list(inputs))
-    run = response(loop, t, u, state, rtol=1e-11, atol=1e-13).states
-    return {port: run[column] for port, column in columns.items()}
-
-
 @pytest.mark.parametrize("forgetting", [0.0, 0.2])
 def test_a_constant_regressor_has_a_closed_form(forgetting):
     """phi_f(0) = 1 stays 1: 1/P comes to 1/P(0) + 1/(lambda_0 r^2) by e^(-lambda_0 t)."""
     t = np.linspace(0, 30, 31)
-    s = drifting({**PARAMETERS, "forgetting": forgetting}, t, phi_f=1.0, q=-THETA)
+    law = LEAST_SQUARES.of(1, **{**PARAMETERS, "forgetting": forgetting})
+    s, _ = alone(law, t, np.ones((1, 31)), THETA, P=0.8**2, rho=1.0, phi_f=1.0, q=-THETA)
     seen = -np.expm1(-forgetting * t) / forgetting if forgetting else t
     P = 1 / (1 / 0.8**2 + seen / 0.3**2)
     np.testing.assert_allclose(s["phi_f"], 1.0, rtol=1e-10)
     np.testing.assert_allclose(s["P"][0], P, rtol=1e-9)
     held = s["rho"][0] * P / 0.8**2
-    np.testing.assert_allclose(-s["alpha"], THETA[:, None] * (1 - held), atol=1e-9)
+    np.testing.assert_allclose(-s["alpha"], THETA * (1 - held), atol=1e-9)
     eta = np.exp(-seen_at(t, forgetting))  # eta' = -P eta/r^2
     np.testing.assert_allclose(held, eta, rtol=1e-7)
 

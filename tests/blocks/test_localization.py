@@ -5,36 +5,12 @@ import pytest
 
 import clpt_control as clpt
 from clpt_control.blocks import localization
-from clpt_control.blocks.disturbance import disturbance
 from clpt_control.ensemble.members import Ensemble
 from clpt_control.ensemble.of_scenarios import VariedScenario
 from clpt_control.equations import evaluate
 
-COUNT = 6000
 NOISE = {"noise": 0.05, "noise_period": 0.5, "seed": 3}
 NOISY = clpt.paper_scenario().with_values({"localization": NOISE, "run.duration": 20})
-
-
-def noise_of(seed=1.0, sd=1.0):
-    """The noise of both axes in COUNT intervals, shape (COUNT, 2)."""
-    block = localization.measurement(sd, 0.5, seed)
-    return np.array([block.output(0.5 * k + 0.2, [], [0.0, 0.0]) for k in range(COUNT)])
-
-
-def test_noise_is_standard_normal_and_independent():
-    from scipy.stats import kstest
-
-    n, other = noise_of(), noise_of(seed=2.0)
-    pushed = disturbance("noise", [1.0, 1.0], 0.5, 1.0)  # of the same seed
-    delta = np.array([pushed.output(0.5 * k + 0.2, [], []) for k in range(COUNT)])
-    few = 4 / np.sqrt(COUNT)  # four standard deviations of a mean of COUNT
-    for values in n.T:
-        assert abs(values.mean()) < few
-        assert abs(values.var() - 1) < few * np.sqrt(2)
-        assert kstest(values, "norm").pvalue > 0.01
-    pairs = [(n[:, 0], n[:, 1]), *((a[1:], a[:-1]) for a in n.T)]
-    pairs += [(n[:, i], far[:, j]) for far in (other, delta) for i in (0, 1) for j in (0, 1)]
-    assert all(abs(np.mean(a * b)) < few for a, b in pairs)
 
 
 def test_noise_adds_to_the_position_by_its_deviation_and_is_held():
