@@ -5,7 +5,7 @@ import pytest
 from clpt_control.theory.proving import point_search, running_rate
 
 
-@pytest.fixture(autouse=True)
+@pytest.fixture
 def few_calls(monkeypatch):
     """Most points are asked of the blocks' records; python-control takes longest for a point."""
     monkeypatch.setattr(running_rate, "THROUGH_CONTROL", 5)

@@ -18,6 +18,8 @@ from clpt_control.theory.proving.own_law import prove
 from clpt_control.theory.proving.symbolic_loop import symbolic_loop
 from clpt_control.theory.proving.theorem_loop import AT_FIXES, theorem_loop
 
+pytestmark = pytest.mark.usefixtures("few_calls")
+
 
 def ticks(p, t0, t1):
     times = np.arange(1.0, math.floor(t1) + 1)

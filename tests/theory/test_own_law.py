@@ -28,6 +28,7 @@ from clpt_control.theory.proving.own_law import prove
 from clpt_control.theory.proving.theorem_loop import theorem_scenario
 from clpt_control.theory.proving.theorems import audit
 
+pytestmark = pytest.mark.usefixtures("few_calls")
 POINTS = 100  # of running blocks in each case; the default is 10,000
 
 

@@ -15,6 +15,7 @@ from clpt_control.theory.proving import all_proofs, invariant_loop
 from clpt_control.theory.proving.all_proofs import proof_of_law
 from clpt_control.theory.proving.own_law import prove
 
+pytestmark = pytest.mark.usefixtures("few_calls")
 POINTS = 100
 
 

@@ -26,6 +26,7 @@ from clpt_control.theory.promises import truth_of
 from clpt_control.theory.proving.own_law import prove
 from clpt_control.theory.proving.theorem_loop import theorem_scenario
 
+pytestmark = pytest.mark.usefixtures("few_calls")
 LIMITS = {"largest_flow": 2.0, "largest_feedback": 3.0, "largest_feedforward": 3.0}
 PAPER, ONE_EACH = clpt.paper_scenario(), ("centers", "widths", "periods", "phases")
 LAWS = {

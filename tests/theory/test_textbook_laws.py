@@ -14,6 +14,7 @@ from clpt_control.errors import ClptError, DiagramError
 from clpt_control.theory.proving.own_law import prove
 from clpt_control.theory.proving.signs import MOST_TERMS, terms_of
 
+pytestmark = pytest.mark.usefixtures("few_calls")
 POINTS = 100
 
 
