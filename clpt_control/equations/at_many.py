@@ -6,6 +6,7 @@ and end within one of its steps.
 """
 
 from collections.abc import Callable, Mapping
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -13,6 +14,7 @@ from numpy.typing import ArrayLike
 
 from ..arguments import numbers, public
 from ..errors import ArgumentError
+from ..progress import warn
 from .arrays import COMPARISONS
 from .block import Block
 from .declaration import places
@@ -27,9 +29,10 @@ SIDES: dict[str, Callable[[tuple, Shape], Operation]] = {  # which side of a kin
     "fabs": lambda a, shape: Operation("lt", (*a, 0.0), shape),
     "pick": lambda a, shape: Operation("trunc", a[1:], shape),
 }
-MOST = 2_000  # times at which time decides, in one function
-LOOKS = 4_096  # evenly spaced times between which one change is looked for
-CUTS, ROUNDS = 64, 11  # of the piece in which a change is, each time
+LOOKS = 1_024, 4_096  # times between which one change is looked for: both find the same
+PARTS, DEEP = 8, 4  # where they do not, parts of the time are looked at by themselves
+GOLDEN = (5**0.5 - 1.0) / 2.0
+CUTS, MANY = 64, 256  # parts of the piece in which a change is, each time; of many, halves
 
 
 def leaf_values(block: Block, t: Any, x: Any, u: Any, p: Any) -> Callable[[str, str], np.ndarray]:
@@ -130,6 +133,10 @@ def _decided(record: Record) -> Record:
     return compact(lines, decisions)
 
 
+class _Dense(Exception):
+    """Time decides too often."""
+
+
 def times_of_change(block: Block, record: Record, p: Any, t0: float, t1: float) -> np.ndarray:
     """Return the times in (t0, t1) at which what depends on time alone jumps or bends."""
 
@@ -139,15 +146,35 @@ def times_of_change(block: Block, record: Record, p: Any, t0: float, t1: float) 
 
         return rows(record, leaf, block.sizes, len(t))
 
-    times = np.linspace(t0, t1, LOOKS)
-    values = decided_at(times)
-    old, new = values[:, :-1], values[:, 1:]
-    which, at = np.nonzero((new != old) & ~np.isnan(new + old))
-    if not len(at) or len(at) > MOST:
+    def seen(count: int, begin: float, end: float) -> tuple[np.ndarray, ...]:
+        """Return which decisions change between two times, and these; no period divides them."""
+        k = np.arange(count)
+        times = begin + (end - begin) * (k + 0.5 * (k * GOLDEN % 1.0) * (k < count - 1)) / k[-1]
+        values = decided_at(times)
+        old, new = values[:, :-1], values[:, 1:]
+        which, at = np.nonzero((new != old) & ~np.isnan(new + old))
+        return which, times[at], times[at + 1]
+
+    def found(begin: float, end: float, depth: int) -> list[tuple[np.ndarray, ...]]:
+        few, many = (seen(count, begin, end) for count in LOOKS)
+        if len(few[0]) == len(many[0]):
+            return [many]
+        if not depth:
+            warn(
+                f"{block.name}: time decides so often from t = {begin:.9g} on that not every "
+                "switch is met; run a shorter time"
+            )
+            raise _Dense
+        edges = np.linspace(begin, end, PARTS + 1)
+        return [one for a, b in pairwise(edges) for one in found(a, b, depth - 1)]
+
+    try:
+        which, low, high = map(np.concatenate, zip(*found(t0, t1, DEEP), strict=True))
+    except _Dense:
         return np.zeros(0)
-    low, high, each = times[at], times[at + 1], np.arange(len(at))
-    for _ in range(ROUNDS):
-        cuts = np.linspace(low, high, CUTS + 1)
+    each, parts = np.arange(len(which)), CUTS if len(which) < MANY else 2
+    while np.any(np.nextafter(low, np.inf) < high):
+        cuts = np.linspace(low, high, parts + 1)
         values = decided_at(cuts.ravel()).reshape(-1, *cuts.shape)[which, :, each]
         first = np.argmax(values[:, 1:] != values[:, :1], axis=1)
         low, high = cuts[first, each], cuts[first + 1, each]

@@ -123,6 +123,8 @@ def tape_of(values: Any) -> Any:
 # --- views -------------------------------------------------------------------------------------
 
 
+# of whole numbers, a whole number
+OF_WHOLE = ("add", "sub", "mul", "neg", "mod", "minimum", "maximum", "sum", "fill", "stack")
 LONG = 64  # an array that is joined to others as it is
 MANY = 2**16 + 1  # places along an axis of unknown length
 
@@ -237,10 +239,23 @@ def _picked(array: Array, k: Any, *rest: Any) -> Any:
         same = not rest and k.shape == array.shape
         return Masked(array, k) if same else refuse("taking elements by a condition")
     if not rest and array.ndim == 1 and isinstance(array.shape[0], int) and not k.shape:
-        counts = k._tape.operations[k._node].kind in ("trunc", "floor", "ceil", "pick")
+        counts = _is_whole(k._tape, k._ref)
         if counts and k._tape.free[k._node] and array._written() is None:
             return array._tape.add("pick", (operand(array), k._ref), ())
     return array[whole((k, *rest))]
+
+
+def _is_whole(tape: Tape, ref: Ref, deep: int = 8) -> bool:
+    """Return whether a number is a whole one by what it is made of."""
+    if type(ref) is float:
+        return ref.is_integer()
+    kind, arguments, _, at = tape.operations[ref]
+    if kind in ("trunc", "floor", "ceil", "pick"):
+        return True
+    if kind == "constant":
+        return bool(np.all(np.frombuffer(at) % 1.0 == 0.0))
+    parts = arguments[1:] if kind == "where" else arguments if kind in OF_WHOLE else ()
+    return bool(parts and deep) and all(_is_whole(tape, one, deep - 1) for one in parts)
 
 
 def tape_viewed(tape: Tape, node: int, mapped: tuple, shape: Shape) -> Any:

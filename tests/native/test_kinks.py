@@ -181,6 +181,41 @@ def test_what_goes_beyond_a_kink_and_back_within_a_step_is_seen(edge, rtol):
     assert found.attrs["solver_restarts"] == 21
 
 
+@pytest.mark.parametrize("end", [0.1, 0.5])
+@pytest.mark.parametrize("duty", [0.02, 0.3])
+def test_a_converter_that_switches_thousands_of_times_meets_each_switch(duty, end):
+    """x' = 1 for `duty` of each period of 50 us, samples at multiples of it: x = duty t."""
+    pulses = system(lambda t, x, u, p: [1.0 if (t * 20e3) % 1.0 < duty else 0.0], 1)
+    times = np.linspace(0.0, end, 6)
+    found = clpt.simulate(pulses, times, None, 0.0)
+    np.testing.assert_allclose(found.states[:, 0], duty * times, rtol=1e-9, atol=1e-12)
+    assert found.attrs["solver_restarts"] >= 2 * 20e3 * end - 2
+
+
+def test_switches_that_are_too_many_to_be_met_are_told():
+    fast = system(lambda t, x, u, p: [-x[0] + (1.0 if np.sin(1e9 * t) > 0.9999 else 0.0)], 1)
+    with pytest.warns(UserWarning, match="time decides so often from t = 0 on that not every"):
+        clpt.simulate(fast, [0.0, 1000.0], None, 0.0)
+
+
+ROWS = np.random.default_rng(3).normal(size=150)
+HELD = (  # samples of 0.1 s, held
+    lambda t: ROWS[min(int(t / 0.1), 149)],
+    lambda t: ROWS[int(t // 0.1)],
+    lambda t: ROWS[np.searchsorted(0.1 * np.arange(150), t, side="right") - 1],
+    lambda t: ROWS[(int(t / 0.1) + 1) - 1],
+)
+
+
+@pytest.mark.parametrize("held", HELD)
+def test_a_held_table_in_time_is_read_at_a_place_that_is_reckoned(held):
+    table = system(lambda t, x, u, p: [held(t)], 1)
+    found = clpt.simulate(table, np.linspace(0.0, 10.0, 11), None, 0.0)
+    wanted = 0.1 * np.concatenate([[0.0], np.cumsum(ROWS)])[::10][:11]
+    np.testing.assert_allclose(found.states[:, 0], wanted, atol=1e-9)
+    assert found.attrs["engine"] == "native"
+
+
 @pytest.mark.parametrize("case", ["saturation", "bang-bang", "maximum", "floor"])
 def test_samples_do_not_change_what_a_run_over_kinks_gives(case):
     f, x0, *_ = FORMS[case]
