@@ -1,4 +1,4 @@
-"""The ports of the paper's diagram: the shape of each quantity, which stands here once.
+"""The ports of the paper's diagram: the shape of each quantity, once; a law declares its own.
 
     paper_block("vehicle_controller", "x zc phi_x -> v_x", parameters, output=controller)
 

@@ -287,3 +287,19 @@ def test_a_linear_system_says_nothing_of_params():
         warnings.simplefilter("error")
         lag = control.ss([[0, 1], [-1, -2]], [[0], [1]], [[1, 0]], 0, name="lag")
         assert lyapunov(lag).status == "proved where u = 0"
+
+
+def test_numbers_that_are_too_large_are_no_warning_of_numpys():
+    def rates(t, x, u, p):
+        a, b = x
+        turned = np.exp(a) * a * b, np.exp(b) * a**3
+        return [-a - sum(turned), -b + np.exp(a) * a**2 + np.exp(b) * a * b]
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        found = lyapunov(
+            control.nlsys(rates, states=["a", "b"], inputs=0, name="plant"),
+            lambda s: s.a**2 + s.b**2 + 0.1 * s.a**4,
+            within={"a": (-0.5, 0.5), "b": (-0.5, 0.5)},
+        )
+    assert found.status == "proved in a region"

@@ -115,8 +115,8 @@ def rate_of(slopes: Any, rates: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return V' of slopes (1 + nx, n) along rates (n, nx), and the size of its terms."""
     with np.errstate(all="ignore"):
         terms = slopes * np.vstack([np.ones(len(rates)), rates.T])
-    terms = np.where(np.equal(slopes, 0.0), 0.0, terms)
-    return terms.sum(axis=0), np.abs(terms).sum(axis=0)
+        terms = np.where(np.equal(slopes, 0.0), 0.0, terms)
+        return terms.sum(axis=0), np.abs(terms).sum(axis=0)
 
 
 def near_least(slopes: np.ndarray, x: np.ndarray, random: np.random.Generator) -> np.ndarray:
@@ -172,7 +172,8 @@ def compared(
             rates, level = evaluate(*here)
             terms, (of_V, *slopes) = np.split(symbols[:, :most], [len(parts)])
             rate, size = rate_of(slopes, rates)
-            right, size = terms.sum(axis=0), np.maximum(size, np.abs(terms).sum(axis=0))
+            with np.errstate(invalid="ignore"):  # inf - inf
+                right, size = terms.sum(axis=0), np.maximum(size, np.abs(terms).sum(axis=0))
             level = level if running.V else of_V
             off = np.maximum(_apart(right, rate, size), _apart(of_V, level, np.abs(of_V)))
             off = np.where(np.isnan(rates).any(axis=1), np.nan, off)  # as of inf/inf
