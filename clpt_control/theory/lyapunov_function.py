@@ -41,12 +41,14 @@ class FailureSearch(PointSearch):
         super().__init__(case.system, case.eq, case.V, case.name, case.rest or {}, seed)
         self.case = case
 
-    def running(self, points: int) -> Step:
+    def running(self, points: int, region: Region | None = None) -> Step:
         """Return the step that the running blocks give the same V', and V where it is an output."""
 
         def same() -> tuple[bool, str]:
             V, rate = (one.xreplace(self.case.eq.values) for one in (self.case.V, self.case.rate))
-            t, x, u = at = self.draw(points, False, widest=4.0)  # where exp is too large
+            t, x, u = at = self.draw(points, region is not None, widest=4.0)  # exp is too large
+            if region is not None:
+                x[:] = self.random.uniform(region.low, region.high, x.T.shape).T
             draws: list[Drawn] = [({}, self.known(*at), t, x.T, u.T)]
             return compared(self.blocks, self.states, V, rate, draws, points)
 
@@ -243,7 +245,7 @@ def _in_region(case: SystemWithV, search: FailureSearch, within: Any, count: int
     steps = (
         exact("V and the equations have a value everywhere", not case.undefined, case.undefined),
         Step(claim, level > 0.0, "enclosed"),
-        search.running(count),
+        search.running(count, region),
     )
     failed, (V,), rate = first_failure(steps), case.in_signals([case.V]), case.readable_rate()
     if failed:
