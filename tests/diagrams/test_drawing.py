@@ -264,7 +264,7 @@ def test_files_are_the_same_every_time(tmp_path, suffix):
         ".md": b"```mermaid\nflowchart LR",
     }
     for name in ("a", "b"):
-        draw(clpt.closed_loop(PAPER), tmp_path / (name + suffix))
+        draw(nested(), tmp_path / (name + suffix))
     first = (tmp_path / ("a" + suffix)).read_bytes()
     assert first == (tmp_path / ("b" + suffix)).read_bytes()
     assert first.startswith(starts[suffix])

@@ -13,7 +13,7 @@ from clpt_control.equations.arrays import Unread
 
 SHAPES = ((1,), (2,), (3,), (5,), (2, 3), (3, 3))
 NUMBERS = {"v": (3,), "w": (2, 3), "h": (5,)}
-PROGRAMS, SLOW = 200, 3000
+PROGRAMS, SLOW = 100, 3000
 
 
 def drawn(seed):

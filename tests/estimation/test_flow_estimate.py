@@ -6,7 +6,6 @@ each fix P goes to P^- - (P^-)^2 h^2/(r^2 + P^- h^2), P^- = (Q + (Q^2 + 4 Q r^2/
 """
 
 from dataclasses import replace
-from typing import NamedTuple
 
 import numpy as np
 import pytest
@@ -38,17 +37,13 @@ def few_samples(monkeypatch):
     monkeypatch.setattr(between_fixes, "SAMPLES", SAMPLES)
 
 
-class Places(NamedTuple):
-    N: int
-
-
 def place(t, x, u, p):
     """phi = (1, x1, x2), a linear flow: u = x[2], y = phi_x[3]."""
     return [1.0, u[0], u[1]]
 
 
 LINEAR = clpt.Block(
-    "linear", output=place, inputs={"x": 2}, outputs={"phi_x": 3}, parameters=Places(3)
+    "linear", output=place, inputs={"x": 2}, outputs={"phi_x": 3}, parameters={"N": 3}
 )
 
 

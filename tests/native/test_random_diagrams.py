@@ -20,7 +20,7 @@ from clpt_control.native.machine import LANES
 from clpt_control.native.native_diagram import NativeDiagram
 from clpt_control.native.python_diagram import PythonDiagram
 
-IN_A_TEST, TESTS, SLOW_TESTS = 10, 3, 200
+IN_A_TEST, TESTS, SLOW_TESTS = 6, 3, 340
 POINTS = 3
 BY_EXPRESSIONS = "is no block, so it has no expressions"
 

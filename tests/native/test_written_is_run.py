@@ -5,12 +5,12 @@ refused in one sentence by every reading alike.
 """
 
 import math
-from typing import NamedTuple
 
 import control
 import numpy as np
 import pytest
 from numpy.polynomial.legendre import legval
+from recorded import static
 
 import clpt_control as clpt
 from clpt_control.conformance import readings
@@ -26,16 +26,6 @@ def alike(diagram, x=(), u=(), t=0.0, rate=None, outputs=None):
         for got, wanted in zip(found, (rate, outputs), strict=True):
             if wanted is not None:
                 np.testing.assert_allclose(got, wanted, rtol=1e-12, atol=1e-12, err_msg=name)
-
-
-def static(function, inputs, outputs=1, parameters=None, name="mine"):
-    return Block(
-        name,
-        output=function,
-        inputs={"u": inputs} if inputs else {},
-        outputs={"y": outputs},
-        parameters=parameters,
-    )
 
 
 # --- loops ------------------------------------------------------------------------------------
@@ -145,11 +135,6 @@ def test_a_derivative_that_is_added_to():
 # --- indices, slices and returns ---------------------------------------------------------------
 
 
-class Matrix(NamedTuple):
-    m: np.ndarray
-    table: np.ndarray
-
-
 def from_the_end(t, x, u, p):
     dx = np.empty(3)
     for i in range(3):
@@ -159,7 +144,7 @@ def from_the_end(t, x, u, p):
 
 def test_indices_from_the_end():
     m = np.arange(12.0).reshape(3, 4)
-    block = Block("mine", update=from_the_end, states={"x": 3}, parameters=Matrix(m, np.zeros(2)))
+    block = Block("mine", update=from_the_end, states={"x": 3}, parameters={"m": m})
     alike(block, [1.0, 2.0, 3.0], rate=[33.0, 14.0, 3.0])
 
 
@@ -223,7 +208,7 @@ WRONG = {
 @pytest.mark.parametrize("body", WRONG)
 def test_what_is_returned_must_fit_the_ports(body):
     with pytest.raises(BlockError, match=WRONG[body]) as caught:
-        static(without_source(body), 2, 1, Matrix(np.ones((2, 2)), np.zeros(2)))
+        static(without_source(body), 2, parameters={"m": np.ones((2, 2))})
     assert str(caught.value).startswith("mine.output")
     assert "\n" not in str(caught.value)
 
@@ -234,17 +219,6 @@ def test_equal_code_that_calls_other_functions_keeps_its_own_record():
     other = static(without_source(body, s=math.cos, w=np.maximum), 1, 2)
     alike(first, u=[1.0], outputs=[math.sin(1.0), 1.0])
     alike(other, u=[1.0], outputs=[math.cos(1.0), 2.0])
-
-
-def gain(p):
-    if p:
-        raise ValueError
-    return [p]
-
-
-class Gain(NamedTuple):
-    gain: float
-    count: int
 
 
 def products(t, x, u, p):
@@ -264,8 +238,8 @@ def of_small_numbers(t, x, u, p):
     ]
 
 
-PLAIN = Matrix(np.arange(4.0).reshape(2, 2), np.array([3.0, 5.0, 7.0]))
-LONG = Matrix(np.zeros((1, 1)), np.arange(200_000.0))
+PLAIN = {"m": [[0.0, 1.0], [2.0, 3.0]], "table": [3.0, 5.0, 7.0]}
+LONG = {"table": np.arange(200_000.0)}
 WIDE, ROOT = np.linspace(0.3, 1.0, 20), 2.0 * math.sqrt(2.0)
 MANY = [1.0, -2.0, 3.0, 2.0, 7.0, 7.0, -9.0, 8.0]
 STATIC = {  # -> function, inputs, outputs, parameters
@@ -282,7 +256,7 @@ STATIC = {  # -> function, inputs, outputs, parameters
         lambda t, x, u, p: [p.gain * u[0], (p.count + 1 - p.count) * u[0]],
         [2.0],
         [6.0, 2.0],
-        Gain(3.0, 2**70),
+        {"gain": 3.0, "count": 2**70},
     ),
     "products of arrays": (products, [3.0, 4.0], [25.0, 5.0 + 36.0], PLAIN),
     "a long table": (
@@ -300,7 +274,8 @@ STATIC = {  # -> function, inputs, outputs, parameters
 @pytest.mark.parametrize("case", STATIC)
 def test_every_reading_gives_what_is_worked_out_by_hand(case):
     function, u, outputs, *parameters = STATIC[case]
-    alike(static(function, len(u), len(outputs), *parameters), u=u, outputs=outputs)
+    block = static(function, len(u), len(outputs), parameters=dict(*parameters))
+    alike(block, u=u, outputs=outputs)
 
 
 def of_endless_angles(t, x, u, p):
@@ -333,10 +308,6 @@ def test_a_zero_that_comes_through_a_wire_has_no_sign():
 
 
 # --- the order of operations is the author's ---------------------------------------------------
-
-
-class Large(NamedTuple):
-    large: float
 
 
 ORDERS = {  # -> what Python says, worked out by hand
@@ -376,7 +347,7 @@ def test_the_order_of_operations_is_kept(case):
         update=update,
         inputs={"u": len(u)},
         states={"x": 1},
-        parameters=Large(1.5 * 2.0**52),
+        parameters={"large": 1.5 * 2.0**52},
     )
     for name, ask in readings(block).items():
         if name != "symbolic":  # SymPy's numbers do not round
@@ -386,7 +357,7 @@ def test_the_order_of_operations_is_kept(case):
 @pytest.mark.parametrize("value", [[[1.0], [2.0, 3.0]], 1j, "a", None])
 def test_parameters_that_are_no_numbers_are_refused(value):
     with pytest.raises(BlockError, match=r"mine\.large"):
-        static(negative, 1, 1, Large(value))
+        static(negative, 1, parameters={"large": value})
 
 
 @pytest.mark.parametrize("system", [control.tf([1], [1, 1]), 5, None])
@@ -403,17 +374,13 @@ def test_a_diagram_of_no_blocks_is_refused():
 # --- what a run is given -----------------------------------------------------------------------
 
 
-class Phase(NamedTuple):
-    interval: float = -1.0
-
-
 def jumping(breakpoints):
     return Block(
         "mine",
         update=lambda t, x, u, p: np.where(p.interval > 0.5, -1.0, 1.0) + u[0],
         inputs={"u": 1},
         states={"x": 1},
-        parameters=Phase(),
+        parameters={"interval": -1.0},
         breakpoints=breakpoints,
     )
 

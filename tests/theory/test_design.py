@@ -46,7 +46,7 @@ def paper():
 def quickly():
     """Steps uphill are few: enough for all but the best track."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(search, "CLIMBS", 5)
+        patch.setattr(search, "CLIMBS", 2)
         yield lambda scenario, **more: design_track(scenario, **{"generations": 1, **more})
 
 

@@ -111,6 +111,7 @@ def test_a_V_with_what_states_keep_may_be_made_of_parameters_too():
     assert prove(make(), points=POINTS, **own).status == status
 
 
+@pytest.mark.slow
 def test_a_V_that_saturates_is_judged_soon(monkeypatch):
     saturated = own_laws.V_of(lambda t, u, p: np.tanh(u.e @ u.e / 2 + own_laws.off(u, p)))
     terms, expand = [], sympy.expand
