@@ -40,42 +40,44 @@ class Thing:
     """An object of nobody."""
 
 
+WRONG = {
+    "None": None,
+    "3": 3,
+    "-1": -1,
+    "nan": math.nan,
+    "True": True,
+    "text": "mine.toml",
+    "nothing": "",
+    "bytes": b"mine",
+    "path": Path("no such folder") / "mine.toml",
+    "empty": [],
+    "numbers": [1, 2],
+    "texts": ["a", "b"],
+    "nested": [[1.0], [1.0, 2.0]],
+    "tuple": (1.0, 2.0, 3.0),
+    "dict": {},
+    "dict of numbers": {"a": 1},
+    "dict by numbers": {1: "a"},
+    "set": {"a"},
+    "array": np.zeros((2, 3)),
+    "array of one": np.array(2.0),
+    "array of text": np.array(["a"]),
+    "response": control.step_response(control.tf([1], [1, 1])),
+    "dataset": xarray.Dataset({"a": ("b", [1.0])}),
+    "dataarray": xarray.DataArray([1.0], dims="time"),
+    "object": Thing(),
+    "class": Thing,
+    "function": line,
+    "scenario": SCENARIO,
+    "block": clpe(),
+    "system": control.tf([1], [1, 1]),
+    "dive": DIVES[0],
+}
+
+
 def wrong_values():
-    """Return values each of which is wrong nearly everywhere."""
-    return {
-        "None": None,
-        "3": 3,
-        "-1": -1,
-        "nan": math.nan,
-        "True": True,
-        "text": "mine.toml",
-        "nothing": "",
-        "bytes": b"mine",
-        "path": Path("no such folder") / "mine.toml",
-        "empty": [],
-        "numbers": [1, 2],
-        "texts": ["a", "b"],
-        "nested": [[1.0], [1.0, 2.0]],
-        "tuple": (1.0, 2.0, 3.0),
-        "dict": {},
-        "dict of numbers": {"a": 1},
-        "dict by numbers": {1: "a"},
-        "set": {"a"},
-        "array": np.zeros((2, 3)),
-        "array of one": np.array(2.0),
-        "array of text": np.array(["a"]),
-        "response": control.step_response(control.tf([1], [1, 1])),
-        "dataset": xarray.Dataset({"a": ("b", [1.0])}),
-        "dataarray": xarray.DataArray([1.0], dims="time"),
-        "generator": generated(),
-        "object": Thing(),
-        "class": Thing,
-        "function": line,
-        "scenario": SCENARIO,
-        "block": clpe(),
-        "system": control.tf([1], [1, 1]),
-        "dive": DIVES[0],
-    }
+    """Return values each of which is wrong nearly everywhere; a generator is read once."""
+    return {**WRONG, "generator": generated()}
 
 
 PLANT = control.ss(-1, 1, 1, 0)
@@ -100,6 +102,7 @@ LONG = (
     "audit",
     "design_track",
     "disturbance_counterexample",
+    "excitation_plot",
     "prove",
     "run_ensemble",
     "tune_law",

@@ -31,7 +31,7 @@ def made():
         "ensemble": clpt.ensemble.run_ensemble(SCENARIO, "learning.gain=0.2:2.0", 3),
         "replay": clpt.replay.replay_dives(dives[:5]),
         "design": clpt.theory.design_track(
-            SCENARIO.with_values({"run.duration": 80}), count=3, window=30, generations=1
+            SCENARIO, goal="kappa", count=2, window=20, generations=1
         ),
         "tides": (fit, CurrentRecord(time, u, v, 41.0, None, "made")),
     }

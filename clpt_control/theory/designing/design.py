@@ -193,10 +193,10 @@ def design_track(
     Examples
     --------
     >>> import clpt_control as clpt
-    >>> scenario = clpt.paper_scenario().with_values({"run.duration": 200})
-    >>> found = clpt.theory.design_track(scenario, count=3, window=60, generations=2)
+    >>> scenario = clpt.paper_scenario().with_values({"run.duration": 80})
+    >>> found = clpt.theory.design_track(scenario, count=2, window=20, generations=1)
     >>> found.report["ratio"] >= 1, len(found.scenario.waypoints)
-    (True, 3)
+    (True, 2)
     """
     if goal not in GOALS:
         raise ScenarioError(f"goal {goal!r}: must be one of {', '.join(GOALS)}")

@@ -40,8 +40,9 @@ def design_plot(design: Design, *, ax: Any = None) -> np.ndarray:
     Examples
     --------
     >>> import clpt_control as clpt
-    >>> scenario = clpt.paper_scenario().with_values({"run.duration": 200})
-    >>> found = clpt.theory.design_track(scenario, count=3, window=60, generations=2)
+    >>> scenario = clpt.paper_scenario().with_values({"run.duration": 80})
+    >>> given = {"goal": "kappa", "count": 2, "window": 20, "generations": 1}  # soon found
+    >>> found = clpt.theory.design_track(scenario, **given)
     >>> old, new, error = clpt.theory.design_plot(found)
     """
     error = design.tracks[0].error
