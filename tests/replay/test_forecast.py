@@ -178,7 +178,7 @@ def test_a_gap_of_the_steps_is_not_bridged(tmp_path):
     coarser = np.array([*range(10), 12.0, 15.0, 18.0, 21.0, 27.0, 33.0, 39.0])  # 1, 3 and 6 h
     u = np.full((len(coarser), len(LAT), len(LON)), 0.2)
     model = read_flow_model(write(tmp_path / "coarser.nc", u, 0 * u, hours=coarser))
-    for hour in range(33):
+    for hour in range(0, 33, 4):
         assert carried(dive_at(hour=hour, way=(0.0, 0.0)), model).model_east is not None, hour
     assert gaps_of(np.array([0.0, 6.0])).tolist() == [False]
     assert gaps_of(np.array([0.0, 6.0, 72.0])).tolist() == [False, True]

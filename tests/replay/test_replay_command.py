@@ -106,6 +106,7 @@ def forecast(tmp_path):
     return tmp_path / "forecast.nc"
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_the_command_with_a_flow_model(command, forecast, tmp_path):
     out = tmp_path / "out"
     found = json.loads(command("--sample", "--flow-model", forecast, "--out", out, "--json").stdout)
