@@ -1,4 +1,4 @@
-"""Gridded currents that are the same everywhere."""
+"""Gridded currents as datasets, which a test changes and writes by `to_netcdf`."""
 
 import numpy as np
 import xarray
@@ -17,3 +17,36 @@ def uniform_field(path, u=0.1, v=0.1, half=10.0, end=50.0):
     )
     field.to_netcdf(path)
     return field
+
+
+def gridded_current(u, v, lat, lon, hours, *, since="2019-01-01", units="m/s", depth=None):
+    """Return a current, shapes (time, [depth,] lat, lon), as models and radars have it."""
+    axes = {
+        "time": (hours, f"hours since {since}"),
+        "depth": (depth, "m"),
+        "lat": (lat, "degrees_north"),
+        "lon": (lon, "degrees_east"),
+    }
+    axes = {
+        name: (name, values, {"units": unit})
+        for name, (values, unit) in axes.items()
+        if values is not None
+    }
+    flow = {name: (tuple(axes), values, {"units": units}) for name, values in (("u", u), ("v", v))}
+    return xarray.Dataset(flow, axes)
+
+
+def as_it_is(data):
+    return data
+
+
+def saying(names, **attributes):
+    """A change of what variables say of themselves; None takes it away."""
+
+    def change(data):
+        for name in names.split():
+            said = data[name].attrs | attributes
+            data[name].attrs = {key: value for key, value in said.items() if value is not None}
+        return data
+
+    return change

@@ -4,8 +4,8 @@ import math
 from dataclasses import replace
 from datetime import UTC, datetime
 
-import netCDF4
 import numpy as np
+from made_fields import as_it_is, gridded_current
 from pyproj import Geod
 
 from clpt_control.gliders.dives import make_dive
@@ -47,27 +47,10 @@ def ended(dive, east, north):
     return replace(dive, lat_gpse=lat, lon_gpse=lon, gps_east=east, gps_north=north)
 
 
-def write(path, u, v, lat=LAT, lon=LON, hours=HOURS, depth=None, **units):
+def write(path, u, v, lat=LAT, lon=LON, hours=HOURS, depth=None, change=as_it_is):
     """Write a current, shapes (time, [depth,] lat, lon), m/s."""
-    axes = {
-        "time": (hours, "hours since 2020-06-01"),
-        "lat": (lat, "degrees_north"),
-        "lon": (lon, "degrees_east"),
-    }
-    if depth is not None:
-        axes = {"time": axes.pop("time"), "depth": (depth, "m"), **axes}
-    with netCDF4.Dataset(path, "w") as file:
-        for name, (values, unit) in axes.items():
-            file.createDimension(name, len(values))
-            file.createVariable(name, "f8", (name,))[:] = values
-            file[name].units = units.get("level", "m") if name == "depth" else unit
-        if "calendar" in units:
-            file["time"].calendar = units["calendar"]
-        for name, values in (("u", u), ("v", v)):
-            file.createVariable(name, "f8", tuple(axes), fill_value=-999.0)[:] = np.nan_to_num(
-                values, nan=-999.0
-            )
-            file[name].units = "m/s"
+    made = gridded_current(u, v, lat, lon, hours, since="2020-06-01", depth=depth)
+    change(made).to_netcdf(path)
     return path
 
 

@@ -5,7 +5,7 @@ from pathlib import Path
 import netCDF4
 import numpy as np
 import pytest
-import xarray
+from made_fields import as_it_is, gridded_current, saying
 from pyproj import Geod
 from scipy.interpolate import make_interp_spline
 
@@ -35,72 +35,42 @@ def sample():
     return rng.normal(size=(2, len(TIME), len(LAT), len(LON)))
 
 
-def write(path, u, v, lat=LAT, lon=LON, time=TIME, **options):
-    """Write a gridded current; options change one thing at a time."""
-    order = options.get("order", ("time", "lat", "lon"))
-    names = options.get("names", ("u", "v"))
-    with netCDF4.Dataset(path, "w") as file:
-        for name, values, unit in (
-            ("time", time, options.get("time_units", "hours since 2019-01-01 06:00:00")),
-            ("lat", lat, "degrees_north"),
-            ("lon", lon, "degrees_east"),
-        ):
-            if name in options.get("without", ()):
-                file.createDimension(name, len(values))
-                continue
-            file.createDimension(name, len(values))
-            made = file.createVariable(
-                name, str if name in options.get("words", ()) else "f8", (name,)
-            )
-            made[:] = values.astype(str).astype(object) if made.dtype is str else values
-            if unit:
-                made.units = unit
-            if name == "time" and "calendar" in options:
-                made.calendar = options["calendar"]
-        dims = order
-        if "depth" in options:
-            file.createDimension("depth", len(options["depth"]))
-            file.createVariable("depth", "f8", ("depth",))[:] = options["depth"]
-            dims = ("time", "depth", "lat", "lon")
-        for name, standard, values in (
-            (names[0], "eastward_sea_water_velocity", u),
-            (names[1], "northward_sea_water_velocity", v),
-        ):
-            if name is None:
-                continue
-            kind = options.get("dtype", "f8")
-            variable = file.createVariable(name, kind, dims, fill_value=options.get("fill"))
-            if "scale" in options:
-                variable.scale_factor = options["scale"]
-            if options.get("standard"):
-                variable.standard_name = standard
-            if options.get("units", "m/s"):
-                variable.units = options.get("units", "m/s")
-            if "depth" in options:
-                stack = [values + 10 * k for k in range(len(options["depth"]))]
-                variable[:] = np.stack(stack, axis=1)
-            else:
-                variable[:] = np.transpose(values, [("time", "lat", "lon").index(d) for d in order])
+def write(path, u, v, lat=LAT, lon=LON, time=TIME, depth=None, change=as_it_is, **how):
+    """Write a gridded current, of which one thing is changed."""
+    made = gridded_current(u, v, lat, lon, time, since="2019-01-01 06:00:00", depth=depth)
+    change(made).to_netcdf(path, **how)
     return path
 
 
+def named(east, north):
+    return lambda data: data.rename(u=east, v=north)
+
+
+def standard(data):
+    """Names by which nothing is found, and standard ones."""
+    saying("u", standard_name="eastward_sea_water_velocity", units="cm s-1")(data)
+    saying("v", standard_name="northward_sea_water_velocity", units="cm s-1")(data)
+    return named("east", "north")(data)
+
+
 @pytest.mark.parametrize(
-    ("size", "options"),
+    ("size", "change", "axes"),
     [
-        (1.0, {}),
-        (100.0, {"units": "cm/s"}),
-        (100.0, {"units": "cm s-1", "names": ("east", "north"), "standard": True}),
-        (3.6, {"units": "km/h", "names": ("water_u", "water_v")}),
-        (1.0, {"order": ("lon", "time", "lat")}),
-        (1.0, {"lon": LON + 360}),
-        (1.0, {"time": TIME * 60, "time_units": "minutes since 2019-01-01 06:00"}),
-        (1.0, {"time_units": "Hours Since 2019-01-01 06:00"}),
-        (1.0, {"time": TIME / 24 + 0.25, "time_units": "days since 2019-01-01"}),
+        (1.0, as_it_is, {}),
+        (100.0, saying("u v", units="cm/s"), {}),
+        (100.0, standard, {}),
+        (3.6, lambda data: named("water_u", "water_v")(saying("u v", units="km/h")(data)), {}),
+        (1.0, lambda data: data.transpose("lon", "time", "lat"), {}),
+        (1.0, as_it_is, {"lon": LON + 360}),
+        (1.0, saying("time", units="minutes since 2019-01-01 06:00"), {"time": TIME * 60}),
+        (1.0, saying("time", units="Hours Since 2019-01-01 06:00"), {}),
+        (1.0, saying("time", units="days since 2019-01-01"), {"time": TIME / 24 + 0.25}),
     ],
 )
-def test_every_spelling_gives_the_same_current(tmp_path, size, options):
+def test_every_spelling_gives_the_same_current(tmp_path, size, change, axes):
     u, v = sample()
-    currents = read_currents(write(tmp_path / "c.nc", size * u, size * v, **options), BOX)
+    path = write(tmp_path / "c.nc", size * u, size * v, change=change, **axes)
+    currents = read_currents(path, BOX)
     np.testing.assert_allclose(currents.u, u, atol=1e-12)
     np.testing.assert_allclose(currents.v, v, atol=1e-12)
     np.testing.assert_allclose(currents.lon, LON, atol=1e-9)
@@ -119,22 +89,25 @@ def test_reversed_axes_are_put_in_order(tmp_path):
 
 def test_level_nearest_the_surface_is_taken(tmp_path):
     u, v = sample()
-    path = write(tmp_path / "c.nc", u, v, depth=[-30.0, -10.0, -1.0])
+    deep = [np.stack([part, part + 20.0], axis=1) for part in (u, v)]
+    path = write(tmp_path / "c.nc", *deep, depth=[-30.0, -1.0])
     with pytest.raises(DataError, match="reaches"):  # 20 m/s were put there
         read_currents(path)
-    path = write(tmp_path / "d.nc", u, v, depth=[0.5, 10.0])
+    path = write(tmp_path / "d.nc", *deep, depth=[0.5, 10.0], change=saying("depth", units=None))
     np.testing.assert_array_equal(read_currents(path).u, u)
+
+
+def packed(scale, fill):
+    """How u and v are written in 16 bits."""
+    how = {"dtype": "i2", "scale_factor": scale, "_FillValue": fill}
+    return {"encoding": {"u": how, "v": how}}
 
 
 def test_packed_values_and_gaps_of_either_component(tmp_path):
     u, v = np.round(sample(), 2)
-    mu, mv = (np.ma.masked_array(w, np.zeros(w.shape, bool)) for w in (u, v))
-    mu[2, 3, 4] = np.ma.masked
-    mv[5, 1, 0] = np.ma.masked
-    path = write(tmp_path / "c.nc", mu, mv, dtype="i2", fill=-32768, scale=0.01)
-    currents = read_currents(path, BOX)
-    gap = np.zeros(u.shape, bool)
-    gap[2, 3, 4] = gap[5, 1, 0] = True
+    u[2, 3, 4] = v[5, 1, 0] = np.nan
+    currents = read_currents(write(tmp_path / "c.nc", u, v, **packed(0.01, -32768)), BOX)
+    gap = np.isnan(u) | np.isnan(v)
     np.testing.assert_array_equal(~currents.measured, gap)
     np.testing.assert_array_equal(np.isnan(currents.v), gap)
     np.testing.assert_allclose(currents.u[~gap], u[~gap], atol=1e-12)
@@ -143,25 +116,23 @@ def test_packed_values_and_gaps_of_either_component(tmp_path):
 @pytest.mark.parametrize("gap", [-32768, -32767, 32767])
 def test_packed_gaps_that_the_fill_value_does_not_name_are_refused(tmp_path, gap):
     scale = 1e-4  # of which every number of 16 bits is a speed that a sea has
-    packed = np.round(0.1 * sample() / scale)
-    packed[:, 2:4, :, 1] = gap
-    path = write(tmp_path / "c.nc", *packed * scale, dtype="i2", scale=scale, fill=-999)
+    whole = np.round(0.1 * sample() / scale)
+    whole[:, 2:4, :, 1] = gap
+    path = write(tmp_path / "c.nc", *whole * scale, **packed(scale, -999))
     with pytest.raises(DataError, match=f"u holds {gap} of int16 12 times.* fill value -999"):
         read_currents(path)
-    right = write(tmp_path / "c.nc", *packed * scale, dtype="i2", scale=scale, fill=gap)
+    right = write(tmp_path / "c.nc", *whole * scale, **packed(scale, gap))
     assert np.isnan(read_currents(right).u[2:4, :, 1]).all()
-    packed[:, 2:4, :, 1] = 0
-    packed *= 32767 / np.abs(packed).max()  # whole range: its ends are data
-    whole = write(tmp_path / "c.nc", *np.rint(packed) * scale, dtype="i2", scale=scale, fill=-32768)
-    assert np.isfinite(read_currents(whole).u).all()
+    whole[:, 2:4, :, 1] = 0
+    whole *= 32767 / np.abs(whole).max()  # whole range: its ends are data
+    path = write(tmp_path / "c.nc", *np.rint(whole) * scale, **packed(scale, -32768))
+    assert np.isfinite(read_currents(path).u).all()
 
 
 @pytest.mark.parametrize("unlimited", [(), ("time",)])
 @pytest.mark.parametrize("kind", ["NETCDF3_CLASSIC", "NETCDF3_64BIT"])
 def test_every_cut_of_a_classic_file_is_refused(tmp_path, kind, unlimited):
-    write(tmp_path / "c.nc", *sample())
-    with xarray.open_dataset(tmp_path / "c.nc", decode_times=False) as data:
-        data.to_netcdf(tmp_path / "whole.nc", format=kind, unlimited_dims=unlimited)
+    write(tmp_path / "whole.nc", *sample(), format=kind, unlimited_dims=unlimited)
     whole = (tmp_path / "whole.nc").read_bytes()
     np.testing.assert_array_equal(read_currents(tmp_path / "whole.nc").u, sample()[0])
     for percent in (1, 5, 20, 50, 80, 95, 99, 99.9, 99.99):
@@ -204,8 +175,8 @@ def test_a_grid_around_the_earth_begins_where_the_file_does(tmp_path):
 
 @pytest.mark.parametrize("calendar", ["360_day", "noleap"])
 def test_a_current_needs_no_real_dates_but_a_column_does(tmp_path, calendar):
-    unit = "hours since 2019-02-28 20:00"
-    path = write(tmp_path / "c.nc", *sample(), time_units=unit, calendar=calendar)
+    change = saying("time", units="hours since 2019-02-28 20:00", calendar=calendar)
+    path = write(tmp_path / "c.nc", *sample(), change=change)
     currents = read_currents(path)
     assert currents.start == f"2019-02-28T20:00:00 in the calendar {calendar}"
     np.testing.assert_allclose(currents.time, TIME, atol=1e-9)
@@ -214,34 +185,58 @@ def test_a_current_needs_no_real_dates_but_a_column_does(tmp_path, calendar):
 
 
 def test_years_that_are_far_away(tmp_path):
-    path = write(tmp_path / "c.nc", *sample(), time_units="hours since 0001-01-01")
+    change = saying("time", units="hours since 0001-01-01")
+    path = write(tmp_path / "c.nc", *sample(), change=change)
     assert read_currents(path).start == "0001-01-01T00:00:00"
     with pytest.raises(DataError, match=r"'hours since 0001-01-01'; .*with years from 1678"):
         read_currents(path, column=True)
 
 
+def time_says(units):
+    return saying("time", units=units)
+
+
+def as_words(name):
+    return lambda data: data.assign_coords({name: data[name].astype(str)})
+
+
+SOUTH = np.where(LAT > 41.2, LAT, np.nan)
+
+
 @pytest.mark.parametrize(
-    ("options", "box", "sentence"),
+    ("change", "sentence"),
     [
-        ({"time_units": "hours since 01/02/2019"}, BOX, "time has units 'hours since 01/02/2019'"),
-        ({"time_units": "hours since 2019-13-01"}, BOX, "time has units 'hours since 2019-13-01'"),
-        ({"time_units": "moons since 2019-01-01"}, BOX, "time has units 'moons since 2019-01-01'"),
+        (time_says("hours since 01/02/2019"), "time has units 'hours since 01/02/2019'"),
+        (time_says("hours since 2019-13-01"), "time has units 'hours since 2019-13-01'"),
+        (time_says("moons since 2019-01-01"), "time has units 'moons since 2019-01-01'"),
+        (time_says("hours"), "time has units 'hours'; must be such as 'hours since"),
+        (time_says(None), "time has units ''"),
+        (named("p", "v"), "no eastward velocity; .*'eastward_sea_water_velocity'.*p, v"),
+        (named("u", "q"), "no northward velocity"),
+        (lambda data: data.drop_vars("lat"), "no latitude; .*standard_name 'latitude'"),
+        (lambda data: data.drop_vars("lon"), "no longitude"),
+        (lambda data: data.drop_vars("time"), "no time"),
+        (saying("u", units=None), "u has no units; must be such as 'm/s'"),
+        (saying("u", units="kelvin"), "u: units = 'kelvin' is no speed"),
+        (as_words("time"), "time holds .*; must hold numbers"),
+        (as_words("lat"), "lat holds .*; must hold numbers"),
+        (saying("time", calendar=""), "time has the calendar ''; must be one of"),
+        (
+            saying("time", calendar="mayan"),
+            "time has the calendar 'mayan'; must be one of standard",
+        ),
+    ],
+)
+def test_each_mistake_of_a_file_is_one_sentence(tmp_path, change, sentence):
+    refused(write(tmp_path / "c.nc", *sample(), change=change), BOX, sentence)
+
+
+@pytest.mark.parametrize(
+    ("axes", "box", "sentence"),
+    [
         ({"time": TIME * np.nan}, BOX, "time has values that are not finite"),
-        ({"lat": np.where(LAT > 41.2, LAT, np.nan)}, BOX, "lat has values that are not finite"),
-        ({"names": ("p", "v")}, BOX, "no eastward velocity; .*'eastward_sea_water_velocity'.*p, v"),
-        ({"names": ("u", "q")}, BOX, "no northward velocity"),
-        ({"without": ("lat",)}, BOX, "no latitude; .*standard_name 'latitude'"),
-        ({"without": ("lon",)}, BOX, "no longitude"),
-        ({"without": ("time",)}, BOX, "no time"),
-        ({"units": None}, BOX, "u has no units; must be such as 'm/s'"),
-        ({"units": "kelvin"}, BOX, "u: units = 'kelvin' is no speed"),
-        ({"time_units": "hours"}, BOX, "time has units 'hours'; must be such as 'hours since"),
-        ({"time_units": None}, BOX, "time has units ''"),
+        ({"lat": SOUTH}, BOX, "lat has values that are not finite"),
         ({"time": np.zeros(10)}, BOX, "time has a step twice"),
-        ({"words": ("time",)}, BOX, "time holds .*; must hold numbers"),
-        ({"words": ("lat",)}, BOX, "lat holds .*; must hold numbers"),
-        ({"calendar": ""}, BOX, "time has the calendar ''; must be one of standard"),
-        ({"calendar": "mayan"}, BOX, "time has the calendar 'mayan'; must be one of standard"),
         ({"lat": 1e300 * LAT}, BOX, "lat goes from 4.1e.301 to 4.15e.301; must be a latitude"),
         ({"lat": np.full(6, 41.2)}, BOX, "lat has a value twice"),
         ({"lon": np.append(LON[:-1], LON[2] + 360.0 + 1e-10)}, BOX, "lon has a value twice .0 and"),
@@ -253,8 +248,11 @@ def test_years_that_are_far_away(tmp_path):
         ({}, (41.0, np.inf, -69.9, -69), "4 finite numbers"),
     ],
 )
-def test_each_mistake_is_one_sentence(tmp_path, options, box, sentence):
-    path = write(tmp_path / "c.nc", *sample(), **options)
+def test_each_mistake_of_axes_is_one_sentence(tmp_path, axes, box, sentence):
+    refused(write(tmp_path / "c.nc", *sample(), **axes), box, sentence)
+
+
+def refused(path, box, sentence):
     with pytest.raises(DataError, match=sentence) as caught:
         read_currents(path, box)
     assert "\n" not in str(caught.value)
@@ -306,9 +304,8 @@ def test_ragged_velocities_and_fields_are_refused(tmp_path):
 
 
 def test_a_chunk_that_cannot_be_read_is_said(tmp_path):
-    with xarray.open_dataset(write(tmp_path / "c.nc", *sample()), decode_times=False) as data:
-        checked = {name: {"fletcher32": True, "zlib": True} for name in "uv"}
-        data.to_netcdf(tmp_path / "f.nc", encoding=checked)
+    checked = {name: {"fletcher32": True, "zlib": True} for name in "uv"}
+    write(tmp_path / "f.nc", *sample(), encoding=checked)
     raw = bytearray((tmp_path / "f.nc").read_bytes())
     at = len(raw) // 2
     raw[at - 400 : at + 400] = bytes(800)

@@ -7,6 +7,7 @@ import re
 import netCDF4
 import numpy as np
 import pytest
+from made_fields import gridded_current
 from pyproj import Proj
 
 import clpt_control as clpt
@@ -40,18 +41,8 @@ def known_flow(places, width, theta):
 
 
 def write(path, u, v, units="m s-1"):
-    with netCDF4.Dataset(path, "w") as file:
-        for name, values, unit in (
-            ("time", TIME, "hours since 2020-06-01"),
-            ("lat", LAT, "degrees_north"),
-            ("lon", LON, "degrees_east"),
-        ):
-            file.createDimension(name, len(values))
-            file.createVariable(name, "f8", (name,))[:] = values
-            file[name].units = unit
-        for name, values in (("u", u), ("v", v)):
-            file.createVariable(name, "f8", ("time", "lat", "lon"))[:] = values
-            file[name].units = units
+    since = "2020-06-01"
+    gridded_current(u, v, LAT, LON, TIME, since=since, units=units).to_netcdf(path)
     return path
 
 

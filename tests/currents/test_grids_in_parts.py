@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-import xarray
+from made_fields import gridded_current
 from xarray.backends.netCDF4_ import NetCDF4ArrayWrapper
 
 from clpt_control.currents.current_record import read_record
@@ -22,13 +22,7 @@ def current(land=False):
     v = 0.2 * tide + 0.05 + 0 * u
     if land:
         u[:, :2, :3] = v[:, :2, :3] = 0.0
-    axes = {
-        "time": ("time", HOURS, {"units": "hours since 2024-01-01"}),
-        "lat": ("lat", LAT, {"units": "degrees_north"}),
-        "lon": ("lon", LON, {"units": "degrees_east"}),
-    }
-    flow = {n: (("time", "lat", "lon"), w, {"units": "m/s"}) for n, w in (("u", u), ("v", v))}
-    return xarray.Dataset(flow, axes)
+    return gridded_current(u, v, LAT, LON, HOURS, since="2024-01-01")
 
 
 def same(a, b):
@@ -112,14 +106,8 @@ def test_a_box_across_180_degrees_is_read_in_two_blocks(tmp_path, monkeypatch):
     """Of columns that are not a slice, each unpacked the whole step."""
     lat, lon = np.linspace(-80, 80, 161), np.arange(-180.0, 180.0, 0.25)
     one = np.random.default_rng(1).integers(-900, 900, (3, 161, 1440)) / 1000.0
-    flow = (("time", "lat", "lon"), one, {"units": "m/s"})
-    axes = {
-        "time": ("time", HOURS[:3], {"units": "hours since 2024-01-01"}),
-        "lat": lat,
-        "lon": lon,
-    }
     whole = {"zlib": True, "complevel": 1, "chunksizes": (1, 161, 1440)}
-    data = xarray.Dataset({"u": flow, "v": flow}, axes)
+    data = gridded_current(one, one, lat, lon, HOURS[:3])
     data.to_netcdf(tmp_path / "c.nc", encoding={"u": whole, "v": whole})
     blocks, read = [], NetCDF4ArrayWrapper._getitem
     monkeypatch.setattr(

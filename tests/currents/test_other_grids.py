@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 import xarray
+from made_fields import gridded_current
 
 from clpt_control.currents.constituents import nyquist
 from clpt_control.currents.current_record import read_record
@@ -62,9 +63,8 @@ def test_units_can_be_given_where_a_file_has_none(clpt, facts, tmp_path):
         read_currents(path)
     metres, knots = read_currents(path, units="m/s"), read_currents(path, units="knots")
     assert np.nanmax(np.abs(knots.u * 3600 / 1852 - metres.u)) < 1e-9
-    axes = {"time": TIME, "lat": ("lat", LAT), "lon": ("lon", LON)}
-    grid = xarray.Dataset({"u": flow("lat", "lon"), "v": flow("lat", "lon")}, axes)
-    grid.to_netcdf(tmp_path / "said.nc")
+    u, v = np.full((2, 5, 4, 4), 0.3)
+    gridded_current(u, v, LAT, LON, np.arange(5.0)).to_netcdf(tmp_path / "said.nc")
     with pytest.raises(DataError, match="u is in 'm/s'; units = 'cm/s' is for a file without"):
         read_currents(tmp_path / "said.nc", units="cm/s")
     assert read_currents(tmp_path / "said.nc", units="m s-1").u.max() == pytest.approx(0.3)
@@ -149,12 +149,6 @@ def test_no_tide_above_the_nyquist_frequency(step, auto):
 def test_a_fit_of_a_grid_refuses_a_tide_that_its_steps_miss(tmp_path):
     hours = np.arange(0.0, 240.0, 8.0)
     wave = 0.3 * np.cos(2 * np.pi * hours / 12.42)[:, None, None] * np.ones((4, 4))
-    values = (("time", "lat", "lon"), wave, MS)
-    axes = {
-        "time": ("time", hours, {"units": "hours since 2019-01-01"}),
-        "lat": ("lat", LAT),
-        "lon": ("lon", LON),
-    }
-    xarray.Dataset({"u": values, "v": values}, axes).to_netcdf(tmp_path / "slow.nc")
+    gridded_current(wave, wave, LAT, LON, hours).to_netcdf(tmp_path / "slow.nc")
     with pytest.raises(DataError, match="a measurement each 8 h sees no tide of 16 h or faster"):
         fit_scenario(tmp_path / "slow.nc", rows=1, columns=1, radius_km=1.0)

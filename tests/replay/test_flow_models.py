@@ -6,6 +6,7 @@ from dataclasses import replace
 import netCDF4
 import numpy as np
 import pytest
+from made_fields import saying
 from synthetic_forecast import (
     HOURS,
     LAT,
@@ -108,10 +109,10 @@ def test_files_that_are_no_flow_model(tmp_path):
         report = file.fit_report
         file.fit_report = "{}"
     (tmp_path / "model.csv").write_text("u,v\n")
-    write(tmp_path / "days.nc", *full, calendar="360_day")
+    write(tmp_path / "days.nc", *full, change=saying("time", calendar="360_day"))
     deep = np.zeros((2, 3, len(LAT), len(LON)))
     write(tmp_path / "deep.nc", deep, deep, hours=HOURS[:2], depth=[0.0, 1.0, 1.0])
-    levels = {"depth": [0.0, 0.5, 1.0], "level": "1"}
+    levels = {"depth": [0.0, 0.5, 1.0], "change": saying("depth", units="1")}
     write(tmp_path / "sigma.nc", deep, deep, hours=HOURS[:2], **levels)
     write(tmp_path / "fast.nc", full[0] + 40, full[1])
     for name, says in (

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import xarray
+from made_fields import gridded_current
 from processes import CLPT, await_line, interrupt, started
 from synthetic_vehicle import one_file_each
 
@@ -90,19 +91,10 @@ def test_the_command_follows(command, tmp_path):
 @pytest.fixture
 def forecast(tmp_path):
     """A forecast over SG542's area and first two days: u grows eastward, v with time."""
-    shape = (2, 2, 2)
-    u = np.broadcast_to(np.array([0.05, 0.15]), shape)
-    v = np.broadcast_to(np.array([0.02, 0.08])[:, None, None], shape)
-    units = {"units": "m/s"}
-    data = xarray.Dataset(
-        {"u": (("time", "lat", "lon"), u, units), "v": (("time", "lat", "lon"), v, units)},
-        {
-            "time": ("time", [0.0, 48.0], {"units": "hours since 2016-01-31"}),
-            "lat": ("lat", [-44.0, -42.0], {"units": "degrees_north"}),
-            "lon": ("lon", [7.5, 9.5], {"units": "degrees_east"}),
-        },
-    )
-    data.to_netcdf(tmp_path / "forecast.nc")
+    u = np.broadcast_to(np.array([0.05, 0.15]), (2, 2, 2))
+    v = np.broadcast_to(np.array([0.02, 0.08])[:, None, None], (2, 2, 2))
+    axes = [-44.0, -42.0], [7.5, 9.5], [0.0, 48.0]
+    gridded_current(u, v, *axes, since="2016-01-31").to_netcdf(tmp_path / "forecast.nc")
     return tmp_path / "forecast.nc"
 
 
