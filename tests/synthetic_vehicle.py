@@ -5,10 +5,12 @@ import math
 import numpy as np
 from scipy.integrate import trapezoid
 
+from clpt_control.cli.replay_report import Ahead, summary_with_next
 from clpt_control.estimation.fix_model import inertial_frequency
 from clpt_control.geodesy import place_from
 from clpt_control.gliders.dive_files import write_dive_table
 from clpt_control.gliders.dives import Dive, make_dive
+from clpt_control.replay.replay import replay_dives
 from clpt_control.scenario.tidal_periods import period
 
 STEADY = (0.1, -0.05)
@@ -49,6 +51,11 @@ def vehicle(
         dives.append(Dive(k, t[0], latitude, 8.0, t[-1], latitude, 8.0, *gps, *dr))
         time = t[-1]
     return dives
+
+
+def told(dives, *targets):
+    """Return what `clpt replay --json` prints of dives, and of waypoints to aim at."""
+    return summary_with_next(replay_dives(dives), [], Ahead(targets=list(targets)))[0]
 
 
 def one_file_each(folder, dives):

@@ -93,7 +93,7 @@ def test_a_lag_swept_over_its_time_constant_is_its_closed_form():
 
 def test_mrac_swept_over_two_parameters_is_python_controls():
     loop, t = mrac(), np.linspace(0, 10, 101)
-    gains, poles = np.linspace(0.5, 3, 4), [-2.0, -0.5, 0.5]
+    gains, poles = [0.5, 3.0], [-2.0, -0.5, 0.5]
     vary = {"gam": gains, "plant.a": poles}
     data = clpt.run_ensemble(loop, vary, timepts=t, inputs=1.0, trajectories=True, **TIGHT)
     assert (data.status == 1).all()

@@ -25,7 +25,7 @@ from clpt_control.ensemble.store import open_store
 from clpt_control.errors import ClptError, DataError, ScenarioError, SimulationError
 
 
-@pytest.mark.parametrize(("threads", "chunk"), [(1, 7), (2, 1), (3, 1000)])
+@pytest.mark.parametrize(("threads", "chunk"), [(1, 7), (2, 3), (3, 1000)])
 def test_threads_and_chunks_do_not_matter(scenario, whole, tmp_path, threads, chunk):
     data = run_ensemble(
         scenario,
@@ -73,7 +73,7 @@ import clpt_control
 from clpt_control.ensemble.run import run_ensemble
 scenario = clpt_control.load_scenario(sys.argv[1])
 def stop(done):
-    if done >= 100:
+    if done >= 40:
         print("far", flush=True)
         threading.Event().wait()
 run_ensemble(
@@ -82,9 +82,9 @@ run_ensemble(
 """
 
 
-def test_killed_and_started_again(scenario, tmp_path):
-    members, file = 300, tmp_path / "scenario.toml"
-    clpt_control.save_scenario(scenario, file)
+def test_killed_and_started_again(quick, tmp_path):
+    members, file = 120, tmp_path / "scenario.toml"
+    clpt_control.save_scenario(quick, file)
     out, wanted = tmp_path / "killed.zarr", tmp_path / "whole.zarr"
     words = [sys.executable, "-c", KILLED, file, out, members, *VARY]
     with started(words, stderr=None) as work:

@@ -11,3 +11,9 @@ def command():
     """Run `clpt replay WORDS`; what a user's mistake raises is kept as `exception`."""
     app = application()
     return lambda *words: CliRunner().invoke(app, ["replay", *map(str, words)])
+
+
+@pytest.fixture
+def follow(command):
+    """Run `clpt replay --follow FOLDER WORDS` for one look."""
+    return lambda folder, *words: command("--follow", folder, "--patience", "0", *words)

@@ -6,9 +6,8 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 from pyproj import Geod
-from synthetic_vehicle import fixes_of
+from synthetic_vehicle import fixes_of, told
 
-import clpt_control as clpt
 from clpt_control.gliders.dives import make_dive
 from clpt_control.html import plain
 from clpt_control.replay.chart import NEXT, line_pieces, ring_of, ring_pieces
@@ -16,12 +15,6 @@ from clpt_control.replay.exchange import next_geojson, track_kml
 
 KML = {"k": "http://www.opengis.net/kml/2.2"}
 GEOD = Geod(ellps="WGS84")
-
-
-def found_at(lat, lon, count=5):
-    """What `--json` prints of a vehicle that begins at a place and goes to the east."""
-    replay = clpt.replay.replay_dives(fixes_of(count, lat, lon))
-    return {**clpt.replay.summary(replay), "next_dive": clpt.replay.next_dive(replay).as_dict()}
 
 
 def turned(ring):
@@ -38,7 +31,7 @@ def inside(ring, lon, lat):
 
 @pytest.mark.parametrize("lat", [-43.0, 0.0, 67.0, 80.0])
 def test_a_ring_is_the_ellipse_on_the_earth(lat):
-    row = found_at(lat, 8.0)["each_dive"][-1]
+    row = told(fixes_of(5, lat))["each_dive"][-1]
     ring = ring_of(row)
     assert ring[0] == ring[-1]
     centre = row["forecast_longitude"], row["forecast_latitude"]
@@ -50,7 +43,7 @@ def test_a_ring_is_the_ellipse_on_the_earth(lat):
 
 
 def test_geojson_is_read_back():
-    found = found_at(-43.0, 8.0)
+    found = told(fixes_of(5, -43.0))
     ahead = found["next_dive"]
     read = json.loads(next_geojson(found))
     shapes = {one["properties"]["name"]: one["geometry"] for one in read["features"]}
@@ -69,7 +62,7 @@ def test_geojson_is_read_back():
 
 @pytest.mark.parametrize("lon", [179.99, -180.0, 180.0, 180.01, -180.01])
 def test_nothing_crosses_180_degrees(lon):
-    found = found_at(51.0, lon)
+    found = told(fixes_of(5, 51.0, lon))
     ahead = found["next_dive"]
     shapes = {
         one["properties"]["name"]: one["geometry"]
@@ -107,7 +100,7 @@ def test_a_line_and_a_ring_are_cut_at_180():
 
 
 def test_kml_is_read_back():
-    found = found_at(-43.0, 8.0)
+    found = told(fixes_of(5, -43.0))
     root = ElementTree.fromstring(track_kml(found, "SG<1> & co \x00"))
     assert root.find("k:Document/k:name", KML).text == "SG<1> & co \ufffd"
     folder = root.find("k:Document/k:Folder", KML)
@@ -133,7 +126,6 @@ def test_plain_text_can_be_written_and_parsed():
 
 def test_one_dive_is_enough():
     dive = make_dive(1, (0.0, 40.0, 8.0), (9000.0, 40.0, 8.02), (500.0, 0.0))
-    replay = clpt.replay.replay_dives([dive])
-    found = {**clpt.replay.summary(replay), "next_dive": clpt.replay.next_dive(replay).as_dict()}
+    found = told([dive])
     assert len(json.loads(next_geojson(found))["features"]) == 4
     ElementTree.fromstring(track_kml(found, "one"))

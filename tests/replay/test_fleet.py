@@ -14,15 +14,13 @@ from urllib.parse import unquote
 import pytest
 from html_reader import Reader
 from processes import CLPT, GUARD, await_line, started
-from synthetic_vehicle import fixes_of, one_file_each, vehicle
+from synthetic_vehicle import fixes_of, one_file_each, told, vehicle
 
-from clpt_control.cli.replay_report import Ahead, summary_with_next
 from clpt_control.geodesy import place_from
 from clpt_control.gliders.dive_files import write_dive_table
 from clpt_control.gliders.dives import make_dive
 from clpt_control.replay import fleet
 from clpt_control.replay.fleet import events, standing, unread
-from clpt_control.replay.replay import replay_dives
 
 HOUR = 3600.0
 TELL = "import sys; open(sys.argv[1], 'a').write(sys.stdin.read())"
@@ -49,13 +47,9 @@ def strayed(dives, last=2):
     return found
 
 
-def summed(dives):
-    return summary_with_next(replay_dives(dives), [], Ahead())[0]
-
-
 def test_what_asks_for_a_pilot():
     dives = recent(12, 1.0)
-    calm, end = summed(dives), dives[-1].t_gpse
+    calm, end = told(dives), dives[-1].t_gpse
     assert events(calm, end) == []
     due = end + summary_hours(calm) * HOUR + calm["next_dive"]["time_90"]
     assert events(calm, due - 60) == []
@@ -63,16 +57,16 @@ def test_what_asks_for_a_pilot():
     assert (event.name, event.dive) == ("overdue", 12)
     assert events(calm, end + 40 * 24 * HOUR) == []  # an old record
     for last, asks in ((1, []), (2, ["OUT"])):
-        wild = summed(strayed(dives, last))
+        wild = told(strayed(dives, last))
         assert [row["inside_90"] for row in wild["each_dive"][-last:]] == [False] * last
         row = standing(wild, "page", end)
         assert (row["asks"], row["out_running"]) == (asks, last)
     assert events(wild, end)[0].dive == 11  # the first of those that run: one event
-    slower = summed(vehicle(3, 30, fault=24, lost=0.4))
+    slower = told(vehicle(3, 30, fault=24, lost=0.4))
     (event,) = events(slower, 0.0)
     *_, anomaly = (row["anomaly"] for row in slower["each_dive"] if row["anomaly"])
     assert (event.name, event.dive) == ("SPEED", anomaly["dive"])
-    assert events(summed(vehicle(3, 45, fault=24, lost=0.4)), 0.0) == []  # long ago
+    assert events(told(vehicle(3, 45, fault=24, lost=0.4)), 0.0) == []  # long ago
 
 
 def summary_hours(found):
@@ -109,8 +103,8 @@ def tree(tmp_path, facts):
 @pytest.mark.usefixtures("undrawn")
 def test_a_row_each_what_asks_for_a_pilot_first_and_is_told_once(tree, command, monkeypatch):
     monkeypatch.setenv("COLUMNS", "80")
-    told = tree.parent / "told"
-    done = command("--fleet", tree, "--alert", teller(told))
+    heard = tree.parent / "told"
+    done = command("--fleet", tree, "--alert", teller(heard))
     assert done.exit_code == 0, done.output
     table = [line for line in done.stdout.splitlines() if line.startswith("│")]
     names = [line.split("│")[1].strip() for line in table]
@@ -121,8 +115,8 @@ def test_a_row_each_what_asks_for_a_pilot_first_and_is_told_once(tree, command, 
     assert "OUT x2" in table[1]
     assert "7 vehicles, 3 asking for a pilot" in done.stdout
     assert "hurt: cannot be read: " in done.stdout
-    again = command("--fleet", tree, "--alert", teller(told), "--json")
-    assert sorted(told_in(told)) == [("a <b> & '#1%3f'", "OUT", 5), ("late", "overdue", 6)]
+    again = command("--fleet", tree, "--alert", teller(heard), "--json")
+    assert sorted(told_in(heard)) == [("a <b> & '#1%3f'", "OUT", 5), ("late", "overdue", 6)]
     found = json.loads(again.stdout)
     rows = {row["vehicle"]: row for row in found["vehicles"]}
     assert [row["vehicle"] for row in found["vehicles"]][:3] == names[:3]
@@ -184,7 +178,7 @@ def told_in(path):
 
 def test_braces_stand_for_the_sentence(tmp_path):
     words = shlex.join([sys.executable, "-c", "import sys; print(sys.argv[1:])", "{}"])
-    found = summed(strayed(recent(6, 1.0)))
+    found = told(strayed(recent(6, 1.0)))
     seen = fleet.Alerts(fleet.checked_command(words), tmp_path)
     (tmp_path / "state").mkdir()
     seen.tell(found)
@@ -204,7 +198,7 @@ def test_a_command_that_fails_is_one_sentence_and_is_run_again(
     code, longest, says, tmp_path, capsys, monkeypatch
 ):
     monkeypatch.setattr(fleet, "LONGEST", longest)
-    found = summed(strayed(recent(6, 1.0)))
+    found = told(strayed(recent(6, 1.0)))
     seen = fleet.Alerts([sys.executable, "-c", code], tmp_path)
     (tmp_path / "state").mkdir()
     seen.tell(found)
@@ -213,9 +207,9 @@ def test_a_command_that_fails_is_one_sentence_and_is_run_again(
     assert said.count(says) == 1
     assert said.count("\n") == 1
     monkeypatch.setattr(fleet, "LONGEST", 60.0)
-    told = tmp_path / "told"
-    fleet.Alerts(shlex.split(teller(told)), tmp_path).tell(found)
-    assert told_in(told) == [("glider", "OUT", 5)]
+    heard = tmp_path / "told"
+    fleet.Alerts(shlex.split(teller(heard)), tmp_path).tell(found)
+    assert told_in(heard) == [("glider", "OUT", 5)]
 
 
 def test_what_a_command_leaves_behind_is_not_waited_for(tmp_path):
@@ -224,7 +218,7 @@ def test_what_a_command_leaves_behind_is_not_waited_for(tmp_path):
     left += "; open(sys.argv[1], 'w').write(str(one.pid))"
     (tmp_path / "state").mkdir()
     seen = fleet.Alerts([sys.executable, "-c", left, str(number)], tmp_path)
-    seen.tell(summed(strayed(recent(6, 1.0))))
+    seen.tell(told(strayed(recent(6, 1.0))))
     os.kill(int(number.read_text()), signal.SIGKILL)  # it still waits
     assert seen.told == ["glider OUT 5"]
 

@@ -164,13 +164,13 @@ def test_patience_is_time(clpt, tmp_path, monkeypatch):
 
 
 @pytest.mark.usefixtures("undrawn")
-def test_files_that_are_skipped_for_one_reason_are_one_line(command, tmp_path):
+def test_files_that_are_skipped_for_one_reason_are_one_line(follow, tmp_path):
     folder, out = tmp_path / "in", tmp_path / "out"
     folder.mkdir()
     one_file_each(folder, sample_dives()[:2])
     for name in ("one.csv", "three.csv", "two.csv"):
         (folder / name).write_text("")
-    done = command("--follow", folder, "--out", out, "--patience", "0")
+    done = follow(folder, "--out", out)
     skipped = [line for line in done.stdout.splitlines() if line.startswith("skipped")]
     assert len(skipped) == 1
     assert "one.csv: is empty" in skipped[0]

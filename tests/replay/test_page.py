@@ -7,10 +7,8 @@ from hashlib import sha256
 import pytest
 from html_reader import Reader
 from pyproj import Geod
-from synthetic_vehicle import fixes_of
+from synthetic_vehicle import fixes_of, told
 
-import clpt_control as clpt
-from clpt_control.gliders.dives import Skipped
 from clpt_control.replay.chart import Chart, grid_label
 from clpt_control.replay.replay_page import replay_page
 
@@ -18,10 +16,9 @@ EVIL = "</title></script><script>alert(1)</script><img src=x onerror='alert(2)'>
 
 
 def page_of(count, lat=40.0, lon=8.0, evil=""):
-    replay = clpt.replay.replay_dives(fixes_of(count, lat, lon))
-    found = clpt.replay.summary(replay, [Skipped(None, evil)])
-    found |= {"next_dive": clpt.replay.next_dive(replay).as_dict(), "aim": []}
+    found = told(fixes_of(count, lat, lon))
     if evil:
+        found["skipped"] = [{"dive": None, "why": evil}]
         found["vehicle"] = f"SG {evil}"
         found["each_dive"][0]["dive"] = evil
         found["next_dive"]["place"] = evil
@@ -57,13 +54,11 @@ def test_nothing_is_fetched():
 
 @pytest.mark.usefixtures("undrawn")
 def test_a_page_that_is_written_again_is_loaded_again():
-    replay = clpt.replay.replay_dives(fixes_of(3))
-    found = {**clpt.replay.summary(replay), "aim": []}
-    found["next_dive"] = clpt.replay.next_dive(replay).as_dict()
+    found = told(fixes_of(3))
     for again in (False, True):
         tags = Reader(replay_page(found, again)).tags
-        told = [names for _, names in tags if names.get("http-equiv") == "refresh"]
-        assert told == [{"http-equiv": "refresh", "content": "60"}] * again
+        asked = [names for _, names in tags if names.get("http-equiv") == "refresh"]
+        assert asked == [{"http-equiv": "refresh", "content": "60"}] * again
         assert [names["data-again"] for _, names in tags if "data-again" in names] == ["60"] * again
 
 
@@ -90,16 +85,13 @@ def test_a_chart_is_true_to_scale_and_angle(lat, lon):
 
 @pytest.mark.usefixtures("undrawn")
 def test_a_far_waypoint_leaves_the_chart_as_it_is():
-    replay = clpt.replay.replay_dives(fixes_of(6))
-    found = {**clpt.replay.summary(replay), "aim": []}
-    found["next_dive"] = clpt.replay.next_dive(replay).as_dict()
-    last = replay.steps[-1].dive
+    *_, last = dives = fixes_of(6)
+    found = told(dives)
     sizes = {}
     for bearing, away in ((0.0, 5e5), (90.0, 5e5), (225.0, 5e5), (300.0, 100.0)):
         place = Geod(ellps="WGS84").fwd(last.lon_gpse, last.lat_gpse, bearing, away)
-        aims = clpt.replay.aims(replay, [(place[1], place[0])])
-        found["aim"] = [leg.as_dict() for leg in aims]
-        page = Reader(replay_page(found))
+        aimed = found | {"aim": told(dives, (place[1], place[0]))["aim"]}
+        page = Reader(replay_page(aimed))
         box = next(names["viewbox"] for tag, names in page.tags if tag == "svg")
         sizes[bearing] = box, next(names["data-metres"] for tag, names in page.tags if tag == "svg")
         arrows = [text for text in page.texts if re.fullmatch(r"waypoint 1, \d+ km to \d{3}", text)]

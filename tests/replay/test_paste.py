@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import pytest
 from pyproj import Geod
+from synthetic_vehicle import told
 
 from clpt_control.cli.replay_report import Ahead, summary_with_next, write
 from clpt_control.geodesy import place_from
@@ -18,8 +19,7 @@ NUMBER = re.compile(r"-?\d+\d\d\.\d{4}")
 
 def found_of(kind, note="", targets=TARGETS):
     *dives, last = sample_dives()
-    replay = replay_dives([*dives, replace(last, kind=kind, notes=(note,))])
-    return summary_with_next(replay, [], Ahead(targets=list(targets)))[0]
+    return told([*dives, replace(last, kind=kind, notes=(note,))], *targets)
 
 
 def degrees_of(word):

@@ -61,25 +61,15 @@ def test_the_command(command, tmp_path):
 
 
 @pytest.mark.usefixtures("undrawn")
-def test_the_command_follows(command, tmp_path):
+def test_the_command_follows(command, follow, tmp_path):
     (tmp_path / "in").mkdir()
-    words = (
-        "--follow",
-        tmp_path / "in",
-        "--out",
-        tmp_path / "out",
-        "--every",
-        "0.01",
-        "--patience",
-        "0.01",
-        "--json",
-    )
-    empty = json.loads(command(*words).stdout)
+    words = (tmp_path / "in", "--out", tmp_path / "out", "--json")
+    empty = json.loads(follow(*words).stdout)
     assert empty["used"] == 0
     assert empty["clpe_rms"]["adaptive"] is None
     for part in (sample_dives()[:5], sample_dives()[5:]):
         one_file_each(tmp_path / "in", part)
-        followed = json.loads(command(*words).stdout)
+        followed = json.loads(follow(*words).stdout)
     for key, none in (("vehicle", "glider"), ("kind", None)):
         assert followed.pop(key) == none  # the table of dives names none
     sample = json.loads(command("--sample", "--json").stdout)
@@ -127,27 +117,15 @@ def test_the_command_with_a_flow_model(command, forecast, tmp_path):
 
 
 @pytest.mark.usefixtures("undrawn")
-def test_tides_need_a_record(command, tmp_path):
+def test_tides_need_a_record(command, follow, tmp_path):
     words = ("--flow", "steady,M2,S2")
     failed = str(command("--sample", *words).exception)
     assert "M2 and S2 cannot be told apart" in failed
     assert command("--sample", "--flow", "steady,M2,K1", "--estimator", "gradient").exit_code == 0
     (tmp_path / "in").mkdir()
     one_file_each(tmp_path / "in", sample_dives()[:1])
-    follow = (
-        "--follow",
-        tmp_path / "in",
-        "--out",
-        tmp_path / "out",
-        "--every",
-        "0.01",
-        "--patience",
-        "0.01",
-        "--estimator",
-        "gradient",
-        "--json",
-    )
-    done = command(*follow, *words)
+    words += ("--out", tmp_path / "out", "--estimator", "gradient", "--json")
+    done = follow(tmp_path / "in", *words)
     assert "so far, flow steady,M2,S2" in done.stderr
     found = json.loads(done.stdout)
     assert found["used"] == 1
@@ -156,12 +134,11 @@ def test_tides_need_a_record(command, tmp_path):
 
 
 @pytest.mark.usefixtures("undrawn")
-def test_results_of_following_lie_in_the_folder_by_default(command, tmp_path):
+def test_results_of_following_lie_in_the_folder_by_default(follow, tmp_path):
     one_file_each(tmp_path, sample_dives()[:2])
-    words = ("--follow", tmp_path, "--every", "0.01", "--patience", "0.01", "--json")
-    assert json.loads(command(*words).stdout)["used"] == 2
+    for _ in range(2):  # its own results are no dives
+        assert json.loads(follow(tmp_path, "--json").stdout)["used"] == 2
     assert (tmp_path / "replay" / "replay.nc").exists()
-    assert json.loads(command(*words).stdout)["used"] == 2  # its own results are no dives
 
 
 @pytest.mark.processes

@@ -70,11 +70,11 @@ def test_the_next_dive_has_a_row(command):
 
 
 @pytest.mark.usefixtures("undrawn")
-def test_following_goes_on_where_it_cannot_aim(command, tmp_path):
+def test_following_goes_on_where_it_cannot_aim(command, follow, tmp_path):
     still = [replace(dive, dr_east=0.0, dr_north=0.0) for dive in sample_dives()[:2]]
     one_file_each(tmp_path, still)
     aim = ("--aim", "-42.5", "8.0", "--json")
-    done = command("--follow", tmp_path, "--every", "0.01", "--patience", "0.01", *aim)
+    done = follow(tmp_path, *aim)
     assert "so far, --aim: by dead reckoning the last 2 dives went nowhere" in done.stderr
     assert json.loads(done.stdout)["aim"] == []
     assert "give --speed" in str(command(*tmp_path.glob("*.csv"), *aim).exception)
@@ -172,12 +172,11 @@ def test_mistakes_in_aiming(command):
 
 
 @pytest.mark.usefixtures("undrawn")
-def test_the_line_of_following(command, tmp_path):
+def test_the_line_of_following(follow, tmp_path):
     dives = sample_dives()[:3]
     one_file_each(tmp_path, dives)
     near = dives[2].lat_gpse + 0.001, dives[2].lon_gpse  # come close to: the next one is aimed at
-    words = ("--follow", tmp_path, "--every", "0.01", "--patience", "0.01")
-    done = command(*words, "--aim", *near, "--aim", "-42.5", "8.0", "--json")
+    done = follow(tmp_path, "--aim", *near, "--aim", "-42.5", "8.0", "--json")
     line = next(line for line in done.stderr.splitlines() if "dives used" in line)
     said = r"3 new files, 3 dives used; dive 306: miss \d+ m; next surfacing 2016-02-01"
     assert re.search(said, line)

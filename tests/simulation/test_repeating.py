@@ -152,11 +152,12 @@ def test_a_file_repeats_its_run_to_the_same_bytes(tmp_path, name):
 
 def test_what_a_file_repeats_is_what_python_control_runs(tmp_path):
     """The loaded diagram and the first one, by python-control's own integration."""
-    clpt.save_run(clpt.simulate(nested(), TIMES, np.cos(TIMES)), tmp_path / "run.nc")
+    times = TIMES[:6]
+    clpt.save_run(clpt.simulate(nested(), times, np.cos(times)), tmp_path / "run.nc")
     diagram = clpt.load_diagram(tmp_path / "run.nc")
     exact = {"solve_ivp_kwargs": {"rtol": 1e-10, "atol": 1e-12}}
     theirs, ours = (
-        control.input_output_response(one, TIMES, np.cos(TIMES), **exact)
+        control.input_output_response(one, times, np.cos(times), **exact)
         for one in (nested(), diagram)
     )
     np.testing.assert_allclose(ours.outputs, theirs.outputs, rtol=1e-9, atol=1e-10)
