@@ -43,6 +43,14 @@ def interrupt(process):
     return out, without_progress(err)
 
 
+def kill_while_it_writes(process, folder, part):
+    """Kill a process once a file of this name lies in a folder or below it."""
+    while not list(folder.rglob(part)):
+        assert process.poll() is None
+    process.kill()
+    process.wait(GUARD)
+
+
 def without_progress(text):
     """Leave out the lines that tell how far a command has come."""
     return "".join(line for line in text.splitlines(True) if not PROGRESS.fullmatch(line.strip()))

@@ -3,7 +3,9 @@
 import struct
 
 import numpy as np
+from pyproj import Geod
 
+WGS84 = Geod(ellps="WGS84")
 KNOWN = b"sa" + struct.pack("<hfd", 4660, 123.456, 123456789.12345)
 CRC = "0badcafe"
 SENSORS = (
@@ -68,6 +70,12 @@ def segment(
         values = b"".join(struct.pack("<d", row[name]) for name in names if name in row)
         out += b"d" + bytes(states) + values
     return out + end
+
+
+def place_at(start, moved):
+    """Return the place (latitude, longitude) at a displacement, m east and north, from another."""
+    lon, lat, _ = WGS84.fwd(*start[::-1], np.degrees(np.arctan2(*moved)), np.hypot(*moved))
+    return lat, lon
 
 
 def ddmm(degrees):

@@ -184,22 +184,6 @@ def test_what_is_no_file_is_not_replaced_and_nothing_is_written(tmp_path):
     assert {path.name for path in tmp_path.iterdir()} == {"pipe", "folder", "device"}
 
 
-SAVED = """
-import sys
-import numpy, xarray
-from clpt_control.files import write_file
-write_file(sys.argv[1], xarray.Dataset({"a": ("n", numpy.zeros(3))}))
-assert sys.modules.get("distributed", 0) == 0
-print(xarray.open_dataset(sys.argv[1]).a.values.tolist())
-"""
-
-
-def test_saving_imports_no_cluster(tmp_path):
-    command = [sys.executable, "-c", SAVED, str(tmp_path / "a.nc")]
-    done = subprocess.run(command, capture_output=True, text=True)
-    assert (done.stdout, done.returncode) == ("[0.0, 0.0, 0.0]\n", 0), done.stderr
-
-
 def test_a_small_file_that_says_it_holds_much_is_refused(tmp_path):
     with netCDF4.Dataset(tmp_path / "r.nc", "w") as data:
         for name in ("time", "axis"):

@@ -8,7 +8,6 @@ import sys
 from pathlib import Path
 
 import pytest
-from processes import CLPT
 
 import clpt_control
 from clpt_control.cli import application
@@ -80,15 +79,25 @@ def test_what_is_misspelt_finds_the_near_name(clpt, words, near):
     assert re.search(rf"; did you mean .*{near}\b.*\?\n$", outcome.err)
 
 
-@pytest.mark.parametrize("words", [["run"], ["run", "x.toml", "--out"], ["nothing-like-it"]])
-def test_what_lacks_names_the_help(clpt, words):
+@pytest.mark.parametrize(
+    ("words", "lacks"),
+    [
+        (["run"], "scenario"),
+        (["run", "x.toml"], "--out"),
+        (["run", "x.toml", "--out"], "--out"),
+        (["nothing-like-it"], "nothing-like-it"),
+    ],
+)
+def test_what_lacks_names_the_help(clpt, words, lacks):
     outcome = clpt(*words)
-    assert (outcome.status, outcome.out) == (2, "")
+    assert (outcome.status, outcome.out, outcome.err.count("\n")) == (2, "", 1)
+    assert lacks in outcome.err.lower()
     assert re.search(r"`clpt[ \w]* --help` shows", outcome.err)
 
 
 def test_the_module_is_the_command(clpt):
-    ran = subprocess.run([*CLPT, "run", "--help"], capture_output=True, text=True, check=True)
+    words = [sys.executable, "-m", "clpt_control", "run", "--help"]
+    ran = subprocess.run(words, capture_output=True, text=True, check=True)
     assert ran.stdout == clpt("run", "--help").out
 
 

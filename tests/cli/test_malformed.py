@@ -353,17 +353,6 @@ def test_places_that_cannot_be_written(clpt, tmp_path):
         assert_refused(clpt(*arguments), tmp_path, before, words)
 
 
-def test_words_that_are_no_command(clpt, tmp_path):
-    for arguments, words in [
-        (("runn",), ["runn"]),
-        (("run",), ["scenario"]),
-        (("run", "a.toml"), ["--out"]),
-        (("run", "a.toml", "--out", "b.nc", "--jsn"), ["--jsn"]),
-    ]:
-        assert_refused(clpt(*arguments), tmp_path, [], [])
-        assert all(word in clpt(*arguments).err.lower() for word in words)
-
-
 def test_field_files_that_cannot_be_used(clpt, tmp_path):
     good = uniform_field(tmp_path / "field.nc", 0.0, 0.0, half=20.0, end=4e4)
     gap = good.copy(deep=True)

@@ -490,10 +490,3 @@ def test_a_global_model_is_read_as_netcdf4_reads_it():
     np.testing.assert_allclose(currents.u, u[:, np.argsort(lat)])
     assert currents.start == "2024-01-03T00:00:00"
     assert not currents.measured.all()  # Florida
-
-
-def test_a_model_without_units_is_refused():
-    with netCDF4.Dataset(GRIDS / "wa_RTOFS_global.nc") as file:
-        assert "units" not in file["water_u"].ncattrs()
-    with pytest.raises(DataError, match="water_u has no units; must be such as 'm/s'"):
-        read_currents(GRIDS / "wa_RTOFS_global.nc")

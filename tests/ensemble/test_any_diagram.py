@@ -111,16 +111,6 @@ def test_mrac_swept_over_two_parameters_is_python_controls():
                     assert float(own[f"{port}_{what}"]) == pytest.approx(value, abs=1e-8)
 
 
-def test_a_grid_is_drawn_at_once(tmp_path):
-    import matplotlib.pyplot as plt
-
-    vary = {"gam": np.linspace(0.5, 3, 4), "plant.a": np.linspace(-2, 0.5, 3)}
-    data = clpt.run_ensemble(mrac(), vary, timepts=TIMES, inputs=1.0)
-    drawn = data.unstack().x_rms.plot.contourf()
-    assert (drawn.axes.get_xlabel(), drawn.axes.get_ylabel()) == ("plant.a", "gam")
-    plt.close(drawn.figure)
-
-
 def test_a_discrete_loop_is_python_controls():
     plant = control.nlsys(
         lambda t, x, u, p: p["a"] * x + u - 0.1 * x**3,

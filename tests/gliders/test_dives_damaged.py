@@ -134,10 +134,6 @@ DAMAGES = {
 }
 
 
-def test_there_are_thirty():
-    assert len(DAMAGES) == 30
-
-
 @pytest.fixture
 def among_good(folder, tmp_path):
     """Make a folder of three good dives, and a damaged file instead of 306."""

@@ -7,8 +7,7 @@ from itertools import permutations
 
 import numpy as np
 import pytest
-from pyproj import Geod
-from slocum_bytes import CRC, SENSORS, VARIATION, cac, ddmm, magnetic, segment
+from slocum_bytes import CRC, SENSORS, VARIATION, cac, ddmm, magnetic, place_at, segment
 
 from clpt_control.errors import DataError
 from clpt_control.gliders import read_dives, usable
@@ -16,16 +15,9 @@ from clpt_control.gliders.dives import files_before
 from clpt_control.gliders.slocum import dives_of
 from clpt_control.replay.follow import Follower
 
-WGS84 = Geod(ellps="WGS84")
-T0, LAT0, LON0 = 1.7126e9, 51.6, -128.3
+T0, HOME = 1.7126e9, (51.6, -128.3)
 SWIM, SEA, BEFORE = np.array([0.30, -0.12]), np.array([-0.05, 0.10]), np.array([0.08, 0.06])
 LASTS = 6000.0  # s
-
-
-def place(east, north):
-    """Return the place at a displacement from the first fix."""
-    lon, lat, _ = WGS84.fwd(LON0, LAT0, np.degrees(np.arctan2(east, north)), np.hypot(east, north))
-    return lat, lon
 
 
 def rows(names, added=0.0, every=60, used=None):
@@ -44,10 +36,14 @@ def rows(names, added=0.0, every=60, used=None):
         row["m_depth"] = 0.0 if surfaced else 60.0
         reckoned = (SWIM + added * BEFORE) * min(since, LASTS)
         if not surfaced and since % every == 0:
-            at = (ddmm(a) for a in place(*reckoned)) if names[0] == "m_lat" else magnetic(reckoned)
+            at = (
+                (ddmm(a) for a in place_at(HOME, reckoned))
+                if names[0] == "m_lat"
+                else magnetic(reckoned)
+            )
             row |= dict(zip(names, at, strict=True))
         if surfaced:
-            lat, lon = place(*((SWIM + SEA) * min(since, LASTS)))
+            lat, lon = place_at(HOME, (SWIM + SEA) * min(since, LASTS))
             row |= {"m_gps_lat": ddmm(lat), "m_gps_lon": ddmm(lon), "m_gps_status": 0.0}
         if since == 0.0:
             row |= first

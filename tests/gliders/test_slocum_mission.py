@@ -2,22 +2,14 @@
 
 import numpy as np
 import pytest
-from pyproj import Geod
-from slocum_bytes import CRC, SENSORS, VARIATION, cac, ddmm, magnetic, segment
+from slocum_bytes import CRC, SENSORS, VARIATION, cac, ddmm, magnetic, place_at, segment
 
 from clpt_control.gliders import read_dives, usable
 
-WGS84 = Geod(ellps="WGS84")
 T0, HOME = 1.7126e9, (51.6, -128.3)
 STEP, LASTS, AFLOAT = 40.0, 7200.0, 600.0  # s
 DIVES = 5  # in 1, 2, 3, 4 files and in 1
 SEAS = np.array([[0.12 * np.cos(k), 0.12 * np.sin(1.3 * k)] for k in range(DIVES + 1)])
-
-
-def place(start, moved):
-    """Return the place at a displacement, m, from another."""
-    lon, lat, _ = WGS84.fwd(*start[::-1], np.degrees(np.arctan2(*moved)), np.hypot(*moved))
-    return lat, lon
 
 
 class Mission:
@@ -54,12 +46,12 @@ class Mission:
         cuts = {round(LASTS / STEP * n / files) for n in range(1, files)}
         for n in range(round(LASTS / STEP) + 1):
             since = n * STEP
-            self.at = place(start, (swim + sea) * since)
+            self.at = place_at(start, (swim + sea) * since)
             if n == 0:
                 cycles.append(self.fixed())
             else:
                 reckoned = (swim + self.added * before + wrong) * since
-                lat, lon = map(ddmm, place(start, reckoned))
+                lat, lon = map(ddmm, place_at(start, reckoned))
                 x, y = magnetic(reckoned)
                 places = {"m_lat": lat, "m_lon": lon, "m_x_lmc": x, "m_y_lmc": y}
                 deep = 60.0 if n < LASTS / STEP else 0.0

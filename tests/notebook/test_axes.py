@@ -144,14 +144,6 @@ def test_what_a_backend_sets_when_it_begins_stays(made, monkeypatch):
     plt.close("all")
 
 
-def test_a_part_of_a_run_and_a_run_read_back_are_drawn(made, tmp_path):
-    run = made["run"]
-    clpt.save_run(run, tmp_path / "run.nc")
-    for one in (run.isel(time=slice(0, 20)), clpt.load_run(tmp_path / "run.nc")):
-        assert clpt.simulation.track_plot(one).has_data()
-    plt.close("all")
-
-
 def test_what_is_no_run_is_one_sentence(made):
     for given, said in (
         (made["replay"], "must be an xarray.Dataset"),

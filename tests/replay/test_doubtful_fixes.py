@@ -12,7 +12,7 @@ from clpt_control.estimation.fix_model import FixModel
 from clpt_control.geodesy import displacement, place_from
 from clpt_control.gliders import make_dive, read_dives, usable
 from clpt_control.replay.doubts import SpeedFactorWatch
-from clpt_control.replay.outcome import clpe_rms
+from clpt_control.replay.outcome import clpe_rms, summary
 from clpt_control.replay.replay import Replay, replay_dives
 
 CURRENT = np.array([0.12, -0.05])  # m/s
@@ -111,6 +111,7 @@ def test_one_by_one_is_all_at_once_and_a_forecast_is_that_of_its_step(estimator,
         mean, covariance = replay.forecast(dive)
         replay.forecast(moved(dive, "gps2", 3e3, 0.0))  # a start elsewhere: it leaves no trace
         assert np.array_equal(mean, replay.forecast(dive)[0])  # it changes nothing
+        summary(replay)
         step = replay.step(dive)
         assert np.array_equal(mean, step.forecast)
         assert np.array_equal(covariance, step.covariance)

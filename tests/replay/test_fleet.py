@@ -13,7 +13,7 @@ from urllib.parse import unquote
 
 import pytest
 from html_reader import Reader
-from processes import CLPT, GUARD, await_line, started
+from processes import CLPT, GUARD, await_line, kill_while_it_writes, started
 from synthetic_vehicle import fixes_of, one_file_each, told, vehicle
 
 from clpt_control.geodesy import place_from
@@ -221,13 +221,6 @@ def test_what_a_command_leaves_behind_is_not_waited_for(tmp_path):
     seen.tell(told(strayed(recent(6, 1.0))))
     os.kill(int(number.read_text()), signal.SIGKILL)  # it still waits
     assert seen.told == ["glider OUT 5"]
-
-
-def kill_while_it_writes(process, out, part):
-    while not list(out.rglob(part)):
-        assert process.poll() is None
-    process.send_signal(signal.SIGKILL)
-    process.wait(GUARD)
 
 
 @pytest.mark.processes

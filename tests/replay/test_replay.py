@@ -73,25 +73,7 @@ def test_a_forecast_does_not_read_the_dives_end(estimator):
         assert np.array_equal(seen, unseen)
 
 
-@pytest.mark.parametrize("estimator", ESTIMATORS)
-def test_one_by_one_is_all_at_once(estimator):
-    dives = vehicle(5, 12)
-    single = Replay(estimator)
-    for dive in dives:
-        single.step(dive)
-        single.forecast(dives[-1])
-        summary(single)
-    at_once = replay_dataset(replay_dives(dives, estimator))
-    assert replay_dataset(single).identical(at_once)
-
-
 def test_mistakes_are_sentences():
-    with pytest.raises(ScenarioError, match="must begin with steady"):
-        FixModel(("M2",))
-    with pytest.raises(ScenarioError, match="unknown constituent"):
-        FixModel(("steady", "X9"))
-    with pytest.raises(ScenarioError, match="must be one of kalman, gradient"):
-        make_estimator("best", FixModel())
     dives, replay = vehicle(1, 2), Replay()
     replay.step(dives[1])
     with pytest.raises(DataError, match="ends before dive 1"):

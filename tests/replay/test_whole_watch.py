@@ -10,7 +10,7 @@ from xml.etree import ElementTree
 import pytest
 import xarray
 from html_reader import Reader
-from processes import CLPT, GUARD, await_line, started
+from processes import CLPT, GUARD, await_line, kill_while_it_writes, started
 from synthetic_vehicle import fixes_of, one_file_each
 
 DIVES = 30
@@ -54,14 +54,6 @@ class Watcher(threading.Thread):
                         self.seen[name].append(count(path))
         except Exception as error:
             self.wrong = error
-
-
-def kill_while_it_writes(process, out, part):
-    """Kill a follower once a file of this name lies beside its place."""
-    while not list(out.glob(part)):
-        assert process.poll() is None
-    process.send_signal(signal.SIGKILL)
-    process.wait(GUARD)
 
 
 @pytest.mark.slow

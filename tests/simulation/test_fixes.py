@@ -167,9 +167,6 @@ def test_the_papers_flow_is_learned_at_fixes(values, bounds):
     run = clpt.simulate(PAPER.with_values({**values, "run.duration": 1000.0}))
     for time, bound in bounds.items():
         assert largest_error(run, time) < bound
-    if "vehicle.max_speed" in values:
-        moved = np.diff(run.predicted_position.values, axis=0)
-        assert np.all(np.isfinite(moved))
 
 
 @pytest.mark.parametrize("lanes", [False, True])

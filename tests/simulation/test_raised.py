@@ -150,13 +150,17 @@ def every_second(p, t0, t1):
     return [k for k in (1.0, 2.0, 3.0) if t0 < k <= t1]
 
 
-@ENGINES
-@pytest.mark.parametrize("times", [[0.0, 4.0], TIMES])
-def test_jumps_and_sampled_parts(engine, times):
-    saw = Block(
+def teeth():
+    return Block(
         "saw", update=lambda t, x, u, p: [1.0], states={"s": 1}, parameters={"interval": -1.0},
         breakpoints=every_second, jump=second,
     )  # fmt: skip
+
+
+@ENGINES
+@pytest.mark.parametrize("times", [[0.0, 4.0], TIMES])
+def test_jumps_and_sampled_parts(engine, times):
+    saw = teeth()
     said = told(lambda: clpt.simulate(saw, times, engine=engine))
     assert said.startswith("the integration stopped at t = 2: saw.jump: second, line ")
     assert said.endswith("ValueError: no second jump")
@@ -171,10 +175,7 @@ def test_jumps_and_sampled_parts(engine, times):
 
 @ENGINES
 def test_a_state_that_is_none_is_not_laid_to_a_jump_of_another_run(engine):
-    saw = Block(
-        "saw", update=lambda t, x, u, p: [1.0], states={"s": 1}, parameters={"interval": -1.0},
-        breakpoints=every_second, jump=second,
-    )  # fmt: skip
+    saw = teeth()
     told(lambda: clpt.simulate(saw, [0.0, 4.0], engine=engine))
     with pytest.raises(clpt.SimulationError, match=r"t = 0: state s\[0\] of block saw is not fin"):
         clpt.simulate(saw, [0.0, 4.0], initial_state=[math.nan], engine=engine)
