@@ -5,6 +5,19 @@ from html.parser import HTMLParser
 VOID = {"meta", "br", "hr", "img", "input", "link"}
 
 
+def fetching_nothing(text):
+    """Read a page of which nothing is fetched, sent or run from an attribute."""
+    page = Reader(text)
+    for tag, names in page.tags:
+        assert not {"src", "srcset", "action", "data", "style"} & set(names), tag
+        assert not [name for name in names if name.startswith("on")], tag
+        assert names.get("href", "#").startswith("#"), tag
+    assert not {"img", "link", "iframe", "object", "base"} & {tag for tag, _ in page.tags}
+    assert "url(" not in text.replace("url(#", "")
+    assert "@import" not in text
+    return page
+
+
 class Reader(HTMLParser):
     """All tags, attributes and texts of a page; tags must be closed in their order."""
 

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 from packaging.requirements import Requirement
+from processes import GUARD
 
 HOUSE = Path(__file__).parent.parent
 PROJECT = tomllib.loads((HOUSE / "pyproject.toml").read_text())["project"]
@@ -57,27 +58,11 @@ def rates(t, x, u, p):
 '''
 
 
-def without_extras(text, folder):
-    (folder / "mine.py").write_text(text)
-    return subprocess.run(
-        [sys.executable, "mine.py"], cwd=folder, capture_output=True, text=True, timeout=300
-    )
-
-
 def test_the_core_is_at_most_ten_packages():
     assert len(PROJECT["dependencies"]) <= 10
     reasons = (HOUSE / "CONTRIBUTING.md").read_text().replace("-", "_")
     for one in PROJECT["dependencies"]:
         assert re.search(rf"^\|.*\b{Requirement(one).name.replace('-', '_')}\b", reasons, re.M)
-
-
-def test_the_ten_lines_a_proof_a_law_and_a_page_need_no_extra(tmp_path):
-    [lines] = re.findall(
-        r"## Ten lines.*?```python\n(.*?)```", (HOUSE / "README.md").read_text(), re.S
-    )
-    done = without_extras(BLOCKED + lines + LAW + CORE, tmp_path)
-    assert done.returncode == 0, done.stderr
-    assert (tmp_path / "page.html").stat().st_size > 10_000
 
 
 COMMANDS = {
@@ -87,19 +72,7 @@ COMMANDS = {
     "tides record.csv --constituents M2 --latitude 41.2": "utide",
     "fit current.nc --out fit.toml": "netCDF4",
 }
-
-
-@pytest.fixture(scope="module")
-def said(tmp_path_factory):
-    """What each command says, and its status, one process for all."""
-    folder = tmp_path_factory.mktemp("core")
-    (folder / "current.nc").write_bytes(b"\x89HDF\r\n\x1a\n" + bytes(100))
-    record = [
-        "time,u (m/s),v (m/s)",
-        *(f"2024-01-{1 + k // 24:02d}T{k % 24:02d}:00,1.0,0.{k % 9}" for k in range(700)),
-    ]
-    (folder / "record.csv").write_text("\n".join(record))
-    text = f"""{BLOCKED}
+TOLD = f"""
 from clpt_control.cli import main
 for words in {["init mine.toml", "laws", *COMMANDS]}:
     print("\\0" + words, file=sys.stderr)
@@ -110,14 +83,40 @@ for words in {["init mine.toml", "laws", *COMMANDS]}:
         status = ended.code
     print("\\0" + str(status), file=sys.stderr)
 """
-    done = without_extras(text, folder)
+
+
+@pytest.fixture(scope="module")
+def core(tmp_path_factory):
+    """A folder in which one process has run the ten lines, a law of one's own and commands."""
+    folder = tmp_path_factory.mktemp("core")
+    (folder / "current.nc").write_bytes(b"\x89HDF\r\n\x1a\n" + bytes(100))
+    record = [
+        "time,u (m/s),v (m/s)",
+        *(f"2024-01-{1 + k // 24:02d}T{k % 24:02d}:00,1.0,0.{k % 9}" for k in range(700)),
+    ]
+    (folder / "record.csv").write_text("\n".join(record))
+    readme = (HOUSE / "README.md").read_text()
+    [lines] = re.findall(r"## Ten lines.*?```python\n(.*?)```", readme, re.S)
+    (folder / "mine.py").write_text(BLOCKED + lines + LAW + CORE + TOLD)
+    done = subprocess.run(
+        [sys.executable, "mine.py"], cwd=folder, capture_output=True, text=True, timeout=GUARD
+    )
     assert done.returncode == 0, done.stderr
-    parts = done.stderr.split("\0")[1:]
-    words, statuses = parts[::2], (part.strip() for part in parts[1::2])
-    told = (part.partition("\n") for part in words)
+    return folder, done.stderr
+
+
+def test_the_ten_lines_a_proof_a_law_and_a_page_need_no_extra(core):
+    assert (core[0] / "page.html").stat().st_size > 10_000
+
+
+@pytest.fixture(scope="module")
+def said(core):
+    """What each command says, and its status."""
+    parts = core[1].split("\0")[1:]
+    told = (part.partition("\n") for part in parts[::2])
     return {
-        one: (status, " ".join(more.split()))
-        for (one, _, more), status in zip(told, statuses, strict=True)
+        words: (status.strip(), " ".join(more.split()))
+        for (words, _, more), status in zip(told, parts[1::2], strict=True)
     }
 
 

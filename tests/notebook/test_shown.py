@@ -2,39 +2,15 @@
 
 import re
 from dataclasses import replace
-from html.parser import HTMLParser
 
 import numpy as np
 import pytest
+from html_reader import Reader
 
 import clpt_control as clpt
 from clpt_control.blocks.laws.paper import LEARNED_FLOW as LAW
 
 EVIL = '<b onload="x">&'
-VOID = {"img", "meta", "br", "path", "circle"}
-
-
-class Read(HTMLParser):
-    """The elements of a fragment; each that is opened is closed."""
-
-    def __init__(self, text):
-        super().__init__()
-        self.open, self.seen, self.addresses = [], [], []
-        self.feed(text)
-        assert self.open == []
-
-    def handle_starttag(self, tag, attrs):
-        self.seen.append(tag)
-        self.addresses += [v for k, v in attrs if k in ("src", "href") or "http" in (v or "")]
-        if tag not in VOID:
-            self.open.append(tag)
-
-    def handle_startendtag(self, tag, attrs):
-        self.seen.append(tag)
-
-    def handle_endtag(self, tag):
-        if tag not in VOID:
-            assert self.open.pop() == tag
 
 
 def evil_block(name="b<i>"):
@@ -85,9 +61,11 @@ def test_a_thing_shows_itself(made, name):
     assert len(line) < 200
     assert "\n" not in line
     html = thing._repr_html_()
-    read = Read(html)
-    assert not {"b", "i", "script", "iframe", "link"} & set(read.seen)
-    assert all(one.startswith("data:image/gif;base64,") for one in read.addresses)
+    tags = Reader(html).tags
+    assert not {"b", "i", "script", "iframe", "link"} & {tag for tag, _ in tags}
+    named = [pair for _, names in tags for pair in names.items()]
+    far = [v or "" for k, v in named if k in ("src", "href") or "http" in (v or "")]
+    assert all(one.startswith("data:image/gif;base64,") for one in far)
     assert "url(" not in html.replace("url(#", "")
     if name != "Movie":
         assert len(html) < 40_000

@@ -8,7 +8,7 @@ import control
 import numpy as np
 import pytest
 import xarray
-from html_reader import Reader
+from html_reader import Reader, fetching_nothing
 from synthetic_vehicle import fixes_of
 from typer.testing import CliRunner
 
@@ -60,14 +60,9 @@ def command():
 
 def checked(text):
     """A page's elements: nothing fetched, no script, identifiers once, headings in order."""
-    read = Reader(text)
-    for tag, names in read.tags:
-        assert not {"src", "srcset", "action", "data", "style"} & set(names), tag
-        assert not [name for name in names if name.startswith("on")]
-        assert names.get("href", "#").startswith("#"), tag
-    assert not {"script", "img", "link", "iframe", "object", "base"} & {t for t, _ in read.tags}
+    read = fetching_nothing(text)
+    assert "script" not in [tag for tag, _ in read.tags]
     assert "http" not in text.replace("http-equiv", "")
-    assert "@import" not in text
     own = [names["id"] for _, names in read.tags if "id" in names]
     assert len(own) == len(set(own))
     for _, names in read.tags:

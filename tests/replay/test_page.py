@@ -5,7 +5,7 @@ from base64 import b64encode
 from hashlib import sha256
 
 import pytest
-from html_reader import Reader
+from html_reader import Reader, fetching_nothing
 from pyproj import Geod
 from synthetic_vehicle import fixes_of, told
 
@@ -27,22 +27,14 @@ def page_of(count, lat=40.0, lon=8.0, evil=""):
 
 
 def test_nothing_of_a_file_is_markup():
-    page = Reader(page_of(3, evil=EVIL))
+    page = fetching_nothing(page_of(3, evil=EVIL))
     assert [tag for tag, _ in page.tags].count("script") == 1
-    assert not [tag for tag, _ in page.tags if tag in ("img", "link", "iframe", "object", "base")]
-    assert not [name for _, names in page.tags for name in names if name.startswith("on")]
     shown = EVIL.replace("\x00", "\ufffd").replace("\udc80", "\ufffd")
     assert any(shown in text for text in page.texts)
 
 
 def test_nothing_is_fetched():
-    text = page_of(3)
-    page = Reader(text)
-    for tag, names in page.tags:
-        assert not {"src", "srcset", "action", "data", "style"} & set(names), tag
-        assert names.get("href", "#").startswith("#")
-    assert "url(" not in text.replace("url(#", "")
-    assert "@import" not in text
+    page = fetching_nothing(page_of(3))
     assert "//" not in re.sub(r"^// .*$", "", "".join(page.scripts), flags=re.M)
     policy = next(names["content"] for tag, names in page.tags if tag == "meta" and len(names) == 2)
     hashes = [
