@@ -315,6 +315,8 @@ def excitation_result(report: dict[str, Any]) -> Result:
     if "accuracy" in report:
         rows.append(["accuracy of the eigenvalues", f"{report['accuracy']:.2g} relative"])
     sentences = list(report["not_learnable"])
+    if report["disturbed"]:
+        sentences.append("V and errors fall so but for what the disturbance adds to them")
     if report["ceilings"]:
         sentences.append(
             "the ceiling of an axis is int (x' + KD e)^2 dt / (|theta - alpha_M|^2 + KD^2 + "

@@ -125,7 +125,7 @@ def _of_one(poly: sympy.Poly, s: sympy.Symbol) -> Squares | None:
     real = [(f, n) for f, n in factors if f.count_roots()]
     if poly.LC() < 0 or poly.degree() % 2 or any(n % 2 for _, n in real):
         return None
-    apart = all(f.monic() == sympy.Poly(s, s) for f, _ in real)
+    apart = all(f.monic().as_expr() == s for f, _ in real)
     return Squares(sympy.Integer(0), [poly.as_expr()], [s if real and apart else poly.as_expr()])
 
 

@@ -10,6 +10,8 @@ from pictures import inked
 import clpt_control as clpt_package
 from clpt_control.blocks.reference import circle
 from clpt_control.errors import DataError, ScenarioError
+from clpt_control.pages.results import excitation_result
+from clpt_control.theory.excitation.certificates import certificate
 from clpt_control.theory.excitation.excitation_report import excitation_plot, excitation_report
 from clpt_control.theory.excitation.gramian import (
     gramian,
@@ -126,6 +128,20 @@ def test_the_report_is_the_json_of_the_command(paper):
     assert report["time_to_tenth"] % 200 == 0
     assert report["not_learnable"] == []
     json.dumps(excitation_report(paper, 20.0, 0.0), allow_nan=False)
+
+
+def test_a_disturbed_run_is_not_said_to_learn_as_fast_as_another(paper):
+    """A learner that begins true has V = 0, which Delta raises: V falls to no share of itself."""
+    push = {"flow.disturbance": {"kind": "constant", "amplitude": [0.1, 0.1]}}
+    pushed = started_true(paper.with_values(push))
+    V = clpt_package.simulate(pushed, [0.0, 200.0]).lyapunov.values
+    assert V[1] > V[0]
+    assert "at worst, t = 0 to 200, but for what the disturbance adds" in repr(
+        certificate(pushed, 200.0, 0.0)
+    )
+    said = excitation_result(excitation_report(pushed, 200.0, 0.0)).sentences
+    assert "V and errors fall so but for what the disturbance adds to them" in said
+    assert not excitation_report(paper, 200.0, 0.0)["disturbed"]
 
 
 def test_a_window_that_cannot_be_followed_is_said_so(paper, monkeypatch):

@@ -281,7 +281,7 @@ def test_the_level_of_a_V_that_weighs_e_is_reached():
 
 
 def test_a_law_that_keeps_relations_is_asked_for_states_that_end():
-    """r' = 1 + r^2 ends at pi/2; P = 1/R ends where R' = -R^(1/2) comes to 0."""
+    """r' = 1 + r^2 ends at pi/2; P = 1/R may end where R' = -alpha^2 R and V holds R eta^2."""
 
     def ends(t, x, u, p):
         return own_laws.filled(u, p.gain, u.e) | {"r": 1 + x.r**2}
@@ -292,19 +292,29 @@ def test_a_law_that_keeps_relations_is_asked_for_states_that_end():
     assert prove(own, squares, points=POINTS, **kept).status == "proved as long as r exist"
 
     def forgets(t, x, u, p):
-        rates = own_laws.filled(u, p.gain, u.e)
-        alpha, root = -p.gain * np.outer(u.e, x.P @ u.phi_x), np.sqrt(np.abs(x.R))
-        return rates | {"alpha": alpha, "P": x.P**2 * root, "R": -root}
+        rates, size = own_laws.filled(u, p.gain, u.e), np.sum(x.alpha**2)
+        alpha = -p.gain * np.outer(u.e, x.P @ u.phi_x)
+        return rates | {"alpha": alpha, "P": x.P * size, "R": -x.R * size}
 
     def lost(s, p, truth):
-        R, eta = s["R"][0, 0], truth.theta + s["alpha"]
-        return [(np.sum(eta**2), sympy.sqrt(sympy.Abs(R)), 1 / (2 * p.gain))]
+        eta = truth.theta + s["alpha"]
+        return [(np.sum(eta**2), np.sum(s["alpha"] ** 2), s["R"][0, 0], 1 / (2 * p.gain))]
 
     kept = {"invariants": lambda s, p, truth: {"P": 1 / s["R"]}, "losses": lost}
-    own = law(forgets, GAIN, n=1, states={**own_laws.LEARNED, "P": (1, 1), "R": (1, 1)})
+    states = {**own_laws.LEARNED, "P": (1, 1), "R": (1, 1)}
+    own = law(forgets, GAIN, n=1, states=states)
     V = own_laws.V_of(with_R, {**own_laws.LEARNED, "R": (1, 1)})
     found = prove(own, V, points=POINTS, semidefinite=("R",), **kept)
     assert found.status.startswith("proved as long as x, z, alpha")
+
+    def root(t, x, u, p):
+        return forgets(t, x, u, p) | {"R": -np.sqrt(np.abs(x.R)), "P": 0.0}
+
+    own = law(root, GAIN, n=1, states=states)
+    kept["invariants"] = lambda s, p, truth: {}
+    steps = prove(own, V, points=POINTS, semidefinite=("R",), **kept).steps
+    (step,) = [one for one in steps if one.claim.startswith("c^T M' c >= 0")]
+    assert not step.holds  # R = -t^2/4 leaves 0 as well
 
 
 def test_a_proof_says_what_no_vehicle_measures():

@@ -49,11 +49,11 @@ class Certificate:
     contractions: dict[str, float]  # axis -> exact V(t+T)/V(t) at worst
     drops: dict[str, float]  # axis -> 1 less that, with all its digits
     rhos: dict[str, float]  # axis -> the guaranteed drop
+    disturbed: bool = False  # whether Delta, or a flow beside theta phi, adds to V' as well
 
     def __repr__(self) -> str:
-        return (
-            f"<Certificate: V falls to {self.contraction:.6g} of itself at worst, {self._when()}>"
-        )
+        worst = f"V falls to {self.contraction:.6g} of itself at worst"
+        return f"<Certificate: {worst}, {self._when()}>"
 
     def _repr_html_(self) -> str:
         columns = ("", "V(t+T)/V(t) at worst", "drop of V, exact", "guaranteed, rho")
@@ -64,7 +64,8 @@ class Certificate:
         return fragment("Certificate", self._when(), facts(rows, columns))
 
     def _when(self) -> str:
-        return f"t = {self.start:g} to {self.start + self.window:g}"
+        when = f"t = {self.start:g} to {self.start + self.window:g}"
+        return f"{when}, but for what the disturbance adds" if self.disturbed else when
 
     @property
     def contraction(self) -> float:
@@ -176,7 +177,8 @@ def certificate(
     Certificate
         For that trajectory: `contraction`, the exact V(t+T)/V(t) at worst, `drop`, 1 less that
         with all its digits, and `rho`, a guaranteed drop; by axis `transition`, Phi(t+T, t) of
-        (e_i, eta_i), whose eigenvalues are Floquet multipliers where w has the period T.
+        (e_i, eta_i), whose eigenvalues are Floquet multipliers where w has the period T. With a
+        disturbance (`disturbed`) all of it is said of the learner without; see `ultimate_bound`.
 
     Raises
     ------
@@ -221,7 +223,8 @@ def certificate(
     first, last = along.cuts[[0, -1]].tolist()
     transition = dict(zip(("x1", "x2"), found.pop("transition"), strict=True))
     shares = (dict(zip(transition, each.tolist(), strict=True)) for each in found.values())
-    return Certificate(first, last - first, along.trajectory, transition, *shares)
+    disturbed = scenario.flow.disturbance is not None or scenario.flow.field is not None
+    return Certificate(first, last - first, along.trajectory, transition, *shares, disturbed)
 
 
 @public

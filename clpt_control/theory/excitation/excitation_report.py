@@ -39,19 +39,21 @@ def excitation_report(
     learned); ``not_learnable`` (sentences);
     ``rho`` (V falls by at least this share), ``contraction`` (exact V(t+T)/V(t) at worst),
     ``drop`` (1 less that, with all its digits) and ``time_to_tenth`` (of windows like this one,
-    until sqrt(V) is a tenth; None: never), which are None where the window cannot be certified
-    and ``not_certified`` says why.  For a recorded run ``accuracy`` is the largest relative
-    change of an eigenvalue when every second sample is left out, which is above the error.
+    until sqrt(V) is a tenth; None: never), without what a disturbance adds where ``disturbed``; all
+    are None where the window cannot be certified and ``not_certified`` says why.  For a recorded
+    run ``accuracy`` is the largest relative change of an eigenvalue when every second sample is
+    left out, which is above the error.
     """
     along = joint_regressor(source, window, start)
     found = gramian(along)
     more = {"ceilings": found.ceilings, "least_excited": found.least_excited}
     report: dict[str, Any] = {**found.span, **found.report, **more}
-    report |= dict.fromkeys(("rho", "contraction", "drop", "time_to_tenth"))
+    report |= dict.fromkeys(("rho", "contraction", "drop", "disturbed", "time_to_tenth"))
     try:
         certified = certificate(along)
         time = time_to_tenth(found.window, min(certified.drop, 1.0))
-        report |= {name: getattr(certified, name) for name in ("rho", "contraction", "drop")}
+        names = ("rho", "contraction", "drop", "disturbed")
+        report |= {name: getattr(certified, name) for name in names}
         report["time_to_tenth"] = time if np.isfinite(time) else None
     except ScenarioError as error:
         report["not_certified"] = str(error)

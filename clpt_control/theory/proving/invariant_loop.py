@@ -141,9 +141,12 @@ class InvariantLoop:
         """Return which relation the states leave, by their rates or at a jump, or nothing."""
         for symbol, value in self.relations.items():
             off = symbol - value
-            left = self.reduced(self.loop.derivative(off) if jump is None else off.xreplace(jump))
+            moved = self.loop.derivative(off) if jump is None else off.xreplace(jump)
+            left = self.reduced(moved)
             if not vanishes(left):
                 return f"{symbol} leaves it by {short(sympy.expand(left))}"
+            if jump is None and self.forks(moved):
+                return f"{symbol} may leave it, as s' = |s|^(1/2) may leave 0"
         return ""
 
     def broken_at_a_jump(self) -> str:
@@ -197,8 +200,14 @@ class InvariantLoop:
         M[:-1, -1] = M[-1, :-1] = -(M[:-1, :-1] @ c[:-1])
         M[-1, -1] = -np.dot(M[-1, :-1], c[:-1])
         at = dict(zip(self.matrices[port].ravel(), M.ravel(), strict=True))
-        form = sympy.sympify(c @ self.rates[port] @ c).xreplace(at)
-        return bool(sympy.factor(sympy.expand(form)).is_nonnegative)
+        rate = sympy.sympify(c @ self.rates[port] @ c)
+        form = sympy.factor(sympy.expand(rate.xreplace(at)))
+        return bool(form.is_nonnegative) and not self.forks(rate)
+
+    def forks(self, rate: sympy.Expr) -> bool:
+        """Return whether motions may part where a rate is zero, as those of s' = |s|^(1/2) at 0."""
+        roots = (p.base for p in rate.atoms(sympy.Pow) if not p.exp.is_Integer)
+        return any(one.free_symbols & {*self.loop.motion} for one in roots if not one.is_positive)
 
     @cached_property
     def symmetric(self) -> dict[str, np.ndarray]:
