@@ -2,8 +2,9 @@
 
     dx' = A dx + B du,    dy = C dx + D du         about x and u at time t
 
-Where a function has a kink right there, |e| at e = 0, the slope is that of one side, and a warning
-names block and operation; where it jumps there is no slope, and that is refused.
+Where a function has a kink right there, |e| at e = 0, or a node of a table, the slope is that of
+one side, and a warning names block and operation; where it jumps there is no slope, and that is
+refused.
 """
 
 from collections.abc import Iterable, Mapping
@@ -26,6 +27,7 @@ from .merged_record import merged_record
 from .wiring import Node, Wiring, read_unsampled
 
 CLOSE = 1e-12  # relative: numbers that differ by less are equal
+BESIDE = 1e-3, 1e-5, 1e-9  # relative: what differs alike at the nearer two jumps
 REACHED = 1e-9  # of the largest: a smaller component is not reached
 
 
@@ -36,6 +38,7 @@ class _About:
         self.tape, self.along = Tape(), dict[int, Any]()
         self.point, self.every = np.concatenate([x, u]), np.eye(len(x) + len(u))
         self.values: dict[Any, Any] = {("t", "t"): np.array([t])}
+        self.places: dict[Any, slice] = {}  # of what varies, in the point
         self.parameters = {node.name: p for node, p in zip(wiring.nodes, given, strict=True)}
         self.inputs = {
             port: slice(len(x) + places[0], len(x) + places[-1] + 1)
@@ -72,6 +75,7 @@ class _About:
         self.along[operand(leaf)] = self.tape.add("leaf", (), shape, ("d", at))
         self.values[at] = self.point[place].reshape(*shape, 1)
         self.values["d", at] = self.every[place].reshape(*shape, len(self.every))
+        self.places[at] = place
         return leaf
 
     def numbers(self, values: Iterable[Any], like: Iterable[Any] | None = None) -> list[np.ndarray]:
@@ -95,7 +99,30 @@ class _About:
         ties = (one == other) | (np.abs(one - other) <= CLOSE * size)
         return ties[..., 0], np.any(slope != 0.0, axis=-1) & ties[..., 0]
 
-    def check(self, values: Iterable[Any]) -> None:
+    def seen(self, values: list[Any]) -> str:
+        """Return whether values beside the point show that something jumps or bends there."""
+        ways = np.random.default_rng(0).standard_normal(self.every.shape)
+        ways *= 1.0 + np.abs(self.point[:, None])
+
+        def at(step: float) -> np.ndarray:
+            moved, own = self.point[:, None] + step * ways, self.values
+            beside = {
+                one: moved[k].reshape(*own[one].shape[:-1], -1) for one, k in self.places.items()
+            }
+            self.values = {**own, **beside}
+            found = np.concatenate([one.ravel() for one in self.numbers(values)])
+            self.values = own
+            return found
+
+        middle, (far, near, nearest) = at(0.0), [(at(h), at(-h)) for h in BESIDE]
+        rounding = CLOSE * (1.0 + np.abs(middle))
+        wide, small = (np.abs(one - other) for one, other in (near, nearest))
+        if not np.all(small <= 1e-3 * wide + rounding):  # of a number that is none too
+            return "jumps"
+        wide, small = (np.abs(one - 2.0 * middle + other) for one, other in (far, near))
+        return "" if np.all(small <= 1e-3 * wide + rounding) else "bends"  # bends: 1e-2
+
+    def check(self, values: list[Any]) -> None:
         """Warn of each kink at the point; refuse a jump."""
         lines = list(self.tape.operations)
         undecided: dict[int, Any] = {}  # condition -> where both answers are possible
@@ -126,6 +153,8 @@ class _About:
                 near = 0.0 if kind == "sign" else np.round(self.numbers([place])[0][..., 0])
                 near = np.where(near == 0.0, np.nan, near) if kind in ("trunc", "pick") else near
                 verdict = "jumps" if np.any(self.ties(place, near)[1]) else ""
+            if verdict == "jumps" and kind != "sign":  # whose slope would be of no side
+                verdict = self.seen(values)
             self.report(self.record.owners.get(k, ""), kind, verdict)
 
     def report(self, owner: str, kind: str, verdict: str) -> None:

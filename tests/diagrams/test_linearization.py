@@ -5,6 +5,7 @@ import warnings
 import control
 import numpy as np
 import pytest
+from scipy.interpolate import CubicSpline
 
 import clpt_control as clpt
 
@@ -115,6 +116,32 @@ def test_a_jump_is_refused_with_its_block_and_operation(kind):
         clpt.DiagramError, match=rf"b\.update: `{kind.strip()}` jumps at this point"
     ):
         clpt.linearize(block(rate), [at])
+
+
+TABLE = np.linspace(0.0, 4.0, 5), np.array([0.0, 1.0, 4.0, 9.0, 16.0])
+AT_NODES = {  # what is at the node 2 of a table: its slope on one side, and whether it bends
+    "straight lines": (lambda y: np.interp(y, *TABLE), (3.0, 5.0), True),
+    "a cubic spline": (CubicSpline(*TABLE), (4.0, 4.0), False),  # of y^2
+    "a saw": (lambda y: np.abs(y % 2.0 - 1.0), (-1.0, 1.0), True),
+    "wholes and parts": (lambda y: np.floor(y) + (y - np.floor(y)), (1.0, 1.0), False),
+}
+
+
+@pytest.mark.parametrize("name", AT_NODES)
+def test_a_node_of_a_table_is_a_kink_or_nothing(name):
+    table, slopes, bends = AT_NODES[name]
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always")
+        A = clpt.linearize(block(lambda y, v: 0 * v + table(y)), [2.0]).A
+    assert min(abs(A[0, 0] - slope) for slope in slopes) < 1e-12
+    assert [("has a kink" in str(one.message)) for one in said] == [True] * bends
+
+
+def test_a_table_of_steps_is_refused_at_its_nodes_and_where_it_has_no_value_beside():
+    small = lambda y: 1e3 * y + 0.01 * np.floor(y)  # noqa: E731
+    for table in (np.floor, small, lambda y: np.where(y < 2.0, np.log(y - 2.0), y % 2.0)):
+        with pytest.raises(clpt.DiagramError, match="jumps at this point"):
+            clpt.linearize(block(lambda y, v, table=table: 0 * v + table(y)), [2.0])
 
 
 @pytest.mark.parametrize("kind", SMOOTH)
