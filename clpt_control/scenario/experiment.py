@@ -136,17 +136,8 @@ class Scenario(tables.Table):
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Scenario) and self.__dict__ == other.__dict__
 
-    def __hash__(self) -> int:
-        return hash(tuple(self.__dict__.values()))
-
-    def __repr__(self) -> str:
-        return scenario_line(self)
-
-    def __str__(self) -> str:
-        return repr(self)
-
-    def _repr_html_(self) -> str:
-        return scenario_html(self)
+    __repr__ = __str__ = scenario_line
+    _repr_html_ = scenario_html
 
     @property
     def periods(self) -> np.ndarray:

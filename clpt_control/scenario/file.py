@@ -30,6 +30,15 @@ NOT_REPEATED = "not_repeated"  # attribute of a diagram's run: why it has no equ
 FORM = "run_format"  # attribute of a run's file: the number of its format; 1 where it has none
 LARGEST = 2 * 10**7  # bytes of a scenario; TOML takes some seconds to read them
 LATEST = 1  # format that is written; all up to it are read
+IN_PYTHON = "the rest to closed_loop(replace=..., insert=...)"
+BEYOND = {  # attribute of a run -> what its scenario does not hold, and what repeats it in Python
+    CHANGED: (
+        "parameters that no key of a scenario holds",
+        "the parameters to simulate(params=...)",
+    ),
+    OWN_LAW: ("a law given in Python", IN_PYTHON),
+    OWN_PARTS: ("parts given in Python", IN_PYTHON),
+}
 
 
 @public
@@ -199,36 +208,24 @@ def run_text(path: str | Path) -> str:
     """Return the TOML text that a run's file carries, of a scenario or a team."""
     with open_netcdf(Path(path)) as data:
         check_form(data.attrs, path)
-        if "scenario" not in data.attrs and TEAM not in data.attrs:
-            why = (
-                f", nor equations: {data.attrs[NOT_REPEATED]}" if NOT_REPEATED in data.attrs else ""
+        text, whole = data.attrs.get(TEAM, data.attrs.get("scenario")), EQUATIONS in data.attrs
+        if text is None and whole:
+            raise DataError(
+                f"{path}: carries no scenario, it is a diagram's run; clpt.load_diagram reads the "
+                "diagram"
             )
-            if EQUATIONS in data.attrs:
-                raise DataError(
-                    f"{path}: carries no scenario, it is a diagram's run; clpt.load_diagram reads "
-                    "the diagram"
-                )
+        if text is None:
+            why = data.attrs.get(NOT_REPEATED)
+            why = "" if why is None else f", nor equations: {why}"
             raise DataError(f"{path}: carries no scenario{why}; `clpt run` writes runs that do")
-        rest = "the rest to closed_loop(replace=..., insert=...)"
-        for name, what, cure in (
-            (
-                CHANGED,
-                "parameters that no key of a scenario holds",
-                "the parameters to simulate(params=...)",
-            ),
-            (OWN_LAW, "a law given in Python", rest),
-            (OWN_PARTS, "parts given in Python", rest),
-        ):
-            if name not in data.attrs:
-                continue
-            ran = f"{path}: was run with {what}, {data.attrs[name]}, so "
-            if EQUATIONS in data.attrs:
-                raise DataError(
-                    f"{ran}its scenario alone does not repeat it; clpt.load_diagram reads the "
-                    "whole loop, which does"
-                )
-            raise DataError(f"{ran}it cannot be repeated; give the scenario itself, and {cure}")
-        return str(data.attrs.get(TEAM, data.attrs.get("scenario")))
+        for name, (what, cure) in BEYOND.items():
+            if name in data.attrs:
+                so = f"it cannot be repeated; give the scenario itself, and {cure}"
+                if whole:
+                    so = "its scenario alone does not repeat it; clpt.load_diagram reads the whole "
+                    so += "loop, which does"
+                raise DataError(f"{path}: was run with {what}, {data.attrs[name]}, so {so}")
+        return str(text)
 
 
 def check_form(attributes: Mapping[str, Any], path: str | Path) -> None:

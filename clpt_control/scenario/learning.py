@@ -124,15 +124,15 @@ class Learning(OwnTables):
                     "the table"
                 )
         idle = ("gain", "gains", "adapt_gains", "hedging", "feedback", "feedforward")
-        for key in idle if self.row.at_fixes else ():
-            if key in self.model_fields_set:
-                yield (
-                    f'learning.{key}: law = "{self.law}" adapts by no gain and holds the gains of '
-                    "the vehicle; remove the key"
-                )
-        if self.row.at_fixes and self.sample is not None:
-            yield f'learning.sample: law = "{self.law}" runs at fixes alone; remove the key'
         if self.row.at_fixes:
+            for key in idle:
+                if key in self.model_fields_set:
+                    yield (
+                        f"learning.{key}: {own} adapts by no gain and holds the gains of the "
+                        "vehicle; remove the key"
+                    )
+            if self.sample is not None:
+                yield f"learning.sample: {own} runs at fixes alone; remove the key"
             return
         needed = ["parameters"] if self.row.alpha_by_gain else []
         needed += ["feedback", "feedforward"] if self.adapt_gains else []
@@ -145,7 +145,7 @@ class Learning(OwnTables):
             yield "learning.gains: give either gain or gains, one of the two"
         if self.gains is None:
             if self.gain is None and self.row.gain is None and needed:
-                yield f'learning.gain: is required by law = "{self.law}"'
+                yield f"learning.gain: is required by {own}"
         else:
             for key in LearningGains.model_fields:
                 is_set = getattr(self.gains, key) is not None

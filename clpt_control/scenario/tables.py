@@ -6,10 +6,9 @@ mistakes, whether a table is made by a call or from nested dicts.
 """
 
 import difflib
-import math
 from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Annotated, Any, Literal, Self, get_args
+from typing import Annotated, Any, Literal, Self, get_args
 
 import pydantic
 
@@ -18,11 +17,6 @@ from ..errors import ScenarioError
 from ..html import shortened
 from .quantities import key_hint
 from .tidal_periods import period
-
-if TYPE_CHECKING:
-    from pydantic._internal._model_construction import ModelMetaclass
-else:
-    ModelMetaclass = type(pydantic.BaseModel)
 
 
 @contextmanager
@@ -37,16 +31,16 @@ def _one_sentence(table: Any, name: str) -> Iterator[None]:
         raise ScenarioError(f"{name}: {sentence(first, table)}{more}") from None
 
 
-class _Checked(ModelMetaclass):
-    def __call__(cls, *args: Any, **values: Any) -> Any:
-        with _one_sentence(cls, cls.__name__.lower()):
-            return super().__call__(*args, **values)
-
-
-class Table(pydantic.BaseModel, metaclass=_Checked):
+class Table(pydantic.BaseModel):
     """A table of the scenario; unknown keys are errors."""
 
     model_config = pydantic.ConfigDict(extra="forbid", frozen=True)
+
+    def __init__(self, **values: Any) -> None:
+        with _one_sentence(type(self), type(self).__name__.lower()):
+            super().__init__(**values)
+
+    __init__.__pydantic_base_init__ = True  # type: ignore[attr-defined]  # not of inner tables
 
     def _mistakes(self) -> Iterator[str]:
         """Yield a sentence for each way in which keys do not fit together."""
@@ -76,7 +70,8 @@ class Table(pydantic.BaseModel, metaclass=_Checked):
 
 def sentence(problem: Any, table: type[Table]) -> str:
     """Return a sentence on an entry of pydantic's errors: what is wrong with one key."""
-    where = [part for part in problem["loc"] if not _is_tag(part, problem["loc"])]
+    tags = ("circle", "waypoints") if problem["loc"][:1] == ("reference",) else ()
+    where = [part for part in problem["loc"] if part not in tags]
     key = ""
     for part in where:
         key += f"[{part}]" if isinstance(part, int) else f".{part}" if key else str(part)
@@ -113,7 +108,7 @@ def _unknown(key: str, problem: Any, allowed: list[str]) -> str:
 def _inner(table: type[Table], location: tuple[Any, ...]) -> type[Table]:
     """Return the table at a place in another one."""
     for part in location:
-        if not _is_tag(part, location):
+        if part in table.model_fields:  # no number, name of a vehicle or kind of reference
             allowed = _tables(table.model_fields[part].annotation)
             named = [one for one in allowed if one.__name__.lower() in location]
             table = (named or allowed)[0]
@@ -126,17 +121,7 @@ def _tables(annotation: Any) -> list[type[Table]]:
     return [table for inner in get_args(annotation) for table in _tables(inner)]
 
 
-def _is_tag(part: Any, location: tuple[Any, ...]) -> bool:
-    return location[:1] == ("reference",) and part in ("circle", "waypoints")
-
-
 # --- numbers, and the tables ---------------------------------------------------------------------
-
-
-def _finite(value: float) -> float:
-    if not math.isfinite(value):
-        raise ValueError("must be a finite number")
-    return value
 
 
 def _period(value: float) -> float:
@@ -150,7 +135,7 @@ def _whole(value: Any) -> Any:
     return int(value) if isinstance(value, float) and value.is_integer() else value
 
 
-Number = Annotated[float, pydantic.Strict(), pydantic.AfterValidator(_finite)]
+Number = Annotated[float, pydantic.Strict(), pydantic.Field(allow_inf_nan=False)]
 Positive = Annotated[Number, pydantic.Field(gt=0)]
 NotNegative = Annotated[Number, pydantic.Field(ge=0)]
 Period = Annotated[float, pydantic.Strict(), pydantic.AfterValidator(_period)]

@@ -123,14 +123,8 @@ class Team(Table):
                     "or run it alone"
                 )
 
-    def __repr__(self) -> str:
-        return team_line(self)
-
-    def __str__(self) -> str:
-        return repr(self)
-
-    def _repr_html_(self) -> str:
-        return team_html(self)
+    __repr__ = __str__ = team_line
+    _repr_html_ = team_html
 
     @public
     def neighbours(self, name: str) -> list[str]:
@@ -165,11 +159,16 @@ class Team(Table):
 
 def shared_tables(scenario: Scenario) -> dict[str, Any]:
     """Return what must be the same in all scenarios of a team, by table."""
-    dumped = scenario.model_dump(mode="python")
-    shared = {table: value for table, value in dumped.items() if table not in ("title", *OWN)}
-    shared["learning"] = {k: v for k, v in dumped["learning"].items() if k not in OWN_STARTS}
+    shared = _without_own(scenario.model_dump(mode="python", exclude={"title"}))
     if scenario.field_path is not None:
         shared["flow"]["field"] = scenario.field_path.resolve()
+    return shared
+
+
+def _without_own(tables: dict[str, Any]) -> dict[str, Any]:
+    """Return the tables of a scenario without what a vehicle has of its own."""
+    shared = {table: value for table, value in tables.items() if table not in OWN[:-1]}
+    shared["learning"] = {k: v for k, v in shared["learning"].items() if k not in OWN_STARTS}
     return shared
 
 
@@ -231,10 +230,7 @@ def team_from_text(text: str, name: str, folder: Path | None) -> Team:
 
 def team_to_text(team: Team, folder: Path | None = None) -> str:
     """Return a team as TOML text; its field's path is relative to `folder`, if given."""
-    tables = file.placed_tables(team.first, folder)
-    for table in OWN[:-1]:
-        tables.pop(table, None)
-    tables["learning"] = {k: v for k, v in tables["learning"].items() if k not in OWN_STARTS}
+    tables = _without_own(file.placed_tables(team.first, folder))
     members = {name: _own(scenario, team.first.title) for name, scenario in team.members.items()}
     return file.toml(
         {**tables, "team": {"coupling": team.coupling, "edges": team.edges, "members": members}}
