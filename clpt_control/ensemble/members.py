@@ -44,20 +44,14 @@ class Varied(Protocol):
     name: str
     title: str
     values: dict[str, np.ndarray]  # of all that may vary, in the system itself
-    params: Mapping[str, Any]
-    inputs: Inputs | None
+    params: Mapping[str, Any] = {}
+    inputs: Inputs | None = None
+    wiring: Wiring
+    start: np.ndarray  # the initial state
     state_times: np.ndarray  # the times of members' states
     options: Mapping[str, Any]  # tolerances and method
-    needs_signals: bool  # whether summaries need the signals too, member by member
-    encoding: Mapping[str, Any]  # of the dataset
-
-    @property
-    def wiring(self) -> Wiring:
-        """The diagram."""
-
-    @property
-    def start(self) -> np.ndarray:
-        """The initial state."""
+    needs_signals: bool = True  # whether summaries need the signals too, member by member
+    encoding: Mapping[str, Any] = {}  # of the dataset
 
     def why_not(self, key: str) -> str:
         """Return why a key cannot vary."""

@@ -28,25 +28,22 @@ from ..equations.system import System
 from ..errors import DiagramError, ScenarioError
 from ..native import solver
 from ..native.python_diagram import checked_steps
-from ..native.schedule import checked_times, read_inputs
+from ..native.schedule import Inputs, checked_times, read_inputs
 from ..native.sweep import Sweep
 from ..simulation.dataset import Axes, Series, port_variables
 from ..simulation.integrate import as_diagram, sizes_of_run
 from ..simulation.running import labels_of, signal_units
 from ..simulation.starts import stacked_state
 from .drawn_values import Vary, unknown_name
-from .members import Ensemble, Member, Members, States, Values
+from .members import Ensemble, Member, Members, States, Values, Varied
 from .summaries import Arrays, ends_of
 
 RESULT = "time", "member", "status", "end"  # names of a result, beside those of ports
 SUMMARIES = {"final": "at the end", "rms": "root mean square", "max": "largest magnitude"}
 
 
-class VariedDiagram:
+class VariedDiagram(Varied):
     """A diagram as it was read, how it is run, and what varies in it."""
-
-    needs_signals = True
-    encoding: Mapping[str, Any] = {}
 
     def __init__(
         self,
@@ -56,10 +53,8 @@ class VariedDiagram:
         inputs: Any = None,
         initial_state: Any = None,
         params: Mapping[str, Any] | None = None,
-        rtol: float | None = None,
-        atol: float | None = None,
-        method: str | None = None,
         trajectories: bool = False,
+        **solver: Any,
     ):
         diagram, known = as_diagram(diagram)
         self.times, self.name = checked_times("timepts", timepts), diagram.name
@@ -75,11 +70,10 @@ class VariedDiagram:
             self.params |= undeclared
             self.wiring = wiring_of(diagram, self.params, sizes)
         self.given = changed_parameters(self.wiring, self.params)
-        given = {"method": method, "rtol": rtol, "atol": atol}
-        rtol, atol, _, _, method = checked_steps(self.wiring.dt, self.times, **given)
+        rtol, atol, _, _, method = checked_steps(self.wiring.dt, self.times, **solver)
         self.options = {"rtol": rtol, "atol": atol, "method": method}
         self.state_times = Sweep(self.wiring, self.given).at_jumps(self.times)
-        self.inputs = read_inputs(inputs, self.times, self.wiring.ninputs)
+        self.inputs: Inputs = read_inputs(inputs, self.times, self.wiring.ninputs)
         self.start = stacked_state("initial_state", 0.0 if x0 is None else x0, len(states))
         self.names = places_of(self.wiring, self.given, states, taken)
         self.places: dict[str, Place] = {}

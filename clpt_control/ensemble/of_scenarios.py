@@ -2,7 +2,7 @@
 
 import hashlib
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -23,17 +23,12 @@ from ..scenario.tables import Table
 from ..simulation.loops import changed_blocks
 from ..simulation.starts import state_columns, state_of
 from .drawn_values import unknown_name
-from .members import Member, Values
+from .members import Member, Values, Varied
 from .summaries import arrays_of, marks_of, sample_times_of, samples_per_cycle, summarise
 
 
-class VariedScenario:
+class VariedScenario(Varied):
     """A scenario's loop that is run many times; `changes` are the user's own parts."""
-
-    params: Mapping[str, Any] = {}
-    inputs: Any = None
-    options: Mapping[str, Any]
-    encoding: Mapping[str, Any]
 
     def __init__(
         self,
@@ -115,7 +110,7 @@ class VariedScenario:
         return changed_blocks(self.scenario, self.changes)
 
     @cached_property
-    def wiring(self) -> Wiring:
+    def wiring(self) -> Wiring:  # type: ignore[override]  # made when it is asked for
         """Its loop."""
         return wiring_of_blocks(self.blocks)
 
@@ -125,7 +120,7 @@ class VariedScenario:
         return state_columns(self.blocks)
 
     @cached_property
-    def start(self) -> np.ndarray:
+    def start(self) -> np.ndarray:  # type: ignore[override]
         """The initial state."""
         return state_of(self.scenario, self.blocks, self.changes.law)
 

@@ -27,8 +27,7 @@ from numpy.typing import ArrayLike
 from ..arguments import Seed, public
 from ..errors import ClptError, DataError, ScenarioError, SimulationError, needed
 from ..files import check_name, check_writable
-from ..progress import warn
-from ..progress.interrupt import SLICE, check, set_resume_hint
+from ..progress import interrupt, warn
 from ..progress.processes import processes
 from ..scenario.experiment import Scenario
 from ..simulation.loops import loop_of
@@ -47,7 +46,7 @@ CHUNK_BYTES = 64_000_000  # trajectories of a chunk
 PATIENCE = 30  # seconds to wait for a scheduler and its first worker
 RETRIES = 3  # times a chunk is given to a worker again
 STORED = "what is done is kept"
-Report = Callable[[int], None]  # of how many members are done
+Report = Callable[[int], None]  # of how many more members are done
 
 
 @public
@@ -166,9 +165,9 @@ def run_ensemble(
         "inputs": inputs,
         "initial_state": initial_state,
         "params": params,
+        "method": method,
         "rtol": rtol,
         "atol": atol,
-        "method": method,
     }
     if timepts is None or isinstance(system, Scenario):
         _refuse("is for a diagram, with timepts", timepts=timepts, **of_diagram)
@@ -201,22 +200,26 @@ def run_ensemble(
         "trajectories": trajectories,
     }
     store = begun_or_made(path, varied.title, ensemble.code, arguments, arrays)
-    count = threads or available_threads()
+    missing, done = store.missing(), 0
 
-    def report(done: int) -> None:
+    def report(more: int) -> None:
+        nonlocal done
+        done += more
         if done and out is not None:
-            set_resume_hint(
+            interrupt.resume_hint = (
                 f"{out} holds {done} of {members} members; the same command goes on from there"
             )
         if progress is not None:
             progress(done)
 
+    count = threads or available_threads()
     try:
+        report(members - store.count(missing))
         if dask is None:
-            _run_here(ensemble, store, count, report)
-        else:
+            _run_here(ensemble, store, missing, count, report)
+        elif missing:
             work = recipe, ensemble.code, str(path)
-            _run_elsewhere(work, store, dask, count, report)
+            _run_elsewhere(work, store, missing, dask, count, report)
     except BaseException:
         if dask in (None, "local"):  # far workers may still write
             remove_empty(store)
@@ -253,11 +256,10 @@ def available_threads() -> int:
     return os.cpu_count() or 1
 
 
-def _run_here(ensemble: Ensemble, store: Store, threads: int, report: Report) -> None:
-    missing = store.missing()
-    done = store.members - store.count(missing)
-    report(done)
-    spread = -(-(store.members - done) // (4 * threads))  # some batches for every thread
+def _run_here(
+    ensemble: Ensemble, store: Store, missing: list[int], threads: int, report: Report
+) -> None:
+    spread = -(-store.count(missing) // (4 * threads))  # some batches for every thread
     size = min(ensemble.batch, max(8, -(-spread // 8) * 8))
     batches = ((index, part) for index in missing for part in cut(store.values(index), size))
     running: deque[tuple[int, futures.Future]] = deque()
@@ -270,15 +272,14 @@ def _run_here(ensemble: Ensemble, store: Store, threads: int, report: Report) ->
             if not running:
                 return
             index, future = running.popleft()
-            while not futures.wait([future], timeout=SLICE).done:
-                check()
-            check()
+            while not futures.wait([future], timeout=interrupt.SLICE).done:
+                interrupt.check()
+            interrupt.check()
             parts.append(future.result())
-            done += len(parts[-1]["status"])
             if sum(len(part["status"]) for part in parts) == store.count([index]):
                 store.write(index, concatenated(parts))
                 parts = []
-            report(done)
+            report(len(future.result()["status"]))
     finally:
         pool.shutdown(wait=True, cancel_futures=True)
 
@@ -312,24 +313,19 @@ def pool_of(address: str, workers: int) -> Iterator[futures.Executor]:
             raise futures.BrokenExecutor from error
 
 
-def _run_elsewhere(work: tuple, store: Store, address: str, workers: int, report: Report) -> None:
-    """Run the chunks that are missing; `report` is called with the number of members done."""
-    missing = store.missing()
-    done = store.members - store.count(missing)
-    report(done)
-    if not missing:
-        return
+def _run_elsewhere(
+    work: tuple, store: Store, missing: list[int], address: str, workers: int, report: Report
+) -> None:
     try:
         with pool_of(address, workers) as pool:
             indices = {pool.submit(run_chunk, index, *work): index for index in missing}
             for future in futures.as_completed(indices):
-                check()
+                interrupt.check()
                 future.result()
                 index = indices[future]  # ask the store: the worker may be lost by now
                 if not store.is_whole(index):
                     raise SimulationError(f"dask: chunk {index} did not reach {store.path}")
-                done += store.count([index])
-                report(done)
+                report(store.count([index]))
     except futures.BrokenExecutor:
         raise SimulationError(
             "dask: a worker was lost with its chunk (out of memory? then give a smaller --chunk); "

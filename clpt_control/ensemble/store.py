@@ -169,8 +169,8 @@ def begun_or_made(
         return create_store(path, arguments, arrays, attrs)
     store = open_store(path)
     check_same(store, arguments)
-    older = check_store(store, arrays)
-    if (older or store.group.attrs[CODE] != code) and store.missing():
+    check_store(store, arrays)
+    if store.group.attrs[CODE] != code and store.missing():
         raise DataError(
             f"{path}: was begun by other versions of the code ({store.group.attrs['software']})"
             ", whose numbers may differ in the last bit; give another --out"
@@ -261,21 +261,17 @@ def _short(value: Any) -> str:
     return shortened(", ".join(map(str, value)) if isinstance(value, list) else value, 60)
 
 
-def check_store(store: Store, arrays: Arrays) -> bool:
-    """Refuse a store that is not as `create_store` makes it of these arrays.
-
-    Return whether an older version made it, which knew fewer ways in which a member can end.
-    """
-    right, older = create_store(None, store.arguments, arrays, {}), False
+def check_store(store: Store, arrays: Arrays) -> None:
+    """Refuse a store that is not as `create_store` makes it of these arrays."""
+    right = create_store(None, store.arguments, arrays, {})
     if foreign := store.names - right.names:
         raise DataError(f"{store.path}: holds {min(foreign)}, which is no part of it; take it out")
     for name in (*arrays, DONE):
         wrong = ""
         try:
-            layout, wanted = (_layout(one.arrays[name]) for one in (store, right))
-            if name == "status" and _fewer(layout["attributes"], wanted["attributes"]):
-                older, wanted["attributes"] = True, layout["attributes"]
+            layout, wanted = (one.arrays[name].metadata.to_dict() for one in (store, right))
             wrong = next((what for what in wanted if layout[what] != wanted[what]), "")
+            wrong = wrong.replace("_", " ")
             values = None if name == DONE else arrays[name].values
             if not wrong and values is not None and np.any(store.arrays[name][:] != values):
                 wrong = "values"
@@ -291,25 +287,6 @@ def check_store(store: Store, arrays: Arrays) -> bool:
                 f"{store.path}: is damaged: {name} has lost its {wrong}; move it away and run the "
                 "ensemble again"
             )
-    return older
-
-
-def _layout(array: Any) -> dict[str, Any]:
-    return {
-        "shape": array.shape,
-        "dtype": array.dtype,
-        "chunks": array.chunks,
-        "attributes": dict(array.attrs),
-        "dimension names": array.metadata.dimension_names,
-    }
-
-
-def _fewer(stored: Mapping[str, Any], wanted: Mapping[str, Any]) -> bool:
-    """Return whether stored attributes are those wanted, with only the first of their flags."""
-    meanings = str(stored.get("flag_meanings")).split()
-    known = {"flag_meanings": " ".join(meanings), "flag_values": list(range(len(meanings)))}
-    first = str(wanted["flag_meanings"]).split()[: len(meanings)]
-    return meanings == first and stored != wanted and stored == {**wanted, **known}
 
 
 @contextmanager

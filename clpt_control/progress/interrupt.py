@@ -31,7 +31,7 @@ ANSWERED = b"\0"  # to the thread: the interrupt was dealt with
 
 unfinished: set[Path] = set()  # files being written, removed where the process is ended
 folders: list[Path] = []  # made for results, the outermost first; removed where they stay empty
-resume_hint = ""  # ends the sentence: what is stored by now, and how to go on
+resume_hint = ""  # ends the sentence: what is stored by now, and how to go on; work sets it
 
 _pending = False  # whether an interrupt waits for its answer
 _ended = False  # whether the command has ended: an interrupt changes nothing any more
@@ -44,9 +44,9 @@ def listen(before: Any) -> None:
 
     A process that was started with interrupts ignored goes on ignoring them.
     """
-    global _pending, _ended, _printed, _writer
+    global _pending, _ended, _printed, _writer, resume_hint
     _pending = _ended = _printed = False
-    set_resume_hint("")
+    resume_hint = ""
     if signal.getsignal(signal.SIGINT) is not before:
         return
     atexit.register(_last)
@@ -85,12 +85,6 @@ def answer() -> None:
     _pending = False
     if _writer >= 0:
         os.write(_writer, ANSWERED)
-
-
-def set_resume_hint(sentence: str) -> None:
-    """Set the sentence on what is stored by now, for work that ends here."""
-    global resume_hint
-    resume_hint = sentence
 
 
 def end() -> None:

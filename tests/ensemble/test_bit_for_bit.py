@@ -156,10 +156,11 @@ def flipped(path):
 LOST = {  # file -> (what happens to it, what is said)
     "gain_error/zarr.json": (Path.unlink, "gain_error has lost its files"),
     "learning.gain/zarr.json": (edited("shape", [7]), "learning.gain has lost its shape"),
-    "end/zarr.json": (edited("data_type", "float32"), "end has lost its dtype"),
+    "end/zarr.json": (edited("data_type", "float32"), "end has lost its data type"),
     "mark/zarr.json": (edited("dimension_names", ["time"]), "mark has lost its dimension names"),
     "alpha/zarr.json": (edited("attributes", {}), "alpha has lost its attributes"),
     "done/zarr.json": (edited("shape", [9]), "done has lost its shape"),
+    "clpe_rms/zarr.json": (edited("fill_value", 0.0), "clpe_rms has lost its fill value"),
     "zarr.json": (flipped, "is no ensemble or is damaged"),
     "time/c/0": (flipped, "time has lost its files"),
     "learning.gain/c/1": (flipped, "learning.gain has lost its files"),
