@@ -159,11 +159,6 @@ def kinds_of(kind: Any, names: Mapping[str, Any]) -> Kinds:
     return (NoneType if kind is None else kind,)
 
 
-def is_array(value: Any) -> bool:
-    """Return whether a value is an array of numbers."""
-    return isinstance(value, np.ndarray) and value.ndim > 0 and value.dtype.kind in "iuf"
-
-
 def plain(value: Any, kinds: Kinds) -> Any:
     """Return a value, made plain where one of the kinds asks for it."""
     if getattr(value, "ndim", None) == 0 and getattr(value, "dtype", EMPTY).kind in "iufb":
@@ -195,8 +190,8 @@ def _is(value: Any, kind: Any) -> bool:
         return isinstance(value, Integral) and not isinstance(value, bool) and int(value) >= least
     if own in (float, int):
         return isinstance(value, Real if own is float else Integral) and not isinstance(value, bool)
-    if own is np.ndarray:
-        return is_array(value)
+    if own is np.ndarray:  # of numbers
+        return isinstance(value, own) and value.ndim > 0 and value.dtype.kind in "iuf"
     if isinstance(own, str):  # such as "xarray.Dataset", of a module that may not be imported
         *module, name = own.split(".")
         same = [one.__module__.split(".") for one in type(value).__mro__ if one.__name__ == name]

@@ -112,10 +112,6 @@ def document(title: str, body: str, style: str, script: str = "", head: str = ""
 
 
 @cache
-def _notebook_style() -> str:
-    return _asset("notebook.css").replace("\n", "")
-
-
 def _asset(name: str) -> str:
     return (resources.files("clpt_control") / "data" / name).read_text(encoding="utf-8")
 
@@ -127,7 +123,8 @@ def _hash(text: str) -> str:
 def fragment(kind: str, name: object, *pieces: str) -> str:
     """Return what a notebook shows of a thing: its kind, its name, and pieces of HTML."""
     head = f"<div><strong>{safe(kind)}</strong> {safe(shortened(name))}</div>" if kind else ""
-    return f'<div class="clpt"><style>{_notebook_style()}</style>{head}{"".join(pieces)}</div>'
+    style = _asset("notebook.css").replace("\n", "")
+    return f'<div class="clpt"><style>{style}</style>{head}{"".join(pieces)}</div>'
 
 
 def facts(rows: Iterable[Sequence[object]], columns: Sequence[str] = ()) -> str:

@@ -106,15 +106,12 @@ def _print_version(wanted: bool) -> None:
     if not wanted:
         return
     import platform
-    from importlib.metadata import PackageNotFoundError, version
+    from importlib.metadata import version
 
     typer.echo(f"clpt-control {version('clpt-control')}")
     typer.echo(f"{'Python':12} {platform.python_version()} on {platform.platform(terse=True)}")
     for name in PACKAGES:
-        try:
-            typer.echo(f"{name:12} {version(name)}")
-        except PackageNotFoundError:
-            typer.echo(f"{name:12} not installed")
+        typer.echo(f"{name:12} {version(name)}")
     raise typer.Exit
 
 

@@ -101,12 +101,6 @@ class Ahead:
         duration = 3600.0 if self.duration is None else self.duration
         check_speed(1.0 if self.speed is None else self.speed, duration)
 
-    def next_and_aims(self, replay: Any) -> tuple[Any, list[Any]]:
-        """Return the `NextDive` of a replay, as planned, aimed or else guessed, and its aims."""
-        legs = self.aims(replay)
-        aimed = legs and not self.plan
-        return legs[0].ahead if aimed else clpt.replay.next_dive(replay, *self.plan), legs
-
     def aims(self, replay: Any) -> list[Any]:
         """Return an `Aim` for each waypoint ahead; those that were come close to are dropped."""
         from ..geodesy import distance
@@ -220,7 +214,9 @@ def summary_with_next(result: Any, skipped: list, ahead: Ahead) -> tuple[dict[st
     found = clpt.replay.summary(result, skipped) | {"next_dive": None, "aim": [], "paste": None}
     if not result.steps:
         return found, None
-    goal, legs = ahead.next_and_aims(result)
+    legs = ahead.aims(result)
+    aimed = legs and not ahead.plan
+    goal = legs[0].ahead if aimed else clpt.replay.next_dive(result, *ahead.plan)
     found |= {"next_dive": goal.as_dict(), "aim": [leg.as_dict() for leg in legs]}
     if ahead.areas is not None and legs:
         with progress_bar("drawing the way", DRAWS) as report:
