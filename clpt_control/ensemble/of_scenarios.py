@@ -19,7 +19,6 @@ from ..errors import DiagramError
 from ..scenario.experiment import Scenario
 from ..scenario.file import scenario_to_text
 from ..scenario.quantities import QUANTITIES, STARTS, key_hint, keys_of, keys_of_law
-from ..scenario.tables import Table
 from ..simulation.loops import changed_blocks
 from ..simulation.starts import state_columns, state_of
 from .drawn_values import unknown_name
@@ -69,23 +68,21 @@ class VariedScenario(Varied):
             )
         if other := key_hint(key):
             return f"vary: {other}"
-        place: Any = scenario
-        for name in key.split("."):
-            known = isinstance(place, Table) and name in type(place).model_fields
-            place = getattr(place, name) if known else None
-            if not known or place is None:
-                break
+        values = {name: value for name, value, _ in scenario.every_key()}
+        value, within = values.get(key), [name for name in values if name.startswith(f"{key}.")]
         if key.split(".")[0] == "run":
             return f"vary: {key} cannot vary: members share duration, samples and tolerances"
         if key == "learning.sample":
             return f"vary: {key} cannot vary: members share the times at which their law runs"
-        if isinstance(place, int):
-            return f"vary: {key} = {place} cannot vary: counts are whole numbers"
-        if isinstance(place, Table):
-            return f"vary: {key} is a table; name one of its keys, such as {key}.{_first(place)}"
-        if place is not None and known:
-            return f"vary: {key} = {place!r} cannot vary: it is not a number"
-        if known:
+        if isinstance(value, int):
+            return f"vary: {key} = {value} cannot vary: counts are whole numbers"
+        if within:
+            numbers = [name for name in within if isinstance(values[name], float | tuple)]
+            such = min(numbers or within, key=lambda name: name.count("."))
+            return f"vary: {key} is a table; name one of its keys, such as {such}"
+        if value is not None:
+            return f"vary: {key} = {value!r} cannot vary: it is not a number"
+        if any(f"{key}.".startswith(f"{name}.") for name in values if values[name] is None):
             return f"vary: {key} is not set in the scenario; may vary: {', '.join(allowed)}"
         return unknown_name(f"key {key}", nearest(key, allowed), allowed)
 
@@ -178,13 +175,6 @@ def variable_values(scenario: Scenario) -> dict[str, np.ndarray]:
     none = {"learning.sample"} | ({"flow.disturbance.seed"} if kind != "noise" else set())
     none |= {"flow.disturbance.period"} if kind == "constant" else set()
     return {k: v for k, v in values.items() if k not in none and not k.startswith("run.")}
-
-
-def _first(part: Table) -> str:
-    names = list(type(part).model_fields)
-    return next(
-        (name for name in names if isinstance(getattr(part, name), float | tuple)), names[0]
-    )
 
 
 def checked_changes(changes: Changes, scenario: Scenario) -> Changes:

@@ -26,7 +26,7 @@ from numpy.typing import ArrayLike
 
 from ..arguments import Seed, public
 from ..errors import ClptError, DataError, ScenarioError, SimulationError, needed
-from ..files import check_name, check_writable
+from ..files import check_writable
 from ..progress import interrupt, warn
 from ..progress.processes import processes
 from ..scenario.experiment import Scenario
@@ -157,10 +157,8 @@ def run_ensemble(
         needed(module)
     varies = read_varies(vary)
     path = None if out is None else Path(out).absolute()
-    if path is not None:
-        check_name(path)
-        if not path.exists():
-            check_writable(path)
+    if path is not None and not os.path.lexists(path):
+        check_writable(path)
     of_diagram: dict[str, Any] = {
         "inputs": inputs,
         "initial_state": initial_state,

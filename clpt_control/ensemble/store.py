@@ -51,9 +51,9 @@ class Store:
             warnings.simplefilter("ignore")  # of what is no array: `check_store` names it
             self.names = {name for name, _ in group.members()}
             self.arrays = {name.replace(SLASH, "/"): one for name, one in group.arrays()}
-        kept = {name: one for name, one in self.arrays.items() if one.attrs.get("kept")}
-        dims = {name: one.metadata.dimension_names or () for name, one in kept.items()}
-        self.per_member = sorted(kept)
+        dims = {name: one.metadata.dimension_names or () for name, one in self.arrays.items()}
+        given = {"member", *self.arguments["keys"]}
+        self.per_member = sorted(k for k in dims.keys() - given if "member" in dims[k])
         self.summaries = [name for name in self.per_member if "time" not in dims[name]]
         self.trajectories = [name for name in self.per_member if "time" in dims[name]]
 
@@ -130,8 +130,6 @@ class Store:
         )
         data = renamed(data.drop_vars(DONE), SLASH, "/").set_coords(self.arguments["keys"])
         data = data[sorted(map(str, data.variables))]  # a folder has no order
-        for array in data.variables.values():
-            array.attrs.pop("kept", None)
         if self.path is None:
             data.load()
         else:

@@ -120,8 +120,7 @@ class Arrays(dict[str, StoredArray]):
         """Add an array that summaries fill, the first dimension the member."""
         dims = tuple(dims)
         shape = (self.members, *(self.sizes[dim] for dim in dims))
-        attributes = {"long_name": long_name, **attrs, "kept": "per member"}
-        self[name] = StoredArray(("member", *dims), shape, dtype, attributes)
+        self[name] = StoredArray(("member", *dims), shape, dtype, {"long_name": long_name, **attrs})
 
     def add_ends(self, **of_time: str) -> None:
         """Add how members ended, and when."""

@@ -116,7 +116,7 @@ def tune_law(
             f'learning.law = "{scenario.learning.law}": is the only law that learns at fixes; '
             "nothing is to choose, and its settings vary in an ensemble"
         )
-    names = tuple([laws] if isinstance(laws, str) else laws)
+    names = tuple(laws)
     for name in names:
         if name not in LAWS:
             raise ScenarioError(f"laws: '{name}' is no law; `clpt laws` lists them")

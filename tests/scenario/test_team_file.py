@@ -118,6 +118,10 @@ def test_each_mistake_is_a_sentence(tmp_path, old, new, said):
         ({"a": PAPER, "b": vehicle(units_length="km")}, "its units is not that of a"),
         ({"a": PAPER, "b/c": PAPER}, "the name 'b/c' of a vehicle"),
         ({"a": PAPER, "b": 3}, "members.b = 3"),
+        (
+            {"a": PAPER, "b": {"run": {"durat": 3.0}}},
+            r"key members\.b\.run\.durat; did you mean dur",
+        ),
     ],
     ids=str,
 )
