@@ -43,6 +43,19 @@ def clpt(monkeypatch, capsys):
 
 
 @pytest.fixture
+def refused(clpt):
+    """Run `clpt ARGUMENTS`, a user's mistake, and give the one line that it says."""
+
+    def run(*arguments):
+        outcome = clpt(*arguments)
+        assert (outcome.status, outcome.out, outcome.err.count("\n")) == (2, "", 1), outcome
+        assert outcome.err.startswith("clpt: ")
+        return outcome.err
+
+    return run
+
+
+@pytest.fixture
 def undrawn(monkeypatch):
     """Figures are made and not drawn, which takes most of the time."""
     from matplotlib.figure import Figure

@@ -131,11 +131,11 @@ def random_runs(rng, count):
     return np.concatenate(times), e, delta, V0, k
 
 
-def test_the_mean_square_bound_holds_for_500_random_disturbances():
+def test_the_mean_square_bound_holds_for_random_disturbances():
     rng = np.random.default_rng(11)
     runs = violated = 0
     tightest = 0.0
-    for _ in range(10):
+    for _ in range(3):
         times, e, delta, V0, k = random_runs(rng, 50)
         found = mean_square_sides(times, e, delta, V0, k)
         assert found.holds
@@ -144,9 +144,9 @@ def test_the_mean_square_bound_holds_for_500_random_disturbances():
         largest = np.abs(delta[..., 0]).max(0) / k
         second_half = np.abs(e[len(times) // 2 :, :, 0]).max(0)
         violated += np.sum(second_half > largest)
-    assert runs == 500
+    assert runs == 150
     assert 0.3 < tightest < 1
-    assert violated > 50, "the same runs violate Eq. (33)"
+    assert violated > 15, "the same runs violate Eq. (33)"
 
 
 def test_the_mean_square_bound_is_tight():

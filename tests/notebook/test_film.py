@@ -89,7 +89,7 @@ def test_refusals(run, tmp_path, monkeypatch):
     assert list(tmp_path.iterdir()) == []
 
 
-def test_the_command(clpt, run, tmp_path):
+def test_the_command(clpt, refused, run, tmp_path):
     import clpt_control
 
     clpt_control.save_run(run, tmp_path / "run.nc")
@@ -99,6 +99,5 @@ def test_the_command(clpt, run, tmp_path):
     assert done.out == f"{out}: written\n"
     with Image.open(out) as film:
         assert film.n_frames == 4
-    wrong = clpt("animate", tmp_path / "run.nc", "-o", tmp_path / "film.doc")
-    assert wrong.status == 2
-    assert "must end in .gif or .mp4" in wrong.err
+    said = refused("animate", tmp_path / "run.nc", "-o", tmp_path / "film.doc")
+    assert "must end in .gif or .mp4" in said

@@ -224,7 +224,7 @@ def test_measured_surface_current():
     }
 
 
-def test_units_of_a_forecast_that_has_none_are_given(tmp_path, clpt):
+def test_units_of_a_forecast_that_has_none_are_given(tmp_path, refused):
     import netCDF4
 
     path = write(tmp_path / "bare.nc", *turning(HOURS, (len(LAT), len(LON))))
@@ -241,6 +241,5 @@ def test_units_of_a_forecast_that_has_none_are_given(tmp_path, clpt):
     fit.write_text("")
     with pytest.raises(DataError, match="a fit has its units in the file"):
         read_flow_model(fit, units="m/s")
-    outcome = clpt("replay", "--sample", "--units", "m/s")
-    assert (outcome.status, outcome.out) == (2, "")
-    assert "--units m/s: is for --flow-model FILE" in outcome.err
+    said = refused("replay", "--sample", "--units", "m/s")
+    assert "--units m/s: is for --flow-model FILE" in said
