@@ -163,7 +163,7 @@ def export(
     scenario: ScenarioFile,
     out: Path = opt("FILE", "The file: C (.c) or an FMU (.fmu).", "-o", "--out", default=...),
 ) -> None:
-    """Write a scenario's loop or a run's diagram as one C99 file or FMU.
+    """Write a scenario's loop or a run's diagram as C99 or an FMU.
 
     Example:
         clpt export mine.toml -o loop.c
