@@ -93,6 +93,11 @@ class SystemWithV:
             found = sympy.sympify(self.eq[source] if isinstance(source, str) else source)
         if not isinstance(found, sympy.Expr):
             raise DiagramError(f"{self.system.name}: {short(source, 60)} is no single number")
+        for part in found.atoms(sympy.Piecewise, sympy.Integral, sympy.Sum):
+            raise DiagramError(
+                f"{self.system.name}: V has a {type(part).__name__} of SymPy, which is not read; "
+                "write V as a function of signals, with np.where, or work it out"
+            )
         found = found.xreplace({q: rational(float(q)) for q in found.atoms(sympy.Float)})
         own = TIME, *self.states, *self.fixed
         known = {s.name: s for s in own} | {str(f.func): f for f in self.inputs}

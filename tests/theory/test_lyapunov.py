@@ -245,8 +245,14 @@ def test_mistakes_are_one_sentence():
         lyapunov(control.nlsys(None, lambda t, x, u, p: u, inputs=1, outputs=1), 0 * x)
     with pytest.raises(clpt.DiagramError, match="x = nan: must be finite"):
         lyapunov(plant, half, at=[np.nan])
-    with pytest.raises(clpt.DiagramError, match=r"V' cannot be worked out.*Unsupported.*Set the"):
+    with pytest.raises(clpt.DiagramError, match=r"V has a Piecewise of SymPy, which is not read"):
         lyapunov(plant, sympy.Piecewise((x**2, x > 0), (0, True)))
+    for odd, cause in (
+        (sympy.O(x), r"PrintMethodNotImplementedError: Unsupported.*Set the"),
+        (sympy.zeta(x), r"ArgumentIndexError"),  # an error whose own text cannot be made
+    ):
+        with pytest.raises(clpt.DiagramError, match=rf"V' cannot be worked out: {cause}"):
+            lyapunov(plant, odd)
     for names in ({"states": ["t"]}, {"inputs": ["t"]}, {"params": {"t": 2.0}}):
         known = {"inputs": 0, "states": ["x"], "params": {}} | names
         late = control.nlsys(lambda t, x, u, p: -x * p.get("t", 1.0), **known)

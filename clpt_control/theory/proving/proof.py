@@ -8,6 +8,7 @@ statement, and it always says what was not proved and what is cited.
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from traceback import format_exception_only
 from typing import Any, Literal
 
 from ...equations.arrays import Unread
@@ -122,7 +123,8 @@ def worked_out(name: str) -> Iterator[None]:
     except Unread as error:
         raise DiagramError(f"{error}") from None
     except Exception as error:
-        cause = " ".join(f"{type(error).__name__}: {error}".split())  # in one line
+        text = "".join(format_exception_only(error)).rpartition(f"{type(error).__module__}.")[2]
+        cause = " ".join(text.split())  # in one line
         raise DiagramError(f"{name}: V' cannot be worked out: {cause}") from None
 
 
