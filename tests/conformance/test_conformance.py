@@ -108,10 +108,6 @@ def kinked(t, x, u, p):
     return np.where(u[0] > 0, u[0], -u[0])
 
 
-def unsorted(p, t0, t1):
-    return np.array([2.0, 1.0])
-
-
 def outside(p, t0, t1):
     return np.array([t0, t1 + 1.0])
 
@@ -241,11 +237,6 @@ def ticking(breakpoints):
 )
 def test_wrong_breakpoints_are_told(breakpoints, sentence):
     assert sentence in failures(ticking(breakpoints))
-
-
-def test_breakpoints_that_do_not_increase_are_refused():
-    with pytest.raises(BlockError, match="must be increasing times"):
-        failures(ticking(unsorted))
 
 
 # --- units ----------------------------------------------------------------------------------------

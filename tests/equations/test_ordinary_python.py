@@ -177,11 +177,6 @@ class Motor:
         return self.torque(u[1])
 
 
-@np.vectorize
-def each(a):
-    return a * a + 1.0
-
-
 @functools.lru_cache
 def kept(k):
     return 2.0 * k

@@ -22,7 +22,6 @@ from clpt_control.native.python_diagram import PythonDiagram
 
 IN_A_TEST, TESTS, SLOW_TESTS = 6, 3, 340
 POINTS = 3
-BY_EXPRESSIONS = "is no block, so it has no expressions"
 
 
 def after(name, ask, t, x, u):

@@ -240,15 +240,6 @@ def test_the_paper_s_contraction(along):
     assert "simulated" in found.trajectory
 
 
-def test_finer_pieces_change_nothing(along, monkeypatch):
-    coarse = certificate(along)
-    monkeypatch.setattr(certificates, "TURN", 3.0)
-    fine = certificate(along)
-    for axis in ("x1", "x2"):
-        np.testing.assert_allclose(fine.transition[axis], coarse.transition[axis], atol=1e-11)
-        assert fine.drops[axis] == pytest.approx(coarse.drops[axis], rel=1e-10)
-
-
 def test_v_of_a_run_falls_no_less_than_certified():
     scenario = clpt.paper_scenario().with_values({"run.duration": 400, "run.output_step": 100})
     V = clpt.simulate(scenario).lyapunov.values

@@ -19,7 +19,6 @@ from clpt_control.theory.counterexamples import (
     unlearned_counterexample,
     with_square_wave,
 )
-from clpt_control.theory.excitation.regressor import axis_states, error_matrices
 
 
 @pytest.fixture(scope="module")
@@ -118,32 +117,6 @@ def test_a_field_has_no_bound_to_compare_with():
     flow = paper.flow.model_copy(update={"parameters": None, "field": "current.nc"})
     with pytest.raises(ScenarioError, match="gridded field"):
         drive_along(paper.model_copy(update={"flow": flow}), None)
-
-
-def test_the_linear_system_is_the_closed_loop():
-    """A [e, eta] + [Delta, 0] is what the wired diagram does, at random states."""
-    scenario = with_square_wave(clpt.paper_scenario(), 0.05, 3.5)
-    loop = clpt.closed_loop(scenario)
-    rng = np.random.default_rng(5)
-    theta, N = np.array(scenario.flow.parameters), scenario.basis.N
-    for t in (0.3, 1.0, 1.5):
-        state = rng.normal(size=loop.nstates)
-        rate = loop.dynamics(t, state, [])
-        signals = dict(zip(loop.output_labels, loop.output(t, state, []), strict=True))
-        phi = np.array([signals[f"phi_x[{k}]"] for k in range(N)])
-        zc = np.array([signals[f"zc[{k}]"] for k in range(2)])
-        x, z, alpha, K, Gamma = np.split(state, [2, 4, 4 + 2 * N, 6 + 2 * N])
-        eta = [
-            *(theta.ravel() + alpha),
-            *(K - scenario.vehicle.feedback),
-            *(np.array(scenario.vehicle.feedforward) - Gamma),
-        ]
-        whole = np.concatenate([x - z, eta])
-        expected = np.concatenate([rate[:2] - rate[2:4], rate[4 : 6 + 2 * N], -rate[6 + 2 * N :]])
-        expected[0] -= 0.05 * np.sign(np.sin(3.5 * t))
-        A = error_matrices(phi, z, zc, scenario.vehicle.feedback, scenario.learning.gain)
-        for axis, own in enumerate(axis_states(N)):
-            assert np.allclose(A[axis] @ whole[own], expected[own], atol=1e-12)
 
 
 def test_exact_runs_agree_with_an_integrator():
