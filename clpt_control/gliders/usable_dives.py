@@ -33,6 +33,8 @@ LEAST_DURATION = 1000.0  # s: shelf gliders dive for half an hour, trials for mi
 FASTEST = 5.0  # m/s: no current and no glider is faster, so a fix or a sum is wrong
 LATEST = datetime(YEARS[1], 1, 1, tzinfo=UTC).timestamp()  # s since 1970
 DAY, YEAR = 86400.0, 365.25 * 86400.0  # s
+DAYS = 1e6  # times below are days, since 1970 or the year 0, or of January 1970
+FILLS = (999.0, 9999.0, 99999.0)
 SMALLER = {"milliseconds": 1e3, "microseconds": 1e6, "nanoseconds": 1e9}  # in one second
 OVERLAP = 60.0  # s that neighbours may share by rounding
 MISSION = 1000  # dives: a larger step in the numbers is another mission
@@ -139,8 +141,10 @@ def _fault(dive: Dive, least_duration: float) -> str:
         return f"the fix after the dive is {-dive.duration:.0f} s before its start: swapped times"
     if not (isfinite(dive.dr_east) and isfinite(dive.dr_north)):
         return "the displacement through the water is not finite"
+    if dive.dr_east == dive.dr_north and abs(dive.dr_east) in FILLS:
+        return f"the displacement through the water is {dive.dr_east:g} m twice, a fill value"
     if not dive.duration > least_duration:
-        days = dive.t_gpse < LATEST / DAY and dive.duration * DAY > least_duration
+        days = dive.t_gpse < DAYS and dive.duration * DAY > least_duration
         lasts = f"{dive.duration:.0f}" if dive.duration > 10 else f"{dive.duration:.2g}"
         return (
             f"lasts {lasts} s; must last longer than {least_duration:g} s (--least-duration)"

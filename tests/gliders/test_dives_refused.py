@@ -51,6 +51,8 @@ def later(number, **changes):
         ),
         ({"t_gpse": 1e18}, "after the dive is at 1e+18 s since 1970; must"),
         ({"t_gps2": 18518.5, "t_gpse": 18518.65}, "its times look like days"),
+        ({"t_gps2": 738000.5, "t_gpse": 738000.65}, "its times look like days"),  # of the year 0
+        ({"dr_east": -9999.0, "dr_north": -9999.0}, "is -9999 m twice, a fill value"),
         ({"number": 2**31}, "its number is 2.14748e+09; must be a whole number below 2147483648"),
         ({"number": -(10**300)}, "its number is -1e+300"),
         ({"gps_north": 1e6}, "m/s"),
