@@ -241,7 +241,8 @@ def _in_region(case: SystemWithV, search: FailureSearch, within: Any, count: int
     inputs = [str(f.func) for f in case.inputs]
     at = f" where {' = '.join(inputs)} = 0" if inputs else ""
     below = f"where V{less} < {level:g} in the box" if level else "near the rest"
-    claim = f"V' < 0 {below}, but at the rest"
+    now = ", with the parameters as they are" if case.eq.values else ""
+    claim = f"V' < 0 {below}, but at the rest{now}"
     steps = (
         exact("V and the equations have a value everywhere", not case.undefined, case.undefined),
         Step(claim, level > 0.0, "enclosed"),

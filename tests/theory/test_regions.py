@@ -92,6 +92,17 @@ def test_a_level_is_exact_where_it_is_known_by_hand():
     assert 0.999 * (1 + np.cos(5)) <= found.level <= 1 + np.cos(5)
 
 
+def test_parameters_as_they_are_are_said():
+    damped = diagram(lambda x: [-x + x**3], ["x"], name="cubic", params={"k": 1.0})
+    assert "as they are" not in lyapunov(damped, lambda s: s.x**2, within={"x": (-1, 1)}).claim
+    own = control.nlsys(
+        lambda t, x, u, p: [-p["k"] * x[0]], states=["x"], inputs=0, params={"k": 2.0}, name="own"
+    )
+    assert "with the parameters as they are: what begins there comes to rest" in (
+        lyapunov(own, lambda s: s.x**2, within={"x": (-1, 1)}).claim
+    )
+
+
 def test_inputs_are_zero_and_said():
     pushed = control.nlsys(
         lambda t, x, u, p: [-x[0] + x[0] ** 3 + u[0]], states=["x"], inputs=["d"], name="pushed"
