@@ -113,7 +113,7 @@ CLAIM = "V' = -sum e^T KD e - (kappa/gamma) sum over edges |alpha_i - alpha_j|^2
 
 def proof_of_team() -> Proof:
     """Prove the law of a team."""
-    claim = f"{CLAIM}, so CLPE goes to zero and the vehicles agree"
+    claim = f"{CLAIM}, so CLPE goes to zero and the vehicles agree: {', '.join(GRAPHS)}"
     return where_all_hold("proved", claim, team_steps(), CITED)
 
 
