@@ -222,9 +222,11 @@ def certificate(
     found = window_drops(w, along.weights, KD, gain)
     first, last = along.cuts[[0, -1]].tolist()
     transition = dict(zip(("x1", "x2"), found.pop("transition"), strict=True))
-    shares = (dict(zip(transition, each.tolist(), strict=True)) for each in found.values())
+    each = (dict(zip(transition, one.tolist(), strict=True)) for one in found.values())
+    contractions, drops, rhos = each
     disturbed = scenario.flow.disturbance is not None or scenario.flow.field is not None
-    return Certificate(first, last - first, along.trajectory, transition, *shares, disturbed)
+    known = first, last - first, along.trajectory, transition
+    return Certificate(*known, contractions, drops, rhos, disturbed)
 
 
 @public
