@@ -43,6 +43,18 @@ def clpt(monkeypatch, capsys):
 
 
 @pytest.fixture
+def printed(clpt):
+    """Run `clpt ARGUMENTS --json`, and give what it prints."""
+
+    def run(*arguments):
+        outcome = clpt(*arguments, "--json")
+        assert outcome.status == 0, outcome.err
+        return json.loads(outcome.out)
+
+    return run
+
+
+@pytest.fixture
 def refused(clpt):
     """Run `clpt ARGUMENTS`, a user's mistake, and give the one line that it says."""
 

@@ -1,6 +1,5 @@
 """docs/laws.md has a section for each law, as its page and its row have it."""
 
-import json
 import re
 import runpy
 from pathlib import Path
@@ -35,10 +34,10 @@ def test_equations_become_formulas():
 
 
 @pytest.mark.parametrize("name", LAWS)
-def test_the_command_prints_a_laws_page(clpt, name):
+def test_the_command_prints_a_laws_page(clpt, printed, name):
     outcome = clpt("laws", name)
     assert outcome.status == 0
-    listed = json.loads(clpt("laws", name, "--json").out)["laws"]
+    listed = printed("laws", name)["laws"]
     assert list(listed) == [name]
     assert listed[name]["page"] == LAWS[name].page
     assert listed[name]["promises"] == list(promises_in_words(LAWS[name]).values())

@@ -30,37 +30,34 @@ def states(run, t):
     return np.concatenate([np.ravel(part) for part in parts])
 
 
-def assert_matches(printed, run, numbers):
+def assert_matches(found, run, numbers):
     for key in ("clpe_rms_per_cycle", "max_flow_parameter_error", "max_gain_error"):
         wanted = numbers.get(key)
         if isinstance(wanted, list):
-            np.testing.assert_allclose(printed[key], wanted, rtol=0, atol=1e-6)
+            np.testing.assert_allclose(found[key], wanted, rtol=0, atol=1e-6)
         elif wanted:
-            assert list(printed[key]) == list(wanted)
+            assert list(found[key]) == list(wanted)
             for t, value in wanted.items():
-                assert abs(printed[key][t] - value) < 1e-6, (key, t)
+                assert abs(found[key][t] - value) < 1e-6, (key, t)
     for t, value in numbers["states"].items():
         np.testing.assert_allclose(states(run, float(t)), value, rtol=0, atol=1e-6)
 
 
-def test_paper_matches_the_independent_numbers(clpt, tmp_path, reference):
-    outcome = clpt("paper", "--out", tmp_path / "out", "--json")
-    assert outcome.status == 0, outcome.err
-    printed = json.loads(outcome.out)
+def test_paper_matches_the_independent_numbers(printed, tmp_path, reference):
+    found = printed("paper", "--out", tmp_path / "out")
     run = clpt_control.load_run(tmp_path / "out" / "run.nc")
-    assert_matches(printed, run, reference["paper"])
-    assert [claim["verdict"].split()[0] for claim in printed["claims"]] == ["holds"] * 3
-    assert "not in one cycle" in printed["claims"][1]["verdict"]
+    assert_matches(found, run, reference["paper"])
+    assert [claim["verdict"].split()[0] for claim in found["claims"]] == ["holds"] * 3
+    assert "not in one cycle" in found["claims"][1]["verdict"]
     names = {path.name for path in (tmp_path / "out").iterdir()}
     assert names == {"run.nc", *(f"figure{k}.png" for k in (1, 2, 3, 4))}
 
 
 @pytest.mark.parametrize("name", [name for name in NAMES if name != "paper"])
-def test_run_matches_the_independent_numbers(clpt, tmp_path, reference, name):
+def test_run_matches_the_independent_numbers(printed, tmp_path, reference, name):
     out = tmp_path / "run.nc"
-    outcome = clpt("run", HERE / "reference" / f"{name}.toml", "--out", out, "--json")
-    assert outcome.status == 0, outcome.err
-    assert_matches(json.loads(outcome.out), clpt_control.load_run(out), reference[name])
+    found = printed("run", HERE / "reference" / f"{name}.toml", "--out", out)
+    assert_matches(found, clpt_control.load_run(out), reference[name])
 
 
 def test_a_run_never_replaces_its_scenario(clpt, refused, tmp_path, monkeypatch):

@@ -22,7 +22,7 @@ def file(tmp_path):
     return tmp_path / "team.toml"
 
 
-def test_a_team_runs_and_runs_again(clpt, tmp_path, file):
+def test_a_team_runs_and_runs_again(clpt, printed, tmp_path, file):
     out, figures = tmp_path / "run.nc", tmp_path / "figures"
     outcome = clpt("run", file, "--out", out, "--figures", figures)
     assert outcome.status == 0, outcome.err
@@ -30,8 +30,8 @@ def test_a_team_runs_and_runs_again(clpt, tmp_path, file):
         r"b: largest flow parameter error \(m/s\) +│ [-.\de]+ at t = 12 s", outcome.out
     )
     assert (figures / "team.png").stat().st_size > 10_000
-    found = json.loads(clpt("run", out, "--out", tmp_path / "again.nc", "--json").out)
-    assert found == json.loads(clpt("run", file, "--out", out, "--json").out)
+    found = printed("run", out, "--out", tmp_path / "again.nc")
+    assert found == printed("run", file, "--out", out)
     assert found["vehicles"] == ["a", "b"]
     run = clpt_control.load_run(out)
     last = abs(run.flow_parameters_estimate - run.flow_parameters)[:, -1].max(("axis", "basis"))
@@ -40,9 +40,8 @@ def test_a_team_runs_and_runs_again(clpt, tmp_path, file):
     assert list(found["max_disagreement"]) == ["10", "12"]
 
 
-def test_the_excitation_of_a_team(clpt):
-    outcome = clpt("excitation", FILE, "--window", 300, "--start", 0, "--json")
-    found = json.loads(outcome.out)
+def test_the_excitation_of_a_team(clpt, printed):
+    found = printed("excitation", FILE, "--window", 300, "--start", 0)
     assert found["smallest"]["west"] < 1e-6 > found["smallest"]["east"]
     assert found["smallest"]["team"] > 1
     assert found["team"]["dimension"] == {"x1": 6, "x2": 6}
@@ -76,11 +75,11 @@ def test_the_example_draws_what_it_says(tmp_path, capsys):
     assert (tmp_path / "team.png").stat().st_size > 10_000
 
 
-def test_laws_are_listed(clpt):
+def test_laws_are_listed(clpt, printed):
     outcome = clpt("laws")
     assert outcome.status == 0
     assert all(name in outcome.out for name in LAWS)
-    listed = json.loads(clpt("laws", "--json").out)["laws"]
+    listed = printed("laws")["laws"]
     assert list(listed) == list(LAWS)
     for name, law in LAWS.items():
         assert listed[name]["promise"] == law.promise
@@ -131,18 +130,16 @@ def paper(tmp_path, monkeypatch):
     return file
 
 
-def test_excitation_finds_the_eigenvalue_of_the_design(clpt, paper, tmp_path):
+def test_excitation_finds_the_eigenvalue_of_the_design(printed, paper, tmp_path):
     new, picture = tmp_path / "new.toml", tmp_path / "new.png"
-    outcome = clpt("design", paper, "--out", new, "--figure", picture, "--json", *QUICK)
-    assert outcome.status == 0, outcome.err
-    report = json.loads(outcome.out)
+    report = printed("design", paper, "--out", new, "--figure", picture, *QUICK)
     assert inked(picture) > 0.01
     made = clpt_control.load_scenario(new)
     assert made.reference.kind == "waypoints"
     assert made.waypoints.tolist() == report["after"]["waypoints"]
     for file, key in ((paper, "before"), (new, "after")):
-        found = clpt("excitation", file, "--window", "60", "--start", "60", "--json")
-        values = json.loads(found.out)["eigenvalues"].values()
+        found = printed("excitation", file, "--window", "60", "--start", "60")
+        values = found["eigenvalues"].values()
         assert min(v[0] for v in values) == pytest.approx(report[key]["of_the_run"], rel=1e-9)
 
 
@@ -240,8 +237,8 @@ def test_numbers_that_no_estimate_can_have_are_one_sentence(refused, run, method
 
 
 @pytest.mark.parametrize("words", [("--prior", "1e150"), ("--noise", "1e-150")], ids=str)
-def test_a_prior_that_says_nothing_leaves_what_the_fixes_say(clpt, run, words):
-    found = json.loads(clpt("estimate", run, "--json", *words).out)
+def test_a_prior_that_says_nothing_leaves_what_the_fixes_say(printed, run, words):
+    found = printed("estimate", run, *words)
     np.testing.assert_allclose(found["theta"], THETA, rtol=0.05)
     assert all(0 <= sd < 1 for sd in found["standard_deviation"])
 
@@ -257,12 +254,10 @@ def short(tmp_path):
     return file
 
 
-def test_the_command_says_what_the_function_finds(clpt, short):
+def test_the_command_says_what_the_function_finds(clpt, printed, short):
     words = ("certify", short, "--radius", "0.05", "--error", "0.3")
     found = clpt_control.certify(clpt_control.load_scenario(short), 0.05, error=0.3)
-    outcome = clpt(*words, "--json")
-    assert outcome.status == 0, outcome.err
-    report = json.loads(outcome.out)
+    report = printed(*words)
     assert report["V"] == pytest.approx(found.V.tolist())
     assert report["time_to_error"] == 200.0
     table = " ".join(clpt(*words).out.split())

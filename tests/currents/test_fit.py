@@ -107,17 +107,15 @@ def test_the_share_explained_is_about_the_mean(known, tmp_path):
 
 
 @pytest.mark.usefixtures("undrawn")
-def test_a_uniform_current_has_no_share_and_says_so(clpt, known, tmp_path):
+def test_a_uniform_current_has_no_share_and_says_so(clpt, printed, known, tmp_path):
     """On the plane it turns by 0.2 %: no variance that anybody asks about."""
     u, scenario, run = np.full(known[2].shape, 0.5), tmp_path / "s.toml", tmp_path / "run.nc"
     uniform = write(tmp_path / "c.nc", u, 0.4 * u)
-    _, out, _ = clpt("fit", uniform, "--out", scenario, "--json")
-    assert json.loads(out)["explained_variance"] is None
+    assert printed("fit", uniform, "--out", scenario)["explained_variance"] is None
     assert "# The current hardly changes, so they have no variance" in scenario.read_text()
     _, out, _ = clpt("run", scenario, "--out", run)
     assert out.count("none: the current hardly changes") == 2
-    _, out, _ = clpt("run", scenario, "--out", run, "--json")
-    shares = json.loads(out)["explained_variance"]
+    shares = printed("run", scenario, "--out", run)["explained_variance"]
     assert shares["track"] is shares["box"] is None
     clpt("report", run, "-o", tmp_path / "run.html")
     page = (tmp_path / "run.html").read_text()
@@ -274,22 +272,19 @@ def test_options_that_cannot_be_are_refused(refused, known, tmp_path, words, sen
     assert list(tmp_path.iterdir()) == []
 
 
-def test_fit_and_run_say_what_the_track_does_not_teach(clpt, known, tmp_path):
+def test_fit_and_run_say_what_the_track_does_not_teach(clpt, printed, known, tmp_path):
     """Of what `clpt excitation` names, in one sentence; nothing where all can be learned."""
     scenario = tmp_path / "s.toml"
     words = (known[0], "--out", scenario, "--width-km", "6")
-    _, out, _ = clpt("fit", *words, "--json")
-    assert json.loads(out)["not_learnable"].startswith("of the combinations of parameters this")
+    said = printed("fit", *words)["not_learnable"]
+    assert said.startswith("of the combinations of parameters this")
     _, out, _ = clpt("fit", *words)
     assert "not learnable one by one: theta_1[1]" in out
-    _, out, _ = clpt("run", scenario, "--out", tmp_path / "run.nc", "--json")
-    of_run = json.loads(out)["not_learnable"]
-    _, out, _ = clpt("excitation", tmp_path / "run.nc", "--json")
-    learned = json.loads(out)["dimension"]
+    of_run = printed("run", scenario, "--out", tmp_path / "run.nc")["not_learnable"]
+    learned = printed("excitation", tmp_path / "run.nc")["dimension"]
     assert all(f"{n} of 29 along {axis}" in of_run for axis, n in learned.items())
     assert min(learned.values()) < 29
-    _, out, _ = clpt("fit", *words[:3], "--constituents", "steady", "--json")
-    assert json.loads(out)["not_learnable"] == ""
+    assert printed("fit", *words[:3], "--constituents", "steady")["not_learnable"] == ""
 
 
 def test_shares_of_a_learner_that_knows_theta_and_of_one_that_knows_none(known, tmp_path):

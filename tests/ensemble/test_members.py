@@ -1,7 +1,5 @@
 """Members of an ensemble: each is its own run, whatever runs beside it, however fast it may go."""
 
-import json
-
 import numpy as np
 import pytest
 
@@ -138,7 +136,7 @@ def test_without_a_limit_nothing_of_it_is_kept():
     assert "faster_flow" not in ensemble_summary(data)
 
 
-def test_the_command_says_it(clpt, tmp_path):
+def test_the_command_says_it(clpt, printed, tmp_path):
     file = tmp_path / "slow.toml"
     assert clpt("init", file).status == 0
     text = file.read_text().replace("duration = 2000", "duration = 100")
@@ -146,10 +144,9 @@ def test_the_command_says_it(clpt, tmp_path):
     given = ("ensemble", file, "--members", 2, "--vary", "vehicle.max_speed=[1.0, 9.0]")
     outcome = clpt(*given, "--out", tmp_path / "e.zarr")
     assert "in 1 members the flow was faster than the vehicle" in outcome.out
-    outcome = clpt(*given, "--out", tmp_path / "e.zarr", "--json")
-    printed = json.loads(outcome.out)["faster_flow"]
-    assert printed["members"] == 1
-    assert np.isfinite(printed["longest"])
+    found = printed(*given, "--out", tmp_path / "e.zarr")["faster_flow"]
+    assert found["members"] == 1
+    assert np.isfinite(found["longest"])
 
 
 def test_every_way_in_which_a_member_ends_has_a_name():

@@ -233,14 +233,12 @@ def test_the_figure(scenario, duration):
     assert axes[1].get_yscale() == "log"
 
 
-def test_the_command(clpt, refused, quick, tmp_path):
+def test_the_command(clpt, printed, refused, quick, tmp_path):
     file, out, figure = tmp_path / "s.toml", tmp_path / "e.zarr", tmp_path / "e.png"
     clpt_control.save_scenario(quick, file)
     many = ("--members", 12, "--vary", VARY[0], "--vary", VARY[1], "--seed", 4, "--out", out)
-    outcome = clpt("ensemble", file, *many, "--json", "--figure", figure)
-    assert outcome.status == 0, outcome.err
-    printed = json.loads(outcome.out)
-    assert printed["ended"] == {"finished": 12}
+    found = printed("ensemble", file, *many, "--figure", figure)
+    assert found["ended"] == {"finished": 12}
     assert inked(figure) > 0.01
     table = clpt("ensemble", file, *many)
     assert table.status == 0

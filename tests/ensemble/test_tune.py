@@ -1,7 +1,5 @@
 """Tuning: the answer stays unseen, the fast or the robust law is taken where it is obvious."""
 
-import json
-
 import numpy as np
 import pytest
 
@@ -166,13 +164,11 @@ def test_candidates_run_by_the_scenarios_method(short):
     assert 0 < abs(errors[0]["error"] - errors[1]["error"]) < 1e-6
 
 
-def test_the_command_writes_the_choice(clpt, short, tmp_path):
+def test_the_command_writes_the_choice(clpt, printed, short, tmp_path):
     clpt_control.save_scenario(short, tmp_path / "mine.toml")
     words = ("tune", tmp_path / "mine.toml", "--members", "3", "--law", "sigma")
     words = (*words, "--law", "dead-zone")
-    outcome = clpt(*words, "--out", tmp_path / "tuned.toml", "--json")
-    assert outcome.status == 0, outcome.err
-    report = json.loads(outcome.out)
+    report = printed(*words, "--out", tmp_path / "tuned.toml")
     made = clpt_control.load_scenario(tmp_path / "tuned.toml")
     assert made.learning.law == report["chosen"]["law"]
     assert made.learning.gain == report["chosen"]["gain"]

@@ -129,9 +129,8 @@ def test_a_wrong_fix_is_judged_again_when_it_is_known():
     assert replay_dives(dives[:10]).steps[8].headline_held == (True, True)
 
 
-def test_terminal_page_and_files_say_the_same(clpt, tmp_path):
-    outcome = clpt("replay", "--sample", "--json")
-    found = json.loads(outcome.out)
+def test_terminal_page_and_files_say_the_same(clpt, printed, tmp_path):
+    found = printed("replay", "--sample")
     ahead = found["next_dive"]
     within = f"+- {ahead['time_90'] / 60:.0f} min"
     half = f"{ahead['ellipse_90_long']:.0f} x {ahead['ellipse_90_short']:.0f} m"
@@ -151,8 +150,8 @@ def test_terminal_page_and_files_say_the_same(clpt, tmp_path):
     )
 
 
-def test_the_headline_is_the_dive_that_is_aimed(clpt):
-    found = json.loads(clpt("replay", "--sample", "--aim", "-43.4", "8.4", "--json").out)
+def test_the_headline_is_the_dive_that_is_aimed(printed):
+    found = printed("replay", "--sample", "--aim", "-43.4", "8.4")
     ahead, leg = found["next_dive"], found["aim"][0]
     assert ahead["basis"] == "given"
     assert (ahead["time"], ahead["latitude"], ahead["longitude"]) == (

@@ -1,7 +1,5 @@
 """At which times a run has samples, what it carries, and what it says of the speed limit."""
 
-import json
-
 import numpy as np
 import pytest
 from calm_water import CALM, DWELL, KD, PAPER, POINTS, GammaD, exact_positions
@@ -226,16 +224,15 @@ def test_the_limit_that_ran_is_the_one_that_is_meant():
     assert "the vehicle (0.5 m/s)" in slow.attrs["message"]
 
 
-def test_the_command_says_it(clpt, tmp_path):
+def test_the_command_says_it(clpt, printed, tmp_path):
     file = tmp_path / "slow.toml"
     assert clpt("init", file).status == 0
     text = file.read_text().replace("duration = 2000", "duration = 400")
     file.write_text(text.replace("\n[vehicle]", "\n[vehicle]\nmax_speed = 1.5", 1))
-    outcome = clpt("run", file, "--out", tmp_path / "run.nc", "--json")
-    printed = json.loads(outcome.out)
-    assert printed["speed"]["max_speed"] == 1.5
-    assert 0.01 < printed["speed"]["faster_flow"]["share"] < printed["speed"]["share_at_limit"] < 1
-    assert faster_flow(printed["speed"], Units()) in printed["message"]
+    found = printed("run", file, "--out", tmp_path / "run.nc")
+    assert found["speed"]["max_speed"] == 1.5
+    assert 0.01 < found["speed"]["faster_flow"]["share"] < found["speed"]["share_at_limit"] < 1
+    assert faster_flow(found["speed"], Units()) in found["message"]
     outcome = clpt("run", file, "--out", tmp_path / "run.nc")
     assert "share of time at the speed limit" in outcome.out
     assert "the flow was faster" in outcome.out
