@@ -7,7 +7,8 @@ the length of a reading, under a lock, and then puts the module's own names back
 
 Objects and containers that a function reaches could keep something from one call to the next
 (`Snapshot`): a reading leaves them as they were.  What the first reading changed is unknown to the
-second (a leaf of its own): a record that depends on it is no function of time, states and inputs.
+second, a leaf of its own, or a text as it was left: a record that depends on it is no function of
+time, states and inputs.
 What holds no leaf, an array or a generator of chance, may not change at all.
 """
 
@@ -20,9 +21,17 @@ from array import array
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
+from enum import Enum
 from io import IOBase
 from operator import is_
-from types import BuiltinFunctionType, CellType, FunctionType, MethodType, ModuleType
+from types import (
+    BuiltinFunctionType,
+    CellType,
+    FunctionType,
+    MethodType,
+    ModuleType,
+    NoneType,
+)
 from typing import Any
 
 import numpy as np
@@ -42,8 +51,9 @@ OF_WARNINGS = "__warningregistry__"  # which Python puts into the module that it
 DEEP = 3  # objects within objects
 MOST = 200  # objects that are remembered
 OWN = __package__.partition(".")[0]
-FOREIGN = (sys.stdlib_module_names | {*LIBRARIES, "control", OWN}) - {"__main__"}
 GROWN = 1000  # unknown numbers behind what was appended
+SIMPLE = (int, float, complex, str, bytes, np.generic, Enum, np.ndarray, NoneType)
+NUMBERS = (int, float, complex, np.generic, np.ndarray, Array)
 PLAIN = (int, float, str, bytes, tuple, Array)
 CHANCE: dict[type, tuple[Callable, Callable]] = {  # its state, to be compared, and put back
     np.random.Generator: (
@@ -175,7 +185,7 @@ class Snapshot:
 
     def __init__(self) -> None:
         self._objects: dict[int, tuple[Any, Any, Any]] = {}  # object, what holds its state, before
-        self._changed: dict[tuple[int, Any], Any] = {}  # by object and key: what holds it
+        self._changed: dict[tuple[int, Any], tuple[Any, Any, list]] = {}  # holder, before, since
         self._rows: dict[int, Any] = {}  # lists that changed
         self._kept: dict[int, tuple[Any, Any]] = {}  # what holds no leaf, as it was
         self.refused = ""  # why, where one of these changed
@@ -205,10 +215,21 @@ class Snapshot:
             for function in vars(value).values() if isinstance(value, type) else ():
                 self.add(function, deep - 1)
 
-    def hide(self, leaf: Any) -> None:
-        """Put unknown numbers in the places that changed; a list may be any, and longer."""
-        for k, ((_, key), inside) in enumerate(self._changed.items()):
-            inside[key] = leaf(k)
+    @property
+    def turns(self) -> int:
+        """How many readings there are after the first, so that each text that was left is read."""
+        return max((len(values) for *_, values in self._changed.values()), default=1)
+
+    def hide(self, leaf: Any, turn: int) -> None:
+        """Put unknown numbers where numbers changed, and in turn what else was left.
+
+        A list may then be any, and longer.
+        """
+        for k, ((_, key), (inside, before, values)) in enumerate([*self._changed.items()]):
+            now = values[(turn - 1) % len(values)]
+            unknown = isinstance(now, Array) or (before is not None and isinstance(now, NUMBERS))
+            inside[key] = leaf(k) if unknown else now
+            self.add(now)
         for place, row in self._rows.items():
             count = len(row) + GROWN
             row.clear()
@@ -229,21 +250,35 @@ class Snapshot:
                 continue
             changed = [k for k, one in now.items() if one is not before.get(k, _NONE)]
             if changed or len(now) != len(before):
-                self._changed.update({(place, key): inside for key in changed})
+                for key in changed:
+                    *_, values = self._changed.setdefault(
+                        (place, key), (inside, before.get(key), [])
+                    )
+                    if not values or not any(_alike(now[key], one) for one in values):
+                        values.append(now[key])
                 inside.clear()
                 inside.update(before)
 
 
+def _alike(a: Any, b: Any) -> bool:
+    """Return whether what two calls left is one: of signals and objects only the first counts."""
+    if isinstance(a, np.ndarray) and isinstance(b, np.ndarray):
+        return a.tobytes() == b.tobytes()
+    return not isinstance(a, SIMPLE) or (type(a) is type(b) and a == b)
+
+
 def _kept_in(value: Any) -> Any:
     """Return what a thing keeps that can hold no leaf, to be compared; None for any other."""
-    if not isinstance(value, (*CHANCE, set, np.ndarray, array)):
+    if not isinstance(value, (*CHANCE, set, np.ndarray, array)) and not hasattr(
+        type(value), "to_numpy"
+    ):
         return None
     for kind, (state_of, _) in CHANCE.items():
         if isinstance(value, kind):
             return state_of(value)
     if isinstance(value, set):
         return frozenset(value)
-    numbers = np.asarray(value)
+    numbers = np.asarray(value)  # of pandas, too
     kept = numbers.dtype.kind in "fiubc" and numbers.size <= MOST_NUMBERS
     return numbers.tobytes() if kept else None
 
@@ -260,7 +295,11 @@ def _put_back(value: Any, kept: Any) -> str:
         value.update(kept)
     else:
         numbers = np.asarray(value)
-        np.copyto(numbers, np.frombuffer(kept, numbers.dtype).reshape(numbers.shape))
+        before = np.frombuffer(kept, numbers.dtype).reshape(numbers.shape)
+        if hasattr(type(value), "to_numpy"):
+            value[:] = before
+        else:
+            np.copyto(numbers, before)
     return f"changes a {type(value).__name__} that its next call reads; make it a state"
 
 
@@ -303,10 +342,19 @@ def _container_of(value: Any) -> Any:
     return Names(value, names) if names else None
 
 
+@functools.lru_cache(maxsize=256)
+def _is_library(root: str) -> bool:
+    """Return whether a package is no user's: what its classes and modules keep are caches."""
+    if root == "__main__":
+        return False
+    file = getattr(sys.modules.get(root), "__file__", None) or ""
+    return root in (OWN, *sys.stdlib_module_names) or "-packages" in file
+
+
 def _names_of(value: Any) -> Names | None:
     """Return names of a user's class or module, or of the module of a user's function."""
     name = value.__name__ if isinstance(value, ModuleType) else value.__module__
-    if (name or "").partition(".")[0] in FOREIGN:
+    if _is_library((name or "").partition(".")[0]):
         return None
     if isinstance(value, FunctionType):
         module = sys.modules.get(name)

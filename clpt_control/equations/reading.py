@@ -5,7 +5,8 @@
 A question (``if u[0] > 0``) is answered both ways: the function runs again with the other
 answer, and what the ways return is joined by `where`.  A way that raises is NaN.  A signal that
 Python counts with is asked which whole number it is, up to the first IndexError.  What is read
-twice must be the same: else a state or chance hides in the function.
+twice, and once from each text that the first reading left, must be the same: else a state or chance
+hides in the function.
 """
 
 from collections.abc import Callable, Mapping
@@ -33,6 +34,7 @@ from .declaration import Parameters, places
 from .record import Record, Shape, compact
 
 MOST_WAYS = 256
+MOST_READINGS = 8
 MOST_MODULES = 20  # into which stand-ins are put
 RAISED = (ArithmeticError, IndexError, ValueError, AssertionError)  # of numbers; such a way is NaN
 
@@ -73,10 +75,13 @@ def read(*arguments: Any) -> Read:
     spaces: list[dict[str, Any]] = []
     reads: list[Read] = []
     before: _Ways | None = None  # the first reading
+    kept = f"{request.name} keeps what its next call reads, or draws by chance; make it a state"
     try:
-        while len(reads) < 2:
+        while before is None or len(reads) < 1 + before.copies.snapshot.turns:
+            if len(reads) > MOST_READINGS:
+                raise Unread(kept)
             try:
-                ways = _Ways(request, spaces, before)
+                ways = _Ways(request, spaces, before, len(reads))
                 reads.append(ways.read())
             except Borrowed as borrower:
                 if len(spaces) >= MOST_MODULES:
@@ -84,15 +89,14 @@ def read(*arguments: Any) -> Read:
                 spaces.append(borrower.space)
                 reads.clear()
                 ways.copies.snapshot.restore()
+                before = None
                 continue
             before = before or ways
     finally:
         ways.copies.snapshot.restore()
-    first, again = (one.record for one in reads)
-    if first != again and str(first) != str(again):  # NaN differs from itself
-        raise Unread(
-            f"{request.name} keeps what its next call reads, or draws by chance; make it a state"
-        )
+    first, *others = (one.record for one in reads)
+    if any(one != first and str(one) != str(first) for one in others):  # NaN differs from itself
+        raise Unread(kept)
     return reads[0]
 
 
@@ -100,9 +104,9 @@ class _Ways:
     """All ways through a function, one after the other."""
 
     def __init__(
-        self, request: Request, spaces: list[dict[str, Any]], before: "_Ways | None" = None
+        self, request: Request, spaces: list[dict[str, Any]], before: "_Ways | None", turn: int
     ) -> None:
-        self.request, self.spaces, self.before = request, spaces, before
+        self.request, self.spaces, self.before, self.turn = request, spaces, before, turn
         self.tape = AnsweringTape(request.parameters, spaces)
         self.copies: Copies = Copies(self.tape, before.copies.snapshot if before else Snapshot())
         self.ways: list[tuple[dict[int, bool], list[Any]]] = []
@@ -121,7 +125,7 @@ class _Ways:
         while True:
             tape.answers, tape.last_asked = {}, None
             if self.before is not None:
-                snapshot.hide(self._unknown)
+                snapshot.hide(self._unknown, self.turn)
                 fields.update({name: self._unknown(name) for name in self.before.written})
             x, u = Ports(tape, "x", request.states, named), Ports(tape, "u", request.inputs, named)
             p = request.wrap(dict(fields)) if request.wrap else Parameters(**fields)

@@ -1,6 +1,7 @@
 """What cannot be read says which function, line and cause, and runs in Python."""
 
 import array
+import functools
 import inspect
 import itertools
 import random
@@ -10,6 +11,7 @@ from collections import deque
 
 import control
 import numpy as np
+import pandas as pd
 import pytest
 from recorded import run, static
 from scipy.integrate import quad
@@ -156,6 +158,41 @@ class Sensor:
         return 0.0 if self.late() else u[0]
 
 
+class Machine:
+    phase, since = "rest", None
+
+    def text(self, t, x, u, p):
+        if u[0] > 1.0:
+            self.phase = "work"
+        if u[0] < -1.0:
+            self.phase = "rest"
+        return 1.0 if self.phase == "work" else 0.0
+
+    def time(self, t, x, u, p):
+        late = 0.0 if self.since is None else t - self.since
+        self.since = t
+        return late
+
+    def lazily(self, t, x, u, p):
+        self.calls = getattr(self, "calls", 0) + 1
+        return 1.0 if self.calls > 99 else 0.0
+
+
+class Plant:
+    """Computes what does not change once."""
+
+    inverse = None
+
+    @functools.cached_property
+    def mass(self):
+        return np.diag([1.0, 2.0, 4.0])
+
+    def response(self, t, x, u, p):
+        if self.inverse is None:
+            self.inverse = np.linalg.inv(self.mass)
+        return (self.inverse @ u)[2]
+
+
 SELDOM = (  # two readings alike
     lambda t, x, u, p: 0.0 if NOISE.random() < 1e-9 else u[0],
     lambda t, x, u, p: 0.0 if np.random.rand() < 1e-9 else u[0],  # noqa: NPY002
@@ -165,6 +202,7 @@ SELDOM = (  # two readings alike
     lambda t, x, u, p: u[0] if next(COUNT) < 999 else 0.0,
     *(aims, latches, adds_up, looks_back, delays, visits, counts_calls_in_a_module),
     *(Sensor().chance, Sensor().memory),
+    *(Machine().text, Machine().time, Machine().lazily),
 )
 U = [0.3, -0.7, 2.0]
 
@@ -222,6 +260,15 @@ def test_what_is_kept_and_not_read_may_be():
     block, before = static(logs), kept()
     assert block.array_record("output").operations
     assert kept() == before
+
+
+def test_what_is_computed_once_may_be_kept():
+    """Whose parts are kept by libraries too: pandas' Series finds its places once."""
+    table = pd.Series({"a": 0.5, "b": 2.0})
+    for function in (Plant().response, lambda t, x, u, p: table["b"] * u[0] - table.a):
+        block = static(function)
+        assert block.array_record("output").operations
+        assert run(block, "output", 0.0, [], U) == pytest.approx(function(0.0, [], U, None))
 
 
 def test_too_many_ways_are_not_read():
