@@ -52,6 +52,10 @@ def test_what_other_files_gave_is_not_read(monkeypatch, tmp_path):
     assert CachedOutcomes().outcomes == {}
     law.write_text("rate = -e * phi")
     assert set(CachedOutcomes().outcomes) == set(statements())
+    for own in ("paper.toml", "solver.ll"):  # counterexamples are computed with both
+        law.with_name(own).write_text("1")
+        assert CachedOutcomes().outcomes == {}
+        law.with_name(own).unlink()
     law.rename(law.with_name("other.py"))
     assert CachedOutcomes().outcomes == {}
 

@@ -178,6 +178,7 @@ def claimed_rate(loop: Loop, edges: tuple[tuple[str, str], ...]) -> Any:
 
 PACKAGE = Path(__file__).parents[2]
 REQUIRED = ("clpt-control", "control", "numpy", "scipy", "sympy", "llvmlite")
+READ = (".py", ".toml", ".ll", ".c")  # equations, the paper's numbers, the solver
 MOST_FILES = 5  # of this and other versions that stay
 Outcome = Proof | list[dict[str, Any]]  # of misprints the rows of a table
 
@@ -255,7 +256,7 @@ def holds(outcome: Outcome) -> bool:
 
 def digest() -> str:
     """Return a name for all that an outcome depends on."""
-    paths = sorted(PACKAGE.rglob("*.py"))
+    paths = sorted(path for path in PACKAGE.rglob("*") if path.suffix in READ)
     files = (f"{path.relative_to(PACKAGE)}\n{path.read_text('utf-8')}" for path in paths)
     versions = platform.python_version(), *map(version, REQUIRED)
     return code_name(*files, *versions, os.environ.get(VARIABLE, ""))
