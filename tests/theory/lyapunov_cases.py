@@ -503,6 +503,7 @@ WRONG = {
         system(lambda x: [-x * (1 + lookup([1.0, 2.0], np.where(x > 1e6, 5, 0)) ** 2)]),
         half,
     ),
+    "V of complex numbers": (system(lambda x: [-x]), sympy.LambertW(x) ** 2 + x**2),
     "V of an area cosine": (system(lambda x: [0 * x]), sympy.acosh(x) ** 2 + x**2),
     "V of a logarithm": (system(lambda x: [-x]), lambda s: np.log(s.x) ** 2),
     "unstable": (system(lambda x: [x]), half),

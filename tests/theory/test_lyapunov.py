@@ -38,6 +38,7 @@ OPEN = {  # of the wrong ones: no point shows it, or none is looked for
     "V of an angle",
     "V of a floor of time",
     "V of an area cosine",
+    "V of complex numbers",
     "a place outside of a table",
     "a spring stronger in each interval",
     "wrong in a smaller region",

@@ -254,7 +254,10 @@ class Bounding:
         c = leak.weight * self.size(leak) ** 2 / 2 + self.push
         slowest = sympy.Max(*(self.weights[s] for s in leak.states))
         level = sympy.Max(c**2 / (2 * self.k**2), slowest * c / leak.weight)
-        return Bound(f"V' <= 0 where V >= {level.n(4)}, so V never rises above it", level)
+        return Bound(
+            f"V' <= 0 where V >= {level.n(4)}, so V never rises above it where it begins below",
+            level,
+        )
 
     def within_balls(self) -> Bound | None:
         """Return the bound where what is learned stays within balls."""

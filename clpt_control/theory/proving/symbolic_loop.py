@@ -214,8 +214,10 @@ class Numbers:
             return numbers[e]
 
         with np.errstate(all="ignore"):
-            found = [np.asarray(value(e), dtype=float) for e in self.expressions]
-        return np.array([np.broadcast_to(one, count) for one in found])
+            found = np.array([np.broadcast_to(value(e), count) for e in self.expressions])
+        if np.iscomplexobj(found):  # as of a root or a logarithm of SymPy's own
+            found = np.where(found.imag == 0.0, found.real, np.nan)
+        return found.astype(float)
 
 
 def _applied(e: sympy.Expr, numbers: list[Any]) -> Any:
