@@ -37,7 +37,7 @@ from ..scenario.experiment import Scenario
 from ..scenario.file import load_scenario, scenario_to_text
 from ..units import seconds_since_1970
 from .constituents import check_nyquist, check_separable, nodal_report
-from .grid_file import Currents, read_currents
+from .grid_file import Currents, read_currents, with_all_steps
 from .plane import GriddedField, LocalPlane, field_dataset, fill_gaps, regular_grid
 
 SINE = -np.pi / 2
@@ -140,6 +140,8 @@ def fit_scenario(
         if value is not None and not (np.isfinite(value) and value > 0):
             raise DataError(f"{what} = {value}{unit}: must be positive and finite")
     currents = read_currents(path, box, units=units)
+    with naming(path):
+        currents = with_all_steps(currents)
     hours = currents.time[currents.measured.any(axis=(1, 2))]
     check_separable(constituents, float(np.ptp(hours)), str(path))
     tidal = [name for name in constituents if name != "steady"]

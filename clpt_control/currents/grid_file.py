@@ -8,6 +8,9 @@ A current is a NetCDF file, a Zarr folder, or a folder of NetCDF files, each wit
 steps on the same grid; of a step that two files have, the later by name counts.  Where u
 and v are exactly 0 at all steps, and not everywhere, there is land, which is no water at
 rest: it is a gap.
+
+Steps are missing in an interval that is longer than 2.5 times the median of the two before it and
+the two after it, so that steps may become coarser further ahead, as forecasts have them.
 """
 
 from collections.abc import Iterator
@@ -29,6 +32,7 @@ from . import cf
 NAME = "maracoos_hfr_2019-01-01.nc"
 DEEPEST = 1000.0  # m; no level of a column further down is read, except the next
 AROUND = 1.5  # times the median step: no longer step is missing in a grid around the Earth
+GAP = 2.5  # times the intervals around one: beyond, steps are missing
 SAME = 1e-6  # degrees: no cells are so near; 0.1 m
 MOST = 10**8  # values of one component: 0.8 GB
 SUFFIXES = (".nc", ".nc4", ".cdf", ".netcdf")
@@ -140,6 +144,38 @@ def read_currents(
         return found
     found.u[:, still] = found.v[:, still] = np.nan
     return replace(found, land=int(still.sum()))
+
+
+def missing_steps(time: np.ndarray) -> np.ndarray:
+    """Return how many steps are missing in each interval between increasing steps.
+
+    >>> missing_steps(np.array([0.0, 6.0, 12.0, 78.0, 84.0])).tolist()
+    [0, 0, 10, 0]
+    >>> missing_steps(np.array([0.0, 1.0, 2.0, 5.0, 8.0, 11.0])).tolist()
+    [0, 0, 0, 0, 0]
+    """
+    steps = np.diff(time)
+    missing = np.zeros(len(steps), int)
+    for k, step in enumerate(steps):
+        around = np.concatenate([steps[max(k - 2, 0) : k], steps[k + 1 : k + 3]])
+        if around.size > 0 and step > GAP * np.median(around):
+            missing[k] = round(step / np.median(around)) - 1
+    return missing
+
+
+def with_all_steps(currents: Currents) -> Currents:
+    """Return a current on one level with the steps that are missing, as gaps."""
+    missing = missing_steps(currents.time)
+    if missing.sum() > len(currents.time):
+        raise DataError(
+            f"{missing.sum()} steps are missing among {len(currents.time)}, most of them behind "
+            f"{currents.time[np.argmax(missing)]:.6g} h; cut the file there"
+        )
+    there = np.concatenate([[0], np.cumsum(1 + missing)])
+    time = np.interp(np.arange(there[-1] + 1), there, currents.time)
+    u, v = (np.full((len(time), *w.shape[1:]), np.nan) for w in (currents.u, currents.v))
+    u[there], v[there] = currents.u, currents.v
+    return replace(currents, time=time, u=u, v=v)
 
 
 @contextmanager

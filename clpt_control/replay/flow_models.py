@@ -29,9 +29,7 @@ dive: a pilot knows the depth that was planned, which it stands for.
 
 F is linear between latitudes, longitudes and times, and nowhere extrapolated:
 outside the area, before the first step, after the last, where a corner of the cell
-has no data and in a gap of the steps there is no model.  A gap is an interval that
-is longer than 2.5 times the median of the two before it and the two after it, so
-that steps may become coarser further ahead, as forecasts have them.
+has no data and in a gap of the steps (`missing_steps`) there is no model.
 
 A fitted basis is that of a scenario that `clpt fit` wrote,
 
@@ -55,7 +53,7 @@ from scipy.integrate import solve_ivp
 from scipy.interpolate import RegularGridInterpolator
 
 from ..arguments import public
-from ..currents.grid_file import DEEPEST, SUFFIXES, read_currents
+from ..currents.grid_file import DEEPEST, SUFFIXES, missing_steps, read_currents
 from ..currents.plane import LocalPlane
 from ..errors import ClptError, DataError
 from ..estimation.dive import reckoned
@@ -163,7 +161,6 @@ def why_uncovered(dive: Dive) -> str:
 
 
 DEGREE = 110500.0  # m; no degree of latitude is shorter
-GAP = 2.5  # times the intervals around one: beyond, steps are missing
 
 
 @np.errstate(invalid="ignore", divide="ignore")
@@ -193,24 +190,6 @@ def depth_mean(depth: np.ndarray, values: np.ndarray, deepest: float) -> np.ndar
     return np.where(last > 0, total / last, above)
 
 
-def gaps_of(time: np.ndarray) -> np.ndarray:
-    """Return which intervals between increasing steps are gaps.
-
-    They are longer than 2.5 times the median of the two before and the two after them.
-
-    >>> gaps_of(np.array([0.0, 6.0, 12.0, 78.0, 84.0])).tolist()
-    [False, False, True, False]
-    >>> gaps_of(np.array([0.0, 1.0, 2.0, 5.0, 8.0, 11.0])).tolist()
-    [False, False, False, False, False]
-    """
-    steps = np.diff(time)
-    gaps = np.zeros(len(steps), bool)
-    for k, step in enumerate(steps):
-        around = np.concatenate([steps[max(k - 2, 0) : k], steps[k + 1 : k + 3]])
-        gaps[k] = around.size > 0 and step > GAP * np.median(around)
-    return gaps
-
-
 class Forecast(FlowModel):
     """A current on time, latitude, longitude and perhaps depth, of a NetCDF file."""
 
@@ -226,7 +205,7 @@ class Forecast(FlowModel):
         self.about = about
         self.fastest = float(np.sqrt(np.nanmax(column.u**2 + column.v**2)))  # m/s, anywhere
         self.time = seconds_since_1970(column.start) + 3600.0 * column.time  # s since 1970 UTC
-        self.gaps = gaps_of(self.time)
+        self.gaps = missing_steps(self.time) > 0
         self.lon, self.columns = column.lon, np.arange(len(column.lon))
         if column.lon[-1] == column.lon[0] + 360.0:  # around the Earth: a turn on either side
             n = len(column.lon) - 1

@@ -157,6 +157,27 @@ def test_steps_without_any_measurement_do_not_lengthen_a_record(tmp_path):
         fit_scenario(write(tmp_path / "c.nc", u, v), BOX, rows=1, columns=1, width_km=30.0)
 
 
+def test_steps_that_are_missing_are_gaps_and_nothing_overshoots(tmp_path):
+    """A tide of 0.5 m/s, with a hole of ten hours, by steps of nothing and without them."""
+    rows = np.array([*range(20), *range(30, 61)])
+    tide = 0.5 * np.cos(np.radians(SPEED) * np.arange(61.0))[:, None, None] + np.zeros((13, 14))
+    hole = tide.copy()
+    hole[20:30] = np.nan
+
+    def fitted(u, hours):
+        gridded_current(u, u, LAT, LON, hours.astype(float)).to_netcdf(tmp_path / "c.nc")
+        return fit_scenario(tmp_path / "c.nc", rows=2, columns=2)
+
+    whole, without = fitted(hole, np.arange(61)), fitted(tide[rows], rows)
+    for name in ("time", "u", "v"):
+        np.testing.assert_array_equal(getattr(without.field, name), getattr(whole.field, name))
+    assert without.report == whole.report
+    assert np.hypot(without.field.u, without.field.v).max() <= 3.6 * np.hypot(0.5, 0.5) * (1 + 1e-6)
+    assert without.report["missing_fraction"] == pytest.approx(10 / 61)
+    with pytest.raises(DataError, match="99 steps are missing among 51, most of them behind 19 h"):
+        fitted(tide[rows], rows + 89 * (rows > 25))
+
+
 def test_a_calendar_without_real_dates_has_no_moon_and_carries_no_dive(known, tmp_path):
     (tmp_path / "c.nc").write_bytes(known[0].read_bytes())
     with netCDF4.Dataset(tmp_path / "c.nc", "a") as file:

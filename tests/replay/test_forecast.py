@@ -21,7 +21,7 @@ from synthetic_forecast import (
     write,
 )
 
-from clpt_control.currents.grid_file import read_currents
+from clpt_control.currents.grid_file import missing_steps, read_currents
 from clpt_control.errors import DataError
 from clpt_control.gliders.dive_files import sample_dives
 from clpt_control.gliders.dives import make_dive
@@ -29,7 +29,6 @@ from clpt_control.gliders.usable_dives import usable
 from clpt_control.replay.flow_models import (
     carried,
     depth_mean,
-    gaps_of,
     read_flow_model,
     why_uncovered,
 )
@@ -180,9 +179,9 @@ def test_a_gap_of_the_steps_is_not_bridged(tmp_path):
     model = read_flow_model(write(tmp_path / "coarser.nc", u, 0 * u, hours=coarser))
     for hour in range(0, 33, 4):
         assert carried(dive_at(hour=hour, way=(0.0, 0.0)), model).model_east is not None, hour
-    assert gaps_of(np.array([0.0, 6.0])).tolist() == [False]
-    assert gaps_of(np.array([0.0, 6.0, 72.0])).tolist() == [False, True]
-    assert gaps_of(6 * np.array([0.0, 1, 2, 8, 15, 16, 17])).nonzero()[0].tolist() == [2, 3]
+    assert missing_steps(np.array([0.0, 6.0])).tolist() == [0]
+    assert missing_steps(np.array([0.0, 6.0, 72.0])).tolist() == [0, 10]
+    assert missing_steps(6 * np.array([0.0, 1, 2, 8, 15, 16, 17])).tolist() == [0, 0, 5, 6, 0, 0]
 
 
 def test_too_few_values_are_counted_in_words(tmp_path):
