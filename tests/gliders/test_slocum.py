@@ -125,13 +125,18 @@ def test_a_dive_over_several_files_is_one(tmp_path):
     assert any("no samples for" in note for note in dive.notes)
 
 
-@pytest.mark.parametrize("order", list(permutations(range(4))))
-def test_followed_files_come_in_any_order(tmp_path, order):
-    whole = rows(("m_lat", "m_lon"))
-    source, inbox = tmp_path / "source", tmp_path / "inbox"
-    source.mkdir()
-    inbox.mkdir()
+@pytest.fixture(scope="module")
+def in_three_files(tmp_path_factory):
+    """A dive in three files and a folder of lists, and what is read of them."""
+    source, whole = tmp_path_factory.mktemp("source"), rows(("m_lat", "m_lon"))
     made(source, whole[:3], whole[3:50], whole[50:])
+    return source, read_dives(source)
+
+
+@pytest.mark.parametrize("order", list(permutations(range(4))))
+def test_followed_files_come_in_any_order(in_three_files, tmp_path, order):
+    (source, wanted), inbox = in_three_files, tmp_path / "inbox"
+    inbox.mkdir()
     follower = Follower(inbox, tmp_path / "state")
     things = [*sorted(source.glob("*.sbd")), source / "cac"]
     for k in order:
@@ -140,14 +145,14 @@ def test_followed_files_come_in_any_order(tmp_path, order):
         else:
             shutil.copy(things[k], inbox)
         follower.look()
-    assert follower.dives() == read_dives(source)
+    assert follower.dives() == wanted
     for path in inbox.glob("*-[01].sbd"):
         path.unlink()
         follower.look()
-    assert follower.dives()[0] == read_dives(source)[0]
+    assert follower.dives()[0] == wanted[0]
     again = Follower(inbox, tmp_path / "state")
     again.look()
-    assert again.dives()[0] == read_dives(source)[0]
+    assert again.dives()[0] == wanted[0]
 
 
 def test_the_folder_of_lists_can_be_named(facts, tmp_path, monkeypatch):
