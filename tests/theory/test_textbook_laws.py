@@ -160,7 +160,7 @@ def test_a_wrong_law_is_not_proved(name):
     assert status(name, many_laws.WRONG) not in ("proved", "bounded")
 
 
-@pytest.mark.parametrize("name", [n for n in many_laws.RIGHT if n not in LAWS][SAMPLE])
+@pytest.mark.parametrize("name", [n for n in many_laws.RIGHT if n not in LAWS][12::20])
 def test_a_right_law_is_not_refuted(name):
     assert not status(name, many_laws.RIGHT).startswith("refuted")
 
