@@ -6,11 +6,12 @@ import pytest
 import sympy
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from lyapunov_cases import system
 
 import clpt_control as clpt
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.theory.proving.array_loop import TIME
-from clpt_control.theory.proving.running_rate import Running, slopes_of
+from clpt_control.theory.proving.running_rate import Running, compared, slopes_of
 from clpt_control.theory.proving.signs import vanishes
 from clpt_control.theory.proving.symbolic_loop import Draw, Numbers, symbolic_loop
 from clpt_control.theory.proving.theorem_loop import (
@@ -59,6 +60,15 @@ def test_slopes_of_V_are_those_of_the_running_blocks(law):
     ahead, behind = (running.by_control(t, x + way * h * along, u)[1] for way in (1, -1))
     wanted, size = np.sum(slopes * along.T, axis=0), np.sum(np.abs(slopes * along.T), axis=0)
     assert np.all(np.abs((ahead - behind) / (2 * h) - wanted) < 1e-6 * size)
+
+
+@pytest.mark.parametrize(("far", "told"), [(1e40, True), (1e90, False)])
+def test_points_at_which_numbers_say_nothing_show_nothing(far, told):
+    """V' = -x^2 of x' = -x, beyond 1e100 as well as below."""
+    x, at = sympy.Symbol("x", real=True), np.full((10, 1), far)
+    running = Running(system(lambda x: [-x]), "")
+    draws = [({}, {x: at[:, 0]}, np.zeros(10), at, np.zeros((10, 0)))]
+    assert compared(running, [x], x**2 / 2, -(x**2), draws, 10)[0] == told
 
 
 def test_a_linear_part_is_wired_by_its_own_labels():
