@@ -36,7 +36,8 @@ from .record import Record, Shape, compact
 MOST_WAYS = 256
 MOST_READINGS = 8
 MOST_MODULES = 20  # into which stand-ins are put
-RAISED = (ArithmeticError, IndexError, ValueError, AssertionError)  # of numbers; such a way is NaN
+# of numbers, or of a name that this way leaves out; such a way is NaN
+RAISED = (ArithmeticError, IndexError, ValueError, AssertionError, UnboundLocalError)
 
 
 class Read(NamedTuple):

@@ -8,7 +8,7 @@ import pytest
 
 import clpt_control as clpt
 from clpt_control.diagrams.wiring import wiring_of
-from clpt_control.errors import BlockError, DiagramError
+from clpt_control.errors import BlockError, DiagramError, SimulationError
 
 T = np.linspace(0.0, 2.0, 21)
 TIGHT = {"method": "DOP853", "rtol": 1e-10, "atol": 1e-12}
@@ -218,6 +218,26 @@ def test_kinks_and_jumps_of_time(function):
     fine = clpt.simulate(system, T, np.sin(T), [0.5, -0.1], rtol=1e-12, atol=1e-14)
     assert found.engine == "native"
     np.testing.assert_allclose(found.states, fine.states, atol=1e-7)
+
+
+def test_a_name_that_is_bound_where_the_run_goes_alone():
+    def falls(t, x, u, p):
+        if (mass := 1.0 + x[0] ** 2) > 0.0:
+            pull = -x[0] / mass
+        return [pull]
+
+    def stops(t, x, u, p):
+        if x[0] > 0.5:
+            pull = -x[0]
+        return [pull]
+
+    against_control(control.nlsys(falls, None, inputs=0, outputs=1, states=1), 0.0, 1.0)
+    for engine in ("native", "python"):
+        with pytest.raises(SimulationError, match=r"0\.693147.*stops, line \d+: UnboundLocalError"):
+            clpt.simulate(
+                control.nlsys(stops, None, inputs=0, outputs=1, states=1),
+                T, 0.0, 1.0, engine=engine,
+            )  # fmt: skip
 
 
 def test_feedback_that_python_control_makes():
