@@ -110,10 +110,8 @@ def _checked_axes(ax: Any, shape: tuple[int, ...]) -> Any:
     """Return given axes in a shape; refuse what is none, and another number of them."""
     from matplotlib.axes import Axes
 
-    several = np.empty(1, dtype=object)
-    several[0] = ax
-    if isinstance(ax, list | tuple | np.ndarray):
-        several = np.ravel(np.asarray(ax, dtype=object))
+    listed = isinstance(ax, list | tuple | np.ndarray)
+    several = np.ravel(np.asarray(ax, dtype=object)).tolist() if listed else [ax]
     count = int(np.prod(shape))
     for one in several:
         if not isinstance(one, Axes):
@@ -126,7 +124,7 @@ def _checked_axes(ax: Any, shape: tuple[int, ...]) -> Any:
             f"ax: has {len(several)} Axes; this plot draws on {count}, as pyplot.subplots({size}) "
             "makes"
         )
-    return several.reshape(shape) if shape else several[0]
+    return np.reshape(several, shape) if shape else several[0]
 
 
 def _bare(width: float, height: float) -> "Figure":

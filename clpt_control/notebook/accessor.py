@@ -21,7 +21,7 @@ from ..equations.declaration import ports_of
 from ..errors import DataError
 from ..files import beside, check_writable, write_file
 from ..html import facts, fragment, shortened
-from ..scenario.file import CHANGED, OWN_LAW, OWN_PARTS
+from ..scenario.file import BEYOND
 from ..simulation.plots import named, ports_along, signals_of
 
 if TYPE_CHECKING:
@@ -192,7 +192,7 @@ class ClptAccessor:
         from ..diagrams.linearization import linearize, minimal_of, state_space
 
         at, attributes = self.state_at(t), self._data.attrs
-        beyond = [attributes[name] for name in (CHANGED, OWN_LAW, OWN_PARTS) if name in attributes]
+        beyond = [attributes[name] for name in BEYOND if name in attributes]
         if self.kind != "run" or beyond:
             raise DataError(
                 f"a {self.kind}{f' with {beyond[0]}' if beyond else ''} does not hold its diagram; "
