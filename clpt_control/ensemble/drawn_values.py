@@ -33,7 +33,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..arguments import brief, public
+from ..arguments import brief, nearest, public
 from ..errors import ScenarioError
 from ..html import shortened
 from .members import Values, Varied
@@ -190,10 +190,11 @@ def check_varies(varied: Varied, varies: Sequence[Vary]) -> None:
             raise ScenarioError(f"vary = '{one.text}': a seed is a whole number; list the values")
 
 
-def unknown_name(named: str, close: str, known: Iterable[str]) -> str:
+def unknown_name(what: str, name: str, known: Iterable[str]) -> str:
     """Return the sentence on an unknown key or name: what may be meant, and what may vary."""
+    close = nearest(name, known)
     hint = f"did you mean {close}? May vary" if close else "may vary"
-    return f"vary: unknown {named}; {hint}: {', '.join(known)}"
+    return f"vary: unknown {what} {name}; {hint}: {', '.join(known)}"
 
 
 def _check_levels(one: Vary, shape: tuple[int, ...]) -> None:

@@ -17,7 +17,6 @@ from typing import Any
 
 import numpy as np
 
-from ..arguments import nearest
 from ..diagrams.interconnection import changed_parameters
 from ..diagrams.varied import Place, place_of, places_of, put, value_at
 from ..diagrams.wiring import read_anew, units_of, wiring_of
@@ -143,7 +142,7 @@ class VariedDiagram(Varied):
                     f"vary: {key} = {getattr(given, name)} cannot vary: a whole number is fixed "
                     "when its block is made; declare it as a float, or make a diagram of each"
                 )
-        return unknown_name(f"name {key}", nearest(key, self.names), self.names)
+        return unknown_name("name", key, self.names)
 
     def check(self, key: str, value: np.ndarray) -> None:
         """Refuse a value that is not finite."""

@@ -9,7 +9,6 @@ from typing import Any
 
 import numpy as np
 
-from ..arguments import nearest
 from ..diagrams.interconnection import wiring_of_blocks
 from ..diagrams.parts import LAW, UNCHANGED, Changes, functions_of
 from ..diagrams.varied import Place
@@ -60,7 +59,6 @@ class VariedScenario(Varied):
 
     def why_not(self, key: str) -> str:
         """Return why a key cannot vary."""
-        scenario, allowed = self.scenario, [*self.values]
         if key in self.of_law and self.changes.law is not None:
             return (
                 f"vary: {key} cannot vary: it is of the scenario's law, in whose place "
@@ -68,7 +66,7 @@ class VariedScenario(Varied):
             )
         if other := key_hint(key):
             return f"vary: {other}"
-        values = {name: value for name, value, _ in scenario.every_key()}
+        values = {name: value for name, value, _ in self.scenario.every_key()}
         value, within = values.get(key), [name for name in values if name.startswith(f"{key}.")]
         if key.split(".")[0] == "run":
             return f"vary: {key} cannot vary: members share duration, samples and tolerances"
@@ -83,8 +81,8 @@ class VariedScenario(Varied):
         if value is not None:
             return f"vary: {key} = {value!r} cannot vary: it is not a number"
         if any(f"{key}.".startswith(f"{name}.") for name in values if values[name] is None):
-            return f"vary: {key} is not set in the scenario; may vary: {', '.join(allowed)}"
-        return unknown_name(f"key {key}", nearest(key, allowed), allowed)
+            return f"vary: {key} is not set in the scenario; may vary: {', '.join(self.values)}"
+        return unknown_name("key", key, self.values)
 
     def check(self, key: str, value: np.ndarray) -> None:
         """Refuse a value that the scenario does not allow."""
