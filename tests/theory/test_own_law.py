@@ -19,11 +19,13 @@ from own_laws import (
 )
 from textbook_laws import by, of_e, with_R
 
+import clpt_control as clpt
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.blocks.lyapunov import lyapunov_candidate, one_gain
 from clpt_control.equations import Block
 from clpt_control.errors import ClptError, DiagramError
 from clpt_control.progress import interrupt
+from clpt_control.theory.excitation.gramian import started_true
 from clpt_control.theory.proving.own_law import prove
 from clpt_control.theory.proving.theorem_loop import theorem_scenario
 from clpt_control.theory.proving.theorems import audit
@@ -231,6 +233,25 @@ def test_a_law_called_as_a_block_that_holds_the_truth_is_refused():
     )
     with pytest.raises(DiagramError, match=r"^error_system: its parameter KD would be taken for"):
         prove(named, points=POINTS)
+
+
+@pytest.mark.parametrize(
+    ("values", "said"),
+    [
+        ({"flow.disturbance": {"kind": "constant", "amplitude": [0.1, 0.1]}}, "a disturbance"),
+        ({"localization": {"noise": 0.1, "noise_period": 1.0}}, "noise in its positions"),
+        (
+            {"vehicle.max_speed": 1.0, "learning.hedging": False},
+            "a limit of its speed without hedging",
+        ),
+    ],
+)
+def test_a_loop_whose_V_may_rise_is_not_judged_by_its_law(values, said):
+    """From a true start V is 0, and rises: what is proved of the law is not so of the loop."""
+    scenario = started_true(clpt.paper_scenario()).with_values(values)
+    assert clpt.simulate(scenario, [0.0, 60.0]).lyapunov.values[1] > 1e-6
+    with pytest.raises(DiagramError, match=f"has {said}, which adds to V'; a law is judged with"):
+        prove(clpt.closed_loop(scenario), points=POINTS)
 
 
 def test_two_states_of_one_symbol_are_refused():

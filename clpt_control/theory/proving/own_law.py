@@ -25,6 +25,7 @@ from ...diagrams.parts import functions_of
 from ...diagrams.wiring import read_anew
 from ...equations.block import Block
 from ...errors import DiagramError
+from ...scenario.experiment import Scenario
 from ...simulation.loops import loop_of
 from ..promises import truth_of
 from .array_loop import TIME
@@ -135,7 +136,7 @@ def prove(
     law_block : Block or Diagram
         With outputs alpha[2N], K[2], Gamma[2] and inputs among the diagram's ports, such
         as e[2], phi_x[N], z[2], zc[2]; or a `closed_loop` with such a law, and nothing else of
-        your own.
+        your own, nor a disturbance, noise or a limit of the speed without hedging.
     V : Block or callable, optional
         A candidate with the output V[1], or ``V(truth)`` or ``V(truth, parameters)`` that makes
         one of the truth, theta, KD and GammaD, and of the law's parameters; what it holds of
@@ -188,6 +189,11 @@ def prove(
                 "judged in the paper's own diagram, with no other part replaced or inserted; "
                 f"{ANY}"
             )
+        if beside := _beside(loop.scenario):
+            raise DiagramError(
+                f"{law_block.name}: has {beside}, which adds to V'; a law is judged without, give "
+                f"a loop that has none or the law as a Block; {ANY}"
+            )
         law_block = loop.changes.law or loop.scenario.law_block
     if isinstance(law_block, control.InputOutputSystem) and not isinstance(law_block, Block):
         raise DiagramError(
@@ -219,6 +225,18 @@ def prove(
         if status == "proved" and not existing.holds:
             status = f"proved as long as {existing.claim.partition(':')[0]} exist"
         return Verdict(status, -case.beside, (*steps, existing), case.diagram)
+
+
+def _beside(scenario: Scenario) -> str:
+    """Return what of a scenario adds to V' of its law, or nothing."""
+    flow, fixes, limit = scenario.flow, scenario.localization, scenario.vehicle.max_speed
+    adds = {
+        "a disturbance": flow.disturbance is not None,
+        "a measured flow": flow.field is not None,
+        "noise in its positions": fixes is not None and fixes.noise > 0,
+        "a limit of its speed without hedging": limit is not None and not scenario.hedged,
+    }
+    return next((what for what, has in adds.items() if has), "")
 
 
 def _verdict_by_V(
