@@ -250,6 +250,25 @@ def test_no_certificate_for_parts_that_it_is_not_of():
         clpt.estimation.flow_estimate(run)
 
 
+def test_what_a_run_taught_is_not_told_of_another_track_nor_of_other_gains():
+    """A reference that leaves z_2 at rest teaches nothing of Gamma_2; a slow law is no fast one."""
+    times = np.linspace(0, 30, 601)
+    still = clpt.Block(
+        "reference", output=lambda t, x, u, p: {"zc": [np.cos(t), 0.0]}, outputs={"zc": 2}
+    )
+    run = clpt.simulate(clpt.closed_loop(PAPER, replace={"reference": still}), times)
+    with pytest.raises(ClptError, match="made with a reference that its scenario does not hold"):
+        clpt.theory.gramian(run, 20.0, 0.0)
+    loop = clpt.closed_loop(PAPER)
+    wide = clpt.simulate(loop, times, params={"basis_x.widths": np.full(3, 1e3)})
+    with pytest.raises(ClptError, match="made with a basis_x that its scenario does not hold"):
+        clpt.theory.gramian(wide, 20.0, 0.0)
+    slow = clpt.simulate(loop, times, params={"adaptation.gain": 1e-3})
+    assert clpt.theory.gramian(slow, 20.0, 0.0).window == 20.0
+    with pytest.raises(ClptError, match=r'the run has parameters {"adaptation.gain": 0.001}'):
+        clpt.theory.certificate(slow, 20.0, 0.0)
+
+
 def test_delta_comes_from_outside():
     """x' = F + v + delta: in calm water a held delta moves the rest by delta/KD."""
     loop, delta = clpt.closed_loop(CALM, external="delta"), np.array([0.3, -0.2])

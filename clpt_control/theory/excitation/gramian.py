@@ -300,7 +300,8 @@ def gramian(
     names = parameter_names(along.scenario.basis.N)
     factors = dict(zip(names, map(whole_factor, piece_factors(along)), strict=True))
     first, last = along.cuts[[0, -1]].tolist()
-    unit, truth = along.scenario.units.time, _truth(along.scenario)
+    unit = along.scenario.units.time
+    truth = {} if along.python_parts else _truth(along.scenario)
     return Excitation(first, last - first, along.trajectory, unit, names, factors, tolerance, truth)
 
 

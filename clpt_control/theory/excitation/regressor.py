@@ -27,6 +27,7 @@ method's a, b, entries of a and G multiplied one by one in a*G,
     eta -> eta - gamma h sum_j b_j w_j E_j
 """
 
+import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
@@ -42,7 +43,7 @@ from ...equations.at_many import evaluate, on_arrays
 from ...equations.declaration import multiples
 from ...errors import ArgumentError, DataError, ScenarioError
 from ...scenario.experiment import Scenario
-from ...scenario.file import OWN_LAW, OWN_PARTS, TEAM, scenario_of_run
+from ...scenario.file import CHANGED, OWN_LAW, OWN_PARTS, TEAM, own_parts, scenario_of_run
 from ...scenario.recorded_run import check_run
 from ...scenario.team import Team
 from ...simulation.integrate import simulate
@@ -51,6 +52,7 @@ if TYPE_CHECKING:
     import xarray
 
 DEGREE = 5
+OF_W = {"reference", "basis_x"}  # blocks that make w beside x and z
 Source = Union[Scenario, "xarray.Dataset"]
 
 
@@ -62,6 +64,12 @@ def scenario_of(source: Source) -> Scenario:
         raise DataError("the run is a team's; clpt.theory.team_gramian measures a team")
     scenario = scenario_of_run(source)
     check_run(source, scenario, "time")
+    changed = set(re.findall(r"(\w+)\.", source.attrs.get(CHANGED, "")))  # blocks, and digits
+    if unknown := OF_W & (changed | own_parts(source.attrs)):
+        raise DataError(
+            f"the run was made with a {unknown.pop()} that its scenario does not hold, so the "
+            "regressor along it is not known; give a run of the scenario's own"
+        )
     return scenario
 
 
@@ -130,7 +138,7 @@ class Regressor:
     cuts: np.ndarray  # (pieces + 1,), edges of the pieces, units.time; every switch is one
     weights: np.ndarray  # (pieces, NODES)
     w: np.ndarray  # [phi, z_i, zc_i], shape (2, pieces, NODES, N + 2)
-    python_parts: str = ""  # the law and parts given in Python, of a recorded run
+    python_parts: str = ""  # what a recorded run has that its scenario does not hold
 
 
 class Nodes(NamedTuple):
@@ -224,7 +232,7 @@ def joint_regressor(
     zc = np.broadcast_to(waypoints[:, None], z.shape)
     step = np.median(np.diff(source.time.values))
     trajectory = f"recorded run, sampled each {step:g} {scenario.units.time}"
-    kinds = {OWN_LAW: "the law", OWN_PARTS: "parts given in Python,"}
+    kinds = {OWN_LAW: "the law", OWN_PARTS: "parts given in Python,", CHANGED: "parameters"}
     python_parts = " and ".join(f"{kinds[a]} {source.attrs[a]}" for a in kinds if a in source.attrs)
     w = w_along(scenario, times, x, z, zc)
     return Regressor(source, scenario, trajectory, cuts, weights, w, python_parts)
