@@ -167,6 +167,7 @@ LAWS = {
                 r | {"K": r["K"] + p.c * u.zc * u.e, "Gamma": r["Gamma"] - p.c * u.z * u.e}
             ),
             two(0.1),
+            n=1,
         )
     ),
     "tanh of eps": shown(seen(np.tanh)),
