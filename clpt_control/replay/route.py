@@ -87,15 +87,17 @@ def _shapes(data: dict[str, Any], name: str = "area") -> Iterator[Shape]:
     inner = *data.get("features", ()), *data.get("geometries", ()), data.get("geometry")
     for one in filter(None, inner):
         yield from _shapes(one, name)
-    if data["type"].endswith("Polygon"):
-        several = data["type"].startswith("Multi")
-        for outer, *_ in data["coordinates"] if several else [data["coordinates"]]:
-            ring = _places(outer)
-            if len(set(ring)) < 3:
-                raise ValueError("an area has at least three corners")
-            yield name, ring
-    elif "coordinates" in data:
-        yield None, _places(data["coordinates"])
+    if "coordinates" not in data:
+        return
+    several = data["type"] in ("MultiPolygon", "MultiLineString")
+    for one in data["coordinates"] if several else [data["coordinates"]]:
+        if not data["type"].endswith("Polygon"):
+            yield None, _places(one)
+            continue
+        ring = _places(one[0])
+        if len(set(ring)) < 3:
+            raise ValueError("an area has at least three corners")
+        yield name, ring
 
 
 def _places(pairs: list[Any]) -> list[Place]:

@@ -123,6 +123,10 @@ def test_routes_are_read(tmp_path):
     assert read.targets == [(-42.8, 8.4), (-42.7, 8.3), (-42.6, 8.2)]
     assert [name for name, _ in read.areas] == ["ground", "area", "area"]
     assert read.areas[0][1] == [(lat, lon) for lon, lat in SQUARE]
+    parts = [[[8.4, -42.8], [8.3, -42.7]], [[8.2, -42.6], [8.1, -42.5]]]  # as QGIS saves lines
+    path.write_text(json.dumps({"type": "MultiLineString", "coordinates": parts}))
+    places = [(-42.8, 8.4), (-42.7, 8.3), (-42.6, 8.2), (-42.5, 8.1)]
+    assert route.read_route(path).targets == places
 
 
 @pytest.mark.parametrize(
