@@ -242,6 +242,8 @@ def _read(path: Path, span: Box | None, column: bool, units: str | None, least: 
             )
         hours, start = _since_first(cf.dates_of(when, column, least))
         latitudes, longitudes = lat.values.astype(float), lon.values.astype(float)
+        if abs(np.ptp(longitudes[[0, -1]]) - 360.0) < SAME:  # its first meridian again
+            longitudes = longitudes[:-1]
         longitudes = _unwrapped(longitudes, span)
         wanted = span or (latitudes.min(), latitudes.max(), longitudes.min(), longitudes.max())
         rows = _inside(latitudes, wanted[:2], str(lat.name), span is None)

@@ -173,6 +173,20 @@ def test_a_grid_around_the_earth_begins_where_the_file_does(tmp_path):
     np.testing.assert_array_equal(column.u[:, 0, :, -1], u[:, :, 0])
 
 
+@pytest.mark.parametrize("step", [1.0, -1.0])
+def test_a_grid_that_ends_with_its_first_meridian_is_as_one_that_does_not(tmp_path, step):
+    lon = np.arange(-180.0, 181.0)[:: int(step)]
+    u, v = 0.3 * np.random.default_rng(2).normal(size=(2, 10, 6, 361))
+    u[..., -1], v[..., -1] = u[..., 0], v[..., 0]
+    closed, open_ = write(tmp_path / "c.nc", u, v, lon=lon), tmp_path / "o.nc"
+    write(open_, u[..., :-1], v[..., :-1], lon=lon[:-1])
+    for box in (None, (41.0, 41.5, 178.0, -178.0)):
+        one, other = (read_currents(path, box) for path in (closed, open_))
+        for name in ("lat", "lon", "u", "v"):
+            np.testing.assert_array_equal(getattr(one, name), getattr(other, name))
+    np.testing.assert_array_equal(one.lon, np.arange(178.0, 183.0))
+
+
 @pytest.mark.parametrize("calendar", ["360_day", "noleap"])
 def test_a_current_needs_no_real_dates_but_a_column_does(tmp_path, calendar):
     change = saying("time", units="hours since 2019-02-28 20:00", calendar=calendar)
