@@ -250,7 +250,14 @@ def test_a_loop_whose_V_may_rise_is_not_judged_by_its_law(values, said):
     """From a true start V is 0, and rises: what is proved of the law is not so of the loop."""
     scenario = started_true(clpt.paper_scenario()).with_values(values)
     assert clpt.simulate(scenario, [0.0, 60.0]).lyapunov.values[1] > 1e-6
-    with pytest.raises(DiagramError, match=f"has {said}, which adds to V'; a law is judged with"):
+    with pytest.raises(DiagramError, match=f"has {said}, so V' is not its law's alone; a law is"):
+        prove(clpt.closed_loop(scenario), points=POINTS)
+
+
+def test_a_loop_that_holds_the_right_gains_is_not_refuted_where_they_are_wrong():
+    """Of K = KD, which stays, CLPE goes to zero; V' > 0 is where K is another."""
+    scenario = started_true(clpt.paper_scenario()).with_values({"learning.adapt_gains": False})
+    with pytest.raises(DiagramError, match="has K and Gamma that are held, so V' is not its"):
         prove(clpt.closed_loop(scenario), points=POINTS)
 
 

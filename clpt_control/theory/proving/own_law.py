@@ -191,8 +191,8 @@ def prove(
             )
         if beside := _beside(loop.scenario):
             raise DiagramError(
-                f"{law_block.name}: has {beside}, which adds to V'; a law is judged without, give "
-                f"a loop that has none or the law as a Block; {ANY}"
+                f"{law_block.name}: has {beside}, so V' is not its law's alone; a law is judged "
+                f"without, give a loop that has none or the law as a Block; {ANY}"
             )
         law_block = loop.changes.law or loop.scenario.law_block
     if isinstance(law_block, control.InputOutputSystem) and not isinstance(law_block, Block):
@@ -228,13 +228,14 @@ def prove(
 
 
 def _beside(scenario: Scenario) -> str:
-    """Return what of a scenario adds to V' of its law, or nothing."""
+    """Return what of a scenario adds to V' of its law, or takes from it, or nothing."""
     flow, fixes, limit = scenario.flow, scenario.localization, scenario.vehicle.max_speed
     adds = {
         "a disturbance": flow.disturbance is not None,
         "a measured flow": flow.field is not None,
         "noise in its positions": fixes is not None and fixes.noise > 0,
         "a limit of its speed without hedging": limit is not None and not scenario.hedged,
+        "K and Gamma that are held": not scenario.learning.adapt_gains,
     }
     return next((what for what, has in adds.items() if has), "")
 
