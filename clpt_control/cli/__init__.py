@@ -149,7 +149,7 @@ def _usage(error: Any) -> str:
     for near in (". Did you mean ", " (Possible options: "):
         if near in fault:
             return fault.replace(near, "; did you mean ").rstrip(")?") + "?"
-    command = getattr(getattr(error, "ctx", None), "command_path", "clpt")
+    command = getattr(getattr(error, "ctx", None), "command_path", f"clpt {sys.argv[1]}")
     return f"{fault}; `{command} --help` shows what it takes"
 
 

@@ -191,3 +191,8 @@ def test_the_names_of_laws_are_those_of_the_table():
     from clpt_control.blocks.laws.table import LAWS
 
     assert names_of_laws() == sorted(LAWS)
+
+
+@pytest.mark.parametrize("words", [["tides", "a.csv", "--at", "3"], ["replay", "--every"]])
+def test_too_few_words_name_the_help_of_the_command(refused, words):
+    assert f"; `clpt {words[0]} --help` shows what it takes" in refused(*words)
