@@ -310,7 +310,7 @@ def test_the_level_of_a_V_that_weighs_e_is_reached():
 
 
 def test_a_law_that_keeps_relations_is_asked_for_states_that_end():
-    """r' = 1 + r^2 ends at pi/2; P = 1/R may end where R' = -alpha^2 R and V holds R eta^2."""
+    """r' = 1 + r^2 ends at pi/2, q = 1/r where r = 0; P = 1/R may where V holds R eta^2 alone."""
 
     def ends(t, x, u, p):
         return own_laws.filled(u, p.gain, u.e) | {"r": 1 + x.r**2}
@@ -319,6 +319,13 @@ def test_a_law_that_keeps_relations_is_asked_for_states_that_end():
     squares = of_e(lambda e, p: e**2 / 2)
     kept = {"invariants": lambda s, p, truth: {}, "losses": lambda s, p, truth: []}
     assert prove(own, squares, points=POINTS, **kept).status == "proved as long as r exist"
+
+    def runs_out(t, x, u, p):
+        return own_laws.filled(u, p.gain, u.e) | {"r": -1.0, "q": x.q**2}
+
+    own = law(runs_out, GAIN, states={**own_laws.LEARNED, "r": 1, "q": 1})
+    inverse = kept | {"invariants": lambda s, p, truth: {"q": 1 / s["r"]}}
+    assert prove(own, squares, points=POINTS, **inverse).status == "proved as long as r, q exist"
 
     def forgets(t, x, u, p):
         rates, size = own_laws.filled(u, p.gain, u.e), np.sum(x.alpha**2)

@@ -243,7 +243,8 @@ class InvariantLoop:
         """Return the step that all states exist for all times.
 
         V holds e and what is learned, of M that never shrinks with a multiple of I in its place:
-        it began above one.  What the relations make of the others exists with them.
+        it began above one.  What relations make of the others, without dividing by what may come
+        to zero, exists with them.
         """
         loop, V, grown = self.loop, self.V, list[str]()
         for port, M in self.matrices.items():
@@ -257,7 +258,9 @@ class InvariantLoop:
         V = V.xreplace({a: b + c for a, b, c in zip(x, e, z, strict=True)})
         states = [*e, *(s for port in LEARNED for s in loop.states.get(port, np.array([])).flat)]
         total = squares(V, V.free_symbols - set(states), words_are_free=False)
-        made = {*self.relations} if len(grown) == len(self.matrices) else set()
+        free = loop.motion.keys() - {s for port in grown for s in self.matrices[port].flat}
+        over = {s: value.free_symbols & free for s, value in self.relations.items()}
+        made = {s for s, own in over.items() if not own or self.relations[s].is_polynomial(*own)}
         held = {*x, *z, *states, *made} if total and holds_all(total, states) else set[Any]()
         others = [port for port, own in loop.states.items() if {*own.flat} - held]
         step = loop.existing(others, self.relations)

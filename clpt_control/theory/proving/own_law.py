@@ -136,7 +136,7 @@ def prove(
     law_block : Block or Diagram
         With outputs alpha[2N], K[2], Gamma[2] and inputs among the diagram's ports, such
         as e[2], phi_x[N], z[2], zc[2]; or a `closed_loop` with such a law, and nothing else of
-        your own, nor a disturbance, noise or a limit of the speed without hedging.
+        your own, nor a disturbance, noise, held gains or a limit of the speed without hedging.
     V : Block or callable, optional
         A candidate with the output V[1], or ``V(truth)`` or ``V(truth, parameters)`` that makes
         one of the truth, theta, KD and GammaD, and of the law's parameters; what it holds of
@@ -153,7 +153,8 @@ def prove(
         ``invariants(states, parameters, truth)``, state -> what it is in the others, where they
         begin so; V' is then -e^T KD e less `losses`, and V has to be given.
     semidefinite : sequence of str, optional
-        States that are symmetric positive semidefinite matrices.
+        States that are symmetric positive semidefinite matrices; where V weighs errors by one,
+        that it begins positive definite.
     losses : callable, optional
         ``losses(states, parameters, truth)``, what V' loses: products, tuples of factors that are
         not negative.
