@@ -278,9 +278,10 @@ def _kept_in(value: Any) -> Any:
             return state_of(value)
     if isinstance(value, set):
         return frozenset(value)
+    if np.size(value) > MOST_NUMBERS:
+        return None
     numbers = np.asarray(value)  # of pandas, too
-    kept = numbers.dtype.kind in "fiubc" and numbers.size <= MOST_NUMBERS
-    return numbers.tobytes() if kept else None
+    return numbers.tobytes() if numbers.dtype.kind in "fiubc" else None
 
 
 def _put_back(value: Any, kept: Any) -> str:
