@@ -36,8 +36,11 @@ from .record import Record, Shape, compact
 MOST_WAYS = 256
 MOST_READINGS = 8
 MOST_MODULES = 20  # into which stand-ins are put
-# of numbers, or of a name that this way leaves out; such a way is NaN
-RAISED = (ArithmeticError, IndexError, ValueError, AssertionError, UnboundLocalError)
+# of numbers, or of what this way leaves out; such a way is NaN
+RAISED = (
+    *(ArithmeticError, IndexError, ValueError, AssertionError),
+    *(UnboundLocalError, StopIteration),
+)
 
 
 class Read(NamedTuple):
@@ -164,7 +167,10 @@ class _Ways:
         tape, request, outputs, raised = self.tape, self.request, [], list[Exception]()
         try:
             with borrowed(self.spaces), reading_on(tape):
-                outputs = _by_port(tape, request.role, run(), request.out)
+                returned = run()
+                if returned is None and tape.answers:
+                    raise ValueError("returns nothing")
+                outputs = _by_port(tape, request.role, returned, request.out)
         except (Borrowed, BlockError):
             raise
         except RecursionError:

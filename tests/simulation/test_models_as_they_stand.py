@@ -231,7 +231,21 @@ def test_a_name_that_is_bound_where_the_run_goes_alone():
             pull = -x[0]
         return [pull]
 
+    def planned(t, x, u, p):
+        for until, rate in ((0.7, 1.0), (1.3, -0.5), (1e9, 0.2)):
+            if t < until:
+                return [rate]
+
+    plan = [(0.7, 1.0), (1.3, -0.5), (1e9, 0.2)]
+
+    def next_of(t, x, u, p):
+        return [next(rate for until, rate in plan if t < until)]
+
     against_control(control.nlsys(falls, None, inputs=0, outputs=1, states=1), 0.0, 1.0)
+    for of_time in (planned, next_of):
+        found = clpt.simulate(control.nlsys(of_time, None, inputs=0, outputs=1, states=1), T)
+        assert found.engine == "native"
+        np.testing.assert_allclose(found.states[-1, 0], 0.7 - 0.3 + 0.14, rtol=1e-12)
     for engine in ("native", "python"):
         with pytest.raises(SimulationError, match=r"0\.693147.*stops, line \d+: UnboundLocalError"):
             clpt.simulate(
