@@ -205,7 +205,8 @@ class Snapshot:
         inside = _container_of(value)
         if inside is None:
             return
-        before = inside.copy()
+        with _LOCK:  # no other thread's stand-ins are in a module
+            before = inside.copy()
         self._objects[id(value)] = value, inside, before
         if deep:
             for one in list(before.values() if isinstance(before, dict) else before)[:MOST]:
@@ -241,7 +242,8 @@ class Snapshot:
             if _kept_in(value) != kept:
                 self.refused = _put_back(value, kept)
         for place, (_, inside, before) in self._objects.items():
-            now = inside.copy()
+            with _LOCK:
+                now = inside.copy()
             if isinstance(inside, list | deque):
                 if len(now) != len(before) or not all(map(is_, now, before)):
                     self._rows[place] = inside
@@ -251,10 +253,9 @@ class Snapshot:
             changed = [k for k, one in now.items() if one is not before.get(k, _NONE)]
             if changed or len(now) != len(before):
                 for key in changed:
-                    *_, values = self._changed.setdefault(
-                        (place, key), (inside, before.get(key), [])
-                    )
-                    if not values or not any(_alike(now[key], one) for one in values):
+                    was = inside, before.get(key), list[Any]()
+                    *_, values = self._changed.setdefault((place, key), was)
+                    if not any(_alike(now[key], one) for one in values):
                         values.append(now[key])
                 inside.clear()
                 inside.update(before)
