@@ -62,8 +62,13 @@ def test_a_wrong_law_is_refuted_at_a_point_that_anyone_can_call(name):
     assert verdict.rate > 0
 
 
+LONG = ("half a projection",)  # of several seconds: by `make test-slow`
+
+
 @pytest.mark.usefixtures("few_draws")
-@pytest.mark.parametrize("name", NOT_PROVED)
+@pytest.mark.parametrize(
+    "name", [pytest.param(n, marks=pytest.mark.slow) if n in LONG else n for n in NOT_PROVED]
+)
 def test_what_is_not_known_to_be_right_is_not_proved(name):
     verdict = prove(NOT_PROVED[name](), points=POINTS)
     assert verdict.status in ("open", "refuted")
