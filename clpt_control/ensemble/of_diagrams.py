@@ -69,6 +69,7 @@ class VariedDiagram(Varied):
             self.params |= undeclared
             self.wiring = wiring_of(diagram, self.params, sizes)
         self.given = changed_parameters(self.wiring, self.params)
+        solver = {name: known.get(name) if one is None else one for name, one in solver.items()}
         rtol, atol, _, _, method = checked_steps(self.wiring.dt, self.times, **solver)
         self.options = {"rtol": rtol, "atol": atol, "method": method}
         self.state_times = Sweep(self.wiring, self.given).at_jumps(self.times)

@@ -650,3 +650,20 @@ def test_a_backslash_in_a_name_is_told(label, tmp_path):
 def test_variables_stand_in_order():
     data = clpt.run_ensemble(lag(), {"tau": [0.5, 1.0]}, timepts=TIMES, trajectories=True)
     assert list(data.data_vars) == sorted(data.data_vars)
+
+
+def test_a_loop_runs_as_its_scenario_says_or_as_it_ran(tmp_path):
+    scenario = clpt.paper_scenario().with_values({"run.rtol": 1e-4, "run.atol": 1e-5})
+    loop = clpt.closed_loop(scenario, external="delta")
+    still = np.zeros((2, 3))
+    run = clpt.simulate(loop, [0, 20, 40], still, clpt.initial_state(scenario))
+    clpt.save_run(run, tmp_path / "run.nc")
+    exact = {"timepts": [0, 20, 40], "inputs": still, "initial_state": clpt.initial_state(scenario)}
+    for system in (loop, clpt.load_diagram(tmp_path / "run.nc")):
+        given = {"timepts": [0, 20, 40], "inputs": still, "trajectories": True}
+        start = clpt.initial_state(scenario)
+        found = clpt.run_ensemble(
+            system, {"adaptation.gain": [0.8, 1.6]}, initial_state=start, **given
+        )
+        assert np.allclose(found.e[0], run.e, rtol=0, atol=1e-12)
+        assert np.abs(found.e[0] - clpt.simulate(loop, rtol=1e-10, **exact).e).max() > 1e-9
