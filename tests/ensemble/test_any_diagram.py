@@ -665,5 +665,5 @@ def test_a_loop_runs_as_its_scenario_says_or_as_it_ran(tmp_path):
         found = clpt.run_ensemble(
             system, {"adaptation.gain": [0.8, 1.6]}, initial_state=start, **given
         )
-        assert np.allclose(found.e[0], run.e, rtol=0, atol=1e-12)
-        assert np.abs(found.e[0] - clpt.simulate(loop, rtol=1e-10, **exact).e).max() > 1e-9
+        assert np.allclose(found.e[0], run.clpe, rtol=0, atol=1e-12)
+        assert np.abs(found.e[0] - clpt.simulate(loop, rtol=1e-10, **exact).clpe).max() > 1e-9
