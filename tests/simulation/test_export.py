@@ -8,7 +8,8 @@ import subprocess
 import control
 import numpy as np
 import pytest
-from test_sensitivity import discrete, mrac, pendulum, sampled_tank, stepping
+from adaptive_loop import mrac
+from test_sensitivity import discrete, pendulum, sampled_tank, stepping
 
 import clpt_control as clpt
 from clpt_control.blocks.field import gridded_flow
