@@ -611,8 +611,8 @@ def main(first, count, drawn=1):
         made = typer.main.get_command(cli.application())
         cli.application = lambda: made
         make_valid(valid)
-        kinds = {(use[0].split()[0], use[2]): use for use in USES}
-        for words, _, copied, _ in kinds.values():  # now all is imported and compiled
+        kinds = {use[0].split()[0]: use for use in USES}
+        for words, _, copied, _ in kinds.values():  # now most is imported and compiled
             folder = Path(base, "warm")
             folder.mkdir()
             put(valid, folder, copied)

@@ -2,8 +2,9 @@
 
 from pathlib import Path
 
-import netCDF4
 import numpy as np
+import xarray
+from made_fields import gridded_current, saying
 
 from clpt_control.currents.constituents import nodal_corrections
 from clpt_control.scenario.tidal_periods import SPEEDS
@@ -78,23 +79,14 @@ def write_table(path, time, flow, units="m/s", latitude=LATITUDE):
 
 
 def write_netcdf(path, time, flow, *, cells=None, latitude=LATITUDE, units="m/s", calendar=None):
-    with netCDF4.Dataset(path, "w") as file:
-        file.createDimension("time", len(time))
-        file.createVariable("time", "f8", ("time",))[:] = (time - time[0]) / np.timedelta64(1, "h")
-        file["time"].units = f"hours since {str(time[0])[:19].replace('T', ' ')}"
-        if calendar:
-            file["time"].calendar = calendar
-        dims = ("time",)
-        if cells is not None:
-            for name, values in zip(("lat", "lon"), cells, strict=True):
-                file.createDimension(name, len(values))
-                file.createVariable(name, "f8", (name,))[:] = values
-            dims = ("time", "lat", "lon")
-        elif latitude is not None:
-            file.createVariable("latitude", "f8", ())[...] = latitude
-        for name, values in zip("uv", flow, strict=True):
-            file.createVariable(name, "f8", dims)[:] = values
-            file[name].units = units
+    hours, since = (time - time[0]) / np.timedelta64(1, "h"), str(time[0])[:19].replace("T", " ")
+    if cells is None:
+        place = {} if latitude is None else {"latitude": latitude}
+        u, v = (("time", part, {"units": units}) for part in flow)
+        data = xarray.Dataset({"u": u, "v": v}, {"time": ("time", hours), **place})
+    else:
+        data = gridded_current(*flow, *cells, hours, units=units)
+    saying("time", units=f"hours since {since}", calendar=calendar)(data).to_netcdf(path)
     return path
 
 

@@ -3,17 +3,12 @@
 import numpy as np
 import pytest
 from responses import response
+from xarray.testing import assert_equal
 
 import clpt_control as clpt
 from clpt_control.errors import BlockError, DataError
 
 PAPER = clpt.paper_scenario().with_values({"run.duration": 40})
-
-
-def identical(one, other):
-    assert set(one.variables) == set(other.variables)
-    for name in one.variables:
-        np.testing.assert_array_equal(one[name], other[name], err_msg=name)
 
 
 @pytest.mark.parametrize(
@@ -28,12 +23,12 @@ def identical(one, other):
 )
 def test_a_run_is_that_of_the_scenario_that_says_so(name, key, value, tmp_path):
     run = clpt.simulate(PAPER, params={name: value})
-    identical(run, clpt.simulate(PAPER.with_values({key: value})))
+    assert_equal(run, clpt.simulate(PAPER.with_values({key: value})))
     assert np.all(np.diff(run.lyapunov.values) <= 1e-9)  # V of the parameters that ran falls
     clpt.save_run(run, tmp_path / "run.nc")
     again = clpt.load_scenario(tmp_path / "run.nc")
     assert again == PAPER.with_values({key: value})
-    identical(clpt.simulate(again), run)
+    assert_equal(clpt.simulate(again), run)
 
 
 def test_lyapunov_is_measured_to_the_true_parameters_that_ran():
@@ -50,7 +45,7 @@ def test_an_initial_state_and_tolerances_are_the_files(tmp_path):
     state = clpt.initial_state(PAPER) + 0.25
     run = clpt.simulate(PAPER, initial_state=state, rtol=1e-11, atol=1e-12)
     clpt.save_run(run, tmp_path / "run.nc")
-    identical(clpt.simulate(clpt.load_scenario(tmp_path / "run.nc")), run)
+    assert_equal(clpt.simulate(clpt.load_scenario(tmp_path / "run.nc")), run)
 
 
 @pytest.mark.parametrize(
@@ -63,7 +58,7 @@ def test_what_no_key_holds_is_refused_when_run_again(params, tmp_path):
     (name,) = params
     with pytest.raises(DataError, match=rf"{name}.*cannot be repeated"):
         clpt.load_scenario(tmp_path / "run.nc")
-    identical(clpt.load_run(tmp_path / "run.nc"), run)
+    assert_equal(clpt.load_run(tmp_path / "run.nc"), run)
 
 
 @pytest.mark.parametrize(

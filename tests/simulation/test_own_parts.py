@@ -8,6 +8,7 @@ from calm_water import CALM, DWELL, KD, POINTS, GammaD
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.linalg import expm
+from xarray.testing import assert_allclose, assert_identical
 
 import clpt_control as clpt
 from clpt_control.blocks import localization, vehicle
@@ -70,8 +71,7 @@ def test_a_random_system_anywhere_is_the_same_in_every_engine(seed, n, where):
     )
     loop = clpt.closed_loop(PAPER, insert={where: part})
     runs = [clpt.simulate(loop, [0, 0.5, 1], engine=engine) for engine in ENGINES]
-    for name in runs[0].data_vars:
-        np.testing.assert_allclose(runs[0][name], runs[1][name], rtol=1e-6, atol=1e-6)
+    assert_allclose(*runs, rtol=1e-6, atol=1e-6)
     states = runs[1].states.values
     step = 1e-4
     moved = clpt.simulate(loop, [0.5, 0.5 + step], 0, states[1], **TIGHT).states.values[1]
@@ -90,8 +90,7 @@ def test_what_passes_everything_on_changes_nothing():
         ("K", "learning_controller"),
     ):
         run = clpt.simulate(clpt.closed_loop(PAPER, insert={where: through}))
-        for name in plain.data_vars:
-            np.testing.assert_allclose(run[name], plain[name], rtol=0, atol=1e-7)
+        assert_allclose(run[list(plain)], plain, rtol=0, atol=1e-7)
 
 
 def test_parts_of_one_wide_port_in_a_row_and_names_of_ones_own():
@@ -174,9 +173,7 @@ def test_a_loop_that_knows_its_scenario_is_its_scenario():
     """Times, start, tolerances and attributes; what was done to the diagram since is in its run."""
     later, loop = PAPER.with_values({"vehicle.position": [1.0, 2.0]}), clpt.closed_loop
     plain, run = clpt.simulate(later), clpt.simulate(loop(later))
-    for name in plain.data_vars:
-        np.testing.assert_array_equal(run[name], plain[name], err_msg=name)
-    assert run.attrs == plain.attrs
+    assert_identical(run[list(plain)], plain)
     from_ten = clpt.simulate(loop(later), [10.0, 12.0])
     np.testing.assert_array_equal(from_ten.states, clpt.simulate(later, [10.0, 12.0]).states)
     moved = clpt.initial_state(later) + 0.25  # a scenario's is at t = 0, a diagram's at once
