@@ -28,7 +28,7 @@ from ..arguments import public
 from ..errors import Uncompiled
 from ..files import write_file
 from ..html import plain
-from ..progress import warn
+from ..progress import note
 from ..scenario.experiment import Scenario
 from .export import FIXED, CFile, in_c
 from .running import signal_units
@@ -136,7 +136,7 @@ def _binary(name: str, text: str) -> dict[str, bytes]:
     compiler = shutil.which(os.environ.get("CC", "cc"))
     system = platform.system()
     if compiler is None or system not in ENDINGS:
-        warn("the FMU holds its source alone: there is no C compiler (cc, or the variable CC)")
+        note("the FMU holds its source alone: there is no C compiler (cc, or the variable CC)")
         return {}
     machine = PROCESSORS.get(platform.machine(), platform.machine())
     with tempfile.TemporaryDirectory() as folder:
@@ -146,7 +146,7 @@ def _binary(name: str, text: str) -> dict[str, bytes]:
             [compiler, *FLAGS, "-o", made, source, "-lm"], capture_output=True, text=True
         )
         if done.returncode:
-            warn(f"the FMU holds its source alone: {compiler} failed: {done.stderr:.200}")
+            note(f"the FMU holds its source alone: {compiler} failed: {done.stderr:.200}")
             return {}
         place = f"binaries/{machine}-{system.lower()}/{name}{ENDINGS[system]}"
         return {place: made.read_bytes()}
