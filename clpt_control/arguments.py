@@ -304,8 +304,8 @@ def numbers(argument: str, value: Any, *last: int | None) -> np.ndarray:
     if type(value) is np.ndarray and value.dtype == float and not last:
         return value
     with suppress(TypeError, ValueError):
-        if getattr(getattr(value, "dtype", None), "kind", "") == "c":
-            raise TypeError  # NumPy would drop what is imaginary
+        if getattr(getattr(value, "dtype", None), "kind", "-") in "cmM":
+            raise TypeError  # NumPy would drop what is imaginary, and the unit of a time
         found = np.asarray([] if value is None else value, dtype=float)
         sizes = found.shape[max(found.ndim - len(last), 0) :]
         if all(one in (None, size) for one, size in zip_longest(last, sizes, fillvalue=-1)):

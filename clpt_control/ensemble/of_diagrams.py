@@ -65,7 +65,8 @@ class VariedDiagram(Varied):
         self.params = dict(params or {})
         self.wiring = wiring_of(diagram, self.params, sizes)
         self.outputs, taken, states = labels_of(diagram, self.wiring)
-        if undeclared := self._undeclared(varies, {*taken, *states}):
+        labels = {name for own in (taken, states) for name in (*own, *ports_of(own))}
+        if undeclared := self._undeclared(varies, labels):
             self.params |= undeclared
             self.wiring = wiring_of(diagram, self.params, sizes)
         self.given = changed_parameters(self.wiring, self.params)
@@ -89,11 +90,11 @@ class VariedDiagram(Varied):
     def _undeclared(self, varies: Sequence[Vary], labels: Collection[str]) -> dict[str, Any]:
         """Return parameters of python-control's systems that vary, but are no floats.
 
-        One with the label of a state or an input counts if a function reads it.
+        One with the name of a state or an input counts if a function is known to read it.
         """
 
         def asked(s: System, key: str) -> bool:
-            return key not in s.params and (s.reads(key) if key in labels else s.mentions(key))
+            return key not in s.params and (key in s.names if key in labels else s.mentions(key))
 
         params: dict[str, Any] = {}
         systems = [node.system for node in self.wiring.nodes if isinstance(node.system, System)]
@@ -165,9 +166,11 @@ class VariedDiagram(Varied):
     def _check_apart(self) -> None:
         """Refuse two names of one number, and those of the result."""
         ports, axes = self.variables
-        taken = {*RESULT, *axes, *(f"{port}_{what}" for port in ports for what in SUMMARIES)}
-        if own := taken & self.places.keys():
+        summaries = {f"{port}_{what}" for port in ports for what in SUMMARIES}
+        if own := {*RESULT, *axes, *summaries} & self.places.keys():
             raise ScenarioError(f"vary: {min(own)} is a name of the result; rename it")
+        if self.trajectories and (own := summaries & set(ports)):
+            raise ScenarioError(f"trajectories: {min(own)} is a name of the result; rename it")
         names: dict[tuple, str] = {}
         for key, (fields, states, inputs, element) in self.places.items():
             numbers: list[tuple] = [("state", k) for k in states]
@@ -232,11 +235,12 @@ class VariedDiagram(Varied):
     @cached_property
     def variables(self) -> tuple[dict[str, Series], Axes]:
         """The variables of outputs, and their axes."""
-        taken = (*RESULT, *self.values)
         units, ports = signal_units(self.wiring), ports_of(self.outputs)
-        return port_variables(
-            ports, {}, taken, {port: units[own[0]] for port, own in ports.items()}
-        )
+        return port_variables(ports, {}, (), {port: units[own[0]] for port, own in ports.items()})
+
+    def along(self, port: str) -> str:
+        """Return the name of a port over time; one that is taken gets a _."""
+        return f"{port}_" if port in (*RESULT, *self.values) else port
 
     def arrays(self, values: Values) -> Arrays:
         """Return all arrays of the store, for the values of all members."""
@@ -248,7 +252,7 @@ class VariedDiagram(Varied):
             for what, words in SUMMARIES.items():
                 arrays.add(f"{port}_{what}", one.dims[1:], f"{port}, {words}", **one.attributes)
             if self.trajectories:
-                arrays.add(port, one.dims, port, **one.attributes)
+                arrays.add(self.along(port), one.dims, port, **one.attributes)
         arrays.add_ends()
         for key, array in values.items():
             more = [f"{key} {k}" for k in range(array.ndim - 1)]
@@ -286,7 +290,8 @@ class VariedDiagram(Varied):
         }
         for port, one in ports.items() if self.trajectories else ():
             along = one.of(y)
-            summaries[port] = np.moveaxis(along, 1, -1) if along.ndim > 2 else along
+            along = np.moveaxis(along, 1, -1) if along.ndim > 2 else along
+            summaries[self.along(port)] = along
         return summaries | ends_of(run, self.state_times)
 
     @property

@@ -22,7 +22,6 @@ from typing import TYPE_CHECKING, Any
 
 import control
 import numpy as np
-from numpy.typing import ArrayLike
 
 from ..arguments import Seed, public
 from ..errors import ClptError, DataError, ScenarioError, SimulationError, needed
@@ -58,7 +57,7 @@ def run_ensemble(
     seed: Seed = 0,
     out: str | Path | None = None,
     *,
-    timepts: ArrayLike | None = None,
+    timepts: Sequence[float] | np.ndarray | None = None,
     inputs: Any = None,
     initial_state: Any = None,
     params: Mapping[str, Any] | None = None,

@@ -199,8 +199,8 @@ def _filled(group: Any, arguments: Any, arrays: Arrays, attrs: Any) -> Any:
     chunk, count = arguments["chunk"], -(-arguments["members"] // arguments["chunk"])
     done = StoredArray(("chunk",), (count,), "int64", {"long_name": "checksum of a whole chunk"})
     for name, one in {**arrays, DONE: done}.items():
-        if "\\" in name:
-            raise DataError(f"Zarr has no name {name!r}, with a \\; call that signal otherwise")
+        if not name or "\\" in name:
+            raise DataError(f"Zarr has no name {name!r}; call that signal otherwise, without a \\")
         first = {"member": chunk, "chunk": 1}.get(one.dims[0], one.shape[0])
         array = group.create_array(
             name.replace("/", SLASH),

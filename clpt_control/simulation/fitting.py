@@ -13,7 +13,7 @@ from typing import Any
 import control
 import numpy as np
 
-from ..arguments import numbers, public
+from ..arguments import brief, check_holds, numbers, public
 from ..equations.declaration import ports_of
 from ..errors import ArgumentError, SimulationError
 from ..native.schedule import checked_times
@@ -103,7 +103,8 @@ def fit_parameters(
         As `sensitivity` takes it.
     data : xarray.Dataset, control.TimeResponseData or mapping
         Measured outputs: variables over ``time``, a response with its inputs, or arrays by port or
-        signal, samples first, at `timepts`. NaN is no measurement.
+        signal, samples first, at `timepts`. NaN is no measurement. Variables and arrays with the
+        names of the inputs are these, where `inputs` are not given.
     parameters : mapping
         By name, as `sensitivity` takes them in `to`: where to begin, ``{"m": 1.0}``, or that and
         bounds, ``{"m": (1.0, 0.1, 10.0)}``.
@@ -138,11 +139,18 @@ def fit_parameters(
     {'k': 1.7, 'x0.y': 3.0}
     """
     times, measured, inputs = _read(data, timepts, inputs)
+    if inputs is None:
+        inputs = _inputs_among(measured, getattr(system, "input_labels", ()))
     solver = {"rtol": rtol, "atol": atol, "method": method}
     ready = Sensitive(system, times, list(parameters), inputs, initial_state, params, **solver)
     if not ready.places:
         raise ArgumentError("parameters: name at least one")
-    return _Fitting(ready, measured, parameters, noise).fit()
+    fitting = _Fitting(ready, measured, parameters, noise)
+    if isinstance(data, dict) and (unknown := measured.keys() - fitting.known):
+        raise ArgumentError(
+            f"data: {min(unknown)} is no output; they are {', '.join(ports_of(ready.labels))}"
+        )
+    return fitting.fit()
 
 
 def _read(data: Any, times: Any, inputs: Any) -> tuple[np.ndarray, dict[str, np.ndarray], Any]:
@@ -166,8 +174,20 @@ def _read(data: Any, times: Any, inputs: Any) -> tuple[np.ndarray, dict[str, np.
         )
     if times is None:
         raise ArgumentError("timepts: is required with arrays")
-    arrays = {name: np.asarray(values, float) for name, values in data.items()}
+    arrays = {name: numbers(f"data: {name}", values) for name, values in data.items()}
     return checked_times("timepts", times), arrays, inputs
+
+
+def _inputs_among(measured: dict[str, np.ndarray], labels: Sequence[str]) -> Any:
+    """Take a system's inputs out of what was measured, where they are in it."""
+    ports, rows = ports_of(labels), dict[int, np.ndarray]()
+    if not ports.keys() & measured.keys():
+        return None
+    check_holds("data", measured, ports, "give inputs=")
+    for port, places in ports.items():
+        values = np.atleast_1d(measured.pop(port))
+        rows |= zip(places, values.reshape(len(values), -1).T, strict=False)
+    return [rows[k] for k in sorted(rows)]
 
 
 class _Fitting:
@@ -176,6 +196,7 @@ class _Fitting:
     def __init__(self, ready: Sensitive, measured: Mapping[str, Any], begin: Any, noise: Any):
         self.ready, self.names = ready, [*ready.places]
         ports = ports_of(ready.labels) | {one: [k] for k, one in enumerate(ready.labels)}
+        self.known = ports.keys()
         n, places, columns = len(ready.times) - ready.skipped, list[int](), list[np.ndarray]()
         self.outputs: list[str] = []
         for name, values in measured.items():
@@ -210,14 +231,18 @@ class _Fitting:
         rows = []
         for name, one in parameters.items():
             begin, *bounds = one if isinstance(one, tuple) else (one,)
-            if len(bounds) not in (0, 2):
-                raise ArgumentError(f"parameters: {name} must be a start, or (start, low, high)")
             count = len(varied_places(name, self.ready.wiring, self.ready.states))
-            row = [np.broadcast_to(np.ravel(numbers(name, v)), count)
-                   for v in (begin, *(bounds or (-np.inf, np.inf)))]  # fmt: skip
-            rows.append(np.array(row))
-            if not np.all((row[1] <= row[0]) & (row[0] <= row[2]) & (row[1] < row[2])):
-                raise ArgumentError(f"parameters: {name} begins outside of its bounds {bounds}")
+            given = [np.ravel(numbers(name, v)) for v in (begin, *(bounds or (-np.inf, np.inf)))]
+            if len(given) == 3 and all(len(v) in (1, count) for v in given):
+                start, low, high = row = np.array([np.broadcast_to(v, count) for v in given])
+                if np.all(np.isfinite(start) & (low <= start) & (start <= high) & (low < high)):
+                    rows.append(row)
+                    continue
+            what = "a number" if count == 1 else f"{count} numbers"
+            raise ArgumentError(
+                f"parameters: {name} = {brief(one)}: must be {what} to begin at, or (start, low, "
+                "high) with low <= start <= high"
+            )
         return list(np.hstack(rows))
 
     def run(self, values: np.ndarray) -> RunWithDerivatives:
@@ -275,8 +300,10 @@ class _Fitting:
             name: by_output.get(name, by_output.get(name.partition("[")[0]))
             for name in self.outputs
         }
-        if missing := [name for name, size in sizes.items() if not size]:
-            raise ArgumentError(f"noise: does not say that of {', '.join(missing)}; above 0")
+        if missing := [name for name, size in sizes.items() if not 0 < (size or 0) < np.inf]:
+            raise ArgumentError(
+                f"noise: does not say that of {', '.join(missing)}, a finite number above 0"
+            )
         return np.array([*sizes.values()], dtype=float)
 
     def _found(self, values: np.ndarray, noise: np.ndarray, free: np.ndarray) -> Fit:
@@ -286,7 +313,9 @@ class _Fitting:
         residuals, J = self.residuals(values, noise), self.jacobian(values, noise)
         freedom, noise_known = len(residuals) - int(free.sum()), self.noise is not None
         variance = 1.0 if noise_known else float(residuals @ residuals) / freedom
-        scale = np.where(values == 0.0, 1.0, np.abs(values))[free]
+        value, begun = np.abs(values)[free], np.abs(self.begin)[free]
+        scale = np.where(value > UNFELT * begun, value, begun)  # of a zero, that of its start
+        scale[scale == 0.0] = 1.0
         _, strength, directions = np.linalg.svd(J[:, free] * scale, full_matrices=False)
         identified = strength > UNFELT * strength.max(initial=0.0)
         half = directions[identified].T / strength[identified] * scale[:, None]

@@ -602,16 +602,55 @@ def test_a_state_whose_label_is_a_word_of_the_function_varies():
         spread, {"s": [0.8, 0.9]}, timepts=TIMES, initial_state=[0.5, 0.1], trajectories=True
     )
     assert found.s_.values[:, 0].tolist() == [0.8, 0.9]
+    assert found.s_final.equals(found.s_[:, -1].drop_vars("time"))
     one = clpt.simulate(spread, TIMES, initial_state=[0.9, 0.1])
     np.testing.assert_allclose(found.i_final.values[-1], one.i.values[-1], rtol=1e-7)
 
 
-@pytest.mark.parametrize("label", ["\\", "a\\b"])
-def test_a_backslash_in_a_name_is_told(label, tmp_path):
-    block = clpt.Block("lag", update=lambda t, x, u, p: [-x[0]], states={label: 1})
+@pytest.mark.parametrize("key", ["r", "y", "decay_y"])
+def test_states_and_inputs_vary_where_python_runs(key):
+    """A function that is not read could read any name; it is asked for none."""
+
+    def rate(t, x, u, p):
+        return [-p["k"] * float(str(x[0])) + u[0]]
+
+    decay = control.nlsys(
+        rate, None, inputs=["r"], states=["y"], outputs=["y"], params={"k": 2.0}, name="decay"
+    )
+    if key != "y":
+        lag = control.tf(1, [1, 1], inputs="y", outputs="z", name="lag")
+        decay = clpt.connect([decay, lag], external="r")
+    with pytest.warns(UserWarning, match="runs in Python"):
+        found = clpt.run_ensemble(decay, {key: [1.0, 3.0]}, timepts=TIMES)
+    last = np.exp(-2.0 * TIMES[-1])
+    end = (1.0 - last) / 2.0 if key == "r" else last
+    np.testing.assert_allclose(found.y_final, [end, 3.0 * end], rtol=1e-6)
+
+
+def test_an_output_named_as_a_summary_of_another_is_refused():
+    system = control.nlsys(lambda t, x, u, p: -p["k"] * x, lambda t, x, u, p: [x[0], 7.0],
+                           inputs=0, states=1, outputs=["y", "y_final"], params={"k": 1.0},
+                           name="two")  # fmt: skip
+    given = {"vary": {"k": [1.0]}, "timepts": TIMES, "initial_state": 1.0}
+    with pytest.raises(ClptError, match="trajectories: y_final is a name of the result"):
+        clpt.run_ensemble(system, trajectories=True, **given)
+    assert clpt.run_ensemble(system, **given).y_final_final.values == 7.0
+
+
+@pytest.mark.parametrize("times", [5.0, np.array(["2020-01-01", "2020-01-02"], "datetime64[ns]")])
+def test_times_that_are_none_are_one_sentence(times):
+    with pytest.raises(ClptError, match=r"timepts = .*: must be a list of numbers, an array of"):
+        clpt.run_ensemble(lag(), {"tau": [0.5]}, timepts=times)
+
+
+@pytest.mark.parametrize("label", ["\\", "a\\b", "[0]"])
+def test_a_name_that_zarr_does_not_have_is_told(label, tmp_path):
+    block = control.nlsys(
+        lambda t, x, u, p: -x, None, states=[label], outputs=[label], inputs=["u"], name="lag"
+    )
     for out in (None, tmp_path / "e.zarr"):
         with pytest.raises(clpt.DataError, match=r"Zarr has no name .* call that signal otherwise"):
-            clpt.run_ensemble(block, {label: [1.0, 2.0]}, timepts=TIMES, out=out)
+            clpt.run_ensemble(block, {"u": [1.0, 2.0]}, timepts=TIMES, out=out, trajectories=True)
         assert not (tmp_path / "e.zarr").exists()
 
 

@@ -3,6 +3,7 @@
 import control
 import numpy as np
 import pytest
+import xarray
 from scipy.optimize import curve_fit
 
 import clpt_control as clpt
@@ -127,6 +128,37 @@ def test_a_bound_that_is_met_has_no_error():
     assert found.unidentified == ("m lies on a bound",)
 
 
+@pytest.mark.parametrize("form", [dict, xarray.Dataset])
+def test_inputs_among_the_data_are_those_of_the_system(form):
+    run = clpt.simulate(mass(**TRUTH), TIMES, FORCE, [0.3, 0.0])
+    data = run[["force", "speed"]]
+    if form is dict:
+        data = {name: data[name].values for name in data}
+    found = clpt.fit_parameters(mass(), data, {"m": 1.5, "c": 0.5, "k": 4.0}, TIMES, None, [0.3, 0])
+    assert found.values == pytest.approx(TRUTH, rel=1e-6)
+
+
+def test_times_of_a_calendar_are_refused():
+    days = np.datetime64("2020-01-01", "ns") + np.arange(101) * np.timedelta64(1, "s")
+    data = xarray.Dataset({"place": ("time", TIMES)}, {"time": days})
+    with pytest.raises(clpt.ClptError, match=r"data\.time = .* must be an array of numbers"):
+        clpt.fit_parameters(mass(), data, {"m": 1.0}, inputs=FORCE)
+
+
+def test_a_start_at_rest_is_told():
+    """The speed at the start is zero to the last digit, which is no relative change."""
+    run = clpt.simulate(mass(**TRUTH), TIMES, FORCE, [0.3, 0.0])
+    begin = {"x0.place": 0.1, "x0.speed": 0.1, "k": 4.0}
+    found = clpt.fit_parameters(
+        mass(**TRUTH), {"place": run.place.values}, begin, TIMES, FORCE, noise=0.01
+    )
+    assert not found.unidentified
+    free = clpt.sensitivity(mass(**TRUTH), TIMES, "place", [*begin], FORCE, [0.3, 0.0])
+    J = free.place.values / 0.01
+    errors = np.sqrt(np.diag(np.linalg.inv(J.T @ J)))
+    np.testing.assert_allclose([*found.errors.values()], errors, rtol=1e-6)
+
+
 def test_the_papers_gain_is_found_from_its_run():
     scenario = clpt.paper_scenario().with_values({"run.duration": 60})
     loop = clpt.closed_loop(scenario)
@@ -147,8 +179,18 @@ def test_mistakes_are_told():
         ({"data": [1.0]}, "must be an xarray"),
         ({"times": None}, "timepts: is required"),
         ({"begin": {"q": 1.0}}, "must be among"),
-        ({"begin": {"m": (1.0, 2.0, 3.0)}}, "outside of its bounds"),
-        ({"begin": {"m": (1.0, 2.0)}}, "a start, or"),
+        ({"begin": {"m": (1.0, 2.0, 3.0)}}, "low <= start <= high"),
+        ({"begin": {"m": (1.0, 2.0)}}, r"or \(start, low, high\)"),
+        ({"begin": {"m": (1.0, None, 3.0)}}, r"or \(start, low, high\)"),
+        ({"begin": {"m": [1.0, 0.5, 3.0]}}, r"m = \[1.0, 0.5, 3.0\]: must be a number"),
+        ({"begin": {"m": np.nan}}, "m = nan: must be a number"),
+        ({"begin": {"m": np.inf}}, "m = inf: must be a number"),
+        ({"data": {"place": ["a"] * 101}}, "place = .* must be an array of numbers"),
+        ({"data": {"place": {"a": 1}}}, "place = .* must be an array of numbers"),
+        ({"data": {"place": TIMES + 1j}}, "place = .* must be an array of numbers"),
+        ({"data": {"place": TIMES, "sped": TIMES}}, "sped is no output; they are place, speed"),
+        ({"noise": -1.0}, "a finite number above 0"),
+        ({"noise": np.inf}, "a finite number above 0"),
         ({"noise": {"speed": 1.0}}, "does not say that of place"),
         ({"noise": 0.0}, "above 0"),
     ):
