@@ -295,6 +295,7 @@ NOT_REFUTED = {  # right, or right with another V
     "projection": lambda: law(projection, two(2.0)),
     "tanh(e)": NOT_PROVED["tanh(e)"],
     "e + e^3": driven(lambda t, x, u, p: u.e + u.e**3),
+    "a leak that grows": leak(lambda t, x, u, p: 0.1 * np.clip(np.linalg.norm(x.alpha) - 1, 0, 1)),
     "a memory": lambda: law(memory, two(0.3), FLOW, states={**LEARNED, "M": (2, 2)}),
 }
 TOO_MUCH = {  # -> what is said

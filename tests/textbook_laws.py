@@ -173,6 +173,8 @@ LAWS = {
     "tanh of eps": shown(seen(np.tanh)),
     "sign of eps": shown(seen(np.sign)),
     "clip of eps": shown(seen(lambda s: np.clip(s, -0.2, 0.2))),
+    "a dead zone of eps": shown(seen(lambda s: beyond(s, 0.3))),
+    "eps exp(-eps^2)": shown(seen(lambda s: s * np.exp(-(s**2)))),
     "eps and its cube": shown(seen(lambda s: s + s**3)),
     "tanh of e": shown(by(np.tanh), V=of_e(lambda e, p: np.log(np.cosh(e)))),
     "atan of e": shown(by(np.arctan), V=of_e(lambda e, p: e * np.arctan(e) - np.log1p(e**2) / 2)),

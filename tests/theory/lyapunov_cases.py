@@ -40,10 +40,10 @@ CONTROLLER = control.nlsys(
 )
 
 
-def mrac(reference=-1.0, feedback=1.0, leak=0.0):
+def mrac(sign=1.0):
     def rates(kr, ky, r, y, ym, gamma):
-        e = gamma * (y - ym)
-        return [reference * e * r - leak * kr, feedback * e * y - leak * ky]
+        e = sign * gamma * (y - ym)
+        return [-e * r, e * y]
 
     gains = ["kr", "ky"]
     law = system(rates, ["r", "y", "ym"], {"gamma": 2.0}, outputs=gains, name="law")
@@ -58,12 +58,12 @@ def textbook(s):
 # --- adaptive backstepping: x1' = x2 + theta x1^2, x2' = u ----------------------------------------
 
 
-def backstepping(sign=1.0, missing=False, c=2.0):
+def backstepping(missing=False, c=2.0):
     def rates(x1, x2, h, c, theta, gamma):
         phi = x1**2
         z2 = x2 + c * x1 + h * phi
         slope = c + 2 * h * x1  # of -alpha in x1
-        tuned = gamma * (x1 * phi + z2 * slope * phi) * sign
+        tuned = gamma * (x1 * phi + z2 * slope * phi)
         push = -(0.0 if missing else x1) - c * z2 - slope * (x2 + h * phi) - tuned * phi
         return [x2 + theta * phi, push, tuned]
 
@@ -81,11 +81,11 @@ A, C, L = np.array([[0.0, 1.0], [-2.0, -1.0]]), np.array([[1.0, 0.0]]), np.array
 P = control.lyap((A - L @ C).T, np.eye(2))
 
 
-def observer(gain=L):
+def observer():
     plant = control.ss(A, [[0], [1]], np.eye(2), 0, inputs="u", outputs=["x1", "x2"], name="plant")
-    both = np.hstack([[[0.0], [1.0]], gain, [[0], [0]]])
+    both = np.hstack([[[0.0], [1.0]], L, [[0], [0]]])
     signals = {"inputs": ["u", "x1", "x2"], "outputs": ["z1", "z2"]}
-    watch = control.ss(A - gain @ C, both, np.eye(2), 0, name="watch", **signals)
+    watch = control.ss(A - L @ C, both, np.eye(2), 0, name="watch", **signals)
     return clpt.connect([plant, watch], external="u")
 
 
@@ -97,26 +97,14 @@ def of_the_error(s):
 # --- mechanics -----------------------------------------------------------------------------------
 
 
-def pendulum(damping=0.1):
+def pendulum():
     return system(
-        lambda theta, omega, g: [omega, -g * np.sin(theta) - damping * omega], params={"g": 9.8}
+        lambda theta, omega, g: [omega, -g * np.sin(theta) - 0.1 * omega], params={"g": 9.8}
     )
 
 
 def energy(s):
     return s.omega**2 / 2 + s.g * (1 - np.cos(s.theta))
-
-
-def spring(damping=0.5, hard=1.0):
-    return system(lambda q, v, k: [v, -k * q - hard * q**3 - damping * v], params={"k": 2.0})
-
-
-def stored(s):
-    return s.v**2 / 2 + s.k * s.q**2 / 2 + s.q**4 / 4
-
-
-def van_der_pol(damped=1.0):
-    return system(lambda x, y, eps: [-y, x - damped * eps * (1 - x**2) * y], params={"eps": 1.0})
 
 
 def whole_times(p, t0, t1):
@@ -173,16 +161,9 @@ def sourced(source, rates=lambda x, u: {"x": -x.x, "y": -x.y + u.w}):
     return clpt.connect([made, plant])
 
 
-def spinning(damping=0.2):
+def spinning(x, y, z):
     """Euler's equations of a body that turns, x, y, z about its axes, J = 1, 2, 3."""
-
-    return system(
-        lambda x, y, z: [
-            (2 - 3) * y * z - damping * x,
-            ((3 - 1) * z * x - damping * y) / 2,
-            ((1 - 2) * x * y - damping * z) / 3,
-        ]
-    )
+    return [-y * z - 0.2 * x, (2 * z * x - 0.2 * y) / 2, (-x * y - 0.2 * z) / 3]
 
 
 def arm(q1, q2, v1, v2):
@@ -201,13 +182,8 @@ def of_the_arm(s):
     return moving / 2 + s.q1**2 + s.q2**2
 
 
-def high_gain(growth=2.0):
-    return system(lambda x, k, a: [a * x - k * x, x**2], params={"a": growth})
-
-
 RIGHT = {  # name -> system, V, what else is given
     "MRAC": (mrac(), textbook),
-    "MRAC, V' claimed": (mrac(), textbook, {"claim": lambda s: -s.am * (s.y - s.ym) ** 2}),
     "MRAC, numbers in V": (
         mrac(),
         lambda s: (s.y - s.ym) ** 2 / 2 + 0.75 * ((s.kr - 4 / 3) ** 2 + (s.ky - 5 / 3) ** 2),
@@ -216,21 +192,13 @@ RIGHT = {  # name -> system, V, what else is given
     "backstepping, a term left to the gain": (backstepping(missing=True), stepped),
     "observer": (observer(), of_the_error),
     "pendulum": (pendulum(), energy),
-    "pendulum without friction": (pendulum(0.0), energy),
-    "hardening spring": (spring(), stored),
-    "a fourth power": (system(lambda x: [-(x**3)]), lambda s: s.x**4 / 4),
     "tanh": (system(lambda x: [-np.tanh(x)]), half),
-    "a divisor with an angle": (system(lambda x: [-x - x**3 / (2 - np.cos(x))]), half),
     "a divisor below zero": (system(lambda x: [x * (3 + np.cos(x)) / (np.sin(x) - 2)]), half),
     "V that is linear far off": (system(lambda x: [-x]), lambda s: s.x**2 / (1 + np.abs(s.x))),
     "log cosh": (system(lambda x: [-np.tanh(x)]), lambda s: np.log(np.cosh(s.x))),
-    "cosh": (system(lambda x: [-np.sinh(x)]), lambda s: np.cosh(s.x) - 1),
     "sliding": (system(lambda x: [-np.sign(x)]), half),
-    "a turn and a pull": (system(lambda x, y: [y - x, -x - y**3]), halves),
-    "gain of time": (system(lambda t, x: [-(2 + np.sin(t)) * x]), half),
     "gain of a higher wave": (system(lambda t, x: [-(2 + np.sin(3 * t)) * x]), half),
     "gain that grows": (system(lambda t, x: [-t * x]), half),
-    "a bounded pull": (system(lambda x: [-x / (1 + x**2)]), half),
     "a divisor of masses": (
         system(
             lambda q, v, m, M, c: [v, -(q + v) / (M * m - c**2)],
@@ -242,11 +210,9 @@ RIGHT = {  # name -> system, V, what else is given
         system(lambda x, n: [-(x**n)], params={"n": 3.0}),
         half,
     ),
-    "a spinning body": (spinning(), lambda s: (s.x**2 + 2 * s.y**2 + 3 * s.z**2) / 2),
-    "a gain that finds itself": (high_gain(), lambda s: s.x**2 / 2 + (s.k - 3.0) ** 2 / 2),
+    "a spinning body": (system(spinning), lambda s: (s.x**2 + 2 * s.y**2 + 3 * s.z**2) / 2),
     "a cross term": (system(lambda x, y: [y, -x - y]), lambda s: 1.5 * s.x**2 + s.x * s.y + s.y**2),
     "a rest elsewhere": (system(lambda x: [3.0 - x]), lambda s: (s.x - 3) ** 2, {"at": {"x": 3.0}}),
-    "a jump that halves": (memory(0.5), lambda s: s.m**2 + s.n**2),
     "a jump that turns": (memory(-1.0), lambda s: s.m**2 + s.n**2),
     "two wells": (
         system(lambda x, y: [y, x - x**3 - y]),
@@ -260,16 +226,11 @@ RIGHT = {  # name -> system, V, what else is given
         half,
     ),
     "a pull with a dent": (system(lambda x: [-x + x * np.exp(-((x - 2) ** 2))]), half),
-    "a circle": (
-        system(lambda x, y: [x * (1 - x**2 - y**2) - y, y * (1 - x**2 - y**2) + x]),
-        lambda s: (s.x**2 + s.y**2 - 1) ** 2,
-    ),
     "a pendulum a turn further": (
         system(lambda th, w: [w, -np.sin(th) - w]),
         turned,
         {"at": {"th": 2 * np.pi}},
     ),
-    "V with what fades": (system(lambda x: [-x]), (1 + sympy.exp(-t)) * x**2),
     "V with a power that fades": (
         system(lambda x: [-x]),
         x**4 * sympy.exp(-t) + x**2,
@@ -308,15 +269,6 @@ RIGHT = {  # name -> system, V, what else is given
     ),
 }
 WRONG = {
-    "MRAC, sign of both": (mrac(1.0, -1.0), textbook),
-    "MRAC, sign of one": (mrac(-1.0, -1.0), textbook),
-    "MRAC, gains swapped": (
-        mrac(),
-        lambda s: (
-            (s.y - s.ym) ** 2 / 2
-            + s.b * ((s.kr - (s.am + s.a) / s.b) ** 2 + (s.ky - s.bm / s.b) ** 2) / (2 * s.gamma)
-        ),
-    ),
     "MRAC, V forgets b": (
         mrac(),
         lambda s: (
@@ -324,29 +276,15 @@ WRONG = {
             + ((s.kr - s.bm / s.b) ** 2 + (s.ky - (s.am + s.a) / s.b) ** 2) / (2 * s.gamma)
         ),
     ),
-    "MRAC, a leak to zero": (mrac(leak=0.1), textbook),
-    "MRAC, claimed too much": (
-        mrac(),
-        textbook,
-        {"claim": lambda s: -2 * s.am * (s.y - s.ym) ** 2},
-    ),
-    "backstepping, sign": (backstepping(-1.0), stepped),
     "backstepping, a term forgotten": (backstepping(missing=True, c=0.3), stepped),
-    "observer, gain of another": (observer(-L), of_the_error),
     "observer, x beside z": (observer(), lambda s: (s.x1 + s.z1) ** 2 + (s.x2 - s.z2) ** 2),
-    "pendulum that is pushed": (pendulum(-0.1), energy),
     "pendulum upright": (pendulum(), energy, {"at": {"theta": np.pi}}),
     "pendulum, sign of the potential": (
         pendulum(),
         lambda s: s.omega**2 / 2 - s.g * (1 - np.cos(s.theta)),
     ),
-    "softening spring": (spring(hard=-1.0), stored),
-    "spring, V without the cubic": (spring(), lambda s: s.v**2 / 2 + s.k * s.q**2 / 2),
-    "van der Pol": (van_der_pol(-1.0), halves),
-    "van der Pol reversed, everywhere": (van_der_pol(), halves),
     "V that is a saddle": (system(lambda x, y: [-x, y]), lambda s: s.x**2 - s.y**2),
     "V that falls without end": (system(lambda x: [1.0 + 0 * x]), lambda s: -s.x),
-    "V of a third power": (system(lambda x: [-(x**2)]), lambda s: s.x**3),
     "V of nothing": (system(lambda x: [x]), lambda s: 0 * s.x),
     "V that jumps": (system(lambda x: [-x]), lambda s: np.where(s.x > 1, s.x, 2 * s.x) ** 2),
     "V of an angle": (
@@ -399,10 +337,8 @@ WRONG = {
     ),
     "V that misses a state that ends": (system(lambda x, y: [-x, 1 + y**2]), half),
     "V of the sum alone": (system(lambda x, y: [-x + y**3, -y - y**3]), lambda s: (s.x + s.y) ** 2),
-    "a gain that turns": (system(lambda t, x: [-np.cos(t) * x]), half),
     "a gain that turns a little": (system(lambda t, x: [-(1 + 1.01 * np.sin(t)) * x]), half),
     "a gain of a fast wave": (system(lambda t, x: [-(1 + 1.01 * np.sin(1e6 * t)) * x]), half),
-    "a gain that turns at 5": (system(lambda t, x: [-(5 - t) * x]), half),
     "a gain that turns at 900": (system(lambda t, x: [-(900 - t) * x]), half),
     "a gain that turns at the fifth breakpoint": (counting(lambda k: k - 5), half),
     "a spring stronger in each interval": (  # v rises with its strength
@@ -441,11 +377,9 @@ WRONG = {
         ),
         "V",
     ),
-    "a gain of a floor": (system(lambda t, x: [(np.floor(t) - 3) * x]), half),
     "V of a floor": (system(lambda x: [0 * x + 1]), lambda s: s.x * np.floor(s.x)),
     "wrong in a small region": (system(lambda x: [-x * ((x - 1) ** 2 - 1e-3)]), half),
     "wrong in a smaller region": (system(lambda x: [-x * ((x - 7) ** 2 - 1e-9)]), half),
-    "wrong in a strip": (system(lambda x, y: [-x * ((y - 2) ** 2 - 0.01), -y]), halves),
     "a small bump": (system(lambda x: [-x + 3 * np.exp(-50 * (x - 1) ** 2)]), half),
     "no value at a point": (system(lambda x: [-x / np.abs(x - 2)]), half),
     "no value at the rest": (system(lambda x: [-1 / x]), half),
@@ -506,16 +440,8 @@ WRONG = {
     "V of complex numbers": (system(lambda x: [-x]), sympy.LambertW(x) ** 2 + x**2),
     "V of an area cosine": (system(lambda x: [0 * x]), sympy.acosh(x) ** 2 + x**2),
     "V of a logarithm": (system(lambda x: [-x]), lambda s: np.log(s.x) ** 2),
-    "unstable": (system(lambda x: [x]), half),
     "unstable, V' claimed as it is": (system(lambda x: [x]), half, {"claim": lambda s: s.x**2}),
     "almost stable": (system(lambda x: [1e-6 * x]), half),
     "an input that drives": (system(lambda x, d: [x + d], "d"), half),
-    "a jump that doubles": (memory(2.0), lambda s: s.m**2),
-    "a spinning body, axes swapped": (spinning(), lambda s: (3 * s.x**2 + 2 * s.y**2 + s.z**2) / 2),
-    "a gain too small": (high_gain(), lambda s: s.x**2 / 2 + (s.k - 1.0) ** 2 / 2),
     "another rest": (system(lambda x: [3.0 - x]), half, {"at": {"x": 3.0}}),
-    "a weight too small": (
-        system(lambda x, y: [y, -x - y]),
-        lambda s: s.x**2 + s.x * s.y + 0.2 * s.y**2,
-    ),
 }

@@ -123,7 +123,7 @@ def test_what_cannot_be_judged_is_refused_in_a_sentence(name):
 
 
 def test_a_law_may_have_any_name():
-    own = own_laws.constant()
+    own = own_laws.paper()
     own = Block(
         "theta_x",
         update=own.update_function,
@@ -131,7 +131,7 @@ def test_a_law_may_have_any_name():
         states=own.state_shapes,
         parameters=own.parameters,
     )
-    assert prove(own, points=POINTS).status == "bounded"
+    assert prove(own, points=POINTS).status == "proved"
 
 
 def test_what_has_no_value_says_so():
