@@ -5,8 +5,8 @@
 A question (``if u[0] > 0``) is answered both ways: the function runs again with the other
 answer, and what the ways return is joined by `where`.  A way that raises is NaN.  A signal that
 Python counts with is asked which whole number it is, up to the first IndexError.  What is read
-twice, and once from each text that the first reading left, must be the same: else a state or chance
-hides in the function.
+twice, and from each state in which a way left what the function reaches (`kept`), must be the same:
+else a state or chance hides in the function.
 """
 
 from collections.abc import Callable, Mapping
@@ -29,12 +29,14 @@ from .arrays import (
     reading_on,
     where,
 )
-from .copies import Copies, Snapshot, borrowed
+from .copies import Copies, borrowed
 from .declaration import Parameters, places
+from .kept import Snapshot
 from .record import Record, Shape, compact
+from .stand_ins import UNSEEDED
 
 MOST_WAYS = 256
-MOST_READINGS = 8
+MOST_READINGS = 16
 MOST_MODULES = 20  # into which stand-ins are put
 # of numbers, or of what this way leaves out; such a way is NaN
 RAISED = (
@@ -78,29 +80,36 @@ def read(*arguments: Any) -> Read:
     request = Request(*arguments)
     spaces: list[dict[str, Any]] = []
     reads: list[Read] = []
-    before: _Ways | None = None  # the first reading
-    kept = f"{request.name} keeps what its next call reads, or draws by chance; make it a state"
+    snapshot, written = Snapshot(), set[str]()
     try:
-        while before is None or len(reads) < 1 + before.copies.snapshot.turns:
-            if len(reads) > MOST_READINGS:
-                raise Unread(kept)
+        while len(reads) < max(2, 1 + len(snapshot.left)):
+            states = [{}, *snapshot.left.values()]
+            state = states[min(len(reads), len(states) - 1)]
             try:
-                ways = _Ways(request, spaces, before, len(reads))
+                ways = _Ways(request, spaces, snapshot, state, written)
                 reads.append(ways.read())
             except Borrowed as borrower:
                 if len(spaces) >= MOST_MODULES:
                     raise Unread(f"runs helpers of more than {MOST_MODULES} modules") from None
                 spaces.append(borrower.space)
                 reads.clear()
-                ways.copies.snapshot.restore()
-                before = None
+                written.clear()
+                snapshot.restore()
+                snapshot.left.clear()
                 continue
-            before = before or ways
+            first, last = reads[0].record, reads[-1].record
+            alike = last == first or str(last) == str(first)  # NaN differs from itself
+            if not alike or len(reads) > MOST_READINGS:
+                raise Unread(
+                    f"{request.name} keeps what its next call reads, or draws by chance; make it "
+                    "a state"
+                )
+            written |= ways.written
     finally:
-        ways.copies.snapshot.restore()
-    first, *others = (one.record for one in reads)
-    if any(one != first and str(one) != str(first) for one in others):  # NaN differs from itself
-        raise Unread(kept)
+        snapshot.restore()
+        drawn = snapshot.drew()
+    if drawn:
+        raise Unread(f"{request.name} {UNSEEDED}")
     return reads[0]
 
 
@@ -108,13 +117,19 @@ class _Ways:
     """All ways through a function, one after the other."""
 
     def __init__(
-        self, request: Request, spaces: list[dict[str, Any]], before: "_Ways | None", turn: int
+        self,
+        request: Request,
+        spaces: list[dict[str, Any]],
+        snapshot: Snapshot,
+        state: dict[int, Any],
+        unknown: set[str],
     ) -> None:
-        self.request, self.spaces, self.before, self.turn = request, spaces, before, turn
+        self.request, self.spaces, self.snapshot = request, spaces, snapshot
+        self.state, self.unknown = state, unknown  # as a way left all, and params that it changed
         self.tape = AnsweringTape(request.parameters, spaces)
-        self.copies: Copies = Copies(self.tape, before.copies.snapshot if before else Snapshot())
+        self.copies = Copies(self.tape, snapshot)
         self.ways: list[tuple[dict[int, bool], list[Any]]] = []
-        self.written: set[str] = set()  # params that the function changed
+        self.written: set[str] = set()  # params that the function changes
 
     def read(self) -> Read:
         """Run the function on each of its ways, and join what they return."""
@@ -125,19 +140,15 @@ class _Ways:
             for name, value in request.parameters.items()
         }
         named = request.wrap is None  # else x and u are the function's own
-        snapshot = self.copies.snapshot
+        fields.update({name: self._unknown(name) for name in self.unknown})
         while True:
             tape.answers, tape.last_asked = {}, None
-            if self.before is not None:
-                snapshot.hide(self._unknown, self.turn)
-                fields.update({name: self._unknown(name) for name in self.before.written})
+            self.snapshot.begin(self.state, self._unknown)
             x, u = Ports(tape, "x", request.states, named), Ports(tape, "u", request.inputs, named)
             p = request.wrap(dict(fields)) if request.wrap else Parameters(**fields)
             outputs = self._way(lambda: copied(t, x, u, p))  # noqa: B023
             self.ways.append((tape.answers, outputs))
-            snapshot.restore()
-            if snapshot.refused:
-                raise Unread(f"{request.name} {snapshot.refused}")
+            self.snapshot.restore()
             self.copies.check()
             if isinstance(p, dict):
                 self.written |= {k for k, v in dict.items(p) if v is not fields.get(k, self)}

@@ -159,7 +159,10 @@ class Sensor:
 
 
 class Machine:
-    phase, since = "rest", None
+    phase, since, pair, armed, fired = "rest", None, ("rest", 0), False, False
+
+    def __init__(self):
+        self.words = []
 
     def text(self, t, x, u, p):
         if u[0] > 1.0:
@@ -167,6 +170,28 @@ class Machine:
         if u[0] < -1.0:
             self.phase = "rest"
         return 1.0 if self.phase == "work" else 0.0
+
+    def two_words(self, t, x, u, p):
+        before = self.pair
+        if u[0] > 1.0:
+            self.pair = ("work", 3)
+        if u[1] > 1.0:
+            self.pair = ("rest", 3)
+        return 1.0 if before == ("work", 3) else 0.0
+
+    def row_of_words(self, t, x, u, p):
+        before = "work" in self.words
+        if u[0] > 1.0:
+            self.words.append("work")
+        return 1.0 if before else 0.0
+
+    def two_flags(self, t, x, u, p):
+        before = self.armed and not self.fired
+        if u[0] > 1.0:
+            self.armed = True
+        if u[0] < -1.0:
+            self.fired = True
+        return 1.0 if before else 0.0
 
     def time(self, t, x, u, p):
         late = 0.0 if self.since is None else t - self.since
@@ -202,7 +227,8 @@ SELDOM = (  # two readings alike
     lambda t, x, u, p: u[0] if next(COUNT) < 999 else 0.0,
     *(aims, latches, adds_up, looks_back, delays, visits, counts_calls_in_a_module),
     *(Sensor().chance, Sensor().memory),
-    *(Machine().text, Machine().time, Machine().lazily),
+    *(Machine().text, Machine().two_words, Machine().row_of_words, Machine().two_flags),
+    *(Machine().time, Machine().lazily),
 )
 U = [0.3, -0.7, 2.0]
 

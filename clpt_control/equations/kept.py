@@ -1,0 +1,239 @@
+"""What objects keep from one call of a function to the next.
+
+A function is read as all is, and again from each state in which a way through it left an object
+that it reaches.  There signals are unknown, leaves of their own, and so are numbers that took the
+place of others; all else is as the way left it.  If all these readings are the same, and no way
+leaves another state, what is kept does not matter: a cache, a log, what is written before it is
+read.  Else it is a state of the function, which its record would not hold.
+
+Objects, containers, arrays, classes, the names of a user's modules and generators of chance are
+watched; each reading leaves them as they were.
+"""
+
+import functools
+import pickle
+import random
+import sys
+import threading
+from array import array
+from collections import deque
+from collections.abc import Callable, Iterable
+from enum import Enum
+from operator import is_
+from types import BuiltinFunctionType, FunctionType, ModuleType, NoneType
+from typing import Any
+
+import numpy as np
+
+from .arrays import Array
+from .unchanged import MOST as MOST_NUMBERS
+from .unchanged import names_in
+
+LOCK = threading.RLock()  # while stand-ins are in a module
+DEEP = 3  # objects within objects
+MOST = 200  # objects that are watched
+OWN = __package__.partition(".")[0]
+GROWN = 1000  # unknown numbers behind what was appended
+UNKNOWN = object()
+SIMPLE = (int, float, complex, str, bytes, np.generic, Enum, NoneType)
+NUMBERS = (int, float, complex, np.generic, np.ndarray)
+PLAIN = (int, float, str, bytes, tuple, Array, BuiltinFunctionType, NoneType)
+STATES: dict[type, tuple[Callable, Callable]] = {  # of chance: its state, and to put it back
+    np.random.Generator: (
+        lambda own: pickle.dumps(own.bit_generator.state),
+        lambda own, state: setattr(own.bit_generator, "state", pickle.loads(state)),
+    ),
+    np.random.RandomState: (
+        lambda own: pickle.dumps(own.get_state()),
+        lambda own, state: own.set_state(pickle.loads(state)),
+    ),
+    random.Random: (random.Random.getstate, random.Random.setstate),
+}
+OF_ALL: tuple[Any, ...] = (  # whose numbers the functions of these modules draw
+    vars(random)["random"].__self__,
+    vars(np.random)["random"].__self__,
+)
+
+
+class Snapshot:
+    """What objects kept before a reading, and in which states the ways through it left them."""
+
+    def __init__(self) -> None:
+        self._watched: dict[int, tuple[Any, Any]] = {}  # an object, and what it kept before
+        # by what tells it apart, each state: of every object that differs what it keeps
+        self.left: dict[Any, dict[int, Any]] = {}
+        self._chance = {id(one): (one, _chance_of(one)) for one in OF_ALL}
+
+    def add(self, value: Any, deep: int = DEEP) -> None:
+        """Watch an object, and those within it."""
+        value = getattr(value, "__func__", value)  # of a method
+        if isinstance(value, PLAIN) or id(value) in self._watched or len(self._watched) >= MOST:
+            return
+        if isinstance(value, tuple(STATES)):
+            self._chance.setdefault(id(value), (value, _chance_of(value)))
+        kept = _kept_by(value)
+        if kept is None:
+            return
+        self._watched[id(value)] = value, kept
+        if not deep or not isinstance(kept, list | dict):
+            return
+        for one in [*(kept.values() if isinstance(kept, dict) else kept)][:MOST]:
+            self.add(one, deep - 1)
+        if isinstance(value, type):
+            for one in vars(value).values():
+                self.add(one, deep - 1)
+        elif not isinstance(value, list | dict | deque | ModuleType | FunctionType):
+            self.add(type(value), deep)
+
+    def restore(self) -> None:
+        """Make all as it was; note the state in which a way left it."""
+        left, keys = dict[int, Any](), []
+        for place, (value, before) in self._watched.items():
+            now = _kept_by(value)
+            if not _same(now, before):
+                left[place] = _unknown_in(now, before)
+                keys.append((place, _key(left[place], before)))
+                _put(value, before)
+        if left:
+            self.left.setdefault(tuple(keys), left)
+
+    def drew(self) -> bool:
+        """Make generators of chance as they were; return whether one was drawn from."""
+        drawn = [(one, was) for one, was in self._chance.values() if _chance_of(one) != was]
+        for one, was in drawn:
+            if one not in OF_ALL:  # from which other threads draw
+                give = next(give for kind, (_, give) in STATES.items() if isinstance(one, kind))
+                give(one, was)
+        return bool(drawn)
+
+    def begin(self, state: dict[int, Any], leaf: Callable[[str], Any]) -> None:
+        """Put all as a way left it; numbers may then be any, and a list is longer."""
+        for place, kept in state.items():
+            value, before = self._watched[place]
+            if isinstance(kept, dict):
+                kept = {
+                    name: leaf(f"{place} {name}") if one is UNKNOWN else one
+                    for name, one in kept.items()
+                }
+                for one in kept.values():
+                    self.add(one)
+            _put(value, [leaf(f"{place}")] * (len(before) + GROWN) if kept is UNKNOWN else kept)
+
+
+def _chance_of(one: Any) -> Any:
+    """Return the state of a generator of chance."""
+    return next(state_of(one) for kind, (state_of, _) in STATES.items() if isinstance(one, kind))
+
+
+def _same(now: Any, before: Any) -> bool:
+    """Return whether a thing keeps the very same."""
+    if isinstance(now, dict):
+        return now.keys() == before.keys() and all(now[k] is before[k] for k in now)
+    if isinstance(now, list):
+        return len(now) == len(before) and all(map(is_, now, before))
+    return now == before
+
+
+def _unknown_in(now: Any, before: Any) -> Any:
+    """Return what a way left: signals, and numbers in the place of others, are unknown."""
+    if isinstance(now, list):
+        return UNKNOWN if any(isinstance(one, (Array, *NUMBERS)) for one in now) else now
+    if not isinstance(now, dict):
+        return now
+    return {
+        name: UNKNOWN
+        if isinstance(one, Array)
+        or (isinstance(one, NUMBERS) and before.get(name) is not None and one is not before[name])
+        else one
+        for name, one in now.items()
+    }
+
+
+def _key(kept: Any, before: Any = None) -> Any:
+    """Return what tells apart what is kept; of an object its type does."""
+    if isinstance(kept, dict):
+        was = before or {}
+        return tuple((name, one is was.get(name) or _key(one)) for name, one in kept.items())
+    if isinstance(kept, list | tuple):
+        return tuple(map(_key, kept))
+    if isinstance(kept, np.ndarray):
+        return kept.tobytes()
+    return (type(kept), kept) if isinstance(kept, SIMPLE) else type(kept)
+
+
+def _kept_by(value: Any) -> Any:
+    """Return what a thing keeps: a row, things by name, or what no signal is in; None: nothing."""
+    if isinstance(value, list | deque):
+        return [*value]
+    if isinstance(value, dict):
+        return dict(value)
+    if isinstance(value, set):
+        return frozenset(value)
+    if isinstance(value, np.ndarray | array) or hasattr(type(value), "to_numpy"):
+        numbers = np.asarray(value) if np.size(value) <= MOST_NUMBERS else np.array(None)
+        if numbers.dtype.kind in "fiubc":
+            return numbers.tobytes()
+    attributes = getattr(value, "__dict__", None)
+    if type(attributes) is dict and not isinstance(value, FunctionType | ModuleType):
+        return dict(attributes)
+    with LOCK:  # no other thread's stand-ins are in a module
+        owner, names = _attributes(value)
+        return None if names is None else {k: getattr(owner, k) for k in names if hasattr(owner, k)}
+
+
+def _put(value: Any, kept: Any) -> None:
+    """Make a thing keep this."""
+    if isinstance(value, list | deque):
+        value.clear()
+        value.extend(kept)
+    elif isinstance(value, dict | set):
+        value.clear()
+        value.update(kept)
+    elif isinstance(kept, bytes):
+        numbers = np.asarray(value)
+        before = np.frombuffer(kept, numbers.dtype).reshape(numbers.shape)
+        if hasattr(type(value), "to_numpy"):
+            value[:] = before
+        else:
+            np.copyto(numbers, before)
+    else:
+        owner, _ = _attributes(value)
+        own, kind = getattr(owner, "__dict__", None), type if isinstance(owner, type) else object
+        gone = _kept_by(value).keys() - kept.keys()
+        if type(own) is dict:
+            own.update(kept)
+            for name in gone:
+                del own[name]
+        else:
+            for name, one in kept.items():
+                kind.__setattr__(owner, name, one)
+            for name in gone:
+                kind.__delattr__(owner, name)
+
+
+def _attributes(value: Any) -> tuple[Any, Iterable[str] | None]:
+    """Return whose attributes keep something, and which; no names where nothing does.
+
+    Of a user's function they are the names of its module that it reads.
+    """
+    if isinstance(value, FunctionType | ModuleType | type):
+        name = value.__name__ if isinstance(value, ModuleType) else value.__module__
+        if _is_library((name or "").partition(".")[0]):
+            return value, None
+        if isinstance(value, FunctionType):
+            module = sys.modules.get(name)
+            return module, module and frozenset(names_in(value.__code__))
+        own = vars(value).items()
+        return value, [k for k, one in own if k[:2] != "__" and not hasattr(one, "__get__")]
+    slots = [vars(kind).get("__slots__", ()) for kind in type(value).__mro__]
+    names = [name for one in slots for name in ([one] if isinstance(one, str) else one)]
+    return value, names or None
+
+
+@functools.lru_cache(maxsize=256)
+def _is_library(root: str) -> bool:
+    """Return whether a package is no user's: what its classes and modules keep are caches."""
+    if root == "__main__":
+        return False
+    file = getattr(sys.modules.get(root), "__file__", None) or ""
+    return root in (OWN, *sys.stdlib_module_names) or "-packages" in file
