@@ -243,7 +243,12 @@ class Ensemble:
 
     @property
     def batch(self) -> int:
-        """How many members' states fit into the memory of a thread."""
+        """How many members' states fit into the memory of a thread; one where Python runs them.
+
+        An interrupt waits for the batches that run.
+        """
+        if not self.compiled:
+            return 1
         states = max(self.native.nstates, 1)
         fit = BATCH_BYTES // (8 * states * len(self.varied.state_times))
         return max(8, min(MOST_MEMBERS, fit // 8 * 8))

@@ -175,8 +175,11 @@ def kalman_filter(
             raise BlockError(f"{name}: {key}: must have the shape {(size, size)}")
         if not np.allclose(matrices[key], matrices[key].T, atol=0):
             raise BlockError(f"{name}: {key}: must be symmetric")
-    if np.any(np.linalg.eigvalsh(matrices["R"]) <= 0):
-        raise BlockError(f"{name}: R: must be positive definite")
+        least = np.linalg.eigvalsh(matrices[key])[0]
+        if key == "R" and least <= 0:
+            raise BlockError(f"{name}: R: must be positive definite")
+        if least < -1e-12 * np.abs(matrices[key]).max():  # but for rounding
+            raise BlockError(f"{name}: {key}: must be positive semidefinite")
     sampled = bool(system.dt)
     return part(
         name,

@@ -30,6 +30,7 @@ from .starts import stacked_state
 
 Text = TypeVar("Text")
 FIXED = " fixed"
+LONGEST = 60  # letters of a name in C, of which 63 count
 ROUNDING = "1e-9"  # of a period, by which a time may be off a sample
 STEPS = (resources.files("clpt_control.data") / "steps.c").read_text("utf-8").split("//\n")
 RUNGE_KUTTA, DISCRETE, JUMP = map(Template, STEPS)  # ends of a step of each kind
@@ -126,7 +127,7 @@ class CFile:
         self.layout = lay_out(self.wiring, self.given, apart)
         self.record = CRecord(self.wiring, self.layout)
         self.program = CProgram(self.record, run.runner.nsignals)
-        self.name = _word(run.name)
+        self.name = _word(run.name)[:LONGEST]
         self.room = max(1, self.program.components.room)
         self.kept = max(1, len(self.record.set_by_integrator))
         outputs = len(self.wiring.outputs)

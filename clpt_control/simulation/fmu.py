@@ -25,7 +25,7 @@ from xml.etree.ElementTree import Element, SubElement, indent, tostring
 import control
 
 from ..arguments import public
-from ..errors import Uncompiled
+from ..errors import DiagramError
 from ..files import write_file
 from ..html import plain
 from ..progress import note
@@ -98,7 +98,10 @@ def export_fmu(
 def _packed(file: CFile) -> bytes:
     """Return the FMU."""
     if file.wiring.dt:
-        raise Uncompiled("an importer integrates; its time is discrete, and export_c has its step")
+        raise DiagramError(
+            f"{file.run.name}: is no FMU for model exchange, whose importer integrates: its time is "
+            "discrete; export_c has its step"
+        )
     plain = "".join(file.parts())
     token = hashlib.sha256(plain.encode()).hexdigest()[:32]
     text = plain + _functions(file, token)
@@ -109,9 +112,9 @@ def _packed(file: CFile) -> bytes:
         **_binary(file.name, text),
     }
     packed = io.BytesIO()
-    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as folder:
+    with zipfile.ZipFile(packed, "w") as folder:
         for name, content in held.items():
-            folder.writestr(zipfile.ZipInfo(name, LONG_AGO), content)
+            folder.writestr(zipfile.ZipInfo(name, LONG_AGO), content, zipfile.ZIP_DEFLATED)
     return packed.getvalue()
 
 
@@ -139,17 +142,21 @@ def _binary(name: str, text: str) -> dict[str, bytes]:
         note("the FMU holds its source alone: there is no C compiler (cc, or the variable CC)")
         return {}
     machine = PROCESSORS.get(platform.machine(), platform.machine())
-    with tempfile.TemporaryDirectory() as folder:
-        source, made = Path(folder) / "model.c", Path(folder) / "made"
-        source.write_text(text, "utf-8")
-        done = subprocess.run(
-            [compiler, *FLAGS, "-o", made, source, "-lm"], capture_output=True, text=True
-        )
-        if done.returncode:
-            note(f"the FMU holds its source alone: {compiler} failed: {done.stderr:.200}")
-            return {}
-        place = f"binaries/{machine}-{system.lower()}/{name}{ENDINGS[system]}"
-        return {place: made.read_bytes()}
+    try:
+        with tempfile.TemporaryDirectory() as folder:
+            source, made = Path(folder) / "model.c", Path(folder) / "made"
+            source.write_text(text, "utf-8")
+            done = subprocess.run(
+                [compiler, *FLAGS, "-o", made, source, "-lm"], capture_output=True, text=True
+            )
+            if not done.returncode:
+                place = f"binaries/{machine}-{system.lower()}/{name}{ENDINGS[system]}"
+                return {place: made.read_bytes()}
+            why = f"{compiler} failed: {done.stderr:.200}"
+    except OSError as error:  # of a full disk
+        why = f"{compiler} has no folder to work in: {error.strerror or error}"
+    note(f"the FMU holds its source alone: {why}")
+    return {}
 
 
 def _variables(file: CFile) -> Iterator[tuple[str, str, dict[str, str]]]:

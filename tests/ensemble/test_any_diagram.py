@@ -627,6 +627,24 @@ def test_states_and_inputs_vary_where_python_runs(key):
     np.testing.assert_allclose(found.y_final, [end, 3.0 * end], rtol=1e-6)
 
 
+def test_an_interrupt_waits_for_one_member_that_python_runs():
+    begun = set()
+
+    def rate(t, x, u, p):
+        begun.add(p["k"])
+        return [-p["k"] * float(str(x[0]))]
+
+    def stop(done):
+        if done:
+            raise KeyboardInterrupt
+
+    decay = control.nlsys(rate, None, inputs=0, states=1, outputs=1, params={"k": 2.0}, name="d")
+    given = {"timepts": TIMES, "threads": 1, "progress": stop}
+    with pytest.warns(UserWarning, match="runs in Python"), pytest.raises(KeyboardInterrupt):
+        clpt.run_ensemble(decay, "k=1:2", 200, **given)
+    assert len(begun) < 20  # those that are tried before, and one or two
+
+
 def test_an_output_named_as_a_summary_of_another_is_refused():
     system = control.nlsys(lambda t, x, u, p: -p["k"] * x, lambda t, x, u, p: [x[0], 7.0],
                            inputs=0, states=1, outputs=["y", "y_final"], params={"k": 1.0},
