@@ -99,8 +99,8 @@ def _packed(file: CFile) -> bytes:
     """Return the FMU."""
     if file.wiring.dt:
         raise DiagramError(
-            f"{file.run.name}: is no FMU for model exchange, whose importer integrates: its time is "
-            "discrete; export_c has its step"
+            f"{file.run.name}: is no FMU for model exchange, whose importer integrates: its "
+            "time is discrete; export_c has its step"
         )
     plain = "".join(file.parts())
     token = hashlib.sha256(plain.encode()).hexdigest()[:32]
