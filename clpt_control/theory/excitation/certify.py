@@ -44,7 +44,7 @@ from ...html import facts, fragment
 from ...scenario.experiment import Scenario
 from ..promises import bounded, largest_disturbance
 from .certificates import TURN, gains_of_w, refuse_unproved, worst_drop
-from .regressor import checked_window, finished_run, quadrature, w_along
+from .regressor import MOST_PIECES, checked_window, finished_run, quadrature, w_along
 
 MOST_WINDOWS = 1_000_000
 LARGEST = 1e12  # V
@@ -227,7 +227,13 @@ def _drops(scenario: Scenario, window: float) -> tuple[np.ndarray, float]:
     count = int(np.floor(scenario.run.duration / window * (1 + 1e-12)))
     ends = window * np.arange(count + 1)
     largest = scenario.basis.N + 4 * np.max(scenario.waypoints**2)
-    fine = np.arange(0.0, ends[-1], TURN / np.sqrt(gains.max() * largest))
+    piece = TURN / np.sqrt(gains.max() * largest)
+    if (pieces := ends[-1] / piece) > MOST_PIECES:
+        raise ScenarioError(
+            f"no bound: e and eta may turn too often to follow, in {pieces:.0e} pieces of the run, "
+            f"at most {MOST_PIECES:.0e} are allowed; give waypoints nearer to 0, or smaller gains"
+        )
+    fine = np.arange(0.0, ends[-1], piece)
     nodes = quadrature(scenario, 0.0, float(ends[-1]), np.sort([*ends[1:-1], *fine[1:]]))
     run = finished_run(scenario, np.append(0.0, nodes.times.ravel()))
     x, zc = (
