@@ -40,6 +40,8 @@ NOT_INLINED = (
     "take_run",
     "sample",
     "jump",
+    "mark_passed",
+    "may_hide",
     "locate_kinks",
     "factor",
     "linearise",

@@ -134,7 +134,7 @@ def _by_machine(diagram: Any, params: Any, form: str | None, lanes: int) -> Read
     def compiled() -> tuple[NativeDiagram, tuple[np.ndarray, ...]]:
         native = NativeDiagram(diagram, params, form)
         program, n = native.code.program, native.nstates
-        sizes = n, program.parameters, program.room, max(n, 2 * program.decided)
+        sizes = n, program.parameters, program.room, max(n, 3 * program.decided)
         X, P, W, D = (np.zeros((max(size, 1), lanes)) for size in sizes)
         return native, (np.zeros(lanes), X, P, np.append(native.layout.T, 0.0), W, D)
 

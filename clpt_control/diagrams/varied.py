@@ -19,10 +19,10 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..equations.arrays import Array, Tape, elementwise, lifted, operand, spread, stacked
-from ..equations.at_many import STEPS, leaf_values
+from ..equations.at_many import leaf_values
 from ..equations.block import Block
 from ..equations.declaration import ports_of
-from ..equations.derivative import Direction
+from ..equations.derivative import STEPS, Direction
 from ..equations.record import Record, Shape, compact
 from ..equations.sampled import Sampled, inner_equations
 from ..equations.system import System

@@ -21,7 +21,6 @@ from ..diagrams.interconnection import changed_parameters
 from ..diagrams.varied import Place, place_of, places_of, put, value_at
 from ..diagrams.wiring import read_anew, units_of, wiring_of
 from ..equations.arrays import Unread
-from ..equations.at_many import decided_by_time
 from ..equations.declaration import ports_of
 from ..equations.system import System
 from ..errors import DiagramError, ScenarioError
@@ -215,9 +214,8 @@ class VariedDiagram(Varied):
     def one_by_one(self, key: str) -> bool:
         """Return whether members are made one by one of a key's values, as where jumps move."""
         place = self.places[key]
-        timed = [self.wiring.nodes[k].system for k, _ in place.fields]
-        moves = any(one.breakpoints_function or decided_by_time(one) for one in timed)
-        return bool(place.inputs) or moves
+        varied = [self.wiring.nodes[k].system for k, _ in place.fields]
+        return bool(place.inputs) or any(one.breakpoints_function for one in varied)
 
     def member(self, values: Values) -> Member:
         """Return one member with some values of its own."""

@@ -14,10 +14,11 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import CONDITIONS, Array, Tape, Unread, elementwise, operand, spread
+from .arrays import COMPARISONS, CONDITIONS, Array, Tape, Unread, elementwise, operand, spread
 from .record import Ref, reached
 
 JUMPS = frozenset({"sign", "floor", "ceil", "trunc", "floordiv"})  # constant but for jumps
+STEPS = COMPARISONS | JUMPS
 Slope = Callable[..., Any]
 
 # of one argument: d f(a)/da, given a and f(a)

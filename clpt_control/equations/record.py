@@ -20,6 +20,7 @@ as a number says, or as a name: ``"N"`` is a size that the record leaves open.
 | fill | number | the number everywhere, of the operation's shape | |
 | stack | arrays of one shape | along a new first axis |
 | join | arrays | one behind the other, along the first axis |
+| part | array | first of the elements, row by row, that the shape takes; in diagrams alone |
 | pick | row of numbers, index | the number at a whole place; NaN outside |
 | opaque | value, arguments | name: SymPy reads a function of the arguments |
 
@@ -28,7 +29,7 @@ as a number says, or as a name: ``"N"`` is a size that the record leaves open.
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from math import copysign, erf, erfc
+from math import copysign, erf, erfc, prod
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -217,6 +218,9 @@ def computed(
             elif kind == "join":
                 count = max(a.shape[-1] for a in args)
                 value = np.concatenate([np.broadcast_to(a, (*a.shape[:-1], count)) for a in args])
+            elif kind == "part":
+                elements = args[0].reshape(-1, args[0].shape[-1])[at : at + prod(shape)]
+                value = elements.reshape(*shape, -1)
             elif kind == "pick":
                 value = picked(args[0], args[1])
             elif kind in ("opaque", "fill"):

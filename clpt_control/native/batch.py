@@ -71,7 +71,7 @@ class Callee(NamedTuple):
 
         `parameters` are P, or its beginning.
         """
-        sizes = max(self.size, len(parameters)), self.room, max(count, 2 * self.decided)
+        sizes = max(self.size, len(parameters)), self.room, max(count, 3 * self.decided)
         P, W, D = (np.zeros(size + 1) for size in sizes)
         P[: len(parameters)], times = parameters, np.ascontiguousarray(times)
         out, which = np.empty((len(times), count)), np.searchsorted(pieces.edges, times, "right")
@@ -118,7 +118,7 @@ class Batch:
         size = max(callee.size, parameters.shape[1], 1)
         rooms = (solver.NUMBERS, solver.ROWS * n, size, max(callee.room, 1))
         numbers, self.Z, P, W, D = aligned(
-            *(lanes * room for room in (*rooms, max(n, 2, 2 * callee.decided)))
+            *(lanes * room for room in (*rooms, max(n, 2, solver.DECIDED * callee.decided)))
         )
         self.numbers, places = numbers.reshape(-1, lanes), P.reshape(-1, lanes)
         # a lane without a run holds the state and parameters with which the first begins

@@ -5,11 +5,12 @@
 A step of the solver across a kink is not accurate.  So during a step the rates hold every decision
 as it was at the beginning of the step: they are smooth, also a little beyond the kink.  If a step
 has passed a kink, at its end or at one of seven places before it, and states feel it, `solver`
-locates the crossing and begins anew there, with new decisions.
+locates the crossing and begins anew there, with new decisions.  A step is cut short where a kink
+may hide between two of these places.
 
     H    decisions in force: 1 or -1, the whole number of a floor, the place in a row; they lie in P
-    D    all decisions as they are now, and then for each whether the step has passed it: the
-         difference that is compared has another sign than H says, by more than rounding
+    D    all decisions as they are now; for each its distance, the difference that is compared,
+         above 0 where it is as H says; and what rounding makes of the distance
 
 The gridded current, which is smooth, stays as it is.  Discontinuity locking: Cellier and
 Kofman, Continuous System Simulation, 2006, chapter 9.
@@ -55,7 +56,8 @@ class Decisions:
     def __init__(self, record: Any, grain: int):
         self.record, self.grain = record, grain  # place in P of the least difference that counts
         self.now: list[Port] = []
-        self.passed: list[Port] = []
+        self.distances: list[Port] = []
+        self.least: list[Port] = []
         self.of: list[tuple] = []  # first place of each, and where it is made
         self.count = 0  # how many numbers are decided
 
@@ -92,9 +94,10 @@ class Decisions:
             if name in COMPARED:
                 now = add("where", now, 1.0, -1.0)
             H = self.record.load("P", self.grain + 1 + self.count, shape)
-            beyond = self._passed(name, _operands(name, arguments), H, add)
+            distance, least = self._distance(name, _operands(name, arguments), H, add)
             self.now.append(Port(self.count, shape, long, now))
-            self.passed.append(Port(self.count, shape, long, beyond))
+            self.distances.append(Port(self.count, shape, long, distance))
+            self.least.append(Port(self.count, shape, long, least))
             self.of.append((self.count, of))
             self.count += prod(shape)
             answers.append(add("gt", H, 0.0) if name in COMPARED else H)
@@ -112,17 +115,30 @@ class Decisions:
             return add("pick", arguments[0], answers[0])
         return add("where", answers[0], *arguments)
 
-    def _passed(self, name: str, operands: tuple, H: Ref, add: Callable[..., Ref]) -> Ref:
-        """Return 1 where a step has passed a decision, else 0."""
-        size = add("fabs", operands[0])
+    def _distance(
+        self, name: str, operands: tuple, H: Ref, add: Callable[..., Ref]
+    ) -> tuple[Ref, Ref]:
+        """Return the distance of a decision from its turn, smooth in a step, and its rounding.
+
+        That of a whole number is the product of those from the two places where it turns.
+        """
+        a, size = operands[0], add("fabs", operands[0])
         if name in COMPARED and operands[1] != 0.0:
             size = add("add", size, add("fabs", operands[1]))
         least = add("add", add("mul", size, ROUNDING), self.record.load("P", self.grain, ()))
         if name in COMPARED:
             difference = add("sub", *operands)
-            beyond = add("neg", difference) if COMPARED[name] < 0 else difference
-            passed = add("lt", add("mul", beyond, H), add("neg", least))
-        else:
-            sides = (add(side, operands[0], least) for side in ("add", "sub"))
-            passed = add("and", *(add("ne", add(name, one, *operands[1:]), H) for one in sides))
-        return add("where", passed, 1.0, 0.0)
+            holds = add("neg", difference) if COMPARED[name] < 0 else difference
+            return add("mul", holds, H), least
+        low, high = H, add("add", H, 1.0)
+        if name in ("ceil", "trunc"):
+            low = add("sub", H, 1.0)
+        if name == "ceil":
+            high = H
+        if name == "trunc":
+            low = add("where", add("gt", H, 0.0), H, low)
+            high = add("where", add("lt", H, 0.0), H, high)
+        if name == "floordiv":
+            low, high = add("mul", low, operands[1]), add("mul", high, operands[1])
+            least = add("mul", least, add("fabs", operands[1]))
+        return add("mul", add("sub", a, low), add("sub", high, a)), least

@@ -4,7 +4,6 @@ from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from copy import copy
 from dataclasses import dataclass, field, replace
-from functools import cached_property
 from typing import Any, Self
 
 import control
@@ -13,7 +12,7 @@ import numpy as np
 from ..arguments import public
 from ..diagrams.wiring import Wiring
 from ..equations.arrays import Unread
-from ..equations.at_many import decided_by_time, times_of_change
+from ..equations.record import Record
 from ..errors import DiagramError, Uncompiled
 from . import solver
 from .batch import Callee
@@ -25,6 +24,7 @@ from .nests import print_program
 from .plan import Program, program_of
 from .python_diagram import PythonDiagram
 from .schedule import Inputs
+from .switches import times_of_change
 
 ABREAST = 256  # states of runs in lanes; more do not fit the first cache
 FUNCTIONS = ("derivative", "prepare", "margin", "signals", "jump", "decide", "slope", "staged")
@@ -55,11 +55,11 @@ class Structure:
 class Code:
     """The program of a structure, and its machine code once it is asked for.
 
-    `linear` is what an implicit method needs of it.
+    `timed` is what time alone decides, by block; `linear` is what an implicit method needs of it.
     """
 
-    def __init__(self, program: Program, linear: Jacobian | None = None):
-        self.program, self.linear = program, linear or Jacobian()
+    def __init__(self, program: Program, timed: dict[int, Record], linear: Jacobian | None = None):
+        self.program, self.timed, self.linear = program, timed, linear or Jacobian()
         self._machines: dict[tuple[str, int], Machine] = {}
 
     @one_at_a_time
@@ -105,11 +105,12 @@ def _code(structure: Structure, form: str | None, implicit: bool) -> Code:
     record = DiagramRecord(wiring, layout, *FORMS[form])
     room = wiring.nodes[-1].outputs.stop, layout.inputs(wiring.ninputs)
     if not implicit:
-        return Code(program_of(record, *room))
+        return Code(program_of(record, *room), record.timed)
     reach = reach_of(record, wiring.nodes[-1].states.stop)
     with suppress(Unread, Uncompiled):  # else rates are differentiated by differences
-        return Code(program_of(record, *room, slopes_of(record, len(reach))), jacobian(reach, True))
-    return Code(program_of(record, *room), jacobian(reach, False))
+        program = program_of(record, *room, slopes_of(record, len(reach)))
+        return Code(program, record.timed, jacobian(reach, True))
+    return Code(program_of(record, *room), record.timed, jacobian(reach, False))
 
 
 # --- ready to run ----------------------------------------------------------------------------
@@ -200,18 +201,22 @@ class NativeDiagram(PythonDiagram):
 
     def breaks(self, t0: float, t1: float) -> Any:
         """Return the times at which time alone decides."""
-        if self.wiring.dt:
-            return super().breaks(t0, t1)
+        arrays, nodes = {"P": self.layout.P, "T": self.layout.T}, self.wiring.nodes
         times = [
-            times_of_change(node.system, record, p, t0, t1)
-            for node, p in zip(self.wiring.nodes, self.sweep.parameters, strict=True)
-            for record in self._decided_by_time[node.name]
+            times_of_change(nodes[k].name, record, arrays, t0, t1)
+            for k, record in self.code.timed.items()
         ]
-        return np.unique(np.concatenate(times)) if times else np.zeros(0)
+        return np.unique(np.concatenate([np.zeros(0), *times]))
 
-    @cached_property
-    def _decided_by_time(self) -> dict[str, list]:
-        return {node.name: decided_by_time(node.system) for node in self.wiring.nodes}
+    def switches_by(self, k: int, name: str) -> bool:
+        """Return whether a block's field has a part in what time alone decides."""
+        (array, start), size = (
+            self.layout.slots[k, name],
+            np.size(getattr(self.sweep.parameters[k], name)),
+        )
+        lines = [line for record in self.code.timed.values() for line in record.operations]
+        read = (line.at for line in lines if line.kind == "leaf" and line.at[0] == array)
+        return any(start <= first < start + size for _, (first, _) in read)
 
     def callee(
         self, lanes: int = 1, inputs: Inputs | None = None, method: int = solver.DOP853

@@ -32,10 +32,10 @@ class Program(NamedTuple):
 
     derivative: D = dx/dt; signals: W = all block outputs; margin: D[0] = least distance to a
     guard's edge; jump: D = states after the jumps that P asks for, empty without any; decide: D =
-    decisions, and which of them a step has passed (`decisions`); slope, in some: D = df/dx v +
-    df/dt s, where v and s lie behind the states.  `staged` is printed of the same nests: D = dx/dt
-    at X + w K, where w lies behind t and the rates K before D, so that the argument of a method's
-    stage waits for no store.
+    decisions, their distances and the rounding of these (`decisions`); slope, in some: D =
+    df/dx v + df/dt s, where v and s lie behind the states.  `staged` is printed of the same nests:
+    D = dx/dt at X + w K, where w lies behind t and the rates K before D, so that the argument of a
+    method's stage waits for no store.
     """
 
     components: tuple[Component, ...]
@@ -235,14 +235,18 @@ def program_of(
     """
     decisions, count = record.decisions, record.decisions.count
     made = Components(record, room, prepared + (1 + count if count else 0))
-    passed = [port._replace(first=port.first + count) for port in decisions.passed]
+    behind = [  # what is written behind the decisions
+        port._replace(first=port.first + k * count)
+        for k, ports in enumerate((decisions.distances, decisions.least), start=1)
+        for port in ports
+    ]
     with deep():
         writes = {
             "derivative": made.writes(record.rates, "D", MergedSums(made).element),
             "signals": made.writes(record.signals, "W"),
             "margin": [_least(made)],
             "jump": made.writes(record.leaps, "D") if record.layout.jumps else [],
-            "decide": made.writes([*decisions.now, *passed], "D"),
+            "decide": made.writes([*decisions.now, *behind], "D"),
         }
         if slopes is not None:
             writes["slope"] = made.writes(slopes, "D")

@@ -71,6 +71,17 @@ STAGE = 16
 ANEW, ON = 1, 2  # a piece begins with new rates and a new step, or goes on with those of the last
 OUTSIDE = 1e-9  # grid steps beyond the edge that count as outside
 LOOKS, GLANCES = 16, 8  # places within a step at which guards are looked at, and decisions
+# shares of the step at which decisions are looked at: quarters, and places between them at which
+# nothing periodic looks as it does at the quarters, up to 240 periods a step
+SHARES = (0.0, 0.0803, 0.25, 0.3333, 0.5, 0.6575, 0.75, 0.8889, 1.0)
+# of the polynomial through the quarters at each place between them: the factors of the quarters
+FACTORS = tuple(
+    math.prod((SHARES[a] - SHARES[c]) / (SHARES[b] - SHARES[c]) for c in range(0, 9, 2) if c != b)
+    for a in range(1, 9, 2)
+    for b in range(0, 9, 2)
+)
+CLEAR = 10.0  # from a turn: a distance, in errors
+DECIDED = 3 * (GLANCES + 1)  # numbers of a decision in D: `decide` at each look
 CROSSED = 1.0  # a step ends behind a kink
 HALVINGS, RESOLVED = 50, 1e-12  # of a step; how close to a kink one ends, of the step or the time
 SHORTEST = 1e-13  # step up to a kink, of a run: in a shorter one states move by rounding alone
@@ -159,7 +170,7 @@ def advance(code, shape, tolerances, batch, linear, budget, most):
         beyond = False
         if decided > 0 and good:
             call(code[CUBIC], numbers, Z, 0, P, T, W, D, 0)
-            beyond = mark_passed(code, shape, numbers, whole, arrays)
+            beyond = mark_passed(code, shape, times, results, lane, arrays)
         if within or beyond:
             if dense:
                 for s in range(stages + 1, stages + 4):
@@ -169,7 +180,7 @@ def advance(code, shape, tolerances, batch, linear, budget, most):
             call(code[DENSE], numbers, Z, 0, P, tolerances, W, D, 0)
             if dense:
                 check_interpolant(lanes, times, results, lane)
-            if beyond and mark_passed(code, shape, numbers, whole, arrays):
+            if beyond and mark_passed(code, shape, times, results, lane, arrays):
                 locate_kinks(code, shape, tolerances, times, results, lane, arrays)
             if guarded:
                 watch_guards(code, shape, 1 if fixed else LOOKS, results, lane, arrays)
@@ -223,36 +234,74 @@ def decide(code, shape, numbers, arrays):
     call(code[PREPARE], numbers[TIME], Z, 0, P, T, W, D, 0)
 
 
-def first_passed(k, lanes, decided, D):
-    """Return the first decision of a lane that its step has passed, or -1."""
+def first_passed(k, lanes, decided, look, D):
+    """Return the first decision of a lane that has been passed at a look at its step, or -1."""
     for j in range(decided):
-        if D[(decided + j) * lanes + k] > 0.5:
+        at = (3 * look * decided + decided + j) * lanes + k
+        if D[at] < -D[at + decided * lanes]:
             return j
     return -1
 
 
-def mark_passed(code, shape, numbers, whole, arrays):
+def mark_passed(code, shape, times, results, lane, arrays):
     """Note which decision each lane's step passes first, and between which looks; return if any.
 
-    States within the step are those of its interpolant.
+    States within the step are those of its interpolant.  A step is halved where a decision may hide
+    from the looks before that.
     """
     lanes, n, decided, some = shape[0], shape[1], shape[6], False
-    Z, P, T, W, D = arrays
-    for k in range(lanes):
-        whole[WHICH, k] = -1
-    for look in range(1, GLANCES + 1):
+    shortest = SHORTEST * (times[-1] - times[0])
+    counts, (numbers, whole, _), (Z, P, T, W, D) = results[3], lane, arrays
+    for look in range(GLANCES + 1):
         for k in range(lanes):
-            state_within(n, lanes, k, numbers, Z, look / GLANCES)
+            state_within(n, lanes, k, numbers, Z, SHARES[look])
         first = LOOKED if look < GLANCES else ARGUMENT
-        call(code[DECIDE], numbers[AT], Z, first * n * lanes, P, T, W, D, 0)
-        for k in range(lanes):
-            if whole[MEMBER, k] >= 0 and numbers[GOOD, k] > 0.5 and whole[WHICH, k] < 0:
-                whole[WHICH, k] = first_passed(k, lanes, decided, D)
-                numbers[LOW, k], numbers[HIGH, k] = (look - 1) / GLANCES, look / GLANCES
-                some = some or whole[WHICH, k] >= 0
+        to = 3 * look * decided * lanes
+        call(code[DECIDE], numbers[AT], Z, first * n * lanes, P, T, W, D, to)
     for k in range(lanes):
-        numbers[AT, k] = numbers[NEW, k]
+        whole[WHICH, k], numbers[AT, k] = -1, numbers[NEW, k]
+        if whole[MEMBER, k] >= 0 and numbers[GOOD, k] > 0.5:
+            last = 0
+            while last < GLANCES and whole[WHICH, k] < 0:
+                last += 1
+                whole[WHICH, k] = first_passed(k, lanes, decided, last, D)
+            numbers[LOW, k], numbers[HIGH, k] = SHARES[last - 1], SHARES[last]
+            clear = last if whole[WHICH, k] < 0 else last - 1
+            if numbers[TAKEN, k] > 2.0 * shortest and may_hide(k, lanes, decided, clear, D):
+                try_again(k, 0.5 * numbers[TAKEN, k], counts, lane)
+                whole[WHICH, k] = -1
+            some = some or whole[WHICH, k] >= 0
     return some
+
+
+def may_hide(k, lanes, decided, last, D):
+    """Return whether a decision may pass and come back between looks at a step, up to the last.
+
+    The quartic through the distances at the quarters of the step meets those between, but for
+    `error`.  The step is too long to tell unless every distance within it, and the vertex of each
+    parabola through three of them, is `CLEAR` times as large.
+    """
+    row = 3 * decided * lanes  # from one look to the next
+    for j in range(decided):
+        d, error, nearest = (decided + j) * lanes + k, 0.0, math.inf
+        for m in range(GLANCES // 2):
+            apart = D[d + (2 * m + 1) * row]
+            for i in range(GLANCES // 2 + 1):
+                apart -= FACTORS[5 * m + i] * D[d + 2 * i * row]
+            error = max(error, abs(apart))
+        for look in range(1, min(last + 1, GLANCES)):
+            nearest = min(nearest, D[d + look * row])
+        for look in range(1, last):
+            a, b, c = D[d + (look - 1) * row], D[d + look * row], D[d + (look + 1) * row]
+            if b < CLEAR * error + 3.0 * (abs(a - b) + abs(c - b)):  # else its vertex is clear too
+                before, after = SHARES[look] - SHARES[look - 1], SHARES[look + 1] - SHARES[look]
+                bend = ((c - b) / after - (b - a) / before) / (before + after)
+                slope = (b - a) / before + bend * before
+                if bend > 0.0 and -after < 0.5 * slope / bend < before:
+                    nearest = min(nearest, b - 0.25 * slope * slope / bend)
+        if error > D[d + decided * lanes] and nearest <= CLEAR * error:
+            return True
+    return False
 
 
 def locate_kinks(code, shape, tolerances, times, results, lane, arrays):
@@ -270,7 +319,7 @@ def locate_kinks(code, shape, tolerances, times, results, lane, arrays):
         if whole[WHICH, k] >= 0 and numbers[EFFECT, k] > FELT:
             halvings = HALVINGS
         elif whole[WHICH, k] >= 0:
-            numbers[KINK, k] = CROSSED if first_passed(k, lanes, decided, D) >= 0 else 0.0
+            numbers[KINK, k] = CROSSED if first_passed(k, lanes, decided, 0, D) >= 0 else 0.0
     for _ in range(halvings):
         for k in range(lanes):
             share = 0.5 * (numbers[LOW, k] + numbers[HIGH, k])
@@ -279,7 +328,7 @@ def locate_kinks(code, shape, tolerances, times, results, lane, arrays):
         for k in range(lanes):
             if whole[WHICH, k] >= 0 and numbers[EFFECT, k] > FELT:
                 share = 0.5 * (numbers[LOW, k] + numbers[HIGH, k])
-                if first_passed(k, lanes, decided, D) >= 0:
+                if first_passed(k, lanes, decided, 0, D) >= 0:
                     numbers[HIGH, k] = share
                 else:
                     numbers[LOW, k] = share
@@ -305,7 +354,7 @@ def measure_effect(code, shape, tolerances, numbers, arrays):
         numbers[EFFECT, k] = 0.0
     for look in range(1, GLANCES + 1):
         for k in range(lanes):
-            state_within(n, lanes, k, numbers, Z, look / GLANCES)
+            state_within(n, lanes, k, numbers, Z, SHARES[look])
         first = (LOOKED if look < GLANCES else ARGUMENT) * n * lanes
         call(code[DECIDE], numbers[AT], Z, first, P, T, W, D, 0)
         call(code[DERIVATIVE], numbers[AT], Z, first, P, T, W, Z, LOCKED * n * lanes)

@@ -194,8 +194,63 @@ def test_a_converter_that_switches_thousands_of_times_meets_each_switch(duty, en
 
 def test_switches_that_are_too_many_to_be_met_are_told():
     fast = system(lambda t, x, u, p: [-x[0] + (1.0 if np.sin(1e9 * t) > 0.9999 else 0.0)], 1)
-    with pytest.warns(UserWarning, match="time decides so often from t = 0 on that not every"):
+    told = pytest.warns(UserWarning, match="time decides so often from t = 0 on that not every")
+    with told, pytest.raises(SimulationError, match="switches to and fro"):
         clpt.simulate(fast, [0.0, 1000.0], None, 0.0)
+
+
+CARRIERS = {  # of period 1, and the share of the time that they are above a level
+    "sine": (lambda s: np.sin(2.0 * np.pi * s), lambda level: 0.5 - np.arcsin(level) / np.pi),
+    "triangle": (lambda s: 2.0 * np.abs(2.0 * (s % 1.0) - 1.0) - 1.0, lambda b: 0.5 - 0.5 * b),
+}
+
+
+def compared(carrier, level, frequency=10.0):
+    """A carrier in one block, compared in a second one, whose yes and no a third integrates."""
+    made = control.nlsys(
+        None,
+        lambda t, x, u, params: carrier(params["frequency"] * t),
+        inputs=0,
+        outputs="c",
+        name="carrier",
+        params={"frequency": frequency},
+    )
+    above = control.nlsys(
+        None,
+        lambda t, x, u, p: np.where(u > level, 1.0, 0.0),
+        inputs="c",
+        outputs="v",
+        name="above",
+    )
+    return clpt.connect([made, above, control.tf([1], [1, 0], inputs="v", outputs="y", name="y")])
+
+
+@pytest.mark.parametrize("level", [0.0, 0.3, 0.9])
+@pytest.mark.parametrize("carrier", CARRIERS)
+def test_a_carrier_of_one_block_that_another_compares_meets_each_switch(carrier, level):
+    wave, share = CARRIERS[carrier]
+    found = clpt.simulate(compared(wave, level, 137.0), [0.0, 10.0])
+    np.testing.assert_allclose(found.y[-1], 10.0 * share(level), rtol=1e-9)
+
+
+def test_members_whose_carriers_differ_switch_at_times_of_their_own():
+    wave, share = CARRIERS["sine"]
+    vary = {"carrier.frequency": [3.0, 10.0, 137.0]}
+    found = clpt.run_ensemble(compared(wave, 0.3), vary, timepts=[0.0, 10.0], trajectories=True)
+    np.testing.assert_allclose(found.y[:, -1], 10.0 * share(0.3), rtol=1e-9)
+
+
+@pytest.mark.parametrize("level", [0.0, 0.3, 0.9, 0.999])
+@pytest.mark.parametrize("frequency", [1.0, 10.0, 137.0])
+def test_a_phase_that_turns_many_times_in_a_step_meets_each_switch(level, frequency):
+    """No state has an error that would shorten a step: rates are constant between switches."""
+
+    def turning(t, x, u, p):
+        return [2.0 * np.pi * frequency, 1.0 if np.sin(x[0]) > level else 0.0]
+
+    found = clpt.simulate(system(turning, 2), [0.0, 10.0], None, 0.0)
+    wanted = 10.0 * (0.5 - np.arcsin(level) / np.pi)
+    np.testing.assert_allclose(found.states[-1, 1], wanted, rtol=1e-8)
 
 
 ROWS = np.random.default_rng(3).normal(size=150)
