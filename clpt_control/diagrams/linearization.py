@@ -273,8 +273,9 @@ def state_space(A: Any, B: Any, C: Any, D: Any, dt: Any, **labels: Any) -> contr
 
 
 def _vector(name: str, value: Any, size: int) -> np.ndarray:
-    """Return states or inputs as a vector; zeros for None."""
-    vector = np.zeros(size) if value is None else np.atleast_1d(numbers(name, value))
+    """Return states or inputs as a vector; a single number is the value of all, 0 without."""
+    given = numbers(name, 0.0 if value is None else value)
+    vector = given if given.ndim else np.full(size, given)
     if vector.shape != (size,):
         raise ArgumentError(f"{name} has shape {vector.shape}; must be ({size},)")
     return vector

@@ -191,7 +191,10 @@ class RunRecord:
             ),
         }
         text = json.dumps(plain, default=lambda value: value.tolist())
-        again = NativeDiagram(diagram_of_text(text))
+        try:
+            again = NativeDiagram(diagram_of_text(text))
+        except DataError as error:  # a name that no block of a file has
+            raise Unrecorded(str(error)) from None
         arrays = [(getattr(again.layout, a), getattr(runner.layout, a)) for a in "PT"]
         same = repr(again.code.program) == repr(runner.code.program)  # NaN differs from itself
         if not (same and all(np.array_equal(*pair) for pair in arrays)):

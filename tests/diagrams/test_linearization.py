@@ -184,6 +184,13 @@ def test_shapes_are_checked():
         clpt.linearize(PENDULUM, [0, 0, 0])
 
 
+def test_a_single_number_is_that_of_all_as_in_python_control():
+    theirs = control.linearize(PENDULUM, 0.3, 0)
+    np.testing.assert_allclose(clpt.linearize(PENDULUM, 0.3, 0).A, theirs.A, atol=1e-5)
+    still = control.nlsys(lambda t, x, u, p: -(x**3), inputs=0, states=2, name="still")
+    assert clpt.linearize(still, 2, 0).A.tolist() == [[-12.0, 0.0], [0.0, -12.0]]
+
+
 def test_the_interval_is_that_of_the_time():
     block = clpt.Block(
         "steps",

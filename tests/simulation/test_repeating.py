@@ -274,7 +274,9 @@ def test_what_cannot_be_recorded_says_so(tmp_path):
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         odd = clpt.simulate(by_python, TIMES, 1.0)
+    unnamed = control.nlsys(lambda t, x, u, p: -x, inputs=0, states=1, outputs=1, name="two\nlines")
     runs = {
+        "of a block or port must not": clpt.simulate(unnamed, TIMES, 0.0, 1.0),
         "by functions that no file holds": odd,
         "inputs come by a function": clpt.simulate(loop(), TIMES, lambda t: [1.0]),
         "another way than": xarray.Dataset(odd.variables, attrs=odd.attrs),
