@@ -209,14 +209,12 @@ class NativeDiagram(PythonDiagram):
         return np.unique(np.concatenate([np.zeros(0), *times]))
 
     def switches_by(self, k: int, name: str) -> bool:
-        """Return whether a block's field has a part in what time alone decides."""
-        (array, start), size = (
-            self.layout.slots[k, name],
-            np.size(getattr(self.sweep.parameters[k], name)),
-        )
+        """Return whether times of `breaks` depend on a block's field."""
+        array, start = self.layout.slots[k, name]
+        places = range(start, start + np.size(getattr(self.sweep.parameters[k], name)))
         lines = [line for record in self.code.timed.values() for line in record.operations]
-        read = (line.at for line in lines if line.kind == "leaf" and line.at[0] == array)
-        return any(start <= first < start + size for _, (first, _) in read)
+        read = [line.at for line in lines if line.kind == "leaf"]
+        return any(own == array and first in places for own, (first, _) in read)
 
     def callee(
         self, lanes: int = 1, inputs: Inputs | None = None, method: int = solver.DOP853
