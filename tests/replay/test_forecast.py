@@ -125,10 +125,10 @@ def test_a_gradient_on_a_grid_and_longitudes_of_any_kind(tmp_path):
 @pytest.mark.parametrize("to", [-8000.0, 8000.0])
 def test_a_dive_goes_over_the_seam_of_a_grid_around_the_earth(tmp_path, west, to, count):
     """A current of 0.2 + 0.1 cos(lon), the same wherever it is cut; meridians lean a little."""
-    globe = west + 0.5 * np.arange(count)
-    shape = len(HOURS), len(LAT), len(globe)
+    globe, lat, hours = west + 0.5 * np.arange(count), LAT[::10], HOURS[::40]
+    shape = len(hours), len(lat), len(globe)
     u = np.broadcast_to(0.2 + 0.1 * np.cos(np.radians(globe)), shape)
-    model = read_flow_model(write(tmp_path / "g.nc", u, -u, lon=globe))
+    model = read_flow_model(write(tmp_path / "g.nc", u, -u, lat, globe, hours))
     start = west - 0.03 * np.sign(to)  # 2.5 km before the seam
     expected = (0.2 + 0.1 * math.cos(math.radians(west))) * 5 * 3600
     for turn in (0.0, 360.0):

@@ -194,7 +194,8 @@ def design_track(
     --------
     >>> import clpt_control as clpt
     >>> scenario = clpt.paper_scenario().with_values({"run.duration": 80})
-    >>> found = clpt.theory.design_track(scenario, count=2, window=20, generations=1)
+    >>> given = {"goal": "kappa", "count": 2, "window": 20, "generations": 1}  # soon found
+    >>> found = clpt.theory.design_track(scenario, **given)
     >>> found.report["ratio"] >= 1, len(found.scenario.waypoints)
     (True, 2)
     """
