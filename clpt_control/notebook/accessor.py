@@ -194,9 +194,10 @@ class ClptAccessor:
         at, attributes = self.state_at(t), self._data.attrs
         beyond = [attributes[name] for name in BEYOND if name in attributes]
         if self.kind != "run" or beyond:
+            what = f"{self.kind} with {beyond[0]}" if beyond else self.kind
             raise DataError(
-                f"a {self.kind}{f' with {beyond[0]}' if beyond else ''} does not hold its diagram; "
-                "give it, and the state of `run.clpt.state_at`, to clpt.linearize"
+                f"the dataset of a {what} does not hold its diagram; give it, and the state of "
+                "`run.clpt.state_at`, to clpt.linearize"
             )
         scenario: Any = self.scenario
         whole = simulation.closed_loop(scenario)

@@ -264,6 +264,16 @@ def leaves(plain):
         yield plain
 
 
+def test_a_run_that_grows_far_is_read_again_and_has_its_page(tmp_path):
+    """Numbers of 1e86 are finite: exp(200)."""
+    growing = control.ss(1, 1, 1, 0, name="growing", outputs="y")
+    run = clpt.simulate(growing, [0, 100, 200], 0.0, 1.0)
+    assert run.y.values[-1] == pytest.approx(np.exp(200), rel=1e-4)
+    clpt.save_run(run, tmp_path / "run.nc")
+    assert clpt.load_run(tmp_path / "run.nc").equals(run)
+    assert "7.23e+86" in clpt.report(tmp_path / "run.nc", tmp_path / "run.html")["sentences"][1]
+
+
 def test_what_cannot_be_recorded_says_so(tmp_path):
     by_python = clpt.Block(
         "odd",
