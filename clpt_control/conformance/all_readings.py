@@ -213,7 +213,7 @@ class SymbolicFunction(Symbols):
             raise BlockError(str(error)) from None
         super().__init__(record.operations, self._leaf, sizes=block.sizes)
         made = [o for o in record.operations if o.kind not in ("leaf", "constant", "view")]
-        if sum(prod(self.sized(o.shape)) for o in made) > MOST:
+        if sum(prod(numbers.bound(o.shape, self.sizes)) for o in made) > MOST:
             raise BlockError(
                 f"{block.name}.{role} takes more than {MOST} operations on single numbers, for "
                 "which SymPy needs minutes; ask it at a smaller size"
@@ -251,7 +251,7 @@ class SymbolicFunction(Symbols):
         kind, arguments, shape, at = self.operations[table]
         view = None
         if kind == "view":
-            view = at, self.sized(shape)
+            view = at, numbers.bound(shape, self.sizes)
             kind, arguments, shape, at = self.operations[arguments[0]]
         if kind != "leaf" or at[0] != "p":
             return super().picked(ref, table, place)

@@ -23,7 +23,7 @@ from ..equations.at_many import leaf_values
 from ..equations.block import Block
 from ..equations.declaration import ports_of
 from ..equations.derivative import STEPS, Direction
-from ..equations.record import Record, Shape, compact
+from ..equations.record import Record, Shape, bound, compact
 from ..equations.sampled import Sampled, inner_equations
 from ..equations.system import System
 from .wiring import Node, Row, Wiring, joined_wires, paths_to, spaces_around
@@ -101,7 +101,6 @@ class VariedBlock(Block):
         if role == "guard":
             return record
         tape, along = Tape(), [dict[int, Any]() for _ in range(self.count)]
-        sizes = self.inner.sizes
 
         def leaf(group: str, name: str, shape: Shape) -> Array:
             made = tape.add("leaf", (), shape, (group, name))
@@ -114,10 +113,7 @@ class VariedBlock(Block):
                     own[operand(made)] = lifted(tape, seed) if np.any(seed) else None
             return made
 
-        def bound(shape: Shape) -> Shape:
-            return tuple(n if isinstance(n, int) else sizes[n] for n in shape)
-
-        closed = [o._replace(shape=bound(o.shape)) for o in record.operations]
+        closed = [o._replace(shape=bound(o.shape, self.inner.sizes)) for o in record.operations]
         values = tape.replayed(replace(record, operations=tuple(closed)), leaf)
         ways = [_Along(tape, own) for own in along]
         groups = [self.inner.output_shapes] if role == "output" else _groups(self.inner)

@@ -185,10 +185,10 @@ class Block(control.NonlinearIOSystem):
                 f"{name}: a block with breakpoints needs a parameter `interval = -1.0`"
             )
         super().__init__(
-            self._updfcn,
-            self._outfcn,
-            inputs=labels(self.input_ports),
-            outputs=labels(self.output_ports),
+            self.dynamics,
+            self.output,
+            inputs=labels(sizes_of(self.input_shapes)),
+            outputs=labels(sizes_of(self.output_shapes)),
             states=labels(self.state_ports) or 0,
             name=name,
             dt=dt,
@@ -248,9 +248,6 @@ class Block(control.NonlinearIOSystem):
 
     def _ports(self, kind: str) -> dict[str, int]:
         """Return ports as the labels form them, each with its number of signals."""
-        shapes = getattr(self, f"{kind}_shapes")
-        if f"{kind}_index" not in self.__dict__:  # python-control has not labelled them yet
-            return sizes_of(shapes)
         ports = ports_of(getattr(self, f"{kind}_labels"))
         return {port: len(places) for port, places in ports.items()}
 
@@ -581,11 +578,3 @@ class Block(control.NonlinearIOSystem):
         if self.output_function is None:
             return np.array(x, dtype=float)
         return self.values("output", self.noutputs, t, x, u, self.parameters_at(t))
-
-    def _updfcn(self, t, x, u, params):
-        self._update_params(params)
-        return self._rhs(t, x, u)
-
-    def _outfcn(self, t, x, u, params):
-        self._update_params(params)
-        return self._out(t, x, u)

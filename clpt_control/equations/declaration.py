@@ -25,7 +25,7 @@ import numpy as np
 from ..arguments import brief, public
 from ..errors import BlockError
 from ..html import facts, fragment, shortened
-from .record import Shape
+from .record import Shape, bound
 
 MOST_JUMPS = 2 * 10**7  # times of jumps that are listed
 Equations = Callable[[float, Any, Any, Any], Any]
@@ -262,7 +262,7 @@ def sized(name: str, shapes: Mapping[str, Shape], sizes: Mapping[str, int]) -> d
                     f"{name}.{port}: the size '{n}' is not known; give sizes={{'{n}': 3}}, or an "
                     "array of the parameters that has it by `shapes`"
                 )
-        found[port] = tuple(sizes[n] if isinstance(n, str) else int(n) for n in shape)
+        found[port] = tuple(map(int, bound(shape, sizes)))
     return found
 
 

@@ -86,7 +86,10 @@ def _chosen(condition: Any, a: Any, b: Any) -> Any:
 
 
 class Direction:
-    """Derivatives along a direction: leaf -> its derivative, an array or a number."""
+    """Derivatives along a direction: leaf -> its derivative, an array or a number.
+
+    What is not named does not change.
+    """
 
     def __init__(self, tape: Tape, along: Mapping[int, Any], smooth: bool = False):
         self.tape, self.smooth = tape, smooth
@@ -126,7 +129,7 @@ class Direction:
             return PAIRS[kind](*values, self.value(k), *slopes)
         if kind == "where":
             return _chosen(values[0], *slopes[1:])
-        if kind in ("sum", "view", "fill", "stack", "join", "part"):
+        if kind in ("sum", "view", "fill", "stack", "join", "part"):  # a part is `native`'s
             refs = [self._argument(a, s) for a, s in zip(arguments, slopes, strict=True)]
             return self.tape.add(kind, refs, shape, at)
         if kind == "pick" and (slopes[1] is None or not self.smooth):
@@ -145,8 +148,3 @@ class Direction:
 
     def _refused(self, kind: str) -> Any:
         raise Unread(f"the derivative of `{kind}`, which jumps or is not known")
-
-
-def derivative(tape: Tape, value: Any, along: Mapping[int, Any], smooth: bool = False) -> Any:
-    """Return the derivative of a value along a direction; what is not named does not change."""
-    return Direction(tape, along, smooth).of(value)

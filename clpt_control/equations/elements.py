@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from .arrays import Unread
-from .record import Operation, Record, Ref, Shape
+from .record import Operation, Record, Ref, Shape, bound
 
 Index = tuple[Any, ...]  # places; a name is a generic one
 MOST_AT_ONCE = 256  # elements of an array that are computed in order, so that nothing goes deep
@@ -54,22 +54,19 @@ class Elements:
     def outputs(self, record: Record) -> list[Any]:
         """Return the elements of a record's outputs, port by port, row by row."""
         for k, operation in enumerate(self.operations):
-            shape = self.sized(operation.shape)
+            shape = bound(operation.shape, self.sizes)
             if prod(shape) <= MOST_AT_ONCE:
                 for index in np.ndindex(shape):
                     self.at(k, index)
-        pairs = zip(record.outputs, record.shapes, strict=True)
-        return [self.at(ref, i) for ref, shape in pairs for i in np.ndindex(self.sized(shape))]
-
-    def sized(self, shape: Shape) -> Shape:
-        """Return a shape with the sizes that are known."""
-        return tuple([self.sizes.get(n, n) if type(n) is str else n for n in shape])
+        shapes = [bound(shape, self.sizes) for shape in record.shapes]
+        pairs = zip(record.outputs, shapes, strict=True)
+        return [self.at(ref, index) for ref, shape in pairs for index in np.ndindex(shape)]
 
     def at(self, ref: Ref, index: Index) -> Any:
         """Return one element; a shorter array is broadcast."""
         if type(ref) is float:
             return self.number(ref)
-        shape = self.sized(self.operations[ref].shape)
+        shape = bound(self.operations[ref].shape, self.sizes)
         index = index[len(index) - len(shape) :]
         index = tuple([0 if n == 1 else k for k, n in zip(index, shape, strict=True)])
         if (ref, index) not in self.known:
@@ -81,7 +78,7 @@ class Elements:
     def _element(self, ref: int, index: Index) -> Any:
         kind, arguments, shape, at = self.operations[ref]
         if kind == "leaf":
-            return self.leaf(at, self.sized(shape), index)
+            return self.leaf(at, bound(shape, self.sizes), index)
         if kind == "constant":
             return self.number(float(np.frombuffer(at).reshape(shape)[index]))
         if kind == "view":
@@ -100,7 +97,7 @@ class Elements:
 
     def all_of(self, ref: Ref) -> list[Any]:
         """Return every element of a value."""
-        shape = () if type(ref) is float else self.sized(self.operations[ref].shape)
+        shape = () if type(ref) is float else bound(self.operations[ref].shape, self.sizes)
         if not all(isinstance(n, int) for n in shape):
             raise Unread("every element of an array of unknown length")
         return [self.at(ref, place) for place in np.ndindex(*shape)]
@@ -116,14 +113,14 @@ class Elements:
         if kind == "stack":
             return self.at(arguments[k], tuple(rest))
         for part in arguments:
-            n = self.sized(self.operations[part].shape)[0]
+            n = bound(self.operations[part].shape, self.sizes)[0]
             if k < n:
                 return self.at(part, (k, *rest))
             k -= n
         raise IndexError(index)
 
     def _sum(self, ref: int, array: Ref, axis: int, index: Index) -> Any:
-        size = self.sized(self.operations[array].shape)[axis]
+        size = bound(self.operations[array].shape, self.sizes)[axis]
         if not isinstance(size, int):
             return self.sum_over(array, axis, index, size)
         parts = [self.at(array, (*index[:axis], k, *index[axis:])) for k in range(size)]

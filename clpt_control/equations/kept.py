@@ -35,7 +35,8 @@ MOST = 200  # objects that are watched
 OWN = __package__.partition(".")[0]
 GROWN = 1000  # unknown numbers behind what was appended
 UNKNOWN = object()
-SIMPLE = (int, float, complex, str, bytes, np.generic, Enum, NoneType)
+CONTAINERS: Any = (list, deque, dict, set)
+SIMPLE = (int, float, complex, str, bytes, frozenset, np.generic, Enum, NoneType)
 NUMBERS = (int, float, complex, np.generic, np.ndarray)
 PLAIN = (int, float, str, bytes, tuple, Array, BuiltinFunctionType, NoneType)
 STATES: dict[type, tuple[Callable, Callable]] = {  # of chance: its state, and to put it back
@@ -82,7 +83,7 @@ class Snapshot:
         if isinstance(value, type):
             for one in vars(value).values():
                 self.add(one, deep - 1)
-        elif not isinstance(value, list | dict | deque | ModuleType | FunctionType):
+        elif not isinstance(value, (*CONTAINERS, ModuleType, FunctionType)):
             self.add(type(value), deep)
 
     def restore(self) -> None:
@@ -183,12 +184,9 @@ def _kept_by(value: Any) -> Any:
 
 def _put(value: Any, kept: Any) -> None:
     """Make a thing keep this."""
-    if isinstance(value, list | deque):
+    if isinstance(value, CONTAINERS):
         value.clear()
-        value.extend(kept)
-    elif isinstance(value, dict | set):
-        value.clear()
-        value.update(kept)
+        (value.extend if isinstance(kept, list) else value.update)(kept)
     elif isinstance(kept, bytes):
         numbers = np.asarray(value)
         before = np.frombuffer(kept, numbers.dtype).reshape(numbers.shape)
@@ -222,7 +220,7 @@ def _attributes(value: Any) -> tuple[Any, Iterable[str] | None]:
             return value, None
         if isinstance(value, FunctionType):
             module = sys.modules.get(name)
-            return module, module and frozenset(names_in(value.__code__))
+            return module, module and names_in(value.__code__)
         own = vars(value).items()
         return value, [k for k, one in own if k[:2] != "__" and not hasattr(one, "__get__")]
     slots = [vars(kind).get("__slots__", ()) for kind in type(value).__mro__]

@@ -17,7 +17,7 @@ from ..errors import BlockError, ClptError
 from .arrays import Unread
 from .block import Block
 from .declaration import Each, Guard, Parameters, sized, sizes_of
-from .record import OPERATIONS, Operation, Record, Shape
+from .record import OPERATIONS, Operation, Record, Shape, bound
 from .sampled import Sampled
 
 KINDS = ("input", "output", "state")
@@ -252,7 +252,7 @@ def check_record(
     """Refuse what is no record of these leaves and outputs: machine code would run it as it is."""
     shapes: list[tuple[int, ...]] = []
     for k, operation in enumerate(record.operations):
-        shape = _bound(operation.shape, sizes)
+        shape = bound(operation.shape, sizes)
         arguments = [_shape_of(a, shapes) for a in operation.arguments]
         if prod(shape) > LARGEST or not _fits(operation, shape, arguments, leaves):
             raise BlockError(f"line {k} of a record, {operation.kind!s:.20}, is none")
@@ -263,12 +263,8 @@ def check_record(
         if len(outputs) != len(out):
             raise BlockError(f"a record has {len(outputs)} outputs; must have {len(out)}")
     for ref, shape, wanted in zip(record.outputs, record.shapes, out.values(), strict=True):
-        if _bound(shape, sizes) != wanted or not _spreads(_shape_of(ref, shapes), wanted):
+        if bound(shape, sizes) != wanted or not _spreads(_shape_of(ref, shapes), wanted):
             raise BlockError("an output of a record has another shape than its port")
-
-
-def _bound(shape: Shape, sizes: Mapping[str, int]) -> tuple[int, ...]:
-    return tuple(sizes[n] if isinstance(n, str) else n for n in shape)
 
 
 def _shape_of(ref: Any, shapes: Sequence[tuple[int, ...]]) -> tuple[int, ...]:

@@ -37,7 +37,6 @@ from .stand_ins import UNSEEDED
 
 MOST_WAYS = 256
 MOST_READINGS = 16
-MOST_MODULES = 20  # into which stand-ins are put
 # of numbers, or of what this way leaves out; such a way is NaN
 RAISED = (
     *(ArithmeticError, IndexError, ValueError, AssertionError),
@@ -80,20 +79,16 @@ def read(*arguments: Any) -> Read:
     request = Request(*arguments)
     spaces: list[dict[str, Any]] = []
     reads: list[Read] = []
-    snapshot, written = Snapshot(), set[str]()
+    snapshot = Snapshot()
     try:
         while len(reads) < max(2, 1 + len(snapshot.left)):
             states = [{}, *snapshot.left.values()]
             state = states[min(len(reads), len(states) - 1)]
             try:
-                ways = _Ways(request, spaces, snapshot, state, written)
-                reads.append(ways.read())
+                reads.append(_Ways(request, spaces, snapshot, state).read())
             except Borrowed as borrower:
-                if len(spaces) >= MOST_MODULES:
-                    raise Unread(f"runs helpers of more than {MOST_MODULES} modules") from None
                 spaces.append(borrower.space)
                 reads.clear()
-                written.clear()
                 snapshot.restore()
                 snapshot.left.clear()
                 continue
@@ -104,7 +99,6 @@ def read(*arguments: Any) -> Read:
                     f"{request.name} keeps what its next call reads, or draws by chance; make it "
                     "a state"
                 )
-            written |= ways.written
     finally:
         snapshot.restore()
         drawn = snapshot.drew()
@@ -117,19 +111,13 @@ class _Ways:
     """All ways through a function, one after the other."""
 
     def __init__(
-        self,
-        request: Request,
-        spaces: list[dict[str, Any]],
-        snapshot: Snapshot,
-        state: dict[int, Any],
-        unknown: set[str],
+        self, request: Request, spaces: list[dict[str, Any]], snapshot: Snapshot, state: dict
     ) -> None:
-        self.request, self.spaces, self.snapshot = request, spaces, snapshot
-        self.state, self.unknown = state, unknown  # as a way left all, and params that it changed
+        self.request, self.spaces = request, spaces
+        self.snapshot, self.state = snapshot, state  # in which a way left all
         self.tape = AnsweringTape(request.parameters, spaces)
         self.copies = Copies(self.tape, snapshot)
         self.ways: list[tuple[dict[int, bool], list[Any]]] = []
-        self.written: set[str] = set()  # params that the function changes
 
     def read(self) -> Read:
         """Run the function on each of its ways, and join what they return."""
@@ -140,7 +128,6 @@ class _Ways:
             for name, value in request.parameters.items()
         }
         named = request.wrap is None  # else x and u are the function's own
-        fields.update({name: self._unknown(name) for name in self.unknown})
         while True:
             tape.answers, tape.last_asked = {}, None
             self.snapshot.begin(self.state, self._unknown)
@@ -150,8 +137,8 @@ class _Ways:
             self.ways.append((tape.answers, outputs))
             self.snapshot.restore()
             self.copies.check()
-            if isinstance(p, dict):
-                self.written |= {k for k, v in dict.items(p) if v is not fields.get(k, self)}
+            if isinstance(p, dict) and any(v is not fields.get(k, p) for k, v in dict.items(p)):
+                raise Unread(f"{request.name} changes its params; make what it keeps a state")
             if len(self.ways) > MOST_WAYS:
                 raise Unread(f"{request.name} has more than {MOST_WAYS} ways through it")
             way = list(tape.answers.values())
@@ -218,12 +205,9 @@ def _merged(tape: Tape, ways: list, depth: int) -> list[Any]:
     if len(ways) == 1:
         return ways[0][1]
     question = list(ways[0][0])[depth]
-    if any(question not in answers for answers, _ in ways):
+    yes, no = ([way for way in ways if way[0].get(question) is one] for one in (True, False))
+    if not yes or not no or len(yes) + len(no) < len(ways):
         raise Unread("asks otherwise from call to call; make what it keeps a state")
-    yes = [way for way in ways if way[0][question]]
-    no = [way for way in ways if not way[0][question]]
-    if not no or not yes:
-        return _merged(tape, yes or no, depth + 1)
     condition = Array(tape, question, ())
     pairs = zip(_merged(tape, yes, depth + 1), _merged(tape, no, depth + 1), strict=True)
     return [a if operand(a) == operand(b) else where(condition, a, b) for a, b in pairs]

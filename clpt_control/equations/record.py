@@ -73,6 +73,11 @@ class Record:
         return Record(tuple(moved), self.outputs, self.shapes)
 
 
+def bound(shape: Shape, sizes: Mapping[str, int]) -> Shape:
+    """Return a shape with the sizes that are known in the place of their names."""
+    return tuple([sizes.get(n, n) for n in shape])
+
+
 def key_of(ref: Ref) -> Any:
     """Return what tells arguments apart: 0.0 is not -0.0, 1.0 not the value 1."""
     return (ref, copysign(1.0, ref)) if type(ref) is float else ref
@@ -194,8 +199,7 @@ def computed(
 
     def sized(shape: tuple, value: Any) -> tuple[int, ...]:
         """Return a shape with its open sizes filled in, and the last axis of a value."""
-        known = [n if isinstance(n, int) else sizes[n] for n in shape]
-        return *known, *(np.shape(value)[-1:] or (1,))
+        return *bound(shape, sizes), *(np.shape(value)[-1:] or (1,))
 
     def full(value: Any, shape: tuple) -> np.ndarray:
         """Return a value in all of its shape."""

@@ -141,14 +141,15 @@ def is_fixed(value: Any) -> bool:
 @functools.lru_cache(maxsize=1024)
 def named(code: CodeType) -> tuple[str, ...] | None:
     """Return the names that code reads; None where it reaches more than it names."""
-    names = tuple(dict.fromkeys(names_in(code)))
+    names = names_in(code)
     fixed = all(all(_imports(one)) for one in _all_code(code))
     return names if fixed and not SEES.intersection(names) else None
 
 
-def names_in(code: CodeType) -> Iterator[str]:
-    """Yield the names that code reads, with those of the functions in it."""
-    return (name for one in _all_code(code) for name in one.co_names)
+@functools.lru_cache(maxsize=1024)
+def names_in(code: CodeType) -> tuple[str, ...]:
+    """Return the names that code reads, with those of the functions in it."""
+    return tuple(dict.fromkeys(name for one in _all_code(code) for name in one.co_names))
 
 
 def texts_in(code: CodeType) -> Iterator[Any]:

@@ -25,7 +25,7 @@ from ..diagrams.wiring import Wiring
 from ..equations.arrays import Tape
 from ..equations.block import Block
 from ..equations.declaration import places
-from ..equations.record import Operation, Record
+from ..equations.record import Operation, Record, bound
 from .decisions import LOCKED, Decisions, Port
 from .switches import timed_decisions
 
@@ -227,7 +227,7 @@ class DiagramRecord(RecordMerger):
 
     def _axes(self, block: Block, shape: tuple) -> tuple[tuple[int, ...], tuple[bool, ...]]:
         """Return lengths of axes, and which of them loop."""
-        lengths = tuple(n if isinstance(n, int) else block.sizes[n] for n in shape)
+        lengths = bound(shape, block.sizes)
         long = (
             n >= self.long or (isinstance(name, str) and n >= self.named)
             for n, name in zip(lengths, shape, strict=True)

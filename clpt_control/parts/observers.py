@@ -42,11 +42,6 @@ def observed(t, x, u, p):
     return p.A @ x.x_hat + p.B @ u.u + p.L @ innovation(x.x_hat, u, p)
 
 
-def estimate(t, x, u, p):
-    """x_hat = X (Luenberger 1971, section II)."""
-    return x.x_hat
-
-
 @public
 def observer(
     system: control.StateSpace, L: ArrayLike, name: str = "observer", **ports: str
@@ -84,9 +79,7 @@ def observer(
         ports,
         matrices,
         update=observed,
-        output=estimate,
         inputs={"u": "m", "y": "q"},
-        outputs={"x_hat": "n"},
         states={"x_hat": "n"},
         shapes={**INNER, "L": ("n", "q")},
         dt=system.dt or 0,

@@ -54,6 +54,12 @@ COLUMN = RegularGridInterpolator(
 STEPPED = RegularGridInterpolator(GRID, HEIGHTS, "nearest", bounds_error=False)
 
 
+def doubled_above(row):
+    row[row > 0] *= 2.0
+    row[row < -1] = row[row < -1] + 0.5
+    return row
+
+
 class Lever:
     """Remembers in attributes."""
 
@@ -283,6 +289,14 @@ ONE_LINE = {  # as Python has them
         np.linalg.det(np.array([[0.0, x[0]], [0.0, u[0]]])),
     ],
     "summed where": lambda t, x, u, p: [np.sum(x[x > 0]), x[x < 0].sum()],
+    "changed where": lambda t, x, u, p: doubled_above(np.array(x)),
+    "side by side": lambda t, x, u, p: [*np.r_[x, 1.0, u[:1]], *np.c_[x, x[::-1]].ravel()],
+    "by methods of ufuncs": lambda t, x, u, p: [
+        *np.subtract.outer(x, u).ravel(),
+        np.maximum.reduce([x[0], u[0], x[2]]),
+        *np.add.accumulate(x),
+        *np.sum(np.outer(x, x), axis=1, keepdims=True).ravel(),
+    ],
     "exact": lambda t, x, u, p: [
         math.fsum([1e16, x[0], -1e16]),
         math.hypot(1e200 * x[0], 1.0, 2.0) / 1e200,

@@ -136,6 +136,15 @@ def visits(t, x, u, p):
     return 1.0 if SEEN else 0.0
 
 
+def visits_two(t, x, u, p):
+    before = "there" in SEEN
+    if u[0] > 1.0:
+        SEEN.add("here")
+    elif u[0] < -1.0:
+        SEEN.add("there")
+    return 1.0 if before else 0.0
+
+
 def counts_calls_in_a_module(t, x, u, p):
     MODULE.calls += 1
     return 1.0 if MODULE.calls > 999 else 0.0
@@ -225,7 +234,8 @@ SELDOM = (  # two readings alike
     lambda t, x, u, p: 0.0 if np.random.default_rng().random() < 1e-9 else u[0],
     lambda t, x, u, p: 0.0 if time.time() > 1e11 else u[0],
     lambda t, x, u, p: u[0] if next(COUNT) < 999 else 0.0,
-    *(aims, latches, adds_up, looks_back, delays, visits, counts_calls_in_a_module),
+    *(aims, latches, adds_up, looks_back, delays, visits, visits_two),
+    counts_calls_in_a_module,
     *(Sensor().chance, Sensor().memory),
     *(Machine().text, Machine().two_words, Machine().row_of_words, Machine().two_flags),
     *(Machine().time, Machine().lazily),

@@ -7,7 +7,7 @@ import sympy
 from clpt_control.diagrams.interconnection import connect
 from clpt_control.equations.arrays import Tape, Unread
 from clpt_control.equations.block import Block
-from clpt_control.equations.derivative import derivative
+from clpt_control.equations.derivative import Direction
 from clpt_control.equations.symbolic import SUM, EveryN, base_and_term
 from clpt_control.theory.proving.array_loop import ArrayLoop
 from clpt_control.theory.proving.symbolic_loop import symbolic_loop
@@ -73,7 +73,8 @@ def test_what_is_read_holds_for_each_N(form, N):
 @pytest.mark.parametrize("form", FORMS)
 def test_the_derivative_is_that_of_each_N(form):
     elements, u = reader(a=("N",), b=("N",), P=("N", "N"), c=(), d=("N",))
-    slope = derivative(elements.tape, FORMS[form](*(u[k] for k in "abPc")), {u["a"]._ref: u["d"]})
+    direction = Direction(elements.tape, {u["a"]._ref: u["d"]})
+    slope = direction.of(FORMS[form](*(u[k] for k in "abPc")))
     random, h = np.random.default_rng(1), 1e-6
     values = {k: 0.3 * random.standard_normal([3] * len(v.shape)) for k, v in u.items()}
     ahead, behind = (
@@ -264,8 +265,9 @@ def test_a_number_that_is_called_as_an_index_stays_what_it_is():
 
 def test_jumps_have_no_slope_where_V_shall_fall():
     elements, u = reader(a=(2,))
+    smooth = Direction(elements.tape, {u["a"]._ref: u["a"]}, smooth=True)
     for jumping in (np.floor(u["a"]), np.sign(u["a"]), np.where(u["a"] > 0, 1.0, u["a"])):
         with pytest.raises(Unread, match="derivative"):
-            derivative(elements.tape, np.sum(jumping), {u["a"]._ref: u["a"]}, smooth=True)
-    kinked = derivative(elements.tape, np.maximum(u["a"], 0.0), {u["a"]._ref: u["a"]}, smooth=True)
+            smooth.of(np.sum(jumping))
+    kinked = smooth.of(np.maximum(u["a"], 0.0))
     assert str(elements.of(kinked)[0]) == "where(ge(a[0], 0), a[0], 0)"

@@ -40,7 +40,7 @@ import sympy
 
 from ...diagrams.interconnection import Diagram
 from ...equations.arrays import operand
-from ...equations.derivative import derivative
+from ...equations.derivative import Direction
 from ...simulation.loops import error_loop
 from .array_loop import ArrayLoop
 from .proof import Step, checked, cited
@@ -206,7 +206,7 @@ def observability_steps() -> list[Step]:
         gamma, e = parts.parameters["parameter_system"].gain, parts.states["e"]
         along = {name: parts.direction(name) for name in parts.states if name != "e"}
         directions = {operand(parts.states[name]): d for name, d in along.items()}
-        We = e @ derivative(parts.tape, parts.rates["e"], directions)
+        We = e @ Direction(parts.tape, directions).of(parts.rates["e"])
         return [sum(np.sum(parts.rates[name] * d) for name, d in along.items()) + gamma * We]
 
     def filtered() -> bool:
