@@ -33,11 +33,11 @@ def drawn(seed):
 
 
 @pytest.mark.parametrize(
-    "first", [0, *(pytest.param(k, marks=pytest.mark.slow) for k in range(4, 24, 4))]
+    "first", [1, *(pytest.param(k, marks=pytest.mark.slow) for k in range(3, 23, 2))]
 )
 def test_threads_and_chunks_do_not_matter_to_any_diagram(first):
     compared = 0
-    for seed in range(first, first + 4):
+    for seed in range(first, first + 2):
         try:
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore")
@@ -49,10 +49,12 @@ def test_threads_and_chunks_do_not_matter_to_any_diagram(first):
             continue
         assert_identical(whole, cut)
         compared += 1
-    assert compared >= 2
+    assert compared
 
 
-@pytest.mark.parametrize("seed", [13, 15, 34, 42, 44])
+@pytest.mark.parametrize(
+    "seed", [13, 34, *(pytest.param(seed, marks=pytest.mark.slow) for seed in (15, 42, 44))]
+)
 def test_members_are_what_python_runs_block_by_block(seed):
     draw = random.Random(seed)
     diagram = random_diagram(draw)

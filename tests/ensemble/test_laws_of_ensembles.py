@@ -7,6 +7,7 @@ import control
 import law_blocks
 import numpy as np
 import pytest
+from ensemble_stores import assert_identical
 from law_blocks import EACH, HELD
 
 import clpt_control as clpt
@@ -85,44 +86,25 @@ def test_what_a_law_given_in_python_does_not_read_cannot_vary(quick, law, key):
 
 
 def test_a_block_takes_the_laws_place(quick, tmp_path):
-    law, vary = law_blocks.remembering_law(), "flow.parameters~normal:0.1"
-    data = run_ensemble(clpt.closed_loop(quick, law=law), vary, 12, samples=20, threads=2, chunk=4)
-    stored = run_ensemble(
-        clpt.closed_loop(quick, law=law), vary, 12, samples=20, out=tmp_path / "e.zarr", chunk=4
-    )
-    for name in data.variables:
-        np.testing.assert_array_equal(stored[name], data[name])
-    own = run_ensemble(quick, vary, 12, samples=20)
-    assert not np.array_equal(own.gain_error, data.gain_error)
+    law, given = law_blocks.remembering_law(), {"members": 12, "samples": 20, "chunk": 4}
+    given["vary"] = "flow.parameters~normal:0.1"
+    data = run_ensemble(clpt.closed_loop(quick, law=law), threads=2, **given)
+    given["out"] = tmp_path / "e.zarr"
+    stored = run_ensemble(clpt.closed_loop(quick, law=law), **given)
+    assert_identical(stored, data)
     for other in (None, law_blocks.remembering_law(gain=0.9), law_blocks.papers_law()):
         with pytest.raises(DataError, match="holds an ensemble of"):
-            run_ensemble(
-                clpt.closed_loop(quick, law=other),
-                vary,
-                12,
-                samples=20,
-                out=tmp_path / "e.zarr",
-                chunk=4,
-            )
+            run_ensemble(clpt.closed_loop(quick, law=other), **given)
 
 
 @pytest.mark.processes
 @pytest.mark.skipif(not importlib.util.find_spec("distributed"), reason="Dask is not installed")
 def test_a_cluster_gets_the_block(quick, tmp_path):
-    law, vary = law_blocks.papers_law(gain=1.1), "flow.parameters~normal:0.1"
-    here = run_ensemble(clpt.closed_loop(quick, law=law), vary, 8, samples=20, chunk=4)
-    data = run_ensemble(
-        clpt.closed_loop(quick, law=law),
-        vary,
-        8,
-        samples=20,
-        chunk=4,
-        out=tmp_path / "e.zarr",
-        threads=1,
-        dask="local",
-    )
-    for name in here.variables:
-        np.testing.assert_array_equal(data[name], here[name])
+    loop = clpt.closed_loop(quick, law=law_blocks.papers_law(gain=1.1))
+    given = {"vary": "flow.parameters~normal:0.1", "members": 8, "samples": 20, "chunk": 4}
+    here = run_ensemble(loop, **given)
+    data = run_ensemble(loop, out=tmp_path / "e.zarr", threads=1, dask="local", **given)
+    assert_identical(data, here)
 
 
 def without_states(t, x, u, p):
@@ -148,20 +130,13 @@ def test_an_ensemble_with_a_lag_is_runs_with_a_lag(quick, tmp_path):
             run = clpt.simulate(clpt.closed_loop(scenario.with_values({key: value}), insert=lag))
             error = abs(run.flow_parameters_estimate[-1] - run.flow_parameters).max()
             assert float(data.flow_parameter_error[m, -1]) == pytest.approx(float(error), abs=1e-6)
-    out = tmp_path / "e.zarr"
-    stored = run_ensemble(
-        clpt.closed_loop(quick, insert=lag), f"{key}=0.2:2.0", 3, samples=20, out=out
-    )
-    again = run_ensemble(
-        clpt.closed_loop(quick, insert=lag), f"{key}=0.2:2.0", 3, samples=20, out=out
-    )
-    np.testing.assert_array_equal(stored.clpe_rms, again.clpe_rms)
+    stored = {"vary": f"{key}=0.2:2.0", "members": 3, "samples": 20, "out": tmp_path / "e.zarr"}
+    first, again = (run_ensemble(clpt.closed_loop(quick, insert=lag), **stored) for _ in range(2))
+    assert_identical(first, again)
     slower = {("v_x", "vehicle"): control.tf(1, [0.6, 1], name="lag")}
     for other in (None, slower, {"v_x": lag[("v_x", "vehicle")]}):
         with pytest.raises(DataError, match="holds an ensemble of"):
-            run_ensemble(
-                clpt.closed_loop(quick, insert=other), f"{key}=0.2:2.0", 3, samples=20, out=out
-            )
+            run_ensemble(clpt.closed_loop(quick, insert=other), **stored)
 
 
 def test_an_ensemble_refuses_what_is_not_compiled(quick):
