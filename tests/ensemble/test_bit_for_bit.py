@@ -13,7 +13,6 @@ import sys
 import time
 from pathlib import Path
 
-import numpy as np
 import pytest
 from ensemble_stores import VARY, assert_identical, files
 from processes import CLPT, GUARD, await_line, listening, started, without_progress
@@ -27,37 +26,9 @@ from clpt_control.errors import ClptError, DataError, ScenarioError, SimulationE
 
 @pytest.mark.parametrize(("threads", "chunk"), [(1, 7), (2, 3), (3, 1000)])
 def test_threads_and_chunks_do_not_matter(scenario, whole, tmp_path, threads, chunk):
-    data = run_ensemble(
-        scenario,
-        VARY,
-        40,
-        seed=3,
-        out=tmp_path / "e.zarr",
-        threads=threads,
-        chunk=chunk,
-        samples=100,
-        trajectories=True,
-    )
+    given = {"seed": 3, "samples": 100, "trajectories": True, "threads": threads, "chunk": chunk}
+    data = run_ensemble(scenario, VARY, 40, out=tmp_path / "e.zarr", **given)
     assert_identical(data, whole)
-
-
-def test_order_and_company_do_not_matter(scenario, whole, monkeypatch):
-    asked = []
-
-    def summaries(worker, values, made=Ensemble.summaries):
-        asked.append((worker, values))
-        return made(worker, values)
-
-    monkeypatch.setattr(Ensemble, "summaries", summaries)
-    run_ensemble(scenario, VARY, 40, seed=3, threads=1, samples=100, trajectories=True)
-    worker = asked[0][0]
-    values = {key: np.concatenate([own[key] for _, own in asked]) for key in asked[0][1]}
-    order = np.random.default_rng(0).permutation(40)
-    mixed = worker.summaries({key: array[order] for key, array in values.items()})
-    alone = worker.summaries({key: array[9:10] for key, array in values.items()})
-    for name, array in mixed.items():
-        assert array.tobytes() == whole[name].values[order].tobytes(), name
-        assert alone[name].tobytes() == whole[name].values[9:10].tobytes(), name
 
 
 def test_the_batch_does_not_matter(scenario, whole, monkeypatch):
@@ -119,25 +90,6 @@ def test_a_whole_ensemble_is_not_run_again(quick, tmp_path, monkeypatch):
     assert_identical(run_ensemble(quick, VARY, 20, out=tmp_path / "e.zarr"), first)
 
 
-@pytest.mark.parametrize("damage", ["cut", "removed", "trajectory removed", "checksum cut"])
-def test_damaged_chunks_are_run_again(quick, tmp_path, damage):
-    out = tmp_path / "e.zarr"
-    run_ensemble(quick, VARY, 30, out=out, chunk=10, trajectories=True)
-    before = files(out)
-    victim = {
-        "cut": out / "gain_error" / "c" / "1" / "0",
-        "removed": out / "clpe_rms_whole" / "c" / "2",
-        "trajectory removed": out / "alpha" / "c" / "1" / "0" / "0" / "0",
-        "checksum cut": out / "done" / "c" / "0",
-    }[damage]
-    if "cut" in damage:
-        victim.write_bytes(victim.read_bytes()[:-6])
-    else:
-        victim.unlink()
-    run_ensemble(quick, VARY, 30, out=out, chunk=10, trajectories=True)
-    assert files(out) == before
-
-
 def edited(key, value):
     def edit(path):
         metadata = json.loads(path.read_text())
@@ -196,12 +148,26 @@ def test_a_store_without_what_it_must_hold_is_named_and_left(stored, tmp_path, n
     assert files(out) == before
 
 
-@pytest.mark.parametrize("name", ["alpha/c/1/0/0/0", "gain_error/c/0/0"])
-def test_a_flipped_byte_of_a_chunk_is_run_again(stored, tmp_path, name):
+def shortened(path):
+    path.write_bytes(path.read_bytes()[:-6])
+
+
+@pytest.mark.parametrize(
+    ("name", "damage"),
+    [
+        ("gain_error/c/0/0", flipped),
+        ("alpha/c/1/0/0/0", flipped),
+        ("gain_error/c/1/0", shortened),
+        ("done/c/0", shortened),  # a checksum
+        ("clpe_rms_whole/c/1", Path.unlink),
+        ("alpha/c/1/0/0/0", Path.unlink),
+    ],
+)
+def test_a_damaged_chunk_is_run_again(stored, tmp_path, name, damage):
     whole, run = stored
     out = tmp_path / "e.zarr"
     shutil.copytree(whole, out)
-    flipped(out / name)
+    damage(out / name)
     run(out)
     assert files(out) == files(whole)
 
@@ -224,13 +190,9 @@ DASK = pytest.mark.skipif(not importlib.util.find_spec("distributed"), reason="n
 def test_a_dask_worker_is_killed(scenario, tmp_path):
     from distributed import Client, LocalCluster
 
-    members, killed = 240, []
-    with (
-        LocalCluster(
-            n_workers=2, threads_per_worker=1, processes=True, dashboard_address=":0"
-        ) as cluster,
-        Client(cluster) as client,
-    ):
+    given, killed = {"members": 240, "seed": 1, "chunk": 10}, []
+    here = {"n_workers": 2, "threads_per_worker": 1, "processes": True, "dashboard_address": ":0"}
+    with LocalCluster(**here) as cluster, Client(cluster) as client:
         pids = list(client.run(os.getpid).values())
 
         def kill_one(done):
@@ -238,18 +200,10 @@ def test_a_dask_worker_is_killed(scenario, tmp_path):
                 killed.append(pids[0])
                 os.kill(pids[0], signal.SIGKILL)
 
-        data = run_ensemble(
-            scenario,
-            VARY,
-            members,
-            seed=1,
-            out=tmp_path / "d.zarr",
-            chunk=10,
-            dask=cluster.scheduler_address,
-            progress=kill_one,
-        )
+        to = {"out": tmp_path / "d.zarr", "dask": cluster.scheduler_address, "progress": kill_one}
+        data = run_ensemble(scenario, VARY, **given, **to)
     assert killed
-    assert_identical(data, run_ensemble(scenario, VARY, members, seed=1, chunk=10))
+    assert_identical(data, run_ensemble(scenario, VARY, **given))
 
 
 LINUX = pytest.mark.skipif(not Path("/proc/self/net/tcp").exists(), reason="no /proc/net")
