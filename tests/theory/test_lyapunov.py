@@ -155,12 +155,6 @@ def test_V_is_a_name_a_function_or_an_expression():
     assert found.status == "proved where w = 0"
 
 
-def test_an_input_that_the_rate_depends_on_is_named():
-    found = lyapunov(system(lambda x, d: [-x + d], "d"), half)
-    assert (found.status, found.inputs) == ("proved where d = 0", ("d",))
-    assert "d = 0" in found.claim
-
-
 def test_a_claim_is_compared_exactly():
     plant = system(lambda x: [-3 * x])
     assert lyapunov(plant, half, claim=lambda s: -3 * s.x**2).status == "proved"

@@ -20,7 +20,6 @@ from own_laws import (
 from textbook_laws import by, of_e, with_R
 
 import clpt_control as clpt
-from clpt_control.blocks.laws.table import LAWS
 from clpt_control.blocks.lyapunov import lyapunov_candidate, one_gain
 from clpt_control.equations import Block
 from clpt_control.errors import ClptError, DiagramError
@@ -139,13 +138,6 @@ def test_what_has_no_value_says_so():
     said = next(s for s in verdict.steps if "value everywhere" in s.claim)
     assert not said.holds
     assert said.detail == "own.update divides by z_1, which may be zero"
-
-
-def test_the_papers_law_is_proved_for_every_N():
-    verdict = prove(LAWS["learned-flow"].of(3, gain=2.5), points=250)
-    assert (verdict.status, verdict.for_every_N, verdict.residual) == ("proved", True, 0)
-    running = next(s for s in verdict.steps if s.how == "sampled")
-    assert running.detail.startswith("250 points")
 
 
 def without_feedforward(t, x, u, p):
