@@ -118,7 +118,7 @@ class Batch:
         size = max(callee.size, parameters.shape[1], 1)
         rooms = (solver.NUMBERS, solver.ROWS * n, size, max(callee.room, 1))
         numbers, self.Z, P, W, D = aligned(
-            *(lanes * room for room in (*rooms, max(n, 2, solver.DECIDED * callee.decided)))
+            *(lanes * room for room in (*rooms, max(n, solver.DECIDED * max(callee.decided, 1))))
         )
         self.numbers, places = numbers.reshape(-1, lanes), P.reshape(-1, lanes)
         # a lane without a run holds the state and parameters with which the first begins

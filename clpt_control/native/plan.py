@@ -7,7 +7,7 @@ iteration of a nest reads, and what later levels read, is saved in W.
 """
 
 from itertools import groupby
-from math import prod
+from math import inf, prod
 from typing import Any, NamedTuple
 
 from ..equations.arrays import CONDITIONS
@@ -254,7 +254,7 @@ def program_of(
 
 
 def _least(made: Components) -> Write:
-    least: Any = 1.0
+    least: Any = inf
     for margin in made.record.margins:
         least = made.add("minimum", least, made.at(margin, ()))
     return Write("D", 0, (), (), least)

@@ -1,22 +1,22 @@
-; sha256 8e78393eb73b67b442a0958f718cea39a11366cb45d442f37ba25d624c59afa1
+; sha256 ec2605879c3aa6306a409c3885c4acd09ca4696920e494bbc374ce1ad0103bd4
 
-@.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28 = internal constant [70 x i8] c"\80\04\95;\00\00\00\00\00\00\00\8C\08builtins\94\8C\0AIndexError\94\93\94\8C\18tuple index out of range\94\85\94N\87\94."
-@.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.sha1 = internal constant [20 x i8] c"\A82\A7\F8\17\\%0i*\B8.X\1E$k\F5dj("
-@.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28 = internal constant { ptr, i32, ptr, ptr, i32 } { ptr @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28, i32 70, ptr @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.sha1, ptr null, i32 0 }
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.16 = internal constant [70 x i8] c"\80\04\95;\00\00\00\00\00\00\00\8C\08builtins\94\8C\0AIndexError\94\93\94\8C\18tuple index out of range\94\85\94N\87\94."
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.sha1.17 = internal constant [20 x i8] c"\A82\A7\F8\17\\%0i*\B8.X\1E$k\F5dj("
 @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.15 = internal constant { ptr, i32, ptr, ptr, i32 } { ptr @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.16, i32 70, ptr @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.sha1.17, ptr null, i32 0 }
-@switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.5 = private unnamed_addr constant [8 x double] [double 0.000000e+00, double 0x3FB48E8A71DE69AD, double 2.500000e-01, double 3.333000e-01, double 5.000000e-01, double 0x3FE50A3D70A3D70A, double 7.500000e-01, double 8.889000e-01], align 8
-@switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.6 = private unnamed_addr constant [18 x double] [double 0.000000e+00, double 0x3FB48E8A71DE69AD, double 2.500000e-01, double 3.333000e-01, double 5.000000e-01, double 0x3FE50A3D70A3D70A, double 7.500000e-01, double 8.889000e-01, double 1.000000e+00, double 0.000000e+00, double 0x3FB48E8A71DE69AD, double 2.500000e-01, double 3.333000e-01, double 5.000000e-01, double 0x3FE50A3D70A3D70A, double 7.500000e-01, double 8.889000e-01, double 1.000000e+00], align 8
+@.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.16.104 = internal constant [70 x i8] c"\80\04\95;\00\00\00\00\00\00\00\8C\08builtins\94\8C\0AIndexError\94\93\94\8C\18tuple index out of range\94\85\94N\87\94."
+@.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.sha1.17.105 = internal constant [20 x i8] c"\A82\A7\F8\17\\%0i*\B8.X\1E$k\F5dj("
+@.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.15.103 = internal constant { ptr, i32, ptr, ptr, i32 } { ptr @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.16.104, i32 70, ptr @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.sha1.17.105, ptr null, i32 0 }
+@switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.12 = private unnamed_addr constant [18 x double] [double 0.000000e+00, double 0x3FB48E8A71DE69AD, double 2.500000e-01, double 3.333000e-01, double 5.000000e-01, double 0x3FE50A3D70A3D70A, double 7.500000e-01, double 8.889000e-01, double 1.000000e+00, double 0.000000e+00, double 0x3FB48E8A71DE69AD, double 2.500000e-01, double 3.333000e-01, double 5.000000e-01, double 0x3FE50A3D70A3D70A, double 7.500000e-01, double 8.889000e-01, double 1.000000e+00], align 8
+@switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.13 = private unnamed_addr constant [8 x double] [double 0.000000e+00, double 0x3FB48E8A71DE69AD, double 2.500000e-01, double 3.333000e-01, double 5.000000e-01, double 0x3FE50A3D70A3D70A, double 7.500000e-01, double 8.889000e-01], align 8
 
 define dso_local range(i32 0, 2) i32 @advance_of_many(ptr noalias %retptr, ptr noalias %excinfo, ptr readnone %arg.code.0, ptr readnone %arg.code.1, i64 %arg.code.2, i64 %arg.code.3, ptr readonly %arg.code.4, i64 %arg.code.5.0, i64 %arg.code.6.0, i64 %arg.shape.0, i64 %arg.shape.1, i64 %arg.shape.2, i64 %arg.shape.3, i64 %arg.shape.4, i64 %arg.shape.5, i64 %arg.shape.6, ptr readnone %arg.tolerances.0, ptr readnone %arg.tolerances.1, i64 %arg.tolerances.2, i64 %arg.tolerances.3, ptr %arg.tolerances.4, i64 %arg.tolerances.5.0, i64 %arg.tolerances.6.0, ptr readnone %arg.batch.0.0.0, ptr readnone %arg.batch.0.0.1, i64 %arg.batch.0.0.2, i64 %arg.batch.0.0.3, ptr readonly %arg.batch.0.0.4, i64 %arg.batch.0.0.5.0, i64 %arg.batch.0.0.5.1, i64 %arg.batch.0.0.6.0, i64 %arg.batch.0.0.6.1, ptr readnone %arg.batch.0.1.0, ptr readnone %arg.batch.0.1.1, i64 %arg.batch.0.1.2, i64 %arg.batch.0.1.3, ptr readonly %arg.batch.0.1.4, i64 %arg.batch.0.1.5.0, i64 %arg.batch.0.1.5.1, i64 %arg.batch.0.1.6.0, i64 %arg.batch.0.1.6.1, ptr readnone %arg.batch.0.2.0, ptr readnone %arg.batch.0.2.1, i64 %arg.batch.0.2.2, i64 %arg.batch.0.2.3, ptr readonly %arg.batch.0.2.4, i64 %arg.batch.0.2.5.0, i64 %arg.batch.0.2.6.0, ptr readnone %arg.batch.1.0.0, ptr readnone %arg.batch.1.0.1, i64 %arg.batch.1.0.2, i64 %arg.batch.1.0.3, ptr readonly %arg.batch.1.0.4, i64 %arg.batch.1.0.5.0, i64 %arg.batch.1.0.6.0, ptr readnone %arg.batch.1.1.0, ptr readnone %arg.batch.1.1.1, i64 %arg.batch.1.1.2, i64 %arg.batch.1.1.3, ptr readonly %arg.batch.1.1.4, i64 %arg.batch.1.1.5.0, i64 %arg.batch.1.1.6.0, ptr readnone %arg.batch.1.2.0, ptr readnone %arg.batch.1.2.1, i64 %arg.batch.1.2.2, i64 %arg.batch.1.2.3, ptr readonly %arg.batch.1.2.4, i64 %arg.batch.1.2.5.0, i64 %arg.batch.1.2.6.0, ptr readnone %arg.batch.1.3.0, ptr readnone %arg.batch.1.3.1, i64 %arg.batch.1.3.2, i64 %arg.batch.1.3.3, ptr readonly %arg.batch.1.3.4, i64 %arg.batch.1.3.5.0, i64 %arg.batch.1.3.5.1, i64 %arg.batch.1.3.6.0, i64 %arg.batch.1.3.6.1, ptr readnone %arg.batch.1.4.0, ptr readnone %arg.batch.1.4.1, i64 %arg.batch.1.4.2, i64 %arg.batch.1.4.3, ptr readonly %arg.batch.1.4.4, i64 %arg.batch.1.4.5.0, i64 %arg.batch.1.4.6.0, ptr readnone %arg.batch.2.0, ptr readnone %arg.batch.2.1, i64 %arg.batch.2.2, i64 %arg.batch.2.3, ptr readonly %arg.batch.2.4, i64 %arg.batch.2.5.0, i64 %arg.batch.2.6.0, ptr readnone %arg.batch.3.0.0, ptr readnone %arg.batch.3.0.1, i64 %arg.batch.3.0.2, i64 %arg.batch.3.0.3, ptr %arg.batch.3.0.4, i64 %arg.batch.3.0.5.0, i64 %arg.batch.3.0.5.1, i64 %arg.batch.3.0.5.2, i64 %arg.batch.3.0.6.0, i64 %arg.batch.3.0.6.1, i64 %arg.batch.3.0.6.2, ptr readnone %arg.batch.3.1.0, ptr readnone %arg.batch.3.1.1, i64 %arg.batch.3.1.2, i64 %arg.batch.3.1.3, ptr %arg.batch.3.1.4, i64 %arg.batch.3.1.5.0, i64 %arg.batch.3.1.6.0, ptr readnone %arg.batch.3.2.0, ptr readnone %arg.batch.3.2.1, i64 %arg.batch.3.2.2, i64 %arg.batch.3.2.3, ptr %arg.batch.3.2.4, i64 %arg.batch.3.2.5.0, i64 %arg.batch.3.2.6.0, ptr readnone %arg.batch.3.3.0, ptr readnone %arg.batch.3.3.1, i64 %arg.batch.3.3.2, i64 %arg.batch.3.3.3, ptr %arg.batch.3.3.4, i64 %arg.batch.3.3.5.0, i64 %arg.batch.3.3.5.1, i64 %arg.batch.3.3.6.0, i64 %arg.batch.3.3.6.1, ptr readnone %arg.batch.4.0.0, ptr readnone %arg.batch.4.0.1, i64 %arg.batch.4.0.2, i64 %arg.batch.4.0.3, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.0, i64 %arg.batch.4.0.5.1, i64 %arg.batch.4.0.6.0, i64 %arg.batch.4.0.6.1, ptr readnone %arg.batch.4.1.0, ptr readnone %arg.batch.4.1.1, i64 %arg.batch.4.1.2, i64 %arg.batch.4.1.3, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.0, i64 %arg.batch.4.1.5.1, i64 %arg.batch.4.1.6.0, i64 %arg.batch.4.1.6.1, ptr readnone %arg.batch.4.2.0, ptr readnone %arg.batch.4.2.1, i64 %arg.batch.4.2.2, i64 %arg.batch.4.2.3, ptr %arg.batch.4.2.4, i64 %arg.batch.4.2.5.0, i64 %arg.batch.4.2.6.0, ptr readnone %arg.batch.5.0.0, ptr readnone %arg.batch.5.0.1, i64 %arg.batch.5.0.2, i64 %arg.batch.5.0.3, ptr %arg.batch.5.0.4, i64 %arg.batch.5.0.5.0, i64 %arg.batch.5.0.6.0, ptr readnone %arg.batch.5.1.0, ptr readnone %arg.batch.5.1.1, i64 %arg.batch.5.1.2, i64 %arg.batch.5.1.3, ptr %arg.batch.5.1.4, i64 %arg.batch.5.1.5.0, i64 %arg.batch.5.1.6.0, ptr readnone %arg.batch.5.2.0, ptr readnone %arg.batch.5.2.1, i64 %arg.batch.5.2.2, i64 %arg.batch.5.2.3, ptr %arg.batch.5.2.4, i64 %arg.batch.5.2.5.0, i64 %arg.batch.5.2.6.0, ptr readnone %arg.batch.5.3.0, ptr readnone %arg.batch.5.3.1, i64 %arg.batch.5.3.2, i64 %arg.batch.5.3.3, ptr %arg.batch.5.3.4, i64 %arg.batch.5.3.5.0, i64 %arg.batch.5.3.6.0, ptr readnone %arg.batch.5.4.0, ptr readnone %arg.batch.5.4.1, i64 %arg.batch.5.4.2, i64 %arg.batch.5.4.3, ptr %arg.batch.5.4.4, i64 %arg.batch.5.4.5.0, i64 %arg.batch.5.4.6.0, ptr readnone %arg.linear.0.0, ptr readnone %arg.linear.0.1, i64 %arg.linear.0.2, i64 %arg.linear.0.3, ptr %arg.linear.0.4, i64 %arg.linear.0.5.0, i64 %arg.linear.0.6.0, ptr readnone %arg.linear.1.0, ptr readnone %arg.linear.1.1, i64 %arg.linear.1.2, i64 %arg.linear.1.3, ptr %arg.linear.1.4, i64 %arg.linear.1.5.0, i64 %arg.linear.1.6.0, ptr readnone %arg.linear.2.0, ptr readnone %arg.linear.2.1, i64 %arg.linear.2.2, i64 %arg.linear.2.3, ptr %arg.linear.2.4, i64 %arg.linear.2.5.0, i64 %arg.linear.2.6.0, i64 %arg.linear.3.0, i64 %arg.linear.3.1, i64 %arg.linear.3.2, ptr readnone %arg.linear.4.0, ptr readnone %arg.linear.4.1, i64 %arg.linear.4.2, i64 %arg.linear.4.3, ptr readonly %arg.linear.4.4, i64 %arg.linear.4.5.0, i64 %arg.linear.4.6.0, ptr readnone %arg.linear.5.0, ptr readnone %arg.linear.5.1, i64 %arg.linear.5.2, i64 %arg.linear.5.3, ptr readonly %arg.linear.5.4, i64 %arg.linear.5.5.0, i64 %arg.linear.5.6.0, ptr readnone %arg.linear.6.0, ptr readnone %arg.linear.6.1, i64 %arg.linear.6.2, i64 %arg.linear.6.3, ptr readonly %arg.linear.6.4, i64 %arg.linear.6.5.0, i64 %arg.linear.6.6.0, ptr readnone %arg.linear.7.0, ptr readnone %arg.linear.7.1, i64 %arg.linear.7.2, i64 %arg.linear.7.3, ptr readonly %arg.linear.7.4, i64 %arg.linear.7.5.0, i64 %arg.linear.7.6.0, ptr readnone %arg.linear.8.0, ptr readnone %arg.linear.8.1, i64 %arg.linear.8.2, i64 %arg.linear.8.3, ptr readonly %arg.linear.8.4, i64 %arg.linear.8.5.0, i64 %arg.linear.8.6.0, ptr readnone %arg.linear.9.0, ptr readnone %arg.linear.9.1, i64 %arg.linear.9.2, i64 %arg.linear.9.3, ptr readonly %arg.linear.9.4, i64 %arg.linear.9.5.0, i64 %arg.linear.9.6.0, i64 %arg.budget, i64 %arg.most) local_unnamed_addr {
 entry:
-  %.4172 = alloca i8, align 1
-  store i8 0, ptr %.4172, align 1
+  %.4173 = alloca i8, align 1
+  store i8 0, ptr %.4173, align 1
   %excinfo.9 = alloca ptr, align 8
   store ptr null, ptr %excinfo.9, align 8
-  %.4774 = alloca i8, align 1
-  store i8 0, ptr %.4774, align 1
+  %.4776 = alloca i8, align 1
+  store i8 0, ptr %.4776, align 1
   %excinfo.11 = alloca ptr, align 8
   store ptr null, ptr %excinfo.11, align 8
   %.463 = mul i64 %arg.shape.1, %arg.shape.0
@@ -88,33 +88,33 @@ B416.if.lr.ph:                                    ; preds = %B380
 
 B458:                                             ; preds = %B416.if
   %.236.i = load i64, ptr %arg.batch.4.2.4, align 8, !noalias !0
-  %.293.i8927 = getelementptr double, ptr %0, i64 %.780.09192
-  store double 0.000000e+00, ptr %.293.i8927, align 8, !noalias !0
+  %.293.i8893 = getelementptr double, ptr %0, i64 %.780.09196
+  store double 0.000000e+00, ptr %.293.i8893, align 8, !noalias !0
   %.324.i = load i64, ptr %.323.i, align 8, !noalias !0
   %.326.i = icmp eq i64 %.236.i, %.324.i
   br i1 %.326.i, label %B502, label %B132.i
 
 B132.i:                                           ; preds = %B458
-  %.359.i8928 = add nsw i64 %.236.i, 1
-  store i64 %.359.i8928, ptr %arg.batch.4.2.4, align 8, !noalias !0
+  %.359.i8894 = add nsw i64 %.236.i, 1
+  store i64 %.359.i8894, ptr %arg.batch.4.2.4, align 8, !noalias !0
   store i64 1, ptr %.418.i, align 8, !noalias !0
   %.438.i = icmp slt i64 %.236.i, 0
   %.439.i = select i1 %.438.i, i64 %arg.batch.0.2.5.0, i64 0
   %8 = getelementptr i64, ptr %arg.batch.0.2.4, i64 %.236.i
-  %.453.i8929 = getelementptr i64, ptr %8, i64 %.439.i
-  %.454.i8930 = load i64, ptr %.453.i8929, align 8, !noalias !0
-  %.469.i = icmp slt i64 %.454.i8930, 0
+  %.453.i8895 = getelementptr i64, ptr %8, i64 %.439.i
+  %.454.i8896 = load i64, ptr %.453.i8895, align 8, !noalias !0
+  %.469.i = icmp slt i64 %.454.i8896, 0
   %.470.i = select i1 %.469.i, i64 %arg.batch.1.0.5.0, i64 0
-  %9 = getelementptr i64, ptr %arg.batch.1.0.4, i64 %.454.i8930
-  %.484.i8931 = getelementptr i64, ptr %9, i64 %.470.i
-  %.485.i8932 = load i64, ptr %.484.i8931, align 8, !noalias !0
-  %.540.i = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.780.09192
+  %9 = getelementptr i64, ptr %arg.batch.1.0.4, i64 %.454.i8896
+  %.484.i8897 = getelementptr i64, ptr %9, i64 %.470.i
+  %.485.i8898 = load i64, ptr %.484.i8897, align 8, !noalias !0
+  %.540.i = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.780.09196
   store i64 %.236.i, ptr %.540.i, align 8, !noalias !0
-  %.595.i = getelementptr i64, ptr %1, i64 %.780.09192
-  store i64 %.485.i8932, ptr %.595.i, align 8, !noalias !0
-  %.654.i = getelementptr i64, ptr %2, i64 %.780.09192
+  %.595.i = getelementptr i64, ptr %1, i64 %.780.09196
+  store i64 %.485.i8898, ptr %.595.i, align 8, !noalias !0
+  %.654.i = getelementptr i64, ptr %2, i64 %.780.09196
   store i64 1, ptr %.654.i, align 8, !noalias !0
-  %.709.i = getelementptr i64, ptr %3, i64 %.780.09192
+  %.709.i = getelementptr i64, ptr %3, i64 %.780.09196
   store i64 0, ptr %.709.i, align 8, !noalias !0
   br i1 %.8051131.not.i, label %B402.i, label %B358.if.lr.ph.i
 
@@ -123,7 +123,7 @@ B358.if.lr.ph.i:                                  ; preds = %B132.i
   %.868.i = add i64 %.867.i, %.236.i
   %.888.i = mul i64 %.868.i, %arg.batch.0.1.5.1
   %10 = getelementptr double, ptr %arg.batch.0.1.4, i64 %.888.i
-  %invariant.gep9357 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.780.09192
+  %invariant.gep9390 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.780.09196
   br label %B358.if.i
 
 B402.i:                                           ; preds = %B358.if.i, %B132.i
@@ -132,28 +132,28 @@ B402.i:                                           ; preds = %B358.if.i, %B132.i
 B76.if.i.lr.ph.i:                                 ; preds = %B402.i
   %.990.i = load i64, ptr %.595.i, align 8, !noalias !0
   %.236.i.i = icmp slt i64 %.990.i, 0
-  %.237.i.i8934 = select i1 %.236.i.i, i64 %arg.batch.1.3.5.0, i64 0
-  %.238.i.i = add i64 %.237.i.i8934, %.990.i
+  %.237.i.i8900 = select i1 %.236.i.i, i64 %arg.batch.1.3.5.0, i64 0
+  %.238.i.i = add i64 %.237.i.i8900, %.990.i
   %.258.i.i = mul i64 %.238.i.i, %arg.batch.1.3.5.1
   %11 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i
-  br label %B76.if.i.i8935
+  br label %B76.if.i.i8901
 
-B76.if.i.i8935:                                   ; preds = %B76.if.i.i8935, %B76.if.i.lr.ph.i
-  %.117.i.01135.i = phi i64 [ 0, %B76.if.i.lr.ph.i ], [ %.188.i.i, %B76.if.i.i8935 ]
+B76.if.i.i8901:                                   ; preds = %B76.if.i.i8901, %B76.if.i.lr.ph.i
+  %.117.i.01135.i = phi i64 [ 0, %B76.if.i.lr.ph.i ], [ %.188.i.i, %B76.if.i.i8901 ]
   %.188.i.i = add nsw i64 %.117.i.01135.i, 1
   %12 = getelementptr double, ptr %11, i64 %.117.i.01135.i
   %.263.i.i = load double, ptr %12, align 8, !noalias !3
   %13 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.01135.i
   %.293.i.i = load i64, ptr %13, align 8, !noalias !3
-  %.295.i.i8936 = mul nsw i64 %.293.i.i, %arg.shape.0
-  %.297.i.i = add nsw i64 %.295.i.i8936, %.780.09192
+  %.295.i.i8902 = mul nsw i64 %.293.i.i, %arg.shape.0
+  %.297.i.i = add nsw i64 %.295.i.i8902, %.780.09196
   %.311.i.i = icmp slt i64 %.297.i.i, 0
   %.312.i.i = select i1 %.311.i.i, i64 %arg.batch.5.1.5.0, i64 0
   %14 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i
   %.326.i.i = getelementptr double, ptr %14, i64 %.312.i.i
   store double %.263.i.i, ptr %.326.i.i, align 8, !noalias !3
   %exitcond1142.not.i = icmp eq i64 %.188.i.i, %arg.batch.1.1.5.0
-  br i1 %exitcond1142.not.i, label %B402.endif.i, label %B76.if.i.i8935
+  br i1 %exitcond1142.not.i, label %B402.endif.i, label %B76.if.i.i8901
 
 B888.i:                                           ; preds = %B580.if.i
   store double 0.000000e+00, ptr %.1877.i, align 8, !noalias !0
@@ -165,12 +165,12 @@ B358.if.i:                                        ; preds = %B358.if.i, %B358.if
   %15 = getelementptr double, ptr %10, i64 %.747.01132.i
   %.893.i = load double, ptr %15, align 8, !noalias !0
   %.895.i = mul nsw i64 %.747.01132.i, %arg.shape.0
-  %gep9358 = getelementptr double, ptr %invariant.gep9357, i64 %.895.i
-  store double %.893.i, ptr %gep9358, align 8, !noalias !0
+  %gep9391 = getelementptr double, ptr %invariant.gep9390, i64 %.895.i
+  store double %.893.i, ptr %gep9391, align 8, !noalias !0
   %exitcond.not.i = icmp eq i64 %.818.i, %arg.batch.0.1.5.1
   br i1 %exitcond.not.i, label %B402.i, label %B358.if.i
 
-B402.endif.i:                                     ; preds = %B76.if.i.i8935, %B402.i
+B402.endif.i:                                     ; preds = %B76.if.i.i8901, %B402.i
   br i1 %.11171137.not.i, label %B580.if.i, label %B496.if.lr.ph.i
 
 B496.if.lr.ph.i:                                  ; preds = %B402.endif.i
@@ -178,7 +178,7 @@ B496.if.lr.ph.i:                                  ; preds = %B402.endif.i
   %.1180.i = add i64 %.1179.i, %.236.i
   %.1200.i = mul i64 %.1180.i, %arg.batch.0.0.5.1
   %16 = getelementptr double, ptr %arg.batch.0.0.4, i64 %.1200.i
-  %invariant.gep9359 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.780.09192
+  %invariant.gep9392 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.780.09196
   br label %B496.if.i
 
 B496.if.i:                                        ; preds = %B496.if.i, %B496.if.lr.ph.i
@@ -187,13 +187,13 @@ B496.if.i:                                        ; preds = %B496.if.i, %B496.if
   %17 = getelementptr double, ptr %16, i64 %.1061.01138.i
   %.1205.i = load double, ptr %17, align 8, !noalias !0
   %.1207.i = mul nsw i64 %.1061.01138.i, %arg.shape.0
-  %gep9360 = getelementptr double, ptr %invariant.gep9359, i64 %.1207.i
-  store double %.1205.i, ptr %gep9360, align 8, !noalias !0
+  %gep9393 = getelementptr double, ptr %invariant.gep9392, i64 %.1207.i
+  store double %.1205.i, ptr %gep9393, align 8, !noalias !0
   %exitcond1143.not.i = icmp eq i64 %.1130.i, %arg.shape.1
   br i1 %exitcond1143.not.i, label %B580.if.i, label %B496.if.i
 
 B580.if.i:                                        ; preds = %B496.if.i, %B402.endif.i
-  %invariant.gep.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.780.09192
+  %invariant.gep.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.780.09196
   store double 0.000000e+00, ptr %invariant.gep.i, align 8, !noalias !0
   %gep.1.i = getelementptr double, ptr %invariant.gep.i, i64 %arg.batch.4.0.5.1
   store double 0.000000e+00, ptr %gep.1.i, align 8, !noalias !0
@@ -257,24 +257,24 @@ B580.if.i:                                        ; preds = %B496.if.i, %B402.en
   %.1546.i = getelementptr double, ptr %18, i64 %.1532.i
   %.1547.i = load double, ptr %.1546.i, align 8, !noalias !0
   store double %.1455.i, ptr %invariant.gep.i, align 8, !noalias !0
-  %.1656.i = getelementptr double, ptr %4, i64 %.780.09192
+  %.1656.i = getelementptr double, ptr %4, i64 %.780.09196
   store double %.1547.i, ptr %.1656.i, align 8, !noalias !0
-  store double 1.000000e+00, ptr %.293.i8927, align 8, !noalias !0
-  %.1767.i = getelementptr double, ptr %5, i64 %.780.09192
+  store double 1.000000e+00, ptr %.293.i8893, align 8, !noalias !0
+  %.1767.i = getelementptr double, ptr %5, i64 %.780.09196
   store double 0xFFF0000000000000, ptr %.1767.i, align 8, !noalias !0
-  %.1822.i = getelementptr double, ptr %6, i64 %.780.09192
+  %.1822.i = getelementptr double, ptr %6, i64 %.780.09196
   store double 0x7FF0000000000000, ptr %.1822.i, align 8, !noalias !0
-  %.1877.i = getelementptr double, ptr %7, i64 %.780.09192
+  %.1877.i = getelementptr double, ptr %7, i64 %.780.09196
   %.1878.i = load double, ptr %.1877.i, align 8, !noalias !0
   %.1880.i = fcmp ueq double %.1878.i, 0xFFF0000000000000
   br i1 %.1880.i, label %B502, label %B888.i
 
 B502:                                             ; preds = %B888.i, %B458, %B580.if.i, %B416.if
-  %.1071 = load i64, ptr %265, align 8
+  %.1071 = load i64, ptr %309, align 8
   %.1072 = icmp sgt i64 %.1071, -1
-  %.8904 = zext i1 %.1072 to i64
-  %.1089 = add nsw i64 %active.4.09194, %.8904
-  %.838 = icmp sgt i64 %.783.09193, 1
+  %.8871 = zext i1 %.1072 to i64
+  %.1089 = add nsw i64 %active.4.09198, %.8871
+  %.838 = icmp sgt i64 %.783.09197, 1
   br i1 %.838, label %B416.if, label %B556
 
 B556:                                             ; preds = %B502, %B380
@@ -282,19 +282,18 @@ B556:                                             ; preds = %B502, %B380
   %.1106.not = icmp ne i64 %active.4.0.lcssa, 0
   %.1122 = icmp sgt i64 %arg.budget, 0
   %or.cond = select i1 %.1106.not, i1 %.1122, i1 false
-  br i1 %or.cond, label %B584.preheader, label %B4734
+  br i1 %or.cond, label %B584.preheader, label %B4744
 
 B584.preheader:                                   ; preds = %B556
   %.1166 = getelementptr i8, ptr %arg.batch.4.2.4, i64 16
   %factor.op.mul = mul i64 %arg.shape.1, 14
-  %factor.op.mul9327 = mul i64 %arg.shape.1, 15
-  %factor.op.mul9328 = shl i64 %arg.shape.1, 4
+  %factor.op.mul9331 = mul i64 %arg.shape.1, 15
   %.1262 = getelementptr i8, ptr %arg.code.4, i64 8
   %.1314 = icmp sgt i64 %arg.shape.6, 0
   %.162.i = getelementptr i8, ptr %arg.code.4, i64 40
-  %.idx8903 = mul i64 %arg.batch.4.0.5.1, 24
-  %19 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8903
-  %.537.i9195 = icmp slt i64 %arg.shape.6, 1
+  %.idx8870 = mul i64 %arg.batch.4.0.5.1, 24
+  %19 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8870
+  %.537.i9199 = icmp slt i64 %arg.shape.6, 1
   %.691.i = getelementptr i8, ptr %arg.code.4, i64 8
   %.1375.not = icmp eq i64 %arg.shape.3, 0
   %.1405 = getelementptr i8, ptr %arg.code.4, i64 16
@@ -307,25 +306,25 @@ B584.preheader:                                   ; preds = %B556
   %.1765.idx = mul i64 %.463, 24
   %.1765 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.1765.idx
   %.1796 = getelementptr i8, ptr %arg.code.4, i64 96
-  %.idx8895 = mul i64 %arg.batch.4.0.5.1, 24
-  %20 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8895
-  %.idx8896 = shl i64 %arg.batch.4.0.5.1, 5
-  %21 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8896
-  %.idx8897 = mul i64 %arg.batch.4.0.5.1, 240
-  %22 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8897
-  %.8905 = select i1 %.612, i64 0, i64 2
+  %.idx8862 = mul i64 %arg.batch.4.0.5.1, 24
+  %20 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8862
+  %.idx8863 = shl i64 %arg.batch.4.0.5.1, 5
+  %21 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8863
+  %.idx8864 = mul i64 %arg.batch.4.0.5.1, 240
+  %22 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8864
+  %.8872 = select i1 %.612, i64 0, i64 2
   %.792.i = icmp ne i64 %arg.shape.2, 1
   %"$phi364.4.2.i.2" = zext i1 %.792.i to i64
-  %.idx8898 = mul i64 %arg.batch.4.0.5.1, 96
-  %23 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8898
-  %.idx8899 = shl i64 %arg.batch.4.0.5.1, 4
-  %24 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8899
-  %.idx8900 = shl i64 %arg.batch.4.1.5.1, 4
-  %25 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx8900
-  %.idx8901 = shl i64 %arg.batch.4.0.5.1, 4
-  %26 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8901
-  %.idx8902 = mul i64 %arg.batch.4.0.5.1, 160
-  %27 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8902
+  %.idx8865 = mul i64 %arg.batch.4.0.5.1, 96
+  %23 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8865
+  %.idx8866 = shl i64 %arg.batch.4.0.5.1, 4
+  %24 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8866
+  %.idx8867 = shl i64 %arg.batch.4.1.5.1, 4
+  %25 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx8867
+  %.idx8868 = shl i64 %arg.batch.4.0.5.1, 4
+  %26 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8868
+  %.idx8869 = mul i64 %arg.batch.4.0.5.1, 160
+  %27 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8869
   %.1934 = getelementptr i8, ptr %arg.code.4, i64 64
   %.2059 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.463
   %.266.idx.i = shl i64 %arg.batch.4.0.5.1, 5
@@ -353,8 +352,8 @@ B584.preheader:                                   ; preds = %B556
   %.586.i.i.i = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.586.i.i.idx.i
   %.597.i.i.i = mul nsw i64 %arg.shape.1, 18
   %.615.i.i.i = select i1 %.510.i.i.i, i64 %arg.batch.5.0.5.0, i64 0
-  %.idx.i8942 = mul i64 %arg.shape.1, 152
-  %30 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.idx.i8942
+  %.idx.i8908 = mul i64 %arg.shape.1, 152
+  %30 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.idx.i8908
   %.629.i.i.i = getelementptr double, ptr %30, i64 %.615.i.i.i
   %.944.i.i.i = mul nsw i64 %arg.shape.1, 17
   %.1748.i.i = mul nsw i64 %arg.shape.1, 11
@@ -369,52 +368,52 @@ B584.preheader:                                   ; preds = %B556
   %.1276.i.i.1.i = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.1276.i.i.1.idx.i
   %.idx2164.i = mul i64 %arg.shape.1, 96
   %.402.i = icmp sgt i64 %arg.shape.1, 0
-  %.520.i8937 = add i64 %arg.linear.3.0, 1
+  %.520.i8903 = add i64 %arg.linear.3.0, 1
   %.434.sroa.0.02106.i = add i64 %arg.shape.1, 1
   %.831.idx.i = mul i64 %arg.batch.4.0.5.1, 152
   %.831.i = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.831.idx.i
   %31 = add i64 %arg.linear.3.1, %arg.linear.3.0
   %.199.i.i = add i64 %arg.linear.3.1, 1
   %.2178 = add i64 %arg.shape.2, -1
-  %storemerge8849 = tail call i64 @llvm.smax.i64(i64 %.2178, i64 0)
-  %.22219208.not = icmp slt i64 %.2178, 1
+  %storemerge8816 = tail call i64 @llvm.smax.i64(i64 %.2178, i64 0)
+  %.22219212.not = icmp slt i64 %.2178, 1
   %.2366.idx = mul i64 %.463, 136
   %.2366 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.2366.idx
   %.2392 = inttoptr i64 %"$phi380.0.2.0" to ptr
   %.218614.not.i = icmp sgt i64 %arg.shape.1, 0
-  %or.cond9186.not = select i1 %.610, i1 %.218614.not.i, i1 false
-  %.326.i8943 = mul nsw i64 %arg.shape.1, 17
-  %.idx.i8945 = mul i64 %arg.shape.1, 80
-  %invariant.gep9204 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.idx.i8945
+  %or.cond9189.not = select i1 %.610, i1 %.218614.not.i, i1 false
+  %.326.i8909 = mul nsw i64 %arg.shape.1, 17
+  %.idx.i8911 = mul i64 %arg.shape.1, 80
+  %invariant.gep9208 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.idx.i8911
   %.395.i = mul nsw i64 %arg.shape.1, 17
   %.339.i.i = add i64 %arg.linear.3.0, 1
-  %invariant.gep9206 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.395.i
+  %invariant.gep9210 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.395.i
   %32 = add i64 %arg.linear.3.1, %arg.linear.3.0
   %.2486 = getelementptr i8, ptr %arg.code.4, i64 72
   %.2563 = icmp sgt i64 %arg.shape.3, 0
   %.2568 = icmp sgt i64 %arg.shape.6, 0
-  %.idx8893 = mul i64 %arg.batch.4.0.5.1, 40
-  %33 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8893
-  %.idx8894 = mul i64 %arg.batch.4.0.5.1, 176
-  %34 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8894
-  %.idx8890 = mul i64 %arg.batch.4.0.5.1, 184
-  %35 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8890
-  %.idx8891 = mul i64 %arg.batch.4.0.5.1, 192
-  %36 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8891
-  %.idx8892 = mul i64 %arg.batch.4.0.5.1, 168
-  %37 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8892
-  %.idx8884 = shl i64 %arg.batch.4.1.5.1, 4
-  %38 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx8884
-  %.idx8885 = mul i64 %arg.batch.4.0.5.1, 200
-  %39 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8885
-  %.idx8886 = mul i64 %arg.batch.4.0.5.1, 80
-  %40 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8886
-  %.idx8887 = mul i64 %arg.batch.4.0.5.1, 40
-  %41 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8887
-  %.idx8888 = mul i64 %arg.batch.4.0.5.1, 224
-  %42 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8888
-  %.idx8889 = mul i64 %arg.batch.4.0.5.1, 56
-  %43 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8889
+  %.idx8860 = mul i64 %arg.batch.4.0.5.1, 40
+  %33 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8860
+  %.idx8861 = mul i64 %arg.batch.4.0.5.1, 176
+  %34 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8861
+  %.idx8857 = mul i64 %arg.batch.4.0.5.1, 184
+  %35 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8857
+  %.idx8858 = mul i64 %arg.batch.4.0.5.1, 192
+  %36 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8858
+  %.idx8859 = mul i64 %arg.batch.4.0.5.1, 168
+  %37 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8859
+  %.idx8851 = shl i64 %arg.batch.4.1.5.1, 4
+  %38 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx8851
+  %.idx8852 = mul i64 %arg.batch.4.0.5.1, 200
+  %39 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8852
+  %.idx8853 = mul i64 %arg.batch.4.0.5.1, 80
+  %40 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8853
+  %.idx8854 = mul i64 %arg.batch.4.0.5.1, 40
+  %41 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8854
+  %.idx8855 = mul i64 %arg.batch.4.0.5.1, 224
+  %42 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8855
+  %.idx8856 = mul i64 %arg.batch.4.0.5.1, 56
+  %43 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8856
   %44 = or i1 %.612, %.625
   %.3958.idx = mul i64 %.463, 136
   %.3958 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.3958.idx
@@ -422,26 +421,26 @@ B584.preheader:                                   ; preds = %B556
   %.3983 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.3983.idx
   %.4023 = getelementptr i8, ptr %arg.code.4, i64 128
   %.4117 = getelementptr i8, ptr %arg.code.4, i64 120
-  %.4657.c = getelementptr i8, ptr %arg.code.4, i64 112
-  %.4517.idx = mul i64 %.463, 136
-  %.4517 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.4517.idx
-  %.4580 = getelementptr i8, ptr %arg.code.4, i64 224
-  %.4657 = getelementptr i8, ptr %arg.code.4, i64 112
-  %.idx8877 = shl i64 %arg.batch.4.1.5.1, 4
-  %45 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx8877
-  %.idx8878 = mul i64 %arg.batch.4.0.5.1, 40
-  %46 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8878
-  %.idx8879 = mul i64 %arg.batch.4.0.5.1, 56
-  %47 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8879
-  %.idx8880 = mul i64 %arg.batch.4.0.5.1, 208
-  %48 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8880
-  %.idx8881 = mul i64 %arg.batch.4.0.5.1, 48
-  %49 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8881
-  %.idx8882 = shl i64 %arg.batch.4.0.5.1, 5
-  %50 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8882
+  %.4658.c = getelementptr i8, ptr %arg.code.4, i64 112
+  %.4518.idx = mul i64 %.463, 136
+  %.4518 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.4518.idx
+  %.4581 = getelementptr i8, ptr %arg.code.4, i64 224
+  %.4658 = getelementptr i8, ptr %arg.code.4, i64 112
+  %.idx8844 = shl i64 %arg.batch.4.1.5.1, 4
+  %45 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx8844
+  %.idx8845 = mul i64 %arg.batch.4.0.5.1, 40
+  %46 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8845
+  %.idx8846 = mul i64 %arg.batch.4.0.5.1, 56
+  %47 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8846
+  %.idx8847 = mul i64 %arg.batch.4.0.5.1, 208
+  %48 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8847
+  %.idx8848 = mul i64 %arg.batch.4.0.5.1, 48
+  %49 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8848
+  %.idx8849 = shl i64 %arg.batch.4.0.5.1, 5
+  %50 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8849
   %51 = getelementptr double, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1
-  %.idx8883 = mul i64 %arg.batch.4.0.5.1, 216
-  %52 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8883
+  %.idx8850 = mul i64 %arg.batch.4.0.5.1, 216
+  %52 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8850
   %53 = getelementptr double, ptr %arg.batch.2.4, i64 %arg.batch.2.5.0
   %.221.i = getelementptr i8, ptr %53, i64 -8
   %.idx2926.i = mul i64 %arg.batch.4.0.5.1, 136
@@ -457,7 +456,7 @@ B584.preheader:                                   ; preds = %B556
   %.953.i.i = mul i64 %arg.shape.6, %arg.shape.0
   %.111.i49.i2946.not.i = icmp slt i64 %.953.i.i, 1
   %.1012.i.i = getelementptr i8, ptr %arg.code.4, i64 8
-  %factor.op.mul2958.i.reass = mul i64 %factor.op.mul9327, %arg.shape.0
+  %factor.op.mul2958.i.reass = mul i64 %factor.op.mul9331, %arg.shape.0
   %.1271.i.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %factor.op.mul2958.i.reass
   %.1831.i.i = getelementptr i8, ptr %arg.tolerances.4, i64 8
   %.idx2893.i = mul i64 %arg.batch.4.0.5.1, 136
@@ -505,43 +504,84 @@ B584.preheader:                                   ; preds = %B556
   %.idx2908.i = shl i64 %arg.batch.4.0.5.1, 5
   %68 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2908.i
   %69 = getelementptr double, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1
-  %.4944.not = icmp eq i64 %arg.shape.3, 0
-  %.8914 = select i1 %.612, i64 1, i64 16
-  %.524.i = getelementptr i8, ptr %arg.code.4, i64 16
-  %.595.i8979.reass = mul i64 %factor.op.mul9328, %arg.shape.0
-  %.615.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %.595.i8979.reass
-  %.452.i = uitofp i64 %.8914 to double
-  %.idx719.i = mul i64 %arg.batch.4.0.5.1, 48
-  %70 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx719.i
-  %.287.i725.not.i = icmp slt i64 %arg.shape.1, 1
-  %.358.i.i = shl nsw i64 %arg.shape.1, 4
-  %.idx.i8980 = mul i64 %arg.batch.4.0.5.1, 40
-  %71 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx.i8980
-  %.idx717.i = mul i64 %arg.batch.4.0.5.1, 112
-  %72 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx717.i
-  %.idx718.i = mul i64 %arg.batch.4.0.5.1, 120
-  %73 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx718.i
-  %.155.i.i.i8984 = mul nsw i64 %arg.shape.1, 24
-  %.155.i.i.1.i8986 = mul nsw i64 %arg.shape.1, 23
-  %.155.i.i.2.i8987 = mul nsw i64 %arg.shape.1, 22
-  %.155.i.i.3.i8988 = mul nsw i64 %arg.shape.1, 21
-  %.155.i.i.4.i8989 = mul nsw i64 %arg.shape.1, 20
-  %.155.i.i.5.i8990 = mul nsw i64 %arg.shape.1, 19
-  %.155.i.i.6.i8991 = mul nsw i64 %arg.shape.1, 18
+  %.4946.not = icmp eq i64 %arg.shape.3, 0
+  %.idx630.i = shl i64 %arg.shape.0, 4
+  %invariant.gep9273 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx630.i
+  %.idx631.i = mul i64 %arg.shape.0, 40
+  %invariant.gep9275 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx631.i
+  %.idx632.i = shl i64 %arg.shape.0, 6
+  %invariant.gep9277 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx632.i
+  %.idx633.i = mul i64 %arg.shape.0, 88
+  %invariant.gep9279 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx633.i
+  %.idx634.i = mul i64 %arg.shape.0, 112
+  %invariant.gep9281 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx634.i
+  %.idx635.i = mul i64 %arg.shape.0, 136
+  %invariant.gep9283 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx635.i
+  %.idx636.i = mul i64 %arg.shape.0, 160
+  %invariant.gep9285 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx636.i
+  %.idx637.i = mul i64 %arg.shape.0, 184
+  %invariant.gep9287 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx637.i
+  %.idx638.i = mul i64 %arg.shape.0, 208
+  %invariant.gep9289 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx638.i
+  %70 = getelementptr double, ptr %arg.batch.2.4, i64 %arg.batch.2.5.0
+  %.226.i.i = getelementptr i8, ptr %70, i64 -8
+  %.296.i.i8947 = icmp sgt i64 %arg.shape.2, 4
+  %..i.i = select i1 %.296.i.i8947, i64 0, i64 8
+  %.354.i.i = sub nsw i64 9, %..i.i
+  %.5201291.not.i.i = icmp slt i64 %arg.shape.0, 1
+  %.idx1277.i.i = mul i64 %arg.batch.4.0.5.1, 48
+  %71 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1277.i.i
+  %.287.i1288.not.i.i = icmp slt i64 %arg.shape.1, 1
+  %.358.i.i.i8948 = shl nsw i64 %arg.shape.1, 4
+  %.706.i.i = getelementptr i8, ptr %arg.code.4, i64 16
+  %.155.i.i.i.i8949 = mul nsw i64 %arg.shape.1, 24
+  %.155.i.i.1.i.i = mul nsw i64 %arg.shape.1, 23
+  %.155.i.i.2.i.i = mul nsw i64 %arg.shape.1, 22
+  %.155.i.i.3.i.i = mul nsw i64 %arg.shape.1, 21
+  %.155.i.i.4.i.i = mul nsw i64 %arg.shape.1, 20
+  %.155.i.i.5.i.i = mul nsw i64 %arg.shape.1, 19
+  %.155.i.i.6.i.i = mul nsw i64 %arg.shape.1, 18
+  %.880.11299.i.i = add nsw i64 %arg.shape.0, -1
+  %.idx.i.i = mul i64 %arg.batch.4.0.5.1, 56
+  %72 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx.i.i
+  %.idx1267.i.i = shl i64 %arg.batch.4.1.5.1, 5
+  %73 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx1267.i.i
+  %.idx1269.i.i = mul i64 %arg.batch.4.0.5.1, 40
+  %74 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1269.i.i
+  %.1281.i.i = select i1 %.296.i.i8947, i64 0, i64 7
+  %.idx1270.i.i = mul i64 %arg.batch.4.0.5.1, 112
+  %75 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1270.i.i
+  %.idx1271.i.i = mul i64 %arg.batch.4.0.5.1, 120
+  %76 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1271.i.i
+  %.30.i.i.i = mul nsw i64 %arg.shape.0, 3
+  %.598.i.i.i = mul i64 %arg.shape.0, 6
+  %.600.2.i.i.i = mul i64 %arg.shape.0, 12
+  %.600.3.i.i.i = mul i64 %arg.shape.0, 18
+  %.600.4.i.i.i = mul i64 %arg.shape.0, 24
+  %.334.1.i.i.i = mul nsw i64 %arg.shape.0, 9
+  %.334.2.i.i.i = mul nsw i64 %arg.shape.0, 15
+  %.334.3.i.i.i = mul nsw i64 %arg.shape.0, 21
+  %.idx1274.i.i = shl i64 %arg.batch.4.0.5.1, 5
+  %77 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1274.i.i
+  %78 = getelementptr double, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1
+  %.idx.i8952 = shl i64 %arg.batch.4.1.5.1, 5
+  %79 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx.i8952
+  %.idx600.i = mul i64 %arg.batch.4.0.5.1, 40
+  %80 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx600.i
   %factor.op.mul652.i = mul i64 %arg.batch.3.0.5.2, %arg.batch.3.0.5.1
-  %.idx.i9003 = shl i64 %arg.batch.4.1.5.1, 4
-  %74 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx.i9003
+  %.idx.i9006 = shl i64 %arg.batch.4.1.5.1, 4
+  %81 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx.i9006
   %.idx640.i = mul i64 %arg.batch.4.0.5.1, 40
-  %75 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx640.i
+  %82 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx640.i
   %.idx641.i = mul i64 %arg.batch.4.0.5.1, 48
-  %76 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx641.i
+  %83 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx641.i
   %.idx642.i = mul i64 %arg.batch.4.0.5.1, 56
-  %77 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx642.i
+  %84 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx642.i
   %.924649.not.i = icmp slt i64 %arg.shape.1, 1
   %.idx644.i = mul i64 %arg.batch.4.0.5.1, 216
-  %78 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx644.i
-  %.1000.i9004 = mul nsw i64 %arg.shape.1, 17
-  %79 = add i64 %arg.batch.2.5.0, -1
+  %85 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx644.i
+  %.1000.i9007 = mul nsw i64 %arg.shape.1, 17
+  %86 = add i64 %arg.batch.2.5.0, -1
   %.155.i.i = mul nsw i64 %arg.shape.1, 24
   %.155.i.1.i = mul nsw i64 %arg.shape.1, 23
   %.155.i.2.i = mul nsw i64 %arg.shape.1, 22
@@ -549,124 +589,125 @@ B584.preheader:                                   ; preds = %B556
   %.155.i.4.i = mul nsw i64 %arg.shape.1, 20
   %.155.i.5.i = mul nsw i64 %arg.shape.1, 19
   %.155.i.6.i = mul nsw i64 %arg.shape.1, 18
-  %.5180 = icmp sgt i64 %arg.shape.0, 1
-  %.5234.idx = mul i64 %arg.batch.4.0.5.1, 40
-  %.5234 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.5234.idx
-  %.5266 = getelementptr i8, ptr %arg.code.4, i64 104
-  %.idx8870 = mul i64 %arg.batch.4.0.5.1, 104
-  %80 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8870
-  %.idx8871 = mul i64 %arg.batch.4.0.5.1, 40
-  %81 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8871
-  %.idx8872 = shl i64 %arg.batch.4.0.5.1, 7
-  %82 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8872
-  %.552.i35759305.not = icmp slt i64 %arg.shape.1, 1
-  %.697.i3612 = getelementptr i8, ptr %arg.tolerances.4, i64 8
-  %83 = getelementptr double, ptr %arg.batch.2.4, i64 %arg.batch.2.5.0
-  %.742.i3642 = getelementptr i8, ptr %83, i64 -8
-  %.idx8874 = mul i64 %arg.batch.4.1.5.1, 24
-  %84 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx8874
-  %.idx8875 = mul i64 %arg.batch.4.1.5.1, 24
-  %85 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx8875
-  %.idx8876 = mul i64 %arg.batch.4.0.5.1, 24
-  %86 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8876
-  %.5382.not = icmp ne i64 %arg.shape.4, 0
+  %.5156 = icmp sgt i64 %arg.shape.0, 1
+  %.5210.idx = mul i64 %arg.batch.4.0.5.1, 40
+  %.5210 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.5210.idx
+  %.5242 = getelementptr i8, ptr %arg.code.4, i64 104
+  %.idx8837 = mul i64 %arg.batch.4.0.5.1, 104
+  %87 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8837
+  %.idx8838 = mul i64 %arg.batch.4.0.5.1, 40
+  %88 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8838
+  %.idx8839 = shl i64 %arg.batch.4.0.5.1, 7
+  %89 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8839
+  %.552.i35739309.not = icmp slt i64 %arg.shape.1, 1
+  %.697.i3610 = getelementptr i8, ptr %arg.tolerances.4, i64 8
+  %90 = getelementptr double, ptr %arg.batch.2.4, i64 %arg.batch.2.5.0
+  %.742.i3640 = getelementptr i8, ptr %90, i64 -8
+  %.idx8841 = mul i64 %arg.batch.4.1.5.1, 24
+  %91 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx8841
+  %.idx8842 = mul i64 %arg.batch.4.1.5.1, 24
+  %92 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx8842
+  %.idx8843 = mul i64 %arg.batch.4.0.5.1, 24
+  %93 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8843
+  %.5358.not = icmp ne i64 %arg.shape.4, 0
   %storemerge.i = tail call i64 @llvm.smax.i64(i64 %arg.shape.0, i64 0)
   %.idx1632.i = mul i64 %arg.batch.4.0.5.1, 40
-  %87 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1632.i
+  %94 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1632.i
   %.idx1633.i = shl i64 %arg.batch.4.0.5.1, 4
-  %88 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1633.i
-  %89 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.1
+  %95 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1633.i
+  %96 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.1
   %.175.i3061635.not.i = icmp slt i64 %arg.batch.1.1.5.0, 1
   %.636.i = getelementptr i8, ptr %arg.code.4, i64 8
   %.779.i = getelementptr i8, ptr %arg.code.4, i64 32
   %.850.i = mul nsw i64 %arg.shape.1, 17
   %.852.i = mul nsw i64 %.850.i, %arg.shape.0
-  %.895.i9021 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.852.i
+  %.895.i9022 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.852.i
   %.900.not.i = icmp eq i64 %arg.shape.3, 0
-  %.930.i9022 = getelementptr i8, ptr %arg.code.4, i64 16
+  %.930.i9023 = getelementptr i8, ptr %arg.code.4, i64 16
   %.idx1630.i = shl i64 %arg.batch.4.1.5.1, 4
-  %90 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx1630.i
+  %97 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx1630.i
   %.15441642.not.i = icmp slt i64 %arg.shape.1, 1
   %.1739.i = mul i64 %arg.batch.3.0.5.2, %arg.batch.3.0.5.1
-  %.idx8859 = mul i64 %arg.batch.4.0.5.1, 40
-  %91 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8859
-  %.idx8860 = shl i64 %arg.batch.4.0.5.1, 4
-  %92 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8860
-  %93 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.1
-  %.idx8861 = mul i64 %arg.batch.4.0.5.1, 24
-  %94 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8861
-  %.175.i.i49729317.not = icmp slt i64 %arg.batch.1.1.5.0, 1
-  %.idx8864 = shl i64 %arg.batch.4.1.5.1, 4
-  %95 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx8864
-  %.idx.i9036 = mul i64 %arg.batch.4.0.5.1, 24
-  %96 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx.i9036
-  %.323.i9038 = getelementptr i8, ptr %arg.batch.4.2.4, i64 8
-  %97 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.1
-  %.idx1124.i9058 = mul i64 %arg.batch.4.1.5.1, 24
-  %98 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx1124.i9058
-  %.8051131.not.i9060 = icmp slt i64 %arg.batch.0.1.5.1, 1
-  %.175.i1134.not.i9076 = icmp slt i64 %arg.batch.1.1.5.0, 1
-  %.11171137.not.i9095 = icmp slt i64 %arg.shape.1, 1
-  %gep.2.idx.i9113 = shl i64 %arg.batch.4.0.5.1, 4
-  %gep.4.idx.i9117 = shl i64 %arg.batch.4.0.5.1, 5
-  %gep.6.idx.i9121 = mul i64 %arg.batch.4.0.5.1, 48
-  %gep.7.idx.i9123 = mul i64 %arg.batch.4.0.5.1, 56
-  %gep.9.idx.i9127 = mul i64 %arg.batch.4.0.5.1, 72
-  %gep.10.idx.i9129 = mul i64 %arg.batch.4.0.5.1, 80
-  %gep.11.idx.i9131 = mul i64 %arg.batch.4.0.5.1, 88
-  %gep.12.idx.i9133 = mul i64 %arg.batch.4.0.5.1, 96
-  %gep.13.idx.i9135 = mul i64 %arg.batch.4.0.5.1, 104
-  %gep.14.idx.i9137 = mul i64 %arg.batch.4.0.5.1, 112
-  %gep.15.idx.i9139 = mul i64 %arg.batch.4.0.5.1, 120
-  %gep.16.idx.i9141 = shl i64 %arg.batch.4.0.5.1, 7
-  %gep.17.idx.i9143 = mul i64 %arg.batch.4.0.5.1, 136
-  %gep.18.idx.i9145 = mul i64 %arg.batch.4.0.5.1, 144
-  %gep.19.idx.i9147 = mul i64 %arg.batch.4.0.5.1, 152
-  %gep.20.idx.i9149 = mul i64 %arg.batch.4.0.5.1, 160
-  %gep.21.idx.i9151 = mul i64 %arg.batch.4.0.5.1, 168
-  %gep.22.idx.i9153 = mul i64 %arg.batch.4.0.5.1, 176
-  %gep.23.idx.i9155 = mul i64 %arg.batch.4.0.5.1, 184
-  %gep.24.idx.i9157 = mul i64 %arg.batch.4.0.5.1, 192
-  %gep.25.idx.i9159 = mul i64 %arg.batch.4.0.5.1, 200
-  %gep.26.idx.i9161 = mul i64 %arg.batch.4.0.5.1, 208
-  %gep.27.idx.i9163 = mul i64 %arg.batch.4.0.5.1, 216
-  %99 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.2.idx.i9113
-  %100 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.16.idx.i9141
-  %101 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.27.idx.i9163
-  %.idx1130.i9178 = mul i64 %arg.batch.4.0.5.1, 224
-  %102 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1130.i9178
-  %.idx8863 = mul i64 %arg.batch.4.0.5.1, 224
-  %103 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8863
-  %.6450 = tail call i64 @llvm.smin.i64(i64 %arg.batch.2.5.0, i64 0)
-  %104 = getelementptr double, ptr %arg.batch.2.4, i64 %arg.batch.2.5.0
-  %105 = getelementptr i8, ptr %104, i64 -8
-  %.6464 = getelementptr double, ptr %105, i64 %.6450
-  %106 = getelementptr double, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1
-  %.idx8865 = mul i64 %arg.batch.4.0.5.1, 224
-  %107 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8865
-  %.idx8866 = mul i64 %arg.batch.4.0.5.1, 168
-  %108 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8866
-  %.idx8867 = shl i64 %arg.batch.4.1.5.1, 4
-  %109 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx8867
-  %.idx8868 = shl i64 %arg.batch.4.0.5.1, 4
-  %110 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8868
-  %.idx8869 = mul i64 %arg.batch.4.0.5.1, 160
-  %111 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8869
-  %112 = shl i64 %arg.shape.0, 3
-  %113 = getelementptr i8, ptr %arg.code.4, i64 232
-  %.4542.idx = mul i64 %.463, 112
-  %.4542 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.4542.idx
-  %114 = getelementptr i8, ptr %arg.code.4, i64 240
-  %.4542.1.idx = mul i64 %.463, 120
-  %.4542.1 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.4542.1.idx
-  %115 = getelementptr i8, ptr %arg.code.4, i64 248
-  %.4542.2.idx = shl i64 %.463, 7
-  %.4542.2 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.4542.2.idx
+  %.idx8826 = mul i64 %arg.batch.4.0.5.1, 40
+  %98 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8826
+  %.idx8827 = shl i64 %arg.batch.4.0.5.1, 4
+  %99 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8827
+  %100 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.1
+  %.idx8828 = mul i64 %arg.batch.4.0.5.1, 24
+  %101 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8828
+  %.175.i.i49699321.not = icmp slt i64 %arg.batch.1.1.5.0, 1
+  %.idx8831 = shl i64 %arg.batch.4.1.5.1, 4
+  %102 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx8831
+  %.idx.i9037 = mul i64 %arg.batch.4.0.5.1, 24
+  %103 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx.i9037
+  %.323.i9039 = getelementptr i8, ptr %arg.batch.4.2.4, i64 8
+  %104 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.1
+  %.idx1124.i9059 = mul i64 %arg.batch.4.1.5.1, 24
+  %105 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx1124.i9059
+  %.8051131.not.i9061 = icmp slt i64 %arg.batch.0.1.5.1, 1
+  %.175.i1134.not.i9077 = icmp slt i64 %arg.batch.1.1.5.0, 1
+  %.11171137.not.i9096 = icmp slt i64 %arg.shape.1, 1
+  %gep.2.idx.i9114 = shl i64 %arg.batch.4.0.5.1, 4
+  %gep.4.idx.i9118 = shl i64 %arg.batch.4.0.5.1, 5
+  %gep.6.idx.i9122 = mul i64 %arg.batch.4.0.5.1, 48
+  %gep.7.idx.i9124 = mul i64 %arg.batch.4.0.5.1, 56
+  %gep.9.idx.i9128 = mul i64 %arg.batch.4.0.5.1, 72
+  %gep.10.idx.i9130 = mul i64 %arg.batch.4.0.5.1, 80
+  %gep.11.idx.i9132 = mul i64 %arg.batch.4.0.5.1, 88
+  %gep.12.idx.i9134 = mul i64 %arg.batch.4.0.5.1, 96
+  %gep.13.idx.i9136 = mul i64 %arg.batch.4.0.5.1, 104
+  %gep.14.idx.i9138 = mul i64 %arg.batch.4.0.5.1, 112
+  %gep.15.idx.i9140 = mul i64 %arg.batch.4.0.5.1, 120
+  %gep.16.idx.i9142 = shl i64 %arg.batch.4.0.5.1, 7
+  %gep.17.idx.i9144 = mul i64 %arg.batch.4.0.5.1, 136
+  %gep.18.idx.i9146 = mul i64 %arg.batch.4.0.5.1, 144
+  %gep.19.idx.i9148 = mul i64 %arg.batch.4.0.5.1, 152
+  %gep.20.idx.i9150 = mul i64 %arg.batch.4.0.5.1, 160
+  %gep.21.idx.i9152 = mul i64 %arg.batch.4.0.5.1, 168
+  %gep.22.idx.i9154 = mul i64 %arg.batch.4.0.5.1, 176
+  %gep.23.idx.i9156 = mul i64 %arg.batch.4.0.5.1, 184
+  %gep.24.idx.i9158 = mul i64 %arg.batch.4.0.5.1, 192
+  %gep.25.idx.i9160 = mul i64 %arg.batch.4.0.5.1, 200
+  %gep.26.idx.i9162 = mul i64 %arg.batch.4.0.5.1, 208
+  %gep.27.idx.i9164 = mul i64 %arg.batch.4.0.5.1, 216
+  %106 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.2.idx.i9114
+  %107 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.16.idx.i9142
+  %108 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.27.idx.i9164
+  %.idx1130.i9179 = mul i64 %arg.batch.4.0.5.1, 224
+  %109 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1130.i9179
+  %.idx8830 = mul i64 %arg.batch.4.0.5.1, 224
+  %110 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8830
+  %.6426 = tail call i64 @llvm.smin.i64(i64 %arg.batch.2.5.0, i64 0)
+  %111 = getelementptr double, ptr %arg.batch.2.4, i64 %arg.batch.2.5.0
+  %112 = getelementptr i8, ptr %111, i64 -8
+  %.6440 = getelementptr double, ptr %112, i64 %.6426
+  %113 = getelementptr double, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1
+  %.idx8832 = mul i64 %arg.batch.4.0.5.1, 224
+  %114 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8832
+  %.idx8833 = mul i64 %arg.batch.4.0.5.1, 168
+  %115 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8833
+  %.idx8834 = shl i64 %arg.batch.4.1.5.1, 4
+  %116 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx8834
+  %.idx8835 = shl i64 %arg.batch.4.0.5.1, 4
+  %117 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8835
+  %.idx8836 = mul i64 %arg.batch.4.0.5.1, 160
+  %118 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8836
+  %119 = shl i64 %arg.shape.0, 3
+  %120 = getelementptr i8, ptr %arg.code.4, i64 232
+  %.4543.idx = mul i64 %.463, 112
+  %.4543 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.4543.idx
+  %121 = getelementptr i8, ptr %arg.code.4, i64 240
+  %.4543.1.idx = mul i64 %.463, 120
+  %.4543.1 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.4543.1.idx
+  %122 = getelementptr i8, ptr %arg.code.4, i64 248
+  %.4543.2.idx = shl i64 %.463, 7
+  %.4543.2 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.4543.2.idx
   br label %B584
 
-B584:                                             ; preds = %B584.preheader, %B4708
-  %budget.3.1 = phi i64 [ %budget.4.2, %B4708 ], [ %arg.budget, %B584.preheader ]
-  %active.9.1 = phi i64 [ %active.8.2, %B4708 ], [ %active.4.0.lcssa, %B584.preheader ]
+B584:                                             ; preds = %B584.preheader, %B4718
+  %excinfo.13.0 = phi ptr [ %excinfo.13.1, %B4718 ], [ null, %B584.preheader ]
+  %budget.3.1 = phi i64 [ %budget.4.2, %B4718 ], [ %arg.budget, %B584.preheader ]
+  %active.9.1 = phi i64 [ %active.8.2, %B4718 ], [ %active.4.0.lcssa, %B584.preheader ]
   %.1132 = add nsw i64 %budget.3.1, -1
   %.1167 = load i64, ptr %.1166, align 8
   %.1168 = icmp eq i64 %.1167, 1
@@ -693,7 +734,7 @@ B748:                                             ; preds = %B736
   br i1 %.794, label %B326.i, label %B194.if.i
 
 B324.i:                                           ; preds = %B266.if.i, %B194.if.i
-  %.359.i = icmp sgt i64 %.304.i.09200, 1
+  %.359.i = icmp sgt i64 %.304.i.09204, 1
   br i1 %.359.i, label %B194.if.i, label %B326.i
 
 B326.i:                                           ; preds = %B324.i, %B748
@@ -703,33 +744,33 @@ B326.i:                                           ; preds = %B324.i, %B748
   br label %B784
 
 B194.if.i:                                        ; preds = %B748, %B324.i
-  %.304.i.09200 = phi i64 [ %.368.i, %B324.i ], [ %storemerge, %B748 ]
-  %.301.i.09199 = phi i64 [ %.372.i, %B324.i ], [ 0, %B748 ]
-  %.368.i = add nsw i64 %.304.i.09200, -1
-  %.372.i = add nsw i64 %.301.i.09199, 1
-  %116 = getelementptr double, ptr %19, i64 %.301.i.09199
-  %.454.i = load double, ptr %116, align 8, !noalias !7
+  %.304.i.09204 = phi i64 [ %.368.i, %B324.i ], [ %storemerge, %B748 ]
+  %.301.i.09203 = phi i64 [ %.372.i, %B324.i ], [ 0, %B748 ]
+  %.368.i = add nsw i64 %.304.i.09204, -1
+  %.372.i = add nsw i64 %.301.i.09203, 1
+  %123 = getelementptr double, ptr %19, i64 %.301.i.09203
+  %.454.i = load double, ptr %123, align 8, !noalias !7
   %.455.i = fcmp ule double %.454.i, 5.000000e-01
-  %brmerge9332 = select i1 %.455.i, i1 true, i1 %.537.i9195
-  br i1 %brmerge9332, label %B324.i, label %B266.if.i.preheader
+  %brmerge9335 = select i1 %.455.i, i1 true, i1 %.537.i9199
+  br i1 %brmerge9335, label %B324.i, label %B266.if.i.preheader
 
 B266.if.i.preheader:                              ; preds = %B194.if.i
-  %invariant.gep9361 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.301.i.09199
+  %invariant.gep9394 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.301.i.09203
   br label %B266.if.i
 
 B266.if.i:                                        ; preds = %B266.if.i.preheader, %B266.if.i
-  %.481.i.09196 = phi i64 [ %.550.i, %B266.if.i ], [ 0, %B266.if.i.preheader ]
-  %.550.i = add nsw i64 %.481.i.09196, 1
-  %.576.i = mul nsw i64 %.481.i.09196, %arg.shape.0
-  %gep9362 = getelementptr double, ptr %invariant.gep9361, i64 %.576.i
-  %.608.i = load double, ptr %gep9362, align 8, !noalias !7
-  %.610.i = add nsw i64 %.481.i.09196, %arg.shape.5
+  %.481.i.09200 = phi i64 [ %.550.i, %B266.if.i ], [ 0, %B266.if.i.preheader ]
+  %.550.i = add nsw i64 %.481.i.09200, 1
+  %.576.i = mul nsw i64 %.481.i.09200, %arg.shape.0
+  %gep9395 = getelementptr double, ptr %invariant.gep9394, i64 %.576.i
+  %.608.i = load double, ptr %gep9395, align 8, !noalias !7
+  %.610.i = add nsw i64 %.481.i.09200, %arg.shape.5
   %.612.i = mul nsw i64 %.610.i, %arg.shape.0
-  %.614.i = add nsw i64 %.612.i, %.301.i.09199
+  %.614.i = add nsw i64 %.612.i, %.301.i.09203
   %.628.i = icmp slt i64 %.614.i, 0
   %.629.i = select i1 %.628.i, i64 %arg.batch.5.1.5.0, i64 0
-  %117 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.614.i
-  %.643.i = getelementptr double, ptr %117, i64 %.629.i
+  %124 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.614.i
+  %.643.i = getelementptr double, ptr %124, i64 %.629.i
   store double %.608.i, ptr %.643.i, align 8, !noalias !7
   %exitcond.not = icmp eq i64 %.550.i, %arg.shape.6
   br i1 %exitcond.not, label %B324.i, label %B266.if.i
@@ -769,39 +810,39 @@ B1260:                                            ; preds = %B860, %B856
 
 B108.i:                                           ; preds = %B64.if.i
   store double 0.000000e+00, ptr %.314.i134, align 8, !noalias !11
-  %.432.i191 = getelementptr double, ptr %21, i64 %.161.i.09202
+  %.432.i191 = getelementptr double, ptr %21, i64 %.161.i.09206
   store double 0.000000e+00, ptr %.432.i191, align 8, !noalias !11
-  %.487.i = getelementptr double, ptr %22, i64 %.161.i.09202
+  %.487.i = getelementptr double, ptr %22, i64 %.161.i.09206
   store double 0.000000e+00, ptr %.487.i, align 8, !noalias !11
-  %.542.i244 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i.09202
+  %.542.i244 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i.09206
   %.543.i245 = load i64, ptr %.542.i244, align 8, !noalias !11
   %.570.i = icmp slt i64 %.543.i245, 0
   %.571.i = select i1 %.570.i, i64 %arg.batch.3.3.5.0, i64 0
   %.572.i257 = add i64 %.571.i, %.543.i245
   %.592.i271 = mul i64 %.572.i257, %arg.batch.3.3.5.1
-  %118 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.592.i271
-  %.596.i = getelementptr i8, ptr %118, i64 8
+  %125 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.592.i271
+  %.596.i = getelementptr i8, ptr %125, i64 8
   %.597.i275 = load i64, ptr %.596.i, align 8, !noalias !11
-  %.620.i282 = add nsw i64 %.597.i275, %.8905
+  %.620.i282 = add nsw i64 %.597.i275, %.8872
   store i64 %.620.i282, ptr %.596.i, align 8, !noalias !11
   %.736.i = load i64, ptr %.542.i244, align 8, !noalias !11
   %.763.i354 = icmp slt i64 %.736.i, 0
   %.764.i = select i1 %.763.i354, i64 %arg.batch.3.3.5.0, i64 0
   %.765.i355 = add i64 %.764.i, %.736.i
   %.785.i = mul i64 %.765.i355, %arg.batch.3.3.5.1
-  %119 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.785.i
-  %.789.i369 = getelementptr i8, ptr %119, i64 16
+  %126 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.785.i
+  %.789.i369 = getelementptr i8, ptr %126, i64 16
   %.790.i = load i64, ptr %.789.i369, align 8, !noalias !11
   %.813.i = add nsw i64 %.790.i, %"$phi364.4.2.i.2"
   store i64 %.813.i, ptr %.789.i369, align 8, !noalias !11
-  %.928.i = getelementptr double, ptr %23, i64 %.161.i.09202
+  %.928.i = getelementptr double, ptr %23, i64 %.161.i.09206
   %.929.i = load double, ptr %.928.i, align 8, !noalias !11
   %.930.i = fcmp une double %.929.i, 0.000000e+00
   br i1 %.930.i, label %B414.i, label %B460.i
 
 B414.i:                                           ; preds = %B108.i
-  %120 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i.09202
-  %.84.i.i = load i64, ptr %120, align 8, !noalias !15
+  %127 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i.09206
+  %.84.i.i = load i64, ptr %127, align 8, !noalias !15
   %.89.i.i = icmp sgt i64 %.84.i.i, -1
   br i1 %.89.i.i, label %B46.i.i, label %B460.i
 
@@ -819,14 +860,14 @@ B460.i:                                           ; preds = %B80.i.i, %B414.i, %
   br i1 %.1375.not, label %B596.i, label %B464.i
 
 B464.i:                                           ; preds = %B460.i
-  %121 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.161.i.09202
-  %.1000.i = load double, ptr %121, align 8, !noalias !11
+  %128 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.161.i.09206
+  %.1000.i = load double, ptr %128, align 8, !noalias !11
   %.1002.i = fcmp olt double %.1000.i, -1.000000e-09
   br i1 %.1002.i, label %B500.i, label %B596.i
 
 B500.i:                                           ; preds = %B464.i
-  %122 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i.09202
-  %.84.i63.i = load i64, ptr %122, align 8, !noalias !18
+  %129 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i.09206
+  %.84.i63.i = load i64, ptr %129, align 8, !noalias !18
   %.89.i66.i = icmp sgt i64 %.84.i63.i, -1
   br i1 %.89.i66.i, label %B46.i71.i, label %_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29.exit.i
 
@@ -841,18 +882,18 @@ B80.i98.i:                                        ; preds = %B46.i71.i
   br label %_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29.exit.i
 
 _ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29.exit.i: ; preds = %B46.i71.i, %B500.i, %B80.i98.i
-  %.1091.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.161.i.09202
+  %.1091.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.161.i.09206
   %.1092.i = load double, ptr %.1091.i, align 8, !noalias !11
-  %.1146.i = getelementptr double, ptr %24, i64 %.161.i.09202
+  %.1146.i = getelementptr double, ptr %24, i64 %.161.i.09206
   store double %.1092.i, ptr %.1146.i, align 8, !noalias !11
   br label %B596.i
 
 B596.i:                                           ; preds = %_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29.exit.i, %B464.i, %B460.i
-  %.111.i183.i = getelementptr i64, ptr %25, i64 %.161.i.09202
+  %.111.i183.i = getelementptr i64, ptr %25, i64 %.161.i.09206
   %.112.i.i = load i64, ptr %.111.i183.i, align 8, !noalias !21
-  %.169.i.i = getelementptr double, ptr %26, i64 %.161.i.09202
+  %.169.i.i = getelementptr double, ptr %26, i64 %.161.i.09206
   %.170.i.i = load double, ptr %.169.i.i, align 8, !noalias !21
-  %.224.i.i = getelementptr double, ptr %27, i64 %.161.i.09202
+  %.224.i.i = getelementptr double, ptr %27, i64 %.161.i.09206
   store double %.170.i.i, ptr %.224.i.i, align 8, !noalias !21
   %.237.i.i = icmp slt i64 %.112.i.i, %arg.batch.2.5.0
   br i1 %.237.i.i, label %B134.i.i, label %B630.i
@@ -860,8 +901,8 @@ B596.i:                                           ; preds = %_ZN12clpt_control6n
 B134.i.i:                                         ; preds = %B596.i
   %.253.i.i = icmp slt i64 %.112.i.i, 0
   %.254.i.i = select i1 %.253.i.i, i64 %arg.batch.2.5.0, i64 0
-  %123 = getelementptr double, ptr %arg.batch.2.4, i64 %.112.i.i
-  %.268.i.i = getelementptr double, ptr %123, i64 %.254.i.i
+  %130 = getelementptr double, ptr %arg.batch.2.4, i64 %.112.i.i
+  %.268.i.i = getelementptr double, ptr %130, i64 %.254.i.i
   %.269.i.i = load double, ptr %.268.i.i, align 8, !noalias !21
   %.328.i.i = load double, ptr %.169.i.i, align 8, !noalias !21
   %.10.i.i.i = fcmp olt double %.328.i.i, %.269.i.i
@@ -870,15 +911,15 @@ B134.i.i:                                         ; preds = %B596.i
   br label %B630.i
 
 B630.i:                                           ; preds = %B134.i.i, %B596.i, %B64.if.i
-  %.220.i = icmp sgt i64 %.164.i70.09203, 1
+  %.220.i = icmp sgt i64 %.164.i70.09207, 1
   br i1 %.220.i, label %B64.if.i, label %B1302
 
 B64.if.i:                                         ; preds = %B1260, %B630.i
-  %.164.i70.09203 = phi i64 [ %.229.i381, %B630.i ], [ %storemerge, %B1260 ]
-  %.161.i.09202 = phi i64 [ %.233.i384, %B630.i ], [ 0, %B1260 ]
-  %.229.i381 = add nsw i64 %.164.i70.09203, -1
-  %.233.i384 = add nsw i64 %.161.i.09202, 1
-  %.314.i134 = getelementptr double, ptr %20, i64 %.161.i.09202
+  %.164.i70.09207 = phi i64 [ %.229.i381, %B630.i ], [ %storemerge, %B1260 ]
+  %.161.i.09206 = phi i64 [ %.233.i384, %B630.i ], [ 0, %B1260 ]
+  %.229.i381 = add nsw i64 %.164.i70.09207, -1
+  %.233.i384 = add nsw i64 %.161.i.09206, 1
+  %.314.i134 = getelementptr double, ptr %20, i64 %.161.i.09206
   %.315.i135 = load double, ptr %.314.i134, align 8, !noalias !11
   %.316.i136 = fcmp ogt double %.315.i135, 5.000000e-01
   br i1 %.316.i136, label %B108.i, label %B630.i
@@ -933,13 +974,13 @@ B352.i.i:                                         ; preds = %B286.if.i.i, %B250.
   tail call void %.959.i.i(ptr %arg.batch.4.0.4, ptr %.933.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.958.i.i), !noalias !28
   %.975.i.i = icmp slt i64 %.537.i.sroa.0.02147.i, 0
   %.976.i.i = select i1 %.975.i.i, i64 %arg.linear.6.5.0, i64 0
-  %124 = getelementptr i64, ptr %arg.linear.6.4, i64 %.537.i.sroa.0.02147.i
-  %.990.i.i = getelementptr i64, ptr %124, i64 %.976.i.i
+  %131 = getelementptr i64, ptr %arg.linear.6.4, i64 %.537.i.sroa.0.02147.i
+  %.990.i.i = getelementptr i64, ptr %131, i64 %.976.i.i
   %.991.i.i = load i64, ptr %.990.i.i, align 8, !noalias !28
   %.1007.i.i = icmp slt i64 %.537.i.sroa.0.02147.i, -1
   %.1008.i.i = select i1 %.1007.i.i, i64 %arg.linear.6.5.0, i64 0
-  %125 = getelementptr i8, ptr %124, i64 8
-  %.1022.i.i = getelementptr i64, ptr %125, i64 %.1008.i.i
+  %132 = getelementptr i8, ptr %131, i64 8
+  %.1022.i.i = getelementptr i64, ptr %132, i64 %.1008.i.i
   %.1023.i.i = load i64, ptr %.1022.i.i, align 8, !noalias !28
   %.1060.i.i = sub i64 %.1023.i.i, %.991.i.i
   %.1106.i2123.not.i = icmp slt i64 %.1060.i.i, 1
@@ -948,14 +989,14 @@ B352.i.i:                                         ; preds = %B286.if.i.i, %B250.
 B544.i.i:                                         ; preds = %B536.if.i.i
   %.1173.i.i = icmp slt i64 %.1047.i.02124.i, 0
   %.1174.i.i = select i1 %.1173.i.i, i64 %arg.linear.7.5.0, i64 0
-  %126 = getelementptr i64, ptr %arg.linear.7.4, i64 %.1047.i.02124.i
-  %.1188.i.i = getelementptr i64, ptr %126, i64 %.1174.i.i
+  %133 = getelementptr i64, ptr %arg.linear.7.4, i64 %.1047.i.02124.i
+  %.1188.i.i = getelementptr i64, ptr %133, i64 %.1174.i.i
   %.1189.i.i = load i64, ptr %.1188.i.i, align 8, !noalias !28
   %.1190.i.i = add nsw i64 %.1189.i.i, %.915.i.i
   %.1204.i.i = icmp slt i64 %.1190.i.i, 0
   %.1205.i.i = select i1 %.1204.i.i, i64 %arg.batch.5.0.5.0, i64 0
-  %127 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1190.i.i
-  %.1219.i.i = getelementptr double, ptr %127, i64 %.1205.i.i
+  %134 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1190.i.i
+  %.1219.i.i = getelementptr double, ptr %134, i64 %.1205.i.i
   %.1220.i.i = load double, ptr %.1219.i.i, align 8, !noalias !28
   %.1287.i.i = fsub double %.1220.i.i, %.1220.i.i
   %.1288.i.i = fcmp oeq double %.1287.i.i, 0.000000e+00
@@ -1004,14 +1045,14 @@ B524.i.i.i:                                       ; preds = %B428.if.i.i.i
 B428.if.i.i.1.i:                                  ; preds = %B428.if.i.i.1.i, %B524.i.i.i
   %.783.i.i.02131.1.i = phi i64 [ %.852.i.i.1.i, %B428.if.i.i.1.i ], [ 0, %B524.i.i.i ]
   %.852.i.i.1.i = add nsw i64 %.783.i.i.02131.1.i, 1
-  %128 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.783.i.i.02131.1.i
-  %.906.i.i.1.i = load double, ptr %128, align 8, !noalias !32
-  %129 = getelementptr double, ptr %128, i64 %.597.i.i.i
-  %.939.i.i.1.i = load double, ptr %129, align 8, !noalias !32
+  %135 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.783.i.i.02131.1.i
+  %.906.i.i.1.i = load double, ptr %135, align 8, !noalias !32
+  %136 = getelementptr double, ptr %135, i64 %.597.i.i.i
+  %.939.i.i.1.i = load double, ptr %136, align 8, !noalias !32
   %.941.i.i.1.i = fmul double %.939.i.i.1.i, 5.000000e-01
-  %130 = fsub double %.906.i.i.1.i, %.941.i.i.1.i
-  %131 = getelementptr double, ptr %128, i64 %.944.i.i.i
-  store double %130, ptr %131, align 8, !noalias !32
+  %137 = fsub double %.906.i.i.1.i, %.941.i.i.1.i
+  %138 = getelementptr double, ptr %135, i64 %.944.i.i.i
+  store double %137, ptr %138, align 8, !noalias !32
   %exitcond2155.1.not.i = icmp eq i64 %arg.shape.1, %.852.i.i.1.i
   br i1 %exitcond2155.1.not.i, label %B524.i.i.1.i, label %B428.if.i.i.1.i
 
@@ -1029,8 +1070,8 @@ B524.i.i.1.i:                                     ; preds = %B428.if.i.i.1.i, %B
   %.1034.i.i.1.i = load double, ptr %arg.batch.4.0.4, align 8, !noalias !32
   %.1068.i.i.1.i = load double, ptr %.629.i.i.i, align 8, !noalias !32
   %.1070.i.i.1.i = fmul double %.1068.i.i.1.i, 5.000000e-01
-  %132 = fsub double %.1034.i.i.1.i, %.1070.i.i.1.i
-  store double %132, ptr %.571, align 8, !noalias !32
+  %139 = fsub double %.1034.i.i.1.i, %.1070.i.i.1.i
+  store double %139, ptr %.571, align 8, !noalias !32
   %.1157.i.i.1.i = load i64, ptr %arg.code.4, align 8, !noalias !32
   %.1277.i.i.1.i = inttoptr i64 %.1157.i.i.1.i to ptr
   tail call void %.1277.i.i.1.i(ptr nonnull %.571, ptr %.933.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.1276.i.i.1.i), !noalias !32
@@ -1041,63 +1082,63 @@ B966.i.i.i:                                       ; preds = %B780.if.i.i.i
   br label %B1053.i.i.i
 
 B1006.i.i.i:                                      ; preds = %B780.if.i.i.i
-  %133 = getelementptr double, ptr %141, i64 %arg.shape.1
-  %.1582.i.i.i = load double, ptr %133, align 8, !noalias !32
+  %140 = getelementptr double, ptr %148, i64 %arg.shape.1
+  %.1582.i.i.i = load double, ptr %140, align 8, !noalias !32
   %.1647.i.i.i = fsub double %.1513.i.i.i, %.1582.i.i.i
   %.1652.i.i.i = fmul double %.1647.i.i.i, 2.000000e+00
   br label %B1053.i.i.i
 
 B1053.i.i.i:                                      ; preds = %B1006.i.i.i, %B966.i.i.i
   %storemerge2111.i = phi double [ %.1652.i.i.i, %B1006.i.i.i ], [ %.1601.i.i.i, %B966.i.i.i ]
-  store double %storemerge2111.i, ptr %143, align 8, !noalias !32
+  store double %storemerge2111.i, ptr %150, align 8, !noalias !32
   %exitcond2157.not.i = icmp eq i64 %arg.shape.1, %.1387.i.i.i
   br i1 %exitcond2157.not.i, label %B702.i.i, label %B780.if.i.i.i
 
 B84.if.i.i.i:                                     ; preds = %B660.i.i, %B84.if.i.i.i
   %.212.i.i.02129.i = phi i64 [ %.283.i.i.i, %B84.if.i.i.i ], [ 0, %B660.i.i ]
   %.283.i.i.i = add nsw i64 %.212.i.i.02129.i, 1
-  %134 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.212.i.i.02129.i
-  %.341.i.i.i = load double, ptr %134, align 8, !noalias !32
+  %141 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.212.i.i.02129.i
+  %.341.i.i.i = load double, ptr %141, align 8, !noalias !32
   %.342.i.i.i = tail call double @llvm.fabs.f64(double %.341.i.i.i)
   %.10.i.i.i.i = fcmp ogt double %.184.i.i.i, %.342.i.i.i
   %.11.i.i.i.i = select i1 %.10.i.i.i.i, double %.184.i.i.i, double %.342.i.i.i
   %.377.i.i.i = fcmp ogt double %.11.i.i.i.i, 0.000000e+00
-  %135 = fmul double %.11.i.i.i.i, 1.200000e-05
-  %"$phi194.2.2.i.i.1.i" = select i1 %.377.i.i.i, double %135, double 1.200000e-05
-  %136 = getelementptr i64, ptr %arg.linear.5.4, i64 %.212.i.i.02129.i
-  %.434.i.i.i = load i64, ptr %136, align 8, !noalias !32
+  %142 = fmul double %.11.i.i.i.i, 1.200000e-05
+  %"$phi194.2.2.i.i.1.i" = select i1 %.377.i.i.i, double %142, double 1.200000e-05
+  %143 = getelementptr i64, ptr %arg.linear.5.4, i64 %.212.i.i.02129.i
+  %.434.i.i.i = load i64, ptr %143, align 8, !noalias !32
   %.436.i.i.i = icmp eq i64 %.434.i.i.i, %.537.i.sroa.0.02147.i
   %"$phi230.1.2.i.i.1.i" = select i1 %.436.i.i.i, double %"$phi194.2.2.i.i.1.i", double 0.000000e+00
-  %137 = getelementptr i8, ptr %134, i64 %.idx2162.i
-  store double %"$phi230.1.2.i.i.1.i", ptr %137, align 8, !noalias !32
+  %144 = getelementptr i8, ptr %141, i64 %.idx2162.i
+  store double %"$phi230.1.2.i.i.1.i", ptr %144, align 8, !noalias !32
   %exitcond2154.not.i = icmp eq i64 %arg.shape.1, %.283.i.i.i
   br i1 %exitcond2154.not.i, label %B262.i.i.i, label %B84.if.i.i.i
 
 B428.if.i.i.i:                                    ; preds = %B324.i.i.i, %B428.if.i.i.i
   %.783.i.i.02131.i = phi i64 [ %.852.i.i.i, %B428.if.i.i.i ], [ 0, %B324.i.i.i ]
   %.852.i.i.i = add nsw i64 %.783.i.i.02131.i, 1
-  %138 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.783.i.i.02131.i
-  %.906.i.i.i = load double, ptr %138, align 8, !noalias !32
-  %139 = getelementptr double, ptr %138, i64 %.597.i.i.i
-  %.939.i.i.i = load double, ptr %139, align 8, !noalias !32
+  %145 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.783.i.i.02131.i
+  %.906.i.i.i = load double, ptr %145, align 8, !noalias !32
+  %146 = getelementptr double, ptr %145, i64 %.597.i.i.i
+  %.939.i.i.i = load double, ptr %146, align 8, !noalias !32
   %.941.i.i.i = fmul double %.939.i.i.i, 5.000000e-01
   %.942.i.i.i = fadd double %.906.i.i.i, %.941.i.i.i
-  %140 = getelementptr double, ptr %138, i64 %.944.i.i.i
-  store double %.942.i.i.i, ptr %140, align 8, !noalias !32
+  %147 = getelementptr double, ptr %145, i64 %.944.i.i.i
+  store double %.942.i.i.i, ptr %147, align 8, !noalias !32
   %exitcond2155.not.i = icmp eq i64 %arg.shape.1, %.852.i.i.i
   br i1 %exitcond2155.not.i, label %B524.i.i.i, label %B428.if.i.i.i
 
 B780.if.i.i.i:                                    ; preds = %B524.i.i.1.i, %B1053.i.i.i
   %.1318.i.i.02136.i = phi i64 [ %.1387.i.i.i, %B1053.i.i.i ], [ 0, %B524.i.i.1.i ]
   %.1387.i.i.i = add nsw i64 %.1318.i.i.02136.i, 1
-  %141 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1318.i.i.02136.i
-  %.1445.i.i.i = load double, ptr %141, align 8, !noalias !32
-  %142 = getelementptr i8, ptr %141, i64 %.933.i.idx.i
-  store double %.1445.i.i.i, ptr %142, align 8, !noalias !32
-  %143 = getelementptr i8, ptr %141, i64 %.idx2164.i
-  %.1513.i.i.i = load double, ptr %143, align 8, !noalias !32
-  %144 = getelementptr i8, ptr %141, i64 %.1276.i.i.1.idx.i
-  %.1548.i.i.i = load double, ptr %144, align 8, !noalias !32
+  %148 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1318.i.i.02136.i
+  %.1445.i.i.i = load double, ptr %148, align 8, !noalias !32
+  %149 = getelementptr i8, ptr %148, i64 %.933.i.idx.i
+  store double %.1445.i.i.i, ptr %149, align 8, !noalias !32
+  %150 = getelementptr i8, ptr %148, i64 %.idx2164.i
+  %.1513.i.i.i = load double, ptr %150, align 8, !noalias !32
+  %151 = getelementptr i8, ptr %148, i64 %.1276.i.i.1.idx.i
+  %.1548.i.i.i = load double, ptr %151, align 8, !noalias !32
   %.1594.i.i.i = fsub double %.1548.i.i.i, %.1548.i.i.i
   %.1595.i.i.i = fcmp oeq double %.1594.i.i.i, 0.000000e+00
   br i1 %.1595.i.i.i, label %B966.i.i.i, label %B1006.i.i.i
@@ -1105,13 +1146,13 @@ B780.if.i.i.i:                                    ; preds = %B524.i.i.1.i, %B105
 B702.i.i:                                         ; preds = %B1053.i.i.i, %B524.i.i.1.i, %B656.i.i, %B352.i.i
   %.1384.i.i = icmp slt i64 %.537.i.sroa.0.02147.i, 0
   %.1385.i.i = select i1 %.1384.i.i, i64 %arg.linear.6.5.0, i64 0
-  %145 = getelementptr i64, ptr %arg.linear.6.4, i64 %.537.i.sroa.0.02147.i
-  %.1399.i.i = getelementptr i64, ptr %145, i64 %.1385.i.i
+  %152 = getelementptr i64, ptr %arg.linear.6.4, i64 %.537.i.sroa.0.02147.i
+  %.1399.i.i = getelementptr i64, ptr %152, i64 %.1385.i.i
   %.1400.i.i = load i64, ptr %.1399.i.i, align 8, !noalias !28
   %.1418.i.i = icmp slt i64 %.537.i.sroa.0.02147.i, -1
   %.1419.i.i = select i1 %.1418.i.i, i64 %arg.linear.6.5.0, i64 0
-  %146 = getelementptr i8, ptr %145, i64 8
-  %.1433.i.i = getelementptr i64, ptr %146, i64 %.1419.i.i
+  %153 = getelementptr i8, ptr %152, i64 8
+  %.1433.i.i = getelementptr i64, ptr %153, i64 %.1419.i.i
   %.1434.i.i = load i64, ptr %.1433.i.i, align 8, !noalias !28
   %.1471.i.i = sub i64 %.1434.i.i, %.1400.i.i
   %.1514.i2138.not.i = icmp slt i64 %.1471.i.i, 1
@@ -1121,20 +1162,20 @@ B920.i.i:                                         ; preds = %B764.if.i.i
   %.1782.i.i = add nsw i64 %.1587.i.i, %.1748.i.i
   %.1797.i.i = icmp slt i64 %.1782.i.i, 0
   %.1798.i.i = select i1 %.1797.i.i, i64 %arg.batch.5.0.5.0, i64 0
-  %147 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1782.i.i
-  %.1812.i.i = getelementptr double, ptr %147, i64 %.1798.i.i
+  %154 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1782.i.i
+  %.1812.i.i = getelementptr double, ptr %154, i64 %.1798.i.i
   store double %.1686.i..i, ptr %.1812.i.i, align 8, !noalias !28
   br label %B995.i.i
 
 B966.i.i:                                         ; preds = %B764.if.i.i
   %.1832.i.i = select i1 %.1571.i.i, i64 %arg.linear.9.5.0, i64 0
-  %148 = getelementptr i64, ptr %arg.linear.9.4, i64 %.1458.i.02139.i
-  %.1846.i.i = getelementptr i64, ptr %148, i64 %.1832.i.i
+  %155 = getelementptr i64, ptr %arg.linear.9.4, i64 %.1458.i.02139.i
+  %.1846.i.i = getelementptr i64, ptr %155, i64 %.1832.i.i
   %.1847.i.i = load i64, ptr %.1846.i.i, align 8, !noalias !28
   %.1864.i.i = icmp slt i64 %.1847.i.i, 0
   %.1865.i.i = select i1 %.1864.i.i, i64 %arg.linear.0.5.0, i64 0
-  %149 = getelementptr double, ptr %arg.linear.0.4, i64 %.1847.i.i
-  %.1879.i.i = getelementptr double, ptr %149, i64 %.1865.i.i
+  %156 = getelementptr double, ptr %arg.linear.0.4, i64 %.1847.i.i
+  %.1879.i.i = getelementptr double, ptr %156, i64 %.1865.i.i
   store double %.1686.i..i, ptr %.1879.i.i, align 8, !noalias !28
   br label %B995.i.i
 
@@ -1145,22 +1186,22 @@ B995.i.i:                                         ; preds = %B966.i.i, %B920.i.i
 B84.if.i.i:                                       ; preds = %B76.i, %B84.if.i.i
   %.259.i.02118.i = phi i64 [ %.330.i.i, %B84.if.i.i ], [ 0, %B76.i ]
   %.330.i.i = add nsw i64 %.259.i.02118.i, 1
-  %150 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.259.i.02118.i
-  %.384.i.i = load double, ptr %150, align 8, !noalias !28
-  %151 = getelementptr i8, ptr %150, i64 %.idx2159.i
-  store double %.384.i.i, ptr %151, align 8, !noalias !28
-  %152 = getelementptr i8, ptr %150, i64 %.idx2160.i
-  store double 0.000000e+00, ptr %152, align 8, !noalias !28
-  %exitcond.not.i8941 = icmp eq i64 %arg.shape.1, %.330.i.i
-  br i1 %exitcond.not.i8941, label %B166.i.i, label %B84.if.i.i
+  %157 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.259.i.02118.i
+  %.384.i.i = load double, ptr %157, align 8, !noalias !28
+  %158 = getelementptr i8, ptr %157, i64 %.idx2159.i
+  store double %.384.i.i, ptr %158, align 8, !noalias !28
+  %159 = getelementptr i8, ptr %157, i64 %.idx2160.i
+  store double 0.000000e+00, ptr %159, align 8, !noalias !28
+  %exitcond.not.i8907 = icmp eq i64 %arg.shape.1, %.330.i.i
+  br i1 %exitcond.not.i8907, label %B166.i.i, label %B84.if.i.i
 
 B286.if.i.i:                                      ; preds = %B250.i.i, %B286.if.i.i
   %.629.i.02122.i = phi i64 [ %.691.i.i, %B286.if.i.i ], [ %storemerge2107.i, %B250.i.i ]
   %.626.i.02121.i = phi i64 [ %.695.i.i, %B286.if.i.i ], [ 0, %B250.i.i ]
   %.691.i.i = add nsw i64 %.629.i.02122.i, -1
   %.695.i.i = add nsw i64 %.626.i.02121.i, 1
-  %153 = getelementptr i64, ptr %arg.linear.5.4, i64 %.626.i.02121.i
-  %.753.i.i = load i64, ptr %153, align 8, !noalias !28
+  %160 = getelementptr i64, ptr %arg.linear.5.4, i64 %.626.i.02121.i
+  %.753.i.i = load i64, ptr %160, align 8, !noalias !28
   %.755.i.i = icmp eq i64 %.753.i.i, %.537.i.sroa.0.02147.i
   %..i = select i1 %.755.i.i, double 1.000000e+00, double 0.000000e+00
   %gep = getelementptr double, ptr %invariant.gep, i64 %.626.i.02121.i
@@ -1183,24 +1224,24 @@ B764.if.i.i:                                      ; preds = %B702.i.i, %B995.i.i
   %.1527.i.i = add i64 %.1458.i.02139.i, 1
   %.1571.i.i = icmp slt i64 %.1458.i.02139.i, 0
   %.1572.i.i = select i1 %.1571.i.i, i64 %arg.linear.7.5.0, i64 0
-  %154 = getelementptr i64, ptr %arg.linear.7.4, i64 %.1458.i.02139.i
-  %.1586.i.i = getelementptr i64, ptr %154, i64 %.1572.i.i
+  %161 = getelementptr i64, ptr %arg.linear.7.4, i64 %.1458.i.02139.i
+  %.1586.i.i = getelementptr i64, ptr %161, i64 %.1572.i.i
   %.1587.i.i = load i64, ptr %.1586.i.i, align 8, !noalias !28
   %.1588.i.i = add nsw i64 %.1587.i.i, %.915.i.i
   %.1602.i.i = icmp slt i64 %.1588.i.i, 0
   %.1603.i.i = select i1 %.1602.i.i, i64 %arg.batch.5.0.5.0, i64 0
-  %155 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1588.i.i
-  %.1617.i.i = getelementptr double, ptr %155, i64 %.1603.i.i
+  %162 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1588.i.i
+  %.1617.i.i = getelementptr double, ptr %162, i64 %.1603.i.i
   %.1618.i.i = load double, ptr %.1617.i.i, align 8, !noalias !28
   %.1636.i.i = select i1 %.1571.i.i, i64 %arg.linear.8.5.0, i64 0
-  %156 = getelementptr i64, ptr %arg.linear.8.4, i64 %.1458.i.02139.i
-  %.1650.i.i = getelementptr i64, ptr %156, i64 %.1636.i.i
+  %163 = getelementptr i64, ptr %arg.linear.8.4, i64 %.1458.i.02139.i
+  %.1650.i.i = getelementptr i64, ptr %163, i64 %.1636.i.i
   %.1651.i.i = load i64, ptr %.1650.i.i, align 8, !noalias !28
   %.1652.i.i = add nsw i64 %.1651.i.i, %.597.i.i.i
   %.1666.i.i = icmp slt i64 %.1652.i.i, 0
   %.1667.i.i = select i1 %.1666.i.i, i64 %arg.batch.5.0.5.0, i64 0
-  %157 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1652.i.i
-  %.1681.i.i = getelementptr double, ptr %157, i64 %.1667.i.i
+  %164 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1652.i.i
+  %.1681.i.i = getelementptr double, ptr %164, i64 %.1667.i.i
   %.1682.i.i = load double, ptr %.1681.i.i, align 8, !noalias !28
   %.1686.i.i = fdiv double %.1618.i.i, %.1682.i.i
   %.1692.i.i = fsub double %.1686.i.i, %.1686.i.i
@@ -1216,8 +1257,8 @@ B316.i:                                           ; preds = %B262.if.i, %B146.if
   %.746.i = mul i64 %.388.02152.i, %.434.sroa.0.02106.i
   %.762.i = icmp slt i64 %.746.i, 0
   %.763.i = select i1 %.762.i, i64 %arg.linear.1.5.0, i64 0
-  %158 = getelementptr double, ptr %arg.linear.1.4, i64 %.746.i
-  %.777.i = getelementptr double, ptr %158, i64 %.763.i
+  %165 = getelementptr double, ptr %arg.linear.1.4, i64 %.746.i
+  %.777.i = getelementptr double, ptr %165, i64 %.763.i
   %.778.i = load double, ptr %.777.i, align 8, !noalias !25
   %.832.i = load double, ptr %.831.i, align 8, !noalias !25
   %.833.i = fadd double %.778.i, %.832.i
@@ -1231,16 +1272,16 @@ B34.loopexit.i.i:                                 ; preds = %B790.i.i, %B528.i.i
 
 B348.i.i:                                         ; preds = %B234.if.i.i, %B36.if.i.i
   %p.2.1.lcssa.i.i = phi i64 [ %.59.0509.i.i, %B36.if.i.i ], [ %p.3.2.i.i, %B234.if.i.i ]
-  %159 = getelementptr i64, ptr %arg.linear.2.4, i64 %.59.0509.i.i
-  store i64 %p.2.1.lcssa.i.i, ptr %159, align 8, !noalias !36
+  %166 = getelementptr i64, ptr %arg.linear.2.4, i64 %.59.0509.i.i
+  store i64 %p.2.1.lcssa.i.i, ptr %166, align 8, !noalias !36
   %.547.i2114.i = add nsw i64 %p.2.1.lcssa.i.i, %.161.i.i
   %.561.i.i = icmp slt i64 %.547.i2114.i, 0
   %.562.i.i = select i1 %.561.i.i, i64 %arg.linear.1.5.0, i64 0
-  %160 = getelementptr double, ptr %arg.linear.1.4, i64 %.547.i2114.i
-  %.576.i.i = getelementptr double, ptr %160, i64 %.562.i.i
+  %167 = getelementptr double, ptr %arg.linear.1.4, i64 %.547.i2114.i
+  %.576.i.i = getelementptr double, ptr %167, i64 %.562.i.i
   %.577.i.i = load double, ptr %.576.i.i, align 8, !noalias !36
-  %.610.i.i = load double, ptr %162, align 8, !noalias !36
-  store double %.577.i.i, ptr %162, align 8, !noalias !36
+  %.610.i.i = load double, ptr %169, align 8, !noalias !36
+  store double %.577.i.i, ptr %169, align 8, !noalias !36
   store double %.610.i.i, ptr %.576.i.i, align 8, !noalias !36
   br i1 %.362493.not.i.i, label %B528.i.i, label %B466.if.i.i
 
@@ -1259,18 +1300,18 @@ B36.if.i.i:                                       ; preds = %B316.i, %B34.loopex
   %.161.i.i = mul nsw i64 %.59.0509.i.i, %arg.shape.1
   %.164.i.i = add nsw i64 %.59.0509.i.i, %arg.linear.3.0
   %.165.i.i = add nsw i64 %.164.i.i, 1
-  %.11.i.i.i8940 = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %.165.i.i, i64 %arg.shape.1)
+  %.11.i.i.i8906 = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %.165.i.i, i64 %arg.shape.1)
   %.200.i.i = add i64 %.199.i.i, %.164.i.i
   %.11.i492.i.i = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %.200.i.i, i64 %arg.shape.1)
-  %161 = getelementptr double, ptr %arg.linear.1.4, i64 %.161.i.i
-  %162 = getelementptr double, ptr %161, i64 %.59.0509.i.i
-  %.319.i.i = sub i64 %.11.i.i.i8940, %.131.i.i
+  %168 = getelementptr double, ptr %arg.linear.1.4, i64 %.161.i.i
+  %169 = getelementptr double, ptr %168, i64 %.59.0509.i.i
+  %.319.i.i = sub i64 %.11.i.i.i8906, %.131.i.i
   %storemerge488.i.i = tail call i64 @llvm.smax.i64(i64 %.319.i.i, i64 0)
   %.362493.not.i.i = icmp slt i64 %.319.i.i, 1
   br i1 %.362493.not.i.i, label %B348.i.i, label %B234.if.preheader.i.i
 
 B234.if.preheader.i.i:                            ; preds = %B36.if.i.i
-  %.271.i.i = load double, ptr %162, align 8, !noalias !36
+  %.271.i.i = load double, ptr %169, align 8, !noalias !36
   %.272.i.i = tail call double @llvm.fabs.f64(double %.271.i.i)
   br label %B234.if.i.i
 
@@ -1284,8 +1325,8 @@ B234.if.i.i:                                      ; preds = %B234.if.i.i, %B234.
   %.415.i.i = add nsw i64 %.306.0494.i.i, %.161.i.i
   %.429.i.i = icmp slt i64 %.415.i.i, 0
   %.430.i.i = select i1 %.429.i.i, i64 %arg.linear.1.5.0, i64 0
-  %163 = getelementptr double, ptr %arg.linear.1.4, i64 %.415.i.i
-  %.444.i.i = getelementptr double, ptr %163, i64 %.430.i.i
+  %170 = getelementptr double, ptr %arg.linear.1.4, i64 %.415.i.i
+  %.444.i.i = getelementptr double, ptr %170, i64 %.430.i.i
   %.445.i.i = load double, ptr %.444.i.i, align 8, !noalias !36
   %.446.i.i = tail call double @llvm.fabs.f64(double %.445.i.i)
   %.448.i.i = fcmp ogt double %.446.i.i, %largest.2.1496.i.i
@@ -1302,10 +1343,10 @@ B466.if.i.i:                                      ; preds = %B348.i.i, %B466.if.
   %.798.i.i = add nsw i64 %.703.0499.i.i, %.161.i.i
   %.812.i.i = icmp slt i64 %.798.i.i, 0
   %.813.i.i = select i1 %.812.i.i, i64 %arg.linear.1.5.0, i64 0
-  %164 = getelementptr double, ptr %arg.linear.1.4, i64 %.798.i.i
-  %.827.i.i = getelementptr double, ptr %164, i64 %.813.i.i
+  %171 = getelementptr double, ptr %arg.linear.1.4, i64 %.798.i.i
+  %.827.i.i = getelementptr double, ptr %171, i64 %.813.i.i
   %.828.i.i = load double, ptr %.827.i.i, align 8, !noalias !36
-  %.861.i.i = load double, ptr %162, align 8, !noalias !36
+  %.861.i.i = load double, ptr %169, align 8, !noalias !36
   %.865.i.i = fdiv double %.828.i.i, %.861.i.i
   store double %.865.i.i, ptr %.827.i.i, align 8, !noalias !36
   %.759.i.i = icmp sgt i64 %.706.0500.i.i, 1
@@ -1316,18 +1357,18 @@ B566.if.i.i:                                      ; preds = %B528.i.i, %B790.i.i
   %.929.0505.i.i = phi i64 [ %.998.i.i, %B790.i.i ], [ %.131.i.i, %B528.i.i ]
   %.994.i.i = add nsw i64 %.932.0506.i.i, -1
   %.998.i.i = add i64 %.929.0505.i.i, 1
-  %165 = mul nsw i64 %.929.0505.i.i, %arg.shape.1
-  %.1030.i.i = add nsw i64 %165, %p.2.1.lcssa.i.i
+  %172 = mul nsw i64 %.929.0505.i.i, %arg.shape.1
+  %.1030.i.i = add nsw i64 %172, %p.2.1.lcssa.i.i
   %.1044.i.i = icmp slt i64 %.1030.i.i, 0
   %.1045.i.i = select i1 %.1044.i.i, i64 %arg.linear.1.5.0, i64 0
-  %166 = getelementptr double, ptr %arg.linear.1.4, i64 %.1030.i.i
-  %.1059.i.i = getelementptr double, ptr %166, i64 %.1045.i.i
+  %173 = getelementptr double, ptr %arg.linear.1.4, i64 %.1030.i.i
+  %.1059.i.i = getelementptr double, ptr %173, i64 %.1045.i.i
   %.1060.i2115.i = load double, ptr %.1059.i.i, align 8, !noalias !36
-  %.1068.i.i = add nsw i64 %165, %.59.0509.i.i
+  %.1068.i.i = add nsw i64 %172, %.59.0509.i.i
   %.1082.i.i = icmp slt i64 %.1068.i.i, 0
   %.1083.i.i = select i1 %.1082.i.i, i64 %arg.linear.1.5.0, i64 0
-  %167 = getelementptr double, ptr %arg.linear.1.4, i64 %.1068.i.i
-  %.1097.i.i = getelementptr double, ptr %167, i64 %.1083.i.i
+  %174 = getelementptr double, ptr %arg.linear.1.4, i64 %.1068.i.i
+  %.1097.i.i = getelementptr double, ptr %174, i64 %.1083.i.i
   %.1098.i.i = load double, ptr %.1097.i.i, align 8, !noalias !36
   store double %.1098.i.i, ptr %.1059.i.i, align 8, !noalias !36
   store double %.1060.i2115.i, ptr %.1097.i.i, align 8, !noalias !36
@@ -1340,17 +1381,17 @@ B716.if.i.i:                                      ; preds = %B566.if.i.i, %B716.
   %.1199.0502.i.i = phi i64 [ %.1268.i.i, %B716.if.i.i ], [ %.131.i.i, %B566.if.i.i ]
   %.1264.i.i = add nsw i64 %.1202.0503.i.i, -1
   %.1268.i.i = add i64 %.1199.0502.i.i, 1
-  %.1296.i.i = add nsw i64 %.1199.0502.i.i, %165
+  %.1296.i.i = add nsw i64 %.1199.0502.i.i, %172
   %.1310.i.i = icmp slt i64 %.1296.i.i, 0
   %.1311.i.i = select i1 %.1310.i.i, i64 %arg.linear.1.5.0, i64 0
-  %168 = getelementptr double, ptr %arg.linear.1.4, i64 %.1296.i.i
-  %.1325.i.i = getelementptr double, ptr %168, i64 %.1311.i.i
+  %175 = getelementptr double, ptr %arg.linear.1.4, i64 %.1296.i.i
+  %.1325.i.i = getelementptr double, ptr %175, i64 %.1311.i.i
   %.1326.i.i = load double, ptr %.1325.i.i, align 8, !noalias !36
   %.1328.i.i = add nsw i64 %.1199.0502.i.i, %.161.i.i
   %.1342.i.i = icmp slt i64 %.1328.i.i, 0
   %.1343.i.i = select i1 %.1342.i.i, i64 %arg.linear.1.5.0, i64 0
-  %169 = getelementptr double, ptr %arg.linear.1.4, i64 %.1328.i.i
-  %.1357.i.i = getelementptr double, ptr %169, i64 %.1343.i.i
+  %176 = getelementptr double, ptr %arg.linear.1.4, i64 %.1328.i.i
+  %.1357.i.i = getelementptr double, ptr %176, i64 %.1343.i.i
   %.1358.i.i = load double, ptr %.1357.i.i, align 8, !noalias !36
   %.1360.i.i = fmul double %.1060.i2115.i, %.1358.i.i
   %.1361.i.i = fsub double %.1326.i.i, %.1360.i.i
@@ -1362,10 +1403,10 @@ B146.if.i:                                        ; preds = %B116.i, %B316.i
   %.388.02152.i = phi i64 [ %.457.i, %B316.i ], [ 0, %B116.i ]
   %.457.i = add nsw i64 %.388.02152.i, 1
   %.489.i = sub i64 %.388.02152.i, %31
-  %.11.i.i8938 = tail call i64 @llvm.smax.i64(i64 %.489.i, i64 0)
-  %.521.i = add i64 %.520.i8937, %.388.02152.i
+  %.11.i.i8904 = tail call i64 @llvm.smax.i64(i64 %.489.i, i64 0)
+  %.521.i = add i64 %.520.i8903, %.388.02152.i
   %.11.i2116.i = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %.521.i, i64 %arg.shape.1)
-  %.587.i = sub i64 %.11.i2116.i, %.11.i.i8938
+  %.587.i = sub i64 %.11.i2116.i, %.11.i.i8904
   %.6302148.not.i = icmp slt i64 %.587.i, 1
   br i1 %.6302148.not.i, label %B316.i, label %B262.if.lr.ph.i
 
@@ -1375,25 +1416,25 @@ B262.if.lr.ph.i:                                  ; preds = %B146.if.i
 
 B262.if.i:                                        ; preds = %B262.if.i, %B262.if.lr.ph.i
   %.577.02150.i = phi i64 [ %.587.i, %B262.if.lr.ph.i ], [ %.639.i, %B262.if.i ]
-  %.574.02149.i = phi i64 [ %.11.i.i8938, %B262.if.lr.ph.i ], [ %.643.i8939, %B262.if.i ]
+  %.574.02149.i = phi i64 [ %.11.i.i8904, %B262.if.lr.ph.i ], [ %.643.i8905, %B262.if.i ]
   %.639.i = add nsw i64 %.577.02150.i, -1
-  %.643.i8939 = add i64 %.574.02149.i, 1
+  %.643.i8905 = add i64 %.574.02149.i, 1
   %.671.i = add nsw i64 %.574.02149.i, %.670.i
   %.685.i = icmp slt i64 %.671.i, 0
   %.686.i = select i1 %.685.i, i64 %arg.linear.0.5.0, i64 0
-  %170 = getelementptr double, ptr %arg.linear.0.4, i64 %.671.i
-  %.700.i = getelementptr double, ptr %170, i64 %.686.i
+  %177 = getelementptr double, ptr %arg.linear.0.4, i64 %.671.i
+  %.700.i = getelementptr double, ptr %177, i64 %.686.i
   %.701.i = load double, ptr %.700.i, align 8, !noalias !25
   %.702.i = fneg double %.701.i
   %.721.i = select i1 %.685.i, i64 %arg.linear.1.5.0, i64 0
-  %171 = getelementptr double, ptr %arg.linear.1.4, i64 %.671.i
-  %.735.i = getelementptr double, ptr %171, i64 %.721.i
+  %178 = getelementptr double, ptr %arg.linear.1.4, i64 %.671.i
+  %.735.i = getelementptr double, ptr %178, i64 %.721.i
   store double %.702.i, ptr %.735.i, align 8, !noalias !25
   %.630.i = icmp sgt i64 %.577.02150.i, 1
   br i1 %.630.i, label %B262.if.i, label %B316.i
 
 B1502:                                            ; preds = %B34.loopexit.i.i, %B116.i, %B1458
-  br i1 %.22219208.not, label %B1728, label %B1534.if
+  br i1 %.22219212.not, label %B1728, label %B1534.if
 
 B68.if.lr.ph.i:                                   ; preds = %B1534.if
   %.259.i = mul nsw i64 %.2234, %arg.shape.1
@@ -1414,21 +1455,21 @@ B286.if.lr.ph.i:                                  ; preds = %B314.i.loopexit.i
 B34.if.i.i:                                       ; preds = %B68.if.i, %B34.i.loopexit.i
   %.73.i.0621.i = phi i64 [ %.144.i.i, %B34.i.loopexit.i ], [ 0, %B68.if.i ]
   %.144.i.i = add nsw i64 %.73.i.0621.i, 1
-  %172 = getelementptr i64, ptr %arg.linear.2.4, i64 %.73.i.0621.i
-  %.202.i.i = load i64, ptr %172, align 8, !noalias !39
+  %179 = getelementptr i64, ptr %arg.linear.2.4, i64 %.73.i.0621.i
+  %.202.i.i = load i64, ptr %179, align 8, !noalias !39
   %.204.i.i = add nsw i64 %.202.i.i, %.395.i
   %.218.i.i = icmp slt i64 %.204.i.i, 0
   %.219.i.i = select i1 %.218.i.i, i64 %arg.batch.5.0.5.0, i64 0
-  %173 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.204.i.i
-  %.233.i.i = getelementptr double, ptr %173, i64 %.219.i.i
+  %180 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.204.i.i
+  %.233.i.i = getelementptr double, ptr %180, i64 %.219.i.i
   %.234.i.i = load double, ptr %.233.i.i, align 8, !noalias !39
-  %gep9207 = getelementptr double, ptr %invariant.gep9206, i64 %.73.i.0621.i
-  %.270.i.i = load double, ptr %gep9207, align 8, !noalias !39
+  %gep9211 = getelementptr double, ptr %invariant.gep9210, i64 %.73.i.0621.i
+  %.270.i.i = load double, ptr %gep9211, align 8, !noalias !39
   store double %.270.i.i, ptr %.233.i.i, align 8, !noalias !39
-  store double %.234.i.i, ptr %gep9207, align 8, !noalias !39
+  store double %.234.i.i, ptr %gep9211, align 8, !noalias !39
   %.340.i.i = add i64 %.339.i.i, %.73.i.0621.i
-  %.11.i.i.i8950 = tail call i64 @llvm.smin.i64(i64 %.340.i.i, i64 %arg.shape.1)
-  %.406.i.i = sub i64 %.11.i.i.i8950, %.144.i.i
+  %.11.i.i.i8916 = tail call i64 @llvm.smin.i64(i64 %.340.i.i, i64 %arg.shape.1)
+  %.406.i.i = sub i64 %.11.i.i.i8916, %.144.i.i
   %.449.i617.not.i = icmp slt i64 %.406.i.i, 1
   br i1 %.449.i617.not.i, label %B34.i.loopexit.i, label %B198.if.i.lr.ph.i
 
@@ -1444,14 +1485,14 @@ B198.if.i.i:                                      ; preds = %B198.if.i.i, %B198.
   %.488.i.i = add nsw i64 %.393.i.0618.i, %.395.i
   %.502.i.i = icmp slt i64 %.488.i.i, 0
   %.503.i.i = select i1 %.502.i.i, i64 %arg.batch.5.0.5.0, i64 0
-  %174 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.488.i.i
-  %.517.i.i = getelementptr double, ptr %174, i64 %.503.i.i
+  %181 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.488.i.i
+  %.517.i.i = getelementptr double, ptr %181, i64 %.503.i.i
   %.518.i.i = load double, ptr %.517.i.i, align 8, !noalias !39
   %.522.i.i = add nsw i64 %.393.i.0618.i, %.521.i.i
   %.536.i.i = icmp slt i64 %.522.i.i, 0
   %.537.i.i = select i1 %.536.i.i, i64 %arg.linear.1.5.0, i64 0
-  %175 = getelementptr double, ptr %arg.linear.1.4, i64 %.522.i.i
-  %.551.i.i = getelementptr double, ptr %175, i64 %.537.i.i
+  %182 = getelementptr double, ptr %arg.linear.1.4, i64 %.522.i.i
+  %.551.i.i = getelementptr double, ptr %182, i64 %.537.i.i
   %.552.i.i = load double, ptr %.551.i.i, align 8, !noalias !39
   %.554.i.i = fmul double %.234.i.i, %.552.i.i
   %.555.i.i = fsub double %.518.i.i, %.554.i.i
@@ -1465,18 +1506,18 @@ B314.if.i.i:                                      ; preds = %B34.i.loopexit.i, %
   %.726.i.i = add nsw i64 %.627.i.0629.i, %.395.i
   %.740.i.i = icmp slt i64 %.726.i.i, 0
   %.741.i.i = select i1 %.740.i.i, i64 %arg.batch.5.0.5.0, i64 0
-  %176 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.726.i.i
-  %.755.i.i8951 = getelementptr double, ptr %176, i64 %.741.i.i
-  %.756.i.i = load double, ptr %.755.i.i8951, align 8, !noalias !39
-  %.759.i.i8952 = mul nsw i64 %.627.i.0629.i, %arg.shape.1
-  %.761.i.i = add nsw i64 %.759.i.i8952, %.627.i.0629.i
+  %183 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.726.i.i
+  %.755.i.i8917 = getelementptr double, ptr %183, i64 %.741.i.i
+  %.756.i.i = load double, ptr %.755.i.i8917, align 8, !noalias !39
+  %.759.i.i8918 = mul nsw i64 %.627.i.0629.i, %arg.shape.1
+  %.761.i.i = add nsw i64 %.759.i.i8918, %.627.i.0629.i
   %.775.i.i = icmp slt i64 %.761.i.i, 0
   %.776.i.i = select i1 %.775.i.i, i64 %arg.linear.1.5.0, i64 0
-  %177 = getelementptr double, ptr %arg.linear.1.4, i64 %.761.i.i
-  %.790.i.i = getelementptr double, ptr %177, i64 %.776.i.i
+  %184 = getelementptr double, ptr %arg.linear.1.4, i64 %.761.i.i
+  %.790.i.i = getelementptr double, ptr %184, i64 %.776.i.i
   %.791.i.i = load double, ptr %.790.i.i, align 8, !noalias !39
   %.795.i.i = fdiv double %.756.i.i, %.791.i.i
-  store double %.795.i.i, ptr %.755.i.i8951, align 8, !noalias !39
+  store double %.795.i.i, ptr %.755.i.i8917, align 8, !noalias !39
   %.866.i.i = sub i64 %.627.i.0629.i, %32
   %.11.i4.i.i = tail call i64 @llvm.smax.i64(i64 %.866.i.i, i64 0)
   %.932.i.i = sub i64 %.627.i.0629.i, %.11.i4.i.i
@@ -1491,113 +1532,113 @@ B474.if.i.i:                                      ; preds = %B314.if.i.i, %B474.
   %.1014.i.i = add nsw i64 %.919.i.0624.i, %.395.i
   %.1028.i.i = icmp slt i64 %.1014.i.i, 0
   %.1029.i.i = select i1 %.1028.i.i, i64 %arg.batch.5.0.5.0, i64 0
-  %178 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1014.i.i
-  %.1043.i.i = getelementptr double, ptr %178, i64 %.1029.i.i
-  %.1044.i.i8953 = load double, ptr %.1043.i.i, align 8, !noalias !39
-  %.1048.i.i = add nsw i64 %.919.i.0624.i, %.759.i.i8952
+  %185 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1014.i.i
+  %.1043.i.i = getelementptr double, ptr %185, i64 %.1029.i.i
+  %.1044.i.i8919 = load double, ptr %.1043.i.i, align 8, !noalias !39
+  %.1048.i.i = add nsw i64 %.919.i.0624.i, %.759.i.i8918
   %.1062.i.i = icmp slt i64 %.1048.i.i, 0
   %.1063.i.i = select i1 %.1062.i.i, i64 %arg.linear.1.5.0, i64 0
-  %179 = getelementptr double, ptr %arg.linear.1.4, i64 %.1048.i.i
-  %.1077.i.i = getelementptr double, ptr %179, i64 %.1063.i.i
+  %186 = getelementptr double, ptr %arg.linear.1.4, i64 %.1048.i.i
+  %.1077.i.i = getelementptr double, ptr %186, i64 %.1063.i.i
   %.1078.i.i = load double, ptr %.1077.i.i, align 8, !noalias !39
   %.1080.i.i = fmul double %.795.i.i, %.1078.i.i
-  %.1081.i.i = fsub double %.1044.i.i8953, %.1080.i.i
+  %.1081.i.i = fsub double %.1044.i.i8919, %.1080.i.i
   store double %.1081.i.i, ptr %.1043.i.i, align 8, !noalias !39
-  %.975.i.i8954 = icmp sgt i64 %.922.i.0625.i, 1
-  br i1 %.975.i.i8954, label %B474.if.i.i, label %B314.i.loopexit.i
+  %.975.i.i8920 = icmp sgt i64 %.922.i.0625.i, 1
+  br i1 %.975.i.i8920, label %B474.if.i.i, label %B314.i.loopexit.i
 
 B68.if.i:                                         ; preds = %B68.if.i, %B68.if.lr.ph.i
   %.160.0615.i = phi i64 [ 0, %B68.if.lr.ph.i ], [ %.231.i, %B68.if.i ]
   %.231.i = add nsw i64 %.160.0615.i, 1
   %.260.i = add nsw i64 %.160.0615.i, %.259.i
   %.274.i = icmp slt i64 %.260.i, 0
-  %.275.i8944 = select i1 %.274.i, i64 %arg.batch.5.0.5.0, i64 0
-  %180 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.260.i
-  %.289.i = getelementptr double, ptr %180, i64 %.275.i8944
+  %.275.i8910 = select i1 %.274.i, i64 %arg.batch.5.0.5.0, i64 0
+  %187 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.260.i
+  %.289.i = getelementptr double, ptr %187, i64 %.275.i8910
   %.290.i = load double, ptr %.289.i, align 8, !noalias !45
-  %gep9205 = getelementptr double, ptr %invariant.gep9204, i64 %.160.0615.i
-  %.323.i8946 = load double, ptr %gep9205, align 8, !noalias !45
-  %.324.i8947 = fadd double %.290.i, %.323.i8946
-  %181 = getelementptr i64, ptr %arg.linear.4.4, i64 %.160.0615.i
-  %.356.i = load i64, ptr %181, align 8, !noalias !45
-  %.357.i = add nsw i64 %.356.i, %.326.i8943
+  %gep9209 = getelementptr double, ptr %invariant.gep9208, i64 %.160.0615.i
+  %.323.i8912 = load double, ptr %gep9209, align 8, !noalias !45
+  %.324.i8913 = fadd double %.290.i, %.323.i8912
+  %188 = getelementptr i64, ptr %arg.linear.4.4, i64 %.160.0615.i
+  %.356.i = load i64, ptr %188, align 8, !noalias !45
+  %.357.i = add nsw i64 %.356.i, %.326.i8909
   %.371.i = icmp slt i64 %.357.i, 0
-  %.372.i8948 = select i1 %.371.i, i64 %arg.batch.5.0.5.0, i64 0
-  %182 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.357.i
-  %.386.i = getelementptr double, ptr %182, i64 %.372.i8948
-  store double %.324.i8947, ptr %.386.i, align 8, !noalias !45
-  %exitcond.not.i8949 = icmp eq i64 %arg.shape.1, %.231.i
-  br i1 %exitcond.not.i8949, label %B34.if.i.i, label %B68.if.i
+  %.372.i8914 = select i1 %.371.i, i64 %arg.batch.5.0.5.0, i64 0
+  %189 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.357.i
+  %.386.i = getelementptr double, ptr %189, i64 %.372.i8914
+  store double %.324.i8913, ptr %.386.i, align 8, !noalias !45
+  %exitcond.not.i8915 = icmp eq i64 %arg.shape.1, %.231.i
+  br i1 %exitcond.not.i8915, label %B34.if.i.i, label %B68.if.i
 
 B286.if.i:                                        ; preds = %B286.if.i, %B286.if.lr.ph.i
   %.464.0631.i = phi i64 [ 0, %B286.if.lr.ph.i ], [ %.533.i, %B286.if.i ]
   %.533.i = add nsw i64 %.464.0631.i, 1
-  %183 = getelementptr i64, ptr %arg.linear.4.4, i64 %.464.0631.i
-  %.589.i = load i64, ptr %183, align 8, !noalias !45
+  %190 = getelementptr i64, ptr %arg.linear.4.4, i64 %.464.0631.i
+  %.589.i = load i64, ptr %190, align 8, !noalias !45
   %.590.i = add nsw i64 %.589.i, %.395.i
   %.604.i = icmp slt i64 %.590.i, 0
   %.605.i = select i1 %.604.i, i64 %arg.batch.5.0.5.0, i64 0
-  %184 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.590.i
-  %.619.i = getelementptr double, ptr %184, i64 %.605.i
+  %191 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.590.i
+  %.619.i = getelementptr double, ptr %191, i64 %.605.i
   %.620.i = load double, ptr %.619.i, align 8, !noalias !45
   %.625.i = add nsw i64 %.464.0631.i, %.624.i
-  %.639.i8955 = icmp slt i64 %.625.i, 0
-  %.640.i = select i1 %.639.i8955, i64 %arg.batch.5.0.5.0, i64 0
-  %185 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.625.i
-  %.654.i8956 = getelementptr double, ptr %185, i64 %.640.i
-  store double %.620.i, ptr %.654.i8956, align 8, !noalias !45
+  %.639.i8921 = icmp slt i64 %.625.i, 0
+  %.640.i = select i1 %.639.i8921, i64 %arg.batch.5.0.5.0, i64 0
+  %192 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.625.i
+  %.654.i8922 = getelementptr double, ptr %192, i64 %.640.i
+  store double %.620.i, ptr %.654.i8922, align 8, !noalias !45
   %exitcond634.not.i = icmp eq i64 %arg.shape.1, %.533.i
   br i1 %exitcond634.not.i, label %B1726, label %B286.if.i
 
 B1726:                                            ; preds = %B286.if.i, %B1534.if
-  %exitcond9345.not = icmp eq i64 %.2165.09209, %storemerge8849
-  br i1 %exitcond9345.not, label %B1728, label %B1534.if
+  %exitcond9349.not = icmp eq i64 %.2165.09213, %storemerge8816
+  br i1 %exitcond9349.not, label %B1728, label %B1534.if
 
 B1728:                                            ; preds = %B1726, %B1502
   %.2487 = load i64, ptr %.2486, align 8
   %.2532 = inttoptr i64 %.2487 to ptr
   tail call void %.2532(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.tolerances.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
   %brmerge = select i1 %.1168, i1 true, i1 %.610
-  %or.cond8906 = select i1 %brmerge, i1 true, i1 %.2563
-  %spec.select8925 = select i1 %or.cond8906, i1 true, i1 %.2568
+  %or.cond8873 = select i1 %brmerge, i1 true, i1 %.2563
+  %spec.select8891 = select i1 %or.cond8873, i1 true, i1 %.2568
   br i1 %.794, label %B1960, label %B1870.if
 
 B1878:                                            ; preds = %B1870.if
-  %186 = getelementptr double, ptr %33, i64 %.2608.09212
-  %.2767 = load double, ptr %186, align 8
+  %193 = getelementptr double, ptr %33, i64 %.2608.09216
+  %.2767 = load double, ptr %193, align 8
   %.2768 = fcmp ogt double %.2767, 5.000000e-01
   br label %B1914
 
 B1914:                                            ; preds = %B1878, %B1870.if
   %"$phi1914.1.2.2" = phi i1 [ true, %B1870.if ], [ %.2768, %B1878 ]
-  br i1 %looked.2.19215, label %B1956, label %B1920
+  br i1 %looked.2.19219, label %B1956, label %B1920
 
 B1920:                                            ; preds = %B1914
-  %187 = getelementptr double, ptr %34, i64 %.2608.09212
-  %.2842 = load double, ptr %187, align 8
+  %194 = getelementptr double, ptr %34, i64 %.2608.09216
+  %.2842 = load double, ptr %194, align 8
   %.2843 = fcmp ogt double %.2842, 5.000000e-01
   br label %B1956
 
 B1956:                                            ; preds = %B1920, %B1914
   %"$phi1956.1.2.2" = phi i1 [ true, %B1914 ], [ %.2843, %B1920 ]
-  %.2664 = icmp sgt i64 %.2611.09213, 1
+  %.2664 = icmp sgt i64 %.2611.09217, 1
   br i1 %.2664, label %B1870.if, label %B1960
 
 B1960:                                            ; preds = %B1956, %B1728
   %good.2.1.lcssa = phi i1 [ false, %B1728 ], [ %"$phi1914.1.2.2", %B1956 ]
-  %looked.2.1.lcssa = phi i1 [ %spec.select8925, %B1728 ], [ %"$phi1956.1.2.2", %B1956 ]
-  %looked.2.1.lcssa.not9349 = xor i1 %looked.2.1.lcssa, true
-  %brmerge9350 = or i1 %.794, %looked.2.1.lcssa.not9349
-  br i1 %brmerge9350, label %B2538, label %B80.if.i
+  %looked.2.1.lcssa = phi i1 [ %spec.select8891, %B1728 ], [ %"$phi1956.1.2.2", %B1956 ]
+  %looked.2.1.lcssa.not9353 = xor i1 %looked.2.1.lcssa, true
+  %brmerge9354 = or i1 %.794, %looked.2.1.lcssa.not9353
+  br i1 %brmerge9354, label %B2538, label %B80.if.i
 
 B2030.preheader:                                  ; preds = %B568.i
   br i1 %.794, label %B2538, label %B2030.if
 
 B126.i:                                           ; preds = %B80.if.i
-  %.318.i589 = getelementptr double, ptr %35, i64 %.105.i435.09219
+  %.318.i589 = getelementptr double, ptr %35, i64 %.105.i435.09223
   %.319.i = load double, ptr %.318.i589, align 8, !noalias !46
   %.5.i.i = fptosi double %.319.i to i64
-  %.397.i634 = getelementptr double, ptr %36, i64 %.105.i435.09219
+  %.397.i634 = getelementptr double, ptr %36, i64 %.105.i435.09223
   %.398.i635 = load double, ptr %.397.i634, align 8, !noalias !46
   %.5.i1.i = fptosi double %.398.i635 to i64
   %.478.i682 = mul i64 %.258.i, %arg.batch.3.3.5.1
@@ -1619,7 +1660,7 @@ B126.i:                                           ; preds = %B80.if.i
   store i64 %.841.i958, ptr %.700.i863, align 8, !noalias !46
   store double 0.000000e+00, ptr %.318.i589, align 8, !noalias !46
   store double 0.000000e+00, ptr %.397.i634, align 8, !noalias !46
-  %.1072.i = getelementptr double, ptr %37, i64 %.105.i435.09219
+  %.1072.i = getelementptr double, ptr %37, i64 %.105.i435.09223
   %.1073.i1075 = load double, ptr %.1072.i, align 8, !noalias !46
   %.1081.i1080 = sitofp i64 %.706.i869 to double
   %.1082.i1081 = fsub double %.1073.i1075, %.1081.i1080
@@ -1627,40 +1668,40 @@ B126.i:                                           ; preds = %B80.if.i
   br label %B568.i
 
 B568.i:                                           ; preds = %B126.i, %B80.if.i
-  %.163.i493 = icmp sgt i64 %.108.i.09220, 1
+  %.163.i493 = icmp sgt i64 %.108.i.09224, 1
   br i1 %.163.i493, label %B80.if.i, label %B2030.preheader
 
 B80.if.i:                                         ; preds = %B1960, %B568.i
-  %.108.i.09220 = phi i64 [ %.172.i1118, %B568.i ], [ %storemerge, %B1960 ]
-  %.105.i435.09219 = phi i64 [ %.176.i1121, %B568.i ], [ 0, %B1960 ]
-  %.172.i1118 = add nsw i64 %.108.i.09220, -1
-  %.176.i1121 = add nsw i64 %.105.i435.09219, 1
-  %188 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.105.i435.09219
-  %.258.i = load i64, ptr %188, align 8, !noalias !46
+  %.108.i.09224 = phi i64 [ %.172.i1118, %B568.i ], [ %storemerge, %B1960 ]
+  %.105.i435.09223 = phi i64 [ %.176.i1121, %B568.i ], [ 0, %B1960 ]
+  %.172.i1118 = add nsw i64 %.108.i.09224, -1
+  %.176.i1121 = add nsw i64 %.105.i435.09223, 1
+  %195 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.105.i435.09223
+  %.258.i = load i64, ptr %195, align 8, !noalias !46
   %.263.i545 = icmp sgt i64 %.258.i, -1
   br i1 %.263.i545, label %B126.i, label %B568.i
 
 B2130:                                            ; preds = %B2030.if
-  %.3297 = getelementptr double, ptr %40, i64 %.2963.09222
+  %.3297 = getelementptr double, ptr %40, i64 %.2963.09226
   %.3298 = load double, ptr %.3297, align 8
   %.3299 = fcmp ogt double %.3298, 5.000000e-01
   br i1 %.3299, label %B2168, label %B2268
 
 B2168:                                            ; preds = %B2130
   %.5.i = fptosi double %.3298 to i64
-  %189 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.2963.09222
-  %.84.i2116 = load i64, ptr %189, align 8, !noalias !50
-  %.89.i2119 = icmp sgt i64 %.84.i2116, -1
-  br i1 %.89.i2119, label %B46.i, label %B2268
+  %196 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.2963.09226
+  %.84.i2115 = load i64, ptr %196, align 8, !noalias !50
+  %.89.i2118 = icmp sgt i64 %.84.i2115, -1
+  br i1 %.89.i2118, label %B46.i, label %B2268
 
-B2268:                                            ; preds = %B2130, %B46.i, %B2168, %B80.i2148
-  %.3485 = getelementptr double, ptr %41, i64 %.2963.09222
+B2268:                                            ; preds = %B2130, %B46.i, %B2168, %B80.i2147
+  %.3485 = getelementptr double, ptr %41, i64 %.2963.09226
   %.3486 = load double, ptr %.3485, align 8
   %.3487 = fcmp ogt double %.3486, 5.000000e-01
   br i1 %.3487, label %B2306, label %B2536
 
 B2306:                                            ; preds = %B2268
-  %spec.select = select i1 %within.3.29224, i1 true, i1 %.2563
+  %spec.select = select i1 %within.3.29228, i1 true, i1 %.2563
   %.3563 = mul i64 %.3124, %arg.batch.3.3.5.1
   %.3567 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.3563
   %.3568 = load i64, ptr %.3567, align 8
@@ -1669,7 +1710,7 @@ B2306:                                            ; preds = %B2268
   br i1 %.3609, label %B2414, label %B2376
 
 B2376:                                            ; preds = %B2306
-  %.3670 = getelementptr double, ptr %42, i64 %.2963.09222
+  %.3670 = getelementptr double, ptr %42, i64 %.2963.09226
   %.3671 = load double, ptr %.3670, align 8
   %.3673 = fcmp ogt double %.3671, 0.000000e+00
   br i1 %.3673, label %B2414, label %B2444
@@ -1679,17 +1720,17 @@ B2414:                                            ; preds = %B2306, %B2376
   br label %B2444
 
 B2444:                                            ; preds = %B2414, %B2376
-  %checked.5.5 = phi i1 [ true, %B2414 ], [ %checked.3.29225, %B2376 ]
+  %checked.5.5 = phi i1 [ true, %B2414 ], [ %checked.3.29229, %B2376 ]
   %.3756 = icmp slt i64 %.3179, %arg.batch.2.5.0
   br i1 %.3756, label %B2482, label %B2536
 
 B2482:                                            ; preds = %B2444
   %.3780 = icmp slt i64 %.3179, 0
   %.3781 = select i1 %.3780, i64 %arg.batch.2.5.0, i64 0
-  %190 = getelementptr double, ptr %arg.batch.2.4, i64 %.3179
-  %.3795 = getelementptr double, ptr %190, i64 %.3781
+  %197 = getelementptr double, ptr %arg.batch.2.4, i64 %.3179
+  %.3795 = getelementptr double, ptr %197, i64 %.3781
   %.3796 = load double, ptr %.3795, align 8
-  %.3854 = getelementptr double, ptr %43, i64 %.2963.09222
+  %.3854 = getelementptr double, ptr %43, i64 %.2963.09226
   %.3855 = load double, ptr %.3854, align 8
   %.3856 = fcmp olt double %.3796, %.3855
   br i1 %.3856, label %B2532, label %B2536
@@ -1698,17 +1739,17 @@ B2532:                                            ; preds = %B2482
   br label %B2536
 
 B2536:                                            ; preds = %B2030.if, %B2532, %B2482, %B2444, %B2268
-  %within.4.3 = phi i1 [ true, %B2532 ], [ %spec.select, %B2482 ], [ %spec.select, %B2444 ], [ %within.3.29224, %B2268 ], [ %within.3.29224, %B2030.if ]
-  %checked.4.3 = phi i1 [ %checked.5.5, %B2532 ], [ %checked.5.5, %B2482 ], [ %checked.5.5, %B2444 ], [ %checked.3.29225, %B2268 ], [ %checked.3.29225, %B2030.if ]
-  %.3025 = icmp sgt i64 %.2966.09223, 1
+  %within.4.3 = phi i1 [ true, %B2532 ], [ %spec.select, %B2482 ], [ %spec.select, %B2444 ], [ %within.3.29228, %B2268 ], [ %within.3.29228, %B2030.if ]
+  %checked.4.3 = phi i1 [ %checked.5.5, %B2532 ], [ %checked.5.5, %B2482 ], [ %checked.5.5, %B2444 ], [ %checked.3.29229, %B2268 ], [ %checked.3.29229, %B2030.if ]
+  %.3025 = icmp sgt i64 %.2966.09227, 1
   br i1 %.3025, label %B2030.if, label %B2538
 
 B2538:                                            ; preds = %B2536, %B1960, %B2030.preheader
   %within.5.1 = phi i1 [ false, %B1960 ], [ false, %B2030.preheader ], [ %within.4.3, %B2536 ]
   %checked.2.1 = phi i1 [ false, %B1960 ], [ false, %B2030.preheader ], [ %checked.4.3, %B2536 ]
   %good.2.1.not = xor i1 %good.2.1.lcssa, true
-  %brmerge8908 = select i1 %good.2.1.not, i1 true, i1 %44
-  br i1 %brmerge8908, label %B2666, label %B2550
+  %brmerge8875 = select i1 %good.2.1.not, i1 true, i1 %44
+  br i1 %brmerge8875, label %B2666, label %B2550
 
 B2550:                                            ; preds = %B2538
   %.3934 = load i64, ptr %arg.code.4, align 8
@@ -1732,134 +1773,134 @@ B2678:                                            ; preds = %B2670, %B2670
   br label %B2746
 
 B2746:                                            ; preds = %B2670, %B2678, %B2666
-  %brmerge8911.not = and i1 %.2568, %good.2.1.lcssa
-  br i1 %brmerge8911.not, label %B2766, label %B2874
+  %brmerge8878.not = and i1 %.2568, %good.2.1.lcssa
+  br i1 %brmerge8878.not, label %B2766, label %B2888
 
 B2766:                                            ; preds = %B2746
   %.4118 = load i64, ptr %.4117, align 8
   %.4163 = inttoptr i64 %.4118 to ptr
   tail call void %.4163(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
-  store i8 0, ptr %.4172, align 1
-  %.4226 = call fastcc i32 @_ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE(ptr %.4172, ptr %excinfo.9, ptr %arg.code.4, i64 %arg.shape.0, i64 %arg.shape.1, i64 %arg.shape.6, ptr %arg.batch.2.4, i64 %arg.batch.2.5.0, ptr %arg.batch.3.3.4, i64 %arg.batch.3.3.5.0, i64 %arg.batch.3.3.5.1, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.1, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4, i64 %arg.batch.5.4.5.0)
-  %.4228.not = icmp eq i32 %.4226, 0
-  %.4236 = load i8, ptr %.4172, align 1
-  %.4239 = icmp ne i8 %.4236, 0
-  br i1 %.4228.not, label %B2874, label %B2766.endif.if, !prof !53
+  store i8 0, ptr %.4173, align 1
+  %.4227 = call fastcc i32 @_ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE(ptr %.4173, ptr %excinfo.9, ptr %arg.code.4, i64 %arg.shape.0, i64 %arg.shape.1, i64 %arg.shape.2, i64 %arg.shape.6, ptr %arg.batch.2.4, i64 %arg.batch.2.5.0, ptr %arg.batch.3.3.4, i64 %arg.batch.3.3.5.0, i64 %arg.batch.3.3.5.1, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.1, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4, i64 %arg.batch.5.4.5.0)
+  %.4229.not = icmp eq i32 %.4227, 0
+  %.4237 = load i8, ptr %.4173, align 1
+  %.4240 = icmp ne i8 %.4237, 0
+  br i1 %.4229.not, label %B2888, label %B2766.endif.if, !prof !53
 
-B2874:                                            ; preds = %B2766, %B2746
-  %beyond.2.1 = phi i1 [ false, %B2746 ], [ %.4239, %B2766 ]
-  %brmerge8912 = select i1 %within.5.1, i1 true, i1 %beyond.2.1
-  br i1 %brmerge8912, label %B2884, label %B3448
+B2888:                                            ; preds = %B2766, %B2746
+  %beyond.2.1 = phi i1 [ false, %B2746 ], [ %.4240, %B2766 ]
+  %brmerge8879 = select i1 %within.5.1, i1 true, i1 %beyond.2.1
+  br i1 %brmerge8879, label %B2898, label %B3458
 
-B2884:                                            ; preds = %B2874
-  br i1 %.614, label %B2932.if, label %B3300.critedge
+B2898:                                            ; preds = %B2888
+  br i1 %.614, label %B2946.if, label %B3314.critedge
 
-B140.i:                                           ; preds = %B64.if.i3121
-  %.409.i2505 = getelementptr double, ptr %46, i64 %.138.i2278.09232
-  %.410.i2506 = load double, ptr %.409.i2505, align 8, !noalias !54
-  %.411.i2507 = fcmp uge double %.410.i2506, 5.000000e-01
-  %.424.i2515.not = icmp slt i64 %.346.i2456, %arg.batch.2.5.0
-  %or.cond8913 = select i1 %.411.i2507, i1 %.424.i2515.not, i1 false
-  br i1 %or.cond8913, label %B216.i, label %B453.i
+B140.i:                                           ; preds = %B64.if.i3119
+  %.409.i2504 = getelementptr double, ptr %46, i64 %.138.i2277.09236
+  %.410.i2505 = load double, ptr %.409.i2504, align 8, !noalias !54
+  %.411.i2506 = fcmp uge double %.410.i2505, 5.000000e-01
+  %.424.i2514.not = icmp slt i64 %.346.i2455, %arg.batch.2.5.0
+  %or.cond8880 = select i1 %.411.i2506, i1 %.424.i2514.not, i1 false
+  br i1 %or.cond8880, label %B216.i, label %B453.i
 
 B216.i:                                           ; preds = %B140.i
-  %.440.i = icmp slt i64 %.346.i2456, 0
-  %.441.i2526 = select i1 %.440.i, i64 %arg.batch.2.5.0, i64 0
-  %191 = getelementptr double, ptr %arg.batch.2.4, i64 %.346.i2456
-  %.455.i2540 = getelementptr double, ptr %191, i64 %.441.i2526
-  %.456.i2541 = load double, ptr %.455.i2540, align 8, !noalias !54
-  %.510.i2588 = getelementptr double, ptr %47, i64 %.138.i2278.09232
-  %.511.i2589 = load double, ptr %.510.i2588, align 8, !noalias !54
-  %.512.i2590 = fcmp ult double %.456.i2541, %.511.i2589
-  br i1 %.512.i2590, label %B268.i2591, label %B453.i
+  %.440.i = icmp slt i64 %.346.i2455, 0
+  %.441.i2525 = select i1 %.440.i, i64 %arg.batch.2.5.0, i64 0
+  %198 = getelementptr double, ptr %arg.batch.2.4, i64 %.346.i2455
+  %.455.i2539 = getelementptr double, ptr %198, i64 %.441.i2525
+  %.456.i2540 = load double, ptr %.455.i2539, align 8, !noalias !54
+  %.510.i2587 = getelementptr double, ptr %47, i64 %.138.i2277.09236
+  %.511.i2588 = load double, ptr %.510.i2587, align 8, !noalias !54
+  %.512.i2589 = fcmp ult double %.456.i2540, %.511.i2588
+  br i1 %.512.i2589, label %B268.i2590, label %B453.i
 
-B268.i2591:                                       ; preds = %B216.i
-  %.574.i2637 = getelementptr double, ptr %48, i64 %.138.i2278.09232
-  %.575.i2638 = load double, ptr %.574.i2637, align 8, !noalias !54
-  %.576.i2639 = fcmp ogt double %.575.i2638, 1.000000e+00
-  br i1 %.576.i2639, label %B306.i, label %B453.i
+B268.i2590:                                       ; preds = %B216.i
+  %.574.i2636 = getelementptr double, ptr %48, i64 %.138.i2277.09236
+  %.575.i2637 = load double, ptr %.574.i2636, align 8, !noalias !54
+  %.576.i2638 = fcmp ogt double %.575.i2637, 1.000000e+00
+  br i1 %.576.i2638, label %B306.i, label %B453.i
 
-B306.i:                                           ; preds = %B268.i2591
-  %.632.i = getelementptr double, ptr %49, i64 %.138.i2278.09232
-  %.633.i2689 = load double, ptr %.632.i, align 8, !noalias !54
-  store double 0.000000e+00, ptr %.409.i2505, align 8, !noalias !58
-  %.161.i.i2846 = getelementptr double, ptr %50, i64 %.138.i2278.09232
-  store double 0.000000e+00, ptr %.161.i.i2846, align 8, !noalias !58
-  %.214.i.i2874 = getelementptr double, ptr %51, i64 %.138.i2278.09232
-  store double %.633.i2689, ptr %.214.i.i2874, align 8, !noalias !58
-  %.268.i.i2896 = load i64, ptr %.290.i2409, align 8, !noalias !58
-  %.294.i.i2906 = icmp slt i64 %.268.i.i2896, 0
-  %.295.i.i = select i1 %.294.i.i2906, i64 %arg.batch.3.3.5.0, i64 0
-  %.296.i.i = add i64 %.295.i.i, %.268.i.i2896
-  %.316.i.i2918 = mul i64 %.296.i.i, %arg.batch.3.3.5.1
-  %.320.i.i2919 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.316.i.i2918
-  %.321.i.i2920 = load i64, ptr %.320.i.i2919, align 8, !noalias !58
-  %.322.i.i = add nsw i64 %.321.i.i2920, -1
-  store i64 %.322.i.i, ptr %.320.i.i2919, align 8, !noalias !58
-  %.426.i.i2952 = load i64, ptr %.290.i2409, align 8, !noalias !58
-  %.452.i.i = icmp slt i64 %.426.i.i2952, 0
+B306.i:                                           ; preds = %B268.i2590
+  %.632.i = getelementptr double, ptr %49, i64 %.138.i2277.09236
+  %.633.i2688 = load double, ptr %.632.i, align 8, !noalias !54
+  store double 0.000000e+00, ptr %.409.i2504, align 8, !noalias !58
+  %.161.i.i2845 = getelementptr double, ptr %50, i64 %.138.i2277.09236
+  store double 0.000000e+00, ptr %.161.i.i2845, align 8, !noalias !58
+  %.214.i.i2873 = getelementptr double, ptr %51, i64 %.138.i2277.09236
+  store double %.633.i2688, ptr %.214.i.i2873, align 8, !noalias !58
+  %.268.i.i2895 = load i64, ptr %.290.i2408, align 8, !noalias !58
+  %.294.i.i2905 = icmp slt i64 %.268.i.i2895, 0
+  %.295.i.i = select i1 %.294.i.i2905, i64 %arg.batch.3.3.5.0, i64 0
+  %.296.i.i = add i64 %.295.i.i, %.268.i.i2895
+  %.316.i.i2917 = mul i64 %.296.i.i, %arg.batch.3.3.5.1
+  %.320.i.i2918 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.316.i.i2917
+  %.321.i.i2919 = load i64, ptr %.320.i.i2918, align 8, !noalias !58
+  %.322.i.i = add nsw i64 %.321.i.i2919, -1
+  store i64 %.322.i.i, ptr %.320.i.i2918, align 8, !noalias !58
+  %.426.i.i2951 = load i64, ptr %.290.i2408, align 8, !noalias !58
+  %.452.i.i = icmp slt i64 %.426.i.i2951, 0
   %.453.i.i = select i1 %.452.i.i, i64 %arg.batch.3.3.5.0, i64 0
-  %.454.i.i = add i64 %.453.i.i, %.426.i.i2952
+  %.454.i.i = add i64 %.453.i.i, %.426.i.i2951
   %.474.i.i = mul i64 %.454.i.i, %arg.batch.3.3.5.1
-  %192 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.474.i.i
-  %.478.i.i = getelementptr i8, ptr %192, i64 24
+  %199 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.474.i.i
+  %.478.i.i = getelementptr i8, ptr %199, i64 24
   %.479.i.i = load i64, ptr %.478.i.i, align 8, !noalias !58
   %.480.i.i = add nsw i64 %.479.i.i, 1
   store i64 %.480.i.i, ptr %.478.i.i, align 8, !noalias !58
-  %.705.i2981 = load double, ptr %.455.i2540, align 8, !noalias !54
-  %.763.i3027 = getelementptr double, ptr %52, i64 %.138.i2278.09232
-  store double %.705.i2981, ptr %.763.i3027, align 8, !noalias !54
-  %.816.i3071 = mul i64 %.291.i2410, %arg.batch.3.3.5.1
-  %193 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.816.i3071
-  %.820.i3075 = getelementptr i8, ptr %193, i64 8
-  %.821.i3076 = load i64, ptr %.820.i3075, align 8, !noalias !54
-  %.822.i3077 = add nsw i64 %.821.i3076, 3
-  store i64 %.822.i3077, ptr %.820.i3075, align 8, !noalias !54
+  %.705.i2980 = load double, ptr %.455.i2539, align 8, !noalias !54
+  %.763.i3026 = getelementptr double, ptr %52, i64 %.138.i2277.09236
+  store double %.705.i2980, ptr %.763.i3026, align 8, !noalias !54
+  %.816.i3069 = mul i64 %.291.i2409, %arg.batch.3.3.5.1
+  %200 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.816.i3069
+  %.820.i3073 = getelementptr i8, ptr %200, i64 8
+  %.821.i3074 = load i64, ptr %.820.i3073, align 8, !noalias !54
+  %.822.i3075 = add nsw i64 %.821.i3074, 3
+  store i64 %.822.i3075, ptr %.820.i3073, align 8, !noalias !54
   br label %B453.i
 
-B453.i:                                           ; preds = %B268.i2591, %B306.i, %B64.if.i3121, %B140.i, %B216.i
-  %.196.i2346 = icmp sgt i64 %.141.i2279.09231, 1
-  br i1 %.196.i2346, label %B64.if.i3121, label %B3300
+B453.i:                                           ; preds = %B268.i2590, %B306.i, %B64.if.i3119, %B140.i, %B216.i
+  %.196.i2345 = icmp sgt i64 %.141.i2278.09235, 1
+  br i1 %.196.i2345, label %B64.if.i3119, label %B3314
 
-B64.if.i3121:                                     ; preds = %B2932.if, %B453.i
-  %.138.i2278.09232 = phi i64 [ %.209.i3128, %B453.i ], [ 0, %B2932.if ]
-  %.141.i2279.09231 = phi i64 [ %.205.i3125, %B453.i ], [ %storemerge, %B2932.if ]
-  %.205.i3125 = add nsw i64 %.141.i2279.09231, -1
-  %.209.i3128 = add nsw i64 %.138.i2278.09232, 1
-  %.290.i2409 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.138.i2278.09232
-  %.291.i2410 = load i64, ptr %.290.i2409, align 8, !noalias !54
-  %.345.i2455 = getelementptr i64, ptr %45, i64 %.138.i2278.09232
-  %.346.i2456 = load i64, ptr %.345.i2455, align 8, !noalias !54
-  %.354.i2460 = icmp slt i64 %.291.i2410, 0
-  br i1 %.354.i2460, label %B453.i, label %B140.i
+B64.if.i3119:                                     ; preds = %B2946.if, %B453.i
+  %.138.i2277.09236 = phi i64 [ %.209.i3126, %B453.i ], [ 0, %B2946.if ]
+  %.141.i2278.09235 = phi i64 [ %.205.i3123, %B453.i ], [ %storemerge, %B2946.if ]
+  %.205.i3123 = add nsw i64 %.141.i2278.09235, -1
+  %.209.i3126 = add nsw i64 %.138.i2277.09236, 1
+  %.290.i2408 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.138.i2277.09236
+  %.291.i2409 = load i64, ptr %.290.i2408, align 8, !noalias !54
+  %.345.i2454 = getelementptr i64, ptr %45, i64 %.138.i2277.09236
+  %.346.i2455 = load i64, ptr %.345.i2454, align 8, !noalias !54
+  %.354.i2459 = icmp slt i64 %.291.i2409, 0
+  br i1 %.354.i2459, label %B453.i, label %B140.i
 
-B3300.critedge:                                   ; preds = %B2884
-  %.4658.c = load i64, ptr %.4657.c, align 8
-  %.4703.c = inttoptr i64 %.4658.c to ptr
-  tail call void %.4703.c(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.tolerances.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
-  br label %B3300
+B3314.critedge:                                   ; preds = %B2898
+  %.4659.c = load i64, ptr %.4658.c, align 8
+  %.4704.c = inttoptr i64 %.4659.c to ptr
+  tail call void %.4704.c(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.tolerances.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
+  br label %B3314
 
-B3300:                                            ; preds = %B453.i, %B2932.if, %B3300.critedge
-  br i1 %beyond.2.1, label %B3304, label %B3386
+B3314:                                            ; preds = %B453.i, %B2946.if, %B3314.critedge
+  br i1 %beyond.2.1, label %B3318, label %B3414
 
-B3304:                                            ; preds = %B3300
-  store i8 0, ptr %.4774, align 1
-  %.4828 = call fastcc i32 @_ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE(ptr %.4774, ptr %excinfo.11, ptr %arg.code.4, i64 %arg.shape.0, i64 %arg.shape.1, i64 %arg.shape.6, ptr %arg.batch.2.4, i64 %arg.batch.2.5.0, ptr %arg.batch.3.3.4, i64 %arg.batch.3.3.5.0, i64 %arg.batch.3.3.5.1, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.1, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4, i64 %arg.batch.5.4.5.0)
-  %.4830.not = icmp eq i32 %.4828, 0
-  br i1 %.4830.not, label %B3304.endif.endif, label %B3304.endif.if, !prof !53
+B3318:                                            ; preds = %B3314
+  store i8 0, ptr %.4776, align 1
+  %.4830 = call fastcc i32 @_ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE(ptr %.4776, ptr %excinfo.11, ptr %arg.code.4, i64 %arg.shape.0, i64 %arg.shape.1, i64 %arg.shape.2, i64 %arg.shape.6, ptr %arg.batch.2.4, i64 %arg.batch.2.5.0, ptr %arg.batch.3.3.4, i64 %arg.batch.3.3.5.0, i64 %arg.batch.3.3.5.1, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.1, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4, i64 %arg.batch.5.4.5.0)
+  %.4832.not = icmp eq i32 %.4830, 0
+  br i1 %.4832.not, label %B3318.endif.endif, label %B3318.endif.if, !prof !53
 
-B3344:                                            ; preds = %B3304.endif.endif
+B3372:                                            ; preds = %B3318.endif.endif
   %.222.i = load double, ptr %.221.i, align 8, !noalias !61
   %.251.i = load double, ptr %arg.batch.2.4, align 8, !noalias !61
   %.252.i = fsub double %.222.i, %.251.i
   %.253.i = fmul double %.252.i, 1.000000e-13
   br i1 %.794, label %B150.if.i.i.preheader, label %B70.if.i.i.preheader
 
-B70.if.i.i.preheader:                             ; preds = %B3344
-  tail call void @llvm.memset.p0.i64(ptr align 8 %54, i8 0, i64 %112, i1 false), !noalias !64
+B70.if.i.i.preheader:                             ; preds = %B3372
+  tail call void @llvm.memset.p0.i64(ptr align 8 %54, i8 0, i64 %119, i1 false), !noalias !64
   br label %B150.if.i.i.preheader
 
-B150.if.i.i.preheader:                            ; preds = %B70.if.i.i.preheader, %B3344
+B150.if.i.i.preheader:                            ; preds = %B70.if.i.i.preheader, %B3372
   br label %B150.if.i.i
 
 B148.i.loopexit.i:                                ; preds = %B934.i.loopexit.i, %B300.endif.endif.i.i
@@ -1872,30 +1913,30 @@ B184.i.loopexit.i:                                ; preds = %B122.if.i.i.i, %swi
 
 B252.i.i:                                         ; preds = %B184.i.loopexit.i, %B150.if.i.i
   %.639.i.i = icmp ult i64 %.347.i.02959.i, 8
-  %..i8961 = select i1 %.639.i.i, i64 16, i64 17
-  %.656.i.i = mul i64 %..i8961, %.463
+  %..i8927 = select i1 %.639.i.i, i64 16, i64 17
+  %.656.i.i = mul i64 %..i8927, %.463
   %.686.i.i = load i64, ptr %.685.i.i, align 8, !noalias !64
-  %.772.i.i8962 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.656.i.i
-  %.798.i.i8963 = inttoptr i64 %.686.i.i to ptr
-  tail call void %.798.i.i8963(ptr %.571, ptr %.772.i.i8962, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !64
+  %.772.i.i8928 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.656.i.i
+  %.798.i.i8929 = inttoptr i64 %.686.i.i to ptr
+  tail call void %.798.i.i8929(ptr %.571, ptr %.772.i.i8928, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !64
   %.829.i.i = load i64, ptr %arg.code.4, align 8, !noalias !64
   %.945.i.i = inttoptr i64 %.829.i.i to ptr
-  tail call void %.945.i.i(ptr %.571, ptr %.772.i.i8962, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.944.i.i), !noalias !64
+  tail call void %.945.i.i(ptr %.571, ptr %.772.i.i8928, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.944.i.i), !noalias !64
   br i1 %.111.i49.i2946.not.i, label %B300.endif.endif.i.i.critedge, label %B34.if.i.i.i
 
 B34.if.i.i.i:                                     ; preds = %B252.i.i, %B34.if.i.i.i
   %.53.i17.i.02947.i = phi i64 [ %.124.i128.i.i, %B34.if.i.i.i ], [ 0, %B252.i.i ]
   %.124.i128.i.i = add nsw i64 %.53.i17.i.02947.i, 1
-  %194 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.53.i17.i.02947.i
-  %.178.i74.i.i = load double, ptr %194, align 8, !noalias !68
+  %201 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.53.i17.i.02947.i
+  %.178.i74.i.i = load double, ptr %201, align 8, !noalias !68
   %.180.i76.i.i = add nsw i64 %.53.i17.i.02947.i, %.950.i.i
   %.194.i84.i.i = icmp slt i64 %.180.i76.i.i, 0
   %.195.i85.i.i = select i1 %.194.i84.i.i, i64 %arg.batch.5.1.5.0, i64 0
-  %195 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.180.i76.i.i
-  %.209.i.i.i = getelementptr double, ptr %195, i64 %.195.i85.i.i
+  %202 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.180.i76.i.i
+  %.209.i.i.i = getelementptr double, ptr %202, i64 %.195.i85.i.i
   %.210.i.i.i = load double, ptr %.209.i.i.i, align 8, !noalias !68
   store double %.178.i74.i.i, ptr %.209.i.i.i, align 8, !noalias !68
-  store double %.210.i.i.i, ptr %194, align 8, !noalias !68
+  store double %.210.i.i.i, ptr %201, align 8, !noalias !68
   %exitcond2989.not.i = icmp eq i64 %.953.i.i, %.124.i128.i.i
   br i1 %exitcond2989.not.i, label %B300.endif.i.i, label %B34.if.i.i.i
 
@@ -1909,14 +1950,14 @@ B150.if.i.i:                                      ; preds = %B150.if.i.i.prehead
   br i1 %.794, label %B252.i.i, label %B184.if.i.i.preheader
 
 B184.if.i.i.preheader:                            ; preds = %B150.if.i.i
-  %196 = icmp ult i64 %.347.i.02959.i, 8
-  %switch.gep = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.5, i64 %.347.i.02959.i
+  %203 = icmp ult i64 %.347.i.02959.i, 8
+  %switch.gep = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.13, i64 %.347.i.02959.i
   br label %B184.if.i.i
 
 B184.if.i.i:                                      ; preds = %B184.if.i.i.preheader, %B184.i.loopexit.i
   %.469.i.02944.i = phi i64 [ %.538.i.i, %B184.i.loopexit.i ], [ 0, %B184.if.i.i.preheader ]
   %.538.i.i = add nsw i64 %.469.i.02944.i, 1
-  br i1 %196, label %switch.lookup, label %switch.end.i.i
+  br i1 %203, label %switch.lookup, label %switch.end.i.i
 
 switch.lookup:                                    ; preds = %B184.if.i.i
   %switch.load = load double, ptr %switch.gep, align 8
@@ -1929,15 +1970,13 @@ switch.end.i.i:                                   ; preds = %B184.if.i.i, %switc
   %.146.i.i.i = getelementptr double, ptr %55, i64 %.469.i.02944.i
   %.147.i.i.i = load double, ptr %.146.i.i.i, align 8, !noalias !72
   %.149.i.i.i = fmul double %.580.i.i, %.147.i.i.i
-  %.150.i.i.i8960 = fadd double %.93.i.i.i, %.149.i.i.i
+  %.150.i.i.i8926 = fadd double %.93.i.i.i, %.149.i.i.i
   %.203.i.i.i = getelementptr double, ptr %.571, i64 %.469.i.02944.i
-  store double %.150.i.i.i8960, ptr %.203.i.i.i, align 8, !noalias !72
+  store double %.150.i.i.i8926, ptr %.203.i.i.i, align 8, !noalias !72
   br i1 %.287.i.i2940.not.i, label %B184.i.loopexit.i, label %B122.if.i.i.lr.ph.i
 
 B122.if.i.i.lr.ph.i:                              ; preds = %switch.end.i.i
   %.247.i.i.i.i = fsub double 1.000000e+00, %.580.i.i
-  %invariant.gep9233 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02944.i
-  %invariant.gep9235 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02944.i
   %invariant.gep9237 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02944.i
   %invariant.gep9239 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02944.i
   %invariant.gep9241 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02944.i
@@ -1945,102 +1984,104 @@ B122.if.i.i.lr.ph.i:                              ; preds = %switch.end.i.i
   %invariant.gep9245 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02944.i
   %invariant.gep9247 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02944.i
   %invariant.gep9249 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02944.i
+  %invariant.gep9251 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02944.i
+  %invariant.gep9253 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02944.i
   br label %B122.if.i.i.i
 
 B122.if.i.i.i:                                    ; preds = %B122.if.i.i.i, %B122.if.i.i.lr.ph.i
   %.229.i.i.02941.i = phi i64 [ 0, %B122.if.i.i.lr.ph.i ], [ %.300.i.i.i, %B122.if.i.i.i ]
   %.157.i.i.i.i = add nsw i64 %.229.i.i.02941.i, %.155.i.i.i.i
   %.159.i.i.i.i = mul nsw i64 %.157.i.i.i.i, %arg.shape.0
-  %gep9234 = getelementptr double, ptr %invariant.gep9233, i64 %.159.i.i.i.i
-  %.191.i.i.i.i = load double, ptr %gep9234, align 8, !noalias !76
+  %gep9238 = getelementptr double, ptr %invariant.gep9237, i64 %.159.i.i.i.i
+  %.191.i.i.i.i = load double, ptr %gep9238, align 8, !noalias !76
   %.193.i.i.i.i = fadd double %.191.i.i.i.i, 0.000000e+00
   %.253.i.i.i.i = fmul double %.580.i.i, %.193.i.i.i.i
   %.157.i.i.i.1.i = add nsw i64 %.229.i.i.02941.i, %.155.i.i.i.1.i
   %.159.i.i.i.1.i = mul nsw i64 %.157.i.i.i.1.i, %arg.shape.0
-  %gep9236 = getelementptr double, ptr %invariant.gep9235, i64 %.159.i.i.i.1.i
-  %.191.i.i.i.1.i = load double, ptr %gep9236, align 8, !noalias !76
+  %gep9240 = getelementptr double, ptr %invariant.gep9239, i64 %.159.i.i.i.1.i
+  %.191.i.i.i.1.i = load double, ptr %gep9240, align 8, !noalias !76
   %.193.i.i.i.1.i = fadd double %.191.i.i.i.1.i, %.253.i.i.i.i
   %.253.i.i.i.1.i = fmul double %.247.i.i.i.i, %.193.i.i.i.1.i
   %.157.i.i.i.2.i = add nsw i64 %.229.i.i.02941.i, %.155.i.i.i.2.i
   %.159.i.i.i.2.i = mul nsw i64 %.157.i.i.i.2.i, %arg.shape.0
-  %gep9238 = getelementptr double, ptr %invariant.gep9237, i64 %.159.i.i.i.2.i
-  %.191.i.i.i.2.i = load double, ptr %gep9238, align 8, !noalias !76
+  %gep9242 = getelementptr double, ptr %invariant.gep9241, i64 %.159.i.i.i.2.i
+  %.191.i.i.i.2.i = load double, ptr %gep9242, align 8, !noalias !76
   %.193.i.i.i.2.i = fadd double %.191.i.i.i.2.i, %.253.i.i.i.1.i
   %.253.i.i.i.2.i = fmul double %.580.i.i, %.193.i.i.i.2.i
   %.157.i.i.i.3.i = add nsw i64 %.229.i.i.02941.i, %.155.i.i.i.3.i
   %.159.i.i.i.3.i = mul nsw i64 %.157.i.i.i.3.i, %arg.shape.0
-  %gep9240 = getelementptr double, ptr %invariant.gep9239, i64 %.159.i.i.i.3.i
-  %.191.i.i.i.3.i = load double, ptr %gep9240, align 8, !noalias !76
+  %gep9244 = getelementptr double, ptr %invariant.gep9243, i64 %.159.i.i.i.3.i
+  %.191.i.i.i.3.i = load double, ptr %gep9244, align 8, !noalias !76
   %.193.i.i.i.3.i = fadd double %.191.i.i.i.3.i, %.253.i.i.i.2.i
   %.253.i.i.i.3.i = fmul double %.247.i.i.i.i, %.193.i.i.i.3.i
   %.157.i.i.i.4.i = add nsw i64 %.229.i.i.02941.i, %.155.i.i.i.4.i
   %.159.i.i.i.4.i = mul nsw i64 %.157.i.i.i.4.i, %arg.shape.0
-  %gep9242 = getelementptr double, ptr %invariant.gep9241, i64 %.159.i.i.i.4.i
-  %.191.i.i.i.4.i = load double, ptr %gep9242, align 8, !noalias !76
+  %gep9246 = getelementptr double, ptr %invariant.gep9245, i64 %.159.i.i.i.4.i
+  %.191.i.i.i.4.i = load double, ptr %gep9246, align 8, !noalias !76
   %.193.i.i.i.4.i = fadd double %.191.i.i.i.4.i, %.253.i.i.i.3.i
   %.253.i.i.i.4.i = fmul double %.580.i.i, %.193.i.i.i.4.i
   %.157.i.i.i.5.i = add nsw i64 %.229.i.i.02941.i, %.155.i.i.i.5.i
   %.159.i.i.i.5.i = mul nsw i64 %.157.i.i.i.5.i, %arg.shape.0
-  %gep9244 = getelementptr double, ptr %invariant.gep9243, i64 %.159.i.i.i.5.i
-  %.191.i.i.i.5.i = load double, ptr %gep9244, align 8, !noalias !76
+  %gep9248 = getelementptr double, ptr %invariant.gep9247, i64 %.159.i.i.i.5.i
+  %.191.i.i.i.5.i = load double, ptr %gep9248, align 8, !noalias !76
   %.193.i.i.i.5.i = fadd double %.191.i.i.i.5.i, %.253.i.i.i.4.i
   %.253.i.i.i.5.i = fmul double %.247.i.i.i.i, %.193.i.i.i.5.i
   %.157.i.i.i.6.i = add nsw i64 %.229.i.i.02941.i, %.155.i.i.i.6.i
   %.159.i.i.i.6.i = mul nsw i64 %.157.i.i.i.6.i, %arg.shape.0
-  %gep9246 = getelementptr double, ptr %invariant.gep9245, i64 %.159.i.i.i.6.i
-  %.191.i.i.i.6.i = load double, ptr %gep9246, align 8, !noalias !76
+  %gep9250 = getelementptr double, ptr %invariant.gep9249, i64 %.159.i.i.i.6.i
+  %.191.i.i.i.6.i = load double, ptr %gep9250, align 8, !noalias !76
   %.193.i.i.i.6.i = fadd double %.191.i.i.i.6.i, %.253.i.i.i.5.i
   %.253.i.i.i.6.i = fmul double %.580.i.i, %.193.i.i.i.6.i
   %.300.i.i.i = add nsw i64 %.229.i.i.02941.i, 1
   %.271.i.i.i.i = mul nsw i64 %.229.i.i.02941.i, %arg.shape.0
-  %gep9248 = getelementptr double, ptr %invariant.gep9247, i64 %.271.i.i.i.i
-  %.309.i.i.i.i = load double, ptr %gep9248, align 8, !noalias !76
+  %gep9252 = getelementptr double, ptr %invariant.gep9251, i64 %.271.i.i.i.i
+  %.309.i.i.i.i = load double, ptr %gep9252, align 8, !noalias !76
   %.313.i.i.i.i = fadd double %.309.i.i.i.i, %.253.i.i.i.6.i
   %.359.i.i.i = add nsw i64 %.229.i.i.02941.i, %.358.i.i.i
   %.361.i.i.i = mul nsw i64 %.359.i.i.i, %arg.shape.0
-  %gep9250 = getelementptr double, ptr %invariant.gep9249, i64 %.361.i.i.i
-  store double %.313.i.i.i.i, ptr %gep9250, align 8, !noalias !72
+  %gep9254 = getelementptr double, ptr %invariant.gep9253, i64 %.361.i.i.i
+  store double %.313.i.i.i.i, ptr %gep9254, align 8, !noalias !72
   %exitcond2987.not.i = icmp eq i64 %arg.shape.1, %.300.i.i.i
   br i1 %exitcond2987.not.i, label %B184.i.loopexit.i, label %B122.if.i.i.i
 
 B300.endif.i.i:                                   ; preds = %B34.if.i.i.i
   %.1013.i.i = load i64, ptr %.1012.i.i, align 8, !noalias !64
   %.1125.i.i = inttoptr i64 %.1013.i.i to ptr
-  tail call void %.1125.i.i(ptr %.571, ptr %.772.i.i8962, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !64
+  tail call void %.1125.i.i(ptr %.571, ptr %.772.i.i8928, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !64
   %.1156.i.i = load i64, ptr %arg.code.4, align 8, !noalias !64
   %.1272.i.i = inttoptr i64 %.1156.i.i to ptr
-  tail call void %.1272.i.i(ptr %.571, ptr %.772.i.i8962, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.1271.i.i), !noalias !64
+  tail call void %.1272.i.i(ptr %.571, ptr %.772.i.i8928, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.1271.i.i), !noalias !64
   br label %B34.if.i321.i.i
 
 B34.if.i321.i.i:                                  ; preds = %B300.endif.i.i, %B34.if.i321.i.i
   %.53.i162.i.02950.i = phi i64 [ %.124.i328.i.i, %B34.if.i321.i.i ], [ 0, %B300.endif.i.i ]
   %.124.i328.i.i = add nsw i64 %.53.i162.i.02950.i, 1
-  %197 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.53.i162.i.02950.i
-  %.178.i253.i.i = load double, ptr %197, align 8, !noalias !80
+  %204 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.53.i162.i.02950.i
+  %.178.i253.i.i = load double, ptr %204, align 8, !noalias !80
   %.180.i255.i.i = add nsw i64 %.53.i162.i.02950.i, %.950.i.i
   %.194.i264.i.i = icmp slt i64 %.180.i255.i.i, 0
   %.195.i265.i.i = select i1 %.194.i264.i.i, i64 %arg.batch.5.1.5.0, i64 0
-  %198 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.180.i255.i.i
-  %.209.i275.i.i = getelementptr double, ptr %198, i64 %.195.i265.i.i
+  %205 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.180.i255.i.i
+  %.209.i275.i.i = getelementptr double, ptr %205, i64 %.195.i265.i.i
   %.210.i276.i.i = load double, ptr %.209.i275.i.i, align 8, !noalias !80
   store double %.178.i253.i.i, ptr %.209.i275.i.i, align 8, !noalias !80
-  store double %.210.i276.i.i, ptr %197, align 8, !noalias !80
+  store double %.210.i276.i.i, ptr %204, align 8, !noalias !80
   %exitcond2990.not.i = icmp eq i64 %.953.i.i, %.124.i328.i.i
   br i1 %exitcond2990.not.i, label %B300.endif.endif.i.i, label %B34.if.i321.i.i
 
 B300.endif.endif.i.i.critedge:                    ; preds = %B252.i.i
   %.1013.i.i.c = load i64, ptr %.1012.i.i, align 8, !noalias !64
   %.1125.i.i.c = inttoptr i64 %.1013.i.i.c to ptr
-  tail call void %.1125.i.i.c(ptr %.571, ptr %.772.i.i8962, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !64
+  tail call void %.1125.i.i.c(ptr %.571, ptr %.772.i.i8928, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !64
   %.1156.i.i.c = load i64, ptr %arg.code.4, align 8, !noalias !64
   %.1272.i.i.c = inttoptr i64 %.1156.i.i.c to ptr
-  tail call void %.1272.i.i.c(ptr %.571, ptr %.772.i.i8962, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.1271.i.i), !noalias !64
+  tail call void %.1272.i.i.c(ptr %.571, ptr %.772.i.i8928, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.1271.i.i), !noalias !64
   br label %B300.endif.endif.i.i
 
 B300.endif.endif.i.i:                             ; preds = %B34.if.i321.i.i, %B300.endif.endif.i.i.critedge
   %.1340.i.i = load i64, ptr %.1012.i.i, align 8, !noalias !64
   %.1452.i.i = inttoptr i64 %.1340.i.i to ptr
-  tail call void %.1452.i.i(ptr %.571, ptr %.772.i.i8962, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !64
+  tail call void %.1452.i.i(ptr %.571, ptr %.772.i.i8928, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !64
   br i1 %.794, label %B148.i.loopexit.i, label %B934.if.i.i
 
 B934.if.i.i:                                      ; preds = %B300.endif.endif.i.i, %B934.i.loopexit.i
@@ -2056,39 +2097,39 @@ B968.if.i.lr.ph.i:                                ; preds = %B934.if.i.i
 B968.if.i.i:                                      ; preds = %B968.if.i.i, %B968.if.i.lr.ph.i
   %.1599.i.02953.i = phi i64 [ 0, %B968.if.i.lr.ph.i ], [ %.1668.i.i, %B968.if.i.i ]
   %.1668.i.i = add nsw i64 %.1599.i.02953.i, 1
-  %199 = mul nsw i64 %.1599.i.02953.i, %arg.shape.0
-  %.1696.i.i = add nsw i64 %199, %.1478.i.02956.i
-  %200 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1696.i.i
-  %.1726.i.i = load double, ptr %200, align 8, !noalias !64
+  %206 = mul nsw i64 %.1599.i.02953.i, %arg.shape.0
+  %.1696.i.i = add nsw i64 %206, %.1478.i.02956.i
+  %207 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1696.i.i
+  %.1726.i.i = load double, ptr %207, align 8, !noalias !64
   %.1735.i.i = add nsw i64 %.1696.i.i, %factor.op.mul2958.i.reass
   %.1749.i.i = icmp slt i64 %.1735.i.i, 0
   %.1750.i.i = select i1 %.1749.i.i, i64 %arg.batch.5.0.5.0, i64 0
-  %201 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1735.i.i
-  %.1764.i.i = getelementptr double, ptr %201, i64 %.1750.i.i
+  %208 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1735.i.i
+  %.1764.i.i = getelementptr double, ptr %208, i64 %.1750.i.i
   %.1765.i.i = load double, ptr %.1764.i.i, align 8, !noalias !64
   %.1770.i.i = add nsw i64 %.1696.i.i, %factor.op.mul.i.reass
   %.1784.i.i = icmp slt i64 %.1770.i.i, 0
   %.1785.i.i = select i1 %.1784.i.i, i64 %arg.batch.5.0.5.0, i64 0
-  %202 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1770.i.i
-  %.1799.i.i = getelementptr double, ptr %202, i64 %.1785.i.i
+  %209 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1770.i.i
+  %.1799.i.i = getelementptr double, ptr %209, i64 %.1785.i.i
   %.1800.i.i = load double, ptr %.1799.i.i, align 8, !noalias !64
   %.1801.i.i = fsub double %.1765.i.i, %.1800.i.i
   %.1802.i.i = tail call double @llvm.fabs.f64(double %.1801.i.i)
-  %.1832.i.i8964 = load double, ptr %.1831.i.i, align 8, !noalias !64
+  %.1832.i.i8930 = load double, ptr %.1831.i.i, align 8, !noalias !64
   %.1862.i.i = load double, ptr %arg.tolerances.4, align 8, !noalias !64
   %.1863.i.i = tail call double @llvm.fabs.f64(double %.1726.i.i)
-  %.1864.i.i8965 = fmul double %.1863.i.i, %.1862.i.i
-  %.1865.i.i8966 = fadd double %.1832.i.i8964, %.1864.i.i8965
+  %.1864.i.i8931 = fmul double %.1863.i.i, %.1862.i.i
+  %.1865.i.i8932 = fadd double %.1832.i.i8930, %.1864.i.i8931
   %.1920.i.i = load double, ptr %.1919.i.i, align 8, !noalias !64
   %.1921.i.i = fmul double %.1802.i.i, %.1920.i.i
-  %.1925.i.i = fdiv double %.1921.i.i, %.1865.i.i8966
+  %.1925.i.i = fdiv double %.1921.i.i, %.1865.i.i8932
   %.1931.i.i = fsub double %.1925.i.i, %.1925.i.i
   %.1932.i.i = fcmp oeq double %.1931.i.i, 0.000000e+00
   %.1925.i..i = select i1 %.1932.i.i, double %.1925.i.i, double 0x7FF0000000000000
   %.2003.i.i = load double, ptr %.2002.i.i, align 8, !noalias !64
-  %.10.i.i.i8967 = fcmp ogt double %.1925.i..i, %.2003.i.i
-  %.11.i.i.i8968 = select i1 %.10.i.i.i8967, double %.1925.i..i, double %.2003.i.i
-  store double %.11.i.i.i8968, ptr %.2002.i.i, align 8, !noalias !64
+  %.10.i.i.i8933 = fcmp ogt double %.1925.i..i, %.2003.i.i
+  %.11.i.i.i8934 = select i1 %.10.i.i.i8933, double %.1925.i..i, double %.2003.i.i
+  store double %.11.i.i.i8934, ptr %.2002.i.i, align 8, !noalias !64
   %exitcond2991.not.i = icmp eq i64 %arg.shape.1, %.1668.i.i
   br i1 %exitcond2991.not.i, label %B934.i.loopexit.i, label %B968.if.i.i
 
@@ -2101,37 +2142,37 @@ B480.preheader.i:                                 ; preds = %B1561.i, %B220.preh
   br i1 %.8492979.i, label %B482.if.i, label %B1062.preheader.i
 
 B262.i:                                           ; preds = %B220.if.i
-  %203 = getelementptr double, ptr %56, i64 %.377.02963.i
-  %.585.i = load double, ptr %203, align 8, !noalias !61
+  %210 = getelementptr double, ptr %56, i64 %.377.02963.i
+  %.585.i = load double, ptr %210, align 8, !noalias !61
   %.586.i = fcmp ogt double %.585.i, 1.000000e-01
   %.mux.i = select i1 %.586.i, i64 50, i64 %halvings.2.02965.i
   br i1 %.586.i, label %B1561.i, label %B34.i.i
 
-B34.i.i:                                          ; preds = %B262.i, %B34.if.i.i8977
-  %.51.i.0.i = phi i64 [ %.122.i81.i, %B34.if.i.i8977 ], [ 0, %B262.i ]
+B34.i.i:                                          ; preds = %B262.i, %B34.if.i.i8943
+  %.51.i.0.i = phi i64 [ %.122.i81.i, %B34.if.i.i8943 ], [ 0, %B262.i ]
   %exitcond2994.not.i = icmp eq i64 %.51.i.0.i, %storemerge2924.i
-  br i1 %exitcond2994.not.i, label %B364.endif.i, label %B34.if.i.i8977
+  br i1 %exitcond2994.not.i, label %B364.endif.i, label %B34.if.i.i8943
 
-B128.i.i:                                         ; preds = %B34.if.i.i8977
-  %204 = icmp sgt i64 %.51.i.0.i, -1
-  %205 = select i1 %204, double 1.000000e+00, double 0.000000e+00
+B128.i.i:                                         ; preds = %B34.if.i.i8943
+  %211 = icmp sgt i64 %.51.i.0.i, -1
+  %212 = select i1 %211, double 1.000000e+00, double 0.000000e+00
   br label %B364.endif.i
 
-B34.if.i.i8977:                                   ; preds = %B34.i.i
+B34.if.i.i8943:                                   ; preds = %B34.i.i
   %.122.i81.i = add i64 %.51.i.0.i, 1
   %.157.i.i = add nsw i64 %.51.i.0.i, %arg.shape.6
   %.159.i40.i = mul nsw i64 %.157.i.i, %arg.shape.0
-  %.161.i.i8978 = add nsw i64 %.159.i40.i, %.377.02963.i
-  %.175.i44.i = icmp slt i64 %.161.i.i8978, 0
+  %.161.i.i8944 = add nsw i64 %.159.i40.i, %.377.02963.i
+  %.175.i44.i = icmp slt i64 %.161.i.i8944, 0
   %.176.i.i = select i1 %.175.i44.i, i64 %arg.batch.5.4.5.0, i64 0
-  %206 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.161.i.i8978
-  %.190.i52.i = getelementptr double, ptr %206, i64 %.176.i.i
+  %213 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.161.i.i8944
+  %.190.i52.i = getelementptr double, ptr %213, i64 %.176.i.i
   %.191.i53.i = load double, ptr %.190.i52.i, align 8, !noalias !84
-  %.195.i55.i = add nsw i64 %.161.i.i8978, %.953.i.i
+  %.195.i55.i = add nsw i64 %.161.i.i8944, %.953.i.i
   %.209.i.i = icmp slt i64 %.195.i55.i, 0
   %.210.i64.i = select i1 %.209.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %207 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.195.i55.i
-  %.224.i70.i = getelementptr double, ptr %207, i64 %.210.i64.i
+  %214 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.195.i55.i
+  %.224.i70.i = getelementptr double, ptr %214, i64 %.210.i64.i
   %.225.i71.i = load double, ptr %.224.i70.i, align 8, !noalias !84
   %.226.i72.i = fneg double %.225.i71.i
   %.227.i73.i = fcmp olt double %.191.i53.i, %.226.i72.i
@@ -2148,7 +2189,7 @@ B480.loopexit.i:                                  ; preds = %B1562.i, %B480.loop
   br i1 %.849.i, label %B482.if.i, label %B1062.preheader.i
 
 B1062.preheader.i:                                ; preds = %B480.loopexit.i, %B480.preheader.i
-  br i1 %.794, label %B3386, label %B1062.if.lr.ph.i
+  br i1 %.794, label %B3414, label %B1062.if.lr.ph.i
 
 B1062.if.lr.ph.i:                                 ; preds = %B1062.preheader.i
   %.2389.i = fmul double %.253.i, 2.000000e+00
@@ -2156,65 +2197,65 @@ B1062.if.lr.ph.i:                                 ; preds = %B1062.preheader.i
 
 B516.loopexit.i:                                  ; preds = %B122.if.i.i, %B516.if.i
   %exitcond2998.not.i = icmp eq i64 %arg.shape.0, %.980.i
-  br i1 %exitcond2998.not.i, label %B630.i8976, label %B516.if.i
+  br i1 %exitcond2998.not.i, label %B630.i8942, label %B516.if.i
 
 B122.if.i.i:                                      ; preds = %B122.if.i.lr.ph.i, %B122.if.i.i
   %.229.i310.02970.i = phi i64 [ 0, %B122.if.i.lr.ph.i ], [ %.300.i635.i, %B122.if.i.i ]
   %.157.i.i569.i = add nsw i64 %.229.i310.02970.i, %.155.i.i.i
   %.159.i.i571.i = mul nsw i64 %.157.i.i569.i, %arg.shape.0
-  %gep9252 = getelementptr double, ptr %invariant.gep9251, i64 %.159.i.i571.i
-  %.191.i.i591.i = load double, ptr %gep9252, align 8, !noalias !88
+  %gep9256 = getelementptr double, ptr %invariant.gep9255, i64 %.159.i.i571.i
+  %.191.i.i591.i = load double, ptr %gep9256, align 8, !noalias !88
   %.193.i.i593.i = fadd double %.191.i.i591.i, 0.000000e+00
   %.253.i.i608.i = fmul double %.1114.i, %.193.i.i593.i
   %.157.i.i569.1.i = add nsw i64 %.229.i310.02970.i, %.155.i.i.1.i
   %.159.i.i571.1.i = mul nsw i64 %.157.i.i569.1.i, %arg.shape.0
-  %gep9254 = getelementptr double, ptr %invariant.gep9253, i64 %.159.i.i571.1.i
-  %.191.i.i591.1.i = load double, ptr %gep9254, align 8, !noalias !88
+  %gep9258 = getelementptr double, ptr %invariant.gep9257, i64 %.159.i.i571.1.i
+  %.191.i.i591.1.i = load double, ptr %gep9258, align 8, !noalias !88
   %.193.i.i593.1.i = fadd double %.191.i.i591.1.i, %.253.i.i608.i
   %.253.i.i608.1.i = fmul double %.247.i.i.i, %.193.i.i593.1.i
   %.157.i.i569.2.i = add nsw i64 %.229.i310.02970.i, %.155.i.i.2.i
   %.159.i.i571.2.i = mul nsw i64 %.157.i.i569.2.i, %arg.shape.0
-  %gep9256 = getelementptr double, ptr %invariant.gep9255, i64 %.159.i.i571.2.i
-  %.191.i.i591.2.i = load double, ptr %gep9256, align 8, !noalias !88
+  %gep9260 = getelementptr double, ptr %invariant.gep9259, i64 %.159.i.i571.2.i
+  %.191.i.i591.2.i = load double, ptr %gep9260, align 8, !noalias !88
   %.193.i.i593.2.i = fadd double %.191.i.i591.2.i, %.253.i.i608.1.i
   %.253.i.i608.2.i = fmul double %.1114.i, %.193.i.i593.2.i
   %.157.i.i569.3.i = add nsw i64 %.229.i310.02970.i, %.155.i.i.3.i
   %.159.i.i571.3.i = mul nsw i64 %.157.i.i569.3.i, %arg.shape.0
-  %gep9258 = getelementptr double, ptr %invariant.gep9257, i64 %.159.i.i571.3.i
-  %.191.i.i591.3.i = load double, ptr %gep9258, align 8, !noalias !88
+  %gep9262 = getelementptr double, ptr %invariant.gep9261, i64 %.159.i.i571.3.i
+  %.191.i.i591.3.i = load double, ptr %gep9262, align 8, !noalias !88
   %.193.i.i593.3.i = fadd double %.191.i.i591.3.i, %.253.i.i608.2.i
   %.253.i.i608.3.i = fmul double %.247.i.i.i, %.193.i.i593.3.i
   %.157.i.i569.4.i = add nsw i64 %.229.i310.02970.i, %.155.i.i.4.i
   %.159.i.i571.4.i = mul nsw i64 %.157.i.i569.4.i, %arg.shape.0
-  %gep9260 = getelementptr double, ptr %invariant.gep9259, i64 %.159.i.i571.4.i
-  %.191.i.i591.4.i = load double, ptr %gep9260, align 8, !noalias !88
+  %gep9264 = getelementptr double, ptr %invariant.gep9263, i64 %.159.i.i571.4.i
+  %.191.i.i591.4.i = load double, ptr %gep9264, align 8, !noalias !88
   %.193.i.i593.4.i = fadd double %.191.i.i591.4.i, %.253.i.i608.3.i
   %.253.i.i608.4.i = fmul double %.1114.i, %.193.i.i593.4.i
   %.157.i.i569.5.i = add nsw i64 %.229.i310.02970.i, %.155.i.i.5.i
   %.159.i.i571.5.i = mul nsw i64 %.157.i.i569.5.i, %arg.shape.0
-  %gep9262 = getelementptr double, ptr %invariant.gep9261, i64 %.159.i.i571.5.i
-  %.191.i.i591.5.i = load double, ptr %gep9262, align 8, !noalias !88
+  %gep9266 = getelementptr double, ptr %invariant.gep9265, i64 %.159.i.i571.5.i
+  %.191.i.i591.5.i = load double, ptr %gep9266, align 8, !noalias !88
   %.193.i.i593.5.i = fadd double %.191.i.i591.5.i, %.253.i.i608.4.i
   %.253.i.i608.5.i = fmul double %.247.i.i.i, %.193.i.i593.5.i
   %.157.i.i569.6.i = add nsw i64 %.229.i310.02970.i, %.155.i.i.6.i
   %.159.i.i571.6.i = mul nsw i64 %.157.i.i569.6.i, %arg.shape.0
-  %gep9264 = getelementptr double, ptr %invariant.gep9263, i64 %.159.i.i571.6.i
-  %.191.i.i591.6.i = load double, ptr %gep9264, align 8, !noalias !88
+  %gep9268 = getelementptr double, ptr %invariant.gep9267, i64 %.159.i.i571.6.i
+  %.191.i.i591.6.i = load double, ptr %gep9268, align 8, !noalias !88
   %.193.i.i593.6.i = fadd double %.191.i.i591.6.i, %.253.i.i608.5.i
   %.253.i.i608.6.i = fmul double %.1114.i, %.193.i.i593.6.i
   %.300.i635.i = add nsw i64 %.229.i310.02970.i, 1
   %.271.i.i519.i = mul nsw i64 %.229.i310.02970.i, %arg.shape.0
-  %gep9266 = getelementptr double, ptr %invariant.gep9265, i64 %.271.i.i519.i
-  %.309.i.i.i = load double, ptr %gep9266, align 8, !noalias !88
+  %gep9270 = getelementptr double, ptr %invariant.gep9269, i64 %.271.i.i519.i
+  %.309.i.i.i = load double, ptr %gep9270, align 8, !noalias !88
   %.313.i.i.i = fadd double %.309.i.i.i, %.253.i.i608.6.i
   %.359.i.i = add nsw i64 %.229.i310.02970.i, %.358.i.i.i
   %.361.i545.i = mul nsw i64 %.359.i.i, %arg.shape.0
-  %gep9268 = getelementptr double, ptr %invariant.gep9267, i64 %.361.i545.i
-  store double %.313.i.i.i, ptr %gep9268, align 8, !noalias !95
+  %gep9272 = getelementptr double, ptr %invariant.gep9271, i64 %.361.i545.i
+  store double %.313.i.i.i, ptr %gep9272, align 8, !noalias !95
   %exitcond2997.not.i = icmp eq i64 %arg.shape.1, %.300.i635.i
   br i1 %exitcond2997.not.i, label %B516.loopexit.i, label %B122.if.i.i
 
-B630.i8976:                                       ; preds = %B516.loopexit.i
+B630.i8942:                                       ; preds = %B516.loopexit.i
   %.1184.i = load i64, ptr %.685.i.i, align 8, !noalias !61
   %.1300.i = inttoptr i64 %.1184.i to ptr
   tail call void %.1300.i(ptr %.571, ptr %.1274.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !61
@@ -2241,8 +2282,8 @@ B34.i150.i:                                       ; preds = %B34.if.i250.i, %B86
   br i1 %exitcond2999.not.i, label %B1002.i, label %B34.if.i250.i
 
 B128.i241.i:                                      ; preds = %B34.if.i250.i
-  %208 = icmp sgt i64 %.51.i107.0.i, -1
-  br i1 %208, label %B976.i, label %B1002.i
+  %215 = icmp sgt i64 %.51.i107.0.i, -1
+  br i1 %215, label %B976.i, label %B1002.i
 
 B34.if.i250.i:                                    ; preds = %B34.i150.i
   %.122.i258.i = add i64 %.51.i107.0.i, 1
@@ -2251,14 +2292,14 @@ B34.if.i250.i:                                    ; preds = %B34.i150.i
   %.161.i184.i = add nsw i64 %.159.i182.i, %.1326.02976.i
   %.175.i194.i = icmp slt i64 %.161.i184.i, 0
   %.176.i195.i = select i1 %.175.i194.i, i64 %arg.batch.5.4.5.0, i64 0
-  %209 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.161.i184.i
-  %.190.i207.i = getelementptr double, ptr %209, i64 %.176.i195.i
+  %216 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.161.i184.i
+  %.190.i207.i = getelementptr double, ptr %216, i64 %.176.i195.i
   %.191.i208.i = load double, ptr %.190.i207.i, align 8, !noalias !96
   %.195.i212.i = add nsw i64 %.161.i184.i, %.953.i.i
   %.209.i222.i = icmp slt i64 %.195.i212.i, 0
   %.210.i223.i = select i1 %.209.i222.i, i64 %arg.batch.5.4.5.0, i64 0
-  %210 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.195.i212.i
-  %.224.i235.i = getelementptr double, ptr %210, i64 %.210.i223.i
+  %217 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.195.i212.i
+  %.224.i235.i = getelementptr double, ptr %217, i64 %.210.i223.i
   %.225.i236.i = load double, ptr %.224.i235.i, align 8, !noalias !96
   %.226.i237.i = fneg double %.225.i236.i
   %.227.i238.i = fcmp olt double %.191.i208.i, %.226.i237.i
@@ -2287,11 +2328,11 @@ B1202.i:                                          ; preds = %B1154.i
   %.2351.i = getelementptr double, ptr %64, i64 %.1861.02982.i
   %.2352.i = load double, ptr %.2351.i, align 8, !noalias !61
   %.2357.i = fmul double %.2236.i, 0x3D719799812DEA11
-  %.10.i.i8969 = fcmp ogt double %.2294.i, %.2357.i
-  %.11.i.i8970 = select i1 %.10.i.i8969, double %.2294.i, double %.2357.i
+  %.10.i.i8935 = fcmp ogt double %.2294.i, %.2357.i
+  %.11.i.i8936 = select i1 %.10.i.i8935, double %.2294.i, double %.2357.i
   %.2353.i = fsub double 1.000000e+00, %.2352.i
   %.2355.i = fmul double %.2236.i, %.2353.i
-  %.2386.i = fcmp ugt double %.2355.i, %.11.i.i8970
+  %.2386.i = fcmp ugt double %.2355.i, %.11.i.i8936
   %.2391.i = fcmp ugt double %.2236.i, %.2389.i
   %or.cond.i = select i1 %.2386.i, i1 %.2391.i, i1 false
   br i1 %or.cond.i, label %B1462.i, label %B1426.i
@@ -2324,14 +2365,14 @@ B1462.i:                                          ; preds = %B1202.i
   %.322.i907.i = add nsw i64 %.321.i906.i, -1
   store i64 %.322.i907.i, ptr %.320.i.i, align 8, !noalias !100
   %.426.i.i = load i64, ptr %.267.i866.i, align 8, !noalias !100
-  %.452.i.i8971 = icmp slt i64 %.426.i.i, 0
-  %.453.i985.i = select i1 %.452.i.i8971, i64 %arg.batch.3.3.5.0, i64 0
-  %.454.i.i8972 = add i64 %.453.i985.i, %.426.i.i
-  %.474.i.i8973 = mul i64 %.454.i.i8972, %arg.batch.3.3.5.1
-  %211 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.474.i.i8973
-  %.478.i997.i = getelementptr i8, ptr %211, i64 24
-  %.479.i.i8974 = load i64, ptr %.478.i997.i, align 8, !noalias !100
-  %.480.i998.i = add nsw i64 %.479.i.i8974, 1
+  %.452.i.i8937 = icmp slt i64 %.426.i.i, 0
+  %.453.i985.i = select i1 %.452.i.i8937, i64 %arg.batch.3.3.5.0, i64 0
+  %.454.i.i8938 = add i64 %.453.i985.i, %.426.i.i
+  %.474.i.i8939 = mul i64 %.454.i.i8938, %arg.batch.3.3.5.1
+  %218 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.474.i.i8939
+  %.478.i997.i = getelementptr i8, ptr %218, i64 24
+  %.479.i.i8940 = load i64, ptr %.478.i997.i, align 8, !noalias !100
+  %.480.i998.i = add nsw i64 %.479.i.i8940, 1
   store i64 %.480.i998.i, ptr %.478.i997.i, align 8, !noalias !100
   br label %B1563.i
 
@@ -2346,21 +2387,21 @@ B1562.i:                                          ; preds = %B772.if.i, %B1002.i
 
 B1563.i:                                          ; preds = %B1062.if.i, %B1462.i, %B1426.i, %B1154.i
   %exitcond3001.not.i = icmp eq i64 %arg.shape.0, %.1930.i
-  br i1 %exitcond3001.not.i, label %B3386, label %B1062.if.i
+  br i1 %exitcond3001.not.i, label %B3414, label %B1062.if.i
 
 B220.if.i:                                        ; preds = %B220.preheader.i, %B1561.i
   %halvings.2.02965.i = phi i64 [ %halvings.3.1.i, %B1561.i ], [ 0, %B220.preheader.i ]
   %.377.02963.i = phi i64 [ %.446.i, %B1561.i ], [ 0, %B220.preheader.i ]
   %.446.i = add nsw i64 %.377.02963.i, 1
-  %212 = getelementptr i64, ptr %57, i64 %.377.02963.i
-  %.528.i = load i64, ptr %212, align 8, !noalias !61
+  %219 = getelementptr i64, ptr %57, i64 %.377.02963.i
+  %.528.i = load i64, ptr %219, align 8, !noalias !61
   %.529.i = icmp sgt i64 %.528.i, -1
   br i1 %.529.i, label %B262.i, label %B1561.i
 
 B364.endif.i:                                     ; preds = %B34.i.i, %B128.i.i
-  %.658.0.i = phi double [ %205, %B128.i.i ], [ 0.000000e+00, %B34.i.i ]
-  %213 = getelementptr double, ptr %58, i64 %.377.02963.i
-  store double %.658.0.i, ptr %213, align 8, !noalias !61
+  %.658.0.i = phi double [ %212, %B128.i.i ], [ 0.000000e+00, %B34.i.i ]
+  %220 = getelementptr double, ptr %58, i64 %.377.02963.i
+  store double %.658.0.i, ptr %220, align 8, !noalias !61
   br label %B1561.i
 
 B482.if.i:                                        ; preds = %B480.preheader.i, %B480.loopexit.i
@@ -2389,8 +2430,6 @@ B516.if.i:                                        ; preds = %B482.if.i, %B516.lo
 
 B122.if.i.lr.ph.i:                                ; preds = %B516.if.i
   %.247.i.i.i = fsub double 1.000000e+00, %.1114.i
-  %invariant.gep9251 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02973.i
-  %invariant.gep9253 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02973.i
   %invariant.gep9255 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02973.i
   %invariant.gep9257 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02973.i
   %invariant.gep9259 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02973.i
@@ -2398,13 +2437,15 @@ B122.if.i.lr.ph.i:                                ; preds = %B516.if.i
   %invariant.gep9263 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02973.i
   %invariant.gep9265 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02973.i
   %invariant.gep9267 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02973.i
+  %invariant.gep9269 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02973.i
+  %invariant.gep9271 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02973.i
   br label %B122.if.i.i
 
-B772.if.i:                                        ; preds = %B630.i8976, %B1562.i
-  %.1326.02976.i = phi i64 [ %.1395.i, %B1562.i ], [ 0, %B630.i8976 ]
+B772.if.i:                                        ; preds = %B630.i8942, %B1562.i
+  %.1326.02976.i = phi i64 [ %.1395.i, %B1562.i ], [ 0, %B630.i8942 ]
   %.1395.i = add nsw i64 %.1326.02976.i, 1
-  %214 = getelementptr i64, ptr %61, i64 %.1326.02976.i
-  %.1477.i = load i64, ptr %214, align 8, !noalias !61
+  %221 = getelementptr i64, ptr %61, i64 %.1326.02976.i
+  %.1477.i = load i64, ptr %221, align 8, !noalias !61
   %.1478.i = icmp sgt i64 %.1477.i, -1
   br i1 %.1478.i, label %B814.i, label %B1562.i
 
@@ -2420,220 +2461,737 @@ B1062.if.i:                                       ; preds = %B1563.i, %B1062.if.
   %.2123.i = icmp sgt i64 %.2122.i, -1
   br i1 %.2123.i, label %B1154.i, label %B1563.i
 
-B3386:                                            ; preds = %B1563.i, %B1062.preheader.i, %B3304.endif.endif, %B3300
-  br i1 %.4944.not, label %B3448, label %B120.if.i
+B3414:                                            ; preds = %B1563.i, %B1062.preheader.i, %B3318.endif.endif, %B3314
+  br i1 %.4946.not, label %B3458, label %B3418
 
-B120.loopexit.i.critedge:                         ; preds = %B120.if.i
-  %.525.i.c = load i64, ptr %.524.i, align 8, !noalias !103
-  %.641.i.c = inttoptr i64 %.525.i.c to ptr
-  tail call void %.641.i.c(ptr %.571, ptr %.615.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !103
-  br label %B120.loopexit.i
+B3418:                                            ; preds = %B3414
+  br i1 %.794, label %B116.loopexit.8.i, label %B150.if.i
 
-B120.loopexit.i:                                  ; preds = %B564.i, %B120.loopexit.i.critedge
-  %exitcond738.not.i = icmp eq i64 %.231.0734.i, %.8914
-  br i1 %exitcond738.not.i, label %B3448, label %B120.if.i
+B150.if.1.i:                                      ; preds = %B150.if.i, %B150.if.1.i
+  %.361.0604.1.i = phi i64 [ %.430.1.i, %B150.if.1.i ], [ 0, %B150.if.i ]
+  %.430.1.i = add nsw i64 %.361.0604.1.i, 1
+  %gep9276 = getelementptr double, ptr %invariant.gep9275, i64 %.361.0604.1.i
+  store double 1.000000e-09, ptr %gep9276, align 8, !noalias !103
+  %exitcond.1.not.i = icmp eq i64 %arg.shape.0, %.430.1.i
+  br i1 %exitcond.1.not.i, label %B150.if.2.i, label %B150.if.1.i
 
-B154.loopexit.i:                                  ; preds = %B122.if.i.i8985, %B154.if.i
-  %exitcond736.not.i = icmp eq i64 %arg.shape.0, %.423.i
-  br i1 %exitcond736.not.i, label %B206.i, label %B154.if.i
+B150.if.2.i:                                      ; preds = %B150.if.1.i, %B150.if.2.i
+  %.361.0604.2.i = phi i64 [ %.430.2.i, %B150.if.2.i ], [ 0, %B150.if.1.i ]
+  %.430.2.i = add nsw i64 %.361.0604.2.i, 1
+  %gep9278 = getelementptr double, ptr %invariant.gep9277, i64 %.361.0604.2.i
+  store double 1.000000e-09, ptr %gep9278, align 8, !noalias !103
+  %exitcond.2.not.i = icmp eq i64 %arg.shape.0, %.430.2.i
+  br i1 %exitcond.2.not.i, label %B150.if.3.i, label %B150.if.2.i
 
-B206.i:                                           ; preds = %B154.loopexit.i
-  %.525.i = load i64, ptr %.524.i, align 8, !noalias !103
-  %.641.i = inttoptr i64 %.525.i to ptr
-  tail call void %.641.i(ptr %.571, ptr %.615.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !103
-  %.945.i = add nsw i64 %.231.0734.i, -1
-  %.947.i = sitofp i64 %.945.i to double
-  %.952.i = fdiv double %.947.i, %.452.i
-  %.955.i = uitofp i64 %.231.0734.i to double
-  %.960.i = fdiv double %.955.i, %.452.i
-  br label %B348.if.i
+B150.if.3.i:                                      ; preds = %B150.if.2.i, %B150.if.3.i
+  %.361.0604.3.i = phi i64 [ %.430.3.i, %B150.if.3.i ], [ 0, %B150.if.2.i ]
+  %.430.3.i = add nsw i64 %.361.0604.3.i, 1
+  %gep9280 = getelementptr double, ptr %invariant.gep9279, i64 %.361.0604.3.i
+  store double 1.000000e-09, ptr %gep9280, align 8, !noalias !103
+  %exitcond.3.not.i = icmp eq i64 %arg.shape.0, %.430.3.i
+  br i1 %exitcond.3.not.i, label %B150.if.4.i, label %B150.if.3.i
 
-B390.i:                                           ; preds = %B348.if.i
-  %215 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.667.0732.i
-  %.851.i = load double, ptr %215, align 8, !noalias !103
-  %.853.i = fcmp olt double %.851.i, -1.000000e-09
-  br i1 %.853.i, label %B426.i, label %B564.i
+B150.if.4.i:                                      ; preds = %B150.if.3.i, %B150.if.4.i
+  %.361.0604.4.i = phi i64 [ %.430.4.i, %B150.if.4.i ], [ 0, %B150.if.3.i ]
+  %.430.4.i = add nsw i64 %.361.0604.4.i, 1
+  %gep9282 = getelementptr double, ptr %invariant.gep9281, i64 %.361.0604.4.i
+  store double 1.000000e-09, ptr %gep9282, align 8, !noalias !103
+  %exitcond.4.not.i = icmp eq i64 %arg.shape.0, %.430.4.i
+  br i1 %exitcond.4.not.i, label %B150.if.5.i, label %B150.if.4.i
 
-B426.i:                                           ; preds = %B390.i
-  %216 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.667.0732.i
-  %.84.i51.i = load i64, ptr %216, align 8, !noalias !106
-  %.89.i.i8999 = icmp sgt i64 %.84.i51.i, -1
-  br i1 %.89.i.i8999, label %B46.i.i9000, label %B426.endif.i
+B150.if.5.i:                                      ; preds = %B150.if.4.i, %B150.if.5.i
+  %.361.0604.5.i = phi i64 [ %.430.5.i, %B150.if.5.i ], [ 0, %B150.if.4.i ]
+  %.430.5.i = add nsw i64 %.361.0604.5.i, 1
+  %gep9284 = getelementptr double, ptr %invariant.gep9283, i64 %.361.0604.5.i
+  store double 1.000000e-09, ptr %gep9284, align 8, !noalias !103
+  %exitcond.5.not.i = icmp eq i64 %arg.shape.0, %.430.5.i
+  br i1 %exitcond.5.not.i, label %B150.if.6.i, label %B150.if.5.i
 
-B46.i.i9000:                                      ; preds = %B426.i
-  %.120.i73.i = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i51.i
-  %.121.i74.i = load i64, ptr %.120.i73.i, align 8, !noalias !106
-  %.122.i75.i = icmp eq i64 %.121.i74.i, 0
-  br i1 %.122.i75.i, label %B80.i.i9001, label %B426.endif.i
+B150.if.6.i:                                      ; preds = %B150.if.5.i, %B150.if.6.i
+  %.361.0604.6.i = phi i64 [ %.430.6.i, %B150.if.6.i ], [ 0, %B150.if.5.i ]
+  %.430.6.i = add nsw i64 %.361.0604.6.i, 1
+  %gep9286 = getelementptr double, ptr %invariant.gep9285, i64 %.361.0604.6.i
+  store double 1.000000e-09, ptr %gep9286, align 8, !noalias !103
+  %exitcond.6.not.i = icmp eq i64 %arg.shape.0, %.430.6.i
+  br i1 %exitcond.6.not.i, label %B150.if.7.i, label %B150.if.6.i
 
-B80.i.i9001:                                      ; preds = %B46.i.i9000
-  store i64 4, ptr %.120.i73.i, align 8, !noalias !106
-  br label %B426.endif.i
+B150.if.7.i:                                      ; preds = %B150.if.6.i, %B150.if.7.i
+  %.361.0604.7.i = phi i64 [ %.430.7.i, %B150.if.7.i ], [ 0, %B150.if.6.i ]
+  %.430.7.i = add nsw i64 %.361.0604.7.i, 1
+  %gep9288 = getelementptr double, ptr %invariant.gep9287, i64 %.361.0604.7.i
+  store double 1.000000e-09, ptr %gep9288, align 8, !noalias !103
+  %exitcond.7.not.i = icmp eq i64 %arg.shape.0, %.430.7.i
+  br i1 %exitcond.7.not.i, label %B150.if.8.i, label %B150.if.7.i
 
-B564.i:                                           ; preds = %B426.endif.i, %B348.if.i, %B390.i
-  %exitcond737.not.i = icmp eq i64 %arg.shape.0, %.736.i8996
-  br i1 %exitcond737.not.i, label %B120.loopexit.i, label %B348.if.i
+B150.if.8.i:                                      ; preds = %B150.if.7.i, %B150.if.8.i
+  %.361.0604.8.i = phi i64 [ %.430.8.i, %B150.if.8.i ], [ 0, %B150.if.7.i ]
+  %.430.8.i = add nsw i64 %.361.0604.8.i, 1
+  %gep9290 = getelementptr double, ptr %invariant.gep9289, i64 %.361.0604.8.i
+  store double 1.000000e-09, ptr %gep9290, align 8, !noalias !103
+  %exitcond.8.not.i = icmp eq i64 %arg.shape.0, %.430.8.i
+  br i1 %exitcond.8.not.i, label %B116.loopexit.8.i, label %B150.if.8.i
 
-B120.if.i:                                        ; preds = %B3386, %B120.loopexit.i
-  %.231.0734.i = phi i64 [ %.302.i, %B120.loopexit.i ], [ 1, %B3386 ]
-  %.302.i = add nsw i64 %.231.0734.i, 1
-  br i1 %.794, label %B120.loopexit.i.critedge, label %B154.if.lr.ph.i
+B116.loopexit.8.i:                                ; preds = %B150.if.8.i, %B3418
+  %.227.i.i = load double, ptr %.226.i.i, align 8, !noalias !107
+  %.256.i.i = load double, ptr %arg.batch.2.4, align 8, !noalias !107
+  br label %B246.if.i.i
 
-B154.if.lr.ph.i:                                  ; preds = %B120.if.i
-  %.451.i = uitofp i64 %.231.0734.i to double
-  %.456.i = fdiv double %.451.i, %.452.i
-  %.247.i.i.i8981 = fsub double 1.000000e+00, %.456.i
-  br label %B154.if.i
+B280.loopexit.i.i:                                ; preds = %B122.if.i.i.i8985, %switch.end.i.i8975
+  %exitcond1307.not.i.i = icmp eq i64 %arg.shape.0, %.533.i.i
+  br i1 %exitcond1307.not.i.i, label %B348.i.i8950, label %B280.if.i.i
 
-B154.if.i:                                        ; preds = %B154.if.lr.ph.i, %B154.loopexit.i
-  %.354.0729.i = phi i64 [ 0, %B154.if.lr.ph.i ], [ %.423.i, %B154.loopexit.i ]
-  %.423.i = add nsw i64 %.354.0729.i, 1
-  %.92.i.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.354.0729.i
-  %.93.i.i = load double, ptr %.92.i.i, align 8, !noalias !109
-  %.146.i.i = getelementptr double, ptr %70, i64 %.354.0729.i
-  %.147.i.i8982 = load double, ptr %.146.i.i, align 8, !noalias !109
-  %.149.i.i8983 = fmul double %.456.i, %.147.i.i8982
-  %.150.i.i = fadd double %.93.i.i, %.149.i.i8983
-  %.203.i.i = getelementptr double, ptr %.571, i64 %.354.0729.i
-  store double %.150.i.i, ptr %.203.i.i, align 8, !noalias !109
-  br i1 %.287.i725.not.i, label %B154.loopexit.i, label %B122.if.i.preheader.i
+B348.i.i8950:                                     ; preds = %B280.loopexit.i.i, %B246.if.i.i
+  %.634.i.i = icmp ult i64 %.341.01294.i.i, 8
+  %.1280.i.i = select i1 %.634.i.i, i64 16, i64 17
+  %.644.i.i = mul nsw i64 %.341.01294.i.i, 3
+  %.6501276.i.i = add nsw i64 %.644.i.i, 1
+  %.672.i.i = mul i64 %.6501276.i.i, %arg.shape.0
+  %.707.i.i = load i64, ptr %.706.i.i, align 8, !noalias !107
+  %.782.i.i = mul i64 %.1280.i.i, %.463
+  %.800.i.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %.782.i.i
+  %.825.i.i = getelementptr double, ptr %arg.batch.5.4.4, i64 %.672.i.i
+  %.826.i.i = inttoptr i64 %.707.i.i to ptr
+  tail call void %.826.i.i(ptr %.571, ptr %.800.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.825.i.i), !noalias !107
+  %.399.i.i = icmp sgt i64 %.344.01295.i.i, 1
+  br i1 %.399.i.i, label %B246.if.i.i, label %B550.i.i
 
-B122.if.i.preheader.i:                            ; preds = %B154.if.i
-  %invariant.gep9269 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
-  %invariant.gep9271 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
-  %invariant.gep9273 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
-  %invariant.gep9275 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
-  %invariant.gep9277 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
-  %invariant.gep9279 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
-  %invariant.gep9281 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
-  %invariant.gep9283 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
-  %invariant.gep9285 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.354.0729.i
-  br label %B122.if.i.i8985
+B550.i.i:                                         ; preds = %B348.i.i8950
+  br i1 %.5201291.not.i.i, label %_ZN12clpt_control6native9for_numba11mark_passedB3v39B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i, label %B584.lr.ph.i.i
 
-B122.if.i.i8985:                                  ; preds = %B122.if.i.i8985, %B122.if.i.preheader.i
-  %.229.i.0726.i = phi i64 [ %.300.i.i, %B122.if.i.i8985 ], [ 0, %B122.if.i.preheader.i ]
-  %.157.i.i.i = add nsw i64 %.229.i.0726.i, %.155.i.i.i8984
-  %.159.i.i.i = mul nsw i64 %.157.i.i.i, %arg.shape.0
-  %gep9270 = getelementptr double, ptr %invariant.gep9269, i64 %.159.i.i.i
-  %.191.i.i.i = load double, ptr %gep9270, align 8, !noalias !113
-  %.193.i.i.i = fadd double %.191.i.i.i, 0.000000e+00
-  %.253.i.i.i = fmul double %.456.i, %.193.i.i.i
-  %.157.i.i.1.i = add nsw i64 %.229.i.0726.i, %.155.i.i.1.i8986
-  %.159.i.i.1.i = mul nsw i64 %.157.i.i.1.i, %arg.shape.0
-  %gep9272 = getelementptr double, ptr %invariant.gep9271, i64 %.159.i.i.1.i
-  %.191.i.i.1.i = load double, ptr %gep9272, align 8, !noalias !113
-  %.193.i.i.1.i = fadd double %.191.i.i.1.i, %.253.i.i.i
-  %.253.i.i.1.i = fmul double %.247.i.i.i8981, %.193.i.i.1.i
-  %.157.i.i.2.i = add nsw i64 %.229.i.0726.i, %.155.i.i.2.i8987
-  %.159.i.i.2.i = mul nsw i64 %.157.i.i.2.i, %arg.shape.0
-  %gep9274 = getelementptr double, ptr %invariant.gep9273, i64 %.159.i.i.2.i
-  %.191.i.i.2.i = load double, ptr %gep9274, align 8, !noalias !113
-  %.193.i.i.2.i = fadd double %.191.i.i.2.i, %.253.i.i.1.i
-  %.253.i.i.2.i = fmul double %.456.i, %.193.i.i.2.i
-  %.157.i.i.3.i = add nsw i64 %.229.i.0726.i, %.155.i.i.3.i8988
-  %.159.i.i.3.i = mul nsw i64 %.157.i.i.3.i, %arg.shape.0
-  %gep9276 = getelementptr double, ptr %invariant.gep9275, i64 %.159.i.i.3.i
-  %.191.i.i.3.i = load double, ptr %gep9276, align 8, !noalias !113
-  %.193.i.i.3.i = fadd double %.191.i.i.3.i, %.253.i.i.2.i
-  %.253.i.i.3.i = fmul double %.247.i.i.i8981, %.193.i.i.3.i
-  %.157.i.i.4.i = add nsw i64 %.229.i.0726.i, %.155.i.i.4.i8989
-  %.159.i.i.4.i = mul nsw i64 %.157.i.i.4.i, %arg.shape.0
-  %gep9278 = getelementptr double, ptr %invariant.gep9277, i64 %.159.i.i.4.i
-  %.191.i.i.4.i = load double, ptr %gep9278, align 8, !noalias !113
-  %.193.i.i.4.i = fadd double %.191.i.i.4.i, %.253.i.i.3.i
-  %.253.i.i.4.i = fmul double %.456.i, %.193.i.i.4.i
-  %.157.i.i.5.i = add nsw i64 %.229.i.0726.i, %.155.i.i.5.i8990
-  %.159.i.i.5.i = mul nsw i64 %.157.i.i.5.i, %arg.shape.0
-  %gep9280 = getelementptr double, ptr %invariant.gep9279, i64 %.159.i.i.5.i
-  %.191.i.i.5.i = load double, ptr %gep9280, align 8, !noalias !113
-  %.193.i.i.5.i = fadd double %.191.i.i.5.i, %.253.i.i.4.i
-  %.253.i.i.5.i = fmul double %.247.i.i.i8981, %.193.i.i.5.i
-  %.157.i.i.6.i = add nsw i64 %.229.i.0726.i, %.155.i.i.6.i8991
-  %.159.i.i.6.i = mul nsw i64 %.157.i.i.6.i, %arg.shape.0
-  %gep9282 = getelementptr double, ptr %invariant.gep9281, i64 %.159.i.i.6.i
-  %.191.i.i.6.i = load double, ptr %gep9282, align 8, !noalias !113
-  %.193.i.i.6.i = fadd double %.191.i.i.6.i, %.253.i.i.5.i
-  %.253.i.i.6.i = fmul double %.456.i, %.193.i.i.6.i
-  %.300.i.i = add nsw i64 %.229.i.0726.i, 1
-  %.271.i.i.i = mul nsw i64 %.229.i.0726.i, %arg.shape.0
-  %gep9284 = getelementptr double, ptr %invariant.gep9283, i64 %.271.i.i.i
-  %.309.i.i.i8992 = load double, ptr %gep9284, align 8, !noalias !113
-  %.313.i.i.i8993 = fadd double %.309.i.i.i8992, %.253.i.i.6.i
-  %.359.i.i8994 = add nsw i64 %.229.i.0726.i, %.358.i.i
-  %.361.i.i = mul nsw i64 %.359.i.i8994, %arg.shape.0
-  %gep9286 = getelementptr double, ptr %invariant.gep9285, i64 %.361.i.i
-  store double %.313.i.i.i8993, ptr %gep9286, align 8, !noalias !109
-  %exitcond.not.i8995 = icmp eq i64 %arg.shape.1, %.300.i.i
-  br i1 %exitcond.not.i8995, label %B154.loopexit.i, label %B122.if.i.i8985
+B584.lr.ph.i.i:                                   ; preds = %B550.i.i
+  %.257.i.i = fsub double %.227.i.i, %.256.i.i
+  %.258.i.i8962 = fmul double %.257.i.i, 1.000000e-13
+  %.1863.i.i8963 = fmul double %.258.i.i8962, 2.000000e+00
+  br label %B584.i.i
 
-B348.if.i:                                        ; preds = %B564.i, %B206.i
-  %.667.0732.i = phi i64 [ 0, %B206.i ], [ %.736.i8996, %B564.i ]
-  %.736.i8996 = add nsw i64 %.667.0732.i, 1
-  %.817.i = getelementptr double, ptr %71, i64 %.667.0732.i
-  %.818.i8997 = load double, ptr %.817.i, align 8, !noalias !103
-  %.819.i = fcmp ogt double %.818.i8997, 5.000000e-01
-  br i1 %.819.i, label %B390.i, label %B564.i
+B584.i.i:                                         ; preds = %B1342.i.i, %B584.lr.ph.i.i
+  %.924.sroa.0.01304.i.i = phi i64 [ 0, %B584.lr.ph.i.i ], [ %.924.sroa.0.0.i.i, %B1342.i.i ]
+  %.880.11303.i.i = phi i64 [ %.880.11299.i.i, %B584.lr.ph.i.i ], [ %.880.1.i.i, %B1342.i.i ]
+  %.877.11302.i.i = phi i64 [ 1, %B584.lr.ph.i.i ], [ %.877.1.i.i, %B1342.i.i ]
+  %some.2.01301.i.i = phi i1 [ false, %B584.lr.ph.i.i ], [ %some.3.1.i.i, %B1342.i.i ]
+  %excinfo.3.01300.i.i = phi ptr [ null, %B584.lr.ph.i.i ], [ %excinfo.3.1.i.i, %B1342.i.i ]
+  %.1009.i.i = icmp slt i64 %.924.sroa.0.01304.i.i, 0
+  %.1010.i.i = select i1 %.1009.i.i, i64 %arg.batch.4.0.5.1, i64 0
+  %.1011.i.i = add i64 %.1010.i.i, %.924.sroa.0.01304.i.i
+  %.1032.i.i = getelementptr double, ptr %72, i64 %.1011.i.i
+  %.1033.i.i = load double, ptr %.1032.i.i, align 8, !noalias !107
+  %.1065.i.i = select i1 %.1009.i.i, i64 %arg.batch.4.1.5.1, i64 0
+  %.1066.i.i = add i64 %.1065.i.i, %.924.sroa.0.01304.i.i
+  %.1087.i.i = getelementptr i64, ptr %73, i64 %.1066.i.i
+  store i64 -1, ptr %.1087.i.i, align 8, !noalias !107
+  %.1142.i.i = getelementptr double, ptr %.571, i64 %.1011.i.i
+  store double %.1033.i.i, ptr %.1142.i.i, align 8, !noalias !107
+  %.1197.i.i = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.1066.i.i
+  %.1198.i.i = load i64, ptr %.1197.i.i, align 8, !noalias !107
+  %.1199.i.i = icmp sgt i64 %.1198.i.i, -1
+  br i1 %.1199.i.i, label %B702.i.i8964, label %B1342.i.i
 
-B426.endif.i:                                     ; preds = %B80.i.i9001, %B46.i.i9000, %B426.i
-  store double 0.000000e+00, ptr %.817.i, align 8, !noalias !103
-  %.1014.i = getelementptr double, ptr %72, i64 %.667.0732.i
-  store double %.952.i, ptr %.1014.i, align 8, !noalias !103
-  %.1071.i = getelementptr double, ptr %73, i64 %.667.0732.i
-  store double %.960.i, ptr %.1071.i, align 8, !noalias !103
-  br label %B564.i
+B702.i.i8964:                                     ; preds = %B584.i.i
+  %.1257.i.i = getelementptr double, ptr %74, i64 %.1011.i.i
+  %.1258.i.i = load double, ptr %.1257.i.i, align 8, !noalias !107
+  %.1259.i.i = fcmp ogt double %.1258.i.i, 5.000000e-01
+  br i1 %.1259.i.i, label %B742.i.i, label %B1342.i.i
 
-B3448:                                            ; preds = %B120.loopexit.i, %B2874, %B3386
-  %brmerge8916.not = and i1 %good.2.1.lcssa, %looked.2.1.lcssa
-  br i1 %brmerge8916.not, label %B3456, label %B3508
+B742.i.i:                                         ; preds = %B702.i.i8964
+  %.1349.i.i = load i64, ptr %.1087.i.i, align 8, !noalias !107
+  %.1350.i.i = icmp slt i64 %.1349.i.i, 0
+  br i1 %.1350.i.i, label %B830.i.i, label %B958.i.i
 
-B3456:                                            ; preds = %B3448
-  %brmerge8917.not = select i1 %within.5.1, i1 %.614, i1 false
-  %"$phi3492.7.2.2" = select i1 %brmerge8917.not, i64 3, i64 0
-  br i1 %.794, label %B3508, label %B96.if.i
+B830.i.i:                                         ; preds = %B742.i.i, %B830.i.i
+  %last.2.3.i.i = phi i64 [ %.1356.i.i, %B830.i.i ], [ %.1281.i.i, %B742.i.i ]
+  %.1356.i.i = add nsw i64 %last.2.3.i.i, 1
+  %.151.i51.i.i = mul nsw i64 %.1356.i.i, 3
+  %.155.i.i.i8971 = add nsw i64 %.151.i51.i.i, 1
+  %.159.i.i.i = mul nsw i64 %.155.i.i.i8971, %arg.shape.0
+  %.161.i.i.i = add nsw i64 %.159.i.i.i, %.924.sroa.0.01304.i.i
+  %.175.i63.i.i = icmp slt i64 %.161.i.i.i, 0
+  %.176.i64.i.i = select i1 %.175.i63.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %222 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.161.i.i.i
+  %.190.i.i.i = getelementptr double, ptr %222, i64 %.176.i64.i.i
+  %.191.i.i.i = load double, ptr %.190.i.i.i, align 8, !noalias !111
+  %.195.i80.i.i = add nsw i64 %.161.i.i.i, %arg.shape.0
+  %.209.i.i.i8972 = icmp slt i64 %.195.i80.i.i, 0
+  %.210.i.i.i8973 = select i1 %.209.i.i.i8972, i64 %arg.batch.5.4.5.0, i64 0
+  %223 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.195.i80.i.i
+  %.224.i91.i.i = getelementptr double, ptr %223, i64 %.210.i.i.i8973
+  %.225.i92.i.i = load double, ptr %.224.i91.i.i, align 8, !noalias !111
+  %.226.i93.i.i = fneg double %.225.i92.i.i
+  %.227.i94.i.i = fcmp uge double %.191.i.i.i, %.226.i93.i.i
+  %.1371.0.i.i = sext i1 %.227.i94.i.i to i64
+  store i64 %.1371.0.i.i, ptr %.1087.i.i, align 8, !noalias !107
+  %exitcond1309.not.i.i = icmp ne i64 %last.2.3.i.i, 7
+  %brmerge.not.i.i = and i1 %exitcond1309.not.i.i, %.227.i94.i.i
+  br i1 %brmerge.not.i.i, label %B830.i.i, label %B958.i.i
+
+B958.i.i:                                         ; preds = %B830.i.i, %B742.i.i
+  %last.3.2.i.i = phi i64 [ %.1281.i.i, %B742.i.i ], [ %.1356.i.i, %B830.i.i ]
+  br i1 %.296.i.i8947, label %B966.i.i8970, label %B996.i.i
+
+B966.i.i8970:                                     ; preds = %B958.i.i
+  %224 = getelementptr double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.12, i64 %last.3.2.i.i
+  %switch.gep9359 = getelementptr i8, ptr %224, i64 64
+  %switch.load9360 = load double, ptr %switch.gep9359, align 8
+  br label %B996.i.i
+
+B996.i.i:                                         ; preds = %B966.i.i8970, %B958.i.i
+  %"$phi996.1.2.2.i.i" = phi double [ 0.000000e+00, %B958.i.i ], [ %switch.load9360, %B966.i.i8970 ]
+  %.1630.i.i = getelementptr double, ptr %75, i64 %.1011.i.i
+  store double %"$phi996.1.2.2.i.i", ptr %.1630.i.i, align 8, !noalias !107
+  %225 = getelementptr double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.12, i64 %last.3.2.i.i
+  %switch.gep9363 = getelementptr i8, ptr %225, i64 72
+  %switch.load9364 = load double, ptr %switch.gep9363, align 8
+  %.1722.i.i = getelementptr double, ptr %76, i64 %.1011.i.i
+  store double %switch.load9364, ptr %.1722.i.i, align 8, !noalias !107
+  %.1778.i.i = load i64, ptr %.1087.i.i, align 8, !noalias !107
+  %.1779.i.i = icmp sgt i64 %.1778.i.i, -1
+  %.1789.i.i = sext i1 %.1779.i.i to i64
+  %"$phi1114.1.2.2.i.i" = add nsw i64 %last.3.2.i.i, %.1789.i.i
+  br i1 %.296.i.i8947, label %B1122.i.i, label %B1300.i.i
+
+B1122.i.i:                                        ; preds = %B996.i.i
+  %.1860.i.i = getelementptr double, ptr %71, i64 %.1011.i.i
+  %.1861.i.i = load double, ptr %.1860.i.i, align 8, !noalias !107
+  %.1864.i.i8966 = fcmp ogt double %.1861.i.i, %.1863.i.i8963
+  br i1 %.1864.i.i8966, label %B1170.i.i, label %B1300.i.i
+
+B1170.i.i:                                        ; preds = %B1122.i.i
+  %226 = tail call i64 @llvm.smax.i64(i64 range(i64 -1, 9) %"$phi1114.1.2.2.i.i", i64 0)
+  %storemerge.i.i.i = tail call i64 @llvm.smin.i64(i64 %226, i64 7)
+  %.800355.not.i.i.i = icmp slt i64 %"$phi1114.1.2.2.i.i", 1
+  %227 = tail call i64 @llvm.smax.i64(i64 range(i64 -1, 9) %"$phi1114.1.2.2.i.i", i64 1)
+  %storemerge336.i.i.i = add nsw i64 %227, -1
+  %.995359.i.i.i = icmp sgt i64 %"$phi1114.1.2.2.i.i", 1
+  %.938.1361.i.i.i = select i1 %.995359.i.i.i, i64 2, i64 1
+  %.1004362.i.i.i = sext i1 %.995359.i.i.i to i64
+  %.941.1363.i.i.i = add nsw i64 %storemerge336.i.i.i, %.1004362.i.i.i
+  %.985.sroa.0.0364.i.i.i = zext i1 %.995359.i.i.i to i64
+  %.160.i.i.i = add nsw i64 %.924.sroa.0.01304.i.i, %arg.shape.0
+  %.336.i.i.i = add nsw i64 %.160.i.i.i, %.30.i.i.i
+  %.350.i.i.i = icmp slt i64 %.336.i.i.i, 0
+  %.351.i.i.i = select i1 %.350.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %228 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.336.i.i.i
+  %.365.i.i.i = getelementptr double, ptr %228, i64 %.351.i.i.i
+  %.616.i.i.i = icmp slt i64 %.160.i.i.i, 0
+  %.617.i.i.i = select i1 %.616.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %229 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.160.i.i.i
+  %.631.i.i.i = getelementptr double, ptr %229, i64 %.617.i.i.i
+  %.602.1.i.i.i = add nsw i64 %.160.i.i.i, %.598.i.i.i
+  %.616.1.i.i.i = icmp slt i64 %.602.1.i.i.i, 0
+  %.617.1.i.i.i = select i1 %.616.1.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %230 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.602.1.i.i.i
+  %.631.1.i.i.i = getelementptr double, ptr %230, i64 %.617.1.i.i.i
+  %.602.2.i.i.i = add nsw i64 %.160.i.i.i, %.600.2.i.i.i
+  %.616.2.i.i.i = icmp slt i64 %.602.2.i.i.i, 0
+  %.617.2.i.i.i = select i1 %.616.2.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %231 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.602.2.i.i.i
+  %.631.2.i.i.i = getelementptr double, ptr %231, i64 %.617.2.i.i.i
+  %.602.3.i.i.i = add nsw i64 %.160.i.i.i, %.600.3.i.i.i
+  %.616.3.i.i.i = icmp slt i64 %.602.3.i.i.i, 0
+  %.617.3.i.i.i = select i1 %.616.3.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %232 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.602.3.i.i.i
+  %.631.3.i.i.i = getelementptr double, ptr %232, i64 %.617.3.i.i.i
+  %.602.4.i.i.i = add nsw i64 %.160.i.i.i, %.600.4.i.i.i
+  %.616.4.i.i.i = icmp slt i64 %.602.4.i.i.i, 0
+  %.617.4.i.i.i = select i1 %.616.4.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %233 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.602.4.i.i.i
+  %.631.4.i.i.i = getelementptr double, ptr %233, i64 %.617.4.i.i.i
+  %.336.1.i.i.i = add nsw i64 %.160.i.i.i, %.334.1.i.i.i
+  %.350.1.i.i.i = icmp slt i64 %.336.1.i.i.i, 0
+  %.351.1.i.i.i = select i1 %.350.1.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %234 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.336.1.i.i.i
+  %.365.1.i.i.i = getelementptr double, ptr %234, i64 %.351.1.i.i.i
+  %.336.2.i.i.i = add nsw i64 %.160.i.i.i, %.334.2.i.i.i
+  %.350.2.i.i.i = icmp slt i64 %.336.2.i.i.i, 0
+  %.351.2.i.i.i = select i1 %.350.2.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %235 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.336.2.i.i.i
+  %.365.2.i.i.i = getelementptr double, ptr %235, i64 %.351.2.i.i.i
+  %.336.3.i.i.i = add nsw i64 %.160.i.i.i, %.334.3.i.i.i
+  %.350.3.i.i.i = icmp slt i64 %.336.3.i.i.i, 0
+  %.351.3.i.i.i = select i1 %.350.3.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %236 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.336.3.i.i.i
+  %.365.3.i.i.i = getelementptr double, ptr %236, i64 %.351.3.i.i.i
+  %.1508.i.i.i = add nsw i64 %.160.i.i.i, %arg.shape.0
+  %.1524.i.i.i = icmp slt i64 %.1508.i.i.i, 0
+  %.1525.i.i.i = select i1 %.1524.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %237 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.1508.i.i.i
+  %.1539.i.i.i = getelementptr double, ptr %237, i64 %.1525.i.i.i
+  br label %B50.i.i.i
+
+B50.i.i.i:                                        ; preds = %B1088.i.i.i, %B1170.i.i
+  %exitcond.not.i.i.i = phi i1 [ false, %B1170.i.i ], [ true, %B1088.i.i.i ]
+  br i1 %exitcond.not.i.i.i, label %_ZN12clpt_control6native9for_numba8may_hideB3v41B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, label %B52.if.i.i.i
+
+B532.i.i.i:                                       ; preds = %B470.if.i.i.i, %B52.if.i.i.i
+  %nearest.3.1.lcssa.i.i.i = phi double [ 0x7FF0000000000000, %B52.if.i.i.i ], [ %.11.i342.i.i.i, %B470.if.i.i.i ]
+  br i1 %.995359.i.i.i, label %B568.lr.ph.i.i.i, label %B1088.i.i.i
+
+B568.lr.ph.i.i.i:                                 ; preds = %B532.i.i.i
+  %.1157.i.i.i8969 = fmul double %.11.i.3.i.i.i, 1.000000e+01
+  br label %B568.i.i.i
+
+B568.i.i.i:                                       ; preds = %B1163.i.i.i, %B568.lr.ph.i.i.i
+  %.985.sroa.0.0368.i.i.i = phi i64 [ %.985.sroa.0.0364.i.i.i, %B568.lr.ph.i.i.i ], [ %.985.sroa.0.0.i.i.i, %B1163.i.i.i ]
+  %.941.1367.i.i.i = phi i64 [ %.941.1363.i.i.i, %B568.lr.ph.i.i.i ], [ %.941.1.i.i.i, %B1163.i.i.i ]
+  %.938.1366.i.i.i = phi i64 [ %.938.1361.i.i.i, %B568.lr.ph.i.i.i ], [ %.938.1.i.i.i, %B1163.i.i.i ]
+  %nearest.4.1365.i.i.i = phi double [ %nearest.3.1.lcssa.i.i.i, %B568.lr.ph.i.i.i ], [ %nearest.5.2.i.i.i, %B1163.i.i.i ]
+  %.1041.i.i.i = add nsw i64 %.985.sroa.0.0368.i.i.i, -1
+  %.1043.i.i.i = mul nsw i64 %.1041.i.i.i, %.30.i.i.i
+  %.1045.i.i.i = add nsw i64 %.1043.i.i.i, %.160.i.i.i
+  %.1059.i.i.i = icmp slt i64 %.1045.i.i.i, 0
+  %.1060.i.i.i = select i1 %.1059.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %238 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.1045.i.i.i
+  %.1074.i.i.i = getelementptr double, ptr %238, i64 %.1060.i.i.i
+  %.1075.i.i.i = load double, ptr %.1074.i.i.i, align 8, !noalias !115
+  %.1078.i.i.i = mul nsw i64 %.985.sroa.0.0368.i.i.i, %.30.i.i.i
+  %.1080.i.i.i = add nsw i64 %.1078.i.i.i, %.160.i.i.i
+  %.1094.i.i.i = icmp slt i64 %.1080.i.i.i, 0
+  %.1095.i.i.i = select i1 %.1094.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %239 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.1080.i.i.i
+  %.1109.i.i.i = getelementptr double, ptr %239, i64 %.1095.i.i.i
+  %.1110.i.i.i = load double, ptr %.1109.i.i.i, align 8, !noalias !115
+  %.1112.i.i.i = add nsw i64 %.985.sroa.0.0368.i.i.i, 1
+  %.1114.i.i.i = mul nsw i64 %.1112.i.i.i, %.30.i.i.i
+  %.1116.i.i.i = add nsw i64 %.1114.i.i.i, %.160.i.i.i
+  %.1130.i.i.i = icmp slt i64 %.1116.i.i.i, 0
+  %.1131.i.i.i = select i1 %.1130.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %240 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.1116.i.i.i
+  %.1145.i.i.i = getelementptr double, ptr %240, i64 %.1131.i.i.i
+  %.1146.i.i.i = load double, ptr %.1145.i.i.i, align 8, !noalias !115
+  %.1160.i.i.i = fsub double %.1075.i.i.i, %.1110.i.i.i
+  %.1161.i.i.i = tail call double @llvm.fabs.f64(double %.1160.i.i.i)
+  %.1164.i.i.i = fsub double %.1146.i.i.i, %.1110.i.i.i
+  %.1165.i.i.i = tail call double @llvm.fabs.f64(double %.1164.i.i.i)
+  %.1166.i.i.i = fadd double %.1161.i.i.i, %.1165.i.i.i
+  %.1167.i.i.i = fmul double %.1166.i.i.i, 3.000000e+00
+  %.1168.i.i.i = fadd double %.1157.i.i.i8969, %.1167.i.i.i
+  %.1170.i.i.i = fcmp olt double %.1110.i.i.i, %.1168.i.i.i
+  br i1 %.1170.i.i.i, label %B776.i.i.i, label %B1163.i.i.i
+
+B776.i.i.i:                                       ; preds = %B568.i.i.i
+  %switch.tableidx9365 = add i64 %.985.sroa.0.0368.i.i.i, 9
+  %241 = icmp ult i64 %switch.tableidx9365, 18
+  br i1 %241, label %switch.lookup9366, label %_ZN12clpt_control6native9for_numba8may_hideB3v41B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+
+B982.i.i.i:                                       ; preds = %switch.lookup9378
+  %.1379.i.i.i = fneg double %.1320.i.i.i
+  %.1383.i.i.i = fmul double %.1369.i.i.i, 5.000000e-01
+  %.1388.i.i.i = fdiv double %.1383.i.i.i, %.1352.i.i.i
+  %.1389.i.i.i = fcmp ogt double %.1388.i.i.i, %.1379.i.i.i
+  %.1399.i.i.i = fcmp olt double %.1388.i.i.i, %.1246.i.i.i
+  %or.cond337.i.i.i = and i1 %.1389.i.i.i, %.1399.i.i.i
+  br i1 %or.cond337.i.i.i, label %B1022.i.i.i, label %B1163.i.i.i
+
+B1022.i.i.i:                                      ; preds = %B982.i.i.i
+  %.1426.i.i.i = fmul double %.1369.i.i.i, 2.500000e-01
+  %.1428.i.i.i = fmul double %.1369.i.i.i, %.1426.i.i.i
+  %.1435.i.i.i = fdiv double %.1428.i.i.i, %.1352.i.i.i
+  %.1439.i.i.i = fsub double %.1110.i.i.i, %.1435.i.i.i
+  %.10.i339.i.i.i = fcmp olt double %.1439.i.i.i, %nearest.4.1365.i.i.i
+  %.11.i340.i.i.i = select i1 %.10.i339.i.i.i, double %.1439.i.i.i, double %nearest.4.1365.i.i.i
+  br label %B1163.i.i.i
+
+B1088.i.i.i:                                      ; preds = %B1163.i.i.i, %B532.i.i.i
+  %nearest.4.1.lcssa.i.i.i = phi double [ %nearest.3.1.lcssa.i.i.i, %B532.i.i.i ], [ %nearest.5.2.i.i.i, %B1163.i.i.i ]
+  %.1540.i.i.i = load double, ptr %.1539.i.i.i, align 8, !noalias !115
+  %.1542.i.i.i = fcmp ule double %.11.i.3.i.i.i, %.1540.i.i.i
+  %.1545.i.i.i = fmul double %.11.i.3.i.i.i, 1.000000e+01
+  %.1549.i.i.i = fcmp ugt double %nearest.4.1.lcssa.i.i.i, %.1545.i.i.i
+  %or.cond.i.i.i = select i1 %.1542.i.i.i, i1 true, i1 %.1549.i.i.i
+  br i1 %or.cond.i.i.i, label %B50.i.i.i, label %_ZN12clpt_control6native9for_numba8may_hideB3v41B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+
+B1163.i.i.i:                                      ; preds = %switch.lookup9378, %B1022.i.i.i, %B982.i.i.i, %B568.i.i.i
+  %nearest.5.2.i.i.i = phi double [ %nearest.4.1365.i.i.i, %B982.i.i.i ], [ %.11.i340.i.i.i, %B1022.i.i.i ], [ %nearest.4.1365.i.i.i, %B568.i.i.i ], [ %nearest.4.1365.i.i.i, %switch.lookup9378 ]
+  %.995.i.i.i = icmp sgt i64 %.941.1367.i.i.i, 0
+  %.1008.i.i.i = zext i1 %.995.i.i.i to i64
+  %.938.1.i.i.i = add i64 %.938.1366.i.i.i, %.1008.i.i.i
+  %.1004.i.i.i = sext i1 %.995.i.i.i to i64
+  %.941.1.i.i.i = add nsw i64 %.941.1367.i.i.i, %.1004.i.i.i
+  %.985.sroa.0.0.i.i.i = select i1 %.995.i.i.i, i64 %.938.1366.i.i.i, i64 0
+  br i1 %.995.i.i.i, label %B568.i.i.i, label %B1088.i.i.i
+
+B52.if.i.i.i:                                     ; preds = %B50.i.i.i
+  %.366.i.i.i = load double, ptr %.365.i.i.i, align 8, !noalias !115
+  %.632.i.i.i = load double, ptr %.631.i.i.i, align 8, !noalias !115
+  %.633.i.i.i = fmul double %.632.i.i.i, 0x3FDDF27AAAADCB3A
+  %.635.i.i.i = fsub double %.366.i.i.i, %.633.i.i.i
+  %.632.1.i.i.i = load double, ptr %.631.1.i.i.i, align 8, !noalias !115
+  %.633.1.i.i.i = fmul double %.632.1.i.i.i, 0x3FEC575F1EBC4F2F
+  %.635.1.i.i.i = fsub double %.635.i.i.i, %.633.1.i.i.i
+  %.632.2.i.i.i = load double, ptr %.631.2.i.i.i, align 8, !noalias !115
+  %.633.2.i.i.i = fmul double %.632.2.i.i.i, 0x3FE1306AA3D795F4
+  %242 = fadd double %.635.1.i.i.i, %.633.2.i.i.i
+  %.632.3.i.i.i = load double, ptr %.631.3.i.i.i, align 8, !noalias !115
+  %.633.3.i.i.i = fmul double %.632.3.i.i.i, 0x3FCCB9F574BDCC3A
+  %.635.3.i.i.i = fsub double %242, %.633.3.i.i.i
+  %.632.4.i.i.i = load double, ptr %.631.4.i.i.i, align 8, !noalias !115
+  %.633.4.i.i.i = fmul double %.632.4.i.i.i, 0x3FA4EAF2D6B11E79
+  %243 = fadd double %.635.3.i.i.i, %.633.4.i.i.i
+  %.646.i.i.i = tail call double @llvm.fabs.f64(double %243)
+  %.10.i.i.i.i8967 = fcmp ogt double %.646.i.i.i, 0.000000e+00
+  %.11.i.i.i.i8968 = select i1 %.10.i.i.i.i8967, double %.646.i.i.i, double 0.000000e+00
+  %.366.1.i.i.i = load double, ptr %.365.1.i.i.i, align 8, !noalias !115
+  %.633.1430.i.i.i = fmul double %.632.i.i.i, 0x3FA5118805F8B876
+  %244 = fadd double %.633.1430.i.i.i, %.366.1.i.i.i
+  %.633.1.1.i.i.i = fmul double %.632.1.i.i.i, 0x3FE51326698BC5BD
+  %.635.1.1.i.i.i = fsub double %244, %.633.1.1.i.i.i
+  %.633.2.1.i.i.i = fmul double %.632.2.i.i.i, 0x3FDF97DED30D4572
+  %.635.2.1.i.i.i = fsub double %.635.1.1.i.i.i, %.633.2.1.i.i.i
+  %.633.3.1.i.i.i = fmul double %.632.3.i.i.i, 0x3FC0DA0C684D1D67
+  %245 = fadd double %.633.3.1.i.i.i, %.635.2.1.i.i.i
+  %.633.4.1.i.i.i = fmul double %.632.4.i.i.i, 0x3F9510B8EC0D4D92
+  %.635.4.1.i.i.i = fsub double %245, %.633.4.1.i.i.i
+  %.646.1.i.i.i = tail call double @llvm.fabs.f64(double %.635.4.1.i.i.i)
+  %.10.i.1.i.i.i = fcmp ogt double %.646.1.i.i.i, %.11.i.i.i.i8968
+  %.11.i.1.i.i.i = select i1 %.10.i.1.i.i.i, double %.646.1.i.i.i, double %.11.i.i.i.i8968
+  %.366.2.i.i.i = load double, ptr %.365.2.i.i.i, align 8, !noalias !115
+  %.633.2457.i.i.i = fmul double %.632.i.i.i, 0x3F9635A30F8F142F
+  %.635.2458.i.i.i = fsub double %.366.2.i.i.i, %.633.2457.i.i.i
+  %.633.1.2.i.i.i = fmul double %.632.1.i.i.i, 0x3FC1EAE0FF33D241
+  %246 = fadd double %.633.1.2.i.i.i, %.635.2458.i.i.i
+  %.633.2.2.i.i.i = fmul double %.632.2.i.i.i, 0x3FE1625D59218460
+  %.635.2.2.i.i.i = fsub double %246, %.633.2.2.i.i.i
+  %.633.3.2.i.i.i = fmul double %.632.3.i.i.i, 0x3FE3BBC3E8A29641
+  %.635.3.2.i.i.i = fsub double %.635.2.2.i.i.i, %.633.3.2.i.i.i
+  %.633.4.2.i.i.i = fmul double %.632.4.i.i.i, 0x3FA55161A739EB34
+  %247 = fadd double %.633.4.2.i.i.i, %.635.3.2.i.i.i
+  %.646.2.i.i.i = tail call double @llvm.fabs.f64(double %247)
+  %.10.i.2.i.i.i = fcmp ogt double %.646.2.i.i.i, %.11.i.1.i.i.i
+  %.11.i.2.i.i.i = select i1 %.10.i.2.i.i.i, double %.646.2.i.i.i, double %.11.i.1.i.i.i
+  %.366.3.i.i.i = load double, ptr %.365.3.i.i.i, align 8, !noalias !115
+  %.633.3484.i.i.i = fmul double %.632.i.i.i, 0x3FA4F0C0BB579409
+  %248 = fadd double %.633.3484.i.i.i, %.366.3.i.i.i
+  %.633.1.3.i.i.i = fmul double %.632.1.i.i.i, 0x3FCD2266FBC0D976
+  %.635.1.3.i.i.i = fsub double %248, %.633.1.3.i.i.i
+  %.633.2.3.i.i.i = fmul double %.632.2.i.i.i, 0x3FE1F2DB6FEE3151
+  %249 = fadd double %.633.2.3.i.i.i, %.635.1.3.i.i.i
+  %.633.3.3.i.i.i = fmul double %.632.3.i.i.i, 0x3FF0C05015964CBE
+  %.635.3.3.i.i.i = fsub double %249, %.633.3.3.i.i.i
+  %.633.4.3.i.i.i = fmul double %.632.4.i.i.i, 0x3FD4F15B230DB570
+  %.635.4.3.i.i.i = fsub double %.635.3.3.i.i.i, %.633.4.3.i.i.i
+  %.646.3.i.i.i = tail call double @llvm.fabs.f64(double %.635.4.3.i.i.i)
+  %.10.i.3.i.i.i = fcmp ogt double %.646.3.i.i.i, %.11.i.2.i.i.i
+  %.11.i.3.i.i.i = select i1 %.10.i.3.i.i.i, double %.646.3.i.i.i, double %.11.i.2.i.i.i
+  br i1 %.800355.not.i.i.i, label %B532.i.i.i, label %B470.if.i.i.i
+
+B470.if.i.i.i:                                    ; preds = %B52.if.i.i.i, %B470.if.i.i.i
+  %nearest.3.1358.i.i.i = phi double [ %.11.i342.i.i.i, %B470.if.i.i.i ], [ 0x7FF0000000000000, %B52.if.i.i.i ]
+  %.747.0357.i.i.i = phi i64 [ %.809.i.i.i, %B470.if.i.i.i ], [ %storemerge.i.i.i, %B52.if.i.i.i ]
+  %.744.0356.i.i.i = phi i64 [ %.813.i.i.i, %B470.if.i.i.i ], [ 1, %B52.if.i.i.i ]
+  %.809.i.i.i = add nsw i64 %.747.0357.i.i.i, -1
+  %.813.i.i.i = add nsw i64 %.744.0356.i.i.i, 1
+  %250 = mul nsw i64 %.744.0356.i.i.i, %.30.i.i.i
+  %.841.i.i.i = add nsw i64 %250, %.160.i.i.i
+  %.855.i.i.i = icmp slt i64 %.841.i.i.i, 0
+  %.856.i.i.i = select i1 %.855.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %251 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.841.i.i.i
+  %.870.i.i.i = getelementptr double, ptr %251, i64 %.856.i.i.i
+  %.871.i.i.i = load double, ptr %.870.i.i.i, align 8, !noalias !115
+  %.10.i341.i.i.i = fcmp olt double %.871.i.i.i, %nearest.3.1358.i.i.i
+  %.11.i342.i.i.i = select i1 %.10.i341.i.i.i, double %.871.i.i.i, double %nearest.3.1358.i.i.i
+  %.800.i.i.i = icmp sgt i64 %.747.0357.i.i.i, 1
+  br i1 %.800.i.i.i, label %B470.if.i.i.i, label %B532.i.i.i
+
+switch.lookup9366:                                ; preds = %B776.i.i.i
+  %switch.tableidx9369 = add i64 %.985.sroa.0.0368.i.i.i, 8
+  %252 = icmp ult i64 %switch.tableidx9369, 18
+  br i1 %252, label %switch.lookup9370, label %_ZN12clpt_control6native9for_numba8may_hideB3v41B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+
+switch.lookup9370:                                ; preds = %switch.lookup9366
+  %switch.gep9367 = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.12, i64 %switch.tableidx9365
+  %switch.load9368 = load double, ptr %switch.gep9367, align 8
+  %switch.gep9371 = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.12, i64 %switch.tableidx9369
+  %switch.load9372 = load double, ptr %switch.gep9371, align 8
+  %.1246.i.i.i = fsub double %switch.load9368, %switch.load9372
+  %switch.tableidx9373 = add i64 %.985.sroa.0.0368.i.i.i, 10
+  %253 = icmp ult i64 %switch.tableidx9373, 18
+  br i1 %253, label %switch.lookup9374, label %_ZN12clpt_control6native9for_numba8may_hideB3v41B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+
+switch.lookup9374:                                ; preds = %switch.lookup9370
+  %switch.tableidx9377 = add i64 %.985.sroa.0.0368.i.i.i, 9
+  %254 = icmp ult i64 %switch.tableidx9377, 18
+  br i1 %254, label %switch.lookup9378, label %_ZN12clpt_control6native9for_numba8may_hideB3v41B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+
+switch.lookup9378:                                ; preds = %switch.lookup9374
+  %switch.gep9375 = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.12, i64 %switch.tableidx9373
+  %switch.load9376 = load double, ptr %switch.gep9375, align 8
+  %switch.gep9379 = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.12, i64 %switch.tableidx9377
+  %switch.load9380 = load double, ptr %switch.gep9379, align 8
+  %.1320.i.i.i = fsub double %switch.load9376, %switch.load9380
+  %.1336.i.i.i = fdiv double %.1164.i.i.i, %.1320.i.i.i
+  %.1339.i.i.i = fsub double %.1110.i.i.i, %.1075.i.i.i
+  %.1344.i.i.i = fdiv double %.1339.i.i.i, %.1246.i.i.i
+  %.1345.i.i.i = fsub double %.1336.i.i.i, %.1344.i.i.i
+  %.1348.i.i.i = fadd double %.1246.i.i.i, %.1320.i.i.i
+  %.1352.i.i.i = fdiv double %.1345.i.i.i, %.1348.i.i.i
+  %.1368.i.i.i = fmul double %.1246.i.i.i, %.1352.i.i.i
+  %.1369.i.i.i = fadd double %.1344.i.i.i, %.1368.i.i.i
+  %.1374.i.i.i = fcmp ogt double %.1352.i.i.i, 0.000000e+00
+  br i1 %.1374.i.i.i, label %B982.i.i.i, label %B1163.i.i.i
+
+_ZN12clpt_control6native9for_numba8may_hideB3v41B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i: ; preds = %B1088.i.i.i, %B50.i.i.i, %B776.i.i.i, %switch.lookup9366, %switch.lookup9370, %switch.lookup9374
+  %.1897.not.i.i = phi i1 [ true, %B776.i.i.i ], [ true, %switch.lookup9374 ], [ true, %switch.lookup9370 ], [ true, %switch.lookup9366 ], [ %exitcond.not.i.i.i, %B50.i.i.i ], [ %exitcond.not.i.i.i, %B1088.i.i.i ]
+  %excinfo.3.3.i.i = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.15.103, %B776.i.i.i ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.15.103, %switch.lookup9374 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.15.103, %switch.lookup9370 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.15.103, %switch.lookup9366 ], [ %excinfo.3.01300.i.i, %B50.i.i.i ], [ %excinfo.3.01300.i.i, %B1088.i.i.i ]
+  %.1886.not.i.i = phi i1 [ false, %B776.i.i.i ], [ false, %switch.lookup9374 ], [ false, %switch.lookup9370 ], [ false, %switch.lookup9366 ], [ true, %B50.i.i.i ], [ true, %B1088.i.i.i ]
+  br i1 %.1886.not.i.i, label %B1170.endif.endif.i.i, label %_ZN12clpt_control6native9for_numba11mark_passedB3v39B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i, !prof !53
+
+B1208.i.i:                                        ; preds = %B1170.endif.endif.i.i
+  %.1972.i.i = fmul double %.1861.i.i, 5.000000e-01
+  store double 0.000000e+00, ptr %.1257.i.i, align 8, !noalias !119
+  %.161.i230.i.i = getelementptr double, ptr %77, i64 %.1011.i.i
+  store double 0.000000e+00, ptr %.161.i230.i.i, align 8, !noalias !119
+  %.214.i273.i.i = getelementptr double, ptr %78, i64 %.1011.i.i
+  store double %.1972.i.i, ptr %.214.i273.i.i, align 8, !noalias !119
+  %.268.i313.i.i = load i64, ptr %.1197.i.i, align 8, !noalias !119
+  %.294.i.i.i = icmp slt i64 %.268.i313.i.i, 0
+  %.295.i.i.i = select i1 %.294.i.i.i, i64 %arg.batch.3.3.5.0, i64 0
+  %.296.i324.i.i = add i64 %.295.i.i.i, %.268.i313.i.i
+  %.316.i333.i.i = mul i64 %.296.i324.i.i, %arg.batch.3.3.5.1
+  %.320.i.i.i = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.316.i333.i.i
+  %.321.i.i.i = load i64, ptr %.320.i.i.i, align 8, !noalias !119
+  %.322.i336.i.i = add nsw i64 %.321.i.i.i, -1
+  store i64 %.322.i336.i.i, ptr %.320.i.i.i, align 8, !noalias !119
+  %.426.i.i.i = load i64, ptr %.1197.i.i, align 8, !noalias !119
+  %.452.i.i.i = icmp slt i64 %.426.i.i.i, 0
+  %.453.i.i.i = select i1 %.452.i.i.i, i64 %arg.batch.3.3.5.0, i64 0
+  %.454.i.i.i = add i64 %.453.i.i.i, %.426.i.i.i
+  %.474.i.i.i = mul i64 %.454.i.i.i, %arg.batch.3.3.5.1
+  %255 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.474.i.i.i
+  %.478.i.i.i = getelementptr i8, ptr %255, i64 24
+  %.479.i.i.i = load i64, ptr %.478.i.i.i, align 8, !noalias !119
+  %.480.i.i.i = add nsw i64 %.479.i.i.i, 1
+  store i64 %.480.i.i.i, ptr %.478.i.i.i, align 8, !noalias !119
+  store i64 -1, ptr %.1087.i.i, align 8, !noalias !107
+  br label %B1300.i.i
+
+B1300.i.i:                                        ; preds = %B1170.endif.endif.i.i, %B996.i.i, %B1208.i.i, %B1122.i.i
+  %excinfo.3.2.i.i = phi ptr [ %excinfo.3.3.i.i, %B1170.endif.endif.i.i ], [ %excinfo.3.3.i.i, %B1208.i.i ], [ %excinfo.3.01300.i.i, %B1122.i.i ], [ %excinfo.3.01300.i.i, %B996.i.i ]
+  br i1 %some.2.01301.i.i, label %B1342.i.i, label %B1304.i.i
+
+B1304.i.i:                                        ; preds = %B1300.i.i
+  %.2136.i.i = load i64, ptr %.1087.i.i, align 8, !noalias !107
+  %.2137.i.i = icmp sgt i64 %.2136.i.i, -1
+  br label %B1342.i.i
+
+B1342.i.i:                                        ; preds = %B1304.i.i, %B1300.i.i, %B702.i.i8964, %B584.i.i
+  %excinfo.3.1.i.i = phi ptr [ %excinfo.3.2.i.i, %B1300.i.i ], [ %excinfo.3.2.i.i, %B1304.i.i ], [ %excinfo.3.01300.i.i, %B702.i.i8964 ], [ %excinfo.3.01300.i.i, %B584.i.i ]
+  %some.3.1.i.i = phi i1 [ true, %B1300.i.i ], [ %.2137.i.i, %B1304.i.i ], [ %some.2.01301.i.i, %B702.i.i8964 ], [ %some.2.01301.i.i, %B584.i.i ]
+  %.934.i.i = icmp sgt i64 %.880.11303.i.i, 0
+  %.947.i.i = zext i1 %.934.i.i to i64
+  %.877.1.i.i = add i64 %.877.11302.i.i, %.947.i.i
+  %.943.i.i = sext i1 %.934.i.i to i64
+  %.880.1.i.i = add nsw i64 %.880.11303.i.i, %.943.i.i
+  %.924.sroa.0.0.i.i = select i1 %.934.i.i, i64 %.877.11302.i.i, i64 0
+  br i1 %.934.i.i, label %B584.i.i, label %B1346.loopexit.i.i
+
+B1346.loopexit.i.i:                               ; preds = %B1342.i.i
+  %256 = xor i1 %some.3.1.i.i, true
+  br label %_ZN12clpt_control6native9for_numba11mark_passedB3v39B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i
+
+B246.if.i.i:                                      ; preds = %B348.i.i8950, %B116.loopexit.8.i
+  %.344.01295.i.i = phi i64 [ %.354.i.i, %B116.loopexit.8.i ], [ %.408.i.i, %B348.i.i8950 ]
+  %.341.01294.i.i = phi i64 [ %..i.i, %B116.loopexit.8.i ], [ %.412.i.i, %B348.i.i8950 ]
+  %.408.i.i = add nsw i64 %.344.01295.i.i, -1
+  %.412.i.i = add nsw i64 %.341.01294.i.i, 1
+  br i1 %.5201291.not.i.i, label %B348.i.i8950, label %B280.if.i.i.preheader
+
+B280.if.i.i.preheader:                            ; preds = %B246.if.i.i
+  %257 = icmp ult i64 %.341.01294.i.i, 8
+  %switch.gep9382 = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.13, i64 %.341.01294.i.i
+  br label %B280.if.i.i
+
+B280.if.i.i:                                      ; preds = %B280.if.i.i.preheader, %B280.loopexit.i.i
+  %.464.01292.i.i = phi i64 [ %.533.i.i, %B280.loopexit.i.i ], [ 0, %B280.if.i.i.preheader ]
+  %.533.i.i = add nsw i64 %.464.01292.i.i, 1
+  br i1 %257, label %switch.lookup9381, label %switch.end.i.i8975
+
+switch.lookup9381:                                ; preds = %B280.if.i.i
+  %switch.load9383 = load double, ptr %switch.gep9382, align 8
+  br label %switch.end.i.i8975
+
+switch.end.i.i8975:                               ; preds = %B280.if.i.i, %switch.lookup9381
+  %.575.i.i = phi double [ %switch.load9383, %switch.lookup9381 ], [ 1.000000e+00, %B280.if.i.i ]
+  %.92.i.i.i8976 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.464.01292.i.i
+  %.93.i.i.i8977 = load double, ptr %.92.i.i.i8976, align 8, !noalias !122
+  %.146.i.i.i8978 = getelementptr double, ptr %71, i64 %.464.01292.i.i
+  %.147.i.i.i8979 = load double, ptr %.146.i.i.i8978, align 8, !noalias !122
+  %.149.i.i.i8980 = fmul double %.575.i.i, %.147.i.i.i8979
+  %.150.i.i.i8981 = fadd double %.93.i.i.i8977, %.149.i.i.i8980
+  %.203.i.i.i8982 = getelementptr double, ptr %.571, i64 %.464.01292.i.i
+  store double %.150.i.i.i8981, ptr %.203.i.i.i8982, align 8, !noalias !122
+  br i1 %.287.i1288.not.i.i, label %B280.loopexit.i.i, label %B122.if.i.lr.ph.i.i
+
+B122.if.i.lr.ph.i.i:                              ; preds = %switch.end.i.i8975
+  %.247.i.i.i.i8983 = fsub double 1.000000e+00, %.575.i.i
+  %invariant.gep.i8984 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.464.01292.i.i
+  br label %B122.if.i.i.i8985
+
+B122.if.i.i.i8985:                                ; preds = %B122.if.i.i.i8985, %B122.if.i.lr.ph.i.i
+  %.229.i.01289.i.i = phi i64 [ 0, %B122.if.i.lr.ph.i.i ], [ %.300.i.i.i8991, %B122.if.i.i.i8985 ]
+  %.157.i.i.i.i8986 = add nsw i64 %.229.i.01289.i.i, %.155.i.i.i.i8949
+  %.159.i.i.i.i8987 = mul nsw i64 %.157.i.i.i.i8986, %arg.shape.0
+  %gep.i = getelementptr double, ptr %invariant.gep.i8984, i64 %.159.i.i.i.i8987
+  %.191.i.i.i.i8988 = load double, ptr %gep.i, align 8, !noalias !126
+  %.193.i.i.i.i8989 = fadd double %.191.i.i.i.i8988, 0.000000e+00
+  %.253.i.i.i.i8990 = fmul double %.575.i.i, %.193.i.i.i.i8989
+  %.157.i.i.1.i.i = add nsw i64 %.229.i.01289.i.i, %.155.i.i.1.i.i
+  %.159.i.i.1.i.i = mul nsw i64 %.157.i.i.1.i.i, %arg.shape.0
+  %gep609.i = getelementptr double, ptr %invariant.gep.i8984, i64 %.159.i.i.1.i.i
+  %.191.i.i.1.i.i = load double, ptr %gep609.i, align 8, !noalias !126
+  %.193.i.i.1.i.i = fadd double %.191.i.i.1.i.i, %.253.i.i.i.i8990
+  %.253.i.i.1.i.i = fmul double %.247.i.i.i.i8983, %.193.i.i.1.i.i
+  %.157.i.i.2.i.i = add nsw i64 %.229.i.01289.i.i, %.155.i.i.2.i.i
+  %.159.i.i.2.i.i = mul nsw i64 %.157.i.i.2.i.i, %arg.shape.0
+  %gep611.i = getelementptr double, ptr %invariant.gep.i8984, i64 %.159.i.i.2.i.i
+  %.191.i.i.2.i.i = load double, ptr %gep611.i, align 8, !noalias !126
+  %.193.i.i.2.i.i = fadd double %.191.i.i.2.i.i, %.253.i.i.1.i.i
+  %.253.i.i.2.i.i = fmul double %.575.i.i, %.193.i.i.2.i.i
+  %.157.i.i.3.i.i = add nsw i64 %.229.i.01289.i.i, %.155.i.i.3.i.i
+  %.159.i.i.3.i.i = mul nsw i64 %.157.i.i.3.i.i, %arg.shape.0
+  %gep613.i = getelementptr double, ptr %invariant.gep.i8984, i64 %.159.i.i.3.i.i
+  %.191.i.i.3.i.i = load double, ptr %gep613.i, align 8, !noalias !126
+  %.193.i.i.3.i.i = fadd double %.191.i.i.3.i.i, %.253.i.i.2.i.i
+  %.253.i.i.3.i.i = fmul double %.247.i.i.i.i8983, %.193.i.i.3.i.i
+  %.157.i.i.4.i.i = add nsw i64 %.229.i.01289.i.i, %.155.i.i.4.i.i
+  %.159.i.i.4.i.i = mul nsw i64 %.157.i.i.4.i.i, %arg.shape.0
+  %gep615.i = getelementptr double, ptr %invariant.gep.i8984, i64 %.159.i.i.4.i.i
+  %.191.i.i.4.i.i = load double, ptr %gep615.i, align 8, !noalias !126
+  %.193.i.i.4.i.i = fadd double %.191.i.i.4.i.i, %.253.i.i.3.i.i
+  %.253.i.i.4.i.i = fmul double %.575.i.i, %.193.i.i.4.i.i
+  %.157.i.i.5.i.i = add nsw i64 %.229.i.01289.i.i, %.155.i.i.5.i.i
+  %.159.i.i.5.i.i = mul nsw i64 %.157.i.i.5.i.i, %arg.shape.0
+  %gep617.i = getelementptr double, ptr %invariant.gep.i8984, i64 %.159.i.i.5.i.i
+  %.191.i.i.5.i.i = load double, ptr %gep617.i, align 8, !noalias !126
+  %.193.i.i.5.i.i = fadd double %.191.i.i.5.i.i, %.253.i.i.4.i.i
+  %.253.i.i.5.i.i = fmul double %.247.i.i.i.i8983, %.193.i.i.5.i.i
+  %.157.i.i.6.i.i = add nsw i64 %.229.i.01289.i.i, %.155.i.i.6.i.i
+  %.159.i.i.6.i.i = mul nsw i64 %.157.i.i.6.i.i, %arg.shape.0
+  %gep619.i = getelementptr double, ptr %invariant.gep.i8984, i64 %.159.i.i.6.i.i
+  %.191.i.i.6.i.i = load double, ptr %gep619.i, align 8, !noalias !126
+  %.193.i.i.6.i.i = fadd double %.191.i.i.6.i.i, %.253.i.i.5.i.i
+  %.253.i.i.6.i.i = fmul double %.575.i.i, %.193.i.i.6.i.i
+  %.300.i.i.i8991 = add nsw i64 %.229.i.01289.i.i, 1
+  %.271.i.i.i.i8992 = mul nsw i64 %.229.i.01289.i.i, %arg.shape.0
+  %gep621.i = getelementptr double, ptr %invariant.gep.i8984, i64 %.271.i.i.i.i8992
+  %.309.i.i.i.i8993 = load double, ptr %gep621.i, align 8, !noalias !126
+  %.313.i.i.i.i8994 = fadd double %.309.i.i.i.i8993, %.253.i.i.6.i.i
+  %.359.i.i.i8995 = add nsw i64 %.229.i.01289.i.i, %.358.i.i.i8948
+  %.361.i.i.i8996 = mul nsw i64 %.359.i.i.i8995, %arg.shape.0
+  %gep623.i = getelementptr double, ptr %invariant.gep.i8984, i64 %.361.i.i.i8996
+  store double %.313.i.i.i.i8994, ptr %gep623.i, align 8, !noalias !122
+  %exitcond.not.i.i8997 = icmp eq i64 %arg.shape.1, %.300.i.i.i8991
+  br i1 %exitcond.not.i.i8997, label %B280.loopexit.i.i, label %B122.if.i.i.i8985
+
+B1170.endif.endif.i.i:                            ; preds = %_ZN12clpt_control6native9for_numba8may_hideB3v41B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+  br i1 %.1897.not.i.i, label %B1300.i.i, label %B1208.i.i
+
+_ZN12clpt_control6native9for_numba11mark_passedB3v39B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i: ; preds = %_ZN12clpt_control6native9for_numba8may_hideB3v41B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, %B1346.loopexit.i.i, %B550.i.i
+  %.512.0.i = phi i1 [ %256, %B1346.loopexit.i.i ], [ true, %B550.i.i ], [ true, %_ZN12clpt_control6native9for_numba8may_hideB3v41B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
+  %excinfo.1.0.i = phi ptr [ null, %B1346.loopexit.i.i ], [ null, %B550.i.i ], [ %excinfo.3.3.i.i, %_ZN12clpt_control6native9for_numba8may_hideB3v41B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
+  %common.ret.op.i.i.not = phi i1 [ false, %B1346.loopexit.i.i ], [ false, %B550.i.i ], [ true, %_ZN12clpt_control6native9for_numba8may_hideB3v41B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
+  %brmerge9187 = select i1 %common.ret.op.i.i.not, i1 true, i1 %.512.0.i, !prof !130
+  %brmerge9188 = or i1 %.5201291.not.i.i, %brmerge9187
+  %excinfo.1.0.i.mux.mux = select i1 %common.ret.op.i.i.not, ptr %excinfo.1.0.i, ptr %excinfo.13.0, !prof !131
+  %.mux.mux = zext i1 %common.ret.op.i.i.not to i32
+  br i1 %brmerge9188, label %_ZN12clpt_control6native9for_numba12watch_guardsB3v38B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, label %B286.if.i8953, !prof !132
+
+B328.i:                                           ; preds = %B286.if.i8953
+  %258 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.634.0625.i
+  %.84.i.i8955 = load i64, ptr %258, align 8, !noalias !133
+  %.89.i.i8956 = icmp sgt i64 %.84.i.i8955, -1
+  br i1 %.89.i.i8956, label %B46.i.i8957, label %B328.endif.i
+
+B46.i.i8957:                                      ; preds = %B328.i
+  %.120.i.i8958 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i.i8955
+  %.121.i.i8959 = load i64, ptr %.120.i.i8958, align 8, !noalias !133
+  %.122.i.i8960 = icmp eq i64 %.121.i.i8959, 0
+  br i1 %.122.i.i8960, label %B80.i.i8961, label %B328.endif.i
+
+B80.i.i8961:                                      ; preds = %B46.i.i8957
+  store i64 4, ptr %.120.i.i8958, align 8, !noalias !133
+  br label %B328.endif.i
+
+B398.i:                                           ; preds = %B328.endif.i, %B286.if.i8953
+  %exitcond629.not.i = icmp eq i64 %.703.i, %arg.shape.0
+  br i1 %exitcond629.not.i, label %_ZN12clpt_control6native9for_numba12watch_guardsB3v38B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, label %B286.if.i8953
+
+B150.if.i:                                        ; preds = %B3418, %B150.if.i
+  %.361.0604.i = phi i64 [ %.430.i8945, %B150.if.i ], [ 0, %B3418 ]
+  %.430.i8945 = add nsw i64 %.361.0604.i, 1
+  %gep9274 = getelementptr double, ptr %invariant.gep9273, i64 %.361.0604.i
+  store double 1.000000e-09, ptr %gep9274, align 8, !noalias !103
+  %exitcond.not.i8946 = icmp eq i64 %arg.shape.0, %.430.i8945
+  br i1 %exitcond.not.i8946, label %B150.if.1.i, label %B150.if.i
+
+B286.if.i8953:                                    ; preds = %_ZN12clpt_control6native9for_numba11mark_passedB3v39B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i, %B398.i
+  %.634.0625.i = phi i64 [ %.703.i, %B398.i ], [ 0, %_ZN12clpt_control6native9for_numba11mark_passedB3v39B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i ]
+  %.703.i = add nsw i64 %.634.0625.i, 1
+  %259 = getelementptr i64, ptr %79, i64 %.634.0625.i
+  %.785.i8954 = load i64, ptr %259, align 8, !noalias !103
+  %.786.i = icmp sgt i64 %.785.i8954, -1
+  br i1 %.786.i, label %B328.i, label %B398.i
+
+B328.endif.i:                                     ; preds = %B80.i.i8961, %B46.i.i8957, %B328.i
+  %260 = getelementptr double, ptr %80, i64 %.634.0625.i
+  store double 0.000000e+00, ptr %260, align 8, !noalias !103
+  br label %B398.i
+
+_ZN12clpt_control6native9for_numba12watch_guardsB3v38B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit: ; preds = %B398.i, %_ZN12clpt_control6native9for_numba11mark_passedB3v39B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i
+  %excinfo.13.2 = phi ptr [ %excinfo.1.0.i.mux.mux, %_ZN12clpt_control6native9for_numba11mark_passedB3v39B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i ], [ %excinfo.13.0, %B398.i ]
+  %common.ret.op.i = phi i32 [ %.mux.mux, %_ZN12clpt_control6native9for_numba11mark_passedB3v39B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i ], [ 0, %B398.i ]
+  %.5011.not = icmp eq i32 %common.ret.op.i, 0
+  br i1 %.5011.not, label %B3458, label %B3418.if, !prof !53
+
+B3458:                                            ; preds = %B2888, %_ZN12clpt_control6native9for_numba12watch_guardsB3v38B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, %B3414
+  %excinfo.13.1 = phi ptr [ %excinfo.13.0, %B3414 ], [ %excinfo.13.2, %_ZN12clpt_control6native9for_numba12watch_guardsB3v38B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit ], [ %excinfo.13.0, %B2888 ]
+  %brmerge8882.not = and i1 %good.2.1.lcssa, %looked.2.1.lcssa
+  br i1 %brmerge8882.not, label %B3466, label %B3518
+
+B3466:                                            ; preds = %B3458
+  %brmerge8883.not = select i1 %within.5.1, i1 %.614, i1 false
+  %"$phi3502.7.2.2" = select i1 %brmerge8883.not, i64 3, i64 0
+  br i1 %.794, label %B3518, label %B96.if.i
 
 B172.i:                                           ; preds = %B96.if.i
-  %.452.i9006 = getelementptr double, ptr %75, i64 %.180.0654.i
-  %.453.i9007 = load double, ptr %.452.i9006, align 8, !noalias !117
-  %.454.i9008 = fcmp olt double %.453.i9007, 5.000000e-01
-  br i1 %.454.i9008, label %B789.i, label %B210.i
+  %.452.i = getelementptr double, ptr %82, i64 %.180.0654.i
+  %.453.i9009 = load double, ptr %.452.i, align 8, !noalias !136
+  %.454.i9010 = fcmp olt double %.453.i9009, 5.000000e-01
+  br i1 %.454.i9010, label %B789.i, label %B210.i
 
 B210.i:                                           ; preds = %B172.i
-  %.485.i9009 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.334.i
-  %.486.i = load i64, ptr %.485.i9009, align 8, !noalias !117
+  %.485.i9011 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.334.i
+  %.486.i = load i64, ptr %.485.i9011, align 8, !noalias !136
   %.487.not.i = icmp eq i64 %.486.i, 0
   br i1 %.487.not.i, label %B246.i, label %B789.i
 
 B246.i:                                           ; preds = %B210.i
   %.549.i = mul i64 %.334.i, %arg.batch.3.3.5.1
-  %217 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.549.i
-  %.553.i = getelementptr i8, ptr %217, i64 8
-  %.554.i = load i64, ptr %.553.i, align 8, !noalias !117
-  %.556.i = add nsw i64 %.554.i, %"$phi3492.7.2.2"
-  store i64 %.556.i, ptr %.553.i, align 8, !noalias !117
+  %261 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.549.i
+  %.553.i = getelementptr i8, ptr %261, i64 8
+  %.554.i = load i64, ptr %.553.i, align 8, !noalias !136
+  %.556.i = add nsw i64 %.554.i, %"$phi3502.7.2.2"
+  store i64 %.556.i, ptr %.553.i, align 8, !noalias !136
   %.662.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.180.0654.i
-  %.663.i = load double, ptr %.662.i, align 8, !noalias !117
-  %.717.i = getelementptr double, ptr %76, i64 %.180.0654.i
-  %.718.i = load double, ptr %.717.i, align 8, !noalias !117
-  %.772.i = getelementptr double, ptr %77, i64 %.180.0654.i
-  %.773.i = load double, ptr %.772.i, align 8, !noalias !117
+  %.663.i = load double, ptr %.662.i, align 8, !noalias !136
+  %.717.i = getelementptr double, ptr %83, i64 %.180.0654.i
+  %.718.i = load double, ptr %.717.i, align 8, !noalias !136
+  %.772.i = getelementptr double, ptr %84, i64 %.180.0654.i
+  %.773.i = load double, ptr %.772.i, align 8, !noalias !136
   %.794.i = icmp slt i64 %.389.i, %arg.batch.2.5.0
   br i1 %.794.i, label %B420.i, label %B760.i
 
 B420.i:                                           ; preds = %B246.i
-  %.817.i9010 = icmp slt i64 %.389.i, 0
-  %.818.i9011 = select i1 %.817.i9010, i64 %arg.batch.2.5.0, i64 0
-  %218 = getelementptr double, ptr %arg.batch.2.4, i64 %.389.i
-  %.832.i9012 = getelementptr double, ptr %218, i64 %.818.i9011
-  %.833.i9013 = load double, ptr %.832.i9012, align 8, !noalias !117
-  %.837.i = fcmp ugt double %.833.i9013, %.773.i
+  %.817.i = icmp slt i64 %.389.i, 0
+  %.818.i9012 = select i1 %.817.i, i64 %arg.batch.2.5.0, i64 0
+  %262 = getelementptr double, ptr %arg.batch.2.4, i64 %.389.i
+  %.832.i9013 = getelementptr double, ptr %262, i64 %.818.i9012
+  %.833.i9014 = load double, ptr %.832.i9013, align 8, !noalias !136
+  %.837.i = fcmp ugt double %.833.i9014, %.773.i
   br i1 %.837.i, label %B760.i, label %B444.preheader.i
 
 B444.preheader.i:                                 ; preds = %B420.i
   %factor.op.mul.reass.i = mul i64 %factor.op.mul652.i, %.334.i
-  %.1324.i = getelementptr double, ptr %78, i64 %.180.0654.i
-  %219 = getelementptr double, ptr %arg.batch.3.0.4, i64 %factor.op.mul.reass.i
-  %invariant.gep9287 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep9289 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %.1324.i = getelementptr double, ptr %85, i64 %.180.0654.i
+  %263 = getelementptr double, ptr %arg.batch.3.0.4, i64 %factor.op.mul.reass.i
   %invariant.gep9291 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
   %invariant.gep9293 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
   %invariant.gep9295 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
@@ -2641,6 +3199,8 @@ B444.preheader.i:                                 ; preds = %B420.i
   %invariant.gep9299 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
   %invariant.gep9301 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
   %invariant.gep9303 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep9305 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep9307 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
   br label %B444.i
 
 B444.i:                                           ; preds = %B736.i, %B444.preheader.i
@@ -2649,67 +3209,67 @@ B444.i:                                           ; preds = %B736.i, %B444.prehe
 
 B474.if.lr.ph.i:                                  ; preds = %B444.i
   %.979.i = icmp slt i64 %done.2.3.i, 0
-  %.980.i9014 = select i1 %.979.i, i64 %arg.batch.2.5.0, i64 0
-  %220 = getelementptr double, ptr %arg.batch.2.4, i64 %done.2.3.i
-  %.994.i = getelementptr double, ptr %220, i64 %.980.i9014
+  %.980.i9015 = select i1 %.979.i, i64 %arg.batch.2.5.0, i64 0
+  %264 = getelementptr double, ptr %arg.batch.2.4, i64 %done.2.3.i
+  %.994.i = getelementptr double, ptr %264, i64 %.980.i9015
   %.1220.i = select i1 %.979.i, i64 %arg.batch.3.0.5.1, i64 0
   %.1221.i = add i64 %.1220.i, %done.2.3.i
   %.1250.i = mul i64 %.1221.i, %arg.batch.3.0.5.2
-  %221 = getelementptr double, ptr %219, i64 %.1250.i
+  %265 = getelementptr double, ptr %263, i64 %.1250.i
   br label %B474.if.i
 
 B502.i:                                           ; preds = %B474.if.i
-  %.1002.i9019 = add nsw i64 %.868.0650.i, %.1000.i9004
-  %.1004.i = mul nsw i64 %.1002.i9019, %arg.shape.0
-  %gep9304 = getelementptr double, ptr %invariant.gep9303, i64 %.1004.i
-  %.1036.i = load double, ptr %gep9304, align 8, !noalias !117
+  %.1002.i9020 = add nsw i64 %.868.0650.i, %.1000.i9007
+  %.1004.i = mul nsw i64 %.1002.i9020, %arg.shape.0
+  %gep9308 = getelementptr double, ptr %invariant.gep9307, i64 %.1004.i
+  %.1036.i = load double, ptr %gep9308, align 8, !noalias !136
   br label %B790.i
 
 B644.i:                                           ; preds = %B790.i, %B444.i
-  store double 0x7FF0000000000000, ptr %.1324.i, align 8, !noalias !117
-  %exitcond656.not.i = icmp eq i64 %done.2.3.i, %79
+  store double 0x7FF0000000000000, ptr %.1324.i, align 8, !noalias !136
+  %exitcond656.not.i = icmp eq i64 %done.2.3.i, %86
   br i1 %exitcond656.not.i, label %B760.i, label %B736.i
 
 B736.i:                                           ; preds = %B644.i
   %.1262.i = add i64 %done.2.3.i, 1
   %.1359.i = icmp slt i64 %done.2.3.i, -1
   %.1360.i = select i1 %.1359.i, i64 %arg.batch.2.5.0, i64 0
-  %222 = getelementptr double, ptr %arg.batch.2.4, i64 %.1262.i
-  %.1374.i = getelementptr double, ptr %222, i64 %.1360.i
-  %.1375.i = load double, ptr %.1374.i, align 8, !noalias !117
+  %266 = getelementptr double, ptr %arg.batch.2.4, i64 %.1262.i
+  %.1374.i = getelementptr double, ptr %266, i64 %.1360.i
+  %.1375.i = load double, ptr %.1374.i, align 8, !noalias !136
   %.1379.i = fcmp ugt double %.1375.i, %.773.i
   br i1 %.1379.i, label %B760.i, label %B444.i
 
 B760.i:                                           ; preds = %B736.i, %B644.i, %B420.i, %B246.i
   %done.3.2.i = phi i64 [ %.389.i, %B420.i ], [ %.389.i, %B246.i ], [ %arg.batch.2.5.0, %B644.i ], [ %.1262.i, %B736.i ]
-  store i64 %done.3.2.i, ptr %.388.i, align 8, !noalias !117
+  store i64 %done.3.2.i, ptr %.388.i, align 8, !noalias !136
   br label %B789.i
 
 B789.i:                                           ; preds = %B96.if.i, %B760.i, %B210.i, %B172.i
-  %exitcond657.not.i = icmp eq i64 %.252.i9005, %arg.shape.0
-  br i1 %exitcond657.not.i, label %B3508, label %B96.if.i
+  %exitcond657.not.i = icmp eq i64 %.252.i9008, %arg.shape.0
+  br i1 %exitcond657.not.i, label %B3518, label %B96.if.i
 
 B790.i:                                           ; preds = %B38.if.i.i, %B502.i
   %.313.i.i.sink = phi double [ %.313.i.i, %B38.if.i.i ], [ %.1036.i, %B502.i ]
-  %223 = getelementptr double, ptr %221, i64 %.868.0650.i
-  store double %.313.i.i.sink, ptr %223, align 8, !noalias !117
-  %exitcond.not.i9018 = icmp eq i64 %arg.shape.1, %.937.i
-  br i1 %exitcond.not.i9018, label %B644.i, label %B474.if.i
+  %267 = getelementptr double, ptr %265, i64 %.868.0650.i
+  store double %.313.i.i.sink, ptr %267, align 8, !noalias !136
+  %exitcond.not.i9019 = icmp eq i64 %arg.shape.1, %.937.i
+  br i1 %exitcond.not.i9019, label %B644.i, label %B474.if.i
 
-B96.if.i:                                         ; preds = %B3456, %B789.i
-  %.180.0654.i = phi i64 [ %.252.i9005, %B789.i ], [ 0, %B3456 ]
-  %.252.i9005 = add nsw i64 %.180.0654.i, 1
+B96.if.i:                                         ; preds = %B3466, %B789.i
+  %.180.0654.i = phi i64 [ %.252.i9008, %B789.i ], [ 0, %B3466 ]
+  %.252.i9008 = add nsw i64 %.180.0654.i, 1
   %.333.i = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.180.0654.i
-  %.334.i = load i64, ptr %.333.i, align 8, !noalias !117
-  %.388.i = getelementptr i64, ptr %74, i64 %.180.0654.i
-  %.389.i = load i64, ptr %.388.i, align 8, !noalias !117
+  %.334.i = load i64, ptr %.333.i, align 8, !noalias !136
+  %.388.i = getelementptr i64, ptr %81, i64 %.180.0654.i
+  %.389.i = load i64, ptr %.388.i, align 8, !noalias !136
   %.397.i = icmp slt i64 %.334.i, 0
   br i1 %.397.i, label %B789.i, label %B172.i
 
 B474.if.i:                                        ; preds = %B790.i, %B474.if.lr.ph.i
   %.868.0650.i = phi i64 [ 0, %B474.if.lr.ph.i ], [ %.937.i, %B790.i ]
   %.937.i = add nsw i64 %.868.0650.i, 1
-  %.995.i = load double, ptr %.994.i, align 8, !noalias !117
+  %.995.i = load double, ptr %.994.i, align 8, !noalias !136
   %.997.i = fcmp oeq double %.995.i, %.773.i
   br i1 %.997.i, label %B502.i, label %B38.if.i.i
 
@@ -2717,246 +3277,246 @@ B38.if.i.i:                                       ; preds = %B474.if.i
   %.1145.i = fsub double %.995.i, %.663.i
   %.1150.i = fdiv double %.1145.i, %.718.i
   %.247.i.i = fsub double 1.000000e+00, %.1150.i
-  %.157.i.i9015 = add nsw i64 %.868.0650.i, %.155.i.i
-  %.159.i.i = mul nsw i64 %.157.i.i9015, %arg.shape.0
-  %gep9288 = getelementptr double, ptr %invariant.gep9287, i64 %.159.i.i
-  %.191.i.i = load double, ptr %gep9288, align 8, !noalias !120
+  %.157.i.i9016 = add nsw i64 %.868.0650.i, %.155.i.i
+  %.159.i.i = mul nsw i64 %.157.i.i9016, %arg.shape.0
+  %gep9292 = getelementptr double, ptr %invariant.gep9291, i64 %.159.i.i
+  %.191.i.i = load double, ptr %gep9292, align 8, !noalias !139
   %.193.i.i = fadd double %.191.i.i, 0.000000e+00
-  %.253.i.i9016 = fmul double %.1150.i, %.193.i.i
+  %.253.i.i9017 = fmul double %.1150.i, %.193.i.i
   %.157.i.1.i = add nsw i64 %.868.0650.i, %.155.i.1.i
   %.159.i.1.i = mul nsw i64 %.157.i.1.i, %arg.shape.0
-  %gep9290 = getelementptr double, ptr %invariant.gep9289, i64 %.159.i.1.i
-  %.191.i.1.i = load double, ptr %gep9290, align 8, !noalias !120
-  %.193.i.1.i = fadd double %.191.i.1.i, %.253.i.i9016
+  %gep9294 = getelementptr double, ptr %invariant.gep9293, i64 %.159.i.1.i
+  %.191.i.1.i = load double, ptr %gep9294, align 8, !noalias !139
+  %.193.i.1.i = fadd double %.191.i.1.i, %.253.i.i9017
   %.253.i.1.i = fmul double %.247.i.i, %.193.i.1.i
   %.157.i.2.i = add nsw i64 %.868.0650.i, %.155.i.2.i
   %.159.i.2.i = mul nsw i64 %.157.i.2.i, %arg.shape.0
-  %gep9292 = getelementptr double, ptr %invariant.gep9291, i64 %.159.i.2.i
-  %.191.i.2.i = load double, ptr %gep9292, align 8, !noalias !120
+  %gep9296 = getelementptr double, ptr %invariant.gep9295, i64 %.159.i.2.i
+  %.191.i.2.i = load double, ptr %gep9296, align 8, !noalias !139
   %.193.i.2.i = fadd double %.191.i.2.i, %.253.i.1.i
   %.253.i.2.i = fmul double %.1150.i, %.193.i.2.i
   %.157.i.3.i = add nsw i64 %.868.0650.i, %.155.i.3.i
   %.159.i.3.i = mul nsw i64 %.157.i.3.i, %arg.shape.0
-  %gep9294 = getelementptr double, ptr %invariant.gep9293, i64 %.159.i.3.i
-  %.191.i.3.i = load double, ptr %gep9294, align 8, !noalias !120
+  %gep9298 = getelementptr double, ptr %invariant.gep9297, i64 %.159.i.3.i
+  %.191.i.3.i = load double, ptr %gep9298, align 8, !noalias !139
   %.193.i.3.i = fadd double %.191.i.3.i, %.253.i.2.i
   %.253.i.3.i = fmul double %.247.i.i, %.193.i.3.i
   %.157.i.4.i = add nsw i64 %.868.0650.i, %.155.i.4.i
   %.159.i.4.i = mul nsw i64 %.157.i.4.i, %arg.shape.0
-  %gep9296 = getelementptr double, ptr %invariant.gep9295, i64 %.159.i.4.i
-  %.191.i.4.i = load double, ptr %gep9296, align 8, !noalias !120
+  %gep9300 = getelementptr double, ptr %invariant.gep9299, i64 %.159.i.4.i
+  %.191.i.4.i = load double, ptr %gep9300, align 8, !noalias !139
   %.193.i.4.i = fadd double %.191.i.4.i, %.253.i.3.i
   %.253.i.4.i = fmul double %.1150.i, %.193.i.4.i
   %.157.i.5.i = add nsw i64 %.868.0650.i, %.155.i.5.i
   %.159.i.5.i = mul nsw i64 %.157.i.5.i, %arg.shape.0
-  %gep9298 = getelementptr double, ptr %invariant.gep9297, i64 %.159.i.5.i
-  %.191.i.5.i = load double, ptr %gep9298, align 8, !noalias !120
+  %gep9302 = getelementptr double, ptr %invariant.gep9301, i64 %.159.i.5.i
+  %.191.i.5.i = load double, ptr %gep9302, align 8, !noalias !139
   %.193.i.5.i = fadd double %.191.i.5.i, %.253.i.4.i
   %.253.i.5.i = fmul double %.247.i.i, %.193.i.5.i
   %.157.i.6.i = add nsw i64 %.868.0650.i, %.155.i.6.i
   %.159.i.6.i = mul nsw i64 %.157.i.6.i, %arg.shape.0
-  %gep9300 = getelementptr double, ptr %invariant.gep9299, i64 %.159.i.6.i
-  %.191.i.6.i = load double, ptr %gep9300, align 8, !noalias !120
+  %gep9304 = getelementptr double, ptr %invariant.gep9303, i64 %.159.i.6.i
+  %.191.i.6.i = load double, ptr %gep9304, align 8, !noalias !139
   %.193.i.6.i = fadd double %.191.i.6.i, %.253.i.5.i
   %.253.i.6.i = fmul double %.1150.i, %.193.i.6.i
-  %.271.i.i9017 = mul nsw i64 %.868.0650.i, %arg.shape.0
-  %gep9302 = getelementptr double, ptr %invariant.gep9301, i64 %.271.i.i9017
-  %.309.i.i = load double, ptr %gep9302, align 8, !noalias !120
+  %.271.i.i9018 = mul nsw i64 %.868.0650.i, %arg.shape.0
+  %gep9306 = getelementptr double, ptr %invariant.gep9305, i64 %.271.i.i9018
+  %.309.i.i = load double, ptr %gep9306, align 8, !noalias !139
   %.313.i.i = fadd double %.309.i.i, %.253.i.6.i
   br label %B790.i
 
-B3508:                                            ; preds = %B789.i, %B3456, %B3448
-  br i1 %.5180, label %B3558, label %B3520
+B3518:                                            ; preds = %B789.i, %B3466, %B3458
+  br i1 %.5156, label %B3568, label %B3530
 
-B3520:                                            ; preds = %B3508
-  %.5235 = load double, ptr %.5234, align 8
-  %.5236 = fcmp ogt double %.5235, 5.000000e-01
-  br i1 %.5236, label %B3558, label %B3626
+B3530:                                            ; preds = %B3518
+  %.5211 = load double, ptr %.5210, align 8
+  %.5212 = fcmp ogt double %.5211, 5.000000e-01
+  br i1 %.5212, label %B3568, label %B3636
 
-B3558:                                            ; preds = %B3520, %B3508
-  %.5267 = load i64, ptr %.5266, align 8
-  %.5312 = inttoptr i64 %.5267 to ptr
-  tail call void %.5312(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
-  br label %B3626
+B3568:                                            ; preds = %B3530, %B3518
+  %.5243 = load i64, ptr %.5242, align 8
+  %.5288 = inttoptr i64 %.5243 to ptr
+  tail call void %.5288(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
+  br label %B3636
 
-B3626:                                            ; preds = %B3558, %B3520
-  %brmerge8911.not.not = xor i1 %brmerge8911.not, true
-  %brmerge9334 = or i1 %.794, %brmerge8911.not.not
-  br i1 %brmerge9334, label %B3682, label %B80.if.i4162
+B3636:                                            ; preds = %B3568, %B3530
+  %brmerge8878.not.not = xor i1 %brmerge8878.not, true
+  %brmerge9337 = or i1 %.794, %brmerge8878.not.not
+  br i1 %brmerge9337, label %B3692, label %B80.if.i4159
 
-B134.i:                                           ; preds = %B80.if.i4162
-  %.351.i3436 = getelementptr double, ptr %81, i64 %.141.i3231.09312
-  %.352.i3437 = load double, ptr %.351.i3436, align 8, !noalias !124
-  %.353.i3438 = fcmp ogt double %.352.i3437, 5.000000e-01
-  br i1 %.353.i3438, label %B174.i, label %B740.i
+B134.i:                                           ; preds = %B80.if.i4159
+  %.351.i3434 = getelementptr double, ptr %88, i64 %.141.i3229.09316
+  %.352.i3435 = load double, ptr %.351.i3434, align 8, !noalias !143
+  %.353.i3436 = fcmp ogt double %.352.i3435, 5.000000e-01
+  br i1 %.353.i3436, label %B174.i, label %B740.i
 
 B174.i:                                           ; preds = %B134.i
-  %.408.i3486 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.141.i3231.09312
-  %.409.i3487 = load double, ptr %.408.i3486, align 8, !noalias !124
-  %.463.i3535 = getelementptr double, ptr %82, i64 %.141.i3231.09312
-  %.464.i3536 = load double, ptr %.463.i3535, align 8, !noalias !124
-  %.465.i3537 = fsub double %.409.i3487, %.464.i3536
-  br i1 %.552.i35759305.not, label %B380.i, label %B270.if.i.preheader
+  %.408.i3484 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.141.i3229.09316
+  %.409.i3485 = load double, ptr %.408.i3484, align 8, !noalias !143
+  %.463.i3533 = getelementptr double, ptr %89, i64 %.141.i3229.09316
+  %.464.i3534 = load double, ptr %.463.i3533, align 8, !noalias !143
+  %.465.i3535 = fsub double %.409.i3485, %.464.i3534
+  br i1 %.552.i35739309.not, label %B380.i, label %B270.if.i.preheader
 
 B270.if.i.preheader:                              ; preds = %B174.i
-  %invariant.gep9363 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.141.i3231.09312
+  %invariant.gep9396 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.141.i3229.09316
   br label %B270.if.i
 
 B380.i:                                           ; preds = %B270.if.i, %B174.i
   %fastest.2.i.2.lcssa = phi double [ 0.000000e+00, %B174.i ], [ %.11.i.i, %B270.if.i ]
-  %.666.i3587 = fmul double %.465.i3537, %fastest.2.i.2.lcssa
-  %.698.i3613 = load double, ptr %.697.i3612, align 8, !noalias !124
-  %.699.i3614 = fcmp ogt double %.666.i3587, %.698.i3613
-  %.8921 = select i1 %.699.i3614, double 0x3E7AD7F29ABCAF48, double 5.000000e-06
-  %.743.i3643 = load double, ptr %.742.i3642, align 8, !noalias !124
-  %.773.i3668 = load double, ptr %arg.batch.2.4, align 8, !noalias !124
-  %.774.i3669 = fsub double %.743.i3643, %.773.i3668
-  %.776.i3671 = fmul double %.8921, %.774.i3669
-  %.780.i3674 = fcmp olt double %.465.i3537, %.776.i3671
-  br i1 %.780.i3674, label %B490.i, label %B528.i
+  %.666.i3585 = fmul double %.465.i3535, %fastest.2.i.2.lcssa
+  %.698.i3611 = load double, ptr %.697.i3610, align 8, !noalias !143
+  %.699.i3612 = fcmp ogt double %.666.i3585, %.698.i3611
+  %.8887 = select i1 %.699.i3612, double 0x3E7AD7F29ABCAF48, double 5.000000e-06
+  %.743.i3641 = load double, ptr %.742.i3640, align 8, !noalias !143
+  %.773.i3666 = load double, ptr %arg.batch.2.4, align 8, !noalias !143
+  %.774.i3667 = fsub double %.743.i3641, %.773.i3666
+  %.776.i3669 = fmul double %.8887, %.774.i3667
+  %.780.i3672 = fcmp olt double %.465.i3535, %.776.i3669
+  br i1 %.780.i3672, label %B490.i, label %B528.i
 
 B490.i:                                           ; preds = %B380.i
-  %224 = getelementptr i64, ptr %84, i64 %.141.i3231.09312
-  %.838.i4098 = load i64, ptr %224, align 8, !noalias !124
-  %.839.i4099 = add nsw i64 %.838.i4098, 1
+  %268 = getelementptr i64, ptr %91, i64 %.141.i3229.09316
+  %.838.i4095 = load i64, ptr %268, align 8, !noalias !143
+  %.839.i4096 = add nsw i64 %.838.i4095, 1
   br label %B528.i
 
 B528.i:                                           ; preds = %B380.i, %B490.i
-  %"$phi528.1.2.i.2" = phi i64 [ %.839.i4099, %B490.i ], [ 0, %B380.i ]
-  %225 = getelementptr i64, ptr %85, i64 %.141.i3231.09312
-  store i64 %"$phi528.1.2.i.2", ptr %225, align 8, !noalias !124
-  %.959.i3769 = load double, ptr %.408.i3486, align 8, !noalias !124
-  store double %.959.i3769, ptr %.463.i3535, align 8, !noalias !124
-  %.1068.i3850 = getelementptr double, ptr %86, i64 %.141.i3231.09312
-  store double 1.000000e+00, ptr %.1068.i3850, align 8, !noalias !124
-  store i64 1, ptr %.1166, align 8, !noalias !124
-  %.1154.i = load i64, ptr %225, align 8, !noalias !124
+  %"$phi528.1.2.i.2" = phi i64 [ %.839.i4096, %B490.i ], [ 0, %B380.i ]
+  %269 = getelementptr i64, ptr %92, i64 %.141.i3229.09316
+  store i64 %"$phi528.1.2.i.2", ptr %269, align 8, !noalias !143
+  %.959.i3767 = load double, ptr %.408.i3484, align 8, !noalias !143
+  store double %.959.i3767, ptr %.463.i3533, align 8, !noalias !143
+  %.1068.i3848 = getelementptr double, ptr %93, i64 %.141.i3229.09316
+  store double 1.000000e+00, ptr %.1068.i3848, align 8, !noalias !143
+  store i64 1, ptr %.1166, align 8, !noalias !143
+  %.1154.i = load i64, ptr %269, align 8, !noalias !143
   %.1155.i = icmp sgt i64 %.1154.i, 1000
   br i1 %.1155.i, label %B694.i, label %B740.i
 
 B694.i:                                           ; preds = %B528.i
-  %226 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.141.i3231.09312
-  %.84.i.i3993 = load i64, ptr %226, align 8, !noalias !128
-  %.89.i.i3996 = icmp sgt i64 %.84.i.i3993, -1
-  br i1 %.89.i.i3996, label %B46.i.i4001, label %B740.i
+  %270 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.141.i3229.09316
+  %.84.i.i3991 = load i64, ptr %270, align 8, !noalias !147
+  %.89.i.i3994 = icmp sgt i64 %.84.i.i3991, -1
+  br i1 %.89.i.i3994, label %B46.i.i3999, label %B740.i
 
-B46.i.i4001:                                      ; preds = %B694.i
-  %.120.i.i4021 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i.i3993
-  %.121.i.i4022 = load i64, ptr %.120.i.i4021, align 8, !noalias !128
-  %.122.i.i4023 = icmp eq i64 %.121.i.i4022, 0
-  br i1 %.122.i.i4023, label %B80.i.i4028, label %B740.i
+B46.i.i3999:                                      ; preds = %B694.i
+  %.120.i.i4019 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i.i3991
+  %.121.i.i4020 = load i64, ptr %.120.i.i4019, align 8, !noalias !147
+  %.122.i.i4021 = icmp eq i64 %.121.i.i4020, 0
+  br i1 %.122.i.i4021, label %B80.i.i4026, label %B740.i
 
-B80.i.i4028:                                      ; preds = %B46.i.i4001
-  store i64 6, ptr %.120.i.i4021, align 8, !noalias !128
+B80.i.i4026:                                      ; preds = %B46.i.i3999
+  store i64 6, ptr %.120.i.i4019, align 8, !noalias !147
   br label %B740.i
 
-B740.i:                                           ; preds = %B80.i.i4028, %B694.i, %B46.i.i4001, %B528.i, %B134.i, %B80.if.i4162
-  store double 0.000000e+00, ptr %.294.i3376, align 8, !noalias !124
-  %.200.i3317 = icmp sgt i64 %.144.i3232.09311, 1
-  br i1 %.200.i3317, label %B80.if.i4162, label %B3682
+B740.i:                                           ; preds = %B80.i.i4026, %B694.i, %B46.i.i3999, %B528.i, %B134.i, %B80.if.i4159
+  store double 0.000000e+00, ptr %.294.i3374, align 8, !noalias !143
+  %.200.i3315 = icmp sgt i64 %.144.i3230.09315, 1
+  br i1 %.200.i3315, label %B80.if.i4159, label %B3692
 
-B80.if.i4162:                                     ; preds = %B3626, %B740.i
-  %.141.i3231.09312 = phi i64 [ %.213.i4170, %B740.i ], [ 0, %B3626 ]
-  %.144.i3232.09311 = phi i64 [ %.209.i4167, %B740.i ], [ %storemerge, %B3626 ]
-  %.209.i4167 = add nsw i64 %.144.i3232.09311, -1
-  %.213.i4170 = add nsw i64 %.141.i3231.09312, 1
-  %.294.i3376 = getelementptr double, ptr %80, i64 %.141.i3231.09312
-  %.295.i3377 = load double, ptr %.294.i3376, align 8, !noalias !124
-  %.296.i3378 = fcmp oeq double %.295.i3377, 1.000000e+00
-  br i1 %.296.i3378, label %B134.i, label %B740.i
+B80.if.i4159:                                     ; preds = %B3636, %B740.i
+  %.141.i3229.09316 = phi i64 [ %.213.i4167, %B740.i ], [ 0, %B3636 ]
+  %.144.i3230.09315 = phi i64 [ %.209.i4164, %B740.i ], [ %storemerge, %B3636 ]
+  %.209.i4164 = add nsw i64 %.144.i3230.09315, -1
+  %.213.i4167 = add nsw i64 %.141.i3229.09316, 1
+  %.294.i3374 = getelementptr double, ptr %87, i64 %.141.i3229.09316
+  %.295.i3375 = load double, ptr %.294.i3374, align 8, !noalias !143
+  %.296.i3376 = fcmp oeq double %.295.i3375, 1.000000e+00
+  br i1 %.296.i3376, label %B134.i, label %B740.i
 
 B270.if.i:                                        ; preds = %B270.if.i.preheader, %B270.if.i
-  %fastest.2.i.29308 = phi double [ %.11.i.i, %B270.if.i ], [ 0.000000e+00, %B270.if.i.preheader ]
-  %.496.i3248.09307 = phi i64 [ %.565.i4154, %B270.if.i ], [ 0, %B270.if.i.preheader ]
-  %.565.i4154 = add nsw i64 %.496.i3248.09307, 1
-  %.592.i4106 = add nsw i64 %.496.i3248.09307, %arg.shape.1
-  %.594.i4108 = mul nsw i64 %.592.i4106, %arg.shape.0
-  %gep9364 = getelementptr double, ptr %invariant.gep9363, i64 %.594.i4108
-  %.626.i4136 = load double, ptr %gep9364, align 8, !noalias !124
-  %.627.i4137 = tail call double @llvm.fabs.f64(double %.626.i4136)
-  %.10.i.i = fcmp ogt double %.627.i4137, %fastest.2.i.29308
-  %.11.i.i = select i1 %.10.i.i, double %.627.i4137, double %fastest.2.i.29308
-  %exitcond9347.not = icmp eq i64 %arg.shape.1, %.565.i4154
-  br i1 %exitcond9347.not, label %B380.i, label %B270.if.i
+  %fastest.2.i.29312 = phi double [ %.11.i.i, %B270.if.i ], [ 0.000000e+00, %B270.if.i.preheader ]
+  %.496.i3246.09311 = phi i64 [ %.565.i4151, %B270.if.i ], [ 0, %B270.if.i.preheader ]
+  %.565.i4151 = add nsw i64 %.496.i3246.09311, 1
+  %.592.i4103 = add nsw i64 %.496.i3246.09311, %arg.shape.1
+  %.594.i4105 = mul nsw i64 %.592.i4103, %arg.shape.0
+  %gep9397 = getelementptr double, ptr %invariant.gep9396, i64 %.594.i4105
+  %.626.i4133 = load double, ptr %gep9397, align 8, !noalias !143
+  %.627.i4134 = tail call double @llvm.fabs.f64(double %.626.i4133)
+  %.10.i.i = fcmp ogt double %.627.i4134, %fastest.2.i.29312
+  %.11.i.i = select i1 %.10.i.i, double %.627.i4134, double %fastest.2.i.29312
+  %exitcond9351.not = icmp eq i64 %arg.shape.1, %.565.i4151
+  br i1 %exitcond9351.not, label %B380.i, label %B270.if.i
 
-B3682:                                            ; preds = %B740.i, %B3626
-  %brmerge8923.not = and i1 %.5382.not, %looked.2.1.lcssa
-  %brmerge8923.not.not = xor i1 %brmerge8923.not, true
-  %brmerge9333 = or i1 %.794, %brmerge8923.not.not
-  br i1 %brmerge9333, label %B3732, label %B114.if.i
+B3692:                                            ; preds = %B740.i, %B3636
+  %brmerge8889.not = and i1 %.5358.not, %looked.2.1.lcssa
+  %brmerge8889.not.not = xor i1 %brmerge8889.not, true
+  %brmerge9336 = or i1 %.794, %brmerge8889.not.not
+  br i1 %brmerge9336, label %B3742, label %B114.if.i
 
-B46.i.i9020:                                      ; preds = %B114.if.i
+B46.i.i9021:                                      ; preds = %B114.if.i
   %.135.i.i = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.99.i.i
-  %.136.i.i = load i64, ptr %.135.i.i, align 8, !noalias !131
+  %.136.i.i = load i64, ptr %.135.i.i, align 8, !noalias !150
   %.141.i.not.i = icmp eq i64 %.136.i.i, 0
-  br i1 %.141.i.not.i, label %B80.i.i9027, label %B228.i
+  br i1 %.141.i.not.i, label %B80.i.i9028, label %B228.i
 
-B80.i.i9027:                                      ; preds = %B46.i.i9020
-  %.196.i.i = getelementptr double, ptr %87, i64 %.302.01639.i
-  %.197.i.i = load double, ptr %.196.i.i, align 8, !noalias !131
+B80.i.i9028:                                      ; preds = %B46.i.i9021
+  %.196.i.i = getelementptr double, ptr %94, i64 %.302.01639.i
+  %.197.i.i = load double, ptr %.196.i.i, align 8, !noalias !150
   %.198.i.i = fcmp olt double %.197.i.i, 5.000000e-01
   br i1 %.198.i.i, label %B228.i, label %B122.i.i
 
-B122.i.i:                                         ; preds = %B80.i.i9027
+B122.i.i:                                         ; preds = %B80.i.i9028
   %.264.i.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.302.01639.i
-  %.265.i.i = load double, ptr %.264.i.i, align 8, !noalias !131
-  %.321.i.i = getelementptr double, ptr %88, i64 %.302.01639.i
-  %.322.i.i9028 = load double, ptr %.321.i.i, align 8, !noalias !131
-  %.325.i.i = fcmp une double %.265.i.i, %.322.i.i9028
+  %.265.i.i = load double, ptr %.264.i.i, align 8, !noalias !150
+  %.321.i.i = getelementptr double, ptr %95, i64 %.302.01639.i
+  %.322.i.i9029 = load double, ptr %.321.i.i, align 8, !noalias !150
+  %.325.i.i = fcmp une double %.265.i.i, %.322.i.i9029
   %brmerge.i = select i1 %.325.i.i, i1 true, i1 %.175.i3061635.not.i
   %not..325.i.i = xor i1 %.325.i.i, true
   %some.2.01641.mux.i = select i1 %not..325.i.i, i1 true, i1 %some.2.01641.i
-  br i1 %brmerge.i, label %B228.i, label %B76.if.i.lr.ph.i9029
+  br i1 %brmerge.i, label %B228.i, label %B76.if.i.lr.ph.i9030
 
-B76.if.i.lr.ph.i9029:                             ; preds = %B122.i.i
-  %227 = getelementptr i64, ptr %89, i64 %.302.01639.i
-  %.513.i = load i64, ptr %227, align 8, !noalias !136
+B76.if.i.lr.ph.i9030:                             ; preds = %B122.i.i
+  %271 = getelementptr i64, ptr %96, i64 %.302.01639.i
+  %.513.i = load i64, ptr %271, align 8, !noalias !155
   %.514.i = add nsw i64 %.513.i, 1
   %.236.i323.i = icmp slt i64 %.513.i, -1
   %.237.i324.i = select i1 %.236.i323.i, i64 %arg.batch.1.3.5.0, i64 0
   %.238.i325.i = add i64 %.514.i, %.237.i324.i
   %.258.i342.i = mul i64 %.238.i325.i, %arg.batch.1.3.5.1
-  %228 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i342.i
-  br label %B76.if.i.i9030
+  %272 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i342.i
+  br label %B76.if.i.i9031
 
-B76.if.i.i9030:                                   ; preds = %B76.if.i.i9030, %B76.if.i.lr.ph.i9029
-  %.117.i268.01636.i = phi i64 [ 0, %B76.if.i.lr.ph.i9029 ], [ %.188.i390.i, %B76.if.i.i9030 ]
+B76.if.i.i9031:                                   ; preds = %B76.if.i.i9031, %B76.if.i.lr.ph.i9030
+  %.117.i268.01636.i = phi i64 [ 0, %B76.if.i.lr.ph.i9030 ], [ %.188.i390.i, %B76.if.i.i9031 ]
   %.188.i390.i = add nsw i64 %.117.i268.01636.i, 1
-  %229 = getelementptr double, ptr %228, i64 %.117.i268.01636.i
-  %.263.i344.i = load double, ptr %229, align 8, !noalias !137
-  %230 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i268.01636.i
-  %.293.i360.i = load i64, ptr %230, align 8, !noalias !137
+  %273 = getelementptr double, ptr %272, i64 %.117.i268.01636.i
+  %.263.i344.i = load double, ptr %273, align 8, !noalias !156
+  %274 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i268.01636.i
+  %.293.i360.i = load i64, ptr %274, align 8, !noalias !156
   %.295.i362.i = mul nsw i64 %.293.i360.i, %arg.shape.0
   %.297.i364.i = add nsw i64 %.295.i362.i, %.302.01639.i
   %.311.i372.i = icmp slt i64 %.297.i364.i, 0
   %.312.i373.i = select i1 %.311.i372.i, i64 %arg.batch.5.1.5.0, i64 0
-  %231 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i364.i
-  %.326.i383.i = getelementptr double, ptr %231, i64 %.312.i373.i
-  store double %.263.i344.i, ptr %.326.i383.i, align 8, !noalias !137
-  %exitcond.not.i9031 = icmp eq i64 %arg.batch.1.1.5.0, %.188.i390.i
-  br i1 %exitcond.not.i9031, label %B228.i, label %B76.if.i.i9030
+  %275 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i364.i
+  %.326.i383.i = getelementptr double, ptr %275, i64 %.312.i373.i
+  store double %.263.i344.i, ptr %.326.i383.i, align 8, !noalias !156
+  %exitcond.not.i9032 = icmp eq i64 %arg.batch.1.1.5.0, %.188.i390.i
+  br i1 %exitcond.not.i9032, label %B228.i, label %B76.if.i.i9031
 
-B228.i:                                           ; preds = %B76.if.i.i9030, %B114.if.i, %B122.i.i, %B80.i.i9027, %B46.i.i9020
-  %some.3.1.i = phi i1 [ %some.2.01641.mux.i, %B122.i.i ], [ %some.2.01641.i, %B80.i.i9027 ], [ %some.2.01641.i, %B114.if.i ], [ %some.2.01641.i, %B46.i.i9020 ], [ true, %B76.if.i.i9030 ]
+B228.i:                                           ; preds = %B76.if.i.i9031, %B114.if.i, %B122.i.i, %B80.i.i9028, %B46.i.i9021
+  %some.3.1.i = phi i1 [ %some.2.01641.mux.i, %B122.i.i ], [ %some.2.01641.i, %B80.i.i9028 ], [ %some.2.01641.i, %B114.if.i ], [ %some.2.01641.i, %B46.i.i9021 ], [ true, %B76.if.i.i9031 ]
   %exitcond1650.not.i = icmp eq i64 %arg.shape.0, %.373.i
   br i1 %exitcond1650.not.i, label %B230.i, label %B114.if.i
 
 B230.i:                                           ; preds = %B228.i
-  br i1 %some.3.1.i, label %B238.i, label %B3732
+  br i1 %some.3.1.i, label %B238.i, label %B3742
 
 B238.i:                                           ; preds = %B230.i
-  %.637.i = load i64, ptr %.636.i, align 8, !noalias !136
+  %.637.i = load i64, ptr %.636.i, align 8, !noalias !155
   %.749.i = inttoptr i64 %.637.i to ptr
-  tail call void %.749.i(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !136
-  %.780.i = load i64, ptr %.779.i, align 8, !noalias !136
+  tail call void %.749.i(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !155
+  %.780.i = load i64, ptr %.779.i, align 8, !noalias !155
   %.896.i = inttoptr i64 %.780.i to ptr
-  tail call void %.896.i(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.895.i9021), !noalias !136
+  tail call void %.896.i(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.895.i9022), !noalias !155
   br i1 %.900.not.i, label %B598.if.i.preheader, label %B456.i
 
 B456.i:                                           ; preds = %B238.i
-  %.931.i = load i64, ptr %.930.i9022, align 8, !noalias !136
+  %.931.i = load i64, ptr %.930.i9023, align 8, !noalias !155
   %.1049.i = inttoptr i64 %.931.i to ptr
-  tail call void %.1049.i(ptr %arg.batch.4.0.4, ptr %.895.i9021, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !136
+  tail call void %.1049.i(ptr %arg.batch.4.0.4, ptr %.895.i9022, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !155
   br label %B598.if.i.preheader
 
 B598.if.i.preheader:                              ; preds = %B456.i, %B238.i
@@ -2964,34 +3524,34 @@ B598.if.i.preheader:                              ; preds = %B456.i, %B238.i
 
 B46.i82.i:                                        ; preds = %B598.if.i
   %.135.i102.i = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.99.i78.i
-  %.136.i103.i = load i64, ptr %.135.i102.i, align 8, !noalias !141
+  %.136.i103.i = load i64, ptr %.135.i102.i, align 8, !noalias !160
   %.141.i106.not.i = icmp eq i64 %.136.i103.i, 0
   br i1 %.141.i106.not.i, label %B80.i107.i, label %B1076.i
 
 B80.i107.i:                                       ; preds = %B46.i82.i
-  %.196.i144.i = getelementptr double, ptr %87, i64 %.1090.01648.i
-  %.197.i145.i = load double, ptr %.196.i144.i, align 8, !noalias !141
+  %.196.i144.i = getelementptr double, ptr %94, i64 %.1090.01648.i
+  %.197.i145.i = load double, ptr %.196.i144.i, align 8, !noalias !160
   %.198.i146.i = fcmp olt double %.197.i145.i, 5.000000e-01
   br i1 %.198.i146.i, label %B1076.i, label %B122.i147.i
 
 B122.i147.i:                                      ; preds = %B80.i107.i
   %.264.i184.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.1090.01648.i
-  %.265.i185.i = load double, ptr %.264.i184.i, align 8, !noalias !141
-  %.321.i223.i = getelementptr double, ptr %88, i64 %.1090.01648.i
-  %.322.i224.i = load double, ptr %.321.i223.i, align 8, !noalias !141
+  %.265.i185.i = load double, ptr %.264.i184.i, align 8, !noalias !160
+  %.321.i223.i = getelementptr double, ptr %95, i64 %.1090.01648.i
+  %.322.i224.i = load double, ptr %.321.i223.i, align 8, !noalias !160
   %.325.i226.i = fcmp une double %.265.i185.i, %.322.i224.i
   br i1 %.325.i226.i, label %B1076.i, label %B638.i
 
 B638.i:                                           ; preds = %B122.i147.i
-  %.1344.i = getelementptr i64, ptr %90, i64 %.1090.01648.i
-  %.1345.i = load i64, ptr %.1344.i, align 8, !noalias !136
+  %.1344.i = getelementptr i64, ptr %97, i64 %.1090.01648.i
+  %.1345.i = load i64, ptr %.1344.i, align 8, !noalias !155
   %.1356.i = icmp sgt i64 %.1345.i, 0
   br i1 %.1356.i, label %B714.i, label %B768.i
 
 B714.i:                                           ; preds = %B638.i
-  %232 = getelementptr double, ptr %arg.batch.2.4, i64 %.1345.i
-  %.1391.i = getelementptr i8, ptr %232, i64 -8
-  %.1392.i = load double, ptr %.1391.i, align 8, !noalias !136
+  %276 = getelementptr double, ptr %arg.batch.2.4, i64 %.1345.i
+  %.1391.i = getelementptr i8, ptr %276, i64 -8
+  %.1392.i = load double, ptr %.1391.i, align 8, !noalias !155
   %.1448.i = fcmp oeq double %.1392.i, %.265.i185.i
   br label %B768.i
 
@@ -3005,15 +3565,15 @@ B800.if.lr.ph.i:                                  ; preds = %B768.i
   %.1714.i = add i64 %.1674.i, %.1713.i
   %.1741.i = mul i64 %.1739.i, %.99.i78.i
   %.1743.i = mul i64 %.1714.i, %arg.batch.3.0.5.2
-  %233 = getelementptr double, ptr %arg.batch.3.0.4, i64 %.1741.i
-  %234 = getelementptr double, ptr %233, i64 %.1743.i
-  %invariant.gep9313 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1090.01648.i
-  %invariant.gep9315 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1090.01648.i
+  %277 = getelementptr double, ptr %arg.batch.3.0.4, i64 %.1741.i
+  %278 = getelementptr double, ptr %277, i64 %.1743.i
+  %invariant.gep9317 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1090.01648.i
+  %invariant.gep9319 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1090.01648.i
   br label %B800.if.i
 
 B896.i:                                           ; preds = %B800.if.i
-  %235 = getelementptr double, ptr %234, i64 %.1488.01643.i
-  store double %.1622.i, ptr %235, align 8, !noalias !136
+  %279 = getelementptr double, ptr %278, i64 %.1488.01643.i
+  store double %.1622.i, ptr %279, align 8, !noalias !155
   br label %B918.i
 
 B918.i:                                           ; preds = %B800.if.i, %B896.i
@@ -3021,68 +3581,68 @@ B918.i:                                           ; preds = %B800.if.i, %B896.i
   br i1 %exitcond1651.not.i, label %B920.loopexit.i, label %B800.if.i
 
 B920.loopexit.i:                                  ; preds = %B918.i
-  %236 = fcmp une double %.1629.i, 0.000000e+00
-  br i1 %236, label %B932.i, label %B978.i
+  %280 = fcmp une double %.1629.i, 0.000000e+00
+  br i1 %280, label %B932.i, label %B978.i
 
 B932.i:                                           ; preds = %B920.loopexit.i
-  %.84.i452.i = load i64, ptr %239, align 8, !noalias !144
+  %.84.i452.i = load i64, ptr %283, align 8, !noalias !163
   %.89.i454.i = icmp sgt i64 %.84.i452.i, -1
   br i1 %.89.i454.i, label %B46.i458.i, label %B978.i
 
 B46.i458.i:                                       ; preds = %B932.i
   %.120.i478.i = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i452.i
-  %.121.i479.i = load i64, ptr %.120.i478.i, align 8, !noalias !144
+  %.121.i479.i = load i64, ptr %.120.i478.i, align 8, !noalias !163
   %.122.i480.i = icmp eq i64 %.121.i479.i, 0
   br i1 %.122.i480.i, label %B80.i484.i, label %B978.i
 
 B80.i484.i:                                       ; preds = %B46.i458.i
-  store i64 3, ptr %.120.i478.i, align 8, !noalias !144
+  store i64 3, ptr %.120.i478.i, align 8, !noalias !163
   br label %B978.i
 
 B978.i:                                           ; preds = %B80.i484.i, %B46.i458.i, %B932.i, %B920.loopexit.i, %B768.i
   br i1 %.900.not.i, label %B1076.i, label %B994.i
 
 B994.i:                                           ; preds = %B978.i
-  %237 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.1090.01648.i
-  %.1846.i = load double, ptr %237, align 8, !noalias !136
+  %281 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.1090.01648.i
+  %.1846.i = load double, ptr %281, align 8, !noalias !155
   %.1848.i = fcmp olt double %.1846.i, -1.000000e-09
   br i1 %.1848.i, label %B1030.i, label %B1076.i
 
 B1030.i:                                          ; preds = %B994.i
-  %.84.i583.i = load i64, ptr %239, align 8, !noalias !147
+  %.84.i583.i = load i64, ptr %283, align 8, !noalias !166
   %.89.i586.i = icmp sgt i64 %.84.i583.i, -1
   br i1 %.89.i586.i, label %B46.i591.i, label %B1076.i
 
 B46.i591.i:                                       ; preds = %B1030.i
   %.120.i616.i = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i583.i
-  %.121.i617.i = load i64, ptr %.120.i616.i, align 8, !noalias !147
+  %.121.i617.i = load i64, ptr %.120.i616.i, align 8, !noalias !166
   %.122.i618.i = icmp eq i64 %.121.i617.i, 0
   br i1 %.122.i618.i, label %B80.i623.i, label %B1076.i
 
 B80.i623.i:                                       ; preds = %B46.i591.i
-  store i64 4, ptr %.120.i616.i, align 8, !noalias !147
+  store i64 4, ptr %.120.i616.i, align 8, !noalias !166
   br label %B1076.i
 
 B1076.i:                                          ; preds = %B598.if.i, %B80.i623.i, %B46.i591.i, %B1030.i, %B994.i, %B978.i, %B122.i147.i, %B80.i107.i, %B46.i82.i
-  %.1146.i9025 = icmp sgt i64 %.1093.01649.i, 1
-  br i1 %.1146.i9025, label %B598.if.i, label %B3732
+  %.1146.i9026 = icmp sgt i64 %.1093.01649.i, 1
+  br i1 %.1146.i9026, label %B598.if.i, label %B3742
 
-B114.if.i:                                        ; preds = %B3682, %B228.i
-  %some.2.01641.i = phi i1 [ %some.3.1.i, %B228.i ], [ false, %B3682 ]
-  %.302.01639.i = phi i64 [ %.373.i, %B228.i ], [ 0, %B3682 ]
+B114.if.i:                                        ; preds = %B3692, %B228.i
+  %some.2.01641.i = phi i1 [ %some.3.1.i, %B228.i ], [ false, %B3692 ]
+  %.302.01639.i = phi i64 [ %.373.i, %B228.i ], [ 0, %B3692 ]
   %.373.i = add nsw i64 %.302.01639.i, 1
-  %238 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.302.01639.i
-  %.99.i.i = load i64, ptr %238, align 8, !noalias !131
+  %282 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.302.01639.i
+  %.99.i.i = load i64, ptr %282, align 8, !noalias !150
   %.104.i.i = icmp slt i64 %.99.i.i, 0
-  br i1 %.104.i.i, label %B228.i, label %B46.i.i9020
+  br i1 %.104.i.i, label %B228.i, label %B46.i.i9021
 
 B598.if.i:                                        ; preds = %B598.if.i.preheader, %B1076.i
-  %.1093.01649.i = phi i64 [ %.1155.i9024, %B1076.i ], [ %storemerge.i, %B598.if.i.preheader ]
+  %.1093.01649.i = phi i64 [ %.1155.i9025, %B1076.i ], [ %storemerge.i, %B598.if.i.preheader ]
   %.1090.01648.i = phi i64 [ %.1159.i, %B1076.i ], [ 0, %B598.if.i.preheader ]
-  %.1155.i9024 = add nsw i64 %.1093.01649.i, -1
+  %.1155.i9025 = add nsw i64 %.1093.01649.i, -1
   %.1159.i = add nsw i64 %.1090.01648.i, 1
-  %239 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.1090.01648.i
-  %.99.i78.i = load i64, ptr %239, align 8, !noalias !141
+  %283 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.1090.01648.i
+  %.99.i78.i = load i64, ptr %283, align 8, !noalias !160
   %.104.i81.i = icmp slt i64 %.99.i78.i, 0
   br i1 %.104.i81.i, label %B1076.i, label %B46.i82.i
 
@@ -3091,590 +3651,594 @@ B800.if.i:                                        ; preds = %B918.i, %B800.if.lr
   %.1488.01643.i = phi i64 [ 0, %B800.if.lr.ph.i ], [ %.1557.i, %B918.i ]
   %.1557.i = add nsw i64 %.1488.01643.i, 1
   %.1588.i = add nsw i64 %.1488.01643.i, %.850.i
-  %.1590.i9026 = mul nsw i64 %.1588.i, %arg.shape.0
-  %gep9314 = getelementptr double, ptr %invariant.gep9313, i64 %.1590.i9026
-  %.1622.i = load double, ptr %gep9314, align 8, !noalias !136
+  %.1590.i9027 = mul nsw i64 %.1588.i, %arg.shape.0
+  %gep9318 = getelementptr double, ptr %invariant.gep9317, i64 %.1590.i9027
+  %.1622.i = load double, ptr %gep9318, align 8, !noalias !155
   %.1627.i = fmul double %.1622.i, 0.000000e+00
   %.1629.i = fadd double %trouble.2.11645.i, %.1627.i
   %.1637.i = mul nsw i64 %.1488.01643.i, %arg.shape.0
-  %gep9316 = getelementptr double, ptr %invariant.gep9315, i64 %.1637.i
-  store double %.1622.i, ptr %gep9316, align 8, !noalias !136
+  %gep9320 = getelementptr double, ptr %invariant.gep9319, i64 %.1637.i
+  store double %.1622.i, ptr %gep9320, align 8, !noalias !155
   br i1 %"$phi768.1.2.1.i", label %B896.i, label %B918.i
 
-B3732:                                            ; preds = %B1076.i, %B3682, %B230.i
+B3742:                                            ; preds = %B1076.i, %B3692, %B230.i
   %looked.2.1.lcssa.not = xor i1 %looked.2.1.lcssa, true
-  %brmerge9335 = or i1 %.794, %looked.2.1.lcssa.not
+  %brmerge9338 = or i1 %.794, %looked.2.1.lcssa.not
   %active.9.1.mux = select i1 %looked.2.1.lcssa, i64 0, i64 %active.9.1
-  br i1 %brmerge9335, label %B4708, label %B3774.if
+  br i1 %brmerge9338, label %B4718, label %B3784.if
 
-B3822:                                            ; preds = %B3774.if
-  %.5767 = mul i64 %.5694, %arg.batch.3.3.5.1
-  %.5771 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.5767
-  %.5772 = load i64, ptr %.5771, align 8
-  %.5828 = getelementptr i8, ptr %.5771, i64 24
-  %.5829 = load i64, ptr %.5828, align 8
-  %240 = add i64 %.5772, %.5829
-  %.5830 = sub i64 %arg.most, %240
-  %.5835 = icmp slt i64 %.5830, 1
-  br i1 %.5835, label %B3902, label %B3948
+B3832:                                            ; preds = %B3784.if
+  %.5743 = mul i64 %.5670, %arg.batch.3.3.5.1
+  %.5747 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.5743
+  %.5748 = load i64, ptr %.5747, align 8
+  %.5804 = getelementptr i8, ptr %.5747, i64 24
+  %.5805 = load i64, ptr %.5804, align 8
+  %284 = add i64 %.5748, %.5805
+  %.5806 = sub i64 %arg.most, %284
+  %.5811 = icmp slt i64 %.5806, 1
+  br i1 %.5811, label %B3912, label %B3958
 
-B3902:                                            ; preds = %B3822
-  %241 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.5532.09321
-  %.84.i4251 = load i64, ptr %241, align 8, !noalias !150
-  %.89.i4254 = icmp sgt i64 %.84.i4251, -1
-  br i1 %.89.i4254, label %B46.i4259, label %B3948
+B3912:                                            ; preds = %B3832
+  %285 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.5508.09325
+  %.84.i4248 = load i64, ptr %285, align 8, !noalias !169
+  %.89.i4251 = icmp sgt i64 %.84.i4248, -1
+  br i1 %.89.i4251, label %B46.i4256, label %B3958
 
-B46.i4259:                                        ; preds = %B3902
-  %.120.i4285 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i4251
-  %.121.i4286 = load i64, ptr %.120.i4285, align 8, !noalias !150
-  %.122.i4287 = icmp eq i64 %.121.i4286, 0
-  br i1 %.122.i4287, label %B80.i4292, label %B3948
+B46.i4256:                                        ; preds = %B3912
+  %.120.i4282 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i4248
+  %.121.i4283 = load i64, ptr %.120.i4282, align 8, !noalias !169
+  %.122.i4284 = icmp eq i64 %.121.i4283, 0
+  br i1 %.122.i4284, label %B80.i4289, label %B3958
 
-B80.i4292:                                        ; preds = %B46.i4259
-  store i64 5, ptr %.120.i4285, align 8, !noalias !150
-  br label %B3948
+B80.i4289:                                        ; preds = %B46.i4256
+  store i64 5, ptr %.120.i4282, align 8, !noalias !169
+  br label %B3958
 
-B3948:                                            ; preds = %B80.i4292, %B3902, %B46.i4259, %B3822
-  %.5925 = getelementptr double, ptr %91, i64 %.5532.09321
-  %.5926 = load double, ptr %.5925, align 8
-  %.5927 = fcmp ogt double %.5926, 5.000000e-01
-  br i1 %.5927, label %B3986, label %B4090
+B3958:                                            ; preds = %B80.i4289, %B3912, %B46.i4256, %B3832
+  %.5901 = getelementptr double, ptr %98, i64 %.5508.09325
+  %.5902 = load double, ptr %.5901, align 8
+  %.5903 = fcmp ogt double %.5902, 5.000000e-01
+  br i1 %.5903, label %B3996, label %B4100
 
-B3986:                                            ; preds = %B3948
-  %.5982 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5532.09321
-  %.5983 = load double, ptr %.5982, align 8
-  %.6037 = getelementptr double, ptr %92, i64 %.5532.09321
-  %.6038 = load double, ptr %.6037, align 8
-  %.6039 = fcmp oeq double %.5983, %.6038
-  br i1 %.6039, label %B4050, label %B4090
+B3996:                                            ; preds = %B3958
+  %.5958 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5508.09325
+  %.5959 = load double, ptr %.5958, align 8
+  %.6013 = getelementptr double, ptr %99, i64 %.5508.09325
+  %.6014 = load double, ptr %.6013, align 8
+  %.6015 = fcmp oeq double %.5959, %.6014
+  br i1 %.6015, label %B4060, label %B4100
 
-B4050:                                            ; preds = %B3986
-  %.192.i4518 = load i64, ptr %.5693, align 8, !noalias !153
-  %.248.i4566 = getelementptr i64, ptr %93, i64 %.5532.09321
-  %.249.i4567 = load i64, ptr %.248.i4566, align 8, !noalias !153
-  %.250.i4568 = add nsw i64 %.249.i4567, 1
-  store i64 %.250.i4568, ptr %.248.i4566, align 8, !noalias !153
-  %.373.i4673 = icmp slt i64 %.249.i4567, -1
-  %.374.i4674 = select i1 %.373.i4673, i64 %arg.batch.1.2.5.0, i64 0
-  %242 = getelementptr double, ptr %arg.batch.1.2.4, i64 %.250.i4568
-  %.388.i4688 = getelementptr double, ptr %242, i64 %.374.i4674
-  %.389.i4689 = load double, ptr %.388.i4688, align 8, !noalias !153
-  %.390.i4690 = fcmp oeq double %.389.i4689, 0x7FF0000000000000
-  br i1 %.390.i4690, label %B182.i, label %B240.i
+B4060:                                            ; preds = %B3996
+  %.192.i4515 = load i64, ptr %.5669, align 8, !noalias !172
+  %.248.i4563 = getelementptr i64, ptr %100, i64 %.5508.09325
+  %.249.i4564 = load i64, ptr %.248.i4563, align 8, !noalias !172
+  %.250.i4565 = add nsw i64 %.249.i4564, 1
+  store i64 %.250.i4565, ptr %.248.i4563, align 8, !noalias !172
+  %.373.i4670 = icmp slt i64 %.249.i4564, -1
+  %.374.i4671 = select i1 %.373.i4670, i64 %arg.batch.1.2.5.0, i64 0
+  %286 = getelementptr double, ptr %arg.batch.1.2.4, i64 %.250.i4565
+  %.388.i4685 = getelementptr double, ptr %286, i64 %.374.i4671
+  %.389.i4686 = load double, ptr %.388.i4685, align 8, !noalias !172
+  %.390.i4687 = fcmp oeq double %.389.i4686, 0x7FF0000000000000
+  br i1 %.390.i4687, label %B182.i, label %B240.i
 
-B182.i:                                           ; preds = %B4050
-  %.424.i5207 = icmp slt i64 %.192.i4518, 0
-  %.425.i5208 = select i1 %.424.i5207, i64 %arg.batch.3.1.5.0, i64 0
-  %243 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.192.i4518
-  %.439.i5222 = getelementptr i64, ptr %243, i64 %.425.i5208
-  %.440.i5223 = load i64, ptr %.439.i5222, align 8, !noalias !153
-  %.441.i5224 = icmp eq i64 %.440.i5223, 0
-  br i1 %.441.i5224, label %B216.i5228, label %B4090
+B182.i:                                           ; preds = %B4060
+  %.424.i5203 = icmp slt i64 %.192.i4515, 0
+  %.425.i5204 = select i1 %.424.i5203, i64 %arg.batch.3.1.5.0, i64 0
+  %287 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.192.i4515
+  %.439.i5218 = getelementptr i64, ptr %287, i64 %.425.i5204
+  %.440.i5219 = load i64, ptr %.439.i5218, align 8, !noalias !172
+  %.441.i5220 = icmp eq i64 %.440.i5219, 0
+  br i1 %.441.i5220, label %B216.i5224, label %B4100
 
-B216.i5228:                                       ; preds = %B182.i
-  store i64 1, ptr %.439.i5222, align 8, !noalias !153
-  br label %B4090
+B216.i5224:                                       ; preds = %B182.i
+  store i64 1, ptr %.439.i5218, align 8, !noalias !172
+  br label %B4100
 
-B240.i:                                           ; preds = %B4050
-  store double %.389.i4689, ptr %.6037, align 8, !noalias !153
-  %.592.i4780 = select i1 %.373.i4673, i64 %arg.batch.1.4.5.0, i64 0
-  %244 = getelementptr i64, ptr %arg.batch.1.4.4, i64 %.250.i4568
-  %.606.i4794 = getelementptr i64, ptr %244, i64 %.592.i4780
-  %.607.i4795 = load i64, ptr %.606.i4794, align 8, !noalias !153
-  %.610.i4797 = icmp eq i64 %.607.i4795, 0
-  br i1 %.610.i4797, label %B300.i, label %B348.i
+B240.i:                                           ; preds = %B4060
+  store double %.389.i4686, ptr %.6013, align 8, !noalias !172
+  %.592.i4777 = select i1 %.373.i4670, i64 %arg.batch.1.4.5.0, i64 0
+  %288 = getelementptr i64, ptr %arg.batch.1.4.4, i64 %.250.i4565
+  %.606.i4791 = getelementptr i64, ptr %288, i64 %.592.i4777
+  %.607.i4792 = load i64, ptr %.606.i4791, align 8, !noalias !172
+  %.610.i4794 = icmp eq i64 %.607.i4792, 0
+  br i1 %.610.i4794, label %B300.i, label %B348.i
 
 B300.i:                                           ; preds = %B240.i
-  %.665.i5161 = getelementptr double, ptr %94, i64 %.5532.09321
-  store double 1.000000e+00, ptr %.665.i5161, align 8, !noalias !153
+  %.665.i5157 = getelementptr double, ptr %101, i64 %.5508.09325
+  store double 1.000000e+00, ptr %.665.i5157, align 8, !noalias !172
   br label %B392.i.sink.split
 
 B348.i:                                           ; preds = %B240.i
-  %.733.i4823 = load i64, ptr %.1166, align 8, !noalias !153
-  %.734.i4824 = icmp eq i64 %.733.i4823, 0
-  br i1 %.734.i4824, label %B392.i.sink.split, label %B392.i
+  %.733.i4820 = load i64, ptr %.1166, align 8, !noalias !172
+  %.734.i4821 = icmp eq i64 %.733.i4820, 0
+  br i1 %.734.i4821, label %B392.i.sink.split, label %B392.i
 
 B392.i.sink.split:                                ; preds = %B348.i, %B300.i
   %.sink = phi i64 [ 1, %B300.i ], [ 2, %B348.i ]
-  store i64 %.sink, ptr %.1166, align 8, !noalias !153
+  store i64 %.sink, ptr %.1166, align 8, !noalias !172
   br label %B392.i
 
 B392.i:                                           ; preds = %B392.i.sink.split, %B348.i
-  br i1 %.175.i.i49729317.not, label %B4090, label %B76.if.i.i.lr.ph
+  br i1 %.175.i.i49699321.not, label %B4100, label %B76.if.i.i.lr.ph
 
 B76.if.i.i.lr.ph:                                 ; preds = %B392.i
-  %.237.i.i5018 = select i1 %.373.i4673, i64 %arg.batch.1.3.5.0, i64 0
-  %.238.i.i5019 = add i64 %.237.i.i5018, %.250.i4568
-  %.258.i.i5035 = mul i64 %.238.i.i5019, %arg.batch.1.3.5.1
-  %245 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i5035
+  %.237.i.i5014 = select i1 %.373.i4670, i64 %arg.batch.1.3.5.0, i64 0
+  %.238.i.i5015 = add i64 %.237.i.i5014, %.250.i4565
+  %.258.i.i5031 = mul i64 %.238.i.i5015, %arg.batch.1.3.5.1
+  %289 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i5031
   br label %B76.if.i.i
 
 B76.if.i.i:                                       ; preds = %B76.if.i.i.lr.ph, %B76.if.i.i
-  %.117.i.i4329.09319 = phi i64 [ 0, %B76.if.i.i.lr.ph ], [ %.188.i.i5082, %B76.if.i.i ]
-  %.188.i.i5082 = add nsw i64 %.117.i.i4329.09319, 1
-  %246 = getelementptr double, ptr %245, i64 %.117.i.i4329.09319
-  %.263.i.i5038 = load double, ptr %246, align 8, !noalias !157
-  %247 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.i4329.09319
-  %.293.i.i5054 = load i64, ptr %247, align 8, !noalias !157
-  %.295.i.i5056 = mul nsw i64 %.293.i.i5054, %arg.shape.0
-  %.297.i.i5058 = add nsw i64 %.295.i.i5056, %.5532.09321
-  %.311.i.i5065 = icmp slt i64 %.297.i.i5058, 0
-  %.312.i.i5066 = select i1 %.311.i.i5065, i64 %arg.batch.5.1.5.0, i64 0
-  %248 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i5058
-  %.326.i.i5076 = getelementptr double, ptr %248, i64 %.312.i.i5066
-  store double %.263.i.i5038, ptr %.326.i.i5076, align 8, !noalias !157
-  %exitcond9348.not = icmp eq i64 %arg.batch.1.1.5.0, %.188.i.i5082
-  br i1 %exitcond9348.not, label %B4090, label %B76.if.i.i
+  %.117.i.i4326.09323 = phi i64 [ 0, %B76.if.i.i.lr.ph ], [ %.188.i.i5078, %B76.if.i.i ]
+  %.188.i.i5078 = add nsw i64 %.117.i.i4326.09323, 1
+  %290 = getelementptr double, ptr %289, i64 %.117.i.i4326.09323
+  %.263.i.i5034 = load double, ptr %290, align 8, !noalias !176
+  %291 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.i4326.09323
+  %.293.i.i5050 = load i64, ptr %291, align 8, !noalias !176
+  %.295.i.i5052 = mul nsw i64 %.293.i.i5050, %arg.shape.0
+  %.297.i.i5054 = add nsw i64 %.295.i.i5052, %.5508.09325
+  %.311.i.i5061 = icmp slt i64 %.297.i.i5054, 0
+  %.312.i.i5062 = select i1 %.311.i.i5061, i64 %arg.batch.5.1.5.0, i64 0
+  %292 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i5054
+  %.326.i.i5072 = getelementptr double, ptr %292, i64 %.312.i.i5062
+  store double %.263.i.i5034, ptr %.326.i.i5072, align 8, !noalias !176
+  %exitcond9352.not = icmp eq i64 %arg.batch.1.1.5.0, %.188.i.i5078
+  br i1 %exitcond9352.not, label %B4100, label %B76.if.i.i
 
-B4090:                                            ; preds = %B76.if.i.i, %B392.i, %B216.i5228, %B182.i, %B3986, %B3948
-  %.6128 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.5694
-  %.6129 = load i64, ptr %.6128, align 8
-  %.6130.not = icmp eq i64 %.6129, 0
-  br i1 %.6130.not, label %B4232, label %B4124
+B4100:                                            ; preds = %B76.if.i.i, %B392.i, %B216.i5224, %B182.i, %B3996, %B3958
+  %.6104 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.5670
+  %.6105 = load i64, ptr %.6104, align 8
+  %.6106.not = icmp eq i64 %.6105, 0
+  br i1 %.6106.not, label %B4242, label %B4134
 
-B4124:                                            ; preds = %B4090
-  %.6191 = getelementptr i64, ptr %95, i64 %.5532.09321
-  %.6192 = load i64, ptr %.6191, align 8
-  %.6222 = getelementptr i64, ptr %arg.batch.3.2.4, i64 %.5694
-  store i64 %.6192, ptr %.6222, align 8
-  store i64 -1, ptr %.5693, align 8
-  %.236.i9032 = load i64, ptr %arg.batch.4.2.4, align 8, !noalias !161
-  %.293.i9037 = getelementptr double, ptr %96, i64 %.5532.09321
-  store double 0.000000e+00, ptr %.293.i9037, align 8, !noalias !161
-  %.324.i9039 = load i64, ptr %.323.i9038, align 8, !noalias !161
-  %.326.i9040 = icmp eq i64 %.236.i9032, %.324.i9039
-  br i1 %.326.i9040, label %B4440, label %B132.i9041
+B4134:                                            ; preds = %B4100
+  %.6167 = getelementptr i64, ptr %102, i64 %.5508.09325
+  %.6168 = load i64, ptr %.6167, align 8
+  %.6198 = getelementptr i64, ptr %arg.batch.3.2.4, i64 %.5670
+  store i64 %.6168, ptr %.6198, align 8
+  store i64 -1, ptr %.5669, align 8
+  %.236.i9033 = load i64, ptr %arg.batch.4.2.4, align 8, !noalias !180
+  %.293.i9038 = getelementptr double, ptr %103, i64 %.5508.09325
+  store double 0.000000e+00, ptr %.293.i9038, align 8, !noalias !180
+  %.324.i9040 = load i64, ptr %.323.i9039, align 8, !noalias !180
+  %.326.i9041 = icmp eq i64 %.236.i9033, %.324.i9040
+  br i1 %.326.i9041, label %B4450, label %B132.i9042
 
-B132.i9041:                                       ; preds = %B4124
-  %.359.i9042 = add nsw i64 %.236.i9032, 1
-  store i64 %.359.i9042, ptr %arg.batch.4.2.4, align 8, !noalias !161
-  store i64 1, ptr %.1166, align 8, !noalias !161
-  %.438.i9044 = icmp slt i64 %.236.i9032, 0
-  %.439.i9045 = select i1 %.438.i9044, i64 %arg.batch.0.2.5.0, i64 0
-  %249 = getelementptr i64, ptr %arg.batch.0.2.4, i64 %.236.i9032
-  %.453.i9046 = getelementptr i64, ptr %249, i64 %.439.i9045
-  %.454.i9047 = load i64, ptr %.453.i9046, align 8, !noalias !161
-  %.469.i9048 = icmp slt i64 %.454.i9047, 0
-  %.470.i9049 = select i1 %.469.i9048, i64 %arg.batch.1.0.5.0, i64 0
-  %250 = getelementptr i64, ptr %arg.batch.1.0.4, i64 %.454.i9047
-  %.484.i9050 = getelementptr i64, ptr %250, i64 %.470.i9049
-  %.485.i9051 = load i64, ptr %.484.i9050, align 8, !noalias !161
-  store i64 %.236.i9032, ptr %.5693, align 8, !noalias !161
-  %.595.i9055 = getelementptr i64, ptr %97, i64 %.5532.09321
-  store i64 %.485.i9051, ptr %.595.i9055, align 8, !noalias !161
-  store i64 1, ptr %.6191, align 8, !noalias !161
-  %.709.i9059 = getelementptr i64, ptr %98, i64 %.5532.09321
-  store i64 0, ptr %.709.i9059, align 8, !noalias !161
-  br i1 %.8051131.not.i9060, label %B402.i9075, label %B358.if.lr.ph.i9061
+B132.i9042:                                       ; preds = %B4134
+  %.359.i9043 = add nsw i64 %.236.i9033, 1
+  store i64 %.359.i9043, ptr %arg.batch.4.2.4, align 8, !noalias !180
+  store i64 1, ptr %.1166, align 8, !noalias !180
+  %.438.i9045 = icmp slt i64 %.236.i9033, 0
+  %.439.i9046 = select i1 %.438.i9045, i64 %arg.batch.0.2.5.0, i64 0
+  %293 = getelementptr i64, ptr %arg.batch.0.2.4, i64 %.236.i9033
+  %.453.i9047 = getelementptr i64, ptr %293, i64 %.439.i9046
+  %.454.i9048 = load i64, ptr %.453.i9047, align 8, !noalias !180
+  %.469.i9049 = icmp slt i64 %.454.i9048, 0
+  %.470.i9050 = select i1 %.469.i9049, i64 %arg.batch.1.0.5.0, i64 0
+  %294 = getelementptr i64, ptr %arg.batch.1.0.4, i64 %.454.i9048
+  %.484.i9051 = getelementptr i64, ptr %294, i64 %.470.i9050
+  %.485.i9052 = load i64, ptr %.484.i9051, align 8, !noalias !180
+  store i64 %.236.i9033, ptr %.5669, align 8, !noalias !180
+  %.595.i9056 = getelementptr i64, ptr %104, i64 %.5508.09325
+  store i64 %.485.i9052, ptr %.595.i9056, align 8, !noalias !180
+  store i64 1, ptr %.6167, align 8, !noalias !180
+  %.709.i9060 = getelementptr i64, ptr %105, i64 %.5508.09325
+  store i64 0, ptr %.709.i9060, align 8, !noalias !180
+  br i1 %.8051131.not.i9061, label %B402.i9076, label %B358.if.lr.ph.i9062
 
-B358.if.lr.ph.i9061:                              ; preds = %B132.i9041
-  %.867.i9062 = select i1 %.438.i9044, i64 %arg.batch.0.1.5.0, i64 0
-  %.868.i9063 = add i64 %.867.i9062, %.236.i9032
-  %.888.i9064 = mul i64 %.868.i9063, %arg.batch.0.1.5.1
-  %251 = getelementptr double, ptr %arg.batch.0.1.4, i64 %.888.i9064
-  %invariant.gep9365 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.5532.09321
-  br label %B358.if.i9065
+B358.if.lr.ph.i9062:                              ; preds = %B132.i9042
+  %.867.i9063 = select i1 %.438.i9045, i64 %arg.batch.0.1.5.0, i64 0
+  %.868.i9064 = add i64 %.867.i9063, %.236.i9033
+  %.888.i9065 = mul i64 %.868.i9064, %arg.batch.0.1.5.1
+  %295 = getelementptr double, ptr %arg.batch.0.1.4, i64 %.888.i9065
+  %invariant.gep9398 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.5508.09325
+  br label %B358.if.i9066
 
-B402.i9075:                                       ; preds = %B358.if.i9065, %B132.i9041
-  br i1 %.175.i1134.not.i9076, label %B402.endif.i9094, label %B76.if.i.lr.ph.i9077
+B402.i9076:                                       ; preds = %B358.if.i9066, %B132.i9042
+  br i1 %.175.i1134.not.i9077, label %B402.endif.i9095, label %B76.if.i.lr.ph.i9078
 
-B76.if.i.lr.ph.i9077:                             ; preds = %B402.i9075
-  %.990.i9078 = load i64, ptr %.595.i9055, align 8, !noalias !161
-  %.236.i.i9079 = icmp slt i64 %.990.i9078, 0
-  %.237.i.i9080 = select i1 %.236.i.i9079, i64 %arg.batch.1.3.5.0, i64 0
-  %.238.i.i9081 = add i64 %.237.i.i9080, %.990.i9078
-  %.258.i.i9082 = mul i64 %.238.i.i9081, %arg.batch.1.3.5.1
-  %252 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i9082
-  br label %B76.if.i.i9083
+B76.if.i.lr.ph.i9078:                             ; preds = %B402.i9076
+  %.990.i9079 = load i64, ptr %.595.i9056, align 8, !noalias !180
+  %.236.i.i9080 = icmp slt i64 %.990.i9079, 0
+  %.237.i.i9081 = select i1 %.236.i.i9080, i64 %arg.batch.1.3.5.0, i64 0
+  %.238.i.i9082 = add i64 %.237.i.i9081, %.990.i9079
+  %.258.i.i9083 = mul i64 %.238.i.i9082, %arg.batch.1.3.5.1
+  %296 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i9083
+  br label %B76.if.i.i9084
 
-B76.if.i.i9083:                                   ; preds = %B76.if.i.i9083, %B76.if.i.lr.ph.i9077
-  %.117.i.01135.i9084 = phi i64 [ 0, %B76.if.i.lr.ph.i9077 ], [ %.188.i.i9085, %B76.if.i.i9083 ]
-  %.188.i.i9085 = add nsw i64 %.117.i.01135.i9084, 1
-  %253 = getelementptr double, ptr %252, i64 %.117.i.01135.i9084
-  %.263.i.i9086 = load double, ptr %253, align 8, !noalias !164
-  %254 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.01135.i9084
-  %.293.i.i9087 = load i64, ptr %254, align 8, !noalias !164
-  %.295.i.i9088 = mul nsw i64 %.293.i.i9087, %arg.shape.0
-  %.297.i.i9089 = add nsw i64 %.295.i.i9088, %.5532.09321
-  %.311.i.i9090 = icmp slt i64 %.297.i.i9089, 0
-  %.312.i.i9091 = select i1 %.311.i.i9090, i64 %arg.batch.5.1.5.0, i64 0
-  %255 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i9089
-  %.326.i.i9092 = getelementptr double, ptr %255, i64 %.312.i.i9091
-  store double %.263.i.i9086, ptr %.326.i.i9092, align 8, !noalias !164
-  %exitcond1142.not.i9093 = icmp eq i64 %.188.i.i9085, %arg.batch.1.1.5.0
-  br i1 %exitcond1142.not.i9093, label %B402.endif.i9094, label %B76.if.i.i9083
+B76.if.i.i9084:                                   ; preds = %B76.if.i.i9084, %B76.if.i.lr.ph.i9078
+  %.117.i.01135.i9085 = phi i64 [ 0, %B76.if.i.lr.ph.i9078 ], [ %.188.i.i9086, %B76.if.i.i9084 ]
+  %.188.i.i9086 = add nsw i64 %.117.i.01135.i9085, 1
+  %297 = getelementptr double, ptr %296, i64 %.117.i.01135.i9085
+  %.263.i.i9087 = load double, ptr %297, align 8, !noalias !183
+  %298 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.01135.i9085
+  %.293.i.i9088 = load i64, ptr %298, align 8, !noalias !183
+  %.295.i.i9089 = mul nsw i64 %.293.i.i9088, %arg.shape.0
+  %.297.i.i9090 = add nsw i64 %.295.i.i9089, %.5508.09325
+  %.311.i.i9091 = icmp slt i64 %.297.i.i9090, 0
+  %.312.i.i9092 = select i1 %.311.i.i9091, i64 %arg.batch.5.1.5.0, i64 0
+  %299 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i9090
+  %.326.i.i9093 = getelementptr double, ptr %299, i64 %.312.i.i9092
+  store double %.263.i.i9087, ptr %.326.i.i9093, align 8, !noalias !183
+  %exitcond1142.not.i9094 = icmp eq i64 %.188.i.i9086, %arg.batch.1.1.5.0
+  br i1 %exitcond1142.not.i9094, label %B402.endif.i9095, label %B76.if.i.i9084
 
-B888.i9182:                                       ; preds = %B580.if.i9110
-  store double 0.000000e+00, ptr %.1877.i9179, align 8, !noalias !161
-  br label %B4440
+B888.i9183:                                       ; preds = %B580.if.i9111
+  store double 0.000000e+00, ptr %.1877.i9180, align 8, !noalias !180
+  br label %B4450
 
-B358.if.i9065:                                    ; preds = %B358.if.i9065, %B358.if.lr.ph.i9061
-  %.747.01132.i9066 = phi i64 [ 0, %B358.if.lr.ph.i9061 ], [ %.818.i9067, %B358.if.i9065 ]
-  %.818.i9067 = add nsw i64 %.747.01132.i9066, 1
-  %256 = getelementptr double, ptr %251, i64 %.747.01132.i9066
-  %.893.i9068 = load double, ptr %256, align 8, !noalias !161
-  %.895.i9069 = mul nsw i64 %.747.01132.i9066, %arg.shape.0
-  %gep9366 = getelementptr double, ptr %invariant.gep9365, i64 %.895.i9069
-  store double %.893.i9068, ptr %gep9366, align 8, !noalias !161
-  %exitcond.not.i9074 = icmp eq i64 %.818.i9067, %arg.batch.0.1.5.1
-  br i1 %exitcond.not.i9074, label %B402.i9075, label %B358.if.i9065
+B358.if.i9066:                                    ; preds = %B358.if.i9066, %B358.if.lr.ph.i9062
+  %.747.01132.i9067 = phi i64 [ 0, %B358.if.lr.ph.i9062 ], [ %.818.i9068, %B358.if.i9066 ]
+  %.818.i9068 = add nsw i64 %.747.01132.i9067, 1
+  %300 = getelementptr double, ptr %295, i64 %.747.01132.i9067
+  %.893.i9069 = load double, ptr %300, align 8, !noalias !180
+  %.895.i9070 = mul nsw i64 %.747.01132.i9067, %arg.shape.0
+  %gep9399 = getelementptr double, ptr %invariant.gep9398, i64 %.895.i9070
+  store double %.893.i9069, ptr %gep9399, align 8, !noalias !180
+  %exitcond.not.i9075 = icmp eq i64 %.818.i9068, %arg.batch.0.1.5.1
+  br i1 %exitcond.not.i9075, label %B402.i9076, label %B358.if.i9066
 
-B402.endif.i9094:                                 ; preds = %B76.if.i.i9083, %B402.i9075
-  br i1 %.11171137.not.i9095, label %B580.if.i9110, label %B496.if.lr.ph.i9096
+B402.endif.i9095:                                 ; preds = %B76.if.i.i9084, %B402.i9076
+  br i1 %.11171137.not.i9096, label %B580.if.i9111, label %B496.if.lr.ph.i9097
 
-B496.if.lr.ph.i9096:                              ; preds = %B402.endif.i9094
-  %.1179.i9097 = select i1 %.438.i9044, i64 %arg.batch.0.0.5.0, i64 0
-  %.1180.i9098 = add i64 %.1179.i9097, %.236.i9032
-  %.1200.i9099 = mul i64 %.1180.i9098, %arg.batch.0.0.5.1
-  %257 = getelementptr double, ptr %arg.batch.0.0.4, i64 %.1200.i9099
-  %invariant.gep9367 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.5532.09321
-  br label %B496.if.i9100
+B496.if.lr.ph.i9097:                              ; preds = %B402.endif.i9095
+  %.1179.i9098 = select i1 %.438.i9045, i64 %arg.batch.0.0.5.0, i64 0
+  %.1180.i9099 = add i64 %.1179.i9098, %.236.i9033
+  %.1200.i9100 = mul i64 %.1180.i9099, %arg.batch.0.0.5.1
+  %301 = getelementptr double, ptr %arg.batch.0.0.4, i64 %.1200.i9100
+  %invariant.gep9400 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.5508.09325
+  br label %B496.if.i9101
 
-B496.if.i9100:                                    ; preds = %B496.if.i9100, %B496.if.lr.ph.i9096
-  %.1061.01138.i9101 = phi i64 [ 0, %B496.if.lr.ph.i9096 ], [ %.1130.i9102, %B496.if.i9100 ]
-  %.1130.i9102 = add nsw i64 %.1061.01138.i9101, 1
-  %258 = getelementptr double, ptr %257, i64 %.1061.01138.i9101
-  %.1205.i9103 = load double, ptr %258, align 8, !noalias !161
-  %.1207.i9104 = mul nsw i64 %.1061.01138.i9101, %arg.shape.0
-  %gep9368 = getelementptr double, ptr %invariant.gep9367, i64 %.1207.i9104
-  store double %.1205.i9103, ptr %gep9368, align 8, !noalias !161
-  %exitcond1143.not.i9109 = icmp eq i64 %.1130.i9102, %arg.shape.1
-  br i1 %exitcond1143.not.i9109, label %B580.if.i9110, label %B496.if.i9100
+B496.if.i9101:                                    ; preds = %B496.if.i9101, %B496.if.lr.ph.i9097
+  %.1061.01138.i9102 = phi i64 [ 0, %B496.if.lr.ph.i9097 ], [ %.1130.i9103, %B496.if.i9101 ]
+  %.1130.i9103 = add nsw i64 %.1061.01138.i9102, 1
+  %302 = getelementptr double, ptr %301, i64 %.1061.01138.i9102
+  %.1205.i9104 = load double, ptr %302, align 8, !noalias !180
+  %.1207.i9105 = mul nsw i64 %.1061.01138.i9102, %arg.shape.0
+  %gep9401 = getelementptr double, ptr %invariant.gep9400, i64 %.1207.i9105
+  store double %.1205.i9104, ptr %gep9401, align 8, !noalias !180
+  %exitcond1143.not.i9110 = icmp eq i64 %.1130.i9103, %arg.shape.1
+  br i1 %exitcond1143.not.i9110, label %B580.if.i9111, label %B496.if.i9101
 
-B580.if.i9110:                                    ; preds = %B496.if.i9100, %B402.endif.i9094
-  %invariant.gep.i9111 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5532.09321
-  store double 0.000000e+00, ptr %invariant.gep.i9111, align 8, !noalias !161
-  %gep.1.i9112 = getelementptr double, ptr %invariant.gep.i9111, i64 %arg.batch.4.0.5.1
-  store double 0.000000e+00, ptr %gep.1.i9112, align 8, !noalias !161
-  %gep.2.i9114 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.2.idx.i9113
-  store double 0.000000e+00, ptr %gep.2.i9114, align 8, !noalias !161
-  %gep.3.i9116 = getelementptr i8, ptr %invariant.gep.i9111, i64 %.idx.i9036
-  store double 0.000000e+00, ptr %gep.3.i9116, align 8, !noalias !161
-  %gep.4.i9118 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.4.idx.i9117
-  store double 0.000000e+00, ptr %gep.4.i9118, align 8, !noalias !161
-  %gep.5.i9120 = getelementptr i8, ptr %invariant.gep.i9111, i64 %.idx8859
-  store double 0.000000e+00, ptr %gep.5.i9120, align 8, !noalias !161
-  %gep.6.i9122 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.6.idx.i9121
-  store double 0.000000e+00, ptr %gep.6.i9122, align 8, !noalias !161
-  %gep.7.i9124 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.7.idx.i9123
-  store double 0.000000e+00, ptr %gep.7.i9124, align 8, !noalias !161
-  %gep.8.i9126 = getelementptr i8, ptr %invariant.gep.i9111, i64 %.571.idx
-  store double 0.000000e+00, ptr %gep.8.i9126, align 8, !noalias !161
-  %gep.9.i9128 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.9.idx.i9127
-  store double 0.000000e+00, ptr %gep.9.i9128, align 8, !noalias !161
-  %gep.10.i9130 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.10.idx.i9129
-  store double 0.000000e+00, ptr %gep.10.i9130, align 8, !noalias !161
-  %gep.11.i9132 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.11.idx.i9131
-  store double 0.000000e+00, ptr %gep.11.i9132, align 8, !noalias !161
-  %gep.12.i9134 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.12.idx.i9133
-  store double 0.000000e+00, ptr %gep.12.i9134, align 8, !noalias !161
-  %gep.13.i9136 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.13.idx.i9135
-  store double 0.000000e+00, ptr %gep.13.i9136, align 8, !noalias !161
-  %gep.14.i9138 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.14.idx.i9137
-  store double 0.000000e+00, ptr %gep.14.i9138, align 8, !noalias !161
-  %gep.15.i9140 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.15.idx.i9139
-  store double 0.000000e+00, ptr %gep.15.i9140, align 8, !noalias !161
-  %gep.16.i9142 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.16.idx.i9141
-  store double 0.000000e+00, ptr %gep.16.i9142, align 8, !noalias !161
-  %gep.17.i9144 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.17.idx.i9143
-  store double 0.000000e+00, ptr %gep.17.i9144, align 8, !noalias !161
-  %gep.18.i9146 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.18.idx.i9145
-  store double 0.000000e+00, ptr %gep.18.i9146, align 8, !noalias !161
-  %gep.19.i9148 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.19.idx.i9147
-  store double 0.000000e+00, ptr %gep.19.i9148, align 8, !noalias !161
-  %gep.20.i9150 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.20.idx.i9149
-  store double 0.000000e+00, ptr %gep.20.i9150, align 8, !noalias !161
-  %gep.21.i9152 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.21.idx.i9151
-  store double 0.000000e+00, ptr %gep.21.i9152, align 8, !noalias !161
-  %gep.22.i9154 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.22.idx.i9153
-  store double 0.000000e+00, ptr %gep.22.i9154, align 8, !noalias !161
-  %gep.23.i9156 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.23.idx.i9155
-  store double 0.000000e+00, ptr %gep.23.i9156, align 8, !noalias !161
-  %gep.24.i9158 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.24.idx.i9157
-  store double 0.000000e+00, ptr %gep.24.i9158, align 8, !noalias !161
-  %gep.25.i9160 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.25.idx.i9159
-  store double 0.000000e+00, ptr %gep.25.i9160, align 8, !noalias !161
-  %gep.26.i9162 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.26.idx.i9161
-  store double 0.000000e+00, ptr %gep.26.i9162, align 8, !noalias !161
-  %gep.27.i9164 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.27.idx.i9163
-  store double 0.000000e+00, ptr %gep.27.i9164, align 8, !noalias !161
-  %.1455.i9165 = load double, ptr %arg.batch.2.4, align 8, !noalias !161
-  %.1516.i9166 = load i64, ptr %.595.i9055, align 8, !noalias !161
-  %.1531.i9167 = icmp slt i64 %.1516.i9166, 0
-  %.1532.i9168 = select i1 %.1531.i9167, i64 %arg.batch.1.2.5.0, i64 0
-  %259 = getelementptr double, ptr %arg.batch.1.2.4, i64 %.1516.i9166
-  %.1546.i9169 = getelementptr double, ptr %259, i64 %.1532.i9168
-  %.1547.i9170 = load double, ptr %.1546.i9169, align 8, !noalias !161
-  store double %.1455.i9165, ptr %invariant.gep.i9111, align 8, !noalias !161
-  %.1656.i9173 = getelementptr double, ptr %99, i64 %.5532.09321
-  store double %.1547.i9170, ptr %.1656.i9173, align 8, !noalias !161
-  store double 1.000000e+00, ptr %.293.i9037, align 8, !noalias !161
-  %.1767.i9175 = getelementptr double, ptr %100, i64 %.5532.09321
-  store double 0xFFF0000000000000, ptr %.1767.i9175, align 8, !noalias !161
-  %.1822.i9177 = getelementptr double, ptr %101, i64 %.5532.09321
-  store double 0x7FF0000000000000, ptr %.1822.i9177, align 8, !noalias !161
-  %.1877.i9179 = getelementptr double, ptr %102, i64 %.5532.09321
-  %.1878.i9180 = load double, ptr %.1877.i9179, align 8, !noalias !161
-  %.1880.i9181 = fcmp ueq double %.1878.i9180, 0xFFF0000000000000
-  br i1 %.1880.i9181, label %B4440, label %B888.i9182
+B580.if.i9111:                                    ; preds = %B496.if.i9101, %B402.endif.i9095
+  %invariant.gep.i9112 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5508.09325
+  store double 0.000000e+00, ptr %invariant.gep.i9112, align 8, !noalias !180
+  %gep.1.i9113 = getelementptr double, ptr %invariant.gep.i9112, i64 %arg.batch.4.0.5.1
+  store double 0.000000e+00, ptr %gep.1.i9113, align 8, !noalias !180
+  %gep.2.i9115 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.2.idx.i9114
+  store double 0.000000e+00, ptr %gep.2.i9115, align 8, !noalias !180
+  %gep.3.i9117 = getelementptr i8, ptr %invariant.gep.i9112, i64 %.idx.i9037
+  store double 0.000000e+00, ptr %gep.3.i9117, align 8, !noalias !180
+  %gep.4.i9119 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.4.idx.i9118
+  store double 0.000000e+00, ptr %gep.4.i9119, align 8, !noalias !180
+  %gep.5.i9121 = getelementptr i8, ptr %invariant.gep.i9112, i64 %.idx8826
+  store double 0.000000e+00, ptr %gep.5.i9121, align 8, !noalias !180
+  %gep.6.i9123 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.6.idx.i9122
+  store double 0.000000e+00, ptr %gep.6.i9123, align 8, !noalias !180
+  %gep.7.i9125 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.7.idx.i9124
+  store double 0.000000e+00, ptr %gep.7.i9125, align 8, !noalias !180
+  %gep.8.i9127 = getelementptr i8, ptr %invariant.gep.i9112, i64 %.571.idx
+  store double 0.000000e+00, ptr %gep.8.i9127, align 8, !noalias !180
+  %gep.9.i9129 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.9.idx.i9128
+  store double 0.000000e+00, ptr %gep.9.i9129, align 8, !noalias !180
+  %gep.10.i9131 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.10.idx.i9130
+  store double 0.000000e+00, ptr %gep.10.i9131, align 8, !noalias !180
+  %gep.11.i9133 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.11.idx.i9132
+  store double 0.000000e+00, ptr %gep.11.i9133, align 8, !noalias !180
+  %gep.12.i9135 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.12.idx.i9134
+  store double 0.000000e+00, ptr %gep.12.i9135, align 8, !noalias !180
+  %gep.13.i9137 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.13.idx.i9136
+  store double 0.000000e+00, ptr %gep.13.i9137, align 8, !noalias !180
+  %gep.14.i9139 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.14.idx.i9138
+  store double 0.000000e+00, ptr %gep.14.i9139, align 8, !noalias !180
+  %gep.15.i9141 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.15.idx.i9140
+  store double 0.000000e+00, ptr %gep.15.i9141, align 8, !noalias !180
+  %gep.16.i9143 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.16.idx.i9142
+  store double 0.000000e+00, ptr %gep.16.i9143, align 8, !noalias !180
+  %gep.17.i9145 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.17.idx.i9144
+  store double 0.000000e+00, ptr %gep.17.i9145, align 8, !noalias !180
+  %gep.18.i9147 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.18.idx.i9146
+  store double 0.000000e+00, ptr %gep.18.i9147, align 8, !noalias !180
+  %gep.19.i9149 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.19.idx.i9148
+  store double 0.000000e+00, ptr %gep.19.i9149, align 8, !noalias !180
+  %gep.20.i9151 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.20.idx.i9150
+  store double 0.000000e+00, ptr %gep.20.i9151, align 8, !noalias !180
+  %gep.21.i9153 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.21.idx.i9152
+  store double 0.000000e+00, ptr %gep.21.i9153, align 8, !noalias !180
+  %gep.22.i9155 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.22.idx.i9154
+  store double 0.000000e+00, ptr %gep.22.i9155, align 8, !noalias !180
+  %gep.23.i9157 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.23.idx.i9156
+  store double 0.000000e+00, ptr %gep.23.i9157, align 8, !noalias !180
+  %gep.24.i9159 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.24.idx.i9158
+  store double 0.000000e+00, ptr %gep.24.i9159, align 8, !noalias !180
+  %gep.25.i9161 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.25.idx.i9160
+  store double 0.000000e+00, ptr %gep.25.i9161, align 8, !noalias !180
+  %gep.26.i9163 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.26.idx.i9162
+  store double 0.000000e+00, ptr %gep.26.i9163, align 8, !noalias !180
+  %gep.27.i9165 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.27.idx.i9164
+  store double 0.000000e+00, ptr %gep.27.i9165, align 8, !noalias !180
+  %.1455.i9166 = load double, ptr %arg.batch.2.4, align 8, !noalias !180
+  %.1516.i9167 = load i64, ptr %.595.i9056, align 8, !noalias !180
+  %.1531.i9168 = icmp slt i64 %.1516.i9167, 0
+  %.1532.i9169 = select i1 %.1531.i9168, i64 %arg.batch.1.2.5.0, i64 0
+  %303 = getelementptr double, ptr %arg.batch.1.2.4, i64 %.1516.i9167
+  %.1546.i9170 = getelementptr double, ptr %303, i64 %.1532.i9169
+  %.1547.i9171 = load double, ptr %.1546.i9170, align 8, !noalias !180
+  store double %.1455.i9166, ptr %invariant.gep.i9112, align 8, !noalias !180
+  %.1656.i9174 = getelementptr double, ptr %106, i64 %.5508.09325
+  store double %.1547.i9171, ptr %.1656.i9174, align 8, !noalias !180
+  store double 1.000000e+00, ptr %.293.i9038, align 8, !noalias !180
+  %.1767.i9176 = getelementptr double, ptr %107, i64 %.5508.09325
+  store double 0xFFF0000000000000, ptr %.1767.i9176, align 8, !noalias !180
+  %.1822.i9178 = getelementptr double, ptr %108, i64 %.5508.09325
+  store double 0x7FF0000000000000, ptr %.1822.i9178, align 8, !noalias !180
+  %.1877.i9180 = getelementptr double, ptr %109, i64 %.5508.09325
+  %.1878.i9181 = load double, ptr %.1877.i9180, align 8, !noalias !180
+  %.1880.i9182 = fcmp ueq double %.1878.i9181, 0xFFF0000000000000
+  br i1 %.1880.i9182, label %B4450, label %B888.i9183
 
-B4232:                                            ; preds = %B4090
-  %.6418 = getelementptr double, ptr %103, i64 %.5532.09321
-  %.6419 = load double, ptr %.6418, align 8
-  %.6421 = fcmp ult double %.6419, 1.500000e+01
-  br i1 %.6421, label %B4440, label %B4280
+B4242:                                            ; preds = %B4100
+  %.6394 = getelementptr double, ptr %110, i64 %.5508.09325
+  %.6395 = load double, ptr %.6394, align 8
+  %.6397 = fcmp ult double %.6395, 1.500000e+01
+  br i1 %.6397, label %B4450, label %B4290
 
-B4280:                                            ; preds = %B4232
-  %.6465 = load double, ptr %.6464, align 8
-  %.6519 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5532.09321
-  %.6520 = load double, ptr %.6519, align 8
-  %.6521 = fsub double %.6465, %.6520
-  %.6575 = getelementptr double, ptr %106, i64 %.5532.09321
-  %.6576 = load double, ptr %.6575, align 8
-  %.6578 = fmul double %.6576, 5.000000e+03
-  %.6579 = fcmp ogt double %.6521, %.6578
-  br i1 %.6579, label %B4440, label %B4416
+B4290:                                            ; preds = %B4242
+  %.6441 = load double, ptr %.6440, align 8
+  %.6495 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5508.09325
+  %.6496 = load double, ptr %.6495, align 8
+  %.6497 = fsub double %.6441, %.6496
+  %.6551 = getelementptr double, ptr %113, i64 %.5508.09325
+  %.6552 = load double, ptr %.6551, align 8
+  %.6554 = fmul double %.6552, 5.000000e+03
+  %.6555 = fcmp ogt double %.6497, %.6554
+  br i1 %.6555, label %B4450, label %B4426
 
-B4416:                                            ; preds = %B4280
-  store double 0.000000e+00, ptr %.6418, align 8
-  br label %B4440
+B4426:                                            ; preds = %B4290
+  store double 0.000000e+00, ptr %.6394, align 8
+  br label %B4450
 
-B4440:                                            ; preds = %B888.i9182, %B4124, %B580.if.i9110, %B4280, %B4416, %B4232
-  %budget.7.4 = phi i64 [ %budget.5.29323, %B4232 ], [ 0, %B4280 ], [ %budget.5.29323, %B4416 ], [ %budget.5.29323, %B580.if.i9110 ], [ %budget.5.29323, %B4124 ], [ %budget.5.29323, %B888.i9182 ]
-  %.6707 = load i64, ptr %.5693, align 8
-  %.6708 = icmp sgt i64 %.6707, -1
-  br i1 %.6708, label %B4478, label %B4735
+B4450:                                            ; preds = %B888.i9183, %B4134, %B580.if.i9111, %B4290, %B4426, %B4242
+  %budget.7.4 = phi i64 [ %budget.5.29327, %B4242 ], [ 0, %B4290 ], [ %budget.5.29327, %B4426 ], [ %budget.5.29327, %B580.if.i9111 ], [ %budget.5.29327, %B4134 ], [ %budget.5.29327, %B888.i9183 ]
+  %.6683 = load i64, ptr %.5669, align 8
+  %.6684 = icmp sgt i64 %.6683, -1
+  br i1 %.6684, label %B4488, label %B4745
 
-B4478:                                            ; preds = %B4440
-  %.6713 = add nsw i64 %active.5.29324, 1
-  %.6822 = mul i64 %.6707, %arg.batch.3.3.5.1
-  %.6826 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.6822
-  %.6827 = load i64, ptr %.6826, align 8
-  %.6838.0 = and i64 %.6827, 127
-  %.6868 = sub nsw i64 128, %.6838.0
-  %.11.i = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %.6868, i64 %.5830)
-  %.6956 = getelementptr double, ptr %107, i64 %.5532.09321
-  %.6957 = load double, ptr %.6956, align 8
-  %.6959 = fcmp ogt double %.6957, 0.000000e+00
-  %.6970 = sitofp i64 %.11.i to double
-  %"$phi4648.1.2.5" = select i1 %.6959, double 1.000000e+00, double %.6970
-  %.7033 = getelementptr double, ptr %108, i64 %.5532.09321
-  store double %"$phi4648.1.2.5", ptr %.7033, align 8
-  %.111.i5361 = getelementptr i64, ptr %109, i64 %.5532.09321
-  %.112.i5362 = load i64, ptr %.111.i5361, align 8, !noalias !168
-  %.169.i5411 = getelementptr double, ptr %110, i64 %.5532.09321
-  %.170.i5412 = load double, ptr %.169.i5411, align 8, !noalias !168
-  %.224.i5460 = getelementptr double, ptr %111, i64 %.5532.09321
-  store double %.170.i5412, ptr %.224.i5460, align 8, !noalias !168
-  %.237.i5468 = icmp slt i64 %.112.i5362, %arg.batch.2.5.0
-  br i1 %.237.i5468, label %B134.i5473, label %B4735
+B4488:                                            ; preds = %B4450
+  %.6689 = add nsw i64 %active.5.29328, 1
+  %.6798 = mul i64 %.6683, %arg.batch.3.3.5.1
+  %.6802 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.6798
+  %.6803 = load i64, ptr %.6802, align 8
+  %.6814.0 = and i64 %.6803, 127
+  %.6844 = sub nsw i64 128, %.6814.0
+  %.11.i = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %.6844, i64 %.5806)
+  %.6932 = getelementptr double, ptr %114, i64 %.5508.09325
+  %.6933 = load double, ptr %.6932, align 8
+  %.6935 = fcmp ogt double %.6933, 0.000000e+00
+  %.6946 = sitofp i64 %.11.i to double
+  %"$phi4658.1.2.5" = select i1 %.6935, double 1.000000e+00, double %.6946
+  %.7009 = getelementptr double, ptr %115, i64 %.5508.09325
+  store double %"$phi4658.1.2.5", ptr %.7009, align 8
+  %.111.i5357 = getelementptr i64, ptr %116, i64 %.5508.09325
+  %.112.i5358 = load i64, ptr %.111.i5357, align 8, !noalias !187
+  %.169.i5407 = getelementptr double, ptr %117, i64 %.5508.09325
+  %.170.i5408 = load double, ptr %.169.i5407, align 8, !noalias !187
+  %.224.i5456 = getelementptr double, ptr %118, i64 %.5508.09325
+  store double %.170.i5408, ptr %.224.i5456, align 8, !noalias !187
+  %.237.i5464 = icmp slt i64 %.112.i5358, %arg.batch.2.5.0
+  br i1 %.237.i5464, label %B134.i5469, label %B4745
 
-B134.i5473:                                       ; preds = %B4478
-  %.253.i5484 = icmp slt i64 %.112.i5362, 0
-  %.254.i5485 = select i1 %.253.i5484, i64 %arg.batch.2.5.0, i64 0
-  %260 = getelementptr double, ptr %arg.batch.2.4, i64 %.112.i5362
-  %.268.i5499 = getelementptr double, ptr %260, i64 %.254.i5485
-  %.269.i5500 = load double, ptr %.268.i5499, align 8, !noalias !168
-  %.328.i5551 = load double, ptr %.169.i5411, align 8, !noalias !168
-  %.10.i.i5558 = fcmp olt double %.328.i5551, %.269.i5500
-  %.11.i.i5559 = select i1 %.10.i.i5558, double %.328.i5551, double %.269.i5500
-  store double %.11.i.i5559, ptr %.224.i5460, align 8, !noalias !168
-  br label %B4735
+B134.i5469:                                       ; preds = %B4488
+  %.253.i5480 = icmp slt i64 %.112.i5358, 0
+  %.254.i5481 = select i1 %.253.i5480, i64 %arg.batch.2.5.0, i64 0
+  %304 = getelementptr double, ptr %arg.batch.2.4, i64 %.112.i5358
+  %.268.i5495 = getelementptr double, ptr %304, i64 %.254.i5481
+  %.269.i5496 = load double, ptr %.268.i5495, align 8, !noalias !187
+  %.328.i5547 = load double, ptr %.169.i5407, align 8, !noalias !187
+  %.10.i.i5554 = fcmp olt double %.328.i5547, %.269.i5496
+  %.11.i.i5555 = select i1 %.10.i.i5554, double %.328.i5547, double %.269.i5496
+  store double %.11.i.i5555, ptr %.224.i5456, align 8, !noalias !187
+  br label %B4745
 
-B4708:                                            ; preds = %B4735, %B3732
-  %budget.4.2 = phi i64 [ %.1132, %B3732 ], [ %budget.6.3, %B4735 ]
-  %active.8.2 = phi i64 [ %active.9.1.mux, %B3732 ], [ %active.6.3, %B4735 ]
-  %.7111 = icmp sgt i64 %active.8.2, 0
-  %.7125 = icmp sgt i64 %budget.4.2, 0
-  %or.cond8924 = select i1 %.7111, i1 %.7125, i1 false
-  br i1 %or.cond8924, label %B584, label %B4734
+B4718:                                            ; preds = %B4745, %B3742
+  %budget.4.2 = phi i64 [ %.1132, %B3742 ], [ %budget.6.3, %B4745 ]
+  %active.8.2 = phi i64 [ %active.9.1.mux, %B3742 ], [ %active.6.3, %B4745 ]
+  %.7087 = icmp sgt i64 %active.8.2, 0
+  %.7101 = icmp sgt i64 %budget.4.2, 0
+  %or.cond8890 = select i1 %.7087, i1 %.7101, i1 false
+  br i1 %or.cond8890, label %B584, label %B4744
 
-B4734:                                            ; preds = %B4708, %B556
-  %active.10.0 = phi i64 [ %active.4.0.lcssa, %B556 ], [ %active.8.2, %B4708 ]
-  br i1 %.794, label %B4734.endif, label %B80.if.i2040.lr.ph
+B4744:                                            ; preds = %B4718, %B556
+  %active.10.0 = phi i64 [ %active.4.0.lcssa, %B556 ], [ %active.8.2, %B4718 ]
+  br i1 %.794, label %B4744.endif, label %B80.if.i2039.lr.ph
 
-B80.if.i2040.lr.ph:                               ; preds = %B4734
+B80.if.i2039.lr.ph:                               ; preds = %B4744
   %.idx = mul i64 %arg.batch.4.0.5.1, 184
-  %261 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx
-  %.idx8857 = mul i64 %arg.batch.4.0.5.1, 192
-  %262 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8857
+  %305 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx
+  %.idx8824 = mul i64 %arg.batch.4.0.5.1, 192
+  %306 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8824
   %.703.i1698 = add nsw i64 %arg.shape.2, -1
-  %.idx8858 = mul i64 %arg.batch.4.0.5.1, 168
-  %263 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8858
-  br label %B80.if.i2040
+  %.idx8825 = mul i64 %arg.batch.4.0.5.1, 168
+  %307 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8825
+  br label %B80.if.i2039
 
-B126.i1345:                                       ; preds = %B80.if.i2040
-  %.318.i1392 = getelementptr double, ptr %261, i64 %.105.i1190.09331
-  %.319.i1393 = load double, ptr %.318.i1392, align 8, !noalias !172
+B126.i1345:                                       ; preds = %B80.if.i2039
+  %.318.i1392 = getelementptr double, ptr %305, i64 %.105.i1190.09334
+  %.319.i1393 = load double, ptr %.318.i1392, align 8, !noalias !191
   %.5.i.i1394 = fptosi double %.319.i1393 to i64
-  %.397.i1443 = getelementptr double, ptr %262, i64 %.105.i1190.09331
-  %.398.i1444 = load double, ptr %.397.i1443, align 8, !noalias !172
+  %.397.i1443 = getelementptr double, ptr %306, i64 %.105.i1190.09334
+  %.398.i1444 = load double, ptr %.397.i1443, align 8, !noalias !191
   %.5.i1.i1445 = fptosi double %.398.i1444 to i64
   %.478.i1496 = mul i64 %.258.i1338, %arg.batch.3.3.5.1
   %.482.i1500 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.478.i1496
-  %.483.i1501 = load i64, ptr %.482.i1500, align 8, !noalias !172
+  %.483.i1501 = load i64, ptr %.482.i1500, align 8, !noalias !191
   %.485.i1503 = add nsw i64 %.483.i1501, %.5.i.i1394
-  store i64 %.485.i1503, ptr %.482.i1500, align 8, !noalias !172
+  store i64 %.485.i1503, ptr %.482.i1500, align 8, !noalias !191
   %.591.i1598 = getelementptr i8, ptr %.482.i1500, i64 24
-  %.592.i1599 = load i64, ptr %.591.i1598, align 8, !noalias !172
+  %.592.i1599 = load i64, ptr %.591.i1598, align 8, !noalias !191
   %.594.i1601 = add nsw i64 %.592.i1599, %.5.i1.i1445
-  store i64 %.594.i1601, ptr %.591.i1598, align 8, !noalias !172
+  store i64 %.594.i1601, ptr %.591.i1598, align 8, !noalias !191
   %.700.i1695 = getelementptr i8, ptr %.482.i1500, i64 8
-  %.701.i1696 = load i64, ptr %.700.i1695, align 8, !noalias !172
+  %.701.i1696 = load i64, ptr %.700.i1695, align 8, !noalias !191
   %.706.i1701 = add nsw i64 %.5.i1.i1445, %.5.i.i1394
   %.707.i1702 = mul nsw i64 %.706.i1701, %.703.i1698
   %..5.i.i1394 = select i1 %.625, i64 0, i64 %.5.i.i1394
   %.708.i1703 = add i64 %.707.i1702, %..5.i.i1394
-  %.841.i1808 = add i64 %.708.i1703, %.701.i1696
-  store i64 %.841.i1808, ptr %.700.i1695, align 8, !noalias !172
-  store double 0.000000e+00, ptr %.318.i1392, align 8, !noalias !172
-  store double 0.000000e+00, ptr %.397.i1443, align 8, !noalias !172
-  %.1072.i1986 = getelementptr double, ptr %263, i64 %.105.i1190.09331
-  %.1073.i1987 = load double, ptr %.1072.i1986, align 8, !noalias !172
-  %.1081.i1993 = sitofp i64 %.706.i1701 to double
-  %.1082.i1994 = fsub double %.1073.i1987, %.1081.i1993
-  store double %.1082.i1994, ptr %.1072.i1986, align 8, !noalias !172
+  %.841.i1807 = add i64 %.708.i1703, %.701.i1696
+  store i64 %.841.i1807, ptr %.700.i1695, align 8, !noalias !191
+  store double 0.000000e+00, ptr %.318.i1392, align 8, !noalias !191
+  store double 0.000000e+00, ptr %.397.i1443, align 8, !noalias !191
+  %.1072.i1985 = getelementptr double, ptr %307, i64 %.105.i1190.09334
+  %.1073.i1986 = load double, ptr %.1072.i1985, align 8, !noalias !191
+  %.1081.i1992 = sitofp i64 %.706.i1701 to double
+  %.1082.i1993 = fsub double %.1073.i1986, %.1081.i1992
+  store double %.1082.i1993, ptr %.1072.i1985, align 8, !noalias !191
   br label %B568.i1342
 
-B568.i1342:                                       ; preds = %B126.i1345, %B80.if.i2040
-  %.163.i1271 = icmp sgt i64 %.108.i1191.09330, 1
-  br i1 %.163.i1271, label %B80.if.i2040, label %B4734.endif
+B568.i1342:                                       ; preds = %B126.i1345, %B80.if.i2039
+  %.163.i1271 = icmp sgt i64 %.108.i1191.09333, 1
+  br i1 %.163.i1271, label %B80.if.i2039, label %B4744.endif
 
-B80.if.i2040:                                     ; preds = %B80.if.i2040.lr.ph, %B568.i1342
-  %.105.i1190.09331 = phi i64 [ 0, %B80.if.i2040.lr.ph ], [ %.176.i2047, %B568.i1342 ]
-  %.108.i1191.09330 = phi i64 [ %storemerge, %B80.if.i2040.lr.ph ], [ %.172.i2044, %B568.i1342 ]
-  %.172.i2044 = add nsw i64 %.108.i1191.09330, -1
-  %.176.i2047 = add nsw i64 %.105.i1190.09331, 1
-  %264 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.105.i1190.09331
-  %.258.i1338 = load i64, ptr %264, align 8, !noalias !172
+B80.if.i2039:                                     ; preds = %B80.if.i2039.lr.ph, %B568.i1342
+  %.105.i1190.09334 = phi i64 [ 0, %B80.if.i2039.lr.ph ], [ %.176.i2046, %B568.i1342 ]
+  %.108.i1191.09333 = phi i64 [ %storemerge, %B80.if.i2039.lr.ph ], [ %.172.i2043, %B568.i1342 ]
+  %.172.i2043 = add nsw i64 %.108.i1191.09333, -1
+  %.176.i2046 = add nsw i64 %.105.i1190.09334, 1
+  %308 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.105.i1190.09334
+  %.258.i1338 = load i64, ptr %308, align 8, !noalias !191
   %.263.i1341 = icmp sgt i64 %.258.i1338, -1
   br i1 %.263.i1341, label %B126.i1345, label %B568.i1342
 
-B4735:                                            ; preds = %B4478, %B134.i5473, %B4440, %B3774.if
-  %budget.6.3 = phi i64 [ %budget.5.29323, %B3774.if ], [ %budget.7.4, %B4440 ], [ %budget.7.4, %B134.i5473 ], [ %budget.7.4, %B4478 ]
-  %active.6.3 = phi i64 [ %active.5.29324, %B3774.if ], [ %active.5.29324, %B4440 ], [ %.6713, %B134.i5473 ], [ %.6713, %B4478 ]
-  %.5595 = icmp sgt i64 %.5535.09322, 1
-  br i1 %.5595, label %B3774.if, label %B4708
+B4745:                                            ; preds = %B4488, %B134.i5469, %B4450, %B3784.if
+  %budget.6.3 = phi i64 [ %budget.5.29327, %B3784.if ], [ %budget.7.4, %B4450 ], [ %budget.7.4, %B134.i5469 ], [ %budget.7.4, %B4488 ]
+  %active.6.3 = phi i64 [ %active.5.29328, %B3784.if ], [ %active.5.29328, %B4450 ], [ %.6689, %B134.i5469 ], [ %.6689, %B4488 ]
+  %.5571 = icmp sgt i64 %.5511.09326, 1
+  br i1 %.5571, label %B3784.if, label %B4718
 
-common.ret:                                       ; preds = %B3304.endif.if, %B2766.endif.if, %B4734.endif
-  %common.ret.op = phi i32 [ %.4226, %B2766.endif.if ], [ %.4828, %B3304.endif.if ], [ 0, %B4734.endif ]
+common.ret:                                       ; preds = %B3418.if, %B3318.endif.if, %B2766.endif.if, %B4744.endif
+  %common.ret.op = phi i32 [ %.4830, %B3318.endif.if ], [ %.4227, %B2766.endif.if ], [ 0, %B4744.endif ], [ %common.ret.op.i, %B3418.if ]
   ret i32 %common.ret.op
 
 B416.if:                                          ; preds = %B416.if.lr.ph, %B502
-  %active.4.09194 = phi i64 [ 0, %B416.if.lr.ph ], [ %.1089, %B502 ]
-  %.783.09193 = phi i64 [ %storemerge, %B416.if.lr.ph ], [ %.847, %B502 ]
-  %.780.09192 = phi i64 [ 0, %B416.if.lr.ph ], [ %.851, %B502 ]
-  %.847 = add nsw i64 %.783.09193, -1
-  %.851 = add nsw i64 %.780.09192, 1
-  %265 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.780.09192
-  %.933 = load i64, ptr %265, align 8
+  %active.4.09198 = phi i64 [ 0, %B416.if.lr.ph ], [ %.1089, %B502 ]
+  %.783.09197 = phi i64 [ %storemerge, %B416.if.lr.ph ], [ %.847, %B502 ]
+  %.780.09196 = phi i64 [ 0, %B416.if.lr.ph ], [ %.851, %B502 ]
+  %.847 = add nsw i64 %.783.09197, -1
+  %.851 = add nsw i64 %.780.09196, 1
+  %309 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.780.09196
+  %.933 = load i64, ptr %309, align 8
   %.934 = icmp slt i64 %.933, 0
   br i1 %.934, label %B458, label %B502
 
 B1534.if:                                         ; preds = %B1502, %B1726
-  %.2165.09209 = phi i64 [ %.2234, %B1726 ], [ 1, %B1502 ]
-  %.2234 = add i64 %.2165.09209, 1
-  %266 = getelementptr i64, ptr %arg.code.4, i64 %.2165.09209
-  %267 = getelementptr i8, ptr %266, i64 128
-  %.2293 = load i64, ptr %267, align 8
+  %.2165.09213 = phi i64 [ %.2234, %B1726 ], [ 1, %B1502 ]
+  %.2234 = add i64 %.2165.09213, 1
+  %310 = getelementptr i64, ptr %arg.code.4, i64 %.2165.09213
+  %311 = getelementptr i8, ptr %310, i64 128
+  %.2293 = load i64, ptr %311, align 8
   %.2338 = inttoptr i64 %.2293 to ptr
   tail call void %.2338(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
-  %.2344 = add nsw i64 %.2165.09209, %.
+  %.2344 = add nsw i64 %.2165.09213, %.
   %.2346 = mul nsw i64 %.2344, %.463
   %.2391 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.2346
   tail call void %.2392(ptr %.571, ptr %.2366, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.2391)
-  br i1 %or.cond9186.not, label %B68.if.lr.ph.i, label %B1726
+  br i1 %or.cond9189.not, label %B68.if.lr.ph.i, label %B1726
 
 B1870.if:                                         ; preds = %B1728, %B1956
-  %looked.2.19215 = phi i1 [ %"$phi1956.1.2.2", %B1956 ], [ %spec.select8925, %B1728 ]
-  %good.2.19214 = phi i1 [ %"$phi1914.1.2.2", %B1956 ], [ false, %B1728 ]
-  %.2611.09213 = phi i64 [ %.2673, %B1956 ], [ %storemerge, %B1728 ]
-  %.2608.09212 = phi i64 [ %.2677, %B1956 ], [ 0, %B1728 ]
-  %.2673 = add nsw i64 %.2611.09213, -1
-  %.2677 = add nsw i64 %.2608.09212, 1
-  br i1 %good.2.19214, label %B1914, label %B1878
+  %looked.2.19219 = phi i1 [ %"$phi1956.1.2.2", %B1956 ], [ %spec.select8891, %B1728 ]
+  %good.2.19218 = phi i1 [ %"$phi1914.1.2.2", %B1956 ], [ false, %B1728 ]
+  %.2611.09217 = phi i64 [ %.2673, %B1956 ], [ %storemerge, %B1728 ]
+  %.2608.09216 = phi i64 [ %.2677, %B1956 ], [ 0, %B1728 ]
+  %.2673 = add nsw i64 %.2611.09217, -1
+  %.2677 = add nsw i64 %.2608.09216, 1
+  br i1 %good.2.19218, label %B1914, label %B1878
 
 B2030.if:                                         ; preds = %B2030.preheader, %B2536
-  %checked.3.29225 = phi i1 [ %checked.4.3, %B2536 ], [ false, %B2030.preheader ]
-  %within.3.29224 = phi i1 [ %within.4.3, %B2536 ], [ false, %B2030.preheader ]
-  %.2966.09223 = phi i64 [ %.3034, %B2536 ], [ %storemerge, %B2030.preheader ]
-  %.2963.09222 = phi i64 [ %.3038, %B2536 ], [ 0, %B2030.preheader ]
-  %.3034 = add nsw i64 %.2966.09223, -1
-  %.3038 = add nsw i64 %.2963.09222, 1
-  %.3123 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.2963.09222
+  %checked.3.29229 = phi i1 [ %checked.4.3, %B2536 ], [ false, %B2030.preheader ]
+  %within.3.29228 = phi i1 [ %within.4.3, %B2536 ], [ false, %B2030.preheader ]
+  %.2966.09227 = phi i64 [ %.3034, %B2536 ], [ %storemerge, %B2030.preheader ]
+  %.2963.09226 = phi i64 [ %.3038, %B2536 ], [ 0, %B2030.preheader ]
+  %.3034 = add nsw i64 %.2966.09227, -1
+  %.3038 = add nsw i64 %.2963.09226, 1
+  %.3123 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.2963.09226
   %.3124 = load i64, ptr %.3123, align 8
-  %.3178 = getelementptr i64, ptr %38, i64 %.2963.09222
+  %.3178 = getelementptr i64, ptr %38, i64 %.2963.09226
   %.3179 = load i64, ptr %.3178, align 8
-  %.3239 = getelementptr double, ptr %39, i64 %.2963.09222
+  %.3239 = getelementptr double, ptr %39, i64 %.2963.09226
   store double 0.000000e+00, ptr %.3239, align 8
   %.3242 = icmp sgt i64 %.3124, -1
   br i1 %.3242, label %B2130, label %B2536
 
 B46.i:                                            ; preds = %B2168
-  %.120.i2142 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i2116
-  %.121.i2143 = load i64, ptr %.120.i2142, align 8, !noalias !50
-  %.122.i2144 = icmp eq i64 %.121.i2143, 0
-  br i1 %.122.i2144, label %B80.i2148, label %B2268
+  %.120.i2141 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i2115
+  %.121.i2142 = load i64, ptr %.120.i2141, align 8, !noalias !50
+  %.122.i2143 = icmp eq i64 %.121.i2142, 0
+  br i1 %.122.i2143, label %B80.i2147, label %B2268
 
-B80.i2148:                                        ; preds = %B46.i
-  store i64 %.5.i, ptr %.120.i2142, align 8, !noalias !50
+B80.i2147:                                        ; preds = %B46.i
+  store i64 %.5.i, ptr %.120.i2141, align 8, !noalias !50
   br label %B2268
 
 B2766.endif.if:                                   ; preds = %B2766
-  %.4227 = load ptr, ptr %excinfo.9, align 8
-  store ptr %.4227, ptr %excinfo, align 8
+  %.4228 = load ptr, ptr %excinfo.9, align 8
+  store ptr %.4228, ptr %excinfo, align 8
   br label %common.ret
 
-B2932.if:                                         ; preds = %B2884
-  %.4417 = load i64, ptr %113, align 8
-  %.4462 = inttoptr i64 %.4417 to ptr
-  tail call void %.4462(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
-  %.4493 = load i64, ptr %arg.code.4, align 8
-  %.4543 = inttoptr i64 %.4493 to ptr
-  tail call void %.4543(ptr %.571, ptr %.4517, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.4542)
-  %.4417.1 = load i64, ptr %114, align 8
-  %.4462.1 = inttoptr i64 %.4417.1 to ptr
-  tail call void %.4462.1(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
-  %.4493.1 = load i64, ptr %arg.code.4, align 8
-  %.4543.1 = inttoptr i64 %.4493.1 to ptr
-  tail call void %.4543.1(ptr %.571, ptr %.4517, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.4542.1)
-  %.4417.2 = load i64, ptr %115, align 8
-  %.4462.2 = inttoptr i64 %.4417.2 to ptr
-  tail call void %.4462.2(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
-  %.4493.2 = load i64, ptr %arg.code.4, align 8
-  %.4543.2 = inttoptr i64 %.4493.2 to ptr
-  tail call void %.4543.2(ptr %.571, ptr %.4517, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.4542.2)
-  %.4581 = load i64, ptr %.4580, align 8
-  %.4626 = inttoptr i64 %.4581 to ptr
-  tail call void %.4626(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
-  %.4658 = load i64, ptr %.4657, align 8
-  %.4703 = inttoptr i64 %.4658 to ptr
-  tail call void %.4703(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.tolerances.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
-  br i1 %.794, label %B3300, label %B64.if.i3121
+B2946.if:                                         ; preds = %B2898
+  %.4418 = load i64, ptr %120, align 8
+  %.4463 = inttoptr i64 %.4418 to ptr
+  tail call void %.4463(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
+  %.4494 = load i64, ptr %arg.code.4, align 8
+  %.4544 = inttoptr i64 %.4494 to ptr
+  tail call void %.4544(ptr %.571, ptr %.4518, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.4543)
+  %.4418.1 = load i64, ptr %121, align 8
+  %.4463.1 = inttoptr i64 %.4418.1 to ptr
+  tail call void %.4463.1(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
+  %.4494.1 = load i64, ptr %arg.code.4, align 8
+  %.4544.1 = inttoptr i64 %.4494.1 to ptr
+  tail call void %.4544.1(ptr %.571, ptr %.4518, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.4543.1)
+  %.4418.2 = load i64, ptr %122, align 8
+  %.4463.2 = inttoptr i64 %.4418.2 to ptr
+  tail call void %.4463.2(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
+  %.4494.2 = load i64, ptr %arg.code.4, align 8
+  %.4544.2 = inttoptr i64 %.4494.2 to ptr
+  tail call void %.4544.2(ptr %.571, ptr %.4518, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.4543.2)
+  %.4582 = load i64, ptr %.4581, align 8
+  %.4627 = inttoptr i64 %.4582 to ptr
+  tail call void %.4627(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
+  %.4659 = load i64, ptr %.4658, align 8
+  %.4704 = inttoptr i64 %.4659 to ptr
+  tail call void %.4704(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.tolerances.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
+  br i1 %.794, label %B3314, label %B64.if.i3119
 
-B3304.endif.if:                                   ; preds = %B3304
-  %.4829 = load ptr, ptr %excinfo.11, align 8
-  store ptr %.4829, ptr %excinfo, align 8
+B3318.endif.if:                                   ; preds = %B3318
+  %.4831 = load ptr, ptr %excinfo.11, align 8
+  store ptr %.4831, ptr %excinfo, align 8
   br label %common.ret
 
-B3304.endif.endif:                                ; preds = %B3304
-  %.4838 = load i8, ptr %.4774, align 1
-  %.4841.not = icmp eq i8 %.4838, 0
-  br i1 %.4841.not, label %B3386, label %B3344
+B3318.endif.endif:                                ; preds = %B3318
+  %.4840 = load i8, ptr %.4776, align 1
+  %.4843.not = icmp eq i8 %.4840, 0
+  br i1 %.4843.not, label %B3414, label %B3372
 
-B3774.if:                                         ; preds = %B3732, %B4735
-  %active.5.29324 = phi i64 [ %active.6.3, %B4735 ], [ 0, %B3732 ]
-  %budget.5.29323 = phi i64 [ %budget.6.3, %B4735 ], [ %.1132, %B3732 ]
-  %.5535.09322 = phi i64 [ %.5604, %B4735 ], [ %storemerge, %B3732 ]
-  %.5532.09321 = phi i64 [ %.5608, %B4735 ], [ 0, %B3732 ]
-  %.5604 = add nsw i64 %.5535.09322, -1
-  %.5608 = add nsw i64 %.5532.09321, 1
-  %.5693 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.5532.09321
-  %.5694 = load i64, ptr %.5693, align 8
-  %.5699 = icmp slt i64 %.5694, 0
-  br i1 %.5699, label %B4735, label %B3822
+B3418.if:                                         ; preds = %_ZN12clpt_control6native9for_numba12watch_guardsB3v38B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit
+  store ptr %excinfo.13.2, ptr %excinfo, align 8
+  br label %common.ret
 
-B4734.endif:                                      ; preds = %B568.i1342, %B4734
+B3784.if:                                         ; preds = %B3742, %B4745
+  %active.5.29328 = phi i64 [ %active.6.3, %B4745 ], [ 0, %B3742 ]
+  %budget.5.29327 = phi i64 [ %budget.6.3, %B4745 ], [ %.1132, %B3742 ]
+  %.5511.09326 = phi i64 [ %.5580, %B4745 ], [ %storemerge, %B3742 ]
+  %.5508.09325 = phi i64 [ %.5584, %B4745 ], [ 0, %B3742 ]
+  %.5580 = add nsw i64 %.5511.09326, -1
+  %.5584 = add nsw i64 %.5508.09325, 1
+  %.5669 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.5508.09325
+  %.5670 = load i64, ptr %.5669, align 8
+  %.5675 = icmp slt i64 %.5670, 0
+  br i1 %.5675, label %B4745, label %B3832
+
+B4744.endif:                                      ; preds = %B568.i1342, %B4744
   store i64 %active.10.0, ptr %retptr, align 8
   br label %common.ret
 }
@@ -3682,27 +4246,30 @@ B4734.endif:                                      ; preds = %B568.i1342, %B4734
 ; Function Attrs: mustprogress nocallback nofree nosync nounwind speculatable willreturn memory(none)
 declare double @llvm.fabs.f64(double)
 
-define internal fastcc range(i32 0, 2) i32 @_ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE(ptr noalias nonnull %retptr, ptr noalias nonnull %excinfo, ptr readonly %arg.code.4, i64 %arg.shape.0, i64 %arg.shape.1, i64 %arg.shape.6, ptr readonly %arg.times.4, i64 %arg.times.5.0, ptr %arg.results.3.4, i64 %arg.results.3.5.0, i64 %arg.results.3.5.1, ptr %arg.lane.0.4, i64 %arg.lane.0.5.1, ptr %arg.lane.1.4, i64 %arg.lane.1.5.1, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4, i64 %arg.arrays.4.5.0) unnamed_addr {
+define internal fastcc range(i32 0, 2) i32 @_ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE(ptr noalias nonnull %retptr, ptr noalias nonnull %excinfo, ptr readonly %arg.code.4, i64 %arg.shape.0, i64 %arg.shape.1, i64 %arg.shape.2, i64 %arg.decided, ptr readonly %arg.times.4, i64 %arg.times.5.0, ptr %arg.results.3.4, i64 %arg.results.3.5.0, i64 %arg.results.3.5.1, ptr %arg.lane.0.4, i64 %arg.lane.0.5.1, ptr %arg.lane.1.4, i64 %arg.lane.1.5.1, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4, i64 %arg.arrays.4.5.0) unnamed_addr {
 entry:
   %0 = getelementptr double, ptr %arg.times.4, i64 %arg.times.5.0
-  %.223 = getelementptr i8, ptr %0, i64 -8
-  %.224 = load double, ptr %.223, align 8
-  %.253 = load double, ptr %arg.times.4, align 8
-  %.254 = fsub double %.224, %.253
-  %.255 = fmul double %.254, 1.000000e-13
-  %.4961274.not = icmp slt i64 %arg.shape.0, 1
-  %factor.op.mul = mul i64 %arg.shape.6, 3
-  %.idx1261 = mul i64 %arg.lane.0.5.1, 48
-  %1 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1261
-  %.idx1262 = shl i64 %arg.lane.0.5.1, 6
-  %2 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1262
-  %.287.i1271.not = icmp slt i64 %arg.shape.1, 1
+  %.226 = getelementptr i8, ptr %0, i64 -8
+  %.227 = load double, ptr %.226, align 8
+  %.256 = load double, ptr %arg.times.4, align 8
+  %.257 = fsub double %.227, %.256
+  %.258 = fmul double %.257, 1.000000e-13
+  %.296 = icmp sgt i64 %arg.shape.2, 4
+  %. = select i1 %.296, i64 0, i64 8
+  %.354 = sub nsw i64 9, %.
+  %.5201291.not = icmp slt i64 %arg.shape.0, 1
+  %factor.op.mul = mul i64 %arg.decided, 3
+  %.idx1277 = mul i64 %arg.lane.0.5.1, 48
+  %1 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1277
+  %.idx1278 = shl i64 %arg.lane.0.5.1, 6
+  %2 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1278
+  %.287.i1288.not = icmp slt i64 %arg.shape.1, 1
   %.358.i = shl nsw i64 %arg.shape.1, 4
-  %.623.reass = mul i64 %factor.op.mul, %arg.shape.0
-  %.658 = getelementptr i8, ptr %arg.code.4, i64 40
-  %.699.idx = shl i64 %arg.lane.0.5.1, 6
-  %.699 = getelementptr i8, ptr %arg.lane.0.4, i64 %.699.idx
-  %.729 = mul i64 %arg.shape.1, %arg.shape.0
+  %.644.reass = mul i64 %factor.op.mul, %arg.shape.0
+  %.706 = getelementptr i8, ptr %arg.code.4, i64 40
+  %.747.idx = shl i64 %arg.lane.0.5.1, 6
+  %.747 = getelementptr i8, ptr %arg.lane.0.4, i64 %.747.idx
+  %.778 = mul i64 %arg.shape.1, %arg.shape.0
   %.155.i.i = mul nsw i64 %arg.shape.1, 24
   %.155.i.i.1 = mul nsw i64 %arg.shape.1, 23
   %.155.i.i.2 = mul nsw i64 %arg.shape.1, 22
@@ -3710,51 +4277,52 @@ entry:
   %.155.i.i.4 = mul nsw i64 %arg.shape.1, 20
   %.155.i.i.5 = mul nsw i64 %arg.shape.1, 19
   %.155.i.i.6 = mul nsw i64 %arg.shape.1, 18
-  br label %B204.if
+  br label %B246.if
 
-B238.loopexit:                                    ; preds = %B122.if.i, %switch.end
-  %exitcond1289.not = icmp eq i64 %arg.shape.0, %.509
-  br i1 %exitcond1289.not, label %B306, label %B238.if
+B280.loopexit:                                    ; preds = %B122.if.i, %switch.end
+  %exitcond1307.not = icmp eq i64 %arg.shape.0, %.533
+  br i1 %exitcond1307.not, label %B348, label %B280.if
 
-B306:                                             ; preds = %B238.loopexit, %B204.if
-  %.610 = icmp ult i64 %.317.01277, 8
-  %. = select i1 %.610, i64 16, i64 17
-  %.629 = mul i64 %.623.reass, %.317.01277
-  %.659 = load i64, ptr %.658, align 8
-  %.731 = mul i64 %.729, %.
-  %.749 = getelementptr double, ptr %arg.arrays.0.4, i64 %.731
-  %.774 = getelementptr double, ptr %arg.arrays.4.4, i64 %.629
-  %.775 = inttoptr i64 %.659 to ptr
-  tail call void %.775(ptr %.699, ptr %.749, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %.774)
-  %exitcond1290.not = icmp eq i64 %.388, 9
-  br i1 %exitcond1290.not, label %B482, label %B204.if
+B348:                                             ; preds = %B280.loopexit, %B246.if
+  %.634 = icmp ult i64 %.341.01294, 8
+  %.1280 = select i1 %.634, i64 16, i64 17
+  %.650 = mul i64 %.644.reass, %.341.01294
+  %.707 = load i64, ptr %.706, align 8
+  %.782 = mul i64 %.778, %.1280
+  %.800 = getelementptr double, ptr %arg.arrays.0.4, i64 %.782
+  %.825 = getelementptr double, ptr %arg.arrays.4.4, i64 %.650
+  %.826 = inttoptr i64 %.707 to ptr
+  tail call void %.826(ptr %.747, ptr %.800, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %.825)
+  %.399 = icmp sgt i64 %.344.01295, 1
+  br i1 %.399, label %B246.if, label %B550
 
-B482:                                             ; preds = %B306
-  %.8811279 = icmp sgt i64 %arg.shape.0, 0
-  br i1 %.8811279, label %B516.lr.ph, label %B1238
+B550:                                             ; preds = %B348
+  %.9341296 = icmp sgt i64 %arg.shape.0, 0
+  br i1 %.9341296, label %B584.lr.ph, label %B1346
 
-B516.lr.ph:                                       ; preds = %B482
-  %.827.11282 = add nsw i64 %arg.shape.0, -1
+B584.lr.ph:                                       ; preds = %B550
+  %.880.11299 = add nsw i64 %arg.shape.0, -1
   %.idx = mul i64 %arg.lane.0.5.1, 56
   %3 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx
-  %.idx1251 = shl i64 %arg.lane.1.5.1, 5
-  %4 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx1251
-  %.idx1252 = shl i64 %arg.lane.0.5.1, 6
-  %5 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1252
-  %.idx1253 = mul i64 %arg.lane.0.5.1, 40
-  %6 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1253
-  %storemerge1254 = tail call i64 @llvm.smax.i64(i64 %arg.shape.6, i64 0)
-  %.194.i79 = mul nsw i64 %arg.shape.6, %arg.shape.0
-  %.idx1256 = mul i64 %arg.lane.0.5.1, 112
-  %7 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1256
-  %.idx1257 = mul i64 %arg.lane.0.5.1, 120
-  %8 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1257
-  %.idx1258 = mul i64 %arg.lane.0.5.1, 48
-  %9 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1258
-  %.1777 = fmul double %.255, 2.000000e+00
-  %.28.i = mul i64 %arg.shape.6, %arg.shape.0
+  %.idx1266 = shl i64 %arg.lane.1.5.1, 5
+  %4 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx1266
+  %.idx1267 = shl i64 %arg.lane.0.5.1, 6
+  %5 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1267
+  %.idx1268 = mul i64 %arg.lane.0.5.1, 40
+  %6 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1268
+  %.1281 = select i1 %.296, i64 0, i64 7
+  %storemerge1269 = tail call i64 @llvm.smax.i64(i64 %arg.decided, i64 0)
+  %.194.i79 = mul nsw i64 %arg.decided, %arg.shape.0
+  %.idx1271 = mul i64 %arg.lane.0.5.1, 112
+  %7 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1271
+  %.idx1272 = mul i64 %arg.lane.0.5.1, 120
+  %8 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1272
+  %.idx1273 = mul i64 %arg.lane.0.5.1, 48
+  %9 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1273
+  %.1863 = fmul double %.258, 2.000000e+00
+  %.28.i = mul i64 %arg.decided, %arg.shape.0
   %.30.i = mul i64 %.28.i, 3
-  %storemerge.i = tail call i64 @llvm.smax.i64(i64 %arg.shape.6, i64 0)
+  %storemerge.i = tail call i64 @llvm.smax.i64(i64 %arg.decided, i64 0)
   %.598.i = mul i64 %.28.i, 6
   %.600.2.i = mul i64 %.28.i, 12
   %.600.3.i = mul i64 %.28.i, 18
@@ -3762,102 +4330,127 @@ B516.lr.ph:                                       ; preds = %B482
   %.334.1.i = mul i64 %.28.i, 9
   %.334.2.i = mul i64 %.28.i, 15
   %.334.3.i = mul i64 %.28.i, 21
-  %.idx1259 = shl i64 %arg.lane.0.5.1, 5
-  %10 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1259
+  %.idx1275 = shl i64 %arg.lane.0.5.1, 5
+  %10 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1275
   %11 = getelementptr double, ptr %arg.lane.0.4, i64 %arg.lane.0.5.1
-  br label %B516
+  br label %B584
 
-B516:                                             ; preds = %B516.lr.ph, %B1234
-  %.871.sroa.0.01287 = phi i64 [ 0, %B516.lr.ph ], [ %.871.sroa.0.0, %B1234 ]
-  %.827.11286 = phi i64 [ %.827.11282, %B516.lr.ph ], [ %.827.1, %B1234 ]
-  %.824.11285 = phi i64 [ 1, %B516.lr.ph ], [ %.824.1, %B1234 ]
-  %some.2.01284 = phi i1 [ false, %B516.lr.ph ], [ %some.3.1, %B1234 ]
-  %excinfo.3.01283 = phi ptr [ null, %B516.lr.ph ], [ %excinfo.3.1, %B1234 ]
-  %.956 = icmp slt i64 %.871.sroa.0.01287, 0
-  %.957 = select i1 %.956, i64 %arg.lane.0.5.1, i64 0
-  %.958 = add i64 %.957, %.871.sroa.0.01287
-  %.979 = getelementptr double, ptr %3, i64 %.958
-  %.980 = load double, ptr %.979, align 8
-  %.1012 = select i1 %.956, i64 %arg.lane.1.5.1, i64 0
-  %.1013 = add i64 %.1012, %.871.sroa.0.01287
-  %.1034 = getelementptr i64, ptr %4, i64 %.1013
-  store i64 -1, ptr %.1034, align 8
-  %.1089 = getelementptr double, ptr %5, i64 %.958
-  store double %.980, ptr %.1089, align 8
-  %.1144 = getelementptr i64, ptr %arg.lane.1.4, i64 %.1013
-  %.1145 = load i64, ptr %.1144, align 8
-  %.1146 = icmp sgt i64 %.1145, -1
-  br i1 %.1146, label %B634, label %B1234
+B584:                                             ; preds = %B584.lr.ph, %B1342
+  %.924.sroa.0.01304 = phi i64 [ 0, %B584.lr.ph ], [ %.924.sroa.0.0, %B1342 ]
+  %.880.11303 = phi i64 [ %.880.11299, %B584.lr.ph ], [ %.880.1, %B1342 ]
+  %.877.11302 = phi i64 [ 1, %B584.lr.ph ], [ %.877.1, %B1342 ]
+  %some.2.01301 = phi i1 [ false, %B584.lr.ph ], [ %some.3.1, %B1342 ]
+  %excinfo.3.01300 = phi ptr [ null, %B584.lr.ph ], [ %excinfo.3.1, %B1342 ]
+  %.1009 = icmp slt i64 %.924.sroa.0.01304, 0
+  %.1010 = select i1 %.1009, i64 %arg.lane.0.5.1, i64 0
+  %.1011 = add i64 %.1010, %.924.sroa.0.01304
+  %.1032 = getelementptr double, ptr %3, i64 %.1011
+  %.1033 = load double, ptr %.1032, align 8
+  %.1065 = select i1 %.1009, i64 %arg.lane.1.5.1, i64 0
+  %.1066 = add i64 %.1065, %.924.sroa.0.01304
+  %.1087 = getelementptr i64, ptr %4, i64 %.1066
+  store i64 -1, ptr %.1087, align 8
+  %.1142 = getelementptr double, ptr %5, i64 %.1011
+  store double %.1033, ptr %.1142, align 8
+  %.1197 = getelementptr i64, ptr %arg.lane.1.4, i64 %.1066
+  %.1198 = load i64, ptr %.1197, align 8
+  %.1199 = icmp sgt i64 %.1198, -1
+  br i1 %.1199, label %B702, label %B1342
 
-B634:                                             ; preds = %B516
-  %.1204 = getelementptr double, ptr %6, i64 %.958
-  %.1205 = load double, ptr %.1204, align 8
-  %.1206 = fcmp ogt double %.1205, 5.000000e-01
-  br i1 %.1206, label %B674, label %B1234
+B702:                                             ; preds = %B584
+  %.1257 = getelementptr double, ptr %6, i64 %.1011
+  %.1258 = load double, ptr %.1257, align 8
+  %.1259 = fcmp ogt double %.1258, 5.000000e-01
+  br i1 %.1259, label %B742, label %B1342
 
-B674:                                             ; preds = %B634
-  %.1283 = load i64, ptr %.1034, align 8
-  %.1284 = icmp slt i64 %.1283, 0
-  br i1 %.1284, label %B738, label %B866
+B742:                                             ; preds = %B702
+  %.1349 = load i64, ptr %.1087, align 8
+  %.1350 = icmp slt i64 %.1349, 0
+  br i1 %.1350, label %B830, label %B958
 
-B738:                                             ; preds = %B674, %B738.endif
-  %last.2.2 = phi i64 [ %.1290, %B738.endif ], [ 0, %B674 ]
-  %.1290 = add nsw i64 %last.2.2, 1
-  %.151.i51 = mul nsw i64 %.1290, 3
-  %.153.i521255 = add nsw i64 %.151.i51, 1
-  %.155.i = mul i64 %.153.i521255, %arg.shape.6
+B830:                                             ; preds = %B742, %B920
+  %last.2.3 = phi i64 [ %.1356, %B920 ], [ %.1281, %B742 ]
+  %.1356 = add nsw i64 %last.2.3, 1
+  %.151.i51 = mul nsw i64 %.1356, 3
+  %.153.i521270 = add nsw i64 %.151.i51, 1
+  %.155.i = mul i64 %.153.i521270, %arg.decided
   br label %B34.i
 
-B34.i:                                            ; preds = %B36.i, %B738
-  %.51.i13.0 = phi i64 [ 0, %B738 ], [ %.122.i103, %B36.i ]
-  %exitcond1291.not = icmp eq i64 %.51.i13.0, %storemerge1254
-  br i1 %exitcond1291.not, label %B738.endif, label %B36.i
+B34.i:                                            ; preds = %B36.i, %B830
+  %.51.i13.0 = phi i64 [ 0, %B830 ], [ %.122.i103, %B36.i ]
+  %exitcond1308.not = icmp eq i64 %.51.i13.0, %storemerge1269
+  br i1 %exitcond1308.not, label %B830.endif, label %B36.i
 
 B36.i:                                            ; preds = %B34.i
   %.122.i103 = add i64 %.51.i13.0, 1
   %.157.i54 = add nsw i64 %.51.i13.0, %.155.i
   %.159.i = mul nsw i64 %.157.i54, %arg.shape.0
-  %.161.i = add nsw i64 %.159.i, %.871.sroa.0.01287
+  %.161.i = add nsw i64 %.159.i, %.924.sroa.0.01304
   %.175.i63 = icmp slt i64 %.161.i, 0
   %.176.i64 = select i1 %.175.i63, i64 %arg.arrays.4.5.0, i64 0
   %12 = getelementptr double, ptr %arg.arrays.4.4, i64 %.161.i
   %.190.i = getelementptr double, ptr %12, i64 %.176.i64
-  %.191.i = load double, ptr %.190.i, align 8, !noalias !176
+  %.191.i = load double, ptr %.190.i, align 8, !noalias !195
   %.195.i80 = add nsw i64 %.161.i, %.194.i79
   %.209.i = icmp slt i64 %.195.i80, 0
   %.210.i = select i1 %.209.i, i64 %arg.arrays.4.5.0, i64 0
   %13 = getelementptr double, ptr %arg.arrays.4.4, i64 %.195.i80
   %.224.i91 = getelementptr double, ptr %13, i64 %.210.i
-  %.225.i92 = load double, ptr %.224.i91, align 8, !noalias !176
+  %.225.i92 = load double, ptr %.224.i91, align 8, !noalias !195
   %.226.i93 = fneg double %.225.i92
   %.227.i94 = fcmp olt double %.191.i, %.226.i93
-  br i1 %.227.i94, label %B738.endif, label %B34.i
+  br i1 %.227.i94, label %B830.endif, label %B34.i
 
-B866:                                             ; preds = %B738.endif, %B674
-  %last.3.3 = phi i64 [ 0, %B674 ], [ %.1290, %B738.endif ]
-  %switch.tableidx = add i64 %last.3.3, 8
-  %14 = icmp ult i64 %switch.tableidx, 18
-  br i1 %14, label %switch.lookup, label %switch.else.1
+B920:                                             ; preds = %B830.endif
+  %.1518 = icmp slt i64 %.1371.0, 0
+  br i1 %.1518, label %B830, label %B958
 
-B1062:                                            ; preds = %switch.lookup22
-  %.1698 = load i64, ptr %.1034, align 8
-  %.1699 = icmp sgt i64 %.1698, -1
-  %.1473 = sext i1 %.1699 to i64
-  %"$phi1016.1.2.2" = add nsw i64 %last.3.3, %.1473
-  %15 = tail call i64 @llvm.smax.i64(i64 %"$phi1016.1.2.2", i64 0)
-  %storemerge336.i = tail call i64 @llvm.smin.i64(i64 %15, i64 7)
-  %.800356.not.i = icmp slt i64 %"$phi1016.1.2.2", 1
-  %.951.i = add i64 %"$phi1016.1.2.2", -1
-  %storemerge337.i = tail call i64 @llvm.smax.i64(i64 %.951.i, i64 0)
-  %.995360.i = icmp sgt i64 %.951.i, 0
+B958:                                             ; preds = %B830.endif, %B920, %B742
+  %last.3.2 = phi i64 [ %.1281, %B742 ], [ %.1356, %B920 ], [ 8, %B830.endif ]
+  br i1 %.296, label %B966, label %B996
+
+B966:                                             ; preds = %B958
+  %14 = getelementptr double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.12, i64 %last.3.2
+  %switch.gep = getelementptr i8, ptr %14, i64 64
+  %switch.load = load double, ptr %switch.gep, align 8
+  br label %B996
+
+B996:                                             ; preds = %B966, %B958
+  %"$phi996.1.2.2" = phi double [ 0.000000e+00, %B958 ], [ %switch.load, %B966 ]
+  %.1630 = getelementptr double, ptr %7, i64 %.1011
+  store double %"$phi996.1.2.2", ptr %.1630, align 8
+  %15 = getelementptr double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.12, i64 %last.3.2
+  %switch.gep4 = getelementptr i8, ptr %15, i64 72
+  %switch.load5 = load double, ptr %switch.gep4, align 8
+  %.1722 = getelementptr double, ptr %8, i64 %.1011
+  store double %switch.load5, ptr %.1722, align 8
+  %.1778 = load i64, ptr %.1087, align 8
+  %.1779 = icmp sgt i64 %.1778, -1
+  %.1789 = sext i1 %.1779 to i64
+  %"$phi1114.1.2.2" = add nsw i64 %last.3.2, %.1789
+  br i1 %.296, label %B1122, label %B1300
+
+B1122:                                            ; preds = %B996
+  %.1860 = getelementptr double, ptr %9, i64 %.1011
+  %.1861 = load double, ptr %.1860, align 8
+  %.1864 = fcmp ogt double %.1861, %.1863
+  br i1 %.1864, label %B1170, label %B1300
+
+B1170:                                            ; preds = %B1122
+  %16 = tail call i64 @llvm.smax.i64(i64 range(i64 -1, 9) %"$phi1114.1.2.2", i64 0)
+  %storemerge336.i = tail call i64 @llvm.smin.i64(i64 %16, i64 7)
+  %.800356.not.i = icmp slt i64 %"$phi1114.1.2.2", 1
+  %17 = tail call i64 @llvm.smax.i64(i64 range(i64 -1, 9) %"$phi1114.1.2.2", i64 1)
+  %storemerge337.i = add nsw i64 %17, -1
+  %.995360.i = icmp sgt i64 %"$phi1114.1.2.2", 1
   %.938.1362.i = select i1 %.995360.i, i64 2, i64 1
   %.1004363.i = sext i1 %.995360.i to i64
   %.941.1364.i = add nsw i64 %storemerge337.i, %.1004363.i
   %.985.sroa.0.0365.i = zext i1 %.995360.i to i64
   br label %B50.i
 
-B50.i:                                            ; preds = %B1088.i, %B1062
-  %.58.0.i = phi i64 [ 0, %B1062 ], [ %.130.i, %B1088.i ]
+B50.i:                                            ; preds = %B1088.i, %B1170
+  %.58.0.i = phi i64 [ 0, %B1170 ], [ %.130.i, %B1088.i ]
   %exitcond.not.i = icmp eq i64 %.58.0.i, %storemerge.i
   br i1 %exitcond.not.i, label %_ZN12clpt_control6native9for_numba8may_hideB3v29B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE.exit, label %B52.if.i
 
@@ -3879,24 +4472,24 @@ B568.i:                                           ; preds = %B1163.i, %B568.lr.p
   %.1045.i = add nsw i64 %.1043.i, %.160.i
   %.1059.i = icmp slt i64 %.1045.i, 0
   %.1060.i = select i1 %.1059.i, i64 %arg.arrays.4.5.0, i64 0
-  %16 = getelementptr double, ptr %arg.arrays.4.4, i64 %.1045.i
-  %.1074.i = getelementptr double, ptr %16, i64 %.1060.i
-  %.1075.i = load double, ptr %.1074.i, align 8, !noalias !180
+  %18 = getelementptr double, ptr %arg.arrays.4.4, i64 %.1045.i
+  %.1074.i = getelementptr double, ptr %18, i64 %.1060.i
+  %.1075.i = load double, ptr %.1074.i, align 8, !noalias !199
   %.1078.i = mul nsw i64 %.985.sroa.0.0369.i, %.30.i
   %.1080.i = add nsw i64 %.1078.i, %.160.i
   %.1094.i = icmp slt i64 %.1080.i, 0
   %.1095.i = select i1 %.1094.i, i64 %arg.arrays.4.5.0, i64 0
-  %17 = getelementptr double, ptr %arg.arrays.4.4, i64 %.1080.i
-  %.1109.i = getelementptr double, ptr %17, i64 %.1095.i
-  %.1110.i = load double, ptr %.1109.i, align 8, !noalias !180
+  %19 = getelementptr double, ptr %arg.arrays.4.4, i64 %.1080.i
+  %.1109.i = getelementptr double, ptr %19, i64 %.1095.i
+  %.1110.i = load double, ptr %.1109.i, align 8, !noalias !199
   %.1112.i = add nsw i64 %.985.sroa.0.0369.i, 1
   %.1114.i = mul nsw i64 %.1112.i, %.30.i
   %.1116.i = add nsw i64 %.1114.i, %.160.i
   %.1130.i = icmp slt i64 %.1116.i, 0
   %.1131.i = select i1 %.1130.i, i64 %arg.arrays.4.5.0, i64 0
-  %18 = getelementptr double, ptr %arg.arrays.4.4, i64 %.1116.i
-  %.1145.i = getelementptr double, ptr %18, i64 %.1131.i
-  %.1146.i = load double, ptr %.1145.i, align 8, !noalias !180
+  %20 = getelementptr double, ptr %arg.arrays.4.4, i64 %.1116.i
+  %.1145.i = getelementptr double, ptr %20, i64 %.1131.i
+  %.1146.i = load double, ptr %.1145.i, align 8, !noalias !199
   %.1160.i = fsub double %.1075.i, %.1110.i
   %.1161.i = tail call double @llvm.fabs.f64(double %.1160.i)
   %.1164.i = fsub double %.1146.i, %.1110.i
@@ -3908,11 +4501,11 @@ B568.i:                                           ; preds = %B1163.i, %B568.lr.p
   br i1 %.1170.i, label %B776.i, label %B1163.i
 
 B776.i:                                           ; preds = %B568.i
-  %switch.tableidx2 = add i64 %.985.sroa.0.0369.i, 9
-  %19 = icmp ult i64 %switch.tableidx2, 18
-  br i1 %19, label %switch.lookup3, label %_ZN12clpt_control6native9for_numba8may_hideB3v29B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE.exit
+  %switch.tableidx6 = add i64 %.985.sroa.0.0369.i, 9
+  %21 = icmp ult i64 %switch.tableidx6, 18
+  br i1 %21, label %switch.lookup7, label %_ZN12clpt_control6native9for_numba8may_hideB3v29B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE.exit
 
-B982.i:                                           ; preds = %switch.lookup15
+B982.i:                                           ; preds = %switch.lookup19
   %.1379.i = fneg double %.1320.i
   %.1383.i = fmul double %.1369.i, 5.000000e-01
   %.1388.i = fdiv double %.1383.i, %.1352.i
@@ -3935,17 +4528,17 @@ B1088.i:                                          ; preds = %B1163.i, %B532.i
   %.1508.i = add nsw i64 %.160.i, %.28.i
   %.1524.i = icmp slt i64 %.1508.i, 0
   %.1525.i = select i1 %.1524.i, i64 %arg.arrays.4.5.0, i64 0
-  %20 = getelementptr double, ptr %arg.arrays.4.4, i64 %.1508.i
-  %.1539.i = getelementptr double, ptr %20, i64 %.1525.i
-  %.1540.i = load double, ptr %.1539.i, align 8, !noalias !180
+  %22 = getelementptr double, ptr %arg.arrays.4.4, i64 %.1508.i
+  %.1539.i = getelementptr double, ptr %22, i64 %.1525.i
+  %.1540.i = load double, ptr %.1539.i, align 8, !noalias !199
   %.1542.i = fcmp ule double %.11.i.3.i, %.1540.i
   %.1545.i = fmul double %.11.i.3.i, 1.000000e+01
   %.1549.i = fcmp ugt double %nearest.4.1.lcssa.i, %.1545.i
   %or.cond.i = select i1 %.1542.i, i1 true, i1 %.1549.i
   br i1 %or.cond.i, label %B50.i, label %_ZN12clpt_control6native9for_numba8may_hideB3v29B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE.exit
 
-B1163.i:                                          ; preds = %switch.lookup15, %B1022.i, %B982.i, %B568.i
-  %nearest.5.2.i = phi double [ %nearest.4.1366.i, %B982.i ], [ %.11.i341.i, %B1022.i ], [ %nearest.4.1366.i, %B568.i ], [ %nearest.4.1366.i, %switch.lookup15 ]
+B1163.i:                                          ; preds = %switch.lookup19, %B1022.i, %B982.i, %B568.i
+  %nearest.5.2.i = phi double [ %nearest.4.1366.i, %B982.i ], [ %.11.i341.i, %B1022.i ], [ %nearest.4.1366.i, %B568.i ], [ %nearest.4.1366.i, %switch.lookup19 ]
   %.995.i = icmp sgt i64 %.941.1368.i, 0
   %.1008.i = zext i1 %.995.i to i64
   %.938.1.i = add i64 %.938.1367.i, %.1008.i
@@ -3956,109 +4549,109 @@ B1163.i:                                          ; preds = %switch.lookup15, %B
 
 B52.if.i:                                         ; preds = %B50.i
   %.130.i = add i64 %.58.0.i, 1
-  %.156.i = add nsw i64 %.58.0.i, %arg.shape.6
+  %.156.i = add nsw i64 %.58.0.i, %arg.decided
   %.158.i = mul nsw i64 %.156.i, %arg.shape.0
-  %.160.i = add nsw i64 %.158.i, %.871.sroa.0.01287
+  %.160.i = add nsw i64 %.158.i, %.924.sroa.0.01304
   %.336.i = add nsw i64 %.160.i, %.30.i
   %.350.i = icmp slt i64 %.336.i, 0
   %.351.i = select i1 %.350.i, i64 %arg.arrays.4.5.0, i64 0
-  %21 = getelementptr double, ptr %arg.arrays.4.4, i64 %.336.i
-  %.365.i = getelementptr double, ptr %21, i64 %.351.i
-  %.366.i = load double, ptr %.365.i, align 8, !noalias !180
+  %23 = getelementptr double, ptr %arg.arrays.4.4, i64 %.336.i
+  %.365.i = getelementptr double, ptr %23, i64 %.351.i
+  %.366.i = load double, ptr %.365.i, align 8, !noalias !199
   %.616.i = icmp slt i64 %.160.i, 0
   %.617.i = select i1 %.616.i, i64 %arg.arrays.4.5.0, i64 0
-  %22 = getelementptr double, ptr %arg.arrays.4.4, i64 %.160.i
-  %.631.i = getelementptr double, ptr %22, i64 %.617.i
-  %.632.i = load double, ptr %.631.i, align 8, !noalias !180
+  %24 = getelementptr double, ptr %arg.arrays.4.4, i64 %.160.i
+  %.631.i = getelementptr double, ptr %24, i64 %.617.i
+  %.632.i = load double, ptr %.631.i, align 8, !noalias !199
   %.633.i = fmul double %.632.i, 0x3FDDF27AAAADCB3A
   %.635.i = fsub double %.366.i, %.633.i
   %.602.1.i = add nsw i64 %.160.i, %.598.i
   %.616.1.i = icmp slt i64 %.602.1.i, 0
   %.617.1.i = select i1 %.616.1.i, i64 %arg.arrays.4.5.0, i64 0
-  %23 = getelementptr double, ptr %arg.arrays.4.4, i64 %.602.1.i
-  %.631.1.i = getelementptr double, ptr %23, i64 %.617.1.i
-  %.632.1.i = load double, ptr %.631.1.i, align 8, !noalias !180
+  %25 = getelementptr double, ptr %arg.arrays.4.4, i64 %.602.1.i
+  %.631.1.i = getelementptr double, ptr %25, i64 %.617.1.i
+  %.632.1.i = load double, ptr %.631.1.i, align 8, !noalias !199
   %.633.1.i = fmul double %.632.1.i, 0x3FEC575F1EBC4F2F
   %.635.1.i = fsub double %.635.i, %.633.1.i
   %.602.2.i = add nsw i64 %.160.i, %.600.2.i
   %.616.2.i = icmp slt i64 %.602.2.i, 0
   %.617.2.i = select i1 %.616.2.i, i64 %arg.arrays.4.5.0, i64 0
-  %24 = getelementptr double, ptr %arg.arrays.4.4, i64 %.602.2.i
-  %.631.2.i = getelementptr double, ptr %24, i64 %.617.2.i
-  %.632.2.i = load double, ptr %.631.2.i, align 8, !noalias !180
+  %26 = getelementptr double, ptr %arg.arrays.4.4, i64 %.602.2.i
+  %.631.2.i = getelementptr double, ptr %26, i64 %.617.2.i
+  %.632.2.i = load double, ptr %.631.2.i, align 8, !noalias !199
   %.633.2.i = fmul double %.632.2.i, 0x3FE1306AA3D795F4
-  %25 = fadd double %.635.1.i, %.633.2.i
+  %27 = fadd double %.635.1.i, %.633.2.i
   %.602.3.i = add nsw i64 %.160.i, %.600.3.i
   %.616.3.i = icmp slt i64 %.602.3.i, 0
   %.617.3.i = select i1 %.616.3.i, i64 %arg.arrays.4.5.0, i64 0
-  %26 = getelementptr double, ptr %arg.arrays.4.4, i64 %.602.3.i
-  %.631.3.i = getelementptr double, ptr %26, i64 %.617.3.i
-  %.632.3.i = load double, ptr %.631.3.i, align 8, !noalias !180
+  %28 = getelementptr double, ptr %arg.arrays.4.4, i64 %.602.3.i
+  %.631.3.i = getelementptr double, ptr %28, i64 %.617.3.i
+  %.632.3.i = load double, ptr %.631.3.i, align 8, !noalias !199
   %.633.3.i = fmul double %.632.3.i, 0x3FCCB9F574BDCC3A
-  %.635.3.i = fsub double %25, %.633.3.i
+  %.635.3.i = fsub double %27, %.633.3.i
   %.602.4.i = add nsw i64 %.160.i, %.600.4.i
   %.616.4.i = icmp slt i64 %.602.4.i, 0
   %.617.4.i = select i1 %.616.4.i, i64 %arg.arrays.4.5.0, i64 0
-  %27 = getelementptr double, ptr %arg.arrays.4.4, i64 %.602.4.i
-  %.631.4.i = getelementptr double, ptr %27, i64 %.617.4.i
-  %.632.4.i = load double, ptr %.631.4.i, align 8, !noalias !180
+  %29 = getelementptr double, ptr %arg.arrays.4.4, i64 %.602.4.i
+  %.631.4.i = getelementptr double, ptr %29, i64 %.617.4.i
+  %.632.4.i = load double, ptr %.631.4.i, align 8, !noalias !199
   %.633.4.i = fmul double %.632.4.i, 0x3FA4EAF2D6B11E79
-  %28 = fadd double %.635.3.i, %.633.4.i
-  %.646.i = tail call double @llvm.fabs.f64(double %28)
+  %30 = fadd double %.635.3.i, %.633.4.i
+  %.646.i = tail call double @llvm.fabs.f64(double %30)
   %.10.i.i = fcmp ogt double %.646.i, 0.000000e+00
   %.11.i.i = select i1 %.10.i.i, double %.646.i, double 0.000000e+00
   %.336.1.i = add nsw i64 %.160.i, %.334.1.i
   %.350.1.i = icmp slt i64 %.336.1.i, 0
   %.351.1.i = select i1 %.350.1.i, i64 %arg.arrays.4.5.0, i64 0
-  %29 = getelementptr double, ptr %arg.arrays.4.4, i64 %.336.1.i
-  %.365.1.i = getelementptr double, ptr %29, i64 %.351.1.i
-  %.366.1.i = load double, ptr %.365.1.i, align 8, !noalias !180
+  %31 = getelementptr double, ptr %arg.arrays.4.4, i64 %.336.1.i
+  %.365.1.i = getelementptr double, ptr %31, i64 %.351.1.i
+  %.366.1.i = load double, ptr %.365.1.i, align 8, !noalias !199
   %.633.1431.i = fmul double %.632.i, 0x3FA5118805F8B876
-  %30 = fadd double %.366.1.i, %.633.1431.i
+  %32 = fadd double %.366.1.i, %.633.1431.i
   %.633.1.1.i = fmul double %.632.1.i, 0x3FE51326698BC5BD
-  %.635.1.1.i = fsub double %30, %.633.1.1.i
+  %.635.1.1.i = fsub double %32, %.633.1.1.i
   %.633.2.1.i = fmul double %.632.2.i, 0x3FDF97DED30D4572
   %.635.2.1.i = fsub double %.635.1.1.i, %.633.2.1.i
   %.633.3.1.i = fmul double %.632.3.i, 0x3FC0DA0C684D1D67
-  %31 = fadd double %.635.2.1.i, %.633.3.1.i
+  %33 = fadd double %.635.2.1.i, %.633.3.1.i
   %.633.4.1.i = fmul double %.632.4.i, 0x3F9510B8EC0D4D92
-  %.635.4.1.i = fsub double %31, %.633.4.1.i
+  %.635.4.1.i = fsub double %33, %.633.4.1.i
   %.646.1.i = tail call double @llvm.fabs.f64(double %.635.4.1.i)
   %.10.i.1.i = fcmp ogt double %.646.1.i, %.11.i.i
   %.11.i.1.i = select i1 %.10.i.1.i, double %.646.1.i, double %.11.i.i
   %.336.2.i = add nsw i64 %.160.i, %.334.2.i
   %.350.2.i = icmp slt i64 %.336.2.i, 0
   %.351.2.i = select i1 %.350.2.i, i64 %arg.arrays.4.5.0, i64 0
-  %32 = getelementptr double, ptr %arg.arrays.4.4, i64 %.336.2.i
-  %.365.2.i = getelementptr double, ptr %32, i64 %.351.2.i
-  %.366.2.i = load double, ptr %.365.2.i, align 8, !noalias !180
+  %34 = getelementptr double, ptr %arg.arrays.4.4, i64 %.336.2.i
+  %.365.2.i = getelementptr double, ptr %34, i64 %.351.2.i
+  %.366.2.i = load double, ptr %.365.2.i, align 8, !noalias !199
   %.633.2458.i = fmul double %.632.i, 0x3F9635A30F8F142F
   %.635.2459.i = fsub double %.366.2.i, %.633.2458.i
   %.633.1.2.i = fmul double %.632.1.i, 0x3FC1EAE0FF33D241
-  %33 = fadd double %.635.2459.i, %.633.1.2.i
+  %35 = fadd double %.635.2459.i, %.633.1.2.i
   %.633.2.2.i = fmul double %.632.2.i, 0x3FE1625D59218460
-  %.635.2.2.i = fsub double %33, %.633.2.2.i
+  %.635.2.2.i = fsub double %35, %.633.2.2.i
   %.633.3.2.i = fmul double %.632.3.i, 0x3FE3BBC3E8A29641
   %.635.3.2.i = fsub double %.635.2.2.i, %.633.3.2.i
   %.633.4.2.i = fmul double %.632.4.i, 0x3FA55161A739EB34
-  %34 = fadd double %.635.3.2.i, %.633.4.2.i
-  %.646.2.i = tail call double @llvm.fabs.f64(double %34)
+  %36 = fadd double %.635.3.2.i, %.633.4.2.i
+  %.646.2.i = tail call double @llvm.fabs.f64(double %36)
   %.10.i.2.i = fcmp ogt double %.646.2.i, %.11.i.1.i
   %.11.i.2.i = select i1 %.10.i.2.i, double %.646.2.i, double %.11.i.1.i
   %.336.3.i = add nsw i64 %.160.i, %.334.3.i
   %.350.3.i = icmp slt i64 %.336.3.i, 0
   %.351.3.i = select i1 %.350.3.i, i64 %arg.arrays.4.5.0, i64 0
-  %35 = getelementptr double, ptr %arg.arrays.4.4, i64 %.336.3.i
-  %.365.3.i = getelementptr double, ptr %35, i64 %.351.3.i
-  %.366.3.i = load double, ptr %.365.3.i, align 8, !noalias !180
+  %37 = getelementptr double, ptr %arg.arrays.4.4, i64 %.336.3.i
+  %.365.3.i = getelementptr double, ptr %37, i64 %.351.3.i
+  %.366.3.i = load double, ptr %.365.3.i, align 8, !noalias !199
   %.633.3485.i = fmul double %.632.i, 0x3FA4F0C0BB579409
-  %36 = fadd double %.366.3.i, %.633.3485.i
+  %38 = fadd double %.366.3.i, %.633.3485.i
   %.633.1.3.i = fmul double %.632.1.i, 0x3FCD2266FBC0D976
-  %.635.1.3.i = fsub double %36, %.633.1.3.i
+  %.635.1.3.i = fsub double %38, %.633.1.3.i
   %.633.2.3.i = fmul double %.632.2.i, 0x3FE1F2DB6FEE3151
-  %37 = fadd double %.635.1.3.i, %.633.2.3.i
+  %39 = fadd double %.635.1.3.i, %.633.2.3.i
   %.633.3.3.i = fmul double %.632.3.i, 0x3FF0C05015964CBE
-  %.635.3.3.i = fsub double %37, %.633.3.3.i
+  %.635.3.3.i = fsub double %39, %.633.3.3.i
   %.633.4.3.i = fmul double %.632.4.i, 0x3FD4F15B230DB570
   %.635.4.3.i = fsub double %.635.3.3.i, %.633.4.3.i
   %.646.3.i = tail call double @llvm.fabs.f64(double %.635.4.3.i)
@@ -4072,44 +4665,44 @@ B470.if.i:                                        ; preds = %B52.if.i, %B470.if.
   %.744.0357.i = phi i64 [ %.813.i, %B470.if.i ], [ 1, %B52.if.i ]
   %.809.i = add nsw i64 %.747.0358.i, -1
   %.813.i = add nsw i64 %.744.0357.i, 1
-  %38 = mul nsw i64 %.744.0357.i, %.30.i
-  %.841.i = add nsw i64 %38, %.160.i
+  %40 = mul nsw i64 %.744.0357.i, %.30.i
+  %.841.i = add nsw i64 %40, %.160.i
   %.855.i = icmp slt i64 %.841.i, 0
   %.856.i = select i1 %.855.i, i64 %arg.arrays.4.5.0, i64 0
-  %39 = getelementptr double, ptr %arg.arrays.4.4, i64 %.841.i
-  %.870.i = getelementptr double, ptr %39, i64 %.856.i
-  %.871.i = load double, ptr %.870.i, align 8, !noalias !180
+  %41 = getelementptr double, ptr %arg.arrays.4.4, i64 %.841.i
+  %.870.i = getelementptr double, ptr %41, i64 %.856.i
+  %.871.i = load double, ptr %.870.i, align 8, !noalias !199
   %.10.i342.i = fcmp olt double %.871.i, %nearest.3.1359.i
   %.11.i343.i = select i1 %.10.i342.i, double %.871.i, double %nearest.3.1359.i
   %.800.i = icmp sgt i64 %.747.0358.i, 1
   br i1 %.800.i, label %B470.if.i, label %B532.i
 
-switch.lookup3:                                   ; preds = %B776.i
-  %switch.tableidx6 = add i64 %.985.sroa.0.0369.i, 8
-  %40 = icmp ult i64 %switch.tableidx6, 18
-  br i1 %40, label %switch.lookup7, label %_ZN12clpt_control6native9for_numba8may_hideB3v29B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE.exit
-
-switch.lookup7:                                   ; preds = %switch.lookup3
-  %switch.gep4 = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.6, i64 %switch.tableidx2
-  %switch.load5 = load double, ptr %switch.gep4, align 8
-  %switch.gep8 = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.6, i64 %switch.tableidx6
-  %switch.load9 = load double, ptr %switch.gep8, align 8
-  %.1246.i = fsub double %switch.load5, %switch.load9
-  %switch.tableidx10 = add i64 %.985.sroa.0.0369.i, 10
-  %41 = icmp ult i64 %switch.tableidx10, 18
-  br i1 %41, label %switch.lookup11, label %_ZN12clpt_control6native9for_numba8may_hideB3v29B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE.exit
+switch.lookup7:                                   ; preds = %B776.i
+  %switch.tableidx10 = add i64 %.985.sroa.0.0369.i, 8
+  %42 = icmp ult i64 %switch.tableidx10, 18
+  br i1 %42, label %switch.lookup11, label %_ZN12clpt_control6native9for_numba8may_hideB3v29B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE.exit
 
 switch.lookup11:                                  ; preds = %switch.lookup7
-  %switch.tableidx14 = add i64 %.985.sroa.0.0369.i, 9
-  %42 = icmp ult i64 %switch.tableidx14, 18
-  br i1 %42, label %switch.lookup15, label %_ZN12clpt_control6native9for_numba8may_hideB3v29B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE.exit
+  %switch.gep8 = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.12, i64 %switch.tableidx6
+  %switch.load9 = load double, ptr %switch.gep8, align 8
+  %switch.gep12 = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.12, i64 %switch.tableidx10
+  %switch.load13 = load double, ptr %switch.gep12, align 8
+  %.1246.i = fsub double %switch.load9, %switch.load13
+  %switch.tableidx14 = add i64 %.985.sroa.0.0369.i, 10
+  %43 = icmp ult i64 %switch.tableidx14, 18
+  br i1 %43, label %switch.lookup15, label %_ZN12clpt_control6native9for_numba8may_hideB3v29B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE.exit
 
 switch.lookup15:                                  ; preds = %switch.lookup11
-  %switch.gep12 = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.6, i64 %switch.tableidx10
-  %switch.load13 = load double, ptr %switch.gep12, align 8
-  %switch.gep16 = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.6, i64 %switch.tableidx14
+  %switch.tableidx18 = add i64 %.985.sroa.0.0369.i, 9
+  %44 = icmp ult i64 %switch.tableidx18, 18
+  br i1 %44, label %switch.lookup19, label %_ZN12clpt_control6native9for_numba8may_hideB3v29B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE.exit
+
+switch.lookup19:                                  ; preds = %switch.lookup15
+  %switch.gep16 = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.12, i64 %switch.tableidx14
   %switch.load17 = load double, ptr %switch.gep16, align 8
-  %.1320.i = fsub double %switch.load13, %switch.load17
+  %switch.gep20 = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.12, i64 %switch.tableidx18
+  %switch.load21 = load double, ptr %switch.gep20, align 8
+  %.1320.i = fsub double %switch.load17, %switch.load21
   %.1336.i = fdiv double %.1164.i, %.1320.i
   %.1339.i = fsub double %.1110.i, %.1075.i
   %.1344.i = fdiv double %.1339.i, %.1246.i
@@ -4121,216 +4714,189 @@ switch.lookup15:                                  ; preds = %switch.lookup11
   %.1374.i = fcmp ogt double %.1352.i, 0.000000e+00
   br i1 %.1374.i, label %B982.i, label %B1163.i
 
-_ZN12clpt_control6native9for_numba8may_hideB3v29B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B50.i, %B1088.i, %B776.i, %switch.lookup3, %switch.lookup7, %switch.lookup11
-  %.1805.not = phi i1 [ true, %B776.i ], [ true, %switch.lookup11 ], [ true, %switch.lookup7 ], [ true, %switch.lookup3 ], [ %exitcond.not.i, %B1088.i ], [ %exitcond.not.i, %B50.i ]
-  %excinfo.3.3 = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.15, %B776.i ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.15, %switch.lookup11 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.15, %switch.lookup7 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.15, %switch.lookup3 ], [ %excinfo.3.01283, %B1088.i ], [ %excinfo.3.01283, %B50.i ]
-  %.1794.not = phi i1 [ false, %B776.i ], [ false, %switch.lookup11 ], [ false, %switch.lookup7 ], [ false, %switch.lookup3 ], [ true, %B1088.i ], [ true, %B50.i ]
-  %common.ret.op.i = phi i32 [ 1, %B776.i ], [ 1, %switch.lookup11 ], [ 1, %switch.lookup7 ], [ 1, %switch.lookup3 ], [ 0, %B1088.i ], [ 0, %B50.i ]
-  br i1 %.1794.not, label %B1062.endif.endif, label %B1062.endif.if, !prof !53
+_ZN12clpt_control6native9for_numba8may_hideB3v29B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B50.i, %B1088.i, %B776.i, %switch.lookup7, %switch.lookup11, %switch.lookup15
+  %.1897.not = phi i1 [ true, %B776.i ], [ true, %switch.lookup15 ], [ true, %switch.lookup11 ], [ true, %switch.lookup7 ], [ %exitcond.not.i, %B1088.i ], [ %exitcond.not.i, %B50.i ]
+  %excinfo.3.3 = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.15, %B776.i ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.15, %switch.lookup15 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.15, %switch.lookup11 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.15, %switch.lookup7 ], [ %excinfo.3.01300, %B1088.i ], [ %excinfo.3.01300, %B50.i ]
+  %.1886.not = phi i1 [ false, %B776.i ], [ false, %switch.lookup15 ], [ false, %switch.lookup11 ], [ false, %switch.lookup7 ], [ true, %B1088.i ], [ true, %B50.i ]
+  %common.ret.op.i = phi i32 [ 1, %B776.i ], [ 1, %switch.lookup15 ], [ 1, %switch.lookup11 ], [ 1, %switch.lookup7 ], [ 0, %B1088.i ], [ 0, %B50.i ]
+  br i1 %.1886.not, label %B1170.endif.endif, label %B1170.endif.if, !prof !53
 
-B1100:                                            ; preds = %B1062.endif.endif
-  %.1880 = fmul double %.1775, 5.000000e-01
-  store double 0.000000e+00, ptr %.1204, align 8, !noalias !184
-  %.161.i230 = getelementptr double, ptr %10, i64 %.958
-  store double 0.000000e+00, ptr %.161.i230, align 8, !noalias !184
-  %.214.i273 = getelementptr double, ptr %11, i64 %.958
-  store double %.1880, ptr %.214.i273, align 8, !noalias !184
-  %.268.i313 = load i64, ptr %.1144, align 8, !noalias !184
+B1208:                                            ; preds = %B1170.endif.endif
+  %.1972 = fmul double %.1861, 5.000000e-01
+  store double 0.000000e+00, ptr %.1257, align 8, !noalias !203
+  %.161.i230 = getelementptr double, ptr %10, i64 %.1011
+  store double 0.000000e+00, ptr %.161.i230, align 8, !noalias !203
+  %.214.i273 = getelementptr double, ptr %11, i64 %.1011
+  store double %.1972, ptr %.214.i273, align 8, !noalias !203
+  %.268.i313 = load i64, ptr %.1197, align 8, !noalias !203
   %.294.i = icmp slt i64 %.268.i313, 0
   %.295.i = select i1 %.294.i, i64 %arg.results.3.5.0, i64 0
   %.296.i324 = add i64 %.295.i, %.268.i313
   %.316.i333 = mul i64 %.296.i324, %arg.results.3.5.1
   %.320.i = getelementptr i64, ptr %arg.results.3.4, i64 %.316.i333
-  %.321.i = load i64, ptr %.320.i, align 8, !noalias !184
+  %.321.i = load i64, ptr %.320.i, align 8, !noalias !203
   %.322.i336 = add nsw i64 %.321.i, -1
-  store i64 %.322.i336, ptr %.320.i, align 8, !noalias !184
-  %.426.i = load i64, ptr %.1144, align 8, !noalias !184
+  store i64 %.322.i336, ptr %.320.i, align 8, !noalias !203
+  %.426.i = load i64, ptr %.1197, align 8, !noalias !203
   %.452.i = icmp slt i64 %.426.i, 0
   %.453.i = select i1 %.452.i, i64 %arg.results.3.5.0, i64 0
   %.454.i = add i64 %.453.i, %.426.i
   %.474.i = mul i64 %.454.i, %arg.results.3.5.1
-  %43 = getelementptr i64, ptr %arg.results.3.4, i64 %.474.i
-  %.478.i = getelementptr i8, ptr %43, i64 24
-  %.479.i = load i64, ptr %.478.i, align 8, !noalias !184
+  %45 = getelementptr i64, ptr %arg.results.3.4, i64 %.474.i
+  %.478.i = getelementptr i8, ptr %45, i64 24
+  %.479.i = load i64, ptr %.478.i, align 8, !noalias !203
   %.480.i = add nsw i64 %.479.i, 1
-  store i64 %.480.i, ptr %.478.i, align 8, !noalias !184
-  store i64 -1, ptr %.1034, align 8
-  br label %B1192
+  store i64 %.480.i, ptr %.478.i, align 8, !noalias !203
+  store i64 -1, ptr %.1087, align 8
+  br label %B1300
 
-B1192:                                            ; preds = %B1100, %B1062.endif.endif, %switch.lookup22
-  %excinfo.3.2 = phi ptr [ %excinfo.3.3, %B1062.endif.endif ], [ %excinfo.3.3, %B1100 ], [ %excinfo.3.01283, %switch.lookup22 ]
-  br i1 %some.2.01284, label %B1234, label %B1196
+B1300:                                            ; preds = %B996, %B1208, %B1170.endif.endif, %B1122
+  %excinfo.3.2 = phi ptr [ %excinfo.3.3, %B1170.endif.endif ], [ %excinfo.3.3, %B1208 ], [ %excinfo.3.01300, %B1122 ], [ %excinfo.3.01300, %B996 ]
+  br i1 %some.2.01301, label %B1342, label %B1304
 
-B1196:                                            ; preds = %B1192
-  %.2044 = load i64, ptr %.1034, align 8
-  %.2045 = icmp sgt i64 %.2044, -1
-  br label %B1234
+B1304:                                            ; preds = %B1300
+  %.2136 = load i64, ptr %.1087, align 8
+  %.2137 = icmp sgt i64 %.2136, -1
+  br label %B1342
 
-B1234:                                            ; preds = %B1192, %B1196, %B634, %B516
-  %excinfo.3.1 = phi ptr [ %excinfo.3.2, %B1192 ], [ %excinfo.3.2, %B1196 ], [ %excinfo.3.01283, %B634 ], [ %excinfo.3.01283, %B516 ]
-  %some.3.1 = phi i1 [ true, %B1192 ], [ %.2045, %B1196 ], [ %some.2.01284, %B634 ], [ %some.2.01284, %B516 ]
-  %.881 = icmp sgt i64 %.827.11286, 0
-  %.894 = zext i1 %.881 to i64
-  %.824.1 = add i64 %.824.11285, %.894
-  %.890 = sext i1 %.881 to i64
-  %.827.1 = add nsw i64 %.827.11286, %.890
-  %.871.sroa.0.0 = select i1 %.881, i64 %.824.11285, i64 0
-  br i1 %.881, label %B516, label %B1238.loopexit
+B1342:                                            ; preds = %B1300, %B1304, %B702, %B584
+  %excinfo.3.1 = phi ptr [ %excinfo.3.2, %B1300 ], [ %excinfo.3.2, %B1304 ], [ %excinfo.3.01300, %B702 ], [ %excinfo.3.01300, %B584 ]
+  %some.3.1 = phi i1 [ true, %B1300 ], [ %.2137, %B1304 ], [ %some.2.01301, %B702 ], [ %some.2.01301, %B584 ]
+  %.934 = icmp sgt i64 %.880.11303, 0
+  %.947 = zext i1 %.934 to i64
+  %.877.1 = add i64 %.877.11302, %.947
+  %.943 = sext i1 %.934 to i64
+  %.880.1 = add nsw i64 %.880.11303, %.943
+  %.924.sroa.0.0 = select i1 %.934, i64 %.877.11302, i64 0
+  br i1 %.934, label %B584, label %B1346.loopexit
 
-common.ret:                                       ; preds = %B1062.endif.if, %switch.else.2, %switch.else.1, %B1238
-  %common.ret.op = phi i32 [ 0, %B1238 ], [ 1, %switch.else.1 ], [ 1, %switch.else.2 ], [ %common.ret.op.i, %B1062.endif.if ]
+common.ret:                                       ; preds = %B1170.endif.if, %B1346
+  %common.ret.op = phi i32 [ 0, %B1346 ], [ %common.ret.op.i, %B1170.endif.if ]
   ret i32 %common.ret.op
 
-B1238.loopexit:                                   ; preds = %B1234
-  %44 = zext i1 %some.3.1 to i8
-  br label %B1238
+B1346.loopexit:                                   ; preds = %B1342
+  %46 = zext i1 %some.3.1 to i8
+  br label %B1346
 
-B1238:                                            ; preds = %B1238.loopexit, %B482
-  %some.2.0.lcssa = phi i8 [ 0, %B482 ], [ %44, %B1238.loopexit ]
+B1346:                                            ; preds = %B1346.loopexit, %B550
+  %some.2.0.lcssa = phi i8 [ 0, %B550 ], [ %46, %B1346.loopexit ]
   store i8 %some.2.0.lcssa, ptr %retptr, align 1
   br label %common.ret
 
-B204.if:                                          ; preds = %entry, %B306
-  %.317.01277 = phi i64 [ 0, %entry ], [ %.388, %B306 ]
-  %.388 = add nsw i64 %.317.01277, 1
-  br i1 %.4961274.not, label %B306, label %B238.if.preheader
+B246.if:                                          ; preds = %entry, %B348
+  %.344.01295 = phi i64 [ %.354, %entry ], [ %.408, %B348 ]
+  %.341.01294 = phi i64 [ %., %entry ], [ %.412, %B348 ]
+  %.408 = add nsw i64 %.344.01295, -1
+  %.412 = add nsw i64 %.341.01294, 1
+  br i1 %.5201291.not, label %B348, label %B280.if.preheader
 
-B238.if.preheader:                                ; preds = %B204.if
-  %45 = icmp ult i64 %.317.01277, 8
-  %switch.gep19 = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.5, i64 %.317.01277
-  br label %B238.if
+B280.if.preheader:                                ; preds = %B246.if
+  %47 = icmp ult i64 %.341.01294, 8
+  %switch.gep23 = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.13, i64 %.341.01294
+  br label %B280.if
 
-B238.if:                                          ; preds = %B238.if.preheader, %B238.loopexit
-  %.440.01275 = phi i64 [ %.509, %B238.loopexit ], [ 0, %B238.if.preheader ]
-  %.509 = add nsw i64 %.440.01275, 1
-  br i1 %45, label %switch.lookup18, label %switch.end
+B280.if:                                          ; preds = %B280.if.preheader, %B280.loopexit
+  %.464.01292 = phi i64 [ %.533, %B280.loopexit ], [ 0, %B280.if.preheader ]
+  %.533 = add nsw i64 %.464.01292, 1
+  br i1 %47, label %switch.lookup22, label %switch.end
 
-switch.lookup18:                                  ; preds = %B238.if
-  %switch.load20 = load double, ptr %switch.gep19, align 8
+switch.lookup22:                                  ; preds = %B280.if
+  %switch.load24 = load double, ptr %switch.gep23, align 8
   br label %switch.end
 
-switch.end:                                       ; preds = %B238.if, %switch.lookup18
-  %.551 = phi double [ %switch.load20, %switch.lookup18 ], [ 1.000000e+00, %B238.if ]
-  %.92.i = getelementptr double, ptr %arg.lane.0.4, i64 %.440.01275
-  %.93.i = load double, ptr %.92.i, align 8, !noalias !187
-  %.146.i = getelementptr double, ptr %1, i64 %.440.01275
-  %.147.i = load double, ptr %.146.i, align 8, !noalias !187
-  %.149.i = fmul double %.551, %.147.i
+switch.end:                                       ; preds = %B280.if, %switch.lookup22
+  %.575 = phi double [ %switch.load24, %switch.lookup22 ], [ 1.000000e+00, %B280.if ]
+  %.92.i = getelementptr double, ptr %arg.lane.0.4, i64 %.464.01292
+  %.93.i = load double, ptr %.92.i, align 8, !noalias !206
+  %.146.i = getelementptr double, ptr %1, i64 %.464.01292
+  %.147.i = load double, ptr %.146.i, align 8, !noalias !206
+  %.149.i = fmul double %.575, %.147.i
   %.150.i = fadd double %.93.i, %.149.i
-  %.203.i = getelementptr double, ptr %2, i64 %.440.01275
-  store double %.150.i, ptr %.203.i, align 8, !noalias !187
-  br i1 %.287.i1271.not, label %B238.loopexit, label %B122.if.i.lr.ph
+  %.203.i = getelementptr double, ptr %2, i64 %.464.01292
+  store double %.150.i, ptr %.203.i, align 8, !noalias !206
+  br i1 %.287.i1288.not, label %B280.loopexit, label %B122.if.i.lr.ph
 
 B122.if.i.lr.ph:                                  ; preds = %switch.end
-  %.247.i.i = fsub double 1.000000e+00, %.551
-  %invariant.gep = getelementptr double, ptr %arg.arrays.0.4, i64 %.440.01275
-  %invariant.gep27 = getelementptr double, ptr %arg.arrays.0.4, i64 %.440.01275
-  %invariant.gep29 = getelementptr double, ptr %arg.arrays.0.4, i64 %.440.01275
-  %invariant.gep31 = getelementptr double, ptr %arg.arrays.0.4, i64 %.440.01275
-  %invariant.gep33 = getelementptr double, ptr %arg.arrays.0.4, i64 %.440.01275
-  %invariant.gep35 = getelementptr double, ptr %arg.arrays.0.4, i64 %.440.01275
-  %invariant.gep37 = getelementptr double, ptr %arg.arrays.0.4, i64 %.440.01275
-  %invariant.gep39 = getelementptr double, ptr %arg.arrays.0.4, i64 %.440.01275
-  %invariant.gep41 = getelementptr double, ptr %arg.arrays.0.4, i64 %.440.01275
+  %.247.i.i = fsub double 1.000000e+00, %.575
+  %invariant.gep = getelementptr double, ptr %arg.arrays.0.4, i64 %.464.01292
+  %invariant.gep27 = getelementptr double, ptr %arg.arrays.0.4, i64 %.464.01292
+  %invariant.gep29 = getelementptr double, ptr %arg.arrays.0.4, i64 %.464.01292
+  %invariant.gep31 = getelementptr double, ptr %arg.arrays.0.4, i64 %.464.01292
+  %invariant.gep33 = getelementptr double, ptr %arg.arrays.0.4, i64 %.464.01292
+  %invariant.gep35 = getelementptr double, ptr %arg.arrays.0.4, i64 %.464.01292
+  %invariant.gep37 = getelementptr double, ptr %arg.arrays.0.4, i64 %.464.01292
+  %invariant.gep39 = getelementptr double, ptr %arg.arrays.0.4, i64 %.464.01292
+  %invariant.gep41 = getelementptr double, ptr %arg.arrays.0.4, i64 %.464.01292
   br label %B122.if.i
 
 B122.if.i:                                        ; preds = %B122.if.i.lr.ph, %B122.if.i
-  %.229.i.01272 = phi i64 [ 0, %B122.if.i.lr.ph ], [ %.300.i, %B122.if.i ]
-  %.157.i.i = add nsw i64 %.155.i.i, %.229.i.01272
+  %.229.i.01289 = phi i64 [ 0, %B122.if.i.lr.ph ], [ %.300.i, %B122.if.i ]
+  %.157.i.i = add nsw i64 %.155.i.i, %.229.i.01289
   %.159.i.i = mul nsw i64 %.157.i.i, %arg.shape.0
   %gep = getelementptr double, ptr %invariant.gep, i64 %.159.i.i
-  %.191.i.i = load double, ptr %gep, align 8, !noalias !191
+  %.191.i.i = load double, ptr %gep, align 8, !noalias !210
   %.193.i.i = fadd double %.191.i.i, 0.000000e+00
-  %.253.i.i = fmul double %.551, %.193.i.i
-  %.157.i.i.1 = add nsw i64 %.155.i.i.1, %.229.i.01272
+  %.253.i.i = fmul double %.575, %.193.i.i
+  %.157.i.i.1 = add nsw i64 %.155.i.i.1, %.229.i.01289
   %.159.i.i.1 = mul nsw i64 %.157.i.i.1, %arg.shape.0
   %gep28 = getelementptr double, ptr %invariant.gep27, i64 %.159.i.i.1
-  %.191.i.i.1 = load double, ptr %gep28, align 8, !noalias !191
+  %.191.i.i.1 = load double, ptr %gep28, align 8, !noalias !210
   %.193.i.i.1 = fadd double %.253.i.i, %.191.i.i.1
   %.253.i.i.1 = fmul double %.247.i.i, %.193.i.i.1
-  %.157.i.i.2 = add nsw i64 %.155.i.i.2, %.229.i.01272
+  %.157.i.i.2 = add nsw i64 %.155.i.i.2, %.229.i.01289
   %.159.i.i.2 = mul nsw i64 %.157.i.i.2, %arg.shape.0
   %gep30 = getelementptr double, ptr %invariant.gep29, i64 %.159.i.i.2
-  %.191.i.i.2 = load double, ptr %gep30, align 8, !noalias !191
+  %.191.i.i.2 = load double, ptr %gep30, align 8, !noalias !210
   %.193.i.i.2 = fadd double %.253.i.i.1, %.191.i.i.2
-  %.253.i.i.2 = fmul double %.551, %.193.i.i.2
-  %.157.i.i.3 = add nsw i64 %.155.i.i.3, %.229.i.01272
+  %.253.i.i.2 = fmul double %.575, %.193.i.i.2
+  %.157.i.i.3 = add nsw i64 %.155.i.i.3, %.229.i.01289
   %.159.i.i.3 = mul nsw i64 %.157.i.i.3, %arg.shape.0
   %gep32 = getelementptr double, ptr %invariant.gep31, i64 %.159.i.i.3
-  %.191.i.i.3 = load double, ptr %gep32, align 8, !noalias !191
+  %.191.i.i.3 = load double, ptr %gep32, align 8, !noalias !210
   %.193.i.i.3 = fadd double %.253.i.i.2, %.191.i.i.3
   %.253.i.i.3 = fmul double %.247.i.i, %.193.i.i.3
-  %.157.i.i.4 = add nsw i64 %.155.i.i.4, %.229.i.01272
+  %.157.i.i.4 = add nsw i64 %.155.i.i.4, %.229.i.01289
   %.159.i.i.4 = mul nsw i64 %.157.i.i.4, %arg.shape.0
   %gep34 = getelementptr double, ptr %invariant.gep33, i64 %.159.i.i.4
-  %.191.i.i.4 = load double, ptr %gep34, align 8, !noalias !191
+  %.191.i.i.4 = load double, ptr %gep34, align 8, !noalias !210
   %.193.i.i.4 = fadd double %.253.i.i.3, %.191.i.i.4
-  %.253.i.i.4 = fmul double %.551, %.193.i.i.4
-  %.157.i.i.5 = add nsw i64 %.155.i.i.5, %.229.i.01272
+  %.253.i.i.4 = fmul double %.575, %.193.i.i.4
+  %.157.i.i.5 = add nsw i64 %.155.i.i.5, %.229.i.01289
   %.159.i.i.5 = mul nsw i64 %.157.i.i.5, %arg.shape.0
   %gep36 = getelementptr double, ptr %invariant.gep35, i64 %.159.i.i.5
-  %.191.i.i.5 = load double, ptr %gep36, align 8, !noalias !191
+  %.191.i.i.5 = load double, ptr %gep36, align 8, !noalias !210
   %.193.i.i.5 = fadd double %.253.i.i.4, %.191.i.i.5
   %.253.i.i.5 = fmul double %.247.i.i, %.193.i.i.5
-  %.157.i.i.6 = add nsw i64 %.155.i.i.6, %.229.i.01272
+  %.157.i.i.6 = add nsw i64 %.155.i.i.6, %.229.i.01289
   %.159.i.i.6 = mul nsw i64 %.157.i.i.6, %arg.shape.0
   %gep38 = getelementptr double, ptr %invariant.gep37, i64 %.159.i.i.6
-  %.191.i.i.6 = load double, ptr %gep38, align 8, !noalias !191
+  %.191.i.i.6 = load double, ptr %gep38, align 8, !noalias !210
   %.193.i.i.6 = fadd double %.253.i.i.5, %.191.i.i.6
-  %.253.i.i.6 = fmul double %.551, %.193.i.i.6
-  %.300.i = add nsw i64 %.229.i.01272, 1
-  %.271.i.i = mul nsw i64 %.229.i.01272, %arg.shape.0
+  %.253.i.i.6 = fmul double %.575, %.193.i.i.6
+  %.300.i = add nsw i64 %.229.i.01289, 1
+  %.271.i.i = mul nsw i64 %.229.i.01289, %arg.shape.0
   %gep40 = getelementptr double, ptr %invariant.gep39, i64 %.271.i.i
-  %.309.i.i = load double, ptr %gep40, align 8, !noalias !191
+  %.309.i.i = load double, ptr %gep40, align 8, !noalias !210
   %.313.i.i = fadd double %.253.i.i.6, %.309.i.i
-  %.359.i = add nsw i64 %.229.i.01272, %.358.i
+  %.359.i = add nsw i64 %.229.i.01289, %.358.i
   %.361.i = mul nsw i64 %.359.i, %arg.shape.0
   %gep42 = getelementptr double, ptr %invariant.gep41, i64 %.361.i
-  store double %.313.i.i, ptr %gep42, align 8, !noalias !187
+  store double %.313.i.i, ptr %gep42, align 8, !noalias !206
   %exitcond.not = icmp eq i64 %arg.shape.1, %.300.i
-  br i1 %exitcond.not, label %B238.loopexit, label %B122.if.i
+  br i1 %exitcond.not, label %B280.loopexit, label %B122.if.i
 
-B738.endif:                                       ; preds = %B36.i, %B34.i
-  %.1305.0 = phi i64 [ %.51.i13.0, %B36.i ], [ -1, %B34.i ]
-  store i64 %.1305.0, ptr %.1034, align 8
-  %.1387 = icmp ult i64 %last.2.2, 7
-  %.1452 = icmp slt i64 %.1305.0, 0
-  %or.cond = and i1 %.1387, %.1452
-  br i1 %or.cond, label %B738, label %B866
+B830.endif:                                       ; preds = %B36.i, %B34.i
+  %.1371.0 = phi i64 [ %.51.i13.0, %B36.i ], [ -1, %B34.i ]
+  store i64 %.1371.0, ptr %.1087, align 8
+  %exitcond1309.not = icmp eq i64 %last.2.3, 7
+  br i1 %exitcond1309.not, label %B958, label %B920
 
-switch.else.1:                                    ; preds = %B866
-  store ptr @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28, ptr %excinfo, align 8, !numba_exception_output !195
-  br label %common.ret
-
-switch.lookup:                                    ; preds = %B866
-  %switch.tableidx21 = add i64 %last.3.3, 9
-  %46 = icmp ult i64 %switch.tableidx21, 18
-  br i1 %46, label %switch.lookup22, label %switch.else.2
-
-switch.else.2:                                    ; preds = %switch.lookup
-  store ptr @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28, ptr %excinfo, align 8, !numba_exception_output !195
-  br label %common.ret
-
-switch.lookup22:                                  ; preds = %switch.lookup
-  %switch.gep = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.6, i64 %switch.tableidx
-  %switch.load = load double, ptr %switch.gep, align 8
-  %switch.gep23 = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.6, i64 %switch.tableidx21
-  %switch.load24 = load double, ptr %switch.gep23, align 8
-  %.1587 = getelementptr double, ptr %7, i64 %.958
-  store double %switch.load, ptr %.1587, align 8
-  %.1642 = getelementptr double, ptr %8, i64 %.958
-  store double %switch.load24, ptr %.1642, align 8
-  %.1774 = getelementptr double, ptr %9, i64 %.958
-  %.1775 = load double, ptr %.1774, align 8
-  %.1778 = fcmp ogt double %.1775, %.1777
-  br i1 %.1778, label %B1062, label %B1192
-
-B1062.endif.if:                                   ; preds = %_ZN12clpt_control6native9for_numba8may_hideB3v29B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE.exit
+B1170.endif.if:                                   ; preds = %_ZN12clpt_control6native9for_numba8may_hideB3v29B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE.exit
   store ptr %excinfo.3.3, ptr %excinfo, align 8
   br label %common.ret
 
-B1062.endif.endif:                                ; preds = %_ZN12clpt_control6native9for_numba8may_hideB3v29B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE.exit
-  br i1 %.1805.not, label %B1192, label %B1100
+B1170.endif.endif:                                ; preds = %_ZN12clpt_control6native9for_numba8may_hideB3v29B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE.exit
+  br i1 %.1897.not, label %B1300, label %B1208
 }
 
 ; Function Attrs: nocallback nofree nosync nounwind speculatable willreturn memory(none)
@@ -4578,99 +5144,117 @@ B720.if:                                          ; preds = %B720.if.lr.ph, %B72
 !100 = !{!101, !62}
 !101 = distinct !{!101, !102, !"_ZN12clpt_control6native9for_numba9try_againB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %retptr"}
 !102 = distinct !{!102, !"_ZN12clpt_control6native9for_numba9try_againB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE"}
-!103 = !{!104}
-!104 = distinct !{!104, !105, !"_ZN12clpt_control6native9for_numba12watch_guardsB3v38B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EEx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE: %retptr"}
-!105 = distinct !{!105, !"_ZN12clpt_control6native9for_numba12watch_guardsB3v38B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EEx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE"}
-!106 = !{!107, !104}
-!107 = distinct !{!107, !108, !"_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29: %retptr"}
-!108 = distinct !{!108, !"_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29"}
-!109 = !{!110, !112, !104}
-!110 = distinct !{!110, !111, !"_ZN12clpt_control6native9for_numba12state_withinB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %retptr"}
-!111 = distinct !{!111, !"_ZN12clpt_control6native9for_numba12state_withinB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd"}
-!112 = distinct !{!112, !111, !"_ZN12clpt_control6native9for_numba12state_withinB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %excinfo"}
-!113 = !{!114, !116, !110, !112, !104}
-!114 = distinct !{!114, !115, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %retptr"}
-!115 = distinct !{!115, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd"}
-!116 = distinct !{!116, !115, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %excinfo"}
-!117 = !{!118}
-!118 = distinct !{!118, !119, !"_ZN12clpt_control6native9for_numba6sampleB3v39B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
-!119 = distinct !{!119, !"_ZN12clpt_control6native9for_numba6sampleB3v39B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedEx"}
-!120 = !{!121, !123, !118}
-!121 = distinct !{!121, !122, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %retptr"}
-!122 = distinct !{!122, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd"}
-!123 = distinct !{!123, !122, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %excinfo"}
-!124 = !{!125, !127}
-!125 = distinct !{!125, !126, !"_ZN12clpt_control6native9for_numba11decide_anewB3v40B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!126 = distinct !{!126, !"_ZN12clpt_control6native9for_numba11decide_anewB3v40B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE"}
-!127 = distinct !{!127, !126, !"_ZN12clpt_control6native9for_numba11decide_anewB3v40B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
-!128 = !{!129, !125, !127}
-!129 = distinct !{!129, !130, !"_ZN12clpt_control6native9for_numba4failB3v41B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_286_29: %retptr"}
-!130 = distinct !{!130, !"_ZN12clpt_control6native9for_numba4failB3v41B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_286_29"}
-!131 = !{!132, !134}
-!132 = distinct !{!132, !133, !"_ZN12clpt_control6native9for_numba6at_endB3v43B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE: %retptr"}
-!133 = distinct !{!133, !"_ZN12clpt_control6native9for_numba6at_endB3v43B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE"}
-!134 = distinct !{!134, !135, !"_ZN12clpt_control6native9for_numba4jumpB3v42B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE: %retptr"}
-!135 = distinct !{!135, !"_ZN12clpt_control6native9for_numba4jumpB3v42B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE"}
-!136 = !{!134}
-!137 = !{!138, !140, !134}
-!138 = distinct !{!138, !139, !"_ZN12clpt_control6native9for_numba9set_pieceB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!139 = distinct !{!139, !"_ZN12clpt_control6native9for_numba9set_pieceB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE"}
-!140 = distinct !{!140, !139, !"_ZN12clpt_control6native9for_numba9set_pieceB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
-!141 = !{!142, !134}
-!142 = distinct !{!142, !143, !"_ZN12clpt_control6native9for_numba6at_endB3v43B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE: %retptr"}
-!143 = distinct !{!143, !"_ZN12clpt_control6native9for_numba6at_endB3v43B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE"}
-!144 = !{!145, !134}
-!145 = distinct !{!145, !146, !"_ZN12clpt_control6native9for_numba4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_283_29: %retptr"}
-!146 = distinct !{!146, !"_ZN12clpt_control6native9for_numba4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_283_29"}
-!147 = !{!148, !134}
-!148 = distinct !{!148, !149, !"_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29: %retptr"}
-!149 = distinct !{!149, !"_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29"}
-!150 = !{!151}
-!151 = distinct !{!151, !152, !"_ZN12clpt_control6native9for_numba4failB3v44B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_285_29: %retptr"}
-!152 = distinct !{!152, !"_ZN12clpt_control6native9for_numba4failB3v44B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_285_29"}
-!153 = !{!154, !156}
-!154 = distinct !{!154, !155, !"_ZN12clpt_control6native9for_numba11enter_pieceB3v45B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!155 = distinct !{!155, !"_ZN12clpt_control6native9for_numba11enter_pieceB3v45B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE"}
-!156 = distinct !{!156, !155, !"_ZN12clpt_control6native9for_numba11enter_pieceB3v45B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
-!157 = !{!158, !160, !154, !156}
-!158 = distinct !{!158, !159, !"_ZN12clpt_control6native9for_numba9set_pieceB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!159 = distinct !{!159, !"_ZN12clpt_control6native9for_numba9set_pieceB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE"}
-!160 = distinct !{!160, !159, !"_ZN12clpt_control6native9for_numba9set_pieceB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
-!161 = !{!162}
-!162 = distinct !{!162, !163, !"_ZN12clpt_control6native9for_numba8take_runB2v2B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi7EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!163 = distinct !{!163, !"_ZN12clpt_control6native9for_numba8take_runB2v2B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi7EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!164 = !{!165, !167, !162}
-!165 = distinct !{!165, !166, !"_ZN12clpt_control6native9for_numba9set_pieceB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!166 = distinct !{!166, !"_ZN12clpt_control6native9for_numba9set_pieceB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE"}
-!167 = distinct !{!167, !166, !"_ZN12clpt_control6native9for_numba9set_pieceB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
-!168 = !{!169, !171}
-!169 = distinct !{!169, !170, !"_ZN12clpt_control6native9for_numba10look_aheadB2v8B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %retptr"}
-!170 = distinct !{!170, !"_ZN12clpt_control6native9for_numba10look_aheadB2v8B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE"}
-!171 = distinct !{!171, !170, !"_ZN12clpt_control6native9for_numba10look_aheadB2v8B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %excinfo"}
+!103 = !{!104, !106}
+!104 = distinct !{!104, !105, !"_ZN12clpt_control6native9for_numba12watch_guardsB3v38B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE: %retptr"}
+!105 = distinct !{!105, !"_ZN12clpt_control6native9for_numba12watch_guardsB3v38B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE"}
+!106 = distinct !{!106, !105, !"_ZN12clpt_control6native9for_numba12watch_guardsB3v38B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE: %excinfo"}
+!107 = !{!108, !110, !104, !106}
+!108 = distinct !{!108, !109, !"_ZN12clpt_control6native9for_numba11mark_passedB3v39B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE: %retptr"}
+!109 = distinct !{!109, !"_ZN12clpt_control6native9for_numba11mark_passedB3v39B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE"}
+!110 = distinct !{!110, !109, !"_ZN12clpt_control6native9for_numba11mark_passedB3v39B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE: %excinfo"}
+!111 = !{!112, !114, !108, !110, !104, !106}
+!112 = distinct !{!112, !113, !"_ZN12clpt_control6native9for_numba12first_passedB3v40B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!113 = distinct !{!113, !"_ZN12clpt_control6native9for_numba12first_passedB3v40B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE"}
+!114 = distinct !{!114, !113, !"_ZN12clpt_control6native9for_numba12first_passedB3v40B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!115 = !{!116, !118, !108, !110, !104, !106}
+!116 = distinct !{!116, !117, !"_ZN12clpt_control6native9for_numba8may_hideB3v41B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!117 = distinct !{!117, !"_ZN12clpt_control6native9for_numba8may_hideB3v41B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE"}
+!118 = distinct !{!118, !117, !"_ZN12clpt_control6native9for_numba8may_hideB3v41B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!119 = !{!120, !108, !110, !104, !106}
+!120 = distinct !{!120, !121, !"_ZN12clpt_control6native9for_numba9try_againB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %retptr"}
+!121 = distinct !{!121, !"_ZN12clpt_control6native9for_numba9try_againB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE"}
+!122 = !{!123, !125, !108, !110, !104, !106}
+!123 = distinct !{!123, !124, !"_ZN12clpt_control6native9for_numba12state_withinB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %retptr"}
+!124 = distinct !{!124, !"_ZN12clpt_control6native9for_numba12state_withinB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd"}
+!125 = distinct !{!125, !124, !"_ZN12clpt_control6native9for_numba12state_withinB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %excinfo"}
+!126 = !{!127, !129, !123, !125, !108, !110, !104, !106}
+!127 = distinct !{!127, !128, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %retptr"}
+!128 = distinct !{!128, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd"}
+!129 = distinct !{!129, !128, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %excinfo"}
+!130 = !{!"branch_weights", i32 1, i32 99}
+!131 = !{!"branch_weights", i32 101, i32 99}
+!132 = !{!"branch_weights", i32 301, i32 99}
+!133 = !{!134, !104, !106}
+!134 = distinct !{!134, !135, !"_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29: %retptr"}
+!135 = distinct !{!135, !"_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29"}
+!136 = !{!137}
+!137 = distinct !{!137, !138, !"_ZN12clpt_control6native9for_numba6sampleB3v42B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
+!138 = distinct !{!138, !"_ZN12clpt_control6native9for_numba6sampleB3v42B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedEx"}
+!139 = !{!140, !142, !137}
+!140 = distinct !{!140, !141, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %retptr"}
+!141 = distinct !{!141, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd"}
+!142 = distinct !{!142, !141, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %excinfo"}
+!143 = !{!144, !146}
+!144 = distinct !{!144, !145, !"_ZN12clpt_control6native9for_numba11decide_anewB3v43B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!145 = distinct !{!145, !"_ZN12clpt_control6native9for_numba11decide_anewB3v43B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE"}
+!146 = distinct !{!146, !145, !"_ZN12clpt_control6native9for_numba11decide_anewB3v43B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!147 = !{!148, !144, !146}
+!148 = distinct !{!148, !149, !"_ZN12clpt_control6native9for_numba4failB3v44B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_286_29: %retptr"}
+!149 = distinct !{!149, !"_ZN12clpt_control6native9for_numba4failB3v44B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_286_29"}
+!150 = !{!151, !153}
+!151 = distinct !{!151, !152, !"_ZN12clpt_control6native9for_numba6at_endB3v46B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE: %retptr"}
+!152 = distinct !{!152, !"_ZN12clpt_control6native9for_numba6at_endB3v46B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE"}
+!153 = distinct !{!153, !154, !"_ZN12clpt_control6native9for_numba4jumpB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE: %retptr"}
+!154 = distinct !{!154, !"_ZN12clpt_control6native9for_numba4jumpB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE"}
+!155 = !{!153}
+!156 = !{!157, !159, !153}
+!157 = distinct !{!157, !158, !"_ZN12clpt_control6native9for_numba9set_pieceB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!158 = distinct !{!158, !"_ZN12clpt_control6native9for_numba9set_pieceB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE"}
+!159 = distinct !{!159, !158, !"_ZN12clpt_control6native9for_numba9set_pieceB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!160 = !{!161, !153}
+!161 = distinct !{!161, !162, !"_ZN12clpt_control6native9for_numba6at_endB3v46B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE: %retptr"}
+!162 = distinct !{!162, !"_ZN12clpt_control6native9for_numba6at_endB3v46B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE"}
+!163 = !{!164, !153}
+!164 = distinct !{!164, !165, !"_ZN12clpt_control6native9for_numba4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_283_29: %retptr"}
+!165 = distinct !{!165, !"_ZN12clpt_control6native9for_numba4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_283_29"}
+!166 = !{!167, !153}
+!167 = distinct !{!167, !168, !"_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29: %retptr"}
+!168 = distinct !{!168, !"_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29"}
+!169 = !{!170}
+!170 = distinct !{!170, !171, !"_ZN12clpt_control6native9for_numba4failB3v47B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_285_29: %retptr"}
+!171 = distinct !{!171, !"_ZN12clpt_control6native9for_numba4failB3v47B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_285_29"}
 !172 = !{!173, !175}
-!173 = distinct !{!173, !174, !"_ZN12clpt_control6native9for_numba11count_stepsB3v21B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE8UniTupleIxLi7EE5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %retptr"}
-!174 = distinct !{!174, !"_ZN12clpt_control6native9for_numba11count_stepsB3v21B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE8UniTupleIxLi7EE5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE"}
-!175 = distinct !{!175, !174, !"_ZN12clpt_control6native9for_numba11count_stepsB3v21B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE8UniTupleIxLi7EE5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %excinfo"}
-!176 = !{!177, !179}
-!177 = distinct !{!177, !178, !"_ZN12clpt_control6native9for_numba12first_passedB3v28B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxxx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!178 = distinct !{!178, !"_ZN12clpt_control6native9for_numba12first_passedB3v28B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxxx5ArrayIdLi1E1C7mutable7alignedE"}
-!179 = distinct !{!179, !178, !"_ZN12clpt_control6native9for_numba12first_passedB3v28B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxxx5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
-!180 = !{!181, !183}
-!181 = distinct !{!181, !182, !"_ZN12clpt_control6native9for_numba8may_hideB3v29B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!182 = distinct !{!182, !"_ZN12clpt_control6native9for_numba8may_hideB3v29B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE"}
-!183 = distinct !{!183, !182, !"_ZN12clpt_control6native9for_numba8may_hideB3v29B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
-!184 = !{!185}
-!185 = distinct !{!185, !186, !"_ZN12clpt_control6native9for_numba9try_againB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %retptr"}
-!186 = distinct !{!186, !"_ZN12clpt_control6native9for_numba9try_againB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE"}
+!173 = distinct !{!173, !174, !"_ZN12clpt_control6native9for_numba11enter_pieceB3v48B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!174 = distinct !{!174, !"_ZN12clpt_control6native9for_numba11enter_pieceB3v48B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE"}
+!175 = distinct !{!175, !174, !"_ZN12clpt_control6native9for_numba11enter_pieceB3v48B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!176 = !{!177, !179, !173, !175}
+!177 = distinct !{!177, !178, !"_ZN12clpt_control6native9for_numba9set_pieceB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!178 = distinct !{!178, !"_ZN12clpt_control6native9for_numba9set_pieceB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE"}
+!179 = distinct !{!179, !178, !"_ZN12clpt_control6native9for_numba9set_pieceB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!180 = !{!181}
+!181 = distinct !{!181, !182, !"_ZN12clpt_control6native9for_numba8take_runB2v2B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi7EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!182 = distinct !{!182, !"_ZN12clpt_control6native9for_numba8take_runB2v2B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi7EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!183 = !{!184, !186, !181}
+!184 = distinct !{!184, !185, !"_ZN12clpt_control6native9for_numba9set_pieceB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!185 = distinct !{!185, !"_ZN12clpt_control6native9for_numba9set_pieceB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE"}
+!186 = distinct !{!186, !185, !"_ZN12clpt_control6native9for_numba9set_pieceB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
 !187 = !{!188, !190}
-!188 = distinct !{!188, !189, !"_ZN12clpt_control6native9for_numba12state_withinB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %retptr"}
-!189 = distinct !{!189, !"_ZN12clpt_control6native9for_numba12state_withinB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd"}
-!190 = distinct !{!190, !189, !"_ZN12clpt_control6native9for_numba12state_withinB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %excinfo"}
-!191 = !{!192, !194, !188, !190}
-!192 = distinct !{!192, !193, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %retptr"}
-!193 = distinct !{!193, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd"}
-!194 = distinct !{!194, !193, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %excinfo"}
-!195 = !{i1 true}
+!188 = distinct !{!188, !189, !"_ZN12clpt_control6native9for_numba10look_aheadB2v8B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %retptr"}
+!189 = distinct !{!189, !"_ZN12clpt_control6native9for_numba10look_aheadB2v8B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE"}
+!190 = distinct !{!190, !189, !"_ZN12clpt_control6native9for_numba10look_aheadB2v8B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %excinfo"}
+!191 = !{!192, !194}
+!192 = distinct !{!192, !193, !"_ZN12clpt_control6native9for_numba11count_stepsB3v21B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE8UniTupleIxLi7EE5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %retptr"}
+!193 = distinct !{!193, !"_ZN12clpt_control6native9for_numba11count_stepsB3v21B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE8UniTupleIxLi7EE5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE"}
+!194 = distinct !{!194, !193, !"_ZN12clpt_control6native9for_numba11count_stepsB3v21B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE8UniTupleIxLi7EE5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %excinfo"}
+!195 = !{!196, !198}
+!196 = distinct !{!196, !197, !"_ZN12clpt_control6native9for_numba12first_passedB3v28B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxxx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!197 = distinct !{!197, !"_ZN12clpt_control6native9for_numba12first_passedB3v28B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxxx5ArrayIdLi1E1C7mutable7alignedE"}
+!198 = distinct !{!198, !197, !"_ZN12clpt_control6native9for_numba12first_passedB3v28B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxxx5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!199 = !{!200, !202}
+!200 = distinct !{!200, !201, !"_ZN12clpt_control6native9for_numba8may_hideB3v29B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!201 = distinct !{!201, !"_ZN12clpt_control6native9for_numba8may_hideB3v29B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE"}
+!202 = distinct !{!202, !201, !"_ZN12clpt_control6native9for_numba8may_hideB3v29B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!203 = !{!204}
+!204 = distinct !{!204, !205, !"_ZN12clpt_control6native9for_numba9try_againB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %retptr"}
+!205 = distinct !{!205, !"_ZN12clpt_control6native9for_numba9try_againB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE"}
+!206 = !{!207, !209}
+!207 = distinct !{!207, !208, !"_ZN12clpt_control6native9for_numba12state_withinB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %retptr"}
+!208 = distinct !{!208, !"_ZN12clpt_control6native9for_numba12state_withinB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd"}
+!209 = distinct !{!209, !208, !"_ZN12clpt_control6native9for_numba12state_withinB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %excinfo"}
+!210 = !{!211, !213, !207, !209}
+!211 = distinct !{!211, !212, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %retptr"}
+!212 = distinct !{!212, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd"}
+!213 = distinct !{!213, !212, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %excinfo"}
 
 define i64 @advance(ptr %numbers) {
   %result = alloca i64

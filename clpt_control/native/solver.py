@@ -70,8 +70,8 @@ ATTEMPT, CONTROL, SIZES, TRIAL, FIRST, ACCEPT, DENSE, CUBIC, STIFFNESS = range(8
 STAGE = 16
 ANEW, ON = 1, 2  # a piece begins with new rates and a new step, or goes on with those of the last
 OUTSIDE = 1e-9  # grid steps beyond the edge that count as outside
-LOOKS, GLANCES = 16, 8  # places within a step at which guards are looked at, and decisions
-# shares of the step at which decisions are looked at: quarters, and places between them at which
+GLANCES = 8  # places within a step at which decisions and guards are looked at
+# shares of the step at which these lie: quarters, and places between them at which
 # nothing periodic looks as it does at the quarters, up to 240 periods a step
 SHARES = (0.0, 0.0803, 0.25, 0.3333, 0.5, 0.6575, 0.75, 0.8889, 1.0)
 # of the polynomial through the quarters at each place between them: the factors of the quarters
@@ -170,7 +170,7 @@ def advance(code, shape, tolerances, batch, linear, budget, most):
         beyond = False
         if decided > 0 and good:
             call(code[CUBIC], numbers, Z, 0, P, T, W, D, 0)
-            beyond = mark_passed(code, shape, times, results, lane, arrays)
+            beyond = mark_passed(code, DECIDE, shape, decided, times, results, lane, arrays)
         if within or beyond:
             if dense:
                 for s in range(stages + 1, stages + 4):
@@ -180,10 +180,10 @@ def advance(code, shape, tolerances, batch, linear, budget, most):
             call(code[DENSE], numbers, Z, 0, P, tolerances, W, D, 0)
             if dense:
                 check_interpolant(lanes, times, results, lane)
-            if beyond and mark_passed(code, shape, times, results, lane, arrays):
+            if beyond and mark_passed(code, DECIDE, shape, decided, times, results, lane, arrays):
                 locate_kinks(code, shape, tolerances, times, results, lane, arrays)
             if guarded:
-                watch_guards(code, shape, 1 if fixed else LOOKS, results, lane, arrays)
+                watch_guards(code, shape, times, results, lane, arrays)
         if looked and good:
             sample(shape, times, results, lane, Z, 3 if within and dense else 0)
         if lanes > 1 or numbers[GOOD, 0] > 0.5:
@@ -243,31 +243,35 @@ def first_passed(k, lanes, decided, look, D):
     return -1
 
 
-def mark_passed(code, shape, times, results, lane, arrays):
+def mark_passed(code, function, shape, decided, times, results, lane, arrays):
     """Note which decision each lane's step passes first, and between which looks; return if any.
 
     States within the step are those of its interpolant.  A step is halved where a decision may hide
-    from the looks before that.
+    from the looks before that; one of a fixed length is looked at where it ends.  A guard is as a
+    decision, whose distance is the margin.
     """
-    lanes, n, decided, some = shape[0], shape[1], shape[6], False
+    lanes, n, stages, some = shape[0], shape[1], shape[2], False
     shortest = SHORTEST * (times[-1] - times[0])
     counts, (numbers, whole, _), (Z, P, T, W, D) = results[3], lane, arrays
-    for look in range(GLANCES + 1):
+    fixed = stages <= RK4
+    for look in range(GLANCES if fixed else 0, GLANCES + 1):
         for k in range(lanes):
             state_within(n, lanes, k, numbers, Z, SHARES[look])
-        first = LOOKED if look < GLANCES else ARGUMENT
-        to = 3 * look * decided * lanes
-        call(code[DECIDE], numbers[AT], Z, first * n * lanes, P, T, W, D, to)
+        first, to = LOOKED if look < GLANCES else ARGUMENT, 3 * look * decided * lanes
+        to += lanes if function == MARGIN else 0
+        call(code[function], numbers[AT], Z, first * n * lanes, P, T, W, D, to)
     for k in range(lanes):
         whole[WHICH, k], numbers[AT, k] = -1, numbers[NEW, k]
         if whole[MEMBER, k] >= 0 and numbers[GOOD, k] > 0.5:
-            last = 0
+            last = GLANCES - 1 if fixed else 0
             while last < GLANCES and whole[WHICH, k] < 0:
                 last += 1
                 whole[WHICH, k] = first_passed(k, lanes, decided, last, D)
-            numbers[LOW, k], numbers[HIGH, k] = SHARES[last - 1], SHARES[last]
+            numbers[LOW, k] = 0.0 if fixed else SHARES[last - 1]
+            numbers[HIGH, k] = SHARES[last]
             clear = last if whole[WHICH, k] < 0 else last - 1
-            if numbers[TAKEN, k] > 2.0 * shortest and may_hide(k, lanes, decided, clear, D):
+            long = not fixed and numbers[TAKEN, k] > 2.0 * shortest
+            if long and may_hide(k, lanes, decided, clear, D):
                 try_again(k, 0.5 * numbers[TAKEN, k], counts, lane)
                 whole[WHICH, k] = -1
             some = some or whole[WHICH, k] >= 0
@@ -600,19 +604,17 @@ def state_within(n, lanes, k, numbers, Z, share):
         Z[(LOOKED * n + i) * lanes + k] = interpolate(Z, n, lanes, k, i, share)
 
 
-def watch_guards(code, shape, looks, results, lane, arrays):
+def watch_guards(code, shape, times, results, lane, arrays):
     """End the run of a lane that leaves a guard within the step; the step is not taken."""
-    lanes, n = shape[0], shape[1]
-    status, (numbers, whole, _), (Z, P, T, W, D) = results[1], lane, arrays
-    for look in range(1, looks + 1):
+    lanes, status, (numbers, whole, _), D = shape[0], results[1], lane, arrays[4]
+    for look in range(GLANCES + 1):
         for k in range(lanes):
-            state_within(n, lanes, k, numbers, Z, look / looks)
-        call(code[MARGIN], numbers[AT], Z, LOOKED * n * lanes, P, T, W, D, 0)
+            D[(3 * look + 2) * lanes + k] = OUTSIDE
+    if mark_passed(code, MARGIN, shape, 1, times, results, lane, arrays):
         for k in range(lanes):
-            if numbers[GOOD, k] > 0.5 and D[k] < -OUTSIDE:
+            if whole[WHICH, k] >= 0:
                 fail(status, whole, k, LEFT)
                 numbers[GOOD, k] = 0.0
-                numbers[LOW, k], numbers[HIGH, k] = (look - 1) / looks, look / looks
 
 
 # --- what an implicit method solves ---------------------------------------------------------

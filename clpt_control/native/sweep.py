@@ -187,7 +187,7 @@ class Sweep:
     ) -> tuple[float, str, str]:
         """Return the least distance to the edge of a guard, the guard's policy and its sentence."""
         self.evaluate(t, x, u)
-        least = (1.0, "", "")
+        least = (np.inf, "", "")
         for k, node in enumerate(self.nodes):
             guard = node.system.guard
             if guard is not None:

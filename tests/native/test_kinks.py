@@ -6,6 +6,7 @@ import control
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
+from scipy.optimize import brentq
 
 import clpt_control as clpt
 from clpt_control.errors import SimulationError
@@ -251,6 +252,37 @@ def test_a_phase_that_turns_many_times_in_a_step_meets_each_switch(level, freque
     found = clpt.simulate(system(turning, 2), [0.0, 10.0], None, 0.0)
     wanted = 10.0 * (0.5 - np.arcsin(level) / np.pi)
     np.testing.assert_allclose(found.states[-1, 1], wanted, rtol=1e-8)
+
+
+@pytest.mark.parametrize("engine", ["native", "python"])
+@pytest.mark.parametrize("level", [0.5, 0.9, 0.95])
+@pytest.mark.parametrize("frequency", [1.0, 10.0, 137.0])
+def test_a_run_stops_where_a_swinging_output_first_reaches_a_level(frequency, level, engine):
+    """y = t/10 sin(2 pi f t), whose rates are constant: no error shortens a step."""
+
+    def y(t):
+        return 0.1 * t * np.sin(2.0 * np.pi * frequency * t)
+
+    spiral = control.nlsys(
+        lambda t, x, u, p: [2.0 * np.pi * frequency, 0.1],
+        lambda t, x, u, p: x[1] * np.sin(x[0]),
+        inputs=0,
+        outputs=1,
+        states=2,
+        name="spiral",
+    )
+    found = clpt.simulate(
+        spiral, T, None, 0.0, stop=lambda t, y, u: level - y[0], engine=engine, rtol=1e-8
+    )
+    peaks = (np.arange(10 * frequency) + 0.25) / frequency  # y is largest within 1e-4 of them
+    reached = np.flatnonzero(y(peaks) > level)
+    if not len(reached):
+        assert found.attrs["status"] == "finished"
+        return
+    end = peaks[reached[0]]
+    wanted = brentq(lambda t: y(t) - level, end - 0.25 / frequency, end)
+    told = float(found.attrs["message"].split("t = ")[1])
+    np.testing.assert_allclose(told, wanted, atol=1e-6)
 
 
 ROWS = np.random.default_rng(3).normal(size=150)
