@@ -51,8 +51,7 @@ def random_samples(block: Block, seed: int, count: int) -> list[Sample]:
 
 def roles(block: Block) -> list[str]:
     """Return the roles of a block's equations."""
-    own = {"update": block.update_function, "jump": block.jump_function}
-    return ["output", *(role for role, function in own.items() if function is not None)]
+    return ["output", *(role for role in ("update", "jump") if role in block._roles)]
 
 
 def called_roles(block: Block) -> list[str]:
@@ -62,8 +61,6 @@ def called_roles(block: Block) -> list[str]:
 
 def python_values(block: Block, role: str, sample: Sample) -> np.ndarray:
     """Return what Python computes for one sample, whose arguments are copied."""
-    if role == "output" and block.states_are_outputs:
-        return sample.x.copy()
     size = block.noutputs if role == "output" else block.nstates
     return block.values(role, size, sample.t, sample.x.copy(), sample.u.copy(), copied(sample.p))
 

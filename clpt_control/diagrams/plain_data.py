@@ -12,8 +12,9 @@ from typing import Any
 import control
 import numpy as np
 
+from ..equations.arrays import Unread
 from ..equations.block import Block
-from ..equations.plain_blocks import Unrecorded, block_of, plain_block
+from ..equations.plain_blocks import block_of, plain_block
 from ..equations.sampled import Sampled
 from ..equations.system import System
 from ..equations.unchanged import Keys, Unkeyed
@@ -71,9 +72,7 @@ def _outputs(wiring: Wiring, wires: Mapping[bool, list[Entry]]) -> list[Entry]:
     for to, row in enumerate(wiring.outputs):
         for k, gain in row.items():
             if k < 0 and ~k not in alone:
-                raise Unrecorded(
-                    "an input of the diagram is an output, and comes to no block alone"
-                )
+                raise Unread("an input of the diagram is an output, and comes to no block alone")
             entries.append((to, k if k >= 0 else count + alone[~k], gain))
     return entries
 

@@ -531,6 +531,8 @@ class Block(control.NonlinearIOSystem):
 
         A run may try such numbers and go on without them; what stops it is in `raised`.
         """
+        if role == "output" and self.states_are_outputs:
+            return np.array(x, dtype=float)
         try:
             values = self._evaluate(role, size, t, x, u, p)
         except RAISED as error:  # as math.log(0.0) does
@@ -575,6 +577,4 @@ class Block(control.NonlinearIOSystem):
             )
 
     def _out(self, t, x, u):
-        if self.output_function is None:
-            return np.array(x, dtype=float)
         return self.values("output", self.noutputs, t, x, u, self.parameters_at(t))

@@ -335,10 +335,10 @@ def flattened(name: str, returned: Any, where: dict[str, tuple[slice, Shape]], s
 
 
 def _shaped(name: str, port: str, value: np.ndarray, shape: Shape) -> np.ndarray:
-    if value.size == prod(shape) and value.shape in ((), shape, (1,), (prod(shape),)):
-        return value.reshape(shape)
     if value.ndim == 0:
         return np.full(shape, value)
+    if value.shape == (prod(shape),):
+        return value.reshape(shape)
     raise BlockError(f"{name}: returns {port} of shape {value.shape}; must be {shape}")
 
 

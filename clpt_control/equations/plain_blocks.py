@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import BlockError, ClptError
+from ..errors import BlockError
 from .arrays import Unread
 from .block import Block
 from .declaration import Each, Guard, Parameters, sized, sizes_of
@@ -23,10 +23,6 @@ from .sampled import Sampled
 KINDS = ("input", "output", "state")
 LARGEST = 10**7  # numbers of one value of a record
 MOST = 10**8  # of all values of a record together
-
-
-class Unrecorded(ClptError):
-    """A block that no plain data hold; the sentence says why."""
 
 
 class AsRecorded:
@@ -135,10 +131,7 @@ def plain_block(block: Block, name: str, p: Any, begin: float, end: float) -> di
             "called": block._inner,
             "labels": labels,
         }
-    try:
-        records = {role: _plain_record(block.array_record(role)) for role in block._roles}
-    except Unread as error:
-        raise Unrecorded(str(error)) from None
+    records = {role: _plain_record(block.array_record(role)) for role in block._roles}
     pinned = {name for found, _ in block.read_with.values() for name in found}
     jumps, listed = block.breakpoints_function, None
     if isinstance(jumps, Each):

@@ -126,8 +126,6 @@ class Sampled(Block):
         parameters = inner.parameters._replace(**changed) if changed else inner.parameters
         states, held = x[: inner.nstates], x[inner.nstates :]
         if role == "output":
-            if inner.states_are_outputs:
-                return states
             return inner.values(role, size, p.interval * self.period, states, held, parameters)
         if not inner.nstates:
             return np.array(u)

@@ -292,21 +292,13 @@ def rate(t, x, u, p):
 
 
 def output(t, x, u, p):
-    """y = C x + D u, section "linear systems"."""
-    return p.C @ x.x + p.D @ u.u
+    """y = C x + D u, section "linear systems"; a part that is zero is left out."""
+    if "C" not in p:
+        return p.D @ u.u
+    return p.C @ x.x + p.D @ u.u if "D" in p else p.C @ x.x
 
 
-def output_of_states(t, x, u, p):
-    """y = C x, section "linear systems", D = 0."""
-    return p.C @ x.x
-
-
-def output_of_inputs(t, x, u, p):
-    """y = D u, section "linear systems", no states."""
-    return p.D @ u.u
-
-
-RECORDS: dict[Any, dict[str, Any]] = {}  # of each output function, and of the rates beside it
+RECORDS: dict[str, dict[str, Any]] = {}  # by what is left out
 SHAPES = {"A": ("n", "n"), "B": ("n", "m"), "C": ("q", "n"), "D": ("q", "m")}
 
 
@@ -314,15 +306,13 @@ def linear(system: control.StateSpace | control.TransferFunction) -> Block:
     """Make a block of a linear system, with its name, labels and time."""
     parameters = dict(zip("ABCD", _matrices(system), strict=True))
     n, (outputs, inputs) = len(parameters["A"]), parameters["D"].shape
-    equation, left_out = (output, "") if n else (output_of_inputs, "ABC")
-    if n and not np.any(parameters["D"]):
-        equation, left_out = output_of_states, "D"
+    left_out = "ABC" if not n else "" if np.any(parameters["D"]) else "D"
     for name in left_out:
         del parameters[name]
     block = Block(
         system.name,
         update=rate if n else None,
-        output=equation,
+        output=output,
         inputs={"u": "m"},
         outputs={"y": "q"},
         states={"x": "n"} if n else None,
@@ -330,7 +320,7 @@ def linear(system: control.StateSpace | control.TransferFunction) -> Block:
         shapes={name: SHAPES[name] for name in parameters},
         sizes={"m": inputs, "q": outputs},
     )
-    block.__dict__["_read_records"] = RECORDS.setdefault(equation, {})  # the same for all sizes
+    block.__dict__["_read_records"] = RECORDS.setdefault(left_out, {})  # the same for all sizes
     block.set_inputs(system.input_labels)
     block.set_outputs(system.output_labels)
     if isinstance(system, control.StateSpace):
@@ -342,7 +332,7 @@ def linear(system: control.StateSpace | control.TransferFunction) -> Block:
 def is_linear(part: control.NonlinearIOSystem) -> bool:
     """Return whether a part is a block that `linear` made."""
     block = getattr(part, "inner", part)  # of one that is sampled
-    return getattr(block, "output_function", None) in (output, output_of_states, output_of_inputs)
+    return getattr(block, "output_function", None) is output
 
 
 def _matrices(system: control.StateSpace | control.TransferFunction) -> tuple[np.ndarray, ...]:

@@ -170,9 +170,7 @@ class Sweep:
         return new
 
     def _call(self, role: str, k: int, t: float, x: np.ndarray, u: np.ndarray, out: Any) -> None:
-        system = self.nodes[k].system
-        by_states = role == "output" and system.states_are_outputs
-        out[:] = x if by_states else system.values(role, len(out), t, x, u, self._current[k])
+        out[:] = self.nodes[k].system.values(role, len(out), t, x, u, self._current[k])
 
     def fed(self, k: int) -> np.ndarray:
         """Return the inputs of a block at the last pass."""

@@ -15,7 +15,7 @@ import numpy as np
 from ..arguments import public
 from ..diagrams.interconnection import Diagram
 from ..diagrams.plain_data import diagram_of, plain_diagram
-from ..equations.plain_blocks import Unrecorded
+from ..equations.arrays import Unread
 from ..errors import ClptError, DataError
 from ..files import write_file
 from ..files.reading import open_netcdf
@@ -157,7 +157,7 @@ class RecordedScenario(NamedTuple):
 
 
 class RunRecord:
-    """How a diagram ran: `text` is JSON, or raises an `Unrecorded` that says why there is none."""
+    """How a diagram ran: `text` is JSON, or raises an `Unread` that says why there is none."""
 
     def __init__(self, run: Any, engine: str, inputs: Inputs, conditions: dict[str, Any]):
         self.run, self.engine = run, engine  # a `DiagramRun`, and what ran it
@@ -170,7 +170,7 @@ class RunRecord:
     def __reduce__(self) -> Any:
         try:
             return str, (self.text,)
-        except Unrecorded:
+        except Unread:
             return str, ("",)
 
     @cached_property
@@ -178,9 +178,9 @@ class RunRecord:
         """The equations, inputs, start and method."""
         runner, times = self.run.runner, self.conditions["timepts"]
         if self.inputs is None:
-            raise Unrecorded("its inputs come by a function of Python; give samples at timepts")
+            raise Unread("its inputs come by a function of Python; give samples at timepts")
         if self.engine != "native" or not isinstance(runner, NativeDiagram):
-            raise Unrecorded("it ran in Python, by functions that no file holds")
+            raise Unread("it ran in Python, by functions that no file holds")
         plain = {
             "run": {**self.conditions, "inputs": self.inputs},
             "diagram": plain_diagram(
@@ -194,11 +194,11 @@ class RunRecord:
         try:
             again = NativeDiagram(diagram_of_text(text))
         except DataError as error:  # a name that no block of a file has
-            raise Unrecorded(str(error)) from None
+            raise Unread(str(error)) from None
         arrays = [(getattr(again.layout, a), getattr(runner.layout, a)) for a in "PT"]
         same = repr(again.code.program) == repr(runner.code.program)  # NaN differs from itself
         if not (same and all(np.array_equal(*pair) for pair in arrays)):
-            raise Unrecorded("its blocks have changed since it ran")
+            raise Unread("its blocks have changed since it ran")
         return text
 
 
@@ -207,7 +207,7 @@ def equations_text(run: "xarray.Dataset") -> tuple[str, str]:
     record = run.encoding.get(file.EQUATIONS) or run.attrs.get(file.EQUATIONS, "")
     try:
         return (record.text if isinstance(record, RunRecord) else str(record)), ""
-    except Unrecorded as error:
+    except Unread as error:
         return "", str(error)
 
 

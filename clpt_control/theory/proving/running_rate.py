@@ -81,9 +81,7 @@ class Running:
         nodes = self.wiring.nodes
         signals = np.zeros((nodes[-1].outputs.stop, len(t)))
         for k in self.wiring.order:
-            own = nodes[k].system.states_are_outputs
-            made = x.T[nodes[k].states] if own else self._made(k, "output", signals, t, x, u)
-            signals[nodes[k].outputs] = made
+            signals[nodes[k].outputs] = self._made(k, "output", signals, t, x, u)
         return signals
 
     def _made(self, k: int, role: str, signals: np.ndarray, t: Any, x: Any, u: Any) -> np.ndarray:
