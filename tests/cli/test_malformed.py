@@ -6,10 +6,10 @@ import shutil
 import subprocess
 import sys
 import tomllib
+from pathlib import Path
 
 import numpy as np
 import pytest
-import xarray
 from made_fields import uniform_field
 
 import clpt_control
@@ -107,7 +107,27 @@ CASES = [
 ]
 
 
-def write(path, changes):
+@pytest.fixture(autouse=True)
+def here(tmp_path, monkeypatch):
+    """Commands run in a folder of their own; `refused_for` says that nothing was left there."""
+    monkeypatch.chdir(tmp_path)
+
+
+@pytest.fixture
+def refused_for(refused):
+    """Run a command, a user's mistake, whose line holds words, and which writes nothing."""
+
+    def run(words, *arguments):
+        before = sorted(Path().rglob("*"))
+        said = refused(*arguments)
+        assert all(word in said for word in words), said
+        assert sorted(Path().rglob("*")) == before
+        return said
+
+    return run
+
+
+def write(changes, path="s.toml"):
     tables = tomllib.loads(paper_text())
     for key, value in changes.items():
         *place, last = key.split(".")
@@ -118,45 +138,34 @@ def write(path, changes):
             del table[last]
         else:
             table[last] = value
-    path.write_text(toml(tables))
+    Path(path).write_text(toml(tables))
 
 
-def assert_refused(outcome, folder, before, words):
-    assert outcome.status == 2, outcome
-    assert outcome.out == ""
-    assert outcome.err.startswith("clpt: ")
-    assert outcome.err.count("\n") == 1, outcome.err
-    assert "Traceback" not in outcome.err
-    for word in words:
-        assert word in outcome.err, outcome.err
-    assert sorted(path.name for path in folder.rglob("*")) == before
+RUN = ("run", "s.toml", "--out", "run.nc")
 
 
 @pytest.mark.parametrize(("changes", "words"), CASES)
-def test_scenario_is_refused(clpt, tmp_path, changes, words):
-    write(tmp_path / "bad.toml", changes)
-    outcome = clpt("run", tmp_path / "bad.toml", "--out", tmp_path / "run.nc")
-    assert_refused(outcome, tmp_path, ["bad.toml"], ["bad.toml", *words])
+def test_scenario_is_refused(refused_for, changes, words):
+    write(changes)
+    refused_for(["s.toml", *words], *RUN)
 
 
-def test_files_that_are_no_scenario(clpt, tmp_path):
-    (tmp_path / "text.toml").write_text("gain 0.8")
-    (tmp_path / "binary.toml").write_bytes(b"\xff\xfe\x00\x01")
-    (tmp_path / "fake.nc").write_text("not NetCDF")
-    (tmp_path / "cut.nc").write_bytes(b"\x89HDF\r\n\x1a\n" + bytes(40))
-    xarray.Dataset({"a": ("n", np.zeros(3))}).to_netcdf(tmp_path / "other.nc")
-    before = sorted(path.name for path in tmp_path.iterdir())
-    for name, words in {
-        "absent.toml": ["no such file", "clpt init"],
-        "text.toml": ["TOML", "line 1"],
-        "binary.toml": ["not text"],
-        "absent.nc": ["no such file"],
-        "fake.nc": ["NetCDF"],
-        "cut.nc": ["NetCDF"],
-        "other.nc": ["carries no scenario"],
-    }.items():
-        outcome = clpt("run", tmp_path / name, "--out", tmp_path / "run.nc")
-        assert_refused(outcome, tmp_path, before, [name, *words])
+FILES = {
+    "absent.toml": (None, ["no such file", "clpt init"]),
+    "text.toml": (b"gain 0.8", ["TOML", "line 1"]),
+    "binary.toml": (b"\xff\xfe\x00\x01", ["not text"]),
+    "absent.nc": (None, ["no such file"]),
+    "fake.nc": (b"not NetCDF", ["NetCDF"]),
+    "cut.nc": (b"\x89HDF\r\n\x1a\n" + bytes(40), ["NetCDF"]),
+}
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_files_that_are_no_scenario(refused_for, name):
+    content, words = FILES[name]
+    if content is not None:
+        Path(name).write_bytes(content)
+    refused_for([name, *words], "run", name, "--out", "run.nc")
 
 
 @pytest.mark.parametrize(
@@ -167,94 +176,68 @@ def test_files_that_are_no_scenario(clpt, tmp_path):
         ("1" * 5000, "too many digits"),
     ],
 )
-def test_text_that_toml_cannot_hold(clpt, tmp_path, value, words):
-    (tmp_path / "s.toml").write_text(paper_text().replace("gain = 0.8", f"gain = {value}"))
-    outcome = clpt("run", tmp_path / "s.toml", "--out", tmp_path / "run.nc")
-    assert_refused(outcome, tmp_path, ["s.toml"], ["s.toml", words])
+def test_text_that_toml_cannot_hold(refused_for, value, words):
+    Path("s.toml").write_text(paper_text().replace("gain = 0.8", f"gain = {value}"))
+    refused_for(["s.toml", words], *RUN)
 
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="pipes with names are not of this system")
-def test_what_is_no_file_is_not_waited_for(clpt, tmp_path):
-    os.mkfifo(tmp_path / "s.toml")
-    for name, kind in ((tmp_path / "s.toml", "a pipe with a name"), (os.devnull, "a device")):
-        for arguments in (
-            ("run", name, "--out", tmp_path / "run.nc"),
-            ("diagram", name),
-            ("excitation", name),
-        ):
-            assert_refused(clpt(*arguments), tmp_path, ["s.toml"], [f"is {kind}; give a file"])
+@pytest.mark.parametrize(
+    ("name", "kind"), [("s.toml", "a pipe with a name"), (os.devnull, "a device")]
+)
+def test_what_is_no_file_is_not_waited_for(refused_for, name, kind):
+    os.mkfifo("s.toml")
+    for arguments in (("run", name, "--out", "run.nc"), ("diagram", name), ("excitation", name)):
+        refused_for([f"is {kind}; give a file"], *arguments)
 
 
 @pytest.mark.parametrize("name", ["x" * 5000, "x" * 255, "x/" * 2000, "\udcff"])
-def test_names_that_no_file_can_have(clpt, tmp_path, name):
-    (tmp_path / "p.toml").write_text(paper_text())
+def test_names_that_no_file_can_have(refused_for, name):
+    write({})
     words = ["bytes that are no text" if name == "\udcff" else "name is too long"]
     for arguments in (
-        ("run", tmp_path / "p.toml", "--out", tmp_path / f"{name}.nc"),
-        ("run", tmp_path / "p.toml", "--out", tmp_path / "run.nc", "--figures", tmp_path / name),
-        (
-            "ensemble",
-            tmp_path / "p.toml",
-            "--members",
-            2,
-            "--vary",
-            "learning.gain=1:2",
-            "--out",
-            tmp_path / name,
-        ),
-        ("init", tmp_path / f"{name}.toml"),
-        ("diagram", tmp_path / "p.toml", "--out", tmp_path / f"{name}.svg"),
+        ("run", "s.toml", "--out", f"{name}.nc"),
+        (*RUN, "--figures", name),
+        ("ensemble", "s.toml", "--members", 2, "--vary", "learning.gain=1:2", "--out", name),
+        ("init", f"{name}.toml"),
+        ("diagram", "s.toml", "--out", f"{name}.svg"),
     ):
-        assert_refused(clpt(*arguments), tmp_path, ["p.toml"], words)
+        refused_for(words, *arguments)
     for arguments in (
-        ("run", f"{name}.toml", "--out", tmp_path / "run.nc"),
+        ("run", f"{name}.toml", "--out", "run.nc"),
         ("excitation", name),
-        ("run", f"{name}.nc", "--out", tmp_path / "run.nc"),
+        ("run", f"{name}.nc", "--out", "run.nc"),
         ("replay", name),
         ("tides", name, "--constituents", "M2"),
     ):
-        outcome = clpt(*arguments)
-        assert_refused(outcome, tmp_path, ["p.toml"], ["no such file" * (name == "\udcff")])
-        assert len(outcome.err) < 1500
+        assert len(refused_for(["no such file" * (name == "\udcff")], *arguments)) < 1500
 
 
 @pytest.mark.parametrize(
     ("changes", "window", "words"),
     [
         ({}, "1e-300", ["window 1e-300 from", "must be positive", "at least 2e-06 long"]),
-        (
-            {"basis.periods": [1e-300, 1.0, 1.0]},
-            "60",
-            ["window 60: takes 1e+302 pieces", "at most"],
-        ),
+        ({"basis.periods": [1e-300, 1, 1]}, "60", ["window 60: takes 1e+302 pieces", "at most"]),
         ({"vehicle.feedback": [1e300, 1.0]}, "60", ["window 60: takes", "/vehicle.feedback"]),
     ],
 )
-def test_windows_that_cannot_be_summed(clpt, tmp_path, changes, window, words):
-    write(tmp_path / "s.toml", changes)
-    outcome = clpt("excitation", tmp_path / "s.toml", "--window", window)
-    assert_refused(outcome, tmp_path, ["s.toml"], words)
+def test_windows_that_cannot_be_summed(refused_for, changes, window, words):
+    write(changes)
+    refused_for(words, "excitation", "s.toml", "--window", window)
 
 
-def test_a_scenario_with_many_waypoints_is_read_and_written(tmp_path):
-    scenario = paper_scenario().with_values(
-        {
-            "reference": {
-                "kind": "waypoints",
-                "dwell": 20.0,
-                "points": [[0.5 * (k % 7), -0.25 * k] for k in range(20_000)],
-            }
-        }
-    )
-    save_scenario(scenario, tmp_path / "s.toml")
-    assert load_scenario(tmp_path / "s.toml") == scenario
+def test_a_scenario_with_many_waypoints_is_read_and_written():
+    points = [[0.5 * (k % 7), -0.25 * k] for k in range(20_000)]
+    way = {"kind": "waypoints", "dwell": 20.0, "points": points}
+    scenario = paper_scenario().with_values({"reference": way})
+    save_scenario(scenario, "s.toml")
+    assert load_scenario("s.toml") == scenario
 
 
-def test_a_diagram_that_python_control_cannot_hold_is_refused(clpt, tmp_path, monkeypatch):
-    (tmp_path / "p.toml").write_text(paper_text())
+def test_a_diagram_that_python_control_cannot_hold_is_refused(refused_for, monkeypatch):
+    write({})
     monkeypatch.setattr(interconnection, "MOST_BYTES", 1000)
-    outcome = clpt("diagram", tmp_path / "p.toml")
-    assert_refused(outcome, tmp_path, ["p.toml"], ["closed_loop: has 3", "fewer basis functions"])
+    refused_for(["closed_loop: has 3", "fewer basis functions"], "diagram", "s.toml")
 
 
 def test_jumps_are_not_listed_without_end():
@@ -275,15 +258,15 @@ def test_jumps_are_not_listed_without_end():
         {"flow.parameters": [[1e300, 1.0, 1.0], [1.0, 1.0, 1.0]]},
     ],
 )
-def test_a_run_that_cannot_be_ends_with_a_sentence(clpt, tmp_path, changes):
-    write(tmp_path / "s.toml", changes)
-    outcome = clpt("run", tmp_path / "s.toml", "--out", tmp_path / "run.nc")
+def test_a_run_that_cannot_be_ends_with_a_sentence(clpt, changes):
+    write(changes)
+    outcome = clpt(*RUN)
     assert outcome.status == 1
     said = outcome.err.splitlines()[-1]
     assert said.startswith("clpt: ")
     assert "fault" not in said
     assert "too many steps" in said or "the integration stopped at t = " in said
-    assert [path.name for path in tmp_path.iterdir()] == ["s.toml"]
+    assert [*Path().iterdir()] == [Path("s.toml")]
 
 
 RUN_DAMAGES = {
@@ -317,16 +300,14 @@ def run():
 
 
 @pytest.mark.parametrize("name", RUN_DAMAGES)
-def test_a_damaged_run_is_refused_by_all_that_open_runs(clpt, tmp_path, run, name):
+def test_a_damaged_run_is_refused_by_all_that_open_runs(refused_for, run, name):
     damage, said = RUN_DAMAGES[name]
-    damage(run).to_netcdf(tmp_path / "run.nc")
-    others = (
-        ("report", "-o", tmp_path / "out.html"),
-        ("animate", "-o", tmp_path / "out.gif"),
-        ("excitation",),
-    )
+    damage(run).to_netcdf("run.nc")
+    others = (("report", "-o", "out.html"), ("animate", "-o", "out.gif"), ("excitation",))
     for command, *out in (("estimate",), *(() if name in NEEDED_BY_ESTIMATE else others)):
-        assert_refused(clpt(command, tmp_path / "run.nc", *out), tmp_path, ["run.nc"], [said])
+        refused_for([said], command, "run.nc", *out)
+    if name == "no scenario":
+        refused_for([said], "run", "run.nc", "--out", "again.nc")
 
 
 def test_warnings_of_libraries_are_no_words_of_a_command():
@@ -340,26 +321,26 @@ def test_warnings_of_libraries_are_no_words_of_a_command():
     assert (ended.returncode, ended.stdout, ended.stderr) == (0, "", "")
 
 
-def test_places_that_cannot_be_written(clpt, tmp_path):
-    (tmp_path / "p.toml").write_text(paper_text())
-    (tmp_path / "file").write_text("")
-    before = sorted(path.name for path in tmp_path.iterdir())
+def test_places_that_cannot_be_written(refused_for):
+    write({})
+    Path("file").write_text("")
     for arguments, words in [
-        (("run", tmp_path / "p.toml", "--out", tmp_path / "no" / "run.nc"), ["no", "folder"]),
-        (("run", tmp_path / "p.toml", "--out", tmp_path), ["is a folder"]),
-        (("paper", "--out", tmp_path / "file"), ["is a file"]),
-        (("init", tmp_path / "no" / "p.toml"), ["cannot be written"]),
+        (("run", "s.toml", "--out", "no/run.nc"), ["no", "folder"]),
+        (("run", "s.toml", "--out", "."), ["is a folder"]),
+        (("paper", "--out", "file"), ["is a file"]),
+        (("init", "no/p.toml"), ["cannot be written"]),
     ]:
-        assert_refused(clpt(*arguments), tmp_path, before, words)
+        refused_for(words, *arguments)
 
 
-def test_field_files_that_cannot_be_used(clpt, tmp_path):
-    good = uniform_field(tmp_path / "field.nc", 0.0, 0.0, half=20.0, end=4e4)
+def test_field_files_that_cannot_be_used(refused_for):
+    good = uniform_field("field.nc", 0.0, 0.0, half=20.0, end=4e4)
     gap = good.copy(deep=True)
     gap.u[1, 1, 1] = np.nan
     unit = good.copy(deep=True)
     unit.u.attrs["units"] = "furlong"
     uneven = good.assign_coords(x=("x", [-20.0, -10.0, 0.0, 9.0, 20.0], {"units": "m"}))
+    write({f"flow.{key}": value for key, value in FIELD.items()})
     for data, words in [
         (good.drop_vars("v"), ["'v'"]),
         (gap, ["u has gaps"]),
@@ -367,57 +348,42 @@ def test_field_files_that_cannot_be_used(clpt, tmp_path):
         (uneven, ["x must be evenly spaced"]),
         (good.assign_coords(y=("y", np.arange(5.0))), ["y has units"]),
     ]:
-        data.to_netcdf(tmp_path / "field.nc")
-        write(tmp_path / "s.toml", {f"flow.{key}": value for key, value in FIELD.items()})
-        outcome = clpt("run", tmp_path / "s.toml", "--out", tmp_path / "run.nc")
-        assert_refused(outcome, tmp_path, ["field.nc", "s.toml"], ["field.nc", *words])
+        data.to_netcdf("field.nc")
+        refused_for(["field.nc", *words], *RUN)
 
 
-def test_a_run_that_fails_has_status_one(clpt, tmp_path):
-    uniform_field(tmp_path / "field.nc", 1.0, 1.0, half=1.5, end=4e4)
-    write(tmp_path / "s.toml", {f"flow.{key}": value for key, value in FIELD.items()})
-    outcome = clpt("run", tmp_path / "s.toml", "--out", tmp_path / "run.nc")
+def test_a_run_that_fails_has_status_one(clpt):
+    uniform_field("field.nc", 1.0, 1.0, half=1.5, end=4e4)
+    write({f"flow.{key}": value for key, value in FIELD.items()})
+    outcome = clpt(*RUN)
     assert outcome.status == 1
     assert "left the field at position" in outcome.err
-    assert not (tmp_path / "run.nc").exists()
+    assert not Path("run.nc").exists()
 
 
-def test_sizes_that_no_machine_holds_are_refused_before_work(clpt, tmp_path):
+def test_sizes_that_no_machine_holds_are_refused_before_work(refused_for):
     many = 20_000
-    write(
-        tmp_path / "s.toml",
-        {
-            "basis.centers": [[1.0, 1.0]] * many,
-            "basis.widths": [1.0] * many,
-            "basis.periods": [1.0] * many,
-            "basis.phases": None,
-            "run.output_step": 0.1,
-            "flow.parameters": [[0.1] * many] * 2,
-            "model.parameters": None,
-            "learning.parameters": None,
-        },
-    )
-    outcome = clpt("run", tmp_path / "s.toml", "--out", tmp_path / "run.nc")
-    words = ["2e+04 samples of 20000 basis functions would take 84.5 GB of memory; at most 4 are"]
-    assert_refused(outcome, tmp_path, ["s.toml"], words)
-    write(tmp_path / "s.toml", {"run.output_step": 1e-4})
-    outcome = clpt("run", tmp_path / "s.toml", "--out", tmp_path / "run.nc")
-    assert_refused(outcome, tmp_path, ["s.toml"], ["2e+07 samples of 3 basis functions", "GB"])
-    shutil.copy(clpt_control.currents.sample_currents(), tmp_path / "g.nc")
+    basis = {"centers": [[1.0, 1.0]] * many, "widths": [1.0] * many, "periods": [1.0] * many}
+    changes = {f"basis.{key}": values for key, values in basis.items()} | {"basis.phases": None}
+    changes |= {"run.output_step": 0.1, "flow.parameters": [[0.1] * many] * 2}
+    write(changes | dict.fromkeys(("model.parameters", "learning.parameters")))
+    words = "2e+04 samples of 20000 basis functions would take 84.5 GB of memory; at most 4 are"
+    refused_for([words], *RUN)
+    write({"run.output_step": 1e-4})
+    refused_for(["2e+07 samples of 3 basis functions", "GB"], *RUN)
+    shutil.copy(clpt_control.currents.sample_currents(), "g.nc")
     for rows in ("99999999999999999999", "9" * 400, "101"):
-        outcome = clpt("fit", tmp_path / "g.nc", "--rows", rows, "--out", tmp_path / "f.toml")
-        assert_refused(outcome, tmp_path, ["g.nc", "s.toml"], ["rows = ", "at most 100"])
-    outcome = clpt("replay", "--sample", "--aim", "-43", "8", "--hours=1e-300")
-    assert_refused(outcome, tmp_path, ["g.nc", "s.toml"], ["--hours 1e-300: must be above 0, 1 s"])
+        refused_for(["rows = ", "at most 100"], "fit", "g.nc", "--rows", rows, "--out", "f.toml")
+    aim = ("replay", "--sample", "--aim", "-43", "8")
+    refused_for(["--hours 1e-300: must be above 0, 1 s"], *aim, "--hours=1e-300")
 
 
-def test_long_headers_and_comments_are_read(clpt, tmp_path):
+def test_long_headers_and_comments_are_read(refused_for):
     spaces = " " * 4000
     for text, said in (
         (f"time,u{spaces}(m/s,v (m/s)\n1,2,3\n", "no column u"),
         (f"{spaces}x{spaces}(\n1\n", "no column time"),
         (f"# a{' ' * 10**5}b\n# {'a' * 10**5}\n# x: {' ' * 10**5}y\ntime\n", "no column u"),
     ):
-        (tmp_path / "r.csv").write_text(text)
-        outcome = clpt("tides", tmp_path / "r.csv", "--constituents", "M2")
-        assert_refused(outcome, tmp_path, ["r.csv"], [said])
+        Path("r.csv").write_text(text)
+        refused_for([said], "tides", "r.csv", "--constituents", "M2")
