@@ -168,7 +168,9 @@ class VariedDiagram(Varied):
         summaries = {f"{port}_{what}" for port in ports for what in SUMMARIES}
         if own := {*RESULT, *axes, *summaries} & self.places.keys():
             raise ScenarioError(f"vary: {min(own)} is a name of the result; rename it")
-        if self.trajectories and (own := summaries & set(ports)):
+        along = [self.along(port) for port in ports]
+        own = {one for one in along if one in summaries or along.count(one) > 1}
+        if self.trajectories and own:
             raise ScenarioError(f"trajectories: {min(own)} is a name of the result; rename it")
         names: dict[tuple, str] = {}
         for key, (fields, states, inputs, element) in self.places.items():

@@ -144,7 +144,7 @@ def ports_of(labels: Iterable[str]) -> dict[str, list[int]]:
     """
     ports: dict[str, list[int]] = {}
     for place, label in enumerate(labels):
-        port, _, number = label.partition("[")
+        port, _, number = label.rpartition("[")  # y[2][0] is of the port y[2], as of sys[2, :]
         counted = number == f"{len(ports.get(port, ()))}]"
         ports.setdefault(port if counted else label, []).append(place)
     return ports

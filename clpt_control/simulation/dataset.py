@@ -158,7 +158,9 @@ def port_variables(
         if size > 1 and size not in dims:
             axes[more[0]] = np.arange(size), {"long_name": f"signal of {port}, counted from 0"}
         unit = {"units": units[port]} if units.get(port) else {}
-        name = f"{port}_" if port in taken else port
+        name = port
+        while name in taken or (name != port and name in ports):
+            name += "_"
         variables[name] = Series(("time", *more), columns(places, *more), unit)
     return variables, axes
 

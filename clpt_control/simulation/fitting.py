@@ -195,13 +195,15 @@ class _Fitting:
 
     def __init__(self, ready: Sensitive, measured: Mapping[str, Any], begin: Any, noise: Any):
         self.ready, self.names = ready, [*ready.places]
-        ports = ports_of(ready.labels) | {one: [k] for k, one in enumerate(ready.labels)}
+        ports = {one: [k] for k, one in enumerate(ready.labels)} | ports_of(ready.labels)
         self.known = ports.keys()
         n, places, columns = len(ready.times) - ready.skipped, list[int](), list[np.ndarray]()
         self.outputs: list[str] = []
         for name, values in measured.items():
             if name not in ports or not np.isfinite(values).any():
                 continue
+            if set(ports[name]) & set(places):
+                raise ArgumentError(f"data: {name} is given twice")
             if values.size != n * len(ports[name]) or values.shape[0] != n:
                 raise ArgumentError(
                     f"data: {name} has the shape {values.shape}; must be {n} samples of "

@@ -195,7 +195,7 @@ class DiagramRun(SystemRun):
         }  # fmt: skip
         outputs, inputs = map(whole_labels, (outputs, inputs))
         taken = ports_of(outputs)  # an input with the name of an output gets another one
-        parts = [label.partition("[") for label in inputs]
+        parts = [label.rpartition("[") for label in inputs]
         self.signal_labels = outputs + [
             "".join((f"{port}_input" if port in taken else port, *rest)) for port, *rest in parts
         ]

@@ -306,7 +306,7 @@ def dataset_of(
         return data
     chosen = {}
     for name in [of] if isinstance(of, str) else of:
-        port = name.partition("[")[0]
+        port = name.rpartition("[")[0]
         if name in data:
             chosen[name] = data[name]
         elif name in ready.labels and port in data:

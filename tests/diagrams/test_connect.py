@@ -35,6 +35,9 @@ def system(numbers, n, m, r, direct, name, inputs, outputs):
 def test_labels_form_ports():
     assert ports_of(["v_c[0]", "a", "v_c[1]", "b[1]"]) == {"v_c": [0, 2], "a": [1], "b[1]": [3]}
     assert whole_labels(["v[0]", "a", "v[1]"]) == ["v[0]", "a[0]", "v[1]"]
+    picked = ["v[2]", "v[0]", "v"]  # as of system[[2, 0], :]
+    assert ports_of(whole_labels(picked[:2])) == {"v[2]": [0], "v": [1]}
+    assert ports_of(whole_labels(picked[::-2])) == {"v": [0], "v[2]": [1]}
 
 
 @settings(max_examples=12, deadline=None, derandomize=True)

@@ -84,6 +84,44 @@ def test_a_port_of_the_name_of_a_dimension():
     assert [line.get_label() for line in axes[0].lines] == ["h[0]", "h[1]"]
 
 
+def test_signals_that_python_control_picks_keep_their_names():
+    """``system[[0, 2], 1]`` has the outputs y[0] and y[2], and the input u[1]."""
+    A, B, C = -np.diag([1.0, 2.0, 3.0]), np.ones((3, 2)), np.eye(3)
+    picked = control.ss(A, B, C, 0)[[0, 2], 1]
+    run = clpt.simulate(picked, TIMES, 1.0)
+    assert list(run.data_vars) == ["y", "y[2]", "u[1]", "states"]
+    wanted = (1.0 - np.exp(-3.0 * TIMES)) / 3.0
+    np.testing.assert_allclose(run["y[2]"], wanted, atol=1e-8)
+    start = {"x0.x[2]": 1.0}
+    found = clpt.fit_parameters(picked, {"y[2]": wanted}, start, TIMES, 1.0)
+    assert found.values["x0.x[2]"] == pytest.approx(0.0, abs=1e-7)
+    slopes = clpt.sensitivity(picked, TIMES, "y[2]", [*start], 1.0)
+    np.testing.assert_allclose(slopes["y[2]"][:, 0], np.exp(-3.0 * TIMES), atol=1e-8)
+
+
+def test_names_that_would_be_one_are_two():
+    """Of an output called time, of y beside a port y[0], and of a summary that varies."""
+
+    def rates(t, x, u, p):
+        return [-x[0], -2.0 * x[1]]
+
+    for names in (["time", "time_"], ["y", "y[0]"]):
+        pair = control.nlsys(rates, inputs=0, outputs=names, states=["y", "y_"], name="pair")
+        run = clpt.simulate(pair, [0.0, 1.0], 0.0, 1.0)
+        last = [float(one[-1]) for name, one in run.data_vars.items() if name != "states"]
+        assert last == pytest.approx(np.exp([-1.0, -2.0]))
+    data = {"y": np.exp(-TIMES), "y[0]": 3.0 * np.exp(-2.0 * TIMES)}
+    found = clpt.fit_parameters(pair, data, {"x0": 0.5}, TIMES)
+    assert [*found.values.values()] == pytest.approx([1.0, 3.0])
+    twins = control.nlsys(rates, inputs=0, outputs=["y", "y_"], states=["y", "y_"], name="twins")
+    with pytest.raises(clpt.ClptError, match="trajectories: y_ is a name of the result"):
+        clpt.run_ensemble(twins, {"y": [1.0]}, timepts=TIMES, trajectories=True)
+    two = control.ss(-np.eye(2), np.ones((2, 1)), np.eye(2), 0, outputs=["x[0]", "x[1]"])
+    both = {"x": np.zeros((len(TIMES), 2)), "x[0]": 0 * TIMES}
+    with pytest.raises(clpt.ClptError, match=r"data: x\[0\] is given twice"):
+        clpt.fit_parameters(two, both, {"x0": 0.5}, TIMES)
+
+
 def test_units_of_ports_are_those_of_the_run():
     run = clpt.simulate(loop(), TIMES, 1.0)
     assert {n: run[n].attrs.get("units") for n in ("h", "v", "mean", "q")} == {
