@@ -13,7 +13,7 @@ from typing import Any
 import control
 import numpy as np
 
-from ..arguments import brief, check_holds, numbers, public
+from ..arguments import brief, numbers, public
 from ..equations.declaration import ports_of
 from ..errors import ArgumentError, SimulationError
 from ..native.schedule import checked_times
@@ -140,7 +140,7 @@ def fit_parameters(
     """
     times, measured, inputs = _read(data, timepts, inputs)
     if inputs is None:
-        inputs = _inputs_among(measured, getattr(system, "input_labels", ()))
+        inputs = _inputs_among(measured, system)
     solver = {"rtol": rtol, "atol": atol, "method": method}
     ready = Sensitive(system, times, list(parameters), inputs, initial_state, params, **solver)
     if not ready.places:
@@ -178,12 +178,17 @@ def _read(data: Any, times: Any, inputs: Any) -> tuple[np.ndarray, dict[str, np.
     return checked_times("timepts", times), arrays, inputs
 
 
-def _inputs_among(measured: dict[str, np.ndarray], labels: Sequence[str]) -> Any:
-    """Take a system's inputs out of what was measured, where they are in it."""
-    ports, rows = ports_of(labels), dict[int, np.ndarray]()
-    if not ports.keys() & measured.keys():
+def _inputs_among(measured: dict[str, np.ndarray], system: Any) -> Any:
+    """Take a system's inputs out of what was measured, where they are in it, named as in a run."""
+    outputs, inputs = (
+        ports_of(getattr(system, f"{kind}_labels", None) or ()) for kind in ("output", "input")
+    )
+    ports = {f"{port}_input" if port in outputs else port: at for port, at in inputs.items()}
+    missing, rows = ports.keys() - measured.keys(), dict[int, np.ndarray]()
+    if len(missing) == len(ports):
         return None
-    check_holds("data", measured, ports, "give inputs=")
+    if missing:
+        raise ArgumentError(f"data: has not the input {min(missing)}; give inputs=")
     for port, places in ports.items():
         values = np.atleast_1d(measured.pop(port))
         rows |= zip(places, values.reshape(len(values), -1).T, strict=False)

@@ -138,6 +138,19 @@ def test_inputs_among_the_data_are_those_of_the_system(form):
     assert found.values == pytest.approx(TRUTH, rel=1e-6)
 
 
+def test_an_input_named_as_an_output_is_that_of_the_run():
+    """A sensor whose input and output are both called y; a second input is missing."""
+    sensor = control.nlsys(
+        lambda t, x, u, p: [p["a"] * (u[0] + u[1] - x[0])],
+        inputs=["y", "bias"], outputs=["y"], states=["y"], params={"a": 2.0}, name="sensor",
+    )  # fmt: skip
+    run = clpt.simulate(sensor, TIMES, [FORCE[0], 0.2])
+    found = clpt.fit_parameters(sensor, run, {"a": 1.0})
+    assert found.values["a"] == pytest.approx(2.0, rel=1e-6)
+    with pytest.raises(clpt.ClptError, match="data: has not the input bias; give inputs="):
+        clpt.fit_parameters(sensor, run[["y", "y_input"]], {"a": 1.0})
+
+
 def test_times_of_a_calendar_are_refused():
     days = np.datetime64("2020-01-01", "ns") + np.arange(101) * np.timedelta64(1, "s")
     data = xarray.Dataset({"place": ("time", TIMES)}, {"time": days})
