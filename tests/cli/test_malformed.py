@@ -107,12 +107,6 @@ CASES = [
 ]
 
 
-@pytest.fixture(autouse=True)
-def here(tmp_path, monkeypatch):
-    """Commands run in a folder of their own; `refused_for` says that nothing was left there."""
-    monkeypatch.chdir(tmp_path)
-
-
 @pytest.fixture
 def refused_for(refused):
     """Run a command, a user's mistake, whose line holds words, and which writes nothing."""

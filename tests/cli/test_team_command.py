@@ -1,7 +1,7 @@
 """Teams, laws, designs and estimates on the command line."""
 
-import json
 import re
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -15,25 +15,18 @@ from clpt_control.scenario.team import team_to_text
 from clpt_control.theory.proving.theorem_loop import AT_FIXES
 
 
-@pytest.fixture
-def file(tmp_path):
+def test_a_team_runs_and_runs_again(clpt, printed):
     of = team(a=vehicle(), b=vehicle(reference_radius=2.0))
-    write_file(tmp_path / "team.toml", team_to_text(of))
-    return tmp_path / "team.toml"
-
-
-def test_a_team_runs_and_runs_again(clpt, printed, tmp_path, file):
-    out, figures = tmp_path / "run.nc", tmp_path / "figures"
-    outcome = clpt("run", file, "--out", out, "--figures", figures)
+    write_file(Path("team.toml"), team_to_text(of))
+    words = ("run", "team.toml", "--out", "run.nc")
+    outcome = clpt(*words, "--figures", "figures")
     assert outcome.status == 0, outcome.err
-    assert re.search(
-        r"b: largest flow parameter error \(m/s\) +│ [-.\de]+ at t = 12 s", outcome.out
-    )
-    assert (figures / "team.png").stat().st_size > 10_000
-    found = printed("run", out, "--out", tmp_path / "again.nc")
-    assert found == printed("run", file, "--out", out)
+    assert re.search(r"b: largest flow parameter error \(m/s\) +│ [-.\de]+ at t = 12", outcome.out)
+    assert Path("figures/team.png").stat().st_size > 10_000
+    found = printed("run", "run.nc", "--out", "again.nc")
+    assert found == printed(*words)
     assert found["vehicles"] == ["a", "b"]
-    run = clpt_control.load_run(out)
+    run = clpt_control.load_run("run.nc")
     last = abs(run.flow_parameters_estimate - run.flow_parameters)[:, -1].max(("axis", "basis"))
     for name in "ab":
         assert found["max_flow_parameter_error"][name]["12"] == float(last.sel(vehicle=name))
@@ -60,19 +53,18 @@ def test_the_excitation_of_a_team(clpt, printed):
     ],
     ids=lambda arguments: arguments[0],
 )
-def test_what_takes_no_team_says_so(refused, tmp_path, monkeypatch, arguments):
-    monkeypatch.chdir(tmp_path)
+def test_what_takes_no_team_says_so(refused, arguments):
     assert "team" in refused(arguments[0], FILE, *arguments[1:])
 
 
-def test_the_example_draws_what_it_says(tmp_path, capsys):
+def test_the_example_draws_what_it_says(capsys):
     from examples.team import main
 
-    main(tmp_path / "team.png")
+    main(Path("team.png"))
     said = capsys.readouterr().out
     assert "west alone: smallest eigenvalue" in said
     assert "the team: smallest eigenvalue" in said
-    assert (tmp_path / "team.png").stat().st_size > 10_000
+    assert Path("team.png").stat().st_size > 10_000
 
 
 def test_laws_are_listed(clpt, printed):
@@ -87,7 +79,7 @@ def test_laws_are_listed(clpt, printed):
 
 
 @pytest.mark.parametrize("name", ["known-flow", "least-squares", "fix-regression"])
-def test_a_law_runs_and_runs_again(clpt, tmp_path, name):
+def test_a_law_runs_and_runs_again(printed, name):
     given = LAWS[name].given_estimate
     values = {
         "run.duration": 40,
@@ -97,55 +89,50 @@ def test_a_law_runs_and_runs_again(clpt, tmp_path, name):
         **(AT_FIXES if LAWS[name].at_fixes else {}),
     }
     scenario = clpt_control.paper_scenario().with_values(values)
-    clpt_control.save_scenario(scenario, tmp_path / "mine.toml")
-    outcome = clpt("run", tmp_path / "mine.toml", "--out", tmp_path / "run.nc", "--json")
-    assert outcome.status == 0, outcome.err
-    again = clpt("run", tmp_path / "run.nc", "--out", tmp_path / "again.nc", "--json")
-    assert json.loads(again.out) == json.loads(outcome.out)
+    clpt_control.save_scenario(scenario, "mine.toml")
+    found = printed("run", "mine.toml", "--out", "run.nc")
+    assert printed("run", "run.nc", "--out", "again.nc") == found
 
 
-def test_a_law_given_in_python_is_run_again_from_its_record(clpt, tmp_path):
+def test_a_law_given_in_python_is_run_again_from_its_record(printed):
     from law_blocks import papers_law
 
     scenario = clpt_control.paper_scenario().with_values({"run.duration": 20})
     run = clpt_control.simulate(clpt_control.closed_loop(scenario, law=papers_law()))
-    clpt_control.save_run(run, tmp_path / "run.nc")
-    words = ("--out", tmp_path / "again.nc", "--figures", tmp_path / "f", "--json")
-    outcome = clpt("run", tmp_path / "run.nc", *words)
-    assert outcome.status == 0, outcome.err
-    assert "position axis 1 (m)" in json.loads(outcome.out)["signals"]
-    assert len(list((tmp_path / "f").glob("figure?.png"))) == 4  # as its scenario's run
-    assert clpt_control.load_run(tmp_path / "again.nc").equals(run)
+    clpt_control.save_run(run, "run.nc")
+    found = printed("run", "run.nc", "--out", "again.nc", "--figures", "f")
+    assert "position axis 1 (m)" in found["signals"]
+    assert len(list(Path("f").glob("figure?.png"))) == 4  # as its scenario's run
+    assert clpt_control.load_run("again.nc").equals(run)
 
 
 QUICK = ("--generations", "1", "--window", "60", "--start", "60", "--for", "kappa")
 
 
 @pytest.fixture
-def paper(tmp_path, monkeypatch):
+def paper(monkeypatch):
     monkeypatch.setattr("clpt_control.theory.designing.search.CLIMBS", 5)
-    file = tmp_path / "paper.toml"
     scenario = clpt_control.paper_scenario().with_values({"run.duration": 200})
-    clpt_control.save_scenario(scenario, file)
-    return file
+    clpt_control.save_scenario(scenario, "paper.toml")
 
 
-def test_excitation_finds_the_eigenvalue_of_the_design(printed, paper, tmp_path):
-    new, picture = tmp_path / "new.toml", tmp_path / "new.png"
-    report = printed("design", paper, "--out", new, "--figure", picture, *QUICK)
-    assert inked(picture) > 0.01
-    made = clpt_control.load_scenario(new)
+@pytest.mark.usefixtures("paper")
+def test_excitation_finds_the_eigenvalue_of_the_design(printed):
+    report = printed("design", "paper.toml", "--out", "new.toml", "--figure", "new.png", *QUICK)
+    assert inked("new.png") > 0.01
+    made = clpt_control.load_scenario("new.toml")
     assert made.reference.kind == "waypoints"
     assert made.waypoints.tolist() == report["after"]["waypoints"]
-    for file, key in ((paper, "before"), (new, "after")):
+    for file, key in (("paper.toml", "before"), ("new.toml", "after")):
         found = printed("excitation", file, "--window", "60", "--start", "60")
         values = found["eigenvalues"].values()
         assert min(v[0] for v in values) == pytest.approx(report[key]["of_the_run"], rel=1e-9)
 
 
 @pytest.mark.slow
-def test_the_table_says_what_was_reached(clpt, paper, tmp_path):
-    outcome = clpt("design", paper, "--out", tmp_path / "new.toml", *QUICK)
+@pytest.mark.usefixtures("paper")
+def test_the_table_says_what_was_reached(clpt):
+    outcome = clpt("design", "paper.toml", "--out", "new.toml", *QUICK)
     assert outcome.status == 0, outcome.err
     for part in ("before", "after", "smallest eigenvalue", "learning time", "closed length"):
         assert part in outcome.out
@@ -162,11 +149,10 @@ def test_the_table_says_what_was_reached(clpt, paper, tmp_path):
     ],
     ids=str,
 )
-def test_a_mistake_is_one_sentence(refused, paper, tmp_path, words, said, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    out = () if "--out" in words else ("--out", tmp_path / "new.toml")
-    assert said in refused("design", paper, *out, *words)
-    assert not (tmp_path / "new.toml").exists()
+@pytest.mark.usefixtures("paper")
+def test_a_mistake_is_one_sentence(refused, words, said):
+    assert said in refused("design", "paper.toml", "--out", "new.toml", *words)
+    assert [*Path().iterdir()] == [Path("paper.toml")]
 
 
 PAPER = clpt_control.paper_scenario()
@@ -182,19 +168,16 @@ def run(tmp_path_factory):
 
 
 @pytest.mark.parametrize("method", ["least-squares", "kalman", "tomography"])
-def test_a_run_gives_a_scenario_with_the_flow_known(clpt, run, tmp_path, method):
-    options = ("--method", method, "--until", 200, "--out", tmp_path / "known.toml", "--json")
-    outcome = clpt("estimate", run, *options)
-    assert outcome.status == 0, outcome.err
-    found = json.loads(outcome.out)
+def test_a_run_gives_a_scenario_with_the_flow_known(clpt, printed, run, method):
+    found = printed("estimate", run, "--method", method, "--until", 200, "--out", "known.toml")
     assert found["fixes"] == 101
     np.testing.assert_allclose(found["theta"], THETA, rtol=0.05)
     error = np.abs(np.array(found["theta"]) - THETA).max()
     assert found["largest_error"] == pytest.approx(error)
-    fed = clpt_control.load_scenario(tmp_path / "known.toml")
+    fed = clpt_control.load_scenario("known.toml")
     assert fed.learning.law == "known-flow"
     np.testing.assert_array_equal(fed.learning.theta_estimate, found["theta"])
-    again = clpt("run", tmp_path / "known.toml", "--out", tmp_path / "again.nc")
+    again = clpt("run", "known.toml", "--out", "again.nc")
     assert again.status == 0, again.err
 
 
@@ -205,18 +188,18 @@ def test_the_table_is_printed(clpt, run):
     assert "condition number: " in outcome.out
 
 
-def test_mistakes_are_one_sentence(clpt, refused, run, tmp_path):
-    clpt_control.save_scenario(PAPER, tmp_path / "paper.toml")
+def test_mistakes_are_one_sentence(clpt, refused, run):
+    clpt_control.save_scenario(PAPER, "paper.toml")
     for arguments, said in (
         ((run, "--method", "guess"), "--method guess: must be one of least-squares"),
         ((run, "--every", 0), "every = 0: must be positive"),
         ((run, "--until", 900), "--until 900: must lie within the run"),
         ((run, "--prior", -1), "prior: must be a positive number"),
-        ((tmp_path / "paper.toml",), "is no run; `clpt run"),
-        ((tmp_path / "none.nc",), "none.nc"),
+        (("paper.toml",), "is no run; `clpt run"),
+        (("none.nc",), "none.nc"),
     ):
-        assert said in refused("estimate", *arguments, "--out", tmp_path / "out.toml")
-        assert not (tmp_path / "out.toml").exists()
+        assert said in refused("estimate", *arguments, "--out", "out.toml")
+        assert not Path("out.toml").exists()
     before = run.read_bytes()
     outcome = clpt("estimate", run, "--out", run)
     assert (outcome.status, run.read_bytes() == before) == (2, True)
@@ -247,11 +230,9 @@ def test_a_prior_that_says_nothing_leaves_what_the_fixes_say(printed, run, words
 
 
 @pytest.fixture
-def short(tmp_path):
-    file = tmp_path / "paper.toml"
-    scenario = clpt_control.paper_scenario().with_values({"run.duration": 400})
-    clpt_control.save_scenario(scenario, file)
-    return file
+def short():
+    clpt_control.save_scenario(PAPER.with_values({"run.duration": 400}), "paper.toml")
+    return "paper.toml"
 
 
 def test_the_command_says_what_the_function_finds(clpt, printed, short):
