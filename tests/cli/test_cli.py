@@ -43,34 +43,30 @@ def assert_matches(found, run, numbers):
         np.testing.assert_allclose(states(run, float(t)), value, rtol=0, atol=1e-6)
 
 
-def test_paper_matches_the_independent_numbers(printed, tmp_path, reference):
-    found = printed("paper", "--out", tmp_path / "out")
-    run = clpt_control.load_run(tmp_path / "out" / "run.nc")
-    assert_matches(found, run, reference["paper"])
+def test_paper_matches_the_independent_numbers(printed, reference):
+    found = printed("paper", "--out", "out")
+    assert_matches(found, clpt_control.load_run("out/run.nc"), reference["paper"])
     assert [claim["verdict"].split()[0] for claim in found["claims"]] == ["holds"] * 3
     assert "not in one cycle" in found["claims"][1]["verdict"]
-    names = {path.name for path in (tmp_path / "out").iterdir()}
+    names = {path.name for path in Path("out").iterdir()}
     assert names == {"run.nc", *(f"figure{k}.png" for k in (1, 2, 3, 4))}
 
 
 @pytest.mark.parametrize("name", [name for name in NAMES if name != "paper"])
-def test_run_matches_the_independent_numbers(printed, tmp_path, reference, name):
-    out = tmp_path / "run.nc"
-    found = printed("run", HERE / "reference" / f"{name}.toml", "--out", out)
-    assert_matches(found, clpt_control.load_run(out), reference[name])
+def test_run_matches_the_independent_numbers(printed, reference, name):
+    found = printed("run", HERE / "reference" / f"{name}.toml", "--out", "run.nc")
+    assert_matches(found, clpt_control.load_run("run.nc"), reference[name])
 
 
-def test_a_run_never_replaces_its_scenario(clpt, refused, tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
+def test_a_run_never_replaces_its_scenario(clpt, refused):
     assert clpt("init", "mine.toml").status == 0
     before = Path("mine.toml").read_bytes()
-    said = refused("run", "mine.toml", "--out", tmp_path / "mine.toml")
+    said = refused("run", "mine.toml", "--out", Path("mine.toml").absolute())
     assert "is the scenario; give its run another name" in said
     assert Path("mine.toml").read_bytes() == before
 
 
-def test_init_writes_a_scenario_and_never_over_one(clpt, refused, tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
+def test_init_writes_a_scenario_and_never_over_one(clpt, refused):
     assert clpt("init").status == 0
     text = Path("paper.toml").read_text()
     assert clpt_control.load_scenario("paper.toml") == clpt_control.paper_scenario()
@@ -80,8 +76,7 @@ def test_init_writes_a_scenario_and_never_over_one(clpt, refused, tmp_path, monk
     assert Path("paper.toml").read_text() == text
 
 
-def test_init_writes_a_measured_current(clpt, refused, tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
+def test_init_writes_a_measured_current(clpt, refused):
     assert clpt("init", "--example", "currents").status == 0
     few = ("--rows", "2", "--columns", "2")
     assert clpt("fit", "currents.nc", *few, "--out", "mine.toml").status == 0
@@ -89,47 +84,49 @@ def test_init_writes_a_measured_current(clpt, refused, tmp_path, monkeypatch):
     assert "--example current: must be one of paper, team, currents" in said
 
 
-def test_diagram_prints_mermaid_and_writes_svg(clpt, refused, tmp_path):
-    clpt("init", tmp_path / "p.toml")
-    outcome = clpt("diagram", tmp_path / "p.toml")
+def test_diagram_prints_mermaid_and_writes_svg(clpt, refused):
+    clpt("init", "p.toml")
+    outcome = clpt("diagram", "p.toml")
     assert outcome.out.startswith("flowchart")
     assert "learning_controller" in outcome.out
-    assert clpt("diagram", tmp_path / "p.toml", "-o", tmp_path / "p.svg").status == 0
-    assert "adaptation" in (tmp_path / "p.svg").read_text()
-    assert ".svg" in refused("diagram", tmp_path / "p.toml", "-o", tmp_path / "p.docx")
+    assert clpt("diagram", "p.toml", "-o", "p.svg").status == 0
+    assert "adaptation" in Path("p.svg").read_text()
+    assert ".svg" in refused("diagram", "p.toml", "-o", "p.docx")
 
 
-def test_export_writes_c(clpt, tmp_path):
-    clpt("init", tmp_path / "p.toml")
-    before = (tmp_path / "p.toml").read_text()
-    outcome = clpt("export", tmp_path / "p.toml", "-o", tmp_path / "p.toml")
-    assert (outcome.status, (tmp_path / "p.toml").read_text()) == (2, before)
-    assert "a program's name must end in .c, .h or .fmu" in outcome.err
-    outcome = clpt("export", tmp_path / "p.toml", "-o", tmp_path / "p.c")
-    assert outcome.out == f"{tmp_path / 'p.c'}: written\n"
-    assert "void closed_loop_step(" in (tmp_path / "p.c").read_text()
-    assert clpt("export", tmp_path / "p.toml", "-o", tmp_path / "p.fmu").status == 0
-    assert "sources/closed_loop.c" in zipfile.ZipFile(tmp_path / "p.fmu").namelist()
+def test_export_writes_c(clpt, refused):
+    clpt("init", "p.toml")
+    before = Path("p.toml").read_text()
+    said = refused("export", "p.toml", "-o", "p.toml")
+    assert "a program's name must end in .c, .h or .fmu" in said
+    assert Path("p.toml").read_text() == before
+    assert clpt("export", "p.toml", "-o", "p.c").out == "p.c: written\n"
+    assert "void closed_loop_step(" in Path("p.c").read_text()
+    assert clpt("export", "p.toml", "-o", "p.fmu").status == 0
+    assert "sources/closed_loop.c" in zipfile.ZipFile("p.fmu").namelist()
 
 
-def test_export_of_a_diagrams_run_has_its_start(clpt, tmp_path):
+def test_export_of_a_diagrams_run_has_its_start(clpt):
     lag = control.tf(1, [1, 1], inputs="u", outputs="y", name="lag")
     loop = clpt_control.connect([lag], external="u")
-    clpt_control.save_run(clpt_control.simulate(loop, [0, 1], 0.0, [3.0]), tmp_path / "run.nc")
-    clpt("export", tmp_path / "run.nc", "-o", tmp_path / "run.c")
-    assert "diagram_x0[] = {3.0};" in (tmp_path / "run.c").read_text()
+    clpt_control.save_run(clpt_control.simulate(loop, [0, 1], 0.0, [3.0]), "run.nc")
+    clpt("export", "run.nc", "-o", "run.c")
+    assert "diagram_x0[] = {3.0};" in Path("run.c").read_text()
 
 
-def test_interrupt_ends_cleanly(tmp_path):
-    longer = {"run.duration": 2e7, "run.output_step": 1e4}
-    scenario = clpt_control.paper_scenario().with_values(longer)
-    clpt_control.save_scenario(scenario, tmp_path / "long.toml")
-    words = ("run", tmp_path / "long.toml", "--out", tmp_path / "run.nc")
-    with started([sys.executable, "-c", HEARD, *words]) as process:
-        await_line(process, process.stderr, "running long.toml")  # its progress
+def save_short(**more):
+    """Write s.toml, the paper's scenario for 20 s."""
+    values = {"run.duration": 20, **more}
+    clpt_control.save_scenario(clpt_control.paper_scenario().with_values(values), "s.toml")
+
+
+def test_interrupt_ends_cleanly():
+    save_short(**{"run.duration": 2e7, "run.output_step": 1e4})
+    with started([sys.executable, "-c", HEARD, "run", "s.toml", "--out", "run.nc"]) as process:
+        await_line(process, process.stderr, "running s.toml")  # its progress
         assert interrupt(process) == ("", "clpt: interrupted; nothing half-written was left\n")
     assert process.returncode == 130
-    assert [path.name for path in tmp_path.iterdir()] == ["long.toml"]
+    assert [*Path().iterdir()] == [Path("s.toml")]
 
 
 STREAMS = {  # what a shell does with streams -> status, what is said on standard error
@@ -152,36 +149,35 @@ COMMANDS = {  # with what they write
 }
 
 
+def heard(*words):
+    return subprocess.run(words, capture_output=True, text=True)
+
+
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="no /dev/full")
 @pytest.mark.parametrize("stream", STREAMS)
 @pytest.mark.parametrize(
     "words",
     [c if c == ("--help",) else pytest.param(c, marks=pytest.mark.processes) for c in COMMANDS],
 )
-def test_streams_that_are_closed_full_or_not_read(tmp_path, words, stream):
-    scenario = clpt_control.paper_scenario().with_values({"run.duration": 20})
-    clpt_control.save_scenario(scenario, tmp_path / "s.toml")
-    clpt_control.save_run(clpt_control.simulate(scenario), tmp_path / "r.nc")
-    before = {path.name for path in tmp_path.iterdir()}
+def test_streams_that_are_closed_full_or_not_read(words, stream):
+    save_short()
+    clpt_control.save_run(clpt_control.simulate(clpt_control.load_scenario("s.toml")), "r.nc")
+    before = {*Path().iterdir()}
     line = f'"$0" -c "$1" {shlex.join(words)} {stream}; exit ${{PIPESTATUS[0]}}'
-    done = subprocess.run(
-        ["bash", "-c", line, sys.executable, HEARD], cwd=tmp_path, capture_output=True, text=True
-    )
+    done = heard("bash", "-c", line, sys.executable, HEARD)
     status, said = STREAMS[stream]
     assert (done.returncode, without_progress(done.stderr)) == (status, said)
     whole = () if stream.startswith(">&-") else COMMANDS[words]
-    new = {path.name for path in tmp_path.iterdir()} - before
-    assert new == {name.split("/")[0] for name in whole}
-    assert all((tmp_path / name).stat().st_size for name in whole)
+    new = {*Path().iterdir()} - before
+    assert new == {Path(name.split("/")[0]) for name in whole}
+    assert all(Path(name).stat().st_size for name in whole)
 
 
 @pytest.mark.skipif(os.name != "posix", reason="limits of a shell")
-def test_an_output_at_the_limit_of_its_size_is_named(tmp_path):
+def test_an_output_at_the_limit_of_its_size_is_named():
     buffered = "unset PYTHONUNBUFFERED"  # else Python itself forgets the rest of a write
     line = f'ulimit -f 1; {buffered}; "$0" -c "$1" --help > help.txt'
-    done = subprocess.run(
-        ["bash", "-c", line, sys.executable, CODE], cwd=tmp_path, capture_output=True, text=True
-    )
+    done = heard("bash", "-c", line, sys.executable, CODE)
     said = "clpt: standard output: may not become larger; allow more (ulimit -f)\n"
     assert (done.returncode, done.stderr) == (2, said)
 
@@ -220,18 +216,15 @@ assert seen == ["pickle.find_class", "socket.bind"]  # they are heard
 """
 
 
-def test_no_connection_is_opened_and_nothing_is_unpickled(tmp_path):
-    scenario = clpt_control.paper_scenario().with_values({"run.duration": 20})
-    clpt_control.save_scenario(scenario, tmp_path / "s.toml")
+def test_no_connection_is_opened_and_nothing_is_unpickled():
+    save_short()
     lines = (
         "run s.toml --out r.nc",
         "ensemble s.toml --members 4 --vary learning.gain=1:2 --out e.zarr",
         "report e.zarr",
         "replay --sample --json",
     )
-    done = subprocess.run(
-        [sys.executable, "-c", WATCHED, *lines], cwd=tmp_path, capture_output=True, text=True
-    )
+    done = heard(sys.executable, "-c", WATCHED, *lines)
     assert (done.returncode, without_progress(done.stderr)) == (0, "")
 
 
@@ -244,36 +237,35 @@ def steers(text):
 
 
 @pytest.mark.usefixtures("undrawn")
-def test_nothing_that_is_printed_steers_the_terminal(clpt, refused, tmp_path, monkeypatch):
+def test_nothing_that_is_printed_steers_the_terminal(clpt, refused, monkeypatch):
     monkeypatch.setattr("clpt_control.progress.LOG_EVERY", 0.0)
-    values = {"run.duration": 20, "title": f"title {HOSTILE}"}
-    scenario = clpt_control.paper_scenario().with_values(values)
-    file, run = tmp_path / f"s {HOSTILE}.toml", tmp_path / f"r {HOSTILE}.nc"
-    clpt_control.save_scenario(scenario, file)
+    title, file, run = f"title {HOSTILE}", f"s {HOSTILE}.toml", f"r {HOSTILE}.nc"
+    save_short(title=title)
+    Path("s.toml").rename(file)
     key = json.dumps(f"key {HOSTILE}")
-    (tmp_path / "k.toml").write_text(file.read_text() + f"\n[run.{key}]\n{key} = {key}\n")
-    vary = ("--members", "2", "--vary", "learning.gain=1:2", "--out", tmp_path / f"e {HOSTILE}")
+    Path("k.toml").write_text(Path(file).read_text() + f"\n[run.{key}]\n{key} = {key}\n")
+    vary = ("--members", "2", "--vary", "learning.gain=1:2", "--out", f"e {HOSTILE}")
     for words in (
         ("run", file, "--out", run),
-        ("run", run, "--out", tmp_path / f"{HOSTILE}", "--figures", tmp_path / f"f {HOSTILE}"),
-        ("report", run, "-o", tmp_path / f"p {HOSTILE}.html"),
+        ("run", run, "--out", HOSTILE, "--figures", f"f {HOSTILE}"),
+        ("report", run, "-o", f"p {HOSTILE}.html"),
         ("estimate", run),
         ("excitation", file),
         ("diagram", file),
         ("ensemble", file, *vary),
         ("ensemble", file, *vary, "--seed", "1"),
-        ("report", tmp_path / f"e {HOSTILE}", "-o", tmp_path / "e.html"),
+        ("report", f"e {HOSTILE}", "-o", "e.html"),
     ):
         outcome = clpt(*words)
         assert outcome.status == 0 or "give another --out" in outcome.err, outcome
         assert not steers(outcome.out + outcome.err), words
     for words in (
-        ("run", tmp_path / "k.toml", "--out", run),
-        ("run", file, "--out", tmp_path / HOSTILE / "run.nc"),
+        ("run", "k.toml", "--out", run),
+        ("run", file, "--out", f"no {HOSTILE}/run.nc"),
         (f"run{HOSTILE}",),
         ("run", f"{HOSTILE}.toml", "--out", run),
         ("laws", HOSTILE),
-        ("ensemble", file, "--members", "2", "--vary", f"{HOSTILE}=1:2", "--out", tmp_path / "e"),
+        ("ensemble", file, "--members", "2", "--vary", f"{HOSTILE}=1:2", "--out", "e"),
         ("diagram", file, "--external", HOSTILE),
         ("replay", f"{HOSTILE}.nc"),
         ("tides", f"{HOSTILE}.csv", "--constituents", "M2"),
@@ -284,27 +276,26 @@ def test_nothing_that_is_printed_steers_the_terminal(clpt, refused, tmp_path, mo
         assert r"\x1b" in said, words
     as_json = clpt("run", file, "--out", run, "--json").out
     assert not steers(as_json)
-    assert json.loads(as_json)["title"] == values["title"]
+    assert json.loads(as_json)["title"] == title
 
 
 @pytest.mark.processes
 def test_without_a_home_and_a_cache_the_work_goes_on(tmp_path):
     """A folder inside a file can be made by nobody."""
-    (tmp_path / "file").write_text("")
-    scenario = clpt_control.paper_scenario().with_values({"run.duration": 20})
-    clpt_control.save_scenario(scenario, tmp_path / "s.toml")
+    Path("file").write_text("")
+    save_short()
     nowhere = str(tmp_path / "file" / "folder")
     own = {"HOME": nowhere, "CLPT_CONTROL_CACHE": nowhere}
     hidden = ("MPLCONFIGDIR", "XDG_CACHE_HOME", "XDG_CONFIG_HOME")
     env = {name: value for name, value in os.environ.items() if name not in hidden} | own
-    words = ("run", tmp_path / "s.toml", "--out", tmp_path / "r.nc", "--figures", tmp_path)
+    words = ("run", "s.toml", "--out", "r.nc", "--figures", ".")
     with started([*CLPT, *words], env=env) as process:
         _, err = process.communicate(timeout=GUARD)
     said = without_progress(err).splitlines()
     assert process.returncode == 0
     assert all("there is no folder to keep it in" in line for line in said)
     assert len(said) <= 1
-    assert (tmp_path / "figure1.png").exists()
+    assert Path("figure1.png").exists()
 
 
 def test_an_interrupted_import_is_an_interrupt(clpt, monkeypatch):
