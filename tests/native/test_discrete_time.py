@@ -124,22 +124,14 @@ SYSTEMS = {
     "ss": first_order,
     "ss with feedthrough": oscillator,
     "ss, 3 inputs, 2 outputs": two_by_three,
-    "ss without inputs that matter": lambda: control.ss(
-        [[0.5, 1], [0, 0.3]], [[0], [0]], [[1, 1]], 0, DT, name="alone"
-    ),
-    "ss, unstable": lambda: control.ss([[1.2]], [[1.0]], [[1.0]], 0, DT, name="unstable"),
     "ss of 20 states": lambda: control.ss(
         np.diag(np.full(19, 0.7), 1), np.eye(20)[:, 19:], np.ones((1, 20)), 0, DT, name="chain"
     ),
     "gain": lambda: control.ss([], [], [], [[2.0]], DT, name="gain"),
-    "tf": lambda: control.tf([1.0], [1, -0.4], DT, name="tf"),
     "tf, biproper": lambda: control.tf([1, 0.3], [1, -0.4], DT, name="biproper"),
     "tf, 2 inputs": matrix_of_tf,
     "zpk": lambda: control.zpk([0.2], [0.5, -0.4], 1.5, DT, name="zpk"),
     "delay": lambda: delay(4),
-    "c2d": lambda: control.c2d(
-        control.ss([[0, 1], [-2, -0.4]], [[0], [1]], [[1, 0]], 0), DT, name="c2d"
-    ),
     "nlsys": logistic,
     "nlsys in time": moving,
     "nlsys with a branch": branching,
@@ -276,10 +268,3 @@ def test_a_number_that_is_not_finite_is_named(engine):
     )
     with pytest.raises(SimulationError, match=r"t = \d+: .* of block burst is not finite"):
         clpt.simulate(system, np.arange(30.0), 0.0, [2.0], engine=engine)
-
-
-def test_proofs_speak_of_continuous_time():
-    from clpt_control.theory.proving.symbolic_loop import symbolic_loop
-
-    with pytest.raises(ClptError, match="lag: is of discrete time"):
-        symbolic_loop(clpt.connect([first_order()], external="u"))

@@ -340,7 +340,7 @@ def test_a_switch_that_chatters_slides_at_loose_tolerances_and_is_said_at_tight_
         run(sliding, [0.5])
 
 
-@pytest.mark.parametrize("rtol", [1e-1, 1e-2, 3e-3, 1e-4, 1e-6, 1e-9, 1e-12])
+@pytest.mark.parametrize("rtol", [1e-1, 3e-3, 1e-6, 1e-12])
 @pytest.mark.parametrize(
     ("f", "x0"),
     [(sliding, [0.5]), (lambda t, x, u, p: [x[1], -2.0 if x[0] + x[1] > 0 else 2.0], [1.0, 0.0])],
