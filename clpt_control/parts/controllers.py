@@ -17,7 +17,7 @@ import numpy as np
 
 from ..arguments import public
 from ..equations.block import Block
-from .part import part, positive, rising
+from .part import part, positive, rising, sampled
 
 
 def unlimited(x, u, p, derivative):
@@ -46,21 +46,21 @@ def command(t, x, u, p):
     return np.clip(unlimited(x, u, p, filtered(x, u, p)), p.low, p.high)
 
 
-def difference(x, u, p):
+def difference(x, u, p, dt):
     """Return D_k = (Tf D_{k-1} - Kd (y_k - y_{k-1}))/(Tf + h)."""
-    return (p.filter * x.derivative - p.kd * (u.y - x.last)) / (p.filter + p.dt)
+    return (p.filter * x.derivative - p.kd * (u.y - x.last)) / (p.filter + dt)
 
 
-def next_states(t, x, u, p):
+def next_states(t, x, u, p, dt):
     """I_{k+1} = I_k + h I', D_k, y_k (Astrom and Murray 2008, section 10.5)."""
-    D = difference(x, u, p)
-    moved = x.integral + p.dt * integral_rate(unlimited(x, u, p, D), u, p)
+    D = difference(x, u, p, dt)
+    moved = x.integral + dt * integral_rate(unlimited(x, u, p, D), u, p)
     return {"integral": moved, "derivative": D, "last": u.y}
 
 
-def sampled_command(t, x, u, p):
+def sampled_command(t, x, u, p, dt):
     """u_k = min(max(v_k, low), high) (Astrom and Murray 2008, section 10.5)."""
-    return np.clip(unlimited(x, u, p, difference(x, u, p)), p.low, p.high)
+    return np.clip(unlimited(x, u, p, difference(x, u, p, dt)), p.low, p.high)
 
 
 @public
@@ -140,9 +140,9 @@ def pid(
     return part(
         name,
         ports,
-        values if dt is None else {**values, "dt": dt},
-        update=rates if dt is None else next_states,
-        output=command if dt is None else sampled_command,
+        values,
+        update=rates if dt is None else sampled(next_states, dt),
+        output=command if dt is None else sampled(sampled_command, dt),
         inputs={"r": signals, "y": signals},
         outputs={"u": signals},
         states=dict.fromkeys(states, signals),

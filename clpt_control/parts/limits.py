@@ -22,7 +22,7 @@ from numpy.typing import ArrayLike
 from ..arguments import brief, numbers, public
 from ..equations.block import Block
 from ..errors import BlockError
-from .part import Ports, each, part, positive, remembering, rising
+from .part import Ports, each, part, positive, remembering, rising, sampled
 
 
 def limited(t, x, u, p):
@@ -166,9 +166,9 @@ def limited_rate(t, x, u, p):
     return np.clip((u.u - x.y) / p.lag, -p.fall, p.rise)
 
 
-def limited_step(t, x, u, p):
+def limited_step(t, x, u, p, dt):
     """y_k = y_{k-1} + what is left, within the limits (Rundqwist 1996, section "rate limiters")."""
-    return x.last + np.clip(u.u - x.last, -p.fall * p.dt, p.rise * p.dt)
+    return x.last + np.clip(u.u - x.last, -p.fall * dt, p.rise * dt)
 
 
 @public
@@ -218,4 +218,5 @@ def rate_limit(
     """
     rates = each(name, signals, rise=rise, fall=rise if fall is None else fall)
     positive(name, **rates)
-    return remembering(name, limited_rate, limited_step, signals, ports, lag, dt, **rates)
+    step = limited_step if dt is None else sampled(limited_step, dt)
+    return remembering(name, limited_rate, step, signals, ports, lag, dt, **rates)

@@ -1,6 +1,7 @@
 """What every part is made with: numbers as parameters, ports by other names, two kinds of time."""
 
 from collections.abc import Mapping
+from functools import partial, update_wrapper
 from typing import Any
 
 import numpy as np
@@ -53,14 +54,19 @@ def rising(name: str, **limits: Any) -> None:
 
 
 def time_of(name: str, lag: float | None, dt: float | None) -> dict[str, float]:
-    """Return the one time that was given: a lag, in continuous time, or that of sampling."""
+    """Return the lag, in continuous time; a part that samples, each `dt`, has none."""
     times = {key: value for key, value in (("lag", lag), ("dt", dt)) if value is not None}
     if len(times) != 1:
         raise BlockError(
             f"{name}: give lag, for continuous time, or dt, for a sampled part; one of the two"
         )
     positive(name, **times)
-    return times
+    return {} if lag is None else {"lag": lag}
+
+
+def sampled(function: Any, dt: float) -> Any:
+    """Return equations that know when they are sampled next, which no parameter changes."""
+    return update_wrapper(partial(function, dt=dt), function)
 
 
 def remembering(

@@ -1,5 +1,7 @@
 """Parts against closed forms, python-control and SciPy."""
 
+import pickle
+
 import control
 import numpy as np
 import pytest
@@ -456,6 +458,26 @@ def test_a_source_has_nothing_to_linearize_along():
 def test_mistakes_are_told(make, said):
     with pytest.raises((BlockError, ArgumentError), match=said):
         make()
+
+
+@pytest.mark.parametrize(
+    "made",
+    [
+        parts.pid(2, 0.7, 0.1, dt=0.1),
+        parts.rate_limit(1, dt=0.1),
+        parts.backlash(1, dt=0.1),
+        parts.relay(1, -1, dt=0.1),
+    ],
+    ids=lambda one: one.name,
+)
+def test_the_time_of_sampling_is_no_parameter(made):
+    """It changed the equations, while the part sampled as before."""
+    changed = {f"{made.name}.dt": 0.2}
+    with pytest.raises(clpt.ClptError, match=f"unknown parameter '{made.name}.dt'"):
+        clpt.simulate(made, [0.0, 0.1, 0.2], [1.0] * made.ninputs, params=changed)
+    pickled = pickle.loads(pickle.dumps(made))
+    runs = [clpt.simulate(one, [0.0, 0.1, 0.2], [1.0] * made.ninputs) for one in (made, pickled)]
+    assert runs[0].equals(runs[1])
 
 
 def test_parts_are_wired_by_python_control_as_they_stand():
