@@ -36,7 +36,7 @@ from .record import Record, Shape, compact
 from .stand_ins import UNSEEDED
 
 MOST_WAYS = 256
-MOST_READINGS = 16
+MOST_READINGS = 16  # one for each state in which something is left
 # of numbers, or of what this way leaves out; such a way is NaN
 RAISED = (
     *(ArithmeticError, IndexError, ValueError, AssertionError),
@@ -94,7 +94,7 @@ def read(*arguments: Any) -> Read:
                 continue
             first, last = reads[0].record, reads[-1].record
             alike = last == first or str(last) == str(first)  # NaN differs from itself
-            if not alike or len(reads) > MOST_READINGS:
+            if not alike or len(snapshot.left) > MOST_READINGS:
                 raise Unread(
                     f"{request.name} keeps what its next call reads, or draws by chance; make it "
                     "a state"

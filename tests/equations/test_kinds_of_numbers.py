@@ -14,6 +14,7 @@ import pytest
 from scipy.interpolate import (
     CubicSpline,
     InterpolatedUnivariateSpline,
+    LinearNDInterpolator,
     RegularGridInterpolator,
     interp1d,
     make_interp_spline,
@@ -51,6 +52,7 @@ COAST = RegularGridInterpolator(GRID, HEIGHTS, bounds_error=False, fill_value=-7
 COLUMN = RegularGridInterpolator(
     [[0.0, 1.0], [-1.0, 1.0], [0.0, 3.0]], np.arange(8.0).reshape(2, 2, 2) ** 2, "linear", False
 )
+SCATTERED = LinearNDInterpolator([[0, 0], [1, 0], [0, 1], [1, 1], [0.4, 0.6]], [0.0, 1, 2, 5, 3])
 STEPPED = RegularGridInterpolator(GRID, HEIGHTS, "nearest", bounds_error=False)
 
 
@@ -338,6 +340,7 @@ ONE_LINE = {  # as Python has them
         *COAST((x, x[::-1])),
         COLUMN([x[0], u[1], x[1]])[0],
     ],
+    "a chart of scattered points": lambda t, x, u, p: [SCATTERED(x[0], u[0]), SCATTERED(x[:2])[0]],
 }
 ONE_LINE_REFUSED = {  # what would be another number
     "takes the nearest of a chart": lambda t, x, u, p: STEPPED(x[:2]),
