@@ -302,12 +302,10 @@ class Block(control.NonlinearIOSystem):
     @cached_property
     def feedthrough(self) -> bool:
         """Whether inputs reach the outputs at once, as the record says."""
-        if self.output_function is None or not self.input_ports:
-            return False
         try:
             return bool(self.array_record("output").leaves("u"))
         except Unread:
-            return True
+            return bool(self.input_ports)
 
     # --- the record -------------------------------------------------------------------
 

@@ -145,10 +145,10 @@ def plain_block(block: Block, name: str, p: Any, begin: float, end: float) -> di
         pinned = set(p._fields)
     return {
         "name": name,
-        **{kind: _plain_shapes(shapes) for kind, shapes in block.declared.items()},
+        **block.declared,
         "sizes": block.sizes,
         "parameters": {name: _plain_value(value) for name, value in p._asdict().items()},
-        "shapes": _plain_shapes(block.parameter_shapes),
+        "shapes": block.parameter_shapes,
         "records": records,
         "fixed": sorted(pinned),
         "jumps": listed,
@@ -159,10 +159,6 @@ def plain_block(block: Block, name: str, p: Any, begin: float, end: float) -> di
         "dt": block.dt,
         "labels": labels,
     }
-
-
-def _plain_shapes(shapes: Mapping[str, Shape]) -> dict[str, list[Any]]:
-    return {name: list(shape) for name, shape in shapes.items()}
 
 
 def _plain_value(value: Any) -> Any:

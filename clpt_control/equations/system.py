@@ -85,14 +85,10 @@ class System(Block):
     def _checked(self, value: Any) -> Any:
         return value  # of the numbers among the system's params
 
-    @property
+    @property  # type: ignore[misc]  # nobody sets it
     def params(self) -> Mapping[str, Any]:
         """Return the system's params."""
         return self._params
-
-    @params.setter
-    def params(self, value: Any) -> None:
-        pass
 
     def with_params(self, params: Mapping[str, Any] | None) -> Any:
         """Return the parameters with some changed; python-control passes unknown ones on."""
@@ -128,10 +124,6 @@ class System(Block):
             else:
                 yield self._reads[role]
 
-    def with_values(self, changes: Mapping[str, Any]) -> Any:
-        """Return the parameters with some fields changed."""
-        return self._parameters._replace(**{k: _leaf(v) for k, v in changes.items()})
-
     def _params_with(self, p: Any) -> dict[str, Any]:
         """Return the params that python-control would hand to the functions."""
         if p is self._parameters:
@@ -165,9 +157,6 @@ class System(Block):
         self.read_with[role] = frozenset(self.number_names[key] for key in result.pinned), ""
         names = self.number_names.items()
         return result.record.renamed({("p", key): ("p", own) for key, own in names})
-
-    def _try_equations(self) -> None:
-        """Leave it to the run, as python-control does."""
 
     def _evaluate(self, role: str, size: int, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
         function, where = self._plan[role]
