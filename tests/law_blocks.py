@@ -8,7 +8,7 @@ from responses import response
 
 import clpt_control as clpt
 from clpt_control.equations import Block
-from clpt_control.equations.declaration import places
+from clpt_control.equations.ports import places
 from clpt_control.simulation.starts import state_columns
 
 EACH = {"parameters": 0.8, "feedback": 0.3, "feedforward": 0.5}  # a gain for each part

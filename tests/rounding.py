@@ -17,8 +17,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from clpt_control.equations.declaration import places
 from clpt_control.equations.elements import Elements
+from clpt_control.equations.ports import places
 from clpt_control.equations.record import OPERATIONS, picked
 from clpt_control.native.python_diagram import PythonDiagram
 

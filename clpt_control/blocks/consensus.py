@@ -28,7 +28,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from ..equations.block import Block
-from ..equations.declaration import named, renamed
+from ..equations.ports import named, renamed
 from .laws.paper import learned_flow
 
 

@@ -24,7 +24,7 @@ from typing import Any
 import numpy as np
 
 from ..equations.block import Block
-from ..equations.declaration import renamed
+from ..equations.ports import renamed
 from .ports import SHAPES, paper_block
 
 

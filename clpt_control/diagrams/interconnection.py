@@ -14,7 +14,8 @@ import numpy as np
 
 from ..arguments import brief, nearest, public
 from ..equations.block import Block
-from ..equations.declaration import Guard, check_names, labels, whole_labels
+from ..equations.declaration import Guard, check_names
+from ..equations.ports import labels, whole_labels
 from ..equations.system import System, is_linear
 from ..errors import BlockError, DiagramError
 from ..scenario.quantities import call_time_hint

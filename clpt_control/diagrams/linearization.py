@@ -17,8 +17,8 @@ from scipy.linalg import orth
 
 from ..arguments import numbers, public
 from ..equations.arrays import COMPARISONS, CONDITIONS, MOVED, Tape, Unread, lifted, operand
-from ..equations.declaration import ports_of
 from ..equations.derivative import JUMPS, Direction
+from ..equations.ports import ports_of
 from ..equations.record import Shape, compact, computed, reached
 from ..errors import ArgumentError, DiagramError
 from ..progress import warn

@@ -19,7 +19,7 @@ import numpy as np
 
 from ..equations.arrays import Array, Tape, Unread, lifted, objects, operand, spread
 from ..equations.block import Block
-from ..equations.declaration import places, ports_of
+from ..equations.ports import places, ports_of
 from ..equations.record import Operation, Record, Ref, Shape
 from .wiring import Node, Wire, Wiring
 

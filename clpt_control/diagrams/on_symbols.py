@@ -24,7 +24,8 @@ from sympy.core.function import AppliedUndef
 
 from ..arguments import public
 from ..equations.arrays import Tape, Unread, operand
-from ..equations.declaration import Parameters, ports_of
+from ..equations.declaration import Parameters
+from ..equations.ports import ports_of
 from ..equations.record import Shape
 from ..equations.symbolic import LONG, Symbols, extent, rational
 from ..equations.system import System, is_linear

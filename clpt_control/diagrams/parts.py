@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import control
 
 from ..equations.block import Block
-from ..equations.declaration import labels, ports_of, renamed
+from ..equations.ports import labels, ports_of, renamed
 from ..equations.sampled import Sampled
 from ..equations.system import System, is_linear, linear, on_each_axis
 from ..errors import DiagramError

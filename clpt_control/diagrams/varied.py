@@ -21,8 +21,8 @@ import numpy as np
 from ..equations.arrays import Array, Tape, elementwise, lifted, operand, spread, stacked
 from ..equations.at_many import leaf_values
 from ..equations.block import Block
-from ..equations.declaration import ports_of
 from ..equations.derivative import STEPS, Direction
+from ..equations.ports import ports_of
 from ..equations.record import Record, Shape, bound, compact
 from ..equations.sampled import Sampled, inner_equations
 from ..equations.system import System

@@ -17,8 +17,8 @@ import numpy as np
 from ..equations.arrays import Unread
 from ..equations.block import Block
 from ..equations.declaration import Parameters
-from ..equations.declaration import places as inputs_of
 from ..equations.elements import InputsOf
+from ..equations.ports import places as inputs_of
 from ..equations.sampled import Sampled
 from ..equations.system import System, linear
 from ..errors import DiagramError

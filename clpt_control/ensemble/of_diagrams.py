@@ -21,7 +21,7 @@ from ..diagrams.interconnection import changed_parameters
 from ..diagrams.varied import Place, place_of, places_of, put, value_at
 from ..diagrams.wiring import read_anew, units_of, wiring_of
 from ..equations.arrays import Unread
-from ..equations.declaration import ports_of
+from ..equations.ports import ports_of
 from ..equations.system import System
 from ..errors import DiagramError, ScenarioError
 from ..native import solver

@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..equations.declaration import ports_of
+from ..equations.ports import ports_of
 from ..errors import ScenarioError
 from ..native import solver
 from ..native.ending import ENDS

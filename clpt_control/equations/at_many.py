@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 from ..arguments import numbers, public
 from ..errors import ArgumentError
 from .block import Block
-from .declaration import places
+from .ports import places
 from .record import Record, computed
 
 

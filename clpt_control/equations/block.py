@@ -24,7 +24,6 @@ from ..errors import BlockError
 from .answers import located
 from .arrays import Unread
 from .declaration import (
-    Declared,
     Equations,
     Guard,
     block_html,
@@ -33,15 +32,8 @@ from .declaration import (
     check_names,
     check_units,
     checked_parameters,
-    flattened,
-    labels,
-    places,
-    ports_of,
-    shapes_of,
-    sized,
-    sizes_of,
-    vector,
 )
+from .ports import Declared, flattened, labels, places, ports_of, shapes_of, sized, sizes_of, vector
 from .reading import RAISED, read, record_of_states
 from .record import Record, Shape
 

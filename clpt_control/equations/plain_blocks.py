@@ -16,7 +16,8 @@ import numpy as np
 from ..errors import BlockError
 from .arrays import Unread
 from .block import Block
-from .declaration import Each, Guard, Parameters, sized, sizes_of
+from .declaration import Each, Guard, Parameters
+from .ports import sized, sizes_of
 from .record import OPERATIONS, Operation, Record, Shape, bound
 from .sampled import Sampled
 

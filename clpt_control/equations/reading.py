@@ -30,8 +30,9 @@ from .arrays import (
     where,
 )
 from .copies import Copies, borrowed
-from .declaration import Parameters, places
+from .declaration import Parameters
 from .kept import Snapshot
+from .ports import places
 from .record import Record, Shape, compact
 from .stand_ins import UNSEEDED
 

@@ -25,7 +25,8 @@ from ..errors import BlockError, DiagramError
 from .answers import EVERY, Params
 from .arrays import Unread
 from .block import Block
-from .declaration import Parameters, flattened, sizes_of
+from .declaration import Parameters
+from .ports import flattened, sizes_of
 from .reading import Read, read
 from .record import Record
 from .sampled import Sampled

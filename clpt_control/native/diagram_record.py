@@ -24,7 +24,7 @@ from ..diagrams.merged_record import RecordMerger
 from ..diagrams.wiring import Wiring
 from ..equations.arrays import Tape
 from ..equations.block import Block
-from ..equations.declaration import places
+from ..equations.ports import places
 from ..equations.record import Operation, Record, bound
 from .decisions import LOCKED, Decisions, Port
 from .switches import timed_decisions

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from ..diagrams.wiring import Node, Wiring
-from ..equations.declaration import reused_vector
+from ..equations.ports import reused_vector
 
 
 class Sweep:

@@ -17,7 +17,7 @@ import numpy as np
 
 from .. import ensemble, pages, replay, simulation, theory
 from ..arguments import check_holds, public
-from ..equations.declaration import ports_of
+from ..equations.ports import ports_of
 from ..errors import DataError
 from ..files import beside, check_writable, write_file
 from ..html import facts, fragment, shortened

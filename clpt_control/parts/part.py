@@ -8,7 +8,7 @@ import numpy as np
 
 from ..arguments import brief, nearest, numbers
 from ..equations.block import Block
-from ..equations.declaration import renamed
+from ..equations.ports import renamed
 from ..errors import BlockError
 
 Ports = Mapping[str, str]  # name of a port -> the user's own

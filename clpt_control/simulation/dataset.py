@@ -21,7 +21,7 @@ from ..diagrams.parts import LAW
 from ..diagrams.wiring import Params, Wiring
 from ..equations.at_many import on_arrays
 from ..equations.block import Block
-from ..equations.declaration import ports_of
+from ..equations.ports import ports_of
 from ..native.ending import Solution
 from ..scenario.experiment import Scenario
 from ..scenario.file import CHANGED, OWN_LAW, own_parts, scenario_to_text

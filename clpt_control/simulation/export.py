@@ -17,7 +17,8 @@ import numpy as np
 
 from ..arguments import public
 from ..diagrams.varied import read_as_number
-from ..equations.declaration import Each, ports_of
+from ..equations.declaration import Each
+from ..equations.ports import ports_of
 from ..errors import DiagramError, Uncompiled
 from ..files import write_file
 from ..native.diagram_record import LARGE, lay_out

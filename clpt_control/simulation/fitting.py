@@ -14,7 +14,7 @@ import control
 import numpy as np
 
 from ..arguments import brief, numbers, public
-from ..equations.declaration import ports_of
+from ..equations.ports import ports_of
 from ..errors import ArgumentError, SimulationError
 from ..native.schedule import checked_times
 from ..scenario.experiment import Scenario

@@ -31,7 +31,8 @@ from ..diagrams.parts import (
 )
 from ..diagrams.wiring import Node, Wiring, read_anew, wiring_of
 from ..equations.block import Block
-from ..equations.declaration import Parameters, within
+from ..equations.declaration import Parameters
+from ..equations.ports import within
 from ..errors import DiagramError
 from ..scenario.experiment import Scenario
 from ..scenario.file import OWN_LAW, OWN_PARTS

@@ -17,7 +17,7 @@ import numpy as np
 from ..blocks.localization import TRUE
 from ..diagrams.interconnection import wiring_of_blocks, with_stop
 from ..diagrams.wiring import Params, Part, Sizes, Wiring, read_anew, units_of, wiring_of
-from ..equations.declaration import ports_of, split, whole_labels
+from ..equations.ports import ports_of, split, whole_labels
 from ..native.ending import Solution
 from ..native.engines import VARIABLE, make_runner, run_checked
 from ..native.native_diagram import NativeDiagram

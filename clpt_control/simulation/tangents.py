@@ -30,7 +30,7 @@ from ..diagrams.varied import (
 )
 from ..diagrams.wiring import Wiring
 from ..equations.arrays import Unread
-from ..equations.declaration import ports_of
+from ..equations.ports import ports_of
 from ..errors import SimulationError, Uncompiled
 from ..native.ending import Solution
 from ..native.engines import run_compared

@@ -13,7 +13,7 @@ import clpt_control as clpt
 from clpt_control.diagrams.interconnection import connect, wiring_of_blocks
 from clpt_control.diagrams.wiring import wiring_of
 from clpt_control.equations import Block
-from clpt_control.equations.declaration import ports_of, whole_labels
+from clpt_control.equations.ports import ports_of, whole_labels
 from clpt_control.errors import BlockError, DiagramError
 
 TIMES = np.linspace(0.0, 3.0, 7)

@@ -16,7 +16,7 @@ from clpt_control.diagrams.varied import place_of
 from clpt_control.ensemble.drawn_values import read_varies
 from clpt_control.ensemble.members import Ensemble
 from clpt_control.ensemble.of_diagrams import VariedDiagram
-from clpt_control.equations.declaration import ports_of
+from clpt_control.equations.ports import ports_of
 from clpt_control.errors import ClptError, DataError, DiagramError
 
 

@@ -11,7 +11,7 @@ import pytest
 from recorded import as_it_runs, recorded, static
 
 from clpt_control.equations import Block, Guard
-from clpt_control.equations.declaration import renamed, split, within
+from clpt_control.equations.ports import renamed, split, within
 from clpt_control.equations.system import linear, on_each_axis
 from clpt_control.errors import ArgumentError, BlockError
 

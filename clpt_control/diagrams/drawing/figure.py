@@ -17,7 +17,8 @@ from typing import Any
 import control
 
 from ...arguments import public
-from ...equations.declaration import ports_line, ports_of
+from ...equations.declaration import ports_line
+from ...equations.ports import ports_of
 from ...errors import ClptError, DiagramError
 from ...figures import inline_svg, literal
 from ...files import check_name, write_file

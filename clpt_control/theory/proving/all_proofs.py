@@ -34,7 +34,7 @@ from ...blocks.consensus import total_candidate
 from ...blocks.laws.law import Law
 from ...blocks.laws.table import LAWS
 from ...diagrams.interconnection import Diagram, connect
-from ...equations.declaration import named, split, within
+from ...equations.ports import named, split, within
 from ...files import cache_folder, read_cached, write_cached
 from ...native.engines import VARIABLE
 from ...native.machine import code_name

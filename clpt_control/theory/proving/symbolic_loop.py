@@ -15,7 +15,7 @@ import sympy
 
 from ...diagrams.on_symbols import TIME, Equations, Names, on_symbols
 from ...diagrams.wiring import Node, Wiring, wiring_of
-from ...equations.declaration import BETWEEN, named, split
+from ...equations.ports import BETWEEN, named, split
 from ...equations.record import Shape
 from ...errors import DiagramError
 from .array_loop import no_value, refuse_pinned, refuse_unproved

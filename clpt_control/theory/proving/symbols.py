@@ -17,8 +17,8 @@ import numpy as np
 import sympy
 
 from ...equations.block import Block
-from ...equations.declaration import named, split
 from ...equations.elements import Index
+from ...equations.ports import named, split
 from ...equations.record import Shape
 from ...equations.symbolic import extent
 from ...scenario.quantities import QUANTITIES
