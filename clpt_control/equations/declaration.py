@@ -120,6 +120,11 @@ class Each:
     def __call__(self, p: Any, t0: float, t1: float) -> np.ndarray:
         """Return the breakpoints in (t0, t1]."""
         period = getattr(p, self.period) if isinstance(self.period, str) else self.period
+        if t0 < 0:
+            raise BlockError(
+                f"what samples or jumps each {self.part * period:g} does so from time 0 on; begin "
+                f"the run at 0 or later, not at {t0:g}"
+            )
         return multiples(self.part * period, t0, t1)
 
 

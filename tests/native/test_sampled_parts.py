@@ -157,6 +157,15 @@ def test_a_run_goes_on_where_another_ended():
         np.testing.assert_allclose(rest.states[-1], whole.states[-1], atol=1e-10)
 
 
+@pytest.mark.parametrize("part", [clpt.parts.hold(0.25), clpt.parts.noise(1.0, 0.25, n="y")])
+def test_a_run_that_begins_before_time_0_is_refused(part):
+    """The first sample was that at 0.25, also of a run from -0.5 on."""
+    loop = clpt.connect([part, clpt.parts.lag(1.0, u="y", y="z")], external=("u",) * part.ninputs)
+    for run in (clpt.simulate, lambda d, t, u: clpt.run_ensemble(d, "lag.lag=[1]", timepts=t)):
+        with pytest.raises(clpt.ClptError, match="does so from time 0 on; begin the run at 0 or"):
+            run(loop, [-0.5, 0.0, 1.0], 0.0)
+
+
 def test_many_runs_begin_with_what_is_held():
     loop = clpt.connect([control.tf([2.0], [1], DT, inputs="y", outputs="v", name="p"), tanks()])
     starts = np.array([[9.0, 0.5, 0.1 * k] for k in range(9)])
