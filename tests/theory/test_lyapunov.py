@@ -7,9 +7,8 @@ import control
 import numpy as np
 import pytest
 import sympy
-from lyapunov_cases import (
-    RIGHT,
-    WRONG,
+from lyapunov_cases import RIGHT, WRONG
+from lyapunov_systems import (
     arm,
     energy,
     half,

@@ -4,7 +4,7 @@ import control
 import numpy as np
 import pytest
 import sympy
-from lyapunov_cases import system
+from lyapunov_systems import system
 
 import clpt_control as clpt
 from clpt_control.theory import lyapunov

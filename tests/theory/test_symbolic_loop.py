@@ -6,7 +6,7 @@ import pytest
 import sympy
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from lyapunov_cases import system
+from lyapunov_systems import system
 
 import clpt_control as clpt
 from clpt_control.blocks.laws.table import LAWS
