@@ -59,7 +59,7 @@ class VariedBlock(Block):
             jump=inner_equations if inner.jump_function else None,
             guard=inner.guard and inner.guard._replace(sentence=self._sentence),
         )
-        self.raised, self.dt = inner.raised, inner.dt
+        self.raised, self.dt, self.of_package = inner.raised, inner.dt, inner.of_package
         self.first_held = None if inner.first_held is None else inner.first_held * (1 + count)
 
     def _beside(self, *groups: Mapping[str, Shape]) -> Iterator[tuple[str, Shape]]:
@@ -73,11 +73,6 @@ class VariedBlock(Block):
 
     def _try_equations(self) -> None:
         """Do nothing: the inner block was tried."""
-
-    @property
-    def of_package(self) -> bool:
-        """Whether the functions belong to the package."""
-        return self.inner.of_package
 
     def samples_at(self, t: float) -> bool:
         """Whether inputs are sampled at a time."""

@@ -360,7 +360,7 @@ class Block(control.NonlinearIOSystem):
             return self._outside(result.record)
         return Unread(f"{name}: {why}")
 
-    @property
+    @cached_property
     def of_package(self) -> bool:
         """Whether the functions are the package's own."""
         modules = (getattr(f, "__module__", None) or "" for f, _ in self._plan.values())

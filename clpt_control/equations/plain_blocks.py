@@ -66,7 +66,7 @@ class RecordedBlock(Block):
         sizes = {str(size): _size(number) for size, number in plain["sizes"].items()}
         values = {field: _value(value) for field, value in plain["parameters"].items()}
         self._plain_records = {role: _record(lines) for role, lines in plain["records"].items()}
-        self.fixed, self.package = frozenset(plain["fixed"]), plain["package"]
+        self.fixed, self.of_package = frozenset(plain["fixed"]), plain["package"]
         for kind in KINDS:  # before anything of that size is made
             ports = sized(name, shapes[f"{kind}s"], sizes)
             if sum(sizes_of(ports).values()) != len(plain["labels"][kind]):
@@ -97,11 +97,6 @@ class RecordedBlock(Block):
 
     def _read(self, role: str) -> Record | Unread:
         return self._plain_records[role]
-
-    @property
-    def of_package(self) -> bool:
-        """Whether the functions were the package's own."""
-        return self.package
 
     def with_values(self, changes: Mapping[str, Any]) -> Any:
         """Return the parameters with some changed, but those whose values the record holds."""

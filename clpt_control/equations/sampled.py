@@ -67,7 +67,7 @@ class Sampled(Block):
             raise DiagramError(
                 f"{inner.name}: has breakpoints or a guard of its own, so it cannot be sampled"
             )
-        self.inner, self.period = inner, float(period)
+        self.inner, self.period, self.of_package = inner, float(period), inner.of_package
         self.stepped = inner.dt == 0  # its rates are taken for a period, as Euler does
         held = {HELD + port: shape for port, shape in inner.declared["inputs"].items()}
         states = {**inner.declared["states"], **held}
@@ -101,11 +101,6 @@ class Sampled(Block):
 
     def _try_equations(self) -> None:
         """Leave it to the inner block, which was tried."""
-
-    @property
-    def of_package(self) -> bool:
-        """Whether the functions are the package's own."""
-        return self.inner.of_package
 
     def read_anew(self) -> None:
         """Read the functions again: what they use may have changed."""
