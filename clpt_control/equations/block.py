@@ -492,6 +492,11 @@ class Block(control.NonlinearIOSystem):
             raise BlockError(
                 f"{self.name}: breakpoints gives {brief(returned)}; must be increasing times"
             )
+        if t0 < 0 and np.any(times <= 0):  # intervals are counted from 0 on
+            raise BlockError(
+                f"{self.name}: jumps at {times[0]:g}, and its intervals are counted from time 0 "
+                f"on; begin the run at 0 or later, not at {t0:g}"
+            )
         return times
 
     def interval_at(self, t: float, p: Any = None) -> np.float64:

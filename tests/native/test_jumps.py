@@ -128,6 +128,22 @@ def test_a_run_goes_on_from_a_right_limit(engine, cut):
     np.testing.assert_allclose(whole.x[-1, 0], 0.875 + 0.3 / 8, atol=1e-12)
 
 
+def test_a_jump_before_time_0_is_refused_and_none_is_missed():
+    """Intervals are counted from 0 on: the jump at -1 was passed over."""
+    at = np.array([-1.0, 1.0])
+    block = Block(
+        "once",
+        update=grow,
+        states={"s": 1},
+        parameters={"interval": -1.0},
+        breakpoints=lambda p, t0, t1: at[(at > t0) & (at <= t1)],
+        jump=lambda t, x, u, p: x.s + 10.0,
+    )
+    with pytest.raises(BlockError, match=r"once: jumps at -1, .* begin the run at 0 or later"):
+        clpt.simulate(block, [-2.0, 0.0, 2.0])
+    assert clpt.simulate(block, [-0.5, 0.0, 2.0]).s.values.tolist() == pytest.approx([0, 0.5, 12.5])
+
+
 @every_engine
 def test_a_given_interval_does_not_end(engine):
     diagram = clpt.connect([saw()])
