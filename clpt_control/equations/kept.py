@@ -26,7 +26,7 @@ from typing import Any
 import numpy as np
 
 from .arrays import Array
-from .unchanged import MOST as MOST_NUMBERS
+from .record import MOST_NUMBERS
 from .unchanged import names_in
 
 LOCK = threading.RLock()  # while stand-ins are in a module

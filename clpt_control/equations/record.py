@@ -34,6 +34,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+MOST_NUMBERS = 20_000  # of an array that is a value, and is compared with what it was
 Ref = Any  # int: the place of a value; float: a constant
 Shape = tuple[Any, ...]  # of whole numbers and names of sizes
 

@@ -28,11 +28,10 @@ from .block import Block
 from .declaration import Parameters
 from .ports import flattened, sizes_of
 from .reading import Read, read
-from .record import Record
+from .record import MOST_NUMBERS, Record
 from .sampled import Sampled
 from .unchanged import Keys, Unkeyed
 
-MOST_NUMBERS = 20_000  # of an array that is a parameter
 MOST_READ = 256  # functions whose records are kept
 MOST_VALUES = 16  # of params that a record was read with
 

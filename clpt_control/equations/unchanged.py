@@ -23,8 +23,8 @@ import numpy as np
 
 from .declaration import Parameters
 from .lookup_tables import is_table
+from .record import MOST_NUMBERS
 
-MOST = 20_000  # numbers of an array
 MANY = 100  # things in a list
 DIGITS = (int, bool, str, bytes, NoneType)
 READ = ("open", "input", "load", "loadtxt", "genfromtxt", "fromfile", "memmap", "random")
@@ -72,7 +72,7 @@ class Keys:
         if id(value) in self._seen:  # one that holds itself, too
             return "seen", self._seen[id(value)]
         self._seen[id(value)] = len(self._seen)
-        if kind is np.ndarray and value.dtype.kind in "fiubc" and value.size <= MOST:
+        if kind is np.ndarray and value.dtype.kind in "fiubc" and value.size <= MOST_NUMBERS:
             key: Any = value.dtype, value.shape, value.tobytes()
         elif kind is list and len(value) < MANY:
             key = kind, *map(self.of, value)

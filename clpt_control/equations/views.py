@@ -30,12 +30,9 @@ from .arrays import (
     stacked,
     whole,
 )
-from .record import Ref, Shape, viewed
+from .record import MOST_NUMBERS, Ref, Shape, viewed
 
 # --- as NumPy's own ----------------------------------------------------------------------------
-
-
-MOST_NUMBERS = 20_000  # of an array that is written down
 
 
 def depends(value: Any) -> bool:
