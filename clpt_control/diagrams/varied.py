@@ -239,7 +239,9 @@ def place_of(key: str, names: Mapping[str, list[Place]], given: Sequence[Any]) -
     if key in names or len(names.get(whole, ())) != 1:
         own = names.get(key, ())
         return own[0] if len(own) == 1 else None
-    place, element = names[whole][0], tuple(int(one) for one in re.findall(r"\d+", inside))
+    if not re.fullmatch(r"\d+(\s*,\s*\d+)*", inside):  # -1 and 0:2 are no places of one number
+        return None
+    place, element = names[whole][0], tuple(map(int, inside.split(",")))
     shape = np.shape(getattr(given[place.fields[0][0]], place.fields[0][1])) if place.fields else ()
     inner = len(element) == len(shape) and all(map(operator.lt, element, shape))
     return place._replace(element=element) if inner and place.fields else None

@@ -81,6 +81,8 @@ OF_OTHERS = [  # what is varied of another diagram
     (springs, {"one.K": [[1, 2]], "one.K[0]": [1]}, r"one\.K\[0\] and one\.K are one number; na"),
     (springs, {"one.turns": [1.0]}, r"one\.turns = 3 cannot vary: a whole number is fixed"),
     (springs, {"one.K[2]": [1.0]}, r"one\.K\[2\] is no element: one\.K has shape \(2,\)"),
+    (springs, {"one.K[-1]": [1.0]}, r"one\.K\[-1\] is no element: one\.K has shape \(2,\)"),
+    (springs, {"one.K[0:2]": [1.0]}, r"one\.K\[0:2\] is no element: one\.K has shape \(2,\)"),
     (mrac, {"a": [1], "plant.a": [1]}, r"plant\.a and a are one number"),
     (mrac, {"plant.aa": [1]}, r"unknown name plant\.aa; did you mean plant\.a\?"),
     (lag, {"lag.tua": [1]}, r"unknown name lag\.tua; did you mean lag\.tau\?"),
