@@ -483,7 +483,7 @@ def compare(
     Raises
     ------
     DataError
-        If there are no runs or more than 6, or they have not the same signals.
+        If there are no runs or more than 6, or they have not the same signals and units.
     ClptError
         If there is no such plot.
 
@@ -525,6 +525,12 @@ def check_runs(runs: Any) -> None:
     for name, run in runs.items():
         if not hasattr(run, "data_vars"):
             raise DataError(f"compare: {name!s:.40} is a {type(run).__name__}; must be a run")
+    units: dict[str, str] = {}  # of each variable, where a run says it
+    for run in runs.values():
+        for key, one in run.variables.items():
+            unit = str(one.attrs.get("units", ""))
+            if unit and units.setdefault(str(key), unit) != unit:
+                raise DataError(f"not all runs have {key} in one unit: {units[str(key)]}, {unit}")
 
 
 COMPARED: dict[str, Callable[..., Any]] = {

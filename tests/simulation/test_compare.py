@@ -294,6 +294,12 @@ def test_what_cannot_be_compared_is_one_sentence():
         clpt.compare({"a": a, "b": a[["h"]]})
     with pytest.raises(clpt.DataError, match="there is none that all have"):
         clpt.compare({"a": a[["q"]], "b": a[["h"]]})
+    other, unknown = a.copy(deep=True), a.copy(deep=True)
+    other.h.attrs["units"] = "km"
+    del unknown.h.attrs["units"]
+    with pytest.raises(clpt.DataError, match="not all runs have h in one unit: m, km"):
+        clpt.compare({"a": a, "b": other})
+    clpt.compare({"a": a, "b": unknown})
 
 
 def test_no_waypoint_is_told_of_a_reference_of_ones_own(tmp_path):
