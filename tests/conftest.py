@@ -11,6 +11,7 @@ import pytest
 HERE = Path(__file__).parent
 for name in ("COLUMNS", "FORCE_COLOR", "TTY_COMPATIBLE", "TTY_INTERACTIVE"):
     os.environ.pop(name, None)  # what is printed is as wide and plain as in a pipe, everywhere
+os.environ.setdefault("SYMPY_CACHE_SIZE", "100000")  # as `clpt prove` has it, before its import
 
 
 class Outcome(NamedTuple):
