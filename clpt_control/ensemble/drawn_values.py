@@ -72,9 +72,9 @@ class Vary(NamedTuple):
     def text(self) -> str:
         """The same as `read_vary` reads it."""
         if self.kind == "uniform":
-            return f"{self.key}={self.numbers[0]!r}:{self.numbers[1]!r}"
+            return f"{self.key}={float(self.numbers[0])!r}:{float(self.numbers[1])!r}"
         if self.kind == "normal":
-            return f"{self.key}~normal:{self.numbers[0]!r}"
+            return f"{self.key}~normal:{float(self.numbers[0])!r}"
         if self.kind == "drawn":
             return f"{self.key}~{self.numbers[0]}"
         return f"{self.key}={json.dumps(list(self.numbers))}"
@@ -164,12 +164,25 @@ def _of_item(key: str, given: Any) -> Vary:
     raise ScenarioError(f"vary: {key} = {brief(given)}: must be {IN_A_DICT}")
 
 
+def _checked(one: Vary) -> Vary:
+    """Refuse one made by hand whose kind or numbers no text says."""
+    try:
+        if read_vary(one._replace(key="key").text).kind == one.kind:
+            return one
+    except (IndexError, TypeError, ValueError):
+        pass
+    raise ScenarioError(
+        f"vary: {one!r:.80}: its kind must be uniform, normal, drawn or levels, with its numbers"
+    )
+
+
 def read_varies(vary: str | Vary | Iterable[str | Vary] | Mapping[str, Any]) -> tuple[Vary, ...]:
     """Read what varies, in any of its forms."""
     if isinstance(vary, Mapping):
         several: Iterable[str | Vary] = [_of_item(key, value) for key, value in vary.items()]
     else:
         several = [vary] if isinstance(vary, str | Vary) else vary
+        several = [_checked(one) if isinstance(one, Vary) else one for one in several]
     varies = tuple(read_vary(one) if isinstance(one, str) else one for one in several)
     if not varies:
         raise ScenarioError("vary: name at least one key, such as learning.gain=0.2:2.0")

@@ -1,15 +1,17 @@
 """What an ensemble refuses, its figure, and its command."""
 
 import json
+import math
 import os
 import shutil
 
+import numpy as np
 import pytest
 from ensemble_stores import VARY, files
 from pictures import inked
 
 import clpt_control
-from clpt_control.ensemble.drawn_values import read_vary
+from clpt_control.ensemble.drawn_values import Vary, read_vary
 from clpt_control.ensemble.run import run_ensemble
 from clpt_control.ensemble.spread import ensemble_plot
 from clpt_control.ensemble.store import Store, open_store
@@ -223,6 +225,25 @@ def test_numbers_that_are_not_those_of_a_chunk_are_told(lacking, tmp_path):
 def test_vary_reads_back():
     for text in ("a.b=0.2:2.0", "a.b~normal:0.1", "a.b=[0.5, 1, [2, 3]]"):
         assert read_vary(read_vary(text).text) == read_vary(text) or "[" in text
+
+
+@pytest.mark.parametrize(
+    ("kind", "numbers"),
+    [
+        ("uniform", (2.0, 1.0)),
+        ("uniform", (1.0,)),
+        ("uniform", ("a", "b")),
+        ("normal", (-1.0,)),
+        ("normal", (math.nan,)),
+        ("another", (1.0,)),
+        ("levels", ()),
+        ("drawn", ("evil()",)),
+    ],
+)
+def test_what_is_made_by_hand_is_checked_as_a_text_is(scenario, kind, numbers):
+    with pytest.raises(ClptError, match="vary"):
+        run_ensemble(scenario, Vary("learning.gain", kind, numbers), 3)
+    assert Vary("a", "uniform", (np.float64(1), 2)).text == "a=1.0:2.0"
 
 
 @pytest.mark.parametrize("duration", [10, 125])
