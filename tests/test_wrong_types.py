@@ -115,6 +115,7 @@ OF_THE_ENGINE = (  # called at each step, and checked by no one
     *("FixModel.reached", "FixModel.matched"),
     *("NativeDiagram.schedule", "NativeDiagram.callee", "NativeDiagram.lanes"),
     *("NativeDiagram.parameters", "NativeDiagram.breaks", "NativeDiagram.with_parameters"),
+    "NativeDiagram.switches_by",
     *("Sampled.samples_at", "Sampled.values", "Block.units_of"),
     *("Replay.surfacing", "Replay.given", "Replay.start", "Replay.imagine"),
     "Replay.feed",
