@@ -1,11 +1,11 @@
-; sha256 ec2605879c3aa6306a409c3885c4acd09ca4696920e494bbc374ce1ad0103bd4
+; sha256 8e83a044166594320975de8f4b640196e98ca6402d5b4c2954ad55de3d60427c
 
-@.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.16 = internal constant [70 x i8] c"\80\04\95;\00\00\00\00\00\00\00\8C\08builtins\94\8C\0AIndexError\94\93\94\8C\18tuple index out of range\94\85\94N\87\94."
-@.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.sha1.17 = internal constant [20 x i8] c"\A82\A7\F8\17\\%0i*\B8.X\1E$k\F5dj("
-@.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.15 = internal constant { ptr, i32, ptr, ptr, i32 } { ptr @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.16, i32 70, ptr @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.sha1.17, ptr null, i32 0 }
-@.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.16.104 = internal constant [70 x i8] c"\80\04\95;\00\00\00\00\00\00\00\8C\08builtins\94\8C\0AIndexError\94\93\94\8C\18tuple index out of range\94\85\94N\87\94."
-@.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.sha1.17.105 = internal constant [20 x i8] c"\A82\A7\F8\17\\%0i*\B8.X\1E$k\F5dj("
-@.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.15.103 = internal constant { ptr, i32, ptr, ptr, i32 } { ptr @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.16.104, i32 70, ptr @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.sha1.17.105, ptr null, i32 0 }
+@.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.17 = internal constant [70 x i8] c"\80\04\95;\00\00\00\00\00\00\00\8C\08builtins\94\8C\0AIndexError\94\93\94\8C\18tuple index out of range\94\85\94N\87\94."
+@.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.sha1.18 = internal constant [20 x i8] c"\A82\A7\F8\17\\%0i*\B8.X\1E$k\F5dj("
+@.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16 = internal constant { ptr, i32, ptr, ptr, i32 } { ptr @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.17, i32 70, ptr @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.sha1.18, ptr null, i32 0 }
+@.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.17.101 = internal constant [70 x i8] c"\80\04\95;\00\00\00\00\00\00\00\8C\08builtins\94\8C\0AIndexError\94\93\94\8C\18tuple index out of range\94\85\94N\87\94."
+@.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.sha1.18.102 = internal constant [20 x i8] c"\A82\A7\F8\17\\%0i*\B8.X\1E$k\F5dj("
+@.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16.100 = internal constant { ptr, i32, ptr, ptr, i32 } { ptr @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.17.101, i32 70, ptr @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.sha1.18.102, ptr null, i32 0 }
 @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.12 = private unnamed_addr constant [18 x double] [double 0.000000e+00, double 0x3FB48E8A71DE69AD, double 2.500000e-01, double 3.333000e-01, double 5.000000e-01, double 0x3FE50A3D70A3D70A, double 7.500000e-01, double 8.889000e-01, double 1.000000e+00, double 0.000000e+00, double 0x3FB48E8A71DE69AD, double 2.500000e-01, double 3.333000e-01, double 5.000000e-01, double 0x3FE50A3D70A3D70A, double 7.500000e-01, double 8.889000e-01, double 1.000000e+00], align 8
 @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.13 = private unnamed_addr constant [8 x double] [double 0.000000e+00, double 0x3FB48E8A71DE69AD, double 2.500000e-01, double 3.333000e-01, double 5.000000e-01, double 0x3FE50A3D70A3D70A, double 7.500000e-01, double 8.889000e-01], align 8
 
@@ -88,7 +88,7 @@ B416.if.lr.ph:                                    ; preds = %B380
 
 B458:                                             ; preds = %B416.if
   %.236.i = load i64, ptr %arg.batch.4.2.4, align 8, !noalias !0
-  %.293.i8893 = getelementptr double, ptr %0, i64 %.780.09196
+  %.293.i8893 = getelementptr double, ptr %0, i64 %.780.09172
   store double 0.000000e+00, ptr %.293.i8893, align 8, !noalias !0
   %.324.i = load i64, ptr %.323.i, align 8, !noalias !0
   %.326.i = icmp eq i64 %.236.i, %.324.i
@@ -108,13 +108,13 @@ B132.i:                                           ; preds = %B458
   %9 = getelementptr i64, ptr %arg.batch.1.0.4, i64 %.454.i8896
   %.484.i8897 = getelementptr i64, ptr %9, i64 %.470.i
   %.485.i8898 = load i64, ptr %.484.i8897, align 8, !noalias !0
-  %.540.i = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.780.09196
+  %.540.i = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.780.09172
   store i64 %.236.i, ptr %.540.i, align 8, !noalias !0
-  %.595.i = getelementptr i64, ptr %1, i64 %.780.09196
+  %.595.i = getelementptr i64, ptr %1, i64 %.780.09172
   store i64 %.485.i8898, ptr %.595.i, align 8, !noalias !0
-  %.654.i = getelementptr i64, ptr %2, i64 %.780.09196
+  %.654.i = getelementptr i64, ptr %2, i64 %.780.09172
   store i64 1, ptr %.654.i, align 8, !noalias !0
-  %.709.i = getelementptr i64, ptr %3, i64 %.780.09196
+  %.709.i = getelementptr i64, ptr %3, i64 %.780.09172
   store i64 0, ptr %.709.i, align 8, !noalias !0
   br i1 %.8051131.not.i, label %B402.i, label %B358.if.lr.ph.i
 
@@ -123,7 +123,7 @@ B358.if.lr.ph.i:                                  ; preds = %B132.i
   %.868.i = add i64 %.867.i, %.236.i
   %.888.i = mul i64 %.868.i, %arg.batch.0.1.5.1
   %10 = getelementptr double, ptr %arg.batch.0.1.4, i64 %.888.i
-  %invariant.gep9390 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.780.09196
+  %invariant.gep9385 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.780.09172
   br label %B358.if.i
 
 B402.i:                                           ; preds = %B358.if.i, %B132.i
@@ -146,7 +146,7 @@ B76.if.i.i8901:                                   ; preds = %B76.if.i.i8901, %B7
   %13 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.01135.i
   %.293.i.i = load i64, ptr %13, align 8, !noalias !3
   %.295.i.i8902 = mul nsw i64 %.293.i.i, %arg.shape.0
-  %.297.i.i = add nsw i64 %.295.i.i8902, %.780.09196
+  %.297.i.i = add nsw i64 %.295.i.i8902, %.780.09172
   %.311.i.i = icmp slt i64 %.297.i.i, 0
   %.312.i.i = select i1 %.311.i.i, i64 %arg.batch.5.1.5.0, i64 0
   %14 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i
@@ -165,8 +165,8 @@ B358.if.i:                                        ; preds = %B358.if.i, %B358.if
   %15 = getelementptr double, ptr %10, i64 %.747.01132.i
   %.893.i = load double, ptr %15, align 8, !noalias !0
   %.895.i = mul nsw i64 %.747.01132.i, %arg.shape.0
-  %gep9391 = getelementptr double, ptr %invariant.gep9390, i64 %.895.i
-  store double %.893.i, ptr %gep9391, align 8, !noalias !0
+  %gep9386 = getelementptr double, ptr %invariant.gep9385, i64 %.895.i
+  store double %.893.i, ptr %gep9386, align 8, !noalias !0
   %exitcond.not.i = icmp eq i64 %.818.i, %arg.batch.0.1.5.1
   br i1 %exitcond.not.i, label %B402.i, label %B358.if.i
 
@@ -178,7 +178,7 @@ B496.if.lr.ph.i:                                  ; preds = %B402.endif.i
   %.1180.i = add i64 %.1179.i, %.236.i
   %.1200.i = mul i64 %.1180.i, %arg.batch.0.0.5.1
   %16 = getelementptr double, ptr %arg.batch.0.0.4, i64 %.1200.i
-  %invariant.gep9392 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.780.09196
+  %invariant.gep9387 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.780.09172
   br label %B496.if.i
 
 B496.if.i:                                        ; preds = %B496.if.i, %B496.if.lr.ph.i
@@ -187,13 +187,13 @@ B496.if.i:                                        ; preds = %B496.if.i, %B496.if
   %17 = getelementptr double, ptr %16, i64 %.1061.01138.i
   %.1205.i = load double, ptr %17, align 8, !noalias !0
   %.1207.i = mul nsw i64 %.1061.01138.i, %arg.shape.0
-  %gep9393 = getelementptr double, ptr %invariant.gep9392, i64 %.1207.i
-  store double %.1205.i, ptr %gep9393, align 8, !noalias !0
+  %gep9388 = getelementptr double, ptr %invariant.gep9387, i64 %.1207.i
+  store double %.1205.i, ptr %gep9388, align 8, !noalias !0
   %exitcond1143.not.i = icmp eq i64 %.1130.i, %arg.shape.1
   br i1 %exitcond1143.not.i, label %B580.if.i, label %B496.if.i
 
 B580.if.i:                                        ; preds = %B496.if.i, %B402.endif.i
-  %invariant.gep.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.780.09196
+  %invariant.gep.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.780.09172
   store double 0.000000e+00, ptr %invariant.gep.i, align 8, !noalias !0
   %gep.1.i = getelementptr double, ptr %invariant.gep.i, i64 %arg.batch.4.0.5.1
   store double 0.000000e+00, ptr %gep.1.i, align 8, !noalias !0
@@ -257,24 +257,24 @@ B580.if.i:                                        ; preds = %B496.if.i, %B402.en
   %.1546.i = getelementptr double, ptr %18, i64 %.1532.i
   %.1547.i = load double, ptr %.1546.i, align 8, !noalias !0
   store double %.1455.i, ptr %invariant.gep.i, align 8, !noalias !0
-  %.1656.i = getelementptr double, ptr %4, i64 %.780.09196
+  %.1656.i = getelementptr double, ptr %4, i64 %.780.09172
   store double %.1547.i, ptr %.1656.i, align 8, !noalias !0
   store double 1.000000e+00, ptr %.293.i8893, align 8, !noalias !0
-  %.1767.i = getelementptr double, ptr %5, i64 %.780.09196
+  %.1767.i = getelementptr double, ptr %5, i64 %.780.09172
   store double 0xFFF0000000000000, ptr %.1767.i, align 8, !noalias !0
-  %.1822.i = getelementptr double, ptr %6, i64 %.780.09196
+  %.1822.i = getelementptr double, ptr %6, i64 %.780.09172
   store double 0x7FF0000000000000, ptr %.1822.i, align 8, !noalias !0
-  %.1877.i = getelementptr double, ptr %7, i64 %.780.09196
+  %.1877.i = getelementptr double, ptr %7, i64 %.780.09172
   %.1878.i = load double, ptr %.1877.i, align 8, !noalias !0
   %.1880.i = fcmp ueq double %.1878.i, 0xFFF0000000000000
   br i1 %.1880.i, label %B502, label %B888.i
 
 B502:                                             ; preds = %B888.i, %B458, %B580.if.i, %B416.if
-  %.1071 = load i64, ptr %309, align 8
+  %.1071 = load i64, ptr %329, align 8
   %.1072 = icmp sgt i64 %.1071, -1
   %.8871 = zext i1 %.1072 to i64
-  %.1089 = add nsw i64 %active.4.09198, %.8871
-  %.838 = icmp sgt i64 %.783.09197, 1
+  %.1089 = add nsw i64 %active.4.09174, %.8871
+  %.838 = icmp sgt i64 %.783.09173, 1
   br i1 %.838, label %B416.if, label %B556
 
 B556:                                             ; preds = %B502, %B380
@@ -286,14 +286,15 @@ B556:                                             ; preds = %B502, %B380
 
 B584.preheader:                                   ; preds = %B556
   %.1166 = getelementptr i8, ptr %arg.batch.4.2.4, i64 16
-  %factor.op.mul = mul i64 %arg.shape.1, 14
-  %factor.op.mul9331 = mul i64 %arg.shape.1, 15
+  %factor.op.mul = mul i64 %arg.shape.0, %arg.shape.6
+  %factor.op.mul9325 = mul i64 %arg.shape.1, 14
+  %factor.op.mul9326 = mul i64 %arg.shape.1, 15
   %.1262 = getelementptr i8, ptr %arg.code.4, i64 8
   %.1314 = icmp sgt i64 %arg.shape.6, 0
   %.162.i = getelementptr i8, ptr %arg.code.4, i64 40
   %.idx8870 = mul i64 %arg.batch.4.0.5.1, 24
   %19 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8870
-  %.537.i9199 = icmp slt i64 %arg.shape.6, 1
+  %.537.i9175 = icmp slt i64 %arg.shape.6, 1
   %.691.i = getelementptr i8, ptr %arg.code.4, i64 8
   %.1375.not = icmp eq i64 %arg.shape.3, 0
   %.1405 = getelementptr i8, ptr %arg.code.4, i64 16
@@ -376,18 +377,18 @@ B584.preheader:                                   ; preds = %B556
   %.199.i.i = add i64 %arg.linear.3.1, 1
   %.2178 = add i64 %arg.shape.2, -1
   %storemerge8816 = tail call i64 @llvm.smax.i64(i64 %.2178, i64 0)
-  %.22219212.not = icmp slt i64 %.2178, 1
+  %.22219188.not = icmp slt i64 %.2178, 1
   %.2366.idx = mul i64 %.463, 136
   %.2366 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.2366.idx
   %.2392 = inttoptr i64 %"$phi380.0.2.0" to ptr
   %.218614.not.i = icmp sgt i64 %arg.shape.1, 0
-  %or.cond9189.not = select i1 %.610, i1 %.218614.not.i, i1 false
+  %or.cond9165.not = select i1 %.610, i1 %.218614.not.i, i1 false
   %.326.i8909 = mul nsw i64 %arg.shape.1, 17
   %.idx.i8911 = mul i64 %arg.shape.1, 80
-  %invariant.gep9208 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.idx.i8911
+  %invariant.gep9184 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.idx.i8911
   %.395.i = mul nsw i64 %arg.shape.1, 17
   %.339.i.i = add i64 %arg.linear.3.0, 1
-  %invariant.gep9210 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.395.i
+  %invariant.gep9186 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.395.i
   %32 = add i64 %arg.linear.3.1, %arg.linear.3.0
   %.2486 = getelementptr i8, ptr %arg.code.4, i64 72
   %.2563 = icmp sgt i64 %arg.shape.3, 0
@@ -442,46 +443,44 @@ B584.preheader:                                   ; preds = %B556
   %.idx8850 = mul i64 %arg.batch.4.0.5.1, 216
   %52 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8850
   %53 = getelementptr double, ptr %arg.batch.2.4, i64 %arg.batch.2.5.0
-  %.221.i = getelementptr i8, ptr %53, i64 -8
-  %.idx2926.i = mul i64 %arg.batch.4.0.5.1, 136
-  %54 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2926.i
-  %.idx2894.i = mul i64 %arg.batch.4.0.5.1, 48
-  %55 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2894.i
-  %.287.i.i2940.not.i = icmp slt i64 %arg.shape.1, 1
-  %.358.i.i.i = shl i64 %arg.shape.1, 4
-  %.685.i.i = getelementptr i8, ptr %arg.code.4, i64 40
-  %factor.op.mul.i.reass = mul i64 %factor.op.mul, %arg.shape.0
-  %.944.i.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %factor.op.mul.i.reass
-  %.950.i.i = mul nsw i64 %arg.shape.5, %arg.shape.0
-  %.953.i.i = mul i64 %arg.shape.6, %arg.shape.0
-  %.111.i49.i2946.not.i = icmp slt i64 %.953.i.i, 1
-  %.1012.i.i = getelementptr i8, ptr %arg.code.4, i64 8
-  %factor.op.mul2958.i.reass = mul i64 %factor.op.mul9331, %arg.shape.0
-  %.1271.i.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %factor.op.mul2958.i.reass
-  %.1831.i.i = getelementptr i8, ptr %arg.tolerances.4, i64 8
-  %.idx2893.i = mul i64 %arg.batch.4.0.5.1, 136
-  %56 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2893.i
-  %.155.i.i.i.i = mul nsw i64 %arg.shape.1, 24
-  %.155.i.i.i.1.i = mul nsw i64 %arg.shape.1, 23
-  %.155.i.i.i.2.i = mul nsw i64 %arg.shape.1, 22
-  %.155.i.i.i.3.i = mul nsw i64 %arg.shape.1, 21
-  %.155.i.i.i.4.i = mul nsw i64 %arg.shape.1, 20
-  %.155.i.i.i.5.i = mul nsw i64 %arg.shape.1, 19
-  %.155.i.i.i.6.i = mul nsw i64 %arg.shape.1, 18
-  %.idx2922.i = shl i64 %arg.batch.4.1.5.1, 5
-  %57 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx2922.i
-  %storemerge2924.i = tail call i64 @llvm.smax.i64(i64 %arg.shape.6, i64 0)
-  %.idx2925.i = mul i64 %arg.batch.4.0.5.1, 104
-  %58 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2925.i
-  %.idx2917.i = mul i64 %arg.batch.4.0.5.1, 112
-  %59 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2917.i
-  %.idx2918.i = mul i64 %arg.batch.4.0.5.1, 120
-  %60 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2918.i
-  %.1254.reass.i = mul i64 %.358.i.i.i, %arg.shape.0
-  %.1274.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1254.reass.i
-  %.idx2912.i = shl i64 %arg.batch.4.1.5.1, 5
-  %61 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx2912.i
-  %storemerge2916.i = tail call i64 @llvm.smax.i64(i64 %arg.shape.6, i64 0)
+  %.230.i = getelementptr i8, ptr %53, i64 -8
+  %storemerge.i = tail call i64 @llvm.smax.i64(i64 %arg.shape.0, i64 0)
+  %.idx4690.i = mul i64 %arg.batch.4.0.5.1, 136
+  %54 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx4690.i
+  %.idx4687.i = mul i64 %arg.batch.4.0.5.1, 48
+  %55 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx4687.i
+  %.287.i7034709.not.i = icmp slt i64 %arg.shape.1, 1
+  %.358.i837.i = shl nsw i64 %arg.shape.1, 4
+  %factor.op.mul.i.reass = mul i64 %factor.op.mul, 3
+  %.174.i1053.i = mul i64 %arg.shape.6, %arg.shape.0
+  %factor.op.mul4727.i.reass = mul i64 %factor.op.mul9325, %arg.shape.0
+  %.321.i.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %factor.op.mul4727.i.reass
+  %.327.i1112.i = mul nsw i64 %arg.shape.5, %arg.shape.0
+  %.114.i.i11654715.not.i = icmp slt i64 %.174.i1053.i, 1
+  %.388.i1198.i = getelementptr i8, ptr %arg.code.4, i64 8
+  %factor.op.mul4728.i.reass = mul i64 %factor.op.mul9326, %arg.shape.0
+  %.647.i.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %factor.op.mul4728.i.reass
+  %.1216.i.i = getelementptr i8, ptr %arg.tolerances.4, i64 8
+  %.idx4686.i = mul i64 %arg.batch.4.0.5.1, 136
+  %56 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx4686.i
+  %.155.i.i874.i = mul nsw i64 %arg.shape.1, 24
+  %.155.i.i874.1.i = mul nsw i64 %arg.shape.1, 23
+  %.155.i.i874.2.i = mul nsw i64 %arg.shape.1, 22
+  %.155.i.i874.3.i = mul nsw i64 %arg.shape.1, 21
+  %.155.i.i874.4.i = mul nsw i64 %arg.shape.1, 20
+  %.155.i.i874.5.i = mul nsw i64 %arg.shape.1, 19
+  %.155.i.i874.6.i = mul nsw i64 %arg.shape.1, 18
+  %.866.i = mul i64 %.174.i1053.i, 27
+  %.1283.i = getelementptr i8, ptr %arg.code.4, i64 40
+  %.1375.idx.i = shl i64 %.463, 7
+  %.1375.i = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.1375.idx.i
+  %.1400.i = getelementptr double, ptr %arg.batch.5.4.4, i64 %.866.i
+  %.idx4675.i = mul i64 %arg.batch.4.0.5.1, 112
+  %57 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx4675.i
+  %.idx4676.i = mul i64 %arg.batch.4.0.5.1, 120
+  %58 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx4676.i
+  %storemerge4674.i = tail call i64 @llvm.smax.i64(i64 %arg.shape.6, i64 0)
+  %.155.i.i = mul nsw i64 %arg.shape.6, 28
   %.155.i.i.i = mul nsw i64 %arg.shape.1, 24
   %.155.i.i.1.i = mul nsw i64 %arg.shape.1, 23
   %.155.i.i.2.i = mul nsw i64 %arg.shape.1, 22
@@ -489,52 +488,70 @@ B584.preheader:                                   ; preds = %B556
   %.155.i.i.4.i = mul nsw i64 %arg.shape.1, 20
   %.155.i.i.5.i = mul nsw i64 %arg.shape.1, 19
   %.155.i.i.6.i = mul nsw i64 %arg.shape.1, 18
-  %.idx2900.i = mul i64 %arg.batch.4.0.5.1, 56
-  %62 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2900.i
-  %.idx2902.i = shl i64 %arg.batch.4.1.5.1, 5
-  %63 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx2902.i
-  %.idx2905.i = mul i64 %arg.batch.4.0.5.1, 112
-  %64 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2905.i
-  %.idx2909.i = mul i64 %arg.batch.4.0.5.1, 104
-  %65 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2909.i
-  %.idx2906.i = mul i64 %arg.batch.4.0.5.1, 120
-  %66 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2906.i
-  %.idx2907.i = mul i64 %arg.batch.4.0.5.1, 40
-  %67 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2907.i
-  %.idx2908.i = shl i64 %arg.batch.4.0.5.1, 5
-  %68 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx2908.i
-  %69 = getelementptr double, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1
+  %.155.i.i392.i = mul nsw i64 %arg.shape.1, 24
+  %.155.i.i392.1.i = mul nsw i64 %arg.shape.1, 23
+  %.155.i.i392.2.i = mul nsw i64 %arg.shape.1, 22
+  %.155.i.i392.3.i = mul nsw i64 %arg.shape.1, 21
+  %.155.i.i392.4.i = mul nsw i64 %arg.shape.1, 20
+  %.155.i.i392.5.i = mul nsw i64 %arg.shape.1, 19
+  %.155.i.i392.6.i = mul nsw i64 %arg.shape.1, 18
+  %.277.i1742.i = mul i64 %.463, 14
+  %.320.i1760.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %.277.i1742.i
+  %.603.i1978.i = mul i64 %.463, 15
+  %.646.i1991.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %.603.i1978.i
+  %.23224789.i = icmp sgt i64 %arg.shape.0, 0
+  %.2268.14792.i = add nsw i64 %storemerge.i, -1
+  %.idx.i8937 = mul i64 %arg.batch.4.0.5.1, 56
+  %59 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx.i8937
+  %.idx4650.i = shl i64 %arg.batch.4.1.5.1, 5
+  %60 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx4650.i
+  %.129.i37024776.not.i = icmp slt i64 %arg.shape.6, 1
+  %.454.i.i.i = mul i64 %factor.op.mul, 6
+  %.155.i4146.i = mul nsw i64 %arg.shape.6, 25
+  %.idx4656.i = mul i64 %arg.batch.4.0.5.1, 104
+  %61 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx4656.i
+  %.idx4657.i = mul i64 %arg.batch.4.0.5.1, 40
+  %62 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx4657.i
+  %.idx4658.i = shl i64 %arg.batch.4.0.5.1, 5
+  %63 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx4658.i
+  %64 = getelementptr double, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1
+  %.456.i.i.2.i = mul i64 %factor.op.mul, 12
+  %.456.i.i.3.i = mul i64 %factor.op.mul, 18
+  %.456.i.i.4.i = mul i64 %factor.op.mul, 24
+  %.190.i.i3889.1.i = mul i64 %factor.op.mul, 9
+  %.190.i.i3889.2.i = mul i64 %factor.op.mul, 15
+  %.190.i.i3889.3.i = mul i64 %factor.op.mul, 21
   %.4946.not = icmp eq i64 %arg.shape.3, 0
   %.idx630.i = shl i64 %arg.shape.0, 4
-  %invariant.gep9273 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx630.i
+  %invariant.gep9267 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx630.i
   %.idx631.i = mul i64 %arg.shape.0, 40
-  %invariant.gep9275 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx631.i
+  %invariant.gep9269 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx631.i
   %.idx632.i = shl i64 %arg.shape.0, 6
-  %invariant.gep9277 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx632.i
+  %invariant.gep9271 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx632.i
   %.idx633.i = mul i64 %arg.shape.0, 88
-  %invariant.gep9279 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx633.i
+  %invariant.gep9273 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx633.i
   %.idx634.i = mul i64 %arg.shape.0, 112
-  %invariant.gep9281 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx634.i
+  %invariant.gep9275 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx634.i
   %.idx635.i = mul i64 %arg.shape.0, 136
-  %invariant.gep9283 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx635.i
+  %invariant.gep9277 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx635.i
   %.idx636.i = mul i64 %arg.shape.0, 160
-  %invariant.gep9285 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx636.i
+  %invariant.gep9279 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx636.i
   %.idx637.i = mul i64 %arg.shape.0, 184
-  %invariant.gep9287 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx637.i
+  %invariant.gep9281 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx637.i
   %.idx638.i = mul i64 %arg.shape.0, 208
-  %invariant.gep9289 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx638.i
-  %70 = getelementptr double, ptr %arg.batch.2.4, i64 %arg.batch.2.5.0
-  %.226.i.i = getelementptr i8, ptr %70, i64 -8
-  %.296.i.i8947 = icmp sgt i64 %arg.shape.2, 4
-  %..i.i = select i1 %.296.i.i8947, i64 0, i64 8
+  %invariant.gep9283 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx638.i
+  %65 = getelementptr double, ptr %arg.batch.2.4, i64 %arg.batch.2.5.0
+  %.226.i.i = getelementptr i8, ptr %65, i64 -8
+  %.296.i.i8946 = icmp sgt i64 %arg.shape.2, 4
+  %..i.i = select i1 %.296.i.i8946, i64 0, i64 8
   %.354.i.i = sub nsw i64 9, %..i.i
   %.5201291.not.i.i = icmp slt i64 %arg.shape.0, 1
   %.idx1277.i.i = mul i64 %arg.batch.4.0.5.1, 48
-  %71 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1277.i.i
+  %66 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1277.i.i
   %.287.i1288.not.i.i = icmp slt i64 %arg.shape.1, 1
-  %.358.i.i.i8948 = shl nsw i64 %arg.shape.1, 4
+  %.358.i.i.i = shl nsw i64 %arg.shape.1, 4
   %.706.i.i = getelementptr i8, ptr %arg.code.4, i64 16
-  %.155.i.i.i.i8949 = mul nsw i64 %arg.shape.1, 24
+  %.155.i.i.i.i = mul nsw i64 %arg.shape.1, 24
   %.155.i.i.1.i.i = mul nsw i64 %arg.shape.1, 23
   %.155.i.i.2.i.i = mul nsw i64 %arg.shape.1, 22
   %.155.i.i.3.i.i = mul nsw i64 %arg.shape.1, 21
@@ -543,46 +560,46 @@ B584.preheader:                                   ; preds = %B556
   %.155.i.i.6.i.i = mul nsw i64 %arg.shape.1, 18
   %.880.11299.i.i = add nsw i64 %arg.shape.0, -1
   %.idx.i.i = mul i64 %arg.batch.4.0.5.1, 56
-  %72 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx.i.i
+  %67 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx.i.i
   %.idx1267.i.i = shl i64 %arg.batch.4.1.5.1, 5
-  %73 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx1267.i.i
+  %68 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx1267.i.i
   %.idx1269.i.i = mul i64 %arg.batch.4.0.5.1, 40
-  %74 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1269.i.i
-  %.1281.i.i = select i1 %.296.i.i8947, i64 0, i64 7
+  %69 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1269.i.i
+  %.1281.i.i = select i1 %.296.i.i8946, i64 0, i64 7
   %.idx1270.i.i = mul i64 %arg.batch.4.0.5.1, 112
-  %75 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1270.i.i
+  %70 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1270.i.i
   %.idx1271.i.i = mul i64 %arg.batch.4.0.5.1, 120
-  %76 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1271.i.i
+  %71 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1271.i.i
   %.30.i.i.i = mul nsw i64 %arg.shape.0, 3
-  %.598.i.i.i = mul i64 %arg.shape.0, 6
-  %.600.2.i.i.i = mul i64 %arg.shape.0, 12
-  %.600.3.i.i.i = mul i64 %arg.shape.0, 18
-  %.600.4.i.i.i = mul i64 %arg.shape.0, 24
-  %.334.1.i.i.i = mul nsw i64 %arg.shape.0, 9
-  %.334.2.i.i.i = mul nsw i64 %arg.shape.0, 15
-  %.334.3.i.i.i = mul nsw i64 %arg.shape.0, 21
+  %.454.i.i.i.i = mul i64 %arg.shape.0, 6
+  %.456.i.2.i.i.i = mul i64 %arg.shape.0, 12
+  %.456.i.3.i.i.i = mul i64 %arg.shape.0, 18
+  %.456.i.4.i.i.i = mul i64 %arg.shape.0, 24
+  %.190.i.1.i.i.i = mul nsw i64 %arg.shape.0, 9
+  %.190.i.2.i.i.i = mul nsw i64 %arg.shape.0, 15
+  %.190.i.3.i.i.i = mul nsw i64 %arg.shape.0, 21
   %.idx1274.i.i = shl i64 %arg.batch.4.0.5.1, 5
-  %77 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1274.i.i
-  %78 = getelementptr double, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1
-  %.idx.i8952 = shl i64 %arg.batch.4.1.5.1, 5
-  %79 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx.i8952
+  %72 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1274.i.i
+  %73 = getelementptr double, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1
+  %.idx.i8949 = shl i64 %arg.batch.4.1.5.1, 5
+  %74 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx.i8949
   %.idx600.i = mul i64 %arg.batch.4.0.5.1, 40
-  %80 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx600.i
+  %75 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx600.i
   %factor.op.mul652.i = mul i64 %arg.batch.3.0.5.2, %arg.batch.3.0.5.1
-  %.idx.i9006 = shl i64 %arg.batch.4.1.5.1, 4
-  %81 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx.i9006
+  %.idx.i8979 = shl i64 %arg.batch.4.1.5.1, 4
+  %76 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx.i8979
   %.idx640.i = mul i64 %arg.batch.4.0.5.1, 40
-  %82 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx640.i
+  %77 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx640.i
   %.idx641.i = mul i64 %arg.batch.4.0.5.1, 48
-  %83 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx641.i
+  %78 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx641.i
   %.idx642.i = mul i64 %arg.batch.4.0.5.1, 56
-  %84 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx642.i
+  %79 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx642.i
   %.924649.not.i = icmp slt i64 %arg.shape.1, 1
   %.idx644.i = mul i64 %arg.batch.4.0.5.1, 216
-  %85 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx644.i
-  %.1000.i9007 = mul nsw i64 %arg.shape.1, 17
-  %86 = add i64 %arg.batch.2.5.0, -1
-  %.155.i.i = mul nsw i64 %arg.shape.1, 24
+  %80 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx644.i
+  %.1000.i8980 = mul nsw i64 %arg.shape.1, 17
+  %81 = add i64 %arg.batch.2.5.0, -1
+  %.155.i.i8988 = mul nsw i64 %arg.shape.1, 24
   %.155.i.1.i = mul nsw i64 %arg.shape.1, 23
   %.155.i.2.i = mul nsw i64 %arg.shape.1, 22
   %.155.i.3.i = mul nsw i64 %arg.shape.1, 21
@@ -594,112 +611,112 @@ B584.preheader:                                   ; preds = %B556
   %.5210 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.5210.idx
   %.5242 = getelementptr i8, ptr %arg.code.4, i64 104
   %.idx8837 = mul i64 %arg.batch.4.0.5.1, 104
-  %87 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8837
+  %82 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8837
   %.idx8838 = mul i64 %arg.batch.4.0.5.1, 40
-  %88 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8838
+  %83 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8838
   %.idx8839 = shl i64 %arg.batch.4.0.5.1, 7
-  %89 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8839
-  %.552.i35739309.not = icmp slt i64 %arg.shape.1, 1
+  %84 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8839
+  %.552.i35739303.not = icmp slt i64 %arg.shape.1, 1
   %.697.i3610 = getelementptr i8, ptr %arg.tolerances.4, i64 8
-  %90 = getelementptr double, ptr %arg.batch.2.4, i64 %arg.batch.2.5.0
-  %.742.i3640 = getelementptr i8, ptr %90, i64 -8
+  %85 = getelementptr double, ptr %arg.batch.2.4, i64 %arg.batch.2.5.0
+  %.742.i3640 = getelementptr i8, ptr %85, i64 -8
   %.idx8841 = mul i64 %arg.batch.4.1.5.1, 24
-  %91 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx8841
+  %86 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx8841
   %.idx8842 = mul i64 %arg.batch.4.1.5.1, 24
-  %92 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx8842
+  %87 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx8842
   %.idx8843 = mul i64 %arg.batch.4.0.5.1, 24
-  %93 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8843
+  %88 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8843
   %.5358.not = icmp ne i64 %arg.shape.4, 0
-  %storemerge.i = tail call i64 @llvm.smax.i64(i64 %arg.shape.0, i64 0)
+  %storemerge.i8996 = tail call i64 @llvm.smax.i64(i64 %arg.shape.0, i64 0)
   %.idx1632.i = mul i64 %arg.batch.4.0.5.1, 40
-  %94 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1632.i
+  %89 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1632.i
   %.idx1633.i = shl i64 %arg.batch.4.0.5.1, 4
-  %95 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1633.i
-  %96 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.1
+  %90 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1633.i
+  %91 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.1
   %.175.i3061635.not.i = icmp slt i64 %arg.batch.1.1.5.0, 1
   %.636.i = getelementptr i8, ptr %arg.code.4, i64 8
   %.779.i = getelementptr i8, ptr %arg.code.4, i64 32
   %.850.i = mul nsw i64 %arg.shape.1, 17
   %.852.i = mul nsw i64 %.850.i, %arg.shape.0
-  %.895.i9022 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.852.i
+  %.895.i8998 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.852.i
   %.900.not.i = icmp eq i64 %arg.shape.3, 0
-  %.930.i9023 = getelementptr i8, ptr %arg.code.4, i64 16
+  %.930.i8999 = getelementptr i8, ptr %arg.code.4, i64 16
   %.idx1630.i = shl i64 %arg.batch.4.1.5.1, 4
-  %97 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx1630.i
+  %92 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx1630.i
   %.15441642.not.i = icmp slt i64 %arg.shape.1, 1
   %.1739.i = mul i64 %arg.batch.3.0.5.2, %arg.batch.3.0.5.1
   %.idx8826 = mul i64 %arg.batch.4.0.5.1, 40
-  %98 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8826
+  %93 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8826
   %.idx8827 = shl i64 %arg.batch.4.0.5.1, 4
-  %99 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8827
-  %100 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.1
+  %94 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8827
+  %95 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.1
   %.idx8828 = mul i64 %arg.batch.4.0.5.1, 24
-  %101 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8828
-  %.175.i.i49699321.not = icmp slt i64 %arg.batch.1.1.5.0, 1
+  %96 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8828
+  %.175.i.i49699315.not = icmp slt i64 %arg.batch.1.1.5.0, 1
   %.idx8831 = shl i64 %arg.batch.4.1.5.1, 4
-  %102 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx8831
-  %.idx.i9037 = mul i64 %arg.batch.4.0.5.1, 24
-  %103 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx.i9037
-  %.323.i9039 = getelementptr i8, ptr %arg.batch.4.2.4, i64 8
-  %104 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.1
-  %.idx1124.i9059 = mul i64 %arg.batch.4.1.5.1, 24
-  %105 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx1124.i9059
-  %.8051131.not.i9061 = icmp slt i64 %arg.batch.0.1.5.1, 1
-  %.175.i1134.not.i9077 = icmp slt i64 %arg.batch.1.1.5.0, 1
-  %.11171137.not.i9096 = icmp slt i64 %arg.shape.1, 1
-  %gep.2.idx.i9114 = shl i64 %arg.batch.4.0.5.1, 4
-  %gep.4.idx.i9118 = shl i64 %arg.batch.4.0.5.1, 5
-  %gep.6.idx.i9122 = mul i64 %arg.batch.4.0.5.1, 48
-  %gep.7.idx.i9124 = mul i64 %arg.batch.4.0.5.1, 56
-  %gep.9.idx.i9128 = mul i64 %arg.batch.4.0.5.1, 72
-  %gep.10.idx.i9130 = mul i64 %arg.batch.4.0.5.1, 80
-  %gep.11.idx.i9132 = mul i64 %arg.batch.4.0.5.1, 88
-  %gep.12.idx.i9134 = mul i64 %arg.batch.4.0.5.1, 96
-  %gep.13.idx.i9136 = mul i64 %arg.batch.4.0.5.1, 104
-  %gep.14.idx.i9138 = mul i64 %arg.batch.4.0.5.1, 112
-  %gep.15.idx.i9140 = mul i64 %arg.batch.4.0.5.1, 120
-  %gep.16.idx.i9142 = shl i64 %arg.batch.4.0.5.1, 7
-  %gep.17.idx.i9144 = mul i64 %arg.batch.4.0.5.1, 136
-  %gep.18.idx.i9146 = mul i64 %arg.batch.4.0.5.1, 144
-  %gep.19.idx.i9148 = mul i64 %arg.batch.4.0.5.1, 152
-  %gep.20.idx.i9150 = mul i64 %arg.batch.4.0.5.1, 160
-  %gep.21.idx.i9152 = mul i64 %arg.batch.4.0.5.1, 168
-  %gep.22.idx.i9154 = mul i64 %arg.batch.4.0.5.1, 176
-  %gep.23.idx.i9156 = mul i64 %arg.batch.4.0.5.1, 184
-  %gep.24.idx.i9158 = mul i64 %arg.batch.4.0.5.1, 192
-  %gep.25.idx.i9160 = mul i64 %arg.batch.4.0.5.1, 200
-  %gep.26.idx.i9162 = mul i64 %arg.batch.4.0.5.1, 208
-  %gep.27.idx.i9164 = mul i64 %arg.batch.4.0.5.1, 216
-  %106 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.2.idx.i9114
-  %107 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.16.idx.i9142
-  %108 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.27.idx.i9164
-  %.idx1130.i9179 = mul i64 %arg.batch.4.0.5.1, 224
-  %109 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1130.i9179
+  %97 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx8831
+  %.idx.i9013 = mul i64 %arg.batch.4.0.5.1, 24
+  %98 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx.i9013
+  %.323.i9015 = getelementptr i8, ptr %arg.batch.4.2.4, i64 8
+  %99 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.1
+  %.idx1124.i9035 = mul i64 %arg.batch.4.1.5.1, 24
+  %100 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx1124.i9035
+  %.8051131.not.i9037 = icmp slt i64 %arg.batch.0.1.5.1, 1
+  %.175.i1134.not.i9053 = icmp slt i64 %arg.batch.1.1.5.0, 1
+  %.11171137.not.i9072 = icmp slt i64 %arg.shape.1, 1
+  %gep.2.idx.i9090 = shl i64 %arg.batch.4.0.5.1, 4
+  %gep.4.idx.i9094 = shl i64 %arg.batch.4.0.5.1, 5
+  %gep.6.idx.i9098 = mul i64 %arg.batch.4.0.5.1, 48
+  %gep.7.idx.i9100 = mul i64 %arg.batch.4.0.5.1, 56
+  %gep.9.idx.i9104 = mul i64 %arg.batch.4.0.5.1, 72
+  %gep.10.idx.i9106 = mul i64 %arg.batch.4.0.5.1, 80
+  %gep.11.idx.i9108 = mul i64 %arg.batch.4.0.5.1, 88
+  %gep.12.idx.i9110 = mul i64 %arg.batch.4.0.5.1, 96
+  %gep.13.idx.i9112 = mul i64 %arg.batch.4.0.5.1, 104
+  %gep.14.idx.i9114 = mul i64 %arg.batch.4.0.5.1, 112
+  %gep.15.idx.i9116 = mul i64 %arg.batch.4.0.5.1, 120
+  %gep.16.idx.i9118 = shl i64 %arg.batch.4.0.5.1, 7
+  %gep.17.idx.i9120 = mul i64 %arg.batch.4.0.5.1, 136
+  %gep.18.idx.i9122 = mul i64 %arg.batch.4.0.5.1, 144
+  %gep.19.idx.i9124 = mul i64 %arg.batch.4.0.5.1, 152
+  %gep.20.idx.i9126 = mul i64 %arg.batch.4.0.5.1, 160
+  %gep.21.idx.i9128 = mul i64 %arg.batch.4.0.5.1, 168
+  %gep.22.idx.i9130 = mul i64 %arg.batch.4.0.5.1, 176
+  %gep.23.idx.i9132 = mul i64 %arg.batch.4.0.5.1, 184
+  %gep.24.idx.i9134 = mul i64 %arg.batch.4.0.5.1, 192
+  %gep.25.idx.i9136 = mul i64 %arg.batch.4.0.5.1, 200
+  %gep.26.idx.i9138 = mul i64 %arg.batch.4.0.5.1, 208
+  %gep.27.idx.i9140 = mul i64 %arg.batch.4.0.5.1, 216
+  %101 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.2.idx.i9090
+  %102 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.16.idx.i9118
+  %103 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.27.idx.i9140
+  %.idx1130.i9155 = mul i64 %arg.batch.4.0.5.1, 224
+  %104 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1130.i9155
   %.idx8830 = mul i64 %arg.batch.4.0.5.1, 224
-  %110 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8830
+  %105 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8830
   %.6426 = tail call i64 @llvm.smin.i64(i64 %arg.batch.2.5.0, i64 0)
-  %111 = getelementptr double, ptr %arg.batch.2.4, i64 %arg.batch.2.5.0
-  %112 = getelementptr i8, ptr %111, i64 -8
-  %.6440 = getelementptr double, ptr %112, i64 %.6426
-  %113 = getelementptr double, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1
+  %106 = getelementptr double, ptr %arg.batch.2.4, i64 %arg.batch.2.5.0
+  %107 = getelementptr i8, ptr %106, i64 -8
+  %.6440 = getelementptr double, ptr %107, i64 %.6426
+  %108 = getelementptr double, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1
   %.idx8832 = mul i64 %arg.batch.4.0.5.1, 224
-  %114 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8832
+  %109 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8832
   %.idx8833 = mul i64 %arg.batch.4.0.5.1, 168
-  %115 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8833
+  %110 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8833
   %.idx8834 = shl i64 %arg.batch.4.1.5.1, 4
-  %116 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx8834
+  %111 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx8834
   %.idx8835 = shl i64 %arg.batch.4.0.5.1, 4
-  %117 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8835
+  %112 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8835
   %.idx8836 = mul i64 %arg.batch.4.0.5.1, 160
-  %118 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8836
-  %119 = shl i64 %arg.shape.0, 3
-  %120 = getelementptr i8, ptr %arg.code.4, i64 232
+  %113 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8836
+  %114 = shl i64 %arg.shape.0, 3
+  %115 = getelementptr i8, ptr %arg.code.4, i64 232
   %.4543.idx = mul i64 %.463, 112
   %.4543 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.4543.idx
-  %121 = getelementptr i8, ptr %arg.code.4, i64 240
+  %116 = getelementptr i8, ptr %arg.code.4, i64 240
   %.4543.1.idx = mul i64 %.463, 120
   %.4543.1 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.4543.1.idx
-  %122 = getelementptr i8, ptr %arg.code.4, i64 248
+  %117 = getelementptr i8, ptr %arg.code.4, i64 248
   %.4543.2.idx = shl i64 %.463, 7
   %.4543.2 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.4543.2.idx
   br label %B584
@@ -734,7 +751,7 @@ B748:                                             ; preds = %B736
   br i1 %.794, label %B326.i, label %B194.if.i
 
 B324.i:                                           ; preds = %B266.if.i, %B194.if.i
-  %.359.i = icmp sgt i64 %.304.i.09204, 1
+  %.359.i = icmp sgt i64 %.304.i.09180, 1
   br i1 %.359.i, label %B194.if.i, label %B326.i
 
 B326.i:                                           ; preds = %B324.i, %B748
@@ -744,33 +761,33 @@ B326.i:                                           ; preds = %B324.i, %B748
   br label %B784
 
 B194.if.i:                                        ; preds = %B748, %B324.i
-  %.304.i.09204 = phi i64 [ %.368.i, %B324.i ], [ %storemerge, %B748 ]
-  %.301.i.09203 = phi i64 [ %.372.i, %B324.i ], [ 0, %B748 ]
-  %.368.i = add nsw i64 %.304.i.09204, -1
-  %.372.i = add nsw i64 %.301.i.09203, 1
-  %123 = getelementptr double, ptr %19, i64 %.301.i.09203
-  %.454.i = load double, ptr %123, align 8, !noalias !7
+  %.304.i.09180 = phi i64 [ %.368.i, %B324.i ], [ %storemerge, %B748 ]
+  %.301.i.09179 = phi i64 [ %.372.i, %B324.i ], [ 0, %B748 ]
+  %.368.i = add nsw i64 %.304.i.09180, -1
+  %.372.i = add nsw i64 %.301.i.09179, 1
+  %118 = getelementptr double, ptr %19, i64 %.301.i.09179
+  %.454.i = load double, ptr %118, align 8, !noalias !7
   %.455.i = fcmp ule double %.454.i, 5.000000e-01
-  %brmerge9335 = select i1 %.455.i, i1 true, i1 %.537.i9199
-  br i1 %brmerge9335, label %B324.i, label %B266.if.i.preheader
+  %brmerge9330 = select i1 %.455.i, i1 true, i1 %.537.i9175
+  br i1 %brmerge9330, label %B324.i, label %B266.if.i.preheader
 
 B266.if.i.preheader:                              ; preds = %B194.if.i
-  %invariant.gep9394 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.301.i.09203
+  %invariant.gep9389 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.301.i.09179
   br label %B266.if.i
 
 B266.if.i:                                        ; preds = %B266.if.i.preheader, %B266.if.i
-  %.481.i.09200 = phi i64 [ %.550.i, %B266.if.i ], [ 0, %B266.if.i.preheader ]
-  %.550.i = add nsw i64 %.481.i.09200, 1
-  %.576.i = mul nsw i64 %.481.i.09200, %arg.shape.0
-  %gep9395 = getelementptr double, ptr %invariant.gep9394, i64 %.576.i
-  %.608.i = load double, ptr %gep9395, align 8, !noalias !7
-  %.610.i = add nsw i64 %.481.i.09200, %arg.shape.5
+  %.481.i.09176 = phi i64 [ %.550.i, %B266.if.i ], [ 0, %B266.if.i.preheader ]
+  %.550.i = add nsw i64 %.481.i.09176, 1
+  %.576.i = mul nsw i64 %.481.i.09176, %arg.shape.0
+  %gep9390 = getelementptr double, ptr %invariant.gep9389, i64 %.576.i
+  %.608.i = load double, ptr %gep9390, align 8, !noalias !7
+  %.610.i = add nsw i64 %.481.i.09176, %arg.shape.5
   %.612.i = mul nsw i64 %.610.i, %arg.shape.0
-  %.614.i = add nsw i64 %.612.i, %.301.i.09203
+  %.614.i = add nsw i64 %.612.i, %.301.i.09179
   %.628.i = icmp slt i64 %.614.i, 0
   %.629.i = select i1 %.628.i, i64 %arg.batch.5.1.5.0, i64 0
-  %124 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.614.i
-  %.643.i = getelementptr double, ptr %124, i64 %.629.i
+  %119 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.614.i
+  %.643.i = getelementptr double, ptr %119, i64 %.629.i
   store double %.608.i, ptr %.643.i, align 8, !noalias !7
   %exitcond.not = icmp eq i64 %.550.i, %arg.shape.6
   br i1 %exitcond.not, label %B324.i, label %B266.if.i
@@ -810,18 +827,18 @@ B1260:                                            ; preds = %B860, %B856
 
 B108.i:                                           ; preds = %B64.if.i
   store double 0.000000e+00, ptr %.314.i134, align 8, !noalias !11
-  %.432.i191 = getelementptr double, ptr %21, i64 %.161.i.09206
+  %.432.i191 = getelementptr double, ptr %21, i64 %.161.i.09182
   store double 0.000000e+00, ptr %.432.i191, align 8, !noalias !11
-  %.487.i = getelementptr double, ptr %22, i64 %.161.i.09206
+  %.487.i = getelementptr double, ptr %22, i64 %.161.i.09182
   store double 0.000000e+00, ptr %.487.i, align 8, !noalias !11
-  %.542.i244 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i.09206
+  %.542.i244 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i.09182
   %.543.i245 = load i64, ptr %.542.i244, align 8, !noalias !11
   %.570.i = icmp slt i64 %.543.i245, 0
   %.571.i = select i1 %.570.i, i64 %arg.batch.3.3.5.0, i64 0
   %.572.i257 = add i64 %.571.i, %.543.i245
   %.592.i271 = mul i64 %.572.i257, %arg.batch.3.3.5.1
-  %125 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.592.i271
-  %.596.i = getelementptr i8, ptr %125, i64 8
+  %120 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.592.i271
+  %.596.i = getelementptr i8, ptr %120, i64 8
   %.597.i275 = load i64, ptr %.596.i, align 8, !noalias !11
   %.620.i282 = add nsw i64 %.597.i275, %.8872
   store i64 %.620.i282, ptr %.596.i, align 8, !noalias !11
@@ -830,19 +847,19 @@ B108.i:                                           ; preds = %B64.if.i
   %.764.i = select i1 %.763.i354, i64 %arg.batch.3.3.5.0, i64 0
   %.765.i355 = add i64 %.764.i, %.736.i
   %.785.i = mul i64 %.765.i355, %arg.batch.3.3.5.1
-  %126 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.785.i
-  %.789.i369 = getelementptr i8, ptr %126, i64 16
+  %121 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.785.i
+  %.789.i369 = getelementptr i8, ptr %121, i64 16
   %.790.i = load i64, ptr %.789.i369, align 8, !noalias !11
   %.813.i = add nsw i64 %.790.i, %"$phi364.4.2.i.2"
   store i64 %.813.i, ptr %.789.i369, align 8, !noalias !11
-  %.928.i = getelementptr double, ptr %23, i64 %.161.i.09206
+  %.928.i = getelementptr double, ptr %23, i64 %.161.i.09182
   %.929.i = load double, ptr %.928.i, align 8, !noalias !11
   %.930.i = fcmp une double %.929.i, 0.000000e+00
   br i1 %.930.i, label %B414.i, label %B460.i
 
 B414.i:                                           ; preds = %B108.i
-  %127 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i.09206
-  %.84.i.i = load i64, ptr %127, align 8, !noalias !15
+  %122 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i.09182
+  %.84.i.i = load i64, ptr %122, align 8, !noalias !15
   %.89.i.i = icmp sgt i64 %.84.i.i, -1
   br i1 %.89.i.i, label %B46.i.i, label %B460.i
 
@@ -860,14 +877,14 @@ B460.i:                                           ; preds = %B80.i.i, %B414.i, %
   br i1 %.1375.not, label %B596.i, label %B464.i
 
 B464.i:                                           ; preds = %B460.i
-  %128 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.161.i.09206
-  %.1000.i = load double, ptr %128, align 8, !noalias !11
+  %123 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.161.i.09182
+  %.1000.i = load double, ptr %123, align 8, !noalias !11
   %.1002.i = fcmp olt double %.1000.i, -1.000000e-09
   br i1 %.1002.i, label %B500.i, label %B596.i
 
 B500.i:                                           ; preds = %B464.i
-  %129 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i.09206
-  %.84.i63.i = load i64, ptr %129, align 8, !noalias !18
+  %124 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i.09182
+  %.84.i63.i = load i64, ptr %124, align 8, !noalias !18
   %.89.i66.i = icmp sgt i64 %.84.i63.i, -1
   br i1 %.89.i66.i, label %B46.i71.i, label %_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29.exit.i
 
@@ -882,18 +899,18 @@ B80.i98.i:                                        ; preds = %B46.i71.i
   br label %_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29.exit.i
 
 _ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29.exit.i: ; preds = %B46.i71.i, %B500.i, %B80.i98.i
-  %.1091.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.161.i.09206
+  %.1091.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.161.i.09182
   %.1092.i = load double, ptr %.1091.i, align 8, !noalias !11
-  %.1146.i = getelementptr double, ptr %24, i64 %.161.i.09206
+  %.1146.i = getelementptr double, ptr %24, i64 %.161.i.09182
   store double %.1092.i, ptr %.1146.i, align 8, !noalias !11
   br label %B596.i
 
 B596.i:                                           ; preds = %_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29.exit.i, %B464.i, %B460.i
-  %.111.i183.i = getelementptr i64, ptr %25, i64 %.161.i.09206
+  %.111.i183.i = getelementptr i64, ptr %25, i64 %.161.i.09182
   %.112.i.i = load i64, ptr %.111.i183.i, align 8, !noalias !21
-  %.169.i.i = getelementptr double, ptr %26, i64 %.161.i.09206
+  %.169.i.i = getelementptr double, ptr %26, i64 %.161.i.09182
   %.170.i.i = load double, ptr %.169.i.i, align 8, !noalias !21
-  %.224.i.i = getelementptr double, ptr %27, i64 %.161.i.09206
+  %.224.i.i = getelementptr double, ptr %27, i64 %.161.i.09182
   store double %.170.i.i, ptr %.224.i.i, align 8, !noalias !21
   %.237.i.i = icmp slt i64 %.112.i.i, %arg.batch.2.5.0
   br i1 %.237.i.i, label %B134.i.i, label %B630.i
@@ -901,8 +918,8 @@ B596.i:                                           ; preds = %_ZN12clpt_control6n
 B134.i.i:                                         ; preds = %B596.i
   %.253.i.i = icmp slt i64 %.112.i.i, 0
   %.254.i.i = select i1 %.253.i.i, i64 %arg.batch.2.5.0, i64 0
-  %130 = getelementptr double, ptr %arg.batch.2.4, i64 %.112.i.i
-  %.268.i.i = getelementptr double, ptr %130, i64 %.254.i.i
+  %125 = getelementptr double, ptr %arg.batch.2.4, i64 %.112.i.i
+  %.268.i.i = getelementptr double, ptr %125, i64 %.254.i.i
   %.269.i.i = load double, ptr %.268.i.i, align 8, !noalias !21
   %.328.i.i = load double, ptr %.169.i.i, align 8, !noalias !21
   %.10.i.i.i = fcmp olt double %.328.i.i, %.269.i.i
@@ -911,15 +928,15 @@ B134.i.i:                                         ; preds = %B596.i
   br label %B630.i
 
 B630.i:                                           ; preds = %B134.i.i, %B596.i, %B64.if.i
-  %.220.i = icmp sgt i64 %.164.i70.09207, 1
+  %.220.i = icmp sgt i64 %.164.i70.09183, 1
   br i1 %.220.i, label %B64.if.i, label %B1302
 
 B64.if.i:                                         ; preds = %B1260, %B630.i
-  %.164.i70.09207 = phi i64 [ %.229.i381, %B630.i ], [ %storemerge, %B1260 ]
-  %.161.i.09206 = phi i64 [ %.233.i384, %B630.i ], [ 0, %B1260 ]
-  %.229.i381 = add nsw i64 %.164.i70.09207, -1
-  %.233.i384 = add nsw i64 %.161.i.09206, 1
-  %.314.i134 = getelementptr double, ptr %20, i64 %.161.i.09206
+  %.164.i70.09183 = phi i64 [ %.229.i381, %B630.i ], [ %storemerge, %B1260 ]
+  %.161.i.09182 = phi i64 [ %.233.i384, %B630.i ], [ 0, %B1260 ]
+  %.229.i381 = add nsw i64 %.164.i70.09183, -1
+  %.233.i384 = add nsw i64 %.161.i.09182, 1
+  %.314.i134 = getelementptr double, ptr %20, i64 %.161.i.09182
   %.315.i135 = load double, ptr %.314.i134, align 8, !noalias !11
   %.316.i136 = fcmp ogt double %.315.i135, 5.000000e-01
   br i1 %.316.i136, label %B108.i, label %B630.i
@@ -974,13 +991,13 @@ B352.i.i:                                         ; preds = %B286.if.i.i, %B250.
   tail call void %.959.i.i(ptr %arg.batch.4.0.4, ptr %.933.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.958.i.i), !noalias !28
   %.975.i.i = icmp slt i64 %.537.i.sroa.0.02147.i, 0
   %.976.i.i = select i1 %.975.i.i, i64 %arg.linear.6.5.0, i64 0
-  %131 = getelementptr i64, ptr %arg.linear.6.4, i64 %.537.i.sroa.0.02147.i
-  %.990.i.i = getelementptr i64, ptr %131, i64 %.976.i.i
+  %126 = getelementptr i64, ptr %arg.linear.6.4, i64 %.537.i.sroa.0.02147.i
+  %.990.i.i = getelementptr i64, ptr %126, i64 %.976.i.i
   %.991.i.i = load i64, ptr %.990.i.i, align 8, !noalias !28
   %.1007.i.i = icmp slt i64 %.537.i.sroa.0.02147.i, -1
   %.1008.i.i = select i1 %.1007.i.i, i64 %arg.linear.6.5.0, i64 0
-  %132 = getelementptr i8, ptr %131, i64 8
-  %.1022.i.i = getelementptr i64, ptr %132, i64 %.1008.i.i
+  %127 = getelementptr i8, ptr %126, i64 8
+  %.1022.i.i = getelementptr i64, ptr %127, i64 %.1008.i.i
   %.1023.i.i = load i64, ptr %.1022.i.i, align 8, !noalias !28
   %.1060.i.i = sub i64 %.1023.i.i, %.991.i.i
   %.1106.i2123.not.i = icmp slt i64 %.1060.i.i, 1
@@ -989,14 +1006,14 @@ B352.i.i:                                         ; preds = %B286.if.i.i, %B250.
 B544.i.i:                                         ; preds = %B536.if.i.i
   %.1173.i.i = icmp slt i64 %.1047.i.02124.i, 0
   %.1174.i.i = select i1 %.1173.i.i, i64 %arg.linear.7.5.0, i64 0
-  %133 = getelementptr i64, ptr %arg.linear.7.4, i64 %.1047.i.02124.i
-  %.1188.i.i = getelementptr i64, ptr %133, i64 %.1174.i.i
+  %128 = getelementptr i64, ptr %arg.linear.7.4, i64 %.1047.i.02124.i
+  %.1188.i.i = getelementptr i64, ptr %128, i64 %.1174.i.i
   %.1189.i.i = load i64, ptr %.1188.i.i, align 8, !noalias !28
   %.1190.i.i = add nsw i64 %.1189.i.i, %.915.i.i
   %.1204.i.i = icmp slt i64 %.1190.i.i, 0
   %.1205.i.i = select i1 %.1204.i.i, i64 %arg.batch.5.0.5.0, i64 0
-  %134 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1190.i.i
-  %.1219.i.i = getelementptr double, ptr %134, i64 %.1205.i.i
+  %129 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1190.i.i
+  %.1219.i.i = getelementptr double, ptr %129, i64 %.1205.i.i
   %.1220.i.i = load double, ptr %.1219.i.i, align 8, !noalias !28
   %.1287.i.i = fsub double %.1220.i.i, %.1220.i.i
   %.1288.i.i = fcmp oeq double %.1287.i.i, 0.000000e+00
@@ -1045,14 +1062,14 @@ B524.i.i.i:                                       ; preds = %B428.if.i.i.i
 B428.if.i.i.1.i:                                  ; preds = %B428.if.i.i.1.i, %B524.i.i.i
   %.783.i.i.02131.1.i = phi i64 [ %.852.i.i.1.i, %B428.if.i.i.1.i ], [ 0, %B524.i.i.i ]
   %.852.i.i.1.i = add nsw i64 %.783.i.i.02131.1.i, 1
-  %135 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.783.i.i.02131.1.i
-  %.906.i.i.1.i = load double, ptr %135, align 8, !noalias !32
-  %136 = getelementptr double, ptr %135, i64 %.597.i.i.i
-  %.939.i.i.1.i = load double, ptr %136, align 8, !noalias !32
+  %130 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.783.i.i.02131.1.i
+  %.906.i.i.1.i = load double, ptr %130, align 8, !noalias !32
+  %131 = getelementptr double, ptr %130, i64 %.597.i.i.i
+  %.939.i.i.1.i = load double, ptr %131, align 8, !noalias !32
   %.941.i.i.1.i = fmul double %.939.i.i.1.i, 5.000000e-01
-  %137 = fsub double %.906.i.i.1.i, %.941.i.i.1.i
-  %138 = getelementptr double, ptr %135, i64 %.944.i.i.i
-  store double %137, ptr %138, align 8, !noalias !32
+  %132 = fsub double %.906.i.i.1.i, %.941.i.i.1.i
+  %133 = getelementptr double, ptr %130, i64 %.944.i.i.i
+  store double %132, ptr %133, align 8, !noalias !32
   %exitcond2155.1.not.i = icmp eq i64 %arg.shape.1, %.852.i.i.1.i
   br i1 %exitcond2155.1.not.i, label %B524.i.i.1.i, label %B428.if.i.i.1.i
 
@@ -1070,8 +1087,8 @@ B524.i.i.1.i:                                     ; preds = %B428.if.i.i.1.i, %B
   %.1034.i.i.1.i = load double, ptr %arg.batch.4.0.4, align 8, !noalias !32
   %.1068.i.i.1.i = load double, ptr %.629.i.i.i, align 8, !noalias !32
   %.1070.i.i.1.i = fmul double %.1068.i.i.1.i, 5.000000e-01
-  %139 = fsub double %.1034.i.i.1.i, %.1070.i.i.1.i
-  store double %139, ptr %.571, align 8, !noalias !32
+  %134 = fsub double %.1034.i.i.1.i, %.1070.i.i.1.i
+  store double %134, ptr %.571, align 8, !noalias !32
   %.1157.i.i.1.i = load i64, ptr %arg.code.4, align 8, !noalias !32
   %.1277.i.i.1.i = inttoptr i64 %.1157.i.i.1.i to ptr
   tail call void %.1277.i.i.1.i(ptr nonnull %.571, ptr %.933.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.1276.i.i.1.i), !noalias !32
@@ -1082,63 +1099,63 @@ B966.i.i.i:                                       ; preds = %B780.if.i.i.i
   br label %B1053.i.i.i
 
 B1006.i.i.i:                                      ; preds = %B780.if.i.i.i
-  %140 = getelementptr double, ptr %148, i64 %arg.shape.1
-  %.1582.i.i.i = load double, ptr %140, align 8, !noalias !32
+  %135 = getelementptr double, ptr %143, i64 %arg.shape.1
+  %.1582.i.i.i = load double, ptr %135, align 8, !noalias !32
   %.1647.i.i.i = fsub double %.1513.i.i.i, %.1582.i.i.i
   %.1652.i.i.i = fmul double %.1647.i.i.i, 2.000000e+00
   br label %B1053.i.i.i
 
 B1053.i.i.i:                                      ; preds = %B1006.i.i.i, %B966.i.i.i
   %storemerge2111.i = phi double [ %.1652.i.i.i, %B1006.i.i.i ], [ %.1601.i.i.i, %B966.i.i.i ]
-  store double %storemerge2111.i, ptr %150, align 8, !noalias !32
+  store double %storemerge2111.i, ptr %145, align 8, !noalias !32
   %exitcond2157.not.i = icmp eq i64 %arg.shape.1, %.1387.i.i.i
   br i1 %exitcond2157.not.i, label %B702.i.i, label %B780.if.i.i.i
 
 B84.if.i.i.i:                                     ; preds = %B660.i.i, %B84.if.i.i.i
   %.212.i.i.02129.i = phi i64 [ %.283.i.i.i, %B84.if.i.i.i ], [ 0, %B660.i.i ]
   %.283.i.i.i = add nsw i64 %.212.i.i.02129.i, 1
-  %141 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.212.i.i.02129.i
-  %.341.i.i.i = load double, ptr %141, align 8, !noalias !32
+  %136 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.212.i.i.02129.i
+  %.341.i.i.i = load double, ptr %136, align 8, !noalias !32
   %.342.i.i.i = tail call double @llvm.fabs.f64(double %.341.i.i.i)
   %.10.i.i.i.i = fcmp ogt double %.184.i.i.i, %.342.i.i.i
   %.11.i.i.i.i = select i1 %.10.i.i.i.i, double %.184.i.i.i, double %.342.i.i.i
   %.377.i.i.i = fcmp ogt double %.11.i.i.i.i, 0.000000e+00
-  %142 = fmul double %.11.i.i.i.i, 1.200000e-05
-  %"$phi194.2.2.i.i.1.i" = select i1 %.377.i.i.i, double %142, double 1.200000e-05
-  %143 = getelementptr i64, ptr %arg.linear.5.4, i64 %.212.i.i.02129.i
-  %.434.i.i.i = load i64, ptr %143, align 8, !noalias !32
+  %137 = fmul double %.11.i.i.i.i, 1.200000e-05
+  %"$phi194.2.2.i.i.1.i" = select i1 %.377.i.i.i, double %137, double 1.200000e-05
+  %138 = getelementptr i64, ptr %arg.linear.5.4, i64 %.212.i.i.02129.i
+  %.434.i.i.i = load i64, ptr %138, align 8, !noalias !32
   %.436.i.i.i = icmp eq i64 %.434.i.i.i, %.537.i.sroa.0.02147.i
   %"$phi230.1.2.i.i.1.i" = select i1 %.436.i.i.i, double %"$phi194.2.2.i.i.1.i", double 0.000000e+00
-  %144 = getelementptr i8, ptr %141, i64 %.idx2162.i
-  store double %"$phi230.1.2.i.i.1.i", ptr %144, align 8, !noalias !32
+  %139 = getelementptr i8, ptr %136, i64 %.idx2162.i
+  store double %"$phi230.1.2.i.i.1.i", ptr %139, align 8, !noalias !32
   %exitcond2154.not.i = icmp eq i64 %arg.shape.1, %.283.i.i.i
   br i1 %exitcond2154.not.i, label %B262.i.i.i, label %B84.if.i.i.i
 
 B428.if.i.i.i:                                    ; preds = %B324.i.i.i, %B428.if.i.i.i
   %.783.i.i.02131.i = phi i64 [ %.852.i.i.i, %B428.if.i.i.i ], [ 0, %B324.i.i.i ]
   %.852.i.i.i = add nsw i64 %.783.i.i.02131.i, 1
-  %145 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.783.i.i.02131.i
-  %.906.i.i.i = load double, ptr %145, align 8, !noalias !32
-  %146 = getelementptr double, ptr %145, i64 %.597.i.i.i
-  %.939.i.i.i = load double, ptr %146, align 8, !noalias !32
+  %140 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.783.i.i.02131.i
+  %.906.i.i.i = load double, ptr %140, align 8, !noalias !32
+  %141 = getelementptr double, ptr %140, i64 %.597.i.i.i
+  %.939.i.i.i = load double, ptr %141, align 8, !noalias !32
   %.941.i.i.i = fmul double %.939.i.i.i, 5.000000e-01
   %.942.i.i.i = fadd double %.906.i.i.i, %.941.i.i.i
-  %147 = getelementptr double, ptr %145, i64 %.944.i.i.i
-  store double %.942.i.i.i, ptr %147, align 8, !noalias !32
+  %142 = getelementptr double, ptr %140, i64 %.944.i.i.i
+  store double %.942.i.i.i, ptr %142, align 8, !noalias !32
   %exitcond2155.not.i = icmp eq i64 %arg.shape.1, %.852.i.i.i
   br i1 %exitcond2155.not.i, label %B524.i.i.i, label %B428.if.i.i.i
 
 B780.if.i.i.i:                                    ; preds = %B524.i.i.1.i, %B1053.i.i.i
   %.1318.i.i.02136.i = phi i64 [ %.1387.i.i.i, %B1053.i.i.i ], [ 0, %B524.i.i.1.i ]
   %.1387.i.i.i = add nsw i64 %.1318.i.i.02136.i, 1
-  %148 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1318.i.i.02136.i
-  %.1445.i.i.i = load double, ptr %148, align 8, !noalias !32
-  %149 = getelementptr i8, ptr %148, i64 %.933.i.idx.i
-  store double %.1445.i.i.i, ptr %149, align 8, !noalias !32
-  %150 = getelementptr i8, ptr %148, i64 %.idx2164.i
-  %.1513.i.i.i = load double, ptr %150, align 8, !noalias !32
-  %151 = getelementptr i8, ptr %148, i64 %.1276.i.i.1.idx.i
-  %.1548.i.i.i = load double, ptr %151, align 8, !noalias !32
+  %143 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1318.i.i.02136.i
+  %.1445.i.i.i = load double, ptr %143, align 8, !noalias !32
+  %144 = getelementptr i8, ptr %143, i64 %.933.i.idx.i
+  store double %.1445.i.i.i, ptr %144, align 8, !noalias !32
+  %145 = getelementptr i8, ptr %143, i64 %.idx2164.i
+  %.1513.i.i.i = load double, ptr %145, align 8, !noalias !32
+  %146 = getelementptr i8, ptr %143, i64 %.1276.i.i.1.idx.i
+  %.1548.i.i.i = load double, ptr %146, align 8, !noalias !32
   %.1594.i.i.i = fsub double %.1548.i.i.i, %.1548.i.i.i
   %.1595.i.i.i = fcmp oeq double %.1594.i.i.i, 0.000000e+00
   br i1 %.1595.i.i.i, label %B966.i.i.i, label %B1006.i.i.i
@@ -1146,13 +1163,13 @@ B780.if.i.i.i:                                    ; preds = %B524.i.i.1.i, %B105
 B702.i.i:                                         ; preds = %B1053.i.i.i, %B524.i.i.1.i, %B656.i.i, %B352.i.i
   %.1384.i.i = icmp slt i64 %.537.i.sroa.0.02147.i, 0
   %.1385.i.i = select i1 %.1384.i.i, i64 %arg.linear.6.5.0, i64 0
-  %152 = getelementptr i64, ptr %arg.linear.6.4, i64 %.537.i.sroa.0.02147.i
-  %.1399.i.i = getelementptr i64, ptr %152, i64 %.1385.i.i
+  %147 = getelementptr i64, ptr %arg.linear.6.4, i64 %.537.i.sroa.0.02147.i
+  %.1399.i.i = getelementptr i64, ptr %147, i64 %.1385.i.i
   %.1400.i.i = load i64, ptr %.1399.i.i, align 8, !noalias !28
   %.1418.i.i = icmp slt i64 %.537.i.sroa.0.02147.i, -1
   %.1419.i.i = select i1 %.1418.i.i, i64 %arg.linear.6.5.0, i64 0
-  %153 = getelementptr i8, ptr %152, i64 8
-  %.1433.i.i = getelementptr i64, ptr %153, i64 %.1419.i.i
+  %148 = getelementptr i8, ptr %147, i64 8
+  %.1433.i.i = getelementptr i64, ptr %148, i64 %.1419.i.i
   %.1434.i.i = load i64, ptr %.1433.i.i, align 8, !noalias !28
   %.1471.i.i = sub i64 %.1434.i.i, %.1400.i.i
   %.1514.i2138.not.i = icmp slt i64 %.1471.i.i, 1
@@ -1162,20 +1179,20 @@ B920.i.i:                                         ; preds = %B764.if.i.i
   %.1782.i.i = add nsw i64 %.1587.i.i, %.1748.i.i
   %.1797.i.i = icmp slt i64 %.1782.i.i, 0
   %.1798.i.i = select i1 %.1797.i.i, i64 %arg.batch.5.0.5.0, i64 0
-  %154 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1782.i.i
-  %.1812.i.i = getelementptr double, ptr %154, i64 %.1798.i.i
+  %149 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1782.i.i
+  %.1812.i.i = getelementptr double, ptr %149, i64 %.1798.i.i
   store double %.1686.i..i, ptr %.1812.i.i, align 8, !noalias !28
   br label %B995.i.i
 
 B966.i.i:                                         ; preds = %B764.if.i.i
   %.1832.i.i = select i1 %.1571.i.i, i64 %arg.linear.9.5.0, i64 0
-  %155 = getelementptr i64, ptr %arg.linear.9.4, i64 %.1458.i.02139.i
-  %.1846.i.i = getelementptr i64, ptr %155, i64 %.1832.i.i
+  %150 = getelementptr i64, ptr %arg.linear.9.4, i64 %.1458.i.02139.i
+  %.1846.i.i = getelementptr i64, ptr %150, i64 %.1832.i.i
   %.1847.i.i = load i64, ptr %.1846.i.i, align 8, !noalias !28
   %.1864.i.i = icmp slt i64 %.1847.i.i, 0
   %.1865.i.i = select i1 %.1864.i.i, i64 %arg.linear.0.5.0, i64 0
-  %156 = getelementptr double, ptr %arg.linear.0.4, i64 %.1847.i.i
-  %.1879.i.i = getelementptr double, ptr %156, i64 %.1865.i.i
+  %151 = getelementptr double, ptr %arg.linear.0.4, i64 %.1847.i.i
+  %.1879.i.i = getelementptr double, ptr %151, i64 %.1865.i.i
   store double %.1686.i..i, ptr %.1879.i.i, align 8, !noalias !28
   br label %B995.i.i
 
@@ -1186,12 +1203,12 @@ B995.i.i:                                         ; preds = %B966.i.i, %B920.i.i
 B84.if.i.i:                                       ; preds = %B76.i, %B84.if.i.i
   %.259.i.02118.i = phi i64 [ %.330.i.i, %B84.if.i.i ], [ 0, %B76.i ]
   %.330.i.i = add nsw i64 %.259.i.02118.i, 1
-  %157 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.259.i.02118.i
-  %.384.i.i = load double, ptr %157, align 8, !noalias !28
-  %158 = getelementptr i8, ptr %157, i64 %.idx2159.i
-  store double %.384.i.i, ptr %158, align 8, !noalias !28
-  %159 = getelementptr i8, ptr %157, i64 %.idx2160.i
-  store double 0.000000e+00, ptr %159, align 8, !noalias !28
+  %152 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.259.i.02118.i
+  %.384.i.i = load double, ptr %152, align 8, !noalias !28
+  %153 = getelementptr i8, ptr %152, i64 %.idx2159.i
+  store double %.384.i.i, ptr %153, align 8, !noalias !28
+  %154 = getelementptr i8, ptr %152, i64 %.idx2160.i
+  store double 0.000000e+00, ptr %154, align 8, !noalias !28
   %exitcond.not.i8907 = icmp eq i64 %arg.shape.1, %.330.i.i
   br i1 %exitcond.not.i8907, label %B166.i.i, label %B84.if.i.i
 
@@ -1200,8 +1217,8 @@ B286.if.i.i:                                      ; preds = %B250.i.i, %B286.if.
   %.626.i.02121.i = phi i64 [ %.695.i.i, %B286.if.i.i ], [ 0, %B250.i.i ]
   %.691.i.i = add nsw i64 %.629.i.02122.i, -1
   %.695.i.i = add nsw i64 %.626.i.02121.i, 1
-  %160 = getelementptr i64, ptr %arg.linear.5.4, i64 %.626.i.02121.i
-  %.753.i.i = load i64, ptr %160, align 8, !noalias !28
+  %155 = getelementptr i64, ptr %arg.linear.5.4, i64 %.626.i.02121.i
+  %.753.i.i = load i64, ptr %155, align 8, !noalias !28
   %.755.i.i = icmp eq i64 %.753.i.i, %.537.i.sroa.0.02147.i
   %..i = select i1 %.755.i.i, double 1.000000e+00, double 0.000000e+00
   %gep = getelementptr double, ptr %invariant.gep, i64 %.626.i.02121.i
@@ -1224,24 +1241,24 @@ B764.if.i.i:                                      ; preds = %B702.i.i, %B995.i.i
   %.1527.i.i = add i64 %.1458.i.02139.i, 1
   %.1571.i.i = icmp slt i64 %.1458.i.02139.i, 0
   %.1572.i.i = select i1 %.1571.i.i, i64 %arg.linear.7.5.0, i64 0
-  %161 = getelementptr i64, ptr %arg.linear.7.4, i64 %.1458.i.02139.i
-  %.1586.i.i = getelementptr i64, ptr %161, i64 %.1572.i.i
+  %156 = getelementptr i64, ptr %arg.linear.7.4, i64 %.1458.i.02139.i
+  %.1586.i.i = getelementptr i64, ptr %156, i64 %.1572.i.i
   %.1587.i.i = load i64, ptr %.1586.i.i, align 8, !noalias !28
   %.1588.i.i = add nsw i64 %.1587.i.i, %.915.i.i
   %.1602.i.i = icmp slt i64 %.1588.i.i, 0
   %.1603.i.i = select i1 %.1602.i.i, i64 %arg.batch.5.0.5.0, i64 0
-  %162 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1588.i.i
-  %.1617.i.i = getelementptr double, ptr %162, i64 %.1603.i.i
+  %157 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1588.i.i
+  %.1617.i.i = getelementptr double, ptr %157, i64 %.1603.i.i
   %.1618.i.i = load double, ptr %.1617.i.i, align 8, !noalias !28
   %.1636.i.i = select i1 %.1571.i.i, i64 %arg.linear.8.5.0, i64 0
-  %163 = getelementptr i64, ptr %arg.linear.8.4, i64 %.1458.i.02139.i
-  %.1650.i.i = getelementptr i64, ptr %163, i64 %.1636.i.i
+  %158 = getelementptr i64, ptr %arg.linear.8.4, i64 %.1458.i.02139.i
+  %.1650.i.i = getelementptr i64, ptr %158, i64 %.1636.i.i
   %.1651.i.i = load i64, ptr %.1650.i.i, align 8, !noalias !28
   %.1652.i.i = add nsw i64 %.1651.i.i, %.597.i.i.i
   %.1666.i.i = icmp slt i64 %.1652.i.i, 0
   %.1667.i.i = select i1 %.1666.i.i, i64 %arg.batch.5.0.5.0, i64 0
-  %164 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1652.i.i
-  %.1681.i.i = getelementptr double, ptr %164, i64 %.1667.i.i
+  %159 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1652.i.i
+  %.1681.i.i = getelementptr double, ptr %159, i64 %.1667.i.i
   %.1682.i.i = load double, ptr %.1681.i.i, align 8, !noalias !28
   %.1686.i.i = fdiv double %.1618.i.i, %.1682.i.i
   %.1692.i.i = fsub double %.1686.i.i, %.1686.i.i
@@ -1257,8 +1274,8 @@ B316.i:                                           ; preds = %B262.if.i, %B146.if
   %.746.i = mul i64 %.388.02152.i, %.434.sroa.0.02106.i
   %.762.i = icmp slt i64 %.746.i, 0
   %.763.i = select i1 %.762.i, i64 %arg.linear.1.5.0, i64 0
-  %165 = getelementptr double, ptr %arg.linear.1.4, i64 %.746.i
-  %.777.i = getelementptr double, ptr %165, i64 %.763.i
+  %160 = getelementptr double, ptr %arg.linear.1.4, i64 %.746.i
+  %.777.i = getelementptr double, ptr %160, i64 %.763.i
   %.778.i = load double, ptr %.777.i, align 8, !noalias !25
   %.832.i = load double, ptr %.831.i, align 8, !noalias !25
   %.833.i = fadd double %.778.i, %.832.i
@@ -1272,16 +1289,16 @@ B34.loopexit.i.i:                                 ; preds = %B790.i.i, %B528.i.i
 
 B348.i.i:                                         ; preds = %B234.if.i.i, %B36.if.i.i
   %p.2.1.lcssa.i.i = phi i64 [ %.59.0509.i.i, %B36.if.i.i ], [ %p.3.2.i.i, %B234.if.i.i ]
-  %166 = getelementptr i64, ptr %arg.linear.2.4, i64 %.59.0509.i.i
-  store i64 %p.2.1.lcssa.i.i, ptr %166, align 8, !noalias !36
+  %161 = getelementptr i64, ptr %arg.linear.2.4, i64 %.59.0509.i.i
+  store i64 %p.2.1.lcssa.i.i, ptr %161, align 8, !noalias !36
   %.547.i2114.i = add nsw i64 %p.2.1.lcssa.i.i, %.161.i.i
   %.561.i.i = icmp slt i64 %.547.i2114.i, 0
   %.562.i.i = select i1 %.561.i.i, i64 %arg.linear.1.5.0, i64 0
-  %167 = getelementptr double, ptr %arg.linear.1.4, i64 %.547.i2114.i
-  %.576.i.i = getelementptr double, ptr %167, i64 %.562.i.i
+  %162 = getelementptr double, ptr %arg.linear.1.4, i64 %.547.i2114.i
+  %.576.i.i = getelementptr double, ptr %162, i64 %.562.i.i
   %.577.i.i = load double, ptr %.576.i.i, align 8, !noalias !36
-  %.610.i.i = load double, ptr %169, align 8, !noalias !36
-  store double %.577.i.i, ptr %169, align 8, !noalias !36
+  %.610.i.i = load double, ptr %164, align 8, !noalias !36
+  store double %.577.i.i, ptr %164, align 8, !noalias !36
   store double %.610.i.i, ptr %.576.i.i, align 8, !noalias !36
   br i1 %.362493.not.i.i, label %B528.i.i, label %B466.if.i.i
 
@@ -1303,15 +1320,15 @@ B36.if.i.i:                                       ; preds = %B316.i, %B34.loopex
   %.11.i.i.i8906 = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %.165.i.i, i64 %arg.shape.1)
   %.200.i.i = add i64 %.199.i.i, %.164.i.i
   %.11.i492.i.i = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %.200.i.i, i64 %arg.shape.1)
-  %168 = getelementptr double, ptr %arg.linear.1.4, i64 %.161.i.i
-  %169 = getelementptr double, ptr %168, i64 %.59.0509.i.i
+  %163 = getelementptr double, ptr %arg.linear.1.4, i64 %.161.i.i
+  %164 = getelementptr double, ptr %163, i64 %.59.0509.i.i
   %.319.i.i = sub i64 %.11.i.i.i8906, %.131.i.i
   %storemerge488.i.i = tail call i64 @llvm.smax.i64(i64 %.319.i.i, i64 0)
   %.362493.not.i.i = icmp slt i64 %.319.i.i, 1
   br i1 %.362493.not.i.i, label %B348.i.i, label %B234.if.preheader.i.i
 
 B234.if.preheader.i.i:                            ; preds = %B36.if.i.i
-  %.271.i.i = load double, ptr %169, align 8, !noalias !36
+  %.271.i.i = load double, ptr %164, align 8, !noalias !36
   %.272.i.i = tail call double @llvm.fabs.f64(double %.271.i.i)
   br label %B234.if.i.i
 
@@ -1325,8 +1342,8 @@ B234.if.i.i:                                      ; preds = %B234.if.i.i, %B234.
   %.415.i.i = add nsw i64 %.306.0494.i.i, %.161.i.i
   %.429.i.i = icmp slt i64 %.415.i.i, 0
   %.430.i.i = select i1 %.429.i.i, i64 %arg.linear.1.5.0, i64 0
-  %170 = getelementptr double, ptr %arg.linear.1.4, i64 %.415.i.i
-  %.444.i.i = getelementptr double, ptr %170, i64 %.430.i.i
+  %165 = getelementptr double, ptr %arg.linear.1.4, i64 %.415.i.i
+  %.444.i.i = getelementptr double, ptr %165, i64 %.430.i.i
   %.445.i.i = load double, ptr %.444.i.i, align 8, !noalias !36
   %.446.i.i = tail call double @llvm.fabs.f64(double %.445.i.i)
   %.448.i.i = fcmp ogt double %.446.i.i, %largest.2.1496.i.i
@@ -1343,10 +1360,10 @@ B466.if.i.i:                                      ; preds = %B348.i.i, %B466.if.
   %.798.i.i = add nsw i64 %.703.0499.i.i, %.161.i.i
   %.812.i.i = icmp slt i64 %.798.i.i, 0
   %.813.i.i = select i1 %.812.i.i, i64 %arg.linear.1.5.0, i64 0
-  %171 = getelementptr double, ptr %arg.linear.1.4, i64 %.798.i.i
-  %.827.i.i = getelementptr double, ptr %171, i64 %.813.i.i
+  %166 = getelementptr double, ptr %arg.linear.1.4, i64 %.798.i.i
+  %.827.i.i = getelementptr double, ptr %166, i64 %.813.i.i
   %.828.i.i = load double, ptr %.827.i.i, align 8, !noalias !36
-  %.861.i.i = load double, ptr %169, align 8, !noalias !36
+  %.861.i.i = load double, ptr %164, align 8, !noalias !36
   %.865.i.i = fdiv double %.828.i.i, %.861.i.i
   store double %.865.i.i, ptr %.827.i.i, align 8, !noalias !36
   %.759.i.i = icmp sgt i64 %.706.0500.i.i, 1
@@ -1357,18 +1374,18 @@ B566.if.i.i:                                      ; preds = %B528.i.i, %B790.i.i
   %.929.0505.i.i = phi i64 [ %.998.i.i, %B790.i.i ], [ %.131.i.i, %B528.i.i ]
   %.994.i.i = add nsw i64 %.932.0506.i.i, -1
   %.998.i.i = add i64 %.929.0505.i.i, 1
-  %172 = mul nsw i64 %.929.0505.i.i, %arg.shape.1
-  %.1030.i.i = add nsw i64 %172, %p.2.1.lcssa.i.i
+  %167 = mul nsw i64 %.929.0505.i.i, %arg.shape.1
+  %.1030.i.i = add nsw i64 %167, %p.2.1.lcssa.i.i
   %.1044.i.i = icmp slt i64 %.1030.i.i, 0
   %.1045.i.i = select i1 %.1044.i.i, i64 %arg.linear.1.5.0, i64 0
-  %173 = getelementptr double, ptr %arg.linear.1.4, i64 %.1030.i.i
-  %.1059.i.i = getelementptr double, ptr %173, i64 %.1045.i.i
+  %168 = getelementptr double, ptr %arg.linear.1.4, i64 %.1030.i.i
+  %.1059.i.i = getelementptr double, ptr %168, i64 %.1045.i.i
   %.1060.i2115.i = load double, ptr %.1059.i.i, align 8, !noalias !36
-  %.1068.i.i = add nsw i64 %172, %.59.0509.i.i
+  %.1068.i.i = add nsw i64 %167, %.59.0509.i.i
   %.1082.i.i = icmp slt i64 %.1068.i.i, 0
   %.1083.i.i = select i1 %.1082.i.i, i64 %arg.linear.1.5.0, i64 0
-  %174 = getelementptr double, ptr %arg.linear.1.4, i64 %.1068.i.i
-  %.1097.i.i = getelementptr double, ptr %174, i64 %.1083.i.i
+  %169 = getelementptr double, ptr %arg.linear.1.4, i64 %.1068.i.i
+  %.1097.i.i = getelementptr double, ptr %169, i64 %.1083.i.i
   %.1098.i.i = load double, ptr %.1097.i.i, align 8, !noalias !36
   store double %.1098.i.i, ptr %.1059.i.i, align 8, !noalias !36
   store double %.1060.i2115.i, ptr %.1097.i.i, align 8, !noalias !36
@@ -1381,17 +1398,17 @@ B716.if.i.i:                                      ; preds = %B566.if.i.i, %B716.
   %.1199.0502.i.i = phi i64 [ %.1268.i.i, %B716.if.i.i ], [ %.131.i.i, %B566.if.i.i ]
   %.1264.i.i = add nsw i64 %.1202.0503.i.i, -1
   %.1268.i.i = add i64 %.1199.0502.i.i, 1
-  %.1296.i.i = add nsw i64 %.1199.0502.i.i, %172
+  %.1296.i.i = add nsw i64 %.1199.0502.i.i, %167
   %.1310.i.i = icmp slt i64 %.1296.i.i, 0
   %.1311.i.i = select i1 %.1310.i.i, i64 %arg.linear.1.5.0, i64 0
-  %175 = getelementptr double, ptr %arg.linear.1.4, i64 %.1296.i.i
-  %.1325.i.i = getelementptr double, ptr %175, i64 %.1311.i.i
+  %170 = getelementptr double, ptr %arg.linear.1.4, i64 %.1296.i.i
+  %.1325.i.i = getelementptr double, ptr %170, i64 %.1311.i.i
   %.1326.i.i = load double, ptr %.1325.i.i, align 8, !noalias !36
   %.1328.i.i = add nsw i64 %.1199.0502.i.i, %.161.i.i
   %.1342.i.i = icmp slt i64 %.1328.i.i, 0
   %.1343.i.i = select i1 %.1342.i.i, i64 %arg.linear.1.5.0, i64 0
-  %176 = getelementptr double, ptr %arg.linear.1.4, i64 %.1328.i.i
-  %.1357.i.i = getelementptr double, ptr %176, i64 %.1343.i.i
+  %171 = getelementptr double, ptr %arg.linear.1.4, i64 %.1328.i.i
+  %.1357.i.i = getelementptr double, ptr %171, i64 %.1343.i.i
   %.1358.i.i = load double, ptr %.1357.i.i, align 8, !noalias !36
   %.1360.i.i = fmul double %.1060.i2115.i, %.1358.i.i
   %.1361.i.i = fsub double %.1326.i.i, %.1360.i.i
@@ -1422,19 +1439,19 @@ B262.if.i:                                        ; preds = %B262.if.i, %B262.if
   %.671.i = add nsw i64 %.574.02149.i, %.670.i
   %.685.i = icmp slt i64 %.671.i, 0
   %.686.i = select i1 %.685.i, i64 %arg.linear.0.5.0, i64 0
-  %177 = getelementptr double, ptr %arg.linear.0.4, i64 %.671.i
-  %.700.i = getelementptr double, ptr %177, i64 %.686.i
+  %172 = getelementptr double, ptr %arg.linear.0.4, i64 %.671.i
+  %.700.i = getelementptr double, ptr %172, i64 %.686.i
   %.701.i = load double, ptr %.700.i, align 8, !noalias !25
   %.702.i = fneg double %.701.i
   %.721.i = select i1 %.685.i, i64 %arg.linear.1.5.0, i64 0
-  %178 = getelementptr double, ptr %arg.linear.1.4, i64 %.671.i
-  %.735.i = getelementptr double, ptr %178, i64 %.721.i
+  %173 = getelementptr double, ptr %arg.linear.1.4, i64 %.671.i
+  %.735.i = getelementptr double, ptr %173, i64 %.721.i
   store double %.702.i, ptr %.735.i, align 8, !noalias !25
   %.630.i = icmp sgt i64 %.577.02150.i, 1
   br i1 %.630.i, label %B262.if.i, label %B316.i
 
 B1502:                                            ; preds = %B34.loopexit.i.i, %B116.i, %B1458
-  br i1 %.22219212.not, label %B1728, label %B1534.if
+  br i1 %.22219188.not, label %B1728, label %B1534.if
 
 B68.if.lr.ph.i:                                   ; preds = %B1534.if
   %.259.i = mul nsw i64 %.2234, %arg.shape.1
@@ -1455,18 +1472,18 @@ B286.if.lr.ph.i:                                  ; preds = %B314.i.loopexit.i
 B34.if.i.i:                                       ; preds = %B68.if.i, %B34.i.loopexit.i
   %.73.i.0621.i = phi i64 [ %.144.i.i, %B34.i.loopexit.i ], [ 0, %B68.if.i ]
   %.144.i.i = add nsw i64 %.73.i.0621.i, 1
-  %179 = getelementptr i64, ptr %arg.linear.2.4, i64 %.73.i.0621.i
-  %.202.i.i = load i64, ptr %179, align 8, !noalias !39
+  %174 = getelementptr i64, ptr %arg.linear.2.4, i64 %.73.i.0621.i
+  %.202.i.i = load i64, ptr %174, align 8, !noalias !39
   %.204.i.i = add nsw i64 %.202.i.i, %.395.i
   %.218.i.i = icmp slt i64 %.204.i.i, 0
   %.219.i.i = select i1 %.218.i.i, i64 %arg.batch.5.0.5.0, i64 0
-  %180 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.204.i.i
-  %.233.i.i = getelementptr double, ptr %180, i64 %.219.i.i
+  %175 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.204.i.i
+  %.233.i.i = getelementptr double, ptr %175, i64 %.219.i.i
   %.234.i.i = load double, ptr %.233.i.i, align 8, !noalias !39
-  %gep9211 = getelementptr double, ptr %invariant.gep9210, i64 %.73.i.0621.i
-  %.270.i.i = load double, ptr %gep9211, align 8, !noalias !39
+  %gep9187 = getelementptr double, ptr %invariant.gep9186, i64 %.73.i.0621.i
+  %.270.i.i = load double, ptr %gep9187, align 8, !noalias !39
   store double %.270.i.i, ptr %.233.i.i, align 8, !noalias !39
-  store double %.234.i.i, ptr %gep9211, align 8, !noalias !39
+  store double %.234.i.i, ptr %gep9187, align 8, !noalias !39
   %.340.i.i = add i64 %.339.i.i, %.73.i.0621.i
   %.11.i.i.i8916 = tail call i64 @llvm.smin.i64(i64 %.340.i.i, i64 %arg.shape.1)
   %.406.i.i = sub i64 %.11.i.i.i8916, %.144.i.i
@@ -1485,14 +1502,14 @@ B198.if.i.i:                                      ; preds = %B198.if.i.i, %B198.
   %.488.i.i = add nsw i64 %.393.i.0618.i, %.395.i
   %.502.i.i = icmp slt i64 %.488.i.i, 0
   %.503.i.i = select i1 %.502.i.i, i64 %arg.batch.5.0.5.0, i64 0
-  %181 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.488.i.i
-  %.517.i.i = getelementptr double, ptr %181, i64 %.503.i.i
+  %176 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.488.i.i
+  %.517.i.i = getelementptr double, ptr %176, i64 %.503.i.i
   %.518.i.i = load double, ptr %.517.i.i, align 8, !noalias !39
   %.522.i.i = add nsw i64 %.393.i.0618.i, %.521.i.i
   %.536.i.i = icmp slt i64 %.522.i.i, 0
   %.537.i.i = select i1 %.536.i.i, i64 %arg.linear.1.5.0, i64 0
-  %182 = getelementptr double, ptr %arg.linear.1.4, i64 %.522.i.i
-  %.551.i.i = getelementptr double, ptr %182, i64 %.537.i.i
+  %177 = getelementptr double, ptr %arg.linear.1.4, i64 %.522.i.i
+  %.551.i.i = getelementptr double, ptr %177, i64 %.537.i.i
   %.552.i.i = load double, ptr %.551.i.i, align 8, !noalias !39
   %.554.i.i = fmul double %.234.i.i, %.552.i.i
   %.555.i.i = fsub double %.518.i.i, %.554.i.i
@@ -1506,15 +1523,15 @@ B314.if.i.i:                                      ; preds = %B34.i.loopexit.i, %
   %.726.i.i = add nsw i64 %.627.i.0629.i, %.395.i
   %.740.i.i = icmp slt i64 %.726.i.i, 0
   %.741.i.i = select i1 %.740.i.i, i64 %arg.batch.5.0.5.0, i64 0
-  %183 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.726.i.i
-  %.755.i.i8917 = getelementptr double, ptr %183, i64 %.741.i.i
+  %178 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.726.i.i
+  %.755.i.i8917 = getelementptr double, ptr %178, i64 %.741.i.i
   %.756.i.i = load double, ptr %.755.i.i8917, align 8, !noalias !39
   %.759.i.i8918 = mul nsw i64 %.627.i.0629.i, %arg.shape.1
   %.761.i.i = add nsw i64 %.759.i.i8918, %.627.i.0629.i
   %.775.i.i = icmp slt i64 %.761.i.i, 0
   %.776.i.i = select i1 %.775.i.i, i64 %arg.linear.1.5.0, i64 0
-  %184 = getelementptr double, ptr %arg.linear.1.4, i64 %.761.i.i
-  %.790.i.i = getelementptr double, ptr %184, i64 %.776.i.i
+  %179 = getelementptr double, ptr %arg.linear.1.4, i64 %.761.i.i
+  %.790.i.i = getelementptr double, ptr %179, i64 %.776.i.i
   %.791.i.i = load double, ptr %.790.i.i, align 8, !noalias !39
   %.795.i.i = fdiv double %.756.i.i, %.791.i.i
   store double %.795.i.i, ptr %.755.i.i8917, align 8, !noalias !39
@@ -1532,14 +1549,14 @@ B474.if.i.i:                                      ; preds = %B314.if.i.i, %B474.
   %.1014.i.i = add nsw i64 %.919.i.0624.i, %.395.i
   %.1028.i.i = icmp slt i64 %.1014.i.i, 0
   %.1029.i.i = select i1 %.1028.i.i, i64 %arg.batch.5.0.5.0, i64 0
-  %185 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1014.i.i
-  %.1043.i.i = getelementptr double, ptr %185, i64 %.1029.i.i
+  %180 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1014.i.i
+  %.1043.i.i = getelementptr double, ptr %180, i64 %.1029.i.i
   %.1044.i.i8919 = load double, ptr %.1043.i.i, align 8, !noalias !39
   %.1048.i.i = add nsw i64 %.919.i.0624.i, %.759.i.i8918
   %.1062.i.i = icmp slt i64 %.1048.i.i, 0
   %.1063.i.i = select i1 %.1062.i.i, i64 %arg.linear.1.5.0, i64 0
-  %186 = getelementptr double, ptr %arg.linear.1.4, i64 %.1048.i.i
-  %.1077.i.i = getelementptr double, ptr %186, i64 %.1063.i.i
+  %181 = getelementptr double, ptr %arg.linear.1.4, i64 %.1048.i.i
+  %.1077.i.i = getelementptr double, ptr %181, i64 %.1063.i.i
   %.1078.i.i = load double, ptr %.1077.i.i, align 8, !noalias !39
   %.1080.i.i = fmul double %.795.i.i, %.1078.i.i
   %.1081.i.i = fsub double %.1044.i.i8919, %.1080.i.i
@@ -1553,19 +1570,19 @@ B68.if.i:                                         ; preds = %B68.if.i, %B68.if.l
   %.260.i = add nsw i64 %.160.0615.i, %.259.i
   %.274.i = icmp slt i64 %.260.i, 0
   %.275.i8910 = select i1 %.274.i, i64 %arg.batch.5.0.5.0, i64 0
-  %187 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.260.i
-  %.289.i = getelementptr double, ptr %187, i64 %.275.i8910
+  %182 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.260.i
+  %.289.i = getelementptr double, ptr %182, i64 %.275.i8910
   %.290.i = load double, ptr %.289.i, align 8, !noalias !45
-  %gep9209 = getelementptr double, ptr %invariant.gep9208, i64 %.160.0615.i
-  %.323.i8912 = load double, ptr %gep9209, align 8, !noalias !45
+  %gep9185 = getelementptr double, ptr %invariant.gep9184, i64 %.160.0615.i
+  %.323.i8912 = load double, ptr %gep9185, align 8, !noalias !45
   %.324.i8913 = fadd double %.290.i, %.323.i8912
-  %188 = getelementptr i64, ptr %arg.linear.4.4, i64 %.160.0615.i
-  %.356.i = load i64, ptr %188, align 8, !noalias !45
+  %183 = getelementptr i64, ptr %arg.linear.4.4, i64 %.160.0615.i
+  %.356.i = load i64, ptr %183, align 8, !noalias !45
   %.357.i = add nsw i64 %.356.i, %.326.i8909
   %.371.i = icmp slt i64 %.357.i, 0
   %.372.i8914 = select i1 %.371.i, i64 %arg.batch.5.0.5.0, i64 0
-  %189 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.357.i
-  %.386.i = getelementptr double, ptr %189, i64 %.372.i8914
+  %184 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.357.i
+  %.386.i = getelementptr double, ptr %184, i64 %.372.i8914
   store double %.324.i8913, ptr %.386.i, align 8, !noalias !45
   %exitcond.not.i8915 = icmp eq i64 %arg.shape.1, %.231.i
   br i1 %exitcond.not.i8915, label %B34.if.i.i, label %B68.if.i
@@ -1573,26 +1590,26 @@ B68.if.i:                                         ; preds = %B68.if.i, %B68.if.l
 B286.if.i:                                        ; preds = %B286.if.i, %B286.if.lr.ph.i
   %.464.0631.i = phi i64 [ 0, %B286.if.lr.ph.i ], [ %.533.i, %B286.if.i ]
   %.533.i = add nsw i64 %.464.0631.i, 1
-  %190 = getelementptr i64, ptr %arg.linear.4.4, i64 %.464.0631.i
-  %.589.i = load i64, ptr %190, align 8, !noalias !45
+  %185 = getelementptr i64, ptr %arg.linear.4.4, i64 %.464.0631.i
+  %.589.i = load i64, ptr %185, align 8, !noalias !45
   %.590.i = add nsw i64 %.589.i, %.395.i
   %.604.i = icmp slt i64 %.590.i, 0
   %.605.i = select i1 %.604.i, i64 %arg.batch.5.0.5.0, i64 0
-  %191 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.590.i
-  %.619.i = getelementptr double, ptr %191, i64 %.605.i
+  %186 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.590.i
+  %.619.i = getelementptr double, ptr %186, i64 %.605.i
   %.620.i = load double, ptr %.619.i, align 8, !noalias !45
   %.625.i = add nsw i64 %.464.0631.i, %.624.i
   %.639.i8921 = icmp slt i64 %.625.i, 0
   %.640.i = select i1 %.639.i8921, i64 %arg.batch.5.0.5.0, i64 0
-  %192 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.625.i
-  %.654.i8922 = getelementptr double, ptr %192, i64 %.640.i
+  %187 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.625.i
+  %.654.i8922 = getelementptr double, ptr %187, i64 %.640.i
   store double %.620.i, ptr %.654.i8922, align 8, !noalias !45
   %exitcond634.not.i = icmp eq i64 %arg.shape.1, %.533.i
   br i1 %exitcond634.not.i, label %B1726, label %B286.if.i
 
 B1726:                                            ; preds = %B286.if.i, %B1534.if
-  %exitcond9349.not = icmp eq i64 %.2165.09213, %storemerge8816
-  br i1 %exitcond9349.not, label %B1728, label %B1534.if
+  %exitcond9344.not = icmp eq i64 %.2165.09189, %storemerge8816
+  br i1 %exitcond9344.not, label %B1728, label %B1534.if
 
 B1728:                                            ; preds = %B1726, %B1502
   %.2487 = load i64, ptr %.2486, align 8
@@ -1604,41 +1621,41 @@ B1728:                                            ; preds = %B1726, %B1502
   br i1 %.794, label %B1960, label %B1870.if
 
 B1878:                                            ; preds = %B1870.if
-  %193 = getelementptr double, ptr %33, i64 %.2608.09216
-  %.2767 = load double, ptr %193, align 8
+  %188 = getelementptr double, ptr %33, i64 %.2608.09192
+  %.2767 = load double, ptr %188, align 8
   %.2768 = fcmp ogt double %.2767, 5.000000e-01
   br label %B1914
 
 B1914:                                            ; preds = %B1878, %B1870.if
   %"$phi1914.1.2.2" = phi i1 [ true, %B1870.if ], [ %.2768, %B1878 ]
-  br i1 %looked.2.19219, label %B1956, label %B1920
+  br i1 %looked.2.19195, label %B1956, label %B1920
 
 B1920:                                            ; preds = %B1914
-  %194 = getelementptr double, ptr %34, i64 %.2608.09216
-  %.2842 = load double, ptr %194, align 8
+  %189 = getelementptr double, ptr %34, i64 %.2608.09192
+  %.2842 = load double, ptr %189, align 8
   %.2843 = fcmp ogt double %.2842, 5.000000e-01
   br label %B1956
 
 B1956:                                            ; preds = %B1920, %B1914
   %"$phi1956.1.2.2" = phi i1 [ true, %B1914 ], [ %.2843, %B1920 ]
-  %.2664 = icmp sgt i64 %.2611.09217, 1
+  %.2664 = icmp sgt i64 %.2611.09193, 1
   br i1 %.2664, label %B1870.if, label %B1960
 
 B1960:                                            ; preds = %B1956, %B1728
   %good.2.1.lcssa = phi i1 [ false, %B1728 ], [ %"$phi1914.1.2.2", %B1956 ]
   %looked.2.1.lcssa = phi i1 [ %spec.select8891, %B1728 ], [ %"$phi1956.1.2.2", %B1956 ]
-  %looked.2.1.lcssa.not9353 = xor i1 %looked.2.1.lcssa, true
-  %brmerge9354 = or i1 %.794, %looked.2.1.lcssa.not9353
-  br i1 %brmerge9354, label %B2538, label %B80.if.i
+  %looked.2.1.lcssa.not9348 = xor i1 %looked.2.1.lcssa, true
+  %brmerge9349 = or i1 %.794, %looked.2.1.lcssa.not9348
+  br i1 %brmerge9349, label %B2538, label %B80.if.i
 
 B2030.preheader:                                  ; preds = %B568.i
   br i1 %.794, label %B2538, label %B2030.if
 
 B126.i:                                           ; preds = %B80.if.i
-  %.318.i589 = getelementptr double, ptr %35, i64 %.105.i435.09223
+  %.318.i589 = getelementptr double, ptr %35, i64 %.105.i435.09199
   %.319.i = load double, ptr %.318.i589, align 8, !noalias !46
   %.5.i.i = fptosi double %.319.i to i64
-  %.397.i634 = getelementptr double, ptr %36, i64 %.105.i435.09223
+  %.397.i634 = getelementptr double, ptr %36, i64 %.105.i435.09199
   %.398.i635 = load double, ptr %.397.i634, align 8, !noalias !46
   %.5.i1.i = fptosi double %.398.i635 to i64
   %.478.i682 = mul i64 %.258.i, %arg.batch.3.3.5.1
@@ -1660,7 +1677,7 @@ B126.i:                                           ; preds = %B80.if.i
   store i64 %.841.i958, ptr %.700.i863, align 8, !noalias !46
   store double 0.000000e+00, ptr %.318.i589, align 8, !noalias !46
   store double 0.000000e+00, ptr %.397.i634, align 8, !noalias !46
-  %.1072.i = getelementptr double, ptr %37, i64 %.105.i435.09223
+  %.1072.i = getelementptr double, ptr %37, i64 %.105.i435.09199
   %.1073.i1075 = load double, ptr %.1072.i, align 8, !noalias !46
   %.1081.i1080 = sitofp i64 %.706.i869 to double
   %.1082.i1081 = fsub double %.1073.i1075, %.1081.i1080
@@ -1668,40 +1685,40 @@ B126.i:                                           ; preds = %B80.if.i
   br label %B568.i
 
 B568.i:                                           ; preds = %B126.i, %B80.if.i
-  %.163.i493 = icmp sgt i64 %.108.i.09224, 1
+  %.163.i493 = icmp sgt i64 %.108.i.09200, 1
   br i1 %.163.i493, label %B80.if.i, label %B2030.preheader
 
 B80.if.i:                                         ; preds = %B1960, %B568.i
-  %.108.i.09224 = phi i64 [ %.172.i1118, %B568.i ], [ %storemerge, %B1960 ]
-  %.105.i435.09223 = phi i64 [ %.176.i1121, %B568.i ], [ 0, %B1960 ]
-  %.172.i1118 = add nsw i64 %.108.i.09224, -1
-  %.176.i1121 = add nsw i64 %.105.i435.09223, 1
-  %195 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.105.i435.09223
-  %.258.i = load i64, ptr %195, align 8, !noalias !46
+  %.108.i.09200 = phi i64 [ %.172.i1118, %B568.i ], [ %storemerge, %B1960 ]
+  %.105.i435.09199 = phi i64 [ %.176.i1121, %B568.i ], [ 0, %B1960 ]
+  %.172.i1118 = add nsw i64 %.108.i.09200, -1
+  %.176.i1121 = add nsw i64 %.105.i435.09199, 1
+  %190 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.105.i435.09199
+  %.258.i = load i64, ptr %190, align 8, !noalias !46
   %.263.i545 = icmp sgt i64 %.258.i, -1
   br i1 %.263.i545, label %B126.i, label %B568.i
 
 B2130:                                            ; preds = %B2030.if
-  %.3297 = getelementptr double, ptr %40, i64 %.2963.09226
+  %.3297 = getelementptr double, ptr %40, i64 %.2963.09202
   %.3298 = load double, ptr %.3297, align 8
   %.3299 = fcmp ogt double %.3298, 5.000000e-01
   br i1 %.3299, label %B2168, label %B2268
 
 B2168:                                            ; preds = %B2130
   %.5.i = fptosi double %.3298 to i64
-  %196 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.2963.09226
-  %.84.i2115 = load i64, ptr %196, align 8, !noalias !50
+  %191 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.2963.09202
+  %.84.i2115 = load i64, ptr %191, align 8, !noalias !50
   %.89.i2118 = icmp sgt i64 %.84.i2115, -1
   br i1 %.89.i2118, label %B46.i, label %B2268
 
 B2268:                                            ; preds = %B2130, %B46.i, %B2168, %B80.i2147
-  %.3485 = getelementptr double, ptr %41, i64 %.2963.09226
+  %.3485 = getelementptr double, ptr %41, i64 %.2963.09202
   %.3486 = load double, ptr %.3485, align 8
   %.3487 = fcmp ogt double %.3486, 5.000000e-01
   br i1 %.3487, label %B2306, label %B2536
 
 B2306:                                            ; preds = %B2268
-  %spec.select = select i1 %within.3.29228, i1 true, i1 %.2563
+  %spec.select = select i1 %within.3.29204, i1 true, i1 %.2563
   %.3563 = mul i64 %.3124, %arg.batch.3.3.5.1
   %.3567 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.3563
   %.3568 = load i64, ptr %.3567, align 8
@@ -1710,7 +1727,7 @@ B2306:                                            ; preds = %B2268
   br i1 %.3609, label %B2414, label %B2376
 
 B2376:                                            ; preds = %B2306
-  %.3670 = getelementptr double, ptr %42, i64 %.2963.09226
+  %.3670 = getelementptr double, ptr %42, i64 %.2963.09202
   %.3671 = load double, ptr %.3670, align 8
   %.3673 = fcmp ogt double %.3671, 0.000000e+00
   br i1 %.3673, label %B2414, label %B2444
@@ -1720,17 +1737,17 @@ B2414:                                            ; preds = %B2306, %B2376
   br label %B2444
 
 B2444:                                            ; preds = %B2414, %B2376
-  %checked.5.5 = phi i1 [ true, %B2414 ], [ %checked.3.29229, %B2376 ]
+  %checked.5.5 = phi i1 [ true, %B2414 ], [ %checked.3.29205, %B2376 ]
   %.3756 = icmp slt i64 %.3179, %arg.batch.2.5.0
   br i1 %.3756, label %B2482, label %B2536
 
 B2482:                                            ; preds = %B2444
   %.3780 = icmp slt i64 %.3179, 0
   %.3781 = select i1 %.3780, i64 %arg.batch.2.5.0, i64 0
-  %197 = getelementptr double, ptr %arg.batch.2.4, i64 %.3179
-  %.3795 = getelementptr double, ptr %197, i64 %.3781
+  %192 = getelementptr double, ptr %arg.batch.2.4, i64 %.3179
+  %.3795 = getelementptr double, ptr %192, i64 %.3781
   %.3796 = load double, ptr %.3795, align 8
-  %.3854 = getelementptr double, ptr %43, i64 %.2963.09226
+  %.3854 = getelementptr double, ptr %43, i64 %.2963.09202
   %.3855 = load double, ptr %.3854, align 8
   %.3856 = fcmp olt double %.3796, %.3855
   br i1 %.3856, label %B2532, label %B2536
@@ -1739,9 +1756,9 @@ B2532:                                            ; preds = %B2482
   br label %B2536
 
 B2536:                                            ; preds = %B2030.if, %B2532, %B2482, %B2444, %B2268
-  %within.4.3 = phi i1 [ true, %B2532 ], [ %spec.select, %B2482 ], [ %spec.select, %B2444 ], [ %within.3.29228, %B2268 ], [ %within.3.29228, %B2030.if ]
-  %checked.4.3 = phi i1 [ %checked.5.5, %B2532 ], [ %checked.5.5, %B2482 ], [ %checked.5.5, %B2444 ], [ %checked.3.29229, %B2268 ], [ %checked.3.29229, %B2030.if ]
-  %.3025 = icmp sgt i64 %.2966.09227, 1
+  %within.4.3 = phi i1 [ true, %B2532 ], [ %spec.select, %B2482 ], [ %spec.select, %B2444 ], [ %within.3.29204, %B2268 ], [ %within.3.29204, %B2030.if ]
+  %checked.4.3 = phi i1 [ %checked.5.5, %B2532 ], [ %checked.5.5, %B2482 ], [ %checked.5.5, %B2444 ], [ %checked.3.29205, %B2268 ], [ %checked.3.29205, %B2030.if ]
+  %.3025 = icmp sgt i64 %.2966.09203, 1
   br i1 %.3025, label %B2030.if, label %B2538
 
 B2538:                                            ; preds = %B2536, %B1960, %B2030.preheader
@@ -1796,7 +1813,7 @@ B2898:                                            ; preds = %B2888
   br i1 %.614, label %B2946.if, label %B3314.critedge
 
 B140.i:                                           ; preds = %B64.if.i3119
-  %.409.i2504 = getelementptr double, ptr %46, i64 %.138.i2277.09236
+  %.409.i2504 = getelementptr double, ptr %46, i64 %.138.i2277.09212
   %.410.i2505 = load double, ptr %.409.i2504, align 8, !noalias !54
   %.411.i2506 = fcmp uge double %.410.i2505, 5.000000e-01
   %.424.i2514.not = icmp slt i64 %.346.i2455, %arg.batch.2.5.0
@@ -1806,27 +1823,27 @@ B140.i:                                           ; preds = %B64.if.i3119
 B216.i:                                           ; preds = %B140.i
   %.440.i = icmp slt i64 %.346.i2455, 0
   %.441.i2525 = select i1 %.440.i, i64 %arg.batch.2.5.0, i64 0
-  %198 = getelementptr double, ptr %arg.batch.2.4, i64 %.346.i2455
-  %.455.i2539 = getelementptr double, ptr %198, i64 %.441.i2525
+  %193 = getelementptr double, ptr %arg.batch.2.4, i64 %.346.i2455
+  %.455.i2539 = getelementptr double, ptr %193, i64 %.441.i2525
   %.456.i2540 = load double, ptr %.455.i2539, align 8, !noalias !54
-  %.510.i2587 = getelementptr double, ptr %47, i64 %.138.i2277.09236
+  %.510.i2587 = getelementptr double, ptr %47, i64 %.138.i2277.09212
   %.511.i2588 = load double, ptr %.510.i2587, align 8, !noalias !54
   %.512.i2589 = fcmp ult double %.456.i2540, %.511.i2588
   br i1 %.512.i2589, label %B268.i2590, label %B453.i
 
 B268.i2590:                                       ; preds = %B216.i
-  %.574.i2636 = getelementptr double, ptr %48, i64 %.138.i2277.09236
+  %.574.i2636 = getelementptr double, ptr %48, i64 %.138.i2277.09212
   %.575.i2637 = load double, ptr %.574.i2636, align 8, !noalias !54
   %.576.i2638 = fcmp ogt double %.575.i2637, 1.000000e+00
   br i1 %.576.i2638, label %B306.i, label %B453.i
 
 B306.i:                                           ; preds = %B268.i2590
-  %.632.i = getelementptr double, ptr %49, i64 %.138.i2277.09236
+  %.632.i = getelementptr double, ptr %49, i64 %.138.i2277.09212
   %.633.i2688 = load double, ptr %.632.i, align 8, !noalias !54
   store double 0.000000e+00, ptr %.409.i2504, align 8, !noalias !58
-  %.161.i.i2845 = getelementptr double, ptr %50, i64 %.138.i2277.09236
+  %.161.i.i2845 = getelementptr double, ptr %50, i64 %.138.i2277.09212
   store double 0.000000e+00, ptr %.161.i.i2845, align 8, !noalias !58
-  %.214.i.i2873 = getelementptr double, ptr %51, i64 %.138.i2277.09236
+  %.214.i.i2873 = getelementptr double, ptr %51, i64 %.138.i2277.09212
   store double %.633.i2688, ptr %.214.i.i2873, align 8, !noalias !58
   %.268.i.i2895 = load i64, ptr %.290.i2408, align 8, !noalias !58
   %.294.i.i2905 = icmp slt i64 %.268.i.i2895, 0
@@ -1842,34 +1859,34 @@ B306.i:                                           ; preds = %B268.i2590
   %.453.i.i = select i1 %.452.i.i, i64 %arg.batch.3.3.5.0, i64 0
   %.454.i.i = add i64 %.453.i.i, %.426.i.i2951
   %.474.i.i = mul i64 %.454.i.i, %arg.batch.3.3.5.1
-  %199 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.474.i.i
-  %.478.i.i = getelementptr i8, ptr %199, i64 24
+  %194 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.474.i.i
+  %.478.i.i = getelementptr i8, ptr %194, i64 24
   %.479.i.i = load i64, ptr %.478.i.i, align 8, !noalias !58
   %.480.i.i = add nsw i64 %.479.i.i, 1
   store i64 %.480.i.i, ptr %.478.i.i, align 8, !noalias !58
   %.705.i2980 = load double, ptr %.455.i2539, align 8, !noalias !54
-  %.763.i3026 = getelementptr double, ptr %52, i64 %.138.i2277.09236
+  %.763.i3026 = getelementptr double, ptr %52, i64 %.138.i2277.09212
   store double %.705.i2980, ptr %.763.i3026, align 8, !noalias !54
   %.816.i3069 = mul i64 %.291.i2409, %arg.batch.3.3.5.1
-  %200 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.816.i3069
-  %.820.i3073 = getelementptr i8, ptr %200, i64 8
+  %195 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.816.i3069
+  %.820.i3073 = getelementptr i8, ptr %195, i64 8
   %.821.i3074 = load i64, ptr %.820.i3073, align 8, !noalias !54
   %.822.i3075 = add nsw i64 %.821.i3074, 3
   store i64 %.822.i3075, ptr %.820.i3073, align 8, !noalias !54
   br label %B453.i
 
 B453.i:                                           ; preds = %B268.i2590, %B306.i, %B64.if.i3119, %B140.i, %B216.i
-  %.196.i2345 = icmp sgt i64 %.141.i2278.09235, 1
+  %.196.i2345 = icmp sgt i64 %.141.i2278.09211, 1
   br i1 %.196.i2345, label %B64.if.i3119, label %B3314
 
 B64.if.i3119:                                     ; preds = %B2946.if, %B453.i
-  %.138.i2277.09236 = phi i64 [ %.209.i3126, %B453.i ], [ 0, %B2946.if ]
-  %.141.i2278.09235 = phi i64 [ %.205.i3123, %B453.i ], [ %storemerge, %B2946.if ]
-  %.205.i3123 = add nsw i64 %.141.i2278.09235, -1
-  %.209.i3126 = add nsw i64 %.138.i2277.09236, 1
-  %.290.i2408 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.138.i2277.09236
+  %.138.i2277.09212 = phi i64 [ %.209.i3126, %B453.i ], [ 0, %B2946.if ]
+  %.141.i2278.09211 = phi i64 [ %.205.i3123, %B453.i ], [ %storemerge, %B2946.if ]
+  %.205.i3123 = add nsw i64 %.141.i2278.09211, -1
+  %.209.i3126 = add nsw i64 %.138.i2277.09212, 1
+  %.290.i2408 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.138.i2277.09212
   %.291.i2409 = load i64, ptr %.290.i2408, align 8, !noalias !54
-  %.345.i2454 = getelementptr i64, ptr %45, i64 %.138.i2277.09236
+  %.345.i2454 = getelementptr i64, ptr %45, i64 %.138.i2277.09212
   %.346.i2455 = load i64, ptr %.345.i2454, align 8, !noalias !54
   %.354.i2459 = icmp slt i64 %.291.i2409, 0
   br i1 %.354.i2459, label %B453.i, label %B140.i
@@ -1890,578 +1907,1006 @@ B3318:                                            ; preds = %B3314
   br i1 %.4832.not, label %B3318.endif.endif, label %B3318.endif.if, !prof !53
 
 B3372:                                            ; preds = %B3318.endif.endif
-  %.222.i = load double, ptr %.221.i, align 8, !noalias !61
-  %.251.i = load double, ptr %arg.batch.2.4, align 8, !noalias !61
-  %.252.i = fsub double %.222.i, %.251.i
-  %.253.i = fmul double %.252.i, 1.000000e-13
-  br i1 %.794, label %B150.if.i.i.preheader, label %B70.if.i.i.preheader
+  %.231.i8923 = load double, ptr %.230.i, align 8, !noalias !61
+  %.260.i8924 = load double, ptr %arg.batch.2.4, align 8, !noalias !61
+  %.261.i = fsub double %.231.i8923, %.260.i8924
+  %.262.i = fmul double %.261.i, 1.000000e-13
+  br i1 %.794, label %B256.if.i.preheader, label %B178.if.i.preheader
 
-B70.if.i.i.preheader:                             ; preds = %B3372
-  tail call void @llvm.memset.p0.i64(ptr align 8 %54, i8 0, i64 %119, i1 false), !noalias !64
-  br label %B150.if.i.i.preheader
+B178.if.i.preheader:                              ; preds = %B3372
+  tail call void @llvm.memset.p0.i64(ptr align 8 %54, i8 0, i64 %114, i1 false), !noalias !61
+  br label %B256.if.i.preheader
 
-B150.if.i.i.preheader:                            ; preds = %B70.if.i.i.preheader, %B3372
-  br label %B150.if.i.i
+B256.if.i.preheader:                              ; preds = %B178.if.i.preheader, %B3372
+  br label %B256.if.i
 
-B148.i.loopexit.i:                                ; preds = %B934.i.loopexit.i, %B300.endif.endif.i.i
-  %exitcond2993.not.i = icmp eq i64 %.417.i.i, 9
-  br i1 %exitcond2993.not.i, label %B220.preheader.i, label %B150.if.i.i
+B256.loopexit.i:                                  ; preds = %B656.i.loopexit.i, %B88.endif.endif.i.i
+  %exitcond4807.not.i = icmp eq i64 %.573.i, 9
+  br i1 %exitcond4807.not.i, label %B472.if.i, label %B256.if.i
 
-B184.i.loopexit.i:                                ; preds = %B122.if.i.i.i, %switch.end.i.i
-  %exitcond2988.not.i = icmp eq i64 %arg.shape.0, %.538.i.i
-  br i1 %exitcond2988.not.i, label %B252.i.i, label %B184.if.i.i
+B290.loopexit.i:                                  ; preds = %B122.if.i949.i, %switch.end.i
+  %exitcond4802.not.i = icmp eq i64 %arg.shape.0, %.694.i
+  br i1 %exitcond4802.not.i, label %B358.i, label %B290.if.i
 
-B252.i.i:                                         ; preds = %B184.i.loopexit.i, %B150.if.i.i
-  %.639.i.i = icmp ult i64 %.347.i.02959.i, 8
-  %..i8927 = select i1 %.639.i.i, i64 16, i64 17
-  %.656.i.i = mul i64 %..i8927, %.463
-  %.686.i.i = load i64, ptr %.685.i.i, align 8, !noalias !64
-  %.772.i.i8928 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.656.i.i
-  %.798.i.i8929 = inttoptr i64 %.686.i.i to ptr
-  tail call void %.798.i.i8929(ptr %.571, ptr %.772.i.i8928, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !64
-  %.829.i.i = load i64, ptr %arg.code.4, align 8, !noalias !64
-  %.945.i.i = inttoptr i64 %.829.i.i to ptr
-  tail call void %.945.i.i(ptr %.571, ptr %.772.i.i8928, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.944.i.i), !noalias !64
-  br i1 %.111.i49.i2946.not.i, label %B300.endif.endif.i.i.critedge, label %B34.if.i.i.i
+B358.i:                                           ; preds = %B290.loopexit.i, %B256.if.i
+  %.148.i1042.not.i = icmp eq i64 %.504.04729.i, 8
+  %..i8927 = select i1 %.148.i1042.not.i, i64 17, i64 16
+  %.163.i.i = mul i64 %..i8927, %.463
+  %.171.i.i = mul i64 %.504.04729.i, %factor.op.mul.i.reass
+  %.206.i1073.i = load i64, ptr %arg.code.4, align 8, !noalias !64
+  %.296.i1106.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %.163.i.i
+  %.322.i1109.i = inttoptr i64 %.206.i1073.i to ptr
+  tail call void %.322.i1109.i(ptr %.571, ptr %.296.i1106.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.321.i.i), !noalias !64
+  br i1 %.114.i.i11654715.not.i, label %B88.endif.endif.i.i.critedge, label %B34.if.i.i.i
 
-B34.if.i.i.i:                                     ; preds = %B252.i.i, %B34.if.i.i.i
-  %.53.i17.i.02947.i = phi i64 [ %.124.i128.i.i, %B34.if.i.i.i ], [ 0, %B252.i.i ]
-  %.124.i128.i.i = add nsw i64 %.53.i17.i.02947.i, 1
-  %201 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.53.i17.i.02947.i
-  %.178.i74.i.i = load double, ptr %201, align 8, !noalias !68
-  %.180.i76.i.i = add nsw i64 %.53.i17.i.02947.i, %.950.i.i
-  %.194.i84.i.i = icmp slt i64 %.180.i76.i.i, 0
-  %.195.i85.i.i = select i1 %.194.i84.i.i, i64 %arg.batch.5.1.5.0, i64 0
-  %202 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.180.i76.i.i
-  %.209.i.i.i = getelementptr double, ptr %202, i64 %.195.i85.i.i
-  %.210.i.i.i = load double, ptr %.209.i.i.i, align 8, !noalias !68
-  store double %.178.i74.i.i, ptr %.209.i.i.i, align 8, !noalias !68
-  store double %.210.i.i.i, ptr %201, align 8, !noalias !68
-  %exitcond2989.not.i = icmp eq i64 %.953.i.i, %.124.i128.i.i
-  br i1 %exitcond2989.not.i, label %B300.endif.i.i, label %B34.if.i.i.i
+B34.if.i.i.i:                                     ; preds = %B358.i, %B34.if.i.i.i
+  %.56.i.i969.04716.i = phi i64 [ %.127.i.i1259.i, %B34.if.i.i.i ], [ 0, %B358.i ]
+  %.127.i.i1259.i = add nsw i64 %.56.i.i969.04716.i, 1
+  %.153.i.i1210.i = add nsw i64 %.56.i.i969.04716.i, %.171.i.i
+  %.167.i.i1215.i = icmp slt i64 %.153.i.i1210.i, 0
+  %.168.i.i.i = select i1 %.167.i.i1215.i, i64 %arg.batch.5.4.5.0, i64 0
+  %196 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.153.i.i1210.i
+  %.182.i.i.i = getelementptr double, ptr %196, i64 %.168.i.i.i
+  %.183.i.i1224.i = load double, ptr %.182.i.i.i, align 8, !noalias !68
+  %.185.i.i1226.i = add nsw i64 %.56.i.i969.04716.i, %.327.i1112.i
+  %.199.i.i.i = icmp slt i64 %.185.i.i1226.i, 0
+  %.200.i.i.i = select i1 %.199.i.i.i, i64 %arg.batch.5.1.5.0, i64 0
+  %197 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.185.i.i1226.i
+  %.214.i.i1232.i = getelementptr double, ptr %197, i64 %.200.i.i.i
+  %.215.i.i1233.i = load double, ptr %.214.i.i1232.i, align 8, !noalias !68
+  store double %.183.i.i1224.i, ptr %.214.i.i1232.i, align 8, !noalias !68
+  store double %.215.i.i1233.i, ptr %.182.i.i.i, align 8, !noalias !68
+  %exitcond4803.not.i = icmp eq i64 %.174.i1053.i, %.127.i.i1259.i
+  br i1 %exitcond4803.not.i, label %B88.endif.i.i, label %B34.if.i.i.i
 
-B934.i.loopexit.i:                                ; preds = %B968.if.i.i, %B934.if.i.i
-  %exitcond2992.not.i = icmp eq i64 %arg.shape.0, %.1547.i.i
-  br i1 %exitcond2992.not.i, label %B148.i.loopexit.i, label %B934.if.i.i
+B656.i.loopexit.i:                                ; preds = %B690.if.i.i, %B656.if.i.i
+  %exitcond4806.not.i = icmp eq i64 %arg.shape.0, %.932.i.i8928
+  br i1 %exitcond4806.not.i, label %B256.loopexit.i, label %B656.if.i.i
 
-B150.if.i.i:                                      ; preds = %B150.if.i.i.preheader, %B148.i.loopexit.i
-  %.347.i.02959.i = phi i64 [ %.417.i.i, %B148.i.loopexit.i ], [ 1, %B150.if.i.i.preheader ]
-  %.417.i.i = add nsw i64 %.347.i.02959.i, 1
-  br i1 %.794, label %B252.i.i, label %B184.if.i.i.preheader
+B88.endif.i.i:                                    ; preds = %B34.if.i.i.i
+  %.389.i1199.i = load i64, ptr %.388.i1198.i, align 8, !noalias !64
+  %.501.i.i = inttoptr i64 %.389.i1199.i to ptr
+  tail call void %.501.i.i(ptr %.571, ptr %.296.i1106.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !64
+  %.532.i.i = load i64, ptr %arg.code.4, align 8, !noalias !64
+  %.648.i.i = inttoptr i64 %.532.i.i to ptr
+  tail call void %.648.i.i(ptr %.571, ptr %.296.i1106.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.647.i.i), !noalias !64
+  br label %B34.if.i179.i.i
 
-B184.if.i.i.preheader:                            ; preds = %B150.if.i.i
-  %203 = icmp ult i64 %.347.i.02959.i, 8
-  %switch.gep = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.13, i64 %.347.i.02959.i
-  br label %B184.if.i.i
+B34.if.i179.i.i:                                  ; preds = %B88.endif.i.i, %B34.if.i179.i.i
+  %.56.i27.i.04719.i = phi i64 [ %.127.i185.i.i, %B34.if.i179.i.i ], [ 0, %B88.endif.i.i ]
+  %.127.i185.i.i = add nsw i64 %.56.i27.i.04719.i, 1
+  %.153.i94.i.i = add nsw i64 %.56.i27.i.04719.i, %.171.i.i
+  %.167.i102.i.i = icmp slt i64 %.153.i94.i.i, 0
+  %.168.i103.i.i = select i1 %.167.i102.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %198 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.153.i94.i.i
+  %.182.i113.i.i = getelementptr double, ptr %198, i64 %.168.i103.i.i
+  %.183.i114.i.i = load double, ptr %.182.i113.i.i, align 8, !noalias !72
+  %.185.i116.i.i = add nsw i64 %.56.i27.i.04719.i, %.327.i1112.i
+  %.199.i124.i.i = icmp slt i64 %.185.i116.i.i, 0
+  %.200.i125.i.i = select i1 %.199.i124.i.i, i64 %arg.batch.5.1.5.0, i64 0
+  %199 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.185.i116.i.i
+  %.214.i135.i.i = getelementptr double, ptr %199, i64 %.200.i125.i.i
+  %.215.i136.i.i = load double, ptr %.214.i135.i.i, align 8, !noalias !72
+  store double %.183.i114.i.i, ptr %.214.i135.i.i, align 8, !noalias !72
+  store double %.215.i136.i.i, ptr %.182.i113.i.i, align 8, !noalias !72
+  %exitcond4804.not.i = icmp eq i64 %.174.i1053.i, %.127.i185.i.i
+  br i1 %exitcond4804.not.i, label %B88.endif.endif.i.i, label %B34.if.i179.i.i
 
-B184.if.i.i:                                      ; preds = %B184.if.i.i.preheader, %B184.i.loopexit.i
-  %.469.i.02944.i = phi i64 [ %.538.i.i, %B184.i.loopexit.i ], [ 0, %B184.if.i.i.preheader ]
-  %.538.i.i = add nsw i64 %.469.i.02944.i, 1
-  br i1 %203, label %switch.lookup, label %switch.end.i.i
+B88.endif.endif.i.i.critedge:                     ; preds = %B358.i
+  %.389.i1199.i.c = load i64, ptr %.388.i1198.i, align 8, !noalias !64
+  %.501.i.i.c = inttoptr i64 %.389.i1199.i.c to ptr
+  tail call void %.501.i.i.c(ptr %.571, ptr %.296.i1106.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !64
+  %.532.i.i.c = load i64, ptr %arg.code.4, align 8, !noalias !64
+  %.648.i.i.c = inttoptr i64 %.532.i.i.c to ptr
+  tail call void %.648.i.i.c(ptr %.571, ptr %.296.i1106.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.647.i.i), !noalias !64
+  br label %B88.endif.endif.i.i
 
-switch.lookup:                                    ; preds = %B184.if.i.i
-  %switch.load = load double, ptr %switch.gep, align 8
-  br label %switch.end.i.i
+B88.endif.endif.i.i:                              ; preds = %B34.if.i179.i.i, %B88.endif.endif.i.i.critedge
+  %.715.i.i = load i64, ptr %.388.i1198.i, align 8, !noalias !64
+  %.829.i.i = inttoptr i64 %.715.i.i to ptr
+  tail call void %.829.i.i(ptr %.571, ptr %.296.i1106.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !64
+  br i1 %.794, label %B256.loopexit.i, label %B656.if.i.i
 
-switch.end.i.i:                                   ; preds = %B184.if.i.i, %switch.lookup
-  %.580.i.i = phi double [ %switch.load, %switch.lookup ], [ 1.000000e+00, %B184.if.i.i ]
-  %.92.i.i.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.469.i.02944.i
-  %.93.i.i.i = load double, ptr %.92.i.i.i, align 8, !noalias !72
-  %.146.i.i.i = getelementptr double, ptr %55, i64 %.469.i.02944.i
-  %.147.i.i.i = load double, ptr %.146.i.i.i, align 8, !noalias !72
-  %.149.i.i.i = fmul double %.580.i.i, %.147.i.i.i
-  %.150.i.i.i8926 = fadd double %.93.i.i.i, %.149.i.i.i
-  %.203.i.i.i = getelementptr double, ptr %.571, i64 %.469.i.02944.i
-  store double %.150.i.i.i8926, ptr %.203.i.i.i, align 8, !noalias !72
-  br i1 %.287.i.i2940.not.i, label %B184.i.loopexit.i, label %B122.if.i.i.lr.ph.i
+B656.if.i.i:                                      ; preds = %B88.endif.endif.i.i, %B656.i.loopexit.i
+  %.863.i.04725.i = phi i64 [ %.932.i.i8928, %B656.i.loopexit.i ], [ 0, %B88.endif.endif.i.i ]
+  %.932.i.i8928 = add nsw i64 %.863.i.04725.i, 1
+  br i1 %.287.i7034709.not.i, label %B656.i.loopexit.i, label %B690.if.i.lr.ph.i
 
-B122.if.i.i.lr.ph.i:                              ; preds = %switch.end.i.i
-  %.247.i.i.i.i = fsub double 1.000000e+00, %.580.i.i
-  %invariant.gep9237 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02944.i
-  %invariant.gep9239 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02944.i
-  %invariant.gep9241 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02944.i
-  %invariant.gep9243 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02944.i
-  %invariant.gep9245 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02944.i
-  %invariant.gep9247 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02944.i
-  %invariant.gep9249 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02944.i
-  %invariant.gep9251 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02944.i
-  %invariant.gep9253 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.469.i.02944.i
-  br label %B122.if.i.i.i
+B690.if.i.lr.ph.i:                                ; preds = %B656.if.i.i
+  %.1304.i.i = getelementptr double, ptr %55, i64 %.863.i.04725.i
+  %.1387.i.i = getelementptr double, ptr %56, i64 %.863.i.04725.i
+  br label %B690.if.i.i
 
-B122.if.i.i.i:                                    ; preds = %B122.if.i.i.i, %B122.if.i.i.lr.ph.i
-  %.229.i.i.02941.i = phi i64 [ 0, %B122.if.i.i.lr.ph.i ], [ %.300.i.i.i, %B122.if.i.i.i ]
-  %.157.i.i.i.i = add nsw i64 %.229.i.i.02941.i, %.155.i.i.i.i
-  %.159.i.i.i.i = mul nsw i64 %.157.i.i.i.i, %arg.shape.0
-  %gep9238 = getelementptr double, ptr %invariant.gep9237, i64 %.159.i.i.i.i
-  %.191.i.i.i.i = load double, ptr %gep9238, align 8, !noalias !76
-  %.193.i.i.i.i = fadd double %.191.i.i.i.i, 0.000000e+00
-  %.253.i.i.i.i = fmul double %.580.i.i, %.193.i.i.i.i
-  %.157.i.i.i.1.i = add nsw i64 %.229.i.i.02941.i, %.155.i.i.i.1.i
-  %.159.i.i.i.1.i = mul nsw i64 %.157.i.i.i.1.i, %arg.shape.0
-  %gep9240 = getelementptr double, ptr %invariant.gep9239, i64 %.159.i.i.i.1.i
-  %.191.i.i.i.1.i = load double, ptr %gep9240, align 8, !noalias !76
-  %.193.i.i.i.1.i = fadd double %.191.i.i.i.1.i, %.253.i.i.i.i
-  %.253.i.i.i.1.i = fmul double %.247.i.i.i.i, %.193.i.i.i.1.i
-  %.157.i.i.i.2.i = add nsw i64 %.229.i.i.02941.i, %.155.i.i.i.2.i
-  %.159.i.i.i.2.i = mul nsw i64 %.157.i.i.i.2.i, %arg.shape.0
-  %gep9242 = getelementptr double, ptr %invariant.gep9241, i64 %.159.i.i.i.2.i
-  %.191.i.i.i.2.i = load double, ptr %gep9242, align 8, !noalias !76
-  %.193.i.i.i.2.i = fadd double %.191.i.i.i.2.i, %.253.i.i.i.1.i
-  %.253.i.i.i.2.i = fmul double %.580.i.i, %.193.i.i.i.2.i
-  %.157.i.i.i.3.i = add nsw i64 %.229.i.i.02941.i, %.155.i.i.i.3.i
-  %.159.i.i.i.3.i = mul nsw i64 %.157.i.i.i.3.i, %arg.shape.0
-  %gep9244 = getelementptr double, ptr %invariant.gep9243, i64 %.159.i.i.i.3.i
-  %.191.i.i.i.3.i = load double, ptr %gep9244, align 8, !noalias !76
-  %.193.i.i.i.3.i = fadd double %.191.i.i.i.3.i, %.253.i.i.i.2.i
-  %.253.i.i.i.3.i = fmul double %.247.i.i.i.i, %.193.i.i.i.3.i
-  %.157.i.i.i.4.i = add nsw i64 %.229.i.i.02941.i, %.155.i.i.i.4.i
-  %.159.i.i.i.4.i = mul nsw i64 %.157.i.i.i.4.i, %arg.shape.0
-  %gep9246 = getelementptr double, ptr %invariant.gep9245, i64 %.159.i.i.i.4.i
-  %.191.i.i.i.4.i = load double, ptr %gep9246, align 8, !noalias !76
-  %.193.i.i.i.4.i = fadd double %.191.i.i.i.4.i, %.253.i.i.i.3.i
-  %.253.i.i.i.4.i = fmul double %.580.i.i, %.193.i.i.i.4.i
-  %.157.i.i.i.5.i = add nsw i64 %.229.i.i.02941.i, %.155.i.i.i.5.i
-  %.159.i.i.i.5.i = mul nsw i64 %.157.i.i.i.5.i, %arg.shape.0
-  %gep9248 = getelementptr double, ptr %invariant.gep9247, i64 %.159.i.i.i.5.i
-  %.191.i.i.i.5.i = load double, ptr %gep9248, align 8, !noalias !76
-  %.193.i.i.i.5.i = fadd double %.191.i.i.i.5.i, %.253.i.i.i.4.i
-  %.253.i.i.i.5.i = fmul double %.247.i.i.i.i, %.193.i.i.i.5.i
-  %.157.i.i.i.6.i = add nsw i64 %.229.i.i.02941.i, %.155.i.i.i.6.i
-  %.159.i.i.i.6.i = mul nsw i64 %.157.i.i.i.6.i, %arg.shape.0
-  %gep9250 = getelementptr double, ptr %invariant.gep9249, i64 %.159.i.i.i.6.i
-  %.191.i.i.i.6.i = load double, ptr %gep9250, align 8, !noalias !76
-  %.193.i.i.i.6.i = fadd double %.191.i.i.i.6.i, %.253.i.i.i.5.i
-  %.253.i.i.i.6.i = fmul double %.580.i.i, %.193.i.i.i.6.i
-  %.300.i.i.i = add nsw i64 %.229.i.i.02941.i, 1
-  %.271.i.i.i.i = mul nsw i64 %.229.i.i.02941.i, %arg.shape.0
-  %gep9252 = getelementptr double, ptr %invariant.gep9251, i64 %.271.i.i.i.i
-  %.309.i.i.i.i = load double, ptr %gep9252, align 8, !noalias !76
-  %.313.i.i.i.i = fadd double %.309.i.i.i.i, %.253.i.i.i.6.i
-  %.359.i.i.i = add nsw i64 %.229.i.i.02941.i, %.358.i.i.i
-  %.361.i.i.i = mul nsw i64 %.359.i.i.i, %arg.shape.0
-  %gep9254 = getelementptr double, ptr %invariant.gep9253, i64 %.361.i.i.i
-  store double %.313.i.i.i.i, ptr %gep9254, align 8, !noalias !72
-  %exitcond2987.not.i = icmp eq i64 %arg.shape.1, %.300.i.i.i
-  br i1 %exitcond2987.not.i, label %B184.i.loopexit.i, label %B122.if.i.i.i
+B690.if.i.i:                                      ; preds = %B690.if.i.i, %B690.if.i.lr.ph.i
+  %.984.i.04722.i = phi i64 [ 0, %B690.if.i.lr.ph.i ], [ %.1053.i.i, %B690.if.i.i ]
+  %.1053.i.i = add nsw i64 %.984.i.04722.i, 1
+  %200 = mul nsw i64 %.984.i.04722.i, %arg.shape.0
+  %.1081.i.i8929 = add nsw i64 %200, %.863.i.04725.i
+  %201 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1081.i.i8929
+  %.1111.i.i = load double, ptr %201, align 8, !noalias !64
+  %.1120.i.i = add nsw i64 %.1081.i.i8929, %factor.op.mul4728.i.reass
+  %.1134.i.i = icmp slt i64 %.1120.i.i, 0
+  %.1135.i.i = select i1 %.1134.i.i, i64 %arg.batch.5.0.5.0, i64 0
+  %202 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1120.i.i
+  %.1149.i.i = getelementptr double, ptr %202, i64 %.1135.i.i
+  %.1150.i.i = load double, ptr %.1149.i.i, align 8, !noalias !64
+  %.1155.i.i = add nsw i64 %.1081.i.i8929, %factor.op.mul4727.i.reass
+  %.1169.i.i = icmp slt i64 %.1155.i.i, 0
+  %.1170.i.i = select i1 %.1169.i.i, i64 %arg.batch.5.0.5.0, i64 0
+  %203 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1155.i.i
+  %.1184.i.i = getelementptr double, ptr %203, i64 %.1170.i.i
+  %.1185.i.i = load double, ptr %.1184.i.i, align 8, !noalias !64
+  %.1186.i.i = fsub double %.1150.i.i, %.1185.i.i
+  %.1187.i.i = tail call double @llvm.fabs.f64(double %.1186.i.i)
+  %.1217.i.i = load double, ptr %.1216.i.i, align 8, !noalias !64
+  %.1247.i.i = load double, ptr %arg.tolerances.4, align 8, !noalias !64
+  %.1248.i.i = tail call double @llvm.fabs.f64(double %.1111.i.i)
+  %.1249.i.i = fmul double %.1248.i.i, %.1247.i.i
+  %.1250.i.i = fadd double %.1217.i.i, %.1249.i.i
+  %.1305.i.i = load double, ptr %.1304.i.i, align 8, !noalias !64
+  %.1306.i.i = fmul double %.1187.i.i, %.1305.i.i
+  %.1310.i.i8930 = fdiv double %.1306.i.i, %.1250.i.i
+  %.1316.i.i = fsub double %.1310.i.i8930, %.1310.i.i8930
+  %.1317.i.i = fcmp oeq double %.1316.i.i, 0.000000e+00
+  %.1310.i..i = select i1 %.1317.i.i, double %.1310.i.i8930, double 0x7FF0000000000000
+  %.1388.i.i = load double, ptr %.1387.i.i, align 8, !noalias !64
+  %.10.i.i.i8931 = fcmp ogt double %.1310.i..i, %.1388.i.i
+  %.11.i.i.i8932 = select i1 %.10.i.i.i8931, double %.1310.i..i, double %.1388.i.i
+  store double %.11.i.i.i8932, ptr %.1387.i.i, align 8, !noalias !64
+  %exitcond4805.not.i = icmp eq i64 %arg.shape.1, %.1053.i.i
+  br i1 %exitcond4805.not.i, label %B656.i.loopexit.i, label %B690.if.i.i
 
-B300.endif.i.i:                                   ; preds = %B34.if.i.i.i
-  %.1013.i.i = load i64, ptr %.1012.i.i, align 8, !noalias !64
-  %.1125.i.i = inttoptr i64 %.1013.i.i to ptr
-  tail call void %.1125.i.i(ptr %.571, ptr %.772.i.i8928, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !64
-  %.1156.i.i = load i64, ptr %arg.code.4, align 8, !noalias !64
-  %.1272.i.i = inttoptr i64 %.1156.i.i to ptr
-  tail call void %.1272.i.i(ptr %.571, ptr %.772.i.i8928, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.1271.i.i), !noalias !64
-  br label %B34.if.i321.i.i
+B472.loopexit.i.critedge:                         ; preds = %B472.if.i
+  %.1284.i.c = load i64, ptr %.1283.i, align 8, !noalias !61
+  %.1401.i.c = inttoptr i64 %.1284.i.c to ptr
+  tail call void %.1401.i.c(ptr %.571, ptr %.1375.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.1400.i), !noalias !61
+  br label %B472.loopexit.i
 
-B34.if.i321.i.i:                                  ; preds = %B300.endif.i.i, %B34.if.i321.i.i
-  %.53.i162.i.02950.i = phi i64 [ %.124.i328.i.i, %B34.if.i321.i.i ], [ 0, %B300.endif.i.i ]
-  %.124.i328.i.i = add nsw i64 %.53.i162.i.02950.i, 1
-  %204 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.53.i162.i.02950.i
-  %.178.i253.i.i = load double, ptr %204, align 8, !noalias !80
-  %.180.i255.i.i = add nsw i64 %.53.i162.i.02950.i, %.950.i.i
-  %.194.i264.i.i = icmp slt i64 %.180.i255.i.i, 0
-  %.195.i265.i.i = select i1 %.194.i264.i.i, i64 %arg.batch.5.1.5.0, i64 0
-  %205 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.180.i255.i.i
-  %.209.i275.i.i = getelementptr double, ptr %205, i64 %.195.i265.i.i
-  %.210.i276.i.i = load double, ptr %.209.i275.i.i, align 8, !noalias !80
-  store double %.178.i253.i.i, ptr %.209.i275.i.i, align 8, !noalias !80
-  store double %.210.i276.i.i, ptr %204, align 8, !noalias !80
-  %exitcond2990.not.i = icmp eq i64 %.953.i.i, %.124.i328.i.i
-  br i1 %exitcond2990.not.i, label %B300.endif.endif.i.i, label %B34.if.i321.i.i
+B472.loopexit.i:                                  ; preds = %B2142.i, %B472.loopexit.i.critedge
+  %.949.i = icmp ugt i64 %.896.04743.i, 1
+  br i1 %.949.i, label %B472.if.i, label %B974.preheader.i
 
-B300.endif.endif.i.i.critedge:                    ; preds = %B252.i.i
-  %.1013.i.i.c = load i64, ptr %.1012.i.i, align 8, !noalias !64
-  %.1125.i.i.c = inttoptr i64 %.1013.i.i.c to ptr
-  tail call void %.1125.i.i.c(ptr %.571, ptr %.772.i.i8928, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !64
-  %.1156.i.i.c = load i64, ptr %arg.code.4, align 8, !noalias !64
-  %.1272.i.i.c = inttoptr i64 %.1156.i.i.c to ptr
-  tail call void %.1272.i.i.c(ptr %.571, ptr %.772.i.i8928, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.1271.i.i), !noalias !64
-  br label %B300.endif.endif.i.i
+B974.preheader.i:                                 ; preds = %B472.loopexit.i
+  br i1 %.794, label %B1046.i, label %B974.if.i
 
-B300.endif.endif.i.i:                             ; preds = %B34.if.i321.i.i, %B300.endif.endif.i.i.critedge
-  %.1340.i.i = load i64, ptr %.1012.i.i, align 8, !noalias !64
-  %.1452.i.i = inttoptr i64 %.1340.i.i to ptr
-  tail call void %.1452.i.i(ptr %.571, ptr %.772.i.i8928, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !64
-  br i1 %.794, label %B148.i.loopexit.i, label %B934.if.i.i
-
-B934.if.i.i:                                      ; preds = %B300.endif.endif.i.i, %B934.i.loopexit.i
-  %.1478.i.02956.i = phi i64 [ %.1547.i.i, %B934.i.loopexit.i ], [ 0, %B300.endif.endif.i.i ]
-  %.1547.i.i = add nsw i64 %.1478.i.02956.i, 1
-  br i1 %.287.i.i2940.not.i, label %B934.i.loopexit.i, label %B968.if.i.lr.ph.i
-
-B968.if.i.lr.ph.i:                                ; preds = %B934.if.i.i
-  %.1919.i.i = getelementptr double, ptr %55, i64 %.1478.i.02956.i
-  %.2002.i.i = getelementptr double, ptr %56, i64 %.1478.i.02956.i
-  br label %B968.if.i.i
-
-B968.if.i.i:                                      ; preds = %B968.if.i.i, %B968.if.i.lr.ph.i
-  %.1599.i.02953.i = phi i64 [ 0, %B968.if.i.lr.ph.i ], [ %.1668.i.i, %B968.if.i.i ]
-  %.1668.i.i = add nsw i64 %.1599.i.02953.i, 1
-  %206 = mul nsw i64 %.1599.i.02953.i, %arg.shape.0
-  %.1696.i.i = add nsw i64 %206, %.1478.i.02956.i
-  %207 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1696.i.i
-  %.1726.i.i = load double, ptr %207, align 8, !noalias !64
-  %.1735.i.i = add nsw i64 %.1696.i.i, %factor.op.mul2958.i.reass
-  %.1749.i.i = icmp slt i64 %.1735.i.i, 0
-  %.1750.i.i = select i1 %.1749.i.i, i64 %arg.batch.5.0.5.0, i64 0
-  %208 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1735.i.i
-  %.1764.i.i = getelementptr double, ptr %208, i64 %.1750.i.i
-  %.1765.i.i = load double, ptr %.1764.i.i, align 8, !noalias !64
-  %.1770.i.i = add nsw i64 %.1696.i.i, %factor.op.mul.i.reass
-  %.1784.i.i = icmp slt i64 %.1770.i.i, 0
-  %.1785.i.i = select i1 %.1784.i.i, i64 %arg.batch.5.0.5.0, i64 0
-  %209 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1770.i.i
-  %.1799.i.i = getelementptr double, ptr %209, i64 %.1785.i.i
-  %.1800.i.i = load double, ptr %.1799.i.i, align 8, !noalias !64
-  %.1801.i.i = fsub double %.1765.i.i, %.1800.i.i
-  %.1802.i.i = tail call double @llvm.fabs.f64(double %.1801.i.i)
-  %.1832.i.i8930 = load double, ptr %.1831.i.i, align 8, !noalias !64
-  %.1862.i.i = load double, ptr %arg.tolerances.4, align 8, !noalias !64
-  %.1863.i.i = tail call double @llvm.fabs.f64(double %.1726.i.i)
-  %.1864.i.i8931 = fmul double %.1863.i.i, %.1862.i.i
-  %.1865.i.i8932 = fadd double %.1832.i.i8930, %.1864.i.i8931
-  %.1920.i.i = load double, ptr %.1919.i.i, align 8, !noalias !64
-  %.1921.i.i = fmul double %.1802.i.i, %.1920.i.i
-  %.1925.i.i = fdiv double %.1921.i.i, %.1865.i.i8932
-  %.1931.i.i = fsub double %.1925.i.i, %.1925.i.i
-  %.1932.i.i = fcmp oeq double %.1931.i.i, 0.000000e+00
-  %.1925.i..i = select i1 %.1932.i.i, double %.1925.i.i, double 0x7FF0000000000000
-  %.2003.i.i = load double, ptr %.2002.i.i, align 8, !noalias !64
-  %.10.i.i.i8933 = fcmp ogt double %.1925.i..i, %.2003.i.i
-  %.11.i.i.i8934 = select i1 %.10.i.i.i8933, double %.1925.i..i, double %.2003.i.i
-  store double %.11.i.i.i8934, ptr %.2002.i.i, align 8, !noalias !64
-  %exitcond2991.not.i = icmp eq i64 %arg.shape.1, %.1668.i.i
-  br i1 %exitcond2991.not.i, label %B934.i.loopexit.i, label %B968.if.i.i
-
-B220.preheader.i:                                 ; preds = %B148.i.loopexit.i
-  br i1 %.794, label %B480.preheader.i, label %B220.if.i
-
-B480.preheader.i:                                 ; preds = %B1561.i, %B220.preheader.i
-  %halvings.2.0.lcssa.i = phi i64 [ 0, %B220.preheader.i ], [ %halvings.3.1.i, %B1561.i ]
-  %.8492979.i = icmp sgt i64 %halvings.2.0.lcssa.i, 0
-  br i1 %.8492979.i, label %B482.if.i, label %B1062.preheader.i
-
-B262.i:                                           ; preds = %B220.if.i
-  %210 = getelementptr double, ptr %56, i64 %.377.02963.i
-  %.585.i = load double, ptr %210, align 8, !noalias !61
-  %.586.i = fcmp ogt double %.585.i, 1.000000e-01
-  %.mux.i = select i1 %.586.i, i64 50, i64 %halvings.2.02965.i
-  br i1 %.586.i, label %B1561.i, label %B34.i.i
-
-B34.i.i:                                          ; preds = %B262.i, %B34.if.i.i8943
-  %.51.i.0.i = phi i64 [ %.122.i81.i, %B34.if.i.i8943 ], [ 0, %B262.i ]
-  %exitcond2994.not.i = icmp eq i64 %.51.i.0.i, %storemerge2924.i
-  br i1 %exitcond2994.not.i, label %B364.endif.i, label %B34.if.i.i8943
-
-B128.i.i:                                         ; preds = %B34.if.i.i8943
-  %211 = icmp sgt i64 %.51.i.0.i, -1
-  %212 = select i1 %211, double 1.000000e+00, double 0.000000e+00
-  br label %B364.endif.i
-
-B34.if.i.i8943:                                   ; preds = %B34.i.i
-  %.122.i81.i = add i64 %.51.i.0.i, 1
-  %.157.i.i = add nsw i64 %.51.i.0.i, %arg.shape.6
-  %.159.i40.i = mul nsw i64 %.157.i.i, %arg.shape.0
-  %.161.i.i8944 = add nsw i64 %.159.i40.i, %.377.02963.i
-  %.175.i44.i = icmp slt i64 %.161.i.i8944, 0
-  %.176.i.i = select i1 %.175.i44.i, i64 %arg.batch.5.4.5.0, i64 0
-  %213 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.161.i.i8944
-  %.190.i52.i = getelementptr double, ptr %213, i64 %.176.i.i
-  %.191.i53.i = load double, ptr %.190.i52.i, align 8, !noalias !84
-  %.195.i55.i = add nsw i64 %.161.i.i8944, %.953.i.i
-  %.209.i.i = icmp slt i64 %.195.i55.i, 0
-  %.210.i64.i = select i1 %.209.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %214 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.195.i55.i
-  %.224.i70.i = getelementptr double, ptr %214, i64 %.210.i64.i
-  %.225.i71.i = load double, ptr %.224.i70.i, align 8, !noalias !84
-  %.226.i72.i = fneg double %.225.i71.i
-  %.227.i73.i = fcmp olt double %.191.i53.i, %.226.i72.i
-  br i1 %.227.i73.i, label %B128.i.i, label %B34.i.i
-
-B480.loopexit.i.critedge:                         ; preds = %B482.if.i
-  %.1184.i.c = load i64, ptr %.685.i.i, align 8, !noalias !61
-  %.1300.i.c = inttoptr i64 %.1184.i.c to ptr
-  tail call void %.1300.i.c(ptr %.571, ptr %.1274.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !61
-  br label %B480.loopexit.i
-
-B480.loopexit.i:                                  ; preds = %B1562.i, %B480.loopexit.i.critedge
-  %.849.i = icmp sgt i64 %.795.02980.i, 1
-  br i1 %.849.i, label %B482.if.i, label %B1062.preheader.i
-
-B1062.preheader.i:                                ; preds = %B480.loopexit.i, %B480.preheader.i
-  br i1 %.794, label %B3414, label %B1062.if.lr.ph.i
-
-B1062.if.lr.ph.i:                                 ; preds = %B1062.preheader.i
-  %.2389.i = fmul double %.253.i, 2.000000e+00
-  br label %B1062.if.i
-
-B516.loopexit.i:                                  ; preds = %B122.if.i.i, %B516.if.i
-  %exitcond2998.not.i = icmp eq i64 %arg.shape.0, %.980.i
-  br i1 %exitcond2998.not.i, label %B630.i8942, label %B516.if.i
+B506.loopexit.i:                                  ; preds = %B122.if.i.i, %B506.if.i
+  %exitcond4810.not.i = icmp eq i64 %arg.shape.0, %.1080.i
+  br i1 %exitcond4810.not.i, label %B620.i, label %B506.if.i
 
 B122.if.i.i:                                      ; preds = %B122.if.i.lr.ph.i, %B122.if.i.i
-  %.229.i310.02970.i = phi i64 [ 0, %B122.if.i.lr.ph.i ], [ %.300.i635.i, %B122.if.i.i ]
-  %.157.i.i569.i = add nsw i64 %.229.i310.02970.i, %.155.i.i.i
-  %.159.i.i571.i = mul nsw i64 %.157.i.i569.i, %arg.shape.0
-  %gep9256 = getelementptr double, ptr %invariant.gep9255, i64 %.159.i.i571.i
-  %.191.i.i591.i = load double, ptr %gep9256, align 8, !noalias !88
-  %.193.i.i593.i = fadd double %.191.i.i591.i, 0.000000e+00
-  %.253.i.i608.i = fmul double %.1114.i, %.193.i.i593.i
-  %.157.i.i569.1.i = add nsw i64 %.229.i310.02970.i, %.155.i.i.1.i
-  %.159.i.i571.1.i = mul nsw i64 %.157.i.i569.1.i, %arg.shape.0
-  %gep9258 = getelementptr double, ptr %invariant.gep9257, i64 %.159.i.i571.1.i
-  %.191.i.i591.1.i = load double, ptr %gep9258, align 8, !noalias !88
-  %.193.i.i593.1.i = fadd double %.191.i.i591.1.i, %.253.i.i608.i
-  %.253.i.i608.1.i = fmul double %.247.i.i.i, %.193.i.i593.1.i
-  %.157.i.i569.2.i = add nsw i64 %.229.i310.02970.i, %.155.i.i.2.i
-  %.159.i.i571.2.i = mul nsw i64 %.157.i.i569.2.i, %arg.shape.0
-  %gep9260 = getelementptr double, ptr %invariant.gep9259, i64 %.159.i.i571.2.i
-  %.191.i.i591.2.i = load double, ptr %gep9260, align 8, !noalias !88
-  %.193.i.i593.2.i = fadd double %.191.i.i591.2.i, %.253.i.i608.1.i
-  %.253.i.i608.2.i = fmul double %.1114.i, %.193.i.i593.2.i
-  %.157.i.i569.3.i = add nsw i64 %.229.i310.02970.i, %.155.i.i.3.i
-  %.159.i.i571.3.i = mul nsw i64 %.157.i.i569.3.i, %arg.shape.0
-  %gep9262 = getelementptr double, ptr %invariant.gep9261, i64 %.159.i.i571.3.i
-  %.191.i.i591.3.i = load double, ptr %gep9262, align 8, !noalias !88
-  %.193.i.i593.3.i = fadd double %.191.i.i591.3.i, %.253.i.i608.2.i
-  %.253.i.i608.3.i = fmul double %.247.i.i.i, %.193.i.i593.3.i
-  %.157.i.i569.4.i = add nsw i64 %.229.i310.02970.i, %.155.i.i.4.i
-  %.159.i.i571.4.i = mul nsw i64 %.157.i.i569.4.i, %arg.shape.0
-  %gep9264 = getelementptr double, ptr %invariant.gep9263, i64 %.159.i.i571.4.i
-  %.191.i.i591.4.i = load double, ptr %gep9264, align 8, !noalias !88
-  %.193.i.i593.4.i = fadd double %.191.i.i591.4.i, %.253.i.i608.3.i
-  %.253.i.i608.4.i = fmul double %.1114.i, %.193.i.i593.4.i
-  %.157.i.i569.5.i = add nsw i64 %.229.i310.02970.i, %.155.i.i.5.i
-  %.159.i.i571.5.i = mul nsw i64 %.157.i.i569.5.i, %arg.shape.0
-  %gep9266 = getelementptr double, ptr %invariant.gep9265, i64 %.159.i.i571.5.i
-  %.191.i.i591.5.i = load double, ptr %gep9266, align 8, !noalias !88
-  %.193.i.i593.5.i = fadd double %.191.i.i591.5.i, %.253.i.i608.4.i
-  %.253.i.i608.5.i = fmul double %.247.i.i.i, %.193.i.i593.5.i
-  %.157.i.i569.6.i = add nsw i64 %.229.i310.02970.i, %.155.i.i.6.i
-  %.159.i.i571.6.i = mul nsw i64 %.157.i.i569.6.i, %arg.shape.0
-  %gep9268 = getelementptr double, ptr %invariant.gep9267, i64 %.159.i.i571.6.i
-  %.191.i.i591.6.i = load double, ptr %gep9268, align 8, !noalias !88
-  %.193.i.i593.6.i = fadd double %.191.i.i591.6.i, %.253.i.i608.5.i
-  %.253.i.i608.6.i = fmul double %.1114.i, %.193.i.i593.6.i
-  %.300.i635.i = add nsw i64 %.229.i310.02970.i, 1
-  %.271.i.i519.i = mul nsw i64 %.229.i310.02970.i, %arg.shape.0
-  %gep9270 = getelementptr double, ptr %invariant.gep9269, i64 %.271.i.i519.i
-  %.309.i.i.i = load double, ptr %gep9270, align 8, !noalias !88
-  %.313.i.i.i = fadd double %.309.i.i.i, %.253.i.i608.6.i
-  %.359.i.i = add nsw i64 %.229.i310.02970.i, %.358.i.i.i
-  %.361.i545.i = mul nsw i64 %.359.i.i, %arg.shape.0
-  %gep9272 = getelementptr double, ptr %invariant.gep9271, i64 %.361.i545.i
-  store double %.313.i.i.i, ptr %gep9272, align 8, !noalias !95
-  %exitcond2997.not.i = icmp eq i64 %arg.shape.1, %.300.i635.i
-  br i1 %exitcond2997.not.i, label %B516.loopexit.i, label %B122.if.i.i
+  %.229.i.04735.i = phi i64 [ 0, %B122.if.i.lr.ph.i ], [ %.300.i.i, %B122.if.i.i ]
+  %.157.i.i.i = add nsw i64 %.229.i.04735.i, %.155.i.i.i
+  %.159.i.i.i = mul nsw i64 %.157.i.i.i, %arg.shape.0
+  %gep9232 = getelementptr double, ptr %invariant.gep9231, i64 %.159.i.i.i
+  %.191.i.i.i = load double, ptr %gep9232, align 8, !noalias !76
+  %.193.i.i.i = fadd double %.191.i.i.i, 0.000000e+00
+  %.253.i.i.i = fmul double %.1214.i, %.193.i.i.i
+  %.157.i.i.1.i = add nsw i64 %.229.i.04735.i, %.155.i.i.1.i
+  %.159.i.i.1.i = mul nsw i64 %.157.i.i.1.i, %arg.shape.0
+  %gep9234 = getelementptr double, ptr %invariant.gep9233, i64 %.159.i.i.1.i
+  %.191.i.i.1.i = load double, ptr %gep9234, align 8, !noalias !76
+  %.193.i.i.1.i = fadd double %.191.i.i.1.i, %.253.i.i.i
+  %.253.i.i.1.i = fmul double %.247.i.i.i, %.193.i.i.1.i
+  %.157.i.i.2.i = add nsw i64 %.229.i.04735.i, %.155.i.i.2.i
+  %.159.i.i.2.i = mul nsw i64 %.157.i.i.2.i, %arg.shape.0
+  %gep9236 = getelementptr double, ptr %invariant.gep9235, i64 %.159.i.i.2.i
+  %.191.i.i.2.i = load double, ptr %gep9236, align 8, !noalias !76
+  %.193.i.i.2.i = fadd double %.191.i.i.2.i, %.253.i.i.1.i
+  %.253.i.i.2.i = fmul double %.1214.i, %.193.i.i.2.i
+  %.157.i.i.3.i = add nsw i64 %.229.i.04735.i, %.155.i.i.3.i
+  %.159.i.i.3.i = mul nsw i64 %.157.i.i.3.i, %arg.shape.0
+  %gep9238 = getelementptr double, ptr %invariant.gep9237, i64 %.159.i.i.3.i
+  %.191.i.i.3.i = load double, ptr %gep9238, align 8, !noalias !76
+  %.193.i.i.3.i = fadd double %.191.i.i.3.i, %.253.i.i.2.i
+  %.253.i.i.3.i = fmul double %.247.i.i.i, %.193.i.i.3.i
+  %.157.i.i.4.i = add nsw i64 %.229.i.04735.i, %.155.i.i.4.i
+  %.159.i.i.4.i = mul nsw i64 %.157.i.i.4.i, %arg.shape.0
+  %gep9240 = getelementptr double, ptr %invariant.gep9239, i64 %.159.i.i.4.i
+  %.191.i.i.4.i = load double, ptr %gep9240, align 8, !noalias !76
+  %.193.i.i.4.i = fadd double %.191.i.i.4.i, %.253.i.i.3.i
+  %.253.i.i.4.i = fmul double %.1214.i, %.193.i.i.4.i
+  %.157.i.i.5.i = add nsw i64 %.229.i.04735.i, %.155.i.i.5.i
+  %.159.i.i.5.i = mul nsw i64 %.157.i.i.5.i, %arg.shape.0
+  %gep9242 = getelementptr double, ptr %invariant.gep9241, i64 %.159.i.i.5.i
+  %.191.i.i.5.i = load double, ptr %gep9242, align 8, !noalias !76
+  %.193.i.i.5.i = fadd double %.191.i.i.5.i, %.253.i.i.4.i
+  %.253.i.i.5.i = fmul double %.247.i.i.i, %.193.i.i.5.i
+  %.157.i.i.6.i = add nsw i64 %.229.i.04735.i, %.155.i.i.6.i
+  %.159.i.i.6.i = mul nsw i64 %.157.i.i.6.i, %arg.shape.0
+  %gep9244 = getelementptr double, ptr %invariant.gep9243, i64 %.159.i.i.6.i
+  %.191.i.i.6.i = load double, ptr %gep9244, align 8, !noalias !76
+  %.193.i.i.6.i = fadd double %.191.i.i.6.i, %.253.i.i.5.i
+  %.253.i.i.6.i = fmul double %.1214.i, %.193.i.i.6.i
+  %.300.i.i = add nsw i64 %.229.i.04735.i, 1
+  %.271.i.i.i = mul nsw i64 %.229.i.04735.i, %arg.shape.0
+  %gep9246 = getelementptr double, ptr %invariant.gep9245, i64 %.271.i.i.i
+  %.309.i.i.i = load double, ptr %gep9246, align 8, !noalias !76
+  %.313.i.i.i = fadd double %.309.i.i.i, %.253.i.i.6.i
+  %.359.i.i = add nsw i64 %.229.i.04735.i, %.358.i837.i
+  %.361.i.i = mul nsw i64 %.359.i.i, %arg.shape.0
+  %gep9248 = getelementptr double, ptr %invariant.gep9247, i64 %.361.i.i
+  store double %.313.i.i.i, ptr %gep9248, align 8, !noalias !83
+  %exitcond4809.not.i = icmp eq i64 %arg.shape.1, %.300.i.i
+  br i1 %exitcond4809.not.i, label %B506.loopexit.i, label %B122.if.i.i
 
-B630.i8942:                                       ; preds = %B516.loopexit.i
-  %.1184.i = load i64, ptr %.685.i.i, align 8, !noalias !61
-  %.1300.i = inttoptr i64 %.1184.i to ptr
-  tail call void %.1300.i(ptr %.571, ptr %.1274.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !61
-  br label %B772.if.i
+B620.i:                                           ; preds = %B506.loopexit.i
+  %.1284.i = load i64, ptr %.1283.i, align 8, !noalias !61
+  %.1401.i = inttoptr i64 %.1284.i to ptr
+  tail call void %.1401.i(ptr %.571, ptr %.1375.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.1400.i), !noalias !61
+  br label %B762.if.i
 
-B814.i:                                           ; preds = %B772.if.i
-  %.1533.i = getelementptr double, ptr %56, i64 %.1326.02976.i
-  %.1534.i = load double, ptr %.1533.i, align 8, !noalias !61
-  %.1535.i = fcmp ogt double %.1534.i, 1.000000e-01
-  br i1 %.1535.i, label %B862.i, label %B1562.i
+B34.i.i:                                          ; preds = %B762.if.i, %B34.if.i.i8933
+  %.51.i1284.0.i = phi i64 [ 0, %B762.if.i ], [ %.122.i1402.i, %B34.if.i.i8933 ]
+  %exitcond4811.not.i = icmp eq i64 %.51.i1284.0.i, %storemerge4674.i
+  br i1 %exitcond4811.not.i, label %B916.i8935, label %B34.if.i.i8933
 
-B862.i:                                           ; preds = %B814.i
-  %.1590.i = getelementptr double, ptr %59, i64 %.1326.02976.i
-  %.1591.i = load double, ptr %.1590.i, align 8, !noalias !61
-  %.1645.i = getelementptr double, ptr %60, i64 %.1326.02976.i
-  %.1646.i = load double, ptr %.1645.i, align 8, !noalias !61
-  %.1647.i = fadd double %.1591.i, %.1646.i
-  %.1648.i = fmul double %.1647.i, 5.000000e-01
-  br label %B34.i150.i
+B128.i.i:                                         ; preds = %B34.if.i.i8933
+  %204 = icmp sgt i64 %.51.i1284.0.i, -1
+  br i1 %204, label %B890.i, label %B916.i8935
 
-B34.i150.i:                                       ; preds = %B34.if.i250.i, %B862.i
-  %.51.i107.0.i = phi i64 [ 0, %B862.i ], [ %.122.i258.i, %B34.if.i250.i ]
-  %exitcond2999.not.i = icmp eq i64 %.51.i107.0.i, %storemerge2916.i
-  br i1 %exitcond2999.not.i, label %B1002.i, label %B34.if.i250.i
+B34.if.i.i8933:                                   ; preds = %B34.i.i
+  %.122.i1402.i = add i64 %.51.i1284.0.i, 1
+  %.157.i1333.i = add nsw i64 %.51.i1284.0.i, %.155.i.i
+  %.159.i1335.i = mul nsw i64 %.157.i1333.i, %arg.shape.0
+  %.161.i.i8934 = add nsw i64 %.159.i1335.i, %.1427.04741.i
+  %.175.i1346.i = icmp slt i64 %.161.i.i8934, 0
+  %.176.i1347.i = select i1 %.175.i1346.i, i64 %arg.batch.5.4.5.0, i64 0
+  %205 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.161.i.i8934
+  %.190.i.i = getelementptr double, ptr %205, i64 %.176.i1347.i
+  %.191.i.i = load double, ptr %.190.i.i, align 8, !noalias !84
+  %.195.i1364.i = add nsw i64 %.161.i.i8934, %.174.i1053.i
+  %.209.i.i = icmp slt i64 %.195.i1364.i, 0
+  %.210.i.i = select i1 %.209.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %206 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.195.i1364.i
+  %.224.i1385.i = getelementptr double, ptr %206, i64 %.210.i.i
+  %.225.i1386.i = load double, ptr %.224.i1385.i, align 8, !noalias !84
+  %.226.i1387.i = fneg double %.225.i1386.i
+  %.227.i1388.i = fcmp olt double %.191.i.i, %.226.i1387.i
+  br i1 %.227.i1388.i, label %B128.i.i, label %B34.i.i
 
-B128.i241.i:                                      ; preds = %B34.if.i250.i
-  %215 = icmp sgt i64 %.51.i107.0.i, -1
-  br i1 %215, label %B976.i, label %B1002.i
+B890.i:                                           ; preds = %B128.i.i
+  store double %.1635.i, ptr %.1632.i, align 8, !noalias !61
+  br label %B2142.i
 
-B34.if.i250.i:                                    ; preds = %B34.i150.i
-  %.122.i258.i = add i64 %.51.i107.0.i, 1
-  %.157.i180.i = add nsw i64 %.51.i107.0.i, %arg.shape.6
-  %.159.i182.i = mul nsw i64 %.157.i180.i, %arg.shape.0
-  %.161.i184.i = add nsw i64 %.159.i182.i, %.1326.02976.i
-  %.175.i194.i = icmp slt i64 %.161.i184.i, 0
-  %.176.i195.i = select i1 %.175.i194.i, i64 %arg.batch.5.4.5.0, i64 0
-  %216 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.161.i184.i
-  %.190.i207.i = getelementptr double, ptr %216, i64 %.176.i195.i
-  %.191.i208.i = load double, ptr %.190.i207.i, align 8, !noalias !96
-  %.195.i212.i = add nsw i64 %.161.i184.i, %.953.i.i
-  %.209.i222.i = icmp slt i64 %.195.i212.i, 0
-  %.210.i223.i = select i1 %.209.i222.i, i64 %arg.batch.5.4.5.0, i64 0
-  %217 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.195.i212.i
-  %.224.i235.i = getelementptr double, ptr %217, i64 %.210.i223.i
-  %.225.i236.i = load double, ptr %.224.i235.i, align 8, !noalias !96
-  %.226.i237.i = fneg double %.225.i236.i
-  %.227.i238.i = fcmp olt double %.191.i208.i, %.226.i237.i
-  br i1 %.227.i238.i, label %B128.i241.i, label %B34.i150.i
+B916.i8935:                                       ; preds = %B34.i.i, %B128.i.i
+  store double %.1635.i, ptr %.1577.i, align 8, !noalias !61
+  br label %B2142.i
 
-B976.i:                                           ; preds = %B128.i241.i
-  store double %.1648.i, ptr %.1645.i, align 8, !noalias !61
-  br label %B1562.i
+B974.loopexit.i:                                  ; preds = %B122.if.i467.i, %B974.if.i
+  %exitcond4815.not.i = icmp eq i64 %arg.shape.0, %.1896.i
+  br i1 %exitcond4815.not.i, label %B1046.i, label %B974.if.i
 
-B1002.i:                                          ; preds = %B34.i150.i, %B128.i241.i
-  store double %.1648.i, ptr %.1590.i, align 8, !noalias !61
-  br label %B1562.i
+B122.if.i467.i:                                   ; preds = %B122.if.i467.lr.ph.i, %B122.if.i467.i
+  %.229.i60.04748.i = phi i64 [ 0, %B122.if.i467.lr.ph.i ], [ %.300.i473.i, %B122.if.i467.i ]
+  %.157.i.i394.i = add nsw i64 %.229.i60.04748.i, %.155.i.i392.i
+  %.159.i.i396.i = mul nsw i64 %.157.i.i394.i, %arg.shape.0
+  %gep9250 = getelementptr double, ptr %invariant.gep9249, i64 %.159.i.i396.i
+  %.191.i.i418.i = load double, ptr %gep9250, align 8, !noalias !88
+  %.193.i.i420.i = fadd double %.191.i.i418.i, 0.000000e+00
+  %.253.i.i442.i = fmul double %.1975.i, %.193.i.i420.i
+  %.157.i.i394.1.i = add nsw i64 %.229.i60.04748.i, %.155.i.i392.1.i
+  %.159.i.i396.1.i = mul nsw i64 %.157.i.i394.1.i, %arg.shape.0
+  %gep9252 = getelementptr double, ptr %invariant.gep9251, i64 %.159.i.i396.1.i
+  %.191.i.i418.1.i = load double, ptr %gep9252, align 8, !noalias !88
+  %.193.i.i420.1.i = fadd double %.191.i.i418.1.i, %.253.i.i442.i
+  %.253.i.i442.1.i = fmul double %.247.i.i437.i, %.193.i.i420.1.i
+  %.157.i.i394.2.i = add nsw i64 %.229.i60.04748.i, %.155.i.i392.2.i
+  %.159.i.i396.2.i = mul nsw i64 %.157.i.i394.2.i, %arg.shape.0
+  %gep9254 = getelementptr double, ptr %invariant.gep9253, i64 %.159.i.i396.2.i
+  %.191.i.i418.2.i = load double, ptr %gep9254, align 8, !noalias !88
+  %.193.i.i420.2.i = fadd double %.191.i.i418.2.i, %.253.i.i442.1.i
+  %.253.i.i442.2.i = fmul double %.1975.i, %.193.i.i420.2.i
+  %.157.i.i394.3.i = add nsw i64 %.229.i60.04748.i, %.155.i.i392.3.i
+  %.159.i.i396.3.i = mul nsw i64 %.157.i.i394.3.i, %arg.shape.0
+  %gep9256 = getelementptr double, ptr %invariant.gep9255, i64 %.159.i.i396.3.i
+  %.191.i.i418.3.i = load double, ptr %gep9256, align 8, !noalias !88
+  %.193.i.i420.3.i = fadd double %.191.i.i418.3.i, %.253.i.i442.2.i
+  %.253.i.i442.3.i = fmul double %.247.i.i437.i, %.193.i.i420.3.i
+  %.157.i.i394.4.i = add nsw i64 %.229.i60.04748.i, %.155.i.i392.4.i
+  %.159.i.i396.4.i = mul nsw i64 %.157.i.i394.4.i, %arg.shape.0
+  %gep9258 = getelementptr double, ptr %invariant.gep9257, i64 %.159.i.i396.4.i
+  %.191.i.i418.4.i = load double, ptr %gep9258, align 8, !noalias !88
+  %.193.i.i420.4.i = fadd double %.191.i.i418.4.i, %.253.i.i442.3.i
+  %.253.i.i442.4.i = fmul double %.1975.i, %.193.i.i420.4.i
+  %.157.i.i394.5.i = add nsw i64 %.229.i60.04748.i, %.155.i.i392.5.i
+  %.159.i.i396.5.i = mul nsw i64 %.157.i.i394.5.i, %arg.shape.0
+  %gep9260 = getelementptr double, ptr %invariant.gep9259, i64 %.159.i.i396.5.i
+  %.191.i.i418.5.i = load double, ptr %gep9260, align 8, !noalias !88
+  %.193.i.i420.5.i = fadd double %.191.i.i418.5.i, %.253.i.i442.4.i
+  %.253.i.i442.5.i = fmul double %.247.i.i437.i, %.193.i.i420.5.i
+  %.157.i.i394.6.i = add nsw i64 %.229.i60.04748.i, %.155.i.i392.6.i
+  %.159.i.i396.6.i = mul nsw i64 %.157.i.i394.6.i, %arg.shape.0
+  %gep9262 = getelementptr double, ptr %invariant.gep9261, i64 %.159.i.i396.6.i
+  %.191.i.i418.6.i = load double, ptr %gep9262, align 8, !noalias !88
+  %.193.i.i420.6.i = fadd double %.191.i.i418.6.i, %.253.i.i442.5.i
+  %.253.i.i442.6.i = fmul double %.1975.i, %.193.i.i420.6.i
+  %.300.i473.i = add nsw i64 %.229.i60.04748.i, 1
+  %.271.i.i315.i = mul nsw i64 %.229.i60.04748.i, %arg.shape.0
+  %gep9264 = getelementptr double, ptr %invariant.gep9263, i64 %.271.i.i315.i
+  %.309.i.i340.i = load double, ptr %gep9264, align 8, !noalias !88
+  %.313.i.i343.i = fadd double %.309.i.i340.i, %.253.i.i442.6.i
+  %.359.i356.i = add nsw i64 %.229.i60.04748.i, %.358.i837.i
+  %.361.i358.i = mul nsw i64 %.359.i356.i, %arg.shape.0
+  %gep9266 = getelementptr double, ptr %invariant.gep9265, i64 %.361.i358.i
+  store double %.313.i.i343.i, ptr %gep9266, align 8, !noalias !95
+  %exitcond4814.not.i = icmp eq i64 %arg.shape.1, %.300.i473.i
+  br i1 %exitcond4814.not.i, label %B974.loopexit.i, label %B122.if.i467.i
 
-B1154.i:                                          ; preds = %B1062.if.i
-  %.2178.i = getelementptr double, ptr %56, i64 %.1861.02982.i
-  %.2179.i = load double, ptr %.2178.i, align 8, !noalias !61
-  %.2180.i = fcmp ogt double %.2179.i, 1.000000e-01
-  br i1 %.2180.i, label %B1202.i, label %B1563.i
+B1046.i:                                          ; preds = %B974.loopexit.i, %B974.preheader.i
+  %.2044.i = load i64, ptr %.1283.i, align 8, !noalias !61
+  %.2163.i = inttoptr i64 %.2044.i to ptr
+  tail call void %.2163.i(ptr %.571, ptr %.1375.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.1400.i), !noalias !61
+  %.205.i1687.i = load i64, ptr %arg.code.4, align 8, !noalias !96
+  %.321.i1761.i = inttoptr i64 %.205.i1687.i to ptr
+  tail call void %.321.i1761.i(ptr %.571, ptr %.1375.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.320.i1760.i), !noalias !96
+  br i1 %.114.i.i11654715.not.i, label %B88.endif.endif.i2089.i.critedge, label %B34.if.i.i2665.i
 
-B1202.i:                                          ; preds = %B1154.i
-  %.2235.i = getelementptr double, ptr %55, i64 %.1861.02982.i
-  %.2236.i = load double, ptr %.2235.i, align 8, !noalias !61
-  %.2292.i = load double, ptr %.2011.i, align 8, !noalias !61
-  %.2293.i = tail call double @llvm.fabs.f64(double %.2292.i)
-  %.2294.i = fmul double %.2293.i, 2.000000e-12
-  %.2351.i = getelementptr double, ptr %64, i64 %.1861.02982.i
-  %.2352.i = load double, ptr %.2351.i, align 8, !noalias !61
-  %.2357.i = fmul double %.2236.i, 0x3D719799812DEA11
-  %.10.i.i8935 = fcmp ogt double %.2294.i, %.2357.i
-  %.11.i.i8936 = select i1 %.10.i.i8935, double %.2294.i, double %.2357.i
-  %.2353.i = fsub double 1.000000e+00, %.2352.i
-  %.2355.i = fmul double %.2236.i, %.2353.i
-  %.2386.i = fcmp ugt double %.2355.i, %.11.i.i8936
-  %.2391.i = fcmp ugt double %.2236.i, %.2389.i
-  %or.cond.i = select i1 %.2386.i, i1 %.2391.i, i1 false
-  br i1 %or.cond.i, label %B1462.i, label %B1426.i
+B34.if.i.i2665.i:                                 ; preds = %B1046.i, %B34.if.i.i2665.i
+  %.56.i.i1440.04754.i = phi i64 [ %.127.i.i2671.i, %B34.if.i.i2665.i ], [ 0, %B1046.i ]
+  %.127.i.i2671.i = add nsw i64 %.56.i.i1440.04754.i, 1
+  %.153.i.i2580.i = add nsw i64 %.56.i.i1440.04754.i, %.866.i
+  %.167.i.i2588.i = icmp slt i64 %.153.i.i2580.i, 0
+  %.168.i.i2589.i = select i1 %.167.i.i2588.i, i64 %arg.batch.5.4.5.0, i64 0
+  %207 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.153.i.i2580.i
+  %.182.i.i2599.i = getelementptr double, ptr %207, i64 %.168.i.i2589.i
+  %.183.i.i2600.i = load double, ptr %.182.i.i2599.i, align 8, !noalias !100
+  %.185.i.i2602.i = add nsw i64 %.56.i.i1440.04754.i, %.327.i1112.i
+  %.199.i.i2610.i = icmp slt i64 %.185.i.i2602.i, 0
+  %.200.i.i2611.i = select i1 %.199.i.i2610.i, i64 %arg.batch.5.1.5.0, i64 0
+  %208 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.185.i.i2602.i
+  %.214.i.i2621.i = getelementptr double, ptr %208, i64 %.200.i.i2611.i
+  %.215.i.i2622.i = load double, ptr %.214.i.i2621.i, align 8, !noalias !100
+  store double %.183.i.i2600.i, ptr %.214.i.i2621.i, align 8, !noalias !100
+  store double %.215.i.i2622.i, ptr %.182.i.i2599.i, align 8, !noalias !100
+  %exitcond4816.not.i = icmp eq i64 %.174.i1053.i, %.127.i.i2671.i
+  br i1 %exitcond4816.not.i, label %B88.endif.i1862.i, label %B34.if.i.i2665.i
 
-B1426.i:                                          ; preds = %B1202.i
-  %.2450.i = getelementptr double, ptr %65, i64 %.1861.02982.i
-  store double 1.000000e+00, ptr %.2450.i, align 8, !noalias !61
-  br label %B1563.i
+B656.i2168.loopexit.i:                            ; preds = %B690.if.i2439.i, %B656.if.i2450.i
+  %exitcond4819.not.i = icmp eq i64 %arg.shape.0, %.931.i2454.i
+  br i1 %exitcond4819.not.i, label %B1238.preheader.i, label %B656.if.i2450.i
 
-B1462.i:                                          ; preds = %B1202.i
-  %.2507.i = getelementptr double, ptr %66, i64 %.1861.02982.i
-  %.2508.i = load double, ptr %.2507.i, align 8, !noalias !61
-  %.2510.i = fmul double %.2236.i, %.2508.i
-  %.10.i2927.i = fcmp ogt double %.253.i, %.2510.i
-  %.11.i2928.i = select i1 %.10.i2927.i, double %.253.i, double %.2510.i
-  %.108.i735.i = getelementptr double, ptr %67, i64 %.1861.02982.i
-  store double 0.000000e+00, ptr %.108.i735.i, align 8, !noalias !100
-  %.161.i780.i = getelementptr double, ptr %68, i64 %.1861.02982.i
-  store double 0.000000e+00, ptr %.161.i780.i, align 8, !noalias !100
-  %.214.i825.i = getelementptr double, ptr %69, i64 %.1861.02982.i
-  store double %.11.i2928.i, ptr %.214.i825.i, align 8, !noalias !100
-  %.267.i866.i = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.1861.02982.i
-  %.268.i867.i = load i64, ptr %.267.i866.i, align 8, !noalias !100
-  %.294.i886.i = icmp slt i64 %.268.i867.i, 0
-  %.295.i887.i = select i1 %.294.i886.i, i64 %arg.batch.3.3.5.0, i64 0
-  %.296.i888.i = add i64 %.295.i887.i, %.268.i867.i
-  %.316.i903.i = mul i64 %.296.i888.i, %arg.batch.3.3.5.1
-  %.320.i.i = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.316.i903.i
-  %.321.i906.i = load i64, ptr %.320.i.i, align 8, !noalias !100
-  %.322.i907.i = add nsw i64 %.321.i906.i, -1
-  store i64 %.322.i907.i, ptr %.320.i.i, align 8, !noalias !100
-  %.426.i.i = load i64, ptr %.267.i866.i, align 8, !noalias !100
-  %.452.i.i8937 = icmp slt i64 %.426.i.i, 0
-  %.453.i985.i = select i1 %.452.i.i8937, i64 %arg.batch.3.3.5.0, i64 0
-  %.454.i.i8938 = add i64 %.453.i985.i, %.426.i.i
-  %.474.i.i8939 = mul i64 %.454.i.i8938, %arg.batch.3.3.5.1
-  %218 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.474.i.i8939
-  %.478.i997.i = getelementptr i8, ptr %218, i64 24
-  %.479.i.i8940 = load i64, ptr %.478.i997.i, align 8, !noalias !100
-  %.480.i998.i = add nsw i64 %.479.i.i8940, 1
-  store i64 %.480.i998.i, ptr %.478.i997.i, align 8, !noalias !100
-  br label %B1563.i
+B1238.preheader.i:                                ; preds = %B656.i2168.loopexit.i, %B88.endif.endif.i2089.i
+  br i1 %.23224789.i, label %B1242.lr.ph.i, label %B3414
 
-B1561.i:                                          ; preds = %B364.endif.i, %B220.if.i, %B262.i
-  %halvings.3.1.i = phi i64 [ %.mux.i, %B262.i ], [ %halvings.2.02965.i, %B364.endif.i ], [ %halvings.2.02965.i, %B220.if.i ]
-  %exitcond2995.not.i = icmp eq i64 %arg.shape.0, %.446.i
-  br i1 %exitcond2995.not.i, label %B480.preheader.i, label %B220.if.i
+B1242.lr.ph.i:                                    ; preds = %B1238.preheader.i
+  %.3270.i = fmul double %.262.i, 2.000000e+00
+  br label %B1242.i
 
-B1562.i:                                          ; preds = %B772.if.i, %B1002.i, %B976.i, %B814.i
-  %exitcond3000.not.i = icmp eq i64 %arg.shape.0, %.1395.i
-  br i1 %exitcond3000.not.i, label %B480.loopexit.i, label %B772.if.i
+B88.endif.i1862.i:                                ; preds = %B34.if.i.i2665.i
+  %.388.i1885.i = load i64, ptr %.388.i1198.i, align 8, !noalias !96
+  %.500.i.i = inttoptr i64 %.388.i1885.i to ptr
+  tail call void %.500.i.i(ptr %.571, ptr %.1375.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !96
+  %.531.i.i = load i64, ptr %arg.code.4, align 8, !noalias !96
+  %.647.i1992.i = inttoptr i64 %.531.i.i to ptr
+  tail call void %.647.i1992.i(ptr %.571, ptr %.1375.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.646.i1991.i), !noalias !96
+  br label %B34.if.i179.i2555.i
 
-B1563.i:                                          ; preds = %B1062.if.i, %B1462.i, %B1426.i, %B1154.i
-  %exitcond3001.not.i = icmp eq i64 %arg.shape.0, %.1930.i
-  br i1 %exitcond3001.not.i, label %B3414, label %B1062.if.i
+B34.if.i179.i2555.i:                              ; preds = %B88.endif.i1862.i, %B34.if.i179.i2555.i
+  %.56.i27.i1420.04757.i = phi i64 [ %.127.i185.i2561.i, %B34.if.i179.i2555.i ], [ 0, %B88.endif.i1862.i ]
+  %.127.i185.i2561.i = add nsw i64 %.56.i27.i1420.04757.i, 1
+  %.153.i94.i2470.i = add nsw i64 %.56.i27.i1420.04757.i, %.866.i
+  %.167.i102.i2478.i = icmp slt i64 %.153.i94.i2470.i, 0
+  %.168.i103.i2479.i = select i1 %.167.i102.i2478.i, i64 %arg.batch.5.4.5.0, i64 0
+  %209 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.153.i94.i2470.i
+  %.182.i113.i2489.i = getelementptr double, ptr %209, i64 %.168.i103.i2479.i
+  %.183.i114.i2490.i = load double, ptr %.182.i113.i2489.i, align 8, !noalias !104
+  %.185.i116.i2492.i = add nsw i64 %.56.i27.i1420.04757.i, %.327.i1112.i
+  %.199.i124.i2500.i = icmp slt i64 %.185.i116.i2492.i, 0
+  %.200.i125.i2501.i = select i1 %.199.i124.i2500.i, i64 %arg.batch.5.1.5.0, i64 0
+  %210 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.185.i116.i2492.i
+  %.214.i135.i2511.i = getelementptr double, ptr %210, i64 %.200.i125.i2501.i
+  %.215.i136.i2512.i = load double, ptr %.214.i135.i2511.i, align 8, !noalias !104
+  store double %.183.i114.i2490.i, ptr %.214.i135.i2511.i, align 8, !noalias !104
+  store double %.215.i136.i2512.i, ptr %.182.i113.i2489.i, align 8, !noalias !104
+  %exitcond4817.not.i = icmp eq i64 %.174.i1053.i, %.127.i185.i2561.i
+  br i1 %exitcond4817.not.i, label %B88.endif.endif.i2089.i, label %B34.if.i179.i2555.i
 
-B220.if.i:                                        ; preds = %B220.preheader.i, %B1561.i
-  %halvings.2.02965.i = phi i64 [ %halvings.3.1.i, %B1561.i ], [ 0, %B220.preheader.i ]
-  %.377.02963.i = phi i64 [ %.446.i, %B1561.i ], [ 0, %B220.preheader.i ]
-  %.446.i = add nsw i64 %.377.02963.i, 1
-  %219 = getelementptr i64, ptr %57, i64 %.377.02963.i
-  %.528.i = load i64, ptr %219, align 8, !noalias !61
-  %.529.i = icmp sgt i64 %.528.i, -1
-  br i1 %.529.i, label %B262.i, label %B1561.i
+B88.endif.endif.i2089.i.critedge:                 ; preds = %B1046.i
+  %.388.i1885.i.c = load i64, ptr %.388.i1198.i, align 8, !noalias !96
+  %.500.i.i.c = inttoptr i64 %.388.i1885.i.c to ptr
+  tail call void %.500.i.i.c(ptr %.571, ptr %.1375.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !96
+  %.531.i.i.c = load i64, ptr %arg.code.4, align 8, !noalias !96
+  %.647.i1992.i.c = inttoptr i64 %.531.i.i.c to ptr
+  tail call void %.647.i1992.i.c(ptr %.571, ptr %.1375.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.646.i1991.i), !noalias !96
+  br label %B88.endif.endif.i2089.i
 
-B364.endif.i:                                     ; preds = %B34.i.i, %B128.i.i
-  %.658.0.i = phi double [ %212, %B128.i.i ], [ 0.000000e+00, %B34.i.i ]
-  %220 = getelementptr double, ptr %58, i64 %.377.02963.i
-  store double %.658.0.i, ptr %220, align 8, !noalias !61
-  br label %B1561.i
+B88.endif.endif.i2089.i:                          ; preds = %B34.if.i179.i2555.i, %B88.endif.endif.i2089.i.critedge
+  %.714.i2104.i = load i64, ptr %.388.i1198.i, align 8, !noalias !96
+  %.828.i.i8936 = inttoptr i64 %.714.i2104.i to ptr
+  tail call void %.828.i.i8936(ptr %.571, ptr %.1375.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !96
+  br i1 %.794, label %B1238.preheader.i, label %B656.if.i2450.i
 
-B482.if.i:                                        ; preds = %B480.preheader.i, %B480.loopexit.i
-  %.795.02980.i = phi i64 [ %.858.i, %B480.loopexit.i ], [ %halvings.2.0.lcssa.i, %B480.preheader.i ]
-  %.858.i = add nsw i64 %.795.02980.i, -1
-  br i1 %.794, label %B480.loopexit.i.critedge, label %B516.if.i
+B656.if.i2450.i:                                  ; preds = %B88.endif.endif.i2089.i, %B656.i2168.loopexit.i
+  %.862.i1596.04763.i = phi i64 [ %.931.i2454.i, %B656.i2168.loopexit.i ], [ 0, %B88.endif.endif.i2089.i ]
+  %.931.i2454.i = add nsw i64 %.862.i1596.04763.i, 1
+  br i1 %.287.i7034709.not.i, label %B656.i2168.loopexit.i, label %B690.if.i2439.lr.ph.i
 
-B516.if.i:                                        ; preds = %B482.if.i, %B516.loopexit.i
-  %.911.02973.i = phi i64 [ %.980.i, %B516.loopexit.i ], [ 0, %B482.if.i ]
-  %.980.i = add nsw i64 %.911.02973.i, 1
-  %.1057.i = getelementptr double, ptr %59, i64 %.911.02973.i
-  %.1058.i = load double, ptr %.1057.i, align 8, !noalias !61
-  %.1111.i = getelementptr double, ptr %60, i64 %.911.02973.i
-  %.1112.i = load double, ptr %.1111.i, align 8, !noalias !61
-  %.1113.i = fadd double %.1058.i, %.1112.i
-  %.1114.i = fmul double %.1113.i, 5.000000e-01
-  %.92.i354.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.911.02973.i
-  %.93.i355.i = load double, ptr %.92.i354.i, align 8, !noalias !95
-  %.146.i387.i = getelementptr double, ptr %55, i64 %.911.02973.i
-  %.147.i.i = load double, ptr %.146.i387.i, align 8, !noalias !95
-  %.149.i.i = fmul double %.1114.i, %.147.i.i
-  %.150.i389.i = fadd double %.93.i355.i, %.149.i.i
-  %.203.i431.i = getelementptr double, ptr %.571, i64 %.911.02973.i
-  store double %.150.i389.i, ptr %.203.i431.i, align 8, !noalias !95
-  br i1 %.287.i.i2940.not.i, label %B516.loopexit.i, label %B122.if.i.lr.ph.i
+B690.if.i2439.lr.ph.i:                            ; preds = %B656.if.i2450.i
+  %.1303.i2349.i = getelementptr double, ptr %55, i64 %.862.i1596.04763.i
+  %.1386.i2393.i = getelementptr double, ptr %56, i64 %.862.i1596.04763.i
+  br label %B690.if.i2439.i
 
-B122.if.i.lr.ph.i:                                ; preds = %B516.if.i
-  %.247.i.i.i = fsub double 1.000000e+00, %.1114.i
-  %invariant.gep9255 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02973.i
-  %invariant.gep9257 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02973.i
-  %invariant.gep9259 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02973.i
-  %invariant.gep9261 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02973.i
-  %invariant.gep9263 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02973.i
-  %invariant.gep9265 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02973.i
-  %invariant.gep9267 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02973.i
-  %invariant.gep9269 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02973.i
-  %invariant.gep9271 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.911.02973.i
+B690.if.i2439.i:                                  ; preds = %B690.if.i2439.i, %B690.if.i2439.lr.ph.i
+  %.983.i1605.04760.i = phi i64 [ 0, %B690.if.i2439.lr.ph.i ], [ %.1052.i2443.i, %B690.if.i2439.i ]
+  %.1052.i2443.i = add nsw i64 %.983.i1605.04760.i, 1
+  %211 = mul nsw i64 %.983.i1605.04760.i, %arg.shape.0
+  %.1080.i2208.i = add nsw i64 %211, %.862.i1596.04763.i
+  %212 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1080.i2208.i
+  %.1110.i2227.i = load double, ptr %212, align 8, !noalias !96
+  %.1119.i2236.i = add nsw i64 %.1080.i2208.i, %.603.i1978.i
+  %.1133.i2243.i = icmp slt i64 %.1119.i2236.i, 0
+  %.1134.i2244.i = select i1 %.1133.i2243.i, i64 %arg.batch.5.0.5.0, i64 0
+  %213 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1119.i2236.i
+  %.1148.i.i = getelementptr double, ptr %213, i64 %.1134.i2244.i
+  %.1149.i2255.i = load double, ptr %.1148.i.i, align 8, !noalias !96
+  %.1154.i2260.i = add nsw i64 %.1080.i2208.i, %.277.i1742.i
+  %.1168.i2267.i = icmp slt i64 %.1154.i2260.i, 0
+  %.1169.i2268.i = select i1 %.1168.i2267.i, i64 %arg.batch.5.0.5.0, i64 0
+  %214 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1154.i2260.i
+  %.1183.i.i = getelementptr double, ptr %214, i64 %.1169.i2268.i
+  %.1184.i2279.i = load double, ptr %.1183.i.i, align 8, !noalias !96
+  %.1185.i2280.i = fsub double %.1149.i2255.i, %.1184.i2279.i
+  %.1186.i2281.i = tail call double @llvm.fabs.f64(double %.1185.i2280.i)
+  %.1216.i2297.i = load double, ptr %.1216.i.i, align 8, !noalias !96
+  %.1246.i.i = load double, ptr %arg.tolerances.4, align 8, !noalias !96
+  %.1247.i2312.i = tail call double @llvm.fabs.f64(double %.1110.i2227.i)
+  %.1248.i2313.i = fmul double %.1247.i2312.i, %.1246.i.i
+  %.1249.i2314.i = fadd double %.1216.i2297.i, %.1248.i2313.i
+  %.1304.i2350.i = load double, ptr %.1303.i2349.i, align 8, !noalias !96
+  %.1305.i2351.i = fmul double %.1186.i2281.i, %.1304.i2350.i
+  %.1309.i.i = fdiv double %.1305.i2351.i, %.1249.i2314.i
+  %.1315.i2355.i = fsub double %.1309.i.i, %.1309.i.i
+  %.1316.i2356.i = fcmp oeq double %.1315.i2355.i, 0.000000e+00
+  %.1309.i..i = select i1 %.1316.i2356.i, double %.1309.i.i, double 0x7FF0000000000000
+  %.1387.i2394.i = load double, ptr %.1386.i2393.i, align 8, !noalias !96
+  %.10.i.i2399.i = fcmp ogt double %.1309.i..i, %.1387.i2394.i
+  %.11.i.i2400.i = select i1 %.10.i.i2399.i, double %.1309.i..i, double %.1387.i2394.i
+  store double %.11.i.i2400.i, ptr %.1386.i2393.i, align 8, !noalias !96
+  %exitcond4818.not.i = icmp eq i64 %arg.shape.1, %.1052.i2443.i
+  br i1 %exitcond4818.not.i, label %B656.i2168.loopexit.i, label %B690.if.i2439.i
+
+B1242.i:                                          ; preds = %B2141.i, %B1242.lr.ph.i
+  %.2312.sroa.0.04796.i = phi i64 [ 0, %B1242.lr.ph.i ], [ %.2312.sroa.0.0.i, %B2141.i ]
+  %.2268.14795.i = phi i64 [ %.2268.14792.i, %B1242.lr.ph.i ], [ %.2268.1.i, %B2141.i ]
+  %.2265.14794.i = phi i64 [ 1, %B1242.lr.ph.i ], [ %.2265.1.i, %B2141.i ]
+  %.2393.i = icmp slt i64 %.2312.sroa.0.04796.i, 0
+  %.2394.i = select i1 %.2393.i, i64 %arg.batch.4.0.5.1, i64 0
+  %.2395.i = add i64 %.2394.i, %.2312.sroa.0.04796.i
+  %.2416.i = getelementptr double, ptr %59, i64 %.2395.i
+  %.2417.i = load double, ptr %.2416.i, align 8, !noalias !61
+  %.2471.i = getelementptr double, ptr %.571, i64 %.2395.i
+  store double %.2417.i, ptr %.2471.i, align 8, !noalias !61
+  %.2504.i = select i1 %.2393.i, i64 %arg.batch.4.1.5.1, i64 0
+  %.2505.i = add i64 %.2504.i, %.2312.sroa.0.04796.i
+  %.2526.i = getelementptr i64, ptr %60, i64 %.2505.i
+  %.2527.i = load i64, ptr %.2526.i, align 8, !noalias !61
+  %.2528.i = icmp slt i64 %.2527.i, 0
+  br i1 %.2528.i, label %B2141.i, label %B1334.i
+
+B1334.i:                                          ; preds = %B1242.i
+  %.2586.i = getelementptr double, ptr %55, i64 %.2395.i
+  %.2587.i = load double, ptr %.2586.i, align 8, !noalias !61
+  %.2641.i = getelementptr double, ptr %58, i64 %.2395.i
+  %.2642.i = load double, ptr %.2641.i, align 8, !noalias !61
+  %.2763.i = getelementptr double, ptr %56, i64 %.2395.i
+  %.2764.i = load double, ptr %.2763.i, align 8, !noalias !61
+  %.2765.i = fcmp ogt double %.2764.i, 1.000000e-01
+  br i1 %.2765.i, label %B1520.i, label %B1744.i
+
+B1520.i:                                          ; preds = %B1334.i
+  %.2698.i = load double, ptr %.2416.i, align 8, !noalias !61
+  %.2699.i = tail call double @llvm.fabs.f64(double %.2698.i)
+  %.2700.i = fmul double %.2699.i, 2.000000e-12
+  %.2820.i = getelementptr double, ptr %57, i64 %.2395.i
+  %.2821.i = load double, ptr %.2820.i, align 8, !noalias !61
+  %.2826.i = fmul double %.2587.i, 0x3D719799812DEA11
+  %.10.i.i8942 = fcmp ogt double %.2700.i, %.2826.i
+  %.11.i.i8943 = select i1 %.10.i.i8942, double %.2700.i, double %.2826.i
+  %.2822.i = fsub double 1.000000e+00, %.2821.i
+  %.2824.i = fmul double %.2587.i, %.2822.i
+  %.2858.i = fcmp ugt double %.2824.i, %.11.i.i8943
+  %.2863.i = fcmp ugt double %.2587.i, %.3270.i
+  %or.cond.i = select i1 %.2858.i, i1 %.2863.i, i1 false
+  br i1 %or.cond.i, label %B1672.i, label %B1636.i
+
+B1636.i:                                          ; preds = %B1520.i
+  %.2924.i = getelementptr double, ptr %61, i64 %.2395.i
+  store double 1.000000e+00, ptr %.2924.i, align 8, !noalias !61
+  br label %B2141.i
+
+B1672.i:                                          ; preds = %B1520.i
+  %.2930.i = fmul double %.2587.i, %.2642.i
+  %.10.i4692.i = fcmp ogt double %.262.i, %.2930.i
+  %.11.i4693.i = select i1 %.10.i4692.i, double %.262.i, double %.2930.i
+  %.108.i3222.i = getelementptr double, ptr %62, i64 %.2395.i
+  store double 0.000000e+00, ptr %.108.i3222.i, align 8, !noalias !108
+  %.161.i3268.i = getelementptr double, ptr %63, i64 %.2395.i
+  store double 0.000000e+00, ptr %.161.i3268.i, align 8, !noalias !108
+  %.214.i3314.i = getelementptr double, ptr %64, i64 %.2395.i
+  store double %.11.i4693.i, ptr %.214.i3314.i, align 8, !noalias !108
+  %.267.i3359.i = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.2505.i
+  %.268.i3360.i = load i64, ptr %.267.i3359.i, align 8, !noalias !108
+  %.294.i3382.i = icmp slt i64 %.268.i3360.i, 0
+  %.295.i3383.i = select i1 %.294.i3382.i, i64 %arg.batch.3.3.5.0, i64 0
+  %.296.i3384.i = add i64 %.295.i3383.i, %.268.i3360.i
+  %.316.i3404.i = mul i64 %.296.i3384.i, %arg.batch.3.3.5.1
+  %.320.i3408.i = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.316.i3404.i
+  %.321.i3409.i = load i64, ptr %.320.i3408.i, align 8, !noalias !108
+  %.322.i3410.i = add nsw i64 %.321.i3409.i, -1
+  store i64 %.322.i3410.i, ptr %.320.i3408.i, align 8, !noalias !108
+  %.426.i3501.i = load i64, ptr %.267.i3359.i, align 8, !noalias !108
+  %.452.i3523.i = icmp slt i64 %.426.i3501.i, 0
+  %.453.i3524.i = select i1 %.452.i3523.i, i64 %arg.batch.3.3.5.0, i64 0
+  %.454.i3525.i = add i64 %.453.i3524.i, %.426.i3501.i
+  %.474.i3544.i = mul i64 %.454.i3525.i, %arg.batch.3.3.5.1
+  %215 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.474.i3544.i
+  %.478.i3548.i = getelementptr i8, ptr %215, i64 24
+  %.479.i3549.i = load i64, ptr %.478.i3548.i, align 8, !noalias !108
+  %.480.i3550.i = add nsw i64 %.479.i3549.i, 1
+  store i64 %.480.i3550.i, ptr %.478.i3548.i, align 8, !noalias !108
+  br label %B2141.i
+
+B1744.i:                                          ; preds = %B1334.i
+  %.3083.i = fcmp olt double %.2642.i, 7.500000e-01
+  br i1 %.3083.i, label %B1818.i, label %B1904.i
+
+B1818.i:                                          ; preds = %B1744.i
+  %.3067.i = add nsw i64 %.2527.i, %arg.shape.6
+  %.3069.i = mul nsw i64 %.3067.i, %arg.shape.0
+  %.3071.i = add nsw i64 %.3069.i, %.2312.sroa.0.04796.i
+  %.3104.i = icmp slt i64 %.3071.i, 0
+  %.3105.i = select i1 %.3104.i, i64 %arg.batch.5.4.5.0, i64 0
+  %216 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.3071.i
+  %.3119.i = getelementptr double, ptr %216, i64 %.3105.i
+  %.3120.i = load double, ptr %.3119.i, align 8, !noalias !61
+  %.3125.i = add nsw i64 %.3071.i, %.174.i1053.i
+  %.3141.i = icmp slt i64 %.3125.i, 0
+  %.3142.i = select i1 %.3141.i, i64 %arg.batch.5.4.5.0, i64 0
+  %217 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.3125.i
+  %.3156.i = getelementptr double, ptr %217, i64 %.3142.i
+  %.3157.i = load double, ptr %.3156.i, align 8, !noalias !61
+  %.3158.i = fcmp ogt double %.3120.i, %.3157.i
+  br i1 %.3158.i, label %B1866.i, label %B1904.i
+
+B1866.i:                                          ; preds = %B1818.i
+  %.3161.i = fmul double %.2642.i, 5.000000e-01
+  %.3169.i = fmul double %.3161.i, 0x4002AAAAAAAAAAAA
+  br label %B1904.i
+
+B1904.i:                                          ; preds = %B1866.i, %B1818.i, %B1744.i
+  %share.5.2.i = phi double [ %.3169.i, %B1866.i ], [ 1.000000e+00, %B1818.i ], [ 1.000000e+00, %B1744.i ]
+  br i1 %.129.i37024776.not.i, label %B1904.endif.endif.i, label %B82.if.i.i
+
+B392.i.i:                                         ; preds = %B82.if.i.i
+  %.10.i3.i.i = fcmp ogt double %.488.i.i.i, 0xFFF0000000000000
+  %.11.i4.i.i8941 = select i1 %.10.i3.i.i, double %.488.i.i.i, double 0xFFF0000000000000
+  %.10.i3.i.1.i = fcmp ogt double %.222.i.i.i, %.11.i4.i.i8941
+  %.11.i4.i.1.i = select i1 %.10.i3.i.1.i, double %.222.i.i.i, double %.11.i4.i.i8941
+  %.10.i3.i.2.i = fcmp ogt double %.488.i.i.1.i, %.11.i4.i.1.i
+  %.11.i4.i.2.i = select i1 %.10.i3.i.2.i, double %.488.i.i.1.i, double %.11.i4.i.1.i
+  %.10.i3.i.3.i = fcmp ogt double %.222.i.i.1.i, %.11.i4.i.2.i
+  %.11.i4.i.3.i = select i1 %.10.i3.i.3.i, double %.222.i.i.1.i, double %.11.i4.i.2.i
+  %.10.i3.i.4.i = fcmp ogt double %.488.i.i.2.i, %.11.i4.i.3.i
+  %.11.i4.i.4.i = select i1 %.10.i3.i.4.i, double %.488.i.i.2.i, double %.11.i4.i.3.i
+  %.10.i3.i.5.i = fcmp ogt double %.222.i.i.2.i, %.11.i4.i.4.i
+  %.11.i4.i.5.i = select i1 %.10.i3.i.5.i, double %.222.i.i.2.i, double %.11.i4.i.4.i
+  %.10.i3.i.6.i = fcmp ogt double %.488.i.i.3.i, %.11.i4.i.5.i
+  %.11.i4.i.6.i = select i1 %.10.i3.i.6.i, double %.488.i.i.3.i, double %.11.i4.i.5.i
+  %.10.i3.i.7.i = fcmp ogt double %.222.i.i.3.i, %.11.i4.i.6.i
+  %.11.i4.i.7.i = select i1 %.10.i3.i.7.i, double %.222.i.i.3.i, double %.11.i4.i.6.i
+  %.10.i3.i.8.i = fcmp ogt double %.488.i.i.4.i, %.11.i4.i.7.i
+  %.11.i4.i.8.i = select i1 %.10.i3.i.8.i, double %.488.i.i.4.i, double %.11.i4.i.7.i
+  %.10.i.i3977.i = fcmp olt double %.488.i.i.i, 0x7FF0000000000000
+  %.11.i.i3978.i = select i1 %.10.i.i3977.i, double %.488.i.i.i, double 0x7FF0000000000000
+  %.10.i.i3977.1.i = fcmp olt double %.222.i.i.i, %.11.i.i3978.i
+  %.11.i.i3978.1.i = select i1 %.10.i.i3977.1.i, double %.222.i.i.i, double %.11.i.i3978.i
+  %.10.i.i3977.2.i = fcmp olt double %.488.i.i.1.i, %.11.i.i3978.1.i
+  %.11.i.i3978.2.i = select i1 %.10.i.i3977.2.i, double %.488.i.i.1.i, double %.11.i.i3978.1.i
+  %.10.i.i3977.3.i = fcmp olt double %.222.i.i.1.i, %.11.i.i3978.2.i
+  %.11.i.i3978.3.i = select i1 %.10.i.i3977.3.i, double %.222.i.i.1.i, double %.11.i.i3978.2.i
+  %.10.i.i3977.4.i = fcmp olt double %.488.i.i.2.i, %.11.i.i3978.3.i
+  %.11.i.i3978.4.i = select i1 %.10.i.i3977.4.i, double %.488.i.i.2.i, double %.11.i.i3978.3.i
+  %.10.i.i3977.5.i = fcmp olt double %.222.i.i.2.i, %.11.i.i3978.4.i
+  %.11.i.i3978.5.i = select i1 %.10.i.i3977.5.i, double %.222.i.i.2.i, double %.11.i.i3978.4.i
+  %.10.i.i3977.6.i = fcmp olt double %.488.i.i.3.i, %.11.i.i3978.5.i
+  %.11.i.i3978.6.i = select i1 %.10.i.i3977.6.i, double %.488.i.i.3.i, double %.11.i.i3978.5.i
+  %.10.i.i3977.7.i = fcmp olt double %.222.i.i.3.i, %.11.i.i3978.6.i
+  %.11.i.i3978.7.i = select i1 %.10.i.i3977.7.i, double %.222.i.i.3.i, double %.11.i.i3978.6.i
+  %.10.i.i3977.8.i = fcmp olt double %.488.i.i.4.i, %.11.i.i3978.7.i
+  %.11.i.i3978.8.i = select i1 %.10.i.i3977.8.i, double %.488.i.i.4.i, double %.11.i.i3978.7.i
+  %.511.i3868.i = fsub double %.11.i4.i.8.i, %.11.i.i3978.8.i
+  %.516.i3871.i = fmul double %.511.i3868.i, 1.000000e-02
+  %.518.i3872.i = fcmp ogt double %.11.i.i.i.3.i, %.516.i3871.i
+  br i1 %.518.i3872.i, label %B1904.endif.endif.i, label %B432.i.i
+
+B432.i.i:                                         ; preds = %B82.if.i.i, %B392.i.i
+  %exitcond4904.not.i = icmp eq i64 %arg.shape.6, %.142.i4043.i
+  br i1 %exitcond4904.not.i, label %B1904.endif.endif.i, label %B82.if.i.i
+
+B82.if.i.i:                                       ; preds = %B1904.i, %B432.i.i
+  %.71.i3632.04777.i = phi i64 [ %.142.i4043.i, %B432.i.i ], [ 0, %B1904.i ]
+  %.168.i3720.i = add nsw i64 %.71.i3632.04777.i, %arg.shape.6
+  %.170.i3722.i = mul nsw i64 %.168.i3720.i, %arg.shape.0
+  %.172.i3724.i = add nsw i64 %.170.i3722.i, %.2312.sroa.0.04796.i
+  %.142.i4043.i = add nsw i64 %.71.i3632.04777.i, 1
+  %.192.i.i3891.i = add nsw i64 %.172.i3724.i, %factor.op.mul.i.reass
+  %.206.i.i3899.i = icmp slt i64 %.192.i.i3891.i, 0
+  %.207.i.i3900.i = select i1 %.206.i.i3899.i, i64 %arg.batch.5.4.5.0, i64 0
+  %218 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.192.i.i3891.i
+  %.221.i.i.i = getelementptr double, ptr %218, i64 %.207.i.i3900.i
+  %.222.i.i.i = load double, ptr %.221.i.i.i, align 8, !noalias !111
+  %.472.i.i.i = icmp slt i64 %.172.i3724.i, 0
+  %.473.i.i.i = select i1 %.472.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %219 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.172.i3724.i
+  %.487.i.i.i = getelementptr double, ptr %219, i64 %.473.i.i.i
+  %.488.i.i.i = load double, ptr %.487.i.i.i, align 8, !noalias !111
+  %.489.i.i.i = fmul double %.488.i.i.i, 0x3FDDF27AAAADCB3A
+  %.491.i.i.i = fsub double %.222.i.i.i, %.489.i.i.i
+  %.458.i.i.1.i = add nsw i64 %.172.i3724.i, %.454.i.i.i
+  %.472.i.i.1.i = icmp slt i64 %.458.i.i.1.i, 0
+  %.473.i.i.1.i = select i1 %.472.i.i.1.i, i64 %arg.batch.5.4.5.0, i64 0
+  %220 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.458.i.i.1.i
+  %.487.i.i.1.i = getelementptr double, ptr %220, i64 %.473.i.i.1.i
+  %.488.i.i.1.i = load double, ptr %.487.i.i.1.i, align 8, !noalias !111
+  %.489.i.i.1.i = fmul double %.488.i.i.1.i, 0x3FEC575F1EBC4F2F
+  %.491.i.i.1.i = fsub double %.491.i.i.i, %.489.i.i.1.i
+  %.458.i.i.2.i = add nsw i64 %.172.i3724.i, %.456.i.i.2.i
+  %.472.i.i.2.i = icmp slt i64 %.458.i.i.2.i, 0
+  %.473.i.i.2.i = select i1 %.472.i.i.2.i, i64 %arg.batch.5.4.5.0, i64 0
+  %221 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.458.i.i.2.i
+  %.487.i.i.2.i = getelementptr double, ptr %221, i64 %.473.i.i.2.i
+  %.488.i.i.2.i = load double, ptr %.487.i.i.2.i, align 8, !noalias !111
+  %.489.i.i.2.i = fmul double %.488.i.i.2.i, 0x3FE1306AA3D795F4
+  %222 = fadd double %.491.i.i.1.i, %.489.i.i.2.i
+  %.458.i.i.3.i = add nsw i64 %.172.i3724.i, %.456.i.i.3.i
+  %.472.i.i.3.i = icmp slt i64 %.458.i.i.3.i, 0
+  %.473.i.i.3.i = select i1 %.472.i.i.3.i, i64 %arg.batch.5.4.5.0, i64 0
+  %223 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.458.i.i.3.i
+  %.487.i.i.3.i = getelementptr double, ptr %223, i64 %.473.i.i.3.i
+  %.488.i.i.3.i = load double, ptr %.487.i.i.3.i, align 8, !noalias !111
+  %.489.i.i.3.i = fmul double %.488.i.i.3.i, 0x3FCCB9F574BDCC3A
+  %.491.i.i.3.i = fsub double %222, %.489.i.i.3.i
+  %.458.i.i.4.i = add nsw i64 %.172.i3724.i, %.456.i.i.4.i
+  %.472.i.i.4.i = icmp slt i64 %.458.i.i.4.i, 0
+  %.473.i.i.4.i = select i1 %.472.i.i.4.i, i64 %arg.batch.5.4.5.0, i64 0
+  %224 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.458.i.i.4.i
+  %.487.i.i.4.i = getelementptr double, ptr %224, i64 %.473.i.i.4.i
+  %.488.i.i.4.i = load double, ptr %.487.i.i.4.i, align 8, !noalias !111
+  %.489.i.i.4.i = fmul double %.488.i.i.4.i, 0x3FA4EAF2D6B11E79
+  %225 = fadd double %.491.i.i.3.i, %.489.i.i.4.i
+  %.502.i.i.i = tail call double @llvm.fabs.f64(double %225)
+  %.10.i.i.i.i8938 = fcmp ogt double %.502.i.i.i, 0.000000e+00
+  %.11.i.i.i.i8939 = select i1 %.10.i.i.i.i8938, double %.502.i.i.i, double 0.000000e+00
+  %.192.i.i3891.1.i = add nsw i64 %.172.i3724.i, %.190.i.i3889.1.i
+  %.206.i.i3899.1.i = icmp slt i64 %.192.i.i3891.1.i, 0
+  %.207.i.i3900.1.i = select i1 %.206.i.i3899.1.i, i64 %arg.batch.5.4.5.0, i64 0
+  %226 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.192.i.i3891.1.i
+  %.221.i.i.1.i = getelementptr double, ptr %226, i64 %.207.i.i3900.1.i
+  %.222.i.i.1.i = load double, ptr %.221.i.i.1.i, align 8, !noalias !111
+  %.489.i.i.14847.i = fmul double %.488.i.i.i, 0x3FA5118805F8B876
+  %227 = fadd double %.222.i.i.1.i, %.489.i.i.14847.i
+  %.489.i.i.1.1.i = fmul double %.488.i.i.1.i, 0x3FE51326698BC5BD
+  %.491.i.i.1.1.i = fsub double %227, %.489.i.i.1.1.i
+  %.489.i.i.2.1.i = fmul double %.488.i.i.2.i, 0x3FDF97DED30D4572
+  %.491.i.i.2.1.i = fsub double %.491.i.i.1.1.i, %.489.i.i.2.1.i
+  %.489.i.i.3.1.i = fmul double %.488.i.i.3.i, 0x3FC0DA0C684D1D67
+  %228 = fadd double %.491.i.i.2.1.i, %.489.i.i.3.1.i
+  %.489.i.i.4.1.i = fmul double %.488.i.i.4.i, 0x3F9510B8EC0D4D92
+  %.491.i.i.4.1.i = fsub double %228, %.489.i.i.4.1.i
+  %.502.i.i.1.i = tail call double @llvm.fabs.f64(double %.491.i.i.4.1.i)
+  %.10.i.i.i.1.i = fcmp ogt double %.502.i.i.1.i, %.11.i.i.i.i8939
+  %.11.i.i.i.1.i = select i1 %.10.i.i.i.1.i, double %.502.i.i.1.i, double %.11.i.i.i.i8939
+  %.192.i.i3891.2.i = add nsw i64 %.172.i3724.i, %.190.i.i3889.2.i
+  %.206.i.i3899.2.i = icmp slt i64 %.192.i.i3891.2.i, 0
+  %.207.i.i3900.2.i = select i1 %.206.i.i3899.2.i, i64 %arg.batch.5.4.5.0, i64 0
+  %229 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.192.i.i3891.2.i
+  %.221.i.i.2.i = getelementptr double, ptr %229, i64 %.207.i.i3900.2.i
+  %.222.i.i.2.i = load double, ptr %.221.i.i.2.i, align 8, !noalias !111
+  %.489.i.i.24874.i = fmul double %.488.i.i.i, 0x3F9635A30F8F142F
+  %.491.i.i.24875.i = fsub double %.222.i.i.2.i, %.489.i.i.24874.i
+  %.489.i.i.1.2.i = fmul double %.488.i.i.1.i, 0x3FC1EAE0FF33D241
+  %230 = fadd double %.491.i.i.24875.i, %.489.i.i.1.2.i
+  %.489.i.i.2.2.i = fmul double %.488.i.i.2.i, 0x3FE1625D59218460
+  %.491.i.i.2.2.i = fsub double %230, %.489.i.i.2.2.i
+  %.489.i.i.3.2.i = fmul double %.488.i.i.3.i, 0x3FE3BBC3E8A29641
+  %.491.i.i.3.2.i = fsub double %.491.i.i.2.2.i, %.489.i.i.3.2.i
+  %.489.i.i.4.2.i = fmul double %.488.i.i.4.i, 0x3FA55161A739EB34
+  %231 = fadd double %.491.i.i.3.2.i, %.489.i.i.4.2.i
+  %.502.i.i.2.i = tail call double @llvm.fabs.f64(double %231)
+  %.10.i.i.i.2.i = fcmp ogt double %.502.i.i.2.i, %.11.i.i.i.1.i
+  %.11.i.i.i.2.i = select i1 %.10.i.i.i.2.i, double %.502.i.i.2.i, double %.11.i.i.i.1.i
+  %.192.i.i3891.3.i = add nsw i64 %.172.i3724.i, %.190.i.i3889.3.i
+  %.206.i.i3899.3.i = icmp slt i64 %.192.i.i3891.3.i, 0
+  %.207.i.i3900.3.i = select i1 %.206.i.i3899.3.i, i64 %arg.batch.5.4.5.0, i64 0
+  %232 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.192.i.i3891.3.i
+  %.221.i.i.3.i = getelementptr double, ptr %232, i64 %.207.i.i3900.3.i
+  %.222.i.i.3.i = load double, ptr %.221.i.i.3.i, align 8, !noalias !111
+  %.489.i.i.34901.i = fmul double %.488.i.i.i, 0x3FA4F0C0BB579409
+  %233 = fadd double %.222.i.i.3.i, %.489.i.i.34901.i
+  %.489.i.i.1.3.i = fmul double %.488.i.i.1.i, 0x3FCD2266FBC0D976
+  %.491.i.i.1.3.i = fsub double %233, %.489.i.i.1.3.i
+  %.489.i.i.2.3.i = fmul double %.488.i.i.2.i, 0x3FE1F2DB6FEE3151
+  %234 = fadd double %.491.i.i.1.3.i, %.489.i.i.2.3.i
+  %.489.i.i.3.3.i = fmul double %.488.i.i.3.i, 0x3FF0C05015964CBE
+  %.491.i.i.3.3.i = fsub double %234, %.489.i.i.3.3.i
+  %.489.i.i.4.3.i = fmul double %.488.i.i.4.i, 0x3FD4F15B230DB570
+  %.491.i.i.4.3.i = fsub double %.491.i.i.3.3.i, %.489.i.i.4.3.i
+  %.502.i.i.3.i = tail call double @llvm.fabs.f64(double %.491.i.i.4.3.i)
+  %.10.i.i.i.3.i = fcmp ogt double %.502.i.i.3.i, %.11.i.i.i.2.i
+  %.11.i.i.i.3.i = select i1 %.10.i.i.i.3.i, double %.502.i.i.3.i, double %.11.i.i.i.2.i
+  %.473.i3835.i = add nsw i64 %.172.i3724.i, %.174.i1053.i
+  %.489.i.i = icmp slt i64 %.473.i3835.i, 0
+  %.490.i.i = select i1 %.489.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %235 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.473.i3835.i
+  %.504.i3859.i = getelementptr double, ptr %235, i64 %.490.i.i
+  %.505.i3860.i = load double, ptr %.504.i3859.i, align 8, !noalias !118
+  %.507.i3862.i = fcmp ogt double %.11.i.i.i.3.i, %.505.i3860.i
+  br i1 %.507.i3862.i, label %B392.i.i, label %B432.i.i
+
+B2000.i:                                          ; preds = %B1904.endif.endif.i
+  %.3277.i = fmul double %.2587.i, %share.6.2.i
+  %.108.i2774.i = getelementptr double, ptr %62, i64 %.2395.i
+  store double 0.000000e+00, ptr %.108.i2774.i, align 8, !noalias !119
+  %.161.i2819.i = getelementptr double, ptr %63, i64 %.2395.i
+  store double 0.000000e+00, ptr %.161.i2819.i, align 8, !noalias !119
+  %.214.i2865.i = getelementptr double, ptr %64, i64 %.2395.i
+  store double %.3277.i, ptr %.214.i2865.i, align 8, !noalias !119
+  %.267.i2909.i = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.2505.i
+  %.268.i2910.i = load i64, ptr %.267.i2909.i, align 8, !noalias !119
+  %.294.i2931.i = icmp slt i64 %.268.i2910.i, 0
+  %.295.i2932.i = select i1 %.294.i2931.i, i64 %arg.batch.3.3.5.0, i64 0
+  %.296.i2933.i = add i64 %.295.i2932.i, %.268.i2910.i
+  %.316.i2951.i = mul i64 %.296.i2933.i, %arg.batch.3.3.5.1
+  %.320.i2955.i = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.316.i2951.i
+  %.321.i2956.i = load i64, ptr %.320.i2955.i, align 8, !noalias !119
+  %.322.i2957.i = add nsw i64 %.321.i2956.i, -1
+  store i64 %.322.i2957.i, ptr %.320.i2955.i, align 8, !noalias !119
+  %.426.i3044.i = load i64, ptr %.267.i2909.i, align 8, !noalias !119
+  %.452.i3062.i = icmp slt i64 %.426.i3044.i, 0
+  %.453.i3063.i = select i1 %.452.i3062.i, i64 %arg.batch.3.3.5.0, i64 0
+  %.454.i3064.i = add i64 %.453.i3063.i, %.426.i3044.i
+  %.474.i3080.i = mul i64 %.454.i3064.i, %arg.batch.3.3.5.1
+  %236 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.474.i3080.i
+  %.478.i.i8940 = getelementptr i8, ptr %236, i64 24
+  %.479.i3083.i = load i64, ptr %.478.i.i8940, align 8, !noalias !119
+  %.480.i3084.i = add nsw i64 %.479.i3083.i, 1
+  store i64 %.480.i3084.i, ptr %.478.i.i8940, align 8, !noalias !119
+  br label %B2141.i
+
+B34.i4116.i:                                      ; preds = %B1904.endif.endif.i, %B34.if.i4222.i
+  %.51.i4071.0.i = phi i64 [ %.122.i4230.i, %B34.if.i4222.i ], [ 0, %B1904.endif.endif.i ]
+  %exitcond4905.not.i = icmp eq i64 %.51.i4071.0.i, %storemerge4674.i
+  br i1 %exitcond4905.not.i, label %B2141.i, label %B34.if.i4222.i
+
+B128.i4213.i:                                     ; preds = %B34.if.i4222.i
+  %237 = icmp sgt i64 %.51.i4071.0.i, -1
+  br i1 %237, label %B2102.i, label %B2141.i
+
+B34.if.i4222.i:                                   ; preds = %B34.i4116.i
+  %.122.i4230.i = add i64 %.51.i4071.0.i, 1
+  %.157.i4148.i = add nsw i64 %.51.i4071.0.i, %.155.i4146.i
+  %.159.i4150.i = mul nsw i64 %.157.i4148.i, %arg.shape.0
+  %.161.i4152.i = add nsw i64 %.159.i4150.i, %.2312.sroa.0.04796.i
+  %.175.i4162.i = icmp slt i64 %.161.i4152.i, 0
+  %.176.i4163.i = select i1 %.175.i4162.i, i64 %arg.batch.5.4.5.0, i64 0
+  %238 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.161.i4152.i
+  %.190.i4177.i = getelementptr double, ptr %238, i64 %.176.i4163.i
+  %.191.i4178.i = load double, ptr %.190.i4177.i, align 8, !noalias !122
+  %.195.i4182.i = add nsw i64 %.161.i4152.i, %.174.i1053.i
+  %.209.i4192.i = icmp slt i64 %.195.i4182.i, 0
+  %.210.i4193.i = select i1 %.209.i4192.i, i64 %arg.batch.5.4.5.0, i64 0
+  %239 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.195.i4182.i
+  %.224.i4207.i = getelementptr double, ptr %239, i64 %.210.i4193.i
+  %.225.i4208.i = load double, ptr %.224.i4207.i, align 8, !noalias !122
+  %.226.i4209.i = fneg double %.225.i4208.i
+  %.227.i4210.i = fcmp olt double %.191.i4178.i, %.226.i4209.i
+  br i1 %.227.i4210.i, label %B128.i4213.i, label %B34.i4116.i
+
+B2102.i:                                          ; preds = %B128.i4213.i
+  %.3418.i = getelementptr double, ptr %61, i64 %.2395.i
+  store double 1.000000e+00, ptr %.3418.i, align 8, !noalias !61
+  br label %B2141.i
+
+B2141.i:                                          ; preds = %B34.i4116.i, %B2102.i, %B128.i4213.i, %B2000.i, %B1672.i, %B1636.i, %B1242.i
+  %.2322.i = icmp sgt i64 %.2268.14795.i, 0
+  %.2335.i = zext i1 %.2322.i to i64
+  %.2265.1.i = add i64 %.2265.14794.i, %.2335.i
+  %.2331.i = sext i1 %.2322.i to i64
+  %.2268.1.i = add nsw i64 %.2268.14795.i, %.2331.i
+  %.2312.sroa.0.0.i = select i1 %.2322.i, i64 %.2265.14794.i, i64 0
+  br i1 %.2322.i, label %B1242.i, label %B3414
+
+B2142.i:                                          ; preds = %B916.i8935, %B890.i
+  %exitcond4812.not.i = icmp eq i64 %arg.shape.0, %.1496.i
+  br i1 %exitcond4812.not.i, label %B472.loopexit.i, label %B762.if.i
+
+B256.if.i:                                        ; preds = %B256.if.i.preheader, %B256.loopexit.i
+  %.504.04729.i = phi i64 [ %.573.i, %B256.loopexit.i ], [ 1, %B256.if.i.preheader ]
+  %.573.i = add nsw i64 %.504.04729.i, 1
+  br i1 %.794, label %B358.i, label %B290.if.i.preheader
+
+B290.if.i.preheader:                              ; preds = %B256.if.i
+  %240 = icmp ult i64 %.504.04729.i, 8
+  %switch.gep = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.13, i64 %.504.04729.i
+  br label %B290.if.i
+
+B290.if.i:                                        ; preds = %B290.if.i.preheader, %B290.loopexit.i
+  %.625.04713.i = phi i64 [ %.694.i, %B290.loopexit.i ], [ 0, %B290.if.i.preheader ]
+  %.694.i = add nsw i64 %.625.04713.i, 1
+  br i1 %240, label %switch.lookup, label %switch.end.i
+
+switch.lookup:                                    ; preds = %B290.if.i
+  %switch.load = load double, ptr %switch.gep, align 8
+  br label %switch.end.i
+
+switch.end.i:                                     ; preds = %B290.if.i, %switch.lookup
+  %.736.i8926 = phi double [ %switch.load, %switch.lookup ], [ 1.000000e+00, %B290.if.i ]
+  %.92.i589.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.625.04713.i
+  %.93.i590.i = load double, ptr %.92.i589.i, align 8, !noalias !126
+  %.146.i626.i = getelementptr double, ptr %55, i64 %.625.04713.i
+  %.147.i627.i = load double, ptr %.146.i626.i, align 8, !noalias !126
+  %.149.i629.i = fmul double %.736.i8926, %.147.i627.i
+  %.150.i630.i = fadd double %.93.i590.i, %.149.i629.i
+  %.203.i666.i = getelementptr double, ptr %.571, i64 %.625.04713.i
+  store double %.150.i630.i, ptr %.203.i666.i, align 8, !noalias !126
+  br i1 %.287.i7034709.not.i, label %B290.loopexit.i, label %B122.if.i949.lr.ph.i
+
+B122.if.i949.lr.ph.i:                             ; preds = %switch.end.i
+  %.247.i.i919.i = fsub double 1.000000e+00, %.736.i8926
+  %invariant.gep9213 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.625.04713.i
+  %invariant.gep9215 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.625.04713.i
+  %invariant.gep9217 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.625.04713.i
+  %invariant.gep9219 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.625.04713.i
+  %invariant.gep9221 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.625.04713.i
+  %invariant.gep9223 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.625.04713.i
+  %invariant.gep9225 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.625.04713.i
+  %invariant.gep9227 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.625.04713.i
+  %invariant.gep9229 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.625.04713.i
+  br label %B122.if.i949.i
+
+B122.if.i949.i:                                   ; preds = %B122.if.i949.i, %B122.if.i949.lr.ph.i
+  %.229.i542.04710.i = phi i64 [ 0, %B122.if.i949.lr.ph.i ], [ %.300.i955.i, %B122.if.i949.i ]
+  %.157.i.i876.i = add nsw i64 %.229.i542.04710.i, %.155.i.i874.i
+  %.159.i.i878.i = mul nsw i64 %.157.i.i876.i, %arg.shape.0
+  %gep9214 = getelementptr double, ptr %invariant.gep9213, i64 %.159.i.i878.i
+  %.191.i.i900.i = load double, ptr %gep9214, align 8, !noalias !130
+  %.193.i.i902.i = fadd double %.191.i.i900.i, 0.000000e+00
+  %.253.i.i924.i = fmul double %.736.i8926, %.193.i.i902.i
+  %.157.i.i876.1.i = add nsw i64 %.229.i542.04710.i, %.155.i.i874.1.i
+  %.159.i.i878.1.i = mul nsw i64 %.157.i.i876.1.i, %arg.shape.0
+  %gep9216 = getelementptr double, ptr %invariant.gep9215, i64 %.159.i.i878.1.i
+  %.191.i.i900.1.i = load double, ptr %gep9216, align 8, !noalias !130
+  %.193.i.i902.1.i = fadd double %.191.i.i900.1.i, %.253.i.i924.i
+  %.253.i.i924.1.i = fmul double %.247.i.i919.i, %.193.i.i902.1.i
+  %.157.i.i876.2.i = add nsw i64 %.229.i542.04710.i, %.155.i.i874.2.i
+  %.159.i.i878.2.i = mul nsw i64 %.157.i.i876.2.i, %arg.shape.0
+  %gep9218 = getelementptr double, ptr %invariant.gep9217, i64 %.159.i.i878.2.i
+  %.191.i.i900.2.i = load double, ptr %gep9218, align 8, !noalias !130
+  %.193.i.i902.2.i = fadd double %.191.i.i900.2.i, %.253.i.i924.1.i
+  %.253.i.i924.2.i = fmul double %.736.i8926, %.193.i.i902.2.i
+  %.157.i.i876.3.i = add nsw i64 %.229.i542.04710.i, %.155.i.i874.3.i
+  %.159.i.i878.3.i = mul nsw i64 %.157.i.i876.3.i, %arg.shape.0
+  %gep9220 = getelementptr double, ptr %invariant.gep9219, i64 %.159.i.i878.3.i
+  %.191.i.i900.3.i = load double, ptr %gep9220, align 8, !noalias !130
+  %.193.i.i902.3.i = fadd double %.191.i.i900.3.i, %.253.i.i924.2.i
+  %.253.i.i924.3.i = fmul double %.247.i.i919.i, %.193.i.i902.3.i
+  %.157.i.i876.4.i = add nsw i64 %.229.i542.04710.i, %.155.i.i874.4.i
+  %.159.i.i878.4.i = mul nsw i64 %.157.i.i876.4.i, %arg.shape.0
+  %gep9222 = getelementptr double, ptr %invariant.gep9221, i64 %.159.i.i878.4.i
+  %.191.i.i900.4.i = load double, ptr %gep9222, align 8, !noalias !130
+  %.193.i.i902.4.i = fadd double %.191.i.i900.4.i, %.253.i.i924.3.i
+  %.253.i.i924.4.i = fmul double %.736.i8926, %.193.i.i902.4.i
+  %.157.i.i876.5.i = add nsw i64 %.229.i542.04710.i, %.155.i.i874.5.i
+  %.159.i.i878.5.i = mul nsw i64 %.157.i.i876.5.i, %arg.shape.0
+  %gep9224 = getelementptr double, ptr %invariant.gep9223, i64 %.159.i.i878.5.i
+  %.191.i.i900.5.i = load double, ptr %gep9224, align 8, !noalias !130
+  %.193.i.i902.5.i = fadd double %.191.i.i900.5.i, %.253.i.i924.4.i
+  %.253.i.i924.5.i = fmul double %.247.i.i919.i, %.193.i.i902.5.i
+  %.157.i.i876.6.i = add nsw i64 %.229.i542.04710.i, %.155.i.i874.6.i
+  %.159.i.i878.6.i = mul nsw i64 %.157.i.i876.6.i, %arg.shape.0
+  %gep9226 = getelementptr double, ptr %invariant.gep9225, i64 %.159.i.i878.6.i
+  %.191.i.i900.6.i = load double, ptr %gep9226, align 8, !noalias !130
+  %.193.i.i902.6.i = fadd double %.191.i.i900.6.i, %.253.i.i924.5.i
+  %.253.i.i924.6.i = fmul double %.736.i8926, %.193.i.i902.6.i
+  %.300.i955.i = add nsw i64 %.229.i542.04710.i, 1
+  %.271.i.i797.i = mul nsw i64 %.229.i542.04710.i, %arg.shape.0
+  %gep9228 = getelementptr double, ptr %invariant.gep9227, i64 %.271.i.i797.i
+  %.309.i.i822.i = load double, ptr %gep9228, align 8, !noalias !130
+  %.313.i.i825.i = fadd double %.309.i.i822.i, %.253.i.i924.6.i
+  %.359.i838.i = add nsw i64 %.229.i542.04710.i, %.358.i837.i
+  %.361.i840.i = mul nsw i64 %.359.i838.i, %arg.shape.0
+  %gep9230 = getelementptr double, ptr %invariant.gep9229, i64 %.361.i840.i
+  store double %.313.i.i825.i, ptr %gep9230, align 8, !noalias !126
+  %exitcond4801.not.i = icmp eq i64 %arg.shape.1, %.300.i955.i
+  br i1 %exitcond4801.not.i, label %B290.loopexit.i, label %B122.if.i949.i
+
+B472.if.i:                                        ; preds = %B256.loopexit.i, %B472.loopexit.i
+  %.896.04743.i = phi i64 [ %.958.i, %B472.loopexit.i ], [ 50, %B256.loopexit.i ]
+  %.958.i = add nsw i64 %.896.04743.i, -1
+  br i1 %.794, label %B472.loopexit.i.critedge, label %B506.if.i
+
+B506.if.i:                                        ; preds = %B472.if.i, %B506.loopexit.i
+  %.1011.04738.i = phi i64 [ %.1080.i, %B506.loopexit.i ], [ 0, %B472.if.i ]
+  %.1080.i = add nsw i64 %.1011.04738.i, 1
+  %.1157.i = getelementptr double, ptr %57, i64 %.1011.04738.i
+  %.1158.i = load double, ptr %.1157.i, align 8, !noalias !61
+  %.1211.i = getelementptr double, ptr %58, i64 %.1011.04738.i
+  %.1212.i = load double, ptr %.1211.i, align 8, !noalias !61
+  %.1213.i = fadd double %.1158.i, %.1212.i
+  %.1214.i = fmul double %.1213.i, 5.000000e-01
+  %.92.i.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.1011.04738.i
+  %.93.i.i = load double, ptr %.92.i.i, align 8, !noalias !83
+  %.146.i.i = getelementptr double, ptr %55, i64 %.1011.04738.i
+  %.147.i.i = load double, ptr %.146.i.i, align 8, !noalias !83
+  %.149.i.i = fmul double %.1214.i, %.147.i.i
+  %.150.i.i = fadd double %.93.i.i, %.149.i.i
+  %.203.i.i = getelementptr double, ptr %.571, i64 %.1011.04738.i
+  store double %.150.i.i, ptr %.203.i.i, align 8, !noalias !83
+  br i1 %.287.i7034709.not.i, label %B506.loopexit.i, label %B122.if.i.lr.ph.i
+
+B122.if.i.lr.ph.i:                                ; preds = %B506.if.i
+  %.247.i.i.i = fsub double 1.000000e+00, %.1214.i
+  %invariant.gep9231 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1011.04738.i
+  %invariant.gep9233 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1011.04738.i
+  %invariant.gep9235 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1011.04738.i
+  %invariant.gep9237 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1011.04738.i
+  %invariant.gep9239 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1011.04738.i
+  %invariant.gep9241 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1011.04738.i
+  %invariant.gep9243 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1011.04738.i
+  %invariant.gep9245 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1011.04738.i
+  %invariant.gep9247 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1011.04738.i
   br label %B122.if.i.i
 
-B772.if.i:                                        ; preds = %B630.i8942, %B1562.i
-  %.1326.02976.i = phi i64 [ %.1395.i, %B1562.i ], [ 0, %B630.i8942 ]
-  %.1395.i = add nsw i64 %.1326.02976.i, 1
-  %221 = getelementptr i64, ptr %61, i64 %.1326.02976.i
-  %.1477.i = load i64, ptr %221, align 8, !noalias !61
-  %.1478.i = icmp sgt i64 %.1477.i, -1
-  br i1 %.1478.i, label %B814.i, label %B1562.i
+B762.if.i:                                        ; preds = %B620.i, %B2142.i
+  %.1427.04741.i = phi i64 [ %.1496.i, %B2142.i ], [ 0, %B620.i ]
+  %.1496.i = add nsw i64 %.1427.04741.i, 1
+  %.1577.i = getelementptr double, ptr %57, i64 %.1427.04741.i
+  %.1578.i = load double, ptr %.1577.i, align 8, !noalias !61
+  %.1632.i = getelementptr double, ptr %58, i64 %.1427.04741.i
+  %.1633.i = load double, ptr %.1632.i, align 8, !noalias !61
+  %.1634.i = fadd double %.1578.i, %.1633.i
+  %.1635.i = fmul double %.1634.i, 5.000000e-01
+  br label %B34.i.i
 
-B1062.if.i:                                       ; preds = %B1563.i, %B1062.if.lr.ph.i
-  %.1861.02982.i = phi i64 [ 0, %B1062.if.lr.ph.i ], [ %.1930.i, %B1563.i ]
-  %.1930.i = add nsw i64 %.1861.02982.i, 1
-  %.2011.i = getelementptr double, ptr %62, i64 %.1861.02982.i
-  %.2012.i = load double, ptr %.2011.i, align 8, !noalias !61
-  %.2066.i = getelementptr double, ptr %.571, i64 %.1861.02982.i
-  store double %.2012.i, ptr %.2066.i, align 8, !noalias !61
-  %.2121.i = getelementptr i64, ptr %63, i64 %.1861.02982.i
-  %.2122.i = load i64, ptr %.2121.i, align 8, !noalias !61
-  %.2123.i = icmp sgt i64 %.2122.i, -1
-  br i1 %.2123.i, label %B1154.i, label %B1563.i
+B974.if.i:                                        ; preds = %B974.preheader.i, %B974.loopexit.i
+  %.1827.04751.i = phi i64 [ %.1896.i, %B974.loopexit.i ], [ 0, %B974.preheader.i ]
+  %.1896.i = add nsw i64 %.1827.04751.i, 1
+  %241 = getelementptr double, ptr %58, i64 %.1827.04751.i
+  %.1975.i = load double, ptr %241, align 8, !noalias !61
+  %.92.i107.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.1827.04751.i
+  %.93.i108.i = load double, ptr %.92.i107.i, align 8, !noalias !95
+  %.146.i144.i = getelementptr double, ptr %55, i64 %.1827.04751.i
+  %.147.i145.i = load double, ptr %.146.i144.i, align 8, !noalias !95
+  %.149.i147.i = fmul double %.1975.i, %.147.i145.i
+  %.150.i148.i = fadd double %.93.i108.i, %.149.i147.i
+  %.203.i184.i = getelementptr double, ptr %.571, i64 %.1827.04751.i
+  store double %.150.i148.i, ptr %.203.i184.i, align 8, !noalias !95
+  br i1 %.287.i7034709.not.i, label %B974.loopexit.i, label %B122.if.i467.lr.ph.i
 
-B3414:                                            ; preds = %B1563.i, %B1062.preheader.i, %B3318.endif.endif, %B3314
+B122.if.i467.lr.ph.i:                             ; preds = %B974.if.i
+  %.247.i.i437.i = fsub double 1.000000e+00, %.1975.i
+  %invariant.gep9249 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1827.04751.i
+  %invariant.gep9251 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1827.04751.i
+  %invariant.gep9253 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1827.04751.i
+  %invariant.gep9255 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1827.04751.i
+  %invariant.gep9257 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1827.04751.i
+  %invariant.gep9259 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1827.04751.i
+  %invariant.gep9261 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1827.04751.i
+  %invariant.gep9263 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1827.04751.i
+  %invariant.gep9265 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1827.04751.i
+  br label %B122.if.i467.i
+
+B1904.endif.endif.i:                              ; preds = %B432.i.i, %B392.i.i, %B1904.i
+  %.3213.i = phi i1 [ true, %B1904.i ], [ false, %B392.i.i ], [ true, %B432.i.i ]
+  %.10.i4694.i = fcmp ogt double %share.5.2.i, 5.000000e-01
+  %.11.i4695.i = select i1 %.10.i4694.i, double 5.000000e-01, double %share.5.2.i
+  %share.6.2.i = select i1 %.3213.i, double %share.5.2.i, double %.11.i4695.i
+  %.3267.i = fcmp olt double %share.6.2.i, 1.000000e+00
+  %.3272.i = fcmp ogt double %.2587.i, %.3270.i
+  %or.cond4691.i = select i1 %.3267.i, i1 %.3272.i, i1 false
+  br i1 %or.cond4691.i, label %B2000.i, label %B34.i4116.i
+
+B3414:                                            ; preds = %B2141.i, %B1238.preheader.i, %B3318.endif.endif, %B3314
   br i1 %.4946.not, label %B3458, label %B3418
 
 B3418:                                            ; preds = %B3414
@@ -2470,98 +2915,98 @@ B3418:                                            ; preds = %B3414
 B150.if.1.i:                                      ; preds = %B150.if.i, %B150.if.1.i
   %.361.0604.1.i = phi i64 [ %.430.1.i, %B150.if.1.i ], [ 0, %B150.if.i ]
   %.430.1.i = add nsw i64 %.361.0604.1.i, 1
-  %gep9276 = getelementptr double, ptr %invariant.gep9275, i64 %.361.0604.1.i
-  store double 1.000000e-09, ptr %gep9276, align 8, !noalias !103
+  %gep9270 = getelementptr double, ptr %invariant.gep9269, i64 %.361.0604.1.i
+  store double 1.000000e-09, ptr %gep9270, align 8, !noalias !134
   %exitcond.1.not.i = icmp eq i64 %arg.shape.0, %.430.1.i
   br i1 %exitcond.1.not.i, label %B150.if.2.i, label %B150.if.1.i
 
 B150.if.2.i:                                      ; preds = %B150.if.1.i, %B150.if.2.i
   %.361.0604.2.i = phi i64 [ %.430.2.i, %B150.if.2.i ], [ 0, %B150.if.1.i ]
   %.430.2.i = add nsw i64 %.361.0604.2.i, 1
-  %gep9278 = getelementptr double, ptr %invariant.gep9277, i64 %.361.0604.2.i
-  store double 1.000000e-09, ptr %gep9278, align 8, !noalias !103
+  %gep9272 = getelementptr double, ptr %invariant.gep9271, i64 %.361.0604.2.i
+  store double 1.000000e-09, ptr %gep9272, align 8, !noalias !134
   %exitcond.2.not.i = icmp eq i64 %arg.shape.0, %.430.2.i
   br i1 %exitcond.2.not.i, label %B150.if.3.i, label %B150.if.2.i
 
 B150.if.3.i:                                      ; preds = %B150.if.2.i, %B150.if.3.i
   %.361.0604.3.i = phi i64 [ %.430.3.i, %B150.if.3.i ], [ 0, %B150.if.2.i ]
   %.430.3.i = add nsw i64 %.361.0604.3.i, 1
-  %gep9280 = getelementptr double, ptr %invariant.gep9279, i64 %.361.0604.3.i
-  store double 1.000000e-09, ptr %gep9280, align 8, !noalias !103
+  %gep9274 = getelementptr double, ptr %invariant.gep9273, i64 %.361.0604.3.i
+  store double 1.000000e-09, ptr %gep9274, align 8, !noalias !134
   %exitcond.3.not.i = icmp eq i64 %arg.shape.0, %.430.3.i
   br i1 %exitcond.3.not.i, label %B150.if.4.i, label %B150.if.3.i
 
 B150.if.4.i:                                      ; preds = %B150.if.3.i, %B150.if.4.i
   %.361.0604.4.i = phi i64 [ %.430.4.i, %B150.if.4.i ], [ 0, %B150.if.3.i ]
   %.430.4.i = add nsw i64 %.361.0604.4.i, 1
-  %gep9282 = getelementptr double, ptr %invariant.gep9281, i64 %.361.0604.4.i
-  store double 1.000000e-09, ptr %gep9282, align 8, !noalias !103
+  %gep9276 = getelementptr double, ptr %invariant.gep9275, i64 %.361.0604.4.i
+  store double 1.000000e-09, ptr %gep9276, align 8, !noalias !134
   %exitcond.4.not.i = icmp eq i64 %arg.shape.0, %.430.4.i
   br i1 %exitcond.4.not.i, label %B150.if.5.i, label %B150.if.4.i
 
 B150.if.5.i:                                      ; preds = %B150.if.4.i, %B150.if.5.i
   %.361.0604.5.i = phi i64 [ %.430.5.i, %B150.if.5.i ], [ 0, %B150.if.4.i ]
   %.430.5.i = add nsw i64 %.361.0604.5.i, 1
-  %gep9284 = getelementptr double, ptr %invariant.gep9283, i64 %.361.0604.5.i
-  store double 1.000000e-09, ptr %gep9284, align 8, !noalias !103
+  %gep9278 = getelementptr double, ptr %invariant.gep9277, i64 %.361.0604.5.i
+  store double 1.000000e-09, ptr %gep9278, align 8, !noalias !134
   %exitcond.5.not.i = icmp eq i64 %arg.shape.0, %.430.5.i
   br i1 %exitcond.5.not.i, label %B150.if.6.i, label %B150.if.5.i
 
 B150.if.6.i:                                      ; preds = %B150.if.5.i, %B150.if.6.i
   %.361.0604.6.i = phi i64 [ %.430.6.i, %B150.if.6.i ], [ 0, %B150.if.5.i ]
   %.430.6.i = add nsw i64 %.361.0604.6.i, 1
-  %gep9286 = getelementptr double, ptr %invariant.gep9285, i64 %.361.0604.6.i
-  store double 1.000000e-09, ptr %gep9286, align 8, !noalias !103
+  %gep9280 = getelementptr double, ptr %invariant.gep9279, i64 %.361.0604.6.i
+  store double 1.000000e-09, ptr %gep9280, align 8, !noalias !134
   %exitcond.6.not.i = icmp eq i64 %arg.shape.0, %.430.6.i
   br i1 %exitcond.6.not.i, label %B150.if.7.i, label %B150.if.6.i
 
 B150.if.7.i:                                      ; preds = %B150.if.6.i, %B150.if.7.i
   %.361.0604.7.i = phi i64 [ %.430.7.i, %B150.if.7.i ], [ 0, %B150.if.6.i ]
   %.430.7.i = add nsw i64 %.361.0604.7.i, 1
-  %gep9288 = getelementptr double, ptr %invariant.gep9287, i64 %.361.0604.7.i
-  store double 1.000000e-09, ptr %gep9288, align 8, !noalias !103
+  %gep9282 = getelementptr double, ptr %invariant.gep9281, i64 %.361.0604.7.i
+  store double 1.000000e-09, ptr %gep9282, align 8, !noalias !134
   %exitcond.7.not.i = icmp eq i64 %arg.shape.0, %.430.7.i
   br i1 %exitcond.7.not.i, label %B150.if.8.i, label %B150.if.7.i
 
 B150.if.8.i:                                      ; preds = %B150.if.7.i, %B150.if.8.i
   %.361.0604.8.i = phi i64 [ %.430.8.i, %B150.if.8.i ], [ 0, %B150.if.7.i ]
   %.430.8.i = add nsw i64 %.361.0604.8.i, 1
-  %gep9290 = getelementptr double, ptr %invariant.gep9289, i64 %.361.0604.8.i
-  store double 1.000000e-09, ptr %gep9290, align 8, !noalias !103
+  %gep9284 = getelementptr double, ptr %invariant.gep9283, i64 %.361.0604.8.i
+  store double 1.000000e-09, ptr %gep9284, align 8, !noalias !134
   %exitcond.8.not.i = icmp eq i64 %arg.shape.0, %.430.8.i
   br i1 %exitcond.8.not.i, label %B116.loopexit.8.i, label %B150.if.8.i
 
 B116.loopexit.8.i:                                ; preds = %B150.if.8.i, %B3418
-  %.227.i.i = load double, ptr %.226.i.i, align 8, !noalias !107
-  %.256.i.i = load double, ptr %arg.batch.2.4, align 8, !noalias !107
+  %.227.i.i = load double, ptr %.226.i.i, align 8, !noalias !138
+  %.256.i.i = load double, ptr %arg.batch.2.4, align 8, !noalias !138
   br label %B246.if.i.i
 
-B280.loopexit.i.i:                                ; preds = %B122.if.i.i.i8985, %switch.end.i.i8975
+B280.loopexit.i.i:                                ; preds = %B122.if.i.i.i, %switch.end.i.i
   %exitcond1307.not.i.i = icmp eq i64 %arg.shape.0, %.533.i.i
-  br i1 %exitcond1307.not.i.i, label %B348.i.i8950, label %B280.if.i.i
+  br i1 %exitcond1307.not.i.i, label %B348.i.i8947, label %B280.if.i.i
 
-B348.i.i8950:                                     ; preds = %B280.loopexit.i.i, %B246.if.i.i
+B348.i.i8947:                                     ; preds = %B280.loopexit.i.i, %B246.if.i.i
   %.634.i.i = icmp ult i64 %.341.01294.i.i, 8
   %.1280.i.i = select i1 %.634.i.i, i64 16, i64 17
   %.644.i.i = mul nsw i64 %.341.01294.i.i, 3
   %.6501276.i.i = add nsw i64 %.644.i.i, 1
   %.672.i.i = mul i64 %.6501276.i.i, %arg.shape.0
-  %.707.i.i = load i64, ptr %.706.i.i, align 8, !noalias !107
+  %.707.i.i = load i64, ptr %.706.i.i, align 8, !noalias !138
   %.782.i.i = mul i64 %.1280.i.i, %.463
   %.800.i.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %.782.i.i
   %.825.i.i = getelementptr double, ptr %arg.batch.5.4.4, i64 %.672.i.i
   %.826.i.i = inttoptr i64 %.707.i.i to ptr
-  tail call void %.826.i.i(ptr %.571, ptr %.800.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.825.i.i), !noalias !107
+  tail call void %.826.i.i(ptr %.571, ptr %.800.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.825.i.i), !noalias !138
   %.399.i.i = icmp sgt i64 %.344.01295.i.i, 1
   br i1 %.399.i.i, label %B246.if.i.i, label %B550.i.i
 
-B550.i.i:                                         ; preds = %B348.i.i8950
-  br i1 %.5201291.not.i.i, label %_ZN12clpt_control6native9for_numba11mark_passedB3v39B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i, label %B584.lr.ph.i.i
+B550.i.i:                                         ; preds = %B348.i.i8947
+  br i1 %.5201291.not.i.i, label %_ZN12clpt_control6native9for_numba11mark_passedB3v43B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i, label %B584.lr.ph.i.i
 
 B584.lr.ph.i.i:                                   ; preds = %B550.i.i
   %.257.i.i = fsub double %.227.i.i, %.256.i.i
-  %.258.i.i8962 = fmul double %.257.i.i, 1.000000e-13
-  %.1863.i.i8963 = fmul double %.258.i.i8962, 2.000000e+00
+  %.258.i.i8960 = fmul double %.257.i.i, 1.000000e-13
+  %.1863.i.i = fmul double %.258.i.i8960, 2.000000e+00
   br label %B584.i.i
 
 B584.i.i:                                         ; preds = %B1342.i.i, %B584.lr.ph.i.i
@@ -2573,27 +3018,27 @@ B584.i.i:                                         ; preds = %B1342.i.i, %B584.lr
   %.1009.i.i = icmp slt i64 %.924.sroa.0.01304.i.i, 0
   %.1010.i.i = select i1 %.1009.i.i, i64 %arg.batch.4.0.5.1, i64 0
   %.1011.i.i = add i64 %.1010.i.i, %.924.sroa.0.01304.i.i
-  %.1032.i.i = getelementptr double, ptr %72, i64 %.1011.i.i
-  %.1033.i.i = load double, ptr %.1032.i.i, align 8, !noalias !107
+  %.1032.i.i = getelementptr double, ptr %67, i64 %.1011.i.i
+  %.1033.i.i = load double, ptr %.1032.i.i, align 8, !noalias !138
   %.1065.i.i = select i1 %.1009.i.i, i64 %arg.batch.4.1.5.1, i64 0
   %.1066.i.i = add i64 %.1065.i.i, %.924.sroa.0.01304.i.i
-  %.1087.i.i = getelementptr i64, ptr %73, i64 %.1066.i.i
-  store i64 -1, ptr %.1087.i.i, align 8, !noalias !107
+  %.1087.i.i = getelementptr i64, ptr %68, i64 %.1066.i.i
+  store i64 -1, ptr %.1087.i.i, align 8, !noalias !138
   %.1142.i.i = getelementptr double, ptr %.571, i64 %.1011.i.i
-  store double %.1033.i.i, ptr %.1142.i.i, align 8, !noalias !107
+  store double %.1033.i.i, ptr %.1142.i.i, align 8, !noalias !138
   %.1197.i.i = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.1066.i.i
-  %.1198.i.i = load i64, ptr %.1197.i.i, align 8, !noalias !107
+  %.1198.i.i = load i64, ptr %.1197.i.i, align 8, !noalias !138
   %.1199.i.i = icmp sgt i64 %.1198.i.i, -1
-  br i1 %.1199.i.i, label %B702.i.i8964, label %B1342.i.i
+  br i1 %.1199.i.i, label %B702.i.i8961, label %B1342.i.i
 
-B702.i.i8964:                                     ; preds = %B584.i.i
-  %.1257.i.i = getelementptr double, ptr %74, i64 %.1011.i.i
-  %.1258.i.i = load double, ptr %.1257.i.i, align 8, !noalias !107
+B702.i.i8961:                                     ; preds = %B584.i.i
+  %.1257.i.i = getelementptr double, ptr %69, i64 %.1011.i.i
+  %.1258.i.i = load double, ptr %.1257.i.i, align 8, !noalias !138
   %.1259.i.i = fcmp ogt double %.1258.i.i, 5.000000e-01
   br i1 %.1259.i.i, label %B742.i.i, label %B1342.i.i
 
-B742.i.i:                                         ; preds = %B702.i.i8964
-  %.1349.i.i = load i64, ptr %.1087.i.i, align 8, !noalias !107
+B742.i.i:                                         ; preds = %B702.i.i8961
+  %.1349.i.i = load i64, ptr %.1087.i.i, align 8, !noalias !138
   %.1350.i.i = icmp slt i64 %.1349.i.i, 0
   br i1 %.1350.i.i, label %B830.i.i, label %B958.i.i
 
@@ -2601,366 +3046,366 @@ B830.i.i:                                         ; preds = %B742.i.i, %B830.i.i
   %last.2.3.i.i = phi i64 [ %.1356.i.i, %B830.i.i ], [ %.1281.i.i, %B742.i.i ]
   %.1356.i.i = add nsw i64 %last.2.3.i.i, 1
   %.151.i51.i.i = mul nsw i64 %.1356.i.i, 3
-  %.155.i.i.i8971 = add nsw i64 %.151.i51.i.i, 1
-  %.159.i.i.i = mul nsw i64 %.155.i.i.i8971, %arg.shape.0
-  %.161.i.i.i = add nsw i64 %.159.i.i.i, %.924.sroa.0.01304.i.i
+  %.155.i.i.i8972 = add nsw i64 %.151.i51.i.i, 1
+  %.159.i.i.i8973 = mul nsw i64 %.155.i.i.i8972, %arg.shape.0
+  %.161.i.i.i = add nsw i64 %.159.i.i.i8973, %.924.sroa.0.01304.i.i
   %.175.i63.i.i = icmp slt i64 %.161.i.i.i, 0
   %.176.i64.i.i = select i1 %.175.i63.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %222 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.161.i.i.i
-  %.190.i.i.i = getelementptr double, ptr %222, i64 %.176.i64.i.i
-  %.191.i.i.i = load double, ptr %.190.i.i.i, align 8, !noalias !111
+  %242 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.161.i.i.i
+  %.190.i.i.i = getelementptr double, ptr %242, i64 %.176.i64.i.i
+  %.191.i.i.i8974 = load double, ptr %.190.i.i.i, align 8, !noalias !142
   %.195.i80.i.i = add nsw i64 %.161.i.i.i, %arg.shape.0
-  %.209.i.i.i8972 = icmp slt i64 %.195.i80.i.i, 0
-  %.210.i.i.i8973 = select i1 %.209.i.i.i8972, i64 %arg.batch.5.4.5.0, i64 0
-  %223 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.195.i80.i.i
-  %.224.i91.i.i = getelementptr double, ptr %223, i64 %.210.i.i.i8973
-  %.225.i92.i.i = load double, ptr %.224.i91.i.i, align 8, !noalias !111
+  %.209.i.i.i = icmp slt i64 %.195.i80.i.i, 0
+  %.210.i.i.i = select i1 %.209.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %243 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.195.i80.i.i
+  %.224.i91.i.i = getelementptr double, ptr %243, i64 %.210.i.i.i
+  %.225.i92.i.i = load double, ptr %.224.i91.i.i, align 8, !noalias !142
   %.226.i93.i.i = fneg double %.225.i92.i.i
-  %.227.i94.i.i = fcmp uge double %.191.i.i.i, %.226.i93.i.i
+  %.227.i94.i.i = fcmp uge double %.191.i.i.i8974, %.226.i93.i.i
   %.1371.0.i.i = sext i1 %.227.i94.i.i to i64
-  store i64 %.1371.0.i.i, ptr %.1087.i.i, align 8, !noalias !107
+  store i64 %.1371.0.i.i, ptr %.1087.i.i, align 8, !noalias !138
   %exitcond1309.not.i.i = icmp ne i64 %last.2.3.i.i, 7
   %brmerge.not.i.i = and i1 %exitcond1309.not.i.i, %.227.i94.i.i
   br i1 %brmerge.not.i.i, label %B830.i.i, label %B958.i.i
 
 B958.i.i:                                         ; preds = %B830.i.i, %B742.i.i
   %last.3.2.i.i = phi i64 [ %.1281.i.i, %B742.i.i ], [ %.1356.i.i, %B830.i.i ]
-  br i1 %.296.i.i8947, label %B966.i.i8970, label %B996.i.i
+  br i1 %.296.i.i8946, label %B966.i.i8971, label %B996.i.i
 
-B966.i.i8970:                                     ; preds = %B958.i.i
-  %224 = getelementptr double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.12, i64 %last.3.2.i.i
-  %switch.gep9359 = getelementptr i8, ptr %224, i64 64
-  %switch.load9360 = load double, ptr %switch.gep9359, align 8
+B966.i.i8971:                                     ; preds = %B958.i.i
+  %244 = getelementptr double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.12, i64 %last.3.2.i.i
+  %switch.gep9354 = getelementptr i8, ptr %244, i64 64
+  %switch.load9355 = load double, ptr %switch.gep9354, align 8
   br label %B996.i.i
 
-B996.i.i:                                         ; preds = %B966.i.i8970, %B958.i.i
-  %"$phi996.1.2.2.i.i" = phi double [ 0.000000e+00, %B958.i.i ], [ %switch.load9360, %B966.i.i8970 ]
-  %.1630.i.i = getelementptr double, ptr %75, i64 %.1011.i.i
-  store double %"$phi996.1.2.2.i.i", ptr %.1630.i.i, align 8, !noalias !107
-  %225 = getelementptr double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.12, i64 %last.3.2.i.i
-  %switch.gep9363 = getelementptr i8, ptr %225, i64 72
-  %switch.load9364 = load double, ptr %switch.gep9363, align 8
-  %.1722.i.i = getelementptr double, ptr %76, i64 %.1011.i.i
-  store double %switch.load9364, ptr %.1722.i.i, align 8, !noalias !107
-  %.1778.i.i = load i64, ptr %.1087.i.i, align 8, !noalias !107
+B996.i.i:                                         ; preds = %B966.i.i8971, %B958.i.i
+  %"$phi996.1.2.2.i.i" = phi double [ 0.000000e+00, %B958.i.i ], [ %switch.load9355, %B966.i.i8971 ]
+  %.1630.i.i = getelementptr double, ptr %70, i64 %.1011.i.i
+  store double %"$phi996.1.2.2.i.i", ptr %.1630.i.i, align 8, !noalias !138
+  %245 = getelementptr double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.12, i64 %last.3.2.i.i
+  %switch.gep9358 = getelementptr i8, ptr %245, i64 72
+  %switch.load9359 = load double, ptr %switch.gep9358, align 8
+  %.1722.i.i = getelementptr double, ptr %71, i64 %.1011.i.i
+  store double %switch.load9359, ptr %.1722.i.i, align 8, !noalias !138
+  %.1778.i.i = load i64, ptr %.1087.i.i, align 8, !noalias !138
   %.1779.i.i = icmp sgt i64 %.1778.i.i, -1
   %.1789.i.i = sext i1 %.1779.i.i to i64
   %"$phi1114.1.2.2.i.i" = add nsw i64 %last.3.2.i.i, %.1789.i.i
-  br i1 %.296.i.i8947, label %B1122.i.i, label %B1300.i.i
+  br i1 %.296.i.i8946, label %B1122.i.i, label %B1300.i.i
 
 B1122.i.i:                                        ; preds = %B996.i.i
-  %.1860.i.i = getelementptr double, ptr %71, i64 %.1011.i.i
-  %.1861.i.i = load double, ptr %.1860.i.i, align 8, !noalias !107
-  %.1864.i.i8966 = fcmp ogt double %.1861.i.i, %.1863.i.i8963
-  br i1 %.1864.i.i8966, label %B1170.i.i, label %B1300.i.i
+  %.1860.i.i = getelementptr double, ptr %66, i64 %.1011.i.i
+  %.1861.i.i = load double, ptr %.1860.i.i, align 8, !noalias !138
+  %.1864.i.i8963 = fcmp ogt double %.1861.i.i, %.1863.i.i
+  br i1 %.1864.i.i8963, label %B1170.i.i, label %B1300.i.i
 
 B1170.i.i:                                        ; preds = %B1122.i.i
-  %226 = tail call i64 @llvm.smax.i64(i64 range(i64 -1, 9) %"$phi1114.1.2.2.i.i", i64 0)
-  %storemerge.i.i.i = tail call i64 @llvm.smin.i64(i64 %226, i64 7)
-  %.800355.not.i.i.i = icmp slt i64 %"$phi1114.1.2.2.i.i", 1
-  %227 = tail call i64 @llvm.smax.i64(i64 range(i64 -1, 9) %"$phi1114.1.2.2.i.i", i64 1)
-  %storemerge336.i.i.i = add nsw i64 %227, -1
-  %.995359.i.i.i = icmp sgt i64 %"$phi1114.1.2.2.i.i", 1
-  %.938.1361.i.i.i = select i1 %.995359.i.i.i, i64 2, i64 1
-  %.1004362.i.i.i = sext i1 %.995359.i.i.i to i64
-  %.941.1363.i.i.i = add nsw i64 %storemerge336.i.i.i, %.1004362.i.i.i
-  %.985.sroa.0.0364.i.i.i = zext i1 %.995359.i.i.i to i64
+  %246 = tail call i64 @llvm.smax.i64(i64 range(i64 -1, 9) %"$phi1114.1.2.2.i.i", i64 0)
+  %storemerge.i.i.i = tail call i64 @llvm.smin.i64(i64 %246, i64 7)
+  %.309379.not.i.i.i = icmp slt i64 %"$phi1114.1.2.2.i.i", 1
+  %247 = tail call i64 @llvm.smax.i64(i64 range(i64 -1, 9) %"$phi1114.1.2.2.i.i", i64 1)
+  %storemerge348.i.i.i = add nsw i64 %247, -1
+  %.504383.i.i.i = icmp sgt i64 %"$phi1114.1.2.2.i.i", 1
+  %.447.1385.i.i.i = select i1 %.504383.i.i.i, i64 2, i64 1
+  %.513386.i.i.i = sext i1 %.504383.i.i.i to i64
+  %.450.1387.i.i.i = add nsw i64 %storemerge348.i.i.i, %.513386.i.i.i
+  %.494.sroa.0.0388.i.i.i = zext i1 %.504383.i.i.i to i64
   %.160.i.i.i = add nsw i64 %.924.sroa.0.01304.i.i, %arg.shape.0
-  %.336.i.i.i = add nsw i64 %.160.i.i.i, %.30.i.i.i
-  %.350.i.i.i = icmp slt i64 %.336.i.i.i, 0
-  %.351.i.i.i = select i1 %.350.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %228 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.336.i.i.i
-  %.365.i.i.i = getelementptr double, ptr %228, i64 %.351.i.i.i
-  %.616.i.i.i = icmp slt i64 %.160.i.i.i, 0
-  %.617.i.i.i = select i1 %.616.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %229 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.160.i.i.i
-  %.631.i.i.i = getelementptr double, ptr %229, i64 %.617.i.i.i
-  %.602.1.i.i.i = add nsw i64 %.160.i.i.i, %.598.i.i.i
-  %.616.1.i.i.i = icmp slt i64 %.602.1.i.i.i, 0
-  %.617.1.i.i.i = select i1 %.616.1.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %230 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.602.1.i.i.i
-  %.631.1.i.i.i = getelementptr double, ptr %230, i64 %.617.1.i.i.i
-  %.602.2.i.i.i = add nsw i64 %.160.i.i.i, %.600.2.i.i.i
-  %.616.2.i.i.i = icmp slt i64 %.602.2.i.i.i, 0
-  %.617.2.i.i.i = select i1 %.616.2.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %231 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.602.2.i.i.i
-  %.631.2.i.i.i = getelementptr double, ptr %231, i64 %.617.2.i.i.i
-  %.602.3.i.i.i = add nsw i64 %.160.i.i.i, %.600.3.i.i.i
-  %.616.3.i.i.i = icmp slt i64 %.602.3.i.i.i, 0
-  %.617.3.i.i.i = select i1 %.616.3.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %232 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.602.3.i.i.i
-  %.631.3.i.i.i = getelementptr double, ptr %232, i64 %.617.3.i.i.i
-  %.602.4.i.i.i = add nsw i64 %.160.i.i.i, %.600.4.i.i.i
-  %.616.4.i.i.i = icmp slt i64 %.602.4.i.i.i, 0
-  %.617.4.i.i.i = select i1 %.616.4.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %233 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.602.4.i.i.i
-  %.631.4.i.i.i = getelementptr double, ptr %233, i64 %.617.4.i.i.i
-  %.336.1.i.i.i = add nsw i64 %.160.i.i.i, %.334.1.i.i.i
-  %.350.1.i.i.i = icmp slt i64 %.336.1.i.i.i, 0
-  %.351.1.i.i.i = select i1 %.350.1.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %234 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.336.1.i.i.i
-  %.365.1.i.i.i = getelementptr double, ptr %234, i64 %.351.1.i.i.i
-  %.336.2.i.i.i = add nsw i64 %.160.i.i.i, %.334.2.i.i.i
-  %.350.2.i.i.i = icmp slt i64 %.336.2.i.i.i, 0
-  %.351.2.i.i.i = select i1 %.350.2.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %235 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.336.2.i.i.i
-  %.365.2.i.i.i = getelementptr double, ptr %235, i64 %.351.2.i.i.i
-  %.336.3.i.i.i = add nsw i64 %.160.i.i.i, %.334.3.i.i.i
-  %.350.3.i.i.i = icmp slt i64 %.336.3.i.i.i, 0
-  %.351.3.i.i.i = select i1 %.350.3.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %236 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.336.3.i.i.i
-  %.365.3.i.i.i = getelementptr double, ptr %236, i64 %.351.3.i.i.i
-  %.1508.i.i.i = add nsw i64 %.160.i.i.i, %arg.shape.0
-  %.1524.i.i.i = icmp slt i64 %.1508.i.i.i, 0
-  %.1525.i.i.i = select i1 %.1524.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %237 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.1508.i.i.i
-  %.1539.i.i.i = getelementptr double, ptr %237, i64 %.1525.i.i.i
+  %.192.i.i.i.i = add nsw i64 %.160.i.i.i, %.30.i.i.i
+  %.206.i.i.i.i = icmp slt i64 %.192.i.i.i.i, 0
+  %.207.i.i.i.i = select i1 %.206.i.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %248 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.192.i.i.i.i
+  %.221.i.i.i.i = getelementptr double, ptr %248, i64 %.207.i.i.i.i
+  %.472.i.i.i.i = icmp slt i64 %.160.i.i.i, 0
+  %.473.i.i.i.i = select i1 %.472.i.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %249 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.160.i.i.i
+  %.487.i.i.i.i = getelementptr double, ptr %249, i64 %.473.i.i.i.i
+  %.458.i.1.i.i.i = add nsw i64 %.160.i.i.i, %.454.i.i.i.i
+  %.472.i.1.i.i.i = icmp slt i64 %.458.i.1.i.i.i, 0
+  %.473.i.1.i.i.i = select i1 %.472.i.1.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %250 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.458.i.1.i.i.i
+  %.487.i.1.i.i.i = getelementptr double, ptr %250, i64 %.473.i.1.i.i.i
+  %.458.i.2.i.i.i = add nsw i64 %.160.i.i.i, %.456.i.2.i.i.i
+  %.472.i.2.i.i.i = icmp slt i64 %.458.i.2.i.i.i, 0
+  %.473.i.2.i.i.i = select i1 %.472.i.2.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %251 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.458.i.2.i.i.i
+  %.487.i.2.i.i.i = getelementptr double, ptr %251, i64 %.473.i.2.i.i.i
+  %.458.i.3.i.i.i = add nsw i64 %.160.i.i.i, %.456.i.3.i.i.i
+  %.472.i.3.i.i.i = icmp slt i64 %.458.i.3.i.i.i, 0
+  %.473.i.3.i.i.i = select i1 %.472.i.3.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %252 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.458.i.3.i.i.i
+  %.487.i.3.i.i.i = getelementptr double, ptr %252, i64 %.473.i.3.i.i.i
+  %.458.i.4.i.i.i = add nsw i64 %.160.i.i.i, %.456.i.4.i.i.i
+  %.472.i.4.i.i.i = icmp slt i64 %.458.i.4.i.i.i, 0
+  %.473.i.4.i.i.i = select i1 %.472.i.4.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %253 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.458.i.4.i.i.i
+  %.487.i.4.i.i.i = getelementptr double, ptr %253, i64 %.473.i.4.i.i.i
+  %.192.i.1.i.i.i = add nsw i64 %.160.i.i.i, %.190.i.1.i.i.i
+  %.206.i.1.i.i.i = icmp slt i64 %.192.i.1.i.i.i, 0
+  %.207.i.1.i.i.i = select i1 %.206.i.1.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %254 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.192.i.1.i.i.i
+  %.221.i.1.i.i.i = getelementptr double, ptr %254, i64 %.207.i.1.i.i.i
+  %.192.i.2.i.i.i = add nsw i64 %.160.i.i.i, %.190.i.2.i.i.i
+  %.206.i.2.i.i.i = icmp slt i64 %.192.i.2.i.i.i, 0
+  %.207.i.2.i.i.i = select i1 %.206.i.2.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %255 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.192.i.2.i.i.i
+  %.221.i.2.i.i.i = getelementptr double, ptr %255, i64 %.207.i.2.i.i.i
+  %.192.i.3.i.i.i = add nsw i64 %.160.i.i.i, %.190.i.3.i.i.i
+  %.206.i.3.i.i.i = icmp slt i64 %.192.i.3.i.i.i, 0
+  %.207.i.3.i.i.i = select i1 %.206.i.3.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %256 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.192.i.3.i.i.i
+  %.221.i.3.i.i.i = getelementptr double, ptr %256, i64 %.207.i.3.i.i.i
+  %.1017.i.i.i = add nsw i64 %.160.i.i.i, %arg.shape.0
+  %.1033.i.i.i = icmp slt i64 %.1017.i.i.i, 0
+  %.1034.i.i.i8964 = select i1 %.1033.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %257 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.1017.i.i.i
+  %.1048.i.i.i = getelementptr double, ptr %257, i64 %.1034.i.i.i8964
   br label %B50.i.i.i
 
-B50.i.i.i:                                        ; preds = %B1088.i.i.i, %B1170.i.i
-  %exitcond.not.i.i.i = phi i1 [ false, %B1170.i.i ], [ true, %B1088.i.i.i ]
-  br i1 %exitcond.not.i.i.i, label %_ZN12clpt_control6native9for_numba8may_hideB3v41B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, label %B52.if.i.i.i
+B50.i.i.i:                                        ; preds = %B830.i.i.i, %B1170.i.i
+  %exitcond.not.i.i.i = phi i1 [ false, %B1170.i.i ], [ true, %B830.i.i.i ]
+  br i1 %exitcond.not.i.i.i, label %_ZN12clpt_control6native9for_numba8may_hideB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, label %B52.if.i.i.i
 
-B532.i.i.i:                                       ; preds = %B470.if.i.i.i, %B52.if.i.i.i
-  %nearest.3.1.lcssa.i.i.i = phi double [ 0x7FF0000000000000, %B52.if.i.i.i ], [ %.11.i342.i.i.i, %B470.if.i.i.i ]
-  br i1 %.995359.i.i.i, label %B568.lr.ph.i.i.i, label %B1088.i.i.i
+B274.i.i.i:                                       ; preds = %B212.if.i.i.i, %B52.if.i.i.i
+  %nearest.3.1.lcssa.i.i.i = phi double [ 0x7FF0000000000000, %B52.if.i.i.i ], [ %.11.i352.i.i.i, %B212.if.i.i.i ]
+  br i1 %.504383.i.i.i, label %B310.lr.ph.i.i.i, label %B830.i.i.i
 
-B568.lr.ph.i.i.i:                                 ; preds = %B532.i.i.i
-  %.1157.i.i.i8969 = fmul double %.11.i.3.i.i.i, 1.000000e+01
-  br label %B568.i.i.i
+B310.lr.ph.i.i.i:                                 ; preds = %B274.i.i.i
+  %.666.i.i.i = fmul double %.11.i.i.3.i.i.i, 1.000000e+01
+  br label %B310.i.i.i
 
-B568.i.i.i:                                       ; preds = %B1163.i.i.i, %B568.lr.ph.i.i.i
-  %.985.sroa.0.0368.i.i.i = phi i64 [ %.985.sroa.0.0364.i.i.i, %B568.lr.ph.i.i.i ], [ %.985.sroa.0.0.i.i.i, %B1163.i.i.i ]
-  %.941.1367.i.i.i = phi i64 [ %.941.1363.i.i.i, %B568.lr.ph.i.i.i ], [ %.941.1.i.i.i, %B1163.i.i.i ]
-  %.938.1366.i.i.i = phi i64 [ %.938.1361.i.i.i, %B568.lr.ph.i.i.i ], [ %.938.1.i.i.i, %B1163.i.i.i ]
-  %nearest.4.1365.i.i.i = phi double [ %nearest.3.1.lcssa.i.i.i, %B568.lr.ph.i.i.i ], [ %nearest.5.2.i.i.i, %B1163.i.i.i ]
-  %.1041.i.i.i = add nsw i64 %.985.sroa.0.0368.i.i.i, -1
-  %.1043.i.i.i = mul nsw i64 %.1041.i.i.i, %.30.i.i.i
-  %.1045.i.i.i = add nsw i64 %.1043.i.i.i, %.160.i.i.i
-  %.1059.i.i.i = icmp slt i64 %.1045.i.i.i, 0
-  %.1060.i.i.i = select i1 %.1059.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %238 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.1045.i.i.i
-  %.1074.i.i.i = getelementptr double, ptr %238, i64 %.1060.i.i.i
-  %.1075.i.i.i = load double, ptr %.1074.i.i.i, align 8, !noalias !115
-  %.1078.i.i.i = mul nsw i64 %.985.sroa.0.0368.i.i.i, %.30.i.i.i
-  %.1080.i.i.i = add nsw i64 %.1078.i.i.i, %.160.i.i.i
-  %.1094.i.i.i = icmp slt i64 %.1080.i.i.i, 0
-  %.1095.i.i.i = select i1 %.1094.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %239 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.1080.i.i.i
-  %.1109.i.i.i = getelementptr double, ptr %239, i64 %.1095.i.i.i
-  %.1110.i.i.i = load double, ptr %.1109.i.i.i, align 8, !noalias !115
-  %.1112.i.i.i = add nsw i64 %.985.sroa.0.0368.i.i.i, 1
-  %.1114.i.i.i = mul nsw i64 %.1112.i.i.i, %.30.i.i.i
-  %.1116.i.i.i = add nsw i64 %.1114.i.i.i, %.160.i.i.i
-  %.1130.i.i.i = icmp slt i64 %.1116.i.i.i, 0
-  %.1131.i.i.i = select i1 %.1130.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %240 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.1116.i.i.i
-  %.1145.i.i.i = getelementptr double, ptr %240, i64 %.1131.i.i.i
-  %.1146.i.i.i = load double, ptr %.1145.i.i.i, align 8, !noalias !115
-  %.1160.i.i.i = fsub double %.1075.i.i.i, %.1110.i.i.i
-  %.1161.i.i.i = tail call double @llvm.fabs.f64(double %.1160.i.i.i)
-  %.1164.i.i.i = fsub double %.1146.i.i.i, %.1110.i.i.i
-  %.1165.i.i.i = tail call double @llvm.fabs.f64(double %.1164.i.i.i)
-  %.1166.i.i.i = fadd double %.1161.i.i.i, %.1165.i.i.i
-  %.1167.i.i.i = fmul double %.1166.i.i.i, 3.000000e+00
-  %.1168.i.i.i = fadd double %.1157.i.i.i8969, %.1167.i.i.i
-  %.1170.i.i.i = fcmp olt double %.1110.i.i.i, %.1168.i.i.i
-  br i1 %.1170.i.i.i, label %B776.i.i.i, label %B1163.i.i.i
+B310.i.i.i:                                       ; preds = %B905.i.i.i, %B310.lr.ph.i.i.i
+  %.494.sroa.0.0392.i.i.i = phi i64 [ %.494.sroa.0.0388.i.i.i, %B310.lr.ph.i.i.i ], [ %.494.sroa.0.0.i.i.i, %B905.i.i.i ]
+  %.450.1391.i.i.i = phi i64 [ %.450.1387.i.i.i, %B310.lr.ph.i.i.i ], [ %.450.1.i.i.i, %B905.i.i.i ]
+  %.447.1390.i.i.i = phi i64 [ %.447.1385.i.i.i, %B310.lr.ph.i.i.i ], [ %.447.1.i.i.i, %B905.i.i.i ]
+  %nearest.4.1389.i.i.i = phi double [ %nearest.3.1.lcssa.i.i.i, %B310.lr.ph.i.i.i ], [ %nearest.5.2.i.i.i, %B905.i.i.i ]
+  %.550.i.i.i = add nsw i64 %.494.sroa.0.0392.i.i.i, -1
+  %.552.i.i.i = mul nsw i64 %.550.i.i.i, %.30.i.i.i
+  %.554.i.i.i = add nsw i64 %.552.i.i.i, %.160.i.i.i
+  %.568.i.i.i = icmp slt i64 %.554.i.i.i, 0
+  %.569.i.i.i = select i1 %.568.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %258 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.554.i.i.i
+  %.583.i.i.i = getelementptr double, ptr %258, i64 %.569.i.i.i
+  %.584.i.i.i = load double, ptr %.583.i.i.i, align 8, !noalias !146
+  %.587.i.i.i8967 = mul nsw i64 %.494.sroa.0.0392.i.i.i, %.30.i.i.i
+  %.589.i.i.i = add nsw i64 %.587.i.i.i8967, %.160.i.i.i
+  %.603.i.i.i = icmp slt i64 %.589.i.i.i, 0
+  %.604.i.i.i = select i1 %.603.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %259 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.589.i.i.i
+  %.618.i.i.i = getelementptr double, ptr %259, i64 %.604.i.i.i
+  %.619.i.i.i = load double, ptr %.618.i.i.i, align 8, !noalias !146
+  %.621.i.i.i = add nsw i64 %.494.sroa.0.0392.i.i.i, 1
+  %.623.i.i.i = mul nsw i64 %.621.i.i.i, %.30.i.i.i
+  %.625.i.i.i = add nsw i64 %.623.i.i.i, %.160.i.i.i
+  %.639.i.i.i = icmp slt i64 %.625.i.i.i, 0
+  %.640.i.i.i = select i1 %.639.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %260 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.625.i.i.i
+  %.654.i.i.i = getelementptr double, ptr %260, i64 %.640.i.i.i
+  %.655.i.i.i = load double, ptr %.654.i.i.i, align 8, !noalias !146
+  %.669.i.i.i = fsub double %.584.i.i.i, %.619.i.i.i
+  %.670.i.i.i = tail call double @llvm.fabs.f64(double %.669.i.i.i)
+  %.673.i.i.i = fsub double %.655.i.i.i, %.619.i.i.i
+  %.674.i.i.i = tail call double @llvm.fabs.f64(double %.673.i.i.i)
+  %.675.i.i.i = fadd double %.670.i.i.i, %.674.i.i.i
+  %.676.i.i.i = fmul double %.675.i.i.i, 3.000000e+00
+  %.677.i.i.i = fadd double %.666.i.i.i, %.676.i.i.i
+  %.679.i.i.i = fcmp olt double %.619.i.i.i, %.677.i.i.i
+  br i1 %.679.i.i.i, label %B518.i.i.i, label %B905.i.i.i
 
-B776.i.i.i:                                       ; preds = %B568.i.i.i
-  %switch.tableidx9365 = add i64 %.985.sroa.0.0368.i.i.i, 9
-  %241 = icmp ult i64 %switch.tableidx9365, 18
-  br i1 %241, label %switch.lookup9366, label %_ZN12clpt_control6native9for_numba8may_hideB3v41B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+B518.i.i.i:                                       ; preds = %B310.i.i.i
+  %switch.tableidx9360 = add i64 %.494.sroa.0.0392.i.i.i, 9
+  %261 = icmp ult i64 %switch.tableidx9360, 18
+  br i1 %261, label %switch.lookup9361, label %_ZN12clpt_control6native9for_numba8may_hideB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
 
-B982.i.i.i:                                       ; preds = %switch.lookup9378
-  %.1379.i.i.i = fneg double %.1320.i.i.i
-  %.1383.i.i.i = fmul double %.1369.i.i.i, 5.000000e-01
-  %.1388.i.i.i = fdiv double %.1383.i.i.i, %.1352.i.i.i
-  %.1389.i.i.i = fcmp ogt double %.1388.i.i.i, %.1379.i.i.i
-  %.1399.i.i.i = fcmp olt double %.1388.i.i.i, %.1246.i.i.i
-  %or.cond337.i.i.i = and i1 %.1389.i.i.i, %.1399.i.i.i
-  br i1 %or.cond337.i.i.i, label %B1022.i.i.i, label %B1163.i.i.i
+B724.i.i.i:                                       ; preds = %switch.lookup9373
+  %.888.i.i.i = fneg double %.829.i.i.i
+  %.892.i.i.i = fmul double %.878.i.i.i, 5.000000e-01
+  %.897.i.i.i = fdiv double %.892.i.i.i, %.861.i.i.i
+  %.898.i.i.i = fcmp ogt double %.897.i.i.i, %.888.i.i.i
+  %.908.i.i.i = fcmp olt double %.897.i.i.i, %.755.i.i.i
+  %or.cond349.i.i.i = and i1 %.898.i.i.i, %.908.i.i.i
+  br i1 %or.cond349.i.i.i, label %B764.i.i.i, label %B905.i.i.i
 
-B1022.i.i.i:                                      ; preds = %B982.i.i.i
-  %.1426.i.i.i = fmul double %.1369.i.i.i, 2.500000e-01
-  %.1428.i.i.i = fmul double %.1369.i.i.i, %.1426.i.i.i
-  %.1435.i.i.i = fdiv double %.1428.i.i.i, %.1352.i.i.i
-  %.1439.i.i.i = fsub double %.1110.i.i.i, %.1435.i.i.i
-  %.10.i339.i.i.i = fcmp olt double %.1439.i.i.i, %nearest.4.1365.i.i.i
-  %.11.i340.i.i.i = select i1 %.10.i339.i.i.i, double %.1439.i.i.i, double %nearest.4.1365.i.i.i
-  br label %B1163.i.i.i
+B764.i.i.i:                                       ; preds = %B724.i.i.i
+  %.935.i.i.i = fmul double %.878.i.i.i, 2.500000e-01
+  %.937.i.i.i = fmul double %.878.i.i.i, %.935.i.i.i
+  %.944.i.i.i8968 = fdiv double %.937.i.i.i, %.861.i.i.i
+  %.948.i.i.i = fsub double %.619.i.i.i, %.944.i.i.i8968
+  %.10.i.i.i.i8969 = fcmp olt double %.948.i.i.i, %nearest.4.1389.i.i.i
+  %.11.i.i.i.i8970 = select i1 %.10.i.i.i.i8969, double %.948.i.i.i, double %nearest.4.1389.i.i.i
+  br label %B905.i.i.i
 
-B1088.i.i.i:                                      ; preds = %B1163.i.i.i, %B532.i.i.i
-  %nearest.4.1.lcssa.i.i.i = phi double [ %nearest.3.1.lcssa.i.i.i, %B532.i.i.i ], [ %nearest.5.2.i.i.i, %B1163.i.i.i ]
-  %.1540.i.i.i = load double, ptr %.1539.i.i.i, align 8, !noalias !115
-  %.1542.i.i.i = fcmp ule double %.11.i.3.i.i.i, %.1540.i.i.i
-  %.1545.i.i.i = fmul double %.11.i.3.i.i.i, 1.000000e+01
-  %.1549.i.i.i = fcmp ugt double %nearest.4.1.lcssa.i.i.i, %.1545.i.i.i
-  %or.cond.i.i.i = select i1 %.1542.i.i.i, i1 true, i1 %.1549.i.i.i
-  br i1 %or.cond.i.i.i, label %B50.i.i.i, label %_ZN12clpt_control6native9for_numba8may_hideB3v41B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+B830.i.i.i:                                       ; preds = %B905.i.i.i, %B274.i.i.i
+  %nearest.4.1.lcssa.i.i.i = phi double [ %nearest.3.1.lcssa.i.i.i, %B274.i.i.i ], [ %nearest.5.2.i.i.i, %B905.i.i.i ]
+  %.1049.i.i.i = load double, ptr %.1048.i.i.i, align 8, !noalias !146
+  %.1051.i.i.i = fcmp ule double %.11.i.i.3.i.i.i, %.1049.i.i.i
+  %.1054.i.i.i = fmul double %.11.i.i.3.i.i.i, 1.000000e+01
+  %.1058.i.i.i = fcmp ugt double %nearest.4.1.lcssa.i.i.i, %.1054.i.i.i
+  %or.cond.i.i.i = select i1 %.1051.i.i.i, i1 true, i1 %.1058.i.i.i
+  br i1 %or.cond.i.i.i, label %B50.i.i.i, label %_ZN12clpt_control6native9for_numba8may_hideB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
 
-B1163.i.i.i:                                      ; preds = %switch.lookup9378, %B1022.i.i.i, %B982.i.i.i, %B568.i.i.i
-  %nearest.5.2.i.i.i = phi double [ %nearest.4.1365.i.i.i, %B982.i.i.i ], [ %.11.i340.i.i.i, %B1022.i.i.i ], [ %nearest.4.1365.i.i.i, %B568.i.i.i ], [ %nearest.4.1365.i.i.i, %switch.lookup9378 ]
-  %.995.i.i.i = icmp sgt i64 %.941.1367.i.i.i, 0
-  %.1008.i.i.i = zext i1 %.995.i.i.i to i64
-  %.938.1.i.i.i = add i64 %.938.1366.i.i.i, %.1008.i.i.i
-  %.1004.i.i.i = sext i1 %.995.i.i.i to i64
-  %.941.1.i.i.i = add nsw i64 %.941.1367.i.i.i, %.1004.i.i.i
-  %.985.sroa.0.0.i.i.i = select i1 %.995.i.i.i, i64 %.938.1366.i.i.i, i64 0
-  br i1 %.995.i.i.i, label %B568.i.i.i, label %B1088.i.i.i
+B905.i.i.i:                                       ; preds = %switch.lookup9373, %B764.i.i.i, %B724.i.i.i, %B310.i.i.i
+  %nearest.5.2.i.i.i = phi double [ %nearest.4.1389.i.i.i, %B724.i.i.i ], [ %.11.i.i.i.i8970, %B764.i.i.i ], [ %nearest.4.1389.i.i.i, %B310.i.i.i ], [ %nearest.4.1389.i.i.i, %switch.lookup9373 ]
+  %.504.i.i.i = icmp sgt i64 %.450.1391.i.i.i, 0
+  %.517.i.i.i = zext i1 %.504.i.i.i to i64
+  %.447.1.i.i.i = add i64 %.447.1390.i.i.i, %.517.i.i.i
+  %.513.i.i.i = sext i1 %.504.i.i.i to i64
+  %.450.1.i.i.i = add nsw i64 %.450.1391.i.i.i, %.513.i.i.i
+  %.494.sroa.0.0.i.i.i = select i1 %.504.i.i.i, i64 %.447.1390.i.i.i, i64 0
+  br i1 %.504.i.i.i, label %B310.i.i.i, label %B830.i.i.i
 
 B52.if.i.i.i:                                     ; preds = %B50.i.i.i
-  %.366.i.i.i = load double, ptr %.365.i.i.i, align 8, !noalias !115
-  %.632.i.i.i = load double, ptr %.631.i.i.i, align 8, !noalias !115
-  %.633.i.i.i = fmul double %.632.i.i.i, 0x3FDDF27AAAADCB3A
-  %.635.i.i.i = fsub double %.366.i.i.i, %.633.i.i.i
-  %.632.1.i.i.i = load double, ptr %.631.1.i.i.i, align 8, !noalias !115
-  %.633.1.i.i.i = fmul double %.632.1.i.i.i, 0x3FEC575F1EBC4F2F
-  %.635.1.i.i.i = fsub double %.635.i.i.i, %.633.1.i.i.i
-  %.632.2.i.i.i = load double, ptr %.631.2.i.i.i, align 8, !noalias !115
-  %.633.2.i.i.i = fmul double %.632.2.i.i.i, 0x3FE1306AA3D795F4
-  %242 = fadd double %.635.1.i.i.i, %.633.2.i.i.i
-  %.632.3.i.i.i = load double, ptr %.631.3.i.i.i, align 8, !noalias !115
-  %.633.3.i.i.i = fmul double %.632.3.i.i.i, 0x3FCCB9F574BDCC3A
-  %.635.3.i.i.i = fsub double %242, %.633.3.i.i.i
-  %.632.4.i.i.i = load double, ptr %.631.4.i.i.i, align 8, !noalias !115
-  %.633.4.i.i.i = fmul double %.632.4.i.i.i, 0x3FA4EAF2D6B11E79
-  %243 = fadd double %.635.3.i.i.i, %.633.4.i.i.i
-  %.646.i.i.i = tail call double @llvm.fabs.f64(double %243)
-  %.10.i.i.i.i8967 = fcmp ogt double %.646.i.i.i, 0.000000e+00
-  %.11.i.i.i.i8968 = select i1 %.10.i.i.i.i8967, double %.646.i.i.i, double 0.000000e+00
-  %.366.1.i.i.i = load double, ptr %.365.1.i.i.i, align 8, !noalias !115
-  %.633.1430.i.i.i = fmul double %.632.i.i.i, 0x3FA5118805F8B876
-  %244 = fadd double %.633.1430.i.i.i, %.366.1.i.i.i
-  %.633.1.1.i.i.i = fmul double %.632.1.i.i.i, 0x3FE51326698BC5BD
-  %.635.1.1.i.i.i = fsub double %244, %.633.1.1.i.i.i
-  %.633.2.1.i.i.i = fmul double %.632.2.i.i.i, 0x3FDF97DED30D4572
-  %.635.2.1.i.i.i = fsub double %.635.1.1.i.i.i, %.633.2.1.i.i.i
-  %.633.3.1.i.i.i = fmul double %.632.3.i.i.i, 0x3FC0DA0C684D1D67
-  %245 = fadd double %.633.3.1.i.i.i, %.635.2.1.i.i.i
-  %.633.4.1.i.i.i = fmul double %.632.4.i.i.i, 0x3F9510B8EC0D4D92
-  %.635.4.1.i.i.i = fsub double %245, %.633.4.1.i.i.i
-  %.646.1.i.i.i = tail call double @llvm.fabs.f64(double %.635.4.1.i.i.i)
-  %.10.i.1.i.i.i = fcmp ogt double %.646.1.i.i.i, %.11.i.i.i.i8968
-  %.11.i.1.i.i.i = select i1 %.10.i.1.i.i.i, double %.646.1.i.i.i, double %.11.i.i.i.i8968
-  %.366.2.i.i.i = load double, ptr %.365.2.i.i.i, align 8, !noalias !115
-  %.633.2457.i.i.i = fmul double %.632.i.i.i, 0x3F9635A30F8F142F
-  %.635.2458.i.i.i = fsub double %.366.2.i.i.i, %.633.2457.i.i.i
-  %.633.1.2.i.i.i = fmul double %.632.1.i.i.i, 0x3FC1EAE0FF33D241
-  %246 = fadd double %.633.1.2.i.i.i, %.635.2458.i.i.i
-  %.633.2.2.i.i.i = fmul double %.632.2.i.i.i, 0x3FE1625D59218460
-  %.635.2.2.i.i.i = fsub double %246, %.633.2.2.i.i.i
-  %.633.3.2.i.i.i = fmul double %.632.3.i.i.i, 0x3FE3BBC3E8A29641
-  %.635.3.2.i.i.i = fsub double %.635.2.2.i.i.i, %.633.3.2.i.i.i
-  %.633.4.2.i.i.i = fmul double %.632.4.i.i.i, 0x3FA55161A739EB34
-  %247 = fadd double %.633.4.2.i.i.i, %.635.3.2.i.i.i
-  %.646.2.i.i.i = tail call double @llvm.fabs.f64(double %247)
-  %.10.i.2.i.i.i = fcmp ogt double %.646.2.i.i.i, %.11.i.1.i.i.i
-  %.11.i.2.i.i.i = select i1 %.10.i.2.i.i.i, double %.646.2.i.i.i, double %.11.i.1.i.i.i
-  %.366.3.i.i.i = load double, ptr %.365.3.i.i.i, align 8, !noalias !115
-  %.633.3484.i.i.i = fmul double %.632.i.i.i, 0x3FA4F0C0BB579409
-  %248 = fadd double %.633.3484.i.i.i, %.366.3.i.i.i
-  %.633.1.3.i.i.i = fmul double %.632.1.i.i.i, 0x3FCD2266FBC0D976
-  %.635.1.3.i.i.i = fsub double %248, %.633.1.3.i.i.i
-  %.633.2.3.i.i.i = fmul double %.632.2.i.i.i, 0x3FE1F2DB6FEE3151
-  %249 = fadd double %.633.2.3.i.i.i, %.635.1.3.i.i.i
-  %.633.3.3.i.i.i = fmul double %.632.3.i.i.i, 0x3FF0C05015964CBE
-  %.635.3.3.i.i.i = fsub double %249, %.633.3.3.i.i.i
-  %.633.4.3.i.i.i = fmul double %.632.4.i.i.i, 0x3FD4F15B230DB570
-  %.635.4.3.i.i.i = fsub double %.635.3.3.i.i.i, %.633.4.3.i.i.i
-  %.646.3.i.i.i = tail call double @llvm.fabs.f64(double %.635.4.3.i.i.i)
-  %.10.i.3.i.i.i = fcmp ogt double %.646.3.i.i.i, %.11.i.2.i.i.i
-  %.11.i.3.i.i.i = select i1 %.10.i.3.i.i.i, double %.646.3.i.i.i, double %.11.i.2.i.i.i
-  br i1 %.800355.not.i.i.i, label %B532.i.i.i, label %B470.if.i.i.i
+  %.222.i.i.i.i = load double, ptr %.221.i.i.i.i, align 8, !noalias !150
+  %.488.i.i.i.i = load double, ptr %.487.i.i.i.i, align 8, !noalias !150
+  %.489.i.i.i.i = fmul double %.488.i.i.i.i, 0x3FDDF27AAAADCB3A
+  %.491.i.i.i.i = fsub double %.222.i.i.i.i, %.489.i.i.i.i
+  %.488.i.1.i.i.i = load double, ptr %.487.i.1.i.i.i, align 8, !noalias !150
+  %.489.i.1.i.i.i = fmul double %.488.i.1.i.i.i, 0x3FEC575F1EBC4F2F
+  %.491.i.1.i.i.i = fsub double %.491.i.i.i.i, %.489.i.1.i.i.i
+  %.488.i.2.i.i.i = load double, ptr %.487.i.2.i.i.i, align 8, !noalias !150
+  %.489.i.2.i.i.i = fmul double %.488.i.2.i.i.i, 0x3FE1306AA3D795F4
+  %262 = fadd double %.491.i.1.i.i.i, %.489.i.2.i.i.i
+  %.488.i.3.i.i.i = load double, ptr %.487.i.3.i.i.i, align 8, !noalias !150
+  %.489.i.3.i.i.i = fmul double %.488.i.3.i.i.i, 0x3FCCB9F574BDCC3A
+  %.491.i.3.i.i.i = fsub double %262, %.489.i.3.i.i.i
+  %.488.i.4.i.i.i = load double, ptr %.487.i.4.i.i.i, align 8, !noalias !150
+  %.489.i.4.i.i.i = fmul double %.488.i.4.i.i.i, 0x3FA4EAF2D6B11E79
+  %263 = fadd double %.491.i.3.i.i.i, %.489.i.4.i.i.i
+  %.502.i.i.i.i = tail call double @llvm.fabs.f64(double %263)
+  %.10.i.i.i.i.i = fcmp ogt double %.502.i.i.i.i, 0.000000e+00
+  %.11.i.i.i.i.i = select i1 %.10.i.i.i.i.i, double %.502.i.i.i.i, double 0.000000e+00
+  %.222.i.1.i.i.i = load double, ptr %.221.i.1.i.i.i, align 8, !noalias !150
+  %.489.i.1429.i.i.i = fmul double %.488.i.i.i.i, 0x3FA5118805F8B876
+  %264 = fadd double %.489.i.1429.i.i.i, %.222.i.1.i.i.i
+  %.489.i.1.1.i.i.i = fmul double %.488.i.1.i.i.i, 0x3FE51326698BC5BD
+  %.491.i.1.1.i.i.i = fsub double %264, %.489.i.1.1.i.i.i
+  %.489.i.2.1.i.i.i = fmul double %.488.i.2.i.i.i, 0x3FDF97DED30D4572
+  %.491.i.2.1.i.i.i = fsub double %.491.i.1.1.i.i.i, %.489.i.2.1.i.i.i
+  %.489.i.3.1.i.i.i = fmul double %.488.i.3.i.i.i, 0x3FC0DA0C684D1D67
+  %265 = fadd double %.489.i.3.1.i.i.i, %.491.i.2.1.i.i.i
+  %.489.i.4.1.i.i.i = fmul double %.488.i.4.i.i.i, 0x3F9510B8EC0D4D92
+  %.491.i.4.1.i.i.i = fsub double %265, %.489.i.4.1.i.i.i
+  %.502.i.1.i.i.i = tail call double @llvm.fabs.f64(double %.491.i.4.1.i.i.i)
+  %.10.i.i.1.i.i.i = fcmp ogt double %.502.i.1.i.i.i, %.11.i.i.i.i.i
+  %.11.i.i.1.i.i.i = select i1 %.10.i.i.1.i.i.i, double %.502.i.1.i.i.i, double %.11.i.i.i.i.i
+  %.222.i.2.i.i.i = load double, ptr %.221.i.2.i.i.i, align 8, !noalias !150
+  %.489.i.2456.i.i.i = fmul double %.488.i.i.i.i, 0x3F9635A30F8F142F
+  %.491.i.2457.i.i.i = fsub double %.222.i.2.i.i.i, %.489.i.2456.i.i.i
+  %.489.i.1.2.i.i.i = fmul double %.488.i.1.i.i.i, 0x3FC1EAE0FF33D241
+  %266 = fadd double %.489.i.1.2.i.i.i, %.491.i.2457.i.i.i
+  %.489.i.2.2.i.i.i = fmul double %.488.i.2.i.i.i, 0x3FE1625D59218460
+  %.491.i.2.2.i.i.i = fsub double %266, %.489.i.2.2.i.i.i
+  %.489.i.3.2.i.i.i = fmul double %.488.i.3.i.i.i, 0x3FE3BBC3E8A29641
+  %.491.i.3.2.i.i.i = fsub double %.491.i.2.2.i.i.i, %.489.i.3.2.i.i.i
+  %.489.i.4.2.i.i.i = fmul double %.488.i.4.i.i.i, 0x3FA55161A739EB34
+  %267 = fadd double %.489.i.4.2.i.i.i, %.491.i.3.2.i.i.i
+  %.502.i.2.i.i.i = tail call double @llvm.fabs.f64(double %267)
+  %.10.i.i.2.i.i.i = fcmp ogt double %.502.i.2.i.i.i, %.11.i.i.1.i.i.i
+  %.11.i.i.2.i.i.i = select i1 %.10.i.i.2.i.i.i, double %.502.i.2.i.i.i, double %.11.i.i.1.i.i.i
+  %.222.i.3.i.i.i = load double, ptr %.221.i.3.i.i.i, align 8, !noalias !150
+  %.489.i.3483.i.i.i = fmul double %.488.i.i.i.i, 0x3FA4F0C0BB579409
+  %268 = fadd double %.489.i.3483.i.i.i, %.222.i.3.i.i.i
+  %.489.i.1.3.i.i.i = fmul double %.488.i.1.i.i.i, 0x3FCD2266FBC0D976
+  %.491.i.1.3.i.i.i = fsub double %268, %.489.i.1.3.i.i.i
+  %.489.i.2.3.i.i.i = fmul double %.488.i.2.i.i.i, 0x3FE1F2DB6FEE3151
+  %269 = fadd double %.489.i.2.3.i.i.i, %.491.i.1.3.i.i.i
+  %.489.i.3.3.i.i.i = fmul double %.488.i.3.i.i.i, 0x3FF0C05015964CBE
+  %.491.i.3.3.i.i.i = fsub double %269, %.489.i.3.3.i.i.i
+  %.489.i.4.3.i.i.i = fmul double %.488.i.4.i.i.i, 0x3FD4F15B230DB570
+  %.491.i.4.3.i.i.i = fsub double %.491.i.3.3.i.i.i, %.489.i.4.3.i.i.i
+  %.502.i.3.i.i.i = tail call double @llvm.fabs.f64(double %.491.i.4.3.i.i.i)
+  %.10.i.i.3.i.i.i = fcmp ogt double %.502.i.3.i.i.i, %.11.i.i.2.i.i.i
+  %.11.i.i.3.i.i.i = select i1 %.10.i.i.3.i.i.i, double %.502.i.3.i.i.i, double %.11.i.i.2.i.i.i
+  br i1 %.309379.not.i.i.i, label %B274.i.i.i, label %B212.if.i.i.i
 
-B470.if.i.i.i:                                    ; preds = %B52.if.i.i.i, %B470.if.i.i.i
-  %nearest.3.1358.i.i.i = phi double [ %.11.i342.i.i.i, %B470.if.i.i.i ], [ 0x7FF0000000000000, %B52.if.i.i.i ]
-  %.747.0357.i.i.i = phi i64 [ %.809.i.i.i, %B470.if.i.i.i ], [ %storemerge.i.i.i, %B52.if.i.i.i ]
-  %.744.0356.i.i.i = phi i64 [ %.813.i.i.i, %B470.if.i.i.i ], [ 1, %B52.if.i.i.i ]
-  %.809.i.i.i = add nsw i64 %.747.0357.i.i.i, -1
-  %.813.i.i.i = add nsw i64 %.744.0356.i.i.i, 1
-  %250 = mul nsw i64 %.744.0356.i.i.i, %.30.i.i.i
-  %.841.i.i.i = add nsw i64 %250, %.160.i.i.i
-  %.855.i.i.i = icmp slt i64 %.841.i.i.i, 0
-  %.856.i.i.i = select i1 %.855.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %251 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.841.i.i.i
-  %.870.i.i.i = getelementptr double, ptr %251, i64 %.856.i.i.i
-  %.871.i.i.i = load double, ptr %.870.i.i.i, align 8, !noalias !115
-  %.10.i341.i.i.i = fcmp olt double %.871.i.i.i, %nearest.3.1358.i.i.i
-  %.11.i342.i.i.i = select i1 %.10.i341.i.i.i, double %.871.i.i.i, double %nearest.3.1358.i.i.i
-  %.800.i.i.i = icmp sgt i64 %.747.0357.i.i.i, 1
-  br i1 %.800.i.i.i, label %B470.if.i.i.i, label %B532.i.i.i
+B212.if.i.i.i:                                    ; preds = %B52.if.i.i.i, %B212.if.i.i.i
+  %nearest.3.1382.i.i.i = phi double [ %.11.i352.i.i.i, %B212.if.i.i.i ], [ 0x7FF0000000000000, %B52.if.i.i.i ]
+  %.256.0381.i.i.i = phi i64 [ %.318.i.i.i, %B212.if.i.i.i ], [ %storemerge.i.i.i, %B52.if.i.i.i ]
+  %.253.0380.i.i.i = phi i64 [ %.322.i.i.i, %B212.if.i.i.i ], [ 1, %B52.if.i.i.i ]
+  %.318.i.i.i = add nsw i64 %.256.0381.i.i.i, -1
+  %.322.i.i.i = add nsw i64 %.253.0380.i.i.i, 1
+  %270 = mul nsw i64 %.253.0380.i.i.i, %.30.i.i.i
+  %.350.i.i.i = add nsw i64 %270, %.160.i.i.i
+  %.364.i.i.i = icmp slt i64 %.350.i.i.i, 0
+  %.365.i.i.i = select i1 %.364.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %271 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.350.i.i.i
+  %.379.i.i.i = getelementptr double, ptr %271, i64 %.365.i.i.i
+  %.380.i.i.i = load double, ptr %.379.i.i.i, align 8, !noalias !146
+  %.10.i351.i.i.i = fcmp olt double %.380.i.i.i, %nearest.3.1382.i.i.i
+  %.11.i352.i.i.i = select i1 %.10.i351.i.i.i, double %.380.i.i.i, double %nearest.3.1382.i.i.i
+  %.309.i.i.i8965 = icmp sgt i64 %.256.0381.i.i.i, 1
+  br i1 %.309.i.i.i8965, label %B212.if.i.i.i, label %B274.i.i.i
 
-switch.lookup9366:                                ; preds = %B776.i.i.i
-  %switch.tableidx9369 = add i64 %.985.sroa.0.0368.i.i.i, 8
-  %252 = icmp ult i64 %switch.tableidx9369, 18
-  br i1 %252, label %switch.lookup9370, label %_ZN12clpt_control6native9for_numba8may_hideB3v41B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+switch.lookup9361:                                ; preds = %B518.i.i.i
+  %switch.tableidx9364 = add i64 %.494.sroa.0.0392.i.i.i, 8
+  %272 = icmp ult i64 %switch.tableidx9364, 18
+  br i1 %272, label %switch.lookup9365, label %_ZN12clpt_control6native9for_numba8may_hideB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
 
-switch.lookup9370:                                ; preds = %switch.lookup9366
-  %switch.gep9367 = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.12, i64 %switch.tableidx9365
-  %switch.load9368 = load double, ptr %switch.gep9367, align 8
-  %switch.gep9371 = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.12, i64 %switch.tableidx9369
-  %switch.load9372 = load double, ptr %switch.gep9371, align 8
-  %.1246.i.i.i = fsub double %switch.load9368, %switch.load9372
-  %switch.tableidx9373 = add i64 %.985.sroa.0.0368.i.i.i, 10
-  %253 = icmp ult i64 %switch.tableidx9373, 18
-  br i1 %253, label %switch.lookup9374, label %_ZN12clpt_control6native9for_numba8may_hideB3v41B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+switch.lookup9365:                                ; preds = %switch.lookup9361
+  %switch.gep9362 = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.12, i64 %switch.tableidx9360
+  %switch.load9363 = load double, ptr %switch.gep9362, align 8
+  %switch.gep9366 = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.12, i64 %switch.tableidx9364
+  %switch.load9367 = load double, ptr %switch.gep9366, align 8
+  %.755.i.i.i = fsub double %switch.load9363, %switch.load9367
+  %switch.tableidx9368 = add i64 %.494.sroa.0.0392.i.i.i, 10
+  %273 = icmp ult i64 %switch.tableidx9368, 18
+  br i1 %273, label %switch.lookup9369, label %_ZN12clpt_control6native9for_numba8may_hideB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
 
-switch.lookup9374:                                ; preds = %switch.lookup9370
-  %switch.tableidx9377 = add i64 %.985.sroa.0.0368.i.i.i, 9
-  %254 = icmp ult i64 %switch.tableidx9377, 18
-  br i1 %254, label %switch.lookup9378, label %_ZN12clpt_control6native9for_numba8may_hideB3v41B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+switch.lookup9369:                                ; preds = %switch.lookup9365
+  %switch.tableidx9372 = add i64 %.494.sroa.0.0392.i.i.i, 9
+  %274 = icmp ult i64 %switch.tableidx9372, 18
+  br i1 %274, label %switch.lookup9373, label %_ZN12clpt_control6native9for_numba8may_hideB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
 
-switch.lookup9378:                                ; preds = %switch.lookup9374
-  %switch.gep9375 = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.12, i64 %switch.tableidx9373
-  %switch.load9376 = load double, ptr %switch.gep9375, align 8
-  %switch.gep9379 = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.12, i64 %switch.tableidx9377
-  %switch.load9380 = load double, ptr %switch.gep9379, align 8
-  %.1320.i.i.i = fsub double %switch.load9376, %switch.load9380
-  %.1336.i.i.i = fdiv double %.1164.i.i.i, %.1320.i.i.i
-  %.1339.i.i.i = fsub double %.1110.i.i.i, %.1075.i.i.i
-  %.1344.i.i.i = fdiv double %.1339.i.i.i, %.1246.i.i.i
-  %.1345.i.i.i = fsub double %.1336.i.i.i, %.1344.i.i.i
-  %.1348.i.i.i = fadd double %.1246.i.i.i, %.1320.i.i.i
-  %.1352.i.i.i = fdiv double %.1345.i.i.i, %.1348.i.i.i
-  %.1368.i.i.i = fmul double %.1246.i.i.i, %.1352.i.i.i
-  %.1369.i.i.i = fadd double %.1344.i.i.i, %.1368.i.i.i
-  %.1374.i.i.i = fcmp ogt double %.1352.i.i.i, 0.000000e+00
-  br i1 %.1374.i.i.i, label %B982.i.i.i, label %B1163.i.i.i
+switch.lookup9373:                                ; preds = %switch.lookup9369
+  %switch.gep9370 = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.12, i64 %switch.tableidx9368
+  %switch.load9371 = load double, ptr %switch.gep9370, align 8
+  %switch.gep9374 = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.12, i64 %switch.tableidx9372
+  %switch.load9375 = load double, ptr %switch.gep9374, align 8
+  %.829.i.i.i = fsub double %switch.load9371, %switch.load9375
+  %.845.i.i.i = fdiv double %.673.i.i.i, %.829.i.i.i
+  %.848.i.i.i = fsub double %.619.i.i.i, %.584.i.i.i
+  %.853.i.i.i = fdiv double %.848.i.i.i, %.755.i.i.i
+  %.854.i.i.i = fsub double %.845.i.i.i, %.853.i.i.i
+  %.857.i.i.i = fadd double %.755.i.i.i, %.829.i.i.i
+  %.861.i.i.i = fdiv double %.854.i.i.i, %.857.i.i.i
+  %.877.i.i.i = fmul double %.755.i.i.i, %.861.i.i.i
+  %.878.i.i.i = fadd double %.853.i.i.i, %.877.i.i.i
+  %.883.i.i.i = fcmp ogt double %.861.i.i.i, 0.000000e+00
+  br i1 %.883.i.i.i, label %B724.i.i.i, label %B905.i.i.i
 
-_ZN12clpt_control6native9for_numba8may_hideB3v41B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i: ; preds = %B1088.i.i.i, %B50.i.i.i, %B776.i.i.i, %switch.lookup9366, %switch.lookup9370, %switch.lookup9374
-  %.1897.not.i.i = phi i1 [ true, %B776.i.i.i ], [ true, %switch.lookup9374 ], [ true, %switch.lookup9370 ], [ true, %switch.lookup9366 ], [ %exitcond.not.i.i.i, %B50.i.i.i ], [ %exitcond.not.i.i.i, %B1088.i.i.i ]
-  %excinfo.3.3.i.i = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.15.103, %B776.i.i.i ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.15.103, %switch.lookup9374 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.15.103, %switch.lookup9370 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.15.103, %switch.lookup9366 ], [ %excinfo.3.01300.i.i, %B50.i.i.i ], [ %excinfo.3.01300.i.i, %B1088.i.i.i ]
-  %.1886.not.i.i = phi i1 [ false, %B776.i.i.i ], [ false, %switch.lookup9374 ], [ false, %switch.lookup9370 ], [ false, %switch.lookup9366 ], [ true, %B50.i.i.i ], [ true, %B1088.i.i.i ]
-  br i1 %.1886.not.i.i, label %B1170.endif.endif.i.i, label %_ZN12clpt_control6native9for_numba11mark_passedB3v39B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i, !prof !53
+_ZN12clpt_control6native9for_numba8may_hideB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i: ; preds = %B830.i.i.i, %B50.i.i.i, %B518.i.i.i, %switch.lookup9361, %switch.lookup9365, %switch.lookup9369
+  %.1897.not.i.i = phi i1 [ true, %B518.i.i.i ], [ true, %switch.lookup9369 ], [ true, %switch.lookup9365 ], [ true, %switch.lookup9361 ], [ %exitcond.not.i.i.i, %B50.i.i.i ], [ %exitcond.not.i.i.i, %B830.i.i.i ]
+  %excinfo.3.3.i.i = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16.100, %B518.i.i.i ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16.100, %switch.lookup9369 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16.100, %switch.lookup9365 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16.100, %switch.lookup9361 ], [ %excinfo.3.01300.i.i, %B50.i.i.i ], [ %excinfo.3.01300.i.i, %B830.i.i.i ]
+  %.1886.not.i.i = phi i1 [ false, %B518.i.i.i ], [ false, %switch.lookup9369 ], [ false, %switch.lookup9365 ], [ false, %switch.lookup9361 ], [ true, %B50.i.i.i ], [ true, %B830.i.i.i ]
+  br i1 %.1886.not.i.i, label %B1170.endif.endif.i.i, label %_ZN12clpt_control6native9for_numba11mark_passedB3v43B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i, !prof !53
 
 B1208.i.i:                                        ; preds = %B1170.endif.endif.i.i
   %.1972.i.i = fmul double %.1861.i.i, 5.000000e-01
-  store double 0.000000e+00, ptr %.1257.i.i, align 8, !noalias !119
-  %.161.i230.i.i = getelementptr double, ptr %77, i64 %.1011.i.i
-  store double 0.000000e+00, ptr %.161.i230.i.i, align 8, !noalias !119
-  %.214.i273.i.i = getelementptr double, ptr %78, i64 %.1011.i.i
-  store double %.1972.i.i, ptr %.214.i273.i.i, align 8, !noalias !119
-  %.268.i313.i.i = load i64, ptr %.1197.i.i, align 8, !noalias !119
+  store double 0.000000e+00, ptr %.1257.i.i, align 8, !noalias !154
+  %.161.i230.i.i = getelementptr double, ptr %72, i64 %.1011.i.i
+  store double 0.000000e+00, ptr %.161.i230.i.i, align 8, !noalias !154
+  %.214.i273.i.i = getelementptr double, ptr %73, i64 %.1011.i.i
+  store double %.1972.i.i, ptr %.214.i273.i.i, align 8, !noalias !154
+  %.268.i313.i.i = load i64, ptr %.1197.i.i, align 8, !noalias !154
   %.294.i.i.i = icmp slt i64 %.268.i313.i.i, 0
   %.295.i.i.i = select i1 %.294.i.i.i, i64 %arg.batch.3.3.5.0, i64 0
   %.296.i324.i.i = add i64 %.295.i.i.i, %.268.i313.i.i
   %.316.i333.i.i = mul i64 %.296.i324.i.i, %arg.batch.3.3.5.1
   %.320.i.i.i = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.316.i333.i.i
-  %.321.i.i.i = load i64, ptr %.320.i.i.i, align 8, !noalias !119
+  %.321.i.i.i = load i64, ptr %.320.i.i.i, align 8, !noalias !154
   %.322.i336.i.i = add nsw i64 %.321.i.i.i, -1
-  store i64 %.322.i336.i.i, ptr %.320.i.i.i, align 8, !noalias !119
-  %.426.i.i.i = load i64, ptr %.1197.i.i, align 8, !noalias !119
+  store i64 %.322.i336.i.i, ptr %.320.i.i.i, align 8, !noalias !154
+  %.426.i.i.i = load i64, ptr %.1197.i.i, align 8, !noalias !154
   %.452.i.i.i = icmp slt i64 %.426.i.i.i, 0
   %.453.i.i.i = select i1 %.452.i.i.i, i64 %arg.batch.3.3.5.0, i64 0
-  %.454.i.i.i = add i64 %.453.i.i.i, %.426.i.i.i
-  %.474.i.i.i = mul i64 %.454.i.i.i, %arg.batch.3.3.5.1
-  %255 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.474.i.i.i
-  %.478.i.i.i = getelementptr i8, ptr %255, i64 24
-  %.479.i.i.i = load i64, ptr %.478.i.i.i, align 8, !noalias !119
+  %.454.i.i.i8966 = add i64 %.453.i.i.i, %.426.i.i.i
+  %.474.i.i.i = mul i64 %.454.i.i.i8966, %arg.batch.3.3.5.1
+  %275 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.474.i.i.i
+  %.478.i.i.i = getelementptr i8, ptr %275, i64 24
+  %.479.i.i.i = load i64, ptr %.478.i.i.i, align 8, !noalias !154
   %.480.i.i.i = add nsw i64 %.479.i.i.i, 1
-  store i64 %.480.i.i.i, ptr %.478.i.i.i, align 8, !noalias !119
-  store i64 -1, ptr %.1087.i.i, align 8, !noalias !107
+  store i64 %.480.i.i.i, ptr %.478.i.i.i, align 8, !noalias !154
+  store i64 -1, ptr %.1087.i.i, align 8, !noalias !138
   br label %B1300.i.i
 
 B1300.i.i:                                        ; preds = %B1170.endif.endif.i.i, %B996.i.i, %B1208.i.i, %B1122.i.i
@@ -2968,13 +3413,13 @@ B1300.i.i:                                        ; preds = %B1170.endif.endif.i
   br i1 %some.2.01301.i.i, label %B1342.i.i, label %B1304.i.i
 
 B1304.i.i:                                        ; preds = %B1300.i.i
-  %.2136.i.i = load i64, ptr %.1087.i.i, align 8, !noalias !107
+  %.2136.i.i = load i64, ptr %.1087.i.i, align 8, !noalias !138
   %.2137.i.i = icmp sgt i64 %.2136.i.i, -1
   br label %B1342.i.i
 
-B1342.i.i:                                        ; preds = %B1304.i.i, %B1300.i.i, %B702.i.i8964, %B584.i.i
-  %excinfo.3.1.i.i = phi ptr [ %excinfo.3.2.i.i, %B1300.i.i ], [ %excinfo.3.2.i.i, %B1304.i.i ], [ %excinfo.3.01300.i.i, %B702.i.i8964 ], [ %excinfo.3.01300.i.i, %B584.i.i ]
-  %some.3.1.i.i = phi i1 [ true, %B1300.i.i ], [ %.2137.i.i, %B1304.i.i ], [ %some.2.01301.i.i, %B702.i.i8964 ], [ %some.2.01301.i.i, %B584.i.i ]
+B1342.i.i:                                        ; preds = %B1304.i.i, %B1300.i.i, %B702.i.i8961, %B584.i.i
+  %excinfo.3.1.i.i = phi ptr [ %excinfo.3.2.i.i, %B1300.i.i ], [ %excinfo.3.2.i.i, %B1304.i.i ], [ %excinfo.3.01300.i.i, %B702.i.i8961 ], [ %excinfo.3.01300.i.i, %B584.i.i ]
+  %some.3.1.i.i = phi i1 [ true, %B1300.i.i ], [ %.2137.i.i, %B1304.i.i ], [ %some.2.01301.i.i, %B702.i.i8961 ], [ %some.2.01301.i.i, %B584.i.i ]
   %.934.i.i = icmp sgt i64 %.880.11303.i.i, 0
   %.947.i.i = zext i1 %.934.i.i to i64
   %.877.1.i.i = add i64 %.877.11302.i.i, %.947.i.i
@@ -2984,165 +3429,165 @@ B1342.i.i:                                        ; preds = %B1304.i.i, %B1300.i
   br i1 %.934.i.i, label %B584.i.i, label %B1346.loopexit.i.i
 
 B1346.loopexit.i.i:                               ; preds = %B1342.i.i
-  %256 = xor i1 %some.3.1.i.i, true
-  br label %_ZN12clpt_control6native9for_numba11mark_passedB3v39B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i
+  %276 = xor i1 %some.3.1.i.i, true
+  br label %_ZN12clpt_control6native9for_numba11mark_passedB3v43B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i
 
-B246.if.i.i:                                      ; preds = %B348.i.i8950, %B116.loopexit.8.i
-  %.344.01295.i.i = phi i64 [ %.354.i.i, %B116.loopexit.8.i ], [ %.408.i.i, %B348.i.i8950 ]
-  %.341.01294.i.i = phi i64 [ %..i.i, %B116.loopexit.8.i ], [ %.412.i.i, %B348.i.i8950 ]
+B246.if.i.i:                                      ; preds = %B348.i.i8947, %B116.loopexit.8.i
+  %.344.01295.i.i = phi i64 [ %.354.i.i, %B116.loopexit.8.i ], [ %.408.i.i, %B348.i.i8947 ]
+  %.341.01294.i.i = phi i64 [ %..i.i, %B116.loopexit.8.i ], [ %.412.i.i, %B348.i.i8947 ]
   %.408.i.i = add nsw i64 %.344.01295.i.i, -1
   %.412.i.i = add nsw i64 %.341.01294.i.i, 1
-  br i1 %.5201291.not.i.i, label %B348.i.i8950, label %B280.if.i.i.preheader
+  br i1 %.5201291.not.i.i, label %B348.i.i8947, label %B280.if.i.i.preheader
 
 B280.if.i.i.preheader:                            ; preds = %B246.if.i.i
-  %257 = icmp ult i64 %.341.01294.i.i, 8
-  %switch.gep9382 = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.13, i64 %.341.01294.i.i
+  %277 = icmp ult i64 %.341.01294.i.i, 8
+  %switch.gep9377 = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.13, i64 %.341.01294.i.i
   br label %B280.if.i.i
 
 B280.if.i.i:                                      ; preds = %B280.if.i.i.preheader, %B280.loopexit.i.i
   %.464.01292.i.i = phi i64 [ %.533.i.i, %B280.loopexit.i.i ], [ 0, %B280.if.i.i.preheader ]
   %.533.i.i = add nsw i64 %.464.01292.i.i, 1
-  br i1 %257, label %switch.lookup9381, label %switch.end.i.i8975
+  br i1 %277, label %switch.lookup9376, label %switch.end.i.i
 
-switch.lookup9381:                                ; preds = %B280.if.i.i
-  %switch.load9383 = load double, ptr %switch.gep9382, align 8
-  br label %switch.end.i.i8975
+switch.lookup9376:                                ; preds = %B280.if.i.i
+  %switch.load9378 = load double, ptr %switch.gep9377, align 8
+  br label %switch.end.i.i
 
-switch.end.i.i8975:                               ; preds = %B280.if.i.i, %switch.lookup9381
-  %.575.i.i = phi double [ %switch.load9383, %switch.lookup9381 ], [ 1.000000e+00, %B280.if.i.i ]
-  %.92.i.i.i8976 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.464.01292.i.i
-  %.93.i.i.i8977 = load double, ptr %.92.i.i.i8976, align 8, !noalias !122
-  %.146.i.i.i8978 = getelementptr double, ptr %71, i64 %.464.01292.i.i
-  %.147.i.i.i8979 = load double, ptr %.146.i.i.i8978, align 8, !noalias !122
-  %.149.i.i.i8980 = fmul double %.575.i.i, %.147.i.i.i8979
-  %.150.i.i.i8981 = fadd double %.93.i.i.i8977, %.149.i.i.i8980
-  %.203.i.i.i8982 = getelementptr double, ptr %.571, i64 %.464.01292.i.i
-  store double %.150.i.i.i8981, ptr %.203.i.i.i8982, align 8, !noalias !122
+switch.end.i.i:                                   ; preds = %B280.if.i.i, %switch.lookup9376
+  %.575.i.i = phi double [ %switch.load9378, %switch.lookup9376 ], [ 1.000000e+00, %B280.if.i.i ]
+  %.92.i.i.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.464.01292.i.i
+  %.93.i.i.i = load double, ptr %.92.i.i.i, align 8, !noalias !157
+  %.146.i.i.i = getelementptr double, ptr %66, i64 %.464.01292.i.i
+  %.147.i.i.i = load double, ptr %.146.i.i.i, align 8, !noalias !157
+  %.149.i.i.i = fmul double %.575.i.i, %.147.i.i.i
+  %.150.i.i.i8975 = fadd double %.93.i.i.i, %.149.i.i.i
+  %.203.i.i.i = getelementptr double, ptr %.571, i64 %.464.01292.i.i
+  store double %.150.i.i.i8975, ptr %.203.i.i.i, align 8, !noalias !157
   br i1 %.287.i1288.not.i.i, label %B280.loopexit.i.i, label %B122.if.i.lr.ph.i.i
 
-B122.if.i.lr.ph.i.i:                              ; preds = %switch.end.i.i8975
-  %.247.i.i.i.i8983 = fsub double 1.000000e+00, %.575.i.i
-  %invariant.gep.i8984 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.464.01292.i.i
-  br label %B122.if.i.i.i8985
+B122.if.i.lr.ph.i.i:                              ; preds = %switch.end.i.i
+  %.247.i.i.i.i = fsub double 1.000000e+00, %.575.i.i
+  %invariant.gep.i8976 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.464.01292.i.i
+  br label %B122.if.i.i.i
 
-B122.if.i.i.i8985:                                ; preds = %B122.if.i.i.i8985, %B122.if.i.lr.ph.i.i
-  %.229.i.01289.i.i = phi i64 [ 0, %B122.if.i.lr.ph.i.i ], [ %.300.i.i.i8991, %B122.if.i.i.i8985 ]
-  %.157.i.i.i.i8986 = add nsw i64 %.229.i.01289.i.i, %.155.i.i.i.i8949
-  %.159.i.i.i.i8987 = mul nsw i64 %.157.i.i.i.i8986, %arg.shape.0
-  %gep.i = getelementptr double, ptr %invariant.gep.i8984, i64 %.159.i.i.i.i8987
-  %.191.i.i.i.i8988 = load double, ptr %gep.i, align 8, !noalias !126
-  %.193.i.i.i.i8989 = fadd double %.191.i.i.i.i8988, 0.000000e+00
-  %.253.i.i.i.i8990 = fmul double %.575.i.i, %.193.i.i.i.i8989
+B122.if.i.i.i:                                    ; preds = %B122.if.i.i.i, %B122.if.i.lr.ph.i.i
+  %.229.i.01289.i.i = phi i64 [ 0, %B122.if.i.lr.ph.i.i ], [ %.300.i.i.i, %B122.if.i.i.i ]
+  %.157.i.i.i.i = add nsw i64 %.229.i.01289.i.i, %.155.i.i.i.i
+  %.159.i.i.i.i = mul nsw i64 %.157.i.i.i.i, %arg.shape.0
+  %gep.i = getelementptr double, ptr %invariant.gep.i8976, i64 %.159.i.i.i.i
+  %.191.i.i.i.i = load double, ptr %gep.i, align 8, !noalias !161
+  %.193.i.i.i.i = fadd double %.191.i.i.i.i, 0.000000e+00
+  %.253.i.i.i.i = fmul double %.575.i.i, %.193.i.i.i.i
   %.157.i.i.1.i.i = add nsw i64 %.229.i.01289.i.i, %.155.i.i.1.i.i
   %.159.i.i.1.i.i = mul nsw i64 %.157.i.i.1.i.i, %arg.shape.0
-  %gep609.i = getelementptr double, ptr %invariant.gep.i8984, i64 %.159.i.i.1.i.i
-  %.191.i.i.1.i.i = load double, ptr %gep609.i, align 8, !noalias !126
-  %.193.i.i.1.i.i = fadd double %.191.i.i.1.i.i, %.253.i.i.i.i8990
-  %.253.i.i.1.i.i = fmul double %.247.i.i.i.i8983, %.193.i.i.1.i.i
+  %gep609.i = getelementptr double, ptr %invariant.gep.i8976, i64 %.159.i.i.1.i.i
+  %.191.i.i.1.i.i = load double, ptr %gep609.i, align 8, !noalias !161
+  %.193.i.i.1.i.i = fadd double %.191.i.i.1.i.i, %.253.i.i.i.i
+  %.253.i.i.1.i.i = fmul double %.247.i.i.i.i, %.193.i.i.1.i.i
   %.157.i.i.2.i.i = add nsw i64 %.229.i.01289.i.i, %.155.i.i.2.i.i
   %.159.i.i.2.i.i = mul nsw i64 %.157.i.i.2.i.i, %arg.shape.0
-  %gep611.i = getelementptr double, ptr %invariant.gep.i8984, i64 %.159.i.i.2.i.i
-  %.191.i.i.2.i.i = load double, ptr %gep611.i, align 8, !noalias !126
+  %gep611.i = getelementptr double, ptr %invariant.gep.i8976, i64 %.159.i.i.2.i.i
+  %.191.i.i.2.i.i = load double, ptr %gep611.i, align 8, !noalias !161
   %.193.i.i.2.i.i = fadd double %.191.i.i.2.i.i, %.253.i.i.1.i.i
   %.253.i.i.2.i.i = fmul double %.575.i.i, %.193.i.i.2.i.i
   %.157.i.i.3.i.i = add nsw i64 %.229.i.01289.i.i, %.155.i.i.3.i.i
   %.159.i.i.3.i.i = mul nsw i64 %.157.i.i.3.i.i, %arg.shape.0
-  %gep613.i = getelementptr double, ptr %invariant.gep.i8984, i64 %.159.i.i.3.i.i
-  %.191.i.i.3.i.i = load double, ptr %gep613.i, align 8, !noalias !126
+  %gep613.i = getelementptr double, ptr %invariant.gep.i8976, i64 %.159.i.i.3.i.i
+  %.191.i.i.3.i.i = load double, ptr %gep613.i, align 8, !noalias !161
   %.193.i.i.3.i.i = fadd double %.191.i.i.3.i.i, %.253.i.i.2.i.i
-  %.253.i.i.3.i.i = fmul double %.247.i.i.i.i8983, %.193.i.i.3.i.i
+  %.253.i.i.3.i.i = fmul double %.247.i.i.i.i, %.193.i.i.3.i.i
   %.157.i.i.4.i.i = add nsw i64 %.229.i.01289.i.i, %.155.i.i.4.i.i
   %.159.i.i.4.i.i = mul nsw i64 %.157.i.i.4.i.i, %arg.shape.0
-  %gep615.i = getelementptr double, ptr %invariant.gep.i8984, i64 %.159.i.i.4.i.i
-  %.191.i.i.4.i.i = load double, ptr %gep615.i, align 8, !noalias !126
+  %gep615.i = getelementptr double, ptr %invariant.gep.i8976, i64 %.159.i.i.4.i.i
+  %.191.i.i.4.i.i = load double, ptr %gep615.i, align 8, !noalias !161
   %.193.i.i.4.i.i = fadd double %.191.i.i.4.i.i, %.253.i.i.3.i.i
   %.253.i.i.4.i.i = fmul double %.575.i.i, %.193.i.i.4.i.i
   %.157.i.i.5.i.i = add nsw i64 %.229.i.01289.i.i, %.155.i.i.5.i.i
   %.159.i.i.5.i.i = mul nsw i64 %.157.i.i.5.i.i, %arg.shape.0
-  %gep617.i = getelementptr double, ptr %invariant.gep.i8984, i64 %.159.i.i.5.i.i
-  %.191.i.i.5.i.i = load double, ptr %gep617.i, align 8, !noalias !126
+  %gep617.i = getelementptr double, ptr %invariant.gep.i8976, i64 %.159.i.i.5.i.i
+  %.191.i.i.5.i.i = load double, ptr %gep617.i, align 8, !noalias !161
   %.193.i.i.5.i.i = fadd double %.191.i.i.5.i.i, %.253.i.i.4.i.i
-  %.253.i.i.5.i.i = fmul double %.247.i.i.i.i8983, %.193.i.i.5.i.i
+  %.253.i.i.5.i.i = fmul double %.247.i.i.i.i, %.193.i.i.5.i.i
   %.157.i.i.6.i.i = add nsw i64 %.229.i.01289.i.i, %.155.i.i.6.i.i
   %.159.i.i.6.i.i = mul nsw i64 %.157.i.i.6.i.i, %arg.shape.0
-  %gep619.i = getelementptr double, ptr %invariant.gep.i8984, i64 %.159.i.i.6.i.i
-  %.191.i.i.6.i.i = load double, ptr %gep619.i, align 8, !noalias !126
+  %gep619.i = getelementptr double, ptr %invariant.gep.i8976, i64 %.159.i.i.6.i.i
+  %.191.i.i.6.i.i = load double, ptr %gep619.i, align 8, !noalias !161
   %.193.i.i.6.i.i = fadd double %.191.i.i.6.i.i, %.253.i.i.5.i.i
   %.253.i.i.6.i.i = fmul double %.575.i.i, %.193.i.i.6.i.i
-  %.300.i.i.i8991 = add nsw i64 %.229.i.01289.i.i, 1
-  %.271.i.i.i.i8992 = mul nsw i64 %.229.i.01289.i.i, %arg.shape.0
-  %gep621.i = getelementptr double, ptr %invariant.gep.i8984, i64 %.271.i.i.i.i8992
-  %.309.i.i.i.i8993 = load double, ptr %gep621.i, align 8, !noalias !126
-  %.313.i.i.i.i8994 = fadd double %.309.i.i.i.i8993, %.253.i.i.6.i.i
-  %.359.i.i.i8995 = add nsw i64 %.229.i.01289.i.i, %.358.i.i.i8948
-  %.361.i.i.i8996 = mul nsw i64 %.359.i.i.i8995, %arg.shape.0
-  %gep623.i = getelementptr double, ptr %invariant.gep.i8984, i64 %.361.i.i.i8996
-  store double %.313.i.i.i.i8994, ptr %gep623.i, align 8, !noalias !122
-  %exitcond.not.i.i8997 = icmp eq i64 %arg.shape.1, %.300.i.i.i8991
-  br i1 %exitcond.not.i.i8997, label %B280.loopexit.i.i, label %B122.if.i.i.i8985
+  %.300.i.i.i = add nsw i64 %.229.i.01289.i.i, 1
+  %.271.i.i.i.i = mul nsw i64 %.229.i.01289.i.i, %arg.shape.0
+  %gep621.i = getelementptr double, ptr %invariant.gep.i8976, i64 %.271.i.i.i.i
+  %.309.i.i.i.i = load double, ptr %gep621.i, align 8, !noalias !161
+  %.313.i.i.i.i = fadd double %.309.i.i.i.i, %.253.i.i.6.i.i
+  %.359.i.i.i = add nsw i64 %.229.i.01289.i.i, %.358.i.i.i
+  %.361.i.i.i = mul nsw i64 %.359.i.i.i, %arg.shape.0
+  %gep623.i = getelementptr double, ptr %invariant.gep.i8976, i64 %.361.i.i.i
+  store double %.313.i.i.i.i, ptr %gep623.i, align 8, !noalias !157
+  %exitcond.not.i.i8977 = icmp eq i64 %arg.shape.1, %.300.i.i.i
+  br i1 %exitcond.not.i.i8977, label %B280.loopexit.i.i, label %B122.if.i.i.i
 
-B1170.endif.endif.i.i:                            ; preds = %_ZN12clpt_control6native9for_numba8may_hideB3v41B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+B1170.endif.endif.i.i:                            ; preds = %_ZN12clpt_control6native9for_numba8may_hideB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
   br i1 %.1897.not.i.i, label %B1300.i.i, label %B1208.i.i
 
-_ZN12clpt_control6native9for_numba11mark_passedB3v39B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i: ; preds = %_ZN12clpt_control6native9for_numba8may_hideB3v41B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, %B1346.loopexit.i.i, %B550.i.i
-  %.512.0.i = phi i1 [ %256, %B1346.loopexit.i.i ], [ true, %B550.i.i ], [ true, %_ZN12clpt_control6native9for_numba8may_hideB3v41B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
-  %excinfo.1.0.i = phi ptr [ null, %B1346.loopexit.i.i ], [ null, %B550.i.i ], [ %excinfo.3.3.i.i, %_ZN12clpt_control6native9for_numba8may_hideB3v41B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
-  %common.ret.op.i.i.not = phi i1 [ false, %B1346.loopexit.i.i ], [ false, %B550.i.i ], [ true, %_ZN12clpt_control6native9for_numba8may_hideB3v41B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
-  %brmerge9187 = select i1 %common.ret.op.i.i.not, i1 true, i1 %.512.0.i, !prof !130
-  %brmerge9188 = or i1 %.5201291.not.i.i, %brmerge9187
-  %excinfo.1.0.i.mux.mux = select i1 %common.ret.op.i.i.not, ptr %excinfo.1.0.i, ptr %excinfo.13.0, !prof !131
+_ZN12clpt_control6native9for_numba11mark_passedB3v43B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i: ; preds = %_ZN12clpt_control6native9for_numba8may_hideB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, %B1346.loopexit.i.i, %B550.i.i
+  %.512.0.i = phi i1 [ %276, %B1346.loopexit.i.i ], [ true, %B550.i.i ], [ true, %_ZN12clpt_control6native9for_numba8may_hideB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
+  %excinfo.1.0.i = phi ptr [ null, %B1346.loopexit.i.i ], [ null, %B550.i.i ], [ %excinfo.3.3.i.i, %_ZN12clpt_control6native9for_numba8may_hideB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
+  %common.ret.op.i.i.not = phi i1 [ false, %B1346.loopexit.i.i ], [ false, %B550.i.i ], [ true, %_ZN12clpt_control6native9for_numba8may_hideB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
+  %brmerge9163 = select i1 %common.ret.op.i.i.not, i1 true, i1 %.512.0.i, !prof !165
+  %brmerge9164 = or i1 %.5201291.not.i.i, %brmerge9163
+  %excinfo.1.0.i.mux.mux = select i1 %common.ret.op.i.i.not, ptr %excinfo.1.0.i, ptr %excinfo.13.0, !prof !166
   %.mux.mux = zext i1 %common.ret.op.i.i.not to i32
-  br i1 %brmerge9188, label %_ZN12clpt_control6native9for_numba12watch_guardsB3v38B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, label %B286.if.i8953, !prof !132
+  br i1 %brmerge9164, label %_ZN12clpt_control6native9for_numba12watch_guardsB3v42B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, label %B286.if.i8950, !prof !167
 
-B328.i:                                           ; preds = %B286.if.i8953
-  %258 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.634.0625.i
-  %.84.i.i8955 = load i64, ptr %258, align 8, !noalias !133
-  %.89.i.i8956 = icmp sgt i64 %.84.i.i8955, -1
-  br i1 %.89.i.i8956, label %B46.i.i8957, label %B328.endif.i
+B328.i:                                           ; preds = %B286.if.i8950
+  %278 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.634.0625.i
+  %.84.i.i8952 = load i64, ptr %278, align 8, !noalias !168
+  %.89.i.i8953 = icmp sgt i64 %.84.i.i8952, -1
+  br i1 %.89.i.i8953, label %B46.i.i8954, label %B328.endif.i
 
-B46.i.i8957:                                      ; preds = %B328.i
-  %.120.i.i8958 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i.i8955
-  %.121.i.i8959 = load i64, ptr %.120.i.i8958, align 8, !noalias !133
-  %.122.i.i8960 = icmp eq i64 %.121.i.i8959, 0
-  br i1 %.122.i.i8960, label %B80.i.i8961, label %B328.endif.i
+B46.i.i8954:                                      ; preds = %B328.i
+  %.120.i.i8955 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i.i8952
+  %.121.i.i8956 = load i64, ptr %.120.i.i8955, align 8, !noalias !168
+  %.122.i.i8957 = icmp eq i64 %.121.i.i8956, 0
+  br i1 %.122.i.i8957, label %B80.i.i8958, label %B328.endif.i
 
-B80.i.i8961:                                      ; preds = %B46.i.i8957
-  store i64 4, ptr %.120.i.i8958, align 8, !noalias !133
+B80.i.i8958:                                      ; preds = %B46.i.i8954
+  store i64 4, ptr %.120.i.i8955, align 8, !noalias !168
   br label %B328.endif.i
 
-B398.i:                                           ; preds = %B328.endif.i, %B286.if.i8953
+B398.i:                                           ; preds = %B328.endif.i, %B286.if.i8950
   %exitcond629.not.i = icmp eq i64 %.703.i, %arg.shape.0
-  br i1 %exitcond629.not.i, label %_ZN12clpt_control6native9for_numba12watch_guardsB3v38B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, label %B286.if.i8953
+  br i1 %exitcond629.not.i, label %_ZN12clpt_control6native9for_numba12watch_guardsB3v42B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, label %B286.if.i8950
 
 B150.if.i:                                        ; preds = %B3418, %B150.if.i
-  %.361.0604.i = phi i64 [ %.430.i8945, %B150.if.i ], [ 0, %B3418 ]
-  %.430.i8945 = add nsw i64 %.361.0604.i, 1
-  %gep9274 = getelementptr double, ptr %invariant.gep9273, i64 %.361.0604.i
-  store double 1.000000e-09, ptr %gep9274, align 8, !noalias !103
-  %exitcond.not.i8946 = icmp eq i64 %arg.shape.0, %.430.i8945
-  br i1 %exitcond.not.i8946, label %B150.if.1.i, label %B150.if.i
+  %.361.0604.i = phi i64 [ %.430.i8944, %B150.if.i ], [ 0, %B3418 ]
+  %.430.i8944 = add nsw i64 %.361.0604.i, 1
+  %gep9268 = getelementptr double, ptr %invariant.gep9267, i64 %.361.0604.i
+  store double 1.000000e-09, ptr %gep9268, align 8, !noalias !134
+  %exitcond.not.i8945 = icmp eq i64 %arg.shape.0, %.430.i8944
+  br i1 %exitcond.not.i8945, label %B150.if.1.i, label %B150.if.i
 
-B286.if.i8953:                                    ; preds = %_ZN12clpt_control6native9for_numba11mark_passedB3v39B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i, %B398.i
-  %.634.0625.i = phi i64 [ %.703.i, %B398.i ], [ 0, %_ZN12clpt_control6native9for_numba11mark_passedB3v39B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i ]
+B286.if.i8950:                                    ; preds = %_ZN12clpt_control6native9for_numba11mark_passedB3v43B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i, %B398.i
+  %.634.0625.i = phi i64 [ %.703.i, %B398.i ], [ 0, %_ZN12clpt_control6native9for_numba11mark_passedB3v43B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i ]
   %.703.i = add nsw i64 %.634.0625.i, 1
-  %259 = getelementptr i64, ptr %79, i64 %.634.0625.i
-  %.785.i8954 = load i64, ptr %259, align 8, !noalias !103
-  %.786.i = icmp sgt i64 %.785.i8954, -1
+  %279 = getelementptr i64, ptr %74, i64 %.634.0625.i
+  %.785.i8951 = load i64, ptr %279, align 8, !noalias !134
+  %.786.i = icmp sgt i64 %.785.i8951, -1
   br i1 %.786.i, label %B328.i, label %B398.i
 
-B328.endif.i:                                     ; preds = %B80.i.i8961, %B46.i.i8957, %B328.i
-  %260 = getelementptr double, ptr %80, i64 %.634.0625.i
-  store double 0.000000e+00, ptr %260, align 8, !noalias !103
+B328.endif.i:                                     ; preds = %B80.i.i8958, %B46.i.i8954, %B328.i
+  %280 = getelementptr double, ptr %75, i64 %.634.0625.i
+  store double 0.000000e+00, ptr %280, align 8, !noalias !134
   br label %B398.i
 
-_ZN12clpt_control6native9for_numba12watch_guardsB3v38B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit: ; preds = %B398.i, %_ZN12clpt_control6native9for_numba11mark_passedB3v39B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i
-  %excinfo.13.2 = phi ptr [ %excinfo.1.0.i.mux.mux, %_ZN12clpt_control6native9for_numba11mark_passedB3v39B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i ], [ %excinfo.13.0, %B398.i ]
-  %common.ret.op.i = phi i32 [ %.mux.mux, %_ZN12clpt_control6native9for_numba11mark_passedB3v39B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i ], [ 0, %B398.i ]
+_ZN12clpt_control6native9for_numba12watch_guardsB3v42B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit: ; preds = %B398.i, %_ZN12clpt_control6native9for_numba11mark_passedB3v43B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i
+  %excinfo.13.2 = phi ptr [ %excinfo.1.0.i.mux.mux, %_ZN12clpt_control6native9for_numba11mark_passedB3v43B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i ], [ %excinfo.13.0, %B398.i ]
+  %common.ret.op.i = phi i32 [ %.mux.mux, %_ZN12clpt_control6native9for_numba11mark_passedB3v43B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i ], [ 0, %B398.i ]
   %.5011.not = icmp eq i32 %common.ret.op.i, 0
   br i1 %.5011.not, label %B3458, label %B3418.if, !prof !53
 
-B3458:                                            ; preds = %B2888, %_ZN12clpt_control6native9for_numba12watch_guardsB3v38B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, %B3414
-  %excinfo.13.1 = phi ptr [ %excinfo.13.0, %B3414 ], [ %excinfo.13.2, %_ZN12clpt_control6native9for_numba12watch_guardsB3v38B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit ], [ %excinfo.13.0, %B2888 ]
+B3458:                                            ; preds = %B2888, %_ZN12clpt_control6native9for_numba12watch_guardsB3v42B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, %B3414
+  %excinfo.13.1 = phi ptr [ %excinfo.13.0, %B3414 ], [ %excinfo.13.2, %_ZN12clpt_control6native9for_numba12watch_guardsB3v42B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit ], [ %excinfo.13.0, %B2888 ]
   %brmerge8882.not = and i1 %good.2.1.lcssa, %looked.2.1.lcssa
   br i1 %brmerge8882.not, label %B3466, label %B3518
 
@@ -3152,55 +3597,55 @@ B3466:                                            ; preds = %B3458
   br i1 %.794, label %B3518, label %B96.if.i
 
 B172.i:                                           ; preds = %B96.if.i
-  %.452.i = getelementptr double, ptr %82, i64 %.180.0654.i
-  %.453.i9009 = load double, ptr %.452.i, align 8, !noalias !136
-  %.454.i9010 = fcmp olt double %.453.i9009, 5.000000e-01
-  br i1 %.454.i9010, label %B789.i, label %B210.i
+  %.452.i = getelementptr double, ptr %77, i64 %.180.0654.i
+  %.453.i8981 = load double, ptr %.452.i, align 8, !noalias !171
+  %.454.i8982 = fcmp olt double %.453.i8981, 5.000000e-01
+  br i1 %.454.i8982, label %B789.i, label %B210.i
 
 B210.i:                                           ; preds = %B172.i
-  %.485.i9011 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.334.i
-  %.486.i = load i64, ptr %.485.i9011, align 8, !noalias !136
+  %.485.i8983 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.334.i
+  %.486.i = load i64, ptr %.485.i8983, align 8, !noalias !171
   %.487.not.i = icmp eq i64 %.486.i, 0
   br i1 %.487.not.i, label %B246.i, label %B789.i
 
 B246.i:                                           ; preds = %B210.i
   %.549.i = mul i64 %.334.i, %arg.batch.3.3.5.1
-  %261 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.549.i
-  %.553.i = getelementptr i8, ptr %261, i64 8
-  %.554.i = load i64, ptr %.553.i, align 8, !noalias !136
+  %281 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.549.i
+  %.553.i = getelementptr i8, ptr %281, i64 8
+  %.554.i = load i64, ptr %.553.i, align 8, !noalias !171
   %.556.i = add nsw i64 %.554.i, %"$phi3502.7.2.2"
-  store i64 %.556.i, ptr %.553.i, align 8, !noalias !136
+  store i64 %.556.i, ptr %.553.i, align 8, !noalias !171
   %.662.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.180.0654.i
-  %.663.i = load double, ptr %.662.i, align 8, !noalias !136
-  %.717.i = getelementptr double, ptr %83, i64 %.180.0654.i
-  %.718.i = load double, ptr %.717.i, align 8, !noalias !136
-  %.772.i = getelementptr double, ptr %84, i64 %.180.0654.i
-  %.773.i = load double, ptr %.772.i, align 8, !noalias !136
+  %.663.i = load double, ptr %.662.i, align 8, !noalias !171
+  %.717.i = getelementptr double, ptr %78, i64 %.180.0654.i
+  %.718.i = load double, ptr %.717.i, align 8, !noalias !171
+  %.772.i = getelementptr double, ptr %79, i64 %.180.0654.i
+  %.773.i = load double, ptr %.772.i, align 8, !noalias !171
   %.794.i = icmp slt i64 %.389.i, %arg.batch.2.5.0
   br i1 %.794.i, label %B420.i, label %B760.i
 
 B420.i:                                           ; preds = %B246.i
   %.817.i = icmp slt i64 %.389.i, 0
-  %.818.i9012 = select i1 %.817.i, i64 %arg.batch.2.5.0, i64 0
-  %262 = getelementptr double, ptr %arg.batch.2.4, i64 %.389.i
-  %.832.i9013 = getelementptr double, ptr %262, i64 %.818.i9012
-  %.833.i9014 = load double, ptr %.832.i9013, align 8, !noalias !136
-  %.837.i = fcmp ugt double %.833.i9014, %.773.i
+  %.818.i8984 = select i1 %.817.i, i64 %arg.batch.2.5.0, i64 0
+  %282 = getelementptr double, ptr %arg.batch.2.4, i64 %.389.i
+  %.832.i8985 = getelementptr double, ptr %282, i64 %.818.i8984
+  %.833.i8986 = load double, ptr %.832.i8985, align 8, !noalias !171
+  %.837.i = fcmp ugt double %.833.i8986, %.773.i
   br i1 %.837.i, label %B760.i, label %B444.preheader.i
 
 B444.preheader.i:                                 ; preds = %B420.i
   %factor.op.mul.reass.i = mul i64 %factor.op.mul652.i, %.334.i
-  %.1324.i = getelementptr double, ptr %85, i64 %.180.0654.i
-  %263 = getelementptr double, ptr %arg.batch.3.0.4, i64 %factor.op.mul.reass.i
+  %.1324.i8987 = getelementptr double, ptr %80, i64 %.180.0654.i
+  %283 = getelementptr double, ptr %arg.batch.3.0.4, i64 %factor.op.mul.reass.i
+  %invariant.gep9285 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep9287 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep9289 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
   %invariant.gep9291 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
   %invariant.gep9293 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
   %invariant.gep9295 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
   %invariant.gep9297 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
   %invariant.gep9299 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
   %invariant.gep9301 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep9303 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep9305 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep9307 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
   br label %B444.i
 
 B444.i:                                           ; preds = %B736.i, %B444.preheader.i
@@ -3209,67 +3654,67 @@ B444.i:                                           ; preds = %B736.i, %B444.prehe
 
 B474.if.lr.ph.i:                                  ; preds = %B444.i
   %.979.i = icmp slt i64 %done.2.3.i, 0
-  %.980.i9015 = select i1 %.979.i, i64 %arg.batch.2.5.0, i64 0
-  %264 = getelementptr double, ptr %arg.batch.2.4, i64 %done.2.3.i
-  %.994.i = getelementptr double, ptr %264, i64 %.980.i9015
+  %.980.i = select i1 %.979.i, i64 %arg.batch.2.5.0, i64 0
+  %284 = getelementptr double, ptr %arg.batch.2.4, i64 %done.2.3.i
+  %.994.i = getelementptr double, ptr %284, i64 %.980.i
   %.1220.i = select i1 %.979.i, i64 %arg.batch.3.0.5.1, i64 0
   %.1221.i = add i64 %.1220.i, %done.2.3.i
   %.1250.i = mul i64 %.1221.i, %arg.batch.3.0.5.2
-  %265 = getelementptr double, ptr %263, i64 %.1250.i
+  %285 = getelementptr double, ptr %283, i64 %.1250.i
   br label %B474.if.i
 
 B502.i:                                           ; preds = %B474.if.i
-  %.1002.i9020 = add nsw i64 %.868.0650.i, %.1000.i9007
-  %.1004.i = mul nsw i64 %.1002.i9020, %arg.shape.0
-  %gep9308 = getelementptr double, ptr %invariant.gep9307, i64 %.1004.i
-  %.1036.i = load double, ptr %gep9308, align 8, !noalias !136
+  %.1002.i8995 = add nsw i64 %.868.0650.i, %.1000.i8980
+  %.1004.i = mul nsw i64 %.1002.i8995, %arg.shape.0
+  %gep9302 = getelementptr double, ptr %invariant.gep9301, i64 %.1004.i
+  %.1036.i = load double, ptr %gep9302, align 8, !noalias !171
   br label %B790.i
 
 B644.i:                                           ; preds = %B790.i, %B444.i
-  store double 0x7FF0000000000000, ptr %.1324.i, align 8, !noalias !136
-  %exitcond656.not.i = icmp eq i64 %done.2.3.i, %86
+  store double 0x7FF0000000000000, ptr %.1324.i8987, align 8, !noalias !171
+  %exitcond656.not.i = icmp eq i64 %done.2.3.i, %81
   br i1 %exitcond656.not.i, label %B760.i, label %B736.i
 
 B736.i:                                           ; preds = %B644.i
   %.1262.i = add i64 %done.2.3.i, 1
   %.1359.i = icmp slt i64 %done.2.3.i, -1
   %.1360.i = select i1 %.1359.i, i64 %arg.batch.2.5.0, i64 0
-  %266 = getelementptr double, ptr %arg.batch.2.4, i64 %.1262.i
-  %.1374.i = getelementptr double, ptr %266, i64 %.1360.i
-  %.1375.i = load double, ptr %.1374.i, align 8, !noalias !136
-  %.1379.i = fcmp ugt double %.1375.i, %.773.i
+  %286 = getelementptr double, ptr %arg.batch.2.4, i64 %.1262.i
+  %.1374.i = getelementptr double, ptr %286, i64 %.1360.i
+  %.1375.i8994 = load double, ptr %.1374.i, align 8, !noalias !171
+  %.1379.i = fcmp ugt double %.1375.i8994, %.773.i
   br i1 %.1379.i, label %B760.i, label %B444.i
 
 B760.i:                                           ; preds = %B736.i, %B644.i, %B420.i, %B246.i
   %done.3.2.i = phi i64 [ %.389.i, %B420.i ], [ %.389.i, %B246.i ], [ %arg.batch.2.5.0, %B644.i ], [ %.1262.i, %B736.i ]
-  store i64 %done.3.2.i, ptr %.388.i, align 8, !noalias !136
+  store i64 %done.3.2.i, ptr %.388.i, align 8, !noalias !171
   br label %B789.i
 
 B789.i:                                           ; preds = %B96.if.i, %B760.i, %B210.i, %B172.i
-  %exitcond657.not.i = icmp eq i64 %.252.i9008, %arg.shape.0
+  %exitcond657.not.i = icmp eq i64 %.252.i, %arg.shape.0
   br i1 %exitcond657.not.i, label %B3518, label %B96.if.i
 
 B790.i:                                           ; preds = %B38.if.i.i, %B502.i
   %.313.i.i.sink = phi double [ %.313.i.i, %B38.if.i.i ], [ %.1036.i, %B502.i ]
-  %267 = getelementptr double, ptr %265, i64 %.868.0650.i
-  store double %.313.i.i.sink, ptr %267, align 8, !noalias !136
-  %exitcond.not.i9019 = icmp eq i64 %arg.shape.1, %.937.i
-  br i1 %exitcond.not.i9019, label %B644.i, label %B474.if.i
+  %287 = getelementptr double, ptr %285, i64 %.868.0650.i
+  store double %.313.i.i.sink, ptr %287, align 8, !noalias !171
+  %exitcond.not.i8993 = icmp eq i64 %arg.shape.1, %.937.i
+  br i1 %exitcond.not.i8993, label %B644.i, label %B474.if.i
 
 B96.if.i:                                         ; preds = %B3466, %B789.i
-  %.180.0654.i = phi i64 [ %.252.i9008, %B789.i ], [ 0, %B3466 ]
-  %.252.i9008 = add nsw i64 %.180.0654.i, 1
+  %.180.0654.i = phi i64 [ %.252.i, %B789.i ], [ 0, %B3466 ]
+  %.252.i = add nsw i64 %.180.0654.i, 1
   %.333.i = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.180.0654.i
-  %.334.i = load i64, ptr %.333.i, align 8, !noalias !136
-  %.388.i = getelementptr i64, ptr %81, i64 %.180.0654.i
-  %.389.i = load i64, ptr %.388.i, align 8, !noalias !136
+  %.334.i = load i64, ptr %.333.i, align 8, !noalias !171
+  %.388.i = getelementptr i64, ptr %76, i64 %.180.0654.i
+  %.389.i = load i64, ptr %.388.i, align 8, !noalias !171
   %.397.i = icmp slt i64 %.334.i, 0
   br i1 %.397.i, label %B789.i, label %B172.i
 
 B474.if.i:                                        ; preds = %B790.i, %B474.if.lr.ph.i
   %.868.0650.i = phi i64 [ 0, %B474.if.lr.ph.i ], [ %.937.i, %B790.i ]
   %.937.i = add nsw i64 %.868.0650.i, 1
-  %.995.i = load double, ptr %.994.i, align 8, !noalias !136
+  %.995.i = load double, ptr %.994.i, align 8, !noalias !171
   %.997.i = fcmp oeq double %.995.i, %.773.i
   br i1 %.997.i, label %B502.i, label %B38.if.i.i
 
@@ -3277,51 +3722,51 @@ B38.if.i.i:                                       ; preds = %B474.if.i
   %.1145.i = fsub double %.995.i, %.663.i
   %.1150.i = fdiv double %.1145.i, %.718.i
   %.247.i.i = fsub double 1.000000e+00, %.1150.i
-  %.157.i.i9016 = add nsw i64 %.868.0650.i, %.155.i.i
-  %.159.i.i = mul nsw i64 %.157.i.i9016, %arg.shape.0
-  %gep9292 = getelementptr double, ptr %invariant.gep9291, i64 %.159.i.i
-  %.191.i.i = load double, ptr %gep9292, align 8, !noalias !139
-  %.193.i.i = fadd double %.191.i.i, 0.000000e+00
-  %.253.i.i9017 = fmul double %.1150.i, %.193.i.i
+  %.157.i.i = add nsw i64 %.868.0650.i, %.155.i.i8988
+  %.159.i.i8989 = mul nsw i64 %.157.i.i, %arg.shape.0
+  %gep9286 = getelementptr double, ptr %invariant.gep9285, i64 %.159.i.i8989
+  %.191.i.i8990 = load double, ptr %gep9286, align 8, !noalias !174
+  %.193.i.i = fadd double %.191.i.i8990, 0.000000e+00
+  %.253.i.i8991 = fmul double %.1150.i, %.193.i.i
   %.157.i.1.i = add nsw i64 %.868.0650.i, %.155.i.1.i
   %.159.i.1.i = mul nsw i64 %.157.i.1.i, %arg.shape.0
-  %gep9294 = getelementptr double, ptr %invariant.gep9293, i64 %.159.i.1.i
-  %.191.i.1.i = load double, ptr %gep9294, align 8, !noalias !139
-  %.193.i.1.i = fadd double %.191.i.1.i, %.253.i.i9017
+  %gep9288 = getelementptr double, ptr %invariant.gep9287, i64 %.159.i.1.i
+  %.191.i.1.i = load double, ptr %gep9288, align 8, !noalias !174
+  %.193.i.1.i = fadd double %.191.i.1.i, %.253.i.i8991
   %.253.i.1.i = fmul double %.247.i.i, %.193.i.1.i
   %.157.i.2.i = add nsw i64 %.868.0650.i, %.155.i.2.i
   %.159.i.2.i = mul nsw i64 %.157.i.2.i, %arg.shape.0
-  %gep9296 = getelementptr double, ptr %invariant.gep9295, i64 %.159.i.2.i
-  %.191.i.2.i = load double, ptr %gep9296, align 8, !noalias !139
+  %gep9290 = getelementptr double, ptr %invariant.gep9289, i64 %.159.i.2.i
+  %.191.i.2.i = load double, ptr %gep9290, align 8, !noalias !174
   %.193.i.2.i = fadd double %.191.i.2.i, %.253.i.1.i
   %.253.i.2.i = fmul double %.1150.i, %.193.i.2.i
   %.157.i.3.i = add nsw i64 %.868.0650.i, %.155.i.3.i
   %.159.i.3.i = mul nsw i64 %.157.i.3.i, %arg.shape.0
-  %gep9298 = getelementptr double, ptr %invariant.gep9297, i64 %.159.i.3.i
-  %.191.i.3.i = load double, ptr %gep9298, align 8, !noalias !139
+  %gep9292 = getelementptr double, ptr %invariant.gep9291, i64 %.159.i.3.i
+  %.191.i.3.i = load double, ptr %gep9292, align 8, !noalias !174
   %.193.i.3.i = fadd double %.191.i.3.i, %.253.i.2.i
   %.253.i.3.i = fmul double %.247.i.i, %.193.i.3.i
   %.157.i.4.i = add nsw i64 %.868.0650.i, %.155.i.4.i
   %.159.i.4.i = mul nsw i64 %.157.i.4.i, %arg.shape.0
-  %gep9300 = getelementptr double, ptr %invariant.gep9299, i64 %.159.i.4.i
-  %.191.i.4.i = load double, ptr %gep9300, align 8, !noalias !139
+  %gep9294 = getelementptr double, ptr %invariant.gep9293, i64 %.159.i.4.i
+  %.191.i.4.i = load double, ptr %gep9294, align 8, !noalias !174
   %.193.i.4.i = fadd double %.191.i.4.i, %.253.i.3.i
   %.253.i.4.i = fmul double %.1150.i, %.193.i.4.i
   %.157.i.5.i = add nsw i64 %.868.0650.i, %.155.i.5.i
   %.159.i.5.i = mul nsw i64 %.157.i.5.i, %arg.shape.0
-  %gep9302 = getelementptr double, ptr %invariant.gep9301, i64 %.159.i.5.i
-  %.191.i.5.i = load double, ptr %gep9302, align 8, !noalias !139
+  %gep9296 = getelementptr double, ptr %invariant.gep9295, i64 %.159.i.5.i
+  %.191.i.5.i = load double, ptr %gep9296, align 8, !noalias !174
   %.193.i.5.i = fadd double %.191.i.5.i, %.253.i.4.i
   %.253.i.5.i = fmul double %.247.i.i, %.193.i.5.i
   %.157.i.6.i = add nsw i64 %.868.0650.i, %.155.i.6.i
   %.159.i.6.i = mul nsw i64 %.157.i.6.i, %arg.shape.0
-  %gep9304 = getelementptr double, ptr %invariant.gep9303, i64 %.159.i.6.i
-  %.191.i.6.i = load double, ptr %gep9304, align 8, !noalias !139
+  %gep9298 = getelementptr double, ptr %invariant.gep9297, i64 %.159.i.6.i
+  %.191.i.6.i = load double, ptr %gep9298, align 8, !noalias !174
   %.193.i.6.i = fadd double %.191.i.6.i, %.253.i.5.i
   %.253.i.6.i = fmul double %.1150.i, %.193.i.6.i
-  %.271.i.i9018 = mul nsw i64 %.868.0650.i, %arg.shape.0
-  %gep9306 = getelementptr double, ptr %invariant.gep9305, i64 %.271.i.i9018
-  %.309.i.i = load double, ptr %gep9306, align 8, !noalias !139
+  %.271.i.i8992 = mul nsw i64 %.868.0650.i, %arg.shape.0
+  %gep9300 = getelementptr double, ptr %invariant.gep9299, i64 %.271.i.i8992
+  %.309.i.i = load double, ptr %gep9300, align 8, !noalias !174
   %.313.i.i = fadd double %.309.i.i, %.253.i.6.i
   br label %B790.i
 
@@ -3341,163 +3786,163 @@ B3568:                                            ; preds = %B3530, %B3518
 
 B3636:                                            ; preds = %B3568, %B3530
   %brmerge8878.not.not = xor i1 %brmerge8878.not, true
-  %brmerge9337 = or i1 %.794, %brmerge8878.not.not
-  br i1 %brmerge9337, label %B3692, label %B80.if.i4159
+  %brmerge9332 = or i1 %.794, %brmerge8878.not.not
+  br i1 %brmerge9332, label %B3692, label %B80.if.i4159
 
 B134.i:                                           ; preds = %B80.if.i4159
-  %.351.i3434 = getelementptr double, ptr %88, i64 %.141.i3229.09316
-  %.352.i3435 = load double, ptr %.351.i3434, align 8, !noalias !143
+  %.351.i3434 = getelementptr double, ptr %83, i64 %.141.i3229.09310
+  %.352.i3435 = load double, ptr %.351.i3434, align 8, !noalias !178
   %.353.i3436 = fcmp ogt double %.352.i3435, 5.000000e-01
   br i1 %.353.i3436, label %B174.i, label %B740.i
 
 B174.i:                                           ; preds = %B134.i
-  %.408.i3484 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.141.i3229.09316
-  %.409.i3485 = load double, ptr %.408.i3484, align 8, !noalias !143
-  %.463.i3533 = getelementptr double, ptr %89, i64 %.141.i3229.09316
-  %.464.i3534 = load double, ptr %.463.i3533, align 8, !noalias !143
+  %.408.i3484 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.141.i3229.09310
+  %.409.i3485 = load double, ptr %.408.i3484, align 8, !noalias !178
+  %.463.i3533 = getelementptr double, ptr %84, i64 %.141.i3229.09310
+  %.464.i3534 = load double, ptr %.463.i3533, align 8, !noalias !178
   %.465.i3535 = fsub double %.409.i3485, %.464.i3534
-  br i1 %.552.i35739309.not, label %B380.i, label %B270.if.i.preheader
+  br i1 %.552.i35739303.not, label %B380.i, label %B270.if.i.preheader
 
 B270.if.i.preheader:                              ; preds = %B174.i
-  %invariant.gep9396 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.141.i3229.09316
+  %invariant.gep9391 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.141.i3229.09310
   br label %B270.if.i
 
 B380.i:                                           ; preds = %B270.if.i, %B174.i
   %fastest.2.i.2.lcssa = phi double [ 0.000000e+00, %B174.i ], [ %.11.i.i, %B270.if.i ]
   %.666.i3585 = fmul double %.465.i3535, %fastest.2.i.2.lcssa
-  %.698.i3611 = load double, ptr %.697.i3610, align 8, !noalias !143
+  %.698.i3611 = load double, ptr %.697.i3610, align 8, !noalias !178
   %.699.i3612 = fcmp ogt double %.666.i3585, %.698.i3611
   %.8887 = select i1 %.699.i3612, double 0x3E7AD7F29ABCAF48, double 5.000000e-06
-  %.743.i3641 = load double, ptr %.742.i3640, align 8, !noalias !143
-  %.773.i3666 = load double, ptr %arg.batch.2.4, align 8, !noalias !143
+  %.743.i3641 = load double, ptr %.742.i3640, align 8, !noalias !178
+  %.773.i3666 = load double, ptr %arg.batch.2.4, align 8, !noalias !178
   %.774.i3667 = fsub double %.743.i3641, %.773.i3666
   %.776.i3669 = fmul double %.8887, %.774.i3667
   %.780.i3672 = fcmp olt double %.465.i3535, %.776.i3669
   br i1 %.780.i3672, label %B490.i, label %B528.i
 
 B490.i:                                           ; preds = %B380.i
-  %268 = getelementptr i64, ptr %91, i64 %.141.i3229.09316
-  %.838.i4095 = load i64, ptr %268, align 8, !noalias !143
+  %288 = getelementptr i64, ptr %86, i64 %.141.i3229.09310
+  %.838.i4095 = load i64, ptr %288, align 8, !noalias !178
   %.839.i4096 = add nsw i64 %.838.i4095, 1
   br label %B528.i
 
 B528.i:                                           ; preds = %B380.i, %B490.i
   %"$phi528.1.2.i.2" = phi i64 [ %.839.i4096, %B490.i ], [ 0, %B380.i ]
-  %269 = getelementptr i64, ptr %92, i64 %.141.i3229.09316
-  store i64 %"$phi528.1.2.i.2", ptr %269, align 8, !noalias !143
-  %.959.i3767 = load double, ptr %.408.i3484, align 8, !noalias !143
-  store double %.959.i3767, ptr %.463.i3533, align 8, !noalias !143
-  %.1068.i3848 = getelementptr double, ptr %93, i64 %.141.i3229.09316
-  store double 1.000000e+00, ptr %.1068.i3848, align 8, !noalias !143
-  store i64 1, ptr %.1166, align 8, !noalias !143
-  %.1154.i = load i64, ptr %269, align 8, !noalias !143
+  %289 = getelementptr i64, ptr %87, i64 %.141.i3229.09310
+  store i64 %"$phi528.1.2.i.2", ptr %289, align 8, !noalias !178
+  %.959.i3767 = load double, ptr %.408.i3484, align 8, !noalias !178
+  store double %.959.i3767, ptr %.463.i3533, align 8, !noalias !178
+  %.1068.i3848 = getelementptr double, ptr %88, i64 %.141.i3229.09310
+  store double 1.000000e+00, ptr %.1068.i3848, align 8, !noalias !178
+  store i64 1, ptr %.1166, align 8, !noalias !178
+  %.1154.i = load i64, ptr %289, align 8, !noalias !178
   %.1155.i = icmp sgt i64 %.1154.i, 1000
   br i1 %.1155.i, label %B694.i, label %B740.i
 
 B694.i:                                           ; preds = %B528.i
-  %270 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.141.i3229.09316
-  %.84.i.i3991 = load i64, ptr %270, align 8, !noalias !147
+  %290 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.141.i3229.09310
+  %.84.i.i3991 = load i64, ptr %290, align 8, !noalias !182
   %.89.i.i3994 = icmp sgt i64 %.84.i.i3991, -1
   br i1 %.89.i.i3994, label %B46.i.i3999, label %B740.i
 
 B46.i.i3999:                                      ; preds = %B694.i
   %.120.i.i4019 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i.i3991
-  %.121.i.i4020 = load i64, ptr %.120.i.i4019, align 8, !noalias !147
+  %.121.i.i4020 = load i64, ptr %.120.i.i4019, align 8, !noalias !182
   %.122.i.i4021 = icmp eq i64 %.121.i.i4020, 0
   br i1 %.122.i.i4021, label %B80.i.i4026, label %B740.i
 
 B80.i.i4026:                                      ; preds = %B46.i.i3999
-  store i64 6, ptr %.120.i.i4019, align 8, !noalias !147
+  store i64 6, ptr %.120.i.i4019, align 8, !noalias !182
   br label %B740.i
 
 B740.i:                                           ; preds = %B80.i.i4026, %B694.i, %B46.i.i3999, %B528.i, %B134.i, %B80.if.i4159
-  store double 0.000000e+00, ptr %.294.i3374, align 8, !noalias !143
-  %.200.i3315 = icmp sgt i64 %.144.i3230.09315, 1
+  store double 0.000000e+00, ptr %.294.i3374, align 8, !noalias !178
+  %.200.i3315 = icmp sgt i64 %.144.i3230.09309, 1
   br i1 %.200.i3315, label %B80.if.i4159, label %B3692
 
 B80.if.i4159:                                     ; preds = %B3636, %B740.i
-  %.141.i3229.09316 = phi i64 [ %.213.i4167, %B740.i ], [ 0, %B3636 ]
-  %.144.i3230.09315 = phi i64 [ %.209.i4164, %B740.i ], [ %storemerge, %B3636 ]
-  %.209.i4164 = add nsw i64 %.144.i3230.09315, -1
-  %.213.i4167 = add nsw i64 %.141.i3229.09316, 1
-  %.294.i3374 = getelementptr double, ptr %87, i64 %.141.i3229.09316
-  %.295.i3375 = load double, ptr %.294.i3374, align 8, !noalias !143
+  %.141.i3229.09310 = phi i64 [ %.213.i4167, %B740.i ], [ 0, %B3636 ]
+  %.144.i3230.09309 = phi i64 [ %.209.i4164, %B740.i ], [ %storemerge, %B3636 ]
+  %.209.i4164 = add nsw i64 %.144.i3230.09309, -1
+  %.213.i4167 = add nsw i64 %.141.i3229.09310, 1
+  %.294.i3374 = getelementptr double, ptr %82, i64 %.141.i3229.09310
+  %.295.i3375 = load double, ptr %.294.i3374, align 8, !noalias !178
   %.296.i3376 = fcmp oeq double %.295.i3375, 1.000000e+00
   br i1 %.296.i3376, label %B134.i, label %B740.i
 
 B270.if.i:                                        ; preds = %B270.if.i.preheader, %B270.if.i
-  %fastest.2.i.29312 = phi double [ %.11.i.i, %B270.if.i ], [ 0.000000e+00, %B270.if.i.preheader ]
-  %.496.i3246.09311 = phi i64 [ %.565.i4151, %B270.if.i ], [ 0, %B270.if.i.preheader ]
-  %.565.i4151 = add nsw i64 %.496.i3246.09311, 1
-  %.592.i4103 = add nsw i64 %.496.i3246.09311, %arg.shape.1
+  %fastest.2.i.29306 = phi double [ %.11.i.i, %B270.if.i ], [ 0.000000e+00, %B270.if.i.preheader ]
+  %.496.i3246.09305 = phi i64 [ %.565.i4151, %B270.if.i ], [ 0, %B270.if.i.preheader ]
+  %.565.i4151 = add nsw i64 %.496.i3246.09305, 1
+  %.592.i4103 = add nsw i64 %.496.i3246.09305, %arg.shape.1
   %.594.i4105 = mul nsw i64 %.592.i4103, %arg.shape.0
-  %gep9397 = getelementptr double, ptr %invariant.gep9396, i64 %.594.i4105
-  %.626.i4133 = load double, ptr %gep9397, align 8, !noalias !143
+  %gep9392 = getelementptr double, ptr %invariant.gep9391, i64 %.594.i4105
+  %.626.i4133 = load double, ptr %gep9392, align 8, !noalias !178
   %.627.i4134 = tail call double @llvm.fabs.f64(double %.626.i4133)
-  %.10.i.i = fcmp ogt double %.627.i4134, %fastest.2.i.29312
-  %.11.i.i = select i1 %.10.i.i, double %.627.i4134, double %fastest.2.i.29312
-  %exitcond9351.not = icmp eq i64 %arg.shape.1, %.565.i4151
-  br i1 %exitcond9351.not, label %B380.i, label %B270.if.i
+  %.10.i.i = fcmp ogt double %.627.i4134, %fastest.2.i.29306
+  %.11.i.i = select i1 %.10.i.i, double %.627.i4134, double %fastest.2.i.29306
+  %exitcond9346.not = icmp eq i64 %arg.shape.1, %.565.i4151
+  br i1 %exitcond9346.not, label %B380.i, label %B270.if.i
 
 B3692:                                            ; preds = %B740.i, %B3636
   %brmerge8889.not = and i1 %.5358.not, %looked.2.1.lcssa
   %brmerge8889.not.not = xor i1 %brmerge8889.not, true
-  %brmerge9336 = or i1 %.794, %brmerge8889.not.not
-  br i1 %brmerge9336, label %B3742, label %B114.if.i
+  %brmerge9331 = or i1 %.794, %brmerge8889.not.not
+  br i1 %brmerge9331, label %B3742, label %B114.if.i
 
-B46.i.i9021:                                      ; preds = %B114.if.i
+B46.i.i8997:                                      ; preds = %B114.if.i
   %.135.i.i = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.99.i.i
-  %.136.i.i = load i64, ptr %.135.i.i, align 8, !noalias !150
+  %.136.i.i = load i64, ptr %.135.i.i, align 8, !noalias !185
   %.141.i.not.i = icmp eq i64 %.136.i.i, 0
-  br i1 %.141.i.not.i, label %B80.i.i9028, label %B228.i
+  br i1 %.141.i.not.i, label %B80.i.i9003, label %B228.i
 
-B80.i.i9028:                                      ; preds = %B46.i.i9021
-  %.196.i.i = getelementptr double, ptr %94, i64 %.302.01639.i
-  %.197.i.i = load double, ptr %.196.i.i, align 8, !noalias !150
+B80.i.i9003:                                      ; preds = %B46.i.i8997
+  %.196.i.i = getelementptr double, ptr %89, i64 %.302.01639.i
+  %.197.i.i = load double, ptr %.196.i.i, align 8, !noalias !185
   %.198.i.i = fcmp olt double %.197.i.i, 5.000000e-01
   br i1 %.198.i.i, label %B228.i, label %B122.i.i
 
-B122.i.i:                                         ; preds = %B80.i.i9028
+B122.i.i:                                         ; preds = %B80.i.i9003
   %.264.i.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.302.01639.i
-  %.265.i.i = load double, ptr %.264.i.i, align 8, !noalias !150
-  %.321.i.i = getelementptr double, ptr %95, i64 %.302.01639.i
-  %.322.i.i9029 = load double, ptr %.321.i.i, align 8, !noalias !150
-  %.325.i.i = fcmp une double %.265.i.i, %.322.i.i9029
+  %.265.i.i = load double, ptr %.264.i.i, align 8, !noalias !185
+  %.321.i.i9004 = getelementptr double, ptr %90, i64 %.302.01639.i
+  %.322.i.i9005 = load double, ptr %.321.i.i9004, align 8, !noalias !185
+  %.325.i.i = fcmp une double %.265.i.i, %.322.i.i9005
   %brmerge.i = select i1 %.325.i.i, i1 true, i1 %.175.i3061635.not.i
   %not..325.i.i = xor i1 %.325.i.i, true
   %some.2.01641.mux.i = select i1 %not..325.i.i, i1 true, i1 %some.2.01641.i
-  br i1 %brmerge.i, label %B228.i, label %B76.if.i.lr.ph.i9030
+  br i1 %brmerge.i, label %B228.i, label %B76.if.i.lr.ph.i9006
 
-B76.if.i.lr.ph.i9030:                             ; preds = %B122.i.i
-  %271 = getelementptr i64, ptr %96, i64 %.302.01639.i
-  %.513.i = load i64, ptr %271, align 8, !noalias !155
+B76.if.i.lr.ph.i9006:                             ; preds = %B122.i.i
+  %291 = getelementptr i64, ptr %91, i64 %.302.01639.i
+  %.513.i = load i64, ptr %291, align 8, !noalias !190
   %.514.i = add nsw i64 %.513.i, 1
   %.236.i323.i = icmp slt i64 %.513.i, -1
   %.237.i324.i = select i1 %.236.i323.i, i64 %arg.batch.1.3.5.0, i64 0
   %.238.i325.i = add i64 %.514.i, %.237.i324.i
   %.258.i342.i = mul i64 %.238.i325.i, %arg.batch.1.3.5.1
-  %272 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i342.i
-  br label %B76.if.i.i9031
+  %292 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i342.i
+  br label %B76.if.i.i9007
 
-B76.if.i.i9031:                                   ; preds = %B76.if.i.i9031, %B76.if.i.lr.ph.i9030
-  %.117.i268.01636.i = phi i64 [ 0, %B76.if.i.lr.ph.i9030 ], [ %.188.i390.i, %B76.if.i.i9031 ]
+B76.if.i.i9007:                                   ; preds = %B76.if.i.i9007, %B76.if.i.lr.ph.i9006
+  %.117.i268.01636.i = phi i64 [ 0, %B76.if.i.lr.ph.i9006 ], [ %.188.i390.i, %B76.if.i.i9007 ]
   %.188.i390.i = add nsw i64 %.117.i268.01636.i, 1
-  %273 = getelementptr double, ptr %272, i64 %.117.i268.01636.i
-  %.263.i344.i = load double, ptr %273, align 8, !noalias !156
-  %274 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i268.01636.i
-  %.293.i360.i = load i64, ptr %274, align 8, !noalias !156
+  %293 = getelementptr double, ptr %292, i64 %.117.i268.01636.i
+  %.263.i344.i = load double, ptr %293, align 8, !noalias !191
+  %294 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i268.01636.i
+  %.293.i360.i = load i64, ptr %294, align 8, !noalias !191
   %.295.i362.i = mul nsw i64 %.293.i360.i, %arg.shape.0
   %.297.i364.i = add nsw i64 %.295.i362.i, %.302.01639.i
   %.311.i372.i = icmp slt i64 %.297.i364.i, 0
   %.312.i373.i = select i1 %.311.i372.i, i64 %arg.batch.5.1.5.0, i64 0
-  %275 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i364.i
-  %.326.i383.i = getelementptr double, ptr %275, i64 %.312.i373.i
-  store double %.263.i344.i, ptr %.326.i383.i, align 8, !noalias !156
-  %exitcond.not.i9032 = icmp eq i64 %arg.batch.1.1.5.0, %.188.i390.i
-  br i1 %exitcond.not.i9032, label %B228.i, label %B76.if.i.i9031
+  %295 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i364.i
+  %.326.i383.i = getelementptr double, ptr %295, i64 %.312.i373.i
+  store double %.263.i344.i, ptr %.326.i383.i, align 8, !noalias !191
+  %exitcond.not.i9008 = icmp eq i64 %arg.batch.1.1.5.0, %.188.i390.i
+  br i1 %exitcond.not.i9008, label %B228.i, label %B76.if.i.i9007
 
-B228.i:                                           ; preds = %B76.if.i.i9031, %B114.if.i, %B122.i.i, %B80.i.i9028, %B46.i.i9021
-  %some.3.1.i = phi i1 [ %some.2.01641.mux.i, %B122.i.i ], [ %some.2.01641.i, %B80.i.i9028 ], [ %some.2.01641.i, %B114.if.i ], [ %some.2.01641.i, %B46.i.i9021 ], [ true, %B76.if.i.i9031 ]
+B228.i:                                           ; preds = %B76.if.i.i9007, %B114.if.i, %B122.i.i, %B80.i.i9003, %B46.i.i8997
+  %some.3.1.i = phi i1 [ %some.2.01641.mux.i, %B122.i.i ], [ %some.2.01641.i, %B80.i.i9003 ], [ %some.2.01641.i, %B114.if.i ], [ %some.2.01641.i, %B46.i.i8997 ], [ true, %B76.if.i.i9007 ]
   %exitcond1650.not.i = icmp eq i64 %arg.shape.0, %.373.i
   br i1 %exitcond1650.not.i, label %B230.i, label %B114.if.i
 
@@ -3505,18 +3950,18 @@ B230.i:                                           ; preds = %B228.i
   br i1 %some.3.1.i, label %B238.i, label %B3742
 
 B238.i:                                           ; preds = %B230.i
-  %.637.i = load i64, ptr %.636.i, align 8, !noalias !155
+  %.637.i = load i64, ptr %.636.i, align 8, !noalias !190
   %.749.i = inttoptr i64 %.637.i to ptr
-  tail call void %.749.i(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !155
-  %.780.i = load i64, ptr %.779.i, align 8, !noalias !155
+  tail call void %.749.i(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !190
+  %.780.i = load i64, ptr %.779.i, align 8, !noalias !190
   %.896.i = inttoptr i64 %.780.i to ptr
-  tail call void %.896.i(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.895.i9022), !noalias !155
+  tail call void %.896.i(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.895.i8998), !noalias !190
   br i1 %.900.not.i, label %B598.if.i.preheader, label %B456.i
 
 B456.i:                                           ; preds = %B238.i
-  %.931.i = load i64, ptr %.930.i9023, align 8, !noalias !155
+  %.931.i = load i64, ptr %.930.i8999, align 8, !noalias !190
   %.1049.i = inttoptr i64 %.931.i to ptr
-  tail call void %.1049.i(ptr %arg.batch.4.0.4, ptr %.895.i9022, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !155
+  tail call void %.1049.i(ptr %arg.batch.4.0.4, ptr %.895.i8998, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !190
   br label %B598.if.i.preheader
 
 B598.if.i.preheader:                              ; preds = %B456.i, %B238.i
@@ -3524,34 +3969,34 @@ B598.if.i.preheader:                              ; preds = %B456.i, %B238.i
 
 B46.i82.i:                                        ; preds = %B598.if.i
   %.135.i102.i = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.99.i78.i
-  %.136.i103.i = load i64, ptr %.135.i102.i, align 8, !noalias !160
+  %.136.i103.i = load i64, ptr %.135.i102.i, align 8, !noalias !195
   %.141.i106.not.i = icmp eq i64 %.136.i103.i, 0
   br i1 %.141.i106.not.i, label %B80.i107.i, label %B1076.i
 
 B80.i107.i:                                       ; preds = %B46.i82.i
-  %.196.i144.i = getelementptr double, ptr %94, i64 %.1090.01648.i
-  %.197.i145.i = load double, ptr %.196.i144.i, align 8, !noalias !160
+  %.196.i144.i = getelementptr double, ptr %89, i64 %.1090.01648.i
+  %.197.i145.i = load double, ptr %.196.i144.i, align 8, !noalias !195
   %.198.i146.i = fcmp olt double %.197.i145.i, 5.000000e-01
   br i1 %.198.i146.i, label %B1076.i, label %B122.i147.i
 
 B122.i147.i:                                      ; preds = %B80.i107.i
   %.264.i184.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.1090.01648.i
-  %.265.i185.i = load double, ptr %.264.i184.i, align 8, !noalias !160
-  %.321.i223.i = getelementptr double, ptr %95, i64 %.1090.01648.i
-  %.322.i224.i = load double, ptr %.321.i223.i, align 8, !noalias !160
+  %.265.i185.i = load double, ptr %.264.i184.i, align 8, !noalias !195
+  %.321.i223.i = getelementptr double, ptr %90, i64 %.1090.01648.i
+  %.322.i224.i = load double, ptr %.321.i223.i, align 8, !noalias !195
   %.325.i226.i = fcmp une double %.265.i185.i, %.322.i224.i
   br i1 %.325.i226.i, label %B1076.i, label %B638.i
 
 B638.i:                                           ; preds = %B122.i147.i
-  %.1344.i = getelementptr i64, ptr %97, i64 %.1090.01648.i
-  %.1345.i = load i64, ptr %.1344.i, align 8, !noalias !155
+  %.1344.i = getelementptr i64, ptr %92, i64 %.1090.01648.i
+  %.1345.i = load i64, ptr %.1344.i, align 8, !noalias !190
   %.1356.i = icmp sgt i64 %.1345.i, 0
   br i1 %.1356.i, label %B714.i, label %B768.i
 
 B714.i:                                           ; preds = %B638.i
-  %276 = getelementptr double, ptr %arg.batch.2.4, i64 %.1345.i
-  %.1391.i = getelementptr i8, ptr %276, i64 -8
-  %.1392.i = load double, ptr %.1391.i, align 8, !noalias !155
+  %296 = getelementptr double, ptr %arg.batch.2.4, i64 %.1345.i
+  %.1391.i = getelementptr i8, ptr %296, i64 -8
+  %.1392.i = load double, ptr %.1391.i, align 8, !noalias !190
   %.1448.i = fcmp oeq double %.1392.i, %.265.i185.i
   br label %B768.i
 
@@ -3565,15 +4010,15 @@ B800.if.lr.ph.i:                                  ; preds = %B768.i
   %.1714.i = add i64 %.1674.i, %.1713.i
   %.1741.i = mul i64 %.1739.i, %.99.i78.i
   %.1743.i = mul i64 %.1714.i, %arg.batch.3.0.5.2
-  %277 = getelementptr double, ptr %arg.batch.3.0.4, i64 %.1741.i
-  %278 = getelementptr double, ptr %277, i64 %.1743.i
-  %invariant.gep9317 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1090.01648.i
-  %invariant.gep9319 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1090.01648.i
+  %297 = getelementptr double, ptr %arg.batch.3.0.4, i64 %.1741.i
+  %298 = getelementptr double, ptr %297, i64 %.1743.i
+  %invariant.gep9311 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1090.01648.i
+  %invariant.gep9313 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1090.01648.i
   br label %B800.if.i
 
 B896.i:                                           ; preds = %B800.if.i
-  %279 = getelementptr double, ptr %278, i64 %.1488.01643.i
-  store double %.1622.i, ptr %279, align 8, !noalias !155
+  %299 = getelementptr double, ptr %298, i64 %.1488.01643.i
+  store double %.1622.i, ptr %299, align 8, !noalias !190
   br label %B918.i
 
 B918.i:                                           ; preds = %B800.if.i, %B896.i
@@ -3581,68 +4026,68 @@ B918.i:                                           ; preds = %B800.if.i, %B896.i
   br i1 %exitcond1651.not.i, label %B920.loopexit.i, label %B800.if.i
 
 B920.loopexit.i:                                  ; preds = %B918.i
-  %280 = fcmp une double %.1629.i, 0.000000e+00
-  br i1 %280, label %B932.i, label %B978.i
+  %300 = fcmp une double %.1629.i, 0.000000e+00
+  br i1 %300, label %B932.i, label %B978.i
 
 B932.i:                                           ; preds = %B920.loopexit.i
-  %.84.i452.i = load i64, ptr %283, align 8, !noalias !163
+  %.84.i452.i = load i64, ptr %303, align 8, !noalias !198
   %.89.i454.i = icmp sgt i64 %.84.i452.i, -1
   br i1 %.89.i454.i, label %B46.i458.i, label %B978.i
 
 B46.i458.i:                                       ; preds = %B932.i
   %.120.i478.i = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i452.i
-  %.121.i479.i = load i64, ptr %.120.i478.i, align 8, !noalias !163
+  %.121.i479.i = load i64, ptr %.120.i478.i, align 8, !noalias !198
   %.122.i480.i = icmp eq i64 %.121.i479.i, 0
   br i1 %.122.i480.i, label %B80.i484.i, label %B978.i
 
 B80.i484.i:                                       ; preds = %B46.i458.i
-  store i64 3, ptr %.120.i478.i, align 8, !noalias !163
+  store i64 3, ptr %.120.i478.i, align 8, !noalias !198
   br label %B978.i
 
 B978.i:                                           ; preds = %B80.i484.i, %B46.i458.i, %B932.i, %B920.loopexit.i, %B768.i
   br i1 %.900.not.i, label %B1076.i, label %B994.i
 
 B994.i:                                           ; preds = %B978.i
-  %281 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.1090.01648.i
-  %.1846.i = load double, ptr %281, align 8, !noalias !155
+  %301 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.1090.01648.i
+  %.1846.i = load double, ptr %301, align 8, !noalias !190
   %.1848.i = fcmp olt double %.1846.i, -1.000000e-09
   br i1 %.1848.i, label %B1030.i, label %B1076.i
 
 B1030.i:                                          ; preds = %B994.i
-  %.84.i583.i = load i64, ptr %283, align 8, !noalias !166
+  %.84.i583.i = load i64, ptr %303, align 8, !noalias !201
   %.89.i586.i = icmp sgt i64 %.84.i583.i, -1
   br i1 %.89.i586.i, label %B46.i591.i, label %B1076.i
 
 B46.i591.i:                                       ; preds = %B1030.i
   %.120.i616.i = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i583.i
-  %.121.i617.i = load i64, ptr %.120.i616.i, align 8, !noalias !166
+  %.121.i617.i = load i64, ptr %.120.i616.i, align 8, !noalias !201
   %.122.i618.i = icmp eq i64 %.121.i617.i, 0
   br i1 %.122.i618.i, label %B80.i623.i, label %B1076.i
 
 B80.i623.i:                                       ; preds = %B46.i591.i
-  store i64 4, ptr %.120.i616.i, align 8, !noalias !166
+  store i64 4, ptr %.120.i616.i, align 8, !noalias !201
   br label %B1076.i
 
 B1076.i:                                          ; preds = %B598.if.i, %B80.i623.i, %B46.i591.i, %B1030.i, %B994.i, %B978.i, %B122.i147.i, %B80.i107.i, %B46.i82.i
-  %.1146.i9026 = icmp sgt i64 %.1093.01649.i, 1
-  br i1 %.1146.i9026, label %B598.if.i, label %B3742
+  %.1146.i9002 = icmp sgt i64 %.1093.01649.i, 1
+  br i1 %.1146.i9002, label %B598.if.i, label %B3742
 
 B114.if.i:                                        ; preds = %B3692, %B228.i
   %some.2.01641.i = phi i1 [ %some.3.1.i, %B228.i ], [ false, %B3692 ]
   %.302.01639.i = phi i64 [ %.373.i, %B228.i ], [ 0, %B3692 ]
   %.373.i = add nsw i64 %.302.01639.i, 1
-  %282 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.302.01639.i
-  %.99.i.i = load i64, ptr %282, align 8, !noalias !150
+  %302 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.302.01639.i
+  %.99.i.i = load i64, ptr %302, align 8, !noalias !185
   %.104.i.i = icmp slt i64 %.99.i.i, 0
-  br i1 %.104.i.i, label %B228.i, label %B46.i.i9021
+  br i1 %.104.i.i, label %B228.i, label %B46.i.i8997
 
 B598.if.i:                                        ; preds = %B598.if.i.preheader, %B1076.i
-  %.1093.01649.i = phi i64 [ %.1155.i9025, %B1076.i ], [ %storemerge.i, %B598.if.i.preheader ]
+  %.1093.01649.i = phi i64 [ %.1155.i9001, %B1076.i ], [ %storemerge.i8996, %B598.if.i.preheader ]
   %.1090.01648.i = phi i64 [ %.1159.i, %B1076.i ], [ 0, %B598.if.i.preheader ]
-  %.1155.i9025 = add nsw i64 %.1093.01649.i, -1
+  %.1155.i9001 = add nsw i64 %.1093.01649.i, -1
   %.1159.i = add nsw i64 %.1090.01648.i, 1
-  %283 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.1090.01648.i
-  %.99.i78.i = load i64, ptr %283, align 8, !noalias !160
+  %303 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.1090.01648.i
+  %.99.i78.i = load i64, ptr %303, align 8, !noalias !195
   %.104.i81.i = icmp slt i64 %.99.i78.i, 0
   br i1 %.104.i81.i, label %B1076.i, label %B46.i82.i
 
@@ -3651,21 +4096,21 @@ B800.if.i:                                        ; preds = %B918.i, %B800.if.lr
   %.1488.01643.i = phi i64 [ 0, %B800.if.lr.ph.i ], [ %.1557.i, %B918.i ]
   %.1557.i = add nsw i64 %.1488.01643.i, 1
   %.1588.i = add nsw i64 %.1488.01643.i, %.850.i
-  %.1590.i9027 = mul nsw i64 %.1588.i, %arg.shape.0
-  %gep9318 = getelementptr double, ptr %invariant.gep9317, i64 %.1590.i9027
-  %.1622.i = load double, ptr %gep9318, align 8, !noalias !155
+  %.1590.i = mul nsw i64 %.1588.i, %arg.shape.0
+  %gep9312 = getelementptr double, ptr %invariant.gep9311, i64 %.1590.i
+  %.1622.i = load double, ptr %gep9312, align 8, !noalias !190
   %.1627.i = fmul double %.1622.i, 0.000000e+00
   %.1629.i = fadd double %trouble.2.11645.i, %.1627.i
   %.1637.i = mul nsw i64 %.1488.01643.i, %arg.shape.0
-  %gep9320 = getelementptr double, ptr %invariant.gep9319, i64 %.1637.i
-  store double %.1622.i, ptr %gep9320, align 8, !noalias !155
+  %gep9314 = getelementptr double, ptr %invariant.gep9313, i64 %.1637.i
+  store double %.1622.i, ptr %gep9314, align 8, !noalias !190
   br i1 %"$phi768.1.2.1.i", label %B896.i, label %B918.i
 
 B3742:                                            ; preds = %B1076.i, %B3692, %B230.i
   %looked.2.1.lcssa.not = xor i1 %looked.2.1.lcssa, true
-  %brmerge9338 = or i1 %.794, %looked.2.1.lcssa.not
+  %brmerge9333 = or i1 %.794, %looked.2.1.lcssa.not
   %active.9.1.mux = select i1 %looked.2.1.lcssa, i64 0, i64 %active.9.1
-  br i1 %brmerge9338, label %B4718, label %B3784.if
+  br i1 %brmerge9333, label %B4718, label %B3784.if
 
 B3832:                                            ; preds = %B3784.if
   %.5743 = mul i64 %.5670, %arg.batch.3.3.5.1
@@ -3673,118 +4118,118 @@ B3832:                                            ; preds = %B3784.if
   %.5748 = load i64, ptr %.5747, align 8
   %.5804 = getelementptr i8, ptr %.5747, i64 24
   %.5805 = load i64, ptr %.5804, align 8
-  %284 = add i64 %.5748, %.5805
-  %.5806 = sub i64 %arg.most, %284
+  %304 = add i64 %.5748, %.5805
+  %.5806 = sub i64 %arg.most, %304
   %.5811 = icmp slt i64 %.5806, 1
   br i1 %.5811, label %B3912, label %B3958
 
 B3912:                                            ; preds = %B3832
-  %285 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.5508.09325
-  %.84.i4248 = load i64, ptr %285, align 8, !noalias !169
+  %305 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.5508.09319
+  %.84.i4248 = load i64, ptr %305, align 8, !noalias !204
   %.89.i4251 = icmp sgt i64 %.84.i4248, -1
   br i1 %.89.i4251, label %B46.i4256, label %B3958
 
 B46.i4256:                                        ; preds = %B3912
   %.120.i4282 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i4248
-  %.121.i4283 = load i64, ptr %.120.i4282, align 8, !noalias !169
+  %.121.i4283 = load i64, ptr %.120.i4282, align 8, !noalias !204
   %.122.i4284 = icmp eq i64 %.121.i4283, 0
   br i1 %.122.i4284, label %B80.i4289, label %B3958
 
 B80.i4289:                                        ; preds = %B46.i4256
-  store i64 5, ptr %.120.i4282, align 8, !noalias !169
+  store i64 5, ptr %.120.i4282, align 8, !noalias !204
   br label %B3958
 
 B3958:                                            ; preds = %B80.i4289, %B3912, %B46.i4256, %B3832
-  %.5901 = getelementptr double, ptr %98, i64 %.5508.09325
+  %.5901 = getelementptr double, ptr %93, i64 %.5508.09319
   %.5902 = load double, ptr %.5901, align 8
   %.5903 = fcmp ogt double %.5902, 5.000000e-01
   br i1 %.5903, label %B3996, label %B4100
 
 B3996:                                            ; preds = %B3958
-  %.5958 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5508.09325
+  %.5958 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5508.09319
   %.5959 = load double, ptr %.5958, align 8
-  %.6013 = getelementptr double, ptr %99, i64 %.5508.09325
+  %.6013 = getelementptr double, ptr %94, i64 %.5508.09319
   %.6014 = load double, ptr %.6013, align 8
   %.6015 = fcmp oeq double %.5959, %.6014
   br i1 %.6015, label %B4060, label %B4100
 
 B4060:                                            ; preds = %B3996
-  %.192.i4515 = load i64, ptr %.5669, align 8, !noalias !172
-  %.248.i4563 = getelementptr i64, ptr %100, i64 %.5508.09325
-  %.249.i4564 = load i64, ptr %.248.i4563, align 8, !noalias !172
+  %.192.i4515 = load i64, ptr %.5669, align 8, !noalias !207
+  %.248.i4563 = getelementptr i64, ptr %95, i64 %.5508.09319
+  %.249.i4564 = load i64, ptr %.248.i4563, align 8, !noalias !207
   %.250.i4565 = add nsw i64 %.249.i4564, 1
-  store i64 %.250.i4565, ptr %.248.i4563, align 8, !noalias !172
+  store i64 %.250.i4565, ptr %.248.i4563, align 8, !noalias !207
   %.373.i4670 = icmp slt i64 %.249.i4564, -1
   %.374.i4671 = select i1 %.373.i4670, i64 %arg.batch.1.2.5.0, i64 0
-  %286 = getelementptr double, ptr %arg.batch.1.2.4, i64 %.250.i4565
-  %.388.i4685 = getelementptr double, ptr %286, i64 %.374.i4671
-  %.389.i4686 = load double, ptr %.388.i4685, align 8, !noalias !172
+  %306 = getelementptr double, ptr %arg.batch.1.2.4, i64 %.250.i4565
+  %.388.i4685 = getelementptr double, ptr %306, i64 %.374.i4671
+  %.389.i4686 = load double, ptr %.388.i4685, align 8, !noalias !207
   %.390.i4687 = fcmp oeq double %.389.i4686, 0x7FF0000000000000
   br i1 %.390.i4687, label %B182.i, label %B240.i
 
 B182.i:                                           ; preds = %B4060
   %.424.i5203 = icmp slt i64 %.192.i4515, 0
   %.425.i5204 = select i1 %.424.i5203, i64 %arg.batch.3.1.5.0, i64 0
-  %287 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.192.i4515
-  %.439.i5218 = getelementptr i64, ptr %287, i64 %.425.i5204
-  %.440.i5219 = load i64, ptr %.439.i5218, align 8, !noalias !172
+  %307 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.192.i4515
+  %.439.i5218 = getelementptr i64, ptr %307, i64 %.425.i5204
+  %.440.i5219 = load i64, ptr %.439.i5218, align 8, !noalias !207
   %.441.i5220 = icmp eq i64 %.440.i5219, 0
   br i1 %.441.i5220, label %B216.i5224, label %B4100
 
 B216.i5224:                                       ; preds = %B182.i
-  store i64 1, ptr %.439.i5218, align 8, !noalias !172
+  store i64 1, ptr %.439.i5218, align 8, !noalias !207
   br label %B4100
 
 B240.i:                                           ; preds = %B4060
-  store double %.389.i4686, ptr %.6013, align 8, !noalias !172
+  store double %.389.i4686, ptr %.6013, align 8, !noalias !207
   %.592.i4777 = select i1 %.373.i4670, i64 %arg.batch.1.4.5.0, i64 0
-  %288 = getelementptr i64, ptr %arg.batch.1.4.4, i64 %.250.i4565
-  %.606.i4791 = getelementptr i64, ptr %288, i64 %.592.i4777
-  %.607.i4792 = load i64, ptr %.606.i4791, align 8, !noalias !172
+  %308 = getelementptr i64, ptr %arg.batch.1.4.4, i64 %.250.i4565
+  %.606.i4791 = getelementptr i64, ptr %308, i64 %.592.i4777
+  %.607.i4792 = load i64, ptr %.606.i4791, align 8, !noalias !207
   %.610.i4794 = icmp eq i64 %.607.i4792, 0
   br i1 %.610.i4794, label %B300.i, label %B348.i
 
 B300.i:                                           ; preds = %B240.i
-  %.665.i5157 = getelementptr double, ptr %101, i64 %.5508.09325
-  store double 1.000000e+00, ptr %.665.i5157, align 8, !noalias !172
+  %.665.i5157 = getelementptr double, ptr %96, i64 %.5508.09319
+  store double 1.000000e+00, ptr %.665.i5157, align 8, !noalias !207
   br label %B392.i.sink.split
 
 B348.i:                                           ; preds = %B240.i
-  %.733.i4820 = load i64, ptr %.1166, align 8, !noalias !172
+  %.733.i4820 = load i64, ptr %.1166, align 8, !noalias !207
   %.734.i4821 = icmp eq i64 %.733.i4820, 0
   br i1 %.734.i4821, label %B392.i.sink.split, label %B392.i
 
 B392.i.sink.split:                                ; preds = %B348.i, %B300.i
   %.sink = phi i64 [ 1, %B300.i ], [ 2, %B348.i ]
-  store i64 %.sink, ptr %.1166, align 8, !noalias !172
+  store i64 %.sink, ptr %.1166, align 8, !noalias !207
   br label %B392.i
 
 B392.i:                                           ; preds = %B392.i.sink.split, %B348.i
-  br i1 %.175.i.i49699321.not, label %B4100, label %B76.if.i.i.lr.ph
+  br i1 %.175.i.i49699315.not, label %B4100, label %B76.if.i.i.lr.ph
 
 B76.if.i.i.lr.ph:                                 ; preds = %B392.i
   %.237.i.i5014 = select i1 %.373.i4670, i64 %arg.batch.1.3.5.0, i64 0
   %.238.i.i5015 = add i64 %.237.i.i5014, %.250.i4565
   %.258.i.i5031 = mul i64 %.238.i.i5015, %arg.batch.1.3.5.1
-  %289 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i5031
+  %309 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i5031
   br label %B76.if.i.i
 
 B76.if.i.i:                                       ; preds = %B76.if.i.i.lr.ph, %B76.if.i.i
-  %.117.i.i4326.09323 = phi i64 [ 0, %B76.if.i.i.lr.ph ], [ %.188.i.i5078, %B76.if.i.i ]
-  %.188.i.i5078 = add nsw i64 %.117.i.i4326.09323, 1
-  %290 = getelementptr double, ptr %289, i64 %.117.i.i4326.09323
-  %.263.i.i5034 = load double, ptr %290, align 8, !noalias !176
-  %291 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.i4326.09323
-  %.293.i.i5050 = load i64, ptr %291, align 8, !noalias !176
+  %.117.i.i4326.09317 = phi i64 [ 0, %B76.if.i.i.lr.ph ], [ %.188.i.i5078, %B76.if.i.i ]
+  %.188.i.i5078 = add nsw i64 %.117.i.i4326.09317, 1
+  %310 = getelementptr double, ptr %309, i64 %.117.i.i4326.09317
+  %.263.i.i5034 = load double, ptr %310, align 8, !noalias !211
+  %311 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.i4326.09317
+  %.293.i.i5050 = load i64, ptr %311, align 8, !noalias !211
   %.295.i.i5052 = mul nsw i64 %.293.i.i5050, %arg.shape.0
-  %.297.i.i5054 = add nsw i64 %.295.i.i5052, %.5508.09325
+  %.297.i.i5054 = add nsw i64 %.295.i.i5052, %.5508.09319
   %.311.i.i5061 = icmp slt i64 %.297.i.i5054, 0
   %.312.i.i5062 = select i1 %.311.i.i5061, i64 %arg.batch.5.1.5.0, i64 0
-  %292 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i5054
-  %.326.i.i5072 = getelementptr double, ptr %292, i64 %.312.i.i5062
-  store double %.263.i.i5034, ptr %.326.i.i5072, align 8, !noalias !176
-  %exitcond9352.not = icmp eq i64 %arg.batch.1.1.5.0, %.188.i.i5078
-  br i1 %exitcond9352.not, label %B4100, label %B76.if.i.i
+  %312 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i5054
+  %.326.i.i5072 = getelementptr double, ptr %312, i64 %.312.i.i5062
+  store double %.263.i.i5034, ptr %.326.i.i5072, align 8, !noalias !211
+  %exitcond9347.not = icmp eq i64 %arg.batch.1.1.5.0, %.188.i.i5078
+  br i1 %exitcond9347.not, label %B4100, label %B76.if.i.i
 
 B4100:                                            ; preds = %B76.if.i.i, %B392.i, %B216.i5224, %B182.i, %B3996, %B3958
   %.6104 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.5670
@@ -3793,203 +4238,203 @@ B4100:                                            ; preds = %B76.if.i.i, %B392.i
   br i1 %.6106.not, label %B4242, label %B4134
 
 B4134:                                            ; preds = %B4100
-  %.6167 = getelementptr i64, ptr %102, i64 %.5508.09325
+  %.6167 = getelementptr i64, ptr %97, i64 %.5508.09319
   %.6168 = load i64, ptr %.6167, align 8
   %.6198 = getelementptr i64, ptr %arg.batch.3.2.4, i64 %.5670
   store i64 %.6168, ptr %.6198, align 8
   store i64 -1, ptr %.5669, align 8
-  %.236.i9033 = load i64, ptr %arg.batch.4.2.4, align 8, !noalias !180
-  %.293.i9038 = getelementptr double, ptr %103, i64 %.5508.09325
-  store double 0.000000e+00, ptr %.293.i9038, align 8, !noalias !180
-  %.324.i9040 = load i64, ptr %.323.i9039, align 8, !noalias !180
-  %.326.i9041 = icmp eq i64 %.236.i9033, %.324.i9040
-  br i1 %.326.i9041, label %B4450, label %B132.i9042
+  %.236.i9009 = load i64, ptr %arg.batch.4.2.4, align 8, !noalias !215
+  %.293.i9014 = getelementptr double, ptr %98, i64 %.5508.09319
+  store double 0.000000e+00, ptr %.293.i9014, align 8, !noalias !215
+  %.324.i9016 = load i64, ptr %.323.i9015, align 8, !noalias !215
+  %.326.i9017 = icmp eq i64 %.236.i9009, %.324.i9016
+  br i1 %.326.i9017, label %B4450, label %B132.i9018
 
-B132.i9042:                                       ; preds = %B4134
-  %.359.i9043 = add nsw i64 %.236.i9033, 1
-  store i64 %.359.i9043, ptr %arg.batch.4.2.4, align 8, !noalias !180
-  store i64 1, ptr %.1166, align 8, !noalias !180
-  %.438.i9045 = icmp slt i64 %.236.i9033, 0
-  %.439.i9046 = select i1 %.438.i9045, i64 %arg.batch.0.2.5.0, i64 0
-  %293 = getelementptr i64, ptr %arg.batch.0.2.4, i64 %.236.i9033
-  %.453.i9047 = getelementptr i64, ptr %293, i64 %.439.i9046
-  %.454.i9048 = load i64, ptr %.453.i9047, align 8, !noalias !180
-  %.469.i9049 = icmp slt i64 %.454.i9048, 0
-  %.470.i9050 = select i1 %.469.i9049, i64 %arg.batch.1.0.5.0, i64 0
-  %294 = getelementptr i64, ptr %arg.batch.1.0.4, i64 %.454.i9048
-  %.484.i9051 = getelementptr i64, ptr %294, i64 %.470.i9050
-  %.485.i9052 = load i64, ptr %.484.i9051, align 8, !noalias !180
-  store i64 %.236.i9033, ptr %.5669, align 8, !noalias !180
-  %.595.i9056 = getelementptr i64, ptr %104, i64 %.5508.09325
-  store i64 %.485.i9052, ptr %.595.i9056, align 8, !noalias !180
-  store i64 1, ptr %.6167, align 8, !noalias !180
-  %.709.i9060 = getelementptr i64, ptr %105, i64 %.5508.09325
-  store i64 0, ptr %.709.i9060, align 8, !noalias !180
-  br i1 %.8051131.not.i9061, label %B402.i9076, label %B358.if.lr.ph.i9062
+B132.i9018:                                       ; preds = %B4134
+  %.359.i9019 = add nsw i64 %.236.i9009, 1
+  store i64 %.359.i9019, ptr %arg.batch.4.2.4, align 8, !noalias !215
+  store i64 1, ptr %.1166, align 8, !noalias !215
+  %.438.i9021 = icmp slt i64 %.236.i9009, 0
+  %.439.i9022 = select i1 %.438.i9021, i64 %arg.batch.0.2.5.0, i64 0
+  %313 = getelementptr i64, ptr %arg.batch.0.2.4, i64 %.236.i9009
+  %.453.i9023 = getelementptr i64, ptr %313, i64 %.439.i9022
+  %.454.i9024 = load i64, ptr %.453.i9023, align 8, !noalias !215
+  %.469.i9025 = icmp slt i64 %.454.i9024, 0
+  %.470.i9026 = select i1 %.469.i9025, i64 %arg.batch.1.0.5.0, i64 0
+  %314 = getelementptr i64, ptr %arg.batch.1.0.4, i64 %.454.i9024
+  %.484.i9027 = getelementptr i64, ptr %314, i64 %.470.i9026
+  %.485.i9028 = load i64, ptr %.484.i9027, align 8, !noalias !215
+  store i64 %.236.i9009, ptr %.5669, align 8, !noalias !215
+  %.595.i9032 = getelementptr i64, ptr %99, i64 %.5508.09319
+  store i64 %.485.i9028, ptr %.595.i9032, align 8, !noalias !215
+  store i64 1, ptr %.6167, align 8, !noalias !215
+  %.709.i9036 = getelementptr i64, ptr %100, i64 %.5508.09319
+  store i64 0, ptr %.709.i9036, align 8, !noalias !215
+  br i1 %.8051131.not.i9037, label %B402.i9052, label %B358.if.lr.ph.i9038
 
-B358.if.lr.ph.i9062:                              ; preds = %B132.i9042
-  %.867.i9063 = select i1 %.438.i9045, i64 %arg.batch.0.1.5.0, i64 0
-  %.868.i9064 = add i64 %.867.i9063, %.236.i9033
-  %.888.i9065 = mul i64 %.868.i9064, %arg.batch.0.1.5.1
-  %295 = getelementptr double, ptr %arg.batch.0.1.4, i64 %.888.i9065
-  %invariant.gep9398 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.5508.09325
-  br label %B358.if.i9066
+B358.if.lr.ph.i9038:                              ; preds = %B132.i9018
+  %.867.i9039 = select i1 %.438.i9021, i64 %arg.batch.0.1.5.0, i64 0
+  %.868.i9040 = add i64 %.867.i9039, %.236.i9009
+  %.888.i9041 = mul i64 %.868.i9040, %arg.batch.0.1.5.1
+  %315 = getelementptr double, ptr %arg.batch.0.1.4, i64 %.888.i9041
+  %invariant.gep9393 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.5508.09319
+  br label %B358.if.i9042
 
-B402.i9076:                                       ; preds = %B358.if.i9066, %B132.i9042
-  br i1 %.175.i1134.not.i9077, label %B402.endif.i9095, label %B76.if.i.lr.ph.i9078
+B402.i9052:                                       ; preds = %B358.if.i9042, %B132.i9018
+  br i1 %.175.i1134.not.i9053, label %B402.endif.i9071, label %B76.if.i.lr.ph.i9054
 
-B76.if.i.lr.ph.i9078:                             ; preds = %B402.i9076
-  %.990.i9079 = load i64, ptr %.595.i9056, align 8, !noalias !180
-  %.236.i.i9080 = icmp slt i64 %.990.i9079, 0
-  %.237.i.i9081 = select i1 %.236.i.i9080, i64 %arg.batch.1.3.5.0, i64 0
-  %.238.i.i9082 = add i64 %.237.i.i9081, %.990.i9079
-  %.258.i.i9083 = mul i64 %.238.i.i9082, %arg.batch.1.3.5.1
-  %296 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i9083
-  br label %B76.if.i.i9084
+B76.if.i.lr.ph.i9054:                             ; preds = %B402.i9052
+  %.990.i9055 = load i64, ptr %.595.i9032, align 8, !noalias !215
+  %.236.i.i9056 = icmp slt i64 %.990.i9055, 0
+  %.237.i.i9057 = select i1 %.236.i.i9056, i64 %arg.batch.1.3.5.0, i64 0
+  %.238.i.i9058 = add i64 %.237.i.i9057, %.990.i9055
+  %.258.i.i9059 = mul i64 %.238.i.i9058, %arg.batch.1.3.5.1
+  %316 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i9059
+  br label %B76.if.i.i9060
 
-B76.if.i.i9084:                                   ; preds = %B76.if.i.i9084, %B76.if.i.lr.ph.i9078
-  %.117.i.01135.i9085 = phi i64 [ 0, %B76.if.i.lr.ph.i9078 ], [ %.188.i.i9086, %B76.if.i.i9084 ]
-  %.188.i.i9086 = add nsw i64 %.117.i.01135.i9085, 1
-  %297 = getelementptr double, ptr %296, i64 %.117.i.01135.i9085
-  %.263.i.i9087 = load double, ptr %297, align 8, !noalias !183
-  %298 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.01135.i9085
-  %.293.i.i9088 = load i64, ptr %298, align 8, !noalias !183
-  %.295.i.i9089 = mul nsw i64 %.293.i.i9088, %arg.shape.0
-  %.297.i.i9090 = add nsw i64 %.295.i.i9089, %.5508.09325
-  %.311.i.i9091 = icmp slt i64 %.297.i.i9090, 0
-  %.312.i.i9092 = select i1 %.311.i.i9091, i64 %arg.batch.5.1.5.0, i64 0
-  %299 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i9090
-  %.326.i.i9093 = getelementptr double, ptr %299, i64 %.312.i.i9092
-  store double %.263.i.i9087, ptr %.326.i.i9093, align 8, !noalias !183
-  %exitcond1142.not.i9094 = icmp eq i64 %.188.i.i9086, %arg.batch.1.1.5.0
-  br i1 %exitcond1142.not.i9094, label %B402.endif.i9095, label %B76.if.i.i9084
+B76.if.i.i9060:                                   ; preds = %B76.if.i.i9060, %B76.if.i.lr.ph.i9054
+  %.117.i.01135.i9061 = phi i64 [ 0, %B76.if.i.lr.ph.i9054 ], [ %.188.i.i9062, %B76.if.i.i9060 ]
+  %.188.i.i9062 = add nsw i64 %.117.i.01135.i9061, 1
+  %317 = getelementptr double, ptr %316, i64 %.117.i.01135.i9061
+  %.263.i.i9063 = load double, ptr %317, align 8, !noalias !218
+  %318 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.01135.i9061
+  %.293.i.i9064 = load i64, ptr %318, align 8, !noalias !218
+  %.295.i.i9065 = mul nsw i64 %.293.i.i9064, %arg.shape.0
+  %.297.i.i9066 = add nsw i64 %.295.i.i9065, %.5508.09319
+  %.311.i.i9067 = icmp slt i64 %.297.i.i9066, 0
+  %.312.i.i9068 = select i1 %.311.i.i9067, i64 %arg.batch.5.1.5.0, i64 0
+  %319 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i9066
+  %.326.i.i9069 = getelementptr double, ptr %319, i64 %.312.i.i9068
+  store double %.263.i.i9063, ptr %.326.i.i9069, align 8, !noalias !218
+  %exitcond1142.not.i9070 = icmp eq i64 %.188.i.i9062, %arg.batch.1.1.5.0
+  br i1 %exitcond1142.not.i9070, label %B402.endif.i9071, label %B76.if.i.i9060
 
-B888.i9183:                                       ; preds = %B580.if.i9111
-  store double 0.000000e+00, ptr %.1877.i9180, align 8, !noalias !180
+B888.i9159:                                       ; preds = %B580.if.i9087
+  store double 0.000000e+00, ptr %.1877.i9156, align 8, !noalias !215
   br label %B4450
 
-B358.if.i9066:                                    ; preds = %B358.if.i9066, %B358.if.lr.ph.i9062
-  %.747.01132.i9067 = phi i64 [ 0, %B358.if.lr.ph.i9062 ], [ %.818.i9068, %B358.if.i9066 ]
-  %.818.i9068 = add nsw i64 %.747.01132.i9067, 1
-  %300 = getelementptr double, ptr %295, i64 %.747.01132.i9067
-  %.893.i9069 = load double, ptr %300, align 8, !noalias !180
-  %.895.i9070 = mul nsw i64 %.747.01132.i9067, %arg.shape.0
-  %gep9399 = getelementptr double, ptr %invariant.gep9398, i64 %.895.i9070
-  store double %.893.i9069, ptr %gep9399, align 8, !noalias !180
-  %exitcond.not.i9075 = icmp eq i64 %.818.i9068, %arg.batch.0.1.5.1
-  br i1 %exitcond.not.i9075, label %B402.i9076, label %B358.if.i9066
+B358.if.i9042:                                    ; preds = %B358.if.i9042, %B358.if.lr.ph.i9038
+  %.747.01132.i9043 = phi i64 [ 0, %B358.if.lr.ph.i9038 ], [ %.818.i9044, %B358.if.i9042 ]
+  %.818.i9044 = add nsw i64 %.747.01132.i9043, 1
+  %320 = getelementptr double, ptr %315, i64 %.747.01132.i9043
+  %.893.i9045 = load double, ptr %320, align 8, !noalias !215
+  %.895.i9046 = mul nsw i64 %.747.01132.i9043, %arg.shape.0
+  %gep9394 = getelementptr double, ptr %invariant.gep9393, i64 %.895.i9046
+  store double %.893.i9045, ptr %gep9394, align 8, !noalias !215
+  %exitcond.not.i9051 = icmp eq i64 %.818.i9044, %arg.batch.0.1.5.1
+  br i1 %exitcond.not.i9051, label %B402.i9052, label %B358.if.i9042
 
-B402.endif.i9095:                                 ; preds = %B76.if.i.i9084, %B402.i9076
-  br i1 %.11171137.not.i9096, label %B580.if.i9111, label %B496.if.lr.ph.i9097
+B402.endif.i9071:                                 ; preds = %B76.if.i.i9060, %B402.i9052
+  br i1 %.11171137.not.i9072, label %B580.if.i9087, label %B496.if.lr.ph.i9073
 
-B496.if.lr.ph.i9097:                              ; preds = %B402.endif.i9095
-  %.1179.i9098 = select i1 %.438.i9045, i64 %arg.batch.0.0.5.0, i64 0
-  %.1180.i9099 = add i64 %.1179.i9098, %.236.i9033
-  %.1200.i9100 = mul i64 %.1180.i9099, %arg.batch.0.0.5.1
-  %301 = getelementptr double, ptr %arg.batch.0.0.4, i64 %.1200.i9100
-  %invariant.gep9400 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.5508.09325
-  br label %B496.if.i9101
+B496.if.lr.ph.i9073:                              ; preds = %B402.endif.i9071
+  %.1179.i9074 = select i1 %.438.i9021, i64 %arg.batch.0.0.5.0, i64 0
+  %.1180.i9075 = add i64 %.1179.i9074, %.236.i9009
+  %.1200.i9076 = mul i64 %.1180.i9075, %arg.batch.0.0.5.1
+  %321 = getelementptr double, ptr %arg.batch.0.0.4, i64 %.1200.i9076
+  %invariant.gep9395 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.5508.09319
+  br label %B496.if.i9077
 
-B496.if.i9101:                                    ; preds = %B496.if.i9101, %B496.if.lr.ph.i9097
-  %.1061.01138.i9102 = phi i64 [ 0, %B496.if.lr.ph.i9097 ], [ %.1130.i9103, %B496.if.i9101 ]
-  %.1130.i9103 = add nsw i64 %.1061.01138.i9102, 1
-  %302 = getelementptr double, ptr %301, i64 %.1061.01138.i9102
-  %.1205.i9104 = load double, ptr %302, align 8, !noalias !180
-  %.1207.i9105 = mul nsw i64 %.1061.01138.i9102, %arg.shape.0
-  %gep9401 = getelementptr double, ptr %invariant.gep9400, i64 %.1207.i9105
-  store double %.1205.i9104, ptr %gep9401, align 8, !noalias !180
-  %exitcond1143.not.i9110 = icmp eq i64 %.1130.i9103, %arg.shape.1
-  br i1 %exitcond1143.not.i9110, label %B580.if.i9111, label %B496.if.i9101
+B496.if.i9077:                                    ; preds = %B496.if.i9077, %B496.if.lr.ph.i9073
+  %.1061.01138.i9078 = phi i64 [ 0, %B496.if.lr.ph.i9073 ], [ %.1130.i9079, %B496.if.i9077 ]
+  %.1130.i9079 = add nsw i64 %.1061.01138.i9078, 1
+  %322 = getelementptr double, ptr %321, i64 %.1061.01138.i9078
+  %.1205.i9080 = load double, ptr %322, align 8, !noalias !215
+  %.1207.i9081 = mul nsw i64 %.1061.01138.i9078, %arg.shape.0
+  %gep9396 = getelementptr double, ptr %invariant.gep9395, i64 %.1207.i9081
+  store double %.1205.i9080, ptr %gep9396, align 8, !noalias !215
+  %exitcond1143.not.i9086 = icmp eq i64 %.1130.i9079, %arg.shape.1
+  br i1 %exitcond1143.not.i9086, label %B580.if.i9087, label %B496.if.i9077
 
-B580.if.i9111:                                    ; preds = %B496.if.i9101, %B402.endif.i9095
-  %invariant.gep.i9112 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5508.09325
-  store double 0.000000e+00, ptr %invariant.gep.i9112, align 8, !noalias !180
-  %gep.1.i9113 = getelementptr double, ptr %invariant.gep.i9112, i64 %arg.batch.4.0.5.1
-  store double 0.000000e+00, ptr %gep.1.i9113, align 8, !noalias !180
-  %gep.2.i9115 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.2.idx.i9114
-  store double 0.000000e+00, ptr %gep.2.i9115, align 8, !noalias !180
-  %gep.3.i9117 = getelementptr i8, ptr %invariant.gep.i9112, i64 %.idx.i9037
-  store double 0.000000e+00, ptr %gep.3.i9117, align 8, !noalias !180
-  %gep.4.i9119 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.4.idx.i9118
-  store double 0.000000e+00, ptr %gep.4.i9119, align 8, !noalias !180
-  %gep.5.i9121 = getelementptr i8, ptr %invariant.gep.i9112, i64 %.idx8826
-  store double 0.000000e+00, ptr %gep.5.i9121, align 8, !noalias !180
-  %gep.6.i9123 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.6.idx.i9122
-  store double 0.000000e+00, ptr %gep.6.i9123, align 8, !noalias !180
-  %gep.7.i9125 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.7.idx.i9124
-  store double 0.000000e+00, ptr %gep.7.i9125, align 8, !noalias !180
-  %gep.8.i9127 = getelementptr i8, ptr %invariant.gep.i9112, i64 %.571.idx
-  store double 0.000000e+00, ptr %gep.8.i9127, align 8, !noalias !180
-  %gep.9.i9129 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.9.idx.i9128
-  store double 0.000000e+00, ptr %gep.9.i9129, align 8, !noalias !180
-  %gep.10.i9131 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.10.idx.i9130
-  store double 0.000000e+00, ptr %gep.10.i9131, align 8, !noalias !180
-  %gep.11.i9133 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.11.idx.i9132
-  store double 0.000000e+00, ptr %gep.11.i9133, align 8, !noalias !180
-  %gep.12.i9135 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.12.idx.i9134
-  store double 0.000000e+00, ptr %gep.12.i9135, align 8, !noalias !180
-  %gep.13.i9137 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.13.idx.i9136
-  store double 0.000000e+00, ptr %gep.13.i9137, align 8, !noalias !180
-  %gep.14.i9139 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.14.idx.i9138
-  store double 0.000000e+00, ptr %gep.14.i9139, align 8, !noalias !180
-  %gep.15.i9141 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.15.idx.i9140
-  store double 0.000000e+00, ptr %gep.15.i9141, align 8, !noalias !180
-  %gep.16.i9143 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.16.idx.i9142
-  store double 0.000000e+00, ptr %gep.16.i9143, align 8, !noalias !180
-  %gep.17.i9145 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.17.idx.i9144
-  store double 0.000000e+00, ptr %gep.17.i9145, align 8, !noalias !180
-  %gep.18.i9147 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.18.idx.i9146
-  store double 0.000000e+00, ptr %gep.18.i9147, align 8, !noalias !180
-  %gep.19.i9149 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.19.idx.i9148
-  store double 0.000000e+00, ptr %gep.19.i9149, align 8, !noalias !180
-  %gep.20.i9151 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.20.idx.i9150
-  store double 0.000000e+00, ptr %gep.20.i9151, align 8, !noalias !180
-  %gep.21.i9153 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.21.idx.i9152
-  store double 0.000000e+00, ptr %gep.21.i9153, align 8, !noalias !180
-  %gep.22.i9155 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.22.idx.i9154
-  store double 0.000000e+00, ptr %gep.22.i9155, align 8, !noalias !180
-  %gep.23.i9157 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.23.idx.i9156
-  store double 0.000000e+00, ptr %gep.23.i9157, align 8, !noalias !180
-  %gep.24.i9159 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.24.idx.i9158
-  store double 0.000000e+00, ptr %gep.24.i9159, align 8, !noalias !180
-  %gep.25.i9161 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.25.idx.i9160
-  store double 0.000000e+00, ptr %gep.25.i9161, align 8, !noalias !180
-  %gep.26.i9163 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.26.idx.i9162
-  store double 0.000000e+00, ptr %gep.26.i9163, align 8, !noalias !180
-  %gep.27.i9165 = getelementptr i8, ptr %invariant.gep.i9112, i64 %gep.27.idx.i9164
-  store double 0.000000e+00, ptr %gep.27.i9165, align 8, !noalias !180
-  %.1455.i9166 = load double, ptr %arg.batch.2.4, align 8, !noalias !180
-  %.1516.i9167 = load i64, ptr %.595.i9056, align 8, !noalias !180
-  %.1531.i9168 = icmp slt i64 %.1516.i9167, 0
-  %.1532.i9169 = select i1 %.1531.i9168, i64 %arg.batch.1.2.5.0, i64 0
-  %303 = getelementptr double, ptr %arg.batch.1.2.4, i64 %.1516.i9167
-  %.1546.i9170 = getelementptr double, ptr %303, i64 %.1532.i9169
-  %.1547.i9171 = load double, ptr %.1546.i9170, align 8, !noalias !180
-  store double %.1455.i9166, ptr %invariant.gep.i9112, align 8, !noalias !180
-  %.1656.i9174 = getelementptr double, ptr %106, i64 %.5508.09325
-  store double %.1547.i9171, ptr %.1656.i9174, align 8, !noalias !180
-  store double 1.000000e+00, ptr %.293.i9038, align 8, !noalias !180
-  %.1767.i9176 = getelementptr double, ptr %107, i64 %.5508.09325
-  store double 0xFFF0000000000000, ptr %.1767.i9176, align 8, !noalias !180
-  %.1822.i9178 = getelementptr double, ptr %108, i64 %.5508.09325
-  store double 0x7FF0000000000000, ptr %.1822.i9178, align 8, !noalias !180
-  %.1877.i9180 = getelementptr double, ptr %109, i64 %.5508.09325
-  %.1878.i9181 = load double, ptr %.1877.i9180, align 8, !noalias !180
-  %.1880.i9182 = fcmp ueq double %.1878.i9181, 0xFFF0000000000000
-  br i1 %.1880.i9182, label %B4450, label %B888.i9183
+B580.if.i9087:                                    ; preds = %B496.if.i9077, %B402.endif.i9071
+  %invariant.gep.i9088 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5508.09319
+  store double 0.000000e+00, ptr %invariant.gep.i9088, align 8, !noalias !215
+  %gep.1.i9089 = getelementptr double, ptr %invariant.gep.i9088, i64 %arg.batch.4.0.5.1
+  store double 0.000000e+00, ptr %gep.1.i9089, align 8, !noalias !215
+  %gep.2.i9091 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.2.idx.i9090
+  store double 0.000000e+00, ptr %gep.2.i9091, align 8, !noalias !215
+  %gep.3.i9093 = getelementptr i8, ptr %invariant.gep.i9088, i64 %.idx.i9013
+  store double 0.000000e+00, ptr %gep.3.i9093, align 8, !noalias !215
+  %gep.4.i9095 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.4.idx.i9094
+  store double 0.000000e+00, ptr %gep.4.i9095, align 8, !noalias !215
+  %gep.5.i9097 = getelementptr i8, ptr %invariant.gep.i9088, i64 %.idx8826
+  store double 0.000000e+00, ptr %gep.5.i9097, align 8, !noalias !215
+  %gep.6.i9099 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.6.idx.i9098
+  store double 0.000000e+00, ptr %gep.6.i9099, align 8, !noalias !215
+  %gep.7.i9101 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.7.idx.i9100
+  store double 0.000000e+00, ptr %gep.7.i9101, align 8, !noalias !215
+  %gep.8.i9103 = getelementptr i8, ptr %invariant.gep.i9088, i64 %.571.idx
+  store double 0.000000e+00, ptr %gep.8.i9103, align 8, !noalias !215
+  %gep.9.i9105 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.9.idx.i9104
+  store double 0.000000e+00, ptr %gep.9.i9105, align 8, !noalias !215
+  %gep.10.i9107 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.10.idx.i9106
+  store double 0.000000e+00, ptr %gep.10.i9107, align 8, !noalias !215
+  %gep.11.i9109 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.11.idx.i9108
+  store double 0.000000e+00, ptr %gep.11.i9109, align 8, !noalias !215
+  %gep.12.i9111 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.12.idx.i9110
+  store double 0.000000e+00, ptr %gep.12.i9111, align 8, !noalias !215
+  %gep.13.i9113 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.13.idx.i9112
+  store double 0.000000e+00, ptr %gep.13.i9113, align 8, !noalias !215
+  %gep.14.i9115 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.14.idx.i9114
+  store double 0.000000e+00, ptr %gep.14.i9115, align 8, !noalias !215
+  %gep.15.i9117 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.15.idx.i9116
+  store double 0.000000e+00, ptr %gep.15.i9117, align 8, !noalias !215
+  %gep.16.i9119 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.16.idx.i9118
+  store double 0.000000e+00, ptr %gep.16.i9119, align 8, !noalias !215
+  %gep.17.i9121 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.17.idx.i9120
+  store double 0.000000e+00, ptr %gep.17.i9121, align 8, !noalias !215
+  %gep.18.i9123 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.18.idx.i9122
+  store double 0.000000e+00, ptr %gep.18.i9123, align 8, !noalias !215
+  %gep.19.i9125 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.19.idx.i9124
+  store double 0.000000e+00, ptr %gep.19.i9125, align 8, !noalias !215
+  %gep.20.i9127 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.20.idx.i9126
+  store double 0.000000e+00, ptr %gep.20.i9127, align 8, !noalias !215
+  %gep.21.i9129 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.21.idx.i9128
+  store double 0.000000e+00, ptr %gep.21.i9129, align 8, !noalias !215
+  %gep.22.i9131 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.22.idx.i9130
+  store double 0.000000e+00, ptr %gep.22.i9131, align 8, !noalias !215
+  %gep.23.i9133 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.23.idx.i9132
+  store double 0.000000e+00, ptr %gep.23.i9133, align 8, !noalias !215
+  %gep.24.i9135 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.24.idx.i9134
+  store double 0.000000e+00, ptr %gep.24.i9135, align 8, !noalias !215
+  %gep.25.i9137 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.25.idx.i9136
+  store double 0.000000e+00, ptr %gep.25.i9137, align 8, !noalias !215
+  %gep.26.i9139 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.26.idx.i9138
+  store double 0.000000e+00, ptr %gep.26.i9139, align 8, !noalias !215
+  %gep.27.i9141 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.27.idx.i9140
+  store double 0.000000e+00, ptr %gep.27.i9141, align 8, !noalias !215
+  %.1455.i9142 = load double, ptr %arg.batch.2.4, align 8, !noalias !215
+  %.1516.i9143 = load i64, ptr %.595.i9032, align 8, !noalias !215
+  %.1531.i9144 = icmp slt i64 %.1516.i9143, 0
+  %.1532.i9145 = select i1 %.1531.i9144, i64 %arg.batch.1.2.5.0, i64 0
+  %323 = getelementptr double, ptr %arg.batch.1.2.4, i64 %.1516.i9143
+  %.1546.i9146 = getelementptr double, ptr %323, i64 %.1532.i9145
+  %.1547.i9147 = load double, ptr %.1546.i9146, align 8, !noalias !215
+  store double %.1455.i9142, ptr %invariant.gep.i9088, align 8, !noalias !215
+  %.1656.i9150 = getelementptr double, ptr %101, i64 %.5508.09319
+  store double %.1547.i9147, ptr %.1656.i9150, align 8, !noalias !215
+  store double 1.000000e+00, ptr %.293.i9014, align 8, !noalias !215
+  %.1767.i9152 = getelementptr double, ptr %102, i64 %.5508.09319
+  store double 0xFFF0000000000000, ptr %.1767.i9152, align 8, !noalias !215
+  %.1822.i9154 = getelementptr double, ptr %103, i64 %.5508.09319
+  store double 0x7FF0000000000000, ptr %.1822.i9154, align 8, !noalias !215
+  %.1877.i9156 = getelementptr double, ptr %104, i64 %.5508.09319
+  %.1878.i9157 = load double, ptr %.1877.i9156, align 8, !noalias !215
+  %.1880.i9158 = fcmp ueq double %.1878.i9157, 0xFFF0000000000000
+  br i1 %.1880.i9158, label %B4450, label %B888.i9159
 
 B4242:                                            ; preds = %B4100
-  %.6394 = getelementptr double, ptr %110, i64 %.5508.09325
+  %.6394 = getelementptr double, ptr %105, i64 %.5508.09319
   %.6395 = load double, ptr %.6394, align 8
   %.6397 = fcmp ult double %.6395, 1.500000e+01
   br i1 %.6397, label %B4450, label %B4290
 
 B4290:                                            ; preds = %B4242
   %.6441 = load double, ptr %.6440, align 8
-  %.6495 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5508.09325
+  %.6495 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5508.09319
   %.6496 = load double, ptr %.6495, align 8
   %.6497 = fsub double %.6441, %.6496
-  %.6551 = getelementptr double, ptr %113, i64 %.5508.09325
+  %.6551 = getelementptr double, ptr %108, i64 %.5508.09319
   %.6552 = load double, ptr %.6551, align 8
   %.6554 = fmul double %.6552, 5.000000e+03
   %.6555 = fcmp ogt double %.6497, %.6554
@@ -3999,46 +4444,46 @@ B4426:                                            ; preds = %B4290
   store double 0.000000e+00, ptr %.6394, align 8
   br label %B4450
 
-B4450:                                            ; preds = %B888.i9183, %B4134, %B580.if.i9111, %B4290, %B4426, %B4242
-  %budget.7.4 = phi i64 [ %budget.5.29327, %B4242 ], [ 0, %B4290 ], [ %budget.5.29327, %B4426 ], [ %budget.5.29327, %B580.if.i9111 ], [ %budget.5.29327, %B4134 ], [ %budget.5.29327, %B888.i9183 ]
+B4450:                                            ; preds = %B888.i9159, %B4134, %B580.if.i9087, %B4290, %B4426, %B4242
+  %budget.7.4 = phi i64 [ %budget.5.29321, %B4242 ], [ 0, %B4290 ], [ %budget.5.29321, %B4426 ], [ %budget.5.29321, %B580.if.i9087 ], [ %budget.5.29321, %B4134 ], [ %budget.5.29321, %B888.i9159 ]
   %.6683 = load i64, ptr %.5669, align 8
   %.6684 = icmp sgt i64 %.6683, -1
   br i1 %.6684, label %B4488, label %B4745
 
 B4488:                                            ; preds = %B4450
-  %.6689 = add nsw i64 %active.5.29328, 1
+  %.6689 = add nsw i64 %active.5.29322, 1
   %.6798 = mul i64 %.6683, %arg.batch.3.3.5.1
   %.6802 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.6798
   %.6803 = load i64, ptr %.6802, align 8
   %.6814.0 = and i64 %.6803, 127
   %.6844 = sub nsw i64 128, %.6814.0
   %.11.i = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %.6844, i64 %.5806)
-  %.6932 = getelementptr double, ptr %114, i64 %.5508.09325
+  %.6932 = getelementptr double, ptr %109, i64 %.5508.09319
   %.6933 = load double, ptr %.6932, align 8
   %.6935 = fcmp ogt double %.6933, 0.000000e+00
   %.6946 = sitofp i64 %.11.i to double
   %"$phi4658.1.2.5" = select i1 %.6935, double 1.000000e+00, double %.6946
-  %.7009 = getelementptr double, ptr %115, i64 %.5508.09325
+  %.7009 = getelementptr double, ptr %110, i64 %.5508.09319
   store double %"$phi4658.1.2.5", ptr %.7009, align 8
-  %.111.i5357 = getelementptr i64, ptr %116, i64 %.5508.09325
-  %.112.i5358 = load i64, ptr %.111.i5357, align 8, !noalias !187
-  %.169.i5407 = getelementptr double, ptr %117, i64 %.5508.09325
-  %.170.i5408 = load double, ptr %.169.i5407, align 8, !noalias !187
-  %.224.i5456 = getelementptr double, ptr %118, i64 %.5508.09325
-  store double %.170.i5408, ptr %.224.i5456, align 8, !noalias !187
+  %.111.i5357 = getelementptr i64, ptr %111, i64 %.5508.09319
+  %.112.i5358 = load i64, ptr %.111.i5357, align 8, !noalias !222
+  %.169.i5407 = getelementptr double, ptr %112, i64 %.5508.09319
+  %.170.i5408 = load double, ptr %.169.i5407, align 8, !noalias !222
+  %.224.i5456 = getelementptr double, ptr %113, i64 %.5508.09319
+  store double %.170.i5408, ptr %.224.i5456, align 8, !noalias !222
   %.237.i5464 = icmp slt i64 %.112.i5358, %arg.batch.2.5.0
   br i1 %.237.i5464, label %B134.i5469, label %B4745
 
 B134.i5469:                                       ; preds = %B4488
   %.253.i5480 = icmp slt i64 %.112.i5358, 0
   %.254.i5481 = select i1 %.253.i5480, i64 %arg.batch.2.5.0, i64 0
-  %304 = getelementptr double, ptr %arg.batch.2.4, i64 %.112.i5358
-  %.268.i5495 = getelementptr double, ptr %304, i64 %.254.i5481
-  %.269.i5496 = load double, ptr %.268.i5495, align 8, !noalias !187
-  %.328.i5547 = load double, ptr %.169.i5407, align 8, !noalias !187
+  %324 = getelementptr double, ptr %arg.batch.2.4, i64 %.112.i5358
+  %.268.i5495 = getelementptr double, ptr %324, i64 %.254.i5481
+  %.269.i5496 = load double, ptr %.268.i5495, align 8, !noalias !222
+  %.328.i5547 = load double, ptr %.169.i5407, align 8, !noalias !222
   %.10.i.i5554 = fcmp olt double %.328.i5547, %.269.i5496
   %.11.i.i5555 = select i1 %.10.i.i5554, double %.328.i5547, double %.269.i5496
-  store double %.11.i.i5555, ptr %.224.i5456, align 8, !noalias !187
+  store double %.11.i.i5555, ptr %.224.i5456, align 8, !noalias !222
   br label %B4745
 
 B4718:                                            ; preds = %B4745, %B3742
@@ -4055,65 +4500,65 @@ B4744:                                            ; preds = %B4718, %B556
 
 B80.if.i2039.lr.ph:                               ; preds = %B4744
   %.idx = mul i64 %arg.batch.4.0.5.1, 184
-  %305 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx
+  %325 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx
   %.idx8824 = mul i64 %arg.batch.4.0.5.1, 192
-  %306 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8824
+  %326 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8824
   %.703.i1698 = add nsw i64 %arg.shape.2, -1
   %.idx8825 = mul i64 %arg.batch.4.0.5.1, 168
-  %307 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8825
+  %327 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8825
   br label %B80.if.i2039
 
 B126.i1345:                                       ; preds = %B80.if.i2039
-  %.318.i1392 = getelementptr double, ptr %305, i64 %.105.i1190.09334
-  %.319.i1393 = load double, ptr %.318.i1392, align 8, !noalias !191
+  %.318.i1392 = getelementptr double, ptr %325, i64 %.105.i1190.09329
+  %.319.i1393 = load double, ptr %.318.i1392, align 8, !noalias !226
   %.5.i.i1394 = fptosi double %.319.i1393 to i64
-  %.397.i1443 = getelementptr double, ptr %306, i64 %.105.i1190.09334
-  %.398.i1444 = load double, ptr %.397.i1443, align 8, !noalias !191
+  %.397.i1443 = getelementptr double, ptr %326, i64 %.105.i1190.09329
+  %.398.i1444 = load double, ptr %.397.i1443, align 8, !noalias !226
   %.5.i1.i1445 = fptosi double %.398.i1444 to i64
   %.478.i1496 = mul i64 %.258.i1338, %arg.batch.3.3.5.1
   %.482.i1500 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.478.i1496
-  %.483.i1501 = load i64, ptr %.482.i1500, align 8, !noalias !191
+  %.483.i1501 = load i64, ptr %.482.i1500, align 8, !noalias !226
   %.485.i1503 = add nsw i64 %.483.i1501, %.5.i.i1394
-  store i64 %.485.i1503, ptr %.482.i1500, align 8, !noalias !191
+  store i64 %.485.i1503, ptr %.482.i1500, align 8, !noalias !226
   %.591.i1598 = getelementptr i8, ptr %.482.i1500, i64 24
-  %.592.i1599 = load i64, ptr %.591.i1598, align 8, !noalias !191
+  %.592.i1599 = load i64, ptr %.591.i1598, align 8, !noalias !226
   %.594.i1601 = add nsw i64 %.592.i1599, %.5.i1.i1445
-  store i64 %.594.i1601, ptr %.591.i1598, align 8, !noalias !191
+  store i64 %.594.i1601, ptr %.591.i1598, align 8, !noalias !226
   %.700.i1695 = getelementptr i8, ptr %.482.i1500, i64 8
-  %.701.i1696 = load i64, ptr %.700.i1695, align 8, !noalias !191
+  %.701.i1696 = load i64, ptr %.700.i1695, align 8, !noalias !226
   %.706.i1701 = add nsw i64 %.5.i1.i1445, %.5.i.i1394
   %.707.i1702 = mul nsw i64 %.706.i1701, %.703.i1698
   %..5.i.i1394 = select i1 %.625, i64 0, i64 %.5.i.i1394
   %.708.i1703 = add i64 %.707.i1702, %..5.i.i1394
   %.841.i1807 = add i64 %.708.i1703, %.701.i1696
-  store i64 %.841.i1807, ptr %.700.i1695, align 8, !noalias !191
-  store double 0.000000e+00, ptr %.318.i1392, align 8, !noalias !191
-  store double 0.000000e+00, ptr %.397.i1443, align 8, !noalias !191
-  %.1072.i1985 = getelementptr double, ptr %307, i64 %.105.i1190.09334
-  %.1073.i1986 = load double, ptr %.1072.i1985, align 8, !noalias !191
+  store i64 %.841.i1807, ptr %.700.i1695, align 8, !noalias !226
+  store double 0.000000e+00, ptr %.318.i1392, align 8, !noalias !226
+  store double 0.000000e+00, ptr %.397.i1443, align 8, !noalias !226
+  %.1072.i1985 = getelementptr double, ptr %327, i64 %.105.i1190.09329
+  %.1073.i1986 = load double, ptr %.1072.i1985, align 8, !noalias !226
   %.1081.i1992 = sitofp i64 %.706.i1701 to double
   %.1082.i1993 = fsub double %.1073.i1986, %.1081.i1992
-  store double %.1082.i1993, ptr %.1072.i1985, align 8, !noalias !191
+  store double %.1082.i1993, ptr %.1072.i1985, align 8, !noalias !226
   br label %B568.i1342
 
 B568.i1342:                                       ; preds = %B126.i1345, %B80.if.i2039
-  %.163.i1271 = icmp sgt i64 %.108.i1191.09333, 1
+  %.163.i1271 = icmp sgt i64 %.108.i1191.09328, 1
   br i1 %.163.i1271, label %B80.if.i2039, label %B4744.endif
 
 B80.if.i2039:                                     ; preds = %B80.if.i2039.lr.ph, %B568.i1342
-  %.105.i1190.09334 = phi i64 [ 0, %B80.if.i2039.lr.ph ], [ %.176.i2046, %B568.i1342 ]
-  %.108.i1191.09333 = phi i64 [ %storemerge, %B80.if.i2039.lr.ph ], [ %.172.i2043, %B568.i1342 ]
-  %.172.i2043 = add nsw i64 %.108.i1191.09333, -1
-  %.176.i2046 = add nsw i64 %.105.i1190.09334, 1
-  %308 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.105.i1190.09334
-  %.258.i1338 = load i64, ptr %308, align 8, !noalias !191
+  %.105.i1190.09329 = phi i64 [ 0, %B80.if.i2039.lr.ph ], [ %.176.i2046, %B568.i1342 ]
+  %.108.i1191.09328 = phi i64 [ %storemerge, %B80.if.i2039.lr.ph ], [ %.172.i2043, %B568.i1342 ]
+  %.172.i2043 = add nsw i64 %.108.i1191.09328, -1
+  %.176.i2046 = add nsw i64 %.105.i1190.09329, 1
+  %328 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.105.i1190.09329
+  %.258.i1338 = load i64, ptr %328, align 8, !noalias !226
   %.263.i1341 = icmp sgt i64 %.258.i1338, -1
   br i1 %.263.i1341, label %B126.i1345, label %B568.i1342
 
 B4745:                                            ; preds = %B4488, %B134.i5469, %B4450, %B3784.if
-  %budget.6.3 = phi i64 [ %budget.5.29327, %B3784.if ], [ %budget.7.4, %B4450 ], [ %budget.7.4, %B134.i5469 ], [ %budget.7.4, %B4488 ]
-  %active.6.3 = phi i64 [ %active.5.29328, %B3784.if ], [ %active.5.29328, %B4450 ], [ %.6689, %B134.i5469 ], [ %.6689, %B4488 ]
-  %.5571 = icmp sgt i64 %.5511.09326, 1
+  %budget.6.3 = phi i64 [ %budget.5.29321, %B3784.if ], [ %budget.7.4, %B4450 ], [ %budget.7.4, %B134.i5469 ], [ %budget.7.4, %B4488 ]
+  %active.6.3 = phi i64 [ %active.5.29322, %B3784.if ], [ %active.5.29322, %B4450 ], [ %.6689, %B134.i5469 ], [ %.6689, %B4488 ]
+  %.5571 = icmp sgt i64 %.5511.09320, 1
   br i1 %.5571, label %B3784.if, label %B4718
 
 common.ret:                                       ; preds = %B3418.if, %B3318.endif.if, %B2766.endif.if, %B4744.endif
@@ -4121,51 +4566,51 @@ common.ret:                                       ; preds = %B3418.if, %B3318.en
   ret i32 %common.ret.op
 
 B416.if:                                          ; preds = %B416.if.lr.ph, %B502
-  %active.4.09198 = phi i64 [ 0, %B416.if.lr.ph ], [ %.1089, %B502 ]
-  %.783.09197 = phi i64 [ %storemerge, %B416.if.lr.ph ], [ %.847, %B502 ]
-  %.780.09196 = phi i64 [ 0, %B416.if.lr.ph ], [ %.851, %B502 ]
-  %.847 = add nsw i64 %.783.09197, -1
-  %.851 = add nsw i64 %.780.09196, 1
-  %309 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.780.09196
-  %.933 = load i64, ptr %309, align 8
+  %active.4.09174 = phi i64 [ 0, %B416.if.lr.ph ], [ %.1089, %B502 ]
+  %.783.09173 = phi i64 [ %storemerge, %B416.if.lr.ph ], [ %.847, %B502 ]
+  %.780.09172 = phi i64 [ 0, %B416.if.lr.ph ], [ %.851, %B502 ]
+  %.847 = add nsw i64 %.783.09173, -1
+  %.851 = add nsw i64 %.780.09172, 1
+  %329 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.780.09172
+  %.933 = load i64, ptr %329, align 8
   %.934 = icmp slt i64 %.933, 0
   br i1 %.934, label %B458, label %B502
 
 B1534.if:                                         ; preds = %B1502, %B1726
-  %.2165.09213 = phi i64 [ %.2234, %B1726 ], [ 1, %B1502 ]
-  %.2234 = add i64 %.2165.09213, 1
-  %310 = getelementptr i64, ptr %arg.code.4, i64 %.2165.09213
-  %311 = getelementptr i8, ptr %310, i64 128
-  %.2293 = load i64, ptr %311, align 8
+  %.2165.09189 = phi i64 [ %.2234, %B1726 ], [ 1, %B1502 ]
+  %.2234 = add i64 %.2165.09189, 1
+  %330 = getelementptr i64, ptr %arg.code.4, i64 %.2165.09189
+  %331 = getelementptr i8, ptr %330, i64 128
+  %.2293 = load i64, ptr %331, align 8
   %.2338 = inttoptr i64 %.2293 to ptr
   tail call void %.2338(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
-  %.2344 = add nsw i64 %.2165.09213, %.
+  %.2344 = add nsw i64 %.2165.09189, %.
   %.2346 = mul nsw i64 %.2344, %.463
   %.2391 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.2346
   tail call void %.2392(ptr %.571, ptr %.2366, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.2391)
-  br i1 %or.cond9189.not, label %B68.if.lr.ph.i, label %B1726
+  br i1 %or.cond9165.not, label %B68.if.lr.ph.i, label %B1726
 
 B1870.if:                                         ; preds = %B1728, %B1956
-  %looked.2.19219 = phi i1 [ %"$phi1956.1.2.2", %B1956 ], [ %spec.select8891, %B1728 ]
-  %good.2.19218 = phi i1 [ %"$phi1914.1.2.2", %B1956 ], [ false, %B1728 ]
-  %.2611.09217 = phi i64 [ %.2673, %B1956 ], [ %storemerge, %B1728 ]
-  %.2608.09216 = phi i64 [ %.2677, %B1956 ], [ 0, %B1728 ]
-  %.2673 = add nsw i64 %.2611.09217, -1
-  %.2677 = add nsw i64 %.2608.09216, 1
-  br i1 %good.2.19218, label %B1914, label %B1878
+  %looked.2.19195 = phi i1 [ %"$phi1956.1.2.2", %B1956 ], [ %spec.select8891, %B1728 ]
+  %good.2.19194 = phi i1 [ %"$phi1914.1.2.2", %B1956 ], [ false, %B1728 ]
+  %.2611.09193 = phi i64 [ %.2673, %B1956 ], [ %storemerge, %B1728 ]
+  %.2608.09192 = phi i64 [ %.2677, %B1956 ], [ 0, %B1728 ]
+  %.2673 = add nsw i64 %.2611.09193, -1
+  %.2677 = add nsw i64 %.2608.09192, 1
+  br i1 %good.2.19194, label %B1914, label %B1878
 
 B2030.if:                                         ; preds = %B2030.preheader, %B2536
-  %checked.3.29229 = phi i1 [ %checked.4.3, %B2536 ], [ false, %B2030.preheader ]
-  %within.3.29228 = phi i1 [ %within.4.3, %B2536 ], [ false, %B2030.preheader ]
-  %.2966.09227 = phi i64 [ %.3034, %B2536 ], [ %storemerge, %B2030.preheader ]
-  %.2963.09226 = phi i64 [ %.3038, %B2536 ], [ 0, %B2030.preheader ]
-  %.3034 = add nsw i64 %.2966.09227, -1
-  %.3038 = add nsw i64 %.2963.09226, 1
-  %.3123 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.2963.09226
+  %checked.3.29205 = phi i1 [ %checked.4.3, %B2536 ], [ false, %B2030.preheader ]
+  %within.3.29204 = phi i1 [ %within.4.3, %B2536 ], [ false, %B2030.preheader ]
+  %.2966.09203 = phi i64 [ %.3034, %B2536 ], [ %storemerge, %B2030.preheader ]
+  %.2963.09202 = phi i64 [ %.3038, %B2536 ], [ 0, %B2030.preheader ]
+  %.3034 = add nsw i64 %.2966.09203, -1
+  %.3038 = add nsw i64 %.2963.09202, 1
+  %.3123 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.2963.09202
   %.3124 = load i64, ptr %.3123, align 8
-  %.3178 = getelementptr i64, ptr %38, i64 %.2963.09226
+  %.3178 = getelementptr i64, ptr %38, i64 %.2963.09202
   %.3179 = load i64, ptr %.3178, align 8
-  %.3239 = getelementptr double, ptr %39, i64 %.2963.09226
+  %.3239 = getelementptr double, ptr %39, i64 %.2963.09202
   store double 0.000000e+00, ptr %.3239, align 8
   %.3242 = icmp sgt i64 %.3124, -1
   br i1 %.3242, label %B2130, label %B2536
@@ -4186,19 +4631,19 @@ B2766.endif.if:                                   ; preds = %B2766
   br label %common.ret
 
 B2946.if:                                         ; preds = %B2898
-  %.4418 = load i64, ptr %120, align 8
+  %.4418 = load i64, ptr %115, align 8
   %.4463 = inttoptr i64 %.4418 to ptr
   tail call void %.4463(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
   %.4494 = load i64, ptr %arg.code.4, align 8
   %.4544 = inttoptr i64 %.4494 to ptr
   tail call void %.4544(ptr %.571, ptr %.4518, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.4543)
-  %.4418.1 = load i64, ptr %121, align 8
+  %.4418.1 = load i64, ptr %116, align 8
   %.4463.1 = inttoptr i64 %.4418.1 to ptr
   tail call void %.4463.1(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
   %.4494.1 = load i64, ptr %arg.code.4, align 8
   %.4544.1 = inttoptr i64 %.4494.1 to ptr
   tail call void %.4544.1(ptr %.571, ptr %.4518, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.4543.1)
-  %.4418.2 = load i64, ptr %122, align 8
+  %.4418.2 = load i64, ptr %117, align 8
   %.4463.2 = inttoptr i64 %.4418.2 to ptr
   tail call void %.4463.2(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
   %.4494.2 = load i64, ptr %arg.code.4, align 8
@@ -4222,18 +4667,18 @@ B3318.endif.endif:                                ; preds = %B3318
   %.4843.not = icmp eq i8 %.4840, 0
   br i1 %.4843.not, label %B3414, label %B3372
 
-B3418.if:                                         ; preds = %_ZN12clpt_control6native9for_numba12watch_guardsB3v38B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit
+B3418.if:                                         ; preds = %_ZN12clpt_control6native9for_numba12watch_guardsB3v42B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit
   store ptr %excinfo.13.2, ptr %excinfo, align 8
   br label %common.ret
 
 B3784.if:                                         ; preds = %B3742, %B4745
-  %active.5.29328 = phi i64 [ %active.6.3, %B4745 ], [ 0, %B3742 ]
-  %budget.5.29327 = phi i64 [ %budget.6.3, %B4745 ], [ %.1132, %B3742 ]
-  %.5511.09326 = phi i64 [ %.5580, %B4745 ], [ %storemerge, %B3742 ]
-  %.5508.09325 = phi i64 [ %.5584, %B4745 ], [ 0, %B3742 ]
-  %.5580 = add nsw i64 %.5511.09326, -1
-  %.5584 = add nsw i64 %.5508.09325, 1
-  %.5669 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.5508.09325
+  %active.5.29322 = phi i64 [ %active.6.3, %B4745 ], [ 0, %B3742 ]
+  %budget.5.29321 = phi i64 [ %budget.6.3, %B4745 ], [ %.1132, %B3742 ]
+  %.5511.09320 = phi i64 [ %.5580, %B4745 ], [ %storemerge, %B3742 ]
+  %.5508.09319 = phi i64 [ %.5584, %B4745 ], [ 0, %B3742 ]
+  %.5580 = add nsw i64 %.5511.09320, -1
+  %.5584 = add nsw i64 %.5508.09319, 1
+  %.5669 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.5508.09319
   %.5670 = load i64, ptr %.5669, align 8
   %.5675 = icmp slt i64 %.5670, 0
   br i1 %.5675, label %B4745, label %B3832
@@ -4323,13 +4768,13 @@ B584.lr.ph:                                       ; preds = %B550
   %.28.i = mul i64 %arg.decided, %arg.shape.0
   %.30.i = mul i64 %.28.i, 3
   %storemerge.i = tail call i64 @llvm.smax.i64(i64 %arg.decided, i64 0)
-  %.598.i = mul i64 %.28.i, 6
-  %.600.2.i = mul i64 %.28.i, 12
-  %.600.3.i = mul i64 %.28.i, 18
-  %.600.4.i = mul i64 %.28.i, 24
-  %.334.1.i = mul i64 %.28.i, 9
-  %.334.2.i = mul i64 %.28.i, 15
-  %.334.3.i = mul i64 %.28.i, 21
+  %.454.i.i = mul i64 %.28.i, 6
+  %.456.i.2.i = mul i64 %.28.i, 12
+  %.456.i.3.i = mul i64 %.28.i, 18
+  %.456.i.4.i = mul i64 %.28.i, 24
+  %.190.i.1.i = mul i64 %.28.i, 9
+  %.190.i.2.i = mul i64 %.28.i, 15
+  %.190.i.3.i = mul i64 %.28.i, 21
   %.idx1275 = shl i64 %arg.lane.0.5.1, 5
   %10 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1275
   %11 = getelementptr double, ptr %arg.lane.0.4, i64 %arg.lane.0.5.1
@@ -4390,13 +4835,13 @@ B36.i:                                            ; preds = %B34.i
   %.176.i64 = select i1 %.175.i63, i64 %arg.arrays.4.5.0, i64 0
   %12 = getelementptr double, ptr %arg.arrays.4.4, i64 %.161.i
   %.190.i = getelementptr double, ptr %12, i64 %.176.i64
-  %.191.i = load double, ptr %.190.i, align 8, !noalias !195
+  %.191.i = load double, ptr %.190.i, align 8, !noalias !230
   %.195.i80 = add nsw i64 %.161.i, %.194.i79
   %.209.i = icmp slt i64 %.195.i80, 0
   %.210.i = select i1 %.209.i, i64 %arg.arrays.4.5.0, i64 0
   %13 = getelementptr double, ptr %arg.arrays.4.4, i64 %.195.i80
   %.224.i91 = getelementptr double, ptr %13, i64 %.210.i
-  %.225.i92 = load double, ptr %.224.i91, align 8, !noalias !195
+  %.225.i92 = load double, ptr %.224.i91, align 8, !noalias !230
   %.226.i93 = fneg double %.225.i92
   %.227.i94 = fcmp olt double %.191.i, %.226.i93
   br i1 %.227.i94, label %B830.endif, label %B34.i
@@ -4438,247 +4883,247 @@ B1122:                                            ; preds = %B996
 
 B1170:                                            ; preds = %B1122
   %16 = tail call i64 @llvm.smax.i64(i64 range(i64 -1, 9) %"$phi1114.1.2.2", i64 0)
-  %storemerge336.i = tail call i64 @llvm.smin.i64(i64 %16, i64 7)
-  %.800356.not.i = icmp slt i64 %"$phi1114.1.2.2", 1
+  %storemerge348.i = tail call i64 @llvm.smin.i64(i64 %16, i64 7)
+  %.309380.not.i = icmp slt i64 %"$phi1114.1.2.2", 1
   %17 = tail call i64 @llvm.smax.i64(i64 range(i64 -1, 9) %"$phi1114.1.2.2", i64 1)
-  %storemerge337.i = add nsw i64 %17, -1
-  %.995360.i = icmp sgt i64 %"$phi1114.1.2.2", 1
-  %.938.1362.i = select i1 %.995360.i, i64 2, i64 1
-  %.1004363.i = sext i1 %.995360.i to i64
-  %.941.1364.i = add nsw i64 %storemerge337.i, %.1004363.i
-  %.985.sroa.0.0365.i = zext i1 %.995360.i to i64
+  %storemerge349.i = add nsw i64 %17, -1
+  %.504384.i = icmp sgt i64 %"$phi1114.1.2.2", 1
+  %.447.1386.i = select i1 %.504384.i, i64 2, i64 1
+  %.513387.i = sext i1 %.504384.i to i64
+  %.450.1388.i = add nsw i64 %storemerge349.i, %.513387.i
+  %.494.sroa.0.0389.i = zext i1 %.504384.i to i64
   br label %B50.i
 
-B50.i:                                            ; preds = %B1088.i, %B1170
-  %.58.0.i = phi i64 [ 0, %B1170 ], [ %.130.i, %B1088.i ]
+B50.i:                                            ; preds = %B830.i, %B1170
+  %.58.0.i = phi i64 [ 0, %B1170 ], [ %.130.i, %B830.i ]
   %exitcond.not.i = icmp eq i64 %.58.0.i, %storemerge.i
   br i1 %exitcond.not.i, label %_ZN12clpt_control6native9for_numba8may_hideB3v29B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE.exit, label %B52.if.i
 
-B532.i:                                           ; preds = %B470.if.i, %B52.if.i
-  %nearest.3.1.lcssa.i = phi double [ 0x7FF0000000000000, %B52.if.i ], [ %.11.i343.i, %B470.if.i ]
-  br i1 %.995360.i, label %B568.lr.ph.i, label %B1088.i
+B274.i:                                           ; preds = %B212.if.i, %B52.if.i
+  %nearest.3.1.lcssa.i = phi double [ 0x7FF0000000000000, %B52.if.i ], [ %.11.i353.i, %B212.if.i ]
+  br i1 %.504384.i, label %B310.lr.ph.i, label %B830.i
 
-B568.lr.ph.i:                                     ; preds = %B532.i
-  %.1157.i = fmul double %.11.i.3.i, 1.000000e+01
-  br label %B568.i
+B310.lr.ph.i:                                     ; preds = %B274.i
+  %.666.i = fmul double %.11.i.i.3.i, 1.000000e+01
+  br label %B310.i
 
-B568.i:                                           ; preds = %B1163.i, %B568.lr.ph.i
-  %.985.sroa.0.0369.i = phi i64 [ %.985.sroa.0.0365.i, %B568.lr.ph.i ], [ %.985.sroa.0.0.i, %B1163.i ]
-  %.941.1368.i = phi i64 [ %.941.1364.i, %B568.lr.ph.i ], [ %.941.1.i, %B1163.i ]
-  %.938.1367.i = phi i64 [ %.938.1362.i, %B568.lr.ph.i ], [ %.938.1.i, %B1163.i ]
-  %nearest.4.1366.i = phi double [ %nearest.3.1.lcssa.i, %B568.lr.ph.i ], [ %nearest.5.2.i, %B1163.i ]
-  %.1041.i = add nsw i64 %.985.sroa.0.0369.i, -1
-  %.1043.i = mul nsw i64 %.1041.i, %.30.i
-  %.1045.i = add nsw i64 %.1043.i, %.160.i
-  %.1059.i = icmp slt i64 %.1045.i, 0
-  %.1060.i = select i1 %.1059.i, i64 %arg.arrays.4.5.0, i64 0
-  %18 = getelementptr double, ptr %arg.arrays.4.4, i64 %.1045.i
-  %.1074.i = getelementptr double, ptr %18, i64 %.1060.i
-  %.1075.i = load double, ptr %.1074.i, align 8, !noalias !199
-  %.1078.i = mul nsw i64 %.985.sroa.0.0369.i, %.30.i
-  %.1080.i = add nsw i64 %.1078.i, %.160.i
-  %.1094.i = icmp slt i64 %.1080.i, 0
-  %.1095.i = select i1 %.1094.i, i64 %arg.arrays.4.5.0, i64 0
-  %19 = getelementptr double, ptr %arg.arrays.4.4, i64 %.1080.i
-  %.1109.i = getelementptr double, ptr %19, i64 %.1095.i
-  %.1110.i = load double, ptr %.1109.i, align 8, !noalias !199
-  %.1112.i = add nsw i64 %.985.sroa.0.0369.i, 1
-  %.1114.i = mul nsw i64 %.1112.i, %.30.i
-  %.1116.i = add nsw i64 %.1114.i, %.160.i
-  %.1130.i = icmp slt i64 %.1116.i, 0
-  %.1131.i = select i1 %.1130.i, i64 %arg.arrays.4.5.0, i64 0
-  %20 = getelementptr double, ptr %arg.arrays.4.4, i64 %.1116.i
-  %.1145.i = getelementptr double, ptr %20, i64 %.1131.i
-  %.1146.i = load double, ptr %.1145.i, align 8, !noalias !199
-  %.1160.i = fsub double %.1075.i, %.1110.i
-  %.1161.i = tail call double @llvm.fabs.f64(double %.1160.i)
-  %.1164.i = fsub double %.1146.i, %.1110.i
-  %.1165.i = tail call double @llvm.fabs.f64(double %.1164.i)
-  %.1166.i = fadd double %.1161.i, %.1165.i
-  %.1167.i = fmul double %.1166.i, 3.000000e+00
-  %.1168.i = fadd double %.1157.i, %.1167.i
-  %.1170.i = fcmp olt double %.1110.i, %.1168.i
-  br i1 %.1170.i, label %B776.i, label %B1163.i
+B310.i:                                           ; preds = %B905.i, %B310.lr.ph.i
+  %.494.sroa.0.0393.i = phi i64 [ %.494.sroa.0.0389.i, %B310.lr.ph.i ], [ %.494.sroa.0.0.i, %B905.i ]
+  %.450.1392.i = phi i64 [ %.450.1388.i, %B310.lr.ph.i ], [ %.450.1.i, %B905.i ]
+  %.447.1391.i = phi i64 [ %.447.1386.i, %B310.lr.ph.i ], [ %.447.1.i, %B905.i ]
+  %nearest.4.1390.i = phi double [ %nearest.3.1.lcssa.i, %B310.lr.ph.i ], [ %nearest.5.2.i, %B905.i ]
+  %.550.i = add nsw i64 %.494.sroa.0.0393.i, -1
+  %.552.i = mul nsw i64 %.550.i, %.30.i
+  %.554.i = add nsw i64 %.552.i, %.160.i
+  %.568.i = icmp slt i64 %.554.i, 0
+  %.569.i = select i1 %.568.i, i64 %arg.arrays.4.5.0, i64 0
+  %18 = getelementptr double, ptr %arg.arrays.4.4, i64 %.554.i
+  %.583.i = getelementptr double, ptr %18, i64 %.569.i
+  %.584.i = load double, ptr %.583.i, align 8, !noalias !234
+  %.587.i = mul nsw i64 %.494.sroa.0.0393.i, %.30.i
+  %.589.i = add nsw i64 %.587.i, %.160.i
+  %.603.i = icmp slt i64 %.589.i, 0
+  %.604.i = select i1 %.603.i, i64 %arg.arrays.4.5.0, i64 0
+  %19 = getelementptr double, ptr %arg.arrays.4.4, i64 %.589.i
+  %.618.i = getelementptr double, ptr %19, i64 %.604.i
+  %.619.i = load double, ptr %.618.i, align 8, !noalias !234
+  %.621.i = add nsw i64 %.494.sroa.0.0393.i, 1
+  %.623.i = mul nsw i64 %.621.i, %.30.i
+  %.625.i = add nsw i64 %.623.i, %.160.i
+  %.639.i = icmp slt i64 %.625.i, 0
+  %.640.i = select i1 %.639.i, i64 %arg.arrays.4.5.0, i64 0
+  %20 = getelementptr double, ptr %arg.arrays.4.4, i64 %.625.i
+  %.654.i = getelementptr double, ptr %20, i64 %.640.i
+  %.655.i = load double, ptr %.654.i, align 8, !noalias !234
+  %.669.i = fsub double %.584.i, %.619.i
+  %.670.i = tail call double @llvm.fabs.f64(double %.669.i)
+  %.673.i = fsub double %.655.i, %.619.i
+  %.674.i = tail call double @llvm.fabs.f64(double %.673.i)
+  %.675.i = fadd double %.670.i, %.674.i
+  %.676.i = fmul double %.675.i, 3.000000e+00
+  %.677.i = fadd double %.666.i, %.676.i
+  %.679.i = fcmp olt double %.619.i, %.677.i
+  br i1 %.679.i, label %B518.i, label %B905.i
 
-B776.i:                                           ; preds = %B568.i
-  %switch.tableidx6 = add i64 %.985.sroa.0.0369.i, 9
+B518.i:                                           ; preds = %B310.i
+  %switch.tableidx6 = add i64 %.494.sroa.0.0393.i, 9
   %21 = icmp ult i64 %switch.tableidx6, 18
   br i1 %21, label %switch.lookup7, label %_ZN12clpt_control6native9for_numba8may_hideB3v29B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE.exit
 
-B982.i:                                           ; preds = %switch.lookup19
-  %.1379.i = fneg double %.1320.i
-  %.1383.i = fmul double %.1369.i, 5.000000e-01
-  %.1388.i = fdiv double %.1383.i, %.1352.i
-  %.1389.i = fcmp ogt double %.1388.i, %.1379.i
-  %.1399.i = fcmp olt double %.1388.i, %.1246.i
-  %or.cond338.i = and i1 %.1389.i, %.1399.i
-  br i1 %or.cond338.i, label %B1022.i, label %B1163.i
+B724.i:                                           ; preds = %switch.lookup19
+  %.888.i = fneg double %.829.i
+  %.892.i = fmul double %.878.i, 5.000000e-01
+  %.897.i = fdiv double %.892.i, %.861.i
+  %.898.i = fcmp ogt double %.897.i, %.888.i
+  %.908.i = fcmp olt double %.897.i, %.755.i
+  %or.cond350.i = and i1 %.898.i, %.908.i
+  br i1 %or.cond350.i, label %B764.i, label %B905.i
 
-B1022.i:                                          ; preds = %B982.i
-  %.1426.i = fmul double %.1369.i, 2.500000e-01
-  %.1428.i = fmul double %.1369.i, %.1426.i
-  %.1435.i = fdiv double %.1428.i, %.1352.i
-  %.1439.i = fsub double %.1110.i, %.1435.i
-  %.10.i340.i = fcmp olt double %.1439.i, %nearest.4.1366.i
-  %.11.i341.i = select i1 %.10.i340.i, double %.1439.i, double %nearest.4.1366.i
-  br label %B1163.i
+B764.i:                                           ; preds = %B724.i
+  %.935.i = fmul double %.878.i, 2.500000e-01
+  %.937.i = fmul double %.878.i, %.935.i
+  %.944.i = fdiv double %.937.i, %.861.i
+  %.948.i = fsub double %.619.i, %.944.i
+  %.10.i.i = fcmp olt double %.948.i, %nearest.4.1390.i
+  %.11.i.i = select i1 %.10.i.i, double %.948.i, double %nearest.4.1390.i
+  br label %B905.i
 
-B1088.i:                                          ; preds = %B1163.i, %B532.i
-  %nearest.4.1.lcssa.i = phi double [ %nearest.3.1.lcssa.i, %B532.i ], [ %nearest.5.2.i, %B1163.i ]
-  %.1508.i = add nsw i64 %.160.i, %.28.i
-  %.1524.i = icmp slt i64 %.1508.i, 0
-  %.1525.i = select i1 %.1524.i, i64 %arg.arrays.4.5.0, i64 0
-  %22 = getelementptr double, ptr %arg.arrays.4.4, i64 %.1508.i
-  %.1539.i = getelementptr double, ptr %22, i64 %.1525.i
-  %.1540.i = load double, ptr %.1539.i, align 8, !noalias !199
-  %.1542.i = fcmp ule double %.11.i.3.i, %.1540.i
-  %.1545.i = fmul double %.11.i.3.i, 1.000000e+01
-  %.1549.i = fcmp ugt double %nearest.4.1.lcssa.i, %.1545.i
-  %or.cond.i = select i1 %.1542.i, i1 true, i1 %.1549.i
+B830.i:                                           ; preds = %B905.i, %B274.i
+  %nearest.4.1.lcssa.i = phi double [ %nearest.3.1.lcssa.i, %B274.i ], [ %nearest.5.2.i, %B905.i ]
+  %.1017.i = add nsw i64 %.160.i, %.28.i
+  %.1033.i = icmp slt i64 %.1017.i, 0
+  %.1034.i = select i1 %.1033.i, i64 %arg.arrays.4.5.0, i64 0
+  %22 = getelementptr double, ptr %arg.arrays.4.4, i64 %.1017.i
+  %.1048.i = getelementptr double, ptr %22, i64 %.1034.i
+  %.1049.i = load double, ptr %.1048.i, align 8, !noalias !234
+  %.1051.i = fcmp ule double %.11.i.i.3.i, %.1049.i
+  %.1054.i = fmul double %.11.i.i.3.i, 1.000000e+01
+  %.1058.i = fcmp ugt double %nearest.4.1.lcssa.i, %.1054.i
+  %or.cond.i = select i1 %.1051.i, i1 true, i1 %.1058.i
   br i1 %or.cond.i, label %B50.i, label %_ZN12clpt_control6native9for_numba8may_hideB3v29B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE.exit
 
-B1163.i:                                          ; preds = %switch.lookup19, %B1022.i, %B982.i, %B568.i
-  %nearest.5.2.i = phi double [ %nearest.4.1366.i, %B982.i ], [ %.11.i341.i, %B1022.i ], [ %nearest.4.1366.i, %B568.i ], [ %nearest.4.1366.i, %switch.lookup19 ]
-  %.995.i = icmp sgt i64 %.941.1368.i, 0
-  %.1008.i = zext i1 %.995.i to i64
-  %.938.1.i = add i64 %.938.1367.i, %.1008.i
-  %.1004.i = sext i1 %.995.i to i64
-  %.941.1.i = add nsw i64 %.941.1368.i, %.1004.i
-  %.985.sroa.0.0.i = select i1 %.995.i, i64 %.938.1367.i, i64 0
-  br i1 %.995.i, label %B568.i, label %B1088.i
+B905.i:                                           ; preds = %switch.lookup19, %B764.i, %B724.i, %B310.i
+  %nearest.5.2.i = phi double [ %nearest.4.1390.i, %B724.i ], [ %.11.i.i, %B764.i ], [ %nearest.4.1390.i, %B310.i ], [ %nearest.4.1390.i, %switch.lookup19 ]
+  %.504.i = icmp sgt i64 %.450.1392.i, 0
+  %.517.i = zext i1 %.504.i to i64
+  %.447.1.i = add i64 %.447.1391.i, %.517.i
+  %.513.i = sext i1 %.504.i to i64
+  %.450.1.i = add nsw i64 %.450.1392.i, %.513.i
+  %.494.sroa.0.0.i = select i1 %.504.i, i64 %.447.1391.i, i64 0
+  br i1 %.504.i, label %B310.i, label %B830.i
 
 B52.if.i:                                         ; preds = %B50.i
   %.130.i = add i64 %.58.0.i, 1
   %.156.i = add nsw i64 %.58.0.i, %arg.decided
   %.158.i = mul nsw i64 %.156.i, %arg.shape.0
   %.160.i = add nsw i64 %.158.i, %.924.sroa.0.01304
-  %.336.i = add nsw i64 %.160.i, %.30.i
-  %.350.i = icmp slt i64 %.336.i, 0
-  %.351.i = select i1 %.350.i, i64 %arg.arrays.4.5.0, i64 0
-  %23 = getelementptr double, ptr %arg.arrays.4.4, i64 %.336.i
-  %.365.i = getelementptr double, ptr %23, i64 %.351.i
-  %.366.i = load double, ptr %.365.i, align 8, !noalias !199
-  %.616.i = icmp slt i64 %.160.i, 0
-  %.617.i = select i1 %.616.i, i64 %arg.arrays.4.5.0, i64 0
+  %.192.i.i = add nsw i64 %.160.i, %.30.i
+  %.206.i.i = icmp slt i64 %.192.i.i, 0
+  %.207.i.i = select i1 %.206.i.i, i64 %arg.arrays.4.5.0, i64 0
+  %23 = getelementptr double, ptr %arg.arrays.4.4, i64 %.192.i.i
+  %.221.i.i = getelementptr double, ptr %23, i64 %.207.i.i
+  %.222.i.i = load double, ptr %.221.i.i, align 8, !noalias !238
+  %.472.i.i = icmp slt i64 %.160.i, 0
+  %.473.i.i = select i1 %.472.i.i, i64 %arg.arrays.4.5.0, i64 0
   %24 = getelementptr double, ptr %arg.arrays.4.4, i64 %.160.i
-  %.631.i = getelementptr double, ptr %24, i64 %.617.i
-  %.632.i = load double, ptr %.631.i, align 8, !noalias !199
-  %.633.i = fmul double %.632.i, 0x3FDDF27AAAADCB3A
-  %.635.i = fsub double %.366.i, %.633.i
-  %.602.1.i = add nsw i64 %.160.i, %.598.i
-  %.616.1.i = icmp slt i64 %.602.1.i, 0
-  %.617.1.i = select i1 %.616.1.i, i64 %arg.arrays.4.5.0, i64 0
-  %25 = getelementptr double, ptr %arg.arrays.4.4, i64 %.602.1.i
-  %.631.1.i = getelementptr double, ptr %25, i64 %.617.1.i
-  %.632.1.i = load double, ptr %.631.1.i, align 8, !noalias !199
-  %.633.1.i = fmul double %.632.1.i, 0x3FEC575F1EBC4F2F
-  %.635.1.i = fsub double %.635.i, %.633.1.i
-  %.602.2.i = add nsw i64 %.160.i, %.600.2.i
-  %.616.2.i = icmp slt i64 %.602.2.i, 0
-  %.617.2.i = select i1 %.616.2.i, i64 %arg.arrays.4.5.0, i64 0
-  %26 = getelementptr double, ptr %arg.arrays.4.4, i64 %.602.2.i
-  %.631.2.i = getelementptr double, ptr %26, i64 %.617.2.i
-  %.632.2.i = load double, ptr %.631.2.i, align 8, !noalias !199
-  %.633.2.i = fmul double %.632.2.i, 0x3FE1306AA3D795F4
-  %27 = fadd double %.635.1.i, %.633.2.i
-  %.602.3.i = add nsw i64 %.160.i, %.600.3.i
-  %.616.3.i = icmp slt i64 %.602.3.i, 0
-  %.617.3.i = select i1 %.616.3.i, i64 %arg.arrays.4.5.0, i64 0
-  %28 = getelementptr double, ptr %arg.arrays.4.4, i64 %.602.3.i
-  %.631.3.i = getelementptr double, ptr %28, i64 %.617.3.i
-  %.632.3.i = load double, ptr %.631.3.i, align 8, !noalias !199
-  %.633.3.i = fmul double %.632.3.i, 0x3FCCB9F574BDCC3A
-  %.635.3.i = fsub double %27, %.633.3.i
-  %.602.4.i = add nsw i64 %.160.i, %.600.4.i
-  %.616.4.i = icmp slt i64 %.602.4.i, 0
-  %.617.4.i = select i1 %.616.4.i, i64 %arg.arrays.4.5.0, i64 0
-  %29 = getelementptr double, ptr %arg.arrays.4.4, i64 %.602.4.i
-  %.631.4.i = getelementptr double, ptr %29, i64 %.617.4.i
-  %.632.4.i = load double, ptr %.631.4.i, align 8, !noalias !199
-  %.633.4.i = fmul double %.632.4.i, 0x3FA4EAF2D6B11E79
-  %30 = fadd double %.635.3.i, %.633.4.i
-  %.646.i = tail call double @llvm.fabs.f64(double %30)
-  %.10.i.i = fcmp ogt double %.646.i, 0.000000e+00
-  %.11.i.i = select i1 %.10.i.i, double %.646.i, double 0.000000e+00
-  %.336.1.i = add nsw i64 %.160.i, %.334.1.i
-  %.350.1.i = icmp slt i64 %.336.1.i, 0
-  %.351.1.i = select i1 %.350.1.i, i64 %arg.arrays.4.5.0, i64 0
-  %31 = getelementptr double, ptr %arg.arrays.4.4, i64 %.336.1.i
-  %.365.1.i = getelementptr double, ptr %31, i64 %.351.1.i
-  %.366.1.i = load double, ptr %.365.1.i, align 8, !noalias !199
-  %.633.1431.i = fmul double %.632.i, 0x3FA5118805F8B876
-  %32 = fadd double %.366.1.i, %.633.1431.i
-  %.633.1.1.i = fmul double %.632.1.i, 0x3FE51326698BC5BD
-  %.635.1.1.i = fsub double %32, %.633.1.1.i
-  %.633.2.1.i = fmul double %.632.2.i, 0x3FDF97DED30D4572
-  %.635.2.1.i = fsub double %.635.1.1.i, %.633.2.1.i
-  %.633.3.1.i = fmul double %.632.3.i, 0x3FC0DA0C684D1D67
-  %33 = fadd double %.635.2.1.i, %.633.3.1.i
-  %.633.4.1.i = fmul double %.632.4.i, 0x3F9510B8EC0D4D92
-  %.635.4.1.i = fsub double %33, %.633.4.1.i
-  %.646.1.i = tail call double @llvm.fabs.f64(double %.635.4.1.i)
-  %.10.i.1.i = fcmp ogt double %.646.1.i, %.11.i.i
-  %.11.i.1.i = select i1 %.10.i.1.i, double %.646.1.i, double %.11.i.i
-  %.336.2.i = add nsw i64 %.160.i, %.334.2.i
-  %.350.2.i = icmp slt i64 %.336.2.i, 0
-  %.351.2.i = select i1 %.350.2.i, i64 %arg.arrays.4.5.0, i64 0
-  %34 = getelementptr double, ptr %arg.arrays.4.4, i64 %.336.2.i
-  %.365.2.i = getelementptr double, ptr %34, i64 %.351.2.i
-  %.366.2.i = load double, ptr %.365.2.i, align 8, !noalias !199
-  %.633.2458.i = fmul double %.632.i, 0x3F9635A30F8F142F
-  %.635.2459.i = fsub double %.366.2.i, %.633.2458.i
-  %.633.1.2.i = fmul double %.632.1.i, 0x3FC1EAE0FF33D241
-  %35 = fadd double %.635.2459.i, %.633.1.2.i
-  %.633.2.2.i = fmul double %.632.2.i, 0x3FE1625D59218460
-  %.635.2.2.i = fsub double %35, %.633.2.2.i
-  %.633.3.2.i = fmul double %.632.3.i, 0x3FE3BBC3E8A29641
-  %.635.3.2.i = fsub double %.635.2.2.i, %.633.3.2.i
-  %.633.4.2.i = fmul double %.632.4.i, 0x3FA55161A739EB34
-  %36 = fadd double %.635.3.2.i, %.633.4.2.i
-  %.646.2.i = tail call double @llvm.fabs.f64(double %36)
-  %.10.i.2.i = fcmp ogt double %.646.2.i, %.11.i.1.i
-  %.11.i.2.i = select i1 %.10.i.2.i, double %.646.2.i, double %.11.i.1.i
-  %.336.3.i = add nsw i64 %.160.i, %.334.3.i
-  %.350.3.i = icmp slt i64 %.336.3.i, 0
-  %.351.3.i = select i1 %.350.3.i, i64 %arg.arrays.4.5.0, i64 0
-  %37 = getelementptr double, ptr %arg.arrays.4.4, i64 %.336.3.i
-  %.365.3.i = getelementptr double, ptr %37, i64 %.351.3.i
-  %.366.3.i = load double, ptr %.365.3.i, align 8, !noalias !199
-  %.633.3485.i = fmul double %.632.i, 0x3FA4F0C0BB579409
-  %38 = fadd double %.366.3.i, %.633.3485.i
-  %.633.1.3.i = fmul double %.632.1.i, 0x3FCD2266FBC0D976
-  %.635.1.3.i = fsub double %38, %.633.1.3.i
-  %.633.2.3.i = fmul double %.632.2.i, 0x3FE1F2DB6FEE3151
-  %39 = fadd double %.635.1.3.i, %.633.2.3.i
-  %.633.3.3.i = fmul double %.632.3.i, 0x3FF0C05015964CBE
-  %.635.3.3.i = fsub double %39, %.633.3.3.i
-  %.633.4.3.i = fmul double %.632.4.i, 0x3FD4F15B230DB570
-  %.635.4.3.i = fsub double %.635.3.3.i, %.633.4.3.i
-  %.646.3.i = tail call double @llvm.fabs.f64(double %.635.4.3.i)
-  %.10.i.3.i = fcmp ogt double %.646.3.i, %.11.i.2.i
-  %.11.i.3.i = select i1 %.10.i.3.i, double %.646.3.i, double %.11.i.2.i
-  br i1 %.800356.not.i, label %B532.i, label %B470.if.i
+  %.487.i.i = getelementptr double, ptr %24, i64 %.473.i.i
+  %.488.i.i = load double, ptr %.487.i.i, align 8, !noalias !238
+  %.489.i.i = fmul double %.488.i.i, 0x3FDDF27AAAADCB3A
+  %.491.i.i = fsub double %.222.i.i, %.489.i.i
+  %.458.i.1.i = add nsw i64 %.160.i, %.454.i.i
+  %.472.i.1.i = icmp slt i64 %.458.i.1.i, 0
+  %.473.i.1.i = select i1 %.472.i.1.i, i64 %arg.arrays.4.5.0, i64 0
+  %25 = getelementptr double, ptr %arg.arrays.4.4, i64 %.458.i.1.i
+  %.487.i.1.i = getelementptr double, ptr %25, i64 %.473.i.1.i
+  %.488.i.1.i = load double, ptr %.487.i.1.i, align 8, !noalias !238
+  %.489.i.1.i = fmul double %.488.i.1.i, 0x3FEC575F1EBC4F2F
+  %.491.i.1.i = fsub double %.491.i.i, %.489.i.1.i
+  %.458.i.2.i = add nsw i64 %.160.i, %.456.i.2.i
+  %.472.i.2.i = icmp slt i64 %.458.i.2.i, 0
+  %.473.i.2.i = select i1 %.472.i.2.i, i64 %arg.arrays.4.5.0, i64 0
+  %26 = getelementptr double, ptr %arg.arrays.4.4, i64 %.458.i.2.i
+  %.487.i.2.i = getelementptr double, ptr %26, i64 %.473.i.2.i
+  %.488.i.2.i = load double, ptr %.487.i.2.i, align 8, !noalias !238
+  %.489.i.2.i = fmul double %.488.i.2.i, 0x3FE1306AA3D795F4
+  %27 = fadd double %.491.i.1.i, %.489.i.2.i
+  %.458.i.3.i = add nsw i64 %.160.i, %.456.i.3.i
+  %.472.i.3.i = icmp slt i64 %.458.i.3.i, 0
+  %.473.i.3.i = select i1 %.472.i.3.i, i64 %arg.arrays.4.5.0, i64 0
+  %28 = getelementptr double, ptr %arg.arrays.4.4, i64 %.458.i.3.i
+  %.487.i.3.i = getelementptr double, ptr %28, i64 %.473.i.3.i
+  %.488.i.3.i = load double, ptr %.487.i.3.i, align 8, !noalias !238
+  %.489.i.3.i = fmul double %.488.i.3.i, 0x3FCCB9F574BDCC3A
+  %.491.i.3.i = fsub double %27, %.489.i.3.i
+  %.458.i.4.i = add nsw i64 %.160.i, %.456.i.4.i
+  %.472.i.4.i = icmp slt i64 %.458.i.4.i, 0
+  %.473.i.4.i = select i1 %.472.i.4.i, i64 %arg.arrays.4.5.0, i64 0
+  %29 = getelementptr double, ptr %arg.arrays.4.4, i64 %.458.i.4.i
+  %.487.i.4.i = getelementptr double, ptr %29, i64 %.473.i.4.i
+  %.488.i.4.i = load double, ptr %.487.i.4.i, align 8, !noalias !238
+  %.489.i.4.i = fmul double %.488.i.4.i, 0x3FA4EAF2D6B11E79
+  %30 = fadd double %.491.i.3.i, %.489.i.4.i
+  %.502.i.i = tail call double @llvm.fabs.f64(double %30)
+  %.10.i.i.i = fcmp ogt double %.502.i.i, 0.000000e+00
+  %.11.i.i.i = select i1 %.10.i.i.i, double %.502.i.i, double 0.000000e+00
+  %.192.i.1.i = add nsw i64 %.160.i, %.190.i.1.i
+  %.206.i.1.i = icmp slt i64 %.192.i.1.i, 0
+  %.207.i.1.i = select i1 %.206.i.1.i, i64 %arg.arrays.4.5.0, i64 0
+  %31 = getelementptr double, ptr %arg.arrays.4.4, i64 %.192.i.1.i
+  %.221.i.1.i = getelementptr double, ptr %31, i64 %.207.i.1.i
+  %.222.i.1.i = load double, ptr %.221.i.1.i, align 8, !noalias !238
+  %.489.i.1430.i = fmul double %.488.i.i, 0x3FA5118805F8B876
+  %32 = fadd double %.222.i.1.i, %.489.i.1430.i
+  %.489.i.1.1.i = fmul double %.488.i.1.i, 0x3FE51326698BC5BD
+  %.491.i.1.1.i = fsub double %32, %.489.i.1.1.i
+  %.489.i.2.1.i = fmul double %.488.i.2.i, 0x3FDF97DED30D4572
+  %.491.i.2.1.i = fsub double %.491.i.1.1.i, %.489.i.2.1.i
+  %.489.i.3.1.i = fmul double %.488.i.3.i, 0x3FC0DA0C684D1D67
+  %33 = fadd double %.491.i.2.1.i, %.489.i.3.1.i
+  %.489.i.4.1.i = fmul double %.488.i.4.i, 0x3F9510B8EC0D4D92
+  %.491.i.4.1.i = fsub double %33, %.489.i.4.1.i
+  %.502.i.1.i = tail call double @llvm.fabs.f64(double %.491.i.4.1.i)
+  %.10.i.i.1.i = fcmp ogt double %.502.i.1.i, %.11.i.i.i
+  %.11.i.i.1.i = select i1 %.10.i.i.1.i, double %.502.i.1.i, double %.11.i.i.i
+  %.192.i.2.i = add nsw i64 %.160.i, %.190.i.2.i
+  %.206.i.2.i = icmp slt i64 %.192.i.2.i, 0
+  %.207.i.2.i = select i1 %.206.i.2.i, i64 %arg.arrays.4.5.0, i64 0
+  %34 = getelementptr double, ptr %arg.arrays.4.4, i64 %.192.i.2.i
+  %.221.i.2.i = getelementptr double, ptr %34, i64 %.207.i.2.i
+  %.222.i.2.i = load double, ptr %.221.i.2.i, align 8, !noalias !238
+  %.489.i.2457.i = fmul double %.488.i.i, 0x3F9635A30F8F142F
+  %.491.i.2458.i = fsub double %.222.i.2.i, %.489.i.2457.i
+  %.489.i.1.2.i = fmul double %.488.i.1.i, 0x3FC1EAE0FF33D241
+  %35 = fadd double %.491.i.2458.i, %.489.i.1.2.i
+  %.489.i.2.2.i = fmul double %.488.i.2.i, 0x3FE1625D59218460
+  %.491.i.2.2.i = fsub double %35, %.489.i.2.2.i
+  %.489.i.3.2.i = fmul double %.488.i.3.i, 0x3FE3BBC3E8A29641
+  %.491.i.3.2.i = fsub double %.491.i.2.2.i, %.489.i.3.2.i
+  %.489.i.4.2.i = fmul double %.488.i.4.i, 0x3FA55161A739EB34
+  %36 = fadd double %.491.i.3.2.i, %.489.i.4.2.i
+  %.502.i.2.i = tail call double @llvm.fabs.f64(double %36)
+  %.10.i.i.2.i = fcmp ogt double %.502.i.2.i, %.11.i.i.1.i
+  %.11.i.i.2.i = select i1 %.10.i.i.2.i, double %.502.i.2.i, double %.11.i.i.1.i
+  %.192.i.3.i = add nsw i64 %.160.i, %.190.i.3.i
+  %.206.i.3.i = icmp slt i64 %.192.i.3.i, 0
+  %.207.i.3.i = select i1 %.206.i.3.i, i64 %arg.arrays.4.5.0, i64 0
+  %37 = getelementptr double, ptr %arg.arrays.4.4, i64 %.192.i.3.i
+  %.221.i.3.i = getelementptr double, ptr %37, i64 %.207.i.3.i
+  %.222.i.3.i = load double, ptr %.221.i.3.i, align 8, !noalias !238
+  %.489.i.3484.i = fmul double %.488.i.i, 0x3FA4F0C0BB579409
+  %38 = fadd double %.222.i.3.i, %.489.i.3484.i
+  %.489.i.1.3.i = fmul double %.488.i.1.i, 0x3FCD2266FBC0D976
+  %.491.i.1.3.i = fsub double %38, %.489.i.1.3.i
+  %.489.i.2.3.i = fmul double %.488.i.2.i, 0x3FE1F2DB6FEE3151
+  %39 = fadd double %.491.i.1.3.i, %.489.i.2.3.i
+  %.489.i.3.3.i = fmul double %.488.i.3.i, 0x3FF0C05015964CBE
+  %.491.i.3.3.i = fsub double %39, %.489.i.3.3.i
+  %.489.i.4.3.i = fmul double %.488.i.4.i, 0x3FD4F15B230DB570
+  %.491.i.4.3.i = fsub double %.491.i.3.3.i, %.489.i.4.3.i
+  %.502.i.3.i = tail call double @llvm.fabs.f64(double %.491.i.4.3.i)
+  %.10.i.i.3.i = fcmp ogt double %.502.i.3.i, %.11.i.i.2.i
+  %.11.i.i.3.i = select i1 %.10.i.i.3.i, double %.502.i.3.i, double %.11.i.i.2.i
+  br i1 %.309380.not.i, label %B274.i, label %B212.if.i
 
-B470.if.i:                                        ; preds = %B52.if.i, %B470.if.i
-  %nearest.3.1359.i = phi double [ %.11.i343.i, %B470.if.i ], [ 0x7FF0000000000000, %B52.if.i ]
-  %.747.0358.i = phi i64 [ %.809.i, %B470.if.i ], [ %storemerge336.i, %B52.if.i ]
-  %.744.0357.i = phi i64 [ %.813.i, %B470.if.i ], [ 1, %B52.if.i ]
-  %.809.i = add nsw i64 %.747.0358.i, -1
-  %.813.i = add nsw i64 %.744.0357.i, 1
-  %40 = mul nsw i64 %.744.0357.i, %.30.i
-  %.841.i = add nsw i64 %40, %.160.i
-  %.855.i = icmp slt i64 %.841.i, 0
-  %.856.i = select i1 %.855.i, i64 %arg.arrays.4.5.0, i64 0
-  %41 = getelementptr double, ptr %arg.arrays.4.4, i64 %.841.i
-  %.870.i = getelementptr double, ptr %41, i64 %.856.i
-  %.871.i = load double, ptr %.870.i, align 8, !noalias !199
-  %.10.i342.i = fcmp olt double %.871.i, %nearest.3.1359.i
-  %.11.i343.i = select i1 %.10.i342.i, double %.871.i, double %nearest.3.1359.i
-  %.800.i = icmp sgt i64 %.747.0358.i, 1
-  br i1 %.800.i, label %B470.if.i, label %B532.i
+B212.if.i:                                        ; preds = %B52.if.i, %B212.if.i
+  %nearest.3.1383.i = phi double [ %.11.i353.i, %B212.if.i ], [ 0x7FF0000000000000, %B52.if.i ]
+  %.256.0382.i = phi i64 [ %.318.i, %B212.if.i ], [ %storemerge348.i, %B52.if.i ]
+  %.253.0381.i = phi i64 [ %.322.i, %B212.if.i ], [ 1, %B52.if.i ]
+  %.318.i = add nsw i64 %.256.0382.i, -1
+  %.322.i = add nsw i64 %.253.0381.i, 1
+  %40 = mul nsw i64 %.253.0381.i, %.30.i
+  %.350.i = add nsw i64 %40, %.160.i
+  %.364.i = icmp slt i64 %.350.i, 0
+  %.365.i = select i1 %.364.i, i64 %arg.arrays.4.5.0, i64 0
+  %41 = getelementptr double, ptr %arg.arrays.4.4, i64 %.350.i
+  %.379.i = getelementptr double, ptr %41, i64 %.365.i
+  %.380.i = load double, ptr %.379.i, align 8, !noalias !234
+  %.10.i352.i = fcmp olt double %.380.i, %nearest.3.1383.i
+  %.11.i353.i = select i1 %.10.i352.i, double %.380.i, double %nearest.3.1383.i
+  %.309.i = icmp sgt i64 %.256.0382.i, 1
+  br i1 %.309.i, label %B212.if.i, label %B274.i
 
-switch.lookup7:                                   ; preds = %B776.i
-  %switch.tableidx10 = add i64 %.985.sroa.0.0369.i, 8
+switch.lookup7:                                   ; preds = %B518.i
+  %switch.tableidx10 = add i64 %.494.sroa.0.0393.i, 8
   %42 = icmp ult i64 %switch.tableidx10, 18
   br i1 %42, label %switch.lookup11, label %_ZN12clpt_control6native9for_numba8may_hideB3v29B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE.exit
 
@@ -4687,13 +5132,13 @@ switch.lookup11:                                  ; preds = %switch.lookup7
   %switch.load9 = load double, ptr %switch.gep8, align 8
   %switch.gep12 = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.12, i64 %switch.tableidx10
   %switch.load13 = load double, ptr %switch.gep12, align 8
-  %.1246.i = fsub double %switch.load9, %switch.load13
-  %switch.tableidx14 = add i64 %.985.sroa.0.0369.i, 10
+  %.755.i = fsub double %switch.load9, %switch.load13
+  %switch.tableidx14 = add i64 %.494.sroa.0.0393.i, 10
   %43 = icmp ult i64 %switch.tableidx14, 18
   br i1 %43, label %switch.lookup15, label %_ZN12clpt_control6native9for_numba8may_hideB3v29B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE.exit
 
 switch.lookup15:                                  ; preds = %switch.lookup11
-  %switch.tableidx18 = add i64 %.985.sroa.0.0369.i, 9
+  %switch.tableidx18 = add i64 %.494.sroa.0.0393.i, 9
   %44 = icmp ult i64 %switch.tableidx18, 18
   br i1 %44, label %switch.lookup19, label %_ZN12clpt_control6native9for_numba8may_hideB3v29B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE.exit
 
@@ -4702,51 +5147,51 @@ switch.lookup19:                                  ; preds = %switch.lookup15
   %switch.load17 = load double, ptr %switch.gep16, align 8
   %switch.gep20 = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.12, i64 %switch.tableidx18
   %switch.load21 = load double, ptr %switch.gep20, align 8
-  %.1320.i = fsub double %switch.load17, %switch.load21
-  %.1336.i = fdiv double %.1164.i, %.1320.i
-  %.1339.i = fsub double %.1110.i, %.1075.i
-  %.1344.i = fdiv double %.1339.i, %.1246.i
-  %.1345.i = fsub double %.1336.i, %.1344.i
-  %.1348.i = fadd double %.1246.i, %.1320.i
-  %.1352.i = fdiv double %.1345.i, %.1348.i
-  %.1368.i = fmul double %.1246.i, %.1352.i
-  %.1369.i = fadd double %.1344.i, %.1368.i
-  %.1374.i = fcmp ogt double %.1352.i, 0.000000e+00
-  br i1 %.1374.i, label %B982.i, label %B1163.i
+  %.829.i = fsub double %switch.load17, %switch.load21
+  %.845.i = fdiv double %.673.i, %.829.i
+  %.848.i = fsub double %.619.i, %.584.i
+  %.853.i = fdiv double %.848.i, %.755.i
+  %.854.i = fsub double %.845.i, %.853.i
+  %.857.i = fadd double %.755.i, %.829.i
+  %.861.i = fdiv double %.854.i, %.857.i
+  %.877.i = fmul double %.755.i, %.861.i
+  %.878.i = fadd double %.853.i, %.877.i
+  %.883.i = fcmp ogt double %.861.i, 0.000000e+00
+  br i1 %.883.i, label %B724.i, label %B905.i
 
-_ZN12clpt_control6native9for_numba8may_hideB3v29B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B50.i, %B1088.i, %B776.i, %switch.lookup7, %switch.lookup11, %switch.lookup15
-  %.1897.not = phi i1 [ true, %B776.i ], [ true, %switch.lookup15 ], [ true, %switch.lookup11 ], [ true, %switch.lookup7 ], [ %exitcond.not.i, %B1088.i ], [ %exitcond.not.i, %B50.i ]
-  %excinfo.3.3 = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.15, %B776.i ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.15, %switch.lookup15 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.15, %switch.lookup11 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.15, %switch.lookup7 ], [ %excinfo.3.01300, %B1088.i ], [ %excinfo.3.01300, %B50.i ]
-  %.1886.not = phi i1 [ false, %B776.i ], [ false, %switch.lookup15 ], [ false, %switch.lookup11 ], [ false, %switch.lookup7 ], [ true, %B1088.i ], [ true, %B50.i ]
-  %common.ret.op.i = phi i32 [ 1, %B776.i ], [ 1, %switch.lookup15 ], [ 1, %switch.lookup11 ], [ 1, %switch.lookup7 ], [ 0, %B1088.i ], [ 0, %B50.i ]
+_ZN12clpt_control6native9for_numba8may_hideB3v29B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B50.i, %B830.i, %B518.i, %switch.lookup7, %switch.lookup11, %switch.lookup15
+  %.1897.not = phi i1 [ true, %B518.i ], [ true, %switch.lookup15 ], [ true, %switch.lookup11 ], [ true, %switch.lookup7 ], [ %exitcond.not.i, %B830.i ], [ %exitcond.not.i, %B50.i ]
+  %excinfo.3.3 = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16, %B518.i ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16, %switch.lookup15 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16, %switch.lookup11 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16, %switch.lookup7 ], [ %excinfo.3.01300, %B830.i ], [ %excinfo.3.01300, %B50.i ]
+  %.1886.not = phi i1 [ false, %B518.i ], [ false, %switch.lookup15 ], [ false, %switch.lookup11 ], [ false, %switch.lookup7 ], [ true, %B830.i ], [ true, %B50.i ]
+  %common.ret.op.i = phi i32 [ 1, %B518.i ], [ 1, %switch.lookup15 ], [ 1, %switch.lookup11 ], [ 1, %switch.lookup7 ], [ 0, %B830.i ], [ 0, %B50.i ]
   br i1 %.1886.not, label %B1170.endif.endif, label %B1170.endif.if, !prof !53
 
 B1208:                                            ; preds = %B1170.endif.endif
   %.1972 = fmul double %.1861, 5.000000e-01
-  store double 0.000000e+00, ptr %.1257, align 8, !noalias !203
+  store double 0.000000e+00, ptr %.1257, align 8, !noalias !242
   %.161.i230 = getelementptr double, ptr %10, i64 %.1011
-  store double 0.000000e+00, ptr %.161.i230, align 8, !noalias !203
+  store double 0.000000e+00, ptr %.161.i230, align 8, !noalias !242
   %.214.i273 = getelementptr double, ptr %11, i64 %.1011
-  store double %.1972, ptr %.214.i273, align 8, !noalias !203
-  %.268.i313 = load i64, ptr %.1197, align 8, !noalias !203
+  store double %.1972, ptr %.214.i273, align 8, !noalias !242
+  %.268.i313 = load i64, ptr %.1197, align 8, !noalias !242
   %.294.i = icmp slt i64 %.268.i313, 0
   %.295.i = select i1 %.294.i, i64 %arg.results.3.5.0, i64 0
   %.296.i324 = add i64 %.295.i, %.268.i313
   %.316.i333 = mul i64 %.296.i324, %arg.results.3.5.1
   %.320.i = getelementptr i64, ptr %arg.results.3.4, i64 %.316.i333
-  %.321.i = load i64, ptr %.320.i, align 8, !noalias !203
+  %.321.i = load i64, ptr %.320.i, align 8, !noalias !242
   %.322.i336 = add nsw i64 %.321.i, -1
-  store i64 %.322.i336, ptr %.320.i, align 8, !noalias !203
-  %.426.i = load i64, ptr %.1197, align 8, !noalias !203
+  store i64 %.322.i336, ptr %.320.i, align 8, !noalias !242
+  %.426.i = load i64, ptr %.1197, align 8, !noalias !242
   %.452.i = icmp slt i64 %.426.i, 0
   %.453.i = select i1 %.452.i, i64 %arg.results.3.5.0, i64 0
   %.454.i = add i64 %.453.i, %.426.i
   %.474.i = mul i64 %.454.i, %arg.results.3.5.1
   %45 = getelementptr i64, ptr %arg.results.3.4, i64 %.474.i
   %.478.i = getelementptr i8, ptr %45, i64 24
-  %.479.i = load i64, ptr %.478.i, align 8, !noalias !203
+  %.479.i = load i64, ptr %.478.i, align 8, !noalias !242
   %.480.i = add nsw i64 %.479.i, 1
-  store i64 %.480.i, ptr %.478.i, align 8, !noalias !203
+  store i64 %.480.i, ptr %.478.i, align 8, !noalias !242
   store i64 -1, ptr %.1087, align 8
   br label %B1300
 
@@ -4807,13 +5252,13 @@ switch.lookup22:                                  ; preds = %B280.if
 switch.end:                                       ; preds = %B280.if, %switch.lookup22
   %.575 = phi double [ %switch.load24, %switch.lookup22 ], [ 1.000000e+00, %B280.if ]
   %.92.i = getelementptr double, ptr %arg.lane.0.4, i64 %.464.01292
-  %.93.i = load double, ptr %.92.i, align 8, !noalias !206
+  %.93.i = load double, ptr %.92.i, align 8, !noalias !245
   %.146.i = getelementptr double, ptr %1, i64 %.464.01292
-  %.147.i = load double, ptr %.146.i, align 8, !noalias !206
+  %.147.i = load double, ptr %.146.i, align 8, !noalias !245
   %.149.i = fmul double %.575, %.147.i
   %.150.i = fadd double %.93.i, %.149.i
   %.203.i = getelementptr double, ptr %2, i64 %.464.01292
-  store double %.150.i, ptr %.203.i, align 8, !noalias !206
+  store double %.150.i, ptr %.203.i, align 8, !noalias !245
   br i1 %.287.i1288.not, label %B280.loopexit, label %B122.if.i.lr.ph
 
 B122.if.i.lr.ph:                                  ; preds = %switch.end
@@ -4834,54 +5279,54 @@ B122.if.i:                                        ; preds = %B122.if.i.lr.ph, %B
   %.157.i.i = add nsw i64 %.155.i.i, %.229.i.01289
   %.159.i.i = mul nsw i64 %.157.i.i, %arg.shape.0
   %gep = getelementptr double, ptr %invariant.gep, i64 %.159.i.i
-  %.191.i.i = load double, ptr %gep, align 8, !noalias !210
+  %.191.i.i = load double, ptr %gep, align 8, !noalias !249
   %.193.i.i = fadd double %.191.i.i, 0.000000e+00
   %.253.i.i = fmul double %.575, %.193.i.i
   %.157.i.i.1 = add nsw i64 %.155.i.i.1, %.229.i.01289
   %.159.i.i.1 = mul nsw i64 %.157.i.i.1, %arg.shape.0
   %gep28 = getelementptr double, ptr %invariant.gep27, i64 %.159.i.i.1
-  %.191.i.i.1 = load double, ptr %gep28, align 8, !noalias !210
+  %.191.i.i.1 = load double, ptr %gep28, align 8, !noalias !249
   %.193.i.i.1 = fadd double %.253.i.i, %.191.i.i.1
   %.253.i.i.1 = fmul double %.247.i.i, %.193.i.i.1
   %.157.i.i.2 = add nsw i64 %.155.i.i.2, %.229.i.01289
   %.159.i.i.2 = mul nsw i64 %.157.i.i.2, %arg.shape.0
   %gep30 = getelementptr double, ptr %invariant.gep29, i64 %.159.i.i.2
-  %.191.i.i.2 = load double, ptr %gep30, align 8, !noalias !210
+  %.191.i.i.2 = load double, ptr %gep30, align 8, !noalias !249
   %.193.i.i.2 = fadd double %.253.i.i.1, %.191.i.i.2
   %.253.i.i.2 = fmul double %.575, %.193.i.i.2
   %.157.i.i.3 = add nsw i64 %.155.i.i.3, %.229.i.01289
   %.159.i.i.3 = mul nsw i64 %.157.i.i.3, %arg.shape.0
   %gep32 = getelementptr double, ptr %invariant.gep31, i64 %.159.i.i.3
-  %.191.i.i.3 = load double, ptr %gep32, align 8, !noalias !210
+  %.191.i.i.3 = load double, ptr %gep32, align 8, !noalias !249
   %.193.i.i.3 = fadd double %.253.i.i.2, %.191.i.i.3
   %.253.i.i.3 = fmul double %.247.i.i, %.193.i.i.3
   %.157.i.i.4 = add nsw i64 %.155.i.i.4, %.229.i.01289
   %.159.i.i.4 = mul nsw i64 %.157.i.i.4, %arg.shape.0
   %gep34 = getelementptr double, ptr %invariant.gep33, i64 %.159.i.i.4
-  %.191.i.i.4 = load double, ptr %gep34, align 8, !noalias !210
+  %.191.i.i.4 = load double, ptr %gep34, align 8, !noalias !249
   %.193.i.i.4 = fadd double %.253.i.i.3, %.191.i.i.4
   %.253.i.i.4 = fmul double %.575, %.193.i.i.4
   %.157.i.i.5 = add nsw i64 %.155.i.i.5, %.229.i.01289
   %.159.i.i.5 = mul nsw i64 %.157.i.i.5, %arg.shape.0
   %gep36 = getelementptr double, ptr %invariant.gep35, i64 %.159.i.i.5
-  %.191.i.i.5 = load double, ptr %gep36, align 8, !noalias !210
+  %.191.i.i.5 = load double, ptr %gep36, align 8, !noalias !249
   %.193.i.i.5 = fadd double %.253.i.i.4, %.191.i.i.5
   %.253.i.i.5 = fmul double %.247.i.i, %.193.i.i.5
   %.157.i.i.6 = add nsw i64 %.155.i.i.6, %.229.i.01289
   %.159.i.i.6 = mul nsw i64 %.157.i.i.6, %arg.shape.0
   %gep38 = getelementptr double, ptr %invariant.gep37, i64 %.159.i.i.6
-  %.191.i.i.6 = load double, ptr %gep38, align 8, !noalias !210
+  %.191.i.i.6 = load double, ptr %gep38, align 8, !noalias !249
   %.193.i.i.6 = fadd double %.253.i.i.5, %.191.i.i.6
   %.253.i.i.6 = fmul double %.575, %.193.i.i.6
   %.300.i = add nsw i64 %.229.i.01289, 1
   %.271.i.i = mul nsw i64 %.229.i.01289, %arg.shape.0
   %gep40 = getelementptr double, ptr %invariant.gep39, i64 %.271.i.i
-  %.309.i.i = load double, ptr %gep40, align 8, !noalias !210
+  %.309.i.i = load double, ptr %gep40, align 8, !noalias !249
   %.313.i.i = fadd double %.253.i.i.6, %.309.i.i
   %.359.i = add nsw i64 %.229.i.01289, %.358.i
   %.361.i = mul nsw i64 %.359.i, %arg.shape.0
   %gep42 = getelementptr double, ptr %invariant.gep41, i64 %.361.i
-  store double %.313.i.i, ptr %gep42, align 8, !noalias !206
+  store double %.313.i.i, ptr %gep42, align 8, !noalias !245
   %exitcond.not = icmp eq i64 %arg.shape.1, %.300.i
   br i1 %exitcond.not, label %B280.loopexit, label %B122.if.i
 
@@ -5106,29 +5551,29 @@ B720.if:                                          ; preds = %B720.if.lr.ph, %B72
 !62 = distinct !{!62, !63, !"_ZN12clpt_control6native9for_numba12locate_kinksB3v34B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE: %retptr"}
 !63 = distinct !{!63, !"_ZN12clpt_control6native9for_numba12locate_kinksB3v34B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE"}
 !64 = !{!65, !67, !62}
-!65 = distinct !{!65, !66, !"_ZN12clpt_control6native9for_numba14measure_effectB3v35B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE: %retptr"}
-!66 = distinct !{!66, !"_ZN12clpt_control6native9for_numba14measure_effectB3v35B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE"}
-!67 = distinct !{!67, !66, !"_ZN12clpt_control6native9for_numba14measure_effectB3v35B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE: %excinfo"}
+!65 = distinct !{!65, !66, !"_ZN12clpt_control6native9for_numba14measure_effectB3v35B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedEx8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE: %retptr"}
+!66 = distinct !{!66, !"_ZN12clpt_control6native9for_numba14measure_effectB3v35B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedEx8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE"}
+!67 = distinct !{!67, !66, !"_ZN12clpt_control6native9for_numba14measure_effectB3v35B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedEx8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE: %excinfo"}
 !68 = !{!69, !71, !65, !67, !62}
-!69 = distinct !{!69, !70, !"_ZN12clpt_control6native9for_numba8exchangeB3v36B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!70 = distinct !{!70, !"_ZN12clpt_control6native9for_numba8exchangeB3v36B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!71 = distinct !{!71, !70, !"_ZN12clpt_control6native9for_numba8exchangeB3v36B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!69 = distinct !{!69, !70, !"_ZN12clpt_control6native9for_numba8exchangeB3v36B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedExx: %retptr"}
+!70 = distinct !{!70, !"_ZN12clpt_control6native9for_numba8exchangeB3v36B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedExx"}
+!71 = distinct !{!71, !70, !"_ZN12clpt_control6native9for_numba8exchangeB3v36B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedExx: %excinfo"}
 !72 = !{!73, !75, !65, !67, !62}
-!73 = distinct !{!73, !74, !"_ZN12clpt_control6native9for_numba12state_withinB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %retptr"}
-!74 = distinct !{!74, !"_ZN12clpt_control6native9for_numba12state_withinB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd"}
-!75 = distinct !{!75, !74, !"_ZN12clpt_control6native9for_numba12state_withinB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %excinfo"}
-!76 = !{!77, !79, !73, !75, !65, !67, !62}
+!73 = distinct !{!73, !74, !"_ZN12clpt_control6native9for_numba8exchangeB3v36B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedExx: %retptr"}
+!74 = distinct !{!74, !"_ZN12clpt_control6native9for_numba8exchangeB3v36B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedExx"}
+!75 = distinct !{!75, !74, !"_ZN12clpt_control6native9for_numba8exchangeB3v36B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedExx: %excinfo"}
+!76 = !{!77, !79, !80, !82, !62}
 !77 = distinct !{!77, !78, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %retptr"}
 !78 = distinct !{!78, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd"}
 !79 = distinct !{!79, !78, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %excinfo"}
-!80 = !{!81, !83, !65, !67, !62}
-!81 = distinct !{!81, !82, !"_ZN12clpt_control6native9for_numba8exchangeB3v36B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!82 = distinct !{!82, !"_ZN12clpt_control6native9for_numba8exchangeB3v36B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!83 = distinct !{!83, !82, !"_ZN12clpt_control6native9for_numba8exchangeB3v36B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!80 = distinct !{!80, !81, !"_ZN12clpt_control6native9for_numba12state_withinB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %retptr"}
+!81 = distinct !{!81, !"_ZN12clpt_control6native9for_numba12state_withinB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd"}
+!82 = distinct !{!82, !81, !"_ZN12clpt_control6native9for_numba12state_withinB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %excinfo"}
+!83 = !{!80, !82, !62}
 !84 = !{!85, !87, !62}
-!85 = distinct !{!85, !86, !"_ZN12clpt_control6native9for_numba12first_passedB3v37B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx23Literal_5bint_5d_280_295ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!86 = distinct !{!86, !"_ZN12clpt_control6native9for_numba12first_passedB3v37B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx23Literal_5bint_5d_280_295ArrayIdLi1E1C7mutable7alignedE"}
-!87 = distinct !{!87, !86, !"_ZN12clpt_control6native9for_numba12first_passedB3v37B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx23Literal_5bint_5d_280_295ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!85 = distinct !{!85, !86, !"_ZN12clpt_control6native9for_numba12first_passedB3v37B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx23Literal_5bint_5d_289_295ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!86 = distinct !{!86, !"_ZN12clpt_control6native9for_numba12first_passedB3v37B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx23Literal_5bint_5d_289_295ArrayIdLi1E1C7mutable7alignedE"}
+!87 = distinct !{!87, !86, !"_ZN12clpt_control6native9for_numba12first_passedB3v37B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx23Literal_5bint_5d_289_295ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
 !88 = !{!89, !91, !92, !94, !62}
 !89 = distinct !{!89, !90, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %retptr"}
 !90 = distinct !{!90, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd"}
@@ -5138,123 +5583,162 @@ B720.if:                                          ; preds = %B720.if.lr.ph, %B72
 !94 = distinct !{!94, !93, !"_ZN12clpt_control6native9for_numba12state_withinB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %excinfo"}
 !95 = !{!92, !94, !62}
 !96 = !{!97, !99, !62}
-!97 = distinct !{!97, !98, !"_ZN12clpt_control6native9for_numba12first_passedB3v37B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx23Literal_5bint_5d_280_295ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!98 = distinct !{!98, !"_ZN12clpt_control6native9for_numba12first_passedB3v37B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx23Literal_5bint_5d_280_295ArrayIdLi1E1C7mutable7alignedE"}
-!99 = distinct !{!99, !98, !"_ZN12clpt_control6native9for_numba12first_passedB3v37B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx23Literal_5bint_5d_280_295ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
-!100 = !{!101, !62}
-!101 = distinct !{!101, !102, !"_ZN12clpt_control6native9for_numba9try_againB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %retptr"}
-!102 = distinct !{!102, !"_ZN12clpt_control6native9for_numba9try_againB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE"}
-!103 = !{!104, !106}
-!104 = distinct !{!104, !105, !"_ZN12clpt_control6native9for_numba12watch_guardsB3v38B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE: %retptr"}
-!105 = distinct !{!105, !"_ZN12clpt_control6native9for_numba12watch_guardsB3v38B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE"}
-!106 = distinct !{!106, !105, !"_ZN12clpt_control6native9for_numba12watch_guardsB3v38B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE: %excinfo"}
-!107 = !{!108, !110, !104, !106}
-!108 = distinct !{!108, !109, !"_ZN12clpt_control6native9for_numba11mark_passedB3v39B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE: %retptr"}
-!109 = distinct !{!109, !"_ZN12clpt_control6native9for_numba11mark_passedB3v39B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE"}
-!110 = distinct !{!110, !109, !"_ZN12clpt_control6native9for_numba11mark_passedB3v39B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE: %excinfo"}
-!111 = !{!112, !114, !108, !110, !104, !106}
-!112 = distinct !{!112, !113, !"_ZN12clpt_control6native9for_numba12first_passedB3v40B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!113 = distinct !{!113, !"_ZN12clpt_control6native9for_numba12first_passedB3v40B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE"}
-!114 = distinct !{!114, !113, !"_ZN12clpt_control6native9for_numba12first_passedB3v40B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
-!115 = !{!116, !118, !108, !110, !104, !106}
-!116 = distinct !{!116, !117, !"_ZN12clpt_control6native9for_numba8may_hideB3v41B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!117 = distinct !{!117, !"_ZN12clpt_control6native9for_numba8may_hideB3v41B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE"}
-!118 = distinct !{!118, !117, !"_ZN12clpt_control6native9for_numba8may_hideB3v41B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
-!119 = !{!120, !108, !110, !104, !106}
+!97 = distinct !{!97, !98, !"_ZN12clpt_control6native9for_numba14measure_effectB3v38B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE23Literal_5bint_5d_289_298UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE: %retptr"}
+!98 = distinct !{!98, !"_ZN12clpt_control6native9for_numba14measure_effectB3v38B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE23Literal_5bint_5d_289_298UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE"}
+!99 = distinct !{!99, !98, !"_ZN12clpt_control6native9for_numba14measure_effectB3v38B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE23Literal_5bint_5d_289_298UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE: %excinfo"}
+!100 = !{!101, !103, !97, !99, !62}
+!101 = distinct !{!101, !102, !"_ZN12clpt_control6native9for_numba8exchangeB3v36B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedExx: %retptr"}
+!102 = distinct !{!102, !"_ZN12clpt_control6native9for_numba8exchangeB3v36B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedExx"}
+!103 = distinct !{!103, !102, !"_ZN12clpt_control6native9for_numba8exchangeB3v36B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedExx: %excinfo"}
+!104 = !{!105, !107, !97, !99, !62}
+!105 = distinct !{!105, !106, !"_ZN12clpt_control6native9for_numba8exchangeB3v36B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedExx: %retptr"}
+!106 = distinct !{!106, !"_ZN12clpt_control6native9for_numba8exchangeB3v36B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedExx"}
+!107 = distinct !{!107, !106, !"_ZN12clpt_control6native9for_numba8exchangeB3v36B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedExx: %excinfo"}
+!108 = !{!109, !62}
+!109 = distinct !{!109, !110, !"_ZN12clpt_control6native9for_numba9try_againB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %retptr"}
+!110 = distinct !{!110, !"_ZN12clpt_control6native9for_numba9try_againB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE"}
+!111 = !{!112, !114, !115, !117, !62}
+!112 = distinct !{!112, !113, !"_ZN12clpt_control6native9for_numba13error_betweenB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!113 = distinct !{!113, !"_ZN12clpt_control6native9for_numba13error_betweenB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5ArrayIdLi1E1C7mutable7alignedE"}
+!114 = distinct !{!114, !113, !"_ZN12clpt_control6native9for_numba13error_betweenB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!115 = distinct !{!115, !116, !"_ZN12clpt_control6native9for_numba5bendsB3v40B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!116 = distinct !{!116, !"_ZN12clpt_control6native9for_numba5bendsB3v40B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE"}
+!117 = distinct !{!117, !116, !"_ZN12clpt_control6native9for_numba5bendsB3v40B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!118 = !{!115, !117, !62}
+!119 = !{!120, !62}
 !120 = distinct !{!120, !121, !"_ZN12clpt_control6native9for_numba9try_againB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %retptr"}
 !121 = distinct !{!121, !"_ZN12clpt_control6native9for_numba9try_againB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE"}
-!122 = !{!123, !125, !108, !110, !104, !106}
-!123 = distinct !{!123, !124, !"_ZN12clpt_control6native9for_numba12state_withinB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %retptr"}
-!124 = distinct !{!124, !"_ZN12clpt_control6native9for_numba12state_withinB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd"}
-!125 = distinct !{!125, !124, !"_ZN12clpt_control6native9for_numba12state_withinB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %excinfo"}
-!126 = !{!127, !129, !123, !125, !108, !110, !104, !106}
-!127 = distinct !{!127, !128, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %retptr"}
-!128 = distinct !{!128, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd"}
-!129 = distinct !{!129, !128, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %excinfo"}
-!130 = !{!"branch_weights", i32 1, i32 99}
-!131 = !{!"branch_weights", i32 101, i32 99}
-!132 = !{!"branch_weights", i32 301, i32 99}
-!133 = !{!134, !104, !106}
-!134 = distinct !{!134, !135, !"_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29: %retptr"}
-!135 = distinct !{!135, !"_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29"}
-!136 = !{!137}
-!137 = distinct !{!137, !138, !"_ZN12clpt_control6native9for_numba6sampleB3v42B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
-!138 = distinct !{!138, !"_ZN12clpt_control6native9for_numba6sampleB3v42B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedEx"}
-!139 = !{!140, !142, !137}
-!140 = distinct !{!140, !141, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %retptr"}
-!141 = distinct !{!141, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd"}
-!142 = distinct !{!142, !141, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %excinfo"}
-!143 = !{!144, !146}
-!144 = distinct !{!144, !145, !"_ZN12clpt_control6native9for_numba11decide_anewB3v43B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!145 = distinct !{!145, !"_ZN12clpt_control6native9for_numba11decide_anewB3v43B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE"}
-!146 = distinct !{!146, !145, !"_ZN12clpt_control6native9for_numba11decide_anewB3v43B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
-!147 = !{!148, !144, !146}
-!148 = distinct !{!148, !149, !"_ZN12clpt_control6native9for_numba4failB3v44B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_286_29: %retptr"}
-!149 = distinct !{!149, !"_ZN12clpt_control6native9for_numba4failB3v44B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_286_29"}
-!150 = !{!151, !153}
-!151 = distinct !{!151, !152, !"_ZN12clpt_control6native9for_numba6at_endB3v46B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE: %retptr"}
-!152 = distinct !{!152, !"_ZN12clpt_control6native9for_numba6at_endB3v46B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE"}
-!153 = distinct !{!153, !154, !"_ZN12clpt_control6native9for_numba4jumpB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE: %retptr"}
-!154 = distinct !{!154, !"_ZN12clpt_control6native9for_numba4jumpB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE"}
-!155 = !{!153}
-!156 = !{!157, !159, !153}
-!157 = distinct !{!157, !158, !"_ZN12clpt_control6native9for_numba9set_pieceB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!158 = distinct !{!158, !"_ZN12clpt_control6native9for_numba9set_pieceB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE"}
-!159 = distinct !{!159, !158, !"_ZN12clpt_control6native9for_numba9set_pieceB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
-!160 = !{!161, !153}
-!161 = distinct !{!161, !162, !"_ZN12clpt_control6native9for_numba6at_endB3v46B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE: %retptr"}
-!162 = distinct !{!162, !"_ZN12clpt_control6native9for_numba6at_endB3v46B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE"}
-!163 = !{!164, !153}
-!164 = distinct !{!164, !165, !"_ZN12clpt_control6native9for_numba4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_283_29: %retptr"}
-!165 = distinct !{!165, !"_ZN12clpt_control6native9for_numba4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_283_29"}
-!166 = !{!167, !153}
-!167 = distinct !{!167, !168, !"_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29: %retptr"}
-!168 = distinct !{!168, !"_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29"}
-!169 = !{!170}
-!170 = distinct !{!170, !171, !"_ZN12clpt_control6native9for_numba4failB3v47B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_285_29: %retptr"}
-!171 = distinct !{!171, !"_ZN12clpt_control6native9for_numba4failB3v47B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_285_29"}
-!172 = !{!173, !175}
-!173 = distinct !{!173, !174, !"_ZN12clpt_control6native9for_numba11enter_pieceB3v48B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!174 = distinct !{!174, !"_ZN12clpt_control6native9for_numba11enter_pieceB3v48B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE"}
-!175 = distinct !{!175, !174, !"_ZN12clpt_control6native9for_numba11enter_pieceB3v48B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
-!176 = !{!177, !179, !173, !175}
-!177 = distinct !{!177, !178, !"_ZN12clpt_control6native9for_numba9set_pieceB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!178 = distinct !{!178, !"_ZN12clpt_control6native9for_numba9set_pieceB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE"}
-!179 = distinct !{!179, !178, !"_ZN12clpt_control6native9for_numba9set_pieceB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
-!180 = !{!181}
-!181 = distinct !{!181, !182, !"_ZN12clpt_control6native9for_numba8take_runB2v2B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi7EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!182 = distinct !{!182, !"_ZN12clpt_control6native9for_numba8take_runB2v2B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi7EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!183 = !{!184, !186, !181}
-!184 = distinct !{!184, !185, !"_ZN12clpt_control6native9for_numba9set_pieceB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!185 = distinct !{!185, !"_ZN12clpt_control6native9for_numba9set_pieceB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE"}
-!186 = distinct !{!186, !185, !"_ZN12clpt_control6native9for_numba9set_pieceB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
-!187 = !{!188, !190}
-!188 = distinct !{!188, !189, !"_ZN12clpt_control6native9for_numba10look_aheadB2v8B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %retptr"}
-!189 = distinct !{!189, !"_ZN12clpt_control6native9for_numba10look_aheadB2v8B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE"}
-!190 = distinct !{!190, !189, !"_ZN12clpt_control6native9for_numba10look_aheadB2v8B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %excinfo"}
-!191 = !{!192, !194}
-!192 = distinct !{!192, !193, !"_ZN12clpt_control6native9for_numba11count_stepsB3v21B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE8UniTupleIxLi7EE5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %retptr"}
-!193 = distinct !{!193, !"_ZN12clpt_control6native9for_numba11count_stepsB3v21B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE8UniTupleIxLi7EE5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE"}
-!194 = distinct !{!194, !193, !"_ZN12clpt_control6native9for_numba11count_stepsB3v21B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE8UniTupleIxLi7EE5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %excinfo"}
-!195 = !{!196, !198}
-!196 = distinct !{!196, !197, !"_ZN12clpt_control6native9for_numba12first_passedB3v28B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxxx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!197 = distinct !{!197, !"_ZN12clpt_control6native9for_numba12first_passedB3v28B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxxx5ArrayIdLi1E1C7mutable7alignedE"}
-!198 = distinct !{!198, !197, !"_ZN12clpt_control6native9for_numba12first_passedB3v28B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxxx5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
-!199 = !{!200, !202}
-!200 = distinct !{!200, !201, !"_ZN12clpt_control6native9for_numba8may_hideB3v29B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!201 = distinct !{!201, !"_ZN12clpt_control6native9for_numba8may_hideB3v29B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE"}
-!202 = distinct !{!202, !201, !"_ZN12clpt_control6native9for_numba8may_hideB3v29B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
-!203 = !{!204}
-!204 = distinct !{!204, !205, !"_ZN12clpt_control6native9for_numba9try_againB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %retptr"}
-!205 = distinct !{!205, !"_ZN12clpt_control6native9for_numba9try_againB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE"}
-!206 = !{!207, !209}
-!207 = distinct !{!207, !208, !"_ZN12clpt_control6native9for_numba12state_withinB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %retptr"}
-!208 = distinct !{!208, !"_ZN12clpt_control6native9for_numba12state_withinB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd"}
-!209 = distinct !{!209, !208, !"_ZN12clpt_control6native9for_numba12state_withinB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %excinfo"}
-!210 = !{!211, !213, !207, !209}
-!211 = distinct !{!211, !212, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %retptr"}
-!212 = distinct !{!212, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd"}
-!213 = distinct !{!213, !212, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %excinfo"}
+!122 = !{!123, !125, !62}
+!123 = distinct !{!123, !124, !"_ZN12clpt_control6native9for_numba12first_passedB3v41B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx23Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!124 = distinct !{!124, !"_ZN12clpt_control6native9for_numba12first_passedB3v41B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx23Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedE"}
+!125 = distinct !{!125, !124, !"_ZN12clpt_control6native9for_numba12first_passedB3v41B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx23Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!126 = !{!127, !129, !62}
+!127 = distinct !{!127, !128, !"_ZN12clpt_control6native9for_numba12state_withinB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %retptr"}
+!128 = distinct !{!128, !"_ZN12clpt_control6native9for_numba12state_withinB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd"}
+!129 = distinct !{!129, !128, !"_ZN12clpt_control6native9for_numba12state_withinB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %excinfo"}
+!130 = !{!131, !133, !127, !129, !62}
+!131 = distinct !{!131, !132, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %retptr"}
+!132 = distinct !{!132, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd"}
+!133 = distinct !{!133, !132, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %excinfo"}
+!134 = !{!135, !137}
+!135 = distinct !{!135, !136, !"_ZN12clpt_control6native9for_numba12watch_guardsB3v42B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE: %retptr"}
+!136 = distinct !{!136, !"_ZN12clpt_control6native9for_numba12watch_guardsB3v42B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE"}
+!137 = distinct !{!137, !136, !"_ZN12clpt_control6native9for_numba12watch_guardsB3v42B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE: %excinfo"}
+!138 = !{!139, !141, !135, !137}
+!139 = distinct !{!139, !140, !"_ZN12clpt_control6native9for_numba11mark_passedB3v43B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE: %retptr"}
+!140 = distinct !{!140, !"_ZN12clpt_control6native9for_numba11mark_passedB3v43B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE"}
+!141 = distinct !{!141, !140, !"_ZN12clpt_control6native9for_numba11mark_passedB3v43B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE: %excinfo"}
+!142 = !{!143, !145, !139, !141, !135, !137}
+!143 = distinct !{!143, !144, !"_ZN12clpt_control6native9for_numba12first_passedB3v44B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!144 = distinct !{!144, !"_ZN12clpt_control6native9for_numba12first_passedB3v44B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE"}
+!145 = distinct !{!145, !144, !"_ZN12clpt_control6native9for_numba12first_passedB3v44B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!146 = !{!147, !149, !139, !141, !135, !137}
+!147 = distinct !{!147, !148, !"_ZN12clpt_control6native9for_numba8may_hideB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!148 = distinct !{!148, !"_ZN12clpt_control6native9for_numba8may_hideB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE"}
+!149 = distinct !{!149, !148, !"_ZN12clpt_control6native9for_numba8may_hideB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!150 = !{!151, !153, !147, !149, !139, !141, !135, !137}
+!151 = distinct !{!151, !152, !"_ZN12clpt_control6native9for_numba13error_betweenB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!152 = distinct !{!152, !"_ZN12clpt_control6native9for_numba13error_betweenB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5ArrayIdLi1E1C7mutable7alignedE"}
+!153 = distinct !{!153, !152, !"_ZN12clpt_control6native9for_numba13error_betweenB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!154 = !{!155, !139, !141, !135, !137}
+!155 = distinct !{!155, !156, !"_ZN12clpt_control6native9for_numba9try_againB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %retptr"}
+!156 = distinct !{!156, !"_ZN12clpt_control6native9for_numba9try_againB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE"}
+!157 = !{!158, !160, !139, !141, !135, !137}
+!158 = distinct !{!158, !159, !"_ZN12clpt_control6native9for_numba12state_withinB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %retptr"}
+!159 = distinct !{!159, !"_ZN12clpt_control6native9for_numba12state_withinB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd"}
+!160 = distinct !{!160, !159, !"_ZN12clpt_control6native9for_numba12state_withinB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %excinfo"}
+!161 = !{!162, !164, !158, !160, !139, !141, !135, !137}
+!162 = distinct !{!162, !163, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %retptr"}
+!163 = distinct !{!163, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd"}
+!164 = distinct !{!164, !163, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %excinfo"}
+!165 = !{!"branch_weights", i32 1, i32 99}
+!166 = !{!"branch_weights", i32 101, i32 99}
+!167 = !{!"branch_weights", i32 301, i32 99}
+!168 = !{!169, !135, !137}
+!169 = distinct !{!169, !170, !"_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29: %retptr"}
+!170 = distinct !{!170, !"_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29"}
+!171 = !{!172}
+!172 = distinct !{!172, !173, !"_ZN12clpt_control6native9for_numba6sampleB3v46B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
+!173 = distinct !{!173, !"_ZN12clpt_control6native9for_numba6sampleB3v46B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedEx"}
+!174 = !{!175, !177, !172}
+!175 = distinct !{!175, !176, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %retptr"}
+!176 = distinct !{!176, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd"}
+!177 = distinct !{!177, !176, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %excinfo"}
+!178 = !{!179, !181}
+!179 = distinct !{!179, !180, !"_ZN12clpt_control6native9for_numba11decide_anewB3v47B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!180 = distinct !{!180, !"_ZN12clpt_control6native9for_numba11decide_anewB3v47B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE"}
+!181 = distinct !{!181, !180, !"_ZN12clpt_control6native9for_numba11decide_anewB3v47B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!182 = !{!183, !179, !181}
+!183 = distinct !{!183, !184, !"_ZN12clpt_control6native9for_numba4failB3v48B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_286_29: %retptr"}
+!184 = distinct !{!184, !"_ZN12clpt_control6native9for_numba4failB3v48B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_286_29"}
+!185 = !{!186, !188}
+!186 = distinct !{!186, !187, !"_ZN12clpt_control6native9for_numba6at_endB3v50B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE: %retptr"}
+!187 = distinct !{!187, !"_ZN12clpt_control6native9for_numba6at_endB3v50B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE"}
+!188 = distinct !{!188, !189, !"_ZN12clpt_control6native9for_numba4jumpB3v49B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE: %retptr"}
+!189 = distinct !{!189, !"_ZN12clpt_control6native9for_numba4jumpB3v49B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE"}
+!190 = !{!188}
+!191 = !{!192, !194, !188}
+!192 = distinct !{!192, !193, !"_ZN12clpt_control6native9for_numba9set_pieceB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!193 = distinct !{!193, !"_ZN12clpt_control6native9for_numba9set_pieceB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE"}
+!194 = distinct !{!194, !193, !"_ZN12clpt_control6native9for_numba9set_pieceB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!195 = !{!196, !188}
+!196 = distinct !{!196, !197, !"_ZN12clpt_control6native9for_numba6at_endB3v50B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE: %retptr"}
+!197 = distinct !{!197, !"_ZN12clpt_control6native9for_numba6at_endB3v50B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE"}
+!198 = !{!199, !188}
+!199 = distinct !{!199, !200, !"_ZN12clpt_control6native9for_numba4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_283_29: %retptr"}
+!200 = distinct !{!200, !"_ZN12clpt_control6native9for_numba4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_283_29"}
+!201 = !{!202, !188}
+!202 = distinct !{!202, !203, !"_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29: %retptr"}
+!203 = distinct !{!203, !"_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29"}
+!204 = !{!205}
+!205 = distinct !{!205, !206, !"_ZN12clpt_control6native9for_numba4failB3v51B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_285_29: %retptr"}
+!206 = distinct !{!206, !"_ZN12clpt_control6native9for_numba4failB3v51B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_285_29"}
+!207 = !{!208, !210}
+!208 = distinct !{!208, !209, !"_ZN12clpt_control6native9for_numba11enter_pieceB3v52B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!209 = distinct !{!209, !"_ZN12clpt_control6native9for_numba11enter_pieceB3v52B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE"}
+!210 = distinct !{!210, !209, !"_ZN12clpt_control6native9for_numba11enter_pieceB3v52B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!211 = !{!212, !214, !208, !210}
+!212 = distinct !{!212, !213, !"_ZN12clpt_control6native9for_numba9set_pieceB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!213 = distinct !{!213, !"_ZN12clpt_control6native9for_numba9set_pieceB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE"}
+!214 = distinct !{!214, !213, !"_ZN12clpt_control6native9for_numba9set_pieceB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!215 = !{!216}
+!216 = distinct !{!216, !217, !"_ZN12clpt_control6native9for_numba8take_runB2v2B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi7EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!217 = distinct !{!217, !"_ZN12clpt_control6native9for_numba8take_runB2v2B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi7EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!218 = !{!219, !221, !216}
+!219 = distinct !{!219, !220, !"_ZN12clpt_control6native9for_numba9set_pieceB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!220 = distinct !{!220, !"_ZN12clpt_control6native9for_numba9set_pieceB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE"}
+!221 = distinct !{!221, !220, !"_ZN12clpt_control6native9for_numba9set_pieceB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!222 = !{!223, !225}
+!223 = distinct !{!223, !224, !"_ZN12clpt_control6native9for_numba10look_aheadB2v8B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %retptr"}
+!224 = distinct !{!224, !"_ZN12clpt_control6native9for_numba10look_aheadB2v8B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE"}
+!225 = distinct !{!225, !224, !"_ZN12clpt_control6native9for_numba10look_aheadB2v8B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %excinfo"}
+!226 = !{!227, !229}
+!227 = distinct !{!227, !228, !"_ZN12clpt_control6native9for_numba11count_stepsB3v21B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE8UniTupleIxLi7EE5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %retptr"}
+!228 = distinct !{!228, !"_ZN12clpt_control6native9for_numba11count_stepsB3v21B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE8UniTupleIxLi7EE5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE"}
+!229 = distinct !{!229, !228, !"_ZN12clpt_control6native9for_numba11count_stepsB3v21B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE8UniTupleIxLi7EE5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %excinfo"}
+!230 = !{!231, !233}
+!231 = distinct !{!231, !232, !"_ZN12clpt_control6native9for_numba12first_passedB3v28B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxxx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!232 = distinct !{!232, !"_ZN12clpt_control6native9for_numba12first_passedB3v28B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxxx5ArrayIdLi1E1C7mutable7alignedE"}
+!233 = distinct !{!233, !232, !"_ZN12clpt_control6native9for_numba12first_passedB3v28B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxxx5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!234 = !{!235, !237}
+!235 = distinct !{!235, !236, !"_ZN12clpt_control6native9for_numba8may_hideB3v29B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!236 = distinct !{!236, !"_ZN12clpt_control6native9for_numba8may_hideB3v29B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE"}
+!237 = distinct !{!237, !236, !"_ZN12clpt_control6native9for_numba8may_hideB3v29B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!238 = !{!239, !241, !235, !237}
+!239 = distinct !{!239, !240, !"_ZN12clpt_control6native9for_numba13error_betweenB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!240 = distinct !{!240, !"_ZN12clpt_control6native9for_numba13error_betweenB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5ArrayIdLi1E1C7mutable7alignedE"}
+!241 = distinct !{!241, !240, !"_ZN12clpt_control6native9for_numba13error_betweenB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!242 = !{!243}
+!243 = distinct !{!243, !244, !"_ZN12clpt_control6native9for_numba9try_againB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %retptr"}
+!244 = distinct !{!244, !"_ZN12clpt_control6native9for_numba9try_againB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE"}
+!245 = !{!246, !248}
+!246 = distinct !{!246, !247, !"_ZN12clpt_control6native9for_numba12state_withinB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %retptr"}
+!247 = distinct !{!247, !"_ZN12clpt_control6native9for_numba12state_withinB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd"}
+!248 = distinct !{!248, !247, !"_ZN12clpt_control6native9for_numba12state_withinB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %excinfo"}
+!249 = !{!250, !252, !246, !248}
+!250 = distinct !{!250, !251, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %retptr"}
+!251 = distinct !{!251, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd"}
+!252 = distinct !{!252, !251, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %excinfo"}
 
 define i64 @advance(ptr %numbers) {
   %result = alloca i64

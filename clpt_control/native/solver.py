@@ -80,12 +80,13 @@ FACTORS = tuple(
     for a in range(1, 9, 2)
     for b in range(0, 9, 2)
 )
-CLEAR = 10.0  # from a turn: a distance, in errors
-DECIDED = 3 * (GLANCES + 1)  # numbers of a decision in D: `decide` at each look
+CLEAR, BENT = 10.0, 0.01  # from a turn: a distance, in errors; an error, as a share of the range
+BEHIND = GLANCES + 1  # the look right behind a kink
+DECIDED = 3 * (BEHIND + 1)  # numbers of a decision in D: `decide` at each look
 CROSSED = 1.0  # a step ends behind a kink
 HALVINGS, RESOLVED = 50, 1e-12  # of a step; how close to a kink one ends, of the step or the time
 SHORTEST = 1e-13  # step up to a kink, of a run: in a shorter one states move by rounding alone
-FELT = 0.1  # effect up to which a step crosses a kink as it is
+FELT, SOON = 0.1, 0.75  # effect up to which a step crosses a kink as it is, behind this share
 MOST_KINKS, NEAR = 1000, 1e-7  # one after the other, each within that share of the run
 UNFELT = 5e-6  # or within this share, if states hardly move from one to the next
 # steps between checks for stiffness; steps that make a run stiff; steps ahead for it to matter
@@ -278,21 +279,44 @@ def mark_passed(code, function, shape, decided, times, results, lane, arrays):
     return some
 
 
+def error_between(d, row, D):
+    """Return by how much the quartic through distances at the quarters of a step is off between.
+
+    They lie at d, and `row` further for each look.
+    """
+    error = 0.0
+    for m in range(GLANCES // 2):
+        apart = D[d + (2 * m + 1) * row]
+        for i in range(GLANCES // 2 + 1):
+            apart -= FACTORS[5 * m + i] * D[d + 2 * i * row]
+        error = max(error, abs(apart))
+    return error
+
+
+def bends(k, shape, D):
+    """Return whether distances of a lane's step are further off than a share of their range."""
+    lanes, decided = shape[0], shape[6]
+    row = 3 * decided * lanes  # from one look to the next
+    for j in range(decided):
+        d, low, high = (decided + j) * lanes + k, math.inf, -math.inf
+        for look in range(GLANCES + 1):
+            low, high = min(low, D[d + look * row]), max(high, D[d + look * row])
+        error = error_between(d, row, D)
+        if error > D[d + decided * lanes] and error > BENT * (high - low):
+            return True
+    return False
+
+
 def may_hide(k, lanes, decided, last, D):
     """Return whether a decision may pass and come back between looks at a step, up to the last.
 
-    The quartic through the distances at the quarters of the step meets those between, but for
-    `error`.  The step is too long to tell unless every distance within it, and the vertex of each
-    parabola through three of them, is `CLEAR` times as large.
+    The step is too long to tell unless every distance within it, and the vertex of each parabola
+    through three of them, is `CLEAR` times as large as the error between.
     """
     row = 3 * decided * lanes  # from one look to the next
     for j in range(decided):
-        d, error, nearest = (decided + j) * lanes + k, 0.0, math.inf
-        for m in range(GLANCES // 2):
-            apart = D[d + (2 * m + 1) * row]
-            for i in range(GLANCES // 2 + 1):
-                apart -= FACTORS[5 * m + i] * D[d + 2 * i * row]
-            error = max(error, abs(apart))
+        d, nearest = (decided + j) * lanes + k, math.inf
+        error = error_between(d, row, D)
         for look in range(1, min(last + 1, GLANCES)):
             nearest = min(nearest, D[d + look * row])
         for look in range(1, last):
@@ -311,76 +335,88 @@ def may_hide(k, lanes, decided, last, D):
 def locate_kinks(code, shape, tolerances, times, results, lane, arrays):
     """Locate the kinks that steps cross and states feel; a step well beyond one is tried up to it.
 
-    A kink that is not felt is crossed by the step as it is, else rounding might decide where a step
-    ends: at a tangent, or where errors are small.
+    A kink that is not felt, right behind it or at a look, is crossed by the step as it is, else
+    rounding might decide where a step ends: at a tangent, or where errors are small.  But the step
+    ends soon after, for other kinks may now be felt, and is halved if distances bend too much to
+    tell.
     """
     lanes, n, decided = shape[0], shape[1], shape[6]
     shortest = SHORTEST * (times[-1] - times[0])
     counts, (numbers, whole, _), (Z, P, T, W, D) = results[3], lane, arrays
-    measure_effect(code, shape, tolerances, numbers, arrays)
-    halvings = 0
-    for k in range(lanes):
-        if whole[WHICH, k] >= 0 and numbers[EFFECT, k] > FELT:
-            halvings = HALVINGS
-        elif whole[WHICH, k] >= 0:
-            numbers[KINK, k] = CROSSED if first_passed(k, lanes, decided, 0, D) >= 0 else 0.0
-    for _ in range(halvings):
-        for k in range(lanes):
-            share = 0.5 * (numbers[LOW, k] + numbers[HIGH, k])
-            state_within(n, lanes, k, numbers, Z, share)
-        call(code[DECIDE], numbers[AT], Z, LOOKED * n * lanes, P, T, W, D, 0)
-        for k in range(lanes):
-            if whole[WHICH, k] >= 0 and numbers[EFFECT, k] > FELT:
-                share = 0.5 * (numbers[LOW, k] + numbers[HIGH, k])
-                if first_passed(k, lanes, decided, 0, D) >= 0:
-                    numbers[HIGH, k] = share
-                else:
-                    numbers[LOW, k] = share
-    for k in range(lanes):
-        numbers[AT, k] = numbers[NEW, k]
-        if whole[WHICH, k] >= 0 and numbers[EFFECT, k] > FELT:
-            h, least = numbers[TAKEN, k], 2.0 * RESOLVED * abs(numbers[NEW, k])
-            met = (1.0 - numbers[LOW, k]) * h <= max(RESOLVED * h, least)
-            if met or h <= 2.0 * shortest:
-                numbers[KINK, k] = CROSSED
-            else:
-                try_again(k, max(numbers[HIGH, k] * h, shortest), counts, lane)
-
-
-def measure_effect(code, shape, tolerances, numbers, arrays):
-    """Write the largest error of a step that its locked decisions may make: h |f free - f locked|.
-
-    D is left as it is at the end of the step.
-    """
-    lanes, n, _, _, _, decided_at, decided = shape
-    Z, P, T, W, D = arrays
     for k in range(lanes):
         numbers[EFFECT, k] = 0.0
     for look in range(1, GLANCES + 1):
         for k in range(lanes):
             state_within(n, lanes, k, numbers, Z, SHARES[look])
-        first = (LOOKED if look < GLANCES else ARGUMENT) * n * lanes
-        call(code[DECIDE], numbers[AT], Z, first, P, T, W, D, 0)
-        call(code[DERIVATIVE], numbers[AT], Z, first, P, T, W, Z, LOCKED * n * lanes)
-        exchange(decided_at * lanes, decided * lanes, P, D)
-        call(code[PREPARE], numbers[AT], Z, first, P, T, W, D, 0)
-        call(code[DERIVATIVE], numbers[AT], Z, first, P, T, W, Z, FREE * n * lanes)
-        exchange(decided_at * lanes, decided * lanes, P, D)
-        call(code[PREPARE], numbers[AT], Z, first, P, T, W, D, 0)
+        measure_effect(code, shape, tolerances, numbers, look, arrays)
+    to = 3 * BEHIND * decided * lanes
+    for _ in range(HALVINGS):
         for k in range(lanes):
-            for i in range(n):
-                x, at = Z[i * lanes + k], i * lanes + k
-                apart = abs(Z[FREE * n * lanes + at] - Z[LOCKED * n * lanes + at])
-                least = tolerances[1] + tolerances[0] * abs(x)
-                effect = numbers[TAKEN, k] * apart / least
-                effect = effect if effect - effect == 0.0 else math.inf
-                numbers[EFFECT, k] = max(numbers[EFFECT, k], effect)
+            share = 0.5 * (numbers[LOW, k] + numbers[HIGH, k])
+            state_within(n, lanes, k, numbers, Z, share)
+        call(code[DECIDE], numbers[AT], Z, LOOKED * n * lanes, P, T, W, D, to)
+        for k in range(lanes):
+            share = 0.5 * (numbers[LOW, k] + numbers[HIGH, k])
+            if first_passed(k, lanes, decided, BEHIND, D) >= 0:
+                numbers[HIGH, k] = share
+            else:
+                numbers[LOW, k] = share
+    for k in range(lanes):
+        state_within(n, lanes, k, numbers, Z, numbers[HIGH, k])
+    call(code[DECIDE], numbers[AT], Z, LOOKED * n * lanes, P, T, W, D, to)
+    measure_effect(code, shape, tolerances, numbers, BEHIND, arrays)
+    for k in range(lanes):
+        numbers[AT, k] = numbers[NEW, k]
+        if whole[WHICH, k] < 0:
+            continue
+        h, high, least = numbers[TAKEN, k], numbers[HIGH, k], 2.0 * RESOLVED * abs(numbers[NEW, k])
+        if numbers[EFFECT, k] > FELT:
+            met = (1.0 - numbers[LOW, k]) * h <= max(RESOLVED * h, least)
+            if met or h <= 2.0 * shortest:
+                numbers[KINK, k] = CROSSED
+            else:
+                try_again(k, max(high * h, shortest), counts, lane)
+            continue
+        at, share = (decided + whole[WHICH, k]) * lanes + k, 1.0
+        if high < SOON and D[at] > D[at + decided * lanes]:  # not at the step's very beginning
+            share = 0.5 * high * (1.0 + 1.0 / SOON)
+        if bends(k, shape, D):
+            share = min(share, 0.5)
+        if share < 1.0 and h > 2.0 * shortest:
+            try_again(k, share * h, counts, lane)
+        elif first_passed(k, lanes, decided, GLANCES, D) >= 0:
+            numbers[KINK, k] = CROSSED
 
 
-def exchange(first, count, P, D):
-    """Exchange `count` numbers of P, from a place on, with the first ones of D."""
+def measure_effect(code, shape, tolerances, numbers, look, arrays):
+    """Raise EFFECT to h |f free - f locked|, the error by decisions as they are at a look.
+
+    D holds these decisions.
+    """
+    lanes, n, _, _, _, decided_at, decided = shape
+    Z, P, T, W, D = arrays
+    first = (LOOKED if look != GLANCES else ARGUMENT) * n * lanes
+    now, count = 3 * look * decided * lanes, decided * lanes
+    call(code[DERIVATIVE], numbers[AT], Z, first, P, T, W, Z, LOCKED * n * lanes)
+    exchange(P, decided_at * lanes, D, now, count)
+    call(code[PREPARE], numbers[AT], Z, first, P, T, W, D, 0)
+    call(code[DERIVATIVE], numbers[AT], Z, first, P, T, W, Z, FREE * n * lanes)
+    exchange(P, decided_at * lanes, D, now, count)
+    call(code[PREPARE], numbers[AT], Z, first, P, T, W, D, 0)
+    for k in range(lanes):
+        for i in range(n):
+            x, at = Z[i * lanes + k], i * lanes + k
+            apart = abs(Z[FREE * n * lanes + at] - Z[LOCKED * n * lanes + at])
+            least = tolerances[1] + tolerances[0] * abs(x)
+            effect = numbers[TAKEN, k] * apart / least
+            effect = effect if effect - effect == 0.0 else math.inf
+            numbers[EFFECT, k] = max(numbers[EFFECT, k], effect)
+
+
+def exchange(a, first, b, second, count):
+    """Exchange `count` numbers of two arrays, each from a place on."""
     for j in range(count):
-        P[first + j], D[j] = D[j], P[first + j]
+        a[first + j], b[second + j] = b[second + j], a[first + j]
 
 
 def decide_anew(shape, tolerances, times, status, lane, Z):

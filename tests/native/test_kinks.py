@@ -254,6 +254,22 @@ def test_a_phase_that_turns_many_times_in_a_step_meets_each_switch(level, freque
     np.testing.assert_allclose(found.states[-1, 1], wanted, rtol=1e-8)
 
 
+@pytest.mark.parametrize("pulse", [0.4, 0.1, 0.02])
+def test_a_kink_that_is_not_felt_may_make_another_one_felt(pulse):
+    """While s = sin(2 pi f t) is within a pulse, and then alone, what is clipped leaves its end."""
+
+    def rate(s):
+        inside = np.logical_and(s > -0.7, s < pulse - 0.7)
+        return np.clip(0.6 * s + np.where(inside, 0.87, -0.17), 0.43, 0.5)
+
+    def turning(t, x, u, p):
+        return [2.0 * np.pi * 13.8, rate(np.sin(x[0]))]
+
+    found = clpt.simulate(system(turning, 2), [0.0, 10.0], None, 0.0)
+    wanted = 10.0 * rate(np.sin(2.0 * np.pi * (np.arange(1e6) + 0.5) / 1e6)).mean()
+    np.testing.assert_allclose(found.states[-1, 1], wanted, rtol=1e-6)
+
+
 @pytest.mark.parametrize("engine", ["native", "python"])
 @pytest.mark.parametrize("level", [0.5, 0.9, 0.95])
 @pytest.mark.parametrize("frequency", [1.0, 10.0, 137.0])
