@@ -1,4 +1,4 @@
-"""Wrong laws, made of families; a name says what is done.
+"""A hundred wrong laws, made of families; a name says what is done.
 
 Each is a law and what else `prove` is given.  A wrong one is wrong for some flow, track or start.
 """
@@ -12,10 +12,15 @@ from own_laws import (
     V_of,
     changed,
     driven,
+    filled,
     law,
     leak,
     off,
+    two,
 )
+
+TICKS = {"breakpoints": lambda p, t0, t1: np.arange(np.floor(t0) + 1.0, np.floor(t1) + 1.0)}
+SIGNS = {"alpha": (2, N), "K": (2,), "Gamma": (2,)}
 
 
 def case(make, **more):
@@ -51,26 +56,46 @@ def mapped(function):
     return lambda: law(book.behind, GAIN, **more)
 
 
-def driven_by_state(rate):
-    """Make the paper's law with K driven by a state s, too."""
-    return changed(
-        lambda t, x, u, p, r: r | {"K": r["K"] + x.s, "s": rate(x, u)}, states={**LEARNED, "s": 1}
-    )
+def jumping(jump):
+    """Make the paper's law with a jump at every whole time."""
+
+    def at(t, x, u, p):
+        """What is learned, changed, section III."""
+        return {port: getattr(x, port) for port in LEARNED} | jump(t, x, u)
+
+    return changed(lambda t, x, u, p, r: r, GAIN | {"interval": -1.0}, jump=at, **TICKS)
+
+
+def with_state(rate, alpha=lambda x, r: r, size=1):
+    """Make the paper's law with a state of its own."""
+
+    def change(t, x, u, p, rates):
+        return alpha(x, rates) | {"s": rate(x, u)}
+
+    return changed(change, states={**LEARNED, "s": size})
 
 
 def flip(port, index):
     """Make the paper's law with one sign turned."""
-    turned = np.ones({"alpha": (2, N), "K": 2}[port])
+    turned = np.ones(SIGNS[port])
     turned[index] = -1.0
     return changed(lambda t, x, u, p, r: r | {port: turned * r[port]})
 
 
 turned = changed(lambda t, x, u, p, r: {port: -own for port, own in r.items()})
 WRONG = {
-    "sign of alpha[1, 0]": case(flip("alpha", (1, 0))),
-    "sign of K[1]": case(flip("K", 1)),
+    **{
+        f"sign of {port} at {index}": (flip(port, index), {})
+        for port, shape in SIGNS.items()
+        for index in np.ndindex(shape)
+    },
     "axes swapped in all": case(driven(lambda t, x, u, p: u.e[::-1])),
-    "axes swapped in K": case(changed(lambda t, x, u, p, r: r | {"K": r["K"][::-1]})),
+    **family(
+        "axes swapped in {}",
+        lambda port: changed(lambda t, x, u, p, r: r | {port: r[port][::-1]}),
+        {port: port for port in LEARNED},
+    ),
+    "the mean of e": case(driven(lambda t, x, u, p: 0 * u.e + np.sum(u.e) / 2)),
     "the difference of e": case(driven(lambda t, x, u, p: u.e - u.e[::-1] * 2)),
     **family(
         "{} in place of e",
@@ -78,36 +103,60 @@ WRONG = {
         {
             "-tanh(e)": lambda e: -np.tanh(e),
             "sin(e)": np.sin,
+            "e - e^3": lambda e: e - e**3,
             "|e|": np.abs,
+            "e^2": lambda e: e**2,
+            "max(e, 0)": lambda e: np.maximum(e, 0),
             "clip(e, 0.1, 1)": lambda e: np.clip(e, 0.1, 1),
+            "e + 0.1": lambda e: e + 0.1,
+            "e exp(-e^2)": lambda e: -e * np.exp(-(e**2)),
         },
     ),
     **family(
         "a gain times {}",
         scaled,
         {
+            "cos t": lambda t, x, u: np.cos(t),
             "1 - t/50": lambda t, x, u: 1 - t / 50,
+            "exp(-t)": lambda t, x, u: np.exp(-t),
+            "1/(1 + t)": lambda t, x, u: 1 / (1 + t),
             "0.5 + sin t": lambda t, x, u: 0.5 + np.sin(t),
             "sign of z": lambda t, x, u: np.sign(u.z[0]),
+            "sign of alpha": lambda t, x, u: np.sign(x.alpha[0, 0]),
             "1 - |e|^2": lambda t, x, u: 1 - u.e @ u.e,
             "-1 where |e| > 5": lambda t, x, u: np.where(u.e @ u.e > 25, -1.0, 1.0),
+            "-1 where |alpha| > 10": lambda t, x, u: np.where(
+                np.abs(x.alpha[0, 0]) > 10, -1.0, 1.0
+            ),
+            "-1 where zc > 4": lambda t, x, u: np.where(u.zc[0] > 4, -1.0, 1.0),
             "-1 where phi < 0.1": lambda t, x, u: np.where(u.phi_x[0] < 0.1, -1.0, 1.0),
+            "-1 after 100": lambda t, x, u: np.where(t > 100, -1.0, 1.0),
             "-1 after 1e4": lambda t, x, u: np.where(t > 1e4, -1.0, 1.0),
             "-1 in a ring": lambda t, x, u: np.where((u.e[0] > 2) & (u.e[0] < 3), -1.0, 1.0),
+            "0 where e > 0": lambda t, x, u: np.where(u.e[0] > 0, 0.0, 1.0),
+            "alpha": lambda t, x, u: x.alpha[0, 0],
+            "tanh(K)": lambda t, x, u: np.tanh(x.K[0]),
             "clip(alpha, -1, 1)": lambda t, x, u: np.clip(x.alpha[0, 0], -1, 1),
         },
     ),
-    "K learned backwards where e is large": case(
-        scaled(lambda t, x, u: np.where(np.abs(u.e) > 1, -1.0, 1.0), "K")
+    **family(
+        "{} learned backwards where e is large",
+        lambda port: scaled(lambda t, x, u: np.where(np.abs(u.e) > 1, -1.0, 1.0), port),
+        {"K": "K", "Gamma": "Gamma"},
     ),
     **family(
         "{} of eps",
         book.seen,
         {
             "-tanh": lambda s: -np.tanh(s),
+            "sin": np.sin,
+            "cos": np.cos,
             "|eps|": np.abs,
+            "eps - eps^3": lambda s: s - s**3,
+            "clip(0.1, 1)": lambda s: np.clip(s, 0.1, 1),
             "-sign beyond 1": lambda s: np.where(np.abs(s) > 1, -s, s),
             "eps swapped": lambda s: s[::-1],
+            "max(eps, -eps)": lambda s: np.maximum(s, -s),
             "a step": lambda s: np.where(s > 0, 1.0, 0.5),
         },
     ),
@@ -116,16 +165,24 @@ WRONG = {
         leak,
         {
             "-0.1": lambda t, x, u, p: -0.1,
+            "0.05 + 0.1 sin t turned": lambda t, x, u, p: -0.05 - 0.1 * np.sin(t),
             "of |alpha| - 3, turned": lambda t, x, u, p: 0.1 * (3 - np.sum(x.alpha**2)),
             "alpha, any sign": lambda t, x, u, p: 0.1 * x.alpha[0, 0],
+            "-|e|": lambda t, x, u, p: -0.1 * np.hypot(u.e[0], u.e[1]),
             "-|e|^2": lambda t, x, u, p: -0.1 * u.e @ u.e,
+            "where e > 0, turned": lambda t, x, u, p: np.where(u.e[0] > 0, -0.1, 0.1),
         },
     ),
     "pushed": case(changed(lambda t, x, u, p, r: r | {"K": r["K"] + 0.01})),
+    "pushed by time": case(changed(lambda t, x, u, p, r: r | {"K": r["K"] + np.sin(t)})),
     "pushed by z": case(changed(lambda t, x, u, p, r: r | {"Gamma": r["Gamma"] + 0.1 * u.z})),
     "K by the other z": case(changed(lambda t, x, u, p, r: r | {"K": -p.gain * u.z[::-1] * u.e})),
+    "Gamma by z": case(changed(lambda t, x, u, p, r: r | {"Gamma": p.gain * u.z * u.e})),
     "alpha by phi^2": case(
         changed(lambda t, x, u, p, r: r | {"alpha": -p.gain * np.outer(u.e, u.phi_x**2)})
+    ),
+    "alpha by phi turned round": case(
+        changed(lambda t, x, u, p, r: r | {"alpha": -p.gain * np.outer(u.e, u.phi_x[::-1])})
     ),
     "alpha by phi(z)": case(
         changed(
@@ -138,24 +195,78 @@ WRONG = {
         by_matrix,
         {
             "indefinite": [[1.0, 2.0], [2.0, 1.0]],
+            "turned": [[-1.0, 0.0], [0.0, 1.0]],
             "of a rotation": [[0.0, 1.0], [-1.0, 0.0]],
+            "singular": [[1.0, 1.0], [1.0, 1.0]],
             "not symmetric": [[1.0, 3.0], [0.0, 1.0]],
         },
     ),
-    "alpha = s^2": case(mapped(lambda s, u: s**2)),
-    "alpha = s + e phi": case(mapped(lambda s, u: s + np.outer(u.e, u.phi_x))),
+    **family(
+        "alpha = {}",
+        mapped,
+        {
+            "-2 s": lambda s, u: -2 * s,
+            "s^2": lambda s, u: s**2,
+            "sin s": lambda s, u: np.sin(s),
+            "-s - s^3": lambda s, u: -s - s**3,
+            "s + e phi": lambda s, u: s + np.outer(u.e, u.phi_x),
+        },
+    ),
     "alpha = tanh s": case(
         mapped(lambda s, u: np.tanh(s)),
         V=book.of_state(lambda s, p: p.theta * s + np.log(np.cosh(s))),
     ),
-    "K is driven by a state": case(driven_by_state(lambda x, u: x.s)),
-    "K is driven by a filter": case(driven_by_state(lambda x, u: u.e[0] - x.s)),
+    **family(
+        "jumps: {}",
+        jumping,
+        {
+            "all turned": lambda t, x, u: {port: -getattr(x, port) for port in LEARNED},
+            "twice": lambda t, x, u: {"alpha": 2 * x.alpha},
+            "one more": lambda t, x, u: {"K": x.K + 1},
+            "axes swapped": lambda t, x, u: {"K": x.K[::-1]},
+            "by e": lambda t, x, u: {"Gamma": x.Gamma + u.e},
+            "turned where large": lambda t, x, u: {"K": np.where(x.K > 3, -x.K, x.K)},
+            "forgotten": lambda t, x, u: {"alpha": 0.0 * x.alpha},
+        },
+    ),
+    **{
+        f"a state {name}": (with_state(f, size=size), {})
+        for name, size, f in (
+            ("s' = s^2 + e", 1, lambda x, u: x.s**2 + u.e[0]),
+            ("s' = s |s|", 1, lambda x, u: x.s * np.abs(x.s)),
+            ("s' = exp(s)", 1, lambda x, u: np.exp(np.clip(x.s, -9, 9)) * x.s**2),
+            ("s' = s_2^2, s_2' = s_1", 2, lambda x, u: np.array([x.s[1] ** 2, x.s[0]])),
+            ("s' = s_1 s_2", 2, lambda x, u: x.s[0] * x.s[1] * np.ones(2)),
+            ("s' = K s", 1, lambda x, u: x.s * x.s * np.tanh(x.K[0])),
+        )
+    },
+    "alpha is driven by a state": case(
+        with_state(lambda x, u: x.s, lambda x, r: r | {"K": r["K"] + x.s})
+    ),
+    "alpha is driven by a filter": case(
+        with_state(lambda x, u: u.e[0] - x.s, lambda x, r: r | {"K": r["K"] + x.s})
+    ),
     "a tiny gain of e, then a large one": case(driven(lambda t, x, u, p: (u.e * 1e-200) * 1e-200)),
+    "e to the 41st, turned": case(driven(lambda t, x, u, p: -(u.e**41))),
+    "wrong from N = 8 on": case(
+        lambda: law(
+            lambda t, x, u, p: {
+                port: own * (np.where(np.arange(len(u.phi_x)) == 7, -1.0, 1.0) if k == 0 else 1.0)
+                for k, (port, own) in enumerate(filled(u, p.gain, u.e).items())
+            },
+            GAIN,
+            n=8,
+        )
+    ),
     "turned, V turned": case(turned, V=V_of(lambda t, u, p: u.e @ u.e / 2 - off(u, p))),
     "turned, V without an end": case(turned, V=V_of(lambda t, u, p: u.e @ u.e / (1 + u.e @ u.e))),
     "turned, V of e alone": case(turned, V=V_of(lambda t, u, p: u.e @ u.e / 2)),
     "turned, V = 0": case(turned, V=V_of(lambda t, u, p: 0.0 * u.e[0])),
+    "turned, V = -V": case(turned, V=V_of(lambda t, u, p: -u.e @ u.e / 2 - off(u, p))),
     "turned, V fades": case(turned, V=V_of(lambda t, u, p: np.exp(-t) * (u.e @ u.e + off(u, p)))),
+    "e alone, V of e to 1": case(
+        scaled(lambda t, x, u: 0.0), V=V_of(lambda t, u, p: np.minimum(u.e @ u.e, 1.0))
+    ),
     "nothing learned, V without K": case(
         scaled(lambda t, x, u: 0.0, "K"),
         V=V_of(lambda t, u, p: u.e @ u.e / 2 + np.sum((p.theta + u.alpha) ** 2)),
@@ -168,10 +279,13 @@ WRONG = {
         changed(
             lambda t, x, u, p, r: (
                 r | {"alpha": np.where((x.alpha >= 2) & (r["alpha"] < 0), 0.0, r["alpha"])}
-            ),
-            n=1,
+            )
         ),
         given=lambda s, p, truth: [*np.ravel(2 - truth.theta), *np.ravel(2 + truth.theta)],
+    ),
+    "a box too small": case(
+        lambda: law(book.in_a_box, two(2.0)),
+        given=lambda s, p, truth: [*np.ravel(3 - truth.theta), *np.ravel(3 + truth.theta)],
     ),
     "a falling gain, V with it": case(
         scaled(lambda t, x, u: 1 + np.exp(-t)),
