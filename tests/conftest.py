@@ -69,6 +69,27 @@ def refused(clpt):
 
 
 @pytest.fixture
+def refused_for(refused):
+    """Run a command, a user's mistake, whose line holds words, and which writes nothing."""
+
+    def run(words, *arguments):
+        before = sorted(Path().rglob("*"))
+        said = refused(*arguments)
+        assert all(word in said for word in words), said
+        assert sorted(Path().rglob("*")) == before
+        return said
+
+    return run
+
+
+@pytest.fixture(autouse=True)
+def here(request):
+    """Each test of a command begins in an empty folder."""
+    if request.path.parent.name == "cli":
+        request.getfixturevalue("monkeypatch").chdir(request.getfixturevalue("tmp_path"))
+
+
+@pytest.fixture
 def undrawn(monkeypatch):
     """Figures are made and not drawn, which takes most of the time."""
     from matplotlib.figure import Figure
