@@ -1,4 +1,4 @@
-; sha256 8e83a044166594320975de8f4b640196e98ca6402d5b4c2954ad55de3d60427c
+; sha256 1573c24911a8cb8b1b9c8f889caea3465f6af3182848aaf5e46115b51cd8e105
 
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.17 = internal constant [70 x i8] c"\80\04\95;\00\00\00\00\00\00\00\8C\08builtins\94\8C\0AIndexError\94\93\94\8C\18tuple index out of range\94\85\94N\87\94."
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.sha1.18 = internal constant [20 x i8] c"\A82\A7\F8\17\\%0i*\B8.X\1E$k\F5dj("
@@ -88,7 +88,7 @@ B416.if.lr.ph:                                    ; preds = %B380
 
 B458:                                             ; preds = %B416.if
   %.236.i = load i64, ptr %arg.batch.4.2.4, align 8, !noalias !0
-  %.293.i8893 = getelementptr double, ptr %0, i64 %.780.09172
+  %.293.i8893 = getelementptr double, ptr %0, i64 %.780.09169
   store double 0.000000e+00, ptr %.293.i8893, align 8, !noalias !0
   %.324.i = load i64, ptr %.323.i, align 8, !noalias !0
   %.326.i = icmp eq i64 %.236.i, %.324.i
@@ -108,13 +108,13 @@ B132.i:                                           ; preds = %B458
   %9 = getelementptr i64, ptr %arg.batch.1.0.4, i64 %.454.i8896
   %.484.i8897 = getelementptr i64, ptr %9, i64 %.470.i
   %.485.i8898 = load i64, ptr %.484.i8897, align 8, !noalias !0
-  %.540.i = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.780.09172
+  %.540.i = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.780.09169
   store i64 %.236.i, ptr %.540.i, align 8, !noalias !0
-  %.595.i = getelementptr i64, ptr %1, i64 %.780.09172
+  %.595.i = getelementptr i64, ptr %1, i64 %.780.09169
   store i64 %.485.i8898, ptr %.595.i, align 8, !noalias !0
-  %.654.i = getelementptr i64, ptr %2, i64 %.780.09172
+  %.654.i = getelementptr i64, ptr %2, i64 %.780.09169
   store i64 1, ptr %.654.i, align 8, !noalias !0
-  %.709.i = getelementptr i64, ptr %3, i64 %.780.09172
+  %.709.i = getelementptr i64, ptr %3, i64 %.780.09169
   store i64 0, ptr %.709.i, align 8, !noalias !0
   br i1 %.8051131.not.i, label %B402.i, label %B358.if.lr.ph.i
 
@@ -123,7 +123,7 @@ B358.if.lr.ph.i:                                  ; preds = %B132.i
   %.868.i = add i64 %.867.i, %.236.i
   %.888.i = mul i64 %.868.i, %arg.batch.0.1.5.1
   %10 = getelementptr double, ptr %arg.batch.0.1.4, i64 %.888.i
-  %invariant.gep9385 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.780.09172
+  %invariant.gep9382 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.780.09169
   br label %B358.if.i
 
 B402.i:                                           ; preds = %B358.if.i, %B132.i
@@ -146,7 +146,7 @@ B76.if.i.i8901:                                   ; preds = %B76.if.i.i8901, %B7
   %13 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.01135.i
   %.293.i.i = load i64, ptr %13, align 8, !noalias !3
   %.295.i.i8902 = mul nsw i64 %.293.i.i, %arg.shape.0
-  %.297.i.i = add nsw i64 %.295.i.i8902, %.780.09172
+  %.297.i.i = add nsw i64 %.295.i.i8902, %.780.09169
   %.311.i.i = icmp slt i64 %.297.i.i, 0
   %.312.i.i = select i1 %.311.i.i, i64 %arg.batch.5.1.5.0, i64 0
   %14 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i
@@ -165,8 +165,8 @@ B358.if.i:                                        ; preds = %B358.if.i, %B358.if
   %15 = getelementptr double, ptr %10, i64 %.747.01132.i
   %.893.i = load double, ptr %15, align 8, !noalias !0
   %.895.i = mul nsw i64 %.747.01132.i, %arg.shape.0
-  %gep9386 = getelementptr double, ptr %invariant.gep9385, i64 %.895.i
-  store double %.893.i, ptr %gep9386, align 8, !noalias !0
+  %gep9383 = getelementptr double, ptr %invariant.gep9382, i64 %.895.i
+  store double %.893.i, ptr %gep9383, align 8, !noalias !0
   %exitcond.not.i = icmp eq i64 %.818.i, %arg.batch.0.1.5.1
   br i1 %exitcond.not.i, label %B402.i, label %B358.if.i
 
@@ -178,7 +178,7 @@ B496.if.lr.ph.i:                                  ; preds = %B402.endif.i
   %.1180.i = add i64 %.1179.i, %.236.i
   %.1200.i = mul i64 %.1180.i, %arg.batch.0.0.5.1
   %16 = getelementptr double, ptr %arg.batch.0.0.4, i64 %.1200.i
-  %invariant.gep9387 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.780.09172
+  %invariant.gep9384 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.780.09169
   br label %B496.if.i
 
 B496.if.i:                                        ; preds = %B496.if.i, %B496.if.lr.ph.i
@@ -187,13 +187,13 @@ B496.if.i:                                        ; preds = %B496.if.i, %B496.if
   %17 = getelementptr double, ptr %16, i64 %.1061.01138.i
   %.1205.i = load double, ptr %17, align 8, !noalias !0
   %.1207.i = mul nsw i64 %.1061.01138.i, %arg.shape.0
-  %gep9388 = getelementptr double, ptr %invariant.gep9387, i64 %.1207.i
-  store double %.1205.i, ptr %gep9388, align 8, !noalias !0
+  %gep9385 = getelementptr double, ptr %invariant.gep9384, i64 %.1207.i
+  store double %.1205.i, ptr %gep9385, align 8, !noalias !0
   %exitcond1143.not.i = icmp eq i64 %.1130.i, %arg.shape.1
   br i1 %exitcond1143.not.i, label %B580.if.i, label %B496.if.i
 
 B580.if.i:                                        ; preds = %B496.if.i, %B402.endif.i
-  %invariant.gep.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.780.09172
+  %invariant.gep.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.780.09169
   store double 0.000000e+00, ptr %invariant.gep.i, align 8, !noalias !0
   %gep.1.i = getelementptr double, ptr %invariant.gep.i, i64 %arg.batch.4.0.5.1
   store double 0.000000e+00, ptr %gep.1.i, align 8, !noalias !0
@@ -257,24 +257,24 @@ B580.if.i:                                        ; preds = %B496.if.i, %B402.en
   %.1546.i = getelementptr double, ptr %18, i64 %.1532.i
   %.1547.i = load double, ptr %.1546.i, align 8, !noalias !0
   store double %.1455.i, ptr %invariant.gep.i, align 8, !noalias !0
-  %.1656.i = getelementptr double, ptr %4, i64 %.780.09172
+  %.1656.i = getelementptr double, ptr %4, i64 %.780.09169
   store double %.1547.i, ptr %.1656.i, align 8, !noalias !0
   store double 1.000000e+00, ptr %.293.i8893, align 8, !noalias !0
-  %.1767.i = getelementptr double, ptr %5, i64 %.780.09172
+  %.1767.i = getelementptr double, ptr %5, i64 %.780.09169
   store double 0xFFF0000000000000, ptr %.1767.i, align 8, !noalias !0
-  %.1822.i = getelementptr double, ptr %6, i64 %.780.09172
+  %.1822.i = getelementptr double, ptr %6, i64 %.780.09169
   store double 0x7FF0000000000000, ptr %.1822.i, align 8, !noalias !0
-  %.1877.i = getelementptr double, ptr %7, i64 %.780.09172
+  %.1877.i = getelementptr double, ptr %7, i64 %.780.09169
   %.1878.i = load double, ptr %.1877.i, align 8, !noalias !0
   %.1880.i = fcmp ueq double %.1878.i, 0xFFF0000000000000
   br i1 %.1880.i, label %B502, label %B888.i
 
 B502:                                             ; preds = %B888.i, %B458, %B580.if.i, %B416.if
-  %.1071 = load i64, ptr %329, align 8
+  %.1071 = load i64, ptr %332, align 8
   %.1072 = icmp sgt i64 %.1071, -1
   %.8871 = zext i1 %.1072 to i64
-  %.1089 = add nsw i64 %active.4.09174, %.8871
-  %.838 = icmp sgt i64 %.783.09173, 1
+  %.1089 = add nsw i64 %active.4.09171, %.8871
+  %.838 = icmp sgt i64 %.783.09170, 1
   br i1 %.838, label %B416.if, label %B556
 
 B556:                                             ; preds = %B502, %B380
@@ -287,14 +287,14 @@ B556:                                             ; preds = %B502, %B380
 B584.preheader:                                   ; preds = %B556
   %.1166 = getelementptr i8, ptr %arg.batch.4.2.4, i64 16
   %factor.op.mul = mul i64 %arg.shape.0, %arg.shape.6
-  %factor.op.mul9325 = mul i64 %arg.shape.1, 14
-  %factor.op.mul9326 = mul i64 %arg.shape.1, 15
+  %factor.op.mul9322 = mul i64 %arg.shape.1, 14
+  %factor.op.mul9323 = mul i64 %arg.shape.1, 15
   %.1262 = getelementptr i8, ptr %arg.code.4, i64 8
   %.1314 = icmp sgt i64 %arg.shape.6, 0
   %.162.i = getelementptr i8, ptr %arg.code.4, i64 40
   %.idx8870 = mul i64 %arg.batch.4.0.5.1, 24
   %19 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8870
-  %.537.i9175 = icmp slt i64 %arg.shape.6, 1
+  %.537.i9172 = icmp slt i64 %arg.shape.6, 1
   %.691.i = getelementptr i8, ptr %arg.code.4, i64 8
   %.1375.not = icmp eq i64 %arg.shape.3, 0
   %.1405 = getelementptr i8, ptr %arg.code.4, i64 16
@@ -377,18 +377,18 @@ B584.preheader:                                   ; preds = %B556
   %.199.i.i = add i64 %arg.linear.3.1, 1
   %.2178 = add i64 %arg.shape.2, -1
   %storemerge8816 = tail call i64 @llvm.smax.i64(i64 %.2178, i64 0)
-  %.22219188.not = icmp slt i64 %.2178, 1
+  %.22219185.not = icmp slt i64 %.2178, 1
   %.2366.idx = mul i64 %.463, 136
   %.2366 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.2366.idx
   %.2392 = inttoptr i64 %"$phi380.0.2.0" to ptr
   %.218614.not.i = icmp sgt i64 %arg.shape.1, 0
-  %or.cond9165.not = select i1 %.610, i1 %.218614.not.i, i1 false
+  %or.cond9162.not = select i1 %.610, i1 %.218614.not.i, i1 false
   %.326.i8909 = mul nsw i64 %arg.shape.1, 17
   %.idx.i8911 = mul i64 %arg.shape.1, 80
-  %invariant.gep9184 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.idx.i8911
+  %invariant.gep9181 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.idx.i8911
   %.395.i = mul nsw i64 %arg.shape.1, 17
   %.339.i.i = add i64 %arg.linear.3.0, 1
-  %invariant.gep9186 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.395.i
+  %invariant.gep9183 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.395.i
   %32 = add i64 %arg.linear.3.1, %arg.linear.3.0
   %.2486 = getelementptr i8, ptr %arg.code.4, i64 72
   %.2563 = icmp sgt i64 %arg.shape.3, 0
@@ -445,24 +445,24 @@ B584.preheader:                                   ; preds = %B556
   %53 = getelementptr double, ptr %arg.batch.2.4, i64 %arg.batch.2.5.0
   %.230.i = getelementptr i8, ptr %53, i64 -8
   %storemerge.i = tail call i64 @llvm.smax.i64(i64 %arg.shape.0, i64 0)
-  %.idx4690.i = mul i64 %arg.batch.4.0.5.1, 136
-  %54 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx4690.i
-  %.idx4687.i = mul i64 %arg.batch.4.0.5.1, 48
-  %55 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx4687.i
-  %.287.i7034709.not.i = icmp slt i64 %arg.shape.1, 1
-  %.358.i837.i = shl nsw i64 %arg.shape.1, 4
+  %.idx4899.i = mul i64 %arg.batch.4.0.5.1, 136
+  %54 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx4899.i
+  %.idx4896.i = mul i64 %arg.batch.4.0.5.1, 48
+  %55 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx4896.i
+  %.287.i7034918.not.i = icmp slt i64 %arg.shape.1, 1
+  %.358.i837.i = shl i64 %arg.shape.1, 4
   %factor.op.mul.i.reass = mul i64 %factor.op.mul, 3
   %.174.i1053.i = mul i64 %arg.shape.6, %arg.shape.0
-  %factor.op.mul4727.i.reass = mul i64 %factor.op.mul9325, %arg.shape.0
-  %.321.i.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %factor.op.mul4727.i.reass
+  %factor.op.mul4936.i.reass = mul i64 %factor.op.mul9322, %arg.shape.0
+  %.321.i.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %factor.op.mul4936.i.reass
   %.327.i1112.i = mul nsw i64 %arg.shape.5, %arg.shape.0
-  %.114.i.i11654715.not.i = icmp slt i64 %.174.i1053.i, 1
+  %.114.i.i11654924.not.i = icmp slt i64 %.174.i1053.i, 1
   %.388.i1198.i = getelementptr i8, ptr %arg.code.4, i64 8
-  %factor.op.mul4728.i.reass = mul i64 %factor.op.mul9326, %arg.shape.0
-  %.647.i.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %factor.op.mul4728.i.reass
+  %factor.op.mul4937.i.reass = mul i64 %factor.op.mul9323, %arg.shape.0
+  %.647.i.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %factor.op.mul4937.i.reass
   %.1216.i.i = getelementptr i8, ptr %arg.tolerances.4, i64 8
-  %.idx4686.i = mul i64 %arg.batch.4.0.5.1, 136
-  %56 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx4686.i
+  %.idx4895.i = mul i64 %arg.batch.4.0.5.1, 136
+  %56 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx4895.i
   %.155.i.i874.i = mul nsw i64 %arg.shape.1, 24
   %.155.i.i874.1.i = mul nsw i64 %arg.shape.1, 23
   %.155.i.i874.2.i = mul nsw i64 %arg.shape.1, 22
@@ -471,15 +471,17 @@ B584.preheader:                                   ; preds = %B556
   %.155.i.i874.5.i = mul nsw i64 %arg.shape.1, 19
   %.155.i.i874.6.i = mul nsw i64 %arg.shape.1, 18
   %.866.i = mul i64 %.174.i1053.i, 27
-  %.1283.i = getelementptr i8, ptr %arg.code.4, i64 40
-  %.1375.idx.i = shl i64 %.463, 7
-  %.1375.i = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.1375.idx.i
-  %.1400.i = getelementptr double, ptr %arg.batch.5.4.4, i64 %.866.i
-  %.idx4675.i = mul i64 %arg.batch.4.0.5.1, 112
-  %57 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx4675.i
-  %.idx4676.i = mul i64 %arg.batch.4.0.5.1, 120
-  %58 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx4676.i
-  %storemerge4674.i = tail call i64 @llvm.smax.i64(i64 %arg.shape.6, i64 0)
+  %.idx4885.i = mul i64 %arg.batch.4.0.5.1, 120
+  %57 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx4885.i
+  %.1245.i = getelementptr i8, ptr %arg.code.4, i64 40
+  %.1316.reass.i = mul i64 %.358.i837.i, %arg.shape.0
+  %.1337.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1316.reass.i
+  %.1362.i = getelementptr double, ptr %arg.batch.5.4.4, i64 %.866.i
+  %.idx4880.i = shl i64 %arg.batch.4.1.5.1, 5
+  %58 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx4880.i
+  %.idx4875.i = mul i64 %arg.batch.4.0.5.1, 112
+  %59 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx4875.i
+  %storemerge4874.i = tail call i64 @llvm.smax.i64(i64 %arg.shape.6, i64 0)
   %.155.i.i = mul nsw i64 %arg.shape.6, 28
   %.155.i.i.i = mul nsw i64 %arg.shape.1, 24
   %.155.i.i.1.i = mul nsw i64 %arg.shape.1, 23
@@ -495,55 +497,49 @@ B584.preheader:                                   ; preds = %B556
   %.155.i.i392.4.i = mul nsw i64 %arg.shape.1, 20
   %.155.i.i392.5.i = mul nsw i64 %arg.shape.1, 19
   %.155.i.i392.6.i = mul nsw i64 %arg.shape.1, 18
-  %.277.i1742.i = mul i64 %.463, 14
-  %.320.i1760.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %.277.i1742.i
-  %.603.i1978.i = mul i64 %.463, 15
-  %.646.i1991.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %.603.i1978.i
-  %.23224789.i = icmp sgt i64 %arg.shape.0, 0
-  %.2268.14792.i = add nsw i64 %storemerge.i, -1
-  %.idx.i8937 = mul i64 %arg.batch.4.0.5.1, 56
-  %59 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx.i8937
-  %.idx4650.i = shl i64 %arg.batch.4.1.5.1, 5
-  %60 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx4650.i
-  %.129.i37024776.not.i = icmp slt i64 %arg.shape.6, 1
+  %.26405009.i = icmp sgt i64 %arg.shape.0, 0
+  %.2586.15012.i = add nsw i64 %storemerge.i, -1
+  %.idx.i8934 = mul i64 %arg.batch.4.0.5.1, 56
+  %60 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx.i8934
+  %.129.i36944995.not.i = icmp slt i64 %arg.shape.6, 1
   %.454.i.i.i = mul i64 %factor.op.mul, 6
-  %.155.i4146.i = mul nsw i64 %arg.shape.6, 25
-  %.idx4656.i = mul i64 %arg.batch.4.0.5.1, 104
-  %61 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx4656.i
-  %.idx4657.i = mul i64 %arg.batch.4.0.5.1, 40
-  %62 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx4657.i
-  %.idx4658.i = shl i64 %arg.batch.4.0.5.1, 5
-  %63 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx4658.i
+  %.155.i4138.i = mul nsw i64 %arg.shape.6, 25
+  %.idx4863.i = mul i64 %arg.batch.4.0.5.1, 104
+  %61 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx4863.i
+  %.idx4864.i = mul i64 %arg.batch.4.0.5.1, 40
+  %62 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx4864.i
+  %.idx4865.i = shl i64 %arg.batch.4.0.5.1, 5
+  %63 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx4865.i
   %64 = getelementptr double, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1
   %.456.i.i.2.i = mul i64 %factor.op.mul, 12
   %.456.i.i.3.i = mul i64 %factor.op.mul, 18
   %.456.i.i.4.i = mul i64 %factor.op.mul, 24
-  %.190.i.i3889.1.i = mul i64 %factor.op.mul, 9
-  %.190.i.i3889.2.i = mul i64 %factor.op.mul, 15
-  %.190.i.i3889.3.i = mul i64 %factor.op.mul, 21
+  %.190.i.i3881.1.i = mul i64 %factor.op.mul, 9
+  %.190.i.i3881.2.i = mul i64 %factor.op.mul, 15
+  %.190.i.i3881.3.i = mul i64 %factor.op.mul, 21
   %.4946.not = icmp eq i64 %arg.shape.3, 0
   %.idx630.i = shl i64 %arg.shape.0, 4
-  %invariant.gep9267 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx630.i
+  %invariant.gep9264 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx630.i
   %.idx631.i = mul i64 %arg.shape.0, 40
-  %invariant.gep9269 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx631.i
+  %invariant.gep9266 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx631.i
   %.idx632.i = shl i64 %arg.shape.0, 6
-  %invariant.gep9271 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx632.i
+  %invariant.gep9268 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx632.i
   %.idx633.i = mul i64 %arg.shape.0, 88
-  %invariant.gep9273 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx633.i
+  %invariant.gep9270 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx633.i
   %.idx634.i = mul i64 %arg.shape.0, 112
-  %invariant.gep9275 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx634.i
+  %invariant.gep9272 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx634.i
   %.idx635.i = mul i64 %arg.shape.0, 136
-  %invariant.gep9277 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx635.i
+  %invariant.gep9274 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx635.i
   %.idx636.i = mul i64 %arg.shape.0, 160
-  %invariant.gep9279 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx636.i
+  %invariant.gep9276 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx636.i
   %.idx637.i = mul i64 %arg.shape.0, 184
-  %invariant.gep9281 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx637.i
+  %invariant.gep9278 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx637.i
   %.idx638.i = mul i64 %arg.shape.0, 208
-  %invariant.gep9283 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx638.i
+  %invariant.gep9280 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx638.i
   %65 = getelementptr double, ptr %arg.batch.2.4, i64 %arg.batch.2.5.0
   %.226.i.i = getelementptr i8, ptr %65, i64 -8
-  %.296.i.i8946 = icmp sgt i64 %arg.shape.2, 4
-  %..i.i = select i1 %.296.i.i8946, i64 0, i64 8
+  %.296.i.i8945 = icmp sgt i64 %arg.shape.2, 4
+  %..i.i = select i1 %.296.i.i8945, i64 0, i64 8
   %.354.i.i = sub nsw i64 9, %..i.i
   %.5201291.not.i.i = icmp slt i64 %arg.shape.0, 1
   %.idx1277.i.i = mul i64 %arg.batch.4.0.5.1, 48
@@ -565,7 +561,7 @@ B584.preheader:                                   ; preds = %B556
   %68 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx1267.i.i
   %.idx1269.i.i = mul i64 %arg.batch.4.0.5.1, 40
   %69 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1269.i.i
-  %.1281.i.i = select i1 %.296.i.i8946, i64 0, i64 7
+  %.1281.i.i = select i1 %.296.i.i8945, i64 0, i64 7
   %.idx1270.i.i = mul i64 %arg.batch.4.0.5.1, 112
   %70 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1270.i.i
   %.idx1271.i.i = mul i64 %arg.batch.4.0.5.1, 120
@@ -581,13 +577,13 @@ B584.preheader:                                   ; preds = %B556
   %.idx1274.i.i = shl i64 %arg.batch.4.0.5.1, 5
   %72 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1274.i.i
   %73 = getelementptr double, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1
-  %.idx.i8949 = shl i64 %arg.batch.4.1.5.1, 5
-  %74 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx.i8949
+  %.idx.i8948 = shl i64 %arg.batch.4.1.5.1, 5
+  %74 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx.i8948
   %.idx600.i = mul i64 %arg.batch.4.0.5.1, 40
   %75 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx600.i
   %factor.op.mul652.i = mul i64 %arg.batch.3.0.5.2, %arg.batch.3.0.5.1
-  %.idx.i8979 = shl i64 %arg.batch.4.1.5.1, 4
-  %76 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx.i8979
+  %.idx.i8978 = shl i64 %arg.batch.4.1.5.1, 4
+  %76 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx.i8978
   %.idx640.i = mul i64 %arg.batch.4.0.5.1, 40
   %77 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx640.i
   %.idx641.i = mul i64 %arg.batch.4.0.5.1, 48
@@ -597,9 +593,9 @@ B584.preheader:                                   ; preds = %B556
   %.924649.not.i = icmp slt i64 %arg.shape.1, 1
   %.idx644.i = mul i64 %arg.batch.4.0.5.1, 216
   %80 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx644.i
-  %.1000.i8980 = mul nsw i64 %arg.shape.1, 17
+  %.1000.i8979 = mul nsw i64 %arg.shape.1, 17
   %81 = add i64 %arg.batch.2.5.0, -1
-  %.155.i.i8988 = mul nsw i64 %arg.shape.1, 24
+  %.155.i.i8986 = mul nsw i64 %arg.shape.1, 24
   %.155.i.1.i = mul nsw i64 %arg.shape.1, 23
   %.155.i.2.i = mul nsw i64 %arg.shape.1, 22
   %.155.i.3.i = mul nsw i64 %arg.shape.1, 21
@@ -616,10 +612,10 @@ B584.preheader:                                   ; preds = %B556
   %83 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8838
   %.idx8839 = shl i64 %arg.batch.4.0.5.1, 7
   %84 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8839
-  %.552.i35739303.not = icmp slt i64 %arg.shape.1, 1
-  %.697.i3610 = getelementptr i8, ptr %arg.tolerances.4, i64 8
+  %.552.i35759300.not = icmp slt i64 %arg.shape.1, 1
+  %.697.i3612 = getelementptr i8, ptr %arg.tolerances.4, i64 8
   %85 = getelementptr double, ptr %arg.batch.2.4, i64 %arg.batch.2.5.0
-  %.742.i3640 = getelementptr i8, ptr %85, i64 -8
+  %.742.i3642 = getelementptr i8, ptr %85, i64 -8
   %.idx8841 = mul i64 %arg.batch.4.1.5.1, 24
   %86 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx8841
   %.idx8842 = mul i64 %arg.batch.4.1.5.1, 24
@@ -627,7 +623,7 @@ B584.preheader:                                   ; preds = %B556
   %.idx8843 = mul i64 %arg.batch.4.0.5.1, 24
   %88 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8843
   %.5358.not = icmp ne i64 %arg.shape.4, 0
-  %storemerge.i8996 = tail call i64 @llvm.smax.i64(i64 %arg.shape.0, i64 0)
+  %storemerge.i8993 = tail call i64 @llvm.smax.i64(i64 %arg.shape.0, i64 0)
   %.idx1632.i = mul i64 %arg.batch.4.0.5.1, 40
   %89 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1632.i
   %.idx1633.i = shl i64 %arg.batch.4.0.5.1, 4
@@ -638,9 +634,9 @@ B584.preheader:                                   ; preds = %B556
   %.779.i = getelementptr i8, ptr %arg.code.4, i64 32
   %.850.i = mul nsw i64 %arg.shape.1, 17
   %.852.i = mul nsw i64 %.850.i, %arg.shape.0
-  %.895.i8998 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.852.i
+  %.895.i8995 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.852.i
   %.900.not.i = icmp eq i64 %arg.shape.3, 0
-  %.930.i8999 = getelementptr i8, ptr %arg.code.4, i64 16
+  %.930.i8996 = getelementptr i8, ptr %arg.code.4, i64 16
   %.idx1630.i = shl i64 %arg.batch.4.1.5.1, 4
   %92 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx1630.i
   %.15441642.not.i = icmp slt i64 %arg.shape.1, 1
@@ -652,46 +648,46 @@ B584.preheader:                                   ; preds = %B556
   %95 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.1
   %.idx8828 = mul i64 %arg.batch.4.0.5.1, 24
   %96 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8828
-  %.175.i.i49699315.not = icmp slt i64 %arg.batch.1.1.5.0, 1
+  %.175.i.i49729312.not = icmp slt i64 %arg.batch.1.1.5.0, 1
   %.idx8831 = shl i64 %arg.batch.4.1.5.1, 4
   %97 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx8831
-  %.idx.i9013 = mul i64 %arg.batch.4.0.5.1, 24
-  %98 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx.i9013
-  %.323.i9015 = getelementptr i8, ptr %arg.batch.4.2.4, i64 8
+  %.idx.i9010 = mul i64 %arg.batch.4.0.5.1, 24
+  %98 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx.i9010
+  %.323.i9012 = getelementptr i8, ptr %arg.batch.4.2.4, i64 8
   %99 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.1
-  %.idx1124.i9035 = mul i64 %arg.batch.4.1.5.1, 24
-  %100 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx1124.i9035
-  %.8051131.not.i9037 = icmp slt i64 %arg.batch.0.1.5.1, 1
-  %.175.i1134.not.i9053 = icmp slt i64 %arg.batch.1.1.5.0, 1
-  %.11171137.not.i9072 = icmp slt i64 %arg.shape.1, 1
-  %gep.2.idx.i9090 = shl i64 %arg.batch.4.0.5.1, 4
-  %gep.4.idx.i9094 = shl i64 %arg.batch.4.0.5.1, 5
-  %gep.6.idx.i9098 = mul i64 %arg.batch.4.0.5.1, 48
-  %gep.7.idx.i9100 = mul i64 %arg.batch.4.0.5.1, 56
-  %gep.9.idx.i9104 = mul i64 %arg.batch.4.0.5.1, 72
-  %gep.10.idx.i9106 = mul i64 %arg.batch.4.0.5.1, 80
-  %gep.11.idx.i9108 = mul i64 %arg.batch.4.0.5.1, 88
-  %gep.12.idx.i9110 = mul i64 %arg.batch.4.0.5.1, 96
-  %gep.13.idx.i9112 = mul i64 %arg.batch.4.0.5.1, 104
-  %gep.14.idx.i9114 = mul i64 %arg.batch.4.0.5.1, 112
-  %gep.15.idx.i9116 = mul i64 %arg.batch.4.0.5.1, 120
-  %gep.16.idx.i9118 = shl i64 %arg.batch.4.0.5.1, 7
-  %gep.17.idx.i9120 = mul i64 %arg.batch.4.0.5.1, 136
-  %gep.18.idx.i9122 = mul i64 %arg.batch.4.0.5.1, 144
-  %gep.19.idx.i9124 = mul i64 %arg.batch.4.0.5.1, 152
-  %gep.20.idx.i9126 = mul i64 %arg.batch.4.0.5.1, 160
-  %gep.21.idx.i9128 = mul i64 %arg.batch.4.0.5.1, 168
-  %gep.22.idx.i9130 = mul i64 %arg.batch.4.0.5.1, 176
-  %gep.23.idx.i9132 = mul i64 %arg.batch.4.0.5.1, 184
-  %gep.24.idx.i9134 = mul i64 %arg.batch.4.0.5.1, 192
-  %gep.25.idx.i9136 = mul i64 %arg.batch.4.0.5.1, 200
-  %gep.26.idx.i9138 = mul i64 %arg.batch.4.0.5.1, 208
-  %gep.27.idx.i9140 = mul i64 %arg.batch.4.0.5.1, 216
-  %101 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.2.idx.i9090
-  %102 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.16.idx.i9118
-  %103 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.27.idx.i9140
-  %.idx1130.i9155 = mul i64 %arg.batch.4.0.5.1, 224
-  %104 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1130.i9155
+  %.idx1124.i9032 = mul i64 %arg.batch.4.1.5.1, 24
+  %100 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx1124.i9032
+  %.8051131.not.i9034 = icmp slt i64 %arg.batch.0.1.5.1, 1
+  %.175.i1134.not.i9050 = icmp slt i64 %arg.batch.1.1.5.0, 1
+  %.11171137.not.i9069 = icmp slt i64 %arg.shape.1, 1
+  %gep.2.idx.i9087 = shl i64 %arg.batch.4.0.5.1, 4
+  %gep.4.idx.i9091 = shl i64 %arg.batch.4.0.5.1, 5
+  %gep.6.idx.i9095 = mul i64 %arg.batch.4.0.5.1, 48
+  %gep.7.idx.i9097 = mul i64 %arg.batch.4.0.5.1, 56
+  %gep.9.idx.i9101 = mul i64 %arg.batch.4.0.5.1, 72
+  %gep.10.idx.i9103 = mul i64 %arg.batch.4.0.5.1, 80
+  %gep.11.idx.i9105 = mul i64 %arg.batch.4.0.5.1, 88
+  %gep.12.idx.i9107 = mul i64 %arg.batch.4.0.5.1, 96
+  %gep.13.idx.i9109 = mul i64 %arg.batch.4.0.5.1, 104
+  %gep.14.idx.i9111 = mul i64 %arg.batch.4.0.5.1, 112
+  %gep.15.idx.i9113 = mul i64 %arg.batch.4.0.5.1, 120
+  %gep.16.idx.i9115 = shl i64 %arg.batch.4.0.5.1, 7
+  %gep.17.idx.i9117 = mul i64 %arg.batch.4.0.5.1, 136
+  %gep.18.idx.i9119 = mul i64 %arg.batch.4.0.5.1, 144
+  %gep.19.idx.i9121 = mul i64 %arg.batch.4.0.5.1, 152
+  %gep.20.idx.i9123 = mul i64 %arg.batch.4.0.5.1, 160
+  %gep.21.idx.i9125 = mul i64 %arg.batch.4.0.5.1, 168
+  %gep.22.idx.i9127 = mul i64 %arg.batch.4.0.5.1, 176
+  %gep.23.idx.i9129 = mul i64 %arg.batch.4.0.5.1, 184
+  %gep.24.idx.i9131 = mul i64 %arg.batch.4.0.5.1, 192
+  %gep.25.idx.i9133 = mul i64 %arg.batch.4.0.5.1, 200
+  %gep.26.idx.i9135 = mul i64 %arg.batch.4.0.5.1, 208
+  %gep.27.idx.i9137 = mul i64 %arg.batch.4.0.5.1, 216
+  %101 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.2.idx.i9087
+  %102 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.16.idx.i9115
+  %103 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.27.idx.i9137
+  %.idx1130.i9152 = mul i64 %arg.batch.4.0.5.1, 224
+  %104 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1130.i9152
   %.idx8830 = mul i64 %arg.batch.4.0.5.1, 224
   %105 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8830
   %.6426 = tail call i64 @llvm.smin.i64(i64 %arg.batch.2.5.0, i64 0)
@@ -751,7 +747,7 @@ B748:                                             ; preds = %B736
   br i1 %.794, label %B326.i, label %B194.if.i
 
 B324.i:                                           ; preds = %B266.if.i, %B194.if.i
-  %.359.i = icmp sgt i64 %.304.i.09180, 1
+  %.359.i = icmp sgt i64 %.304.i.09177, 1
   br i1 %.359.i, label %B194.if.i, label %B326.i
 
 B326.i:                                           ; preds = %B324.i, %B748
@@ -761,29 +757,29 @@ B326.i:                                           ; preds = %B324.i, %B748
   br label %B784
 
 B194.if.i:                                        ; preds = %B748, %B324.i
-  %.304.i.09180 = phi i64 [ %.368.i, %B324.i ], [ %storemerge, %B748 ]
-  %.301.i.09179 = phi i64 [ %.372.i, %B324.i ], [ 0, %B748 ]
-  %.368.i = add nsw i64 %.304.i.09180, -1
-  %.372.i = add nsw i64 %.301.i.09179, 1
-  %118 = getelementptr double, ptr %19, i64 %.301.i.09179
+  %.304.i.09177 = phi i64 [ %.368.i, %B324.i ], [ %storemerge, %B748 ]
+  %.301.i.09176 = phi i64 [ %.372.i, %B324.i ], [ 0, %B748 ]
+  %.368.i = add nsw i64 %.304.i.09177, -1
+  %.372.i = add nsw i64 %.301.i.09176, 1
+  %118 = getelementptr double, ptr %19, i64 %.301.i.09176
   %.454.i = load double, ptr %118, align 8, !noalias !7
   %.455.i = fcmp ule double %.454.i, 5.000000e-01
-  %brmerge9330 = select i1 %.455.i, i1 true, i1 %.537.i9175
-  br i1 %brmerge9330, label %B324.i, label %B266.if.i.preheader
+  %brmerge9327 = select i1 %.455.i, i1 true, i1 %.537.i9172
+  br i1 %brmerge9327, label %B324.i, label %B266.if.i.preheader
 
 B266.if.i.preheader:                              ; preds = %B194.if.i
-  %invariant.gep9389 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.301.i.09179
+  %invariant.gep9386 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.301.i.09176
   br label %B266.if.i
 
 B266.if.i:                                        ; preds = %B266.if.i.preheader, %B266.if.i
-  %.481.i.09176 = phi i64 [ %.550.i, %B266.if.i ], [ 0, %B266.if.i.preheader ]
-  %.550.i = add nsw i64 %.481.i.09176, 1
-  %.576.i = mul nsw i64 %.481.i.09176, %arg.shape.0
-  %gep9390 = getelementptr double, ptr %invariant.gep9389, i64 %.576.i
-  %.608.i = load double, ptr %gep9390, align 8, !noalias !7
-  %.610.i = add nsw i64 %.481.i.09176, %arg.shape.5
+  %.481.i.09173 = phi i64 [ %.550.i, %B266.if.i ], [ 0, %B266.if.i.preheader ]
+  %.550.i = add nsw i64 %.481.i.09173, 1
+  %.576.i = mul nsw i64 %.481.i.09173, %arg.shape.0
+  %gep9387 = getelementptr double, ptr %invariant.gep9386, i64 %.576.i
+  %.608.i = load double, ptr %gep9387, align 8, !noalias !7
+  %.610.i = add nsw i64 %.481.i.09173, %arg.shape.5
   %.612.i = mul nsw i64 %.610.i, %arg.shape.0
-  %.614.i = add nsw i64 %.612.i, %.301.i.09179
+  %.614.i = add nsw i64 %.612.i, %.301.i.09176
   %.628.i = icmp slt i64 %.614.i, 0
   %.629.i = select i1 %.628.i, i64 %arg.batch.5.1.5.0, i64 0
   %119 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.614.i
@@ -827,11 +823,11 @@ B1260:                                            ; preds = %B860, %B856
 
 B108.i:                                           ; preds = %B64.if.i
   store double 0.000000e+00, ptr %.314.i134, align 8, !noalias !11
-  %.432.i191 = getelementptr double, ptr %21, i64 %.161.i.09182
+  %.432.i191 = getelementptr double, ptr %21, i64 %.161.i.09179
   store double 0.000000e+00, ptr %.432.i191, align 8, !noalias !11
-  %.487.i = getelementptr double, ptr %22, i64 %.161.i.09182
+  %.487.i = getelementptr double, ptr %22, i64 %.161.i.09179
   store double 0.000000e+00, ptr %.487.i, align 8, !noalias !11
-  %.542.i244 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i.09182
+  %.542.i244 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i.09179
   %.543.i245 = load i64, ptr %.542.i244, align 8, !noalias !11
   %.570.i = icmp slt i64 %.543.i245, 0
   %.571.i = select i1 %.570.i, i64 %arg.batch.3.3.5.0, i64 0
@@ -852,13 +848,13 @@ B108.i:                                           ; preds = %B64.if.i
   %.790.i = load i64, ptr %.789.i369, align 8, !noalias !11
   %.813.i = add nsw i64 %.790.i, %"$phi364.4.2.i.2"
   store i64 %.813.i, ptr %.789.i369, align 8, !noalias !11
-  %.928.i = getelementptr double, ptr %23, i64 %.161.i.09182
+  %.928.i = getelementptr double, ptr %23, i64 %.161.i.09179
   %.929.i = load double, ptr %.928.i, align 8, !noalias !11
   %.930.i = fcmp une double %.929.i, 0.000000e+00
   br i1 %.930.i, label %B414.i, label %B460.i
 
 B414.i:                                           ; preds = %B108.i
-  %122 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i.09182
+  %122 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i.09179
   %.84.i.i = load i64, ptr %122, align 8, !noalias !15
   %.89.i.i = icmp sgt i64 %.84.i.i, -1
   br i1 %.89.i.i, label %B46.i.i, label %B460.i
@@ -877,13 +873,13 @@ B460.i:                                           ; preds = %B80.i.i, %B414.i, %
   br i1 %.1375.not, label %B596.i, label %B464.i
 
 B464.i:                                           ; preds = %B460.i
-  %123 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.161.i.09182
+  %123 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.161.i.09179
   %.1000.i = load double, ptr %123, align 8, !noalias !11
   %.1002.i = fcmp olt double %.1000.i, -1.000000e-09
   br i1 %.1002.i, label %B500.i, label %B596.i
 
 B500.i:                                           ; preds = %B464.i
-  %124 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i.09182
+  %124 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i.09179
   %.84.i63.i = load i64, ptr %124, align 8, !noalias !18
   %.89.i66.i = icmp sgt i64 %.84.i63.i, -1
   br i1 %.89.i66.i, label %B46.i71.i, label %_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29.exit.i
@@ -899,18 +895,18 @@ B80.i98.i:                                        ; preds = %B46.i71.i
   br label %_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29.exit.i
 
 _ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29.exit.i: ; preds = %B46.i71.i, %B500.i, %B80.i98.i
-  %.1091.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.161.i.09182
+  %.1091.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.161.i.09179
   %.1092.i = load double, ptr %.1091.i, align 8, !noalias !11
-  %.1146.i = getelementptr double, ptr %24, i64 %.161.i.09182
+  %.1146.i = getelementptr double, ptr %24, i64 %.161.i.09179
   store double %.1092.i, ptr %.1146.i, align 8, !noalias !11
   br label %B596.i
 
 B596.i:                                           ; preds = %_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29.exit.i, %B464.i, %B460.i
-  %.111.i183.i = getelementptr i64, ptr %25, i64 %.161.i.09182
+  %.111.i183.i = getelementptr i64, ptr %25, i64 %.161.i.09179
   %.112.i.i = load i64, ptr %.111.i183.i, align 8, !noalias !21
-  %.169.i.i = getelementptr double, ptr %26, i64 %.161.i.09182
+  %.169.i.i = getelementptr double, ptr %26, i64 %.161.i.09179
   %.170.i.i = load double, ptr %.169.i.i, align 8, !noalias !21
-  %.224.i.i = getelementptr double, ptr %27, i64 %.161.i.09182
+  %.224.i.i = getelementptr double, ptr %27, i64 %.161.i.09179
   store double %.170.i.i, ptr %.224.i.i, align 8, !noalias !21
   %.237.i.i = icmp slt i64 %.112.i.i, %arg.batch.2.5.0
   br i1 %.237.i.i, label %B134.i.i, label %B630.i
@@ -928,15 +924,15 @@ B134.i.i:                                         ; preds = %B596.i
   br label %B630.i
 
 B630.i:                                           ; preds = %B134.i.i, %B596.i, %B64.if.i
-  %.220.i = icmp sgt i64 %.164.i70.09183, 1
+  %.220.i = icmp sgt i64 %.164.i70.09180, 1
   br i1 %.220.i, label %B64.if.i, label %B1302
 
 B64.if.i:                                         ; preds = %B1260, %B630.i
-  %.164.i70.09183 = phi i64 [ %.229.i381, %B630.i ], [ %storemerge, %B1260 ]
-  %.161.i.09182 = phi i64 [ %.233.i384, %B630.i ], [ 0, %B1260 ]
-  %.229.i381 = add nsw i64 %.164.i70.09183, -1
-  %.233.i384 = add nsw i64 %.161.i.09182, 1
-  %.314.i134 = getelementptr double, ptr %20, i64 %.161.i.09182
+  %.164.i70.09180 = phi i64 [ %.229.i381, %B630.i ], [ %storemerge, %B1260 ]
+  %.161.i.09179 = phi i64 [ %.233.i384, %B630.i ], [ 0, %B1260 ]
+  %.229.i381 = add nsw i64 %.164.i70.09180, -1
+  %.233.i384 = add nsw i64 %.161.i.09179, 1
+  %.314.i134 = getelementptr double, ptr %20, i64 %.161.i.09179
   %.315.i135 = load double, ptr %.314.i134, align 8, !noalias !11
   %.316.i136 = fcmp ogt double %.315.i135, 5.000000e-01
   br i1 %.316.i136, label %B108.i, label %B630.i
@@ -1451,7 +1447,7 @@ B262.if.i:                                        ; preds = %B262.if.i, %B262.if
   br i1 %.630.i, label %B262.if.i, label %B316.i
 
 B1502:                                            ; preds = %B34.loopexit.i.i, %B116.i, %B1458
-  br i1 %.22219188.not, label %B1728, label %B1534.if
+  br i1 %.22219185.not, label %B1728, label %B1534.if
 
 B68.if.lr.ph.i:                                   ; preds = %B1534.if
   %.259.i = mul nsw i64 %.2234, %arg.shape.1
@@ -1480,10 +1476,10 @@ B34.if.i.i:                                       ; preds = %B68.if.i, %B34.i.lo
   %175 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.204.i.i
   %.233.i.i = getelementptr double, ptr %175, i64 %.219.i.i
   %.234.i.i = load double, ptr %.233.i.i, align 8, !noalias !39
-  %gep9187 = getelementptr double, ptr %invariant.gep9186, i64 %.73.i.0621.i
-  %.270.i.i = load double, ptr %gep9187, align 8, !noalias !39
+  %gep9184 = getelementptr double, ptr %invariant.gep9183, i64 %.73.i.0621.i
+  %.270.i.i = load double, ptr %gep9184, align 8, !noalias !39
   store double %.270.i.i, ptr %.233.i.i, align 8, !noalias !39
-  store double %.234.i.i, ptr %gep9187, align 8, !noalias !39
+  store double %.234.i.i, ptr %gep9184, align 8, !noalias !39
   %.340.i.i = add i64 %.339.i.i, %.73.i.0621.i
   %.11.i.i.i8916 = tail call i64 @llvm.smin.i64(i64 %.340.i.i, i64 %arg.shape.1)
   %.406.i.i = sub i64 %.11.i.i.i8916, %.144.i.i
@@ -1573,8 +1569,8 @@ B68.if.i:                                         ; preds = %B68.if.i, %B68.if.l
   %182 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.260.i
   %.289.i = getelementptr double, ptr %182, i64 %.275.i8910
   %.290.i = load double, ptr %.289.i, align 8, !noalias !45
-  %gep9185 = getelementptr double, ptr %invariant.gep9184, i64 %.160.0615.i
-  %.323.i8912 = load double, ptr %gep9185, align 8, !noalias !45
+  %gep9182 = getelementptr double, ptr %invariant.gep9181, i64 %.160.0615.i
+  %.323.i8912 = load double, ptr %gep9182, align 8, !noalias !45
   %.324.i8913 = fadd double %.290.i, %.323.i8912
   %183 = getelementptr i64, ptr %arg.linear.4.4, i64 %.160.0615.i
   %.356.i = load i64, ptr %183, align 8, !noalias !45
@@ -1608,8 +1604,8 @@ B286.if.i:                                        ; preds = %B286.if.i, %B286.if
   br i1 %exitcond634.not.i, label %B1726, label %B286.if.i
 
 B1726:                                            ; preds = %B286.if.i, %B1534.if
-  %exitcond9344.not = icmp eq i64 %.2165.09189, %storemerge8816
-  br i1 %exitcond9344.not, label %B1728, label %B1534.if
+  %exitcond9341.not = icmp eq i64 %.2165.09186, %storemerge8816
+  br i1 %exitcond9341.not, label %B1728, label %B1534.if
 
 B1728:                                            ; preds = %B1726, %B1502
   %.2487 = load i64, ptr %.2486, align 8
@@ -1621,41 +1617,41 @@ B1728:                                            ; preds = %B1726, %B1502
   br i1 %.794, label %B1960, label %B1870.if
 
 B1878:                                            ; preds = %B1870.if
-  %188 = getelementptr double, ptr %33, i64 %.2608.09192
+  %188 = getelementptr double, ptr %33, i64 %.2608.09189
   %.2767 = load double, ptr %188, align 8
   %.2768 = fcmp ogt double %.2767, 5.000000e-01
   br label %B1914
 
 B1914:                                            ; preds = %B1878, %B1870.if
   %"$phi1914.1.2.2" = phi i1 [ true, %B1870.if ], [ %.2768, %B1878 ]
-  br i1 %looked.2.19195, label %B1956, label %B1920
+  br i1 %looked.2.19192, label %B1956, label %B1920
 
 B1920:                                            ; preds = %B1914
-  %189 = getelementptr double, ptr %34, i64 %.2608.09192
+  %189 = getelementptr double, ptr %34, i64 %.2608.09189
   %.2842 = load double, ptr %189, align 8
   %.2843 = fcmp ogt double %.2842, 5.000000e-01
   br label %B1956
 
 B1956:                                            ; preds = %B1920, %B1914
   %"$phi1956.1.2.2" = phi i1 [ true, %B1914 ], [ %.2843, %B1920 ]
-  %.2664 = icmp sgt i64 %.2611.09193, 1
+  %.2664 = icmp sgt i64 %.2611.09190, 1
   br i1 %.2664, label %B1870.if, label %B1960
 
 B1960:                                            ; preds = %B1956, %B1728
   %good.2.1.lcssa = phi i1 [ false, %B1728 ], [ %"$phi1914.1.2.2", %B1956 ]
   %looked.2.1.lcssa = phi i1 [ %spec.select8891, %B1728 ], [ %"$phi1956.1.2.2", %B1956 ]
-  %looked.2.1.lcssa.not9348 = xor i1 %looked.2.1.lcssa, true
-  %brmerge9349 = or i1 %.794, %looked.2.1.lcssa.not9348
-  br i1 %brmerge9349, label %B2538, label %B80.if.i
+  %looked.2.1.lcssa.not9345 = xor i1 %looked.2.1.lcssa, true
+  %brmerge9346 = or i1 %.794, %looked.2.1.lcssa.not9345
+  br i1 %brmerge9346, label %B2538, label %B80.if.i
 
 B2030.preheader:                                  ; preds = %B568.i
   br i1 %.794, label %B2538, label %B2030.if
 
 B126.i:                                           ; preds = %B80.if.i
-  %.318.i589 = getelementptr double, ptr %35, i64 %.105.i435.09199
+  %.318.i589 = getelementptr double, ptr %35, i64 %.105.i435.09196
   %.319.i = load double, ptr %.318.i589, align 8, !noalias !46
   %.5.i.i = fptosi double %.319.i to i64
-  %.397.i634 = getelementptr double, ptr %36, i64 %.105.i435.09199
+  %.397.i634 = getelementptr double, ptr %36, i64 %.105.i435.09196
   %.398.i635 = load double, ptr %.397.i634, align 8, !noalias !46
   %.5.i1.i = fptosi double %.398.i635 to i64
   %.478.i682 = mul i64 %.258.i, %arg.batch.3.3.5.1
@@ -1667,58 +1663,58 @@ B126.i:                                           ; preds = %B80.if.i
   %.592.i773 = load i64, ptr %.591.i772, align 8, !noalias !46
   %.594.i775 = add nsw i64 %.592.i773, %.5.i1.i
   store i64 %.594.i775, ptr %.591.i772, align 8, !noalias !46
-  %.700.i863 = getelementptr i8, ptr %.482.i, i64 8
-  %.701.i864 = load i64, ptr %.700.i863, align 8, !noalias !46
-  %.706.i869 = add nsw i64 %.5.i1.i, %.5.i.i
-  %.707.i870 = mul nsw i64 %.706.i869, %.2178
+  %.700.i864 = getelementptr i8, ptr %.482.i, i64 8
+  %.701.i865 = load i64, ptr %.700.i864, align 8, !noalias !46
+  %.706.i870 = add nsw i64 %.5.i1.i, %.5.i.i
+  %.707.i871 = mul nsw i64 %.706.i870, %.2178
   %..5.i.i = select i1 %.625, i64 0, i64 %.5.i.i
-  %.708.i871 = add i64 %.707.i870, %..5.i.i
-  %.841.i958 = add i64 %.708.i871, %.701.i864
-  store i64 %.841.i958, ptr %.700.i863, align 8, !noalias !46
+  %.708.i872 = add i64 %.707.i871, %..5.i.i
+  %.841.i959 = add i64 %.708.i872, %.701.i865
+  store i64 %.841.i959, ptr %.700.i864, align 8, !noalias !46
   store double 0.000000e+00, ptr %.318.i589, align 8, !noalias !46
   store double 0.000000e+00, ptr %.397.i634, align 8, !noalias !46
-  %.1072.i = getelementptr double, ptr %37, i64 %.105.i435.09199
-  %.1073.i1075 = load double, ptr %.1072.i, align 8, !noalias !46
-  %.1081.i1080 = sitofp i64 %.706.i869 to double
-  %.1082.i1081 = fsub double %.1073.i1075, %.1081.i1080
-  store double %.1082.i1081, ptr %.1072.i, align 8, !noalias !46
+  %.1072.i = getelementptr double, ptr %37, i64 %.105.i435.09196
+  %.1073.i1076 = load double, ptr %.1072.i, align 8, !noalias !46
+  %.1081.i1081 = sitofp i64 %.706.i870 to double
+  %.1082.i1082 = fsub double %.1073.i1076, %.1081.i1081
+  store double %.1082.i1082, ptr %.1072.i, align 8, !noalias !46
   br label %B568.i
 
 B568.i:                                           ; preds = %B126.i, %B80.if.i
-  %.163.i493 = icmp sgt i64 %.108.i.09200, 1
+  %.163.i493 = icmp sgt i64 %.108.i.09197, 1
   br i1 %.163.i493, label %B80.if.i, label %B2030.preheader
 
 B80.if.i:                                         ; preds = %B1960, %B568.i
-  %.108.i.09200 = phi i64 [ %.172.i1118, %B568.i ], [ %storemerge, %B1960 ]
-  %.105.i435.09199 = phi i64 [ %.176.i1121, %B568.i ], [ 0, %B1960 ]
-  %.172.i1118 = add nsw i64 %.108.i.09200, -1
-  %.176.i1121 = add nsw i64 %.105.i435.09199, 1
-  %190 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.105.i435.09199
+  %.108.i.09197 = phi i64 [ %.172.i1119, %B568.i ], [ %storemerge, %B1960 ]
+  %.105.i435.09196 = phi i64 [ %.176.i1122, %B568.i ], [ 0, %B1960 ]
+  %.172.i1119 = add nsw i64 %.108.i.09197, -1
+  %.176.i1122 = add nsw i64 %.105.i435.09196, 1
+  %190 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.105.i435.09196
   %.258.i = load i64, ptr %190, align 8, !noalias !46
   %.263.i545 = icmp sgt i64 %.258.i, -1
   br i1 %.263.i545, label %B126.i, label %B568.i
 
 B2130:                                            ; preds = %B2030.if
-  %.3297 = getelementptr double, ptr %40, i64 %.2963.09202
+  %.3297 = getelementptr double, ptr %40, i64 %.2963.09199
   %.3298 = load double, ptr %.3297, align 8
   %.3299 = fcmp ogt double %.3298, 5.000000e-01
   br i1 %.3299, label %B2168, label %B2268
 
 B2168:                                            ; preds = %B2130
   %.5.i = fptosi double %.3298 to i64
-  %191 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.2963.09202
-  %.84.i2115 = load i64, ptr %191, align 8, !noalias !50
-  %.89.i2118 = icmp sgt i64 %.84.i2115, -1
-  br i1 %.89.i2118, label %B46.i, label %B2268
+  %191 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.2963.09199
+  %.84.i2117 = load i64, ptr %191, align 8, !noalias !50
+  %.89.i2120 = icmp sgt i64 %.84.i2117, -1
+  br i1 %.89.i2120, label %B46.i, label %B2268
 
-B2268:                                            ; preds = %B2130, %B46.i, %B2168, %B80.i2147
-  %.3485 = getelementptr double, ptr %41, i64 %.2963.09202
+B2268:                                            ; preds = %B2130, %B46.i, %B2168, %B80.i2149
+  %.3485 = getelementptr double, ptr %41, i64 %.2963.09199
   %.3486 = load double, ptr %.3485, align 8
   %.3487 = fcmp ogt double %.3486, 5.000000e-01
   br i1 %.3487, label %B2306, label %B2536
 
 B2306:                                            ; preds = %B2268
-  %spec.select = select i1 %within.3.29204, i1 true, i1 %.2563
+  %spec.select = select i1 %within.3.29201, i1 true, i1 %.2563
   %.3563 = mul i64 %.3124, %arg.batch.3.3.5.1
   %.3567 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.3563
   %.3568 = load i64, ptr %.3567, align 8
@@ -1727,7 +1723,7 @@ B2306:                                            ; preds = %B2268
   br i1 %.3609, label %B2414, label %B2376
 
 B2376:                                            ; preds = %B2306
-  %.3670 = getelementptr double, ptr %42, i64 %.2963.09202
+  %.3670 = getelementptr double, ptr %42, i64 %.2963.09199
   %.3671 = load double, ptr %.3670, align 8
   %.3673 = fcmp ogt double %.3671, 0.000000e+00
   br i1 %.3673, label %B2414, label %B2444
@@ -1737,7 +1733,7 @@ B2414:                                            ; preds = %B2306, %B2376
   br label %B2444
 
 B2444:                                            ; preds = %B2414, %B2376
-  %checked.5.5 = phi i1 [ true, %B2414 ], [ %checked.3.29205, %B2376 ]
+  %checked.5.5 = phi i1 [ true, %B2414 ], [ %checked.3.29202, %B2376 ]
   %.3756 = icmp slt i64 %.3179, %arg.batch.2.5.0
   br i1 %.3756, label %B2482, label %B2536
 
@@ -1747,7 +1743,7 @@ B2482:                                            ; preds = %B2444
   %192 = getelementptr double, ptr %arg.batch.2.4, i64 %.3179
   %.3795 = getelementptr double, ptr %192, i64 %.3781
   %.3796 = load double, ptr %.3795, align 8
-  %.3854 = getelementptr double, ptr %43, i64 %.2963.09202
+  %.3854 = getelementptr double, ptr %43, i64 %.2963.09199
   %.3855 = load double, ptr %.3854, align 8
   %.3856 = fcmp olt double %.3796, %.3855
   br i1 %.3856, label %B2532, label %B2536
@@ -1756,9 +1752,9 @@ B2532:                                            ; preds = %B2482
   br label %B2536
 
 B2536:                                            ; preds = %B2030.if, %B2532, %B2482, %B2444, %B2268
-  %within.4.3 = phi i1 [ true, %B2532 ], [ %spec.select, %B2482 ], [ %spec.select, %B2444 ], [ %within.3.29204, %B2268 ], [ %within.3.29204, %B2030.if ]
-  %checked.4.3 = phi i1 [ %checked.5.5, %B2532 ], [ %checked.5.5, %B2482 ], [ %checked.5.5, %B2444 ], [ %checked.3.29205, %B2268 ], [ %checked.3.29205, %B2030.if ]
-  %.3025 = icmp sgt i64 %.2966.09203, 1
+  %within.4.3 = phi i1 [ true, %B2532 ], [ %spec.select, %B2482 ], [ %spec.select, %B2444 ], [ %within.3.29201, %B2268 ], [ %within.3.29201, %B2030.if ]
+  %checked.4.3 = phi i1 [ %checked.5.5, %B2532 ], [ %checked.5.5, %B2482 ], [ %checked.5.5, %B2444 ], [ %checked.3.29202, %B2268 ], [ %checked.3.29202, %B2030.if ]
+  %.3025 = icmp sgt i64 %.2966.09200, 1
   br i1 %.3025, label %B2030.if, label %B2538
 
 B2538:                                            ; preds = %B2536, %B1960, %B2030.preheader
@@ -1812,84 +1808,84 @@ B2888:                                            ; preds = %B2766, %B2746
 B2898:                                            ; preds = %B2888
   br i1 %.614, label %B2946.if, label %B3314.critedge
 
-B140.i:                                           ; preds = %B64.if.i3119
-  %.409.i2504 = getelementptr double, ptr %46, i64 %.138.i2277.09212
-  %.410.i2505 = load double, ptr %.409.i2504, align 8, !noalias !54
-  %.411.i2506 = fcmp uge double %.410.i2505, 5.000000e-01
-  %.424.i2514.not = icmp slt i64 %.346.i2455, %arg.batch.2.5.0
-  %or.cond8880 = select i1 %.411.i2506, i1 %.424.i2514.not, i1 false
+B140.i:                                           ; preds = %B64.if.i3121
+  %.409.i2506 = getelementptr double, ptr %46, i64 %.138.i2279.09209
+  %.410.i2507 = load double, ptr %.409.i2506, align 8, !noalias !54
+  %.411.i2508 = fcmp uge double %.410.i2507, 5.000000e-01
+  %.424.i2516.not = icmp slt i64 %.346.i2457, %arg.batch.2.5.0
+  %or.cond8880 = select i1 %.411.i2508, i1 %.424.i2516.not, i1 false
   br i1 %or.cond8880, label %B216.i, label %B453.i
 
 B216.i:                                           ; preds = %B140.i
-  %.440.i = icmp slt i64 %.346.i2455, 0
-  %.441.i2525 = select i1 %.440.i, i64 %arg.batch.2.5.0, i64 0
-  %193 = getelementptr double, ptr %arg.batch.2.4, i64 %.346.i2455
-  %.455.i2539 = getelementptr double, ptr %193, i64 %.441.i2525
-  %.456.i2540 = load double, ptr %.455.i2539, align 8, !noalias !54
-  %.510.i2587 = getelementptr double, ptr %47, i64 %.138.i2277.09212
-  %.511.i2588 = load double, ptr %.510.i2587, align 8, !noalias !54
-  %.512.i2589 = fcmp ult double %.456.i2540, %.511.i2588
-  br i1 %.512.i2589, label %B268.i2590, label %B453.i
+  %.440.i = icmp slt i64 %.346.i2457, 0
+  %.441.i2527 = select i1 %.440.i, i64 %arg.batch.2.5.0, i64 0
+  %193 = getelementptr double, ptr %arg.batch.2.4, i64 %.346.i2457
+  %.455.i2541 = getelementptr double, ptr %193, i64 %.441.i2527
+  %.456.i2542 = load double, ptr %.455.i2541, align 8, !noalias !54
+  %.510.i2589 = getelementptr double, ptr %47, i64 %.138.i2279.09209
+  %.511.i2590 = load double, ptr %.510.i2589, align 8, !noalias !54
+  %.512.i2591 = fcmp ult double %.456.i2542, %.511.i2590
+  br i1 %.512.i2591, label %B268.i2592, label %B453.i
 
-B268.i2590:                                       ; preds = %B216.i
-  %.574.i2636 = getelementptr double, ptr %48, i64 %.138.i2277.09212
-  %.575.i2637 = load double, ptr %.574.i2636, align 8, !noalias !54
-  %.576.i2638 = fcmp ogt double %.575.i2637, 1.000000e+00
-  br i1 %.576.i2638, label %B306.i, label %B453.i
+B268.i2592:                                       ; preds = %B216.i
+  %.574.i2638 = getelementptr double, ptr %48, i64 %.138.i2279.09209
+  %.575.i2639 = load double, ptr %.574.i2638, align 8, !noalias !54
+  %.576.i2640 = fcmp ogt double %.575.i2639, 1.000000e+00
+  br i1 %.576.i2640, label %B306.i, label %B453.i
 
-B306.i:                                           ; preds = %B268.i2590
-  %.632.i = getelementptr double, ptr %49, i64 %.138.i2277.09212
-  %.633.i2688 = load double, ptr %.632.i, align 8, !noalias !54
-  store double 0.000000e+00, ptr %.409.i2504, align 8, !noalias !58
-  %.161.i.i2845 = getelementptr double, ptr %50, i64 %.138.i2277.09212
-  store double 0.000000e+00, ptr %.161.i.i2845, align 8, !noalias !58
-  %.214.i.i2873 = getelementptr double, ptr %51, i64 %.138.i2277.09212
-  store double %.633.i2688, ptr %.214.i.i2873, align 8, !noalias !58
-  %.268.i.i2895 = load i64, ptr %.290.i2408, align 8, !noalias !58
-  %.294.i.i2905 = icmp slt i64 %.268.i.i2895, 0
-  %.295.i.i = select i1 %.294.i.i2905, i64 %arg.batch.3.3.5.0, i64 0
-  %.296.i.i = add i64 %.295.i.i, %.268.i.i2895
-  %.316.i.i2917 = mul i64 %.296.i.i, %arg.batch.3.3.5.1
-  %.320.i.i2918 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.316.i.i2917
-  %.321.i.i2919 = load i64, ptr %.320.i.i2918, align 8, !noalias !58
-  %.322.i.i = add nsw i64 %.321.i.i2919, -1
-  store i64 %.322.i.i, ptr %.320.i.i2918, align 8, !noalias !58
-  %.426.i.i2951 = load i64, ptr %.290.i2408, align 8, !noalias !58
-  %.452.i.i = icmp slt i64 %.426.i.i2951, 0
+B306.i:                                           ; preds = %B268.i2592
+  %.632.i = getelementptr double, ptr %49, i64 %.138.i2279.09209
+  %.633.i2689 = load double, ptr %.632.i, align 8, !noalias !54
+  store double 0.000000e+00, ptr %.409.i2506, align 8, !noalias !58
+  %.161.i.i2846 = getelementptr double, ptr %50, i64 %.138.i2279.09209
+  store double 0.000000e+00, ptr %.161.i.i2846, align 8, !noalias !58
+  %.214.i.i2874 = getelementptr double, ptr %51, i64 %.138.i2279.09209
+  store double %.633.i2689, ptr %.214.i.i2874, align 8, !noalias !58
+  %.268.i.i2896 = load i64, ptr %.290.i2410, align 8, !noalias !58
+  %.294.i.i2906 = icmp slt i64 %.268.i.i2896, 0
+  %.295.i.i = select i1 %.294.i.i2906, i64 %arg.batch.3.3.5.0, i64 0
+  %.296.i.i = add i64 %.295.i.i, %.268.i.i2896
+  %.316.i.i2918 = mul i64 %.296.i.i, %arg.batch.3.3.5.1
+  %.320.i.i2919 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.316.i.i2918
+  %.321.i.i2920 = load i64, ptr %.320.i.i2919, align 8, !noalias !58
+  %.322.i.i = add nsw i64 %.321.i.i2920, -1
+  store i64 %.322.i.i, ptr %.320.i.i2919, align 8, !noalias !58
+  %.426.i.i2952 = load i64, ptr %.290.i2410, align 8, !noalias !58
+  %.452.i.i = icmp slt i64 %.426.i.i2952, 0
   %.453.i.i = select i1 %.452.i.i, i64 %arg.batch.3.3.5.0, i64 0
-  %.454.i.i = add i64 %.453.i.i, %.426.i.i2951
+  %.454.i.i = add i64 %.453.i.i, %.426.i.i2952
   %.474.i.i = mul i64 %.454.i.i, %arg.batch.3.3.5.1
   %194 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.474.i.i
   %.478.i.i = getelementptr i8, ptr %194, i64 24
   %.479.i.i = load i64, ptr %.478.i.i, align 8, !noalias !58
   %.480.i.i = add nsw i64 %.479.i.i, 1
   store i64 %.480.i.i, ptr %.478.i.i, align 8, !noalias !58
-  %.705.i2980 = load double, ptr %.455.i2539, align 8, !noalias !54
-  %.763.i3026 = getelementptr double, ptr %52, i64 %.138.i2277.09212
-  store double %.705.i2980, ptr %.763.i3026, align 8, !noalias !54
-  %.816.i3069 = mul i64 %.291.i2409, %arg.batch.3.3.5.1
-  %195 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.816.i3069
-  %.820.i3073 = getelementptr i8, ptr %195, i64 8
-  %.821.i3074 = load i64, ptr %.820.i3073, align 8, !noalias !54
-  %.822.i3075 = add nsw i64 %.821.i3074, 3
-  store i64 %.822.i3075, ptr %.820.i3073, align 8, !noalias !54
+  %.705.i2981 = load double, ptr %.455.i2541, align 8, !noalias !54
+  %.763.i3027 = getelementptr double, ptr %52, i64 %.138.i2279.09209
+  store double %.705.i2981, ptr %.763.i3027, align 8, !noalias !54
+  %.816.i3071 = mul i64 %.291.i2411, %arg.batch.3.3.5.1
+  %195 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.816.i3071
+  %.820.i3075 = getelementptr i8, ptr %195, i64 8
+  %.821.i3076 = load i64, ptr %.820.i3075, align 8, !noalias !54
+  %.822.i3077 = add nsw i64 %.821.i3076, 3
+  store i64 %.822.i3077, ptr %.820.i3075, align 8, !noalias !54
   br label %B453.i
 
-B453.i:                                           ; preds = %B268.i2590, %B306.i, %B64.if.i3119, %B140.i, %B216.i
-  %.196.i2345 = icmp sgt i64 %.141.i2278.09211, 1
-  br i1 %.196.i2345, label %B64.if.i3119, label %B3314
+B453.i:                                           ; preds = %B268.i2592, %B306.i, %B64.if.i3121, %B140.i, %B216.i
+  %.196.i2347 = icmp sgt i64 %.141.i2280.09208, 1
+  br i1 %.196.i2347, label %B64.if.i3121, label %B3314
 
-B64.if.i3119:                                     ; preds = %B2946.if, %B453.i
-  %.138.i2277.09212 = phi i64 [ %.209.i3126, %B453.i ], [ 0, %B2946.if ]
-  %.141.i2278.09211 = phi i64 [ %.205.i3123, %B453.i ], [ %storemerge, %B2946.if ]
-  %.205.i3123 = add nsw i64 %.141.i2278.09211, -1
-  %.209.i3126 = add nsw i64 %.138.i2277.09212, 1
-  %.290.i2408 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.138.i2277.09212
-  %.291.i2409 = load i64, ptr %.290.i2408, align 8, !noalias !54
-  %.345.i2454 = getelementptr i64, ptr %45, i64 %.138.i2277.09212
-  %.346.i2455 = load i64, ptr %.345.i2454, align 8, !noalias !54
-  %.354.i2459 = icmp slt i64 %.291.i2409, 0
-  br i1 %.354.i2459, label %B453.i, label %B140.i
+B64.if.i3121:                                     ; preds = %B2946.if, %B453.i
+  %.138.i2279.09209 = phi i64 [ %.209.i3128, %B453.i ], [ 0, %B2946.if ]
+  %.141.i2280.09208 = phi i64 [ %.205.i3125, %B453.i ], [ %storemerge, %B2946.if ]
+  %.205.i3125 = add nsw i64 %.141.i2280.09208, -1
+  %.209.i3128 = add nsw i64 %.138.i2279.09209, 1
+  %.290.i2410 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.138.i2279.09209
+  %.291.i2411 = load i64, ptr %.290.i2410, align 8, !noalias !54
+  %.345.i2456 = getelementptr i64, ptr %45, i64 %.138.i2279.09209
+  %.346.i2457 = load i64, ptr %.345.i2456, align 8, !noalias !54
+  %.354.i2461 = icmp slt i64 %.291.i2411, 0
+  br i1 %.354.i2461, label %B453.i, label %B140.i
 
 B3314.critedge:                                   ; preds = %B2898
   %.4659.c = load i64, ptr %.4658.c, align 8
@@ -1921,34 +1917,34 @@ B256.if.i.preheader:                              ; preds = %B178.if.i.preheader
   br label %B256.if.i
 
 B256.loopexit.i:                                  ; preds = %B656.i.loopexit.i, %B88.endif.endif.i.i
-  %exitcond4807.not.i = icmp eq i64 %.573.i, 9
-  br i1 %exitcond4807.not.i, label %B472.if.i, label %B256.if.i
+  %exitcond5027.not.i = icmp eq i64 %.573.i, 9
+  br i1 %exitcond5027.not.i, label %B478.if.i, label %B256.if.i
 
 B290.loopexit.i:                                  ; preds = %B122.if.i949.i, %switch.end.i
-  %exitcond4802.not.i = icmp eq i64 %arg.shape.0, %.694.i
-  br i1 %exitcond4802.not.i, label %B358.i, label %B290.if.i
+  %exitcond5022.not.i = icmp eq i64 %arg.shape.0, %.694.i
+  br i1 %exitcond5022.not.i, label %B358.i, label %B290.if.i
 
 B358.i:                                           ; preds = %B290.loopexit.i, %B256.if.i
-  %.148.i1042.not.i = icmp eq i64 %.504.04729.i, 8
+  %.148.i1042.not.i = icmp eq i64 %.504.04938.i, 8
   %..i8927 = select i1 %.148.i1042.not.i, i64 17, i64 16
   %.163.i.i = mul i64 %..i8927, %.463
-  %.171.i.i = mul i64 %.504.04729.i, %factor.op.mul.i.reass
+  %.171.i.i = mul i64 %.504.04938.i, %factor.op.mul.i.reass
   %.206.i1073.i = load i64, ptr %arg.code.4, align 8, !noalias !64
   %.296.i1106.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %.163.i.i
   %.322.i1109.i = inttoptr i64 %.206.i1073.i to ptr
   tail call void %.322.i1109.i(ptr %.571, ptr %.296.i1106.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.321.i.i), !noalias !64
-  br i1 %.114.i.i11654715.not.i, label %B88.endif.endif.i.i.critedge, label %B34.if.i.i.i
+  br i1 %.114.i.i11654924.not.i, label %B88.endif.endif.i.i.critedge, label %B34.if.i.i.i
 
 B34.if.i.i.i:                                     ; preds = %B358.i, %B34.if.i.i.i
-  %.56.i.i969.04716.i = phi i64 [ %.127.i.i1259.i, %B34.if.i.i.i ], [ 0, %B358.i ]
-  %.127.i.i1259.i = add nsw i64 %.56.i.i969.04716.i, 1
-  %.153.i.i1210.i = add nsw i64 %.56.i.i969.04716.i, %.171.i.i
+  %.56.i.i969.04925.i = phi i64 [ %.127.i.i1259.i, %B34.if.i.i.i ], [ 0, %B358.i ]
+  %.127.i.i1259.i = add nsw i64 %.56.i.i969.04925.i, 1
+  %.153.i.i1210.i = add nsw i64 %.56.i.i969.04925.i, %.171.i.i
   %.167.i.i1215.i = icmp slt i64 %.153.i.i1210.i, 0
   %.168.i.i.i = select i1 %.167.i.i1215.i, i64 %arg.batch.5.4.5.0, i64 0
   %196 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.153.i.i1210.i
   %.182.i.i.i = getelementptr double, ptr %196, i64 %.168.i.i.i
   %.183.i.i1224.i = load double, ptr %.182.i.i.i, align 8, !noalias !68
-  %.185.i.i1226.i = add nsw i64 %.56.i.i969.04716.i, %.327.i1112.i
+  %.185.i.i1226.i = add nsw i64 %.56.i.i969.04925.i, %.327.i1112.i
   %.199.i.i.i = icmp slt i64 %.185.i.i1226.i, 0
   %.200.i.i.i = select i1 %.199.i.i.i, i64 %arg.batch.5.1.5.0, i64 0
   %197 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.185.i.i1226.i
@@ -1956,12 +1952,12 @@ B34.if.i.i.i:                                     ; preds = %B358.i, %B34.if.i.i
   %.215.i.i1233.i = load double, ptr %.214.i.i1232.i, align 8, !noalias !68
   store double %.183.i.i1224.i, ptr %.214.i.i1232.i, align 8, !noalias !68
   store double %.215.i.i1233.i, ptr %.182.i.i.i, align 8, !noalias !68
-  %exitcond4803.not.i = icmp eq i64 %.174.i1053.i, %.127.i.i1259.i
-  br i1 %exitcond4803.not.i, label %B88.endif.i.i, label %B34.if.i.i.i
+  %exitcond5023.not.i = icmp eq i64 %.174.i1053.i, %.127.i.i1259.i
+  br i1 %exitcond5023.not.i, label %B88.endif.i.i, label %B34.if.i.i.i
 
 B656.i.loopexit.i:                                ; preds = %B690.if.i.i, %B656.if.i.i
-  %exitcond4806.not.i = icmp eq i64 %arg.shape.0, %.932.i.i8928
-  br i1 %exitcond4806.not.i, label %B256.loopexit.i, label %B656.if.i.i
+  %exitcond5026.not.i = icmp eq i64 %arg.shape.0, %.932.i.i8928
+  br i1 %exitcond5026.not.i, label %B256.loopexit.i, label %B656.if.i.i
 
 B88.endif.i.i:                                    ; preds = %B34.if.i.i.i
   %.389.i1199.i = load i64, ptr %.388.i1198.i, align 8, !noalias !64
@@ -1973,15 +1969,15 @@ B88.endif.i.i:                                    ; preds = %B34.if.i.i.i
   br label %B34.if.i179.i.i
 
 B34.if.i179.i.i:                                  ; preds = %B88.endif.i.i, %B34.if.i179.i.i
-  %.56.i27.i.04719.i = phi i64 [ %.127.i185.i.i, %B34.if.i179.i.i ], [ 0, %B88.endif.i.i ]
-  %.127.i185.i.i = add nsw i64 %.56.i27.i.04719.i, 1
-  %.153.i94.i.i = add nsw i64 %.56.i27.i.04719.i, %.171.i.i
+  %.56.i27.i.04928.i = phi i64 [ %.127.i185.i.i, %B34.if.i179.i.i ], [ 0, %B88.endif.i.i ]
+  %.127.i185.i.i = add nsw i64 %.56.i27.i.04928.i, 1
+  %.153.i94.i.i = add nsw i64 %.56.i27.i.04928.i, %.171.i.i
   %.167.i102.i.i = icmp slt i64 %.153.i94.i.i, 0
   %.168.i103.i.i = select i1 %.167.i102.i.i, i64 %arg.batch.5.4.5.0, i64 0
   %198 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.153.i94.i.i
   %.182.i113.i.i = getelementptr double, ptr %198, i64 %.168.i103.i.i
   %.183.i114.i.i = load double, ptr %.182.i113.i.i, align 8, !noalias !72
-  %.185.i116.i.i = add nsw i64 %.56.i27.i.04719.i, %.327.i1112.i
+  %.185.i116.i.i = add nsw i64 %.56.i27.i.04928.i, %.327.i1112.i
   %.199.i124.i.i = icmp slt i64 %.185.i116.i.i, 0
   %.200.i125.i.i = select i1 %.199.i124.i.i, i64 %arg.batch.5.1.5.0, i64 0
   %199 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.185.i116.i.i
@@ -1989,8 +1985,8 @@ B34.if.i179.i.i:                                  ; preds = %B88.endif.i.i, %B34
   %.215.i136.i.i = load double, ptr %.214.i135.i.i, align 8, !noalias !72
   store double %.183.i114.i.i, ptr %.214.i135.i.i, align 8, !noalias !72
   store double %.215.i136.i.i, ptr %.182.i113.i.i, align 8, !noalias !72
-  %exitcond4804.not.i = icmp eq i64 %.174.i1053.i, %.127.i185.i.i
-  br i1 %exitcond4804.not.i, label %B88.endif.endif.i.i, label %B34.if.i179.i.i
+  %exitcond5024.not.i = icmp eq i64 %.174.i1053.i, %.127.i185.i.i
+  br i1 %exitcond5024.not.i, label %B88.endif.endif.i.i, label %B34.if.i179.i.i
 
 B88.endif.endif.i.i.critedge:                     ; preds = %B358.i
   %.389.i1199.i.c = load i64, ptr %.388.i1198.i, align 8, !noalias !64
@@ -2008,29 +2004,29 @@ B88.endif.endif.i.i:                              ; preds = %B34.if.i179.i.i, %B
   br i1 %.794, label %B256.loopexit.i, label %B656.if.i.i
 
 B656.if.i.i:                                      ; preds = %B88.endif.endif.i.i, %B656.i.loopexit.i
-  %.863.i.04725.i = phi i64 [ %.932.i.i8928, %B656.i.loopexit.i ], [ 0, %B88.endif.endif.i.i ]
-  %.932.i.i8928 = add nsw i64 %.863.i.04725.i, 1
-  br i1 %.287.i7034709.not.i, label %B656.i.loopexit.i, label %B690.if.i.lr.ph.i
+  %.863.i.04934.i = phi i64 [ %.932.i.i8928, %B656.i.loopexit.i ], [ 0, %B88.endif.endif.i.i ]
+  %.932.i.i8928 = add nsw i64 %.863.i.04934.i, 1
+  br i1 %.287.i7034918.not.i, label %B656.i.loopexit.i, label %B690.if.i.lr.ph.i
 
 B690.if.i.lr.ph.i:                                ; preds = %B656.if.i.i
-  %.1304.i.i = getelementptr double, ptr %55, i64 %.863.i.04725.i
-  %.1387.i.i = getelementptr double, ptr %56, i64 %.863.i.04725.i
+  %.1304.i.i = getelementptr double, ptr %55, i64 %.863.i.04934.i
+  %.1387.i.i = getelementptr double, ptr %56, i64 %.863.i.04934.i
   br label %B690.if.i.i
 
 B690.if.i.i:                                      ; preds = %B690.if.i.i, %B690.if.i.lr.ph.i
-  %.984.i.04722.i = phi i64 [ 0, %B690.if.i.lr.ph.i ], [ %.1053.i.i, %B690.if.i.i ]
-  %.1053.i.i = add nsw i64 %.984.i.04722.i, 1
-  %200 = mul nsw i64 %.984.i.04722.i, %arg.shape.0
-  %.1081.i.i8929 = add nsw i64 %200, %.863.i.04725.i
+  %.984.i.04931.i = phi i64 [ 0, %B690.if.i.lr.ph.i ], [ %.1053.i.i, %B690.if.i.i ]
+  %.1053.i.i = add nsw i64 %.984.i.04931.i, 1
+  %200 = mul nsw i64 %.984.i.04931.i, %arg.shape.0
+  %.1081.i.i8929 = add nsw i64 %200, %.863.i.04934.i
   %201 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1081.i.i8929
   %.1111.i.i = load double, ptr %201, align 8, !noalias !64
-  %.1120.i.i = add nsw i64 %.1081.i.i8929, %factor.op.mul4728.i.reass
+  %.1120.i.i = add nsw i64 %.1081.i.i8929, %factor.op.mul4937.i.reass
   %.1134.i.i = icmp slt i64 %.1120.i.i, 0
   %.1135.i.i = select i1 %.1134.i.i, i64 %arg.batch.5.0.5.0, i64 0
   %202 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1120.i.i
   %.1149.i.i = getelementptr double, ptr %202, i64 %.1135.i.i
   %.1150.i.i = load double, ptr %.1149.i.i, align 8, !noalias !64
-  %.1155.i.i = add nsw i64 %.1081.i.i8929, %factor.op.mul4727.i.reass
+  %.1155.i.i = add nsw i64 %.1081.i.i8929, %factor.op.mul4936.i.reass
   %.1169.i.i = icmp slt i64 %.1155.i.i, 0
   %.1170.i.i = select i1 %.1169.i.i, i64 %arg.batch.5.0.5.0, i64 0
   %203 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1155.i.i
@@ -2053,435 +2049,457 @@ B690.if.i.i:                                      ; preds = %B690.if.i.i, %B690.
   %.10.i.i.i8931 = fcmp ogt double %.1310.i..i, %.1388.i.i
   %.11.i.i.i8932 = select i1 %.10.i.i.i8931, double %.1310.i..i, double %.1388.i.i
   store double %.11.i.i.i8932, ptr %.1387.i.i, align 8, !noalias !64
-  %exitcond4805.not.i = icmp eq i64 %arg.shape.1, %.1053.i.i
-  br i1 %exitcond4805.not.i, label %B656.i.loopexit.i, label %B690.if.i.i
+  %exitcond5025.not.i = icmp eq i64 %arg.shape.1, %.1053.i.i
+  br i1 %exitcond5025.not.i, label %B656.i.loopexit.i, label %B690.if.i.i
 
-B472.loopexit.i.critedge:                         ; preds = %B472.if.i
-  %.1284.i.c = load i64, ptr %.1283.i, align 8, !noalias !61
-  %.1401.i.c = inttoptr i64 %.1284.i.c to ptr
-  tail call void %.1401.i.c(ptr %.571, ptr %.1375.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.1400.i), !noalias !61
-  br label %B472.loopexit.i
+B476.loopexit.i.critedge:                         ; preds = %B902.i
+  %.2015.i.c = load i64, ptr %.1245.i, align 8, !noalias !61
+  %.2132.i.c = inttoptr i64 %.2015.i.c to ptr
+  tail call void %.2132.i.c(ptr %.571, ptr %.1337.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.1362.i), !noalias !61
+  br label %B476.loopexit.i
 
-B472.loopexit.i:                                  ; preds = %B2142.i, %B472.loopexit.i.critedge
-  %.949.i = icmp ugt i64 %.896.04743.i, 1
-  br i1 %.949.i, label %B472.if.i, label %B974.preheader.i
+B476.loopexit.i:                                  ; preds = %B2306.i, %B476.loopexit.i.critedge
+  %exitcond5041.not.i = icmp eq i64 %.966.i, 50
+  br i1 %exitcond5041.not.i, label %B1372.i, label %B478.if.i
 
-B974.preheader.i:                                 ; preds = %B472.loopexit.i
-  br i1 %.794, label %B1046.i, label %B974.if.i
-
-B506.loopexit.i:                                  ; preds = %B122.if.i.i, %B506.if.i
-  %exitcond4810.not.i = icmp eq i64 %arg.shape.0, %.1080.i
-  br i1 %exitcond4810.not.i, label %B620.i, label %B506.if.i
+B534.loopexit.i:                                  ; preds = %B122.if.i.i, %B534.if.i
+  %exitcond5030.not.i = icmp eq i64 %arg.shape.0, %.1092.i8941
+  br i1 %exitcond5030.not.i, label %B606.i, label %B534.if.i
 
 B122.if.i.i:                                      ; preds = %B122.if.i.lr.ph.i, %B122.if.i.i
-  %.229.i.04735.i = phi i64 [ 0, %B122.if.i.lr.ph.i ], [ %.300.i.i, %B122.if.i.i ]
-  %.157.i.i.i = add nsw i64 %.229.i.04735.i, %.155.i.i.i
+  %.229.i.04944.i = phi i64 [ 0, %B122.if.i.lr.ph.i ], [ %.300.i.i, %B122.if.i.i ]
+  %.157.i.i.i = add nsw i64 %.229.i.04944.i, %.155.i.i.i
   %.159.i.i.i = mul nsw i64 %.157.i.i.i, %arg.shape.0
-  %gep9232 = getelementptr double, ptr %invariant.gep9231, i64 %.159.i.i.i
-  %.191.i.i.i = load double, ptr %gep9232, align 8, !noalias !76
+  %gep9229 = getelementptr double, ptr %invariant.gep9228, i64 %.159.i.i.i
+  %.191.i.i.i = load double, ptr %gep9229, align 8, !noalias !76
   %.193.i.i.i = fadd double %.191.i.i.i, 0.000000e+00
-  %.253.i.i.i = fmul double %.1214.i, %.193.i.i.i
-  %.157.i.i.1.i = add nsw i64 %.229.i.04735.i, %.155.i.i.1.i
+  %.253.i.i.i = fmul double %.1171.i, %.193.i.i.i
+  %.157.i.i.1.i = add nsw i64 %.229.i.04944.i, %.155.i.i.1.i
   %.159.i.i.1.i = mul nsw i64 %.157.i.i.1.i, %arg.shape.0
-  %gep9234 = getelementptr double, ptr %invariant.gep9233, i64 %.159.i.i.1.i
-  %.191.i.i.1.i = load double, ptr %gep9234, align 8, !noalias !76
+  %gep9231 = getelementptr double, ptr %invariant.gep9230, i64 %.159.i.i.1.i
+  %.191.i.i.1.i = load double, ptr %gep9231, align 8, !noalias !76
   %.193.i.i.1.i = fadd double %.191.i.i.1.i, %.253.i.i.i
   %.253.i.i.1.i = fmul double %.247.i.i.i, %.193.i.i.1.i
-  %.157.i.i.2.i = add nsw i64 %.229.i.04735.i, %.155.i.i.2.i
+  %.157.i.i.2.i = add nsw i64 %.229.i.04944.i, %.155.i.i.2.i
   %.159.i.i.2.i = mul nsw i64 %.157.i.i.2.i, %arg.shape.0
-  %gep9236 = getelementptr double, ptr %invariant.gep9235, i64 %.159.i.i.2.i
-  %.191.i.i.2.i = load double, ptr %gep9236, align 8, !noalias !76
+  %gep9233 = getelementptr double, ptr %invariant.gep9232, i64 %.159.i.i.2.i
+  %.191.i.i.2.i = load double, ptr %gep9233, align 8, !noalias !76
   %.193.i.i.2.i = fadd double %.191.i.i.2.i, %.253.i.i.1.i
-  %.253.i.i.2.i = fmul double %.1214.i, %.193.i.i.2.i
-  %.157.i.i.3.i = add nsw i64 %.229.i.04735.i, %.155.i.i.3.i
+  %.253.i.i.2.i = fmul double %.1171.i, %.193.i.i.2.i
+  %.157.i.i.3.i = add nsw i64 %.229.i.04944.i, %.155.i.i.3.i
   %.159.i.i.3.i = mul nsw i64 %.157.i.i.3.i, %arg.shape.0
-  %gep9238 = getelementptr double, ptr %invariant.gep9237, i64 %.159.i.i.3.i
-  %.191.i.i.3.i = load double, ptr %gep9238, align 8, !noalias !76
+  %gep9235 = getelementptr double, ptr %invariant.gep9234, i64 %.159.i.i.3.i
+  %.191.i.i.3.i = load double, ptr %gep9235, align 8, !noalias !76
   %.193.i.i.3.i = fadd double %.191.i.i.3.i, %.253.i.i.2.i
   %.253.i.i.3.i = fmul double %.247.i.i.i, %.193.i.i.3.i
-  %.157.i.i.4.i = add nsw i64 %.229.i.04735.i, %.155.i.i.4.i
+  %.157.i.i.4.i = add nsw i64 %.229.i.04944.i, %.155.i.i.4.i
   %.159.i.i.4.i = mul nsw i64 %.157.i.i.4.i, %arg.shape.0
-  %gep9240 = getelementptr double, ptr %invariant.gep9239, i64 %.159.i.i.4.i
-  %.191.i.i.4.i = load double, ptr %gep9240, align 8, !noalias !76
+  %gep9237 = getelementptr double, ptr %invariant.gep9236, i64 %.159.i.i.4.i
+  %.191.i.i.4.i = load double, ptr %gep9237, align 8, !noalias !76
   %.193.i.i.4.i = fadd double %.191.i.i.4.i, %.253.i.i.3.i
-  %.253.i.i.4.i = fmul double %.1214.i, %.193.i.i.4.i
-  %.157.i.i.5.i = add nsw i64 %.229.i.04735.i, %.155.i.i.5.i
+  %.253.i.i.4.i = fmul double %.1171.i, %.193.i.i.4.i
+  %.157.i.i.5.i = add nsw i64 %.229.i.04944.i, %.155.i.i.5.i
   %.159.i.i.5.i = mul nsw i64 %.157.i.i.5.i, %arg.shape.0
-  %gep9242 = getelementptr double, ptr %invariant.gep9241, i64 %.159.i.i.5.i
-  %.191.i.i.5.i = load double, ptr %gep9242, align 8, !noalias !76
+  %gep9239 = getelementptr double, ptr %invariant.gep9238, i64 %.159.i.i.5.i
+  %.191.i.i.5.i = load double, ptr %gep9239, align 8, !noalias !76
   %.193.i.i.5.i = fadd double %.191.i.i.5.i, %.253.i.i.4.i
   %.253.i.i.5.i = fmul double %.247.i.i.i, %.193.i.i.5.i
-  %.157.i.i.6.i = add nsw i64 %.229.i.04735.i, %.155.i.i.6.i
+  %.157.i.i.6.i = add nsw i64 %.229.i.04944.i, %.155.i.i.6.i
   %.159.i.i.6.i = mul nsw i64 %.157.i.i.6.i, %arg.shape.0
-  %gep9244 = getelementptr double, ptr %invariant.gep9243, i64 %.159.i.i.6.i
-  %.191.i.i.6.i = load double, ptr %gep9244, align 8, !noalias !76
+  %gep9241 = getelementptr double, ptr %invariant.gep9240, i64 %.159.i.i.6.i
+  %.191.i.i.6.i = load double, ptr %gep9241, align 8, !noalias !76
   %.193.i.i.6.i = fadd double %.191.i.i.6.i, %.253.i.i.5.i
-  %.253.i.i.6.i = fmul double %.1214.i, %.193.i.i.6.i
-  %.300.i.i = add nsw i64 %.229.i.04735.i, 1
-  %.271.i.i.i = mul nsw i64 %.229.i.04735.i, %arg.shape.0
-  %gep9246 = getelementptr double, ptr %invariant.gep9245, i64 %.271.i.i.i
-  %.309.i.i.i = load double, ptr %gep9246, align 8, !noalias !76
+  %.253.i.i.6.i = fmul double %.1171.i, %.193.i.i.6.i
+  %.300.i.i = add nsw i64 %.229.i.04944.i, 1
+  %.271.i.i.i = mul nsw i64 %.229.i.04944.i, %arg.shape.0
+  %gep9243 = getelementptr double, ptr %invariant.gep9242, i64 %.271.i.i.i
+  %.309.i.i.i = load double, ptr %gep9243, align 8, !noalias !76
   %.313.i.i.i = fadd double %.309.i.i.i, %.253.i.i.6.i
-  %.359.i.i = add nsw i64 %.229.i.04735.i, %.358.i837.i
+  %.359.i.i = add nsw i64 %.229.i.04944.i, %.358.i837.i
   %.361.i.i = mul nsw i64 %.359.i.i, %arg.shape.0
-  %gep9248 = getelementptr double, ptr %invariant.gep9247, i64 %.361.i.i
-  store double %.313.i.i.i, ptr %gep9248, align 8, !noalias !83
-  %exitcond4809.not.i = icmp eq i64 %arg.shape.1, %.300.i.i
-  br i1 %exitcond4809.not.i, label %B506.loopexit.i, label %B122.if.i.i
+  %gep9245 = getelementptr double, ptr %invariant.gep9244, i64 %.361.i.i
+  store double %.313.i.i.i, ptr %gep9245, align 8, !noalias !83
+  %exitcond5029.not.i = icmp eq i64 %arg.shape.1, %.300.i.i
+  br i1 %exitcond5029.not.i, label %B534.loopexit.i, label %B122.if.i.i
 
-B620.i:                                           ; preds = %B506.loopexit.i
-  %.1284.i = load i64, ptr %.1283.i, align 8, !noalias !61
-  %.1401.i = inttoptr i64 %.1284.i to ptr
-  tail call void %.1401.i(ptr %.571, ptr %.1375.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.1400.i), !noalias !61
-  br label %B762.if.i
+B606.i:                                           ; preds = %B534.loopexit.i, %B534.preheader.i
+  %.1246.i = load i64, ptr %.1245.i, align 8, !noalias !61
+  %.1363.i = inttoptr i64 %.1246.i to ptr
+  tail call void %.1363.i(ptr %.571, ptr %.1337.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.1362.i), !noalias !61
+  %.205.i1536.i = load i64, ptr %arg.code.4, align 8, !noalias !84
+  %.321.i1606.i = inttoptr i64 %.205.i1536.i to ptr
+  tail call void %.321.i1606.i(ptr %.571, ptr %.1337.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.321.i.i), !noalias !84
+  br i1 %.114.i.i11654924.not.i, label %B88.endif.endif.i1934.i.critedge, label %B34.if.i.i2510.i
 
-B34.i.i:                                          ; preds = %B762.if.i, %B34.if.i.i8933
-  %.51.i1284.0.i = phi i64 [ 0, %B762.if.i ], [ %.122.i1402.i, %B34.if.i.i8933 ]
-  %exitcond4811.not.i = icmp eq i64 %.51.i1284.0.i, %storemerge4674.i
-  br i1 %exitcond4811.not.i, label %B916.i8935, label %B34.if.i.i8933
+B34.if.i.i2510.i:                                 ; preds = %B606.i, %B34.if.i.i2510.i
+  %.56.i.i1297.04950.i = phi i64 [ %.127.i.i2516.i, %B34.if.i.i2510.i ], [ 0, %B606.i ]
+  %.127.i.i2516.i = add nsw i64 %.56.i.i1297.04950.i, 1
+  %.153.i.i2425.i = add nsw i64 %.56.i.i1297.04950.i, %.866.i
+  %.167.i.i2433.i = icmp slt i64 %.153.i.i2425.i, 0
+  %.168.i.i2434.i = select i1 %.167.i.i2433.i, i64 %arg.batch.5.4.5.0, i64 0
+  %204 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.153.i.i2425.i
+  %.182.i.i2444.i = getelementptr double, ptr %204, i64 %.168.i.i2434.i
+  %.183.i.i2445.i = load double, ptr %.182.i.i2444.i, align 8, !noalias !88
+  %.185.i.i2447.i = add nsw i64 %.56.i.i1297.04950.i, %.327.i1112.i
+  %.199.i.i2455.i = icmp slt i64 %.185.i.i2447.i, 0
+  %.200.i.i2456.i = select i1 %.199.i.i2455.i, i64 %arg.batch.5.1.5.0, i64 0
+  %205 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.185.i.i2447.i
+  %.214.i.i2466.i = getelementptr double, ptr %205, i64 %.200.i.i2456.i
+  %.215.i.i2467.i = load double, ptr %.214.i.i2466.i, align 8, !noalias !88
+  store double %.183.i.i2445.i, ptr %.214.i.i2466.i, align 8, !noalias !88
+  store double %.215.i.i2467.i, ptr %.182.i.i2444.i, align 8, !noalias !88
+  %exitcond5031.not.i = icmp eq i64 %.174.i1053.i, %.127.i.i2516.i
+  br i1 %exitcond5031.not.i, label %B88.endif.i1707.i, label %B34.if.i.i2510.i
 
-B128.i.i:                                         ; preds = %B34.if.i.i8933
-  %204 = icmp sgt i64 %.51.i1284.0.i, -1
-  br i1 %204, label %B890.i, label %B916.i8935
+B656.i2013.loopexit.i:                            ; preds = %B690.if.i2284.i, %B656.if.i2295.i
+  %exitcond5034.not.i = icmp eq i64 %arg.shape.0, %.931.i2299.i
+  br i1 %exitcond5034.not.i, label %B798.if.i, label %B656.if.i2295.i
 
-B34.if.i.i8933:                                   ; preds = %B34.i.i
-  %.122.i1402.i = add i64 %.51.i1284.0.i, 1
-  %.157.i1333.i = add nsw i64 %.51.i1284.0.i, %.155.i.i
-  %.159.i1335.i = mul nsw i64 %.157.i1333.i, %arg.shape.0
-  %.161.i.i8934 = add nsw i64 %.159.i1335.i, %.1427.04741.i
-  %.175.i1346.i = icmp slt i64 %.161.i.i8934, 0
-  %.176.i1347.i = select i1 %.175.i1346.i, i64 %arg.batch.5.4.5.0, i64 0
-  %205 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.161.i.i8934
-  %.190.i.i = getelementptr double, ptr %205, i64 %.176.i1347.i
-  %.191.i.i = load double, ptr %.190.i.i, align 8, !noalias !84
-  %.195.i1364.i = add nsw i64 %.161.i.i8934, %.174.i1053.i
-  %.209.i.i = icmp slt i64 %.195.i1364.i, 0
-  %.210.i.i = select i1 %.209.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %206 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.195.i1364.i
-  %.224.i1385.i = getelementptr double, ptr %206, i64 %.210.i.i
-  %.225.i1386.i = load double, ptr %.224.i1385.i, align 8, !noalias !84
-  %.226.i1387.i = fneg double %.225.i1386.i
-  %.227.i1388.i = fcmp olt double %.191.i.i, %.226.i1387.i
-  br i1 %.227.i1388.i, label %B128.i.i, label %B34.i.i
+B88.endif.i1707.i:                                ; preds = %B34.if.i.i2510.i
+  %.388.i1730.i = load i64, ptr %.388.i1198.i, align 8, !noalias !84
+  %.500.i.i = inttoptr i64 %.388.i1730.i to ptr
+  tail call void %.500.i.i(ptr %.571, ptr %.1337.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !84
+  %.531.i.i = load i64, ptr %arg.code.4, align 8, !noalias !84
+  %.647.i1837.i = inttoptr i64 %.531.i.i to ptr
+  tail call void %.647.i1837.i(ptr %.571, ptr %.1337.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.647.i.i), !noalias !84
+  br label %B34.if.i179.i2400.i
 
-B890.i:                                           ; preds = %B128.i.i
-  store double %.1635.i, ptr %.1632.i, align 8, !noalias !61
-  br label %B2142.i
+B34.if.i179.i2400.i:                              ; preds = %B88.endif.i1707.i, %B34.if.i179.i2400.i
+  %.56.i27.i1277.04953.i = phi i64 [ %.127.i185.i2406.i, %B34.if.i179.i2400.i ], [ 0, %B88.endif.i1707.i ]
+  %.127.i185.i2406.i = add nsw i64 %.56.i27.i1277.04953.i, 1
+  %.153.i94.i2315.i = add nsw i64 %.56.i27.i1277.04953.i, %.866.i
+  %.167.i102.i2323.i = icmp slt i64 %.153.i94.i2315.i, 0
+  %.168.i103.i2324.i = select i1 %.167.i102.i2323.i, i64 %arg.batch.5.4.5.0, i64 0
+  %206 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.153.i94.i2315.i
+  %.182.i113.i2334.i = getelementptr double, ptr %206, i64 %.168.i103.i2324.i
+  %.183.i114.i2335.i = load double, ptr %.182.i113.i2334.i, align 8, !noalias !92
+  %.185.i116.i2337.i = add nsw i64 %.56.i27.i1277.04953.i, %.327.i1112.i
+  %.199.i124.i2345.i = icmp slt i64 %.185.i116.i2337.i, 0
+  %.200.i125.i2346.i = select i1 %.199.i124.i2345.i, i64 %arg.batch.5.1.5.0, i64 0
+  %207 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.185.i116.i2337.i
+  %.214.i135.i2356.i = getelementptr double, ptr %207, i64 %.200.i125.i2346.i
+  %.215.i136.i2357.i = load double, ptr %.214.i135.i2356.i, align 8, !noalias !92
+  store double %.183.i114.i2335.i, ptr %.214.i135.i2356.i, align 8, !noalias !92
+  store double %.215.i136.i2357.i, ptr %.182.i113.i2334.i, align 8, !noalias !92
+  %exitcond5032.not.i = icmp eq i64 %.174.i1053.i, %.127.i185.i2406.i
+  br i1 %exitcond5032.not.i, label %B88.endif.endif.i1934.i, label %B34.if.i179.i2400.i
 
-B916.i8935:                                       ; preds = %B34.i.i, %B128.i.i
-  store double %.1635.i, ptr %.1577.i, align 8, !noalias !61
-  br label %B2142.i
+B88.endif.endif.i1934.i.critedge:                 ; preds = %B606.i
+  %.388.i1730.i.c = load i64, ptr %.388.i1198.i, align 8, !noalias !84
+  %.500.i.i.c = inttoptr i64 %.388.i1730.i.c to ptr
+  tail call void %.500.i.i.c(ptr %.571, ptr %.1337.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !84
+  %.531.i.i.c = load i64, ptr %arg.code.4, align 8, !noalias !84
+  %.647.i1837.i.c = inttoptr i64 %.531.i.i.c to ptr
+  tail call void %.647.i1837.i.c(ptr %.571, ptr %.1337.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.647.i.i), !noalias !84
+  br label %B88.endif.endif.i1934.i
 
-B974.loopexit.i:                                  ; preds = %B122.if.i467.i, %B974.if.i
-  %exitcond4815.not.i = icmp eq i64 %arg.shape.0, %.1896.i
-  br i1 %exitcond4815.not.i, label %B1046.i, label %B974.if.i
+B88.endif.endif.i1934.i:                          ; preds = %B34.if.i179.i2400.i, %B88.endif.endif.i1934.i.critedge
+  %.714.i1949.i = load i64, ptr %.388.i1198.i, align 8, !noalias !84
+  %.828.i.i8942 = inttoptr i64 %.714.i1949.i to ptr
+  tail call void %.828.i.i8942(ptr %.571, ptr %.1337.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !84
+  br i1 %.794, label %B894.i, label %B656.if.i2295.i
+
+B656.if.i2295.i:                                  ; preds = %B88.endif.endif.i1934.i, %B656.i2013.loopexit.i
+  %.862.i1453.04959.i = phi i64 [ %.931.i2299.i, %B656.i2013.loopexit.i ], [ 0, %B88.endif.endif.i1934.i ]
+  %.931.i2299.i = add nsw i64 %.862.i1453.04959.i, 1
+  br i1 %.287.i7034918.not.i, label %B656.i2013.loopexit.i, label %B690.if.i2284.lr.ph.i
+
+B690.if.i2284.lr.ph.i:                            ; preds = %B656.if.i2295.i
+  %.1303.i2194.i = getelementptr double, ptr %55, i64 %.862.i1453.04959.i
+  %.1386.i2238.i = getelementptr double, ptr %56, i64 %.862.i1453.04959.i
+  br label %B690.if.i2284.i
+
+B690.if.i2284.i:                                  ; preds = %B690.if.i2284.i, %B690.if.i2284.lr.ph.i
+  %.983.i1462.04956.i = phi i64 [ 0, %B690.if.i2284.lr.ph.i ], [ %.1052.i2288.i, %B690.if.i2284.i ]
+  %.1052.i2288.i = add nsw i64 %.983.i1462.04956.i, 1
+  %208 = mul nsw i64 %.983.i1462.04956.i, %arg.shape.0
+  %.1080.i2053.i = add nsw i64 %208, %.862.i1453.04959.i
+  %209 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1080.i2053.i
+  %.1110.i2072.i = load double, ptr %209, align 8, !noalias !84
+  %.1119.i2081.i = add nsw i64 %.1080.i2053.i, %factor.op.mul4937.i.reass
+  %.1133.i2088.i = icmp slt i64 %.1119.i2081.i, 0
+  %.1134.i2089.i = select i1 %.1133.i2088.i, i64 %arg.batch.5.0.5.0, i64 0
+  %210 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1119.i2081.i
+  %.1148.i.i = getelementptr double, ptr %210, i64 %.1134.i2089.i
+  %.1149.i2100.i = load double, ptr %.1148.i.i, align 8, !noalias !84
+  %.1154.i2105.i = add nsw i64 %.1080.i2053.i, %factor.op.mul4936.i.reass
+  %.1168.i2112.i = icmp slt i64 %.1154.i2105.i, 0
+  %.1169.i2113.i = select i1 %.1168.i2112.i, i64 %arg.batch.5.0.5.0, i64 0
+  %211 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1154.i2105.i
+  %.1183.i.i = getelementptr double, ptr %211, i64 %.1169.i2113.i
+  %.1184.i2124.i = load double, ptr %.1183.i.i, align 8, !noalias !84
+  %.1185.i2125.i = fsub double %.1149.i2100.i, %.1184.i2124.i
+  %.1186.i2126.i = tail call double @llvm.fabs.f64(double %.1185.i2125.i)
+  %.1216.i2142.i = load double, ptr %.1216.i.i, align 8, !noalias !84
+  %.1246.i.i = load double, ptr %arg.tolerances.4, align 8, !noalias !84
+  %.1247.i2157.i = tail call double @llvm.fabs.f64(double %.1110.i2072.i)
+  %.1248.i2158.i = fmul double %.1247.i2157.i, %.1246.i.i
+  %.1249.i2159.i = fadd double %.1216.i2142.i, %.1248.i2158.i
+  %.1304.i2195.i = load double, ptr %.1303.i2194.i, align 8, !noalias !84
+  %.1305.i2196.i = fmul double %.1186.i2126.i, %.1304.i2195.i
+  %.1309.i.i = fdiv double %.1305.i2196.i, %.1249.i2159.i
+  %.1315.i2200.i = fsub double %.1309.i.i, %.1309.i.i
+  %.1316.i2201.i = fcmp oeq double %.1315.i2200.i, 0.000000e+00
+  %.1309.i..i = select i1 %.1316.i2201.i, double %.1309.i.i, double 0x7FF0000000000000
+  %.1387.i2239.i = load double, ptr %.1386.i2238.i, align 8, !noalias !84
+  %.10.i.i2244.i = fcmp ogt double %.1309.i..i, %.1387.i2239.i
+  %.11.i.i2245.i = select i1 %.10.i.i2244.i, double %.1309.i..i, double %.1387.i2239.i
+  store double %.11.i.i2245.i, ptr %.1386.i2238.i, align 8, !noalias !84
+  %exitcond5033.not.i = icmp eq i64 %arg.shape.1, %.1052.i2288.i
+  br i1 %exitcond5033.not.i, label %B656.i2013.loopexit.i, label %B690.if.i2284.i
+
+B806.i:                                           ; preds = %B798.if.i
+  %212 = getelementptr i64, ptr %58, i64 %.1449.04962.i
+  %.1608.i = load i64, ptr %212, align 8, !noalias !61
+  %.1609.i = icmp sgt i64 %.1608.i, -1
+  br i1 %.1609.i, label %B844.i, label %B890.i
+
+B844.i:                                           ; preds = %B806.i
+  %213 = getelementptr double, ptr %56, i64 %.1449.04962.i
+  %.1669.i = load double, ptr %213, align 8, !noalias !61
+  %.1670.i = fcmp ogt double %.1669.i, 1.000000e-01
+  br label %B890.i
+
+B890.i:                                           ; preds = %B798.if.i, %B844.i, %B806.i
+  %"$phi890.2.3.3.i" = phi i1 [ true, %B798.if.i ], [ %.1670.i, %B844.i ], [ false, %B806.i ]
+  %exitcond5035.not.i = icmp eq i64 %arg.shape.0, %.1518.i
+  br i1 %exitcond5035.not.i, label %B894.i, label %B798.if.i
+
+B894.i:                                           ; preds = %B890.i, %B88.endif.endif.i1934.i
+  %felt.2.2.lcssa.i = phi i1 [ %felt.3.04983.i, %B88.endif.endif.i1934.i ], [ %"$phi890.2.3.3.i", %B890.i ]
+  br i1 %felt.2.2.lcssa.i, label %B902.i, label %B1372.i
+
+B902.i:                                           ; preds = %B478.if.i, %B894.i
+  %felt.4.1.i = phi i1 [ true, %B894.i ], [ %felt.3.04983.i, %B478.if.i ]
+  br i1 %.794, label %B476.loopexit.i.critedge, label %B932.if.i
+
+B932.loopexit.i:                                  ; preds = %B122.if.i467.i, %B932.if.i
+  %exitcond5038.not.i = icmp eq i64 %arg.shape.0, %.1811.i
+  br i1 %exitcond5038.not.i, label %B1046.i, label %B932.if.i
 
 B122.if.i467.i:                                   ; preds = %B122.if.i467.lr.ph.i, %B122.if.i467.i
-  %.229.i60.04748.i = phi i64 [ 0, %B122.if.i467.lr.ph.i ], [ %.300.i473.i, %B122.if.i467.i ]
-  %.157.i.i394.i = add nsw i64 %.229.i60.04748.i, %.155.i.i392.i
+  %.229.i60.04969.i = phi i64 [ 0, %B122.if.i467.lr.ph.i ], [ %.300.i473.i, %B122.if.i467.i ]
+  %.157.i.i394.i = add nsw i64 %.229.i60.04969.i, %.155.i.i392.i
   %.159.i.i396.i = mul nsw i64 %.157.i.i394.i, %arg.shape.0
-  %gep9250 = getelementptr double, ptr %invariant.gep9249, i64 %.159.i.i396.i
-  %.191.i.i418.i = load double, ptr %gep9250, align 8, !noalias !88
+  %gep9247 = getelementptr double, ptr %invariant.gep9246, i64 %.159.i.i396.i
+  %.191.i.i418.i = load double, ptr %gep9247, align 8, !noalias !96
   %.193.i.i420.i = fadd double %.191.i.i418.i, 0.000000e+00
-  %.253.i.i442.i = fmul double %.1975.i, %.193.i.i420.i
-  %.157.i.i394.1.i = add nsw i64 %.229.i60.04748.i, %.155.i.i392.1.i
+  %.253.i.i442.i = fmul double %.1945.i, %.193.i.i420.i
+  %.157.i.i394.1.i = add nsw i64 %.229.i60.04969.i, %.155.i.i392.1.i
   %.159.i.i396.1.i = mul nsw i64 %.157.i.i394.1.i, %arg.shape.0
-  %gep9252 = getelementptr double, ptr %invariant.gep9251, i64 %.159.i.i396.1.i
-  %.191.i.i418.1.i = load double, ptr %gep9252, align 8, !noalias !88
+  %gep9249 = getelementptr double, ptr %invariant.gep9248, i64 %.159.i.i396.1.i
+  %.191.i.i418.1.i = load double, ptr %gep9249, align 8, !noalias !96
   %.193.i.i420.1.i = fadd double %.191.i.i418.1.i, %.253.i.i442.i
   %.253.i.i442.1.i = fmul double %.247.i.i437.i, %.193.i.i420.1.i
-  %.157.i.i394.2.i = add nsw i64 %.229.i60.04748.i, %.155.i.i392.2.i
+  %.157.i.i394.2.i = add nsw i64 %.229.i60.04969.i, %.155.i.i392.2.i
   %.159.i.i396.2.i = mul nsw i64 %.157.i.i394.2.i, %arg.shape.0
-  %gep9254 = getelementptr double, ptr %invariant.gep9253, i64 %.159.i.i396.2.i
-  %.191.i.i418.2.i = load double, ptr %gep9254, align 8, !noalias !88
+  %gep9251 = getelementptr double, ptr %invariant.gep9250, i64 %.159.i.i396.2.i
+  %.191.i.i418.2.i = load double, ptr %gep9251, align 8, !noalias !96
   %.193.i.i420.2.i = fadd double %.191.i.i418.2.i, %.253.i.i442.1.i
-  %.253.i.i442.2.i = fmul double %.1975.i, %.193.i.i420.2.i
-  %.157.i.i394.3.i = add nsw i64 %.229.i60.04748.i, %.155.i.i392.3.i
+  %.253.i.i442.2.i = fmul double %.1945.i, %.193.i.i420.2.i
+  %.157.i.i394.3.i = add nsw i64 %.229.i60.04969.i, %.155.i.i392.3.i
   %.159.i.i396.3.i = mul nsw i64 %.157.i.i394.3.i, %arg.shape.0
-  %gep9256 = getelementptr double, ptr %invariant.gep9255, i64 %.159.i.i396.3.i
-  %.191.i.i418.3.i = load double, ptr %gep9256, align 8, !noalias !88
+  %gep9253 = getelementptr double, ptr %invariant.gep9252, i64 %.159.i.i396.3.i
+  %.191.i.i418.3.i = load double, ptr %gep9253, align 8, !noalias !96
   %.193.i.i420.3.i = fadd double %.191.i.i418.3.i, %.253.i.i442.2.i
   %.253.i.i442.3.i = fmul double %.247.i.i437.i, %.193.i.i420.3.i
-  %.157.i.i394.4.i = add nsw i64 %.229.i60.04748.i, %.155.i.i392.4.i
+  %.157.i.i394.4.i = add nsw i64 %.229.i60.04969.i, %.155.i.i392.4.i
   %.159.i.i396.4.i = mul nsw i64 %.157.i.i394.4.i, %arg.shape.0
-  %gep9258 = getelementptr double, ptr %invariant.gep9257, i64 %.159.i.i396.4.i
-  %.191.i.i418.4.i = load double, ptr %gep9258, align 8, !noalias !88
+  %gep9255 = getelementptr double, ptr %invariant.gep9254, i64 %.159.i.i396.4.i
+  %.191.i.i418.4.i = load double, ptr %gep9255, align 8, !noalias !96
   %.193.i.i420.4.i = fadd double %.191.i.i418.4.i, %.253.i.i442.3.i
-  %.253.i.i442.4.i = fmul double %.1975.i, %.193.i.i420.4.i
-  %.157.i.i394.5.i = add nsw i64 %.229.i60.04748.i, %.155.i.i392.5.i
+  %.253.i.i442.4.i = fmul double %.1945.i, %.193.i.i420.4.i
+  %.157.i.i394.5.i = add nsw i64 %.229.i60.04969.i, %.155.i.i392.5.i
   %.159.i.i396.5.i = mul nsw i64 %.157.i.i394.5.i, %arg.shape.0
-  %gep9260 = getelementptr double, ptr %invariant.gep9259, i64 %.159.i.i396.5.i
-  %.191.i.i418.5.i = load double, ptr %gep9260, align 8, !noalias !88
+  %gep9257 = getelementptr double, ptr %invariant.gep9256, i64 %.159.i.i396.5.i
+  %.191.i.i418.5.i = load double, ptr %gep9257, align 8, !noalias !96
   %.193.i.i420.5.i = fadd double %.191.i.i418.5.i, %.253.i.i442.4.i
   %.253.i.i442.5.i = fmul double %.247.i.i437.i, %.193.i.i420.5.i
-  %.157.i.i394.6.i = add nsw i64 %.229.i60.04748.i, %.155.i.i392.6.i
+  %.157.i.i394.6.i = add nsw i64 %.229.i60.04969.i, %.155.i.i392.6.i
   %.159.i.i396.6.i = mul nsw i64 %.157.i.i394.6.i, %arg.shape.0
-  %gep9262 = getelementptr double, ptr %invariant.gep9261, i64 %.159.i.i396.6.i
-  %.191.i.i418.6.i = load double, ptr %gep9262, align 8, !noalias !88
+  %gep9259 = getelementptr double, ptr %invariant.gep9258, i64 %.159.i.i396.6.i
+  %.191.i.i418.6.i = load double, ptr %gep9259, align 8, !noalias !96
   %.193.i.i420.6.i = fadd double %.191.i.i418.6.i, %.253.i.i442.5.i
-  %.253.i.i442.6.i = fmul double %.1975.i, %.193.i.i420.6.i
-  %.300.i473.i = add nsw i64 %.229.i60.04748.i, 1
-  %.271.i.i315.i = mul nsw i64 %.229.i60.04748.i, %arg.shape.0
-  %gep9264 = getelementptr double, ptr %invariant.gep9263, i64 %.271.i.i315.i
-  %.309.i.i340.i = load double, ptr %gep9264, align 8, !noalias !88
+  %.253.i.i442.6.i = fmul double %.1945.i, %.193.i.i420.6.i
+  %.300.i473.i = add nsw i64 %.229.i60.04969.i, 1
+  %.271.i.i315.i = mul nsw i64 %.229.i60.04969.i, %arg.shape.0
+  %gep9261 = getelementptr double, ptr %invariant.gep9260, i64 %.271.i.i315.i
+  %.309.i.i340.i = load double, ptr %gep9261, align 8, !noalias !96
   %.313.i.i343.i = fadd double %.309.i.i340.i, %.253.i.i442.6.i
-  %.359.i356.i = add nsw i64 %.229.i60.04748.i, %.358.i837.i
+  %.359.i356.i = add nsw i64 %.229.i60.04969.i, %.358.i837.i
   %.361.i358.i = mul nsw i64 %.359.i356.i, %arg.shape.0
-  %gep9266 = getelementptr double, ptr %invariant.gep9265, i64 %.361.i358.i
-  store double %.313.i.i343.i, ptr %gep9266, align 8, !noalias !95
-  %exitcond4814.not.i = icmp eq i64 %arg.shape.1, %.300.i473.i
-  br i1 %exitcond4814.not.i, label %B974.loopexit.i, label %B122.if.i467.i
+  %gep9263 = getelementptr double, ptr %invariant.gep9262, i64 %.361.i358.i
+  store double %.313.i.i343.i, ptr %gep9263, align 8, !noalias !103
+  %exitcond5037.not.i = icmp eq i64 %arg.shape.1, %.300.i473.i
+  br i1 %exitcond5037.not.i, label %B932.loopexit.i, label %B122.if.i467.i
 
-B1046.i:                                          ; preds = %B974.loopexit.i, %B974.preheader.i
-  %.2044.i = load i64, ptr %.1283.i, align 8, !noalias !61
-  %.2163.i = inttoptr i64 %.2044.i to ptr
-  tail call void %.2163.i(ptr %.571, ptr %.1375.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.1400.i), !noalias !61
-  %.205.i1687.i = load i64, ptr %arg.code.4, align 8, !noalias !96
-  %.321.i1761.i = inttoptr i64 %.205.i1687.i to ptr
-  tail call void %.321.i1761.i(ptr %.571, ptr %.1375.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.320.i1760.i), !noalias !96
-  br i1 %.114.i.i11654715.not.i, label %B88.endif.endif.i2089.i.critedge, label %B34.if.i.i2665.i
+B1046.i:                                          ; preds = %B932.loopexit.i
+  %.2015.i = load i64, ptr %.1245.i, align 8, !noalias !61
+  %.2132.i = inttoptr i64 %.2015.i to ptr
+  tail call void %.2132.i(ptr %.571, ptr %.1337.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.1362.i), !noalias !61
+  br label %B1188.if.i
 
-B34.if.i.i2665.i:                                 ; preds = %B1046.i, %B34.if.i.i2665.i
-  %.56.i.i1440.04754.i = phi i64 [ %.127.i.i2671.i, %B34.if.i.i2665.i ], [ 0, %B1046.i ]
-  %.127.i.i2671.i = add nsw i64 %.56.i.i1440.04754.i, 1
-  %.153.i.i2580.i = add nsw i64 %.56.i.i1440.04754.i, %.866.i
-  %.167.i.i2588.i = icmp slt i64 %.153.i.i2580.i, 0
-  %.168.i.i2589.i = select i1 %.167.i.i2588.i, i64 %arg.batch.5.4.5.0, i64 0
-  %207 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.153.i.i2580.i
-  %.182.i.i2599.i = getelementptr double, ptr %207, i64 %.168.i.i2589.i
-  %.183.i.i2600.i = load double, ptr %.182.i.i2599.i, align 8, !noalias !100
-  %.185.i.i2602.i = add nsw i64 %.56.i.i1440.04754.i, %.327.i1112.i
-  %.199.i.i2610.i = icmp slt i64 %.185.i.i2602.i, 0
-  %.200.i.i2611.i = select i1 %.199.i.i2610.i, i64 %arg.batch.5.1.5.0, i64 0
-  %208 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.185.i.i2602.i
-  %.214.i.i2621.i = getelementptr double, ptr %208, i64 %.200.i.i2611.i
-  %.215.i.i2622.i = load double, ptr %.214.i.i2621.i, align 8, !noalias !100
-  store double %.183.i.i2600.i, ptr %.214.i.i2621.i, align 8, !noalias !100
-  store double %.215.i.i2622.i, ptr %.182.i.i2599.i, align 8, !noalias !100
-  %exitcond4816.not.i = icmp eq i64 %.174.i1053.i, %.127.i.i2671.i
-  br i1 %exitcond4816.not.i, label %B88.endif.i1862.i, label %B34.if.i.i2665.i
+B34.i.i:                                          ; preds = %B1188.if.i, %B34.if.i.i8933
+  %.51.i2540.0.i = phi i64 [ 0, %B1188.if.i ], [ %.122.i2662.i, %B34.if.i.i8933 ]
+  %exitcond5039.not.i = icmp eq i64 %.51.i2540.0.i, %storemerge4874.i
+  br i1 %exitcond5039.not.i, label %B1342.i, label %B34.if.i.i8933
 
-B656.i2168.loopexit.i:                            ; preds = %B690.if.i2439.i, %B656.if.i2450.i
-  %exitcond4819.not.i = icmp eq i64 %arg.shape.0, %.931.i2454.i
-  br i1 %exitcond4819.not.i, label %B1238.preheader.i, label %B656.if.i2450.i
+B128.i.i:                                         ; preds = %B34.if.i.i8933
+  %214 = icmp sgt i64 %.51.i2540.0.i, -1
+  br i1 %214, label %B1316.i, label %B1342.i
 
-B1238.preheader.i:                                ; preds = %B656.i2168.loopexit.i, %B88.endif.endif.i2089.i
-  br i1 %.23224789.i, label %B1242.lr.ph.i, label %B3414
+B34.if.i.i8933:                                   ; preds = %B34.i.i
+  %.122.i2662.i = add i64 %.51.i2540.0.i, 1
+  %.157.i2592.i = add nsw i64 %.51.i2540.0.i, %.155.i.i
+  %.159.i2594.i = mul nsw i64 %.157.i2592.i, %arg.shape.0
+  %.161.i2596.i = add nsw i64 %.159.i2594.i, %.2158.04975.i
+  %.175.i2606.i = icmp slt i64 %.161.i2596.i, 0
+  %.176.i2607.i = select i1 %.175.i2606.i, i64 %arg.batch.5.4.5.0, i64 0
+  %215 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.161.i2596.i
+  %.190.i.i = getelementptr double, ptr %215, i64 %.176.i2607.i
+  %.191.i.i = load double, ptr %.190.i.i, align 8, !noalias !104
+  %.195.i2624.i = add nsw i64 %.161.i2596.i, %.174.i1053.i
+  %.209.i.i = icmp slt i64 %.195.i2624.i, 0
+  %.210.i.i = select i1 %.209.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %216 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.195.i2624.i
+  %.224.i2645.i = getelementptr double, ptr %216, i64 %.210.i.i
+  %.225.i2646.i = load double, ptr %.224.i2645.i, align 8, !noalias !104
+  %.226.i2647.i = fneg double %.225.i2646.i
+  %.227.i2648.i = fcmp olt double %.191.i.i, %.226.i2647.i
+  br i1 %.227.i2648.i, label %B128.i.i, label %B34.i.i
 
-B1242.lr.ph.i:                                    ; preds = %B1238.preheader.i
-  %.3270.i = fmul double %.262.i, 2.000000e+00
-  br label %B1242.i
+B1316.i:                                          ; preds = %B128.i.i
+  store double %.2366.i, ptr %.2363.i, align 8, !noalias !61
+  br label %B2306.i
 
-B88.endif.i1862.i:                                ; preds = %B34.if.i.i2665.i
-  %.388.i1885.i = load i64, ptr %.388.i1198.i, align 8, !noalias !96
-  %.500.i.i = inttoptr i64 %.388.i1885.i to ptr
-  tail call void %.500.i.i(ptr %.571, ptr %.1375.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !96
-  %.531.i.i = load i64, ptr %arg.code.4, align 8, !noalias !96
-  %.647.i1992.i = inttoptr i64 %.531.i.i to ptr
-  tail call void %.647.i1992.i(ptr %.571, ptr %.1375.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.646.i1991.i), !noalias !96
-  br label %B34.if.i179.i2555.i
+B1342.i:                                          ; preds = %B34.i.i, %B128.i.i
+  store double %.2366.i, ptr %.2308.i, align 8, !noalias !61
+  br label %B2306.i
 
-B34.if.i179.i2555.i:                              ; preds = %B88.endif.i1862.i, %B34.if.i179.i2555.i
-  %.56.i27.i1420.04757.i = phi i64 [ %.127.i185.i2561.i, %B34.if.i179.i2555.i ], [ 0, %B88.endif.i1862.i ]
-  %.127.i185.i2561.i = add nsw i64 %.56.i27.i1420.04757.i, 1
-  %.153.i94.i2470.i = add nsw i64 %.56.i27.i1420.04757.i, %.866.i
-  %.167.i102.i2478.i = icmp slt i64 %.153.i94.i2470.i, 0
-  %.168.i103.i2479.i = select i1 %.167.i102.i2478.i, i64 %arg.batch.5.4.5.0, i64 0
-  %209 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.153.i94.i2470.i
-  %.182.i113.i2489.i = getelementptr double, ptr %209, i64 %.168.i103.i2479.i
-  %.183.i114.i2490.i = load double, ptr %.182.i113.i2489.i, align 8, !noalias !104
-  %.185.i116.i2492.i = add nsw i64 %.56.i27.i1420.04757.i, %.327.i1112.i
-  %.199.i124.i2500.i = icmp slt i64 %.185.i116.i2492.i, 0
-  %.200.i125.i2501.i = select i1 %.199.i124.i2500.i, i64 %arg.batch.5.1.5.0, i64 0
-  %210 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.185.i116.i2492.i
-  %.214.i135.i2511.i = getelementptr double, ptr %210, i64 %.200.i125.i2501.i
-  %.215.i136.i2512.i = load double, ptr %.214.i135.i2511.i, align 8, !noalias !104
-  store double %.183.i114.i2490.i, ptr %.214.i135.i2511.i, align 8, !noalias !104
-  store double %.215.i136.i2512.i, ptr %.182.i113.i2489.i, align 8, !noalias !104
-  %exitcond4817.not.i = icmp eq i64 %.174.i1053.i, %.127.i185.i2561.i
-  br i1 %exitcond4817.not.i, label %B88.endif.endif.i2089.i, label %B34.if.i179.i2555.i
+B1372.i:                                          ; preds = %B894.i, %B476.loopexit.i
+  br i1 %.26405009.i, label %B1406.lr.ph.i, label %B3414
 
-B88.endif.endif.i2089.i.critedge:                 ; preds = %B1046.i
-  %.388.i1885.i.c = load i64, ptr %.388.i1198.i, align 8, !noalias !96
-  %.500.i.i.c = inttoptr i64 %.388.i1885.i.c to ptr
-  tail call void %.500.i.i.c(ptr %.571, ptr %.1375.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !96
-  %.531.i.i.c = load i64, ptr %arg.code.4, align 8, !noalias !96
-  %.647.i1992.i.c = inttoptr i64 %.531.i.i.c to ptr
-  tail call void %.647.i1992.i.c(ptr %.571, ptr %.1375.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.646.i1991.i), !noalias !96
-  br label %B88.endif.endif.i2089.i
+B1406.lr.ph.i:                                    ; preds = %B1372.i
+  %.3588.i = fmul double %.262.i, 2.000000e+00
+  br label %B1406.i
 
-B88.endif.endif.i2089.i:                          ; preds = %B34.if.i179.i2555.i, %B88.endif.endif.i2089.i.critedge
-  %.714.i2104.i = load i64, ptr %.388.i1198.i, align 8, !noalias !96
-  %.828.i.i8936 = inttoptr i64 %.714.i2104.i to ptr
-  tail call void %.828.i.i8936(ptr %.571, ptr %.1375.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !96
-  br i1 %.794, label %B1238.preheader.i, label %B656.if.i2450.i
+B1406.i:                                          ; preds = %B2305.i, %B1406.lr.ph.i
+  %.2630.sroa.0.05016.i = phi i64 [ 0, %B1406.lr.ph.i ], [ %.2630.sroa.0.0.i, %B2305.i ]
+  %.2586.15015.i = phi i64 [ %.2586.15012.i, %B1406.lr.ph.i ], [ %.2586.1.i, %B2305.i ]
+  %.2583.15014.i = phi i64 [ 1, %B1406.lr.ph.i ], [ %.2583.1.i, %B2305.i ]
+  %.2711.i = icmp slt i64 %.2630.sroa.0.05016.i, 0
+  %.2712.i = select i1 %.2711.i, i64 %arg.batch.4.0.5.1, i64 0
+  %.2713.i = add i64 %.2712.i, %.2630.sroa.0.05016.i
+  %.2734.i = getelementptr double, ptr %60, i64 %.2713.i
+  %.2735.i = load double, ptr %.2734.i, align 8, !noalias !61
+  %.2789.i = getelementptr double, ptr %.571, i64 %.2713.i
+  store double %.2735.i, ptr %.2789.i, align 8, !noalias !61
+  %.2822.i = select i1 %.2711.i, i64 %arg.batch.4.1.5.1, i64 0
+  %.2823.i = add i64 %.2822.i, %.2630.sroa.0.05016.i
+  %.2844.i = getelementptr i64, ptr %58, i64 %.2823.i
+  %.2845.i = load i64, ptr %.2844.i, align 8, !noalias !61
+  %.2846.i = icmp slt i64 %.2845.i, 0
+  br i1 %.2846.i, label %B2305.i, label %B1498.i
 
-B656.if.i2450.i:                                  ; preds = %B88.endif.endif.i2089.i, %B656.i2168.loopexit.i
-  %.862.i1596.04763.i = phi i64 [ %.931.i2454.i, %B656.i2168.loopexit.i ], [ 0, %B88.endif.endif.i2089.i ]
-  %.931.i2454.i = add nsw i64 %.862.i1596.04763.i, 1
-  br i1 %.287.i7034709.not.i, label %B656.i2168.loopexit.i, label %B690.if.i2439.lr.ph.i
+B1498.i:                                          ; preds = %B1406.i
+  %.2904.i = getelementptr double, ptr %55, i64 %.2713.i
+  %.2905.i = load double, ptr %.2904.i, align 8, !noalias !61
+  %.2959.i = getelementptr double, ptr %57, i64 %.2713.i
+  %.2960.i = load double, ptr %.2959.i, align 8, !noalias !61
+  %.3081.i = getelementptr double, ptr %56, i64 %.2713.i
+  %.3082.i = load double, ptr %.3081.i, align 8, !noalias !61
+  %.3083.i = fcmp ogt double %.3082.i, 1.000000e-01
+  br i1 %.3083.i, label %B1684.i, label %B1908.i
 
-B690.if.i2439.lr.ph.i:                            ; preds = %B656.if.i2450.i
-  %.1303.i2349.i = getelementptr double, ptr %55, i64 %.862.i1596.04763.i
-  %.1386.i2393.i = getelementptr double, ptr %56, i64 %.862.i1596.04763.i
-  br label %B690.if.i2439.i
+B1684.i:                                          ; preds = %B1498.i
+  %.3016.i = load double, ptr %.2734.i, align 8, !noalias !61
+  %.3017.i = tail call double @llvm.fabs.f64(double %.3016.i)
+  %.3018.i = fmul double %.3017.i, 2.000000e-12
+  %.3138.i = getelementptr double, ptr %59, i64 %.2713.i
+  %.3139.i = load double, ptr %.3138.i, align 8, !noalias !61
+  %.3144.i = fmul double %.2905.i, 0x3D719799812DEA11
+  %.10.i.i8939 = fcmp ogt double %.3018.i, %.3144.i
+  %.11.i.i8940 = select i1 %.10.i.i8939, double %.3018.i, double %.3144.i
+  %.3140.i = fsub double 1.000000e+00, %.3139.i
+  %.3142.i = fmul double %.2905.i, %.3140.i
+  %.3176.i = fcmp ugt double %.3142.i, %.11.i.i8940
+  %.3181.i = fcmp ugt double %.2905.i, %.3588.i
+  %or.cond.i = select i1 %.3176.i, i1 %.3181.i, i1 false
+  br i1 %or.cond.i, label %B1836.i, label %B1800.i
 
-B690.if.i2439.i:                                  ; preds = %B690.if.i2439.i, %B690.if.i2439.lr.ph.i
-  %.983.i1605.04760.i = phi i64 [ 0, %B690.if.i2439.lr.ph.i ], [ %.1052.i2443.i, %B690.if.i2439.i ]
-  %.1052.i2443.i = add nsw i64 %.983.i1605.04760.i, 1
-  %211 = mul nsw i64 %.983.i1605.04760.i, %arg.shape.0
-  %.1080.i2208.i = add nsw i64 %211, %.862.i1596.04763.i
-  %212 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1080.i2208.i
-  %.1110.i2227.i = load double, ptr %212, align 8, !noalias !96
-  %.1119.i2236.i = add nsw i64 %.1080.i2208.i, %.603.i1978.i
-  %.1133.i2243.i = icmp slt i64 %.1119.i2236.i, 0
-  %.1134.i2244.i = select i1 %.1133.i2243.i, i64 %arg.batch.5.0.5.0, i64 0
-  %213 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1119.i2236.i
-  %.1148.i.i = getelementptr double, ptr %213, i64 %.1134.i2244.i
-  %.1149.i2255.i = load double, ptr %.1148.i.i, align 8, !noalias !96
-  %.1154.i2260.i = add nsw i64 %.1080.i2208.i, %.277.i1742.i
-  %.1168.i2267.i = icmp slt i64 %.1154.i2260.i, 0
-  %.1169.i2268.i = select i1 %.1168.i2267.i, i64 %arg.batch.5.0.5.0, i64 0
-  %214 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1154.i2260.i
-  %.1183.i.i = getelementptr double, ptr %214, i64 %.1169.i2268.i
-  %.1184.i2279.i = load double, ptr %.1183.i.i, align 8, !noalias !96
-  %.1185.i2280.i = fsub double %.1149.i2255.i, %.1184.i2279.i
-  %.1186.i2281.i = tail call double @llvm.fabs.f64(double %.1185.i2280.i)
-  %.1216.i2297.i = load double, ptr %.1216.i.i, align 8, !noalias !96
-  %.1246.i.i = load double, ptr %arg.tolerances.4, align 8, !noalias !96
-  %.1247.i2312.i = tail call double @llvm.fabs.f64(double %.1110.i2227.i)
-  %.1248.i2313.i = fmul double %.1247.i2312.i, %.1246.i.i
-  %.1249.i2314.i = fadd double %.1216.i2297.i, %.1248.i2313.i
-  %.1304.i2350.i = load double, ptr %.1303.i2349.i, align 8, !noalias !96
-  %.1305.i2351.i = fmul double %.1186.i2281.i, %.1304.i2350.i
-  %.1309.i.i = fdiv double %.1305.i2351.i, %.1249.i2314.i
-  %.1315.i2355.i = fsub double %.1309.i.i, %.1309.i.i
-  %.1316.i2356.i = fcmp oeq double %.1315.i2355.i, 0.000000e+00
-  %.1309.i..i = select i1 %.1316.i2356.i, double %.1309.i.i, double 0x7FF0000000000000
-  %.1387.i2394.i = load double, ptr %.1386.i2393.i, align 8, !noalias !96
-  %.10.i.i2399.i = fcmp ogt double %.1309.i..i, %.1387.i2394.i
-  %.11.i.i2400.i = select i1 %.10.i.i2399.i, double %.1309.i..i, double %.1387.i2394.i
-  store double %.11.i.i2400.i, ptr %.1386.i2393.i, align 8, !noalias !96
-  %exitcond4818.not.i = icmp eq i64 %arg.shape.1, %.1052.i2443.i
-  br i1 %exitcond4818.not.i, label %B656.i2168.loopexit.i, label %B690.if.i2439.i
+B1800.i:                                          ; preds = %B1684.i
+  %.3242.i = getelementptr double, ptr %61, i64 %.2713.i
+  store double 1.000000e+00, ptr %.3242.i, align 8, !noalias !61
+  br label %B2305.i
 
-B1242.i:                                          ; preds = %B2141.i, %B1242.lr.ph.i
-  %.2312.sroa.0.04796.i = phi i64 [ 0, %B1242.lr.ph.i ], [ %.2312.sroa.0.0.i, %B2141.i ]
-  %.2268.14795.i = phi i64 [ %.2268.14792.i, %B1242.lr.ph.i ], [ %.2268.1.i, %B2141.i ]
-  %.2265.14794.i = phi i64 [ 1, %B1242.lr.ph.i ], [ %.2265.1.i, %B2141.i ]
-  %.2393.i = icmp slt i64 %.2312.sroa.0.04796.i, 0
-  %.2394.i = select i1 %.2393.i, i64 %arg.batch.4.0.5.1, i64 0
-  %.2395.i = add i64 %.2394.i, %.2312.sroa.0.04796.i
-  %.2416.i = getelementptr double, ptr %59, i64 %.2395.i
-  %.2417.i = load double, ptr %.2416.i, align 8, !noalias !61
-  %.2471.i = getelementptr double, ptr %.571, i64 %.2395.i
-  store double %.2417.i, ptr %.2471.i, align 8, !noalias !61
-  %.2504.i = select i1 %.2393.i, i64 %arg.batch.4.1.5.1, i64 0
-  %.2505.i = add i64 %.2504.i, %.2312.sroa.0.04796.i
-  %.2526.i = getelementptr i64, ptr %60, i64 %.2505.i
-  %.2527.i = load i64, ptr %.2526.i, align 8, !noalias !61
-  %.2528.i = icmp slt i64 %.2527.i, 0
-  br i1 %.2528.i, label %B2141.i, label %B1334.i
+B1836.i:                                          ; preds = %B1684.i
+  %.3248.i = fmul double %.2905.i, %.2960.i
+  %.10.i4901.i = fcmp ogt double %.262.i, %.3248.i
+  %.11.i4902.i = select i1 %.10.i4901.i, double %.262.i, double %.3248.i
+  %.108.i3214.i = getelementptr double, ptr %62, i64 %.2713.i
+  store double 0.000000e+00, ptr %.108.i3214.i, align 8, !noalias !108
+  %.161.i3260.i = getelementptr double, ptr %63, i64 %.2713.i
+  store double 0.000000e+00, ptr %.161.i3260.i, align 8, !noalias !108
+  %.214.i3306.i = getelementptr double, ptr %64, i64 %.2713.i
+  store double %.11.i4902.i, ptr %.214.i3306.i, align 8, !noalias !108
+  %.267.i3351.i = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.2823.i
+  %.268.i3352.i = load i64, ptr %.267.i3351.i, align 8, !noalias !108
+  %.294.i3374.i = icmp slt i64 %.268.i3352.i, 0
+  %.295.i3375.i = select i1 %.294.i3374.i, i64 %arg.batch.3.3.5.0, i64 0
+  %.296.i3376.i = add i64 %.295.i3375.i, %.268.i3352.i
+  %.316.i3396.i = mul i64 %.296.i3376.i, %arg.batch.3.3.5.1
+  %.320.i3400.i = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.316.i3396.i
+  %.321.i3401.i = load i64, ptr %.320.i3400.i, align 8, !noalias !108
+  %.322.i3402.i = add nsw i64 %.321.i3401.i, -1
+  store i64 %.322.i3402.i, ptr %.320.i3400.i, align 8, !noalias !108
+  %.426.i3493.i = load i64, ptr %.267.i3351.i, align 8, !noalias !108
+  %.452.i3515.i = icmp slt i64 %.426.i3493.i, 0
+  %.453.i3516.i = select i1 %.452.i3515.i, i64 %arg.batch.3.3.5.0, i64 0
+  %.454.i3517.i = add i64 %.453.i3516.i, %.426.i3493.i
+  %.474.i3536.i = mul i64 %.454.i3517.i, %arg.batch.3.3.5.1
+  %217 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.474.i3536.i
+  %.478.i3540.i = getelementptr i8, ptr %217, i64 24
+  %.479.i3541.i = load i64, ptr %.478.i3540.i, align 8, !noalias !108
+  %.480.i3542.i = add nsw i64 %.479.i3541.i, 1
+  store i64 %.480.i3542.i, ptr %.478.i3540.i, align 8, !noalias !108
+  br label %B2305.i
 
-B1334.i:                                          ; preds = %B1242.i
-  %.2586.i = getelementptr double, ptr %55, i64 %.2395.i
-  %.2587.i = load double, ptr %.2586.i, align 8, !noalias !61
-  %.2641.i = getelementptr double, ptr %58, i64 %.2395.i
-  %.2642.i = load double, ptr %.2641.i, align 8, !noalias !61
-  %.2763.i = getelementptr double, ptr %56, i64 %.2395.i
-  %.2764.i = load double, ptr %.2763.i, align 8, !noalias !61
-  %.2765.i = fcmp ogt double %.2764.i, 1.000000e-01
-  br i1 %.2765.i, label %B1520.i, label %B1744.i
+B1908.i:                                          ; preds = %B1498.i
+  %.3401.i = fcmp olt double %.2960.i, 7.500000e-01
+  br i1 %.3401.i, label %B1982.i, label %B2068.i
 
-B1520.i:                                          ; preds = %B1334.i
-  %.2698.i = load double, ptr %.2416.i, align 8, !noalias !61
-  %.2699.i = tail call double @llvm.fabs.f64(double %.2698.i)
-  %.2700.i = fmul double %.2699.i, 2.000000e-12
-  %.2820.i = getelementptr double, ptr %57, i64 %.2395.i
-  %.2821.i = load double, ptr %.2820.i, align 8, !noalias !61
-  %.2826.i = fmul double %.2587.i, 0x3D719799812DEA11
-  %.10.i.i8942 = fcmp ogt double %.2700.i, %.2826.i
-  %.11.i.i8943 = select i1 %.10.i.i8942, double %.2700.i, double %.2826.i
-  %.2822.i = fsub double 1.000000e+00, %.2821.i
-  %.2824.i = fmul double %.2587.i, %.2822.i
-  %.2858.i = fcmp ugt double %.2824.i, %.11.i.i8943
-  %.2863.i = fcmp ugt double %.2587.i, %.3270.i
-  %or.cond.i = select i1 %.2858.i, i1 %.2863.i, i1 false
-  br i1 %or.cond.i, label %B1672.i, label %B1636.i
+B1982.i:                                          ; preds = %B1908.i
+  %.3385.i = add nsw i64 %.2845.i, %arg.shape.6
+  %.3387.i = mul nsw i64 %.3385.i, %arg.shape.0
+  %.3389.i = add nsw i64 %.3387.i, %.2630.sroa.0.05016.i
+  %.3422.i = icmp slt i64 %.3389.i, 0
+  %.3423.i = select i1 %.3422.i, i64 %arg.batch.5.4.5.0, i64 0
+  %218 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.3389.i
+  %.3437.i = getelementptr double, ptr %218, i64 %.3423.i
+  %.3438.i = load double, ptr %.3437.i, align 8, !noalias !61
+  %.3443.i = add nsw i64 %.3389.i, %.174.i1053.i
+  %.3459.i = icmp slt i64 %.3443.i, 0
+  %.3460.i = select i1 %.3459.i, i64 %arg.batch.5.4.5.0, i64 0
+  %219 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.3443.i
+  %.3474.i = getelementptr double, ptr %219, i64 %.3460.i
+  %.3475.i = load double, ptr %.3474.i, align 8, !noalias !61
+  %.3476.i = fcmp ogt double %.3438.i, %.3475.i
+  br i1 %.3476.i, label %B2030.i, label %B2068.i
 
-B1636.i:                                          ; preds = %B1520.i
-  %.2924.i = getelementptr double, ptr %61, i64 %.2395.i
-  store double 1.000000e+00, ptr %.2924.i, align 8, !noalias !61
-  br label %B2141.i
+B2030.i:                                          ; preds = %B1982.i
+  %.3479.i = fmul double %.2960.i, 5.000000e-01
+  %.3487.i = fmul double %.3479.i, 0x4002AAAAAAAAAAAA
+  br label %B2068.i
 
-B1672.i:                                          ; preds = %B1520.i
-  %.2930.i = fmul double %.2587.i, %.2642.i
-  %.10.i4692.i = fcmp ogt double %.262.i, %.2930.i
-  %.11.i4693.i = select i1 %.10.i4692.i, double %.262.i, double %.2930.i
-  %.108.i3222.i = getelementptr double, ptr %62, i64 %.2395.i
-  store double 0.000000e+00, ptr %.108.i3222.i, align 8, !noalias !108
-  %.161.i3268.i = getelementptr double, ptr %63, i64 %.2395.i
-  store double 0.000000e+00, ptr %.161.i3268.i, align 8, !noalias !108
-  %.214.i3314.i = getelementptr double, ptr %64, i64 %.2395.i
-  store double %.11.i4693.i, ptr %.214.i3314.i, align 8, !noalias !108
-  %.267.i3359.i = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.2505.i
-  %.268.i3360.i = load i64, ptr %.267.i3359.i, align 8, !noalias !108
-  %.294.i3382.i = icmp slt i64 %.268.i3360.i, 0
-  %.295.i3383.i = select i1 %.294.i3382.i, i64 %arg.batch.3.3.5.0, i64 0
-  %.296.i3384.i = add i64 %.295.i3383.i, %.268.i3360.i
-  %.316.i3404.i = mul i64 %.296.i3384.i, %arg.batch.3.3.5.1
-  %.320.i3408.i = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.316.i3404.i
-  %.321.i3409.i = load i64, ptr %.320.i3408.i, align 8, !noalias !108
-  %.322.i3410.i = add nsw i64 %.321.i3409.i, -1
-  store i64 %.322.i3410.i, ptr %.320.i3408.i, align 8, !noalias !108
-  %.426.i3501.i = load i64, ptr %.267.i3359.i, align 8, !noalias !108
-  %.452.i3523.i = icmp slt i64 %.426.i3501.i, 0
-  %.453.i3524.i = select i1 %.452.i3523.i, i64 %arg.batch.3.3.5.0, i64 0
-  %.454.i3525.i = add i64 %.453.i3524.i, %.426.i3501.i
-  %.474.i3544.i = mul i64 %.454.i3525.i, %arg.batch.3.3.5.1
-  %215 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.474.i3544.i
-  %.478.i3548.i = getelementptr i8, ptr %215, i64 24
-  %.479.i3549.i = load i64, ptr %.478.i3548.i, align 8, !noalias !108
-  %.480.i3550.i = add nsw i64 %.479.i3549.i, 1
-  store i64 %.480.i3550.i, ptr %.478.i3548.i, align 8, !noalias !108
-  br label %B2141.i
-
-B1744.i:                                          ; preds = %B1334.i
-  %.3083.i = fcmp olt double %.2642.i, 7.500000e-01
-  br i1 %.3083.i, label %B1818.i, label %B1904.i
-
-B1818.i:                                          ; preds = %B1744.i
-  %.3067.i = add nsw i64 %.2527.i, %arg.shape.6
-  %.3069.i = mul nsw i64 %.3067.i, %arg.shape.0
-  %.3071.i = add nsw i64 %.3069.i, %.2312.sroa.0.04796.i
-  %.3104.i = icmp slt i64 %.3071.i, 0
-  %.3105.i = select i1 %.3104.i, i64 %arg.batch.5.4.5.0, i64 0
-  %216 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.3071.i
-  %.3119.i = getelementptr double, ptr %216, i64 %.3105.i
-  %.3120.i = load double, ptr %.3119.i, align 8, !noalias !61
-  %.3125.i = add nsw i64 %.3071.i, %.174.i1053.i
-  %.3141.i = icmp slt i64 %.3125.i, 0
-  %.3142.i = select i1 %.3141.i, i64 %arg.batch.5.4.5.0, i64 0
-  %217 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.3125.i
-  %.3156.i = getelementptr double, ptr %217, i64 %.3142.i
-  %.3157.i = load double, ptr %.3156.i, align 8, !noalias !61
-  %.3158.i = fcmp ogt double %.3120.i, %.3157.i
-  br i1 %.3158.i, label %B1866.i, label %B1904.i
-
-B1866.i:                                          ; preds = %B1818.i
-  %.3161.i = fmul double %.2642.i, 5.000000e-01
-  %.3169.i = fmul double %.3161.i, 0x4002AAAAAAAAAAAA
-  br label %B1904.i
-
-B1904.i:                                          ; preds = %B1866.i, %B1818.i, %B1744.i
-  %share.5.2.i = phi double [ %.3169.i, %B1866.i ], [ 1.000000e+00, %B1818.i ], [ 1.000000e+00, %B1744.i ]
-  br i1 %.129.i37024776.not.i, label %B1904.endif.endif.i, label %B82.if.i.i
+B2068.i:                                          ; preds = %B2030.i, %B1982.i, %B1908.i
+  %share.5.2.i = phi double [ %.3487.i, %B2030.i ], [ 1.000000e+00, %B1982.i ], [ 1.000000e+00, %B1908.i ]
+  br i1 %.129.i36944995.not.i, label %B2068.endif.endif.i, label %B82.if.i.i
 
 B392.i.i:                                         ; preds = %B82.if.i.i
   %.10.i3.i.i = fcmp ogt double %.488.i.i.i, 0xFFF0000000000000
-  %.11.i4.i.i8941 = select i1 %.10.i3.i.i, double %.488.i.i.i, double 0xFFF0000000000000
-  %.10.i3.i.1.i = fcmp ogt double %.222.i.i.i, %.11.i4.i.i8941
-  %.11.i4.i.1.i = select i1 %.10.i3.i.1.i, double %.222.i.i.i, double %.11.i4.i.i8941
+  %.11.i4.i.i8938 = select i1 %.10.i3.i.i, double %.488.i.i.i, double 0xFFF0000000000000
+  %.10.i3.i.1.i = fcmp ogt double %.222.i.i.i, %.11.i4.i.i8938
+  %.11.i4.i.1.i = select i1 %.10.i3.i.1.i, double %.222.i.i.i, double %.11.i4.i.i8938
   %.10.i3.i.2.i = fcmp ogt double %.488.i.i.1.i, %.11.i4.i.1.i
   %.11.i4.i.2.i = select i1 %.10.i3.i.2.i, double %.488.i.i.1.i, double %.11.i4.i.1.i
   %.10.i3.i.3.i = fcmp ogt double %.222.i.i.1.i, %.11.i4.i.2.i
@@ -2496,244 +2514,244 @@ B392.i.i:                                         ; preds = %B82.if.i.i
   %.11.i4.i.7.i = select i1 %.10.i3.i.7.i, double %.222.i.i.3.i, double %.11.i4.i.6.i
   %.10.i3.i.8.i = fcmp ogt double %.488.i.i.4.i, %.11.i4.i.7.i
   %.11.i4.i.8.i = select i1 %.10.i3.i.8.i, double %.488.i.i.4.i, double %.11.i4.i.7.i
-  %.10.i.i3977.i = fcmp olt double %.488.i.i.i, 0x7FF0000000000000
-  %.11.i.i3978.i = select i1 %.10.i.i3977.i, double %.488.i.i.i, double 0x7FF0000000000000
-  %.10.i.i3977.1.i = fcmp olt double %.222.i.i.i, %.11.i.i3978.i
-  %.11.i.i3978.1.i = select i1 %.10.i.i3977.1.i, double %.222.i.i.i, double %.11.i.i3978.i
-  %.10.i.i3977.2.i = fcmp olt double %.488.i.i.1.i, %.11.i.i3978.1.i
-  %.11.i.i3978.2.i = select i1 %.10.i.i3977.2.i, double %.488.i.i.1.i, double %.11.i.i3978.1.i
-  %.10.i.i3977.3.i = fcmp olt double %.222.i.i.1.i, %.11.i.i3978.2.i
-  %.11.i.i3978.3.i = select i1 %.10.i.i3977.3.i, double %.222.i.i.1.i, double %.11.i.i3978.2.i
-  %.10.i.i3977.4.i = fcmp olt double %.488.i.i.2.i, %.11.i.i3978.3.i
-  %.11.i.i3978.4.i = select i1 %.10.i.i3977.4.i, double %.488.i.i.2.i, double %.11.i.i3978.3.i
-  %.10.i.i3977.5.i = fcmp olt double %.222.i.i.2.i, %.11.i.i3978.4.i
-  %.11.i.i3978.5.i = select i1 %.10.i.i3977.5.i, double %.222.i.i.2.i, double %.11.i.i3978.4.i
-  %.10.i.i3977.6.i = fcmp olt double %.488.i.i.3.i, %.11.i.i3978.5.i
-  %.11.i.i3978.6.i = select i1 %.10.i.i3977.6.i, double %.488.i.i.3.i, double %.11.i.i3978.5.i
-  %.10.i.i3977.7.i = fcmp olt double %.222.i.i.3.i, %.11.i.i3978.6.i
-  %.11.i.i3978.7.i = select i1 %.10.i.i3977.7.i, double %.222.i.i.3.i, double %.11.i.i3978.6.i
-  %.10.i.i3977.8.i = fcmp olt double %.488.i.i.4.i, %.11.i.i3978.7.i
-  %.11.i.i3978.8.i = select i1 %.10.i.i3977.8.i, double %.488.i.i.4.i, double %.11.i.i3978.7.i
-  %.511.i3868.i = fsub double %.11.i4.i.8.i, %.11.i.i3978.8.i
-  %.516.i3871.i = fmul double %.511.i3868.i, 1.000000e-02
-  %.518.i3872.i = fcmp ogt double %.11.i.i.i.3.i, %.516.i3871.i
-  br i1 %.518.i3872.i, label %B1904.endif.endif.i, label %B432.i.i
+  %.10.i.i3969.i = fcmp olt double %.488.i.i.i, 0x7FF0000000000000
+  %.11.i.i3970.i = select i1 %.10.i.i3969.i, double %.488.i.i.i, double 0x7FF0000000000000
+  %.10.i.i3969.1.i = fcmp olt double %.222.i.i.i, %.11.i.i3970.i
+  %.11.i.i3970.1.i = select i1 %.10.i.i3969.1.i, double %.222.i.i.i, double %.11.i.i3970.i
+  %.10.i.i3969.2.i = fcmp olt double %.488.i.i.1.i, %.11.i.i3970.1.i
+  %.11.i.i3970.2.i = select i1 %.10.i.i3969.2.i, double %.488.i.i.1.i, double %.11.i.i3970.1.i
+  %.10.i.i3969.3.i = fcmp olt double %.222.i.i.1.i, %.11.i.i3970.2.i
+  %.11.i.i3970.3.i = select i1 %.10.i.i3969.3.i, double %.222.i.i.1.i, double %.11.i.i3970.2.i
+  %.10.i.i3969.4.i = fcmp olt double %.488.i.i.2.i, %.11.i.i3970.3.i
+  %.11.i.i3970.4.i = select i1 %.10.i.i3969.4.i, double %.488.i.i.2.i, double %.11.i.i3970.3.i
+  %.10.i.i3969.5.i = fcmp olt double %.222.i.i.2.i, %.11.i.i3970.4.i
+  %.11.i.i3970.5.i = select i1 %.10.i.i3969.5.i, double %.222.i.i.2.i, double %.11.i.i3970.4.i
+  %.10.i.i3969.6.i = fcmp olt double %.488.i.i.3.i, %.11.i.i3970.5.i
+  %.11.i.i3970.6.i = select i1 %.10.i.i3969.6.i, double %.488.i.i.3.i, double %.11.i.i3970.5.i
+  %.10.i.i3969.7.i = fcmp olt double %.222.i.i.3.i, %.11.i.i3970.6.i
+  %.11.i.i3970.7.i = select i1 %.10.i.i3969.7.i, double %.222.i.i.3.i, double %.11.i.i3970.6.i
+  %.10.i.i3969.8.i = fcmp olt double %.488.i.i.4.i, %.11.i.i3970.7.i
+  %.11.i.i3970.8.i = select i1 %.10.i.i3969.8.i, double %.488.i.i.4.i, double %.11.i.i3970.7.i
+  %.511.i3860.i = fsub double %.11.i4.i.8.i, %.11.i.i3970.8.i
+  %.516.i3863.i = fmul double %.511.i3860.i, 1.000000e-02
+  %.518.i3864.i = fcmp ogt double %.11.i.i.i.3.i, %.516.i3863.i
+  br i1 %.518.i3864.i, label %B2068.endif.endif.i, label %B432.i.i
 
 B432.i.i:                                         ; preds = %B82.if.i.i, %B392.i.i
-  %exitcond4904.not.i = icmp eq i64 %arg.shape.6, %.142.i4043.i
-  br i1 %exitcond4904.not.i, label %B1904.endif.endif.i, label %B82.if.i.i
+  %exitcond5126.not.i = icmp eq i64 %arg.shape.6, %.142.i4035.i
+  br i1 %exitcond5126.not.i, label %B2068.endif.endif.i, label %B82.if.i.i
 
-B82.if.i.i:                                       ; preds = %B1904.i, %B432.i.i
-  %.71.i3632.04777.i = phi i64 [ %.142.i4043.i, %B432.i.i ], [ 0, %B1904.i ]
-  %.168.i3720.i = add nsw i64 %.71.i3632.04777.i, %arg.shape.6
-  %.170.i3722.i = mul nsw i64 %.168.i3720.i, %arg.shape.0
-  %.172.i3724.i = add nsw i64 %.170.i3722.i, %.2312.sroa.0.04796.i
-  %.142.i4043.i = add nsw i64 %.71.i3632.04777.i, 1
-  %.192.i.i3891.i = add nsw i64 %.172.i3724.i, %factor.op.mul.i.reass
-  %.206.i.i3899.i = icmp slt i64 %.192.i.i3891.i, 0
-  %.207.i.i3900.i = select i1 %.206.i.i3899.i, i64 %arg.batch.5.4.5.0, i64 0
-  %218 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.192.i.i3891.i
-  %.221.i.i.i = getelementptr double, ptr %218, i64 %.207.i.i3900.i
+B82.if.i.i:                                       ; preds = %B2068.i, %B432.i.i
+  %.71.i3624.04996.i = phi i64 [ %.142.i4035.i, %B432.i.i ], [ 0, %B2068.i ]
+  %.168.i3712.i = add nsw i64 %.71.i3624.04996.i, %arg.shape.6
+  %.170.i3714.i = mul nsw i64 %.168.i3712.i, %arg.shape.0
+  %.172.i3716.i = add nsw i64 %.170.i3714.i, %.2630.sroa.0.05016.i
+  %.142.i4035.i = add nsw i64 %.71.i3624.04996.i, 1
+  %.192.i.i3883.i = add nsw i64 %.172.i3716.i, %factor.op.mul.i.reass
+  %.206.i.i3891.i = icmp slt i64 %.192.i.i3883.i, 0
+  %.207.i.i3892.i = select i1 %.206.i.i3891.i, i64 %arg.batch.5.4.5.0, i64 0
+  %220 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.192.i.i3883.i
+  %.221.i.i.i = getelementptr double, ptr %220, i64 %.207.i.i3892.i
   %.222.i.i.i = load double, ptr %.221.i.i.i, align 8, !noalias !111
-  %.472.i.i.i = icmp slt i64 %.172.i3724.i, 0
+  %.472.i.i.i = icmp slt i64 %.172.i3716.i, 0
   %.473.i.i.i = select i1 %.472.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %219 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.172.i3724.i
-  %.487.i.i.i = getelementptr double, ptr %219, i64 %.473.i.i.i
+  %221 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.172.i3716.i
+  %.487.i.i.i = getelementptr double, ptr %221, i64 %.473.i.i.i
   %.488.i.i.i = load double, ptr %.487.i.i.i, align 8, !noalias !111
   %.489.i.i.i = fmul double %.488.i.i.i, 0x3FDDF27AAAADCB3A
   %.491.i.i.i = fsub double %.222.i.i.i, %.489.i.i.i
-  %.458.i.i.1.i = add nsw i64 %.172.i3724.i, %.454.i.i.i
+  %.458.i.i.1.i = add nsw i64 %.172.i3716.i, %.454.i.i.i
   %.472.i.i.1.i = icmp slt i64 %.458.i.i.1.i, 0
   %.473.i.i.1.i = select i1 %.472.i.i.1.i, i64 %arg.batch.5.4.5.0, i64 0
-  %220 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.458.i.i.1.i
-  %.487.i.i.1.i = getelementptr double, ptr %220, i64 %.473.i.i.1.i
+  %222 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.458.i.i.1.i
+  %.487.i.i.1.i = getelementptr double, ptr %222, i64 %.473.i.i.1.i
   %.488.i.i.1.i = load double, ptr %.487.i.i.1.i, align 8, !noalias !111
   %.489.i.i.1.i = fmul double %.488.i.i.1.i, 0x3FEC575F1EBC4F2F
   %.491.i.i.1.i = fsub double %.491.i.i.i, %.489.i.i.1.i
-  %.458.i.i.2.i = add nsw i64 %.172.i3724.i, %.456.i.i.2.i
+  %.458.i.i.2.i = add nsw i64 %.172.i3716.i, %.456.i.i.2.i
   %.472.i.i.2.i = icmp slt i64 %.458.i.i.2.i, 0
   %.473.i.i.2.i = select i1 %.472.i.i.2.i, i64 %arg.batch.5.4.5.0, i64 0
-  %221 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.458.i.i.2.i
-  %.487.i.i.2.i = getelementptr double, ptr %221, i64 %.473.i.i.2.i
+  %223 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.458.i.i.2.i
+  %.487.i.i.2.i = getelementptr double, ptr %223, i64 %.473.i.i.2.i
   %.488.i.i.2.i = load double, ptr %.487.i.i.2.i, align 8, !noalias !111
   %.489.i.i.2.i = fmul double %.488.i.i.2.i, 0x3FE1306AA3D795F4
-  %222 = fadd double %.491.i.i.1.i, %.489.i.i.2.i
-  %.458.i.i.3.i = add nsw i64 %.172.i3724.i, %.456.i.i.3.i
+  %224 = fadd double %.491.i.i.1.i, %.489.i.i.2.i
+  %.458.i.i.3.i = add nsw i64 %.172.i3716.i, %.456.i.i.3.i
   %.472.i.i.3.i = icmp slt i64 %.458.i.i.3.i, 0
   %.473.i.i.3.i = select i1 %.472.i.i.3.i, i64 %arg.batch.5.4.5.0, i64 0
-  %223 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.458.i.i.3.i
-  %.487.i.i.3.i = getelementptr double, ptr %223, i64 %.473.i.i.3.i
+  %225 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.458.i.i.3.i
+  %.487.i.i.3.i = getelementptr double, ptr %225, i64 %.473.i.i.3.i
   %.488.i.i.3.i = load double, ptr %.487.i.i.3.i, align 8, !noalias !111
   %.489.i.i.3.i = fmul double %.488.i.i.3.i, 0x3FCCB9F574BDCC3A
-  %.491.i.i.3.i = fsub double %222, %.489.i.i.3.i
-  %.458.i.i.4.i = add nsw i64 %.172.i3724.i, %.456.i.i.4.i
+  %.491.i.i.3.i = fsub double %224, %.489.i.i.3.i
+  %.458.i.i.4.i = add nsw i64 %.172.i3716.i, %.456.i.i.4.i
   %.472.i.i.4.i = icmp slt i64 %.458.i.i.4.i, 0
   %.473.i.i.4.i = select i1 %.472.i.i.4.i, i64 %arg.batch.5.4.5.0, i64 0
-  %224 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.458.i.i.4.i
-  %.487.i.i.4.i = getelementptr double, ptr %224, i64 %.473.i.i.4.i
+  %226 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.458.i.i.4.i
+  %.487.i.i.4.i = getelementptr double, ptr %226, i64 %.473.i.i.4.i
   %.488.i.i.4.i = load double, ptr %.487.i.i.4.i, align 8, !noalias !111
   %.489.i.i.4.i = fmul double %.488.i.i.4.i, 0x3FA4EAF2D6B11E79
-  %225 = fadd double %.491.i.i.3.i, %.489.i.i.4.i
-  %.502.i.i.i = tail call double @llvm.fabs.f64(double %225)
-  %.10.i.i.i.i8938 = fcmp ogt double %.502.i.i.i, 0.000000e+00
-  %.11.i.i.i.i8939 = select i1 %.10.i.i.i.i8938, double %.502.i.i.i, double 0.000000e+00
-  %.192.i.i3891.1.i = add nsw i64 %.172.i3724.i, %.190.i.i3889.1.i
-  %.206.i.i3899.1.i = icmp slt i64 %.192.i.i3891.1.i, 0
-  %.207.i.i3900.1.i = select i1 %.206.i.i3899.1.i, i64 %arg.batch.5.4.5.0, i64 0
-  %226 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.192.i.i3891.1.i
-  %.221.i.i.1.i = getelementptr double, ptr %226, i64 %.207.i.i3900.1.i
+  %227 = fadd double %.491.i.i.3.i, %.489.i.i.4.i
+  %.502.i.i.i = tail call double @llvm.fabs.f64(double %227)
+  %.10.i.i.i.i8935 = fcmp ogt double %.502.i.i.i, 0.000000e+00
+  %.11.i.i.i.i8936 = select i1 %.10.i.i.i.i8935, double %.502.i.i.i, double 0.000000e+00
+  %.192.i.i3883.1.i = add nsw i64 %.172.i3716.i, %.190.i.i3881.1.i
+  %.206.i.i3891.1.i = icmp slt i64 %.192.i.i3883.1.i, 0
+  %.207.i.i3892.1.i = select i1 %.206.i.i3891.1.i, i64 %arg.batch.5.4.5.0, i64 0
+  %228 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.192.i.i3883.1.i
+  %.221.i.i.1.i = getelementptr double, ptr %228, i64 %.207.i.i3892.1.i
   %.222.i.i.1.i = load double, ptr %.221.i.i.1.i, align 8, !noalias !111
-  %.489.i.i.14847.i = fmul double %.488.i.i.i, 0x3FA5118805F8B876
-  %227 = fadd double %.222.i.i.1.i, %.489.i.i.14847.i
+  %.489.i.i.15069.i = fmul double %.488.i.i.i, 0x3FA5118805F8B876
+  %229 = fadd double %.222.i.i.1.i, %.489.i.i.15069.i
   %.489.i.i.1.1.i = fmul double %.488.i.i.1.i, 0x3FE51326698BC5BD
-  %.491.i.i.1.1.i = fsub double %227, %.489.i.i.1.1.i
+  %.491.i.i.1.1.i = fsub double %229, %.489.i.i.1.1.i
   %.489.i.i.2.1.i = fmul double %.488.i.i.2.i, 0x3FDF97DED30D4572
   %.491.i.i.2.1.i = fsub double %.491.i.i.1.1.i, %.489.i.i.2.1.i
   %.489.i.i.3.1.i = fmul double %.488.i.i.3.i, 0x3FC0DA0C684D1D67
-  %228 = fadd double %.491.i.i.2.1.i, %.489.i.i.3.1.i
+  %230 = fadd double %.491.i.i.2.1.i, %.489.i.i.3.1.i
   %.489.i.i.4.1.i = fmul double %.488.i.i.4.i, 0x3F9510B8EC0D4D92
-  %.491.i.i.4.1.i = fsub double %228, %.489.i.i.4.1.i
+  %.491.i.i.4.1.i = fsub double %230, %.489.i.i.4.1.i
   %.502.i.i.1.i = tail call double @llvm.fabs.f64(double %.491.i.i.4.1.i)
-  %.10.i.i.i.1.i = fcmp ogt double %.502.i.i.1.i, %.11.i.i.i.i8939
-  %.11.i.i.i.1.i = select i1 %.10.i.i.i.1.i, double %.502.i.i.1.i, double %.11.i.i.i.i8939
-  %.192.i.i3891.2.i = add nsw i64 %.172.i3724.i, %.190.i.i3889.2.i
-  %.206.i.i3899.2.i = icmp slt i64 %.192.i.i3891.2.i, 0
-  %.207.i.i3900.2.i = select i1 %.206.i.i3899.2.i, i64 %arg.batch.5.4.5.0, i64 0
-  %229 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.192.i.i3891.2.i
-  %.221.i.i.2.i = getelementptr double, ptr %229, i64 %.207.i.i3900.2.i
+  %.10.i.i.i.1.i = fcmp ogt double %.502.i.i.1.i, %.11.i.i.i.i8936
+  %.11.i.i.i.1.i = select i1 %.10.i.i.i.1.i, double %.502.i.i.1.i, double %.11.i.i.i.i8936
+  %.192.i.i3883.2.i = add nsw i64 %.172.i3716.i, %.190.i.i3881.2.i
+  %.206.i.i3891.2.i = icmp slt i64 %.192.i.i3883.2.i, 0
+  %.207.i.i3892.2.i = select i1 %.206.i.i3891.2.i, i64 %arg.batch.5.4.5.0, i64 0
+  %231 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.192.i.i3883.2.i
+  %.221.i.i.2.i = getelementptr double, ptr %231, i64 %.207.i.i3892.2.i
   %.222.i.i.2.i = load double, ptr %.221.i.i.2.i, align 8, !noalias !111
-  %.489.i.i.24874.i = fmul double %.488.i.i.i, 0x3F9635A30F8F142F
-  %.491.i.i.24875.i = fsub double %.222.i.i.2.i, %.489.i.i.24874.i
+  %.489.i.i.25096.i = fmul double %.488.i.i.i, 0x3F9635A30F8F142F
+  %.491.i.i.25097.i = fsub double %.222.i.i.2.i, %.489.i.i.25096.i
   %.489.i.i.1.2.i = fmul double %.488.i.i.1.i, 0x3FC1EAE0FF33D241
-  %230 = fadd double %.491.i.i.24875.i, %.489.i.i.1.2.i
+  %232 = fadd double %.491.i.i.25097.i, %.489.i.i.1.2.i
   %.489.i.i.2.2.i = fmul double %.488.i.i.2.i, 0x3FE1625D59218460
-  %.491.i.i.2.2.i = fsub double %230, %.489.i.i.2.2.i
+  %.491.i.i.2.2.i = fsub double %232, %.489.i.i.2.2.i
   %.489.i.i.3.2.i = fmul double %.488.i.i.3.i, 0x3FE3BBC3E8A29641
   %.491.i.i.3.2.i = fsub double %.491.i.i.2.2.i, %.489.i.i.3.2.i
   %.489.i.i.4.2.i = fmul double %.488.i.i.4.i, 0x3FA55161A739EB34
-  %231 = fadd double %.491.i.i.3.2.i, %.489.i.i.4.2.i
-  %.502.i.i.2.i = tail call double @llvm.fabs.f64(double %231)
+  %233 = fadd double %.491.i.i.3.2.i, %.489.i.i.4.2.i
+  %.502.i.i.2.i = tail call double @llvm.fabs.f64(double %233)
   %.10.i.i.i.2.i = fcmp ogt double %.502.i.i.2.i, %.11.i.i.i.1.i
   %.11.i.i.i.2.i = select i1 %.10.i.i.i.2.i, double %.502.i.i.2.i, double %.11.i.i.i.1.i
-  %.192.i.i3891.3.i = add nsw i64 %.172.i3724.i, %.190.i.i3889.3.i
-  %.206.i.i3899.3.i = icmp slt i64 %.192.i.i3891.3.i, 0
-  %.207.i.i3900.3.i = select i1 %.206.i.i3899.3.i, i64 %arg.batch.5.4.5.0, i64 0
-  %232 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.192.i.i3891.3.i
-  %.221.i.i.3.i = getelementptr double, ptr %232, i64 %.207.i.i3900.3.i
+  %.192.i.i3883.3.i = add nsw i64 %.172.i3716.i, %.190.i.i3881.3.i
+  %.206.i.i3891.3.i = icmp slt i64 %.192.i.i3883.3.i, 0
+  %.207.i.i3892.3.i = select i1 %.206.i.i3891.3.i, i64 %arg.batch.5.4.5.0, i64 0
+  %234 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.192.i.i3883.3.i
+  %.221.i.i.3.i = getelementptr double, ptr %234, i64 %.207.i.i3892.3.i
   %.222.i.i.3.i = load double, ptr %.221.i.i.3.i, align 8, !noalias !111
-  %.489.i.i.34901.i = fmul double %.488.i.i.i, 0x3FA4F0C0BB579409
-  %233 = fadd double %.222.i.i.3.i, %.489.i.i.34901.i
+  %.489.i.i.35123.i = fmul double %.488.i.i.i, 0x3FA4F0C0BB579409
+  %235 = fadd double %.222.i.i.3.i, %.489.i.i.35123.i
   %.489.i.i.1.3.i = fmul double %.488.i.i.1.i, 0x3FCD2266FBC0D976
-  %.491.i.i.1.3.i = fsub double %233, %.489.i.i.1.3.i
+  %.491.i.i.1.3.i = fsub double %235, %.489.i.i.1.3.i
   %.489.i.i.2.3.i = fmul double %.488.i.i.2.i, 0x3FE1F2DB6FEE3151
-  %234 = fadd double %.491.i.i.1.3.i, %.489.i.i.2.3.i
+  %236 = fadd double %.491.i.i.1.3.i, %.489.i.i.2.3.i
   %.489.i.i.3.3.i = fmul double %.488.i.i.3.i, 0x3FF0C05015964CBE
-  %.491.i.i.3.3.i = fsub double %234, %.489.i.i.3.3.i
+  %.491.i.i.3.3.i = fsub double %236, %.489.i.i.3.3.i
   %.489.i.i.4.3.i = fmul double %.488.i.i.4.i, 0x3FD4F15B230DB570
   %.491.i.i.4.3.i = fsub double %.491.i.i.3.3.i, %.489.i.i.4.3.i
   %.502.i.i.3.i = tail call double @llvm.fabs.f64(double %.491.i.i.4.3.i)
   %.10.i.i.i.3.i = fcmp ogt double %.502.i.i.3.i, %.11.i.i.i.2.i
   %.11.i.i.i.3.i = select i1 %.10.i.i.i.3.i, double %.502.i.i.3.i, double %.11.i.i.i.2.i
-  %.473.i3835.i = add nsw i64 %.172.i3724.i, %.174.i1053.i
-  %.489.i.i = icmp slt i64 %.473.i3835.i, 0
+  %.473.i3827.i = add nsw i64 %.172.i3716.i, %.174.i1053.i
+  %.489.i.i = icmp slt i64 %.473.i3827.i, 0
   %.490.i.i = select i1 %.489.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %235 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.473.i3835.i
-  %.504.i3859.i = getelementptr double, ptr %235, i64 %.490.i.i
-  %.505.i3860.i = load double, ptr %.504.i3859.i, align 8, !noalias !118
-  %.507.i3862.i = fcmp ogt double %.11.i.i.i.3.i, %.505.i3860.i
-  br i1 %.507.i3862.i, label %B392.i.i, label %B432.i.i
+  %237 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.473.i3827.i
+  %.504.i3851.i = getelementptr double, ptr %237, i64 %.490.i.i
+  %.505.i3852.i = load double, ptr %.504.i3851.i, align 8, !noalias !118
+  %.507.i3854.i = fcmp ogt double %.11.i.i.i.3.i, %.505.i3852.i
+  br i1 %.507.i3854.i, label %B392.i.i, label %B432.i.i
 
-B2000.i:                                          ; preds = %B1904.endif.endif.i
-  %.3277.i = fmul double %.2587.i, %share.6.2.i
-  %.108.i2774.i = getelementptr double, ptr %62, i64 %.2395.i
-  store double 0.000000e+00, ptr %.108.i2774.i, align 8, !noalias !119
-  %.161.i2819.i = getelementptr double, ptr %63, i64 %.2395.i
-  store double 0.000000e+00, ptr %.161.i2819.i, align 8, !noalias !119
-  %.214.i2865.i = getelementptr double, ptr %64, i64 %.2395.i
-  store double %.3277.i, ptr %.214.i2865.i, align 8, !noalias !119
-  %.267.i2909.i = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.2505.i
-  %.268.i2910.i = load i64, ptr %.267.i2909.i, align 8, !noalias !119
-  %.294.i2931.i = icmp slt i64 %.268.i2910.i, 0
-  %.295.i2932.i = select i1 %.294.i2931.i, i64 %arg.batch.3.3.5.0, i64 0
-  %.296.i2933.i = add i64 %.295.i2932.i, %.268.i2910.i
-  %.316.i2951.i = mul i64 %.296.i2933.i, %arg.batch.3.3.5.1
-  %.320.i2955.i = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.316.i2951.i
-  %.321.i2956.i = load i64, ptr %.320.i2955.i, align 8, !noalias !119
-  %.322.i2957.i = add nsw i64 %.321.i2956.i, -1
-  store i64 %.322.i2957.i, ptr %.320.i2955.i, align 8, !noalias !119
-  %.426.i3044.i = load i64, ptr %.267.i2909.i, align 8, !noalias !119
-  %.452.i3062.i = icmp slt i64 %.426.i3044.i, 0
-  %.453.i3063.i = select i1 %.452.i3062.i, i64 %arg.batch.3.3.5.0, i64 0
-  %.454.i3064.i = add i64 %.453.i3063.i, %.426.i3044.i
-  %.474.i3080.i = mul i64 %.454.i3064.i, %arg.batch.3.3.5.1
-  %236 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.474.i3080.i
-  %.478.i.i8940 = getelementptr i8, ptr %236, i64 24
-  %.479.i3083.i = load i64, ptr %.478.i.i8940, align 8, !noalias !119
-  %.480.i3084.i = add nsw i64 %.479.i3083.i, 1
-  store i64 %.480.i3084.i, ptr %.478.i.i8940, align 8, !noalias !119
-  br label %B2141.i
+B2164.i:                                          ; preds = %B2068.endif.endif.i
+  %.3595.i = fmul double %.2905.i, %share.6.2.i
+  %.108.i2766.i = getelementptr double, ptr %62, i64 %.2713.i
+  store double 0.000000e+00, ptr %.108.i2766.i, align 8, !noalias !119
+  %.161.i2811.i = getelementptr double, ptr %63, i64 %.2713.i
+  store double 0.000000e+00, ptr %.161.i2811.i, align 8, !noalias !119
+  %.214.i2857.i = getelementptr double, ptr %64, i64 %.2713.i
+  store double %.3595.i, ptr %.214.i2857.i, align 8, !noalias !119
+  %.267.i2901.i = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.2823.i
+  %.268.i2902.i = load i64, ptr %.267.i2901.i, align 8, !noalias !119
+  %.294.i2923.i = icmp slt i64 %.268.i2902.i, 0
+  %.295.i2924.i = select i1 %.294.i2923.i, i64 %arg.batch.3.3.5.0, i64 0
+  %.296.i2925.i = add i64 %.295.i2924.i, %.268.i2902.i
+  %.316.i2943.i = mul i64 %.296.i2925.i, %arg.batch.3.3.5.1
+  %.320.i2947.i = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.316.i2943.i
+  %.321.i2948.i = load i64, ptr %.320.i2947.i, align 8, !noalias !119
+  %.322.i2949.i = add nsw i64 %.321.i2948.i, -1
+  store i64 %.322.i2949.i, ptr %.320.i2947.i, align 8, !noalias !119
+  %.426.i3036.i = load i64, ptr %.267.i2901.i, align 8, !noalias !119
+  %.452.i3054.i = icmp slt i64 %.426.i3036.i, 0
+  %.453.i3055.i = select i1 %.452.i3054.i, i64 %arg.batch.3.3.5.0, i64 0
+  %.454.i3056.i = add i64 %.453.i3055.i, %.426.i3036.i
+  %.474.i3072.i = mul i64 %.454.i3056.i, %arg.batch.3.3.5.1
+  %238 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.474.i3072.i
+  %.478.i.i8937 = getelementptr i8, ptr %238, i64 24
+  %.479.i3075.i = load i64, ptr %.478.i.i8937, align 8, !noalias !119
+  %.480.i3076.i = add nsw i64 %.479.i3075.i, 1
+  store i64 %.480.i3076.i, ptr %.478.i.i8937, align 8, !noalias !119
+  br label %B2305.i
 
-B34.i4116.i:                                      ; preds = %B1904.endif.endif.i, %B34.if.i4222.i
-  %.51.i4071.0.i = phi i64 [ %.122.i4230.i, %B34.if.i4222.i ], [ 0, %B1904.endif.endif.i ]
-  %exitcond4905.not.i = icmp eq i64 %.51.i4071.0.i, %storemerge4674.i
-  br i1 %exitcond4905.not.i, label %B2141.i, label %B34.if.i4222.i
+B34.i4108.i:                                      ; preds = %B2068.endif.endif.i, %B34.if.i4214.i
+  %.51.i4063.0.i = phi i64 [ %.122.i4222.i, %B34.if.i4214.i ], [ 0, %B2068.endif.endif.i ]
+  %exitcond5127.not.i = icmp eq i64 %.51.i4063.0.i, %storemerge4874.i
+  br i1 %exitcond5127.not.i, label %B2305.i, label %B34.if.i4214.i
 
-B128.i4213.i:                                     ; preds = %B34.if.i4222.i
-  %237 = icmp sgt i64 %.51.i4071.0.i, -1
-  br i1 %237, label %B2102.i, label %B2141.i
+B128.i4205.i:                                     ; preds = %B34.if.i4214.i
+  %239 = icmp sgt i64 %.51.i4063.0.i, -1
+  br i1 %239, label %B2266.i, label %B2305.i
 
-B34.if.i4222.i:                                   ; preds = %B34.i4116.i
-  %.122.i4230.i = add i64 %.51.i4071.0.i, 1
-  %.157.i4148.i = add nsw i64 %.51.i4071.0.i, %.155.i4146.i
-  %.159.i4150.i = mul nsw i64 %.157.i4148.i, %arg.shape.0
-  %.161.i4152.i = add nsw i64 %.159.i4150.i, %.2312.sroa.0.04796.i
-  %.175.i4162.i = icmp slt i64 %.161.i4152.i, 0
-  %.176.i4163.i = select i1 %.175.i4162.i, i64 %arg.batch.5.4.5.0, i64 0
-  %238 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.161.i4152.i
-  %.190.i4177.i = getelementptr double, ptr %238, i64 %.176.i4163.i
-  %.191.i4178.i = load double, ptr %.190.i4177.i, align 8, !noalias !122
-  %.195.i4182.i = add nsw i64 %.161.i4152.i, %.174.i1053.i
-  %.209.i4192.i = icmp slt i64 %.195.i4182.i, 0
-  %.210.i4193.i = select i1 %.209.i4192.i, i64 %arg.batch.5.4.5.0, i64 0
-  %239 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.195.i4182.i
-  %.224.i4207.i = getelementptr double, ptr %239, i64 %.210.i4193.i
-  %.225.i4208.i = load double, ptr %.224.i4207.i, align 8, !noalias !122
-  %.226.i4209.i = fneg double %.225.i4208.i
-  %.227.i4210.i = fcmp olt double %.191.i4178.i, %.226.i4209.i
-  br i1 %.227.i4210.i, label %B128.i4213.i, label %B34.i4116.i
+B34.if.i4214.i:                                   ; preds = %B34.i4108.i
+  %.122.i4222.i = add i64 %.51.i4063.0.i, 1
+  %.157.i4140.i = add nsw i64 %.51.i4063.0.i, %.155.i4138.i
+  %.159.i4142.i = mul nsw i64 %.157.i4140.i, %arg.shape.0
+  %.161.i4144.i = add nsw i64 %.159.i4142.i, %.2630.sroa.0.05016.i
+  %.175.i4154.i = icmp slt i64 %.161.i4144.i, 0
+  %.176.i4155.i = select i1 %.175.i4154.i, i64 %arg.batch.5.4.5.0, i64 0
+  %240 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.161.i4144.i
+  %.190.i4169.i = getelementptr double, ptr %240, i64 %.176.i4155.i
+  %.191.i4170.i = load double, ptr %.190.i4169.i, align 8, !noalias !122
+  %.195.i4174.i = add nsw i64 %.161.i4144.i, %.174.i1053.i
+  %.209.i4184.i = icmp slt i64 %.195.i4174.i, 0
+  %.210.i4185.i = select i1 %.209.i4184.i, i64 %arg.batch.5.4.5.0, i64 0
+  %241 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.195.i4174.i
+  %.224.i4199.i = getelementptr double, ptr %241, i64 %.210.i4185.i
+  %.225.i4200.i = load double, ptr %.224.i4199.i, align 8, !noalias !122
+  %.226.i4201.i = fneg double %.225.i4200.i
+  %.227.i4202.i = fcmp olt double %.191.i4170.i, %.226.i4201.i
+  br i1 %.227.i4202.i, label %B128.i4205.i, label %B34.i4108.i
 
-B2102.i:                                          ; preds = %B128.i4213.i
-  %.3418.i = getelementptr double, ptr %61, i64 %.2395.i
-  store double 1.000000e+00, ptr %.3418.i, align 8, !noalias !61
-  br label %B2141.i
+B2266.i:                                          ; preds = %B128.i4205.i
+  %.3736.i = getelementptr double, ptr %61, i64 %.2713.i
+  store double 1.000000e+00, ptr %.3736.i, align 8, !noalias !61
+  br label %B2305.i
 
-B2141.i:                                          ; preds = %B34.i4116.i, %B2102.i, %B128.i4213.i, %B2000.i, %B1672.i, %B1636.i, %B1242.i
-  %.2322.i = icmp sgt i64 %.2268.14795.i, 0
-  %.2335.i = zext i1 %.2322.i to i64
-  %.2265.1.i = add i64 %.2265.14794.i, %.2335.i
-  %.2331.i = sext i1 %.2322.i to i64
-  %.2268.1.i = add nsw i64 %.2268.14795.i, %.2331.i
-  %.2312.sroa.0.0.i = select i1 %.2322.i, i64 %.2265.14794.i, i64 0
-  br i1 %.2322.i, label %B1242.i, label %B3414
+B2305.i:                                          ; preds = %B34.i4108.i, %B2266.i, %B128.i4205.i, %B2164.i, %B1836.i, %B1800.i, %B1406.i
+  %.2640.i = icmp sgt i64 %.2586.15015.i, 0
+  %.2653.i = zext i1 %.2640.i to i64
+  %.2583.1.i = add i64 %.2583.15014.i, %.2653.i
+  %.2649.i = sext i1 %.2640.i to i64
+  %.2586.1.i = add nsw i64 %.2586.15015.i, %.2649.i
+  %.2630.sroa.0.0.i = select i1 %.2640.i, i64 %.2583.15014.i, i64 0
+  br i1 %.2640.i, label %B1406.i, label %B3414
 
-B2142.i:                                          ; preds = %B916.i8935, %B890.i
-  %exitcond4812.not.i = icmp eq i64 %arg.shape.0, %.1496.i
-  br i1 %exitcond4812.not.i, label %B472.loopexit.i, label %B762.if.i
+B2306.i:                                          ; preds = %B1342.i, %B1316.i
+  %exitcond5040.not.i = icmp eq i64 %arg.shape.0, %.2227.i
+  br i1 %exitcond5040.not.i, label %B476.loopexit.i, label %B1188.if.i
 
 B256.if.i:                                        ; preds = %B256.if.i.preheader, %B256.loopexit.i
-  %.504.04729.i = phi i64 [ %.573.i, %B256.loopexit.i ], [ 1, %B256.if.i.preheader ]
-  %.573.i = add nsw i64 %.504.04729.i, 1
+  %.504.04938.i = phi i64 [ %.573.i, %B256.loopexit.i ], [ 1, %B256.if.i.preheader ]
+  %.573.i = add nsw i64 %.504.04938.i, 1
   br i1 %.794, label %B358.i, label %B290.if.i.preheader
 
 B290.if.i.preheader:                              ; preds = %B256.if.i
-  %240 = icmp ult i64 %.504.04729.i, 8
-  %switch.gep = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.13, i64 %.504.04729.i
+  %242 = icmp ult i64 %.504.04938.i, 8
+  %switch.gep = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.13, i64 %.504.04938.i
   br label %B290.if.i
 
 B290.if.i:                                        ; preds = %B290.if.i.preheader, %B290.loopexit.i
-  %.625.04713.i = phi i64 [ %.694.i, %B290.loopexit.i ], [ 0, %B290.if.i.preheader ]
-  %.694.i = add nsw i64 %.625.04713.i, 1
-  br i1 %240, label %switch.lookup, label %switch.end.i
+  %.625.04922.i = phi i64 [ %.694.i, %B290.loopexit.i ], [ 0, %B290.if.i.preheader ]
+  %.694.i = add nsw i64 %.625.04922.i, 1
+  br i1 %242, label %switch.lookup, label %switch.end.i
 
 switch.lookup:                                    ; preds = %B290.if.i
   %switch.load = load double, ptr %switch.gep, align 8
@@ -2741,172 +2759,183 @@ switch.lookup:                                    ; preds = %B290.if.i
 
 switch.end.i:                                     ; preds = %B290.if.i, %switch.lookup
   %.736.i8926 = phi double [ %switch.load, %switch.lookup ], [ 1.000000e+00, %B290.if.i ]
-  %.92.i589.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.625.04713.i
+  %.92.i589.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.625.04922.i
   %.93.i590.i = load double, ptr %.92.i589.i, align 8, !noalias !126
-  %.146.i626.i = getelementptr double, ptr %55, i64 %.625.04713.i
+  %.146.i626.i = getelementptr double, ptr %55, i64 %.625.04922.i
   %.147.i627.i = load double, ptr %.146.i626.i, align 8, !noalias !126
   %.149.i629.i = fmul double %.736.i8926, %.147.i627.i
   %.150.i630.i = fadd double %.93.i590.i, %.149.i629.i
-  %.203.i666.i = getelementptr double, ptr %.571, i64 %.625.04713.i
+  %.203.i666.i = getelementptr double, ptr %.571, i64 %.625.04922.i
   store double %.150.i630.i, ptr %.203.i666.i, align 8, !noalias !126
-  br i1 %.287.i7034709.not.i, label %B290.loopexit.i, label %B122.if.i949.lr.ph.i
+  br i1 %.287.i7034918.not.i, label %B290.loopexit.i, label %B122.if.i949.lr.ph.i
 
 B122.if.i949.lr.ph.i:                             ; preds = %switch.end.i
   %.247.i.i919.i = fsub double 1.000000e+00, %.736.i8926
-  %invariant.gep9213 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.625.04713.i
-  %invariant.gep9215 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.625.04713.i
-  %invariant.gep9217 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.625.04713.i
-  %invariant.gep9219 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.625.04713.i
-  %invariant.gep9221 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.625.04713.i
-  %invariant.gep9223 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.625.04713.i
-  %invariant.gep9225 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.625.04713.i
-  %invariant.gep9227 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.625.04713.i
-  %invariant.gep9229 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.625.04713.i
+  %invariant.gep9210 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.625.04922.i
+  %invariant.gep9212 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.625.04922.i
+  %invariant.gep9214 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.625.04922.i
+  %invariant.gep9216 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.625.04922.i
+  %invariant.gep9218 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.625.04922.i
+  %invariant.gep9220 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.625.04922.i
+  %invariant.gep9222 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.625.04922.i
+  %invariant.gep9224 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.625.04922.i
+  %invariant.gep9226 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.625.04922.i
   br label %B122.if.i949.i
 
 B122.if.i949.i:                                   ; preds = %B122.if.i949.i, %B122.if.i949.lr.ph.i
-  %.229.i542.04710.i = phi i64 [ 0, %B122.if.i949.lr.ph.i ], [ %.300.i955.i, %B122.if.i949.i ]
-  %.157.i.i876.i = add nsw i64 %.229.i542.04710.i, %.155.i.i874.i
+  %.229.i542.04919.i = phi i64 [ 0, %B122.if.i949.lr.ph.i ], [ %.300.i955.i, %B122.if.i949.i ]
+  %.157.i.i876.i = add nsw i64 %.229.i542.04919.i, %.155.i.i874.i
   %.159.i.i878.i = mul nsw i64 %.157.i.i876.i, %arg.shape.0
-  %gep9214 = getelementptr double, ptr %invariant.gep9213, i64 %.159.i.i878.i
-  %.191.i.i900.i = load double, ptr %gep9214, align 8, !noalias !130
+  %gep9211 = getelementptr double, ptr %invariant.gep9210, i64 %.159.i.i878.i
+  %.191.i.i900.i = load double, ptr %gep9211, align 8, !noalias !130
   %.193.i.i902.i = fadd double %.191.i.i900.i, 0.000000e+00
   %.253.i.i924.i = fmul double %.736.i8926, %.193.i.i902.i
-  %.157.i.i876.1.i = add nsw i64 %.229.i542.04710.i, %.155.i.i874.1.i
+  %.157.i.i876.1.i = add nsw i64 %.229.i542.04919.i, %.155.i.i874.1.i
   %.159.i.i878.1.i = mul nsw i64 %.157.i.i876.1.i, %arg.shape.0
-  %gep9216 = getelementptr double, ptr %invariant.gep9215, i64 %.159.i.i878.1.i
-  %.191.i.i900.1.i = load double, ptr %gep9216, align 8, !noalias !130
+  %gep9213 = getelementptr double, ptr %invariant.gep9212, i64 %.159.i.i878.1.i
+  %.191.i.i900.1.i = load double, ptr %gep9213, align 8, !noalias !130
   %.193.i.i902.1.i = fadd double %.191.i.i900.1.i, %.253.i.i924.i
   %.253.i.i924.1.i = fmul double %.247.i.i919.i, %.193.i.i902.1.i
-  %.157.i.i876.2.i = add nsw i64 %.229.i542.04710.i, %.155.i.i874.2.i
+  %.157.i.i876.2.i = add nsw i64 %.229.i542.04919.i, %.155.i.i874.2.i
   %.159.i.i878.2.i = mul nsw i64 %.157.i.i876.2.i, %arg.shape.0
-  %gep9218 = getelementptr double, ptr %invariant.gep9217, i64 %.159.i.i878.2.i
-  %.191.i.i900.2.i = load double, ptr %gep9218, align 8, !noalias !130
+  %gep9215 = getelementptr double, ptr %invariant.gep9214, i64 %.159.i.i878.2.i
+  %.191.i.i900.2.i = load double, ptr %gep9215, align 8, !noalias !130
   %.193.i.i902.2.i = fadd double %.191.i.i900.2.i, %.253.i.i924.1.i
   %.253.i.i924.2.i = fmul double %.736.i8926, %.193.i.i902.2.i
-  %.157.i.i876.3.i = add nsw i64 %.229.i542.04710.i, %.155.i.i874.3.i
+  %.157.i.i876.3.i = add nsw i64 %.229.i542.04919.i, %.155.i.i874.3.i
   %.159.i.i878.3.i = mul nsw i64 %.157.i.i876.3.i, %arg.shape.0
-  %gep9220 = getelementptr double, ptr %invariant.gep9219, i64 %.159.i.i878.3.i
-  %.191.i.i900.3.i = load double, ptr %gep9220, align 8, !noalias !130
+  %gep9217 = getelementptr double, ptr %invariant.gep9216, i64 %.159.i.i878.3.i
+  %.191.i.i900.3.i = load double, ptr %gep9217, align 8, !noalias !130
   %.193.i.i902.3.i = fadd double %.191.i.i900.3.i, %.253.i.i924.2.i
   %.253.i.i924.3.i = fmul double %.247.i.i919.i, %.193.i.i902.3.i
-  %.157.i.i876.4.i = add nsw i64 %.229.i542.04710.i, %.155.i.i874.4.i
+  %.157.i.i876.4.i = add nsw i64 %.229.i542.04919.i, %.155.i.i874.4.i
   %.159.i.i878.4.i = mul nsw i64 %.157.i.i876.4.i, %arg.shape.0
-  %gep9222 = getelementptr double, ptr %invariant.gep9221, i64 %.159.i.i878.4.i
-  %.191.i.i900.4.i = load double, ptr %gep9222, align 8, !noalias !130
+  %gep9219 = getelementptr double, ptr %invariant.gep9218, i64 %.159.i.i878.4.i
+  %.191.i.i900.4.i = load double, ptr %gep9219, align 8, !noalias !130
   %.193.i.i902.4.i = fadd double %.191.i.i900.4.i, %.253.i.i924.3.i
   %.253.i.i924.4.i = fmul double %.736.i8926, %.193.i.i902.4.i
-  %.157.i.i876.5.i = add nsw i64 %.229.i542.04710.i, %.155.i.i874.5.i
+  %.157.i.i876.5.i = add nsw i64 %.229.i542.04919.i, %.155.i.i874.5.i
   %.159.i.i878.5.i = mul nsw i64 %.157.i.i876.5.i, %arg.shape.0
-  %gep9224 = getelementptr double, ptr %invariant.gep9223, i64 %.159.i.i878.5.i
-  %.191.i.i900.5.i = load double, ptr %gep9224, align 8, !noalias !130
+  %gep9221 = getelementptr double, ptr %invariant.gep9220, i64 %.159.i.i878.5.i
+  %.191.i.i900.5.i = load double, ptr %gep9221, align 8, !noalias !130
   %.193.i.i902.5.i = fadd double %.191.i.i900.5.i, %.253.i.i924.4.i
   %.253.i.i924.5.i = fmul double %.247.i.i919.i, %.193.i.i902.5.i
-  %.157.i.i876.6.i = add nsw i64 %.229.i542.04710.i, %.155.i.i874.6.i
+  %.157.i.i876.6.i = add nsw i64 %.229.i542.04919.i, %.155.i.i874.6.i
   %.159.i.i878.6.i = mul nsw i64 %.157.i.i876.6.i, %arg.shape.0
-  %gep9226 = getelementptr double, ptr %invariant.gep9225, i64 %.159.i.i878.6.i
-  %.191.i.i900.6.i = load double, ptr %gep9226, align 8, !noalias !130
+  %gep9223 = getelementptr double, ptr %invariant.gep9222, i64 %.159.i.i878.6.i
+  %.191.i.i900.6.i = load double, ptr %gep9223, align 8, !noalias !130
   %.193.i.i902.6.i = fadd double %.191.i.i900.6.i, %.253.i.i924.5.i
   %.253.i.i924.6.i = fmul double %.736.i8926, %.193.i.i902.6.i
-  %.300.i955.i = add nsw i64 %.229.i542.04710.i, 1
-  %.271.i.i797.i = mul nsw i64 %.229.i542.04710.i, %arg.shape.0
-  %gep9228 = getelementptr double, ptr %invariant.gep9227, i64 %.271.i.i797.i
-  %.309.i.i822.i = load double, ptr %gep9228, align 8, !noalias !130
+  %.300.i955.i = add nsw i64 %.229.i542.04919.i, 1
+  %.271.i.i797.i = mul nsw i64 %.229.i542.04919.i, %arg.shape.0
+  %gep9225 = getelementptr double, ptr %invariant.gep9224, i64 %.271.i.i797.i
+  %.309.i.i822.i = load double, ptr %gep9225, align 8, !noalias !130
   %.313.i.i825.i = fadd double %.309.i.i822.i, %.253.i.i924.6.i
-  %.359.i838.i = add nsw i64 %.229.i542.04710.i, %.358.i837.i
+  %.359.i838.i = add nsw i64 %.229.i542.04919.i, %.358.i837.i
   %.361.i840.i = mul nsw i64 %.359.i838.i, %arg.shape.0
-  %gep9230 = getelementptr double, ptr %invariant.gep9229, i64 %.361.i840.i
-  store double %.313.i.i825.i, ptr %gep9230, align 8, !noalias !126
-  %exitcond4801.not.i = icmp eq i64 %arg.shape.1, %.300.i955.i
-  br i1 %exitcond4801.not.i, label %B290.loopexit.i, label %B122.if.i949.i
+  %gep9227 = getelementptr double, ptr %invariant.gep9226, i64 %.361.i840.i
+  store double %.313.i.i825.i, ptr %gep9227, align 8, !noalias !126
+  %exitcond5021.not.i = icmp eq i64 %arg.shape.1, %.300.i955.i
+  br i1 %exitcond5021.not.i, label %B290.loopexit.i, label %B122.if.i949.i
 
-B472.if.i:                                        ; preds = %B256.loopexit.i, %B472.loopexit.i
-  %.896.04743.i = phi i64 [ %.958.i, %B472.loopexit.i ], [ 50, %B256.loopexit.i ]
-  %.958.i = add nsw i64 %.896.04743.i, -1
-  br i1 %.794, label %B472.loopexit.i.critedge, label %B506.if.i
+B478.if.i:                                        ; preds = %B256.loopexit.i, %B476.loopexit.i
+  %felt.3.04983.i = phi i1 [ %felt.4.1.i, %B476.loopexit.i ], [ false, %B256.loopexit.i ]
+  %.896.04981.i = phi i64 [ %.966.i, %B476.loopexit.i ], [ 0, %B256.loopexit.i ]
+  %.966.i = add nsw i64 %.896.04981.i, 1
+  %243 = icmp eq i64 %.896.04981.i, 12
+  br i1 %243, label %B534.preheader.i, label %B902.i
 
-B506.if.i:                                        ; preds = %B472.if.i, %B506.loopexit.i
-  %.1011.04738.i = phi i64 [ %.1080.i, %B506.loopexit.i ], [ 0, %B472.if.i ]
-  %.1080.i = add nsw i64 %.1011.04738.i, 1
-  %.1157.i = getelementptr double, ptr %57, i64 %.1011.04738.i
-  %.1158.i = load double, ptr %.1157.i, align 8, !noalias !61
-  %.1211.i = getelementptr double, ptr %58, i64 %.1011.04738.i
-  %.1212.i = load double, ptr %.1211.i, align 8, !noalias !61
-  %.1213.i = fadd double %.1158.i, %.1212.i
-  %.1214.i = fmul double %.1213.i, 5.000000e-01
-  %.92.i.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.1011.04738.i
+B534.preheader.i:                                 ; preds = %B478.if.i
+  br i1 %.794, label %B606.i, label %B534.if.i
+
+B534.if.i:                                        ; preds = %B534.preheader.i, %B534.loopexit.i
+  %.1023.04947.i = phi i64 [ %.1092.i8941, %B534.loopexit.i ], [ 0, %B534.preheader.i ]
+  %.1092.i8941 = add nsw i64 %.1023.04947.i, 1
+  %244 = getelementptr double, ptr %57, i64 %.1023.04947.i
+  %.1171.i = load double, ptr %244, align 8, !noalias !61
+  %.92.i.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.1023.04947.i
   %.93.i.i = load double, ptr %.92.i.i, align 8, !noalias !83
-  %.146.i.i = getelementptr double, ptr %55, i64 %.1011.04738.i
+  %.146.i.i = getelementptr double, ptr %55, i64 %.1023.04947.i
   %.147.i.i = load double, ptr %.146.i.i, align 8, !noalias !83
-  %.149.i.i = fmul double %.1214.i, %.147.i.i
+  %.149.i.i = fmul double %.1171.i, %.147.i.i
   %.150.i.i = fadd double %.93.i.i, %.149.i.i
-  %.203.i.i = getelementptr double, ptr %.571, i64 %.1011.04738.i
+  %.203.i.i = getelementptr double, ptr %.571, i64 %.1023.04947.i
   store double %.150.i.i, ptr %.203.i.i, align 8, !noalias !83
-  br i1 %.287.i7034709.not.i, label %B506.loopexit.i, label %B122.if.i.lr.ph.i
+  br i1 %.287.i7034918.not.i, label %B534.loopexit.i, label %B122.if.i.lr.ph.i
 
-B122.if.i.lr.ph.i:                                ; preds = %B506.if.i
-  %.247.i.i.i = fsub double 1.000000e+00, %.1214.i
-  %invariant.gep9231 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1011.04738.i
-  %invariant.gep9233 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1011.04738.i
-  %invariant.gep9235 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1011.04738.i
-  %invariant.gep9237 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1011.04738.i
-  %invariant.gep9239 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1011.04738.i
-  %invariant.gep9241 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1011.04738.i
-  %invariant.gep9243 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1011.04738.i
-  %invariant.gep9245 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1011.04738.i
-  %invariant.gep9247 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1011.04738.i
+B122.if.i.lr.ph.i:                                ; preds = %B534.if.i
+  %.247.i.i.i = fsub double 1.000000e+00, %.1171.i
+  %invariant.gep9228 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1023.04947.i
+  %invariant.gep9230 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1023.04947.i
+  %invariant.gep9232 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1023.04947.i
+  %invariant.gep9234 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1023.04947.i
+  %invariant.gep9236 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1023.04947.i
+  %invariant.gep9238 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1023.04947.i
+  %invariant.gep9240 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1023.04947.i
+  %invariant.gep9242 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1023.04947.i
+  %invariant.gep9244 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1023.04947.i
   br label %B122.if.i.i
 
-B762.if.i:                                        ; preds = %B620.i, %B2142.i
-  %.1427.04741.i = phi i64 [ %.1496.i, %B2142.i ], [ 0, %B620.i ]
-  %.1496.i = add nsw i64 %.1427.04741.i, 1
-  %.1577.i = getelementptr double, ptr %57, i64 %.1427.04741.i
-  %.1578.i = load double, ptr %.1577.i, align 8, !noalias !61
-  %.1632.i = getelementptr double, ptr %58, i64 %.1427.04741.i
-  %.1633.i = load double, ptr %.1632.i, align 8, !noalias !61
-  %.1634.i = fadd double %.1578.i, %.1633.i
-  %.1635.i = fmul double %.1634.i, 5.000000e-01
-  br label %B34.i.i
+B798.if.i:                                        ; preds = %B656.i2013.loopexit.i, %B890.i
+  %felt.2.24964.i = phi i1 [ %"$phi890.2.3.3.i", %B890.i ], [ %felt.3.04983.i, %B656.i2013.loopexit.i ]
+  %.1449.04962.i = phi i64 [ %.1518.i, %B890.i ], [ 0, %B656.i2013.loopexit.i ]
+  %.1518.i = add nsw i64 %.1449.04962.i, 1
+  br i1 %felt.2.24964.i, label %B890.i, label %B806.i
 
-B974.if.i:                                        ; preds = %B974.preheader.i, %B974.loopexit.i
-  %.1827.04751.i = phi i64 [ %.1896.i, %B974.loopexit.i ], [ 0, %B974.preheader.i ]
-  %.1896.i = add nsw i64 %.1827.04751.i, 1
-  %241 = getelementptr double, ptr %58, i64 %.1827.04751.i
-  %.1975.i = load double, ptr %241, align 8, !noalias !61
-  %.92.i107.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.1827.04751.i
-  %.93.i108.i = load double, ptr %.92.i107.i, align 8, !noalias !95
-  %.146.i144.i = getelementptr double, ptr %55, i64 %.1827.04751.i
-  %.147.i145.i = load double, ptr %.146.i144.i, align 8, !noalias !95
-  %.149.i147.i = fmul double %.1975.i, %.147.i145.i
+B932.if.i:                                        ; preds = %B902.i, %B932.loopexit.i
+  %.1742.04972.i = phi i64 [ %.1811.i, %B932.loopexit.i ], [ 0, %B902.i ]
+  %.1811.i = add nsw i64 %.1742.04972.i, 1
+  %.1888.i = getelementptr double, ptr %59, i64 %.1742.04972.i
+  %.1889.i = load double, ptr %.1888.i, align 8, !noalias !61
+  %.1942.i = getelementptr double, ptr %57, i64 %.1742.04972.i
+  %.1943.i = load double, ptr %.1942.i, align 8, !noalias !61
+  %.1944.i = fadd double %.1889.i, %.1943.i
+  %.1945.i = fmul double %.1944.i, 5.000000e-01
+  %.92.i107.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.1742.04972.i
+  %.93.i108.i = load double, ptr %.92.i107.i, align 8, !noalias !103
+  %.146.i144.i = getelementptr double, ptr %55, i64 %.1742.04972.i
+  %.147.i145.i = load double, ptr %.146.i144.i, align 8, !noalias !103
+  %.149.i147.i = fmul double %.1945.i, %.147.i145.i
   %.150.i148.i = fadd double %.93.i108.i, %.149.i147.i
-  %.203.i184.i = getelementptr double, ptr %.571, i64 %.1827.04751.i
-  store double %.150.i148.i, ptr %.203.i184.i, align 8, !noalias !95
-  br i1 %.287.i7034709.not.i, label %B974.loopexit.i, label %B122.if.i467.lr.ph.i
+  %.203.i184.i = getelementptr double, ptr %.571, i64 %.1742.04972.i
+  store double %.150.i148.i, ptr %.203.i184.i, align 8, !noalias !103
+  br i1 %.287.i7034918.not.i, label %B932.loopexit.i, label %B122.if.i467.lr.ph.i
 
-B122.if.i467.lr.ph.i:                             ; preds = %B974.if.i
-  %.247.i.i437.i = fsub double 1.000000e+00, %.1975.i
-  %invariant.gep9249 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1827.04751.i
-  %invariant.gep9251 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1827.04751.i
-  %invariant.gep9253 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1827.04751.i
-  %invariant.gep9255 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1827.04751.i
-  %invariant.gep9257 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1827.04751.i
-  %invariant.gep9259 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1827.04751.i
-  %invariant.gep9261 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1827.04751.i
-  %invariant.gep9263 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1827.04751.i
-  %invariant.gep9265 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1827.04751.i
+B122.if.i467.lr.ph.i:                             ; preds = %B932.if.i
+  %.247.i.i437.i = fsub double 1.000000e+00, %.1945.i
+  %invariant.gep9246 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1742.04972.i
+  %invariant.gep9248 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1742.04972.i
+  %invariant.gep9250 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1742.04972.i
+  %invariant.gep9252 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1742.04972.i
+  %invariant.gep9254 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1742.04972.i
+  %invariant.gep9256 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1742.04972.i
+  %invariant.gep9258 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1742.04972.i
+  %invariant.gep9260 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1742.04972.i
+  %invariant.gep9262 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1742.04972.i
   br label %B122.if.i467.i
 
-B1904.endif.endif.i:                              ; preds = %B432.i.i, %B392.i.i, %B1904.i
-  %.3213.i = phi i1 [ true, %B1904.i ], [ false, %B392.i.i ], [ true, %B432.i.i ]
-  %.10.i4694.i = fcmp ogt double %share.5.2.i, 5.000000e-01
-  %.11.i4695.i = select i1 %.10.i4694.i, double 5.000000e-01, double %share.5.2.i
-  %share.6.2.i = select i1 %.3213.i, double %share.5.2.i, double %.11.i4695.i
-  %.3267.i = fcmp olt double %share.6.2.i, 1.000000e+00
-  %.3272.i = fcmp ogt double %.2587.i, %.3270.i
-  %or.cond4691.i = select i1 %.3267.i, i1 %.3272.i, i1 false
-  br i1 %or.cond4691.i, label %B2000.i, label %B34.i4116.i
+B1188.if.i:                                       ; preds = %B1046.i, %B2306.i
+  %.2158.04975.i = phi i64 [ %.2227.i, %B2306.i ], [ 0, %B1046.i ]
+  %.2227.i = add nsw i64 %.2158.04975.i, 1
+  %.2308.i = getelementptr double, ptr %59, i64 %.2158.04975.i
+  %.2309.i = load double, ptr %.2308.i, align 8, !noalias !61
+  %.2363.i = getelementptr double, ptr %57, i64 %.2158.04975.i
+  %.2364.i = load double, ptr %.2363.i, align 8, !noalias !61
+  %.2365.i = fadd double %.2309.i, %.2364.i
+  %.2366.i = fmul double %.2365.i, 5.000000e-01
+  br label %B34.i.i
 
-B3414:                                            ; preds = %B2141.i, %B1238.preheader.i, %B3318.endif.endif, %B3314
+B2068.endif.endif.i:                              ; preds = %B432.i.i, %B392.i.i, %B2068.i
+  %.3531.i = phi i1 [ true, %B2068.i ], [ false, %B392.i.i ], [ true, %B432.i.i ]
+  %.10.i4903.i = fcmp ogt double %share.5.2.i, 5.000000e-01
+  %.11.i4904.i = select i1 %.10.i4903.i, double 5.000000e-01, double %share.5.2.i
+  %share.6.2.i = select i1 %.3531.i, double %share.5.2.i, double %.11.i4904.i
+  %.3585.i = fcmp olt double %share.6.2.i, 1.000000e+00
+  %.3590.i = fcmp ogt double %.2905.i, %.3588.i
+  %or.cond4900.i = select i1 %.3585.i, i1 %.3590.i, i1 false
+  br i1 %or.cond4900.i, label %B2164.i, label %B34.i4108.i
+
+B3414:                                            ; preds = %B2305.i, %B1372.i, %B3318.endif.endif, %B3314
   br i1 %.4946.not, label %B3458, label %B3418
 
 B3418:                                            ; preds = %B3414
@@ -2915,64 +2944,64 @@ B3418:                                            ; preds = %B3414
 B150.if.1.i:                                      ; preds = %B150.if.i, %B150.if.1.i
   %.361.0604.1.i = phi i64 [ %.430.1.i, %B150.if.1.i ], [ 0, %B150.if.i ]
   %.430.1.i = add nsw i64 %.361.0604.1.i, 1
-  %gep9270 = getelementptr double, ptr %invariant.gep9269, i64 %.361.0604.1.i
-  store double 1.000000e-09, ptr %gep9270, align 8, !noalias !134
+  %gep9267 = getelementptr double, ptr %invariant.gep9266, i64 %.361.0604.1.i
+  store double 1.000000e-09, ptr %gep9267, align 8, !noalias !134
   %exitcond.1.not.i = icmp eq i64 %arg.shape.0, %.430.1.i
   br i1 %exitcond.1.not.i, label %B150.if.2.i, label %B150.if.1.i
 
 B150.if.2.i:                                      ; preds = %B150.if.1.i, %B150.if.2.i
   %.361.0604.2.i = phi i64 [ %.430.2.i, %B150.if.2.i ], [ 0, %B150.if.1.i ]
   %.430.2.i = add nsw i64 %.361.0604.2.i, 1
-  %gep9272 = getelementptr double, ptr %invariant.gep9271, i64 %.361.0604.2.i
-  store double 1.000000e-09, ptr %gep9272, align 8, !noalias !134
+  %gep9269 = getelementptr double, ptr %invariant.gep9268, i64 %.361.0604.2.i
+  store double 1.000000e-09, ptr %gep9269, align 8, !noalias !134
   %exitcond.2.not.i = icmp eq i64 %arg.shape.0, %.430.2.i
   br i1 %exitcond.2.not.i, label %B150.if.3.i, label %B150.if.2.i
 
 B150.if.3.i:                                      ; preds = %B150.if.2.i, %B150.if.3.i
   %.361.0604.3.i = phi i64 [ %.430.3.i, %B150.if.3.i ], [ 0, %B150.if.2.i ]
   %.430.3.i = add nsw i64 %.361.0604.3.i, 1
-  %gep9274 = getelementptr double, ptr %invariant.gep9273, i64 %.361.0604.3.i
-  store double 1.000000e-09, ptr %gep9274, align 8, !noalias !134
+  %gep9271 = getelementptr double, ptr %invariant.gep9270, i64 %.361.0604.3.i
+  store double 1.000000e-09, ptr %gep9271, align 8, !noalias !134
   %exitcond.3.not.i = icmp eq i64 %arg.shape.0, %.430.3.i
   br i1 %exitcond.3.not.i, label %B150.if.4.i, label %B150.if.3.i
 
 B150.if.4.i:                                      ; preds = %B150.if.3.i, %B150.if.4.i
   %.361.0604.4.i = phi i64 [ %.430.4.i, %B150.if.4.i ], [ 0, %B150.if.3.i ]
   %.430.4.i = add nsw i64 %.361.0604.4.i, 1
-  %gep9276 = getelementptr double, ptr %invariant.gep9275, i64 %.361.0604.4.i
-  store double 1.000000e-09, ptr %gep9276, align 8, !noalias !134
+  %gep9273 = getelementptr double, ptr %invariant.gep9272, i64 %.361.0604.4.i
+  store double 1.000000e-09, ptr %gep9273, align 8, !noalias !134
   %exitcond.4.not.i = icmp eq i64 %arg.shape.0, %.430.4.i
   br i1 %exitcond.4.not.i, label %B150.if.5.i, label %B150.if.4.i
 
 B150.if.5.i:                                      ; preds = %B150.if.4.i, %B150.if.5.i
   %.361.0604.5.i = phi i64 [ %.430.5.i, %B150.if.5.i ], [ 0, %B150.if.4.i ]
   %.430.5.i = add nsw i64 %.361.0604.5.i, 1
-  %gep9278 = getelementptr double, ptr %invariant.gep9277, i64 %.361.0604.5.i
-  store double 1.000000e-09, ptr %gep9278, align 8, !noalias !134
+  %gep9275 = getelementptr double, ptr %invariant.gep9274, i64 %.361.0604.5.i
+  store double 1.000000e-09, ptr %gep9275, align 8, !noalias !134
   %exitcond.5.not.i = icmp eq i64 %arg.shape.0, %.430.5.i
   br i1 %exitcond.5.not.i, label %B150.if.6.i, label %B150.if.5.i
 
 B150.if.6.i:                                      ; preds = %B150.if.5.i, %B150.if.6.i
   %.361.0604.6.i = phi i64 [ %.430.6.i, %B150.if.6.i ], [ 0, %B150.if.5.i ]
   %.430.6.i = add nsw i64 %.361.0604.6.i, 1
-  %gep9280 = getelementptr double, ptr %invariant.gep9279, i64 %.361.0604.6.i
-  store double 1.000000e-09, ptr %gep9280, align 8, !noalias !134
+  %gep9277 = getelementptr double, ptr %invariant.gep9276, i64 %.361.0604.6.i
+  store double 1.000000e-09, ptr %gep9277, align 8, !noalias !134
   %exitcond.6.not.i = icmp eq i64 %arg.shape.0, %.430.6.i
   br i1 %exitcond.6.not.i, label %B150.if.7.i, label %B150.if.6.i
 
 B150.if.7.i:                                      ; preds = %B150.if.6.i, %B150.if.7.i
   %.361.0604.7.i = phi i64 [ %.430.7.i, %B150.if.7.i ], [ 0, %B150.if.6.i ]
   %.430.7.i = add nsw i64 %.361.0604.7.i, 1
-  %gep9282 = getelementptr double, ptr %invariant.gep9281, i64 %.361.0604.7.i
-  store double 1.000000e-09, ptr %gep9282, align 8, !noalias !134
+  %gep9279 = getelementptr double, ptr %invariant.gep9278, i64 %.361.0604.7.i
+  store double 1.000000e-09, ptr %gep9279, align 8, !noalias !134
   %exitcond.7.not.i = icmp eq i64 %arg.shape.0, %.430.7.i
   br i1 %exitcond.7.not.i, label %B150.if.8.i, label %B150.if.7.i
 
 B150.if.8.i:                                      ; preds = %B150.if.7.i, %B150.if.8.i
   %.361.0604.8.i = phi i64 [ %.430.8.i, %B150.if.8.i ], [ 0, %B150.if.7.i ]
   %.430.8.i = add nsw i64 %.361.0604.8.i, 1
-  %gep9284 = getelementptr double, ptr %invariant.gep9283, i64 %.361.0604.8.i
-  store double 1.000000e-09, ptr %gep9284, align 8, !noalias !134
+  %gep9281 = getelementptr double, ptr %invariant.gep9280, i64 %.361.0604.8.i
+  store double 1.000000e-09, ptr %gep9281, align 8, !noalias !134
   %exitcond.8.not.i = icmp eq i64 %arg.shape.0, %.430.8.i
   br i1 %exitcond.8.not.i, label %B116.loopexit.8.i, label %B150.if.8.i
 
@@ -2983,9 +3012,9 @@ B116.loopexit.8.i:                                ; preds = %B150.if.8.i, %B3418
 
 B280.loopexit.i.i:                                ; preds = %B122.if.i.i.i, %switch.end.i.i
   %exitcond1307.not.i.i = icmp eq i64 %arg.shape.0, %.533.i.i
-  br i1 %exitcond1307.not.i.i, label %B348.i.i8947, label %B280.if.i.i
+  br i1 %exitcond1307.not.i.i, label %B348.i.i8946, label %B280.if.i.i
 
-B348.i.i8947:                                     ; preds = %B280.loopexit.i.i, %B246.if.i.i
+B348.i.i8946:                                     ; preds = %B280.loopexit.i.i, %B246.if.i.i
   %.634.i.i = icmp ult i64 %.341.01294.i.i, 8
   %.1280.i.i = select i1 %.634.i.i, i64 16, i64 17
   %.644.i.i = mul nsw i64 %.341.01294.i.i, 3
@@ -3000,13 +3029,13 @@ B348.i.i8947:                                     ; preds = %B280.loopexit.i.i, 
   %.399.i.i = icmp sgt i64 %.344.01295.i.i, 1
   br i1 %.399.i.i, label %B246.if.i.i, label %B550.i.i
 
-B550.i.i:                                         ; preds = %B348.i.i8947
+B550.i.i:                                         ; preds = %B348.i.i8946
   br i1 %.5201291.not.i.i, label %_ZN12clpt_control6native9for_numba11mark_passedB3v43B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i, label %B584.lr.ph.i.i
 
 B584.lr.ph.i.i:                                   ; preds = %B550.i.i
   %.257.i.i = fsub double %.227.i.i, %.256.i.i
-  %.258.i.i8960 = fmul double %.257.i.i, 1.000000e-13
-  %.1863.i.i = fmul double %.258.i.i8960, 2.000000e+00
+  %.258.i.i8959 = fmul double %.257.i.i, 1.000000e-13
+  %.1863.i.i = fmul double %.258.i.i8959, 2.000000e+00
   br label %B584.i.i
 
 B584.i.i:                                         ; preds = %B1342.i.i, %B584.lr.ph.i.i
@@ -3029,15 +3058,15 @@ B584.i.i:                                         ; preds = %B1342.i.i, %B584.lr
   %.1197.i.i = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.1066.i.i
   %.1198.i.i = load i64, ptr %.1197.i.i, align 8, !noalias !138
   %.1199.i.i = icmp sgt i64 %.1198.i.i, -1
-  br i1 %.1199.i.i, label %B702.i.i8961, label %B1342.i.i
+  br i1 %.1199.i.i, label %B702.i.i8960, label %B1342.i.i
 
-B702.i.i8961:                                     ; preds = %B584.i.i
+B702.i.i8960:                                     ; preds = %B584.i.i
   %.1257.i.i = getelementptr double, ptr %69, i64 %.1011.i.i
   %.1258.i.i = load double, ptr %.1257.i.i, align 8, !noalias !138
   %.1259.i.i = fcmp ogt double %.1258.i.i, 5.000000e-01
   br i1 %.1259.i.i, label %B742.i.i, label %B1342.i.i
 
-B742.i.i:                                         ; preds = %B702.i.i8961
+B742.i.i:                                         ; preds = %B702.i.i8960
   %.1349.i.i = load i64, ptr %.1087.i.i, align 8, !noalias !138
   %.1350.i.i = icmp slt i64 %.1349.i.i, 0
   br i1 %.1350.i.i, label %B830.i.i, label %B958.i.i
@@ -3046,22 +3075,22 @@ B830.i.i:                                         ; preds = %B742.i.i, %B830.i.i
   %last.2.3.i.i = phi i64 [ %.1356.i.i, %B830.i.i ], [ %.1281.i.i, %B742.i.i ]
   %.1356.i.i = add nsw i64 %last.2.3.i.i, 1
   %.151.i51.i.i = mul nsw i64 %.1356.i.i, 3
-  %.155.i.i.i8972 = add nsw i64 %.151.i51.i.i, 1
-  %.159.i.i.i8973 = mul nsw i64 %.155.i.i.i8972, %arg.shape.0
-  %.161.i.i.i = add nsw i64 %.159.i.i.i8973, %.924.sroa.0.01304.i.i
+  %.155.i.i.i8971 = add nsw i64 %.151.i51.i.i, 1
+  %.159.i.i.i8972 = mul nsw i64 %.155.i.i.i8971, %arg.shape.0
+  %.161.i.i.i = add nsw i64 %.159.i.i.i8972, %.924.sroa.0.01304.i.i
   %.175.i63.i.i = icmp slt i64 %.161.i.i.i, 0
   %.176.i64.i.i = select i1 %.175.i63.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %242 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.161.i.i.i
-  %.190.i.i.i = getelementptr double, ptr %242, i64 %.176.i64.i.i
-  %.191.i.i.i8974 = load double, ptr %.190.i.i.i, align 8, !noalias !142
+  %245 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.161.i.i.i
+  %.190.i.i.i = getelementptr double, ptr %245, i64 %.176.i64.i.i
+  %.191.i.i.i8973 = load double, ptr %.190.i.i.i, align 8, !noalias !142
   %.195.i80.i.i = add nsw i64 %.161.i.i.i, %arg.shape.0
   %.209.i.i.i = icmp slt i64 %.195.i80.i.i, 0
   %.210.i.i.i = select i1 %.209.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %243 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.195.i80.i.i
-  %.224.i91.i.i = getelementptr double, ptr %243, i64 %.210.i.i.i
+  %246 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.195.i80.i.i
+  %.224.i91.i.i = getelementptr double, ptr %246, i64 %.210.i.i.i
   %.225.i92.i.i = load double, ptr %.224.i91.i.i, align 8, !noalias !142
   %.226.i93.i.i = fneg double %.225.i92.i.i
-  %.227.i94.i.i = fcmp uge double %.191.i.i.i8974, %.226.i93.i.i
+  %.227.i94.i.i = fcmp uge double %.191.i.i.i8973, %.226.i93.i.i
   %.1371.0.i.i = sext i1 %.227.i94.i.i to i64
   store i64 %.1371.0.i.i, ptr %.1087.i.i, align 8, !noalias !138
   %exitcond1309.not.i.i = icmp ne i64 %last.2.3.i.i, 7
@@ -3070,41 +3099,41 @@ B830.i.i:                                         ; preds = %B742.i.i, %B830.i.i
 
 B958.i.i:                                         ; preds = %B830.i.i, %B742.i.i
   %last.3.2.i.i = phi i64 [ %.1281.i.i, %B742.i.i ], [ %.1356.i.i, %B830.i.i ]
-  br i1 %.296.i.i8946, label %B966.i.i8971, label %B996.i.i
+  br i1 %.296.i.i8945, label %B966.i.i8970, label %B996.i.i
 
-B966.i.i8971:                                     ; preds = %B958.i.i
-  %244 = getelementptr double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.12, i64 %last.3.2.i.i
-  %switch.gep9354 = getelementptr i8, ptr %244, i64 64
-  %switch.load9355 = load double, ptr %switch.gep9354, align 8
+B966.i.i8970:                                     ; preds = %B958.i.i
+  %247 = getelementptr double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.12, i64 %last.3.2.i.i
+  %switch.gep9351 = getelementptr i8, ptr %247, i64 64
+  %switch.load9352 = load double, ptr %switch.gep9351, align 8
   br label %B996.i.i
 
-B996.i.i:                                         ; preds = %B966.i.i8971, %B958.i.i
-  %"$phi996.1.2.2.i.i" = phi double [ 0.000000e+00, %B958.i.i ], [ %switch.load9355, %B966.i.i8971 ]
+B996.i.i:                                         ; preds = %B966.i.i8970, %B958.i.i
+  %"$phi996.1.2.2.i.i" = phi double [ 0.000000e+00, %B958.i.i ], [ %switch.load9352, %B966.i.i8970 ]
   %.1630.i.i = getelementptr double, ptr %70, i64 %.1011.i.i
   store double %"$phi996.1.2.2.i.i", ptr %.1630.i.i, align 8, !noalias !138
-  %245 = getelementptr double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.12, i64 %last.3.2.i.i
-  %switch.gep9358 = getelementptr i8, ptr %245, i64 72
-  %switch.load9359 = load double, ptr %switch.gep9358, align 8
+  %248 = getelementptr double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.12, i64 %last.3.2.i.i
+  %switch.gep9355 = getelementptr i8, ptr %248, i64 72
+  %switch.load9356 = load double, ptr %switch.gep9355, align 8
   %.1722.i.i = getelementptr double, ptr %71, i64 %.1011.i.i
-  store double %switch.load9359, ptr %.1722.i.i, align 8, !noalias !138
+  store double %switch.load9356, ptr %.1722.i.i, align 8, !noalias !138
   %.1778.i.i = load i64, ptr %.1087.i.i, align 8, !noalias !138
   %.1779.i.i = icmp sgt i64 %.1778.i.i, -1
   %.1789.i.i = sext i1 %.1779.i.i to i64
   %"$phi1114.1.2.2.i.i" = add nsw i64 %last.3.2.i.i, %.1789.i.i
-  br i1 %.296.i.i8946, label %B1122.i.i, label %B1300.i.i
+  br i1 %.296.i.i8945, label %B1122.i.i, label %B1300.i.i
 
 B1122.i.i:                                        ; preds = %B996.i.i
   %.1860.i.i = getelementptr double, ptr %66, i64 %.1011.i.i
   %.1861.i.i = load double, ptr %.1860.i.i, align 8, !noalias !138
-  %.1864.i.i8963 = fcmp ogt double %.1861.i.i, %.1863.i.i
-  br i1 %.1864.i.i8963, label %B1170.i.i, label %B1300.i.i
+  %.1864.i.i8962 = fcmp ogt double %.1861.i.i, %.1863.i.i
+  br i1 %.1864.i.i8962, label %B1170.i.i, label %B1300.i.i
 
 B1170.i.i:                                        ; preds = %B1122.i.i
-  %246 = tail call i64 @llvm.smax.i64(i64 range(i64 -1, 9) %"$phi1114.1.2.2.i.i", i64 0)
-  %storemerge.i.i.i = tail call i64 @llvm.smin.i64(i64 %246, i64 7)
+  %249 = tail call i64 @llvm.smax.i64(i64 range(i64 -1, 9) %"$phi1114.1.2.2.i.i", i64 0)
+  %storemerge.i.i.i = tail call i64 @llvm.smin.i64(i64 %249, i64 7)
   %.309379.not.i.i.i = icmp slt i64 %"$phi1114.1.2.2.i.i", 1
-  %247 = tail call i64 @llvm.smax.i64(i64 range(i64 -1, 9) %"$phi1114.1.2.2.i.i", i64 1)
-  %storemerge348.i.i.i = add nsw i64 %247, -1
+  %250 = tail call i64 @llvm.smax.i64(i64 range(i64 -1, 9) %"$phi1114.1.2.2.i.i", i64 1)
+  %storemerge348.i.i.i = add nsw i64 %250, -1
   %.504383.i.i.i = icmp sgt i64 %"$phi1114.1.2.2.i.i", 1
   %.447.1385.i.i.i = select i1 %.504383.i.i.i, i64 2, i64 1
   %.513386.i.i.i = sext i1 %.504383.i.i.i to i64
@@ -3114,52 +3143,52 @@ B1170.i.i:                                        ; preds = %B1122.i.i
   %.192.i.i.i.i = add nsw i64 %.160.i.i.i, %.30.i.i.i
   %.206.i.i.i.i = icmp slt i64 %.192.i.i.i.i, 0
   %.207.i.i.i.i = select i1 %.206.i.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %248 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.192.i.i.i.i
-  %.221.i.i.i.i = getelementptr double, ptr %248, i64 %.207.i.i.i.i
+  %251 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.192.i.i.i.i
+  %.221.i.i.i.i = getelementptr double, ptr %251, i64 %.207.i.i.i.i
   %.472.i.i.i.i = icmp slt i64 %.160.i.i.i, 0
   %.473.i.i.i.i = select i1 %.472.i.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %249 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.160.i.i.i
-  %.487.i.i.i.i = getelementptr double, ptr %249, i64 %.473.i.i.i.i
+  %252 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.160.i.i.i
+  %.487.i.i.i.i = getelementptr double, ptr %252, i64 %.473.i.i.i.i
   %.458.i.1.i.i.i = add nsw i64 %.160.i.i.i, %.454.i.i.i.i
   %.472.i.1.i.i.i = icmp slt i64 %.458.i.1.i.i.i, 0
   %.473.i.1.i.i.i = select i1 %.472.i.1.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %250 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.458.i.1.i.i.i
-  %.487.i.1.i.i.i = getelementptr double, ptr %250, i64 %.473.i.1.i.i.i
+  %253 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.458.i.1.i.i.i
+  %.487.i.1.i.i.i = getelementptr double, ptr %253, i64 %.473.i.1.i.i.i
   %.458.i.2.i.i.i = add nsw i64 %.160.i.i.i, %.456.i.2.i.i.i
   %.472.i.2.i.i.i = icmp slt i64 %.458.i.2.i.i.i, 0
   %.473.i.2.i.i.i = select i1 %.472.i.2.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %251 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.458.i.2.i.i.i
-  %.487.i.2.i.i.i = getelementptr double, ptr %251, i64 %.473.i.2.i.i.i
+  %254 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.458.i.2.i.i.i
+  %.487.i.2.i.i.i = getelementptr double, ptr %254, i64 %.473.i.2.i.i.i
   %.458.i.3.i.i.i = add nsw i64 %.160.i.i.i, %.456.i.3.i.i.i
   %.472.i.3.i.i.i = icmp slt i64 %.458.i.3.i.i.i, 0
   %.473.i.3.i.i.i = select i1 %.472.i.3.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %252 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.458.i.3.i.i.i
-  %.487.i.3.i.i.i = getelementptr double, ptr %252, i64 %.473.i.3.i.i.i
+  %255 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.458.i.3.i.i.i
+  %.487.i.3.i.i.i = getelementptr double, ptr %255, i64 %.473.i.3.i.i.i
   %.458.i.4.i.i.i = add nsw i64 %.160.i.i.i, %.456.i.4.i.i.i
   %.472.i.4.i.i.i = icmp slt i64 %.458.i.4.i.i.i, 0
   %.473.i.4.i.i.i = select i1 %.472.i.4.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %253 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.458.i.4.i.i.i
-  %.487.i.4.i.i.i = getelementptr double, ptr %253, i64 %.473.i.4.i.i.i
+  %256 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.458.i.4.i.i.i
+  %.487.i.4.i.i.i = getelementptr double, ptr %256, i64 %.473.i.4.i.i.i
   %.192.i.1.i.i.i = add nsw i64 %.160.i.i.i, %.190.i.1.i.i.i
   %.206.i.1.i.i.i = icmp slt i64 %.192.i.1.i.i.i, 0
   %.207.i.1.i.i.i = select i1 %.206.i.1.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %254 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.192.i.1.i.i.i
-  %.221.i.1.i.i.i = getelementptr double, ptr %254, i64 %.207.i.1.i.i.i
+  %257 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.192.i.1.i.i.i
+  %.221.i.1.i.i.i = getelementptr double, ptr %257, i64 %.207.i.1.i.i.i
   %.192.i.2.i.i.i = add nsw i64 %.160.i.i.i, %.190.i.2.i.i.i
   %.206.i.2.i.i.i = icmp slt i64 %.192.i.2.i.i.i, 0
   %.207.i.2.i.i.i = select i1 %.206.i.2.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %255 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.192.i.2.i.i.i
-  %.221.i.2.i.i.i = getelementptr double, ptr %255, i64 %.207.i.2.i.i.i
+  %258 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.192.i.2.i.i.i
+  %.221.i.2.i.i.i = getelementptr double, ptr %258, i64 %.207.i.2.i.i.i
   %.192.i.3.i.i.i = add nsw i64 %.160.i.i.i, %.190.i.3.i.i.i
   %.206.i.3.i.i.i = icmp slt i64 %.192.i.3.i.i.i, 0
   %.207.i.3.i.i.i = select i1 %.206.i.3.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %256 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.192.i.3.i.i.i
-  %.221.i.3.i.i.i = getelementptr double, ptr %256, i64 %.207.i.3.i.i.i
+  %259 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.192.i.3.i.i.i
+  %.221.i.3.i.i.i = getelementptr double, ptr %259, i64 %.207.i.3.i.i.i
   %.1017.i.i.i = add nsw i64 %.160.i.i.i, %arg.shape.0
   %.1033.i.i.i = icmp slt i64 %.1017.i.i.i, 0
-  %.1034.i.i.i8964 = select i1 %.1033.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %257 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.1017.i.i.i
-  %.1048.i.i.i = getelementptr double, ptr %257, i64 %.1034.i.i.i8964
+  %.1034.i.i.i8963 = select i1 %.1033.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %260 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.1017.i.i.i
+  %.1048.i.i.i = getelementptr double, ptr %260, i64 %.1034.i.i.i8963
   br label %B50.i.i.i
 
 B50.i.i.i:                                        ; preds = %B830.i.i.i, %B1170.i.i
@@ -3184,23 +3213,23 @@ B310.i.i.i:                                       ; preds = %B905.i.i.i, %B310.l
   %.554.i.i.i = add nsw i64 %.552.i.i.i, %.160.i.i.i
   %.568.i.i.i = icmp slt i64 %.554.i.i.i, 0
   %.569.i.i.i = select i1 %.568.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %258 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.554.i.i.i
-  %.583.i.i.i = getelementptr double, ptr %258, i64 %.569.i.i.i
+  %261 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.554.i.i.i
+  %.583.i.i.i = getelementptr double, ptr %261, i64 %.569.i.i.i
   %.584.i.i.i = load double, ptr %.583.i.i.i, align 8, !noalias !146
-  %.587.i.i.i8967 = mul nsw i64 %.494.sroa.0.0392.i.i.i, %.30.i.i.i
-  %.589.i.i.i = add nsw i64 %.587.i.i.i8967, %.160.i.i.i
+  %.587.i.i.i8966 = mul nsw i64 %.494.sroa.0.0392.i.i.i, %.30.i.i.i
+  %.589.i.i.i = add nsw i64 %.587.i.i.i8966, %.160.i.i.i
   %.603.i.i.i = icmp slt i64 %.589.i.i.i, 0
   %.604.i.i.i = select i1 %.603.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %259 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.589.i.i.i
-  %.618.i.i.i = getelementptr double, ptr %259, i64 %.604.i.i.i
+  %262 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.589.i.i.i
+  %.618.i.i.i = getelementptr double, ptr %262, i64 %.604.i.i.i
   %.619.i.i.i = load double, ptr %.618.i.i.i, align 8, !noalias !146
   %.621.i.i.i = add nsw i64 %.494.sroa.0.0392.i.i.i, 1
   %.623.i.i.i = mul nsw i64 %.621.i.i.i, %.30.i.i.i
   %.625.i.i.i = add nsw i64 %.623.i.i.i, %.160.i.i.i
   %.639.i.i.i = icmp slt i64 %.625.i.i.i, 0
   %.640.i.i.i = select i1 %.639.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %260 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.625.i.i.i
-  %.654.i.i.i = getelementptr double, ptr %260, i64 %.640.i.i.i
+  %263 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.625.i.i.i
+  %.654.i.i.i = getelementptr double, ptr %263, i64 %.640.i.i.i
   %.655.i.i.i = load double, ptr %.654.i.i.i, align 8, !noalias !146
   %.669.i.i.i = fsub double %.584.i.i.i, %.619.i.i.i
   %.670.i.i.i = tail call double @llvm.fabs.f64(double %.669.i.i.i)
@@ -3213,11 +3242,11 @@ B310.i.i.i:                                       ; preds = %B905.i.i.i, %B310.l
   br i1 %.679.i.i.i, label %B518.i.i.i, label %B905.i.i.i
 
 B518.i.i.i:                                       ; preds = %B310.i.i.i
-  %switch.tableidx9360 = add i64 %.494.sroa.0.0392.i.i.i, 9
-  %261 = icmp ult i64 %switch.tableidx9360, 18
-  br i1 %261, label %switch.lookup9361, label %_ZN12clpt_control6native9for_numba8may_hideB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+  %switch.tableidx9357 = add i64 %.494.sroa.0.0392.i.i.i, 9
+  %264 = icmp ult i64 %switch.tableidx9357, 18
+  br i1 %264, label %switch.lookup9358, label %_ZN12clpt_control6native9for_numba8may_hideB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
 
-B724.i.i.i:                                       ; preds = %switch.lookup9373
+B724.i.i.i:                                       ; preds = %switch.lookup9370
   %.888.i.i.i = fneg double %.829.i.i.i
   %.892.i.i.i = fmul double %.878.i.i.i, 5.000000e-01
   %.897.i.i.i = fdiv double %.892.i.i.i, %.861.i.i.i
@@ -3229,10 +3258,10 @@ B724.i.i.i:                                       ; preds = %switch.lookup9373
 B764.i.i.i:                                       ; preds = %B724.i.i.i
   %.935.i.i.i = fmul double %.878.i.i.i, 2.500000e-01
   %.937.i.i.i = fmul double %.878.i.i.i, %.935.i.i.i
-  %.944.i.i.i8968 = fdiv double %.937.i.i.i, %.861.i.i.i
-  %.948.i.i.i = fsub double %.619.i.i.i, %.944.i.i.i8968
-  %.10.i.i.i.i8969 = fcmp olt double %.948.i.i.i, %nearest.4.1389.i.i.i
-  %.11.i.i.i.i8970 = select i1 %.10.i.i.i.i8969, double %.948.i.i.i, double %nearest.4.1389.i.i.i
+  %.944.i.i.i8967 = fdiv double %.937.i.i.i, %.861.i.i.i
+  %.948.i.i.i = fsub double %.619.i.i.i, %.944.i.i.i8967
+  %.10.i.i.i.i8968 = fcmp olt double %.948.i.i.i, %nearest.4.1389.i.i.i
+  %.11.i.i.i.i8969 = select i1 %.10.i.i.i.i8968, double %.948.i.i.i, double %nearest.4.1389.i.i.i
   br label %B905.i.i.i
 
 B830.i.i.i:                                       ; preds = %B905.i.i.i, %B274.i.i.i
@@ -3244,8 +3273,8 @@ B830.i.i.i:                                       ; preds = %B905.i.i.i, %B274.i
   %or.cond.i.i.i = select i1 %.1051.i.i.i, i1 true, i1 %.1058.i.i.i
   br i1 %or.cond.i.i.i, label %B50.i.i.i, label %_ZN12clpt_control6native9for_numba8may_hideB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
 
-B905.i.i.i:                                       ; preds = %switch.lookup9373, %B764.i.i.i, %B724.i.i.i, %B310.i.i.i
-  %nearest.5.2.i.i.i = phi double [ %nearest.4.1389.i.i.i, %B724.i.i.i ], [ %.11.i.i.i.i8970, %B764.i.i.i ], [ %nearest.4.1389.i.i.i, %B310.i.i.i ], [ %nearest.4.1389.i.i.i, %switch.lookup9373 ]
+B905.i.i.i:                                       ; preds = %switch.lookup9370, %B764.i.i.i, %B724.i.i.i, %B310.i.i.i
+  %nearest.5.2.i.i.i = phi double [ %nearest.4.1389.i.i.i, %B724.i.i.i ], [ %.11.i.i.i.i8969, %B764.i.i.i ], [ %nearest.4.1389.i.i.i, %B310.i.i.i ], [ %nearest.4.1389.i.i.i, %switch.lookup9370 ]
   %.504.i.i.i = icmp sgt i64 %.450.1391.i.i.i, 0
   %.517.i.i.i = zext i1 %.504.i.i.i to i64
   %.447.1.i.i.i = add i64 %.447.1390.i.i.i, %.517.i.i.i
@@ -3264,27 +3293,27 @@ B52.if.i.i.i:                                     ; preds = %B50.i.i.i
   %.491.i.1.i.i.i = fsub double %.491.i.i.i.i, %.489.i.1.i.i.i
   %.488.i.2.i.i.i = load double, ptr %.487.i.2.i.i.i, align 8, !noalias !150
   %.489.i.2.i.i.i = fmul double %.488.i.2.i.i.i, 0x3FE1306AA3D795F4
-  %262 = fadd double %.491.i.1.i.i.i, %.489.i.2.i.i.i
+  %265 = fadd double %.491.i.1.i.i.i, %.489.i.2.i.i.i
   %.488.i.3.i.i.i = load double, ptr %.487.i.3.i.i.i, align 8, !noalias !150
   %.489.i.3.i.i.i = fmul double %.488.i.3.i.i.i, 0x3FCCB9F574BDCC3A
-  %.491.i.3.i.i.i = fsub double %262, %.489.i.3.i.i.i
+  %.491.i.3.i.i.i = fsub double %265, %.489.i.3.i.i.i
   %.488.i.4.i.i.i = load double, ptr %.487.i.4.i.i.i, align 8, !noalias !150
   %.489.i.4.i.i.i = fmul double %.488.i.4.i.i.i, 0x3FA4EAF2D6B11E79
-  %263 = fadd double %.491.i.3.i.i.i, %.489.i.4.i.i.i
-  %.502.i.i.i.i = tail call double @llvm.fabs.f64(double %263)
+  %266 = fadd double %.491.i.3.i.i.i, %.489.i.4.i.i.i
+  %.502.i.i.i.i = tail call double @llvm.fabs.f64(double %266)
   %.10.i.i.i.i.i = fcmp ogt double %.502.i.i.i.i, 0.000000e+00
   %.11.i.i.i.i.i = select i1 %.10.i.i.i.i.i, double %.502.i.i.i.i, double 0.000000e+00
   %.222.i.1.i.i.i = load double, ptr %.221.i.1.i.i.i, align 8, !noalias !150
   %.489.i.1429.i.i.i = fmul double %.488.i.i.i.i, 0x3FA5118805F8B876
-  %264 = fadd double %.489.i.1429.i.i.i, %.222.i.1.i.i.i
+  %267 = fadd double %.489.i.1429.i.i.i, %.222.i.1.i.i.i
   %.489.i.1.1.i.i.i = fmul double %.488.i.1.i.i.i, 0x3FE51326698BC5BD
-  %.491.i.1.1.i.i.i = fsub double %264, %.489.i.1.1.i.i.i
+  %.491.i.1.1.i.i.i = fsub double %267, %.489.i.1.1.i.i.i
   %.489.i.2.1.i.i.i = fmul double %.488.i.2.i.i.i, 0x3FDF97DED30D4572
   %.491.i.2.1.i.i.i = fsub double %.491.i.1.1.i.i.i, %.489.i.2.1.i.i.i
   %.489.i.3.1.i.i.i = fmul double %.488.i.3.i.i.i, 0x3FC0DA0C684D1D67
-  %265 = fadd double %.489.i.3.1.i.i.i, %.491.i.2.1.i.i.i
+  %268 = fadd double %.489.i.3.1.i.i.i, %.491.i.2.1.i.i.i
   %.489.i.4.1.i.i.i = fmul double %.488.i.4.i.i.i, 0x3F9510B8EC0D4D92
-  %.491.i.4.1.i.i.i = fsub double %265, %.489.i.4.1.i.i.i
+  %.491.i.4.1.i.i.i = fsub double %268, %.489.i.4.1.i.i.i
   %.502.i.1.i.i.i = tail call double @llvm.fabs.f64(double %.491.i.4.1.i.i.i)
   %.10.i.i.1.i.i.i = fcmp ogt double %.502.i.1.i.i.i, %.11.i.i.i.i.i
   %.11.i.i.1.i.i.i = select i1 %.10.i.i.1.i.i.i, double %.502.i.1.i.i.i, double %.11.i.i.i.i.i
@@ -3292,25 +3321,25 @@ B52.if.i.i.i:                                     ; preds = %B50.i.i.i
   %.489.i.2456.i.i.i = fmul double %.488.i.i.i.i, 0x3F9635A30F8F142F
   %.491.i.2457.i.i.i = fsub double %.222.i.2.i.i.i, %.489.i.2456.i.i.i
   %.489.i.1.2.i.i.i = fmul double %.488.i.1.i.i.i, 0x3FC1EAE0FF33D241
-  %266 = fadd double %.489.i.1.2.i.i.i, %.491.i.2457.i.i.i
+  %269 = fadd double %.489.i.1.2.i.i.i, %.491.i.2457.i.i.i
   %.489.i.2.2.i.i.i = fmul double %.488.i.2.i.i.i, 0x3FE1625D59218460
-  %.491.i.2.2.i.i.i = fsub double %266, %.489.i.2.2.i.i.i
+  %.491.i.2.2.i.i.i = fsub double %269, %.489.i.2.2.i.i.i
   %.489.i.3.2.i.i.i = fmul double %.488.i.3.i.i.i, 0x3FE3BBC3E8A29641
   %.491.i.3.2.i.i.i = fsub double %.491.i.2.2.i.i.i, %.489.i.3.2.i.i.i
   %.489.i.4.2.i.i.i = fmul double %.488.i.4.i.i.i, 0x3FA55161A739EB34
-  %267 = fadd double %.489.i.4.2.i.i.i, %.491.i.3.2.i.i.i
-  %.502.i.2.i.i.i = tail call double @llvm.fabs.f64(double %267)
+  %270 = fadd double %.489.i.4.2.i.i.i, %.491.i.3.2.i.i.i
+  %.502.i.2.i.i.i = tail call double @llvm.fabs.f64(double %270)
   %.10.i.i.2.i.i.i = fcmp ogt double %.502.i.2.i.i.i, %.11.i.i.1.i.i.i
   %.11.i.i.2.i.i.i = select i1 %.10.i.i.2.i.i.i, double %.502.i.2.i.i.i, double %.11.i.i.1.i.i.i
   %.222.i.3.i.i.i = load double, ptr %.221.i.3.i.i.i, align 8, !noalias !150
   %.489.i.3483.i.i.i = fmul double %.488.i.i.i.i, 0x3FA4F0C0BB579409
-  %268 = fadd double %.489.i.3483.i.i.i, %.222.i.3.i.i.i
+  %271 = fadd double %.489.i.3483.i.i.i, %.222.i.3.i.i.i
   %.489.i.1.3.i.i.i = fmul double %.488.i.1.i.i.i, 0x3FCD2266FBC0D976
-  %.491.i.1.3.i.i.i = fsub double %268, %.489.i.1.3.i.i.i
+  %.491.i.1.3.i.i.i = fsub double %271, %.489.i.1.3.i.i.i
   %.489.i.2.3.i.i.i = fmul double %.488.i.2.i.i.i, 0x3FE1F2DB6FEE3151
-  %269 = fadd double %.489.i.2.3.i.i.i, %.491.i.1.3.i.i.i
+  %272 = fadd double %.489.i.2.3.i.i.i, %.491.i.1.3.i.i.i
   %.489.i.3.3.i.i.i = fmul double %.488.i.3.i.i.i, 0x3FF0C05015964CBE
-  %.491.i.3.3.i.i.i = fsub double %269, %.489.i.3.3.i.i.i
+  %.491.i.3.3.i.i.i = fsub double %272, %.489.i.3.3.i.i.i
   %.489.i.4.3.i.i.i = fmul double %.488.i.4.i.i.i, 0x3FD4F15B230DB570
   %.491.i.4.3.i.i.i = fsub double %.491.i.3.3.i.i.i, %.489.i.4.3.i.i.i
   %.502.i.3.i.i.i = tail call double @llvm.fabs.f64(double %.491.i.4.3.i.i.i)
@@ -3324,44 +3353,44 @@ B212.if.i.i.i:                                    ; preds = %B52.if.i.i.i, %B212
   %.253.0380.i.i.i = phi i64 [ %.322.i.i.i, %B212.if.i.i.i ], [ 1, %B52.if.i.i.i ]
   %.318.i.i.i = add nsw i64 %.256.0381.i.i.i, -1
   %.322.i.i.i = add nsw i64 %.253.0380.i.i.i, 1
-  %270 = mul nsw i64 %.253.0380.i.i.i, %.30.i.i.i
-  %.350.i.i.i = add nsw i64 %270, %.160.i.i.i
+  %273 = mul nsw i64 %.253.0380.i.i.i, %.30.i.i.i
+  %.350.i.i.i = add nsw i64 %273, %.160.i.i.i
   %.364.i.i.i = icmp slt i64 %.350.i.i.i, 0
   %.365.i.i.i = select i1 %.364.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %271 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.350.i.i.i
-  %.379.i.i.i = getelementptr double, ptr %271, i64 %.365.i.i.i
+  %274 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.350.i.i.i
+  %.379.i.i.i = getelementptr double, ptr %274, i64 %.365.i.i.i
   %.380.i.i.i = load double, ptr %.379.i.i.i, align 8, !noalias !146
   %.10.i351.i.i.i = fcmp olt double %.380.i.i.i, %nearest.3.1382.i.i.i
   %.11.i352.i.i.i = select i1 %.10.i351.i.i.i, double %.380.i.i.i, double %nearest.3.1382.i.i.i
-  %.309.i.i.i8965 = icmp sgt i64 %.256.0381.i.i.i, 1
-  br i1 %.309.i.i.i8965, label %B212.if.i.i.i, label %B274.i.i.i
+  %.309.i.i.i8964 = icmp sgt i64 %.256.0381.i.i.i, 1
+  br i1 %.309.i.i.i8964, label %B212.if.i.i.i, label %B274.i.i.i
 
-switch.lookup9361:                                ; preds = %B518.i.i.i
-  %switch.tableidx9364 = add i64 %.494.sroa.0.0392.i.i.i, 8
-  %272 = icmp ult i64 %switch.tableidx9364, 18
-  br i1 %272, label %switch.lookup9365, label %_ZN12clpt_control6native9for_numba8may_hideB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+switch.lookup9358:                                ; preds = %B518.i.i.i
+  %switch.tableidx9361 = add i64 %.494.sroa.0.0392.i.i.i, 8
+  %275 = icmp ult i64 %switch.tableidx9361, 18
+  br i1 %275, label %switch.lookup9362, label %_ZN12clpt_control6native9for_numba8may_hideB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
 
-switch.lookup9365:                                ; preds = %switch.lookup9361
-  %switch.gep9362 = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.12, i64 %switch.tableidx9360
-  %switch.load9363 = load double, ptr %switch.gep9362, align 8
-  %switch.gep9366 = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.12, i64 %switch.tableidx9364
-  %switch.load9367 = load double, ptr %switch.gep9366, align 8
-  %.755.i.i.i = fsub double %switch.load9363, %switch.load9367
-  %switch.tableidx9368 = add i64 %.494.sroa.0.0392.i.i.i, 10
-  %273 = icmp ult i64 %switch.tableidx9368, 18
-  br i1 %273, label %switch.lookup9369, label %_ZN12clpt_control6native9for_numba8may_hideB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+switch.lookup9362:                                ; preds = %switch.lookup9358
+  %switch.gep9359 = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.12, i64 %switch.tableidx9357
+  %switch.load9360 = load double, ptr %switch.gep9359, align 8
+  %switch.gep9363 = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.12, i64 %switch.tableidx9361
+  %switch.load9364 = load double, ptr %switch.gep9363, align 8
+  %.755.i.i.i = fsub double %switch.load9360, %switch.load9364
+  %switch.tableidx9365 = add i64 %.494.sroa.0.0392.i.i.i, 10
+  %276 = icmp ult i64 %switch.tableidx9365, 18
+  br i1 %276, label %switch.lookup9366, label %_ZN12clpt_control6native9for_numba8may_hideB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
 
-switch.lookup9369:                                ; preds = %switch.lookup9365
-  %switch.tableidx9372 = add i64 %.494.sroa.0.0392.i.i.i, 9
-  %274 = icmp ult i64 %switch.tableidx9372, 18
-  br i1 %274, label %switch.lookup9373, label %_ZN12clpt_control6native9for_numba8may_hideB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+switch.lookup9366:                                ; preds = %switch.lookup9362
+  %switch.tableidx9369 = add i64 %.494.sroa.0.0392.i.i.i, 9
+  %277 = icmp ult i64 %switch.tableidx9369, 18
+  br i1 %277, label %switch.lookup9370, label %_ZN12clpt_control6native9for_numba8may_hideB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
 
-switch.lookup9373:                                ; preds = %switch.lookup9369
-  %switch.gep9370 = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.12, i64 %switch.tableidx9368
-  %switch.load9371 = load double, ptr %switch.gep9370, align 8
-  %switch.gep9374 = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.12, i64 %switch.tableidx9372
-  %switch.load9375 = load double, ptr %switch.gep9374, align 8
-  %.829.i.i.i = fsub double %switch.load9371, %switch.load9375
+switch.lookup9370:                                ; preds = %switch.lookup9366
+  %switch.gep9367 = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.12, i64 %switch.tableidx9365
+  %switch.load9368 = load double, ptr %switch.gep9367, align 8
+  %switch.gep9371 = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.12, i64 %switch.tableidx9369
+  %switch.load9372 = load double, ptr %switch.gep9371, align 8
+  %.829.i.i.i = fsub double %switch.load9368, %switch.load9372
   %.845.i.i.i = fdiv double %.673.i.i.i, %.829.i.i.i
   %.848.i.i.i = fsub double %.619.i.i.i, %.584.i.i.i
   %.853.i.i.i = fdiv double %.848.i.i.i, %.755.i.i.i
@@ -3373,10 +3402,10 @@ switch.lookup9373:                                ; preds = %switch.lookup9369
   %.883.i.i.i = fcmp ogt double %.861.i.i.i, 0.000000e+00
   br i1 %.883.i.i.i, label %B724.i.i.i, label %B905.i.i.i
 
-_ZN12clpt_control6native9for_numba8may_hideB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i: ; preds = %B830.i.i.i, %B50.i.i.i, %B518.i.i.i, %switch.lookup9361, %switch.lookup9365, %switch.lookup9369
-  %.1897.not.i.i = phi i1 [ true, %B518.i.i.i ], [ true, %switch.lookup9369 ], [ true, %switch.lookup9365 ], [ true, %switch.lookup9361 ], [ %exitcond.not.i.i.i, %B50.i.i.i ], [ %exitcond.not.i.i.i, %B830.i.i.i ]
-  %excinfo.3.3.i.i = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16.100, %B518.i.i.i ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16.100, %switch.lookup9369 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16.100, %switch.lookup9365 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16.100, %switch.lookup9361 ], [ %excinfo.3.01300.i.i, %B50.i.i.i ], [ %excinfo.3.01300.i.i, %B830.i.i.i ]
-  %.1886.not.i.i = phi i1 [ false, %B518.i.i.i ], [ false, %switch.lookup9369 ], [ false, %switch.lookup9365 ], [ false, %switch.lookup9361 ], [ true, %B50.i.i.i ], [ true, %B830.i.i.i ]
+_ZN12clpt_control6native9for_numba8may_hideB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i: ; preds = %B830.i.i.i, %B50.i.i.i, %B518.i.i.i, %switch.lookup9358, %switch.lookup9362, %switch.lookup9366
+  %.1897.not.i.i = phi i1 [ true, %B518.i.i.i ], [ true, %switch.lookup9366 ], [ true, %switch.lookup9362 ], [ true, %switch.lookup9358 ], [ %exitcond.not.i.i.i, %B50.i.i.i ], [ %exitcond.not.i.i.i, %B830.i.i.i ]
+  %excinfo.3.3.i.i = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16.100, %B518.i.i.i ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16.100, %switch.lookup9366 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16.100, %switch.lookup9362 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16.100, %switch.lookup9358 ], [ %excinfo.3.01300.i.i, %B50.i.i.i ], [ %excinfo.3.01300.i.i, %B830.i.i.i ]
+  %.1886.not.i.i = phi i1 [ false, %B518.i.i.i ], [ false, %switch.lookup9366 ], [ false, %switch.lookup9362 ], [ false, %switch.lookup9358 ], [ true, %B50.i.i.i ], [ true, %B830.i.i.i ]
   br i1 %.1886.not.i.i, label %B1170.endif.endif.i.i, label %_ZN12clpt_control6native9for_numba11mark_passedB3v43B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i, !prof !53
 
 B1208.i.i:                                        ; preds = %B1170.endif.endif.i.i
@@ -3398,10 +3427,10 @@ B1208.i.i:                                        ; preds = %B1170.endif.endif.i
   %.426.i.i.i = load i64, ptr %.1197.i.i, align 8, !noalias !154
   %.452.i.i.i = icmp slt i64 %.426.i.i.i, 0
   %.453.i.i.i = select i1 %.452.i.i.i, i64 %arg.batch.3.3.5.0, i64 0
-  %.454.i.i.i8966 = add i64 %.453.i.i.i, %.426.i.i.i
-  %.474.i.i.i = mul i64 %.454.i.i.i8966, %arg.batch.3.3.5.1
-  %275 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.474.i.i.i
-  %.478.i.i.i = getelementptr i8, ptr %275, i64 24
+  %.454.i.i.i8965 = add i64 %.453.i.i.i, %.426.i.i.i
+  %.474.i.i.i = mul i64 %.454.i.i.i8965, %arg.batch.3.3.5.1
+  %278 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.474.i.i.i
+  %.478.i.i.i = getelementptr i8, ptr %278, i64 24
   %.479.i.i.i = load i64, ptr %.478.i.i.i, align 8, !noalias !154
   %.480.i.i.i = add nsw i64 %.479.i.i.i, 1
   store i64 %.480.i.i.i, ptr %.478.i.i.i, align 8, !noalias !154
@@ -3417,9 +3446,9 @@ B1304.i.i:                                        ; preds = %B1300.i.i
   %.2137.i.i = icmp sgt i64 %.2136.i.i, -1
   br label %B1342.i.i
 
-B1342.i.i:                                        ; preds = %B1304.i.i, %B1300.i.i, %B702.i.i8961, %B584.i.i
-  %excinfo.3.1.i.i = phi ptr [ %excinfo.3.2.i.i, %B1300.i.i ], [ %excinfo.3.2.i.i, %B1304.i.i ], [ %excinfo.3.01300.i.i, %B702.i.i8961 ], [ %excinfo.3.01300.i.i, %B584.i.i ]
-  %some.3.1.i.i = phi i1 [ true, %B1300.i.i ], [ %.2137.i.i, %B1304.i.i ], [ %some.2.01301.i.i, %B702.i.i8961 ], [ %some.2.01301.i.i, %B584.i.i ]
+B1342.i.i:                                        ; preds = %B1304.i.i, %B1300.i.i, %B702.i.i8960, %B584.i.i
+  %excinfo.3.1.i.i = phi ptr [ %excinfo.3.2.i.i, %B1300.i.i ], [ %excinfo.3.2.i.i, %B1304.i.i ], [ %excinfo.3.01300.i.i, %B702.i.i8960 ], [ %excinfo.3.01300.i.i, %B584.i.i ]
+  %some.3.1.i.i = phi i1 [ true, %B1300.i.i ], [ %.2137.i.i, %B1304.i.i ], [ %some.2.01301.i.i, %B702.i.i8960 ], [ %some.2.01301.i.i, %B584.i.i ]
   %.934.i.i = icmp sgt i64 %.880.11303.i.i, 0
   %.947.i.i = zext i1 %.934.i.i to i64
   %.877.1.i.i = add i64 %.877.11302.i.i, %.947.i.i
@@ -3429,155 +3458,155 @@ B1342.i.i:                                        ; preds = %B1304.i.i, %B1300.i
   br i1 %.934.i.i, label %B584.i.i, label %B1346.loopexit.i.i
 
 B1346.loopexit.i.i:                               ; preds = %B1342.i.i
-  %276 = xor i1 %some.3.1.i.i, true
+  %279 = xor i1 %some.3.1.i.i, true
   br label %_ZN12clpt_control6native9for_numba11mark_passedB3v43B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i
 
-B246.if.i.i:                                      ; preds = %B348.i.i8947, %B116.loopexit.8.i
-  %.344.01295.i.i = phi i64 [ %.354.i.i, %B116.loopexit.8.i ], [ %.408.i.i, %B348.i.i8947 ]
-  %.341.01294.i.i = phi i64 [ %..i.i, %B116.loopexit.8.i ], [ %.412.i.i, %B348.i.i8947 ]
+B246.if.i.i:                                      ; preds = %B348.i.i8946, %B116.loopexit.8.i
+  %.344.01295.i.i = phi i64 [ %.354.i.i, %B116.loopexit.8.i ], [ %.408.i.i, %B348.i.i8946 ]
+  %.341.01294.i.i = phi i64 [ %..i.i, %B116.loopexit.8.i ], [ %.412.i.i, %B348.i.i8946 ]
   %.408.i.i = add nsw i64 %.344.01295.i.i, -1
   %.412.i.i = add nsw i64 %.341.01294.i.i, 1
-  br i1 %.5201291.not.i.i, label %B348.i.i8947, label %B280.if.i.i.preheader
+  br i1 %.5201291.not.i.i, label %B348.i.i8946, label %B280.if.i.i.preheader
 
 B280.if.i.i.preheader:                            ; preds = %B246.if.i.i
-  %277 = icmp ult i64 %.341.01294.i.i, 8
-  %switch.gep9377 = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.13, i64 %.341.01294.i.i
+  %280 = icmp ult i64 %.341.01294.i.i, 8
+  %switch.gep9374 = getelementptr inbounds double, ptr @switch.table._ZN12clpt_control6native9for_numba11mark_passedB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_285_298UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.13, i64 %.341.01294.i.i
   br label %B280.if.i.i
 
 B280.if.i.i:                                      ; preds = %B280.if.i.i.preheader, %B280.loopexit.i.i
   %.464.01292.i.i = phi i64 [ %.533.i.i, %B280.loopexit.i.i ], [ 0, %B280.if.i.i.preheader ]
   %.533.i.i = add nsw i64 %.464.01292.i.i, 1
-  br i1 %277, label %switch.lookup9376, label %switch.end.i.i
+  br i1 %280, label %switch.lookup9373, label %switch.end.i.i
 
-switch.lookup9376:                                ; preds = %B280.if.i.i
-  %switch.load9378 = load double, ptr %switch.gep9377, align 8
+switch.lookup9373:                                ; preds = %B280.if.i.i
+  %switch.load9375 = load double, ptr %switch.gep9374, align 8
   br label %switch.end.i.i
 
-switch.end.i.i:                                   ; preds = %B280.if.i.i, %switch.lookup9376
-  %.575.i.i = phi double [ %switch.load9378, %switch.lookup9376 ], [ 1.000000e+00, %B280.if.i.i ]
+switch.end.i.i:                                   ; preds = %B280.if.i.i, %switch.lookup9373
+  %.575.i.i = phi double [ %switch.load9375, %switch.lookup9373 ], [ 1.000000e+00, %B280.if.i.i ]
   %.92.i.i.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.464.01292.i.i
   %.93.i.i.i = load double, ptr %.92.i.i.i, align 8, !noalias !157
   %.146.i.i.i = getelementptr double, ptr %66, i64 %.464.01292.i.i
   %.147.i.i.i = load double, ptr %.146.i.i.i, align 8, !noalias !157
   %.149.i.i.i = fmul double %.575.i.i, %.147.i.i.i
-  %.150.i.i.i8975 = fadd double %.93.i.i.i, %.149.i.i.i
+  %.150.i.i.i8974 = fadd double %.93.i.i.i, %.149.i.i.i
   %.203.i.i.i = getelementptr double, ptr %.571, i64 %.464.01292.i.i
-  store double %.150.i.i.i8975, ptr %.203.i.i.i, align 8, !noalias !157
+  store double %.150.i.i.i8974, ptr %.203.i.i.i, align 8, !noalias !157
   br i1 %.287.i1288.not.i.i, label %B280.loopexit.i.i, label %B122.if.i.lr.ph.i.i
 
 B122.if.i.lr.ph.i.i:                              ; preds = %switch.end.i.i
   %.247.i.i.i.i = fsub double 1.000000e+00, %.575.i.i
-  %invariant.gep.i8976 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.464.01292.i.i
+  %invariant.gep.i8975 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.464.01292.i.i
   br label %B122.if.i.i.i
 
 B122.if.i.i.i:                                    ; preds = %B122.if.i.i.i, %B122.if.i.lr.ph.i.i
   %.229.i.01289.i.i = phi i64 [ 0, %B122.if.i.lr.ph.i.i ], [ %.300.i.i.i, %B122.if.i.i.i ]
   %.157.i.i.i.i = add nsw i64 %.229.i.01289.i.i, %.155.i.i.i.i
   %.159.i.i.i.i = mul nsw i64 %.157.i.i.i.i, %arg.shape.0
-  %gep.i = getelementptr double, ptr %invariant.gep.i8976, i64 %.159.i.i.i.i
+  %gep.i = getelementptr double, ptr %invariant.gep.i8975, i64 %.159.i.i.i.i
   %.191.i.i.i.i = load double, ptr %gep.i, align 8, !noalias !161
   %.193.i.i.i.i = fadd double %.191.i.i.i.i, 0.000000e+00
   %.253.i.i.i.i = fmul double %.575.i.i, %.193.i.i.i.i
   %.157.i.i.1.i.i = add nsw i64 %.229.i.01289.i.i, %.155.i.i.1.i.i
   %.159.i.i.1.i.i = mul nsw i64 %.157.i.i.1.i.i, %arg.shape.0
-  %gep609.i = getelementptr double, ptr %invariant.gep.i8976, i64 %.159.i.i.1.i.i
+  %gep609.i = getelementptr double, ptr %invariant.gep.i8975, i64 %.159.i.i.1.i.i
   %.191.i.i.1.i.i = load double, ptr %gep609.i, align 8, !noalias !161
   %.193.i.i.1.i.i = fadd double %.191.i.i.1.i.i, %.253.i.i.i.i
   %.253.i.i.1.i.i = fmul double %.247.i.i.i.i, %.193.i.i.1.i.i
   %.157.i.i.2.i.i = add nsw i64 %.229.i.01289.i.i, %.155.i.i.2.i.i
   %.159.i.i.2.i.i = mul nsw i64 %.157.i.i.2.i.i, %arg.shape.0
-  %gep611.i = getelementptr double, ptr %invariant.gep.i8976, i64 %.159.i.i.2.i.i
+  %gep611.i = getelementptr double, ptr %invariant.gep.i8975, i64 %.159.i.i.2.i.i
   %.191.i.i.2.i.i = load double, ptr %gep611.i, align 8, !noalias !161
   %.193.i.i.2.i.i = fadd double %.191.i.i.2.i.i, %.253.i.i.1.i.i
   %.253.i.i.2.i.i = fmul double %.575.i.i, %.193.i.i.2.i.i
   %.157.i.i.3.i.i = add nsw i64 %.229.i.01289.i.i, %.155.i.i.3.i.i
   %.159.i.i.3.i.i = mul nsw i64 %.157.i.i.3.i.i, %arg.shape.0
-  %gep613.i = getelementptr double, ptr %invariant.gep.i8976, i64 %.159.i.i.3.i.i
+  %gep613.i = getelementptr double, ptr %invariant.gep.i8975, i64 %.159.i.i.3.i.i
   %.191.i.i.3.i.i = load double, ptr %gep613.i, align 8, !noalias !161
   %.193.i.i.3.i.i = fadd double %.191.i.i.3.i.i, %.253.i.i.2.i.i
   %.253.i.i.3.i.i = fmul double %.247.i.i.i.i, %.193.i.i.3.i.i
   %.157.i.i.4.i.i = add nsw i64 %.229.i.01289.i.i, %.155.i.i.4.i.i
   %.159.i.i.4.i.i = mul nsw i64 %.157.i.i.4.i.i, %arg.shape.0
-  %gep615.i = getelementptr double, ptr %invariant.gep.i8976, i64 %.159.i.i.4.i.i
+  %gep615.i = getelementptr double, ptr %invariant.gep.i8975, i64 %.159.i.i.4.i.i
   %.191.i.i.4.i.i = load double, ptr %gep615.i, align 8, !noalias !161
   %.193.i.i.4.i.i = fadd double %.191.i.i.4.i.i, %.253.i.i.3.i.i
   %.253.i.i.4.i.i = fmul double %.575.i.i, %.193.i.i.4.i.i
   %.157.i.i.5.i.i = add nsw i64 %.229.i.01289.i.i, %.155.i.i.5.i.i
   %.159.i.i.5.i.i = mul nsw i64 %.157.i.i.5.i.i, %arg.shape.0
-  %gep617.i = getelementptr double, ptr %invariant.gep.i8976, i64 %.159.i.i.5.i.i
+  %gep617.i = getelementptr double, ptr %invariant.gep.i8975, i64 %.159.i.i.5.i.i
   %.191.i.i.5.i.i = load double, ptr %gep617.i, align 8, !noalias !161
   %.193.i.i.5.i.i = fadd double %.191.i.i.5.i.i, %.253.i.i.4.i.i
   %.253.i.i.5.i.i = fmul double %.247.i.i.i.i, %.193.i.i.5.i.i
   %.157.i.i.6.i.i = add nsw i64 %.229.i.01289.i.i, %.155.i.i.6.i.i
   %.159.i.i.6.i.i = mul nsw i64 %.157.i.i.6.i.i, %arg.shape.0
-  %gep619.i = getelementptr double, ptr %invariant.gep.i8976, i64 %.159.i.i.6.i.i
+  %gep619.i = getelementptr double, ptr %invariant.gep.i8975, i64 %.159.i.i.6.i.i
   %.191.i.i.6.i.i = load double, ptr %gep619.i, align 8, !noalias !161
   %.193.i.i.6.i.i = fadd double %.191.i.i.6.i.i, %.253.i.i.5.i.i
   %.253.i.i.6.i.i = fmul double %.575.i.i, %.193.i.i.6.i.i
   %.300.i.i.i = add nsw i64 %.229.i.01289.i.i, 1
   %.271.i.i.i.i = mul nsw i64 %.229.i.01289.i.i, %arg.shape.0
-  %gep621.i = getelementptr double, ptr %invariant.gep.i8976, i64 %.271.i.i.i.i
+  %gep621.i = getelementptr double, ptr %invariant.gep.i8975, i64 %.271.i.i.i.i
   %.309.i.i.i.i = load double, ptr %gep621.i, align 8, !noalias !161
   %.313.i.i.i.i = fadd double %.309.i.i.i.i, %.253.i.i.6.i.i
   %.359.i.i.i = add nsw i64 %.229.i.01289.i.i, %.358.i.i.i
   %.361.i.i.i = mul nsw i64 %.359.i.i.i, %arg.shape.0
-  %gep623.i = getelementptr double, ptr %invariant.gep.i8976, i64 %.361.i.i.i
+  %gep623.i = getelementptr double, ptr %invariant.gep.i8975, i64 %.361.i.i.i
   store double %.313.i.i.i.i, ptr %gep623.i, align 8, !noalias !157
-  %exitcond.not.i.i8977 = icmp eq i64 %arg.shape.1, %.300.i.i.i
-  br i1 %exitcond.not.i.i8977, label %B280.loopexit.i.i, label %B122.if.i.i.i
+  %exitcond.not.i.i8976 = icmp eq i64 %arg.shape.1, %.300.i.i.i
+  br i1 %exitcond.not.i.i8976, label %B280.loopexit.i.i, label %B122.if.i.i.i
 
 B1170.endif.endif.i.i:                            ; preds = %_ZN12clpt_control6native9for_numba8may_hideB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
   br i1 %.1897.not.i.i, label %B1300.i.i, label %B1208.i.i
 
 _ZN12clpt_control6native9for_numba11mark_passedB3v43B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i: ; preds = %_ZN12clpt_control6native9for_numba8may_hideB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, %B1346.loopexit.i.i, %B550.i.i
-  %.512.0.i = phi i1 [ %276, %B1346.loopexit.i.i ], [ true, %B550.i.i ], [ true, %_ZN12clpt_control6native9for_numba8may_hideB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
+  %.512.0.i = phi i1 [ %279, %B1346.loopexit.i.i ], [ true, %B550.i.i ], [ true, %_ZN12clpt_control6native9for_numba8may_hideB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
   %excinfo.1.0.i = phi ptr [ null, %B1346.loopexit.i.i ], [ null, %B550.i.i ], [ %excinfo.3.3.i.i, %_ZN12clpt_control6native9for_numba8may_hideB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
   %common.ret.op.i.i.not = phi i1 [ false, %B1346.loopexit.i.i ], [ false, %B550.i.i ], [ true, %_ZN12clpt_control6native9for_numba8may_hideB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
-  %brmerge9163 = select i1 %common.ret.op.i.i.not, i1 true, i1 %.512.0.i, !prof !165
-  %brmerge9164 = or i1 %.5201291.not.i.i, %brmerge9163
+  %brmerge9160 = select i1 %common.ret.op.i.i.not, i1 true, i1 %.512.0.i, !prof !165
+  %brmerge9161 = or i1 %.5201291.not.i.i, %brmerge9160
   %excinfo.1.0.i.mux.mux = select i1 %common.ret.op.i.i.not, ptr %excinfo.1.0.i, ptr %excinfo.13.0, !prof !166
   %.mux.mux = zext i1 %common.ret.op.i.i.not to i32
-  br i1 %brmerge9164, label %_ZN12clpt_control6native9for_numba12watch_guardsB3v42B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, label %B286.if.i8950, !prof !167
+  br i1 %brmerge9161, label %_ZN12clpt_control6native9for_numba12watch_guardsB3v42B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, label %B286.if.i8949, !prof !167
 
-B328.i:                                           ; preds = %B286.if.i8950
-  %278 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.634.0625.i
-  %.84.i.i8952 = load i64, ptr %278, align 8, !noalias !168
-  %.89.i.i8953 = icmp sgt i64 %.84.i.i8952, -1
-  br i1 %.89.i.i8953, label %B46.i.i8954, label %B328.endif.i
+B328.i:                                           ; preds = %B286.if.i8949
+  %281 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.634.0625.i
+  %.84.i.i8951 = load i64, ptr %281, align 8, !noalias !168
+  %.89.i.i8952 = icmp sgt i64 %.84.i.i8951, -1
+  br i1 %.89.i.i8952, label %B46.i.i8953, label %B328.endif.i
 
-B46.i.i8954:                                      ; preds = %B328.i
-  %.120.i.i8955 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i.i8952
-  %.121.i.i8956 = load i64, ptr %.120.i.i8955, align 8, !noalias !168
-  %.122.i.i8957 = icmp eq i64 %.121.i.i8956, 0
-  br i1 %.122.i.i8957, label %B80.i.i8958, label %B328.endif.i
+B46.i.i8953:                                      ; preds = %B328.i
+  %.120.i.i8954 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i.i8951
+  %.121.i.i8955 = load i64, ptr %.120.i.i8954, align 8, !noalias !168
+  %.122.i.i8956 = icmp eq i64 %.121.i.i8955, 0
+  br i1 %.122.i.i8956, label %B80.i.i8957, label %B328.endif.i
 
-B80.i.i8958:                                      ; preds = %B46.i.i8954
-  store i64 4, ptr %.120.i.i8955, align 8, !noalias !168
+B80.i.i8957:                                      ; preds = %B46.i.i8953
+  store i64 4, ptr %.120.i.i8954, align 8, !noalias !168
   br label %B328.endif.i
 
-B398.i:                                           ; preds = %B328.endif.i, %B286.if.i8950
+B398.i:                                           ; preds = %B328.endif.i, %B286.if.i8949
   %exitcond629.not.i = icmp eq i64 %.703.i, %arg.shape.0
-  br i1 %exitcond629.not.i, label %_ZN12clpt_control6native9for_numba12watch_guardsB3v42B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, label %B286.if.i8950
+  br i1 %exitcond629.not.i, label %_ZN12clpt_control6native9for_numba12watch_guardsB3v42B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, label %B286.if.i8949
 
 B150.if.i:                                        ; preds = %B3418, %B150.if.i
-  %.361.0604.i = phi i64 [ %.430.i8944, %B150.if.i ], [ 0, %B3418 ]
-  %.430.i8944 = add nsw i64 %.361.0604.i, 1
-  %gep9268 = getelementptr double, ptr %invariant.gep9267, i64 %.361.0604.i
-  store double 1.000000e-09, ptr %gep9268, align 8, !noalias !134
-  %exitcond.not.i8945 = icmp eq i64 %arg.shape.0, %.430.i8944
-  br i1 %exitcond.not.i8945, label %B150.if.1.i, label %B150.if.i
+  %.361.0604.i = phi i64 [ %.430.i8943, %B150.if.i ], [ 0, %B3418 ]
+  %.430.i8943 = add nsw i64 %.361.0604.i, 1
+  %gep9265 = getelementptr double, ptr %invariant.gep9264, i64 %.361.0604.i
+  store double 1.000000e-09, ptr %gep9265, align 8, !noalias !134
+  %exitcond.not.i8944 = icmp eq i64 %arg.shape.0, %.430.i8943
+  br i1 %exitcond.not.i8944, label %B150.if.1.i, label %B150.if.i
 
-B286.if.i8950:                                    ; preds = %_ZN12clpt_control6native9for_numba11mark_passedB3v43B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i, %B398.i
+B286.if.i8949:                                    ; preds = %_ZN12clpt_control6native9for_numba11mark_passedB3v43B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i, %B398.i
   %.634.0625.i = phi i64 [ %.703.i, %B398.i ], [ 0, %_ZN12clpt_control6native9for_numba11mark_passedB3v43B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i ]
   %.703.i = add nsw i64 %.634.0625.i, 1
-  %279 = getelementptr i64, ptr %74, i64 %.634.0625.i
-  %.785.i8951 = load i64, ptr %279, align 8, !noalias !134
-  %.786.i = icmp sgt i64 %.785.i8951, -1
+  %282 = getelementptr i64, ptr %74, i64 %.634.0625.i
+  %.785.i8950 = load i64, ptr %282, align 8, !noalias !134
+  %.786.i = icmp sgt i64 %.785.i8950, -1
   br i1 %.786.i, label %B328.i, label %B398.i
 
-B328.endif.i:                                     ; preds = %B80.i.i8958, %B46.i.i8954, %B328.i
-  %280 = getelementptr double, ptr %75, i64 %.634.0625.i
-  store double 0.000000e+00, ptr %280, align 8, !noalias !134
+B328.endif.i:                                     ; preds = %B80.i.i8957, %B46.i.i8953, %B328.i
+  %283 = getelementptr double, ptr %75, i64 %.634.0625.i
+  store double 0.000000e+00, ptr %283, align 8, !noalias !134
   br label %B398.i
 
 _ZN12clpt_control6native9for_numba12watch_guardsB3v42B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit: ; preds = %B398.i, %_ZN12clpt_control6native9for_numba11mark_passedB3v43B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_282_298UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i
@@ -3598,20 +3627,20 @@ B3466:                                            ; preds = %B3458
 
 B172.i:                                           ; preds = %B96.if.i
   %.452.i = getelementptr double, ptr %77, i64 %.180.0654.i
-  %.453.i8981 = load double, ptr %.452.i, align 8, !noalias !171
-  %.454.i8982 = fcmp olt double %.453.i8981, 5.000000e-01
-  br i1 %.454.i8982, label %B789.i, label %B210.i
+  %.453.i8980 = load double, ptr %.452.i, align 8, !noalias !171
+  %.454.i8981 = fcmp olt double %.453.i8980, 5.000000e-01
+  br i1 %.454.i8981, label %B789.i, label %B210.i
 
 B210.i:                                           ; preds = %B172.i
-  %.485.i8983 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.334.i
-  %.486.i = load i64, ptr %.485.i8983, align 8, !noalias !171
+  %.485.i8982 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.334.i
+  %.486.i = load i64, ptr %.485.i8982, align 8, !noalias !171
   %.487.not.i = icmp eq i64 %.486.i, 0
   br i1 %.487.not.i, label %B246.i, label %B789.i
 
 B246.i:                                           ; preds = %B210.i
   %.549.i = mul i64 %.334.i, %arg.batch.3.3.5.1
-  %281 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.549.i
-  %.553.i = getelementptr i8, ptr %281, i64 8
+  %284 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.549.i
+  %.553.i = getelementptr i8, ptr %284, i64 8
   %.554.i = load i64, ptr %.553.i, align 8, !noalias !171
   %.556.i = add nsw i64 %.554.i, %"$phi3502.7.2.2"
   store i64 %.556.i, ptr %.553.i, align 8, !noalias !171
@@ -3626,26 +3655,26 @@ B246.i:                                           ; preds = %B210.i
 
 B420.i:                                           ; preds = %B246.i
   %.817.i = icmp slt i64 %.389.i, 0
-  %.818.i8984 = select i1 %.817.i, i64 %arg.batch.2.5.0, i64 0
-  %282 = getelementptr double, ptr %arg.batch.2.4, i64 %.389.i
-  %.832.i8985 = getelementptr double, ptr %282, i64 %.818.i8984
-  %.833.i8986 = load double, ptr %.832.i8985, align 8, !noalias !171
-  %.837.i = fcmp ugt double %.833.i8986, %.773.i
+  %.818.i8983 = select i1 %.817.i, i64 %arg.batch.2.5.0, i64 0
+  %285 = getelementptr double, ptr %arg.batch.2.4, i64 %.389.i
+  %.832.i8984 = getelementptr double, ptr %285, i64 %.818.i8983
+  %.833.i8985 = load double, ptr %.832.i8984, align 8, !noalias !171
+  %.837.i = fcmp ugt double %.833.i8985, %.773.i
   br i1 %.837.i, label %B760.i, label %B444.preheader.i
 
 B444.preheader.i:                                 ; preds = %B420.i
   %factor.op.mul.reass.i = mul i64 %factor.op.mul652.i, %.334.i
-  %.1324.i8987 = getelementptr double, ptr %80, i64 %.180.0654.i
-  %283 = getelementptr double, ptr %arg.batch.3.0.4, i64 %factor.op.mul.reass.i
-  %invariant.gep9285 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep9287 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep9289 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep9291 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep9293 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep9295 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep9297 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep9299 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep9301 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %.1324.i = getelementptr double, ptr %80, i64 %.180.0654.i
+  %286 = getelementptr double, ptr %arg.batch.3.0.4, i64 %factor.op.mul.reass.i
+  %invariant.gep9282 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep9284 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep9286 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep9288 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep9290 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep9292 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep9294 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep9296 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep9298 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
   br label %B444.i
 
 B444.i:                                           ; preds = %B736.i, %B444.preheader.i
@@ -3655,23 +3684,23 @@ B444.i:                                           ; preds = %B736.i, %B444.prehe
 B474.if.lr.ph.i:                                  ; preds = %B444.i
   %.979.i = icmp slt i64 %done.2.3.i, 0
   %.980.i = select i1 %.979.i, i64 %arg.batch.2.5.0, i64 0
-  %284 = getelementptr double, ptr %arg.batch.2.4, i64 %done.2.3.i
-  %.994.i = getelementptr double, ptr %284, i64 %.980.i
+  %287 = getelementptr double, ptr %arg.batch.2.4, i64 %done.2.3.i
+  %.994.i = getelementptr double, ptr %287, i64 %.980.i
   %.1220.i = select i1 %.979.i, i64 %arg.batch.3.0.5.1, i64 0
   %.1221.i = add i64 %.1220.i, %done.2.3.i
   %.1250.i = mul i64 %.1221.i, %arg.batch.3.0.5.2
-  %285 = getelementptr double, ptr %283, i64 %.1250.i
+  %288 = getelementptr double, ptr %286, i64 %.1250.i
   br label %B474.if.i
 
 B502.i:                                           ; preds = %B474.if.i
-  %.1002.i8995 = add nsw i64 %.868.0650.i, %.1000.i8980
-  %.1004.i = mul nsw i64 %.1002.i8995, %arg.shape.0
-  %gep9302 = getelementptr double, ptr %invariant.gep9301, i64 %.1004.i
-  %.1036.i = load double, ptr %gep9302, align 8, !noalias !171
+  %.1002.i8992 = add nsw i64 %.868.0650.i, %.1000.i8979
+  %.1004.i = mul nsw i64 %.1002.i8992, %arg.shape.0
+  %gep9299 = getelementptr double, ptr %invariant.gep9298, i64 %.1004.i
+  %.1036.i = load double, ptr %gep9299, align 8, !noalias !171
   br label %B790.i
 
 B644.i:                                           ; preds = %B790.i, %B444.i
-  store double 0x7FF0000000000000, ptr %.1324.i8987, align 8, !noalias !171
+  store double 0x7FF0000000000000, ptr %.1324.i, align 8, !noalias !171
   %exitcond656.not.i = icmp eq i64 %done.2.3.i, %81
   br i1 %exitcond656.not.i, label %B760.i, label %B736.i
 
@@ -3679,10 +3708,10 @@ B736.i:                                           ; preds = %B644.i
   %.1262.i = add i64 %done.2.3.i, 1
   %.1359.i = icmp slt i64 %done.2.3.i, -1
   %.1360.i = select i1 %.1359.i, i64 %arg.batch.2.5.0, i64 0
-  %286 = getelementptr double, ptr %arg.batch.2.4, i64 %.1262.i
-  %.1374.i = getelementptr double, ptr %286, i64 %.1360.i
-  %.1375.i8994 = load double, ptr %.1374.i, align 8, !noalias !171
-  %.1379.i = fcmp ugt double %.1375.i8994, %.773.i
+  %289 = getelementptr double, ptr %arg.batch.2.4, i64 %.1262.i
+  %.1374.i = getelementptr double, ptr %289, i64 %.1360.i
+  %.1375.i = load double, ptr %.1374.i, align 8, !noalias !171
+  %.1379.i = fcmp ugt double %.1375.i, %.773.i
   br i1 %.1379.i, label %B760.i, label %B444.i
 
 B760.i:                                           ; preds = %B736.i, %B644.i, %B420.i, %B246.i
@@ -3696,10 +3725,10 @@ B789.i:                                           ; preds = %B96.if.i, %B760.i, 
 
 B790.i:                                           ; preds = %B38.if.i.i, %B502.i
   %.313.i.i.sink = phi double [ %.313.i.i, %B38.if.i.i ], [ %.1036.i, %B502.i ]
-  %287 = getelementptr double, ptr %285, i64 %.868.0650.i
-  store double %.313.i.i.sink, ptr %287, align 8, !noalias !171
-  %exitcond.not.i8993 = icmp eq i64 %arg.shape.1, %.937.i
-  br i1 %exitcond.not.i8993, label %B644.i, label %B474.if.i
+  %290 = getelementptr double, ptr %288, i64 %.868.0650.i
+  store double %.313.i.i.sink, ptr %290, align 8, !noalias !171
+  %exitcond.not.i8991 = icmp eq i64 %arg.shape.1, %.937.i
+  br i1 %exitcond.not.i8991, label %B644.i, label %B474.if.i
 
 B96.if.i:                                         ; preds = %B3466, %B789.i
   %.180.0654.i = phi i64 [ %.252.i, %B789.i ], [ 0, %B3466 ]
@@ -3722,51 +3751,51 @@ B38.if.i.i:                                       ; preds = %B474.if.i
   %.1145.i = fsub double %.995.i, %.663.i
   %.1150.i = fdiv double %.1145.i, %.718.i
   %.247.i.i = fsub double 1.000000e+00, %.1150.i
-  %.157.i.i = add nsw i64 %.868.0650.i, %.155.i.i8988
-  %.159.i.i8989 = mul nsw i64 %.157.i.i, %arg.shape.0
-  %gep9286 = getelementptr double, ptr %invariant.gep9285, i64 %.159.i.i8989
-  %.191.i.i8990 = load double, ptr %gep9286, align 8, !noalias !174
-  %.193.i.i = fadd double %.191.i.i8990, 0.000000e+00
-  %.253.i.i8991 = fmul double %.1150.i, %.193.i.i
+  %.157.i.i = add nsw i64 %.868.0650.i, %.155.i.i8986
+  %.159.i.i8987 = mul nsw i64 %.157.i.i, %arg.shape.0
+  %gep9283 = getelementptr double, ptr %invariant.gep9282, i64 %.159.i.i8987
+  %.191.i.i8988 = load double, ptr %gep9283, align 8, !noalias !174
+  %.193.i.i = fadd double %.191.i.i8988, 0.000000e+00
+  %.253.i.i8989 = fmul double %.1150.i, %.193.i.i
   %.157.i.1.i = add nsw i64 %.868.0650.i, %.155.i.1.i
   %.159.i.1.i = mul nsw i64 %.157.i.1.i, %arg.shape.0
-  %gep9288 = getelementptr double, ptr %invariant.gep9287, i64 %.159.i.1.i
-  %.191.i.1.i = load double, ptr %gep9288, align 8, !noalias !174
-  %.193.i.1.i = fadd double %.191.i.1.i, %.253.i.i8991
+  %gep9285 = getelementptr double, ptr %invariant.gep9284, i64 %.159.i.1.i
+  %.191.i.1.i = load double, ptr %gep9285, align 8, !noalias !174
+  %.193.i.1.i = fadd double %.191.i.1.i, %.253.i.i8989
   %.253.i.1.i = fmul double %.247.i.i, %.193.i.1.i
   %.157.i.2.i = add nsw i64 %.868.0650.i, %.155.i.2.i
   %.159.i.2.i = mul nsw i64 %.157.i.2.i, %arg.shape.0
-  %gep9290 = getelementptr double, ptr %invariant.gep9289, i64 %.159.i.2.i
-  %.191.i.2.i = load double, ptr %gep9290, align 8, !noalias !174
+  %gep9287 = getelementptr double, ptr %invariant.gep9286, i64 %.159.i.2.i
+  %.191.i.2.i = load double, ptr %gep9287, align 8, !noalias !174
   %.193.i.2.i = fadd double %.191.i.2.i, %.253.i.1.i
   %.253.i.2.i = fmul double %.1150.i, %.193.i.2.i
   %.157.i.3.i = add nsw i64 %.868.0650.i, %.155.i.3.i
   %.159.i.3.i = mul nsw i64 %.157.i.3.i, %arg.shape.0
-  %gep9292 = getelementptr double, ptr %invariant.gep9291, i64 %.159.i.3.i
-  %.191.i.3.i = load double, ptr %gep9292, align 8, !noalias !174
+  %gep9289 = getelementptr double, ptr %invariant.gep9288, i64 %.159.i.3.i
+  %.191.i.3.i = load double, ptr %gep9289, align 8, !noalias !174
   %.193.i.3.i = fadd double %.191.i.3.i, %.253.i.2.i
   %.253.i.3.i = fmul double %.247.i.i, %.193.i.3.i
   %.157.i.4.i = add nsw i64 %.868.0650.i, %.155.i.4.i
   %.159.i.4.i = mul nsw i64 %.157.i.4.i, %arg.shape.0
-  %gep9294 = getelementptr double, ptr %invariant.gep9293, i64 %.159.i.4.i
-  %.191.i.4.i = load double, ptr %gep9294, align 8, !noalias !174
+  %gep9291 = getelementptr double, ptr %invariant.gep9290, i64 %.159.i.4.i
+  %.191.i.4.i = load double, ptr %gep9291, align 8, !noalias !174
   %.193.i.4.i = fadd double %.191.i.4.i, %.253.i.3.i
   %.253.i.4.i = fmul double %.1150.i, %.193.i.4.i
   %.157.i.5.i = add nsw i64 %.868.0650.i, %.155.i.5.i
   %.159.i.5.i = mul nsw i64 %.157.i.5.i, %arg.shape.0
-  %gep9296 = getelementptr double, ptr %invariant.gep9295, i64 %.159.i.5.i
-  %.191.i.5.i = load double, ptr %gep9296, align 8, !noalias !174
+  %gep9293 = getelementptr double, ptr %invariant.gep9292, i64 %.159.i.5.i
+  %.191.i.5.i = load double, ptr %gep9293, align 8, !noalias !174
   %.193.i.5.i = fadd double %.191.i.5.i, %.253.i.4.i
   %.253.i.5.i = fmul double %.247.i.i, %.193.i.5.i
   %.157.i.6.i = add nsw i64 %.868.0650.i, %.155.i.6.i
   %.159.i.6.i = mul nsw i64 %.157.i.6.i, %arg.shape.0
-  %gep9298 = getelementptr double, ptr %invariant.gep9297, i64 %.159.i.6.i
-  %.191.i.6.i = load double, ptr %gep9298, align 8, !noalias !174
+  %gep9295 = getelementptr double, ptr %invariant.gep9294, i64 %.159.i.6.i
+  %.191.i.6.i = load double, ptr %gep9295, align 8, !noalias !174
   %.193.i.6.i = fadd double %.191.i.6.i, %.253.i.5.i
   %.253.i.6.i = fmul double %.1150.i, %.193.i.6.i
-  %.271.i.i8992 = mul nsw i64 %.868.0650.i, %arg.shape.0
-  %gep9300 = getelementptr double, ptr %invariant.gep9299, i64 %.271.i.i8992
-  %.309.i.i = load double, ptr %gep9300, align 8, !noalias !174
+  %.271.i.i8990 = mul nsw i64 %.868.0650.i, %arg.shape.0
+  %gep9297 = getelementptr double, ptr %invariant.gep9296, i64 %.271.i.i8990
+  %.309.i.i = load double, ptr %gep9297, align 8, !noalias !174
   %.313.i.i = fadd double %.309.i.i, %.253.i.6.i
   br label %B790.i
 
@@ -3786,163 +3815,163 @@ B3568:                                            ; preds = %B3530, %B3518
 
 B3636:                                            ; preds = %B3568, %B3530
   %brmerge8878.not.not = xor i1 %brmerge8878.not, true
-  %brmerge9332 = or i1 %.794, %brmerge8878.not.not
-  br i1 %brmerge9332, label %B3692, label %B80.if.i4159
+  %brmerge9329 = or i1 %.794, %brmerge8878.not.not
+  br i1 %brmerge9329, label %B3692, label %B80.if.i4162
 
-B134.i:                                           ; preds = %B80.if.i4159
-  %.351.i3434 = getelementptr double, ptr %83, i64 %.141.i3229.09310
-  %.352.i3435 = load double, ptr %.351.i3434, align 8, !noalias !178
-  %.353.i3436 = fcmp ogt double %.352.i3435, 5.000000e-01
-  br i1 %.353.i3436, label %B174.i, label %B740.i
+B134.i:                                           ; preds = %B80.if.i4162
+  %.351.i3436 = getelementptr double, ptr %83, i64 %.141.i3231.09307
+  %.352.i3437 = load double, ptr %.351.i3436, align 8, !noalias !178
+  %.353.i3438 = fcmp ogt double %.352.i3437, 5.000000e-01
+  br i1 %.353.i3438, label %B174.i, label %B740.i
 
 B174.i:                                           ; preds = %B134.i
-  %.408.i3484 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.141.i3229.09310
-  %.409.i3485 = load double, ptr %.408.i3484, align 8, !noalias !178
-  %.463.i3533 = getelementptr double, ptr %84, i64 %.141.i3229.09310
-  %.464.i3534 = load double, ptr %.463.i3533, align 8, !noalias !178
-  %.465.i3535 = fsub double %.409.i3485, %.464.i3534
-  br i1 %.552.i35739303.not, label %B380.i, label %B270.if.i.preheader
+  %.408.i3486 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.141.i3231.09307
+  %.409.i3487 = load double, ptr %.408.i3486, align 8, !noalias !178
+  %.463.i3535 = getelementptr double, ptr %84, i64 %.141.i3231.09307
+  %.464.i3536 = load double, ptr %.463.i3535, align 8, !noalias !178
+  %.465.i3537 = fsub double %.409.i3487, %.464.i3536
+  br i1 %.552.i35759300.not, label %B380.i, label %B270.if.i.preheader
 
 B270.if.i.preheader:                              ; preds = %B174.i
-  %invariant.gep9391 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.141.i3229.09310
+  %invariant.gep9388 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.141.i3231.09307
   br label %B270.if.i
 
 B380.i:                                           ; preds = %B270.if.i, %B174.i
   %fastest.2.i.2.lcssa = phi double [ 0.000000e+00, %B174.i ], [ %.11.i.i, %B270.if.i ]
-  %.666.i3585 = fmul double %.465.i3535, %fastest.2.i.2.lcssa
-  %.698.i3611 = load double, ptr %.697.i3610, align 8, !noalias !178
-  %.699.i3612 = fcmp ogt double %.666.i3585, %.698.i3611
-  %.8887 = select i1 %.699.i3612, double 0x3E7AD7F29ABCAF48, double 5.000000e-06
-  %.743.i3641 = load double, ptr %.742.i3640, align 8, !noalias !178
-  %.773.i3666 = load double, ptr %arg.batch.2.4, align 8, !noalias !178
-  %.774.i3667 = fsub double %.743.i3641, %.773.i3666
-  %.776.i3669 = fmul double %.8887, %.774.i3667
-  %.780.i3672 = fcmp olt double %.465.i3535, %.776.i3669
-  br i1 %.780.i3672, label %B490.i, label %B528.i
+  %.666.i3587 = fmul double %.465.i3537, %fastest.2.i.2.lcssa
+  %.698.i3613 = load double, ptr %.697.i3612, align 8, !noalias !178
+  %.699.i3614 = fcmp ogt double %.666.i3587, %.698.i3613
+  %.8887 = select i1 %.699.i3614, double 0x3E7AD7F29ABCAF48, double 5.000000e-06
+  %.743.i3643 = load double, ptr %.742.i3642, align 8, !noalias !178
+  %.773.i3668 = load double, ptr %arg.batch.2.4, align 8, !noalias !178
+  %.774.i3669 = fsub double %.743.i3643, %.773.i3668
+  %.776.i3671 = fmul double %.8887, %.774.i3669
+  %.780.i3674 = fcmp olt double %.465.i3537, %.776.i3671
+  br i1 %.780.i3674, label %B490.i, label %B528.i
 
 B490.i:                                           ; preds = %B380.i
-  %288 = getelementptr i64, ptr %86, i64 %.141.i3229.09310
-  %.838.i4095 = load i64, ptr %288, align 8, !noalias !178
-  %.839.i4096 = add nsw i64 %.838.i4095, 1
+  %291 = getelementptr i64, ptr %86, i64 %.141.i3231.09307
+  %.838.i4098 = load i64, ptr %291, align 8, !noalias !178
+  %.839.i4099 = add nsw i64 %.838.i4098, 1
   br label %B528.i
 
 B528.i:                                           ; preds = %B380.i, %B490.i
-  %"$phi528.1.2.i.2" = phi i64 [ %.839.i4096, %B490.i ], [ 0, %B380.i ]
-  %289 = getelementptr i64, ptr %87, i64 %.141.i3229.09310
-  store i64 %"$phi528.1.2.i.2", ptr %289, align 8, !noalias !178
-  %.959.i3767 = load double, ptr %.408.i3484, align 8, !noalias !178
-  store double %.959.i3767, ptr %.463.i3533, align 8, !noalias !178
-  %.1068.i3848 = getelementptr double, ptr %88, i64 %.141.i3229.09310
-  store double 1.000000e+00, ptr %.1068.i3848, align 8, !noalias !178
+  %"$phi528.1.2.i.2" = phi i64 [ %.839.i4099, %B490.i ], [ 0, %B380.i ]
+  %292 = getelementptr i64, ptr %87, i64 %.141.i3231.09307
+  store i64 %"$phi528.1.2.i.2", ptr %292, align 8, !noalias !178
+  %.959.i3769 = load double, ptr %.408.i3486, align 8, !noalias !178
+  store double %.959.i3769, ptr %.463.i3535, align 8, !noalias !178
+  %.1068.i3850 = getelementptr double, ptr %88, i64 %.141.i3231.09307
+  store double 1.000000e+00, ptr %.1068.i3850, align 8, !noalias !178
   store i64 1, ptr %.1166, align 8, !noalias !178
-  %.1154.i = load i64, ptr %289, align 8, !noalias !178
+  %.1154.i = load i64, ptr %292, align 8, !noalias !178
   %.1155.i = icmp sgt i64 %.1154.i, 1000
   br i1 %.1155.i, label %B694.i, label %B740.i
 
 B694.i:                                           ; preds = %B528.i
-  %290 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.141.i3229.09310
-  %.84.i.i3991 = load i64, ptr %290, align 8, !noalias !182
-  %.89.i.i3994 = icmp sgt i64 %.84.i.i3991, -1
-  br i1 %.89.i.i3994, label %B46.i.i3999, label %B740.i
+  %293 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.141.i3231.09307
+  %.84.i.i3993 = load i64, ptr %293, align 8, !noalias !182
+  %.89.i.i3996 = icmp sgt i64 %.84.i.i3993, -1
+  br i1 %.89.i.i3996, label %B46.i.i4001, label %B740.i
 
-B46.i.i3999:                                      ; preds = %B694.i
-  %.120.i.i4019 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i.i3991
-  %.121.i.i4020 = load i64, ptr %.120.i.i4019, align 8, !noalias !182
-  %.122.i.i4021 = icmp eq i64 %.121.i.i4020, 0
-  br i1 %.122.i.i4021, label %B80.i.i4026, label %B740.i
+B46.i.i4001:                                      ; preds = %B694.i
+  %.120.i.i4021 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i.i3993
+  %.121.i.i4022 = load i64, ptr %.120.i.i4021, align 8, !noalias !182
+  %.122.i.i4023 = icmp eq i64 %.121.i.i4022, 0
+  br i1 %.122.i.i4023, label %B80.i.i4028, label %B740.i
 
-B80.i.i4026:                                      ; preds = %B46.i.i3999
-  store i64 6, ptr %.120.i.i4019, align 8, !noalias !182
+B80.i.i4028:                                      ; preds = %B46.i.i4001
+  store i64 6, ptr %.120.i.i4021, align 8, !noalias !182
   br label %B740.i
 
-B740.i:                                           ; preds = %B80.i.i4026, %B694.i, %B46.i.i3999, %B528.i, %B134.i, %B80.if.i4159
-  store double 0.000000e+00, ptr %.294.i3374, align 8, !noalias !178
-  %.200.i3315 = icmp sgt i64 %.144.i3230.09309, 1
-  br i1 %.200.i3315, label %B80.if.i4159, label %B3692
+B740.i:                                           ; preds = %B80.i.i4028, %B694.i, %B46.i.i4001, %B528.i, %B134.i, %B80.if.i4162
+  store double 0.000000e+00, ptr %.294.i3376, align 8, !noalias !178
+  %.200.i3317 = icmp sgt i64 %.144.i3232.09306, 1
+  br i1 %.200.i3317, label %B80.if.i4162, label %B3692
 
-B80.if.i4159:                                     ; preds = %B3636, %B740.i
-  %.141.i3229.09310 = phi i64 [ %.213.i4167, %B740.i ], [ 0, %B3636 ]
-  %.144.i3230.09309 = phi i64 [ %.209.i4164, %B740.i ], [ %storemerge, %B3636 ]
-  %.209.i4164 = add nsw i64 %.144.i3230.09309, -1
-  %.213.i4167 = add nsw i64 %.141.i3229.09310, 1
-  %.294.i3374 = getelementptr double, ptr %82, i64 %.141.i3229.09310
-  %.295.i3375 = load double, ptr %.294.i3374, align 8, !noalias !178
-  %.296.i3376 = fcmp oeq double %.295.i3375, 1.000000e+00
-  br i1 %.296.i3376, label %B134.i, label %B740.i
+B80.if.i4162:                                     ; preds = %B3636, %B740.i
+  %.141.i3231.09307 = phi i64 [ %.213.i4170, %B740.i ], [ 0, %B3636 ]
+  %.144.i3232.09306 = phi i64 [ %.209.i4167, %B740.i ], [ %storemerge, %B3636 ]
+  %.209.i4167 = add nsw i64 %.144.i3232.09306, -1
+  %.213.i4170 = add nsw i64 %.141.i3231.09307, 1
+  %.294.i3376 = getelementptr double, ptr %82, i64 %.141.i3231.09307
+  %.295.i3377 = load double, ptr %.294.i3376, align 8, !noalias !178
+  %.296.i3378 = fcmp oeq double %.295.i3377, 1.000000e+00
+  br i1 %.296.i3378, label %B134.i, label %B740.i
 
 B270.if.i:                                        ; preds = %B270.if.i.preheader, %B270.if.i
-  %fastest.2.i.29306 = phi double [ %.11.i.i, %B270.if.i ], [ 0.000000e+00, %B270.if.i.preheader ]
-  %.496.i3246.09305 = phi i64 [ %.565.i4151, %B270.if.i ], [ 0, %B270.if.i.preheader ]
-  %.565.i4151 = add nsw i64 %.496.i3246.09305, 1
-  %.592.i4103 = add nsw i64 %.496.i3246.09305, %arg.shape.1
-  %.594.i4105 = mul nsw i64 %.592.i4103, %arg.shape.0
-  %gep9392 = getelementptr double, ptr %invariant.gep9391, i64 %.594.i4105
-  %.626.i4133 = load double, ptr %gep9392, align 8, !noalias !178
-  %.627.i4134 = tail call double @llvm.fabs.f64(double %.626.i4133)
-  %.10.i.i = fcmp ogt double %.627.i4134, %fastest.2.i.29306
-  %.11.i.i = select i1 %.10.i.i, double %.627.i4134, double %fastest.2.i.29306
-  %exitcond9346.not = icmp eq i64 %arg.shape.1, %.565.i4151
-  br i1 %exitcond9346.not, label %B380.i, label %B270.if.i
+  %fastest.2.i.29303 = phi double [ %.11.i.i, %B270.if.i ], [ 0.000000e+00, %B270.if.i.preheader ]
+  %.496.i3248.09302 = phi i64 [ %.565.i4154, %B270.if.i ], [ 0, %B270.if.i.preheader ]
+  %.565.i4154 = add nsw i64 %.496.i3248.09302, 1
+  %.592.i4106 = add nsw i64 %.496.i3248.09302, %arg.shape.1
+  %.594.i4108 = mul nsw i64 %.592.i4106, %arg.shape.0
+  %gep9389 = getelementptr double, ptr %invariant.gep9388, i64 %.594.i4108
+  %.626.i4136 = load double, ptr %gep9389, align 8, !noalias !178
+  %.627.i4137 = tail call double @llvm.fabs.f64(double %.626.i4136)
+  %.10.i.i = fcmp ogt double %.627.i4137, %fastest.2.i.29303
+  %.11.i.i = select i1 %.10.i.i, double %.627.i4137, double %fastest.2.i.29303
+  %exitcond9343.not = icmp eq i64 %arg.shape.1, %.565.i4154
+  br i1 %exitcond9343.not, label %B380.i, label %B270.if.i
 
 B3692:                                            ; preds = %B740.i, %B3636
   %brmerge8889.not = and i1 %.5358.not, %looked.2.1.lcssa
   %brmerge8889.not.not = xor i1 %brmerge8889.not, true
-  %brmerge9331 = or i1 %.794, %brmerge8889.not.not
-  br i1 %brmerge9331, label %B3742, label %B114.if.i
+  %brmerge9328 = or i1 %.794, %brmerge8889.not.not
+  br i1 %brmerge9328, label %B3742, label %B114.if.i
 
-B46.i.i8997:                                      ; preds = %B114.if.i
+B46.i.i8994:                                      ; preds = %B114.if.i
   %.135.i.i = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.99.i.i
   %.136.i.i = load i64, ptr %.135.i.i, align 8, !noalias !185
   %.141.i.not.i = icmp eq i64 %.136.i.i, 0
-  br i1 %.141.i.not.i, label %B80.i.i9003, label %B228.i
+  br i1 %.141.i.not.i, label %B80.i.i9000, label %B228.i
 
-B80.i.i9003:                                      ; preds = %B46.i.i8997
+B80.i.i9000:                                      ; preds = %B46.i.i8994
   %.196.i.i = getelementptr double, ptr %89, i64 %.302.01639.i
   %.197.i.i = load double, ptr %.196.i.i, align 8, !noalias !185
   %.198.i.i = fcmp olt double %.197.i.i, 5.000000e-01
   br i1 %.198.i.i, label %B228.i, label %B122.i.i
 
-B122.i.i:                                         ; preds = %B80.i.i9003
+B122.i.i:                                         ; preds = %B80.i.i9000
   %.264.i.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.302.01639.i
   %.265.i.i = load double, ptr %.264.i.i, align 8, !noalias !185
-  %.321.i.i9004 = getelementptr double, ptr %90, i64 %.302.01639.i
-  %.322.i.i9005 = load double, ptr %.321.i.i9004, align 8, !noalias !185
-  %.325.i.i = fcmp une double %.265.i.i, %.322.i.i9005
+  %.321.i.i9001 = getelementptr double, ptr %90, i64 %.302.01639.i
+  %.322.i.i9002 = load double, ptr %.321.i.i9001, align 8, !noalias !185
+  %.325.i.i = fcmp une double %.265.i.i, %.322.i.i9002
   %brmerge.i = select i1 %.325.i.i, i1 true, i1 %.175.i3061635.not.i
   %not..325.i.i = xor i1 %.325.i.i, true
   %some.2.01641.mux.i = select i1 %not..325.i.i, i1 true, i1 %some.2.01641.i
-  br i1 %brmerge.i, label %B228.i, label %B76.if.i.lr.ph.i9006
+  br i1 %brmerge.i, label %B228.i, label %B76.if.i.lr.ph.i9003
 
-B76.if.i.lr.ph.i9006:                             ; preds = %B122.i.i
-  %291 = getelementptr i64, ptr %91, i64 %.302.01639.i
-  %.513.i = load i64, ptr %291, align 8, !noalias !190
+B76.if.i.lr.ph.i9003:                             ; preds = %B122.i.i
+  %294 = getelementptr i64, ptr %91, i64 %.302.01639.i
+  %.513.i = load i64, ptr %294, align 8, !noalias !190
   %.514.i = add nsw i64 %.513.i, 1
   %.236.i323.i = icmp slt i64 %.513.i, -1
   %.237.i324.i = select i1 %.236.i323.i, i64 %arg.batch.1.3.5.0, i64 0
   %.238.i325.i = add i64 %.514.i, %.237.i324.i
   %.258.i342.i = mul i64 %.238.i325.i, %arg.batch.1.3.5.1
-  %292 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i342.i
-  br label %B76.if.i.i9007
+  %295 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i342.i
+  br label %B76.if.i.i9004
 
-B76.if.i.i9007:                                   ; preds = %B76.if.i.i9007, %B76.if.i.lr.ph.i9006
-  %.117.i268.01636.i = phi i64 [ 0, %B76.if.i.lr.ph.i9006 ], [ %.188.i390.i, %B76.if.i.i9007 ]
+B76.if.i.i9004:                                   ; preds = %B76.if.i.i9004, %B76.if.i.lr.ph.i9003
+  %.117.i268.01636.i = phi i64 [ 0, %B76.if.i.lr.ph.i9003 ], [ %.188.i390.i, %B76.if.i.i9004 ]
   %.188.i390.i = add nsw i64 %.117.i268.01636.i, 1
-  %293 = getelementptr double, ptr %292, i64 %.117.i268.01636.i
-  %.263.i344.i = load double, ptr %293, align 8, !noalias !191
-  %294 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i268.01636.i
-  %.293.i360.i = load i64, ptr %294, align 8, !noalias !191
+  %296 = getelementptr double, ptr %295, i64 %.117.i268.01636.i
+  %.263.i344.i = load double, ptr %296, align 8, !noalias !191
+  %297 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i268.01636.i
+  %.293.i360.i = load i64, ptr %297, align 8, !noalias !191
   %.295.i362.i = mul nsw i64 %.293.i360.i, %arg.shape.0
   %.297.i364.i = add nsw i64 %.295.i362.i, %.302.01639.i
   %.311.i372.i = icmp slt i64 %.297.i364.i, 0
   %.312.i373.i = select i1 %.311.i372.i, i64 %arg.batch.5.1.5.0, i64 0
-  %295 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i364.i
-  %.326.i383.i = getelementptr double, ptr %295, i64 %.312.i373.i
+  %298 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i364.i
+  %.326.i383.i = getelementptr double, ptr %298, i64 %.312.i373.i
   store double %.263.i344.i, ptr %.326.i383.i, align 8, !noalias !191
-  %exitcond.not.i9008 = icmp eq i64 %arg.batch.1.1.5.0, %.188.i390.i
-  br i1 %exitcond.not.i9008, label %B228.i, label %B76.if.i.i9007
+  %exitcond.not.i9005 = icmp eq i64 %arg.batch.1.1.5.0, %.188.i390.i
+  br i1 %exitcond.not.i9005, label %B228.i, label %B76.if.i.i9004
 
-B228.i:                                           ; preds = %B76.if.i.i9007, %B114.if.i, %B122.i.i, %B80.i.i9003, %B46.i.i8997
-  %some.3.1.i = phi i1 [ %some.2.01641.mux.i, %B122.i.i ], [ %some.2.01641.i, %B80.i.i9003 ], [ %some.2.01641.i, %B114.if.i ], [ %some.2.01641.i, %B46.i.i8997 ], [ true, %B76.if.i.i9007 ]
+B228.i:                                           ; preds = %B76.if.i.i9004, %B114.if.i, %B122.i.i, %B80.i.i9000, %B46.i.i8994
+  %some.3.1.i = phi i1 [ %some.2.01641.mux.i, %B122.i.i ], [ %some.2.01641.i, %B80.i.i9000 ], [ %some.2.01641.i, %B114.if.i ], [ %some.2.01641.i, %B46.i.i8994 ], [ true, %B76.if.i.i9004 ]
   %exitcond1650.not.i = icmp eq i64 %arg.shape.0, %.373.i
   br i1 %exitcond1650.not.i, label %B230.i, label %B114.if.i
 
@@ -3955,13 +3984,13 @@ B238.i:                                           ; preds = %B230.i
   tail call void %.749.i(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !190
   %.780.i = load i64, ptr %.779.i, align 8, !noalias !190
   %.896.i = inttoptr i64 %.780.i to ptr
-  tail call void %.896.i(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.895.i8998), !noalias !190
+  tail call void %.896.i(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.895.i8995), !noalias !190
   br i1 %.900.not.i, label %B598.if.i.preheader, label %B456.i
 
 B456.i:                                           ; preds = %B238.i
-  %.931.i = load i64, ptr %.930.i8999, align 8, !noalias !190
+  %.931.i = load i64, ptr %.930.i8996, align 8, !noalias !190
   %.1049.i = inttoptr i64 %.931.i to ptr
-  tail call void %.1049.i(ptr %arg.batch.4.0.4, ptr %.895.i8998, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !190
+  tail call void %.1049.i(ptr %arg.batch.4.0.4, ptr %.895.i8995, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !190
   br label %B598.if.i.preheader
 
 B598.if.i.preheader:                              ; preds = %B456.i, %B238.i
@@ -3994,8 +4023,8 @@ B638.i:                                           ; preds = %B122.i147.i
   br i1 %.1356.i, label %B714.i, label %B768.i
 
 B714.i:                                           ; preds = %B638.i
-  %296 = getelementptr double, ptr %arg.batch.2.4, i64 %.1345.i
-  %.1391.i = getelementptr i8, ptr %296, i64 -8
+  %299 = getelementptr double, ptr %arg.batch.2.4, i64 %.1345.i
+  %.1391.i = getelementptr i8, ptr %299, i64 -8
   %.1392.i = load double, ptr %.1391.i, align 8, !noalias !190
   %.1448.i = fcmp oeq double %.1392.i, %.265.i185.i
   br label %B768.i
@@ -4010,15 +4039,15 @@ B800.if.lr.ph.i:                                  ; preds = %B768.i
   %.1714.i = add i64 %.1674.i, %.1713.i
   %.1741.i = mul i64 %.1739.i, %.99.i78.i
   %.1743.i = mul i64 %.1714.i, %arg.batch.3.0.5.2
-  %297 = getelementptr double, ptr %arg.batch.3.0.4, i64 %.1741.i
-  %298 = getelementptr double, ptr %297, i64 %.1743.i
-  %invariant.gep9311 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1090.01648.i
-  %invariant.gep9313 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1090.01648.i
+  %300 = getelementptr double, ptr %arg.batch.3.0.4, i64 %.1741.i
+  %301 = getelementptr double, ptr %300, i64 %.1743.i
+  %invariant.gep9308 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1090.01648.i
+  %invariant.gep9310 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1090.01648.i
   br label %B800.if.i
 
 B896.i:                                           ; preds = %B800.if.i
-  %299 = getelementptr double, ptr %298, i64 %.1488.01643.i
-  store double %.1622.i, ptr %299, align 8, !noalias !190
+  %302 = getelementptr double, ptr %301, i64 %.1488.01643.i
+  store double %.1622.i, ptr %302, align 8, !noalias !190
   br label %B918.i
 
 B918.i:                                           ; preds = %B800.if.i, %B896.i
@@ -4026,11 +4055,11 @@ B918.i:                                           ; preds = %B800.if.i, %B896.i
   br i1 %exitcond1651.not.i, label %B920.loopexit.i, label %B800.if.i
 
 B920.loopexit.i:                                  ; preds = %B918.i
-  %300 = fcmp une double %.1629.i, 0.000000e+00
-  br i1 %300, label %B932.i, label %B978.i
+  %303 = fcmp une double %.1629.i, 0.000000e+00
+  br i1 %303, label %B932.i, label %B978.i
 
 B932.i:                                           ; preds = %B920.loopexit.i
-  %.84.i452.i = load i64, ptr %303, align 8, !noalias !198
+  %.84.i452.i = load i64, ptr %306, align 8, !noalias !198
   %.89.i454.i = icmp sgt i64 %.84.i452.i, -1
   br i1 %.89.i454.i, label %B46.i458.i, label %B978.i
 
@@ -4048,13 +4077,13 @@ B978.i:                                           ; preds = %B80.i484.i, %B46.i4
   br i1 %.900.not.i, label %B1076.i, label %B994.i
 
 B994.i:                                           ; preds = %B978.i
-  %301 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.1090.01648.i
-  %.1846.i = load double, ptr %301, align 8, !noalias !190
+  %304 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.1090.01648.i
+  %.1846.i = load double, ptr %304, align 8, !noalias !190
   %.1848.i = fcmp olt double %.1846.i, -1.000000e-09
   br i1 %.1848.i, label %B1030.i, label %B1076.i
 
 B1030.i:                                          ; preds = %B994.i
-  %.84.i583.i = load i64, ptr %303, align 8, !noalias !201
+  %.84.i583.i = load i64, ptr %306, align 8, !noalias !201
   %.89.i586.i = icmp sgt i64 %.84.i583.i, -1
   br i1 %.89.i586.i, label %B46.i591.i, label %B1076.i
 
@@ -4069,25 +4098,25 @@ B80.i623.i:                                       ; preds = %B46.i591.i
   br label %B1076.i
 
 B1076.i:                                          ; preds = %B598.if.i, %B80.i623.i, %B46.i591.i, %B1030.i, %B994.i, %B978.i, %B122.i147.i, %B80.i107.i, %B46.i82.i
-  %.1146.i9002 = icmp sgt i64 %.1093.01649.i, 1
-  br i1 %.1146.i9002, label %B598.if.i, label %B3742
+  %.1146.i8999 = icmp sgt i64 %.1093.01649.i, 1
+  br i1 %.1146.i8999, label %B598.if.i, label %B3742
 
 B114.if.i:                                        ; preds = %B3692, %B228.i
   %some.2.01641.i = phi i1 [ %some.3.1.i, %B228.i ], [ false, %B3692 ]
   %.302.01639.i = phi i64 [ %.373.i, %B228.i ], [ 0, %B3692 ]
   %.373.i = add nsw i64 %.302.01639.i, 1
-  %302 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.302.01639.i
-  %.99.i.i = load i64, ptr %302, align 8, !noalias !185
+  %305 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.302.01639.i
+  %.99.i.i = load i64, ptr %305, align 8, !noalias !185
   %.104.i.i = icmp slt i64 %.99.i.i, 0
-  br i1 %.104.i.i, label %B228.i, label %B46.i.i8997
+  br i1 %.104.i.i, label %B228.i, label %B46.i.i8994
 
 B598.if.i:                                        ; preds = %B598.if.i.preheader, %B1076.i
-  %.1093.01649.i = phi i64 [ %.1155.i9001, %B1076.i ], [ %storemerge.i8996, %B598.if.i.preheader ]
+  %.1093.01649.i = phi i64 [ %.1155.i8998, %B1076.i ], [ %storemerge.i8993, %B598.if.i.preheader ]
   %.1090.01648.i = phi i64 [ %.1159.i, %B1076.i ], [ 0, %B598.if.i.preheader ]
-  %.1155.i9001 = add nsw i64 %.1093.01649.i, -1
+  %.1155.i8998 = add nsw i64 %.1093.01649.i, -1
   %.1159.i = add nsw i64 %.1090.01648.i, 1
-  %303 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.1090.01648.i
-  %.99.i78.i = load i64, ptr %303, align 8, !noalias !195
+  %306 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.1090.01648.i
+  %.99.i78.i = load i64, ptr %306, align 8, !noalias !195
   %.104.i81.i = icmp slt i64 %.99.i78.i, 0
   br i1 %.104.i81.i, label %B1076.i, label %B46.i82.i
 
@@ -4097,20 +4126,20 @@ B800.if.i:                                        ; preds = %B918.i, %B800.if.lr
   %.1557.i = add nsw i64 %.1488.01643.i, 1
   %.1588.i = add nsw i64 %.1488.01643.i, %.850.i
   %.1590.i = mul nsw i64 %.1588.i, %arg.shape.0
-  %gep9312 = getelementptr double, ptr %invariant.gep9311, i64 %.1590.i
-  %.1622.i = load double, ptr %gep9312, align 8, !noalias !190
+  %gep9309 = getelementptr double, ptr %invariant.gep9308, i64 %.1590.i
+  %.1622.i = load double, ptr %gep9309, align 8, !noalias !190
   %.1627.i = fmul double %.1622.i, 0.000000e+00
   %.1629.i = fadd double %trouble.2.11645.i, %.1627.i
   %.1637.i = mul nsw i64 %.1488.01643.i, %arg.shape.0
-  %gep9314 = getelementptr double, ptr %invariant.gep9313, i64 %.1637.i
-  store double %.1622.i, ptr %gep9314, align 8, !noalias !190
+  %gep9311 = getelementptr double, ptr %invariant.gep9310, i64 %.1637.i
+  store double %.1622.i, ptr %gep9311, align 8, !noalias !190
   br i1 %"$phi768.1.2.1.i", label %B896.i, label %B918.i
 
 B3742:                                            ; preds = %B1076.i, %B3692, %B230.i
   %looked.2.1.lcssa.not = xor i1 %looked.2.1.lcssa, true
-  %brmerge9333 = or i1 %.794, %looked.2.1.lcssa.not
+  %brmerge9330 = or i1 %.794, %looked.2.1.lcssa.not
   %active.9.1.mux = select i1 %looked.2.1.lcssa, i64 0, i64 %active.9.1
-  br i1 %brmerge9333, label %B4718, label %B3784.if
+  br i1 %brmerge9330, label %B4718, label %B3784.if
 
 B3832:                                            ; preds = %B3784.if
   %.5743 = mul i64 %.5670, %arg.batch.3.3.5.1
@@ -4118,86 +4147,86 @@ B3832:                                            ; preds = %B3784.if
   %.5748 = load i64, ptr %.5747, align 8
   %.5804 = getelementptr i8, ptr %.5747, i64 24
   %.5805 = load i64, ptr %.5804, align 8
-  %304 = add i64 %.5748, %.5805
-  %.5806 = sub i64 %arg.most, %304
+  %307 = add i64 %.5748, %.5805
+  %.5806 = sub i64 %arg.most, %307
   %.5811 = icmp slt i64 %.5806, 1
   br i1 %.5811, label %B3912, label %B3958
 
 B3912:                                            ; preds = %B3832
-  %305 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.5508.09319
-  %.84.i4248 = load i64, ptr %305, align 8, !noalias !204
-  %.89.i4251 = icmp sgt i64 %.84.i4248, -1
-  br i1 %.89.i4251, label %B46.i4256, label %B3958
+  %308 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.5508.09316
+  %.84.i4251 = load i64, ptr %308, align 8, !noalias !204
+  %.89.i4254 = icmp sgt i64 %.84.i4251, -1
+  br i1 %.89.i4254, label %B46.i4259, label %B3958
 
-B46.i4256:                                        ; preds = %B3912
-  %.120.i4282 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i4248
-  %.121.i4283 = load i64, ptr %.120.i4282, align 8, !noalias !204
-  %.122.i4284 = icmp eq i64 %.121.i4283, 0
-  br i1 %.122.i4284, label %B80.i4289, label %B3958
+B46.i4259:                                        ; preds = %B3912
+  %.120.i4285 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i4251
+  %.121.i4286 = load i64, ptr %.120.i4285, align 8, !noalias !204
+  %.122.i4287 = icmp eq i64 %.121.i4286, 0
+  br i1 %.122.i4287, label %B80.i4292, label %B3958
 
-B80.i4289:                                        ; preds = %B46.i4256
-  store i64 5, ptr %.120.i4282, align 8, !noalias !204
+B80.i4292:                                        ; preds = %B46.i4259
+  store i64 5, ptr %.120.i4285, align 8, !noalias !204
   br label %B3958
 
-B3958:                                            ; preds = %B80.i4289, %B3912, %B46.i4256, %B3832
-  %.5901 = getelementptr double, ptr %93, i64 %.5508.09319
+B3958:                                            ; preds = %B80.i4292, %B3912, %B46.i4259, %B3832
+  %.5901 = getelementptr double, ptr %93, i64 %.5508.09316
   %.5902 = load double, ptr %.5901, align 8
   %.5903 = fcmp ogt double %.5902, 5.000000e-01
   br i1 %.5903, label %B3996, label %B4100
 
 B3996:                                            ; preds = %B3958
-  %.5958 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5508.09319
+  %.5958 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5508.09316
   %.5959 = load double, ptr %.5958, align 8
-  %.6013 = getelementptr double, ptr %94, i64 %.5508.09319
+  %.6013 = getelementptr double, ptr %94, i64 %.5508.09316
   %.6014 = load double, ptr %.6013, align 8
   %.6015 = fcmp oeq double %.5959, %.6014
   br i1 %.6015, label %B4060, label %B4100
 
 B4060:                                            ; preds = %B3996
-  %.192.i4515 = load i64, ptr %.5669, align 8, !noalias !207
-  %.248.i4563 = getelementptr i64, ptr %95, i64 %.5508.09319
-  %.249.i4564 = load i64, ptr %.248.i4563, align 8, !noalias !207
-  %.250.i4565 = add nsw i64 %.249.i4564, 1
-  store i64 %.250.i4565, ptr %.248.i4563, align 8, !noalias !207
-  %.373.i4670 = icmp slt i64 %.249.i4564, -1
-  %.374.i4671 = select i1 %.373.i4670, i64 %arg.batch.1.2.5.0, i64 0
-  %306 = getelementptr double, ptr %arg.batch.1.2.4, i64 %.250.i4565
-  %.388.i4685 = getelementptr double, ptr %306, i64 %.374.i4671
-  %.389.i4686 = load double, ptr %.388.i4685, align 8, !noalias !207
-  %.390.i4687 = fcmp oeq double %.389.i4686, 0x7FF0000000000000
-  br i1 %.390.i4687, label %B182.i, label %B240.i
+  %.192.i4518 = load i64, ptr %.5669, align 8, !noalias !207
+  %.248.i4566 = getelementptr i64, ptr %95, i64 %.5508.09316
+  %.249.i4567 = load i64, ptr %.248.i4566, align 8, !noalias !207
+  %.250.i4568 = add nsw i64 %.249.i4567, 1
+  store i64 %.250.i4568, ptr %.248.i4566, align 8, !noalias !207
+  %.373.i4673 = icmp slt i64 %.249.i4567, -1
+  %.374.i4674 = select i1 %.373.i4673, i64 %arg.batch.1.2.5.0, i64 0
+  %309 = getelementptr double, ptr %arg.batch.1.2.4, i64 %.250.i4568
+  %.388.i4688 = getelementptr double, ptr %309, i64 %.374.i4674
+  %.389.i4689 = load double, ptr %.388.i4688, align 8, !noalias !207
+  %.390.i4690 = fcmp oeq double %.389.i4689, 0x7FF0000000000000
+  br i1 %.390.i4690, label %B182.i, label %B240.i
 
 B182.i:                                           ; preds = %B4060
-  %.424.i5203 = icmp slt i64 %.192.i4515, 0
-  %.425.i5204 = select i1 %.424.i5203, i64 %arg.batch.3.1.5.0, i64 0
-  %307 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.192.i4515
-  %.439.i5218 = getelementptr i64, ptr %307, i64 %.425.i5204
-  %.440.i5219 = load i64, ptr %.439.i5218, align 8, !noalias !207
-  %.441.i5220 = icmp eq i64 %.440.i5219, 0
-  br i1 %.441.i5220, label %B216.i5224, label %B4100
+  %.424.i5207 = icmp slt i64 %.192.i4518, 0
+  %.425.i5208 = select i1 %.424.i5207, i64 %arg.batch.3.1.5.0, i64 0
+  %310 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.192.i4518
+  %.439.i5222 = getelementptr i64, ptr %310, i64 %.425.i5208
+  %.440.i5223 = load i64, ptr %.439.i5222, align 8, !noalias !207
+  %.441.i5224 = icmp eq i64 %.440.i5223, 0
+  br i1 %.441.i5224, label %B216.i5228, label %B4100
 
-B216.i5224:                                       ; preds = %B182.i
-  store i64 1, ptr %.439.i5218, align 8, !noalias !207
+B216.i5228:                                       ; preds = %B182.i
+  store i64 1, ptr %.439.i5222, align 8, !noalias !207
   br label %B4100
 
 B240.i:                                           ; preds = %B4060
-  store double %.389.i4686, ptr %.6013, align 8, !noalias !207
-  %.592.i4777 = select i1 %.373.i4670, i64 %arg.batch.1.4.5.0, i64 0
-  %308 = getelementptr i64, ptr %arg.batch.1.4.4, i64 %.250.i4565
-  %.606.i4791 = getelementptr i64, ptr %308, i64 %.592.i4777
-  %.607.i4792 = load i64, ptr %.606.i4791, align 8, !noalias !207
-  %.610.i4794 = icmp eq i64 %.607.i4792, 0
-  br i1 %.610.i4794, label %B300.i, label %B348.i
+  store double %.389.i4689, ptr %.6013, align 8, !noalias !207
+  %.592.i4780 = select i1 %.373.i4673, i64 %arg.batch.1.4.5.0, i64 0
+  %311 = getelementptr i64, ptr %arg.batch.1.4.4, i64 %.250.i4568
+  %.606.i4794 = getelementptr i64, ptr %311, i64 %.592.i4780
+  %.607.i4795 = load i64, ptr %.606.i4794, align 8, !noalias !207
+  %.610.i4797 = icmp eq i64 %.607.i4795, 0
+  br i1 %.610.i4797, label %B300.i, label %B348.i
 
 B300.i:                                           ; preds = %B240.i
-  %.665.i5157 = getelementptr double, ptr %96, i64 %.5508.09319
-  store double 1.000000e+00, ptr %.665.i5157, align 8, !noalias !207
+  %.665.i5161 = getelementptr double, ptr %96, i64 %.5508.09316
+  store double 1.000000e+00, ptr %.665.i5161, align 8, !noalias !207
   br label %B392.i.sink.split
 
 B348.i:                                           ; preds = %B240.i
-  %.733.i4820 = load i64, ptr %.1166, align 8, !noalias !207
-  %.734.i4821 = icmp eq i64 %.733.i4820, 0
-  br i1 %.734.i4821, label %B392.i.sink.split, label %B392.i
+  %.733.i4823 = load i64, ptr %.1166, align 8, !noalias !207
+  %.734.i4824 = icmp eq i64 %.733.i4823, 0
+  br i1 %.734.i4824, label %B392.i.sink.split, label %B392.i
 
 B392.i.sink.split:                                ; preds = %B348.i, %B300.i
   %.sink = phi i64 [ 1, %B300.i ], [ 2, %B348.i ]
@@ -4205,236 +4234,236 @@ B392.i.sink.split:                                ; preds = %B348.i, %B300.i
   br label %B392.i
 
 B392.i:                                           ; preds = %B392.i.sink.split, %B348.i
-  br i1 %.175.i.i49699315.not, label %B4100, label %B76.if.i.i.lr.ph
+  br i1 %.175.i.i49729312.not, label %B4100, label %B76.if.i.i.lr.ph
 
 B76.if.i.i.lr.ph:                                 ; preds = %B392.i
-  %.237.i.i5014 = select i1 %.373.i4670, i64 %arg.batch.1.3.5.0, i64 0
-  %.238.i.i5015 = add i64 %.237.i.i5014, %.250.i4565
-  %.258.i.i5031 = mul i64 %.238.i.i5015, %arg.batch.1.3.5.1
-  %309 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i5031
+  %.237.i.i5018 = select i1 %.373.i4673, i64 %arg.batch.1.3.5.0, i64 0
+  %.238.i.i5019 = add i64 %.237.i.i5018, %.250.i4568
+  %.258.i.i5035 = mul i64 %.238.i.i5019, %arg.batch.1.3.5.1
+  %312 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i5035
   br label %B76.if.i.i
 
 B76.if.i.i:                                       ; preds = %B76.if.i.i.lr.ph, %B76.if.i.i
-  %.117.i.i4326.09317 = phi i64 [ 0, %B76.if.i.i.lr.ph ], [ %.188.i.i5078, %B76.if.i.i ]
-  %.188.i.i5078 = add nsw i64 %.117.i.i4326.09317, 1
-  %310 = getelementptr double, ptr %309, i64 %.117.i.i4326.09317
-  %.263.i.i5034 = load double, ptr %310, align 8, !noalias !211
-  %311 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.i4326.09317
-  %.293.i.i5050 = load i64, ptr %311, align 8, !noalias !211
-  %.295.i.i5052 = mul nsw i64 %.293.i.i5050, %arg.shape.0
-  %.297.i.i5054 = add nsw i64 %.295.i.i5052, %.5508.09319
-  %.311.i.i5061 = icmp slt i64 %.297.i.i5054, 0
-  %.312.i.i5062 = select i1 %.311.i.i5061, i64 %arg.batch.5.1.5.0, i64 0
-  %312 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i5054
-  %.326.i.i5072 = getelementptr double, ptr %312, i64 %.312.i.i5062
-  store double %.263.i.i5034, ptr %.326.i.i5072, align 8, !noalias !211
-  %exitcond9347.not = icmp eq i64 %arg.batch.1.1.5.0, %.188.i.i5078
-  br i1 %exitcond9347.not, label %B4100, label %B76.if.i.i
+  %.117.i.i4329.09314 = phi i64 [ 0, %B76.if.i.i.lr.ph ], [ %.188.i.i5082, %B76.if.i.i ]
+  %.188.i.i5082 = add nsw i64 %.117.i.i4329.09314, 1
+  %313 = getelementptr double, ptr %312, i64 %.117.i.i4329.09314
+  %.263.i.i5038 = load double, ptr %313, align 8, !noalias !211
+  %314 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.i4329.09314
+  %.293.i.i5054 = load i64, ptr %314, align 8, !noalias !211
+  %.295.i.i5056 = mul nsw i64 %.293.i.i5054, %arg.shape.0
+  %.297.i.i5058 = add nsw i64 %.295.i.i5056, %.5508.09316
+  %.311.i.i5065 = icmp slt i64 %.297.i.i5058, 0
+  %.312.i.i5066 = select i1 %.311.i.i5065, i64 %arg.batch.5.1.5.0, i64 0
+  %315 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i5058
+  %.326.i.i5076 = getelementptr double, ptr %315, i64 %.312.i.i5066
+  store double %.263.i.i5038, ptr %.326.i.i5076, align 8, !noalias !211
+  %exitcond9344.not = icmp eq i64 %arg.batch.1.1.5.0, %.188.i.i5082
+  br i1 %exitcond9344.not, label %B4100, label %B76.if.i.i
 
-B4100:                                            ; preds = %B76.if.i.i, %B392.i, %B216.i5224, %B182.i, %B3996, %B3958
+B4100:                                            ; preds = %B76.if.i.i, %B392.i, %B216.i5228, %B182.i, %B3996, %B3958
   %.6104 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.5670
   %.6105 = load i64, ptr %.6104, align 8
   %.6106.not = icmp eq i64 %.6105, 0
   br i1 %.6106.not, label %B4242, label %B4134
 
 B4134:                                            ; preds = %B4100
-  %.6167 = getelementptr i64, ptr %97, i64 %.5508.09319
+  %.6167 = getelementptr i64, ptr %97, i64 %.5508.09316
   %.6168 = load i64, ptr %.6167, align 8
   %.6198 = getelementptr i64, ptr %arg.batch.3.2.4, i64 %.5670
   store i64 %.6168, ptr %.6198, align 8
   store i64 -1, ptr %.5669, align 8
-  %.236.i9009 = load i64, ptr %arg.batch.4.2.4, align 8, !noalias !215
-  %.293.i9014 = getelementptr double, ptr %98, i64 %.5508.09319
-  store double 0.000000e+00, ptr %.293.i9014, align 8, !noalias !215
-  %.324.i9016 = load i64, ptr %.323.i9015, align 8, !noalias !215
-  %.326.i9017 = icmp eq i64 %.236.i9009, %.324.i9016
-  br i1 %.326.i9017, label %B4450, label %B132.i9018
+  %.236.i9006 = load i64, ptr %arg.batch.4.2.4, align 8, !noalias !215
+  %.293.i9011 = getelementptr double, ptr %98, i64 %.5508.09316
+  store double 0.000000e+00, ptr %.293.i9011, align 8, !noalias !215
+  %.324.i9013 = load i64, ptr %.323.i9012, align 8, !noalias !215
+  %.326.i9014 = icmp eq i64 %.236.i9006, %.324.i9013
+  br i1 %.326.i9014, label %B4450, label %B132.i9015
 
-B132.i9018:                                       ; preds = %B4134
-  %.359.i9019 = add nsw i64 %.236.i9009, 1
-  store i64 %.359.i9019, ptr %arg.batch.4.2.4, align 8, !noalias !215
+B132.i9015:                                       ; preds = %B4134
+  %.359.i9016 = add nsw i64 %.236.i9006, 1
+  store i64 %.359.i9016, ptr %arg.batch.4.2.4, align 8, !noalias !215
   store i64 1, ptr %.1166, align 8, !noalias !215
-  %.438.i9021 = icmp slt i64 %.236.i9009, 0
-  %.439.i9022 = select i1 %.438.i9021, i64 %arg.batch.0.2.5.0, i64 0
-  %313 = getelementptr i64, ptr %arg.batch.0.2.4, i64 %.236.i9009
-  %.453.i9023 = getelementptr i64, ptr %313, i64 %.439.i9022
-  %.454.i9024 = load i64, ptr %.453.i9023, align 8, !noalias !215
-  %.469.i9025 = icmp slt i64 %.454.i9024, 0
-  %.470.i9026 = select i1 %.469.i9025, i64 %arg.batch.1.0.5.0, i64 0
-  %314 = getelementptr i64, ptr %arg.batch.1.0.4, i64 %.454.i9024
-  %.484.i9027 = getelementptr i64, ptr %314, i64 %.470.i9026
-  %.485.i9028 = load i64, ptr %.484.i9027, align 8, !noalias !215
-  store i64 %.236.i9009, ptr %.5669, align 8, !noalias !215
-  %.595.i9032 = getelementptr i64, ptr %99, i64 %.5508.09319
-  store i64 %.485.i9028, ptr %.595.i9032, align 8, !noalias !215
+  %.438.i9018 = icmp slt i64 %.236.i9006, 0
+  %.439.i9019 = select i1 %.438.i9018, i64 %arg.batch.0.2.5.0, i64 0
+  %316 = getelementptr i64, ptr %arg.batch.0.2.4, i64 %.236.i9006
+  %.453.i9020 = getelementptr i64, ptr %316, i64 %.439.i9019
+  %.454.i9021 = load i64, ptr %.453.i9020, align 8, !noalias !215
+  %.469.i9022 = icmp slt i64 %.454.i9021, 0
+  %.470.i9023 = select i1 %.469.i9022, i64 %arg.batch.1.0.5.0, i64 0
+  %317 = getelementptr i64, ptr %arg.batch.1.0.4, i64 %.454.i9021
+  %.484.i9024 = getelementptr i64, ptr %317, i64 %.470.i9023
+  %.485.i9025 = load i64, ptr %.484.i9024, align 8, !noalias !215
+  store i64 %.236.i9006, ptr %.5669, align 8, !noalias !215
+  %.595.i9029 = getelementptr i64, ptr %99, i64 %.5508.09316
+  store i64 %.485.i9025, ptr %.595.i9029, align 8, !noalias !215
   store i64 1, ptr %.6167, align 8, !noalias !215
-  %.709.i9036 = getelementptr i64, ptr %100, i64 %.5508.09319
-  store i64 0, ptr %.709.i9036, align 8, !noalias !215
-  br i1 %.8051131.not.i9037, label %B402.i9052, label %B358.if.lr.ph.i9038
+  %.709.i9033 = getelementptr i64, ptr %100, i64 %.5508.09316
+  store i64 0, ptr %.709.i9033, align 8, !noalias !215
+  br i1 %.8051131.not.i9034, label %B402.i9049, label %B358.if.lr.ph.i9035
 
-B358.if.lr.ph.i9038:                              ; preds = %B132.i9018
-  %.867.i9039 = select i1 %.438.i9021, i64 %arg.batch.0.1.5.0, i64 0
-  %.868.i9040 = add i64 %.867.i9039, %.236.i9009
-  %.888.i9041 = mul i64 %.868.i9040, %arg.batch.0.1.5.1
-  %315 = getelementptr double, ptr %arg.batch.0.1.4, i64 %.888.i9041
-  %invariant.gep9393 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.5508.09319
-  br label %B358.if.i9042
+B358.if.lr.ph.i9035:                              ; preds = %B132.i9015
+  %.867.i9036 = select i1 %.438.i9018, i64 %arg.batch.0.1.5.0, i64 0
+  %.868.i9037 = add i64 %.867.i9036, %.236.i9006
+  %.888.i9038 = mul i64 %.868.i9037, %arg.batch.0.1.5.1
+  %318 = getelementptr double, ptr %arg.batch.0.1.4, i64 %.888.i9038
+  %invariant.gep9390 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.5508.09316
+  br label %B358.if.i9039
 
-B402.i9052:                                       ; preds = %B358.if.i9042, %B132.i9018
-  br i1 %.175.i1134.not.i9053, label %B402.endif.i9071, label %B76.if.i.lr.ph.i9054
+B402.i9049:                                       ; preds = %B358.if.i9039, %B132.i9015
+  br i1 %.175.i1134.not.i9050, label %B402.endif.i9068, label %B76.if.i.lr.ph.i9051
 
-B76.if.i.lr.ph.i9054:                             ; preds = %B402.i9052
-  %.990.i9055 = load i64, ptr %.595.i9032, align 8, !noalias !215
-  %.236.i.i9056 = icmp slt i64 %.990.i9055, 0
-  %.237.i.i9057 = select i1 %.236.i.i9056, i64 %arg.batch.1.3.5.0, i64 0
-  %.238.i.i9058 = add i64 %.237.i.i9057, %.990.i9055
-  %.258.i.i9059 = mul i64 %.238.i.i9058, %arg.batch.1.3.5.1
-  %316 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i9059
-  br label %B76.if.i.i9060
+B76.if.i.lr.ph.i9051:                             ; preds = %B402.i9049
+  %.990.i9052 = load i64, ptr %.595.i9029, align 8, !noalias !215
+  %.236.i.i9053 = icmp slt i64 %.990.i9052, 0
+  %.237.i.i9054 = select i1 %.236.i.i9053, i64 %arg.batch.1.3.5.0, i64 0
+  %.238.i.i9055 = add i64 %.237.i.i9054, %.990.i9052
+  %.258.i.i9056 = mul i64 %.238.i.i9055, %arg.batch.1.3.5.1
+  %319 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i9056
+  br label %B76.if.i.i9057
 
-B76.if.i.i9060:                                   ; preds = %B76.if.i.i9060, %B76.if.i.lr.ph.i9054
-  %.117.i.01135.i9061 = phi i64 [ 0, %B76.if.i.lr.ph.i9054 ], [ %.188.i.i9062, %B76.if.i.i9060 ]
-  %.188.i.i9062 = add nsw i64 %.117.i.01135.i9061, 1
-  %317 = getelementptr double, ptr %316, i64 %.117.i.01135.i9061
-  %.263.i.i9063 = load double, ptr %317, align 8, !noalias !218
-  %318 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.01135.i9061
-  %.293.i.i9064 = load i64, ptr %318, align 8, !noalias !218
-  %.295.i.i9065 = mul nsw i64 %.293.i.i9064, %arg.shape.0
-  %.297.i.i9066 = add nsw i64 %.295.i.i9065, %.5508.09319
-  %.311.i.i9067 = icmp slt i64 %.297.i.i9066, 0
-  %.312.i.i9068 = select i1 %.311.i.i9067, i64 %arg.batch.5.1.5.0, i64 0
-  %319 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i9066
-  %.326.i.i9069 = getelementptr double, ptr %319, i64 %.312.i.i9068
-  store double %.263.i.i9063, ptr %.326.i.i9069, align 8, !noalias !218
-  %exitcond1142.not.i9070 = icmp eq i64 %.188.i.i9062, %arg.batch.1.1.5.0
-  br i1 %exitcond1142.not.i9070, label %B402.endif.i9071, label %B76.if.i.i9060
+B76.if.i.i9057:                                   ; preds = %B76.if.i.i9057, %B76.if.i.lr.ph.i9051
+  %.117.i.01135.i9058 = phi i64 [ 0, %B76.if.i.lr.ph.i9051 ], [ %.188.i.i9059, %B76.if.i.i9057 ]
+  %.188.i.i9059 = add nsw i64 %.117.i.01135.i9058, 1
+  %320 = getelementptr double, ptr %319, i64 %.117.i.01135.i9058
+  %.263.i.i9060 = load double, ptr %320, align 8, !noalias !218
+  %321 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.01135.i9058
+  %.293.i.i9061 = load i64, ptr %321, align 8, !noalias !218
+  %.295.i.i9062 = mul nsw i64 %.293.i.i9061, %arg.shape.0
+  %.297.i.i9063 = add nsw i64 %.295.i.i9062, %.5508.09316
+  %.311.i.i9064 = icmp slt i64 %.297.i.i9063, 0
+  %.312.i.i9065 = select i1 %.311.i.i9064, i64 %arg.batch.5.1.5.0, i64 0
+  %322 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i9063
+  %.326.i.i9066 = getelementptr double, ptr %322, i64 %.312.i.i9065
+  store double %.263.i.i9060, ptr %.326.i.i9066, align 8, !noalias !218
+  %exitcond1142.not.i9067 = icmp eq i64 %.188.i.i9059, %arg.batch.1.1.5.0
+  br i1 %exitcond1142.not.i9067, label %B402.endif.i9068, label %B76.if.i.i9057
 
-B888.i9159:                                       ; preds = %B580.if.i9087
-  store double 0.000000e+00, ptr %.1877.i9156, align 8, !noalias !215
+B888.i9156:                                       ; preds = %B580.if.i9084
+  store double 0.000000e+00, ptr %.1877.i9153, align 8, !noalias !215
   br label %B4450
 
-B358.if.i9042:                                    ; preds = %B358.if.i9042, %B358.if.lr.ph.i9038
-  %.747.01132.i9043 = phi i64 [ 0, %B358.if.lr.ph.i9038 ], [ %.818.i9044, %B358.if.i9042 ]
-  %.818.i9044 = add nsw i64 %.747.01132.i9043, 1
-  %320 = getelementptr double, ptr %315, i64 %.747.01132.i9043
-  %.893.i9045 = load double, ptr %320, align 8, !noalias !215
-  %.895.i9046 = mul nsw i64 %.747.01132.i9043, %arg.shape.0
-  %gep9394 = getelementptr double, ptr %invariant.gep9393, i64 %.895.i9046
-  store double %.893.i9045, ptr %gep9394, align 8, !noalias !215
-  %exitcond.not.i9051 = icmp eq i64 %.818.i9044, %arg.batch.0.1.5.1
-  br i1 %exitcond.not.i9051, label %B402.i9052, label %B358.if.i9042
+B358.if.i9039:                                    ; preds = %B358.if.i9039, %B358.if.lr.ph.i9035
+  %.747.01132.i9040 = phi i64 [ 0, %B358.if.lr.ph.i9035 ], [ %.818.i9041, %B358.if.i9039 ]
+  %.818.i9041 = add nsw i64 %.747.01132.i9040, 1
+  %323 = getelementptr double, ptr %318, i64 %.747.01132.i9040
+  %.893.i9042 = load double, ptr %323, align 8, !noalias !215
+  %.895.i9043 = mul nsw i64 %.747.01132.i9040, %arg.shape.0
+  %gep9391 = getelementptr double, ptr %invariant.gep9390, i64 %.895.i9043
+  store double %.893.i9042, ptr %gep9391, align 8, !noalias !215
+  %exitcond.not.i9048 = icmp eq i64 %.818.i9041, %arg.batch.0.1.5.1
+  br i1 %exitcond.not.i9048, label %B402.i9049, label %B358.if.i9039
 
-B402.endif.i9071:                                 ; preds = %B76.if.i.i9060, %B402.i9052
-  br i1 %.11171137.not.i9072, label %B580.if.i9087, label %B496.if.lr.ph.i9073
+B402.endif.i9068:                                 ; preds = %B76.if.i.i9057, %B402.i9049
+  br i1 %.11171137.not.i9069, label %B580.if.i9084, label %B496.if.lr.ph.i9070
 
-B496.if.lr.ph.i9073:                              ; preds = %B402.endif.i9071
-  %.1179.i9074 = select i1 %.438.i9021, i64 %arg.batch.0.0.5.0, i64 0
-  %.1180.i9075 = add i64 %.1179.i9074, %.236.i9009
-  %.1200.i9076 = mul i64 %.1180.i9075, %arg.batch.0.0.5.1
-  %321 = getelementptr double, ptr %arg.batch.0.0.4, i64 %.1200.i9076
-  %invariant.gep9395 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.5508.09319
-  br label %B496.if.i9077
+B496.if.lr.ph.i9070:                              ; preds = %B402.endif.i9068
+  %.1179.i9071 = select i1 %.438.i9018, i64 %arg.batch.0.0.5.0, i64 0
+  %.1180.i9072 = add i64 %.1179.i9071, %.236.i9006
+  %.1200.i9073 = mul i64 %.1180.i9072, %arg.batch.0.0.5.1
+  %324 = getelementptr double, ptr %arg.batch.0.0.4, i64 %.1200.i9073
+  %invariant.gep9392 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.5508.09316
+  br label %B496.if.i9074
 
-B496.if.i9077:                                    ; preds = %B496.if.i9077, %B496.if.lr.ph.i9073
-  %.1061.01138.i9078 = phi i64 [ 0, %B496.if.lr.ph.i9073 ], [ %.1130.i9079, %B496.if.i9077 ]
-  %.1130.i9079 = add nsw i64 %.1061.01138.i9078, 1
-  %322 = getelementptr double, ptr %321, i64 %.1061.01138.i9078
-  %.1205.i9080 = load double, ptr %322, align 8, !noalias !215
-  %.1207.i9081 = mul nsw i64 %.1061.01138.i9078, %arg.shape.0
-  %gep9396 = getelementptr double, ptr %invariant.gep9395, i64 %.1207.i9081
-  store double %.1205.i9080, ptr %gep9396, align 8, !noalias !215
-  %exitcond1143.not.i9086 = icmp eq i64 %.1130.i9079, %arg.shape.1
-  br i1 %exitcond1143.not.i9086, label %B580.if.i9087, label %B496.if.i9077
+B496.if.i9074:                                    ; preds = %B496.if.i9074, %B496.if.lr.ph.i9070
+  %.1061.01138.i9075 = phi i64 [ 0, %B496.if.lr.ph.i9070 ], [ %.1130.i9076, %B496.if.i9074 ]
+  %.1130.i9076 = add nsw i64 %.1061.01138.i9075, 1
+  %325 = getelementptr double, ptr %324, i64 %.1061.01138.i9075
+  %.1205.i9077 = load double, ptr %325, align 8, !noalias !215
+  %.1207.i9078 = mul nsw i64 %.1061.01138.i9075, %arg.shape.0
+  %gep9393 = getelementptr double, ptr %invariant.gep9392, i64 %.1207.i9078
+  store double %.1205.i9077, ptr %gep9393, align 8, !noalias !215
+  %exitcond1143.not.i9083 = icmp eq i64 %.1130.i9076, %arg.shape.1
+  br i1 %exitcond1143.not.i9083, label %B580.if.i9084, label %B496.if.i9074
 
-B580.if.i9087:                                    ; preds = %B496.if.i9077, %B402.endif.i9071
-  %invariant.gep.i9088 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5508.09319
-  store double 0.000000e+00, ptr %invariant.gep.i9088, align 8, !noalias !215
-  %gep.1.i9089 = getelementptr double, ptr %invariant.gep.i9088, i64 %arg.batch.4.0.5.1
-  store double 0.000000e+00, ptr %gep.1.i9089, align 8, !noalias !215
-  %gep.2.i9091 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.2.idx.i9090
-  store double 0.000000e+00, ptr %gep.2.i9091, align 8, !noalias !215
-  %gep.3.i9093 = getelementptr i8, ptr %invariant.gep.i9088, i64 %.idx.i9013
-  store double 0.000000e+00, ptr %gep.3.i9093, align 8, !noalias !215
-  %gep.4.i9095 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.4.idx.i9094
-  store double 0.000000e+00, ptr %gep.4.i9095, align 8, !noalias !215
-  %gep.5.i9097 = getelementptr i8, ptr %invariant.gep.i9088, i64 %.idx8826
-  store double 0.000000e+00, ptr %gep.5.i9097, align 8, !noalias !215
-  %gep.6.i9099 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.6.idx.i9098
-  store double 0.000000e+00, ptr %gep.6.i9099, align 8, !noalias !215
-  %gep.7.i9101 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.7.idx.i9100
-  store double 0.000000e+00, ptr %gep.7.i9101, align 8, !noalias !215
-  %gep.8.i9103 = getelementptr i8, ptr %invariant.gep.i9088, i64 %.571.idx
-  store double 0.000000e+00, ptr %gep.8.i9103, align 8, !noalias !215
-  %gep.9.i9105 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.9.idx.i9104
-  store double 0.000000e+00, ptr %gep.9.i9105, align 8, !noalias !215
-  %gep.10.i9107 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.10.idx.i9106
-  store double 0.000000e+00, ptr %gep.10.i9107, align 8, !noalias !215
-  %gep.11.i9109 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.11.idx.i9108
-  store double 0.000000e+00, ptr %gep.11.i9109, align 8, !noalias !215
-  %gep.12.i9111 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.12.idx.i9110
-  store double 0.000000e+00, ptr %gep.12.i9111, align 8, !noalias !215
-  %gep.13.i9113 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.13.idx.i9112
-  store double 0.000000e+00, ptr %gep.13.i9113, align 8, !noalias !215
-  %gep.14.i9115 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.14.idx.i9114
-  store double 0.000000e+00, ptr %gep.14.i9115, align 8, !noalias !215
-  %gep.15.i9117 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.15.idx.i9116
-  store double 0.000000e+00, ptr %gep.15.i9117, align 8, !noalias !215
-  %gep.16.i9119 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.16.idx.i9118
-  store double 0.000000e+00, ptr %gep.16.i9119, align 8, !noalias !215
-  %gep.17.i9121 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.17.idx.i9120
-  store double 0.000000e+00, ptr %gep.17.i9121, align 8, !noalias !215
-  %gep.18.i9123 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.18.idx.i9122
-  store double 0.000000e+00, ptr %gep.18.i9123, align 8, !noalias !215
-  %gep.19.i9125 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.19.idx.i9124
-  store double 0.000000e+00, ptr %gep.19.i9125, align 8, !noalias !215
-  %gep.20.i9127 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.20.idx.i9126
-  store double 0.000000e+00, ptr %gep.20.i9127, align 8, !noalias !215
-  %gep.21.i9129 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.21.idx.i9128
-  store double 0.000000e+00, ptr %gep.21.i9129, align 8, !noalias !215
-  %gep.22.i9131 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.22.idx.i9130
-  store double 0.000000e+00, ptr %gep.22.i9131, align 8, !noalias !215
-  %gep.23.i9133 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.23.idx.i9132
-  store double 0.000000e+00, ptr %gep.23.i9133, align 8, !noalias !215
-  %gep.24.i9135 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.24.idx.i9134
-  store double 0.000000e+00, ptr %gep.24.i9135, align 8, !noalias !215
-  %gep.25.i9137 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.25.idx.i9136
-  store double 0.000000e+00, ptr %gep.25.i9137, align 8, !noalias !215
-  %gep.26.i9139 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.26.idx.i9138
-  store double 0.000000e+00, ptr %gep.26.i9139, align 8, !noalias !215
-  %gep.27.i9141 = getelementptr i8, ptr %invariant.gep.i9088, i64 %gep.27.idx.i9140
-  store double 0.000000e+00, ptr %gep.27.i9141, align 8, !noalias !215
-  %.1455.i9142 = load double, ptr %arg.batch.2.4, align 8, !noalias !215
-  %.1516.i9143 = load i64, ptr %.595.i9032, align 8, !noalias !215
-  %.1531.i9144 = icmp slt i64 %.1516.i9143, 0
-  %.1532.i9145 = select i1 %.1531.i9144, i64 %arg.batch.1.2.5.0, i64 0
-  %323 = getelementptr double, ptr %arg.batch.1.2.4, i64 %.1516.i9143
-  %.1546.i9146 = getelementptr double, ptr %323, i64 %.1532.i9145
-  %.1547.i9147 = load double, ptr %.1546.i9146, align 8, !noalias !215
-  store double %.1455.i9142, ptr %invariant.gep.i9088, align 8, !noalias !215
-  %.1656.i9150 = getelementptr double, ptr %101, i64 %.5508.09319
-  store double %.1547.i9147, ptr %.1656.i9150, align 8, !noalias !215
-  store double 1.000000e+00, ptr %.293.i9014, align 8, !noalias !215
-  %.1767.i9152 = getelementptr double, ptr %102, i64 %.5508.09319
-  store double 0xFFF0000000000000, ptr %.1767.i9152, align 8, !noalias !215
-  %.1822.i9154 = getelementptr double, ptr %103, i64 %.5508.09319
-  store double 0x7FF0000000000000, ptr %.1822.i9154, align 8, !noalias !215
-  %.1877.i9156 = getelementptr double, ptr %104, i64 %.5508.09319
-  %.1878.i9157 = load double, ptr %.1877.i9156, align 8, !noalias !215
-  %.1880.i9158 = fcmp ueq double %.1878.i9157, 0xFFF0000000000000
-  br i1 %.1880.i9158, label %B4450, label %B888.i9159
+B580.if.i9084:                                    ; preds = %B496.if.i9074, %B402.endif.i9068
+  %invariant.gep.i9085 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5508.09316
+  store double 0.000000e+00, ptr %invariant.gep.i9085, align 8, !noalias !215
+  %gep.1.i9086 = getelementptr double, ptr %invariant.gep.i9085, i64 %arg.batch.4.0.5.1
+  store double 0.000000e+00, ptr %gep.1.i9086, align 8, !noalias !215
+  %gep.2.i9088 = getelementptr i8, ptr %invariant.gep.i9085, i64 %gep.2.idx.i9087
+  store double 0.000000e+00, ptr %gep.2.i9088, align 8, !noalias !215
+  %gep.3.i9090 = getelementptr i8, ptr %invariant.gep.i9085, i64 %.idx.i9010
+  store double 0.000000e+00, ptr %gep.3.i9090, align 8, !noalias !215
+  %gep.4.i9092 = getelementptr i8, ptr %invariant.gep.i9085, i64 %gep.4.idx.i9091
+  store double 0.000000e+00, ptr %gep.4.i9092, align 8, !noalias !215
+  %gep.5.i9094 = getelementptr i8, ptr %invariant.gep.i9085, i64 %.idx8826
+  store double 0.000000e+00, ptr %gep.5.i9094, align 8, !noalias !215
+  %gep.6.i9096 = getelementptr i8, ptr %invariant.gep.i9085, i64 %gep.6.idx.i9095
+  store double 0.000000e+00, ptr %gep.6.i9096, align 8, !noalias !215
+  %gep.7.i9098 = getelementptr i8, ptr %invariant.gep.i9085, i64 %gep.7.idx.i9097
+  store double 0.000000e+00, ptr %gep.7.i9098, align 8, !noalias !215
+  %gep.8.i9100 = getelementptr i8, ptr %invariant.gep.i9085, i64 %.571.idx
+  store double 0.000000e+00, ptr %gep.8.i9100, align 8, !noalias !215
+  %gep.9.i9102 = getelementptr i8, ptr %invariant.gep.i9085, i64 %gep.9.idx.i9101
+  store double 0.000000e+00, ptr %gep.9.i9102, align 8, !noalias !215
+  %gep.10.i9104 = getelementptr i8, ptr %invariant.gep.i9085, i64 %gep.10.idx.i9103
+  store double 0.000000e+00, ptr %gep.10.i9104, align 8, !noalias !215
+  %gep.11.i9106 = getelementptr i8, ptr %invariant.gep.i9085, i64 %gep.11.idx.i9105
+  store double 0.000000e+00, ptr %gep.11.i9106, align 8, !noalias !215
+  %gep.12.i9108 = getelementptr i8, ptr %invariant.gep.i9085, i64 %gep.12.idx.i9107
+  store double 0.000000e+00, ptr %gep.12.i9108, align 8, !noalias !215
+  %gep.13.i9110 = getelementptr i8, ptr %invariant.gep.i9085, i64 %gep.13.idx.i9109
+  store double 0.000000e+00, ptr %gep.13.i9110, align 8, !noalias !215
+  %gep.14.i9112 = getelementptr i8, ptr %invariant.gep.i9085, i64 %gep.14.idx.i9111
+  store double 0.000000e+00, ptr %gep.14.i9112, align 8, !noalias !215
+  %gep.15.i9114 = getelementptr i8, ptr %invariant.gep.i9085, i64 %gep.15.idx.i9113
+  store double 0.000000e+00, ptr %gep.15.i9114, align 8, !noalias !215
+  %gep.16.i9116 = getelementptr i8, ptr %invariant.gep.i9085, i64 %gep.16.idx.i9115
+  store double 0.000000e+00, ptr %gep.16.i9116, align 8, !noalias !215
+  %gep.17.i9118 = getelementptr i8, ptr %invariant.gep.i9085, i64 %gep.17.idx.i9117
+  store double 0.000000e+00, ptr %gep.17.i9118, align 8, !noalias !215
+  %gep.18.i9120 = getelementptr i8, ptr %invariant.gep.i9085, i64 %gep.18.idx.i9119
+  store double 0.000000e+00, ptr %gep.18.i9120, align 8, !noalias !215
+  %gep.19.i9122 = getelementptr i8, ptr %invariant.gep.i9085, i64 %gep.19.idx.i9121
+  store double 0.000000e+00, ptr %gep.19.i9122, align 8, !noalias !215
+  %gep.20.i9124 = getelementptr i8, ptr %invariant.gep.i9085, i64 %gep.20.idx.i9123
+  store double 0.000000e+00, ptr %gep.20.i9124, align 8, !noalias !215
+  %gep.21.i9126 = getelementptr i8, ptr %invariant.gep.i9085, i64 %gep.21.idx.i9125
+  store double 0.000000e+00, ptr %gep.21.i9126, align 8, !noalias !215
+  %gep.22.i9128 = getelementptr i8, ptr %invariant.gep.i9085, i64 %gep.22.idx.i9127
+  store double 0.000000e+00, ptr %gep.22.i9128, align 8, !noalias !215
+  %gep.23.i9130 = getelementptr i8, ptr %invariant.gep.i9085, i64 %gep.23.idx.i9129
+  store double 0.000000e+00, ptr %gep.23.i9130, align 8, !noalias !215
+  %gep.24.i9132 = getelementptr i8, ptr %invariant.gep.i9085, i64 %gep.24.idx.i9131
+  store double 0.000000e+00, ptr %gep.24.i9132, align 8, !noalias !215
+  %gep.25.i9134 = getelementptr i8, ptr %invariant.gep.i9085, i64 %gep.25.idx.i9133
+  store double 0.000000e+00, ptr %gep.25.i9134, align 8, !noalias !215
+  %gep.26.i9136 = getelementptr i8, ptr %invariant.gep.i9085, i64 %gep.26.idx.i9135
+  store double 0.000000e+00, ptr %gep.26.i9136, align 8, !noalias !215
+  %gep.27.i9138 = getelementptr i8, ptr %invariant.gep.i9085, i64 %gep.27.idx.i9137
+  store double 0.000000e+00, ptr %gep.27.i9138, align 8, !noalias !215
+  %.1455.i9139 = load double, ptr %arg.batch.2.4, align 8, !noalias !215
+  %.1516.i9140 = load i64, ptr %.595.i9029, align 8, !noalias !215
+  %.1531.i9141 = icmp slt i64 %.1516.i9140, 0
+  %.1532.i9142 = select i1 %.1531.i9141, i64 %arg.batch.1.2.5.0, i64 0
+  %326 = getelementptr double, ptr %arg.batch.1.2.4, i64 %.1516.i9140
+  %.1546.i9143 = getelementptr double, ptr %326, i64 %.1532.i9142
+  %.1547.i9144 = load double, ptr %.1546.i9143, align 8, !noalias !215
+  store double %.1455.i9139, ptr %invariant.gep.i9085, align 8, !noalias !215
+  %.1656.i9147 = getelementptr double, ptr %101, i64 %.5508.09316
+  store double %.1547.i9144, ptr %.1656.i9147, align 8, !noalias !215
+  store double 1.000000e+00, ptr %.293.i9011, align 8, !noalias !215
+  %.1767.i9149 = getelementptr double, ptr %102, i64 %.5508.09316
+  store double 0xFFF0000000000000, ptr %.1767.i9149, align 8, !noalias !215
+  %.1822.i9151 = getelementptr double, ptr %103, i64 %.5508.09316
+  store double 0x7FF0000000000000, ptr %.1822.i9151, align 8, !noalias !215
+  %.1877.i9153 = getelementptr double, ptr %104, i64 %.5508.09316
+  %.1878.i9154 = load double, ptr %.1877.i9153, align 8, !noalias !215
+  %.1880.i9155 = fcmp ueq double %.1878.i9154, 0xFFF0000000000000
+  br i1 %.1880.i9155, label %B4450, label %B888.i9156
 
 B4242:                                            ; preds = %B4100
-  %.6394 = getelementptr double, ptr %105, i64 %.5508.09319
+  %.6394 = getelementptr double, ptr %105, i64 %.5508.09316
   %.6395 = load double, ptr %.6394, align 8
   %.6397 = fcmp ult double %.6395, 1.500000e+01
   br i1 %.6397, label %B4450, label %B4290
 
 B4290:                                            ; preds = %B4242
   %.6441 = load double, ptr %.6440, align 8
-  %.6495 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5508.09319
+  %.6495 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5508.09316
   %.6496 = load double, ptr %.6495, align 8
   %.6497 = fsub double %.6441, %.6496
-  %.6551 = getelementptr double, ptr %108, i64 %.5508.09319
+  %.6551 = getelementptr double, ptr %108, i64 %.5508.09316
   %.6552 = load double, ptr %.6551, align 8
   %.6554 = fmul double %.6552, 5.000000e+03
   %.6555 = fcmp ogt double %.6497, %.6554
@@ -4444,46 +4473,46 @@ B4426:                                            ; preds = %B4290
   store double 0.000000e+00, ptr %.6394, align 8
   br label %B4450
 
-B4450:                                            ; preds = %B888.i9159, %B4134, %B580.if.i9087, %B4290, %B4426, %B4242
-  %budget.7.4 = phi i64 [ %budget.5.29321, %B4242 ], [ 0, %B4290 ], [ %budget.5.29321, %B4426 ], [ %budget.5.29321, %B580.if.i9087 ], [ %budget.5.29321, %B4134 ], [ %budget.5.29321, %B888.i9159 ]
+B4450:                                            ; preds = %B888.i9156, %B4134, %B580.if.i9084, %B4290, %B4426, %B4242
+  %budget.7.4 = phi i64 [ %budget.5.29318, %B4242 ], [ 0, %B4290 ], [ %budget.5.29318, %B4426 ], [ %budget.5.29318, %B580.if.i9084 ], [ %budget.5.29318, %B4134 ], [ %budget.5.29318, %B888.i9156 ]
   %.6683 = load i64, ptr %.5669, align 8
   %.6684 = icmp sgt i64 %.6683, -1
   br i1 %.6684, label %B4488, label %B4745
 
 B4488:                                            ; preds = %B4450
-  %.6689 = add nsw i64 %active.5.29322, 1
+  %.6689 = add nsw i64 %active.5.29319, 1
   %.6798 = mul i64 %.6683, %arg.batch.3.3.5.1
   %.6802 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.6798
   %.6803 = load i64, ptr %.6802, align 8
   %.6814.0 = and i64 %.6803, 127
   %.6844 = sub nsw i64 128, %.6814.0
   %.11.i = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %.6844, i64 %.5806)
-  %.6932 = getelementptr double, ptr %109, i64 %.5508.09319
+  %.6932 = getelementptr double, ptr %109, i64 %.5508.09316
   %.6933 = load double, ptr %.6932, align 8
   %.6935 = fcmp ogt double %.6933, 0.000000e+00
   %.6946 = sitofp i64 %.11.i to double
   %"$phi4658.1.2.5" = select i1 %.6935, double 1.000000e+00, double %.6946
-  %.7009 = getelementptr double, ptr %110, i64 %.5508.09319
+  %.7009 = getelementptr double, ptr %110, i64 %.5508.09316
   store double %"$phi4658.1.2.5", ptr %.7009, align 8
-  %.111.i5357 = getelementptr i64, ptr %111, i64 %.5508.09319
-  %.112.i5358 = load i64, ptr %.111.i5357, align 8, !noalias !222
-  %.169.i5407 = getelementptr double, ptr %112, i64 %.5508.09319
-  %.170.i5408 = load double, ptr %.169.i5407, align 8, !noalias !222
-  %.224.i5456 = getelementptr double, ptr %113, i64 %.5508.09319
-  store double %.170.i5408, ptr %.224.i5456, align 8, !noalias !222
-  %.237.i5464 = icmp slt i64 %.112.i5358, %arg.batch.2.5.0
-  br i1 %.237.i5464, label %B134.i5469, label %B4745
+  %.111.i5361 = getelementptr i64, ptr %111, i64 %.5508.09316
+  %.112.i5362 = load i64, ptr %.111.i5361, align 8, !noalias !222
+  %.169.i5411 = getelementptr double, ptr %112, i64 %.5508.09316
+  %.170.i5412 = load double, ptr %.169.i5411, align 8, !noalias !222
+  %.224.i5460 = getelementptr double, ptr %113, i64 %.5508.09316
+  store double %.170.i5412, ptr %.224.i5460, align 8, !noalias !222
+  %.237.i5468 = icmp slt i64 %.112.i5362, %arg.batch.2.5.0
+  br i1 %.237.i5468, label %B134.i5473, label %B4745
 
-B134.i5469:                                       ; preds = %B4488
-  %.253.i5480 = icmp slt i64 %.112.i5358, 0
-  %.254.i5481 = select i1 %.253.i5480, i64 %arg.batch.2.5.0, i64 0
-  %324 = getelementptr double, ptr %arg.batch.2.4, i64 %.112.i5358
-  %.268.i5495 = getelementptr double, ptr %324, i64 %.254.i5481
-  %.269.i5496 = load double, ptr %.268.i5495, align 8, !noalias !222
-  %.328.i5547 = load double, ptr %.169.i5407, align 8, !noalias !222
-  %.10.i.i5554 = fcmp olt double %.328.i5547, %.269.i5496
-  %.11.i.i5555 = select i1 %.10.i.i5554, double %.328.i5547, double %.269.i5496
-  store double %.11.i.i5555, ptr %.224.i5456, align 8, !noalias !222
+B134.i5473:                                       ; preds = %B4488
+  %.253.i5484 = icmp slt i64 %.112.i5362, 0
+  %.254.i5485 = select i1 %.253.i5484, i64 %arg.batch.2.5.0, i64 0
+  %327 = getelementptr double, ptr %arg.batch.2.4, i64 %.112.i5362
+  %.268.i5499 = getelementptr double, ptr %327, i64 %.254.i5485
+  %.269.i5500 = load double, ptr %.268.i5499, align 8, !noalias !222
+  %.328.i5551 = load double, ptr %.169.i5411, align 8, !noalias !222
+  %.10.i.i5558 = fcmp olt double %.328.i5551, %.269.i5500
+  %.11.i.i5559 = select i1 %.10.i.i5558, double %.328.i5551, double %.269.i5500
+  store double %.11.i.i5559, ptr %.224.i5460, align 8, !noalias !222
   br label %B4745
 
 B4718:                                            ; preds = %B4745, %B3742
@@ -4496,69 +4525,69 @@ B4718:                                            ; preds = %B4745, %B3742
 
 B4744:                                            ; preds = %B4718, %B556
   %active.10.0 = phi i64 [ %active.4.0.lcssa, %B556 ], [ %active.8.2, %B4718 ]
-  br i1 %.794, label %B4744.endif, label %B80.if.i2039.lr.ph
+  br i1 %.794, label %B4744.endif, label %B80.if.i2041.lr.ph
 
-B80.if.i2039.lr.ph:                               ; preds = %B4744
+B80.if.i2041.lr.ph:                               ; preds = %B4744
   %.idx = mul i64 %arg.batch.4.0.5.1, 184
-  %325 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx
+  %328 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx
   %.idx8824 = mul i64 %arg.batch.4.0.5.1, 192
-  %326 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8824
-  %.703.i1698 = add nsw i64 %arg.shape.2, -1
+  %329 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8824
+  %.703.i1699 = add nsw i64 %arg.shape.2, -1
   %.idx8825 = mul i64 %arg.batch.4.0.5.1, 168
-  %327 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8825
-  br label %B80.if.i2039
+  %330 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8825
+  br label %B80.if.i2041
 
-B126.i1345:                                       ; preds = %B80.if.i2039
-  %.318.i1392 = getelementptr double, ptr %325, i64 %.105.i1190.09329
-  %.319.i1393 = load double, ptr %.318.i1392, align 8, !noalias !226
-  %.5.i.i1394 = fptosi double %.319.i1393 to i64
-  %.397.i1443 = getelementptr double, ptr %326, i64 %.105.i1190.09329
-  %.398.i1444 = load double, ptr %.397.i1443, align 8, !noalias !226
-  %.5.i1.i1445 = fptosi double %.398.i1444 to i64
-  %.478.i1496 = mul i64 %.258.i1338, %arg.batch.3.3.5.1
-  %.482.i1500 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.478.i1496
-  %.483.i1501 = load i64, ptr %.482.i1500, align 8, !noalias !226
-  %.485.i1503 = add nsw i64 %.483.i1501, %.5.i.i1394
-  store i64 %.485.i1503, ptr %.482.i1500, align 8, !noalias !226
-  %.591.i1598 = getelementptr i8, ptr %.482.i1500, i64 24
-  %.592.i1599 = load i64, ptr %.591.i1598, align 8, !noalias !226
-  %.594.i1601 = add nsw i64 %.592.i1599, %.5.i1.i1445
-  store i64 %.594.i1601, ptr %.591.i1598, align 8, !noalias !226
-  %.700.i1695 = getelementptr i8, ptr %.482.i1500, i64 8
-  %.701.i1696 = load i64, ptr %.700.i1695, align 8, !noalias !226
-  %.706.i1701 = add nsw i64 %.5.i1.i1445, %.5.i.i1394
-  %.707.i1702 = mul nsw i64 %.706.i1701, %.703.i1698
-  %..5.i.i1394 = select i1 %.625, i64 0, i64 %.5.i.i1394
-  %.708.i1703 = add i64 %.707.i1702, %..5.i.i1394
-  %.841.i1807 = add i64 %.708.i1703, %.701.i1696
-  store i64 %.841.i1807, ptr %.700.i1695, align 8, !noalias !226
-  store double 0.000000e+00, ptr %.318.i1392, align 8, !noalias !226
-  store double 0.000000e+00, ptr %.397.i1443, align 8, !noalias !226
-  %.1072.i1985 = getelementptr double, ptr %327, i64 %.105.i1190.09329
-  %.1073.i1986 = load double, ptr %.1072.i1985, align 8, !noalias !226
-  %.1081.i1992 = sitofp i64 %.706.i1701 to double
-  %.1082.i1993 = fsub double %.1073.i1986, %.1081.i1992
-  store double %.1082.i1993, ptr %.1072.i1985, align 8, !noalias !226
-  br label %B568.i1342
+B126.i1346:                                       ; preds = %B80.if.i2041
+  %.318.i1393 = getelementptr double, ptr %328, i64 %.105.i1191.09326
+  %.319.i1394 = load double, ptr %.318.i1393, align 8, !noalias !226
+  %.5.i.i1395 = fptosi double %.319.i1394 to i64
+  %.397.i1444 = getelementptr double, ptr %329, i64 %.105.i1191.09326
+  %.398.i1445 = load double, ptr %.397.i1444, align 8, !noalias !226
+  %.5.i1.i1446 = fptosi double %.398.i1445 to i64
+  %.478.i1497 = mul i64 %.258.i1339, %arg.batch.3.3.5.1
+  %.482.i1501 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.478.i1497
+  %.483.i1502 = load i64, ptr %.482.i1501, align 8, !noalias !226
+  %.485.i1504 = add nsw i64 %.483.i1502, %.5.i.i1395
+  store i64 %.485.i1504, ptr %.482.i1501, align 8, !noalias !226
+  %.591.i1599 = getelementptr i8, ptr %.482.i1501, i64 24
+  %.592.i1600 = load i64, ptr %.591.i1599, align 8, !noalias !226
+  %.594.i1602 = add nsw i64 %.592.i1600, %.5.i1.i1446
+  store i64 %.594.i1602, ptr %.591.i1599, align 8, !noalias !226
+  %.700.i1696 = getelementptr i8, ptr %.482.i1501, i64 8
+  %.701.i1697 = load i64, ptr %.700.i1696, align 8, !noalias !226
+  %.706.i1702 = add nsw i64 %.5.i1.i1446, %.5.i.i1395
+  %.707.i1703 = mul nsw i64 %.706.i1702, %.703.i1699
+  %..5.i.i1395 = select i1 %.625, i64 0, i64 %.5.i.i1395
+  %.708.i1704 = add i64 %.707.i1703, %..5.i.i1395
+  %.841.i1809 = add i64 %.708.i1704, %.701.i1697
+  store i64 %.841.i1809, ptr %.700.i1696, align 8, !noalias !226
+  store double 0.000000e+00, ptr %.318.i1393, align 8, !noalias !226
+  store double 0.000000e+00, ptr %.397.i1444, align 8, !noalias !226
+  %.1072.i1987 = getelementptr double, ptr %330, i64 %.105.i1191.09326
+  %.1073.i1988 = load double, ptr %.1072.i1987, align 8, !noalias !226
+  %.1081.i1994 = sitofp i64 %.706.i1702 to double
+  %.1082.i1995 = fsub double %.1073.i1988, %.1081.i1994
+  store double %.1082.i1995, ptr %.1072.i1987, align 8, !noalias !226
+  br label %B568.i1343
 
-B568.i1342:                                       ; preds = %B126.i1345, %B80.if.i2039
-  %.163.i1271 = icmp sgt i64 %.108.i1191.09328, 1
-  br i1 %.163.i1271, label %B80.if.i2039, label %B4744.endif
+B568.i1343:                                       ; preds = %B126.i1346, %B80.if.i2041
+  %.163.i1272 = icmp sgt i64 %.108.i1192.09325, 1
+  br i1 %.163.i1272, label %B80.if.i2041, label %B4744.endif
 
-B80.if.i2039:                                     ; preds = %B80.if.i2039.lr.ph, %B568.i1342
-  %.105.i1190.09329 = phi i64 [ 0, %B80.if.i2039.lr.ph ], [ %.176.i2046, %B568.i1342 ]
-  %.108.i1191.09328 = phi i64 [ %storemerge, %B80.if.i2039.lr.ph ], [ %.172.i2043, %B568.i1342 ]
-  %.172.i2043 = add nsw i64 %.108.i1191.09328, -1
-  %.176.i2046 = add nsw i64 %.105.i1190.09329, 1
-  %328 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.105.i1190.09329
-  %.258.i1338 = load i64, ptr %328, align 8, !noalias !226
-  %.263.i1341 = icmp sgt i64 %.258.i1338, -1
-  br i1 %.263.i1341, label %B126.i1345, label %B568.i1342
+B80.if.i2041:                                     ; preds = %B80.if.i2041.lr.ph, %B568.i1343
+  %.105.i1191.09326 = phi i64 [ 0, %B80.if.i2041.lr.ph ], [ %.176.i2048, %B568.i1343 ]
+  %.108.i1192.09325 = phi i64 [ %storemerge, %B80.if.i2041.lr.ph ], [ %.172.i2045, %B568.i1343 ]
+  %.172.i2045 = add nsw i64 %.108.i1192.09325, -1
+  %.176.i2048 = add nsw i64 %.105.i1191.09326, 1
+  %331 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.105.i1191.09326
+  %.258.i1339 = load i64, ptr %331, align 8, !noalias !226
+  %.263.i1342 = icmp sgt i64 %.258.i1339, -1
+  br i1 %.263.i1342, label %B126.i1346, label %B568.i1343
 
-B4745:                                            ; preds = %B4488, %B134.i5469, %B4450, %B3784.if
-  %budget.6.3 = phi i64 [ %budget.5.29321, %B3784.if ], [ %budget.7.4, %B4450 ], [ %budget.7.4, %B134.i5469 ], [ %budget.7.4, %B4488 ]
-  %active.6.3 = phi i64 [ %active.5.29322, %B3784.if ], [ %active.5.29322, %B4450 ], [ %.6689, %B134.i5469 ], [ %.6689, %B4488 ]
-  %.5571 = icmp sgt i64 %.5511.09320, 1
+B4745:                                            ; preds = %B4488, %B134.i5473, %B4450, %B3784.if
+  %budget.6.3 = phi i64 [ %budget.5.29318, %B3784.if ], [ %budget.7.4, %B4450 ], [ %budget.7.4, %B134.i5473 ], [ %budget.7.4, %B4488 ]
+  %active.6.3 = phi i64 [ %active.5.29319, %B3784.if ], [ %active.5.29319, %B4450 ], [ %.6689, %B134.i5473 ], [ %.6689, %B4488 ]
+  %.5571 = icmp sgt i64 %.5511.09317, 1
   br i1 %.5571, label %B3784.if, label %B4718
 
 common.ret:                                       ; preds = %B3418.if, %B3318.endif.if, %B2766.endif.if, %B4744.endif
@@ -4566,63 +4595,63 @@ common.ret:                                       ; preds = %B3418.if, %B3318.en
   ret i32 %common.ret.op
 
 B416.if:                                          ; preds = %B416.if.lr.ph, %B502
-  %active.4.09174 = phi i64 [ 0, %B416.if.lr.ph ], [ %.1089, %B502 ]
-  %.783.09173 = phi i64 [ %storemerge, %B416.if.lr.ph ], [ %.847, %B502 ]
-  %.780.09172 = phi i64 [ 0, %B416.if.lr.ph ], [ %.851, %B502 ]
-  %.847 = add nsw i64 %.783.09173, -1
-  %.851 = add nsw i64 %.780.09172, 1
-  %329 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.780.09172
-  %.933 = load i64, ptr %329, align 8
+  %active.4.09171 = phi i64 [ 0, %B416.if.lr.ph ], [ %.1089, %B502 ]
+  %.783.09170 = phi i64 [ %storemerge, %B416.if.lr.ph ], [ %.847, %B502 ]
+  %.780.09169 = phi i64 [ 0, %B416.if.lr.ph ], [ %.851, %B502 ]
+  %.847 = add nsw i64 %.783.09170, -1
+  %.851 = add nsw i64 %.780.09169, 1
+  %332 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.780.09169
+  %.933 = load i64, ptr %332, align 8
   %.934 = icmp slt i64 %.933, 0
   br i1 %.934, label %B458, label %B502
 
 B1534.if:                                         ; preds = %B1502, %B1726
-  %.2165.09189 = phi i64 [ %.2234, %B1726 ], [ 1, %B1502 ]
-  %.2234 = add i64 %.2165.09189, 1
-  %330 = getelementptr i64, ptr %arg.code.4, i64 %.2165.09189
-  %331 = getelementptr i8, ptr %330, i64 128
-  %.2293 = load i64, ptr %331, align 8
+  %.2165.09186 = phi i64 [ %.2234, %B1726 ], [ 1, %B1502 ]
+  %.2234 = add i64 %.2165.09186, 1
+  %333 = getelementptr i64, ptr %arg.code.4, i64 %.2165.09186
+  %334 = getelementptr i8, ptr %333, i64 128
+  %.2293 = load i64, ptr %334, align 8
   %.2338 = inttoptr i64 %.2293 to ptr
   tail call void %.2338(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
-  %.2344 = add nsw i64 %.2165.09189, %.
+  %.2344 = add nsw i64 %.2165.09186, %.
   %.2346 = mul nsw i64 %.2344, %.463
   %.2391 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.2346
   tail call void %.2392(ptr %.571, ptr %.2366, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.2391)
-  br i1 %or.cond9165.not, label %B68.if.lr.ph.i, label %B1726
+  br i1 %or.cond9162.not, label %B68.if.lr.ph.i, label %B1726
 
 B1870.if:                                         ; preds = %B1728, %B1956
-  %looked.2.19195 = phi i1 [ %"$phi1956.1.2.2", %B1956 ], [ %spec.select8891, %B1728 ]
-  %good.2.19194 = phi i1 [ %"$phi1914.1.2.2", %B1956 ], [ false, %B1728 ]
-  %.2611.09193 = phi i64 [ %.2673, %B1956 ], [ %storemerge, %B1728 ]
-  %.2608.09192 = phi i64 [ %.2677, %B1956 ], [ 0, %B1728 ]
-  %.2673 = add nsw i64 %.2611.09193, -1
-  %.2677 = add nsw i64 %.2608.09192, 1
-  br i1 %good.2.19194, label %B1914, label %B1878
+  %looked.2.19192 = phi i1 [ %"$phi1956.1.2.2", %B1956 ], [ %spec.select8891, %B1728 ]
+  %good.2.19191 = phi i1 [ %"$phi1914.1.2.2", %B1956 ], [ false, %B1728 ]
+  %.2611.09190 = phi i64 [ %.2673, %B1956 ], [ %storemerge, %B1728 ]
+  %.2608.09189 = phi i64 [ %.2677, %B1956 ], [ 0, %B1728 ]
+  %.2673 = add nsw i64 %.2611.09190, -1
+  %.2677 = add nsw i64 %.2608.09189, 1
+  br i1 %good.2.19191, label %B1914, label %B1878
 
 B2030.if:                                         ; preds = %B2030.preheader, %B2536
-  %checked.3.29205 = phi i1 [ %checked.4.3, %B2536 ], [ false, %B2030.preheader ]
-  %within.3.29204 = phi i1 [ %within.4.3, %B2536 ], [ false, %B2030.preheader ]
-  %.2966.09203 = phi i64 [ %.3034, %B2536 ], [ %storemerge, %B2030.preheader ]
-  %.2963.09202 = phi i64 [ %.3038, %B2536 ], [ 0, %B2030.preheader ]
-  %.3034 = add nsw i64 %.2966.09203, -1
-  %.3038 = add nsw i64 %.2963.09202, 1
-  %.3123 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.2963.09202
+  %checked.3.29202 = phi i1 [ %checked.4.3, %B2536 ], [ false, %B2030.preheader ]
+  %within.3.29201 = phi i1 [ %within.4.3, %B2536 ], [ false, %B2030.preheader ]
+  %.2966.09200 = phi i64 [ %.3034, %B2536 ], [ %storemerge, %B2030.preheader ]
+  %.2963.09199 = phi i64 [ %.3038, %B2536 ], [ 0, %B2030.preheader ]
+  %.3034 = add nsw i64 %.2966.09200, -1
+  %.3038 = add nsw i64 %.2963.09199, 1
+  %.3123 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.2963.09199
   %.3124 = load i64, ptr %.3123, align 8
-  %.3178 = getelementptr i64, ptr %38, i64 %.2963.09202
+  %.3178 = getelementptr i64, ptr %38, i64 %.2963.09199
   %.3179 = load i64, ptr %.3178, align 8
-  %.3239 = getelementptr double, ptr %39, i64 %.2963.09202
+  %.3239 = getelementptr double, ptr %39, i64 %.2963.09199
   store double 0.000000e+00, ptr %.3239, align 8
   %.3242 = icmp sgt i64 %.3124, -1
   br i1 %.3242, label %B2130, label %B2536
 
 B46.i:                                            ; preds = %B2168
-  %.120.i2141 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i2115
-  %.121.i2142 = load i64, ptr %.120.i2141, align 8, !noalias !50
-  %.122.i2143 = icmp eq i64 %.121.i2142, 0
-  br i1 %.122.i2143, label %B80.i2147, label %B2268
+  %.120.i2143 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i2117
+  %.121.i2144 = load i64, ptr %.120.i2143, align 8, !noalias !50
+  %.122.i2145 = icmp eq i64 %.121.i2144, 0
+  br i1 %.122.i2145, label %B80.i2149, label %B2268
 
-B80.i2147:                                        ; preds = %B46.i
-  store i64 %.5.i, ptr %.120.i2141, align 8, !noalias !50
+B80.i2149:                                        ; preds = %B46.i
+  store i64 %.5.i, ptr %.120.i2143, align 8, !noalias !50
   br label %B2268
 
 B2766.endif.if:                                   ; preds = %B2766
@@ -4655,7 +4684,7 @@ B2946.if:                                         ; preds = %B2898
   %.4659 = load i64, ptr %.4658, align 8
   %.4704 = inttoptr i64 %.4659 to ptr
   tail call void %.4704(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.tolerances.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
-  br i1 %.794, label %B3314, label %B64.if.i3119
+  br i1 %.794, label %B3314, label %B64.if.i3121
 
 B3318.endif.if:                                   ; preds = %B3318
   %.4831 = load ptr, ptr %excinfo.11, align 8
@@ -4672,18 +4701,18 @@ B3418.if:                                         ; preds = %_ZN12clpt_control6n
   br label %common.ret
 
 B3784.if:                                         ; preds = %B3742, %B4745
-  %active.5.29322 = phi i64 [ %active.6.3, %B4745 ], [ 0, %B3742 ]
-  %budget.5.29321 = phi i64 [ %budget.6.3, %B4745 ], [ %.1132, %B3742 ]
-  %.5511.09320 = phi i64 [ %.5580, %B4745 ], [ %storemerge, %B3742 ]
-  %.5508.09319 = phi i64 [ %.5584, %B4745 ], [ 0, %B3742 ]
-  %.5580 = add nsw i64 %.5511.09320, -1
-  %.5584 = add nsw i64 %.5508.09319, 1
-  %.5669 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.5508.09319
+  %active.5.29319 = phi i64 [ %active.6.3, %B4745 ], [ 0, %B3742 ]
+  %budget.5.29318 = phi i64 [ %budget.6.3, %B4745 ], [ %.1132, %B3742 ]
+  %.5511.09317 = phi i64 [ %.5580, %B4745 ], [ %storemerge, %B3742 ]
+  %.5508.09316 = phi i64 [ %.5584, %B4745 ], [ 0, %B3742 ]
+  %.5580 = add nsw i64 %.5511.09317, -1
+  %.5584 = add nsw i64 %.5508.09316, 1
+  %.5669 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.5508.09316
   %.5670 = load i64, ptr %.5669, align 8
   %.5675 = icmp slt i64 %.5670, 0
   br i1 %.5675, label %B4745, label %B3832
 
-B4744.endif:                                      ; preds = %B568.i1342, %B4744
+B4744.endif:                                      ; preds = %B568.i1343, %B4744
   store i64 %active.10.0, ptr %retptr, align 8
   br label %common.ret
 }
@@ -5571,29 +5600,29 @@ B720.if:                                          ; preds = %B720.if.lr.ph, %B72
 !82 = distinct !{!82, !81, !"_ZN12clpt_control6native9for_numba12state_withinB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %excinfo"}
 !83 = !{!80, !82, !62}
 !84 = !{!85, !87, !62}
-!85 = distinct !{!85, !86, !"_ZN12clpt_control6native9for_numba12first_passedB3v37B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx23Literal_5bint_5d_289_295ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!86 = distinct !{!86, !"_ZN12clpt_control6native9for_numba12first_passedB3v37B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx23Literal_5bint_5d_289_295ArrayIdLi1E1C7mutable7alignedE"}
-!87 = distinct !{!87, !86, !"_ZN12clpt_control6native9for_numba12first_passedB3v37B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx23Literal_5bint_5d_289_295ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
-!88 = !{!89, !91, !92, !94, !62}
-!89 = distinct !{!89, !90, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %retptr"}
-!90 = distinct !{!90, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd"}
-!91 = distinct !{!91, !90, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %excinfo"}
-!92 = distinct !{!92, !93, !"_ZN12clpt_control6native9for_numba12state_withinB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %retptr"}
-!93 = distinct !{!93, !"_ZN12clpt_control6native9for_numba12state_withinB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd"}
-!94 = distinct !{!94, !93, !"_ZN12clpt_control6native9for_numba12state_withinB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %excinfo"}
-!95 = !{!92, !94, !62}
-!96 = !{!97, !99, !62}
-!97 = distinct !{!97, !98, !"_ZN12clpt_control6native9for_numba14measure_effectB3v38B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE23Literal_5bint_5d_289_298UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE: %retptr"}
-!98 = distinct !{!98, !"_ZN12clpt_control6native9for_numba14measure_effectB3v38B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE23Literal_5bint_5d_289_298UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE"}
-!99 = distinct !{!99, !98, !"_ZN12clpt_control6native9for_numba14measure_effectB3v38B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE23Literal_5bint_5d_289_298UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE: %excinfo"}
-!100 = !{!101, !103, !97, !99, !62}
-!101 = distinct !{!101, !102, !"_ZN12clpt_control6native9for_numba8exchangeB3v36B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedExx: %retptr"}
-!102 = distinct !{!102, !"_ZN12clpt_control6native9for_numba8exchangeB3v36B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedExx"}
-!103 = distinct !{!103, !102, !"_ZN12clpt_control6native9for_numba8exchangeB3v36B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedExx: %excinfo"}
-!104 = !{!105, !107, !97, !99, !62}
-!105 = distinct !{!105, !106, !"_ZN12clpt_control6native9for_numba8exchangeB3v36B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedExx: %retptr"}
-!106 = distinct !{!106, !"_ZN12clpt_control6native9for_numba8exchangeB3v36B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedExx"}
-!107 = distinct !{!107, !106, !"_ZN12clpt_control6native9for_numba8exchangeB3v36B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedExx: %excinfo"}
+!85 = distinct !{!85, !86, !"_ZN12clpt_control6native9for_numba14measure_effectB3v37B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE23Literal_5bint_5d_289_298UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE: %retptr"}
+!86 = distinct !{!86, !"_ZN12clpt_control6native9for_numba14measure_effectB3v37B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE23Literal_5bint_5d_289_298UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE"}
+!87 = distinct !{!87, !86, !"_ZN12clpt_control6native9for_numba14measure_effectB3v37B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE23Literal_5bint_5d_289_298UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE: %excinfo"}
+!88 = !{!89, !91, !85, !87, !62}
+!89 = distinct !{!89, !90, !"_ZN12clpt_control6native9for_numba8exchangeB3v36B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedExx: %retptr"}
+!90 = distinct !{!90, !"_ZN12clpt_control6native9for_numba8exchangeB3v36B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedExx"}
+!91 = distinct !{!91, !90, !"_ZN12clpt_control6native9for_numba8exchangeB3v36B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedExx: %excinfo"}
+!92 = !{!93, !95, !85, !87, !62}
+!93 = distinct !{!93, !94, !"_ZN12clpt_control6native9for_numba8exchangeB3v36B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedExx: %retptr"}
+!94 = distinct !{!94, !"_ZN12clpt_control6native9for_numba8exchangeB3v36B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedExx"}
+!95 = distinct !{!95, !94, !"_ZN12clpt_control6native9for_numba8exchangeB3v36B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedExx: %excinfo"}
+!96 = !{!97, !99, !100, !102, !62}
+!97 = distinct !{!97, !98, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %retptr"}
+!98 = distinct !{!98, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd"}
+!99 = distinct !{!99, !98, !"_ZN12clpt_control6native9for_numba11interpolateB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %excinfo"}
+!100 = distinct !{!100, !101, !"_ZN12clpt_control6native9for_numba12state_withinB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %retptr"}
+!101 = distinct !{!101, !"_ZN12clpt_control6native9for_numba12state_withinB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd"}
+!102 = distinct !{!102, !101, !"_ZN12clpt_control6native9for_numba12state_withinB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %excinfo"}
+!103 = !{!100, !102, !62}
+!104 = !{!105, !107, !62}
+!105 = distinct !{!105, !106, !"_ZN12clpt_control6native9for_numba12first_passedB3v38B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx23Literal_5bint_5d_289_295ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!106 = distinct !{!106, !"_ZN12clpt_control6native9for_numba12first_passedB3v38B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx23Literal_5bint_5d_289_295ArrayIdLi1E1C7mutable7alignedE"}
+!107 = distinct !{!107, !106, !"_ZN12clpt_control6native9for_numba12first_passedB3v38B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx23Literal_5bint_5d_289_295ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
 !108 = !{!109, !62}
 !109 = distinct !{!109, !110, !"_ZN12clpt_control6native9for_numba9try_againB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %retptr"}
 !110 = distinct !{!110, !"_ZN12clpt_control6native9for_numba9try_againB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE"}

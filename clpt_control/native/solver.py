@@ -85,6 +85,7 @@ BEHIND = GLANCES + 1  # the look right behind a kink
 DECIDED = 3 * (BEHIND + 1)  # numbers of a decision in D: `decide` at each look
 CROSSED = 1.0  # a step ends behind a kink
 HALVINGS, RESOLVED = 50, 1e-12  # of a step; how close to a kink one ends, of the step or the time
+COARSE = 12  # halvings to a place right behind a kink, where its effect is measured
 SHORTEST = 1e-13  # step up to a kink, of a run: in a shorter one states move by rounding alone
 FELT, SOON = 0.1, 0.75  # effect up to which a step crosses a kink as it is, behind this share
 MOST_KINKS, NEAR = 1000, 1e-7  # one after the other, each within that share of the run
@@ -349,8 +350,17 @@ def locate_kinks(code, shape, tolerances, times, results, lane, arrays):
         for k in range(lanes):
             state_within(n, lanes, k, numbers, Z, SHARES[look])
         measure_effect(code, shape, tolerances, numbers, look, arrays)
-    to = 3 * BEHIND * decided * lanes
-    for _ in range(HALVINGS):
+    to, felt = 3 * BEHIND * decided * lanes, False
+    for halving in range(HALVINGS):
+        if halving == COARSE:
+            for k in range(lanes):
+                state_within(n, lanes, k, numbers, Z, numbers[HIGH, k])
+            call(code[DECIDE], numbers[AT], Z, LOOKED * n * lanes, P, T, W, D, to)
+            measure_effect(code, shape, tolerances, numbers, BEHIND, arrays)
+            for k in range(lanes):
+                felt = felt or (whole[WHICH, k] >= 0 and numbers[EFFECT, k] > FELT)
+            if not felt:
+                break
         for k in range(lanes):
             share = 0.5 * (numbers[LOW, k] + numbers[HIGH, k])
             state_within(n, lanes, k, numbers, Z, share)
@@ -361,10 +371,6 @@ def locate_kinks(code, shape, tolerances, times, results, lane, arrays):
                 numbers[HIGH, k] = share
             else:
                 numbers[LOW, k] = share
-    for k in range(lanes):
-        state_within(n, lanes, k, numbers, Z, numbers[HIGH, k])
-    call(code[DECIDE], numbers[AT], Z, LOOKED * n * lanes, P, T, W, D, to)
-    measure_effect(code, shape, tolerances, numbers, BEHIND, arrays)
     for k in range(lanes):
         numbers[AT, k] = numbers[NEW, k]
         if whole[WHICH, k] < 0:
