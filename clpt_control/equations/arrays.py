@@ -77,8 +77,6 @@ class Tape:
 
     def add(self, kind: str, arguments: Sequence[Ref], shape: Shape, at: Any = None) -> "Array":
         """Return the value of an operation, written down where it is new."""
-        if kind in ("eq", "ne") and arguments[0] == arguments[1]:
-            at = "NaN"  # x == x asks for NaN
         key = (kind, tuple(map(key_of, arguments)), shape, at)
         place = self._known.get(key)
         if place is None:
@@ -150,12 +148,15 @@ class Masked(NDArrayOperatorsMixin):
 class Array(NDArrayOperatorsMixin):
     """A value of a tape, of a known shape, used as NumPy's arrays are."""
 
-    __slots__ = ("_fixed", "_node", "_parent", "_select", "_store", "_tape", "_whole", "shape")
+    __slots__ = (
+        *("_boxed", "_fixed", "_node", "_parent", "_select", "_store", "_tape", "_whole", "shape"),
+    )
     __array_priority__ = 1000
 
     def __init__(self, tape: Tape, node: int, shape: Shape, parent: Any = None, select: Any = None):
         self._tape, self._node, self.shape = tape, node, shape
         self._fixed = False  # whether nothing may be written into it
+        self._boxed = False  # whether, without axes, it is NumPy's array and no number
         self._whole = False  # whether what is written into it is cut to a whole number
         self._parent: Array | None = parent
         self._select = select  # takes this part of the parent's elements
@@ -249,7 +250,7 @@ class Array(NDArrayOperatorsMixin):
             return known.astype(object)
         found = np.empty(self.size, dtype=object)
         for k, place in enumerate(np.ndindex(self.shape)):
-            found[k] = self[place] if self.shape else self
+            found[k] = self[place] if self.shape else Array(self._tape, self._node, ())
         return found.reshape(self.shape)
 
     # --- NumPy's protocols ----------------------------------------------------------------
@@ -497,6 +498,17 @@ def is_truth(value: Any) -> bool:
     if isinstance(value, Array):
         return value._is_condition
     return isinstance(value, bool | np.bool_) or getattr(value, "dtype", None) == TRUTH
+
+
+def boxed(tape: Tape, value: Any) -> Any:
+    """Return a number as an array without axes: ``+=`` changes it by each name that it has."""
+    if type(value) is float:
+        value = tape.add("fill", (value,), ())
+    if not isinstance(value, Array) or value.shape or value._boxed or value._is_condition:
+        return value
+    new = Array(tape, value._node, ())
+    new._boxed, new._whole = True, value._whole
+    return new
 
 
 def where(condition: Any, a: Any, b: Any) -> Any:

@@ -14,7 +14,7 @@ import numpy as np
 
 from ..arguments import brief, public
 from ..errors import ArgumentError
-from .arrays import Array, Tape, Unread, elementwise, lifted, numbers_of, operand, where
+from .arrays import Array, Tape, Unread, boxed, elementwise, lifted, numbers_of, operand, where
 from .record import picked
 
 
@@ -309,4 +309,4 @@ def function_of(value: Any) -> Callable | None:
     if not is_table(value):
         return None
     table = cache(TABLES[type(value).__name__])
-    return lambda tape, *x, **more: table(value)(tape, *x, **more)
+    return lambda tape, *x, **more: boxed(tape, table(value)(tape, *x, **more))

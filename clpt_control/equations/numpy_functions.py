@@ -16,6 +16,7 @@ from .arrays import (
     Tape,
     Unread,
     active,
+    boxed,
     elementwise,
     filled,
     is_truth,
@@ -29,6 +30,10 @@ from .ufuncs import accumulated, check_doubles, matmul, reduced, rounded
 from .views import depends, into, of_numbers, on_objects, refuse, tape_of
 
 IMPLEMENTED: dict[Any, Callable] = {}  # NumPy's: what writes them down
+BOXED = {  # whose results are arrays, also without axes
+    *(np.where, np.select, np.piecewise, np.copy),
+    *(np.zeros_like, np.ones_like, np.empty_like, np.full_like),
+}
 MOST_ROWS = 24  # of linear equations
 
 
@@ -38,7 +43,8 @@ def apply_function(tape: Tape, function: Any, inputs: Any, more: dict) -> Any:
         return of_numbers(tape, function, inputs, more)
     out = more.pop("out", None)
     if function in IMPLEMENTED:
-        return into(out, IMPLEMENTED[function](*inputs, **more))
+        result = IMPLEMENTED[function](*inputs, **more)
+        return into(out, boxed(tape, result) if function in BOXED else result)
     return into(out, on_objects(tape, function, inputs, more))
 
 
@@ -422,13 +428,19 @@ def floats(value: Any) -> Any:
     return value
 
 
+def astype(a: Array, *kind: Any, **more: Any) -> Any:
+    """Return numbers of another kind."""
+    new = views.converted(a, *kind, **more)
+    return boxed(a._tape, new) if a._boxed else new
+
+
 METHODS: dict[str, Callable] = {  # that are not NumPy's functions
     "reshape": sharing(np.ndarray.reshape),
     "transpose": sharing(np.ndarray.transpose),
     "flatten": lambda a, order="C": views.copied(np.ravel(a, order)),
     "__copy__": views.copied,
     "__deepcopy__": views.copied,
-    "astype": views.converted,
+    "astype": astype,
     "item": lambda a, *at: floats(a[at] if at else objects(a).ravel()[0] if a.shape else a),
     "tolist": lambda a: floats(objects(a).tolist()),
     "fill": lambda a, value: a.__setitem__(..., value),

@@ -29,6 +29,7 @@ as a number says, or as a name: ``"N"`` is a size that the record leaves open.
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from math import copysign, erf, erfc, prod
 from typing import Any, NamedTuple
 
@@ -37,6 +38,11 @@ import numpy as np
 MOST_NUMBERS = 20_000  # of an array that is a value, and is compared with what it was
 Ref = Any  # int: the place of a value; float: a constant
 Shape = tuple[Any, ...]  # of whole numbers and names of sizes
+
+
+def key_of(ref: Ref) -> Any:
+    """Return what tells arguments apart: 0.0 is not -0.0, 1.0 not the value 1."""
+    return (ref, copysign(1.0, ref)) if type(ref) is float else ref
 
 
 class Operation(NamedTuple):
@@ -48,13 +54,24 @@ class Operation(NamedTuple):
     at: Any = None
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Record:
-    """What a function did to arrays."""
+    """What a function did to arrays; equal records have the same machine code."""
 
     operations: tuple[Operation, ...]
     outputs: tuple[Ref, ...]  # one for each port
     shapes: tuple[Shape, ...]  # of the ports; an output of fewer axes is broadcast
+
+    @cached_property
+    def _key(self) -> tuple:
+        lines = [(o.kind, tuple(map(key_of, o.arguments)), o.shape, o.at) for o in self.operations]
+        return tuple(lines), tuple(map(key_of, self.outputs)), self.shapes
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Record) and self._key == other._key
+
+    def __hash__(self) -> int:
+        return hash(self._key)
 
     def leaves(self, group: str) -> list[str]:
         """Return the names of the leaves of a group that outputs depend on."""
@@ -77,11 +94,6 @@ class Record:
 def bound(shape: Shape, sizes: Mapping[str, int]) -> Shape:
     """Return a shape with the sizes that are known in the place of their names."""
     return tuple([sizes.get(n, n) for n in shape])
-
-
-def key_of(ref: Ref) -> Any:
-    """Return what tells arguments apart: 0.0 is not -0.0, 1.0 not the value 1."""
-    return (ref, copysign(1.0, ref)) if type(ref) is float else ref
 
 
 def reached(operations: Iterable[Any], roots: Iterable[Ref]) -> set[int]:

@@ -22,6 +22,7 @@ from .arrays import (
     Tape,
     Unread,
     active,
+    boxed,
     elementwise,
     in_a_try,
     lifted,
@@ -279,20 +280,20 @@ def array(tape: Any, value: Any, dtype: Any = None, *, ndmin: int = 0, **more: A
         new = converted(new, dtype)
     elif more.get("copy", True):
         new = copied(new)
-    return new[(None,) * (ndmin - new.ndim)] if ndmin > new.ndim else new
+    return boxed(tape, new[(None,) * (ndmin - new.ndim)] if ndmin > new.ndim else new)
 
 
 def same_array(tape: Any, value: Any, dtype: Any = None, **more: Any) -> Any:
     """Return np.asarray of what holds signals."""
     if isinstance(value, Array) and (dtype is None or np.dtype(dtype) == float):
-        return value
+        return boxed(tape, value)
     return array(tape, value, dtype)
 
 
 def full(tape: Tape, shape: Any, value: Any, dtype: Any) -> Any:
     """Return np.full of a signal."""
     new = lifted(tape, np.zeros(whole(shape))) + lifted(tape, value)
-    return new if dtype is None else converted(new, dtype)
+    return boxed(tape, new if dtype is None else converted(new, dtype))
 
 
 MAKERS: dict[Any, Callable] = {

@@ -22,6 +22,7 @@ from .arrays import (
     Tape,
     Unread,
     as_number,
+    boxed,
     constant,
     lifted,
     numbers_of,
@@ -75,7 +76,7 @@ def repacked(tape: Tape, value: Any) -> Any:
     if isinstance(value, tuple | list):
         return type(value)(repacked(tape, one) for one in value)
     if isinstance(value, np.ndarray) and value.dtype == object:
-        return lifted(tape, value)
+        return boxed(tape, lifted(tape, value))
     return fresh(tape, value)
 
 
@@ -94,8 +95,8 @@ def on_objects(tape: Tape, function: Any, inputs: Any, more: dict) -> Any:
 
 
 def into(out: Any, value: Any) -> Any:
-    """Return a value, or the array `out` into which it is written."""
-    if out is None or (isinstance(out, Array) and not out.shape):  # a number is replaced
+    """Return a value, or the array `out` into which it is written; a number is replaced."""
+    if out is None or (isinstance(out, Array) and not out.shape and not out._boxed):
         return value
     if not isinstance(out, Array):
         raise Unread("writes signals into an array made elsewhere; make it where it is filled")
@@ -168,16 +169,19 @@ def part(a: Any, function: Callable[[np.ndarray], Any]) -> Any:
         if not isinstance(elements, np.ndarray):
             return elements
         new = Array(a._tape, -1, elements.shape, a, function)
-        new._store = elements
+        new._store, new._boxed = elements, True
         return new
     node, seen = a._node, _mapped(a.shape, function)
     if seen is None:
         new = lifted(a._tape, function(a._elements()))
     else:
         new = tape_viewed(a._tape, node, *seen)
-    if not isinstance(new, Array) or not new.shape:
+    if not isinstance(new, Array):
         return new
-    return Array(a._tape, new._node, new.shape, a, function)
+    view = Array(a._tape, new._node, new.shape, a, function)
+    if not new.shape and (a.shape or a._boxed):  # NumPy's number, or its array without axes
+        view._boxed = isinstance(function(_places(a.shape)[0]), np.ndarray)
+    return view if new.shape or view._boxed else new
 
 
 def _mapped(shape: Shape, function: Callable) -> tuple[tuple, Shape] | None:
@@ -327,7 +331,7 @@ def join(parts: Any, axis: Any = 0, **more: Any) -> Any:
 
 def copied(a: Any, *arguments: Any, **more: Any) -> Any:
     """Return a copy, which no longer shares what is written."""
-    if not a.shape:
+    if not a.shape and not a._boxed:
         return a
     ref = a._ref
     if type(ref) is float:

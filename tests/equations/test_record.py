@@ -118,6 +118,49 @@ def test_a_view_and_its_array_share_what_is_written(array, view):
     agrees(written, 4 + VIEWS[view](np.zeros(4)).size)
 
 
+WITHOUT_AXES = {  # NumPy's arrays without axes, and its numbers
+    "where": lambda u: np.where(u[0] > 0, u[0], 3.0),
+    "where of numbers": lambda u: np.where(u[0] > 0, 1.0, 3.0),
+    "array": lambda u: np.array(u[0]),
+    "full": lambda u: np.full((), u[0]),
+    "zeros like": lambda u: np.zeros_like(u[0]),
+    "a copy": lambda u: np.copy(u[0]),
+    "shaped": lambda u: u[:1].reshape(()) * np.ones(()),
+    "squeezed": lambda u: np.squeeze(2.0 * u[:1]),
+    "an ellipsis": lambda u: (2.0 * u)[0, ...],
+    "converted": lambda u: np.where(u[0] > 0, u[0], 1.0).astype(float),
+    "a sum": np.sum,
+    "an element": lambda u: u[0],
+    "a product": lambda u: np.dot(u, u),
+    "clipped": lambda u: np.clip(u[0], 0.0, 1.0),
+}
+
+
+@pytest.mark.parametrize("kind", WITHOUT_AXES)
+def test_an_array_without_axes_is_changed_by_each_name_it_has(kind):
+    def written(t, x, u, p):
+        a = WITHOUT_AXES[kind](u)
+        b = a
+        b += u[1]
+        c = a
+        c *= u[2]
+        return [a * 1.0, b * 1.0, c * 1.0]
+
+    agrees(written, 3)
+
+
+def test_an_argument_that_is_a_place_is_not_the_constant_of_that_number():
+    def of(constant):
+        return lambda t, x, u, p: np.where(u[0] > 0.0, constant, 3.0)
+
+    records = [static(of(c)).array_record("output") for c in (0.0, -0.0, 1.0, 2.0)]
+    records.append(
+        static(lambda t, x, u, p: np.where(u[0] > 0.0, u[0], 3.0)).array_record("output")
+    )
+    assert len(set(records)) == 5
+    assert static(of(1.0)).array_record("output") == records[2]
+
+
 def puts(t, x, u, p):
     y = u * 1.0
     np.put(y, [1], u[0])
