@@ -253,5 +253,8 @@ def json_changed(rng, made):
     if rng.random() < 0.2:
         del inner[key]
         return f"{key} is gone"
-    inner[key] = value = one_of(rng, IN_JSON)
+    value = one_of(rng, IN_JSON)
+    if type(inner[key]) is int and rng.random() < 0.6:  # a place beside its own
+        value = inner[key] + one_of(rng, [-1, 1, 3])
+    inner[key] = value
     return f"{key} is {str(value)[-30:]}"

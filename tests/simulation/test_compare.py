@@ -30,14 +30,14 @@ def tank(units=None):
     )
 
 
-def gauge(**more):
+def gauge():
     return clpt.Block(
         "gauge",
-        output=lambda t, x, u, p: {"v": 2.0 * u.h, "mean": (u.h[0] + u.h[1]) / 2},
+        output=lambda t, x, u, p: {"v": p.k * u.h, "mean": (u.h[0] + u.h[1]) / 2},
         inputs={"h": 2},
         outputs={"v": 2, "mean": 1},
+        parameters={"k": np.array([2.0, 3.0])},
         units={"v": "V"},
-        **more,
     )
 
 
