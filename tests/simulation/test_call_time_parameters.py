@@ -41,10 +41,13 @@ def test_lyapunov_is_measured_to_the_true_parameters_that_ran():
     assert float(run.lyapunov[-1]) == pytest.approx(np.sum(e**2) / 2 + squares / 4, rel=1e-12)
 
 
-def test_an_initial_state_and_tolerances_are_the_files(tmp_path):
+def test_an_initial_state_tolerances_and_noise_are_the_files(tmp_path):
+    noise = {"kind": "noise", "amplitude": [0.1, 0.2], "period": 3.0, "seed": 4}
+    noisy = PAPER.with_values({"flow.disturbance": noise, "run.output_step": 2.5})
     state = clpt.initial_state(PAPER) + 0.25
-    run = clpt.simulate(PAPER, initial_state=state, rtol=1e-11, atol=1e-12)
+    run = clpt.simulate(noisy, initial_state=state, rtol=1e-11, atol=1e-12)
     clpt.save_run(run, tmp_path / "run.nc")
+    assert_equal(clpt.load_run(tmp_path / "run.nc"), run)
     assert_equal(clpt.simulate(clpt.load_scenario(tmp_path / "run.nc")), run)
 
 

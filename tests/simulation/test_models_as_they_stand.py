@@ -31,6 +31,11 @@ def against_control(system, inputs=0.0, start=0.0, params=None, close=1e-7, engi
     return [str(one.message) for one in said]
 
 
+def autonomous(update, **more):
+    """A system of one state and no input."""
+    return control.nlsys(update, None, inputs=0, outputs=1, states=1, **more)
+
+
 def rate(t, x, u, params):
     m = params.get("m", 1.0)
     return np.array([x[1], (u[0] - params["c"] * x[1] - np.sin(x[0])) / m])
@@ -166,28 +171,13 @@ def test_a_param_under_the_name_of_its_system_is_for_that_one_alone():
 
 def test_params_reach_nested_diagrams_as_python_control_hands_them_down():
     gain = control.nlsys(
-        None,
-        lambda t, x, u, p: p["k"] * (u[0] - u[1]),
-        inputs=["r", "y"],
-        outputs=["v"],
-        name="gain",
-        params={"k": 2.0},
-    )
-    inner = control.interconnect(
-        [pendulum(name="plant"), gain],
-        [["plant.u[0]", "gain.v"], ["gain.y", "plant.y[0]"]],
-        inplist=["gain.r"],
-        outlist=["plant.y[0]"],
-        name="inner",
-        params={"m": 5.0},
-    )
-    outer = control.interconnect(
-        [inner, control.tf([1.0], [0.3, 1.0], name="lag", inputs="u", outputs="y")],
-        [["inner.u[0]", "lag.y"]],
-        inplist=["lag.u"],
-        outlist=["inner.y[0]"],
-        params={"k": 3.0},
-    )
+        None, lambda t, x, u, p: p["k"] * (u[0] - u[1]),
+        inputs=["r", "y"], outputs=["u"], name="gain", params={"k": 2.0},
+    )  # fmt: skip
+    plant = pendulum(name="plant", inputs=["u"], outputs=["y"])
+    inner = control.interconnect([plant, gain], inputs="r", outputs="y", params={"m": 5.0})
+    lag = control.tf([1.0], [0.3, 1.0], inputs="v", outputs="r")
+    outer = control.interconnect([inner, lag], inputs="v", outputs="y", params={"k": 3.0})
     for params in (None, {"k": 1.0}, {"m": 7, "c": 0.0}):
         against_control(outer, np.cos(T), 0.1, params, close=1e-6)
 
@@ -241,33 +231,26 @@ def test_a_name_that_is_bound_where_the_run_goes_alone():
     def next_of(t, x, u, p):
         return [next(rate for until, rate in plan if t < until)]
 
-    against_control(control.nlsys(falls, None, inputs=0, outputs=1, states=1), 0.0, 1.0)
+    against_control(autonomous(falls), 0.0, 1.0)
     for of_time in (planned, next_of):
-        found = clpt.simulate(control.nlsys(of_time, None, inputs=0, outputs=1, states=1), T)
+        found = clpt.simulate(autonomous(of_time), T)
         assert found.engine == "native"
         np.testing.assert_allclose(found.states[-1, 0], 0.7 - 0.3 + 0.14, rtol=1e-12)
     for engine in ("native", "python"):
         with pytest.raises(SimulationError, match=r"0\.693147.*stops, line \d+: UnboundLocalError"):
-            clpt.simulate(
-                control.nlsys(stops, None, inputs=0, outputs=1, states=1),
-                T, 0.0, 1.0, engine=engine,
-            )  # fmt: skip
+            clpt.simulate(autonomous(stops), T, 0.0, 1.0, engine=engine)
 
 
 def test_feedback_that_python_control_makes():
     plant = control.ss([[0.0, 1.0], [-1.0, -0.2]], [[0.0], [1.0]], np.eye(2), 0, name="plant")
     gains = [np.array([[1.0, 1.5]]), np.array([[3.0, 2.5]])]
-    _, loop = control.create_statefbk_iosystem(
-        plant, (gains, [-1.0, 1.0]), gainsched_indices=[0], gainsched_method="linear"
-    )
-    against_control(loop, [0.5 * np.sin(T), 0.0, 0.0], [0.1, 0.0], close=1e-6)
-    _, loop = control.create_statefbk_iosystem(
-        plant,
-        (gains, [[-1.0, 0.0], [1.0, 0.0]]),
-        gainsched_indices=[0, 1],
-        gainsched_method="nearest",
-    )
-    against_control(loop, [0.2 * np.sin(T) - 1.0, 0.0, 0.0], [-1.0, 0.0], close=1e-6)
+    for method, points, inputs, start in (
+        ("linear", [-1.0, 1.0], 0.5 * np.sin(T), 0.1),
+        ("nearest", [[-1.0, 0.0], [1.0, 0.0]], 0.2 * np.sin(T) - 1.0, -1.0),
+    ):
+        by = {"gainsched_indices": [*range(np.ndim(points))], "gainsched_method": method}
+        _, loop = control.create_statefbk_iosystem(plant, (gains, points), **by)
+        against_control(loop, [inputs, 0.0, 0.0], [start, 0.0], close=1e-6)
 
 
 class Counter:
@@ -279,7 +262,7 @@ class Counter:
 
 
 def test_what_cannot_be_read_runs_in_python_with_one_line():
-    system = control.nlsys(Counter().rate, None, inputs=0, outputs=1, states=1, name="kept")
+    system = autonomous(Counter().rate, name="kept")
     (line,) = against_control(system, 0.0, 1.0, engine="python")
     assert line.startswith("kept runs in Python, not as machine code: kept.update: rate keeps")
 
@@ -287,11 +270,10 @@ def test_what_cannot_be_read_runs_in_python_with_one_line():
 def test_names_that_change_afterwards_count():
     space = {"k": 1.0}
     exec("def rate(t, x, u, p):\n    return -k * x\n", space)
-    system = control.nlsys(space["rate"], None, inputs=0, outputs=1, states=1)
-    block = clpt.Block("b", update=space["rate"], states={"x": 1})
+    systems = autonomous(space["rate"]), clpt.Block("b", update=space["rate"], states={"x": 1})
     for k in (1.0, 2.0):
         space["k"] = k
-        for one in (system, block):
+        for one in systems:
             end = clpt.simulate(one, [0.0, 1.0], initial_state=1.0).states.values[-1, 0]
             assert end == pytest.approx(np.exp(-k), abs=1e-8)
 
@@ -300,10 +282,7 @@ def test_circles_of_blocks_that_are_none_of_signals():
     A = control.nlsys(
         lambda t, x, u, p: [-x[0] + 0.1 * u[0]],
         lambda t, x, u, p: [x[0], u[0]],
-        inputs=["a"],
-        outputs=["p", "q"],
-        states=1,
-        name="A",
+        **{"inputs": ["a"], "outputs": ["p", "q"], "states": 1, "name": "A"},
     )
     B = control.nlsys(None, lambda t, x, u, p: 2 * u[0] + t, inputs=["b"], outputs=["r"], name="B")
     loop = control.interconnect([A, B], [["B.b", "A.p"], ["A.a", "B.r"]], outlist=["A.q", "B.r"])
