@@ -46,11 +46,6 @@ def test_every_argument_is_used(function):
     assert set(inspect.signature(function).parameters) - {"self", "cls"} <= used
 
 
-def test_a_scenario_refuses_what_it_does_not_know():
-    with pytest.raises(clpt.ScenarioError, match="unknown key duration"):
-        clpt.Scenario(**SCENARIO.model_dump(exclude_none=True), duration=3)
-
-
 NAN, INF = float("nan"), float("inf")
 WRONG = {
     "timepts": ("abc", ["a", "b"], [1.0, 0.0], [1.0], [0.0, 0.0], [0.0, NAN], [0.0, INF]),

@@ -87,7 +87,7 @@ def test_commands_have_the_words_that_they_need(path):
 
 
 @pytest.mark.parametrize("path", list(pages()))
-def test_every_block_runs(path, tmp_path, monkeypatch, request):
+def test_every_block_runs(path, tmp_path, monkeypatch):
     if not shutil.which("sh"):
         pytest.skip("no shell: sh is not on PATH")
     monkeypatch.chdir(tmp_path)
@@ -95,7 +95,6 @@ def test_every_block_runs(path, tmp_path, monkeypatch, request):
     monkeypatch.setenv(
         "PATH", os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
     )
-    request.addfinalizer(close_figures)
     page, printed = ModuleType("page"), ""
     monkeypatch.setitem(sys.modules, "page", page)  # its functions are found there, as in a script
     for block in blocks(path):
@@ -104,12 +103,6 @@ def test_every_block_runs(path, tmp_path, monkeypatch, request):
         if block.language == "text" and printed and not block.after.strip():
             assert_same(printed, block.text, where)
         printed = "" if LEFT_OUT.match(block.text) else run(block, vars(page), where)
-
-
-def close_figures():
-    import matplotlib.pyplot as plt
-
-    plt.close("all")
 
 
 def run(block, space, where):

@@ -73,4 +73,3 @@ def test_the_style_is_that_of_the_packages_own_figures():
         assert [ax.spines[side].get_visible() for side in ("top", "right", "left")] == [0, 0, 1]
     lines = [ax.xaxis.get_gridlines()[0] for ax in (ours, theirs)]
     assert len({(one.get_visible(), one.get_linewidth(), one.get_alpha()) for one in lines}) == 1
-    plt.close(ours.figure)

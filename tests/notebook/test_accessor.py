@@ -3,7 +3,6 @@
 import subprocess
 import sys
 
-import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 import xarray
@@ -19,15 +18,8 @@ ORDERS = (
 )
 
 
-@pytest.fixture(autouse=True)
-def _closed():
-    yield
-    plt.close("all")
-
-
-@pytest.mark.parametrize(
-    "order", [ORDERS[1], *(pytest.param(o, marks=pytest.mark.processes) for o in ORDERS[::2])]
-)
+@pytest.mark.processes  # test_core_install asks one of them
+@pytest.mark.parametrize("order", ORDERS)
 def test_it_is_there_whichever_was_imported_first(order):
     code = f"{order}; import xarray; xarray.Dataset().clpt"
     subprocess.run([sys.executable, "-W", "error", "-c", code], check=True)

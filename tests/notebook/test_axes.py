@@ -75,7 +75,6 @@ def asked(name, made):
 def test_on_given_axes(name, made):
     """Something is drawn on each, nothing elsewhere, and they come back."""
     plot, given, count = asked(name, made)
-    plt.close("all")
     figure, axes = plt.subplots(1, count + 1, squeeze=False)
     axes = axes.ravel()
     drawn = plot(*given, ax=axes[0] if count == 1 else list(axes[:count]))
@@ -85,7 +84,6 @@ def test_on_given_axes(name, made):
     assert not axes[count].has_data()
     figure.draw_without_rendering()
     assert plt.get_fignums() == [figure.number]
-    plt.close("all")
 
 
 @pytest.mark.parametrize("name", PLOTS)
@@ -99,12 +97,10 @@ def test_wrong_axes_are_one_sentence(name, made):
             plot(*given, ax=wrong)
         assert "\n" not in str(caught.value)
     assert plt.get_fignums() == before
-    plt.close("all")
 
 
 def test_many_plots_leave_one_figure_and_no_warning(made):
     """Where no backend shows figures pyplot holds the last one, for plt.savefig."""
-    plt.close("all")
     own = plt.figure()
     with warnings.catch_warnings():
         warnings.simplefilter("error")
@@ -112,11 +108,9 @@ def test_many_plots_leave_one_figure_and_no_warning(made):
             ax = clpt.simulation.track_plot(made["run"])
     assert plt.gcf() is ax.figure
     assert plt.get_fignums() == [own.number, ax.figure.number]
-    plt.close("all")
 
 
 def test_a_figure_for_a_file_is_unknown_to_pyplot(made):
-    plt.close("all")
     figure = figure_of(clpt.simulation.track_plot, made["run"])
     assert figure.axes
     assert plt.get_fignums() == []
@@ -141,7 +135,6 @@ def test_what_a_backend_sets_when_it_begins_stays(made, monkeypatch):
     )
     clpt.simulation.track_plot(made["run"])
     assert plt.rcParams[began]
-    plt.close("all")
 
 
 def test_what_is_no_run_is_one_sentence(made):

@@ -1,7 +1,6 @@
 """Several runs in one figure, units of ports, and dimensions named after them."""
 
 import control
-import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 import xarray
@@ -11,12 +10,6 @@ from clpt_control.figures import COLOURS
 
 TIMES = np.linspace(0.0, 4.0, 41)
 SCENARIO = clpt.paper_scenario().with_values({"run.duration": 60.0, "run.output_step": 0.5})
-
-
-@pytest.fixture(autouse=True)
-def _closed():
-    yield
-    plt.close("all")
 
 
 def tank(units=None):
