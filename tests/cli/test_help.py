@@ -83,6 +83,8 @@ def test_what_is_misspelt_finds_the_near_name(refused, words, near):
         (["run", "x.toml"], "--out"),
         (["run", "x.toml", "--out"], "--out"),
         (["nothing-like-it"], "nothing-like-it"),
+        (["tides", "a.csv", "--at", "3"], "`clpt tides --help` shows what it takes"),
+        (["replay", "--every"], "`clpt replay --help` shows what it takes"),
     ],
 )
 def test_what_lacks_names_the_help(refused, words, lacks):
@@ -191,8 +193,3 @@ def test_the_names_of_laws_are_those_of_the_table():
     from clpt_control.blocks.laws.table import LAWS
 
     assert names_of_laws() == sorted(LAWS)
-
-
-@pytest.mark.parametrize("words", [["tides", "a.csv", "--at", "3"], ["replay", "--every"]])
-def test_too_few_words_name_the_help_of_the_command(refused, words):
-    assert f"; `clpt {words[0]} --help` shows what it takes" in refused(*words)

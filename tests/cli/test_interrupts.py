@@ -9,16 +9,11 @@ import signal
 import sys
 import time
 from contextlib import suppress
-from importlib import resources
 from pathlib import Path
 
 import pytest
 from processes import CLPT, GUARD, await_line, interrupt, started, without_progress
-from synthetic_vehicle import one_file_each
-from tidal_records import times, waves, write_table
-
-import clpt_control
-from clpt_control.gliders.dive_files import sample_dives
+from written import write_each
 
 LINE = "clpt: interrupted; nothing half-written was left\n"
 HELD = r"clpt: interrupted; e\.zarr holds \d+ of \d+ members; the same command goes on from there\n"
@@ -42,11 +37,8 @@ main()
 
 @pytest.fixture
 def files(tmp_path):
-    """A scenario, a record and dives."""
-    clpt_control.save_scenario(clpt_control.paper_scenario(), tmp_path / "s.toml")
-    write_table(tmp_path / "r.csv", times(2), waves(times(2)))
-    (tmp_path / "in").mkdir()
-    one_file_each(tmp_path / "in", sample_dives()[:2])
+    """What each command is given; they begin with nothing else."""
+    write_each(tmp_path, 40)
     return tmp_path
 
 
@@ -216,17 +208,6 @@ COMMANDS = {  # -> what it writes: all of it, or nothing; None: a part may be th
 TRIED = 5  # interrupts of one test; all sixty are 300
 
 
-@pytest.fixture
-def all_files(files):
-    """What each command is given; they begin with nothing else."""
-    scenario = clpt_control.load_scenario(files / "s.toml").with_values({"run.duration": 40})
-    clpt_control.save_scenario(scenario, files / "s.toml")
-    clpt_control.save_run(clpt_control.simulate(scenario), files / "r.nc")
-    grid = resources.files("clpt_control.data") / "maracoos_hfr_2019-01-01.nc"
-    (files / "c.nc").write_bytes(grid.read_bytes())
-    return files
-
-
 def interrupted_after(seconds, words, folder):
     """Interrupt a command and its own processes, as a terminal does; what it says, its status."""
     start = [sys.executable, "-c", START, ROOT, *words]
@@ -243,24 +224,24 @@ def interrupted_after(seconds, words, folder):
 @pytest.mark.parametrize(
     "part", [0, *(pytest.param(k, marks=pytest.mark.processes) for k in range(1, 60))]
 )
-def test_interrupts_at_random_from_the_first_import_on(all_files, part):
+def test_interrupts_at_random_from_the_first_import_on(files, part):
     chance = random.Random(part)
-    before = {path: path.stat().st_mtime_ns for path in all_files.rglob("*") if path.is_file()}
+    before = {path: path.stat().st_mtime_ns for path in files.rglob("*") if path.is_file()}
     for k in range(TRIED * part, TRIED * (part + 1)):
         words = [*COMMANDS][k % len(COMMANDS)]
         seconds = chance.uniform(0.0, 1.0 if k % 2 == 0 or part == 0 else 6.0)
-        status, err = interrupted_after(seconds, words, all_files)
+        status, err = interrupted_after(seconds, words, files)
         told = (seconds, words, status, err)
         finished = status == 0 and not re.search("Traceback|fault", err)  # before the interrupt
         ended = status == 130 and (err == LINE or bool(re.fullmatch(HELD, err)))
         assert finished or ended, told
-        new = [path for path in all_files.rglob("*") if path not in before and path.is_file()]
+        new = [path for path in files.rglob("*") if path not in before and path.is_file()]
         whole = COMMANDS[words]
         assert not [one.name for one in new if one.name.endswith((".part", ".partial"))], told
         if whole is not None:
             assert not new or all(fnmatch.filter([p.name for p in new], one) for one in whole), told
         for name in ("out", "e.zarr"):
-            shutil.rmtree(all_files / name, ignore_errors=True)
+            shutil.rmtree(files / name, ignore_errors=True)
         for path in new:
             path.unlink(missing_ok=True)
     assert {path: path.stat().st_mtime_ns for path in before} == before

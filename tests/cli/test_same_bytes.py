@@ -6,15 +6,10 @@ with one thread: the optimizer of SciPy that it climbs with rounds by the number
 
 import os
 import subprocess
-from importlib import resources
 
 import pytest
 from processes import CLPT, without_progress
-from synthetic_vehicle import one_file_each
-from tidal_records import times, waves, write_table
-
-import clpt_control
-from clpt_control.gliders.dive_files import sample_dives
+from written import write_each
 
 VARY = ("--members", "24", "--chunk", "8", "--vary", "learning.gain=1:2", "--out", "out")
 THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
@@ -40,19 +35,6 @@ COMMANDS = [
 OFTEN = "diagram"  # in `make test`; the others by `make test-processes`
 
 
-def put(folder):
-    """Write what the commands are given."""
-    folder.mkdir()
-    scenario = clpt_control.paper_scenario().with_values({"run.duration": 420})
-    clpt_control.save_scenario(scenario, folder / "s.toml")
-    clpt_control.save_run(clpt_control.simulate(scenario), folder / "r.nc")
-    for name, file in (("team.toml", "team.toml"), ("c.nc", "maracoos_hfr_2019-01-01.nc")):
-        (folder / name).write_bytes((resources.files("clpt_control.data") / file).read_bytes())
-    write_table(folder / "r.csv", times(20), waves(times(20)))
-    (folder / "in").mkdir()
-    one_file_each(folder / "in", sample_dives()[:4])
-
-
 def held(folder):
     files = (path for path in sorted(folder.rglob("*")) if path.is_file())
     return {str(path.relative_to(folder)): path.read_bytes() for path in files}
@@ -60,8 +42,8 @@ def held(folder):
 
 @pytest.fixture(scope="module")
 def given(tmp_path_factory):
-    folder = tmp_path_factory.mktemp("same") / "given"
-    put(folder)
+    folder = tmp_path_factory.mktemp("given")
+    write_each(folder, 420)
     return held(folder)
 
 

@@ -78,18 +78,9 @@ def test_laws_are_listed(clpt, printed):
         assert list(listed[name]["settings"]) == list(law.settings)
 
 
-@pytest.mark.parametrize("name", ["known-flow", "least-squares", "fix-regression"])
-def test_a_law_runs_and_runs_again(printed, name):
-    given = LAWS[name].given_estimate
-    values = {
-        "run.duration": 40,
-        "learning.law": name,
-        "learning.parameters": None,
-        "learning.theta_estimate": [[1.0, 0.4, 0.8]] * 2 if given else None,
-        **(AT_FIXES if LAWS[name].at_fixes else {}),
-    }
-    scenario = clpt_control.paper_scenario().with_values(values)
-    clpt_control.save_scenario(scenario, "mine.toml")
+def test_a_scenario_of_fixes_runs_and_runs_again(printed):
+    values = {"run.duration": 40, "learning.law": "fix-regression", **AT_FIXES}
+    clpt_control.save_scenario(clpt_control.paper_scenario().with_values(values), "mine.toml")
     found = printed("run", "mine.toml", "--out", "run.nc")
     assert printed("run", "run.nc", "--out", "again.nc") == found
 

@@ -1,8 +1,14 @@
-"""A scenario file of the paper's with some keys changed, and the command that runs it."""
+"""Files that commands are given: the paper's scenario with changed keys, and one of each kind."""
 
 import tomllib
+from importlib import resources
 from pathlib import Path
 
+from synthetic_vehicle import one_file_each
+from tidal_records import times, waves, write_table
+
+import clpt_control
+from clpt_control.gliders.dive_files import sample_dives
 from clpt_control.scenario.file import paper_text, toml
 
 RUN = ("run", "s.toml", "--out", "run.nc")
@@ -20,3 +26,15 @@ def write(changes, path="s.toml"):
         else:
             table[last] = value
     Path(path).write_text(toml(tables))
+
+
+def write_each(folder, duration):
+    """Write a scenario, its run, a team, a current, a tidal record and dives."""
+    scenario = clpt_control.paper_scenario().with_values({"run.duration": duration})
+    clpt_control.save_scenario(scenario, folder / "s.toml")
+    clpt_control.save_run(clpt_control.simulate(scenario), folder / "r.nc")
+    for name, file in (("team.toml", "team.toml"), ("c.nc", "maracoos_hfr_2019-01-01.nc")):
+        (folder / name).write_bytes((resources.files("clpt_control.data") / file).read_bytes())
+    write_table(folder / "r.csv", times(20), waves(times(20)))
+    (folder / "in").mkdir()
+    one_file_each(folder / "in", sample_dives()[:4])
