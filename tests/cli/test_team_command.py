@@ -12,7 +12,6 @@ import clpt_control
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.files import write_file
 from clpt_control.scenario.team import team_to_text
-from clpt_control.theory.proving.theorem_loop import AT_FIXES
 
 
 def test_a_team_runs_and_runs_again(clpt, printed):
@@ -76,13 +75,6 @@ def test_laws_are_listed(clpt, printed):
     for name, law in LAWS.items():
         assert listed[name]["promise"] == law.promise
         assert list(listed[name]["settings"]) == list(law.settings)
-
-
-def test_a_scenario_of_fixes_runs_and_runs_again(printed):
-    values = {"run.duration": 40, "learning.law": "fix-regression", **AT_FIXES}
-    clpt_control.save_scenario(clpt_control.paper_scenario().with_values(values), "mine.toml")
-    found = printed("run", "mine.toml", "--out", "run.nc")
-    assert printed("run", "run.nc", "--out", "again.nc") == found
 
 
 def test_a_law_given_in_python_is_run_again_from_its_record(printed):

@@ -31,16 +31,6 @@ def test_a_run_is_that_of_the_scenario_that_says_so(name, key, value, tmp_path):
     assert_equal(clpt.simulate(again), run)
 
 
-def test_lyapunov_is_measured_to_the_true_parameters_that_ran():
-    theta = np.array([[0.5, 0.1, 0.2], [0.3, 0.4, 0.1]])
-    run = clpt.simulate(PAPER, params={"true_flow.theta": theta, "adaptation.gain": 2.0})
-    np.testing.assert_array_equal(run.flow_parameters, theta)
-    e, alpha = run.clpe.values[-1], run.alpha.values[-1]
-    K, Gamma = run.feedback_gain.values[-1], run.feedforward_gain.values[-1]
-    squares = np.sum((theta + alpha) ** 2) + np.sum((K - 1) ** 2) + np.sum((1 - Gamma) ** 2)
-    assert float(run.lyapunov[-1]) == pytest.approx(np.sum(e**2) / 2 + squares / 4, rel=1e-12)
-
-
 def test_an_initial_state_tolerances_and_noise_are_the_files(tmp_path):
     noise = {"kind": "noise", "amplitude": [0.1, 0.2], "period": 3.0, "seed": 4}
     noisy = PAPER.with_values({"flow.disturbance": noise, "run.output_step": 2.5})

@@ -1,5 +1,6 @@
 """Learning at fixes: closed forms of least squares, causality, and what a fix does to the run."""
 
+import law_blocks
 import numpy as np
 import pytest
 
@@ -219,8 +220,11 @@ def test_keys_of_fixes_are_refused_without_fixes():
             noisy.with_values({f"localization.{key}": 0.1})
 
 
-def test_a_law_of_ones_own_is_refused_at_fixes():
-    import law_blocks
+def test_the_prediction_between_samples_of_a_run_is_not_known():
+    with pytest.raises(clpt.DataError, match="z of a recorded run jumps at fixes"):
+        clpt.theory.gramian(clpt.simulate(UNIFORM), 20.0, 0.0)
 
+
+def test_a_law_of_ones_own_is_refused_at_fixes():
     with pytest.raises(clpt.ClptError, match="reads the position at all times"):
         clpt.simulate(clpt.closed_loop(PAPER, law=law_blocks.papers_law()))

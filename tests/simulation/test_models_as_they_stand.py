@@ -267,17 +267,6 @@ def test_what_cannot_be_read_runs_in_python_with_one_line():
     assert line.startswith("kept runs in Python, not as machine code: kept.update: rate keeps")
 
 
-def test_names_that_change_afterwards_count():
-    space = {"k": 1.0}
-    exec("def rate(t, x, u, p):\n    return -k * x\n", space)
-    systems = autonomous(space["rate"]), clpt.Block("b", update=space["rate"], states={"x": 1})
-    for k in (1.0, 2.0):
-        space["k"] = k
-        for one in systems:
-            end = clpt.simulate(one, [0.0, 1.0], initial_state=1.0).states.values[-1, 0]
-            assert end == pytest.approx(np.exp(-k), abs=1e-8)
-
-
 def test_circles_of_blocks_that_are_none_of_signals():
     A = control.nlsys(
         lambda t, x, u, p: [-x[0] + 0.1 * u[0]],

@@ -11,7 +11,7 @@ from scipy.linalg import expm
 from xarray.testing import assert_allclose, assert_identical
 
 import clpt_control as clpt
-from clpt_control.blocks import localization, vehicle
+from clpt_control.blocks import vehicle
 from clpt_control.diagrams.parts import LAW
 from clpt_control.errors import ClptError, DataError, DiagramError
 from clpt_control.scenario.file import OWN_PARTS
@@ -101,13 +101,6 @@ def test_parts_of_one_wide_port_in_a_row_and_names_of_ones_own():
     assert loop.syslist[6].input_labels[2:] == ["v_f_lag[0]", "v_f_lag[1]"]
     run = clpt.simulate(loop, [0, 1], 0, [clpt.initial_state(PAPER), 0])
     assert {"v_x", "v_f", "v_f_lag"} <= set(run.data_vars)
-
-
-def test_a_measurement_of_the_package_is_inserted():
-    noisy = localization.measurement(0.1, 1.0, 4.0)
-    run = clpt.simulate(clpt.closed_loop(PAPER, insert={("x", "clpe"): noisy}))
-    away = run.x_measurement.values - run.position.values
-    assert 0.05 < away.std() < 0.2
 
 
 def test_a_replaced_vehicle_starts_where_the_scenario_says():
