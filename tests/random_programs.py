@@ -63,7 +63,7 @@ class Writer:
     def __init__(self, random, takes, numbers, jumping=False):
         self.random, self.jumping = random, jumping
         self.lines: list[str] = []
-        self.indent, self.fresh, self.questions = 1, count(), 0
+        self.fresh, self.questions = count(), 0
         self.scalars = ["t", "p.a", 'p["b"]']
         self.vectors: dict[int, list[str]] = {}
         self.matrices: dict[tuple, list[str]] = {}
@@ -95,8 +95,8 @@ class Writer:
     def name(self):
         return f"a{next(self.fresh)}"
 
-    def add(self, line):
-        self.lines.append("    " * self.indent + line)
+    def add(self, *lines):
+        self.lines += ["    " + line for line in lines]
 
     def asks(self, times=1):
         """Whether there may be so many more questions of signals."""
@@ -118,38 +118,27 @@ class Writer:
         if depth <= 0 or self.chance(0.15):
             return self.leaf()
         a, b = self.scalar(depth - 1), self.scalar(depth - 1)
-        kind = self.random.randrange(22)
-        if kind < 6:
-            return f"({a} {self.choice('+-*')} {b})"
-        if kind < 8:
-            return f"np.sin({a}) * {b}"
-        if kind == 8:
-            return f"({a} / (1.5 + abs({b})))"
-        if kind == 9:
-            return f"np.{self.choice(['cos', 'tanh', 'arctan', 'sign', 'floor', 'square'])}({a})"
-        if kind == 10:
-            return f"math.{self.choice(['cos', 'tanh', 'atan', 'sin', 'erf', 'fabs'])}({a})"
-        if kind == 11:
-            return f"np.exp(-np.abs({a}))"
-        if kind == 12:
-            return f"sqrt(abs({a})) ** {self.choice(['2', '3', '0.7', '1'])}"
-        if kind == 13:
-            return f"np.where({self.condition(0)}, {a}, {b})"
-        if kind == 14:
-            return f"np.{self.choice(['minimum', 'maximum', 'hypot', 'arctan2'])}({a}, {b})"
-        if kind == 15:
-            return f"np.clip({a}, -1.0, {self.random.uniform(0, 2):.2f})"
-        if kind == 16 and self.asks():
-            return f"{self.choice(['max', 'min'])}({a}, {b})"
-        if kind == 17 and self.asks():
-            return f"({a} if {self.condition(1)} else {b})"
-        if kind == 18:
-            return f"(({a}) % {self.random.uniform(0.5, 3):.2f})"
-        if kind == 19:
-            return f"motor.torque({a})"
-        if kind == 20 and self.asks(2):
-            return f"limited({a})"
-        return self.of_vector()
+        one_of, number = self.choice, self.random.uniform
+        smooth = ["cos", "tanh", "arctan", "sign", "floor", "square"]
+        forms = [
+            *[lambda: f"({a} {one_of('+-*')} {b})"] * 6,
+            *[lambda: f"np.sin({a}) * {b}"] * 2,
+            lambda: f"({a} / (1.5 + abs({b})))",
+            lambda: f"np.{one_of(smooth)}({a})",
+            lambda: f"math.{one_of(['cos', 'tanh', 'atan', 'sin', 'erf', 'fabs'])}({a})",
+            lambda: f"np.exp(-np.abs({a}))",
+            lambda: f"sqrt(abs({a})) ** {one_of(['2', '3', '0.7', '1'])}",
+            lambda: f"np.where({self.condition(0)}, {a}, {b})",
+            lambda: f"np.{one_of(['minimum', 'maximum', 'hypot', 'arctan2'])}({a}, {b})",
+            lambda: f"np.clip({a}, -1.0, {number(0, 2):.2f})",
+            lambda: f"{one_of(['max', 'min'])}({a}, {b})" if self.asks() else self.of_vector(),
+            lambda: f"({a} if {self.condition(1)} else {b})" if self.asks() else self.of_vector(),
+            lambda: f"(({a}) % {number(0.5, 3):.2f})",
+            lambda: f"motor.torque({a})",
+            lambda: f"limited({a})" if self.asks(2) else self.of_vector(),
+            self.of_vector,
+        ]
+        return one_of(forms)()
 
     def of_vector(self):
         """A number that is made of a vector or matrix."""
@@ -189,33 +178,34 @@ class Writer:
             longer = [f"{v}[{m - n}:]" for m, names in self.vectors.items() if m > n for v in names]
             return self.choice([*known * 3, *longer, f"np.full({n}, {self.leaf()})"])
         v, w = self.vector(n, depth - 1), self.vector(n, depth - 1)
-        kind = self.random.randrange(14)
-        if kind < 4:
-            return f"({v} {self.choice('+-*')} {w})"
-        if kind == 4:
-            return f"({v} * {self.scalar(1)})"
-        if kind == 5:
-            return f"np.{self.choice(['sin', 'tanh', 'cos', 'fabs'])}({v})"
-        if kind == 6:
-            return f"np.where({v} > {self.leaf()}, {w}, 0.5)"
-        if kind == 7:
-            return f"np.array([{', '.join(self.scalar(1) for _ in range(n))}])"
-        if kind == 8:
-            return f"np.array([a * {self.leaf()} for a in {v}])"
-        if kind == 9:
-            return f"({v})[::-1]"
-        if kind == 10:
-            return f"turned({v})"
-        if kind == 11:
-            return f"np.clip({v}, -1.0, {self.random.uniform(0, 2):.2f})"
-        shapes = [shape for shape in sorted(self.matrices) if n in shape]
-        if kind == 12 and shapes:
+
+        def joined():
+            return f"np.concatenate([{self.vector(n, 0)}[1:], [{self.scalar(1)}]])"
+
+        def multiplied():
+            shapes = [shape for shape in sorted(self.matrices) if n in shape]
+            if not shapes:
+                return joined()
             rows, columns = shape = self.choice(shapes)
             M = self.choice(self.matrices[shape])
             if rows == n:
                 return f"({M} @ {self.vector(columns, 0)})"
             return f"({self.vector(rows, 0)} @ {M})"
-        return f"np.concatenate([{self.vector(n, 0)}[1:], [{self.scalar(1)}]])"
+
+        forms = [
+            *[lambda: f"({v} {self.choice('+-*')} {w})"] * 4,
+            lambda: f"({v} * {self.scalar(1)})",
+            lambda: f"np.{self.choice(['sin', 'tanh', 'cos', 'fabs'])}({v})",
+            lambda: f"np.where({v} > {self.leaf()}, {w}, 0.5)",
+            lambda: f"np.array([{', '.join(self.scalar(1) for _ in range(n))}])",
+            lambda: f"np.array([a * {self.leaf()} for a in {v}])",
+            lambda: f"({v})[::-1]",
+            lambda: f"turned({v})",
+            lambda: f"np.clip({v}, -1.0, {self.random.uniform(0, 2):.2f})",
+            multiplied,
+            joined,
+        ]
+        return self.choice(forms)()
 
     # --- statements -----------------------------------------------------------------------------
 
@@ -255,23 +245,16 @@ class Writer:
         self.add(f"{s} = {self.leaf()}")
         kind = self.random.randrange(6)
         if kind == 0:
-            self.add(f"for {k} in {v}:")
-            self.add(f"    {s} += {k} * {self.scalar(1)}")
+            self.add(f"for {k} in {v}:", f"    {s} += {k} * {self.scalar(1)}")
         elif kind == 1:
-            self.add(f"for {k}, b in zip({v}, {w}, strict=True):")
-            self.add(f"    {s} = 0.7 * {s} + {k} * b")
+            self.add(f"for {k}, b in zip({v}, {w}, strict=True):", f"    {s} = 0.7 * {s} + {k} * b")
         elif kind == 2:
-            self.add(f"for {k}, b in enumerate({v}):")
-            self.add(f"    {s} -= b / ({k} + 1)")
+            self.add(f"for {k}, b in enumerate({v}):", f"    {s} -= b / ({k} + 1)")
         elif kind == 3:
-            self.add(f"{k} = {self.random.randrange(1, 6)}")
-            self.add(f"while {k} > 0:")
-            self.add(f"    {k} -= 1")
+            self.add(f"{k} = {self.random.randrange(1, 6)}", f"while {k} > 0:", f"    {k} -= 1")
             self.add(f"    {s} = math.sin({s}) + {k} * {self.leaf()}")
         elif kind == 4:
-            self.add(f"for {k} in range({n}):")
-            self.add(f"    if {k} % 2:")
-            self.add("        continue")
+            self.add(f"for {k} in range({n}):", f"    if {k} % 2:", "        continue")
             self.add(f"    {s} += ({v})[{k}] * ({w})[{n - 1} - {k}]")
         else:
             self.add(f"for {k} in range(len({v})):")
