@@ -62,22 +62,30 @@ EPOCH = {"units": "seconds since 1970-1-1 00:00:00"}
 CM, M = {"units": "cm"}, {"units": "meters"}
 
 
-def basestation(path, number=7, lon=8.0, drop=(), count=400, **changed):
-    """Write a dive as basestations of version 2 do: one dimension, classic NetCDF."""
-    since, depth, steps = swim(count)
+def in_all(number, lon, of, steps):
+    """Return what both versions of basestations say alike; steps by the dimension `of`."""
     times, lats, lons = fixes(number, lon)
-    of, info, u = ("sg_data_point",), ("gps_info",), current()
-    variables = {
+    info, u = ("gps_info",), current()
+    return times[1], {
         "log_gps_time": (info, times, EPOCH),
         "log_gps_lat": (info, lats, {}),
         "log_gps_lon": (info, lons, {}),
-        "time": (of, times[1] + since, EPOCH),
-        "ctd_time": (of, times[1] + since + 0.5, EPOCH),
-        "depth": (of, depth, M),
         "east_displacement": (of, steps[:, 0], M),
         "north_displacement": (of, steps[:, 1], M),
         "depth_avg_curr_east": ((), u[0], {}),
         "depth_avg_curr_north": ((), u[1], {}),
+    }
+
+
+def basestation(path, number=7, lon=8.0, drop=(), count=400, **changed):
+    """Write a dive as basestations of version 2 do: one dimension, classic NetCDF."""
+    since, depth, steps = swim(count)
+    of = ("sg_data_point",)
+    start, variables = in_all(number, lon, of, steps)
+    variables |= {
+        "time": (of, start + since, EPOCH),
+        "ctd_time": (of, start + since + 0.5, EPOCH),
+        "depth": (of, depth, M),
         "magnetic_variation": ((), VARIATION, {}),
     }
     variables = {k: v for k, v in (variables | changed).items() if k not in drop}
@@ -89,23 +97,16 @@ def basestation3(path, number=7, lon=8.0, drop=(), count=1800, sizes=(), **chang
     """Write a dive as basestation3 does: a dimension per instrument, NetCDF-4."""
     since, depth, steps = swim(count)
     slow, shallow, _ = swim(300)
-    times, lats, lons = fixes(number, lon)
-    ctd, truck, info, u = ("ctd_data_point",), ("sg_data_point",), ("gps_info",), current()
-    variables = {
-        "log_gps_time": (info, times, EPOCH),
-        "log_gps_lat": (info, lats, {}),
-        "log_gps_lon": (info, lons, {}),
+    ctd, truck, info = ("ctd_data_point",), ("sg_data_point",), ("gps_info",)
+    start, variables = in_all(number, lon, ctd, steps)
+    variables |= {
         "log_gps_hdop": (info, [0.9, 0.9, 1.1], {}),
         "log_gps_magvar": (info, np.full(3, VARIATION), {}),
-        "time": (truck, times[1] + slow, EPOCH),
+        "time": (truck, start + slow, EPOCH),
         "eng_depth": (truck, 100 * shallow, CM),
-        "legato_time": (("legato_data_point",), times[1] + since, EPOCH),
-        "ctd_time": (ctd, times[1] + since, EPOCH),
+        "legato_time": (("legato_data_point",), start + since, EPOCH),
+        "ctd_time": (ctd, start + since, EPOCH),
         "ctd_depth": (ctd, depth, M),
-        "east_displacement": (ctd, steps[:, 0], M),
-        "north_displacement": (ctd, steps[:, 1], M),
-        "depth_avg_curr_east": ((), u[0], {}),
-        "depth_avg_curr_north": ((), u[1], {}),
     }
     variables = {k: v for k, v in (variables | changed).items() if k not in drop}
     own = {"ctd_data_point": count, "sg_data_point": 300, "legato_data_point": count}
@@ -174,17 +175,10 @@ def og1_of(dives, path):
         none = np.full((since.size - 2, 3), np.nan)
         rows = [*fixes[:2], *none, fixes[2]]
         steps = [np.concatenate([nothing, nothing, np.diff(place)]) for place in places]
-        times = np.concatenate(
-            [[fixes[0][0], fixes[1][0]], dive.t_gps2 + since[inner], [dive.t_gpse]]
-        )
-        same = (
-            dive.number,
-            dive.dac_east,
-            dive.dac_north,
-            dive.magvar,
-            dive.depth_max,
-            dive.dac_qc,
-        )
+        begin = [dive.t_gps1, dive.t_gps2]
+        times = np.concatenate([begin, dive.t_gps2 + since[inner], [dive.t_gpse]])
+        words = ("number", "dac_east", "dac_north", "magvar", "depth_max", "dac_qc")
+        same = [getattr(dive, word) for word in words]
         parts.append(np.column_stack([times, rows, *steps, np.tile(same, (times.size, 1))]))
     names = "TIME TIME_GPS LATITUDE_GPS LONGITUDE_GPS EAST_DISPLACEMENT NORTH_DISPLACEMENT"
     names += " DIVE_NUMBER DAVG_CURR_EAST DAVG_CURR_NORTH MAGNETIC_VARIATION DEPTH_MAX"
