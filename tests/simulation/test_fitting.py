@@ -11,6 +11,8 @@ import clpt_control as clpt
 TIMES = np.linspace(0.0, 10.0, 101)
 FORCE = np.sin(1.3 * TIMES)[None]
 TRUTH = {"m": 2.0, "c": 0.7, "k": 5.0}
+BEGIN = {"m": 1.5, "c": 0.5, "k": 4.0}
+START = [0.3, 0.0]
 
 
 def mass(**params):
@@ -25,15 +27,27 @@ def mass(**params):
     )  # fmt: skip
 
 
-def measured(seed, noise=0.01, outputs=("place",)):
-    run = clpt.simulate(mass(**TRUTH), TIMES, FORCE, [0.3, 0.0])
+def pushed(force=FORCE):
+    """Its run."""
+    return clpt.simulate(mass(**TRUTH), TIMES, force, START)
+
+
+def noisy(run, seed, **noise):
+    """Outputs of a run with noise of these deviations."""
     random = np.random.default_rng(seed)
-    return {name: run[name].values + noise * random.standard_normal(len(TIMES)) for name in outputs}
+    return {name: run[name] + size * random.standard_normal(101) for name, size in noise.items()}
 
 
-def fitted(seed, **more):
-    begin = {"m": (1.5, 0.1, 10.0), "c": 0.5, "k": 4.0}
-    return clpt.fit_parameters(mass(), measured(seed), begin, TIMES, FORCE, [0.3, 0.0], **more)
+def measured(seed):
+    return noisy(pushed(), seed, place=0.01)
+
+
+def fit(data, begin=BEGIN, inputs=FORCE, **more):
+    return clpt.fit_parameters(mass(), data, begin, TIMES, inputs, START, **more)
+
+
+def fitted(seed):
+    return fit(measured(seed), BEGIN | {"m": (1.5, 0.1, 10.0)})
 
 
 def covered(seeds):
@@ -77,39 +91,30 @@ def test_errors_are_those_of_curve_fit():
 
 
 def test_data_come_in_three_forms():
-    truth, begin, start = mass(**TRUTH), {"m": 1.5, "c": 0.5, "k": 4.0}, [0.3, 0.0]
-    run = clpt.simulate(truth, TIMES, FORCE, start)
+    run, exact = pushed(), {"rtol": 1e-10, "atol": 1e-12}
     response = control.input_output_response(
-        truth, TIMES, FORCE, start, solve_ivp_kwargs={"rtol": 1e-10, "atol": 1e-12}
+        mass(**TRUTH), TIMES, FORCE, START, solve_ivp_kwargs=exact
     )
     gaps = {"place": np.where(np.arange(101) % 3, run.place.values, np.nan)}
     for data, inputs, times in ((run, FORCE, None), (response, None, None), (gaps, FORCE, TIMES)):
-        found = clpt.fit_parameters(mass(), data, begin, times, inputs, start)
-        assert [*found.values.values()] == pytest.approx([*TRUTH.values()], rel=1e-5)
+        found = clpt.fit_parameters(mass(), data, BEGIN, times, inputs, START)
+        assert found.values == pytest.approx(TRUTH, rel=1e-5)
     assert found.samples == 67
 
 
 def test_outputs_of_unlike_noise_count_by_it():
-    run = clpt.simulate(mass(**TRUTH), TIMES, FORCE, [0.3, 0.0])
-    random = np.random.default_rng(5)
-    data = {"place": run.place.values + 0.001 * random.standard_normal(101),
-            "speed": run.speed.values + 0.1 * random.standard_normal(101)}  # fmt: skip
-    begin = {"m": 1.5, "c": 0.5, "k": 4.0}
-    both = clpt.fit_parameters(mass(), data, begin, TIMES, FORCE, [0.3, 0.0])
+    noise = {"place": 0.001, "speed": 0.1}
+    data = noisy(pushed(), 5, **noise)
+    both = fit(data)
     assert both.noise["place"] == pytest.approx(0.001, rel=0.2)
     assert both.noise["speed"] == pytest.approx(0.1, rel=0.2)
-    one = clpt.fit_parameters(mass(), {"place": data["place"]}, begin, TIMES, FORCE, [0.3, 0.0])
-    assert both.errors["k"] <= 1.05 * one.errors["k"]
-    given = clpt.fit_parameters(mass(), data, begin, TIMES, FORCE, [0.3, 0.0],
-                                noise={"place": 0.001, "speed": 0.1})  # fmt: skip
+    assert both.errors["k"] <= 1.05 * fit({"place": data["place"]}).errors["k"]
+    given = fit(data, noise=noise)
     assert given.values["k"] == pytest.approx(both.values["k"], abs=both.errors["k"])
 
 
 def test_what_the_data_do_not_tell_is_said():
-    free = clpt.simulate(mass(**TRUTH), TIMES, 0.0, [0.3, 0.0])
-    noisy = {"place": free.place.values + 0.001 * np.random.default_rng(0).standard_normal(101)}
-    found = clpt.fit_parameters(mass(), noisy, {"m": 1.5, "c": 0.5, "k": 4.0}, TIMES, 0.0,
-                                [0.3, 0.0])  # fmt: skip
+    found = fit(noisy(pushed(0.0), 0, place=0.001), inputs=0.0)
     (said,) = found.unidentified  # without a force all three grow alike
     assert said.startswith("the data do not tell m and c and k apart")
     assert said.count("1 %") == 3
@@ -120,8 +125,7 @@ def test_what_the_data_do_not_tell_is_said():
 
 
 def test_a_bound_that_is_met_has_no_error():
-    found = clpt.fit_parameters(mass(), measured(0), {"m": (1.0, 0.1, 1.8), "c": 0.5, "k": 4.0},
-                                TIMES, FORCE, [0.3, 0.0])  # fmt: skip
+    found = fit(measured(0), BEGIN | {"m": (1.0, 0.1, 1.8)})
     assert found.values["m"] == pytest.approx(1.8)
     assert np.isnan(found.errors["m"])
     assert np.isfinite(found.errors["k"])
@@ -130,11 +134,10 @@ def test_a_bound_that_is_met_has_no_error():
 
 @pytest.mark.parametrize("form", [dict, xarray.Dataset])
 def test_inputs_among_the_data_are_those_of_the_system(form):
-    run = clpt.simulate(mass(**TRUTH), TIMES, FORCE, [0.3, 0.0])
-    data = run[["force", "speed"]]
+    data = pushed()[["force", "speed"]]
     if form is dict:
         data = {name: data[name].values for name in data}
-    found = clpt.fit_parameters(mass(), data, {"m": 1.5, "c": 0.5, "k": 4.0}, TIMES, None, [0.3, 0])
+    found = fit(data, inputs=None)
     assert found.values == pytest.approx(TRUTH, rel=1e-6)
 
 
@@ -160,13 +163,10 @@ def test_times_of_a_calendar_are_refused():
 
 def test_a_start_at_rest_is_told():
     """The speed at the start is zero to the last digit, which is no relative change."""
-    run = clpt.simulate(mass(**TRUTH), TIMES, FORCE, [0.3, 0.0])
-    begin = {"x0.place": 0.1, "x0.speed": 0.1, "k": 4.0}
-    found = clpt.fit_parameters(
-        mass(**TRUTH), {"place": run.place.values}, begin, TIMES, FORCE, noise=0.01
-    )
+    begin, data = {"x0.place": 0.1, "x0.speed": 0.1, "k": 4.0}, {"place": pushed().place}
+    found = clpt.fit_parameters(mass(**TRUTH), data, begin, TIMES, FORCE, noise=0.01)
     assert not found.unidentified
-    free = clpt.sensitivity(mass(**TRUTH), TIMES, "place", [*begin], FORCE, [0.3, 0.0])
+    free = clpt.sensitivity(mass(**TRUTH), TIMES, "place", [*begin], FORCE, START)
     J = free.place.values / 0.01
     errors = np.sqrt(np.diag(np.linalg.inv(J.T @ J)))
     np.testing.assert_allclose([*found.errors.values()], errors, rtol=1e-6)
@@ -181,16 +181,12 @@ def test_the_papers_gain_is_found_from_its_run():
 
 
 def test_mistakes_are_told():
-    def fit(data=None, begin=None, times=TIMES, **more):
-        return clpt.fit_parameters(mass(), data or measured(0), begin or {"m": 1.0}, times, FORCE,
-                                   [0.3, 0.0], **more)  # fmt: skip
-
+    usual = {"data": measured(0), "begin": {"m": 1.0}}
     for given, said in (
         ({"data": {"q": TIMES}}, "none of the outputs place, speed"),
         ({"data": {"place": np.nan * TIMES}}, "all measurements of place are NaN or infinite"),
         ({"data": {"place": TIMES[:5]}}, "101 samples"),
         ({"data": [1.0]}, "must be an xarray"),
-        ({"times": None}, "timepts: is required"),
         ({"begin": {"q": 1.0}}, "must be among"),
         ({"begin": {"m": (1.0, 2.0, 3.0)}}, "low <= start <= high"),
         ({"begin": {"m": (1.0, 2.0)}}, r"or \(start, low, high\)"),
@@ -208,4 +204,6 @@ def test_mistakes_are_told():
         ({"noise": 0.0}, "above 0"),
     ):
         with pytest.raises(clpt.ClptError, match=said):
-            fit(**given)
+            fit(**usual | given)
+    with pytest.raises(clpt.ClptError, match="timepts: is required"):
+        clpt.fit_parameters(mass(), measured(0), BEGIN)
