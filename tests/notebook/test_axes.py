@@ -7,8 +7,10 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 from matplotlib.axes import Axes
+from tidal_records import times, waves
 
 import clpt_control as clpt
+from clpt_control.currents.current_record import CurrentRecord
 from clpt_control.figures import figure_of, inline_svg
 
 SCENARIO = clpt.paper_scenario().with_values({"run.duration": 40.0})
@@ -18,12 +20,9 @@ SCENARIO = clpt.paper_scenario().with_values({"run.duration": 40.0})
 def made():
     """One of each thing that is drawn."""
     dives, _ = clpt.gliders.usable(clpt.gliders.sample_dives())
-    hours = np.arange(0, 24 * 20)
-    time = np.datetime64("2019-01-01") + hours * np.timedelta64(3600000, "ms")
-    u, v = np.cos(hours / 1.9775), 0.5 * np.sin(hours / 1.9775)
+    time = times(20)
+    u, v = waves(time)
     fit = clpt.currents.fit_tides(time, u, v, 41.0, ["M2"])
-    from clpt_control.currents.current_record import CurrentRecord
-
     return {
         "run": clpt.simulate(SCENARIO),
         "diagram": clpt.simulate(control.ss(-1, 1, [[1], [2]], 0, name="lag"), [0, 1, 2], 1.0),

@@ -47,13 +47,11 @@ def test_what_is_shown_is_the_runs_own(run):
     np.testing.assert_allclose(film.x, at.position)
     np.testing.assert_allclose(film.z, at.predicted_position)
     np.testing.assert_array_equal(film.zc, at.reference)  # right limits
+    velocity = clpt.simulation.flow_velocity
     for k, t in enumerate(times):
-        for shown, known in (
-            (film.true, ()),
-            (film.learned, (at.flow_parameters_estimate.values[k],)),
-        ):
-            flow = clpt.simulation.flow_velocity(SCENARIO, film.grid, t, *known)
-            np.testing.assert_allclose(shown[k], flow, atol=1e-12)
+        np.testing.assert_allclose(film.true[k], velocity(SCENARIO, film.grid, t), atol=1e-12)
+        learned = velocity(SCENARIO, film.grid, t, at.flow_parameters_estimate.values[k])
+        np.testing.assert_allclose(film.learned[k], learned, atol=1e-12)
 
 
 def test_arrows_stand_within_a_field(tmp_path):

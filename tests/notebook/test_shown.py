@@ -3,6 +3,7 @@
 import re
 from dataclasses import replace
 
+import control
 import numpy as np
 import pytest
 from html_reader import Reader
@@ -13,12 +14,8 @@ from clpt_control.blocks.laws.paper import LEARNED_FLOW as LAW
 EVIL = '<b onload="x">&'
 
 
-def evil_block(name="b<i>"):
-    def output(t, x, u, p):
-        """y = u."""
-        return u[0]
-
-    return clpt.Block(name, output=output, inputs={"a<i>": 1}, outputs={"c&d": 1})
+def follower(name, takes, makes):
+    return clpt.Block(name, output=lambda t, x, u, p: u[0], inputs={takes: 1}, outputs={makes: 1})
 
 
 @pytest.fixture(scope="module")
@@ -26,7 +23,7 @@ def made():
     scenario = clpt.paper_scenario().with_values({"run.duration": 60, "title": EVIL})
     dives, _ = clpt.gliders.usable(clpt.gliders.sample_dives())
     replay = clpt.replay.replay_dives([replace(dives[0], vehicle=EVIL)])
-    block = evil_block()
+    block = follower("b<i>", "a<i>", "c&d")
     team = clpt.Team(members={"a": scenario, "b": scenario}, coupling=0.5)
     loop = clpt.closed_loop(scenario)
     return {
@@ -74,7 +71,7 @@ def test_a_thing_shows_itself(made, name):
 
 
 def test_what_has_no_table_says_itself_in_one_line():
-    hours = np.arange(721.0)
+    hours = np.arange(721)
     dates = np.datetime64("2019-01-01") + hours.astype("m8[h]")
     wave = np.cos(np.radians(28.984104) * hours)
     run = clpt.simulate(clpt.paper_scenario().with_values({"run.duration": 20}))
@@ -117,14 +114,8 @@ def test_python_controls_markdown_is_not_the_same_again(made):
 
 
 def test_a_large_diagram_is_said_in_words():
-    def named(k):
-        def output(t, x, u, p):
-            """y = u."""
-            return u[0]
-
-        return clpt.Block(f"b{k}", output=output, inputs={f"s{k}": 1}, outputs={f"s{k + 1}": 1})
-
-    diagram = clpt.connect([named(k) for k in range(70)], external=["s0"], name="chain")
+    row = [follower(f"b{k}", f"s{k}", f"s{k + 1}") for k in range(70)]
+    diagram = clpt.connect(row, external=["s0"], name="chain")
     html = diagram._repr_html_()
     assert "more than 60 blocks" in html
     assert "<svg" not in html
@@ -132,27 +123,15 @@ def test_a_large_diagram_is_said_in_words():
 
 
 def test_what_cannot_be_wired_says_why():
-    def same(t, x, u, p):
-        """y = u."""
-        return u[0]
-
-    blocks = [
-        clpt.Block("a", output=same, inputs={"s": 1}, outputs={"r": 1}),
-        clpt.Block("b", output=same, inputs={"r": 1}, outputs={"s": 1}),
-    ]
-    circle = clpt.connect(blocks, name="circle")
+    circle = clpt.connect([follower("a", "s", "r"), follower("b", "r", "s")], name="circle")
     assert "<svg" not in circle._repr_html_()
     assert "<p>" in circle._repr_html_()
     assert repr(circle).startswith("<Diagram circle: 2 blocks")
 
 
 def test_a_nested_diagram_is_drawn_block_by_block():
-    import control
-
     loop = clpt.closed_loop(clpt.paper_scenario())
-    outer = control.interconnect(
-        [loop], outlist=["closed_loop.e[0]"], outputs=["e"], check_unused=False
-    )
+    outer = control.interconnect([loop], outlist=["closed_loop.e[0]"], check_unused=False)
     svg = clpt.draw(outer).svg
     assert "adaptation" in svg
     assert svg.startswith("<svg ")
