@@ -5,19 +5,7 @@ Each is a law and what else `prove` is given.  A wrong one is wrong for some flo
 
 import numpy as np
 import textbook_laws as book
-from own_laws import (
-    GAIN,
-    LEARNED,
-    N,
-    V_of,
-    changed,
-    driven,
-    filled,
-    law,
-    leak,
-    off,
-    two,
-)
+from own_laws import GAIN, LEARNED, N, V_of, changed, driven, filled, law, leak, off, two
 
 TICKS = {"breakpoints": lambda p, t0, t1: np.arange(np.floor(t0) + 1.0, np.floor(t1) + 1.0)}
 SIGNS = {"alpha": (2, N), "K": (2,), "Gamma": (2,)}
@@ -43,11 +31,14 @@ def scaled(factor, port=None):
     return changed(change)
 
 
+def with_rates(others):
+    """Make the paper's law with some rates in place of its own."""
+    return changed(lambda t, x, u, p, r: r | others(t, u, p, r), more={"phi_z": "N"})
+
+
 def by_matrix(M):
     """Make a law with a matrix over the functions."""
-    return changed(
-        lambda t, x, u, p, r: r | {"alpha": -np.outer(u.e, np.array(M) @ u.phi_x)},
-    )
+    return with_rates(lambda t, u, p, r: {"alpha": -np.outer(u.e, np.array(M) @ u.phi_x)})
 
 
 def mapped(function):
@@ -173,22 +164,21 @@ WRONG = {
             "where e > 0, turned": lambda t, x, u, p: np.where(u.e[0] > 0, -0.1, 0.1),
         },
     ),
-    "pushed": case(changed(lambda t, x, u, p, r: r | {"K": r["K"] + 0.01})),
-    "pushed by time": case(changed(lambda t, x, u, p, r: r | {"K": r["K"] + np.sin(t)})),
-    "pushed by z": case(changed(lambda t, x, u, p, r: r | {"Gamma": r["Gamma"] + 0.1 * u.z})),
-    "K by the other z": case(changed(lambda t, x, u, p, r: r | {"K": -p.gain * u.z[::-1] * u.e})),
-    "Gamma by z": case(changed(lambda t, x, u, p, r: r | {"Gamma": p.gain * u.z * u.e})),
-    "alpha by phi^2": case(
-        changed(lambda t, x, u, p, r: r | {"alpha": -p.gain * np.outer(u.e, u.phi_x**2)})
-    ),
-    "alpha by phi turned round": case(
-        changed(lambda t, x, u, p, r: r | {"alpha": -p.gain * np.outer(u.e, u.phi_x[::-1])})
-    ),
-    "alpha by phi(z)": case(
-        changed(
-            lambda t, x, u, p, r: r | {"alpha": -p.gain * np.outer(u.e, u.phi_z)},
-            more={"phi_z": "N"},
-        )
+    **family(
+        "{}",
+        with_rates,
+        {
+            "pushed": lambda t, u, p, r: {"K": r["K"] + 0.01},
+            "pushed by time": lambda t, u, p, r: {"K": r["K"] + np.sin(t)},
+            "pushed by z": lambda t, u, p, r: {"Gamma": r["Gamma"] + 0.1 * u.z},
+            "K by the other z": lambda t, u, p, r: {"K": -p.gain * u.z[::-1] * u.e},
+            "Gamma by z": lambda t, u, p, r: {"Gamma": p.gain * u.z * u.e},
+            "alpha by phi^2": lambda t, u, p, r: {"alpha": -p.gain * np.outer(u.e, u.phi_x**2)},
+            "alpha by phi turned round": lambda t, u, p, r: {
+                "alpha": -p.gain * np.outer(u.e, u.phi_x[::-1])
+            },
+            "alpha by phi(z)": lambda t, u, p, r: {"alpha": -p.gain * np.outer(u.e, u.phi_z)},
+        },
     ),
     **family(
         "a matrix {}",
