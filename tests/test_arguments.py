@@ -8,7 +8,7 @@ import textwrap
 import numpy as np
 import pytest
 from responses import response
-from test_documentation import is_code, methods, rooms
+from test_documentation import methods, public_objects
 
 import clpt_control as clpt
 from clpt_control.errors import ClptError
@@ -19,19 +19,17 @@ ENGINES = ("native", "python")
 
 
 def public_functions():
-    for room in rooms():
-        for name in room.__all__:
-            value = getattr(room, name)
-            if inspect.isclass(value):
-                for inner, method in methods(value):
-                    above = any(hasattr(base, inner) for base in value.__bases__)
-                    if inspect.isfunction(method) and not above:
-                        yield pytest.param(method, id=f"{room.__name__}.{name}.{inner}")
-                start = vars(value).get("__init__")
-                if inspect.isfunction(start) and not dataclasses.is_dataclass(value):
-                    yield pytest.param(start, id=f"{room.__name__}.{name}")
-            elif is_code(value):
-                yield pytest.param(value, id=f"{room.__name__}.{name}")
+    for name, value in public_objects():
+        if inspect.isfunction(value):
+            yield pytest.param(value, id=name)
+            continue
+        for inner, method in methods(value):
+            above = any(hasattr(base, inner) for base in value.__bases__)
+            if inspect.isfunction(method) and not above:
+                yield pytest.param(method, id=f"{name}.{inner}")
+        start = vars(value).get("__init__")
+        if inspect.isfunction(start) and not dataclasses.is_dataclass(value):
+            yield pytest.param(start, id=name)
 
 
 @pytest.mark.parametrize("function", list(public_functions()))

@@ -9,6 +9,7 @@ import re
 from pathlib import Path
 
 import pytest
+from test_layout import trees
 
 import clpt_control
 
@@ -42,12 +43,14 @@ def rooms():
 
 
 def public_objects():
-    """What `clpt.` and the rooms name in `__all__`: the public API."""
+    """What `clpt.` and the rooms name in `__all__`, once: the public API."""
+    seen = set()
     for room in rooms():
         for name in room.__all__:
             value = getattr(room, name)
-            if is_code(value):
-                yield pytest.param(value, id=f"{room.__name__}.{name}")
+            if is_code(value) and value not in seen:
+                seen.add(value)
+                yield f"{room.__name__}.{name}", value
 
 
 def methods(cls):
@@ -90,13 +93,12 @@ def all_docstrings():
 
 
 def read_docstrings():
-    for path in sorted(Path(clpt_control.__file__).parent.rglob("*.py")):
-        tree = ast.parse(path.read_text())
+    for name, tree in trees().items():
         inner = {n: top for top in tree.body for n in ast.walk(top)}
         for node in inner:
             if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef):
                 text = ast.get_docstring(node) or ""
-                yield f"{path.stem}.{node.name}", getattr(inner[node], "name", ""), text
+                yield f"{name}.{node.name}", getattr(inner[node], "name", ""), text
 
 
 def test_docstrings_say_what_is_done():
@@ -107,7 +109,7 @@ def test_docstrings_say_what_is_done():
 
 def test_only_public_names_have_sections():
     """Of all others one good line is enough."""
-    values = [parameter.values[0] for parameter in public_objects()]
+    values = [value for _, value in public_objects()]
     public = {one.__name__ for value in values for one in getattr(value, "__mro__", [value])}
     sections = re.compile(r"^(Parameters|Returns|Raises|Yields)\n---", re.M)
     found = [
@@ -116,7 +118,7 @@ def test_only_public_names_have_sections():
     assert found == []
 
 
-@pytest.mark.parametrize("value", list(public_objects()))
+@pytest.mark.parametrize("value", [pytest.param(v, id=name) for name, v in public_objects()])
 def test_documented(value):
     text = inspect.getdoc(value)
     assert text, "no docstring"

@@ -60,10 +60,15 @@ def imports(name, path, tree):
 
 
 @cache
+def trees():
+    """What each file of the package says."""
+    return {name: ast.parse(path.read_text("utf-8")) for name, path in FILES.items()}
+
+
+@cache
 def edges():
     """Which module imports which."""
-    read = ((n, path, ast.parse(path.read_text())) for n, path in FILES.items())
-    return sorted({(n, used) for n, path, tree in read for used in imports(n, path, tree)})
+    return sorted({(n, used) for n, tree in trees().items() for used in imports(n, FILES[n], tree)})
 
 
 def test_the_top_holds_few_files():

@@ -13,7 +13,7 @@ import pytest
 import xarray
 from law_blocks import papers_law
 from synthetic_forecast import Made
-from test_documentation import methods, rooms
+from test_documentation import methods, public_objects
 
 import clpt_control as clpt
 from clpt_control.arguments import Seed, fits, kinds_of, plain, public
@@ -124,21 +124,15 @@ RESULTS = ("Verdict", "ConformanceReport", "FlowEstimate", "Diagram")  # which n
 
 
 def public_callables():
-    seen = set()
-    for room in rooms():
-        for name in room.__all__:
-            value = getattr(room, name)
-            if inspect.ismodule(value) or id(value) in seen:
+    for name, value in public_objects():
+        if inspect.isclass(value):
+            for _, method in methods(value):
+                if inspect.isfunction(method) and method.__qualname__ not in OF_THE_ENGINE:
+                    yield pytest.param(method, id=method.__qualname__)
+            if issubclass(value, Exception) or value.__name__ in RESULTS:
                 continue
-            seen.add(id(value))
-            if inspect.isclass(value):
-                for _, method in methods(value):
-                    if inspect.isfunction(method) and method.__qualname__ not in OF_THE_ENGINE:
-                        yield pytest.param(method, id=method.__qualname__)
-                if issubclass(value, Exception) or name in RESULTS:
-                    continue
-            if inspect.signature(value).parameters:
-                yield pytest.param(value, id=f"{room.__name__}.{name}")
+        if inspect.signature(value).parameters:
+            yield pytest.param(value, id=name)
 
 
 @pytest.fixture(scope="module")
