@@ -25,6 +25,8 @@ def test_a_run_is_that_of_the_scenario_that_says_so(name, key, value, tmp_path):
     run = clpt.simulate(PAPER, params={name: value})
     assert_equal(run, clpt.simulate(PAPER.with_values({key: value})))
     assert np.all(np.diff(run.lyapunov.values) <= 1e-9)  # V of the parameters that ran falls
+    of_the_loop = clpt.simulate(clpt.closed_loop(PAPER), params={name: value})
+    np.testing.assert_allclose(of_the_loop.lyapunov, run.lyapunov, rtol=1e-6)
     clpt.save_run(run, tmp_path / "run.nc")
     again = clpt.load_scenario(tmp_path / "run.nc")
     assert again == PAPER.with_values({key: value})
