@@ -3,7 +3,6 @@
 import re
 from dataclasses import replace
 
-import control
 import numpy as np
 import pytest
 from html_reader import Reader
@@ -127,14 +126,6 @@ def test_what_cannot_be_wired_says_why():
     assert "<svg" not in circle._repr_html_()
     assert "<p>" in circle._repr_html_()
     assert repr(circle).startswith("<Diagram circle: 2 blocks")
-
-
-def test_a_nested_diagram_is_drawn_block_by_block():
-    loop = clpt.closed_loop(clpt.paper_scenario())
-    outer = control.interconnect([loop], outlist=["closed_loop.e[0]"], check_unused=False)
-    svg = clpt.draw(outer).svg
-    assert "adaptation" in svg
-    assert svg.startswith("<svg ")
 
 
 def test_what_is_no_diagram_is_one_sentence():

@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 import xarray
 from scipy.optimize import curve_fit
+from test_sensitivity import decay
 
 import clpt_control as clpt
 
@@ -74,15 +75,13 @@ def test_intervals_of_95_percent_hold_the_truth_as_often():
 
 def test_errors_are_those_of_curve_fit():
     """SciPy's own fit of the closed form, with differences."""
-    decay = control.nlsys(lambda t, x, u, p: [-p["k"] * x[0]], None, inputs=0, states=["y"],
-                          outputs=["y"], params={"k": 1.0}, name="decay")  # fmt: skip
     times = np.linspace(0.0, 2.0, 41)
     noisy = 3.0 * np.exp(-1.7 * times) + 0.02 * np.random.default_rng(3).standard_normal(41)
     own, covariance = curve_fit(lambda t, k, a: a * np.exp(-k * t), times, noisy, [1.0, 1.0])
-    found = clpt.fit_parameters(decay, {"y": noisy}, {"k": 1.0, "x0.y": 1.0}, times)
+    found = clpt.fit_parameters(decay(1.0), {"x": noisy}, {"k": 1.0, "x0.x": 1.0}, times)
     assert [*found.values.values()] == pytest.approx(own, rel=1e-6)
     assert found.covariance == pytest.approx(covariance, rel=1e-4)
-    known = clpt.fit_parameters(decay, {"y": noisy}, {"k": 1.0, "y": 1.0}, times, noise=0.05)
+    known = clpt.fit_parameters(decay(1.0), {"x": noisy}, {"k": 1.0, "x": 1.0}, times, noise=0.05)
     _, covariance = curve_fit(
         lambda t, k, a: a * np.exp(-k * t), times, noisy, [1.0, 1.0], np.full(41, 0.05),
         absolute_sigma=True,

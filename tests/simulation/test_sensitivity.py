@@ -12,13 +12,14 @@ from clpt_control.equations.declaration import Each
 EXACT = {"rtol": 1e-12, "atol": 1e-13}
 
 
-def decay():
-    def update(t, x, u, p):
-        return [-p["k"] * x[0]]
+def autonomous(update, **params):
+    """A system of one state and no input."""
+    ports = {"states": ["x"], "inputs": 0, "outputs": ["x"]}
+    return control.nlsys(update, None, name="lag", params=params, **ports)
 
-    return control.nlsys(
-        update, None, name="decay", inputs=0, states=["y"], outputs=["y"], params={"k": 2.0}
-    )
+
+def decay(k):
+    return autonomous(lambda t, x, u, p: [-p["k"] * x[0]], k=k)
 
 
 def pendulum():
@@ -159,9 +160,9 @@ def test_a_stiff_run_varies_with_its_parameter():
 
 def test_closed_forms():
     times = np.linspace(0.0, 2.0, 9)
-    found = clpt.sensitivity(decay(), times, "y", ["k", "x0"], initial_state=[3.0], **EXACT)
-    assert found.y.sel(parameter="k").values == pytest.approx(-times * 3 * np.exp(-2 * times))
-    assert found.y.sel(parameter="x0.y").values == pytest.approx(np.exp(-2 * times))
+    found = clpt.sensitivity(decay(2.0), times, "x", ["k", "x0"], initial_state=[3.0], **EXACT)
+    assert found.x.sel(parameter="k").values == pytest.approx(-times * 3 * np.exp(-2 * times))
+    assert found.x.sel(parameter="x0.x").values == pytest.approx(np.exp(-2 * times))
     plant = control.ss([[0.0, 1.0], [-2.0, -0.3]], [[0.0], [1.0]], np.eye(2), 0, name="plant")
     found = clpt.sensitivity(plant, times, to=["plant.A[1,0]", "x0"], initial_state=[1.0, 0.0],
                              **EXACT)  # fmt: skip
@@ -188,50 +189,53 @@ def test_outputs_are_chosen_and_named():
 
 
 def stepping():
-    def update(t, x, u, p):
-        return [1.0 if x[0] < p["edge"] else 3.0]
+    return autonomous(lambda t, x, u, p: [1.0 if x[0] < p["edge"] else 3.0], edge=1.0)
 
-    return control.nlsys(
-        update, None, name="relay", states=["x"], inputs=0, outputs=["x"], params={"edge": 1.0}
+
+def teeth():
+    return clpt.Block(
+        "teeth",
+        update=lambda t, x, u, p: [p.slope],
+        states={"x": 1},
+        jump=lambda t, x, u, p: [0.5 * x[0]],
+        breakpoints=Each("period"),
+        parameters={"slope": 1.0, "period": 1.0, "interval": -1.0},
     )
 
 
-def test_a_jump_that_is_crossed_is_refused():
-    with pytest.raises(clpt.SimulationError, match=r"do not confirm its derivative.*relay"):
-        clpt.sensitivity(stepping(), np.linspace(0.0, 3.0, 31), to="edge")
-    before = clpt.sensitivity(stepping(), np.linspace(0.0, 0.5, 6), to="edge")
-    assert not before.x.values.any()
-
-
-def test_a_jump_of_half_a_percent_is_refused_too():
-    """Of x' = -1, -1.005 below k, x + k changes by 0.995 with k; without the jump by 1."""
-    slower = control.nlsys(
+def slower():
+    """x' = -1, -1.005 below k: x + k changes by 0.995 with k; without the jump by 1."""
+    return control.nlsys(
         lambda t, x, u, p: [-1.0 - 0.005 * (x[0] < p["k"])],
         lambda t, x, u, p: x + p["k"],
         **{"name": "slower", "inputs": 0, "outputs": ["y"], "states": ["x"], "params": {"k": 0.5}},
     )
-    with pytest.raises(clpt.SimulationError, match=r"^y\[0\]: differences of runs do not confirm"):
-        clpt.sensitivity(slower, np.linspace(0.0, 2.0, 21), to="k", initial_state=[1.0])
 
 
-def test_a_time_that_is_varied_is_refused():
-    def update(t, x, u, p):
-        return [1.0 if t < p["until"] else 0.0]
+def pulse():
+    return autonomous(lambda t, x, u, p: [1.0 if t < p["until"] else 0.0], until=1.0)
 
-    pulse = control.nlsys(
-        update, None, name="pulse", states=["x"], inputs=0, outputs=["x"], params={"until": 1.0}
-    )
-    with pytest.raises(clpt.SimulationError, match="do not confirm"):
-        clpt.sensitivity(pulse, np.linspace(0.0, 3.0, 31), to="until")
-    teeth = clpt.Block(
-        "teeth", update=lambda t, x, u, p: [p.slope], states={"x": 1},
-        jump=lambda t, x, u, p: [0.5 * x[0]], breakpoints=Each("period"),
-        parameters={"slope": 1.0, "period": 1.0, "interval": -1.0},
-    )  # fmt: skip
+
+@pytest.mark.parametrize(
+    ("system", "to", "start", "said"),
+    [
+        (stepping(), "edge", 0.0, "do not confirm its derivative.*lag"),
+        (slower(), "k", 1.0, r"^y\[0\]: differences of runs do not confirm"),
+        (pulse(), "until", 0.0, "do not confirm"),
+        (clpt.connect([teeth()]), "teeth.period", 0.0, "do not confirm"),
+    ],
+    ids=["a jump that is crossed", "one of half a percent", "a time", "a period"],
+)
+def test_what_moves_a_jump_is_refused(system, to, start, said):
+    with pytest.raises(clpt.SimulationError, match=said):
+        clpt.sensitivity(system, np.linspace(0.0, 3.5, 36), to=to, initial_state=[start])
+
+
+def test_before_and_behind_a_jump_all_is_known():
+    before = clpt.sensitivity(stepping(), np.linspace(0.0, 0.5, 6), to="edge")
+    assert not before.x.values.any()
     times = np.linspace(0.0, 3.5, 36)
-    with pytest.raises(clpt.SimulationError, match="do not confirm"):
-        clpt.sensitivity(clpt.connect([teeth]), times, to="teeth.period")
-    found = clpt.sensitivity(clpt.connect([teeth]), times, "x", ["teeth.slope", "x0"])
+    found = clpt.sensitivity(clpt.connect([teeth()]), times, "x", ["teeth.slope", "x0"])
     assert found.x[-1].values == pytest.approx([0.5 + 0.875, 0.125])  # S halves at each jump
 
 
@@ -254,33 +258,26 @@ def test_what_cannot_be_varied_or_named_is_said(output, to, sentence):
         assert found.y.values.tolist() == [[3.0], [3.0]]
 
 
-def test_what_is_not_known_is_said():
-    def update(t, x, u, p):
-        return [-p["k"] * x[0] if p["n"] > 2 else -x[0]]
+ASKING = autonomous(lambda t, x, u, p: [-p["k"] * x[0] if p["n"] > 2 else -x[0]], k=1.0, n=3.0)
+ODD = autonomous(lambda t, x, u, p: [float(str(x[0]))])
+PLANT = control.ss([[1.0]], [[1.0]], [[1.0]], 0, name="p")
 
-    asking = control.nlsys(
-        update, None, name="lag", states=["x"], inputs=0, outputs=["x"], params={"k": 1.0, "n": 3.0}
-    )
-    with pytest.raises(clpt.SimulationError, match=r"n: .*asks for its value"):
-        clpt.sensitivity(asking, [0.0, 1.0], to="n")
-    with pytest.raises(clpt.SimulationError, match=r"must be among k, lag\.k, lag\.n, n, x, x0"):
-        clpt.sensitivity(asking, [0.0, 1.0], to="q")
-    with pytest.raises(clpt.SimulationError, match=r"did you mean k\?"):
-        clpt.sensitivity(asking, [0.0, 1.0], to="plant.k")
-    with pytest.raises(clpt.SimulationError, match="must be among x, states"):
-        clpt.sensitivity(asking, [0.0, 1.0], of="q", to="k")
-    with pytest.raises(clpt.SimulationError, match="or an element, counted from 0"):
-        clpt.sensitivity(control.ss([[1.0]], [[1.0]], [[1.0]], 0, name="p"), [0.0, 1.0],
-                         to="p.A[1,0]")  # fmt: skip
-    with pytest.raises(clpt.SimulationError, match="takes no function"):
-        clpt.sensitivity(mrac(), [0.0, 1.0], to="gain", inputs=lambda t: [t])
 
-    def unread(t, x, u, p):
-        return [float(str(x[0]))]
-
-    odd = control.nlsys(unread, None, name="odd", states=["x"], inputs=0, outputs=["x"])
-    with pytest.raises(clpt.SimulationError, match=r"odd: has no known derivative.*unread"):
-        clpt.sensitivity(odd, [0.0, 1.0])
+@pytest.mark.parametrize(
+    ("system", "given", "said"),
+    [
+        (ASKING, {"to": "n"}, r"n: .*asks for its value"),
+        (ASKING, {"to": "q"}, r"must be among k, lag\.k, lag\.n, n, x, x0"),
+        (ASKING, {"to": "plant.k"}, r"did you mean k\?"),
+        (ASKING, {"to": "k", "of": "q"}, "must be among x, states"),
+        (PLANT, {"to": "p.A[1,0]"}, "or an element, counted from 0"),
+        (mrac(), {"to": "gain", "inputs": lambda t: [t]}, "takes no function"),
+        (ODD, {}, r"lag: has no known derivative.*<lambda>"),
+    ],
+)
+def test_what_is_not_known_is_said(system, given, said):
+    with pytest.raises(clpt.SimulationError, match=said):
+        clpt.sensitivity(system, [0.0, 1.0], **given)
 
 
 def test_a_power_of_a_magnitude_that_begins_at_zero():
