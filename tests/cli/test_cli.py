@@ -14,6 +14,7 @@ import control
 import numpy as np
 import pytest
 from processes import CLPT, CODE, GUARD, await_line, interrupt, started, without_progress
+from written import write
 
 import clpt_control
 from clpt_control import cli
@@ -116,12 +117,11 @@ def test_export_of_a_diagrams_run_has_its_start(clpt):
 
 def save_short(**more):
     """Write s.toml, the paper's scenario for 20 s."""
-    values = {"run.duration": 20, **more}
-    clpt_control.save_scenario(clpt_control.paper_scenario().with_values(values), "s.toml")
+    write({"run.duration": 20, **more})
 
 
 def test_interrupt_ends_cleanly():
-    save_short(**{"run.duration": 2e7, "run.output_step": 1e4})
+    write({"run.duration": 2e7, "run.output_step": 1e4})
     with started([sys.executable, "-c", HEARD, "run", "s.toml", "--out", "run.nc"]) as process:
         await_line(process, process.stderr, "running s.toml")  # its progress
         assert interrupt(process) == ("", "clpt: interrupted; nothing half-written was left\n")

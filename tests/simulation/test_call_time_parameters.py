@@ -40,7 +40,9 @@ def test_an_initial_state_tolerances_and_noise_are_the_files(tmp_path):
     run = clpt.simulate(noisy, initial_state=state, rtol=1e-11, atol=1e-12)
     clpt.save_run(run, tmp_path / "run.nc")
     assert_equal(clpt.load_run(tmp_path / "run.nc"), run)
-    assert_equal(clpt.simulate(clpt.load_scenario(tmp_path / "run.nc")), run)
+    again = clpt.load_scenario(tmp_path / "run.nc")
+    assert (again.run.rtol, again.run.atol) == (1e-11, 1e-12)
+    assert_equal(clpt.simulate(again), run)
 
 
 @pytest.mark.parametrize(

@@ -318,17 +318,3 @@ def test_a_time_without_a_sample_is_refused(t, said):
         clpt.state_at(run, t)
     with pytest.raises(DataError, match="carries no states"):
         clpt.state_at(run.drop_vars("states"), 7)
-
-
-def test_ports_of_a_run_have_units_those_of_parts_of_ones_own_too():
-    pump = clpt.Block(
-        "pump",
-        output=lambda t, x, u, p: {"v_x_pump": u.v_x, "power": [u.v_x[0] ** 2]},
-        inputs={"v_x": 2},
-        outputs={"v_x_pump": 2, "power": 1},
-        units={"power": "W"},
-    )
-    loop = clpt.closed_loop(PAPER, insert={("v_x", "vehicle"): pump})
-    run = clpt.simulate(loop)
-    units = {name: run[name].attrs.get("units") for name in ("power", "v_z", "psi", "flow_z")}
-    assert units == {"power": "W", "v_z": "m s-1", "psi": "m s-1", "flow_z": "m s-1"}
