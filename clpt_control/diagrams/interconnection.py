@@ -25,6 +25,7 @@ from .wiring import (
     Params,
     Part,
     Wiring,
+    blocks_of,
     joined_wires,
     ordered_wiring,
     own_params,
@@ -77,7 +78,7 @@ class Diagram(control.InterconnectedSystem):
         inside_another = any(hasattr(value, "_fields") for value in given.values())
         inside_another |= bool(self.params) and set(self.params) <= set(given)
         if given and not inside_another:
-            changed_parameters(wiring_of(self), given)
+            changed_parameters(blocks_of(self), given)
         given |= {key.removeprefix(own): given[key] for key in given if key.startswith(own)}
         super()._update_params(given)
         for part in self.syslist:
@@ -86,8 +87,8 @@ class Diagram(control.InterconnectedSystem):
                 part._update_params({**self.params, **own_params(part.name, given)})
 
 
-def changed_parameters(wiring: Wiring, params: Params) -> list[Any]:
-    """Return each system's parameters, changed by ``{"block.field": value}``.
+def changed_parameters(blocks: Iterable[tuple[str, Any]], params: Params) -> list[Any]:
+    """Return each block's parameters, changed by ``{"block.field": value}``.
 
     Of nested diagrams ``"a.adaptation.gain"`` reaches one, ``"adaptation.gain"`` all; of
     python-control's systems ``"m"`` reaches all, too, and ``"plant.m"`` one.
@@ -99,22 +100,21 @@ def changed_parameters(wiring: Wiring, params: Params) -> list[Any]:
     names: set[str] = set()
     found: list[Any] = []
     asking: list[tuple[System, list[str]]] = []  # with the paths to it
-    for node in wiring.nodes:
-        system = node.system
+    for name, system in blocks:
         if isinstance(system, System):
-            found.append(system.with_params(own_params(node.name, params)))
-            asking.append((system, spaces_of(node.name)))
+            found.append(system.with_params(own_params(name, params)))
+            asking.append((system, spaces_of(name)))
             continue
         fields = system.parameters._fields
-        keys = {space + field: field for space in paths_to(node.name) for field in fields}
+        keys = {space + field: field for space in paths_to(name) for field in fields}
         if isinstance(inner := getattr(system, "inner", None), System):  # which is sampled
-            for_it = ["", *spaces_of(node.name)]
+            for_it = ["", *spaces_of(name)]
             numbers = inner.number_names.items()
             keys = {space + key: field for space in for_it for key, field in numbers} | keys
         changes = {keys[key]: params[key] for key in keys if key in params}  # the longest counts
         found.append(system.with_values(changes))
         known |= set(keys)
-        names |= {f"{node.name}.{field}" for field in fields}
+        names |= {f"{name}.{field}" for field in fields}
     for key in params:
         own = [(system, key.removeprefix(at)) for system, to in asking for at in ("", *to)]
         if key in known or any(system.mentions(name) for system, name in own):

@@ -228,7 +228,7 @@ def linearize(
         raise DiagramError(f"{system.name}: has no states and no inputs to linearize along")
     x, u = (_vector(*one) for one in (("x", x, n), ("u", u, m)))
     try:
-        at = _About(system, wiring, changed_parameters(wiring, params), t, x, u)
+        at = _About(system, wiring, changed_parameters(wiring.blocks, params), t, x, u)
         ports = [(node, port) for node in wiring.nodes for port in node.system.declared["outputs"]]
         signals = [at.record.signals[node.name, port] for node, port in ports]
         rates = [at.record.rates[port] for port in at.states]

@@ -64,6 +64,11 @@ class Wiring:
     dt: Any = 0  # of discrete time: from one step to the next, or True
     units: Mapping[str, Any] = field(default_factory=dict)  # of ports, by nested diagram
 
+    @property
+    def blocks(self) -> list[tuple[str, Any]]:
+        """The blocks with their names."""
+        return [(node.name, node.system) for node in self.nodes]
+
     @cached_property
     def output_map(self) -> Any:
         """Outputs of all block outputs and then all inputs, as a matrix; sparse if large."""
@@ -82,15 +87,8 @@ class Wiring:
         return matrix if isinstance(matrix, np.ndarray) else matrix.tocsr()
 
 
-class _Flat(NamedTuple):
-    """A system as leaves: the sum that feeds each of their inputs, and that each output is."""
-
-    leaves: list[tuple[str, control.NonlinearIOSystem]]
-    inputs: list[Row]
-    outputs: list[Row]
-
-
-def _flatten(system: control.NonlinearIOSystem, name: str) -> _Flat:
+def _flatten(system: control.NonlinearIOSystem, name: str) -> tuple[list[Row], list[Row]]:
+    """Return the sum that feeds each input of a system's leaves, and that each output is."""
     if not isinstance(system, control.NonlinearIOSystem):
         raise DiagramError(
             f"{name} is a {type(system).__name__}: must be blocks, wired, or a system with states, "
@@ -98,16 +96,13 @@ def _flatten(system: control.NonlinearIOSystem, name: str) -> _Flat:
         )
     if not isinstance(system, control.InterconnectedSystem):
         outside: list[Row] = [{~k: 1.0} for k in range(system.ninputs or 0)]
-        return _Flat([(name, system)], outside, [{k: 1.0} for k in range(system.noutputs or 0)])
-    leaves, fed, made = _Flat([], [], [])
+        return outside, [{k: 1.0} for k in range(system.noutputs or 0)]
+    fed, made = list[Row](), list[Row]()
     signals = taken = 0  # of the parts so far; in their rows ~k is an input of a part
     for part in system.syslist:
-        inner = _flatten(part, part.name)
-        space = f"{part.name}." if isinstance(part, control.InterconnectedSystem) else ""
-        leaves += [(space + leaf, one) for leaf, one in inner.leaves]
-        for rows, own in ((fed, inner.inputs), (made, inner.outputs)):
+        for rows, own in zip((fed, made), _flatten(part, part.name), strict=True):
             rows += [{k + signals if k >= 0 else k - taken: g for k, g in r.items()} for r in own]
-        signals += sum(one.noutputs or 0 for _, one in inner.leaves)
+        signals += sum(one.noutputs or 0 for _, one in _leaves(part))
         taken += part.ninputs or 0
     wires, inputs, shown = map(_entries, (system.connect_map, system.input_map, system.output_map))
     count, known = len(made), dict[int, Row | None]()
@@ -130,7 +125,16 @@ def _flatten(system: control.NonlinearIOSystem, name: str) -> _Flat:
         added([(flat(k), gain) for k, gain in shown.get(to, ())])
         for to in range(len(system.output_map))
     ]
-    return _Flat(leaves, [closed(row) for row in fed], outputs)
+    return [closed(row) for row in fed], outputs
+
+
+def _leaves(system: Part, space: str = "") -> Iterator[tuple[str, control.NonlinearIOSystem]]:
+    """Yield the systems that a diagram is made of, nested ones included, and their names."""
+    for part in getattr(system, "syslist", [system]):
+        if isinstance(part, control.InterconnectedSystem):
+            yield from _leaves(part, f"{space}{part.name}.")
+        else:
+            yield space + part.name, part
 
 
 def added(rows: Iterable[tuple[Row, float]]) -> Row:
@@ -240,21 +244,26 @@ def wiring_of(diagram: Part, params: Params = None, sizes: Sizes = (None, None))
     python-control's systems become blocks, with `params` as python-control hands them down, and
     `sizes`, of states and inputs, where they leave them open.  An algebraic loop is refused.
     """
-    flat = _flatten(diagram, getattr(diagram, "name", repr(diagram)))
-    if not flat.leaves:
+    fed, shown = _flatten(diagram, getattr(diagram, "name", repr(diagram)))
+    systems = blocks_of(diagram, params, sizes)
+    if not systems:
         raise DiagramError(f"{diagram.name}: has no blocks; give at least one")
-    handed, declared = _handed_down(diagram, params or {}), _handed_down(diagram, {})
-    systems = [
-        (name, _as_block(system, own, sizes, _own(known)))
-        for (name, system), own, known in zip(flat.leaves, handed, declared, strict=True)
-    ]
     if None in (diagram.nstates, diagram.ninputs, diagram.noutputs):  # which its block knows
-        ((name, block),) = systems
-        flat = _flatten(block, name)
-        diagram = block
-    fed, shown, dt = flat.inputs, flat.outputs, diagram.dt or 0
-    wiring = ordered_wiring(systems, fed, diagram.ninputs or 0, shown, dt)
+        ((name, diagram),) = systems
+        fed, shown = _flatten(diagram, name)
+    wiring = ordered_wiring(systems, fed, diagram.ninputs or 0, shown, diagram.dt or 0)
     return replace(wiring, units=dict(_units_within(diagram)))
+
+
+def blocks_of(
+    diagram: Part, params: Params = None, sizes: Sizes = (None, None)
+) -> list[tuple[str, Block]]:
+    """Return the blocks of a diagram with their names, in its own order."""
+    handed, declared = _handed_down(diagram, params or {}), _handed_down(diagram, {})
+    return [
+        (name, _as_block(system, own, sizes, _own(known)))
+        for (name, system), own, known in zip(_leaves(diagram), handed, declared, strict=True)
+    ]
 
 
 def _units_within(system: Any, space: str = "") -> Iterator[tuple[str, Mapping[str, str]]]:

@@ -68,7 +68,7 @@ class VariedDiagram(Varied):
         if undeclared := self._undeclared(varies, labels):
             self.params |= undeclared
             self.wiring = wiring_of(diagram, self.params, sizes)
-        self.given = changed_parameters(self.wiring, self.params)
+        self.given = changed_parameters(self.wiring.blocks, self.params)
         solver = {name: known.get(name) if one is None else one for name, one in solver.items()}
         rtol, atol, _, _, method = checked_steps(self.wiring.dt, self.times, **solver)
         self.options = {"rtol": rtol, "atol": atol, "method": method}

@@ -61,7 +61,7 @@ class PythonDiagram:
         if not isinstance(diagram, Wiring):
             read_anew(diagram)
         self.wiring = diagram if isinstance(diagram, Wiring) else wiring_of(diagram, params)
-        self.sweep = Sweep(self.wiring, changed_parameters(self.wiring, params))
+        self.sweep = Sweep(self.wiring, changed_parameters(self.wiring.blocks, params))
         self.nstates, self.nsignals = self.sweep.nstates, len(self.sweep.signals)
         self.intervals: dict[int, int] = {}  # places in P of each block's `interval`
         self.jumps = {k: place for place, k in enumerate(self.sweep.jumping)}  # 1 where it jumps

@@ -44,7 +44,7 @@ class Running:
     def set(self, params: Mapping[str, Any]) -> None:
         """Set call-time parameters with which it runs."""
         self.params = dict(params)
-        self.sweep = Sweep(self.wiring, changed_parameters(self.wiring, params))
+        self.sweep = Sweep(self.wiring, changed_parameters(self.wiring.blocks, params))
 
     def by_control(self, t: np.ndarray, x: np.ndarray, u: np.ndarray) -> Found:
         """Evaluate it as python-control does; the system's parameters are its own at the end."""
