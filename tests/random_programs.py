@@ -225,17 +225,13 @@ class Writer:
             return
         name = self.name()
         if self.chance(0.5):
-            self.add(f"{name} = {self.scalar(1)}")
-            self.add(f"if {self.condition()}:")
+            self.add(f"{name} = {self.scalar(1)}", f"if {self.condition()}:")
             self.add(f"    {name} {self.choice(['=', '+=', '*='])} {self.scalar(1)}")
         else:
-            self.add(f"if {self.condition()}:")
-            self.add(f"    {name} = {self.scalar(1)}")
+            self.add(f"if {self.condition()}:", f"    {name} = {self.scalar(1)}")
             if self.asks():
-                self.add(f"elif {self.condition(0)}:")
-                self.add(f"    {name} = {self.scalar(1)}")
-            self.add("else:")
-            self.add(f"    {name} = {self.scalar(1)}")
+                self.add(f"elif {self.condition(0)}:", f"    {name} = {self.scalar(1)}")
+            self.add("else:", f"    {name} = {self.scalar(1)}")
         self.scalars.append(name)
 
     def loop(self):
@@ -298,8 +294,7 @@ class Writer:
         elif kind == 1:
             self.add(f"{a}, {b} = bend(b={self.leaf()}, a={self.leaf()})")
         elif kind == 2:
-            self.add(f"def inner(v, k={self.leaf()}):")
-            self.add(f"    return v * k + {self.leaf()}")
+            self.add(f"def inner(v, k={self.leaf()}):", f"    return v * k + {self.leaf()}")
             self.add(f"{a}, {b} = inner({self.leaf()}), inner({self.leaf()}, {self.leaf()})")
         else:
             self.add(f"{b} = {self.scalar(1)}")
