@@ -103,8 +103,10 @@ LONG = (
     "design_track",
     "disturbance_counterexample",
     "excitation_plot",
+    "export_fmu",
     "prove",
     "run_ensemble",
+    "save_replay_figures",
     "tune_law",
 )
 LISTS = ("conformance",)  # a sentence for each failure

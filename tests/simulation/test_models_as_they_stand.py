@@ -178,7 +178,7 @@ def test_params_reach_nested_diagrams_as_python_control_hands_them_down():
     inner = control.interconnect([plant, gain], inputs="r", outputs="y", params={"m": 5.0})
     lag = control.tf([1.0], [0.3, 1.0], inputs="v", outputs="r")
     outer = control.interconnect([inner, lag], inputs="v", outputs="y", params={"k": 3.0})
-    for params in (None, {"k": 1.0}, {"m": 7, "c": 0.0}):
+    for params in (None, {"k": 1.0, "m": 7, "c": 0.0}):
         against_control(outer, np.cos(T), 0.1, params, close=1e-6)
 
 

@@ -48,11 +48,10 @@ def test_a_lag_of_one_line_is_its_closed_form(engine):
     loop = clpt.closed_loop(CALM, insert={("v_x", "vehicle"): LAG})
     run = clpt.simulate(loop, times, engine=engine, **TIGHT)
     np.testing.assert_allclose(run.position, lagging(times, 0.5), atol=1e-8)
+    matrices = {"lag.A": -np.eye(2) / 0.2, "lag.C": np.eye(2) / 0.2}
     start = [clpt.initial_state(CALM), 0]
-    for lag in (0.5, 0.2):
-        matrices = {"lag.A": -np.eye(2) / lag, "lag.C": np.eye(2) / lag}
-        run = clpt.simulate(loop, times, 0, start, params=matrices, engine=engine, **TIGHT)
-        np.testing.assert_allclose(run.position, lagging(times, lag), atol=1e-8)
+    run = clpt.simulate(loop, times, 0, start, params=matrices, engine=engine, **TIGHT)
+    np.testing.assert_allclose(run.position, lagging(times, 0.2), atol=1e-8)
 
 
 @settings(max_examples=6, deadline=None, derandomize=True)
