@@ -17,9 +17,3 @@ def test_what_simulate_returns_is_known():
     response = clpt.simulate(loop, [0.0, 1.0])
     assert_type(response, xarray.Dataset)
     assert all(isinstance(run, xarray.Dataset) for run in (*runs, response))
-
-
-def test_rooms_and_their_names_are_known():
-    verdict = clpt.theory.prove
-    assert verdict is clpt.theory.prove
-    clpt.simulate(clpt.paper_scenario(), inputs=None, timepts=[0.0, 1.0])

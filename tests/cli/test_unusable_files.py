@@ -99,15 +99,6 @@ def test_field_files_that_cannot_be_used(refused_for):
         refused_for(["field.nc", *words], *RUN)
 
 
-def test_a_run_that_fails_has_status_one(clpt):
-    uniform_field("field.nc", 1.0, 1.0, half=1.5, end=4e4)
-    write({f"flow.{key}": value for key, value in FIELD.items()})
-    outcome = clpt(*RUN)
-    assert outcome.status == 1
-    assert "left the field at position" in outcome.err
-    assert not Path("run.nc").exists()
-
-
 def test_sizes_that_no_machine_holds_are_refused_before_work(refused_for):
     many = 20_000
     basis = {"centers": [[1.0, 1.0]] * many, "widths": [1.0] * many, "periods": [1.0] * many}

@@ -265,7 +265,6 @@ def test_what_cannot_be_compared_is_one_sentence():
         ([a, a], {}),
         ({"a": 3}, {}),
         ({str(k): a for k in range(7)}, {}),
-        ({"a": a, "b": a[["h"]]}, {}),
         ({"a": a}, {"plot": "map"}),
         ({"a": a}, {"plot": "track"}),
     ):

@@ -16,7 +16,6 @@ from clpt_control.native.python_diagram import PythonDiagram
 from clpt_control.scenario.tables import Units
 from clpt_control.simulation.flows import SpeedTimer, faster_flow, speeds_of
 from clpt_control.simulation.integrate import sample_times
-from clpt_control.simulation.starts import initial_state
 
 
 @pytest.mark.parametrize(
@@ -109,20 +108,6 @@ def test_progress_reaches_the_end():
     clpt.simulate(CALM, progress=reached.append)
     assert reached == sorted(reached)
     assert reached[-1] == 5.0
-
-
-def test_a_diagrams_run_holds_its_states_by_name():
-    loop = clpt.closed_loop(CALM)
-    run = clpt.simulate(loop, [0, 1, 2], initial_state=initial_state(CALM))
-    assert run.attrs["status"] == "finished"
-    assert run.state.values.tolist() == loop.state_labels
-    np.testing.assert_allclose(run.states[:, :2], exact_positions([0, 1, 2]), atol=1e-6)
-    same = clpt.simulate(CALM, [0, 1, 2])
-    assert set(same.data_vars) < set(run.data_vars)
-    for name in same.data_vars:
-        np.testing.assert_allclose(run[name], same[name], rtol=0, atol=1e-7)
-        assert run[name].dims == same[name].dims
-        assert run[name].attrs == same[name].attrs
 
 
 def test_units_and_dimensions():
