@@ -194,22 +194,6 @@ def test_a_short_start_is_filled_with_zeros():
     assert any("filled with zeros" in one for one in said)
 
 
-@pytest.mark.parametrize(
-    "function",
-    [
-        lambda t, x, u, p: [max(x[0], 0.0), -x[0] + min(abs(u[0]), 0.5)],
-        lambda t, x, u, p: np.where(x > 0.2, -2.0 * x, -x) + (1.0 if t > 1.234 else 0.0),
-        lambda t, x, u, p: -x + np.floor(2.0 * t) * np.interp(t, [0.0, 1.0, 3.0], [0.0, 1.0, -1.0]),
-    ],
-)
-def test_kinks_and_jumps_of_time(function):
-    system = control.nlsys(function, None, inputs=1, outputs=2, states=2)
-    found = clpt.simulate(system, T, np.sin(T), [0.5, -0.1])
-    fine = clpt.simulate(system, T, np.sin(T), [0.5, -0.1], rtol=1e-12, atol=1e-14)
-    assert found.engine == "native"
-    np.testing.assert_allclose(found.states, fine.states, atol=1e-7)
-
-
 def test_a_name_that_is_bound_where_the_run_goes_alone():
     def falls(t, x, u, p):
         if (mass := 1.0 + x[0] ** 2) > 0.0:

@@ -1,8 +1,7 @@
-"""`learning.sample`: a scenario's law at samples, against a loop in plain Python."""
+"""`learning.sample`: a scenario's law at samples."""
 
 import numpy as np
 import pytest
-from scipy.integrate import solve_ivp
 
 import clpt_control as clpt
 from clpt_control.errors import ClptError, DiagramError, ScenarioError
@@ -12,47 +11,19 @@ SLOW = clpt.paper_scenario().with_values(
 )
 
 
-def by_hand(scenario, period):
-    """Eqs. (1)-(5), (7), (20); between samples alpha, K, Gamma are held: Euler of (21)-(23)."""
-    theta, alpha_M = np.array(scenario.flow.parameters), np.array(scenario.model_parameters)
-    KD, GammaD = np.array(scenario.vehicle.feedback), np.array(scenario.vehicle.feedforward)
-    centers, widths = np.array(scenario.basis.centers), np.array(scenario.basis.widths)
-    gain, dwell = scenario.learning.gain, scenario.reference.dwell
-    alpha, K, Gamma = np.zeros((2, 3)), np.zeros(2), np.zeros(2)
-    state, found = np.zeros(4), []
-
-    def phi(x, t):
-        far = np.hypot(*(x - centers).T)
-        return np.exp(-far / (2 * widths)) * np.cos(scenario.frequencies * t + scenario.phases)
-
-    def rates(t, state, zc):
-        x, z = state[:2], state[2:]
-        at_x, at_z = phi(x, t), phi(z, t)
-        v = -alpha_M @ at_x - KD * x + GammaD * zc
-        psi = -(alpha_M + alpha) @ at_x - (alpha_M - alpha) @ at_z
-        v_z = -alpha @ at_z - K * z + Gamma * zc + psi
-        return np.concatenate([theta @ at_x + v, alpha_M @ at_z + v_z])
-
-    for k in range(round(scenario.run.duration / period)):
-        t = k * period
-        if abs(t / 5 - round(t / 5)) < 1e-9:
-            found.append(np.concatenate([state, alpha.ravel(), K, Gamma]))
-        zc = scenario.waypoints[int(t / dwell + 1e-9)]
-        x, z = state[:2], state[2:]
-        e = x - z
-        step = period * gain * np.outer(e, phi(x, t)), period * gain * z * e, period * gain * zc * e
-        held = {"rtol": 1e-11, "atol": 1e-13, "method": "DOP853", "args": (zc,)}
-        state = solve_ivp(rates, (t, t + period), state, **held).y[:, -1]
-        alpha, K, Gamma = alpha - step[0], K - step[1], Gamma + step[2]
-    return np.array(found)
+def own_law(scenario):
+    (law,) = (block for block in clpt.paper_blocks(scenario) if block.name == "adaptation")
+    return law
 
 
 @pytest.mark.parametrize("period", [0.1, 1.0, 5.0])
-def test_a_law_that_is_sampled_is_a_plain_loop(period):
+def test_a_law_that_is_sampled_is_the_sampled_block(period):
+    """Which is Euler's rule between samples: tests/native/test_sampled_parts."""
     run = clpt.simulate(SLOW.with_values({"learning.sample": period}))
-    names = ("position", "predicted_position", "alpha", "feedback_gain", "feedforward_gain")
-    found = np.concatenate([run[name].values.reshape(5, -1) for name in names], axis=1)
-    np.testing.assert_allclose(found[:-1], by_hand(SLOW, period), rtol=1e-9, atol=1e-8)
+    block = clpt.equations.Sampled(own_law(SLOW), period)
+    own = clpt.simulate(clpt.closed_loop(SLOW, law=block))
+    for name in ("position", "predicted_position", "alpha", "feedback_gain", "feedforward_gain"):
+        np.testing.assert_allclose(run[name], own[name], rtol=1e-9, atol=1e-12)
     assert run.attrs["engine"] == "native"
 
 
@@ -87,9 +58,8 @@ def test_the_scenarios_method_runs():
 
 def test_what_is_not_sampled_says_so():
     sampled = SLOW.with_values({"learning.sample": 1.0})
-    (law,) = (block for block in clpt.paper_blocks(SLOW) if block.name == "adaptation")
     with pytest.raises(DiagramError, match="sample yours by"):
-        clpt.closed_loop(sampled, law=law)
+        clpt.closed_loop(sampled, law=own_law(SLOW))
     with pytest.raises(DiagramError, match="proofs speak of continuous time alone"):
         clpt.theory.prove(clpt.closed_loop(sampled))
     with pytest.raises(ScenarioError, match=r"learning\.sample cannot vary"):
