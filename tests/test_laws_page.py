@@ -40,9 +40,16 @@ def test_the_command_prints_a_laws_page(clpt, printed, name):
     listed = printed("laws", name)["laws"]
     assert list(listed) == [name]
     assert listed[name]["page"] == LAWS[name].page
+    assert listed[name]["promise"] == LAWS[name].promise
+    assert list(listed[name]["settings"]) == list(LAWS[name].settings)
     assert listed[name]["promises"] == list(promises_in_words(LAWS[name]).values())
     for line in (LAWS[name].page.splitlines()[0], *listed[name]["promises"]):
         assert line in outcome.out
+
+
+def test_the_command_lists_all(clpt, printed):
+    assert list(printed("laws")["laws"]) == list(LAWS)
+    assert all(name in clpt("laws").out for name in LAWS)
 
 
 def test_an_unknown_law_is_refused(clpt):

@@ -9,7 +9,6 @@ from pictures import inked
 from strait import FILE, team, vehicle
 
 import clpt_control
-from clpt_control.blocks.laws.table import LAWS
 from clpt_control.files import write_file
 from clpt_control.scenario.team import team_to_text
 
@@ -64,17 +63,6 @@ def test_the_example_draws_what_it_says(capsys):
     assert "west alone: smallest eigenvalue" in said
     assert "the team: smallest eigenvalue" in said
     assert Path("team.png").stat().st_size > 10_000
-
-
-def test_laws_are_listed(clpt, printed):
-    outcome = clpt("laws")
-    assert outcome.status == 0
-    assert all(name in outcome.out for name in LAWS)
-    listed = printed("laws")["laws"]
-    assert list(listed) == list(LAWS)
-    for name, law in LAWS.items():
-        assert listed[name]["promise"] == law.promise
-        assert list(listed[name]["settings"]) == list(law.settings)
 
 
 def test_a_law_given_in_python_is_run_again_from_its_record(printed):

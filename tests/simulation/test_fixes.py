@@ -113,14 +113,6 @@ def test_nothing_before_it_arrives_depends_on_a_fix():
         assert np.all(apart[~before][1:] > 1e-6)
 
 
-def test_latency_goes_to_none():
-    plain = clpt.simulate(PAPER.with_values({"run.duration": 100.0}))
-    late = clpt.simulate(PAPER.with_values({"run.duration": 100.0, "localization.latency": 1e-5}))
-    inside = plain.time.values % 5 != 0
-    for name in ("position", "alpha"):
-        np.testing.assert_allclose(late[name][inside], plain[name][inside], rtol=0, atol=2e-4)
-
-
 def test_ever_more_fixes_give_continuous_least_squares():
     """As T goes to 0 with r^2 = s^2 T, P^-1 is 1/prior^2 + int phi phi^T/s^2 along the track."""
     s, prior, times = 0.3, 0.9, np.linspace(0.0, 20.0, 4001)
