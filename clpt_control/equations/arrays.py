@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import partial
 from math import prod
+from operator import attrgetter
 from threading import local
 from typing import Any
 
@@ -25,6 +26,10 @@ CONDITIONS = LOGICAL | COMPARISONS
 TRUTH = np.dtype(bool)
 TRUTHS_ALLOWED = CONDITIONS | {"where"}  # operations on truth values alone
 MOVED = frozenset({"view", "stack", "join"})  # hold what their arguments hold
+# of whole numbers, a whole number
+OF_WHOLE = frozenset(
+    {"add", "sub", "mul", "neg", "mod", "minimum", "maximum", "where", "sum", "fill", "stack"}
+)
 OF_TRUTHS = {"mul": "and", "minimum": "and", "maximum": "or"}  # what NumPy makes of truth values
 RAISING = frozenset({"div", "floordiv", "mod", "pow"})  # where Python's floats raise
 
@@ -149,12 +154,12 @@ class Array(NDArrayOperatorsMixin):
     """A value of a tape, of a known shape, used as NumPy's arrays are."""
 
     __slots__ = (
-        *("_boxed", "_fixed", "_node", "_parent", "_select", "_store", "_tape", "_whole", "shape"),
+        *("_boxed", "_fixed", "_node", "_parent", "_select", "_shape", "_store", "_tape", "_whole"),
     )
     __array_priority__ = 1000
 
     def __init__(self, tape: Tape, node: int, shape: Shape, parent: Any = None, select: Any = None):
-        self._tape, self._node, self.shape = tape, node, shape
+        self._tape, self._node, self._shape = tape, node, shape
         self._fixed = False  # whether nothing may be written into it
         self._boxed = False  # whether, without axes, it is NumPy's array and no number
         self._whole = False  # whether what is written into it is cut to a whole number
@@ -164,11 +169,29 @@ class Array(NDArrayOperatorsMixin):
 
     # --- the value ----------------------------------------------------------------------
 
+    shape = property(attrgetter("_shape"), doc="Its shape, which nobody sets.")
+
     @property
     def _ref(self) -> Ref:
         """Its place on the tape, as it stands now."""
         store = self._written()
         return self._node if store is None else operand(lifted(self._tape, store))
+
+    @property
+    def _root(self) -> "Array":
+        """The array that it is a part of."""
+        return self if self._parent is None else self._parent._root
+
+    def _keep(self) -> None:
+        """Keep each element by itself from now on."""
+        if self._store is None:
+            self._store = self._elements()
+
+    def _blank(self) -> np.ndarray:
+        """Return an array without numbers that lies in memory as NumPy's would."""
+        if self._parent is None:
+            return np.empty(self._counted())
+        return self._select(self._parent._blank())
 
     def _written(self) -> np.ndarray | None:
         """Return its elements, once one was written; parts share them, as NumPy's views do."""
@@ -219,14 +242,11 @@ class Array(NDArrayOperatorsMixin):
         return HOOKS["item"](self, index if isinstance(index, tuple) else (index,))
 
     def __setitem__(self, index: Any, value: Any) -> None:
-        root = self
-        while root._parent is not None:
-            root = root._parent
+        root = self._root
         if root._fixed or root._is_condition:
             what = "truth values" if root._is_condition else "its states, inputs or parameters"
             raise Unread(f"writes into {what}; write into a copy")
-        if root._store is None:
-            root._store = root._elements()
+        root._keep()
         store = self._written()
         assert store is not None
         if isinstance(value, Masked):
@@ -271,9 +291,6 @@ class Array(NDArrayOperatorsMixin):
     def __getattr__(self, name: str) -> Any:
         if (method := HOOKS["method"](name)) is not None:
             return partial(method, self)
-        known = None if name.startswith("__") else numbers_of(self)
-        if known is not None:
-            return getattr(known, name)
         raise AttributeError(f"an array of the record has no {name!r}")
 
     def __eq__(self, other: Any) -> Any:
@@ -319,18 +336,28 @@ class Array(NDArrayOperatorsMixin):
     def __hash__(self) -> int:
         if self.shape:
             raise TypeError("unhashable type: 'numpy.ndarray'")
-        ref = self._ref
-        if type(ref) is int and self._tape.free[ref]:
+        if moves(self):
             raise Unread("looks a signal up in a dict or set; write `if`, or lookup of a row")
-        return hash(self._tape.numbers(ref).item())
+        return hash(self._tape.numbers(self._ref).item())
 
     def __round__(self, digits: Any = None) -> Any:
-        if digits and self._tape.has_floats:
+        if digits and not is_of_numpy(self):
             raise Unread("rounds to digits, which Python does otherwise than np.round")
         return np.round(self, digits) if digits else np.round(self) + 0.0  # as a whole number
 
     def __repr__(self) -> str:
         return f"<v{self._node} {self.shape}>"
+
+
+def moves(array: Array) -> bool:
+    """Return whether an array depends on time, states or inputs."""
+    ref = array._ref
+    return type(ref) is int and array._tape.free[ref]
+
+
+def is_of_numpy(number: Array) -> bool:
+    """Return whether a number is surely one of NumPy's, not of Python's."""
+    return moves(number) and not number._tape.has_floats
 
 
 def numbers_of(array: Array) -> np.ndarray | None:
@@ -391,7 +418,11 @@ def lifted(tape: Tape, value: Any) -> Any:
         parts = [lifted(tape, one) for one in value]
     except TypeError:
         raise Unread(f"calculating with a {type(value).__name__}") from None
-    return stacked(tape, parts) if parts else constant(tape, np.asarray(value, dtype=float))
+    if not parts:
+        return constant(tape, np.asarray(value, dtype=float))
+    new, of = stacked(tape, parts), zip(parts, value, strict=True)
+    new._whole = all(counts(part if isinstance(part, Array) else one) for part, one in of)
+    return new
 
 
 def constant(tape: Tape, value: np.ndarray) -> Any:
@@ -446,8 +477,8 @@ def elementwise(name: str, *arguments: Any) -> Any:
                 "things; write float(...), or np.logical_or"
             )
         name = OF_TRUTHS[name]
-    if name in RAISING and tape.has_floats:
-        refuse_in_a_try(tape, arguments[-1])
+    if name in RAISING:
+        refuse_division(tape, arguments[-1])
     for k, one in enumerate(arguments):
         convert = as_condition if name in LOGICAL or (name == "where" and not k) else as_number
         one = one if type(one) is float else convert(lifted(tape, one))
@@ -455,14 +486,32 @@ def elementwise(name: str, *arguments: Any) -> Any:
             shapes.add(one.shape)
         refs.append(operand(one))
     shape = shapes.pop() if len(shapes) == 1 else broadcast(*shapes)
-    return tape.add(name, refs, shape)
+    new = tape.add(name, refs, shape)
+    new._whole = name in OF_WHOLE and all(map(counts, arguments[name == "where" :]))
+    return new
+
+
+def counts(value: Any) -> bool:
+    """Return whether NumPy has it as whole numbers, or as truth values."""
+    if isinstance(value, Array):
+        return value._whole or value._is_condition
+    kind = getattr(getattr(value, "dtype", None), "kind", "f")
+    return isinstance(value, int) or kind in "iub"
 
 
 def refuse_in_a_try(tape: Tape, *arguments: Any) -> None:
     """Refuse what may raise with signals, where a function that is read may catch it."""
-    refs = [one._ref for one in arguments if isinstance(one, Array)]
-    if any(type(ref) is int and tape.free[ref] for ref in refs) and in_a_try():
+    if any(isinstance(one, Array) and moves(one) for one in arguments) and in_a_try():
         raise Unread("may raise in a `try`; ask by `if` before")
+
+
+def refuse_division(tape: Tape, by: Any) -> None:
+    """Refuse a division that raises with Python's floats and not with NumPy's, in a `try`."""
+    if isinstance(by, Array) and moves(by):
+        if tape.has_floats:
+            refuse_in_a_try(tape, by)
+    elif in_a_try() and not np.all(tape.numbers(operand(by)) if isinstance(by, Array) else by):
+        raise Unread("may divide by zero in a `try`; ask by `if` before")
 
 
 READ = "__read__"  # among the built-in names of a copy that is read

@@ -21,7 +21,7 @@ from typing import Any
 import numpy as np
 
 from .arrays import Array, Tape, Unread
-from .kept import LOCK, Snapshot
+from .kept import LOCK, Snapshot, same
 from .lookup_tables import is_table
 from .stand_ins import BUILTINS, SHADOWS, stand_in, vectorized
 from .unchanged import names_in, texts_in
@@ -41,6 +41,7 @@ class Copies:
         self._known: dict[int, tuple[Any, Any]] = {}  # a value, alive, and what stands for it
         self._spaces: dict[int, tuple[dict, dict]] = {}  # names of a module: copied, as they began
         self._cells: list[tuple[CellType, Any, str]] = []
+        self._containers: list[tuple[Any, Any]] = []  # copied, as they began
         self.texts: set[Any] = set()  # in the functions, which may be names of params
 
     def of(self, value: Any) -> Any:
@@ -78,13 +79,19 @@ class Copies:
             return vectorized(np.vectorize(self.of(value.pyfunc)))
         if type(value) in (list, tuple) and len(value) < 100:
             own_items = [self.of(one) for one in value]
-            changed = any(a is not b for a, b in zip(own_items, value, strict=True))
-            return type(value)(own_items) if changed else value
+            if all(map(is_, own_items, value)):
+                return value
+            return tuple(own_items) if type(value) is tuple else self._watched(own_items)
         if type(value) is dict and len(value) < 100:
             self.texts.update(value)
             items = {key: self.of(one) for key, one in value.items()}
-            return items if any(items[key] is not value[key] for key in value) else value
+            return value if all(map(is_, items.values(), value.values())) else self._watched(items)
         return stand_in(value)
+
+    def _watched(self, container: Any) -> Any:
+        """Return a list or dict that `check` compares with what it holds now."""
+        self._containers.append((container, container.copy()))
+        return container
 
     def _numbers(self, value: np.ndarray) -> Any:
         """Return numbers as an array of the record, which takes signals where NumPy's does not."""
@@ -136,6 +143,10 @@ class Copies:
             for name, value in space.items():
                 if value is not first.get(name, _NONE) and name != OF_WARNINGS:
                     raise Unread(f"changes the global {name!r}; make it a state, or a parameter")
+        for now, before in self._containers:
+            if not same(now, before):
+                kind = type(now).__name__
+                raise Unread(f"changes a {kind} that it does not make; make it a state")
         for cell, first, name in self._cells:
             if cell.cell_contents is not first:
                 raise Unread(f"changes {name!r} of the function around it; make it a state")

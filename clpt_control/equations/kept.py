@@ -35,6 +35,8 @@ MOST = 200  # objects that are watched
 OWN = __package__.partition(".")[0]
 GROWN = 1000  # unknown numbers behind what was appended
 UNKNOWN = object()
+# which an array of the record answers otherwise than a number does, but to stand-ins
+ASKING = frozenset({"isinstance", "hasattr", "type", "isscalar", "float", "int"})
 CONTAINERS: Any = (list, deque, dict, set)
 SIMPLE = (int, float, complex, str, bytes, frozenset, np.generic, Enum, NoneType)
 NUMBERS = (int, float, complex, np.generic, np.ndarray)
@@ -63,11 +65,14 @@ class Snapshot:
         self._watched: dict[int, tuple[Any, Any]] = {}  # an object, and what it kept before
         # by what tells it apart, each state: of every object that differs what it keeps
         self.left: dict[Any, dict[int, Any]] = {}
+        self.asking: dict[int, dict[str, Any]] = {}  # modules of functions that ask for a type
         self._chance = {id(one): (one, _chance_of(one)) for one in OF_ALL}
 
     def add(self, value: Any, deep: int = DEEP) -> None:
         """Watch an object, and those within it."""
-        value = getattr(value, "__func__", value)  # of a method
+        value = getattr(value, "__func__", getattr(value, "fget", value))  # of a method, property
+        if isinstance(value, FunctionType) and _is_asking(value):
+            self.asking[id(value.__globals__)] = value.__globals__
         if isinstance(value, PLAIN) or id(value) in self._watched or len(self._watched) >= MOST:
             return
         if isinstance(value, tuple(STATES)):
@@ -91,7 +96,7 @@ class Snapshot:
         left, keys = dict[int, Any](), []
         for place, (value, before) in self._watched.items():
             now = _kept_by(value)
-            if not _same(now, before):
+            if not same(now, before):
                 left[place] = _unknown_in(now, before)
                 keys.append((place, _key(left[place], before)))
                 _put(value, before)
@@ -126,7 +131,7 @@ def _chance_of(one: Any) -> Any:
     return next(state_of(one) for kind, (state_of, _) in STATES.items() if isinstance(one, kind))
 
 
-def _same(now: Any, before: Any) -> bool:
+def same(now: Any, before: Any) -> bool:
     """Return whether a thing keeps the very same."""
     if isinstance(now, dict):
         return now.keys() == before.keys() and all(now[k] is before[k] for k in now)
@@ -226,6 +231,12 @@ def _attributes(value: Any) -> tuple[Any, Iterable[str] | None]:
     slots = [vars(kind).get("__slots__", ()) for kind in type(value).__mro__]
     names = [name for one in slots for name in ([one] if isinstance(one, str) else one)]
     return value, names or None
+
+
+def _is_asking(function: FunctionType) -> bool:
+    """Return whether a user's function asks what kind of number it is given."""
+    root = (function.__module__ or "").partition(".")[0]
+    return bool(ASKING.intersection(names_in(function.__code__))) and not _is_library(root)
 
 
 @functools.lru_cache(maxsize=256)

@@ -120,7 +120,10 @@ def line(xs: np.ndarray, ys: np.ndarray, x: Array, side: str = "right") -> Any:
 
 def searched(points: Any, x: Any, side: str = "left", **more: Any) -> Any:
     """Return np.searchsorted(points, x)."""
-    return place_in(np.asarray(points, dtype=float), x, side)
+    points = np.asarray(points, dtype=float)
+    if np.any(np.diff(points) < 0.0) and not more:
+        raise Unread("a search among points that do not increase")
+    return place_in(points, x, side)
 
 
 def interpolated(x: Any, xp: Any, fp: Any, left: Any = None, right: Any = None) -> Any:

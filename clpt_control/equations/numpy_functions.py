@@ -17,12 +17,15 @@ from .arrays import (
     Unread,
     active,
     boxed,
+    broadcast,
+    counts,
     elementwise,
     filled,
     is_truth,
     lifted,
     objects,
     refuse_in_a_try,
+    spread,
     stacked,
     where,
 )
@@ -39,9 +42,9 @@ MOST_ROWS = 24  # of linear equations
 
 def apply_function(tape: Tape, function: Any, inputs: Any, more: dict) -> Any:
     """Write down one of NumPy's functions."""
-    if function not in SHARES and not depends((*inputs, *more.values())):
-        return of_numbers(tape, function, inputs, more)
     out = more.pop("out", None)
+    if function not in SHARES and not depends((*inputs, *more.values())):
+        return into(out, of_numbers(tape, function, inputs, more))
     if function in IMPLEMENTED:
         result = IMPLEMENTED[function](*inputs, **more)
         return into(out, boxed(tape, result) if function in BOXED else result)
@@ -106,19 +109,21 @@ def norm(a: Any, ord: Any = None, axis: Any = None, keepdims: Any = False) -> An
 
 
 @implements(np.mean)
-def mean(a: Any, axis: Any = None, dtype: Any = None, **more: Any) -> Any:
+def mean(a: Any, axis: Any = None, dtype: Any = None, keepdims: Any = False) -> Any:
     """Return the mean."""
     check_doubles(dtype)
-    total = np.sum(a, axis, **more)
+    total = np.sum(a, axis, keepdims=keepdims)
     return total / (a.size // total.size)
 
 
 @implements(np.var)
-def variance(a: Any, axis: Any = None, dtype: Any = None, ddof: float = 0, **more: Any) -> Any:
+def variance(
+    a: Any, axis: Any = None, dtype: Any = None, ddof: float = 0, keepdims: Any = False
+) -> Any:
     """Return the mean square of what differs from the mean."""
     check_doubles(dtype)
     apart = a - mean(a, axis, keepdims=axis is not None)
-    total = np.sum(apart * apart, axis, **more)
+    total = np.sum(apart * apart, axis, keepdims=keepdims)
     return total / (a.size // total.size - ddof)
 
 
@@ -249,11 +254,15 @@ def chosen(condition: Any, *values: Any) -> Any:
     if not values:
         return refuse("np.where without values, which counts,")
     tape = tape_of((condition, *values))
-    return where(lifted(tape, condition), *values)
+    condition, a, b = (lifted(tape, one) for one in (condition, *values))
+    if isinstance(condition, Array):
+        return where(condition, *values)
+    shape = broadcast(np.shape(a), np.shape(b))
+    return views.copied(spread(tape, a if condition else b, shape))
 
 
 @implements(np.select, arrays=0)
-def selected(conditions: Any, values: Any, default: Any = 0.0) -> Any:
+def selected(conditions: Any, values: Any, default: Any = 0) -> Any:
     """Return np.select: the value of the first condition that holds."""
     result = default
     for condition, value in zip(reversed(conditions), reversed(values), strict=True):
@@ -266,7 +275,7 @@ def piecewise(x: Any, conditions: Any, functions: Any, *more: Any, **named: Any)
     """Return np.piecewise: what the function of the last condition that holds gives."""
     values = [f(x, *more, **named) if callable(f) else f for f in functions]
     default = values.pop() if len(values) > len(conditions) else 0.0
-    return selected(conditions[::-1], values[::-1], default)
+    return views.converted(selected(conditions[::-1], values[::-1], default))
 
 
 @implements(np.isclose, arrays=2)
@@ -290,10 +299,10 @@ def nan_to_num(
     a: Any, copy: bool = True, nan: float = 0.0, posinf: Any = None, neginf: Any = None
 ) -> Any:
     """Return np.nan_to_num(a)."""
-    most = np.finfo(float).max
+    most, out = np.finfo(float).max, None if copy else a
     a = where(a != a, nan, a)
     a = where(a == np.inf, most if posinf is None else posinf, a)
-    return where(a == -np.inf, -most if neginf is None else neginf, a)
+    return into(out, where(a == -np.inf, -most if neginf is None else neginf, a))
 
 
 def after(a: Any, b: Any) -> Any:
@@ -334,7 +343,7 @@ def along(join: Callable, ufunc: Any) -> Callable:
     """Return what joins the elements of an array by a ufunc, all, or those along an axis."""
 
     def joined(a: Any, axis: Any = None, dtype: Any = None, **more: Any) -> Any:
-        if not is_truth(a):
+        if not is_truth(a) or isinstance(dtype, Array):
             check_doubles(dtype)
         return join(ufunc, a, axis, **more)
 
@@ -343,8 +352,8 @@ def along(join: Callable, ufunc: Any) -> Callable:
 
 def alike(a: Array, value: float, dtype: Any = None, **named: Any) -> Any:
     """Return a number everywhere in an array of the shape and kind of another."""
-    if a._is_condition and dtype is None:
-        return refuse("an array like one of truth values")
+    if counts(a) and dtype is None:
+        return refuse("an array like one of truth values or whole numbers")
     check_doubles(dtype)
     return filled(a._tape, value, a.shape)
 
@@ -441,13 +450,14 @@ METHODS: dict[str, Callable] = {  # that are not NumPy's functions
     "__copy__": views.copied,
     "__deepcopy__": views.copied,
     "astype": astype,
-    "item": lambda a, *at: floats(a[at] if at else objects(a).ravel()[0] if a.shape else a),
+    "item": lambda a, *at: floats(a[at] if at else objects(a).ravel()[0]),
     "tolist": lambda a: floats(objects(a).tolist()),
     "fill": lambda a, value: a.__setitem__(..., value),
     "sort": lambda a, *more: a.__setitem__(..., np.sort(a, *more)),
+    **dict.fromkeys(("conj", "conjugate"), lambda a: a),
     "is_integer": lambda a: np.floor(a) == a,
 }
-IN_PLACE = frozenset({"partition", "resize"})  # other than NumPy's functions of these names
+OTHER = frozenset({"partition", "resize", "compress"})  # than NumPy's functions of these names
 
 
 def method(name: str) -> Callable | None:
@@ -455,7 +465,7 @@ def method(name: str) -> Callable | None:
 
     NumPy asks elements of arrays of objects for ufuncs.
     """
-    if name in METHODS or name in IN_PLACE:
+    if name in METHODS or name in OTHER:
         return METHODS.get(name)
     function = vars(np).get(name)
     if isinstance(function, np.ufunc) or (callable(function) and hasattr(np.ndarray, name)):

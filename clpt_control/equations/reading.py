@@ -33,7 +33,7 @@ from .copies import Copies, borrowed
 from .declaration import Parameters
 from .kept import Snapshot
 from .ports import places
-from .record import Record, Shape, compact
+from .record import Record, Shape, compact, key_of
 from .stand_ins import UNSEEDED
 
 MOST_WAYS = 256
@@ -130,6 +130,9 @@ class _Ways:
         }
         named = request.wrap is None  # else x and u are the function's own
         while True:
+            for space in self.snapshot.asking.values():
+                if not any(space is one for one in self.spaces):
+                    raise Borrowed(space)
             tape.answers, tape.last_asked = {}, None
             self.snapshot.begin(self.state, self._unknown)
             x, u = Ports(tape, "x", request.states, named), Ports(tape, "u", request.inputs, named)
@@ -158,7 +161,7 @@ class _Ways:
 
     def _leaf(self, name: str) -> Array:
         leaf = self.tape.add("leaf", (), self.request.shapes[name], ("p", name))
-        leaf._fixed = True
+        leaf._fixed, leaf._whole = True, isinstance(self.request.parameters[name], int | np.int64)
         return leaf
 
     def _way(self, run: Callable[[], Any]) -> list[Any]:
@@ -211,7 +214,9 @@ def _merged(tape: Tape, ways: list, depth: int) -> list[Any]:
         raise Unread("asks otherwise from call to call; make what it keeps a state")
     condition = Array(tape, question, ())
     pairs = zip(_merged(tape, yes, depth + 1), _merged(tape, no, depth + 1), strict=True)
-    return [a if operand(a) == operand(b) else where(condition, a, b) for a, b in pairs]
+    return [
+        a if key_of(operand(a)) == key_of(operand(b)) else where(condition, a, b) for a, b in pairs
+    ]
 
 
 def _by_port(tape: Tape, role: str, returned: Any, out: Mapping[str, Shape]) -> list[Any]:

@@ -23,9 +23,12 @@ from .arrays import (
     Unread,
     active,
     boxed,
+    counts,
     elementwise,
     in_a_try,
+    is_of_numpy,
     lifted,
+    moves,
     objects,
     refuse_in_a_try,
     single,
@@ -35,7 +38,7 @@ from .arrays import (
 from .lookup_tables import function_of, is_table
 from .numpy_functions import apply_function, in_order
 from .ufuncs import apply_ufunc
-from .views import converted, copied, fresh, tape_of
+from .views import converted, copied, fresh, is_whole, share, tape_of
 
 ITERATORS = (GeneratorType, map, zip, filter)
 
@@ -56,7 +59,10 @@ class StandIn:
             return self.real(*arguments, **more)
         arguments = tuple(list(one) if isinstance(one, ITERATORS) else one for one in arguments)
         if tape_of((*arguments, *more.values())) is None:
-            return fresh(tape, self.real(*map(real_of, arguments), **more))
+            given = tuple(map(real_of, arguments))
+            result = self.real(*given, **more)
+            seen = any(share(one, result) for one in (*given, *more.values()))
+            return result if seen else fresh(tape, result)
         return self.own(tape, *arguments, **more)
 
     def __getattr__(self, name: str) -> Any:
@@ -109,41 +115,48 @@ def real_of(value: Any) -> Any:
 
 def is_a(value: Any, kinds: Any) -> bool:
     """Return isinstance(value, kinds), for which a signal is a float and a vector an array."""
-    if isinstance(kinds, tuple):
-        return any(is_a(value, kind) for kind in kinds)
-    kind = real_of(kinds)
+    kind = tuple(map(real_of, kinds)) if isinstance(kinds, tuple) else real_of(kinds)
     if not isinstance(value, Array) or kind is Array:
         return isinstance(value, kind)
-    if (
-        issubclass(int, kind)
-        and not value.shape
-        and value._tape.operations[value._node].kind == "trunc"
-    ):
-        raise Unread("asks whether a signal is a whole number of Python or of NumPy")
-    return issubclass(type(_like(value)), kind)
-
-
-def _like(value: Array) -> Any:
-    """Return one of NumPy's of the same kind."""
-    if value.shape:
-        return np.zeros(0)
-    return np.bool_(False) if value._is_condition else np.float64(0.0)
+    return _answer(value, lambda one: isinstance(one, kind))
 
 
 def has(value: Any, name: str) -> bool:
     """Return hasattr(value, name)."""
     if not isinstance(value, Array):
         return hasattr(value, name)
-    return hasattr(_like(value), name) or name in getattr(value, "_ports", ())
+    return name in getattr(value, "_ports", ()) or _answer(value, lambda one: hasattr(one, name))
 
 
 def type_of(*arguments: Any, **more: Any) -> Any:
     """Return type(value), or a new type."""
-    if len(arguments) > 1 or not isinstance(arguments[0], Array):
+    if len(arguments) > 1 or more:
         return type(*arguments, **more)
-    if arguments[0].shape:
-        return np.ndarray
-    raise Unread("asks for the type of a signal; ask isinstance(..., float)")
+    (value,) = arguments
+    kind = _answer(value, type) if isinstance(value, Array) else type(value)
+    return TYPES.get(kind, kind)
+
+
+def _answer(value: Array, ask: Callable[[Any], Any]) -> Any:
+    """Return what is so of all that a value of a record may be to Python."""
+    answers = {ask(one) for one in _may_be(value)}
+    if len(answers) > 1:
+        raise Unread("asks whether a signal is a number of Python or of NumPy, whole or not")
+    return answers.pop()
+
+
+def _may_be(value: Array) -> list[Any]:
+    """Return examples: of a parameter as it was given, of others of NumPy or of Python."""
+    ref, tape = value._ref, value._tape
+    if value.shape or value._boxed:
+        return [np.zeros(0)]
+    if (given := ref if type(ref) is float else tape.parameter(ref)) is not None:
+        return [given]
+    if value._is_condition:
+        return [np.bool_(False)]
+    of_python = [] if is_of_numpy(value) else [0.0]
+    counted = value._whole or is_whole(tape, ref) or not moves(value)
+    return [np.float64(0.0), *of_python, *([0, np.int64(0)] if counted else [])]
 
 
 def as_float(value: Array) -> Any:
@@ -151,14 +164,14 @@ def as_float(value: Array) -> Any:
     if value.shape:
         raise TypeError("only 0-dimensional arrays can be converted to Python scalars")
     value._tape.has_floats = True
-    return elementwise("where", value, 1.0, 0.0) if value._is_condition else value
+    return elementwise("where", value, 1.0, 0.0) if value._is_condition else value[()]
 
 
 TYPES = {  # of numbers: what stands for them
     real: stand_in_type(real, make)
     for real, make in (
         (float, as_float),
-        (np.float64, lambda value: value),
+        (np.float64, lambda value: value[()]),
         *((whole, lambda value: np.trunc(as_float(value))) for whole in (int, np.int64)),
     )
 }
@@ -171,8 +184,14 @@ MOST_SORTED = 16
 
 def about(a: Any, b: Any, *, rel_tol: float = 1e-9, abs_tol: float = 0.0) -> Any:
     """Return math.isclose(a, b)."""
-    size = np.maximum(np.fabs(a), np.fabs(b))
-    return (np.fabs(a - b) <= rel_tol * size) | (np.fabs(a - b) <= abs_tol)
+    near = np.fabs(a - b) <= np.maximum(rel_tol * np.maximum(np.fabs(a), np.fabs(b)), abs_tol)
+    return (a == b) | (near & np.isfinite(a) & np.isfinite(b))
+
+
+def remainder(a: Any, b: Any) -> Any:
+    """Return math.remainder(a, b), from the rest of two periods: without rounding."""
+    rest = np.fmod(a, 2.0 * b)
+    return rest - b * np.rint(rest / b)
 
 
 def exact_total(values: Any) -> Any:
@@ -198,7 +217,7 @@ MATH: dict[str, Callable] = {
     **{name: f for name in vars(math) if isinstance(f := getattr(np, name, None), np.ufunc)},
     **{name: functools.partial(elementwise, name) for name in ("erf", "erfc")},
     "log": lambda a, base=None: np.log(a) if base is None else np.log(a) / np.log(base),
-    "remainder": lambda a, b: a - b * np.rint(a / b),
+    "remainder": remainder,
     "hypot": lambda *a: np.hypot(*a) if len(a) == 2 else functools.reduce(np.hypot, a, 0.0),
     "dist": lambda a, b: functools.reduce(np.hypot, map(np.subtract, a, b), 0.0),
     "isclose": about,
@@ -293,6 +312,7 @@ def same_array(tape: Any, value: Any, dtype: Any = None, **more: Any) -> Any:
 def full(tape: Tape, shape: Any, value: Any, dtype: Any) -> Any:
     """Return np.full of a signal."""
     new = lifted(tape, np.zeros(whole(shape))) + lifted(tape, value)
+    new._whole = counts(value)
     return boxed(tape, new if dtype is None else converted(new, dtype))
 
 
@@ -300,13 +320,12 @@ MAKERS: dict[Any, Callable] = {
     np.array: array,
     np.asarray: same_array,
     np.asanyarray: same_array,
-    np.ascontiguousarray: same_array,
     np.full: lambda tape, shape, value, dtype=None, **more: full(tape, shape, value, dtype),
     **{
         make: lambda tape, *counts, make=make, **more: fresh(tape, make(*whole(counts), **more))
         for make in (np.zeros, np.ones, np.empty, np.eye, np.identity)
     },
-    np.isscalar: lambda tape, a: isinstance(a, Array) and not a.shape,
+    np.isscalar: lambda tape, a: isinstance(a, Array) and not (a.shape or a._boxed),
 }
 
 

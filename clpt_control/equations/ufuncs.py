@@ -14,13 +14,14 @@ from .arrays import (
     Tape,
     as_number,
     elementwise,
+    is_of_numpy,
     is_truth,
     lifted,
     objects,
     total,
     where,
 )
-from .views import depends, into, of_numbers, refuse, repacked, tape_of
+from .views import copied, depends, into, of_numbers, refuse, repacked, tape_of
 
 
 def apply_ufunc(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any:
@@ -41,13 +42,13 @@ def apply_ufunc(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) ->
 
 
 def check_doubles(dtype: Any) -> None:
-    """Refuse numbers other than NumPy's own doubles."""
-    if dtype is not None and np.dtype(dtype) != float:
+    """Refuse numbers other than NumPy's own doubles, and an array to write into, by place."""
+    if dtype is not None and (isinstance(dtype, Array) or np.dtype(dtype) != float):
         refuse(f"numbers of {np.dtype(dtype)}")
 
 
 def _apply(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any:
-    if not depends(inputs):
+    if method != "at" and not depends(inputs):
         return of_numbers(tape, getattr(ufunc, method), inputs, more)
     if method == "reduce":
         return reduced(ufunc, *inputs, **more)
@@ -74,6 +75,7 @@ def reduced(
 ) -> Any:
     """Join the elements along an axis, or all, one after the other; a sum is one operation."""
     a = lifted(tape_of([a]), a)
+    a = a if a.shape else a[()]  # no array without axes
     if where is not True:
         a = np.where(where, a, initial if ufunc.identity is None else ufunc.identity)
     axes = [axis] if isinstance(axis, int) else axis
@@ -91,7 +93,7 @@ def reduced(
 def _folded(ufunc: Any, parts: list[Any]) -> Any:
     if not parts and ufunc.identity is None:
         raise ValueError("zero-size array to reduction operation")
-    return reduce(ufunc, parts) if parts else float(ufunc.identity)
+    return reduce(ufunc, parts[1:], copied(parts[0])) if parts else float(ufunc.identity)
 
 
 def _along(a: Array, axis: int) -> list[Any]:
@@ -164,14 +166,14 @@ BITWISE: dict[Any, Callable] = {  # of truth values
     np.bitwise_and: partial(elementwise, "and"),
     np.bitwise_or: partial(elementwise, "or"),
     np.bitwise_xor: partial(elementwise, "ne"),
-    np.invert: partial(elementwise, "not"),
+    np.invert: lambda a: elementwise("not", a) if a.shape or is_of_numpy(a) else refuse("~"),
 }
 COMPOSED: dict[str, Callable] = {  # by the ufunc's name; those of scipy.special too
     "vecdot": lambda a, b: total(a * b, a.ndim - 1),
     **dict.fromkeys(("matmul", "matvec"), matmul),
     "square": lambda a: elementwise("mul", a, a),
     "reciprocal": lambda a: elementwise("div", 1.0, a),
-    **dict.fromkeys(("positive", "conjugate"), lambda a: a),
+    **dict.fromkeys(("positive", "conjugate"), copied),
     "fmin": lambda a, b: ignoring_nan("minimum", a, b),
     "fmax": lambda a, b: ignoring_nan("maximum", a, b),
     **dict.fromkeys(("deg2rad", "radians"), lambda a: elementwise("mul", a, np.pi / 180)),

@@ -16,6 +16,7 @@ import numpy as np
 
 from .arrays import (
     HOOKS,
+    OF_WHOLE,
     TRUTH,
     Array,
     Masked,
@@ -24,6 +25,7 @@ from .arrays import (
     as_number,
     boxed,
     constant,
+    in_a_try,
     lifted,
     numbers_of,
     objects,
@@ -56,7 +58,16 @@ def arrays_as(value: Any, to: Callable[[Array], Any]) -> Any:
 
 def of_numbers(tape: Tape, function: Callable, inputs: Any, more: dict) -> Any:
     """Run NumPy's own function on arguments that depend on nothing."""
-    return fresh(tape, function(*arrays_as(inputs, numbers_of), **arrays_as(more, numbers_of)))
+    numbers = arrays_as(inputs, lambda one: np.array(numbers_of(one)))
+    result = function(*numbers, **arrays_as(more, numbers_of))
+    if result is None or any(share(one, result) for one in numbers):  # it writes, or is a part
+        return on_objects(tape, function, inputs, more)
+    return fresh(tape, result)
+
+
+def share(a: Any, b: Any) -> bool:
+    """Return whether arrays share what is written."""
+    return isinstance(a, np.ndarray) and isinstance(b, np.ndarray) and np.may_share_memory(a, b)
 
 
 def fresh(tape: Tape, value: Any) -> Any:
@@ -91,6 +102,16 @@ def on_objects(tape: Tape, function: Any, inputs: Any, more: dict) -> Any:
         raise Unread(f"np.{function.__name__} of signals ({error})") from None
     if result is None and inputs:  # NumPy wrote into its first argument
         inputs[0][...] = arguments[0]
+    elif result is None:
+        refuse(f"np.{function.__name__} with names of what it writes into,")
+    for k, given in enumerate(inputs):
+        if isinstance(given, Array) and share(arguments[k], result):
+            if result is arguments[k] and k:  # it was written into
+                return into(given, repacked(tape, result))
+            if not given._is_condition:
+                given._root._keep()
+                before, after = arguments[:k], arguments[k + 1 :]
+                return part(given, lambda one: function(*before, one, *after, **more))  # noqa: B023
     return repacked(tape, result)
 
 
@@ -121,8 +142,6 @@ def tape_of(values: Any) -> Any:
 # --- views -------------------------------------------------------------------------------------
 
 
-# of whole numbers, a whole number
-OF_WHOLE = ("add", "sub", "mul", "neg", "mod", "minimum", "maximum", "sum", "fill", "stack")
 LONG = 64  # an array that is joined to others as it is
 MANY = 2**16 + 1  # places along an axis of unknown length
 
@@ -176,12 +195,18 @@ def part(a: Any, function: Callable[[np.ndarray], Any]) -> Any:
         new = lifted(a._tape, function(a._elements()))
     else:
         new = tape_viewed(a._tape, node, *seen)
-    if not isinstance(new, Array):
-        return new
+    cuts = seen is None or (a._parent is not None and not isinstance(function, itemgetter))
+    if cuts and all(isinstance(n, int) for n in a._root.shape):
+        blank = a._blank()  # ravel of what does not lie side by side is a copy
+        if not share(blank, function(blank)):
+            return new
+    if not getattr(new, "shape", ()):  # NumPy's number, or its array without axes
+        if not (a.shape or a._boxed) or not isinstance(function(_places(a.shape)[0]), np.ndarray):
+            return new
+        new = boxed(a._tape, new)
     view = Array(a._tape, new._node, new.shape, a, function)
-    if not new.shape and (a.shape or a._boxed):  # NumPy's number, or its array without axes
-        view._boxed = isinstance(function(_places(a.shape)[0]), np.ndarray)
-    return view if new.shape or view._boxed else new
+    view._boxed = not new.shape
+    return view
 
 
 def _mapped(shape: Shape, function: Callable) -> tuple[tuple, Shape] | None:
@@ -240,13 +265,13 @@ def _picked(array: Array, k: Any, *rest: Any) -> Any:
         same = not rest and k.shape == array.shape
         return Masked(array, k) if same else refuse("taking elements by a condition")
     if not rest and array.ndim == 1 and isinstance(array.shape[0], int) and not k.shape:
-        counts = _is_whole(k._tape, k._ref)
-        if counts and k._tape.free[k._node] and array._written() is None:
+        counts = is_whole(k._tape, k._ref)
+        if counts and k._tape.free[k._node] and array._written() is None and not in_a_try():
             return array._tape.add("pick", (operand(array), k._ref), ())
     return array[whole((k, *rest))]
 
 
-def _is_whole(tape: Tape, ref: Ref, deep: int = 8) -> bool:
+def is_whole(tape: Tape, ref: Ref, deep: int = 8) -> bool:
     """Return whether a number is a whole one by what it is made of."""
     if type(ref) is float:
         return ref.is_integer()
@@ -256,7 +281,7 @@ def _is_whole(tape: Tape, ref: Ref, deep: int = 8) -> bool:
     if kind == "constant":
         return bool(np.all(np.frombuffer(at) % 1.0 == 0.0))
     parts = arguments[1:] if kind == "where" else arguments if kind in OF_WHOLE else ()
-    return bool(parts and deep) and all(_is_whole(tape, one, deep - 1) for one in parts)
+    return bool(parts and deep) and all(is_whole(tape, one, deep - 1) for one in parts)
 
 
 def tape_viewed(tape: Tape, node: int, mapped: tuple, shape: Shape) -> Any:
@@ -351,7 +376,12 @@ def converted(a: Any, dtype: Any = float, *more: Any, **named: Any) -> Any:
         return numbers
     if kind == TRUTH:
         return a if a._is_condition else a != 0
-    return copied(as_number(a)) if kind == np.float64 else refuse(f"numbers of {kind}")
+    if kind != np.float64:
+        refuse(f"numbers of {kind}")
+    new = copied(as_number(a))
+    if new is not a:
+        new._whole = False
+    return new
 
 
 HOOKS.update(item=item, tape_view=tape_view)
