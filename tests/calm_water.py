@@ -1,6 +1,7 @@
 """A vehicle in calm water between held waypoints, whose track is known in closed form."""
 
 import numpy as np
+from scipy.linalg import expm
 
 import clpt_control as clpt
 
@@ -21,17 +22,19 @@ CALM = PAPER.with_values(
 )
 
 
-def exact_positions(times, x0=(4.0, -2.0)):
-    """x' = -KD x + GammaD zc, zc held: an exponential in each interval."""
-    out = []
-    for t in times:
-        x, start, k = np.array(x0), 0.0, 0
-        while True:
-            end = min(t, DWELL * (k + 1))
-            rest = GammaD * POINTS[k % 3] / KD
-            x = rest + (x - rest) * np.exp(-KD * (end - start))
-            if end == t:
-                break
-            start, k = end, k + 1
-        out.append(x)
-    return np.array(out)
+def exact_positions(times, lag=0.0):
+    """x' = v, v = GammaD zc - KD x or lag v' + v = that, zc held: an exponential a waypoint."""
+    found = np.zeros((len(times), 2))
+    for i, (k, g) in enumerate(zip(KD, GammaD, strict=True)):
+        M = np.array([[-k, g], [0, 0]])
+        if lag:
+            M = np.array([[0, 1, 0], [-k / lag, -1 / lag, g / lag], [0, 0, 0]])
+        for row, t in enumerate(times):
+            state, start, j = np.eye(len(M))[0] * CALM.vehicle.position[i], 0.0, 0
+            while start < t:
+                end = min(t, DWELL * (j + 1))
+                state[-1] = POINTS[j % 3][i]
+                state = expm(M * (end - start)) @ state
+                start, j = end, j + 1
+            found[row, i] = state[0]
+    return found

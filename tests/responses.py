@@ -30,3 +30,9 @@ def response(system, *args, **kwargs):
         output_labels=system.output_labels,
         message=run.attrs["message"],
     )
+
+
+def states_of(run):
+    """States over time in the order of tests/reference; alpha is recorded under either law."""
+    order = ("position", "predicted_position", "alpha", "feedback_gain", "feedforward_gain")
+    return np.hstack([run[name].values.reshape(run.sizes["time"], -1) for name in order])

@@ -1,5 +1,6 @@
 """What `pip install clpt-control` does without its extras: their packages cannot be imported."""
 
+import os
 import re
 import subprocess
 import sys
@@ -29,16 +30,9 @@ os.environ["MPLBACKEND"] = "agg"
 """
 CORE = """
 import clpt_control as clpt
-import numpy as np
+from law_blocks import papers_law
 
-law = clpt.Block(
-    "leaky",
-    update=rates,
-    inputs={"e": 2, "phi_x": "N", "z": 2, "zc": 2},
-    states={"alpha": (2, "N"), "K": 2, "Gamma": 2},
-    sizes={"N": 3},
-    parameters={"gain": 0.8},
-)
+law = papers_law()
 assert clpt.theory.prove(law, points=100).status == "proved"
 short = scenario.with_values({"run.duration": 40})
 own = clpt.simulate(clpt.closed_loop(short, law=law))
@@ -49,14 +43,6 @@ clpt.save_run(clpt.simulate(short), "run.nc")
 assert clpt.load_run("own.nc").alpha.equals(own.alpha)
 assert clpt.load_scenario("run.nc") == short
 """
-LAW = '''
-import numpy as np
-
-def rates(t, x, u, p):
-    """Eqs. (21)-(23)."""
-    alpha = -p.gain * np.outer(u.e, u.phi_x)
-    return {"alpha": alpha, "K": -p.gain * u.z * u.e, "Gamma": p.gain * u.zc * u.e}
-'''
 
 
 def test_the_core_is_at_most_ten_packages():
@@ -98,10 +84,13 @@ def core(tmp_path_factory):
     (folder / "record.csv").write_text("\n".join(record))
     readme = (HOUSE / "README.md").read_text()
     [lines] = re.findall(r"## Ten lines.*?```python\n(.*?)```", readme, re.S)
-    (folder / "mine.py").write_text(BLOCKED + "import xarray\n" + lines + LAW + CORE + TOLD)
+    (folder / "mine.py").write_text(BLOCKED + "import xarray\n" + lines + CORE + TOLD)
+    places = [str(Path(__file__).parent), os.environ.get("PYTHONPATH", "")]
+    env = os.environ | {"PYTHONPATH": os.pathsep.join(places)}
     done = subprocess.run(
-        [sys.executable, "mine.py"], cwd=folder, capture_output=True, text=True, timeout=GUARD
-    )
+        [sys.executable, "mine.py"],
+        cwd=folder, env=env, capture_output=True, text=True, timeout=GUARD,
+    )  # fmt: skip
     assert done.returncode == 0, done.stderr
     assert (folder / "page.html").stat().st_size > 10_000
     return done.stderr

@@ -14,6 +14,7 @@ import control
 import numpy as np
 import pytest
 from processes import CLPT, CODE, GUARD, await_line, interrupt, started, without_progress
+from responses import states_of
 from written import write
 
 import clpt_control
@@ -22,13 +23,6 @@ from clpt_control import cli
 HERE = Path(__file__).parents[1]
 HEARD = CODE.replace("; main()", "; import clpt_control.progress as p; p.PATIENCE = 0.0; main()")
 NAMES = sorted(path.stem for path in (HERE / "reference").glob("*.toml"))
-
-
-def states(run, t):
-    """Order the run's values as the reference does: x, z, alpha, K, Gamma."""
-    at = run.sel(time=t)
-    parts = (at.position, at.predicted_position, at.alpha, at.feedback_gain, at.feedforward_gain)
-    return np.concatenate([np.ravel(part) for part in parts])
 
 
 def assert_matches(found, run, numbers):
@@ -41,7 +35,7 @@ def assert_matches(found, run, numbers):
             for t, value in wanted.items():
                 assert abs(found[key][t] - value) < 1e-6, (key, t)
     for t, value in numbers["states"].items():
-        np.testing.assert_allclose(states(run, float(t)), value, rtol=0, atol=1e-6)
+        np.testing.assert_allclose(states_of(run.sel(time=[float(t)]))[0], value, rtol=0, atol=1e-6)
 
 
 def test_paper_matches_the_independent_numbers(printed, reference):

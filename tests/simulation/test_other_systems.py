@@ -7,6 +7,7 @@ import netCDF4
 import numpy as np
 import pytest
 from calm_water import CALM
+from responses import states_of
 
 import clpt_control as clpt
 from clpt_control.errors import DataError
@@ -26,12 +27,6 @@ def test_a_run_of_a_later_version_is_refused(form, tmp_path):
 
 
 FOLDER = Path(__file__).parents[1] / "reference"
-ORDER = ("position", "predicted_position", "alpha", "feedback_gain", "feedforward_gain")
-
-
-def states_of(run):
-    """The reference's order; alpha is recorded under either law."""
-    return np.hstack([run[name].values.reshape(run.sizes["time"], -1) for name in ORDER])
 
 
 def test_every_scenario_has_its_reference(reference):

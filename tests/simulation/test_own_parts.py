@@ -4,10 +4,9 @@ import control
 import law_blocks
 import numpy as np
 import pytest
-from calm_water import CALM, DWELL, KD, POINTS, GammaD
+from calm_water import CALM, KD, POINTS, GammaD, exact_positions
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from scipy.linalg import expm
 from xarray.testing import assert_allclose, assert_identical
 
 import clpt_control as clpt
@@ -24,34 +23,16 @@ LAG = control.tf(1, [0.5, 1], name="lag")
 ENGINES = ("native", "python")
 
 
-def lagging(times, lag, x0=(4.0, -2.0)):
-    """x' = w, lag w' = GammaD zc - KD x - w, zc held: a matrix exponential in each interval."""
-    whole = [np.array([[0, 1, 0], [-k / lag, -1 / lag, g / lag], [0, 0, 0]])
-             for k, g in zip(KD, GammaD, strict=True)]  # fmt: skip
-    out = []
-    for t in times:
-        states = [np.array([x, 0.0, 0.0]) for x in x0]
-        start, k = 0.0, 0
-        while start < t:
-            end = min(t, DWELL * (k + 1))
-            for i in range(2):
-                states[i][2] = POINTS[k % 3][i]
-                states[i] = expm(whole[i] * (end - start)) @ states[i]
-            start, k = end, k + 1
-        out.append([state[0] for state in states])
-    return np.array(out)
-
-
 @pytest.mark.parametrize("engine", ENGINES)
 def test_a_lag_of_one_line_is_its_closed_form(engine):
     times = np.linspace(0, 5, 11)
     loop = clpt.closed_loop(CALM, insert={("v_x", "vehicle"): LAG})
     run = clpt.simulate(loop, times, engine=engine, **TIGHT)
-    np.testing.assert_allclose(run.position, lagging(times, 0.5), atol=1e-8)
+    np.testing.assert_allclose(run.position, exact_positions(times, 0.5), atol=1e-8)
     matrices = {"lag.A": -np.eye(2) / 0.2, "lag.C": np.eye(2) / 0.2}
     start = [clpt.initial_state(CALM), 0]
     run = clpt.simulate(loop, times, 0, start, params=matrices, engine=engine, **TIGHT)
-    np.testing.assert_allclose(run.position, lagging(times, 0.2), atol=1e-8)
+    np.testing.assert_allclose(run.position, exact_positions(times, 0.2), atol=1e-8)
 
 
 @settings(max_examples=6, deadline=None, derandomize=True)
