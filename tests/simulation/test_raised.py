@@ -85,17 +85,13 @@ def words(function, text):
 
 
 @ENGINES
+@pytest.mark.parametrize("role", ["update", "output"])
 @pytest.mark.parametrize(("function", "text"), RAISING)
-def test_an_update(function, text, engine):
-    said = told(lambda: clpt.simulate(system(function), TIMES, 1.0, [1.0], engine=engine))
-    assert said == f"the integration stopped at t = 0: q.update: {words(function, text)}"
-
-
-@ENGINES
-@pytest.mark.parametrize(("function", "text"), RAISING)
-def test_an_output(function, text, engine):
-    said = told(lambda: clpt.simulate(system(decay, function), TIMES, 1.0, [1.0], engine=engine))
-    assert said == f"at t = 0: q.output: {words(function, text)}"
+def test_a_function_that_raises(function, text, role, engine):
+    model = system(function) if role == "update" else system(decay, function)
+    said = told(lambda: clpt.simulate(model, TIMES, 1.0, [1.0], engine=engine))
+    at = "the integration stopped at t = 0" if role == "update" else "at t = 0"
+    assert said == f"{at}: q.{role}: {words(function, text)}"
 
 
 @ENGINES
