@@ -190,7 +190,7 @@ def caught(t, x, u, p):
 def test_what_a_function_catches_itself(engine):
     model = system(caught)
     with warnings.catch_warnings():
-        warnings.filterwarnings("ignore", "q runs in Python.*q.update was read otherwise")
+        warnings.filterwarnings("ignore", "q runs in Python.*q.update")
         run = clpt.simulate(model, TIMES, 1.0, [1.0], params={"k": 0.0}, engine=engine)
         data = clpt.run_ensemble(model, {"k": [0.0, 1.0]}, timepts=TIMES, initial_state=[1.0])
     assert run.y.values.ravel() == pytest.approx(np.exp(-2.0 * TIMES), abs=1e-8)
