@@ -102,7 +102,7 @@ def _flatten(system: control.NonlinearIOSystem, name: str) -> tuple[list[Row], l
     for part in system.syslist:
         for rows, own in zip((fed, made), _flatten(part, part.name), strict=True):
             rows += [{k + signals if k >= 0 else k - taken: g for k, g in r.items()} for r in own]
-        signals += sum(one.noutputs or 0 for _, one in _leaves(part))
+        signals += sum(one.noutputs or 0 for _, one in leaves([part]))
         taken += part.ninputs or 0
     wires, inputs, shown = map(_entries, (system.connect_map, system.input_map, system.output_map))
     count, known = len(made), dict[int, Row | None]()
@@ -128,11 +128,13 @@ def _flatten(system: control.NonlinearIOSystem, name: str) -> tuple[list[Row], l
     return [closed(row) for row in fed], outputs
 
 
-def _leaves(system: Part, space: str = "") -> Iterator[tuple[str, control.NonlinearIOSystem]]:
-    """Yield the systems that a diagram is made of, nested ones included, and their names."""
-    for part in getattr(system, "syslist", [system]):
+def leaves(
+    parts: Iterable[Part], between: str = ".", space: str = ""
+) -> Iterator[tuple[str, Part]]:
+    """Yield the parts of a diagram with their names, those of nested diagrams too."""
+    for part in parts:
         if isinstance(part, control.InterconnectedSystem):
-            yield from _leaves(part, f"{space}{part.name}.")
+            yield from leaves(part.syslist, between, f"{space}{part.name}{between}")
         else:
             yield space + part.name, part
 
@@ -260,9 +262,10 @@ def blocks_of(
 ) -> list[tuple[str, Block]]:
     """Return the blocks of a diagram with their names, in its own order."""
     handed, declared = _handed_down(diagram, params or {}), _handed_down(diagram, {})
+    named = leaves(getattr(diagram, "syslist", [diagram]))
     return [
         (name, _as_block(system, own, sizes, _own(known)))
-        for (name, system), own, known in zip(_leaves(diagram), handed, declared, strict=True)
+        for (name, system), own, known in zip(named, handed, declared, strict=True)
     ]
 
 
@@ -276,10 +279,8 @@ def _units_within(system: Any, space: str = "") -> Iterator[tuple[str, Mapping[s
 
 def read_anew(system: Any) -> None:
     """Read the functions of a diagram's blocks again: objects that they name may have changed."""
-    for part in getattr(system, "syslist", [system]):
-        if isinstance(part, control.InterconnectedSystem):
-            read_anew(part)
-        elif isinstance(part, Block):
+    for _, part in leaves(getattr(system, "syslist", [system])):
+        if isinstance(part, Block):
             part.read_anew()
 
 

@@ -1,17 +1,16 @@
 """The states of a diagram: at t = 0, by a scenario's keys, and at a time of a run."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 
-import control
 import numpy as np
 
 from ..arguments import numbers, public
 from ..blocks.localization import TRUE
 from ..diagrams.interconnection import Diagram
 from ..diagrams.parts import output_ports
-from ..diagrams.wiring import Params, Part
+from ..diagrams.wiring import Params, Part, leaves
 from ..equations.block import Block
 from ..equations.system import is_linear
 from ..errors import BlockError, DataError, DiagramError, ScenarioError, SimulationError
@@ -52,18 +51,9 @@ def starting_values(scenario: Scenario) -> dict[str, np.ndarray]:
     return {key: np.asarray(value, dtype=float) for key, value in values.items()}
 
 
-def leaves(parts: Iterable[Part], space: str = "") -> Iterator[tuple[str, Part]]:
-    """Yield the parts of a diagram with their names, those of nested diagrams too."""
-    for part in parts:
-        if isinstance(part, control.InterconnectedSystem):
-            yield from leaves(part.syslist, f"{space}{part.name}_")
-        else:
-            yield space + part.name, part
-
-
 def state_labels(parts: Iterable[Part]) -> list[str]:
     """Return the names of all states, as python-control calls them."""
-    return [f"{name}_{label}" for name, part in leaves(parts) for label in part.state_labels]
+    return [f"{name}_{label}" for name, part in leaves(parts, "_") for label in part.state_labels]
 
 
 def state_columns(parts: Iterable[Part]) -> dict[str, slice]:
@@ -74,7 +64,7 @@ def state_columns(parts: Iterable[Part]) -> dict[str, slice]:
     signals: dict[str, slice] = {}
     hidden: dict[str, slice] = {}
     end = 0
-    for name, part in leaves(parts):
+    for name, part in leaves(parts, "_"):
         ports = part.state_ports if isinstance(part, Block) else {part.name: part.nstates or 0}
         for port, size in ports.items():
             column = slice(end, end := end + size)
