@@ -24,6 +24,7 @@ from ..errors import ClptError, ScenarioError, needed
 from ..scenario.experiment import Scenario
 from ..theory.designing.design import time_below
 from ..theory.designing.waypoint_tracks import Tracks
+from ..theory.excitation.regressor import checked_window
 from .candidates import Candidate, Unknown, belief, candidate, grid_about, laws_to_try, unknown_of
 from .run import run_ensemble
 
@@ -244,10 +245,8 @@ def _middle(values: np.ndarray, share: float = 0.5) -> float:
 
 def excitation_of_track(scenario: Scenario) -> dict[str, Any]:
     """Return the smallest eigenvalue over the second cycle, in the scenario's flow."""
-    end = scenario.run.duration
-    window = min(scenario.cycle, end)
-    start = max(0.0, min(scenario.cycle, end - window))
-    least, _ = Tracks(scenario, (window, start), end, 3, 1e-8)(scenario.waypoints[None])
+    window, start = span = checked_window(scenario, None, None)
+    least, _ = Tracks(scenario, span, scenario.run.duration, 3, 1e-8)(scenario.waypoints[None])
     return {"window": window, "start": start, "smallest_eigenvalue": float(least.min())}
 
 
