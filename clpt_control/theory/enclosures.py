@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 import sympy
 
+from ..equations.symbolic import ON_NUMBERS
 from ..errors import DiagramError
 from .proving.proof import short
 from .proving.words import COMPARED
@@ -28,11 +29,8 @@ RISING: dict[Any, Callable[..., Any]] = {
     **{sympy.exp: np.exp, sympy.sinh: np.sinh, sympy.tanh: np.tanh},
     **{sympy.atan: np.arctan, sympy.asinh: np.arcsinh, sympy.log: np.log},
 }
-STEPS: dict[str, Callable[..., Any]] = {  # exact, and rising in each argument
-    **{"Abs": np.abs, "sign": np.sign, "floor": np.floor, "ceil": np.ceil, "trunc": np.trunc},
-    **{"maximum": np.maximum, "minimum": np.minimum, "or_": np.maximum, "and_": np.minimum},
-    "clip": lambda u, low, high: np.minimum(np.maximum(u, low), high),
-}
+EXACT = ("sign", "floor", "ceil", "trunc", "maximum", "minimum", "clip")
+STEPS = {name: ON_NUMBERS[name] for name in EXACT} | {"or_": np.maximum, "and_": np.minimum}
 
 
 def enclosed(expression: sympy.Expr, boxes: dict[Any, Interval]) -> Interval:

@@ -156,7 +156,7 @@ class Lyapunov:
 
 def _verdict(case: SystemWithV, search: FailureSearch, count: int) -> Lyapunov:
     """Return what is known of a V."""
-    (V,) = case.in_signals([case.V])
+    V = case.in_signals(case.V)
     claim = "V and the equations have a value everywhere"
     valued = exact(claim, not case.undefined, case.undefined)
     definite, forms = case.definite()
@@ -212,7 +212,7 @@ def _as_claimed(case: SystemWithV, steps: list[Step]) -> bool:
     if not identity and vanishes(tidied(residual.xreplace(case.eq.values))):
         identity = case.valued = True
     left = "" if identity else f"left over: {short(residual)}"
-    steps.append(exact(f"V' = {short(case.in_signals([case.claim])[0])}", identity, left))
+    steps.append(exact(f"V' = {short(case.in_signals(case.claim))}", identity, left))
     return identity
 
 
@@ -248,7 +248,7 @@ def _in_region(case: SystemWithV, search: FailureSearch, within: Any, count: int
         Step(claim, level > 0.0, "enclosed"),
         search.running(count, region),
     )
-    failed, (V,), rate = first_failure(steps), case.in_signals([case.V]), case.readable_rate()
+    failed, V, rate = first_failure(steps), case.in_signals(case.V), case.readable_rate()
     if failed:
         return Lyapunov("open", f"V' = {short(rate)}; {failed}", V, rate, steps=steps)
     claim += ": what begins there comes to rest"

@@ -40,8 +40,6 @@ def squares(V: sympy.Expr, fixed: set, words_are_free: bool = True) -> Squares |
     back = {dummy: f for f, dummy in words.items()}
     V = V.xreplace(words)
     moving = sorted(V.free_symbols - fixed, key=str)
-    if not moving:
-        return Squares(V.xreplace(back), [], [])
     form_of = dict[Any, Any]()  # term -> the form that it holds
     low, more = list[Any](), list[Any]()
     others = dict[frozenset, list]()

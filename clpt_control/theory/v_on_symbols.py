@@ -7,6 +7,7 @@ where that shows more.
 """
 
 from collections.abc import Mapping, Sequence
+from functools import cached_property
 from math import pi
 from typing import Any
 
@@ -147,7 +148,7 @@ class SystemWithV:
                 found = found if all(vanishes(f.subs(zero)) for f in found.forms) else None
             if found and found.forms:
                 forms = [f.xreplace(back) for f in found.forms]
-                names = ", ".join(dict.fromkeys(map(str, self.in_signals(forms))))
+                names = ", ".join(dict.fromkeys(map(str, map(self.in_signals, forms))))
                 self.valued |= bool(at)
                 return exact(f"V is positive definite in {names}", True), forms
             known = set(self.states) <= V.free_symbols <= {*self.states, *self.fixed}
@@ -186,8 +187,9 @@ class SystemWithV:
 
     # --- in the user's words -------------------------------------------------------------------
 
-    def in_signals(self, expressions: list[sympy.Expr]) -> list[sympy.Expr]:
-        """Return expressions in the diagram's own signals, each signal in place of its sum."""
+    @cached_property
+    def sums(self) -> dict[sympy.Expr, sympy.Expr]:
+        """Each signal that is a sum: the sum -> its symbol."""
         names: dict[sympy.Expr, sympy.Expr] = {}
         for port, symbols in self.eq.signals.items():
             for index, value in np.ndenumerate(symbols):
@@ -196,10 +198,11 @@ class SystemWithV:
                     symbol = sympy.Symbol(element_name(port, symbols.shape, index), real=True)
                     names |= {value: symbol, sympy.expand(-value): -symbol}
 
-        def named(e: sympy.Expr) -> sympy.Expr:
-            return e.replace(lambda one: one.is_Add, lambda one: names.get(sympy.expand(one), one))
+        return names
 
-        return [named(e) for e in expressions]
+    def in_signals(self, e: sympy.Expr) -> sympy.Expr:
+        """Return an expression in the diagram's own signals, each signal in place of its sum."""
+        return e.replace(lambda one: one.is_Add, lambda one: self.sums.get(sympy.expand(one), one))
 
     def readable_rate(self) -> sympy.Expr:
         """Return V' factored, or as a sum of squares, whichever is shorter, in signals."""
@@ -209,7 +212,7 @@ class SystemWithV:
         if total and not total.constant.free_symbols - self.fixed:
             terms = (-sympy.factor_terms(term) for term in total.terms)
             ways.append(sympy.Add(*terms) - total.constant)
-        return min(self.in_signals(ways), key=sympy.count_ops)
+        return min(map(self.in_signals, ways), key=sympy.count_ops)
 
     def where(self) -> str:
         """Return the one condition under which V' <= 0, or nothing."""
@@ -223,7 +226,7 @@ class SystemWithV:
         sign = factored(-rate / unknown)
         unknown, sign = (-unknown, -sign) if sign.is_nonpositive else (unknown, sign)
         known = sign.is_nonnegative and unknown.free_symbols - self.fixed
-        return f"{self.in_signals([unknown])[0]} >= 0" if known else ""
+        return f"{self.in_signals(unknown)} >= 0" if known else ""
 
     def depends_on(self) -> list[str]:
         """Return the inputs that V' depends on."""

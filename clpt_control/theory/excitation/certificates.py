@@ -137,23 +137,18 @@ def window_drops(
 
 def refuse_unproved(scenario: Scenario) -> None:
     """Refuse what adds to V' beside the theorems' own terms."""
-    if scenario.localization is not None and scenario.localization.noise > 0:
-        raise ScenarioError(
-            "no certificate: localization.noise is read with the position and adds to V'; without "
-            "it V falls as certified"
-        )
-    if scenario.learning.gain == 0:
-        raise ScenarioError("no certificate: learning.gain = 0 learns nothing, so V need not fall")
-    if scenario.learning.sample is not None:
-        raise ScenarioError(
-            "no certificate: learning.sample makes the law run at samples, between which V' is "
-            "not what the theorems say; without it V falls as certified"
-        )
-    if scenario.vehicle.max_speed is not None and not scenario.hedged:
-        raise ScenarioError(
-            "no certificate: learning.hedging = false, so what the vehicle cannot fly adds to V'; "
-            "with hedging V falls as certified"
-        )
+    learning, fixes = scenario.learning, scenario.localization
+    refused = {
+        "localization.noise is read with the position and adds to V'; without it V falls as "
+        "certified": fixes is not None and fixes.noise > 0,
+        "learning.gain = 0 learns nothing, so V need not fall": learning.gain == 0,
+        "learning.sample makes the law run at samples, between which V' is not what the theorems "
+        "say; without it V falls as certified": learning.sample is not None,
+        "learning.hedging = false, so what the vehicle cannot fly adds to V'; with hedging V falls "
+        "as certified": scenario.vehicle.max_speed is not None and not scenario.hedged,
+    }
+    if why := next((why for why, holds in refused.items() if holds), ""):
+        raise ScenarioError(f"no certificate: {why}")
 
 
 @public

@@ -51,11 +51,7 @@ class ArrayLoop:
         blocks = [node.system for node in wiring.nodes]
         self.tape, self.known = Tape(), known
         self.fields, self.names = parameter_names(blocks), state_names(blocks)
-        self.values = {  # of parameters
-            self.fields[block.name, name]: value
-            for block in blocks
-            for name, value in block.parameters._asdict().items()
-        }
+        self.values: dict[str, Any] = {}  # of parameters
         self.declared: dict[str, Shape] = {}
         self.states: dict[str, Any] = {}
         found = merged_record(
@@ -126,7 +122,9 @@ class ArrayLoop:
     # --- the leaves, by the paper's names ----------------------------------------------------
 
     def _parameter(self, block: Block, parameter: str, shape: Shape) -> Any:
-        return self.tape.add("leaf", (), shape, ("p", self.fields[block.name, parameter]))
+        name = self.fields[block.name, parameter]
+        self.values[name] = getattr(block.parameters, parameter)
+        return self.tape.add("leaf", (), shape, ("p", name))
 
     def _leaf(self, group: str, node: Node, name: str, shape: Shape) -> Any:
         """Return a state or a parameter of a block."""

@@ -105,16 +105,14 @@ def commanded_back(loop: ArrayLoop) -> list[Any]:
 
 def pulls_back() -> bool:
     """Return whether w^T v <= v_max (2 |b| - |w|) at the limit, v = v_max c/|c|, c = b - w."""
-    b, c = sympy.symbols("b_1:3", real=True), sympy.symbols("c_1:3", real=True)
-    squares = [sum(one[i] ** 2 for i in range(2)) for one in (b, c)]
-    cross = sum(b[i] * c[i] for i in range(2))
-    pull = sum((b[i] - c[i]) * c[i] for i in range(2))  # |c| w^T v/v_max
-    lagrange = squares[0] * squares[1] - cross**2 - (b[0] * c[1] - b[1] * c[0]) ** 2
+    b, c = (sympy.Matrix(sympy.symbols(f"{one}_1:3", real=True)) for one in "bc")
+    pull = (b - c).dot(c) - (b.dot(c) - c.dot(c))  # |c| w^T v/v_max
+    lagrange = b.dot(b) * c.dot(c) - b.dot(c) ** 2 - b.row_join(c).det() ** 2
     # so b^T c <= |b| |c|; and |c| >= |w| - |b|, the triangle of w = b - c
     F, B, W, high = sympy.symbols("F B W v_max", positive=True)
     rate = W * F + high * (2 * B - W)
     return (
-        sympy.expand(pull - (cross - squares[1])) == 0
+        sympy.expand(pull) == 0
         and sympy.expand(lagrange) == 0
         and sympy.simplify(rate.subs(W, 2 * high * B / (high - F))) == 0
         and sympy.diff(rate, W) == F - high

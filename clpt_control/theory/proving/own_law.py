@@ -218,8 +218,8 @@ def prove(
             raise DiagramError(f"{law_block.name}: a law whose states keep relations needs its V")
         part = {"invariants": invariants, "semidefinite": semidefinite, "losses": losses}
         row = Law(law_block.name, "", rates=law_block.values, V_rate="-e^T KD e - losses")
-        make, own = _maker(V), (law_block.parameters,)[: _arguments_of(V) - 1]
-        blocks = law_block, lambda truth: make(truth, *own)
+        make = _maker(V)
+        blocks = law_block, lambda truth: make(truth, law_block.parameters)
         case = InvariantLoop(row := row.with_parts(part), N, blocks=blocks)
         steps, existing = invariant_steps(row, points, case), case.existing()
         status = "open" if first_failure(steps) else "proved"
@@ -259,15 +259,14 @@ def _verdict_by_V(
         if inverse is not None:
             candidate = mixed_candidate(np.array(inverse, dtype=float), truth_of(scenario))
     else:  # one V that does not fall refutes no law
-        make = _maker(V)
-        sources = [truth_of(scenario), law.parameters][: _arguments_of(V)]
+        make, sources = _maker(V), (truth_of(scenario), law.parameters)
         candidate = make(*sources)
     diagram = theorem_loop(N, "learned-flow", law_block=law, candidate=candidate)
     loop = symbolic_loop(diagram, jumps=True)
     truth = truth_in(loop)
     if V is not None:
         symbols = (truth, loop.parameters[law.name])
-        weights = tied(loop, candidate, make, *zip(sources, symbols, strict=False))
+        weights = tied(loop, candidate, make, *zip(sources, symbols, strict=True))
     else:  # in the names of the whole diagram
         here, there = (flat(one.parameters[law.name]) for one in (alone, loop))
         names, p = dict(zip(here, there, strict=True)), loop.parameters[candidate.name]
@@ -286,18 +285,18 @@ def _verdict_by_V(
     return verdict_of(case)
 
 
-def _arguments_of(V: Candidate) -> int:
-    """Return the number of arguments that make a candidate: the truth, and the law's parameters."""
-    return 1 if isinstance(V, Block) else len(signature(V).parameters)
-
-
 def _maker(V: Candidate) -> Callable[..., Block]:
-    """Return a function that makes a candidate, under a name that no block of the paper has."""
+    """Return a function that makes a candidate, under a name that no block of the paper has.
+
+    It takes the truth and the law's parameters, for which not every candidate asks.
+    """
     if isinstance(V, control.InputOutputSystem) and not isinstance(V, Block):
         raise DiagramError(f"{V.name}: a candidate is a Block with the output V[1]")
 
-    def make(truth: Truth, *parameters: Any) -> Block:
-        block = _with_truth(V, truth) if isinstance(V, Block) else V(truth, *parameters)
+    asked = 0 if isinstance(V, Block) else len(signature(V).parameters)
+
+    def make(*sources: Any) -> Block:
+        block = _with_truth(V, sources[0]) if isinstance(V, Block) else V(*sources[:asked])
         if not isinstance(block, Block) or block.output_ports != {"V": 1}:
             raise DiagramError(f"{block}: a candidate makes V[1] and nothing else")
         read_anew(block)

@@ -159,10 +159,8 @@ def exact_step(cases: Iterable[Any], claim: str, check: Callable[[Any], bool | s
     def holds() -> tuple[bool, str]:
         for case in cases:
             answer = check(case)
-            if answer is False:
-                return False, ""
-            if answer is not True and answer:
-                return False, f"N = {case.N}: {answer}"
+            if answer is False or (answer and answer is not True):
+                return False, f"N = {case.N}: {answer}" if answer else ""
         return True, ""
 
     return checked(claim, "exact", holds, False)

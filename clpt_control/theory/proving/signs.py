@@ -77,6 +77,7 @@ FEW = 12  # terms; more with words in them are not factored
 MOST_FACTORED, LARGEST = 40, 100  # terms; numbers in an exponent of e
 MOST_WORDS, MOST_FACTS = 8, 16  # that are examined together
 
+EVEN = {sympy.cos: (sympy.sin, -1), sympy.cosh: (sympy.sinh, 1)}  # 1 - sin^2, 1 + sinh^2
 Facts = tuple[sympy.Expr, ...]  # what is not negative
 
 
@@ -97,9 +98,8 @@ def tidied(expression: sympy.Expr) -> sympy.Expr:
     if angles:  # sinh/cosh, as of log(cosh)
         tanh = {sympy.sinh(a): sympy.tanh(a) * sympy.cosh(a) for a in angles}
         expression = sympy.expand(expression.xreplace(tanh))
-    pairs = ((sympy.cos, sympy.sin, -1), (sympy.cosh, sympy.sinh, 1))
     known = dict[sympy.Expr, sympy.Expr]()
-    for even, odd, _ in pairs:
+    for even, (odd, _) in EVEN.items():
         turns = expression.atoms(even, odd)
         angles = {one.args[0] for one in turns}
         known |= {one: sympy.expand_trig(one) for one in turns if _meets(one.args[0], angles)}
@@ -108,11 +108,11 @@ def tidied(expression: sympy.Expr) -> sympy.Expr:
         ends = {at: expression.xreplace({within: sympy.Integer(at)}) for at in (0, 1)}
         inside = (ends[1] - ends[0]).xreplace({CLIP(*within.args): within.args[0]})
         expression = sympy.expand(ends[0] + within * inside)
-    powers = [p for p in expression.atoms(sympy.Pow) if p.exp.is_Integer and p.exp != -1]
-    for even, odd, sign in pairs:
-        for one in (p for p in powers if isinstance(p.base, even)):
-            square = 1 + sign * odd(one.base.args[0]) ** 2
-            known[one] = square ** (one.exp // 2) * one.base ** (one.exp % 2)
+    for p in expression.atoms(sympy.Pow):
+        if p.base.func in EVEN and p.exp.is_Integer and p.exp != -1:
+            odd, sign = EVEN[p.base.func]
+            square = 1 + sign * odd(*p.base.args) ** 2
+            known[p] = square ** (p.exp // 2) * p.base ** (p.exp % 2)
     return sympy.expand(expression.xreplace(known))
 
 

@@ -15,7 +15,7 @@ import sympy
 
 from ...diagrams.on_symbols import TIME, Equations, Names, on_symbols
 from ...diagrams.wiring import Node, Wiring, wiring_of
-from ...equations.ports import BETWEEN, named, split
+from ...equations.ports import split
 from ...equations.record import Shape
 from ...errors import DiagramError
 from .array_loop import no_value, refuse_pinned, refuse_unproved
@@ -171,10 +171,10 @@ class Draw:
 
 def equate_x_and_z(loop: SymbolicLoop, x: np.ndarray, random: np.random.Generator) -> None:
     """Set x = z at some points: e = 0."""
-    flat = {str(s): k for k, s in enumerate(loop.motion)}
-    for name, a in flat.items():
-        vehicle, kind = split(name)
-        b = flat.get(named(vehicle, f"z_{name[-1]}").lstrip(BETWEEN))
+    places = {str(s): k for k, s in enumerate(loop.motion)}
+    for name, a in places.items():
+        kind = split(name)[1]
+        b = places.get(f"{name.removesuffix(kind)}z{kind[1:]}")
         if kind in ("x_1", "x_2") and b is not None:
             equal = random.random(len(x)) < 0.1
             x[equal, a] = x[equal, b]

@@ -131,12 +131,11 @@ def ultimate_steps() -> list[Step]:
     """Check the ultimate bound where the regressor excites."""
 
     def grows() -> bool:
-        e, d = sympy.symbols("e_1:3", real=True), sympy.symbols("d_1:3", real=True)
+        e, d = (sympy.Matrix(sympy.symbols(f"{one}_1:3", real=True)) for one in "ed")
         rest, k = sympy.symbols("r k", positive=True)
-        V = (e[0] ** 2 + e[1] ** 2) / 2 + rest  # rest: the parameter errors' share
-        push = e[0] * d[0] + e[1] * d[1]
-        room = 2 * V * (d[0] ** 2 + d[1] ** 2) - push**2
-        squares = (e[0] * d[1] - e[1] * d[0]) ** 2 + 2 * rest * (d[0] ** 2 + d[1] ** 2)
+        V = e.dot(e) / 2 + rest  # rest: the parameter errors' share
+        room = 2 * V * d.dot(d) - e.dot(d) ** 2
+        squares = e.row_join(d).det() ** 2 + 2 * rest * d.dot(d)
         return sympy.expand(room - squares) == 0 and bool((-k * e[0] ** 2).is_nonpositive)
 
     def settles() -> bool:

@@ -141,15 +141,11 @@ def interval(e: sympy.Expr) -> tuple[Any, Any]:
     high: Any = sympy.S.Zero if e.is_nonpositive else sympy.oo
     if isinstance(e, sympy.sin | sympy.cos | sympy.tanh) or name == "sign":
         low, high = sympy.S.NegativeOne, sympy.S.One
-    elif name in ("clip", "maximum", "minimum", "where", "pick"):
+    elif name in ("clip", "maximum", "minimum"):  # which rise in each argument
+        low, high = (DECIDED[name](*ends) for ends in zip(*of, strict=True))
+    elif name in ("where", "pick"):
         lows, highs = zip(*of, strict=True)
-        if name == "clip":
-            low, high = sympy.Max(lows[0], lows[1]), sympy.Min(highs[0], highs[2])
-            low, high = sympy.Min(low, lows[2]), sympy.Max(high, highs[1])
-        else:
-            first = sympy.Max if name == "maximum" else sympy.Min
-            last = sympy.Min if name == "minimum" else sympy.Max
-            low, high = first(*lows), last(*highs)
+        low, high = sympy.Min(*lows), sympy.Max(*highs)
     elif isinstance(e, sympy.exp) and of[0][1] != sympy.oo:
         high = sympy.exp(of[0][1])
     elif e.is_Add:
@@ -192,13 +188,10 @@ def pieces_of(word: Any) -> list[Piece]:
         ]
     if name in ("Abs", "sign"):
         (u,) = args
-        sides = ((u, 1, 1), (-u, -1, -1), (sympy.S.Zero, 0, 0))
+        signs = SIGN(u), sympy.sign(u)
         return [
-            (
-                [side * u] if side else [u, -u],
-                {sympy.Abs(u): size} | dict.fromkeys((SIGN(u), sympy.sign(u)), sympy.Integer(sign)),
-            )
-            for size, sign, side in sides
+            (facts, {sympy.Abs(u): side * u} | dict.fromkeys(signs, side))
+            for facts, side in (([u], sympy.S.One), ([-u], -sympy.S.One), ([u, -u], sympy.S.Zero))
         ]
     return []
 
@@ -322,14 +315,5 @@ def degree(expression: sympy.Expr, is_state: Callable[[sympy.Symbol], bool]) -> 
     if expression.is_Pow and expression.exp.is_number:
         if expression.exp.is_positive:
             return float(expression.exp) * of[0]
-        return 0.0 if _above_zero(expression.base) else inf
+        return 0.0 if interval(expression.base)[0].is_positive else inf  # it stays away from zero
     return inf
-
-
-def _above_zero(expression: sympy.Expr) -> bool:
-    """Return whether an expression stays away from zero: a positive number and squares."""
-    parts = sympy.Add.make_args(expression)
-    if str(expression.func) == "maximum":
-        return any(one.is_number and one.is_positive for one in expression.args)
-    squares = all(one.is_nonnegative for one in parts)
-    return squares and any(one.is_number and one.is_positive for one in parts)
