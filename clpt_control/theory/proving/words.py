@@ -47,7 +47,7 @@ YES_OR_NO: dict[str, Callable[..., Any]] = {
     "or_": lambda a, b: a + b - a * b,
     "not_": lambda a: 1 - a,
 }
-ODD: dict[Any, tuple] = {  # odd and rising: h -> the range of h(s)/s
+ODD: dict[Any, tuple[Any, Any]] = {  # odd and rising: h -> the range of h(s)/s
     **dict.fromkeys((sympy.tanh, sympy.atan, sympy.asinh), (0, 1)),
     sympy.erf: (0, 2),
     sympy.sinh: (1, sympy.oo),
@@ -111,9 +111,8 @@ def sector_of(word: Any, slope: bool = False) -> Sector | None:
     name, s = word.func.__name__, word.args[0]
     if slope and isinstance(word, sympy.sin):
         return Sector(s, -1, 1)
-    if isinstance(word, tuple(ODD)):
-        low, high = next(ends for kind, ends in ODD.items() if isinstance(word, kind))
-        return Sector(s, low, high, True)
+    if word.func in ODD:
+        return Sector(s, *ODD[word.func], True)
     if name == "sign":
         return Sector(s, 0, sympy.oo, True)
     if name == "clip" and word.args[1].is_nonpositive and word.args[2].is_nonnegative:
