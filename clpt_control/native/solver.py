@@ -51,17 +51,18 @@ TIME, STEP, END, FRESH, REJECTED, GOOD, TAKEN, NEW, AT, WEIGHT, FAILING, SIZE, T
 # a step that passes a decision (`decisions`) or leaves a guard: whether it ends behind a kink, the
 # shares of the step between which that is, and the time of the last kink
 KINK, LOW, HIGH, LAST = range(13, 17)
-EFFECT = 17  # of a new decision on the step, in tolerances
-OTHER_STEPS, DIAGONAL = 18, 19  # checked steps since a stiff one; the matrix's diagonal, 1/(h g)
+AT_LOW, AT_HIGH = 17, 18  # there: the least distance of a decision from its turn
+EFFECT, ASKED = 19, 20  # of new decisions on the step, in tolerances; whether it is measured
+OTHER_STEPS, DIAGONAL = 21, 22  # checked steps since a stiff one; the matrix's diagonal, 1/(h g)
 # the time of the next look at a lane, or the tries until then; whether it is now; good and rejected
 # steps since the last look
-NEXT, TRIES_LEFT, LOOK, GOOD_ONES, BAD_ONES = range(20, 25)
-CHECKED = 25  # whether a lane's step is checked for stiffness
+NEXT, TRIES_LEFT, LOOK, GOOD_ONES, BAD_ONES = range(23, 28)
+CHECKED = 28  # whether a lane's step is checked for stiffness
 # the error of the interpolant; above 1 no sample is taken from it, and the step is tried again, up
 # to STOP_AT
-WITHIN, STOP_AT = 26, 27
-STIFF_STEPS, LONGEST, FIRST_STEP = 28, 29, 30  # a run that begins in a lane keeps these
-NUMBERS = 31  # rows of numbers
+WITHIN, STOP_AT = 29, 30
+STIFF_STEPS, LONGEST, FIRST_STEP = 31, 32, 33  # a run that begins in a lane keeps these
+NUMBERS = 34  # rows of numbers
 MEMBER, EDGE, DONE, BURST, WHICH = range(5)  # rows of a lane's whole numbers
 STEPS, EVALUATIONS, RESTARTS, REJECTIONS = range(4)  # of the counts
 # places of `code`: the diagram's functions, then the method's; stage s stands at STAGE + s
@@ -80,14 +81,17 @@ FACTORS = tuple(
     for a in range(1, 9, 2)
     for b in range(0, 9, 2)
 )
-CLEAR, BENT = 10.0, 0.01  # from a turn: a distance, in errors; an error, as a share of the range
+CLEAR = 10.0  # from a turn: a distance, in errors between looks
 BEHIND = GLANCES + 1  # the look right behind a kink
-DECIDED = 3 * (BEHIND + 1)  # numbers of a decision in D: `decide` at each look
+BEFORE = BEHIND + 1  # -1 for what has been passed before it, else 1
+DECIDED = 3 * BEFORE + 1  # numbers of a decision in D: `decide` at each look
 CROSSED = 1.0  # a step ends behind a kink
-HALVINGS, RESOLVED = 50, 1e-12  # of a step; how close to a kink one ends, of the step or the time
-COARSE = 12  # halvings to a place right behind a kink, where its effect is measured
+RESOLVED = 1e-12  # how close to a kink a step ends, as a share of it or of the time
+MOST_TRIALS = 45  # to find a kink so closely by halving, and one more
+CLOSE = 1e-5  # how far behind a kink its effect is measured, as a share of the step
+PASSAGES = 32  # that a step may have, one after the other, without being felt
 SHORTEST = 1e-13  # step up to a kink, of a run: in a shorter one states move by rounding alone
-FELT, SOON = 0.1, 0.75  # effect up to which a step crosses a kink as it is, behind this share
+FELT = 0.1  # effect up to which a step crosses a kink as it is
 MOST_KINKS, NEAR = 1000, 1e-7  # one after the other, each within that share of the run
 UNFELT = 5e-6  # or within this share, if states hardly move from one to the next
 # steps between checks for stiffness; steps that make a run stiff; steps ahead for it to matter
@@ -294,35 +298,24 @@ def error_between(d, row, D):
     return error
 
 
-def bends(k, shape, D):
-    """Return whether distances of a lane's step are further off than a share of their range."""
-    lanes, decided = shape[0], shape[6]
-    row = 3 * decided * lanes  # from one look to the next
-    for j in range(decided):
-        d, low, high = (decided + j) * lanes + k, math.inf, -math.inf
-        for look in range(GLANCES + 1):
-            low, high = min(low, D[d + look * row]), max(high, D[d + look * row])
-        error = error_between(d, row, D)
-        if error > D[d + decided * lanes] and error > BENT * (high - low):
-            return True
-    return False
-
-
 def may_hide(k, lanes, decided, last, D):
     """Return whether a decision may pass and come back between looks at a step, up to the last.
 
     The step is too long to tell unless every distance within it, and the vertex of each parabola
-    through three of them, is `CLEAR` times as large as the error between.
+    through three of them, is `CLEAR` times as large as the error between; but for those about a
+    passage that is seen.
     """
     row = 3 * decided * lanes  # from one look to the next
     for j in range(decided):
         d, nearest = (decided + j) * lanes + k, math.inf
         error = error_between(d, row, D)
         for look in range(1, min(last + 1, GLANCES)):
-            nearest = min(nearest, D[d + look * row])
-        for look in range(1, last):
             a, b, c = D[d + (look - 1) * row], D[d + look * row], D[d + (look + 1) * row]
-            if b < CLEAR * error + 3.0 * (abs(a - b) + abs(c - b)):  # else its vertex is clear too
+            if b < 0.0:
+                a, b, c = -a, -b, -c
+            if (look == 1 or a > 0.0) and (look == last or c > 0.0):
+                nearest = min(nearest, b)
+            if look < last and b < CLEAR * error + 3.0 * (abs(a - b) + abs(c - b)):
                 before, after = SHARES[look] - SHARES[look - 1], SHARES[look + 1] - SHARES[look]
                 bend = ((c - b) / after - (b - a) / before) / (before + after)
                 slope = (b - a) / before + bend * before
@@ -333,74 +326,147 @@ def may_hide(k, lanes, decided, last, D):
     return False
 
 
+def to_turn(k, lanes, decided, look, D):
+    """Return the least distance of a lane's decisions from their turns; negative behind one."""
+    least = math.inf
+    for j in range(decided):
+        at = (3 * look * decided + decided + j) * lanes + k
+        side = D[(3 * BEFORE * decided + j) * lanes + k]
+        least = min(least, side * D[at] + D[at + decided * lanes])
+    return least
+
+
+def bracket(felt, last, shape, lane, D):
+    """Put the next kink of steps between LOW and HIGH; return whether there is one.
+
+    It is behind a look, the first one or `BEHIND` the kink before, and before the first look at
+    which decisions are others.  Only lanes are asked that feel a kink, or only those that do not.
+    """
+    lanes, decided, some, (numbers, whole, _) = shape[0], shape[6], False, lane
+    for k in range(lanes):
+        if whole[WHICH, k] < 0 or (numbers[EFFECT, k] > FELT) != felt:
+            continue
+        for j in range(decided):
+            at = (3 * last * decided + decided + j) * lanes + k
+            passed = last == BEHIND and D[at] < -D[at + decided * lanes]
+            D[(3 * BEFORE * decided + j) * lanes + k] = -1.0 if passed else 1.0
+        low, look = numbers[HIGH, k] if last == BEHIND else 0.0, 1
+        here, ahead = to_turn(k, lanes, decided, last, D), 0.0
+        while look <= GLANCES and ahead >= 0.0:
+            if SHARES[look] > low:
+                ahead = to_turn(k, lanes, decided, look, D)
+                if ahead >= 0.0:
+                    low, here = SHARES[look], ahead
+            look += 1
+        numbers[LOW, k], numbers[HIGH, k] = low, low if ahead >= 0.0 else SHARES[look - 1]
+        numbers[AT_LOW, k], numbers[AT_HIGH, k] = here, ahead
+        some = some or ahead < 0.0
+    return some
+
+
+def tried(k, numbers, width, trial):
+    """Return where the kink between LOW and HIGH is looked for next: ITP's rule.
+
+    The bracket is `width` after at most one trial more than by halving.
+
+    Source: Oliveira, Takahashi, An enhancement of the bisection method average performance
+    preserving minmax optimality, ACM Trans. Math. Softw. 47(1), 2021.
+    """
+    a, b, low, high = numbers[LOW, k], numbers[HIGH, k], numbers[AT_LOW, k], numbers[AT_HIGH, k]
+    middle = 0.5 * (a + b)
+    free = 0.5 * (width * 2.0 ** (MOST_TRIALS - trial) - (b - a))  # from the middle
+    guess = (a * high - b * low) / (high - low)
+    guess = guess if a < guess < b else middle
+    toward = math.copysign(1.0, middle - guess)
+    guess += toward * min((b - a) * (b - a), abs(middle - guess))
+    if abs(guess - middle) <= free:
+        return guess
+    return middle - toward * max(free, 0.0)
+
+
+def narrow(width, code, shape, numbers, arrays):
+    """Narrow what lies between LOW and HIGH to a share of the step: the kink is still between."""
+    lanes, n, decided, (Z, P, T, W, D) = shape[0], shape[1], shape[6], arrays
+    for trial in range(MOST_TRIALS):
+        wide = False
+        for k in range(lanes):
+            wide = wide or numbers[HIGH, k] - numbers[LOW, k] > width
+            state_within(n, lanes, k, numbers, Z, tried(k, numbers, width, trial))
+        if not wide:
+            return
+        to = 3 * BEHIND * decided * lanes
+        call(code[DECIDE], numbers[AT], Z, LOOKED * n * lanes, P, T, W, D, to)
+        for k in range(lanes):
+            if numbers[HIGH, k] - numbers[LOW, k] > width:
+                share = tried(k, numbers, width, trial)
+                distance = to_turn(k, lanes, decided, BEHIND, D)
+                if distance < 0.0:
+                    numbers[HIGH, k], numbers[AT_HIGH, k] = share, distance
+                else:
+                    numbers[LOW, k], numbers[AT_LOW, k] = share, distance
+
+
 def locate_kinks(code, shape, tolerances, times, results, lane, arrays):
     """Locate the kinks that steps cross and states feel; a step well beyond one is tried up to it.
 
-    A kink that is not felt, right behind it or at a look, is crossed by the step as it is, else
-    rounding might decide where a step ends: at a tangent, or where errors are small.  But the step
-    ends soon after, for other kinks may now be felt, and is halved if distances bend too much to
-    tell.
+    A kink that is not felt is crossed by the step as it is, else rounding might decide where a step
+    ends: at a tangent, or where errors are small.  The effect is measured at all looks and right
+    behind each kink, one after the other, for one that is not felt may make another one felt.  A
+    step is halved where there are too many of these, or a decision may hide behind the first.
     """
     lanes, n, decided = shape[0], shape[1], shape[6]
     shortest = SHORTEST * (times[-1] - times[0])
     counts, (numbers, whole, _), (Z, P, T, W, D) = results[3], lane, arrays
     for k in range(lanes):
         numbers[EFFECT, k] = 0.0
-    for look in range(1, GLANCES + 1):
+    for look in range(GLANCES, 0, -1):
         for k in range(lanes):
             state_within(n, lanes, k, numbers, Z, SHARES[look])
-        measure_effect(code, shape, tolerances, numbers, look, arrays)
-    to, felt = 3 * BEHIND * decided * lanes, False
-    for halving in range(HALVINGS):
-        if halving == COARSE:
-            for k in range(lanes):
-                state_within(n, lanes, k, numbers, Z, numbers[HIGH, k])
-            call(code[DECIDE], numbers[AT], Z, LOOKED * n * lanes, P, T, W, D, to)
-            measure_effect(code, shape, tolerances, numbers, BEHIND, arrays)
-            for k in range(lanes):
-                felt = felt or (whole[WHICH, k] >= 0 and numbers[EFFECT, k] > FELT)
-            if not felt:
-                break
+        measure_effect(code, shape, tolerances, lane, look, arrays)
+    for passage in range(PASSAGES):
+        if not bracket(False, BEHIND if passage > 0 else 0, shape, lane, D):
+            break
+        narrow(CLOSE, code, shape, numbers, arrays)
         for k in range(lanes):
-            share = 0.5 * (numbers[LOW, k] + numbers[HIGH, k])
-            state_within(n, lanes, k, numbers, Z, share)
+            state_within(n, lanes, k, numbers, Z, numbers[HIGH, k])
+        to = 3 * BEHIND * decided * lanes
         call(code[DECIDE], numbers[AT], Z, LOOKED * n * lanes, P, T, W, D, to)
-        for k in range(lanes):
-            share = 0.5 * (numbers[LOW, k] + numbers[HIGH, k])
-            if first_passed(k, lanes, decided, BEHIND, D) >= 0:
-                numbers[HIGH, k] = share
-            else:
-                numbers[LOW, k] = share
+        measure_effect(code, shape, tolerances, lane, BEHIND, arrays)
+    if bracket(True, 0, shape, lane, D):
+        narrow(0.1 * RESOLVED, code, shape, numbers, arrays)
     for k in range(lanes):
         numbers[AT, k] = numbers[NEW, k]
         if whole[WHICH, k] < 0:
             continue
-        h, high, least = numbers[TAKEN, k], numbers[HIGH, k], 2.0 * RESOLVED * abs(numbers[NEW, k])
+        h, least = numbers[TAKEN, k], 2.0 * RESOLVED * abs(numbers[NEW, k])
+        long, more = h > 2.0 * shortest, numbers[LOW, k] < numbers[HIGH, k]
         if numbers[EFFECT, k] > FELT:
             met = (1.0 - numbers[LOW, k]) * h <= max(RESOLVED * h, least)
-            if met or h <= 2.0 * shortest:
-                numbers[KINK, k] = CROSSED
+            if long and not met:
+                try_again(k, max(numbers[HIGH, k] * h, shortest), counts, lane)
             else:
-                try_again(k, max(high * h, shortest), counts, lane)
-            continue
-        at, share = (decided + whole[WHICH, k]) * lanes + k, 1.0
-        if high < SOON and D[at] > D[at + decided * lanes]:  # not at the step's very beginning
-            share = 0.5 * high * (1.0 + 1.0 / SOON)
-        if bends(k, shape, D):
-            share = min(share, 0.5)
-        if share < 1.0 and h > 2.0 * shortest:
-            try_again(k, share * h, counts, lane)
+                numbers[KINK, k] = CROSSED
+        elif long and (more or may_hide(k, lanes, decided, GLANCES, D)):
+            try_again(k, 0.5 * h, counts, lane)
         elif first_passed(k, lanes, decided, GLANCES, D) >= 0:
             numbers[KINK, k] = CROSSED
 
 
-def measure_effect(code, shape, tolerances, numbers, look, arrays):
+def measure_effect(code, shape, tolerances, lane, look, arrays):
     """Raise EFFECT to h |f free - f locked|, the error by decisions as they are at a look.
 
-    D holds these decisions.
+    D holds these decisions.  Lanes are asked that feel no kink yet, have one between LOW and HIGH,
+    and have passed a decision at the look.
     """
     lanes, n, _, _, _, decided_at, decided = shape
-    Z, P, T, W, D = arrays
+    (numbers, whole, _), (Z, P, T, W, D), some = lane, arrays, False
+    for k in range(lanes):
+        asked = whole[WHICH, k] >= 0 and numbers[EFFECT, k] <= FELT
+        asked = asked and numbers[LOW, k] < numbers[HIGH, k]
+        asked = asked and first_passed(k, lanes, decided, look, D) >= 0
+        some, numbers[ASKED, k] = some or asked, 1.0 if asked else 0.0
+    if not some:
+        return
     first = (LOOKED if look != GLANCES else ARGUMENT) * n * lanes
     now, count = 3 * look * decided * lanes, decided * lanes
     call(code[DERIVATIVE], numbers[AT], Z, first, P, T, W, Z, LOCKED * n * lanes)
@@ -410,11 +476,10 @@ def measure_effect(code, shape, tolerances, numbers, look, arrays):
     exchange(P, decided_at * lanes, D, now, count)
     call(code[PREPARE], numbers[AT], Z, first, P, T, W, D, 0)
     for k in range(lanes):
-        for i in range(n):
+        for i in range(n if numbers[ASKED, k] > 0.5 else 0):
             x, at = Z[i * lanes + k], i * lanes + k
             apart = abs(Z[FREE * n * lanes + at] - Z[LOCKED * n * lanes + at])
-            least = tolerances[1] + tolerances[0] * abs(x)
-            effect = numbers[TAKEN, k] * apart / least
+            effect = numbers[TAKEN, k] * apart / (tolerances[1] + tolerances[0] * abs(x))
             effect = effect if effect - effect == 0.0 else math.inf
             numbers[EFFECT, k] = max(numbers[EFFECT, k], effect)
 

@@ -270,6 +270,23 @@ def test_a_kink_that_is_not_felt_may_make_another_one_felt(pulse):
     np.testing.assert_allclose(found.states[-1, 1], wanted, rtol=1e-6)
 
 
+@pytest.mark.parametrize("width", [0.4, 0.05, 0.01])
+@pytest.mark.parametrize("ahead", [0.3, 0.02, 0.001])
+def test_a_pulse_soon_behind_a_kink_that_is_not_felt_is_met(ahead, width):
+    """While s = sin(2 pi f t) falls, a step that nothing reads is passed before the pulse."""
+
+    def rate(s):
+        steps = np.floor((s - ahead) / 3.0)
+        return np.where(np.logical_and(s < 0.0 * steps, s > -width), 1.0, 0.2)
+
+    def turning(t, x, u, p):
+        return [2.0 * np.pi * 7.9, rate(np.sin(x[0]))]
+
+    found = clpt.simulate(system(turning, 2), [0.0, 10.0], None, 0.0)
+    wanted = 2.0 + 8.0 * 2.0 * np.arcsin(width) / (2.0 * np.pi)
+    np.testing.assert_allclose(found.states[-1, 1], wanted, rtol=1e-7)
+
+
 @pytest.mark.parametrize("engine", ["native", "python"])
 @pytest.mark.parametrize("level", [0.5, 0.9, 0.95])
 @pytest.mark.parametrize("frequency", [1.0, 10.0, 137.0])
