@@ -20,7 +20,7 @@ from ...diagrams.interconnection import connect
 from ...simulation.loops import LoopOf, remaining_parts
 from .proof import Step, checked, exact_step
 from .signs import vanishes
-from .symbolic_loop import SymbolicLoop, symbolic_loop
+from .symbolic_loop import SymbolicLoop, equated, symbolic_loop
 from .theorem_loop import law_and_V, rate_of_V, theorem_scenario
 from .words import decided
 
@@ -60,15 +60,8 @@ class AtAFix:
         if late:
             before["sent"] = s["z_sent"] + self.eta(s) @ self.m
         self.known: dict[Any, Any] = {p["lyapunov"].noise: self.r}
-        self.know(self.loop.inputs, {"fix": self.x})
-        self.know(s, before)
+        self.known |= equated(self.loop.inputs, {"fix": self.x}) | equated(s, before)
         self.before = {port: self.put(symbols) for port, symbols in s.items()}
-
-    def know(self, ports: States, values: dict[str, Any]) -> None:
-        """Set the values of ports."""
-        for port, value in values.items():
-            flat = map(sympy.sympify, np.ravel(value))
-            self.known |= zip(ports[port].flat, flat, strict=True)
 
     def put(self, values: Any) -> np.ndarray:
         """Return expressions right before the fix, every choice decided."""
@@ -77,9 +70,9 @@ class AtAFix:
     def jump(self, interval: int, taken: int = 1) -> States:
         """Return the states after the jump with which an interval begins."""
         self.known[self.loop.parameters["adaptation"].interval] = sympy.Integer(interval)
-        self.know(self.loop.inputs, {"taken": taken})
+        self.known |= equated(self.loop.inputs, {"taken": taken})
         if self.late:
-            self.know(self.loop.states, {"waiting": taken})
+            self.known |= equated(self.loop.states, {"waiting": taken})
         (new,) = self.loop.jumps.values()
         return {
             port: self.put([new.get(s, s) for s in symbols.flat]).reshape(symbols.shape)
@@ -92,10 +85,7 @@ class AtAFix:
 
     def V(self, states: States) -> sympy.Expr:
         """Return V = r^2 tr(eta P^-1 eta^T)/2 of the states, as its block has it."""
-        pairs = ((self.loop.states[port], states[port]) for port in ("alpha", "information"))
-        known = {
-            s: value for old, new in pairs for s, value in zip(old.flat, new.flat, strict=True)
-        }
+        known = equated(self.loop.states, {port: states[port] for port in ("alpha", "information")})
         return self.loop.signals["V"][0].xreplace({**self.known, **known})
 
     def stays(self) -> str:

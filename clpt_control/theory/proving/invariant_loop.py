@@ -23,7 +23,7 @@ from ..squares import holds_all, squares
 from .array_loop import TIME
 from .proof import Step, short
 from .signs import left_over, nonpositive, positive_maximum, vanishes
-from .symbolic_loop import SymbolicLoop, flat, symbolic_loop
+from .symbolic_loop import SymbolicLoop, equated, flat, symbolic_loop
 from .theorem_loop import Hedging, law_and_V, law_loop, rate_of_V, theorem_scenario, tied, truth_in
 
 SIZES = (1, 2, 3)  # numbers of functions
@@ -46,14 +46,7 @@ class InvariantLoop:
         )
         p, truth = self.loop.parameters[block.name], truth_in(self.loop)
         assert law.invariants is not None
-        relations = law.invariants(self.states, p, truth)
-        self.relations = _solved(
-            {
-                symbol: value
-                for port, values in relations.items()
-                for symbol, value in zip(self.states[port].flat, np.ravel(values), strict=True)
-            }
-        )
+        self.relations = _solved(equated(self.states, law.invariants(self.states, p, truth)))
         every = {**self.loop.inputs, **self.states}
         self.parameters = p
         if blocks is None:
@@ -280,11 +273,11 @@ def _any(n: int) -> np.ndarray:
     return np.array(sympy.symbols(f"c_1:{n + 1}", real=True, cls=sympy.Dummy), dtype=object)
 
 
-def _solved(relations: dict[Any, Any]) -> dict[Any, sympy.Expr]:
+def _solved(relations: dict[Any, sympy.Expr]) -> dict[Any, sympy.Expr]:
     """Return symbols -> what they are, where M = (M + M^T)/2 is M_jk = M_kj."""
     found: dict[Any, sympy.Expr] = {}
     for symbol, value in relations.items():
-        value = sympy.expand(sympy.sympify(value).xreplace(found))
+        value = sympy.expand(value.xreplace(found))
         share = value.coeff(symbol)
         if share.is_Rational and 0 < share < 1:
             value = sympy.expand((value - share * symbol) / (1 - share))

@@ -111,6 +111,15 @@ def flat(parameters: Any) -> list[Any]:
     return [symbol for field in parameters for symbol in np.ravel(np.asarray(field, dtype=object))]
 
 
+def equated(ports: Mapping[str, np.ndarray], values: Mapping[str, Any]) -> dict[Any, sympy.Expr]:
+    """Return the symbols of some ports -> what they are, element by element."""
+    return {
+        symbol: sympy.sympify(value)
+        for port, own in values.items()
+        for symbol, value in zip(ports[port].flat, np.ravel(own), strict=True)
+    }
+
+
 class Draw:
     """A source of random parameters and points for the blocks of a diagram."""
 
