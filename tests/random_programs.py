@@ -49,7 +49,7 @@ class Motor:
         self.k = k
 
     def torque(self, i):
-        return self.k * np.tanh(i)
+        return self.k * np.tanh(i) if isinstance(i, float) else 0.0
 
 motor = Motor(1.25)
 '''
@@ -301,6 +301,18 @@ class Writer:
             self.add(f"{a} = (lambda v: v * {b} - {self.leaf()})({self.leaf()})")
         self.scalars += [a, b]
 
+    def shared(self):
+        """An array that is changed by another name, or a copy that is not."""
+        a, b, n = self.name(), self.name(), self.choice(sorted(self.vectors) or [3])
+        seen = [f"{a}[::-1]", f"np.asarray({a})", f"{a}.reshape(1, -1)[0]", f"np.ravel({a}[::2])"]
+        seen += [f"+{a}", f"np.rot90({a}[None])[:, 0]", f"np.prod({a}[None], axis=0)", f"{a}[...]"]
+        changes = [f"{b}[0] = {self.scalar(1)}", f"{b} += {self.leaf()}", f"{b}.put([0], 0.5)"]
+        changes += [f"np.copyto({b}, {self.leaf()})", f"{a}[0], {b}[-1] = {b}[-1], {a}[0]"]
+        start = self.choice([self.vector(n, 1), f"np.zeros({n})", f"np.linspace(0.0, 1.0, {n})"])
+        self.add(f"{a} = np.array({start})", f"{b} = {self.choice(seen)}", self.choice(changes))
+        self.vectors.setdefault(n, []).append(a)
+        self.scalars.append(f"{b}[0]")
+
     def ordered(self):
         if not self.asks(3):
             return
@@ -334,7 +346,7 @@ class Writer:
 
     def text(self, name, returns):
         parts = [self.number, self.array, self.branch, self.loop, self.loop, self.filled]
-        parts += [self.matrix, self.called, self.ordered]
+        parts += [self.matrix, self.called, self.ordered, self.shared]
         for _ in range(self.random.randrange(1, 6)):
             self.choice(parts)()
         if self.chance(0.15) and self.asks():
@@ -361,6 +373,6 @@ def executed(text: str) -> dict[str, Any]:
     file = f"<random program {next(_files)}>"
     text = HELPERS + text
     linecache.cache[file] = (len(text), None, text.splitlines(True), file)
-    space: dict[str, Any] = {"math": math, "np": np}
+    space: dict[str, Any] = {"math": math, "np": np, "__name__": "random_program"}
     exec(compile(text, file, "exec"), space)
     return space

@@ -6,7 +6,7 @@ function does with it: ``np.exp(a)``, ``a @ b``, ``np.outer(a, b)``.  What is wr
 """
 
 import sys
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from functools import partial
 from math import prod
@@ -29,6 +29,7 @@ MOVED = frozenset({"view", "stack", "join"})  # hold what their arguments hold
 # of whole numbers, a whole number
 OF_WHOLE = frozenset(
     {"add", "sub", "mul", "neg", "mod", "minimum", "maximum", "where", "sum", "fill", "stack"}
+    | {"floordiv", "pow", "sign"}
 )
 OF_TRUTHS = {"mul": "and", "minimum": "and", "maximum": "or"}  # what NumPy makes of truth values
 RAISING = frozenset({"div", "floordiv", "mod", "pow"})  # where Python's floats raise
@@ -75,6 +76,7 @@ class Tape:
     def __init__(self) -> None:
         self.operations: list[Operation] = []
         self.stopped: Exception | None = None  # what ends the reading
+        self.parameters: Mapping[str, Any] = {}  # as they were given
         self.has_floats = False  # whether some signals are Python's floats, not NumPy's
         self.free: list[bool] = []  # of each: whether it depends on time, states or inputs
         self.truth: list[bool] = []  # of each: whether it holds truth values
@@ -256,7 +258,9 @@ class Array(NDArrayOperatorsMixin):
         value = lifted(self._tape, value)
         if root._whole:
             value = np.trunc(value)
-        if isinstance(index, Array) and index._is_condition:
+        if isinstance(index, Array) and index._is_condition and not moves(index):
+            index = np.asarray(index)
+        elif isinstance(index, Array) and index._is_condition:
             index, value = ..., where(index, value, self)
         index, new = whole(index), objects(value)
         store[index] = new if isinstance(store[index], np.ndarray) else new.item()
@@ -286,7 +290,7 @@ class Array(NDArrayOperatorsMixin):
     def __array__(self, dtype: Any = None, copy: Any = None) -> np.ndarray:
         if dtype is not None and np.dtype(dtype).kind == "O":
             return self._elements()
-        return self._tape.numbers(self._ref).astype(dtype or float)
+        return self._tape.numbers(self._ref).astype(dtype or self.dtype)
 
     def __getattr__(self, name: str) -> Any:
         if (method := HOOKS["method"](name)) is not None:
@@ -349,10 +353,10 @@ class Array(NDArrayOperatorsMixin):
         return f"<v{self._node} {self.shape}>"
 
 
-def moves(array: Array) -> bool:
-    """Return whether an array depends on time, states or inputs."""
-    ref = array._ref
-    return type(ref) is int and array._tape.free[ref]
+def moves(value: Any) -> bool:
+    """Return whether a value depends on time, states or inputs."""
+    ref = value._ref if isinstance(value, Array) else 0.0
+    return type(ref) is int and value._tape.free[ref]
 
 
 def is_of_numpy(number: Array) -> bool:
@@ -477,8 +481,8 @@ def elementwise(name: str, *arguments: Any) -> Any:
                 "things; write float(...), or np.logical_or"
             )
         name = OF_TRUTHS[name]
-    if name in RAISING:
-        refuse_division(tape, arguments[-1])
+    if name in RAISING and (tape.has_floats or not moves(arguments[-1])):
+        refuse_in_a_try(arguments[-1])
     for k, one in enumerate(arguments):
         convert = as_condition if name in LOGICAL or (name == "where" and not k) else as_number
         one = one if type(one) is float else convert(lifted(tape, one))
@@ -499,19 +503,10 @@ def counts(value: Any) -> bool:
     return isinstance(value, int) or kind in "iub"
 
 
-def refuse_in_a_try(tape: Tape, *arguments: Any) -> None:
-    """Refuse what may raise with signals, where a function that is read may catch it."""
-    if any(isinstance(one, Array) and moves(one) for one in arguments) and in_a_try():
+def refuse_in_a_try(*arguments: Any) -> None:
+    """Refuse what may raise with these, signals or zero, where a function may catch it."""
+    if in_a_try() and any(moves(one) or not np.all(one) for one in arguments):
         raise Unread("may raise in a `try`; ask by `if` before")
-
-
-def refuse_division(tape: Tape, by: Any) -> None:
-    """Refuse a division that raises with Python's floats and not with NumPy's, in a `try`."""
-    if isinstance(by, Array) and moves(by):
-        if tape.has_floats:
-            refuse_in_a_try(tape, by)
-    elif in_a_try() and not np.all(tape.numbers(operand(by)) if isinstance(by, Array) else by):
-        raise Unread("may divide by zero in a `try`; ask by `if` before")
 
 
 READ = "__read__"  # among the built-in names of a copy that is read

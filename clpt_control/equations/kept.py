@@ -235,7 +235,7 @@ def _attributes(value: Any) -> tuple[Any, Iterable[str] | None]:
 
 def _is_asking(function: FunctionType) -> bool:
     """Return whether a user's function asks what kind of number it is given."""
-    root = (function.__module__ or "").partition(".")[0]
+    root = function.__globals__.get("__name__", "").partition(".")[0]
     return bool(ASKING.intersection(names_in(function.__code__))) and not _is_library(root)
 
 

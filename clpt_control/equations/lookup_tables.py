@@ -120,17 +120,20 @@ def line(xs: np.ndarray, ys: np.ndarray, x: Array, side: str = "right") -> Any:
 
 def searched(points: Any, x: Any, side: str = "left", **more: Any) -> Any:
     """Return np.searchsorted(points, x)."""
+    return place_in(increasing(points, "np.searchsorted"), x, side)
+
+
+def increasing(points: Any, name: str) -> np.ndarray:
+    """Return points as numbers; refuse to look among others than increasing ones."""
     points = np.asarray(points, dtype=float)
-    if np.any(np.diff(points) < 0.0) and not more:
-        raise Unread("a search among points that do not increase")
-    return place_in(points, x, side)
+    if np.any(np.diff(points) < 0.0):
+        raise Unread(f"{name} of points that do not increase")
+    return points
 
 
 def interpolated(x: Any, xp: Any, fp: Any, left: Any = None, right: Any = None) -> Any:
     """Return np.interp(x, xp, fp)."""
-    xp = np.asarray(xp, dtype=float)
-    if np.any(np.diff(xp) < 0.0):
-        raise Unread("np.interp of points that do not increase")
+    xp = increasing(xp, "np.interp")
     if isinstance(fp, Array) and numbers_of(fp) is None:
         units = np.eye(len(xp))
         values = sum(fp[k] * np.interp(x, xp, unit) for k, unit in enumerate(units))

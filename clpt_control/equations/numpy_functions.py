@@ -17,7 +17,6 @@ from .arrays import (
     Unread,
     active,
     boxed,
-    broadcast,
     counts,
     elementwise,
     filled,
@@ -25,7 +24,6 @@ from .arrays import (
     lifted,
     objects,
     refuse_in_a_try,
-    spread,
     stacked,
     where,
 )
@@ -117,9 +115,7 @@ def mean(a: Any, axis: Any = None, dtype: Any = None, keepdims: Any = False) -> 
 
 
 @implements(np.var)
-def variance(
-    a: Any, axis: Any = None, dtype: Any = None, ddof: float = 0, keepdims: Any = False
-) -> Any:
+def variance(a: Any, axis: Any = None, dtype: Any = None, ddof: Any = 0, keepdims: Any = 0) -> Any:
     """Return the mean square of what differs from the mean."""
     check_doubles(dtype)
     apart = a - mean(a, axis, keepdims=axis is not None)
@@ -184,7 +180,7 @@ def _eliminated(rows: list[Any], pivot: Callable = lambda a: a) -> Any:
     """Make rows triangular, in place; return whether they changed places an odd number of times."""
     sign: Any = 1.0
     n = len(rows)
-    refuse_in_a_try(rows[0]._tape, *rows)  # where they have no solution
+    refuse_in_a_try(*rows)  # where they have no solution
     for k in range(n):
         for i in range(k + 1, n):
             larger = np.greater(np.fabs(rows[i][k]), np.fabs(rows[k][k]))
@@ -226,7 +222,7 @@ def determinant(A: Any) -> Any:
 def cholesky(A: Any, upper: bool = False) -> Any:
     """Return the triangle L of A = L L^T, or L^T; of A its lower triangle counts, or its upper."""
     A, n = (A.T if upper else A), len(_rows(A))
-    refuse_in_a_try(A._tape, A)  # where it has none
+    refuse_in_a_try(A)  # where it has none
     L: list[list[Any]] = [[0.0] * n for _ in range(n)]
     for i in range(n):
         for j in range(i + 1):
@@ -254,11 +250,7 @@ def chosen(condition: Any, *values: Any) -> Any:
     if not values:
         return refuse("np.where without values, which counts,")
     tape = tape_of((condition, *values))
-    condition, a, b = (lifted(tape, one) for one in (condition, *values))
-    if isinstance(condition, Array):
-        return where(condition, *values)
-    shape = broadcast(np.shape(a), np.shape(b))
-    return views.copied(spread(tape, a if condition else b, shape))
+    return where(boxed(tape, lifted(tape, condition)), *values)
 
 
 @implements(np.select, arrays=0)
@@ -454,10 +446,10 @@ METHODS: dict[str, Callable] = {  # that are not NumPy's functions
     "tolist": lambda a: floats(objects(a).tolist()),
     "fill": lambda a, value: a.__setitem__(..., value),
     "sort": lambda a, *more: a.__setitem__(..., np.sort(a, *more)),
-    **dict.fromkeys(("conj", "conjugate"), lambda a: a),
     "is_integer": lambda a: np.floor(a) == a,
 }
-OTHER = frozenset({"partition", "resize", "compress"})  # than NumPy's functions of these names
+# other than NumPy's functions of these names
+OTHER = frozenset({"partition", "resize", "compress", "conj", "conjugate"})
 
 
 def method(name: str) -> Callable | None:

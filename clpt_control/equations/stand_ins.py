@@ -155,7 +155,8 @@ def _may_be(value: Array) -> list[Any]:
     if value._is_condition:
         return [np.bool_(False)]
     of_python = [] if is_of_numpy(value) else [0.0]
-    counted = value._whole or is_whole(tape, ref) or not moves(value)
+    of_whole = any(isinstance(one, int) for one in tape.parameters.values())
+    counted = value._whole or is_whole(tape, ref) or (of_whole and not moves(value))
     return [np.float64(0.0), *of_python, *([0, np.int64(0)] if counted else [])]
 
 
@@ -236,7 +237,7 @@ def of_math(name: str, tape: Tape, *arguments: Any, **more: Any) -> Any:
     numbers = tuple(map(single, arguments))
     tape.has_floats = True
     if name in RAISING:
-        refuse_in_a_try(tape, *numbers)
+        refuse_in_a_try(*numbers)
     if name in DOMAINS and in_a_try() and DOMAINS[name](*numbers):
         raise ValueError("math domain error")
     return MATH[name](*numbers, **more)

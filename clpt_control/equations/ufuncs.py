@@ -75,7 +75,7 @@ def reduced(
 ) -> Any:
     """Join the elements along an axis, or all, one after the other; a sum is one operation."""
     a = lifted(tape_of([a]), a)
-    a = a if a.shape else a[()]  # no array without axes
+    a = a if np.ndim(a) else copied(a)
     if where is not True:
         a = np.where(where, a, initial if ufunc.identity is None else ufunc.identity)
     axes = [axis] if isinstance(axis, int) else axis

@@ -356,7 +356,7 @@ def join(parts: Any, axis: Any = 0, **more: Any) -> Any:
 
 def copied(a: Any, *arguments: Any, **more: Any) -> Any:
     """Return a copy, which no longer shares what is written."""
-    if not a.shape and not a._boxed:
+    if not isinstance(a, Array) or not (a.shape or a._boxed):
         return a
     ref = a._ref
     if type(ref) is float:

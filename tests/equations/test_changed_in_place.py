@@ -58,6 +58,7 @@ def numbers_are_overwritten(t, x, u, p):
     z.put([1], [5.0])
     np.fill_diagonal(A, 2.0)
     np.add(y, 1.0, out=y)
+    w[w > p["zero"]] *= 2.0
     return [*(y * x), *(z * x), *(A @ x), *w[:1]]
 
 
