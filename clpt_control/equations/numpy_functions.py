@@ -235,7 +235,7 @@ def cholesky(A: Any, upper: bool = False) -> Any:
 # --- limits and choices -----------------------------------------------------------------------
 
 
-@implements(np.clip, arrays=0)
+@implements(np.clip)
 def clip(a: Any, low: Any = None, high: Any = None, **more: Any) -> Any:
     """Return a within limits."""
     low, high = more.get("min", more.get("a_min", low)), more.get("max", more.get("a_max", high))

@@ -54,6 +54,8 @@ def _apply(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any:
         return reduced(ufunc, *inputs, **more)
     if method == "accumulate":
         return accumulated(ufunc, *inputs, **more)
+    if method == "__call__":
+        inputs = [lifted(tape, a) if isinstance(a, list | tuple) else a for a in inputs]
     if method == "__call__" and not more and ufunc in UFUNCS:
         return elementwise(UFUNCS[ufunc], *inputs)
     if ufunc in BITWISE and method == "__call__":

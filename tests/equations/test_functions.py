@@ -51,6 +51,10 @@ def test_a_function_of_numbers_is_read_or_named(call):
 ARRAYS = """
     np.sum(u) ; np.prod(u) ; np.mean(u) ; np.max(u) ; np.min(u) ; np.ptp(u) ; np.var(u) ;
     np.ptp([np.sin(k + u) for k in range(12)], axis=0)[1] ;
+    np.clip([u[0], -u[1]], [0.0, -0.1], [u[1], 1.0])[1] ; np.maximum([u[0], v[1]], 0.5)[1] ;
+    np.sin([u[0], 1.0])[0] ; np.arctan2([u[0], u[1]], (u[2], -1.0))[1] ;
+    np.abs([[-u[0]], [1.0]])[0, 0] ;
+    np.where(np.logical_and([u[0] > 0.5, u[1] > 0.5], True), 1.0, u[2])[1] ;
     np.std(u) ; np.dot(u, v) ; np.vdot(u, v) ; np.inner(u, v) ; u @ v ;
     np.outer(u, v)[1, 2] ; np.kron(u, v)[4] ; np.trace(np.outer(u, v)) ; np.linalg.norm(u) ;
     np.linalg.norm(u, 1) ; np.linalg.norm(u, np.inf) ;
