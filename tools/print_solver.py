@@ -1,4 +1,4 @@
-"""Print `native/solver.py` as LLVM's text, which the package carries: `make solver`.
+"""Print `native/solver.py` and its pages as LLVM's text, which the package carries: `make solver`.
 
 Numba reads the solver and prints it for no processor in particular, not optimised: each machine
 makes its own code of it once, without Numba.  The hash of the sources stands in the first line.
@@ -8,7 +8,7 @@ import hashlib
 import os
 import re
 import sys
-from importlib import util
+from importlib import import_module
 from pathlib import Path
 from types import FunctionType, ModuleType
 from typing import Any
@@ -23,8 +23,10 @@ from numba.core import types
 from numba.extending import intrinsic
 
 ROOT = Path(__file__).parents[1]
-SOURCES = ("clpt_control/native/solver.py", "tools/print_solver.py")
-TEXT = ROOT / "clpt_control" / "native" / "solver.ll"
+NATIVE = ROOT / "clpt_control" / "native"
+PAGES = ("layout", "looks", "kinks", "implicit", "pieces", "solver")
+SOURCES = (*(NATIVE / f"{name}.py" for name in PAGES), Path(__file__))
+TEXT = NATIVE / "solver.ll"
 OPTIONS: dict[str, Any] = {
     "nogil": True,
     "error_model": "numpy",
@@ -54,7 +56,7 @@ NEWER += r"| captures\(none\)"
 
 def digest() -> str:
     """Return the hash of what the text is made of."""
-    return hashlib.sha256(b"".join((ROOT / one).read_bytes() for one in SOURCES)).hexdigest()
+    return hashlib.sha256(b"".join(one.read_bytes() for one in SOURCES)).hexdigest()
 
 
 @intrinsic
@@ -81,18 +83,20 @@ def call_address(typingctx, address, t, X, first, P, T, W, D, to):
 
 
 def for_numba() -> ModuleType:
-    """Return the solver's module with its functions for Numba to compile."""
-    spec = util.spec_from_file_location("clpt_control.native.for_numba", ROOT / SOURCES[0])
-    assert spec is not None
-    assert spec.loader is not None
-    module = util.module_from_spec(spec)
-    sys.modules[spec.name] = module
-    spec.loader.exec_module(module)
-    module.call = call_address  # type: ignore[attr-defined]
-    for name, function in list(vars(module).items()):
-        if isinstance(function, FunctionType):
-            setattr(module, name, njit(function, forceinline=name not in NOT_INLINED, **OPTIONS))
-    return module
+    """Return the solver's page with its functions for Numba to compile, and those of the others."""
+    package = ModuleType("pages")  # the room without its `__init__`, which asks for more
+    package.__path__ = [str(NATIVE)]
+    sys.modules["pages"] = package
+    pages = [import_module(f"pages.{name}") for name in PAGES]
+    compiled: dict[FunctionType, Any] = {pages[0].call: call_address}
+    for page in pages:  # each imports only from those before it
+        for name, function in list(vars(page).items()):
+            if isinstance(function, FunctionType):
+                if function not in compiled:
+                    inline = name not in NOT_INLINED
+                    compiled[function] = njit(function, forceinline=inline, **OPTIONS)
+                setattr(page, name, compiled[function])
+    return pages[-1]
 
 
 def arguments() -> dict[str, tuple]:

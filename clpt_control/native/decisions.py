@@ -4,7 +4,7 @@
 
 A step of the solver across a kink is not accurate.  So during a step the rates hold every decision
 as it was at the beginning of the step: they are smooth, also a little beyond the kink.  If a step
-has passed a kink, at its end or at one of seven places before it, and states feel it, `solver`
+has passed a kink, at its end or at one of seven places before it, and states feel it, `kinks`
 locates the crossing and begins anew there, with new decisions.  A step is cut short where a kink
 may hide between two of these places.
 

@@ -17,7 +17,7 @@ from ..equations.arrays import Unread
 from ..equations.at_many import leaf_values
 from ..errors import SimulationError, Uncompiled
 from ..progress import warn
-from . import solver
+from . import layout
 from .ending import SENTENCES, Solution
 from .native_diagram import NativeDiagram
 from .python_diagram import PythonDiagram
@@ -78,7 +78,7 @@ def run_compared(runner: NativeDiagram, start: Any, times: Any, **options: Any) 
     except SimulationError as error:
         at_start = Solution(np.asarray(times[:1]), np.reshape(start, (1, -1)))
         why = difference(runner, at_start, options["inputs"])
-        if not why and SENTENCES[solver.NOT_FINITE] in str(error):  # Python's blocks find nothing
+        if not why and SENTENCES[layout.NOT_FINITE] in str(error):  # Python's blocks find nothing
             why = "what was read gives a number that is not finite, where Python gives one"
         if not why:
             raise
@@ -135,14 +135,14 @@ def _agrees(
     def evaluated(role: int, count: int, own: Schedule = pieces) -> np.ndarray:
         return runner.callee(1, inputs).evaluate(role, times, x, own, P, count)
 
-    machine = [evaluated(solver.SIGNALS, runner.nsignals) if signals is None else signals]
+    machine = [evaluated(layout.SIGNALS, runner.nsignals) if signals is None else signals]
     if runner.nstates:
-        machine.append(evaluated(solver.DERIVATIVE, runner.nstates))
+        machine.append(evaluated(layout.DERIVATIVE, runner.nstates))
     if sweep.jumping:
         every_jump = pieces.values.copy()
         every_jump[:, np.isin(pieces.places, list(runner.jumps.values()))] = JUMPS
         every = pieces._replace(values=every_jump)
-        machine.append(evaluated(solver.JUMP, runner.nstates, every))
+        machine.append(evaluated(layout.JUMP, runner.nstates, every))
     python = []
     for t, state in zip(times.tolist(), x, strict=True):
         u = None if inputs is None else inputs.at(t)

@@ -4,10 +4,10 @@ The name of a file is a hash of its sources, the versions and the processor, so 
 stale.  A file begins with the hash of its content, so one that was cut short is made again.  One
 thread at a time uses LLVM.
 
-The solver's text, `solver.ll`, is `solver.py` as Numba compiles it for no processor in particular
-(`tools/print_solver.py`).  Its functions take one array: the numbers of their arguments, as Numba
-has them.  Those of an array are two references that it does not own, count, size of an item,
-address, shape and strides.
+The solver's text, `solver.ll`, is `solver.py` and its pages as Numba compiles them for no processor
+in particular (`tools/print_solver.py`).  Its functions take one array: the numbers of their
+arguments, as Numba has them.  Those of an array are two references that it does not own, count,
+size of an item, address, shape and strides.
 """
 
 import hashlib

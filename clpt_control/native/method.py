@@ -22,8 +22,8 @@ from scipy.integrate import RK45
 from scipy.integrate._ivp import dop853_coefficients as table
 
 from ..equations.arrays import Tape, elementwise, operand
+from . import layout as row
 from . import rosenbrock as rodas
-from . import solver as row
 from .batch import Callee
 from .components import Components
 from .decisions import Port
@@ -74,7 +74,7 @@ def _sum(s: StepTape, weights: Any, first: int = row.RATE, total: Any = None) ->
 
 
 def _terms(s: StepTape, *terms: Any) -> Rows:
-    """Return the terms of an interpolant, as `solver.interpolate` sums them."""
+    """Return the terms of an interpolant, as `layout.interpolate` sums them."""
     every = [*terms, *[0.0 * s.z(row.STATE)] * (7 - len(terms))]
     return dict(enumerate(every, row.TERMS))
 

@@ -5,7 +5,7 @@
 
 Eight stages, stiffly accurate, A- and L-stable, with dense output of order 4, which is far less
 exact than the ends of steps where the equations are very stiff; so steps end at samples.  The
-matrix is factored by `solver`, where each U_s takes the place of the rate of its stage.
+matrix is factored by `implicit`, where each U_s takes the place of the rate of its stage.
 
 Steinebach, Construction of Rosenbrock-Wanner method Rodas5P and numerical benchmarks within the
 Julia Differential Equations package, BIT Numerical Mathematics 63, 2023, 27; the form above is
