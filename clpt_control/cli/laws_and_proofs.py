@@ -82,12 +82,16 @@ def prove(
     Example:
         clpt prove --theorem 3.2
     """
-    from ..theory.proving.two_processes import prove_all, second_process
+    from ..theory.proving.cached_outcomes import CachedOutcomes
+    from ..theory.proving.two_processes import begin, prove_all, second_process
 
     with second_process() as pool:
-        from ..theory.proving.all_proofs import CachedOutcomes, statements
+        cached = CachedOutcomes()
+        if theorem is None and (again or not cached.outcomes):
+            begin(pool)
+        from ..theory.proving.all_proofs import statements
 
-        wanted, cached = statements(theorem), CachedOutcomes()
+        wanted = statements(theorem)
         new = [one for one in wanted if again or one not in cached.outcomes]
         if new:
             with progress_bar("proving", len(new)) as report:

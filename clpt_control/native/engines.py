@@ -19,12 +19,12 @@ from ..errors import SimulationError, Uncompiled
 from ..progress import warn
 from . import layout
 from .ending import SENTENCES, Solution
+from .machine import ENGINE
 from .native_diagram import NativeDiagram
 from .python_diagram import PythonDiagram
 from .schedule import JUMPS, Inputs, Schedule
 
 ENGINES = ("native", "python")
-VARIABLE = "CLPT_CONTROL_ENGINE"  # environment variable that names another default
 
 
 def make_runner(
@@ -40,9 +40,9 @@ def make_runner(
     A diagram that cannot be compiled runs in Python, with a warning that calls it by `name`.  One
     whose inputs come `by_function` runs in Python too; ``engine="native"`` is then an error.
     """
-    wanted = engine or os.environ.get(VARIABLE) or "native"
+    wanted = engine or os.environ.get(ENGINE) or "native"
     if wanted not in ENGINES:
-        whose = "engine" if engine else f"the environment variable {VARIABLE}"
+        whose = "engine" if engine else f"the environment variable {ENGINE}"
         raise SimulationError(f"{whose} = '{wanted}': must be one of {', '.join(ENGINES)}")
     by_function = by_function and bool(wiring.ninputs)
     if engine == "native" and by_function:

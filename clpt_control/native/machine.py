@@ -29,6 +29,7 @@ from ..files import cache_folder, read_cached, write_cached
 from ..progress import note
 
 VARIABLE = "CLPT_CONTROL_PROCESSOR"
+ENGINE = "CLPT_CONTROL_ENGINE"  # environment variable that names another default
 LANES = 8  # runs side by side, or iterations of a loop at once
 MOST_FILES = 4000  # of a family, "solver-" or none, some 6 kB each; the least recently used go
 HASH = hashlib.sha256().digest_size

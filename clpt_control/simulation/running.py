@@ -19,7 +19,8 @@ from ..diagrams.interconnection import wiring_of_blocks, with_stop
 from ..diagrams.wiring import Params, Part, Sizes, Wiring, read_anew, units_of, wiring_of
 from ..equations.ports import ports_of, split, whole_labels
 from ..native.ending import Solution
-from ..native.engines import VARIABLE, make_runner, run_checked
+from ..native.engines import make_runner, run_checked
+from ..native.machine import ENGINE
 from ..native.native_diagram import NativeDiagram
 from ..native.schedule import read_inputs
 from ..scenario.experiment import Scenario
@@ -286,7 +287,7 @@ def ready(key: tuple[Any, Any] | None, make: Callable[[], Any]) -> Iterator[Any]
     A `key` comes with the objects whose identities are in it, which the cache keeps alive.  Without
     a key a run is made each time, and so is one in Python, whose warning is given each time.
     """
-    place = key and (key[0], os.environ.get(VARIABLE))
+    place = key and (key[0], os.environ.get(ENGINE))
     objects, run = _CACHE.pop(place, (None, None))
     if run is None:
         objects, run = key, make()

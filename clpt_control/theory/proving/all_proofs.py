@@ -1,4 +1,4 @@
-"""All that `clpt prove` proves: theorems, laws, a team; and the cache of their proofs.
+"""All that `clpt prove` proves: theorems, laws, a team.
 
 Every law of the table is proved with its own V on the equations that run.  One with
 V' <= -e^T KD e is proved; one with V' <= -e^T KD e + what is bounded is bounded, and the set that V
@@ -11,21 +11,9 @@ rising there.  Of a team V is the sum of the vehicles' V,
 Each vehicle has its own phi, zc, KD, GammaD and alpha_M; theta, gamma and kappa are one.  Shown
 for two vehicles, three in a row and three in a circle, exactly for every N.  As V
 never rises, e goes to zero by the lemma of Theorem 3.2 and neighbours agree likewise.
-
-Outcomes are stored in the user's cache.  The file's name is a digest of all that an outcome depends
-on: the package's own files, in which the equations are, the versions of what they stand on, the
-processor and the engine, by which counterexamples are computed.  So the outcome of other equations
-is never read.
 """
 
-import os
-import platform
 from collections.abc import Iterator
-from contextlib import suppress
-from datetime import UTC, datetime
-from functools import cache
-from importlib.metadata import version
-from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -35,9 +23,6 @@ from ...blocks.laws.law import Law
 from ...blocks.laws.table import LAWS
 from ...diagrams.interconnection import Diagram, connect
 from ...equations.ports import named, split, within
-from ...files import cache_folder, read_cached, write_cached
-from ...native.engines import VARIABLE
-from ...native.machine import code_name
 from ...scenario.team import TEAM_LAW, Team
 from ...simulation.loops import team_blocks
 from .fixes import fix_steps
@@ -176,10 +161,6 @@ def claimed_rate(loop: Loop, edges: tuple[tuple[str, str], ...]) -> Any:
     return -sum(falls) - kappa / gamma * sum(apart)
 
 
-PACKAGE = Path(__file__).parents[2]
-REQUIRED = ("clpt-control", "control", "numpy", "scipy", "sympy", "llvmlite")
-READ = (".py", ".toml", ".ll", ".c")  # equations, the paper's numbers, the solver
-MOST_FILES = 5  # of this and other versions that stay
 Outcome = Proof | list[dict[str, Any]]  # of misprints the rows of a table
 
 
@@ -213,50 +194,3 @@ def statements(theorem: str | None = None) -> list[Statement]:
         wanted += [Statement("limited_speed", name) for name in LIMITED_SPEED]
         wanted += [Statement("laws", name) for name in LAWS]
     return [*wanted, Statement("misprints")]
-
-
-class CachedOutcomes:
-    """The outcomes in the user's cache, and the times at which they were reached."""
-
-    def __init__(self) -> None:
-        folder = cache_folder()
-        self.path = folder / f"verdicts-{digest()}.json" if folder else None
-        self.outcomes: Outcomes = {}
-        self.times: dict[Statement, str] = {}
-        text = None if self.path is None else read_cached(self.path)
-        with suppress(ValueError):
-            for statement, time, outcome in rows().validate_json(text) if text else []:
-                self.outcomes[statement], self.times[statement] = outcome, time
-
-    def store(self, new: Outcomes) -> None:
-        """Store outcomes that were reached now; those that fail are proved again another time."""
-        now = datetime.now(UTC).isoformat(timespec="seconds")
-        self.outcomes |= new
-        self.times |= dict.fromkeys(new, now)
-        if self.path is None:
-            return
-        good = [(one, self.times[one], own) for one, own in self.outcomes.items() if holds(own)]
-        write_cached(self.path, rows().dump_json(good), MOST_FILES)
-
-
-@cache
-def rows() -> Any:
-    """Return the adapter that reads and writes statements, times and outcomes as JSON."""
-    from pydantic import TypeAdapter
-
-    return TypeAdapter(list[tuple[Statement, str, Outcome]])
-
-
-def holds(outcome: Outcome) -> bool:
-    """Return whether an outcome is what the package claims."""
-    if isinstance(outcome, Proof):
-        return outcome.holds
-    return all(one["confirmed"] for one in outcome)
-
-
-def digest() -> str:
-    """Return a name for all that an outcome depends on."""
-    paths = sorted(path for path in PACKAGE.rglob("*") if path.suffix in READ)
-    files = (f"{path.relative_to(PACKAGE)}\n{path.read_text('utf-8')}" for path in paths)
-    versions = platform.python_version(), *map(version, REQUIRED)
-    return code_name(*files, *versions, os.environ.get(VARIABLE, ""))

@@ -39,6 +39,7 @@ class Running:
     def __init__(self, system: control.NonlinearIOSystem, V: str = "V[0]"):
         self.system, self.wiring = system, wiring_of(system)
         self.V = [system.output_labels.index(V)] if V else []
+        self.jumps = any(node.system.jump_function is not None for node in self.wiring.nodes)
         self.set({})
 
     def set(self, params: Mapping[str, Any]) -> None:
@@ -48,20 +49,22 @@ class Running:
 
     def by_control(self, t: np.ndarray, x: np.ndarray, u: np.ndarray) -> Found:
         """Evaluate it as python-control does; the system's parameters are its own at the end."""
+        system, params = self.system, self.params or None
 
         def one(*point: Any) -> tuple:
+            if self.jumps:  # its states may jump between one point and the next
+                system._update_params(params)
             try:
-                with np.errstate(all="ignore"):  # linear systems say that they take no params
-                    rates = self.system.dynamics(*point, self.params or None)
-                    V = self.system._out(*point)[self.V] if self.V else [0.0]  # with the same
-                    return rates, *V
+                return system._rhs(*point), *(system._out(*point)[self.V] if self.V else [0.0])
             except RuntimeError:  # python-control's word for a NaN on its way
-                return np.full(self.system.nstates, np.nan), np.nan
+                return np.full(system.nstates, np.nan), np.nan
 
         try:
-            rates, V = zip(*map(one, t, x, u), strict=True)
+            system._update_params(params)  # once: it takes as long as the equations
+            with np.errstate(all="ignore"):
+                rates, V = zip(*map(one, t, x, u), strict=True)
         finally:
-            self.system._update_params({})
+            system._update_params({})
         return np.array(rates), np.array(V, dtype=float)
 
     def by_records(self, t: np.ndarray, x: np.ndarray, u: np.ndarray) -> Found:

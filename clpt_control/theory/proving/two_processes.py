@@ -26,6 +26,17 @@ def second_process() -> Iterator[Pool | None]:
         yield pool
 
 
+def begin(pool: Pool | None) -> None:
+    """Start the other process, which imports what proves while this one does so, too."""
+    if pool is not None:
+        pool.submit(make_ready)
+
+
+def make_ready() -> None:
+    """Import what proves."""
+    from . import all_proofs  # noqa: F401
+
+
 def answer(statement: "Statement") -> "Outcome":
     """Return an outcome from the other process."""
     return statement.prove()
