@@ -16,8 +16,9 @@ import numpy as np
 from scipy.linalg import orth
 
 from ..arguments import numbers, public
-from ..equations.arrays import COMPARISONS, CONDITIONS, MOVED, Tape, Unread, lifted, operand
+from ..equations.arrays import COMPARISONS, CONDITIONS, MOVED, Tape, Unread, operand
 from ..equations.derivative import JUMPS, Direction
+from ..equations.elementwise import lifted
 from ..equations.ports import ports_of
 from ..equations.record import Shape, compact, computed, reached
 from ..errors import ArgumentError, DiagramError

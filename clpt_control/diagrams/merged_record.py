@@ -17,8 +17,9 @@ from typing import Any
 import control
 import numpy as np
 
-from ..equations.arrays import Array, Tape, Unread, lifted, objects, operand, spread
+from ..equations.arrays import Array, Tape, Unread, objects, operand
 from ..equations.block import Block
+from ..equations.elementwise import lifted, spread
 from ..equations.ports import places, ports_of
 from ..equations.record import Operation, Record, Ref, Shape
 from .wiring import Node, Wire, Wiring

@@ -18,10 +18,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..equations.arrays import Array, Tape, elementwise, lifted, operand, spread, stacked
+from ..equations.arrays import Array, Tape, operand
 from ..equations.at_many import leaf_values
 from ..equations.block import Block
 from ..equations.derivative import STEPS, Direction
+from ..equations.elementwise import elementwise, lifted, spread, stacked
 from ..equations.ports import ports_of
 from ..equations.record import Record, Shape, bound, compact
 from ..equations.sampled import Sampled, inner_equations

@@ -14,7 +14,8 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import COMPARISONS, CONDITIONS, Array, Tape, Unread, elementwise, operand, spread
+from .arrays import COMPARISONS, CONDITIONS, Array, Tape, Unread, operand
+from .elementwise import elementwise, spread
 from .record import Ref, reached
 
 JUMPS = frozenset({"sign", "floor", "ceil", "trunc", "floordiv"})  # constant but for jumps

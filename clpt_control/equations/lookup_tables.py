@@ -14,7 +14,8 @@ import numpy as np
 
 from ..arguments import brief, public
 from ..errors import ArgumentError
-from .arrays import Array, Tape, Unread, boxed, elementwise, lifted, numbers_of, operand, where
+from .arrays import Array, Tape, Unread, numbers_of, operand
+from .elementwise import boxed, elementwise, lifted, where
 from .record import picked
 
 

@@ -10,19 +10,14 @@ from typing import Any
 import numpy as np
 
 from . import lookup_tables, views
-from .arrays import (
-    HOOKS,
-    Array,
-    Tape,
-    Unread,
-    active,
+from .arrays import HOOKS, Array, Tape, Unread, active, objects
+from .elementwise import (
     boxed,
     counts,
     elementwise,
     filled,
     is_truth,
     lifted,
-    objects,
     refuse_in_a_try,
     stacked,
     where,

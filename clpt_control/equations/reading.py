@@ -17,20 +17,10 @@ import numpy as np
 
 from ..errors import BlockError
 from .answers import AnsweringTape, Borrowed, Outside, Ports, located
-from .arrays import (
-    Array,
-    Tape,
-    Unread,
-    as_number,
-    filled,
-    lifted,
-    objects,
-    operand,
-    reading_on,
-    where,
-)
+from .arrays import Array, Tape, Unread, objects, operand, reading_on
 from .copies import Copies, borrowed
 from .declaration import Parameters
+from .elementwise import as_number, filled, lifted, where
 from .kept import Snapshot
 from .ports import places
 from .record import Record, Shape, compact, key_of

@@ -16,25 +16,8 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import (
-    READ,
-    Array,
-    Tape,
-    Unread,
-    active,
-    boxed,
-    counts,
-    elementwise,
-    in_a_try,
-    is_of_numpy,
-    lifted,
-    moves,
-    objects,
-    refuse_in_a_try,
-    single,
-    where,
-    whole,
-)
+from .arrays import Array, Tape, Unread, active, is_of_numpy, moves, objects, single, whole
+from .elementwise import READ, boxed, counts, elementwise, in_a_try, lifted, refuse_in_a_try, where
 from .lookup_tables import function_of, is_table
 from .numpy_functions import apply_function, in_order
 from .ufuncs import apply_ufunc

@@ -7,20 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import (
-    HOOKS,
-    UFUNCS,
-    Array,
-    Tape,
-    as_number,
-    elementwise,
-    is_of_numpy,
-    is_truth,
-    lifted,
-    objects,
-    total,
-    where,
-)
+from .arrays import HOOKS, Array, Tape, is_of_numpy, objects
+from .elementwise import as_number, elementwise, is_truth, lifted, total, where
+from .record import UFUNCS
 from .views import copied, depends, into, of_numbers, refuse, repacked, tape_of
 
 

@@ -14,24 +14,17 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import (
-    HOOKS,
+from .arrays import HOOKS, Array, Tape, Unread, numbers_of, objects, operand, whole
+from .elementwise import (
     OF_WHOLE,
     TRUTH,
-    Array,
     Masked,
-    Tape,
-    Unread,
     as_number,
     boxed,
     constant,
     in_a_try,
     lifted,
-    numbers_of,
-    objects,
-    operand,
     stacked,
-    whole,
 )
 from .record import MOST_NUMBERS, Ref, Shape, viewed
 

@@ -22,7 +22,7 @@ from typing import Any
 
 import numpy as np
 
-from ..equations.arrays import elementwise, where
+from ..equations.elementwise import elementwise, where
 
 MAGIC = 6755399441055744.0  # 1.5 * 2^52: added to a whole number, it stands in the low bits
 LN2, LN2_LOW = 0.6931471805599453, 2.3190468138462996e-17

@@ -151,8 +151,8 @@ class Machine:
 @cache
 def _printers() -> str:
     """Return a hash of what LLVM's text of a program depends on besides the program."""
-    files = [*sorted(HERE.glob("*.py")), HERE.parent / "equations" / "arrays.py"]
-    texts = b"".join(file.read_bytes() for file in files)
+    rooms = (HERE, HERE.parent / "equations")
+    texts = b"".join(file.read_bytes() for room in rooms for file in sorted(room.glob("*.py")))
     return hashlib.sha256(texts).hexdigest() + version("numpy")
 
 

@@ -21,7 +21,8 @@ from numpy import ceil, maximum, minimum, power, sqrt, where
 from scipy.integrate import RK45
 from scipy.integrate._ivp import dop853_coefficients as table
 
-from ..equations.arrays import Tape, elementwise, operand
+from ..equations.arrays import Tape, operand
+from ..equations.elementwise import elementwise
 from . import layout as row
 from . import rosenbrock as rodas
 from .batch import Callee
