@@ -231,6 +231,30 @@ def test_what_moves_a_jump_is_refused(system, to, start, said):
         clpt.sensitivity(system, np.linspace(0.0, 3.5, 36), to=to, initial_state=[start])
 
 
+def faster(w=0.0):
+    """x' = 1 below a, 3 above: x = 3 (t + x0) - 2 a behind, beside w, whose effect is larger."""
+    return control.nlsys(
+        lambda t, x, u, p: [np.where(x[0] < p["a"], 1.0, 3.0), 0.0],
+        lambda t, x, u, p: x[0] + p["w"] * t,
+        **{"name": "faster", "inputs": 0, "outputs": ["y"], "states": ["x", "z"]},
+        params={"a": 1.0, "w": w},
+    )
+
+
+@pytest.mark.parametrize(
+    ("to", "w", "times"),
+    [
+        (("a", "x0.x"), 0.0, [0.0, 0.5, 1.5, 2.0]),
+        (("w", "a"), 1e5, [0.0, 0.5, 1.5, 2.0]),
+        (("a",), 0.0, [0.0, 2.0]),
+    ],
+    ids=["two that cancel", "beside a large one", "at the last sample alone"],
+)
+def test_no_jump_hides(to, w, times):
+    with pytest.raises(clpt.SimulationError, match="do not confirm its derivative by a"):
+        clpt.sensitivity(faster(w), times, to=to)
+
+
 def test_before_and_behind_a_jump_all_is_known():
     before = clpt.sensitivity(stepping(), np.linspace(0.0, 0.5, 6), to="edge")
     assert not before.x.values.any()
