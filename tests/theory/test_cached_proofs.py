@@ -3,6 +3,7 @@
 import json
 import multiprocessing
 import os
+import threading
 
 import pytest
 from processes import GUARD
@@ -130,6 +131,28 @@ def test_a_verdict_comes_back_as_it_was():
     }
     CachedOutcomes().store(found)
     assert CachedOutcomes().outcomes == found
+
+
+@pytest.mark.processes
+def test_a_process_that_ends_amid_its_work_ends_no_other(monkeypatch):
+    wanted, asked, raised = [Statement("laws", f"unknown-{k}") for k in range(9)], [], []
+    monkeypatch.setattr(threading, "excepthook", raised.append)
+
+    def prove(part):
+        asked.append(part)
+        if len(asked) == 4:  # what was given to the other is not all that is left
+            for process in multiprocessing.active_children():
+                process.kill()
+        return part.name
+
+    monkeypatch.setattr(Statement, "prove", prove)
+    before = set(threading.enumerate())
+    with second_process() as pool:
+        assert prove_all(wanted, pool=pool) == {one: one.name for one in wanted}
+        for thread in set(threading.enumerate()) - before:
+            thread.join(GUARD)
+    assert sorted(asked) == sorted(wanted)
+    assert raised == []
 
 
 @pytest.mark.processes

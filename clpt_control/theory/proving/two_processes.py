@@ -5,6 +5,7 @@ the first ones run.
 """
 
 import os
+from collections import deque
 from collections.abc import Callable, Iterator
 from concurrent.futures import Future
 from contextlib import contextmanager, nullcontext, suppress
@@ -48,19 +49,33 @@ def prove_all(
     pool: Pool | None = None,
 ) -> "Outcomes":
     """Prove statements, some of them in a pool; `report` is called with the number done."""
-    found, theirs = dict["Statement", "Outcome"](), dict["Statement", Future]()
+    left, found, theirs = deque(statements), dict["Statement", "Outcome"](), []
+
+    def hand_over(done: Future | None = None) -> None:
+        """Give the last that is left to the other process, which has nothing to do."""
+        assert pool is not None
+        with suppress(IndexError):
+            one = left.pop()
+            try:
+                future = pool.submit(answer, one)
+            except RuntimeError:  # the pool is broken
+                left.append(one)
+            else:
+                theirs.append((one, future))
+                future.add_done_callback(hand_over)
+
     if pool is not None and len(statements) > 2:
-        with suppress(RuntimeError):  # the pool is broken
-            for one in reversed(statements):
-                theirs[one] = pool.submit(answer, one)
-    for one in statements:
+        hand_over()
+    while len(found) < len(statements):
         interrupt.check()
-        future = theirs.pop(one, None)
-        if future is None or future.cancel():  # the other has not begun it
-            found[one] = one.prove()
+        try:
+            one = left.popleft()
+        except IndexError:
+            interrupt.wait(0.05)
         else:
-            while not future.done():
-                interrupt.wait(0.05)
-            found[one] = one.prove() if future.exception() else future.result()
-        report(len(found) + sum(future.done() for future in theirs.values()))
+            found[one] = one.prove()
+        for one, future in theirs:
+            if one not in found and future.done():
+                found[one] = one.prove() if future.exception() else future.result()
+        report(len(found))
     return found
