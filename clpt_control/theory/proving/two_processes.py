@@ -52,7 +52,7 @@ def prove_all(
     left, found, theirs = deque(statements), dict["Statement", "Outcome"](), []
 
     def hand_over(done: Future | None = None) -> None:
-        """Give the last that is left to the other process, which has nothing to do."""
+        """Hand the last that is left to the other process, which has nothing to do."""
         assert pool is not None
         with suppress(IndexError):
             one = left.pop()
