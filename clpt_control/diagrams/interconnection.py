@@ -14,7 +14,7 @@ import numpy as np
 
 from ..arguments import brief, nearest, public
 from ..equations.block import Block
-from ..equations.declaration import Guard, check_names
+from ..equations.declaration import Guard, Parameters, check_names
 from ..equations.ports import labels, whole_labels
 from ..equations.system import System, is_linear
 from ..errors import BlockError, DiagramError
@@ -254,6 +254,7 @@ def connect(
     parts = [as_part(block, discrete) for block in blocks]
     check_names(name)
     makers, users, outside = match_ports(parts, external)
+    _check_params(parts)
     fed, makes = (sum(part.ninputs for part in parts), sum(part.noutputs for part in parts))
     size = 8 * (2 * fed + makes) * makes  # bytes of python-control's full matrices
     if size > MOST_BYTES:
@@ -284,6 +285,20 @@ def connect(
     )
     diagram.__class__ = Diagram
     return diagram
+
+
+def _check_params(parts: Sequence[Part]) -> None:
+    """Refuse a name with two values: python-control gives all systems the last one's."""
+    owners: dict[str, Part] = {}
+    for part in parts:
+        for key, value in part.params.items():
+            other = owners.setdefault(key, part)
+            if not isinstance(value, Parameters) and not np.array_equal(other.params[key], value):
+                raise DiagramError(
+                    f"{key} = {brief(value)} of {part.name} is {brief(other.params[key])} of "
+                    f"{other.name}: python-control would give both the last; rename one, or give "
+                    f"both one value and call with params={{'{other.name}.{key}': ...}}"
+                )
 
 
 def wiring_of_blocks(blocks: Sequence[Part], external: Iterable[str] = ()) -> Wiring:

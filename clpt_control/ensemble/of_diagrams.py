@@ -65,6 +65,11 @@ class VariedDiagram(Varied):
         self.wiring = wiring_of(diagram, self.params, sizes)
         self.outputs, taken, states = labels_of(diagram, self.wiring)
         labels = {name for own in (taken, states) for name in (*own, *ports_of(own))}
+        labels |= {
+            f"{node.name}.{field}"
+            for node in self.wiring.nodes
+            for field in node.system.parameters._fields
+        }
         if undeclared := self._undeclared(varies, labels):
             self.params |= undeclared
             self.wiring = wiring_of(diagram, self.params, sizes)
@@ -86,14 +91,15 @@ class VariedDiagram(Varied):
             raise ScenarioError("vary: an input cannot vary where inputs are a function")
         self._check_apart()
 
-    def _undeclared(self, varies: Sequence[Vary], labels: Collection[str]) -> dict[str, Any]:
+    def _undeclared(self, varies: Sequence[Vary], known: Collection[str]) -> dict[str, Any]:
         """Return parameters of python-control's systems that vary, but are no floats.
 
-        One with the name of a state or an input counts if a function is known to read it.
+        One with a known name, of a state, an input or a block's own parameter, counts if a
+        function is known to read it.
         """
 
         def asked(s: System, key: str) -> bool:
-            return key not in s.params and (key in s.names if key in labels else s.mentions(key))
+            return key not in s.params and (key in s.names if key in known else s.mentions(key))
 
         params: dict[str, Any] = {}
         systems = [node.system for node in self.wiring.nodes if isinstance(node.system, System)]

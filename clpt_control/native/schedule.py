@@ -17,6 +17,7 @@ import numpy as np
 
 from ..arguments import numbers
 from ..errors import SimulationError
+from .sweep import moved_to
 
 STRAIGHT = 1e-14  # of the largest value: a smaller distance from a straight line is rounding
 SHARP = 10.0  # a bend is sharp if it is so many times as large as most
@@ -215,8 +216,9 @@ def make_schedule(
     sweep, compiled, kinks = diagram.sweep, diagram.ramp >= 0, np.zeros(0)
     if inputs is not None and inputs.samples is not None:
         kinks = inputs.kinks if compiled else inputs.sharp_bends(felt)
-    jumping = _merged(sweep.breakpoints(t0, t1), diagram.breaks(t0, t1))
-    edges = _merged(jumping, kinks)
+    jumps = sweep.breakpoints(t0, t1)
+    jumping = _merged(jumps, moved_to(jumps, diagram.breaks(t0, t1)))
+    edges = _merged(jumping, moved_to(jumps, kinks))
     starts = np.concatenate([[t0], edges[(edges > t0) & (edges < t1)], [t1]])
     if sweep.wiring.dt:
         starts = np.unique(np.asarray(times)[np.searchsorted(times, starts)])

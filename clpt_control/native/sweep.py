@@ -86,11 +86,7 @@ class Sweep:
         A sample at a jump is then taken after the jump.
         """
         first, last = float(times[0]), float(times[-1] + _rounding(times[-1]))
-        jumps = self.breakpoints(first, last)
-        if not len(jumps):
-            return times.copy()
-        following = np.append(jumps, np.inf)[np.searchsorted(jumps, times)]
-        moved = np.where(following - times <= _rounding(times), following, times)
+        moved = moved_to(self.breakpoints(first, last), times)
         return moved if np.all(np.diff(moved) > 0) else times
 
     def enter(self, t: float) -> None:
@@ -212,6 +208,12 @@ class Sweep:
                     sentence = f"{what} {label} of block {node.name} is not finite; {advice}"
                     return system.raised.get(role) or sentence
         return None
+
+
+def moved_to(jumps: np.ndarray, times: np.ndarray) -> np.ndarray:
+    """Return times, of which those before a jump by rounding alone are moved to it."""
+    following = np.append(jumps, np.inf)[np.searchsorted(jumps, times)]
+    return np.where(following - times <= _rounding(times), following, times)
 
 
 def _rounding(times: np.ndarray) -> np.ndarray:

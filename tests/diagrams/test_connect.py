@@ -164,6 +164,19 @@ def test_what_cannot_be_a_part_is_refused_in_a_sentence(part, said):
     assert "\n" not in str(caught.value)
 
 
+def test_two_values_of_one_parameter_are_refused():
+    """python-control gives both systems that of the last."""
+
+    def leak(k, name, u, y):
+        return control.nlsys(leaks, None, inputs=u, outputs=y, states=1, params={"k": k}, name=name)
+
+    with pytest.raises(DiagramError, match=r"k = 3\.0 of two is 1\.0 of one: .*{'one\.k': \.\.\.}"):
+        clpt.connect([leak(1.0, "one", "u", "v"), leak(3.0, "two", "v", "y")], external="u")
+    loop = clpt.connect([leak(3.0, "one", "u", "v"), leak(3.0, "two", "v", "y")], external="u")
+    run = clpt.simulate(loop, TIMES, 1.0, params={"one.k": 1.0})
+    np.testing.assert_allclose(run.v, 1 - np.exp(-TIMES), atol=1e-7)
+
+
 def test_one_vehicle_of_two_diagrams_is_reached_by_its_name():
     own = clpt.closed_loop(clpt.paper_scenario())
     a, b = own.copy(name="a"), own.copy(name="b")

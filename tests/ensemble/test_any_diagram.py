@@ -169,6 +169,19 @@ def test_what_cannot_be_compiled_runs_in_python_and_says_so():
     np.testing.assert_allclose(data.y_final, np.exp(-5 * rates), rtol=0, atol=1e-9)
 
 
+def test_an_array_varies_beside_what_reads_any_parameter():
+    """Whatever is named could be one that `total` asks its params for."""
+
+    def total(t, x, u, p):
+        return [{k.upper(): v for k, v in p.items()}["A"] * u[0]]
+
+    gain = control.nlsys(None, total, inputs="y", outputs="v", params={"a": 2.0}, name="total")
+    loop = clpt.connect([control.ss(-1, 1, 1, 0, inputs="r", outputs="y", name="lag"), gain], "r")
+    data = clpt.run_ensemble(loop, {"lag.A": "-2:-1"}, 3, timepts=[0, 1.0], inputs=1.0)
+    A = data["lag.A"].values.ravel()
+    np.testing.assert_allclose(data.v_final, 2 * (np.exp(A) - 1) / A, atol=1e-8)
+
+
 def test_a_slash_in_a_name_is_kept_in_files(tmp_path):
     """A team's diagram has the ports west/x and east/x."""
     labels = {port: [f"west/{port[0]}[{k}]" for k in (0, 1)] for port in ("xstates", "youtputs")}

@@ -106,6 +106,20 @@ def test_two_rates_in_one_loop(engine):
     np.testing.assert_allclose(np.transpose([run.y, run.v]), found, atol=1e-9)
 
 
+@every_engine
+def test_two_rates_meet_where_the_input_is_sampled(engine):
+    """6 x 0.1, 2 x 0.3 and a sample of r are one time, and not one float."""
+    fast = clpt.parts.hold(0.1, name="fast", u="r", y="h")
+    slow = clpt.parts.hold(0.3, name="slow", u="h", y="g")
+    loop = clpt.connect([fast, slow, clpt.parts.lag(1.0, u="g", y="y")], external="r")
+    times = np.arange(15) / 5
+    r = np.random.default_rng(2).standard_normal(15)
+    run = clpt.simulate(loop, times, [r], engine=engine)
+    for port, dt in (("h", 0.1), ("g", 0.3)):
+        expected = np.interp(dt * np.floor(times / dt + 1e-9), times, r)
+        np.testing.assert_allclose(run[port], expected, atol=1e-12)
+
+
 def stepped(t, x, u, params):
     integral = x[0] + 0.1 * u[0]
     return np.where(
