@@ -8,7 +8,7 @@ checks each for one N; `invariants` makes the proof of the checks.
 import math
 from collections.abc import Callable, Mapping, Set
 from dataclasses import replace
-from functools import cached_property
+from functools import cache, cached_property
 from itertools import combinations_with_replacement
 from typing import Any
 
@@ -226,7 +226,7 @@ class InvariantLoop:
             return False
         of = {s: shares.get(tuple(int(s == one) for one in symbols), 0) for s in symbols}
         for M in matrices.values():
-            c = _any(len(M))
+            c = _any(len(M), "d")
             pairs = combinations_with_replacement(range(len(M)), 2)  # M_jk stands for M_kj too
             parts.append(sympy.Add(*(sympy.expand(c[j] * c[k] * of[M[j, k]]) for j, k in pairs)))
         parts.append(shares.get((0,) * len(symbols), sympy.S.Zero))
@@ -268,9 +268,10 @@ class InvariantLoop:
         return sympy.expand(expression - 1 + trace / self.parameters.largest) == 0
 
 
-def _any(n: int) -> np.ndarray:
-    """Return n symbols that may be any numbers."""
-    return np.array(sympy.symbols(f"c_1:{n + 1}", real=True, cls=sympy.Dummy), dtype=object)
+@cache
+def _any(n: int, name: str = "c") -> np.ndarray:
+    """Return n symbols that may be any numbers, the same ones each time: what is found of them."""
+    return np.array(sympy.symbols(f"{name}_1:{n + 1}", real=True, cls=sympy.Dummy), dtype=object)
 
 
 def _solved(relations: dict[Any, sympy.Expr]) -> dict[Any, sympy.Expr]:

@@ -23,14 +23,15 @@ from .proof import short
 from .words import CLIP, INSIDE, decided, interval, pieces_of, sector_of, words_of
 
 
+@lru_cache(maxsize=1000)  # much is the same for each N
 def vanishes(expression: Any) -> bool:
     """Return whether an expression is zero; one that divides by zero is not."""
     expression = sympy.sympify(expression)
     parts = _parts(expression)
     if not parts:
         return expression == 0
-    polynomials, *_ = ring(sorted(parts, key=str), sympy.QQ)
-    p, q = _fraction(expression, polynomials)
+    polynomials, *_ = ring(sorted(parts, key=str), sympy.ZZ)
+    p, q = _fraction(expression, polynomials, {})
     if p == 0 or q == 0 or all(isinstance(part, sympy.Symbol | AppliedUndef) for part in parts):
         return p == 0 and q != 0
     p, q = map(sympy.expand, sympy.fraction(sympy.together(expression)))
@@ -51,22 +52,34 @@ def _parts(expression: sympy.Expr) -> set[sympy.Expr]:
     return set() if expression.is_Rational else {expression}
 
 
-def _fraction(e: sympy.Expr, polynomials: PolyRing) -> tuple[PolyElement, PolyElement]:
+Fraction = tuple[PolyElement, PolyElement]
+
+
+def _fraction(e: sympy.Expr, polynomials: PolyRing, known: dict[sympy.Expr, Fraction]) -> Fraction:
     """Return p and q of an expression p/q; SymPy's own field takes much longer, with divisors."""
+    if e not in known:
+        known[e] = _read(e, polynomials, known)
+    return known[e]
+
+
+def _read(e: sympy.Expr, polynomials: PolyRing, known: dict[sympy.Expr, Fraction]) -> Fraction:
     if e.is_Add:
         numerators: dict[PolyElement, list[PolyElement]] = {}  # by their denominator
-        for p, q in (_fraction(one, polynomials) for one in e.args):
+        for p, q in (_fraction(one, polynomials, known) for one in e.args):
             numerators.setdefault(q, []).append(p)
         p, q = polynomials.zero, polynomials.one
         for other, shares in numerators.items():
             p, q = p * other + polynomials.add(*shares) * q, q * other
         return p, q
     if e.is_Mul:
-        tops, bottoms = zip(*(_fraction(one, polynomials) for one in e.args), strict=True)
-        return polynomials.mul(*tops), polynomials.mul(*bottoms)
+        both = zip(*(_fraction(one, polynomials, known) for one in e.args), strict=True)
+        p, q = (polynomials.mul(*factors) for factors in both)
+        return p, q
     if e.is_Pow and e.exp.is_Integer:
-        p, q = _fraction(e.base, polynomials)[:: 1 if e.exp > 0 else -1]
+        p, q = _fraction(e.base, polynomials, known)[:: 1 if e.exp > 0 else -1]
         return p ** abs(int(e.exp)), q ** abs(int(e.exp))
+    if e.is_Rational:
+        return polynomials.ground_new(e.p), polynomials.ground_new(e.q)
     return polynomials.from_expr(e), polynomials.one
 
 
