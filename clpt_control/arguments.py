@@ -217,7 +217,12 @@ def _parts(kind: Any) -> tuple[Any, tuple[Any, ...]]:
 
 
 def _inner(value: Any, kind: Any) -> bool:
-    return fits(value, kinds_of(kind, {}))
+    return fits(value, _inner_kinds(kind))
+
+
+@cache
+def _inner_kinds(kind: Any) -> Kinds:
+    return kinds_of(kind, {})
 
 
 def _is_list(value: Any, own: Any, inner: Kinds) -> bool:

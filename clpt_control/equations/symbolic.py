@@ -275,7 +275,7 @@ def _atom(inside: sympy.Expr, indices: list[tuple[str, str]]) -> sympy.Expr:
             for (_, size), new in zip(order, names, strict=False)
         ]
         found.append(SUM(reindexed(inside, moved), *(one for pair in pairs for one in pair)))
-    return min(found, key=str)
+    return min(found, key=str) if len(found) > 1 else found[0]
 
 
 def base_and_term(expression: sympy.Expr, index: str = "k") -> tuple[sympy.Expr, sympy.Expr]:

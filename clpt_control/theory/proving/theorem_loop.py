@@ -12,7 +12,7 @@ that run.
 """
 
 from collections.abc import Callable, Iterable
-from functools import partial
+from functools import cache, partial
 from typing import Any, Literal
 
 import numpy as np
@@ -49,6 +49,7 @@ AT_FIXES = {  # of a law that learns at fixes: the interval, and gains that it d
 Hedging = Literal["no limit", "hedged", "not hedged"]
 
 
+@cache
 def theorem_scenario(
     N: int, law: str, disturbed: bool = False, speed: Hedging = "no limit"
 ) -> Scenario:
@@ -246,7 +247,7 @@ def identity_steps(text: str, law: str, claim: Claim, points: int, **more: Any) 
     `text` is the claim in words, `more` what `theorem_loop` takes.  A failed exact step says what
     does not cancel, the other where.
     """
-    diagram = partial(theorem_loop, WIRED, law, **more)
+    diagram = cache(partial(theorem_loop, WIRED, law, **more))
 
     def read() -> tuple:
         loop = symbolic_loop(built := diagram())

@@ -17,6 +17,7 @@ expression grows with such states is its degree: 0 is bounded, 1 is linear.
 """
 
 from collections.abc import Callable, Mapping
+from functools import lru_cache
 from math import inf
 from operator import ge, gt, le, lt
 from typing import Any, NamedTuple
@@ -128,6 +129,7 @@ def _falls(exponent: sympy.Expr, low: Any, high: Any) -> bool:
     return bool(low.is_positive or (exponent.is_odd and high.is_negative))
 
 
+@lru_cache(maxsize=10_000)
 def interval(e: sympy.Expr) -> tuple[Any, Any]:
     """Return the numbers between which an expression lies, whatever its symbols are."""
     if e.is_number and e.is_real:
@@ -225,8 +227,9 @@ def along(expression: sympy.Expr, known: dict[Any, sympy.Expr]) -> sympy.Expr:
         if e.is_Add:
             return sympy.Add(*map(rate, e.args))
         if e.is_Mul:
-            rest = (sympy.Mul(*e.args[:k], *e.args[k + 1 :]) for k in range(len(e.args)))
-            return sympy.Add(*(rate(a) * b for a, b in zip(e.args, rest, strict=True)))
+            moving = [k for k, a in enumerate(e.args) if rate(a) != 0]
+            rest = (sympy.Mul(*e.args[:k], *e.args[k + 1 :]) for k in moving)
+            return sympy.Add(*(rate(e.args[k]) * b for k, b in zip(moving, rest, strict=True)))
         if e.is_Pow and e.exp.is_Number:
             return e.exp * e.base ** (e.exp - 1) * rate(e.base)
         if (derivative := slope_of(e, rate)) is not None:
