@@ -61,12 +61,12 @@ OF_ALL: tuple[Any, ...] = (  # whose numbers the functions of these modules draw
 class Snapshot:
     """What objects kept before a reading, and in which states the ways through it left them."""
 
-    def __init__(self) -> None:
+    def __init__(self, chance: Iterable[Any]) -> None:
         self._watched: dict[int, tuple[Any, Any]] = {}  # an object, and what it kept before
         # by what tells it apart, each state: of every object that differs what it keeps
         self.left: dict[Any, dict[int, Any]] = {}
         self.asking: dict[int, dict[str, Any]] = {}  # modules of functions that ask for a type
-        self._chance = {id(one): (one, _chance_of(one)) for one in OF_ALL}
+        self._chance = {id(one): (one, _chance_of(one)) for one in chance}
 
     def add(self, value: Any, deep: int = DEEP) -> None:
         """Watch an object, and those within it."""

@@ -6,7 +6,7 @@ A question (``if u[0] > 0``) is answered both ways: the function runs again with
 answer, and what the ways return is joined by `where`.  A way that raises is NaN.  A signal that
 Python counts with is asked which whole number it is, up to the first IndexError.  What is read
 twice, and from each state in which a way left what the function reaches (`kept`), must be the same:
-else a state or chance hides in the function.
+else a state or chance hides in the function.  The package's own functions are read once.
 """
 
 from collections.abc import Callable, Mapping
@@ -21,7 +21,7 @@ from .arrays import Array, Tape, Unread, objects, operand, reading_on
 from .copies import Copies, borrowed
 from .declaration import Parameters
 from .elementwise import as_number, filled, lifted, where
-from .kept import Snapshot
+from .kept import OF_ALL, Snapshot
 from .ports import places
 from .record import Record, Shape, compact, key_of
 from .stand_ins import UNSEEDED
@@ -55,6 +55,7 @@ class Request(NamedTuple):
     shapes: Mapping[str, Shape]  # of the parameters that are leaves; others have their values
     out: Mapping[str, Shape]
     wrap: Callable[[dict[str, Any]], Any] | None = None  # else as the Parameters of a block
+    known: bool = False  # to keep nothing and to draw nothing, as the package's own functions
 
     @property
     def name(self) -> str:
@@ -62,17 +63,17 @@ class Request(NamedTuple):
         return getattr(self.function, "__name__", type(self.function).__name__)
 
 
-def read(*arguments: Any) -> Read:
+def read(*arguments: Any, **more: Any) -> Read:
     """Return the record of a function, and the parameters whose values it is made with.
 
     It takes the fields of `Request`.  Raises `Unread` where it cannot be read.
     """
-    request = Request(*arguments)
+    request = Request(*arguments, **more)
     spaces: list[dict[str, Any]] = []
     reads: list[Read] = []
-    snapshot = Snapshot()
+    snapshot = Snapshot(() if request.known else OF_ALL)
     try:
-        while len(reads) < max(2, 1 + len(snapshot.left)):
+        while len(reads) < max(1 if request.known else 2, 1 + len(snapshot.left)):
             states = [{}, *snapshot.left.values()]
             state = states[min(len(reads), len(states) - 1)]
             try:

@@ -22,7 +22,7 @@ from ..promises import truth_of
 from ..squares import holds_all, squares
 from .array_loop import TIME
 from .proof import Step, short
-from .signs import left_over, nonpositive, positive_maximum, vanishes
+from .signs import as_factors, left_over, nonpositive, positive_maximum, vanishes
 from .symbolic_loop import SymbolicLoop, equated, flat, symbolic_loop
 from .theorem_loop import Hedging, law_and_V, law_loop, rate_of_V, theorem_scenario, tied, truth_in
 
@@ -194,7 +194,7 @@ class InvariantLoop:
         M[-1, -1] = -np.dot(M[-1, :-1], c[:-1])
         at = dict(zip(self.matrices[port].ravel(), M.ravel(), strict=True))
         rate = sympy.sympify(c @ self.rates[port] @ c)
-        form = sympy.factor(sympy.expand(rate.xreplace(at)))
+        form = as_factors(rate.xreplace(at))
         return bool(form.is_nonnegative) and not self.forks(rate)
 
     def forks(self, rate: sympy.Expr) -> bool:
@@ -265,7 +265,7 @@ class InvariantLoop:
         if self.weighted_error is None:
             return False
         trace = sum(self.matrices["P"].diagonal())
-        return sympy.expand(expression - 1 + trace / self.parameters.largest) == 0
+        return vanishes(expression - 1 + trace / self.parameters.largest)
 
 
 @cache

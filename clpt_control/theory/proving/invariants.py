@@ -145,7 +145,7 @@ def _why_rising(case: InvariantLoop) -> str:
         return "its states jump, and what its errors do there is not judged"
     (w,), (rate,) = case.states[case.law.error_left], case.rates[case.law.error_left]
     f = -case.masked(rate) / w  # each maximum(a, b) with a positive one a positive symbol
-    if f.has(w) or not f.is_nonnegative or sympy.expand(f) == 0:
+    if f.has(w) or not f.is_nonnegative or vanishes(f):
         return f"{case.law.error_left}' = {short(rate)}"
     return ""
 

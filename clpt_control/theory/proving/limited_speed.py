@@ -22,7 +22,7 @@ import sympy
 from ...blocks.laws.law import Law
 from ...blocks.laws.table import LAWS
 from ...blocks.vehicle import speed_limit
-from ...diagrams.interconnection import connect
+from ...diagrams.interconnection import Diagram, connect
 from ...equations.arrays import Unread
 from ..counterexamples import limited_speed_counterexample
 from .array_loop import ArrayLoop
@@ -31,7 +31,7 @@ from .lemmas import definite_step, dissipation_step, learned_loop, wanted_rates,
 from .proof import Proof, checked, theorem
 from .signs import left_over, vanishes
 from .symbolic_loop import symbolic_loop
-from .theorem_loop import Hedging, decay, identity_steps, law_and_V, law_loop, rate_of_V, zero_step
+from .theorem_loop import decay, identity_steps, law_and_V, law_loop, rate_of_V, zero_step
 from .words import MAXIMUM
 
 POINTS = 1_000  # at which the running blocks are called
@@ -40,10 +40,8 @@ OPEN = "Theorem 3.2 where the vehicle's speed is limited, which the paper leaves
 SLOWER = "|F_R| stays below some F < v_max"
 
 
-def pair_of(law: Law) -> list[ArrayLoop]:
-    """Return a law's loop without a limit and hedged, for every N where that is read."""
-    speeds: tuple[Hedging, ...] = ("no limit", "hedged")
-    diagrams = [law_loop(law, *law_and_V(law, N, speed), speed) for speed in speeds]
+def read_for_every_N(*diagrams: Diagram) -> list[ArrayLoop]:
+    """Return loops for every N where that is read."""
     try:
         return [ArrayLoop(one, jumps=True) for one in diagrams]
     except Unread:
@@ -52,7 +50,9 @@ def pair_of(law: Law) -> list[ArrayLoop]:
 
 def differs(law: Law) -> str:
     """Return how a hedged law differs from the one without a limit, or nothing."""
-    free, hedged = pair_of(law)
+    case = None if law.invariants is None else InvariantLoop(law, N, "hedged")
+    limited = case.diagram if case else law_loop(law, *law_and_V(law, N, "hedged"), "hedged")
+    free, hedged = read_for_every_N(law_loop(law, *law_and_V(law, N)), limited)
     flown = zip(hedged.read(hedged.inputs["v_x"]), free.read(free.signals["v_x"]), strict=True)
     as_flown = dict(flown)
 
@@ -70,7 +70,7 @@ def differs(law: Law) -> str:
     for block, jump in free.jumps.items():
         if any(apart(new, hedged.jumps[block][port]) for port, new in jump.items()):
             return "its states jump otherwise"
-    return InvariantLoop(law, N, "hedged").broken() if law.invariants is not None else ""
+    return case.broken() if case else ""
 
 
 def same_rate_of_every_law() -> tuple[bool, str]:

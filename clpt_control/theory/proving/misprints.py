@@ -17,6 +17,7 @@ from ...equations.symbolic import expressions
 from ...simulation.loops import error_loop
 from .lemmas import errors, wanted_rates
 from .proof import checked
+from .signs import vanishes
 from .symbolic_loop import SymbolicLoop, symbolic_loop
 from .theorem_loop import rate_of_V, theorem_loop, theorem_scenario
 
@@ -104,7 +105,7 @@ def _error_dynamics() -> tuple[sympy.Matrix, sympy.Matrix, sympy.Matrix, sympy.S
 
 
 def _zero(values: Any) -> bool:
-    return all(sympy.expand(value) == 0 for value in np.ravel(values))
+    return all(map(vanishes, np.ravel(values)))
 
 
 def brackets(loop: SymbolicLoop, before_K: Any, before_alpha: Any, flow: Any) -> sympy.Expr:

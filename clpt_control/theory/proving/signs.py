@@ -16,7 +16,7 @@ from typing import Any
 
 import sympy
 from sympy.core.function import AppliedUndef
-from sympy.polys.rings import PolyElement, PolyRing, ring
+from sympy.polys.rings import PolyElement, PolyRing
 
 from ...errors import DiagramError
 from .proof import short
@@ -28,14 +28,18 @@ def vanishes(expression: Any) -> bool:
     """Return whether an expression is zero; one that divides by zero is not."""
     expression = sympy.sympify(expression)
     parts = _parts(expression)
-    if not parts:
-        return expression == 0
-    polynomials, *_ = ring(sorted(parts, key=str), sympy.ZZ)
-    p, q = _fraction(expression, polynomials, {})
+    p, q = _fraction(expression, _polynomials(parts), {})
     if p == 0 or q == 0 or all(isinstance(part, sympy.Symbol | AppliedUndef) for part in parts):
         return p == 0 and q != 0
     p, q = map(sympy.expand, sympy.fraction(sympy.together(expression)))
     return p == 0 and q != 0
+
+
+@lru_cache(maxsize=1000)
+def as_factors(expression: sympy.Expr) -> sympy.Expr:
+    """Return an expression as one fraction of factors."""
+    p, q = _fraction(expression, _polynomials(_parts(expression)), {})
+    return sympy.factor(p.as_expr()) / sympy.factor(q.as_expr())
 
 
 def left_over(residual: Any) -> str:
@@ -50,6 +54,10 @@ def _parts(expression: sympy.Expr) -> set[sympy.Expr]:
     if expression.is_Pow and expression.exp.is_Integer:
         return _parts(expression.base)
     return set() if expression.is_Rational else {expression}
+
+
+def _polynomials(parts: set[sympy.Expr]) -> PolyRing:
+    return PolyRing(sorted(parts, key=str), sympy.ZZ)
 
 
 Fraction = tuple[PolyElement, PolyElement]
