@@ -118,7 +118,7 @@ class InvariantLoop:
     def masked(self, expression: sympy.Expr) -> sympy.Expr:
         """Return an expression with a symbol of its own for each word of the states."""
         words = [f for f in expression.atoms(AppliedUndef) if f.args != (TIME,)]
-        for word in sorted(words, key=lambda f: (-extent(f)[0], str(f))):  # outer before inner
+        for word in sorted(words, key=_outer_first):
             if expression.has(word):
                 sign = {"positive": True} if positive_maximum(word) else {"real": True}
                 symbol = self.words.setdefault(word, sympy.Dummy(str(word.func), **sign))
@@ -272,6 +272,11 @@ class InvariantLoop:
 def _any(n: int, name: str = "c") -> np.ndarray:
     """Return n symbols that may be any numbers, the same ones each time: what is found of them."""
     return np.array(sympy.symbols(f"{name}_1:{n + 1}", real=True, cls=sympy.Dummy), dtype=object)
+
+
+@cache
+def _outer_first(word: AppliedUndef) -> tuple[int, str]:
+    return -extent(word)[0], str(word)
 
 
 def _solved(relations: dict[Any, sympy.Expr]) -> dict[Any, sympy.Expr]:

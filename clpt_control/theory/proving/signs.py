@@ -27,8 +27,8 @@ from .words import CLIP, INSIDE, decided, interval, pieces_of, sector_of, words_
 def vanishes(expression: Any) -> bool:
     """Return whether an expression is zero; one that divides by zero is not."""
     expression = sympy.sympify(expression)
-    parts = _parts(expression)
-    p, q = _fraction(expression, _polynomials(parts), {})
+    p, q = _fraction(expression)
+    parts = p.ring.symbols
     if p == 0 or q == 0 or all(isinstance(part, sympy.Symbol | AppliedUndef) for part in parts):
         return p == 0 and q != 0
     p, q = map(sympy.expand, sympy.fraction(sympy.together(expression)))
@@ -38,7 +38,7 @@ def vanishes(expression: Any) -> bool:
 @lru_cache(maxsize=1000)
 def as_factors(expression: sympy.Expr) -> sympy.Expr:
     """Return an expression as one fraction of factors."""
-    p, q = _fraction(expression, _polynomials(_parts(expression)), {})
+    p, q = _fraction(expression)
     return sympy.factor(p.as_expr()) / sympy.factor(q.as_expr())
 
 
@@ -56,39 +56,36 @@ def _parts(expression: sympy.Expr) -> set[sympy.Expr]:
     return set() if expression.is_Rational else {expression}
 
 
-def _polynomials(parts: set[sympy.Expr]) -> PolyRing:
-    return PolyRing(sorted(parts, key=str), sympy.ZZ)
-
-
-Fraction = tuple[PolyElement, PolyElement]
-
-
-def _fraction(e: sympy.Expr, polynomials: PolyRing, known: dict[sympy.Expr, Fraction]) -> Fraction:
+def _fraction(expression: sympy.Expr) -> tuple[PolyElement, PolyElement]:
     """Return p and q of an expression p/q; SymPy's own field takes much longer, with divisors."""
-    if e not in known:
-        known[e] = _read(e, polynomials, known)
-    return known[e]
+    ring = PolyRing([*_parts(expression)], sympy.ZZ)
+    known = {
+        part: (generator, ring.one) for part, generator in zip(ring.symbols, ring.gens, strict=True)
+    }
 
+    def fraction(e: sympy.Expr) -> tuple[PolyElement, PolyElement]:
+        if e not in known:
+            known[e] = multiplied(e)
+        return known[e]
 
-def _read(e: sympy.Expr, polynomials: PolyRing, known: dict[sympy.Expr, Fraction]) -> Fraction:
-    if e.is_Add:
+    def multiplied(e: sympy.Expr) -> tuple[PolyElement, PolyElement]:
+        if e.is_Rational:
+            return ring.ground_new(e.p), ring.ground_new(e.q)
+        if e.is_Pow:
+            p, q = fraction(e.base)[:: 1 if e.exp > 0 else -1]
+            return p ** abs(int(e.exp)), q ** abs(int(e.exp))
+        parts = [fraction(one) for one in e.args]
+        if e.is_Mul:
+            return ring.mul(*(p for p, _ in parts)), ring.mul(*(q for _, q in parts))
         numerators: dict[PolyElement, list[PolyElement]] = {}  # by their denominator
-        for p, q in (_fraction(one, polynomials, known) for one in e.args):
+        for p, q in parts:
             numerators.setdefault(q, []).append(p)
-        p, q = polynomials.zero, polynomials.one
+        p, q = ring.zero, ring.one
         for other, shares in numerators.items():
-            p, q = p * other + polynomials.add(*shares) * q, q * other
+            p, q = p * other + ring.add(*shares) * q, q * other
         return p, q
-    if e.is_Mul:
-        both = zip(*(_fraction(one, polynomials, known) for one in e.args), strict=True)
-        p, q = (polynomials.mul(*factors) for factors in both)
-        return p, q
-    if e.is_Pow and e.exp.is_Integer:
-        p, q = _fraction(e.base, polynomials, known)[:: 1 if e.exp > 0 else -1]
-        return p ** abs(int(e.exp)), q ** abs(int(e.exp))
-    if e.is_Rational:
-        return polynomials.ground_new(e.p), polynomials.ground_new(e.q)
-    return polynomials.from_expr(e), polynomials.one
+
+    return fraction(expression)
 
 
 MOST_TERMS = 20_000  # more are not multiplied out
