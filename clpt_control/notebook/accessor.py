@@ -22,7 +22,7 @@ from ..errors import DataError
 from ..files import beside, check_writable, write_file
 from ..html import facts, fragment, shortened
 from ..scenario.file import BEYOND
-from ..simulation.plots import named, ports_along, signals_of
+from ..simulation.comparing import named, ports_along, signals_of
 
 if TYPE_CHECKING:
     import xarray

@@ -10,7 +10,7 @@ from ..scenario.experiment import Scenario
 from ..scenario.file import CHANGED, NOT_REPEATED, OWN_LAW, OWN_PARTS, TEAM, paper_scenario
 from ..scenario.recorded_run import waypoints_of
 from ..scenario.team import Team
-from ..simulation.plots import named, ports_along, response_plot, signals_of
+from ..simulation.comparing import named, ports_along, response_plot, signals_of
 from ..simulation.run_file import diagram_of_text, equations_text
 from ..simulation.summary import claims
 from ..theory.proving.array_loop import no_value

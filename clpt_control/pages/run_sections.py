@@ -13,9 +13,10 @@ from ..scenario.file import OWN_LAW
 from ..scenario.recorded_run import waypoints_of
 from ..scenario.tables import Units
 from ..scenario.team import Team
+from ..simulation.charts import TITLE, square_chart, track_plot
 from ..simulation.flows import flow_velocity
 from ..simulation.loops import closed_loop, team_loop
-from ..simulation.plots import DIRECTIONS, TITLE, clpe_plot, learning_plot, square_chart, track_plot
+from ..simulation.plots import DIRECTIONS, clpe_plot, learning_plot
 from ..simulation.team_plots import team_plot
 from ..theory.excitation.excitation_report import excitation_plot
 from .page import Drawn, Section, drawn

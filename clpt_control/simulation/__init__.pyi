@@ -1,3 +1,5 @@
+from .charts import track_plot
+from .comparing import compare, response_plot
 from .export import export_c
 from .film import animate
 from .fitting import Fit, fit_parameters
@@ -5,7 +7,7 @@ from .flows import explained_variance, flow_velocity
 from .fmu import export_fmu
 from .integrate import sample_times, simulate
 from .loops import closed_loop, error_loop, paper_blocks, team_loop
-from .plots import clpe_plot, compare, learning_plot, response_plot, run_plot, track_plot
+from .plots import clpe_plot, learning_plot, run_plot
 from .run_file import load_diagram, load_run, save_run
 from .starts import initial_state, state_at
 from .summary import claims, run_and_report

@@ -21,7 +21,8 @@ from ..progress import progress_bar
 from ..progress.interrupt import check
 from ..scenario.experiment import Scenario
 from ..scenario.recorded_run import is_response, waypoints_of
-from .plots import TITLE, arrow_grid, scenario_with
+from .charts import TITLE, arrow_grid, scenario_with
+from .flows import flow_velocity
 
 if TYPE_CHECKING:
     import xarray
@@ -232,8 +233,6 @@ class Film(NamedTuple):
 
 def film_of(run: "xarray.Dataset", times: np.ndarray) -> Film:
     """Return what is shown at each time."""
-    from .flows import flow_velocity
-
     scenario = scenario_with(run, *SIGNALS)
     t = run.time.values
 

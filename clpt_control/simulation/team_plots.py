@@ -11,7 +11,10 @@ from ..errors import DataError
 from ..figures import GREY, axes_for, figure_of, legend_below, line_style
 from ..scenario.file import TEAM
 from ..scenario.team import Team, team_of_run
-from .plots import TITLE, arrow_grid, clpe_plot, learning_plot, response_plot, track_plot
+from .charts import TITLE, arrow_grid, track_plot
+from .comparing import response_plot
+from .flows import flow_velocity
+from .plots import clpe_plot, learning_plot
 
 if TYPE_CHECKING:
     import xarray
@@ -87,8 +90,6 @@ def _positive(values: np.ndarray) -> np.ndarray:
 
 def _tracks(ax: Any, run: "xarray.Dataset", team: Team, lines: dict[str, dict[str, Any]]) -> None:
     """Draw tracks and waypoints over the flow at the start."""
-    from .flows import flow_velocity
-
     unit, first = team.first.units, team.first
     points = np.concatenate([one.waypoints for one in team.members.values()])
     paths = np.concatenate([points, run.position.values.reshape(-1, 2)])
